@@ -1,0 +1,265 @@
+//! The box (handout §2.2, §3 and annex A.3).
+
+use crate::erreur::{coefficient, point, taille};
+use crate::{ErreurGeo, Intersection, Rayon, Reel, Rotation, Texture, Vecteur};
+
+/// A box as one describes it: its centre, its width, height and depth (along x, y and z before
+/// it is turned) and the rotation that turns it about its centre (handout §2.2).
+///
+/// ```
+/// use lancer_rayon::{BoiteGeo, Rotation, Texture, Vecteur};
+///
+/// let marche = BoiteGeo::new(
+///     Vecteur::new(0.0, 1.0, 0.0),
+///     Vecteur::new(4.0, 2.0, 1.0),
+///     Rotation::IDENTITE,
+///     Texture(0),
+/// )?;
+/// let faces = marche.vers_ray().centres_faces();
+/// assert_eq!(faces[0], Vecteur::new(2.0, 1.0, 0.0));
+/// # Ok::<(), lancer_rayon::ErreurGeo>(())
+/// ```
+#[doc(alias = "box")]
+#[doc(alias = "cuboid")]
+#[doc(alias = "obb")]
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(try_from = "BoiteBrute<R>"))]
+#[cfg_attr(feature = "serde", serde(bound(serialize = "R: Reel + serde::Serialize")))]
+#[cfg_attr(feature = "serde", serde(bound(deserialize = "R: Reel + serde::Deserialize<'de>")))]
+#[must_use]
+pub struct BoiteGeo<R = f64> {
+    centre: Vecteur<R>,
+    dimensions: Vecteur<R>,
+    rotation: Rotation<R>,
+    texture: Texture,
+}
+
+impl<R: Reel> BoiteGeo<R> {
+    /// The box of this centre, these dimensions (width, height, depth) and this rotation.
+    ///
+    /// # Errors
+    /// If a coordinate is beyond ±2⁴⁵⁰ (`f64`) or ±2⁶⁰ (`f32`), or a dimension outside
+    /// 2⁻⁴⁵⁰ … 2⁴⁵⁰ or 2⁻⁶⁰ … 2⁶⁰.
+    pub fn new(
+        centre: Vecteur<R>,
+        dimensions: Vecteur<R>,
+        rotation: Rotation<R>,
+        texture: Texture,
+    ) -> Result<Self, ErreurGeo> {
+        Ok(Self {
+            centre: point(["centre.x", "centre.y", "centre.z"], centre)?,
+            dimensions: Vecteur::new(
+                taille("dimensions.x (largeur)", dimensions.x)?,
+                taille("dimensions.y (hauteur)", dimensions.y)?,
+                taille("dimensions.z (profondeur)", dimensions.z)?,
+            ),
+            rotation,
+            texture,
+        })
+    }
+
+    /// The box moved by `v` (handout §2.3).
+    ///
+    /// # Errors
+    /// If the new centre lies outside the limits of [`new`](Self::new).
+    #[doc(alias = "translate")]
+    pub fn translation(self, v: Vecteur<R>) -> Result<Self, ErreurGeo> {
+        Self::new(self.centre + v, self.dimensions, self.rotation, self.texture)
+    }
+
+    /// The box turned about the origin O (handout §2.3): its centre moves, its faces turn.
+    ///
+    /// # Errors
+    /// If the new centre lies outside the limits of [`new`](Self::new).
+    #[doc(alias = "rotate")]
+    pub fn rotation(self, r: Rotation<R>) -> Result<Self, ErreurGeo> {
+        let centre = r.appliquer(self.centre);
+        Self::new(centre, self.dimensions, self.rotation.puis(r), self.texture)
+    }
+
+    /// The box of the same centre and dimensions `k` times as large (handout §2.3).
+    ///
+    /// # Errors
+    /// If the coefficient is not finite and above 0, or a new dimension outside the limits of
+    /// [`new`](Self::new).
+    #[doc(alias = "scale")]
+    pub fn homothetie(self, k: R) -> Result<Self, ErreurGeo> {
+        let dimensions = self.dimensions * coefficient(k)?;
+        Self::new(self.centre, dimensions, self.rotation, self.texture)
+    }
+
+    /// The same box, ready for rays (handout §3).
+    #[inline]
+    pub fn vers_ray(self) -> BoiteRay<R> {
+        let Vecteur { x, y, z } = self.dimensions;
+        BoiteRay {
+            centre: self.centre,
+            normales: self.rotation.axes(),
+            demi_longueurs: [x, y, z].map(|l| l / (R::UN + R::UN)),
+            texture: self.texture,
+        }
+    }
+}
+
+/// A box ready for rays (handout §3). The three faces are those that looked towards +x, +y and
+/// +z before the box was turned; each array is in that order.
+///
+/// The handout stores 36 numbers. The centre, the three normals and the three half-lengths
+/// determine the rest, and are all that an intersection reads.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[must_use]
+pub struct BoiteRay<R = f64> {
+    centre: Vecteur<R>,
+    normales: [Vecteur<R>; 3],
+    demi_longueurs: [R; 3],
+    texture: Texture,
+}
+
+/// Where a ray crosses the three slabs of a box.
+struct Dalles<R> {
+    entree: R,
+    sortie: R,
+    /// The slab that is entered last.
+    axe: usize,
+}
+
+impl<R: Reel> BoiteRay<R> {
+    /// C, the centre.
+    #[doc(alias = "center")]
+    #[inline]
+    pub fn centre(&self) -> Vecteur<R> {
+        self.centre
+    }
+
+    /// N_i, the unit normals of the three faces, outward. Those of the opposite faces are −N_i.
+    #[doc(alias = "normals")]
+    #[inline]
+    pub fn normales(&self) -> [Vecteur<R>; 3] {
+        self.normales
+    }
+
+    /// l_i, half the distance between each face and the opposite one.
+    #[doc(alias = "half_extents")]
+    #[inline]
+    #[must_use]
+    pub fn demi_longueurs(&self) -> [R; 3] {
+        self.demi_longueurs
+    }
+
+    /// Cf_i = C + l_i·N_i, the centres of the three faces.
+    pub fn centres_faces(&self) -> [Vecteur<R>; 3] {
+        core::array::from_fn(|i| self.centre + self.normales[i] * self.demi_longueurs[i])
+    }
+
+    /// Co_i = C − l_i·N_i, the centres of the opposite faces.
+    pub fn centres_opposes(&self) -> [Vecteur<R>; 3] {
+        core::array::from_fn(|i| self.centre - self.normales[i] * self.demi_longueurs[i])
+    }
+
+    /// df_i = −N_i·Cf_i, the relative distances to the origin of the planes of the three faces.
+    #[must_use]
+    pub fn distances_faces(&self) -> [R; 3] {
+        let centres = self.centres_faces();
+        core::array::from_fn(|i| -self.normales[i].produit_scalaire(centres[i]))
+    }
+
+    /// do_i = N_i·Co_i, the relative distances to the origin of the planes of the opposite
+    /// faces, whose normals are −N_i.
+    #[must_use]
+    pub fn distances_opposees(&self) -> [R; 3] {
+        let centres = self.centres_opposes();
+        core::array::from_fn(|i| self.normales[i].produit_scalaire(centres[i]))
+    }
+
+    /// The texture of the object.
+    #[inline]
+    pub fn texture(&self) -> Texture {
+        self.texture
+    }
+
+    /// Whether the ray comes near the ball around the box, which costs no division.
+    ///
+    /// Conservative: see the bound in `docs/conception.md`. A source inside the ball passes, even
+    /// with the centre behind it.
+    #[inline(always)]
+    pub(crate) fn possible(&self, s: Vecteur<R>, d: Vecteur<R>) -> bool {
+        let sc = self.centre - s;
+        let [l1, l2, l3] = self.demi_longueurs;
+        let boule2 = (l1 * l1 + l2 * l2 + l3 * l3) * R::BOULE_ELARGIE;
+        let sa = sc.produit_scalaire(d);
+        let ac2 = sc.produit_vectoriel(d).longueur_carree();
+        let sa2 = sa * sa;
+        (ac2 <= boule2 + sa2 * R::BOULE_ARRONDI) & ((sa >= R::ZERO) | (sa2 <= boule2))
+    }
+
+    /// The ray against the three pairs of faces, in the axes of the box with C as the origin,
+    /// each axis turned to go with the ray.
+    ///
+    /// A ray parallel to a pair divides by +0: the quotients are then ±∞ on the right sides,
+    /// or 0/0 in the plane of a face, and every comparison with that NaN is false, so that the
+    /// pair constrains nothing.
+    #[inline(always)]
+    fn dalles(&self, s: Vecteur<R>, d: Vecteur<R>) -> Dalles<R> {
+        let cs = s - self.centre;
+        let mut dalles = Dalles { entree: -R::INFINI, sortie: R::INFINI, axe: 0 };
+        for axe in 0..3 {
+            let (n, l) = (self.normales[axe], self.demi_longueurs[axe]);
+            let (o, v) = (cs.produit_scalaire(n), d.produit_scalaire(n));
+            let o = if v < R::ZERO { -o } else { o };
+            let entree = -(l + o) / v.abs();
+            let sortie = (l - o) / v.abs();
+            if entree > dalles.entree {
+                dalles.entree = entree;
+                dalles.axe = axe;
+            }
+            if sortie < dalles.sortie {
+                dalles.sortie = sortie;
+            }
+        }
+        dalles
+    }
+
+    /// The distance of the entry, +∞ if the ray has none: the last of the three entries, if it
+    /// comes no later than the first of the three exits. Edges belong to the box.
+    #[inline(always)]
+    pub(crate) fn t(&self, s: Vecteur<R>, d: Vecteur<R>) -> R {
+        let Dalles { entree, sortie, axe: _ } = self.dalles(s, d);
+        if (entree > R::ZERO) & (entree <= sortie) { entree } else { R::INFINI }
+    }
+
+    /// The hit that the search found at distance `t`, computed in `f64`.
+    pub(crate) fn conclure(&self, rayon: &Rayon<R>, t: R) -> Intersection<R> {
+        let d = rayon.direction();
+        let large = BoiteRay {
+            centre: self.centre.vers_f64(),
+            normales: self.normales.map(Vecteur::vers_f64),
+            demi_longueurs: self.demi_longueurs.map(R::vers_f64),
+            texture: self.texture,
+        };
+        let precises = large.dalles(rayon.source().vers_f64(), d.vers_f64());
+        let t = R::conclure(t, || precises.entree);
+        let normale = self.normales[precises.axe];
+        let normale = if normale.produit_scalaire(d) > R::ZERO { -normale } else { normale };
+        Intersection::new(t, normale, self.texture)
+    }
+}
+
+#[cfg(feature = "serde")]
+#[derive(serde::Deserialize)]
+#[serde(rename = "BoiteGeo")]
+#[serde(bound(deserialize = "R: Reel + serde::Deserialize<'de>"))]
+struct BoiteBrute<R> {
+    centre: Vecteur<R>,
+    dimensions: Vecteur<R>,
+    rotation: Rotation<R>,
+    texture: Texture,
+}
+
+#[cfg(feature = "serde")]
+impl<R: Reel> TryFrom<BoiteBrute<R>> for BoiteGeo<R> {
+    type Error = ErreurGeo;
+    fn try_from(brute: BoiteBrute<R>) -> Result<Self, ErreurGeo> {
+        Self::new(brute.centre, brute.dimensions, brute.rotation, brute.texture)
+    }
+}

@@ -1,0 +1,93 @@
+//! What a constructor or a transformation answers when it refuses a number.
+
+use core::fmt;
+
+use crate::{Reel, Vecteur};
+
+/// A number that no scene can hold, and where it stood.
+///
+/// Every constructor and every transformation returns it; a value that exists is valid.
+///
+/// ```
+/// use lancer_rayon::{SphereGeo, Texture, Vecteur};
+///
+/// let erreur = SphereGeo::new(Vecteur::NUL, -1.0, Texture(0)).unwrap_err();
+/// assert_eq!(erreur.champ, "rayon");
+/// assert_eq!(erreur.valeur, -1.0);
+/// assert_eq!(erreur.to_string(), "rayon is -1, but must be a number between 2^-450 and 2^450");
+/// ```
+#[doc(alias = "error")]
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct ErreurGeo {
+    /// The field or argument, for instance `"centre.x"`.
+    pub champ: &'static str,
+    /// What it would have been (an `f32` is widened, exactly).
+    pub valeur: f64,
+    /// What would have been accepted, as the end of the sentence "it must be …".
+    pub attendu: &'static str,
+}
+
+impl fmt::Display for ErreurGeo {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        // Thirty digits of a number near 2^450 would hide the sentence.
+        let grandeur = self.valeur.abs();
+        let lisible = grandeur == 0.0 || (1e-4..1e7).contains(&grandeur);
+        if lisible || !self.valeur.is_finite() {
+            write!(f, "{} is {}, but must be {}", self.champ, self.valeur, self.attendu)
+        } else {
+            write!(f, "{} is {:e}, but must be {}", self.champ, self.valeur, self.attendu)
+        }
+    }
+}
+
+impl core::error::Error for ErreurGeo {}
+
+pub(crate) fn refus<R: Reel>(champ: &'static str, valeur: R, attendu: &'static str) -> ErreurGeo {
+    ErreurGeo { champ, valeur: valeur.vers_f64(), attendu }
+}
+
+/// Refuses `valeur` with its name unless `accepte`.
+pub(crate) fn exiger<R: Reel>(
+    accepte: bool,
+    champ: &'static str,
+    valeur: R,
+    attendu: &'static str,
+) -> Result<R, ErreurGeo> {
+    if accepte { Ok(valeur) } else { Err(refus(champ, valeur, attendu)) }
+}
+
+/// A coordinate, or the relative distance of a half-space.
+pub(crate) fn coordonnee<R: Reel>(champ: &'static str, x: R) -> Result<R, ErreurGeo> {
+    exiger(x.abs() <= R::LIMITE, champ, x, R::ATTENDU_COORDONNEE)
+}
+
+/// A point, whose three coordinates have these names.
+pub(crate) fn point<R: Reel>(
+    champs: [&'static str; 3],
+    p: Vecteur<R>,
+) -> Result<Vecteur<R>, ErreurGeo> {
+    let [x, y, z] = champs;
+    Ok(Vecteur::new(coordonnee(x, p.x)?, coordonnee(y, p.y)?, coordonnee(z, p.z)?))
+}
+
+/// A radius or one of the three dimensions of a box.
+pub(crate) fn taille<R: Reel>(champ: &'static str, x: R) -> Result<R, ErreurGeo> {
+    exiger(x >= R::UN / R::LIMITE && x <= R::LIMITE, champ, x, R::ATTENDU_TAILLE)
+}
+
+/// The coefficient of a homothety.
+pub(crate) fn coefficient<R: Reel>(k: R) -> Result<R, ErreurGeo> {
+    exiger(k > R::ZERO && k < R::INFINI, "coefficient", k, "a finite number above 0")
+}
+
+/// A vector each of whose coordinates is finite.
+pub(crate) fn fini<R: Reel>(
+    champs: [&'static str; 3],
+    v: Vecteur<R>,
+) -> Result<Vecteur<R>, ErreurGeo> {
+    for (champ, x) in champs.into_iter().zip([v.x, v.y, v.z]) {
+        exiger(x.abs() < R::INFINI, champ, x, "a finite number")?;
+    }
+    Ok(v)
+}

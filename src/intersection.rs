@@ -1,0 +1,90 @@
+//! The first object that a ray touches (handout §4.1).
+
+use core::fmt;
+
+use crate::{ObjetRay, Rayon, Reel, Texture, Vecteur};
+
+/// Where a ray first touches an object: what the handout asks for in §2.3.
+#[doc(alias = "hit")]
+#[doc(alias = "HitRecord")]
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+#[must_use]
+pub struct Intersection<R = f64> {
+    /// From the source of the ray to the object, in scene units: finite and above 0.
+    pub distance: R,
+    /// The direction of the surface there: unit, outward, and against the ray (D·N < 0).
+    pub normale: Vecteur<R>,
+    /// The texture of the object.
+    pub texture: Texture,
+}
+
+impl<R: Reel> Intersection<R> {
+    /// Rounds a distance t > 0 to R. One too small for R stays a hit, at the smallest distance.
+    pub(crate) fn new(t: f64, normale: Vecteur<R>, texture: Texture) -> Self {
+        let t = R::depuis_f64(t);
+        let distance = if t > R::ZERO { t } else { R::PLUS_PETIT };
+        Self { distance, normale, texture }
+    }
+}
+
+/// The ray touches nothing: the exception `No_intersection` of the handout's §4.1.
+#[doc(alias = "miss")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub struct NoIntersection;
+
+impl fmt::Display for NoIntersection {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("the ray touches no object")
+    }
+}
+
+impl core::error::Error for NoIntersection {}
+
+/// The first object that the ray enters: its distance, its normal there, its texture
+/// (handout §4.1).
+///
+/// A touch is an entry. An object that contains the source, or whose surface does, is not
+/// touched (handout §2.3); the others still count. Of two objects at the same distance the
+/// earlier in the list is the first.
+///
+/// # Errors
+/// [`NoIntersection`] if the ray enters no object.
+///
+/// ```
+/// use lancer_rayon::{
+///     NoIntersection, ObjetGeo, Rayon, SphereGeo, Texture, Vecteur, premiere_intersection,
+/// };
+///
+/// let boule = |z, texture| SphereGeo::new(Vecteur::new(0.0, 0.0, z), 1.0, Texture(texture));
+/// let scene = [boule(-9.0, 0)?, boule(-4.0, 1)?].map(|b| ObjetGeo::from(b).vers_ray());
+///
+/// let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.0, 0.0, -1.0))?;
+/// let touche = premiere_intersection(&scene, &rayon)?;
+/// assert_eq!(touche.distance, 3.0);
+/// assert_eq!(touche.normale, Vecteur::new(0.0, 0.0, 1.0));
+/// assert_eq!(touche.texture, Texture(1));
+///
+/// let ailleurs = Rayon::new(Vecteur::NUL, Vecteur::new(0.0, 1.0, 0.0))?;
+/// assert_eq!(premiere_intersection(&scene, &ailleurs), Err(NoIntersection));
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+#[doc(alias = "cast_ray")]
+#[doc(alias = "closest_hit")]
+#[doc(alias = "raycast")]
+pub fn premiere_intersection<R: Reel>(
+    objets: &[ObjetRay<R>],
+    rayon: &Rayon<R>,
+) -> Result<Intersection<R>, NoIntersection> {
+    let (s, d) = (rayon.source(), rayon.direction());
+    let mut premier = Err(NoIntersection);
+    let mut t_premier = R::INFINI;
+    for objet in objets {
+        let t = objet.t(s, d);
+        if t < t_premier {
+            t_premier = t;
+            premier = Ok(objet);
+        }
+    }
+    premier.map(|objet| objet.conclure(rayon, t_premier))
+}

@@ -1,0 +1,166 @@
+//! The two enums of the handout's §4.1, and every choice between shapes that the crate makes.
+
+use crate::{
+    BoiteGeo, BoiteRay, ErreurGeo, Intersection, NoIntersection, PlanGeo, PlanRay, Rayon, Reel,
+    Rotation, SphereGeo, SphereRay, Vecteur, premiere_intersection,
+};
+
+/// An object as one describes and moves it (`Objet_geo` in the handout).
+///
+/// ```
+/// use lancer_rayon::{ObjetGeo, SphereGeo, Texture, Vecteur};
+///
+/// let boule = ObjetGeo::from(SphereGeo::new(Vecteur::NUL, 1.0, Texture(0))?);
+/// let objet = boule.translation(Vecteur::new(0.0, 0.0, -4.0))?.homothetie(2.0)?.vers_ray();
+/// # Ok::<(), lancer_rayon::ErreurGeo>(())
+/// ```
+#[doc(alias = "shape")]
+#[doc(alias = "Objet_geo")]
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(bound(serialize = "R: Reel + serde::Serialize")))]
+#[cfg_attr(feature = "serde", serde(bound(deserialize = "R: Reel + serde::Deserialize<'de>")))]
+#[must_use]
+pub enum ObjetGeo<R = f64> {
+    /// A sphere.
+    Sphere(SphereGeo<R>),
+    /// A half-space.
+    Plan(PlanGeo<R>),
+    /// A box.
+    Boite(BoiteGeo<R>),
+}
+
+impl<R: Reel> ObjetGeo<R> {
+    /// The object moved by `v` (handout §2.3).
+    ///
+    /// # Errors
+    /// If the moved object lies outside the limits of its constructor.
+    #[doc(alias = "translate")]
+    pub fn translation(self, v: Vecteur<R>) -> Result<Self, ErreurGeo> {
+        Ok(match self {
+            Self::Sphere(sphere) => Self::Sphere(sphere.translation(v)?),
+            Self::Plan(plan) => Self::Plan(plan.translation(v)?),
+            Self::Boite(boite) => Self::Boite(boite.translation(v)?),
+        })
+    }
+
+    /// The object turned about the origin O (handout §2.3).
+    ///
+    /// # Errors
+    /// If the turned object lies outside the limits of its constructor.
+    #[doc(alias = "rotate")]
+    pub fn rotation(self, r: Rotation<R>) -> Result<Self, ErreurGeo> {
+        Ok(match self {
+            Self::Sphere(sphere) => Self::Sphere(sphere.rotation(r)?),
+            Self::Plan(plan) => Self::Plan(plan.rotation(r)?),
+            Self::Boite(boite) => Self::Boite(boite.rotation(r)?),
+        })
+    }
+
+    /// The object with its dimensions multiplied by `k`, its centre where it was; a half-space
+    /// has none and stays as it is (handout §2.3).
+    ///
+    /// # Errors
+    /// If `k` is not finite and above 0, or a dimension leaves the limits of the constructor.
+    #[doc(alias = "scale")]
+    pub fn homothetie(self, k: R) -> Result<Self, ErreurGeo> {
+        Ok(match self {
+            Self::Sphere(sphere) => Self::Sphere(sphere.homothetie(k)?),
+            Self::Plan(plan) => Self::Plan(plan.homothetie(k)?),
+            Self::Boite(boite) => Self::Boite(boite.homothetie(k)?),
+        })
+    }
+
+    /// The same object, ready for rays (handout §3).
+    #[inline]
+    pub fn vers_ray(self) -> ObjetRay<R> {
+        match self {
+            Self::Sphere(sphere) => ObjetRay::Sphere(sphere.vers_ray()),
+            Self::Plan(plan) => ObjetRay::Plan(plan.vers_ray()),
+            Self::Boite(boite) => ObjetRay::Boite(boite.vers_ray()),
+        }
+    }
+}
+
+/// An object ready for rays (`Objet_ray` in the handout).
+///
+/// ```
+/// use lancer_rayon::{ObjetGeo, Rayon, SphereGeo, Texture, Vecteur};
+///
+/// let boule = SphereGeo::new(Vecteur::new(0.0, 0.0, -5.0), 1.0, Texture(3))?;
+/// let objet = ObjetGeo::from(boule).vers_ray();
+/// let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.0, 0.0, -1.0))?;
+/// let touche = objet.intersection(&rayon)?;
+/// assert_eq!((touche.distance, touche.texture), (4.0, Texture(3)));
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+#[doc(alias = "primitive")]
+#[doc(alias = "Objet_ray")]
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[must_use]
+pub enum ObjetRay<R = f64> {
+    /// A sphere.
+    Sphere(SphereRay<R>),
+    /// A half-space.
+    Plan(PlanRay<R>),
+    /// A box.
+    Boite(BoiteRay<R>),
+}
+
+impl<R: Reel> ObjetRay<R> {
+    /// Where the ray enters this object (handout, annex A): [`premiere_intersection`] with this
+    /// object alone.
+    ///
+    /// # Errors
+    /// [`NoIntersection`] if it does not: it misses, only touches, leaves, or starts inside or
+    /// on the surface.
+    #[doc(alias = "intersect")]
+    #[doc(alias = "hit")]
+    pub fn intersection(&self, rayon: &Rayon<R>) -> Result<Intersection<R>, NoIntersection> {
+        premiere_intersection(core::slice::from_ref(self), rayon)
+    }
+
+    /// The distance at which the ray (S, D) enters this object, +∞ if it does not.
+    #[inline(always)]
+    pub(crate) fn t(&self, s: Vecteur<R>, d: Vecteur<R>) -> R {
+        match self {
+            Self::Sphere(sphere) if sphere.possible(s, d) => sphere.t(s, d),
+            Self::Plan(plan) if plan.possible(s, d) => plan.t(s, d),
+            Self::Boite(boite) if boite.possible(s, d) => boite.t(s, d),
+            Self::Sphere(_) | Self::Plan(_) | Self::Boite(_) => R::INFINI,
+        }
+    }
+
+    /// The hit that the search found at distance `t`.
+    pub(crate) fn conclure(&self, rayon: &Rayon<R>, t: R) -> Intersection<R> {
+        match self {
+            Self::Sphere(sphere) => sphere.conclure(rayon, t),
+            Self::Plan(plan) => plan.conclure(rayon, t),
+            Self::Boite(boite) => boite.conclure(rayon, t),
+        }
+    }
+}
+
+impl<R> From<SphereGeo<R>> for ObjetGeo<R> {
+    fn from(sphere: SphereGeo<R>) -> Self {
+        Self::Sphere(sphere)
+    }
+}
+
+impl<R> From<PlanGeo<R>> for ObjetGeo<R> {
+    fn from(plan: PlanGeo<R>) -> Self {
+        Self::Plan(plan)
+    }
+}
+
+impl<R> From<BoiteGeo<R>> for ObjetGeo<R> {
+    fn from(boite: BoiteGeo<R>) -> Self {
+        Self::Boite(boite)
+    }
+}
+
+impl<R: Reel> From<ObjetGeo<R>> for ObjetRay<R> {
+    fn from(objet: ObjetGeo<R>) -> Self {
+        objet.vers_ray()
+    }
+}

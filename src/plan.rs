@@ -1,0 +1,168 @@
+//! The plane, which is a solid half-space (handout §2.2, §3 and annex A.1).
+
+use crate::erreur::{coefficient, coordonnee};
+use crate::{ErreurGeo, Intersection, Rayon, Reel, Rotation, Texture, Vecteur};
+
+/// A half-space as one describes it: the points z ≤ 0 turned by a rotation, then moved to lie
+/// at a relative distance d from the origin O (handout §2.2). d < 0 if the half-space contains
+/// O, d > 0 if not.
+///
+/// ```
+/// use core::f64::consts::FRAC_PI_2;
+/// use lancer_rayon::{PlanGeo, Rotation, Texture, Vecteur};
+///
+/// // A quarter turn about x lays z ≤ 0 down as y ≤ 0: a floor, here two below the origin.
+/// let couche = Rotation::new(Vecteur::new(FRAC_PI_2, 0.0, 0.0))?;
+/// let sol = PlanGeo::new(couche, 2.0, Texture(0))?.vers_ray();
+/// assert_eq!((sol.normale(), sol.distance()), (Vecteur::new(0.0, 1.0, 0.0), 2.0));
+/// # Ok::<(), lancer_rayon::ErreurGeo>(())
+/// ```
+#[doc(alias = "plane")]
+#[doc(alias = "half-space")]
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(try_from = "PlanBrut<R>"))]
+#[cfg_attr(feature = "serde", serde(bound(serialize = "R: Reel + serde::Serialize")))]
+#[cfg_attr(feature = "serde", serde(bound(deserialize = "R: Reel + serde::Deserialize<'de>")))]
+#[must_use]
+pub struct PlanGeo<R = f64> {
+    rotation: Rotation<R>,
+    distance: R,
+    texture: Texture,
+}
+
+impl<R: Reel> PlanGeo<R> {
+    /// The half-space of this rotation and this relative distance to the origin.
+    ///
+    /// # Errors
+    /// If the distance is beyond ±2⁴⁵⁰ (`f64`) or ±2⁶⁰ (`f32`).
+    pub fn new(rotation: Rotation<R>, distance: R, texture: Texture) -> Result<Self, ErreurGeo> {
+        Ok(Self { rotation, distance: coordonnee("distance", distance)?, texture })
+    }
+
+    /// The half-space moved by `v` (handout §2.3): d becomes d − N·v.
+    ///
+    /// # Errors
+    /// If the new distance lies outside the limits of [`new`](Self::new).
+    #[doc(alias = "translate")]
+    pub fn translation(self, v: Vecteur<R>) -> Result<Self, ErreurGeo> {
+        let distance = self.distance - self.normale().produit_scalaire(v);
+        Self::new(self.rotation, distance, self.texture)
+    }
+
+    /// The half-space turned about the origin O (handout §2.3), which leaves d as it is.
+    ///
+    /// # Errors
+    /// None today; the signature is that of the other shapes.
+    #[doc(alias = "rotate")]
+    pub fn rotation(self, r: Rotation<R>) -> Result<Self, ErreurGeo> {
+        Self::new(self.rotation.puis(r), self.distance, self.texture)
+    }
+
+    /// The half-space itself: it has no dimension to multiply (handout §2.3).
+    ///
+    /// # Errors
+    /// If the coefficient is not finite and above 0, as for the other shapes.
+    #[doc(alias = "scale")]
+    pub fn homothetie(self, k: R) -> Result<Self, ErreurGeo> {
+        coefficient(k)?;
+        Ok(self)
+    }
+
+    /// The same half-space, ready for rays (handout §3).
+    #[inline]
+    pub fn vers_ray(self) -> PlanRay<R> {
+        PlanRay { normale: self.normale(), distance: self.distance, texture: self.texture }
+    }
+
+    /// (0, 0, 1)·M, since the half-space was z ≤ 0 before it was turned.
+    fn normale(&self) -> Vecteur<R> {
+        let [_, _, normale] = self.rotation.axes();
+        normale
+    }
+}
+
+/// A half-space ready for rays: its outward unit normal N and its relative distance d
+/// (handout §3). Its points are those where N·X ≤ −d.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[must_use]
+pub struct PlanRay<R = f64> {
+    normale: Vecteur<R>,
+    distance: R,
+    texture: Texture,
+}
+
+impl<R: Reel> PlanRay<R> {
+    /// N, the unit normal, outward.
+    #[doc(alias = "normal")]
+    #[inline]
+    pub fn normale(&self) -> Vecteur<R> {
+        self.normale
+    }
+
+    /// d, the relative distance to the origin O: below 0 if and only if O is inside.
+    #[inline]
+    #[must_use]
+    pub fn distance(&self) -> R {
+        self.distance
+    }
+
+    /// The texture of the object.
+    #[inline]
+    pub fn texture(&self) -> Texture {
+        self.texture
+    }
+
+    /// The height of S over the surface, and the descent of the ray per unit of length: the
+    /// numerator and the denominator of annex A.1, both times −1.
+    #[inline(always)]
+    fn hauteur_et_descente(&self, s: Vecteur<R>, d: Vecteur<R>) -> (R, R) {
+        let hauteur = self.normale.produit_scalaire(s) + self.distance;
+        (hauteur, -self.normale.produit_scalaire(d))
+    }
+
+    /// Whether the ray enters the half-space: S outside, N·D < 0. No threshold: a ray that
+    /// descends at all arrives.
+    #[inline(always)]
+    pub(crate) fn possible(&self, s: Vecteur<R>, d: Vecteur<R>) -> bool {
+        let (hauteur, descente) = self.hauteur_et_descente(s, d);
+        (descente > R::ZERO) & (hauteur > R::ZERO)
+    }
+
+    /// t = (−d − N·S)/(N·D), the distance of the entry of a ray for which one is
+    /// [`possible`](Self::possible).
+    #[inline(always)]
+    pub(crate) fn t(&self, s: Vecteur<R>, d: Vecteur<R>) -> R {
+        let (hauteur, descente) = self.hauteur_et_descente(s, d);
+        hauteur / descente
+    }
+
+    /// The hit that the search found at distance `t`, computed in `f64`.
+    pub(crate) fn conclure(&self, rayon: &Rayon<R>, t: R) -> Intersection<R> {
+        let PlanRay { normale, distance, texture } = *self;
+        let t = R::conclure(t, || {
+            let plan =
+                PlanRay { normale: normale.vers_f64(), distance: distance.vers_f64(), texture };
+            plan.t(rayon.source().vers_f64(), rayon.direction().vers_f64())
+        });
+        Intersection::new(t, normale, texture)
+    }
+}
+
+#[cfg(feature = "serde")]
+#[derive(serde::Deserialize)]
+#[serde(rename = "PlanGeo")]
+#[serde(bound(deserialize = "R: Reel + serde::Deserialize<'de>"))]
+struct PlanBrut<R> {
+    rotation: Rotation<R>,
+    distance: R,
+    texture: Texture,
+}
+
+#[cfg(feature = "serde")]
+impl<R: Reel> TryFrom<PlanBrut<R>> for PlanGeo<R> {
+    type Error = ErreurGeo;
+    fn try_from(brut: PlanBrut<R>) -> Result<Self, ErreurGeo> {
+        Self::new(brut.rotation, brut.distance, brut.texture)
+    }
+}

@@ -1,0 +1,160 @@
+//! The scalar of the crate: `f32` or `f64`, and nothing else.
+
+use core::fmt::{Debug, Display};
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+mod scelle {
+    /// Keeps [`Reel`](super::Reel) to the two types whose rounding the crate's bounds rest on.
+    pub trait Scelle {}
+    impl Scelle for f32 {}
+    impl Scelle for f64 {}
+}
+
+/// A real number as the machine has it: `f32` or `f64`. Sealed.
+///
+/// Every operation it offers is correctly rounded, so that a query gives the same bits on
+/// every machine. Fused multiply-add is absent on purpose: not every machine has it.
+#[doc(alias = "float")]
+#[doc(alias = "scalar")]
+pub trait Reel:
+    scelle::Scelle
+    + Copy
+    + Debug
+    + Display
+    + PartialOrd
+    + Neg<Output = Self>
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Send
+    + Sync
+    + 'static
+{
+    /// 0.
+    const ZERO: Self;
+    /// 1.
+    const UN: Self;
+    /// +∞, the distance of what is never touched.
+    const INFINI: Self;
+    /// The smallest number above 0, a subnormal.
+    const PLUS_PETIT: Self;
+    /// u, the largest relative error of one rounding: 2⁻²⁴ or 2⁻⁵³.
+    const U: Self;
+    /// The largest coordinate, distance or size of a scene: 2⁶⁰ or 2⁴⁵⁰. The smallest size is
+    /// its inverse.
+    const LIMITE: Self;
+    /// A power of two that brings any length whose square leaves the range of the type back
+    /// into it.
+    const ECHELLE: Self;
+    /// 1 + 2⁻¹⁰: by how much the square of the ball around a box is enlarged.
+    const BOULE_ELARGIE: Self;
+    /// 2¹⁵·u²: the square of what the ball around a box grows by per unit of distance.
+    const BOULE_ARRONDI: Self;
+    /// How far a matrix may be from orthonormal and still be taken as a rotation.
+    const ECART_ROTATION: f64;
+    /// [`LIMITE`](Self::LIMITE) in words, for a coordinate.
+    const ATTENDU_COORDONNEE: &'static str;
+    /// [`LIMITE`](Self::LIMITE) in words, for a size.
+    const ATTENDU_TAILLE: &'static str;
+
+    /// Square root, correctly rounded.
+    fn sqrt(self) -> Self;
+    /// Absolute value.
+    fn abs(self) -> Self;
+    /// The same number as an `f64`, exactly.
+    fn vers_f64(self) -> f64;
+    /// The nearest number of this type.
+    fn depuis_f64(x: f64) -> Self;
+    /// The distance to conclude a hit with, in the wider type: what the search found if the
+    /// search was already made in it, otherwise what `precise` computes there, unless that is
+    /// no positive number which this type can hold: the conclusion never revokes a hit.
+    fn conclure(trouve: Self, precise: impl FnOnce() -> f64) -> f64;
+}
+
+impl Reel for f32 {
+    const ZERO: Self = 0.0;
+    const UN: Self = 1.0;
+    const INFINI: Self = Self::INFINITY;
+    const PLUS_PETIT: Self = Self::from_bits(1);
+    const U: Self = Self::EPSILON / 2.0;
+    const LIMITE: Self = (1_u64 << 60) as Self;
+    const ECHELLE: Self = (1_u128 << 100) as Self;
+    const BOULE_ELARGIE: Self = 1.0 + 1.0 / 1024.0;
+    const BOULE_ARRONDI: Self = 32768.0 * Self::U * Self::U;
+    const ECART_ROTATION: f64 = 1e-3;
+    const ATTENDU_COORDONNEE: &'static str = "a number between -2^60 and 2^60";
+    const ATTENDU_TAILLE: &'static str = "a number between 2^-60 and 2^60";
+
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        #[cfg(feature = "std")]
+        return self.sqrt();
+        #[cfg(not(feature = "std"))]
+        return libm::sqrtf(self);
+    }
+
+    #[inline(always)]
+    fn abs(self) -> Self {
+        self.abs()
+    }
+
+    #[inline(always)]
+    fn vers_f64(self) -> f64 {
+        f64::from(self)
+    }
+
+    #[inline(always)]
+    fn depuis_f64(x: f64) -> Self {
+        x as Self
+    }
+
+    #[inline(always)]
+    fn conclure(trouve: Self, precise: impl FnOnce() -> f64) -> f64 {
+        let t = precise();
+        if t > 0.0 && t <= f64::from(Self::MAX) { t } else { f64::from(trouve) }
+    }
+}
+
+impl Reel for f64 {
+    const ZERO: Self = 0.0;
+    const UN: Self = 1.0;
+    const INFINI: Self = Self::INFINITY;
+    const PLUS_PETIT: Self = Self::from_bits(1);
+    const U: Self = Self::EPSILON / 2.0;
+    const LIMITE: Self = Self::from_bits((1023 + 450) << 52);
+    const ECHELLE: Self = Self::from_bits((1023 + 600) << 52);
+    const BOULE_ELARGIE: Self = 1.0 + 1.0 / 1024.0;
+    const BOULE_ARRONDI: Self = 32768.0 * Self::U * Self::U;
+    const ECART_ROTATION: f64 = 1e-6;
+    const ATTENDU_COORDONNEE: &'static str = "a number between -2^450 and 2^450";
+    const ATTENDU_TAILLE: &'static str = "a number between 2^-450 and 2^450";
+
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        #[cfg(feature = "std")]
+        return self.sqrt();
+        #[cfg(not(feature = "std"))]
+        return libm::sqrt(self);
+    }
+
+    #[inline(always)]
+    fn abs(self) -> Self {
+        self.abs()
+    }
+
+    #[inline(always)]
+    fn vers_f64(self) -> f64 {
+        self
+    }
+
+    #[inline(always)]
+    fn depuis_f64(x: f64) -> Self {
+        x
+    }
+
+    #[inline(always)]
+    fn conclure(trouve: Self, _precise: impl FnOnce() -> f64) -> f64 {
+        trouve
+    }
+}

@@ -1,0 +1,188 @@
+//! The sphere (handout §2.2, §3 and annex A.2).
+
+use crate::erreur::{coefficient, point, taille};
+use crate::{ErreurGeo, Intersection, Rayon, Reel, Rotation, Texture, Vecteur};
+
+/// A sphere as one describes it: its centre and its radius (handout §2.2).
+///
+/// ```
+/// use lancer_rayon::{SphereGeo, Texture, Vecteur};
+///
+/// let boule = SphereGeo::new(Vecteur::new(0.0, 0.0, -5.0), 1.5, Texture(0))?;
+/// let double = boule.homothetie(2.0)?.vers_ray();
+/// assert_eq!((double.centre(), double.rayon()), (Vecteur::new(0.0, 0.0, -5.0), 3.0));
+/// # Ok::<(), lancer_rayon::ErreurGeo>(())
+/// ```
+#[doc(alias = "ball")]
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(try_from = "SphereBrute<R>"))]
+#[cfg_attr(feature = "serde", serde(bound(serialize = "R: Reel + serde::Serialize")))]
+#[cfg_attr(feature = "serde", serde(bound(deserialize = "R: Reel + serde::Deserialize<'de>")))]
+#[must_use]
+pub struct SphereGeo<R = f64> {
+    centre: Vecteur<R>,
+    rayon: R,
+    texture: Texture,
+}
+
+impl<R: Reel> SphereGeo<R> {
+    /// The sphere of this centre and this radius.
+    ///
+    /// # Errors
+    /// If a coordinate is beyond ±2⁴⁵⁰ (`f64`) or ±2⁶⁰ (`f32`), or the radius outside
+    /// 2⁻⁴⁵⁰ … 2⁴⁵⁰ or 2⁻⁶⁰ … 2⁶⁰.
+    pub fn new(centre: Vecteur<R>, rayon: R, texture: Texture) -> Result<Self, ErreurGeo> {
+        Ok(Self {
+            centre: point(["centre.x", "centre.y", "centre.z"], centre)?,
+            rayon: taille("rayon", rayon)?,
+            texture,
+        })
+    }
+
+    /// The sphere moved by `v` (handout §2.3).
+    ///
+    /// # Errors
+    /// If the new centre lies outside the limits of [`new`](Self::new).
+    #[doc(alias = "translate")]
+    pub fn translation(self, v: Vecteur<R>) -> Result<Self, ErreurGeo> {
+        Self::new(self.centre + v, self.rayon, self.texture)
+    }
+
+    /// The sphere turned about the origin O (handout §2.3): its centre moves.
+    ///
+    /// # Errors
+    /// If the new centre lies outside the limits of [`new`](Self::new).
+    #[doc(alias = "rotate")]
+    pub fn rotation(self, r: Rotation<R>) -> Result<Self, ErreurGeo> {
+        Self::new(r.appliquer(self.centre), self.rayon, self.texture)
+    }
+
+    /// The sphere of the same centre and a radius `k` times as large (handout §2.3).
+    ///
+    /// # Errors
+    /// If the coefficient is not finite and above 0, or the new radius outside the limits of
+    /// [`new`](Self::new).
+    #[doc(alias = "scale")]
+    pub fn homothetie(self, k: R) -> Result<Self, ErreurGeo> {
+        Self::new(self.centre, self.rayon * coefficient(k)?, self.texture)
+    }
+
+    /// The same sphere, ready for rays (handout §3).
+    #[inline]
+    pub fn vers_ray(self) -> SphereRay<R> {
+        let Self { centre, rayon, texture } = self;
+        SphereRay { centre, rayon, texture }
+    }
+}
+
+/// A sphere ready for rays: its centre C and its radius r > 0 (handout §3).
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[must_use]
+pub struct SphereRay<R = f64> {
+    centre: Vecteur<R>,
+    rayon: R,
+    texture: Texture,
+}
+
+impl<R: Reel> SphereRay<R> {
+    /// C, the centre.
+    #[doc(alias = "center")]
+    #[inline]
+    pub fn centre(&self) -> Vecteur<R> {
+        self.centre
+    }
+
+    /// r, the radius.
+    #[doc(alias = "radius")]
+    #[inline]
+    #[must_use]
+    pub fn rayon(&self) -> R {
+        self.rayon
+    }
+
+    /// The texture of the object.
+    #[inline]
+    pub fn texture(&self) -> Texture {
+        self.texture
+    }
+
+    /// The lengths of annex A.2 for the ray (S, D): SA = SC·D, with A the point of the ray
+    /// nearest to C; the power of S, SC² − r², above 0 outside; and AB² = r² − AC².
+    ///
+    /// AC comes from SC ∧ D, never from SC² − SA², which for a small or far sphere is the
+    /// difference of two large numbers. D·D stands where the handout has 1, since D is unit
+    /// only to rounding.
+    #[inline(always)]
+    fn longueurs(&self, s: Vecteur<R>, d: Vecteur<R>) -> (R, R, R) {
+        let sc = self.centre - s;
+        let r2 = self.rayon * self.rayon;
+        let sa = sc.produit_scalaire(d);
+        let puissance = sc.longueur_carree() - r2;
+        let ab2 = r2 * d.longueur_carree() - sc.produit_vectoriel(d).longueur_carree();
+        (sa, puissance, ab2)
+    }
+
+    /// Whether the ray enters the sphere: S outside, C ahead, AC < r.
+    #[inline(always)]
+    pub(crate) fn possible(&self, s: Vecteur<R>, d: Vecteur<R>) -> bool {
+        let (sa, puissance, ab2) = self.longueurs(s, d);
+        (ab2 > R::ZERO) & (sa > R::ZERO) & (puissance > R::ZERO)
+    }
+
+    /// SB, the distance of the entry of a ray for which one is [`possible`](Self::possible).
+    ///
+    /// SB = SA − AB, written as power/(SA + AB), which subtracts nothing.
+    #[inline(always)]
+    pub(crate) fn t(&self, s: Vecteur<R>, d: Vecteur<R>) -> R {
+        let (sa, puissance, ab2) = self.longueurs(s, d);
+        let ab2 = if ab2 > R::ZERO { ab2 } else { R::ZERO };
+        puissance / (sa + ab2.sqrt())
+    }
+
+    /// The hit that the search found at distance `t`, computed in `f64`.
+    pub(crate) fn conclure(&self, rayon: &Rayon<R>, t: R) -> Intersection<R> {
+        let (s, d) = (rayon.source().vers_f64(), rayon.direction().vers_f64());
+        let SphereRay { centre, rayon: r, texture } = *self;
+        let sphere = SphereRay { centre: centre.vers_f64(), rayon: r.vers_f64(), texture };
+        let t = R::conclure(t, || sphere.t(s, d));
+        // CB relative to the source: S + tD − C would lose what S and C have in common.
+        let cb = (s - sphere.centre) + d * t;
+        let normale = cb.unitaire().map(Vecteur::depuis_f64);
+        let de_face = |n: &Vecteur<R>| n.produit_scalaire(rayon.direction()) < R::ZERO;
+        let normale = normale.filter(de_face).unwrap_or_else(|| {
+            let d = d / d.longueur();
+            vers_la_source(cb, d).filter(de_face).unwrap_or(Vecteur::depuis_f64(-d))
+        });
+        Intersection::new(t, normale, texture)
+    }
+}
+
+/// The unit normal nearest to CB that faces the source of a ray of direction `d`.
+///
+/// Where a ray only grazes, rounding can leave CB at a right angle to D or past it. What CB
+/// has across D, leaning towards the source by 6u, is beyond the rounding of N·D; it fails
+/// only where rounding is larger than the sphere, and there any normal is as good.
+#[cold]
+fn vers_la_source<R: Reel>(cb: Vecteur<f64>, d: Vecteur<f64>) -> Option<Vecteur<R>> {
+    let travers = (cb - d * cb.produit_scalaire(d)).unitaire()?;
+    (travers - d * (6.0 * R::U.vers_f64())).unitaire().map(Vecteur::depuis_f64)
+}
+
+#[cfg(feature = "serde")]
+#[derive(serde::Deserialize)]
+#[serde(rename = "SphereGeo")]
+#[serde(bound(deserialize = "R: Reel + serde::Deserialize<'de>"))]
+struct SphereBrute<R> {
+    centre: Vecteur<R>,
+    rayon: R,
+    texture: Texture,
+}
+
+#[cfg(feature = "serde")]
+impl<R: Reel> TryFrom<SphereBrute<R>> for SphereGeo<R> {
+    type Error = ErreurGeo;
+    fn try_from(brute: SphereBrute<R>) -> Result<Self, ErreurGeo> {
+        Self::new(brute.centre, brute.rayon, brute.texture)
+    }
+}

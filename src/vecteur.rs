@@ -1,0 +1,183 @@
+//! Vectors of space (handout §4.1 and annex A).
+
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+use crate::Reel;
+
+/// A vector, or a point seen from the origin O: x to the right, y up, z towards the viewer
+/// (handout §2.1).
+///
+/// A bare triple: any number may stand in it. What builds on it (a ray, an object) checks.
+///
+/// ```
+/// use lancer_rayon::Vecteur;
+///
+/// let v = Vecteur::new(1.0, 2.0, 2.0);
+/// assert_eq!(v.longueur(), 3.0);
+/// assert_eq!(v.produit_scalaire(Vecteur::new(0.0, 0.5, 0.0)), 1.0);
+/// assert_eq!((v - v) * 2.0 + v / 1.0, v);
+/// ```
+#[doc(alias = "vector")]
+#[doc(alias = "point")]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(from = "[R; 3]", into = "[R; 3]"))]
+#[cfg_attr(feature = "serde", serde(bound(serialize = "R: Reel + serde::Serialize")))]
+#[cfg_attr(feature = "serde", serde(bound(deserialize = "R: Reel + serde::Deserialize<'de>")))]
+#[must_use]
+pub struct Vecteur<R = f64> {
+    /// To the right.
+    pub x: R,
+    /// Up.
+    pub y: R,
+    /// Towards the viewer.
+    pub z: R,
+}
+
+impl<R: Reel> Vecteur<R> {
+    /// (0, 0, 0): the origin O.
+    #[doc(alias = "zero")]
+    pub const NUL: Self = Self::new(R::ZERO, R::ZERO, R::ZERO);
+
+    /// The vector of these three coordinates.
+    #[inline]
+    pub const fn new(x: R, y: R, z: R) -> Self {
+        Self { x, y, z }
+    }
+
+    /// The scalar product V·V′ (handout, annex A).
+    #[doc(alias = "dot")]
+    #[inline]
+    #[must_use]
+    pub fn produit_scalaire(self, autre: Self) -> R {
+        self.x * autre.x + self.y * autre.y + self.z * autre.z
+    }
+
+    /// V·V, the square of the length.
+    #[doc(alias = "length_squared")]
+    #[doc(alias = "norm_squared")]
+    #[inline]
+    #[must_use]
+    pub fn longueur_carree(self) -> R {
+        self.produit_scalaire(self)
+    }
+
+    /// The length ‖V‖ (handout, annex A): of any vector, even where its square would leave the
+    /// range of the type.
+    #[doc(alias = "length")]
+    #[doc(alias = "norm")]
+    #[inline]
+    #[must_use]
+    pub fn longueur(self) -> R {
+        let (v, echelle) = self.mis_a_l_echelle();
+        v.longueur_carree().sqrt() / echelle
+    }
+
+    /// The unit vector of the same direction; `None` if there is none, for a vector that is
+    /// zero or not finite.
+    ///
+    /// ```
+    /// # use lancer_rayon::Vecteur;
+    /// assert_eq!(Vecteur::new(0.0, 1e300, 0.0).unitaire(), Some(Vecteur::new(0.0, 1.0, 0.0)));
+    /// assert_eq!(Vecteur::<f64>::NUL.unitaire(), None);
+    /// ```
+    #[doc(alias = "normalize")]
+    #[doc(alias = "unit")]
+    #[inline]
+    #[must_use]
+    pub fn unitaire(self) -> Option<Self> {
+        let (v, _) = self.mis_a_l_echelle();
+        let longueur = v.longueur_carree().sqrt();
+        (longueur > R::ZERO && longueur < R::INFINI).then(|| v / longueur)
+    }
+
+    /// The vector multiplied by a power of two, and that power: 1 wherever the square of the
+    /// length neither overflows nor loses bits below the smallest normal number.
+    #[inline]
+    fn mis_a_l_echelle(self) -> (Self, R) {
+        let carre = self.longueur_carree();
+        // 1/ECHELLE is far below any square that loses bits and far above what they weigh.
+        let echelle = if carre == R::INFINI {
+            R::UN / R::ECHELLE
+        } else if carre < R::UN / R::ECHELLE {
+            R::ECHELLE
+        } else {
+            R::UN
+        };
+        (self * echelle, echelle)
+    }
+
+    /// The vector product V ∧ V′.
+    #[inline(always)]
+    pub(crate) fn produit_vectoriel(self, autre: Self) -> Self {
+        Self::new(
+            self.y * autre.z - self.z * autre.y,
+            self.z * autre.x - self.x * autre.z,
+            self.x * autre.y - self.y * autre.x,
+        )
+    }
+
+    /// The same vector in the wider type, exactly.
+    #[inline(always)]
+    pub(crate) fn vers_f64(self) -> Vecteur<f64> {
+        Vecteur::new(self.x.vers_f64(), self.y.vers_f64(), self.z.vers_f64())
+    }
+
+    /// The nearest vector of this type.
+    #[inline(always)]
+    pub(crate) fn depuis_f64(v: Vecteur<f64>) -> Self {
+        Self::new(R::depuis_f64(v.x), R::depuis_f64(v.y), R::depuis_f64(v.z))
+    }
+}
+
+impl<R> From<[R; 3]> for Vecteur<R> {
+    fn from([x, y, z]: [R; 3]) -> Self {
+        Self { x, y, z }
+    }
+}
+
+impl<R> From<Vecteur<R>> for [R; 3] {
+    fn from(v: Vecteur<R>) -> Self {
+        [v.x, v.y, v.z]
+    }
+}
+
+impl<R: Reel> Add for Vecteur<R> {
+    type Output = Self;
+    #[inline]
+    fn add(self, autre: Self) -> Self {
+        Self::new(self.x + autre.x, self.y + autre.y, self.z + autre.z)
+    }
+}
+
+impl<R: Reel> Sub for Vecteur<R> {
+    type Output = Self;
+    #[inline]
+    fn sub(self, autre: Self) -> Self {
+        Self::new(self.x - autre.x, self.y - autre.y, self.z - autre.z)
+    }
+}
+
+impl<R: Reel> Neg for Vecteur<R> {
+    type Output = Self;
+    #[inline]
+    fn neg(self) -> Self {
+        Self::new(-self.x, -self.y, -self.z)
+    }
+}
+
+impl<R: Reel> Mul<R> for Vecteur<R> {
+    type Output = Self;
+    #[inline]
+    fn mul(self, k: R) -> Self {
+        Self::new(self.x * k, self.y * k, self.z * k)
+    }
+}
+
+impl<R: Reel> Div<R> for Vecteur<R> {
+    type Output = Self;
+    #[inline]
+    fn div(self, k: R) -> Self {
+        Self::new(self.x / k, self.y / k, self.z / k)
+    }
+}
