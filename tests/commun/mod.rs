@@ -1,0 +1,36 @@
+//! What the test files share: how a property is run, where its values come from, and how much
+//! rounding it may see.
+#![allow(dead_code, reason = "each test file uses its own part")]
+
+pub(crate) mod strategies;
+pub(crate) mod tolerances;
+
+use lancer_rayon::{Reel, Vecteur};
+use proptest::strategy::Strategy;
+use proptest::test_runner::{Config, TestCaseResult, TestRunner};
+
+/// Runs a property on random values; it may throw away a tenth of them at most.
+/// `PROPTEST_CASES` sets how many.
+pub(crate) fn pour_tout<S: Strategy>(strategie: S, propriete: impl Fn(S::Value) -> TestCaseResult) {
+    let cas = Config::default();
+    let rejets = cas.cases / 10;
+    let config = Config {
+        max_global_rejects: rejets,
+        max_local_rejects: rejets,
+        failure_persistence: None,
+        ..cas
+    };
+    if let Err(echec) = TestRunner::new(config).run(&strategie, propriete) {
+        panic!("{echec}");
+    }
+}
+
+/// The same vector in f64, exactly.
+pub(crate) fn large<R: Reel>(v: Vecteur<R>) -> Vecteur {
+    Vecteur::new(v.x.vers_f64(), v.y.vers_f64(), v.z.vers_f64())
+}
+
+/// The nearest vector of a type.
+pub(crate) fn arrondi<R: Reel>(v: Vecteur) -> Vecteur<R> {
+    Vecteur::new(R::depuis_f64(v.x), R::depuis_f64(v.y), R::depuis_f64(v.z))
+}

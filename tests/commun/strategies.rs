@@ -1,0 +1,266 @@
+//! Where the values of the properties come from.
+
+use lancer_rayon::{
+    BoiteGeo, ObjetGeo, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture, Vecteur,
+};
+use proptest::prelude::*;
+
+use super::{arrondi, large};
+
+/// A scalar seen as its bits.
+pub(crate) trait Bits: Reel {
+    fn depuis_bits(bits: u64) -> Self;
+    fn bits(self) -> u64;
+}
+
+impl Bits for f32 {
+    fn depuis_bits(bits: u64) -> Self {
+        // The upper half carries the exponent that the strategies choose.
+        Self::from_bits((bits >> 32) as u32)
+    }
+    fn bits(self) -> u64 {
+        u64::from(self.to_bits())
+    }
+}
+
+impl Bits for f64 {
+    fn depuis_bits(bits: u64) -> Self {
+        Self::from_bits(bits)
+    }
+    fn bits(self) -> u64 {
+        self.to_bits()
+    }
+}
+
+/// Any float at all, the remarkable ones often.
+pub(crate) fn quelconque<R: Bits>() -> impl Strategy<Value = R> {
+    let limite = R::LIMITE.vers_f64();
+    let remarquables = [
+        0.0,
+        -0.0,
+        1.0,
+        -1.0,
+        f64::NAN,
+        f64::INFINITY,
+        f64::NEG_INFINITY,
+        f64::MAX,
+        f64::from(f32::MAX),
+        f64::MIN_POSITIVE,
+        f64::from(f32::MIN_POSITIVE),
+        f64::from_bits(1),
+        limite,
+        -limite,
+        limite.next_up(),
+        limite.recip(),
+        limite.recip().next_down(),
+    ];
+    prop_oneof![
+        4 => any::<u64>().prop_map(R::depuis_bits),
+        4 => (-10.0..10.0_f64).prop_map(R::depuis_f64),
+        1 => prop::sample::select(remarquables.to_vec()).prop_map(R::depuis_f64),
+    ]
+}
+
+pub(crate) fn vecteur_quelconque<R: Bits>() -> impl Strategy<Value = Vecteur<R>> {
+    [quelconque(), quelconque(), quelconque()].prop_map(Vecteur::from)
+}
+
+/// A real number of this range, rounded.
+pub(crate) fn reel<R: Reel>(min: f64, max: f64) -> impl Strategy<Value = R> {
+    (min..max).prop_map(R::depuis_f64)
+}
+
+/// A vector whose coordinates are at most `max`.
+pub(crate) fn vecteur<R: Reel>(max: f64) -> impl Strategy<Value = Vecteur<R>> {
+    [-max..max, -max..max, -max..max].prop_map(|v| arrondi(Vecteur::from(v)))
+}
+
+/// A unit vector, every direction as likely as another.
+pub(crate) fn direction() -> impl Strategy<Value = Vecteur> {
+    (-1.0..1.0_f64, 0.0..std::f64::consts::TAU).prop_map(|(z, a)| {
+        let r = (1.0 - z * z).sqrt();
+        Vecteur::new(r * a.cos(), r * a.sin(), z)
+    })
+}
+
+/// A vecteur-rotation; one in four turns by quarters, whose matrix is exact.
+pub(crate) fn vecteur_rotation<R: Reel>() -> impl Strategy<Value = Vecteur<R>> {
+    let quart = || (-4..=4_i8).prop_map(|k| f64::from(k) * std::f64::consts::FRAC_PI_2);
+    prop_oneof![
+        3 => vecteur(7.0),
+        1 => [quart(), quart(), quart()].prop_map(|v| arrondi(Vecteur::from(v))),
+    ]
+}
+
+pub(crate) fn rotation<R: Reel>() -> impl Strategy<Value = Rotation<R>> {
+    vecteur_rotation().prop_map(|r| Rotation::new(r).unwrap())
+}
+
+/// What an object is made from, so that it can be made again k times as large.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Parametres<R> {
+    Sphere { centre: Vecteur<R>, rayon: R, texture: Texture },
+    Plan { rotation: Rotation<R>, distance: R, texture: Texture },
+    Boite { centre: Vecteur<R>, dimensions: Vecteur<R>, rotation: Rotation<R>, texture: Texture },
+}
+
+impl<R: Reel> Parametres<R> {
+    pub(crate) fn avec(mut self, nouvelle: Texture) -> Self {
+        let (Self::Sphere { texture, .. }
+        | Self::Plan { texture, .. }
+        | Self::Boite { texture, .. }) = &mut self;
+        *texture = nouvelle;
+        self
+    }
+
+    pub(crate) fn objet(self) -> ObjetGeo<R> {
+        self.agrandi(R::UN)
+    }
+
+    /// The object with every length multiplied by k, its distance to O as well.
+    pub(crate) fn agrandi(self, k: R) -> ObjetGeo<R> {
+        match self {
+            Self::Sphere { centre, rayon, texture } => {
+                SphereGeo::new(centre * k, rayon * k, texture).unwrap().into()
+            }
+            Self::Plan { rotation, distance, texture } => {
+                PlanGeo::new(rotation, distance * k, texture).unwrap().into()
+            }
+            Self::Boite { centre, dimensions, rotation, texture } => {
+                BoiteGeo::new(centre * k, dimensions * k, rotation, texture).unwrap().into()
+            }
+        }
+    }
+}
+
+/// A sphere, a half-space or a box about `taille` large, at most ten times that away from O.
+pub(crate) fn parametres<R: Reel>(taille: f64) -> impl Strategy<Value = Parametres<R>> {
+    let centre = move || vecteur(10.0 * taille);
+    let longueur = move || reel(0.1 * taille, 2.0 * taille);
+    let texture = || any::<u32>().prop_map(Texture);
+    prop_oneof![
+        (centre(), longueur(), texture()).prop_map(|(centre, rayon, texture)| Parametres::Sphere {
+            centre,
+            rayon,
+            texture
+        }),
+        (rotation(), reel(-10.0 * taille, 10.0 * taille), texture()).prop_map(
+            |(rotation, distance, texture)| Parametres::Plan { rotation, distance, texture }
+        ),
+        (centre(), [longueur(), longueur(), longueur()], rotation(), texture()).prop_map(
+            |(centre, dimensions, rotation, texture)| Parametres::Boite {
+                centre,
+                dimensions: dimensions.into(),
+                rotation,
+                texture
+            }
+        ),
+    ]
+}
+
+pub(crate) fn objet<R: Reel>(taille: f64) -> impl Strategy<Value = ObjetGeo<R>> {
+    parametres(taille).prop_map(Parametres::objet)
+}
+
+/// A hit that was planted: the point of the surface first, then a ray that arrives there.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Plante<R> {
+    pub(crate) parametres: Parametres<R>,
+    pub(crate) objet: ObjetGeo<R>,
+    pub(crate) rayon: Rayon<R>,
+    /// The outward normal at the point, in f64.
+    pub(crate) normale: Vecteur,
+    /// From the source as stored to the point, in f64.
+    pub(crate) distance: f64,
+    /// |N·D|. Never below 0.1: flatter rays are the matter of other tests, here a first-order
+    /// bound must hold.
+    pub(crate) cosinus: f64,
+    /// The radius, the half-diagonal or |d|.
+    pub(crate) taille: f64,
+    /// |S| + |P| + size + t: every length that is rounded on the way to the hit.
+    pub(crate) etendue: f64,
+}
+
+impl<R: Reel> Plante<R> {
+    /// `echelle` is about the size of the object; `sur` chooses the point of its surface, `vers`
+    /// and `ecart` the direction from which the ray arrives, and it comes from `recul` away.
+    fn new(
+        parametres: Parametres<R>,
+        echelle: f64,
+        sur: Vecteur,
+        vers: Vecteur,
+        ecart: f64,
+        recul: f64,
+    ) -> Self {
+        let objet = parametres.objet();
+        let (point, normale, taille) = match objet.vers_ray() {
+            ObjetRay::Sphere(sphere) => {
+                let r = sphere.rayon().vers_f64();
+                (large(sphere.centre()) + sur * r, sur, r)
+            }
+            ObjetRay::Plan(plan) => {
+                let n = large(plan.normale());
+                let le_long = sur - n * sur.produit_scalaire(n);
+                let d = plan.distance().vers_f64();
+                (le_long * (10.0 * echelle) - n * d, n, d.abs())
+            }
+            ObjetRay::Boite(boite) => {
+                let sur = [sur.x, sur.y, sur.z];
+                let face = (0..3).fold(0, |i, j| if sur[j].abs() > sur[i].abs() { j } else { i });
+                let mut point = large(boite.centre());
+                for axe in 0..3 {
+                    // The two smaller coordinates of a unit vector stay below 0.71, so this
+                    // stays 1 % of the face away from its edges.
+                    let ou = if axe == face { sur[axe].signum() } else { 1.4 * sur[axe] };
+                    let l = boite.demi_longueurs()[axe].vers_f64();
+                    point = point + large(boite.normales()[axe]) * (l * ou);
+                }
+                let demi_diagonale = Vecteur::from(boite.demi_longueurs()).longueur().vers_f64();
+                (point, large(boite.normales()[face]) * sur[face].signum(), demi_diagonale)
+            }
+        };
+        let cote = vers - normale * vers.produit_scalaire(normale);
+        let cote = cote.unitaire().unwrap_or(Vecteur::NUL);
+        let vient_de = (normale * (1.0 - ecart) + cote * ecart).unitaire().unwrap_or(normale);
+        let rayon = Rayon::new(arrondi(point + vient_de * recul), arrondi(-vient_de)).unwrap();
+        let source = large(rayon.source());
+        Self {
+            parametres,
+            objet,
+            rayon,
+            normale,
+            distance: (point - source).longueur(),
+            cosinus: -normale.produit_scalaire(large(rayon.direction())),
+            taille,
+            etendue: source.longueur() + point.longueur() + taille + recul,
+        }
+    }
+
+    /// u·(etendue)/|N·D|: what one rounding of the inputs may move the distance by.
+    pub(crate) fn cond(&self) -> f64 {
+        R::U.vers_f64() * self.etendue / self.cosinus
+    }
+}
+
+pub(crate) fn plante<R: Reel>() -> impl Strategy<Value = Plante<R>> {
+    // The scale of the scene, from a grain of sand to a planet.
+    let echelle = (-20..20_i32).prop_map(|k| f64::from(k).exp2());
+    echelle
+        .prop_flat_map(|e| {
+            (parametres(e), Just(e), direction(), direction(), 0.0..0.9, 0.1 * e..10.0 * e)
+        })
+        .prop_map(|(o, echelle, sur, vers, ecart, recul)| {
+            Plante::new(o, echelle, sur, vers, ecart, recul)
+        })
+}
+
+/// A list of up to 12 objects, and a ray that starts among them towards one of them.
+pub(crate) fn scene<R: Reel>() -> impl Strategy<Value = (Vec<ObjetGeo<R>>, Rayon<R>)> {
+    (prop::collection::vec(objet(1.0), 0..12), vecteur::<R>(15.0), vecteur::<R>(10.0)).prop_map(
+        |(objets, source, cible)| {
+            let vers = large(cible) - large(source);
+            let vers = vers.unitaire().unwrap_or(Vecteur::new(0.0, 0.0, -1.0));
+            (objets, Rayon::new(source, arrondi(vers)).unwrap())
+        },
+    )
+}

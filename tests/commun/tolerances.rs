@@ -1,0 +1,36 @@
+//! How much rounding each property may see, in u (half a unit in the last place of 1) and with
+//! the reason. No property has a tolerance of its own elsewhere.
+
+use lancer_rayon::Reel;
+
+/// Distance. The kernel promises K·u·cond with K ≤ 3 for f64 and half a unit in the last place
+/// more for f32; a property compares two such distances, 2·3, plus the rounding of its own
+/// inputs, each counted below.
+pub(crate) const DISTANCE: f64 = 6.0;
+
+/// A vector turned by `Rotation::appliquer`: three products and two sums per coordinate, γ₃,
+/// and a matrix that is orthonormal to 4u and rounded to u: (3 + 1 + 4)u of its length.
+pub(crate) const TOURNE: f64 = 8.0;
+
+/// A vector moved or multiplied: one rounding, so u of the length of the result.
+pub(crate) const ARRONDI: f64 = 1.0;
+
+/// The length of a normal: within 2 units in the last place of 1, that is 4u, and then 3u for
+/// measuring it in the same type.
+pub(crate) const NORMALE_UNITAIRE: f64 = 7.0;
+
+/// The direction of a normal at a point that is known: 4u·(1 + |f|/r), beside what the error
+/// of the distance moves it by.
+pub(crate) const NORMALE: f64 = 4.0;
+
+/// Every element of R·Rᵀ − I: 4 units in the last place of 1, that is 8u, for a polished matrix.
+pub(crate) const ORTHONORMALE: f64 = 8.0;
+
+/// An element of a product of two rotations against the product in f64 of what they hold: one
+/// rounding to R and the Newton step, which moves by no more than half of the 8u above, twice.
+pub(crate) const PRODUIT: f64 = 9.0;
+
+/// u in f64.
+pub(crate) fn u<R: Reel>() -> f64 {
+    R::U.vers_f64()
+}

@@ -1,0 +1,192 @@
+//! What every hit is, on random objects and rays, in both types.
+
+mod commun;
+
+use commun::strategies::{Plante, direction, plante, scene};
+use commun::tolerances::{ARRONDI, DISTANCE, NORMALE, NORMALE_UNITAIRE, u};
+use commun::{arrondi, large, pour_tout};
+use lancer_rayon::{
+    Intersection, NoIntersection, ObjetGeo, ObjetRay, Rayon, Reel, Texture, Vecteur,
+    premiere_intersection,
+};
+use proptest::prelude::*;
+use proptest::test_runner::TestCaseResult;
+
+/// How far X lies above the surface of an object, in f64 and by the definition of the object;
+/// below 0 inside.
+fn hauteur<R: Reel>(objet: &ObjetRay<R>, x: Vecteur) -> f64 {
+    match objet {
+        ObjetRay::Sphere(sphere) => {
+            (x - large(sphere.centre())).longueur() - sphere.rayon().vers_f64()
+        }
+        ObjetRay::Plan(plan) => {
+            large(plan.normale()).produit_scalaire(x) + plan.distance().vers_f64()
+        }
+        ObjetRay::Boite(boite) => (0..3)
+            .map(|i| {
+                let cx = x - large(boite.centre());
+                let ecart = large(boite.normales()[i]).produit_scalaire(cx).abs();
+                ecart - boite.demi_longueurs()[i].vers_f64()
+            })
+            .fold(f64::NEG_INFINITY, f64::max),
+    }
+}
+
+/// R(t) without the rounding of R.
+fn point<R: Reel>(rayon: &Rayon<R>, t: f64) -> Vecteur {
+    large(rayon.source()) + large(rayon.direction()) * t
+}
+
+fn est_une_entree<R: Reel>(rayon: &Rayon<R>, touche: &Intersection<R>) -> TestCaseResult {
+    prop_assert!(touche.distance > R::ZERO && touche.distance < R::INFINI);
+    prop_assert!(touche.normale.produit_scalaire(rayon.direction()) < R::ZERO);
+    let longueur = touche.normale.longueur().vers_f64();
+    prop_assert!((longueur - 1.0).abs() <= NORMALE_UNITAIRE * u::<R>());
+    Ok(())
+}
+
+fn plantee<R: Reel>() {
+    pour_tout(plante::<R>(), |p| {
+        let objet = p.objet.vers_ray();
+        let touche = objet.intersection(&p.rayon).unwrap();
+        est_une_entree(&p.rayon, &touche)?;
+
+        // The ray as stored passes beside the planted point by the rounding of S and D.
+        let tolerance = (DISTANCE + 3.0 * ARRONDI) * p.cond();
+        let ecart = (touche.distance.vers_f64() - p.distance).abs();
+        prop_assert!(ecart <= tolerance, "distance off by {ecart:e}, {tolerance:e} allowed");
+        let courbure = match p.objet {
+            ObjetGeo::Sphere(_) => 2.0 * tolerance / p.taille,
+            ObjetGeo::Plan(_) | ObjetGeo::Boite(_) => 0.0,
+        };
+        let ecart = (large(touche.normale) - p.normale).longueur();
+        prop_assert!(ecart <= 2.0 * NORMALE * u::<R>() + courbure, "normal off by {ecart:e}");
+
+        let t = touche.distance.vers_f64();
+        let au_point = hauteur(&objet, point(&p.rayon, t));
+        prop_assert!(au_point.abs() <= tolerance, "{au_point:e} above the surface");
+        prop_assert!(hauteur(&objet, point(&p.rayon, t * (1.0 - 1.0 / 64.0))) > 0.0);
+        Ok(())
+    });
+}
+
+#[test]
+fn un_point_plante_est_touche() {
+    plantee::<f32>();
+    plantee::<f64>();
+}
+
+/// The length of the ray inside the object beyond t, by bisection from its definition alone.
+fn corde<R: Reel>(objet: &ObjetRay<R>, rayon: &Rayon<R>, t: f64, taille: f64) -> f64 {
+    // Down to where a chord that short would be rounding, each step half of the one before.
+    let mut corde = 2.0 * taille;
+    while hauteur(objet, point(rayon, t + corde)) >= 0.0 && corde > 1e-4 * taille {
+        corde /= 2.0;
+    }
+    corde
+}
+
+fn dedans<R: Reel>() {
+    pour_tout(plante::<R>(), |p: Plante<R>| {
+        let objet = p.objet.vers_ray();
+        let t = objet.intersection(&p.rayon).unwrap().distance.vers_f64();
+        let corde = corde(&objet, &p.rayon, t, p.taille);
+        for fraction in [0.125, 0.5, 0.75] {
+            let x = point(&p.rayon, t + fraction * corde);
+            prop_assert!(hauteur(&objet, x) < 0.0, "outside at {fraction} of the chord");
+        }
+        // From in there the object is not touched, in whatever direction.
+        let source = arrondi(point(&p.rayon, t + corde / 2.0));
+        let depuis = Rayon::new(source, p.rayon.direction()).unwrap();
+        prop_assert_eq!(objet.intersection(&depuis), Err(NoIntersection));
+        let retour = Rayon::new(source, -p.rayon.direction()).unwrap();
+        prop_assert_eq!(objet.intersection(&retour), Err(NoIntersection));
+        Ok(())
+    });
+}
+
+#[test]
+fn au_dela_du_point_on_est_dedans_et_de_dedans_rien_n_est_touche() {
+    dedans::<f32>();
+    dedans::<f64>();
+}
+
+/// The first hit is an entry, is what its object answers alone, and no object is nearer.
+fn premiere<R: Reel>() {
+    pour_tout(scene::<R>(), |(geo, rayon)| {
+        let objets: Vec<_> = geo.into_iter().map(ObjetGeo::vers_ray).collect();
+        let touches = objets.iter().map(|o| o.intersection(&rayon));
+        let attendue = touches
+            .filter_map(Result::ok)
+            .reduce(|a, b| if b.distance < a.distance { b } else { a });
+        let obtenue = premiere_intersection(&objets, &rayon);
+        prop_assert_eq!(obtenue.ok(), attendue);
+        if let Ok(touche) = obtenue {
+            est_une_entree(&rayon, &touche)?;
+        }
+        Ok(())
+    });
+}
+
+#[test]
+fn la_premiere_est_la_plus_proche_de_celles_de_chaque_objet() {
+    premiere::<f32>();
+    premiere::<f64>();
+}
+
+fn permutee<R: Reel>() {
+    let strategie = scene::<R>()
+        .prop_flat_map(|(geo, rayon)| (Just(geo.clone()), Just(geo).prop_shuffle(), Just(rayon)));
+    pour_tout(strategie, |(geo, melanges, rayon)| {
+        let premiere = |geo: Vec<ObjetGeo<R>>| {
+            let objets: Vec<_> = geo.into_iter().map(ObjetGeo::vers_ray).collect();
+            premiere_intersection(&objets, &rayon)
+        };
+        // The random objects are never at the same distance: textures are 32 random bits.
+        prop_assert_eq!(premiere(geo), premiere(melanges));
+        Ok(())
+    });
+}
+
+#[test]
+fn l_ordre_de_la_liste_ne_change_rien() {
+    permutee::<f32>();
+    permutee::<f64>();
+}
+
+/// Among copies of one object the first in the list is touched, whatever stands around them.
+fn ex_aequo<R: Reel>() {
+    pour_tout((plante::<R>(), [any::<u32>(), any::<u32>()]), |(p, textures)| {
+        let jumeaux = textures.map(|t| p.parametres.avec(Texture(t)).objet().vers_ray());
+        let touche = premiere_intersection(&jumeaux, &p.rayon).unwrap();
+        prop_assert_eq!(touche.texture, Texture(textures[0]));
+        Ok(())
+    });
+}
+
+#[test]
+fn a_egalite_le_premier_de_la_liste_est_touche() {
+    ex_aequo::<f32>();
+    ex_aequo::<f64>();
+}
+
+/// A ray may also look away: of all directions from a point outside, those that hit are those
+/// whose line enters ahead.
+fn de_partout<R: Reel>() {
+    pour_tout((plante::<R>(), direction()), |(p, vers)| {
+        let objet = p.objet.vers_ray();
+        let rayon = Rayon::new(p.rayon.source(), arrondi(vers)).unwrap();
+        if let Ok(touche) = objet.intersection(&rayon) {
+            est_une_entree(&rayon, &touche)?;
+            let ailleurs = Rayon::new(rayon.source(), -rayon.direction()).unwrap();
+            prop_assert_eq!(objet.intersection(&ailleurs), Err(NoIntersection));
+        }
+        Ok(())
+    });
+}
+
+#[test]
+fn un_objet_convexe_n_est_touche_que_d_un_cote() {
+    de_partout::<f32>();
+    de_partout::<f64>();
+}

@@ -1,0 +1,217 @@
+//! Moving, turning and scaling objects (handout §2.3), and what each representation of §3 holds
+//! afterwards.
+
+mod commun;
+
+use commun::strategies::{Plante, objet, plante, reel, rotation, vecteur};
+use commun::tolerances::{ARRONDI, DISTANCE, NORMALE, TOURNE, u};
+use commun::{large, pour_tout};
+use lancer_rayon::{ObjetGeo, ObjetRay, Rayon, Reel, Rotation, Vecteur};
+use proptest::prelude::*;
+use proptest::test_runner::TestCaseResult;
+
+/// The same motion of an object and of a ray keeps the distance, and moves the normal along.
+///
+/// `bruit` is how many u of its lengths the motion itself rounds away.
+fn accompagner<R: Reel>(
+    p: Plante<R>,
+    objet: ObjetGeo<R>,
+    rayon: Rayon<R>,
+    facteur: f64,
+    normale: impl Fn(Vecteur) -> Vecteur,
+    bruit: f64,
+) -> TestCaseResult {
+    let avant = p.objet.vers_ray().intersection(&p.rayon).unwrap();
+    let apres = objet.vers_ray().intersection(&rayon).unwrap();
+    let ecart = (apres.distance.vers_f64() / facteur - avant.distance.vers_f64()).abs();
+    let tolerance = (DISTANCE + bruit) * p.cond();
+    prop_assert!(ecart <= tolerance, "distance off by {ecart:e}, {tolerance:e} allowed");
+    let ecart = (large(apres.normale) - normale(large(avant.normale))).longueur();
+    // Only a sphere's normal depends on where it is touched.
+    let courbure = match objet {
+        ObjetGeo::Sphere(_) => (tolerance + bruit * u::<R>() * p.etendue) / p.taille,
+        ObjetGeo::Plan(_) | ObjetGeo::Boite(_) => 0.0,
+    };
+    let tolerance = 2.0 * (NORMALE + TOURNE) * u::<R>() + 2.0 * courbure;
+    prop_assert!(ecart <= tolerance, "normal off by {ecart:e}, {tolerance:e} allowed");
+    prop_assert_eq!(apres.texture, avant.texture);
+    Ok(())
+}
+
+fn tourner_ensemble<R: Reel>() {
+    pour_tout((plante::<R>(), rotation()), |(p, r)| {
+        let objet = p.objet.rotation(r).unwrap();
+        let direction = r.appliquer(p.rayon.direction());
+        let rayon = Rayon::new(r.appliquer(p.rayon.source()), direction).unwrap();
+        let m = Rotation::<f64>::depuis_matrice(r.matrice().map(|l| l.map(R::vers_f64)));
+        // The source, the centre and the axes are turned, the direction too and then
+        // normalised: each by TOURNE.
+        accompagner(p, objet, rayon, 1.0, |n| m.map_or(n, |m| m.appliquer(n)), 4.0 * TOURNE)
+    });
+}
+
+#[test]
+fn tourner_la_scene_et_le_rayon_garde_la_distance() {
+    tourner_ensemble::<f32>();
+    tourner_ensemble::<f64>();
+}
+
+fn deplacer_ensemble<R: Reel>() {
+    let strategie = plante::<R>().prop_flat_map(|p| (Just(p), vecteur(p.etendue)));
+    pour_tout(strategie, |(p, v)| {
+        let objet = p.objet.translation(v).unwrap();
+        let rayon = Rayon::new(p.rayon.source() + v, p.rayon.direction()).unwrap();
+        // The result is at most √3 + 1 times as far out as before, a half-space rounds N·v as
+        // well (γ₃), and the search reads coordinates that are as much larger.
+        accompagner(p, objet, rayon, 1.0, |n| n, 2.8 * (2.0 * ARRONDI + 3.0 + DISTANCE))
+    });
+}
+
+#[test]
+fn deplacer_la_scene_et_le_rayon_garde_la_distance() {
+    deplacer_ensemble::<f32>();
+    deplacer_ensemble::<f64>();
+}
+
+fn agrandir_ensemble<R: Reel>() {
+    pour_tout((plante::<R>(), reel(0.01, 100.0)), |(p, k)| {
+        let rayon = Rayon::new(p.rayon.source() * k, p.rayon.direction()).unwrap();
+        // The source, the centre and the size are multiplied.
+        let bruit = 3.0 * ARRONDI;
+        accompagner(p, p.parametres.agrandi(k), rayon, k.vers_f64(), |n| n, bruit)
+    });
+}
+
+#[test]
+fn agrandir_la_scene_multiplie_la_distance() {
+    agrandir_ensemble::<f32>();
+    agrandir_ensemble::<f64>();
+}
+
+fn agrandir_exactement<R: Reel>() {
+    pour_tout((plante::<R>(), -10..10_i32), |(p, k)| {
+        let k = R::depuis_f64(f64::from(k).exp2());
+        let rayon = Rayon::new(p.rayon.source() * k, p.rayon.direction()).unwrap();
+        let avant = p.objet.vers_ray().intersection(&p.rayon).unwrap();
+        let apres = p.parametres.agrandi(k).vers_ray().intersection(&rayon).unwrap();
+        prop_assert_eq!(apres.distance, avant.distance * k);
+        prop_assert_eq!(apres.normale, avant.normale);
+        Ok(())
+    });
+}
+
+#[test]
+fn agrandir_par_une_puissance_de_deux_est_exact() {
+    agrandir_exactement::<f32>();
+    agrandir_exactement::<f64>();
+}
+
+/// The quantities of §3, to their tolerance, of an object and of the one it should be.
+fn proches<R: Reel>(a: ObjetRay<R>, b: Attendu, tolerance: f64) -> TestCaseResult {
+    let vecteurs = |a: Vecteur<R>, b: Vecteur| (large(a) - b).longueur() <= tolerance;
+    match a {
+        ObjetRay::Sphere(sphere) => {
+            prop_assert!(vecteurs(sphere.centre(), b.centre));
+            prop_assert!((sphere.rayon().vers_f64() - b.longueurs[0]).abs() <= tolerance);
+            prop_assert_eq!(sphere.texture(), b.texture);
+        }
+        ObjetRay::Plan(plan) => {
+            let n = (large(plan.normale()) - b.normales[2]).longueur();
+            prop_assert!(n <= 2.0 * TOURNE * u::<R>());
+            prop_assert!((plan.distance().vers_f64() - b.longueurs[0]).abs() <= tolerance);
+            prop_assert_eq!(plan.texture(), b.texture);
+        }
+        ObjetRay::Boite(boite) => {
+            prop_assert!(vecteurs(boite.centre(), b.centre));
+            prop_assert_eq!(boite.texture(), b.texture);
+            for i in 0..3 {
+                let (n, l) = (b.normales[i], b.longueurs[i]);
+                let ecart = (large(boite.normales()[i]) - n).longueur();
+                prop_assert!(ecart <= 2.0 * TOURNE * u::<R>());
+                prop_assert!((boite.demi_longueurs()[i].vers_f64() - l).abs() <= tolerance);
+                let (cf, co) = (b.centre + n * l, b.centre - n * l);
+                prop_assert!(vecteurs(boite.centres_faces()[i], cf));
+                prop_assert!(vecteurs(boite.centres_opposes()[i], co));
+                let (df, d_o) = (-n.produit_scalaire(cf), n.produit_scalaire(co));
+                prop_assert!((boite.distances_faces()[i].vers_f64() - df).abs() <= tolerance);
+                prop_assert!((boite.distances_opposees()[i].vers_f64() - d_o).abs() <= tolerance);
+            }
+        }
+    }
+    Ok(())
+}
+
+/// What §3 stores, computed by hand in f64: for a sphere `longueurs[0]` is the radius, for a
+/// half-space the relative distance, and its normal is `normales[2]`.
+#[derive(Clone, Copy)]
+struct Attendu {
+    centre: Vecteur,
+    normales: [Vecteur; 3],
+    longueurs: [f64; 3],
+    texture: lancer_rayon::Texture,
+}
+
+impl Attendu {
+    fn de<R: Reel>(objet: ObjetRay<R>) -> Self {
+        match objet {
+            ObjetRay::Sphere(sphere) => Self {
+                centre: large(sphere.centre()),
+                normales: [Vecteur::NUL; 3],
+                longueurs: [sphere.rayon().vers_f64(); 3],
+                texture: sphere.texture(),
+            },
+            ObjetRay::Plan(plan) => Self {
+                centre: Vecteur::NUL,
+                normales: [large(plan.normale()); 3],
+                longueurs: [plan.distance().vers_f64(); 3],
+                texture: plan.texture(),
+            },
+            ObjetRay::Boite(boite) => Self {
+                centre: large(boite.centre()),
+                normales: boite.normales().map(large),
+                longueurs: boite.demi_longueurs().map(R::vers_f64),
+                texture: boite.texture(),
+            },
+        }
+    }
+}
+
+fn quantites<R: Reel>() {
+    let strategie = (objet::<R>(1.0), vecteur(10.0), rotation(), reel::<R>(0.1, 10.0));
+    pour_tout(strategie, |(objet, v, r, k)| {
+        let avant = Attendu::de(objet.vers_ray());
+        // Coordinates of 30 at most, sizes of 20: every rounding of the way weighs u of their
+        // sum at most, through TOURNE for the turn and five of one operation each.
+        let tolerance = (TOURNE + 5.0) * u::<R>() * (30.0 + 20.0);
+        proches(objet.vers_ray(), avant, tolerance)?;
+
+        let mut attendu = avant;
+        attendu.centre = avant.centre + large(v);
+        if let ObjetGeo::Plan(_) = objet {
+            attendu.longueurs[0] -= avant.normales[2].produit_scalaire(large(v));
+        }
+        proches(objet.translation(v).unwrap().vers_ray(), attendu, tolerance)?;
+
+        let m = r.matrice().map(|ligne| ligne.map(R::vers_f64));
+        let tourne = |v: Vecteur| {
+            let colonne = |j: usize| v.x * m[0][j] + v.y * m[1][j] + v.z * m[2][j];
+            Vecteur::new(colonne(0), colonne(1), colonne(2))
+        };
+        let mut attendu = avant;
+        attendu.centre = tourne(avant.centre);
+        attendu.normales = avant.normales.map(tourne);
+        proches(objet.rotation(r).unwrap().vers_ray(), attendu, tolerance)?;
+
+        let mut attendu = avant;
+        if !matches!(objet, ObjetGeo::Plan(_)) {
+            attendu.longueurs = avant.longueurs.map(|l| l * k.vers_f64());
+        }
+        proches(objet.homothetie(k).unwrap().vers_ray(), attendu, tolerance)
+    });
+}
+
+#[test]
+fn chaque_transformation_a_les_quantites_calculees_a_la_main() {
+    quantites::<f32>();
+    quantites::<f64>();
+}

@@ -1,0 +1,176 @@
+//! The laws of `Rotation`, in both types.
+
+mod commun;
+
+use commun::strategies::{Bits, rotation, vecteur, vecteur_rotation};
+use commun::tolerances::{ORTHONORMALE, PRODUIT, TOURNE, u};
+use commun::{large, pour_tout};
+use lancer_rayon::{Reel, Rotation, Vecteur};
+use proptest::prelude::*;
+
+type Matrice = [[f64; 3]; 3];
+
+const IDENTITE: Matrice = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+
+fn matrice<R: Reel>(r: Rotation<R>) -> Matrice {
+    r.matrice().map(|ligne| ligne.map(R::vers_f64))
+}
+
+fn produit(a: Matrice, b: Matrice) -> Matrice {
+    std::array::from_fn(|i| std::array::from_fn(|j| (0..3).map(|k| a[i][k] * b[k][j]).sum::<f64>()))
+}
+
+fn transposee(m: Matrice) -> Matrice {
+    std::array::from_fn(|i| std::array::from_fn(|j| m[j][i]))
+}
+
+/// The largest difference between two elements.
+fn ecart(a: Matrice, b: Matrice) -> f64 {
+    let elements = a.as_flattened().iter().zip(b.as_flattened());
+    elements.map(|(x, y)| (x - y).abs()).fold(0.0, f64::max)
+}
+
+fn determinant(m: Matrice) -> f64 {
+    let [a, b, c] = m;
+    a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0])
+        + a[2] * (b[0] * c[1] - b[1] * c[0])
+}
+
+/// The definition of §2.1, each matrix written out as the handout prints it.
+fn enonce(r: Vecteur) -> Matrice {
+    let (s, c) = r.x.sin_cos();
+    let m_x = [[1.0, 0.0, 0.0], [0.0, c, -s], [0.0, s, c]];
+    let (s, c) = r.y.sin_cos();
+    let m_y = [[c, 0.0, s], [0.0, 1.0, 0.0], [-s, 0.0, c]];
+    let (s, c) = r.z.sin_cos();
+    let m_z = [[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]];
+    produit(produit(m_x, m_y), m_z)
+}
+
+fn orthonormale_de_determinant_un<R: Reel>() {
+    pour_tout(rotation::<R>(), |r| {
+        let m = matrice(r);
+        prop_assert!(ecart(produit(transposee(m), m), IDENTITE) <= ORTHONORMALE * u::<R>());
+        // Three columns, each of length 1 to half of what its square may be off.
+        prop_assert!((determinant(m) - 1.0).abs() <= 1.5 * ORTHONORMALE * u::<R>());
+        Ok(())
+    });
+}
+
+#[test]
+fn une_rotation_est_orthonormale() {
+    orthonormale_de_determinant_un::<f32>();
+    orthonormale_de_determinant_un::<f64>();
+}
+
+fn formule_de_l_enonce<R: Reel>() {
+    pour_tout(vecteur_rotation::<R>(), |v| {
+        let attendu = enonce(large(v));
+        // At a quarter turn the formula sees the rounding of π/2, at most 2u at 2π; an element
+        // is a sum of products of up to three such cosines.
+        let tolerance = (PRODUIT + 3.0 * 4.0) * u::<R>();
+        prop_assert!(ecart(matrice(Rotation::new(v).unwrap()), attendu) <= tolerance);
+        let oppose = large(-v);
+        prop_assert!(
+            ecart(matrice(Rotation::main_droite(v).unwrap()), enonce(oppose)) <= tolerance
+        );
+        Ok(())
+    });
+}
+
+#[test]
+fn la_matrice_est_celle_de_la_formule() {
+    formule_de_l_enonce::<f32>();
+    formule_de_l_enonce::<f64>();
+}
+
+fn lois_de_groupe<R: Bits>() {
+    pour_tout((rotation::<R>(), rotation::<R>()), |(r, s)| {
+        let attendu = produit(matrice(r), matrice(s));
+        prop_assert!(ecart(matrice(r.puis(s)), attendu) <= PRODUIT * u::<R>());
+        prop_assert!(ecart(matrice(r.puis(r.inverse())), IDENTITE) <= PRODUIT * u::<R>());
+        prop_assert_eq!(r.inverse().inverse(), r);
+        prop_assert_eq!(matrice(r.inverse()), transposee(matrice(r)));
+        // Bit for bit: a polished matrix is a fixed point.
+        let bits = |r: Rotation<R>| r.matrice().map(|ligne| ligne.map(R::bits));
+        prop_assert_eq!(bits(Rotation::depuis_matrice(r.matrice()).unwrap()), bits(r));
+        Ok(())
+    });
+}
+
+#[test]
+fn les_rotations_forment_un_groupe() {
+    lois_de_groupe::<f32>();
+    lois_de_groupe::<f64>();
+}
+
+fn longueurs_et_angles<R: Reel>() {
+    let vecteurs = (vecteur::<R>(1e3), vecteur::<R>(1e3));
+    pour_tout((rotation::<R>(), rotation::<R>(), vecteurs), |(r, s, (v, w))| {
+        let tolerance = TOURNE * u::<R>();
+        let (lv, lw) = (large(v).longueur(), large(w).longueur());
+        let (rv, rw) = (large(r.appliquer(v)), large(r.appliquer(w)));
+        prop_assert!((rv.longueur() - lv).abs() <= tolerance * lv);
+        let avant = large(v).produit_scalaire(large(w));
+        prop_assert!((rv.produit_scalaire(rw) - avant).abs() <= 2.0 * tolerance * lv * lw);
+        // Turning twice is turning by the composition.
+        let deux_fois = large(s.appliquer(r.appliquer(v)));
+        let compose = large(r.puis(s).appliquer(v));
+        prop_assert!((deux_fois - compose).longueur() <= 3.0 * tolerance * lv);
+        let retour = large(r.inverse().appliquer(r.appliquer(v)));
+        prop_assert!((retour - large(v)).longueur() <= 2.0 * tolerance * lv);
+        Ok(())
+    });
+}
+
+#[test]
+fn longueurs_et_angles_sont_conserves() {
+    longueurs_et_angles::<f32>();
+    longueurs_et_angles::<f64>();
+}
+
+/// A rotation knocked off by less than the limit is repaired, to the nearest one.
+fn reparee<R: Reel>() {
+    // An element of M·Mᵀ − I sees twice the change of six elements, √3 at most of each row.
+    let amplitude = R::ECART_ROTATION / 8.0;
+    let bruit = prop::array::uniform3(prop::array::uniform3(-amplitude..amplitude));
+    pour_tout((rotation::<R>(), bruit), |(r, bruit)| {
+        let m = matrice(r);
+        let abimee: [[R; 3]; 3] =
+            std::array::from_fn(|i| std::array::from_fn(|j| R::depuis_f64(m[i][j] + bruit[i][j])));
+        let reparee = matrice(Rotation::depuis_matrice(abimee).unwrap());
+        prop_assert!(
+            ecart(produit(reparee, transposee(reparee)), IDENTITE) <= ORTHONORMALE * u::<R>()
+        );
+        prop_assert!(ecart(reparee, m) <= 4.0 * amplitude);
+        // A mirror image of it is no rotation, and ten times the noise is none either.
+        prop_assert!(Rotation::depuis_matrice(abimee.map(|ligne| ligne.map(|x| -x))).is_err());
+        let mut loin = r.matrice();
+        loin[1] = loin[1].map(|x| x * R::depuis_f64(1.0 + R::ECART_ROTATION));
+        prop_assert!(Rotation::depuis_matrice(loin).is_err());
+        Ok(())
+    });
+}
+
+#[test]
+fn une_matrice_presque_orthonormale_est_reparee() {
+    reparee::<f32>();
+    reparee::<f64>();
+}
+
+/// |R·Rᵀ − I| ≤ 4 units in the last place of 1 after many compositions.
+fn derive<R: Reel>(pas: Vecteur<R>) {
+    let pas = Rotation::new(pas).unwrap();
+    let mut r = Rotation::IDENTITE;
+    for _ in 0..20_000 {
+        r = r.puis(pas);
+    }
+    let m = matrice(r);
+    assert!(ecart(produit(m, transposee(m)), IDENTITE) <= ORTHONORMALE * u::<R>());
+}
+
+#[test]
+fn composer_sans_fin_ne_derive_pas() {
+    derive::<f32>(Vecteur::new(0.1, -0.2, 0.3));
+    derive::<f64>(Vecteur::new(0.1, -0.2, 0.3));
+}

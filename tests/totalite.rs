@@ -1,0 +1,181 @@
+//! Whatever bits go in, a value that exists is valid and no query fails on it.
+
+mod commun;
+
+use commun::strategies::{Bits, quelconque, vecteur_quelconque};
+use commun::tolerances::{NORMALE_UNITAIRE, ORTHONORMALE, u};
+use commun::{large, pour_tout};
+use lancer_rayon::{
+    BoiteGeo, ErreurGeo, ObjetGeo, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture,
+    Vecteur, premiere_intersection,
+};
+use proptest::prelude::*;
+use proptest::test_runner::TestCaseResult;
+
+/// A refusal names a field and a value that indeed cannot be accepted as it is.
+fn refusee(erreur: ErreurGeo) -> TestCaseResult {
+    let phrase = erreur.to_string();
+    prop_assert!(phrase.starts_with(erreur.champ) && phrase.contains(" but must be "), "{phrase}");
+    Ok(())
+}
+
+fn tient<R: Reel>(v: Vecteur<R>) -> bool {
+    let limite = R::LIMITE.vers_f64();
+    [v.x, v.y, v.z].into_iter().all(|x| x.vers_f64().abs() <= limite)
+}
+
+fn mesure<R: Reel>(l: R) -> bool {
+    let limite = R::LIMITE.vers_f64();
+    (limite.recip()..=limite).contains(&l.vers_f64())
+}
+
+fn valide<R: Reel>(objet: &ObjetRay<R>) -> TestCaseResult {
+    let normales = match objet {
+        ObjetRay::Sphere(sphere) => {
+            prop_assert!(tient(sphere.centre()) && mesure(sphere.rayon()));
+            vec![]
+        }
+        ObjetRay::Plan(plan) => {
+            prop_assert!(tient(Vecteur::new(plan.distance(), R::ZERO, R::ZERO)));
+            vec![plan.normale()]
+        }
+        ObjetRay::Boite(boite) => {
+            let double = boite.demi_longueurs().map(|l| l + l);
+            prop_assert!(tient(boite.centre()) && double.into_iter().all(mesure));
+            let finis = |v: Vecteur<R>| large(v).longueur() < f64::INFINITY;
+            prop_assert!(boite.centres_faces().into_iter().all(finis));
+            prop_assert!(boite.centres_opposes().into_iter().all(finis));
+            let distances = [boite.distances_faces(), boite.distances_opposees()].concat();
+            prop_assert!(distances.into_iter().all(|d| d.abs() < R::INFINI));
+            boite.normales().to_vec()
+        }
+    };
+    for n in normales {
+        prop_assert!((large(n).longueur_carree() - 1.0).abs() <= ORTHONORMALE * u::<R>());
+    }
+    Ok(())
+}
+
+fn touche_valide<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> TestCaseResult {
+    if let Ok(touche) = premiere_intersection(objets, rayon) {
+        prop_assert!(touche.distance > R::ZERO && touche.distance < R::INFINI);
+        prop_assert!(touche.normale.produit_scalaire(rayon.direction()) < R::ZERO);
+        let longueur = touche.normale.longueur().vers_f64();
+        prop_assert!((longueur - 1.0).abs() <= NORMALE_UNITAIRE * u::<R>());
+    }
+    Ok(())
+}
+
+/// A rotation from any angles or any matrix, if it is one; no rotation otherwise.
+fn rotation<R: Bits>() -> impl Strategy<Value = Rotation<R>> {
+    let matrice = prop::array::uniform3(vecteur_quelconque::<R>().prop_map(<[R; 3]>::from));
+    (vecteur_quelconque::<R>(), matrice).prop_map(|(angles, matrice)| {
+        let angles = Rotation::new(angles);
+        Rotation::depuis_matrice(matrice).or(angles).unwrap_or(Rotation::IDENTITE)
+    })
+}
+
+fn n_importe_quoi<R: Bits>() {
+    let formes = (vecteur_quelconque::<R>(), vecteur_quelconque::<R>(), quelconque::<R>());
+    let mouvements = (vecteur_quelconque::<R>(), rotation::<R>(), quelconque::<R>());
+    let rayons = (vecteur_quelconque::<R>(), vecteur_quelconque::<R>());
+    let tout = (formes, rotation::<R>(), mouvements, rayons);
+    pour_tout(tout, |((point, longueurs, longueur), r, (v, r2, k), (source, direction))| {
+        let texture = Texture(0);
+        let mut objets = Vec::new();
+        let mut garder = |objet: Result<ObjetGeo<R>, ErreurGeo>| -> TestCaseResult {
+            match objet {
+                Ok(objet) => {
+                    valide(&objet.vers_ray())?;
+                    objets.push(objet);
+                    Ok(())
+                }
+                Err(erreur) => refusee(erreur),
+            }
+        };
+        let possibles = [
+            SphereGeo::new(point, longueur, texture).map(ObjetGeo::from),
+            PlanGeo::new(r, longueur, texture).map(ObjetGeo::from),
+            BoiteGeo::new(point, longueurs, r, texture).map(ObjetGeo::from),
+            SphereGeo::new(point, R::UN, texture).map(ObjetGeo::from),
+        ];
+        for objet in possibles {
+            garder(objet)?;
+            if let Ok(objet) = objet {
+                garder(objet.translation(v))?;
+                garder(objet.rotation(r2))?;
+                garder(objet.homothetie(k))?;
+            }
+        }
+        let objets: Vec<_> = objets.into_iter().map(ObjetGeo::vers_ray).collect();
+        // Few random rays hit anything: aim at the objects as well, and at where they are not.
+        for vers in [direction, point - source, source - point, longueurs, -source] {
+            match Rayon::new(source, vers) {
+                Ok(rayon) => {
+                    prop_assert!(tient(rayon.source()));
+                    let carre = large(rayon.direction()).longueur_carree();
+                    // 12u for what is kept, and u more for having been measured in R.
+                    prop_assert!((carre - 1.0).abs() <= 13.0 * u::<R>());
+                    for objet in &objets {
+                        touche_valide(core::slice::from_ref(objet), &rayon)?;
+                    }
+                    touche_valide(&objets, &rayon)?;
+                }
+                Err(erreur) => refusee(erreur)?,
+            }
+        }
+        Ok(())
+    });
+}
+
+#[test]
+fn n_importe_quels_bits_donnent_une_valeur_valide_ou_une_erreur() {
+    n_importe_quoi::<f32>();
+    n_importe_quoi::<f64>();
+}
+
+fn directions<R: Bits>() {
+    pour_tout(vecteur_quelconque::<R>(), |v| {
+        let finie = [v.x, v.y, v.z].into_iter().all(|x| x.abs() < R::INFINI);
+        let unitaire = v.unitaire();
+        prop_assert_eq!(unitaire.is_some(), finie && v != Vecteur::NUL);
+        prop_assert_eq!(Rayon::new(Vecteur::NUL, v).is_ok(), unitaire.is_some());
+        if let Some(unitaire) = unitaire {
+            // Along the greatest coordinate, with its sign; 2^-k of it elsewhere, as V has.
+            let (v, n) = ([v.x, v.y, v.z], [unitaire.x, unitaire.y, unitaire.z]);
+            let grand = (0..3).fold(0, |i, j| if v[j].abs() > v[i].abs() { j } else { i });
+            prop_assert!((n[grand] > R::ZERO) == (v[grand] > R::ZERO));
+            for i in 0..3 {
+                let attendu = v[i].vers_f64() / v[grand].vers_f64();
+                let obtenu = n[i].vers_f64() / n[grand].vers_f64();
+                // Two quotients of one rounding each, and those of this test in f64.
+                prop_assert!((obtenu - attendu).abs() <= 6.0 * u::<R>());
+            }
+        }
+        Ok(())
+    });
+}
+
+#[test]
+fn toute_direction_finie_non_nulle_est_rendue_unitaire() {
+    directions::<f32>();
+    directions::<f64>();
+}
+
+fn rayon_rendu<R: Bits>() {
+    pour_tout((vecteur_quelconque::<R>(), vecteur_quelconque::<R>()), |(s, d)| {
+        if let Ok(rayon) = Rayon::new(s, d) {
+            let bits = |v: Vecteur<R>| [v.x, v.y, v.z].map(R::bits);
+            let encore = Rayon::new(rayon.source(), rayon.direction()).unwrap();
+            prop_assert_eq!(bits(encore.direction()), bits(rayon.direction()));
+            prop_assert_eq!(bits(encore.source()), bits(s));
+        }
+        Ok(())
+    });
+}
+
+#[test]
+fn un_rayon_refait_de_sa_source_et_de_sa_direction_est_le_meme() {
+    rayon_rendu::<f32>();
+    rayon_rendu::<f64>();
+}
