@@ -1,5 +1,6 @@
 //! The box (handout §2.2, §3 and annex A.3).
 
+use crate::boule::approche;
 use crate::erreur::{coefficient, point, taille};
 use crate::{ErreurGeo, Intersection, Rayon, Reel, Rotation, Texture, Vecteur};
 
@@ -178,19 +179,11 @@ impl<R: Reel> BoiteRay<R> {
         self.texture
     }
 
-    /// Whether the ray comes near the ball around the box, which costs no division.
-    ///
-    /// Conservative: see the bound in `docs/conception.md`. A source inside the ball passes, even
-    /// with the centre behind it.
+    /// Whether the ray comes near the box, which costs no division.
     #[inline(always)]
     pub(crate) fn possible(&self, s: Vecteur<R>, d: Vecteur<R>) -> bool {
-        let sc = self.centre - s;
-        let [l1, l2, l3] = self.demi_longueurs;
-        let boule2 = (l1 * l1 + l2 * l2 + l3 * l3) * R::BOULE_ELARGIE;
-        let sa = sc.produit_scalaire(d);
-        let ac2 = sc.produit_vectoriel(d).longueur_carree();
-        let sa2 = sa * sa;
-        (ac2 <= boule2 + sa2 * R::BOULE_ARRONDI) & ((sa >= R::ZERO) | (sa2 <= boule2))
+        let demi_diagonale = Vecteur::from(self.demi_longueurs);
+        approche(self.centre, demi_diagonale.longueur_carree(), s, d)
     }
 
     /// The ray against the three pairs of faces, in the axes of the box with C as the origin,

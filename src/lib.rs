@@ -1,10 +1,87 @@
-//! wip
+//! The geometry kernel of a raytracer: given a ray and a list of spheres, half-spaces and rotated
+//! boxes, the object that the ray touches **first**, with its distance, its unit normal and its
+//! texture.
+//!
+//! ```
+//! use lancer_rayon::*;
+//!
+//! let boule = SphereGeo::new(Vecteur::new(0.0, 0.0, -5.0), 1.0, Texture(0))?;
+//! let sol = PlanGeo::new(Rotation::new(Vecteur::new(core::f64::consts::FRAC_PI_2, 0.0, 0.0))?, 1.0, Texture(1))?;
+//! let scene: Vec<ObjetRay> = vec![ObjetGeo::from(boule).into(), ObjetGeo::from(sol).into()];
+//!
+//! let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.0, 0.0, -1.0))?;
+//! let touche = premiere_intersection(&scene, &rayon)?;
+//! assert_eq!((touche.distance, touche.texture), (4.0, Texture(0)));
+//! assert_eq!(rayon.point(touche.distance), Vecteur::new(0.0, 0.0, -4.0));
+//! # Ok::<(), Box<dyn core::error::Error>>(())
+//! ```
+//!
+//! # The way through
+//!
+//! Describe with [`SphereGeo`], [`PlanGeo`] and [`BoiteGeo`]; move with [`ObjetGeo::translation`],
+//! [`rotation`](ObjetGeo::rotation) and [`homothetie`](ObjetGeo::homothetie); convert once with
+//! [`vers_ray`](ObjetGeo::vers_ray); then ask [`premiere_intersection`] as often as the picture has
+//! pixels.
+//!
+//! # Conventions
+//!
+//! **Axes** are right-handed: x to the right, y up, z towards the viewer. Angles are in radians.
+//!
+//! **Rotations** multiply from the right, V·M, about x, then y, then z, in the sense of the
+//! handout's formula; [`Rotation::main_droite`] is the right-hand rule.
+//!
+//! ```
+//! # use lancer_rayon::*;
+//! let quart_de_tour = Rotation::new(Vecteur::new(core::f64::consts::FRAC_PI_2, 0.0, 0.0))?;
+//! assert_eq!(quart_de_tour.appliquer(Vecteur::new(1.0, 2.0, 3.0)), Vecteur::new(1.0, 3.0, -2.0));
+//! # Ok::<(), ErreurGeo>(())
+//! ```
+//!
+//! **A half-space** is solid: the points where N·X ≤ −d. d < 0 if it contains the origin.
+//!
+//! ```
+//! # use lancer_rayon::*;
+//! let devant = PlanGeo::new(Rotation::IDENTITE, 2.0, Texture(0))?; // the points z ≤ −2
+//! assert_eq!(devant.translation(Vecteur::new(0.0, 0.0, 5.0))?.vers_ray().distance(), -3.0);
+//! # Ok::<(), ErreurGeo>(())
+//! ```
+//!
+//! **A touch is an entry** from outside, at a distance t > 0, against the normal (D·N < 0). An object
+//! is not touched from inside or from its surface, and a tangent touches nothing.
+//!
+//! ```
+//! # use lancer_rayon::*;
+//! let autour = ObjetGeo::from(SphereGeo::new(Vecteur::NUL, 9.0, Texture(0))?).vers_ray();
+//! let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.0, 0.0, -1.0))?;
+//! assert_eq!(autour.intersection(&rayon), Err(NoIntersection));
+//! # Ok::<(), ErreurGeo>(())
+//! ```
+//!
+//! **Objects turn about the origin** and grow about their own centre. **At equal distance** the
+//! earlier in the list is touched.
+//!
+//! **A value that exists is valid.** Constructors and transformations refuse what is not finite, not
+//! positive, or beyond 2⁴⁵⁰ (2⁶⁰ for `f32`), and say which field; a query neither fails, panics nor
+//! returns a NaN. ([`Vecteur`] is a bare triple: what is built from it checks.)
+//!
+//! # `f32` or `f64`
+//!
+//! Every type takes the scalar as a parameter, `f64` unless named: `Vecteur<f32>`. The search for the
+//! first object runs in that type, and its hit is computed in `f64`, so that in `f32` the distance of
+//! the object that was found is good to the last bit or two.
+//!
+//! # Features
+//!
+//! `std` (default) brings the hardware square root; without it the crate needs `core` alone and gives
+//! the same bits. `serde` reads and writes the describing types, through the same checks as their
+//! constructors. Nothing allocates, nothing is `unsafe`.
 #![no_std]
 
 #[cfg(feature = "std")]
 extern crate std;
 
 mod boite;
+mod boule;
 mod erreur;
 mod intersection;
 mod objet;

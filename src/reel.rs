@@ -47,16 +47,16 @@ pub trait Reel:
     /// A power of two that brings any length whose square leaves the range of the type back
     /// into it.
     const ECHELLE: Self;
-    /// 1 + 2⁻¹⁰: by how much the square of the ball around a box is enlarged.
-    const BOULE_ELARGIE: Self;
-    /// 2¹⁵·u²: the square of what the ball around a box grows by per unit of distance.
-    const BOULE_ARRONDI: Self;
+    /// 1 − 64u: what a rejection multiplies a squared distance by, so as to reject no hit.
+    const PRUDENCE: Self;
     /// How far a matrix may be from orthonormal and still be taken as a rotation.
     const ECART_ROTATION: f64;
     /// [`LIMITE`](Self::LIMITE) in words, for a coordinate.
     const ATTENDU_COORDONNEE: &'static str;
     /// [`LIMITE`](Self::LIMITE) in words, for a size.
     const ATTENDU_TAILLE: &'static str;
+    /// [`ECART_ROTATION`](Self::ECART_ROTATION) in words.
+    const ATTENDU_ROTATION: &'static str;
 
     /// Square root, correctly rounded.
     fn sqrt(self) -> Self;
@@ -80,11 +80,11 @@ impl Reel for f32 {
     const U: Self = Self::EPSILON / 2.0;
     const LIMITE: Self = (1_u64 << 60) as Self;
     const ECHELLE: Self = (1_u128 << 100) as Self;
-    const BOULE_ELARGIE: Self = 1.0 + 1.0 / 1024.0;
-    const BOULE_ARRONDI: Self = 32768.0 * Self::U * Self::U;
+    const PRUDENCE: Self = 1.0 - 64.0 * Self::U;
     const ECART_ROTATION: f64 = 1e-3;
     const ATTENDU_COORDONNEE: &'static str = "a number between -2^60 and 2^60";
     const ATTENDU_TAILLE: &'static str = "a number between 2^-60 and 2^60";
+    const ATTENDU_ROTATION: &'static str = "at most 1e-3, as for a rotation";
 
     #[inline(always)]
     fn sqrt(self) -> Self {
@@ -124,11 +124,11 @@ impl Reel for f64 {
     const U: Self = Self::EPSILON / 2.0;
     const LIMITE: Self = Self::from_bits((1023 + 450) << 52);
     const ECHELLE: Self = Self::from_bits((1023 + 600) << 52);
-    const BOULE_ELARGIE: Self = 1.0 + 1.0 / 1024.0;
-    const BOULE_ARRONDI: Self = 32768.0 * Self::U * Self::U;
+    const PRUDENCE: Self = 1.0 - 64.0 * Self::U;
     const ECART_ROTATION: f64 = 1e-6;
     const ATTENDU_COORDONNEE: &'static str = "a number between -2^450 and 2^450";
     const ATTENDU_TAILLE: &'static str = "a number between 2^-450 and 2^450";
+    const ATTENDU_ROTATION: &'static str = "at most 1e-6, as for a rotation";
 
     #[inline(always)]
     fn sqrt(self) -> Self {

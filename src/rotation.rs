@@ -107,8 +107,8 @@ impl<R: Reel> Rotation<R> {
         }
         let mut m = matrice.map(|ligne| ligne.map(R::vers_f64));
         let ecart = ecart(m);
-        let attendu = "the matrix of a rotation, with M·Mᵀ = I to rounding";
-        exiger(ecart <= R::ECART_ROTATION, "matrice: |M·Mᵀ - I|", ecart, attendu)?;
+        let (limite, attendu) = (R::ECART_ROTATION, R::ATTENDU_ROTATION);
+        exiger(ecart <= limite, "matrice: |M·Mᵀ - I|", ecart, attendu)?;
         let [x, y, z] = m.map(Vecteur::from);
         let determinant = x.produit_vectoriel(y).produit_scalaire(z);
         let attendu = "1: a mirror is no rotation";

@@ -1,5 +1,6 @@
 //! The sphere (handout §2.2, §3 and annex A.2).
 
+use crate::boule::approche;
 use crate::erreur::{coefficient, point, taille};
 use crate::{ErreurGeo, Intersection, Rayon, Reel, Rotation, Texture, Vecteur};
 
@@ -107,6 +108,12 @@ impl<R: Reel> SphereRay<R> {
         self.texture
     }
 
+    /// Whether the ray comes near the sphere.
+    #[inline(always)]
+    pub(crate) fn possible(&self, s: Vecteur<R>, d: Vecteur<R>) -> bool {
+        approche(self.centre, self.rayon * self.rayon, s, d)
+    }
+
     /// The lengths of annex A.2 for the ray (S, D): SA = SC·D, with A the point of the ray
     /// nearest to C; the power of S, SC² − r², above 0 outside; and AB² = r² − AC².
     ///
@@ -123,21 +130,24 @@ impl<R: Reel> SphereRay<R> {
         (sa, puissance, ab2)
     }
 
-    /// Whether the ray enters the sphere: S outside, C ahead, AC < r.
-    #[inline(always)]
-    pub(crate) fn possible(&self, s: Vecteur<R>, d: Vecteur<R>) -> bool {
-        let (sa, puissance, ab2) = self.longueurs(s, d);
-        (ab2 > R::ZERO) & (sa > R::ZERO) & (puissance > R::ZERO)
-    }
-
-    /// SB, the distance of the entry of a ray for which one is [`possible`](Self::possible).
+    /// SB, if the ray enters the sphere.
     ///
     /// SB = SA − AB, written as power/(SA + AB), which subtracts nothing.
     #[inline(always)]
-    pub(crate) fn t(&self, s: Vecteur<R>, d: Vecteur<R>) -> R {
-        let (sa, puissance, ab2) = self.longueurs(s, d);
+    fn sb(sa: R, puissance: R, ab2: R) -> R {
         let ab2 = if ab2 > R::ZERO { ab2 } else { R::ZERO };
         puissance / (sa + ab2.sqrt())
+    }
+
+    /// The distance of the entry, +∞ if the ray has none: S outside, C ahead and AC < r.
+    #[inline(always)]
+    pub(crate) fn t(&self, s: Vecteur<R>, d: Vecteur<R>) -> R {
+        let (sa, puissance, ab2) = self.longueurs(s, d);
+        if (ab2 > R::ZERO) & (sa > R::ZERO) & (puissance > R::ZERO) {
+            Self::sb(sa, puissance, ab2)
+        } else {
+            R::INFINI
+        }
     }
 
     /// The hit that the search found at distance `t`, computed in `f64`.
@@ -145,7 +155,10 @@ impl<R: Reel> SphereRay<R> {
         let (s, d) = (rayon.source().vers_f64(), rayon.direction().vers_f64());
         let SphereRay { centre, rayon: r, texture } = *self;
         let sphere = SphereRay { centre: centre.vers_f64(), rayon: r.vers_f64(), texture };
-        let t = R::conclure(t, || sphere.t(s, d));
+        let t = R::conclure(t, || {
+            let (sa, puissance, ab2) = sphere.longueurs(s, d);
+            SphereRay::sb(sa, puissance, ab2)
+        });
         // CB relative to the source: S + tD − C would lose what S and C have in common.
         let cb = (s - sphere.centre) + d * t;
         let normale = cb.unitaire().map(Vecteur::depuis_f64);

@@ -1,5 +1,6 @@
 //! What the test files share: how a property is run, where its values come from, and how much
 //! rounding it may see.
+#![allow(clippy::incompatible_msrv, reason = "tests need the Rust that proptest needs")]
 #![allow(dead_code, reason = "each test file uses its own part")]
 
 pub(crate) mod strategies;

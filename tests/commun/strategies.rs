@@ -207,14 +207,13 @@ impl<R: Reel> Plante<R> {
             ObjetRay::Boite(boite) => {
                 let sur = [sur.x, sur.y, sur.z];
                 let face = (0..3).fold(0, |i, j| if sur[j].abs() > sur[i].abs() { j } else { i });
-                let mut point = large(boite.centre());
-                for axe in 0..3 {
-                    // The two smaller coordinates of a unit vector stay below 0.71, so this
-                    // stays 1 % of the face away from its edges.
-                    let ou = if axe == face { sur[axe].signum() } else { 1.4 * sur[axe] };
-                    let l = boite.demi_longueurs()[axe].vers_f64();
-                    point = point + large(boite.normales()[axe]) * (l * ou);
-                }
+                // The two smaller coordinates of a unit vector stay below 0.71, so that this
+                // stays 1 % of the face away from its edges.
+                let ou = |axe: usize| if axe == face { sur[axe].signum() } else { 1.4 * sur[axe] };
+                let (n, l) = (boite.normales(), boite.demi_longueurs());
+                let point = (0..3).fold(large(boite.centre()), |point, axe| {
+                    point + large(n[axe]) * (l[axe].vers_f64() * ou(axe))
+                });
                 let demi_diagonale = Vecteur::from(boite.demi_longueurs()).longueur().vers_f64();
                 (point, large(boite.normales()[face]) * sur[face].signum(), demi_diagonale)
             }

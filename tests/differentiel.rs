@@ -1,0 +1,56 @@
+//! The library beside annex A to the letter (`commun/litteral.rs`), away from the weaknesses
+//! which that page of code names: not grazing, not far, not beside an edge.
+
+mod commun;
+#[path = "commun/litteral.rs"]
+mod litteral;
+
+use commun::strategies::{plante, scene};
+use commun::tolerances::DISTANCE;
+use commun::{large, pour_tout};
+use lancer_rayon::{ObjetGeo, ObjetRay, Reel, premiere_intersection};
+use proptest::prelude::*;
+
+/// What A.2's SC² − SA² loses, in u of SC²: three roundings of each square and the difference.
+const LITTERAL: f64 = 8.0;
+
+fn un_objet<R: Reel>() {
+    pour_tout(plante::<R>(), |p| {
+        let objet = p.objet.vers_ray();
+        let ici = objet.intersection(&p.rayon).unwrap();
+        let (distance, normale, texture) =
+            litteral::premiere_intersection(&[litteral::Objet::from(&objet)], &p.rayon).unwrap();
+        let ecart = (ici.distance.vers_f64() - distance.vers_f64()).abs();
+        // AB² = r² − AC² is off by LITTERAL·u·SC², and AB = r|N·D| by half of that over AB.
+        let annulation = match objet {
+            ObjetRay::Sphere(_) => LITTERAL * p.etendue / p.taille,
+            ObjetRay::Plan(_) | ObjetRay::Boite(_) => 0.0,
+        };
+        let tolerance = (2.0 * DISTANCE + annulation) * p.cond();
+        prop_assert!(ecart <= tolerance, "distance off by {ecart:e}, {tolerance:e} allowed");
+        let ecart = (large(ici.normale) - large(normale)).longueur();
+        prop_assert!(ecart <= 4.0 * tolerance / p.taille, "normal off by {ecart:e}");
+        prop_assert_eq!(ici.texture, texture);
+        Ok(())
+    });
+}
+
+#[test]
+fn un_objet_touche_de_face_est_touche_au_meme_endroit() {
+    un_objet::<f32>();
+    un_objet::<f64>();
+}
+
+/// Whole scenes in f64, where only rays within 1e-9 of an edge or a tangent may differ: none of
+/// the random ones comes that close.
+#[test]
+fn une_scene_entiere_donne_le_meme_premier_objet() {
+    pour_tout(scene::<f64>(), |(geo, rayon)| {
+        let objets: Vec<_> = geo.into_iter().map(ObjetGeo::vers_ray).collect();
+        let litteraux: Vec<_> = objets.iter().map(litteral::Objet::from).collect();
+        let ici = premiere_intersection(&objets, &rayon).ok();
+        let la = litteral::premiere_intersection(&litteraux, &rayon);
+        prop_assert_eq!(ici.map(|t| t.texture), la.map(|(_, _, texture)| texture));
+        Ok(())
+    });
+}

@@ -1,0 +1,899 @@
+//! The test set that the handout asks for (§4.3.3): each row says what it tries, what is
+//! expected and what the library answers. One part for each rule of annex A and each decision
+//! C1–C13 and C15 of `docs/conventions.md`.
+//!
+//! The rows are also the page `docs/jeu-de-tests.md`. To write it again:
+//! `LANCER_RAYON_ECRIRE=1 cargo test --all-features --test enonce`
+
+#![allow(clippy::incompatible_msrv, reason = "tests need the Rust that proptest needs")]
+
+#[path = "commun/litteral.rs"]
+mod litteral;
+
+use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
+use core::fmt::{Display, Write};
+
+use lancer_rayon::{
+    BoiteGeo, BoiteRay, ErreurGeo, Intersection, NoIntersection, ObjetGeo, ObjetRay, PlanGeo,
+    PlanRay, Rayon, Reel, Rotation, SphereGeo, SphereRay, Texture, Vecteur, premiere_intersection,
+};
+
+/// What is tried, what is expected, what is obtained.
+type Ligne = (&'static str, String, String);
+
+struct Partie {
+    titre: &'static str,
+    lignes: Vec<Ligne>,
+}
+
+impl Partie {
+    fn new(titre: &'static str) -> Self {
+        Self { titre, lignes: Vec::new() }
+    }
+
+    fn ligne(mut self, quoi: &'static str, attendu: impl Display, obtenu: impl Display) -> Self {
+        self.lignes.push((quoi, attendu.to_string(), obtenu.to_string()));
+        self
+    }
+
+    fn verifier(self) {
+        for (quoi, attendu, obtenu) in self.lignes {
+            assert_eq!(obtenu, attendu, "{}: {quoi}", self.titre);
+        }
+    }
+}
+
+// How a row shows a value: all its digits, except where a row rounds to say so. The sign of a
+// zero is not a result.
+
+fn nombre<R: Reel>(x: R) -> String {
+    format!("{}", x + R::ZERO)
+}
+
+fn vecteur<R: Reel>(v: Vecteur<R>) -> String {
+    format!("({}, {}, {})", nombre(v.x), nombre(v.y), nombre(v.z))
+}
+
+fn liste<T>(trois: [T; 3], montrer: impl Fn(T) -> String) -> String {
+    trois.map(montrer).join(" ")
+}
+
+fn environ(x: f64) -> String {
+    format!("{:.6}", x + 0.0)
+}
+
+fn touche<R: Reel>(touche: Result<Intersection<R>, NoIntersection>) -> String {
+    match touche {
+        Ok(Intersection { distance, normale, texture: Texture(texture), .. }) => {
+            let (distance, normale) = (nombre(distance), vecteur(normale));
+            format!("distance {distance}, normal {normale}, texture {texture}")
+        }
+        Err(NoIntersection) => "no intersection".into(),
+    }
+}
+
+fn environ_touche(touche: Result<Intersection, NoIntersection>) -> String {
+    let Ok(Intersection { distance, normale: n, .. }) = touche else { return "none".into() };
+    let normale = [n.x, n.y, n.z].map(environ).join(", ");
+    format!("distance {}, normal ({normale})", environ(distance))
+}
+
+fn litteralement<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> String {
+    let objets: Vec<_> = objets.iter().map(litteral::Objet::from).collect();
+    match litteral::premiere_intersection(&objets, rayon) {
+        Some((distance, ..)) => format!("distance {}", nombre(distance)),
+        None => "no intersection".into(),
+    }
+}
+
+fn erreur<T: core::fmt::Debug>(resultat: Result<T, ErreurGeo>) -> String {
+    resultat.map_or_else(|e| e.to_string(), |_| "accepted".into())
+}
+
+// How a row makes a value.
+
+const O: Vecteur = Vecteur::NUL;
+
+fn v(x: f64, y: f64, z: f64) -> Vecteur {
+    Vecteur::new(x, y, z)
+}
+
+fn tour(x: f64, y: f64, z: f64) -> Rotation {
+    Rotation::new(v(x, y, z)).unwrap()
+}
+
+fn sphere<R: Reel>(centre: Vecteur<R>, rayon: R, texture: u32) -> ObjetGeo<R> {
+    SphereGeo::new(centre, rayon, Texture(texture)).unwrap().into()
+}
+
+fn plan<R: Reel>(rotation: Rotation<R>, distance: R, texture: u32) -> ObjetGeo<R> {
+    PlanGeo::new(rotation, distance, Texture(texture)).unwrap().into()
+}
+
+fn boite<R: Reel>(
+    centre: Vecteur<R>,
+    dimensions: Vecteur<R>,
+    rotation: Rotation<R>,
+) -> ObjetGeo<R> {
+    BoiteGeo::new(centre, dimensions, rotation, Texture(0)).unwrap().into()
+}
+
+fn cube<R: Reel>(centre: Vecteur<R>, rotation: Rotation<R>) -> ObjetGeo<R> {
+    let deux = R::UN + R::UN;
+    boite(centre, Vecteur::new(deux, deux, deux), rotation)
+}
+
+fn rayon<R: Reel>(source: Vecteur<R>, direction: Vecteur<R>) -> Rayon<R> {
+    Rayon::new(source, direction).unwrap()
+}
+
+/// A ray in −z, the way a camera looks.
+fn devant(x: f64, y: f64, z: f64) -> Rayon {
+    rayon(v(x, y, z), v(0.0, 0.0, -1.0))
+}
+
+fn lancer<R: Reel>(objet: ObjetGeo<R>, rayon: &Rayon<R>) -> String {
+    touche(objet.vers_ray().intersection(rayon))
+}
+
+fn premiere<const N: usize>(objets: [ObjetGeo; N], rayon: &Rayon) -> String {
+    touche(premiere_intersection(&objets.map(ObjetGeo::vers_ray), rayon))
+}
+
+fn sphere_ray<R: Reel>(objet: ObjetGeo<R>) -> SphereRay<R> {
+    let ObjetRay::Sphere(sphere) = objet.vers_ray() else { panic!("not a sphere") };
+    sphere
+}
+
+fn plan_ray<R: Reel>(objet: ObjetGeo<R>) -> PlanRay<R> {
+    let ObjetRay::Plan(plan) = objet.vers_ray() else { panic!("not a half-space") };
+    plan
+}
+
+fn boite_ray<R: Reel>(objet: ObjetGeo<R>) -> BoiteRay<R> {
+    let ObjetRay::Boite(boite) = objet.vers_ray() else { panic!("not a box") };
+    boite
+}
+
+fn annexe_a1() -> Partie {
+    let mur = plan(Rotation::IDENTITE, 4.0, 7);
+    Partie::new("Annex A.1: the half-space")
+        .ligne(
+            "straight at z ≤ −4 from the origin",
+            "distance 4, normal (0, 0, 1), texture 7",
+            lancer(mur, &devant(0.0, 0.0, 0.0)),
+        )
+        .ligne(
+            "at a slant: 5 along (0, 3, −4)/5 descend 4",
+            "distance 5, normal (0, 0, 1), texture 7",
+            lancer(mur, &rayon(O, v(0.0, 3.0, -4.0))),
+        )
+        .ligne(
+            "P·D = 0: parallel, no intersection",
+            "no intersection",
+            lancer(mur, &rayon(O, v(1.0, 0.0, 0.0))),
+        )
+        .ligne(
+            "t < 0: the ray moves away",
+            "no intersection",
+            lancer(mur, &rayon(O, v(0.0, 0.0, 1.0))),
+        )
+        .ligne(
+            "a floor y ≤ −2: a quarter turn about x lays z ≤ 0 down",
+            "distance 5, normal (0, 1, 0), texture 1",
+            lancer(
+                plan(tour(FRAC_PI_2, 0.0, 0.0), 2.0, 1),
+                &rayon(v(9.0, 3.0, 9.0), v(0.0, -1.0, 0.0)),
+            ),
+        )
+}
+
+fn annexe_a2() -> Partie {
+    let boule = sphere(v(0.0, 0.0, -10.0), 5.0, 3);
+    Partie::new("Annex A.2: the sphere")
+        .ligne(
+            "through the centre: SA = 10, AC = 0, AB = 5, SB = 5",
+            "distance 5, normal (0, 0, 1), texture 3",
+            lancer(boule, &devant(0.0, 0.0, 0.0)),
+        )
+        .ligne(
+            "beside it: SA = 10, AC = 3, AB = 4, SB = 6, normal CB/5",
+            "distance 6, normal (0, 0.6, 0.8), texture 3",
+            lancer(boule, &devant(0.0, 3.0, 0.0)),
+        )
+        .ligne(
+            "SC·D < 0: the ray moves away",
+            "no intersection",
+            lancer(boule, &rayon(O, v(0.0, 0.0, 1.0))),
+        )
+        .ligne(
+            "SC·D = 0: the centre is level with the source",
+            "no intersection",
+            lancer(boule, &rayon(O, v(0.0, 1.0, 0.0))),
+        )
+        .ligne(
+            "AC = 6 > r: beside the sphere",
+            "no intersection",
+            lancer(boule, &devant(6.0, 0.0, 0.0)),
+        )
+        .ligne(
+            "far: a billion away, to the last bit",
+            "distance 999999999, normal (0, 0, 1), texture 0",
+            lancer(sphere(v(0.0, 0.0, -1e9), 1.0, 0), &devant(0.0, 0.0, 0.0)),
+        )
+        .ligne(
+            "near: a millionth before the surface",
+            "distance 0.00000095367431640625, normal (0, 0, 1), texture 0",
+            lancer(sphere(v(0.0, 0.0, -1.0), 1.0, 0), &devant(0.0, 0.0, (-20.0_f64).exp2())),
+        )
+}
+
+fn annexe_a3() -> Partie {
+    let marche = boite(v(0.0, 0.0, -10.0), v(4.0, 2.0, 6.0), Rotation::IDENTITE);
+    let incline = cube(v(0.0, 0.0, -5.0), tour(0.0, FRAC_PI_4, 0.0));
+    Partie::new("Annex A.3: the box")
+        .ligne(
+            "D·N < 0 for the face +z: it is the one that is touched",
+            "distance 7, normal (0, 0, 1), texture 0",
+            lancer(marche, &devant(0.5, 0.5, 0.0)),
+        )
+        .ligne(
+            "D·N > 0: only the opposite face −z can be",
+            "distance 7, normal (0, 0, -1), texture 0",
+            lancer(marche, &rayon(v(0.5, 0.5, -20.0), v(0.0, 0.0, 1.0))),
+        )
+        .ligne(
+            "from the left: the face −x",
+            "distance 8, normal (-1, 0, 0), texture 0",
+            lancer(marche, &rayon(v(-10.0, 0.0, -10.0), v(1.0, 0.0, 0.0))),
+        )
+        .ligne(
+            "from above: the face +y",
+            "distance 9, normal (0, 1, 0), texture 0",
+            lancer(marche, &rayon(v(1.0, 10.0, -9.0), v(0.0, -1.0, 0.0))),
+        )
+        .ligne(
+            "|C I·N| = 2.5 > l: the plane of the face, but beside it",
+            "no intersection",
+            lancer(marche, &devant(2.5, 0.0, 0.0)),
+        )
+        .ligne(
+            "a cube turned by 45° about y: its edge is at 5 − √2, here 0.25 beside it",
+            "distance 3.835786, normal (0.707107, 0.000000, 0.707107)",
+            environ_touche(incline.vers_ray().intersection(&devant(0.25, 0.0, 0.0))),
+        )
+        .ligne("behind the source", "no intersection", lancer(marche, &rayon(O, v(0.0, 0.0, 1.0))))
+}
+
+fn c1() -> Partie {
+    let w = v(1.0, 2.0, 3.0);
+    let angles = v(0.3, -0.7, 1.1);
+    Partie::new("C1: the sense of a rotation is that of the formula V·M")
+        .ligne(
+            "§2.1's example, α = 90° about x: (x, y cos α + z sin α, −y sin α + z cos α)",
+            "(1, 3, -2)",
+            vecteur(tour(FRAC_PI_2, 0.0, 0.0).appliquer(w)),
+        )
+        .ligne("the same at α = 30°", "(1.000000, 3.232051, 1.598076)", {
+            let t = tour(PI / 6.0, 0.0, 0.0).appliquer(w);
+            format!("({}, {}, {})", environ(t.x), environ(t.y), environ(t.z))
+        })
+        .ligne("90° about y", "(-3, 2, 1)", vecteur(tour(0.0, FRAC_PI_2, 0.0).appliquer(w)))
+        .ligne("90° about z", "(2, -1, 3)", vecteur(tour(0.0, 0.0, FRAC_PI_2).appliquer(w)))
+        .ligne(
+            "the right-hand rule, 90° about x: y goes to z",
+            "(1, -3, 2)",
+            vecteur(Rotation::main_droite(v(FRAC_PI_2, 0.0, 0.0)).unwrap().appliquer(w)),
+        )
+        .ligne(
+            "main_droite(r) is new(−r), bit for bit",
+            true,
+            Rotation::main_droite(angles) == Rotation::new(-angles),
+        )
+}
+
+fn c2() -> Partie {
+    let q = FRAC_PI_2;
+    let w = v(1.0, 2.0, 3.0);
+    let (x, y, z) = (tour(q, 0.0, 0.0), tour(0.0, q, 0.0), tour(0.0, 0.0, q));
+    let exacte = |r: Rotation| {
+        let elements = r.matrice().into_iter().flatten();
+        // +0 and ±1 only: a −0 would show its sign bit.
+        elements.map(f64::to_bits).all(|b| [0.0_f64, 1.0, -1.0].map(f64::to_bits).contains(&b))
+    };
+    let quarts = || (-4..=4_i8).map(|k| f64::from(k) * q);
+    Partie::new("C2: about x, then y, then z; quarter turns are exact")
+        .ligne("x first, then y", "(2, 3, 1)", vecteur(tour(q, q, 0.0).appliquer(w)))
+        .ligne("y first, then x: another rotation", "(-3, 1, -2)", vecteur(y.puis(x).appliquer(w)))
+        .ligne("new(a, b, c) is a about x, puis b about y, puis c about z", true, {
+            tour(q, q, q) == x.puis(y).puis(z)
+        })
+        .ligne("r1.puis(r2) applies r1 first", vecteur(y.appliquer(x.appliquer(w))), {
+            vecteur(x.puis(y).appliquer(w))
+        })
+        .ligne("all 9³ quarter turns have only +0, 1 and −1", true, {
+            quarts().all(|a| quarts().all(|b| quarts().all(|c| exacte(tour(a, b, c)))))
+        })
+        .ligne("in f32 too", true, {
+            use core::f32::consts::FRAC_PI_2 as Q;
+            let r = Rotation::<f32>::new(Vecteur::new(Q, 2.0 * Q, -3.0 * Q)).unwrap();
+            r.matrice().into_iter().flatten().all(|x| [0.0, 1.0, -1.0].contains(&x))
+        })
+        .ligne("four quarter turns change nothing, bit for bit", true, {
+            [x, y, z].map(|r| r.puis(r).puis(r).puis(r)) == [Rotation::IDENTITE; 3]
+        })
+        .ligne("any finite angle: 10⁶ turns and a quarter", "(1.000000, 3.000000, -2.000000)", {
+            let t = tour(1e6 * 2.0 * PI + q, 0.0, 0.0).appliquer(w);
+            format!("({}, {}, {})", environ(t.x), environ(t.y), environ(t.z))
+        })
+        .ligne(
+            "an infinite angle",
+            "vecteur_rotation.y is inf, but must be a finite number",
+            erreur(Rotation::new(v(0.0, f64::INFINITY, 0.0))),
+        )
+}
+
+fn c3() -> Partie {
+    let haut = devant(0.0, 0.0, 5.0);
+    let devant_de_nous = plan(Rotation::IDENTITE, 2.0, 0);
+    let autour_de_nous = plan(Rotation::IDENTITE, -2.0, 0);
+    Partie::new("C3: the surface is N·X = −d, the solid N·X ≤ −d")
+        .ligne(
+            "N = (0, 0, 1) before any turn",
+            "(0, 0, 1)",
+            vecteur(plan_ray(devant_de_nous).normale()),
+        )
+        .ligne("N = (0, 0, 1)·M", "(0, 1, 0)", {
+            vecteur(plan_ray(plan(tour(FRAC_PI_2, 0.0, 0.0), 0.0, 0)).normale())
+        })
+        .ligne("d = 2: the surface is at z = −2", "distance 7, normal (0, 0, 1), texture 0", {
+            lancer(devant_de_nous, &haut)
+        })
+        .ligne("d = −2: the surface is at z = 2", "distance 3, normal (0, 0, 1), texture 0", {
+            lancer(autour_de_nous, &haut)
+        })
+        .ligne(
+            "d > 0: the origin is outside, and sees it",
+            "distance 2, normal (0, 0, 1), texture 0",
+            lancer(devant_de_nous, &devant(0.0, 0.0, 0.0)),
+        )
+        .ligne("d < 0: the origin is inside, and sees nothing of it", "no intersection", {
+            lancer(autour_de_nous, &devant(0.0, 0.0, 0.0))
+        })
+        .ligne("d = 0: the origin is on the surface", "no intersection", {
+            lancer(plan(Rotation::IDENTITE, 0.0, 0), &devant(0.0, 0.0, 0.0))
+        })
+}
+
+fn c4() -> Partie {
+    let w = v(1.0, 2.0, 3.0);
+    Partie::new("C4: translation")
+        .ligne("a sphere: its centre", "(1, 2, -2) radius 1", {
+            let s = sphere_ray(sphere(v(0.0, 0.0, -5.0), 1.0, 0).translation(w).unwrap());
+            format!("{} radius {}", vecteur(s.centre()), s.rayon())
+        })
+        .ligne(
+            "a box: its centre, and its faces with it",
+            "(1, 2, -2) (2, 2, -2) (1, 3, -2) (1, 2, -1)",
+            {
+                let b =
+                    boite_ray(cube(v(0.0, 0.0, -5.0), Rotation::IDENTITE).translation(w).unwrap());
+                format!("{} {}", vecteur(b.centre()), liste(b.centres_faces(), vecteur))
+            },
+        )
+        .ligne("a half-space: d − N·v = 4 − 3", "d 1, normal (0, 0, 1)", {
+            let p = plan_ray(plan(Rotation::IDENTITE, 4.0, 0).translation(w).unwrap());
+            format!("d {}, normal {}", p.distance(), vecteur(p.normale()))
+        })
+        .ligne("a half-space along its surface: unchanged", "d 4", {
+            let p = plan(Rotation::IDENTITE, 4.0, 0).translation(v(7.0, -7.0, 0.0)).unwrap();
+            format!("d {}", plan_ray(p).distance())
+        })
+}
+
+fn c5() -> Partie {
+    let quart = tour(FRAC_PI_2, 0.0, 0.0);
+    let c = v(1.0, 2.0, 3.0);
+    Partie::new("C5: an object turns about the origin")
+        .ligne("a sphere: its centre turns", "(1, 3, -2) radius 2", {
+            let s = sphere_ray(sphere(c, 2.0, 0).rotation(quart).unwrap());
+            format!("{} radius {}", vecteur(s.centre()), s.rayon())
+        })
+        .ligne("a box: its centre and its normals", "(1, 3, -2) (1, 0, 0) (0, 0, -1) (0, 1, 0)", {
+            let b =
+                boite_ray(boite(c, v(2.0, 4.0, 6.0), Rotation::IDENTITE).rotation(quart).unwrap());
+            format!("{} {}", vecteur(b.centre()), liste(b.normales(), vecteur))
+        })
+        .ligne("and not its dimensions", "1 2 3", {
+            let b =
+                boite_ray(boite(c, v(2.0, 4.0, 6.0), Rotation::IDENTITE).rotation(quart).unwrap());
+            liste(b.demi_longueurs(), nombre)
+        })
+        .ligne("a half-space: its normal, and d stays", "d 4, normal (0, 1, 0)", {
+            let p = plan_ray(plan(Rotation::IDENTITE, 4.0, 0).rotation(quart).unwrap());
+            format!("d {}, normal {}", p.distance(), vecteur(p.normale()))
+        })
+        .ligne(
+            "scene and ray turned together: the same distance",
+            "distance 6, normal (0, 0.8, -0.6), texture 3",
+            {
+                let boule = sphere(v(0.0, 0.0, -10.0), 5.0, 3).rotation(quart).unwrap();
+                let r = devant(0.0, 3.0, 0.0);
+                lancer(boule, &rayon(quart.appliquer(r.source()), quart.appliquer(r.direction())))
+            },
+        )
+}
+
+fn c6() -> Partie {
+    let objets = || {
+        let marche = boite(v(1.0, 2.0, 3.0), v(2.0, 4.0, 6.0), Rotation::IDENTITE);
+        [sphere(v(1.0, 2.0, 3.0), 2.0, 0), plan(Rotation::IDENTITE, 4.0, 0), marche]
+    };
+    let chacun = |k: f64| objets().map(|o| erreur(o.homothetie(k))).join("; ");
+    let refus = |k: &str| {
+        [&*format!("coefficient is {k}, but must be a finite number above 0"); 3].join("; ")
+    };
+    let [boule, demi_espace, marche] = objets();
+    Partie::new("C6: homothety about the object's own centre")
+        .ligne("a sphere × 3", "(1, 2, 3) radius 6", {
+            let s = sphere_ray(boule.homothetie(3.0).unwrap());
+            format!("{} radius {}", vecteur(s.centre()), s.rayon())
+        })
+        .ligne("a box × 0.5", "(1, 2, 3) half-lengths 0.5 1 1.5", {
+            let b = boite_ray(marche.homothetie(0.5).unwrap());
+            format!("{} half-lengths {}", vecteur(b.centre()), liste(b.demi_longueurs(), nombre))
+        })
+        .ligne(
+            "a half-space has no dimension",
+            true,
+            demi_espace.homothetie(3.0) == Ok(demi_espace),
+        )
+        .ligne("k = 0, each of the three", refus("0"), chacun(0.0))
+        .ligne("k = −1, each of the three", refus("-1"), chacun(-1.0))
+        .ligne("k = NaN, each of the three", refus("NaN"), chacun(f64::NAN))
+        .ligne("k = ∞, each of the three", refus("inf"), chacun(f64::INFINITY))
+}
+
+fn c7() -> Partie {
+    let boule = sphere(O, 2.0, 0);
+    let bloc = cube(O, Rotation::IDENTITE);
+    let sol = plan(tour(FRAC_PI_2, 0.0, 0.0), 0.0, 1);
+    let derriere = sphere(v(0.0, 0.0, -10.0), 1.0, 5);
+    // At the height of 2^60 it takes a descent of 2^-149 more than any f32 to arrive.
+    let tres_haut: Rayon<f32> =
+        rayon(Vecteur::new(0.0, 0.0, 60_f32.exp2()), Vecteur::new(1.0, 0.0, -f32::from_bits(1)));
+    Partie::new("C7: a hit is an entry from outside")
+        .ligne("inside a sphere", "no intersection", lancer(boule, &devant(0.0, 0.0, 1.0)))
+        .ligne(
+            "at the centre of a sphere",
+            "no intersection",
+            lancer(boule, &devant(0.0, 0.0, 0.0)),
+        )
+        .ligne("on a sphere, going in", "no intersection", lancer(boule, &devant(0.0, 0.0, 2.0)))
+        .ligne("on a sphere, going out", "no intersection", lancer(boule, &devant(0.0, 0.0, -2.0)))
+        .ligne("inside a box", "no intersection", lancer(bloc, &devant(0.5, 0.5, 0.5)))
+        .ligne("on a face, going in", "no intersection", lancer(bloc, &devant(0.0, 0.0, 1.0)))
+        .ligne("on a face, along it", "no intersection", lancer(bloc, &devant(1.0, 0.0, 0.5)))
+        .ligne("inside a half-space, going out", "no intersection", {
+            lancer(sol, &rayon(v(0.0, -1.0, 0.0), v(0.0, 1.0, 0.0)))
+        })
+        .ligne("on a half-space, going in", "no intersection", {
+            lancer(sol, &rayon(O, v(0.0, -1.0, 0.0)))
+        })
+        .ligne(
+            "inside one object, another ahead still counts",
+            "distance 9, normal (0, 0, 1), texture 5",
+            premiere([boule, bloc, derriere], &devant(0.0, 0.0, 0.0)),
+        )
+        .ligne("as near as can be: the smallest f64 above the floor", "t > 0: true", {
+            let t = sol
+                .vers_ray()
+                .intersection(&rayon(v(0.0, f64::from_bits(1), 0.0), v(0.0, -1.0, 0.0)));
+            format!("t > 0: {}", t.is_ok_and(|t| t.distance == f64::from_bits(1)))
+        })
+        .ligne("a distance beyond the largest f32 is a miss", "no intersection", {
+            lancer(plan(Rotation::IDENTITE, 0.0, 0), &tres_haut)
+        })
+}
+
+fn c8() -> Partie {
+    let boule = sphere(v(0.0, 0.0, -5.0), 1.0, 0);
+    let loin: ObjetGeo<f32> = sphere(Vecteur::new(0.0, 0.0, -1000.0), 1.0, 0);
+    let presque = rayon(Vecteur::new(0.0, 0.999, 0.0), Vecteur::new(0.0, 0.0, -1.0_f32));
+    Partie::new("C8: the first touch of a sphere is SA − AB, and a tangent misses")
+        .ligne(
+            "the entry",
+            "distance 4, normal (0, 0, 1), texture 0",
+            lancer(boule, &devant(0.0, 0.0, 0.0)),
+        )
+        .ligne("A.2 as printed, SA + AB: the exit", "6", {
+            let (s, r) = (sphere_ray(boule), devant(0.0, 0.0, 0.0));
+            let sc = s.centre() - r.source();
+            let sa = sc.produit_scalaire(r.direction());
+            sa + (s.rayon() * s.rayon() - (sc.longueur_carree() - sa * sa)).sqrt()
+        })
+        .ligne("AC = r: tangent", "no intersection", lancer(boule, &devant(1.0, 0.0, 0.0)))
+        .ligne("a unit in the last place inside the tangent", true, {
+            boule.vers_ray().intersection(&devant(1.0_f64.next_down(), 0.0, 0.0)).is_ok()
+        })
+        .ligne(
+            "f32, 1000 radii away, 0.999 beside the centre: AB = 0.04470989, SB = 1000 − AB",
+            "distance 999.95526, normal (0, 0.999, 0.04470989), texture 0",
+            lancer(loin, &presque),
+        )
+        .ligne(
+            "the same ray by A.2's SC² − SA², which is 1000001 − 1000000 there",
+            "no intersection",
+            litteralement(&[loin.vers_ray()], &presque),
+        )
+}
+
+fn c9() -> Partie {
+    let mur = plan(Rotation::IDENTITE, 0.0, 0);
+    let sortant = rayon(v(0.0, 0.0, -5.0), v(0.0, 0.0, 1.0));
+    Partie::new("C9: a half-space is entered against its normal, P·D < 0")
+        .ligne("from inside, outwards", "no intersection", lancer(mur, &sortant))
+        .ligne("A.1 as printed has no such test: t = (−d − P·S)/(P·D)", "5", {
+            let p = plan_ray(mur);
+            let haut = -p.distance() - p.normale().produit_scalaire(sortant.source());
+            nombre(haut / p.normale().produit_scalaire(sortant.direction()))
+        })
+        .ligne(
+            "from outside, away",
+            "no intersection",
+            lancer(mur, &rayon(v(0.0, 0.0, 5.0), v(0.0, 1.0, 1.0))),
+        )
+        .ligne(
+            "a descent of 2⁻⁴⁰ per unit still arrives: no threshold",
+            "distance 1099511627776, normal (0, 0, 1), texture 0",
+            lancer(mur, &rayon(v(0.0, 0.0, 1.0), v(1.0, 0.0, -(-40.0_f64).exp2()))),
+        )
+}
+
+/// Rays at points of the edges of turned boxes, both of whose faces look at the source: how many
+/// the library loses, and how many annex A.3 to the letter.
+fn aretes_perdues() -> (u32, u32, u32) {
+    let (mut lances, mut perdus, mut perdus_litteral) = (0, 0, 0);
+    for k in 0..500_u32 {
+        let k = f64::from(k);
+        let angles = v(0.37 * k, 0.61 * k, 0.83 * k);
+        let objet =
+            boite(v(0.1, 0.2, -9.0), v(1.0, 2.0, 3.0), Rotation::new(angles).unwrap()).vers_ray();
+        let ObjetRay::Boite(b) = objet else { continue };
+        let (n, l) = (b.normales(), b.demi_longueurs());
+        let source = v(0.3, 0.4, 0.0);
+        for (i, j, le_long) in [(0, 1, 2), (1, 2, 0), (2, 0, 1)] {
+            // The edge shared by the two faces that look at the source.
+            let vers_nous = |axe: usize| {
+                let haut = n[axe].produit_scalaire(source - b.centre());
+                (haut.abs() > 1.1 * l[axe]).then(|| n[axe] * (l[axe] * haut.signum()))
+            };
+            let (Some(a), Some(c)) = (vers_nous(i), vers_nous(j)) else { continue };
+            for fraction in [-0.75, -0.3, 0.1, 0.6] {
+                let cible = b.centre() + a + c + n[le_long] * (fraction * l[le_long]);
+                let r = rayon(source, cible - source);
+                lances += 1;
+                perdus += u32::from(objet.intersection(&r).is_err());
+                perdus_litteral += u32::from(litteralement(&[objet], &r) == "no intersection");
+            }
+        }
+    }
+    (lances, perdus, perdus_litteral)
+}
+
+fn c10() -> Partie {
+    let bloc = cube(v(0.0, 0.0, -5.0), Rotation::IDENTITE);
+    let (lances, perdus, litteral) = aretes_perdues();
+    Partie::new("C10: a box is three slabs; its edges belong to it")
+        .ligne("parallel to two pairs, between them", "distance 4, normal (0, 0, 1), texture 0", {
+            lancer(bloc, &devant(0.3, -0.3, 0.0))
+        })
+        .ligne("parallel, beside the box", "no intersection", lancer(bloc, &devant(1.5, 0.0, 0.0)))
+        .ligne(
+            "parallel, in the plane of a face: |o| = l belongs",
+            "distance 4, normal (0, 0, 1), texture 0",
+            lancer(bloc, &devant(1.0, 0.0, 0.0)),
+        )
+        .ligne(
+            "in the planes of two faces: along an edge",
+            "distance 4, normal (0, 0, 1), texture 0",
+            lancer(bloc, &devant(-1.0, 1.0, 0.0)),
+        )
+        .ligne("D·N = −0 is no different", "distance 4, normal (0, 0, 1), texture 0", {
+            lancer(bloc, &rayon(v(1.0, -1.0, 0.0), v(-0.0, -0.0, -1.0)))
+        })
+        .ligne("a unit in the last place beyond the face", "no intersection", {
+            lancer(bloc, &devant(1.0_f64.next_up(), 0.0, 0.0))
+        })
+        .ligne(
+            "into the edge of x and z: x, the lower axis, gives the normal",
+            "normal (1, 0, 0)",
+            {
+                let r = rayon(v(3.0, 0.0, -2.0), v(-2.0, 0.0, -2.0));
+                let touche = bloc.vers_ray().intersection(&r).unwrap();
+                format!("normal {}", vecteur(touche.normale))
+            },
+        )
+        .ligne("into the corner of all three", "normal (1, 0, 0)", {
+            let r = rayon(v(3.0, 3.0, -2.0), v(-1.0, -1.0, -1.0));
+            let touche = bloc.vers_ray().intersection(&r).unwrap();
+            format!("normal {}", vecteur(touche.normale))
+        })
+        .ligne("rays at visible edges of 500 turned boxes", format!("0 of {lances} lost"), {
+            format!("{perdus} of {lances} lost")
+        })
+        .ligne(
+            "the same by A.3 to the letter: the point is rounded off both faces",
+            "over 10 % lost",
+            {
+                if 10 * litteral > lances {
+                    "over 10 % lost".into()
+                } else {
+                    format!("{litteral} lost")
+                }
+            },
+        )
+}
+
+fn c11() -> Partie {
+    let b = boite_ray(boite(v(1.0, 2.0, -10.0), v(2.0, 4.0, 6.0), tour(FRAC_PI_2, 0.0, 0.0)));
+    let m = tour(0.3, 0.5, 0.7);
+    Partie::new(
+        "C11: the quantities of §3 for a box 2 × 4 × 6 at (1, 2, −10), a quarter turned about x",
+    )
+    .ligne("C", "(1, 2, -10)", vecteur(b.centre()))
+    .ligne("N₁ N₂ N₃", "(1, 0, 0) (0, 0, -1) (0, 1, 0)", liste(b.normales(), vecteur))
+    .ligne("l₁ l₂ l₃", "1 2 3", liste(b.demi_longueurs(), nombre))
+    .ligne("Cf = C + l·N", "(2, 2, -10) (1, 2, -12) (1, 5, -10)", liste(b.centres_faces(), vecteur))
+    .ligne(
+        "Co = C − l·N",
+        "(0, 2, -10) (1, 2, -8) (1, -1, -10)",
+        liste(b.centres_opposes(), vecteur),
+    )
+    .ligne("df = −N·Cf", "-2 -12 -5", liste(b.distances_faces(), nombre))
+    .ligne("do = +N·Co", "0 8 -1", liste(b.distances_opposees(), nombre))
+    .ligne("N_i is row i of M", true, {
+        let normales = boite_ray(boite(O, v(1.0, 1.0, 1.0), m)).normales();
+        normales.map(<[f64; 3]>::from) == m.matrice()
+    })
+}
+
+fn c12() -> Partie {
+    let boule = |texture| sphere(v(0.0, 0.0, -5.0), 1.0, texture);
+    let mur = |texture| plan(Rotation::IDENTITE, 4.0, texture);
+    let r = devant(0.0, 0.0, 0.0);
+    let attendu = |texture| format!("distance 4, normal (0, 0, 1), texture {texture}");
+    Partie::new("C12: at the same distance, the earlier in the list")
+        .ligne("twice the same sphere", attendu(1), premiere([boule(1), boule(2)], &r))
+        .ligne("in the other order", attendu(2), premiere([boule(2), boule(1)], &r))
+        .ligne(
+            "a sphere, then the wall that it touches",
+            attendu(1),
+            premiere([boule(1), mur(2)], &r),
+        )
+        .ligne("the wall, then the sphere", attendu(2), premiere([mur(2), boule(1)], &r))
+        .ligne(
+            "a nearer object later in the list is still first",
+            "distance 2, normal (0, 0, 1), texture 3",
+            premiere([boule(1), mur(2), sphere(v(0.0, 0.0, -2.5), 0.5, 3)], &r),
+        )
+        .ligne("an empty list", "no intersection", premiere([], &r))
+}
+
+fn c13() -> Partie {
+    let direction = |d: Vecteur| vecteur(rayon(O, d).direction());
+    let petit = f64::from_bits(1);
+    let boule = sphere(v(0.0, 0.0, -5.0), 1.0, 0);
+    Partie::new("C13: any direction that has one; distances are in scene units")
+        .ligne("(0, 0, −8)", "(0, 0, -1)", direction(v(0.0, 0.0, -8.0)))
+        .ligne("(3, 0, −4)", "(0.6, 0, -0.8)", direction(v(3.0, 0.0, -4.0)))
+        .ligne("the smallest subnormal", "(1, 0, 0)", direction(v(petit, 0.0, 0.0)))
+        .ligne("the largest float", "(0, -1, 0)", direction(v(0.0, -f64::MAX, 0.0)))
+        .ligne("three times the largest float", "0.577350", {
+            environ(rayon(O, v(f64::MAX, f64::MAX, f64::MAX)).direction().x)
+        })
+        .ligne("f32: three times the smallest subnormal", "(0.57735026, 0.57735026, 0.57735026)", {
+            let petit = f32::from_bits(1);
+            vecteur(rayon(Vecteur::NUL, Vecteur::new(petit, petit, petit)).direction())
+        })
+        .ligne("unit to 3 units in the last place: kept bit for bit", true, {
+            let presque = 1.0 + 2.0 * f64::EPSILON;
+            rayon(O, v(0.0, 0.0, presque)).direction() == v(0.0, 0.0, presque)
+        })
+        .ligne(
+            "unit to 10: brought to 1",
+            "(0, 0, 1)",
+            direction(v(0.0, 0.0, 1.0 + 10.0 * f64::EPSILON)),
+        )
+        .ligne(
+            "the distance does not depend on the length given",
+            "distance 4, normal (0, 0, 1), texture 0",
+            lancer(boule, &rayon(O, v(0.0, 0.0, -1e-300))),
+        )
+        .ligne(
+            "(0, 0, 0)",
+            "direction is 0, but must be a vector other than 0",
+            erreur(Rayon::new(O, O)),
+        )
+        .ligne("a NaN", "direction.z is NaN, but must be a finite number", {
+            erreur(Rayon::new(O, v(0.0, 0.0, f64::NAN)))
+        })
+        .ligne("an infinity", "direction.x is -inf, but must be a finite number", {
+            erreur(Rayon::new(O, v(f64::NEG_INFINITY, 0.0, 0.0)))
+        })
+}
+
+fn c15() -> Partie {
+    let (grand, petit) = (450_f64.exp2(), (-450_f64).exp2());
+    let un = v(1.0, 1.0, 1.0);
+    let texture = Texture(0);
+    let i = Rotation::<f64>::IDENTITE;
+    let boule = |x: f64, r: f64| erreur(SphereGeo::new(v(x, 0.0, 0.0), r, texture));
+    let matrice = |e: f64| [[1.0 + e, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let proche = matrice(f64::EPSILON);
+    Partie::new("C15: which numbers a scene can hold")
+        .ligne("the largest coordinate and sizes", "accepted", boule(-grand, grand))
+        .ligne("the smallest size", "accepted", boule(0.0, petit))
+        .ligne("the next coordinate", "centre.x is 2.907354897182428e135, but must be a number between -2^450 and 2^450", {
+            boule(grand.next_up(), 1.0)
+        })
+        .ligne("the next size down", "rayon is 3.439552567074349e-136, but must be a number between 2^-450 and 2^450", {
+            boule(0.0, petit.next_down())
+        })
+        .ligne("f32 has its own limits", "centre.y is 1.1529216420458004e18, but must be a number between -2^60 and 2^60", {
+            erreur(SphereGeo::new(Vecteur::new(0.0, 60_f32.exp2().next_up(), 0.0), 1.0, texture))
+        })
+        .ligne("a NaN", "rayon is NaN, but must be a number between 2^-450 and 2^450", boule(0.0, f64::NAN))
+        .ligne("a radius of 0", "rayon is 0, but must be a number between 2^-450 and 2^450", boule(0.0, 0.0))
+        .ligne("a negative height", "dimensions.y (hauteur) is -2, but must be a number between 2^-450 and 2^450", {
+            erreur(BoiteGeo::new(O, v(1.0, -2.0, 1.0), i, texture))
+        })
+        .ligne("an infinite d", "distance is -inf, but must be a number between -2^450 and 2^450", {
+            erreur(PlanGeo::new(i, f64::NEG_INFINITY, texture))
+        })
+        .ligne("a source out there", "source.z is 1e300, but must be a number between -2^450 and 2^450", {
+            erreur(Rayon::new(v(0.0, 0.0, 1e300), un))
+        })
+        .ligne("a translation that leaves", "centre.x is 5.814709794364855e135, but must be a number between -2^450 and 2^450", {
+            erreur(sphere(v(grand, 0.0, 0.0), 1.0, 0).translation(v(grand, 0.0, 0.0)))
+        })
+        .ligne("a rotation that leaves", "centre.x is 4.017305343442852e135, but must be a number between -2^450 and 2^450", {
+            erreur(cube(v(grand, grand, 0.0), i).rotation(tour(0.0, 0.0, 1.0)))
+        })
+        .ligne("a homothety that leaves", "rayon is 5.814709794364855e135, but must be a number between 2^-450 and 2^450", {
+            erreur(sphere(O, 2.0, 0).homothetie(grand))
+        })
+        .ligne("a matrix within rounding of a rotation: kept bit for bit", true, {
+            Rotation::depuis_matrice(proche).unwrap().matrice() == proche
+        })
+        .ligne("off by 2·10⁻⁷: repaired", true, {
+            Rotation::depuis_matrice(matrice(1e-7)).unwrap() == Rotation::IDENTITE
+        })
+        .ligne("off by 2⁻¹⁹", "matrice: |M·Mᵀ - I| is 1.9073495423072018e-6, but must be at most 1e-6, as for a rotation", {
+            erreur(Rotation::depuis_matrice(matrice((-20.0_f64).exp2())))
+        })
+        .ligne("a mirror", "matrice: determinant is -1, but must be 1: a mirror is no rotation", {
+            erreur(Rotation::depuis_matrice([[-1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]))
+        })
+        .ligne("a NaN in a matrix", "matrice[1][2] is NaN, but must be a finite number", {
+            erreur(Rotation::depuis_matrice([[1.0, 0.0, 0.0], [0.0, 1.0, f64::NAN], [0.0, 0.0, 1.0]]))
+        })
+        .ligne("f32 accepts a matrix off by 2·10⁻⁴", true, {
+            let m = [[1.0001, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0_f32]];
+            Rotation::depuis_matrice(m).unwrap() == Rotation::IDENTITE
+        })
+}
+
+/// The parts of the page, each of which is a test below.
+const PARTIES: [fn() -> Partie; 17] =
+    [annexe_a1, annexe_a2, annexe_a3, c1, c2, c3, c4, c5, c6, c7, c8, c9, c10, c11, c12, c13, c15];
+
+#[test]
+fn annexe_a1_demi_espace() {
+    annexe_a1().verifier();
+}
+
+#[test]
+fn annexe_a2_sphere() {
+    annexe_a2().verifier();
+}
+
+#[test]
+fn annexe_a3_boite() {
+    annexe_a3().verifier();
+}
+
+#[test]
+fn c1_sens_de_la_rotation() {
+    c1().verifier();
+}
+
+#[test]
+fn c2_ordre_et_quarts_de_tour() {
+    c2().verifier();
+}
+
+#[test]
+fn c3_signe_de_d() {
+    c3().verifier();
+}
+
+#[test]
+fn c4_translation() {
+    c4().verifier();
+}
+
+#[test]
+fn c5_rotation_autour_de_l_origine() {
+    c5().verifier();
+}
+
+#[test]
+fn c6_homothetie() {
+    c6().verifier();
+}
+
+#[test]
+fn c7_une_touche_est_une_entree() {
+    c7().verifier();
+}
+
+#[test]
+fn c8_la_sphere_par_son_entree() {
+    c8().verifier();
+}
+
+#[test]
+fn c9_le_demi_espace_contre_sa_normale() {
+    c9().verifier();
+}
+
+#[test]
+fn c10_la_boite_par_dalles() {
+    c10().verifier();
+}
+
+#[test]
+fn c11_les_quantites_de_la_boite() {
+    c11().verifier();
+}
+
+#[test]
+fn c12_le_premier_a_egalite() {
+    c12().verifier();
+}
+
+#[test]
+fn c13_direction_unitaire() {
+    c13().verifier();
+}
+
+#[test]
+fn c15_nombres_acceptes() {
+    c15().verifier();
+}
+
+#[test]
+fn la_page_est_a_jour() {
+    let chemin = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/jeu-de-tests.md");
+    let mut page = String::from(
+        "# Jeu de tests\n\nThe test set that the handout asks for in §4.3.3: for each test what it tries, the result\n\
+         expected and the result obtained. Written by `tests/enonce.rs`, which also checks every row:\n\n\
+         ```sh\nLANCER_RAYON_ECRIRE=1 cargo test --all-features --test enonce\n```\n",
+    );
+    for partie in PARTIES {
+        let Partie { titre, lignes } = partie();
+        write!(page, "\n## {titre}\n\n| test | expected | obtained |\n|---|---|---|\n").unwrap();
+        for (quoi, attendu, obtenu) in lignes {
+            let sans_barre = |s: &str| s.replace('|', "\\|");
+            let (quoi, attendu, obtenu) =
+                (sans_barre(quoi), sans_barre(&attendu), sans_barre(&obtenu));
+            writeln!(page, "| {quoi} | {attendu} | {obtenu} |").unwrap();
+        }
+    }
+    if std::env::var_os("LANCER_RAYON_ECRIRE").is_some() {
+        std::fs::write(chemin, &page).unwrap();
+    }
+    let ecrite = std::fs::read_to_string(chemin).unwrap_or_default();
+    assert_eq!(ecrite, page, "docs/jeu-de-tests.md is stale: write it again as its head says");
+}
