@@ -1,0 +1,75 @@
+//! Reading a value goes through the same checks as making it, and loses no bit.
+#![cfg(feature = "serde")]
+
+mod commun;
+
+use commun::pour_tout;
+use commun::strategies::{objet, plante, rotation};
+use lancer_rayon::{
+    BoiteGeo, ObjetGeo, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture, Vecteur,
+};
+use proptest::prelude::*;
+use serde::de::DeserializeOwned;
+use serde::{Deserialize, Serialize};
+
+fn relu<T: Serialize + DeserializeOwned>(valeur: &T) -> T {
+    ron::from_str(&ron::to_string(valeur).unwrap()).unwrap()
+}
+
+fn aller_retour<R: Reel + Serialize + for<'de> Deserialize<'de>>() {
+    pour_tout((objet::<R>(1.0), plante::<R>(), rotation::<R>()), |(objet, plante, r)| {
+        prop_assert_eq!(relu(&objet), objet);
+        prop_assert_eq!(relu(&plante.objet), plante.objet);
+        prop_assert_eq!(relu(&plante.rayon), plante.rayon);
+        prop_assert_eq!(relu(&r), r);
+        Ok(())
+    });
+}
+
+#[test]
+fn ce_qui_est_ecrit_est_relu_bit_pour_bit() {
+    aller_retour::<f32>();
+    aller_retour::<f64>();
+}
+
+/// A text is refused with the sentence of the constructor.
+fn refuse<T: DeserializeOwned>(texte: &str, phrase: &str) {
+    let Err(erreur) = ron::from_str::<T>(texte) else { panic!("accepted: {texte}") };
+    let erreur = erreur.to_string();
+    assert!(erreur.contains(phrase), "{erreur:?} does not say {phrase:?}");
+}
+
+#[test]
+fn ce_qui_n_est_pas_valide_est_refuse() {
+    let sphere: SphereGeo = ron::from_str("(centre: (0, 1, 2), rayon: 3, texture: (4))").unwrap();
+    assert_eq!(sphere, SphereGeo::new(Vecteur::new(0.0, 1.0, 2.0), 3.0, Texture(4)).unwrap());
+
+    let taille = "must be a number between 2^-450 and 2^450";
+    let cas = [
+        ("-1", "rayon is -1"),
+        ("0", "rayon is 0"),
+        ("NaN", "rayon is NaN"),
+        ("inf", "rayon is inf"),
+    ];
+    for (rayon, phrase) in cas {
+        let texte = format!("(centre: (0, 0, 0), rayon: {rayon}, texture: (0))");
+        refuse::<SphereGeo>(&texte, &format!("{phrase}, but {taille}"));
+        refuse::<ObjetGeo>(&format!("Sphere({texte})"), phrase);
+    }
+    refuse::<SphereGeo>("(centre: (0, inf, 0), rayon: 1, texture: (0))", "centre.y is inf");
+    let identite = "((1, 0, 0), (0, 1, 0), (0, 0, 1))";
+    refuse::<PlanGeo>(
+        &format!("(rotation: {identite}, distance: NaN, texture: (0))"),
+        "distance is NaN",
+    );
+    refuse::<BoiteGeo<f32>>(
+        &format!(
+            "(centre: (0, 0, 0), dimensions: (1, 1e-30, 1), rotation: {identite}, texture: (0))"
+        ),
+        "dimensions.y (hauteur) is 1.0000000031710769e-30, but must be a number between 2^-60 and 2^60",
+    );
+    refuse::<Rotation>("((1, 0, 0), (0, 1, 0), (0, 0, 2))", "matrice: |M·Mᵀ - I| is 3");
+    refuse::<Rotation>("((1, 0, 0), (0, 1, 0), (0, 0, -1))", "matrice: determinant is -1");
+    refuse::<Rayon>("(source: (0, 0, 0), direction: (0, 0, 0))", "direction is 0");
+    refuse::<Rayon>("(source: (1e200, 0, 0), direction: (0, 0, 1))", "source.x is ");
+}
