@@ -230,11 +230,23 @@ impl<R: Reel> BoiteRay<R> {
             demi_longueurs: self.demi_longueurs.map(R::vers_f64),
             texture: self.texture,
         };
-        let precises = large.dalles(rayon.source().vers_f64(), d.vers_f64());
-        let t = R::conclure(t, || precises.entree);
-        let normale = self.normales[precises.axe];
+        let (s_large, d_large) = (rayon.source().vers_f64(), d.vers_f64());
+        let Dalles { entree, axe, .. } = large.dalles(s_large, d_large);
+        // The face must be one that the ray enters as the search sees it as well, N·D < 0.
+        let vitesse = self.normales[axe].produit_scalaire(d).vers_f64();
+        let d_accord = vitesse * large.normales[axe].produit_scalaire(d_large) > 0.0;
+        let (t, axe) = if d_accord {
+            (R::conclure(t, || entree), axe)
+        } else {
+            (t.vers_f64(), self.dalles(rayon.source(), d).axe)
+        };
+        let normale = self.normales[axe];
         let normale = if normale.produit_scalaire(d) > R::ZERO { -normale } else { normale };
-        Intersection::new(t, normale, self.texture)
+        Intersection::new(rayon, t, normale, self.texture, |p| {
+            let (n, cp) = (normale.vers_f64(), p - large.centre);
+            let hauteur = n.produit_scalaire(cp) - large.demi_longueurs[axe];
+            (hauteur, n.produit_des_grandeurs(cp))
+        })
     }
 }
 

@@ -8,7 +8,6 @@ use crate::{ObjetRay, Rayon, Reel, Texture, Vecteur};
 #[doc(alias = "hit")]
 #[doc(alias = "HitRecord")]
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
 #[must_use]
 pub struct Intersection<R = f64> {
     /// From the source of the ray to the object, in scene units: finite and above 0.
@@ -17,14 +16,59 @@ pub struct Intersection<R = f64> {
     pub normale: Vecteur<R>,
     /// The texture of the object.
     pub texture: Texture,
+    marge: R,
 }
 
 impl<R: Reel> Intersection<R> {
-    /// Rounds a distance t > 0 to R. One too small for R stays a hit, at the smallest distance.
-    pub(crate) fn new(t: f64, normale: Vecteur<R>, texture: Texture) -> Self {
+    /// The hit of `rayon` at t > 0, rounded to R. One too small for R stays a hit, at the
+    /// smallest distance.
+    ///
+    /// `hauteur` gives, for a point in f64, its height over the surface along the normal, and a
+    /// length such that 4u of it is more than either this height or the test of the search, in
+    /// R, can be off by there.
+    #[inline]
+    pub(crate) fn new(
+        rayon: &Rayon<R>,
+        t: f64,
+        normale: Vecteur<R>,
+        texture: Texture,
+        hauteur: impl FnOnce(Vecteur<f64>) -> (f64, f64),
+    ) -> Self {
         let t = R::depuis_f64(t);
         let distance = if t > R::ZERO { t } else { R::PLUS_PETIT };
-        Self { distance, normale, texture }
+        // The bound is made from the very point that the caller will compute.
+        let (hauteur, longueur) = hauteur(rayon.point(distance).vers_f64());
+        let quatre_u = R::depuis_f64(4.0) * R::U;
+        let marge = R::depuis_f64(hauteur.abs() + longueur * quatre_u.vers_f64());
+        // Upwards, past the rounding of these last operations; a NaN comes from an overflow.
+        let marge = marge + marge * quatre_u + R::depuis_f64(8.0) * R::PLUS_PETIT;
+        let marge = if marge < R::INFINI { marge } else { R::INFINI };
+        Self { distance, normale, texture, marge }
+    }
+
+    /// How far at most the point `rayon.point(distance)`, as computed, lies from the surface
+    /// along the normal; in scene units.
+    ///
+    /// It is a proven bound (derived in `docs/precision.md`), most often a few times the error
+    /// itself, and never a NaN. It is +∞ where the point is beyond the range of the type, and for
+    /// a sphere no larger than the rounding of its distance or of its coordinates. For a box the
+    /// surface is the plane of the face that was touched.
+    ///
+    /// ```
+    /// use lancer_rayon::{ObjetGeo, Rayon, SphereGeo, Texture, Vecteur};
+    ///
+    /// let boule = ObjetGeo::from(SphereGeo::new(Vecteur::new(0.0, 0.0, -5.0), 1.0, Texture(0))?);
+    /// let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.1, 0.05, -1.0))?;
+    /// let touche = boule.vers_ray().intersection(&rayon)?;
+    /// assert!(touche.marge() < 1e-14);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    #[doc(alias = "error_bound")]
+    #[doc(alias = "margin")]
+    #[inline]
+    #[must_use]
+    pub fn marge(&self) -> R {
+        self.marge
     }
 }
 

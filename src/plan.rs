@@ -137,15 +137,36 @@ impl<R: Reel> PlanRay<R> {
         hauteur / descente
     }
 
+    /// A descent below which N·D has lost half of its digits.
+    const RASANT: f64 = 1.0 / 67_108_864.0; // 2^-26
+
     /// The hit that the search found at distance `t`, computed in `f64`.
     pub(crate) fn conclure(&self, rayon: &Rayon<R>, t: R) -> Intersection<R> {
         let PlanRay { normale, distance, texture } = *self;
-        let t = R::conclure(t, || {
-            let plan =
-                PlanRay { normale: normale.vers_f64(), distance: distance.vers_f64(), texture };
-            plan.t(rayon.source().vers_f64(), rayon.direction().vers_f64())
-        });
-        Intersection::new(t, normale, texture)
+        let plan = PlanRay { normale: normale.vers_f64(), distance: distance.vers_f64(), texture };
+        let (s, d) = (rayon.source().vers_f64(), rayon.direction().vers_f64());
+        let (hauteur, descente) = plan.hauteur_et_descente(s, d);
+        let t = if descente > Self::RASANT {
+            R::conclure(t, || hauteur / descente)
+        } else {
+            plan.t_rasant(s, d).unwrap_or(t.vers_f64())
+        };
+        Intersection::new(rayon, t, normale, texture, |p| {
+            let hauteur = plan.normale.produit_scalaire(p) + plan.distance;
+            (hauteur, plan.normale.produit_des_grandeurs(p))
+        })
+    }
+}
+
+impl PlanRay<f64> {
+    /// t for a ray almost parallel to the plane, where the digits of N·D that remain after the
+    /// cancellation decide. `None` if it does not descend at all.
+    #[cold]
+    fn t_rasant(&self, s: Vecteur<f64>, d: Vecteur<f64>) -> Option<f64> {
+        let descente = -self.normale.produit_scalaire_compense(d);
+        let hauteur = self.normale.produit_scalaire(s) + self.distance;
+        let t = hauteur / descente;
+        (descente > 0.0 && t < f64::INFINITY).then_some(t)
     }
 }
 

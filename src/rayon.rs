@@ -1,7 +1,7 @@
 //! Rays of light (handout §4.1 and annex A).
 
-use crate::erreur::{fini, point, refus};
-use crate::{ErreurGeo, Reel, Vecteur};
+use crate::erreur::{exiger, fini, point, refus};
+use crate::{ErreurGeo, Intersection, Reel, Vecteur};
 
 /// A ray: the points R(t) = S + t·D, t ≥ 0, from the source S along the unit vector D
 /// (handout, annex A).
@@ -65,6 +65,66 @@ impl<R: Reel> Rayon<R> {
     #[inline]
     pub fn point(&self, distance: R) -> Vecteur<R> {
         self.source + self.direction * distance
+    }
+
+    /// A ray that starts where this one touched an object and cannot touch that object again: for
+    /// shadows, reflections (a direction outward, D·N > 0) and transparency (inward).
+    ///
+    /// The source is the point of the hit, moved along the normal to the side to which the
+    /// direction leads, by [`marge`](Intersection::marge) and the rounding of the moved point,
+    /// 2u·Σ|N_i·P_i|: from outside an object that is left is not met again, from inside it is not
+    /// seen at all. A direction within 4u of the tangent plane is turned outward by 8u. There is
+    /// no epsilon to choose, and nothing farther than that step is jumped over.
+    ///
+    /// Within rounding of an edge of a box an inward ray may touch the other face of that edge,
+    /// of which the hit knows nothing.
+    ///
+    /// # Errors
+    /// If the direction is zero or not finite, if `touche` was altered into no hit (a distance
+    /// that is not a finite number above 0, a normal that is not unit), or if the start lies beyond
+    /// the limits of a source, as for [`new`](Self::new); a hit whose `marge` is +∞ has none.
+    ///
+    /// ```
+    /// use lancer_rayon::{NoIntersection, ObjetGeo, Rayon, SphereGeo, Texture, Vecteur};
+    ///
+    /// let boule = ObjetGeo::from(SphereGeo::new(Vecteur::new(0.1, 0.2, -5.0), 1.7, Texture(0))?).vers_ray();
+    /// let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.1, 0.05, -1.0))?;
+    /// let touche = boule.intersection(&rayon)?;
+    ///
+    /// let (d, n) = (rayon.direction(), touche.normale);
+    /// let reflet = rayon.secondaire(&touche, d - n * (2.0 * d.produit_scalaire(n)))?;
+    /// assert_eq!(boule.intersection(&reflet), Err(NoIntersection));
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    #[doc(alias = "spawn_ray")]
+    #[doc(alias = "shadow_ray")]
+    #[doc(alias = "reflection")]
+    pub fn secondaire(
+        &self,
+        touche: &Intersection<R>,
+        direction: Vecteur<R>,
+    ) -> Result<Self, ErreurGeo> {
+        let Intersection { distance, normale: n, .. } = *touche;
+        let reel = |x: f64| R::depuis_f64(x);
+        let attendu = "a finite number above 0";
+        exiger(distance > R::ZERO && distance < R::INFINI, "touche.distance", distance, attendu)?;
+        let longueur = n.longueur();
+        let unitaire = (longueur - R::UN).abs() <= reel(16.0) * R::U;
+        exiger(unitaire, "|touche.normale|", longueur, "1, to rounding")?;
+
+        let direction = Self::new(self.source, direction)?.direction;
+        let cosinus = direction.produit_scalaire(n);
+        let direction = if cosinus.abs() <= reel(4.0) * R::U {
+            direction + n * (reel(8.0) * R::U)
+        } else {
+            direction
+        };
+        let p = self.point(distance);
+        // The bound of the hit, with room for N not being exactly unit; then the rounding of P + pas·N.
+        let pas = touche.marge() * (R::UN + reel(16.0) * R::U);
+        let pas = pas + n.produit_des_grandeurs(p) * (reel(2.0) * R::U);
+        let pas = if cosinus < reel(-4.0) * R::U { -pas } else { pas };
+        Self::new(p + n * pas, direction)
     }
 }
 

@@ -66,9 +66,10 @@ pub trait Reel:
     fn vers_f64(self) -> f64;
     /// The nearest number of this type.
     fn depuis_f64(x: f64) -> Self;
-    /// The distance to conclude a hit with, in the wider type: what the search found if the
-    /// search was already made in it, otherwise what `precise` computes there, unless that is
-    /// no positive number which this type can hold: the conclusion never revokes a hit.
+    /// The distance to conclude a hit with, in the wider type: what the search found if it was
+    /// made in that type already, otherwise what `precise` computes there. The conclusion never
+    /// revokes a hit: behind the source becomes the smallest distance, and where `precise` has
+    /// no number that this type can hold, what the search found stands.
     fn conclure(trouve: Self, precise: impl FnOnce() -> f64) -> f64;
 }
 

@@ -132,19 +132,24 @@ impl<R: Reel> SphereRay<R> {
 
     /// SB, if the ray enters the sphere.
     ///
-    /// SB = SA − AB, written as power/(SA + AB), which subtracts nothing.
+    /// SB = SA − AB, written as power/(SA + AB), which subtracts nothing; and never past A, even
+    /// where the ray grazes so closely that AB is all rounding.
     #[inline(always)]
-    fn sb(sa: R, puissance: R, ab2: R) -> R {
+    fn sb(d: Vecteur<R>, (sa, puissance, ab2): (R, R, R)) -> R {
         let ab2 = if ab2 > R::ZERO { ab2 } else { R::ZERO };
-        puissance / (sa + ab2.sqrt())
+        let (somme, d2) = (sa + ab2.sqrt(), d.longueur_carree());
+        let avant_a = puissance * d2 < sa * somme;
+        let (haut, bas) = if avant_a { (puissance, somme) } else { (sa, d2) };
+        haut / bas
     }
 
     /// The distance of the entry, +∞ if the ray has none: S outside, C ahead and AC < r.
     #[inline(always)]
     pub(crate) fn t(&self, s: Vecteur<R>, d: Vecteur<R>) -> R {
-        let (sa, puissance, ab2) = self.longueurs(s, d);
+        let longueurs = self.longueurs(s, d);
+        let (sa, puissance, ab2) = longueurs;
         if (ab2 > R::ZERO) & (sa > R::ZERO) & (puissance > R::ZERO) {
-            Self::sb(sa, puissance, ab2)
+            Self::sb(d, longueurs)
         } else {
             R::INFINI
         }
@@ -155,10 +160,7 @@ impl<R: Reel> SphereRay<R> {
         let (s, d) = (rayon.source().vers_f64(), rayon.direction().vers_f64());
         let SphereRay { centre, rayon: r, texture } = *self;
         let sphere = SphereRay { centre: centre.vers_f64(), rayon: r.vers_f64(), texture };
-        let t = R::conclure(t, || {
-            let (sa, puissance, ab2) = sphere.longueurs(s, d);
-            SphereRay::sb(sa, puissance, ab2)
-        });
+        let t = R::conclure(t, || SphereRay::sb(d, sphere.longueurs(s, d)));
         // CB relative to the source: S + tD − C would lose what S and C have in common.
         let cb = (s - sphere.centre) + d * t;
         let normale = cb.unitaire().map(Vecteur::depuis_f64);
@@ -167,7 +169,22 @@ impl<R: Reel> SphereRay<R> {
             let d = d / d.longueur();
             vers_la_source(cb, d).filter(de_face).unwrap_or(Vecteur::depuis_f64(-d))
         });
-        Intersection::new(t, normale, texture)
+        Intersection::new(rayon, t, normale, texture, |p| {
+            // From P along N to the sphere. Where rounding tilts N away from CP, above all for a
+            // small far sphere, a ray along the tangent plane of N dips below the sphere by half
+            // of travers²/r, and a point rounded sideways climbs the slope.
+            let (n, cp, r) = (normale.vers_f64(), p - sphere.centre, sphere.rayon);
+            let le_long = n.produit_scalaire(cp);
+            let travers2 = (cp - n * le_long).longueur_carree();
+            let hauteur = (le_long - (r * r - travers2).sqrt()).abs();
+            let pente = (travers2 / (r * r)).sqrt();
+            let loin = p.longueur();
+            if hauteur > 0.5 * r || pente > 0.5 || 16.0 * R::U.vers_f64() * loin > r {
+                // The sphere is no larger than the rounding of its distance or of its place.
+                return (f64::INFINITY, r);
+            }
+            (hauteur + travers2 / r, 2.0 * (r + hauteur) + loin * pente)
+        })
     }
 }
 

@@ -117,6 +117,12 @@ impl<R: Reel> Vecteur<R> {
         )
     }
 
+    /// Σ|V_i·V′_i|: what a rounding error of the scalar product is a small multiple of.
+    #[inline(always)]
+    pub(crate) fn produit_des_grandeurs(self, autre: Self) -> R {
+        (self.x * autre.x).abs() + (self.y * autre.y).abs() + (self.z * autre.z).abs()
+    }
+
     /// The same vector in the wider type, exactly.
     #[inline(always)]
     pub(crate) fn vers_f64(self) -> Vecteur<f64> {
@@ -128,6 +134,40 @@ impl<R: Reel> Vecteur<R> {
     pub(crate) fn depuis_f64(v: Vecteur<f64>) -> Self {
         Self::new(R::depuis_f64(v.x), R::depuis_f64(v.y), R::depuis_f64(v.z))
     }
+}
+
+impl Vecteur<f64> {
+    /// The scalar product as if computed with twice the digits and rounded once: where the plain
+    /// one is what remains of a cancellation.
+    #[cold]
+    pub(crate) fn produit_scalaire_compense(self, autre: Self) -> f64 {
+        let (x, rx) = produit_exact(self.x, autre.x);
+        let (y, ry) = produit_exact(self.y, autre.y);
+        let (z, rz) = produit_exact(self.z, autre.z);
+        let (xy, rxy) = somme_exacte(x, y);
+        let (xyz, rxyz) = somme_exacte(xy, z);
+        xyz + (rxy + rxyz + (rx + ry + rz))
+    }
+}
+
+/// a + b and what rounding takes from it, whichever is larger (Knuth).
+fn somme_exacte(a: f64, b: f64) -> (f64, f64) {
+    let somme = a + b;
+    let b_vu = somme - a;
+    (somme, (a - (somme - b_vu)) + (b - b_vu))
+}
+
+/// a·b and what rounding takes from it, by cutting both in halves of 26 bits (Dekker): no fused
+/// multiply-add, so that every machine has the same bits.
+fn produit_exact(a: f64, b: f64) -> (f64, f64) {
+    fn moities(x: f64) -> (f64, f64) {
+        let c = 134_217_729.0 * x; // 2^27 + 1
+        let haut = c - (c - x);
+        (haut, x - haut)
+    }
+    let produit = a * b;
+    let ((ah, ab), (bh, bb)) = (moities(a), moities(b));
+    (produit, ab * bb - (((produit - ah * bh) - ab * bh) - ah * bb))
 }
 
 impl<R> From<[R; 3]> for Vecteur<R> {

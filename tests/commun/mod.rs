@@ -3,10 +3,14 @@
 #![allow(clippy::incompatible_msrv, reason = "tests need the Rust that proptest needs")]
 #![allow(dead_code, reason = "each test file uses its own part")]
 
+pub(crate) mod conversion;
+pub(crate) mod mesure;
+pub(crate) mod oracle;
+pub(crate) mod regimes;
 pub(crate) mod strategies;
 pub(crate) mod tolerances;
 
-use lancer_rayon::{Reel, Vecteur};
+pub(crate) use conversion::{arrondi, large};
 use proptest::strategy::Strategy;
 use proptest::test_runner::{Config, TestCaseResult, TestRunner};
 
@@ -24,14 +28,4 @@ pub(crate) fn pour_tout<S: Strategy>(strategie: S, propriete: impl Fn(S::Value) 
     if let Err(echec) = TestRunner::new(config).run(&strategie, propriete) {
         panic!("{echec}");
     }
-}
-
-/// The same vector in f64, exactly.
-pub(crate) fn large<R: Reel>(v: Vecteur<R>) -> Vecteur {
-    Vecteur::new(v.x.vers_f64(), v.y.vers_f64(), v.z.vers_f64())
-}
-
-/// The nearest vector of a type.
-pub(crate) fn arrondi<R: Reel>(v: Vecteur) -> Vecteur<R> {
-    Vecteur::new(R::depuis_f64(v.x), R::depuis_f64(v.y), R::depuis_f64(v.z))
 }

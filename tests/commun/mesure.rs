@@ -1,0 +1,80 @@
+//! What is measured of an implementation against the oracle, regime by regime.
+
+use fastrand::Rng;
+use lancer_rayon::{ObjetRay, Rayon, Reel, Vecteur};
+
+use super::conversion::large;
+use super::oracle::verite;
+use super::regimes::Regime;
+
+/// What an implementation answers: distance and normal.
+pub(crate) type Reponse<R> = Option<(R, Vecteur<R>)>;
+
+/// Counts and errors of one regime.
+#[derive(Debug, Default)]
+pub(crate) struct Mesure {
+    /// Cases in which the truth is a hit.
+    pub(crate) touches: u32,
+    /// Hits where there is none and misses where there is one, outside the margin.
+    pub(crate) fausses: u32,
+    /// The error of every distance in u·cond, with u that of the type.
+    pub(crate) k: Vec<f64>,
+    /// The error of every distance in units in the last place.
+    pub(crate) ulp: Vec<f64>,
+    /// The largest K of the promise: in 2⁻⁵³·cond, for an f32 beyond half a unit in the last
+    /// place.
+    pub(crate) k_promis: f64,
+    /// The largest error of a normal, as a part of 4u(1 + |f|/r) + |Δt|/r.
+    pub(crate) normale: f64,
+}
+
+/// The median, what one in a thousand exceeds, and the largest.
+pub(crate) fn quantiles(valeurs: &mut [f64]) -> [f64; 3] {
+    valeurs.sort_by(f64::total_cmp);
+    [0.5, 0.999, 1.0].map(|part| {
+        let rang = (valeurs.len().saturating_sub(1)) as f64 * part;
+        valeurs.get(rang as usize).copied().unwrap_or(f64::NAN)
+    })
+}
+
+/// Half the distance to the next number of the type.
+fn demi_ulp<R: Reel>(t: R) -> f64 {
+    let exposant = ((t.vers_f64().to_bits() >> 52) as i32 - 1023).max(-1021);
+    f64::from(exposant).exp2() * R::U.vers_f64()
+}
+
+/// The same `graine` gives the same cases to every implementation.
+pub(crate) fn mesurer<R: Reel>(
+    regime: &Regime<R>,
+    cas: u32,
+    graine: u64,
+    repondre: impl Fn(&ObjetRay<R>, &Rayon<R>) -> Reponse<R>,
+) -> Mesure {
+    let mut alea = Rng::with_seed(graine);
+    let mut mesure = Mesure::default();
+    let u = R::U.vers_f64();
+    let en_f32 = u > f64::EPSILON;
+    let plus_grand = if en_f32 { f64::from(f32::MAX) } else { f64::MAX };
+    for _ in 0..cas {
+        let cas = (regime.cas)(&mut alea);
+        let verite = verite(&cas.objet, &cas.rayon);
+        let reponse = repondre(&cas.objet, &cas.rayon);
+        // A distance that the type cannot hold is a miss.
+        let entree = verite.entree.filter(|e| e.t.vers_f64() <= plus_grand);
+        mesure.touches += u32::from(entree.is_some());
+        mesure.fausses += u32::from(!verite.dans_la_marge && entree.is_some() != reponse.is_some());
+        let (Some(entree), Some((t, normale))) = (entree, reponse) else { continue };
+
+        let ecart = entree.ecart(t).abs();
+        mesure.k.push(ecart / (u * entree.cond));
+        mesure.ulp.push(ecart / (2.0 * demi_ulp(t)));
+        let arrondi = if en_f32 { demi_ulp(t) } else { 0.0 };
+        let k = (ecart - arrondi) / (f64::EPSILON / 2.0 * entree.cond);
+        mesure.k_promis = mesure.k_promis.max(k);
+
+        let ecarts = entree.normales.iter().map(|n| (large(normale) - *n).longueur());
+        let permis = 4.0 * u * (1.0 + entree.f / entree.courbure) + ecart / entree.courbure;
+        mesure.normale = mesure.normale.max(ecarts.fold(f64::INFINITY, f64::min) / permis);
+    }
+    mesure
+}

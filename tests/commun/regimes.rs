@@ -1,0 +1,297 @@
+//! The extremes, each a directed generator of one object and one ray. Random rays meet a leak
+//! at an edge once in millions; these meet it at every step.
+
+use core::f64::consts::{FRAC_PI_2, TAU};
+
+use fastrand::Rng;
+use lancer_rayon::{
+    BoiteGeo, ObjetGeo, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture, Vecteur,
+};
+
+use super::conversion::{arrondi, large};
+
+#[derive(Debug)]
+pub(crate) struct Cas<R> {
+    pub(crate) objet: ObjetRay<R>,
+    pub(crate) rayon: Rayon<R>,
+}
+
+pub(crate) struct Regime<R> {
+    pub(crate) nom: &'static str,
+    pub(crate) cas: fn(&mut Rng) -> Cas<R>,
+}
+
+pub(crate) fn regimes<R: Reel>() -> [Regime<R>; 16] {
+    [
+        Regime { nom: "sphere, ordinary", cas: |a| ordinaire(a, boule) },
+        Regime { nom: "sphere, far and small", cas: |a| loin(a, boule) },
+        Regime { nom: "sphere, grazing", cas: sphere_rasante },
+        Regime { nom: "sphere, close above the surface", cas: |a| au_ras(a, boule) },
+        Regime {
+            nom: "sphere, source within ulps of the surface",
+            cas: |a| a_quelques_ulp(a, boule),
+        },
+        Regime { nom: "sphere, at the ends of the range", cas: |a| bornes(a, boule) },
+        Regime { nom: "half-space, ordinary", cas: |a| ordinaire(a, demi_espace) },
+        Regime { nom: "half-space, almost parallel", cas: plan_rasant },
+        Regime { nom: "half-space, close above the surface", cas: |a| au_ras(a, demi_espace) },
+        Regime { nom: "half-space, at the ends of the range", cas: |a| bornes(a, demi_espace) },
+        Regime { nom: "box, ordinary", cas: |a| ordinaire(a, boite) },
+        Regime { nom: "box, far and small", cas: |a| loin(a, boite) },
+        Regime { nom: "box, edges and corners", cas: aretes },
+        Regime { nom: "box, along the plane of a face", cas: le_long_d_une_face },
+        Regime { nom: "box, close above the surface", cas: |a| au_ras(a, boite) },
+        Regime { nom: "box, at the ends of the range", cas: |a| bornes(a, boite) },
+    ]
+}
+
+/// An object of about this size with its centre (for a half-space, a point of it) here.
+type Forme<R> = fn(&mut Rng, Vecteur, f64) -> ObjetGeo<R>;
+
+fn entre(alea: &mut Rng, min: f64, max: f64) -> f64 {
+    min + (max - min) * alea.f64()
+}
+
+/// 2^x, with x anywhere between the two.
+fn puissance(alea: &mut Rng, min: f64, max: f64) -> f64 {
+    entre(alea, min, max).exp2()
+}
+
+pub(crate) fn direction(alea: &mut Rng) -> Vecteur {
+    let (z, a) = (entre(alea, -1.0, 1.0), entre(alea, 0.0, TAU));
+    let r = (1.0 - z * z).sqrt();
+    Vecteur::new(r * a.cos(), r * a.sin(), z)
+}
+
+/// At a right angle to `d`.
+fn travers(alea: &mut Rng, d: Vecteur) -> Vecteur {
+    loop {
+        let v = direction(alea);
+        let v = v - d * v.produit_scalaire(d);
+        if v.longueur() > 0.1 {
+            return v / v.longueur();
+        }
+    }
+}
+
+fn rotation<R: Reel>(alea: &mut Rng) -> Rotation<R> {
+    let quarts = alea.bool();
+    let angles = [(); 3].map(|()| {
+        let angle =
+            if quarts { f64::from(alea.i8(-4..=4)) * FRAC_PI_2 } else { entre(alea, -7.0, 7.0) };
+        R::depuis_f64(angle)
+    });
+    Rotation::new(angles.into()).unwrap()
+}
+
+/// The nearest number that a scene can hold.
+fn borne<R: Reel>(x: f64) -> R {
+    let limite = R::LIMITE.vers_f64();
+    R::depuis_f64(x.clamp(-limite, limite))
+}
+
+fn lieu<R: Reel>(v: Vecteur) -> Vecteur<R> {
+    Vecteur::new(borne(v.x), borne(v.y), borne(v.z))
+}
+
+fn taille<R: Reel>(x: f64) -> R {
+    let limite = R::LIMITE.vers_f64();
+    R::depuis_f64(x.clamp(limite.recip(), limite))
+}
+
+fn boule<R: Reel>(_: &mut Rng, centre: Vecteur, r: f64) -> ObjetGeo<R> {
+    SphereGeo::new(lieu(centre), taille(r), Texture(0)).unwrap().into()
+}
+
+fn demi_espace<R: Reel>(alea: &mut Rng, en: Vecteur, _: f64) -> ObjetGeo<R> {
+    let r = rotation(alea);
+    let n = large(Vecteur::from(r.matrice()[2]));
+    PlanGeo::new(r, borne(-n.produit_scalaire(en)), Texture(0)).unwrap().into()
+}
+
+/// One box in two is as long as 10^12 times its thickness.
+fn boite<R: Reel>(alea: &mut Rng, centre: Vecteur, l: f64) -> ObjetGeo<R> {
+    let allonge = if alea.bool() { -40.0 } else { -2.0 };
+    let dimensions = [(); 3].map(|()| taille(l * puissance(alea, allonge, 0.0)));
+    BoiteGeo::new(lieu(centre), dimensions.into(), rotation(alea), Texture(0)).unwrap().into()
+}
+
+fn lancer<R: Reel>(objet: ObjetGeo<R>, de: Vecteur, vers: Vecteur) -> Cas<R> {
+    let secours = Vecteur::new(R::ZERO, R::ZERO, -R::UN);
+    let d = arrondi(vers);
+    let rayon = Rayon::new(lieu(de), d).or_else(|_| Rayon::new(lieu(de), secours));
+    Cas { objet: objet.vers_ray(), rayon: rayon.unwrap() }
+}
+
+/// Any scale, from a few sizes away, at and a little beside the object.
+fn ordinaire<R: Reel>(alea: &mut Rng, forme: Forme<R>) -> Cas<R> {
+    let l = puissance(alea, -20.0, 20.0);
+    let centre = direction(alea) * (l * puissance(alea, -3.0, 4.0));
+    let objet = forme(alea, centre, l);
+    let de = centre + direction(alea) * (l * puissance(alea, -1.0, 5.0));
+    let vers = centre + direction(alea) * (1.2 * l * alea.f64());
+    lancer(objet, de, vers - de)
+}
+
+/// Up to 10^7 (f32) or 10^15 (f64) sizes away, where S − C is not representable.
+fn loin<R: Reel>(alea: &mut Rng, forme: Forme<R>) -> Cas<R> {
+    let l = puissance(alea, -10.0, 10.0);
+    let bits = -R::U.vers_f64().log2();
+    let distance = l * puissance(alea, 0.0, bits - 2.0);
+    let d = direction(alea);
+    let centre = direction(alea) * (distance * alea.f64());
+    let objet = forme(alea, centre, l);
+    let ecart = travers(alea, d) * (1.3 * l * alea.f64());
+    lancer(objet, centre - d * distance + ecart, d)
+}
+
+/// At r(1 ± 2^−k) from the centre, to the last bit and beyond.
+fn sphere_rasante<R: Reel>(alea: &mut Rng) -> Cas<R> {
+    let r = puissance(alea, -10.0, 10.0);
+    let centre = direction(alea) * (r * puissance(alea, -3.0, 8.0));
+    let d = direction(alea);
+    let presque = f64::from(1 - 2 * i8::from(alea.bool())) * puissance(alea, -54.0, -1.0);
+    let recul = r * puissance(alea, -3.0, 8.0);
+    let de = centre + travers(alea, d) * (r * (1.0 + presque)) - d * recul;
+    lancer(boule(alea, centre, r), de, d)
+}
+
+/// A point of the surface and the normal there, far from any edge or at one.
+fn surface<R: Reel>(alea: &mut Rng, objet: &ObjetRay<R>, etendue: f64) -> (Vecteur, Vecteur) {
+    match objet {
+        ObjetRay::Sphere(sphere) => {
+            let n = direction(alea);
+            (large(sphere.centre()) + n * sphere.rayon().vers_f64(), n)
+        }
+        ObjetRay::Plan(plan) => {
+            let n = large(plan.normale());
+            let pied = n * -plan.distance().vers_f64();
+            (pied + travers(alea, n) * etendue, n)
+        }
+        ObjetRay::Boite(boite) => {
+            let face = alea.usize(0..3);
+            let signe = f64::from(1 - 2 * i8::from(alea.bool()));
+            let point = (0..3).fold(large(boite.centre()), |point, axe| {
+                let ou = if axe == face { signe } else { entre(alea, -1.0, 1.0) };
+                let l = boite.demi_longueurs()[axe].vers_f64();
+                point + large(boite.normales()[axe]) * (ou * l)
+            });
+            (point, large(boite.normales()[face]) * signe)
+        }
+    }
+}
+
+/// From a relative height of 10^−16 … 1 above the surface: going in, along and out.
+fn au_ras<R: Reel>(alea: &mut Rng, forme: Forme<R>) -> Cas<R> {
+    let l = puissance(alea, -10.0, 10.0);
+    let centre = direction(alea) * (l * puissance(alea, -3.0, 8.0));
+    let objet = forme(alea, centre, l);
+    let (point, n) = surface(alea, &objet.vers_ray(), l);
+    let haut = l * puissance(alea, -53.0, 0.0);
+    let incline = puissance(alea, -30.0, 0.0);
+    let penche = if alea.u8(0..4) == 0 { incline } else { -incline };
+    lancer(objet, point + n * haut, n * penche + travers(alea, n))
+}
+
+/// The object about the origin and the source exactly on, or k ulp above or below, its surface.
+fn a_quelques_ulp<R: Reel>(alea: &mut Rng, forme: Forme<R>) -> Cas<R> {
+    let l = puissance(alea, -10.0, 10.0);
+    let objet = forme(alea, Vecteur::NUL, l);
+    let (point, n) = surface(alea, &objet.vers_ray(), l);
+    let ulp = 1.0 + f64::from(alea.i8(-4..=4)) * 2.0 * R::U.vers_f64();
+    let axe = [Vecteur::new(1.0, 0.0, 0.0), Vecteur::new(0.0, 0.0, -1.0)];
+    let point = match (&objet, alea.u8(0..4)) {
+        // On an axis the source can be exactly on the sphere, or in its centre.
+        (ObjetGeo::Sphere(s), 0) => axe[usize::from(alea.bool())] * s.vers_ray().rayon().vers_f64(),
+        (ObjetGeo::Sphere(_), 1) => Vecteur::NUL,
+        _ => point,
+    };
+    let vers = if alea.bool() { direction(alea) } else { -n };
+    lancer(objet, point * ulp, vers)
+}
+
+/// Sizes and coordinates over the whole range that a scene can hold, its two ends often.
+fn bornes<R: Reel>(alea: &mut Rng, forme: Forme<R>) -> Cas<R> {
+    let bits = R::LIMITE.vers_f64().log2();
+    let echelle = |alea: &mut Rng| match alea.u8(0..4) {
+        0 => bits.exp2(),
+        1 => (-bits).exp2(),
+        _ => puissance(alea, -bits, bits),
+    };
+    let l = echelle(alea);
+    let centre = direction(alea) * (echelle(alea) * puissance(alea, -2.0, 1.0));
+    let objet = forme(alea, centre, l);
+    let ou = if alea.bool() { echelle(alea) } else { l * puissance(alea, 0.0, 4.0) };
+    let de = lieu::<R>(centre + direction(alea) * ou);
+    let (cible, _) = surface(alea, &objet.vers_ray(), l);
+    lancer(objet, large(de), cible - large(de))
+}
+
+/// N·D = ±0, subnormal, ±2^−k; from near and from 10^15 along the plane.
+fn plan_rasant<R: Reel>(alea: &mut Rng) -> Cas<R> {
+    let l = puissance(alea, -10.0, 10.0);
+    let centre = direction(alea) * (l * puissance(alea, -3.0, 8.0));
+    let objet = demi_espace::<R>(alea, centre, l);
+    let etendue = l * puissance(alea, 0.0, 50.0);
+    let (point, n) = surface(alea, &objet.vers_ray(), etendue);
+    let descente = match alea.u8(0..6) {
+        0 => 0.0,
+        1 => -0.0,
+        2 => f64::MIN_POSITIVE / 8.0,
+        _ => puissance(alea, -60.0, -1.0),
+    };
+    let signe = f64::from(1 - 2 * i8::from(alea.u8(0..4) == 0));
+    let de = point + n * (l * puissance(alea, -20.0, 4.0));
+    lancer(objet, de, travers(alea, n) - n * (signe * descente))
+}
+
+/// Through an edge or a corner all of whose faces look at the source, and k ulp beside it.
+fn aretes<R: Reel>(alea: &mut Rng) -> Cas<R> {
+    let l = puissance(alea, -10.0, 10.0);
+    let centre = direction(alea) * (l * puissance(alea, -3.0, 8.0));
+    let objet = boite(alea, centre, l);
+    let ObjetRay::Boite(b) = objet.vers_ray() else { unreachable!("made as a box") };
+    let (c, n) = (large(b.centre()), b.normales().map(large));
+    let l = b.demi_longueurs().map(R::vers_f64);
+    // Along the third axis anywhere for an edge, at its end for a corner.
+    let libre = if alea.bool() { alea.usize(0..3) } else { 3 };
+    let signes = [(); 3].map(|()| f64::from(1 - 2 * i8::from(alea.bool())));
+    let cible = (0..3).fold(c, |point, axe| {
+        let ou = if axe == libre { entre(alea, -1.0, 1.0) } else { signes[axe] };
+        point + n[axe] * (ou * l[axe])
+    });
+    let recul = Vecteur::from(l).longueur() * puissance(alea, -2.0, 5.0);
+    let de = (0..3).fold(cible, |de, axe| {
+        let ou = if axe == libre { entre(alea, -1.0, 1.0) } else { signes[axe] * alea.f64() };
+        de + n[axe] * (ou * recul)
+    });
+    let de = large(lieu::<R>(de));
+    let k = 1.0 + f64::from(alea.i8(-3..=3)) * 2.0 * R::U.vers_f64();
+    lancer(objet, de, cible * k - de)
+}
+
+/// D·N = ±0 in the plane of a face, k ulp beside it, and away from it.
+fn le_long_d_une_face<R: Reel>(alea: &mut Rng) -> Cas<R> {
+    let l = [(); 3].map(|()| puissance(alea, -10.0, 10.0));
+    let centre = direction(alea) * puissance(alea, -10.0, 10.0);
+    let dimensions = Vecteur::from(l.map(taille::<R>));
+    let objet = BoiteGeo::new(lieu(centre), dimensions, Rotation::IDENTITE, Texture(0)).unwrap();
+    let b = objet.vers_ray();
+    let (axe, parallele) = (alea.usize(0..3), alea.usize(0..3));
+    let c = <[f64; 3]>::from(large(b.centre()));
+    let l = b.demi_longueurs().map(R::vers_f64);
+    let zero = if alea.bool() { 0.0 } else { -0.0 };
+    let (mut de, mut vers) = ([0.0; 3], [zero; 3]);
+    for i in 0..3 {
+        let k = 1.0 + f64::from(alea.i8(-3..=3)) * 2.0 * R::U.vers_f64();
+        let signe = f64::from(1 - 2 * i8::from(alea.bool()));
+        de[i] = (c[i] + signe * l[i]) * if alea.bool() { 1.0 } else { k };
+        if i == axe {
+            de[i] = c[i] - l[i] * puissance(alea, -1.0, 4.0);
+            vers[i] = 1.0;
+        } else if i != parallele {
+            vers[i] = entre(alea, -1.0, 1.0) * puissance(alea, -60.0, 0.0);
+        }
+    }
+    lancer(objet.into(), de.into(), vers.into())
+}
