@@ -602,6 +602,14 @@ fn c10() -> Partie {
         .ligne("D·N = −0 is no different", "distance 4, normal (0, 0, 1), texture 0", {
             lancer(bloc, &rayon(v(1.0, -1.0, 0.0), v(-0.0, -0.0, -1.0)))
         })
+        .ligne(
+            "past the box along one edge, in and out at once: it belongs",
+            "distance 1.414214, normal (-1.000000, 0.000000, 0.000000)",
+            {
+                let r = rayon(v(-2.0, 0.0, -5.0), v(1.0, 1.0, 0.0));
+                environ_touche(bloc.vers_ray().intersection(&r))
+            },
+        )
         .ligne("a unit in the last place beyond the face", "no intersection", {
             lancer(bloc, &devant(1.0_f64.next_up(), 0.0, 0.0))
         })

@@ -343,6 +343,32 @@ fn un_rayon_parallele_manque_et_la_moindre_pente_arrive() {
     paralleles::<f64>();
 }
 
+/// What remains of N·D for a ray almost parallel to a half-space has all its digits: the
+/// distance is as good as the height of the source, three roundings, and the division.
+fn rasants<R: Reel>() {
+    let mut alea = Rng::with_seed(8);
+    for _ in 0..cas_par_regime() {
+        let m = Rotation::<R>::new(arrondi(direction(&mut alea) * 3.0)).unwrap();
+        let sol = ObjetGeo::from(PlanGeo::new(m, R::ZERO, Texture(0)).unwrap()).vers_ray();
+        let [le_long, _, n] = m.matrice().map(|ligne| large(ligne.into()));
+        let pente = n * (alea.f64() - 1.0).exp2() * u::<R>().sqrt() * 1e-3;
+        let rayon = Rayon::new(arrondi(n), arrondi(le_long - pente)).unwrap();
+        let (Some(entree), Ok(touche)) = (verite(&sol, &rayon).entree, sol.intersection(&rayon))
+        else {
+            continue;
+        };
+        let ecart = entree.ecart(touche.distance).abs();
+        let permis = 6.0 * u::<R>() * touche.distance.vers_f64();
+        assert!(ecart <= permis, "off by {ecart:e}, {permis:e} allowed: {rayon:?}");
+    }
+}
+
+#[test]
+fn un_rayon_rasant_garde_ses_chiffres() {
+    rasants::<f32>();
+    rasants::<f64>();
+}
+
 /// Where no product is subnormal, scaling everything by a power of two changes no bit but the
 /// exponent of the distance: over the whole range that a scene can hold.
 fn puissances_de_deux<R: Reel>() {
