@@ -113,7 +113,11 @@ impl Reel for f32 {
     #[inline(always)]
     fn conclure(trouve: Self, precise: impl FnOnce() -> f64) -> f64 {
         let t = precise();
-        if t > 0.0 && t <= f64::from(Self::MAX) { t } else { f64::from(trouve) }
+        if t <= f64::from(Self::MAX) {
+            t.max(f64::from(Self::PLUS_PETIT))
+        } else {
+            f64::from(trouve)
+        }
     }
 }
 
