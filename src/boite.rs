@@ -117,14 +117,6 @@ pub struct BoiteRay<R = f64> {
     texture: Texture,
 }
 
-/// Where a ray crosses the three slabs of a box.
-struct Dalles<R> {
-    entree: R,
-    sortie: R,
-    /// The slab that is entered last.
-    axe: usize,
-}
-
 impl<R: Reel> BoiteRay<R> {
     /// C, the centre.
     #[doc(alias = "center")]
@@ -186,38 +178,42 @@ impl<R: Reel> BoiteRay<R> {
         approche(self.centre, demi_diagonale.longueur_carree(), s, d)
     }
 
-    /// The ray against the three pairs of faces, in the axes of the box with C as the origin,
-    /// each axis turned to go with the ray.
+    /// Where the ray crosses one pair of faces, in the axes of the box with C as the origin, the
+    /// axis turned to go with the ray.
     ///
-    /// A ray parallel to a pair divides by +0: the quotients are then ±∞ on the right sides,
-    /// or 0/0 in the plane of a face, and every comparison with that NaN is false, so that the
-    /// pair constrains nothing.
+    /// A ray parallel to the pair divides by +0: the quotients are then ±∞ on the right sides, or
+    /// 0/0 in the plane of a face.
     #[inline(always)]
-    fn dalles(&self, s: Vecteur<R>, d: Vecteur<R>) -> Dalles<R> {
-        let cs = s - self.centre;
-        let mut dalles = Dalles { entree: -R::INFINI, sortie: R::INFINI, axe: 0 };
+    fn dalle(&self, axe: usize, s: Vecteur<R>, d: Vecteur<R>) -> (R, R) {
+        let (n, l) = (self.normales[axe], self.demi_longueurs[axe]);
+        let (o, v) = ((s - self.centre).produit_scalaire(n), d.produit_scalaire(n));
+        let o = if v < R::ZERO { -o } else { o };
+        (-(l + o) / v.abs(), (l - o) / v.abs())
+    }
+
+    /// The last entry of the ray, the pair of faces that it is of, and the first exit.
+    ///
+    /// Every comparison with a NaN is false, so that 0/0 constrains nothing.
+    #[inline(always)]
+    fn dalles(&self, s: Vecteur<R>, d: Vecteur<R>) -> (R, usize, R) {
+        let (mut derniere_entree, mut face, mut premiere_sortie) = (-R::INFINI, 0, R::INFINI);
         for axe in 0..3 {
-            let (n, l) = (self.normales[axe], self.demi_longueurs[axe]);
-            let (o, v) = (cs.produit_scalaire(n), d.produit_scalaire(n));
-            let o = if v < R::ZERO { -o } else { o };
-            let entree = -(l + o) / v.abs();
-            let sortie = (l - o) / v.abs();
-            if entree > dalles.entree {
-                dalles.entree = entree;
-                dalles.axe = axe;
+            let (entree, sortie) = self.dalle(axe, s, d);
+            if entree > derniere_entree {
+                (derniere_entree, face) = (entree, axe);
             }
-            if sortie < dalles.sortie {
-                dalles.sortie = sortie;
+            if sortie < premiere_sortie {
+                premiere_sortie = sortie;
             }
         }
-        dalles
+        (derniere_entree, face, premiere_sortie)
     }
 
     /// The distance of the entry, +∞ if the ray has none: the last of the three entries, if it
     /// comes no later than the first of the three exits. Edges belong to the box.
     #[inline(always)]
     pub(crate) fn t(&self, s: Vecteur<R>, d: Vecteur<R>) -> R {
-        let Dalles { entree, sortie, axe: _ } = self.dalles(s, d);
+        let (entree, _, sortie) = self.dalles(s, d);
         if (entree > R::ZERO) & (entree <= sortie) { entree } else { R::INFINI }
     }
 
@@ -231,15 +227,17 @@ impl<R: Reel> BoiteRay<R> {
             texture: self.texture,
         };
         let (s_large, d_large) = (rayon.source().vers_f64(), d.vers_f64());
-        let Dalles { entree, axe, .. } = large.dalles(s_large, d_large);
+        let (entree, axe, _) = large.dalles(s_large, d_large);
         // The face must be one that the ray enters as the search sees it as well, N·D < 0.
         let vitesse = self.normales[axe].produit_scalaire(d).vers_f64();
         let d_accord = vitesse * large.normales[axe].produit_scalaire(d_large) > 0.0;
-        let (t, axe) = if d_accord {
-            (R::conclure(t, || entree), axe)
+        let (entree, axe) = if d_accord {
+            (entree, axe)
         } else {
-            (t.vers_f64(), self.dalles(rayon.source(), d).axe)
+            let (_, axe, _) = self.dalles(rayon.source(), d);
+            (large.dalle(axe, s_large, d_large).0, axe)
         };
+        let t = R::conclure(t, || entree);
         let normale = self.normales[axe];
         let normale = if normale.produit_scalaire(d) > R::ZERO { -normale } else { normale };
         Intersection::new(rayon, t, normale, self.texture, |p| {

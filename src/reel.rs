@@ -67,9 +67,8 @@ pub trait Reel:
     /// The nearest number of this type.
     fn depuis_f64(x: f64) -> Self;
     /// The distance to conclude a hit with, in the wider type: what the search found if it was
-    /// made in that type already, otherwise what `precise` computes there. The conclusion never
-    /// revokes a hit: behind the source becomes the smallest distance, and where `precise` has
-    /// no number that this type can hold, what the search found stands.
+    /// made in that type already, otherwise what `precise` computes there, unless this type has
+    /// no such number.
     fn conclure(trouve: Self, precise: impl FnOnce() -> f64) -> f64;
 }
 
@@ -113,11 +112,7 @@ impl Reel for f32 {
     #[inline(always)]
     fn conclure(trouve: Self, precise: impl FnOnce() -> f64) -> f64 {
         let t = precise();
-        if t <= f64::from(Self::MAX) {
-            t.max(f64::from(Self::PLUS_PETIT))
-        } else {
-            f64::from(trouve)
-        }
+        if t <= f64::from(Self::MAX) { t } else { f64::from(trouve) }
     }
 }
 

@@ -170,20 +170,22 @@ impl<R: Reel> SphereRay<R> {
             vers_la_source(cb, d).filter(de_face).unwrap_or(Vecteur::depuis_f64(-d))
         });
         Intersection::new(rayon, t, normale, texture, |p| {
-            // From P along N to the sphere. Where rounding tilts N away from CP, above all for a
-            // small far sphere, a ray along the tangent plane of N dips below the sphere by half
-            // of travers²/r, and a point rounded sideways climbs the slope.
             let (n, cp, r) = (normale.vers_f64(), p - sphere.centre, sphere.rayon);
+            // From P along N to the sphere.
             let le_long = n.produit_scalaire(cp);
             let travers2 = (cp - n * le_long).longueur_carree();
             let hauteur = (le_long - (r * r - travers2).sqrt()).abs();
-            let pente = (travers2 / (r * r)).sqrt();
-            let loin = p.longueur();
-            if hauteur > 0.5 * r || pente > 0.5 || 16.0 * R::U.vers_f64() * loin > r {
+            // Where rounding tilts N away from CP, above all for a small far sphere, a ray along
+            // the tangent plane of N dips below the sphere by half of travers²/r, and a point
+            // rounded sideways climbs by its rounding × travers/r, at most half of the sum of
+            // their squares over r.
+            let arrondi = 4.0 * R::U.vers_f64() * (p.x.abs() + p.y.abs() + p.z.abs());
+            let pentes = (1.5 * travers2 + 0.5 * arrondi * arrondi) / r;
+            if hauteur > 0.5 * r || travers2 > 0.25 * r * r || 4.0 * arrondi > r {
                 // The sphere is no larger than the rounding of its distance or of its place.
                 return (f64::INFINITY, r);
             }
-            (hauteur + travers2 / r, 2.0 * (r + hauteur) + loin * pente)
+            (hauteur + pentes, 2.0 * (r + hauteur))
         })
     }
 }

@@ -57,6 +57,8 @@ fn touches<R: Reel>(
     for _ in 0..cas_par_regime() {
         let cas = cas(&mut alea);
         if let Ok(touche) = cas.objet.intersection(&cas.rayon) {
+            let cosinus = touche.normale.produit_scalaire(cas.rayon.direction());
+            assert!(touche.distance > R::ZERO && cosinus < R::ZERO, "{cas:?} {touche:?}");
             suite(&cas, &touche, &mut alea);
         }
     }
@@ -90,6 +92,24 @@ fn marges<R: Reel>() {
 fn la_marge_borne_l_ecart() {
     marges::<f32>();
     marges::<f64>();
+}
+
+/// Where a coordinate of the point overflows, the margin is +∞ and no NaN.
+#[test]
+fn la_marge_d_un_point_hors_du_type_est_infinie() {
+    let mur = ObjetGeo::from(PlanGeo::new(Rotation::<f32>::IDENTITE, 0.0, Texture(0)).unwrap());
+    let haut = Vecteur::new(0.0, 0.0, f32::LIMITE);
+    // Unit to rounding, but longer than 1 by a unit in the last place.
+    let vers = Vecteur::new(
+        1.0 + f32::EPSILON,
+        0.0,
+        -f32::LIMITE / (f32::MAX * (1.0 - f32::EPSILON / 2.0)),
+    );
+    let rayon = Rayon::new(haut, vers).unwrap();
+    let touche = mur.vers_ray().intersection(&rayon).unwrap();
+    assert_eq!(rayon.point(touche.distance).x, f32::INFINITY);
+    assert_eq!(touche.marge(), f32::INFINITY);
+    assert!(rayon.secondaire(&touche, touche.normale).is_err());
 }
 
 /// Directions from a surface of normal `n`: any, straight in and out, along the tangent plane to

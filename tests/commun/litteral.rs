@@ -1,71 +1,31 @@
-//! Annex A of the handout to the letter, on the quantities of its §3: what the library is compared
-//! with. Of two corrections it cannot do without: the near root (C8) and the side of a plane (C9).
-//!
-//! Its weaknesses are the handout's: SC² − SA² cancels for a small or far sphere; a box stops at
-//! the first face found, and a point of an edge may be rounded off both of its faces; a ray
-//! parallel to a face never touches it.
+//! Annex A of the handout to the letter, on the 36 numbers of its §3, but for entries (C7 to C9).
+//! Its weaknesses stay: SC² − SA² cancels for a small or far sphere; a ray along a face cannot
+//! touch it; `≤ l` is asked of rounded numbers, and both faces of an edge may refuse its points.
 
 use lancer_rayon::{ObjetRay, Rayon, Reel, Texture, Vecteur};
 
-/// Distance, normal and texture.
-type Touche<R> = (R, Vecteur<R>, Texture);
-
-pub(crate) enum Objet<R> {
-    Sphere { c: Vecteur<R>, r: R, texture: Texture },
-    Plan { p: Vecteur<R>, d: R, texture: Texture },
-    Boite { n: [Vecteur<R>; 3], faces: [[(Vecteur<R>, R); 2]; 3], l: [R; 3], texture: Texture },
+pub(crate) struct Objet<R>(Forme<R>, Texture);
+enum Forme<R> {
+    Sphere(Vecteur<R>, R),
+    Plan(Vecteur<R>, R),
+    Boite([Couple<R>; 3]),
 }
+/// N, (Cf, df), (Co, do), l.
+type Couple<R> = (Vecteur<R>, (Vecteur<R>, R), (Vecteur<R>, R), R);
 
 impl<R: Reel> From<&ObjetRay<R>> for Objet<R> {
     fn from(objet: &ObjetRay<R>) -> Self {
         match objet {
-            ObjetRay::Sphere(s) => {
-                Self::Sphere { c: s.centre(), r: s.rayon(), texture: s.texture() }
-            }
-            ObjetRay::Plan(p) => {
-                Self::Plan { p: p.normale(), d: p.distance(), texture: p.texture() }
-            }
+            ObjetRay::Sphere(s) => Self(Forme::Sphere(s.centre(), s.rayon()), s.texture()),
+            ObjetRay::Plan(p) => Self(Forme::Plan(p.normale(), p.distance()), p.texture()),
             ObjetRay::Boite(b) => {
-                let (cf, df) = (b.centres_faces(), b.distances_faces());
-                let (co, d_o) = (b.centres_opposes(), b.distances_opposees());
-                let faces = core::array::from_fn(|i| [(cf[i], df[i]), (co[i], d_o[i])]);
-                Self::Boite { n: b.normales(), faces, l: b.demi_longueurs(), texture: b.texture() }
+                let couple = |i: usize| {
+                    let face = (b.centres_faces()[i], b.distances_faces()[i]);
+                    let opposee = (b.centres_opposes()[i], b.distances_opposees()[i]);
+                    (b.normales()[i], face, opposee, b.demi_longueurs()[i])
+                };
+                Self(Forme::Boite([0, 1, 2].map(couple)), b.texture())
             }
-        }
-    }
-}
-
-/// A.1.
-fn plan<R: Reel>(p: Vecteur<R>, d: R, rayon: &Rayon<R>) -> Option<R> {
-    let pd = p.produit_scalaire(rayon.direction());
-    let t = (-d - p.produit_scalaire(rayon.source())) / pd;
-    (pd < R::ZERO && t > R::ZERO).then_some(t)
-}
-
-impl<R: Reel> Objet<R> {
-    pub(crate) fn intersection(&self, rayon: &Rayon<R>) -> Option<Touche<R>> {
-        match *self {
-            Self::Sphere { c, r, texture } => {
-                let sc = c - rayon.source();
-                let sa = sc.produit_scalaire(rayon.direction());
-                let ac2 = sc.longueur_carree() - sa * sa;
-                if sa <= R::ZERO || ac2 >= r * r {
-                    return None;
-                }
-                let t = sa - (r * r - ac2).sqrt();
-                let cb = rayon.point(t) - c;
-                (t > R::ZERO).then(|| (t, cb / cb.longueur(), texture))
-            }
-            Self::Plan { p, d, texture } => plan(p, d, rayon).map(|t| (t, p, texture)),
-            Self::Boite { n, faces, l, texture } => (0..3).find_map(|i| {
-                let dn = rayon.direction().produit_scalaire(n[i]);
-                let [face, opposee] = faces[i];
-                let (normale, (c, d)) = if dn > R::ZERO { (-n[i], opposee) } else { (n[i], face) };
-                let t = plan(normale, d, rayon)?;
-                let ci = rayon.point(t) - c;
-                let dessus = |j: usize| ci.produit_scalaire(n[j]).abs() <= l[j];
-                (dessus((i + 1) % 3) && dessus((i + 2) % 3)).then_some((t, normale, texture))
-            }),
         }
     }
 }
@@ -73,7 +33,48 @@ impl<R: Reel> Objet<R> {
 pub(crate) fn premiere_intersection<R: Reel>(
     objets: &[Objet<R>],
     rayon: &Rayon<R>,
-) -> Option<Touche<R>> {
-    let touches = objets.iter().filter_map(|objet| objet.intersection(rayon));
-    touches.reduce(|a, b| if b.0 < a.0 { b } else { a })
+) -> Option<(R, Vecteur<R>, Texture)> {
+    let (mut premiere, mut t_premiere) = (None, R::INFINI);
+    for Objet(forme, texture) in objets {
+        let touche = match forme {
+            Forme::Sphere(c, r) => sphere(*c, *r, rayon),
+            Forme::Plan(p, d) => plan(*p, *d, rayon).map(|t| (t, *p)),
+            Forme::Boite(couples) => boite(couples, rayon),
+        };
+        if let Some((t, n)) = touche.filter(|(t, _)| *t < t_premiere) {
+            (premiere, t_premiere) = (Some((t, n, *texture)), t);
+        }
+    }
+    premiere
+}
+
+/// A.1.
+fn plan<R: Reel>(p: Vecteur<R>, d: R, rayon: &Rayon<R>) -> Option<R> {
+    let pd = p.produit_scalaire(rayon.direction());
+    let t = || (-d - p.produit_scalaire(rayon.source())) / pd;
+    (pd < R::ZERO).then(t).filter(|t| *t > R::ZERO)
+}
+
+/// A.2.
+fn sphere<R: Reel>(c: Vecteur<R>, r: R, rayon: &Rayon<R>) -> Option<(R, Vecteur<R>)> {
+    let sc = c - rayon.source();
+    let sa = sc.produit_scalaire(rayon.direction());
+    let ac2 = sc.longueur_carree() - sa * sa;
+    let sb = || sa - (r * r - ac2).sqrt();
+    let sb = (sa > R::ZERO && ac2 < r * r).then(sb).filter(|sb| *sb > R::ZERO)?;
+    let cb = rayon.point(sb) - c;
+    Some((sb, cb / cb.longueur_carree().sqrt()))
+}
+
+/// A.3.
+fn boite<R: Reel>(couples: &[Couple<R>; 3], rayon: &Rayon<R>) -> Option<(R, Vecteur<R>)> {
+    [[0, 1, 2], [1, 2, 0], [2, 0, 1]].into_iter().find_map(|[i, j, k]| {
+        let (n, face, opposee, _) = &couples[i];
+        let opposee_en_vue = n.produit_scalaire(rayon.direction()) > R::ZERO;
+        let (n, &(centre, d)) = if opposee_en_vue { (-*n, opposee) } else { (*n, face) };
+        let t = plan(n, d, rayon)?;
+        let ci = rayon.point(t) - centre;
+        let dedans = |(n, _, _, l): &Couple<R>| ci.produit_scalaire(*n).abs() <= *l;
+        (dedans(&couples[j]) && dedans(&couples[k])).then_some((t, n))
+    })
 }

@@ -320,6 +320,8 @@ fn verite_boite<R: Reel>(boite: &BoiteRay<R>, ray: &Droite, quatre_u: f64) -> Ve
             normales.push(*normale);
         }
     }
+    // As for a half-space: of a face within 4u of parallel the search cannot tell the side.
+    let cosinus = if cosinus <= quatre_u { 0.0 } else { cosinus };
     let entree = (!dehors && t.positif() && sortie >= t).then(|| {
         let cond = (f_ + demi_diagonale + t.vers_f64()) / cosinus;
         Entree { t, normales, cond, f: f_, courbure: f64::INFINITY }

@@ -21,7 +21,7 @@ pub(crate) struct Regime<R> {
     pub(crate) cas: fn(&mut Rng) -> Cas<R>,
 }
 
-pub(crate) fn regimes<R: Reel>() -> [Regime<R>; 16] {
+pub(crate) fn regimes<R: Reel>() -> [Regime<R>; 17] {
     [
         Regime { nom: "sphere, ordinary", cas: |a| ordinaire(a, boule) },
         Regime { nom: "sphere, far and small", cas: |a| loin(a, boule) },
@@ -40,6 +40,7 @@ pub(crate) fn regimes<R: Reel>() -> [Regime<R>; 16] {
         Regime { nom: "box, far and small", cas: |a| loin(a, boite) },
         Regime { nom: "box, edges and corners", cas: aretes },
         Regime { nom: "box, along the plane of a face", cas: le_long_d_une_face },
+        Regime { nom: "box, almost along a face", cas: presque_le_long_d_une_face },
         Regime { nom: "box, close above the surface", cas: |a| au_ras(a, boite) },
         Regime { nom: "box, at the ends of the range", cas: |a| bornes(a, boite) },
     ]
@@ -294,4 +295,28 @@ fn le_long_d_une_face<R: Reel>(alea: &mut Rng) -> Cas<R> {
         }
     }
     lancer(objet.into(), de.into(), vers.into())
+}
+
+/// D·N within ±2⁻⁶⁰ … 2⁻²⁰ of 0 for a turned box, towards the edge where the ray enters beside
+/// or through that face.
+fn presque_le_long_d_une_face<R: Reel>(alea: &mut Rng) -> Cas<R> {
+    let l = puissance(alea, -10.0, 10.0);
+    let centre = direction(alea) * (l * puissance(alea, -3.0, 4.0));
+    let objet = boite::<R>(alea, centre, l);
+    let ObjetRay::Boite(b) = objet.vers_ray() else { unreachable!("made as a box") };
+    let (n, l) = (b.normales().map(large), b.demi_longueurs().map(R::vers_f64));
+    let face = alea.usize(0..3);
+    let signe = f64::from(1 - 2 * i8::from(alea.bool()));
+    let d = travers(alea, n[face]) - n[face] * (signe * puissance(alea, -60.0, -20.0));
+    // A point of the edges of that face, from which the ray goes back.
+    let au_bord = (face + 1 + alea.usize(0..2)) % 3;
+    let cible = (0..3).fold(large(b.centre()), |point, axe| {
+        let ou = match axe {
+            _ if axe == face => signe * (1.0 + f64::from(alea.i8(-2..=2)) * R::U.vers_f64()),
+            _ if axe == au_bord => -n[axe].produit_scalaire(d).signum(),
+            _ => entre(alea, -1.0, 1.0),
+        };
+        point + n[axe] * (ou * l[axe])
+    });
+    lancer(objet, cible - d * (Vecteur::from(l).longueur() * puissance(alea, -3.0, 3.0)), d)
 }
