@@ -1,19 +1,34 @@
-//! lancer-rayon ray by ray, beside annex A of the handout to the letter and beside parry.
+//! lancer-rayon beside annex A of the handout to the letter and beside parry, with the same
+//! objects and the same rays.
 //!
-//! `cargo run --release -p comparaison` first compares what the three answer, then how long they
-//! take: in turns and by the median, since on a shared machine only ratios within a run last.
+//! `cargo run --release -p comparaison` prints the times; with `documents` it measures errors as
+//! well, and writes the tables and plots of `docs/precision.md`, `docs/compromis.md` and
+//! `docs/performance.md`.
 
-use std::fmt;
-use std::hint::black_box;
-use std::process::ExitCode;
-use std::time::Instant;
+mod compromis;
+mod exactitude;
+mod page;
+mod vitesse;
 
-use lancer_rayon::{ObjetRay, Rayon, Reel, Texture, Vecteur, premiere_intersection};
+use std::error::Error;
 
-#[path = "../../../tests/commun/litteral.rs"]
-mod litteral;
-#[path = "../../../tests/commun/scenes.rs"]
-mod scenes;
+use lancer_rayon::{ObjetRay, Rayon, Reel, Texture, Vecteur};
+
+/// What the tests share, and these measurements with them.
+#[allow(dead_code, reason = "shared with the tests, each of which uses its own part")]
+#[path = "../../../tests/commun"]
+mod commun {
+    pub(crate) mod conversion;
+    pub(crate) mod litteral;
+    pub(crate) mod mesure;
+    pub(crate) mod oracle;
+    pub(crate) mod regimes;
+    pub(crate) mod scenes;
+}
+
+#[allow(dead_code, reason = "shared with the examples")]
+#[path = "../../../docs/exemples/scene.rs"]
+mod scene;
 
 #[path = "."]
 mod simple {
@@ -40,114 +55,18 @@ trait Parry: Reel {
     fn premiere_intersection(objets: &[Self::Objet], rayon: &Self::Rayon) -> Option<Touche<Self>>;
 }
 
-const TAILLES: [usize; 5] = [3, 12, 48, 192, 1000];
-const TOURS: usize = 5;
-
-fn main() -> ExitCode {
-    let mut table = vec![
-        "| scalar | N | lancer-rayon | annex A | parry | annex A / ours | parry / ours |".into(),
-        "|---|--:|--:|--:|--:|--:|--:|".into(),
-    ];
-    let mut accord = true;
-    for n in TAILLES {
-        accord &= comparer::<f32>(n, &mut table);
-        accord &= comparer::<f64>(n, &mut table);
-    }
-    println!("\nns per ray\n\n{}", table.join("\n"));
-    if accord { ExitCode::SUCCESS } else { ExitCode::FAILURE }
-}
-
-/// Adds a row to the table; whether the three agree on the scene of `n` objects.
-fn comparer<R: Parry>(n: usize, table: &mut Vec<String>) -> bool {
-    let rayons = scenes::rayons_camera::<R>(600, 400);
-    let rayons_parry: Vec<_> = rayons.iter().map(R::rayon).collect();
-    let objets = scenes::melange::<R>(n);
-    let litteraux: Vec<_> = objets.iter().map(litteral::Objet::from).collect();
-    let objets_parry: Vec<_> = objets.iter().map(R::objet).collect();
-
-    let ici = |rayon: &Rayon<R>| {
-        let touche = premiere_intersection(&objets, rayon).ok()?;
-        Some((touche.distance, touche.normale, touche.texture))
+fn main() -> Result<(), Box<dyn Error>> {
+    let ecrire = match std::env::args().nth(1).as_deref() {
+        None => false,
+        Some("documents") => true,
+        Some(_) => return Err("usage: comparaison [documents]".into()),
     };
-    let litteral = |rayon: &Rayon<R>| litteral::premiere_intersection(&litteraux, rayon);
-    let parry = |rayon: &R::Rayon| R::premiere_intersection(&objets_parry, rayon);
-
-    let reponses: Vec<_> = rayons.iter().map(ici).collect();
-    let scalaire = std::any::type_name::<R>();
-    let accord = [
-        ("annex A", rayons.iter().map(litteral).collect::<Vec<_>>()),
-        ("parry", rayons_parry.iter().map(parry).collect()),
-    ]
-    .map(|(nom, autres)| {
-        let ecart = Ecart::entre(&reponses, &autres);
-        println!("{scalaire}, N = {n}, {nom}: {ecart}");
-        ecart.explicable::<R>(rayons.len())
-    });
-
-    let mut temps = [(); 3].map(|()| Vec::new());
-    for _ in 0..TOURS {
-        temps[0].push(chronometrer(&rayons, ici));
-        temps[1].push(chronometrer(&rayons, litteral));
-        temps[2].push(chronometrer(&rayons_parry, parry));
+    let vitesses = vitesse::table().ok_or("the answers differ by more than rounding explains")?;
+    println!("\nns per ray\n\n{vitesses}");
+    if ecrire {
+        page::remplacer("docs/performance.md", "times", &page::datee(&vitesses))?;
+        exactitude::documenter()?;
+        compromis::documenter()?;
     }
-    let [ici, litteral, parry] = temps.map(mediane);
-    table.push(format!(
-        "| {scalaire} | {n} | {ici:.0} | {litteral:.0} | {parry:.0} | {:.1} | {:.1} |",
-        litteral / ici,
-        parry / ici,
-    ));
-    accord == [true, true]
-}
-
-/// How the answers of another differ from ours to the same rays.
-struct Ecart {
-    touches: [usize; 2],
-    sommes_des_distances: [f64; 2],
-    autre_objet: usize,
-}
-
-impl Ecart {
-    fn entre<R: Reel>(ici: &[Option<Touche<R>>], autre: &[Option<Touche<R>>]) -> Self {
-        let distance = |touche: &Touche<R>| touche.0.vers_f64();
-        let objet = |touche: &Option<Touche<R>>| touche.map(|(_, _, texture)| texture);
-        Self {
-            touches: [ici, autre].map(|liste| liste.iter().flatten().count()),
-            sommes_des_distances: [ici, autre].map(|l| l.iter().flatten().map(distance).sum()),
-            autre_objet: ici.iter().zip(autre).filter(|(a, b)| objet(a) != objet(b)).count(),
-        }
-    }
-
-    fn relatif(&self) -> f64 {
-        let [ici, autre] = self.sommes_des_distances;
-        (autre - ici).abs() / ici
-    }
-
-    /// Rounding moves an outline by thousands of u at most, which are what SC² − SA² costs annex A
-    /// and parry: the rays in between, and nothing else, may touch another object.
-    fn explicable<R: Reel>(&self, rayons: usize) -> bool {
-        let tolerance = 1e4 * R::U.vers_f64();
-        self.autre_objet as f64 <= tolerance * rayons as f64 && self.relatif() <= tolerance
-    }
-}
-
-impl fmt::Display for Ecart {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let ([ici, autre], relatif) = (self.touches, self.relatif());
-        write!(f, "{autre} hits for our {ici}, distances off by {relatif:.0e}, ")?;
-        write!(f, "another object for {} rays", self.autre_objet)
-    }
-}
-
-/// Nanoseconds per ray.
-fn chronometrer<Q, T>(rayons: &[Q], premiere: impl Fn(&Q) -> T) -> f64 {
-    let debut = Instant::now();
-    for rayon in rayons {
-        black_box(premiere(rayon));
-    }
-    debut.elapsed().as_nanos() as f64 / rayons.len() as f64
-}
-
-fn mediane(mut temps: Vec<f64>) -> f64 {
-    temps.sort_by(f64::total_cmp);
-    temps[temps.len() / 2]
+    Ok(())
 }

@@ -1,0 +1,156 @@
+//! Speed against accuracy, one point for each variant: `docs/compromis.md`.
+
+use std::error::Error;
+
+use lancer_rayon::{ObjetGeo, ObjetRay, Rayon, premiere_intersection};
+use plotters::prelude::*;
+use serde::de::DeserializeOwned;
+
+use crate::commun::litteral;
+use crate::commun::mesure::{mesurer, quantiles};
+use crate::commun::oracle::verite;
+use crate::commun::regimes::regimes;
+use crate::exactitude::{self, COULEURS, variantes};
+use crate::page;
+use crate::scene::Scene;
+use crate::vitesse::{TOURS, chronometrer, mediane};
+use crate::{Parry, Touche};
+
+type Mesures<R> = ((exactitude::Variante<R>, Vec<f64>), Vec<Option<Touche<R>>>);
+
+/// One ray in so many is judged by the oracle.
+const PAS: usize = 7;
+
+/// Cases of each regime of the extremes.
+const CAS: u32 = 20_000;
+
+struct Variante {
+    nom: String,
+    ns: f64,
+    /// Relative errors of the distances of the picture: median, 99.9 %, largest.
+    erreurs: [f64; 3],
+    /// Rays of the picture that see another object than the true one, or none.
+    autres: usize,
+    /// Wrong hits and misses per million cases of the extremes.
+    fausses: f64,
+}
+
+pub(crate) fn documenter() -> Result<(), Box<dyn Error>> {
+    let mut variantes = mesures::<f32>("f32")?;
+    variantes.extend(mesures::<f64>("f64")?);
+    let mut lignes = vec![
+        "| variant | ns per ray | relative error: median | 99.9 % | largest | another object | \
+         wrong hits or misses at the extremes, per million |"
+            .to_owned(),
+        "|---|--:|--:|--:|--:|--:|--:|".to_owned(),
+    ];
+    for Variante { nom, ns, erreurs: [mediane, presque, pire], autres, fausses } in &variantes {
+        lignes.push(format!(
+            "| {nom} | {ns:.0} | {} | {presque:.0e} | {pire:.0e} | {autres} | {fausses:.0} |",
+            if *mediane > 0.0 { format!("{mediane:.0e}") } else { "0".into() },
+        ));
+    }
+    page::remplacer("docs/compromis.md", "variants", &page::datee(&lignes.join("\n")))?;
+    graphique(&variantes)
+}
+
+fn mesures<R: Parry + DeserializeOwned>(scalaire: &str) -> Result<Vec<Variante>, Box<dyn Error>> {
+    let scene: Scene<R> = Scene::lire(&page::chemin("docs/scenes/atelier.ron"))?;
+    let objets: Vec<_> = scene.objets.iter().copied().map(ObjetGeo::vers_ray).collect();
+    let rayons: Vec<Rayon<R>> = scene.camera.rayons()?;
+    let litteraux: Vec<_> = objets.iter().map(litteral::Objet::from).collect();
+    let objets_parry: Vec<_> = objets.iter().map(R::objet).collect();
+    let rayons_parry: Vec<_> = rayons.iter().map(R::rayon).collect();
+
+    let ici = |rayon: &Rayon<R>| {
+        let touche = premiere_intersection(&objets, rayon).ok()?;
+        Some((touche.distance, touche.normale, touche.texture))
+    };
+    let litteral = |rayon: &Rayon<R>| litteral::premiere_intersection(&litteraux, rayon);
+    let parry = |rayon: &R::Rayon| R::premiere_intersection(&objets_parry, rayon);
+
+    let mut temps = [(); 3].map(|()| Vec::new());
+    for _ in 0..TOURS {
+        temps[0].push(chronometrer(&rayons, ici));
+        temps[1].push(chronometrer(&rayons, litteral));
+        temps[2].push(chronometrer(&rayons_parry, parry));
+    }
+    let juges: Vec<_> = (0..rayons.len()).step_by(PAS).collect();
+    let reponses: [Vec<Option<Touche<R>>>; 3] = [
+        juges.iter().map(|&i| ici(&rayons[i])).collect(),
+        juges.iter().map(|&i| litteral(&rayons[i])).collect(),
+        juges.iter().map(|&i| parry(&rayons_parry[i])).collect(),
+    ];
+    let verites: Vec<_> = juges.iter().map(|&i| premiere(&objets, &rayons[i])).collect();
+
+    let noms = variantes::<R>();
+    let variante = |(((nom, repondre), temps), reponses): Mesures<R>| {
+        let mut autres = 0;
+        let mut erreurs = Vec::new();
+        for (verite, reponse) in verites.iter().zip(&reponses) {
+            match (verite, reponse) {
+                (Some((objet, t)), Some((obtenu, _, texture))) if texture.0 == *objet => {
+                    erreurs.push((obtenu.vers_f64() - t).abs() / t);
+                }
+                (None, None) => {}
+                _ => autres += 1,
+            }
+        }
+        let fausses: u32 =
+            regimes::<R>().iter().map(|r| mesurer(r, CAS, 1, repondre).fausses).sum();
+        let cas = f64::from(CAS) * regimes::<R>().len() as f64;
+        Variante {
+            nom: format!("{nom} {scalaire}"),
+            ns: mediane(temps),
+            erreurs: quantiles(&mut erreurs),
+            autres,
+            fausses: 1e6 * f64::from(fausses) / cas,
+        }
+    };
+    Ok(noms.into_iter().zip(temps).zip(reponses).map(variante).collect())
+}
+
+/// The true first object, by its texture, and its distance; the earlier of two at the same.
+fn premiere<R: Parry>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> Option<(u32, f64)> {
+    let touches =
+        objets.iter().zip(0..).filter_map(|(objet, i)| Some((i, verite(objet, rayon).entree?.t)));
+    let premiere = touches.reduce(|a, b| if b.1 < a.1 { b } else { a });
+    premiere.map(|(i, t)| (texture(&objets[i]), t.vers_f64()))
+}
+
+fn texture<R: Parry>(objet: &ObjetRay<R>) -> u32 {
+    match objet {
+        ObjetRay::Sphere(sphere) => sphere.texture().0,
+        ObjetRay::Plan(plan) => plan.texture().0,
+        ObjetRay::Boite(boite) => boite.texture().0,
+    }
+}
+
+fn graphique(variantes: &[Variante]) -> Result<(), Box<dyn Error>> {
+    let chemin = page::chemin("docs/images/compromis.svg");
+    let surface = SVGBackend::new(&chemin, (820, 480)).into_drawing_area();
+    surface.fill(&WHITE)?;
+    let lent = variantes.iter().map(|v| v.ns).fold(0.0, f64::max);
+    let mut graphe = ChartBuilder::on(&surface)
+        .margin(12)
+        .x_label_area_size(42)
+        .y_label_area_size(70)
+        .build_cartesian_2d(0.0..1.35 * lent, (1e-17..1e-4).log_scale())?;
+    graphe
+        .configure_mesh()
+        .light_line_style(TRANSPARENT)
+        .x_desc("ns per ray, the atelier")
+        .y_desc("relative error of the distance, 99.9 %")
+        .y_label_formatter(&|y| format!("{y:.0e}"))
+        .draw()?;
+    for (i, v) in variantes.iter().enumerate() {
+        let (point, couleur) = ((v.ns, v.erreurs[1]), COULEURS[i % 3]);
+        // Annex A and parry stand close to each other: one label above, one below.
+        let (x, y) = (9, if i % 3 == 2 { 4 } else { -18 });
+        let nom = Text::new(v.nom.clone(), (x, y), ("sans-serif", 15).into_font());
+        let element = EmptyElement::at(point) + Circle::new((0, 0), 6, couleur.filled()) + nom;
+        graphe.draw_series([element])?;
+    }
+    surface.present()?;
+    Ok(())
+}
