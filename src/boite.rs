@@ -220,31 +220,41 @@ impl<R: Reel> BoiteRay<R> {
     /// The hit that the search found at distance `t`, computed in `f64`.
     pub(crate) fn conclure(&self, rayon: &Rayon<R>, t: R) -> Intersection<R> {
         let d = rayon.direction();
-        let large = BoiteRay {
+        let large = self.vers_f64();
+        let (entree, axe, _) = large.dalles(rayon.source().vers_f64(), d.vers_f64());
+        // The face must be one that the ray enters as the search sees it as well, N·D < 0.
+        let vitesse = |axe: usize| self.normales[axe].produit_scalaire(d);
+        let vitesse_large = self.normales[axe].vers_f64().produit_scalaire(d.vers_f64());
+        let d_accord = vitesse(axe).vers_f64() * vitesse_large > 0.0;
+        let (entree, axe) =
+            if d_accord { (entree, axe) } else { self.entree_selon_la_recherche(rayon) };
+        let t = R::conclure(t, || entree);
+        let normale = self.normales[axe];
+        let normale = if vitesse(axe) > R::ZERO { -normale } else { normale };
+        Intersection::new(rayon, t, normale, self.texture, |p| {
+            let (n, cp) = (normale.vers_f64(), p - large.centre);
+            let hauteur = n.produit_scalaire(cp) - self.demi_longueurs[axe].vers_f64();
+            (hauteur.abs(), n.produit_des_grandeurs(cp))
+        })
+    }
+
+    /// The face that the search entered by, and in f64 the distance there.
+    #[cold]
+    fn entree_selon_la_recherche(&self, rayon: &Rayon<R>) -> (f64, usize) {
+        let (s, d) = (rayon.source(), rayon.direction());
+        let (_, axe, _) = self.dalles(s, d);
+        let (entree, _) = self.vers_f64().dalle(axe, s.vers_f64(), d.vers_f64());
+        (entree, axe)
+    }
+
+    #[inline(always)]
+    fn vers_f64(&self) -> BoiteRay<f64> {
+        BoiteRay {
             centre: self.centre.vers_f64(),
             normales: self.normales.map(Vecteur::vers_f64),
             demi_longueurs: self.demi_longueurs.map(R::vers_f64),
             texture: self.texture,
-        };
-        let (s_large, d_large) = (rayon.source().vers_f64(), d.vers_f64());
-        let (entree, axe, _) = large.dalles(s_large, d_large);
-        // The face must be one that the ray enters as the search sees it as well, N·D < 0.
-        let vitesse = self.normales[axe].produit_scalaire(d).vers_f64();
-        let d_accord = vitesse * large.normales[axe].produit_scalaire(d_large) > 0.0;
-        let (entree, axe) = if d_accord {
-            (entree, axe)
-        } else {
-            let (_, axe, _) = self.dalles(rayon.source(), d);
-            (large.dalle(axe, s_large, d_large).0, axe)
-        };
-        let t = R::conclure(t, || entree);
-        let normale = self.normales[axe];
-        let normale = if normale.produit_scalaire(d) > R::ZERO { -normale } else { normale };
-        Intersection::new(rayon, t, normale, self.texture, |p| {
-            let (n, cp) = (normale.vers_f64(), p - large.centre);
-            let hauteur = n.produit_scalaire(cp) - large.demi_longueurs[axe];
-            (hauteur, n.produit_des_grandeurs(cp))
-        })
+        }
     }
 }
 

@@ -39,7 +39,7 @@ impl<R: Reel> Intersection<R> {
         // The bound is made from the very point that the caller will compute.
         let (hauteur, longueur) = hauteur(rayon.point(distance).vers_f64());
         let quatre_u = R::depuis_f64(4.0) * R::U;
-        let marge = R::depuis_f64(hauteur.abs() + longueur * quatre_u.vers_f64());
+        let marge = R::depuis_f64(hauteur + longueur * quatre_u.vers_f64());
         // Upwards, past the rounding of these last operations; a NaN comes from an overflow.
         let marge = marge + marge * quatre_u + R::depuis_f64(8.0) * R::PLUS_PETIT;
         let marge = if marge < R::INFINI { marge } else { R::INFINI };

@@ -153,7 +153,7 @@ impl<R: Reel> PlanRay<R> {
         };
         Intersection::new(rayon, t, normale, texture, |p| {
             let hauteur = plan.normale.produit_scalaire(p) + plan.distance;
-            (hauteur, plan.normale.produit_des_grandeurs(p))
+            (hauteur.abs(), plan.normale.produit_des_grandeurs(p))
         })
     }
 }

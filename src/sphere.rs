@@ -163,42 +163,46 @@ impl<R: Reel> SphereRay<R> {
         let t = R::conclure(t, || SphereRay::sb(d, sphere.longueurs(s, d)));
         // CB relative to the source: S + tD − C would lose what S and C have in common.
         let cb = (s - sphere.centre) + d * t;
-        let normale = cb.unitaire().map(Vecteur::depuis_f64);
-        let de_face = |n: &Vecteur<R>| n.produit_scalaire(rayon.direction()) < R::ZERO;
-        let normale = normale.filter(de_face).unwrap_or_else(|| {
-            let d = d / d.longueur();
-            vers_la_source(cb, d).filter(de_face).unwrap_or(Vecteur::depuis_f64(-d))
-        });
+        let longueur = Reel::sqrt(cb.longueur_carree());
+        let normale = Vecteur::depuis_f64(cb / longueur);
+        // False for a NaN as well, where CB is all rounding.
+        let de_face = normale.produit_scalaire(rayon.direction()) < R::ZERO;
+        let normale = if de_face { normale } else { vers_la_source(cb, rayon) };
         Intersection::new(rayon, t, normale, texture, |p| {
             let (n, cp, r) = (normale.vers_f64(), p - sphere.centre, sphere.rayon);
-            // From P along N to the sphere.
-            let le_long = n.produit_scalaire(cp);
-            let travers2 = (cp - n * le_long).longueur_carree();
-            let hauteur = (le_long - (r * r - travers2).sqrt()).abs();
-            // Where rounding tilts N away from CP, above all for a small far sphere, a ray along
-            // the tangent plane of N dips below the sphere by half of travers²/r, and a point
-            // rounded sideways climbs by its rounding × travers/r, at most half of the sum of
-            // their squares over r.
+            let r2 = r * r;
+            // (CP − r)(CP + r), and CP + r ≥ 1.5 r unless the hit is past the test below.
+            let puissance = (cp.longueur_carree() - r2).abs();
+            // Where rounding tilts N away from CP, above all for a small far sphere, the height
+            // along N differs from CP − r by half of travers²/r, a ray along the tangent plane
+            // of N dips below the sphere by as much, and a point rounded sideways climbs by its
+            // rounding × travers/r, at most half of the sum of their squares over r.
+            let travers2 = (cp - n * n.produit_scalaire(cp)).longueur_carree();
             let arrondi = 4.0 * R::U.vers_f64() * (p.x.abs() + p.y.abs() + p.z.abs());
-            let pentes = (1.5 * travers2 + 0.5 * arrondi * arrondi) / r;
-            if hauteur > 0.5 * r || travers2 > 0.25 * r * r || 4.0 * arrondi > r {
+            if puissance > 0.75 * r2 || travers2 > 0.25 * r2 || 4.0 * arrondi > r {
                 // The sphere is no larger than the rounding of its distance or of its place.
                 return (f64::INFINITY, r);
             }
-            (hauteur + pentes, 2.0 * (r + hauteur))
+            let hauteur = (puissance / 1.5 + 2.0 * travers2 + 0.5 * arrondi * arrondi) / r;
+            (hauteur, 2.0 * r)
         })
     }
 }
 
-/// The unit normal nearest to CB that faces the source of a ray of direction `d`.
+/// The unit normal nearest to CB that faces the source of the ray.
 ///
 /// Where a ray only grazes, rounding can leave CB at a right angle to D or past it. What CB
 /// has across D, leaning towards the source by 6u, is beyond the rounding of N·D; it fails
-/// only where rounding is larger than the sphere, and there any normal is as good.
+/// only where rounding is larger than the sphere, and there −D is as good as any.
 #[cold]
-fn vers_la_source<R: Reel>(cb: Vecteur<f64>, d: Vecteur<f64>) -> Option<Vecteur<R>> {
-    let travers = (cb - d * cb.produit_scalaire(d)).unitaire()?;
-    (travers - d * (6.0 * R::U.vers_f64())).unitaire().map(Vecteur::depuis_f64)
+fn vers_la_source<R: Reel>(cb: Vecteur<f64>, rayon: &Rayon<R>) -> Vecteur<R> {
+    let d = rayon.direction().vers_f64();
+    let d = d / d.longueur();
+    let travers = (cb - d * cb.produit_scalaire(d)).unitaire();
+    let penchee = travers.and_then(|n| (n - d * (6.0 * R::U.vers_f64())).unitaire());
+    let penchee = penchee.map(Vecteur::depuis_f64);
+    let de_face = |n: &Vecteur<R>| n.produit_scalaire(rayon.direction()) < R::ZERO;
+    penchee.filter(de_face).unwrap_or(Vecteur::depuis_f64(-d))
 }
 
 #[cfg(feature = "serde")]
