@@ -104,3 +104,8 @@ pub use rotation::Rotation;
 pub use sphere::{SphereGeo, SphereRay};
 pub use texture::Texture;
 pub use vecteur::Vecteur;
+
+/// The example of the README, kept true.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

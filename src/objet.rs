@@ -107,6 +107,9 @@ pub enum ObjetRay<R = f64> {
     Boite(BoiteRay<R>),
 }
 
+/// What the search reads of each object: fifteen numbers and a texture.
+const _: () = assert!(size_of::<ObjetRay<f64>>() <= 136);
+
 impl<R: Reel> ObjetRay<R> {
     /// Where the ray enters this object (handout, annex A): [`premiere_intersection`] with this
     /// object alone.

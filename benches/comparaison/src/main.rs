@@ -2,8 +2,8 @@
 //! objects and the same rays.
 //!
 //! `cargo run --release -p comparaison` prints the times; with `documents` it measures errors as
-//! well, and writes the tables and plots of `docs/precision.md`, `docs/compromis.md` and
-//! `docs/performance.md`.
+//! well, and writes the tables and plots of `docs/precision.md`, `docs/compromis.md`,
+//! `docs/performance.md` and the README.
 
 mod compromis;
 mod exactitude;
@@ -65,6 +65,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("\nns per ray\n\n{vitesses}");
     if ecrire {
         page::remplacer("docs/performance.md", "times", &page::datee(&vitesses))?;
+        page::remplacer("README.md", "times", &vitesses)?;
         exactitude::documenter()?;
         compromis::documenter()?;
     }
