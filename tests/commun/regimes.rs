@@ -21,10 +21,11 @@ pub(crate) struct Regime<R> {
     pub(crate) cas: fn(&mut Rng) -> Cas<R>,
 }
 
-pub(crate) fn regimes<R: Reel>() -> [Regime<R>; 17] {
+pub(crate) fn regimes<R: Reel>() -> [Regime<R>; 19] {
     [
         Regime { nom: "sphere, ordinary", cas: |a| ordinaire(a, boule) },
         Regime { nom: "sphere, far and small", cas: |a| loin(a, boule) },
+        Regime { nom: "sphere, far from the origin", cas: |a| loin_de_l_origine(a, boule) },
         Regime { nom: "sphere, grazing", cas: sphere_rasante },
         Regime { nom: "sphere, close above the surface", cas: |a| au_ras(a, boule) },
         Regime {
@@ -38,6 +39,7 @@ pub(crate) fn regimes<R: Reel>() -> [Regime<R>; 17] {
         Regime { nom: "half-space, at the ends of the range", cas: |a| bornes(a, demi_espace) },
         Regime { nom: "box, ordinary", cas: |a| ordinaire(a, boite) },
         Regime { nom: "box, far and small", cas: |a| loin(a, boite) },
+        Regime { nom: "box, far from the origin", cas: |a| loin_de_l_origine(a, boite) },
         Regime { nom: "box, edges and corners", cas: aretes },
         Regime { nom: "box, along the plane of a face", cas: le_long_d_une_face },
         Regime { nom: "box, almost along a face", cas: presque_le_long_d_une_face },
@@ -144,6 +146,17 @@ fn loin<R: Reel>(alea: &mut Rng, forme: Forme<R>) -> Cas<R> {
     let objet = forme(alea, centre, l);
     let ecart = travers(alea, d) * (1.3 * l * alea.f64());
     lancer(objet, centre - d * distance + ecart, d)
+}
+
+/// The object and the source close together, where few coordinates are left between them.
+fn loin_de_l_origine<R: Reel>(alea: &mut Rng, forme: Forme<R>) -> Cas<R> {
+    let l = puissance(alea, -10.0, 10.0);
+    let bits = -R::U.vers_f64().log2();
+    let centre = direction(alea) * (l * puissance(alea, 0.0, bits - 1.0));
+    let objet = forme(alea, centre, l);
+    let de = large(lieu::<R>(centre + direction(alea) * (l * puissance(alea, 0.0, 5.0))));
+    let vers = centre + direction(alea) * (l * alea.f64());
+    lancer(objet, de, vers - de)
 }
 
 /// At r(1 ± 2^−k) from the centre, to the last bit and beyond.

@@ -50,10 +50,11 @@ pub(crate) fn documenter() -> Result<(), Box<dyn Error>> {
 
 /// K in the 99.9th percentile and at most, and wrong decisions, for each regime and variant.
 fn erreurs<R: Parry>() -> String {
-    let noms = variantes::<R>().map(|(nom, _)| format!("{nom}: K 99.9 % | max | wrong"));
+    let noms =
+        variantes::<R>().map(|(nom, _)| format!("{nom}: K 99.9 % | max | ulp 99.9 % | wrong"));
     let mut lignes = vec![
         format!("| regime | hits | {} |", noms.join(" | ")),
-        format!("|---|--:|{}", "--:|".repeat(9)),
+        format!("|---|--:|{}", "--:|".repeat(12)),
     ];
     for regime in regimes::<R>() {
         println!("{}", regime.nom);
@@ -61,7 +62,9 @@ fn erreurs<R: Parry>() -> String {
         let touches = mesures[0].touches;
         let cases = mesures.map(|mut mesure: Mesure| {
             let [_, presque, pire] = quantiles(&mut mesure.k);
-            format!("{} | {} | {}", lisible(presque), lisible(pire), mesure.fausses)
+            let [_, ulp, _] = quantiles(&mut mesure.ulp);
+            let [presque, pire, ulp] = [presque, pire, ulp].map(lisible);
+            format!("{presque} | {pire} | {ulp} | {}", mesure.fausses)
         });
         lignes.push(format!("| {} | {touches} | {} |", regime.nom, cases.join(" | ")));
     }
@@ -69,7 +72,7 @@ fn erreurs<R: Parry>() -> String {
 }
 
 /// Two digits, and a power of ten where it is large.
-pub(crate) fn lisible(x: f64) -> String {
+fn lisible(x: f64) -> String {
     match x {
         _ if x.is_nan() => "–".into(),
         _ if x.is_infinite() => "∞".into(),
