@@ -1,7 +1,7 @@
 //! The box (handout §2.2, §3 and annex A.3).
 
 use crate::boule::approche;
-use crate::erreur::{coefficient, point, taille};
+use crate::erreur::{coefficient, deplacement, point, taille};
 use crate::{ErreurGeo, Intersection, Rayon, Reel, Rotation, Texture, Vecteur};
 
 /// A box as one describes it: its centre, its width, height and depth (along x, y and z before
@@ -63,9 +63,10 @@ impl<R: Reel> BoiteGeo<R> {
     /// The box moved by `v` (handout §2.3).
     ///
     /// # Errors
-    /// If the new centre lies outside the limits of [`new`](Self::new).
+    /// If `v` is not finite, or the new centre lies outside the limits of [`new`](Self::new).
     #[doc(alias = "translate")]
     pub fn translation(self, v: Vecteur<R>) -> Result<Self, ErreurGeo> {
+        let v = deplacement(v)?;
         Self::new(self.centre + v, self.dimensions, self.rotation, self.texture)
     }
 

@@ -81,6 +81,11 @@ pub(crate) fn coefficient<R: Reel>(k: R) -> Result<R, ErreurGeo> {
     exiger(k > R::ZERO && k < R::INFINI, "coefficient", k, "a finite number above 0")
 }
 
+/// The vector of a translation.
+pub(crate) fn deplacement<R: Reel>(v: Vecteur<R>) -> Result<Vecteur<R>, ErreurGeo> {
+    fini(["translation.x", "translation.y", "translation.z"], v)
+}
+
 /// A vector each of whose coordinates is finite.
 pub(crate) fn fini<R: Reel>(
     champs: [&'static str; 3],

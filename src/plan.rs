@@ -1,6 +1,6 @@
 //! The plane, which is a solid half-space (handout §2.2, §3 and annex A.1).
 
-use crate::erreur::{coefficient, coordonnee};
+use crate::erreur::{coefficient, coordonnee, deplacement};
 use crate::{ErreurGeo, Intersection, Rayon, Reel, Rotation, Texture, Vecteur};
 
 /// A half-space as one describes it: the points z ≤ 0 turned by a rotation, then moved to lie
@@ -43,9 +43,10 @@ impl<R: Reel> PlanGeo<R> {
     /// The half-space moved by `v` (handout §2.3): d becomes d − N·v.
     ///
     /// # Errors
-    /// If the new distance lies outside the limits of [`new`](Self::new).
+    /// If `v` is not finite, or the new distance lies outside the limits of [`new`](Self::new).
     #[doc(alias = "translate")]
     pub fn translation(self, v: Vecteur<R>) -> Result<Self, ErreurGeo> {
+        let v = deplacement(v)?;
         let distance = self.distance - self.normale().produit_scalaire(v);
         Self::new(self.rotation, distance, self.texture)
     }

@@ -1,7 +1,7 @@
 //! The sphere (handout §2.2, §3 and annex A.2).
 
 use crate::boule::approche;
-use crate::erreur::{coefficient, point, taille};
+use crate::erreur::{coefficient, deplacement, point, taille};
 use crate::{ErreurGeo, Intersection, Rayon, Reel, Rotation, Texture, Vecteur};
 
 /// A sphere as one describes it: its centre and its radius (handout §2.2).
@@ -44,9 +44,10 @@ impl<R: Reel> SphereGeo<R> {
     /// The sphere moved by `v` (handout §2.3).
     ///
     /// # Errors
-    /// If the new centre lies outside the limits of [`new`](Self::new).
+    /// If `v` is not finite, or the new centre lies outside the limits of [`new`](Self::new).
     #[doc(alias = "translate")]
     pub fn translation(self, v: Vecteur<R>) -> Result<Self, ErreurGeo> {
+        let v = deplacement(v)?;
         Self::new(self.centre + v, self.rayon, self.texture)
     }
 

@@ -765,6 +765,9 @@ fn c15() -> Partie {
         .ligne("a translation that leaves", "centre.x is 5.814709794364855e135, but must be a number between -2^450 and 2^450", {
             erreur(sphere(v(grand, 0.0, 0.0), 1.0, 0).translation(v(grand, 0.0, 0.0)))
         })
+        .ligne("a translation by a NaN", "translation.y is NaN, but must be a finite number", {
+            erreur(cube(O, i).translation(v(0.0, f64::NAN, 0.0)))
+        })
         .ligne("a rotation that leaves", "centre.x is 4.017305343442852e135, but must be a number between -2^450 and 2^450", {
             erreur(cube(v(grand, grand, 0.0), i).rotation(tour(0.0, 0.0, 1.0)))
         })

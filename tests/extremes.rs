@@ -195,6 +195,7 @@ fn secondaires<R: Reel>() {
             regime.nom
         );
     }
+    println!("{lances} secondary rays");
     assert!(lances >= 1_000 * u64::from(cas_par_regime()), "{lances} rays only");
 }
 

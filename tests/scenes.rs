@@ -5,7 +5,6 @@
 #[path = "../docs/exemples/scene.rs"]
 mod scene;
 
-use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use lancer_rayon::{
@@ -23,11 +22,11 @@ fn fichiers() -> Vec<PathBuf> {
     scenes
 }
 
-/// What every third pixel of the picture sees, which keeps a debug build within seconds.
+/// What every pixel of the picture sees.
 fn image<R: Reel>(scene: &Scene<R>) -> Vec<Result<Intersection<R>, NoIntersection>> {
     let objets: Vec<_> = scene.objets.iter().map(|objet| objet.vers_ray()).collect();
     let rayons = scene.camera.rayons().unwrap();
-    rayons.iter().step_by(3).map(|rayon| premiere_intersection(&objets, rayon)).collect()
+    rayons.iter().map(|rayon| premiere_intersection(&objets, rayon)).collect()
 }
 
 /// The textures of a scene number its objects, and each shows: an object that the picture does
@@ -37,10 +36,13 @@ fn chaque_objet_se_voit<R: Reel>(
     scene: &Scene<R>,
     touches: &[Result<Intersection<R>, NoIntersection>],
 ) {
-    let vues: BTreeSet<u32> = touches.iter().flatten().map(|touche| touche.texture.0).collect();
-    let attendues: BTreeSet<u32> = (0..).take(scene.objets.len()).collect();
-    let ecart: Vec<_> = attendues.symmetric_difference(&vues).collect();
-    assert!(ecart.is_empty(), "{}: textures {ecart:?} hidden or unknown", chemin.display());
+    let mut pixels = vec![0; scene.objets.len()];
+    for touche in touches.iter().flatten() {
+        pixels[touche.texture.0 as usize] += 1;
+    }
+    for (texture, pixels) in pixels.into_iter().enumerate() {
+        assert!(pixels >= 4, "{}: texture {texture} is seen in {pixels}", chemin.display());
+    }
 }
 
 /// Reading a scene in `f32` rounds it, so that a ray within rounding of a silhouette may see what
@@ -122,7 +124,7 @@ fn un_objet_refuse_dit_ou_et_pourquoi() {
         (
             "Sphere(centre: (0, 0, 0), rayon: 1, texture: 0, transformations: [\n\
              Homothetie(2),\nTranslation((0, 0, inf)),\n])",
-            "7:2: centre.z is inf, but must be a number between -2^",
+            "7:2: translation.z is inf, but must be a finite number",
         ),
         (
             "Sphere(centre: (0, 0, 0), rayon: 1, texture: 0, couleur: 3)",

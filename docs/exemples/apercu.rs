@@ -158,6 +158,9 @@ fn peindre(
             }
         }
     }
+    if let Some(dossier) = Path::new(chemin).parent() {
+        std::fs::create_dir_all(dossier)?;
+    }
     let mut png = png::Encoder::new(BufWriter::new(File::create(chemin)?), 3 * largeur, hauteur);
     png.set_color(png::ColorType::Rgb);
     png.set_compression(png::Compression::Fast);
