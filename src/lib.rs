@@ -6,8 +6,9 @@
 //! use lancer_rayon::*;
 //!
 //! let boule = SphereGeo::new(Vecteur::new(0.0, 0.0, -5.0), 1.0, Texture(0))?;
-//! let sol = PlanGeo::new(Rotation::new(Vecteur::new(core::f64::consts::FRAC_PI_2, 0.0, 0.0))?, 1.0, Texture(1))?;
-//! let scene: Vec<ObjetRay> = vec![ObjetGeo::from(boule).into(), ObjetGeo::from(sol).into()];
+//! let fond = PlanGeo::new(Rotation::IDENTITE, 9.0, Texture(1))?;
+//! let objets = [ObjetGeo::from(boule), ObjetGeo::from(fond)];
+//! let scene: Vec<ObjetRay> = objets.map(ObjetGeo::vers_ray).into();
 //!
 //! let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.0, 0.0, -1.0))?;
 //! let touche = premiere_intersection(&scene, &rayon)?;
@@ -32,8 +33,10 @@
 //!
 //! ```
 //! # use lancer_rayon::*;
-//! let quart_de_tour = Rotation::new(Vecteur::new(core::f64::consts::FRAC_PI_2, 0.0, 0.0))?;
-//! assert_eq!(quart_de_tour.appliquer(Vecteur::new(1.0, 2.0, 3.0)), Vecteur::new(1.0, 3.0, -2.0));
+//! # use core::f64::consts::FRAC_PI_2;
+//! let quart = Rotation::new(Vecteur::new(FRAC_PI_2, 0.0, 0.0))?;
+//! let tourne = quart.appliquer(Vecteur::new(1.0, 2.0, 3.0));
+//! assert_eq!(tourne, Vecteur::new(1.0, 3.0, -2.0));
 //! # Ok::<(), ErreurGeo>(())
 //! ```
 //!
@@ -41,8 +44,10 @@
 //!
 //! ```
 //! # use lancer_rayon::*;
-//! let devant = PlanGeo::new(Rotation::IDENTITE, 2.0, Texture(0))?; // the points z ≤ −2
-//! assert_eq!(devant.translation(Vecteur::new(0.0, 0.0, 5.0))?.vers_ray().distance(), -3.0);
+//! // The points z ≤ −2, moved to z ≤ 3.
+//! let fond = PlanGeo::new(Rotation::IDENTITE, 2.0, Texture(0))?;
+//! let fond = fond.translation(Vecteur::new(0.0, 0.0, 5.0))?;
+//! assert_eq!(fond.vers_ray().distance(), -3.0);
 //! # Ok::<(), ErreurGeo>(())
 //! ```
 //!
@@ -51,9 +56,10 @@
 //!
 //! ```
 //! # use lancer_rayon::*;
-//! let autour = ObjetGeo::from(SphereGeo::new(Vecteur::NUL, 9.0, Texture(0))?).vers_ray();
+//! let autour = SphereGeo::new(Vecteur::NUL, 9.0, Texture(0))?;
 //! let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.0, 0.0, -1.0))?;
-//! assert_eq!(autour.intersection(&rayon), Err(NoIntersection));
+//! let touche = ObjetGeo::from(autour).vers_ray().intersection(&rayon);
+//! assert_eq!(touche, Err(NoIntersection));
 //! # Ok::<(), ErreurGeo>(())
 //! ```
 //!
@@ -63,6 +69,10 @@
 //! **A value that exists is valid.** Constructors and transformations refuse what is not finite, not
 //! positive, or beyond 2⁴⁵⁰ (2⁶⁰ for `f32`), and say which field; a query neither fails, panics nor
 //! returns a NaN. ([`Vecteur`] is a bare triple: what is built from it checks.)
+//!
+//! **A hit knows its error**: [`Intersection::marge`] bounds how far the point is from the surface, and
+//! [`Rayon::secondaire`] starts a shadow, reflection or refraction ray that cannot touch the object
+//! which it leaves.
 //!
 //! # `f32` or `f64`
 //!
