@@ -92,6 +92,7 @@ impl<R: Reel> BoiteGeo<R> {
     }
 
     /// The same box, ready for rays (handout §3).
+    #[doc(alias = "into_ray")]
     #[inline]
     pub fn vers_ray(self) -> BoiteRay<R> {
         let Vecteur { x, y, z } = self.dimensions;
@@ -109,6 +110,7 @@ impl<R: Reel> BoiteGeo<R> {
 ///
 /// The handout stores 36 numbers. The centre, the three normals and the three half-lengths
 /// determine the rest, and are all that an intersection reads.
+#[doc(alias = "box")]
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[must_use]
 pub struct BoiteRay<R = f64> {
@@ -142,16 +144,19 @@ impl<R: Reel> BoiteRay<R> {
     }
 
     /// Cf_i = C + l_i·N_i, the centres of the three faces.
+    #[doc(alias = "face_centers")]
     pub fn centres_faces(&self) -> [Vecteur<R>; 3] {
         core::array::from_fn(|i| self.centre + self.normales[i] * self.demi_longueurs[i])
     }
 
     /// Co_i = C − l_i·N_i, the centres of the opposite faces.
+    #[doc(alias = "opposite_face_centers")]
     pub fn centres_opposes(&self) -> [Vecteur<R>; 3] {
         core::array::from_fn(|i| self.centre - self.normales[i] * self.demi_longueurs[i])
     }
 
     /// df_i = −N_i·Cf_i, the relative distances to the origin of the planes of the three faces.
+    #[doc(alias = "face_distances")]
     #[must_use]
     pub fn distances_faces(&self) -> [R; 3] {
         let centres = self.centres_faces();
@@ -160,6 +165,7 @@ impl<R: Reel> BoiteRay<R> {
 
     /// do_i = N_i·Co_i, the relative distances to the origin of the planes of the opposite
     /// faces, whose normals are −N_i.
+    #[doc(alias = "opposite_face_distances")]
     #[must_use]
     pub fn distances_opposees(&self) -> [R; 3] {
         let centres = self.centres_opposes();
@@ -223,10 +229,10 @@ impl<R: Reel> BoiteRay<R> {
         let d = rayon.direction();
         let large = self.vers_f64();
         let (entree, axe, _) = large.dalles(rayon.source().vers_f64(), d.vers_f64());
-        // The face must be one that the ray enters as the search sees it as well, N·D < 0.
+        // The face must be one that the ray enters, N·D < 0, as the search sees it as well.
         let vitesse = |axe: usize| self.normales[axe].produit_scalaire(d);
         let vitesse_large = self.normales[axe].vers_f64().produit_scalaire(d.vers_f64());
-        let d_accord = vitesse(axe).vers_f64() * vitesse_large > 0.0;
+        let d_accord = entree > 0.0 && vitesse(axe).vers_f64() * vitesse_large > 0.0;
         let (entree, axe) =
             if d_accord { (entree, axe) } else { self.entree_selon_la_recherche(rayon) };
         let t = R::conclure(t, || entree);

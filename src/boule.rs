@@ -5,7 +5,7 @@ use crate::{Reel, Vecteur};
 /// Whether the ray (S, D) comes near the ball of centre C whose radius has this square.
 ///
 /// Never false for a ray that enters the ball, whatever rounding does: SC² − (SC·D)² is off by
-/// less than 32u·SC², of which `PRUDENCE` = 1 − 64u takes twice as much away (derivation in
+/// less than 32u·SC², and `PRUDENCE` = 1 − 64u takes away twice that (derivation in
 /// `docs/conception.md`). A ray whose source is in the ball passes even with C behind it.
 #[inline(always)]
 pub(crate) fn approche<R: Reel>(

@@ -20,8 +20,8 @@ pub struct Intersection<R = f64> {
 }
 
 impl<R: Reel> Intersection<R> {
-    /// The hit of `rayon` at t, rounded to R. The conclusion never revokes: what it computes as
-    /// 0 or behind the source, where the search saw a hit, is one at the smallest distance.
+    /// The hit of `rayon` at t > 0, rounded to R. One too small for R stays a hit, at the
+    /// smallest distance.
     ///
     /// `hauteur` gives, for a point in f64, its height over the surface along the normal, and a
     /// length such that 4u of it is more than either this height or the test of the search, in

@@ -77,8 +77,8 @@
 //! # `f32` or `f64`
 //!
 //! Every type takes the scalar as a parameter, `f64` unless named: `Vecteur<f32>`. The search for the
-//! first object runs in that type, and its hit is computed in `f64`, so that in `f32` the distance of
-//! the object that was found is good to the last bit or two.
+//! first object runs in that type, and its hit is computed in `f64`: in `f32` the distance to the object
+//! that was found is off by half a unit in the last place and 3·2⁻⁵³·cond (see `docs/precision.md`).
 //!
 //! # Features
 //!

@@ -72,6 +72,7 @@ impl<R: Reel> ObjetGeo<R> {
     }
 
     /// The same object, ready for rays (handout §3).
+    #[doc(alias = "into_ray")]
     #[inline]
     pub fn vers_ray(self) -> ObjetRay<R> {
         match self {
@@ -158,6 +159,24 @@ impl<R> From<PlanGeo<R>> for ObjetGeo<R> {
 
 impl<R> From<BoiteGeo<R>> for ObjetGeo<R> {
     fn from(boite: BoiteGeo<R>) -> Self {
+        Self::Boite(boite)
+    }
+}
+
+impl<R> From<SphereRay<R>> for ObjetRay<R> {
+    fn from(sphere: SphereRay<R>) -> Self {
+        Self::Sphere(sphere)
+    }
+}
+
+impl<R> From<PlanRay<R>> for ObjetRay<R> {
+    fn from(plan: PlanRay<R>) -> Self {
+        Self::Plan(plan)
+    }
+}
+
+impl<R> From<BoiteRay<R>> for ObjetRay<R> {
+    fn from(boite: BoiteRay<R>) -> Self {
         Self::Boite(boite)
     }
 }

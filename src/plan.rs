@@ -71,6 +71,7 @@ impl<R: Reel> PlanGeo<R> {
     }
 
     /// The same half-space, ready for rays (handout §3).
+    #[doc(alias = "into_ray")]
     #[inline]
     pub fn vers_ray(self) -> PlanRay<R> {
         PlanRay { normale: self.normale(), distance: self.distance, texture: self.texture }
@@ -85,6 +86,7 @@ impl<R: Reel> PlanGeo<R> {
 
 /// A half-space ready for rays: its outward unit normal N and its relative distance d
 /// (handout §3). Its points are those where N·X ≤ −d.
+#[doc(alias = "plane")]
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[must_use]
 pub struct PlanRay<R = f64> {
@@ -150,7 +152,9 @@ impl<R: Reel> PlanRay<R> {
         let t = if descente > Self::RASANT {
             R::conclure(t, || hauteur / descente)
         } else {
-            plan.t_rasant(s, d).unwrap_or(t.vers_f64())
+            let precise = plan.t_rasant(s, d);
+            let de_ce_type = |t: &f64| *t > 0.0 && R::depuis_f64(*t) < R::INFINI;
+            Some(precise).filter(de_ce_type).unwrap_or(t.vers_f64())
         };
         Intersection::new(rayon, t, normale, texture, |p| {
             let hauteur = plan.normale.produit_scalaire(p) + plan.distance;
@@ -161,13 +165,11 @@ impl<R: Reel> PlanRay<R> {
 
 impl PlanRay<f64> {
     /// t for a ray almost parallel to the plane, where the digits of N·D that remain after the
-    /// cancellation decide. `None` if it does not descend at all.
+    /// cancellation decide.
     #[cold]
-    fn t_rasant(&self, s: Vecteur<f64>, d: Vecteur<f64>) -> Option<f64> {
-        let descente = -self.normale.produit_scalaire_compense(d);
+    fn t_rasant(&self, s: Vecteur<f64>, d: Vecteur<f64>) -> f64 {
         let hauteur = self.normale.produit_scalaire(s) + self.distance;
-        let t = hauteur / descente;
-        (descente > 0.0 && t < f64::INFINITY).then_some(t)
+        hauteur / -self.normale.produit_scalaire_compense(d)
     }
 }
 

@@ -4,11 +4,31 @@ use core::fmt::{Debug, Display};
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 mod scelle {
-    /// Keeps [`Reel`](super::Reel) to the two types whose rounding the crate's bounds rest on.
-    pub trait Scelle {}
-    impl Scelle for f32 {}
-    impl Scelle for f64 {}
+    /// What only this crate needs of a scalar; and what keeps [`Reel`](super::Reel) to the two
+    /// types whose rounding the crate's bounds rest on.
+    pub trait Scelle: Sized {
+        /// A power of two that brings any length whose square leaves the range of the type back
+        /// into it.
+        const ECHELLE: Self;
+        /// 1 − 64u: what a rejection multiplies a squared distance by, so as to reject no hit.
+        const PRUDENCE: Self;
+        /// How far a matrix may be from orthonormal and still be taken as a rotation.
+        const ECART_ROTATION: f64;
+        /// `LIMITE` in words, for a coordinate.
+        const ATTENDU_COORDONNEE: &'static str;
+        /// `LIMITE` in words, for a size.
+        const ATTENDU_TAILLE: &'static str;
+        /// `ECART_ROTATION` in words.
+        const ATTENDU_ROTATION: &'static str;
+
+        /// The distance to conclude a hit with, in the wider type: what the search found if it was
+        /// made in that type already, otherwise what `precise` computes there, unless that is no
+        /// distance of this type: the conclusion never revokes a hit.
+        fn conclure(trouve: Self, precise: impl FnOnce() -> f64) -> f64;
+    }
 }
+
+use scelle::Scelle;
 
 /// A real number as the machine has it: `f32` or `f64`. Sealed.
 ///
@@ -17,7 +37,7 @@ mod scelle {
 #[doc(alias = "float")]
 #[doc(alias = "scalar")]
 pub trait Reel:
-    scelle::Scelle
+    Scelle
     + Copy
     + Debug
     + Display
@@ -44,19 +64,6 @@ pub trait Reel:
     /// The largest coordinate, distance or size of a scene: 2⁶⁰ or 2⁴⁵⁰. The smallest size is
     /// its inverse.
     const LIMITE: Self;
-    /// A power of two that brings any length whose square leaves the range of the type back
-    /// into it.
-    const ECHELLE: Self;
-    /// 1 − 64u: what a rejection multiplies a squared distance by, so as to reject no hit.
-    const PRUDENCE: Self;
-    /// How far a matrix may be from orthonormal and still be taken as a rotation.
-    const ECART_ROTATION: f64;
-    /// [`LIMITE`](Self::LIMITE) in words, for a coordinate.
-    const ATTENDU_COORDONNEE: &'static str;
-    /// [`LIMITE`](Self::LIMITE) in words, for a size.
-    const ATTENDU_TAILLE: &'static str;
-    /// [`ECART_ROTATION`](Self::ECART_ROTATION) in words.
-    const ATTENDU_ROTATION: &'static str;
 
     /// Square root, correctly rounded.
     fn sqrt(self) -> Self;
@@ -66,10 +73,21 @@ pub trait Reel:
     fn vers_f64(self) -> f64;
     /// The nearest number of this type.
     fn depuis_f64(x: f64) -> Self;
-    /// The distance to conclude a hit with, in the wider type: what the search found if it was
-    /// made in that type already, otherwise what `precise` computes there, unless this type has
-    /// no such number.
-    fn conclure(trouve: Self, precise: impl FnOnce() -> f64) -> f64;
+}
+
+impl Scelle for f32 {
+    const ECHELLE: Self = (1_u128 << 100) as Self;
+    const PRUDENCE: Self = 1.0 - 64.0 * Self::U;
+    const ECART_ROTATION: f64 = 1e-3;
+    const ATTENDU_COORDONNEE: &'static str = "a number between -2^60 and 2^60";
+    const ATTENDU_TAILLE: &'static str = "a number between 2^-60 and 2^60";
+    const ATTENDU_ROTATION: &'static str = "at most 1e-3, as for a rotation";
+
+    #[inline(always)]
+    fn conclure(trouve: Self, precise: impl FnOnce() -> f64) -> f64 {
+        let t = precise();
+        if t > 0.0 && t <= f64::from(Self::MAX) { t } else { f64::from(trouve) }
+    }
 }
 
 impl Reel for f32 {
@@ -79,12 +97,6 @@ impl Reel for f32 {
     const PLUS_PETIT: Self = Self::from_bits(1);
     const U: Self = Self::EPSILON / 2.0;
     const LIMITE: Self = (1_u64 << 60) as Self;
-    const ECHELLE: Self = (1_u128 << 100) as Self;
-    const PRUDENCE: Self = 1.0 - 64.0 * Self::U;
-    const ECART_ROTATION: f64 = 1e-3;
-    const ATTENDU_COORDONNEE: &'static str = "a number between -2^60 and 2^60";
-    const ATTENDU_TAILLE: &'static str = "a number between 2^-60 and 2^60";
-    const ATTENDU_ROTATION: &'static str = "at most 1e-3, as for a rotation";
 
     #[inline(always)]
     fn sqrt(self) -> Self {
@@ -108,11 +120,19 @@ impl Reel for f32 {
     fn depuis_f64(x: f64) -> Self {
         x as Self
     }
+}
+
+impl Scelle for f64 {
+    const ECHELLE: Self = Self::from_bits((1023 + 600) << 52);
+    const PRUDENCE: Self = 1.0 - 64.0 * Self::U;
+    const ECART_ROTATION: f64 = 1e-6;
+    const ATTENDU_COORDONNEE: &'static str = "a number between -2^450 and 2^450";
+    const ATTENDU_TAILLE: &'static str = "a number between 2^-450 and 2^450";
+    const ATTENDU_ROTATION: &'static str = "at most 1e-6, as for a rotation";
 
     #[inline(always)]
-    fn conclure(trouve: Self, precise: impl FnOnce() -> f64) -> f64 {
-        let t = precise();
-        if t <= f64::from(Self::MAX) { t } else { f64::from(trouve) }
+    fn conclure(trouve: Self, _precise: impl FnOnce() -> f64) -> f64 {
+        trouve
     }
 }
 
@@ -123,12 +143,6 @@ impl Reel for f64 {
     const PLUS_PETIT: Self = Self::from_bits(1);
     const U: Self = Self::EPSILON / 2.0;
     const LIMITE: Self = Self::from_bits((1023 + 450) << 52);
-    const ECHELLE: Self = Self::from_bits((1023 + 600) << 52);
-    const PRUDENCE: Self = 1.0 - 64.0 * Self::U;
-    const ECART_ROTATION: f64 = 1e-6;
-    const ATTENDU_COORDONNEE: &'static str = "a number between -2^450 and 2^450";
-    const ATTENDU_TAILLE: &'static str = "a number between 2^-450 and 2^450";
-    const ATTENDU_ROTATION: &'static str = "at most 1e-6, as for a rotation";
 
     #[inline(always)]
     fn sqrt(self) -> Self {
@@ -151,10 +165,5 @@ impl Reel for f64 {
     #[inline(always)]
     fn depuis_f64(x: f64) -> Self {
         x
-    }
-
-    #[inline(always)]
-    fn conclure(trouve: Self, _precise: impl FnOnce() -> f64) -> f64 {
-        trouve
     }
 }

@@ -38,6 +38,8 @@ type Matrice = [[f64; 3]; 3];
 
 const IDENTITE: Matrice = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
+const ANGLES: [&str; 3] = ["vecteur_rotation.x", "vecteur_rotation.y", "vecteur_rotation.z"];
+
 /// k·π/2 with its cosine and sine.
 const QUARTS: [(f64, f64, f64); 5] = [
     (0.0, 1.0, 0.0),
@@ -66,8 +68,7 @@ impl<R: Reel> Rotation<R> {
     #[doc(alias = "from_euler")]
     #[doc(alias = "from_angles")]
     pub fn new(vecteur_rotation: Vecteur<R>) -> Result<Self, ErreurGeo> {
-        let champs = ["vecteur_rotation.x", "vecteur_rotation.y", "vecteur_rotation.z"];
-        let r = fini(champs, vecteur_rotation)?;
+        let r = fini(ANGLES, vecteur_rotation)?;
         let (cos, sin) = cos_sin(r.x);
         let m_x = [[1.0, 0.0, 0.0], [0.0, cos, -sin], [0.0, sin, cos]];
         let (cos, sin) = cos_sin(r.y);
@@ -84,7 +85,7 @@ impl<R: Reel> Rotation<R> {
     /// If an angle is not finite.
     #[doc(alias = "right_handed")]
     pub fn main_droite(vecteur_rotation: Vecteur<R>) -> Result<Self, ErreurGeo> {
-        Self::new(-vecteur_rotation)
+        Self::new(-fini(ANGLES, vecteur_rotation)?)
     }
 
     /// The rotation of matrix M, rows first, for instance one that [`matrice`](Self::matrice)

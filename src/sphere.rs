@@ -71,6 +71,7 @@ impl<R: Reel> SphereGeo<R> {
     }
 
     /// The same sphere, ready for rays (handout §3).
+    #[doc(alias = "into_ray")]
     #[inline]
     pub fn vers_ray(self) -> SphereRay<R> {
         let Self { centre, rayon, texture } = self;
@@ -79,6 +80,7 @@ impl<R: Reel> SphereGeo<R> {
 }
 
 /// A sphere ready for rays: its centre C and its radius r > 0 (handout §3).
+#[doc(alias = "ball")]
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[must_use]
 pub struct SphereRay<R = f64> {
@@ -180,7 +182,7 @@ impl<R: Reel> SphereRay<R> {
             // rounding × travers/r, at most half of the sum of their squares over r.
             let travers2 = (cp - n * n.produit_scalaire(cp)).longueur_carree();
             let arrondi = 4.0 * R::U.vers_f64() * (p.x.abs() + p.y.abs() + p.z.abs());
-            if puissance > 0.75 * r2 || travers2 > 0.25 * r2 || 4.0 * arrondi > r {
+            if puissance > 0.5 * r2 || travers2 > 0.0625 * r2 || 4.0 * arrondi > r {
                 // The sphere is no larger than the rounding of its distance or of its place.
                 return (f64::INFINITY, r);
             }

@@ -96,7 +96,7 @@ impl<R: Reel> Vecteur<R> {
     #[inline]
     fn mis_a_l_echelle(self) -> (Self, R) {
         let carre = self.longueur_carree();
-        // 1/ECHELLE is far below any square that loses bits and far above what they weigh.
+        // In a sum above 1/ECHELLE, a square that loses bits weighs nothing.
         let echelle = if carre == R::INFINI {
             R::UN / R::ECHELLE
         } else if carre < R::UN / R::ECHELLE {

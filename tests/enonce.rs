@@ -697,13 +697,17 @@ fn c13() -> Partie {
         .ligne("(3, 0, −4)", "(0.6, 0, -0.8)", direction(v(3.0, 0.0, -4.0)))
         .ligne("the smallest subnormal", "(1, 0, 0)", direction(v(petit, 0.0, 0.0)))
         .ligne("the largest float", "(0, -1, 0)", direction(v(0.0, -f64::MAX, 0.0)))
-        .ligne("three times the largest float", "0.577350", {
+        .ligne("the largest float in each coordinate", "0.577350", {
             environ(rayon(O, v(f64::MAX, f64::MAX, f64::MAX)).direction().x)
         })
-        .ligne("f32: three times the smallest subnormal", "(0.57735026, 0.57735026, 0.57735026)", {
-            let petit = f32::from_bits(1);
-            vecteur(rayon(Vecteur::NUL, Vecteur::new(petit, petit, petit)).direction())
-        })
+        .ligne(
+            "f32: the smallest subnormal in each coordinate",
+            "(0.57735026, 0.57735026, 0.57735026)",
+            {
+                let petit = f32::from_bits(1);
+                vecteur(rayon(Vecteur::NUL, Vecteur::new(petit, petit, petit)).direction())
+            },
+        )
         .ligne("unit to 3 units in the last place: kept bit for bit", true, {
             let presque = 1.0 + 2.0 * f64::EPSILON;
             rayon(O, v(0.0, 0.0, presque)).direction() == v(0.0, 0.0, presque)

@@ -118,7 +118,7 @@ fn comparer(
         "         distance: {mediane:.1e} relative difference in the median, {:.1e} at most",
         pire(&distances),
     )?;
-    writeln!(sortie, "         normal: {:.1e} degrees at most", pire(&angles),)
+    writeln!(sortie, "         normal: {:.1e} degrees at most", pire(&angles))
 }
 
 type Couleur = [u8; 3];

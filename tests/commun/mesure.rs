@@ -39,7 +39,9 @@ pub(crate) fn quantiles(valeurs: &mut [f64]) -> [f64; 3] {
 
 /// Half the distance to the next number of the type.
 fn demi_ulp<R: Reel>(t: R) -> f64 {
-    let exposant = ((t.vers_f64().to_bits() >> 52) as i32 - 1023).max(-1021);
+    // Below the smallest normal number the spacing stays what it is there.
+    let minimal = if R::U.vers_f64() > f64::EPSILON { -126 } else { -1022 };
+    let exposant = ((t.vers_f64().to_bits() >> 52) as i32 - 1023).max(minimal);
     f64::from(exposant).exp2() * R::U.vers_f64()
 }
 

@@ -67,7 +67,7 @@ impl Exact {
         } else {
             (self.m.clone(), self.e)
         };
-        let m = f64::from_bits(0) + i128::try_from(m).expect("64 bits") as f64;
+        let m = i128::try_from(m).expect("64 bits") as f64;
         // In two steps, since 2^e alone may be below what an f64 holds.
         let moitie = (e / 2) as i32;
         m * f64::from(moitie).exp2() * f64::from(e as i32 - moitie).exp2()
@@ -283,11 +283,15 @@ fn verite_boite<R: Reel>(boite: &BoiteRay<R>, ray: &Droite, quatre_u: f64) -> Ve
     let mut dehors = false;
     let mut dans_la_marge = false;
     let mut cosinus_min = f64::INFINITY;
+    let mut indecise = false;
     for (axe, l) in l.iter().enumerate() {
         let n = point(boite.normales()[axe]);
         for n in [n.each_ref().map(|x| -x), n] {
             let haut = &scalaire(&n, &f) - l;
             let vitesse = scalaire(&n, &ray.d);
+            // Along the plane of a face to rounding, the search cannot tell on which side.
+            let v = vitesse.vers_f64().abs();
+            indecise |= v <= quatre_u && haut.vers_f64().abs() <= 2.0 * seuil;
             let t = || (-&haut).sur(&vitesse);
             match vitesse.signe() {
                 Ordering::Less => {
@@ -320,8 +324,8 @@ fn verite_boite<R: Reel>(boite: &BoiteRay<R>, ray: &Droite, quatre_u: f64) -> Ve
             normales.push(*normale);
         }
     }
-    // As for a half-space: of a face within 4u of parallel the search cannot tell the side.
-    let cosinus = if cosinus <= quatre_u { 0.0 } else { cosinus };
+    // As for a half-space, a face within 4u of parallel that matters leaves nothing to promise.
+    let cosinus = if cosinus <= quatre_u || indecise { 0.0 } else { cosinus };
     let entree = (!dehors && t.positif() && sortie >= t).then(|| {
         let cond = (f_ + demi_diagonale + t.vers_f64()) / cosinus;
         Entree { t, normales, cond, f: f_, courbure: f64::INFINITY }

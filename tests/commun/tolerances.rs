@@ -30,6 +30,11 @@ pub(crate) const ORTHONORMALE: f64 = 8.0;
 /// rounding to R and the Newton step, which moves by no more than half of the 8u above, twice.
 pub(crate) const PRODUIT: f64 = 9.0;
 
+/// How far M·Mᵀ may be from I for `depuis_matrice` to take M (C15).
+pub(crate) fn ecart_rotation<R: Reel>() -> f64 {
+    if u::<R>() > f64::EPSILON { 1e-3 } else { 1e-6 }
+}
+
 /// u in f64.
 pub(crate) fn u<R: Reel>() -> f64 {
     R::U.vers_f64()
