@@ -283,7 +283,7 @@ fn verite_boite<R: Reel>(boite: &BoiteRay<R>, ray: &Droite, quatre_u: f64) -> Ve
     let mut dehors = false;
     let mut dans_la_marge = false;
     let mut cosinus_min = f64::INFINITY;
-    let mut indecise = false;
+    let mut indecises = Vec::new();
     for (axe, l) in l.iter().enumerate() {
         let n = point(boite.normales()[axe]);
         for n in [n.each_ref().map(|x| -x), n] {
@@ -291,7 +291,9 @@ fn verite_boite<R: Reel>(boite: &BoiteRay<R>, ray: &Droite, quatre_u: f64) -> Ve
             let vitesse = scalaire(&n, &ray.d);
             // Along the plane of a face to rounding, the search cannot tell on which side.
             let v = vitesse.vers_f64().abs();
-            indecise |= v <= quatre_u && haut.vers_f64().abs() <= 2.0 * seuil;
+            if v <= quatre_u && haut.vers_f64().abs() <= 2.0 * seuil {
+                indecises.push(Vecteur::from(n.each_ref().map(Exact::vers_f64)));
+            }
             let t = || (-&haut).sur(&vitesse);
             match vitesse.signe() {
                 Ordering::Less => {
@@ -325,7 +327,8 @@ fn verite_boite<R: Reel>(boite: &BoiteRay<R>, ray: &Droite, quatre_u: f64) -> Ve
         }
     }
     // As for a half-space, a face within 4u of parallel that matters leaves nothing to promise.
-    let cosinus = if cosinus <= quatre_u || indecise { 0.0 } else { cosinus };
+    let cosinus = if cosinus <= quatre_u || !indecises.is_empty() { 0.0 } else { cosinus };
+    normales.append(&mut indecises);
     let entree = (!dehors && t.positif() && sortie >= t).then(|| {
         let cond = (f_ + demi_diagonale + t.vers_f64()) / cosinus;
         Entree { t, normales, cond, f: f_, courbure: f64::INFINITY }
