@@ -4,6 +4,7 @@ use std::hint::black_box;
 use std::path::Path;
 use std::time::Duration;
 
+use commun::{litteral, scenes};
 use criterion::{
     BenchmarkId, Criterion, SamplingMode, Throughput, criterion_group, criterion_main,
 };
@@ -11,13 +12,16 @@ use lancer_rayon::{ObjetRay, Rayon, Reel, premiere_intersection};
 use scene::Scene;
 use serde::de::DeserializeOwned;
 
-#[path = "../tests/commun/litteral.rs"]
-mod litteral;
+#[allow(dead_code, reason = "shared with the tests")]
+#[path = "../tests/commun"]
+mod commun {
+    pub(crate) mod conversion;
+    pub(crate) mod litteral;
+    pub(crate) mod scenes;
+}
 #[allow(dead_code, reason = "shared with the examples")]
 #[path = "../docs/exemples/scene.rs"]
 mod scene;
-#[path = "../tests/commun/scenes.rs"]
-mod scenes;
 
 fn mesurer<R: Reel + DeserializeOwned>(c: &mut Criterion) {
     let mut groupe = c.benchmark_group(std::any::type_name::<R>());

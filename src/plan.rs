@@ -152,7 +152,8 @@ impl<R: Reel> PlanRay<R> {
         let t = if descente > Self::RASANT {
             R::conclure(t, || hauteur / descente)
         } else {
-            let precise = plan.t_rasant(s, d);
+            // Of N·D the digits decide that remain after the cancellation.
+            let precise = hauteur / -plan.normale.produit_scalaire_compense(d);
             let de_ce_type = |t: &f64| *t > 0.0 && R::depuis_f64(*t) < R::INFINI;
             Some(precise).filter(de_ce_type).unwrap_or(t.vers_f64())
         };
@@ -160,16 +161,6 @@ impl<R: Reel> PlanRay<R> {
             let hauteur = plan.normale.produit_scalaire(p) + plan.distance;
             (hauteur.abs(), plan.normale.produit_des_grandeurs(p))
         })
-    }
-}
-
-impl PlanRay<f64> {
-    /// t for a ray almost parallel to the plane, where the digits of N·D that remain after the
-    /// cancellation decide.
-    #[cold]
-    fn t_rasant(&self, s: Vecteur<f64>, d: Vecteur<f64>) -> f64 {
-        let hauteur = self.normale.produit_scalaire(s) + self.distance;
-        hauteur / -self.normale.produit_scalaire_compense(d)
     }
 }
 

@@ -120,7 +120,8 @@ impl<R: Reel> Rayon<R> {
             direction
         };
         let p = self.point(distance);
-        // The bound of the hit, with room for N not being exactly unit; then the rounding of P + pas·N.
+        // The bound of the hit, with room for N not being exactly unit, and the rounding of the
+        // moved point.
         let pas = touche.marge() * (R::UN + reel(16.0) * R::U);
         let pas = pas + n.produit_des_grandeurs(p) * (reel(2.0) * R::U);
         let pas = if cosinus < reel(-4.0) * R::U { -pas } else { pas };

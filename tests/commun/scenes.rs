@@ -7,6 +7,8 @@ use lancer_rayon::{
     Vecteur,
 };
 
+use super::conversion::arrondi;
+
 /// Where the rays start; they look towards −z.
 const CAMERA: Vecteur = Vecteur::new(0.0, 1.0, 6.0);
 
@@ -81,8 +83,4 @@ fn suite_dense() -> impl Iterator<Item = Alea> {
         puissance
     });
     (0_u32..).map(move |i| pas.map(|pas| (f64::from(i) * pas).fract()))
-}
-
-fn arrondi<R: Reel>(v: Vecteur) -> Vecteur<R> {
-    Vecteur::new(R::depuis_f64(v.x), R::depuis_f64(v.y), R::depuis_f64(v.z))
 }

@@ -2,21 +2,20 @@
 
 use std::error::Error;
 
-use lancer_rayon::{ObjetGeo, ObjetRay, Rayon, premiere_intersection};
+use lancer_rayon::{ObjetGeo, ObjetRay, Rayon};
 use plotters::prelude::*;
 use serde::de::DeserializeOwned;
 
-use crate::commun::litteral;
 use crate::commun::mesure::{mesurer, quantiles};
 use crate::commun::oracle::verite;
 use crate::commun::regimes::regimes;
 use crate::exactitude::{self, COULEURS, variantes};
 use crate::page;
 use crate::scene::Scene;
-use crate::vitesse::{TOURS, chronometrer, mediane};
+use crate::vitesse::Concours;
 use crate::{Parry, Touche};
 
-type Mesures<R> = ((exactitude::Variante<R>, Vec<f64>), Vec<Option<Touche<R>>>);
+type Mesures<R> = ((exactitude::Variante<R>, f64), Vec<Option<Touche<R>>>);
 
 /// One ray in so many is judged by the oracle.
 const PAS: usize = 7;
@@ -56,32 +55,11 @@ pub(crate) fn documenter() -> Result<(), Box<dyn Error>> {
 
 fn mesures<R: Parry + DeserializeOwned>(scalaire: &str) -> Result<Vec<Variante>, Box<dyn Error>> {
     let scene: Scene<R> = Scene::lire(&page::chemin("docs/scenes/atelier.ron"))?;
-    let objets: Vec<_> = scene.objets.iter().copied().map(ObjetGeo::vers_ray).collect();
-    let rayons: Vec<Rayon<R>> = scene.camera.rayons()?;
-    let litteraux: Vec<_> = objets.iter().map(litteral::Objet::from).collect();
-    let objets_parry: Vec<_> = objets.iter().map(R::objet).collect();
-    let rayons_parry: Vec<_> = rayons.iter().map(R::rayon).collect();
-
-    let ici = |rayon: &Rayon<R>| {
-        let touche = premiere_intersection(&objets, rayon).ok()?;
-        Some((touche.distance, touche.normale, touche.texture))
-    };
-    let litteral = |rayon: &Rayon<R>| litteral::premiere_intersection(&litteraux, rayon);
-    let parry = |rayon: &R::Rayon| R::premiere_intersection(&objets_parry, rayon);
-
-    let mut temps = [(); 3].map(|()| Vec::new());
-    for _ in 0..TOURS {
-        temps[0].push(chronometrer(&rayons, ici));
-        temps[1].push(chronometrer(&rayons, litteral));
-        temps[2].push(chronometrer(&rayons_parry, parry));
-    }
-    let juges: Vec<_> = (0..rayons.len()).step_by(PAS).collect();
-    let reponses: [Vec<Option<Touche<R>>>; 3] = [
-        juges.iter().map(|&i| ici(&rayons[i])).collect(),
-        juges.iter().map(|&i| litteral(&rayons[i])).collect(),
-        juges.iter().map(|&i| parry(&rayons_parry[i])).collect(),
-    ];
-    let verites: Vec<_> = juges.iter().map(|&i| premiere(&objets, &rayons[i])).collect();
+    let objets = scene.objets.iter().copied().map(ObjetGeo::vers_ray).collect();
+    let concours = Concours::<R>::new(objets, scene.camera.rayons()?);
+    let (temps, reponses) = (concours.temps(), concours.reponses(PAS));
+    let juges = concours.rayons.iter().step_by(PAS);
+    let verites: Vec<_> = juges.map(|rayon| premiere(&concours.objets, rayon)).collect();
 
     let noms = variantes::<R>();
     let variante = |(((nom, repondre), temps), reponses): Mesures<R>| {
@@ -101,7 +79,7 @@ fn mesures<R: Parry + DeserializeOwned>(scalaire: &str) -> Result<Vec<Variante>,
         let cas = f64::from(CAS) * regimes::<R>().len() as f64;
         Variante {
             nom: format!("{nom} {scalaire}"),
-            ns: mediane(temps),
+            ns: temps,
             erreurs: quantiles(&mut erreurs),
             autres,
             fausses: 1e6 * f64::from(fausses) / cas,

@@ -5,13 +5,13 @@ use std::fmt;
 use std::hint::black_box;
 use std::time::Instant;
 
-use lancer_rayon::{Rayon, Reel, premiere_intersection};
+use lancer_rayon::{ObjetRay, Rayon, Reel, premiere_intersection};
 
 use crate::commun::{litteral, scenes};
 use crate::{Parry, Touche};
 
 const TAILLES: [usize; 5] = [3, 12, 48, 192, 1000];
-pub(crate) const TOURS: usize = 5;
+const TOURS: usize = 5;
 
 /// The table; `None` if the three do not agree but for rounding.
 pub(crate) fn table() -> Option<String> {
@@ -27,40 +27,73 @@ pub(crate) fn table() -> Option<String> {
     accord.then(|| table.join("\n"))
 }
 
+/// One scene and its rays, as each of the three wants them. Always in the order ours, annex A,
+/// parry.
+pub(crate) struct Concours<R: Parry> {
+    pub(crate) objets: Vec<ObjetRay<R>>,
+    pub(crate) rayons: Vec<Rayon<R>>,
+    litteraux: Vec<litteral::Objet<R>>,
+    objets_parry: Vec<R::Objet>,
+    rayons_parry: Vec<R::Rayon>,
+}
+
+impl<R: Parry> Concours<R> {
+    pub(crate) fn new(objets: Vec<ObjetRay<R>>, rayons: Vec<Rayon<R>>) -> Self {
+        Self {
+            litteraux: objets.iter().map(litteral::Objet::from).collect(),
+            objets_parry: objets.iter().map(R::objet).collect(),
+            rayons_parry: rayons.iter().map(R::rayon).collect(),
+            objets,
+            rayons,
+        }
+    }
+
+    fn ici(&self, rayon: &Rayon<R>) -> Option<Touche<R>> {
+        let touche = premiere_intersection(&self.objets, rayon).ok()?;
+        Some((touche.distance, touche.normale, touche.texture))
+    }
+
+    fn litteral(&self, rayon: &Rayon<R>) -> Option<Touche<R>> {
+        litteral::premiere_intersection(&self.litteraux, rayon)
+    }
+
+    fn parry(&self, rayon: &R::Rayon) -> Option<Touche<R>> {
+        R::premiere_intersection(&self.objets_parry, rayon)
+    }
+
+    /// What each answers to every ray of so many.
+    pub(crate) fn reponses(&self, pas: usize) -> [Vec<Option<Touche<R>>>; 3] {
+        let rayons = || self.rayons.iter().step_by(pas);
+        [
+            rayons().map(|rayon| self.ici(rayon)).collect(),
+            rayons().map(|rayon| self.litteral(rayon)).collect(),
+            self.rayons_parry.iter().step_by(pas).map(|rayon| self.parry(rayon)).collect(),
+        ]
+    }
+
+    /// Nanoseconds per ray, in turns and by the median.
+    pub(crate) fn temps(&self) -> [f64; 3] {
+        let mut temps = [(); 3].map(|()| Vec::new());
+        for _ in 0..TOURS {
+            temps[0].push(chronometrer(&self.rayons, |rayon| self.ici(rayon)));
+            temps[1].push(chronometrer(&self.rayons, |rayon| self.litteral(rayon)));
+            temps[2].push(chronometrer(&self.rayons_parry, |rayon| self.parry(rayon)));
+        }
+        temps.map(mediane)
+    }
+}
+
 /// Adds a row to the table; whether the three agree on the scene of `n` objects.
 fn comparer<R: Parry>(n: usize, table: &mut Vec<String>) -> bool {
-    let rayons = scenes::rayons_camera::<R>(600, 400);
-    let rayons_parry: Vec<_> = rayons.iter().map(R::rayon).collect();
-    let objets = scenes::melange::<R>(n);
-    let litteraux: Vec<_> = objets.iter().map(litteral::Objet::from).collect();
-    let objets_parry: Vec<_> = objets.iter().map(R::objet).collect();
-
-    let ici = |rayon: &Rayon<R>| {
-        let touche = premiere_intersection(&objets, rayon).ok()?;
-        Some((touche.distance, touche.normale, touche.texture))
-    };
-    let litteral = |rayon: &Rayon<R>| litteral::premiere_intersection(&litteraux, rayon);
-    let parry = |rayon: &R::Rayon| R::premiere_intersection(&objets_parry, rayon);
-
-    let reponses: Vec<_> = rayons.iter().map(ici).collect();
+    let concours = Concours::<R>::new(scenes::melange(n), scenes::rayons_camera(600, 400));
     let scalaire = std::any::type_name::<R>();
-    let accord = [
-        ("annex A", rayons.iter().map(litteral).collect::<Vec<_>>()),
-        ("parry", rayons_parry.iter().map(parry).collect()),
-    ]
-    .map(|(nom, autres)| {
-        let ecart = Ecart::entre(&reponses, &autres);
+    let [ici, litteral, parry] = concours.reponses(1);
+    let accord = [("annex A", litteral), ("parry", parry)].map(|(nom, autres)| {
+        let ecart = Ecart::entre(&ici, &autres);
         println!("{scalaire}, N = {n}, {nom}: {ecart}");
-        ecart.explicable::<R>(rayons.len())
+        ecart.explicable::<R>(concours.rayons.len())
     });
-
-    let mut temps = [(); 3].map(|()| Vec::new());
-    for _ in 0..TOURS {
-        temps[0].push(chronometrer(&rayons, ici));
-        temps[1].push(chronometrer(&rayons, litteral));
-        temps[2].push(chronometrer(&rayons_parry, parry));
-    }
-    let [ici, litteral, parry] = temps.map(mediane);
+    let [ici, litteral, parry] = concours.temps();
     table.push(format!(
         "| {scalaire} | {n} | {ici:.0} | {litteral:.0} | {parry:.0} | {:.1} | {:.1} |",
         litteral / ici,
@@ -109,7 +142,7 @@ impl fmt::Display for Ecart {
 }
 
 /// Nanoseconds per ray.
-pub(crate) fn chronometrer<Q, T>(rayons: &[Q], premiere: impl Fn(&Q) -> T) -> f64 {
+fn chronometrer<Q, T>(rayons: &[Q], premiere: impl Fn(&Q) -> T) -> f64 {
     let debut = Instant::now();
     for rayon in rayons {
         black_box(premiere(rayon));
@@ -117,7 +150,7 @@ pub(crate) fn chronometrer<Q, T>(rayons: &[Q], premiere: impl Fn(&Q) -> T) -> f6
     debut.elapsed().as_nanos() as f64 / rayons.len() as f64
 }
 
-pub(crate) fn mediane(mut temps: Vec<f64>) -> f64 {
+fn mediane(mut temps: Vec<f64>) -> f64 {
     temps.sort_by(f64::total_cmp);
     temps[temps.len() / 2]
 }
