@@ -1,4 +1,4 @@
-//! The first intersection, ray by ray, beside annex A of the handout to the letter.
+//! The first intersection, ray by ray and in a batch, beside annex A of the handout to the letter.
 
 use std::hint::black_box;
 use std::path::Path;
@@ -8,7 +8,9 @@ use commun::{litteral, scenes};
 use criterion::{
     BenchmarkId, Criterion, SamplingMode, Throughput, criterion_group, criterion_main,
 };
-use lancer_rayon::{ObjetRay, Rayon, Reel, premiere_intersection};
+use lancer_rayon::{
+    NoIntersection, ObjetRay, Rayon, Reel, premiere_intersection, premieres_intersections,
+};
 use scene::Scene;
 use serde::de::DeserializeOwned;
 
@@ -36,6 +38,10 @@ fn mesurer<R: Reel + DeserializeOwned>(c: &mut Criterion) {
         groupe.bench_function(BenchmarkId::new("lancer-rayon", nom), |b| {
             b.iter(|| lancer(rayons, |rayon| premiere_intersection(objets, rayon)));
         });
+        let mut touches = vec![Err(NoIntersection); rayons.len()];
+        groupe.bench_function(BenchmarkId::new("lot", nom), |b| {
+            b.iter(|| premieres_intersections(objets, rayons, black_box(&mut touches)));
+        });
         groupe.bench_function(BenchmarkId::new("annexe A", nom), |b| {
             b.iter(|| lancer(rayons, |rayon| litteral::premiere_intersection(&litteraux, rayon)));
         });
@@ -52,7 +58,7 @@ fn mesurer<R: Reel + DeserializeOwned>(c: &mut Criterion) {
 
 fn lancer<R: Reel, T>(rayons: &[Rayon<R>], premiere: impl Fn(&Rayon<R>) -> T) {
     for rayon in rayons {
-        black_box(premiere(rayon));
+        black_box(&premiere(rayon));
     }
 }
 

@@ -2,6 +2,7 @@
 
 use crate::boule::approche;
 use crate::erreur::{coefficient, deplacement, point, taille};
+use crate::objet::Forme;
 use crate::{ErreurGeo, Intersection, Rayon, Reel, Rotation, Texture, Vecteur};
 
 /// A box as one describes it: its centre, its width, height and depth (along x, y and z before
@@ -178,80 +179,63 @@ impl<R: Reel> BoiteRay<R> {
         self.texture
     }
 
-    /// Whether the ray comes near the box, which costs no division.
+    /// How far the ray is from both faces of one pair, and its speed towards them: the entry is the
+    /// first over the third, the exit the second over the third. C is the origin, and the axis
+    /// goes with the ray.
     #[inline(always)]
-    pub(crate) fn possible(&self, s: Vecteur<R>, d: Vecteur<R>) -> bool {
-        let demi_diagonale = Vecteur::from(self.demi_longueurs);
-        approche(self.centre, demi_diagonale.longueur_carree(), s, d)
-    }
-
-    /// Where the ray crosses one pair of faces, in the axes of the box with C as the origin, the
-    /// axis turned to go with the ray.
-    ///
-    /// A ray parallel to the pair divides by +0: the quotients are then ±∞ on the right sides, or
-    /// 0/0 in the plane of a face.
-    #[inline(always)]
-    fn dalle(&self, axe: usize, s: Vecteur<R>, d: Vecteur<R>) -> (R, R) {
+    fn dalle(&self, axe: usize, s: Vecteur<R>, d: Vecteur<R>) -> (R, R, R) {
         let (n, l) = (self.normales[axe], self.demi_longueurs[axe]);
         let (o, v) = ((s - self.centre).produit_scalaire(n), d.produit_scalaire(n));
         let o = if v < R::ZERO { -o } else { o };
-        (-(l + o) / v.abs(), (l - o) / v.abs())
+        (-(l + o), l - o, v.abs())
     }
 
-    /// The last entry of the ray, the pair of faces that it is of, and the first exit.
+    /// The last entry of the ray, the pair of faces that it is of, and the first exit; entry and
+    /// exit as quotients not divided yet.
     ///
-    /// Every comparison with a NaN is false, so that 0/0 constrains nothing.
+    /// They are compared by cross products, since one division costs more than all of these. It
+    /// makes a ray parallel to a pair right as well: beside it the entry is +∞ or the exit −∞, and
+    /// in the plane of a face 0/0 is neither above nor below anything. Of the three pairs one has a
+    /// speed of 0.5 or more, and with it an entry and an exit nearer than `loin`.
     #[inline(always)]
-    fn dalles(&self, s: Vecteur<R>, d: Vecteur<R>) -> (R, usize, R) {
-        let (mut derniere_entree, mut face, mut premiere_sortie) = (-R::INFINI, 0, R::INFINI);
+    fn dalles(&self, s: Vecteur<R>, d: Vecteur<R>) -> ((R, R), usize, (R, R)) {
+        let loin = R::LIMITE * R::LIMITE;
+        let (mut entree, mut face, mut sortie) = ((-loin, R::UN), 0, (loin, R::UN));
         for axe in 0..3 {
-            let (entree, sortie) = self.dalle(axe, s, d);
-            if entree > derniere_entree {
-                (derniere_entree, face) = (entree, axe);
+            let (vers_entree, vers_sortie, v) = self.dalle(axe, s, d);
+            if vers_entree * entree.1 > entree.0 * v {
+                (entree, face) = ((vers_entree, v), axe);
             }
-            if sortie < premiere_sortie {
-                premiere_sortie = sortie;
+            if vers_sortie * sortie.1 < sortie.0 * v {
+                sortie = (vers_sortie, v);
             }
         }
-        (derniere_entree, face, premiere_sortie)
+        (entree, face, sortie)
     }
 
-    /// The distance of the entry, +∞ if the ray has none: the last of the three entries, if it
-    /// comes no later than the first of the three exits. Edges belong to the box.
     #[inline(always)]
-    pub(crate) fn t(&self, s: Vecteur<R>, d: Vecteur<R>) -> R {
-        let (entree, _, sortie) = self.dalles(s, d);
-        if (entree > R::ZERO) & (entree <= sortie) { entree } else { R::INFINI }
-    }
-
-    /// The hit that the search found at distance `t`, computed in `f64`.
-    pub(crate) fn conclure(&self, rayon: &Rayon<R>, t: R) -> Intersection<R> {
-        let d = rayon.direction();
-        let large = self.vers_f64();
-        let (entree, axe, _) = large.dalles(rayon.source().vers_f64(), d.vers_f64());
-        // The face must be one that the ray enters, N·D < 0, as the search sees it as well.
-        let vitesse = |axe: usize| self.normales[axe].produit_scalaire(d);
-        let vitesse_large = self.normales[axe].vers_f64().produit_scalaire(d.vers_f64());
-        let d_accord = entree > 0.0 && vitesse(axe).vers_f64() * vitesse_large > 0.0;
-        let (entree, axe) =
-            if d_accord { (entree, axe) } else { self.entree_selon_la_recherche(rayon) };
+    fn toucher(&self, rayon: &Rayon<R>, t: R, entree: f64, axe: usize) -> Intersection<R> {
         let t = R::conclure(t, || entree);
-        let normale = self.normales[axe];
-        let normale = if vitesse(axe) > R::ZERO { -normale } else { normale };
+        let (normale, l) = self.couple(axe);
+        let vitesse = normale.produit_scalaire(rayon.direction());
+        let normale = if vitesse > R::ZERO { -normale } else { normale };
         Intersection::new(rayon, t, normale, self.texture, |p| {
-            let (n, cp) = (normale.vers_f64(), p - large.centre);
-            let hauteur = n.produit_scalaire(cp) - self.demi_longueurs[axe].vers_f64();
+            let (n, cp) = (normale.vers_f64(), p - self.centre.vers_f64());
+            let hauteur = n.produit_scalaire(cp) - l.vers_f64();
             (hauteur.abs(), n.produit_des_grandeurs(cp))
         })
     }
 
-    /// The face that the search entered by, and in f64 the distance there.
-    #[cold]
-    fn entree_selon_la_recherche(&self, rayon: &Rayon<R>) -> (f64, usize) {
-        let (s, d) = (rayon.source(), rayon.direction());
-        let (_, axe, _) = self.dalles(s, d);
-        let (entree, _) = self.vers_f64().dalle(axe, s.vers_f64(), d.vers_f64());
-        (entree, axe)
+    /// N_i and l_i, chosen without an index, so that rays side by side may choose differently.
+    #[inline(always)]
+    fn couple(&self, axe: usize) -> (Vecteur<R>, R) {
+        let [x, y, z] = self.normales;
+        let [lx, ly, lz] = self.demi_longueurs;
+        match axe {
+            0 => (x, lx),
+            1 => (y, ly),
+            _ => (z, lz),
+        }
     }
 
     #[inline(always)]
@@ -262,6 +246,49 @@ impl<R: Reel> BoiteRay<R> {
             demi_longueurs: self.demi_longueurs.map(R::vers_f64),
             texture: self.texture,
         }
+    }
+}
+
+impl<R: Reel> Forme<R> for BoiteRay<R> {
+    #[inline(always)]
+    fn boule(&self) -> (Vecteur<R>, R) {
+        (self.centre, Vecteur::from(self.demi_longueurs).longueur_carree())
+    }
+
+    #[inline(always)]
+    fn possible(&self, s: Vecteur<R>, d: Vecteur<R>) -> bool {
+        // Named first: written in its place, it costs a ray alone a tenth of its time.
+        let demi_diagonale = Vecteur::from(self.demi_longueurs);
+        approche(self.centre, demi_diagonale.longueur_carree(), s, d)
+    }
+
+    /// The last of the three entries, if it comes no later than the first of the three exits. Edges
+    /// belong to the box.
+    #[inline(always)]
+    fn t(&self, s: Vecteur<R>, d: Vecteur<R>) -> R {
+        let (entree, _, sortie) = self.dalles(s, d);
+        let touche = (entree.0 > R::ZERO) & (entree.0 * sortie.1 <= sortie.0 * entree.1);
+        if touche { entree.0 / entree.1 } else { R::INFINI }
+    }
+
+    /// Unless `f64` names a face by which the search does not see the ray enter, N·D < 0.
+    #[inline(always)]
+    fn conclure(&self, rayon: &Rayon<R>, t: R) -> (Intersection<R>, bool) {
+        let (s, d) = (rayon.source().vers_f64(), rayon.direction().vers_f64());
+        let (entree, axe, _) = self.vers_f64().dalles(s, d);
+        let (normale, _) = self.couple(axe);
+        let vitesse = normale.produit_scalaire(rayon.direction()).vers_f64();
+        let d_accord = vitesse * normale.vers_f64().produit_scalaire(d) > 0.0;
+        (self.toucher(rayon, t, entree.0 / entree.1, axe), (entree.0 > 0.0) & d_accord)
+    }
+
+    /// On the face that the search entered by.
+    #[cold]
+    fn reprendre(&self, rayon: &Rayon<R>, t: R) -> Intersection<R> {
+        let (s, d) = (rayon.source(), rayon.direction());
+        let (_, axe, _) = self.dalles(s, d);
+        let (vers_entree, _, v) = self.vers_f64().dalle(axe, s.vers_f64(), d.vers_f64());
+        self.toucher(rayon, t, vers_entree / v, axe)
     }
 }
 

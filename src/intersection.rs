@@ -2,6 +2,7 @@
 
 use core::fmt;
 
+use crate::reel::u;
 use crate::{ObjetRay, Rayon, Reel, Texture, Vecteur};
 
 /// Where a ray first touches an object: what the handout asks for in §2.3.
@@ -16,7 +17,7 @@ pub struct Intersection<R = f64> {
     pub normale: Vecteur<R>,
     /// The texture of the object.
     pub texture: Texture,
-    marge: R,
+    pub(crate) marge: R,
 }
 
 impl<R: Reel> Intersection<R> {
@@ -26,7 +27,7 @@ impl<R: Reel> Intersection<R> {
     /// `hauteur` gives, for a point in f64, its height over the surface along the normal, and a
     /// length such that 4u of it is more than either this height or the test of the search, in
     /// R, can be off by there.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn new(
         rayon: &Rayon<R>,
         t: f64,
@@ -38,7 +39,7 @@ impl<R: Reel> Intersection<R> {
         let distance = if t > R::ZERO { t } else { R::PLUS_PETIT };
         // The bound is made from the very point that the caller will compute.
         let (hauteur, longueur) = hauteur(rayon.point(distance).vers_f64());
-        let quatre_u = R::depuis_f64(4.0) * R::U;
+        let quatre_u: R = u(4.0);
         let marge = R::depuis_f64(hauteur + longueur * quatre_u.vers_f64());
         // Upwards, past the rounding of these last operations; a NaN comes from an overflow.
         let marge = marge + marge * quatre_u + R::depuis_f64(8.0) * R::PLUS_PETIT;
@@ -116,19 +117,23 @@ impl core::error::Error for NoIntersection {}
 #[doc(alias = "cast_ray")]
 #[doc(alias = "closest_hit")]
 #[doc(alias = "raycast")]
+#[inline]
 pub fn premiere_intersection<R: Reel>(
     objets: &[ObjetRay<R>],
     rayon: &Rayon<R>,
 ) -> Result<Intersection<R>, NoIntersection> {
     let (s, d) = (rayon.source(), rayon.direction());
-    let mut premier = Err(NoIntersection);
+    let mut premier = None;
     let mut t_premier = R::INFINI;
     for objet in objets {
         let t = objet.t(s, d);
         if t < t_premier {
             t_premier = t;
-            premier = Ok(objet);
+            premier = Some(objet);
         }
     }
-    premier.map(|objet| objet.conclure(rayon, t_premier))
+    match premier {
+        Some(objet) => Ok(objet.conclure(rayon, t_premier)),
+        None => Err(NoIntersection),
+    }
 }

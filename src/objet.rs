@@ -1,8 +1,9 @@
 //! The two enums of the handout's §4.1, and every choice between shapes that the crate makes.
 
+use crate::lot::{Conclusions, Groupe, proposer};
 use crate::{
     BoiteGeo, BoiteRay, ErreurGeo, Intersection, NoIntersection, PlanGeo, PlanRay, Rayon, Reel,
-    Rotation, SphereGeo, SphereRay, Vecteur, premiere_intersection,
+    Rotation, SphereGeo, SphereRay, Texture, Vecteur, premiere_intersection,
 };
 
 /// An object as one describes and moves it (`Objet_geo` in the handout).
@@ -111,6 +112,33 @@ pub enum ObjetRay<R = f64> {
 /// What the search reads of each object: fifteen numbers and a texture.
 const _: () = assert!(size_of::<ObjetRay<f64>>() <= 136);
 
+/// What a shape answers about rays, in its own file and once, for a ray alone and for many side by
+/// side.
+pub(crate) trait Forme<R: Reel>: Copy {
+    /// The centre of a ball around it and the square of its radius; +∞ if it has no end.
+    fn boule(&self) -> (Vecteur<R>, R);
+
+    /// Whether the ray (S, D) may enter: never false if it does, and cheap. For a shape with an end
+    /// it is whether the ray [comes near](crate::boule::approche) that very ball.
+    fn possible(&self, s: Vecteur<R>, d: Vecteur<R>) -> bool;
+
+    /// The distance at which a [`possible`](Self::possible) ray enters, +∞ if it does not.
+    fn t(&self, s: Vecteur<R>, d: Vecteur<R>) -> R;
+
+    /// The hit that the search found at distance `t`, computed in `f64` and without a branch; and
+    /// whether it stands. If rounding spoiled it, [`reprendre`](Self::reprendre) concludes.
+    fn conclure(&self, rayon: &Rayon<R>, t: R) -> (Intersection<R>, bool);
+
+    /// The same hit, where it takes more than the ordinary formula.
+    fn reprendre(&self, rayon: &Rayon<R>, t: R) -> Intersection<R>;
+}
+
+#[inline]
+fn conclure<R: Reel>(forme: &impl Forme<R>, rayon: &Rayon<R>, t: R) -> Intersection<R> {
+    let (touche, elle_tient) = forme.conclure(rayon, t);
+    if elle_tient { touche } else { forme.reprendre(rayon, t) }
+}
+
 impl<R: Reel> ObjetRay<R> {
     /// Where the ray enters this object (handout, annex A): [`premiere_intersection`] with this
     /// object alone.
@@ -138,9 +166,48 @@ impl<R: Reel> ObjetRay<R> {
     /// The hit that the search found at distance `t`.
     pub(crate) fn conclure(&self, rayon: &Rayon<R>, t: R) -> Intersection<R> {
         match self {
-            Self::Sphere(sphere) => sphere.conclure(rayon, t),
-            Self::Plan(plan) => plan.conclure(rayon, t),
-            Self::Boite(boite) => boite.conclure(rayon, t),
+            Self::Sphere(sphere) => conclure(sphere, rayon, t),
+            Self::Plan(plan) => conclure(plan, rayon, t),
+            Self::Boite(boite) => conclure(boite, rayon, t),
+        }
+    }
+
+    /// Makes this object the first of those rays of the block that enter it before their first so
+    /// far: one `match` for all of them.
+    #[inline(always)]
+    pub(crate) fn proposer_a<'a>(&'a self, bloc: &mut [Groupe<'a, R>]) {
+        match self {
+            Self::Sphere(sphere) => proposer(bloc, self, *sphere),
+            Self::Plan(plan) => proposer(bloc, self, *plan),
+            Self::Boite(boite) => proposer(bloc, self, *boite),
+        }
+    }
+
+    /// The hits of those rays of the group whose first object this is; for the others anything.
+    #[inline(always)]
+    pub(crate) fn conclure_pour(&self, groupe: &Groupe<'_, R>, conclusions: &mut Conclusions<R>) {
+        match self {
+            Self::Sphere(sphere) => conclusions.remplir(groupe, *sphere),
+            Self::Plan(plan) => conclusions.remplir(groupe, *plan),
+            Self::Boite(boite) => conclusions.remplir(groupe, *boite),
+        }
+    }
+
+    #[inline(always)]
+    pub(crate) fn boule(&self) -> (Vecteur<R>, R) {
+        match self {
+            Self::Sphere(sphere) => sphere.boule(),
+            Self::Plan(plan) => plan.boule(),
+            Self::Boite(boite) => boite.boule(),
+        }
+    }
+
+    #[inline(always)]
+    pub(crate) fn texture(&self) -> Texture {
+        match self {
+            Self::Sphere(sphere) => sphere.texture(),
+            Self::Plan(plan) => plan.texture(),
+            Self::Boite(boite) => boite.texture(),
         }
     }
 }

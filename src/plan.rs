@@ -1,6 +1,7 @@
 //! The plane, which is a solid half-space (handout §2.2, §3 and annex A.1).
 
 use crate::erreur::{coefficient, coordonnee, deplacement};
+use crate::objet::Forme;
 use crate::{ErreurGeo, Intersection, Rayon, Reel, Rotation, Texture, Vecteur};
 
 /// A half-space as one describes it: the points z ≤ 0 turned by a rotation, then moved to lie
@@ -124,43 +125,63 @@ impl<R: Reel> PlanRay<R> {
         (hauteur, -self.normale.produit_scalaire(d))
     }
 
+    /// A descent below which N·D has lost half of its digits.
+    const RASANT: f64 = 1.0 / 67_108_864.0; // 2^-26
+
+    #[inline(always)]
+    fn toucher(&self, rayon: &Rayon<R>, t: f64) -> Intersection<R> {
+        let plan = self.vers_f64();
+        Intersection::new(rayon, t, self.normale, self.texture, |p| {
+            let hauteur = plan.normale.produit_scalaire(p) + plan.distance;
+            (hauteur.abs(), plan.normale.produit_des_grandeurs(p))
+        })
+    }
+
+    #[inline(always)]
+    fn vers_f64(&self) -> PlanRay<f64> {
+        let PlanRay { normale, distance, texture } = *self;
+        PlanRay { normale: normale.vers_f64(), distance: distance.vers_f64(), texture }
+    }
+}
+
+impl<R: Reel> Forme<R> for PlanRay<R> {
+    #[inline(always)]
+    fn boule(&self) -> (Vecteur<R>, R) {
+        (Vecteur::NUL, R::INFINI)
+    }
+
     /// Whether the ray enters the half-space: S outside, N·D < 0. No threshold: a ray that
     /// descends at all arrives.
     #[inline(always)]
-    pub(crate) fn possible(&self, s: Vecteur<R>, d: Vecteur<R>) -> bool {
+    fn possible(&self, s: Vecteur<R>, d: Vecteur<R>) -> bool {
         let (hauteur, descente) = self.hauteur_et_descente(s, d);
         (descente > R::ZERO) & (hauteur > R::ZERO)
     }
 
-    /// t = (−d − N·S)/(N·D), the distance of the entry of a ray for which one is
-    /// [`possible`](Self::possible).
+    /// t = (−d − N·S)/(N·D).
     #[inline(always)]
-    pub(crate) fn t(&self, s: Vecteur<R>, d: Vecteur<R>) -> R {
+    fn t(&self, s: Vecteur<R>, d: Vecteur<R>) -> R {
         let (hauteur, descente) = self.hauteur_et_descente(s, d);
         hauteur / descente
     }
 
-    /// A descent below which N·D has lost half of its digits.
-    const RASANT: f64 = 1.0 / 67_108_864.0; // 2^-26
-
-    /// The hit that the search found at distance `t`, computed in `f64`.
-    pub(crate) fn conclure(&self, rayon: &Rayon<R>, t: R) -> Intersection<R> {
-        let PlanRay { normale, distance, texture } = *self;
-        let plan = PlanRay { normale: normale.vers_f64(), distance: distance.vers_f64(), texture };
+    /// Unless the ray descends by no more than [`RASANT`](Self::RASANT).
+    #[inline(always)]
+    fn conclure(&self, rayon: &Rayon<R>, t: R) -> (Intersection<R>, bool) {
         let (s, d) = (rayon.source().vers_f64(), rayon.direction().vers_f64());
-        let (hauteur, descente) = plan.hauteur_et_descente(s, d);
-        let t = if descente > Self::RASANT {
-            R::conclure(t, || hauteur / descente)
-        } else {
-            // Of N·D the digits decide that remain after the cancellation.
-            let precise = hauteur / -plan.normale.produit_scalaire_compense(d);
-            let de_ce_type = |t: &f64| *t > 0.0 && R::depuis_f64(*t) < R::INFINI;
-            Some(precise).filter(de_ce_type).unwrap_or(t.vers_f64())
-        };
-        Intersection::new(rayon, t, normale, texture, |p| {
-            let hauteur = plan.normale.produit_scalaire(p) + plan.distance;
-            (hauteur.abs(), plan.normale.produit_des_grandeurs(p))
-        })
+        let (hauteur, descente) = self.vers_f64().hauteur_et_descente(s, d);
+        let t = R::conclure(t, || hauteur / descente);
+        (self.toucher(rayon, t), descente > Self::RASANT)
+    }
+
+    /// Of N·D the digits decide that remain after the cancellation.
+    #[cold]
+    fn reprendre(&self, rayon: &Rayon<R>, t: R) -> Intersection<R> {
+        let (plan, d) = (self.vers_f64(), rayon.direction().vers_f64());
+        let (hauteur, _) = plan.hauteur_et_descente(rayon.source().vers_f64(), d);
+        let precise = hauteur / -plan.normale.produit_scalaire_compense(d);
+        let de_ce_type = precise > 0.0 && R::depuis_f64(precise) < R::INFINI;
+        self.toucher(rayon, if de_ce_type { precise } else { t.vers_f64() })
     }
 }
 

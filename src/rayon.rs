@@ -1,6 +1,7 @@
 //! Rays of light (handout §4.1 and annex A).
 
 use crate::erreur::{exiger, fini, point, refus};
+use crate::reel::u;
 use crate::{ErreurGeo, Intersection, Reel, Vecteur};
 
 /// A ray: the points R(t) = S + t·D, t ≥ 0, from the source S along the unit vector D
@@ -22,8 +23,8 @@ use crate::{ErreurGeo, Intersection, Reel, Vecteur};
 #[cfg_attr(feature = "serde", serde(bound(deserialize = "R: Reel + serde::Deserialize<'de>")))]
 #[must_use]
 pub struct Rayon<R = f64> {
-    source: Vecteur<R>,
-    direction: Vecteur<R>,
+    pub(crate) source: Vecteur<R>,
+    pub(crate) direction: Vecteur<R>,
 }
 
 impl<R: Reel> Rayon<R> {
@@ -37,8 +38,7 @@ impl<R: Reel> Rayon<R> {
         let source = point(["source.x", "source.y", "source.z"], source)?;
         let direction = fini(["direction.x", "direction.y", "direction.z"], direction)?;
         // An ordinary normalisation leaves |D·D − 1| ≤ 6u; twice that is still a unit vector.
-        let douze_u = R::depuis_f64(12.0) * R::U;
-        if (direction.longueur_carree() - R::UN).abs() <= douze_u {
+        if (direction.longueur_carree() - R::UN).abs() <= u(12.0) {
             return Ok(Self { source, direction });
         }
         match direction.unitaire() {
@@ -105,26 +105,21 @@ impl<R: Reel> Rayon<R> {
         direction: Vecteur<R>,
     ) -> Result<Self, ErreurGeo> {
         let Intersection { distance, normale: n, .. } = *touche;
-        let reel = |x: f64| R::depuis_f64(x);
         let attendu = "a finite number above 0";
         exiger(distance > R::ZERO && distance < R::INFINI, "touche.distance", distance, attendu)?;
         let longueur = n.longueur();
-        let unitaire = (longueur - R::UN).abs() <= reel(16.0) * R::U;
+        let unitaire = (longueur - R::UN).abs() <= u(16.0);
         exiger(unitaire, "|touche.normale|", longueur, "1, to rounding")?;
 
         let direction = Self::new(self.source, direction)?.direction;
         let cosinus = direction.produit_scalaire(n);
-        let direction = if cosinus.abs() <= reel(4.0) * R::U {
-            direction + n * (reel(8.0) * R::U)
-        } else {
-            direction
-        };
+        let direction = if cosinus.abs() <= u(4.0) { direction + n * u(8.0) } else { direction };
         let p = self.point(distance);
         // The bound of the hit, with room for N not being exactly unit, and the rounding of the
         // moved point.
-        let pas = touche.marge() * (R::UN + reel(16.0) * R::U);
-        let pas = pas + n.produit_des_grandeurs(p) * (reel(2.0) * R::U);
-        let pas = if cosinus < reel(-4.0) * R::U { -pas } else { pas };
+        let pas = touche.marge() * (R::UN + u(16.0));
+        let pas = pas + n.produit_des_grandeurs(p) * u(2.0);
+        let pas = if cosinus < u(-4.0) { -pas } else { pas };
         Self::new(p + n * pas, direction)
     }
 }

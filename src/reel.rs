@@ -75,6 +75,12 @@ pub trait Reel:
     fn depuis_f64(x: f64) -> Self;
 }
 
+/// So many times u.
+#[inline(always)]
+pub(crate) fn u<R: Reel>(n: f64) -> R {
+    R::depuis_f64(n) * R::U
+}
+
 impl Scelle for f32 {
     const ECHELLE: Self = (1_u128 << 100) as Self;
     const PRUDENCE: Self = 1.0 - 64.0 * Self::U;
@@ -86,7 +92,7 @@ impl Scelle for f32 {
     #[inline(always)]
     fn conclure(trouve: Self, precise: impl FnOnce() -> f64) -> f64 {
         let t = precise();
-        if t > 0.0 && t <= f64::from(Self::MAX) { t } else { f64::from(trouve) }
+        if (t > 0.0) & (t <= f64::from(Self::MAX)) { t } else { f64::from(trouve) }
     }
 }
 

@@ -2,6 +2,7 @@
 
 use crate::boule::approche;
 use crate::erreur::{coefficient, deplacement, point, taille};
+use crate::objet::Forme;
 use crate::{ErreurGeo, Intersection, Rayon, Reel, Rotation, Texture, Vecteur};
 
 /// A sphere as one describes it: its centre and its radius (handout §2.2).
@@ -111,12 +112,6 @@ impl<R: Reel> SphereRay<R> {
         self.texture
     }
 
-    /// Whether the ray comes near the sphere.
-    #[inline(always)]
-    pub(crate) fn possible(&self, s: Vecteur<R>, d: Vecteur<R>) -> bool {
-        approche(self.centre, self.rayon * self.rayon, s, d)
-    }
-
     /// The lengths of annex A.2 for the ray (S, D): SA = SC·D, with A the point of the ray
     /// nearest to C; the power of S, SC² − r², above 0 outside; and AB² = r² − AC².
     ///
@@ -146,9 +141,58 @@ impl<R: Reel> SphereRay<R> {
         haut / bas
     }
 
-    /// The distance of the entry, +∞ if the ray has none: S outside, C ahead and AC < r.
+    /// In `f64`, the distance SB and the vector from C to the point of the hit.
     #[inline(always)]
-    pub(crate) fn t(&self, s: Vecteur<R>, d: Vecteur<R>) -> R {
+    fn sb_et_cb(&self, rayon: &Rayon<R>, t: R) -> (f64, Vecteur<f64>) {
+        let (s, d, sphere) =
+            (rayon.source().vers_f64(), rayon.direction().vers_f64(), self.vers_f64());
+        let sb = R::conclure(t, || SphereRay::sb(d, sphere.longueurs(s, d)));
+        // CB relative to the source: S + tD − C would lose what S and C have in common.
+        (sb, (s - sphere.centre) + d * sb)
+    }
+
+    #[inline(always)]
+    fn toucher(&self, rayon: &Rayon<R>, t: f64, normale: Vecteur<R>) -> Intersection<R> {
+        let sphere = self.vers_f64();
+        Intersection::new(rayon, t, normale, self.texture, |p| {
+            let (n, cp, r) = (normale.vers_f64(), p - sphere.centre, sphere.rayon);
+            let r2 = r * r;
+            // (CP − r)(CP + r), and CP + r ≥ r/0.59 unless the hit fails the test below.
+            let puissance = (cp.longueur_carree() - r2).abs();
+            // Where rounding tilts N away from CP, above all for a small far sphere, the height
+            // along N differs from CP − r by half of travers²/r, a ray along the tangent plane
+            // of N dips below the sphere by as much, and a point rounded sideways climbs by its
+            // rounding × travers/r, at most half of the sum of their squares over r.
+            let travers2 = (cp - n * n.produit_scalaire(cp)).longueur_carree();
+            let arrondi = 4.0 * R::U.vers_f64() * (p.x.abs() + p.y.abs() + p.z.abs());
+            // The sphere is no larger than the rounding of its distance or of its place.
+            let perdue = (puissance > 0.5 * r2) | (travers2 > 0.0625 * r2) | (4.0 * arrondi > r);
+            let hauteur = (0.6 * puissance + 2.0 * travers2 + 0.5 * arrondi * arrondi) * (1.0 / r);
+            (if perdue { f64::INFINITY } else { hauteur }, 2.0 * r)
+        })
+    }
+
+    #[inline(always)]
+    fn vers_f64(&self) -> SphereRay<f64> {
+        let SphereRay { centre, rayon, texture } = *self;
+        SphereRay { centre: centre.vers_f64(), rayon: rayon.vers_f64(), texture }
+    }
+}
+
+impl<R: Reel> Forme<R> for SphereRay<R> {
+    #[inline(always)]
+    fn boule(&self) -> (Vecteur<R>, R) {
+        (self.centre, self.rayon * self.rayon)
+    }
+
+    #[inline(always)]
+    fn possible(&self, s: Vecteur<R>, d: Vecteur<R>) -> bool {
+        approche(self.centre, self.rayon * self.rayon, s, d)
+    }
+
+    /// An entry has S outside, C ahead and AC < r.
+    #[inline(always)]
+    fn t(&self, s: Vecteur<R>, d: Vecteur<R>) -> R {
         let longueurs = self.longueurs(s, d);
         let (sa, puissance, ab2) = longueurs;
         if (ab2 > R::ZERO) & (sa > R::ZERO) & (puissance > R::ZERO) {
@@ -158,37 +202,21 @@ impl<R: Reel> SphereRay<R> {
         }
     }
 
-    /// The hit that the search found at distance `t`, computed in `f64`.
-    pub(crate) fn conclure(&self, rayon: &Rayon<R>, t: R) -> Intersection<R> {
-        let (s, d) = (rayon.source().vers_f64(), rayon.direction().vers_f64());
-        let SphereRay { centre, rayon: r, texture } = *self;
-        let sphere = SphereRay { centre: centre.vers_f64(), rayon: r.vers_f64(), texture };
-        let t = R::conclure(t, || SphereRay::sb(d, sphere.longueurs(s, d)));
-        // CB relative to the source: S + tD − C would lose what S and C have in common.
-        let cb = (s - sphere.centre) + d * t;
-        let longueur = Reel::sqrt(cb.longueur_carree());
-        let normale = Vecteur::depuis_f64(cb / longueur);
+    /// Unless the normal comes out turned away from the source.
+    #[inline(always)]
+    fn conclure(&self, rayon: &Rayon<R>, t: R) -> (Intersection<R>, bool) {
+        let (t, cb) = self.sb_et_cb(rayon, t);
+        let normale = Vecteur::depuis_f64(cb / Reel::sqrt(cb.longueur_carree()));
         // False for a NaN as well, where CB is all rounding.
         let de_face = normale.produit_scalaire(rayon.direction()) < R::ZERO;
-        let normale = if de_face { normale } else { vers_la_source(cb, rayon) };
-        Intersection::new(rayon, t, normale, texture, |p| {
-            let (n, cp, r) = (normale.vers_f64(), p - sphere.centre, sphere.rayon);
-            let r2 = r * r;
-            // (CP − r)(CP + r), and CP + r ≥ 1.5 r unless the hit is past the test below.
-            let puissance = (cp.longueur_carree() - r2).abs();
-            // Where rounding tilts N away from CP, above all for a small far sphere, the height
-            // along N differs from CP − r by half of travers²/r, a ray along the tangent plane
-            // of N dips below the sphere by as much, and a point rounded sideways climbs by its
-            // rounding × travers/r, at most half of the sum of their squares over r.
-            let travers2 = (cp - n * n.produit_scalaire(cp)).longueur_carree();
-            let arrondi = 4.0 * R::U.vers_f64() * (p.x.abs() + p.y.abs() + p.z.abs());
-            if puissance > 0.5 * r2 || travers2 > 0.0625 * r2 || 4.0 * arrondi > r {
-                // The sphere is no larger than the rounding of its distance or of its place.
-                return (f64::INFINITY, r);
-            }
-            let hauteur = (puissance / 1.5 + 2.0 * travers2 + 0.5 * arrondi * arrondi) / r;
-            (hauteur, 2.0 * r)
-        })
+        (self.toucher(rayon, t, normale), de_face)
+    }
+
+    /// With the nearest normal that faces the source.
+    #[cold]
+    fn reprendre(&self, rayon: &Rayon<R>, t: R) -> Intersection<R> {
+        let (t, cb) = self.sb_et_cb(rayon, t);
+        self.toucher(rayon, t, vers_la_source(cb, rayon))
     }
 }
 

@@ -4,14 +4,14 @@
 
 use lancer_rayon::{ObjetRay, Rayon, Reel, Texture, Vecteur};
 
-pub(crate) struct Objet<R>(Forme<R>, Texture);
-enum Forme<R> {
+pub(crate) struct Objet<R>(pub(crate) Forme<R>, pub(crate) Texture);
+pub(crate) enum Forme<R> {
     Sphere(Vecteur<R>, R),
     Plan(Vecteur<R>, R),
     Boite([Couple<R>; 3]),
 }
 /// N, (Cf, df), (Co, do), l.
-type Couple<R> = (Vecteur<R>, (Vecteur<R>, R), (Vecteur<R>, R), R);
+pub(crate) type Couple<R> = (Vecteur<R>, (Vecteur<R>, R), (Vecteur<R>, R), R);
 
 impl<R: Reel> From<&ObjetRay<R>> for Objet<R> {
     fn from(objet: &ObjetRay<R>) -> Self {
@@ -49,14 +49,14 @@ pub(crate) fn premiere_intersection<R: Reel>(
 }
 
 /// A.1.
-fn plan<R: Reel>(p: Vecteur<R>, d: R, rayon: &Rayon<R>) -> Option<R> {
+pub(crate) fn plan<R: Reel>(p: Vecteur<R>, d: R, rayon: &Rayon<R>) -> Option<R> {
     let pd = p.produit_scalaire(rayon.direction());
     let t = || (-d - p.produit_scalaire(rayon.source())) / pd;
     (pd < R::ZERO).then(t).filter(|t| *t > R::ZERO)
 }
 
 /// A.2.
-fn sphere<R: Reel>(c: Vecteur<R>, r: R, rayon: &Rayon<R>) -> Option<(R, Vecteur<R>)> {
+pub(crate) fn sphere<R: Reel>(c: Vecteur<R>, r: R, rayon: &Rayon<R>) -> Option<(R, Vecteur<R>)> {
     let sc = c - rayon.source();
     let sa = sc.produit_scalaire(rayon.direction());
     let ac2 = sc.longueur_carree() - sa * sa;
@@ -67,7 +67,10 @@ fn sphere<R: Reel>(c: Vecteur<R>, r: R, rayon: &Rayon<R>) -> Option<(R, Vecteur<
 }
 
 /// A.3.
-fn boite<R: Reel>(couples: &[Couple<R>; 3], rayon: &Rayon<R>) -> Option<(R, Vecteur<R>)> {
+pub(crate) fn boite<R: Reel>(
+    couples: &[Couple<R>; 3],
+    rayon: &Rayon<R>,
+) -> Option<(R, Vecteur<R>)> {
     [[0, 1, 2], [1, 2, 0], [2, 0, 1]].into_iter().find_map(|[i, j, k]| {
         let (n, face, opposee, _) = &couples[i];
         let opposee_en_vue = n.produit_scalaire(rayon.direction()) > R::ZERO;

@@ -7,6 +7,7 @@ pub(crate) mod conversion;
 pub(crate) mod mesure;
 pub(crate) mod oracle;
 pub(crate) mod regimes;
+pub(crate) mod scenes;
 pub(crate) mod strategies;
 pub(crate) mod tolerances;
 

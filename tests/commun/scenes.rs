@@ -45,6 +45,18 @@ pub(crate) fn rayons_camera<R: Reel>(largeur: usize, hauteur: usize) -> Vec<Rayo
     pixels.map(rayon).collect()
 }
 
+/// The rows of a picture so wide, in tiles of 8 × 8.
+pub(crate) fn en_tuiles<T: Copy>(rangees: &[T], largeur: usize) -> Vec<T> {
+    let bandes = rangees.chunks(8 * largeur);
+    let tuiles = bandes.flat_map(|bande| {
+        (0..largeur).step_by(8).flat_map(move |debut| {
+            let fin = largeur.min(debut + 8);
+            bande.chunks(largeur).flat_map(move |rangee| &rangee[debut..fin])
+        })
+    });
+    tuiles.copied().collect()
+}
+
 fn sol<R: Reel>(texture: Texture) -> Result<ObjetGeo<R>, ErreurGeo> {
     let couche = Rotation::new(arrondi(Vecteur::new(FRAC_PI_2, 0.0, 0.0)))?;
     Ok(PlanGeo::new(couche, R::UN, texture)?.into())

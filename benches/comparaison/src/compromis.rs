@@ -2,17 +2,19 @@
 
 use std::error::Error;
 
-use lancer_rayon::{ObjetGeo, ObjetRay, Rayon};
+use fastrand::Rng;
+use lancer_rayon::{ObjetGeo, ObjetRay, Rayon, premieres_intersections};
 use plotters::prelude::*;
 use serde::de::DeserializeOwned;
 
 use crate::commun::mesure::{mesurer, quantiles};
 use crate::commun::oracle::verite;
 use crate::commun::regimes::regimes;
+use crate::concours::{Concours, Concurrent};
 use crate::exactitude::{self, COULEURS, variantes};
+use crate::lot::{exiger, une_par_une};
 use crate::page;
 use crate::scene::Scene;
-use crate::vitesse::Concours;
 use crate::{Parry, Touche};
 
 type Mesures<R> = ((exactitude::Variante<R>, f64), Vec<Option<Touche<R>>>);
@@ -20,9 +22,11 @@ type Mesures<R> = ((exactitude::Variante<R>, f64), Vec<Option<Touche<R>>>);
 /// One ray in so many is judged by the oracle.
 const PAS: usize = 7;
 
-/// Cases of each regime of the extremes.
+/// Cases of each regime of the extremes, and what they are drawn from.
 const CAS: u32 = 20_000;
+const GRAINE: u64 = 1;
 
+#[derive(Clone)]
 struct Variante {
     nom: String,
     ns: f64,
@@ -57,7 +61,10 @@ fn mesures<R: Parry + DeserializeOwned>(scalaire: &str) -> Result<Vec<Variante>,
     let scene: Scene<R> = Scene::lire(&page::chemin("docs/scenes/atelier.ron"))?;
     let objets = scene.objets.iter().copied().map(ObjetGeo::vers_ray).collect();
     let concours = Concours::<R>::new(objets, scene.camera.rayons()?);
-    let (temps, reponses) = (concours.temps(), concours.reponses(PAS));
+    concours.verifier(&Concurrent::TOUS)?;
+    let temps = concours.temps(&Concurrent::TOUS);
+    let juges_de = [Concurrent::Rayons, Concurrent::AnnexeEnum, Concurrent::ParryListe];
+    let reponses = juges_de.map(|qui| concours.reponses(qui, PAS));
     let juges = concours.rayons.iter().step_by(PAS);
     let verites: Vec<_> = juges.map(|rayon| premiere(&concours.objets, rayon)).collect();
 
@@ -75,7 +82,7 @@ fn mesures<R: Parry + DeserializeOwned>(scalaire: &str) -> Result<Vec<Variante>,
             }
         }
         let fausses: u32 =
-            regimes::<R>().iter().map(|r| mesurer(r, CAS, 1, repondre).fausses).sum();
+            regimes::<R>().iter().map(|r| mesurer(r, CAS, GRAINE, repondre).fausses).sum();
         let cas = f64::from(CAS) * regimes::<R>().len() as f64;
         Variante {
             nom: format!("{nom} {scalaire}"),
@@ -85,7 +92,28 @@ fn mesures<R: Parry + DeserializeOwned>(scalaire: &str) -> Result<Vec<Variante>,
             fausses: 1e6 * f64::from(fausses) / cas,
         }
     };
-    Ok(noms.into_iter().zip(temps).zip(reponses).map(variante).collect())
+    let ns = [temps.de(Concurrent::Rayons), temps.annexe(), temps.parry()];
+    let mut variantes: Vec<_> = noms.into_iter().zip(ns).zip(reponses).map(variante).collect();
+    exiger_exact_aux_extremes::<R>()?;
+    let ns = temps.de(Concurrent::Lot);
+    let lot = Variante { nom: format!("batch {scalaire}"), ns, ..variantes[0].clone() };
+    variantes.push(lot);
+    Ok(variantes)
+}
+
+/// The batch errs where the rays one by one do, and nowhere else.
+fn exiger_exact_aux_extremes<R: Parry>() -> Result<(), Box<dyn Error>> {
+    for regime in regimes::<R>() {
+        let mut alea = Rng::with_seed(GRAINE);
+        for _ in 0..CAS {
+            let cas = (regime.cas)(&mut alea);
+            let (objets, rayons) = ([cas.objet], [cas.rayon]);
+            exiger(&une_par_une(&objets, &rayons), &rayons, |rayons, touches| {
+                premieres_intersections(&objets, rayons, touches)
+            })?;
+        }
+    }
+    Ok(())
 }
 
 /// The true first object, by its texture, and its distance; the earlier of two at the same.
@@ -122,10 +150,8 @@ fn graphique(variantes: &[Variante]) -> Result<(), Box<dyn Error>> {
         .y_label_formatter(&|y| format!("{y:.0e}"))
         .draw()?;
     for (i, v) in variantes.iter().enumerate() {
-        let (point, couleur) = ((v.ns, v.erreurs[1]), COULEURS[i % 3]);
-        // Annex A and parry stand close to each other: one label above, one below.
-        let (x, y) = (9, if i % 3 == 2 { 4 } else { -18 });
-        let nom = Text::new(v.nom.clone(), (x, y), ("sans-serif", 15).into_font());
+        let (point, couleur) = ((v.ns, v.erreurs[1]), COULEURS[i % COULEURS.len()]);
+        let nom = Text::new(v.nom.clone(), (9, -18), ("sans-serif", 15).into_font());
         let element = EmptyElement::at(point) + Circle::new((0, 0), 6, couleur.filled()) + nom;
         graphe.draw_series([element])?;
     }

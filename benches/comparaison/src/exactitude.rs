@@ -31,7 +31,7 @@ pub(crate) fn variantes<R: Parry>() -> [Variante<R>; 3] {
             touche.map(|(t, n, _)| (t, n))
         }),
         ("parry", |objet, rayon| {
-            let touche = R::premiere_intersection(&[R::objet(objet)], &R::rayon(rayon));
+            let touche = R::dans_la_liste(&[R::objet(objet)], &R::rayon(rayon));
             touche.map(|(t, n, _)| (t, n))
         }),
     ]
@@ -189,6 +189,6 @@ fn courbes() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Ours, annex A, parry: told apart by lightness as well.
-pub(crate) const COULEURS: [RGBColor; 3] =
-    [RGBColor(0, 90, 181), RGBColor(220, 50, 32), RGBColor(225, 170, 30)];
+/// Ours, annex A, parry, our batch: told apart by lightness as well.
+pub(crate) const COULEURS: [RGBColor; 4] =
+    [RGBColor(0, 90, 181), RGBColor(220, 50, 32), RGBColor(225, 170, 30), RGBColor(20, 20, 20)];

@@ -5,9 +5,13 @@
 //! well, and writes the tables and plots of `docs/precision.md`, `docs/compromis.md`,
 //! `docs/performance.md` and the README.
 
+mod annexe_dyn;
 mod compromis;
+mod concours;
 mod exactitude;
+mod lot;
 mod page;
+mod rayons;
 mod vitesse;
 
 use std::error::Error;
@@ -33,14 +37,14 @@ mod scene;
 #[path = "."]
 mod simple {
     pub(crate) use parry3d as parry;
-    mod boucle_parry;
+    mod avec_parry;
 }
 
 #[path = "."]
 mod double {
     pub(crate) use parry3d_f64 as parry;
-    #[expect(clippy::duplicate_mod, reason = "one loop, two crates with the same names in them")]
-    mod boucle_parry;
+    #[expect(clippy::duplicate_mod, reason = "one page, two crates with the same names in them")]
+    mod avec_parry;
 }
 
 /// Distance, normal, texture. In these scenes the texture is the number of the object.
@@ -49,10 +53,13 @@ type Touche<R> = (R, Vecteur<R>, Texture);
 /// The scalar that one of parry's two crates is made for.
 trait Parry: Reel {
     type Objet;
+    type Arbre;
     type Rayon;
     fn objet(objet: &ObjetRay<Self>) -> Self::Objet;
+    fn arbre(objets: &[ObjetRay<Self>]) -> Self::Arbre;
     fn rayon(rayon: &Rayon<Self>) -> Self::Rayon;
-    fn premiere_intersection(objets: &[Self::Objet], rayon: &Self::Rayon) -> Option<Touche<Self>>;
+    fn dans_la_liste(objets: &[Self::Objet], rayon: &Self::Rayon) -> Option<Touche<Self>>;
+    fn dans_l_arbre(arbre: &Self::Arbre, rayon: &Self::Rayon) -> Option<Touche<Self>>;
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -61,11 +68,21 @@ fn main() -> Result<(), Box<dyn Error>> {
         Some("documents") => true,
         Some(_) => return Err("usage: comparaison [documents]".into()),
     };
-    let vitesses = vitesse::table().ok_or("the answers differ by more than rounding explains")?;
-    println!("\nns per ray\n\n{vitesses}");
+    let courses = vitesse::courses()?;
+    let complete = vitesse::table_complete(&courses);
+    let ordres = lot::ordres()?;
+    let jeux = lot::jeux_d_instructions()?;
+    let fils = lot::fils()?;
+    let tables = [("times", complete), ("orders", ordres), ("sets", jeux), ("threads", fils)];
+    for (nom, table) in &tables {
+        println!("\n{nom}, ns per ray\n\n{table}");
+    }
     if ecrire {
-        page::remplacer("docs/performance.md", "times", &page::datee(&vitesses))?;
-        page::remplacer("README.md", "times", &vitesses)?;
+        for (nom, table) in &tables {
+            page::remplacer("docs/performance.md", nom, &page::datee(table))?;
+        }
+        page::remplacer("README.md", "times", &vitesse::table_courte(&courses))?;
+        vitesse::graphique(&courses)?;
         exactitude::documenter()?;
         compromis::documenter()?;
     }

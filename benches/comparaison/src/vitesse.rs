@@ -1,156 +1,150 @@
-//! How long each takes for the 240,000 rays of a picture: in turns and by the median, since on a
-//! shared machine only ratios within a run last. What they answer is compared first.
+//! How long each takes for the 240,000 rays of a picture, in tiles.
 
-use std::fmt;
-use std::hint::black_box;
-use std::time::Instant;
+use std::error::Error;
 
-use lancer_rayon::{ObjetRay, Rayon, Reel, premiere_intersection};
+use plotters::prelude::*;
 
-use crate::commun::{litteral, scenes};
-use crate::{Parry, Touche};
+use crate::Parry;
+use crate::commun::scenes::melange;
+use crate::concours::{Concours, Concurrent, Temps};
+use crate::exactitude::COULEURS;
+use crate::page;
+use crate::rayons::en_tuiles;
 
-const TAILLES: [usize; 5] = [3, 12, 48, 192, 1000];
-const TOURS: usize = 5;
+const TAILLES: [usize; 6] = [3, 12, 48, 192, 1000, 10_000];
 
-/// The table; `None` if the three do not agree but for rounding.
-pub(crate) fn table() -> Option<String> {
-    let mut table = vec![
-        "| scalar | N | lancer-rayon | annex A | parry | annex A / ours | parry / ours |".into(),
-        "|---|--:|--:|--:|--:|--:|--:|".into(),
-    ];
-    let mut accord = true;
+/// From here on a loop that looks closely at every object would run for minutes.
+const TROP: usize = 10_000;
+
+/// The times of one scene.
+pub(crate) struct Course {
+    scalaire: &'static str,
+    n: usize,
+    temps: Temps,
+}
+
+pub(crate) fn courses() -> Result<Vec<Course>, Box<dyn Error>> {
+    let mut courses = Vec::new();
     for n in TAILLES {
-        accord &= comparer::<f32>(n, &mut table);
-        accord &= comparer::<f64>(n, &mut table);
+        courses.push(course::<f32>(n)?);
+        courses.push(course::<f64>(n)?);
     }
-    accord.then(|| table.join("\n"))
+    Ok(courses)
 }
 
-/// One scene and its rays, as each of the three wants them. Always in the order ours, annex A,
-/// parry.
-pub(crate) struct Concours<R: Parry> {
-    pub(crate) objets: Vec<ObjetRay<R>>,
-    pub(crate) rayons: Vec<Rayon<R>>,
-    litteraux: Vec<litteral::Objet<R>>,
-    objets_parry: Vec<R::Objet>,
-    rayons_parry: Vec<R::Rayon>,
+fn course<R: Parry>(n: usize) -> Result<Course, Box<dyn Error>> {
+    let concours = Concours::<R>::new(melange(n), en_tuiles());
+    let grandes = [Concurrent::Lot, Concurrent::Rayons, Concurrent::ParryArbre];
+    let concurrents = if n < TROP { &Concurrent::TOUS[..] } else { &grandes };
+    concours.verifier(concurrents)?;
+    let temps = concours.temps(concurrents);
+    Ok(Course { scalaire: std::any::type_name::<R>(), n, temps })
 }
 
-impl<R: Parry> Concours<R> {
-    pub(crate) fn new(objets: Vec<ObjetRay<R>>, rayons: Vec<Rayon<R>>) -> Self {
-        Self {
-            litteraux: objets.iter().map(litteral::Objet::from).collect(),
-            objets_parry: objets.iter().map(R::objet).collect(),
-            rayons_parry: rayons.iter().map(R::rayon).collect(),
-            objets,
-            rayons,
-        }
-    }
-
-    fn ici(&self, rayon: &Rayon<R>) -> Option<Touche<R>> {
-        let touche = premiere_intersection(&self.objets, rayon).ok()?;
-        Some((touche.distance, touche.normale, touche.texture))
-    }
-
-    fn litteral(&self, rayon: &Rayon<R>) -> Option<Touche<R>> {
-        litteral::premiere_intersection(&self.litteraux, rayon)
-    }
-
-    fn parry(&self, rayon: &R::Rayon) -> Option<Touche<R>> {
-        R::premiere_intersection(&self.objets_parry, rayon)
-    }
-
-    /// What each answers to every ray of so many.
-    pub(crate) fn reponses(&self, pas: usize) -> [Vec<Option<Touche<R>>>; 3] {
-        let rayons = || self.rayons.iter().step_by(pas);
-        [
-            rayons().map(|rayon| self.ici(rayon)).collect(),
-            rayons().map(|rayon| self.litteral(rayon)).collect(),
-            self.rayons_parry.iter().step_by(pas).map(|rayon| self.parry(rayon)).collect(),
-        ]
-    }
-
-    /// Nanoseconds per ray, in turns and by the median.
-    pub(crate) fn temps(&self) -> [f64; 3] {
-        let mut temps = [(); 3].map(|()| Vec::new());
-        for _ in 0..TOURS {
-            temps[0].push(chronometrer(&self.rayons, |rayon| self.ici(rayon)));
-            temps[1].push(chronometrer(&self.rayons, |rayon| self.litteral(rayon)));
-            temps[2].push(chronometrer(&self.rayons_parry, |rayon| self.parry(rayon)));
-        }
-        temps.map(mediane)
-    }
+pub(crate) fn table_complete(courses: &[Course]) -> String {
+    let mut table = vec![
+        "| scalar | N | batch | ray by ray | parry, loop | parry, Bvh | annex A, enum \
+         | annex A, dyn | parry / batch | annex A / batch |"
+            .to_owned(),
+        format!("|---|--:|{}", "--:|".repeat(8)),
+    ];
+    table.extend(courses.iter().map(|Course { scalaire, n, temps }| {
+        let [lot, rayons, annexe, dynamique, liste, arbre] =
+            Concurrent::TOUS.map(|qui| entier(temps.de(qui)));
+        let [parry, litteral] = rapports(temps);
+        format!(
+            "| {scalaire} | {n} | {lot} | {rayons} | {liste} | {arbre} | {annexe} | {dynamique} \
+             | {parry} | {litteral} |",
+        )
+    }));
+    table.join("\n")
 }
 
-/// Adds a row to the table; whether the three agree on the scene of `n` objects.
-fn comparer<R: Parry>(n: usize, table: &mut Vec<String>) -> bool {
-    let concours = Concours::<R>::new(scenes::melange(n), scenes::rayons_camera(600, 400));
-    let scalaire = std::any::type_name::<R>();
-    let [ici, litteral, parry] = concours.reponses(1);
-    let accord = [("annex A", litteral), ("parry", parry)].map(|(nom, autres)| {
-        let ecart = Ecart::entre(&ici, &autres);
-        println!("{scalaire}, N = {n}, {nom}: {ecart}");
-        ecart.explicable::<R>(concours.rayons.len())
-    });
-    let [ici, litteral, parry] = concours.temps();
-    table.push(format!(
-        "| {scalaire} | {n} | {ici:.0} | {litteral:.0} | {parry:.0} | {:.1} | {:.1} |",
-        litteral / ici,
-        parry / ici,
-    ));
-    accord == [true, true]
+pub(crate) fn table_courte(courses: &[Course]) -> String {
+    let mut table = vec![
+        "| scalar | N | batch | ray by ray | annex A | parry | annex A / batch | parry / batch |"
+            .to_owned(),
+        format!("|---|--:|{}", "--:|".repeat(6)),
+    ];
+    table.extend(courses.iter().map(|Course { scalaire, n, temps }| {
+        let ns = [
+            temps.de(Concurrent::Lot),
+            temps.de(Concurrent::Rayons),
+            temps.annexe(),
+            temps.parry(),
+        ];
+        let [parry, annexe] = rapports(temps);
+        format!("| {scalaire} | {n} | {} | {annexe} | {parry} |", ns.map(entier).join(" | "),)
+    }));
+    table.join("\n")
 }
 
-/// How the answers of another differ from ours to the same rays.
-struct Ecart {
-    touches: [usize; 2],
-    sommes_des_distances: [f64; 2],
-    autre_objet: usize,
+/// The better of parry's two and of annex A's two over the batch.
+fn rapports(temps: &Temps) -> [String; 2] {
+    let lot = temps.de(Concurrent::Lot);
+    [temps.parry(), temps.annexe()].map(|ns| {
+        let rapport = ns / lot;
+        if rapport.is_nan() { "–".into() } else { format!("{rapport:.1}") }
+    })
 }
 
-impl Ecart {
-    fn entre<R: Reel>(ici: &[Option<Touche<R>>], autre: &[Option<Touche<R>>]) -> Self {
-        let distance = |touche: &Touche<R>| touche.0.vers_f64();
-        let objet = |touche: &Option<Touche<R>>| touche.map(|(_, _, texture)| texture);
-        Self {
-            touches: [ici, autre].map(|liste| liste.iter().flatten().count()),
-            sommes_des_distances: [ici, autre].map(|l| l.iter().flatten().map(distance).sum()),
-            autre_objet: ici.iter().zip(autre).filter(|(a, b)| objet(a) != objet(b)).count(),
-        }
-    }
-
-    fn relatif(&self) -> f64 {
-        let [ici, autre] = self.sommes_des_distances;
-        (autre - ici).abs() / ici
-    }
-
-    /// Rounding moves an outline by thousands of u at most, which are what SC² − SA² costs annex A
-    /// and parry: the rays in between, and nothing else, may touch another object.
-    fn explicable<R: Reel>(&self, rayons: usize) -> bool {
-        let tolerance = 1e4 * R::U.vers_f64();
-        self.autre_objet as f64 <= tolerance * rayons as f64 && self.relatif() <= tolerance
-    }
+fn entier(ns: f64) -> String {
+    if ns.is_nan() { "–".into() } else { format!("{ns:.0}") }
 }
 
-impl fmt::Display for Ecart {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let ([ici, autre], relatif) = (self.touches, self.relatif());
-        write!(f, "{autre} hits for our {ici}, distances off by {relatif:.0e}, ")?;
-        write!(f, "another object for {} rays", self.autre_objet)
+pub(crate) fn graphique(courses: &[Course]) -> Result<(), Box<dyn Error>> {
+    type Ligne = (&'static str, &'static str, RGBColor, fn(&Temps) -> f64);
+    let [ici, litteral, parry, lot] = COULEURS;
+    let par_rayon: fn(&Temps) -> f64 = |temps| temps.de(Concurrent::Rayons);
+    let en_lot: fn(&Temps) -> f64 = |temps| temps.de(Concurrent::Lot);
+    // The f32 after the f64 of the same, as a thin line in its broad pale one: they often coincide.
+    let lignes: [Ligne; 7] = [
+        ("annex A", "f64", litteral, Temps::annexe),
+        ("parry", "f64", parry, Temps::parry),
+        ("parry", "f32", parry, Temps::parry),
+        ("ray by ray", "f64", ici, par_rayon),
+        ("ray by ray", "f32", ici, par_rayon),
+        ("batch", "f64", lot, en_lot),
+        ("batch", "f32", lot, en_lot),
+    ];
+    let chemin = page::chemin("docs/images/temps.svg");
+    let surface = SVGBackend::new(&chemin, (900, 520)).into_drawing_area();
+    surface.fill(&WHITE)?;
+    let mut graphe = ChartBuilder::on(&surface)
+        .margin(12)
+        .margin_right(24)
+        .x_label_area_size(42)
+        .y_label_area_size(70)
+        .build_cartesian_2d((2.5..12_000.0).log_scale(), (3.0..40_000.0).log_scale())?;
+    graphe
+        .configure_mesh()
+        .light_line_style(TRANSPARENT)
+        .x_desc("N, objects of the scene")
+        .y_desc("ns per ray")
+        .x_label_formatter(&|x| format!("{x:.0}"))
+        .y_label_formatter(&|y| format!("{y:.0}"))
+        .label_style(("sans-serif", 14))
+        .draw()?;
+    for (nom, scalaire, couleur, ns) in lignes {
+        let style = match scalaire {
+            "f32" => couleur.stroke_width(2),
+            _ => couleur.mix(0.4).stroke_width(6),
+        };
+        let de_ce_type = courses.iter().filter(|course| course.scalaire == scalaire);
+        let points = de_ce_type.map(|course| (course.n as f64, ns(&course.temps)));
+        let points: Vec<_> = points.filter(|(_, ns)| ns.is_finite()).collect();
+        graphe
+            .draw_series(LineSeries::new(points, style))?
+            .label(format!("{nom} {scalaire}"))
+            .legend(move |(x, y)| PathElement::new([(x, y), (x + 22, y)], style));
     }
-}
-
-/// Nanoseconds per ray.
-fn chronometrer<Q, T>(rayons: &[Q], premiere: impl Fn(&Q) -> T) -> f64 {
-    let debut = Instant::now();
-    for rayon in rayons {
-        black_box(premiere(rayon));
-    }
-    debut.elapsed().as_nanos() as f64 / rayons.len() as f64
-}
-
-fn mediane(mut temps: Vec<f64>) -> f64 {
-    temps.sort_by(f64::total_cmp);
-    temps[temps.len() / 2]
+    graphe
+        .configure_series_labels()
+        .position(SeriesLabelPosition::UpperLeft)
+        .label_font(("sans-serif", 14))
+        .background_style(WHITE.mix(0.85))
+        .border_style(BLACK.mix(0.3))
+        .draw()?;
+    surface.present()?;
+    Ok(())
 }

@@ -1,11 +1,13 @@
-//! The loop that someone with a list of objects writes in parry, at its best.
+//! What someone with a list of objects writes in parry, at its best: a loop, or its tree of boxes.
 //!
 //! `main.rs` compiles this page against `parry3d` and again against `parry3d-f64`, which have the
 //! same names in them; `Real` is `f32` in one and `f64` in the other.
 
 use lancer_rayon::{ObjetRay, Rayon, Texture, Vecteur};
 
+use super::parry::bounding_volume::Aabb;
 use super::parry::math::{Mat3, Pose, Real, Rotation, Vector};
+use super::parry::partitioning::{Bvh, BvhBuildStrategy, BvhNode};
 use super::parry::query::{Ray, RayCast};
 use super::parry::shape::{Ball, Cuboid, HalfSpace};
 use crate::{Parry, Touche};
@@ -20,13 +22,30 @@ enum Forme {
     Boite(Cuboid, Pose),
 }
 
+/// A half-space has no finite box: those stay in a list.
+pub(crate) struct Arbre {
+    plans: Vec<Objet>,
+    solides: Vec<Objet>,
+    boites: Bvh,
+}
+
 impl Objet {
-    fn t(&self, rayon: &Ray, t_max: Real) -> Option<Real> {
+    fn boite(&self) -> Option<Aabb> {
         match &self.0 {
+            Forme::Sphere(f, ou) => Some(f.aabb(&Pose::from_translation(*ou))),
+            Forme::Plan(..) => None,
+            Forme::Boite(f, pose) => Some(f.aabb(pose)),
+        }
+    }
+
+    /// An entry: a solid answers 0 to a source inside it.
+    fn t(&self, rayon: &Ray, t_max: Real) -> Option<Real> {
+        let t = match &self.0 {
             Forme::Sphere(f, ou) => f.cast_local_ray(&rayon.translate_by(-*ou), t_max, true),
             Forme::Plan(f, ou) => f.cast_local_ray(&rayon.translate_by(-*ou), t_max, true),
             Forme::Boite(f, pose) => f.cast_ray(pose, rayon, t_max, true),
-        }
+        };
+        t.filter(|t| *t > 0.0)
     }
 
     fn normale(&self, rayon: &Ray) -> Option<Vecteur<Real>> {
@@ -46,6 +65,7 @@ impl Objet {
 
 impl Parry for Real {
     type Objet = Objet;
+    type Arbre = Arbre;
     type Rayon = Ray;
 
     fn objet(objet: &ObjetRay<Self>) -> Objet {
@@ -71,19 +91,49 @@ impl Parry for Real {
         Ray::new(vector(rayon.source()), vector(rayon.direction()))
     }
 
-    /// The nearest by distance, then its normal alone; a solid answers 0 to a source inside it.
-    fn premiere_intersection(objets: &[Objet], rayon: &Ray) -> Option<Touche<Self>> {
-        let mut premier = None;
-        let mut t_premier = Self::INFINITY;
-        for objet in objets {
-            match objet.t(rayon, t_premier) {
-                Some(t) if t > 0.0 && t < t_premier => (premier, t_premier) = (Some(objet), t),
-                _ => {}
-            }
-        }
-        let objet = premier?;
-        Some((t_premier, objet.normale(rayon)?, objet.1))
+    fn arbre(objets: &[ObjetRay<Self>]) -> Arbre {
+        let objets = objets.iter().map(Self::objet);
+        let (solides, plans): (Vec<_>, Vec<_>) = objets.partition(|objet| objet.boite().is_some());
+        let boites: Vec<_> = solides.iter().filter_map(Objet::boite).collect();
+        Arbre { plans, boites: Bvh::from_leaves(BvhBuildStrategy::Binned, &boites), solides }
     }
+
+    fn dans_la_liste(objets: &[Objet], rayon: &Ray) -> Option<Touche<Self>> {
+        conclure(premier(objets, rayon)?, rayon)
+    }
+
+    /// `find_best` with the inverses of the direction: `Bvh::cast_ray` divides again at every
+    /// node in f64, and takes twice as long.
+    fn dans_l_arbre(arbre: &Arbre, rayon: &Ray) -> Option<Touche<Self>> {
+        let plan = premier(&arbre.plans, rayon);
+        let t_max = plan.map_or(Self::INFINITY, |(_, t)| t);
+        let inverses = rayon.dir.recip();
+        let boite = |boite: &BvhNode, _| {
+            let a = (boite.mins() - rayon.origin) * inverses;
+            let b = (boite.maxs() - rayon.origin) * inverses;
+            let (entree, sortie) = (a.min(b).max_element(), a.max(b).min_element());
+            if entree.max(0.0) <= sortie { entree } else { Self::MAX }
+        };
+        let solide = |i| &arbre.solides[i as usize];
+        let dans = arbre.boites.find_best(t_max, boite, |i, t_max| solide(i).t(rayon, t_max));
+        conclure(dans.map(|(i, t)| (solide(i), t)).or(plan)?, rayon)
+    }
+}
+
+fn premier<'a>(objets: &'a [Objet], rayon: &Ray) -> Option<(&'a Objet, Real)> {
+    let mut premier = None;
+    let mut t_premier = Real::INFINITY;
+    for objet in objets {
+        if let Some(t) = objet.t(rayon, t_premier).filter(|t| *t < t_premier) {
+            (premier, t_premier) = (Some((objet, t)), t);
+        }
+    }
+    premier
+}
+
+/// The normal of the nearest alone.
+fn conclure((objet, t): (&Objet, Real), rayon: &Ray) -> Option<Touche<Real>> {
+    Some((t, objet.normale(rayon)?, objet.1))
 }
 
 fn vector(v: Vecteur<Real>) -> Vector {

@@ -1,0 +1,193 @@
+//! The batch alone: what the order of the rays, the place of the answers, the instruction set and
+//! the threads do to it.
+
+use std::error::Error;
+use std::hint::black_box;
+use std::time::{Duration, Instant};
+
+use lancer_rayon::{
+    Intersection, LongueursDifferentes, NoIntersection, ObjetRay, Rayon, Reel, Reglage,
+    premiere_intersection, premieres_intersections,
+};
+use rayon::prelude::*;
+use rayon::{ThreadPool, ThreadPoolBuilder};
+
+use crate::Parry;
+use crate::commun::scenes::melange;
+use crate::concours::{Concours, Concurrent, medianes};
+use crate::rayons::{en_lignes, en_tuiles, incoherents};
+
+/// Rays whose answers stay in the cache.
+const MORCEAU: usize = 4096;
+
+pub(crate) type Reponse<R> = Result<Intersection<R>, NoIntersection>;
+
+/// Room for the answers to so many rays at a time.
+pub(crate) fn tampon<R: Reel>(rayons: usize) -> Vec<Reponse<R>> {
+    vec![Err(NoIntersection); rayons]
+}
+
+/// Room for those of a part of the picture, used again for the next.
+pub(crate) fn petit_tampon<R: Reel>() -> Vec<Reponse<R>> {
+    tampon(MORCEAU)
+}
+
+/// What the rays get one by one.
+pub(crate) fn une_par_une<R: Reel>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) -> Vec<Reponse<R>> {
+    rayons.iter().map(|rayon| premiere_intersection(objets, rayon)).collect()
+}
+
+/// An error unless `premieres` gives these rays `attendues`, bit by bit and however many it is
+/// given at a time.
+pub(crate) fn exiger<R: Reel>(
+    attendues: &[Reponse<R>],
+    rayons: &[Rayon<R>],
+    premieres: impl Fn(&[Rayon<R>], &mut [Reponse<R>]) -> Result<(), LongueursDifferentes>,
+) -> Result<(), Box<dyn Error>> {
+    for taille in [MORCEAU, rayons.len()] {
+        let mut obtenues = tampon(rayons.len());
+        for (rayons, touches) in rayons.chunks(taille).zip(obtenues.chunks_mut(taille)) {
+            premieres(rayons, touches)?;
+        }
+        if obtenues != attendues {
+            return Err("the batch differs from its rays one by one".into());
+        }
+    }
+    Ok(())
+}
+
+/// Nanoseconds per ray, as many at a time as `tampon` has room for.
+pub(crate) fn chronometrer_lot<R: Reel>(
+    rayons: &[Rayon<R>],
+    tampon: &mut [Reponse<R>],
+    premieres: impl Fn(&[Rayon<R>], &mut [Reponse<R>]) -> Result<(), LongueursDifferentes>,
+) -> f64 {
+    // A copy made just before, as by someone who makes the rays of a tile when it is their turn.
+    let mut frais = Vec::with_capacity(tampon.len());
+    let mut duree = Duration::ZERO;
+    for rayons in rayons.chunks(tampon.len()) {
+        frais.clear();
+        frais.extend_from_slice(rayons);
+        let touches = &mut tampon[..rayons.len()];
+        let debut = Instant::now();
+        premieres(black_box(&frais), touches).expect("as many answers as rays");
+        duree += debut.elapsed();
+        black_box(touches);
+    }
+    duree.as_nanos() as f64 / rayons.len() as f64
+}
+
+/// The table of the orders; beside the incoherent rays, what they cost one by one.
+pub(crate) fn ordres() -> Result<String, Box<dyn Error>> {
+    let mut table = vec![
+        "| scalar | N | rows | whole | tiles | whole | incoherent | whole | incoherent, ray by ray \
+         | incoherent, parry's Bvh |"
+            .to_owned(),
+        format!("|---|--:|{}", "--:|".repeat(8)),
+    ];
+    for n in [12, 192, 1000] {
+        table.push(ordres_de::<f32>(n)?);
+        table.push(ordres_de::<f64>(n)?);
+    }
+    Ok(table.join("\n"))
+}
+
+fn ordres_de<R: Parry>(n: usize) -> Result<String, Box<dyn Error>> {
+    let objets = melange(n);
+    let scalaire = std::any::type_name::<R>();
+    let premieres = |rayons: &[Rayon<R>], touches: &mut [Reponse<R>]| {
+        premieres_intersections(&objets, rayons, touches)
+    };
+    let ordres = [en_lignes(), en_tuiles(), incoherents(&objets)];
+    for rayons in &ordres {
+        exiger(&une_par_une(&objets, rayons), rayons, premieres)?;
+    }
+    let mut tampons = [petit_tampon(), tampon(ordres[0].len())];
+    let cas = [0, 1, 2].map(|ordre| [(ordre, 0), (ordre, 1)]);
+    let lot = medianes(cas.as_flattened(), |&(ordre, tampon)| {
+        chronometrer_lot(&ordres[ordre], &mut tampons[tampon], premieres)
+    });
+    let [_, _, rayons] = ordres;
+    let concours = Concours::new(objets.clone(), rayons);
+    let autres = [Concurrent::Rayons, Concurrent::ParryArbre];
+    concours.verifier(&autres)?;
+    let temps = concours.temps(&autres);
+    let lot: Vec<_> = lot.iter().map(|ns| format!("{ns:.0}")).collect();
+    Ok(format!(
+        "| {scalaire} | {n} | {} | {:.0} | {:.0} |",
+        lot.join(" | "),
+        temps.de(Concurrent::Rayons),
+        temps.de(Concurrent::ParryArbre),
+    ))
+}
+
+/// The table of the instruction sets.
+pub(crate) fn jeux_d_instructions() -> Result<String, Box<dyn Error>> {
+    const TAILLES: [usize; 3] = [12, 192, 1000];
+    let titre = |scalaire| TAILLES.map(|n| format!("{scalaire}, N = {n}")).join(" | ");
+    let mut table = vec![
+        format!("| instructions | {} | {} |", titre("f32"), titre("f64")),
+        format!("|---|{}", "--:|".repeat(2 * TAILLES.len())),
+    ];
+    let mut colonnes = Vec::new();
+    for n in TAILLES {
+        colonnes.push(jeux_de::<f32>(n)?);
+    }
+    for n in TAILLES {
+        colonnes.push(jeux_de::<f64>(n)?);
+    }
+    for (i, (nom, _)) in Reglage::tous().enumerate() {
+        let temps: Vec<_> = colonnes.iter().map(|temps| format!("{:.0}", temps[i])).collect();
+        table.push(format!("| {nom} | {} |", temps.join(" | ")));
+    }
+    Ok(table.join("\n"))
+}
+
+/// Nanoseconds per ray of each set.
+fn jeux_de<R: Reel>(n: usize) -> Result<Vec<f64>, Box<dyn Error>> {
+    let (objets, rayons) = (melange(n), en_tuiles::<R>());
+    let jeux: Vec<_> = Reglage::tous().map(|(_, reglage)| reglage).collect();
+    let attendues = une_par_une(&objets, &rayons);
+    for reglage in &jeux {
+        exiger(&attendues, &rayons, |rayons, touches| {
+            reglage.premieres_intersections(&objets, rayons, touches)
+        })?;
+    }
+    let mut tampon = petit_tampon();
+    Ok(medianes(&jeux, |reglage| {
+        chronometrer_lot(&rayons, &mut tampon, |rayons, touches| {
+            reglage.premieres_intersections(&objets, rayons, touches)
+        })
+    }))
+}
+
+/// The table of the threads.
+pub(crate) fn fils() -> Result<String, Box<dyn Error>> {
+    let equipes = [1, 2].map(|fils| ThreadPoolBuilder::new().num_threads(fils).build());
+    let [une, deux] = equipes;
+    let equipes = [une?, deux?];
+    let mut table = vec![
+        "| scalar | N | one thread | two threads | speed-up |".to_owned(),
+        "|---|--:|--:|--:|--:|".to_owned(),
+    ];
+    for n in [48, 1000] {
+        table.push(fils_de::<f32>(n, &equipes)?);
+        table.push(fils_de::<f64>(n, &equipes)?);
+    }
+    Ok(table.join("\n"))
+}
+
+fn fils_de<R: Reel>(n: usize, equipes: &[ThreadPool; 2]) -> Result<String, Box<dyn Error>> {
+    let (objets, rayons) = (melange(n), en_tuiles::<R>());
+    let premieres = |rayons: &[Rayon<R>], touches: &mut [Reponse<R>]| {
+        let morceaux = rayons.par_chunks(MORCEAU).zip(touches.par_chunks_mut(MORCEAU));
+        morceaux.try_for_each(|(rayons, touches)| premieres_intersections(&objets, rayons, touches))
+    };
+    exiger(&une_par_une(&objets, &rayons), &rayons, premieres)?;
+    let mut tampon = tampon(rayons.len());
+    let temps = medianes(equipes, |equipe| {
+        equipe.install(|| chronometrer_lot(&rayons, &mut tampon, premieres))
+    });
+    let (un, deux, scalaire) = (temps[0], temps[1], std::any::type_name::<R>());
+    Ok(format!("| {scalaire} | {n} | {un:.0} | {deux:.0} | {:.2} |", un / deux))
+}

@@ -1,0 +1,45 @@
+//! The 240,000 rays of a picture, in the orders in which a renderer may have them.
+
+use fastrand::Rng;
+use lancer_rayon::{ObjetRay, Rayon, Reel, Vecteur, premiere_intersection};
+
+use crate::commun::conversion::{arrondi, large};
+use crate::commun::regimes::direction;
+use crate::commun::scenes;
+
+const LARGEUR: usize = 600;
+const HAUTEUR: usize = 400;
+
+pub(crate) fn en_lignes<R: Reel>() -> Vec<Rayon<R>> {
+    scenes::rayons_camera(LARGEUR, HAUTEUR)
+}
+
+pub(crate) fn en_tuiles<R: Reel>() -> Vec<Rayon<R>> {
+    scenes::en_tuiles(&en_lignes(), LARGEUR)
+}
+
+/// As many in no order: from what the camera sees outward in any direction, and for a pixel that
+/// sees nothing from anywhere to anywhere.
+pub(crate) fn incoherents<R: Reel>(objets: &[ObjetRay<R>]) -> Vec<Rayon<R>> {
+    let mut alea = Rng::with_seed(4);
+    let mut rayons = en_lignes();
+    for rayon in &mut rayons {
+        let vers = direction(&mut alea);
+        let nouveau = match premiere_intersection(objets, rayon) {
+            Ok(touche) => {
+                let dehors = large(touche.normale).produit_scalaire(vers).signum();
+                rayon.secondaire(&touche, arrondi(vers * dehors))
+            }
+            Err(_) => Rayon::new(arrondi(place(&mut alea)), arrondi(vers)),
+        };
+        *rayon = nouveau.expect("a scene within every limit");
+    }
+    alea.shuffle(&mut rayons);
+    rayons
+}
+
+/// Among the objects of `scenes::melange`.
+fn place(alea: &mut Rng) -> Vecteur {
+    let mut entre = |min: f64, max: f64| min + (max - min) * alea.f64();
+    Vecteur::new(entre(-10.0, 10.0), entre(-1.0, 7.0), entre(-12.0, 0.0))
+}

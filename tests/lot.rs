@@ -1,0 +1,283 @@
+//! The batch: every bit of what `premiere_intersection` answers ray by ray, with every instruction
+//! set of the machine, with culling and without.
+//!
+//! `LANCER_RAYON_CAS` sets how many bundles of rays each test of them makes (300 unless set):
+//! `LANCER_RAYON_CAS=100000 cargo test --release --all-features --test lot`
+
+mod commun;
+
+use commun::regimes::{Cas, direction, regimes};
+use commun::strategies::Bits;
+use commun::{arrondi, large, scenes};
+use fastrand::Rng;
+use lancer_rayon::{
+    BoiteGeo, Intersection, LongueursDifferentes, NoIntersection, ObjetRay, Rayon, Reel, Reglage,
+    Rotation, SphereGeo, Texture, Vecteur, premiere_intersection, premieres_intersections,
+};
+
+type Touche<R> = Result<Intersection<R>, NoIntersection>;
+
+/// Every way to run the batch here, by name.
+fn reglages() -> Vec<(String, Reglage)> {
+    let avec = Reglage::tous().map(|(nom, reglage)| (nom.to_owned(), reglage));
+    let sans = Reglage::tous()
+        .map(|(nom, reglage)| (format!("{nom} without culling"), reglage.sans_elagage()));
+    avec.chain(sans).collect()
+}
+
+fn bits<R: Bits>(touche: &Touche<R>) -> Option<([u64; 5], Texture)> {
+    let Intersection { distance, normale: n, texture, .. } = touche.ok()?;
+    let marge = touche.ok()?.marge();
+    Some(([distance, n.x, n.y, n.z, marge].map(R::bits), texture))
+}
+
+/// How many of the rays touch something.
+#[track_caller]
+fn comparer<R: Bits>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) -> usize {
+    let attendues: Vec<_> = rayons.iter().map(|r| premiere_intersection(objets, r)).collect();
+    // Answers that no ray gives, so that one that is not written shows.
+    let absurde =
+        ObjetRay::from(SphereGeo::new(Vecteur::NUL, R::UN, Texture(u32::MAX)).unwrap().vers_ray());
+    let absurde = absurde
+        .intersection(&Rayon::new(Vecteur::new(R::ZERO, R::ZERO, R::LIMITE), -axe_z()).unwrap());
+    for (nom, reglage) in reglages() {
+        let mut touches = vec![absurde; rayons.len()];
+        reglage.premieres_intersections(objets, rayons, &mut touches).unwrap();
+        for ((rayon, touche), attendue) in rayons.iter().zip(&touches).zip(&attendues) {
+            let (n, scalaire) = (objets.len(), std::any::type_name::<R>());
+            assert_eq!(
+                bits(touche),
+                bits(attendue),
+                "{nom}, {scalaire}, {n} objects: {rayon:?} has {touche:?}, alone {attendue:?}"
+            );
+        }
+    }
+    attendues.iter().flatten().count()
+}
+
+fn axe_z<R: Reel>() -> Vecteur<R> {
+    Vecteur::new(R::ZERO, R::ZERO, R::UN)
+}
+
+fn cas() -> usize {
+    std::env::var("LANCER_RAYON_CAS").map_or(300, |cas| cas.parse().expect("a number of bundles"))
+}
+
+#[test]
+fn chaque_jeu_d_instructions_de_la_machine_est_essaye() {
+    let noms: Vec<_> = Reglage::tous().map(|(nom, _)| nom).collect();
+    println!("instruction sets tried: {}", noms.join(", "));
+    assert!(!noms.is_empty());
+    #[cfg(all(feature = "std", any(target_arch = "x86", target_arch = "x86_64")))]
+    {
+        let avx2 = is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma");
+        assert_eq!(avx2, noms.contains(&"AVX2"));
+        // The level is that of the Ice Lake generation, of which this is the last part.
+        let avx512 = is_x86_feature_detected!("avx512vpopcntdq");
+        assert_eq!(avx512, noms.contains(&"AVX-512"));
+    }
+}
+
+#[test]
+fn des_longueurs_differentes_sont_une_erreur_et_rien_n_est_ecrit() {
+    let scene = scenes::melange::<f64>(12);
+    let rayons = scenes::rayons_camera(10, 10);
+    let avant = premiere_intersection(&scene, &rayons[55]);
+    assert!(avant.is_ok());
+    for longueur in [0, 1, 99, 101] {
+        let mut touches = vec![avant; longueur];
+        let erreur = premieres_intersections(&scene, &rayons, &mut touches).unwrap_err();
+        assert_eq!(erreur, LongueursDifferentes { rayons: 100, touches: longueur });
+        assert_eq!(erreur.to_string(), format!("100 rays, but places for {longueur} answers"));
+        assert_eq!(touches, vec![avant; longueur]);
+    }
+}
+
+/// From none to two blocks of 64 and one more, with few objects and with enough for culling.
+fn longueurs<R: Bits>() {
+    let rayons = scenes::rayons_camera::<R>(20, 10);
+    for n in [3, 12, 70] {
+        let scene = scenes::melange(n);
+        for longueur in 0..=129 {
+            comparer(&scene, &rayons[200 - longueur..]);
+        }
+    }
+}
+
+#[test]
+fn toute_longueur_convient() {
+    longueurs::<f32>();
+    longueurs::<f64>();
+}
+
+/// Pictures in rows, in tiles of 8 × 8 and in no order; and from many objects so few rays that the
+/// selection for them is cut in two again and again.
+fn images<R: Bits>() {
+    let (largeur, hauteur) = (96, 64);
+    let rangees = scenes::rayons_camera::<R>(largeur, hauteur);
+    let tuiles = scenes::en_tuiles(&rangees, largeur);
+    let mut melanges = rangees.clone();
+    Rng::with_seed(1).shuffle(&mut melanges);
+    for n in [0, 1, 2, 9, 10, 63, 64, 65, 257, 3_000] {
+        let scene = scenes::melange(n);
+        let touches = [&rangees, &tuiles, &melanges].map(|rayons| comparer(&scene, rayons));
+        assert_eq!(touches, [touches[0]; 3]);
+        assert!(n == 0 || touches[0] > 100, "{n} objects, {} hits", touches[0]);
+    }
+}
+
+#[test]
+fn une_image_dans_tout_ordre() {
+    images::<f32>();
+    images::<f64>();
+}
+
+/// The rays of each regime of the extremes, all at the objects of all its cases; and one by one
+/// each at its own object, in company of fifteen that are not there.
+fn extremes<R: Bits>() {
+    let mut alea = Rng::with_seed(2);
+    for regime in regimes::<R>() {
+        let cas: Vec<_> = (0..cas().min(3_000)).map(|_| (regime.cas)(&mut alea)).collect();
+        let objets: Vec<_> = cas.iter().map(|cas| cas.objet).collect();
+        let rayons: Vec<_> = cas.iter().map(|cas| cas.rayon).collect();
+        comparer(&objets, &rayons);
+        let seuls = cas.iter().map(|Cas { objet, rayon }| comparer(&[*objet], &[*rayon]));
+        assert!(seuls.sum::<usize>() > 10, "{}", regime.nom);
+    }
+}
+
+#[test]
+fn les_extremes() {
+    extremes::<f32>();
+    extremes::<f64>();
+}
+
+fn entre(alea: &mut Rng, min: f64, max: f64) -> f64 {
+    min + (max - min) * alea.f64()
+}
+
+/// 2^x, with x anywhere between the two.
+fn puissance(alea: &mut Rng, min: f64, max: f64) -> f64 {
+    entre(alea, min, max).exp2()
+}
+
+/// A block of rays that go apart by about `ouverture` in direction and `etendue` in place, around
+/// `s` and `d`: in a tile, in a row, anyhow, or the half of them the other way round.
+fn gerbe<R: Reel>(
+    alea: &mut Rng,
+    (s, d): (Vecteur, Vecteur),
+    ouverture: f64,
+    etendue: f64,
+) -> Vec<Rayon<R>> {
+    let (u, v) = (direction(alea), direction(alea));
+    let genre = alea.u8(0..5);
+    let rayon = |i: u32| {
+        let (a, b) = match genre {
+            0 | 1 => (f64::from(i % 8) / 4.0 - 1.0, f64::from(i / 8) / 4.0 - 1.0),
+            2 => (f64::from(i) / 32.0 - 1.0, 0.0),
+            _ => (entre(alea, -1.0, 1.0), entre(alea, -1.0, 1.0)),
+        };
+        let vers = d + (u * a + v * b) * ouverture;
+        let vers = if genre == 4 && i % 2 == 1 { -vers } else { vers };
+        let de = s + direction(alea) * (etendue * alea.f64());
+        Rayon::new(arrondi(de), arrondi(vers)).or_else(|_| Rayon::new(arrondi(de), axe_z()))
+    };
+    (0..64).map(rayon).collect::<Result<_, _>>().unwrap()
+}
+
+/// An object around whose ball one of the rays grazes: inside of it, outside, by any power of two
+/// down to nothing; ahead, beside and behind the source, and as far as leaves the ball a few units
+/// in the last place of its distance. Half of them in the plane of two rays, where the sides of a
+/// beam are closest to the rays.
+fn frole<R: Reel>(alea: &mut Rng, rayons: &[Rayon<R>], texture: Texture) -> ObjetRay<R> {
+    let rayon = &rayons[if alea.bool() { alea.usize(0..rayons.len()) } else { 7 }];
+    let (s, d) = (large(rayon.source()), large(rayon.direction()));
+    let bits = -R::U.vers_f64().log2();
+    let l = puissance(alea, -12.0, 4.0);
+    let devant = if alea.u8(0..6) == 0 { -1.0 } else { 1.0 };
+    let loin = devant * l * puissance(alea, -4.0, bits - 2.0);
+    let en_travers = |v: Vecteur| (v - d * v.produit_scalaire(d)).unitaire();
+    let rangee = en_travers(large(rayon.direction() - rayons[0].direction()));
+    let travers = rangee.filter(|_| alea.bool()).or_else(|| en_travers(direction(alea))).unwrap();
+    let signe = if alea.bool() { 1.0 } else { -1.0 };
+    let ecart = if alea.bool() {
+        l * (1.0 + signe * puissance(alea, -60.0, 0.0))
+    } else {
+        l + signe * 8.0 * alea.f64() * R::U.vers_f64() * loin
+    };
+    let centre = arrondi(s + d * loin + travers * ecart);
+    if alea.bool() {
+        return SphereGeo::new(centre, R::depuis_f64(l), texture).unwrap().vers_ray().into();
+    }
+    // One of the corners, which are what a box has of its ball, points at the ray.
+    let dimension = R::depuis_f64(2.0 * l / 3.0_f64.sqrt());
+    let angles = arrondi(direction(alea) * 7.0);
+    let boite = |rotation| {
+        let dimensions = Vecteur::new(dimension, dimension, dimension);
+        BoiteGeo::new(centre, dimensions, rotation, texture).unwrap().vers_ray()
+    };
+    let rotation = Rotation::new(angles).unwrap();
+    let [x, y, z] = boite(rotation).normales().map(large);
+    let coin = (x + y + z) / 3.0_f64.sqrt();
+    let axe = -travers - coin;
+    // Two half-turns, about `coin` + m and then such that `coin` ends on −`travers`.
+    let demi_tour = |w: Vecteur, n: Vecteur| n * (2.0 * w.produit_scalaire(n)) - w;
+    let Some(milieu) = (coin - travers).unitaire().filter(|_| axe.longueur() > 1e-6) else {
+        return boite(rotation).into();
+    };
+    let lignes = [x, y, z].map(|n| <[R; 3]>::from(arrondi(demi_tour(n, milieu))));
+    boite(Rotation::depuis_matrice(lignes).unwrap_or(rotation)).into()
+}
+
+/// Bundles from needles to fans beyond which there is no beam, of one source and of many, with
+/// objects that rays at their rim graze.
+fn gerbes<R: Bits>() {
+    let mut alea = Rng::with_seed(3);
+    let mut touches = 0;
+    for _ in 0..cas() {
+        let loin = if alea.bool() { 0.0 } else { puissance(&mut alea, -10.0, 16.0) };
+        let axe = (direction(&mut alea) * loin, direction(&mut alea));
+        let ouverture = puissance(&mut alea, -40.0, 3.0);
+        let etendue = if alea.bool() { 0.0 } else { puissance(&mut alea, -40.0, 6.0) };
+        let rayons = gerbe::<R>(&mut alea, axe, ouverture, etendue);
+        let objets: Vec<_> = (0..40).map(|i| frole(&mut alea, &rayons, Texture(i))).collect();
+        touches += comparer(&objets, &rayons);
+    }
+    assert!(touches > 10 * cas(), "only {touches} hits");
+}
+
+#[test]
+fn l_elagage_ne_perd_aucune_touche() {
+    gerbes::<f32>();
+    gerbes::<f64>();
+}
+
+/// The same, so far from any other and so small that squares lie at the ends of the type.
+fn bornes<R: Bits>() {
+    let mut alea = Rng::with_seed(4);
+    for regime in regimes::<R>() {
+        if !regime.nom.ends_with("range") {
+            continue;
+        }
+        for _ in 0..cas() / 10 {
+            let cas: Vec<_> = (0..20).map(|_| (regime.cas)(&mut alea)).collect();
+            let objets: Vec<_> = cas.iter().map(|cas| cas.objet).collect();
+            // Each ray as a needle of its own, so that there is a beam.
+            for Cas { rayon, .. } in &cas {
+                let d = large(rayon.direction());
+                let ecarter = |_| {
+                    let vers = d + direction(&mut alea) * 1e-5;
+                    Rayon::new(rayon.source(), arrondi(vers)).unwrap()
+                };
+                let rayons: Vec<_> = (0..64).map(ecarter).collect();
+                comparer(&objets, &rayons);
+            }
+        }
+    }
+}
+
+#[test]
+fn aux_bornes_du_type() {
+    bornes::<f32>();
+    bornes::<f64>();
+}

@@ -1,0 +1,84 @@
+//! No question allocates, nor does what leads to one: objects, transformations, rays.
+//!
+//! That the crate is `#![no_std]` without `alloc` says the same of all its code; this test says it
+//! of what it calls as well.
+
+mod commun;
+
+use std::hint::black_box;
+
+use allocation_counter::measure;
+use commun::arrondi;
+use commun::scenes::{melange, rayons_camera};
+use lancer_rayon::{
+    BoiteGeo, ErreurGeo, NoIntersection, ObjetGeo, ObjetRay, PlanGeo, Rayon, Reel, Reglage,
+    Rotation, SphereGeo, Texture, Vecteur, premiere_intersection, premieres_intersections,
+};
+
+#[track_caller]
+fn sans_allocation<T>(nom: &str, faire: impl FnOnce() -> T) -> T {
+    let mut reponse = None;
+    let allouees = measure(|| reponse = Some(black_box(faire())));
+    assert_eq!(allouees.count_total, 0, "{nom} allocates");
+    reponse.unwrap()
+}
+
+#[test]
+fn le_compteur_compte() {
+    assert_eq!(measure(|| drop(black_box(vec![0_u8; 100]))).count_total, 1);
+}
+
+fn un_de_chaque<R: Reel>() -> Result<[ObjetRay<R>; 3], ErreurGeo> {
+    let v = |x, y, z| arrondi(Vecteur::new(x, y, z));
+    let tour = Rotation::new(v(0.3, -0.2, 0.1))?.puis(Rotation::main_droite(v(1.0, 2.0, 3.0))?);
+    let tour = Rotation::depuis_matrice(tour.inverse().matrice())?;
+    let sphere = ObjetGeo::from(SphereGeo::new(v(0.0, 0.0, -5.0), R::UN, Texture(1))?);
+    let plan = ObjetGeo::from(PlanGeo::new(tour, R::UN, Texture(2))?);
+    let boite = BoiteGeo::new(v(1.0, 0.0, -7.0), v(1.0, 2.0, 3.0), tour, Texture(3))?;
+    let [sphere, plan, boite] = [sphere, plan, boite.into()].map(|objet| {
+        let objet = objet.translation(v(0.0, 0.1, 0.0))?.rotation(tour)?;
+        Ok(objet.homothetie(R::depuis_f64(2.0))?.vers_ray())
+    });
+    Ok([sphere?, plan?, boite?])
+}
+
+fn tout<R: Reel>() {
+    let objets = sans_allocation("making objects", un_de_chaque::<R>);
+    assert!(objets.is_ok());
+    let refus = || SphereGeo::new(Vecteur::NUL, -R::UN, Texture(0));
+    assert!(sans_allocation("an error", refus).is_err());
+
+    let scene = melange::<R>(300);
+    let rayons = rayons_camera::<R>(40, 40);
+    let mut touches = vec![Err(NoIntersection); rayons.len()];
+    sans_allocation("premieres_intersections", || {
+        premieres_intersections(&scene, &rayons, &mut touches)
+    })
+    .unwrap();
+    for (nom, reglage) in Reglage::tous() {
+        let sans = reglage.sans_elagage();
+        sans_allocation(nom, || {
+            reglage.premieres_intersections(&scene, &rayons, &mut touches)?;
+            sans.premieres_intersections(&scene, &rayons, &mut touches)
+        })
+        .unwrap();
+    }
+    for (rayon, touche) in rayons.iter().zip(&touches) {
+        let seule = sans_allocation("premiere_intersection", || {
+            premiere_intersection(&scene, black_box(rayon))
+        });
+        assert_eq!(seule, *touche);
+        let Ok(touche) = touche else { continue };
+        let secondaire = sans_allocation("secondaire", || {
+            let vers = Rayon::new(rayon.source(), touche.normale)?;
+            rayon.secondaire(touche, vers.direction())
+        });
+        assert!(secondaire.is_ok());
+    }
+}
+
+#[test]
+fn aucune_question_n_alloue() {
+    tout::<f32>();
+    tout::<f64>();
+}
