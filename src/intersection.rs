@@ -137,3 +137,37 @@ pub fn premiere_intersection<R: Reel>(
         None => Err(NoIntersection),
     }
 }
+
+/// Whether something is in the way of the ray before `distance_max`, the distance of a light: the
+/// shadow of the handout's later parts.
+///
+/// It is `objets.iter().any(|o| o.intersection(rayon).is_ok_and(|i| i.distance < distance_max))`, and
+/// ends with the first such object. +∞ asks whether the ray touches anything at all; a NaN has
+/// nothing before it.
+///
+/// ```
+/// use lancer_rayon::{ObjetGeo, Rayon, SphereGeo, Texture, Vecteur, est_occulte};
+///
+/// let boule = SphereGeo::new(Vecteur::new(0.0, 0.0, -5.0), 1.0, Texture(0))?;
+/// let scene = [ObjetGeo::from(boule).vers_ray()];
+/// let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.0, 0.0, -1.0))?;
+/// assert!(est_occulte(&scene, &rayon, 9.0));
+/// assert!(!est_occulte(&scene, &rayon, 4.0));
+/// # Ok::<(), lancer_rayon::ErreurGeo>(())
+/// ```
+#[doc(alias = "any_hit")]
+#[doc(alias = "occluded")]
+#[doc(alias = "shadow")]
+#[inline]
+#[must_use]
+pub fn est_occulte<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>, distance_max: R) -> bool {
+    let (s, d) = (rayon.source(), rayon.direction());
+    let avant = |objet: &ObjetRay<R>, t| {
+        // The distance of a hit is always finite.
+        distance_max == R::INFINI || objet.conclure(rayon, t).distance < distance_max
+    };
+    objets.iter().any(|objet| {
+        let t = objet.t(s, d);
+        t < R::INFINI && avant(objet, t)
+    })
+}

@@ -23,6 +23,7 @@
 //! [`rotation`](ObjetGeo::rotation) and [`homothetie`](ObjetGeo::homothetie); convert once with
 //! [`vers_ray`](ObjetGeo::vers_ray); then ask [`premiere_intersection`] as often as the picture has
 //! pixels, or [`premieres_intersections`] for many pixels at once: the same bits, several times as fast.
+//! Whether a light is seen from there, [`est_occulte`] says.
 //!
 //! # Conventions
 //!
@@ -107,7 +108,7 @@ mod vecteur;
 
 pub use boite::{BoiteGeo, BoiteRay};
 pub use erreur::ErreurGeo;
-pub use intersection::{Intersection, NoIntersection, premiere_intersection};
+pub use intersection::{Intersection, NoIntersection, est_occulte, premiere_intersection};
 #[doc(hidden)]
 pub use lot::Reglage;
 pub use lot::{LongueursDifferentes, premieres_intersections};

@@ -2,11 +2,12 @@
 
 mod commun;
 
-use commun::strategies::{Plante, direction, plante, scene};
+use commun::regimes::regimes;
+use commun::strategies::{Bits, Plante, direction, plante, scene};
 use commun::tolerances::{ARRONDI, DISTANCE, NORMALE, NORMALE_UNITAIRE, u};
 use commun::{arrondi, large, pour_tout};
 use lancer_rayon::{
-    Intersection, NoIntersection, ObjetGeo, ObjetRay, Rayon, Reel, Texture, Vecteur,
+    Intersection, NoIntersection, ObjetGeo, ObjetRay, Rayon, Reel, Texture, Vecteur, est_occulte,
     premiere_intersection,
 };
 use proptest::prelude::*;
@@ -189,4 +190,41 @@ fn de_partout<R: Reel>() {
 fn un_objet_convexe_n_est_touche_que_d_un_cote() {
     de_partout::<f32>();
     de_partout::<f64>();
+}
+
+/// What it is defined as, at the limits that matter: each distance and its neighbours, the ends of
+/// the type and what is no distance.
+fn occultation<R: Bits>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> TestCaseResult {
+    let touches: Vec<_> = objets.iter().filter_map(|o| o.intersection(rayon).ok()).collect();
+    let distances = touches.iter().map(|touche| touche.distance);
+    let voisines = distances.flat_map(|d| [-1_i64, 0, 1].map(|i| d.bits().wrapping_add_signed(i)));
+    let [zero, un, infini] = [R::ZERO, R::UN, R::INFINI];
+    let autres = [zero, -zero, un, -un, R::PLUS_PETIT, infini, -infini, infini - infini];
+    for max in voisines.map(R::depuis_bits).chain(autres) {
+        let attendu = objets.iter().any(|o| o.intersection(rayon).is_ok_and(|i| i.distance < max));
+        prop_assert_eq!(est_occulte(objets, rayon, max), attendu, "before {}", max);
+    }
+    prop_assert_eq!(est_occulte(objets, rayon, infini), !touches.is_empty());
+    Ok(())
+}
+
+fn occultations<R: Bits>() {
+    pour_tout(scene::<R>(), |(geo, rayon)| {
+        let objets: Vec<_> = geo.into_iter().map(ObjetGeo::vers_ray).collect();
+        occultation(&objets, &rayon)
+    });
+    let mut alea = fastrand::Rng::with_seed(5);
+    for regime in regimes::<R>() {
+        for _ in 0..300 {
+            let cas: Vec<_> = (0..3).map(|_| (regime.cas)(&mut alea)).collect();
+            let objets: Vec<_> = cas.iter().map(|cas| cas.objet).collect();
+            occultation(&objets, &cas[0].rayon).unwrap();
+        }
+    }
+}
+
+#[test]
+fn est_occulte_est_ce_que_dit_sa_definition() {
+    occultations::<f32>();
+    occultations::<f64>();
 }

@@ -12,7 +12,8 @@ use commun::arrondi;
 use commun::scenes::{melange, rayons_camera};
 use lancer_rayon::{
     BoiteGeo, ErreurGeo, NoIntersection, ObjetGeo, ObjetRay, PlanGeo, Rayon, Reel, Reglage,
-    Rotation, SphereGeo, Texture, Vecteur, premiere_intersection, premieres_intersections,
+    Rotation, SphereGeo, Texture, Vecteur, est_occulte, premiere_intersection,
+    premieres_intersections,
 };
 
 #[track_caller]
@@ -68,6 +69,7 @@ fn tout<R: Reel>() {
             premiere_intersection(&scene, black_box(rayon))
         });
         assert_eq!(seule, *touche);
+        sans_allocation("est_occulte", || est_occulte(&scene, black_box(rayon), R::LIMITE));
         let Ok(touche) = touche else { continue };
         let secondaire = sans_allocation("secondaire", || {
             let vers = Rayon::new(rayon.source(), touche.normale)?;
