@@ -144,11 +144,13 @@ impl TryFrom<CameraBrute> for Camera {
             Regard::Rotation(rotation) => rotation,
             Regard::Point(point) => {
                 let d = Rayon::new(source, point - source)?.direction();
-                let (montee, lacet) = (d.y.atan2(d.x.hypot(d.z)), (-d.x).atan2(-d.z));
+                // From libm, as the library has its own: a scene has the same bits on every machine.
+                let montee = libm::atan2(d.y, libm::hypot(d.x, d.z));
+                let lacet = libm::atan2(-d.x, -d.z);
                 Rotation::main_droite(Vecteur::new(montee, lacet, 0.0))?
             }
         };
-        Ok(Self { source, rotation, hauteur: 2.0 * (champ.to_radians() / 2.0).tan(), image })
+        Ok(Self { source, rotation, hauteur: 2.0 * libm::tan(champ.to_radians() / 2.0), image })
     }
 }
 

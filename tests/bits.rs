@@ -1,0 +1,69 @@
+//! The same bits everywhere: a hash of the 240,000 hits of each scene, ray by ray and with each
+//! instruction set of the machine that runs this.
+//!
+//! A change of a formula changes a hash, which then stands in the assertion that fails: look at
+//! `docs/precision.md` again before you take it over, and say so in CHANGELOG.md.
+
+mod commun;
+#[allow(dead_code, reason = "shared with the examples")]
+#[path = "../docs/exemples/scene.rs"]
+mod scene;
+
+use std::path::Path;
+
+use commun::strategies::Bits;
+use lancer_rayon::{
+    Intersection, NoIntersection, ObjetGeo, ObjetRay, Rayon, Reglage, premiere_intersection,
+};
+use scene::Scene;
+use serde::de::DeserializeOwned;
+
+type Touche<R> = Result<Intersection<R>, NoIntersection>;
+
+/// FNV-1a, 64 bits.
+fn empreinte<R: Bits>(touches: &[Touche<R>]) -> u64 {
+    let mots = touches.iter().flat_map(|touche| match touche {
+        Ok(t) => {
+            let Intersection { distance, normale: n, texture, .. } = *t;
+            let [d, x, y, z, marge] = [distance, n.x, n.y, n.z, t.marge()].map(R::bits);
+            [d, x, y, z, marge, texture.0.into()]
+        }
+        Err(NoIntersection) => [u64::MAX; 6],
+    });
+    mots.flat_map(u64::to_le_bytes).fold(0xcbf2_9ce4_8422_2325, |empreinte, octet| {
+        (empreinte ^ u64::from(octet)).wrapping_mul(0x0000_0100_0000_01b3)
+    })
+}
+
+fn memes_bits<R: Bits + DeserializeOwned>(nom: &str, attendue: u64) {
+    let scene: Scene<R> = Scene::lire(Path::new(&format!("docs/scenes/{nom}.ron"))).unwrap();
+    let objets: Vec<ObjetRay<R>> = scene.objets.iter().copied().map(ObjetGeo::vers_ray).collect();
+    let rayons: Vec<Rayon<R>> = scene.camera.rayons().unwrap();
+    let mut touches: Vec<_> = rayons.iter().map(|r| premiere_intersection(&objets, r)).collect();
+    let scalaire = std::any::type_name::<R>();
+    let obtenue = empreinte(&touches);
+    assert_eq!(obtenue, attendue, "{nom}, {scalaire}, ray by ray: {obtenue:#018x}");
+    for (jeu, reglage) in Reglage::tous() {
+        touches.fill(Err(NoIntersection));
+        reglage.premieres_intersections(&objets, &rayons, &mut touches).unwrap();
+        assert_eq!(empreinte(&touches), attendue, "{nom}, {scalaire}, {jeu}");
+    }
+}
+
+#[test]
+fn l_atelier() {
+    memes_bits::<f32>("atelier", 0x768b_d025_e53f_9f67);
+    memes_bits::<f64>("atelier", 0xbb80_8259_d444_7a7d);
+}
+
+#[test]
+fn la_foule() {
+    memes_bits::<f32>("foule", 0xa0b2_8e61_d8e6_7e52);
+    memes_bits::<f64>("foule", 0xd0ed_79e1_a712_40cf);
+}
+
+#[test]
+fn les_extremes() {
+    memes_bits::<f32>("extremes", 0x00f1_a324_4f74_7730);
+    memes_bits::<f64>("extremes", 0x84c1_e5b6_3dc1_bedf);
+}
