@@ -11,7 +11,7 @@ mod scene;
 
 use std::path::Path;
 
-use commun::strategies::Bits;
+use commun::Bits;
 use lancer_rayon::{
     Intersection, NoIntersection, ObjetGeo, ObjetRay, Rayon, Reglage, premiere_intersection,
 };

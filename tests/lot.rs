@@ -7,8 +7,7 @@
 mod commun;
 
 use commun::regimes::{Cas, direction, regimes};
-use commun::strategies::Bits;
-use commun::{arrondi, large, scenes};
+use commun::{Bits, arrondi, large, scenes};
 use fastrand::Rng;
 use lancer_rayon::{
     BoiteGeo, Intersection, LongueursDifferentes, NoIntersection, ObjetRay, Rayon, Reel, Reglage,

@@ -2,7 +2,8 @@
 
 mod commun;
 
-use commun::strategies::{Bits, rotation, vecteur, vecteur_rotation};
+use commun::Bits;
+use commun::strategies::{rotation, vecteur, vecteur_rotation};
 use commun::tolerances::{ORTHONORMALE, PRODUIT, TOURNE, ecart_rotation, u};
 use commun::{large, pour_tout};
 use lancer_rayon::{Reel, Rotation, Vecteur};

@@ -2,9 +2,9 @@
 
 mod commun;
 
-use commun::strategies::{Bits, quelconque, vecteur_quelconque};
+use commun::strategies::{quelconque, vecteur_quelconque};
 use commun::tolerances::{NORMALE_UNITAIRE, ORTHONORMALE, ecart_rotation, u};
-use commun::{large, pour_tout};
+use commun::{Bits, large, pour_tout};
 use lancer_rayon::{
     BoiteGeo, ErreurGeo, ObjetGeo, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture,
     Vecteur, premiere_intersection,

@@ -5,32 +5,7 @@ use lancer_rayon::{
 };
 use proptest::prelude::*;
 
-use super::{arrondi, large};
-
-/// A scalar seen as its bits.
-pub(crate) trait Bits: Reel {
-    fn depuis_bits(bits: u64) -> Self;
-    fn bits(self) -> u64;
-}
-
-impl Bits for f32 {
-    fn depuis_bits(bits: u64) -> Self {
-        // The upper half carries the exponent that the strategies choose.
-        Self::from_bits((bits >> 32) as u32)
-    }
-    fn bits(self) -> u64 {
-        u64::from(self.to_bits())
-    }
-}
-
-impl Bits for f64 {
-    fn depuis_bits(bits: u64) -> Self {
-        Self::from_bits(bits)
-    }
-    fn bits(self) -> u64 {
-        self.to_bits()
-    }
-}
+use super::{Bits, arrondi, large};
 
 /// Any float at all, the remarkable ones often.
 pub(crate) fn quelconque<R: Bits>() -> impl Strategy<Value = R> {
