@@ -126,31 +126,37 @@ impl<'a, R: Reel> Faisceau<R> {
     }
 }
 
-/// Objects that a selection has room for.
-const PLACES: usize = 1024;
-
 /// As many objects as it takes for a selection of them to be worth a beam.
-const TRIER: usize = 64;
+pub(crate) const TRIER: usize = 64;
+
+/// Room for the selection of P objects.
+pub(crate) struct Places<'a, R, const P: usize> {
+    nombres: [[R; P]; 4],
+    objets: [Option<&'a ObjetRay<R>>; P],
+    evites: [bool; P],
+}
+
+impl<'a, R: Reel, const P: usize> Places<'a, R, P> {
+    pub(crate) const VIDES: Self =
+        Self { nombres: [[R::ZERO; P]; 4], objets: [None; P], evites: [false; P] };
+
+    pub(crate) fn selection(&mut self) -> Selection<'_, 'a, R> {
+        let Self { nombres: [x, y, z, r2], objets, evites } = self;
+        Selection { nombre: 0, centres: [x, y, z], rayons_carres: r2, objets, evites }
+    }
+}
 
 /// The objects that a lot of rays may enter, in their order, with the balls around them side by
 /// side.
-pub(crate) struct Selection<'a, R> {
+pub(crate) struct Selection<'p, 'a, R> {
     nombre: usize,
-    centres: [[R; PLACES]; 3],
-    rayons_carres: [R; PLACES],
-    objets: [Option<&'a ObjetRay<R>>; PLACES],
-    evites: [bool; PLACES],
+    centres: [&'p mut [R]; 3],
+    rayons_carres: &'p mut [R],
+    objets: &'p mut [Option<&'a ObjetRay<R>>],
+    evites: &'p mut [bool],
 }
 
-impl<'a, R: Reel> Selection<'a, R> {
-    pub(crate) const VIDE: Self = Self {
-        nombre: 0,
-        centres: [[R::ZERO; PLACES]; 3],
-        rayons_carres: [R::ZERO; PLACES],
-        objets: [None; PLACES],
-        evites: [false; PLACES],
-    };
-
+impl<'a, R: Reel> Selection<'_, 'a, R> {
     /// Selects for these rays; false if there was not room for all.
     #[inline(always)]
     pub(crate) fn choisir(&mut self, objets: &'a [ObjetRay<R>], rayons: &[Rayon<R>]) -> bool {
@@ -162,7 +168,7 @@ impl<'a, R: Reel> Selection<'a, R> {
                 continue;
             }
             let place = self.nombre;
-            if place == PLACES {
+            if place == self.objets.len() {
                 return false;
             }
             let [x, y, z] = &mut self.centres;

@@ -9,9 +9,9 @@ use core::fmt;
 
 use fearless_simd::{Level, dispatch};
 
-use crate::faisceau::{Faisceau, Selection};
+use crate::faisceau::{Faisceau, Places, Selection, TRIER};
 use crate::objet::Forme;
-use crate::{Intersection, NoIntersection, ObjetRay, Rayon, Reel, Vecteur};
+use crate::{Intersection, NoIntersection, ObjetRay, Rayon, Reel, Vecteur, premiere_intersection};
 
 /// Rays in a group. Loops of eight would be unrolled before the compiler could widen them.
 pub(crate) const VOIES: usize = 16;
@@ -35,8 +35,9 @@ type Touche<R> = Result<Intersection<R>, NoIntersection>;
 ///
 /// Neighbours in `rayons` should be neighbours in the picture, in tiles of 8 × 8 better than in
 /// rows: objects that sixty-four rays in a row all miss cost next to nothing. Rays in no order at
-/// all are still faster than one by one. Nothing is allocated and no thread is started; slices of
-/// the same rays may be given to several.
+/// all are still faster than one by one. Give it some hundred rays a call, and where there are many
+/// objects some thousand: which objects matter is chosen for 4,096 at a time. Nothing is allocated
+/// and no thread is started; parts of a picture may be given to several.
 ///
 /// # Errors
 /// If `rayons` and `touches` are not of the same length; nothing is written then.
@@ -135,32 +136,61 @@ impl Reglage {
         if rayons.len() != touches.len() {
             return Err(LongueursDifferentes { rayons: rayons.len(), touches: touches.len() });
         }
-        let elaguer = self.elaguer && objets.len() >= ELAGAGE;
-        dispatch!(self.niveau, _simd => repondre(objets, rayons, touches, elaguer));
+        let peu_de_rayons = rayons.len() < VOIES / 2;
+        if peu_de_rayons {
+            for (rayon, touche) in rayons.iter().zip(touches) {
+                *touche = premiere_intersection(objets, rayon);
+            }
+        } else if !self.elaguer || objets.len() < ELAGAGE {
+            self.repondre(objets, rayons, touches, None);
+        } else if objets.len() <= TRIER {
+            let mut places = Places::<R, TRIER>::VIDES;
+            self.repondre(objets, rayons, touches, Some(places.selection()));
+        } else if rayons.len() < LOT / 2 {
+            let mut places = Places::<R, 256>::VIDES;
+            self.repondre(objets, rayons, touches, Some(places.selection()));
+        } else {
+            let mut places = Places::<R, 1024>::VIDES;
+            self.repondre(objets, rayons, touches, Some(places.selection()));
+        }
         Ok(())
+    }
+
+    fn repondre<'a, R: Reel>(
+        self,
+        objets: &'a [ObjetRay<R>],
+        rayons: &[Rayon<R>],
+        touches: &mut [Touche<R>],
+        selection: Option<Selection<'_, 'a, R>>,
+    ) {
+        dispatch!(self.niveau, _simd => repondre(objets, rayons, touches, selection));
     }
 }
 
 /// Lot by lot, and in it block by block from the rays to the answers, so that a block stays in the
 /// nearest memory.
 #[inline(always)]
-fn repondre<R: Reel>(
-    objets: &[ObjetRay<R>],
+fn repondre<'a, R: Reel>(
+    objets: &'a [ObjetRay<R>],
     mut rayons: &[Rayon<R>],
     mut touches: &mut [Touche<R>],
-    elaguer: bool,
+    mut selection: Option<Selection<'_, 'a, R>>,
 ) {
     let mut bloc = [const { Groupe::VIDE }; BLOC / VOIES];
-    let mut selection = Selection::VIDE;
     let mut taille = LOT;
     while !rayons.is_empty() {
         let n = rayons.len().min(taille);
         let (ici, suite) = rayons.split_at(n);
-        let choisie = elaguer && selection.choisir(objets, ici);
-        if elaguer && !choisie && taille > BLOC {
-            // Fewer rays see fewer objects.
-            taille /= 2;
-            continue;
+        let mut selection = selection.as_mut();
+        if let Some(choix) = &mut selection
+            && !choix.choisir(objets, ici)
+        {
+            if taille > BLOC {
+                // Fewer rays see fewer objects.
+                taille /= 2;
+                continue;
+            }
+            selection = None;
         }
         let (touches_ici, touches_suite) = touches.split_at_mut(n);
         for (rayons, touches) in ici.chunks(BLOC).zip(touches_ici.chunks_mut(BLOC)) {
@@ -168,9 +198,10 @@ fn repondre<R: Reel>(
             for (groupe, rayons) in bloc.iter_mut().zip(rayons.chunks(VOIES)) {
                 groupe.charger(rayons);
             }
-            let faisceau = if choisie { Faisceau::du_bloc(rayons, bloc) } else { None };
-            if let Some(faisceau) = faisceau {
-                let (objets, evites) = selection.face_a(&faisceau);
+            if let Some(choix) = &mut selection
+                && let Some(faisceau) = Faisceau::du_bloc(rayons, bloc)
+            {
+                let (objets, evites) = choix.face_a(&faisceau);
                 for (objet, evite) in objets.iter().zip(evites) {
                     if let Some(objet) = objet
                         && !evite

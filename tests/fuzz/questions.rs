@@ -1,0 +1,172 @@
+//! Raw bytes made into objects, transformations and rays: every value is refused or valid, and every
+//! answer to every ray is what it must be, alone and in a batch.
+//!
+//! Numbers are raw bits, or one that came before or its neighbour, without which nothing would ever
+//! coincide.
+
+#![no_main]
+
+use lancer_rayon::{
+    BoiteGeo, ErreurGeo, Intersection, NoIntersection, ObjetGeo, ObjetRay, PlanGeo, Rayon, Reglage,
+    Rotation, SphereGeo, Texture, Vecteur, est_occulte, premiere_intersection,
+};
+use libfuzzer_sys::fuzz_target;
+
+#[allow(dead_code, reason = "shared with the tests")]
+#[path = "../commun/conversion.rs"]
+mod conversion;
+use conversion::{Bits, large};
+
+struct Octets<'a, R> {
+    reste: &'a [u8],
+    vus: Vec<R>,
+}
+
+impl<R: Bits> Octets<'_, R> {
+    fn octet(&mut self) -> Option<u8> {
+        let (premier, reste) = self.reste.split_first()?;
+        self.reste = reste;
+        Some(*premier)
+    }
+
+    fn reel(&mut self) -> Option<R> {
+        let genre = self.octet()?;
+        let vu = self.vus.get(usize::from(genre >> 3)).copied();
+        let x = match (genre & 7, vu) {
+            (0, Some(vu)) => vu,
+            (1, Some(vu)) => -vu,
+            (2, Some(vu)) => vu * (R::UN + R::U + R::U),
+            (3, Some(vu)) => vu * (R::UN - R::U - R::U),
+            (4, _) => R::depuis_f64(f64::from(genre >> 3) - 16.0),
+            _ => {
+                let (bits, reste) = self.reste.split_first_chunk::<8>()?;
+                self.reste = reste;
+                R::depuis_bits(u64::from_le_bytes(*bits))
+            }
+        };
+        self.vus.push(x);
+        Some(x)
+    }
+
+    fn vecteur(&mut self) -> Option<Vecteur<R>> {
+        Some(Vecteur::new(self.reel()?, self.reel()?, self.reel()?))
+    }
+
+    fn rotation(&mut self) -> Option<Rotation<R>> {
+        let angles = self.vecteur()?;
+        let rotation = Rotation::new(angles);
+        assert!(rotation.is_ok() || !large(angles).longueur().is_finite());
+        Some(rotation.unwrap_or(Rotation::IDENTITE))
+    }
+
+    fn objet(&mut self, texture: Texture) -> Option<Result<ObjetGeo<R>, ErreurGeo>> {
+        Some(match self.octet()? % 3 {
+            0 => SphereGeo::new(self.vecteur()?, self.reel()?, texture).map(ObjetGeo::from),
+            1 => PlanGeo::new(self.rotation()?, self.reel()?, texture).map(ObjetGeo::from),
+            _ => BoiteGeo::new(self.vecteur()?, self.vecteur()?, self.rotation()?, texture)
+                .map(ObjetGeo::from),
+        })
+    }
+}
+
+fn verifier<R: Bits>(rayon: &Rayon<R>, touche: &Intersection<R>) {
+    assert!(touche.distance > R::ZERO && touche.distance < R::INFINI);
+    assert!(touche.normale.produit_scalaire(rayon.direction()) < R::ZERO);
+    let ecart = (large(touche.normale).longueur() - 1.0).abs();
+    assert!(ecart <= 4.0 * R::U.vers_f64(), "|N| is off by {ecart:e}");
+    assert!(touche.marge() >= R::ZERO, "margin {}", touche.marge());
+}
+
+/// The rays that leave from where `rayon` touches this object, outward and along: none touches it.
+fn secondaires<R: Bits>(objet: &ObjetRay<R>, rayon: &Rayon<R>, vers: Vecteur<R>) {
+    let Ok(touche) = objet.intersection(rayon) else { return };
+    verifier(rayon, &touche);
+    for vers in [vers, -vers, touche.normale, -rayon.direction()] {
+        let Ok(secondaire) = rayon.secondaire(&touche, vers) else { continue };
+        if secondaire.direction().produit_scalaire(touche.normale) > R::ZERO {
+            assert_eq!(objet.intersection(&secondaire), Err(NoIntersection), "{objet:?} {rayon:?}");
+        }
+    }
+}
+
+fn bits<R: Bits>(touche: &Result<Intersection<R>, NoIntersection>) -> Option<([u64; 5], Texture)> {
+    let t = touche.ok()?;
+    let n = t.normale;
+    Some(([t.distance, n.x, n.y, n.z, t.marge()].map(R::bits), t.texture))
+}
+
+fn attaquer<R: Bits>(octets: &[u8]) -> Option<()> {
+    let mut octets = Octets { reste: octets, vus: vec![R::LIMITE, R::UN / R::LIMITE] };
+    let (mut objets, mut rayons) = (Vec::<ObjetGeo<R>>::new(), Vec::<Rayon<R>>::new());
+    let mut lire = || {
+        loop {
+            match octets.octet()? % 6 {
+                0 => objets.extend(octets.objet(Texture(objets.len() as u32))?),
+                1 => {
+                    let (v, k) = (octets.vecteur()?, octets.reel()?);
+                    let r = octets.rotation()?;
+                    let Some(objet) = objets.pop() else { continue };
+                    let change = objet.translation(v).and_then(|o| o.rotation(r));
+                    objets.push(change.and_then(|o| o.homothetie(k)).unwrap_or(objet));
+                }
+                2 => rayons.extend(Rayon::new(octets.vecteur()?, octets.vecteur()?)),
+                3 => {
+                    // Towards an object: a random ray hardly ever touches one.
+                    let (de, vers) = (octets.vecteur()?, octets.vecteur()?);
+                    rayons.extend(Rayon::new(de, vers - de));
+                }
+                genre => {
+                    let Some(rayon) = rayons.last() else { continue };
+                    let k = u32::from(octets.octet()?) % 130;
+                    let vers = octets.vecteur()?;
+                    let faisceau: Vec<_> = (0..k)
+                        .filter_map(|i| {
+                            let ecart = vers * R::depuis_f64(f64::from(i) / 1024.0);
+                            let source = rayon.source();
+                            let source = if genre == 4 { source } else { source + ecart };
+                            Rayon::new(source, rayon.direction() + ecart).ok()
+                        })
+                        .collect();
+                    rayons.extend(faisceau);
+                }
+            }
+        }
+    };
+    let fini: Option<()> = lire();
+    debug_assert!(fini.is_none());
+
+    let objets: Vec<_> = objets.into_iter().map(ObjetGeo::vers_ray).collect();
+    let mut attendues = Vec::new();
+    for rayon in &rayons {
+        let premiere = premiere_intersection(&objets, rayon);
+        if let Ok(touche) = premiere {
+            verifier(rayon, &touche);
+            assert!(est_occulte(&objets, rayon, R::INFINI));
+        }
+        for max in octets.vus.iter().copied().take(4).chain(premiere.map(|t| t.distance)) {
+            let attendu =
+                objets.iter().any(|o| o.intersection(rayon).is_ok_and(|i| i.distance < max));
+            assert_eq!(est_occulte(&objets, rayon, max), attendu);
+        }
+        attendues.push(bits(&premiere));
+    }
+    for (rayon, suivant) in rayons.iter().zip(rayons.iter().cycle().skip(1)) {
+        for objet in &objets {
+            secondaires(objet, rayon, suivant.direction());
+        }
+    }
+    for (_, reglage) in Reglage::tous() {
+        for reglage in [reglage, reglage.sans_elagage()] {
+            let mut touches = vec![Err(NoIntersection); rayons.len()];
+            reglage.premieres_intersections(&objets, &rayons, &mut touches).unwrap();
+            assert!(touches.iter().map(bits).eq(attendues.iter().copied()));
+        }
+    }
+    Some(())
+}
+
+fuzz_target!(|octets: &[u8]| {
+    if let Some((genre, reste)) = octets.split_first() {
+        let _ = if genre % 2 == 0 { attaquer::<f32>(reste) } else { attaquer::<f64>(reste) };
+    }
+});

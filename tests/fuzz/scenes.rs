@@ -1,0 +1,34 @@
+//! Text through the scene loader, and what comes out of it asked with some rays.
+
+#![no_main]
+
+use std::path::Path;
+
+use lancer_rayon::{ObjetGeo, Rayon, Reel, Vecteur, premiere_intersection};
+use libfuzzer_sys::fuzz_target;
+use serde::de::DeserializeOwned;
+
+#[allow(dead_code, reason = "shared with the examples")]
+#[path = "../../docs/exemples/scene.rs"]
+mod scene;
+
+fn lire<R: Reel + DeserializeOwned>(texte: &str) {
+    match scene::Scene::<R>::depuis_texte(Path::new("scene.ron"), texte) {
+        Ok(scene) => {
+            let objets: Vec<_> = scene.objets.into_iter().map(ObjetGeo::vers_ray).collect();
+            for (x, y, z) in [(0, 0, -1), (1, 1, 1), (-3, 0, 2), (0, -7, 1)] {
+                let vers = [x, y, z].map(|x| R::depuis_f64(f64::from(x)));
+                let rayon = Rayon::new(Vecteur::NUL, vers.into()).unwrap();
+                if let Ok(touche) = premiere_intersection(&objets, &rayon) {
+                    assert!(touche.distance > R::ZERO && touche.distance < R::INFINI);
+                }
+            }
+        }
+        Err(erreur) => assert!(!erreur.to_string().is_empty()),
+    }
+}
+
+fuzz_target!(|texte: &str| {
+    lire::<f32>(texte);
+    lire::<f64>(texte);
+});
