@@ -95,7 +95,7 @@ fn des_longueurs_differentes_sont_une_erreur_et_rien_n_est_ecrit() {
 /// From none to two blocks of 64 and one more, with few objects and with enough for culling.
 fn longueurs<R: Bits>() {
     let rayons = scenes::rayons_camera::<R>(20, 10);
-    for n in [3, 12, 70] {
+    for n in [3, 12, 300] {
         let scene = scenes::melange(n);
         for longueur in 0..=129 {
             comparer(&scene, &rayons[200 - longueur..]);
