@@ -145,15 +145,30 @@ pub fn premiere_intersection<R: Reel>(
 /// ends with the first such object. +∞ asks whether the ray touches anything at all; a NaN has
 /// nothing before it.
 ///
-/// ```
-/// use lancer_rayon::{ObjetGeo, Rayon, SphereGeo, Texture, Vecteur, est_occulte};
+/// A [`secondaire`](Rayon::secondaire) leaves the point of a hit, and its own source is the one to
+/// measure from. Towards a lamp behind the surface it leads inward, where it does not see the object
+/// that it leaves: whether the surface faces the lamp, the sign of N·L says.
 ///
-/// let boule = SphereGeo::new(Vecteur::new(0.0, 0.0, -5.0), 1.0, Texture(0))?;
-/// let scene = [ObjetGeo::from(boule).vers_ray()];
-/// let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.0, 0.0, -1.0))?;
-/// assert!(est_occulte(&scene, &rayon, 9.0));
-/// assert!(!est_occulte(&scene, &rayon, 4.0));
-/// # Ok::<(), lancer_rayon::ErreurGeo>(())
+/// ```
+/// use lancer_rayon::{
+///     ObjetGeo, Rayon, SphereGeo, Texture, Vecteur, est_occulte, premiere_intersection,
+/// };
+///
+/// let boule = |y, r, texture| SphereGeo::new(Vecteur::new(0.0, y, -5.0), r, Texture(texture));
+/// let scene = [boule(0.0, 1.0, 0)?, boule(4.0, 0.5, 1)?].map(|b| ObjetGeo::from(b).vers_ray());
+/// let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.0, 0.6, -5.0))?;
+/// let touche = premiere_intersection(&scene, &rayon)?;
+/// let eclaire = |lampe: Vecteur| -> Result<bool, Box<dyn core::error::Error>> {
+///     let vers = lampe - rayon.point(touche.distance);
+///     let ombre = rayon.secondaire(&touche, vers)?;
+///     let distance = (lampe - ombre.source()).longueur();
+///     let de_face = vers.produit_scalaire(touche.normale) > 0.0;
+///     Ok(de_face && !est_occulte(&scene, &ombre, distance))
+/// };
+/// assert!(eclaire(Vecteur::new(0.0, 3.0, -2.0))?);
+/// assert!(!eclaire(Vecteur::new(0.0, 9.0, -5.2))?); // behind the small ball
+/// assert!(!eclaire(Vecteur::new(0.0, 0.0, -9.0))?); // behind the surface
+/// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[doc(alias = "any_hit")]
 #[doc(alias = "occluded")]

@@ -123,15 +123,25 @@ impl<R: Reel> Vecteur<R> {
         (self.x * autre.x).abs() + (self.y * autre.y).abs() + (self.z * autre.z).abs()
     }
 
-    /// The same vector in the wider type, exactly.
+    /// The same vector in `f64`, exactly.
+    ///
+    /// ```
+    /// # use lancer_rayon::Vecteur;
+    /// let v = Vecteur::<f32>::depuis_f64(Vecteur::new(0.1, 0.25, 3.0));
+    /// assert_eq!(v, Vecteur::new(0.1_f32, 0.25, 3.0));
+    /// assert_eq!(v.vers_f64(), Vecteur::new(0.1_f32.into(), 0.25, 3.0));
+    /// ```
+    #[doc(alias = "as_dvec3")]
     #[inline(always)]
-    pub(crate) fn vers_f64(self) -> Vecteur<f64> {
+    pub fn vers_f64(self) -> Vecteur<f64> {
         Vecteur::new(self.x.vers_f64(), self.y.vers_f64(), self.z.vers_f64())
     }
 
-    /// The nearest vector of this type.
+    /// The nearest vector of this type to one in `f64`: each coordinate rounded.
+    #[doc(alias = "from_f64")]
+    #[doc(alias = "cast")]
     #[inline(always)]
-    pub(crate) fn depuis_f64(v: Vecteur<f64>) -> Self {
+    pub fn depuis_f64(v: Vecteur<f64>) -> Self {
         Self::new(R::depuis_f64(v.x), R::depuis_f64(v.y), R::depuis_f64(v.z))
     }
 }

@@ -105,14 +105,10 @@ impl Camera {
         let rayon = |(i, j)| {
             let (x, y) = (milieu(i, largeur) * pas, -milieu(j, hauteur) * pas);
             let direction = self.rotation.appliquer(Vecteur::new(x, y, -1.0));
-            Rayon::new(arrondi(self.source), arrondi(direction))
+            Rayon::new(Vecteur::depuis_f64(self.source), Vecteur::depuis_f64(direction))
         };
         pixels.map(rayon).collect()
     }
-}
-
-fn arrondi<R: Reel>(v: Vecteur) -> Vecteur<R> {
-    <[f64; 3]>::from(v).map(R::depuis_f64).into()
 }
 
 #[derive(Deserialize)]
@@ -275,7 +271,7 @@ fn coefficient<'de, D: Deserializer<'de>, R: Reel + Deserialize<'de>>(d: D) -> R
 /// to π/2, which turns exactly; a factor π/180 would be rounded first.
 fn rotation<'de, D: Deserializer<'de>, R: Reel>(d: D) -> Result<Rotation<R>, D::Error> {
     let degres = Vecteur::deserialize(d)?;
-    Rotation::new(arrondi(degres / 90.0 * FRAC_PI_2)).map_err(D::Error::custom)
+    Rotation::new(Vecteur::depuis_f64(degres / 90.0 * FRAC_PI_2)).map_err(D::Error::custom)
 }
 
 fn source<'de, D: Deserializer<'de>>(d: D) -> Result<Vecteur, D::Error> {

@@ -1,0 +1,97 @@
+//! What a renderer rests on: a convex object on its own is lit by a lamp exactly where it faces it.
+
+mod commun;
+
+use commun::scenes::rayons_camera;
+use commun::tolerances::u;
+use commun::{arrondi, large};
+use lancer_rayon::{
+    BoiteGeo, Intersection, ObjetGeo, ObjetRay, Rayon, Reel, Rotation, SphereGeo, Texture, Vecteur,
+    est_occulte,
+};
+
+const LAMPES: [Vecteur; 4] = [
+    Vecteur::new(2.0, 3.0, 4.0),
+    Vecteur::new(-1.9, 0.4, 0.3),
+    Vecteur::new(0.3, -50.0, 20.0),
+    Vecteur::new(-500.0, 800.0, -300.0),
+];
+
+/// A ball and a turned box, about as large as `echelle`.
+fn objets<R: Reel>(centre: Vecteur, echelle: f64) -> [ObjetRay<R>; 2] {
+    let rayon = R::depuis_f64(echelle);
+    let boule = SphereGeo::new(arrondi(centre), rayon, Texture(0)).unwrap();
+    let tour = Rotation::new(arrondi(Vecteur::new(0.4, 0.7, 0.2))).unwrap();
+    let cotes = arrondi(Vecteur::new(1.5, 1.1, 1.3) * echelle);
+    let boite = BoiteGeo::new(arrondi(centre), cotes, tour, Texture(1)).unwrap();
+    [ObjetGeo::from(boule).vers_ray(), ObjetGeo::from(boite).vers_ray()]
+}
+
+/// Whether nothing is between this hit and the lamp, as a renderer asks.
+fn voit<R: Reel>(
+    objet: &ObjetRay<R>,
+    rayon: &Rayon<R>,
+    touche: &Intersection<R>,
+    lampe: Vecteur<R>,
+) -> bool {
+    let vers = lampe - rayon.point(touche.distance);
+    let ombre = rayon.secondaire(touche, vers).unwrap();
+    !est_occulte(&[*objet], &ombre, (lampe - ombre.source()).longueur())
+}
+
+/// `secondaire` promises that its object is not in the way of a ray outward, and that a ray inward
+/// does not see it at all: the first assertion needs no threshold, not even for the lamp that each
+/// hit has in its tangent plane, on one side or the other as rounding has it. What is dark, the
+/// sign of N·L alone says.
+///
+/// The second assertion needs a threshold. It asks the lamp: its own ray towards the point meets
+/// the object on the side of the point if that faces the lamp, and elsewhere if it does not. The
+/// point is off the surface by h, a few u of its coordinates, and an oblique ray of the lamp meets
+/// the surface h/(r·cos) beside it, in units of the radius: well below the cosine, by which the
+/// normals must differ to be told apart, if cos² exceeds h/r by far.
+fn eclaire_ce_qui_fait_face<R: Reel>() {
+    let (mut clairs, mut sombres, mut rasants) = (0, 0, 0);
+    for (echelle, loin) in [1e-3, 1.0, 1e4].into_iter().flat_map(|e| [(e, 0.0), (e, 1e3)]) {
+        let decalage = Vecteur::new(0.6, -0.7, 0.4) * (loin * echelle);
+        let centre = Vecteur::new(0.0, 1.0, 2.0) * echelle + decalage;
+        let seuil = (64.0 * u::<R>() * (centre.longueur() / echelle + 8.0)).sqrt();
+        let objets = objets::<R>(centre, echelle);
+        let rayons = rayons_camera::<R>(90, 60).into_iter().map(|rayon| {
+            let source = large(rayon.source()) * echelle + decalage;
+            Rayon::new(arrondi(source), rayon.direction()).unwrap()
+        });
+        for (rayon, objet) in rayons.flat_map(|rayon| objets.map(|objet| (rayon, objet))) {
+            let Ok(touche) = objet.intersection(&rayon) else { continue };
+            let (d, n) = (large(rayon.direction()), large(touche.normale));
+            let point = rayon.point(touche.distance);
+            let rasante = large(point) + (d - n * d.produit_scalaire(n)) * echelle;
+            for lampe in LAMPES.map(|lampe| lampe * echelle + centre).into_iter().chain([rasante]) {
+                let lampe = arrondi(lampe);
+                let Ok(depuis) = Rayon::new(lampe, point - lampe) else { continue };
+                let cosinus = -depuis.direction().produit_scalaire(touche.normale).vers_f64();
+                let contexte = || format!("{objet:?} {rayon:?} {lampe:?}: {cosinus}");
+                assert!(voit(&objet, &rayon, &touche, lampe), "its own shadow: {}", contexte());
+                if cosinus.abs() < seuil {
+                    rasants += u32::from(cosinus > 0.0);
+                    continue;
+                }
+                let vue = objet.intersection(&depuis).map_err(|_| contexte()).unwrap();
+                let ecart = (large(vue.normale) - n).longueur();
+                assert_eq!(ecart < seuil, cosinus > 0.0, "{ecart}, {}", contexte());
+                *(if cosinus > 0.0 { &mut clairs } else { &mut sombres }) += 1;
+            }
+        }
+    }
+    println!("{clairs} lit, {sombres} dark, {rasants} grazed");
+    assert!(clairs.min(sombres) > 10_000 && rasants > 2_000);
+}
+
+#[test]
+fn eclaire_ce_qui_fait_face_en_f64() {
+    eclaire_ce_qui_fait_face::<f64>();
+}
+
+#[test]
+fn eclaire_ce_qui_fait_face_en_f32() {
+    eclaire_ce_qui_fait_face::<f32>();
+}
