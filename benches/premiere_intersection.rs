@@ -1,4 +1,5 @@
-//! The first intersection, ray by ray and in a batch, beside annex A of the handout to the letter.
+//! The first intersection, ray by ray and in a batch, beside annex A of the handout to the letter; and
+//! shadows, with the question made for them and without.
 
 use std::hint::black_box;
 use std::path::Path;
@@ -9,7 +10,8 @@ use criterion::{
     BenchmarkId, Criterion, SamplingMode, Throughput, criterion_group, criterion_main,
 };
 use lancer_rayon::{
-    NoIntersection, ObjetRay, Rayon, Reel, premiere_intersection, premieres_intersections,
+    NoIntersection, ObjetRay, Rayon, Reel, Vecteur, est_occulte, premiere_intersection,
+    premieres_intersections,
 };
 use scene::Scene;
 use serde::de::DeserializeOwned;
@@ -42,6 +44,17 @@ fn mesurer<R: Reel + DeserializeOwned>(c: &mut Criterion) {
         groupe.bench_function(BenchmarkId::new("lot", nom), |b| {
             b.iter(|| premieres_intersections(objets, rayons, black_box(&mut touches)));
         });
+        let ombres = ombres(objets, rayons);
+        groupe.throughput(Throughput::Elements(ombres.len() as u64));
+        groupe.bench_function(BenchmarkId::new("ombres, est_occulte", nom), |b| {
+            b.iter(|| lancer(&ombres, |(ombre, max)| est_occulte(objets, ombre, *max)));
+        });
+        groupe.bench_function(BenchmarkId::new("ombres, premiere_intersection", nom), |b| {
+            let avant = |(ombre, max): &(Rayon<R>, R)| {
+                premiere_intersection(objets, ombre).is_ok_and(|touche| touche.distance < *max)
+            };
+            b.iter(|| lancer(&ombres, avant));
+        });
         groupe.bench_function(BenchmarkId::new("annexe A", nom), |b| {
             b.iter(|| lancer(rayons, |rayon| litteral::premiere_intersection(&litteraux, rayon)));
         });
@@ -56,7 +69,20 @@ fn mesurer<R: Reel + DeserializeOwned>(c: &mut Criterion) {
     }
 }
 
-fn lancer<R: Reel, T>(rayons: &[Rayon<R>], premiere: impl Fn(&Rayon<R>) -> T) {
+/// From what the rays touch to a lamp that it faces, and how far that is.
+fn ombres<R: Reel>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) -> Vec<(Rayon<R>, R)> {
+    let lampe = Vecteur::depuis_f64(Vecteur::new(-2.6, 7.2, 5.2));
+    let ombre = |rayon: &Rayon<R>| {
+        let touche = premiere_intersection(objets, rayon).ok()?;
+        let vers = lampe - rayon.point(touche.distance);
+        let de_face = vers.produit_scalaire(touche.normale) > R::ZERO;
+        let ombre = rayon.secondaire(&touche, vers).ok().filter(|_| de_face)?;
+        Some((ombre, (lampe - ombre.source()).longueur()))
+    };
+    rayons.iter().filter_map(ombre).collect()
+}
+
+fn lancer<Q, T>(rayons: &[Q], premiere: impl Fn(&Q) -> T) {
     for rayon in rayons {
         black_box(&premiere(rayon));
     }
