@@ -9,6 +9,7 @@ use crate::{ErreurGeo, Intersection, Rayon, Reel, Rotation, Texture, Vecteur};
 /// it is turned) and the rotation that turns it about its centre (handout §2.2).
 ///
 /// ```
+/// use core::f64::consts::FRAC_PI_2;
 /// use lancer_rayon::{BoiteGeo, Rotation, Texture, Vecteur};
 ///
 /// let marche = BoiteGeo::new(
@@ -19,6 +20,14 @@ use crate::{ErreurGeo, Intersection, Rayon, Reel, Rotation, Texture, Vecteur};
 /// )?;
 /// let faces = marche.vers_ray().centres_faces();
 /// assert_eq!(faces[0], Vecteur::new(2.0, 1.0, 0.0));
+///
+/// // Twice as large, a quarter turn about y, then back to where it stood.
+/// let quart = Rotation::new(Vecteur::new(0.0, FRAC_PI_2, 0.0))?;
+/// let grande = marche.homothetie(2.0)?.rotation(quart)?;
+/// let grande = grande.translation(Vecteur::new(0.0, 1.0, 0.0))?.vers_ray();
+/// assert_eq!(grande.centre(), Vecteur::new(0.0, 2.0, 0.0));
+/// assert_eq!(grande.demi_longueurs(), [4.0, 2.0, 1.0]);
+/// assert_eq!(grande.normales()[0], Vecteur::new(0.0, 0.0, 1.0));
 /// # Ok::<(), lancer_rayon::ErreurGeo>(())
 /// ```
 #[doc(alias = "box")]
@@ -111,7 +120,26 @@ impl<R: Reel> BoiteGeo<R> {
 ///
 /// The handout stores 36 numbers. The centre, the three normals and the three half-lengths
 /// determine the rest, and are all that an intersection reads.
+///
+/// ```
+/// use lancer_rayon::{BoiteGeo, Rotation, Texture, Vecteur};
+///
+/// let centre = Vecteur::new(1.0, 0.0, 0.0);
+/// let boite = BoiteGeo::new(centre, Vecteur::new(4.0, 2.0, 6.0), Rotation::IDENTITE, Texture(7))?;
+/// let boite = boite.vers_ray();
+/// assert_eq!((boite.centre(), boite.texture()), (centre, Texture(7)));
+/// assert_eq!(boite.normales()[0], Vecteur::new(1.0, 0.0, 0.0));
+/// assert_eq!(boite.demi_longueurs(), [2.0, 1.0, 3.0]);
+///
+/// // From x = −1 to x = 3: the origin is inside both planes.
+/// assert_eq!(boite.centres_faces()[0], Vecteur::new(3.0, 0.0, 0.0));
+/// assert_eq!(boite.centres_opposes()[0], Vecteur::new(-1.0, 0.0, 0.0));
+/// assert_eq!((boite.distances_faces()[0], boite.distances_opposees()[0]), (-3.0, -1.0));
+/// # Ok::<(), lancer_rayon::ErreurGeo>(())
+/// ```
 #[doc(alias = "box")]
+#[doc(alias = "cuboid")]
+#[doc(alias = "obb")]
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[must_use]
 pub struct BoiteRay<R = f64> {

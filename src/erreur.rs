@@ -14,6 +14,7 @@ use crate::{Reel, Vecteur};
 /// let erreur = SphereGeo::new(Vecteur::NUL, -1.0, Texture(0)).unwrap_err();
 /// assert_eq!(erreur.champ, "rayon");
 /// assert_eq!(erreur.valeur, -1.0);
+/// assert_eq!(erreur.attendu, "a number between 2^-450 and 2^450");
 /// assert_eq!(erreur.to_string(), "rayon is -1, but must be a number between 2^-450 and 2^450");
 /// ```
 #[doc(alias = "error")]
@@ -21,10 +22,13 @@ use crate::{Reel, Vecteur};
 #[non_exhaustive]
 pub struct ErreurGeo {
     /// The field or argument, for instance `"centre.x"`.
+    #[doc(alias = "field")]
     pub champ: &'static str,
     /// What it would have been (an `f32` is widened, exactly).
+    #[doc(alias = "value")]
     pub valeur: f64,
     /// What would have been accepted, as the end of the sentence "it must be …".
+    #[doc(alias = "expected")]
     pub attendu: &'static str,
 }
 

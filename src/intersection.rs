@@ -6,6 +6,19 @@ use crate::reel::u;
 use crate::{ObjetRay, Rayon, Reel, Texture, Vecteur};
 
 /// Where a ray first touches an object: what the handout asks for in §2.3.
+///
+/// ```
+/// use lancer_rayon::{Intersection, PlanGeo, Rayon, Rotation, Texture, Vecteur, premiere_intersection};
+///
+/// let fond = PlanGeo::new(Rotation::IDENTITE, 2.0, Texture(7))?.vers_ray();
+/// let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(3.0, 0.0, -4.0))?;
+/// let touche = premiere_intersection(&[fond.into()], &rayon)?;
+///
+/// let Intersection { distance, normale, texture, .. } = touche;
+/// assert_eq!((distance, normale, texture), (2.5, Vecteur::new(0.0, 0.0, 1.0), Texture(7)));
+/// assert!((rayon.point(distance) - Vecteur::new(1.5, 0.0, -2.0)).longueur() < 1e-15);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
 #[doc(alias = "hit")]
 #[doc(alias = "HitRecord")]
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -14,6 +27,7 @@ pub struct Intersection<R = f64> {
     /// From the source of the ray to the object, in scene units: finite and above 0.
     pub distance: R,
     /// The direction of the surface there: unit, outward, and against the ray (D·N < 0).
+    #[doc(alias = "normal")]
     pub normale: Vecteur<R>,
     /// The texture of the object.
     pub texture: Texture,
@@ -74,6 +88,16 @@ impl<R: Reel> Intersection<R> {
 }
 
 /// The ray touches nothing: the exception `No_intersection` of the handout's §4.1.
+///
+/// ```
+/// use lancer_rayon::{NoIntersection, ObjetRay, Rayon, Vecteur, premiere_intersection};
+///
+/// let vide: [ObjetRay; 0] = [];
+/// let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.0, 0.0, -1.0))?;
+/// assert_eq!(premiere_intersection(&vide, &rayon), Err(NoIntersection));
+/// # Ok::<(), lancer_rayon::ErreurGeo>(())
+/// ```
+#[doc(alias = "No_intersection")]
 #[doc(alias = "miss")]
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub struct NoIntersection;

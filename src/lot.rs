@@ -68,12 +68,23 @@ pub fn premieres_intersections<R: Reel>(
 }
 
 /// As many answers as rays are needed, and there are not.
+///
+/// ```
+/// use lancer_rayon::{LongueursDifferentes, NoIntersection, Rayon, premieres_intersections};
+///
+/// let rayons: [Rayon; 0] = [];
+/// let mut touches = [Err(NoIntersection); 3];
+/// let refus = premieres_intersections(&[], &rayons, &mut touches);
+/// assert_eq!(refus, Err(LongueursDifferentes { rayons: 0, touches: 3 }));
+/// ```
 #[doc(alias = "length_mismatch")]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct LongueursDifferentes {
     /// How many rays.
+    #[doc(alias = "rays")]
     pub rayons: usize,
     /// Places for how many answers.
+    #[doc(alias = "hits")]
     pub touches: usize,
 }
 

@@ -9,10 +9,15 @@ use crate::{
 /// An object as one describes and moves it (`Objet_geo` in the handout).
 ///
 /// ```
-/// use lancer_rayon::{ObjetGeo, SphereGeo, Texture, Vecteur};
+/// use core::f64::consts::PI;
+/// use lancer_rayon::{ObjetGeo, ObjetRay, Rotation, SphereGeo, Texture, Vecteur};
 ///
 /// let boule = ObjetGeo::from(SphereGeo::new(Vecteur::NUL, 1.0, Texture(0))?);
-/// let objet = boule.translation(Vecteur::new(0.0, 0.0, -4.0))?.homothetie(2.0)?.vers_ray();
+/// let objet = boule.translation(Vecteur::new(0.0, 0.0, -4.0))?.homothetie(2.0)?;
+/// let objet = objet.rotation(Rotation::new(Vecteur::new(0.0, PI, 0.0))?)?.vers_ray();
+///
+/// let ObjetRay::Sphere(boule) = objet else { panic!("a sphere stays one") };
+/// assert_eq!((boule.centre(), boule.rayon()), (Vecteur::new(0.0, 0.0, 4.0), 2.0));
 /// # Ok::<(), lancer_rayon::ErreurGeo>(())
 /// ```
 #[doc(alias = "shape")]
@@ -26,8 +31,10 @@ pub enum ObjetGeo<R = f64> {
     /// A sphere.
     Sphere(SphereGeo<R>),
     /// A half-space.
+    #[doc(alias = "plane")]
     Plan(PlanGeo<R>),
     /// A box.
+    #[doc(alias = "box")]
     Boite(BoiteGeo<R>),
 }
 
@@ -104,8 +111,10 @@ pub enum ObjetRay<R = f64> {
     /// A sphere.
     Sphere(SphereRay<R>),
     /// A half-space.
+    #[doc(alias = "plane")]
     Plan(PlanRay<R>),
     /// A box.
+    #[doc(alias = "box")]
     Boite(BoiteRay<R>),
 }
 

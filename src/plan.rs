@@ -16,6 +16,12 @@ use crate::{ErreurGeo, Intersection, Rayon, Reel, Rotation, Texture, Vecteur};
 /// let couche = Rotation::new(Vecteur::new(FRAC_PI_2, 0.0, 0.0))?;
 /// let sol = PlanGeo::new(couche, 2.0, Texture(0))?.vers_ray();
 /// assert_eq!((sol.normale(), sol.distance()), (Vecteur::new(0.0, 1.0, 0.0), 2.0));
+///
+/// // The same floor laid down by a rotation, and then raised over the origin.
+/// let dalle = PlanGeo::new(Rotation::IDENTITE, 2.0, Texture(0))?.rotation(couche)?.homothetie(9.0)?;
+/// assert_eq!(dalle.vers_ray(), sol);
+/// let plus_haut = dalle.translation(Vecteur::new(0.0, 3.0, 0.0))?;
+/// assert_eq!(plus_haut.vers_ray().distance(), -1.0);
 /// # Ok::<(), lancer_rayon::ErreurGeo>(())
 /// ```
 #[doc(alias = "plane")]
@@ -87,7 +93,18 @@ impl<R: Reel> PlanGeo<R> {
 
 /// A half-space ready for rays: its outward unit normal N and its relative distance d
 /// (handout §3). Its points are those where N·X ≤ −d.
+///
+/// ```
+/// use lancer_rayon::{PlanGeo, Rotation, Texture, Vecteur};
+///
+/// let fond = PlanGeo::new(Rotation::IDENTITE, 2.0, Texture(7))?.vers_ray();
+/// let (n, d) = (fond.normale(), fond.distance());
+/// assert!(n.produit_scalaire(Vecteur::new(5.0, 5.0, -3.0)) <= -d);
+/// assert_eq!((n, d, fond.texture()), (Vecteur::new(0.0, 0.0, 1.0), 2.0, Texture(7)));
+/// # Ok::<(), lancer_rayon::ErreurGeo>(())
+/// ```
 #[doc(alias = "plane")]
+#[doc(alias = "half-space")]
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[must_use]
 pub struct PlanRay<R = f64> {
@@ -105,6 +122,7 @@ impl<R: Reel> PlanRay<R> {
     }
 
     /// d, the relative distance to the origin O: below 0 if and only if O is inside.
+    #[doc(alias = "offset")]
     #[inline]
     #[must_use]
     pub fn distance(&self) -> R {

@@ -34,6 +34,24 @@ use scelle::Scelle;
 ///
 /// Every operation it offers is correctly rounded, so that a query gives the same bits on
 /// every machine. Fused multiply-add is absent on purpose: not every machine has it.
+///
+/// ```
+/// use lancer_rayon::{Reel, Vecteur};
+///
+/// /// In either type, and with its own rounding.
+/// fn moyenne<R: Reel>(a: Vecteur<R>, b: Vecteur<R>) -> Vecteur<R> {
+///     (a + b) / (R::UN + R::UN)
+/// }
+///
+/// let milieu = moyenne(Vecteur::NUL, Vecteur::<f32>::new(1.0, 2.0, 3.0));
+/// assert_eq!(milieu, Vecteur::new(0.5, 1.0, 1.5));
+///
+/// assert_eq!(f64::U, f64::EPSILON / 2.0);
+/// assert_eq!(f64::LIMITE, 2.0_f64.powi(450));
+/// assert_eq!(f64::PLUS_PETIT, 5e-324);
+/// assert_eq!((f32::INFINI.vers_f64(), f32::depuis_f64(0.1)), (f64::INFINITY, 0.1));
+/// assert_eq!((Reel::sqrt(9.0), Reel::abs(-3.0), f64::ZERO), (3.0, 3.0, 0.0));
+/// ```
 #[doc(alias = "float")]
 #[doc(alias = "scalar")]
 pub trait Reel:
@@ -54,15 +72,22 @@ pub trait Reel:
     /// 0.
     const ZERO: Self;
     /// 1.
+    #[doc(alias = "one")]
     const UN: Self;
     /// +∞, the distance of what is never touched.
+    #[doc(alias = "infinity")]
     const INFINI: Self;
     /// The smallest number above 0, a subnormal.
+    #[doc(alias = "min_positive")]
+    #[doc(alias = "smallest")]
     const PLUS_PETIT: Self;
     /// u, the largest relative error of one rounding: 2⁻²⁴ or 2⁻⁵³.
+    #[doc(alias = "epsilon")]
+    #[doc(alias = "unit_roundoff")]
     const U: Self;
     /// The largest coordinate, distance or size of a scene: 2⁶⁰ or 2⁴⁵⁰. The smallest size is
     /// its inverse.
+    #[doc(alias = "limit")]
     const LIMITE: Self;
 
     /// Square root, correctly rounded.
@@ -70,8 +95,10 @@ pub trait Reel:
     /// Absolute value.
     fn abs(self) -> Self;
     /// The same number as an `f64`, exactly.
+    #[doc(alias = "to_f64")]
     fn vers_f64(self) -> f64;
     /// The nearest number of this type.
+    #[doc(alias = "from_f64")]
     fn depuis_f64(x: f64) -> Self;
 }
 

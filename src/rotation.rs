@@ -83,6 +83,16 @@ impl<R: Reel> Rotation<R> {
     ///
     /// # Errors
     /// If an angle is not finite.
+    ///
+    /// ```
+    /// use core::f64::consts::FRAC_PI_2;
+    /// use lancer_rayon::{Rotation, Vecteur};
+    ///
+    /// let (r, x) = (Vecteur::new(0.0, 0.0, FRAC_PI_2), Vecteur::new(1.0, 0.0, 0.0));
+    /// assert_eq!(Rotation::main_droite(r)?.appliquer(x), Vecteur::new(0.0, 1.0, 0.0));
+    /// assert_eq!(Rotation::new(r)?.appliquer(x), Vecteur::new(0.0, -1.0, 0.0));
+    /// # Ok::<(), lancer_rayon::ErreurGeo>(())
+    /// ```
     #[doc(alias = "right_handed")]
     pub fn main_droite(vecteur_rotation: Vecteur<R>) -> Result<Self, ErreurGeo> {
         Self::new(-fini(ANGLES, vecteur_rotation)?)
@@ -148,6 +158,17 @@ impl<R: Reel> Rotation<R> {
     }
 
     /// M, rows first.
+    ///
+    /// ```
+    /// use lancer_rayon::{Rotation, Vecteur};
+    ///
+    /// let r = Rotation::new(Vecteur::new(0.1, 0.2, 0.3))?;
+    /// assert_eq!(Rotation::depuis_matrice(r.matrice())?, r);
+    ///
+    /// let transposee = core::array::from_fn(|i| r.matrice().map(|ligne| ligne[i]));
+    /// assert_eq!(r.inverse().matrice(), transposee);
+    /// # Ok::<(), lancer_rayon::ErreurGeo>(())
+    /// ```
     #[doc(alias = "matrix")]
     #[must_use]
     pub fn matrice(self) -> [[R; 3]; 3] {

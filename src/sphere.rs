@@ -8,11 +8,18 @@ use crate::{ErreurGeo, Intersection, Rayon, Reel, Rotation, Texture, Vecteur};
 /// A sphere as one describes it: its centre and its radius (handout §2.2).
 ///
 /// ```
-/// use lancer_rayon::{SphereGeo, Texture, Vecteur};
+/// use core::f64::consts::PI;
+/// use lancer_rayon::{Rotation, SphereGeo, Texture, Vecteur};
 ///
 /// let boule = SphereGeo::new(Vecteur::new(0.0, 0.0, -5.0), 1.5, Texture(0))?;
 /// let double = boule.homothetie(2.0)?.vers_ray();
 /// assert_eq!((double.centre(), double.rayon()), (Vecteur::new(0.0, 0.0, -5.0), 3.0));
+///
+/// // Half a turn about y takes it behind the origin, a translation back.
+/// let demi_tour = Rotation::new(Vecteur::new(0.0, PI, 0.0))?;
+/// let derriere = boule.rotation(demi_tour)?;
+/// assert_eq!(derriere.vers_ray().centre(), Vecteur::new(0.0, 0.0, 5.0));
+/// assert_eq!(derriere.translation(Vecteur::new(0.0, 0.0, -10.0))?, boule);
 /// # Ok::<(), lancer_rayon::ErreurGeo>(())
 /// ```
 #[doc(alias = "ball")]
@@ -81,6 +88,14 @@ impl<R: Reel> SphereGeo<R> {
 }
 
 /// A sphere ready for rays: its centre C and its radius r > 0 (handout §3).
+///
+/// ```
+/// use lancer_rayon::{SphereGeo, Texture, Vecteur};
+///
+/// let boule = SphereGeo::new(Vecteur::NUL, 1.5, Texture(7))?.vers_ray();
+/// assert_eq!((boule.centre(), boule.rayon(), boule.texture()), (Vecteur::NUL, 1.5, Texture(7)));
+/// # Ok::<(), lancer_rayon::ErreurGeo>(())
+/// ```
 #[doc(alias = "ball")]
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[must_use]

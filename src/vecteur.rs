@@ -15,7 +15,13 @@ use crate::Reel;
 /// let v = Vecteur::new(1.0, 2.0, 2.0);
 /// assert_eq!(v.longueur(), 3.0);
 /// assert_eq!(v.produit_scalaire(Vecteur::new(0.0, 0.5, 0.0)), 1.0);
+/// assert_eq!(v.longueur_carree(), 9.0);
 /// assert_eq!((v - v) * 2.0 + v / 1.0, v);
+/// assert_eq!(-v + v, Vecteur::NUL);
+///
+/// assert_eq!(Vecteur::from([1.0, 2.0, 2.0]), v);
+/// let [x, y, z]: [f64; 3] = v.into();
+/// assert_eq!((x, y, z), (v.x, v.y, v.z));
 /// ```
 #[doc(alias = "vector")]
 #[doc(alias = "point")]
