@@ -6,7 +6,7 @@
 
 mod commun;
 
-use commun::regimes::{Cas, direction, regimes};
+use commun::regimes::{Cas, direction, entre, puissance, regimes};
 use commun::{Bits, arrondi, large, scenes};
 use fastrand::Rng;
 use lancer_rayon::{
@@ -149,15 +149,6 @@ fn extremes<R: Bits>() {
 fn les_extremes() {
     extremes::<f32>();
     extremes::<f64>();
-}
-
-fn entre(alea: &mut Rng, min: f64, max: f64) -> f64 {
-    min + (max - min) * alea.f64()
-}
-
-/// 2^x, with x anywhere between the two.
-fn puissance(alea: &mut Rng, min: f64, max: f64) -> f64 {
-    entre(alea, min, max).exp2()
 }
 
 /// A block of rays that go apart by about `ouverture` in direction and `etendue` in place, around

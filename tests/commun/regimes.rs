@@ -51,12 +51,12 @@ pub(crate) fn regimes<R: Reel>() -> [Regime<R>; 19] {
 /// An object of about this size with its centre (for a half-space, a point of it) here.
 type Forme<R> = fn(&mut Rng, Vecteur, f64) -> ObjetGeo<R>;
 
-fn entre(alea: &mut Rng, min: f64, max: f64) -> f64 {
+pub(crate) fn entre(alea: &mut Rng, min: f64, max: f64) -> f64 {
     min + (max - min) * alea.f64()
 }
 
 /// 2^x, with x anywhere between the two.
-fn puissance(alea: &mut Rng, min: f64, max: f64) -> f64 {
+pub(crate) fn puissance(alea: &mut Rng, min: f64, max: f64) -> f64 {
     entre(alea, min, max).exp2()
 }
 
