@@ -142,6 +142,11 @@ pub(crate) trait Forme<R: Reel>: Copy {
     fn reprendre(&self, rayon: &Rayon<R>, t: R) -> Intersection<R>;
 }
 
+#[inline(always)]
+fn entree<R: Reel>(forme: &impl Forme<R>, s: Vecteur<R>, d: Vecteur<R>) -> R {
+    if forme.possible(s, d) { forme.t(s, d) } else { R::INFINI }
+}
+
 #[inline]
 fn conclure<R: Reel>(forme: &impl Forme<R>, rayon: &Rayon<R>, t: R) -> Intersection<R> {
     let (touche, elle_tient) = forme.conclure(rayon, t);
@@ -165,10 +170,9 @@ impl<R: Reel> ObjetRay<R> {
     #[inline(always)]
     pub(crate) fn t(&self, s: Vecteur<R>, d: Vecteur<R>) -> R {
         match self {
-            Self::Sphere(sphere) if sphere.possible(s, d) => sphere.t(s, d),
-            Self::Plan(plan) if plan.possible(s, d) => plan.t(s, d),
-            Self::Boite(boite) if boite.possible(s, d) => boite.t(s, d),
-            Self::Sphere(_) | Self::Plan(_) | Self::Boite(_) => R::INFINI,
+            Self::Sphere(sphere) => entree(sphere, s, d),
+            Self::Plan(plan) => entree(plan, s, d),
+            Self::Boite(boite) => entree(boite, s, d),
         }
     }
 
