@@ -271,3 +271,35 @@ fn aux_bornes_du_type() {
     bornes::<f32>();
     bornes::<f64>();
 }
+
+/// Half a billion rays of each type, bundle by bundle at a scene that changes, as the batch is used:
+/// `cargo test --release --all-features --test lot -- --ignored`, about four minutes.
+fn un_demi_milliard<R: Bits>() {
+    let mut alea = Rng::with_seed(6);
+    let (mut rayons, mut touches) = (Vec::new(), vec![Err(NoIntersection); 64 * 64]);
+    let mut attendues = touches.clone();
+    for tour in 0..122_071 {
+        let n = [5, 12, 40, 100][tour % 4];
+        let scene = scenes::melange::<R>(n);
+        rayons.clear();
+        while rayons.len() < touches.len() {
+            let cible = Vecteur::new(0.0, 2.0, -6.0) + direction(&mut alea) * 6.0;
+            let de = Vecteur::new(0.0, 1.0, 6.0) + direction(&mut alea) * (4.0 * alea.f64());
+            let ouverture = puissance(&mut alea, -20.0, 1.0);
+            let etendue = if alea.bool() { 0.0 } else { puissance(&mut alea, -20.0, 1.0) };
+            rayons.extend(gerbe(&mut alea, (de, cible - de), ouverture, etendue));
+        }
+        for (rayon, attendue) in rayons.iter().zip(&mut attendues) {
+            *attendue = premiere_intersection(&scene, rayon);
+        }
+        premieres_intersections(&scene, &rayons, &mut touches).unwrap();
+        assert!(touches.iter().map(bits).eq(attendues.iter().map(bits)), "{n} objects");
+    }
+}
+
+#[test]
+#[ignore = "takes minutes"]
+fn un_milliard_de_rayons() {
+    un_demi_milliard::<f32>();
+    un_demi_milliard::<f64>();
+}
