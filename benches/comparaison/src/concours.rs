@@ -249,3 +249,12 @@ pub(crate) fn medianes<Q>(concurrents: &[Q], mut duree: impl FnMut(&Q) -> f64) -
     };
     durees.into_iter().map(mediane).collect()
 }
+
+/// Nanoseconds in three digits or more; a dash for who did not run.
+pub(crate) fn nanosecondes(ns: f64) -> String {
+    match ns {
+        _ if ns.is_nan() => "–".into(),
+        _ if ns < 100.0 => format!("{ns:.1}"),
+        _ => format!("{ns:.0}"),
+    }
+}

@@ -6,7 +6,7 @@ use plotters::prelude::*;
 
 use crate::Parry;
 use crate::commun::scenes::melange;
-use crate::concours::{Concours, Concurrent, Temps};
+use crate::concours::{Concours, Concurrent, Temps, nanosecondes};
 use crate::exactitude::COULEURS;
 use crate::page;
 use crate::rayons::en_tuiles;
@@ -50,7 +50,7 @@ pub(crate) fn table_complete(courses: &[Course]) -> String {
     ];
     table.extend(courses.iter().map(|Course { scalaire, n, temps }| {
         let [lot, rayons, annexe, dynamique, liste, arbre] =
-            Concurrent::TOUS.map(|qui| entier(temps.de(qui)));
+            Concurrent::TOUS.map(|qui| nanosecondes(temps.de(qui)));
         let [parry, litteral] = rapports(temps);
         format!(
             "| {scalaire} | {n} | {lot} | {rayons} | {liste} | {arbre} | {annexe} | {dynamique} \
@@ -74,7 +74,7 @@ pub(crate) fn table_courte(courses: &[Course]) -> String {
             temps.parry(),
         ];
         let [parry, annexe] = rapports(temps);
-        format!("| {scalaire} | {n} | {} | {annexe} | {parry} |", ns.map(entier).join(" | "),)
+        format!("| {scalaire} | {n} | {} | {annexe} | {parry} |", ns.map(nanosecondes).join(" | "),)
     }));
     table.join("\n")
 }
@@ -86,10 +86,6 @@ fn rapports(temps: &Temps) -> [String; 2] {
         let rapport = ns / lot;
         if rapport.is_nan() { "–".into() } else { format!("{rapport:.1}") }
     })
-}
-
-fn entier(ns: f64) -> String {
-    if ns.is_nan() { "–".into() } else { format!("{ns:.0}") }
 }
 
 pub(crate) fn graphique(courses: &[Course]) -> Result<(), Box<dyn Error>> {
