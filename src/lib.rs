@@ -85,8 +85,9 @@
 //!
 //! `std` (default) brings the hardware square root, and to [`premieres_intersections`] the best
 //! instruction set of the machine it runs on; without it the crate needs `core` alone, takes the
-//! instruction set that it is compiled for, and gives the same bits. `serde` reads and writes the describing types, through the same checks as their
-//! constructors. Nothing allocates, nothing is `unsafe`.
+//! instruction set that it is compiled for, and gives the same bits. `serde` reads and writes the
+//! describing types, through the same checks as their constructors. Nothing allocates, nothing is
+//! `unsafe`.
 #![no_std]
 
 #[cfg(feature = "std")]

@@ -155,16 +155,24 @@ impl Reglage {
         } else if !self.elaguer || objets.len() < ELAGAGE {
             self.repondre(objets, rayons, touches, None);
         } else if objets.len() <= TRIER {
-            let mut places = Places::<R, TRIER>::VIDES;
-            self.repondre(objets, rayons, touches, Some(places.selection()));
+            self.elaguer::<R, TRIER>(objets, rayons, touches);
         } else if rayons.len() < LOT / 2 {
-            let mut places = Places::<R, 256>::VIDES;
-            self.repondre(objets, rayons, touches, Some(places.selection()));
+            self.elaguer::<R, 256>(objets, rayons, touches);
         } else {
-            let mut places = Places::<R, 1024>::VIDES;
-            self.repondre(objets, rayons, touches, Some(places.selection()));
+            self.elaguer::<R, 1024>(objets, rayons, touches);
         }
         Ok(())
+    }
+
+    /// With room for a selection of P objects.
+    fn elaguer<R: Reel, const P: usize>(
+        self,
+        objets: &[ObjetRay<R>],
+        rayons: &[Rayon<R>],
+        touches: &mut [Touche<R>],
+    ) {
+        let mut places = Places::<R, P>::VIDES;
+        self.repondre(objets, rayons, touches, Some(places.selection()));
     }
 
     fn repondre<'a, R: Reel>(
@@ -196,9 +204,9 @@ fn repondre<'a, R: Reel>(
         if let Some(choix) = &mut selection
             && !choix.choisir(objets, ici)
         {
-            if taille > BLOC {
+            if n > BLOC {
                 // Fewer rays see fewer objects.
-                taille /= 2;
+                taille = (n / 2).next_multiple_of(BLOC);
                 continue;
             }
             selection = None;

@@ -12,6 +12,7 @@ mod scene;
 use std::path::Path;
 
 use commun::Bits;
+use commun::conversion::mots;
 use lancer_rayon::{
     Intersection, NoIntersection, ObjetGeo, ObjetRay, Rayon, Reglage, premiere_intersection,
 };
@@ -22,15 +23,8 @@ type Touche<R> = Result<Intersection<R>, NoIntersection>;
 
 /// FNV-1a, 64 bits.
 fn empreinte<R: Bits>(touches: &[Touche<R>]) -> u64 {
-    let mots = touches.iter().flat_map(|touche| match touche {
-        Ok(t) => {
-            let Intersection { distance, normale: n, texture, .. } = *t;
-            let [d, x, y, z, marge] = [distance, n.x, n.y, n.z, t.marge()].map(R::bits);
-            [d, x, y, z, marge, texture.0.into()]
-        }
-        Err(NoIntersection) => [u64::MAX; 6],
-    });
-    mots.flat_map(u64::to_le_bytes).fold(0xcbf2_9ce4_8422_2325, |empreinte, octet| {
+    let octets = touches.iter().flat_map(mots).flat_map(u64::to_le_bytes);
+    octets.fold(0xcbf2_9ce4_8422_2325, |empreinte, octet| {
         (empreinte ^ u64::from(octet)).wrapping_mul(0x0000_0100_0000_01b3)
     })
 }

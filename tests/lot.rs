@@ -6,15 +6,14 @@
 
 mod commun;
 
+use commun::conversion::mots;
 use commun::regimes::{Cas, direction, entre, puissance, regimes};
 use commun::{Bits, arrondi, large, scenes};
 use fastrand::Rng;
 use lancer_rayon::{
-    BoiteGeo, Intersection, LongueursDifferentes, NoIntersection, ObjetRay, Rayon, Reel, Reglage,
-    Rotation, SphereGeo, Texture, Vecteur, premiere_intersection, premieres_intersections,
+    BoiteGeo, LongueursDifferentes, NoIntersection, ObjetRay, Rayon, Reel, Reglage, Rotation,
+    SphereGeo, Texture, Vecteur, premiere_intersection, premieres_intersections,
 };
-
-type Touche<R> = Result<Intersection<R>, NoIntersection>;
 
 /// Every way to run the batch here, by name.
 fn reglages() -> Vec<(String, Reglage)> {
@@ -22,12 +21,6 @@ fn reglages() -> Vec<(String, Reglage)> {
     let sans = Reglage::tous()
         .map(|(nom, reglage)| (format!("{nom} without culling"), reglage.sans_elagage()));
     avec.chain(sans).collect()
-}
-
-fn bits<R: Bits>(touche: &Touche<R>) -> Option<([u64; 5], Texture)> {
-    let Intersection { distance, normale: n, texture, .. } = touche.ok()?;
-    let marge = touche.ok()?.marge();
-    Some(([distance, n.x, n.y, n.z, marge].map(R::bits), texture))
 }
 
 /// How many of the rays touch something.
@@ -45,8 +38,8 @@ fn comparer<R: Bits>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) -> usize {
         for ((rayon, touche), attendue) in rayons.iter().zip(&touches).zip(&attendues) {
             let (n, scalaire) = (objets.len(), std::any::type_name::<R>());
             assert_eq!(
-                bits(touche),
-                bits(attendue),
+                mots(touche),
+                mots(attendue),
                 "{nom}, {scalaire}, {n} objects: {rayon:?} has {touche:?}, alone {attendue:?}"
             );
         }
@@ -131,8 +124,8 @@ fn une_image_dans_tout_ordre() {
     images::<f64>();
 }
 
-/// The rays of each regime of the extremes, all at the objects of all its cases; and one by one
-/// each at its own object, in company of fifteen that are not there.
+/// The rays of each regime of the extremes, all at the objects of all its cases; and each at its own
+/// object alone, nine times, with seven that are not there: fewer would not go side by side.
 fn extremes<R: Bits>() {
     let mut alea = Rng::with_seed(2);
     for regime in regimes::<R>() {
@@ -140,8 +133,8 @@ fn extremes<R: Bits>() {
         let objets: Vec<_> = cas.iter().map(|cas| cas.objet).collect();
         let rayons: Vec<_> = cas.iter().map(|cas| cas.rayon).collect();
         comparer(&objets, &rayons);
-        let seuls = cas.iter().map(|Cas { objet, rayon }| comparer(&[*objet], &[*rayon]));
-        assert!(seuls.sum::<usize>() > 10, "{}", regime.nom);
+        let seuls = cas.iter().map(|Cas { objet, rayon }| comparer(&[*objet], &[*rayon; 9]));
+        assert!(seuls.sum::<usize>() > 9 * 10, "{}", regime.nom);
     }
 }
 
@@ -293,7 +286,7 @@ fn un_demi_milliard<R: Bits>() {
             *attendue = premiere_intersection(&scene, rayon);
         }
         premieres_intersections(&scene, &rayons, &mut touches).unwrap();
-        assert!(touches.iter().map(bits).eq(attendues.iter().map(bits)), "{n} objects");
+        assert!(touches.iter().map(mots).eq(attendues.iter().map(mots)), "{n} objects");
     }
 }
 

@@ -3,18 +3,16 @@
 //!
 //! `cargo run --release --features serde --example apercu [scene.ron] [image.png]`
 
+mod image;
 mod scene;
 
 use std::error::Error;
-use std::fs::File;
-use std::io::{self, BufWriter, Write};
+use std::io::{self, Write};
 use std::path::Path;
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
-use lancer_rayon::{
-    Intersection, NoIntersection, ObjetGeo, Rayon, Reel, Vecteur, premiere_intersection,
-};
+use lancer_rayon::{Intersection, NoIntersection, ObjetGeo, Rayon, Reel, premiere_intersection};
 use scene::Scene;
 
 type Touche<R = f64> = Result<Intersection<R>, NoIntersection>;
@@ -101,9 +99,10 @@ fn comparer(
         match paire {
             (Ok(a), Ok(b)) if a.texture == b.texture => {
                 distances.push((f64::from(b.distance) / a.distance - 1.0).abs());
-                let normale = Vecteur::from(<[f32; 3]>::from(b.normale).map(f64::from));
                 // By the chord: the arc cosine of N·N' would see nothing below 1e-6 degrees.
-                angles.push(2.0 * ((a.normale - normale).longueur() / 2.0).asin().to_degrees());
+                angles.push(
+                    2.0 * ((a.normale - b.normale.vers_f64()).longueur() / 2.0).asin().to_degrees(),
+                );
             }
             (Err(_), Err(_)) => {}
             _ => autres += 1,
@@ -158,15 +157,7 @@ fn peindre(
             }
         }
     }
-    if let Some(dossier) = Path::new(chemin).parent() {
-        std::fs::create_dir_all(dossier)?;
-    }
-    let mut png = png::Encoder::new(BufWriter::new(File::create(chemin)?), 3 * largeur, hauteur);
-    png.set_color(png::ColorType::Rgb);
-    png.set_compression(png::Compression::Fast);
-    let mut png = png.write_header()?;
-    png.write_image_data(&pixels)?;
-    Ok(png.finish()?)
+    image::ecrire(chemin, (3 * largeur, hauteur), png::Compression::Fast, &pixels)
 }
 
 /// What is seen where nothing is touched: a dusk, from the top (0) to the bottom (1).

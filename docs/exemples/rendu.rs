@@ -2,11 +2,10 @@
 //!
 //! `cargo run --release --features serde --example rendu [--f32] [scene.ron] [image.png]`
 
+mod image;
 mod scene;
 
 use std::error::Error;
-use std::fs::File;
-use std::io::BufWriter;
 use std::path::Path;
 use std::process::ExitCode;
 use std::time::Instant;
@@ -242,13 +241,5 @@ fn ecrire(chemin: &str, taille: (u32, u32), couleurs: &[Couleur]) -> Result<(), 
     let octet = |x: f64| (255.0 * x.powf(1.0 / 2.2)).round() as u8;
     let octets: Vec<u8> =
         couleurs.iter().flat_map(|&couleur| <[f64; 3]>::from(couleur).map(octet)).collect();
-    if let Some(dossier) = Path::new(chemin).parent() {
-        std::fs::create_dir_all(dossier)?;
-    }
-    let mut png = png::Encoder::new(BufWriter::new(File::create(chemin)?), taille.0, taille.1);
-    png.set_color(png::ColorType::Rgb);
-    png.set_compression(png::Compression::High);
-    let mut png = png.write_header()?;
-    png.write_image_data(&octets)?;
-    Ok(png.finish()?)
+    image::ecrire(chemin, taille, png::Compression::High, &octets)
 }

@@ -1,6 +1,6 @@
 //! Between the type of a scene, f64 and bits.
 
-use lancer_rayon::{Reel, Vecteur};
+use lancer_rayon::{Intersection, NoIntersection, Reel, Vecteur};
 
 /// The same vector in f64, exactly.
 pub(crate) fn large<R: Reel>(v: Vecteur<R>) -> Vecteur {
@@ -35,4 +35,12 @@ impl Bits for f64 {
     fn bits(self) -> u64 {
         self.to_bits()
     }
+}
+
+/// Every bit of an answer; of a miss, bits that no hit has, which would be NaNs.
+pub(crate) fn mots<R: Bits>(touche: &Result<Intersection<R>, NoIntersection>) -> [u64; 6] {
+    let Ok(t) = touche else { return [u64::MAX; 6] };
+    let [d, x, y, z, marge] =
+        [t.distance, t.normale.x, t.normale.y, t.normale.z, t.marge()].map(R::bits);
+    [d, x, y, z, marge, t.texture.0.into()]
 }

@@ -15,7 +15,7 @@ use libfuzzer_sys::fuzz_target;
 #[allow(dead_code, reason = "shared with the tests")]
 #[path = "../commun/conversion.rs"]
 mod conversion;
-use conversion::{Bits, large};
+use conversion::{Bits, large, mots};
 
 struct Octets<'a, R> {
     reste: &'a [u8],
@@ -89,12 +89,6 @@ fn secondaires<R: Bits>(objet: &ObjetRay<R>, rayon: &Rayon<R>, vers: Vecteur<R>)
     }
 }
 
-fn bits<R: Bits>(touche: &Result<Intersection<R>, NoIntersection>) -> Option<([u64; 5], Texture)> {
-    let t = touche.ok()?;
-    let n = t.normale;
-    Some(([t.distance, n.x, n.y, n.z, t.marge()].map(R::bits), t.texture))
-}
-
 fn attaquer<R: Bits>(octets: &[u8]) -> Option<()> {
     let mut octets = Octets { reste: octets, vus: vec![R::LIMITE, R::UN / R::LIMITE] };
     let (mut objets, mut rayons) = (Vec::<ObjetGeo<R>>::new(), Vec::<Rayon<R>>::new());
@@ -148,7 +142,7 @@ fn attaquer<R: Bits>(octets: &[u8]) -> Option<()> {
                 objets.iter().any(|o| o.intersection(rayon).is_ok_and(|i| i.distance < max));
             assert_eq!(est_occulte(&objets, rayon, max), attendu);
         }
-        attendues.push(bits(&premiere));
+        attendues.push(mots(&premiere));
     }
     for (rayon, suivant) in rayons.iter().zip(rayons.iter().cycle().skip(1)) {
         for objet in &objets {
@@ -159,7 +153,7 @@ fn attaquer<R: Bits>(octets: &[u8]) -> Option<()> {
         for reglage in [reglage, reglage.sans_elagage()] {
             let mut touches = vec![Err(NoIntersection); rayons.len()];
             reglage.premieres_intersections(&objets, &rayons, &mut touches).unwrap();
-            assert!(touches.iter().map(bits).eq(attendues.iter().copied()));
+            assert!(touches.iter().map(mots).eq(attendues.iter().copied()));
         }
     }
     Some(())

@@ -107,7 +107,8 @@ fn exiger_exact_aux_extremes<R: Parry>() -> Result<(), Box<dyn Error>> {
         let mut alea = Rng::with_seed(GRAINE);
         for _ in 0..CAS {
             let cas = (regime.cas)(&mut alea);
-            let (objets, rayons) = ([cas.objet], [cas.rayon]);
+            // Several of the same: fewer would not go side by side.
+            let (objets, rayons) = ([cas.objet], [cas.rayon; 9]);
             exiger(&une_par_une(&objets, &rayons), &rayons, |rayons, touches| {
                 premieres_intersections(&objets, rayons, touches)
             })?;
