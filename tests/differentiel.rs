@@ -5,9 +5,9 @@ mod commun;
 #[path = "commun/litteral.rs"]
 mod litteral;
 
+use commun::pour_tout;
 use commun::strategies::{plante, scene};
 use commun::tolerances::DISTANCE;
-use commun::{large, pour_tout};
 use lancer_rayon::{ObjetGeo, ObjetRay, Reel, premiere_intersection};
 use proptest::prelude::*;
 
@@ -28,7 +28,7 @@ fn un_objet<R: Reel>() {
         };
         let tolerance = (2.0 * DISTANCE + annulation) * p.cond();
         prop_assert!(ecart <= tolerance, "distance off by {ecart:e}, {tolerance:e} allowed");
-        let ecart = (large(ici.normale) - large(normale)).longueur();
+        let ecart = (ici.normale.vers_f64() - normale.vers_f64()).longueur();
         prop_assert!(ecart <= 4.0 * tolerance / p.taille, "normal off by {ecart:e}");
         prop_assert_eq!(ici.texture, texture);
         Ok(())

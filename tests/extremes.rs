@@ -5,7 +5,7 @@
 
 mod commun;
 
-use commun::conversion::{arrondi, large};
+use commun::conversion::arrondi;
 use commun::mesure::{mesurer, quantiles};
 use commun::oracle::{Entree, hauteur, verite};
 use commun::regimes::{Cas, direction, regimes};
@@ -145,13 +145,13 @@ fn directions_secondaires(n: Vecteur, alea: &mut Rng) -> [Vecteur; 8] {
 /// Within rounding of an edge: an inward start there may see the other face.
 fn au_bord<R: Reel>(objet: &ObjetRay<R>, touche: &Intersection<R>, depart: Vecteur<R>) -> bool {
     let ObjetRay::Boite(boite) = objet else { return false };
-    let cp = large(depart) - large(boite.centre());
+    let cp = depart.vers_f64() - boite.centre().vers_f64();
     // The start was moved and rounded, by this much at most in each coordinate, and as much more
     // is what the search can be off by.
-    let pas = touche.marge().vers_f64() + 4.0 * u::<R>() * large(depart).longueur();
+    let pas = touche.marge().vers_f64() + 4.0 * u::<R>() * depart.vers_f64().longueur();
     (0..3).any(|axe| {
         let n = boite.normales()[axe];
-        let o = large(n).produit_scalaire(cp).abs();
+        let o = n.vers_f64().produit_scalaire(cp).abs();
         n != touche.normale
             && n != -touche.normale
             && o >= boite.demi_longueurs()[axe].vers_f64() - 2.0 * pas
@@ -166,7 +166,7 @@ fn secondaires<R: Reel>() {
     for regime in regimes::<R>() {
         let mut refus = 0_u64;
         touches(regime.cas, |cas, touche, alea| {
-            let n = large(touche.normale);
+            let n = touche.normale.vers_f64();
             let point = cas.rayon.point(touche.distance);
             for _ in 0..fois {
                 for vers in directions_secondaires(n, alea) {
@@ -183,7 +183,7 @@ fn secondaires<R: Reel>() {
                         "{}: {cas:?} {touche:?} left by {rayon:?} is touched again: {encore:?}",
                         regime.nom
                     );
-                    let pas = (large(rayon.source()) - large(point)).longueur();
+                    let pas = (rayon.source().vers_f64() - point.vers_f64()).longueur();
                     let np = [
                         n.x * point.x.vers_f64(),
                         n.y * point.y.vers_f64(),
@@ -193,7 +193,7 @@ fn secondaires<R: Reel>() {
                     // The last term is the rounding of the start itself, in three coordinates.
                     let permis = touche.marge().vers_f64() * (1.0 + 32.0 * u::<R>())
                         + 2.0 * u::<R>() * poids
-                        + 2.0 * u::<R>() * large(point).longueur();
+                        + 2.0 * u::<R>() * point.vers_f64().longueur();
                     assert!(pas <= permis, "{}: moved by {pas:e}, {permis:e} allowed", regime.nom);
                 }
             }
@@ -310,7 +310,7 @@ fn presque_le_meme<R: Reel>(objet: &ObjetRay<R>, alea: &mut Rng, numero: u32) ->
 
 /// Two unit vectors that make a right-handed frame with `n`.
 fn deux_axes<R: Reel>(n: Vecteur<R>) -> [Vecteur<R>; 2] {
-    let n = large(n);
+    let n = n.vers_f64();
     let cote =
         if n.x.abs() < 0.6 { Vecteur::new(1.0, 0.0, 0.0) } else { Vecteur::new(0.0, 1.0, 0.0) };
     let x = (cote - n * n.produit_scalaire(cote)).unitaire().unwrap();
@@ -385,7 +385,7 @@ fn rasants<R: Reel>() {
     for _ in 0..cas_par_regime() {
         let m = Rotation::<R>::new(arrondi(direction(&mut alea) * 3.0)).unwrap();
         let sol = ObjetGeo::from(PlanGeo::new(m, R::ZERO, Texture(0)).unwrap()).vers_ray();
-        let [le_long, _, n] = m.matrice().map(|ligne| large(ligne.into()));
+        let [le_long, _, n] = m.matrice().map(|ligne| Vecteur::from(ligne).vers_f64());
         let pente = n * (alea.f64() - 1.0).exp2() * u::<R>().sqrt() * 1e-3;
         let rayon = Rayon::new(arrondi(n), arrondi(le_long - pente)).unwrap();
         let (Some(entree), Ok(touche)) = (verite(&sol, &rayon).entree, sol.intersection(&rayon))
@@ -463,7 +463,8 @@ fn miroirs<R: Reel>() {
                 let objet = objet.vers_ray();
                 let touche = objet.intersection(&rayon).ok();
                 let cond = verite(&objet, &rayon).entree.map_or(f64::INFINITY, |e| e.cond);
-                touche.map(|t| (t.distance.vers_f64(), <[f64; 3]>::from(large(t.normale)), cond))
+                touche
+                    .map(|t| (t.distance.vers_f64(), <[f64; 3]>::from(t.normale.vers_f64()), cond))
             })
         };
         let direct = lancer(&|v| v);

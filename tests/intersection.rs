@@ -5,7 +5,7 @@ mod commun;
 use commun::regimes::regimes;
 use commun::strategies::{Plante, direction, plante, scene};
 use commun::tolerances::{ARRONDI, DISTANCE, NORMALE, NORMALE_UNITAIRE, u};
-use commun::{arrondi, large, pour_tout};
+use commun::{arrondi, pour_tout};
 use lancer_rayon::{
     Intersection, NoIntersection, ObjetGeo, ObjetRay, Rayon, Reel, Texture, Vecteur, est_occulte,
     premiere_intersection,
@@ -18,15 +18,15 @@ use proptest::test_runner::TestCaseResult;
 fn hauteur<R: Reel>(objet: &ObjetRay<R>, x: Vecteur) -> f64 {
     match objet {
         ObjetRay::Sphere(sphere) => {
-            (x - large(sphere.centre())).longueur() - sphere.rayon().vers_f64()
+            (x - sphere.centre().vers_f64()).longueur() - sphere.rayon().vers_f64()
         }
         ObjetRay::Plan(plan) => {
-            large(plan.normale()).produit_scalaire(x) + plan.distance().vers_f64()
+            plan.normale().vers_f64().produit_scalaire(x) + plan.distance().vers_f64()
         }
         ObjetRay::Boite(boite) => (0..3)
             .map(|i| {
-                let cx = x - large(boite.centre());
-                let ecart = large(boite.normales()[i]).produit_scalaire(cx).abs();
+                let cx = x - boite.centre().vers_f64();
+                let ecart = boite.normales()[i].vers_f64().produit_scalaire(cx).abs();
                 ecart - boite.demi_longueurs()[i].vers_f64()
             })
             .fold(f64::NEG_INFINITY, f64::max),
@@ -35,7 +35,7 @@ fn hauteur<R: Reel>(objet: &ObjetRay<R>, x: Vecteur) -> f64 {
 
 /// R(t) without the rounding of R.
 fn point<R: Reel>(rayon: &Rayon<R>, t: f64) -> Vecteur {
-    large(rayon.source()) + large(rayon.direction()) * t
+    rayon.source().vers_f64() + rayon.direction().vers_f64() * t
 }
 
 fn est_une_entree<R: Reel>(rayon: &Rayon<R>, touche: &Intersection<R>) -> TestCaseResult {
@@ -60,7 +60,7 @@ fn plantee<R: Reel>() {
             ObjetGeo::Sphere(_) => 2.0 * tolerance / p.taille,
             ObjetGeo::Plan(_) | ObjetGeo::Boite(_) => 0.0,
         };
-        let ecart = (large(touche.normale) - p.normale).longueur();
+        let ecart = (touche.normale.vers_f64() - p.normale).longueur();
         prop_assert!(ecart <= 2.0 * NORMALE * u::<R>() + courbure, "normal off by {ecart:e}");
 
         let t = touche.distance.vers_f64();

@@ -8,7 +8,7 @@ mod commun;
 
 use commun::conversion::mots;
 use commun::regimes::{Cas, direction, entre, puissance, regimes};
-use commun::{Bits, arrondi, large, scenes};
+use commun::{Bits, arrondi, scenes};
 use fastrand::Rng;
 use lancer_rayon::{
     BoiteGeo, LongueursDifferentes, NoIntersection, ObjetRay, Rayon, Reel, Reglage, Rotation,
@@ -174,13 +174,13 @@ fn gerbe<R: Reel>(
 /// beam are closest to the rays.
 fn frole<R: Reel>(alea: &mut Rng, rayons: &[Rayon<R>], texture: Texture) -> ObjetRay<R> {
     let rayon = &rayons[if alea.bool() { alea.usize(0..rayons.len()) } else { 7 }];
-    let (s, d) = (large(rayon.source()), large(rayon.direction()));
+    let (s, d) = (rayon.source().vers_f64(), rayon.direction().vers_f64());
     let bits = -R::U.vers_f64().log2();
     let l = puissance(alea, -12.0, 4.0);
     let devant = if alea.u8(0..6) == 0 { -1.0 } else { 1.0 };
     let loin = devant * l * puissance(alea, -4.0, bits - 2.0);
     let en_travers = |v: Vecteur| (v - d * v.produit_scalaire(d)).unitaire();
-    let rangee = en_travers(large(rayon.direction() - rayons[0].direction()));
+    let rangee = en_travers((rayon.direction() - rayons[0].direction()).vers_f64());
     let travers = rangee.filter(|_| alea.bool()).or_else(|| en_travers(direction(alea))).unwrap();
     let signe = if alea.bool() { 1.0 } else { -1.0 };
     let ecart = if alea.bool() {
@@ -200,7 +200,7 @@ fn frole<R: Reel>(alea: &mut Rng, rayons: &[Rayon<R>], texture: Texture) -> Obje
         BoiteGeo::new(centre, dimensions, rotation, texture).unwrap().vers_ray()
     };
     let rotation = Rotation::new(angles).unwrap();
-    let [x, y, z] = boite(rotation).normales().map(large);
+    let [x, y, z] = boite(rotation).normales().map(Vecteur::vers_f64);
     let coin = (x + y + z) / 3.0_f64.sqrt();
     let axe = -travers - coin;
     // Two half-turns, about `coin` + m and then such that `coin` ends on −`travers`.
@@ -247,7 +247,7 @@ fn bornes<R: Bits>() {
             let objets: Vec<_> = cas.iter().map(|cas| cas.objet).collect();
             // Each ray as a needle of its own, so that there is a beam.
             for Cas { rayon, .. } in &cas {
-                let d = large(rayon.direction());
+                let d = rayon.direction().vers_f64();
                 let ecarter = |_| {
                     let vers = d + direction(&mut alea) * 1e-5;
                     Rayon::new(rayon.source(), arrondi(vers)).unwrap()

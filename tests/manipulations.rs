@@ -3,9 +3,9 @@
 
 mod commun;
 
+use commun::pour_tout;
 use commun::strategies::{Plante, objet, plante, reel, rotation, vecteur};
 use commun::tolerances::{ARRONDI, DISTANCE, NORMALE, TOURNE, u};
-use commun::{large, pour_tout};
 use lancer_rayon::{ObjetGeo, ObjetRay, Rayon, Reel, Rotation, Vecteur};
 use proptest::prelude::*;
 use proptest::test_runner::TestCaseResult;
@@ -26,7 +26,7 @@ fn accompagner<R: Reel>(
     let ecart = (apres.distance.vers_f64() / facteur - avant.distance.vers_f64()).abs();
     let tolerance = (DISTANCE + bruit) * p.cond();
     prop_assert!(ecart <= tolerance, "distance off by {ecart:e}, {tolerance:e} allowed");
-    let ecart = (large(apres.normale) - normale(large(avant.normale))).longueur();
+    let ecart = (apres.normale.vers_f64() - normale(avant.normale.vers_f64())).longueur();
     // Only a sphere's normal depends on where it is touched.
     let courbure = match objet {
         ObjetGeo::Sphere(_) => (tolerance + bruit * u::<R>() * p.etendue) / p.taille,
@@ -108,7 +108,7 @@ fn agrandir_par_une_puissance_de_deux_est_exact() {
 
 /// The quantities of §3, to their tolerance, of an object and of the one it should be.
 fn proches<R: Reel>(a: ObjetRay<R>, b: Attendu, tolerance: f64) -> TestCaseResult {
-    let vecteurs = |a: Vecteur<R>, b: Vecteur| (large(a) - b).longueur() <= tolerance;
+    let vecteurs = |a: Vecteur<R>, b: Vecteur| (a.vers_f64() - b).longueur() <= tolerance;
     match a {
         ObjetRay::Sphere(sphere) => {
             prop_assert!(vecteurs(sphere.centre(), b.centre));
@@ -116,7 +116,7 @@ fn proches<R: Reel>(a: ObjetRay<R>, b: Attendu, tolerance: f64) -> TestCaseResul
             prop_assert_eq!(sphere.texture(), b.texture);
         }
         ObjetRay::Plan(plan) => {
-            let n = (large(plan.normale()) - b.normales[2]).longueur();
+            let n = (plan.normale().vers_f64() - b.normales[2]).longueur();
             prop_assert!(n <= 2.0 * TOURNE * u::<R>());
             prop_assert!((plan.distance().vers_f64() - b.longueurs[0]).abs() <= tolerance);
             prop_assert_eq!(plan.texture(), b.texture);
@@ -126,7 +126,7 @@ fn proches<R: Reel>(a: ObjetRay<R>, b: Attendu, tolerance: f64) -> TestCaseResul
             prop_assert_eq!(boite.texture(), b.texture);
             for i in 0..3 {
                 let (n, l) = (b.normales[i], b.longueurs[i]);
-                let ecart = (large(boite.normales()[i]) - n).longueur();
+                let ecart = (boite.normales()[i].vers_f64() - n).longueur();
                 prop_assert!(ecart <= 2.0 * TOURNE * u::<R>());
                 prop_assert!((boite.demi_longueurs()[i].vers_f64() - l).abs() <= tolerance);
                 let (cf, co) = (b.centre + n * l, b.centre - n * l);
@@ -155,20 +155,20 @@ impl Attendu {
     fn de<R: Reel>(objet: ObjetRay<R>) -> Self {
         match objet {
             ObjetRay::Sphere(sphere) => Self {
-                centre: large(sphere.centre()),
+                centre: sphere.centre().vers_f64(),
                 normales: [Vecteur::NUL; 3],
                 longueurs: [sphere.rayon().vers_f64(); 3],
                 texture: sphere.texture(),
             },
             ObjetRay::Plan(plan) => Self {
                 centre: Vecteur::NUL,
-                normales: [large(plan.normale()); 3],
+                normales: [plan.normale().vers_f64(); 3],
                 longueurs: [plan.distance().vers_f64(); 3],
                 texture: plan.texture(),
             },
             ObjetRay::Boite(boite) => Self {
-                centre: large(boite.centre()),
-                normales: boite.normales().map(large),
+                centre: boite.centre().vers_f64(),
+                normales: boite.normales().map(Vecteur::vers_f64),
                 longueurs: boite.demi_longueurs().map(R::vers_f64),
                 texture: boite.texture(),
             },
@@ -186,9 +186,9 @@ fn quantites<R: Reel>() {
         proches(objet.vers_ray(), avant, tolerance)?;
 
         let mut attendu = avant;
-        attendu.centre = avant.centre + large(v);
+        attendu.centre = avant.centre + v.vers_f64();
         if let ObjetGeo::Plan(_) = objet {
-            attendu.longueurs[0] -= avant.normales[2].produit_scalaire(large(v));
+            attendu.longueurs[0] -= avant.normales[2].produit_scalaire(v.vers_f64());
         }
         proches(objet.translation(v).unwrap().vers_ray(), attendu, tolerance)?;
 

@@ -2,9 +2,9 @@
 
 mod commun;
 
+use commun::arrondi;
 use commun::scenes::rayons_camera;
 use commun::tolerances::u;
-use commun::{arrondi, large};
 use lancer_rayon::{
     BoiteGeo, Intersection, ObjetGeo, ObjetRay, Rayon, Reel, Rotation, SphereGeo, Texture, Vecteur,
     est_occulte,
@@ -57,14 +57,14 @@ fn eclaire_ce_qui_fait_face<R: Reel>() {
         let seuil = (64.0 * u::<R>() * (centre.longueur() / echelle + 8.0)).sqrt();
         let objets = objets::<R>(centre, echelle);
         let rayons = rayons_camera::<R>(90, 60).into_iter().map(|rayon| {
-            let source = large(rayon.source()) * echelle + decalage;
+            let source = rayon.source().vers_f64() * echelle + decalage;
             Rayon::new(arrondi(source), rayon.direction()).unwrap()
         });
         for (rayon, objet) in rayons.flat_map(|rayon| objets.map(|objet| (rayon, objet))) {
             let Ok(touche) = objet.intersection(&rayon) else { continue };
-            let (d, n) = (large(rayon.direction()), large(touche.normale));
+            let (d, n) = (rayon.direction().vers_f64(), touche.normale.vers_f64());
             let point = rayon.point(touche.distance);
-            let rasante = large(point) + (d - n * d.produit_scalaire(n)) * echelle;
+            let rasante = point.vers_f64() + (d - n * d.produit_scalaire(n)) * echelle;
             for lampe in LAMPES.map(|lampe| lampe * echelle + centre).into_iter().chain([rasante]) {
                 let lampe = arrondi(lampe);
                 let Ok(depuis) = Rayon::new(lampe, point - lampe) else { continue };
@@ -76,7 +76,7 @@ fn eclaire_ce_qui_fait_face<R: Reel>() {
                     continue;
                 }
                 let vue = objet.intersection(&depuis).map_err(|_| contexte()).unwrap();
-                let ecart = (large(vue.normale) - n).longueur();
+                let ecart = (vue.normale.vers_f64() - n).longueur();
                 assert_eq!(ecart < seuil, cosinus > 0.0, "{ecart}, {}", contexte());
                 *(if cosinus > 0.0 { &mut clairs } else { &mut sombres }) += 1;
             }

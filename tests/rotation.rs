@@ -3,9 +3,9 @@
 mod commun;
 
 use commun::Bits;
+use commun::pour_tout;
 use commun::strategies::{rotation, vecteur, vecteur_rotation};
 use commun::tolerances::{ORTHONORMALE, PRODUIT, TOURNE, ecart_rotation, u};
-use commun::{large, pour_tout};
 use lancer_rayon::{Reel, Rotation, Vecteur};
 use proptest::prelude::*;
 
@@ -66,12 +66,12 @@ fn une_rotation_est_orthonormale() {
 
 fn formule_de_l_enonce<R: Reel>() {
     pour_tout(vecteur_rotation::<R>(), |v| {
-        let attendu = enonce(large(v));
+        let attendu = enonce(v.vers_f64());
         // At a quarter turn the formula sees the rounding of π/2, at most 2u at 2π; an element
         // is a sum of products of up to three such cosines.
         let tolerance = (PRODUIT + 3.0 * 4.0) * u::<R>();
         prop_assert!(ecart(matrice(Rotation::new(v).unwrap()), attendu) <= tolerance);
-        let oppose = large(-v);
+        let oppose = (-v).vers_f64();
         prop_assert!(
             ecart(matrice(Rotation::main_droite(v).unwrap()), enonce(oppose)) <= tolerance
         );
@@ -109,17 +109,17 @@ fn longueurs_et_angles<R: Reel>() {
     let vecteurs = (vecteur::<R>(1e3), vecteur::<R>(1e3));
     pour_tout((rotation::<R>(), rotation::<R>(), vecteurs), |(r, s, (v, w))| {
         let tolerance = TOURNE * u::<R>();
-        let (lv, lw) = (large(v).longueur(), large(w).longueur());
-        let (rv, rw) = (large(r.appliquer(v)), large(r.appliquer(w)));
+        let (lv, lw) = (v.vers_f64().longueur(), w.vers_f64().longueur());
+        let (rv, rw) = (r.appliquer(v).vers_f64(), r.appliquer(w).vers_f64());
         prop_assert!((rv.longueur() - lv).abs() <= tolerance * lv);
-        let avant = large(v).produit_scalaire(large(w));
+        let avant = v.vers_f64().produit_scalaire(w.vers_f64());
         prop_assert!((rv.produit_scalaire(rw) - avant).abs() <= 2.0 * tolerance * lv * lw);
         // Turning twice is turning by the composition.
-        let deux_fois = large(s.appliquer(r.appliquer(v)));
-        let compose = large(r.puis(s).appliquer(v));
+        let deux_fois = s.appliquer(r.appliquer(v)).vers_f64();
+        let compose = r.puis(s).appliquer(v).vers_f64();
         prop_assert!((deux_fois - compose).longueur() <= 3.0 * tolerance * lv);
-        let retour = large(r.inverse().appliquer(r.appliquer(v)));
-        prop_assert!((retour - large(v)).longueur() <= 2.0 * tolerance * lv);
+        let retour = r.inverse().appliquer(r.appliquer(v)).vers_f64();
+        prop_assert!((retour - v.vers_f64()).longueur() <= 2.0 * tolerance * lv);
         Ok(())
     });
 }

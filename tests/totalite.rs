@@ -4,7 +4,7 @@ mod commun;
 
 use commun::strategies::{quelconque, vecteur_quelconque};
 use commun::tolerances::{NORMALE_UNITAIRE, ORTHONORMALE, ecart_rotation, u};
-use commun::{Bits, large, pour_tout};
+use commun::{Bits, pour_tout};
 use lancer_rayon::{
     BoiteGeo, ErreurGeo, ObjetGeo, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture,
     Vecteur, premiere_intersection,
@@ -54,7 +54,7 @@ fn valide<R: Reel>(objet: &ObjetRay<R>) -> TestCaseResult {
         ObjetRay::Boite(boite) => {
             let double = boite.demi_longueurs().map(|l| l + l);
             prop_assert!(tient(boite.centre()) && double.into_iter().all(mesure));
-            let finis = |v: Vecteur<R>| large(v).longueur() < f64::INFINITY;
+            let finis = |v: Vecteur<R>| v.vers_f64().longueur() < f64::INFINITY;
             prop_assert!(boite.centres_faces().into_iter().all(finis));
             prop_assert!(boite.centres_opposes().into_iter().all(finis));
             let distances = [boite.distances_faces(), boite.distances_opposees()].concat();
@@ -63,7 +63,7 @@ fn valide<R: Reel>(objet: &ObjetRay<R>) -> TestCaseResult {
         }
     };
     for n in normales {
-        prop_assert!((large(n).longueur_carree() - 1.0).abs() <= ORTHONORMALE * u::<R>());
+        prop_assert!((n.vers_f64().longueur_carree() - 1.0).abs() <= ORTHONORMALE * u::<R>());
     }
     Ok(())
 }
@@ -125,7 +125,7 @@ fn n_importe_quoi<R: Bits>() {
             match Rayon::new(source, vers) {
                 Ok(rayon) => {
                     prop_assert!(tient(rayon.source()));
-                    let carre = large(rayon.direction()).longueur_carree();
+                    let carre = rayon.direction().vers_f64().longueur_carree();
                     // 12u for what is kept, and u more for having been measured in R.
                     prop_assert!((carre - 1.0).abs() <= 13.0 * u::<R>());
                     for objet in &objets {

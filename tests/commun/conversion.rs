@@ -2,12 +2,7 @@
 
 use lancer_rayon::{Intersection, NoIntersection, Reel, Vecteur};
 
-/// The same vector in f64, exactly.
-pub(crate) fn large<R: Reel>(v: Vecteur<R>) -> Vecteur {
-    v.vers_f64()
-}
-
-/// The nearest vector of a type.
+/// [`Vecteur::depuis_f64`], for which the tests ask on every other line.
 pub(crate) fn arrondi<R: Reel>(v: Vecteur) -> Vecteur<R> {
     Vecteur::depuis_f64(v)
 }

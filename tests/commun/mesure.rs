@@ -3,7 +3,6 @@
 use fastrand::Rng;
 use lancer_rayon::{ObjetRay, Rayon, Reel, Vecteur};
 
-use super::conversion::large;
 use super::oracle::verite;
 use super::regimes::Regime;
 
@@ -74,7 +73,7 @@ pub(crate) fn mesurer<R: Reel>(
         let k = (ecart - arrondi) / (f64::EPSILON / 2.0 * entree.cond);
         mesure.k_promis = mesure.k_promis.max(k);
 
-        let ecarts = entree.normales.iter().map(|n| (large(normale) - *n).longueur());
+        let ecarts = entree.normales.iter().map(|n| (normale.vers_f64() - *n).longueur());
         let permis = 4.0 * u * (1.0 + entree.f / entree.courbure) + ecart / entree.courbure;
         mesure.normale = mesure.normale.max(ecarts.fold(f64::INFINITY, f64::min) / permis);
     }

@@ -11,7 +11,7 @@ pub(crate) mod scenes;
 pub(crate) mod strategies;
 pub(crate) mod tolerances;
 
-pub(crate) use conversion::{Bits, arrondi, large};
+pub(crate) use conversion::{Bits, arrondi};
 use proptest::strategy::Strategy;
 use proptest::test_runner::{Config, TestCaseResult, TestRunner};
 

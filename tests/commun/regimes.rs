@@ -8,7 +8,7 @@ use lancer_rayon::{
     BoiteGeo, ObjetGeo, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture, Vecteur,
 };
 
-use super::conversion::{arrondi, large};
+use super::conversion::arrondi;
 
 #[derive(Debug)]
 pub(crate) struct Cas<R> {
@@ -108,7 +108,7 @@ fn boule<R: Reel>(_: &mut Rng, centre: Vecteur, r: f64) -> ObjetGeo<R> {
 
 fn demi_espace<R: Reel>(alea: &mut Rng, en: Vecteur, _: f64) -> ObjetGeo<R> {
     let r = rotation(alea);
-    let n = large(Vecteur::from(r.matrice()[2]));
+    let n = Vecteur::from(r.matrice()[2]).vers_f64();
     PlanGeo::new(r, borne(-n.produit_scalaire(en)), Texture(0)).unwrap().into()
 }
 
@@ -154,7 +154,7 @@ fn loin_de_l_origine<R: Reel>(alea: &mut Rng, forme: Forme<R>) -> Cas<R> {
     let bits = -R::U.vers_f64().log2();
     let centre = direction(alea) * (l * puissance(alea, 0.0, bits - 1.0));
     let objet = forme(alea, centre, l);
-    let de = large(lieu::<R>(centre + direction(alea) * (l * puissance(alea, 0.0, 5.0))));
+    let de = lieu::<R>(centre + direction(alea) * (l * puissance(alea, 0.0, 5.0))).vers_f64();
     let vers = centre + direction(alea) * (l * alea.f64());
     lancer(objet, de, vers - de)
 }
@@ -175,22 +175,22 @@ fn surface<R: Reel>(alea: &mut Rng, objet: &ObjetRay<R>, etendue: f64) -> (Vecte
     match objet {
         ObjetRay::Sphere(sphere) => {
             let n = direction(alea);
-            (large(sphere.centre()) + n * sphere.rayon().vers_f64(), n)
+            (sphere.centre().vers_f64() + n * sphere.rayon().vers_f64(), n)
         }
         ObjetRay::Plan(plan) => {
-            let n = large(plan.normale());
+            let n = plan.normale().vers_f64();
             let pied = n * -plan.distance().vers_f64();
             (pied + travers(alea, n) * etendue, n)
         }
         ObjetRay::Boite(boite) => {
             let face = alea.usize(0..3);
             let signe = f64::from(1 - 2 * i8::from(alea.bool()));
-            let point = (0..3).fold(large(boite.centre()), |point, axe| {
+            let point = (0..3).fold(boite.centre().vers_f64(), |point, axe| {
                 let ou = if axe == face { signe } else { entre(alea, -1.0, 1.0) };
                 let l = boite.demi_longueurs()[axe].vers_f64();
-                point + large(boite.normales()[axe]) * (ou * l)
+                point + boite.normales()[axe].vers_f64() * (ou * l)
             });
-            (point, large(boite.normales()[face]) * signe)
+            (point, boite.normales()[face].vers_f64() * signe)
         }
     }
 }
@@ -238,7 +238,7 @@ fn bornes<R: Reel>(alea: &mut Rng, forme: Forme<R>) -> Cas<R> {
     let ou = if alea.bool() { echelle(alea) } else { l * puissance(alea, 0.0, 4.0) };
     let de = lieu::<R>(centre + direction(alea) * ou);
     let (cible, _) = surface(alea, &objet.vers_ray(), l);
-    lancer(objet, large(de), cible - large(de))
+    lancer(objet, de.vers_f64(), cible - de.vers_f64())
 }
 
 /// N·D = ±0, subnormal, ±2^−k; from near and from 10^15 along the plane.
@@ -265,7 +265,7 @@ fn aretes<R: Reel>(alea: &mut Rng) -> Cas<R> {
     let centre = direction(alea) * (l * puissance(alea, -3.0, 8.0));
     let objet = boite(alea, centre, l);
     let ObjetRay::Boite(b) = objet.vers_ray() else { unreachable!("made as a box") };
-    let (c, n) = (large(b.centre()), b.normales().map(large));
+    let (c, n) = (b.centre().vers_f64(), b.normales().map(Vecteur::vers_f64));
     let l = b.demi_longueurs().map(R::vers_f64);
     // Along the third axis anywhere for an edge, at its end for a corner.
     let libre = if alea.bool() { alea.usize(0..3) } else { 3 };
@@ -279,7 +279,7 @@ fn aretes<R: Reel>(alea: &mut Rng) -> Cas<R> {
         let ou = if axe == libre { entre(alea, -1.0, 1.0) } else { signes[axe] * alea.f64() };
         de + n[axe] * (ou * recul)
     });
-    let de = large(lieu::<R>(de));
+    let de = lieu::<R>(de).vers_f64();
     let k = 1.0 + f64::from(alea.i8(-3..=3)) * 2.0 * R::U.vers_f64();
     lancer(objet, de, cible * k - de)
 }
@@ -292,7 +292,7 @@ fn le_long_d_une_face<R: Reel>(alea: &mut Rng) -> Cas<R> {
     let objet = BoiteGeo::new(lieu(centre), dimensions, Rotation::IDENTITE, Texture(0)).unwrap();
     let b = objet.vers_ray();
     let (axe, parallele) = (alea.usize(0..3), alea.usize(0..3));
-    let c = <[f64; 3]>::from(large(b.centre()));
+    let c = <[f64; 3]>::from(b.centre().vers_f64());
     let l = b.demi_longueurs().map(R::vers_f64);
     let zero = if alea.bool() { 0.0 } else { -0.0 };
     let (mut de, mut vers) = ([0.0; 3], [zero; 3]);
@@ -317,13 +317,13 @@ fn presque_le_long_d_une_face<R: Reel>(alea: &mut Rng) -> Cas<R> {
     let centre = direction(alea) * (l * puissance(alea, -3.0, 4.0));
     let objet = boite::<R>(alea, centre, l);
     let ObjetRay::Boite(b) = objet.vers_ray() else { unreachable!("made as a box") };
-    let (n, l) = (b.normales().map(large), b.demi_longueurs().map(R::vers_f64));
+    let (n, l) = (b.normales().map(Vecteur::vers_f64), b.demi_longueurs().map(R::vers_f64));
     let face = alea.usize(0..3);
     let signe = f64::from(1 - 2 * i8::from(alea.bool()));
     let d = travers(alea, n[face]) - n[face] * (signe * puissance(alea, -60.0, -20.0));
     // A point of the edges of that face, from which the ray goes back.
     let au_bord = (face + 1 + alea.usize(0..2)) % 3;
-    let cible = (0..3).fold(large(b.centre()), |point, axe| {
+    let cible = (0..3).fold(b.centre().vers_f64(), |point, axe| {
         let ou = match axe {
             _ if axe == face => signe * (1.0 + f64::from(alea.i8(-2..=2)) * R::U.vers_f64()),
             _ if axe == au_bord => -n[axe].produit_scalaire(d).signum(),

@@ -5,7 +5,7 @@ use lancer_rayon::{
 };
 use proptest::prelude::*;
 
-use super::{Bits, arrondi, large};
+use super::{Bits, arrondi};
 
 /// Any float at all, the remarkable ones often.
 pub(crate) fn quelconque<R: Bits>() -> impl Strategy<Value = R> {
@@ -171,10 +171,10 @@ impl<R: Reel> Plante<R> {
         let (point, normale, taille) = match objet.vers_ray() {
             ObjetRay::Sphere(sphere) => {
                 let r = sphere.rayon().vers_f64();
-                (large(sphere.centre()) + sur * r, sur, r)
+                (sphere.centre().vers_f64() + sur * r, sur, r)
             }
             ObjetRay::Plan(plan) => {
-                let n = large(plan.normale());
+                let n = plan.normale().vers_f64();
                 let le_long = sur - n * sur.produit_scalaire(n);
                 let d = plan.distance().vers_f64();
                 (le_long * (10.0 * echelle) - n * d, n, d.abs())
@@ -186,25 +186,25 @@ impl<R: Reel> Plante<R> {
                 // stays 1 % of the face away from its edges.
                 let ou = |axe: usize| if axe == face { sur[axe].signum() } else { 1.4 * sur[axe] };
                 let (n, l) = (boite.normales(), boite.demi_longueurs());
-                let point = (0..3).fold(large(boite.centre()), |point, axe| {
-                    point + large(n[axe]) * (l[axe].vers_f64() * ou(axe))
+                let point = (0..3).fold(boite.centre().vers_f64(), |point, axe| {
+                    point + n[axe].vers_f64() * (l[axe].vers_f64() * ou(axe))
                 });
                 let demi_diagonale = Vecteur::from(boite.demi_longueurs()).longueur().vers_f64();
-                (point, large(boite.normales()[face]) * sur[face].signum(), demi_diagonale)
+                (point, boite.normales()[face].vers_f64() * sur[face].signum(), demi_diagonale)
             }
         };
         let cote = vers - normale * vers.produit_scalaire(normale);
         let cote = cote.unitaire().unwrap_or(Vecteur::NUL);
         let vient_de = (normale * (1.0 - ecart) + cote * ecart).unitaire().unwrap_or(normale);
         let rayon = Rayon::new(arrondi(point + vient_de * recul), arrondi(-vient_de)).unwrap();
-        let source = large(rayon.source());
+        let source = rayon.source().vers_f64();
         Self {
             parametres,
             objet,
             rayon,
             normale,
             distance: (point - source).longueur(),
-            cosinus: -normale.produit_scalaire(large(rayon.direction())),
+            cosinus: -normale.produit_scalaire(rayon.direction().vers_f64()),
             taille,
             etendue: source.longueur() + point.longueur() + taille + recul,
         }
@@ -232,7 +232,7 @@ pub(crate) fn plante<R: Reel>() -> impl Strategy<Value = Plante<R>> {
 pub(crate) fn scene<R: Reel>() -> impl Strategy<Value = (Vec<ObjetGeo<R>>, Rayon<R>)> {
     (prop::collection::vec(objet(1.0), 0..12), vecteur::<R>(15.0), vecteur::<R>(10.0)).prop_map(
         |(objets, source, cible)| {
-            let vers = large(cible) - large(source);
+            let vers = cible.vers_f64() - source.vers_f64();
             let vers = vers.unitaire().unwrap_or(Vecteur::new(0.0, 0.0, -1.0));
             (objets, Rayon::new(source, arrondi(vers)).unwrap())
         },

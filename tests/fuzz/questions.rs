@@ -15,7 +15,7 @@ use libfuzzer_sys::fuzz_target;
 #[allow(dead_code, reason = "shared with the tests")]
 #[path = "../commun/conversion.rs"]
 mod conversion;
-use conversion::{Bits, large, mots};
+use conversion::{Bits, mots};
 
 struct Octets<'a, R> {
     reste: &'a [u8],
@@ -55,7 +55,7 @@ impl<R: Bits> Octets<'_, R> {
     fn rotation(&mut self) -> Option<Rotation<R>> {
         let angles = self.vecteur()?;
         let rotation = Rotation::new(angles);
-        assert!(rotation.is_ok() || !large(angles).longueur().is_finite());
+        assert!(rotation.is_ok() || !angles.vers_f64().longueur().is_finite());
         Some(rotation.unwrap_or(Rotation::IDENTITE))
     }
 
@@ -72,7 +72,7 @@ impl<R: Bits> Octets<'_, R> {
 fn verifier<R: Bits>(rayon: &Rayon<R>, touche: &Intersection<R>) {
     assert!(touche.distance > R::ZERO && touche.distance < R::INFINI);
     assert!(touche.normale.produit_scalaire(rayon.direction()) < R::ZERO);
-    let ecart = (large(touche.normale).longueur() - 1.0).abs();
+    let ecart = (touche.normale.vers_f64().longueur() - 1.0).abs();
     assert!(ecart <= 4.0 * R::U.vers_f64(), "|N| is off by {ecart:e}");
     assert!(touche.marge() >= R::ZERO, "margin {}", touche.marge());
 }

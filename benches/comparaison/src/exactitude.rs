@@ -7,7 +7,7 @@ use lancer_rayon::{ObjetGeo, ObjetRay, Rayon, Reel, SphereGeo, Texture, premiere
 use plotters::prelude::*;
 
 use crate::Parry;
-use crate::commun::conversion::{arrondi, large};
+use crate::commun::conversion::arrondi;
 use crate::commun::litteral;
 use crate::commun::mesure::{Mesure, Reponse, mesurer, quantiles};
 use crate::commun::oracle::{hauteur, verite};
@@ -90,7 +90,7 @@ fn promesses<R: Reel>(scalaire: &str) -> String {
         for _ in 0..CAS {
             let Cas { objet, rayon } = (regime.cas)(&mut alea);
             let Ok(touche) = objet.intersection(&rayon) else { continue };
-            let n = large(touche.normale);
+            let n = touche.normale.vers_f64();
             let ecart = hauteur(&objet, touche.normale, rayon.point(touche.distance)).abs();
             let marge = touche.marge().vers_f64();
             if marge.is_finite() {
