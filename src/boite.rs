@@ -218,7 +218,7 @@ impl<R: Reel> BoiteRay<R> {
         (-(l + o), l - o, v.abs())
     }
 
-    /// The last entry of the ray, the pair of faces that it is of, and the first exit; entry and
+    /// The last entry of the ray, its pair of faces, and the first exit; entry and
     /// exit as quotients not divided yet.
     ///
     /// They are compared by cross products, since one division costs more than all of these. It
@@ -243,14 +243,14 @@ impl<R: Reel> BoiteRay<R> {
 
     #[inline(always)]
     fn toucher(&self, rayon: &Rayon<R>, t: R, entree: f64, axe: usize) -> Intersection<R> {
-        let t = R::conclure(t, || entree);
+        let t = R::preciser(t, || entree);
         let (normale, l) = self.couple(axe);
         let vitesse = normale.produit_scalaire(rayon.direction());
         let normale = if vitesse > R::ZERO { -normale } else { normale };
         Intersection::new(rayon, t, normale, self.texture, |p| {
             let (n, cp) = (normale.vers_f64(), p - self.centre.vers_f64());
             let hauteur = n.produit_scalaire(cp) - l.vers_f64();
-            (hauteur.abs(), n.produit_des_grandeurs(cp))
+            (hauteur.abs(), n.somme_des_grandeurs(cp))
         })
     }
 
@@ -299,7 +299,7 @@ impl<R: Reel> Forme<R> for BoiteRay<R> {
         if touche { entree.0 / entree.1 } else { R::INFINI }
     }
 
-    /// Unless `f64` names a face by which the search does not see the ray enter, N·D < 0.
+    /// Sure, unless `f64` names a face by which the search does not see the ray enter, N·D < 0.
     #[inline(always)]
     fn conclure(&self, rayon: &Rayon<R>, t: R) -> (Intersection<R>, bool) {
         let (s, d) = (rayon.source().vers_f64(), rayon.direction().vers_f64());

@@ -34,7 +34,7 @@ pub struct ErreurGeo {
 
 impl fmt::Display for ErreurGeo {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        // Thirty digits of a number near 2^450 would hide the sentence.
+        // The 136 digits of 2^450 would hide the sentence.
         let grandeur = self.valeur.abs();
         let lisible = grandeur == 0.0 || (1e-4..1e7).contains(&grandeur);
         if lisible || !self.valeur.is_finite() {

@@ -79,7 +79,7 @@ impl<R: Reel> Etendue<R> {
         Some(Faisceau {
             source: self.source,
             plans: [p1, p2, p3, p4, -self.m]
-                .map(|p| (p, p.produit_des_grandeurs(ecarts) * (R::UN + u(8.0)))),
+                .map(|p| (p, p.somme_des_grandeurs(ecarts) * (R::UN + u(8.0)))),
         })
     }
 }
@@ -146,7 +146,7 @@ impl<'a, R: Reel, const P: usize> Places<'a, R, P> {
     }
 }
 
-/// The objects that a lot of rays may enter, in their order, with the balls around them side by
+/// The objects that the rays of a lot may enter, in their order, with the balls around them side by
 /// side.
 pub(crate) struct Selection<'p, 'a, R> {
     nombre: usize,

@@ -95,6 +95,7 @@ impl<R: Reel> Intersection<R> {
 /// let vide: [ObjetRay; 0] = [];
 /// let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.0, 0.0, -1.0))?;
 /// assert_eq!(premiere_intersection(&vide, &rayon), Err(NoIntersection));
+/// assert_eq!(NoIntersection.to_string(), "the ray touches no object");
 /// # Ok::<(), lancer_rayon::ErreurGeo>(())
 /// ```
 #[doc(alias = "No_intersection")]
@@ -113,7 +114,7 @@ impl core::error::Error for NoIntersection {}
 /// The first object that the ray enters: its distance, its normal there, its texture
 /// (handout §4.1).
 ///
-/// A touch is an entry. An object that contains the source, or whose surface does, is not
+/// A hit is an entry. An object that contains the source, or whose surface does, is not
 /// touched (handout §2.3); the others still count. Of two objects at the same distance the
 /// earlier in the list is the first.
 ///

@@ -52,7 +52,7 @@
 //! # Ok::<(), ErreurGeo>(())
 //! ```
 //!
-//! **A touch is an entry** from outside, at a distance t > 0, against the normal (D·N < 0). An object
+//! **A hit is an entry** from outside, at a distance t > 0, against the normal (D·N < 0). An object
 //! is not touched from inside or from its surface, and a tangent touches nothing.
 //!
 //! ```
@@ -67,26 +67,27 @@
 //! **Objects turn about the origin** and grow about their own centre. **At equal distance** the
 //! earlier in the list is touched.
 //!
-//! **A value that exists is valid.** Constructors and transformations refuse what is not finite, not
-//! positive, or beyond 2⁴⁵⁰ (2⁶⁰ for `f32`), and say which field; a query neither fails, panics nor
-//! returns a NaN. ([`Vecteur`] is a bare triple: what is built from it checks.)
+//! **A value that exists is valid.** Constructors and transformations refuse what is not finite or
+//! beyond ±2⁴⁵⁰ (±2⁶⁰ for `f32`), and a size below the inverse of that, and say which field; a query
+//! neither panics nor returns a NaN. ([`Vecteur`] is a bare triple: what is built from it checks.)
 //!
 //! **A hit knows its error**: [`Intersection::marge`] bounds how far the point is from the surface, and
 //! [`Rayon::secondaire`] starts a shadow, reflection or refraction ray that cannot touch the object
-//! which it leaves.
+//! which it leaves, but inward at an edge of a box.
 //!
 //! # `f32` or `f64`
 //!
 //! Every type takes the scalar as a parameter, `f64` unless named: `Vecteur<f32>`. The search for the
 //! first object runs in that type, and its hit is computed in `f64`: in `f32` the distance to the object
-//! that was found is off by half a unit in the last place and 3·2⁻⁵³·cond (see `docs/precision.md`).
+//! that was found is off by at most half a unit in the last place plus 3·2⁻⁵³·cond (see
+//! `docs/precision.md`).
 //!
 //! # Features
 //!
 //! `std` (default) brings the hardware square root, and to [`premieres_intersections`] the best
 //! instruction set of the machine it runs on; without it the crate needs `core` alone, takes the
-//! instruction set that it is compiled for, and gives the same bits. `serde` reads and writes the
-//! describing types, through the same checks as their constructors. Nothing allocates, nothing is
+//! instruction set that it is compiled for, and gives the same bits. `serde` reads and writes
+//! `Vecteur`, `Rotation`, `Texture`, `Rayon` and the describing types, through the same checks as their constructors. Nothing allocates, nothing is
 //! `unsafe`.
 #![no_std]
 

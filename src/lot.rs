@@ -67,7 +67,7 @@ pub fn premieres_intersections<R: Reel>(
     Reglage::ordinaire().premieres_intersections(objets, rayons, touches)
 }
 
-/// As many answers as rays are needed, and there are not.
+/// There is not one place for an answer to each ray.
 ///
 /// ```
 /// use lancer_rayon::{LongueursDifferentes, NoIntersection, Rayon, premieres_intersections};
@@ -155,17 +155,17 @@ impl Reglage {
         } else if !self.elaguer || objets.len() < ELAGAGE {
             self.repondre(objets, rayons, touches, None);
         } else if objets.len() <= TRIER {
-            self.elaguer::<R, TRIER>(objets, rayons, touches);
+            self.avec_places::<R, TRIER>(objets, rayons, touches);
         } else if rayons.len() < LOT / 2 {
-            self.elaguer::<R, 256>(objets, rayons, touches);
+            self.avec_places::<R, 256>(objets, rayons, touches);
         } else {
-            self.elaguer::<R, 1024>(objets, rayons, touches);
+            self.avec_places::<R, 1024>(objets, rayons, touches);
         }
         Ok(())
     }
 
     /// With room for a selection of P objects.
-    fn elaguer<R: Reel, const P: usize>(
+    fn avec_places<R: Reel, const P: usize>(
         self,
         objets: &[ObjetRay<R>],
         rayons: &[Rayon<R>],
@@ -406,10 +406,10 @@ impl<R: Reel> Conclusions<R> {
         for voie in 0..VOIES {
             let (source, direction) = groupe.rayon(voie);
             let rayon = Rayon { source, direction };
-            let (touche, fiable) = forme.conclure(&rayon, groupe.t[voie]);
+            let (touche, touche_sure) = forme.conclure(&rayon, groupe.t[voie]);
             distance[voie] = touche.distance;
             [nx[voie], ny[voie], nz[voie]] = touche.normale.into();
-            (marge[voie], sure[voie]) = (touche.marge, fiable);
+            (marge[voie], sure[voie]) = (touche.marge, touche_sure);
         }
     }
 }

@@ -118,7 +118,7 @@ pub enum ObjetRay<R = f64> {
     Boite(BoiteRay<R>),
 }
 
-/// What the search reads of each object: fifteen numbers and a texture.
+// Fifteen numbers, a texture and a tag: all of them pass through the cache for every ray.
 const _: () = assert!(size_of::<ObjetRay<f64>>() <= 136);
 
 /// What a shape answers about rays, in its own file and once, for a ray alone and for many side by
@@ -135,7 +135,7 @@ pub(crate) trait Forme<R: Reel>: Copy {
     fn t(&self, s: Vecteur<R>, d: Vecteur<R>) -> R;
 
     /// The hit that the search found at distance `t`, computed in `f64` and without a branch; and
-    /// whether it stands. If rounding spoiled it, [`reprendre`](Self::reprendre) concludes.
+    /// whether that is sure. If rounding spoiled it, [`reprendre`](Self::reprendre) concludes.
     fn conclure(&self, rayon: &Rayon<R>, t: R) -> (Intersection<R>, bool);
 
     /// The same hit, where it takes more than the ordinary formula.
@@ -149,8 +149,8 @@ fn entree<R: Reel>(forme: &impl Forme<R>, s: Vecteur<R>, d: Vecteur<R>) -> R {
 
 #[inline]
 fn conclure<R: Reel>(forme: &impl Forme<R>, rayon: &Rayon<R>, t: R) -> Intersection<R> {
-    let (touche, elle_tient) = forme.conclure(rayon, t);
-    if elle_tient { touche } else { forme.reprendre(rayon, t) }
+    let (touche, sure) = forme.conclure(rayon, t);
+    if sure { touche } else { forme.reprendre(rayon, t) }
 }
 
 impl<R: Reel> ObjetRay<R> {

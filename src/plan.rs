@@ -151,7 +151,7 @@ impl<R: Reel> PlanRay<R> {
         let plan = self.vers_f64();
         Intersection::new(rayon, t, self.normale, self.texture, |p| {
             let hauteur = plan.normale.produit_scalaire(p) + plan.distance;
-            (hauteur.abs(), plan.normale.produit_des_grandeurs(p))
+            (hauteur.abs(), plan.normale.somme_des_grandeurs(p))
         })
     }
 
@@ -183,16 +183,16 @@ impl<R: Reel> Forme<R> for PlanRay<R> {
         hauteur / descente
     }
 
-    /// Unless the ray descends by no more than [`RASANT`](Self::RASANT).
+    /// Sure, unless the ray descends by no more than [`RASANT`](Self::RASANT).
     #[inline(always)]
     fn conclure(&self, rayon: &Rayon<R>, t: R) -> (Intersection<R>, bool) {
         let (s, d) = (rayon.source().vers_f64(), rayon.direction().vers_f64());
         let (hauteur, descente) = self.vers_f64().hauteur_et_descente(s, d);
-        let t = R::conclure(t, || hauteur / descente);
+        let t = R::preciser(t, || hauteur / descente);
         (self.toucher(rayon, t), descente > Self::RASANT)
     }
 
-    /// Of N·D the digits decide that remain after the cancellation.
+    /// With N·D compensated: the digits that cancellation leaves decide.
     #[cold]
     fn reprendre(&self, rayon: &Rayon<R>, t: R) -> Intersection<R> {
         let (plan, d) = (self.vers_f64(), rayon.direction().vers_f64());

@@ -67,8 +67,9 @@ impl<R: Reel> Rayon<R> {
         self.source + self.direction * distance
     }
 
-    /// A ray that starts where this one touched an object and cannot touch that object again: for
-    /// shadows, reflections (a direction outward, D·N > 0) and transparency (inward).
+    /// A ray that starts where this one touched an object and cannot touch that object again, but
+    /// inward at an edge of a box: for shadows, reflections (a direction outward, D·N > 0) and
+    /// transparency (inward).
     ///
     /// The source is the point of the hit, moved along the normal to the side to which the
     /// direction leads, by [`marge`](Intersection::marge) and the rounding of the moved point,
@@ -118,7 +119,7 @@ impl<R: Reel> Rayon<R> {
         // The bound of the hit, with room for N not being exactly unit, and the rounding of the
         // moved point.
         let pas = touche.marge() * (R::UN + u(16.0));
-        let pas = pas + n.produit_des_grandeurs(p) * u(2.0);
+        let pas = pas + n.somme_des_grandeurs(p) * u(2.0);
         let pas = if cosinus < u(-4.0) { -pas } else { pas };
         Self::new(p + n * pas, direction)
     }

@@ -10,8 +10,6 @@ mod scelle {
         /// A power of two that brings any length whose square leaves the range of the type back
         /// into it.
         const ECHELLE: Self;
-        /// 1 − 64u: what a rejection multiplies a squared distance by, so as to reject no hit.
-        const PRUDENCE: Self;
         /// How far a matrix may be from orthonormal and still be taken as a rotation.
         const ECART_ROTATION: f64;
         /// `LIMITE` in words, for a coordinate.
@@ -21,10 +19,10 @@ mod scelle {
         /// `ECART_ROTATION` in words.
         const ATTENDU_ROTATION: &'static str;
 
-        /// The distance to conclude a hit with, in the wider type: what the search found if it was
-        /// made in that type already, otherwise what `precise` computes there, unless that is no
-        /// distance of this type: the conclusion never revokes a hit.
-        fn conclure(trouve: Self, precise: impl FnOnce() -> f64) -> f64;
+        /// The distance of a hit in the wider type: what the search found if it was made in that type
+        /// already, otherwise what `precise` computes there, unless that is no distance of this
+        /// type: the conclusion never revokes a hit.
+        fn preciser(trouve: Self, precise: impl FnOnce() -> f64) -> f64;
     }
 }
 
@@ -110,14 +108,13 @@ pub(crate) fn u<R: Reel>(n: f64) -> R {
 
 impl Scelle for f32 {
     const ECHELLE: Self = (1_u128 << 100) as Self;
-    const PRUDENCE: Self = 1.0 - 64.0 * Self::U;
     const ECART_ROTATION: f64 = 1e-3;
     const ATTENDU_COORDONNEE: &'static str = "a number between -2^60 and 2^60";
     const ATTENDU_TAILLE: &'static str = "a number between 2^-60 and 2^60";
     const ATTENDU_ROTATION: &'static str = "at most 1e-3, as for a rotation";
 
     #[inline(always)]
-    fn conclure(trouve: Self, precise: impl FnOnce() -> f64) -> f64 {
+    fn preciser(trouve: Self, precise: impl FnOnce() -> f64) -> f64 {
         let t = precise();
         if (t > 0.0) & (t <= f64::from(Self::MAX)) { t } else { f64::from(trouve) }
     }
@@ -157,14 +154,13 @@ impl Reel for f32 {
 
 impl Scelle for f64 {
     const ECHELLE: Self = Self::from_bits((1023 + 600) << 52);
-    const PRUDENCE: Self = 1.0 - 64.0 * Self::U;
     const ECART_ROTATION: f64 = 1e-6;
     const ATTENDU_COORDONNEE: &'static str = "a number between -2^450 and 2^450";
     const ATTENDU_TAILLE: &'static str = "a number between 2^-450 and 2^450";
     const ATTENDU_ROTATION: &'static str = "at most 1e-6, as for a rotation";
 
     #[inline(always)]
-    fn conclure(trouve: Self, _precise: impl FnOnce() -> f64) -> f64 {
+    fn preciser(trouve: Self, _precise: impl FnOnce() -> f64) -> f64 {
         trouve
     }
 }

@@ -8,7 +8,7 @@ use crate::{ErreurGeo, Reel, Vecteur};
 /// A rotation about the origin O, held as its matrix M: a vector V, written as a row, becomes
 /// V·M (handout §2.1).
 ///
-/// Whatever the way it was made, M is orthonormal to rounding: |M·Mᵀ − I| stays within 4 units
+/// However it was made, M is orthonormal to rounding: |M·Mᵀ − I| stays within 4 units
 /// in the last place of 1 after any number of compositions.
 ///
 /// ```
@@ -181,8 +181,7 @@ impl<R: Reel> Rotation<R> {
     }
 
     fn arrondie(m: Matrice) -> Self {
-        // Adding 0 turns −0 into +0, so that equal rotations have equal bits.
-        Self { matrice: m.map(|ligne| ligne.map(|x| R::depuis_f64(x + 0.0))) }
+        Self { matrice: m.map(|ligne| ligne.map(R::depuis_f64)) }
     }
 }
 

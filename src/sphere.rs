@@ -161,7 +161,7 @@ impl<R: Reel> SphereRay<R> {
     fn sb_et_cb(&self, rayon: &Rayon<R>, t: R) -> (f64, Vecteur<f64>) {
         let (s, d, sphere) =
             (rayon.source().vers_f64(), rayon.direction().vers_f64(), self.vers_f64());
-        let sb = R::conclure(t, || SphereRay::sb(d, sphere.longueurs(s, d)));
+        let sb = R::preciser(t, || SphereRay::sb(d, sphere.longueurs(s, d)));
         // CB relative to the source: S + tD − C would lose what S and C have in common.
         (sb, (s - sphere.centre) + d * sb)
     }
@@ -217,7 +217,7 @@ impl<R: Reel> Forme<R> for SphereRay<R> {
         }
     }
 
-    /// Unless the normal comes out turned away from the source.
+    /// Sure, unless the normal comes out turned away from the source.
     #[inline(always)]
     fn conclure(&self, rayon: &Rayon<R>, t: R) -> (Intersection<R>, bool) {
         let (t, cb) = self.sb_et_cb(rayon, t);

@@ -125,7 +125,7 @@ impl<R: Reel> Vecteur<R> {
 
     /// Σ|V_i·V′_i|: what a rounding error of the scalar product is a small multiple of.
     #[inline(always)]
-    pub(crate) fn produit_des_grandeurs(self, autre: Self) -> R {
+    pub(crate) fn somme_des_grandeurs(self, autre: Self) -> R {
         (self.x * autre.x).abs() + (self.y * autre.y).abs() + (self.z * autre.z).abs()
     }
 
