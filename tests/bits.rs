@@ -1,4 +1,4 @@
-//! The same bits everywhere: a hash of the 240,000 hits of each scene, ray by ray and with each
+//! The same bits everywhere: a hash of the answers to the 240,000 rays of each scene, ray by ray and with each
 //! instruction set of the machine that runs this.
 //!
 //! A change of a formula changes a hash, which then stands in the assertion that fails: look at

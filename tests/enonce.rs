@@ -5,8 +5,6 @@
 //! The rows are also the page `docs/jeu-de-tests.md`. To write it again:
 //! `LANCER_RAYON_ECRIRE=1 cargo test --all-features --test enonce`
 
-#![allow(clippy::incompatible_msrv, reason = "tests need the Rust that proptest needs")]
-
 #[path = "commun/litteral.rs"]
 mod litteral;
 
@@ -253,7 +251,7 @@ fn annexe_a3() -> Partie {
             lancer(marche, &rayon(v(1.0, 10.0, -9.0), v(0.0, -1.0, 0.0))),
         )
         .ligne(
-            "|C I·N| = 2.5 > l: the plane of the face, but beside it",
+            "|CfI·N| = 2.5 > l: the plane of the face, but beside it",
             "no intersection",
             lancer(marche, &devant(2.5, 0.0, 0.0)),
         )
@@ -311,13 +309,21 @@ fn c2() -> Partie {
         .ligne("r1.puis(r2) applies r1 first", vecteur(y.appliquer(x.appliquer(w))), {
             vecteur(x.puis(y).appliquer(w))
         })
-        .ligne("all 9³ quarter turns have only +0, 1 and −1", true, {
-            quarts().all(|a| quarts().all(|b| quarts().all(|c| exacte(tour(a, b, c)))))
-        })
-        .ligne("in f32 too", true, {
+        .ligne(
+            "all 9³ quarter turns, and one more about any axis, have only +0, 1 and −1",
+            true,
+            {
+                let exacts =
+                    |r: Rotation| exacte(r) && [x, y, z].iter().all(|q| exacte(r.puis(*q)));
+                quarts().all(|a| quarts().all(|b| quarts().all(|c| exacts(tour(a, b, c)))))
+            },
+        )
+        .ligne("one of them in f32", true, {
             use core::f32::consts::FRAC_PI_2 as Q;
             let r = Rotation::<f32>::new(Vecteur::new(Q, 2.0 * Q, -3.0 * Q)).unwrap();
-            r.matrice().into_iter().flatten().all(|x| [0.0, 1.0, -1.0].contains(&x))
+            let elements = r.matrice().into_iter().flatten().map(f32::to_bits);
+            let exacts = [0.0_f32, 1.0, -1.0].map(f32::to_bits);
+            elements.into_iter().all(|bits| exacts.contains(&bits))
         })
         .ligne("four quarter turns change nothing, bit for bit", true, {
             [x, y, z].map(|r| r.puis(r).puis(r).puis(r)) == [Rotation::IDENTITE; 3]
@@ -429,10 +435,11 @@ fn c6() -> Partie {
         let marche = boite(v(1.0, 2.0, 3.0), v(2.0, 4.0, 6.0), Rotation::IDENTITE);
         [sphere(v(1.0, 2.0, 3.0), 2.0, 0), plan(Rotation::IDENTITE, 4.0, 0), marche]
     };
-    let chacun = |k: f64| objets().map(|o| erreur(o.homothetie(k))).join("; ");
-    let refus = |k: &str| {
-        [&*format!("coefficient is {k}, but must be a finite number above 0"); 3].join("; ")
+    let chacun = |k: f64| {
+        let [a, b, c] = objets().map(|o| erreur(o.homothetie(k)));
+        if a == b && b == c { a } else { [a, b, c].join("; ") }
     };
+    let refus = |k: &str| format!("coefficient is {k}, but must be a finite number above 0");
     let [boule, demi_espace, marche] = objets();
     Partie::new("C6: homothety about the object's own centre")
         .ligne("a sphere × 3", "(1, 2, 3) radius 6", {
@@ -459,7 +466,7 @@ fn c7() -> Partie {
     let bloc = cube(O, Rotation::IDENTITE);
     let sol = plan(tour(FRAC_PI_2, 0.0, 0.0), 0.0, 1);
     let derriere = sphere(v(0.0, 0.0, -10.0), 1.0, 5);
-    // At the height of 2^60 it takes a descent of 2^-149 more than any f32 to arrive.
+    // From a height of 2^60 a descent of 2^-149 arrives farther than any f32.
     let tres_haut: Rayon<f32> =
         rayon(Vecteur::new(0.0, 0.0, 60_f32.exp2()), Vecteur::new(1.0, 0.0, -f32::from_bits(1)));
     Partie::new("C7: a hit is an entry from outside")
@@ -474,12 +481,6 @@ fn c7() -> Partie {
         .ligne("inside a box", "no intersection", lancer(bloc, &devant(0.5, 0.5, 0.5)))
         .ligne("on a face, going in", "no intersection", lancer(bloc, &devant(0.0, 0.0, 1.0)))
         .ligne("on a face, along it", "no intersection", lancer(bloc, &devant(1.0, 0.0, 0.5)))
-        .ligne("inside a half-space, going out", "no intersection", {
-            lancer(sol, &rayon(v(0.0, -1.0, 0.0), v(0.0, 1.0, 0.0)))
-        })
-        .ligne("on a half-space, going in", "no intersection", {
-            lancer(sol, &rayon(O, v(0.0, -1.0, 0.0)))
-        })
         .ligne(
             "inside one object, another ahead still counts",
             "distance 9, normal (0, 0, 1), texture 5",
@@ -709,7 +710,7 @@ fn c13() -> Partie {
             },
         )
         .ligne("unit to 3 units in the last place: kept bit for bit", true, {
-            let presque = 1.0 + 2.0 * f64::EPSILON;
+            let presque = 1.0 + 3.0 * f64::EPSILON;
             rayon(O, v(0.0, 0.0, presque)).direction() == v(0.0, 0.0, presque)
         })
         .ligne(

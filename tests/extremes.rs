@@ -20,7 +20,7 @@ use lancer_rayon::{
 const K: f64 = 3.0;
 
 fn cas_par_regime() -> u32 {
-    std::env::var("LANCER_RAYON_CAS").map_or(1_000, |cas| cas.parse().expect("a number of cases"))
+    commun::cas(1_000)
 }
 
 /// Hit or miss never wrong outside the margin, distance to K·2⁻⁵³·cond, normal to its bound.
@@ -183,6 +183,10 @@ fn secondaires<R: Reel>() {
                         "{}: {cas:?} {touche:?} left by {rayon:?} is touched again: {encore:?}",
                         regime.nom
                     );
+                    // Turned outward by 8u, kept up to 6u too long, and rounded in each coordinate.
+                    let voulue = arrondi::<R>(vers).vers_f64().unitaire().unwrap();
+                    let tournee = (rayon.direction().vers_f64() - voulue).longueur();
+                    assert!(tournee <= 20.0 * u::<R>(), "{}: turned by {tournee:e}", regime.nom);
                     let pas = (rayon.source().vers_f64() - point.vers_f64()).longueur();
                     let np = [
                         n.x * point.x.vers_f64(),
@@ -245,7 +249,7 @@ fn un_rayon_secondaire_invalide_est_refuse() {
     assert_eq!(refus(touche, n * f64::NAN), "direction.x");
 }
 
-/// Two or three objects whose entries are 0, 1, 2 … ulp apart, nested or the same: the one that
+/// Three objects whose entries are 0, 1, 2 … ulp apart, nested or the same: the one that
 /// is answered is the first, or within the two bounds of it.
 fn presque_ex_aequo<R: Reel>() {
     for regime in regimes::<R>() {
@@ -324,7 +328,7 @@ fn le_premier_est_le_premier_a_l_arrondi_pres() {
     presque_ex_aequo::<f64>();
 }
 
-/// Tangents that every number of which is exact: (3, 4, 5)·2^k, with r = 5·2^k. They miss; one
+/// Tangents every number of which is exact: (3, 4, 5)·2^k, with r = 5·2^k. They miss; one
 /// unit in the last place more of radius is touched, at A.
 fn tangentes_exactes<R: Reel>() {
     for k in -20..20 {
@@ -343,7 +347,8 @@ fn tangentes_exactes<R: Reel>() {
         let plus_grande = boule(5.0 * (1.0 + 2.0 * u::<R>()));
         let touche = plus_grande.intersection(&rayon).unwrap();
         let cos = touche.normale.produit_scalaire(rayon.direction()).vers_f64();
-        assert!(cos < 0.0 && cos > -1e-3);
+        // One unit in the last place of 5 is 1.6u of it, and AB/r = √(2·1.6u).
+        assert!(cos < 0.0 && cos >= -2.0 * u::<R>().sqrt());
     }
 }
 
@@ -377,8 +382,9 @@ fn un_rayon_parallele_manque_et_la_moindre_pente_arrive() {
     paralleles::<f64>();
 }
 
-/// What remains of N·D for a ray almost parallel to a half-space has all its digits: the
-/// distance is as good as the height of the source, three roundings, and the division.
+/// What remains of N·D for a ray almost parallel to a half-space has all its digits: the distance is
+/// as good as the height of the source, three roundings, and the division. In f64 from a descent of
+/// 2⁻²⁶ on, where half of the digits are gone.
 fn rasants<R: Reel>() {
     let mut alea = Rng::with_seed(8);
     let mut juges = 0;
@@ -386,8 +392,17 @@ fn rasants<R: Reel>() {
         let m = Rotation::<R>::new(arrondi(direction(&mut alea) * 3.0)).unwrap();
         let sol = ObjetGeo::from(PlanGeo::new(m, R::ZERO, Texture(0)).unwrap()).vers_ray();
         let [le_long, _, n] = m.matrice().map(|ligne| Vecteur::from(ligne).vers_f64());
-        let pente = n * (alea.f64() - 1.0).exp2() * u::<R>().sqrt() * 1e-3;
-        let rayon = Rayon::new(arrondi(n), arrondi(le_long - pente)).unwrap();
+        let descente = if alea.bool() {
+            (-26_f64).exp2()
+        } else {
+            (alea.f64() - 1.0).exp2() * u::<R>().sqrt() * 1e-3
+        };
+        let rayon = Rayon::new(arrondi(n), arrondi(le_long - n * descente)).unwrap();
+        // Rounding makes it more than that as often as less.
+        let en_f64 = u::<R>() < f64::EPSILON;
+        if en_f64 && -n.produit_scalaire(rayon.direction().vers_f64()) > (-26_f64).exp2() {
+            continue;
+        }
         let (Some(entree), Ok(touche)) = (verite(&sol, &rayon).entree, sol.intersection(&rayon))
         else {
             continue;
@@ -397,7 +412,7 @@ fn rasants<R: Reel>() {
         let permis = 6.0 * u::<R>() * touche.distance.vers_f64();
         assert!(ecart <= permis, "off by {ecart:e}, {permis:e} allowed: {rayon:?}");
     }
-    assert!(juges > cas_par_regime() / 2);
+    assert!(juges > cas_par_regime() / 4);
 }
 
 #[test]

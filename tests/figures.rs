@@ -1,5 +1,4 @@
-//! The figures of `docs/conventions.md` are what the library answers today. To draw them again:
-//! `LANCER_RAYON_ECRIRE=1 cargo test --test figures`
+//! The figures of `docs/conventions.md` are what the library answers today.
 
 #[allow(dead_code, reason = "an example, of which the test runs all but `main`")]
 #[path = "../docs/exemples/figures.rs"]
@@ -9,10 +8,7 @@ mod figures;
 fn les_figures_sont_a_jour() {
     for (nom, svg) in figures::figures().unwrap() {
         let chemin = format!("{}/{nom}", figures::DOSSIER);
-        if std::env::var_os("LANCER_RAYON_ECRIRE").is_some() {
-            std::fs::write(&chemin, &svg).unwrap();
-        }
         let dessinee = std::fs::read_to_string(&chemin).unwrap_or_default();
-        assert!(dessinee == svg, "docs/images/{nom} is stale: draw it again as this file says");
+        assert!(dessinee == svg, "docs/images/{nom} is stale: `cargo run --example figures`");
     }
 }

@@ -7,7 +7,7 @@
 mod commun;
 
 use commun::conversion::mots;
-use commun::regimes::{Cas, direction, entre, puissance, regimes};
+use commun::regimes::{Cas, direction, entre, puissance, regimes, signe};
 use commun::{Bits, arrondi, scenes};
 use fastrand::Rng;
 use lancer_rayon::{
@@ -52,7 +52,7 @@ fn axe_z<R: Reel>() -> Vecteur<R> {
 }
 
 fn cas() -> usize {
-    std::env::var("LANCER_RAYON_CAS").map_or(300, |cas| cas.parse().expect("a number of bundles"))
+    commun::cas(300) as usize
 }
 
 #[test]
@@ -182,7 +182,7 @@ fn frole<R: Reel>(alea: &mut Rng, rayons: &[Rayon<R>], texture: Texture) -> Obje
     let en_travers = |v: Vecteur| (v - d * v.produit_scalaire(d)).unitaire();
     let rangee = en_travers((rayon.direction() - rayons[0].direction()).vers_f64());
     let travers = rangee.filter(|_| alea.bool()).or_else(|| en_travers(direction(alea))).unwrap();
-    let signe = if alea.bool() { 1.0 } else { -1.0 };
+    let signe = signe(alea);
     let ecart = if alea.bool() {
         l * (1.0 + signe * puissance(alea, -60.0, 0.0))
     } else {

@@ -67,7 +67,7 @@ fn une_rotation_est_orthonormale() {
 fn formule_de_l_enonce<R: Reel>() {
     pour_tout(vecteur_rotation::<R>(), |v| {
         let attendu = enonce(v.vers_f64());
-        // At a quarter turn the formula sees the rounding of π/2, at most 2u at 2π; an element
+        // At a quarter turn the formula sees the rounding of the angle, at most 4u at 2π; an element
         // is a sum of products of up to three such cosines.
         let tolerance = (PRODUIT + 3.0 * 4.0) * u::<R>();
         prop_assert!(ecart(matrice(Rotation::new(v).unwrap()), attendu) <= tolerance);

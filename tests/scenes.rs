@@ -1,7 +1,5 @@
 //! The scenes of `docs/scenes`, and the language in which they are written.
 
-#![cfg(feature = "serde")]
-
 #[path = "../docs/exemples/scene.rs"]
 mod scene;
 

@@ -1,6 +1,4 @@
 //! Reading a value goes through the same checks as making it, and loses no bit.
-#![cfg(feature = "serde")]
-
 mod commun;
 
 use commun::pour_tout;

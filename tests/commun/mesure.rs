@@ -74,7 +74,8 @@ pub(crate) fn mesurer<R: Reel>(
         mesure.k_promis = mesure.k_promis.max(k);
 
         let ecarts = entree.normales.iter().map(|n| (normale.vers_f64() - *n).longueur());
-        let permis = 4.0 * u * (1.0 + entree.f / entree.courbure) + ecart / entree.courbure;
+        let permis = 4.0 * u * (1.0 + entree.f / entree.rayon_de_courbure)
+            + ecart / entree.rayon_de_courbure;
         mesure.normale = mesure.normale.max(ecarts.fold(f64::INFINITY, f64::min) / permis);
     }
     mesure

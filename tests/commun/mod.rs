@@ -1,6 +1,5 @@
-//! What the test files share: how a property is run, where its values come from, and how much
-//! rounding it may see.
-#![allow(clippy::incompatible_msrv, reason = "tests need the Rust that proptest needs")]
+//! What the test files share: how a property is run, where its values come from, how much rounding it
+//! may see, and what every hit is.
 #![allow(dead_code, reason = "each test file uses its own part")]
 
 pub(crate) mod conversion;
@@ -12,21 +11,33 @@ pub(crate) mod strategies;
 pub(crate) mod tolerances;
 
 pub(crate) use conversion::{Bits, arrondi};
+use lancer_rayon::{Intersection, Rayon, Reel};
+use proptest::prop_assert;
 use proptest::strategy::Strategy;
 use proptest::test_runner::{Config, TestCaseResult, TestRunner};
+use tolerances::{NORMALE_UNITAIRE, u};
 
-/// Runs a property on random values; it may throw away a tenth of them at most.
-/// `PROPTEST_CASES` sets how many.
+/// Runs a property on random values; `PROPTEST_CASES` sets how many.
 pub(crate) fn pour_tout<S: Strategy>(strategie: S, propriete: impl Fn(S::Value) -> TestCaseResult) {
-    let cas = Config::default();
-    let rejets = cas.cases / 10;
-    let config = Config {
-        max_global_rejects: rejets,
-        max_local_rejects: rejets,
-        failure_persistence: None,
-        ..cas
-    };
+    let config = Config { failure_persistence: None, ..Config::default() };
     if let Err(echec) = TestRunner::new(config).run(&strategie, propriete) {
         panic!("{echec}");
     }
+}
+
+/// How many cases to run: `LANCER_RAYON_CAS`, or so many.
+pub(crate) fn cas(defaut: u32) -> u32 {
+    std::env::var("LANCER_RAYON_CAS").map_or(defaut, |cas| cas.parse().expect("a number of cases"))
+}
+
+/// What every hit is, whatever was asked.
+pub(crate) fn est_une_entree<R: Reel>(
+    rayon: &Rayon<R>,
+    touche: &Intersection<R>,
+) -> TestCaseResult {
+    prop_assert!(touche.distance > R::ZERO && touche.distance < R::INFINI);
+    prop_assert!(touche.normale.produit_scalaire(rayon.direction()) < R::ZERO);
+    let longueur = touche.normale.longueur().vers_f64();
+    prop_assert!((longueur - 1.0).abs() <= NORMALE_UNITAIRE * u::<R>());
+    Ok(())
 }

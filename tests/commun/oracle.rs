@@ -170,7 +170,7 @@ pub(crate) struct Entree {
     /// |f|, from the source to the centre (for a half-space, to the foot of O).
     pub(crate) f: f64,
     /// The radius; +∞ for a flat face.
-    pub(crate) courbure: f64,
+    pub(crate) rayon_de_courbure: f64,
 }
 
 impl Entree {
@@ -245,7 +245,7 @@ fn verite_sphere<R: Reel>(sphere: &SphereRay<R>, ray: &Droite, quatre_u: f64) ->
         let n = Vecteur::from(cb.each_ref().map(|x| x.sur(&r).vers_f64()));
         let cosinus = delta.vers_f64().sqrt() / r_;
         let cond = (f_ + r_ + t.vers_f64()) / cosinus;
-        Entree { t, normales: vec![n], cond, f: f_, courbure: r_ }
+        Entree { t, normales: vec![n], cond, f: f_, rayon_de_courbure: r_ }
     });
     Verite { entree, dans_la_marge }
 }
@@ -265,7 +265,7 @@ fn verite_plan<R: Reel>(plan: &PlanRay<R>, ray: &Droite, quatre_u: f64) -> Verit
         let f = scalaire(&f, &f).vers_f64().sqrt();
         let cond = (f + d_ + t.vers_f64()) / descente.vers_f64();
         let normale = Vecteur::from(n.each_ref().map(Exact::vers_f64));
-        Entree { t, normales: vec![normale], cond, f, courbure: f64::INFINITY }
+        Entree { t, normales: vec![normale], cond, f, rayon_de_courbure: f64::INFINITY }
     });
     Verite { entree, dans_la_marge }
 }
@@ -331,7 +331,7 @@ fn verite_boite<R: Reel>(boite: &BoiteRay<R>, ray: &Droite, quatre_u: f64) -> Ve
     normales.append(&mut indecises);
     let entree = (!dehors && t.positif() && sortie >= t).then(|| {
         let cond = (f_ + demi_diagonale + t.vers_f64()) / cosinus;
-        Entree { t, normales, cond, f: f_, courbure: f64::INFINITY }
+        Entree { t, normales, cond, f: f_, rayon_de_courbure: f64::INFINITY }
     });
     Verite { entree, dans_la_marge }
 }

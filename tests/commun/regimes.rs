@@ -66,6 +66,11 @@ pub(crate) fn direction(alea: &mut Rng) -> Vecteur {
     Vecteur::new(r * a.cos(), r * a.sin(), z)
 }
 
+/// 1 or −1.
+pub(crate) fn signe(alea: &mut Rng) -> f64 {
+    f64::from(1 - 2 * i8::from(alea.bool()))
+}
+
 /// At a right angle to `d`.
 fn travers(alea: &mut Rng, d: Vecteur) -> Vecteur {
     loop {
@@ -112,7 +117,7 @@ fn demi_espace<R: Reel>(alea: &mut Rng, en: Vecteur, _: f64) -> ObjetGeo<R> {
     PlanGeo::new(r, borne(-n.produit_scalaire(en)), Texture(0)).unwrap().into()
 }
 
-/// One box in two is as long as 10^12 times its thickness.
+/// One box in two is up to 10^12 times as long as thick.
 fn boite<R: Reel>(alea: &mut Rng, centre: Vecteur, l: f64) -> ObjetGeo<R> {
     let allonge = if alea.bool() { -40.0 } else { -2.0 };
     let dimensions = [(); 3].map(|()| taille(l * puissance(alea, allonge, 0.0)));
@@ -136,7 +141,7 @@ fn ordinaire<R: Reel>(alea: &mut Rng, forme: Forme<R>) -> Cas<R> {
     lancer(objet, de, vers - de)
 }
 
-/// Up to 10^7 (f32) or 10^15 (f64) sizes away, where S − C is not representable.
+/// Up to 4·10^6 (f32) or 2·10^15 (f64) sizes away, where S − C is not representable.
 fn loin<R: Reel>(alea: &mut Rng, forme: Forme<R>) -> Cas<R> {
     let l = puissance(alea, -10.0, 10.0);
     let bits = -R::U.vers_f64().log2();
@@ -164,13 +169,13 @@ fn sphere_rasante<R: Reel>(alea: &mut Rng) -> Cas<R> {
     let r = puissance(alea, -10.0, 10.0);
     let centre = direction(alea) * (r * puissance(alea, -3.0, 8.0));
     let d = direction(alea);
-    let presque = f64::from(1 - 2 * i8::from(alea.bool())) * puissance(alea, -54.0, -1.0);
+    let presque = signe(alea) * puissance(alea, -54.0, -1.0);
     let recul = r * puissance(alea, -3.0, 8.0);
     let de = centre + travers(alea, d) * (r * (1.0 + presque)) - d * recul;
     lancer(boule(alea, centre, r), de, d)
 }
 
-/// A point of the surface and the normal there, far from any edge or at one.
+/// A point of the surface and the normal there; of a half-space `etendue` away from the foot of O.
 fn surface<R: Reel>(alea: &mut Rng, objet: &ObjetRay<R>, etendue: f64) -> (Vecteur, Vecteur) {
     match objet {
         ObjetRay::Sphere(sphere) => {
@@ -184,7 +189,7 @@ fn surface<R: Reel>(alea: &mut Rng, objet: &ObjetRay<R>, etendue: f64) -> (Vecte
         }
         ObjetRay::Boite(boite) => {
             let face = alea.usize(0..3);
-            let signe = f64::from(1 - 2 * i8::from(alea.bool()));
+            let signe = signe(alea);
             let point = (0..3).fold(boite.centre().vers_f64(), |point, axe| {
                 let ou = if axe == face { signe } else { entre(alea, -1.0, 1.0) };
                 let l = boite.demi_longueurs()[axe].vers_f64();
@@ -269,7 +274,7 @@ fn aretes<R: Reel>(alea: &mut Rng) -> Cas<R> {
     let l = b.demi_longueurs().map(R::vers_f64);
     // Along the third axis anywhere for an edge, at its end for a corner.
     let libre = if alea.bool() { alea.usize(0..3) } else { 3 };
-    let signes = [(); 3].map(|()| f64::from(1 - 2 * i8::from(alea.bool())));
+    let signes = [(); 3].map(|()| signe(alea));
     let cible = (0..3).fold(c, |point, axe| {
         let ou = if axe == libre { entre(alea, -1.0, 1.0) } else { signes[axe] };
         point + n[axe] * (ou * l[axe])
@@ -298,7 +303,7 @@ fn le_long_d_une_face<R: Reel>(alea: &mut Rng) -> Cas<R> {
     let (mut de, mut vers) = ([0.0; 3], [zero; 3]);
     for i in 0..3 {
         let k = 1.0 + f64::from(alea.i8(-3..=3)) * 2.0 * R::U.vers_f64();
-        let signe = f64::from(1 - 2 * i8::from(alea.bool()));
+        let signe = signe(alea);
         de[i] = (c[i] + signe * l[i]) * if alea.bool() { 1.0 } else { k };
         if i == axe {
             de[i] = c[i] - l[i] * puissance(alea, -1.0, 4.0);
@@ -319,7 +324,7 @@ fn presque_le_long_d_une_face<R: Reel>(alea: &mut Rng) -> Cas<R> {
     let ObjetRay::Boite(b) = objet.vers_ray() else { unreachable!("made as a box") };
     let (n, l) = (b.normales().map(Vecteur::vers_f64), b.demi_longueurs().map(R::vers_f64));
     let face = alea.usize(0..3);
-    let signe = f64::from(1 - 2 * i8::from(alea.bool()));
+    let signe = signe(alea);
     let d = travers(alea, n[face]) - n[face] * (signe * puissance(alea, -60.0, -20.0));
     // A point of the edges of that face, from which the ray goes back.
     let au_bord = (face + 1 + alea.usize(0..2)) % 3;

@@ -71,7 +71,7 @@ pub(crate) fn rotation<R: Reel>() -> impl Strategy<Value = Rotation<R>> {
     vecteur_rotation().prop_map(|r| Rotation::new(r).unwrap())
 }
 
-/// What an object is made from, so that it can be made again k times as large.
+/// What an object is made from, so that it can be made again otherwise.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Parametres<R> {
     Sphere { centre: Vecteur<R>, rayon: R, texture: Texture },
@@ -108,7 +108,7 @@ impl<R: Reel> Parametres<R> {
     }
 }
 
-/// A sphere, a half-space or a box about `taille` large, at most ten times that away from O.
+/// A sphere, a half-space or a box about `taille` large, whose coordinates are at most ten times that.
 pub(crate) fn parametres<R: Reel>(taille: f64) -> impl Strategy<Value = Parametres<R>> {
     let centre = move || vecteur(10.0 * taille);
     let longueur = move || reel(0.1 * taille, 2.0 * taille);
@@ -228,7 +228,7 @@ pub(crate) fn plante<R: Reel>() -> impl Strategy<Value = Plante<R>> {
         })
 }
 
-/// A list of up to 12 objects, and a ray that starts among them towards one of them.
+/// A list of up to 11 objects, and a ray between two points among them.
 pub(crate) fn scene<R: Reel>() -> impl Strategy<Value = (Vec<ObjetGeo<R>>, Rayon<R>)> {
     (prop::collection::vec(objet(1.0), 0..12), vecteur::<R>(15.0), vecteur::<R>(10.0)).prop_map(
         |(objets, source, cible)| {

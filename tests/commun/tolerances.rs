@@ -1,5 +1,5 @@
 //! How much rounding each property may see, in u (half a unit in the last place of 1) and with
-//! the reason. No property has a tolerance of its own elsewhere.
+//! the reason. What a property adds to these it derives where it does.
 
 use lancer_rayon::Reel;
 

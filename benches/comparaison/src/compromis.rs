@@ -7,6 +7,7 @@ use lancer_rayon::{ObjetGeo, ObjetRay, Rayon, premieres_intersections};
 use plotters::prelude::*;
 use serde::de::DeserializeOwned;
 
+use crate::commun::litteral;
 use crate::commun::mesure::{mesurer, quantiles};
 use crate::commun::oracle::verite;
 use crate::commun::regimes::regimes;
@@ -122,15 +123,7 @@ fn premiere<R: Parry>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> Option<(u32, 
     let touches =
         objets.iter().zip(0..).filter_map(|(objet, i)| Some((i, verite(objet, rayon).entree?.t)));
     let premiere = touches.reduce(|a, b| if b.1 < a.1 { b } else { a });
-    premiere.map(|(i, t)| (texture(&objets[i]), t.vers_f64()))
-}
-
-fn texture<R: Parry>(objet: &ObjetRay<R>) -> u32 {
-    match objet {
-        ObjetRay::Sphere(sphere) => sphere.texture().0,
-        ObjetRay::Plan(plan) => plan.texture().0,
-        ObjetRay::Boite(boite) => boite.texture().0,
-    }
+    premiere.map(|(i, t)| (litteral::Objet::from(&objets[i]).1.0, t.vers_f64()))
 }
 
 fn graphique(variantes: &[Variante]) -> Result<(), Box<dyn Error>> {

@@ -37,8 +37,7 @@ pub(crate) fn une_par_une<R: Reel>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) 
     rayons.iter().map(|rayon| premiere_intersection(objets, rayon)).collect()
 }
 
-/// An error unless `premieres` gives these rays `attendues`, bit by bit and however many it is
-/// given at a time.
+/// An error unless `premieres` gives these rays `attendues`, however many it is given at a time.
 pub(crate) fn exiger<R: Reel>(
     attendues: &[Reponse<R>],
     rayons: &[Rayon<R>],

@@ -47,7 +47,7 @@ mod double {
     mod avec_parry;
 }
 
-/// Distance, normal, texture. In these scenes the texture is the number of the object.
+/// Distance, normal, texture. In these scenes each object has a texture of its own.
 type Touche<R> = (R, Vecteur<R>, Texture);
 
 /// The scalar that one of parry's two crates is made for.

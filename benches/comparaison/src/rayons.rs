@@ -4,7 +4,7 @@ use fastrand::Rng;
 use lancer_rayon::{ObjetRay, Rayon, Reel, Vecteur, premiere_intersection};
 
 use crate::commun::conversion::arrondi;
-use crate::commun::regimes::direction;
+use crate::commun::regimes::{direction, entre};
 use crate::commun::scenes;
 
 const LARGEUR: usize = 600;
@@ -40,6 +40,5 @@ pub(crate) fn incoherents<R: Reel>(objets: &[ObjetRay<R>]) -> Vec<Rayon<R>> {
 
 /// Among the objects of `scenes::melange`.
 fn place(alea: &mut Rng) -> Vecteur {
-    let mut entre = |min: f64, max: f64| min + (max - min) * alea.f64();
-    Vecteur::new(entre(-10.0, 10.0), entre(-1.0, 7.0), entre(-12.0, 0.0))
+    Vecteur::new(entre(alea, -10.0, 10.0), entre(alea, -1.0, 7.0), entre(alea, -12.0, 0.0))
 }
