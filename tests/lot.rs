@@ -6,6 +6,8 @@
 
 mod commun;
 
+use std::collections::HashSet;
+
 use commun::conversion::mots;
 use commun::regimes::{Cas, direction, entre, puissance, regimes, signe};
 use commun::{Bits, arrondi, scenes};
@@ -68,6 +70,8 @@ fn chaque_jeu_d_instructions_de_la_machine_est_essaye() {
         let avx512 = is_x86_feature_detected!("avx512vpopcntdq");
         assert_eq!(avx512, noms.contains(&"AVX-512"));
     }
+    let uns = reglages().into_iter().map(|(_, reglage)| format!("{reglage:?}"));
+    assert_eq!(uns.collect::<HashSet<_>>().len(), 2 * noms.len(), "two of them are the same");
 }
 
 #[test]
@@ -100,6 +104,21 @@ fn longueurs<R: Bits>() {
 fn toute_longueur_convient() {
     longueurs::<f32>();
     longueurs::<f64>();
+}
+
+/// A block of rays that see more objects than a selection for so few has room for.
+fn sans_place<R: Bits>() {
+    let mut rayons = scenes::rayons_camera::<R>(8, 8);
+    for rayon in rayons.iter_mut().step_by(2) {
+        *rayon = Rayon::new(rayon.source(), -rayon.direction()).unwrap();
+    }
+    comparer(&scenes::melange(300), &rayons);
+}
+
+#[test]
+fn un_bloc_pour_qui_la_place_manque() {
+    sans_place::<f32>();
+    sans_place::<f64>();
 }
 
 /// Pictures in rows, in tiles of 8 × 8 and in no order; and from many objects so few rays that the
@@ -145,7 +164,8 @@ fn les_extremes() {
 }
 
 /// A block of rays that go apart by about `ouverture` in direction and `etendue` in place, around
-/// `s` and `d`: in a tile, in a row, anyhow, or the half of them the other way round.
+/// `s` and `d`: in a tile, in a row, anyhow, the half of them the other way round, or all of them on
+/// the other side of `s` than the one in the middle.
 fn gerbe<R: Reel>(
     alea: &mut Rng,
     (s, d): (Vecteur, Vecteur),
@@ -153,7 +173,8 @@ fn gerbe<R: Reel>(
     etendue: f64,
 ) -> Vec<Rayon<R>> {
     let (u, v) = (direction(alea), direction(alea));
-    let genre = alea.u8(0..5);
+    let genre = alea.u8(0..6);
+    let cote = direction(alea) * etendue;
     let rayon = |i: u32| {
         let (a, b) = match genre {
             0 | 1 => (f64::from(i % 8) / 4.0 - 1.0, f64::from(i / 8) / 4.0 - 1.0),
@@ -162,7 +183,10 @@ fn gerbe<R: Reel>(
         };
         let vers = d + (u * a + v * b) * ouverture;
         let vers = if genre == 4 && i % 2 == 1 { -vers } else { vers };
-        let de = s + direction(alea) * (etendue * alea.f64());
+        let de = s + match genre {
+            5 => cote * if i == 32 { 0.3 } else { -1.0 },
+            _ => direction(alea) * (etendue * alea.f64()),
+        };
         Rayon::new(arrondi(de), arrondi(vers)).or_else(|_| Rayon::new(arrondi(de), axe_z()))
     };
     (0..64).map(rayon).collect::<Result<_, _>>().unwrap()
