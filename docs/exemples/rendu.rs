@@ -1,6 +1,6 @@
 //! A picture of a scene, after Whitted: lamps, shadows, and mirrors that show each other.
 //!
-//! `cargo run --release --features serde --example rendu [--f32] [scene.ron] [image.png]`
+//! `cargo run --release --example rendu [--f32] [scene.ron] [image.png]`
 
 mod image;
 mod scene;
