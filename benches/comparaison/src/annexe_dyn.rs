@@ -3,11 +3,11 @@
 
 use lancer_rayon::{ObjetRay, Rayon, Reel, Texture, Vecteur};
 
-use crate::Touche;
+use crate::Vu;
 use crate::commun::litteral::{self, Couple, Forme};
 
 pub(crate) trait Objet<R> {
-    fn intersection(&self, rayon: &Rayon<R>) -> Option<Touche<R>>;
+    fn intersection(&self, rayon: &Rayon<R>) -> Option<Vu<R>>;
 }
 
 struct Sphere<R>(Vecteur<R>, R, Texture);
@@ -15,19 +15,19 @@ struct Plan<R>(Vecteur<R>, R, Texture);
 struct Boite<R>([Couple<R>; 3], Texture);
 
 impl<R: Reel> Objet<R> for Sphere<R> {
-    fn intersection(&self, rayon: &Rayon<R>) -> Option<Touche<R>> {
+    fn intersection(&self, rayon: &Rayon<R>) -> Option<Vu<R>> {
         litteral::sphere(self.0, self.1, rayon).map(|(t, n)| (t, n, self.2))
     }
 }
 
 impl<R: Reel> Objet<R> for Plan<R> {
-    fn intersection(&self, rayon: &Rayon<R>) -> Option<Touche<R>> {
+    fn intersection(&self, rayon: &Rayon<R>) -> Option<Vu<R>> {
         litteral::plan(self.0, self.1, rayon).map(|t| (t, self.0, self.2))
     }
 }
 
 impl<R: Reel> Objet<R> for Boite<R> {
-    fn intersection(&self, rayon: &Rayon<R>) -> Option<Touche<R>> {
+    fn intersection(&self, rayon: &Rayon<R>) -> Option<Vu<R>> {
         litteral::boite(&self.0, rayon).map(|(t, n)| (t, n, self.1))
     }
 }
@@ -44,7 +44,7 @@ pub(crate) fn objet<R: Reel>(objet: &ObjetRay<R>) -> Box<dyn Objet<R>> {
 pub(crate) fn premiere_intersection<R: Reel>(
     objets: &[Box<dyn Objet<R>>],
     rayon: &Rayon<R>,
-) -> Option<Touche<R>> {
+) -> Option<Vu<R>> {
     let (mut premiere, mut t_premiere) = (None, R::INFINI);
     for objet in objets {
         if let Some(touche) = objet.intersection(rayon).filter(|(t, ..)| *t < t_premiere) {

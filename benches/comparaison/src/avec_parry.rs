@@ -10,7 +10,7 @@ use super::parry::math::{Mat3, Pose, Real, Rotation, Vector};
 use super::parry::partitioning::{Bvh, BvhBuildStrategy, BvhNode};
 use super::parry::query::{Ray, RayCast};
 use super::parry::shape::{Ball, Cuboid, HalfSpace};
-use crate::{Parry, Touche};
+use crate::{Parry, Vu};
 
 /// A shape and where it is, as an enum: parry's `SharedShape` would cost it an indirect call per
 /// object, and a `Pose` for every shape a rotation of the ray where there is nothing to turn.
@@ -98,13 +98,13 @@ impl Parry for Real {
         Arbre { plans, boites: Bvh::from_leaves(BvhBuildStrategy::Binned, &boites), solides }
     }
 
-    fn dans_la_liste(objets: &[Objet], rayon: &Ray) -> Option<Touche<Self>> {
+    fn dans_la_liste(objets: &[Objet], rayon: &Ray) -> Option<Vu<Self>> {
         conclure(premier(objets, rayon)?, rayon)
     }
 
     /// `find_best` with the inverses of the direction: `Bvh::cast_ray` divides again at every
     /// node in f64, and takes twice as long.
-    fn dans_l_arbre(arbre: &Arbre, rayon: &Ray) -> Option<Touche<Self>> {
+    fn dans_l_arbre(arbre: &Arbre, rayon: &Ray) -> Option<Vu<Self>> {
         let plan = premier(&arbre.plans, rayon);
         let t_max = plan.map_or(Self::INFINITY, |(_, t)| t);
         let inverses = rayon.dir.recip();
@@ -132,7 +132,7 @@ fn premier<'a>(objets: &'a [Objet], rayon: &Ray) -> Option<(&'a Objet, Real)> {
 }
 
 /// The normal of the nearest alone.
-fn conclure((objet, t): (&Objet, Real), rayon: &Ray) -> Option<Touche<Real>> {
+fn conclure((objet, t): (&Objet, Real), rayon: &Ray) -> Option<Vu<Real>> {
     Some((t, objet.normale(rayon)?, objet.1))
 }
 

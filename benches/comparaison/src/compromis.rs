@@ -12,13 +12,13 @@ use crate::commun::mesure::{mesurer, quantiles};
 use crate::commun::oracle::verite;
 use crate::commun::regimes::regimes;
 use crate::concours::{Concours, Concurrent};
-use crate::exactitude::{self, COULEURS, variantes};
+use crate::exactitude::{self, COULEURS, repondants};
 use crate::lot::{exiger, une_par_une};
 use crate::page;
 use crate::scene::Scene;
-use crate::{Parry, Touche};
+use crate::{Parry, Vu};
 
-type Mesures<R> = ((exactitude::Variante<R>, f64), Vec<Option<Touche<R>>>);
+type Mesures<R> = ((exactitude::Repondant<R>, f64), Vec<Option<Vu<R>>>);
 
 /// One ray in so many is judged by the oracle.
 const PAS: usize = 7;
@@ -69,7 +69,7 @@ fn mesures<R: Parry + DeserializeOwned>(scalaire: &str) -> Result<Vec<Variante>,
     let juges = concours.rayons.iter().step_by(PAS);
     let verites: Vec<_> = juges.map(|rayon| premiere(&concours.objets, rayon)).collect();
 
-    let noms = variantes::<R>();
+    let noms = repondants::<R>();
     let variante = |(((nom, repondre), temps), reponses): Mesures<R>| {
         let mut autres = 0;
         let mut erreurs = Vec::new();

@@ -9,8 +9,8 @@ use std::time::Instant;
 use lancer_rayon::{ObjetRay, Rayon, Reel, premiere_intersection, premieres_intersections};
 
 use crate::commun::litteral;
-use crate::lot::{Reponse, chronometrer_lot, exiger, petit_tampon, une_par_une};
-use crate::{Parry, Touche, annexe_dyn};
+use crate::lot::{Touche, chronometrer_lot, exiger, petit_tampon, une_par_une};
+use crate::{Parry, Vu, annexe_dyn};
 
 const TOURS: usize = 5;
 
@@ -95,29 +95,29 @@ impl<R: Parry> Concours<R> {
         }
     }
 
-    fn ici(&self, rayon: &Rayon<R>) -> Reponse<R> {
+    fn ici(&self, rayon: &Rayon<R>) -> Touche<R> {
         premiere_intersection(&self.objets, rayon)
     }
 
-    fn litteral(&self, rayon: &Rayon<R>) -> Option<Touche<R>> {
+    fn litteral(&self, rayon: &Rayon<R>) -> Option<Vu<R>> {
         litteral::premiere_intersection(&self.litteraux, rayon)
     }
 
-    fn dynamique(&self, rayon: &Rayon<R>) -> Option<Touche<R>> {
+    fn dynamique(&self, rayon: &Rayon<R>) -> Option<Vu<R>> {
         annexe_dyn::premiere_intersection(&self.dynamiques, rayon)
     }
 
-    fn liste(&self, rayon: &R::Rayon) -> Option<Touche<R>> {
+    fn liste(&self, rayon: &R::Rayon) -> Option<Vu<R>> {
         R::dans_la_liste(&self.liste_parry, rayon)
     }
 
-    fn arbre(&self, rayon: &R::Rayon) -> Option<Touche<R>> {
+    fn arbre(&self, rayon: &R::Rayon) -> Option<Vu<R>> {
         R::dans_l_arbre(&self.arbre_parry, rayon)
     }
 
     /// What one answers to every ray of so many. The batch answers as the rays do one by one,
     /// which `verifier` makes sure of.
-    pub(crate) fn reponses(&self, qui: Concurrent, pas: usize) -> Vec<Option<Touche<R>>> {
+    pub(crate) fn reponses(&self, qui: Concurrent, pas: usize) -> Vec<Option<Vu<R>>> {
         let rayons = self.rayons.iter().step_by(pas);
         let rayons_parry = self.rayons_parry.iter().step_by(pas);
         match qui {
@@ -177,7 +177,7 @@ impl<R: Parry> Concours<R> {
     }
 }
 
-fn touche<R: Reel>(reponse: Reponse<R>) -> Option<Touche<R>> {
+fn touche<R: Reel>(reponse: Touche<R>) -> Option<Vu<R>> {
     let touche = reponse.ok()?;
     Some((touche.distance, touche.normale, touche.texture))
 }
@@ -190,9 +190,9 @@ struct Ecart {
 }
 
 impl Ecart {
-    fn entre<R: Reel>(ici: &[Option<Touche<R>>], autre: &[Option<Touche<R>>]) -> Self {
-        let distance = |touche: &Touche<R>| touche.0.vers_f64();
-        let objet = |touche: &Option<Touche<R>>| touche.map(|(_, _, texture)| texture);
+    fn entre<R: Reel>(ici: &[Option<Vu<R>>], autre: &[Option<Vu<R>>]) -> Self {
+        let distance = |touche: &Vu<R>| touche.0.vers_f64();
+        let objet = |touche: &Option<Vu<R>>| touche.map(|(_, _, texture)| texture);
         Self {
             touches: [ici, autre].map(|liste| liste.iter().flatten().count()),
             sommes_des_distances: [ici, autre].map(|l| l.iter().flatten().map(distance).sum()),

@@ -18,9 +18,9 @@ use crate::page;
 const CAS: u32 = 100_000;
 
 /// What answers, by name.
-pub(crate) type Variante<R> = (&'static str, fn(&ObjetRay<R>, &Rayon<R>) -> Reponse<R>);
+pub(crate) type Repondant<R> = (&'static str, fn(&ObjetRay<R>, &Rayon<R>) -> Reponse<R>);
 
-pub(crate) fn variantes<R: Parry>() -> [Variante<R>; 3] {
+pub(crate) fn repondants<R: Parry>() -> [Repondant<R>; 3] {
     [
         ("lancer-rayon", |objet, rayon| {
             let touche = premiere_intersection(std::slice::from_ref(objet), rayon).ok()?;
@@ -51,14 +51,14 @@ pub(crate) fn documenter() -> Result<(), Box<dyn Error>> {
 /// K in the 99.9th percentile and at most, and wrong decisions, for each regime and variant.
 fn erreurs<R: Parry>() -> String {
     let noms =
-        variantes::<R>().map(|(nom, _)| format!("{nom}: K 99.9 % | max | ulp 99.9 % | wrong"));
+        repondants::<R>().map(|(nom, _)| format!("{nom}: K 99.9 % | max | ulp 99.9 % | wrong"));
     let mut lignes = vec![
         format!("| regime | hits | {} |", noms.join(" | ")),
         format!("|---|--:|{}", "--:|".repeat(12)),
     ];
     for regime in regimes::<R>() {
         println!("{}", regime.nom);
-        let mesures = variantes::<R>().map(|(_, repondre)| mesurer(&regime, CAS, 1, repondre));
+        let mesures = repondants::<R>().map(|(_, repondre)| mesurer(&regime, CAS, 1, repondre));
         let touches = mesures[0].touches;
         let cases = mesures.map(|mut mesure: Mesure| {
             let [_, presque, pire] = quantiles(&mut mesure.k);
@@ -152,8 +152,8 @@ fn courbe<R: Parry>(repondre: fn(&ObjetRay<R>, &Rayon<R>) -> Reponse<R>) -> Vec<
 }
 
 fn courbes() -> Result<(), Box<dyn Error>> {
-    let simples = variantes::<f32>().map(|(nom, r)| (format!("{nom} f32"), courbe::<f32>(r)));
-    let doubles = variantes::<f64>().map(|(nom, r)| (format!("{nom} f64"), courbe::<f64>(r)));
+    let simples = repondants::<f32>().map(|(nom, r)| (format!("{nom} f32"), courbe::<f32>(r)));
+    let doubles = repondants::<f64>().map(|(nom, r)| (format!("{nom} f64"), courbe::<f64>(r)));
     let chemin = page::chemin("docs/images/erreur-distance.svg");
     let surface = SVGBackend::new(&chemin, (900, 520)).into_drawing_area();
     surface.fill(&WHITE)?;

@@ -20,28 +20,28 @@ use crate::rayons::{en_lignes, en_tuiles, incoherents};
 /// Rays whose answers stay in the cache.
 const MORCEAU: usize = 4096;
 
-pub(crate) type Reponse<R> = Result<Intersection<R>, NoIntersection>;
+pub(crate) type Touche<R> = Result<Intersection<R>, NoIntersection>;
 
 /// Room for the answers to so many rays at a time.
-pub(crate) fn tampon<R: Reel>(rayons: usize) -> Vec<Reponse<R>> {
+pub(crate) fn tampon<R: Reel>(rayons: usize) -> Vec<Touche<R>> {
     vec![Err(NoIntersection); rayons]
 }
 
 /// Room for those of a part of the picture, used again for the next.
-pub(crate) fn petit_tampon<R: Reel>() -> Vec<Reponse<R>> {
+pub(crate) fn petit_tampon<R: Reel>() -> Vec<Touche<R>> {
     tampon(MORCEAU)
 }
 
 /// What the rays get one by one.
-pub(crate) fn une_par_une<R: Reel>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) -> Vec<Reponse<R>> {
+pub(crate) fn une_par_une<R: Reel>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) -> Vec<Touche<R>> {
     rayons.iter().map(|rayon| premiere_intersection(objets, rayon)).collect()
 }
 
 /// An error unless `premieres` gives these rays `attendues`, however many it is given at a time.
 pub(crate) fn exiger<R: Reel>(
-    attendues: &[Reponse<R>],
+    attendues: &[Touche<R>],
     rayons: &[Rayon<R>],
-    premieres: impl Fn(&[Rayon<R>], &mut [Reponse<R>]) -> Result<(), LongueursDifferentes>,
+    premieres: impl Fn(&[Rayon<R>], &mut [Touche<R>]) -> Result<(), LongueursDifferentes>,
 ) -> Result<(), Box<dyn Error>> {
     for taille in [MORCEAU, rayons.len()] {
         let mut obtenues = tampon(rayons.len());
@@ -58,8 +58,8 @@ pub(crate) fn exiger<R: Reel>(
 /// Nanoseconds per ray, as many at a time as `tampon` has room for.
 pub(crate) fn chronometrer_lot<R: Reel>(
     rayons: &[Rayon<R>],
-    tampon: &mut [Reponse<R>],
-    premieres: impl Fn(&[Rayon<R>], &mut [Reponse<R>]) -> Result<(), LongueursDifferentes>,
+    tampon: &mut [Touche<R>],
+    premieres: impl Fn(&[Rayon<R>], &mut [Touche<R>]) -> Result<(), LongueursDifferentes>,
 ) -> f64 {
     // A copy made just before, as by someone who makes the rays of a tile when it is their turn.
     let mut frais = Vec::with_capacity(tampon.len());
@@ -94,7 +94,7 @@ pub(crate) fn ordres() -> Result<String, Box<dyn Error>> {
 fn ordres_de<R: Parry>(n: usize) -> Result<String, Box<dyn Error>> {
     let objets = melange(n);
     let scalaire = std::any::type_name::<R>();
-    let premieres = |rayons: &[Rayon<R>], touches: &mut [Reponse<R>]| {
+    let premieres = |rayons: &[Rayon<R>], touches: &mut [Touche<R>]| {
         premieres_intersections(&objets, rayons, touches)
     };
     let ordres = [en_lignes(), en_tuiles(), incoherents(&objets)];
@@ -178,7 +178,7 @@ pub(crate) fn fils() -> Result<String, Box<dyn Error>> {
 
 fn fils_de<R: Reel>(n: usize, equipes: &[ThreadPool; 2]) -> Result<String, Box<dyn Error>> {
     let (objets, rayons) = (melange(n), en_tuiles::<R>());
-    let premieres = |rayons: &[Rayon<R>], touches: &mut [Reponse<R>]| {
+    let premieres = |rayons: &[Rayon<R>], touches: &mut [Touche<R>]| {
         let morceaux = rayons.par_chunks(MORCEAU).zip(touches.par_chunks_mut(MORCEAU));
         morceaux.try_for_each(|(rayons, touches)| premieres_intersections(&objets, rayons, touches))
     };

@@ -48,7 +48,7 @@ mod double {
 }
 
 /// Distance, normal, texture. In these scenes each object has a texture of its own.
-type Touche<R> = (R, Vecteur<R>, Texture);
+type Vu<R> = (R, Vecteur<R>, Texture);
 
 /// The scalar that one of parry's two crates is made for.
 trait Parry: Reel {
@@ -58,8 +58,8 @@ trait Parry: Reel {
     fn objet(objet: &ObjetRay<Self>) -> Self::Objet;
     fn arbre(objets: &[ObjetRay<Self>]) -> Self::Arbre;
     fn rayon(rayon: &Rayon<Self>) -> Self::Rayon;
-    fn dans_la_liste(objets: &[Self::Objet], rayon: &Self::Rayon) -> Option<Touche<Self>>;
-    fn dans_l_arbre(arbre: &Self::Arbre, rayon: &Self::Rayon) -> Option<Touche<Self>>;
+    fn dans_la_liste(objets: &[Self::Objet], rayon: &Self::Rayon) -> Option<Vu<Self>>;
+    fn dans_l_arbre(arbre: &Self::Arbre, rayon: &Self::Rayon) -> Option<Vu<Self>>;
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
