@@ -151,12 +151,8 @@ fn marge_infinie<R: Reel>() {
         let attendue = perdue.contains(&true);
         assert_eq!(touche.marge() == R::INFINI, attendue, "{rapports:?}, {sphere:?} {rayon:?}");
         finies += u32::from(!attendue);
-        for (seule, perdue_seule) in infinies.iter_mut().zip([
-            [true, false, false],
-            [false, true, false],
-            [false, false, true],
-        ]) {
-            *seule += u32::from(perdue == perdue_seule);
+        for (raison, infinies) in infinies.iter_mut().enumerate() {
+            *infinies += u32::from(perdue == [0, 1, 2].map(|autre| autre == raison));
         }
     }
     assert!(finies > CAS && infinies.iter().all(|n| *n > 10), "{finies}, {infinies:?}");
@@ -189,8 +185,8 @@ fn la_distance_trouvee_reste_ou_f64_n_en_a_pas_sphere() {
     assert!(trouvees.iter().all(|n| *n > 50), "{trouvees:?}");
 }
 
-/// N = (a, b, ½), unit, as the third row of a rotation; and two vectors V with N·V = 0 exactly, the
-/// first of them unit, of which f32 sees less or more: V.z = −2(aV.x + bV.y), which is the rounding of V.x and V.y.
+/// N = (a, b, ½), unit, as the third row of a rotation; and two vectors V, the first of them unit, with
+/// N·V = 0 exactly, of which f32 sees more or less: V.z = −2(aV.x + bV.y), all rounding.
 fn tangentes(alea: &mut Rng) -> Option<(Rotation<f32>, [Vecteur<f32>; 2])> {
     let (sin, cos) = (0.3 + 0.9 * alea.f64()).sin_cos();
     let trois_quarts = 0.75_f64.sqrt();
