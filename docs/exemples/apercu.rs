@@ -22,19 +22,7 @@ const IMAGE: &str = "target/apercu.png";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let resultat = match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
-        [] => apercu(SCENE, IMAGE),
-        [scene] => apercu(scene, IMAGE),
-        [scene, image] => apercu(scene, image),
-        _ => Err("usage: apercu [scene.ron] [image.png]".into()),
-    };
-    match resultat {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(erreur) => {
-            eprintln!("{erreur}");
-            ExitCode::FAILURE
-        }
-    }
+    image::programme(&arguments, [SCENE, IMAGE], "apercu", apercu)
 }
 
 fn apercu(chemin: &str, image: &str) -> Result<(), Box<dyn Error>> {

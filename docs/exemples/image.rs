@@ -1,9 +1,10 @@
-//! Pictures as PNG files.
+//! Pictures as PNG files, and the command line of the programs that make them.
 
 use std::error::Error;
 use std::fs::File;
 use std::io::BufWriter;
 use std::path::Path;
+use std::process::ExitCode;
 
 use png::Compression;
 
@@ -23,4 +24,26 @@ pub(crate) fn ecrire(
     let mut png = png.write_header()?;
     png.write_image_data(octets)?;
     Ok(png.finish()?)
+}
+
+/// Makes the picture of a scene, those that `arguments` names or else these two, and says why not.
+pub(crate) fn programme(
+    arguments: &[String],
+    [scene, image]: [&str; 2],
+    usage: &str,
+    peindre: impl FnOnce(&str, &str) -> Result<(), Box<dyn Error>>,
+) -> ExitCode {
+    let resultat = match arguments {
+        [] => peindre(scene, image),
+        [scene] => peindre(scene, image),
+        [scene, image] => peindre(scene, image),
+        [_, _, _, ..] => Err(format!("usage: {usage} [scene.ron] [image.png]").into()),
+    };
+    match resultat {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(erreur) => {
+            eprintln!("{erreur}");
+            ExitCode::FAILURE
+        }
+    }
 }

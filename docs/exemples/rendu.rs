@@ -36,19 +36,7 @@ fn main() -> ExitCode {
     let avant = arguments.len();
     arguments.retain(|argument| argument != "--f32");
     let rendre = if arguments.len() < avant { rendre::<f32> } else { rendre::<f64> };
-    let resultat = match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
-        [] => rendre(SCENE, IMAGE),
-        [scene] => rendre(scene, IMAGE),
-        [scene, image] => rendre(scene, image),
-        _ => Err("usage: rendu [--f32] [scene.ron] [image.png]".into()),
-    };
-    match resultat {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(erreur) => {
-            eprintln!("{erreur}");
-            ExitCode::FAILURE
-        }
-    }
+    image::programme(&arguments, [SCENE, IMAGE], "rendu [--f32]", rendre)
 }
 
 fn rendre<R: Reel + DeserializeOwned>(chemin: &str, image: &str) -> Result<(), Box<dyn Error>> {
