@@ -71,6 +71,29 @@ fn la_normale_d_une_sphere_est_celle_du_point() {
     normale_au_point::<f64>();
 }
 
+/// Where rounding, as large as the sphere, turns CB away from the source, the normal is what CB has
+/// across the ray, leaned by 6u.
+#[test]
+fn la_normale_d_une_sphere_perdue_est_en_travers_du_rayon() {
+    let (mut alea, mut penchees) = (Rng::with_seed(17), 0);
+    for _ in 0..20 * CAS {
+        let rayon = Rayon::new(Vecteur::NUL, direction(&mut alea)).unwrap();
+        let (d, loin) = (rayon.direction(), 1.0 + alea.f64());
+        let sphere = boule(d * loin, loin * u::<f64>());
+        let Ok(touche) = ObjetRay::from(sphere).intersection(&rayon) else { continue };
+        let cb = d * touche.distance - sphere.centre();
+        let le_long = cb.produit_scalaire(d);
+        let travers = cb - d * (le_long / d.longueur_carree());
+        if le_long > 0.0 && travers.longueur() > le_long {
+            let ecart = (touche.normale - travers / travers.longueur()).longueur();
+            // 6u, and the roundings of both.
+            assert!(ecart <= 16.0 * u::<f64>(), "off by {ecart:e}: {sphere:?} {rayon:?}");
+            penchees += 1;
+        }
+    }
+    assert!(penchees > 20, "{penchees} leaned");
+}
+
 /// As computed in f64, where the distance is that of the search.
 #[test]
 fn une_sphere_est_touchee_avant_a() {
