@@ -165,7 +165,7 @@ fn quantites<R: Reel>() {
         // Coordinates of 30 at most, sizes of 20: every rounding of the way weighs u of their
         // sum at most, through TOURNE for the turn and five of one operation each.
         let tolerance = (TOURNE + 5.0) * u::<R>() * (30.0 + 20.0);
-        proches(objet.vers_ray(), avant, tolerance)?;
+        proches(ObjetRay::from(objet), avant, tolerance)?;
 
         let mut attendu = avant;
         attendu.centre = avant.centre + v.vers_f64();
