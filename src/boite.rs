@@ -218,8 +218,8 @@ impl<R: Reel> BoiteRay<R> {
         (-(l + o), l - o, v.abs())
     }
 
-    /// The last entry of the ray, its pair of faces, and the first exit; entry and
-    /// exit as quotients not divided yet.
+    /// The last entry of the ray, its pair of faces, and the first exit; entry and exit as quotients
+    /// not divided yet.
     ///
     /// They are compared by cross products, since one division costs more than all of these. It
     /// makes a ray parallel to a pair right as well: beside it the entry is +∞ or the exit −∞, and

@@ -87,8 +87,8 @@
 //! `std` (default) brings the hardware square root, and to [`premieres_intersections`] the best
 //! instruction set of the machine it runs on; without it the crate needs `core` alone, takes the
 //! instruction set that it is compiled for, and gives the same bits. `serde` reads and writes
-//! `Vecteur`, `Rotation`, `Texture`, `Rayon` and the describing types, through the same checks as their constructors. Nothing allocates, nothing is
-//! `unsafe`.
+//! `Vecteur`, `Rotation`, `Texture`, `Rayon` and the describing types, through the same checks as
+//! their constructors. Nothing allocates, nothing is `unsafe`.
 #![no_std]
 
 #[cfg(feature = "std")]

@@ -1,5 +1,5 @@
-//! The same bits everywhere: a hash of the answers to the 240,000 rays of each scene, ray by ray and with each
-//! instruction set of the machine that runs this.
+//! The same bits everywhere: a hash of the answers to the 240,000 rays of each scene, ray by ray and
+//! with each instruction set of the machine that runs this.
 //!
 //! A change of a formula changes a hash, which then stands in the assertion that fails: look at
 //! `docs/precision.md` again before you take it over, and say so in CHANGELOG.md.
