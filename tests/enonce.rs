@@ -290,15 +290,16 @@ fn c1() -> Partie {
         )
 }
 
+/// +0 and ±1 only: a −0 would show its sign bit.
+fn exacte<R: Reel>(r: Rotation<R>) -> bool {
+    let mut bits = r.matrice().into_iter().flatten().map(|x| x.vers_f64().to_bits());
+    bits.all(|bits| [0.0_f64, 1.0, -1.0].map(f64::to_bits).contains(&bits))
+}
+
 fn c2() -> Partie {
     let q = FRAC_PI_2;
     let w = v(1.0, 2.0, 3.0);
     let (x, y, z) = (tour(q, 0.0, 0.0), tour(0.0, q, 0.0), tour(0.0, 0.0, q));
-    let exacte = |r: Rotation| {
-        let elements = r.matrice().into_iter().flatten();
-        // +0 and ±1 only: a −0 would show its sign bit.
-        elements.map(f64::to_bits).all(|b| [0.0_f64, 1.0, -1.0].map(f64::to_bits).contains(&b))
-    };
     let quarts = || (-4..=4_i8).map(|k| f64::from(k) * q);
     Partie::new("C2: about x, then y, then z; quarter turns are exact")
         .ligne("x first, then y", "(2, 3, 1)", vecteur(tour(q, q, 0.0).appliquer(w)))
@@ -320,10 +321,7 @@ fn c2() -> Partie {
         )
         .ligne("one of them in f32", true, {
             use core::f32::consts::FRAC_PI_2 as Q;
-            let r = Rotation::<f32>::new(Vecteur::new(Q, 2.0 * Q, -3.0 * Q)).unwrap();
-            let elements = r.matrice().into_iter().flatten().map(f32::to_bits);
-            let exacts = [0.0_f32, 1.0, -1.0].map(f32::to_bits);
-            elements.into_iter().all(|bits| exacts.contains(&bits))
+            exacte(Rotation::<f32>::new(Vecteur::new(Q, 2.0 * Q, -3.0 * Q)).unwrap())
         })
         .ligne("four quarter turns change nothing, bit for bit", true, {
             [x, y, z].map(|r| r.puis(r).puis(r).puis(r)) == [Rotation::IDENTITE; 3]

@@ -5,10 +5,10 @@
 
 mod commun;
 
-use commun::conversion::arrondi;
+use commun::arrondi;
 use commun::mesure::{mesurer, quantiles};
 use commun::oracle::{Entree, hauteur, verite};
-use commun::regimes::{Cas, direction, regimes};
+use commun::regimes::{Cas, direction, regimes, vectoriel};
 use commun::tolerances::{ORTHONORMALE, u};
 use fastrand::Rng;
 use lancer_rayon::{
@@ -318,8 +318,7 @@ fn deux_axes<R: Reel>(n: Vecteur<R>) -> [Vecteur<R>; 2] {
     let cote =
         if n.x.abs() < 0.6 { Vecteur::new(1.0, 0.0, 0.0) } else { Vecteur::new(0.0, 1.0, 0.0) };
     let x = (cote - n * n.produit_scalaire(cote)).unitaire().unwrap();
-    let y = Vecteur::new(n.y * x.z - n.z * x.y, n.z * x.x - n.x * x.z, n.x * x.y - n.y * x.x);
-    [arrondi(x), arrondi(y)]
+    [arrondi(x), arrondi(vectoriel(n, x))]
 }
 
 #[test]

@@ -71,6 +71,11 @@ pub(crate) fn signe(alea: &mut Rng) -> f64 {
     f64::from(1 - 2 * i8::from(alea.bool()))
 }
 
+/// The vector product.
+pub(crate) fn vectoriel(a: Vecteur, b: Vecteur) -> Vecteur {
+    Vecteur::new(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x)
+}
+
 /// At a right angle to `d`.
 fn travers(alea: &mut Rng, d: Vecteur) -> Vecteur {
     loop {
