@@ -51,7 +51,7 @@ fn mesurer<R: Reel + DeserializeOwned>(c: &mut Criterion) {
         });
         groupe.bench_function(BenchmarkId::new("ombres, premiere_intersection", nom), |b| {
             let avant = |(ombre, max): &(Rayon<R>, R)| {
-                premiere_intersection(objets, ombre).is_ok_and(|touche| touche.distance < *max)
+                premiere_intersection(objets, ombre).is_ok_and(|touche| touche.distance() < *max)
             };
             b.iter(|| lancer(&ombres, avant));
         });
@@ -74,8 +74,8 @@ fn ombres<R: Reel>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) -> Vec<(Rayon<R>
     let lampe = Vecteur::depuis_f64(Vecteur::new(-2.6, 7.2, 5.2));
     let ombre = |rayon: &Rayon<R>| {
         let touche = premiere_intersection(objets, rayon).ok()?;
-        let vers = lampe - rayon.point(touche.distance);
-        let de_face = vers.produit_scalaire(touche.normale) > R::ZERO;
+        let vers = lampe - rayon.point(touche.distance());
+        let de_face = vers.produit_scalaire(touche.normale()) > R::ZERO;
         let ombre = rayon.secondaire(&touche, vers).ok().filter(|_| de_face)?;
         Some((ombre, (lampe - ombre.source()).longueur()))
     };

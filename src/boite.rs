@@ -1,9 +1,13 @@
 //! The box (handout §2.2, §3 and annex A.3).
 
-use crate::boule::approche;
-use crate::erreur::{coefficient, deplacement, point, taille};
-use crate::objet::Forme;
-use crate::{ErreurGeo, Intersection, Rayon, Reel, Rotation, Texture, Vecteur};
+use crate::erreur::{ErreurGeo, coefficient, deplacement, point, taille};
+use crate::forme::{Boule, Forme};
+use crate::intersection::Contact;
+use crate::rayon::Rayon;
+use crate::reel::Reel;
+use crate::rotation::Rotation;
+use crate::texture::Texture;
+use crate::vecteur::Vecteur;
 
 /// A box as one describes it: its centre, its width, height and depth (along x, y and z before
 /// it is turned) and the rotation that turns it about its centre (handout §2.2).
@@ -207,47 +211,49 @@ impl<R: Reel> BoiteRay<R> {
         self.texture
     }
 
-    /// How far the ray is from both faces of one pair, and its speed towards them: the entry is the
-    /// first over the third, the exit the second over the third. C is the origin, and the axis
-    /// goes with the ray.
+    /// The entry and the exit of the ray between one pair of faces.
+    ///
+    /// C is the origin, and the axis points the way the ray goes.
     #[inline(always)]
-    fn dalle(&self, axe: usize, s: Vecteur<R>, d: Vecteur<R>) -> (R, R, R) {
+    fn dalle(&self, axe: usize, s: Vecteur<R>, d: Vecteur<R>) -> (Quotient<R>, Quotient<R>) {
         let (n, l) = (self.normales[axe], self.demi_longueurs[axe]);
-        let (o, v) = ((s - self.centre).produit_scalaire(n), d.produit_scalaire(n));
-        let o = if v < R::ZERO { -o } else { o };
-        (-(l + o), l - o, v.abs())
+        let (o, vitesse) = ((s - self.centre).produit_scalaire(n), d.produit_scalaire(n));
+        let o = if vitesse < R::ZERO { -o } else { o };
+        let bas = vitesse.abs();
+        (Quotient { haut: -(l + o), bas }, Quotient { haut: l - o, bas })
     }
 
-    /// The last entry of the ray, its pair of faces, and the first exit; entry and exit as quotients
-    /// not divided yet.
+    /// The three pairs of faces together.
     ///
-    /// They are compared by cross products, since one division costs more than all of these. It
-    /// makes a ray parallel to a pair right as well: beside it the entry is +∞ or the exit −∞, and
-    /// in the plane of a face 0/0 is neither above nor below anything. Of the three pairs one has a
-    /// speed of 0.5 or more, and with it an entry and an exit nearer than `loin`.
+    /// Of the three one has a speed of 0.5 or more, and with it an entry and an exit nearer than
+    /// `loin`.
     #[inline(always)]
-    fn dalles(&self, s: Vecteur<R>, d: Vecteur<R>) -> ((R, R), usize, (R, R)) {
+    fn dalles(&self, s: Vecteur<R>, d: Vecteur<R>) -> Dalles<R> {
         let loin = R::LIMITE * R::LIMITE;
-        let (mut entree, mut face, mut sortie) = ((-loin, R::UN), 0, (loin, R::UN));
+        let mut dalles = Dalles {
+            entree: Quotient { haut: -loin, bas: R::UN },
+            axe: 0,
+            sortie: Quotient { haut: loin, bas: R::UN },
+        };
         for axe in 0..3 {
-            let (vers_entree, vers_sortie, v) = self.dalle(axe, s, d);
-            if vers_entree * entree.1 > entree.0 * v {
-                (entree, face) = ((vers_entree, v), axe);
+            let (entree, sortie) = self.dalle(axe, s, d);
+            if entree.depasse(dalles.entree) {
+                (dalles.entree, dalles.axe) = (entree, axe);
             }
-            if vers_sortie * sortie.1 < sortie.0 * v {
-                sortie = (vers_sortie, v);
+            if dalles.sortie.depasse(sortie) {
+                dalles.sortie = sortie;
             }
         }
-        (entree, face, sortie)
+        dalles
     }
 
     #[inline(always)]
-    fn toucher(&self, rayon: &Rayon<R>, t: R, entree: f64, axe: usize) -> Intersection<R> {
-        let t = R::preciser(t, || entree);
+    fn contact_a(&self, rayon: &Rayon<R>, t: R, entree: f64, axe: usize) -> Contact<R> {
+        let t = R::affiner(t, || entree);
         let (normale, l) = self.couple(axe);
         let vitesse = normale.produit_scalaire(rayon.direction());
         let normale = if vitesse > R::ZERO { -normale } else { normale };
-        Intersection::new(rayon, t, normale, self.texture, |p| {
+        Contact::new(rayon, t, normale, |p| {
             let (n, cp) = (normale.vers_f64(), p - self.centre.vers_f64());
             let hauteur = n.produit_scalaire(cp) - l.vers_f64();
             (hauteur.abs(), n.somme_des_grandeurs(cp))
@@ -278,45 +284,81 @@ impl<R: Reel> BoiteRay<R> {
 }
 
 impl<R: Reel> Forme<R> for BoiteRay<R> {
+    /// Its radius is half a diagonal of the box.
     #[inline(always)]
-    fn boule(&self) -> (Vecteur<R>, R) {
-        (self.centre, Vecteur::from(self.demi_longueurs).longueur_carree())
-    }
-
-    #[inline(always)]
-    fn possible(&self, s: Vecteur<R>, d: Vecteur<R>) -> bool {
-        // Named first: written in its place, it costs a ray alone a tenth of its time.
-        let demi_diagonale = Vecteur::from(self.demi_longueurs);
-        approche(self.centre, demi_diagonale.longueur_carree(), s, d)
+    fn boule(&self) -> Boule<R> {
+        let r2 = Vecteur::from(self.demi_longueurs).longueur_carree();
+        Boule { centre: self.centre, r2 }
     }
 
     /// The last of the three entries, if it comes no later than the first of the three exits. Edges
     /// belong to the box.
     #[inline(always)]
     fn t(&self, s: Vecteur<R>, d: Vecteur<R>) -> R {
-        let (entree, _, sortie) = self.dalles(s, d);
-        let touche = (entree.0 > R::ZERO) & (entree.0 * sortie.1 <= sortie.0 * entree.1);
-        if touche { entree.0 / entree.1 } else { R::INFINI }
+        let Dalles { entree, sortie, axe: _ } = self.dalles(s, d);
+        let entre = (entree.haut > R::ZERO) & entree.au_plus(sortie);
+        if entre { entree.valeur() } else { R::INFINI }
     }
 
     /// Sure, unless `f64` names a face by which the search does not see the ray enter, N·D < 0.
     #[inline(always)]
-    fn conclure(&self, rayon: &Rayon<R>, t: R) -> (Intersection<R>, bool) {
+    fn contact(&self, rayon: &Rayon<R>, t: R) -> (Contact<R>, bool) {
         let (s, d) = (rayon.source().vers_f64(), rayon.direction().vers_f64());
-        let (entree, axe, _) = self.vers_f64().dalles(s, d);
+        let Dalles { entree, axe, sortie: _ } = self.vers_f64().dalles(s, d);
         let (normale, _) = self.couple(axe);
         let vitesse = normale.produit_scalaire(rayon.direction()).vers_f64();
         let d_accord = vitesse * normale.vers_f64().produit_scalaire(d) > 0.0;
-        (self.toucher(rayon, t, entree.0 / entree.1, axe), (entree.0 > 0.0) & d_accord)
+        (self.contact_a(rayon, t, entree.valeur(), axe), (entree.haut > 0.0) & d_accord)
     }
 
     /// On the face that the search entered by.
     #[cold]
-    fn reprendre(&self, rayon: &Rayon<R>, t: R) -> Intersection<R> {
+    fn contact_rare(&self, rayon: &Rayon<R>, t: R) -> Contact<R> {
         let (s, d) = (rayon.source(), rayon.direction());
-        let (_, axe, _) = self.dalles(s, d);
-        let (vers_entree, _, v) = self.vers_f64().dalle(axe, s.vers_f64(), d.vers_f64());
-        self.toucher(rayon, t, vers_entree / v, axe)
+        let axe = self.dalles(s, d).axe;
+        let (entree, _) = self.vers_f64().dalle(axe, s.vers_f64(), d.vers_f64());
+        self.contact_a(rayon, t, entree.valeur(), axe)
+    }
+}
+
+/// The last entry of a ray, the pair of faces it enters by, and the first exit.
+struct Dalles<R> {
+    entree: Quotient<R>,
+    axe: usize,
+    sortie: Quotient<R>,
+}
+
+/// The distance to a face as a length over a speed of 0 or more, not divided yet.
+///
+/// Two of them are compared by cross products, since one division costs more than all of these. It
+/// makes a ray parallel to a pair of faces right as well: beside the pair the entry is +∞ or the
+/// exit −∞, and in the plane of a face 0/0 is neither above nor below anything.
+#[derive(Clone, Copy)]
+struct Quotient<R> {
+    haut: R,
+    bas: R,
+}
+
+impl<R: Reel> Quotient<R> {
+    #[inline(always)]
+    fn depasse(self, autre: Self) -> bool {
+        self.haut * autre.bas > autre.haut * self.bas
+    }
+
+    #[inline(always)]
+    fn au_plus(self, autre: Self) -> bool {
+        self.haut * autre.bas <= autre.haut * self.bas
+    }
+
+    #[inline(always)]
+    fn valeur(self) -> R {
+        self.haut / self.bas
+    }
+}
+
+impl<R: Reel> From<BoiteGeo<R>> for BoiteRay<R> {
+    fn from(boite: BoiteGeo<R>) -> Self {
+        boite.vers_ray()
     }
 }
 

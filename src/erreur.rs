@@ -1,12 +1,13 @@
-//! What a constructor or a transformation answers when it refuses a number.
+//! The error of constructors and transformations, and the checks that return it.
 
 use core::fmt;
 
-use crate::{Reel, Vecteur};
+use crate::reel::Reel;
+use crate::vecteur::Vecteur;
 
-/// A number that no scene can hold, and where it stood.
+/// A number outside the accepted range, with the field it was given for.
 ///
-/// Every constructor and every transformation returns it; a value that exists is valid.
+/// Every constructor and every transformation returns it: invalid values cannot be constructed.
 ///
 /// ```
 /// use lancer_rayon::{SphereGeo, Texture, Vecteur};

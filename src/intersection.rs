@@ -1,22 +1,29 @@
-//! The first object that a ray touches (handout §4.1).
+//! A hit, the bound on its error, and the ray that starts from it (handout §2.3 and §4.1).
 
 use core::fmt;
+use core::num::NonZero;
 
-use crate::reel::u;
-use crate::{ObjetRay, Rayon, Reel, Texture, Vecteur};
+use crate::erreur::ErreurGeo;
+use crate::rayon::{Rayon, direction_unitaire, source_valide};
+use crate::reel::{Reel, fois_u};
+use crate::texture::Texture;
+use crate::vecteur::Vecteur;
 
 /// Where a ray first touches an object: what the handout asks for in §2.3.
 ///
-/// ```
-/// use lancer_rayon::{Intersection, PlanGeo, Rayon, Rotation, Texture, Vecteur, premiere_intersection};
+/// Only a search makes one, so that its values always fit together.
 ///
-/// let fond = PlanGeo::new(Rotation::IDENTITE, 2.0, Texture(7))?.vers_ray();
+/// ```
+/// use lancer_rayon::{PlanGeo, Rayon, Rotation, Texture, Vecteur, premiere_intersection};
+///
+/// let fond = PlanGeo::new(Rotation::IDENTITE, 2.0, Texture(7))?;
 /// let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(3.0, 0.0, -4.0))?;
 /// let touche = premiere_intersection(&[fond.into()], &rayon)?;
 ///
-/// let Intersection { distance, normale, texture, .. } = touche;
-/// assert_eq!((distance, normale, texture), (2.5, Vecteur::new(0.0, 0.0, 1.0), Texture(7)));
-/// assert!((rayon.point(distance) - Vecteur::new(1.5, 0.0, -2.0)).longueur() < 1e-15);
+/// assert_eq!((touche.distance(), touche.normale()), (2.5, Vecteur::new(0.0, 0.0, 1.0)));
+/// assert_eq!((touche.texture(), touche.objet()), (Texture(7), 0));
+/// let point = rayon.point(touche.distance());
+/// assert!((point - Vecteur::new(1.5, 0.0, -2.0)).longueur() < 1e-15);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[doc(alias = "hit")]
@@ -24,41 +31,66 @@ use crate::{ObjetRay, Rayon, Reel, Texture, Vecteur};
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[must_use]
 pub struct Intersection<R = f64> {
-    /// From the source of the ray to the object, in scene units: finite and above 0.
-    pub distance: R,
-    /// The direction of the surface there: unit, outward, and against the ray (D·N < 0).
-    #[doc(alias = "normal")]
-    pub normale: Vecteur<R>,
-    /// The texture of the object.
-    pub texture: Texture,
-    pub(crate) marge: R,
+    distance: R,
+    normale: Vecteur<R>,
+    marge: R,
+    texture: Texture,
+    rang: Rang,
+}
+
+/// A hit or a miss: the answer to every question for the first object.
+pub type Touche<R = f64> = Result<Intersection<R>, NoIntersection>;
+
+// `Rang` is never 0, and that one value tells a miss: an answer is as large as a hit.
+const _: () = assert!(size_of::<Touche<f64>>() == 48 && size_of::<Touche<f32>>() == 28);
+
+/// The place of an object in a list, counted from 1; from 2³² on all have the last.
+pub(crate) type Rang = NonZero<u32>;
+
+/// The rank of the object at this index of a list.
+#[inline(always)]
+pub(crate) fn rang(indice: usize) -> Rang {
+    Rang::MIN.saturating_add(u32::try_from(indice).unwrap_or(u32::MAX))
 }
 
 impl<R: Reel> Intersection<R> {
-    /// The hit of `rayon` at t > 0, rounded to R. One too small for R stays a hit, at the
-    /// smallest distance.
-    ///
-    /// `hauteur` gives, for a point in f64, its height over the surface along the normal, and a
-    /// length such that 4u of it is more than either this height or the test of the search, in
-    /// R, can be off by there.
     #[inline(always)]
-    pub(crate) fn new(
-        rayon: &Rayon<R>,
-        t: f64,
-        normale: Vecteur<R>,
-        texture: Texture,
-        hauteur: impl FnOnce(Vecteur<f64>) -> (f64, f64),
-    ) -> Self {
-        let t = R::depuis_f64(t);
-        let distance = if t > R::ZERO { t } else { R::PLUS_PETIT };
-        // The bound is made from the very point that the caller will compute.
-        let (hauteur, longueur) = hauteur(rayon.point(distance).vers_f64());
-        let quatre_u: R = u(4.0);
-        let marge = R::depuis_f64(hauteur + longueur * quatre_u.vers_f64());
-        // Upwards, past the rounding of these last operations; a NaN comes from an overflow.
-        let marge = marge + marge * quatre_u + R::depuis_f64(8.0) * R::PLUS_PETIT;
-        let marge = if marge < R::INFINI { marge } else { R::INFINI };
-        Self { distance, normale, texture, marge }
+    pub(crate) fn new(contact: Contact<R>, texture: Texture, rang: Rang) -> Self {
+        let Contact { distance, normale, marge } = contact;
+        Self { distance, normale, marge, texture, rang }
+    }
+
+    /// From the source of the ray to the object, in scene units: finite and above 0.
+    #[doc(alias = "t")]
+    #[inline]
+    #[must_use]
+    pub fn distance(&self) -> R {
+        self.distance
+    }
+
+    /// The direction of the surface there: unit, outward, and against the ray (D·N < 0).
+    #[doc(alias = "normal")]
+    #[inline]
+    pub fn normale(&self) -> Vecteur<R> {
+        self.normale
+    }
+
+    /// The texture of the object.
+    #[doc(alias = "material")]
+    #[inline]
+    pub fn texture(&self) -> Texture {
+        self.texture
+    }
+
+    /// The index of the object in the list that was asked; 0 for an object that was asked alone.
+    ///
+    /// In a list of more than 2³² − 1 objects, those at the end share the index 2³² − 2.
+    #[doc(alias = "index")]
+    #[doc(alias = "primitive_id")]
+    #[inline]
+    #[must_use]
+    pub fn objet(&self) -> usize {
+        self.rang.get() as usize - 1
     }
 
     /// How far at most the point `rayon.point(distance)`, as computed, lies from the surface
@@ -70,11 +102,11 @@ impl<R: Reel> Intersection<R> {
     /// surface is the plane of the face that was touched.
     ///
     /// ```
-    /// use lancer_rayon::{ObjetGeo, Rayon, SphereGeo, Texture, Vecteur};
+    /// use lancer_rayon::{ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
     ///
-    /// let boule = ObjetGeo::from(SphereGeo::new(Vecteur::new(0.0, 0.0, -5.0), 1.0, Texture(0))?);
+    /// let boule = SphereGeo::new(Vecteur::new(0.0, 0.0, -5.0), 1.0, Texture(0))?;
     /// let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.1, 0.05, -1.0))?;
-    /// let touche = boule.vers_ray().intersection(&rayon)?;
+    /// let touche = ObjetRay::from(boule).intersection(&rayon)?;
     /// assert!(touche.marge() < 1e-14);
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
@@ -84,6 +116,103 @@ impl<R: Reel> Intersection<R> {
     #[must_use]
     pub fn marge(&self) -> R {
         self.marge
+    }
+}
+
+/// What a shape says of a hit on it: all of an [`Intersection`] except which object it is.
+#[derive(Clone, Copy)]
+pub(crate) struct Contact<R> {
+    pub(crate) distance: R,
+    pub(crate) normale: Vecteur<R>,
+    pub(crate) marge: R,
+}
+
+impl<R: Reel> Contact<R> {
+    /// The hit of `rayon` at t > 0, rounded to R. One too small for R stays a hit, at the
+    /// smallest distance.
+    ///
+    /// `hauteur` gives, for a point in f64, its height over the surface along the normal, and a
+    /// length such that 4u of it is more than either this height or the test of the search, in
+    /// R, can be off by there.
+    #[inline(always)]
+    pub(crate) fn new(
+        rayon: &Rayon<R>,
+        t: f64,
+        normale: Vecteur<R>,
+        hauteur: impl FnOnce(Vecteur<f64>) -> (f64, f64),
+    ) -> Self {
+        let t = R::depuis_f64(t);
+        let distance = if t > R::ZERO { t } else { R::MIN_POSITIF };
+        // The bound is made from the very point that the caller will compute.
+        let (hauteur, longueur) = hauteur(rayon.point(distance).vers_f64());
+        let quatre_u: R = fois_u(4.0);
+        let marge = R::depuis_f64(hauteur + longueur * quatre_u.vers_f64());
+        // Upwards, past the rounding of these last operations; a NaN comes from an overflow.
+        let marge = marge + marge * quatre_u + R::depuis_f64(8.0) * R::MIN_POSITIF;
+        let marge = if marge < R::INFINI { marge } else { R::INFINI };
+        Self { distance, normale, marge }
+    }
+}
+
+impl<R: Reel> Rayon<R> {
+    /// A ray that starts where this one touched an object and never hits that object again, except
+    /// inward within rounding of a box edge: for shadows, reflections (a direction outward,
+    /// D·N > 0) and transparency (inward).
+    ///
+    /// The source is the point of the hit, moved along the normal to the side to which the
+    /// direction leads, by [`marge`](Intersection::marge) and the rounding of the moved point,
+    /// 2u·Σ|N_i·P_i|. From outside, a ray that leaves the object does not meet it again; from
+    /// inside, the object is not seen at all. A direction within 4u of the tangent plane is turned
+    /// outward by 8u. There is no epsilon to choose, and nothing farther than that step is jumped
+    /// over.
+    ///
+    /// Within rounding of a box edge an inward ray may touch the other face of that edge, of which
+    /// the hit knows nothing.
+    ///
+    /// `touche` is to be a hit of this very ray. With the hit of another ray the result is a valid
+    /// ray or a refusal, and nothing is promised about where it starts.
+    ///
+    /// # Errors
+    /// If the direction is zero or not finite, or if the start lies beyond the limits of a source,
+    /// as for [`new`](Self::new); a hit whose `marge` is +∞ has none.
+    ///
+    /// ```
+    /// use lancer_rayon::{NoIntersection, ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
+    ///
+    /// let boule = SphereGeo::new(Vecteur::new(0.1, 0.2, -5.0), 1.7, Texture(0))?;
+    /// let boule = ObjetRay::from(boule);
+    /// let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.1, 0.05, -1.0))?;
+    /// let touche = boule.intersection(&rayon)?;
+    ///
+    /// let (d, n) = (rayon.direction(), touche.normale());
+    /// let reflet = rayon.secondaire(&touche, d - n * (2.0 * d.produit_scalaire(n)))?;
+    /// assert_eq!(boule.intersection(&reflet), Err(NoIntersection));
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    #[doc(alias = "spawn_ray")]
+    #[doc(alias = "secondary_ray")]
+    #[doc(alias = "shadow_ray")]
+    #[doc(alias = "reflection")]
+    #[doc(alias = "refraction")]
+    #[inline]
+    pub fn secondaire(
+        &self,
+        touche: &Intersection<R>,
+        direction: Vecteur<R>,
+    ) -> Result<Self, ErreurGeo> {
+        let direction = direction_unitaire(direction)?;
+        let n = touche.normale;
+        let cosinus = direction.produit_scalaire(n);
+        let tangente = cosinus.abs() <= fois_u(4.0);
+        let direction =
+            if tangente { direction_unitaire(direction + n * fois_u(8.0))? } else { direction };
+        let p = self.point(touche.distance);
+        // The bound of the hit, with room for N not being exactly unit, and the rounding of the
+        // moved point.
+        let pas = touche.marge * (R::UN + fois_u(16.0));
+        let pas = pas + n.somme_des_grandeurs(p) * fois_u(2.0);
+        let pas = if cosinus < fois_u(-4.0) { -pas } else { pas };
+        Ok(Self::valide(source_valide(p + n * pas)?, direction))
     }
 }
 
@@ -110,104 +239,3 @@ impl fmt::Display for NoIntersection {
 }
 
 impl core::error::Error for NoIntersection {}
-
-/// The first object that the ray enters: its distance, its normal there, its texture
-/// (handout §4.1).
-///
-/// A hit is an entry. An object that contains the source, or whose surface does, is not
-/// touched (handout §2.3); the others still count. Of two objects at the same distance the
-/// earlier in the list is the first.
-///
-/// # Errors
-/// [`NoIntersection`] if the ray enters no object.
-///
-/// ```
-/// use lancer_rayon::{
-///     NoIntersection, ObjetGeo, Rayon, SphereGeo, Texture, Vecteur, premiere_intersection,
-/// };
-///
-/// let boule = |z, texture| SphereGeo::new(Vecteur::new(0.0, 0.0, z), 1.0, Texture(texture));
-/// let scene = [boule(-9.0, 0)?, boule(-4.0, 1)?].map(|b| ObjetGeo::from(b).vers_ray());
-///
-/// let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.0, 0.0, -1.0))?;
-/// let touche = premiere_intersection(&scene, &rayon)?;
-/// assert_eq!(touche.distance, 3.0);
-/// assert_eq!(touche.normale, Vecteur::new(0.0, 0.0, 1.0));
-/// assert_eq!(touche.texture, Texture(1));
-///
-/// let ailleurs = Rayon::new(Vecteur::NUL, Vecteur::new(0.0, 1.0, 0.0))?;
-/// assert_eq!(premiere_intersection(&scene, &ailleurs), Err(NoIntersection));
-/// # Ok::<(), Box<dyn core::error::Error>>(())
-/// ```
-#[doc(alias = "cast_ray")]
-#[doc(alias = "closest_hit")]
-#[doc(alias = "raycast")]
-#[inline]
-pub fn premiere_intersection<R: Reel>(
-    objets: &[ObjetRay<R>],
-    rayon: &Rayon<R>,
-) -> Result<Intersection<R>, NoIntersection> {
-    let (s, d) = (rayon.source(), rayon.direction());
-    let mut premier = None;
-    let mut t_premier = R::INFINI;
-    for objet in objets {
-        let t = objet.t(s, d);
-        if t < t_premier {
-            t_premier = t;
-            premier = Some(objet);
-        }
-    }
-    match premier {
-        Some(objet) => Ok(objet.conclure(rayon, t_premier)),
-        None => Err(NoIntersection),
-    }
-}
-
-/// Whether something is in the way of the ray before `distance_max`, the distance of a light: the
-/// shadow of the handout's later parts.
-///
-/// It is `objets.iter().any(|o| o.intersection(rayon).is_ok_and(|i| i.distance < distance_max))`, and
-/// ends with the first such object. +∞ asks whether the ray touches anything at all; a NaN has
-/// nothing before it.
-///
-/// A [`secondaire`](Rayon::secondaire) leaves the point of a hit, and its own source is the one to
-/// measure from. Towards a lamp behind the surface it leads inward, where it does not see the object
-/// that it leaves: whether the surface faces the lamp, the sign of N·L says.
-///
-/// ```
-/// use lancer_rayon::{
-///     ObjetGeo, Rayon, SphereGeo, Texture, Vecteur, est_occulte, premiere_intersection,
-/// };
-///
-/// let boule = |y, r, texture| SphereGeo::new(Vecteur::new(0.0, y, -5.0), r, Texture(texture));
-/// let scene = [boule(0.0, 1.0, 0)?, boule(4.0, 0.5, 1)?].map(|b| ObjetGeo::from(b).vers_ray());
-/// let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.0, 0.6, -5.0))?;
-/// let touche = premiere_intersection(&scene, &rayon)?;
-/// let eclaire = |lampe: Vecteur| -> Result<bool, Box<dyn core::error::Error>> {
-///     let vers = lampe - rayon.point(touche.distance);
-///     let ombre = rayon.secondaire(&touche, vers)?;
-///     let distance = (lampe - ombre.source()).longueur();
-///     let de_face = vers.produit_scalaire(touche.normale) > 0.0;
-///     Ok(de_face && !est_occulte(&scene, &ombre, distance))
-/// };
-/// assert!(eclaire(Vecteur::new(0.0, 3.0, -2.0))?);
-/// assert!(!eclaire(Vecteur::new(0.0, 9.0, -5.2))?); // behind the small ball
-/// assert!(!eclaire(Vecteur::new(0.0, 0.0, -9.0))?); // behind the surface
-/// # Ok::<(), Box<dyn core::error::Error>>(())
-/// ```
-#[doc(alias = "any_hit")]
-#[doc(alias = "occluded")]
-#[doc(alias = "shadow")]
-#[inline]
-#[must_use]
-pub fn est_occulte<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>, distance_max: R) -> bool {
-    let (s, d) = (rayon.source(), rayon.direction());
-    let avant = |objet: &ObjetRay<R>, t| {
-        // The distance of a hit is always finite.
-        distance_max == R::INFINI || objet.conclure(rayon, t).distance < distance_max
-    };
-    objets.iter().any(|objet| {
-        let t = objet.t(s, d);
-        t < R::INFINI && avant(objet, t)
-    })
-}

@@ -12,8 +12,8 @@
 //!
 //! let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.0, 0.0, -1.0))?;
 //! let touche = premiere_intersection(&scene, &rayon)?;
-//! assert_eq!((touche.distance, touche.texture), (4.0, Texture(0)));
-//! assert_eq!(rayon.point(touche.distance), Vecteur::new(0.0, 0.0, -4.0));
+//! assert_eq!((touche.distance(), touche.texture()), (4.0, Texture(0)));
+//! assert_eq!(rayon.point(touche.distance()), Vecteur::new(0.0, 0.0, -4.0));
 //! # Ok::<(), Box<dyn core::error::Error>>(())
 //! ```
 //!
@@ -94,31 +94,44 @@
 #[cfg(feature = "std")]
 extern crate std;
 
-mod boite;
-mod boule;
-mod erreur;
-mod faisceau;
-mod intersection;
-mod lot;
-mod objet;
-mod plan;
-mod rayon;
+// From the ground up: each file imports only from files above it in this list.
 mod reel;
-mod rotation;
-mod sphere;
-mod texture;
 mod vecteur;
+
+mod erreur;
+mod texture;
+
+mod rotation;
+
+mod rayon;
+
+mod intersection;
+
+mod forme;
+
+mod boite;
+mod plan;
+mod sphere;
+
+mod objet;
+
+mod recherche;
+
+mod lot;
+
+mod reglage;
 
 pub use boite::{BoiteGeo, BoiteRay};
 pub use erreur::ErreurGeo;
-pub use intersection::{Intersection, NoIntersection, est_occulte, premiere_intersection};
-#[doc(hidden)]
-pub use lot::Reglage;
+pub use intersection::{Intersection, NoIntersection, Touche};
 pub use lot::{LongueursDifferentes, premieres_intersections};
 pub use objet::{ObjetGeo, ObjetRay};
 pub use plan::{PlanGeo, PlanRay};
 pub use rayon::Rayon;
+pub use recherche::{est_occulte, premiere_intersection};
 pub use reel::Reel;
+#[doc(hidden)]
+pub use reglage::Reglage;
 pub use rotation::Rotation;
 pub use sphere::{SphereGeo, SphereRay};
 pub use texture::Texture;

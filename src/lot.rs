@@ -1,37 +1,44 @@
 //! Many rays at once: an image is 240,000 of them.
 //!
-//! The search and the conclusion are those of a single ray, written for sixteen rays side by side
-//! and in plain loops, which the compiler turns into the widest instructions of the machine. All of
-//! them round a sum, a product, a quotient and a root alike, so that the answers are the same to
-//! the bit. What the loops call is `inline(always)`: a call would leave the instruction set.
+//! Four sizes cut the work:
+//!
+//! - a **group** of 16 rays goes side by side through the formulae of a shape (`lot/groupe.rs`);
+//! - a **block** of 64 rays, a tile of 8 × 8 pixels, shares a beam that leaves objects out
+//!   (`lot/faisceau.rs`);
+//! - a **lot** of 4,096 rays shares a selection of objects, from which its blocks choose
+//!   (`lot/selection.rs`);
+//! - the **places** of a selection are 64, 256 or 1,024 objects; a lot that needs more is cut in two.
+
+mod colonnes;
+mod faisceau;
+mod groupe;
+mod selection;
 
 use core::fmt;
 
 use fearless_simd::{Level, dispatch};
 
-use crate::faisceau::{Faisceau, Places, Selection, TRIER};
-use crate::objet::Forme;
-use crate::{Intersection, NoIntersection, ObjetRay, Rayon, Reel, Vecteur, premiere_intersection};
+use crate::intersection::{Intersection, NoIntersection, Rang, Touche, rang};
+use crate::lot::colonnes::VOIES;
+use crate::lot::faisceau::Faisceau;
+use crate::lot::groupe::Groupe;
+use crate::lot::selection::{Places, SEUIL_FAISCEAU, Selection};
+use crate::objet::{ObjetRay, par_forme};
+use crate::rayon::Rayon;
+use crate::recherche::premiere_intersection;
+use crate::reel::Reel;
 
-/// Rays in a group. Loops of eight would be unrolled before the compiler could widen them.
-pub(crate) const VOIES: usize = 16;
-
-/// Rays in a block, which share a beam: a tile of 8 × 8.
+/// Rays of a block.
 const BLOC: usize = 4 * VOIES;
 
 /// Rays that share a selection of objects, as long as that finds room for them.
 const LOT: usize = 64 * BLOC;
 
-/// As many objects as culling needs to save more than it costs.
-const ELAGAGE: usize = 10;
+/// From so many objects on, culling saves more than it costs (measured).
+const SEUIL_ELAGAGE: usize = 10;
 
-/// As many rays of a group as it takes to conclude a hit of theirs side by side.
-const ENSEMBLE: u32 = 3;
-
-type Touche<R> = Result<Intersection<R>, NoIntersection>;
-
-/// The first object that each ray enters: [`premiere_intersection`](crate::premiere_intersection)
-/// of every ray, to the bit, several times as fast.
+/// The first object that each ray enters: [`premiere_intersection`] of every ray, to the bit, several
+/// times as fast.
 ///
 /// Neighbours in `rayons` should be neighbours in the picture, in tiles of 8 × 8 better than in
 /// rows: objects that sixty-four rays in a row all miss cost next to nothing. Rays in no order at
@@ -44,15 +51,15 @@ type Touche<R> = Result<Intersection<R>, NoIntersection>;
 ///
 /// ```
 /// use lancer_rayon::{
-///     NoIntersection, ObjetGeo, Rayon, SphereGeo, Texture, Vecteur, premieres_intersections,
+///     NoIntersection, ObjetRay, Rayon, SphereGeo, Texture, Vecteur, premieres_intersections,
 /// };
 ///
-/// let boule = ObjetGeo::from(SphereGeo::new(Vecteur::new(0.0, 0.0, -5.0), 1.0, Texture(0))?);
+/// let boule = ObjetRay::from(SphereGeo::new(Vecteur::new(0.0, 0.0, -5.0), 1.0, Texture(0))?);
 /// let vers = |x| Rayon::new(Vecteur::NUL, Vecteur::new(x, 0.0, -1.0));
 /// let rayons = [vers(0.0)?, vers(0.1)?, vers(0.5)?];
 ///
 /// let mut touches = [Err(NoIntersection); 3];
-/// premieres_intersections(&[boule.vers_ray()], &rayons, &mut touches)?;
+/// premieres_intersections(&[boule], &rayons, &mut touches)?;
 /// assert_eq!(touches.map(|touche| touche.is_ok()), [true, true, false]);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
@@ -64,10 +71,10 @@ pub fn premieres_intersections<R: Reel>(
     rayons: &[Rayon<R>],
     touches: &mut [Result<Intersection<R>, NoIntersection>],
 ) -> Result<(), LongueursDifferentes> {
-    Reglage::ordinaire().premieres_intersections(objets, rayons, touches)
+    repondre(meilleur_niveau(), true, objets, rayons, touches)
 }
 
-/// There is not one place for an answer to each ray.
+/// `rayons` and `touches` have different lengths.
 ///
 /// ```
 /// use lancer_rayon::{LongueursDifferentes, NoIntersection, Rayon, premieres_intersections};
@@ -96,320 +103,125 @@ impl fmt::Display for LongueursDifferentes {
 
 impl core::error::Error for LongueursDifferentes {}
 
-/// How the batch goes about it, for tests and measurements: no answer depends on it.
-#[doc(hidden)]
-#[derive(Debug, Clone, Copy)]
-pub struct Reglage {
-    niveau: Level,
-    elaguer: bool,
+/// The widest instructions of this machine.
+#[inline]
+pub(crate) fn meilleur_niveau() -> Level {
+    Level::try_detect().unwrap_or(Level::baseline())
 }
 
-impl Reglage {
-    /// What [`premieres_intersections`] does.
-    #[inline]
-    pub fn ordinaire() -> Self {
-        Self { niveau: Level::try_detect().unwrap_or(Level::baseline()), elaguer: true }
+/// [`premieres_intersections`] with these instructions, with culling or without; no answer depends on
+/// either.
+pub(crate) fn repondre<R: Reel>(
+    niveau: Level,
+    elaguer: bool,
+    objets: &[ObjetRay<R>],
+    rayons: &[Rayon<R>],
+    touches: &mut [Touche<R>],
+) -> Result<(), LongueursDifferentes> {
+    if rayons.len() != touches.len() {
+        return Err(LongueursDifferentes { rayons: rayons.len(), touches: touches.len() });
     }
-
-    /// The same without culling.
-    pub fn sans_elagage(self) -> Self {
-        Self { elaguer: false, ..self }
-    }
-
-    /// Each instruction set of this machine, the best first, by name.
-    pub fn tous() -> impl Iterator<Item = (&'static str, Self)> {
-        let ordinaire = Self::ordinaire();
-        let niveau = ordinaire.niveau;
-        #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-        let niveaux = [
-            ("AVX-512", niveau.as_avx512().map(Level::Avx512)),
-            ("AVX2", niveau.as_avx2().map(Level::Avx2)),
-            ("SSE4.2", niveau.as_sse4_2().map(Level::Sse4_2)),
-            ("SSE2", niveau.as_sse2().map(Level::Sse2)),
-        ];
-        #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
-        let niveaux = [("the only one", Some(niveau))];
-        niveaux
-            .into_iter()
-            .filter_map(move |(nom, niveau)| Some((nom, Self { niveau: niveau?, ..ordinaire })))
-    }
-
-    /// [`premieres_intersections`](crate::premieres_intersections) in this way.
-    ///
-    /// # Errors
-    /// The same.
-    pub fn premieres_intersections<R: Reel>(
-        self,
-        objets: &[ObjetRay<R>],
-        rayons: &[Rayon<R>],
-        touches: &mut [Result<Intersection<R>, NoIntersection>],
-    ) -> Result<(), LongueursDifferentes> {
-        if rayons.len() != touches.len() {
-            return Err(LongueursDifferentes { rayons: rayons.len(), touches: touches.len() });
+    // A group of so few would be slower; and of more objects two could share a rank.
+    if rayons.len() < VOIES / 2 || objets.len() > Rang::MAX.get() as usize {
+        for (rayon, touche) in rayons.iter().zip(touches) {
+            *touche = premiere_intersection(objets, rayon);
         }
-        let peu_de_rayons = rayons.len() < VOIES / 2;
-        if peu_de_rayons {
-            for (rayon, touche) in rayons.iter().zip(touches) {
-                *touche = premiere_intersection(objets, rayon);
-            }
-        } else if !self.elaguer || objets.len() < ELAGAGE {
-            self.repondre(objets, rayons, touches, None);
-        } else if objets.len() <= TRIER {
-            self.avec_places::<R, TRIER>(objets, rayons, touches);
-        } else if rayons.len() < LOT / 2 {
-            self.avec_places::<R, 256>(objets, rayons, touches);
-        } else {
-            self.avec_places::<R, 1024>(objets, rayons, touches);
-        }
-        Ok(())
+    } else if !elaguer || objets.len() < SEUIL_ELAGAGE {
+        dispatch!(niveau, _simd => lancer(objets, rayons, touches, None));
+    } else if objets.len() <= SEUIL_FAISCEAU {
+        avec_places::<R, SEUIL_FAISCEAU>(niveau, objets, rayons, touches);
+    } else if rayons.len() < LOT / 2 {
+        // To set up many places costs as much as fifty rays.
+        avec_places::<R, 256>(niveau, objets, rayons, touches);
+    } else {
+        avec_places::<R, 1024>(niveau, objets, rayons, touches);
     }
+    Ok(())
+}
 
-    /// With room for a selection of P objects.
-    fn avec_places<R: Reel, const P: usize>(
-        self,
-        objets: &[ObjetRay<R>],
-        rayons: &[Rayon<R>],
-        touches: &mut [Touche<R>],
-    ) {
-        let mut places = Places::<R, P>::VIDES;
-        self.repondre(objets, rayons, touches, Some(places.selection()));
-    }
-
-    fn repondre<'a, R: Reel>(
-        self,
-        objets: &'a [ObjetRay<R>],
-        rayons: &[Rayon<R>],
-        touches: &mut [Touche<R>],
-        selection: Option<Selection<'_, 'a, R>>,
-    ) {
-        dispatch!(self.niveau, _simd => repondre(objets, rayons, touches, selection));
-    }
+/// With room for a selection of P objects.
+fn avec_places<R: Reel, const P: usize>(
+    niveau: Level,
+    objets: &[ObjetRay<R>],
+    rayons: &[Rayon<R>],
+    touches: &mut [Touche<R>],
+) {
+    let mut places = Places::<R, P>::VIDES;
+    let selection = Some(places.selection());
+    dispatch!(niveau, _simd => lancer(objets, rayons, touches, selection));
 }
 
 /// Lot by lot, and in it block by block from the rays to the answers, so that a block stays in the
 /// nearest memory.
 #[inline(always)]
-fn repondre<'a, R: Reel>(
-    objets: &'a [ObjetRay<R>],
-    mut rayons: &[Rayon<R>],
-    mut touches: &mut [Touche<R>],
-    mut selection: Option<Selection<'_, 'a, R>>,
+fn lancer<R: Reel>(
+    objets: &[ObjetRay<R>],
+    rayons: &[Rayon<R>],
+    touches: &mut [Touche<R>],
+    mut selection: Option<Selection<'_, R>>,
 ) {
     let mut bloc = [const { Groupe::VIDE }; BLOC / VOIES];
-    let mut taille = LOT;
-    while !rayons.is_empty() {
-        let n = rayons.len().min(taille);
-        let (ici, suite) = rayons.split_at(n);
-        let mut selection = selection.as_mut();
-        if let Some(choix) = &mut selection
-            && !choix.choisir(objets, ici)
-        {
-            if n > BLOC {
-                // Fewer rays see fewer objects.
-                taille = (n / 2).next_multiple_of(BLOC);
-                continue;
-            }
-            selection = None;
+    let (mut debut, mut taille) = (0, LOT);
+    while debut < rayons.len() {
+        let fin = rayons.len().min(debut + taille);
+        let du_lot = &rayons[debut..fin];
+        let choisie = selection.as_mut().is_some_and(|s| s.choisir(objets, du_lot));
+        if selection.is_some() && !choisie && du_lot.len() > BLOC {
+            // Fewer rays see fewer objects.
+            taille = (du_lot.len() / 2).next_multiple_of(BLOC);
+            continue;
         }
-        let (touches_ici, touches_suite) = touches.split_at_mut(n);
-        for (rayons, touches) in ici.chunks(BLOC).zip(touches_ici.chunks_mut(BLOC)) {
-            let bloc = &mut bloc[..rayons.len().div_ceil(VOIES)];
-            for (groupe, rayons) in bloc.iter_mut().zip(rayons.chunks(VOIES)) {
-                groupe.charger(rayons);
-            }
-            if let Some(choix) = &mut selection
-                && let Some(faisceau) = Faisceau::du_bloc(rayons, bloc)
-            {
-                let (objets, evites) = choix.face_a(&faisceau);
-                for (objet, evite) in objets.iter().zip(evites) {
-                    if let Some(objet) = objet
-                        && !evite
-                    {
-                        objet.proposer_a(bloc);
-                    }
-                }
-            } else {
-                for objet in objets {
-                    objet.proposer_a(bloc);
-                }
-            }
-            for (i, groupe) in bloc.iter().enumerate() {
-                let (debut, fin) = (i * VOIES, rayons.len().min((i + 1) * VOIES));
-                groupe.conclure(&rayons[debut..fin], &mut touches[debut..fin]);
-            }
-        }
-        (rayons, touches) = (suite, touches_suite);
+        let choix = selection.as_mut().filter(|_| choisie);
+        repondre_au_lot(objets, du_lot, &mut touches[debut..fin], choix, &mut bloc);
+        debut = fin;
     }
 }
 
-/// Sixteen rays, coordinate by coordinate, with the first object of each so far.
-pub(crate) struct Groupe<'a, R> {
-    s: [[R; VOIES]; 3],
-    d: [[R; VOIES]; 3],
-    t: [R; VOIES],
-    premier: [Option<&'a ObjetRay<R>>; VOIES],
-}
-
-impl<'a, R: Reel> Groupe<'a, R> {
-    pub(crate) const VIDE: Self = Self {
-        s: [[R::ZERO; VOIES]; 3],
-        d: [[R::ZERO; VOIES]; 3],
-        t: [R::INFINI; VOIES],
-        premier: [None; VOIES],
-    };
-
-    /// Puts these rays here, at most sixteen; the last stands in for those that are missing.
-    #[inline(always)]
-    pub(crate) fn charger(&mut self, rayons: &[Rayon<R>]) {
-        if let Some(rayons) = rayons.first_chunk() {
-            self.copier(rayons);
-        } else if let Some(dernier) = rayons.last() {
-            let mut complets = [*dernier; VOIES];
-            complets[..rayons.len()].copy_from_slice(rayons);
-            self.copier(&complets);
-        }
-    }
-
-    #[inline(always)]
-    fn copier(&mut self, rayons: &[Rayon<R>; VOIES]) {
-        for (voie, rayon) in rayons.iter().enumerate() {
-            let (s, d) = (rayon.source(), rayon.direction());
-            [self.s[0][voie], self.s[1][voie], self.s[2][voie]] = s.into();
-            [self.d[0][voie], self.d[1][voie], self.d[2][voie]] = d.into();
-        }
-        (self.t, self.premier) = ([R::INFINI; VOIES], [None; VOIES]);
-    }
-
-    /// S and D of one ray.
-    #[inline(always)]
-    pub(crate) fn rayon(&self, voie: usize) -> (Vecteur<R>, Vecteur<R>) {
-        let ([sx, sy, sz], [dx, dy, dz]) = (&self.s, &self.d);
-        let s = Vecteur::new(sx[voie], sy[voie], sz[voie]);
-        (s, Vecteur::new(dx[voie], dy[voie], dz[voie]))
-    }
-
-    /// Roots and quotients are computed only if one ray at least comes near the object.
-    #[inline(always)]
-    fn proposer(&mut self, objet: &'a ObjetRay<R>, forme: &impl Forme<R>) {
-        let mut pres = false;
-        for voie in 0..VOIES {
-            let (s, d) = self.rayon(voie);
-            pres |= forme.possible(s, d);
-        }
-        if !pres {
-            return;
-        }
-        // Computed for all and kept for some, in a loop of its own: a branch would not be widened.
-        let mut t = [R::INFINI; VOIES];
-        for (voie, t) in t.iter_mut().enumerate() {
-            let (s, d) = self.rayon(voie);
-            let entree = forme.t(s, d);
-            *t = if forme.possible(s, d) { entree } else { R::INFINI };
-        }
-        for (voie, &t) in t.iter().enumerate() {
-            let avant = t < self.t[voie];
-            self.t[voie] = if avant { t } else { self.t[voie] };
-            self.premier[voie] = if avant { Some(objet) } else { self.premier[voie] };
-        }
-    }
-
-    /// Writes the answers: for each object that is the first of some ray, those of all its rays.
-    #[inline(always)]
-    fn conclure(&self, rayons: &[Rayon<R>], touches: &mut [Touche<R>]) {
-        let mut conclusions = Conclusions::VIDES;
-        let mut restent = 0;
-        for (voie, touche) in touches.iter_mut().enumerate() {
-            match self.premier[voie] {
-                Some(_) => restent |= 1 << voie,
-                None => *touche = Err(NoIntersection),
-            }
-        }
-        while let Some(objet) = self.premier[la_premiere(restent)]
-            && restent != 0
-        {
-            let mut siens = self.qui_touche(objet) & restent;
-            restent &= !siens;
-            if siens.count_ones() < ENSEMBLE {
-                conclusions.sure = [false; VOIES];
-            } else {
-                objet.conclure_pour(self, &mut conclusions);
-            }
-            let Conclusions { distance, normale: [nx, ny, nz], marge, sure } = &conclusions;
-            let texture = objet.texture();
-            while siens != 0 {
-                let voie = la_premiere(siens);
-                siens &= siens - 1;
-                if sure[voie] {
-                    let normale = Vecteur::new(nx[voie], ny[voie], nz[voie]);
-                    let (distance, marge) = (distance[voie], marge[voie]);
-                    touches[voie] = Ok(Intersection { distance, normale, texture, marge });
-                } else {
-                    touches[voie] = Ok(objet.conclure(&rayons[voie], self.t[voie]));
-                }
-            }
-        }
-    }
-
-    /// The rays whose first object is this one, a bit for each.
-    #[inline(always)]
-    fn qui_touche(&self, objet: &ObjetRay<R>) -> u16 {
-        let mut siens = 0;
-        for (voie, &premier) in self.premier.iter().enumerate() {
-            let sien = premier.is_some_and(|premier| core::ptr::eq(premier, objet));
-            siens |= u16::from(sien) << voie;
-        }
-        siens
-    }
-}
-
-/// The first ray of a set, a bit for each.
+/// The objects of the selection, or all of them without one.
 #[inline(always)]
-fn la_premiere(voies: u16) -> usize {
-    voies.trailing_zeros() as usize % VOIES
+fn repondre_au_lot<R: Reel>(
+    objets: &[ObjetRay<R>],
+    rayons: &[Rayon<R>],
+    touches: &mut [Touche<R>],
+    mut selection: Option<&mut Selection<'_, R>>,
+    bloc: &mut [Groupe<R>; BLOC / VOIES],
+) {
+    for (rayons, touches) in rayons.chunks(BLOC).zip(touches.chunks_mut(BLOC)) {
+        let bloc = &mut bloc[..rayons.len().div_ceil(VOIES)];
+        for (groupe, rayons) in bloc.iter_mut().zip(rayons.chunks(VOIES)) {
+            groupe.charger(rayons);
+        }
+        if let Some(selection) = &mut selection
+            && let Some(faisceau) = Faisceau::du_bloc(rayons, bloc)
+        {
+            for (rang, evitee) in selection.face_a(&faisceau) {
+                if !evitee && let Some(objet) = objets.get(rang.get() as usize - 1) {
+                    proposer(bloc, objet, rang);
+                }
+            }
+        } else {
+            for (indice, objet) in objets.iter().enumerate() {
+                proposer(bloc, objet, rang(indice));
+            }
+        }
+        for (i, groupe) in bloc.iter().enumerate() {
+            let (debut, fin) = (i * VOIES, rayons.len().min((i + 1) * VOIES));
+            groupe.ecrire(objets, &rayons[debut..fin], &mut touches[debut..fin]);
+        }
+    }
 }
 
-/// Makes the object, which is of this shape, the first of those rays that enter it before their
-/// first so far.
+/// Makes the object, which has this rank, the first of those rays that enter it before their first
+/// so far.
 ///
-/// The shape by value: nothing that is written to a group can overlap it, so that the compiler
+/// The shape is copied: nothing that is written to a group can overlap it, so that the compiler
 /// need not read it again for every ray.
 #[inline(always)]
-pub(crate) fn proposer<'a, R: Reel>(
-    bloc: &mut [Groupe<'a, R>],
-    objet: &'a ObjetRay<R>,
-    forme: impl Forme<R>,
-) {
-    for groupe in bloc {
-        groupe.proposer(objet, &forme);
-    }
-}
-
-/// What sixteen rays would have if this shape were the first of each.
-pub(crate) struct Conclusions<R> {
-    distance: [R; VOIES],
-    normale: [[R; VOIES]; 3],
-    marge: [R; VOIES],
-    sure: [bool; VOIES],
-}
-
-impl<R: Reel> Conclusions<R> {
-    const VIDES: Self = Self {
-        distance: [R::ZERO; VOIES],
-        normale: [[R::ZERO; VOIES]; 3],
-        marge: [R::ZERO; VOIES],
-        sure: [false; VOIES],
-    };
-
-    #[inline(always)]
-    pub(crate) fn remplir(&mut self, groupe: &Groupe<'_, R>, forme: impl Forme<R>) {
-        let Self { distance, normale: [nx, ny, nz], marge, sure } = self;
-        for voie in 0..VOIES {
-            let (source, direction) = groupe.rayon(voie);
-            let rayon = Rayon { source, direction };
-            let (touche, touche_sure) = forme.conclure(&rayon, groupe.t[voie]);
-            distance[voie] = touche.distance;
-            [nx[voie], ny[voie], nz[voie]] = touche.normale.into();
-            (marge[voie], sure[voie]) = (touche.marge, touche_sure);
+fn proposer<R: Reel>(bloc: &mut [Groupe<R>], objet: &ObjetRay<R>, rang: Rang) {
+    par_forme!(ObjetRay, objet, forme => {
+        let forme = *forme;
+        for groupe in bloc {
+            groupe.proposer(&forme, rang);
         }
-    }
+    });
 }

@@ -1,10 +1,32 @@
-//! The two enums of the handout's §4.1, and every choice between shapes that the crate makes.
+//! The two enums of the handout's §4.1, and the choice between shapes.
 
-use crate::lot::{Conclusions, Groupe, proposer};
-use crate::{
-    BoiteGeo, BoiteRay, ErreurGeo, Intersection, NoIntersection, PlanGeo, PlanRay, Rayon, Reel,
-    Rotation, SphereGeo, SphereRay, Texture, Vecteur, premiere_intersection,
-};
+use crate::boite::{BoiteGeo, BoiteRay};
+use crate::erreur::ErreurGeo;
+use crate::forme::{Boule, Forme};
+use crate::intersection::{Rang, Touche};
+use crate::plan::{PlanGeo, PlanRay};
+use crate::rayon::Rayon;
+use crate::reel::Reel;
+use crate::rotation::Rotation;
+use crate::sphere::{SphereGeo, SphereRay};
+use crate::texture::Texture;
+use crate::vecteur::Vecteur;
+
+/// `par_forme!(ObjetRay, objet, forme => expression)`: the expression for the shape in `objet`. It is
+/// the one `match` of the crate on a shape.
+///
+/// Each arm has a type of its own for `forme`, which no closure could have. Whoever asks a shape about
+/// many rays matches once for all of them in this way.
+macro_rules! par_forme {
+    ($enum:ident, $objet:expr, $forme:ident => $expression:expr) => {
+        match $objet {
+            $enum::Sphere($forme) => $expression,
+            $enum::Plan($forme) => $expression,
+            $enum::Boite($forme) => $expression,
+        }
+    };
+}
+pub(crate) use par_forme;
 
 /// An object as one describes and moves it (`Objet_geo` in the handout).
 ///
@@ -45,11 +67,7 @@ impl<R: Reel> ObjetGeo<R> {
     /// If the moved object lies outside the limits of its constructor.
     #[doc(alias = "translate")]
     pub fn translation(self, v: Vecteur<R>) -> Result<Self, ErreurGeo> {
-        Ok(match self {
-            Self::Sphere(sphere) => Self::Sphere(sphere.translation(v)?),
-            Self::Plan(plan) => Self::Plan(plan.translation(v)?),
-            Self::Boite(boite) => Self::Boite(boite.translation(v)?),
-        })
+        par_forme!(Self, self, forme => Ok(forme.translation(v)?.into()))
     }
 
     /// The object turned about the origin O (handout §2.3).
@@ -58,11 +76,7 @@ impl<R: Reel> ObjetGeo<R> {
     /// If the turned object lies outside the limits of its constructor.
     #[doc(alias = "rotate")]
     pub fn rotation(self, r: Rotation<R>) -> Result<Self, ErreurGeo> {
-        Ok(match self {
-            Self::Sphere(sphere) => Self::Sphere(sphere.rotation(r)?),
-            Self::Plan(plan) => Self::Plan(plan.rotation(r)?),
-            Self::Boite(boite) => Self::Boite(boite.rotation(r)?),
-        })
+        par_forme!(Self, self, forme => Ok(forme.rotation(r)?.into()))
     }
 
     /// The object with its dimensions multiplied by `k`, its centre where it was; a half-space
@@ -72,22 +86,14 @@ impl<R: Reel> ObjetGeo<R> {
     /// If `k` is not finite and above 0, or a dimension leaves the limits of the constructor.
     #[doc(alias = "scale")]
     pub fn homothetie(self, k: R) -> Result<Self, ErreurGeo> {
-        Ok(match self {
-            Self::Sphere(sphere) => Self::Sphere(sphere.homothetie(k)?),
-            Self::Plan(plan) => Self::Plan(plan.homothetie(k)?),
-            Self::Boite(boite) => Self::Boite(boite.homothetie(k)?),
-        })
+        par_forme!(Self, self, forme => Ok(forme.homothetie(k)?.into()))
     }
 
     /// The same object, ready for rays (handout §3).
     #[doc(alias = "into_ray")]
     #[inline]
     pub fn vers_ray(self) -> ObjetRay<R> {
-        match self {
-            Self::Sphere(sphere) => ObjetRay::Sphere(sphere.vers_ray()),
-            Self::Plan(plan) => ObjetRay::Plan(plan.vers_ray()),
-            Self::Boite(boite) => ObjetRay::Boite(boite.vers_ray()),
-        }
+        par_forme!(Self, self, forme => forme.vers_ray().into())
     }
 }
 
@@ -100,7 +106,7 @@ impl<R: Reel> ObjetGeo<R> {
 /// let objet = ObjetGeo::from(boule).vers_ray();
 /// let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.0, 0.0, -1.0))?;
 /// let touche = objet.intersection(&rayon)?;
-/// assert_eq!((touche.distance, touche.texture), (4.0, Texture(3)));
+/// assert_eq!((touche.distance(), touche.texture()), (4.0, Texture(3)));
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[doc(alias = "primitive")]
@@ -121,107 +127,28 @@ pub enum ObjetRay<R = f64> {
 // Fifteen numbers, a texture and a tag: all of them pass through the cache for every ray.
 const _: () = assert!(size_of::<ObjetRay<f64>>() <= 136);
 
-/// What a shape answers about rays, in its own file and once, for a ray alone and for many side by
-/// side.
-pub(crate) trait Forme<R: Reel>: Copy {
-    /// The centre of a ball around it and the square of its radius; +∞ if it has no end.
-    fn boule(&self) -> (Vecteur<R>, R);
-
-    /// Whether the ray (S, D) may enter: never false if it does, and cheap. For a shape with an end
-    /// it is whether the ray [comes near](crate::boule::approche) that very ball.
-    fn possible(&self, s: Vecteur<R>, d: Vecteur<R>) -> bool;
-
-    /// The distance at which a [`possible`](Self::possible) ray enters, +∞ if it does not.
-    fn t(&self, s: Vecteur<R>, d: Vecteur<R>) -> R;
-
-    /// The hit that the search found at distance `t`, computed in `f64` and without a branch; and
-    /// whether that is sure. If rounding spoiled it, [`reprendre`](Self::reprendre) concludes.
-    fn conclure(&self, rayon: &Rayon<R>, t: R) -> (Intersection<R>, bool);
-
-    /// The same hit, where it takes more than the ordinary formula.
-    fn reprendre(&self, rayon: &Rayon<R>, t: R) -> Intersection<R>;
-}
-
-#[inline(always)]
-fn entree<R: Reel>(forme: &impl Forme<R>, s: Vecteur<R>, d: Vecteur<R>) -> R {
-    if forme.possible(s, d) { forme.t(s, d) } else { R::INFINI }
-}
-
-#[inline]
-fn conclure<R: Reel>(forme: &impl Forme<R>, rayon: &Rayon<R>, t: R) -> Intersection<R> {
-    let (touche, sure) = forme.conclure(rayon, t);
-    if sure { touche } else { forme.reprendre(rayon, t) }
-}
-
 impl<R: Reel> ObjetRay<R> {
-    /// Where the ray enters this object (handout, annex A): [`premiere_intersection`] with this
-    /// object alone.
-    ///
-    /// # Errors
-    /// [`NoIntersection`] if it does not: it misses, only touches, leaves, or starts inside or
-    /// on the surface.
-    #[doc(alias = "intersect")]
-    #[doc(alias = "hit")]
-    pub fn intersection(&self, rayon: &Rayon<R>) -> Result<Intersection<R>, NoIntersection> {
-        premiere_intersection(core::slice::from_ref(self), rayon)
-    }
-
     /// The distance at which the ray (S, D) enters this object, +∞ if it does not.
     #[inline(always)]
-    pub(crate) fn t(&self, s: Vecteur<R>, d: Vecteur<R>) -> R {
-        match self {
-            Self::Sphere(sphere) => entree(sphere, s, d),
-            Self::Plan(plan) => entree(plan, s, d),
-            Self::Boite(boite) => entree(boite, s, d),
-        }
+    pub(crate) fn entree(&self, s: Vecteur<R>, d: Vecteur<R>) -> R {
+        par_forme!(Self, self, forme => forme.entree(s, d))
     }
 
-    /// The hit that the search found at distance `t`.
-    pub(crate) fn conclure(&self, rayon: &Rayon<R>, t: R) -> Intersection<R> {
-        match self {
-            Self::Sphere(sphere) => conclure(sphere, rayon, t),
-            Self::Plan(plan) => conclure(plan, rayon, t),
-            Self::Boite(boite) => conclure(boite, rayon, t),
-        }
+    /// The hit that the search found at distance `t`, on this object, which has this rank.
+    pub(crate) fn conclure(&self, rayon: &Rayon<R>, t: R, rang: Rang) -> Touche<R> {
+        par_forme!(Self, self, forme => Ok(forme.conclure(rayon, t, forme.texture(), rang)))
     }
 
-    /// Makes this object the first of those rays of the block that enter it before their first so
-    /// far: one `match` for all of them.
-    #[inline(always)]
-    pub(crate) fn proposer_a<'a>(&'a self, bloc: &mut [Groupe<'a, R>]) {
-        match self {
-            Self::Sphere(sphere) => proposer(bloc, self, *sphere),
-            Self::Plan(plan) => proposer(bloc, self, *plan),
-            Self::Boite(boite) => proposer(bloc, self, *boite),
-        }
-    }
-
-    /// The hits of those rays of the group whose first object this is; for the others anything.
-    #[inline(always)]
-    pub(crate) fn conclure_pour(&self, groupe: &Groupe<'_, R>, conclusions: &mut Conclusions<R>) {
-        match self {
-            Self::Sphere(sphere) => conclusions.remplir(groupe, *sphere),
-            Self::Plan(plan) => conclusions.remplir(groupe, *plan),
-            Self::Boite(boite) => conclusions.remplir(groupe, *boite),
-        }
-    }
-
-    #[inline(always)]
-    pub(crate) fn boule(&self) -> (Vecteur<R>, R) {
-        match self {
-            Self::Sphere(sphere) => sphere.boule(),
-            Self::Plan(plan) => plan.boule(),
-            Self::Boite(boite) => boite.boule(),
-        }
-    }
-
+    /// The texture of this object.
     #[inline(always)]
     pub(crate) fn texture(&self) -> Texture {
-        match self {
-            Self::Sphere(sphere) => sphere.texture(),
-            Self::Plan(plan) => plan.texture(),
-            Self::Boite(boite) => boite.texture(),
-        }
+        par_forme!(Self, self, forme => forme.texture())
+    }
+
+    /// A ball around this object.
+    #[inline(always)]
+    pub(crate) fn boule(&self) -> Boule<R> {
+        par_forme!(Self, self, forme => forme.boule())
     }
 }
 
@@ -258,6 +185,24 @@ impl<R> From<PlanRay<R>> for ObjetRay<R> {
 impl<R> From<BoiteRay<R>> for ObjetRay<R> {
     fn from(boite: BoiteRay<R>) -> Self {
         Self::Boite(boite)
+    }
+}
+
+impl<R: Reel> From<SphereGeo<R>> for ObjetRay<R> {
+    fn from(sphere: SphereGeo<R>) -> Self {
+        Self::Sphere(sphere.vers_ray())
+    }
+}
+
+impl<R: Reel> From<PlanGeo<R>> for ObjetRay<R> {
+    fn from(plan: PlanGeo<R>) -> Self {
+        Self::Plan(plan.vers_ray())
+    }
+}
+
+impl<R: Reel> From<BoiteGeo<R>> for ObjetRay<R> {
+    fn from(boite: BoiteGeo<R>) -> Self {
+        Self::Boite(boite.vers_ray())
     }
 }
 

@@ -1,8 +1,13 @@
 //! The plane, which is a solid half-space (handout §2.2, §3 and annex A.1).
 
-use crate::erreur::{coefficient, coordonnee, deplacement};
-use crate::objet::Forme;
-use crate::{ErreurGeo, Intersection, Rayon, Reel, Rotation, Texture, Vecteur};
+use crate::erreur::{ErreurGeo, coefficient, coordonnee, deplacement};
+use crate::forme::{Boule, Forme};
+use crate::intersection::Contact;
+use crate::rayon::Rayon;
+use crate::reel::Reel;
+use crate::rotation::Rotation;
+use crate::texture::Texture;
+use crate::vecteur::Vecteur;
 
 /// A half-space as one describes it: the points z ≤ 0 turned by a rotation, then moved to lie
 /// at a relative distance d from the origin O (handout §2.2). d < 0 if the half-space contains
@@ -147,9 +152,9 @@ impl<R: Reel> PlanRay<R> {
     const RASANT: f64 = 1.0 / 67_108_864.0; // 2^-26
 
     #[inline(always)]
-    fn toucher(&self, rayon: &Rayon<R>, t: f64) -> Intersection<R> {
+    fn contact_a(&self, rayon: &Rayon<R>, t: f64) -> Contact<R> {
         let plan = self.vers_f64();
-        Intersection::new(rayon, t, self.normale, self.texture, |p| {
+        Contact::new(rayon, t, self.normale, |p| {
             let hauteur = plan.normale.produit_scalaire(p) + plan.distance;
             (hauteur.abs(), plan.normale.somme_des_grandeurs(p))
         })
@@ -164,14 +169,14 @@ impl<R: Reel> PlanRay<R> {
 
 impl<R: Reel> Forme<R> for PlanRay<R> {
     #[inline(always)]
-    fn boule(&self) -> (Vecteur<R>, R) {
-        (Vecteur::NUL, R::INFINI)
+    fn boule(&self) -> Boule<R> {
+        Boule::INFINIE
     }
 
     /// Whether the ray enters the half-space: S outside, N·D < 0. No threshold: a ray that
     /// descends at all arrives.
     #[inline(always)]
-    fn possible(&self, s: Vecteur<R>, d: Vecteur<R>) -> bool {
+    fn peut_entrer(&self, s: Vecteur<R>, d: Vecteur<R>) -> bool {
         let (hauteur, descente) = self.hauteur_et_descente(s, d);
         (descente > R::ZERO) & (hauteur > R::ZERO)
     }
@@ -185,21 +190,27 @@ impl<R: Reel> Forme<R> for PlanRay<R> {
 
     /// Sure, unless the ray descends by no more than [`RASANT`](Self::RASANT).
     #[inline(always)]
-    fn conclure(&self, rayon: &Rayon<R>, t: R) -> (Intersection<R>, bool) {
+    fn contact(&self, rayon: &Rayon<R>, t: R) -> (Contact<R>, bool) {
         let (s, d) = (rayon.source().vers_f64(), rayon.direction().vers_f64());
         let (hauteur, descente) = self.vers_f64().hauteur_et_descente(s, d);
-        let t = R::preciser(t, || hauteur / descente);
-        (self.toucher(rayon, t), descente > Self::RASANT)
+        let t = R::affiner(t, || hauteur / descente);
+        (self.contact_a(rayon, t), descente > Self::RASANT)
     }
 
     /// With N·D compensated: the digits that cancellation leaves decide.
     #[cold]
-    fn reprendre(&self, rayon: &Rayon<R>, t: R) -> Intersection<R> {
+    fn contact_rare(&self, rayon: &Rayon<R>, t: R) -> Contact<R> {
         let (plan, d) = (self.vers_f64(), rayon.direction().vers_f64());
         let (hauteur, _) = plan.hauteur_et_descente(rayon.source().vers_f64(), d);
         let precise = hauteur / -plan.normale.produit_scalaire_compense(d);
         let de_ce_type = precise > 0.0 && R::depuis_f64(precise) < R::INFINI;
-        self.toucher(rayon, if de_ce_type { precise } else { t.vers_f64() })
+        self.contact_a(rayon, if de_ce_type { precise } else { t.vers_f64() })
+    }
+}
+
+impl<R: Reel> From<PlanGeo<R>> for PlanRay<R> {
+    fn from(plan: PlanGeo<R>) -> Self {
+        plan.vers_ray()
     }
 }
 

@@ -19,16 +19,17 @@ mod scelle {
         /// `ECART_ROTATION` in words.
         const ATTENDU_ROTATION: &'static str;
 
-        /// The distance of a hit in the wider type: what the search found if it was made in that type
-        /// already, otherwise what `precise` computes there, unless that is no distance of this
-        /// type: the conclusion never revokes a hit.
-        fn preciser(trouve: Self, precise: impl FnOnce() -> f64) -> f64;
+        /// The distance of a hit in `f64`, from the distance `trouve` of the search.
+        ///
+        /// In `f64` it is `trouve` itself. In `f32` it is `precise()`, unless that number is not a
+        /// distance of the type; then `trouve` stands, since the conclusion never revokes a hit.
+        fn affiner(trouve: Self, precise: impl FnOnce() -> f64) -> f64;
     }
 }
 
 use scelle::Scelle;
 
-/// A real number as the machine has it: `f32` or `f64`. Sealed.
+/// The scalar type: `f32` or `f64`. Sealed.
 ///
 /// Every operation it offers is correctly rounded, so that a query gives the same bits on
 /// every machine. Fused multiply-add is absent on purpose: not every machine has it.
@@ -46,7 +47,7 @@ use scelle::Scelle;
 ///
 /// assert_eq!(f64::U, f64::EPSILON / 2.0);
 /// assert_eq!(f64::LIMITE, 2.0_f64.powi(450));
-/// assert_eq!(f64::PLUS_PETIT, 5e-324);
+/// assert_eq!(f64::MIN_POSITIF, 5e-324);
 /// assert_eq!((f32::INFINI.vers_f64(), f32::depuis_f64(0.1)), (f64::INFINITY, 0.1));
 /// assert_eq!((Reel::sqrt(9.0), Reel::abs(-3.0), f64::ZERO), (3.0, 3.0, 0.0));
 /// ```
@@ -78,7 +79,7 @@ pub trait Reel:
     /// The smallest number above 0, a subnormal.
     #[doc(alias = "min_positive")]
     #[doc(alias = "smallest")]
-    const PLUS_PETIT: Self;
+    const MIN_POSITIF: Self;
     /// u, the largest relative error of one rounding: 2⁻²⁴ or 2⁻⁵³.
     #[doc(alias = "epsilon")]
     #[doc(alias = "unit_roundoff")]
@@ -100,9 +101,9 @@ pub trait Reel:
     fn depuis_f64(x: f64) -> Self;
 }
 
-/// So many times u.
+/// `n` times u.
 #[inline(always)]
-pub(crate) fn u<R: Reel>(n: f64) -> R {
+pub(crate) fn fois_u<R: Reel>(n: f64) -> R {
     R::depuis_f64(n) * R::U
 }
 
@@ -114,7 +115,7 @@ impl Scelle for f32 {
     const ATTENDU_ROTATION: &'static str = "at most 1e-3, as for a rotation";
 
     #[inline(always)]
-    fn preciser(trouve: Self, precise: impl FnOnce() -> f64) -> f64 {
+    fn affiner(trouve: Self, precise: impl FnOnce() -> f64) -> f64 {
         let t = precise();
         if (t > 0.0) & (t <= f64::from(Self::MAX)) { t } else { f64::from(trouve) }
     }
@@ -124,7 +125,7 @@ impl Reel for f32 {
     const ZERO: Self = 0.0;
     const UN: Self = 1.0;
     const INFINI: Self = Self::INFINITY;
-    const PLUS_PETIT: Self = Self::from_bits(1);
+    const MIN_POSITIF: Self = Self::from_bits(1);
     const U: Self = Self::EPSILON / 2.0;
     const LIMITE: Self = (1_u64 << 60) as Self;
 
@@ -160,7 +161,7 @@ impl Scelle for f64 {
     const ATTENDU_ROTATION: &'static str = "at most 1e-6, as for a rotation";
 
     #[inline(always)]
-    fn preciser(trouve: Self, _precise: impl FnOnce() -> f64) -> f64 {
+    fn affiner(trouve: Self, _precise: impl FnOnce() -> f64) -> f64 {
         trouve
     }
 }
@@ -169,7 +170,7 @@ impl Reel for f64 {
     const ZERO: Self = 0.0;
     const UN: Self = 1.0;
     const INFINI: Self = Self::INFINITY;
-    const PLUS_PETIT: Self = Self::from_bits(1);
+    const MIN_POSITIF: Self = Self::from_bits(1);
     const U: Self = Self::EPSILON / 2.0;
     const LIMITE: Self = Self::from_bits((1023 + 450) << 52);
 

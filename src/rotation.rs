@@ -2,8 +2,9 @@
 
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use crate::erreur::{exiger, fini};
-use crate::{ErreurGeo, Reel, Vecteur};
+use crate::erreur::{ErreurGeo, exiger, fini};
+use crate::reel::Reel;
+use crate::vecteur::Vecteur;
 
 /// A rotation about the origin O, held as its matrix M: a vector V, written as a row, becomes
 /// V·M (handout §2.1).

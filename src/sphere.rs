@@ -1,9 +1,13 @@
 //! The sphere (handout §2.2, §3 and annex A.2).
 
-use crate::boule::approche;
-use crate::erreur::{coefficient, deplacement, point, taille};
-use crate::objet::Forme;
-use crate::{ErreurGeo, Intersection, Rayon, Reel, Rotation, Texture, Vecteur};
+use crate::erreur::{ErreurGeo, coefficient, deplacement, point, taille};
+use crate::forme::{Boule, Forme};
+use crate::intersection::Contact;
+use crate::rayon::Rayon;
+use crate::reel::Reel;
+use crate::rotation::Rotation;
+use crate::texture::Texture;
+use crate::vecteur::Vecteur;
 
 /// A sphere as one describes it: its centre and its radius (handout §2.2).
 ///
@@ -127,49 +131,33 @@ impl<R: Reel> SphereRay<R> {
         self.texture
     }
 
-    /// The lengths of annex A.2 for the ray (S, D): SA = SC·D, with A the point of the ray
-    /// nearest to C; the power of S, SC² − r², above 0 outside; and AB² = r² − AC².
-    ///
-    /// AC comes from SC ∧ D, never from SC² − SA², which for a small or far sphere is the
-    /// difference of two large numbers. D·D stands where the handout has 1, since D is unit
-    /// only to rounding.
+    /// The lengths of annex A.2 for the ray (S, D).
     #[inline(always)]
-    fn longueurs(&self, s: Vecteur<R>, d: Vecteur<R>) -> (R, R, R) {
+    fn longueurs(&self, s: Vecteur<R>, d: Vecteur<R>) -> Longueurs<R> {
         let sc = self.centre - s;
-        let r2 = self.rayon * self.rayon;
-        let sa = sc.produit_scalaire(d);
-        let puissance = sc.longueur_carree() - r2;
-        let ab2 = r2 * d.longueur_carree() - sc.produit_vectoriel(d).longueur_carree();
-        (sa, puissance, ab2)
-    }
-
-    /// SB, if the ray enters the sphere.
-    ///
-    /// SB = SA − AB, written as power/(SA + AB), which subtracts nothing; and never past A, even
-    /// where the ray grazes so closely that AB is all rounding.
-    #[inline(always)]
-    fn sb(d: Vecteur<R>, (sa, puissance, ab2): (R, R, R)) -> R {
-        let ab2 = if ab2 > R::ZERO { ab2 } else { R::ZERO };
-        let (somme, d2) = (sa + ab2.sqrt(), d.longueur_carree());
-        let avant_a = puissance * d2 < sa * somme;
-        let (haut, bas) = if avant_a { (puissance, somme) } else { (sa, d2) };
-        haut / bas
+        let (r2, d2) = (self.rayon * self.rayon, d.longueur_carree());
+        Longueurs {
+            sa: sc.produit_scalaire(d),
+            puissance: sc.longueur_carree() - r2,
+            ab2: r2 * d2 - sc.produit_vectoriel(d).longueur_carree(),
+            d2,
+        }
     }
 
     /// In `f64`, the distance SB and the vector from C to the point of the hit.
     #[inline(always)]
     fn sb_et_cb(&self, rayon: &Rayon<R>, t: R) -> (f64, Vecteur<f64>) {
-        let (s, d, sphere) =
-            (rayon.source().vers_f64(), rayon.direction().vers_f64(), self.vers_f64());
-        let sb = R::preciser(t, || SphereRay::sb(d, sphere.longueurs(s, d)));
+        let (s, d) = (rayon.source().vers_f64(), rayon.direction().vers_f64());
+        let sphere = self.vers_f64();
+        let sb = R::affiner(t, || sphere.longueurs(s, d).sb());
         // CB relative to the source: S + tD − C would lose what S and C have in common.
         (sb, (s - sphere.centre) + d * sb)
     }
 
     #[inline(always)]
-    fn toucher(&self, rayon: &Rayon<R>, t: f64, normale: Vecteur<R>) -> Intersection<R> {
+    fn contact_a(&self, rayon: &Rayon<R>, t: f64, normale: Vecteur<R>) -> Contact<R> {
         let sphere = self.vers_f64();
-        Intersection::new(rayon, t, normale, self.texture, |p| {
+        Contact::new(rayon, t, normale, |p| {
             let (n, cp, r) = (normale.vers_f64(), p - sphere.centre, sphere.rayon);
             let r2 = r * r;
             // (CP − r)(CP + r), and CP + r ≥ r/0.59 unless the hit fails the test below.
@@ -196,42 +184,63 @@ impl<R: Reel> SphereRay<R> {
 
 impl<R: Reel> Forme<R> for SphereRay<R> {
     #[inline(always)]
-    fn boule(&self) -> (Vecteur<R>, R) {
-        (self.centre, self.rayon * self.rayon)
-    }
-
-    #[inline(always)]
-    fn possible(&self, s: Vecteur<R>, d: Vecteur<R>) -> bool {
-        approche(self.centre, self.rayon * self.rayon, s, d)
+    fn boule(&self) -> Boule<R> {
+        Boule { centre: self.centre, r2: self.rayon * self.rayon }
     }
 
     /// An entry has S outside, C ahead and AC < r.
     #[inline(always)]
     fn t(&self, s: Vecteur<R>, d: Vecteur<R>) -> R {
-        let longueurs = self.longueurs(s, d);
-        let (sa, puissance, ab2) = longueurs;
-        if (ab2 > R::ZERO) & (sa > R::ZERO) & (puissance > R::ZERO) {
-            Self::sb(d, longueurs)
-        } else {
-            R::INFINI
-        }
+        let l = self.longueurs(s, d);
+        let entre = (l.ab2 > R::ZERO) & (l.sa > R::ZERO) & (l.puissance > R::ZERO);
+        if entre { l.sb() } else { R::INFINI }
     }
 
     /// Sure, unless the normal comes out turned away from the source.
     #[inline(always)]
-    fn conclure(&self, rayon: &Rayon<R>, t: R) -> (Intersection<R>, bool) {
+    fn contact(&self, rayon: &Rayon<R>, t: R) -> (Contact<R>, bool) {
         let (t, cb) = self.sb_et_cb(rayon, t);
         let normale = Vecteur::depuis_f64(cb / Reel::sqrt(cb.longueur_carree()));
         // False for a NaN as well, where CB is all rounding.
         let de_face = normale.produit_scalaire(rayon.direction()) < R::ZERO;
-        (self.toucher(rayon, t, normale), de_face)
+        (self.contact_a(rayon, t, normale), de_face)
     }
 
     /// With the nearest normal that faces the source.
     #[cold]
-    fn reprendre(&self, rayon: &Rayon<R>, t: R) -> Intersection<R> {
+    fn contact_rare(&self, rayon: &Rayon<R>, t: R) -> Contact<R> {
         let (t, cb) = self.sb_et_cb(rayon, t);
-        self.toucher(rayon, t, vers_la_source(cb, rayon))
+        self.contact_a(rayon, t, vers_la_source(cb, rayon))
+    }
+}
+
+/// The lengths of annex A.2, with A the point of the ray nearest to C.
+///
+/// AC comes from SC ∧ D, never from SC² − SA², which for a small or far sphere is the difference of
+/// two large numbers. D·D stands where the handout has 1, since D is unit only to rounding.
+struct Longueurs<R> {
+    /// SA = SC·D, above 0 if C lies ahead.
+    sa: R,
+    /// The power of S, SC² − r²: above 0 outside.
+    puissance: R,
+    /// AB² = r² − AC².
+    ab2: R,
+    /// D·D.
+    d2: R,
+}
+
+impl<R: Reel> Longueurs<R> {
+    /// SB, if the ray enters the sphere.
+    ///
+    /// SB = SA − AB, written as power/(SA + AB), which subtracts nothing; and never past A, even
+    /// where the ray grazes so closely that AB is all rounding.
+    #[inline(always)]
+    fn sb(&self) -> R {
+        let ab2 = if self.ab2 > R::ZERO { self.ab2 } else { R::ZERO };
+        let somme = self.sa + ab2.sqrt();
+        let avant_a = self.puissance * self.d2 < self.sa * somme;
+        let (haut, bas) = if avant_a { (self.puissance, somme) } else { (self.sa, self.d2) };
+        haut / bas
     }
 }
 
@@ -249,6 +258,12 @@ fn vers_la_source<R: Reel>(cb: Vecteur<f64>, rayon: &Rayon<R>) -> Vecteur<R> {
     let penchee = penchee.map(Vecteur::depuis_f64);
     let de_face = |n: &Vecteur<R>| n.produit_scalaire(rayon.direction()) < R::ZERO;
     penchee.filter(de_face).unwrap_or(Vecteur::depuis_f64(-d))
+}
+
+impl<R: Reel> From<SphereGeo<R>> for SphereRay<R> {
+    fn from(sphere: SphereGeo<R>) -> Self {
+        sphere.vers_ray()
+    }
 }
 
 #[cfg(feature = "serde")]

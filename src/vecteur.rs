@@ -2,7 +2,7 @@
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::Reel;
+use crate::reel::Reel;
 
 /// A vector, or a point seen from the origin O: x to the right, y up, z towards the viewer
 /// (handout §2.1).

@@ -14,16 +14,14 @@ use std::path::Path;
 use commun::Bits;
 use commun::conversion::mots;
 use lancer_rayon::{
-    Intersection, NoIntersection, ObjetGeo, ObjetRay, Rayon, Reglage, premiere_intersection,
+    NoIntersection, ObjetGeo, ObjetRay, Rayon, Reglage, Touche, premiere_intersection,
 };
 use scene::Scene;
 use serde::de::DeserializeOwned;
 
-type Touche<R> = Result<Intersection<R>, NoIntersection>;
-
 /// FNV-1a, 64 bits.
 fn empreinte<R: Bits>(touches: &[Touche<R>]) -> u64 {
-    let octets = touches.iter().flat_map(mots).flat_map(u64::to_le_bytes);
+    let octets = touches.iter().flat_map(|t| mots(t).valeurs).flat_map(u64::to_le_bytes);
     octets.fold(0xcbf2_9ce4_8422_2325, |empreinte, octet| {
         (empreinte ^ u64::from(octet)).wrapping_mul(0x0000_0100_0000_01b3)
     })

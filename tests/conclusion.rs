@@ -43,14 +43,14 @@ fn normale_au_point<R: Reel>() {
         let ObjetRay::Sphere(sphere) = objet else { unreachable!("a regime of spheres") };
         let (centre, r) = (sphere.centre().vers_f64(), sphere.rayon().vers_f64());
         let f = (rayon.source().vers_f64() - centre).longueur();
-        let p = rayon.point(touche.distance).vers_f64();
+        let p = rayon.point(touche.distance()).vers_f64();
         let cp = p - centre;
         // 2u to round N, 6u for the lean of a grazing one and 4u as far past a right angle; beside
         // it P is rounded twice in each coordinate, f once, and CP once.
-        let etendue = touche.distance.vers_f64() + p.longueur() + f;
+        let etendue = touche.distance().vers_f64() + p.longueur() + f;
         let permis = u::<R>() * (12.0 + 4.0 * etendue / r);
         if permis < 0.1 {
-            let n = touche.normale.vers_f64();
+            let n = touche.normale().vers_f64();
             let ecart = (n - cp / cp.longueur()).longueur();
             assert!(ecart <= permis, "off by {ecart:e}, {permis:e} allowed: {objet:?} {rayon:?}");
             jugees += 1;
@@ -77,11 +77,11 @@ fn la_normale_d_une_sphere_perdue_est_en_travers_du_rayon() {
         let (d, loin) = (rayon.direction(), 1.0 + alea.f64());
         let sphere = boule(d * loin, loin * u::<f64>());
         let Ok(touche) = ObjetRay::from(sphere).intersection(&rayon) else { continue };
-        let cb = d * touche.distance - sphere.centre();
+        let cb = d * touche.distance() - sphere.centre();
         let le_long = cb.produit_scalaire(d);
         let travers = cb - d * (le_long / d.longueur_carree());
         if le_long > 0.0 && travers.longueur() > le_long {
-            let ecart = (touche.normale - travers / travers.longueur()).longueur();
+            let ecart = (touche.normale() - travers / travers.longueur()).longueur();
             // 6u, and the roundings of both.
             assert!(ecart <= 16.0 * u::<f64>(), "off by {ecart:e}: {sphere:?} {rayon:?}");
             penchees += 1;
@@ -97,7 +97,7 @@ fn une_sphere_est_touchee_avant_a() {
         let ObjetRay::Sphere(sphere) = objet else { unreachable!("a regime of spheres") };
         let (s, d) = (rayon.source(), rayon.direction());
         let sa = (sphere.centre() - s).produit_scalaire(d) / d.longueur_carree();
-        assert!(touche.distance <= sa, "{} > {sa}: {objet:?} {rayon:?}", touche.distance);
+        assert!(touche.distance() <= sa, "{} > {sa}: {objet:?} {rayon:?}", touche.distance());
     });
 }
 
@@ -155,7 +155,7 @@ fn marge_infinie<R: Reel>() {
         let sphere = boule::<R>(arrondi(centre), R::UN);
         let Ok(rayon) = Rayon::new(source, arrondi(d)) else { continue };
         let Ok(touche) = ObjetRay::from(sphere).intersection(&rayon) else { continue };
-        let (p, n) = (rayon.point(touche.distance).vers_f64(), touche.normale.vers_f64());
+        let (p, n) = (rayon.point(touche.distance()).vers_f64(), touche.normale().vers_f64());
         let cp = p - sphere.centre().vers_f64();
         let q = (cp - n * n.produit_scalaire(cp)).longueur();
         let e = 4.0 * u::<R>() * (p.x.abs() + p.y.abs() + p.z.abs());
@@ -195,7 +195,7 @@ fn la_distance_trouvee_reste_ou_f64_n_en_a_pas_sphere() {
                 continue;
             };
             // The least that a difference of two squares near r² can be, u·r², over 2r.
-            assert!(touche.distance >= 0.4 * f32::U * r, "{}", touche.distance);
+            assert!(touche.distance() >= 0.4 * f32::U * r, "{}", touche.distance());
             *trouvees += 1;
         }
     }
@@ -234,7 +234,7 @@ fn la_distance_trouvee_reste_ou_f64_n_en_a_pas_demi_espace() {
         let Ok(touche) = ObjetRay::from(plan).intersection(&rayon) else { continue };
         let descente = -plan.normale().vers_f64().produit_scalaire(rayon.direction().vers_f64());
         if descente.abs() < (-26_f64).exp2() {
-            assert_eq!(Some(touche.distance), litteral::plan(plan.normale(), 0.0, &rayon));
+            assert_eq!(Some(touche.distance()), litteral::plan(plan.normale(), 0.0, &rayon));
             trouvees += 1;
         }
     }
@@ -248,9 +248,9 @@ fn la_distance_d_une_boite_est_celle_de_la_face_nommee() {
     let mut jugees = 0;
     touches::<f32>("box", |Cas { objet, rayon }, touche| {
         let ObjetRay::Boite(boite) = objet else { unreachable!("a regime of boxes") };
-        let (n, axe) = (touche.normale.vers_f64(), axe_de(boite, touche.normale));
+        let (n, axe) = (touche.normale().vers_f64(), axe_de(boite, touche.normale()));
         let f = rayon.source().vers_f64() - boite.centre().vers_f64();
-        let (l, t) = (boite.demi_longueurs()[axe].vers_f64(), touche.distance.vers_f64());
+        let (l, t) = (boite.demi_longueurs()[axe].vers_f64(), touche.distance().vers_f64());
         let (haut, vitesse) =
             (n.produit_scalaire(f) - l, -n.produit_scalaire(rayon.direction().vers_f64()));
         // Where f64 has no such distance, that of the search stands.
@@ -258,7 +258,8 @@ fn la_distance_d_une_boite_est_celle_de_la_face_nommee() {
             let ecart = (haut - t * vitesse).abs();
             // Half a unit in the last place; and the sums of the kernel and of this test in f64.
             let sommes = 8.0 * (f64::EPSILON / 2.0) * (f.longueur() + l + t);
-            let permis = (f64::from(f32::U) * t).max(f64::from(f32::PLUS_PETIT)) * vitesse + sommes;
+            let permis =
+                (f64::from(f32::U) * t).max(f64::from(f32::MIN_POSITIF)) * vitesse + sommes;
             assert!(ecart <= permis, "off by {ecart:e}, {permis:e} allowed: {objet:?} {rayon:?}");
             jugees += 1;
         }
@@ -285,7 +286,7 @@ fn la_face_trouvee_reste_ou_f64_part_d_une_autre() {
         let rayon = Rayon::new(source, -n - Vecteur::new(0.0, 0.0, 0.5)).unwrap();
         let Ok(touche) = ObjetRay::from(boite).intersection(&rayon) else { continue };
         if entree < 0.0 {
-            assert_eq!(touche.normale, n);
+            assert_eq!(touche.normale(), n);
             trouvees += 1;
         }
     }
@@ -308,7 +309,7 @@ fn la_face_trouvee_reste_ou_f64_longe_une_autre() {
             .map(|v| n.vers_f64().produit_scalaire(v.vers_f64()));
         let entree_en_f32 = n.produit_scalaire(rayon.source()) < -1.0;
         if o < -1.0 && vitesse == 0.0 && !entree_en_f32 {
-            assert!(![n, -n].contains(&touche.normale), "{boite:?} {rayon:?}");
+            assert!(![n, -n].contains(&touche.normale()), "{boite:?} {rayon:?}");
             trouvees += 1;
         }
     }
@@ -323,7 +324,7 @@ fn un_demi_espace_est_l_annexe_en_f64() {
         let ObjetRay::Plan(plan) = objet else { unreachable!("a regime of half-spaces") };
         let (n, d) = (plan.normale(), plan.distance());
         if -n.produit_scalaire(rayon.direction()) > (-26_f64).exp2() {
-            assert_eq!(Some(touche.distance), litteral::plan(n, d, rayon));
+            assert_eq!(Some(touche.distance()), litteral::plan(n, d, rayon));
             juges += 1;
         }
     });
@@ -348,8 +349,8 @@ fn le_produit_compense_n_est_arrondi_qu_une_fois() {
         else {
             continue;
         };
-        let ecart = entree.ecart(touche.distance).abs();
-        let permis = 2.0 * u::<f64>() * touche.distance * (1.0 + 1e-3);
+        let ecart = entree.ecart(touche.distance()).abs();
+        let permis = 2.0 * u::<f64>() * touche.distance() * (1.0 + 1e-3);
         assert!(ecart <= permis, "off by {ecart:e}, {permis:e} allowed: {plan:?} {rayon:?}");
         juges += 1;
     }

@@ -20,7 +20,7 @@ fn un_objet<R: Reel>() {
         let ici = objet.intersection(&p.rayon).unwrap();
         let (distance, normale, texture) =
             litteral::premiere_intersection(&[litteral::Objet::from(&objet)], &p.rayon).unwrap();
-        let ecart = (ici.distance.vers_f64() - distance.vers_f64()).abs();
+        let ecart = (ici.distance().vers_f64() - distance.vers_f64()).abs();
         // AB² = r² − AC² is off by LITTERAL·u·SC², and AB = r|N·D| by half of that over AB.
         let annulation = match objet {
             ObjetRay::Sphere(_) => LITTERAL * p.etendue / p.taille,
@@ -33,9 +33,9 @@ fn un_objet<R: Reel>() {
             ObjetRay::Sphere(_) => 2.0 * (tolerance + 3.0 * u::<R>() * p.etendue) / p.taille,
             ObjetRay::Plan(_) | ObjetRay::Boite(_) => 0.0,
         };
-        let ecart = (ici.normale.vers_f64() - normale.vers_f64()).longueur();
+        let ecart = (ici.normale().vers_f64() - normale.vers_f64()).longueur();
         prop_assert!(ecart <= normales, "normal off by {ecart:e}, {normales:e} allowed");
-        prop_assert_eq!(ici.texture, texture);
+        prop_assert_eq!(ici.texture(), texture);
         Ok(())
     });
 }
@@ -55,7 +55,7 @@ fn une_scene_entiere_donne_le_meme_premier_objet() {
         let litteraux: Vec<_> = objets.iter().map(litteral::Objet::from).collect();
         let ici = premiere_intersection(&objets, &rayon).ok();
         let la = litteral::premiere_intersection(&litteraux, &rayon);
-        prop_assert_eq!(ici.map(|t| t.texture), la.map(|(_, _, texture)| texture));
+        prop_assert_eq!(ici.map(|t| t.texture()), la.map(|(_, _, texture)| texture));
         Ok(())
     });
 }

@@ -34,7 +34,7 @@ fn voit<R: Reel>(
     touche: &Intersection<R>,
     lampe: Vecteur<R>,
 ) -> bool {
-    let vers = lampe - rayon.point(touche.distance);
+    let vers = lampe - rayon.point(touche.distance());
     let ombre = rayon.secondaire(touche, vers).unwrap();
     !est_occulte(&[*objet], &ombre, (lampe - ombre.source()).longueur())
 }
@@ -62,13 +62,13 @@ fn eclaire_ce_qui_fait_face<R: Reel>() {
         });
         for (rayon, objet) in rayons.flat_map(|rayon| objets.map(|objet| (rayon, objet))) {
             let Ok(touche) = objet.intersection(&rayon) else { continue };
-            let (d, n) = (rayon.direction().vers_f64(), touche.normale.vers_f64());
-            let point = rayon.point(touche.distance);
+            let (d, n) = (rayon.direction().vers_f64(), touche.normale().vers_f64());
+            let point = rayon.point(touche.distance());
             let rasante = point.vers_f64() + (d - n * d.produit_scalaire(n)) * echelle;
             for lampe in LAMPES.map(|lampe| lampe * echelle + centre).into_iter().chain([rasante]) {
                 let lampe = arrondi(lampe);
                 let Ok(depuis) = Rayon::new(lampe, point - lampe) else { continue };
-                let cosinus = -depuis.direction().produit_scalaire(touche.normale).vers_f64();
+                let cosinus = -depuis.direction().produit_scalaire(touche.normale()).vers_f64();
                 let contexte = || format!("{objet:?} {rayon:?} {lampe:?}: {cosinus}");
                 assert!(voit(&objet, &rayon, &touche, lampe), "its own shadow: {}", contexte());
                 if cosinus.abs() < seuil {
@@ -76,7 +76,7 @@ fn eclaire_ce_qui_fait_face<R: Reel>() {
                     continue;
                 }
                 let vue = objet.intersection(&depuis).map_err(|_| contexte()).unwrap();
-                let ecart = (vue.normale.vers_f64() - n).longueur();
+                let ecart = (vue.normale().vers_f64() - n).longueur();
                 assert_eq!(ecart < seuil, cosinus > 0.0, "{ecart}, {}", contexte());
                 *(if cosinus > 0.0 { &mut clairs } else { &mut sombres }) += 1;
             }

@@ -12,8 +12,8 @@ use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 use core::fmt::{Display, Write};
 
 use lancer_rayon::{
-    BoiteGeo, BoiteRay, ErreurGeo, Intersection, NoIntersection, ObjetGeo, ObjetRay, PlanGeo,
-    PlanRay, Rayon, Reel, Rotation, SphereGeo, SphereRay, Texture, Vecteur, premiere_intersection,
+    BoiteGeo, BoiteRay, ErreurGeo, NoIntersection, ObjetGeo, ObjetRay, PlanGeo, PlanRay, Rayon,
+    Reel, Rotation, SphereGeo, SphereRay, Texture, Touche, Vecteur, premiere_intersection,
 };
 
 /// What is tried, what is expected, what is obtained.
@@ -60,20 +60,20 @@ fn environ(x: f64) -> String {
     format!("{:.6}", x + 0.0)
 }
 
-fn touche<R: Reel>(touche: Result<Intersection<R>, NoIntersection>) -> String {
+fn touche<R: Reel>(touche: Touche<R>) -> String {
     match touche {
-        Ok(Intersection { distance, normale, texture: Texture(texture), .. }) => {
-            let (distance, normale) = (nombre(distance), vecteur(normale));
-            format!("distance {distance}, normal {normale}, texture {texture}")
+        Ok(touche) => {
+            let (distance, normale) = (nombre(touche.distance()), vecteur(touche.normale()));
+            format!("distance {distance}, normal {normale}, texture {}", touche.texture().0)
         }
         Err(NoIntersection) => "no intersection".into(),
     }
 }
 
-fn environ_touche(touche: Result<Intersection, NoIntersection>) -> String {
-    let Ok(Intersection { distance, normale: n, .. }) = touche else { return "none".into() };
-    let normale = [n.x, n.y, n.z].map(environ).join(", ");
-    format!("distance {}, normal ({normale})", environ(distance))
+fn environ_touche(touche: Touche) -> String {
+    let Ok(touche) = touche else { return "none".into() };
+    let normale = <[f64; 3]>::from(touche.normale()).map(environ).join(", ");
+    format!("distance {}, normal ({normale})", environ(touche.distance()))
 }
 
 fn litteralement<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> String {
@@ -488,7 +488,7 @@ fn c7() -> Partie {
             let t = sol
                 .vers_ray()
                 .intersection(&rayon(v(0.0, f64::from_bits(1), 0.0), v(0.0, -1.0, 0.0)));
-            format!("t > 0: {}", t.is_ok_and(|t| t.distance == f64::from_bits(1)))
+            format!("t > 0: {}", t.is_ok_and(|t| t.distance() == f64::from_bits(1)))
         })
         .ligne("a distance beyond the largest f32 is a miss", "no intersection", {
             lancer(plan(Rotation::IDENTITE, 0.0, 0), &tres_haut)
@@ -618,13 +618,13 @@ fn c10() -> Partie {
             {
                 let r = rayon(v(3.0, 0.0, -2.0), v(-2.0, 0.0, -2.0));
                 let touche = bloc.vers_ray().intersection(&r).unwrap();
-                format!("normal {}", vecteur(touche.normale))
+                format!("normal {}", vecteur(touche.normale()))
             },
         )
         .ligne("into the corner of all three", "normal (1, 0, 0)", {
             let r = rayon(v(3.0, 3.0, -2.0), v(-1.0, -1.0, -1.0));
             let touche = bloc.vers_ray().intersection(&r).unwrap();
-            format!("normal {}", vecteur(touche.normale))
+            format!("normal {}", vecteur(touche.normale()))
         })
         .ligne("rays at visible edges of 500 turned boxes", format!("0 of {lances} lost"), {
             format!("{perdus} of {lances} lost")

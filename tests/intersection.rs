@@ -2,10 +2,11 @@
 
 mod commun;
 
+use commun::conversion::mots;
 use commun::regimes::regimes;
 use commun::strategies::{Plante, direction, plante, scene};
 use commun::tolerances::{ARRONDI, DISTANCE, NORMALE, u};
-use commun::{arrondi, est_une_entree, pour_tout};
+use commun::{Bits, arrondi, est_une_entree, pour_tout};
 use lancer_rayon::{
     NoIntersection, ObjetGeo, ObjetRay, Rayon, Reel, Texture, Vecteur, est_occulte,
     premiere_intersection,
@@ -46,16 +47,16 @@ fn plantee<R: Reel>() {
 
         // The ray as stored passes beside the planted point by the rounding of S and D.
         let tolerance = (DISTANCE + 3.0 * ARRONDI) * p.cond();
-        let ecart = (touche.distance.vers_f64() - p.distance).abs();
+        let ecart = (touche.distance().vers_f64() - p.distance).abs();
         prop_assert!(ecart <= tolerance, "distance off by {ecart:e}, {tolerance:e} allowed");
         let courbure = match p.objet {
             ObjetGeo::Sphere(_) => 2.0 * tolerance / p.taille,
             ObjetGeo::Plan(_) | ObjetGeo::Boite(_) => 0.0,
         };
-        let ecart = (touche.normale.vers_f64() - p.normale).longueur();
+        let ecart = (touche.normale().vers_f64() - p.normale).longueur();
         prop_assert!(ecart <= 2.0 * NORMALE * u::<R>() + courbure, "normal off by {ecart:e}");
 
-        let t = touche.distance.vers_f64();
+        let t = touche.distance().vers_f64();
         let au_point = hauteur(&objet, point(&p.rayon, t));
         prop_assert!(au_point.abs() <= tolerance, "{au_point:e} above the surface");
         prop_assert!(hauteur(&objet, point(&p.rayon, t * (1.0 - 1.0 / 64.0))) > 0.0);
@@ -82,7 +83,7 @@ fn corde<R: Reel>(objet: &ObjetRay<R>, rayon: &Rayon<R>, t: f64, taille: f64) ->
 fn dedans<R: Reel>() {
     pour_tout(plante::<R>(), |p: Plante<R>| {
         let objet = p.objet.vers_ray();
-        let t = objet.intersection(&p.rayon).unwrap().distance.vers_f64();
+        let t = objet.intersection(&p.rayon).unwrap().distance().vers_f64();
         let corde = corde(&objet, &p.rayon, t, p.taille);
         for fraction in [0.125, 0.5, 0.75] {
             let x = point(&p.rayon, t + fraction * corde);
@@ -104,17 +105,21 @@ fn au_dela_du_point_on_est_dedans_et_de_dedans_rien_n_est_touche() {
     dedans::<f64>();
 }
 
-/// The first hit is an entry, is what its object answers alone, and no object is nearer.
-fn premiere<R: Reel>() {
+/// The first hit is an entry, no object is nearer, and it is what its object answers alone, except the
+/// index.
+fn premiere<R: Bits>() {
     pour_tout(scene::<R>(), |(geo, rayon)| {
         let objets: Vec<_> = geo.into_iter().map(ObjetGeo::vers_ray).collect();
-        let touches = objets.iter().map(|o| o.intersection(&rayon));
+        let touches = objets.iter().map(|o| o.intersection(&rayon)).enumerate();
         let attendue = touches
-            .filter_map(Result::ok)
-            .reduce(|a, b| if b.distance < a.distance { b } else { a });
+            .filter_map(|(i, touche)| Some((i, touche.ok()?)))
+            .reduce(|a, b| if b.1.distance() < a.1.distance() { b } else { a });
         let obtenue = premiere_intersection(&objets, &rayon);
-        prop_assert_eq!(obtenue.ok(), attendue);
-        if let Ok(touche) = obtenue {
+        prop_assert_eq!(obtenue.map(|touche| touche.objet()).ok(), attendue.map(|(i, _)| i));
+        if let (Ok(touche), Some((_, attendue))) = (obtenue, attendue) {
+            let [valeurs, attendues] = [touche, attendue].map(|t| mots(&Ok(t)).valeurs);
+            prop_assert_eq!(valeurs, attendues);
+            prop_assert_eq!(attendue.objet(), 0);
             est_une_entree(&rayon, &touche)?;
         }
         Ok(())
@@ -132,7 +137,7 @@ fn ex_aequo<R: Reel>() {
     pour_tout((plante::<R>(), [any::<u32>(), any::<u32>()]), |(p, textures)| {
         let jumeaux = textures.map(|t| p.parametres.avec(Texture(t)).objet().vers_ray());
         let touche = premiere_intersection(&jumeaux, &p.rayon).unwrap();
-        prop_assert_eq!(touche.texture, Texture(textures[0]));
+        prop_assert_eq!(touche.texture(), Texture(textures[0]));
         Ok(())
     });
 }
@@ -169,12 +174,13 @@ fn occultation<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> TestCaseRes
     let touches: Vec<_> = objets.iter().filter_map(|o| o.intersection(rayon).ok()).collect();
     let deux_u = R::U + R::U;
     let voisines = touches.iter().flat_map(|touche| {
-        [R::UN - deux_u, R::UN, R::UN + deux_u].map(|facteur| touche.distance * facteur)
+        [R::UN - deux_u, R::UN, R::UN + deux_u].map(|facteur| touche.distance() * facteur)
     });
     let [zero, un, infini] = [R::ZERO, R::UN, R::INFINI];
-    let autres = [zero, -zero, un, -un, R::PLUS_PETIT, infini, -infini, R::depuis_f64(f64::NAN)];
+    let autres = [zero, -zero, un, -un, R::MIN_POSITIF, infini, -infini, R::depuis_f64(f64::NAN)];
     for max in voisines.chain(autres) {
-        let attendu = objets.iter().any(|o| o.intersection(rayon).is_ok_and(|i| i.distance < max));
+        let attendu =
+            objets.iter().any(|o| o.intersection(rayon).is_ok_and(|i| i.distance() < max));
         prop_assert_eq!(est_occulte(objets, rayon, max), attendu, "before {}", max);
     }
     Ok(())

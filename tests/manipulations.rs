@@ -23,10 +23,10 @@ fn accompagner<R: Reel>(
 ) -> TestCaseResult {
     let avant = p.objet.vers_ray().intersection(&p.rayon).unwrap();
     let apres = objet.vers_ray().intersection(&rayon).unwrap();
-    let ecart = (apres.distance.vers_f64() / facteur - avant.distance.vers_f64()).abs();
+    let ecart = (apres.distance().vers_f64() / facteur - avant.distance().vers_f64()).abs();
     let tolerance = (DISTANCE + bruit) * p.cond();
     prop_assert!(ecart <= tolerance, "distance off by {ecart:e}, {tolerance:e} allowed");
-    let ecart = (apres.normale.vers_f64() - normale(avant.normale.vers_f64())).longueur();
+    let ecart = (apres.normale().vers_f64() - normale(avant.normale().vers_f64())).longueur();
     // Only a sphere's normal depends on where it is touched.
     let courbure = match objet {
         ObjetGeo::Sphere(_) => (tolerance + bruit * u::<R>() * p.etendue) / p.taille,
@@ -34,7 +34,7 @@ fn accompagner<R: Reel>(
     };
     let tolerance = 2.0 * (NORMALE + TOURNE) * u::<R>() + 2.0 * courbure;
     prop_assert!(ecart <= tolerance, "normal off by {ecart:e}, {tolerance:e} allowed");
-    prop_assert_eq!(apres.texture, avant.texture);
+    prop_assert_eq!(apres.texture(), avant.texture());
     Ok(())
 }
 

@@ -72,7 +72,7 @@ fn tout<R: Reel>() {
         sans_allocation("est_occulte", || est_occulte(&scene, black_box(rayon), R::LIMITE));
         let Ok(touche) = touche else { continue };
         let secondaire = sans_allocation("secondaire", || {
-            let vers = Rayon::new(rayon.source(), touche.normale)?;
+            let vers = Rayon::new(rayon.source(), touche.normale())?;
             rayon.secondaire(touche, vers.direction())
         });
         assert!(secondaire.is_ok());

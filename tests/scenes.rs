@@ -36,7 +36,7 @@ fn chaque_objet_se_voit<R: Reel>(
 ) {
     let mut pixels = vec![0; scene.objets.len()];
     for touche in touches.iter().flatten() {
-        pixels[touche.texture.0 as usize] += 1;
+        pixels[touche.texture().0 as usize] += 1;
     }
     for (texture, pixels) in pixels.into_iter().enumerate() {
         assert!(pixels >= 4, "{}: texture {texture} is seen in {pixels}", chemin.display());
@@ -57,8 +57,8 @@ fn f32_et_f64_voient_tous_les_objets_et_la_meme_image() {
         let mut autres = 0;
         for paire in doubles.iter().zip(&simples) {
             match paire {
-                (Ok(a), Ok(b)) if a.texture == b.texture => {
-                    let ecart = (f64::from(b.distance) / a.distance - 1.0).abs();
+                (Ok(a), Ok(b)) if a.texture() == b.texture() => {
+                    let ecart = (f64::from(b.distance()) / a.distance() - 1.0).abs();
                     assert!(ecart < 1e-4, "{}: {a:?} and {b:?}", chemin.display());
                 }
                 (Err(_), Err(_)) => {}

@@ -12,10 +12,10 @@ use std::path::Path;
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
-use lancer_rayon::{Intersection, NoIntersection, ObjetGeo, Rayon, Reel, premiere_intersection};
+use lancer_rayon::{
+    Intersection, NoIntersection, ObjetGeo, Rayon, Reel, Touche, premiere_intersection,
+};
 use scene::Scene;
-
-type Touche<R = f64> = Result<Intersection<R>, NoIntersection>;
 
 const SCENE: &str = "docs/scenes/atelier.ron";
 const IMAGE: &str = "target/apercu.png";
@@ -85,11 +85,13 @@ fn comparer(
     let (mut distances, mut angles) = (vec![], vec![]);
     for paire in touches.iter().zip(simples) {
         match paire {
-            (Ok(a), Ok(b)) if a.texture == b.texture => {
-                distances.push((f64::from(b.distance) / a.distance - 1.0).abs());
+            (Ok(a), Ok(b)) if a.texture() == b.texture() => {
+                distances.push((f64::from(b.distance()) / a.distance() - 1.0).abs());
                 // By the chord: the arc cosine of N·N' would see nothing below 1e-6 degrees.
                 angles.push(
-                    2.0 * ((a.normale - b.normale.vers_f64()).longueur() / 2.0).asin().to_degrees(),
+                    2.0 * ((a.normale() - b.normale().vers_f64()).longueur() / 2.0)
+                        .asin()
+                        .to_degrees(),
                 );
             }
             (Err(_), Err(_)) => {}
@@ -119,19 +121,19 @@ fn peindre(
     rayons: &[Rayon],
     touches: &[Touche],
 ) -> Result<(), Box<dyn Error>> {
-    let mut logs: Vec<f64> = touches.iter().flatten().map(|t| t.distance.ln()).collect();
+    let mut logs: Vec<f64> = touches.iter().flatten().map(|t| t.distance().ln()).collect();
     logs.sort_by(f64::total_cmp);
     // The ramp leaves out the ends: one far horizon would flatten all the rest.
     let centile = |c: usize| logs.get(logs.len() * c / 100).copied().unwrap_or(0.0);
     let (pres, loin) = (centile(1), centile(97).max(centile(1) + 1e-9));
 
     let normale = |t: &Intersection, _: &Rayon| {
-        <[f64; 3]>::from(t.normale).map(|x| (127.5 * (x + 1.0)).round() as u8)
+        <[f64; 3]>::from(t.normale()).map(|x| (127.5 * (x + 1.0)).round() as u8)
     };
-    let distance = |t: &Intersection, _: &Rayon| rampe((t.distance.ln() - pres) / (loin - pres));
+    let distance = |t: &Intersection, _: &Rayon| rampe((t.distance().ln() - pres) / (loin - pres));
     let texture = |t: &Intersection, r: &Rayon| {
-        let face = -t.normale.produit_scalaire(r.direction());
-        teinte(t.texture.0, 0.35 + 0.65 * face)
+        let face = -t.normale().produit_scalaire(r.direction());
+        teinte(t.texture().0, 0.35 + 0.65 * face)
     };
     let panneaux: [Panneau<'_>; 3] = [&normale, &distance, &texture];
 

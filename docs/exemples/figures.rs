@@ -330,7 +330,7 @@ fn sphere() -> Resultat<String> {
     let scene = [ObjetRay::from(sphere)];
     let p = |x, y| Vecteur::new(x, y, 0.0);
     let reponse = |rayon: &Rayon| match premiere_intersection(&scene, rayon) {
-        Ok(touche) => format!("t = {}", nombre(touche.distance)),
+        Ok(touche) => format!("t = {}", nombre(touche.distance())),
         Err(NoIntersection) => "NoIntersection".to_owned(),
     };
 
@@ -353,14 +353,14 @@ fn sphere() -> Resultat<String> {
     let touche = premiere_intersection(&scene, &rayon)?;
     let sa = (sphere.centre() - rayon.source()).produit_scalaire(rayon.direction());
     let (s, a, b) =
-        (vue.pixel(rayon.source()), vue.pixel(rayon.point(sa)), rayon.point(touche.distance));
+        (vue.pixel(rayon.source()), vue.pixel(rayon.point(sa)), rayon.point(touche.distance()));
     // A is halfway between where the ray enters and where it leaves.
-    let sortie = vue.pixel(rayon.point(2.0 * sa - touche.distance));
+    let sortie = vue.pixel(rayon.point(2.0 * sa - touche.distance()));
     dessin.ligne(&[c, a], GRIS, TIRETS);
     dessin.ligne(&[s, sortie], ACCENT, PLEIN);
     dessin.fleche(&[sortie, vue.pixel(rayon.point(4.6))], ACCENT, PLEIN);
-    dessin.fleche(&[vue.pixel(b), vue.pixel(b + touche.normale * 0.6)], AXES[2], PLEIN);
-    let n = vue.pixel(b + touche.normale * 0.6);
+    dessin.fleche(&[vue.pixel(b), vue.pixel(b + touche.normale() * 0.6)], AXES[2], PLEIN);
+    let n = vue.pixel(b + touche.normale() * 0.6);
     dessin.texte(decale(n, -8.0, 2.0), "end", AXES[2], "N");
     dessin.point(s, ACCENT);
     dessin.texte(decale(s, 0.0, -10.0), "middle", ACCENT, "S");

@@ -11,13 +11,11 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 use lancer_rayon::{
-    Intersection, NoIntersection, ObjetRay, Rayon, Reel, Vecteur, est_occulte,
+    Intersection, NoIntersection, ObjetRay, Rayon, Reel, Touche, Vecteur, est_occulte,
     premiere_intersection, premieres_intersections,
 };
 use scene::Scene;
 use serde::de::DeserializeOwned;
-
-type Touche<R> = Result<Intersection<R>, NoIntersection>;
 
 /// Red, green and blue, in proportion to the light.
 type Couleur = Vecteur;
@@ -152,13 +150,13 @@ impl<R: Reel> Atelier<R> {
     /// What is seen along a ray.
     fn vue(&self, rayon: &Rayon<R>, touche: Touche<R>, rebonds: u32) -> Couleur {
         let Ok(touche) = touche else { return ciel(rayon.direction().y.vers_f64()) };
-        let (d, n) = (rayon.direction(), touche.normale);
+        let (d, n) = (rayon.direction(), touche.normale());
         let face = d.produit_scalaire(n);
         let reflechie = d - (n + n) * face;
-        let matiere = &PALETTE[touche.texture.0 as usize % PALETTE.len()];
+        let matiere = &PALETTE[touche.texture().0 as usize % PALETTE.len()];
 
-        let point = rayon.point(touche.distance);
-        let couleur = matiere.couleur(point, n, touche.distance);
+        let point = rayon.point(touche.distance());
+        let couleur = matiere.couleur(point, n, touche.distance());
         let mut vue = produit(couleur, AMBIANTE);
         for lampe in &self.lampes {
             let Some(vers) = (lampe.position - point).unitaire() else { continue };
@@ -184,7 +182,7 @@ impl<R: Reel> Atelier<R> {
     }
 
     fn a_l_ombre(&self, rayon: &Rayon<R>, touche: &Intersection<R>, lampe: &Lampe<R>) -> bool {
-        let vers = lampe.position - rayon.point(touche.distance);
+        let vers = lampe.position - rayon.point(touche.distance());
         // A point that is not known well enough to leave it is in the light.
         let Ok(ombre) = rayon.secondaire(touche, vers) else { return false };
         let distance = (lampe.position - ombre.source()).longueur();

@@ -1,6 +1,6 @@
 //! Between the type of a scene, f64 and bits.
 
-use lancer_rayon::{Intersection, NoIntersection, Reel, Vecteur};
+use lancer_rayon::{Reel, Touche, Vecteur};
 
 /// [`Vecteur::depuis_f64`], for which the tests ask on every other line.
 pub(crate) fn arrondi<R: Reel>(v: Vecteur) -> Vecteur<R> {
@@ -32,10 +32,18 @@ impl Bits for f64 {
     }
 }
 
-/// Every bit of an answer; of a miss, bits that no hit has, which would be NaNs.
-pub(crate) fn mots<R: Bits>(touche: &Result<Intersection<R>, NoIntersection>) -> [u64; 6] {
-    let Ok(t) = touche else { return [u64::MAX; 6] };
-    let [d, x, y, z, marge] =
-        [t.distance, t.normale.x, t.normale.y, t.normale.z, t.marge()].map(R::bits);
-    [d, x, y, z, marge, t.texture.0.into()]
+/// Every bit of an answer.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Mots {
+    /// Distance, normal, margin and texture; of a miss, bits that no hit has, which would be NaNs.
+    pub(crate) valeurs: [u64; 6],
+    /// The index of the object.
+    pub(crate) objet: Option<usize>,
+}
+
+pub(crate) fn mots<R: Bits>(touche: &Touche<R>) -> Mots {
+    let Ok(t) = touche else { return Mots { valeurs: [u64::MAX; 6], objet: None } };
+    let (n, texture) = (t.normale(), t.texture().0.into());
+    let [d, x, y, z, marge] = [t.distance(), n.x, n.y, n.z, t.marge()].map(R::bits);
+    Mots { valeurs: [d, x, y, z, marge, texture], objet: Some(t.objet()) }
 }

@@ -35,9 +35,9 @@ pub(crate) fn est_une_entree<R: Reel>(
     rayon: &Rayon<R>,
     touche: &Intersection<R>,
 ) -> TestCaseResult {
-    prop_assert!(touche.distance > R::ZERO && touche.distance < R::INFINI);
-    prop_assert!(touche.normale.produit_scalaire(rayon.direction()) < R::ZERO);
-    let longueur = touche.normale.longueur().vers_f64();
+    prop_assert!(touche.distance() > R::ZERO && touche.distance() < R::INFINI);
+    prop_assert!(touche.normale().produit_scalaire(rayon.direction()) < R::ZERO);
+    let longueur = touche.normale().longueur().vers_f64();
     prop_assert!((longueur - 1.0).abs() <= NORMALE_UNITAIRE * u::<R>());
     Ok(())
 }

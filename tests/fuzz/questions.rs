@@ -70,9 +70,9 @@ impl<R: Bits> Octets<'_, R> {
 }
 
 fn verifier<R: Bits>(rayon: &Rayon<R>, touche: &Intersection<R>) {
-    assert!(touche.distance > R::ZERO && touche.distance < R::INFINI);
-    assert!(touche.normale.produit_scalaire(rayon.direction()) < R::ZERO);
-    let ecart = (touche.normale.vers_f64().longueur() - 1.0).abs();
+    assert!(touche.distance() > R::ZERO && touche.distance() < R::INFINI);
+    assert!(touche.normale().produit_scalaire(rayon.direction()) < R::ZERO);
+    let ecart = (touche.normale().vers_f64().longueur() - 1.0).abs();
     assert!(ecart <= 4.0 * R::U.vers_f64(), "|N| is off by {ecart:e}");
     assert!(touche.marge() >= R::ZERO, "margin {}", touche.marge());
 }
@@ -81,9 +81,9 @@ fn verifier<R: Bits>(rayon: &Rayon<R>, touche: &Intersection<R>) {
 fn secondaires<R: Bits>(objet: &ObjetRay<R>, rayon: &Rayon<R>, vers: Vecteur<R>) {
     let Ok(touche) = objet.intersection(rayon) else { return };
     verifier(rayon, &touche);
-    for vers in [vers, -vers, touche.normale, -rayon.direction()] {
+    for vers in [vers, -vers, touche.normale(), -rayon.direction()] {
         let Ok(secondaire) = rayon.secondaire(&touche, vers) else { continue };
-        if secondaire.direction().produit_scalaire(touche.normale) > R::ZERO {
+        if secondaire.direction().produit_scalaire(touche.normale()) > R::ZERO {
             assert_eq!(objet.intersection(&secondaire), Err(NoIntersection), "{objet:?} {rayon:?}");
         }
     }
@@ -137,9 +137,9 @@ fn attaquer<R: Bits>(octets: &[u8]) -> Option<()> {
             verifier(rayon, &touche);
             assert!(est_occulte(&objets, rayon, R::INFINI));
         }
-        for max in octets.vus.iter().copied().take(4).chain(premiere.map(|t| t.distance)) {
+        for max in octets.vus.iter().copied().take(4).chain(premiere.map(|t| t.distance())) {
             let attendu =
-                objets.iter().any(|o| o.intersection(rayon).is_ok_and(|i| i.distance < max));
+                objets.iter().any(|o| o.intersection(rayon).is_ok_and(|i| i.distance() < max));
             assert_eq!(est_occulte(&objets, rayon, max), attendu);
         }
         attendues.push(mots(&premiere));

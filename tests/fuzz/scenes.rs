@@ -20,7 +20,7 @@ fn lire<R: Reel + DeserializeOwned>(texte: &str) {
                 let vers = [x, y, z].map(|x| R::depuis_f64(f64::from(x)));
                 let rayon = Rayon::new(Vecteur::NUL, vers.into()).unwrap();
                 if let Ok(touche) = premiere_intersection(&objets, &rayon) {
-                    assert!(touche.distance > R::ZERO && touche.distance < R::INFINI);
+                    assert!(touche.distance() > R::ZERO && touche.distance() < R::INFINI);
                 }
             }
         }

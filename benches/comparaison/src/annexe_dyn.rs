@@ -3,8 +3,8 @@
 
 use lancer_rayon::{ObjetRay, Rayon, Reel, Texture, Vecteur};
 
-use crate::Vu;
 use crate::commun::litteral::{self, Couple, Forme};
+use crate::pairs::Vu;
 
 pub(crate) trait Objet<R> {
     fn intersection(&self, rayon: &Rayon<R>) -> Option<Vu<R>>;

@@ -10,7 +10,7 @@ use super::parry::math::{Mat3, Pose, Real, Rotation, Vector};
 use super::parry::partitioning::{Bvh, BvhBuildStrategy, BvhNode};
 use super::parry::query::{Ray, RayCast};
 use super::parry::shape::{Ball, Cuboid, HalfSpace};
-use crate::{Parry, Vu};
+use crate::pairs::{Parry, Vu};
 
 /// A shape and where it is, as an enum: parry's `SharedShape` would cost it an indirect call per
 /// object, and a `Pose` for every shape a rotation of the ray where there is nothing to turn.

@@ -13,10 +13,10 @@ use crate::commun::oracle::verite;
 use crate::commun::regimes::regimes;
 use crate::concours::{Concours, Concurrent};
 use crate::exactitude::{self, COULEURS, repondants};
-use crate::lot::{exiger, une_par_une};
+use crate::horloge::{exiger, une_par_une};
 use crate::page;
+use crate::pairs::{Parry, Vu};
 use crate::scene::Scene;
-use crate::{Parry, Vu};
 
 type Mesures<R> = ((exactitude::Repondant<R>, f64), Vec<Option<Vu<R>>>);
 

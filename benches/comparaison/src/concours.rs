@@ -1,23 +1,18 @@
-//! Who competes: in turns and by the median, since on a shared machine only ratios within a run
-//! last. What they answer is compared first.
+//! Who competes. What they answer is compared before anyone is timed.
 
 use std::error::Error;
 use std::fmt;
-use std::hint::black_box;
-use std::time::Instant;
 
-use lancer_rayon::{ObjetRay, Rayon, Reel, premiere_intersection, premieres_intersections};
+use lancer_rayon::{ObjetRay, Rayon, Reel, Touche, premiere_intersection, premieres_intersections};
 
+use crate::annexe_dyn;
 use crate::commun::litteral;
-use crate::lot::{Touche, chronometrer_lot, exiger, petit_tampon, une_par_une};
-use crate::{Parry, Vu, annexe_dyn};
-
-const TOURS: usize = 5;
+use crate::horloge::{chronometrer, chronometrer_lot, exiger, medianes, petit_tampon, une_par_une};
+use crate::pairs::{Parry, Vu};
 
 /// Who looks at every object, ray by ray, gets one tile in so many of a picture of a thousand
 /// objects or more: enough for its time, which would be minutes for them all.
 const TUILES: usize = 8;
-const TUILE: usize = 64;
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Concurrent {
@@ -179,7 +174,7 @@ impl<R: Parry> Concours<R> {
 
 fn touche<R: Reel>(reponse: Touche<R>) -> Option<Vu<R>> {
     let touche = reponse.ok()?;
-    Some((touche.distance, touche.normale, touche.texture))
+    Some((touche.distance(), touche.normale(), touche.texture()))
 }
 
 /// How the answers of another differ from ours to the same rays.
@@ -218,43 +213,5 @@ impl fmt::Display for Ecart {
         let ([ici, autre], relatif) = (self.touches, self.relatif());
         write!(f, "{autre} hits for our {ici}, distances off by {relatif:.0e}, ")?;
         write!(f, "another object for {} rays", self.autre_objet)
-    }
-}
-
-/// Nanoseconds per ray, over one tile in `pas`.
-fn chronometrer<Q, T>(rayons: &[Q], pas: usize, premiere: impl Fn(&Q) -> T) -> f64 {
-    let mut lances = 0;
-    let debut = Instant::now();
-    for tuile in rayons.chunks(TUILE).step_by(pas) {
-        for rayon in tuile {
-            // By reference: moving an answer would wait for each of its fields to be written.
-            black_box(&premiere(rayon));
-        }
-        lances += tuile.len();
-    }
-    debut.elapsed().as_nanos() as f64 / lances as f64
-}
-
-/// The median for each, in turns.
-pub(crate) fn medianes<Q>(concurrents: &[Q], mut duree: impl FnMut(&Q) -> f64) -> Vec<f64> {
-    let mut durees = vec![Vec::new(); concurrents.len()];
-    for _ in 0..TOURS {
-        for (qui, durees) in concurrents.iter().zip(&mut durees) {
-            durees.push(duree(qui));
-        }
-    }
-    let mediane = |mut durees: Vec<f64>| {
-        durees.sort_by(f64::total_cmp);
-        durees[durees.len() / 2]
-    };
-    durees.into_iter().map(mediane).collect()
-}
-
-/// Nanoseconds in three digits or more; a dash for who did not run.
-pub(crate) fn nanosecondes(ns: f64) -> String {
-    match ns {
-        _ if ns.is_nan() => "–".into(),
-        _ if ns < 100.0 => format!("{ns:.1}"),
-        _ => format!("{ns:.0}"),
     }
 }

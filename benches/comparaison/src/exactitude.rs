@@ -6,13 +6,13 @@ use fastrand::Rng;
 use lancer_rayon::{ObjetGeo, ObjetRay, Rayon, Reel, SphereGeo, Texture, premiere_intersection};
 use plotters::prelude::*;
 
-use crate::Parry;
 use crate::commun::conversion::arrondi;
 use crate::commun::litteral;
 use crate::commun::mesure::{Mesure, Reponse, mesurer, quantiles};
 use crate::commun::oracle::{hauteur, verite};
 use crate::commun::regimes::{Cas, Regime, direction, regimes};
 use crate::page;
+use crate::pairs::Parry;
 
 /// Cases of each regime.
 const CAS: u32 = 100_000;
@@ -24,7 +24,7 @@ pub(crate) fn repondants<R: Parry>() -> [Repondant<R>; 3] {
     [
         ("lancer-rayon", |objet, rayon| {
             let touche = premiere_intersection(std::slice::from_ref(objet), rayon).ok()?;
-            Some((touche.distance, touche.normale))
+            Some((touche.distance(), touche.normale()))
         }),
         ("annex A", |objet, rayon| {
             let touche = litteral::premiere_intersection(&[litteral::Objet::from(objet)], rayon);
@@ -90,8 +90,8 @@ fn promesses<R: Reel>(scalaire: &str) -> String {
         for _ in 0..CAS {
             let Cas { objet, rayon } = (regime.cas)(&mut alea);
             let Ok(touche) = objet.intersection(&rayon) else { continue };
-            let n = touche.normale.vers_f64();
-            let ecart = hauteur(&objet, touche.normale, rayon.point(touche.distance)).abs();
+            let n = touche.normale().vers_f64();
+            let ecart = hauteur(&objet, touche.normale(), rayon.point(touche.distance())).abs();
             let marge = touche.marge().vers_f64();
             if marge.is_finite() {
                 depassees += u64::from(ecart > marge);
@@ -106,7 +106,7 @@ fn promesses<R: Reel>(scalaire: &str) -> String {
                 let tangente = vers - n * cosinus;
                 for vers in [vers - n * (cosinus - cosinus.abs()), tangente] {
                     let Ok(secondaire) = rayon.secondaire(&touche, arrondi(vers)) else { continue };
-                    if secondaire.direction().produit_scalaire(touche.normale) < R::ZERO {
+                    if secondaire.direction().produit_scalaire(touche.normale()) < R::ZERO {
                         continue; // A tangent that rounding turned inward.
                     }
                     lances += 1;

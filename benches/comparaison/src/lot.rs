@@ -2,79 +2,18 @@
 //! the threads do to it.
 
 use std::error::Error;
-use std::hint::black_box;
-use std::time::{Duration, Instant};
 
-use lancer_rayon::{
-    Intersection, LongueursDifferentes, NoIntersection, ObjetRay, Rayon, Reel, Reglage,
-    premiere_intersection, premieres_intersections,
-};
+use lancer_rayon::{Rayon, Reel, Reglage, Touche, premieres_intersections};
 use rayon::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
-use crate::Parry;
 use crate::commun::scenes::melange;
-use crate::concours::{Concours, Concurrent, medianes, nanosecondes};
+use crate::concours::{Concours, Concurrent};
+use crate::horloge::{
+    MORCEAU, chronometrer_lot, exiger, medianes, nanosecondes, petit_tampon, tampon, une_par_une,
+};
+use crate::pairs::Parry;
 use crate::rayons::{en_lignes, en_tuiles, incoherents};
-
-/// Rays whose answers stay in the cache.
-const MORCEAU: usize = 4096;
-
-pub(crate) type Touche<R> = Result<Intersection<R>, NoIntersection>;
-
-/// Room for the answers to so many rays at a time.
-pub(crate) fn tampon<R: Reel>(rayons: usize) -> Vec<Touche<R>> {
-    vec![Err(NoIntersection); rayons]
-}
-
-/// Room for those of a part of the picture, used again for the next.
-pub(crate) fn petit_tampon<R: Reel>() -> Vec<Touche<R>> {
-    tampon(MORCEAU)
-}
-
-/// What the rays get one by one.
-pub(crate) fn une_par_une<R: Reel>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) -> Vec<Touche<R>> {
-    rayons.iter().map(|rayon| premiere_intersection(objets, rayon)).collect()
-}
-
-/// An error unless `premieres` gives these rays `attendues`, however many it is given at a time.
-pub(crate) fn exiger<R: Reel>(
-    attendues: &[Touche<R>],
-    rayons: &[Rayon<R>],
-    premieres: impl Fn(&[Rayon<R>], &mut [Touche<R>]) -> Result<(), LongueursDifferentes>,
-) -> Result<(), Box<dyn Error>> {
-    for taille in [MORCEAU, rayons.len()] {
-        let mut obtenues = tampon(rayons.len());
-        for (rayons, touches) in rayons.chunks(taille).zip(obtenues.chunks_mut(taille)) {
-            premieres(rayons, touches)?;
-        }
-        if obtenues != attendues {
-            return Err("the batch differs from its rays one by one".into());
-        }
-    }
-    Ok(())
-}
-
-/// Nanoseconds per ray, as many at a time as `tampon` has room for.
-pub(crate) fn chronometrer_lot<R: Reel>(
-    rayons: &[Rayon<R>],
-    tampon: &mut [Touche<R>],
-    premieres: impl Fn(&[Rayon<R>], &mut [Touche<R>]) -> Result<(), LongueursDifferentes>,
-) -> f64 {
-    // A copy made just before, as by someone who makes the rays of a tile when it is their turn.
-    let mut frais = Vec::with_capacity(tampon.len());
-    let mut duree = Duration::ZERO;
-    for rayons in rayons.chunks(tampon.len()) {
-        frais.clear();
-        frais.extend_from_slice(rayons);
-        let touches = &mut tampon[..rayons.len()];
-        let debut = Instant::now();
-        premieres(black_box(&frais), touches).expect("as many answers as rays");
-        duree += debut.elapsed();
-        black_box(touches);
-    }
-    duree.as_nanos() as f64 / rayons.len() as f64
-}
 
 /// The table of the orders; beside the incoherent rays, what they cost one by one.
 pub(crate) fn ordres() -> Result<String, Box<dyn Error>> {

@@ -9,14 +9,14 @@ mod annexe_dyn;
 mod compromis;
 mod concours;
 mod exactitude;
+mod horloge;
 mod lot;
 mod page;
+mod pairs;
 mod rayons;
 mod vitesse;
 
 use std::error::Error;
-
-use lancer_rayon::{ObjetRay, Rayon, Reel, Texture, Vecteur};
 
 /// What the tests share, and these measurements with them.
 #[allow(dead_code, reason = "shared with the tests, each of which uses its own part")]
@@ -45,21 +45,6 @@ mod double {
     pub(crate) use parry3d_f64 as parry;
     #[expect(clippy::duplicate_mod, reason = "one page, two crates with the same names in them")]
     mod avec_parry;
-}
-
-/// Distance, normal, texture. In these scenes each object has a texture of its own.
-type Vu<R> = (R, Vecteur<R>, Texture);
-
-/// The scalar that one of parry's two crates is made for.
-trait Parry: Reel {
-    type Objet;
-    type Arbre;
-    type Rayon;
-    fn objet(objet: &ObjetRay<Self>) -> Self::Objet;
-    fn arbre(objets: &[ObjetRay<Self>]) -> Self::Arbre;
-    fn rayon(rayon: &Rayon<Self>) -> Self::Rayon;
-    fn dans_la_liste(objets: &[Self::Objet], rayon: &Self::Rayon) -> Option<Vu<Self>>;
-    fn dans_l_arbre(arbre: &Self::Arbre, rayon: &Self::Rayon) -> Option<Vu<Self>>;
 }
 
 fn main() -> Result<(), Box<dyn Error>> {

@@ -27,7 +27,7 @@ pub(crate) fn incoherents<R: Reel>(objets: &[ObjetRay<R>]) -> Vec<Rayon<R>> {
         let vers = direction(&mut alea);
         let nouveau = match premiere_intersection(objets, rayon) {
             Ok(touche) => {
-                let dehors = touche.normale.vers_f64().produit_scalaire(vers).signum();
+                let dehors = touche.normale().vers_f64().produit_scalaire(vers).signum();
                 rayon.secondaire(&touche, arrondi(vers * dehors))
             }
             Err(_) => Rayon::new(arrondi(place(&mut alea)), arrondi(vers)),

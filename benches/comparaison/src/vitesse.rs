@@ -4,11 +4,12 @@ use std::error::Error;
 
 use plotters::prelude::*;
 
-use crate::Parry;
 use crate::commun::scenes::melange;
-use crate::concours::{Concours, Concurrent, Temps, nanosecondes};
+use crate::concours::{Concours, Concurrent, Temps};
 use crate::exactitude::COULEURS;
+use crate::horloge::nanosecondes;
 use crate::page;
+use crate::pairs::Parry;
 use crate::rayons::en_tuiles;
 
 const TAILLES: [usize; 6] = [3, 12, 48, 192, 1000, 10_000];

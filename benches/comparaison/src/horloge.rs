@@ -1,0 +1,111 @@
+//! The clock: in turns and by the median, since on a shared machine only ratios within a run last. What
+//! is timed must be right first.
+
+use std::error::Error;
+use std::hint::black_box;
+use std::time::{Duration, Instant};
+
+use lancer_rayon::{
+    LongueursDifferentes, NoIntersection, ObjetRay, Rayon, Reel, Touche, premiere_intersection,
+};
+
+/// Rays whose answers stay in the cache.
+pub(crate) const MORCEAU: usize = 4096;
+
+/// Rays of a tile.
+const TUILE: usize = 64;
+
+/// Turns, of which the median counts.
+const TOURS: usize = 5;
+
+/// Room for the answers to so many rays at a time.
+pub(crate) fn tampon<R: Reel>(rayons: usize) -> Vec<Touche<R>> {
+    vec![Err(NoIntersection); rayons]
+}
+
+/// Room for those of a part of the picture, used again for the next.
+pub(crate) fn petit_tampon<R: Reel>() -> Vec<Touche<R>> {
+    tampon(MORCEAU)
+}
+
+/// What the rays get one by one.
+pub(crate) fn une_par_une<R: Reel>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) -> Vec<Touche<R>> {
+    rayons.iter().map(|rayon| premiere_intersection(objets, rayon)).collect()
+}
+
+/// An error unless `premieres` gives these rays `attendues`, however many it is given at a time.
+pub(crate) fn exiger<R: Reel>(
+    attendues: &[Touche<R>],
+    rayons: &[Rayon<R>],
+    premieres: impl Fn(&[Rayon<R>], &mut [Touche<R>]) -> Result<(), LongueursDifferentes>,
+) -> Result<(), Box<dyn Error>> {
+    for taille in [MORCEAU, rayons.len()] {
+        let mut obtenues = tampon(rayons.len());
+        for (rayons, touches) in rayons.chunks(taille).zip(obtenues.chunks_mut(taille)) {
+            premieres(rayons, touches)?;
+        }
+        if obtenues != attendues {
+            return Err("the batch differs from its rays one by one".into());
+        }
+    }
+    Ok(())
+}
+
+/// Nanoseconds per ray, as many at a time as `tampon` has room for.
+pub(crate) fn chronometrer_lot<R: Reel>(
+    rayons: &[Rayon<R>],
+    tampon: &mut [Touche<R>],
+    premieres: impl Fn(&[Rayon<R>], &mut [Touche<R>]) -> Result<(), LongueursDifferentes>,
+) -> f64 {
+    // A copy made just before, as by someone who makes the rays of a tile when it is their turn.
+    let mut frais = Vec::with_capacity(tampon.len());
+    let mut duree = Duration::ZERO;
+    for rayons in rayons.chunks(tampon.len()) {
+        frais.clear();
+        frais.extend_from_slice(rayons);
+        let touches = &mut tampon[..rayons.len()];
+        let debut = Instant::now();
+        premieres(black_box(&frais), touches).expect("as many answers as rays");
+        duree += debut.elapsed();
+        black_box(touches);
+    }
+    duree.as_nanos() as f64 / rayons.len() as f64
+}
+
+/// Nanoseconds per ray, over one tile in `pas`.
+pub(crate) fn chronometrer<Q, T>(rayons: &[Q], pas: usize, premiere: impl Fn(&Q) -> T) -> f64 {
+    let mut lances = 0;
+    let debut = Instant::now();
+    for tuile in rayons.chunks(TUILE).step_by(pas) {
+        for rayon in tuile {
+            // By reference: moving an answer would wait for each of its fields to be written.
+            black_box(&premiere(rayon));
+        }
+        lances += tuile.len();
+    }
+    debut.elapsed().as_nanos() as f64 / lances as f64
+}
+
+/// The median for each, in turns.
+pub(crate) fn medianes<Q>(concurrents: &[Q], mut duree: impl FnMut(&Q) -> f64) -> Vec<f64> {
+    let mut durees = vec![Vec::new(); concurrents.len()];
+    for _ in 0..TOURS {
+        for (qui, durees) in concurrents.iter().zip(&mut durees) {
+            durees.push(duree(qui));
+        }
+    }
+    let mediane = |mut durees: Vec<f64>| {
+        durees.sort_by(f64::total_cmp);
+        durees[durees.len() / 2]
+    };
+    durees.into_iter().map(mediane).collect()
+}
+
+/// Nanoseconds in three digits or more; a dash for who did not run.
+pub(crate) fn nanosecondes(ns: f64) -> String {
+    match ns {
+        _ if ns.is_nan() => "–".into(),
+        _ if ns < 100.0 => format!("{ns:.1}"),
+        _ => format!("{ns:.0}"),
+    }
+}

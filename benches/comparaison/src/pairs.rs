@@ -1,0 +1,18 @@
+//! What is asked of every peer.
+
+use lancer_rayon::{ObjetRay, Rayon, Reel, Texture, Vecteur};
+
+/// Distance, normal, texture. In these scenes each object has a texture of its own.
+pub(crate) type Vu<R> = (R, Vecteur<R>, Texture);
+
+/// The scalar that one of parry's two crates is made for.
+pub(crate) trait Parry: Reel {
+    type Objet;
+    type Arbre;
+    type Rayon;
+    fn objet(objet: &ObjetRay<Self>) -> Self::Objet;
+    fn arbre(objets: &[ObjetRay<Self>]) -> Self::Arbre;
+    fn rayon(rayon: &Rayon<Self>) -> Self::Rayon;
+    fn dans_la_liste(objets: &[Self::Objet], rayon: &Self::Rayon) -> Option<Vu<Self>>;
+    fn dans_l_arbre(arbre: &Self::Arbre, rayon: &Self::Rayon) -> Option<Vu<Self>>;
+}

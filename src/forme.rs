@@ -1,0 +1,78 @@
+//! What a shape says of rays, in its own file and once, for a ray alone and for many side by side;
+//! and the ball around it, a test that needs neither division nor root.
+
+use crate::intersection::{Contact, Intersection, Rang};
+use crate::rayon::Rayon;
+use crate::reel::{Reel, fois_u};
+use crate::texture::Texture;
+use crate::vecteur::Vecteur;
+
+/// A shape, ready for rays.
+///
+/// A ray meets it in three steps: [`peut_entrer`](Self::peut_entrer) is cheap and rejects most
+/// rays, [`t`](Self::t) is the distance of the entry, and [`conclure`](Self::conclure) is asked
+/// once, for the first object of a ray.
+pub(crate) trait Forme<R: Reel>: Copy {
+    /// A ball around all of the shape; without an end, [`Boule::INFINIE`].
+    fn boule(&self) -> Boule<R>;
+
+    /// Whether the ray (S, D) may enter: never false if it does, and cheap. A shape with an end
+    /// keeps this definition, on which the proof of culling rests.
+    #[inline(always)]
+    fn peut_entrer(&self, s: Vecteur<R>, d: Vecteur<R>) -> bool {
+        self.boule().approchee(s, d)
+    }
+
+    /// The distance at which a ray that [may enter](Self::peut_entrer) enters, +∞ if it does not;
+    /// computed without a branch.
+    fn t(&self, s: Vecteur<R>, d: Vecteur<R>) -> R;
+
+    /// The hit that the search found at distance `t`, computed in `f64` and without a branch; and
+    /// whether that is sure. Where rounding spoiled it, [`contact_rare`](Self::contact_rare) holds.
+    fn contact(&self, rayon: &Rayon<R>, t: R) -> (Contact<R>, bool);
+
+    /// The same hit, where it takes more than the ordinary formula.
+    fn contact_rare(&self, rayon: &Rayon<R>, t: R) -> Contact<R>;
+
+    /// The distance at which the ray (S, D) enters, +∞ if it does not.
+    #[inline(always)]
+    fn entree(&self, s: Vecteur<R>, d: Vecteur<R>) -> R {
+        if self.peut_entrer(s, d) { self.t(s, d) } else { R::INFINI }
+    }
+
+    /// The hit that the search found at distance `t`, on the object of this texture and rank.
+    #[inline(always)]
+    fn conclure(&self, rayon: &Rayon<R>, t: R, texture: Texture, rang: Rang) -> Intersection<R> {
+        let (contact, sur) = self.contact(rayon, t);
+        if sur {
+            Intersection::new(contact, texture, rang)
+        } else {
+            Intersection::new(self.contact_rare(rayon, t), texture, rang)
+        }
+    }
+}
+
+/// A ball: its centre C and the square of its radius.
+#[derive(Clone, Copy)]
+pub(crate) struct Boule<R> {
+    pub(crate) centre: Vecteur<R>,
+    pub(crate) r2: R,
+}
+
+impl<R: Reel> Boule<R> {
+    /// The ball around a shape without an end.
+    pub(crate) const INFINIE: Self = Self { centre: Vecteur::NUL, r2: R::INFINI };
+
+    /// Whether the ray (S, D) comes near the ball.
+    ///
+    /// Never false for a ray that enters the ball, whatever rounding does: SC² − (SC·D)² is off by
+    /// less than 32u·SC², and the factor 1 − 64u takes away twice that (derivation in
+    /// `docs/conception.md`). A ray whose source is in the ball passes even with C behind it.
+    #[inline(always)]
+    pub(crate) fn approchee(self, s: Vecteur<R>, d: Vecteur<R>) -> bool {
+        let sc = self.centre - s;
+        let sa = sc.produit_scalaire(d);
+        let sc2 = sc.longueur_carree() * (R::UN - fois_u(64.0));
+        (sc2 - sa * sa <= self.r2) & ((sa > R::ZERO) | (sc2 <= self.r2))
+    }
+}

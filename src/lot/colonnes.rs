@@ -1,0 +1,50 @@
+//! Sixteen rays, coordinate by coordinate.
+
+use crate::rayon::Rayon;
+use crate::reel::Reel;
+use crate::vecteur::Vecteur;
+
+/// Rays side by side. Loops of eight would be unrolled before the compiler could widen them.
+pub(crate) const VOIES: usize = 16;
+
+/// A number for each of sixteen rays.
+pub(crate) type Voies<R> = [R; VOIES];
+
+/// The sources S and the directions D of sixteen rays.
+pub(crate) struct Colonnes<R> {
+    s: [Voies<R>; 3],
+    d: [Voies<R>; 3],
+}
+
+impl<R: Reel> Colonnes<R> {
+    pub(crate) const VIDES: Self = Self { s: [[R::ZERO; VOIES]; 3], d: [[R::ZERO; VOIES]; 3] };
+
+    /// Puts these rays here, at most sixteen; the last stands in for those that are missing.
+    #[inline(always)]
+    pub(crate) fn charger(&mut self, rayons: &[Rayon<R>]) {
+        if let Some(rayons) = rayons.first_chunk() {
+            self.copier(rayons);
+        } else if let Some(dernier) = rayons.last() {
+            let mut complets = [*dernier; VOIES];
+            complets[..rayons.len()].copy_from_slice(rayons);
+            self.copier(&complets);
+        }
+    }
+
+    #[inline(always)]
+    fn copier(&mut self, rayons: &[Rayon<R>; VOIES]) {
+        for (voie, rayon) in rayons.iter().enumerate() {
+            let (s, d) = (rayon.source(), rayon.direction());
+            [self.s[0][voie], self.s[1][voie], self.s[2][voie]] = s.into();
+            [self.d[0][voie], self.d[1][voie], self.d[2][voie]] = d.into();
+        }
+    }
+
+    /// S and D of one ray.
+    #[inline(always)]
+    pub(crate) fn rayon(&self, voie: usize) -> (Vecteur<R>, Vecteur<R>) {
+        let ([sx, sy, sz], [dx, dy, dz]) = (&self.s, &self.d);
+        let s = Vecteur::new(sx[voie], sy[voie], sz[voie]);
+        (s, Vecteur::new(dx[voie], dy[voie], dz[voie]))
+    }
+}

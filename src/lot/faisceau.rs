@@ -1,0 +1,154 @@
+//! Culling: objects that none of many rays can enter, found without asking every ray.
+//!
+//! Nothing that a ray could enter is ever left out, rounding included: the bounds are derived in
+//! `docs/conception.md`, "Culling"; the letters and the constants in u here are those of that page.
+
+use crate::forme::Boule;
+use crate::lot::colonnes::{Colonnes, VOIES, Voies};
+use crate::lot::groupe::Groupe;
+use crate::rayon::Rayon;
+use crate::reel::{Reel, fois_u};
+use crate::vecteur::Vecteur;
+
+/// Running bounds over a set of rays: distance from a reference origin S₀, spread around a reference
+/// direction M.
+///
+/// Of each quantity sixteen maxima, since a single running one cannot be widened.
+pub(crate) struct Etendue<R> {
+    s0: Vecteur<R>,
+    m: Vecteur<R>,
+    /// A and B, two unit vectors across M.
+    axes: [Vecteur<R>; 2],
+    /// The largest coordinate of S − S₀.
+    ecarts: Voies<R>,
+    /// e: the largest D·A, −D·A, D·B and −D·B.
+    e: [Voies<R>; 4],
+    /// −μ: the largest −D·M.
+    moins_mu: Voies<R>,
+}
+
+impl<R: Reel> Etendue<R> {
+    /// None yet, around the ray in the middle, with one axis from the first ray to the eighth: along
+    /// the row, of a tile and of a row of pixels. Any axis is right, this one fits closely.
+    #[inline(always)]
+    fn autour(rayons: &[Rayon<R>]) -> Self {
+        let milieu = rayons[rayons.len() / 2];
+        let m = milieu.direction() * (R::UN - fois_u(16.0));
+        let cote = rayons[7.min(rayons.len() - 1)].direction() - rayons[0].direction();
+        let x = Vecteur::new(R::UN, R::ZERO, R::ZERO);
+        let y = Vecteur::new(R::ZERO, R::UN, R::ZERO);
+        let a = en_travers(cote, m).or(en_travers(x, m)).unwrap_or(y);
+        Self {
+            s0: milieu.source(),
+            m,
+            axes: [a, m.produit_vectoriel(a)],
+            ecarts: [R::ZERO; VOIES],
+            e: [[R::ZERO; VOIES]; 4],
+            moins_mu: [-R::INFINI; VOIES],
+        }
+    }
+
+    #[inline(always)]
+    fn ajouter(&mut self, colonnes: &Colonnes<R>) {
+        let Self { s0, m, axes: [a, b], ecarts, e: [a1, a2, b1, b2], moins_mu } = self;
+        for voie in 0..VOIES {
+            let (s, d) = colonnes.rayon(voie);
+            let ecart = s - *s0;
+            let ecart = max(max(ecart.x.abs(), ecart.y.abs()), ecart.z.abs());
+            ecarts[voie] = max(ecarts[voie], ecart);
+            let (da, db) = (d.produit_scalaire(*a), d.produit_scalaire(*b));
+            a1[voie] = max(a1[voie], da);
+            a2[voie] = max(a2[voie], -da);
+            b1[voie] = max(b1[voie], db);
+            b2[voie] = max(b2[voie], -db);
+            moins_mu[voie] = max(moins_mu[voie], -d.produit_scalaire(*m));
+        }
+    }
+
+    /// The beam of these rays; `None` if they go too far apart for one.
+    #[inline(always)]
+    fn faisceau(self) -> Option<Faisceau<R>> {
+        let mu = -le_plus_grand(self.moins_mu);
+        if mu < R::depuis_f64(0.25) {
+            return None;
+        }
+        let [a, b] = self.axes;
+        let [a1, a2, b1, b2] = self.e.map(le_plus_grand);
+        let [p1, p2, p3, p4] = [(a, a1), (-a, a2), (b, b1), (-b, b2)].map(|(axe, e)| {
+            let p = axe - self.m * ((e + fois_u(32.0)) / (mu - fois_u(32.0)));
+            p * ((R::UN - fois_u(16.0)) / p.longueur_carree().sqrt())
+        });
+        let ecart = le_plus_grand(self.ecarts);
+        let ecarts = Vecteur::new(ecart, ecart, ecart);
+        Some(Faisceau {
+            s0: self.s0,
+            plans: [p1, p2, p3, p4, -self.m]
+                .map(|p| (p, p.somme_des_grandeurs(ecarts) * (R::UN + fois_u(8.0)))),
+        })
+    }
+}
+
+/// A pyramid that many rays stay in: five outward normals P with P·D ≤ 0 for each of them, the four
+/// sides and the back; and for each P the bound w on P·(S − S₀).
+#[derive(Clone, Copy)]
+pub(crate) struct Faisceau<R> {
+    s0: Vecteur<R>,
+    plans: [(Vecteur<R>, R); 5],
+}
+
+impl<R: Reel> Faisceau<R> {
+    /// The beam of the rays of a block, which are these.
+    #[inline(always)]
+    pub(crate) fn du_bloc(rayons: &[Rayon<R>], bloc: &[Groupe<R>]) -> Option<Self> {
+        let mut etendue = Etendue::autour(rayons);
+        for groupe in bloc {
+            etendue.ajouter(&groupe.colonnes);
+        }
+        etendue.faisceau()
+    }
+
+    /// The beam of many rays.
+    #[inline(always)]
+    pub(crate) fn des_rayons(rayons: &[Rayon<R>]) -> Option<Self> {
+        let mut etendue = Etendue::autour(rayons);
+        let mut colonnes = Colonnes::VIDES;
+        for rayons in rayons.chunks(VOIES) {
+            colonnes.charger(rayons);
+            etendue.ajouter(&colonnes);
+        }
+        etendue.faisceau()
+    }
+
+    /// Whether this ball lies so far beyond one of the five planes that no ray of the beam
+    /// [comes near it](Boule::approchee), as computed.
+    #[inline(always)]
+    pub(crate) fn evite(&self, boule: Boule<R>) -> bool {
+        let sc = boule.centre - self.s0;
+        let [h1, h2, h3, h4, h5] = self.plans.map(|(p, w)| p.produit_scalaire(sc) - w);
+        let h = max(max(max(h1, h2), max(h3, h4)), h5);
+        (h > R::ZERO) & (h * h > boule.r2 + sc.longueur_carree() * fois_u(1024.0))
+    }
+}
+
+/// The unit vector of what `v` has across M, if it has any.
+#[inline(always)]
+fn en_travers<R: Reel>(v: Vecteur<R>, m: Vecteur<R>) -> Option<Vecteur<R>> {
+    (v - m * v.produit_scalaire(m)).unitaire()
+}
+
+#[inline(always)]
+fn max<R: Reel>(a: R, b: R) -> R {
+    if a > b { a } else { b }
+}
+
+#[inline(always)]
+fn le_plus_grand<R: Reel>(mut x: [R; VOIES]) -> R {
+    let mut moitie = VOIES / 2;
+    while moitie > 0 {
+        for i in 0..moitie {
+            x[i] = max(x[i], x[i + moitie]);
+        }
+        moitie /= 2;
+    }
+    x[0]
+}

@@ -1,0 +1,159 @@
+//! Sixteen rays with the first object of each so far: the search and the conclusion, side by side.
+//!
+//! Both are those of a single ray, the same formulae of [`Forme`] in plain loops, which the compiler
+//! turns into the widest instructions of the machine. A sum, a product, a quotient and a root are
+//! rounded alike by all of them, so that every ray gets the bits that it gets alone. What the loops
+//! call is `inline(always)`: a call would leave the instruction set.
+
+use crate::forme::Forme;
+use crate::intersection::{Contact, Intersection, NoIntersection, Rang, Touche};
+use crate::lot::colonnes::{Colonnes, VOIES, Voies};
+use crate::objet::{ObjetRay, par_forme};
+use crate::rayon::Rayon;
+use crate::reel::Reel;
+use crate::vecteur::Vecteur;
+
+/// With fewer rays than this on one object, finishing hits one by one is faster (measured).
+const COTE_A_COTE: u32 = 3;
+
+/// Sixteen rays, the distance of the first object of each so far, and its rank; 0 for none.
+pub(crate) struct Groupe<R> {
+    pub(crate) colonnes: Colonnes<R>,
+    t: Voies<R>,
+    rangs: Voies<u32>,
+}
+
+impl<R: Reel> Groupe<R> {
+    pub(crate) const VIDE: Self =
+        Self { colonnes: Colonnes::VIDES, t: [R::INFINI; VOIES], rangs: [0; VOIES] };
+
+    /// Puts these rays here, at most sixteen, with no object so far.
+    #[inline(always)]
+    pub(crate) fn charger(&mut self, rayons: &[Rayon<R>]) {
+        self.colonnes.charger(rayons);
+        (self.t, self.rangs) = ([R::INFINI; VOIES], [0; VOIES]);
+    }
+
+    /// Makes the object of this shape and rank the first of those rays that enter it before their
+    /// first so far.
+    ///
+    /// Roots and quotients are computed only if one ray at least may enter.
+    #[inline(always)]
+    pub(crate) fn proposer(&mut self, forme: &impl Forme<R>, rang: Rang) {
+        let mut pres = false;
+        for voie in 0..VOIES {
+            let (s, d) = self.colonnes.rayon(voie);
+            pres |= forme.peut_entrer(s, d);
+        }
+        if !pres {
+            return;
+        }
+        // Computed for all and kept for some, in a loop of its own: a branch would not be widened.
+        let mut t = [R::INFINI; VOIES];
+        for (voie, t) in t.iter_mut().enumerate() {
+            let (s, d) = self.colonnes.rayon(voie);
+            let entree = forme.t(s, d);
+            *t = if forme.peut_entrer(s, d) { entree } else { R::INFINI };
+        }
+        for (voie, &t) in t.iter().enumerate() {
+            let avant = t < self.t[voie];
+            self.t[voie] = if avant { t } else { self.t[voie] };
+            self.rangs[voie] = if avant { rang.get() } else { self.rangs[voie] };
+        }
+    }
+
+    /// Writes the answers of these rays: for each object that is the first of some ray, the hits of
+    /// all its rays.
+    #[inline(always)]
+    pub(crate) fn ecrire(
+        &self,
+        objets: &[ObjetRay<R>],
+        rayons: &[Rayon<R>],
+        touches: &mut [Touche<R>],
+    ) {
+        let mut contacts = Contacts::VIDES;
+        let mut restent = 0;
+        for (voie, touche) in touches.iter_mut().enumerate() {
+            if self.rangs[voie] > 0 {
+                restent |= 1 << voie;
+            } else {
+                *touche = Err(NoIntersection);
+            }
+        }
+        while restent != 0 {
+            let Some(rang) = Rang::new(self.rangs[la_premiere(restent)]) else { return };
+            let Some(objet) = objets.get(rang.get() as usize - 1) else { return };
+            let mut siens = self.voies_de(rang) & restent;
+            restent &= !siens;
+            if siens.count_ones() < COTE_A_COTE {
+                contacts.surs = [false; VOIES];
+            } else {
+                par_forme!(ObjetRay, objet, forme => contacts.calculer(self, *forme));
+            }
+            let texture = objet.texture();
+            while siens != 0 {
+                let voie = la_premiere(siens);
+                siens &= siens - 1;
+                // Each written in its place: moving a hit would wait for each of its fields.
+                if contacts.surs[voie] {
+                    touches[voie] = Ok(Intersection::new(contacts.de(voie), texture, rang));
+                } else {
+                    touches[voie] = objet.conclure(&rayons[voie], self.t[voie], rang);
+                }
+            }
+        }
+    }
+
+    /// The rays whose first object has this rank, a bit for each.
+    #[inline(always)]
+    fn voies_de(&self, rang: Rang) -> u16 {
+        let mut siens = 0;
+        for (voie, &autre) in self.rangs.iter().enumerate() {
+            siens |= u16::from(autre == rang.get()) << voie;
+        }
+        siens
+    }
+}
+
+/// The first ray of a set, a bit for each.
+#[inline(always)]
+fn la_premiere(voies: u16) -> usize {
+    voies.trailing_zeros() as usize % VOIES
+}
+
+/// The hits of sixteen rays on one shape, computed for all lanes; the caller keeps the valid ones.
+struct Contacts<R> {
+    distance: Voies<R>,
+    normale: [Voies<R>; 3],
+    marge: Voies<R>,
+    surs: Voies<bool>,
+}
+
+impl<R: Reel> Contacts<R> {
+    const VIDES: Self = Self {
+        distance: [R::ZERO; VOIES],
+        normale: [[R::ZERO; VOIES]; 3],
+        marge: [R::ZERO; VOIES],
+        surs: [false; VOIES],
+    };
+
+    #[inline(always)]
+    fn calculer(&mut self, groupe: &Groupe<R>, forme: impl Forme<R>) {
+        let Self { distance, normale: [nx, ny, nz], marge, surs } = self;
+        for voie in 0..VOIES {
+            let (s, d) = groupe.colonnes.rayon(voie);
+            let (contact, sur) = forme.contact(&Rayon::valide(s, d), groupe.t[voie]);
+            distance[voie] = contact.distance;
+            [nx[voie], ny[voie], nz[voie]] = contact.normale.into();
+            (marge[voie], surs[voie]) = (contact.marge, sur);
+        }
+    }
+
+    /// The hit of one ray.
+    #[inline(always)]
+    fn de(&self, voie: usize) -> Contact<R> {
+        let Self { distance, normale: [nx, ny, nz], marge, surs: _ } = self;
+        let normale = Vecteur::new(nx[voie], ny[voie], nz[voie]);
+        Contact { distance: distance[voie], normale, marge: marge[voie] }
+    }
+}

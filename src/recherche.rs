@@ -1,0 +1,121 @@
+//! The questions of one ray to a list of objects (handout §4.1).
+
+use core::slice;
+
+use crate::intersection::{Intersection, NoIntersection, Rang, rang};
+use crate::objet::ObjetRay;
+use crate::rayon::Rayon;
+use crate::reel::Reel;
+
+/// The first object that the ray enters: its distance, its normal there, its texture and its index
+/// in the list (handout §4.1).
+///
+/// A hit is an entry. An object that contains the source, or whose surface does, is not
+/// touched (handout §2.3); the others still count. Of two objects at the same distance the
+/// earlier in the list is the first.
+///
+/// # Errors
+/// [`NoIntersection`] if the ray enters no object.
+///
+/// ```
+/// use lancer_rayon::{NoIntersection, Rayon, SphereGeo, Texture, Vecteur, premiere_intersection};
+///
+/// let boule = |z, texture| SphereGeo::new(Vecteur::new(0.0, 0.0, z), 1.0, Texture(texture));
+/// let scene = [boule(-9.0, 0)?.into(), boule(-4.0, 7)?.into()];
+///
+/// let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.0, 0.0, -1.0))?;
+/// let touche = premiere_intersection(&scene, &rayon)?;
+/// assert_eq!((touche.distance(), touche.normale()), (3.0, Vecteur::new(0.0, 0.0, 1.0)));
+/// assert_eq!((touche.objet(), touche.texture()), (1, Texture(7)));
+///
+/// let ailleurs = Rayon::new(Vecteur::NUL, Vecteur::new(0.0, 1.0, 0.0))?;
+/// assert_eq!(premiere_intersection(&scene, &ailleurs), Err(NoIntersection));
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+#[doc(alias = "cast_ray")]
+#[doc(alias = "closest_hit")]
+#[doc(alias = "first_hit")]
+#[doc(alias = "raycast")]
+#[inline]
+pub fn premiere_intersection<R: Reel>(
+    objets: &[ObjetRay<R>],
+    rayon: &Rayon<R>,
+) -> Result<Intersection<R>, NoIntersection> {
+    let (s, d) = (rayon.source(), rayon.direction());
+    let mut premier = objets.len();
+    let mut t_premier = R::INFINI;
+    for (indice, objet) in objets.iter().enumerate() {
+        let t = objet.entree(s, d);
+        if t < t_premier {
+            (premier, t_premier) = (indice, t);
+        }
+    }
+    match objets.get(premier) {
+        Some(objet) => objet.conclure(rayon, t_premier, rang(premier)),
+        None => Err(NoIntersection),
+    }
+}
+
+impl<R: Reel> ObjetRay<R> {
+    /// Where the ray enters this object (handout, annex A): [`premiere_intersection`] with this
+    /// object alone.
+    ///
+    /// # Errors
+    /// [`NoIntersection`] if it does not: it misses, only touches, leaves, or starts inside or
+    /// on the surface.
+    #[doc(alias = "intersect")]
+    #[doc(alias = "hit")]
+    pub fn intersection(&self, rayon: &Rayon<R>) -> Result<Intersection<R>, NoIntersection> {
+        premiere_intersection(slice::from_ref(self), rayon)
+    }
+}
+
+/// Tells whether anything blocks the way of the ray before `distance_max`, the distance of a light:
+/// the shadow of the handout's later parts.
+///
+/// It is `objets.iter().any(|o| o.intersection(rayon).is_ok_and(|i| i.distance() < distance_max))`,
+/// and ends with the first such object. +∞ asks whether the ray touches anything at all; nothing is
+/// before a NaN.
+///
+/// A [`secondaire`](Rayon::secondaire) leaves the point of a hit, and its own source is the one to
+/// measure from. Test N·L > 0 first: towards a lamp behind the surface the ray starts inside the
+/// object, which then casts no shadow.
+///
+/// ```
+/// use lancer_rayon::{Rayon, SphereGeo, Texture, Vecteur, est_occulte, premiere_intersection};
+///
+/// let boule = |y, r, texture| SphereGeo::new(Vecteur::new(0.0, y, -5.0), r, Texture(texture));
+/// let scene = [boule(0.0, 1.0, 0)?.into(), boule(4.0, 0.5, 1)?.into()];
+/// let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.0, 0.6, -5.0))?;
+/// let touche = premiere_intersection(&scene, &rayon)?;
+/// let eclaire = |lampe: Vecteur| -> Result<bool, Box<dyn core::error::Error>> {
+///     let vers = lampe - rayon.point(touche.distance());
+///     let ombre = rayon.secondaire(&touche, vers)?;
+///     let distance = (lampe - ombre.source()).longueur();
+///     let de_face = vers.produit_scalaire(touche.normale()) > 0.0;
+///     Ok(de_face && !est_occulte(&scene, &ombre, distance))
+/// };
+/// assert!(eclaire(Vecteur::new(0.0, 3.0, -2.0))?);
+/// assert!(!eclaire(Vecteur::new(0.0, 9.0, -5.2))?); // behind the small ball
+/// assert!(!eclaire(Vecteur::new(0.0, 0.0, -9.0))?); // behind the surface
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+#[doc(alias = "any_hit")]
+#[doc(alias = "occluded")]
+#[doc(alias = "shadow")]
+#[inline]
+#[must_use]
+pub fn est_occulte<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>, distance_max: R) -> bool {
+    let (s, d) = (rayon.source(), rayon.direction());
+    let avant = |objet: &ObjetRay<R>, t| {
+        // The distance of a hit is always finite: without a limit the search decides.
+        distance_max == R::INFINI
+            || objet
+                .conclure(rayon, t, Rang::MIN)
+                .is_ok_and(|touche| touche.distance() < distance_max)
+    };
+    objets.iter().any(|objet| {
+        let t = objet.entree(s, d);
+        t < R::INFINI && avant(objet, t)
+    })
+}

@@ -1,0 +1,54 @@
+//! The batch with other settings, for tests and measurements.
+
+use fearless_simd::Level;
+
+use crate::intersection::{Intersection, NoIntersection};
+use crate::lot::{LongueursDifferentes, meilleur_niveau, repondre};
+use crate::objet::ObjetRay;
+use crate::rayon::Rayon;
+use crate::reel::Reel;
+
+/// Which instructions the batch takes, and whether it leaves objects out: no answer depends on it.
+#[doc(hidden)]
+#[derive(Debug, Clone, Copy)]
+pub struct Reglage {
+    niveau: Level,
+    elaguer: bool,
+}
+
+impl Reglage {
+    /// Each instruction set of this machine, the best first, by name.
+    pub fn tous() -> impl Iterator<Item = (&'static str, Self)> {
+        let niveau = meilleur_niveau();
+        #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+        let niveaux = [
+            ("AVX-512", niveau.as_avx512().map(Level::Avx512)),
+            ("AVX2", niveau.as_avx2().map(Level::Avx2)),
+            ("SSE4.2", niveau.as_sse4_2().map(Level::Sse4_2)),
+            ("SSE2", niveau.as_sse2().map(Level::Sse2)),
+        ];
+        #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
+        let niveaux = [("the only one", Some(niveau))];
+        niveaux
+            .into_iter()
+            .filter_map(|(nom, niveau)| Some((nom, Self { niveau: niveau?, elaguer: true })))
+    }
+
+    /// The same without culling.
+    pub fn sans_elagage(self) -> Self {
+        Self { elaguer: false, ..self }
+    }
+
+    /// [`premieres_intersections`](crate::premieres_intersections) with these settings.
+    ///
+    /// # Errors
+    /// The same.
+    pub fn premieres_intersections<R: Reel>(
+        self,
+        objets: &[ObjetRay<R>],
+        rayons: &[Rayon<R>],
+        touches: &mut [Result<Intersection<R>, NoIntersection>],
+    ) -> Result<(), LongueursDifferentes> {
+        repondre(self.niveau, self.elaguer, objets, rayons, touches)
+    }
+}
