@@ -356,12 +356,6 @@ impl<R: Reel> Quotient<R> {
     }
 }
 
-impl<R: Reel> From<BoiteGeo<R>> for BoiteRay<R> {
-    fn from(boite: BoiteGeo<R>) -> Self {
-        boite.vers_ray()
-    }
-}
-
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
 #[serde(rename = "BoiteGeo")]

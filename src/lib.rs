@@ -7,8 +7,7 @@
 //!
 //! let boule = SphereGeo::new(Vecteur::new(0.0, 0.0, -5.0), 1.0, Texture(0))?;
 //! let fond = PlanGeo::new(Rotation::IDENTITE, 9.0, Texture(1))?;
-//! let objets = [ObjetGeo::from(boule), ObjetGeo::from(fond)];
-//! let scene: Vec<ObjetRay> = objets.map(ObjetGeo::vers_ray).into();
+//! let scene: Vec<ObjetRay> = vec![boule.into(), fond.into()];
 //!
 //! let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.0, 0.0, -1.0))?;
 //! let touche = premiere_intersection(&scene, &rayon)?;
@@ -23,7 +22,7 @@
 //! [`rotation`](ObjetGeo::rotation) and [`homothetie`](ObjetGeo::homothetie); convert once with
 //! [`vers_ray`](ObjetGeo::vers_ray); then ask [`premiere_intersection`] as often as the picture has
 //! pixels, or [`premieres_intersections`] for many pixels at once: the same bits, several times as fast.
-//! Whether a light is seen from there, [`est_occulte`] says.
+//! [`est_occulte`] tells whether anything blocks the way to a light.
 //!
 //! # Conventions
 //!
@@ -59,7 +58,7 @@
 //! # use lancer_rayon::*;
 //! let autour = SphereGeo::new(Vecteur::NUL, 9.0, Texture(0))?;
 //! let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.0, 0.0, -1.0))?;
-//! let touche = ObjetGeo::from(autour).vers_ray().intersection(&rayon);
+//! let touche = ObjetRay::from(autour).intersection(&rayon);
 //! assert_eq!(touche, Err(NoIntersection));
 //! # Ok::<(), ErreurGeo>(())
 //! ```
@@ -67,20 +66,20 @@
 //! **Objects turn about the origin** and grow about their own centre. **At equal distance** the
 //! earlier in the list is touched.
 //!
-//! **A value that exists is valid.** Constructors and transformations refuse what is not finite or
-//! beyond ±2⁴⁵⁰ (±2⁶⁰ for `f32`), and a size below the inverse of that, and say which field; a query
-//! neither panics nor returns a NaN. ([`Vecteur`] is a bare triple: what is built from it checks.)
+//! **Invalid values cannot be constructed.** Constructors and transformations refuse what is not
+//! finite or beyond ±2⁴⁵⁰ (±2⁶⁰ for `f32`), and a size below the inverse of that, and name the field; a
+//! query neither panics nor returns a NaN. ([`Vecteur`] is a bare triple: what is built from it checks.)
 //!
-//! **A hit knows its error**: [`Intersection::marge`] bounds how far the point is from the surface, and
-//! [`Rayon::secondaire`] starts a shadow, reflection or refraction ray that cannot touch the object
-//! which it leaves, but inward at an edge of a box.
+//! **A hit knows its object and its error**: [`Intersection::objet`] is the index in the list,
+//! [`Intersection::marge`] bounds how far the point is from the surface, and [`Rayon::secondaire`] starts
+//! a shadow, reflection or refraction ray that never hits the object it leaves, except inward within
+//! rounding of a box edge.
 //!
 //! # `f32` or `f64`
 //!
 //! Every type takes the scalar as a parameter, `f64` unless named: `Vecteur<f32>`. The search for the
 //! first object runs in that type, and its hit is computed in `f64`: in `f32` the distance to the object
-//! that was found is off by at most half a unit in the last place plus 3·2⁻⁵³·cond (see
-//! `docs/precision.md`).
+//! that was found is off by little more than half a unit in the last place (see `docs/precision.md`).
 //!
 //! # Features
 //!
@@ -94,32 +93,26 @@
 #[cfg(feature = "std")]
 extern crate std;
 
-// From the ground up: each file imports only from files above it in this list.
-mod reel;
-mod vecteur;
-
-mod erreur;
-mod texture;
-
-mod rotation;
-
-mod rayon;
-
-mod intersection;
-
-mod forme;
-
+// The floors, from the ground up: a file imports only from floors below its own
+// (`docs/conception.md`, "The floors").
+//
+//   reel · vecteur · texture, erreur · rotation · rayon · intersection · forme
+//   sphere, plan, boite · objet · recherche · lot · reglage
 mod boite;
-mod plan;
-mod sphere;
-
-mod objet;
-
-mod recherche;
-
+mod erreur;
+mod forme;
+mod intersection;
 mod lot;
-
+mod objet;
+mod plan;
+mod rayon;
+mod recherche;
+mod reel;
 mod reglage;
+mod rotation;
+mod sphere;
+mod texture;
+mod vecteur;
 
 pub use boite::{BoiteGeo, BoiteRay};
 pub use erreur::ErreurGeo;

@@ -5,9 +5,9 @@
 //! - a **group** of 16 rays goes side by side through the formulae of a shape (`lot/groupe.rs`);
 //! - a **block** of 64 rays, a tile of 8 × 8 pixels, shares a beam that leaves objects out
 //!   (`lot/faisceau.rs`);
-//! - a **lot** of 4,096 rays shares a selection of objects, from which its blocks choose
+//! - a **slice** of 4,096 rays shares a selection of objects, from which its blocks choose
 //!   (`lot/selection.rs`);
-//! - the **places** of a selection are 64, 256 or 1,024 objects; a lot that needs more is cut in two.
+//! - the **places** of a selection are 64, 256 or 1,024 objects; a slice that needs more is halved.
 
 mod colonnes;
 mod faisceau;
@@ -32,7 +32,7 @@ use crate::reel::Reel;
 const BLOC: usize = 4 * VOIES;
 
 /// Rays that share a selection of objects, as long as that finds room for them.
-const LOT: usize = 64 * BLOC;
+const TRANCHE: usize = 64 * BLOC;
 
 /// From so many objects on, culling saves more than it costs (measured).
 const SEUIL_ELAGAGE: usize = 10;
@@ -130,7 +130,7 @@ pub(crate) fn repondre<R: Reel>(
         dispatch!(niveau, _simd => lancer(objets, rayons, touches, None));
     } else if objets.len() <= SEUIL_FAISCEAU {
         avec_places::<R, SEUIL_FAISCEAU>(niveau, objets, rayons, touches);
-    } else if rayons.len() < LOT / 2 {
+    } else if rayons.len() < TRANCHE / 2 {
         // To set up many places costs as much as fifty rays.
         avec_places::<R, 256>(niveau, objets, rayons, touches);
     } else {
@@ -151,8 +151,8 @@ fn avec_places<R: Reel, const P: usize>(
     dispatch!(niveau, _simd => lancer(objets, rayons, touches, selection));
 }
 
-/// Lot by lot, and in it block by block from the rays to the answers, so that a block stays in the
-/// nearest memory.
+/// Slice by slice, and in it block by block from the rays to the answers, so that a block stays in
+/// the nearest memory.
 #[inline(always)]
 fn lancer<R: Reel>(
     objets: &[ObjetRay<R>],
@@ -161,25 +161,25 @@ fn lancer<R: Reel>(
     mut selection: Option<Selection<'_, R>>,
 ) {
     let mut bloc = [const { Groupe::VIDE }; BLOC / VOIES];
-    let (mut debut, mut taille) = (0, LOT);
+    let (mut debut, mut taille) = (0, TRANCHE);
     while debut < rayons.len() {
         let fin = rayons.len().min(debut + taille);
-        let du_lot = &rayons[debut..fin];
-        let choisie = selection.as_mut().is_some_and(|s| s.choisir(objets, du_lot));
-        if selection.is_some() && !choisie && du_lot.len() > BLOC {
+        let de_la_tranche = &rayons[debut..fin];
+        let choisie = selection.as_mut().is_some_and(|s| s.selectionner(objets, de_la_tranche));
+        if selection.is_some() && !choisie && de_la_tranche.len() > BLOC {
             // Fewer rays see fewer objects.
-            taille = (du_lot.len() / 2).next_multiple_of(BLOC);
+            taille = (de_la_tranche.len() / 2).next_multiple_of(BLOC);
             continue;
         }
         let choix = selection.as_mut().filter(|_| choisie);
-        repondre_au_lot(objets, du_lot, &mut touches[debut..fin], choix, &mut bloc);
+        repondre_a_la_tranche(objets, de_la_tranche, &mut touches[debut..fin], choix, &mut bloc);
         debut = fin;
     }
 }
 
 /// The objects of the selection, or all of them without one.
 #[inline(always)]
-fn repondre_au_lot<R: Reel>(
+fn repondre_a_la_tranche<R: Reel>(
     objets: &[ObjetRay<R>],
     rayons: &[Rayon<R>],
     touches: &mut [Touche<R>],
@@ -192,10 +192,11 @@ fn repondre_au_lot<R: Reel>(
             groupe.charger(rayons);
         }
         if let Some(selection) = &mut selection
-            && let Some(faisceau) = Faisceau::du_bloc(rayons, bloc)
+            && let Some(faisceau) =
+                Faisceau::du_bloc(rayons, bloc.iter().map(|groupe| &groupe.colonnes))
         {
-            for (rang, evitee) in selection.face_a(&faisceau) {
-                if !evitee && let Some(objet) = objets.get(rang.get() as usize - 1) {
+            for (rang, ecartee) in selection.face_a(&faisceau) {
+                if !ecartee && let Some(objet) = objets.get(rang.get() as usize - 1) {
                     proposer(bloc, objet, rang);
                 }
             }

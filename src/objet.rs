@@ -152,58 +152,40 @@ impl<R: Reel> ObjetRay<R> {
     }
 }
 
-impl<R> From<SphereGeo<R>> for ObjetGeo<R> {
-    fn from(sphere: SphereGeo<R>) -> Self {
-        Self::Sphere(sphere)
-    }
+/// The conversions of each shape: described to any described, ready for rays to any ready for rays, and
+/// from described to ready for rays.
+macro_rules! conversions {
+    ($($forme:ident, $geo:ident, $ray:ident;)*) => {$(
+        impl<R> From<$geo<R>> for ObjetGeo<R> {
+            fn from(forme: $geo<R>) -> Self {
+                Self::$forme(forme)
+            }
+        }
+
+        impl<R> From<$ray<R>> for ObjetRay<R> {
+            fn from(forme: $ray<R>) -> Self {
+                Self::$forme(forme)
+            }
+        }
+
+        impl<R: Reel> From<$geo<R>> for $ray<R> {
+            fn from(forme: $geo<R>) -> Self {
+                forme.vers_ray()
+            }
+        }
+
+        impl<R: Reel> From<$geo<R>> for ObjetRay<R> {
+            fn from(forme: $geo<R>) -> Self {
+                Self::$forme(forme.vers_ray())
+            }
+        }
+    )*};
 }
 
-impl<R> From<PlanGeo<R>> for ObjetGeo<R> {
-    fn from(plan: PlanGeo<R>) -> Self {
-        Self::Plan(plan)
-    }
-}
-
-impl<R> From<BoiteGeo<R>> for ObjetGeo<R> {
-    fn from(boite: BoiteGeo<R>) -> Self {
-        Self::Boite(boite)
-    }
-}
-
-impl<R> From<SphereRay<R>> for ObjetRay<R> {
-    fn from(sphere: SphereRay<R>) -> Self {
-        Self::Sphere(sphere)
-    }
-}
-
-impl<R> From<PlanRay<R>> for ObjetRay<R> {
-    fn from(plan: PlanRay<R>) -> Self {
-        Self::Plan(plan)
-    }
-}
-
-impl<R> From<BoiteRay<R>> for ObjetRay<R> {
-    fn from(boite: BoiteRay<R>) -> Self {
-        Self::Boite(boite)
-    }
-}
-
-impl<R: Reel> From<SphereGeo<R>> for ObjetRay<R> {
-    fn from(sphere: SphereGeo<R>) -> Self {
-        Self::Sphere(sphere.vers_ray())
-    }
-}
-
-impl<R: Reel> From<PlanGeo<R>> for ObjetRay<R> {
-    fn from(plan: PlanGeo<R>) -> Self {
-        Self::Plan(plan.vers_ray())
-    }
-}
-
-impl<R: Reel> From<BoiteGeo<R>> for ObjetRay<R> {
-    fn from(boite: BoiteGeo<R>) -> Self {
-        Self::Boite(boite.vers_ray())
-    }
+conversions! {
+    Sphere, SphereGeo, SphereRay;
+    Plan, PlanGeo, PlanRay;
+    Boite, BoiteGeo, BoiteRay;
 }
 
 impl<R: Reel> From<ObjetGeo<R>> for ObjetRay<R> {

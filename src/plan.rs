@@ -208,12 +208,6 @@ impl<R: Reel> Forme<R> for PlanRay<R> {
     }
 }
 
-impl<R: Reel> From<PlanGeo<R>> for PlanRay<R> {
-    fn from(plan: PlanGeo<R>) -> Self {
-        plan.vers_ray()
-    }
-}
-
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
 #[serde(rename = "PlanGeo")]

@@ -87,7 +87,7 @@ impl<R: Reel> SphereGeo<R> {
     #[inline]
     pub fn vers_ray(self) -> SphereRay<R> {
         let Self { centre, rayon, texture } = self;
-        SphereRay { centre, rayon, texture }
+        SphereRay { centre, r: rayon, texture }
     }
 }
 
@@ -105,7 +105,7 @@ impl<R: Reel> SphereGeo<R> {
 #[must_use]
 pub struct SphereRay<R = f64> {
     centre: Vecteur<R>,
-    rayon: R,
+    r: R,
     texture: Texture,
 }
 
@@ -122,7 +122,7 @@ impl<R: Reel> SphereRay<R> {
     #[inline]
     #[must_use]
     pub fn rayon(&self) -> R {
-        self.rayon
+        self.r
     }
 
     /// The texture of the object.
@@ -135,7 +135,7 @@ impl<R: Reel> SphereRay<R> {
     #[inline(always)]
     fn longueurs(&self, s: Vecteur<R>, d: Vecteur<R>) -> Longueurs<R> {
         let sc = self.centre - s;
-        let (r2, d2) = (self.rayon * self.rayon, d.longueur_carree());
+        let (r2, d2) = (self.r * self.r, d.longueur_carree());
         Longueurs {
             sa: sc.produit_scalaire(d),
             puissance: sc.longueur_carree() - r2,
@@ -158,7 +158,7 @@ impl<R: Reel> SphereRay<R> {
     fn contact_a(&self, rayon: &Rayon<R>, t: f64, normale: Vecteur<R>) -> Contact<R> {
         let sphere = self.vers_f64();
         Contact::new(rayon, t, normale, |p| {
-            let (n, cp, r) = (normale.vers_f64(), p - sphere.centre, sphere.rayon);
+            let (n, cp, r) = (normale.vers_f64(), p - sphere.centre, sphere.r);
             let r2 = r * r;
             // (CP − r)(CP + r), and CP + r ≥ r/0.59 unless the hit fails the test below.
             let puissance = (cp.longueur_carree() - r2).abs();
@@ -177,15 +177,15 @@ impl<R: Reel> SphereRay<R> {
 
     #[inline(always)]
     fn vers_f64(&self) -> SphereRay<f64> {
-        let SphereRay { centre, rayon, texture } = *self;
-        SphereRay { centre: centre.vers_f64(), rayon: rayon.vers_f64(), texture }
+        let SphereRay { centre, r, texture } = *self;
+        SphereRay { centre: centre.vers_f64(), r: r.vers_f64(), texture }
     }
 }
 
 impl<R: Reel> Forme<R> for SphereRay<R> {
     #[inline(always)]
     fn boule(&self) -> Boule<R> {
-        Boule { centre: self.centre, r2: self.rayon * self.rayon }
+        Boule { centre: self.centre, r2: self.r * self.r }
     }
 
     /// An entry has S outside, C ahead and AC < r.
@@ -258,12 +258,6 @@ fn vers_la_source<R: Reel>(cb: Vecteur<f64>, rayon: &Rayon<R>) -> Vecteur<R> {
     let penchee = penchee.map(Vecteur::depuis_f64);
     let de_face = |n: &Vecteur<R>| n.produit_scalaire(rayon.direction()) < R::ZERO;
     penchee.filter(de_face).unwrap_or(Vecteur::depuis_f64(-d))
-}
-
-impl<R: Reel> From<SphereGeo<R>> for SphereRay<R> {
-    fn from(sphere: SphereGeo<R>) -> Self {
-        sphere.vers_ray()
-    }
 }
 
 #[cfg(feature = "serde")]

@@ -5,7 +5,6 @@
 
 use crate::forme::Boule;
 use crate::lot::colonnes::{Colonnes, VOIES, Voies};
-use crate::lot::groupe::Groupe;
 use crate::rayon::Rayon;
 use crate::reel::{Reel, fois_u};
 use crate::vecteur::Vecteur;
@@ -97,12 +96,15 @@ pub(crate) struct Faisceau<R> {
 }
 
 impl<R: Reel> Faisceau<R> {
-    /// The beam of the rays of a block, which are these.
+    /// The beam of the rays of a block, which stand in these columns as well.
     #[inline(always)]
-    pub(crate) fn du_bloc(rayons: &[Rayon<R>], bloc: &[Groupe<R>]) -> Option<Self> {
+    pub(crate) fn du_bloc<'a>(
+        rayons: &[Rayon<R>],
+        bloc: impl Iterator<Item = &'a Colonnes<R>>,
+    ) -> Option<Self> {
         let mut etendue = Etendue::autour(rayons);
-        for groupe in bloc {
-            etendue.ajouter(&groupe.colonnes);
+        for colonnes in bloc {
+            etendue.ajouter(colonnes);
         }
         etendue.faisceau()
     }

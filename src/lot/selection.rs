@@ -1,4 +1,4 @@
-//! The objects that the rays of a lot may enter, with the balls around them side by side.
+//! The objects that the rays of a slice may enter, with the balls around them side by side.
 
 use crate::forme::Boule;
 use crate::intersection::{Rang, rang};
@@ -8,7 +8,7 @@ use crate::rayon::Rayon;
 use crate::reel::Reel;
 use crate::vecteur::Vecteur;
 
-/// From more objects than this on, a beam around all rays of a lot saves more than it costs
+/// From more objects than this on, a beam around all rays of a slice saves more than it costs
 /// (measured).
 pub(crate) const SEUIL_FAISCEAU: usize = 64;
 
@@ -16,32 +16,32 @@ pub(crate) const SEUIL_FAISCEAU: usize = 64;
 pub(crate) struct Places<R, const P: usize> {
     boules: [[R; P]; 4],
     rangs: [Rang; P],
-    evitees: [bool; P],
+    ecartees: [bool; P],
 }
 
 impl<R: Reel, const P: usize> Places<R, P> {
     pub(crate) const VIDES: Self =
-        Self { boules: [[R::ZERO; P]; 4], rangs: [Rang::MIN; P], evitees: [false; P] };
+        Self { boules: [[R::ZERO; P]; 4], rangs: [Rang::MIN; P], ecartees: [false; P] };
 
     pub(crate) fn selection(&mut self) -> Selection<'_, R> {
-        let Self { boules: [x, y, z, r2], rangs, evitees } = self;
-        Selection { nombre: 0, centres: [x, y, z], r2, rangs, evitees }
+        let Self { boules: [x, y, z, r2], rangs, ecartees } = self;
+        Selection { nombre: 0, centres: [x, y, z], r2, rangs, ecartees }
     }
 }
 
-/// The objects that the rays of a lot may enter, in their order.
+/// The objects that the rays of a slice may enter, in their order.
 pub(crate) struct Selection<'p, R> {
     nombre: usize,
     centres: [&'p mut [R]; 3],
     r2: &'p mut [R],
     rangs: &'p mut [Rang],
-    evitees: &'p mut [bool],
+    ecartees: &'p mut [bool],
 }
 
 impl<R: Reel> Selection<'_, R> {
     /// Selects for these rays; false if there was not room for all.
     #[inline(always)]
-    pub(crate) fn choisir(&mut self, objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) -> bool {
+    pub(crate) fn selectionner(&mut self, objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) -> bool {
         let nombreux = objets.len() > SEUIL_FAISCEAU;
         let faisceau = if nombreux { Faisceau::des_rayons(rayons) } else { None };
         self.nombre = 0;
@@ -72,10 +72,10 @@ impl<R: Reel> Selection<'_, R> {
         let n = self.nombre;
         let [x, y, z] = &self.centres;
         let (x, y, z, r2) = (&x[..n], &y[..n], &z[..n], &self.r2[..n]);
-        for (i, evitee) in self.evitees[..n].iter_mut().enumerate() {
+        for (i, ecartee) in self.ecartees[..n].iter_mut().enumerate() {
             let boule = Boule { centre: Vecteur::new(x[i], y[i], z[i]), r2: r2[i] };
-            *evitee = faisceau.evite(boule);
+            *ecartee = faisceau.evite(boule);
         }
-        self.rangs[..n].iter().copied().zip(self.evitees[..n].iter().copied())
+        self.rangs[..n].iter().copied().zip(self.ecartees[..n].iter().copied())
     }
 }

@@ -100,8 +100,8 @@ fn jeux_de<R: Reel>(n: usize) -> Result<Vec<f64>, Box<dyn Error>> {
 }
 
 /// The table of the threads.
-pub(crate) fn fils() -> Result<String, Box<dyn Error>> {
-    let equipes = [1, 2].map(|fils| ThreadPoolBuilder::new().num_threads(fils).build());
+pub(crate) fn threads() -> Result<String, Box<dyn Error>> {
+    let equipes = [1, 2].map(|threads| ThreadPoolBuilder::new().num_threads(threads).build());
     let [une, deux] = equipes;
     let equipes = [une?, deux?];
     let mut table = vec![
@@ -109,13 +109,13 @@ pub(crate) fn fils() -> Result<String, Box<dyn Error>> {
         "|---|--:|--:|--:|--:|".to_owned(),
     ];
     for n in [48, 1000] {
-        table.push(fils_de::<f32>(n, &equipes)?);
-        table.push(fils_de::<f64>(n, &equipes)?);
+        table.push(threads_de::<f32>(n, &equipes)?);
+        table.push(threads_de::<f64>(n, &equipes)?);
     }
     Ok(table.join("\n"))
 }
 
-fn fils_de<R: Reel>(n: usize, equipes: &[ThreadPool; 2]) -> Result<String, Box<dyn Error>> {
+fn threads_de<R: Reel>(n: usize, equipes: &[ThreadPool; 2]) -> Result<String, Box<dyn Error>> {
     let (objets, rayons) = (melange(n), en_tuiles::<R>());
     let premieres = |rayons: &[Rayon<R>], touches: &mut [Touche<R>]| {
         let morceaux = rayons.par_chunks(MORCEAU).zip(touches.par_chunks_mut(MORCEAU));

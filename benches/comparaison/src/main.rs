@@ -57,8 +57,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let complete = vitesse::table_complete(&courses);
     let ordres = lot::ordres()?;
     let jeux = lot::jeux_d_instructions()?;
-    let fils = lot::fils()?;
-    let tables = [("times", complete), ("orders", ordres), ("sets", jeux), ("threads", fils)];
+    let threads = lot::threads()?;
+    let tables = [("times", complete), ("orders", ordres), ("sets", jeux), ("threads", threads)];
     for (nom, table) in &tables {
         println!("\n{nom}, ns per ray\n\n{table}");
     }
