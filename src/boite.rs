@@ -217,7 +217,8 @@ impl<R: Reel> BoiteRay<R> {
     #[inline(always)]
     fn dalle(&self, axe: usize, s: Vecteur<R>, d: Vecteur<R>) -> (Quotient<R>, Quotient<R>) {
         let (n, l) = (self.normales[axe], self.demi_longueurs[axe]);
-        let (o, vitesse) = ((s - self.centre).produit_scalaire(n), d.produit_scalaire(n));
+        let o = (s - self.centre).produit_scalaire(n);
+        let vitesse = (d * R::ECHELLE_VITESSE).produit_scalaire(n);
         let o = if vitesse < R::ZERO { -o } else { o };
         let bas = vitesse.abs();
         (Quotient { haut: -(l + o), bas }, Quotient { haut: l - o, bas })
@@ -229,11 +230,11 @@ impl<R: Reel> BoiteRay<R> {
     /// `loin`.
     #[inline(always)]
     fn dalles(&self, s: Vecteur<R>, d: Vecteur<R>) -> Dalles<R> {
-        let loin = R::LIMITE * R::LIMITE;
+        let (loin, bas) = (R::LIMITE * R::depuis_f64(8.0), R::ECHELLE_VITESSE);
         let mut dalles = Dalles {
-            entree: Quotient { haut: -loin, bas: R::UN },
+            entree: Quotient { haut: -loin, bas },
             axe: 0,
-            sortie: Quotient { haut: loin, bas: R::UN },
+            sortie: Quotient { haut: loin, bas },
         };
         for axe in 0..3 {
             let (entree, sortie) = self.dalle(axe, s, d);
@@ -296,7 +297,8 @@ impl<R: Reel> Forme<R> for BoiteRay<R> {
     #[inline(always)]
     fn t(&self, s: Vecteur<R>, d: Vecteur<R>) -> R {
         let Dalles { entree, sortie, axe: _ } = self.dalles(s, d);
-        let entre = (entree.haut > R::ZERO) & entree.au_plus(sortie);
+        let devant = (entree.haut > R::ZERO) & (sortie.haut > R::ZERO);
+        let entre = devant & entree.au_plus(sortie);
         if entre { entree.valeur() } else { R::INFINI }
     }
 
@@ -328,7 +330,8 @@ struct Dalles<R> {
     sortie: Quotient<R>,
 }
 
-/// The distance to a face as a length over a speed of 0 or more, not divided yet.
+/// The distance to a face as a length over a speed of 0 or more, not divided yet. The speed is
+/// multiplied by [`ECHELLE_VITESSE`](crate::reel), so that no product below is subnormal.
 ///
 /// Two of them are compared by cross products, since one division costs more than all of these. It
 /// makes a ray parallel to a pair of faces right as well: beside the pair the entry is +∞ or the
@@ -350,9 +353,10 @@ impl<R: Reel> Quotient<R> {
         self.haut * autre.bas <= autre.haut * self.bas
     }
 
+    /// The length is multiplied, not the quotient, which may be subnormal.
     #[inline(always)]
     fn valeur(self) -> R {
-        self.haut / self.bas
+        self.haut * R::ECHELLE_VITESSE / self.bas
     }
 }
 

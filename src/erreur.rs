@@ -49,7 +49,9 @@ impl fmt::Display for ErreurGeo {
 impl core::error::Error for ErreurGeo {}
 
 pub(crate) fn refus<R: Reel>(champ: &'static str, valeur: R, attendu: &'static str) -> ErreurGeo {
-    ErreurGeo { champ, valeur: valeur.vers_f64(), attendu }
+    let valeur = valeur.vers_f64();
+    // The bits of a computed NaN differ between processors.
+    ErreurGeo { champ, valeur: if valeur.is_nan() { f64::NAN } else { valeur }, attendu }
 }
 
 /// Refuses `valeur` with its name unless `accepte`.

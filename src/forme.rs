@@ -65,14 +65,15 @@ impl<R: Reel> Boule<R> {
 
     /// Whether the ray (S, D) comes near the ball.
     ///
-    /// Never false for a ray that enters the ball, whatever rounding does: SC² − (SC·D)² is off by
-    /// less than 32u·SC², and the factor 1 − 64u takes away twice that (derivation in
-    /// `docs/conception.md`). A ray whose source is in the ball passes even with C behind it.
+    /// Never false for a ray that enters the shape, whatever rounding does: SC² − (SC·D)² is off by
+    /// less than 32u·SC², a box whose normals are orthonormal to 12u pokes out of the ball by 36u·r²,
+    /// and the factor 1 − 128u takes away more than both (derivation in `docs/conception.md`). A ray
+    /// whose source is in the ball passes even with C behind it.
     #[inline(always)]
     pub(crate) fn approchee(self, s: Vecteur<R>, d: Vecteur<R>) -> bool {
         let sc = self.centre - s;
         let sa = sc.produit_scalaire(d);
-        let sc2 = sc.longueur_carree() * (R::UN - fois_u(64.0));
+        let sc2 = sc.longueur_carree() * (R::UN - fois_u(128.0));
         (sc2 - sa * sa <= self.r2) & ((sa > R::ZERO) | (sc2 <= self.r2))
     }
 }

@@ -163,7 +163,7 @@ impl<R: Reel> Rayon<R> {
     /// direction leads, by [`marge`](Intersection::marge) and the rounding of the moved point,
     /// 2u·Σ|N_i·P_i|. From outside, a ray that leaves the object does not meet it again; from
     /// inside, the object is not seen at all. A direction within 4u of the tangent plane is turned
-    /// outward by 8u. There is no epsilon to choose, and nothing farther than that step is jumped
+    /// outward by 16u. There is no epsilon to choose, and nothing farther than that step is jumped
     /// over.
     ///
     /// Within rounding of a box edge an inward ray may touch the other face of that edge, of which
@@ -205,7 +205,7 @@ impl<R: Reel> Rayon<R> {
         let cosinus = direction.produit_scalaire(n);
         let tangente = cosinus.abs() <= fois_u(4.0);
         let direction =
-            if tangente { direction_unitaire(direction + n * fois_u(8.0))? } else { direction };
+            if tangente { direction_unitaire(direction + n * fois_u(16.0))? } else { direction };
         let p = self.point(touche.distance);
         // The bound of the hit, with room for N not being exactly unit, and the rounding of the
         // moved point.

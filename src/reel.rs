@@ -10,6 +10,9 @@ mod scelle {
         /// A power of two that brings any length whose square leaves the range of the type back
         /// into it.
         const ECHELLE: Self;
+        /// A power of two that multiplies directions, so that no product of a length of a box and a
+        /// speed towards its faces leaves the range of the type (`docs/precision.md`, "Underflow").
+        const ECHELLE_VITESSE: Self;
         /// How far a matrix may be from orthonormal and still be taken as a rotation.
         const ECART_ROTATION: f64;
         /// `LIMITE` in words, for a coordinate.
@@ -32,7 +35,8 @@ use scelle::Scelle;
 /// The scalar type: `f32` or `f64`. Sealed.
 ///
 /// Every operation it offers is correctly rounded, so that a query gives the same bits on
-/// every machine. Fused multiply-add is absent on purpose: not every machine has it.
+/// every machine with IEEE arithmetic; the x87 of an i586 has another. Fused multiply-add is absent on
+/// purpose: not every machine has it.
 ///
 /// ```
 /// use lancer_rayon::{Reel, Vecteur};
@@ -109,6 +113,7 @@ pub(crate) fn fois_u<R: Reel>(n: f64) -> R {
 
 impl Scelle for f32 {
     const ECHELLE: Self = (1_u128 << 100) as Self;
+    const ECHELLE_VITESSE: Self = (1_u64 << 62) as Self;
     const ECART_ROTATION: f64 = 1e-3;
     const ATTENDU_COORDONNEE: &'static str = "a number between -2^60 and 2^60";
     const ATTENDU_TAILLE: &'static str = "a number between 2^-60 and 2^60";
@@ -155,6 +160,7 @@ impl Reel for f32 {
 
 impl Scelle for f64 {
     const ECHELLE: Self = Self::from_bits((1023 + 600) << 52);
+    const ECHELLE_VITESSE: Self = Self::from_bits((1023 + 568) << 52);
     const ECART_ROTATION: f64 = 1e-6;
     const ATTENDU_COORDONNEE: &'static str = "a number between -2^450 and 2^450";
     const ATTENDU_TAILLE: &'static str = "a number between 2^-450 and 2^450";

@@ -42,6 +42,7 @@ impl<R: Reel> Etendue<R> {
             m,
             axes: [a, m.produit_vectoriel(a)],
             ecarts: [R::ZERO; VOIES],
+            // Not −∞: the proof needs e ≥ 0.
             e: [[R::ZERO; VOIES]; 4],
             moins_mu: [-R::INFINI; VOIES],
         }
@@ -128,7 +129,7 @@ impl<R: Reel> Faisceau<R> {
         let sc = boule.centre - self.s0;
         let [h1, h2, h3, h4, h5] = self.plans.map(|(p, w)| p.produit_scalaire(sc) - w);
         let h = max(max(max(h1, h2), max(h3, h4)), h5);
-        (h > R::ZERO) & (h * h > boule.r2 + sc.longueur_carree() * fois_u(1024.0))
+        (h > R::ZERO) & (h * h > boule.r2 + sc.longueur_carree() * fois_u(2048.0))
     }
 }
 
