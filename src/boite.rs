@@ -220,7 +220,7 @@ impl<R: Reel> BoiteRay<R> {
         let o = (s - self.centre).produit_scalaire(n);
         let vitesse = (d * R::ECHELLE_VITESSE).produit_scalaire(n);
         let o = if vitesse < R::ZERO { -o } else { o };
-        let bas = vitesse.abs();
+        let bas = vitesse.abs().au_plancher();
         (Quotient { haut: -(l + o), bas }, Quotient { haut: l - o, bas })
     }
 
@@ -297,8 +297,7 @@ impl<R: Reel> Forme<R> for BoiteRay<R> {
     #[inline(always)]
     fn t(&self, s: Vecteur<R>, d: Vecteur<R>) -> R {
         let Dalles { entree, sortie, axe: _ } = self.dalles(s, d);
-        let devant = (entree.haut > R::ZERO) & (sortie.haut > R::ZERO);
-        let entre = devant & entree.au_plus(sortie);
+        let entre = (entree.haut > R::ZERO) & entree.au_plus(sortie);
         if entre { entree.valeur() } else { R::INFINI }
     }
 

@@ -11,7 +11,8 @@ mod scelle {
         /// into it.
         const ECHELLE: Self;
         /// A power of two that multiplies directions, so that no product of a length of a box and a
-        /// speed towards its faces leaves the range of the type (`docs/precision.md`, "Underflow").
+        /// speed towards its faces leaves the range of the type (`docs/precision.md`, "Underflow"); in
+        /// `f32` with [`au_plancher`](Self::au_plancher).
         const ECHELLE_VITESSE: Self;
         /// How far a matrix may be from orthonormal and still be taken as a rotation.
         const ECART_ROTATION: f64;
@@ -21,6 +22,11 @@ mod scelle {
         const ATTENDU_TAILLE: &'static str;
         /// `ECART_ROTATION` in words.
         const ATTENDU_ROTATION: &'static str;
+
+        /// A speed of 0 or more, multiplied by `ECHELLE_VITESSE`: 0 stays 0, and in `f32` any other
+        /// becomes 2⁻⁴⁰ at least, since the range of the type does not hold every product of a
+        /// length and a speed.
+        fn au_plancher(self) -> Self;
 
         /// The distance of a hit in `f64`, from the distance `trouve` of the search.
         ///
@@ -120,6 +126,15 @@ impl Scelle for f32 {
     const ATTENDU_ROTATION: &'static str = "at most 1e-3, as for a rotation";
 
     #[inline(always)]
+    fn au_plancher(self) -> Self {
+        const PLANCHER: f32 = 1.0 / (1_u64 << 40) as f32;
+        // 2^126 brings any number above 0 above the floor; that this overflows does no harm.
+        let haut = self * ((1_u128 << 126) as f32);
+        let plancher = if haut < PLANCHER { haut } else { PLANCHER };
+        if self > plancher { self } else { plancher }
+    }
+
+    #[inline(always)]
     fn affiner(trouve: Self, precise: impl FnOnce() -> f64) -> f64 {
         let t = precise();
         if (t > 0.0) & (t <= f64::from(Self::MAX)) { t } else { f64::from(trouve) }
@@ -165,6 +180,11 @@ impl Scelle for f64 {
     const ATTENDU_COORDONNEE: &'static str = "a number between -2^450 and 2^450";
     const ATTENDU_TAILLE: &'static str = "a number between 2^-450 and 2^450";
     const ATTENDU_ROTATION: &'static str = "at most 1e-6, as for a rotation";
+
+    #[inline(always)]
+    fn au_plancher(self) -> Self {
+        self
+    }
 
     #[inline(always)]
     fn affiner(trouve: Self, _precise: impl FnOnce() -> f64) -> f64 {
