@@ -2,11 +2,11 @@
 
 mod commun;
 
-use commun::arrondi;
 use commun::scenes::rayons_camera;
 use commun::tolerances::u;
+use commun::{arrondi, en_f32_et_f64};
 use lancer_rayon::{
-    BoiteGeo, Intersection, ObjetGeo, ObjetRay, Rayon, Reel, Rotation, SphereGeo, Texture, Vecteur,
+    BoiteGeo, Intersection, ObjetRay, Rayon, Reel, Rotation, SphereGeo, Texture, Vecteur,
     est_occulte,
 };
 
@@ -24,7 +24,7 @@ fn objets<R: Reel>(centre: Vecteur, echelle: f64) -> [ObjetRay<R>; 2] {
     let tour = Rotation::new(arrondi(Vecteur::new(0.4, 0.7, 0.2))).unwrap();
     let cotes = arrondi(Vecteur::new(1.5, 1.1, 1.3) * echelle);
     let boite = BoiteGeo::new(arrondi(centre), cotes, tour, Texture(1)).unwrap();
-    [ObjetGeo::from(boule).vers_ray(), ObjetGeo::from(boite).vers_ray()]
+    [boule.into(), boite.into()]
 }
 
 /// Whether nothing is between this hit and the lamp, as a renderer asks.
@@ -86,12 +86,4 @@ fn eclaire_ce_qui_fait_face<R: Reel>() {
     assert!(clairs.min(sombres) > 10_000 && rasants > 2_000);
 }
 
-#[test]
-fn eclaire_ce_qui_fait_face_en_f64() {
-    eclaire_ce_qui_fait_face::<f64>();
-}
-
-#[test]
-fn eclaire_ce_qui_fait_face_en_f32() {
-    eclaire_ce_qui_fait_face::<f32>();
-}
+en_f32_et_f64!(eclaire_ce_qui_fait_face);

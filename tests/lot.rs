@@ -10,7 +10,7 @@ use std::collections::HashSet;
 
 use commun::conversion::mots;
 use commun::regimes::{Cas, direction, entre, puissance, regimes, signe};
-use commun::{Bits, arrondi, scenes};
+use commun::{Bits, arrondi, en_f32_et_f64, scenes};
 use fastrand::Rng;
 use lancer_rayon::{
     BoiteGeo, LongueursDifferentes, NoIntersection, ObjetRay, Rayon, Reel, Reglage, Rotation,
@@ -90,7 +90,7 @@ fn des_longueurs_differentes_sont_une_erreur_et_rien_n_est_ecrit() {
 }
 
 /// From none to two blocks of 64 and one more, with few objects and with enough for culling.
-fn longueurs<R: Bits>() {
+fn toute_longueur_convient<R: Bits>() {
     let rayons = scenes::rayons_camera::<R>(20, 10);
     for n in [3, 12, 300] {
         let scene = scenes::melange(n);
@@ -100,14 +100,10 @@ fn longueurs<R: Bits>() {
     }
 }
 
-#[test]
-fn toute_longueur_convient() {
-    longueurs::<f32>();
-    longueurs::<f64>();
-}
+en_f32_et_f64!(toute_longueur_convient);
 
 /// A block of rays that see more objects than a selection for so few has room for.
-fn sans_place<R: Bits>() {
+fn un_bloc_pour_qui_la_place_manque<R: Bits>() {
     let mut rayons = scenes::rayons_camera::<R>(8, 8);
     for rayon in rayons.iter_mut().step_by(2) {
         *rayon = Rayon::new(rayon.source(), -rayon.direction()).unwrap();
@@ -115,15 +111,11 @@ fn sans_place<R: Bits>() {
     comparer(&scenes::melange(300), &rayons);
 }
 
-#[test]
-fn un_bloc_pour_qui_la_place_manque() {
-    sans_place::<f32>();
-    sans_place::<f64>();
-}
+en_f32_et_f64!(un_bloc_pour_qui_la_place_manque);
 
 /// Pictures in rows, in tiles of 8 × 8 and in no order; and from many objects so few rays that the
 /// selection for them is cut in two again and again.
-fn images<R: Bits>() {
+fn une_image_dans_tout_ordre<R: Bits>() {
     let (largeur, hauteur) = (96, 64);
     let rangees = scenes::rayons_camera::<R>(largeur, hauteur);
     let tuiles = scenes::en_tuiles(&rangees, largeur);
@@ -137,15 +129,11 @@ fn images<R: Bits>() {
     }
 }
 
-#[test]
-fn une_image_dans_tout_ordre() {
-    images::<f32>();
-    images::<f64>();
-}
+en_f32_et_f64!(une_image_dans_tout_ordre);
 
 /// The rays of each regime of the extremes, all at the objects of all its cases; and each at its own
 /// object alone, nine times, with seven that are not there: fewer would not go side by side.
-fn extremes<R: Bits>() {
+fn les_extremes<R: Bits>() {
     let mut alea = Rng::with_seed(2);
     for regime in regimes::<R>() {
         let cas: Vec<_> = (0..cas().min(3_000)).map(|_| (regime.cas)(&mut alea)).collect();
@@ -157,11 +145,7 @@ fn extremes<R: Bits>() {
     }
 }
 
-#[test]
-fn les_extremes() {
-    extremes::<f32>();
-    extremes::<f64>();
-}
+en_f32_et_f64!(les_extremes);
 
 /// A block of rays that go apart by about `ouverture` in direction and `etendue` in place, around
 /// `s` and `d`: in a tile, in a row, anyhow, the half of them the other way round, or all of them on
@@ -238,7 +222,7 @@ fn frole<R: Reel>(alea: &mut Rng, rayons: &[Rayon<R>], texture: Texture) -> Obje
 
 /// Bundles from needles to fans beyond which there is no beam, of one source and of many, with
 /// objects that rays at their rim graze.
-fn gerbes<R: Bits>() {
+fn l_elagage_ne_perd_aucune_touche<R: Bits>() {
     let mut alea = Rng::with_seed(3);
     let mut touches = 0;
     for _ in 0..cas() {
@@ -253,14 +237,10 @@ fn gerbes<R: Bits>() {
     assert!(touches > 10 * cas(), "only {touches} hits");
 }
 
-#[test]
-fn l_elagage_ne_perd_aucune_touche() {
-    gerbes::<f32>();
-    gerbes::<f64>();
-}
+en_f32_et_f64!(l_elagage_ne_perd_aucune_touche);
 
 /// The same, so far from any other and so small that squares lie at the ends of the type.
-fn bornes<R: Bits>() {
+fn aux_bornes_du_type<R: Bits>() {
     let mut alea = Rng::with_seed(4);
     for regime in regimes::<R>() {
         if !regime.nom.ends_with("range") {
@@ -283,15 +263,11 @@ fn bornes<R: Bits>() {
     }
 }
 
-#[test]
-fn aux_bornes_du_type() {
-    bornes::<f32>();
-    bornes::<f64>();
-}
+en_f32_et_f64!(aux_bornes_du_type);
 
 /// Half a billion rays of each type, bundle by bundle at a scene that changes, as the batch is used:
 /// `cargo test --release --all-features --test lot -- --ignored`, about four minutes.
-fn un_demi_milliard<R: Bits>() {
+fn un_milliard_de_rayons<R: Bits>() {
     let mut alea = Rng::with_seed(6);
     let (mut rayons, mut touches) = (Vec::new(), vec![Err(NoIntersection); 64 * 64]);
     let mut attendues = touches.clone();
@@ -314,9 +290,7 @@ fn un_demi_milliard<R: Bits>() {
     }
 }
 
-#[test]
-#[ignore = "takes minutes"]
-fn un_milliard_de_rayons() {
-    un_demi_milliard::<f32>();
-    un_demi_milliard::<f64>();
-}
+en_f32_et_f64!(
+    #[ignore = "takes minutes"]
+    un_milliard_de_rayons
+);

@@ -3,9 +3,9 @@
 
 mod commun;
 
-use commun::pour_tout;
 use commun::strategies::{Plante, objet, plante, reel, rotation, vecteur};
 use commun::tolerances::{ARRONDI, DISTANCE, NORMALE, TOURNE, u};
+use commun::{en_f32_et_f64, pour_tout};
 use lancer_rayon::{ObjetGeo, ObjetRay, Rayon, Reel, Rotation, Vecteur};
 use proptest::prelude::*;
 use proptest::test_runner::TestCaseResult;
@@ -38,7 +38,7 @@ fn accompagner<R: Reel>(
     Ok(())
 }
 
-fn tourner_ensemble<R: Reel>() {
+fn tourner_la_scene_et_le_rayon_garde_la_distance<R: Reel>() {
     pour_tout((plante::<R>(), rotation()), |(p, r)| {
         let objet = p.objet.rotation(r).unwrap();
         let direction = r.appliquer(p.rayon.direction());
@@ -50,13 +50,9 @@ fn tourner_ensemble<R: Reel>() {
     });
 }
 
-#[test]
-fn tourner_la_scene_et_le_rayon_garde_la_distance() {
-    tourner_ensemble::<f32>();
-    tourner_ensemble::<f64>();
-}
+en_f32_et_f64!(tourner_la_scene_et_le_rayon_garde_la_distance);
 
-fn deplacer_ensemble<R: Reel>() {
+fn deplacer_la_scene_et_le_rayon_garde_la_distance<R: Reel>() {
     let strategie = plante::<R>().prop_flat_map(|p| (Just(p), vecteur(p.etendue)));
     pour_tout(strategie, |(p, v)| {
         let objet = p.objet.translation(v).unwrap();
@@ -67,13 +63,9 @@ fn deplacer_ensemble<R: Reel>() {
     });
 }
 
-#[test]
-fn deplacer_la_scene_et_le_rayon_garde_la_distance() {
-    deplacer_ensemble::<f32>();
-    deplacer_ensemble::<f64>();
-}
+en_f32_et_f64!(deplacer_la_scene_et_le_rayon_garde_la_distance);
 
-fn agrandir_ensemble<R: Reel>() {
+fn agrandir_la_scene_multiplie_la_distance<R: Reel>() {
     pour_tout((plante::<R>(), reel(0.01, 100.0)), |(p, k)| {
         let rayon = Rayon::new(p.rayon.source() * k, p.rayon.direction()).unwrap();
         // The source, the centre and the size are multiplied.
@@ -82,11 +74,7 @@ fn agrandir_ensemble<R: Reel>() {
     });
 }
 
-#[test]
-fn agrandir_la_scene_multiplie_la_distance() {
-    agrandir_ensemble::<f32>();
-    agrandir_ensemble::<f64>();
-}
+en_f32_et_f64!(agrandir_la_scene_multiplie_la_distance);
 
 /// The quantities of §3, to their tolerance, of an object and of the one it should be.
 fn proches<R: Reel>(a: ObjetRay<R>, b: Attendu, tolerance: f64) -> TestCaseResult {
@@ -158,7 +146,7 @@ impl Attendu {
     }
 }
 
-fn quantites<R: Reel>() {
+fn chaque_transformation_a_les_quantites_calculees_a_la_main<R: Reel>() {
     let strategie = (objet::<R>(1.0), vecteur(10.0), rotation(), reel::<R>(0.1, 10.0));
     pour_tout(strategie, |(objet, v, r, k)| {
         let avant = Attendu::de(objet.vers_ray());
@@ -192,8 +180,4 @@ fn quantites<R: Reel>() {
     });
 }
 
-#[test]
-fn chaque_transformation_a_les_quantites_calculees_a_la_main() {
-    quantites::<f32>();
-    quantites::<f64>();
-}
+en_f32_et_f64!(chaque_transformation_a_les_quantites_calculees_a_la_main);

@@ -4,7 +4,7 @@ mod commun;
 
 use commun::strategies::{quelconque, vecteur_quelconque};
 use commun::tolerances::{ORTHONORMALE, ecart_rotation, u};
-use commun::{Bits, est_une_entree, pour_tout};
+use commun::{Bits, en_f32_et_f64, est_une_entree, pour_tout};
 use lancer_rayon::{
     BoiteGeo, ErreurGeo, ObjetGeo, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture,
     Vecteur, premiere_intersection,
@@ -81,7 +81,7 @@ fn rotation<R: Bits>() -> impl Strategy<Value = Rotation<R>> {
     })
 }
 
-fn n_importe_quoi<R: Bits>() {
+fn n_importe_quels_bits_donnent_une_valeur_valide_ou_une_erreur<R: Bits>() {
     let formes = (vecteur_quelconque::<R>(), vecteur_quelconque::<R>(), quelconque::<R>());
     let mouvements = (vecteur_quelconque::<R>(), rotation::<R>(), quelconque::<R>());
     let rayons = (vecteur_quelconque::<R>(), vecteur_quelconque::<R>());
@@ -134,13 +134,9 @@ fn n_importe_quoi<R: Bits>() {
     });
 }
 
-#[test]
-fn n_importe_quels_bits_donnent_une_valeur_valide_ou_une_erreur() {
-    n_importe_quoi::<f32>();
-    n_importe_quoi::<f64>();
-}
+en_f32_et_f64!(n_importe_quels_bits_donnent_une_valeur_valide_ou_une_erreur);
 
-fn directions<R: Bits>() {
+fn toute_direction_finie_non_nulle_est_rendue_unitaire<R: Bits>() {
     pour_tout(vecteur_quelconque::<R>(), |v| {
         let finie = [v.x, v.y, v.z].into_iter().all(|x| x.abs() < R::INFINI);
         let unitaire = v.unitaire();
@@ -162,13 +158,9 @@ fn directions<R: Bits>() {
     });
 }
 
-#[test]
-fn toute_direction_finie_non_nulle_est_rendue_unitaire() {
-    directions::<f32>();
-    directions::<f64>();
-}
+en_f32_et_f64!(toute_direction_finie_non_nulle_est_rendue_unitaire);
 
-fn rayon_rendu<R: Bits>() {
+fn un_rayon_refait_de_sa_source_et_de_sa_direction_est_le_meme<R: Bits>() {
     pour_tout((vecteur_quelconque::<R>(), vecteur_quelconque::<R>()), |(s, d)| {
         if let Ok(rayon) = Rayon::new(s, d) {
             let bits = |v: Vecteur<R>| [v.x, v.y, v.z].map(R::bits);
@@ -180,8 +172,4 @@ fn rayon_rendu<R: Bits>() {
     });
 }
 
-#[test]
-fn un_rayon_refait_de_sa_source_et_de_sa_direction_est_le_meme() {
-    rayon_rendu::<f32>();
-    rayon_rendu::<f64>();
-}
+en_f32_et_f64!(un_rayon_refait_de_sa_source_et_de_sa_direction_est_le_meme);

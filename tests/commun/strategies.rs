@@ -80,14 +80,6 @@ pub(crate) enum Parametres<R> {
 }
 
 impl<R: Reel> Parametres<R> {
-    pub(crate) fn avec(mut self, nouvelle: Texture) -> Self {
-        let (Self::Sphere { texture, .. }
-        | Self::Plan { texture, .. }
-        | Self::Boite { texture, .. }) = &mut self;
-        *texture = nouvelle;
-        self
-    }
-
     pub(crate) fn objet(self) -> ObjetGeo<R> {
         self.agrandi(R::UN)
     }
