@@ -1,4 +1,4 @@
-//! The laws of `Rotation`, in both types.
+//! The laws of `Rotation`.
 
 mod commun;
 
@@ -83,7 +83,7 @@ fn les_rotations_forment_un_groupe<R: Bits>() {
         prop_assert!(ecart(matrice(r.puis(r.inverse())), IDENTITE) <= PRODUIT * u::<R>());
         prop_assert_eq!(r.inverse().inverse(), r);
         prop_assert_eq!(matrice(r.inverse()), transposee(matrice(r)));
-        // Bit for bit: a polished matrix is a fixed point.
+        // A polished matrix stays as it is, bit for bit.
         let bits = |r: Rotation<R>| r.matrice().map(|ligne| ligne.map(R::bits));
         prop_assert_eq!(bits(Rotation::depuis_matrice(r.matrice()).unwrap()), bits(r));
         Ok(())
@@ -101,10 +101,11 @@ fn longueurs_et_angles_sont_conserves<R: Reel>() {
         prop_assert!((rv.longueur() - lv).abs() <= tolerance * lv);
         let avant = v.vers_f64().produit_scalaire(w.vers_f64());
         prop_assert!((rv.produit_scalaire(rw) - avant).abs() <= 2.0 * tolerance * lv * lw);
-        // Turning twice is turning by the composition.
+        // To turn twice is to turn by the composition: three turns in all.
         let deux_fois = s.appliquer(r.appliquer(v)).vers_f64();
         let compose = r.puis(s).appliquer(v).vers_f64();
         prop_assert!((deux_fois - compose).longueur() <= 3.0 * tolerance * lv);
+        // Two turns.
         let retour = r.inverse().appliquer(r.appliquer(v)).vers_f64();
         prop_assert!((retour - v.vers_f64()).longueur() <= 2.0 * tolerance * lv);
         Ok(())
@@ -113,7 +114,7 @@ fn longueurs_et_angles_sont_conserves<R: Reel>() {
 
 en_f32_et_f64!(longueurs_et_angles_sont_conserves);
 
-/// A rotation knocked off by less than the limit is repaired, to the nearest one.
+/// A matrix off by less than the limit is repaired, to the nearest rotation.
 fn une_matrice_presque_orthonormale_est_reparee<R: Reel>() {
     // An element of M·Mᵀ − I changes by two sums of three products: 2√3 amplitudes at most.
     let amplitude = ecart_rotation::<R>() / 8.0;
@@ -126,8 +127,10 @@ fn une_matrice_presque_orthonormale_est_reparee<R: Reel>() {
         prop_assert!(
             ecart(produit(reparee, transposee(reparee)), IDENTITE) <= ORTHONORMALE * u::<R>()
         );
+        // Of the noise, at most 3 amplitudes long, the antisymmetric part stays; a fourth amplitude is
+        // far above the terms of second order.
         prop_assert!(ecart(reparee, m) <= 4.0 * amplitude);
-        // Its mirror image is no rotation, nor is one with a row too long by the limit.
+        // A mirror image is refused, and so is a row too long by the limit.
         prop_assert!(Rotation::depuis_matrice(abimee.map(|ligne| ligne.map(|x| -x))).is_err());
         let mut loin = r.matrice();
         loin[1] = loin[1].map(|x| x * R::depuis_f64(1.0 + ecart_rotation::<R>()));
