@@ -1,4 +1,4 @@
-//! Whatever bits go in, a value that exists is valid and no query fails on it.
+//! Whatever bits go in, invalid values cannot be constructed, and every query on valid ones ends.
 
 mod commun;
 
@@ -12,7 +12,7 @@ use lancer_rayon::{
 use proptest::prelude::*;
 use proptest::test_runner::{TestCaseError, TestCaseResult};
 
-/// A refusal names a field, and a value that indeed cannot stand there.
+/// A refusal names a field, and a value that the field does not accept.
 fn refusee<R: Reel>(erreur: ErreurGeo) -> TestCaseResult {
     let ErreurGeo { champ, valeur, .. } = erreur;
     let limite = R::LIMITE.vers_f64();
@@ -114,13 +114,13 @@ fn n_importe_quels_bits_donnent_une_valeur_valide_ou_une_erreur<R: Bits>() {
             }
         }
         let objets: Vec<_> = objets.into_iter().map(ObjetGeo::vers_ray).collect();
-        // Few random rays hit anything: aim at the objects as well, and at where they are not.
+        // Few random rays hit anything: some aim at the objects, some away from them.
         for vers in [direction, point - source, source - point, longueurs, -source] {
             match Rayon::new(source, vers) {
                 Ok(rayon) => {
                     prop_assert!(tient(rayon.source()));
                     let carre = rayon.direction().vers_f64().longueur_carree();
-                    // 12u for what is kept, and u more for having been measured in R.
+                    // 12u for a direction kept as it is, u for its length as measured in R.
                     prop_assert!((carre - 1.0).abs() <= 13.0 * u::<R>());
                     for objet in &objets {
                         touche_valide(core::slice::from_ref(objet), &rayon)?;
@@ -143,7 +143,7 @@ fn toute_direction_finie_non_nulle_est_rendue_unitaire<R: Bits>() {
         prop_assert_eq!(unitaire.is_some(), finie && v != Vecteur::NUL);
         prop_assert_eq!(Rayon::new(Vecteur::NUL, v).is_ok(), unitaire.is_some());
         if let Some(unitaire) = unitaire {
-            // Along the greatest coordinate, with its sign; 2^-k of it elsewhere, as V has.
+            // The greatest coordinate keeps its sign, the others their ratio to it.
             let (v, n) = ([v.x, v.y, v.z], [unitaire.x, unitaire.y, unitaire.z]);
             let grand = (0..3).fold(0, |i, j| if v[j].abs() > v[i].abs() { j } else { i });
             prop_assert!((n[grand] > R::ZERO) == (v[grand] > R::ZERO));
