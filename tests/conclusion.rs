@@ -15,7 +15,7 @@ use std::f64::consts::FRAC_PI_2;
 use commun::oracle::verite;
 use commun::regimes::{Cas, direction, entre, puissance, regimes, vectoriel};
 use commun::tolerances::u;
-use commun::{arrondi, en_f32_et_f64, est_une_entree};
+use commun::{arrondi, en_f32_et_f64};
 use fastrand::Rng;
 use lancer_rayon::{
     BoiteGeo, BoiteRay, Intersection, NoIntersection, ObjetRay, PlanGeo, Rayon, Reel, Rotation,
@@ -103,7 +103,7 @@ fn la_normale_d_une_sphere_perdue_est_en_travers_du_rayon() {
 }
 
 /// Built: a sphere so small and far that nothing is left of CB, and |D|² just within the 12u up to
-/// which D is kept. Held: N is unit and faces the source.
+/// which D is kept. Held: N is −D made unit, to the 4u of the promise, which −D itself exceeds.
 fn la_normale_d_une_sphere_perdue_est_unitaire<R: Reel>() {
     let (mut alea, mut perdues) = (Rng::with_seed(11), 0);
     let long = R::UN + R::depuis_f64(6.0 * u::<R>());
@@ -113,7 +113,10 @@ fn la_normale_d_une_sphere_perdue_est_unitaire<R: Reel>() {
         assert_eq!(rayon.direction(), d);
         let objet = sphere(d * R::depuis_f64(1.0 + alea.f64()), R::U * R::U);
         let Ok(touche) = objet.intersection(&rayon) else { continue };
-        est_une_entree(&rayon, &touche).unwrap();
+        let n = touche.normale();
+        let ecart = (n.vers_f64().longueur() - 1.0).abs();
+        assert!(ecart <= 4.0 * u::<R>(), "|N| is off by {ecart:e}: {rayon:?}");
+        assert!(n.produit_scalaire(d) < R::ZERO, "{n:?} {rayon:?}");
         perdues += 1;
     }
     assert!(perdues > CAS / 4, "{perdues} hits");
