@@ -1,8 +1,8 @@
-//! The same bits everywhere: a hash of the answers to the 240,000 rays of each scene, ray by ray and
-//! with each instruction set of the machine that runs this.
+//! The same bits everywhere: a hash of the hits and misses of the 240,000 rays of each scene, ray by
+//! ray and with each instruction set of the machine.
 //!
-//! A change of a formula changes a hash, which then stands in the assertion that fails: look at
-//! `docs/precision.md` again before you take it over, and say so in CHANGELOG.md.
+//! A change of a formula changes a hash, and the failed assertion prints the new one. Read
+//! `docs/precision.md` again before you take it over, and tell it in CHANGELOG.md.
 
 mod commun;
 #[allow(dead_code, reason = "shared with the examples")]
@@ -13,9 +13,7 @@ use std::path::Path;
 
 use commun::Bits;
 use commun::conversion::mots;
-use lancer_rayon::{
-    NoIntersection, ObjetGeo, ObjetRay, Rayon, Reglage, Touche, premiere_intersection,
-};
+use lancer_rayon::{NoIntersection, ObjetRay, Rayon, Reglage, Touche, premiere_intersection};
 use scene::Scene;
 use serde::de::DeserializeOwned;
 
@@ -29,7 +27,7 @@ fn empreinte<R: Bits>(touches: &[Touche<R>]) -> u64 {
 
 fn memes_bits<R: Bits + DeserializeOwned>(nom: &str, attendue: u64) {
     let scene: Scene<R> = Scene::lire(Path::new(&format!("docs/scenes/{nom}.ron"))).unwrap();
-    let objets: Vec<ObjetRay<R>> = scene.objets.iter().copied().map(ObjetGeo::vers_ray).collect();
+    let objets: Vec<_> = scene.objets.into_iter().map(ObjetRay::from).collect();
     let rayons: Vec<Rayon<R>> = scene.camera.rayons().unwrap();
     let mut touches: Vec<_> = rayons.iter().map(|r| premiere_intersection(&objets, r)).collect();
     let scalaire = std::any::type_name::<R>();
@@ -43,19 +41,31 @@ fn memes_bits<R: Bits + DeserializeOwned>(nom: &str, attendue: u64) {
 }
 
 #[test]
-fn l_atelier() {
+fn l_atelier_f32() {
     memes_bits::<f32>("atelier", 0x768b_d025_e53f_9f67);
+}
+
+#[test]
+fn l_atelier_f64() {
     memes_bits::<f64>("atelier", 0xbb80_8259_d444_7a7d);
 }
 
 #[test]
-fn la_foule() {
+fn la_foule_f32() {
     memes_bits::<f32>("foule", 0xa0b2_8e61_d8e6_7e52);
+}
+
+#[test]
+fn la_foule_f64() {
     memes_bits::<f64>("foule", 0xd0ed_79e1_a712_40cf);
 }
 
 #[test]
-fn les_extremes() {
+fn les_extremes_f32() {
     memes_bits::<f32>("extremes", 0x00f1_a324_4f74_7730);
+}
+
+#[test]
+fn les_extremes_f64() {
     memes_bits::<f64>("extremes", 0x84c1_e5b6_3dc1_bedf);
 }

@@ -1,20 +1,20 @@
-//! The library beside annex A to the letter (`commun/litteral.rs`), away from the weaknesses
-//! which that page of code names: not grazing, not far, not beside an edge.
+//! The library beside annex A to the letter (`commun/litteral.rs`), away from the weaknesses of the
+//! latter: no ray grazes, none is far from its object, none passes beside an edge.
 
 mod commun;
 #[path = "commun/litteral.rs"]
 mod litteral;
 
-use commun::pour_tout;
 use commun::strategies::{plante, scene};
 use commun::tolerances::{DISTANCE, u};
+use commun::{en_f32_et_f64, pour_tout};
 use lancer_rayon::{ObjetGeo, ObjetRay, Reel, premiere_intersection};
 use proptest::prelude::*;
 
 /// What A.2's SC² − SA² loses, in u of SC²: three roundings of each square and the difference.
 const LITTERAL: f64 = 8.0;
 
-fn un_objet<R: Reel>() {
+fn un_objet_touche_de_face_est_touche_au_meme_endroit<R: Reel>() {
     pour_tout(plante::<R>(), |p| {
         let objet = p.objet.vers_ray();
         let ici = objet.intersection(&p.rayon).unwrap();
@@ -40,14 +40,10 @@ fn un_objet<R: Reel>() {
     });
 }
 
-#[test]
-fn un_objet_touche_de_face_est_touche_au_meme_endroit() {
-    un_objet::<f32>();
-    un_objet::<f64>();
-}
+en_f32_et_f64!(un_objet_touche_de_face_est_touche_au_meme_endroit);
 
-/// Whole scenes in f64, where only rays within 1e-9 of an edge or a tangent may differ: none of
-/// the random ones comes that close.
+/// In f64 only rays within about 1e-9 of an edge or a tangent may see another object: no random ray
+/// comes that close.
 #[test]
 fn une_scene_entiere_donne_le_meme_premier_objet() {
     pour_tout(scene::<f64>(), |(geo, rayon)| {

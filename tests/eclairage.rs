@@ -1,12 +1,13 @@
-//! What a renderer rests on: a convex object on its own is lit by a lamp exactly where it faces it.
+//! What a renderer rests on: a lamp lights a convex object on its own exactly where the object faces the
+//! lamp.
 
 mod commun;
 
-use commun::arrondi;
 use commun::scenes::rayons_camera;
 use commun::tolerances::u;
+use commun::{arrondi, en_f32_et_f64};
 use lancer_rayon::{
-    BoiteGeo, Intersection, ObjetGeo, ObjetRay, Rayon, Reel, Rotation, SphereGeo, Texture, Vecteur,
+    BoiteGeo, Intersection, ObjetRay, Rayon, Reel, Rotation, SphereGeo, Texture, Vecteur,
     est_occulte,
 };
 
@@ -17,6 +18,13 @@ const LAMPES: [Vecteur; 4] = [
     Vecteur::new(-500.0, 800.0, -300.0),
 ];
 
+/// cos² of a ray from a lamp, below which the ray grazes, in u of the coordinates: the point of a hit is
+/// off by a few u, and 64 is far above a few.
+const RASANT: f64 = 64.0;
+
+/// How far the camera stands from the objects, in their size: the distance is rounded as well.
+const RECUL: f64 = 8.0;
+
 /// A ball and a turned box, about as large as `echelle`.
 fn objets<R: Reel>(centre: Vecteur, echelle: f64) -> [ObjetRay<R>; 2] {
     let rayon = R::depuis_f64(echelle);
@@ -24,7 +32,7 @@ fn objets<R: Reel>(centre: Vecteur, echelle: f64) -> [ObjetRay<R>; 2] {
     let tour = Rotation::new(arrondi(Vecteur::new(0.4, 0.7, 0.2))).unwrap();
     let cotes = arrondi(Vecteur::new(1.5, 1.1, 1.3) * echelle);
     let boite = BoiteGeo::new(arrondi(centre), cotes, tour, Texture(1)).unwrap();
-    [ObjetGeo::from(boule).vers_ray(), ObjetGeo::from(boite).vers_ray()]
+    [boule.into(), boite.into()]
 }
 
 /// Whether nothing is between this hit and the lamp, as a renderer asks.
@@ -39,22 +47,20 @@ fn voit<R: Reel>(
     !est_occulte(&[*objet], &ombre, (lampe - ombre.source()).longueur())
 }
 
-/// `secondaire` promises that its object is not in the way of a ray outward, and that a ray inward
-/// does not see it at all: the first assertion needs no threshold, not even for the lamp that each
-/// hit has in its tangent plane, on one side or the other as rounding has it. What is dark, the
-/// sign of N·L alone says.
+/// The first assertion needs no threshold: `secondaire` promises that an outward ray never hits its own
+/// object, and that an inward ray misses it. One lamp lies in the tangent plane of each hit, on either
+/// side of it by rounding. The sign of N·L alone tells what is dark.
 ///
-/// The second assertion needs a threshold. It asks the lamp: its own ray towards the point meets
-/// the object on the side of the point if that faces the lamp, and elsewhere if it does not. The
-/// point is off the surface by h, a few u of its coordinates, and an oblique ray of the lamp meets
-/// the surface h/(r·cos) beside it, in units of the radius: well below the cosine, by which the
-/// normals must differ to be told apart, if cos² exceeds h/r by far.
+/// The second assertion traces the ray of the lamp towards the point P. It must hit the object beside P
+/// if N·L > 0, and elsewhere if N·L < 0. P is off the surface by h, a few u of its coordinates, so that
+/// an oblique ray hits h/(r·cos) beside P, in radii. The normals differ by as much, and by about the
+/// cosine on the other side: the two are told apart where cos² is far above h/r.
 fn eclaire_ce_qui_fait_face<R: Reel>() {
     let (mut clairs, mut sombres, mut rasants) = (0, 0, 0);
     for (echelle, loin) in [1e-3, 1.0, 1e4].into_iter().flat_map(|e| [(e, 0.0), (e, 1e3)]) {
         let decalage = Vecteur::new(0.6, -0.7, 0.4) * (loin * echelle);
         let centre = Vecteur::new(0.0, 1.0, 2.0) * echelle + decalage;
-        let seuil = (64.0 * u::<R>() * (centre.longueur() / echelle + 8.0)).sqrt();
+        let seuil = (RASANT * u::<R>() * (centre.longueur() / echelle + RECUL)).sqrt();
         let objets = objets::<R>(centre, echelle);
         let rayons = rayons_camera::<R>(90, 60).into_iter().map(|rayon| {
             let source = rayon.source().vers_f64() * echelle + decalage;
@@ -86,12 +92,4 @@ fn eclaire_ce_qui_fait_face<R: Reel>() {
     assert!(clairs.min(sombres) > 10_000 && rasants > 2_000);
 }
 
-#[test]
-fn eclaire_ce_qui_fait_face_en_f64() {
-    eclaire_ce_qui_fait_face::<f64>();
-}
-
-#[test]
-fn eclaire_ce_qui_fait_face_en_f32() {
-    eclaire_ce_qui_fait_face::<f32>();
-}
+en_f32_et_f64!(eclaire_ce_qui_fait_face);

@@ -1,4 +1,4 @@
-//! What every hit is, on random objects and rays, in both types.
+//! What every hit is, on random objects and rays.
 
 mod commun;
 
@@ -6,17 +6,22 @@ use commun::conversion::mots;
 use commun::regimes::regimes;
 use commun::strategies::{Plante, direction, plante, scene};
 use commun::tolerances::{ARRONDI, DISTANCE, NORMALE, u};
-use commun::{Bits, arrondi, est_une_entree, pour_tout};
+use commun::{Bits, arrondi, en_f32_et_f64, est_une_entree, pour_tout};
 use lancer_rayon::{
-    NoIntersection, ObjetGeo, ObjetRay, Rayon, Reel, Texture, Vecteur, est_occulte,
-    premiere_intersection,
+    NoIntersection, ObjetGeo, ObjetRay, Rayon, Reel, Vecteur, est_occulte, premiere_intersection,
 };
 use proptest::prelude::*;
 use proptest::test_runner::TestCaseResult;
 
+/// The shortest chord looked for, in sizes of the object: some fifty roundings of an f32 there.
+const CORDE_MIN: f64 = 1e-4;
+
+/// A point this part of t before the hit is outside: the planted rays are too steep to graze there.
+const AVANT: f64 = 1.0 / 64.0;
+
 /// How far X lies above the surface of an object, in f64 and by the definition of the object;
 /// below 0 inside.
-fn hauteur<R: Reel>(objet: &ObjetRay<R>, x: Vecteur) -> f64 {
+fn au_dessus<R: Reel>(objet: &ObjetRay<R>, x: Vecteur) -> f64 {
     match objet {
         ObjetRay::Sphere(sphere) => {
             (x - sphere.centre().vers_f64()).longueur() - sphere.rayon().vers_f64()
@@ -39,13 +44,13 @@ fn point<R: Reel>(rayon: &Rayon<R>, t: f64) -> Vecteur {
     rayon.source().vers_f64() + rayon.direction().vers_f64() * t
 }
 
-fn plantee<R: Reel>() {
+fn un_point_plante_est_touche<R: Reel>() {
     pour_tout(plante::<R>(), |p| {
         let objet = p.objet.vers_ray();
         let touche = objet.intersection(&p.rayon).unwrap();
         est_une_entree(&p.rayon, &touche)?;
 
-        // The ray as stored passes beside the planted point by the rounding of S and D.
+        // The rounding of S and D takes the stored ray past the planted point.
         let tolerance = (DISTANCE + 3.0 * ARRONDI) * p.cond();
         let ecart = (touche.distance().vers_f64() - p.distance).abs();
         prop_assert!(ecart <= tolerance, "distance off by {ecart:e}, {tolerance:e} allowed");
@@ -57,39 +62,34 @@ fn plantee<R: Reel>() {
         prop_assert!(ecart <= 2.0 * NORMALE * u::<R>() + courbure, "normal off by {ecart:e}");
 
         let t = touche.distance().vers_f64();
-        let au_point = hauteur(&objet, point(&p.rayon, t));
+        let au_point = au_dessus(&objet, point(&p.rayon, t));
         prop_assert!(au_point.abs() <= tolerance, "{au_point:e} above the surface");
-        prop_assert!(hauteur(&objet, point(&p.rayon, t * (1.0 - 1.0 / 64.0))) > 0.0);
+        prop_assert!(au_dessus(&objet, point(&p.rayon, t * (1.0 - AVANT))) > 0.0);
         Ok(())
     });
 }
 
-#[test]
-fn un_point_plante_est_touche() {
-    plantee::<f32>();
-    plantee::<f64>();
-}
+en_f32_et_f64!(un_point_plante_est_touche);
 
 /// A length beyond t whose end is inside the object by its definition, found by halving.
 fn corde<R: Reel>(objet: &ObjetRay<R>, rayon: &Rayon<R>, t: f64, taille: f64) -> f64 {
-    // Down to where a chord that short would be rounding, each step half of the one before.
     let mut corde = 2.0 * taille;
-    while hauteur(objet, point(rayon, t + corde)) >= 0.0 && corde > 1e-4 * taille {
+    while au_dessus(objet, point(rayon, t + corde)) >= 0.0 && corde > CORDE_MIN * taille {
         corde /= 2.0;
     }
     corde
 }
 
-fn dedans<R: Reel>() {
+fn au_dela_du_point_on_est_dedans_et_de_dedans_rien_n_est_touche<R: Reel>() {
     pour_tout(plante::<R>(), |p: Plante<R>| {
         let objet = p.objet.vers_ray();
         let t = objet.intersection(&p.rayon).unwrap().distance().vers_f64();
         let corde = corde(&objet, &p.rayon, t, p.taille);
         for fraction in [0.125, 0.5, 0.75] {
             let x = point(&p.rayon, t + fraction * corde);
-            prop_assert!(hauteur(&objet, x) < 0.0, "outside at {fraction} of the chord");
+            prop_assert!(au_dessus(&objet, x) < 0.0, "outside at {fraction} of the chord");
         }
-        // From in there the object is not touched, in whatever direction.
+        // A source in there misses the object, forwards and backwards.
         let source = arrondi(point(&p.rayon, t + corde / 2.0));
         let depuis = Rayon::new(source, p.rayon.direction()).unwrap();
         prop_assert_eq!(objet.intersection(&depuis), Err(NoIntersection));
@@ -99,17 +99,13 @@ fn dedans<R: Reel>() {
     });
 }
 
-#[test]
-fn au_dela_du_point_on_est_dedans_et_de_dedans_rien_n_est_touche() {
-    dedans::<f32>();
-    dedans::<f64>();
-}
+en_f32_et_f64!(au_dela_du_point_on_est_dedans_et_de_dedans_rien_n_est_touche);
 
-/// The first hit is an entry, no object is nearer, and it is what its object answers alone, except the
-/// index.
-fn premiere<R: Bits>() {
+/// The first hit is an entry and, except for the index, the hit of its object alone. No object is
+/// nearer; each stands twice in the list, and of equals the earlier is hit.
+fn la_premiere_est_la_plus_proche_et_a_egalite_la_premiere_de_la_liste<R: Bits>() {
     pour_tout(scene::<R>(), |(geo, rayon)| {
-        let objets: Vec<_> = geo.into_iter().map(ObjetGeo::vers_ray).collect();
+        let objets: Vec<_> = geo.iter().chain(&geo).map(|geo| geo.vers_ray()).collect();
         let touches = objets.iter().map(|o| o.intersection(&rayon)).enumerate();
         let attendue = touches
             .filter_map(|(i, touche)| Some((i, touche.ok()?)))
@@ -126,30 +122,10 @@ fn premiere<R: Bits>() {
     });
 }
 
-#[test]
-fn la_premiere_est_la_plus_proche_de_celles_de_chaque_objet() {
-    premiere::<f32>();
-    premiere::<f64>();
-}
+en_f32_et_f64!(la_premiere_est_la_plus_proche_et_a_egalite_la_premiere_de_la_liste);
 
-/// Among copies of one object the first in the list is touched.
-fn ex_aequo<R: Reel>() {
-    pour_tout((plante::<R>(), [any::<u32>(), any::<u32>()]), |(p, textures)| {
-        let jumeaux = textures.map(|t| p.parametres.avec(Texture(t)).objet().vers_ray());
-        let touche = premiere_intersection(&jumeaux, &p.rayon).unwrap();
-        prop_assert_eq!(touche.texture(), Texture(textures[0]));
-        Ok(())
-    });
-}
-
-#[test]
-fn a_egalite_le_premier_de_la_liste_est_touche() {
-    ex_aequo::<f32>();
-    ex_aequo::<f64>();
-}
-
-/// Whoever touches a convex object misses it the other way.
-fn de_partout<R: Reel>() {
+/// A ray that hits a convex object misses it the other way.
+fn un_objet_convexe_n_est_touche_que_d_un_cote<R: Reel>() {
     pour_tout((plante::<R>(), direction()), |(p, vers)| {
         let objet = p.objet.vers_ray();
         let rayon = Rayon::new(p.rayon.source(), arrondi(vers)).unwrap();
@@ -162,14 +138,10 @@ fn de_partout<R: Reel>() {
     });
 }
 
-#[test]
-fn un_objet_convexe_n_est_touche_que_d_un_cote() {
-    de_partout::<f32>();
-    de_partout::<f64>();
-}
+en_f32_et_f64!(un_objet_convexe_n_est_touche_que_d_un_cote);
 
-/// What it is defined as, at the limits that matter: each distance and its neighbours, the ends of
-/// the type and what is no distance.
+/// `est_occulte` beside its definition, at the limits that matter: each distance and its neighbours,
+/// the ends of the type, and numbers that are no distance.
 fn occultation<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> TestCaseResult {
     let touches: Vec<_> = objets.iter().filter_map(|o| o.intersection(rayon).ok()).collect();
     let deux_u = R::U + R::U;
@@ -186,7 +158,7 @@ fn occultation<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> TestCaseRes
     Ok(())
 }
 
-fn occultations<R: Reel>() {
+fn est_occulte_est_ce_que_dit_sa_definition<R: Reel>() {
     pour_tout(scene::<R>(), |(geo, rayon)| {
         let objets: Vec<_> = geo.into_iter().map(ObjetGeo::vers_ray).collect();
         occultation(&objets, &rayon)
@@ -201,8 +173,4 @@ fn occultations<R: Reel>() {
     }
 }
 
-#[test]
-fn est_occulte_est_ce_que_dit_sa_definition() {
-    occultations::<f32>();
-    occultations::<f64>();
-}
+en_f32_et_f64!(est_occulte_est_ce_que_dit_sa_definition);

@@ -3,9 +3,9 @@
 
 mod commun;
 
-use commun::pour_tout;
 use commun::strategies::{Plante, objet, plante, reel, rotation, vecteur};
 use commun::tolerances::{ARRONDI, DISTANCE, NORMALE, TOURNE, u};
+use commun::{en_f32_et_f64, pour_tout};
 use lancer_rayon::{ObjetGeo, ObjetRay, Rayon, Reel, Rotation, Vecteur};
 use proptest::prelude::*;
 use proptest::test_runner::TestCaseResult;
@@ -32,48 +32,40 @@ fn accompagner<R: Reel>(
         ObjetGeo::Sphere(_) => (tolerance + bruit * u::<R>() * p.etendue) / p.taille,
         ObjetGeo::Plan(_) | ObjetGeo::Boite(_) => 0.0,
     };
+    // The normals before and after have one error each.
     let tolerance = 2.0 * (NORMALE + TOURNE) * u::<R>() + 2.0 * courbure;
     prop_assert!(ecart <= tolerance, "normal off by {ecart:e}, {tolerance:e} allowed");
     prop_assert_eq!(apres.texture(), avant.texture());
     Ok(())
 }
 
-fn tourner_ensemble<R: Reel>() {
+fn tourner_la_scene_et_le_rayon_garde_la_distance<R: Reel>() {
     pour_tout((plante::<R>(), rotation()), |(p, r)| {
         let objet = p.objet.rotation(r).unwrap();
         let direction = r.appliquer(p.rayon.direction());
         let rayon = Rayon::new(r.appliquer(p.rayon.source()), direction).unwrap();
         let m = Rotation::depuis_matrice(r.matrice().map(|l| l.map(R::vers_f64))).unwrap();
-        // The source, the centre and the axes are turned, the direction too and then
-        // normalised: each by TOURNE.
+        // TOURNE each for the source, the centre, the axes and the direction.
         accompagner(p, objet, rayon, 1.0, |n| m.appliquer(n), 4.0 * TOURNE)
     });
 }
 
-#[test]
-fn tourner_la_scene_et_le_rayon_garde_la_distance() {
-    tourner_ensemble::<f32>();
-    tourner_ensemble::<f64>();
-}
+en_f32_et_f64!(tourner_la_scene_et_le_rayon_garde_la_distance);
 
-fn deplacer_ensemble<R: Reel>() {
+fn deplacer_la_scene_et_le_rayon_garde_la_distance<R: Reel>() {
     let strategie = plante::<R>().prop_flat_map(|p| (Just(p), vecteur(p.etendue)));
     pour_tout(strategie, |(p, v)| {
         let objet = p.objet.translation(v).unwrap();
         let rayon = Rayon::new(p.rayon.source() + v, p.rayon.direction()).unwrap();
-        // The result is at most √3 + 1 times as far out as before, a half-space rounds N·v as
-        // well (γ₃), and the search reads coordinates that are as much larger.
+        // The object ends at most √3 + 1 times as far out, a half-space also rounds N·v (3u), and the
+        // search reads coordinates that are larger by the same factor.
         accompagner(p, objet, rayon, 1.0, |n| n, 2.8 * (2.0 * ARRONDI + 3.0 + DISTANCE))
     });
 }
 
-#[test]
-fn deplacer_la_scene_et_le_rayon_garde_la_distance() {
-    deplacer_ensemble::<f32>();
-    deplacer_ensemble::<f64>();
-}
+en_f32_et_f64!(deplacer_la_scene_et_le_rayon_garde_la_distance);
 
-fn agrandir_ensemble<R: Reel>() {
+fn agrandir_la_scene_multiplie_la_distance<R: Reel>() {
     pour_tout((plante::<R>(), reel(0.01, 100.0)), |(p, k)| {
         let rayon = Rayon::new(p.rayon.source() * k, p.rayon.direction()).unwrap();
         // The source, the centre and the size are multiplied.
@@ -82,13 +74,10 @@ fn agrandir_ensemble<R: Reel>() {
     });
 }
 
-#[test]
-fn agrandir_la_scene_multiplie_la_distance() {
-    agrandir_ensemble::<f32>();
-    agrandir_ensemble::<f64>();
-}
+en_f32_et_f64!(agrandir_la_scene_multiplie_la_distance);
 
-/// The quantities of §3, to their tolerance, of an object and of the one it should be.
+/// The quantities of §3 of an object beside those expected. A normal is held to two turns: the object's
+/// and the expected one.
 fn proches<R: Reel>(a: ObjetRay<R>, b: Attendu, tolerance: f64) -> TestCaseResult {
     let vecteurs = |a: Vecteur<R>, b: Vecteur| (a.vers_f64() - b).longueur() <= tolerance;
     match a {
@@ -158,12 +147,12 @@ impl Attendu {
     }
 }
 
-fn quantites<R: Reel>() {
+fn chaque_transformation_a_les_quantites_calculees_a_la_main<R: Reel>() {
     let strategie = (objet::<R>(1.0), vecteur(10.0), rotation(), reel::<R>(0.1, 10.0));
     pour_tout(strategie, |(objet, v, r, k)| {
         let avant = Attendu::de(objet.vers_ray());
-        // Coordinates of 30 at most, sizes of 20: every rounding of the way weighs u of their
-        // sum at most, through TOURNE for the turn and five of one operation each.
+        // Coordinates are at most 30 and sizes 20. Each rounding is at most u of their sum: TOURNE for
+        // the turn, and five operations.
         let tolerance = (TOURNE + 5.0) * u::<R>() * (30.0 + 20.0);
         proches(ObjetRay::from(objet), avant, tolerance)?;
 
@@ -192,8 +181,4 @@ fn quantites<R: Reel>() {
     });
 }
 
-#[test]
-fn chaque_transformation_a_les_quantites_calculees_a_la_main() {
-    quantites::<f32>();
-    quantites::<f64>();
-}
+en_f32_et_f64!(chaque_transformation_a_les_quantites_calculees_a_la_main);

@@ -1,11 +1,10 @@
-//! The laws of `Rotation`, in both types.
+//! The laws of `Rotation`.
 
 mod commun;
 
-use commun::Bits;
-use commun::pour_tout;
 use commun::strategies::{rotation, vecteur, vecteur_rotation};
 use commun::tolerances::{ORTHONORMALE, PRODUIT, TOURNE, ecart_rotation, u};
+use commun::{Bits, en_f32_et_f64, pour_tout};
 use lancer_rayon::{Reel, Rotation, Vecteur};
 use proptest::prelude::*;
 
@@ -48,7 +47,7 @@ fn enonce(r: Vecteur) -> Matrice {
     produit(produit(m_x, m_y), m_z)
 }
 
-fn orthonormale_de_determinant_un<R: Reel>() {
+fn une_rotation_est_orthonormale<R: Reel>() {
     pour_tout(rotation::<R>(), |r| {
         let m = matrice(r);
         prop_assert!(ecart(produit(transposee(m), m), IDENTITE) <= ORTHONORMALE * u::<R>());
@@ -58,13 +57,9 @@ fn orthonormale_de_determinant_un<R: Reel>() {
     });
 }
 
-#[test]
-fn une_rotation_est_orthonormale() {
-    orthonormale_de_determinant_un::<f32>();
-    orthonormale_de_determinant_un::<f64>();
-}
+en_f32_et_f64!(une_rotation_est_orthonormale);
 
-fn formule_de_l_enonce<R: Reel>() {
+fn la_matrice_est_celle_de_la_formule<R: Reel>() {
     pour_tout(vecteur_rotation::<R>(), |v| {
         let attendu = enonce(v.vers_f64());
         // At a quarter turn the formula sees the rounding of the angle, at most 4u at 2π; an element
@@ -79,33 +74,25 @@ fn formule_de_l_enonce<R: Reel>() {
     });
 }
 
-#[test]
-fn la_matrice_est_celle_de_la_formule() {
-    formule_de_l_enonce::<f32>();
-    formule_de_l_enonce::<f64>();
-}
+en_f32_et_f64!(la_matrice_est_celle_de_la_formule);
 
-fn lois_de_groupe<R: Bits>() {
+fn les_rotations_forment_un_groupe<R: Bits>() {
     pour_tout((rotation::<R>(), rotation::<R>()), |(r, s)| {
         let attendu = produit(matrice(r), matrice(s));
         prop_assert!(ecart(matrice(r.puis(s)), attendu) <= PRODUIT * u::<R>());
         prop_assert!(ecart(matrice(r.puis(r.inverse())), IDENTITE) <= PRODUIT * u::<R>());
         prop_assert_eq!(r.inverse().inverse(), r);
         prop_assert_eq!(matrice(r.inverse()), transposee(matrice(r)));
-        // Bit for bit: a polished matrix is a fixed point.
+        // A polished matrix stays as it is, bit for bit.
         let bits = |r: Rotation<R>| r.matrice().map(|ligne| ligne.map(R::bits));
         prop_assert_eq!(bits(Rotation::depuis_matrice(r.matrice()).unwrap()), bits(r));
         Ok(())
     });
 }
 
-#[test]
-fn les_rotations_forment_un_groupe() {
-    lois_de_groupe::<f32>();
-    lois_de_groupe::<f64>();
-}
+en_f32_et_f64!(les_rotations_forment_un_groupe);
 
-fn longueurs_et_angles<R: Reel>() {
+fn longueurs_et_angles_sont_conserves<R: Reel>() {
     let vecteurs = (vecteur::<R>(1e3), vecteur::<R>(1e3));
     pour_tout((rotation::<R>(), rotation::<R>(), vecteurs), |(r, s, (v, w))| {
         let tolerance = TOURNE * u::<R>();
@@ -114,24 +101,21 @@ fn longueurs_et_angles<R: Reel>() {
         prop_assert!((rv.longueur() - lv).abs() <= tolerance * lv);
         let avant = v.vers_f64().produit_scalaire(w.vers_f64());
         prop_assert!((rv.produit_scalaire(rw) - avant).abs() <= 2.0 * tolerance * lv * lw);
-        // Turning twice is turning by the composition.
+        // To turn twice is to turn by the composition: three turns in all.
         let deux_fois = s.appliquer(r.appliquer(v)).vers_f64();
         let compose = r.puis(s).appliquer(v).vers_f64();
         prop_assert!((deux_fois - compose).longueur() <= 3.0 * tolerance * lv);
+        // Two turns.
         let retour = r.inverse().appliquer(r.appliquer(v)).vers_f64();
         prop_assert!((retour - v.vers_f64()).longueur() <= 2.0 * tolerance * lv);
         Ok(())
     });
 }
 
-#[test]
-fn longueurs_et_angles_sont_conserves() {
-    longueurs_et_angles::<f32>();
-    longueurs_et_angles::<f64>();
-}
+en_f32_et_f64!(longueurs_et_angles_sont_conserves);
 
-/// A rotation knocked off by less than the limit is repaired, to the nearest one.
-fn reparee<R: Reel>() {
+/// A matrix off by less than the limit is repaired, to the nearest rotation.
+fn une_matrice_presque_orthonormale_est_reparee<R: Reel>() {
     // An element of M·Mᵀ − I changes by two sums of three products: 2√3 amplitudes at most.
     let amplitude = ecart_rotation::<R>() / 8.0;
     let bruit = prop::array::uniform3(prop::array::uniform3(-amplitude..amplitude));
@@ -143,8 +127,10 @@ fn reparee<R: Reel>() {
         prop_assert!(
             ecart(produit(reparee, transposee(reparee)), IDENTITE) <= ORTHONORMALE * u::<R>()
         );
+        // Of the noise, at most 3 amplitudes long, the antisymmetric part stays; a fourth amplitude is
+        // far above the terms of second order.
         prop_assert!(ecart(reparee, m) <= 4.0 * amplitude);
-        // Its mirror image is no rotation, nor is one with a row too long by the limit.
+        // A mirror image is refused, and so is a row too long by the limit.
         prop_assert!(Rotation::depuis_matrice(abimee.map(|ligne| ligne.map(|x| -x))).is_err());
         let mut loin = r.matrice();
         loin[1] = loin[1].map(|x| x * R::depuis_f64(1.0 + ecart_rotation::<R>()));
@@ -153,8 +139,4 @@ fn reparee<R: Reel>() {
     });
 }
 
-#[test]
-fn une_matrice_presque_orthonormale_est_reparee() {
-    reparee::<f32>();
-    reparee::<f64>();
-}
+en_f32_et_f64!(une_matrice_presque_orthonormale_est_reparee);

@@ -1,15 +1,15 @@
-//! No question allocates, nor does what leads to one: objects, transformations, rays.
+//! No question allocates, and neither does making objects, transformations and rays.
 //!
-//! That the crate is `#![no_std]` without `alloc` says the same of all its code; this test says it
-//! of what it calls as well.
+//! The crate is `#![no_std]` without `alloc`, so that its own code cannot allocate. This test covers the
+//! crates that it calls as well.
 
 mod commun;
 
 use std::hint::black_box;
 
 use allocation_counter::measure;
-use commun::arrondi;
 use commun::scenes::{melange, rayons_camera};
+use commun::{arrondi, en_f32_et_f64};
 use lancer_rayon::{
     BoiteGeo, ErreurGeo, NoIntersection, ObjetGeo, ObjetRay, PlanGeo, Rayon, Reel, Reglage,
     Rotation, SphereGeo, Texture, Vecteur, est_occulte, premiere_intersection,
@@ -43,7 +43,7 @@ fn un_de_chaque<R: Reel>() -> Result<[ObjetRay<R>; 3], ErreurGeo> {
     Ok([sphere?, plan?, boite?])
 }
 
-fn tout<R: Reel>() {
+fn aucune_question_n_alloue<R: Reel>() {
     let objets = sans_allocation("making objects", un_de_chaque::<R>);
     assert!(objets.is_ok());
     let refus = || SphereGeo::new(Vecteur::NUL, -R::UN, Texture(0));
@@ -79,8 +79,4 @@ fn tout<R: Reel>() {
     }
 }
 
-#[test]
-fn aucune_question_n_alloue() {
-    tout::<f32>();
-    tout::<f64>();
-}
+en_f32_et_f64!(aucune_question_n_alloue);

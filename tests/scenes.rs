@@ -1,13 +1,14 @@
 //! The scenes of `docs/scenes`, and the language in which they are written.
 
+mod commun;
 #[path = "../docs/exemples/scene.rs"]
 mod scene;
 
 use std::path::{Path, PathBuf};
 
+use commun::en_f32_et_f64;
 use lancer_rayon::{
-    Intersection, NoIntersection, ObjetGeo, Rayon, Reel, SphereGeo, Texture, Vecteur,
-    premiere_intersection,
+    ObjetGeo, ObjetRay, Rayon, Reel, SphereGeo, Texture, Touche, Vecteur, premiere_intersection,
 };
 use scene::Scene;
 use serde::de::DeserializeOwned;
@@ -21,19 +22,15 @@ fn fichiers() -> Vec<PathBuf> {
 }
 
 /// What every pixel of the picture sees.
-fn image<R: Reel>(scene: &Scene<R>) -> Vec<Result<Intersection<R>, NoIntersection>> {
-    let objets: Vec<_> = scene.objets.iter().map(|objet| objet.vers_ray()).collect();
+fn image<R: Reel>(scene: &Scene<R>) -> Vec<Touche<R>> {
+    let objets: Vec<_> = scene.objets.iter().copied().map(ObjetRay::from).collect();
     let rayons = scene.camera.rayons().unwrap();
     rayons.iter().map(|rayon| premiere_intersection(&objets, rayon)).collect()
 }
 
-/// The textures of a scene number its objects, and each shows: an object that the picture does
-/// not show would not be missed if it disappeared.
-fn chaque_objet_se_voit<R: Reel>(
-    chemin: &Path,
-    scene: &Scene<R>,
-    touches: &[Result<Intersection<R>, NoIntersection>],
-) {
+/// The textures of a scene number its objects, and the picture shows each of them: nobody would miss
+/// a lost object that the picture does not show.
+fn chaque_objet_se_voit<R: Reel>(chemin: &Path, scene: &Scene<R>, touches: &[Touche<R>]) {
     let mut pixels = vec![0; scene.objets.len()];
     for touche in touches.iter().flatten() {
         pixels[touche.texture().0 as usize] += 1;
@@ -43,10 +40,18 @@ fn chaque_objet_se_voit<R: Reel>(
     }
 }
 
-/// Reading a scene in `f32` rounds it, so that a ray within rounding of a silhouette may see what
-/// is beside it. Of a picture's 240,000 rays, 2 do in `extremes.ron` and none in the others; the
-/// bound leaves room for a scene to be changed, and a formula that loses edges exceeds it by far.
-/// Where both see the same object, the distances differed by 8e-6 at most, on grazing rays.
+/// How many of the 240,000 rays of a picture may see another object in `f32` than in `f64`.
+///
+/// Reading a scene in `f32` rounds it, and a ray within rounding of a silhouette may see what is beside
+/// it: 2 rays of `extremes.ron`, none of the other scenes. A formula that loses edges exceeds 8 by far.
+const AUTRES: u32 = 8;
+
+/// How far the two distances may lie apart, as a part of the distance: grazing rays came to 8e-6.
+const ECART_F32_F64: f64 = 1e-4;
+
+/// A direction of the camera is off by some units in the last place of 1: a turn and a normalisation.
+const DIRECTION_CAMERA: f64 = 1e-15;
+
 #[test]
 fn f32_et_f64_voient_tous_les_objets_et_la_meme_image() {
     for chemin in fichiers() {
@@ -59,23 +64,23 @@ fn f32_et_f64_voient_tous_les_objets_et_la_meme_image() {
             match paire {
                 (Ok(a), Ok(b)) if a.texture() == b.texture() => {
                     let ecart = (f64::from(b.distance()) / a.distance() - 1.0).abs();
-                    assert!(ecart < 1e-4, "{}: {a:?} and {b:?}", chemin.display());
+                    assert!(ecart < ECART_F32_F64, "{}: {a:?} and {b:?}", chemin.display());
                 }
                 (Err(_), Err(_)) => {}
                 _ => autres += 1,
             }
         }
-        assert!(autres <= 8, "{}: {autres} rays see something else", chemin.display());
+        assert!(autres <= AUTRES, "{}: {autres} rays see something else", chemin.display());
     }
 }
 
-/// A scene whose fourth line, from its fifth column on, is this object.
+/// A scene that holds this object, from the fifth column of its fourth line on.
 fn avec_objet(objet: &str) -> String {
     let camera = "source: (0, 0, 9), regard: Point((0, 0, 0)), champ: 40";
     format!("(\n  camera: ({camera}),\n  objets: [\n    {objet},\n  ],\n)")
 }
 
-/// A scene whose second line, from its twelfth column on, is this camera.
+/// A scene seen by this camera, from the twelfth column of its second line on.
 fn avec_camera(camera: &str) -> String {
     format!("(\n  camera: ({camera}),\n  objets: [],\n)")
 }
@@ -216,15 +221,7 @@ fn les_quarts_de_tour_sont_exacts<R: Reel + DeserializeOwned>() {
     }
 }
 
-#[test]
-fn les_quarts_de_tour_sont_exacts_en_f64() {
-    les_quarts_de_tour_sont_exacts::<f64>();
-}
-
-#[test]
-fn les_quarts_de_tour_sont_exacts_en_f32() {
-    les_quarts_de_tour_sont_exacts::<f32>();
-}
+en_f32_et_f64!(les_quarts_de_tour_sont_exacts);
 
 /// The three below do not commute: any other order gives another sphere.
 #[test]
@@ -249,7 +246,10 @@ fn la_camera_voit_ce_qu_elle_regarde() {
     };
     let proche = |direction: Vecteur, vers: Vecteur| {
         let vers = vers.unitaire().unwrap();
-        assert!((direction - vers).longueur() < 1e-15, "{direction:?} instead of {vers:?}");
+        assert!(
+            (direction - vers).longueur() < DIRECTION_CAMERA,
+            "{direction:?} instead of {vers:?}"
+        );
     };
     let droit = image("source: (1, 2, 3), regard: Point((1, 2, -4)), champ: 90");
     assert_eq!(droit.len(), 240_000);
@@ -267,7 +267,10 @@ fn la_camera_voit_ce_qu_elle_regarde() {
     };
     let vers = Vecteur::new(4.0, 5.0, 6.0);
     proche(milieu, vers);
-    assert!((gauche.y - droite.y).abs() < 1e-15, "the horizon leans: {gauche:?}, {droite:?}");
+    assert!(
+        (gauche.y - droite.y).abs() < DIRECTION_CAMERA,
+        "the horizon leans: {gauche:?}, {droite:?}"
+    );
     // Looking towards +z, x grows to the left.
     assert!(gauche.x > milieu.x && milieu.x > droite.x);
 

@@ -1,8 +1,9 @@
 //! Reading a value goes through the same checks as making it, and loses no bit.
+
 mod commun;
 
-use commun::pour_tout;
 use commun::strategies::{objet, plante, rotation};
+use commun::{en_f32_et_f64, pour_tout};
 use lancer_rayon::{
     BoiteGeo, ObjetGeo, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture, Vecteur,
 };
@@ -14,7 +15,7 @@ fn relu<T: Serialize + DeserializeOwned>(valeur: &T) -> T {
     ron::from_str(&ron::to_string(valeur).unwrap()).unwrap()
 }
 
-fn aller_retour<R: Reel + Serialize + for<'de> Deserialize<'de>>() {
+fn ce_qui_est_ecrit_est_relu_bit_pour_bit<R: Reel + Serialize + for<'de> Deserialize<'de>>() {
     pour_tout((objet::<R>(1.0), plante::<R>(), rotation::<R>()), |(objet, plante, r)| {
         prop_assert_eq!(relu(&objet), objet);
         prop_assert_eq!(relu(&plante.objet), plante.objet);
@@ -24,13 +25,9 @@ fn aller_retour<R: Reel + Serialize + for<'de> Deserialize<'de>>() {
     });
 }
 
-#[test]
-fn ce_qui_est_ecrit_est_relu_bit_pour_bit() {
-    aller_retour::<f32>();
-    aller_retour::<f64>();
-}
+en_f32_et_f64!(ce_qui_est_ecrit_est_relu_bit_pour_bit);
 
-/// A text is refused with the sentence of the constructor.
+/// The text is refused, and the message holds the sentence of the constructor.
 fn refuse<T: DeserializeOwned>(texte: &str, phrase: &str) {
     let Err(erreur) = ron::from_str::<T>(texte) else { panic!("accepted: {texte}") };
     let erreur = erreur.to_string();

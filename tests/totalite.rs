@@ -1,10 +1,10 @@
-//! Whatever bits go in, a value that exists is valid and no query fails on it.
+//! Whatever bits go in, invalid values cannot be constructed, and every query on valid ones ends.
 
 mod commun;
 
 use commun::strategies::{quelconque, vecteur_quelconque};
 use commun::tolerances::{ORTHONORMALE, ecart_rotation, u};
-use commun::{Bits, est_une_entree, pour_tout};
+use commun::{Bits, en_f32_et_f64, est_une_entree, pour_tout};
 use lancer_rayon::{
     BoiteGeo, ErreurGeo, ObjetGeo, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture,
     Vecteur, premiere_intersection,
@@ -12,7 +12,7 @@ use lancer_rayon::{
 use proptest::prelude::*;
 use proptest::test_runner::{TestCaseError, TestCaseResult};
 
-/// A refusal names a field, and a value that indeed cannot stand there.
+/// A refusal names a field, and a value that the field does not accept.
 fn refusee<R: Reel>(erreur: ErreurGeo) -> TestCaseResult {
     let ErreurGeo { champ, valeur, .. } = erreur;
     let limite = R::LIMITE.vers_f64();
@@ -81,7 +81,7 @@ fn rotation<R: Bits>() -> impl Strategy<Value = Rotation<R>> {
     })
 }
 
-fn n_importe_quoi<R: Bits>() {
+fn n_importe_quels_bits_donnent_une_valeur_valide_ou_une_erreur<R: Bits>() {
     let formes = (vecteur_quelconque::<R>(), vecteur_quelconque::<R>(), quelconque::<R>());
     let mouvements = (vecteur_quelconque::<R>(), rotation::<R>(), quelconque::<R>());
     let rayons = (vecteur_quelconque::<R>(), vecteur_quelconque::<R>());
@@ -114,13 +114,13 @@ fn n_importe_quoi<R: Bits>() {
             }
         }
         let objets: Vec<_> = objets.into_iter().map(ObjetGeo::vers_ray).collect();
-        // Few random rays hit anything: aim at the objects as well, and at where they are not.
+        // Few random rays hit anything: some aim at the objects, some away from them.
         for vers in [direction, point - source, source - point, longueurs, -source] {
             match Rayon::new(source, vers) {
                 Ok(rayon) => {
                     prop_assert!(tient(rayon.source()));
                     let carre = rayon.direction().vers_f64().longueur_carree();
-                    // 12u for what is kept, and u more for having been measured in R.
+                    // 12u for a direction kept as it is, u for its length as measured in R.
                     prop_assert!((carre - 1.0).abs() <= 13.0 * u::<R>());
                     for objet in &objets {
                         touche_valide(core::slice::from_ref(objet), &rayon)?;
@@ -134,20 +134,16 @@ fn n_importe_quoi<R: Bits>() {
     });
 }
 
-#[test]
-fn n_importe_quels_bits_donnent_une_valeur_valide_ou_une_erreur() {
-    n_importe_quoi::<f32>();
-    n_importe_quoi::<f64>();
-}
+en_f32_et_f64!(n_importe_quels_bits_donnent_une_valeur_valide_ou_une_erreur);
 
-fn directions<R: Bits>() {
+fn toute_direction_finie_non_nulle_est_rendue_unitaire<R: Bits>() {
     pour_tout(vecteur_quelconque::<R>(), |v| {
         let finie = [v.x, v.y, v.z].into_iter().all(|x| x.abs() < R::INFINI);
         let unitaire = v.unitaire();
         prop_assert_eq!(unitaire.is_some(), finie && v != Vecteur::NUL);
         prop_assert_eq!(Rayon::new(Vecteur::NUL, v).is_ok(), unitaire.is_some());
         if let Some(unitaire) = unitaire {
-            // Along the greatest coordinate, with its sign; 2^-k of it elsewhere, as V has.
+            // The greatest coordinate keeps its sign, the others their ratio to it.
             let (v, n) = ([v.x, v.y, v.z], [unitaire.x, unitaire.y, unitaire.z]);
             let grand = (0..3).fold(0, |i, j| if v[j].abs() > v[i].abs() { j } else { i });
             prop_assert!((n[grand] > R::ZERO) == (v[grand] > R::ZERO));
@@ -162,13 +158,9 @@ fn directions<R: Bits>() {
     });
 }
 
-#[test]
-fn toute_direction_finie_non_nulle_est_rendue_unitaire() {
-    directions::<f32>();
-    directions::<f64>();
-}
+en_f32_et_f64!(toute_direction_finie_non_nulle_est_rendue_unitaire);
 
-fn rayon_rendu<R: Bits>() {
+fn un_rayon_refait_de_sa_source_et_de_sa_direction_est_le_meme<R: Bits>() {
     pour_tout((vecteur_quelconque::<R>(), vecteur_quelconque::<R>()), |(s, d)| {
         if let Ok(rayon) = Rayon::new(s, d) {
             let bits = |v: Vecteur<R>| [v.x, v.y, v.z].map(R::bits);
@@ -180,8 +172,4 @@ fn rayon_rendu<R: Bits>() {
     });
 }
 
-#[test]
-fn un_rayon_refait_de_sa_source_et_de_sa_direction_est_le_meme() {
-    rayon_rendu::<f32>();
-    rayon_rendu::<f64>();
-}
+en_f32_et_f64!(un_rayon_refait_de_sa_source_et_de_sa_direction_est_le_meme);

@@ -9,8 +9,8 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_6};
 use std::fmt::{self, Display, Write};
 
 use lancer_rayon::{
-    BoiteGeo, NoIntersection, ObjetGeo, ObjetRay, PlanGeo, Rayon, Rotation, SphereGeo, Texture,
-    Vecteur, premiere_intersection,
+    BoiteGeo, NoIntersection, ObjetRay, PlanGeo, Rayon, Rotation, SphereGeo, Texture, Vecteur,
+    premiere_intersection,
 };
 
 /// Where the figures stand.
@@ -385,10 +385,7 @@ fn boite() -> Resultat<String> {
         (210.0, "faces towards +x, +y, +z", Rotation::IDENTITE),
         (640.0, "the same three, −30° about z", tournee),
     ] {
-        let boite = BoiteGeo::new(Vecteur::NUL, dimensions, rotation, Texture(0))?;
-        let ObjetRay::Boite(boite) = ObjetGeo::from(boite).vers_ray() else {
-            return Err("a box became something else".into());
-        };
+        let boite = BoiteGeo::new(Vecteur::NUL, dimensions, rotation, Texture(0))?.vers_ray();
         let vue = Repere { origine: [x, 205.0], echelle: 95.0, vue: de_biais()? };
         dessin.texte([x, 24.0], "middle", ENCRE, titre);
         let (normales, l) = (boite.normales(), boite.demi_longueurs());

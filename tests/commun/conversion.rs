@@ -2,12 +2,12 @@
 
 use lancer_rayon::{Reel, Touche, Vecteur};
 
-/// [`Vecteur::depuis_f64`], for which the tests ask on every other line.
+/// [`Vecteur::depuis_f64`] under a shorter name.
 pub(crate) fn arrondi<R: Reel>(v: Vecteur) -> Vecteur<R> {
     Vecteur::depuis_f64(v)
 }
 
-/// A scalar seen as its bits.
+/// A scalar as bits, and back.
 pub(crate) trait Bits: Reel {
     fn depuis_bits(bits: u64) -> Self;
     fn bits(self) -> u64;
@@ -32,10 +32,10 @@ impl Bits for f64 {
     }
 }
 
-/// Every bit of an answer.
+/// Every bit of a hit or a miss.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Mots {
-    /// Distance, normal, margin and texture; of a miss, bits that no hit has, which would be NaNs.
+    /// Distance, normal, margin and texture. A miss has bits that would be NaNs, and no hit has those.
     pub(crate) valeurs: [u64; 6],
     /// The index of the object.
     pub(crate) objet: Option<usize>,

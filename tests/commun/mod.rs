@@ -1,6 +1,6 @@
 //! What the test files share: how a property is run, where its values come from, how much rounding it
 //! may see, and what every hit is.
-#![allow(dead_code, reason = "each test file uses its own part")]
+#![allow(dead_code, unused_imports, unused_macros, reason = "each test file uses its own part")]
 
 pub(crate) mod conversion;
 pub(crate) mod mesure;
@@ -16,6 +16,26 @@ use proptest::prop_assert;
 use proptest::strategy::Strategy;
 use proptest::test_runner::{Config, TestCaseResult, TestRunner};
 use tolerances::{NORMALE_UNITAIRE, u};
+
+/// `en_f32_et_f64!(nom);` makes of the function `nom::<R>()` the two tests `nom::f32` and `nom::f64`.
+macro_rules! en_f32_et_f64 {
+    ($(#[$attribut:meta])? $nom:ident) => {
+        mod $nom {
+            #[test]
+            $(#[$attribut])?
+            fn f32() {
+                super::$nom::<f32>();
+            }
+
+            #[test]
+            $(#[$attribut])?
+            fn f64() {
+                super::$nom::<f64>();
+            }
+        }
+    };
+}
+pub(crate) use en_f32_et_f64;
 
 /// Runs a property on random values; `PROPTEST_CASES` sets how many.
 pub(crate) fn pour_tout<S: Strategy>(strategie: S, propriete: impl Fn(S::Value) -> TestCaseResult) {

@@ -80,14 +80,6 @@ pub(crate) enum Parametres<R> {
 }
 
 impl<R: Reel> Parametres<R> {
-    pub(crate) fn avec(mut self, nouvelle: Texture) -> Self {
-        let (Self::Sphere { texture, .. }
-        | Self::Plan { texture, .. }
-        | Self::Boite { texture, .. }) = &mut self;
-        *texture = nouvelle;
-        self
-    }
-
     pub(crate) fn objet(self) -> ObjetGeo<R> {
         self.agrandi(R::UN)
     }
@@ -147,8 +139,7 @@ pub(crate) struct Plante<R> {
     pub(crate) normale: Vecteur,
     /// From the source as stored to the point, in f64.
     pub(crate) distance: f64,
-    /// |N·D|. Never below 0.1: flatter rays are the matter of other tests, here a first-order
-    /// bound must hold.
+    /// |N·D|, never below 0.1: a first-order bound must hold here, and other tests have flatter rays.
     pub(crate) cosinus: f64,
     /// The radius, the half-diagonal or |d|.
     pub(crate) taille: f64,
