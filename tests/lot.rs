@@ -281,6 +281,28 @@ fn aux_bornes_du_type<R: Bits>() {
 
 en_f32_et_f64!(aux_bornes_du_type);
 
+/// Built: 63 equal rays, so that no row gives the beam an axis; the x axis takes its place, and is M
+/// except for some u. Held: the one ray along M keeps its spheres, although the whole block goes to one
+/// side of the axis. The proof of the beam needs a bound e of 0 or more.
+fn un_bloc_d_un_seul_cote_de_son_axe<R: Bits>() {
+    for k in [-6.0_f64, -4.0, -2.0, -1.0, 1.0, 2.0, 4.0, 6.0] {
+        for theta in [0.3_f64, 0.6, 0.9, 1.1, 1.3] {
+            let ecarte = Vecteur::new(f64::cos(theta), -f64::sin(theta) * k.signum(), 0.0);
+            let mut rayons = [Rayon::new(Vecteur::NUL, arrondi(ecarte)).unwrap(); 64];
+            let milieu = Vecteur::new(1.0, 8.0 * R::U.vers_f64() * k, 0.0);
+            rayons[32] = Rayon::new(Vecteur::NUL, arrondi(milieu)).unwrap();
+            let boule = |x| {
+                let centre = arrondi(Vecteur::new(x, 0.0, 0.0));
+                ObjetRay::from(SphereGeo::new(centre, R::depuis_f64(0.4), Texture(0)).unwrap())
+            };
+            let objets: Vec<ObjetRay<R>> = (10..22).map(|x| boule(f64::from(x))).collect();
+            assert_eq!(comparer(&objets, &rayons), 1);
+        }
+    }
+}
+
+en_f32_et_f64!(un_bloc_d_un_seul_cote_de_son_axe);
+
 /// Half a billion rays of each type, 64 bundles a scene, as a renderer uses the batch:
 /// `cargo test --release --all-features --test lot -- --ignored`, about four minutes.
 fn un_demi_milliard_de_rayons<R: Bits>() {
