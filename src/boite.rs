@@ -209,7 +209,7 @@ impl<R: Reel> BoiteRay<R> {
 
     /// How far the ray is from both faces of one pair, and its speed towards them: the entry is the
     /// first over the third, the exit the second over the third. C is the origin, and the axis
-    /// goes with the ray.
+    /// goes with the ray. For a D that is [`accelere`](Self::accelere) the speed is as many times larger.
     #[inline(always)]
     fn dalle(&self, axe: usize, s: Vecteur<R>, d: Vecteur<R>) -> (R, R, R) {
         let (n, l) = (self.normales[axe], self.demi_longueurs[axe]);
@@ -218,8 +218,24 @@ impl<R: Reel> BoiteRay<R> {
         (-(l + o), l - o, v.abs())
     }
 
+    /// D times a power of two, so that no cross product of a length and a speed leaves the normal
+    /// range: a length here is 0 or, as a difference of two rounded numbers, at least u/2 of a
+    /// half-length, which a speed as small as a subnormal component of D would carry below it.
+    #[inline(always)]
+    fn accelere(d: Vecteur<R>) -> Vecteur<R> {
+        d * R::ECHELLE_VITESSE
+    }
+
+    /// The time of an entry or an exit: a length over a speed of an [`accelere`](Self::accelere) D.
+    /// The length is scaled, not the quotient, which could be subnormal.
+    #[inline(always)]
+    fn temps((longueur, vitesse): (R, R)) -> R {
+        longueur * R::ECHELLE_VITESSE / vitesse
+    }
+
     /// The last entry of the ray, its pair of faces, and the first exit; entry and exit as quotients
-    /// not divided yet.
+    /// not divided yet, whose [`temps`](Self::temps) is the distance. D is
+    /// [`accelere`](Self::accelere).
     ///
     /// They are compared by cross products, since one division costs more than all of these. It
     /// makes a ray parallel to a pair right as well: beside it the entry is +∞ or the exit −∞, and
@@ -227,8 +243,9 @@ impl<R: Reel> BoiteRay<R> {
     /// speed of 0.5 or more, and with it an entry and an exit nearer than `loin`.
     #[inline(always)]
     fn dalles(&self, s: Vecteur<R>, d: Vecteur<R>) -> ((R, R), usize, (R, R)) {
-        let loin = R::LIMITE * R::LIMITE;
-        let (mut entree, mut face, mut sortie) = ((-loin, R::UN), 0, (loin, R::UN));
+        let loin = R::LIMITE * R::depuis_f64(8.0);
+        let k = R::ECHELLE_VITESSE;
+        let (mut entree, mut face, mut sortie) = ((-loin, k), 0, (loin, k));
         for axe in 0..3 {
             let (vers_entree, vers_sortie, v) = self.dalle(axe, s, d);
             if vers_entree * entree.1 > entree.0 * v {
@@ -294,29 +311,30 @@ impl<R: Reel> Forme<R> for BoiteRay<R> {
     /// belong to the box.
     #[inline(always)]
     fn t(&self, s: Vecteur<R>, d: Vecteur<R>) -> R {
-        let (entree, _, sortie) = self.dalles(s, d);
+        let (entree, _, sortie) = self.dalles(s, Self::accelere(d));
         let touche = (entree.0 > R::ZERO) & (entree.0 * sortie.1 <= sortie.0 * entree.1);
-        if touche { entree.0 / entree.1 } else { R::INFINI }
+        if touche { Self::temps(entree) } else { R::INFINI }
     }
 
     /// Sure, unless `f64` names a face by which the search does not see the ray enter, N·D < 0.
     #[inline(always)]
     fn conclure(&self, rayon: &Rayon<R>, t: R) -> (Intersection<R>, bool) {
         let (s, d) = (rayon.source().vers_f64(), rayon.direction().vers_f64());
-        let (entree, axe, _) = self.vers_f64().dalles(s, d);
+        let (entree, axe, _) = self.vers_f64().dalles(s, BoiteRay::accelere(d));
         let (normale, _) = self.couple(axe);
         let vitesse = normale.produit_scalaire(rayon.direction()).vers_f64();
         let d_accord = vitesse * normale.vers_f64().produit_scalaire(d) > 0.0;
-        (self.toucher(rayon, t, entree.0 / entree.1, axe), (entree.0 > 0.0) & d_accord)
+        (self.toucher(rayon, t, BoiteRay::temps(entree), axe), (entree.0 > 0.0) & d_accord)
     }
 
     /// On the face that the search entered by.
     #[cold]
     fn reprendre(&self, rayon: &Rayon<R>, t: R) -> Intersection<R> {
         let (s, d) = (rayon.source(), rayon.direction());
-        let (_, axe, _) = self.dalles(s, d);
-        let (vers_entree, _, v) = self.vers_f64().dalle(axe, s.vers_f64(), d.vers_f64());
-        self.toucher(rayon, t, vers_entree / v, axe)
+        let (_, axe, _) = self.dalles(s, Self::accelere(d));
+        let d = BoiteRay::accelere(d.vers_f64());
+        let (vers_entree, _, v) = self.vers_f64().dalle(axe, s.vers_f64(), d);
+        self.toucher(rayon, t, BoiteRay::temps((vers_entree, v)), axe)
     }
 }
 

@@ -10,6 +10,9 @@ mod scelle {
         /// A power of two that brings any length whose square leaves the range of the type back
         /// into it.
         const ECHELLE: Self;
+        /// A power of two that keeps the product of any length of a box and any speed of a ray
+        /// towards its faces within the normal range (in `f32`: unless the speed is below 2⁻¹⁰²).
+        const ECHELLE_VITESSE: Self;
         /// How far a matrix may be from orthonormal and still be taken as a rotation.
         const ECART_ROTATION: f64;
         /// `LIMITE` in words, for a coordinate.
@@ -108,6 +111,7 @@ pub(crate) fn u<R: Reel>(n: f64) -> R {
 
 impl Scelle for f32 {
     const ECHELLE: Self = (1_u128 << 100) as Self;
+    const ECHELLE_VITESSE: Self = (1_u64 << 62) as Self;
     const ECART_ROTATION: f64 = 1e-3;
     const ATTENDU_COORDONNEE: &'static str = "a number between -2^60 and 2^60";
     const ATTENDU_TAILLE: &'static str = "a number between 2^-60 and 2^60";
@@ -154,6 +158,7 @@ impl Reel for f32 {
 
 impl Scelle for f64 {
     const ECHELLE: Self = Self::from_bits((1023 + 600) << 52);
+    const ECHELLE_VITESSE: Self = Self::from_bits((1023 + 568) << 52);
     const ECART_ROTATION: f64 = 1e-6;
     const ATTENDU_COORDONNEE: &'static str = "a number between -2^450 and 2^450";
     const ATTENDU_TAILLE: &'static str = "a number between 2^-450 and 2^450";

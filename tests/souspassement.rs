@@ -1,0 +1,133 @@
+//! Rays almost parallel to a face, down to the smallest number of the type, and boxes at both ends of
+//! the range: no product that leaves the range decides anything.
+
+mod commun;
+
+use commun::Bits;
+use commun::oracle::verite;
+use lancer_rayon::{
+    BoiteGeo, Intersection, ObjetGeo, ObjetRay, Rayon, Reel, Rotation, Texture, Vecteur,
+    est_occulte, premieres_intersections,
+};
+
+/// Numbers given by their bits.
+fn mots<R: Bits>(bits: [u64; 3]) -> Vecteur<R> {
+    // A pattern of f32 stands in the upper half.
+    let decalage = if R::U.vers_f64() > f64::EPSILON { 32 } else { 0 };
+    bits.map(|mot| R::depuis_bits(mot << decalage)).into()
+}
+
+fn boite<R: Reel>(centre: Vecteur<R>, demi_longueurs: Vecteur<R>) -> ObjetRay<R> {
+    let boite =
+        BoiteGeo::new(centre, demi_longueurs * (R::UN + R::UN), Rotation::IDENTITE, Texture(0));
+    ObjetGeo::from(boite.unwrap()).vers_ray()
+}
+
+/// The exact answer, alone and nine side by side.
+fn juger<R: Reel>(objet: &ObjetRay<R>, rayon: &Rayon<R>) -> Option<Intersection<R>> {
+    let attendu = verite(objet, rayon).entree;
+    let obtenu = objet.intersection(rayon);
+    assert_eq!(obtenu.is_ok(), attendu.is_some(), "{objet:?} {rayon:?}: {obtenu:?}");
+    assert_eq!(est_occulte(&[*objet], rayon, R::INFINI), attendu.is_some(), "{rayon:?}");
+    let mut lot = [obtenu; 9];
+    lot.fill(Err(lancer_rayon::NoIntersection));
+    premieres_intersections(&[*objet], &[*rayon; 9], &mut lot).unwrap();
+    assert_eq!(lot, [obtenu; 9], "{objet:?} {rayon:?}");
+    obtenu.ok()
+}
+
+/// The ray that leaves the box along its face, outward by the smallest of numbers.
+fn quitter<R: Reel>(objet: &ObjetRay<R>, rayon: &Rayon<R>, vers: Vecteur<R>) {
+    // Within rounding of an edge it need not be the true answer.
+    let touche = objet.intersection(rayon).unwrap();
+    let sortant = rayon.secondaire(&touche, vers).unwrap();
+    assert!(juger(objet, &sortant).is_none(), "{objet:?} left by {sortant:?}");
+}
+
+fn puissance<R: Reel>(exposant: i32) -> R {
+    R::depuis_f64(f64::from(exposant).exp2())
+}
+
+#[test]
+fn un_rayon_qui_quitte_une_face_ne_la_retouche_pas_f32() {
+    let c = mots::<f32>([0x4122_e3c7, 0x412b_d450, 0x4122_9f81]);
+    let l = mots([0x401b_4e93; 3]);
+    let s = mots([0x4163_bfb9, 0x40cd_928e, 0x415c_e566]);
+    let d = mots([0xbf16_310c, 0x3f2e_5499, 0xbee0_6313]);
+    for (echelle, petit) in [(0, -140), (-50, -85), (0, -149), (40, -149), (0, -100)] {
+        let k = puissance(echelle);
+        let objet = boite(c * k, l * k);
+        let petit = puissance(petit);
+        quitter(&objet, &Rayon::new(s * k, d).unwrap(), Vecteur::new(petit, petit, 1.0));
+    }
+}
+
+#[test]
+fn un_rayon_qui_quitte_une_face_ne_la_retouche_pas_f64() {
+    let c = mots::<f64>([0x4025_e003_aab8_7236, 0x4025_8d10_8b7b_e822, 0x4025_8c61_b235_2ec3]);
+    let l = mots([0x4004_2b59_fc04_a257; 3]);
+    let s = mots([0x402d_9aa7_a4b2_30ff, 0x401c_3310_bff8_8987, 0x402c_e0ec_fffc_9344]);
+    let d = mots([0xbfe4_1f35_39a0_b98c, 0x3fe2_0aa6_334f_0f7b, 0xbfe1_2292_09f7_8fdd]);
+    for (echelle, petit) in [(0, -1074), (-440, -1074), (440, -1074), (-440, -640), (0, -1000)] {
+        let k = puissance(echelle);
+        let objet = boite(c * k, l * k);
+        let petit = puissance(petit);
+        quitter(&objet, &Rayon::new(s * k, d).unwrap(), Vecteur::new(petit, petit, 1.0));
+    }
+}
+
+#[test]
+fn un_rayon_qui_quitte_une_arete_ne_retouche_pas_la_boite() {
+    let normales = [[0.0, 0.0, -1.0], [0.0, -1.0, 0.0], [-1.0, 0.0, 0.0]];
+    let m = Rotation::depuis_matrice(normales).unwrap();
+    let dimensions = Vecteur::new(0.499_999_9, 0.5, 1.0) * 2.0;
+    let c = Vecteur::new(-0.0, -2.999_999_5, 3.0);
+    let objet = ObjetGeo::from(BoiteGeo::new(c, dimensions, m, Texture(0)).unwrap()).vers_ray();
+    let d = mots([0xbf50_0fe5, 0xbead_6292, 0x3ef2_bd36]);
+    let rayon = Rayon::new(mots([0x40e0_0000, 0, 0]), d).unwrap();
+    quitter(&objet, &rayon, mots([0, 3, 0xbfc0_0000]));
+}
+
+/// Past a face by one unit in the last place, with the smallest of speeds towards it.
+fn a_cote<R: Reel>() {
+    let n = |x: f64| R::depuis_f64(x);
+    let dehors = n(-1.0 - 2.0 * R::U.vers_f64());
+    let cube = boite(Vecteur::NUL, Vecteur::new(R::UN, R::UN, R::UN));
+    for x in [0.0, 0.4, 1.4] {
+        let s = Vecteur::new(n(x), dehors, n(-5.0));
+        let rayon = Rayon::new(s, Vecteur::new(R::ZERO, R::PLUS_PETIT, R::UN)).unwrap();
+        assert!(juger(&cube, &rayon).is_none());
+    }
+}
+
+#[test]
+fn un_rayon_a_cote_de_la_boite_manque() {
+    a_cote::<f32>();
+    a_cote::<f64>();
+}
+
+/// The smallest box, beside it and at it, at every speed down to 2^−`lointain`.
+fn petite_boite<R: Reel>(lointain: i32) {
+    let bits = R::LIMITE.vers_f64().log2() as i32;
+    let k = puissance(-bits);
+    let cube = boite(Vecteur::NUL, Vecteur::new(R::UN, R::UN, R::UN) * (k / (R::UN + R::UN)));
+    let mut touches = 0;
+    for e in 0..=lointain {
+        for (x, y, z) in
+            [(0.6, -0.51, -0.1), (0.3, -0.51, -0.1), (0.3, -0.49, -0.8), (0.6, 0.2, 3.0)]
+        {
+            let s = Vecteur::new(R::depuis_f64(x), R::depuis_f64(y), R::depuis_f64(z)) * k;
+            for signe in [R::UN, -R::UN] {
+                let d = Vecteur::new(R::ZERO, puissance::<R>(-e) * signe, R::UN);
+                touches += u32::from(juger(&cube, &Rayon::new(s, d).unwrap()).is_some());
+            }
+        }
+    }
+    assert!(touches > 100, "{touches} hits");
+}
+
+#[test]
+fn la_plus_petite_boite_est_juste_a_toute_vitesse() {
+    petite_boite::<f32>(120);
+    petite_boite::<f64>(1074);
+}
