@@ -83,7 +83,7 @@ fn un_rayon_qui_quitte_une_arete_ne_retouche_pas_la_boite() {
     let dimensions = Vecteur::new(0.499_999_9, 0.5, 1.0) * 2.0;
     let c = Vecteur::new(-0.0, -2.999_999_5, 3.0);
     let objet = ObjetGeo::from(BoiteGeo::new(c, dimensions, m, Texture(0)).unwrap()).vers_ray();
-    let d = mots([0xbf50_0fe5, 0xbead_6292, 0x3ef2_bd36]);
+    let d = mots::<f32>([0xbf50_0fe5, 0xbead_6292, 0x3ef2_bd36]);
     let rayon = Rayon::new(mots([0x40e0_0000, 0, 0]), d).unwrap();
     quitter(&objet, &rayon, mots([0, 3, 0xbfc0_0000]));
 }

@@ -73,10 +73,9 @@ pub(crate) fn mesurer<R: Reel>(
         let k = (ecart - arrondi) / (f64::EPSILON / 2.0 * entree.cond);
         mesure.k_promis = mesure.k_promis.max(k);
 
-        let ecarts = entree.normales.iter().map(|n| (normale.vers_f64() - *n).longueur());
         let permis = 4.0 * u * (1.0 + entree.f / entree.rayon_de_courbure)
             + ecart / entree.rayon_de_courbure;
-        mesure.normale = mesure.normale.max(ecarts.fold(f64::INFINITY, f64::min) / permis);
+        mesure.normale = mesure.normale.max(entree.ecart_de_normale(normale) / permis);
     }
     mesure
 }

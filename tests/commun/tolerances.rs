@@ -39,3 +39,19 @@ pub(crate) fn ecart_rotation<R: Reel>() -> f64 {
 pub(crate) fn u<R: Reel>() -> f64 {
     R::U.vers_f64()
 }
+
+/// The margins of a decision, in u: within them rounding may answer a miss for a hit, or a hit for a
+/// miss.
+pub(crate) mod marges {
+    /// |SC| and |AC| of a sphere, of |f| + r.
+    pub(crate) const SPHERE: f64 = 4.0;
+    /// The height of S over a half-space, of |S| + |d|, and N·D.
+    pub(crate) const PLAN: f64 = 4.0;
+    /// What three products that underflow add to that height, in subnormals.
+    pub(crate) const PLAN_ABSOLUE: f64 = 2.0;
+    /// How far S is from a face of a box, of |f| + ρ: a rounding for each coordinate of S − C,
+    /// three for the scalar product, one for the sum with the half-length.
+    pub(crate) const BOITE_LONGUEUR: f64 = 6.0;
+    /// N·D of a face: three roundings, and a matrix that is orthonormal to rounding.
+    pub(crate) const BOITE_VITESSE: f64 = 4.0;
+}
