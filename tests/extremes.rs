@@ -6,7 +6,7 @@
 mod commun;
 
 use commun::arrondi;
-use commun::mesure::{mesurer, quantiles};
+use commun::mesure::{au_bord, mesurer, quantiles};
 use commun::oracle::{Entree, hauteur, verite};
 use commun::regimes::{Cas, direction, regimes, vectoriel};
 use commun::tolerances::{ORTHONORMALE, u};
@@ -140,22 +140,6 @@ fn directions_secondaires(n: Vecteur, alea: &mut Rng) -> [Vecteur; 8] {
         tangente + tres_peu,
         tangente - tres_peu,
     ]
-}
-
-/// Within rounding of an edge: an inward start there may see the other face.
-fn au_bord<R: Reel>(objet: &ObjetRay<R>, touche: &Intersection<R>, depart: Vecteur<R>) -> bool {
-    let ObjetRay::Boite(boite) = objet else { return false };
-    let cp = depart.vers_f64() - boite.centre().vers_f64();
-    // The start was moved and rounded, by this much at most in each coordinate, and as much more
-    // is what the search can be off by.
-    let pas = touche.marge().vers_f64() + 4.0 * u::<R>() * depart.vers_f64().longueur();
-    (0..3).any(|axe| {
-        let n = boite.normales()[axe];
-        let o = n.vers_f64().produit_scalaire(cp).abs();
-        n != touche.normale
-            && n != -touche.normale
-            && o >= boite.demi_longueurs()[axe].vers_f64() - 2.0 * pas
-    })
 }
 
 /// No secondary ray touches the object that it leaves, and none starts farther than promised.

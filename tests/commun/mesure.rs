@@ -1,10 +1,11 @@
 //! What is measured of an implementation against the oracle, regime by regime.
 
 use fastrand::Rng;
-use lancer_rayon::{ObjetRay, Rayon, Reel, Vecteur};
+use lancer_rayon::{Intersection, ObjetRay, Rayon, Reel, Vecteur};
 
 use super::oracle::verite;
 use super::regimes::Regime;
+use super::tolerances::u;
 
 /// What an implementation answers: distance and normal.
 pub(crate) type Reponse<R> = Option<(R, Vecteur<R>)>;
@@ -37,7 +38,7 @@ pub(crate) fn quantiles(valeurs: &mut [f64]) -> [f64; 3] {
 }
 
 /// Half the distance to the next number of the type.
-fn demi_ulp<R: Reel>(t: R) -> f64 {
+pub(crate) fn demi_ulp<R: Reel>(t: R) -> f64 {
     // Below the smallest normal number the spacing stays what it is there.
     let minimal = if R::U.vers_f64() > f64::EPSILON { -126 } else { -1022 };
     let exposant = ((t.vers_f64().to_bits() >> 52) as i32 - 1023).max(minimal);
@@ -53,7 +54,7 @@ pub(crate) fn mesurer<R: Reel>(
 ) -> Mesure {
     let mut alea = Rng::with_seed(graine);
     let mut mesure = Mesure::default();
-    let u = R::U.vers_f64();
+    let u = u::<R>();
     let en_f32 = u > f64::EPSILON;
     let plus_grand = if en_f32 { f64::from(f32::MAX) } else { f64::MAX };
     for _ in 0..cas {
@@ -78,4 +79,24 @@ pub(crate) fn mesurer<R: Reel>(
         mesure.normale = mesure.normale.max(entree.ecart_de_normale(normale) / permis);
     }
     mesure
+}
+
+/// Within rounding of an edge: an inward start there may see the other face.
+pub(crate) fn au_bord<R: Reel>(
+    objet: &ObjetRay<R>,
+    touche: &Intersection<R>,
+    depart: Vecteur<R>,
+) -> bool {
+    let ObjetRay::Boite(boite) = objet else { return false };
+    let cp = depart.vers_f64() - boite.centre().vers_f64();
+    // The start was moved and rounded, by this much at most in each coordinate, and as much more
+    // is what the search can be off by.
+    let pas = touche.marge().vers_f64() + 4.0 * u::<R>() * depart.vers_f64().longueur();
+    (0..3).any(|axe| {
+        let n = boite.normales()[axe];
+        let o = n.vers_f64().produit_scalaire(cp).abs();
+        n != touche.normale
+            && n != -touche.normale
+            && o >= boite.demi_longueurs()[axe].vers_f64() - 2.0 * pas
+    })
 }

@@ -221,7 +221,12 @@ pub(crate) fn hauteur<R: Reel>(objet: &ObjetRay<R>, normale: Vecteur<R>, p: Vect
             let cp = moins(&p, &point(sphere.centre()));
             let cp2 = scalaire(&cp, &cp);
             let r = Exact::de(sphere.rayon());
-            (&cp2 - &(&r * &r)).vers_f64() / (cp2.vers_f64().sqrt() + r.vers_f64())
+            let puissance = &cp2 - &(&r * &r);
+            // The nearer root s of |CP − sN| = r, without the cancellation.
+            let n = point(normale);
+            let (n2, b) = (scalaire(&n, &n), scalaire(&cp, &n));
+            let delta = &(&b * &b) - &(&n2 * &puissance);
+            puissance.vers_f64() / (b.vers_f64() + delta.vers_f64().max(0.0).sqrt())
         }
         ObjetRay::Plan(plan) => {
             (&scalaire(&point(plan.normale()), &p) + &Exact::de(plan.distance())).vers_f64()
@@ -236,6 +241,12 @@ pub(crate) fn hauteur<R: Reel>(objet: &ObjetRay<R>, normale: Vecteur<R>, p: Vect
             (&scalaire(&point(normale), &cp) - &l).vers_f64()
         }
     }
+}
+
+/// |V|² − 1.
+pub(crate) fn norme_au_carre_moins_un<R: Reel>(v: Vecteur<R>) -> f64 {
+    let v = point(v);
+    (&scalaire(&v, &v) - &Exact::de(1.0)).vers_f64()
 }
 
 /// The truth about one object and one ray.

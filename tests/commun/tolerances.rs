@@ -55,3 +55,25 @@ pub(crate) mod marges {
     /// N·D of a face: three roundings, and a matrix that is orthonormal to rounding.
     pub(crate) const BOITE_VITESSE: f64 = 4.0;
 }
+
+/// What the table of `docs/precision.md` promises, in the unit named.
+pub(crate) mod promesses {
+    /// Distance to a sphere, in 2⁻⁵³·cond.
+    pub(crate) const DISTANCE_SPHERE: f64 = 6.0;
+    /// Distance to a half-space, in 2⁻⁵³·cond.
+    pub(crate) const DISTANCE_PLAN: f64 = 4.0;
+    /// What products that underflow in `f64` add to it, in subnormals over |N·D|.
+    pub(crate) const DISTANCE_PLAN_ABSOLUE: f64 = 2.0;
+    /// Distance to a box, in 2⁻⁵³·cond.
+    pub(crate) const DISTANCE_BOITE: f64 = 5.0;
+    /// The least |N·D| at which the order of two objects is promised, in u: below it a distance may
+    /// be off by more than its first order.
+    pub(crate) const ORDRE_COSINUS: f64 = 12.0;
+    /// ||N| − 1| of a half-space or a face, in u: what `Rotation::depuis_matrice` keeps is within
+    /// 8u to 12u of orthonormal, and a length is off by half of its square.
+    pub(crate) const UNITAIRE_PLATE: f64 = 6.0;
+    /// ||N| − 1| of a sphere, in u: a square root, a division, a sum of three squares, a rounding.
+    pub(crate) const UNITAIRE_SPHERE: f64 = 4.0;
+    /// The direction of the normal of a sphere, in u(1 + |f|/r), beside |Δt|/r.
+    pub(crate) const DIRECTION: f64 = 4.0;
+}
