@@ -13,6 +13,7 @@ mod commun;
 
 use std::time::{Duration, Instant};
 
+use commun::double::ecart_et_cond;
 use commun::mesure::{au_bord, demi_ulp};
 use commun::oracle::{Entree, hauteur, norme_au_carre_moins_un, verite};
 use commun::regimes::{direction, entre, puissance, regimes, signe};
@@ -25,10 +26,13 @@ use lancer_rayon::{
 };
 
 /// The evaluations of a climb, unless it is told how long to last.
-const EVALUATIONS: u32 = 20_000;
+const EVALUATIONS: u32 = 100_000;
 
 /// So many in a row that gain nothing end in another start.
-const PATIENCE: u32 = 700;
+const PATIENCE: u32 = 1_000;
+
+/// How many of the best are kept to set out from again.
+const SOMMETS: usize = 6;
 
 /// Worse than any case: no hit to judge, or numbers that no constructor takes.
 const RIEN: f64 = f64::NEG_INFINITY;
@@ -232,6 +236,45 @@ impl<R: Bits> Candidat<R> {
         self.nombres[i].1 = nouveau;
     }
 
+    /// Which object is answered, if one is.
+    fn reponse(&mut self) -> Option<Option<Texture>> {
+        let cas = self.construire()?;
+        Some(premiere_intersection(&cas.objets, &cas.rayon).ok().map(|touche| touche.texture))
+    }
+
+    /// Moves one number to where the answer changes, on one side or the other: decisions go wrong
+    /// there or nowhere.
+    fn aller_a_la_decision(&mut self, alea: &mut Rng) {
+        let i = alea.usize(0..self.nombres.len());
+        let (role, x) = self.nombres[i];
+        let Some(ici) = self.reponse() else { return };
+        if role == Role::Matrice {
+            return;
+        }
+        let avec = |bits: u64| {
+            let mut autre = self.clone();
+            autre.nombres[i].1 = depuis_mot(bits);
+            autre.reponse()
+        };
+        let mut proche = x.bits();
+        let autre_cote = (0..mantisse::<R>())
+            .flat_map(|k| [proche.wrapping_add(1 << k), proche.wrapping_sub(1 << k)]);
+        let Some(mut loin) =
+            autre_cote.into_iter().find(|&bits| avec(bits).is_some_and(|reponse| reponse != ici))
+        else {
+            return;
+        };
+        while proche.abs_diff(loin) > 1 {
+            let milieu = proche.midpoint(loin);
+            match avec(milieu) {
+                Some(reponse) if reponse == ici => proche = milieu,
+                Some(_) => loin = milieu,
+                None => return,
+            }
+        }
+        self.nombres[i].1 = depuis_mot(if alea.bool() { proche } else { loin });
+    }
+
     fn bits(&self) -> String {
         let mots: Vec<_> = self.nombres.iter().map(|(_, x)| format!("{:x}", x.bits())).collect();
         format!("{:?} [{}]", self.genres, mots.join(" "))
@@ -427,10 +470,17 @@ fn deux_objets<R: Bits>(alea: &mut Rng) -> Candidat<R> {
     }
 }
 
-/// The error of the distance as a part of what is promised.
-fn distance<R: Reel>(cas: &Cas<R>) -> f64 {
+/// What products that underflow add to the error of a distance of this type.
+fn absolu<R: Reel>(genre: Genre, entree: &Entree) -> f64 {
+    match genre {
+        Genre::Plan => promesses::PLAN_ABSOLU * R::PLUS_PETIT.vers_f64() / entree.cosinus,
+        Genre::Sphere | Genre::Boite => 0.0,
+    }
+}
+
+/// The error of the distance as a part of what is promised; below `seuil` an estimate is enough.
+fn distance_ou<R: Reel>(cas: &Cas<R>, seuil: f64, pres_de_0: bool) -> f64 {
     let objet = &cas.objets[0];
-    let Some(entree) = verite(objet, &cas.rayon).entree else { return RIEN };
     let Ok(touche) = objet.intersection(&cas.rayon) else { return RIEN };
     let t = touche.distance;
     // The least distance also stands for those that would round to 0.
@@ -440,17 +490,34 @@ fn distance<R: Reel>(cas: &Cas<R>) -> f64 {
         (false, _) => 0.0,
     };
     let genre = Genre::de(objet);
-    let absolu = match genre {
-        Genre::Plan => promesses::DISTANCE_PLAN_ABSOLUE * f64::PLUS_PETIT / entree.cosinus,
-        Genre::Sphere | Genre::Boite => 0.0,
-    };
-    let permis = genre.distance() * f64::U * entree.cond + absolu;
-    if permis < f64::INFINITY { (entree.ecart(t).abs() - arrondi) / permis } else { RIEN }
+    if !pres_de_0 {
+        let (ecart, cond) = ecart_et_cond(objet, &cas.rayon, t);
+        let apercu = (ecart.abs() - arrondi) / (genre.distance() * f64::U * cond);
+        if apercu < seuil {
+            return apercu;
+        }
+    }
+    let Some(entree) = verite(objet, &cas.rayon).entree else { return RIEN };
+    let (relatif, absolu) =
+        (genre.distance() * f64::U * entree.cond, absolu::<f64>(genre, &entree));
+    // Each has its own climb, or the one would hide what the other finds.
+    if relatif == f64::INFINITY || (absolu > 1e-3 * relatif && !pres_de_0) {
+        return RIEN;
+    }
+    (entree.ecart(t).abs() - arrondi) / (relatif + absolu)
+}
+
+fn distance<R: Reel>(cas: &Cas<R>, seuil: f64) -> f64 {
+    distance_ou(cas, seuil, false)
+}
+
+fn distance_pres_de_0<R: Reel>(cas: &Cas<R>, seuil: f64) -> f64 {
+    distance_ou(cas, seuil, true)
 }
 
 /// By how much the margin would have to be larger to hold a wrong answer; a right one is the better
 /// the nearer it is to the decision.
-fn decision<R: Reel>(cas: &Cas<R>) -> f64 {
+fn decision<R: Reel>(cas: &Cas<R>, _: f64) -> f64 {
     let objet = &cas.objets[0];
     let verite = verite(objet, &cas.rayon);
     let touche = objet.intersection(&cas.rayon).is_ok();
@@ -465,29 +532,33 @@ fn decision<R: Reel>(cas: &Cas<R>) -> f64 {
 }
 
 /// By how much the object that is answered lies behind the other, as a part of what is promised.
-fn ordre<R: Reel>(cas: &Cas<R>) -> f64 {
+fn ordre<R: Reel>(cas: &Cas<R>, _: f64) -> f64 {
     let Ok(premiere) = premiere_intersection(&cas.objets, &cas.rayon) else { return RIEN };
     let Texture(gagnant) = premiere.texture;
     let [gagnant, autre] = [gagnant as usize, 1 - gagnant as usize].map(|i| {
         let verite = verite(&cas.objets[i], &cas.rayon);
         let sure = i == gagnant as usize || !verite.dans_la_marge;
-        let permis = Genre::de(&cas.objets[i]).distance() * u::<R>();
-        verite.entree.filter(|_| sure).map(|entree| (entree, permis))
+        let genre = Genre::de(&cas.objets[i]);
+        let entree = verite.entree.filter(|_| sure);
+        entree.map(|e| (genre.distance() * u::<R>(), absolu::<R>(genre, &e), e))
     });
-    let (Some((gagnant, k)), Some((autre, k_autre))) = (gagnant, autre) else { return RIEN };
+    let (Some((k, absolu, gagnant)), Some((k_autre, absolu_autre, autre))) = (gagnant, autre)
+    else {
+        return RIEN;
+    };
     let promis = |e: &Entree| e.cosinus >= promesses::ORDRE_COSINUS * u::<R>();
     if !promis(&gagnant) || !promis(&autre) {
         return RIEN;
     }
     let avance = (&gagnant.t - &autre.t).vers_f64();
-    avance / (k * gagnant.cond + k_autre * autre.cond)
+    avance / (k * gagnant.cond + absolu + k_autre * autre.cond + absolu_autre)
 }
 
 fn touche<R: Reel>(cas: &Cas<R>) -> Option<Intersection<R>> {
     cas.objets[0].intersection(&cas.rayon).ok()
 }
 
-fn longueur_de_la_normale<R: Reel>(cas: &Cas<R>) -> f64 {
+fn longueur_de_la_normale<R: Reel>(cas: &Cas<R>, _: f64) -> f64 {
     let Some(touche) = touche(cas) else { return RIEN };
     let permis = match Genre::de(&cas.objets[0]) {
         Genre::Sphere => promesses::UNITAIRE_SPHERE,
@@ -497,7 +568,7 @@ fn longueur_de_la_normale<R: Reel>(cas: &Cas<R>) -> f64 {
     0.5 * norme_au_carre_moins_un(touche.normale).abs() / (permis * u::<R>())
 }
 
-fn direction_de_la_normale<R: Reel>(cas: &Cas<R>) -> f64 {
+fn direction_de_la_normale<R: Reel>(cas: &Cas<R>, _: f64) -> f64 {
     let Some(entree) = verite(&cas.objets[0], &cas.rayon).entree else { return RIEN };
     let Some(touche) = touche(cas) else { return RIEN };
     let r = entree.rayon_de_courbure;
@@ -506,7 +577,7 @@ fn direction_de_la_normale<R: Reel>(cas: &Cas<R>) -> f64 {
     entree.ecart_de_normale(touche.normale) / permis
 }
 
-fn marge<R: Reel>(cas: &Cas<R>) -> f64 {
+fn marge<R: Reel>(cas: &Cas<R>, _: f64) -> f64 {
     let Some(touche) = touche(cas) else { return RIEN };
     let marge = touche.marge().vers_f64();
     if marge == f64::INFINITY {
@@ -524,13 +595,13 @@ fn tenue(ecart: f64) -> f64 {
 /// Larger than 1, which no surrogate is.
 const ROMPUE: f64 = 2.0;
 
-fn face_a_la_source<R: Reel>(cas: &Cas<R>) -> f64 {
+fn face_a_la_source<R: Reel>(cas: &Cas<R>, _: f64) -> f64 {
     let Some(touche) = touche(cas) else { return RIEN };
     let cosinus = touche.normale.produit_scalaire(cas.rayon.direction());
     if cosinus < R::ZERO { tenue(-cosinus.vers_f64() / u::<R>()) } else { ROMPUE }
 }
 
-fn secondaire<R: Reel>(cas: &Cas<R>) -> f64 {
+fn secondaire<R: Reel>(cas: &Cas<R>, _: f64) -> f64 {
     let objet = &cas.objets[0];
     let Some(touche) = touche(cas) else { return RIEN };
     let n = touche.normale;
@@ -583,21 +654,20 @@ fn graine(nom: &str) -> u64 {
 fn grimper<R: Bits>(
     nom: &str,
     depart: impl Fn(&mut Rng) -> Candidat<R>,
-    juger: impl Fn(&Cas<R>) -> f64,
+    juger: impl Fn(&Cas<R>, f64) -> f64,
+    decide: bool,
 ) {
     let duree = std::env::var("LANCER_RAYON_ADVERSAIRE")
         .ok()
         .map(|s| Duration::from_secs_f64(s.parse().expect("a number of seconds")));
     let nom = format!("{nom}, {}", std::any::type_name::<R>());
     let mut alea = Rng::with_seed(graine(&nom));
-    let valeur = |candidat: &mut Candidat<R>| {
-        let valeur = candidat.construire().map_or(RIEN, |cas| juger(&cas));
-        if valeur.is_nan() { RIEN } else { valeur }
-    };
     let debut = Instant::now();
     let mut evaluations = 0_u32;
-    let mut pire: Option<(f64, Candidat<R>)> = None;
+    // The best of each of the last climbs, to set out from again.
+    let mut sommets: Vec<(f64, Candidat<R>)> = Vec::new();
     let mut ici: Option<(f64, Candidat<R>)> = None;
+    let mut pire: Option<(f64, Candidat<R>)> = None;
     let mut en_vain = 0;
     loop {
         evaluations += 1;
@@ -608,21 +678,34 @@ fn grimper<R: Bits>(
             None => {}
         }
         if en_vain > PATIENCE {
-            (en_vain, ici) = (0, None);
-            if alea.u8(0..4) == 0 {
-                ici.clone_from(&pire);
+            en_vain = 0;
+            sommets.extend(ici.take());
+            sommets.sort_by(|a, b| b.0.total_cmp(&a.0));
+            sommets.truncate(SOMMETS);
+            if alea.u8(0..4) > 0 && !sommets.is_empty() {
+                // Shaken, so that it may find another way up.
+                let (_, mut candidat) = sommets[alea.usize(0..sommets.len())].clone();
+                for _ in 0..alea.usize(1..6) {
+                    candidat.bouger_une_fois(&mut alea);
+                }
+                if let Some(cas) = candidat.construire() {
+                    ici = Some((juger(&cas, RIEN), candidat));
+                }
             }
         }
+        let avant = ici.as_ref().map_or(RIEN, |(avant, _)| *avant);
         let mut candidat = match &ici {
             Some((_, ici)) => {
                 let mut candidat = ici.clone();
                 candidat.bouger(&mut alea);
+                if decide && alea.bool() {
+                    candidat.aller_a_la_decision(&mut alea);
+                }
                 candidat
             }
             None => depart(&mut alea),
         };
-        let v = valeur(&mut candidat);
-        let avant = ici.as_ref().map_or(RIEN, |(avant, _)| *avant);
+        let v = candidat.construire().map_or(RIEN, |cas| juger(&cas, avant));
         en_vain = if v > avant { 0 } else { en_vain + 1 };
         if v > RIEN && v >= avant {
             if pire.as_ref().is_none_or(|(pire, _)| v > *pire) {
@@ -635,43 +718,70 @@ fn grimper<R: Bits>(
     let cas = candidat.construire().expect("built before");
     let ou = format!("{} {:?} {:?}", candidat.bits(), cas.objets, cas.rayon);
     if duree.is_some() {
-        println!("{nom}: {v:.4} of {evaluations} evaluations, {ou}");
+        println!("{nom}: {v:.4} ({:.3e} from 1) of {evaluations} evaluations, {ou}", 1.0 - v);
     }
     assert!(v <= 1.0, "{nom}: {v} of what is promised: {ou}");
 }
 
-/// A climb for each row of the table in each type.
+/// A climb for each row of the table in each type; some look for the point where an answer changes.
 macro_rules! rangees {
-    ($($nom:ident: $depart:expr, $juger:ident;)*) => {
-        mod en_f32 {
-            $(#[test] fn $nom() { super::grimper::<f32>(stringify!($nom), $depart, super::$juger); })*
-        }
-        mod en_f64 {
-            $(#[test] fn $nom() { super::grimper::<f64>(stringify!($nom), $depart, super::$juger); })*
+    ($($nom:ident: $depart:ident, $juger:ident $(, $decide:literal)?;)*) => {
+        rangees! { en_f32, f32: $($nom: $depart, $juger, false $(|| $decide)?;)* }
+        rangees! { en_f64, f64: $($nom: $depart, $juger, false $(|| $decide)?;)* }
+    };
+    ($module:ident, $r:ident: $($nom:ident: $depart:ident, $juger:ident, $decide:expr;)*) => {
+        mod $module {
+            use super::*;
+            $(#[test] fn $nom() { grimper::<$r>(stringify!($nom), $depart, $juger, $decide); })*
         }
     };
 }
 
+fn sphere<R: Bits>(alea: &mut Rng) -> Candidat<R> {
+    un_objet(Genre::Sphere, alea)
+}
+
+fn demi_espace<R: Bits>(alea: &mut Rng) -> Candidat<R> {
+    un_objet(Genre::Plan, alea)
+}
+
+/// Through the origin or a few subnormals beside it, as the source is.
+fn demi_espace_pres_de_0<R: Bits>(alea: &mut Rng) -> Candidat<R> {
+    let petit = |alea: &mut Rng| {
+        let x = R::depuis_f64(R::PLUS_PETIT.vers_f64() * f64::from(alea.i8(-20..=20)));
+        if alea.bool() { x } else { R::ZERO }
+    };
+    let plan = PlanGeo::new(tour(alea), petit(alea), Texture(0)).unwrap();
+    let s = Vecteur::new(petit(alea), petit(alea), petit(alea));
+    let rayon = Rayon::new(s, arrondi(direction(alea))).unwrap();
+    Candidat::new(&[ObjetGeo::from(plan).vers_ray()], &rayon, [R::ZERO; 5])
+}
+
+fn boite<R: Bits>(alea: &mut Rng) -> Candidat<R> {
+    un_objet(Genre::Boite, alea)
+}
+
 rangees! {
-    distance_d_une_sphere: |a| super::un_objet(super::Genre::Sphere, a), distance;
-    distance_d_un_demi_espace: |a| super::un_objet(super::Genre::Plan, a), distance;
-    distance_d_une_boite: |a| super::un_objet(super::Genre::Boite, a), distance;
-    decision_d_une_sphere: |a| super::un_objet(super::Genre::Sphere, a), decision;
-    decision_d_un_demi_espace: |a| super::un_objet(super::Genre::Plan, a), decision;
-    decision_d_une_boite: |a| super::un_objet(super::Genre::Boite, a), decision;
-    ordre_de_deux_objets: super::deux_objets, ordre;
-    normale_unitaire_d_une_sphere: |a| super::un_objet(super::Genre::Sphere, a), longueur_de_la_normale;
-    normale_unitaire_d_un_demi_espace: |a| super::un_objet(super::Genre::Plan, a), longueur_de_la_normale;
-    normale_unitaire_d_une_boite: |a| super::un_objet(super::Genre::Boite, a), longueur_de_la_normale;
-    direction_de_la_normale_d_une_sphere: |a| super::un_objet(super::Genre::Sphere, a), direction_de_la_normale;
-    direction_de_la_normale_d_une_boite: |a| super::un_objet(super::Genre::Boite, a), direction_de_la_normale;
-    marge_d_une_sphere: |a| super::un_objet(super::Genre::Sphere, a), marge;
-    marge_d_un_demi_espace: |a| super::un_objet(super::Genre::Plan, a), marge;
-    marge_d_une_boite: |a| super::un_objet(super::Genre::Boite, a), marge;
-    secondaire_d_une_sphere: |a| super::un_objet(super::Genre::Sphere, a), secondaire;
-    secondaire_d_un_demi_espace: |a| super::un_objet(super::Genre::Plan, a), secondaire;
-    secondaire_d_une_boite: |a| super::un_objet(super::Genre::Boite, a), secondaire;
-    face_a_la_source_d_une_sphere: |a| super::un_objet(super::Genre::Sphere, a), face_a_la_source;
-    face_a_la_source_d_un_demi_espace: |a| super::un_objet(super::Genre::Plan, a), face_a_la_source;
-    face_a_la_source_d_une_boite: |a| super::un_objet(super::Genre::Boite, a), face_a_la_source;
+    distance_d_une_sphere: sphere, distance;
+    distance_d_un_demi_espace: demi_espace, distance;
+    distance_d_un_demi_espace_pres_de_0: demi_espace_pres_de_0, distance_pres_de_0;
+    distance_d_une_boite: boite, distance;
+    decision_d_une_sphere: sphere, decision, true;
+    decision_d_un_demi_espace: demi_espace, decision, true;
+    decision_d_une_boite: boite, decision, true;
+    ordre_de_deux_objets: deux_objets, ordre, true;
+    normale_unitaire_d_une_sphere: sphere, longueur_de_la_normale;
+    normale_unitaire_d_un_demi_espace: demi_espace, longueur_de_la_normale;
+    normale_unitaire_d_une_boite: boite, longueur_de_la_normale;
+    direction_de_la_normale_d_une_sphere: sphere, direction_de_la_normale;
+    direction_de_la_normale_d_une_boite: boite, direction_de_la_normale;
+    marge_d_une_sphere: sphere, marge;
+    marge_d_un_demi_espace: demi_espace, marge;
+    marge_d_une_boite: boite, marge;
+    secondaire_d_une_sphere: sphere, secondaire;
+    secondaire_d_un_demi_espace: demi_espace, secondaire;
+    secondaire_d_une_boite: boite, secondaire;
+    face_a_la_source_d_une_sphere: sphere, face_a_la_source;
+    face_a_la_source_d_un_demi_espace: demi_espace, face_a_la_source;
+    face_a_la_source_d_une_boite: boite, face_a_la_source;
 }

@@ -222,11 +222,12 @@ pub(crate) fn hauteur<R: Reel>(objet: &ObjetRay<R>, normale: Vecteur<R>, p: Vect
             let cp2 = scalaire(&cp, &cp);
             let r = Exact::de(sphere.rayon());
             let puissance = &cp2 - &(&r * &r);
-            // The nearer root s of |CP − sN| = r, without the cancellation.
+            // The nearer of the two s with |CP − sN| = r, without a cancellation.
             let n = point(normale);
             let (n2, b) = (scalaire(&n, &n), scalaire(&cp, &n));
             let delta = &(&b * &b) - &(&n2 * &puissance);
-            puissance.vers_f64() / (b.vers_f64() + delta.vers_f64().max(0.0).sqrt())
+            let (b, puissance) = (b.vers_f64(), puissance.vers_f64());
+            puissance / (b.abs() + delta.vers_f64().max(0.0).sqrt()).copysign(b)
         }
         ObjetRay::Plan(plan) => {
             (&scalaire(&point(plan.normale()), &p) + &Exact::de(plan.distance())).vers_f64()
@@ -323,17 +324,52 @@ struct Couple {
     normale: Point,
 }
 
-/// Which of the two lengths. Turned the other way the ray has its exit at −a and its entry at −b.
-const A: usize = 0;
-const B: usize = 1;
+/// x_i·v_j − y_j·v_i for two pairs of faces i and j, each exact until it was rounded.
+struct Produits {
+    /// Of the entries a and a.
+    aa: [[f64; 3]; 3],
+    /// Of an exit b and an entry a.
+    ba: [[f64; 3]; 3],
+    /// Of −a and a: turned the other way, the ray has its exit at −a.
+    moins_aa: [[f64; 3]; 3],
+    /// Of −b and b: and its entry at −b.
+    moins_bb: [[f64; 3]; 3],
+}
+
+impl Produits {
+    fn new(longueurs: &[[Exact; 2]; 3], couples: &[Couple; 3]) -> Self {
+        let mut tous = Self {
+            aa: [[0.0; 3]; 3],
+            ba: [[0.0; 3]; 3],
+            moins_aa: [[0.0; 3]; 3],
+            moins_bb: [[0.0; 3]; 3],
+        };
+        for (i, j) in [(0, 1), (0, 2), (1, 2)] {
+            let ([a_i, b_i], [a_j, b_j]) = (&longueurs[i], &longueurs[j]);
+            let (v_i, v_j) = (&couples[i].v, &couples[j].v);
+            let (av, va) = (a_i * v_j, a_j * v_i);
+            let (bv, vb) = (b_i * v_j, b_j * v_i);
+            tous.aa[i][j] = (&av - &va).vers_f64();
+            tous.aa[j][i] = -tous.aa[i][j];
+            tous.ba[i][j] = (&bv - &va).vers_f64();
+            tous.ba[j][i] = (&vb - &av).vers_f64();
+            tous.moins_aa[i][j] = -(&av + &va).vers_f64();
+            tous.moins_aa[j][i] = tous.moins_aa[i][j];
+            tous.moins_bb[i][j] = -(&bv + &vb).vers_f64();
+            tous.moins_bb[j][i] = tous.moins_bb[i][j];
+        }
+        tous
+    }
+}
 
 /// What the margin of a box is made of: lengths in a unit near |f| + ρ and cross products of them
 /// and the speeds, exact until they were rounded here.
 struct Decision {
-    longueurs: [[f64; 2]; 3],
+    a: [f64; 3],
+    b: [f64; 3],
     v: [f64; 3],
-    /// a_i·v_j and b_i·v_j: croix[i][A or B][j], to be subtracted exactly.
-    croix: [[[Exact; 3]; 2]; 3],
+    /// a_i·v_j − a_j·v_i, and so on for each sum and difference of these products that is asked for.
+    produits: Produits,
     alpha: f64,
     beta: f64,
 }
@@ -344,63 +380,51 @@ impl Decision {
         let unite = ((taille.to_bits() >> 52) as isize - 1023).max(-1000);
         let reduit = |x: &Exact| Exact { m: x.m.clone(), e: x.e - unite };
         let longueurs = couples.each_ref().map(|c| [reduit(&c.a), reduit(&c.b)]);
-        let croix = longueurs
-            .each_ref()
-            .map(|ab| ab.each_ref().map(|x| couples.each_ref().map(|c| x * &c.v)));
+        let produits = Produits::new(&longueurs, couples);
         let taille = taille * f64::from(-unite as i32).exp2();
         Self {
-            longueurs: longueurs.each_ref().map(|ab| ab.each_ref().map(Exact::vers_f64)),
+            a: longueurs.each_ref().map(|[a, _]| a.vers_f64()),
+            b: longueurs.each_ref().map(|[_, b]| b.vers_f64()),
             v: couples.each_ref().map(|c| c.v.vers_f64()),
-            croix,
+            produits,
             alpha: marges::BOITE_LONGUEUR * u * taille,
             beta: marges::BOITE_VITESSE * u,
         }
     }
 
-    /// x_i·v_j − y_j·v_i, where x and y are lengths with a sign: (A or B, negated).
-    fn produit(
-        &self,
-        (i, x, x_moins): (usize, usize, bool),
-        (j, y, y_moins): (usize, usize, bool),
-    ) -> f64 {
-        let (x, y) = (&self.croix[i][x][j], &self.croix[j][y][i]);
-        match (x_moins, y_moins) {
-            (false, false) => (x - y).vers_f64(),
-            (false, true) => (x + y).vers_f64(),
-            (true, false) => -(x + y).vers_f64(),
-            (true, true) => (y - x).vers_f64(),
+    /// How far the exit is, b; if the ray may go either way, the nearer plane, l − |o|. And its
+    /// products with the entries of the other pairs.
+    fn sortie(&self, i: usize, sens_connu: bool) -> (f64, &[f64; 3]) {
+        if sens_connu || self.b[i] <= -self.a[i] {
+            (self.b[i], &self.produits.ba[i])
+        } else {
+            (-self.a[i], &self.produits.moins_aa[i])
         }
     }
 
-    /// The length that is meant: b, or, if the ray may go either way, the nearer plane
-    /// ahead, l − |o|.
-    fn vers_sortie(&self, i: usize, sens_connu: bool) -> (f64, usize, bool) {
-        let [a, b] = self.longueurs[i];
-        if sens_connu || b <= -a { (b, B, false) } else { (-a, A, true) }
-    }
-
-    /// a, or, if the ray may go either way, how far S is from the slab, |o| − l.
-    fn vers_entree(&self, i: usize, sens_connu: bool) -> (f64, usize, bool) {
-        let [a, b] = self.longueurs[i];
-        if sens_connu || a >= -b { (a, A, false) } else { (-b, B, true) }
+    /// How far the entry is, a; if the ray may go either way, how far S is from the slab, |o| − l.
+    /// And its product with the exit of another pair.
+    fn entree(&self, i: usize, sens_connu: bool) -> (f64, impl Fn(usize) -> f64) {
+        let approche = sens_connu || self.a[i] >= -self.b[i];
+        let produit = move |j: usize| {
+            if approche { -self.produits.ba[j][i] } else { self.produits.moins_bb[i][j] }
+        };
+        (if approche { self.a[i] } else { -self.b[i] }, produit)
     }
 
     /// No lengths within α and speeds within β of these, times `facteur`, make it a miss.
     fn touche_surement(&self, facteur: f64) -> bool {
         let (alpha, beta) = (facteur * self.alpha, facteur * self.beta);
         let connu = self.v.map(|v| v > beta);
-        let entre = (0..3).any(|i| connu[i] && self.longueurs[i][A] > alpha);
+        let entre = (0..3).any(|i| connu[i] && self.a[i] > alpha);
         entre
             && (0..3).all(|j| {
-                let (b, quoi, moins) = self.vers_sortie(j, connu[j]);
+                let (b, produits) = self.sortie(j, connu[j]);
                 // Entries of another pair; those of the same one never come after its exit.
                 let avant = |i: usize| {
-                    let a = self.longueurs[i][A];
+                    let a = self.a[i];
                     let permis = alpha * (self.v[i] + self.v[j]) + beta * (a + b);
-                    i == j
-                        || !connu[i]
-                        || a < -alpha
-                        || self.produit((j, quoi, moins), (i, A, false)) >= permis
+                    i == j || !connu[i] || a < -alpha || produits[i] >= permis
                 };
                 b > alpha && (0..3).all(avant)
             })
@@ -410,16 +434,12 @@ impl Decision {
     fn manque_surement(&self, facteur: f64) -> bool {
         let (alpha, beta) = (facteur * self.alpha, facteur * self.beta);
         let connu = self.v.map(|v| v > beta);
-        let derriere = (0..3).any(|j| connu[j] && self.longueurs[j][B] < -alpha);
-        let entre = (0..3).any(|i| self.vers_entree(i, connu[i]).0 > -alpha);
+        let derriere = (0..3).any(|j| connu[j] && self.b[j] < -alpha);
+        let entre = (0..3).any(|i| self.entree(i, connu[i]).0 > -alpha);
         let trop_tard = |i: usize, j: usize| {
-            let (a, quoi, moins) = self.vers_entree(i, connu[i]);
-            let b = self.longueurs[j][B];
-            let permis = alpha * (self.v[i] + self.v[j]) + beta * (a + b);
-            i != j
-                && connu[j]
-                && a > alpha
-                && self.produit((i, quoi, moins), (j, B, false)) > permis
+            let (a, produit) = self.entree(i, connu[i]);
+            let permis = alpha * (self.v[i] + self.v[j]) + beta * (a + self.b[j]);
+            i != j && connu[j] && a > alpha && produit(j) > permis
         };
         derriere || !entre || (0..3).any(|i| (0..3).any(|j| trop_tard(i, j)))
     }
@@ -442,24 +462,24 @@ impl Decision {
     /// the others at the earliest.
     fn peut_etre_la_derniere(&self, i: usize) -> bool {
         let (alpha, beta) = (self.alpha, self.beta);
-        let (a, v) = (self.longueurs[i][A], self.v[i]);
+        let (a, v) = (self.a[i], self.v[i]);
         if v <= beta {
             // Between the planes of a pair that it hardly approaches, it entered long ago.
-            let (b, ..) = self.vers_sortie(i, false);
+            let (b, _) = self.sortie(i, false);
             let tard = -(b - alpha) / (v + beta);
             return b <= alpha || (0..3).all(|j| i == j || tard >= self.au_plus_tot(j));
         }
         (0..3).all(|j| {
-            let (a_j, v_j) = (self.longueurs[j][A], self.v[j]);
+            let (a_j, v_j) = (self.a[j], self.v[j]);
             let (somme, vitesses) = (beta * (a + a_j), alpha * (v + v_j));
             if i == j {
                 true
             } else if v_j <= beta {
                 (a + alpha) / (v - beta) >= self.au_plus_tot(j)
             } else if a >= -alpha {
-                a_j < alpha || self.produit((i, A, false), (j, A, false)) + vitesses + somme >= 0.0
+                a_j < alpha || self.produits.aa[i][j] + vitesses + somme >= 0.0
             } else {
-                a_j < alpha && self.produit((i, A, false), (j, A, false)) + vitesses - somme >= 0.0
+                a_j < alpha && self.produits.aa[i][j] + vitesses - somme >= 0.0
             }
         })
     }
@@ -467,7 +487,7 @@ impl Decision {
     /// The earliest that an entry can be.
     fn au_plus_tot(&self, j: usize) -> f64 {
         let connu = self.v[j] > self.beta;
-        let (a, ..) = self.vers_entree(j, connu);
+        let (a, _) = self.entree(j, connu);
         let a = a - self.alpha;
         if a > 0.0 {
             a / (self.v[j] + self.beta)

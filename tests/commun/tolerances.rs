@@ -62,8 +62,8 @@ pub(crate) mod promesses {
     pub(crate) const DISTANCE_SPHERE: f64 = 6.0;
     /// Distance to a half-space, in 2⁻⁵³·cond.
     pub(crate) const DISTANCE_PLAN: f64 = 4.0;
-    /// What products that underflow in `f64` add to it, in subnormals over |N·D|.
-    pub(crate) const DISTANCE_PLAN_ABSOLUE: f64 = 2.0;
+    /// What products that underflow add to it, in subnormals over |N·D|.
+    pub(crate) const PLAN_ABSOLU: f64 = 2.0;
     /// Distance to a box, in 2⁻⁵³·cond.
     pub(crate) const DISTANCE_BOITE: f64 = 5.0;
     /// The least |N·D| at which the order of two objects is promised, in u: below it a distance may
