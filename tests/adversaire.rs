@@ -25,14 +25,11 @@ use lancer_rayon::{
     Vecteur, premiere_intersection,
 };
 
-/// The evaluations of a climb, unless it is told how long to last.
-const EVALUATIONS: u32 = 100_000;
-
 /// So many in a row that gain nothing end in another start.
-const PATIENCE: u32 = 1_000;
+const PATIENCE: u32 = 200;
 
 /// How many of the best are kept to set out from again.
-const SOMMETS: usize = 6;
+const SOMMETS: usize = 30;
 
 /// Worse than any case: no hit to judge, or numbers that no constructor takes.
 const RIEN: f64 = f64::NEG_INFINITY;
@@ -655,6 +652,7 @@ fn grimper<R: Bits>(
     nom: &str,
     depart: impl Fn(&mut Rng) -> Candidat<R>,
     juger: impl Fn(&Cas<R>, f64) -> f64,
+    assez: u32,
     decide: bool,
 ) {
     let duree = std::env::var("LANCER_RAYON_ADVERSAIRE")
@@ -674,7 +672,7 @@ fn grimper<R: Bits>(
         match duree {
             Some(duree) if evaluations % 64 == 0 && debut.elapsed() > duree => break,
             Some(_) => {}
-            None if evaluations > EVALUATIONS => break,
+            None if evaluations > assez => break,
             None => {}
         }
         if en_vain > PATIENCE {
@@ -723,16 +721,17 @@ fn grimper<R: Bits>(
     assert!(v <= 1.0, "{nom}: {v} of what is promised: {ou}");
 }
 
-/// A climb for each row of the table in each type; some look for the point where an answer changes.
+/// A climb of so many evaluations for each row of the table in each type, unless it is told how long
+/// to last; some look for the point where an answer changes.
 macro_rules! rangees {
-    ($($nom:ident: $depart:ident, $juger:ident $(, $decide:literal)?;)*) => {
-        rangees! { en_f32, f32: $($nom: $depart, $juger, false $(|| $decide)?;)* }
-        rangees! { en_f64, f64: $($nom: $depart, $juger, false $(|| $decide)?;)* }
+    ($($nom:ident: $depart:ident, $juger:ident, $assez:literal $(, $decide:literal)?;)*) => {
+        rangees! { en_f32, f32: $($nom: $depart, $juger, $assez, false $(|| $decide)?;)* }
+        rangees! { en_f64, f64: $($nom: $depart, $juger, $assez, false $(|| $decide)?;)* }
     };
-    ($module:ident, $r:ident: $($nom:ident: $depart:ident, $juger:ident, $decide:expr;)*) => {
+    ($module:ident, $r:ident: $($nom:ident: $depart:ident, $juger:ident, $assez:expr, $decide:expr;)*) => {
         mod $module {
             use super::*;
-            $(#[test] fn $nom() { grimper::<$r>(stringify!($nom), $depart, $juger, $decide); })*
+            $(#[test] fn $nom() { grimper::<$r>(stringify!($nom), $depart, $juger, $assez, $decide); })*
         }
     };
 }
@@ -762,26 +761,26 @@ fn boite<R: Bits>(alea: &mut Rng) -> Candidat<R> {
 }
 
 rangees! {
-    distance_d_une_sphere: sphere, distance;
-    distance_d_un_demi_espace: demi_espace, distance;
-    distance_d_un_demi_espace_pres_de_0: demi_espace_pres_de_0, distance_pres_de_0;
-    distance_d_une_boite: boite, distance;
-    decision_d_une_sphere: sphere, decision, true;
-    decision_d_un_demi_espace: demi_espace, decision, true;
-    decision_d_une_boite: boite, decision, true;
-    ordre_de_deux_objets: deux_objets, ordre, true;
-    normale_unitaire_d_une_sphere: sphere, longueur_de_la_normale;
-    normale_unitaire_d_un_demi_espace: demi_espace, longueur_de_la_normale;
-    normale_unitaire_d_une_boite: boite, longueur_de_la_normale;
-    direction_de_la_normale_d_une_sphere: sphere, direction_de_la_normale;
-    direction_de_la_normale_d_une_boite: boite, direction_de_la_normale;
-    marge_d_une_sphere: sphere, marge;
-    marge_d_un_demi_espace: demi_espace, marge;
-    marge_d_une_boite: boite, marge;
-    secondaire_d_une_sphere: sphere, secondaire;
-    secondaire_d_un_demi_espace: demi_espace, secondaire;
-    secondaire_d_une_boite: boite, secondaire;
-    face_a_la_source_d_une_sphere: sphere, face_a_la_source;
-    face_a_la_source_d_un_demi_espace: demi_espace, face_a_la_source;
-    face_a_la_source_d_une_boite: boite, face_a_la_source;
+    distance_d_une_sphere: sphere, distance, 500_000;
+    distance_d_un_demi_espace: demi_espace, distance, 500_000;
+    distance_d_un_demi_espace_pres_de_0: demi_espace_pres_de_0, distance_pres_de_0, 500_000;
+    distance_d_une_boite: boite, distance, 500_000;
+    decision_d_une_sphere: sphere, decision, 100_000, true;
+    decision_d_un_demi_espace: demi_espace, decision, 100_000, true;
+    decision_d_une_boite: boite, decision, 100_000, true;
+    ordre_de_deux_objets: deux_objets, ordre, 100_000, true;
+    normale_unitaire_d_une_sphere: sphere, longueur_de_la_normale, 60_000;
+    normale_unitaire_d_un_demi_espace: demi_espace, longueur_de_la_normale, 60_000;
+    normale_unitaire_d_une_boite: boite, longueur_de_la_normale, 60_000;
+    direction_de_la_normale_d_une_sphere: sphere, direction_de_la_normale, 60_000;
+    direction_de_la_normale_d_une_boite: boite, direction_de_la_normale, 60_000;
+    marge_d_une_sphere: sphere, marge, 60_000;
+    marge_d_un_demi_espace: demi_espace, marge, 60_000;
+    marge_d_une_boite: boite, marge, 60_000;
+    secondaire_d_une_sphere: sphere, secondaire, 100_000;
+    secondaire_d_un_demi_espace: demi_espace, secondaire, 100_000;
+    secondaire_d_une_boite: boite, secondaire, 100_000;
+    face_a_la_source_d_une_sphere: sphere, face_a_la_source, 60_000;
+    face_a_la_source_d_un_demi_espace: demi_espace, face_a_la_source, 60_000;
+    face_a_la_source_d_une_boite: boite, face_a_la_source, 60_000;
 }
