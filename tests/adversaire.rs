@@ -239,37 +239,31 @@ impl<R: Bits> Candidat<R> {
         Some(premiere_intersection(&cas.objets, &cas.rayon).ok().map(|touche| touche.texture))
     }
 
-    /// Moves one number to where the answer changes, on one side or the other: decisions go wrong
-    /// there or nowhere.
-    fn aller_a_la_decision(&mut self, alea: &mut Rng) {
-        let i = alea.usize(0..self.nombres.len());
-        let (role, x) = self.nombres[i];
-        let Some(ici) = self.reponse() else { return };
-        if role == Role::Matrice {
-            return;
-        }
-        let avec = |bits: u64| {
-            let mut autre = self.clone();
-            autre.nombres[i].1 = depuis_mot(bits);
-            autre.reponse()
+    /// The two neighbours between which the answer changes, for one length that moves: decisions go
+    /// wrong there or nowhere.
+    fn a_la_decision(mut self, alea: &mut Rng) -> Option<[Self; 2]> {
+        let longueurs = || (0..self.nombres.len()).filter(|&i| self.nombres[i].0 == Role::Longueur);
+        let i = longueurs().nth(alea.usize(0..longueurs().count()))?;
+        let ici = self.reponse()?;
+        let depart = self.nombres[i].1.bits();
+        // With another length the constructors change no other number.
+        let mut avec = |bits: u64| {
+            self.nombres[i].1 = depuis_mot(bits);
+            self.reponse()
         };
-        let mut proche = x.bits();
-        let autre_cote = (0..mantisse::<R>())
-            .flat_map(|k| [proche.wrapping_add(1 << k), proche.wrapping_sub(1 << k)]);
-        let Some(mut loin) =
-            autre_cote.into_iter().find(|&bits| avec(bits).is_some_and(|reponse| reponse != ici))
-        else {
-            return;
-        };
+        let mut proche = depart;
+        let mut loin = (0..mantisse::<R>())
+            .flat_map(|k| [proche.wrapping_add(1 << k), proche.wrapping_sub(1 << k)])
+            .find(|&bits| avec(bits).is_some_and(|reponse| reponse != ici))?;
         while proche.abs_diff(loin) > 1 {
             let milieu = proche.midpoint(loin);
-            match avec(milieu) {
-                Some(reponse) if reponse == ici => proche = milieu,
-                Some(_) => loin = milieu,
-                None => return,
-            }
+            if avec(milieu)? == ici { proche = milieu } else { loin = milieu }
         }
-        self.nombres[i].1 = depuis_mot(if alea.bool() { proche } else { loin });
+        Some([proche, loin].map(|bits| {
+            let mut voisin = self.clone();
+            voisin.nombres[i].1 = depuis_mot(bits);
+            voisin
+        }))
     }
 
     fn bits(&self) -> String {
@@ -696,14 +690,26 @@ fn grimper<R: Bits>(
             Some((_, ici)) => {
                 let mut candidat = ici.clone();
                 candidat.bouger(&mut alea);
-                if decide && alea.bool() {
-                    candidat.aller_a_la_decision(&mut alea);
-                }
                 candidat
             }
             None => depart(&mut alea),
         };
-        let v = candidat.construire().map_or(RIEN, |cas| juger(&cas, avant));
+        let valeur = |candidat: &mut Candidat<R>| {
+            candidat.construire().map_or(RIEN, |cas| juger(&cas, avant))
+        };
+        let voisins = if decide && alea.u8(0..4) > 0 {
+            candidat.clone().a_la_decision(&mut alea)
+        } else {
+            None
+        };
+        let v = match voisins {
+            None => valeur(&mut candidat),
+            Some([mut ici, mut la]) => {
+                let (v_ici, v_la) = (valeur(&mut ici), valeur(&mut la));
+                candidat = if v_ici >= v_la { ici } else { la };
+                v_ici.max(v_la)
+            }
+        };
         en_vain = if v > avant { 0 } else { en_vain + 1 };
         if v > RIEN && v >= avant {
             if pire.as_ref().is_none_or(|(pire, _)| v > *pire) {
