@@ -26,10 +26,10 @@ use lancer_rayon::{
 };
 
 /// So many in a row that gain nothing end in another start.
-const PATIENCE: u32 = 200;
+const PATIENCE: u32 = 50;
 
 /// How many of the best are kept to set out from again.
-const SOMMETS: usize = 30;
+const SOMMETS: usize = 20;
 
 /// Worse than any case: no hit to judge, or numbers that no constructor takes.
 const RIEN: f64 = f64::NEG_INFINITY;
@@ -767,14 +767,14 @@ fn boite<R: Bits>(alea: &mut Rng) -> Candidat<R> {
 }
 
 rangees! {
-    distance_d_une_sphere: sphere, distance, 500_000;
-    distance_d_un_demi_espace: demi_espace, distance, 500_000;
-    distance_d_un_demi_espace_pres_de_0: demi_espace_pres_de_0, distance_pres_de_0, 500_000;
-    distance_d_une_boite: boite, distance, 500_000;
-    decision_d_une_sphere: sphere, decision, 100_000, true;
-    decision_d_un_demi_espace: demi_espace, decision, 100_000, true;
-    decision_d_une_boite: boite, decision, 100_000, true;
-    ordre_de_deux_objets: deux_objets, ordre, 100_000, true;
+    distance_d_une_sphere: sphere, distance, 400_000;
+    distance_d_un_demi_espace: demi_espace, distance, 400_000;
+    distance_d_un_demi_espace_pres_de_0: demi_espace_pres_de_0, distance_pres_de_0, 400_000;
+    distance_d_une_boite: boite, distance, 400_000;
+    decision_d_une_sphere: sphere, decision, 60_000, true;
+    decision_d_un_demi_espace: demi_espace, decision, 60_000, true;
+    decision_d_une_boite: boite, decision, 150_000, true;
+    ordre_de_deux_objets: deux_objets, ordre, 60_000, true;
     normale_unitaire_d_une_sphere: sphere, longueur_de_la_normale, 60_000;
     normale_unitaire_d_un_demi_espace: demi_espace, longueur_de_la_normale, 60_000;
     normale_unitaire_d_une_boite: boite, longueur_de_la_normale, 60_000;
