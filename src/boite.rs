@@ -215,7 +215,7 @@ impl<R: Reel> BoiteRay<R> {
         let (n, l) = (self.normales[axe], self.demi_longueurs[axe]);
         let (o, v) = ((s - self.centre).produit_scalaire(n), d.produit_scalaire(n));
         let o = if v < R::ZERO { -o } else { o };
-        (-(l + o), l - o, v.abs())
+        (-(l + o), l - o, v.abs().au_plancher())
     }
 
     /// D times a power of two, so that no cross product of a length and a speed leaves the normal

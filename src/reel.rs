@@ -11,7 +11,8 @@ mod scelle {
         /// into it.
         const ECHELLE: Self;
         /// A power of two that keeps the product of any length of a box and any speed of a ray
-        /// towards its faces within the normal range (in `f32`: unless the speed is below 2⁻¹⁰²).
+        /// towards its faces within the normal range; in `f32` with
+        /// [`au_plancher`](Self::au_plancher).
         const ECHELLE_VITESSE: Self;
         /// How far a matrix may be from orthonormal and still be taken as a rotation.
         const ECART_ROTATION: f64;
@@ -21,6 +22,11 @@ mod scelle {
         const ATTENDU_TAILLE: &'static str;
         /// `ECART_ROTATION` in words.
         const ATTENDU_ROTATION: &'static str;
+
+        /// A speed that was scaled, 0 as 0, in `f32` any other no smaller than 2⁻⁴⁰: the range of the
+        /// type does not hold every product of a length and a speed. A pair of faces that is
+        /// approached that slowly is far beyond any other, unless it is nearer by 2⁻¹⁰².
+        fn au_plancher(self) -> Self;
 
         /// The distance of a hit in the wider type: what the search found if it was made in that type
         /// already, otherwise what `precise` computes there, unless that is no distance of this
@@ -118,6 +124,15 @@ impl Scelle for f32 {
     const ATTENDU_ROTATION: &'static str = "at most 1e-3, as for a rotation";
 
     #[inline(always)]
+    fn au_plancher(self) -> Self {
+        const PLANCHER: f32 = 1.0 / (1_u64 << 40) as f32;
+        // 2^126 brings any number but 0 above it; that this overflows does no harm.
+        let haut = self * ((1_u128 << 126) as f32);
+        let plancher = if haut < PLANCHER { haut } else { PLANCHER };
+        if self > plancher { self } else { plancher }
+    }
+
+    #[inline(always)]
     fn preciser(trouve: Self, precise: impl FnOnce() -> f64) -> f64 {
         let t = precise();
         if (t > 0.0) & (t <= f64::from(Self::MAX)) { t } else { f64::from(trouve) }
@@ -163,6 +178,11 @@ impl Scelle for f64 {
     const ATTENDU_COORDONNEE: &'static str = "a number between -2^450 and 2^450";
     const ATTENDU_TAILLE: &'static str = "a number between 2^-450 and 2^450";
     const ATTENDU_ROTATION: &'static str = "at most 1e-6, as for a rotation";
+
+    #[inline(always)]
+    fn au_plancher(self) -> Self {
+        self
+    }
 
     #[inline(always)]
     fn preciser(trouve: Self, _precise: impl FnOnce() -> f64) -> f64 {

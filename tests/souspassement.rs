@@ -54,7 +54,7 @@ fn un_rayon_qui_quitte_une_face_ne_la_retouche_pas_f32() {
     let l = mots([0x401b_4e93; 3]);
     let s = mots([0x4163_bfb9, 0x40cd_928e, 0x415c_e566]);
     let d = mots([0xbf16_310c, 0x3f2e_5499, 0xbee0_6313]);
-    for (echelle, petit) in [(0, -140), (-50, -85), (0, -149), (40, -149), (0, -100)] {
+    for (echelle, petit) in [(0, -140), (-50, -85), (-50, -149), (0, -149), (40, -149), (0, -100)] {
         let k = puissance(echelle);
         let objet = boite(c * k, l * k);
         let petit = puissance(petit);
@@ -113,9 +113,16 @@ fn petite_boite<R: Reel>(lointain: i32) {
     let cube = boite(Vecteur::NUL, Vecteur::new(R::UN, R::UN, R::UN) * (k / (R::UN + R::UN)));
     let mut touches = 0;
     for e in 0..=lointain {
-        for (x, y, z) in
-            [(0.6, -0.51, -0.1), (0.3, -0.51, -0.1), (0.3, -0.49, -0.8), (0.6, 0.2, 3.0)]
-        {
+        for (x, y, z) in [
+            (0.6, -0.51, -0.1),
+            (0.3, -0.51, -0.1),
+            (0.3, -0.49, -0.8),
+            (0.6, 0.2, 3.0),
+            (0.5, -0.51, -0.1),
+            (0.3, 0.5, -0.8),
+            (0.5, 0.5, -0.8),
+            (0.3, -0.5, -0.50001),
+        ] {
             let s = Vecteur::new(R::depuis_f64(x), R::depuis_f64(y), R::depuis_f64(z)) * k;
             for signe in [R::UN, -R::UN] {
                 let d = Vecteur::new(R::ZERO, puissance::<R>(-e) * signe, R::UN);
@@ -128,6 +135,6 @@ fn petite_boite<R: Reel>(lointain: i32) {
 
 #[test]
 fn la_plus_petite_boite_est_juste_a_toute_vitesse() {
-    petite_boite::<f32>(120);
+    petite_boite::<f32>(149);
     petite_boite::<f64>(1074);
 }
