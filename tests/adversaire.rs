@@ -14,7 +14,7 @@ mod commun;
 use std::time::{Duration, Instant};
 
 use commun::double::ecart_et_cond;
-use commun::mesure::{au_bord, demi_ulp};
+use commun::mesure::{absolu, arrondi_de_la_distance, au_bord};
 use commun::oracle::{Entree, hauteur, norme_au_carre_moins_un, verite};
 use commun::regimes::{direction, entre, puissance, regimes, signe};
 use commun::tolerances::{promesses, u};
@@ -461,25 +461,12 @@ fn deux_objets<R: Bits>(alea: &mut Rng) -> Candidat<R> {
     }
 }
 
-/// What products that underflow add to the error of a distance of this type.
-fn absolu<R: Reel>(genre: Genre, entree: &Entree) -> f64 {
-    match genre {
-        Genre::Plan => promesses::PLAN_ABSOLU * R::PLUS_PETIT.vers_f64() / entree.cosinus,
-        Genre::Sphere | Genre::Boite => 0.0,
-    }
-}
-
 /// The error of the distance as a part of what is promised; below `seuil` an estimate is enough.
 fn distance_ou<R: Reel>(cas: &Cas<R>, seuil: f64, pres_de_0: bool) -> f64 {
     let objet = &cas.objets[0];
     let Ok(touche) = objet.intersection(&cas.rayon) else { return RIEN };
     let t = touche.distance;
-    // The least distance also stands for those that would round to 0.
-    let arrondi = match (en_f32::<R>(), t == R::PLUS_PETIT) {
-        (true, true) => t.vers_f64(),
-        (true, false) => demi_ulp(t),
-        (false, _) => 0.0,
-    };
+    let arrondi = arrondi_de_la_distance(t);
     let genre = Genre::de(objet);
     if !pres_de_0 {
         let (ecart, cond) = ecart_et_cond(objet, &cas.rayon, t);
@@ -490,7 +477,7 @@ fn distance_ou<R: Reel>(cas: &Cas<R>, seuil: f64, pres_de_0: bool) -> f64 {
     }
     let Some(entree) = verite(objet, &cas.rayon).entree else { return RIEN };
     let (relatif, absolu) =
-        (genre.distance() * f64::U * entree.cond, absolu::<f64>(genre, &entree));
+        (genre.distance() * f64::U * entree.cond, absolu::<f64, _>(objet, &entree));
     // Each has its own climb, or the one would hide what the other finds.
     if relatif == f64::INFINITY || (absolu > 1e-3 * relatif && !pres_de_0) {
         return RIEN;
@@ -529,9 +516,9 @@ fn ordre<R: Reel>(cas: &Cas<R>, _: f64) -> f64 {
     let [gagnant, autre] = [gagnant as usize, 1 - gagnant as usize].map(|i| {
         let verite = verite(&cas.objets[i], &cas.rayon);
         let sure = i == gagnant as usize || !verite.dans_la_marge;
-        let genre = Genre::de(&cas.objets[i]);
-        let entree = verite.entree.filter(|_| sure);
-        entree.map(|e| (genre.distance() * u::<R>(), absolu::<R>(genre, &e), e))
+        let objet = &cas.objets[i];
+        let k = Genre::de(objet).distance() * u::<R>();
+        verite.entree.filter(|_| sure).map(|e| (k, absolu::<R, _>(objet, &e), e))
     });
     let (Some((k, absolu, gagnant)), Some((k_autre, absolu_autre, autre))) = (gagnant, autre)
     else {
@@ -664,7 +651,7 @@ fn grimper<R: Bits>(
     loop {
         evaluations += 1;
         match duree {
-            Some(duree) if evaluations % 64 == 0 && debut.elapsed() > duree => break,
+            Some(duree) if evaluations.is_multiple_of(64) && debut.elapsed() > duree => break,
             Some(_) => {}
             None if evaluations > assez => break,
             None => {}

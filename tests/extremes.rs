@@ -9,21 +9,27 @@ use commun::arrondi;
 use commun::mesure::{au_bord, mesurer, quantiles};
 use commun::oracle::{Entree, hauteur, verite};
 use commun::regimes::{Cas, direction, regimes, vectoriel};
-use commun::tolerances::{ORTHONORMALE, u};
+use commun::tolerances::{ORTHONORMALE, promesses, u};
 use fastrand::Rng;
 use lancer_rayon::{
     BoiteGeo, Intersection, NoIntersection, ObjetGeo, ObjetRay, PlanGeo, Rayon, Reel, Rotation,
     SphereGeo, Texture, Vecteur, premiere_intersection,
 };
 
-/// K of the promise for a distance.
-const K: f64 = 3.0;
+/// K of the promise for the distance to an object.
+fn k<R: Reel>(objet: &ObjetRay<R>) -> f64 {
+    match objet {
+        ObjetRay::Sphere(_) => promesses::DISTANCE_SPHERE,
+        ObjetRay::Plan(_) => promesses::DISTANCE_PLAN,
+        ObjetRay::Boite(_) => promesses::DISTANCE_BOITE,
+    }
+}
 
 fn cas_par_regime() -> u32 {
     commun::cas(1_000)
 }
 
-/// Hit or miss never wrong outside the margin, distance to K·2⁻⁵³·cond, normal to its bound.
+/// Hit or miss never wrong outside the margin, distance to its K·2⁻⁵³·cond, normal to its bound.
 fn distances_et_normales<R: Reel>() {
     for regime in regimes::<R>() {
         let mesure = mesurer(&regime, cas_par_regime(), 1, |objet, rayon| {
@@ -32,7 +38,13 @@ fn distances_et_normales<R: Reel>() {
         let nom = regime.nom;
         assert!(mesure.touches > cas_par_regime() / 10, "{nom}: {} hits only", mesure.touches);
         assert_eq!(mesure.fausses, 0, "{nom}: wrong hits or misses");
-        assert!(mesure.k_promis <= K, "{nom}: K = {}", mesure.k_promis);
+        let k = match nom.split_once(',') {
+            Some(("sphere", _)) => promesses::DISTANCE_SPHERE,
+            Some(("half-space", _)) => promesses::DISTANCE_PLAN,
+            Some(("box", _)) => promesses::DISTANCE_BOITE,
+            autre => panic!("{autre:?} is no shape"),
+        };
+        assert!(mesure.k_promis <= k, "{nom}: K = {}", mesure.k_promis);
         // Beside the error itself, the normal of the oracle has been rounded to f64.
         assert!(mesure.normale <= 1.01, "{nom}: normal off by {} of its bound", mesure.normale);
     }
@@ -245,10 +257,14 @@ fn presque_ex_aequo<R: Reel>() {
             let Texture(gagnant) = premiere.texture;
             let Some(gagnant) = &verites[gagnant as usize].entree else { return };
             juges += 1;
+            let promis = |e: &Entree| e.cosinus >= promesses::ORDRE_COSINUS * u::<R>();
+            if !promis(gagnant) {
+                return;
+            }
             for autre in verites.iter().filter(|v| !v.dans_la_marge) {
-                let Some(autre) = &autre.entree else { continue };
+                let Some(autre) = autre.entree.as_ref().filter(|e| promis(e)) else { continue };
                 let avance = (&gagnant.t - &autre.t).vers_f64();
-                let borne = |e: &Entree| 2.0 * K * u::<R>() * e.cond;
+                let borne = |e: &Entree| k(&cas.objet) * u::<R>() * e.cond;
                 let permis = borne(gagnant) + borne(autre);
                 assert!(
                     avance <= permis,
@@ -474,8 +490,8 @@ fn miroirs<R: Reel>() {
             touches += 1;
             assert_eq!((t_m, n_m), (t, [-x, y, -z]));
             if let Some((t_p, ..)) = c {
-                // Sums in another order: two errors of K·u·cond.
-                assert!((t_p - t).abs() <= 2.0 * K * u::<R>() * cond);
+                // Sums in another order: two errors of K·u·cond, that of a sphere being the larger.
+                assert!((t_p - t).abs() <= 2.0 * promesses::DISTANCE_SPHERE * u::<R>() * cond);
             }
         }
     }

@@ -3,9 +3,9 @@
 use fastrand::Rng;
 use lancer_rayon::{Intersection, ObjetRay, Rayon, Reel, Vecteur};
 
-use super::oracle::verite;
+use super::oracle::{Entree, verite};
 use super::regimes::Regime;
-use super::tolerances::u;
+use super::tolerances::{promesses, u};
 
 /// What an implementation answers: distance and normal.
 pub(crate) type Reponse<R> = Option<(R, Vecteur<R>)>;
@@ -38,11 +38,31 @@ pub(crate) fn quantiles(valeurs: &mut [f64]) -> [f64; 3] {
 }
 
 /// Half the distance to the next number of the type.
-pub(crate) fn demi_ulp<R: Reel>(t: R) -> f64 {
+fn demi_ulp<R: Reel>(t: R) -> f64 {
     // Below the smallest normal number the spacing stays what it is there.
     let minimal = if R::U.vers_f64() > f64::EPSILON { -126 } else { -1022 };
     let exposant = ((t.vers_f64().to_bits() >> 52) as i32 - 1023).max(minimal);
     f64::from(exposant).exp2() * R::U.vers_f64()
+}
+
+/// What rounding to the type of the scene adds to a distance that was computed in f64.
+pub(crate) fn arrondi_de_la_distance<R: Reel>(t: R) -> f64 {
+    if u::<R>() < f64::EPSILON {
+        0.0
+    } else if t == R::PLUS_PETIT {
+        // It also stands for those that would round to 0.
+        t.vers_f64()
+    } else {
+        demi_ulp(t)
+    }
+}
+
+/// What products that underflow in this type add to the error of a distance.
+pub(crate) fn absolu<R: Reel, S: Reel>(objet: &ObjetRay<S>, entree: &Entree) -> f64 {
+    match objet {
+        ObjetRay::Plan(_) => promesses::PLAN_ABSOLU * R::PLUS_PETIT.vers_f64() / entree.cosinus,
+        ObjetRay::Sphere(_) | ObjetRay::Boite(_) => 0.0,
+    }
 }
 
 /// The same `graine` gives the same cases to every implementation.
@@ -70,8 +90,8 @@ pub(crate) fn mesurer<R: Reel>(
         let ecart = entree.ecart(t).abs();
         mesure.k.push(ecart / (u * entree.cond));
         mesure.ulp.push(ecart / (2.0 * demi_ulp(t)));
-        let arrondi = if en_f32 { demi_ulp(t) } else { 0.0 };
-        let k = (ecart - arrondi) / (f64::EPSILON / 2.0 * entree.cond);
+        let exempt = arrondi_de_la_distance(t) + absolu::<f64, _>(&cas.objet, &entree);
+        let k = (ecart - exempt) / (f64::EPSILON / 2.0 * entree.cond);
         mesure.k_promis = mesure.k_promis.max(k);
 
         let permis = 4.0 * u * (1.0 + entree.f / entree.rayon_de_courbure)

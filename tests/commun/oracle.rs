@@ -516,7 +516,7 @@ fn verite_boite<R: Reel>(boite: &BoiteRay<R>, ray: &Droite) -> Verite {
     });
     let vers = |i: usize| couples[i].v.positif();
     // a_i/v_i against the a or b of another pair.
-    let apres = |(x, v): (&Exact, &Exact), (y, w): (&Exact, &Exact)| &(x * w) > &(y * v);
+    let apres = |(x, v): (&Exact, &Exact), (y, w): (&Exact, &Exact)| (x * w) > (y * v);
     let entree = |i: usize| (&couples[i].a, &couples[i].v);
     let sortie = |i: usize| (&couples[i].b, &couples[i].v);
     let en_mouvement = || (0..3).filter(|&i| vers(i));

@@ -3,10 +3,10 @@
 
 use lancer_rayon::Reel;
 
-/// Distance. The kernel promises K·u·cond with K ≤ 3 for f64 and half a unit in the last place
-/// more for f32; a property compares two such distances, 2·3, plus the rounding of its own
+/// Distance. The kernel promises K·u·cond with K ≤ 6 for f64 and half a unit in the last place
+/// more for f32; a property compares two such distances, 2·6, plus the rounding of its own
 /// inputs, each counted below.
-pub(crate) const DISTANCE: f64 = 6.0;
+pub(crate) const DISTANCE: f64 = 2.0 * promesses::DISTANCE_SPHERE;
 
 /// A vector turned by `Rotation::appliquer`: three products and two sums per coordinate, γ₃,
 /// and a matrix that is orthonormal to 4u and rounded to u: (3 + 1 + 4)u of its length.
@@ -15,9 +15,8 @@ pub(crate) const TOURNE: f64 = 8.0;
 /// A vector moved or multiplied: one rounding, so u of the length of the result.
 pub(crate) const ARRONDI: f64 = 1.0;
 
-/// The length of a normal: within 2 units in the last place of 1, that is 4u, and then 3u for
-/// measuring it in the same type.
-pub(crate) const NORMALE_UNITAIRE: f64 = 7.0;
+/// The length of a normal: within 6u of 1, and then 3u for measuring it in the same type.
+pub(crate) const NORMALE_UNITAIRE: f64 = promesses::UNITAIRE_PLATE + 3.0;
 
 /// The direction of a normal at a point that is known: 4u·(1 + |f|/r), beside what the error
 /// of the distance moves it by.
