@@ -131,6 +131,9 @@ impl<R: Reel> SphereRay<R> {
         self.texture
     }
 
+    /// A CB² below that of any sphere, r² ≥ 2⁻⁹⁰⁰, and above those that lose bits.
+    const CB2_PERDU: f64 = f64::from_bits((1023 - 904) << 52);
+
     /// The lengths of annex A.2 for the ray (S, D).
     #[inline(always)]
     fn longueurs(&self, s: Vecteur<R>, d: Vecteur<R>) -> Longueurs<R> {
@@ -166,10 +169,15 @@ impl<R: Reel> SphereRay<R> {
             // along N differs from CP − r by half of travers²/r, a ray along the tangent plane
             // of N dips below the sphere by as much, and a point rounded sideways climbs by its
             // rounding × travers/r, at most half of the sum of their squares over r.
-            let travers2 = (cp - n * n.produit_scalaire(cp)).longueur_carree();
+            let le_long = n.produit_scalaire(cp);
+            let travers2 = (cp - n * le_long).longueur_carree();
             let arrondi = 4.0 * R::U.vers_f64() * (p.x.abs() + p.y.abs() + p.z.abs());
-            // The sphere is no larger than the rounding of its distance or of its place.
-            let perdue = (puissance > 0.5 * r2) | (travers2 > 0.0625 * r2) | (4.0 * arrondi > r);
+            // The sphere is no larger than the rounding of its distance or of its place, or the
+            // point came out on its far side.
+            let perdue = (puissance > 0.5 * r2)
+                | (travers2 > 0.0625 * r2)
+                | (4.0 * arrondi > r)
+                | (le_long <= 0.0);
             let hauteur = (0.6 * puissance + 2.0 * travers2 + 0.5 * arrondi * arrondi) * (1.0 / r);
             (if perdue { f64::INFINITY } else { hauteur }, 2.0 * r)
         })
@@ -196,14 +204,15 @@ impl<R: Reel> Forme<R> for SphereRay<R> {
         if entre { l.sb() } else { R::INFINI }
     }
 
-    /// Sure, unless the normal comes out turned away from the source.
+    /// Sure, unless the normal comes out turned away from the source, or CB is all rounding.
     #[inline(always)]
     fn contact(&self, rayon: &Rayon<R>, t: R) -> (Contact<R>, bool) {
         let (t, cb) = self.sb_et_cb(rayon, t);
-        let normale = Vecteur::depuis_f64(cb / Reel::sqrt(cb.longueur_carree()));
-        // False for a NaN as well, where CB is all rounding.
+        let cb2 = cb.longueur_carree();
+        let normale = Vecteur::depuis_f64(cb / Reel::sqrt(cb2));
+        // False for a NaN as well.
         let de_face = normale.produit_scalaire(rayon.direction()) < R::ZERO;
-        (self.contact_a(rayon, t, normale), de_face)
+        (self.contact_a(rayon, t, normale), de_face & (cb2 > Self::CB2_PERDU))
     }
 
     /// With the nearest normal that faces the source.

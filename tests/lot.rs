@@ -9,7 +9,7 @@ mod commun;
 use std::collections::HashSet;
 
 use commun::conversion::mots;
-use commun::regimes::{Cas, direction, entre, puissance, regimes, signe};
+use commun::regimes::{Cas, deux_puissance, direction, entre, regimes, signe};
 use commun::{Bits, arrondi, en_f32_et_f64, scenes};
 use fastrand::Rng;
 use lancer_rayon::{
@@ -186,7 +186,7 @@ fn gerbe<R: Reel>(
 /// Half of them are spheres. The others are cubes with a corner at the point of the ball that the ray
 /// grazes: a cube has nothing of its ball except its corners.
 fn frole<R: Reel>(alea: &mut Rng, rayons: &[Rayon<R>], texture: Texture) -> ObjetRay<R> {
-    let l = puissance(alea, -12.0, 4.0);
+    let l = deux_puissance(alea, -12.0, 4.0);
     let (centre, vers_le_rayon) = boule_frolee(alea, rayons, l);
     if alea.bool() {
         return SphereGeo::new(centre, R::depuis_f64(l), texture).unwrap().into();
@@ -208,14 +208,14 @@ fn boule_frolee<R: Reel>(alea: &mut Rng, rayons: &[Rayon<R>], l: f64) -> (Vecteu
     let (s, d) = (rayon.source().vers_f64(), rayon.direction().vers_f64());
     let bits = -R::U.vers_f64().log2();
     let devant = if alea.u8(0..6) == 0 { -1.0 } else { 1.0 };
-    let loin = devant * l * puissance(alea, -4.0, bits - 2.0);
+    let loin = devant * l * deux_puissance(alea, -4.0, bits - 2.0);
     let en_travers = |v: Vecteur| (v - d * v.produit_scalaire(d)).unitaire();
     let rangee = en_travers((rayon.direction() - rayons[0].direction()).vers_f64());
     let travers = rangee.filter(|_| alea.bool()).or_else(|| en_travers(direction(alea))).unwrap();
     // From the ray to the centre: l off by any power of two down to nothing, or by some units in the
     // last place of the distance.
     let ecart = if alea.bool() {
-        l * (1.0 + signe(alea) * puissance(alea, -60.0, 0.0))
+        l * (1.0 + signe(alea) * deux_puissance(alea, -60.0, 0.0))
     } else {
         l + signe(alea) * 8.0 * alea.f64() * R::U.vers_f64() * loin
     };
@@ -242,10 +242,10 @@ fn l_elagage_ne_perd_aucune_touche<R: Bits>() {
     let mut alea = Rng::with_seed(3);
     let mut touches = 0;
     for _ in 0..4 * cas() {
-        let loin = if alea.bool() { 0.0 } else { puissance(&mut alea, -10.0, 16.0) };
+        let loin = if alea.bool() { 0.0 } else { deux_puissance(&mut alea, -10.0, 16.0) };
         let axe = (direction(&mut alea) * loin, direction(&mut alea));
-        let ouverture = puissance(&mut alea, -40.0, 3.0);
-        let etendue = if alea.bool() { 0.0 } else { puissance(&mut alea, -40.0, 6.0) };
+        let ouverture = deux_puissance(&mut alea, -40.0, 3.0);
+        let etendue = if alea.bool() { 0.0 } else { deux_puissance(&mut alea, -40.0, 6.0) };
         let rayons = gerbe::<R>(&mut alea, axe, ouverture, etendue);
         let objets: Vec<_> = (0..40).map(|i| frole(&mut alea, &rayons, Texture(i))).collect();
         touches += comparer(&objets, &rayons);
@@ -316,8 +316,8 @@ fn un_demi_milliard_de_rayons<R: Bits>() {
         while rayons.len() < touches.len() {
             let cible = Vecteur::new(0.0, 2.0, -6.0) + direction(&mut alea) * 6.0;
             let de = Vecteur::new(0.0, 1.0, 6.0) + direction(&mut alea) * (4.0 * alea.f64());
-            let ouverture = puissance(&mut alea, -20.0, 1.0);
-            let etendue = if alea.bool() { 0.0 } else { puissance(&mut alea, -20.0, 1.0) };
+            let ouverture = deux_puissance(&mut alea, -20.0, 1.0);
+            let etendue = if alea.bool() { 0.0 } else { deux_puissance(&mut alea, -20.0, 1.0) };
             rayons.extend(gerbe(&mut alea, (de, cible - de), ouverture, etendue));
         }
         for (rayon, attendue) in rayons.iter().zip(&mut attendues) {

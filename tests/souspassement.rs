@@ -6,8 +6,8 @@ mod commun;
 use commun::Bits;
 use commun::oracle::verite;
 use lancer_rayon::{
-    BoiteGeo, Intersection, ObjetGeo, ObjetRay, Rayon, Reel, Rotation, Texture, Vecteur,
-    est_occulte, premieres_intersections,
+    BoiteGeo, Intersection, ObjetRay, Rayon, Reel, Rotation, Texture, Vecteur, est_occulte,
+    premieres_intersections,
 };
 
 /// Numbers given by their bits.
@@ -20,7 +20,7 @@ fn mots<R: Bits>(bits: [u64; 3]) -> Vecteur<R> {
 fn boite<R: Reel>(centre: Vecteur<R>, demi_longueurs: Vecteur<R>) -> ObjetRay<R> {
     let boite =
         BoiteGeo::new(centre, demi_longueurs * (R::UN + R::UN), Rotation::IDENTITE, Texture(0));
-    ObjetGeo::from(boite.unwrap()).vers_ray()
+    ObjetRay::from(boite.unwrap())
 }
 
 /// The exact answer, alone and nine side by side.
@@ -82,7 +82,7 @@ fn un_rayon_qui_quitte_une_arete_ne_retouche_pas_la_boite() {
     let m = Rotation::depuis_matrice(normales).unwrap();
     let dimensions = Vecteur::new(0.499_999_9, 0.5, 1.0) * 2.0;
     let c = Vecteur::new(-0.0, -2.999_999_5, 3.0);
-    let objet = ObjetGeo::from(BoiteGeo::new(c, dimensions, m, Texture(0)).unwrap()).vers_ray();
+    let objet = ObjetRay::from(BoiteGeo::new(c, dimensions, m, Texture(0)).unwrap());
     let d = mots::<f32>([0xbf50_0fe5, 0xbead_6292, 0x3ef2_bd36]);
     let rayon = Rayon::new(mots([0x40e0_0000, 0, 0]), d).unwrap();
     quitter(&objet, &rayon, mots([0, 3, 0xbfc0_0000]));

@@ -1,10 +1,11 @@
 //! What is measured of an implementation against the oracle, regime by regime.
 
 use fastrand::Rng;
-use lancer_rayon::{ObjetRay, Rayon, Reel, Vecteur};
+use lancer_rayon::{Intersection, ObjetRay, Rayon, Reel, Vecteur};
 
-use super::oracle::verite;
+use super::oracle::{Entree, verite};
 use super::regimes::Regime;
+use super::tolerances::{promesses, u};
 
 /// What an implementation answers: distance and normal.
 pub(crate) type Reponse<R> = Option<(R, Vecteur<R>)>;
@@ -44,6 +45,26 @@ fn demi_ulp<R: Reel>(t: R) -> f64 {
     f64::from(exposant).exp2() * R::U.vers_f64()
 }
 
+/// What rounding to the type of the scene adds to a distance that was computed in f64.
+pub(crate) fn arrondi_de_la_distance<R: Reel>(t: R) -> f64 {
+    if u::<R>() < f64::EPSILON {
+        0.0
+    } else if t == R::MIN_POSITIF {
+        // It also stands for those that would round to 0.
+        t.vers_f64()
+    } else {
+        demi_ulp(t)
+    }
+}
+
+/// What products that underflow in this type add to the error of a distance.
+pub(crate) fn absolu<R: Reel, S: Reel>(objet: &ObjetRay<S>, entree: &Entree) -> f64 {
+    match objet {
+        ObjetRay::Plan(_) => promesses::PLAN_ABSOLU * R::MIN_POSITIF.vers_f64() / entree.cosinus,
+        ObjetRay::Sphere(_) | ObjetRay::Boite(_) => 0.0,
+    }
+}
+
 /// The same `graine` gives the same cases to every implementation.
 pub(crate) fn mesurer<R: Reel>(
     regime: &Regime<R>,
@@ -53,7 +74,7 @@ pub(crate) fn mesurer<R: Reel>(
 ) -> Mesure {
     let mut alea = Rng::with_seed(graine);
     let mut mesure = Mesure::default();
-    let u = R::U.vers_f64();
+    let u = u::<R>();
     let en_f32 = u > f64::EPSILON;
     let plus_grand = if en_f32 { f64::from(f32::MAX) } else { f64::MAX };
     for _ in 0..cas {
@@ -69,14 +90,32 @@ pub(crate) fn mesurer<R: Reel>(
         let ecart = entree.ecart(t).abs();
         mesure.k.push(ecart / (u * entree.cond));
         mesure.ulp.push(ecart / (2.0 * demi_ulp(t)));
-        let arrondi = if en_f32 { demi_ulp(t) } else { 0.0 };
-        let k = (ecart - arrondi) / (f64::EPSILON / 2.0 * entree.cond);
+        let exempt = arrondi_de_la_distance(t) + absolu::<f64, _>(&cas.objet, &entree);
+        let k = (ecart - exempt) / (f64::EPSILON / 2.0 * entree.cond);
         mesure.k_promis = mesure.k_promis.max(k);
 
-        let ecarts = entree.normales.iter().map(|n| (normale.vers_f64() - *n).longueur());
-        let permis = 4.0 * u * (1.0 + entree.f / entree.rayon_de_courbure)
-            + ecart / entree.rayon_de_courbure;
-        mesure.normale = mesure.normale.max(ecarts.fold(f64::INFINITY, f64::min) / permis);
+        let permis = entree.direction_permise::<R>(ecart);
+        mesure.normale = mesure.normale.max(entree.ecart_de_normale(normale) / permis);
     }
     mesure
+}
+
+/// Within rounding of an edge: an inward start there may see the other face.
+pub(crate) fn au_bord<R: Reel>(
+    objet: &ObjetRay<R>,
+    touche: &Intersection<R>,
+    depart: Vecteur<R>,
+) -> bool {
+    let ObjetRay::Boite(boite) = objet else { return false };
+    let cp = depart.vers_f64() - boite.centre().vers_f64();
+    // The start was moved and rounded, by this much at most in each coordinate, and as much more
+    // is what the search can be off by.
+    let pas = touche.marge().vers_f64() + 4.0 * u::<R>() * depart.vers_f64().longueur();
+    (0..3).any(|axe| {
+        let n = boite.normales()[axe];
+        let o = n.vers_f64().produit_scalaire(cp).abs();
+        n != touche.normale()
+            && n != -touche.normale()
+            && o >= boite.demi_longueurs()[axe].vers_f64() - 2.0 * pas
+    })
 }

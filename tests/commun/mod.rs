@@ -3,6 +3,7 @@
 #![allow(dead_code, unused_imports, unused_macros, reason = "each test file uses its own part")]
 
 pub(crate) mod conversion;
+pub(crate) mod double;
 pub(crate) mod mesure;
 pub(crate) mod oracle;
 pub(crate) mod regimes;

@@ -16,6 +16,8 @@ use dashu_int::IBig;
 use dashu_int::ops::{BitTest, SquareRoot, UnsignedAbs};
 use lancer_rayon::{BoiteRay, ObjetRay, PlanRay, Rayon, Reel, SphereRay, Vecteur};
 
+use super::tolerances::{marges, promesses, u};
+
 /// Bits kept of a quotient or a root.
 const PRECISION: isize = 256;
 
@@ -158,15 +160,33 @@ pub(crate) struct Verite {
     pub(crate) entree: Option<Entree>,
     /// The decision is closer than what the promise of the kernel covers.
     pub(crate) dans_la_marge: bool,
+    marge: Marge,
+}
+
+impl Verite {
+    /// By what the margin would have to be multiplied to hold this decision.
+    pub(crate) fn facteur(&self) -> f64 {
+        match &self.marge {
+            Marge::Connue(facteur) => *facteur,
+            Marge::Boite(decision) => decision.facteur(self.entree.is_some()),
+        }
+    }
+}
+
+enum Marge {
+    Connue(f64),
+    Boite(Box<Decision>),
 }
 
 pub(crate) struct Entree {
     /// The parameter t in S + tD.
     pub(crate) t: Exact,
     /// The normal; beside an edge, those of all the faces entered within the margin.
-    pub(crate) normales: Vec<Vecteur>,
+    normales: Vec<Point>,
     /// (|f| + r + t)/|N·D|: what an error of the distance is counted in, times u.
     pub(crate) cond: f64,
+    /// |N·D|, the smallest of these faces; of a flat one less than its 4u.
+    pub(crate) cosinus: f64,
     /// |f|, from the source to the centre (for a half-space, to the foot of O).
     pub(crate) f: f64,
     /// The radius; +∞ for a flat face.
@@ -178,6 +198,30 @@ impl Entree {
     pub(crate) fn ecart<R: Reel>(&self, t: R) -> f64 {
         (&Exact::de(t) - &self.t).vers_f64()
     }
+
+    /// How far a normal may lie from the true one where the distance is off by `ecart`.
+    pub(crate) fn direction_permise<R: Reel>(&self, ecart: f64) -> f64 {
+        let r = self.rayon_de_courbure;
+        // D may be longer than 1 by 7.5u.
+        promesses::DIRECTION * u::<R>() * (1.0 + self.f / r) + (1.0 + 8.0 * u::<R>()) * ecart / r
+    }
+
+    /// How far this normal lies from the true one.
+    pub(crate) fn ecart_de_normale<R: Reel>(&self, normale: Vecteur<R>) -> f64 {
+        let normale = point(normale);
+        let ecarts = self.normales.iter().map(|n| longueur(&moins(&normale, n)));
+        ecarts.fold(f64::INFINITY, f64::min)
+    }
+}
+
+/// What is sure of a speed towards a flat face: without the 4u that it may be off by, 0 if that is all.
+fn sur<R: Reel>(cosinus: f64) -> f64 {
+    (cosinus - promesses::VITESSE * u::<R>()).max(0.0)
+}
+
+/// In f64.
+fn longueur(v: &Point) -> f64 {
+    Vecteur::from(v.each_ref().map(Exact::vers_f64)).longueur()
 }
 
 /// How far a point lies above the surface that was touched, along its normal; for a box the
@@ -189,7 +233,13 @@ pub(crate) fn hauteur<R: Reel>(objet: &ObjetRay<R>, normale: Vecteur<R>, p: Vect
             let cp = moins(&p, &point(sphere.centre()));
             let cp2 = scalaire(&cp, &cp);
             let r = Exact::de(sphere.rayon());
-            (&cp2 - &(&r * &r)).vers_f64() / (cp2.vers_f64().sqrt() + r.vers_f64())
+            let puissance = &cp2 - &(&r * &r);
+            // The nearer of the two s with |CP − sN| = r, without a cancellation.
+            let n = point(normale);
+            let (n2, b) = (scalaire(&n, &n), scalaire(&cp, &n));
+            let delta = &(&b * &b) - &(&n2 * &puissance);
+            let (b, puissance) = (b.vers_f64(), puissance.vers_f64());
+            puissance / (b.abs() + delta.vers_f64().max(0.0).sqrt()).copysign(b)
         }
         ObjetRay::Plan(plan) => {
             (&scalaire(&point(plan.normale()), &p) + &Exact::de(plan.distance())).vers_f64()
@@ -206,18 +256,23 @@ pub(crate) fn hauteur<R: Reel>(objet: &ObjetRay<R>, normale: Vecteur<R>, p: Vect
     }
 }
 
+/// |V|² − 1.
+pub(crate) fn norme_au_carre_moins_un<R: Reel>(v: Vecteur<R>) -> f64 {
+    let v = point(v);
+    (&scalaire(&v, &v) - &Exact::de(1.0)).vers_f64()
+}
+
 /// The truth about one object and one ray.
 pub(crate) fn verite<R: Reel>(objet: &ObjetRay<R>, rayon: &Rayon<R>) -> Verite {
     let droite = Droite { s: point(rayon.source()), d: point(rayon.direction()) };
-    let quatre_u = 4.0 * R::U.vers_f64();
     match objet {
-        ObjetRay::Sphere(sphere) => verite_sphere(sphere, &droite, quatre_u),
-        ObjetRay::Plan(plan) => verite_plan(plan, &droite, quatre_u),
-        ObjetRay::Boite(boite) => verite_boite(boite, &droite, quatre_u),
+        ObjetRay::Sphere(sphere) => verite_sphere(sphere, &droite),
+        ObjetRay::Plan(plan) => verite_plan(plan, &droite),
+        ObjetRay::Boite(boite) => verite_boite(boite, &droite),
     }
 }
 
-fn verite_sphere<R: Reel>(sphere: &SphereRay<R>, ray: &Droite, quatre_u: f64) -> Verite {
+fn verite_sphere<R: Reel>(sphere: &SphereRay<R>, ray: &Droite) -> Verite {
     let f = moins(&ray.s, &point(sphere.centre()));
     let r = Exact::de(sphere.rayon());
     // a·t² − 2b·t + c = 0.
@@ -232,8 +287,8 @@ fn verite_sphere<R: Reel>(sphere: &SphereRay<R>, ray: &Droite, quatre_u: f64) ->
     let sc_r = c.vers_f64() / (f_ + r_);
     let ac2 = (&(&a * &f2) - &(&b * &b)).sur(&a).vers_f64();
     let ac_r = -delta.sur(&a).vers_f64() / (ac2.sqrt() + r_);
-    let seuil = quatre_u * (f_ + r_);
-    let dans_la_marge = sc_r.abs() <= seuil || (ac_r.abs() <= seuil && b.vers_f64() >= -seuil);
+    let seuil = marges::SPHERE * u::<R>() * (f_ + r_);
+    let facteur = sc_r.abs().min(ac_r.abs().max(-b.vers_f64())) / seuil;
 
     let touche = c.positif() && b.positif() && delta.positif();
     let entree = touche.then(|| {
@@ -242,96 +297,271 @@ fn verite_sphere<R: Reel>(sphere: &SphereRay<R>, ray: &Droite, quatre_u: f64) ->
         let racine = delta.racine(b.exposant() - annule - PRECISION - 8);
         let t = (&b - &racine).sur(&a);
         let cb: Point = core::array::from_fn(|i| &f[i] + &(&t * &ray.d[i]));
-        let n = Vecteur::from(cb.each_ref().map(|x| x.sur(&r).vers_f64()));
+        let n = cb.each_ref().map(|x| x.sur(&r));
         let cosinus = delta.vers_f64().sqrt() / r_;
         let cond = (f_ + r_ + t.vers_f64()) / cosinus;
-        Entree { t, normales: vec![n], cond, f: f_, rayon_de_courbure: r_ }
+        Entree { t, normales: vec![n], cond, cosinus, f: f_, rayon_de_courbure: r_ }
     });
-    Verite { entree, dans_la_marge }
+    Verite { entree, dans_la_marge: facteur <= 1.0, marge: Marge::Connue(facteur) }
 }
 
-fn verite_plan<R: Reel>(plan: &PlanRay<R>, ray: &Droite, quatre_u: f64) -> Verite {
+fn verite_plan<R: Reel>(plan: &PlanRay<R>, ray: &Droite) -> Verite {
     let n = point(plan.normale());
     let d = Exact::de(plan.distance());
     let hauteur = &scalaire(&n, &ray.s) + &d;
     let descente = -&scalaire(&n, &ray.d);
-    let (s_, d_) = (scalaire(&ray.s, &ray.s).vers_f64().sqrt(), d.vers_f64().abs());
-    let dans_la_marge =
-        hauteur.vers_f64().abs() <= quatre_u * (s_ + d_) || descente.vers_f64().abs() <= quatre_u;
+    let (s_, d_) = (longueur(&ray.s), d.vers_f64().abs());
+    let seuil =
+        marges::PLAN * u::<R>() * (s_ + d_) + marges::PLAN_ABSOLUE * R::MIN_POSITIF.vers_f64();
+    let cosinus = descente.vers_f64();
+    let facteur = (hauteur.vers_f64().abs() / seuil).min(cosinus.abs() / (marges::PLAN * u::<R>()));
     let entree = (hauteur.positif() && descente.positif()).then(|| {
         let t = hauteur.sur(&descente);
         // C = −d·N.
         let f: Point = core::array::from_fn(|i| &ray.s[i] + &(&d * &n[i]));
-        let f = scalaire(&f, &f).vers_f64().sqrt();
-        let cond = (f + d_ + t.vers_f64()) / descente.vers_f64();
-        let normale = Vecteur::from(n.each_ref().map(Exact::vers_f64));
-        Entree { t, normales: vec![normale], cond, f, rayon_de_courbure: f64::INFINITY }
+        let f = longueur(&f);
+        let cosinus = sur::<R>(cosinus);
+        let cond = (f + d_ + t.vers_f64()) / cosinus;
+        Entree { t, normales: vec![n], cond, cosinus, f, rayon_de_courbure: f64::INFINITY }
     });
-    Verite { entree, dans_la_marge }
+    Verite { entree, dans_la_marge: facteur <= 1.0, marge: Marge::Connue(facteur) }
 }
 
-fn verite_boite<R: Reel>(boite: &BoiteRay<R>, ray: &Droite, quatre_u: f64) -> Verite {
-    let f = moins(&ray.s, &point(boite.centre()));
-    let f_ = scalaire(&f, &f).vers_f64().sqrt();
-    let l = boite.demi_longueurs().map(Exact::de);
-    let demi_diagonale = l.iter().map(|l| l.vers_f64().powi(2)).sum::<f64>().sqrt();
-    let seuil = quatre_u * (f_ + demi_diagonale);
+/// One pair of faces of a box as the ray sees it: how far its entry and its exit lie ahead, along
+/// the normal, and its speed towards them. v ≥ 0; the entry is a/v, the exit b/v.
+struct Couple {
+    a: Exact,
+    b: Exact,
+    v: Exact,
+    /// Outward, against the ray; for v = 0 one of the two.
+    normale: Point,
+}
 
-    // The six faces N·(X − C) ≤ l, one after the other: what enters, what leaves.
-    let mut entrees: Vec<(Exact, f64, Vecteur)> = Vec::new();
-    let mut sorties: Vec<Exact> = Vec::new();
-    let mut dehors = false;
-    let mut dans_la_marge = false;
-    let mut cosinus_min = f64::INFINITY;
-    let mut indecises = Vec::new();
-    for (axe, l) in l.iter().enumerate() {
+/// x_i·v_j − y_j·v_i for two pairs of faces i and j, each exact until it was rounded.
+struct Produits {
+    /// Of the entries a and a.
+    aa: [[f64; 3]; 3],
+    /// Of an exit b and an entry a.
+    ba: [[f64; 3]; 3],
+    /// Of −a and a: turned the other way, the ray has its exit at −a.
+    moins_aa: [[f64; 3]; 3],
+    /// Of −b and b: and its entry at −b.
+    moins_bb: [[f64; 3]; 3],
+}
+
+impl Produits {
+    fn new(longueurs: &[[Exact; 2]; 3], couples: &[Couple; 3]) -> Self {
+        let mut tous = Self {
+            aa: [[0.0; 3]; 3],
+            ba: [[0.0; 3]; 3],
+            moins_aa: [[0.0; 3]; 3],
+            moins_bb: [[0.0; 3]; 3],
+        };
+        for (i, j) in [(0, 1), (0, 2), (1, 2)] {
+            let ([a_i, b_i], [a_j, b_j]) = (&longueurs[i], &longueurs[j]);
+            let (v_i, v_j) = (&couples[i].v, &couples[j].v);
+            let (av, va) = (a_i * v_j, a_j * v_i);
+            let (bv, vb) = (b_i * v_j, b_j * v_i);
+            tous.aa[i][j] = (&av - &va).vers_f64();
+            tous.aa[j][i] = -tous.aa[i][j];
+            tous.ba[i][j] = (&bv - &va).vers_f64();
+            tous.ba[j][i] = (&vb - &av).vers_f64();
+            tous.moins_aa[i][j] = -(&av + &va).vers_f64();
+            tous.moins_aa[j][i] = tous.moins_aa[i][j];
+            tous.moins_bb[i][j] = -(&bv + &vb).vers_f64();
+            tous.moins_bb[j][i] = tous.moins_bb[i][j];
+        }
+        tous
+    }
+}
+
+/// What the margin of a box is made of: lengths in a unit near |f| + ρ and cross products of them
+/// and the speeds, exact until they were rounded here.
+struct Decision {
+    a: [f64; 3],
+    b: [f64; 3],
+    v: [f64; 3],
+    /// a_i·v_j − a_j·v_i, and so on for each sum and difference of these products that is asked for.
+    produits: Produits,
+    alpha: f64,
+    beta: f64,
+}
+
+impl Decision {
+    fn new(couples: &[Couple; 3], taille: f64, u: f64) -> Self {
+        // A power of two near the size: then no product of a length and a speed leaves f64.
+        let unite = ((taille.to_bits() >> 52) as isize - 1023).max(-1000);
+        let reduit = |x: &Exact| Exact { m: x.m.clone(), e: x.e - unite };
+        let longueurs = couples.each_ref().map(|c| [reduit(&c.a), reduit(&c.b)]);
+        let produits = Produits::new(&longueurs, couples);
+        let taille = taille * f64::from(-unite as i32).exp2();
+        Self {
+            a: longueurs.each_ref().map(|[a, _]| a.vers_f64()),
+            b: longueurs.each_ref().map(|[_, b]| b.vers_f64()),
+            v: couples.each_ref().map(|c| c.v.vers_f64()),
+            produits,
+            alpha: marges::BOITE_LONGUEUR * u * taille,
+            beta: marges::BOITE_VITESSE * u,
+        }
+    }
+
+    /// How far the exit is, b; if the ray may go either way, the nearer plane, l − |o|. And its
+    /// products with the entries of the other pairs.
+    fn sortie(&self, i: usize, sens_connu: bool) -> (f64, &[f64; 3]) {
+        if sens_connu || self.b[i] <= -self.a[i] {
+            (self.b[i], &self.produits.ba[i])
+        } else {
+            (-self.a[i], &self.produits.moins_aa[i])
+        }
+    }
+
+    /// How far the entry is, a; if the ray may go either way, how far S is from the slab, |o| − l.
+    /// And its product with the exit of another pair.
+    fn entree(&self, i: usize, sens_connu: bool) -> (f64, impl Fn(usize) -> f64) {
+        let approche = sens_connu || self.a[i] >= -self.b[i];
+        let produit = move |j: usize| {
+            if approche { -self.produits.ba[j][i] } else { self.produits.moins_bb[i][j] }
+        };
+        (if approche { self.a[i] } else { -self.b[i] }, produit)
+    }
+
+    /// No lengths within α and speeds within β of these, times `facteur`, make it a miss.
+    fn touche_surement(&self, facteur: f64) -> bool {
+        let (alpha, beta) = (facteur * self.alpha, facteur * self.beta);
+        let connu = self.v.map(|v| v > beta);
+        let entre = (0..3).any(|i| connu[i] && self.a[i] > alpha);
+        entre
+            && (0..3).all(|j| {
+                let (b, produits) = self.sortie(j, connu[j]);
+                // Entries of another pair; those of the same one never come after its exit.
+                let avant = |i: usize| {
+                    let a = self.a[i];
+                    let permis = alpha * (self.v[i] + self.v[j]) + beta * (a + b);
+                    i == j || !connu[i] || a < -alpha || produits[i] >= permis
+                };
+                b > alpha && (0..3).all(avant)
+            })
+    }
+
+    /// Nor a hit.
+    fn manque_surement(&self, facteur: f64) -> bool {
+        let (alpha, beta) = (facteur * self.alpha, facteur * self.beta);
+        let connu = self.v.map(|v| v > beta);
+        let derriere = (0..3).any(|j| connu[j] && self.b[j] < -alpha);
+        let entre = (0..3).any(|i| self.entree(i, connu[i]).0 > -alpha);
+        let trop_tard = |i: usize, j: usize| {
+            let (a, produit) = self.entree(i, connu[i]);
+            let permis = alpha * (self.v[i] + self.v[j]) + beta * (a + self.b[j]);
+            i != j && connu[j] && a > alpha && produit(j) > permis
+        };
+        derriere || !entre || (0..3).any(|i| (0..3).any(|j| trop_tard(i, j)))
+    }
+
+    fn surement(&self, touche: bool, facteur: f64) -> bool {
+        if touche { self.touche_surement(facteur) } else { self.manque_surement(facteur) }
+    }
+
+    /// By bisection of the exponent, since a wider margin holds all that a narrower one holds.
+    fn facteur(&self, touche: bool) -> f64 {
+        let (mut bas, mut haut) = (-40.0_f64, 40.0_f64);
+        while haut - bas > 1e-3 {
+            let milieu = 0.5 * (bas + haut);
+            if self.surement(touche, milieu.exp2()) { bas = milieu } else { haut = milieu }
+        }
+        haut.exp2()
+    }
+
+    /// Whether the ray may enter by this pair last: its entry, at the latest, is no earlier than
+    /// the others at the earliest.
+    fn peut_etre_la_derniere(&self, i: usize) -> bool {
+        let (alpha, beta) = (self.alpha, self.beta);
+        let (a, v) = (self.a[i], self.v[i]);
+        if v <= beta {
+            // Between the planes of a pair that it hardly approaches, it entered long ago.
+            let (b, _) = self.sortie(i, false);
+            let tard = -(b - alpha) / (v + beta);
+            return b <= alpha || (0..3).all(|j| i == j || tard >= self.au_plus_tot(j));
+        }
+        (0..3).all(|j| {
+            let (a_j, v_j) = (self.a[j], self.v[j]);
+            let (somme, vitesses) = (beta * (a + a_j), alpha * (v + v_j));
+            if i == j {
+                true
+            } else if v_j <= beta {
+                (a + alpha) / (v - beta) >= self.au_plus_tot(j)
+            } else if a >= -alpha {
+                a_j < alpha || self.produits.aa[i][j] + vitesses + somme >= 0.0
+            } else {
+                a_j < alpha && self.produits.aa[i][j] + vitesses - somme >= 0.0
+            }
+        })
+    }
+
+    /// The earliest that an entry can be.
+    fn au_plus_tot(&self, j: usize) -> f64 {
+        let connu = self.v[j] > self.beta;
+        let (a, _) = self.entree(j, connu);
+        let a = a - self.alpha;
+        if a > 0.0 {
+            a / (self.v[j] + self.beta)
+        } else if connu {
+            a / (self.v[j] - self.beta)
+        } else {
+            f64::NEG_INFINITY
+        }
+    }
+}
+
+fn verite_boite<R: Reel>(boite: &BoiteRay<R>, ray: &Droite) -> Verite {
+    let f = moins(&ray.s, &point(boite.centre()));
+    let f_ = longueur(&f);
+    let demi_longueurs = boite.demi_longueurs();
+    let rho = Vecteur::from(demi_longueurs.map(R::vers_f64)).longueur();
+    let couples: [Couple; 3] = core::array::from_fn(|axe| {
         let n = point(boite.normales()[axe]);
-        for n in [n.each_ref().map(|x| -x), n] {
-            let haut = &scalaire(&n, &f) - l;
-            let vitesse = scalaire(&n, &ray.d);
-            // Along the plane of a face to rounding, the search cannot tell on which side.
-            let v = vitesse.vers_f64().abs();
-            if v <= quatre_u && haut.vers_f64().abs() <= 2.0 * seuil {
-                indecises.push(Vecteur::from(n.each_ref().map(Exact::vers_f64)));
-            }
-            let t = || (-&haut).sur(&vitesse);
-            match vitesse.signe() {
-                Ordering::Less => {
-                    let cosinus = -vitesse.vers_f64();
-                    cosinus_min = cosinus_min.min(cosinus);
-                    let normale = Vecteur::from(n.each_ref().map(Exact::vers_f64));
-                    entrees.push((t(), cosinus, normale));
-                }
-                Ordering::Greater => sorties.push(t()),
-                Ordering::Equal => {
-                    dehors |= haut.positif();
-                    dans_la_marge |= haut.vers_f64().abs() <= seuil;
-                }
-            }
+        let l = Exact::de(demi_longueurs[axe]);
+        let (o, v) = (scalaire(&n, &f), scalaire(&n, &ray.d));
+        if v.signe() == Ordering::Less {
+            Couple { a: -&(&l - &o), b: &l + &o, v: -&v, normale: n }
+        } else {
+            Couple { a: -&(&l + &o), b: &l - &o, v, normale: n.map(|x| -&x) }
         }
-    }
-    let (t, cosinus_t, _) =
-        entrees.iter().cloned().reduce(|a, b| if b.0 > a.0 { b } else { a }).expect("D is not 0");
-    let sortie = sorties.into_iter().reduce(|a, b| if b < a { b } else { a }).expect("D is not 0");
-    let mou = (&sortie - &t).vers_f64();
-    dans_la_marge |= mou.abs() <= seuil / cosinus_min;
-    dans_la_marge |=
-        t.vers_f64().abs() <= seuil / cosinus_t || sortie.vers_f64().abs() <= seuil / cosinus_min;
-    // Beside an edge the other face may win: all those entered within the margin.
-    let mut cosinus = cosinus_t;
-    let mut normales = Vec::new();
-    for (autre, c, normale) in &entrees {
-        if (&t - autre).vers_f64() <= seuil / c.min(cosinus_t) {
-            cosinus = cosinus.min(*c);
-            normales.push(*normale);
-        }
-    }
-    // As for a half-space, a face within 4u of parallel that matters leaves nothing to promise.
-    let cosinus = if cosinus <= quatre_u || !indecises.is_empty() { 0.0 } else { cosinus };
-    normales.append(&mut indecises);
-    let entree = (!dehors && t.positif() && sortie >= t).then(|| {
-        let cond = (f_ + demi_diagonale + t.vers_f64()) / cosinus;
-        Entree { t, normales, cond, f: f_, rayon_de_courbure: f64::INFINITY }
     });
-    Verite { entree, dans_la_marge }
+    let vers = |i: usize| couples[i].v.positif();
+    // a_i/v_i against the a or b of another pair.
+    let apres = |(x, v): (&Exact, &Exact), (y, w): (&Exact, &Exact)| (x * w) > (y * v);
+    let entree = |i: usize| (&couples[i].a, &couples[i].v);
+    let sortie = |i: usize| (&couples[i].b, &couples[i].v);
+    let en_mouvement = || (0..3).filter(|&i| vers(i));
+    let derniere = en_mouvement().reduce(|i, j| if apres(entree(j), entree(i)) { j } else { i });
+    let derniere = derniere.expect("D is not 0");
+    // Parallel to a pair and beside it; in the plane of a face it belongs to the box.
+    let dehors = (0..3).any(|i| !vers(i) && (couples[i].a.positif() || (-&couples[i].b).positif()));
+    let touche = !dehors
+        && couples[derniere].a.positif()
+        && en_mouvement().all(|j| !apres(entree(derniere), sortie(j)));
+
+    let decision = Box::new(Decision::new(&couples, f_ + rho, u::<R>()));
+    let dans_la_marge = !decision.surement(touche, 1.0);
+    let entree = touche.then(|| {
+        let t = couples[derniere].a.sur(&couples[derniere].v);
+        let mut normales = Vec::new();
+        let mut cosinus = f64::INFINITY;
+        for (i, couple) in couples.iter().enumerate() {
+            if i != derniere && !decision.peut_etre_la_derniere(i) {
+                continue;
+            }
+            let v = decision.v[i];
+            cosinus = cosinus.min(v);
+            normales.push(couple.normale.clone());
+            if v <= decision.beta {
+                // Which way it goes rounding cannot tell.
+                normales.push(couple.normale.each_ref().map(|x| -x));
+            }
+        }
+        let cosinus = sur::<R>(cosinus);
+        let cond = (f_ + rho + t.vers_f64()) / cosinus;
+        Entree { t, normales, cond, cosinus, f: f_, rayon_de_courbure: f64::INFINITY }
+    });
+    Verite { entree, dans_la_marge, marge: Marge::Boite(decision) }
 }

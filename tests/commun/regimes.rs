@@ -56,7 +56,7 @@ pub(crate) fn entre(alea: &mut Rng, min: f64, max: f64) -> f64 {
 }
 
 /// 2^x, with x anywhere between the two.
-pub(crate) fn puissance(alea: &mut Rng, min: f64, max: f64) -> f64 {
+pub(crate) fn deux_puissance(alea: &mut Rng, min: f64, max: f64) -> f64 {
     entre(alea, min, max).exp2()
 }
 
@@ -74,6 +74,16 @@ pub(crate) fn signe(alea: &mut Rng) -> f64 {
 /// The vector product.
 pub(crate) fn vectoriel(a: Vecteur, b: Vecteur) -> Vecteur {
     Vecteur::new(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x)
+}
+
+/// A matrix whose last row is this normal.
+pub(crate) fn repere<R: Reel>(normale: Vecteur<R>) -> [[R; 3]; 3] {
+    let n = normale.vers_f64();
+    let cote =
+        if n.x.abs() < 0.6 { Vecteur::new(1.0, 0.0, 0.0) } else { Vecteur::new(0.0, 1.0, 0.0) };
+    let x = (cote - n * n.produit_scalaire(cote)).unitaire().unwrap();
+    let y = vectoriel(n, x);
+    [arrondi(x).into(), arrondi(y).into(), normale.into()]
 }
 
 /// At a right angle to `d`.
@@ -125,7 +135,7 @@ fn demi_espace<R: Reel>(alea: &mut Rng, en: Vecteur, _: f64) -> ObjetGeo<R> {
 /// One box in two is up to 10^12 times as long as thick.
 fn boite<R: Reel>(alea: &mut Rng, centre: Vecteur, l: f64) -> ObjetGeo<R> {
     let allonge = if alea.bool() { -40.0 } else { -2.0 };
-    let dimensions = [(); 3].map(|()| taille(l * puissance(alea, allonge, 0.0)));
+    let dimensions = [(); 3].map(|()| taille(l * deux_puissance(alea, allonge, 0.0)));
     BoiteGeo::new(lieu(centre), dimensions.into(), rotation(alea), Texture(0)).unwrap().into()
 }
 
@@ -138,19 +148,19 @@ fn lancer<R: Reel>(objet: ObjetGeo<R>, de: Vecteur, vers: Vecteur) -> Cas<R> {
 
 /// Any scale, from a few sizes away, at and a little beside the object.
 fn ordinaire<R: Reel>(alea: &mut Rng, forme: Forme<R>) -> Cas<R> {
-    let l = puissance(alea, -20.0, 20.0);
-    let centre = direction(alea) * (l * puissance(alea, -3.0, 4.0));
+    let l = deux_puissance(alea, -20.0, 20.0);
+    let centre = direction(alea) * (l * deux_puissance(alea, -3.0, 4.0));
     let objet = forme(alea, centre, l);
-    let de = centre + direction(alea) * (l * puissance(alea, -1.0, 5.0));
+    let de = centre + direction(alea) * (l * deux_puissance(alea, -1.0, 5.0));
     let vers = centre + direction(alea) * (1.2 * l * alea.f64());
     lancer(objet, de, vers - de)
 }
 
 /// Up to 4·10^6 (f32) or 2·10^15 (f64) sizes away, where S − C is not representable.
 fn loin<R: Reel>(alea: &mut Rng, forme: Forme<R>) -> Cas<R> {
-    let l = puissance(alea, -10.0, 10.0);
+    let l = deux_puissance(alea, -10.0, 10.0);
     let bits = -R::U.vers_f64().log2();
-    let distance = l * puissance(alea, 0.0, bits - 2.0);
+    let distance = l * deux_puissance(alea, 0.0, bits - 2.0);
     let d = direction(alea);
     let centre = direction(alea) * (distance * alea.f64());
     let objet = forme(alea, centre, l);
@@ -160,22 +170,22 @@ fn loin<R: Reel>(alea: &mut Rng, forme: Forme<R>) -> Cas<R> {
 
 /// The object and the source close together, where few coordinates are left between them.
 fn loin_de_l_origine<R: Reel>(alea: &mut Rng, forme: Forme<R>) -> Cas<R> {
-    let l = puissance(alea, -10.0, 10.0);
+    let l = deux_puissance(alea, -10.0, 10.0);
     let bits = -R::U.vers_f64().log2();
-    let centre = direction(alea) * (l * puissance(alea, 0.0, bits - 1.0));
+    let centre = direction(alea) * (l * deux_puissance(alea, 0.0, bits - 1.0));
     let objet = forme(alea, centre, l);
-    let de = lieu::<R>(centre + direction(alea) * (l * puissance(alea, 0.0, 5.0))).vers_f64();
+    let de = lieu::<R>(centre + direction(alea) * (l * deux_puissance(alea, 0.0, 5.0))).vers_f64();
     let vers = centre + direction(alea) * (l * alea.f64());
     lancer(objet, de, vers - de)
 }
 
 /// At r(1 ± 2^−k) from the centre, to the last bit and beyond.
 fn sphere_rasante<R: Reel>(alea: &mut Rng) -> Cas<R> {
-    let r = puissance(alea, -10.0, 10.0);
-    let centre = direction(alea) * (r * puissance(alea, -3.0, 8.0));
+    let r = deux_puissance(alea, -10.0, 10.0);
+    let centre = direction(alea) * (r * deux_puissance(alea, -3.0, 8.0));
     let d = direction(alea);
-    let presque = signe(alea) * puissance(alea, -54.0, -1.0);
-    let recul = r * puissance(alea, -3.0, 8.0);
+    let presque = signe(alea) * deux_puissance(alea, -54.0, -1.0);
+    let recul = r * deux_puissance(alea, -3.0, 8.0);
     let de = centre + travers(alea, d) * (r * (1.0 + presque)) - d * recul;
     lancer(boule(alea, centre, r), de, d)
 }
@@ -207,19 +217,19 @@ fn surface<R: Reel>(alea: &mut Rng, objet: &ObjetRay<R>, etendue: f64) -> (Vecte
 
 /// From a relative height of 10^−16 … 1 above the surface: going in, along and out.
 fn au_ras<R: Reel>(alea: &mut Rng, forme: Forme<R>) -> Cas<R> {
-    let l = puissance(alea, -10.0, 10.0);
-    let centre = direction(alea) * (l * puissance(alea, -3.0, 8.0));
+    let l = deux_puissance(alea, -10.0, 10.0);
+    let centre = direction(alea) * (l * deux_puissance(alea, -3.0, 8.0));
     let objet = forme(alea, centre, l);
     let (point, n) = surface(alea, &objet.vers_ray(), l);
-    let haut = l * puissance(alea, -53.0, 0.0);
-    let incline = puissance(alea, -30.0, 0.0);
+    let haut = l * deux_puissance(alea, -53.0, 0.0);
+    let incline = deux_puissance(alea, -30.0, 0.0);
     let penche = if alea.u8(0..4) == 0 { incline } else { -incline };
     lancer(objet, point + n * haut, n * penche + travers(alea, n))
 }
 
 /// The object about the origin and the source exactly on, or k ulp above or below, its surface.
 fn a_quelques_ulp<R: Reel>(alea: &mut Rng, forme: Forme<R>) -> Cas<R> {
-    let l = puissance(alea, -10.0, 10.0);
+    let l = deux_puissance(alea, -10.0, 10.0);
     let objet = forme(alea, Vecteur::NUL, l);
     let (point, n) = surface(alea, &objet.vers_ray(), l);
     let ulp = 1.0 + f64::from(alea.i8(-4..=4)) * 2.0 * R::U.vers_f64();
@@ -240,12 +250,12 @@ fn bornes<R: Reel>(alea: &mut Rng, forme: Forme<R>) -> Cas<R> {
     let echelle = |alea: &mut Rng| match alea.u8(0..4) {
         0 => bits.exp2(),
         1 => (-bits).exp2(),
-        _ => puissance(alea, -bits, bits),
+        _ => deux_puissance(alea, -bits, bits),
     };
     let l = echelle(alea);
-    let centre = direction(alea) * (echelle(alea) * puissance(alea, -2.0, 1.0));
+    let centre = direction(alea) * (echelle(alea) * deux_puissance(alea, -2.0, 1.0));
     let objet = forme(alea, centre, l);
-    let ou = if alea.bool() { echelle(alea) } else { l * puissance(alea, 0.0, 4.0) };
+    let ou = if alea.bool() { echelle(alea) } else { l * deux_puissance(alea, 0.0, 4.0) };
     let de = lieu::<R>(centre + direction(alea) * ou);
     let (cible, _) = surface(alea, &objet.vers_ray(), l);
     lancer(objet, de.vers_f64(), cible - de.vers_f64())
@@ -253,26 +263,26 @@ fn bornes<R: Reel>(alea: &mut Rng, forme: Forme<R>) -> Cas<R> {
 
 /// N·D = ±0, subnormal, ±2^−k; from near and from 10^15 along the plane.
 fn plan_rasant<R: Reel>(alea: &mut Rng) -> Cas<R> {
-    let l = puissance(alea, -10.0, 10.0);
-    let centre = direction(alea) * (l * puissance(alea, -3.0, 8.0));
+    let l = deux_puissance(alea, -10.0, 10.0);
+    let centre = direction(alea) * (l * deux_puissance(alea, -3.0, 8.0));
     let objet = demi_espace::<R>(alea, centre, l);
-    let etendue = l * puissance(alea, 0.0, 50.0);
+    let etendue = l * deux_puissance(alea, 0.0, 50.0);
     let (point, n) = surface(alea, &objet.vers_ray(), etendue);
     let descente = match alea.u8(0..6) {
         0 => 0.0,
         1 => -0.0,
         2 => f64::MIN_POSITIVE / 8.0,
-        _ => puissance(alea, -60.0, -1.0),
+        _ => deux_puissance(alea, -60.0, -1.0),
     };
     let signe = f64::from(1 - 2 * i8::from(alea.u8(0..4) == 0));
-    let de = point + n * (l * puissance(alea, -20.0, 4.0));
+    let de = point + n * (l * deux_puissance(alea, -20.0, 4.0));
     lancer(objet, de, travers(alea, n) - n * (signe * descente))
 }
 
 /// Through an edge or a corner all of whose faces look at the source, and k ulp beside it.
 fn aretes<R: Reel>(alea: &mut Rng) -> Cas<R> {
-    let l = puissance(alea, -10.0, 10.0);
-    let centre = direction(alea) * (l * puissance(alea, -3.0, 8.0));
+    let l = deux_puissance(alea, -10.0, 10.0);
+    let centre = direction(alea) * (l * deux_puissance(alea, -3.0, 8.0));
     let objet = boite(alea, centre, l);
     let ObjetRay::Boite(b) = objet.vers_ray() else { unreachable!("made as a box") };
     let (c, n) = (b.centre().vers_f64(), b.normales().map(Vecteur::vers_f64));
@@ -284,7 +294,7 @@ fn aretes<R: Reel>(alea: &mut Rng) -> Cas<R> {
         let ou = if axe == libre { entre(alea, -1.0, 1.0) } else { signes[axe] };
         point + n[axe] * (ou * l[axe])
     });
-    let recul = Vecteur::from(l).longueur() * puissance(alea, -2.0, 5.0);
+    let recul = Vecteur::from(l).longueur() * deux_puissance(alea, -2.0, 5.0);
     let de = (0..3).fold(cible, |de, axe| {
         let ou = if axe == libre { entre(alea, -1.0, 1.0) } else { signes[axe] * alea.f64() };
         de + n[axe] * (ou * recul)
@@ -296,8 +306,8 @@ fn aretes<R: Reel>(alea: &mut Rng) -> Cas<R> {
 
 /// D·N = ±0 in the plane of a face, k ulp beside it, and away from it.
 fn le_long_d_une_face<R: Reel>(alea: &mut Rng) -> Cas<R> {
-    let l = [(); 3].map(|()| puissance(alea, -10.0, 10.0));
-    let centre = direction(alea) * puissance(alea, -10.0, 10.0);
+    let l = [(); 3].map(|()| deux_puissance(alea, -10.0, 10.0));
+    let centre = direction(alea) * deux_puissance(alea, -10.0, 10.0);
     let dimensions = Vecteur::from(l.map(taille::<R>));
     let objet = BoiteGeo::new(lieu(centre), dimensions, Rotation::IDENTITE, Texture(0)).unwrap();
     let b = objet.vers_ray();
@@ -311,10 +321,10 @@ fn le_long_d_une_face<R: Reel>(alea: &mut Rng) -> Cas<R> {
         let signe = signe(alea);
         de[i] = (c[i] + signe * l[i]) * if alea.bool() { 1.0 } else { k };
         if i == axe {
-            de[i] = c[i] - l[i] * puissance(alea, -1.0, 4.0);
+            de[i] = c[i] - l[i] * deux_puissance(alea, -1.0, 4.0);
             vers[i] = 1.0;
         } else if i != parallele {
-            vers[i] = entre(alea, -1.0, 1.0) * puissance(alea, -60.0, 0.0);
+            vers[i] = entre(alea, -1.0, 1.0) * deux_puissance(alea, -60.0, 0.0);
         }
     }
     lancer(objet.into(), de.into(), vers.into())
@@ -323,14 +333,14 @@ fn le_long_d_une_face<R: Reel>(alea: &mut Rng) -> Cas<R> {
 /// D·N within ±2⁻⁶⁰ … 2⁻²⁰ of 0 for a turned box, towards the edge where the ray enters beside
 /// or through that face.
 fn presque_le_long_d_une_face<R: Reel>(alea: &mut Rng) -> Cas<R> {
-    let l = puissance(alea, -10.0, 10.0);
-    let centre = direction(alea) * (l * puissance(alea, -3.0, 4.0));
+    let l = deux_puissance(alea, -10.0, 10.0);
+    let centre = direction(alea) * (l * deux_puissance(alea, -3.0, 4.0));
     let objet = boite::<R>(alea, centre, l);
     let ObjetRay::Boite(b) = objet.vers_ray() else { unreachable!("made as a box") };
     let (n, l) = (b.normales().map(Vecteur::vers_f64), b.demi_longueurs().map(R::vers_f64));
     let face = alea.usize(0..3);
     let signe = signe(alea);
-    let d = travers(alea, n[face]) - n[face] * (signe * puissance(alea, -60.0, -20.0));
+    let d = travers(alea, n[face]) - n[face] * (signe * deux_puissance(alea, -60.0, -20.0));
     // A point of the edges of that face, from which the ray goes back.
     let au_bord = (face + 1 + alea.usize(0..2)) % 3;
     let cible = (0..3).fold(b.centre().vers_f64(), |point, axe| {
@@ -341,5 +351,5 @@ fn presque_le_long_d_une_face<R: Reel>(alea: &mut Rng) -> Cas<R> {
         };
         point + n[axe] * (ou * l[axe])
     });
-    lancer(objet, cible - d * (Vecteur::from(l).longueur() * puissance(alea, -3.0, 3.0)), d)
+    lancer(objet, cible - d * (Vecteur::from(l).longueur() * deux_puissance(alea, -3.0, 3.0)), d)
 }

@@ -3,10 +3,10 @@
 
 use lancer_rayon::Reel;
 
-/// Distance. The kernel promises K·u·cond with K ≤ 3 for f64 and half a unit in the last place
-/// more for f32; a property compares two such distances, 2·3, plus the rounding of its own
+/// Distance. The kernel promises K·u·cond with K ≤ 5.5 for f64 and half a unit in the last place
+/// more for f32; a property compares two such distances, 2·5.5, plus the rounding of its own
 /// inputs, each counted below.
-pub(crate) const DISTANCE: f64 = 6.0;
+pub(crate) const DISTANCE: f64 = 2.0 * promesses::DISTANCE_SPHERE;
 
 /// A vector turned by `Rotation::appliquer`: three products and two sums per coordinate, γ₃,
 /// and a matrix that is orthonormal to 4u and rounded to u: (3 + 1 + 4)u of its length.
@@ -15,9 +15,8 @@ pub(crate) const TOURNE: f64 = 8.0;
 /// A vector moved or multiplied: one rounding, so u of the length of the result.
 pub(crate) const ARRONDI: f64 = 1.0;
 
-/// The length of a normal: within 2 units in the last place of 1, that is 4u, and then 3u for
-/// measuring it in the same type.
-pub(crate) const NORMALE_UNITAIRE: f64 = 7.0;
+/// The length of a normal: within 6u of 1, and then 3u for measuring it in the same type.
+pub(crate) const NORMALE_UNITAIRE: f64 = promesses::UNITAIRE_PLATE + 3.0;
 
 /// The direction of a normal at a point that is known: 4u·(1 + |f|/r), beside what the error
 /// of the distance moves it by.
@@ -38,4 +37,41 @@ pub(crate) fn ecart_rotation<R: Reel>() -> f64 {
 /// u in f64.
 pub(crate) fn u<R: Reel>() -> f64 {
     R::U.vers_f64()
+}
+
+/// The margins of a decision, in u: within them rounding may answer a miss for a hit, or a hit for a
+/// miss.
+pub(crate) mod marges {
+    /// |SC| and |AC| of a sphere, of |f| + r.
+    pub(crate) const SPHERE: f64 = 4.0;
+    /// The height of S over a half-space, of |S| + |d|, and N·D.
+    pub(crate) const PLAN: f64 = 4.0;
+    /// What three products that underflow add to that height, in subnormals.
+    pub(crate) const PLAN_ABSOLUE: f64 = 2.0;
+    /// How far S is from a face of a box, of |f| + ρ: a rounding for each coordinate of S − C,
+    /// three for the scalar product, one for the sum with the half-length.
+    pub(crate) const BOITE_LONGUEUR: f64 = 6.0;
+    /// N·D of a face: three roundings, and a matrix that is orthonormal to rounding.
+    pub(crate) const BOITE_VITESSE: f64 = 4.0;
+}
+
+/// What the table of `docs/precision.md` promises, in the unit named.
+pub(crate) mod promesses {
+    /// Distance to a sphere, in 2⁻⁵³·cond.
+    pub(crate) const DISTANCE_SPHERE: f64 = 5.5;
+    /// Distance to a half-space, in 2⁻⁵³·cond.
+    pub(crate) const DISTANCE_PLAN: f64 = 4.5;
+    /// What products that underflow add to it, in subnormals over |N·D|.
+    pub(crate) const PLAN_ABSOLU: f64 = 2.0;
+    /// Distance to a box, in 2⁻⁵³·cond.
+    pub(crate) const DISTANCE_BOITE: f64 = 5.0;
+    /// What a speed towards a flat face may be off by, in u: taken from the |N·D| of cond.
+    pub(crate) const VITESSE: f64 = super::marges::BOITE_VITESSE;
+    /// ||N| − 1| of a half-space or a face, in u: what `Rotation::depuis_matrice` keeps is within
+    /// 8u to 12u of orthonormal, and a length is off by half of its square.
+    pub(crate) const UNITAIRE_PLATE: f64 = 6.0;
+    /// ||N| − 1| of a sphere, in u: a square root, a division, a sum of three squares, a rounding.
+    pub(crate) const UNITAIRE_SPHERE: f64 = 4.0;
+    /// The direction of the normal of a sphere, in u(1 + |f|/r), beside |Δt|·|D|/r.
+    pub(crate) const DIRECTION: f64 = 4.0;
 }

@@ -28,6 +28,7 @@ mod commun {
     pub(crate) mod oracle;
     pub(crate) mod regimes;
     pub(crate) mod scenes;
+    pub(crate) mod tolerances;
 }
 
 #[allow(dead_code, reason = "shared with the examples")]

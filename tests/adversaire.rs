@@ -1,0 +1,763 @@
+//! A directed search for what breaks the promises of `docs/precision.md`: for each of them it climbs
+//! on the bits of the stored numbers of an object and a ray, towards the largest error as a part of
+//! the bound. Random cases come nowhere near what this finds.
+//!
+//! Each climb is short here. For as many seconds a row as one has patience for, with the worst case
+//! of each printed:
+//!
+//! ```sh
+//! LANCER_RAYON_ADVERSAIRE=60 cargo test --release --all-features --test adversaire -- --nocapture
+//! ```
+
+mod commun;
+
+use std::time::{Duration, Instant};
+
+use commun::double::ecart_et_cond;
+use commun::mesure::{absolu, arrondi_de_la_distance, au_bord};
+use commun::oracle::{hauteur, norme_au_carre_moins_un, verite};
+use commun::regimes::{deux_puissance, direction, entre, regimes, repere, signe};
+use commun::tolerances::{promesses, u};
+use commun::{Bits, arrondi};
+use fastrand::Rng;
+use lancer_rayon::{
+    BoiteGeo, Intersection, ObjetGeo, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture,
+    Vecteur, premiere_intersection,
+};
+
+/// So many in a row that gain nothing end in another start.
+const PATIENCE: u32 = 50;
+
+/// How many of the best are kept to set out from again.
+const SOMMETS: usize = 20;
+
+/// Worse than any case: no hit to judge, or numbers that no constructor takes.
+const RIEN: f64 = f64::NEG_INFINITY;
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Genre {
+    Sphere,
+    Plan,
+    Boite,
+}
+
+const GENRES: [Genre; 3] = [Genre::Sphere, Genre::Plan, Genre::Boite];
+
+impl Genre {
+    /// How the regimes name it.
+    fn nom(self) -> &'static str {
+        match self {
+            Self::Sphere => "sphere",
+            Self::Plan => "half-space",
+            Self::Boite => "box",
+        }
+    }
+
+    fn de<R: Reel>(objet: &ObjetRay<R>) -> Self {
+        match objet {
+            ObjetRay::Sphere(_) => Self::Sphere,
+            ObjetRay::Plan(_) => Self::Plan,
+            ObjetRay::Boite(_) => Self::Boite,
+        }
+    }
+
+    fn distance(self) -> f64 {
+        match self {
+            Self::Sphere => promesses::DISTANCE_SPHERE,
+            Self::Plan => promesses::DISTANCE_PLAN,
+            Self::Boite => promesses::DISTANCE_BOITE,
+        }
+    }
+}
+
+/// What a number is: a length may be scaled with all the others, a row of a matrix may not.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Role {
+    Longueur,
+    Matrice,
+    Vers,
+}
+
+/// The numbers that the climb moves: of each object, of the ray, and the direction in which it is
+/// left: x, y, z, a height over the tangent plane, and whether that counts.
+#[derive(Debug, Clone)]
+struct Candidat<R> {
+    genres: Vec<Genre>,
+    nombres: Vec<(Role, R)>,
+}
+
+/// What the constructors made of them.
+struct Cas<R> {
+    objets: Vec<ObjetRay<R>>,
+    rayon: Rayon<R>,
+    vers: [R; 5],
+}
+
+impl<R: Bits> Candidat<R> {
+    fn new(objets: &[ObjetRay<R>], rayon: &Rayon<R>, vers: [R; 5]) -> Self {
+        let mut nombres = Vec::new();
+        let mut ajouter = |role, valeurs: &[R]| nombres.extend(valeurs.iter().map(|&x| (role, x)));
+        let v = |v: Vecteur<R>| <[R; 3]>::from(v);
+        for objet in objets {
+            match objet {
+                ObjetRay::Sphere(s) => {
+                    ajouter(Role::Longueur, &v(s.centre()));
+                    ajouter(Role::Longueur, &[s.rayon()]);
+                }
+                ObjetRay::Plan(p) => {
+                    ajouter(Role::Longueur, &[p.distance()]);
+                    ajouter(Role::Matrice, repere(p.normale()).as_flattened());
+                }
+                ObjetRay::Boite(b) => {
+                    ajouter(Role::Longueur, &v(b.centre()));
+                    ajouter(Role::Longueur, &b.demi_longueurs().map(|l| l + l));
+                    ajouter(Role::Matrice, b.normales().map(v).as_flattened());
+                }
+            }
+        }
+        ajouter(Role::Longueur, &v(rayon.source()));
+        ajouter(Role::Vers, &v(rayon.direction()));
+        ajouter(Role::Vers, &vers);
+        Self { genres: objets.iter().map(Genre::de).collect(), nombres }
+    }
+
+    /// What the constructors take of it; the numbers are then those that they stored.
+    fn construire(&mut self) -> Option<Cas<R>> {
+        fn prendre<R: Reel, const N: usize>(reste: &[(Role, R)], ou: &mut usize) -> [R; N] {
+            let valeurs = core::array::from_fn(|i| reste[*ou + i].1);
+            *ou += N;
+            valeurs
+        }
+        fn rotation<R: Reel>(nombres: &mut [(Role, R)], ou: &mut usize) -> Option<Rotation<R>> {
+            let debut = *ou;
+            let m: [[R; 3]; 3] = core::array::from_fn(|_| prendre(nombres, ou));
+            let r = Rotation::depuis_matrice(m).ok()?;
+            for (nombre, x) in nombres[debut..*ou].iter_mut().zip(r.matrice().as_flattened()) {
+                nombre.1 = *x;
+            }
+            Some(r)
+        }
+        let mut ou = 0;
+        let mut objets = Vec::with_capacity(2);
+        let nombres = &mut self.nombres;
+        for (&genre, numero) in self.genres.iter().zip(0..) {
+            let texture = Texture(numero);
+            let objet: ObjetGeo<R> = match genre {
+                Genre::Sphere => {
+                    let centre: [R; 3] = prendre(nombres, &mut ou);
+                    let [r] = prendre(nombres, &mut ou);
+                    SphereGeo::new(centre.into(), r, texture).ok()?.into()
+                }
+                Genre::Plan => {
+                    let [d] = prendre(nombres, &mut ou);
+                    PlanGeo::new(rotation(nombres, &mut ou)?, d, texture).ok()?.into()
+                }
+                Genre::Boite => {
+                    let centre: [R; 3] = prendre(nombres, &mut ou);
+                    let dimensions: [R; 3] = prendre(nombres, &mut ou);
+                    let r = rotation(nombres, &mut ou)?;
+                    BoiteGeo::new(centre.into(), dimensions.into(), r, texture).ok()?.into()
+                }
+            };
+            objets.push(objet.vers_ray());
+        }
+        let s: [R; 3] = prendre(nombres, &mut ou);
+        let debut = ou;
+        let d: [R; 3] = prendre(nombres, &mut ou);
+        let rayon = Rayon::new(s.into(), d.into()).ok()?;
+        let d: [R; 3] = rayon.direction().into();
+        for (nombre, x) in nombres[debut..].iter_mut().zip(d) {
+            nombre.1 = x;
+        }
+        Some(Cas { objets, rayon, vers: prendre(nombres, &mut ou) })
+    }
+
+    fn bouger(&mut self, alea: &mut Rng) {
+        let fois = [1, 1, 1, 1, 2, 2, 3, 5][alea.usize(0..8)];
+        for _ in 0..fois {
+            self.bouger_une_fois(alea);
+        }
+    }
+
+    fn bouger_une_fois(&mut self, alea: &mut Rng) {
+        let (i, j) = (alea.usize(0..self.nombres.len()), alea.usize(0..self.nombres.len()));
+        let (role, x) = self.nombres[i];
+        let y = self.nombres[j].1;
+        let nouveau = match alea.u8(0..24) {
+            0..6 => depuis_mot(x.bits() ^ 1 << alea.u32(0..mantisse::<R>())),
+            6 => depuis_mot(x.bits() ^ 1 << alea.u32(0..mots::<R>())),
+            7..13 => {
+                let portee = alea.u32(0..8);
+                let pas = alea.u64(1..=1 << portee);
+                let bits = x.bits();
+                depuis_mot(if alea.bool() {
+                    bits.wrapping_add(pas)
+                } else {
+                    bits.wrapping_sub(pas)
+                })
+            }
+            13..17 => {
+                let peu = deux_puissance(alea, -60.0, 0.0) * signe(alea);
+                R::depuis_f64(x.vers_f64() * (1.0 + peu))
+            }
+            17 => {
+                self.nombres[j].1 = x;
+                y
+            }
+            18 => {
+                let portee = [2, 2, 8, 64, 1_100][alea.usize(0..5)];
+                R::depuis_f64(x.vers_f64() * f64::from(alea.i32(-portee..=portee)).exp2())
+            }
+            19 => {
+                let k = f64::from(alea.i32(-60..=60)).exp2();
+                for (role, x) in &mut self.nombres {
+                    if *role == Role::Longueur {
+                        *x = R::depuis_f64(x.vers_f64() * k);
+                    }
+                }
+                return;
+            }
+            20 => y,
+            21 => -x,
+            22 => remarquable(alea),
+            _ if role == Role::Matrice => {
+                let debut = (0..=i).rev().find(|&k| self.nombres[k].0 != role).map_or(0, |k| k + 1);
+                let m = tour::<R>(alea).matrice();
+                for (nombre, x) in self.nombres[debut..].iter_mut().zip(m.as_flattened()) {
+                    nombre.1 = *x;
+                }
+                return;
+            }
+            _ => R::depuis_f64(x.vers_f64() + y.vers_f64() * deux_puissance(alea, -60.0, 0.0)),
+        };
+        self.nombres[i].1 = nouveau;
+    }
+
+    /// Which object is answered, if one is.
+    fn reponse(&mut self) -> Option<Option<Texture>> {
+        let cas = self.construire()?;
+        Some(premiere_intersection(&cas.objets, &cas.rayon).ok().map(|touche| touche.texture()))
+    }
+
+    /// The two neighbours between which the answer changes, for one length that moves: decisions go
+    /// wrong there or nowhere.
+    fn a_la_decision(mut self, alea: &mut Rng) -> Option<[Self; 2]> {
+        let longueurs = || (0..self.nombres.len()).filter(|&i| self.nombres[i].0 == Role::Longueur);
+        let i = longueurs().nth(alea.usize(0..longueurs().count()))?;
+        let ici = self.reponse()?;
+        let depart = self.nombres[i].1.bits();
+        // With another length the constructors change no other number.
+        let mut avec = |bits: u64| {
+            self.nombres[i].1 = depuis_mot(bits);
+            self.reponse()
+        };
+        let mut proche = depart;
+        let mut loin = (0..mantisse::<R>())
+            .flat_map(|k| [proche.wrapping_add(1 << k), proche.wrapping_sub(1 << k)])
+            .find(|&bits| avec(bits).is_some_and(|reponse| reponse != ici))?;
+        while proche.abs_diff(loin) > 1 {
+            let milieu = proche.midpoint(loin);
+            if avec(milieu)? == ici { proche = milieu } else { loin = milieu }
+        }
+        Some([proche, loin].map(|bits| {
+            let mut voisin = self.clone();
+            voisin.nombres[i].1 = depuis_mot(bits);
+            voisin
+        }))
+    }
+
+    fn bits(&self) -> String {
+        let mots: Vec<_> = self.nombres.iter().map(|(_, x)| format!("{:x}", x.bits())).collect();
+        format!("{:?} [{}]", self.genres, mots.join(" "))
+    }
+}
+
+fn en_f32<R: Reel>() -> bool {
+    u::<R>() > f64::EPSILON
+}
+
+fn mots<R: Reel>() -> u32 {
+    if en_f32::<R>() { 32 } else { 64 }
+}
+
+fn mantisse<R: Reel>() -> u32 {
+    if en_f32::<R>() { 23 } else { 52 }
+}
+
+/// The number of these bits, whose last are its last.
+fn depuis_mot<R: Bits>(bits: u64) -> R {
+    R::depuis_bits(if en_f32::<R>() { bits << 32 } else { bits })
+}
+
+fn remarquable<R: Reel>(alea: &mut Rng) -> R {
+    let un = [R::ZERO, -R::ZERO, R::UN, R::MIN_POSITIF, R::LIMITE, R::UN / R::LIMITE, R::U];
+    let x = match alea.usize(0..10) {
+        i @ 0..7 => un[i],
+        7 => R::depuis_f64(f64::from(alea.i8(-8..=8)) / 2.0),
+        _ => peu_de_bits(alea),
+    };
+    if alea.bool() { x } else { -x }
+}
+
+/// One to three bits of a mantissa, near 1.
+fn peu_de_bits<R: Reel>(alea: &mut Rng) -> R {
+    let mut x = 1.0;
+    for _ in 0..alea.usize(0..3) {
+        x += signe(alea) * f64::from(-alea.i32(1..=mantisse::<R>() as i32)).exp2();
+    }
+    R::depuis_f64(x * signe(alea) * f64::from(alea.i32(-3..=3)).exp2())
+}
+
+fn tour<R: Reel>(alea: &mut Rng) -> Rotation<R> {
+    let angle = |alea: &mut Rng, quarts: bool| {
+        let quart = f64::from(alea.i8(-4..=4)) * core::f64::consts::FRAC_PI_2;
+        let presque = R::depuis_f64(quart + deux_puissance(alea, -50.0, -10.0));
+        let ailleurs = R::depuis_f64(entre(alea, -7.0, 7.0));
+        if quarts { R::depuis_f64(quart) } else { [presque, ailleurs][alea.usize(0..2)] }
+    };
+    let quarts = alea.bool();
+    let r = [(); 3].map(|()| angle(alea, quarts));
+    Rotation::new(r.into()).unwrap()
+}
+
+/// An object and a ray to start from: of a regime, or of few bits, with the ray towards the centre,
+/// a corner, an edge, or along an axis.
+fn depart<R: Bits>(genre: Genre, alea: &mut Rng) -> (ObjetRay<R>, Rayon<R>) {
+    loop {
+        if alea.u8(0..3) > 0 {
+            let regimes = regimes::<R>();
+            let regime = &regimes[alea.usize(0..regimes.len())];
+            if regime.nom.starts_with(genre.nom()) {
+                let cas = (regime.cas)(alea);
+                return (cas.objet, cas.rayon);
+            }
+        } else if let Some(depart) = depart_de_peu_de_bits(genre, alea) {
+            return depart;
+        }
+    }
+}
+
+fn depart_de_peu_de_bits<R: Bits>(genre: Genre, alea: &mut Rng) -> Option<(ObjetRay<R>, Rayon<R>)> {
+    let bits = R::LIMITE.vers_f64().log2();
+    let k = match alea.u8(0..6) {
+        0 => 4.0 - bits,
+        1 => bits - 5.0,
+        _ => 0.0,
+    };
+    let k = R::depuis_f64(k.exp2());
+    let lieu = |alea: &mut Rng| {
+        Vecteur::from([(); 3].map(
+            |()| {
+                if alea.u8(0..4) == 0 { R::ZERO } else { peu_de_bits(alea) }
+            },
+        ))
+    };
+    let c = lieu(alea) * k;
+    let taille = |alea: &mut Rng| peu_de_bits::<R>(alea).abs() * k;
+    let objet: ObjetGeo<R> = match genre {
+        Genre::Sphere => SphereGeo::new(c, taille(alea), Texture(0)).ok()?.into(),
+        Genre::Plan => PlanGeo::new(tour(alea), taille(alea), Texture(0)).ok()?.into(),
+        Genre::Boite => {
+            let dimensions = Vecteur::new(taille(alea), taille(alea), taille(alea));
+            BoiteGeo::new(c, dimensions, tour(alea), Texture(0)).ok()?.into()
+        }
+    };
+    let objet = objet.vers_ray();
+    let s = lieu(alea) * (k * R::depuis_f64(8.0));
+    let cible = match &objet {
+        ObjetRay::Sphere(sphere) => {
+            let n = sphere.rayon().vers_f64();
+            c + arrondi(direction(alea) * (n * alea.f64()))
+        }
+        ObjetRay::Plan(_) => c,
+        ObjetRay::Boite(boite) => (0..3).fold(c, |p, axe| {
+            let ou = [1.0, 1.0, -1.0, -1.0, alea.f64()][alea.usize(0..5)];
+            p + boite.normales()[axe] * (boite.demi_longueurs()[axe] * R::depuis_f64(ou))
+        }),
+    };
+    let d = match alea.u8(0..3) {
+        0 => {
+            let mut d = [(); 3].map(|()| R::depuis_f64(deux_puissance(alea, -1_074.0, 0.0)));
+            d[alea.usize(0..3)] = R::UN;
+            d.into()
+        }
+        _ => cible - s,
+    };
+    Some((objet, Rayon::new(s, d).ok()?))
+}
+
+/// A direction in which to leave the object.
+fn vers<R: Bits>(alea: &mut Rng) -> [R; 5] {
+    let [x, y, z] = match alea.u8(0..3) {
+        0 => arrondi(direction(alea)).into(),
+        1 => [(); 3].map(|()| peu_de_bits(alea)),
+        _ => {
+            let mut d = [R::ZERO, R::depuis_f64(deux_puissance(alea, -1_074.0, 0.0)), R::UN];
+            alea.shuffle(&mut d);
+            d
+        }
+    };
+    let h = match alea.u8(0..4) {
+        0 => 0.0,
+        1 => signe(alea) * u::<R>() * entre(alea, 0.0, 8.0),
+        _ => signe(alea) * deux_puissance(alea, -60.0, 0.0),
+    };
+    [x, y, z, R::depuis_f64(h), if alea.bool() { R::UN } else { R::ZERO }]
+}
+
+fn un_objet<R: Bits>(genre: Genre, alea: &mut Rng) -> Candidat<R> {
+    let (objet, rayon) = depart(genre, alea);
+    Candidat::new(&[objet], &rayon, vers(alea))
+}
+
+/// An object and another beside it: itself moved a little, or one through the point of the hit.
+fn deux_objets<R: Bits>(alea: &mut Rng) -> Candidat<R> {
+    loop {
+        let (objet, rayon) = depart::<R>(GENRES[alea.usize(0..3)], alea);
+        let Ok(touche) = objet.intersection(&rayon) else { continue };
+        let t = touche.distance().vers_f64();
+        let d = rayon.direction().vers_f64();
+        let p = rayon.source().vers_f64() + d * t;
+        let limite = R::LIMITE.vers_f64();
+        let borne = |x: f64| R::depuis_f64(x.clamp(-limite, limite));
+        let taille = |x: f64| R::depuis_f64(x.clamp(limite.recip(), limite));
+        let lieu = |v: Vecteur| Vecteur::new(borne(v.x), borne(v.y), borne(v.z));
+        let n = direction(alea);
+        let n = if n.produit_scalaire(d) < 0.0 { n } else { -n };
+        let l = (t + p.longueur()) * deux_puissance(alea, -8.0, 2.0);
+        let autre: Option<ObjetGeo<R>> = match alea.u8(0..5) {
+            0 => SphereGeo::new(lieu(p - n * l), taille(l), Texture(0)).ok().map(Into::into),
+            1 => Rotation::depuis_matrice(repere(arrondi(n)))
+                .ok()
+                .and_then(|r| PlanGeo::new(r, borne(-n.produit_scalaire(p)), Texture(0)).ok())
+                .map(Into::into),
+            2 => {
+                let r = tour::<R>(alea);
+                let axe = Vecteur::from(r.matrice()[alea.usize(0..3)]).vers_f64();
+                let axe = if axe.produit_scalaire(d) < 0.0 { axe } else { -axe };
+                let cube = Vecteur::new(taille(l), taille(l), taille(l));
+                let c = lieu(p - axe * (0.5 * l));
+                BoiteGeo::new(c, cube, r, Texture(0)).ok().map(Into::into)
+            }
+            _ => None,
+        };
+        let autre = autre.map_or(objet, ObjetGeo::vers_ray);
+        let objets = if alea.bool() { [objet, autre] } else { [autre, objet] };
+        let mut candidat = Candidat::new(&objets, &rayon, [R::ZERO; 5]);
+        if alea.bool() {
+            candidat.bouger(alea);
+        }
+        return candidat;
+    }
+}
+
+/// The error of the distance as a part of what is promised; below `seuil` an estimate is enough.
+fn distance_ou<R: Reel>(cas: &Cas<R>, seuil: f64, pres_de_0: bool) -> f64 {
+    let objet = &cas.objets[0];
+    let Ok(touche) = objet.intersection(&cas.rayon) else { return RIEN };
+    let t = touche.distance();
+    let arrondi = arrondi_de_la_distance(t);
+    let genre = Genre::de(objet);
+    if !pres_de_0 {
+        let (ecart, cond) = ecart_et_cond(objet, &cas.rayon, t);
+        let apercu = (ecart.abs() - arrondi) / (genre.distance() * f64::U * cond);
+        if apercu < seuil {
+            return apercu;
+        }
+    }
+    let Some(entree) = verite(objet, &cas.rayon).entree else { return RIEN };
+    let (relatif, absolu) =
+        (genre.distance() * f64::U * entree.cond, absolu::<f64, _>(objet, &entree));
+    // Each has its own climb, or the one would hide what the other finds.
+    if relatif == f64::INFINITY || (absolu > 1e-3 * relatif && !pres_de_0) {
+        return RIEN;
+    }
+    (entree.ecart(t).abs() - arrondi) / (relatif + absolu)
+}
+
+fn distance<R: Reel>(cas: &Cas<R>, seuil: f64) -> f64 {
+    distance_ou(cas, seuil, false)
+}
+
+fn distance_pres_de_0<R: Reel>(cas: &Cas<R>, seuil: f64) -> f64 {
+    distance_ou(cas, seuil, true)
+}
+
+/// By how much the margin would have to be larger to hold a wrong answer; a right one is the better
+/// the nearer it is to the decision.
+fn decision<R: Reel>(cas: &Cas<R>, _: f64) -> f64 {
+    let objet = &cas.objets[0];
+    let verite = verite(objet, &cas.rayon);
+    let touche = objet.intersection(&cas.rayon).is_ok();
+    let facteur = verite.facteur();
+    let plus_grand = if en_f32::<R>() { f64::from(f32::MAX) } else { f64::MAX };
+    match verite.entree {
+        // A distance that the type cannot hold is a miss.
+        Some(entree) if entree.t.vers_f64() > plus_grand => RIEN,
+        entree if entree.is_some() == touche => -facteur,
+        Some(_) | None => facteur,
+    }
+}
+
+/// By how much the object that is answered lies behind the other, as a part of what is promised.
+fn ordre<R: Reel>(cas: &Cas<R>, _: f64) -> f64 {
+    let Ok(premiere) = premiere_intersection(&cas.objets, &cas.rayon) else { return RIEN };
+    let Texture(gagnant) = premiere.texture();
+    let [gagnant, autre] = [gagnant as usize, 1 - gagnant as usize].map(|i| {
+        let verite = verite(&cas.objets[i], &cas.rayon);
+        let sure = i == gagnant as usize || !verite.dans_la_marge;
+        let objet = &cas.objets[i];
+        let k = Genre::de(objet).distance() * u::<R>();
+        verite.entree.filter(|_| sure).map(|e| (k, absolu::<R, _>(objet, &e), e))
+    });
+    let (Some((k, absolu, gagnant)), Some((k_autre, absolu_autre, autre))) = (gagnant, autre)
+    else {
+        return RIEN;
+    };
+    let avance = (&gagnant.t - &autre.t).vers_f64();
+    avance / (k * gagnant.cond + absolu + k_autre * autre.cond + absolu_autre)
+}
+
+fn touche<R: Reel>(cas: &Cas<R>) -> Option<Intersection<R>> {
+    cas.objets[0].intersection(&cas.rayon).ok()
+}
+
+fn longueur_de_la_normale<R: Reel>(cas: &Cas<R>, _: f64) -> f64 {
+    let Some(touche) = touche(cas) else { return RIEN };
+    let permis = match Genre::de(&cas.objets[0]) {
+        Genre::Sphere => promesses::UNITAIRE_SPHERE,
+        Genre::Plan | Genre::Boite => promesses::UNITAIRE_PLATE,
+    };
+    // |N| − 1 is half of |N|² − 1, to its square.
+    0.5 * norme_au_carre_moins_un(touche.normale()).abs() / (permis * u::<R>())
+}
+
+fn direction_de_la_normale<R: Reel>(cas: &Cas<R>, _: f64) -> f64 {
+    let Some(entree) = verite(&cas.objets[0], &cas.rayon).entree else { return RIEN };
+    let Some(touche) = touche(cas) else { return RIEN };
+    let permis = entree.direction_permise::<R>(entree.ecart(touche.distance()).abs());
+    entree.ecart_de_normale(touche.normale()) / permis
+}
+
+fn marge<R: Reel>(cas: &Cas<R>, _: f64) -> f64 {
+    let Some(touche) = touche(cas) else { return RIEN };
+    let marge = touche.marge().vers_f64();
+    if marge == f64::INFINITY {
+        return RIEN;
+    }
+    let p = cas.rayon.point(touche.distance());
+    hauteur(&cas.objets[0], touche.normale(), p).abs() / marge
+}
+
+/// What is no promise but a sign: below 1 as it holds, the higher the nearer to where it would not.
+fn tenue(ecart: f64) -> f64 {
+    1.0 / (1.0 + ecart)
+}
+
+/// Larger than 1, which no surrogate is.
+const ROMPUE: f64 = 2.0;
+
+fn face_a_la_source<R: Reel>(cas: &Cas<R>, _: f64) -> f64 {
+    let Some(touche) = touche(cas) else { return RIEN };
+    let cosinus = touche.normale().produit_scalaire(cas.rayon.direction());
+    if cosinus < R::ZERO { tenue(-cosinus.vers_f64() / u::<R>()) } else { ROMPUE }
+}
+
+fn secondaire<R: Reel>(cas: &Cas<R>, _: f64) -> f64 {
+    let objet = &cas.objets[0];
+    let Some(touche) = touche(cas) else { return RIEN };
+    let n = touche.normale();
+    let [x, y, z, h, penche] = cas.vers;
+    let v = Vecteur::new(x, y, z);
+    let vers = if penche > R::ZERO {
+        let v = v.vers_f64().unitaire().unwrap_or(Vecteur::NUL);
+        let n = n.vers_f64();
+        arrondi(v - n * n.produit_scalaire(v) + n * h.vers_f64())
+    } else {
+        v
+    };
+    let Ok(rayon) = cas.rayon.secondaire(&touche, vers) else { return RIEN };
+    let dedans = rayon.direction().produit_scalaire(n) < R::ZERO;
+    if objet.intersection(&rayon).is_ok() && !(dedans && au_bord(objet, &touche, rayon.source())) {
+        return ROMPUE;
+    }
+    let (n, depart) = (n.vers_f64(), rayon.source().vers_f64());
+    let cosinus = n.produit_scalaire(rayon.direction().vers_f64()).abs() / u::<R>();
+    let (centre, [l0, l1, l2]) = match objet {
+        ObjetRay::Sphere(s) => (s.centre().vers_f64(), [s.rayon().vers_f64(); 3]),
+        ObjetRay::Plan(p) => (n * -p.distance().vers_f64(), [p.distance().vers_f64().abs(); 3]),
+        ObjetRay::Boite(b) => (b.centre().vers_f64(), b.demi_longueurs().map(R::vers_f64)),
+    };
+    let arrondi = u::<R>() * (depart.longueur() + centre.longueur() + l0.max(l1).max(l2));
+    let haut = hauteur(objet, touche.normale(), rayon.source()).abs() / arrondi;
+    let bord = match objet {
+        ObjetRay::Sphere(_) | ObjetRay::Plan(_) => 0.0,
+        ObjetRay::Boite(b) => (0..3)
+            .filter(|&axe| {
+                b.normales()[axe] != touche.normale() && b.normales()[axe] != -touche.normale()
+            })
+            .map(|axe| {
+                let o = b.normales()[axe].vers_f64().produit_scalaire(depart - centre);
+                (o.abs() - [l0, l1, l2][axe]).abs() / arrondi
+            })
+            .fold(f64::INFINITY, f64::min),
+    };
+    0.5 * tenue(haut + cosinus) + 0.4 * tenue(bord)
+}
+
+/// FNV-1a, so that each row has its own seed.
+fn graine(nom: &str) -> u64 {
+    nom.bytes().fold(0xcbf2_9ce4_8422_2325, |graine, octet| {
+        (graine ^ u64::from(octet)).wrapping_mul(0x0000_0100_0000_01b3)
+    })
+}
+
+/// Climbs, and fails where it comes beyond 1.
+fn grimper<R: Bits>(
+    nom: &str,
+    depart: impl Fn(&mut Rng) -> Candidat<R>,
+    juger: impl Fn(&Cas<R>, f64) -> f64,
+    assez: u32,
+    decide: bool,
+) {
+    let duree = std::env::var("LANCER_RAYON_ADVERSAIRE")
+        .ok()
+        .map(|s| Duration::from_secs_f64(s.parse().expect("a number of seconds")));
+    let nom = format!("{nom}, {}", std::any::type_name::<R>());
+    let mut alea = Rng::with_seed(graine(&nom));
+    let debut = Instant::now();
+    let mut evaluations = 0_u32;
+    // The best of each of the last climbs, to set out from again.
+    let mut sommets: Vec<(f64, Candidat<R>)> = Vec::new();
+    let mut ici: Option<(f64, Candidat<R>)> = None;
+    let mut pire: Option<(f64, Candidat<R>)> = None;
+    let mut en_vain = 0;
+    loop {
+        evaluations += 1;
+        match duree {
+            Some(duree) if evaluations.is_multiple_of(64) && debut.elapsed() > duree => break,
+            Some(_) => {}
+            None if evaluations > assez => break,
+            None => {}
+        }
+        if en_vain > PATIENCE {
+            en_vain = 0;
+            sommets.extend(ici.take());
+            sommets.sort_by(|a, b| b.0.total_cmp(&a.0));
+            sommets.truncate(SOMMETS);
+            if alea.u8(0..4) > 0 && !sommets.is_empty() {
+                // Shaken, so that it may find another way up.
+                let (_, mut candidat) = sommets[alea.usize(0..sommets.len())].clone();
+                for _ in 0..alea.usize(1..6) {
+                    candidat.bouger_une_fois(&mut alea);
+                }
+                if let Some(cas) = candidat.construire() {
+                    ici = Some((juger(&cas, RIEN), candidat));
+                }
+            }
+        }
+        let avant = ici.as_ref().map_or(RIEN, |(avant, _)| *avant);
+        let mut candidat = match &ici {
+            Some((_, ici)) => {
+                let mut candidat = ici.clone();
+                candidat.bouger(&mut alea);
+                candidat
+            }
+            None => depart(&mut alea),
+        };
+        let valeur = |candidat: &mut Candidat<R>| {
+            candidat.construire().map_or(RIEN, |cas| juger(&cas, avant))
+        };
+        let voisins = if decide && alea.u8(0..4) > 0 {
+            candidat.clone().a_la_decision(&mut alea)
+        } else {
+            None
+        };
+        let v = match voisins {
+            None => valeur(&mut candidat),
+            Some([mut ici, mut la]) => {
+                let (v_ici, v_la) = (valeur(&mut ici), valeur(&mut la));
+                candidat = if v_ici >= v_la { ici } else { la };
+                v_ici.max(v_la)
+            }
+        };
+        en_vain = if v > avant { 0 } else { en_vain + 1 };
+        if v > RIEN && v >= avant {
+            if pire.as_ref().is_none_or(|(pire, _)| v > *pire) {
+                pire = Some((v, candidat.clone()));
+            }
+            ici = Some((v, candidat));
+        }
+    }
+    let (v, mut candidat) = pire.expect("a case to judge");
+    let cas = candidat.construire().expect("built before");
+    let ou = format!("{} {:?} {:?}", candidat.bits(), cas.objets, cas.rayon);
+    if duree.is_some() {
+        println!("{nom}: {v:.4} ({:.3e} from 1) of {evaluations} evaluations, {ou}", 1.0 - v);
+    }
+    assert!(v <= 1.0, "{nom}: {v} of what is promised: {ou}");
+}
+
+/// A climb of so many evaluations for each row of the table in each type, unless it is told how long
+/// to last; some look for the point where an answer changes.
+macro_rules! rangees {
+    ($($nom:ident: $depart:ident, $juger:ident, $assez:literal $(, $decide:literal)?;)*) => {
+        rangees! { en_f32, f32: $($nom: $depart, $juger, $assez, false $(|| $decide)?;)* }
+        rangees! { en_f64, f64: $($nom: $depart, $juger, $assez, false $(|| $decide)?;)* }
+    };
+    ($module:ident, $r:ident: $($nom:ident: $depart:ident, $juger:ident, $assez:expr, $decide:expr;)*) => {
+        mod $module {
+            use super::*;
+            $(#[test] fn $nom() { grimper::<$r>(stringify!($nom), $depart, $juger, $assez, $decide); })*
+        }
+    };
+}
+
+fn sphere<R: Bits>(alea: &mut Rng) -> Candidat<R> {
+    un_objet(Genre::Sphere, alea)
+}
+
+fn demi_espace<R: Bits>(alea: &mut Rng) -> Candidat<R> {
+    un_objet(Genre::Plan, alea)
+}
+
+/// Through the origin or a few subnormals beside it, as the source is.
+fn demi_espace_pres_de_0<R: Bits>(alea: &mut Rng) -> Candidat<R> {
+    let petit = |alea: &mut Rng| {
+        let x = R::depuis_f64(R::MIN_POSITIF.vers_f64() * f64::from(alea.i8(-20..=20)));
+        if alea.bool() { x } else { R::ZERO }
+    };
+    let plan = PlanGeo::new(tour(alea), petit(alea), Texture(0)).unwrap();
+    let s = Vecteur::new(petit(alea), petit(alea), petit(alea));
+    let rayon = Rayon::new(s, arrondi(direction(alea))).unwrap();
+    Candidat::new(&[ObjetGeo::from(plan).vers_ray()], &rayon, [R::ZERO; 5])
+}
+
+fn boite<R: Bits>(alea: &mut Rng) -> Candidat<R> {
+    un_objet(Genre::Boite, alea)
+}
+
+rangees! {
+    distance_d_une_sphere: sphere, distance, 400_000;
+    distance_d_un_demi_espace: demi_espace, distance, 400_000;
+    distance_d_un_demi_espace_pres_de_0: demi_espace_pres_de_0, distance_pres_de_0, 400_000;
+    distance_d_une_boite: boite, distance, 400_000;
+    decision_d_une_sphere: sphere, decision, 60_000, true;
+    decision_d_un_demi_espace: demi_espace, decision, 60_000, true;
+    decision_d_une_boite: boite, decision, 150_000, true;
+    ordre_de_deux_objets: deux_objets, ordre, 60_000, true;
+    normale_unitaire_d_une_sphere: sphere, longueur_de_la_normale, 60_000;
+    normale_unitaire_d_un_demi_espace: demi_espace, longueur_de_la_normale, 60_000;
+    normale_unitaire_d_une_boite: boite, longueur_de_la_normale, 60_000;
+    direction_de_la_normale_d_une_sphere: sphere, direction_de_la_normale, 60_000;
+    direction_de_la_normale_d_une_boite: boite, direction_de_la_normale, 60_000;
+    marge_d_une_sphere: sphere, marge, 60_000;
+    marge_d_un_demi_espace: demi_espace, marge, 60_000;
+    marge_d_une_boite: boite, marge, 60_000;
+    secondaire_d_une_sphere: sphere, secondaire, 100_000;
+    secondaire_d_un_demi_espace: demi_espace, secondaire, 100_000;
+    secondaire_d_une_boite: boite, secondaire, 100_000;
+    face_a_la_source_d_une_sphere: sphere, face_a_la_source, 60_000;
+    face_a_la_source_d_un_demi_espace: demi_espace, face_a_la_source, 60_000;
+    face_a_la_source_d_une_boite: boite, face_a_la_source, 60_000;
+}

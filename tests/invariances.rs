@@ -1,0 +1,122 @@
+//! What changes with a scene as it should: scaled, mirrored, turned onto other axes, moved.
+
+mod commun;
+
+use commun::oracle::verite;
+use commun::regimes::direction;
+use commun::tolerances::{promesses, u};
+use commun::{arrondi, en_f32_et_f64};
+use fastrand::Rng;
+use lancer_rayon::{
+    BoiteGeo, Intersection, ObjetGeo, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture, Vecteur,
+};
+
+const CAS: u32 = 1_000;
+
+/// Where no product is subnormal, scaling everything by a power of two changes no bit but the
+/// exponent of the distance: over the whole range that a scene can hold.
+fn une_puissance_de_deux_ne_change_aucun_bit<R: Reel>() {
+    let bits = R::LIMITE.vers_f64().log2();
+    let mut alea = Rng::with_seed(3);
+    for _ in 0..CAS {
+        let (centre, d) = (direction(&mut alea) * 4.0, direction(&mut alea));
+        let (rayon, dimensions) = (0.5 + alea.f64(), direction(&mut alea));
+        let m = Rotation::new(arrondi(direction(&mut alea) * 3.0)).unwrap();
+        let source = centre - d * (3.0 * alea.f64() + 2.0) + direction(&mut alea) * 0.7;
+        let texture = Texture(0);
+        let touche = |k: R| {
+            let c = arrondi(centre) * k;
+            let [x, y, z] = [dimensions.x, dimensions.y, dimensions.z];
+            let dimensions = arrondi(Vecteur::new(x.abs() + 0.5, y.abs() + 0.5, z.abs() + 0.5)) * k;
+            let d_plan = R::depuis_f64(-centre.longueur()) * k;
+            let r = Rayon::new(arrondi(source) * k, arrondi(d)).unwrap();
+            [
+                ObjetGeo::from(SphereGeo::new(c, R::depuis_f64(rayon) * k, texture).unwrap()),
+                ObjetGeo::from(PlanGeo::new(m, d_plan, texture).unwrap()),
+                ObjetGeo::from(BoiteGeo::new(c, dimensions, m, texture).unwrap()),
+            ]
+            .map(|objet| objet.vers_ray().intersection(&r).map(|t| (t.distance() / k, t.normale())))
+        };
+        let attendu = touche(R::UN);
+        for exposant in [-bits + 4.0, -bits / 2.0, -1.0, 7.0, bits - 4.0] {
+            assert_eq!(touche(R::depuis_f64(exposant.exp2())), attendu, "2^{exposant}");
+        }
+    }
+}
+
+en_f32_et_f64!(une_puissance_de_deux_ne_change_aucun_bit);
+
+/// An axis-aligned scene seen in a mirror, or with its axes exchanged, gives the same distance
+/// to the bound, and for the mirror to the bit: no sign is privileged.
+fn ni_signe_ni_axe_n_est_privilegie<R: Reel>() {
+    let mut alea = Rng::with_seed(4);
+    let mut touches = 0;
+    for _ in 0..CAS {
+        let (c, d) = (direction(&mut alea) * 4.0, direction(&mut alea));
+        let s = c - d * 5.0 + direction(&mut alea) * 0.5;
+        let (l, r) = ([(); 3].map(|()| 0.5 + alea.f64()), 0.5 + alea.f64());
+        let lancer = |transforme: &dyn Fn([f64; 3]) -> [f64; 3]| {
+            let v = |v: Vecteur| arrondi::<R>(transforme(v.into()).into());
+            let dimensions = transforme(l).map(f64::abs);
+            let boite =
+                BoiteGeo::new(v(c), arrondi(dimensions.into()), Rotation::IDENTITE, Texture(0));
+            let boule = SphereGeo::new(v(c), R::depuis_f64(r), Texture(0)).unwrap();
+            let rayon = Rayon::new(v(s), v(d)).unwrap();
+            [ObjetGeo::from(boite.unwrap()), boule.into()].map(|objet| {
+                let objet = objet.vers_ray();
+                let touche = objet.intersection(&rayon).ok();
+                let cond = verite(&objet, &rayon).entree.map_or(f64::INFINITY, |e| e.cond);
+                touche.map(|t| {
+                    (t.distance().vers_f64(), <[f64; 3]>::from(t.normale().vers_f64()), cond)
+                })
+            })
+        };
+        let direct = lancer(&|v| v);
+        let miroir = lancer(&|[x, y, z]| [-x, y, -z]);
+        let permute = lancer(&|[x, y, z]| [z, x, y]);
+        for ((a, b), c) in direct.into_iter().zip(miroir).zip(permute) {
+            assert_eq!(a.is_some(), b.is_some());
+            let (Some((t, [x, y, z], cond)), Some((t_m, n_m, _))) = (a, b) else { continue };
+            touches += 1;
+            assert_eq!((t_m, n_m), (t, [-x, y, -z]));
+            if let Some((t_p, ..)) = c {
+                // Sums in another order: two errors of K·u·cond, that of a sphere being the larger.
+                assert!((t_p - t).abs() <= 2.0 * promesses::DISTANCE_SPHERE * u::<R>() * cond);
+            }
+        }
+    }
+    assert!(touches > CAS / 2);
+}
+
+en_f32_et_f64!(ni_signe_ni_axe_n_est_privilegie);
+
+/// Translation by a power of two that rounds nothing away changes no bit.
+fn une_translation_exacte_ne_change_aucun_bit<R: Reel>() {
+    let mut alea = Rng::with_seed(5);
+    let grille = |alea: &mut Rng, n: i32| R::depuis_f64(f64::from(alea.i32(-n..=n)) / 16.0);
+    let mut touches = 0;
+    for _ in 0..CAS {
+        let mut point =
+            || Vecteur::new(grille(&mut alea, 64), grille(&mut alea, 64), grille(&mut alea, 64));
+        let (c, s, cible) = (point(), point(), point());
+        let Ok(rayon) = Rayon::new(s, cible - s) else { continue };
+        let v = Vecteur::new(R::depuis_f64(1024.0), R::depuis_f64(-2048.0), R::depuis_f64(512.0));
+        let ailleurs = Rayon::new(s + v, rayon.direction()).unwrap();
+        let deux = R::UN + R::UN;
+        let m = Rotation::new(Vecteur::new(R::UN, deux, -R::UN)).unwrap();
+        let objets: [ObjetGeo<R>; 2] = [
+            SphereGeo::new(c, deux, Texture(0)).unwrap().into(),
+            BoiteGeo::new(c, Vecteur::new(deux, deux, R::UN), m, Texture(0)).unwrap().into(),
+        ];
+        for objet in objets {
+            let valeurs = |t: Intersection<R>| (t.distance(), t.normale());
+            let ici = objet.vers_ray().intersection(&rayon).map(valeurs);
+            let la = objet.translation(v).unwrap().vers_ray().intersection(&ailleurs).map(valeurs);
+            assert_eq!(ici, la);
+            touches += u32::from(ici.is_ok());
+        }
+    }
+    assert!(touches > CAS / 20);
+}
+
+en_f32_et_f64!(une_translation_exacte_ne_change_aucun_bit);

@@ -1,0 +1,334 @@
+//! The promises of `docs/precision.md`, in the order of its table, against the oracle at the extremes.
+//!
+//! `LANCER_RAYON_CAS` sets how many cases each regime runs (1 000 unless set):
+//! `LANCER_RAYON_CAS=1000000 cargo test --release --all-features --test promesses`
+
+mod commun;
+
+use commun::mesure::{absolu, au_bord, mesurer, quantiles};
+use commun::oracle::{Entree, hauteur, verite};
+use commun::regimes::{Cas, direction, regimes, repere};
+use commun::tolerances::{ORTHONORMALE, promesses, u};
+use commun::{arrondi, en_f32_et_f64};
+use fastrand::Rng;
+use lancer_rayon::{
+    BoiteGeo, Intersection, NoIntersection, ObjetGeo, ObjetRay, PlanGeo, Rayon, Reel, Rotation,
+    SphereGeo, Texture, Vecteur, premiere_intersection,
+};
+
+/// K of the promise for the distance to an object.
+fn k<R: Reel>(objet: &ObjetRay<R>) -> f64 {
+    match objet {
+        ObjetRay::Sphere(_) => promesses::DISTANCE_SPHERE,
+        ObjetRay::Plan(_) => promesses::DISTANCE_PLAN,
+        ObjetRay::Boite(_) => promesses::DISTANCE_BOITE,
+    }
+}
+
+fn cas_par_regime() -> u32 {
+    commun::cas(1_000)
+}
+
+/// The hits of a regime, and the randomness for what follows them.
+fn chaque_touche<R: Reel>(
+    cas: fn(&mut Rng) -> Cas<R>,
+    mut suite: impl FnMut(&Cas<R>, &Intersection<R>, &mut Rng),
+) {
+    let mut alea = Rng::with_seed(2);
+    for _ in 0..cas_par_regime() {
+        let cas = cas(&mut alea);
+        if let Ok(touche) = cas.objet.intersection(&cas.rayon) {
+            let cosinus = touche.normale().produit_scalaire(cas.rayon.direction());
+            assert!(touche.distance() > R::ZERO && cosinus < R::ZERO, "{cas:?} {touche:?}");
+            suite(&cas, &touche, &mut alea);
+        }
+    }
+}
+
+/// Hit or miss never wrong outside the margin, distance to its K·2⁻⁵³·cond, normal to its bound.
+fn distances_et_normales<R: Reel>() {
+    for regime in regimes::<R>() {
+        let mesure = mesurer(&regime, cas_par_regime(), 1, |objet, rayon| {
+            objet.intersection(rayon).ok().map(|touche| (touche.distance(), touche.normale()))
+        });
+        let nom = regime.nom;
+        assert!(mesure.touches > cas_par_regime() / 10, "{nom}: {} hits only", mesure.touches);
+        assert_eq!(mesure.fausses, 0, "{nom}: wrong hits or misses");
+        let k = match nom.split_once(',') {
+            Some(("sphere", _)) => promesses::DISTANCE_SPHERE,
+            Some(("half-space", _)) => promesses::DISTANCE_PLAN,
+            Some(("box", _)) => promesses::DISTANCE_BOITE,
+            autre => panic!("{autre:?} is no shape"),
+        };
+        assert!(mesure.k_promis <= k, "{nom}: K = {}", mesure.k_promis);
+        // Beside the error itself, the normal of the oracle has been rounded to f64.
+        assert!(mesure.normale <= 1.01, "{nom}: normal off by {} of its bound", mesure.normale);
+    }
+}
+
+en_f32_et_f64!(distances_et_normales);
+
+/// Tangents every number of which is exact: (3, 4, 5)·2^k, with r = 5·2^k. They miss; one
+/// unit in the last place more of radius is touched, at A.
+fn une_tangente_exacte_manque<R: Reel>() {
+    for k in -20..20 {
+        let echelle = f64::from(k).exp2();
+        let r = |x: f64| R::depuis_f64(x * echelle);
+        let rayon = Rayon::new(
+            Vecteur::new(r(3.0), r(4.0), r(64.0)),
+            Vecteur::new(R::ZERO, R::ZERO, -R::UN),
+        );
+        let rayon = rayon.unwrap();
+        let boule = |rayon: f64| {
+            let centre = Vecteur::new(R::ZERO, R::ZERO, -r(64.0));
+            ObjetRay::from(SphereGeo::new(centre, r(rayon), Texture(0)).unwrap())
+        };
+        assert_eq!(boule(5.0).intersection(&rayon), Err(NoIntersection));
+        let plus_grande = boule(5.0 * (1.0 + 2.0 * u::<R>()));
+        let touche = plus_grande.intersection(&rayon).unwrap();
+        let cos = touche.normale().produit_scalaire(rayon.direction()).vers_f64();
+        // One unit in the last place of 5 is 1.6u of it, and AB/r = √(2·1.6u).
+        assert!(cos < 0.0 && cos >= -2.0 * u::<R>().sqrt());
+    }
+}
+
+en_f32_et_f64!(une_tangente_exacte_manque);
+
+/// Half-spaces and rays exactly parallel to them, in each of the ways that zero can be written.
+fn un_rayon_parallele_manque_et_la_moindre_pente_arrive<R: Reel>() {
+    let (zero, petit, un) = (R::ZERO, R::MIN_POSITIF, R::UN);
+    let sol = ObjetRay::from(PlanGeo::new(Rotation::IDENTITE, zero, Texture(0)).unwrap());
+    let vers = |z: R| {
+        let rayon = Rayon::new(Vecteur::new(zero, zero, un), Vecteur::new(un, zero, z)).unwrap();
+        sol.intersection(&rayon)
+    };
+    for z in [zero, -zero, petit] {
+        assert_eq!(vers(z), Err(NoIntersection));
+    }
+    // One unit high, the smallest descent arrives farther than any number of the type.
+    assert_eq!(vers(-petit), Err(NoIntersection));
+    let pente = R::depuis_f64((-100_f64).exp2());
+    assert_eq!(vers(-pente).unwrap().distance(), un / pente);
+}
+
+en_f32_et_f64!(un_rayon_parallele_manque_et_la_moindre_pente_arrive);
+
+/// Three objects whose entries are 0, 1, 2 … ulp apart, nested or the same: the one that
+/// is answered is the first, or within the two bounds of it.
+fn le_premier_est_le_premier_a_l_arrondi_pres<R: Reel>() {
+    for regime in regimes::<R>() {
+        let mut juges = 0;
+        chaque_touche(regime.cas, |cas, _, alea| {
+            let objets: Vec<_> = (0..3).map(|i| presque_le_meme(&cas.objet, alea, i)).collect();
+            let Ok(premiere) = premiere_intersection(&objets, &cas.rayon) else { return };
+            let verites: Vec<_> = objets.iter().map(|o| verite(o, &cas.rayon)).collect();
+            let Texture(gagnant) = premiere.texture();
+            let Some(gagnant) = &verites[gagnant as usize].entree else { return };
+            juges += 1;
+            for autre in verites.iter().filter(|v| !v.dans_la_marge) {
+                let Some(autre) = &autre.entree else { continue };
+                let avance = (&gagnant.t - &autre.t).vers_f64();
+                let objet = &cas.objet;
+                let borne = |e: &Entree| k(objet) * u::<R>() * e.cond + absolu::<R, _>(objet, e);
+                let permis = borne(gagnant) + borne(autre);
+                assert!(
+                    avance <= permis,
+                    "{}: nearer by {avance:e}, {permis:e}: {objets:?} {:?}",
+                    regime.nom,
+                    cas.rayon
+                );
+            }
+        });
+        assert!(juges > cas_par_regime() / 20, "{}: {juges} judged only", regime.nom);
+    }
+}
+
+en_f32_et_f64!(le_premier_est_le_premier_a_l_arrondi_pres);
+
+/// The object with its number as texture, moved or grown by a few ulp.
+fn presque_le_meme<R: Reel>(objet: &ObjetRay<R>, alea: &mut Rng, numero: u32) -> ObjetRay<R> {
+    let texture = Texture(numero);
+    let mut peu = |x: R| {
+        let k = 1.0 + f64::from(alea.i8(-2..=2)) * 2.0 * u::<R>();
+        let limite = R::LIMITE.vers_f64();
+        R::depuis_f64((x.vers_f64() * k).clamp(-limite, limite))
+    };
+    let geo: ObjetGeo<R> = match objet {
+        ObjetRay::Sphere(s) => {
+            let r = peu(s.rayon()).vers_f64().max(R::LIMITE.vers_f64().recip());
+            SphereGeo::new(s.centre(), R::depuis_f64(r), texture).unwrap().into()
+        }
+        ObjetRay::Plan(p) => {
+            let m = repere(p.normale());
+            let r = Rotation::depuis_matrice(m).unwrap();
+            PlanGeo::new(r, peu(p.distance()), texture).unwrap().into()
+        }
+        ObjetRay::Boite(b) => {
+            let r = Rotation::depuis_matrice(b.normales().map(<[R; 3]>::from)).unwrap();
+            let c = b.centre();
+            let dimensions = b.demi_longueurs().map(|l| {
+                let (double, limite) = ((l + l).vers_f64(), R::LIMITE.vers_f64());
+                R::depuis_f64(double.clamp(limite.recip(), limite))
+            });
+            let c = Vecteur::new(peu(c.x), peu(c.y), peu(c.z));
+            BoiteGeo::new(c, dimensions.into(), r, texture).unwrap().into()
+        }
+    };
+    geo.vers_ray()
+}
+
+/// `marge()` is never exceeded, and of random scenes most often no more than 16 times the error.
+fn la_marge_borne_l_ecart<R: Reel>() {
+    for regime in regimes::<R>() {
+        let mut aisances = Vec::new();
+        chaque_touche(regime.cas, |cas, touche, _| {
+            let point = cas.rayon.point(touche.distance());
+            if touche.marge() < R::INFINI {
+                let ecart = hauteur(&cas.objet, touche.normale(), point).abs();
+                let marge = touche.marge().vers_f64();
+                assert!(ecart <= marge, "{}: {ecart:e} > {marge:e}, {cas:?}", regime.nom);
+                if ecart > 0.0 {
+                    aisances.push(marge / ecart);
+                }
+            } else {
+                assert!(touche.marge() == R::INFINI, "{}: {touche:?}", regime.nom);
+            }
+        });
+        let [mediane, ..] = quantiles(&mut aisances);
+        if regime.nom.ends_with("ordinary") {
+            assert!(mediane <= 16.0, "{}: median looseness {mediane}", regime.nom);
+        }
+    }
+}
+
+en_f32_et_f64!(la_marge_borne_l_ecart);
+
+/// Where a coordinate of the point overflows, the margin is +∞ and no NaN.
+#[test]
+fn la_marge_d_un_point_hors_du_type_est_infinie() {
+    let mur = ObjetGeo::from(PlanGeo::new(Rotation::<f32>::IDENTITE, 0.0, Texture(0)).unwrap());
+    let haut = Vecteur::new(0.0, 0.0, f32::LIMITE);
+    // Unit to rounding, but longer than 1 by a unit in the last place.
+    let vers = Vecteur::new(
+        1.0 + f32::EPSILON,
+        0.0,
+        -f32::LIMITE / (f32::MAX * (1.0 - f32::EPSILON / 2.0)),
+    );
+    let rayon = Rayon::new(haut, vers).unwrap();
+    let touche = mur.vers_ray().intersection(&rayon).unwrap();
+    assert_eq!(rayon.point(touche.distance()).x, f32::INFINITY);
+    assert_eq!(touche.marge(), f32::INFINITY);
+    assert!(rayon.secondaire(&touche, touche.normale()).is_err());
+}
+
+/// Directions from a surface of normal `n`: any, straight in and out, along the tangent plane to
+/// the last bit, and tilted from it by 2⁻⁶⁰ … 1 to either side.
+fn directions_secondaires(n: Vecteur, alea: &mut Rng) -> [Vecteur; 8] {
+    let au_hasard = direction(alea);
+    let tangente = au_hasard - n * au_hasard.produit_scalaire(n);
+    let peu = n * (-60.0 * alea.f64()).exp2();
+    let tres_peu = n * (-50.0 - 6.0 * alea.f64()).exp2();
+    [
+        au_hasard,
+        n,
+        -n,
+        tangente,
+        tangente + peu,
+        tangente - peu,
+        tangente + tres_peu,
+        tangente - tres_peu,
+    ]
+}
+
+/// No secondary ray touches the object that it leaves, and none starts farther than promised.
+fn un_rayon_secondaire_ne_retouche_pas_l_objet_qu_il_quitte<R: Reel>() {
+    let mut lances = 0_u64;
+    // With what misses, enough for 10^6 rays from the 1 000 cases that are the default.
+    let fois = 24;
+    for regime in regimes::<R>() {
+        let mut refus = 0_u64;
+        chaque_touche(regime.cas, |cas, touche, alea| {
+            let n = touche.normale().vers_f64();
+            let point = cas.rayon.point(touche.distance());
+            for _ in 0..fois {
+                for vers in directions_secondaires(n, alea) {
+                    let Ok(rayon) = cas.rayon.secondaire(touche, arrondi(vers)) else {
+                        refus += 1;
+                        continue;
+                    };
+                    lances += 1;
+                    let encore = cas.objet.intersection(&rayon);
+                    let dedans = rayon.direction().produit_scalaire(touche.normale()) < R::ZERO;
+                    assert!(
+                        encore == Err(NoIntersection)
+                            || dedans && au_bord(&cas.objet, touche, rayon.source()),
+                        "{}: {cas:?} {touche:?} left by {rayon:?} is touched again: {encore:?}",
+                        regime.nom
+                    );
+                    // Turned outward by 8u, kept up to 6u too long, and rounded in each coordinate.
+                    let voulue = arrondi::<R>(vers).vers_f64().unitaire().unwrap();
+                    let tournee = (rayon.direction().vers_f64() - voulue).longueur();
+                    assert!(tournee <= 20.0 * u::<R>(), "{}: turned by {tournee:e}", regime.nom);
+                    let pas = (rayon.source().vers_f64() - point.vers_f64()).longueur();
+                    let np = [
+                        n.x * point.x.vers_f64(),
+                        n.y * point.y.vers_f64(),
+                        n.z * point.z.vers_f64(),
+                    ];
+                    let poids: f64 = np.into_iter().map(f64::abs).sum();
+                    // The last term is the rounding of the start itself, in three coordinates.
+                    let permis = touche.marge().vers_f64() * (1.0 + 32.0 * u::<R>())
+                        + 2.0 * u::<R>() * poids
+                        + 2.0 * u::<R>() * point.vers_f64().longueur();
+                    assert!(pas <= permis, "{}: moved by {pas:e}, {permis:e} allowed", regime.nom);
+                }
+            }
+        });
+        // Refused only where the point, or the bound, is beyond the range of a source.
+        let aux_bornes = regime.nom.ends_with("range") || regime.nom.ends_with("parallel");
+        assert!(
+            refus == 0 || aux_bornes || regime.nom.starts_with("sphere, far"),
+            "{}: {refus} refused",
+            regime.nom
+        );
+    }
+    println!("{lances} secondary rays");
+    assert!(lances >= 1_000 * u64::from(cas_par_regime()), "{lances} rays only");
+}
+
+en_f32_et_f64!(un_rayon_secondaire_ne_retouche_pas_l_objet_qu_il_quitte);
+
+#[test]
+fn un_rayon_secondaire_invalide_est_refuse() {
+    let boule = SphereGeo::new(Vecteur::new(0.0, 0.0, -5.0), 1.0, Texture(0)).unwrap();
+    let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.0, 0.0, -1.0)).unwrap();
+    let touche = ObjetRay::from(boule).intersection(&rayon).unwrap();
+    let n = touche.normale();
+    let refus = |d| rayon.secondaire(&touche, d).unwrap_err().champ;
+    assert_eq!(refus(Vecteur::NUL), "direction");
+    assert_eq!(refus(n * f64::NAN), "direction.x");
+}
+
+/// |R·Rᵀ − I| ≤ 4 units in the last place of 1 after 10^6 compositions, whatever is composed.
+fn un_million_de_rotations_ne_derive_pas<R: Reel>() {
+    let r = |x, y, z| Rotation::<R>::new(arrondi(Vecteur::new(x, y, z))).unwrap();
+    let mut alea = Rng::with_seed(6);
+    let (a, b) = (r(0.1, -0.2, 0.3), r(1.0, 2.0, 3.0));
+    let suites: [&mut dyn FnMut(u32) -> Rotation<R>; 3] =
+        [&mut |_| a, &mut |i| if i % 2 == 0 { a } else { b }, &mut |_| {
+            r(7.0 * alea.f64(), 7.0 * alea.f64(), 7.0 * alea.f64())
+        }];
+    for suite in suites {
+        let m = (0..1_000_000).fold(Rotation::IDENTITE, |m: Rotation<R>, i| m.puis(suite(i)));
+        let m = m.matrice().map(|ligne| ligne.map(R::vers_f64));
+        for i in 0..3 {
+            for j in 0..3 {
+                let produit: f64 = (0..3).map(|k| m[i][k] * m[j][k]).sum();
+                let ecart = (produit - f64::from(u8::from(i == j))).abs();
+                assert!(ecart <= ORTHONORMALE * u::<R>(), "off by {ecart:e}");
+            }
+        }
+    }
+}
+
+en_f32_et_f64!(un_million_de_rotations_ne_derive_pas);
