@@ -188,6 +188,43 @@ fn une_sphere_perdue_a_une_marge_infinie<R: Reel>() {
 
 en_f32_et_f64!(une_sphere_perdue_a_une_marge_infinie);
 
+/// Built: a sphere on the ray whose far side is O, smaller than the rounding of its distance, so that P
+/// is O. Held: the margin is +∞, although P lies on the sphere.
+fn un_point_du_cote_oppose_a_une_marge_infinie<R: Reel>() {
+    for k in [2.0, 3.0, 8.0] {
+        let r = R::U / R::depuis_f64(k * 4.0);
+        let boule = sphere(Vecteur::new(R::ZERO, r, R::ZERO), r);
+        let haut = Vecteur::new(R::ZERO, R::UN, R::ZERO);
+        let rayon = Rayon::new(haut, -haut).unwrap();
+        let touche = boule.intersection(&rayon).unwrap();
+        assert_eq!((rayon.point(touche.distance()), touche.normale()), (Vecteur::NUL, haut));
+        assert_eq!(touche.marge(), R::INFINI);
+    }
+}
+
+en_f32_et_f64!(un_point_du_cote_oppose_a_une_marge_infinie);
+
+/// Built: a sphere near the smallest, so far that CB is all rounding and CB² would be subnormal. Held:
+/// the normal is unit.
+#[test]
+fn la_normale_d_une_sphere_dont_cb2_se_perd_est_unitaire() {
+    let mut alea = Rng::with_seed(18);
+    let mut perdues = 0;
+    for _ in 0..CAS {
+        let tres_peu = |alea: &mut Rng| alea.f64() * (-525_f64).exp2();
+        let d = Vecteur::new(tres_peu(&mut alea), -1.0, tres_peu(&mut alea));
+        let source = Vecteur::new(tres_peu(&mut alea), 1.0 + alea.f64(), tres_peu(&mut alea));
+        let rayon = Rayon::new(source, d).unwrap();
+        let Ok(touche) = sphere(Vecteur::NUL, (-430_f64).exp2()).intersection(&rayon) else {
+            continue;
+        };
+        let ecart = (touche.normale().longueur() - 1.0).abs();
+        assert!(ecart <= 8.0 * f64::U, "{ecart:e}: {rayon:?}");
+        perdues += 1;
+    }
+    assert!(perdues > CAS / 4, "{perdues} hits");
+}
+
 // Where the distance of the search stands, because f64 has none.
 
 /// Built: S = (m, 2m, 2m), which is 3m = r from O exactly, or S with m − ½, which is inside, while the
