@@ -211,7 +211,7 @@ fn la_normale_d_une_sphere_dont_cb2_se_perd_est_unitaire() {
     let mut alea = Rng::with_seed(18);
     let mut perdues = 0;
     for _ in 0..CAS {
-        let tres_peu = |alea: &mut Rng| alea.f64() * (-525_f64).exp2();
+        let tres_peu = |alea: &mut Rng| entre(alea, -1.0, 1.0) * (-530_f64).exp2();
         let d = Vecteur::new(tres_peu(&mut alea), -1.0, tres_peu(&mut alea));
         let source = Vecteur::new(tres_peu(&mut alea), 1.0 + alea.f64(), tres_peu(&mut alea));
         let rayon = Rayon::new(source, d).unwrap();
