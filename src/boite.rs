@@ -361,7 +361,7 @@ impl<R: Reel> Quotient<R> {
 
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
-#[serde(rename = "BoiteGeo")]
+#[serde(rename = "BoiteGeo", deny_unknown_fields)]
 #[serde(bound(deserialize = "R: Reel + serde::Deserialize<'de>"))]
 struct BoiteBrute<R> {
     centre: Vecteur<R>,

@@ -206,13 +206,55 @@ impl<R: Reel> Rayon<R> {
         let tangente = cosinus.abs() <= fois_u(4.0);
         let direction =
             if tangente { direction_unitaire(direction + n * fois_u(16.0))? } else { direction };
-        let p = self.point(touche.distance);
+        let dedans = cosinus < fois_u(-4.0);
+        Ok(Self::valide(source_valide(self.depart(touche, dedans))?, direction))
+    }
+
+    /// The ray from the point of a hit to a light, and how far the light is: what
+    /// [`est_occulte`](crate::est_occulte) asks for a shadow.
+    ///
+    /// It is a [`secondaire`](Self::secondaire) and never hits the object it leaves. None if the
+    /// surface faces away from the light, or does so within 4u (the light is in the tangent plane), and
+    /// where `secondaire` gives none.
+    ///
+    /// ```
+    /// use lancer_rayon::{ObjetRay, Rayon, SphereGeo, Texture, Vecteur, est_occulte};
+    ///
+    /// let boule = |y, r| SphereGeo::new(Vecteur::new(0.0, y, -5.0), r, Texture(0));
+    /// let scene: [ObjetRay; 2] = [boule(0.0, 1.0)?.into(), boule(4.0, 0.5)?.into()];
+    /// let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.0, 0.6, -5.0))?;
+    /// let touche = scene[0].intersection(&rayon)?;
+    ///
+    /// let eclaire = |lumiere| {
+    ///     let vers = rayon.vers_lumiere(&touche, lumiere);
+    ///     vers.is_some_and(|(ombre, distance)| !est_occulte(&scene, &ombre, distance))
+    /// };
+    /// assert!(eclaire(Vecteur::new(0.0, 3.0, -2.0)));
+    /// assert!(!eclaire(Vecteur::new(0.0, 9.0, -5.2))); // behind the small ball
+    /// assert!(!eclaire(Vecteur::new(0.0, 0.0, -9.0))); // behind the surface
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    #[doc(alias = "shadow_ray")]
+    #[doc(alias = "light")]
+    #[doc(alias = "lamp")]
+    #[inline]
+    #[must_use]
+    pub fn vers_lumiere(&self, touche: &Intersection<R>, lumiere: Vecteur<R>) -> Option<(Self, R)> {
+        let depart = source_valide(self.depart(touche, false)).ok()?;
+        let (distance, direction) = (lumiere - depart).longueur_et_unitaire()?;
+        let de_face = direction.produit_scalaire(touche.normale) > fois_u(4.0);
+        de_face.then(|| (Self::valide(depart, direction), distance))
+    }
+
+    /// The point of the hit, moved along the normal, outward or inward, past all rounding.
+    #[inline(always)]
+    fn depart(&self, touche: &Intersection<R>, dedans: bool) -> Vecteur<R> {
+        let (p, n) = (self.point(touche.distance), touche.normale);
         // The bound of the hit, with room for N not being exactly unit, and the rounding of the
         // moved point.
         let pas = touche.marge * (R::UN + fois_u(16.0));
         let pas = pas + n.somme_des_grandeurs(p) * fois_u(2.0);
-        let pas = if cosinus < fois_u(-4.0) { -pas } else { pas };
-        Ok(Self::valide(source_valide(p + n * pas)?, direction))
+        p + n * if dedans { -pas } else { pas }
     }
 }
 

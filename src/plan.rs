@@ -210,7 +210,7 @@ impl<R: Reel> Forme<R> for PlanRay<R> {
 
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
-#[serde(rename = "PlanGeo")]
+#[serde(rename = "PlanGeo", deny_unknown_fields)]
 #[serde(bound(deserialize = "R: Reel + serde::Deserialize<'de>"))]
 struct PlanBrut<R> {
     rotation: Rotation<R>,

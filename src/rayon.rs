@@ -85,7 +85,7 @@ pub(crate) fn direction_unitaire<R: Reel>(direction: Vecteur<R>) -> Result<Vecte
 
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
-#[serde(rename = "Rayon")]
+#[serde(rename = "Rayon", deny_unknown_fields)]
 #[serde(bound(deserialize = "R: Reel + serde::Deserialize<'de>"))]
 struct RayonBrut<R> {
     source: Vecteur<R>,

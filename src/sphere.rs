@@ -271,7 +271,7 @@ fn vers_la_source<R: Reel>(cb: Vecteur<f64>, rayon: &Rayon<R>) -> Vecteur<R> {
 
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
-#[serde(rename = "SphereGeo")]
+#[serde(rename = "SphereGeo", deny_unknown_fields)]
 #[serde(bound(deserialize = "R: Reel + serde::Deserialize<'de>"))]
 struct SphereBrute<R> {
     centre: Vecteur<R>,

@@ -1,6 +1,7 @@
 //! Vectors of space (handout §4.1 and annex A).
 
-use core::ops::{Add, Div, Mul, Neg, Sub};
+use core::iter::Sum;
+use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
 use crate::reel::Reel;
 
@@ -18,6 +19,7 @@ use crate::reel::Reel;
 /// assert_eq!(v.longueur_carree(), 9.0);
 /// assert_eq!((v - v) * 2.0 + v / 1.0, v);
 /// assert_eq!(-v + v, Vecteur::NUL);
+/// assert_eq!([v, v, -v].into_iter().sum::<Vecteur>(), v);
 ///
 /// assert_eq!(Vecteur::from([1.0, 2.0, 2.0]), v);
 /// let [x, y, z]: [f64; 3] = v.into();
@@ -92,9 +94,15 @@ impl<R: Reel> Vecteur<R> {
     #[inline]
     #[must_use]
     pub fn unitaire(self) -> Option<Self> {
-        let (v, _) = self.mis_a_l_echelle();
+        self.longueur_et_unitaire().map(|(_, unitaire)| unitaire)
+    }
+
+    /// The length and the unit vector of the same direction, with one root.
+    #[inline]
+    pub(crate) fn longueur_et_unitaire(self) -> Option<(R, Self)> {
+        let (v, echelle) = self.mis_a_l_echelle();
         let longueur = v.longueur_carree().sqrt();
-        (longueur > R::ZERO && longueur < R::INFINI).then(|| v / longueur)
+        (longueur > R::ZERO && longueur < R::INFINI).then(|| (longueur / echelle, v / longueur))
     }
 
     /// The vector multiplied by a power of two, and that power: 1 wherever the square of the
@@ -113,9 +121,17 @@ impl<R: Reel> Vecteur<R> {
         (self * echelle, echelle)
     }
 
-    /// The vector product V ∧ V′.
+    /// The vector product V ∧ V′: at a right angle to both, and x ∧ y = z.
+    ///
+    /// ```
+    /// # use lancer_rayon::Vecteur;
+    /// let (x, y) = (Vecteur::new(1.0, 0.0, 0.0), Vecteur::new(0.0, 1.0, 0.0));
+    /// assert_eq!(x.produit_vectoriel(y), Vecteur::new(0.0, 0.0, 1.0));
+    /// ```
+    #[doc(alias = "cross")]
+    #[doc(alias = "cross_product")]
     #[inline(always)]
-    pub(crate) fn produit_vectoriel(self, autre: Self) -> Self {
+    pub fn produit_vectoriel(self, autre: Self) -> Self {
         Self::new(
             self.y * autre.z - self.z * autre.y,
             self.z * autre.x - self.x * autre.z,
@@ -203,6 +219,19 @@ impl<R: Reel> Add for Vecteur<R> {
     #[inline]
     fn add(self, autre: Self) -> Self {
         Self::new(self.x + autre.x, self.y + autre.y, self.z + autre.z)
+    }
+}
+
+impl<R: Reel> AddAssign for Vecteur<R> {
+    #[inline]
+    fn add_assign(&mut self, autre: Self) {
+        *self = *self + autre;
+    }
+}
+
+impl<R: Reel> Sum for Vecteur<R> {
+    fn sum<I: Iterator<Item = Self>>(vecteurs: I) -> Self {
+        vecteurs.fold(Self::NUL, Add::add)
     }
 }
 

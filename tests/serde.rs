@@ -11,16 +11,18 @@ use proptest::prelude::*;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
-fn relu<T: Serialize + DeserializeOwned>(valeur: &T) -> T {
-    ron::from_str(&ron::to_string(valeur).unwrap()).unwrap()
+/// Written and read again, in RON and in JSON.
+fn relu<T: Serialize + DeserializeOwned>(valeur: &T) -> [T; 2] {
+    let json = serde_json::to_string(valeur).unwrap();
+    [ron::from_str(&ron::to_string(valeur).unwrap()).unwrap(), serde_json::from_str(&json).unwrap()]
 }
 
 fn ce_qui_est_ecrit_est_relu_bit_pour_bit<R: Reel + Serialize + for<'de> Deserialize<'de>>() {
     pour_tout((objet::<R>(1.0), plante::<R>(), rotation::<R>()), |(objet, plante, r)| {
-        prop_assert_eq!(relu(&objet), objet);
-        prop_assert_eq!(relu(&plante.objet), plante.objet);
-        prop_assert_eq!(relu(&plante.rayon), plante.rayon);
-        prop_assert_eq!(relu(&r), r);
+        prop_assert_eq!(relu(&objet), [objet; 2]);
+        prop_assert_eq!(relu(&plante.objet), [plante.objet; 2]);
+        prop_assert_eq!(relu(&plante.rayon), [plante.rayon; 2]);
+        prop_assert_eq!(relu(&r), [r; 2]);
         Ok(())
     });
 }
@@ -67,4 +69,21 @@ fn ce_qui_n_est_pas_valide_est_refuse() {
     refuse::<Rotation>("((1, 0, 0), (0, 1, 0), (0, 0, -1))", "matrice: determinant is -1");
     refuse::<Rayon>("(source: (0, 0, 0), direction: (0, 0, 0))", "direction is 0");
     refuse::<Rayon>("(source: (1e200, 0, 0), direction: (0, 0, 1))", "source.x is ");
+}
+
+/// A field that is missing, or that no constructor takes, is named.
+#[test]
+fn un_champ_inconnu_ou_absent_se_nomme() {
+    let identite = "((1, 0, 0), (0, 1, 0), (0, 0, 1))";
+    let boite = format!("centre: (0, 0, 0), dimensions: (1, 1, 1), rotation: {identite}");
+    refuse::<SphereGeo>("(centre: (0, 0, 0), rayon: 1, texture: (0), diametre: 2)", "diametre");
+    refuse::<SphereGeo>("(centre: (0, 0, 0), texture: (0))", "rayon");
+    refuse::<PlanGeo>(&format!("(rotation: {identite}, texture: (0))"), "distance");
+    refuse::<PlanGeo>(&format!("(rotation: {identite}, distance: 1, texture: (0), d: 1)"), "`d`");
+    refuse::<BoiteGeo>(&format!("({boite})"), "texture");
+    refuse::<BoiteGeo>(&format!("({boite}, texture: (0), largeur: 1)"), "largeur");
+    refuse::<Rayon>("(source: (0, 0, 0))", "direction");
+    refuse::<Rayon>("(source: (0, 0, 0), direction: (0, 0, 1), longueur: 1)", "longueur");
+    let erreur = serde_json::from_str::<Rayon>(r#"{"source": [0, 0, 0], "dir": [0, 0, 1]}"#);
+    assert!(erreur.unwrap_err().to_string().contains("unknown field `dir`"));
 }
