@@ -217,10 +217,9 @@ impl<R: Reel> BoiteRay<R> {
     #[inline(always)]
     fn dalle(&self, axe: usize, s: Vecteur<R>, d: Vecteur<R>) -> (Quotient<R>, Quotient<R>) {
         let (n, l) = (self.normales[axe], self.demi_longueurs[axe]);
-        let o = (s - self.centre).produit_scalaire(n);
-        let vitesse = (d * R::ECHELLE_VITESSE).produit_scalaire(n);
+        let (o, vitesse) = ((s - self.centre).produit_scalaire(n), d.produit_scalaire(n));
         let o = if vitesse < R::ZERO { -o } else { o };
-        let bas = vitesse.abs().au_plancher();
+        let bas = (vitesse.abs() * R::ECHELLE_VITESSE).au_plancher();
         (Quotient { haut: -(l + o), bas }, Quotient { haut: l - o, bas })
     }
 

@@ -132,8 +132,8 @@ impl<R: Reel> Contact<R> {
     /// smallest distance.
     ///
     /// `hauteur` gives, for a point in f64, its height over the surface along the normal, and a
-    /// length such that 4u of it is more than either this height or the test of the search, in
-    /// R, can be off by there.
+    /// length of which 4u bound the error of that height, and 4u of R the error of the test by
+    /// which a search sees a ray that starts there.
     #[inline(always)]
     pub(crate) fn new(
         rayon: &Rayon<R>,
@@ -146,7 +146,8 @@ impl<R: Reel> Contact<R> {
         // The bound is made from the very point that the caller will compute.
         let (hauteur, longueur) = hauteur(rayon.point(distance).vers_f64());
         let quatre_u: R = fois_u(4.0);
-        let marge = R::depuis_f64(hauteur + longueur * quatre_u.vers_f64());
+        let erreurs = longueur * (quatre_u.vers_f64() + 4.0 * f64::U);
+        let marge = R::depuis_f64(hauteur + erreurs);
         // Upwards, past the rounding of these last operations; a NaN comes from an overflow.
         let marge = marge + marge * quatre_u + R::depuis_f64(8.0) * R::MIN_POSITIF;
         let marge = if marge < R::INFINI { marge } else { R::INFINI };

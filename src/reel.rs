@@ -10,7 +10,7 @@ mod scelle {
         /// A power of two that brings any length whose square leaves the range of the type back
         /// into it.
         const ECHELLE: Self;
-        /// A power of two that multiplies directions, so that no product of a length of a box and a
+        /// A power of two that multiplies speeds, so that no product of a length of a box and a
         /// speed towards its faces leaves the range of the type (`docs/precision.md`, "Underflow"); in
         /// `f32` with [`au_plancher`](Self::au_plancher).
         const ECHELLE_VITESSE: Self;

@@ -49,8 +49,9 @@ pub(crate) mod marges {
     /// What three products that underflow add to that height, in subnormals.
     pub(crate) const PLAN_ABSOLUE: f64 = 2.0;
     /// How far S is from a face of a box, of |f| + ρ: a rounding for each coordinate of S − C,
-    /// three for the scalar product, one for the sum with the half-length.
-    pub(crate) const BOITE_LONGUEUR: f64 = 6.0;
+    /// three for the scalar product, one for the sum with the half-length, two for the products in
+    /// which it is compared.
+    pub(crate) const BOITE_LONGUEUR: f64 = 7.0;
     /// N·D of a face: three roundings, and a matrix that is orthonormal to rounding.
     pub(crate) const BOITE_VITESSE: f64 = 4.0;
 }
