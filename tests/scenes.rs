@@ -28,16 +28,20 @@ fn image<R: Reel>(scene: &Scene<R>) -> Vec<Touche<R>> {
     rayons.iter().map(|rayon| premiere_intersection(&objets, rayon)).collect()
 }
 
-/// The textures of a scene number its objects, and the picture shows each of them: nobody would miss
-/// a lost object that the picture does not show.
+/// The picture shows each object: nobody would miss a lost one that the picture does not show. In the
+/// snowflake the spheres hide each other.
 fn chaque_objet_se_voit<R: Reel>(chemin: &Path, scene: &Scene<R>, touches: &[Touche<R>]) {
     let mut pixels = vec![0; scene.objets.len()];
     for touche in touches.iter().flatten() {
-        pixels[touche.texture().0 as usize] += 1;
+        pixels[touche.objet()] += 1;
     }
-    for (texture, pixels) in pixels.into_iter().enumerate() {
-        assert!(pixels >= 4, "{}: texture {texture} is seen in {pixels}", chemin.display());
-    }
+    let caches = pixels.iter().filter(|pixels| **pixels < 4).count();
+    let permis = if chemin.ends_with("flocon.ron") { scene.objets.len() * 2 / 3 } else { 0 };
+    assert!(
+        caches <= permis,
+        "{}: {caches} objects are seen in less than 4 pixels",
+        chemin.display()
+    );
 }
 
 /// How many of the 240,000 rays of a picture may see another object in `f32` than in `f64`.
@@ -62,7 +66,7 @@ fn f32_et_f64_voient_tous_les_objets_et_la_meme_image() {
         let mut autres = 0;
         for paire in doubles.iter().zip(&simples) {
             match paire {
-                (Ok(a), Ok(b)) if a.texture() == b.texture() => {
+                (Ok(a), Ok(b)) if a.objet() == b.objet() => {
                     let ecart = (f64::from(b.distance()) / a.distance() - 1.0).abs();
                     assert!(ecart < ECART_F32_F64, "{}: {a:?} and {b:?}", chemin.display());
                 }
