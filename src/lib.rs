@@ -97,10 +97,11 @@ extern crate std;
 // (`docs/conception.md`, "The floors").
 //
 //   reel · vecteur · texture, erreur · rotation · rayon · intersection · forme
-//   sphere, plan, boite · objet · recherche · lot · reglage
+//   sphere, plan, boite · objet · recherche · lot · hierarchie · reglage
 mod boite;
 mod erreur;
 mod forme;
+mod hierarchie;
 mod intersection;
 mod lot;
 mod objet;
@@ -116,6 +117,7 @@ mod vecteur;
 
 pub use boite::{BoiteGeo, BoiteRay};
 pub use erreur::ErreurGeo;
+pub use hierarchie::{Hierarchie, PlacesInsuffisantes};
 pub use intersection::{Intersection, NoIntersection, Touche};
 pub use lot::{LongueursDifferentes, premieres_intersections};
 pub use objet::{ObjetGeo, ObjetRay};

@@ -24,6 +24,12 @@ mod scelle {
         /// In `f64` it is `trouve` itself. In `f32` it is `precise()`, unless that number is not a
         /// distance of the type; then `trouve` stands, since the conclusion never revokes a hit.
         fn affiner(trouve: Self, precise: impl FnOnce() -> f64) -> f64;
+
+        /// An index below 2³¹ − 2²³ among numbers of this type: the number with these bits, which in
+        /// both types is finite.
+        fn depuis_indice(indice: usize) -> Self;
+        /// The index that [`depuis_indice`](Self::depuis_indice) was given.
+        fn indice(self) -> usize;
     }
 }
 
@@ -119,6 +125,16 @@ impl Scelle for f32 {
         let t = precise();
         if (t > 0.0) & (t <= f64::from(Self::MAX)) { t } else { f64::from(trouve) }
     }
+
+    #[inline(always)]
+    fn depuis_indice(indice: usize) -> Self {
+        Self::from_bits(indice as u32)
+    }
+
+    #[inline(always)]
+    fn indice(self) -> usize {
+        self.to_bits() as usize
+    }
 }
 
 impl Reel for f32 {
@@ -163,6 +179,16 @@ impl Scelle for f64 {
     #[inline(always)]
     fn affiner(trouve: Self, _precise: impl FnOnce() -> f64) -> f64 {
         trouve
+    }
+
+    #[inline(always)]
+    fn depuis_indice(indice: usize) -> Self {
+        Self::from_bits(indice as u64)
+    }
+
+    #[inline(always)]
+    fn indice(self) -> usize {
+        self.to_bits() as usize
     }
 }
 

@@ -4,12 +4,13 @@
 //! `docs/conception.md`, "Culling"; the letters and the constants in u here are those of that page.
 
 use crate::forme::Boule;
-use crate::lot::colonnes::{Colonnes, VOIES, Voies};
+use crate::lot::colonnes::{Colonnes, VOIES, Voies, le_plus_grand, max};
+use crate::lot::groupe::Groupe;
 use crate::rayon::Rayon;
 use crate::reel::{Reel, fois_u};
 use crate::vecteur::Vecteur;
 
-/// Running bounds over a set of rays: distance from a reference origin S₀, spread around a reference
+/// Running bounds over the rays of a block: distance from a reference origin S₀, spread around a reference
 /// direction M.
 ///
 /// Of each quantity sixteen maxima, since a single running one cannot be widened.
@@ -83,6 +84,7 @@ impl<R: Reel> Etendue<R> {
             s0: self.s0,
             plans: [p1, p2, p3, p4, -self.m]
                 .map(|p| (p, p.somme_des_grandeurs(ecarts) * (R::UN + fois_u(8.0)))),
+            ecart,
         })
     }
 }
@@ -91,32 +93,19 @@ impl<R: Reel> Etendue<R> {
 /// sides and the back; and for each P the bound w on P·(S − S₀).
 #[derive(Clone, Copy)]
 pub(crate) struct Faisceau<R> {
-    s0: Vecteur<R>,
-    plans: [(Vecteur<R>, R); 5],
+    pub(crate) s0: Vecteur<R>,
+    pub(crate) plans: [(Vecteur<R>, R); 5],
+    /// The largest coordinate of any S − S₀.
+    pub(crate) ecart: R,
 }
 
 impl<R: Reel> Faisceau<R> {
-    /// The beam of the rays of a block, which stand in these columns as well.
+    /// The beam of the rays of a block, which stand in these groups as well.
     #[inline(always)]
-    pub(crate) fn du_bloc<'a>(
-        rayons: &[Rayon<R>],
-        bloc: impl Iterator<Item = &'a Colonnes<R>>,
-    ) -> Option<Self> {
+    pub(crate) fn du_bloc(rayons: &[Rayon<R>], bloc: &[Groupe<R>]) -> Option<Self> {
         let mut etendue = Etendue::autour(rayons);
-        for colonnes in bloc {
-            etendue.ajouter(colonnes);
-        }
-        etendue.faisceau()
-    }
-
-    /// The beam of many rays.
-    #[inline(always)]
-    pub(crate) fn des_rayons(rayons: &[Rayon<R>]) -> Option<Self> {
-        let mut etendue = Etendue::autour(rayons);
-        let mut colonnes = Colonnes::VIDES;
-        for rayons in rayons.chunks(VOIES) {
-            colonnes.charger(rayons);
-            etendue.ajouter(&colonnes);
+        for groupe in bloc {
+            etendue.ajouter(&groupe.colonnes);
         }
         etendue.faisceau()
     }
@@ -136,21 +125,4 @@ impl<R: Reel> Faisceau<R> {
 #[inline(always)]
 fn en_travers<R: Reel>(v: Vecteur<R>, m: Vecteur<R>) -> Option<Vecteur<R>> {
     (v - m * v.produit_scalaire(m)).unitaire()
-}
-
-#[inline(always)]
-fn max<R: Reel>(a: R, b: R) -> R {
-    if a > b { a } else { b }
-}
-
-#[inline(always)]
-fn le_plus_grand<R: Reel>(mut x: [R; VOIES]) -> R {
-    let mut moitie = VOIES / 2;
-    while moitie > 0 {
-        for i in 0..moitie {
-            x[i] = max(x[i], x[i + moitie]);
-        }
-        moitie /= 2;
-    }
-    x[0]
 }

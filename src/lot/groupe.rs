@@ -7,7 +7,7 @@
 
 use crate::forme::Forme;
 use crate::intersection::{Contact, Intersection, NoIntersection, Rang, Touche};
-use crate::lot::colonnes::{Colonnes, VOIES, Voies};
+use crate::lot::colonnes::{Colonnes, VOIES, Voies, le_plus_grand};
 use crate::objet::{ObjetRay, par_forme};
 use crate::rayon::Rayon;
 use crate::reel::Reel;
@@ -56,10 +56,24 @@ impl<R: Reel> Groupe<R> {
             *t = if forme.peut_entrer(s, d) { entree } else { R::INFINI };
         }
         for (voie, &t) in t.iter().enumerate() {
-            let avant = t < self.t[voie];
+            // Objects may come in any order: of two at the same distance, the earlier in the list.
+            let meme = (t == self.t[voie]) & (rang.get() < self.rangs[voie]);
+            let avant = (t < self.t[voie]) | meme;
             self.t[voie] = if avant { t } else { self.t[voie] };
             self.rangs[voie] = if avant { rang.get() } else { self.rangs[voie] };
         }
+    }
+
+    /// Makes the object of this rank, at this distance, the first of one ray.
+    #[inline(always)]
+    pub(crate) fn retenir(&mut self, voie: usize, t: R, rang: Rang) {
+        (self.t[voie], self.rangs[voie]) = (t, rang.get());
+    }
+
+    /// The largest distance of a first object so far.
+    #[inline(always)]
+    pub(crate) fn le_plus_loin(&self) -> R {
+        le_plus_grand(self.t)
     }
 
     /// Writes the answers of these rays: for each object that is the first of some ray, the hits of
