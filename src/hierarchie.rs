@@ -14,6 +14,7 @@ use core::fmt;
 
 use fearless_simd::{Level, dispatch};
 
+use crate::hierarchie::bloc::RechercheDansLArbre;
 use crate::hierarchie::construction::{Arbre, MOTS, noeuds, ranger};
 use crate::intersection::{Intersection, NoIntersection};
 use crate::lot::{
@@ -135,7 +136,7 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
         rayon: &Rayon<R>,
     ) -> Result<Intersection<R>, NoIntersection> {
         let Some(arbre) = &self.arbre else { return premiere_intersection(self.objets, rayon) };
-        let (rang, t) = dispatch!(self.niveau, _simd => arbre.premier(self.objets, rayon));
+        let (rang, t) = dispatch!(self.niveau, simd => arbre.premier(simd, self.objets, rayon));
         let Some(rang) = rang else { return Err(NoIntersection) };
         match self.objets.get(rang.get() as usize - 1) {
             Some(objet) => objet.conclure(rayon, t, rang),
@@ -151,8 +152,8 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
     #[must_use]
     pub fn est_occulte(&self, rayon: &Rayon<R>, distance_max: R) -> bool {
         let Some(arbre) = &self.arbre else { return est_occulte(self.objets, rayon, distance_max) };
-        dispatch!(self.niveau, _simd => {
-            arbre.cache(self.objets, rayon, distance_max)
+        dispatch!(self.niveau, simd => {
+            arbre.cache(simd, self.objets, rayon, distance_max)
         })
     }
 
@@ -179,10 +180,9 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
                 *touche = self.premiere_intersection(rayon);
             }
         } else {
-            dispatch!(self.niveau, _simd => {
-                par_blocs(self.objets, rayons, touches, |bloc, rayons| {
-                    arbre.chercher(self.objets, bloc, rayons)
-                })
+            dispatch!(self.niveau, simd => {
+                let mut recherche = RechercheDansLArbre { simd, objets: self.objets, arbre };
+                par_blocs(self.objets, rayons, touches, &mut recherche);
             });
         }
         Ok(())

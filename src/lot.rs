@@ -130,7 +130,7 @@ pub(crate) fn repondre<R: Reel>(
         }
     } else if !elaguer || objets.len() < SEUIL_ELAGAGE {
         dispatch!(niveau, _simd => {
-            par_blocs(objets, rayons, touches, |bloc, _| proposer_tous(bloc, objets));
+            par_blocs(objets, rayons, touches, &mut Tous { objets });
         });
     } else if objets.len() <= FENETRE_ETROITE {
         avec_fenetre::<R, FENETRE_ETROITE>(niveau, objets, rayons, touches);
@@ -159,26 +159,68 @@ fn avec_fenetre<R: Reel, const P: usize>(
     rayons: &[Rayon<R>],
     touches: &mut [Touche<R>],
 ) {
-    let mut fenetre = Fenetre::<R, P>::VIDE;
-    dispatch!(niveau, _simd => {
-        // Where one window holds all objects it is filled once.
-        if objets.len() <= P {
-            fenetre.charger(objets);
-        }
-        par_blocs(objets, rayons, touches, |bloc, rayons| {
-            chercher(bloc, objets, rayons, &mut fenetre);
-        });
-    });
+    let mut elagage = Elagage::<R, P> { objets, fenetre: Fenetre::VIDE };
+    // Where one window holds all objects it is filled once.
+    if objets.len() <= P {
+        elagage.fenetre.charger(objets);
+    }
+    dispatch!(niveau, _simd => par_blocs(objets, rayons, touches, &mut elagage));
 }
 
-/// Block by block from the rays to the answers, so that a block stays in the nearest memory; `chercher`
-/// finds the first object of each ray of a block.
+/// Who finds the first object of each ray of a block.
+///
+/// A trait, since a method can be `inline(always)` and a closure cannot: it would leave the instruction
+/// set.
+pub(crate) trait Recherche<R> {
+    fn chercher(&mut self, bloc: &mut [Groupe<R>], rayons: &[Rayon<R>]);
+}
+
+/// In a list, of which all objects are asked.
+struct Tous<'a, R> {
+    objets: &'a [ObjetRay<R>],
+}
+
+impl<R: Reel> Recherche<R> for Tous<'_, R> {
+    #[inline(always)]
+    fn chercher(&mut self, bloc: &mut [Groupe<R>], _: &[Rayon<R>]) {
+        for (indice, objet) in self.objets.iter().enumerate() {
+            proposer(bloc, objet, rang(indice));
+        }
+    }
+}
+
+/// In a list, except the objects that the beam of the block avoids.
+struct Elagage<'a, R, const P: usize> {
+    objets: &'a [ObjetRay<R>],
+    fenetre: Fenetre<R, P>,
+}
+
+impl<R: Reel, const P: usize> Recherche<R> for Elagage<'_, R, P> {
+    #[inline(always)]
+    fn chercher(&mut self, bloc: &mut [Groupe<R>], rayons: &[Rayon<R>]) {
+        let Self { objets, fenetre } = self;
+        let faisceau = Faisceau::du_bloc(rayons, bloc);
+        for (numero, vus) in objets.chunks(P).enumerate() {
+            if objets.len() > P && faisceau.is_some() {
+                fenetre.charger(vus);
+            }
+            let ecartees = fenetre.face_a(faisceau.as_ref(), vus.len());
+            for (i, (objet, &ecartee)) in vus.iter().zip(ecartees).enumerate() {
+                if !ecartee {
+                    proposer(bloc, objet, rang(numero * P + i));
+                }
+            }
+        }
+    }
+}
+
+/// Block by block from the rays to the answers, so that a block stays in the nearest memory.
 #[inline(always)]
 pub(crate) fn par_blocs<R: Reel>(
     objets: &[ObjetRay<R>],
     rayons: &[Rayon<R>],
     touches: &mut [Touche<R>],
-    mut chercher: impl FnMut(&mut [Groupe<R>], &[Rayon<R>]),
+    recherche: &mut impl Recherche<R>,
 ) {
     let mut bloc = [const { Groupe::VIDE }; BLOC / VOIES];
     for (rayons, touches) in rayons.chunks(BLOC).zip(touches.chunks_mut(BLOC)) {
@@ -186,44 +228,11 @@ pub(crate) fn par_blocs<R: Reel>(
         for (groupe, rayons) in bloc.iter_mut().zip(rayons.chunks(VOIES)) {
             groupe.charger(rayons);
         }
-        chercher(bloc, rayons);
+        recherche.chercher(bloc, rayons);
         for (i, groupe) in bloc.iter().enumerate() {
             let (debut, fin) = (i * VOIES, rayons.len().min((i + 1) * VOIES));
             groupe.ecrire(objets, &rayons[debut..fin], &mut touches[debut..fin]);
         }
-    }
-}
-
-/// Finds the first objects of a block in the list, except those that its beam avoids.
-#[inline(always)]
-fn chercher<R: Reel, const P: usize>(
-    bloc: &mut [Groupe<R>],
-    objets: &[ObjetRay<R>],
-    rayons: &[Rayon<R>],
-    fenetre: &mut Fenetre<R, P>,
-) {
-    let Some(faisceau) = Faisceau::du_bloc(rayons, bloc) else {
-        proposer_tous(bloc, objets);
-        return;
-    };
-    for (rang_fenetre, vus) in objets.chunks(P).enumerate() {
-        if objets.len() > P {
-            fenetre.charger(vus);
-        }
-        let ecartees = fenetre.face_a(&faisceau, vus.len());
-        for (i, (objet, &ecartee)) in vus.iter().zip(ecartees).enumerate() {
-            if !ecartee {
-                proposer(bloc, objet, rang(rang_fenetre * P + i));
-            }
-        }
-    }
-}
-
-/// Proposes all objects of the list to the block.
-#[inline(always)]
-pub(crate) fn proposer_tous<R: Reel>(bloc: &mut [Groupe<R>], objets: &[ObjetRay<R>]) {
-    for (indice, objet) in objets.iter().enumerate() {
-        proposer(bloc, objet, rang(indice));
     }
 }
 

@@ -3,7 +3,12 @@
 use core::fmt::{Debug, Display};
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
+use fearless_simd::prelude::*;
+use fearless_simd::{f32x16, f64x8};
+
 mod scelle {
+    use fearless_simd::Simd;
+
     /// What only this crate needs of a scalar; and what keeps [`Reel`](super::Reel) to the two
     /// types whose rounding the crate's bounds rest on.
     pub trait Scelle: Sized {
@@ -24,6 +29,10 @@ mod scelle {
         /// In `f64` it is `trouve` itself. In `f32` it is `precise()`, unless that number is not a
         /// distance of the type; then `trouve` stands, since the conclusion never revokes a hit.
         fn affiner(trouve: Self, precise: impl FnOnce() -> f64) -> f64;
+
+        /// Which of sixteen numbers are at most their neighbours in the other column, a bit for each: the one
+        /// step that the compiler does not widen by itself.
+        fn au_plus<S: Simd>(simd: S, a: &[Self; 16], b: &[Self; 16]) -> u32;
 
         /// An index below 2³¹ − 2²³ among numbers of this type: the number with these bits, which in
         /// both types is finite.
@@ -127,6 +136,12 @@ impl Scelle for f32 {
     }
 
     #[inline(always)]
+    fn au_plus<S: Simd>(simd: S, a: &[Self; 16], b: &[Self; 16]) -> u32 {
+        let [a, b] = [a, b].map(|colonne| f32x16::simd_from(simd, *colonne));
+        a.simd_le(b).to_bitmask() as u32
+    }
+
+    #[inline(always)]
     fn depuis_indice(indice: usize) -> Self {
         Self::from_bits(indice as u32)
     }
@@ -182,6 +197,12 @@ impl Scelle for f64 {
     }
 
     #[inline(always)]
+    fn au_plus<S: Simd>(simd: S, a: &[Self; 16], b: &[Self; 16]) -> u32 {
+        let ([a0, a1], [b0, b1]) = (moities(simd, a), moities(simd, b));
+        (a0.simd_le(b0).to_bitmask() | a1.simd_le(b1).to_bitmask() << 8) as u32
+    }
+
+    #[inline(always)]
     fn depuis_indice(indice: usize) -> Self {
         Self::from_bits(indice as u64)
     }
@@ -190,6 +211,15 @@ impl Scelle for f64 {
     fn indice(self) -> usize {
         self.to_bits() as usize
     }
+}
+
+/// A column in two vectors.
+#[inline(always)]
+fn moities<S: Simd>(
+    simd: S,
+    &[a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p]: &[f64; 16],
+) -> [f64x8<S>; 2] {
+    [[a, b, c, d, e, f, g, h], [i, j, k, l, m, n, o, p]].map(|x| f64x8::simd_from(simd, x))
 }
 
 impl Reel for f64 {

@@ -1,12 +1,14 @@
 //! A block of rays and the nodes that its beam crosses.
 
+use fearless_simd::Simd;
+
 use crate::hierarchie::construction::{Arbre, Colonne, ENFANTS, Noeud, somme};
 use crate::hierarchie::parcours::{Pile, le_premier};
 use crate::intersection::rang;
 use crate::lot::colonnes::VOIES;
 use crate::lot::faisceau::Faisceau;
 use crate::lot::groupe::Groupe;
-use crate::lot::proposer;
+use crate::lot::{Recherche, proposer};
 use crate::objet::ObjetRay;
 use crate::rayon::Rayon;
 use crate::reel::{Reel, fois_u};
@@ -19,80 +21,77 @@ const SEUIL_SEULS: usize = 130;
 /// Of the children of the root, how many a beam may cross; the rays of a wider one walk alone (measured).
 const LARGE: u32 = 8;
 
-impl<R: Reel> Arbre<'_, R> {
-    /// Finds the first object of each ray of a block.
+/// In a tree: the nodes that the beam of the block crosses.
+pub(crate) struct RechercheDansLArbre<'a, R, S> {
+    pub(crate) simd: S,
+    pub(crate) objets: &'a [ObjetRay<R>],
+    pub(crate) arbre: &'a Arbre<'a, R>,
+}
+
+impl<R: Reel, S: Simd> Recherche<R> for RechercheDansLArbre<'_, R, S> {
     #[inline(always)]
-    pub(crate) fn chercher(
-        &self,
-        objets: &[ObjetRay<R>],
-        bloc: &mut [Groupe<R>],
-        rayons: &[Rayon<R>],
-    ) {
-        let sonde = Faisceau::du_bloc(rayons, bloc).map(|faisceau| SondeDeBloc::new(faisceau, self));
-        let mut profondeurs = [R::ZERO; ENFANTS];
-        let racine = self.racine.and_then(|racine| Some((racine, self.noeuds.get(racine)?)));
-        let sonde = sonde.filter(|sonde| {
-            racine.is_none_or(|(_, noeud)| {
-                sonde.traverse(noeud, R::INFINI, &mut profondeurs).count_ones() <= LARGE
-            })
-        });
-        let nombreux = self.objets > SEUIL_SEULS;
-        // The half-spaces stand behind the objects with an end.
-        let premier = match &sonde {
-            Some(_) => self.bornes,
-            None if nombreux => self.objets,
-            None => 0,
-        };
-        for place in premier..self.objets {
-            let Some([.., indices]) = self.noeuds.get(place / ENFANTS) else { return };
-            let indice = indices[place % ENFANTS].indice();
-            if let Some(objet) = objets.get(indice) {
-                proposer(bloc, objet, rang(indice));
-            }
-        }
-        let Some(sonde) = sonde else {
-            if nombreux {
-                for (groupe, rayons) in bloc.iter_mut().zip(rayons.chunks(VOIES)) {
-                    for (voie, rayon) in rayons.iter().enumerate() {
-                        if let (Some(rang), t) = self.premier(objets, rayon) {
-                            groupe.retenir(voie, t, rang);
-                        }
+    fn chercher(&mut self, bloc: &mut [Groupe<R>], rayons: &[Rayon<R>]) {
+        let Self { simd, objets, arbre } = *self;
+        let sonde = SondeDeBloc::etroite(simd, rayons, bloc, arbre);
+        let seuls = sonde.is_none() && arbre.objets > SEUIL_SEULS;
+        if seuls {
+            for (groupe, rayons) in bloc.iter_mut().zip(rayons.chunks(VOIES)) {
+                for (voie, rayon) in rayons.iter().enumerate() {
+                    if let (Some(rang), t) = arbre.premier(simd, objets, rayon) {
+                        groupe.retenir(voie, t, rang);
                     }
                 }
             }
             return;
-        };
-        let Some((racine, _)) = racine else { return };
+        }
+        // Behind the objects with an end stand the half-spaces.
+        let premier = if sonde.is_some() { arbre.bornes } else { 0 };
+        for place in premier..arbre.objets {
+            proposer_place(arbre, objets, bloc, place);
+        }
+        let (Some(sonde), Some(racine)) = (sonde, arbre.racine) else { return };
+        let mut profondeurs = [R::ZERO; ENFANTS];
         let mut pile = Pile::VIDE;
         pile.poser(R::ZERO, racine as u32, 0);
         let mut plafond = le_plus_loin(bloc);
-        while let Some((profondeur, rang_noeud)) = pile.prendre() {
+        while let Some((profondeur, rang)) = pile.prendre() {
+            let rang = rang as usize;
             if profondeur > plafond {
                 continue;
             }
-            let Some(noeud) = self.noeuds.get(rang_noeud as usize) else { return };
-            let mut traverses = sonde.traverse(noeud, plafond, &mut profondeurs);
-            let [.., indices] = noeud;
-            if (rang_noeud as usize) < self.feuilles {
-                if traverses == 0 {
-                    continue;
-                }
-                while traverses != 0 {
-                    let indice = indices[le_premier(traverses)].indice();
-                    traverses &= traverses - 1;
-                    if let Some(objet) = objets.get(indice) {
-                        proposer(bloc, objet, rang(indice));
-                    }
-                }
-                plafond = le_plus_loin(bloc);
-            } else {
-                let base = pile.hauteur;
-                while traverses != 0 {
-                    let enfant = le_premier(traverses);
-                    traverses &= traverses - 1;
+            let Some(noeud) = arbre.noeuds.get(rang) else { return };
+            let mut traverses = sonde.traverse(simd, noeud, plafond, &mut profondeurs);
+            let feuille = rang < arbre.feuilles;
+            let base = pile.hauteur;
+            while traverses != 0 {
+                let enfant = le_premier(traverses);
+                traverses &= traverses - 1;
+                if feuille {
+                    proposer_place(arbre, objets, bloc, rang * ENFANTS + enfant);
+                } else {
+                    let [.., indices] = noeud;
                     pile.poser(profondeurs[enfant], indices[enfant].indice() as u32, base);
                 }
             }
+            if feuille {
+                plafond = le_plus_loin(bloc);
+            }
+        }
+    }
+}
+
+/// Proposes to the block the object in this place among the leaves.
+#[inline(always)]
+fn proposer_place<R: Reel>(
+    arbre: &Arbre<'_, R>,
+    objets: &[ObjetRay<R>],
+    bloc: &mut [Groupe<R>],
+    place: usize,
+) {
+    if let Some([.., indices]) = arbre.noeuds.get(place / ENFANTS) {
+        let indice = indices[place % ENFANTS].indice();
+        if let Some(objet) = objets.get(indice) {
+            proposer(bloc, objet, rang(indice));
         }
     }
 }
@@ -116,6 +115,22 @@ struct SondeDeBloc<R> {
 }
 
 impl<R: Reel> SondeDeBloc<R> {
+    /// That of the beam of these rays, unless there is none or it is too wide.
+    #[inline(always)]
+    fn etroite<S: Simd>(
+        simd: S,
+        rayons: &[Rayon<R>],
+        bloc: &[Groupe<R>],
+        arbre: &Arbre<'_, R>,
+    ) -> Option<Self> {
+        let faisceau = Faisceau::du_bloc(rayons, bloc)?;
+        let sonde = Self::new(faisceau, arbre);
+        let Some(racine) = arbre.racine else { return Some(sonde) };
+        let mut profondeurs = [R::ZERO; ENFANTS];
+        let traverses = sonde.traverse(simd, arbre.noeuds.get(racine)?, R::INFINI, &mut profondeurs);
+        (traverses.count_ones() <= LARGE).then_some(sonde)
+    }
+
     #[inline(always)]
     fn new(faisceau: Faisceau<R>, arbre: &Arbre<'_, R>) -> Self {
         let loin = somme(faisceau.s0 - arbre.milieu) + faisceau.ecart * R::depuis_f64(4.0);
@@ -126,7 +141,13 @@ impl<R: Reel> SondeDeBloc<R> {
     /// Which children some ray may enter no later than `plafond`, a bit for each, and a distance before
     /// which none does.
     #[inline(always)]
-    fn traverse(&self, noeud: &Noeud<R>, plafond: R, profondeurs: &mut Colonne<R>) -> u32 {
+    fn traverse<S: Simd>(
+        &self,
+        simd: S,
+        noeud: &Noeud<R>,
+        plafond: R,
+        profondeurs: &mut Colonne<R>,
+    ) -> u32 {
         let Faisceau { s0, plans, .. } = self.faisceau;
         let mut coins = [[R::ZERO; ENFANTS]; 6];
         for (mot, (coin, &origine)) in
@@ -154,12 +175,8 @@ impl<R: Reel> SondeDeBloc<R> {
             let h = m.produit_scalaire(Vecteur::new(x[i], y[i], z[i])) - limite;
             profondeurs[i] = if h > R::ZERO { h } else { R::ZERO };
         }
-        let mut traverses = 0;
-        for i in 0..ENFANTS {
-            let devant = (dehors[i] <= R::ZERO) & (profondeurs[i] <= plafond);
-            traverses |= u32::from(devant) << i;
-        }
-        traverses
+        let pas_dehors = R::au_plus(simd, &dehors, &[R::ZERO; ENFANTS]);
+        pas_dehors & R::au_plus(simd, profondeurs, &[plafond; ENFANTS])
     }
 }
 

@@ -1,5 +1,7 @@
 //! One ray and the nodes that it crosses.
 
+use fearless_simd::Simd;
+
 use crate::hierarchie::construction::{Arbre, Colonne, ENFANTS, ETAGES, Noeud, somme};
 use crate::intersection::{Rang, rang};
 use crate::objet::ObjetRay;
@@ -11,25 +13,42 @@ use crate::vecteur::Vecteur;
 impl<R: Reel> Arbre<'_, R> {
     /// The rank of the first object that the ray enters, and the distance.
     #[inline(always)]
-    pub(crate) fn premier(&self, objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> (Option<Rang>, R) {
+    pub(crate) fn premier<S: Simd>(
+        &self,
+        simd: S,
+        objets: &[ObjetRay<R>],
+        rayon: &Rayon<R>,
+    ) -> (Option<Rang>, R) {
         let (s, d) = (rayon.source(), rayon.direction());
         let mut premier = Premier { objets, s, d, rang: 0, t: R::INFINI };
-        self.parcourir(rayon, R::INFINI, &mut premier);
+        self.parcourir(simd, rayon, R::INFINI, &mut premier);
         (Rang::new(premier.rang), premier.t)
     }
 
     /// Whether the ray touches an object before `distance_max`.
     #[inline(always)]
-    pub(crate) fn cache(&self, objets: &[ObjetRay<R>], rayon: &Rayon<R>, distance_max: R) -> bool {
+    pub(crate) fn cache<S: Simd>(
+        &self,
+        simd: S,
+        objets: &[ObjetRay<R>],
+        rayon: &Rayon<R>,
+        distance_max: R,
+    ) -> bool {
         let mut ombre = Ombre { objets, rayon, distance_max, cache: false };
-        self.parcourir(rayon, distance_max, &mut ombre);
+        self.parcourir(simd, rayon, distance_max, &mut ombre);
         ombre.cache
     }
 
     /// Shows to the question the half-spaces, and each object that the ray may enter no later than
     /// `plafond`, which is then what the question answers; below 0 the walk ends.
     #[inline(always)]
-    fn parcourir(&self, rayon: &Rayon<R>, mut plafond: R, question: &mut impl Question<R>) {
+    fn parcourir<S: Simd>(
+        &self,
+        simd: S,
+        rayon: &Rayon<R>,
+        mut plafond: R,
+        question: &mut impl Question<R>,
+    ) {
         for indice in self.sans_bornes() {
             plafond = question.voir(indice);
         }
@@ -43,7 +62,7 @@ impl<R: Reel> Arbre<'_, R> {
                 continue;
             }
             let Some(noeud) = self.noeuds.get(rang as usize) else { return };
-            let mut traverses = sonde.traverse(noeud, plafond, &mut entrees);
+            let mut traverses = sonde.traverse(simd, noeud, plafond, &mut entrees);
             let indices = &noeud[6];
             if (rang as usize) < self.feuilles {
                 while traverses != 0 {
@@ -156,7 +175,13 @@ impl<R: Reel> Sonde<R> {
 
     /// Which children the ray may enter no later than `plafond`, a bit for each, and where.
     #[inline(always)]
-    fn traverse(&self, noeud: &Noeud<R>, plafond: R, entrees: &mut Colonne<R>) -> u32 {
+    fn traverse<S: Simd>(
+        &self,
+        simd: S,
+        noeud: &Noeud<R>,
+        plafond: R,
+        entrees: &mut Colonne<R>,
+    ) -> u32 {
         let [bx, by, bz, hx, hy, hz, _] = noeud;
         let [x, y, z] = self.0;
         let cotes = |axe: Axe<R>, bas, haut| if axe.recule { (haut, bas) } else { (bas, haut) };
@@ -174,11 +199,7 @@ impl<R: Reel> Sonde<R> {
             sortie = avant(sortie, (lz[i] - z.depart[1]) * z.inverse[1]);
             sorties[i] = sortie;
         }
-        let mut traverses = 0;
-        for i in 0..ENFANTS {
-            traverses |= u32::from(entrees[i] <= sorties[i]) << i;
-        }
-        traverses
+        R::au_plus(simd, entrees, &sorties)
     }
 }
 

@@ -28,16 +28,21 @@ impl<R: Reel, const P: usize> Fenetre<R, P> {
         }
     }
 
-    /// Whether the beam avoids each of the first `n`.
+    /// Whether the beam avoids each of the first `n`; without a beam none is avoided.
     #[inline(always)]
-    pub(crate) fn face_a(&mut self, faisceau: &Faisceau<R>, n: usize) -> &[bool] {
+    pub(crate) fn face_a(&mut self, faisceau: Option<&Faisceau<R>>, n: usize) -> &[bool] {
         let n = n.min(P);
-        let [x, y, z] = &self.centres;
-        let (x, y, z, r2) = (&x[..n], &y[..n], &z[..n], &self.r2[..n]);
-        for (i, ecartee) in self.ecartees[..n].iter_mut().enumerate() {
+        let Self { centres: [x, y, z], r2, ecartees } = self;
+        let ecartees = &mut ecartees[..n];
+        let Some(faisceau) = faisceau else {
+            ecartees.fill(false);
+            return ecartees;
+        };
+        let (x, y, z, r2) = (&x[..n], &y[..n], &z[..n], &r2[..n]);
+        for (i, ecartee) in ecartees.iter_mut().enumerate() {
             let boule = Boule { centre: Vecteur::new(x[i], y[i], z[i]), r2: r2[i] };
             *ecartee = faisceau.evite(boule);
         }
-        &self.ecartees[..n]
+        ecartees
     }
 }
