@@ -55,31 +55,42 @@ impl<R: Reel> Arbre<'_, R> {
         let Some(racine) = self.racine else { return };
         let sonde = Sonde::new(rayon, self.milieu);
         let mut pile = Pile::VIDE;
-        pile.poser(R::ZERO, racine as u32, 0);
         let mut entrees = [R::ZERO; ENFANTS];
-        while let Some((entree, rang)) = pile.prendre() {
-            if entree > plafond {
-                continue;
-            }
-            let Some(noeud) = self.noeuds.get(rang as usize) else { return };
-            let mut traverses = sonde.traverse(simd, noeud, plafond, &mut entrees);
-            let indices = &noeud[6];
-            if (rang as usize) < self.feuilles {
-                while traverses != 0 {
-                    let enfant = le_premier(traverses);
-                    traverses &= traverses - 1;
-                    if entrees[enfant] <= plafond {
+        let mut suivant = Some((R::ZERO, racine as u32));
+        while let Some((entree, rang)) = suivant {
+            let rang = rang as usize;
+            if entree <= plafond
+                && let Some(noeud) = self.noeuds.get(rang)
+            {
+                let mut traverses = sonde.traverse(simd, noeud, plafond, &mut entrees);
+                let indices = &noeud[6];
+                if rang < self.feuilles {
+                    while traverses != 0 {
+                        let mut enfant = le_premier(traverses);
+                        let mut autres = traverses & (traverses - 1);
+                        while autres != 0 {
+                            let autre = le_premier(autres);
+                            autres &= autres - 1;
+                            if entrees[autre] < entrees[enfant] {
+                                enfant = autre;
+                            }
+                        }
+                        traverses &= !(1 << enfant);
+                        if entrees[enfant] > plafond {
+                            break;
+                        }
                         plafond = question.voir(indices[enfant].indice());
                     }
-                }
-            } else {
-                let base = pile.hauteur;
-                while traverses != 0 {
-                    let enfant = le_premier(traverses);
-                    traverses &= traverses - 1;
-                    pile.poser(entrees[enfant], indices[enfant].indice() as u32, base);
+                } else {
+                    let base = pile.hauteur;
+                    while traverses != 0 {
+                        let enfant = le_premier(traverses);
+                        traverses &= traverses - 1;
+                        pile.poser(entrees[enfant], indices[enfant].indice() as u32, base);
+                    }
                 }
             }
+            suivant = pile.prendre();
         }
     }
 }
@@ -141,34 +152,26 @@ pub(crate) fn le_premier(enfants: u32) -> usize {
 /// A ray as the boxes see it, with its part of the slack (`docs/conception.md`, "Hierarchy").
 struct Sonde<R>([Axe<R>; 3]);
 
-/// One axis of it: where the ray starts and how long it takes per unit, towards the nearer side of a box
-/// and towards the farther.
+/// One axis of it.
 #[derive(Clone, Copy)]
 struct Axe<R> {
-    recule: bool,
-    depart: [R; 2],
-    inverse: [R; 2],
+    /// 1/D, below 0 where the ray runs backwards.
+    inverse: R,
+    /// S with the slack: for the nearer side of a box and for the farther.
+    vers_proche: R,
+    vers_lointain: R,
 }
 
 impl<R: Reel> Sonde<R> {
     #[inline(always)]
     fn new(rayon: &Rayon<R>, milieu: Vecteur<R>) -> Self {
         let (s, d) = (rayon.source(), rayon.direction());
-        let jeu = somme(s - milieu) * fois_u(128.0);
+        let jeu = somme(s - milieu) * fois_u(128.0) + somme(s) * fois_u(4.0);
         let axe = |s: R, d: R| {
+            // 1/−0 is −∞: the sign is that of the quotient.
             let inverse = R::UN / d;
-            // 1/−0 is −∞.
-            let recule = inverse < R::ZERO;
-            let jeu = jeu + s.abs() * fois_u(4.0);
-            let jeu = if recule { -jeu } else { jeu };
-            Axe {
-                recule,
-                depart: [s + jeu, s - jeu],
-                inverse: [
-                    inverse * (R::UN - fois_u(8.0)),
-                    inverse * (R::UN + fois_u(8.0)),
-                ],
-            }
+            let jeu = if inverse < R::ZERO { -jeu } else { jeu };
+            Axe { inverse, vers_proche: s + jeu, vers_lointain: s - jeu }
         };
         Self([axe(s.x, d.x), axe(s.y, d.y), axe(s.z, d.z)])
     }
@@ -184,22 +187,29 @@ impl<R: Reel> Sonde<R> {
     ) -> u32 {
         let [bx, by, bz, hx, hy, hz, _] = noeud;
         let [x, y, z] = self.0;
-        let cotes = |axe: Axe<R>, bas, haut| if axe.recule { (haut, bas) } else { (bas, haut) };
-        let ((px, lx), (py, ly), (pz, lz)) = (cotes(x, bx, hx), cotes(y, by, hy), cotes(z, bz, hz));
+        let ((px, lx), (py, ly), (pz, lz)) = (x.cotes(bx, hx), y.cotes(by, hy), z.cotes(bz, hz));
         let mut sorties = [plafond; ENFANTS];
         for i in 0..ENFANTS {
             let mut entree = R::ZERO;
-            entree = apres(entree, (px[i] - x.depart[0]) * x.inverse[0]);
-            entree = apres(entree, (py[i] - y.depart[0]) * y.inverse[0]);
-            entree = apres(entree, (pz[i] - z.depart[0]) * z.inverse[0]);
-            entrees[i] = entree;
+            entree = apres(entree, (px[i] - x.vers_proche) * x.inverse);
+            entree = apres(entree, (py[i] - y.vers_proche) * y.inverse);
+            entree = apres(entree, (pz[i] - z.vers_proche) * z.inverse);
+            entrees[i] = entree * (R::UN - fois_u(8.0));
             let mut sortie = plafond;
-            sortie = avant(sortie, (lx[i] - x.depart[1]) * x.inverse[1]);
-            sortie = avant(sortie, (ly[i] - y.depart[1]) * y.inverse[1]);
-            sortie = avant(sortie, (lz[i] - z.depart[1]) * z.inverse[1]);
+            sortie = avant(sortie, (lx[i] - x.vers_lointain) * x.inverse);
+            sortie = avant(sortie, (ly[i] - y.vers_lointain) * y.inverse);
+            sortie = avant(sortie, (lz[i] - z.vers_lointain) * z.inverse);
             sorties[i] = sortie;
         }
         R::au_plus(simd, entrees, &sorties)
+    }
+}
+
+impl<R: Reel> Axe<R> {
+    /// The nearer side of each box and the farther.
+    #[inline(always)]
+    fn cotes<'a>(self, bas: &'a Colonne<R>, haut: &'a Colonne<R>) -> (&'a Colonne<R>, &'a Colonne<R>) {
+        if self.inverse < R::ZERO { (haut, bas) } else { (bas, haut) }
     }
 }
 
@@ -226,7 +236,7 @@ pub(crate) struct Pile<R> {
 }
 
 /// Room for 15 nodes of each floor below the root, and one.
-const PROFONDEUR: usize = 15 * (ETAGES - 1) + 1;
+const PROFONDEUR: usize = 46;
 
 impl<R: Reel> Pile<R> {
     pub(crate) const VIDE: Self =
