@@ -3,7 +3,7 @@
 use fearless_simd::Simd;
 
 use crate::hierarchie::construction::{Arbre, Colonne, ENFANTS, Noeud, somme};
-use crate::hierarchie::parcours::{Pile, le_premier};
+use crate::hierarchie::parcours::{GRANDE_PILE, Pile, le_premier};
 use crate::intersection::rang;
 use crate::lot::colonnes::VOIES;
 use crate::lot::faisceau::Faisceau;
@@ -51,31 +51,27 @@ impl<R: Reel, S: Simd> Recherche<R> for RechercheDansLArbre<'_, R, S> {
         }
         let (Some(sonde), Some(racine)) = (sonde, arbre.racine) else { return };
         let mut profondeurs = [R::ZERO; ENFANTS];
-        let mut pile = Pile::VIDE;
-        pile.poser(R::ZERO, racine as u32, 0);
+        let mut pile = Pile::<R, GRANDE_PILE>::VIDE;
         let mut plafond = le_plus_loin(bloc);
-        while let Some((profondeur, rang)) = pile.prendre() {
-            let rang = rang as usize;
-            if profondeur > plafond {
-                continue;
-            }
+        let mut rang = racine;
+        loop {
             let Some(noeud) = arbre.noeuds.get(rang) else { return };
             let mut traverses = sonde.traverse(simd, noeud, plafond, &mut profondeurs);
-            let feuille = rang < arbre.feuilles;
-            let base = pile.hauteur;
-            while traverses != 0 {
-                let enfant = le_premier(traverses);
-                traverses &= traverses - 1;
-                if feuille {
-                    proposer_place(arbre, objets, bloc, rang * ENFANTS + enfant);
-                } else {
-                    let [.., indices] = noeud;
-                    pile.poser(profondeurs[enfant], indices[enfant].indice() as u32, base);
+            if rang < arbre.feuilles {
+                if traverses != 0 {
+                    while traverses != 0 {
+                        let enfant = le_premier(traverses);
+                        traverses &= traverses - 1;
+                        proposer_place(arbre, objets, bloc, rang * ENFANTS + enfant);
+                    }
+                    plafond = le_plus_loin(bloc);
                 }
+            } else if let Some(proche) = pile.garder(traverses, &profondeurs, &noeud[6]) {
+                rang = proche;
+                continue;
             }
-            if feuille {
-                plafond = le_plus_loin(bloc);
-            }
+            let Some(suivant) = pile.prendre(plafond) else { return };
+            rang = suivant;
         }
     }
 }

@@ -21,7 +21,11 @@ impl<R: Reel> Arbre<'_, R> {
     ) -> (Option<Rang>, R) {
         let (s, d) = (rayon.source(), rayon.direction());
         let mut premier = Premier { objets, s, d, rang: 0, t: R::INFINI };
-        self.parcourir(simd, rayon, R::INFINI, &mut premier);
+        if self.noeuds.len() <= PEU_DE_NOEUDS {
+            self.parcourir::<S, PETITE_PILE>(simd, rayon, R::INFINI, &mut premier);
+        } else {
+            self.parcourir::<S, GRANDE_PILE>(simd, rayon, R::INFINI, &mut premier);
+        }
         (Rang::new(premier.rang), premier.t)
     }
 
@@ -35,14 +39,18 @@ impl<R: Reel> Arbre<'_, R> {
         distance_max: R,
     ) -> bool {
         let mut ombre = Ombre { objets, rayon, distance_max, cache: false };
-        self.parcourir(simd, rayon, distance_max, &mut ombre);
+        if self.noeuds.len() <= PEU_DE_NOEUDS {
+            self.parcourir::<S, PETITE_PILE>(simd, rayon, distance_max, &mut ombre);
+        } else {
+            self.parcourir::<S, GRANDE_PILE>(simd, rayon, distance_max, &mut ombre);
+        }
         ombre.cache
     }
 
     /// Shows to the question the half-spaces, and each object that the ray may enter no later than
     /// `plafond`, which is then what the question answers; below 0 the walk ends.
     #[inline(always)]
-    fn parcourir<S: Simd>(
+    fn parcourir<S: Simd, const P: usize>(
         &self,
         simd: S,
         rayon: &Rayon<R>,
@@ -54,43 +62,27 @@ impl<R: Reel> Arbre<'_, R> {
         }
         let Some(racine) = self.racine else { return };
         let sonde = Sonde::new(rayon, self.milieu);
-        let mut pile = Pile::VIDE;
+        let mut pile = Pile::<R, P>::VIDE;
         let mut entrees = [R::ZERO; ENFANTS];
-        let mut suivant = Some((R::ZERO, racine as u32));
-        while let Some((entree, rang)) = suivant {
-            let rang = rang as usize;
-            if entree <= plafond
-                && let Some(noeud) = self.noeuds.get(rang)
-            {
-                let mut traverses = sonde.traverse(simd, noeud, plafond, &mut entrees);
-                let indices = &noeud[6];
-                if rang < self.feuilles {
-                    while traverses != 0 {
-                        let mut enfant = le_premier(traverses);
-                        let mut autres = traverses & (traverses - 1);
-                        while autres != 0 {
-                            let autre = le_premier(autres);
-                            autres &= autres - 1;
-                            if entrees[autre] < entrees[enfant] {
-                                enfant = autre;
-                            }
-                        }
-                        traverses &= !(1 << enfant);
-                        if entrees[enfant] > plafond {
-                            break;
-                        }
+        let mut rang = racine;
+        loop {
+            let Some(noeud) = self.noeuds.get(rang) else { return };
+            let mut traverses = sonde.traverse(simd, noeud, plafond, &mut entrees);
+            let indices = &noeud[6];
+            if rang < self.feuilles {
+                while traverses != 0 {
+                    let enfant = le_premier(traverses);
+                    traverses &= traverses - 1;
+                    if entrees[enfant] <= plafond {
                         plafond = question.voir(indices[enfant].indice());
                     }
-                } else {
-                    let base = pile.hauteur;
-                    while traverses != 0 {
-                        let enfant = le_premier(traverses);
-                        traverses &= traverses - 1;
-                        pile.poser(entrees[enfant], indices[enfant].indice() as u32, base);
-                    }
                 }
+            } else if let Some(proche) = pile.garder(traverses, &entrees, indices) {
+                rang = proche;
+                continue;
             }
-            suivant = pile.prendre();
+            let Some(suivant) = pile.prendre(plafond) else { return };
+            rang = suivant;
         }
     }
 }
@@ -225,41 +217,68 @@ fn avant<R: Reel>(t: R, autre: R) -> R {
     if autre < t { autre } else { t }
 }
 
-/// Nodes to look at, the nearest on top.
-///
-/// A node that is taken leaves at most sixteen, one floor below: there are never more than fifteen of each
-/// floor but the root's and one.
-pub(crate) struct Pile<R> {
-    entrees: [R; PROFONDEUR],
-    noeuds: [u32; PROFONDEUR],
-    pub(crate) hauteur: usize,
+/// Room for the nodes that a walk leaves for later: of each node above the leaves it visits one child at
+/// once and leaves at most fifteen, and it ends with these before it looks at another node of that floor.
+pub(crate) const GRANDE_PILE: usize = 15 * (ETAGES - 1);
+
+/// Room for them where there are at most four floors. To set up a large one costs 6 ns a ray.
+const PETITE_PILE: usize = 15 * 3;
+
+/// Trees of no more nodes than this have at most four floors.
+const PEU_DE_NOEUDS: usize = 16 * 16 * 16;
+
+/// Nodes to look at later, with the distance at which the ray enters them.
+pub(crate) struct Pile<R, const P: usize> {
+    entrees: [R; P],
+    noeuds: [u32; P],
+    hauteur: usize,
 }
 
-/// Room for 15 nodes of each floor below the root, and one.
-const PROFONDEUR: usize = 46;
+impl<R: Reel, const P: usize> Pile<R, P> {
+    pub(crate) const VIDE: Self = Self { entrees: [R::ZERO; P], noeuds: [0; P], hauteur: 0 };
 
-impl<R: Reel> Pile<R> {
-    pub(crate) const VIDE: Self =
-        Self { entrees: [R::ZERO; PROFONDEUR], noeuds: [0; PROFONDEUR], hauteur: 0 };
-
-    /// Puts a node here, among those above `base` by its entry.
+    /// The nearest of these children, a bit for each; the others are put here.
     #[inline(always)]
-    pub(crate) fn poser(&mut self, entree: R, noeud: u32, base: usize) {
-        let mut place = self.hauteur;
-        while place > base && self.entrees[place - 1] < entree {
-            self.entrees[place] = self.entrees[place - 1];
-            self.noeuds[place] = self.noeuds[place - 1];
-            place -= 1;
+    pub(crate) fn garder(
+        &mut self,
+        mut enfants: u32,
+        entrees: &Colonne<R>,
+        indices: &Colonne<R>,
+    ) -> Option<usize> {
+        if enfants == 0 {
+            return None;
         }
-        self.entrees[place] = entree;
-        self.noeuds[place] = noeud;
+        let mut proche = le_premier(enfants);
+        enfants &= enfants - 1;
+        while enfants != 0 {
+            let enfant = le_premier(enfants);
+            enfants &= enfants - 1;
+            let plus_tard = if entrees[enfant] < entrees[proche] {
+                core::mem::replace(&mut proche, enfant)
+            } else {
+                enfant
+            };
+            self.poser(entrees[plus_tard], indices[plus_tard].indice());
+        }
+        Some(indices[proche].indice())
+    }
+
+    #[inline(always)]
+    fn poser(&mut self, entree: R, noeud: usize) {
+        self.entrees[self.hauteur] = entree;
+        self.noeuds[self.hauteur] = noeud as u32;
         self.hauteur += 1;
     }
 
-    /// The nearest node of the last put here, and where the ray enters it.
+    /// The last node put here that the ray enters no later than `plafond`.
     #[inline(always)]
-    pub(crate) fn prendre(&mut self) -> Option<(R, u32)> {
-        self.hauteur = self.hauteur.checked_sub(1)?;
-        Some((self.entrees[self.hauteur], self.noeuds[self.hauteur]))
+    pub(crate) fn prendre(&mut self, plafond: R) -> Option<usize> {
+        while let Some(hauteur) = self.hauteur.checked_sub(1) {
+            self.hauteur = hauteur;
+            if self.entrees[hauteur] <= plafond {
+                return Some(self.noeuds[hauteur] as usize);
+            }
+        }
+        None
     }
 }
