@@ -249,7 +249,8 @@ fn egaux<R: Bits>() {
         Rng::with_seed(4).shuffle(&mut objets);
         assert!(comparer(&objets, &rayons) > 20);
     }
-    let objet = scenes::melange::<R>(3)[1];
+    let boule = SphereGeo::new(v(0.0, 1.0, -4.0), R::UN, Texture(0)).unwrap();
+    let objet = ObjetRay::from(boule);
     let objets = vec![objet; 100_000];
     let mut places = vec![R::ZERO; Hierarchie::<R>::places(objets.len())];
     let hierarchie = Hierarchie::new(&objets, &mut places).unwrap();
