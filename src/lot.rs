@@ -14,7 +14,7 @@ pub(crate) mod groupe;
 
 use core::fmt;
 
-use fearless_simd::{Level, dispatch};
+use fearless_simd::{Level, Simd, dispatch};
 
 use crate::intersection::{Intersection, NoIntersection, Rang, Touche, rang};
 use crate::lot::colonnes::VOIES;
@@ -32,11 +32,11 @@ const BLOC: usize = 4 * VOIES;
 /// Fewer rays than this are faster one by one: half a group.
 pub(crate) const PEU_DE_RAYONS: usize = VOIES / 2;
 
-/// Objects of a window: 8 kB of the stack in `f64`.
-const FENETRE: usize = 256;
+/// Of how many times sixteen objects a window is: 8 kB of the stack in `f64`.
+const FENETRE: usize = 16;
 
-/// Objects of a window where there are no more: to set up a large one costs as much as fifteen rays.
-const FENETRE_ETROITE: usize = 64;
+/// The same where there are no more objects: to set up a large one costs as much as fifteen rays.
+const FENETRE_ETROITE: usize = 4;
 
 /// From so many objects on, culling saves more than it costs (measured).
 const SEUIL_ELAGAGE: usize = 10;
@@ -132,7 +132,7 @@ pub(crate) fn repondre<R: Reel>(
         dispatch!(niveau, _simd => {
             par_blocs(objets, rayons, touches, &mut Tous { objets });
         });
-    } else if objets.len() <= FENETRE_ETROITE {
+    } else if objets.len() <= FENETRE_ETROITE * VOIES {
         avec_fenetre::<R, FENETRE_ETROITE>(niveau, objets, rayons, touches);
     } else {
         avec_fenetre::<R, FENETRE>(niveau, objets, rayons, touches);
@@ -152,19 +152,22 @@ pub(crate) fn memes_longueurs<R>(
     }
 }
 
-/// With culling, P objects at a time.
-fn avec_fenetre<R: Reel, const P: usize>(
+/// With culling, in a window of Q times sixteen objects.
+fn avec_fenetre<R: Reel, const Q: usize>(
     niveau: Level,
     objets: &[ObjetRay<R>],
     rayons: &[Rayon<R>],
     touches: &mut [Touche<R>],
 ) {
-    let mut elagage = Elagage::<R, P> { objets, fenetre: Fenetre::VIDE };
+    let mut fenetre = Fenetre::<R, Q>::VIDE;
     // Where one window holds all objects it is filled once.
-    if objets.len() <= P {
-        elagage.fenetre.charger(objets);
+    if objets.len() <= Fenetre::<R, Q>::PLACES {
+        fenetre.charger(objets);
     }
-    dispatch!(niveau, _simd => par_blocs(objets, rayons, touches, &mut elagage));
+    dispatch!(niveau, simd => {
+        let mut elagage = Elagage { simd, objets, fenetre: &mut fenetre };
+        par_blocs(objets, rayons, touches, &mut elagage);
+    });
 }
 
 /// Who finds the first object of each ray of a block.
@@ -184,30 +187,36 @@ impl<R: Reel> Recherche<R> for Tous<'_, R> {
     #[inline(always)]
     fn chercher(&mut self, bloc: &mut [Groupe<R>], _: &[Rayon<R>]) {
         for (indice, objet) in self.objets.iter().enumerate() {
-            proposer(bloc, objet, rang(indice));
+            proposer::<R, true>(bloc, objet, rang(indice));
         }
     }
 }
 
 /// In a list, except the objects that the beam of the block avoids.
-struct Elagage<'a, R, const P: usize> {
+struct Elagage<'a, R, S, const Q: usize> {
+    simd: S,
     objets: &'a [ObjetRay<R>],
-    fenetre: Fenetre<R, P>,
+    fenetre: &'a mut Fenetre<R, Q>,
 }
 
-impl<R: Reel, const P: usize> Recherche<R> for Elagage<'_, R, P> {
+impl<R: Reel, S: Simd, const Q: usize> Recherche<R> for Elagage<'_, R, S, Q> {
     #[inline(always)]
     fn chercher(&mut self, bloc: &mut [Groupe<R>], rayons: &[Rayon<R>]) {
-        let Self { objets, fenetre } = self;
-        let faisceau = Faisceau::du_bloc(rayons, bloc);
-        for (numero, vus) in objets.chunks(P).enumerate() {
-            if objets.len() > P && faisceau.is_some() {
-                fenetre.charger(vus);
+        let Self { simd, objets, fenetre } = self;
+        let Some(faisceau) = Faisceau::du_bloc(rayons, bloc) else {
+            Tous { objets }.chercher(bloc, rayons);
+            return;
+        };
+        for (numero, groupe) in objets.chunks(VOIES).enumerate() {
+            if numero % Q == 0 && objets.len() > Fenetre::<R, Q>::PLACES {
+                fenetre.charger(&objets[numero * VOIES..]);
             }
-            let ecartees = fenetre.face_a(faisceau.as_ref(), vus.len());
-            for (i, (objet, &ecartee)) in vus.iter().zip(ecartees).enumerate() {
-                if !ecartee {
-                    proposer(bloc, objet, rang(numero * P + i));
+            let mut vus = fenetre.face_a(*simd, &faisceau, numero % Q);
+            while vus != 0 {
+                let i = vus.trailing_zeros() as usize;
+                vus &= vus - 1;
+                if let Some(objet) = groupe.get(i) {
+                    proposer::<R, true>(bloc, objet, rang(numero * VOIES + i));
                 }
             }
         }
@@ -242,11 +251,15 @@ pub(crate) fn par_blocs<R: Reel>(
 /// The shape is copied: nothing that is written to a group can overlap it, so that the compiler
 /// need not read it again for every ray.
 #[inline(always)]
-pub(crate) fn proposer<R: Reel>(bloc: &mut [Groupe<R>], objet: &ObjetRay<R>, rang: Rang) {
+pub(crate) fn proposer<R: Reel, const EN_ORDRE: bool>(
+    bloc: &mut [Groupe<R>],
+    objet: &ObjetRay<R>,
+    rang: Rang,
+) {
     par_forme!(ObjetRay, objet, forme => {
         let forme = *forme;
         for groupe in bloc {
-            groupe.proposer(&forme, rang);
+            groupe.proposer::<EN_ORDRE>(&forme, rang);
         }
     });
 }

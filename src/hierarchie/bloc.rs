@@ -87,7 +87,7 @@ fn proposer_place<R: Reel>(
     if let Some([.., indices]) = arbre.noeuds.get(place / ENFANTS) {
         let indice = indices[place % ENFANTS].indice();
         if let Some(objet) = objets.get(indice) {
-            proposer(bloc, objet, rang(indice));
+            proposer::<R, false>(bloc, objet, rang(indice));
         }
     }
 }

@@ -110,14 +110,15 @@ impl<R: Reel> Faisceau<R> {
         etendue.faisceau()
     }
 
-    /// Whether this ball lies so far beyond one of the five planes that no ray of the beam
-    /// [comes near it](Boule::approchee), as computed.
+    /// h² if h > 0, otherwise 0, and ρ² + 1024u·|C − S₀|²: if the first is larger, this ball lies so far
+    /// beyond one of the five planes that no ray of the beam [comes near it](Boule::approchee), as
+    /// computed.
     #[inline(always)]
-    pub(crate) fn evite(&self, boule: Boule<R>) -> bool {
+    pub(crate) fn ecart(&self, boule: Boule<R>) -> (R, R) {
         let sc = boule.centre - self.s0;
         let [h1, h2, h3, h4, h5] = self.plans.map(|(p, w)| p.produit_scalaire(sc) - w);
-        let h = max(max(max(h1, h2), max(h3, h4)), h5);
-        (h > R::ZERO) & (h * h > boule.r2 + sc.longueur_carree() * fois_u(1024.0))
+        let h = max(max(max(h1, h2), max(h3, h4)), max(h5, R::ZERO));
+        (h * h, boule.r2 + sc.longueur_carree() * fois_u(1024.0))
     }
 }
 

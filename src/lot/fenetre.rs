@@ -1,48 +1,51 @@
 //! The balls around some objects of a list, side by side.
 
+use fearless_simd::Simd;
+
 use crate::forme::Boule;
+use crate::lot::colonnes::{VOIES, Voies};
 use crate::lot::faisceau::Faisceau;
 use crate::objet::ObjetRay;
 use crate::reel::Reel;
 use crate::vecteur::Vecteur;
 
-/// The balls around at most P neighbours in a list, coordinate by coordinate.
-pub(crate) struct Fenetre<R, const P: usize> {
-    centres: [[R; P]; 3],
-    r2: [R; P],
-    ecartees: [bool; P],
+/// The balls around neighbours in a list, coordinate by coordinate: at most Q times sixteen.
+pub(crate) struct Fenetre<R, const Q: usize> {
+    centres: [[Voies<R>; Q]; 3],
+    r2: [Voies<R>; Q],
 }
 
-impl<R: Reel, const P: usize> Fenetre<R, P> {
-    pub(crate) const VIDE: Self =
-        Self { centres: [[R::ZERO; P]; 3], r2: [R::ZERO; P], ecartees: [false; P] };
+impl<R: Reel, const Q: usize> Fenetre<R, Q> {
+    /// How many balls there is room for.
+    pub(crate) const PLACES: usize = Q * VOIES;
+
+    pub(crate) const VIDE: Self = Self {
+        centres: [[[R::ZERO; VOIES]; Q]; 3],
+        r2: [[R::ZERO; VOIES]; Q],
+    };
 
     /// Puts the balls around these objects here.
     #[inline(always)]
     pub(crate) fn charger(&mut self, objets: &[ObjetRay<R>]) {
-        let Self { centres: [x, y, z], r2, ecartees: _ } = self;
-        for (i, objet) in objets.iter().enumerate().take(P) {
+        let [x, y, z] = self.centres.each_mut().map(|c| c.as_flattened_mut());
+        let r2 = self.r2.as_flattened_mut();
+        for (i, objet) in objets.iter().enumerate().take(Self::PLACES) {
             let boule = objet.boule();
             [x[i], y[i], z[i]] = boule.centre.into();
             r2[i] = boule.r2;
         }
     }
 
-    /// Whether the beam avoids each of the first `n`; without a beam none is avoided.
+    /// Which of the sixteen balls of a group the beam does not avoid, a bit for each.
     #[inline(always)]
-    pub(crate) fn face_a(&mut self, faisceau: Option<&Faisceau<R>>, n: usize) -> &[bool] {
-        let n = n.min(P);
-        let Self { centres: [x, y, z], r2, ecartees } = self;
-        let ecartees = &mut ecartees[..n];
-        let Some(faisceau) = faisceau else {
-            ecartees.fill(false);
-            return ecartees;
-        };
-        let (x, y, z, r2) = (&x[..n], &y[..n], &z[..n], &r2[..n]);
-        for (i, ecartee) in ecartees.iter_mut().enumerate() {
+    pub(crate) fn face_a<S: Simd>(&self, simd: S, faisceau: &Faisceau<R>, groupe: usize) -> u32 {
+        let [x, y, z] = &self.centres;
+        let (x, y, z, r2) = (&x[groupe], &y[groupe], &z[groupe], &self.r2[groupe]);
+        let (mut h2, mut limites) = ([R::ZERO; VOIES], [R::ZERO; VOIES]);
+        for i in 0..VOIES {
             let boule = Boule { centre: Vecteur::new(x[i], y[i], z[i]), r2: r2[i] };
-            *ecartee = faisceau.evite(boule);
+            (h2[i], limites[i]) = faisceau.ecart(boule);
         }
-        ecartees
+        R::au_plus(simd, &h2, &limites)
     }
 }

@@ -37,9 +37,11 @@ impl<R: Reel> Groupe<R> {
     /// Makes the object of this shape and rank the first of those rays that enter it before their
     /// first so far.
     ///
-    /// Roots and quotients are computed only if one ray at least may enter.
+    /// Of two objects at the same distance the one of lower rank is the first; objects that come in the order
+    /// of their ranks need no comparison for that. Roots and quotients are computed only if one ray at least
+    /// may enter.
     #[inline(always)]
-    pub(crate) fn proposer(&mut self, forme: &impl Forme<R>, rang: Rang) {
+    pub(crate) fn proposer<const EN_ORDRE: bool>(&mut self, forme: &impl Forme<R>, rang: Rang) {
         let mut pres = false;
         for voie in 0..VOIES {
             let (s, d) = self.colonnes.rayon(voie);
@@ -56,8 +58,7 @@ impl<R: Reel> Groupe<R> {
             *t = if forme.peut_entrer(s, d) { entree } else { R::INFINI };
         }
         for (voie, &t) in t.iter().enumerate() {
-            // Objects may come in any order: of two at the same distance, the earlier in the list.
-            let meme = (t == self.t[voie]) & (rang.get() < self.rangs[voie]);
+            let meme = !EN_ORDRE & (t == self.t[voie]) & (rang.get() < self.rangs[voie]);
             let avant = (t < self.t[voie]) | meme;
             self.t[voie] = if avant { t } else { self.t[voie] };
             self.rangs[voie] = if avant { rang.get() } else { self.rangs[voie] };
