@@ -18,8 +18,8 @@ use crate::vecteur::Vecteur;
 /// (measured).
 const SEUIL_SEULS: usize = 130;
 
-/// Of the children of the root, how many a beam may cross; the rays of a wider one walk alone (measured).
-const LARGE: u32 = 8;
+/// With fewer children than this, those of a root do not tell how wide a beam is, and theirs are looked at.
+const PEU_D_ENFANTS: u32 = 8;
 
 /// In a tree: the nodes that the beam of the block crosses.
 pub(crate) struct RechercheDansLArbre<'a, R, S> {
@@ -121,10 +121,26 @@ impl<R: Reel> SondeDeBloc<R> {
     ) -> Option<Self> {
         let faisceau = Faisceau::du_bloc(rayons, bloc)?;
         let sonde = Self::new(faisceau, arbre);
-        let Some(racine) = arbre.racine else { return Some(sonde) };
+        let racine = arbre.racine.and_then(|racine| arbre.noeuds.get(racine));
+        let Some(racine) = racine else { return Some(sonde) };
         let mut profondeurs = [R::ZERO; ENFANTS];
-        let traverses = sonde.traverse(simd, arbre.noeuds.get(racine)?, R::INFINI, &mut profondeurs);
-        (traverses.count_ones() <= LARGE).then_some(sonde)
+        let mut traverses = sonde.traverse(simd, racine, R::INFINI, &mut profondeurs);
+        let mut enfants = presents(simd, racine);
+        let (mut crossed, mut total) = (traverses.count_ones(), enfants.count_ones());
+        if total < PEU_D_ENFANTS && arbre.noeuds.len() > arbre.feuilles {
+            (crossed, total) = (0, 0);
+            while enfants != 0 {
+                let enfant = le_premier(enfants);
+                let noeud = arbre.noeuds.get(racine[6][enfant].indice())?;
+                if traverses & enfants & enfants.wrapping_neg() != 0 {
+                    crossed += sonde.traverse(simd, noeud, R::INFINI, &mut profondeurs).count_ones();
+                }
+                total += presents(simd, noeud).count_ones();
+                traverses &= !(1 << enfant);
+                enfants &= enfants - 1;
+            }
+        }
+        (2 * crossed <= total).then_some(sonde)
     }
 
     #[inline(always)]
@@ -174,6 +190,12 @@ impl<R: Reel> SondeDeBloc<R> {
         let pas_dehors = R::au_plus(simd, &dehors, &[R::ZERO; ENFANTS]);
         pas_dehors & R::au_plus(simd, profondeurs, &[plafond; ENFANTS])
     }
+}
+
+/// Which children a node has, a bit for each.
+#[inline(always)]
+fn presents<R: Reel, S: Simd>(simd: S, noeud: &Noeud<R>) -> u32 {
+    R::au_plus(simd, &noeud[0], &noeud[3])
 }
 
 /// The columns of the corners that lie lowest along P.
