@@ -15,6 +15,8 @@ mod scelle {
         /// A power of two that brings any length whose square leaves the range of the type back
         /// into it.
         const ECHELLE: Self;
+        /// Whether [`affiner`](Self::affiner) changes distances.
+        const AFFINE: bool;
         /// How far a matrix may be from orthonormal and still be taken as a rotation.
         const ECART_ROTATION: f64;
         /// `LIMITE` in words, for a coordinate.
@@ -124,6 +126,7 @@ pub(crate) fn fois_u<R: Reel>(n: f64) -> R {
 
 impl Scelle for f32 {
     const ECHELLE: Self = (1_u128 << 100) as Self;
+    const AFFINE: bool = true;
     const ECART_ROTATION: f64 = 1e-3;
     const ATTENDU_COORDONNEE: &'static str = "a number between -2^60 and 2^60";
     const ATTENDU_TAILLE: &'static str = "a number between 2^-60 and 2^60";
@@ -186,6 +189,7 @@ impl Reel for f32 {
 
 impl Scelle for f64 {
     const ECHELLE: Self = Self::from_bits((1023 + 600) << 52);
+    const AFFINE: bool = false;
     const ECART_ROTATION: f64 = 1e-6;
     const ATTENDU_COORDONNEE: &'static str = "a number between -2^450 and 2^450";
     const ATTENDU_TAILLE: &'static str = "a number between 2^-450 and 2^450";

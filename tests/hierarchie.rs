@@ -41,6 +41,7 @@ dans_les_deux_types! {
     extremes => les_extremes_f32, les_extremes_f64;
     bornes => aux_bornes_du_type_f32, aux_bornes_du_type_f64;
     bords => des_rayons_qui_frolent_les_boites_f32, des_rayons_qui_frolent_les_boites_f64;
+    avant_la_boite => une_conclusion_avant_la_boite_f32, une_conclusion_avant_la_boite_f64;
     places => les_places_pretees_f32, les_places_pretees_f64;
     plans => des_demi_espaces_seuls_f32, des_demi_espaces_seuls_f64;
     longueurs => toute_longueur_convient_f32, toute_longueur_convient_f64;
@@ -300,7 +301,86 @@ fn bornes<R: Bits>() {
     }
 }
 
-fn bords<R: Bits>() {}
+/// Objects that rays graze to the last bits, where rounding decides: one of them and its copies, or
+/// several about one point; small ones from afar, the origin near or far.
+fn bords<R: Bits>() {
+    let mut alea = Rng::with_seed(8);
+    let mut touches = 0;
+    let bits = -R::U.vers_f64().log2();
+    for _ in 0..40 * cas() {
+        let f = puissance(&mut alea, 0.0, bits - 2.0);
+        let lieu = if alea.bool() { Vecteur::NUL } else { direction(&mut alea) * f };
+        let mut objets: Vec<ObjetRay<R>> = Vec::new();
+        let copies = alea.bool();
+        while objets.len() < 7 {
+            let ou = lieu + direction(&mut alea) * if copies { 0.0 } else { 3.0 };
+            let premier = objets.first().copied().filter(|_| copies);
+            objets.push(premier.unwrap_or_else(|| objet(&mut alea, ou, 1.0, objets.len())));
+        }
+        let mut rayons = Vec::new();
+        let axe = alea.usize(0..3);
+        let d = if alea.bool() {
+            direction(&mut alea)
+        } else {
+            let mut d = [0.0; 3];
+            d[axe] = signe(&mut alea);
+            d.into()
+        };
+        while rayons.len() < 64 {
+            // A point of the outline as seen along D: of a sphere, or a corner or edge of a box.
+            let (c, bord) = match *alea.choice(&objets).unwrap() {
+                ObjetRay::Sphere(sphere) => {
+                    let v = if alea.bool() { direction(&mut alea) } else { d_axe(&mut alea) };
+                    let travers = (v - d * v.produit_scalaire(d)).unitaire();
+                    let r = sphere.rayon().vers_f64();
+                    (sphere.centre().vers_f64(), travers.unwrap_or(Vecteur::NUL) * r)
+                }
+                ObjetRay::Boite(boite) => {
+                    let l = boite.demi_longueurs().map(R::vers_f64);
+                    let coin = boite.normales().into_iter().zip(l).map(|(n, l)| {
+                        n.vers_f64() * (l * if alea.bool() { signe(&mut alea) } else { alea.f64() })
+                    });
+                    (boite.centre().vers_f64(), coin.fold(Vecteur::NUL, |a, b| a + b))
+                }
+                ObjetRay::Plan(_) => unreachable!("no half-space was made"),
+            };
+            let ecart = 1.0 + entre(&mut alea, -8.0, 8.0) * R::U.vers_f64() * f.max(1.0);
+            let s = c + bord * ecart - d * f;
+            rayons.push(Rayon::new(arrondi(s), arrondi(d)).unwrap());
+        }
+        touches += comparer(&objets, &rayons);
+    }
+    assert!(touches > 100 * cas(), "only {touches} hits");
+}
+
+fn d_axe(alea: &mut Rng) -> Vecteur {
+    let mut d = [0.0; 3];
+    d[alea.usize(0..3)] = signe(alea);
+    d.into()
+}
+
+/// Boxes along whose edge a ray runs, so that the conclusion in `f64` lies on the plane of a face, before the
+/// box: its distance counts for a shadow all the same.
+fn avant_la_boite<R: Bits>() {
+    let mut alea = Rng::with_seed(9);
+    let mut avant = 0;
+    for _ in 0..100 * cas() {
+        let [x, y] = [(); 2].map(|()| entre(&mut alea, 0.05, 0.15));
+        let boite = BoiteGeo::new(v(x, y, 0.0), v(1.0, 1.0, 4.0), Rotation::IDENTITE, Texture(0));
+        let objets = [ObjetRay::<R>::from(boite.unwrap()); 7];
+        let ObjetRay::Boite(boite) = objets[0] else { unreachable!("made as a box") };
+        let c = boite.centre();
+        let demi = R::depuis_f64(0.5);
+        let [sx, sy] = [c.x - demi, c.y - demi].map(|x| voisin(x, alea.i64(-2..=2)));
+        let s = Vecteur::new(sx, sy, -R::depuis_f64(7.0));
+        let d = v(alea.f64() * 0.3 * R::U.vers_f64(), 0.0, 1.0);
+        let rayon = Rayon::new(s, d).unwrap();
+        let touche = objets[0].intersection(&rayon);
+        avant += usize::from(touche.is_ok_and(|touche| touche.distance() < R::depuis_f64(4.99)));
+        comparer(&objets, &[rayon]);
+    }
+    println!("{avant} conclusions before the box");
+}
 
 fn places<R: Bits>() {
     for n in [0, 1, 5, 6, 16, 17, 256, 257, 1_000] {

@@ -30,6 +30,9 @@ impl<R: Reel> Arbre<'_, R> {
     }
 
     /// Whether the ray touches an object before `distance_max`.
+    ///
+    /// The walk is cut off there only in `f64`, where the distance of a hit is that of the search: the
+    /// conclusion of an `f32` box may lie before the box (`docs/conception.md`, "Hierarchy").
     #[inline(always)]
     pub(crate) fn cache<S: Simd>(
         &self,
@@ -38,11 +41,16 @@ impl<R: Reel> Arbre<'_, R> {
         rayon: &Rayon<R>,
         distance_max: R,
     ) -> bool {
-        let mut ombre = Ombre { objets, rayon, distance_max, cache: false };
+        // Nothing is before 0, nor before a NaN.
+        if !(distance_max > R::ZERO) {
+            return false;
+        }
+        let plafond = if R::AFFINE { R::INFINI } else { distance_max };
+        let mut ombre = Ombre { objets, rayon, distance_max, plafond, cache: false };
         if self.noeuds.len() <= PEU_DE_NOEUDS {
-            self.parcourir::<S, PETITE_PILE>(simd, rayon, distance_max, &mut ombre);
+            self.parcourir::<S, PETITE_PILE>(simd, rayon, plafond, &mut ombre);
         } else {
-            self.parcourir::<S, GRANDE_PILE>(simd, rayon, distance_max, &mut ombre);
+            self.parcourir::<S, GRANDE_PILE>(simd, rayon, plafond, &mut ombre);
         }
         ombre.cache
     }
@@ -123,6 +131,7 @@ struct Ombre<'a, R> {
     objets: &'a [ObjetRay<R>],
     rayon: &'a Rayon<R>,
     distance_max: R,
+    plafond: R,
     cache: bool,
 }
 
@@ -131,7 +140,7 @@ impl<R: Reel> Question<R> for Ombre<'_, R> {
     fn voir(&mut self, indice: usize) -> R {
         let objet = self.objets.get(indice);
         self.cache |= objet.is_some_and(|objet| cache_avant(objet, self.rayon, self.distance_max));
-        if self.cache { -R::UN } else { self.distance_max }
+        if self.cache { -R::UN } else { self.plafond }
     }
 }
 
