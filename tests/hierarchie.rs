@@ -12,9 +12,9 @@ use commun::regimes::{direction, entre, puissance, regimes, signe};
 use commun::{Bits, arrondi, scenes};
 use fastrand::Rng;
 use lancer_rayon::{
-    BoiteGeo, Hierarchie, LongueursDifferentes, NoIntersection, ObjetGeo, ObjetRay, PlanGeo,
-    PlacesInsuffisantes, Rayon, Reel, Reglage, Rotation, SphereGeo, Texture, Vecteur, est_occulte,
-    premiere_intersection,
+    BoiteGeo, Hierarchie, LongueursDifferentes, NoIntersection, ObjetGeo, ObjetRay,
+    PlacesInsuffisantes, PlanGeo, Rayon, Reel, Reglage, Rotation, SphereGeo, Texture, Vecteur,
+    est_occulte, premiere_intersection,
 };
 
 /// The tests for both types, each under its own name.
@@ -63,7 +63,7 @@ fn voisin<R: Bits>(x: R, de: i64) -> R {
 
 /// Limits for a shadow ray: at, beside and around the distances of the objects that it touches.
 fn limites<R: Bits>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> Vec<R> {
-    let fixes = [R::ZERO, -R::UN, R::UN, R::INFINI, R::INFINI - R::INFINI, R::MIN_POSITIF];
+    let fixes = [R::ZERO, -R::UN, R::UN, R::INFINI, R::depuis_f64(f64::NAN), R::MIN_POSITIF];
     let touches = objets.iter().filter_map(|o| o.intersection(rayon).ok()).take(3);
     let distances = touches.map(|touche| touche.distance());
     let autour = distances.flat_map(|t| [-2, -1, 0, 1, 2].map(|de| voisin(t, de)));

@@ -133,7 +133,8 @@ impl<R: Reel> SondeDeBloc<R> {
                 let enfant = le_premier(enfants);
                 let noeud = arbre.noeuds.get(racine[6][enfant].indice())?;
                 if traverses & enfants & enfants.wrapping_neg() != 0 {
-                    crossed += sonde.traverse(simd, noeud, R::INFINI, &mut profondeurs).count_ones();
+                    crossed +=
+                        sonde.traverse(simd, noeud, R::INFINI, &mut profondeurs).count_ones();
                 }
                 total += presents(simd, noeud).count_ones();
                 traverses &= !(1 << enfant);

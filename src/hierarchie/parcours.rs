@@ -42,10 +42,8 @@ impl<R: Reel> Arbre<'_, R> {
         distance_max: R,
     ) -> bool {
         // Nothing is before 0, nor before a NaN.
-        if !(distance_max > R::ZERO) {
-            return false;
-        }
-        let plafond = if R::AFFINE { R::INFINI } else { distance_max };
+        let sans_fin = R::AFFINE && distance_max > R::ZERO;
+        let plafond = if sans_fin { R::INFINI } else { distance_max };
         let mut ombre = Ombre { objets, rayon, distance_max, plafond, cache: false };
         if self.noeuds.len() <= PEU_DE_NOEUDS {
             self.parcourir::<S, PETITE_PILE>(simd, rayon, plafond, &mut ombre);
@@ -209,7 +207,11 @@ impl<R: Reel> Sonde<R> {
 impl<R: Reel> Axe<R> {
     /// The nearer side of each box and the farther.
     #[inline(always)]
-    fn cotes<'a>(self, bas: &'a Colonne<R>, haut: &'a Colonne<R>) -> (&'a Colonne<R>, &'a Colonne<R>) {
+    fn cotes<'a>(
+        self,
+        bas: &'a Colonne<R>,
+        haut: &'a Colonne<R>,
+    ) -> (&'a Colonne<R>, &'a Colonne<R>) {
         if self.inverse < R::ZERO { (haut, bas) } else { (bas, haut) }
     }
 }

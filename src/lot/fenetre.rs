@@ -19,10 +19,8 @@ impl<R: Reel, const Q: usize> Fenetre<R, Q> {
     /// How many balls there is room for.
     pub(crate) const PLACES: usize = Q * VOIES;
 
-    pub(crate) const VIDE: Self = Self {
-        centres: [[[R::ZERO; VOIES]; Q]; 3],
-        r2: [[R::ZERO; VOIES]; Q],
-    };
+    pub(crate) const VIDE: Self =
+        Self { centres: [[[R::ZERO; VOIES]; Q]; 3], r2: [[R::ZERO; VOIES]; Q] };
 
     /// Puts the balls around these objects here.
     #[inline(always)]
