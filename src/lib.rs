@@ -22,7 +22,9 @@
 //! [`rotation`](ObjetGeo::rotation) and [`homothetie`](ObjetGeo::homothetie); convert once with
 //! [`vers_ray`](ObjetGeo::vers_ray); then ask [`premiere_intersection`] as often as the picture has
 //! pixels, or [`premieres_intersections`] for many pixels at once: the same bits, several times as fast.
-//! [`est_occulte`] tells whether anything blocks the way to a light.
+//! [`est_occulte`] tells whether anything blocks the way to a light. From some dozens of objects on, build a
+//! [`Hierarchie`] over the list once and ask that: the same answers, in a time that hardly grows with
+//! their number.
 //!
 //! # Conventions
 //!
@@ -97,10 +99,11 @@ extern crate std;
 // (`docs/conception.md`, "The floors").
 //
 //   reel · vecteur · texture, erreur · rotation · rayon · intersection · forme
-//   sphere, plan, boite · objet · recherche · lot · reglage
+//   sphere, plan, boite · objet · recherche · lot · hierarchie · reglage
 mod boite;
 mod erreur;
 mod forme;
+mod hierarchie;
 mod intersection;
 mod lot;
 mod objet;
@@ -116,6 +119,7 @@ mod vecteur;
 
 pub use boite::{BoiteGeo, BoiteRay};
 pub use erreur::ErreurGeo;
+pub use hierarchie::{Hierarchie, PlacesInsuffisantes};
 pub use intersection::{Intersection, NoIntersection, Touche};
 pub use lot::{LongueursDifferentes, premieres_intersections};
 pub use objet::{ObjetGeo, ObjetRay};

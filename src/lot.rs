@@ -1,28 +1,26 @@
 //! Many rays at once: an image is 240,000 of them.
 //!
-//! Four sizes cut the work:
+//! Three sizes cut the work:
 //!
 //! - a **group** of 16 rays goes side by side through the formulae of a shape (`lot/groupe.rs`);
 //! - a **block** of 64 rays, a tile of 8 × 8 pixels, shares a beam that leaves objects out
 //!   (`lot/faisceau.rs`);
-//! - a **slice** of 4,096 rays shares a selection of objects, from which its blocks choose
-//!   (`lot/selection.rs`);
-//! - the **places** of a selection are 64, 256 or 1,024 objects; a slice that needs more is halved.
+//! - a **window** of 64 or 256 objects is looked at by the beam at a time (`lot/fenetre.rs`).
 
-mod colonnes;
-mod faisceau;
-mod groupe;
-mod selection;
+pub(crate) mod colonnes;
+pub(crate) mod faisceau;
+mod fenetre;
+pub(crate) mod groupe;
 
 use core::fmt;
 
-use fearless_simd::{Level, dispatch};
+use fearless_simd::{Level, Simd, dispatch};
 
 use crate::intersection::{Intersection, NoIntersection, Rang, Touche, rang};
 use crate::lot::colonnes::VOIES;
 use crate::lot::faisceau::Faisceau;
+use crate::lot::fenetre::Fenetre;
 use crate::lot::groupe::Groupe;
-use crate::lot::selection::{Places, SEUIL_FAISCEAU, Selection};
 use crate::objet::{ObjetRay, par_forme};
 use crate::rayon::Rayon;
 use crate::recherche::premiere_intersection;
@@ -31,8 +29,14 @@ use crate::reel::Reel;
 /// Rays of a block.
 const BLOC: usize = 4 * VOIES;
 
-/// Rays that share a selection of objects, as long as that finds room for them.
-const TRANCHE: usize = 64 * BLOC;
+/// Fewer rays than this are faster one by one: half a group.
+pub(crate) const PEU_DE_RAYONS: usize = VOIES / 2;
+
+/// Of how many times sixteen objects a window is: 8 kB of the stack in `f64`.
+const FENETRE: usize = 16;
+
+/// The same where there are no more objects: to set up a large one costs as much as fifteen rays.
+const FENETRE_ETROITE: usize = 4;
 
 /// From so many objects on, culling saves more than it costs (measured).
 const SEUIL_ELAGAGE: usize = 10;
@@ -42,9 +46,9 @@ const SEUIL_ELAGAGE: usize = 10;
 ///
 /// Neighbours in `rayons` should be neighbours in the picture, in tiles of 8 × 8 better than in
 /// rows: objects that sixty-four rays in a row all miss cost next to nothing. Rays in no order at
-/// all are still faster than one by one. Give it some hundred rays a call, and where there are many
-/// objects some thousand: which objects matter is chosen for 4,096 at a time. Nothing is allocated
-/// and no thread is started; parts of a picture may be given to several.
+/// all are still faster than one by one. Give it some hundred rays a call; from some hundred objects on
+/// ask a [`Hierarchie`](crate::Hierarchie). Nothing is allocated and no thread is started; parts of a
+/// picture may be given to several.
 ///
 /// # Errors
 /// If `rayons` and `touches` are not of the same length; nothing is written then.
@@ -118,93 +122,122 @@ pub(crate) fn repondre<R: Reel>(
     rayons: &[Rayon<R>],
     touches: &mut [Touche<R>],
 ) -> Result<(), LongueursDifferentes> {
-    if rayons.len() != touches.len() {
-        return Err(LongueursDifferentes { rayons: rayons.len(), touches: touches.len() });
-    }
-    // A group of so few would be slower; and of more objects two could share a rank.
-    if rayons.len() < VOIES / 2 || objets.len() > Rang::MAX.get() as usize {
+    memes_longueurs(rayons, touches)?;
+    // Of more objects two could share a rank.
+    if rayons.len() < PEU_DE_RAYONS || objets.len() > Rang::MAX.get() as usize {
         for (rayon, touche) in rayons.iter().zip(touches) {
             *touche = premiere_intersection(objets, rayon);
         }
     } else if !elaguer || objets.len() < SEUIL_ELAGAGE {
-        dispatch!(niveau, _simd => lancer(objets, rayons, touches, None));
-    } else if objets.len() <= SEUIL_FAISCEAU {
-        avec_places::<R, SEUIL_FAISCEAU>(niveau, objets, rayons, touches);
-    } else if rayons.len() < TRANCHE / 2 {
-        // To set up many places costs as much as fifty rays.
-        avec_places::<R, 256>(niveau, objets, rayons, touches);
+        dispatch!(niveau, _simd => {
+            par_blocs(objets, rayons, touches, &mut Tous { objets });
+        });
+    } else if objets.len() <= FENETRE_ETROITE * VOIES {
+        avec_fenetre::<R, FENETRE_ETROITE>(niveau, objets, rayons, touches);
     } else {
-        avec_places::<R, 1024>(niveau, objets, rayons, touches);
+        avec_fenetre::<R, FENETRE>(niveau, objets, rayons, touches);
     }
     Ok(())
 }
 
-/// With room for a selection of P objects.
-fn avec_places<R: Reel, const P: usize>(
+/// Refuses places for more or fewer answers than there are rays.
+pub(crate) fn memes_longueurs<R>(
+    rayons: &[Rayon<R>],
+    touches: &[Touche<R>],
+) -> Result<(), LongueursDifferentes> {
+    if rayons.len() == touches.len() {
+        Ok(())
+    } else {
+        Err(LongueursDifferentes { rayons: rayons.len(), touches: touches.len() })
+    }
+}
+
+/// With culling, in a window of Q times sixteen objects.
+fn avec_fenetre<R: Reel, const Q: usize>(
     niveau: Level,
     objets: &[ObjetRay<R>],
     rayons: &[Rayon<R>],
     touches: &mut [Touche<R>],
 ) {
-    let mut places = Places::<R, P>::VIDES;
-    let selection = Some(places.selection());
-    dispatch!(niveau, _simd => lancer(objets, rayons, touches, selection));
+    let mut fenetre = Fenetre::<R, Q>::VIDE;
+    // Where one window holds all objects it is filled once.
+    if objets.len() <= Fenetre::<R, Q>::PLACES {
+        fenetre.charger(objets);
+    }
+    dispatch!(niveau, simd => {
+        let mut elagage = Elagage { simd, objets, fenetre: &mut fenetre };
+        par_blocs(objets, rayons, touches, &mut elagage);
+    });
 }
 
-/// Slice by slice, and in it block by block from the rays to the answers, so that a block stays in
-/// the nearest memory.
-#[inline(always)]
-fn lancer<R: Reel>(
-    objets: &[ObjetRay<R>],
-    rayons: &[Rayon<R>],
-    touches: &mut [Touche<R>],
-    mut selection: Option<Selection<'_, R>>,
-) {
-    let mut bloc = [const { Groupe::VIDE }; BLOC / VOIES];
-    let (mut debut, mut taille) = (0, TRANCHE);
-    while debut < rayons.len() {
-        let fin = rayons.len().min(debut + taille);
-        let de_la_tranche = &rayons[debut..fin];
-        let choisie = selection.as_mut().is_some_and(|s| s.selectionner(objets, de_la_tranche));
-        if selection.is_some() && !choisie && de_la_tranche.len() > BLOC {
-            // Fewer rays see fewer objects.
-            taille = (de_la_tranche.len() / 2).next_multiple_of(BLOC);
-            continue;
+/// Who finds the first object of each ray of a block.
+///
+/// A trait, since a method can be `inline(always)` and a closure cannot: it would leave the instruction
+/// set.
+pub(crate) trait Recherche<R> {
+    fn chercher(&mut self, bloc: &mut [Groupe<R>], rayons: &[Rayon<R>]);
+}
+
+/// In a list, of which all objects are asked.
+struct Tous<'a, R> {
+    objets: &'a [ObjetRay<R>],
+}
+
+impl<R: Reel> Recherche<R> for Tous<'_, R> {
+    #[inline(always)]
+    fn chercher(&mut self, bloc: &mut [Groupe<R>], _: &[Rayon<R>]) {
+        for (indice, objet) in self.objets.iter().enumerate() {
+            proposer::<R, true>(bloc, objet, rang(indice));
         }
-        let choix = selection.as_mut().filter(|_| choisie);
-        repondre_a_la_tranche(objets, de_la_tranche, &mut touches[debut..fin], choix, &mut bloc);
-        debut = fin;
     }
 }
 
-/// The objects of the selection, or all of them without one.
+/// In a list, except the objects that the beam of the block avoids.
+struct Elagage<'a, R, S, const Q: usize> {
+    simd: S,
+    objets: &'a [ObjetRay<R>],
+    fenetre: &'a mut Fenetre<R, Q>,
+}
+
+impl<R: Reel, S: Simd, const Q: usize> Recherche<R> for Elagage<'_, R, S, Q> {
+    #[inline(always)]
+    fn chercher(&mut self, bloc: &mut [Groupe<R>], rayons: &[Rayon<R>]) {
+        let Self { simd, objets, fenetre } = self;
+        let Some(faisceau) = Faisceau::du_bloc(rayons, bloc) else {
+            Tous { objets }.chercher(bloc, rayons);
+            return;
+        };
+        for (numero, groupe) in objets.chunks(VOIES).enumerate() {
+            if numero % Q == 0 && objets.len() > Fenetre::<R, Q>::PLACES {
+                fenetre.charger(&objets[numero * VOIES..]);
+            }
+            let mut vus = fenetre.face_a(*simd, &faisceau, numero % Q);
+            while vus != 0 {
+                let i = vus.trailing_zeros() as usize;
+                vus &= vus - 1;
+                if let Some(objet) = groupe.get(i) {
+                    proposer::<R, true>(bloc, objet, rang(numero * VOIES + i));
+                }
+            }
+        }
+    }
+}
+
+/// Block by block from the rays to the answers, so that a block stays in the nearest memory.
 #[inline(always)]
-fn repondre_a_la_tranche<R: Reel>(
+pub(crate) fn par_blocs<R: Reel>(
     objets: &[ObjetRay<R>],
     rayons: &[Rayon<R>],
     touches: &mut [Touche<R>],
-    mut selection: Option<&mut Selection<'_, R>>,
-    bloc: &mut [Groupe<R>; BLOC / VOIES],
+    recherche: &mut impl Recherche<R>,
 ) {
+    let mut bloc = [const { Groupe::VIDE }; BLOC / VOIES];
     for (rayons, touches) in rayons.chunks(BLOC).zip(touches.chunks_mut(BLOC)) {
         let bloc = &mut bloc[..rayons.len().div_ceil(VOIES)];
         for (groupe, rayons) in bloc.iter_mut().zip(rayons.chunks(VOIES)) {
             groupe.charger(rayons);
         }
-        if let Some(selection) = &mut selection
-            && let Some(faisceau) =
-                Faisceau::du_bloc(rayons, bloc.iter().map(|groupe| &groupe.colonnes))
-        {
-            for (rang, ecartee) in selection.face_a(&faisceau) {
-                if !ecartee && let Some(objet) = objets.get(rang.get() as usize - 1) {
-                    proposer(bloc, objet, rang);
-                }
-            }
-        } else {
-            for (indice, objet) in objets.iter().enumerate() {
-                proposer(bloc, objet, rang(indice));
-            }
-        }
+        recherche.chercher(bloc, rayons);
         for (i, groupe) in bloc.iter().enumerate() {
             let (debut, fin) = (i * VOIES, rayons.len().min((i + 1) * VOIES));
             groupe.ecrire(objets, &rayons[debut..fin], &mut touches[debut..fin]);
@@ -218,11 +251,15 @@ fn repondre_a_la_tranche<R: Reel>(
 /// The shape is copied: nothing that is written to a group can overlap it, so that the compiler
 /// need not read it again for every ray.
 #[inline(always)]
-fn proposer<R: Reel>(bloc: &mut [Groupe<R>], objet: &ObjetRay<R>, rang: Rang) {
+pub(crate) fn proposer<R: Reel, const EN_ORDRE: bool>(
+    bloc: &mut [Groupe<R>],
+    objet: &ObjetRay<R>,
+    rang: Rang,
+) {
     par_forme!(ObjetRay, objet, forme => {
         let forme = *forme;
         for groupe in bloc {
-            groupe.proposer(&forme, rang);
+            groupe.proposer::<EN_ORDRE>(&forme, rang);
         }
     });
 }

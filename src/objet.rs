@@ -150,6 +150,23 @@ impl<R: Reel> ObjetRay<R> {
     pub(crate) fn boule(&self) -> Boule<R> {
         par_forme!(Self, self, forme => forme.boule())
     }
+
+    /// The centre of this object and how far it reaches from there along each axis; `None` for a half-space.
+    pub(crate) fn boite_englobante(&self) -> Option<(Vecteur<R>, Vecteur<R>)> {
+        match self {
+            Self::Sphere(sphere) => {
+                let r = sphere.rayon();
+                Some((sphere.centre(), Vecteur::new(r, r, r)))
+            }
+            Self::Plan(_) => None,
+            Self::Boite(boite) => {
+                let ([u, v, w], [a, b, c]) = (boite.normales(), boite.demi_longueurs());
+                let h = |x: R, y: R, z: R| x.abs() * a + y.abs() * b + z.abs() * c;
+                let h = Vecteur::new(h(u.x, v.x, w.x), h(u.y, v.y, w.y), h(u.z, v.z, w.z));
+                Some((boite.centre(), h))
+            }
+        }
+    }
 }
 
 /// The conversions of each shape: described to any described, ready for rays to any ready for rays, and

@@ -106,16 +106,17 @@ impl<R: Reel> ObjetRay<R> {
 #[inline]
 #[must_use]
 pub fn est_occulte<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>, distance_max: R) -> bool {
-    let (s, d) = (rayon.source(), rayon.direction());
-    let avant = |objet: &ObjetRay<R>, t| {
-        // The distance of a hit is always finite: without a limit the search decides.
-        distance_max == R::INFINI
+    objets.iter().any(|objet| cache_avant(objet, rayon, distance_max))
+}
+
+/// Whether the ray touches this object before `distance_max`.
+#[inline(always)]
+pub(crate) fn cache_avant<R: Reel>(objet: &ObjetRay<R>, rayon: &Rayon<R>, distance_max: R) -> bool {
+    let t = objet.entree(rayon.source(), rayon.direction());
+    // The distance of a hit is always finite: without a limit the search decides.
+    t < R::INFINI
+        && (distance_max == R::INFINI
             || objet
                 .conclure(rayon, t, Rang::MIN)
-                .is_ok_and(|touche| touche.distance() < distance_max)
-    };
-    objets.iter().any(|objet| {
-        let t = objet.entree(s, d);
-        t < R::INFINI && avant(objet, t)
-    })
+                .is_ok_and(|touche| touche.distance() < distance_max))
 }

@@ -3,7 +3,12 @@
 use core::fmt::{Debug, Display};
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
+use fearless_simd::prelude::*;
+use fearless_simd::{f32x16, f64x8};
+
 mod scelle {
+    use fearless_simd::Simd;
+
     /// What only this crate needs of a scalar; and what keeps [`Reel`](super::Reel) to the two
     /// types whose rounding the crate's bounds rest on.
     pub trait Scelle: Sized {
@@ -14,6 +19,8 @@ mod scelle {
         /// speed towards its faces leaves the range of the type (`docs/precision.md`, "Underflow"); in
         /// `f32` with [`au_plancher`](Self::au_plancher).
         const ECHELLE_VITESSE: Self;
+        /// Whether [`affiner`](Self::affiner) changes distances.
+        const AFFINE: bool;
         /// How far a matrix may be from orthonormal and still be taken as a rotation.
         const ECART_ROTATION: f64;
         /// `LIMITE` in words, for a coordinate.
@@ -33,6 +40,16 @@ mod scelle {
         /// In `f64` it is `trouve` itself. In `f32` it is `precise()`, unless that number is not a
         /// distance of the type; then `trouve` stands, since the conclusion never revokes a hit.
         fn affiner(trouve: Self, precise: impl FnOnce() -> f64) -> f64;
+
+        /// Which of sixteen numbers are at most their neighbours in the other column, a bit for each: the one
+        /// step that the compiler does not widen by itself.
+        fn au_plus<S: Simd>(simd: S, a: &[Self; 16], b: &[Self; 16]) -> u32;
+
+        /// An index below 2³¹ − 2²³ among numbers of this type: the number with these bits, which in
+        /// both types is finite.
+        fn depuis_indice(indice: usize) -> Self;
+        /// The index that [`depuis_indice`](Self::depuis_indice) was given.
+        fn indice(self) -> usize;
     }
 }
 
@@ -120,6 +137,7 @@ pub(crate) fn fois_u<R: Reel>(n: f64) -> R {
 impl Scelle for f32 {
     const ECHELLE: Self = (1_u128 << 100) as Self;
     const ECHELLE_VITESSE: Self = (1_u64 << 62) as Self;
+    const AFFINE: bool = true;
     const ECART_ROTATION: f64 = 1e-3;
     const ATTENDU_COORDONNEE: &'static str = "a number between -2^60 and 2^60";
     const ATTENDU_TAILLE: &'static str = "a number between 2^-60 and 2^60";
@@ -138,6 +156,22 @@ impl Scelle for f32 {
     fn affiner(trouve: Self, precise: impl FnOnce() -> f64) -> f64 {
         let t = precise();
         if (t > 0.0) & (t <= f64::from(Self::MAX)) { t } else { f64::from(trouve) }
+    }
+
+    #[inline(always)]
+    fn au_plus<S: Simd>(simd: S, a: &[Self; 16], b: &[Self; 16]) -> u32 {
+        let [a, b] = [a, b].map(|colonne| f32x16::simd_from(simd, *colonne));
+        a.simd_le(b).to_bitmask() as u32
+    }
+
+    #[inline(always)]
+    fn depuis_indice(indice: usize) -> Self {
+        Self::from_bits(indice as u32)
+    }
+
+    #[inline(always)]
+    fn indice(self) -> usize {
+        self.to_bits() as usize
     }
 }
 
@@ -176,6 +210,7 @@ impl Reel for f32 {
 impl Scelle for f64 {
     const ECHELLE: Self = Self::from_bits((1023 + 600) << 52);
     const ECHELLE_VITESSE: Self = Self::from_bits((1023 + 568) << 52);
+    const AFFINE: bool = false;
     const ECART_ROTATION: f64 = 1e-6;
     const ATTENDU_COORDONNEE: &'static str = "a number between -2^450 and 2^450";
     const ATTENDU_TAILLE: &'static str = "a number between 2^-450 and 2^450";
@@ -190,6 +225,31 @@ impl Scelle for f64 {
     fn affiner(trouve: Self, _precise: impl FnOnce() -> f64) -> f64 {
         trouve
     }
+
+    #[inline(always)]
+    fn au_plus<S: Simd>(simd: S, a: &[Self; 16], b: &[Self; 16]) -> u32 {
+        let ([a0, a1], [b0, b1]) = (moities(simd, a), moities(simd, b));
+        (a0.simd_le(b0).to_bitmask() | a1.simd_le(b1).to_bitmask() << 8) as u32
+    }
+
+    #[inline(always)]
+    fn depuis_indice(indice: usize) -> Self {
+        Self::from_bits(indice as u64)
+    }
+
+    #[inline(always)]
+    fn indice(self) -> usize {
+        self.to_bits() as usize
+    }
+}
+
+/// A column in two vectors.
+#[inline(always)]
+fn moities<S: Simd>(
+    simd: S,
+    &[a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p]: &[f64; 16],
+) -> [f64x8<S>; 2] {
+    [[a, b, c, d, e, f, g, h], [i, j, k, l, m, n, o, p]].map(|x| f64x8::simd_from(simd, x))
 }
 
 impl Reel for f64 {

@@ -1,7 +1,8 @@
-//! The batch with other settings, for tests and measurements.
+//! The batch and the hierarchy with other settings, for tests and measurements.
 
 use fearless_simd::Level;
 
+use crate::hierarchie::Hierarchie;
 use crate::intersection::{Intersection, NoIntersection};
 use crate::lot::{LongueursDifferentes, meilleur_niveau, repondre};
 use crate::objet::ObjetRay;
@@ -50,5 +51,10 @@ impl Reglage {
         touches: &mut [Result<Intersection<R>, NoIntersection>],
     ) -> Result<(), LongueursDifferentes> {
         repondre(self.niveau, self.elaguer, objets, rayons, touches)
+    }
+
+    /// The same hierarchy with these instructions.
+    pub fn hierarchie<R: Reel>(self, hierarchie: Hierarchie<'_, R>) -> Hierarchie<'_, R> {
+        hierarchie.avec_niveau(self.niveau)
     }
 }

@@ -11,8 +11,8 @@ use allocation_counter::measure;
 use commun::scenes::{melange, rayons_camera};
 use commun::{arrondi, en_f32_et_f64};
 use lancer_rayon::{
-    BoiteGeo, ErreurGeo, NoIntersection, ObjetGeo, ObjetRay, PlanGeo, Rayon, Reel, Reglage,
-    Rotation, SphereGeo, Texture, Vecteur, est_occulte, premiere_intersection,
+    BoiteGeo, ErreurGeo, Hierarchie, NoIntersection, ObjetGeo, ObjetRay, PlanGeo, Rayon, Reel,
+    Reglage, Rotation, SphereGeo, Texture, Vecteur, est_occulte, premiere_intersection,
     premieres_intersections,
 };
 
@@ -63,6 +63,20 @@ fn aucune_question_n_alloue<R: Reel>() {
             sans.premieres_intersections(&scene, &rayons, &mut touches)
         })
         .unwrap();
+    }
+    let mut places = vec![R::ZERO; Hierarchie::<R>::places(scene.len())];
+    let hierarchie =
+        sans_allocation("a hierarchy", || Hierarchie::new(&scene, &mut places)).unwrap();
+    for (nom, reglage) in Reglage::tous() {
+        let hierarchie = reglage.hierarchie(hierarchie);
+        sans_allocation(nom, || hierarchie.premieres_intersections(&rayons, &mut touches)).unwrap();
+        for rayon in &rayons {
+            let questions = || {
+                let touche = hierarchie.premiere_intersection(black_box(rayon));
+                (touche.is_ok(), hierarchie.est_occulte(rayon, R::UN))
+            };
+            sans_allocation(nom, questions);
+        }
     }
     for (rayon, touche) in rayons.iter().zip(&touches) {
         let seule = sans_allocation("premiere_intersection", || {

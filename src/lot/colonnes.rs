@@ -48,3 +48,22 @@ impl<R: Reel> Colonnes<R> {
         (s, Vecteur::new(dx[voie], dy[voie], dz[voie]))
     }
 }
+
+/// The larger of two numbers.
+#[inline(always)]
+pub(crate) fn max<R: Reel>(a: R, b: R) -> R {
+    if a > b { a } else { b }
+}
+
+/// The largest of sixteen numbers.
+#[inline(always)]
+pub(crate) fn le_plus_grand<R: Reel>(mut x: [R; VOIES]) -> R {
+    let mut moitie = VOIES / 2;
+    while moitie > 0 {
+        for i in 0..moitie {
+            x[i] = max(x[i], x[i + moitie]);
+        }
+        moitie /= 2;
+    }
+    x[0]
+}

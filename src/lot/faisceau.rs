@@ -4,12 +4,13 @@
 //! `docs/conception.md`, "Culling"; the letters and the constants in u here are those of that page.
 
 use crate::forme::Boule;
-use crate::lot::colonnes::{Colonnes, VOIES, Voies};
+use crate::lot::colonnes::{Colonnes, VOIES, Voies, le_plus_grand, max};
+use crate::lot::groupe::Groupe;
 use crate::rayon::Rayon;
 use crate::reel::{Reel, fois_u};
 use crate::vecteur::Vecteur;
 
-/// Running bounds over a set of rays: distance from a reference origin S₀, spread around a reference
+/// Running bounds over the rays of a block: distance from a reference origin S₀, spread around a reference
 /// direction M.
 ///
 /// Of each quantity sixteen maxima, since a single running one cannot be widened.
@@ -84,6 +85,7 @@ impl<R: Reel> Etendue<R> {
             s0: self.s0,
             plans: [p1, p2, p3, p4, -self.m]
                 .map(|p| (p, p.somme_des_grandeurs(ecarts) * (R::UN + fois_u(8.0)))),
+            ecart,
         })
     }
 }
@@ -92,44 +94,32 @@ impl<R: Reel> Etendue<R> {
 /// sides and the back; and for each P the bound w on P·(S − S₀).
 #[derive(Clone, Copy)]
 pub(crate) struct Faisceau<R> {
-    s0: Vecteur<R>,
-    plans: [(Vecteur<R>, R); 5],
+    pub(crate) s0: Vecteur<R>,
+    pub(crate) plans: [(Vecteur<R>, R); 5],
+    /// The largest coordinate of any S − S₀.
+    pub(crate) ecart: R,
 }
 
 impl<R: Reel> Faisceau<R> {
-    /// The beam of the rays of a block, which stand in these columns as well.
+    /// The beam of the rays of a block, which stand in these groups as well.
     #[inline(always)]
-    pub(crate) fn du_bloc<'a>(
-        rayons: &[Rayon<R>],
-        bloc: impl Iterator<Item = &'a Colonnes<R>>,
-    ) -> Option<Self> {
+    pub(crate) fn du_bloc(rayons: &[Rayon<R>], bloc: &[Groupe<R>]) -> Option<Self> {
         let mut etendue = Etendue::autour(rayons);
-        for colonnes in bloc {
-            etendue.ajouter(colonnes);
+        for groupe in bloc {
+            etendue.ajouter(&groupe.colonnes);
         }
         etendue.faisceau()
     }
 
-    /// The beam of many rays.
+    /// h² if h > 0, otherwise 0, and ρ² + 2048u·|C − S₀|²: if the first is larger, this ball lies so far
+    /// beyond one of the five planes that no ray of the beam [comes near it](Boule::approchee), as
+    /// computed.
     #[inline(always)]
-    pub(crate) fn des_rayons(rayons: &[Rayon<R>]) -> Option<Self> {
-        let mut etendue = Etendue::autour(rayons);
-        let mut colonnes = Colonnes::VIDES;
-        for rayons in rayons.chunks(VOIES) {
-            colonnes.charger(rayons);
-            etendue.ajouter(&colonnes);
-        }
-        etendue.faisceau()
-    }
-
-    /// Whether this ball lies so far beyond one of the five planes that no ray of the beam
-    /// [comes near it](Boule::approchee), as computed.
-    #[inline(always)]
-    pub(crate) fn evite(&self, boule: Boule<R>) -> bool {
+    pub(crate) fn ecart(&self, boule: Boule<R>) -> (R, R) {
         let sc = boule.centre - self.s0;
         let [h1, h2, h3, h4, h5] = self.plans.map(|(p, w)| p.produit_scalaire(sc) - w);
-        let h = max(max(max(h1, h2), max(h3, h4)), h5);
-        (h > R::ZERO) & (h * h > boule.r2 + sc.longueur_carree() * fois_u(2048.0))
+        let h = max(max(max(h1, h2), max(h3, h4)), max(h5, R::ZERO));
+        (h * h, boule.r2 + sc.longueur_carree() * fois_u(2048.0))
     }
 }
 
@@ -137,21 +127,4 @@ impl<R: Reel> Faisceau<R> {
 #[inline(always)]
 fn en_travers<R: Reel>(v: Vecteur<R>, m: Vecteur<R>) -> Option<Vecteur<R>> {
     (v - m * v.produit_scalaire(m)).unitaire()
-}
-
-#[inline(always)]
-fn max<R: Reel>(a: R, b: R) -> R {
-    if a > b { a } else { b }
-}
-
-#[inline(always)]
-fn le_plus_grand<R: Reel>(mut x: [R; VOIES]) -> R {
-    let mut moitie = VOIES / 2;
-    while moitie > 0 {
-        for i in 0..moitie {
-            x[i] = max(x[i], x[i + moitie]);
-        }
-        moitie /= 2;
-    }
-    x[0]
 }

@@ -7,7 +7,7 @@
 
 use crate::forme::Forme;
 use crate::intersection::{Contact, Intersection, NoIntersection, Rang, Touche};
-use crate::lot::colonnes::{Colonnes, VOIES, Voies};
+use crate::lot::colonnes::{Colonnes, VOIES, Voies, le_plus_grand};
 use crate::objet::{ObjetRay, par_forme};
 use crate::rayon::Rayon;
 use crate::reel::Reel;
@@ -37,9 +37,11 @@ impl<R: Reel> Groupe<R> {
     /// Makes the object of this shape and rank the first of those rays that enter it before their
     /// first so far.
     ///
-    /// Roots and quotients are computed only if one ray at least may enter.
+    /// Of two objects at the same distance the one of lower rank is the first; objects that come in the order
+    /// of their ranks need no comparison for that. Roots and quotients are computed only if one ray at least
+    /// may enter.
     #[inline(always)]
-    pub(crate) fn proposer(&mut self, forme: &impl Forme<R>, rang: Rang) {
+    pub(crate) fn proposer<const EN_ORDRE: bool>(&mut self, forme: &impl Forme<R>, rang: Rang) {
         let mut pres = false;
         for voie in 0..VOIES {
             let (s, d) = self.colonnes.rayon(voie);
@@ -56,10 +58,23 @@ impl<R: Reel> Groupe<R> {
             *t = if forme.peut_entrer(s, d) { entree } else { R::INFINI };
         }
         for (voie, &t) in t.iter().enumerate() {
-            let avant = t < self.t[voie];
+            let meme = !EN_ORDRE & (t == self.t[voie]) & (rang.get() < self.rangs[voie]);
+            let avant = (t < self.t[voie]) | meme;
             self.t[voie] = if avant { t } else { self.t[voie] };
             self.rangs[voie] = if avant { rang.get() } else { self.rangs[voie] };
         }
+    }
+
+    /// Makes the object of this rank, at this distance, the first of one ray.
+    #[inline(always)]
+    pub(crate) fn retenir(&mut self, voie: usize, t: R, rang: Rang) {
+        (self.t[voie], self.rangs[voie]) = (t, rang.get());
+    }
+
+    /// The largest distance of a first object so far.
+    #[inline(always)]
+    pub(crate) fn le_plus_loin(&self) -> R {
+        le_plus_grand(self.t)
     }
 
     /// Writes the answers of these rays: for each object that is the first of some ray, the hits of

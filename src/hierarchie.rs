@@ -1,0 +1,214 @@
+//! A hierarchy of bounding boxes over a list: the questions of `recherche.rs` and `lot.rs` where there are
+//! many objects, with the same answers.
+//!
+//! The objects with an end are the leaves, sixteen a node, and so are the nodes of each floor above
+//! (`hierarchie/construction.rs`). A ray looks at the nodes that it crosses (`hierarchie/parcours.rs`), a
+//! block of rays at those that its beam crosses (`hierarchie/bloc.rs`). Half-spaces are always asked.
+//! What may be left out is derived in `docs/conception.md`, "Hierarchy".
+
+mod bloc;
+mod construction;
+mod parcours;
+
+use core::fmt;
+
+use fearless_simd::{Level, dispatch};
+
+use crate::hierarchie::bloc::RechercheDansLArbre;
+use crate::hierarchie::construction::{Arbre, MOTS, noeuds, ranger};
+use crate::intersection::{Intersection, NoIntersection};
+use crate::lot::{
+    LongueursDifferentes, PEU_DE_RAYONS, meilleur_niveau, memes_longueurs, par_blocs, repondre,
+};
+use crate::objet::ObjetRay;
+use crate::rayon::Rayon;
+use crate::recherche::{est_occulte, premiere_intersection};
+use crate::reel::Reel;
+
+/// Up to so many objects the batch of the list is as fast (measured).
+const SEUIL_LOT: usize = 64;
+
+/// A list of objects with a hierarchy of boxes around them: the answers of the list, to the bit, in a time
+/// that hardly grows with their number.
+///
+/// It is built once and asked as often as the picture has pixels. It borrows the list, which keeps its
+/// order, and numbers that the caller lends; it is `Copy`, and threads may share it. After a change of the
+/// list, build it again.
+///
+/// ```
+/// use lancer_rayon::{
+///     Hierarchie, NoIntersection, ObjetRay, Rayon, SphereGeo, Texture, Vecteur, premiere_intersection,
+/// };
+///
+/// let boule = |x| SphereGeo::new(Vecteur::new(f64::from(x), 0.0, -5.0), 0.4, Texture(x));
+/// let scene: Vec<ObjetRay> = (0..1_000).map(|x| Ok(boule(x)?.into())).collect::<Result<_, _>>()?;
+///
+/// let mut places = vec![0.0; Hierarchie::<f64>::places(scene.len())];
+/// let hierarchie = Hierarchie::new(&scene, &mut places)?;
+///
+/// let rayon = Rayon::new(Vecteur::new(700.0, 0.0, 0.0), Vecteur::new(0.0, 0.0, -1.0))?;
+/// let touche = hierarchie.premiere_intersection(&rayon)?;
+/// assert_eq!((touche.objet(), touche.distance()), (700, 4.6));
+/// assert_eq!(Ok(touche), premiere_intersection(&scene, &rayon));
+/// assert!(hierarchie.est_occulte(&rayon, 5.0) && !hierarchie.est_occulte(&rayon, 4.0));
+///
+/// let mut touches = [Err(NoIntersection); 2];
+/// hierarchie.premieres_intersections(&[rayon; 2], &mut touches)?;
+/// assert_eq!(touches, [Ok(touche); 2]);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+#[doc(alias = "bvh")]
+#[doc(alias = "bounding_volume_hierarchy")]
+#[doc(alias = "acceleration_structure")]
+#[doc(alias = "tree")]
+#[doc(alias = "index")]
+#[derive(Debug, Clone, Copy)]
+#[must_use]
+pub struct Hierarchie<'a, R = f64> {
+    objets: &'a [ObjetRay<R>],
+    /// None if the list is as fast.
+    arbre: Option<Arbre<'a, R>>,
+    /// Detected once: for a single ray that would cost more than the ray.
+    niveau: Level,
+}
+
+// Threads share it.
+const _: () = {
+    const fn partage<T: Copy + Send + Sync>() {}
+    partage::<Hierarchie<'_, f32>>();
+    partage::<Hierarchie<'_, f64>>();
+};
+
+impl<'a, R: Reel> Hierarchie<'a, R> {
+    /// How many numbers a hierarchy of so many objects needs: some 7.5 an object.
+    ///
+    /// It is 0 for a few objects, and for more than the ranks of a hit can tell apart.
+    #[doc(alias = "capacity")]
+    #[doc(alias = "memory")]
+    #[must_use]
+    pub const fn places(nombre_d_objets: usize) -> usize {
+        MOTS * noeuds(nombre_d_objets)
+    }
+
+    /// The hierarchy over this list, in the numbers lent, whose values do not matter.
+    ///
+    /// It takes some 100 ns an object. An array on the stack serves as well as a `Vec`.
+    ///
+    /// # Errors
+    /// If `places` is shorter than [`places`](Self::places) says; a longer one is accepted.
+    ///
+    /// ```
+    /// use lancer_rayon::{Hierarchie, ObjetRay, PlacesInsuffisantes, SphereGeo, Texture, Vecteur};
+    ///
+    /// let boule = ObjetRay::from(SphereGeo::new(Vecteur::NUL, 1.0_f32, Texture(0))?);
+    /// let mut places = [0.0; Hierarchie::<f32>::places(20)];
+    /// assert!(Hierarchie::new(&[boule; 20], &mut places).is_ok());
+    ///
+    /// let refus = Hierarchie::new(&[boule; 200], &mut places).unwrap_err();
+    /// assert_eq!(refus.to_string(), "336 places lent, but 1568 needed");
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    #[doc(alias = "build")]
+    pub fn new(
+        objets: &'a [ObjetRay<R>],
+        places: &'a mut [R],
+    ) -> Result<Self, PlacesInsuffisantes> {
+        let necessaires = Self::places(objets.len());
+        let pretees = places.len();
+        let Some(places) = places.get_mut(..necessaires) else {
+            return Err(PlacesInsuffisantes { places: pretees, necessaires });
+        };
+        let arbre = if necessaires == 0 { None } else { Some(ranger(objets, places)) };
+        Ok(Self { objets, arbre, niveau: meilleur_niveau() })
+    }
+
+    /// [`premiere_intersection`](fn@premiere_intersection) of the list.
+    ///
+    /// # Errors
+    /// [`NoIntersection`] if the ray enters no object.
+    #[doc(alias = "cast_ray")]
+    #[doc(alias = "closest_hit")]
+    #[doc(alias = "first_hit")]
+    #[doc(alias = "raycast")]
+    #[inline]
+    pub fn premiere_intersection(
+        &self,
+        rayon: &Rayon<R>,
+    ) -> Result<Intersection<R>, NoIntersection> {
+        let Some(arbre) = &self.arbre else { return premiere_intersection(self.objets, rayon) };
+        let (rang, t) = dispatch!(self.niveau, simd => arbre.premier(simd, self.objets, rayon));
+        let Some(rang) = rang else { return Err(NoIntersection) };
+        match self.objets.get(rang.get() as usize - 1) {
+            Some(objet) => objet.conclure(rayon, t, rang),
+            None => Err(NoIntersection),
+        }
+    }
+
+    /// [`est_occulte`](fn@est_occulte) of the list.
+    #[doc(alias = "any_hit")]
+    #[doc(alias = "occluded")]
+    #[doc(alias = "shadow")]
+    #[inline]
+    #[must_use]
+    pub fn est_occulte(&self, rayon: &Rayon<R>, distance_max: R) -> bool {
+        let Some(arbre) = &self.arbre else { return est_occulte(self.objets, rayon, distance_max) };
+        dispatch!(self.niveau, simd => {
+            arbre.cache(simd, self.objets, rayon, distance_max)
+        })
+    }
+
+    /// [`premieres_intersections`](crate::premieres_intersections) of the list.
+    ///
+    /// Neighbours in `rayons` should be neighbours in the picture, in tiles of 8 × 8.
+    ///
+    /// # Errors
+    /// If `rayons` and `touches` are not of the same length; nothing is written then.
+    #[doc(alias = "batch")]
+    #[doc(alias = "packet")]
+    #[doc(alias = "cast_rays")]
+    pub fn premieres_intersections(
+        &self,
+        rayons: &[Rayon<R>],
+        touches: &mut [Result<Intersection<R>, NoIntersection>],
+    ) -> Result<(), LongueursDifferentes> {
+        let Some(arbre) = self.arbre.as_ref().filter(|_| self.objets.len() > SEUIL_LOT) else {
+            return repondre(self.niveau, true, self.objets, rayons, touches);
+        };
+        memes_longueurs(rayons, touches)?;
+        if rayons.len() < PEU_DE_RAYONS {
+            for (rayon, touche) in rayons.iter().zip(touches) {
+                *touche = self.premiere_intersection(rayon);
+            }
+        } else {
+            dispatch!(self.niveau, simd => {
+                let mut recherche = RechercheDansLArbre { simd, objets: self.objets, arbre };
+                par_blocs(self.objets, rayons, touches, &mut recherche);
+            });
+        }
+        Ok(())
+    }
+
+    /// The same with these instructions.
+    pub(crate) fn avec_niveau(self, niveau: Level) -> Self {
+        Self { niveau, ..self }
+    }
+}
+
+/// Fewer places were lent than the [hierarchy](Hierarchie) of so many objects needs.
+#[doc(alias = "out_of_memory")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct PlacesInsuffisantes {
+    /// How many were lent.
+    pub places: usize,
+    /// How many it takes: [`Hierarchie::places`].
+    #[doc(alias = "required")]
+    pub necessaires: usize,
+}
+
+impl fmt::Display for PlacesInsuffisantes {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} places lent, but {} needed", self.places, self.necessaires)
+    }
+}
+
+impl core::error::Error for PlacesInsuffisantes {}

@@ -1,0 +1,213 @@
+//! A block of rays and the nodes that its beam crosses.
+
+use fearless_simd::Simd;
+
+use crate::hierarchie::construction::{Arbre, Colonne, ENFANTS, Noeud, somme};
+use crate::hierarchie::parcours::{GRANDE_PILE, Pile, le_premier};
+use crate::intersection::rang;
+use crate::lot::colonnes::VOIES;
+use crate::lot::faisceau::Faisceau;
+use crate::lot::groupe::Groupe;
+use crate::lot::{Recherche, proposer};
+use crate::objet::ObjetRay;
+use crate::rayon::Rayon;
+use crate::reel::{Reel, fois_u};
+use crate::vecteur::Vecteur;
+
+/// Up to so many objects a block without a beam is asked about all of them; of more, each ray walks alone
+/// (measured).
+const SEUIL_SEULS: usize = 130;
+
+/// With fewer children than this, those of a root do not tell how wide a beam is, and theirs are looked at.
+const PEU_D_ENFANTS: u32 = 8;
+
+/// In a tree: the nodes that the beam of the block crosses.
+pub(crate) struct RechercheDansLArbre<'a, R, S> {
+    pub(crate) simd: S,
+    pub(crate) objets: &'a [ObjetRay<R>],
+    pub(crate) arbre: &'a Arbre<'a, R>,
+}
+
+impl<R: Reel, S: Simd> Recherche<R> for RechercheDansLArbre<'_, R, S> {
+    #[inline(always)]
+    fn chercher(&mut self, bloc: &mut [Groupe<R>], rayons: &[Rayon<R>]) {
+        let Self { simd, objets, arbre } = *self;
+        let sonde = SondeDeBloc::etroite(simd, rayons, bloc, arbre);
+        let seuls = sonde.is_none() && arbre.objets > SEUIL_SEULS;
+        if seuls {
+            for (groupe, rayons) in bloc.iter_mut().zip(rayons.chunks(VOIES)) {
+                for (voie, rayon) in rayons.iter().enumerate() {
+                    if let (Some(rang), t) = arbre.premier(simd, objets, rayon) {
+                        groupe.retenir(voie, t, rang);
+                    }
+                }
+            }
+            return;
+        }
+        // Behind the objects with an end stand the half-spaces.
+        let premier = if sonde.is_some() { arbre.bornes } else { 0 };
+        for place in premier..arbre.objets {
+            proposer_place(arbre, objets, bloc, place);
+        }
+        let (Some(sonde), Some(racine)) = (sonde, arbre.racine) else { return };
+        let mut profondeurs = [R::ZERO; ENFANTS];
+        let mut pile = Pile::<R, GRANDE_PILE>::VIDE;
+        let mut plafond = le_plus_loin(bloc);
+        let mut rang = racine;
+        loop {
+            let Some(noeud) = arbre.noeuds.get(rang) else { return };
+            let mut traverses = sonde.traverse(simd, noeud, plafond, &mut profondeurs);
+            if rang < arbre.feuilles {
+                if traverses != 0 {
+                    while traverses != 0 {
+                        let enfant = le_premier(traverses);
+                        traverses &= traverses - 1;
+                        proposer_place(arbre, objets, bloc, rang * ENFANTS + enfant);
+                    }
+                    plafond = le_plus_loin(bloc);
+                }
+            } else if let Some(proche) = pile.garder(traverses, &profondeurs, &noeud[6]) {
+                rang = proche;
+                continue;
+            }
+            let Some(suivant) = pile.prendre(plafond) else { return };
+            rang = suivant;
+        }
+    }
+}
+
+/// Proposes to the block the object in this place among the leaves.
+#[inline(always)]
+fn proposer_place<R: Reel>(
+    arbre: &Arbre<'_, R>,
+    objets: &[ObjetRay<R>],
+    bloc: &mut [Groupe<R>],
+    place: usize,
+) {
+    if let Some([.., indices]) = arbre.noeuds.get(place / ENFANTS) {
+        let indice = indices[place % ENFANTS].indice();
+        if let Some(objet) = objets.get(indice) {
+            proposer::<R, false>(bloc, objet, rang(indice));
+        }
+    }
+}
+
+/// The largest distance of a first object so far.
+#[inline(always)]
+fn le_plus_loin<R: Reel>(bloc: &[Groupe<R>]) -> R {
+    let mut loin = R::ZERO;
+    for groupe in bloc {
+        let t = groupe.le_plus_loin();
+        loin = if t > loin { t } else { loin };
+    }
+    loin
+}
+
+/// A beam as the boxes see it.
+struct SondeDeBloc<R> {
+    faisceau: Faisceau<R>,
+    /// What is added to each w (`docs/conception.md`, "Hierarchy").
+    jeu: R,
+}
+
+impl<R: Reel> SondeDeBloc<R> {
+    /// That of the beam of these rays, unless there is none or it is too wide.
+    #[inline(always)]
+    fn etroite<S: Simd>(
+        simd: S,
+        rayons: &[Rayon<R>],
+        bloc: &[Groupe<R>],
+        arbre: &Arbre<'_, R>,
+    ) -> Option<Self> {
+        let faisceau = Faisceau::du_bloc(rayons, bloc)?;
+        let sonde = Self::new(faisceau, arbre);
+        let racine = arbre.racine.and_then(|racine| arbre.noeuds.get(racine));
+        let Some(racine) = racine else { return Some(sonde) };
+        let mut profondeurs = [R::ZERO; ENFANTS];
+        let mut traverses = sonde.traverse(simd, racine, R::INFINI, &mut profondeurs);
+        let mut enfants = presents(simd, racine);
+        let (mut crossed, mut total) = (traverses.count_ones(), enfants.count_ones());
+        if total < PEU_D_ENFANTS && arbre.noeuds.len() > arbre.feuilles {
+            (crossed, total) = (0, 0);
+            while enfants != 0 {
+                let enfant = le_premier(enfants);
+                let noeud = arbre.noeuds.get(racine[6][enfant].indice())?;
+                if traverses & enfants & enfants.wrapping_neg() != 0 {
+                    crossed +=
+                        sonde.traverse(simd, noeud, R::INFINI, &mut profondeurs).count_ones();
+                }
+                total += presents(simd, noeud).count_ones();
+                traverses &= !(1 << enfant);
+                enfants &= enfants - 1;
+            }
+        }
+        (2 * crossed <= total).then_some(sonde)
+    }
+
+    #[inline(always)]
+    fn new(faisceau: Faisceau<R>, arbre: &Arbre<'_, R>) -> Self {
+        let loin = somme(faisceau.s0 - arbre.milieu) + faisceau.ecart * R::depuis_f64(4.0);
+        let jeu = (arbre.etendue + loin * R::depuis_f64(32.0)) * fois_u(8.0);
+        Self { faisceau, jeu }
+    }
+
+    /// Which children some ray may enter no later than `plafond`, a bit for each, and a distance before
+    /// which none does.
+    #[inline(always)]
+    fn traverse<S: Simd>(
+        &self,
+        simd: S,
+        noeud: &Noeud<R>,
+        plafond: R,
+        profondeurs: &mut Colonne<R>,
+    ) -> u32 {
+        let Faisceau { s0, plans, .. } = self.faisceau;
+        let mut coins = [[R::ZERO; ENFANTS]; 6];
+        for (mot, (coin, &origine)) in
+            coins.iter_mut().zip([s0.x, s0.y, s0.z, s0.x, s0.y, s0.z].iter()).enumerate()
+        {
+            for i in 0..ENFANTS {
+                coin[i] = noeud[mot][i] - origine;
+            }
+        }
+        // Beyond which plane a child lies, by how much at most.
+        let mut dehors = [-R::INFINI; ENFANTS];
+        for (p, w) in plans {
+            let (x, y, z) = au_plus_pres(&coins, p);
+            let limite = w + self.jeu;
+            for i in 0..ENFANTS {
+                let h = p.produit_scalaire(Vecteur::new(x[i], y[i], z[i])) - limite;
+                dehors[i] = if h > dehors[i] { h } else { dehors[i] };
+            }
+        }
+        let (moins_m, w) = plans[4];
+        let m = -moins_m;
+        let (x, y, z) = au_plus_pres(&coins, m);
+        let limite = w + self.jeu;
+        for i in 0..ENFANTS {
+            let h = m.produit_scalaire(Vecteur::new(x[i], y[i], z[i])) - limite;
+            profondeurs[i] = if h > R::ZERO { h } else { R::ZERO };
+        }
+        let pas_dehors = R::au_plus(simd, &dehors, &[R::ZERO; ENFANTS]);
+        pas_dehors & R::au_plus(simd, profondeurs, &[plafond; ENFANTS])
+    }
+}
+
+/// Which children a node has, a bit for each.
+#[inline(always)]
+fn presents<R: Reel, S: Simd>(simd: S, noeud: &Noeud<R>) -> u32 {
+    R::au_plus(simd, &noeud[0], &noeud[3])
+}
+
+/// The columns of the corners that lie lowest along P.
+#[inline(always)]
+fn au_plus_pres<R: Reel>(
+    [bx, by, bz, hx, hy, hz]: &[Colonne<R>; 6],
+    p: Vecteur<R>,
+) -> (&Colonne<R>, &Colonne<R>, &Colonne<R>) {
+    (
+        if p.x < R::ZERO { hx } else { bx },
+        if p.y < R::ZERO { hy } else { by },
+        if p.z < R::ZERO { hz } else { bz },
+    )
+}

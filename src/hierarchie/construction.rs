@@ -1,0 +1,257 @@
+//! The nodes of a hierarchy, in the numbers that the caller lends.
+//!
+//! Each object is first a record of seven numbers: its box and its index. Median cuts at multiples of 16^k,
+//! each along the axis on which the centres lie farthest apart, sort the records until those of a leaf are
+//! sixteen neighbours. The numbers of a leaf are then exchanged for columns where they stand, and the nodes
+//! above follow, floor by floor.
+
+use core::cmp::Ordering;
+
+use crate::objet::ObjetRay;
+use crate::reel::{Reel, fois_u};
+use crate::vecteur::Vecteur;
+
+/// Children of a node: as many as one loop tests side by side.
+pub(crate) const ENFANTS: usize = 16;
+
+/// Numbers of a record: the lower corner, the upper corner, the index.
+const FICHE: usize = 7;
+
+/// Numbers of a node.
+pub(crate) const MOTS: usize = FICHE * ENFANTS;
+
+/// Of fewer objects than this no tree is made: the list is as fast (measured).
+const SEUIL_ARBRE: usize = 6;
+
+/// Of so many objects or more no tree is made: this index would have the bits of +∞ in `f32`.
+const LIMITE_INDICES: u64 = 0x7f80_0000;
+
+/// Floors of the largest tree: 16⁸ is more than [`LIMITE_INDICES`].
+pub(crate) const ETAGES: usize = 8;
+
+/// The box and the index of an object.
+type Fiche<R> = [R; FICHE];
+
+/// A number of each of sixteen children.
+pub(crate) type Colonne<R> = [R; ENFANTS];
+
+/// Sixteen children: the lower corners of their boxes, the upper corners, their indices; indices of objects
+/// in a leaf, of nodes above.
+///
+/// A child that is missing has a box turned inside out ([`vide`]), which nothing enters.
+pub(crate) type Noeud<R> = [Colonne<R>; FICHE];
+
+/// A tree over a list of objects.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Arbre<'a, R> {
+    /// The leaves, then the floors above. The columns of indices of the leaves hold the objects with an end
+    /// first, then the half-spaces.
+    pub(crate) noeuds: &'a [Noeud<R>],
+    /// How many nodes are leaves.
+    pub(crate) feuilles: usize,
+    /// The root; none if all objects are half-spaces.
+    pub(crate) racine: Option<usize>,
+    /// How many objects there are, and how many of them have an end.
+    pub(crate) objets: usize,
+    pub(crate) bornes: usize,
+    /// K, a point amid the boxes.
+    pub(crate) milieu: Vecteur<R>,
+    /// E: no corner of a box is farther from K, the distances along the three axes added up.
+    pub(crate) etendue: R,
+}
+
+impl<R: Reel> Arbre<'_, R> {
+    /// The indices of the half-spaces.
+    #[inline(always)]
+    pub(crate) fn sans_bornes(&self) -> impl Iterator<Item = usize> + use<'_, R> {
+        (self.bornes..self.objets).filter_map(|place| {
+            let [.., indices] = self.noeuds.get(place / ENFANTS)?;
+            Some(indices[place % ENFANTS].indice())
+        })
+    }
+}
+
+/// How many nodes the tree of so many objects may have, whichever of them are half-spaces.
+pub(crate) const fn noeuds(objets: usize) -> usize {
+    if objets < SEUIL_ARBRE || objets as u64 >= LIMITE_INDICES {
+        return 0;
+    }
+    let mut etage = objets.div_ceil(ENFANTS);
+    let mut total = etage;
+    while etage > 1 {
+        etage = etage.div_ceil(ENFANTS);
+        total += etage;
+    }
+    total
+}
+
+/// The tree over these objects, in the numbers of [so many nodes](noeuds).
+pub(crate) fn ranger<'a, R: Reel>(objets: &[ObjetRay<R>], places: &'a mut [R]) -> Arbre<'a, R> {
+    let milieu = milieu(objets);
+    let (fiches, _) = places.as_chunks_mut();
+    let (mut bornes, mut fin) = (0, objets.len());
+    for (indice, objet) in objets.iter().enumerate() {
+        let indice = R::depuis_indice(indice);
+        if let Some((bas, haut)) = boite_elargie(objet, milieu) {
+            fiches[bornes] = [bas.x, bas.y, bas.z, haut.x, haut.y, haut.z, indice];
+            bornes += 1;
+        } else {
+            fin -= 1;
+            fiches[fin][FICHE - 1] = indice;
+        }
+    }
+    trier(&mut fiches[..bornes]);
+
+    let (noeuds, _) = places.as_chunks_mut().0.as_chunks_mut();
+    let feuilles = objets.len().div_ceil(ENFANTS);
+    for (rang, feuille) in noeuds[..feuilles].iter_mut().enumerate() {
+        en_colonnes(feuille, bornes.saturating_sub(rang * ENFANTS));
+    }
+    // The floor whose nodes have none above them yet.
+    let mut etage = 0..bornes.div_ceil(ENFANTS);
+    let mut suivant = feuilles;
+    while etage.len() > 1 {
+        let premier = suivant;
+        for debut in etage.clone().step_by(ENFANTS) {
+            let (dessous, dessus) = noeuds.split_at_mut(suivant);
+            dessus[0] = parent(&dessous[debut..etage.end.min(debut + ENFANTS)], debut);
+            suivant += 1;
+        }
+        etage = premier..suivant;
+    }
+    let racine = etage.end.checked_sub(1);
+    let etendue = racine.map_or(R::ZERO, |racine| etendue(&noeuds[racine], milieu));
+    Arbre { noeuds, feuilles, racine, objets: objets.len(), bornes, milieu, etendue }
+}
+
+/// The middle of the centres.
+fn milieu<R: Reel>(objets: &[ObjetRay<R>]) -> Vecteur<R> {
+    let centres = objets.iter().filter_map(|objet| Some(objet.boite_englobante()?.0.into()));
+    let (bas, haut) = extremes(centres);
+    (Vecteur::from(bas) + Vecteur::from(haut)) * R::depuis_f64(0.5)
+}
+
+/// The least and the greatest coordinates of these points.
+fn extremes<R: Reel>(points: impl Iterator<Item = [R; 3]>) -> ([R; 3], [R; 3]) {
+    let (mut bas, mut haut) = ([loin::<R>(); 3], [-loin::<R>(); 3]);
+    for point in points {
+        for axe in 0..3 {
+            bas[axe] = min(bas[axe], point[axe]);
+            haut[axe] = max(haut[axe], point[axe]);
+        }
+    }
+    (bas, haut)
+}
+
+/// Farther than any corner of a box.
+fn loin<R: Reel>() -> R {
+    R::LIMITE * R::LIMITE
+}
+
+/// The box around an object that has an end, with room for what depends on the object alone: the rounding
+/// of its corners, 16u(|C| + h), and of the point of a hit, 128u(|C − K| + ρ) (`docs/conception.md`).
+fn boite_elargie<R: Reel>(
+    objet: &ObjetRay<R>,
+    milieu: Vecteur<R>,
+) -> Option<(Vecteur<R>, Vecteur<R>)> {
+    let (c, h) = objet.boite_englobante()?;
+    // The sum of the half-extents is at least ρ.
+    let touche = (somme(c - milieu) + somme(h)) * fois_u(128.0);
+    let coins = Vecteur::new(c.x.abs() + h.x, c.y.abs() + h.y, c.z.abs() + h.z) * fois_u(16.0);
+    let demi = h + coins + Vecteur::new(touche, touche, touche);
+    Some((c - demi, c + demi))
+}
+
+/// |x| + |y| + |z|.
+pub(crate) fn somme<R: Reel>(v: Vecteur<R>) -> R {
+    v.x.abs() + v.y.abs() + v.z.abs()
+}
+
+/// Puts the records of each node, of every floor, side by side.
+///
+/// It calls itself at most four times for each of eight floors: at a multiple of 16^k, fewer than
+/// sixteen of which there are, each cut leaves half of them.
+fn trier<R: Reel>(fiches: &mut [Fiche<R>]) {
+    if fiches.len() <= ENFANTS {
+        return;
+    }
+    let mut pas = ENFANTS;
+    while fiches.len() > pas * ENFANTS {
+        pas *= ENFANTS;
+    }
+    let coupe = fiches.len().div_ceil(pas) / 2 * pas;
+    let (bas, haut) = extremes(fiches.iter().map(double_centre));
+    let etendue = [haut[0] - bas[0], haut[1] - bas[1], haut[2] - bas[2]];
+    let axe = if etendue[0] >= etendue[1] && etendue[0] >= etendue[2] {
+        0
+    } else if etendue[1] >= etendue[2] {
+        1
+    } else {
+        2
+    };
+    let _ = fiches.select_nth_unstable_by(coupe, |a, b| {
+        let ordre = double_centre(a)[axe].partial_cmp(&double_centre(b)[axe]);
+        // Never a NaN: coordinates are finite.
+        ordre.unwrap_or(Ordering::Equal)
+    });
+    let (avant, apres) = fiches.split_at_mut(coupe);
+    trier(avant);
+    trier(apres);
+}
+
+/// Twice the centre of a box.
+#[inline(always)]
+fn double_centre<R: Reel>(&[x0, y0, z0, x1, y1, z1, _]: &Fiche<R>) -> [R; 3] {
+    [x0 + x1, y0 + y1, z0 + z1]
+}
+
+/// Exchanges sixteen records for columns; only the first have a box.
+fn en_colonnes<R: Reel>(feuille: &mut Noeud<R>, bornes: usize) {
+    let mut noeud = vide();
+    let (fiches, _) = feuille.as_flattened().as_chunks::<FICHE>();
+    for (enfant, fiche) in fiches.iter().enumerate() {
+        let mots = if enfant < bornes { 0..FICHE } else { FICHE - 1..FICHE };
+        for mot in mots {
+            noeud[mot][enfant] = fiche[mot];
+        }
+    }
+    *feuille = noeud;
+}
+
+/// The node over at most sixteen others, the first of which has this index.
+fn parent<R: Reel>(enfants: &[Noeud<R>], premier: usize) -> Noeud<R> {
+    let mut noeud = vide();
+    for (enfant, dessous) in enfants.iter().enumerate() {
+        for axe in 0..3 {
+            noeud[axe][enfant] = dessous[axe].into_iter().fold(loin(), min);
+            noeud[axe + 3][enfant] = dessous[axe + 3].into_iter().fold(-loin::<R>(), max);
+        }
+        noeud[FICHE - 1][enfant] = R::depuis_indice(premier + enfant);
+    }
+    noeud
+}
+
+/// A node without children: each box is turned inside out, its lower corner beyond everything and its upper
+/// corner below. A ray would leave it before it enters it.
+fn vide<R: Reel>() -> Noeud<R> {
+    let (bas, haut, indice) = ([loin(); ENFANTS], [-loin::<R>(); ENFANTS], [R::ZERO; ENFANTS]);
+    [bas, bas, bas, haut, haut, haut, indice]
+}
+
+/// E for the tree of this root.
+fn etendue<R: Reel>(racine: &Noeud<R>, milieu: Vecteur<R>) -> R {
+    let [bx, by, bz, hx, hy, hz] = core::array::from_fn(|mot| {
+        let vers = if mot < 3 { min } else { max };
+        racine[mot].into_iter().reduce(vers).unwrap_or(R::ZERO)
+    });
+    let (a, b) = (milieu - Vecteur::new(bx, by, bz), Vecteur::new(hx, hy, hz) - milieu);
+    max(a.x, b.x) + max(a.y, b.y) + max(a.z, b.z)
+}
+
+fn min<R: Reel>(a: R, b: R) -> R {
+    if a < b { a } else { b }
+}
+
+fn max<R: Reel>(a: R, b: R) -> R {
+    if a > b { a } else { b }
+}

@@ -1,0 +1,295 @@
+//! One ray and the nodes that it crosses.
+
+use fearless_simd::Simd;
+
+use crate::hierarchie::construction::{Arbre, Colonne, ENFANTS, ETAGES, Noeud, somme};
+use crate::intersection::{Rang, rang};
+use crate::objet::ObjetRay;
+use crate::rayon::Rayon;
+use crate::recherche::cache_avant;
+use crate::reel::{Reel, fois_u};
+use crate::vecteur::Vecteur;
+
+impl<R: Reel> Arbre<'_, R> {
+    /// The rank of the first object that the ray enters, and the distance.
+    #[inline(always)]
+    pub(crate) fn premier<S: Simd>(
+        &self,
+        simd: S,
+        objets: &[ObjetRay<R>],
+        rayon: &Rayon<R>,
+    ) -> (Option<Rang>, R) {
+        let (s, d) = (rayon.source(), rayon.direction());
+        let mut premier = Premier { objets, s, d, rang: 0, t: R::INFINI };
+        if self.noeuds.len() <= PEU_DE_NOEUDS {
+            self.parcourir::<S, PETITE_PILE>(simd, rayon, R::INFINI, &mut premier);
+        } else {
+            self.parcourir::<S, GRANDE_PILE>(simd, rayon, R::INFINI, &mut premier);
+        }
+        (Rang::new(premier.rang), premier.t)
+    }
+
+    /// Whether the ray touches an object before `distance_max`.
+    ///
+    /// The walk is cut off there only in `f64`, where the distance of a hit is that of the search: the
+    /// conclusion of an `f32` box may lie before the box (`docs/conception.md`, "Hierarchy").
+    #[inline(always)]
+    pub(crate) fn cache<S: Simd>(
+        &self,
+        simd: S,
+        objets: &[ObjetRay<R>],
+        rayon: &Rayon<R>,
+        distance_max: R,
+    ) -> bool {
+        // Nothing is before 0, nor before a NaN.
+        let sans_fin = R::AFFINE && distance_max > R::ZERO;
+        let plafond = if sans_fin { R::INFINI } else { distance_max };
+        let mut ombre = Ombre { objets, rayon, distance_max, plafond, cache: false };
+        if self.noeuds.len() <= PEU_DE_NOEUDS {
+            self.parcourir::<S, PETITE_PILE>(simd, rayon, plafond, &mut ombre);
+        } else {
+            self.parcourir::<S, GRANDE_PILE>(simd, rayon, plafond, &mut ombre);
+        }
+        ombre.cache
+    }
+
+    /// Shows to the question the half-spaces, and each object that the ray may enter no later than
+    /// `plafond`, which is then what the question answers; below 0 the walk ends.
+    #[inline(always)]
+    fn parcourir<S: Simd, const P: usize>(
+        &self,
+        simd: S,
+        rayon: &Rayon<R>,
+        mut plafond: R,
+        question: &mut impl Question<R>,
+    ) {
+        for indice in self.sans_bornes() {
+            plafond = question.voir(indice);
+        }
+        let Some(racine) = self.racine else { return };
+        let sonde = Sonde::new(rayon, self.milieu);
+        let mut pile = Pile::<R, P>::VIDE;
+        let mut entrees = [R::ZERO; ENFANTS];
+        let mut rang = racine;
+        loop {
+            let Some(noeud) = self.noeuds.get(rang) else { return };
+            let mut traverses = sonde.traverse(simd, noeud, plafond, &mut entrees);
+            let indices = &noeud[6];
+            if rang < self.feuilles {
+                while traverses != 0 {
+                    let enfant = le_premier(traverses);
+                    traverses &= traverses - 1;
+                    if entrees[enfant] <= plafond {
+                        plafond = question.voir(indices[enfant].indice());
+                    }
+                }
+            } else if let Some(proche) = pile.garder(traverses, &entrees, indices) {
+                rang = proche;
+                continue;
+            }
+            let Some(suivant) = pile.prendre(plafond) else { return };
+            rang = suivant;
+        }
+    }
+}
+
+/// What is asked of each object in turn.
+trait Question<R> {
+    /// Looks at the object of this index; the largest entry that still matters, below 0 for none.
+    fn voir(&mut self, indice: usize) -> R;
+}
+
+/// Which object is the first, so far?
+struct Premier<'a, R> {
+    objets: &'a [ObjetRay<R>],
+    s: Vecteur<R>,
+    d: Vecteur<R>,
+    /// 0 for none.
+    rang: u32,
+    t: R,
+}
+
+impl<R: Reel> Question<R> for Premier<'_, R> {
+    #[inline(always)]
+    fn voir(&mut self, indice: usize) -> R {
+        if let Some(objet) = self.objets.get(indice) {
+            let t = objet.entree(self.s, self.d);
+            let rang = rang(indice).get();
+            // In any order: of two at the same distance, the earlier in the list.
+            if t < self.t || (t == self.t && rang < self.rang) {
+                (self.rang, self.t) = (rang, t);
+            }
+        }
+        self.t
+    }
+}
+
+/// Does any object block the way?
+struct Ombre<'a, R> {
+    objets: &'a [ObjetRay<R>],
+    rayon: &'a Rayon<R>,
+    distance_max: R,
+    plafond: R,
+    cache: bool,
+}
+
+impl<R: Reel> Question<R> for Ombre<'_, R> {
+    #[inline(always)]
+    fn voir(&mut self, indice: usize) -> R {
+        let objet = self.objets.get(indice);
+        self.cache |= objet.is_some_and(|objet| cache_avant(objet, self.rayon, self.distance_max));
+        if self.cache { -R::UN } else { self.plafond }
+    }
+}
+
+/// The first of a set of children, a bit for each.
+#[inline(always)]
+pub(crate) fn le_premier(enfants: u32) -> usize {
+    enfants.trailing_zeros() as usize % ENFANTS
+}
+
+/// A ray as the boxes see it, with its part of the slack (`docs/conception.md`, "Hierarchy").
+struct Sonde<R>([Axe<R>; 3]);
+
+/// One axis of it.
+#[derive(Clone, Copy)]
+struct Axe<R> {
+    /// 1/D, below 0 where the ray runs backwards.
+    inverse: R,
+    /// S with the slack: for the nearer side of a box and for the farther.
+    vers_proche: R,
+    vers_lointain: R,
+}
+
+impl<R: Reel> Sonde<R> {
+    #[inline(always)]
+    fn new(rayon: &Rayon<R>, milieu: Vecteur<R>) -> Self {
+        let (s, d) = (rayon.source(), rayon.direction());
+        let jeu = somme(s - milieu) * fois_u(128.0) + somme(s) * fois_u(4.0);
+        let axe = |s: R, d: R| {
+            // 1/−0 is −∞: the sign is that of the quotient.
+            let inverse = R::UN / d;
+            let jeu = if inverse < R::ZERO { -jeu } else { jeu };
+            Axe { inverse, vers_proche: s + jeu, vers_lointain: s - jeu }
+        };
+        Self([axe(s.x, d.x), axe(s.y, d.y), axe(s.z, d.z)])
+    }
+
+    /// Which children the ray may enter no later than `plafond`, a bit for each, and where.
+    #[inline(always)]
+    fn traverse<S: Simd>(
+        &self,
+        simd: S,
+        noeud: &Noeud<R>,
+        plafond: R,
+        entrees: &mut Colonne<R>,
+    ) -> u32 {
+        let [bx, by, bz, hx, hy, hz, _] = noeud;
+        let [x, y, z] = self.0;
+        let ((px, lx), (py, ly), (pz, lz)) = (x.cotes(bx, hx), y.cotes(by, hy), z.cotes(bz, hz));
+        let mut sorties = [plafond; ENFANTS];
+        for i in 0..ENFANTS {
+            let mut entree = R::ZERO;
+            entree = apres(entree, (px[i] - x.vers_proche) * x.inverse);
+            entree = apres(entree, (py[i] - y.vers_proche) * y.inverse);
+            entree = apres(entree, (pz[i] - z.vers_proche) * z.inverse);
+            entrees[i] = entree * (R::UN - fois_u(8.0));
+            let mut sortie = plafond;
+            sortie = avant(sortie, (lx[i] - x.vers_lointain) * x.inverse);
+            sortie = avant(sortie, (ly[i] - y.vers_lointain) * y.inverse);
+            sortie = avant(sortie, (lz[i] - z.vers_lointain) * z.inverse);
+            sorties[i] = sortie;
+        }
+        R::au_plus(simd, entrees, &sorties)
+    }
+}
+
+impl<R: Reel> Axe<R> {
+    /// The nearer side of each box and the farther.
+    #[inline(always)]
+    fn cotes<'a>(
+        self,
+        bas: &'a Colonne<R>,
+        haut: &'a Colonne<R>,
+    ) -> (&'a Colonne<R>, &'a Colonne<R>) {
+        if self.inverse < R::ZERO { (haut, bas) } else { (bas, haut) }
+    }
+}
+
+/// The later of two distances; the first if the second is a NaN, of 0·∞.
+#[inline(always)]
+fn apres<R: Reel>(t: R, autre: R) -> R {
+    if autre > t { autre } else { t }
+}
+
+/// The earlier of two distances; the first if the second is a NaN, of 0·∞.
+#[inline(always)]
+fn avant<R: Reel>(t: R, autre: R) -> R {
+    if autre < t { autre } else { t }
+}
+
+/// Room for the nodes that a walk leaves for later: of each node above the leaves it visits one child at
+/// once and leaves at most fifteen, and it ends with these before it looks at another node of that floor.
+pub(crate) const GRANDE_PILE: usize = 15 * (ETAGES - 1);
+
+/// Room for them where there are at most four floors. To set up a large one costs 6 ns a ray.
+const PETITE_PILE: usize = 15 * 3;
+
+/// Trees of no more nodes than this have at most four floors.
+const PEU_DE_NOEUDS: usize = 16 * 16 * 16;
+
+/// Nodes to look at later, with the distance at which the ray enters them.
+pub(crate) struct Pile<R, const P: usize> {
+    entrees: [R; P],
+    noeuds: [u32; P],
+    hauteur: usize,
+}
+
+impl<R: Reel, const P: usize> Pile<R, P> {
+    pub(crate) const VIDE: Self = Self { entrees: [R::ZERO; P], noeuds: [0; P], hauteur: 0 };
+
+    /// The nearest of these children, a bit for each; the others are put here.
+    #[inline(always)]
+    pub(crate) fn garder(
+        &mut self,
+        mut enfants: u32,
+        entrees: &Colonne<R>,
+        indices: &Colonne<R>,
+    ) -> Option<usize> {
+        if enfants == 0 {
+            return None;
+        }
+        let mut proche = le_premier(enfants);
+        enfants &= enfants - 1;
+        while enfants != 0 {
+            let enfant = le_premier(enfants);
+            enfants &= enfants - 1;
+            let plus_tard = if entrees[enfant] < entrees[proche] {
+                core::mem::replace(&mut proche, enfant)
+            } else {
+                enfant
+            };
+            self.poser(entrees[plus_tard], indices[plus_tard].indice());
+        }
+        Some(indices[proche].indice())
+    }
+
+    #[inline(always)]
+    fn poser(&mut self, entree: R, noeud: usize) {
+        self.entrees[self.hauteur] = entree;
+        self.noeuds[self.hauteur] = noeud as u32;
+        self.hauteur += 1;
+    }
+
+    /// The last node put here that the ray enters no later than `plafond`.
+    #[inline(always)]
+    pub(crate) fn prendre(&mut self, plafond: R) -> Option<usize> {
+        while let Some(hauteur) = self.hauteur.checked_sub(1) {
+            self.hauteur = hauteur;
+            if self.entrees[hauteur] <= plafond {
+                return Some(self.noeuds[hauteur] as usize);
+            }
+        }
+        None
+    }
+}

@@ -1,0 +1,49 @@
+//! The balls around some objects of a list, side by side.
+
+use fearless_simd::Simd;
+
+use crate::forme::Boule;
+use crate::lot::colonnes::{VOIES, Voies};
+use crate::lot::faisceau::Faisceau;
+use crate::objet::ObjetRay;
+use crate::reel::Reel;
+use crate::vecteur::Vecteur;
+
+/// The balls around neighbours in a list, coordinate by coordinate: at most Q times sixteen.
+pub(crate) struct Fenetre<R, const Q: usize> {
+    centres: [[Voies<R>; Q]; 3],
+    r2: [Voies<R>; Q],
+}
+
+impl<R: Reel, const Q: usize> Fenetre<R, Q> {
+    /// How many balls there is room for.
+    pub(crate) const PLACES: usize = Q * VOIES;
+
+    pub(crate) const VIDE: Self =
+        Self { centres: [[[R::ZERO; VOIES]; Q]; 3], r2: [[R::ZERO; VOIES]; Q] };
+
+    /// Puts the balls around these objects here.
+    #[inline(always)]
+    pub(crate) fn charger(&mut self, objets: &[ObjetRay<R>]) {
+        let [x, y, z] = self.centres.each_mut().map(|c| c.as_flattened_mut());
+        let r2 = self.r2.as_flattened_mut();
+        for (i, objet) in objets.iter().enumerate().take(Self::PLACES) {
+            let boule = objet.boule();
+            [x[i], y[i], z[i]] = boule.centre.into();
+            r2[i] = boule.r2;
+        }
+    }
+
+    /// Which of the sixteen balls of a group the beam does not avoid, a bit for each.
+    #[inline(always)]
+    pub(crate) fn face_a<S: Simd>(&self, simd: S, faisceau: &Faisceau<R>, groupe: usize) -> u32 {
+        let [x, y, z] = &self.centres;
+        let (x, y, z, r2) = (&x[groupe], &y[groupe], &z[groupe], &self.r2[groupe]);
+        let (mut h2, mut limites) = ([R::ZERO; VOIES], [R::ZERO; VOIES]);
+        for i in 0..VOIES {
+            let boule = Boule { centre: Vecteur::new(x[i], y[i], z[i]), r2: r2[i] };
+            (h2[i], limites[i]) = faisceau.ecart(boule);
+        }
+        R::au_plus(simd, &h2, &limites)
+    }
+}

@@ -1,0 +1,442 @@
+//! The hierarchy: every bit of what the list answers, ray by ray, in a batch and for shadows, with every
+//! instruction set of the machine.
+//!
+//! `LANCER_RAYON_CAS` sets how many cases each random test makes (60 unless set).
+
+mod commun;
+
+use std::f64::consts::FRAC_PI_2;
+
+use commun::conversion::mots;
+use commun::regimes::{direction, entre, puissance, regimes, signe};
+use commun::{Bits, arrondi, scenes};
+use fastrand::Rng;
+use lancer_rayon::{
+    BoiteGeo, Hierarchie, LongueursDifferentes, NoIntersection, ObjetGeo, ObjetRay,
+    PlacesInsuffisantes, PlanGeo, Rayon, Reel, Reglage, Rotation, SphereGeo, Texture, Vecteur,
+    est_occulte, premiere_intersection,
+};
+
+/// The tests for both types, each under its own name.
+macro_rules! dans_les_deux_types {
+    ($($nom:ident => $f32:ident, $f64:ident;)*) => {$(
+        #[test]
+        fn $f32() {
+            $nom::<f32>();
+        }
+
+        #[test]
+        fn $f64() {
+            $nom::<f64>();
+        }
+    )*};
+}
+
+dans_les_deux_types! {
+    melanges => des_scenes_de_0_a_3000_objets_f32, des_scenes_de_0_a_3000_objets_f64;
+    hasards => des_scenes_au_hasard_f32, des_scenes_au_hasard_f64;
+    grilles => des_grilles_et_des_rayons_le_long_des_axes_f32,
+        des_grilles_et_des_rayons_le_long_des_axes_f64;
+    egaux => des_objets_tous_egaux_f32, des_objets_tous_egaux_f64;
+    extremes => les_extremes_f32, les_extremes_f64;
+    bornes => aux_bornes_du_type_f32, aux_bornes_du_type_f64;
+    bords => des_rayons_qui_frolent_les_boites_f32, des_rayons_qui_frolent_les_boites_f64;
+    avant_la_boite => une_conclusion_avant_la_boite_f32, une_conclusion_avant_la_boite_f64;
+    places => les_places_pretees_f32, les_places_pretees_f64;
+    plans => des_demi_espaces_seuls_f32, des_demi_espaces_seuls_f64;
+    longueurs => toute_longueur_convient_f32, toute_longueur_convient_f64;
+}
+
+fn cas() -> usize {
+    commun::cas(60) as usize
+}
+
+fn v<R: Reel>(x: f64, y: f64, z: f64) -> Vecteur<R> {
+    arrondi(Vecteur::new(x, y, z))
+}
+
+/// The number so many units in the last place away.
+fn voisin<R: Bits>(x: R, de: i64) -> R {
+    let unite = if size_of::<R>() == 4 { 32 } else { 0 };
+    R::depuis_bits((x.bits() << unite).wrapping_add_signed(de << unite))
+}
+
+/// Limits for a shadow ray: at, beside and around the distances of the objects that it touches.
+fn limites<R: Bits>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> Vec<R> {
+    let fixes = [R::ZERO, -R::UN, R::UN, R::INFINI, R::depuis_f64(f64::NAN), R::MIN_POSITIF];
+    let touches = objets.iter().filter_map(|o| o.intersection(rayon).ok()).take(3);
+    let distances = touches.map(|touche| touche.distance());
+    let autour = distances.flat_map(|t| [-2, -1, 0, 1, 2].map(|de| voisin(t, de)));
+    fixes.into_iter().chain(autour).collect()
+}
+
+/// Compares all questions of these rays; how many touch something.
+#[track_caller]
+fn comparer<R: Bits>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) -> usize {
+    let mut places = vec![R::UN; Hierarchie::<R>::places(objets.len())];
+    let hierarchie = Hierarchie::new(objets, &mut places).unwrap();
+    let attendues: Vec<_> = rayons.iter().map(|r| premiere_intersection(objets, r)).collect();
+    let limites: Vec<_> = rayons.iter().step_by(7).map(|r| (r, limites(objets, r))).collect();
+    let ombres = |(rayon, limites): &(&Rayon<R>, Vec<R>)| {
+        limites.iter().map(|&limite| est_occulte(objets, rayon, limite)).collect::<Vec<_>>()
+    };
+    let ombres: Vec<_> = limites.iter().map(ombres).collect();
+    let (n, scalaire) = (objets.len(), std::any::type_name::<R>());
+    for (nom, reglage) in Reglage::tous() {
+        let hierarchie = reglage.hierarchie(hierarchie);
+        let mut touches = vec![Err(NoIntersection); rayons.len()];
+        hierarchie.premieres_intersections(rayons, &mut touches).unwrap();
+        for ((rayon, touche), attendue) in rayons.iter().zip(&touches).zip(&attendues) {
+            let seule = hierarchie.premiere_intersection(rayon);
+            assert_eq!(
+                mots(&seule),
+                mots(attendue),
+                "{nom}, {scalaire}, {n} objects: {rayon:?} has {seule:?}, the list {attendue:?}"
+            );
+            assert_eq!(
+                mots(touche),
+                mots(attendue),
+                "batch, {nom}, {scalaire}, {n} objects: {rayon:?} has {touche:?}, the list {attendue:?}"
+            );
+        }
+        for ((rayon, limites), ombres) in limites.iter().zip(&ombres) {
+            for (&limite, &attendue) in limites.iter().zip(ombres) {
+                assert_eq!(
+                    hierarchie.est_occulte(rayon, limite),
+                    attendue,
+                    "shadow, {nom}, {scalaire}, {n} objects: {rayon:?} before {limite:?}"
+                );
+            }
+        }
+    }
+    attendues.iter().flatten().count()
+}
+
+fn melanges<R: Bits>() {
+    let tuiles = scenes::en_tuiles(&scenes::rayons_camera::<R>(64, 40), 64);
+    let mut desordre = tuiles.clone();
+    Rng::with_seed(1).shuffle(&mut desordre);
+    for n in [0, 1, 2, 5, 6, 7, 15, 16, 17, 33, 64, 65, 130, 131, 255, 256, 257, 1_000, 3_000] {
+        let scene = scenes::melange(n);
+        let touches = [&tuiles, &desordre].map(|rayons| comparer(&scene, &rayons[..1_000]));
+        assert!(n < 9 || touches[0] > 100, "{n} objects, {} hits", touches[0]);
+    }
+}
+
+/// An object of this size here.
+fn objet<R: Reel>(alea: &mut Rng, centre: Vecteur, taille: f64, i: usize) -> ObjetRay<R> {
+    let texture = Texture(i as u32);
+    if alea.bool() {
+        return SphereGeo::new(arrondi(centre), R::depuis_f64(taille), texture).unwrap().into();
+    }
+    let angles = if alea.bool() {
+        [(); 3].map(|()| f64::from(alea.i8(-2..=2)) * FRAC_PI_2)
+    } else {
+        [(); 3].map(|()| entre(alea, -4.0, 4.0))
+    };
+    let dimensions = [(); 3].map(|()| taille * puissance(alea, -3.0, 1.0));
+    let rotation = Rotation::new(arrondi(angles.into())).unwrap();
+    BoiteGeo::new(arrondi(centre), arrondi(dimensions.into()), rotation, texture).unwrap().into()
+}
+
+/// A half-space through about this point.
+fn sol<R: Reel>(alea: &mut Rng, distance: f64) -> ObjetRay<R> {
+    let rotation = Rotation::new(arrondi(direction(alea) * 7.0)).unwrap();
+    PlanGeo::new(rotation, R::depuis_f64(distance), Texture(9)).unwrap().into()
+}
+
+/// Blocks of 64 rays at these objects, from needles to everywhere, some along axes.
+fn gerbe<R: Reel>(alea: &mut Rng, objets: &[ObjetRay<R>], l: f64) -> Vec<Rayon<R>> {
+    let centre = |alea: &mut Rng| match alea.choice(objets) {
+        Some(ObjetRay::Sphere(sphere)) => sphere.centre().vers_f64(),
+        Some(ObjetRay::Boite(boite)) => boite.centre().vers_f64(),
+        Some(ObjetRay::Plan(_)) | None => Vecteur::NUL,
+    };
+    let cible = centre(alea);
+    let de = cible + direction(alea) * (l * puissance(alea, -6.0, 6.0));
+    let (ouverture, etendue) = (puissance(alea, -30.0, 2.0), l * puissance(alea, -30.0, 2.0));
+    let genre = alea.u8(0..6);
+    let mut rayons = Vec::new();
+    while rayons.len() < 64 {
+        let s = de + direction(alea) * etendue;
+        let vers = (cible - de).unitaire().unwrap() + direction(alea) * ouverture;
+        let mut d: [f64; 3] = vers.into();
+        match genre {
+            0 => d = [d[0], 0.0, d[2]],
+            1 => d = [0.0, -0.0, signe(alea)],
+            2 => d[alea.usize(0..3)] *= puissance(alea, -1_100.0, 0.0),
+            3 => d = (centre(alea) - s).into(),
+            _ => {}
+        }
+        rayons.extend(Rayon::new(arrondi(s), arrondi(d.into())));
+    }
+    rayons
+}
+
+/// Objects of one size and of many, near and far, in a cloud, on a plane, in a line and all about one
+/// point; some of them twice, some half-spaces.
+fn hasards<R: Bits>() {
+    let mut alea = Rng::with_seed(2);
+    let mut touches = 0;
+    for tour in 0..cas() {
+        let n = [7, 20, 40, 70, 100, 200, 400, 900][tour % 8] + alea.usize(0..9);
+        let (l, loin) = (puissance(&mut alea, -8.0, 8.0), puissance(&mut alea, -6.0, 12.0));
+        let lieu = if alea.bool() { Vecteur::NUL } else { direction(&mut alea) * (l * loin) };
+        let etendue = l * puissance(&mut alea, -2.0, 6.0);
+        let aplati = [(); 3].map(|()| if alea.u8(0..3) == 0 { 0.0 } else { 1.0 });
+        let minces = alea.bool();
+        let mut objets: Vec<ObjetRay<R>> = Vec::new();
+        for i in 0..n {
+            let [x, y, z]: [f64; 3] = (direction(&mut alea) * (etendue * alea.f64())).into();
+            let ou = lieu + Vecteur::new(x * aplati[0], y * aplati[1], z * aplati[2]);
+            let taille = if minces { l } else { l * puissance(&mut alea, -12.0, 2.0) };
+            objets.push(match alea.u8(0..40) {
+                0 => sol(&mut alea, lieu.longueur() + etendue),
+                1..6 if i > 0 => objets[alea.usize(0..i)],
+                _ => objet(&mut alea, ou, taille, i),
+            });
+        }
+        let mut rayons = Vec::new();
+        for _ in 0..3 {
+            rayons.extend(gerbe(&mut alea, &objets, l));
+        }
+        touches += comparer(&objets, &rayons);
+    }
+    assert!(touches > 20 * cas(), "only {touches} hits");
+}
+
+/// Boxes and spheres side by side, and beams along the axes over nodes that are partly filled: in faces,
+/// through edges and beside, with components that are ±0 and subnormal.
+fn grilles<R: Bits>() {
+    let mut alea = Rng::with_seed(3);
+    for (n, decalage) in [(2, 0.0), (3, 0.3), (4, 100.3), (5, -7.7), (7, 0.1)] {
+        let mut objets = Vec::new();
+        for i in 0..n * n * n {
+            let [x, y, z] = [i % n, i / n % n, i / n / n].map(|k| k as f64 + decalage);
+            let texture = Texture(i as u32);
+            objets.push(ObjetRay::from(if alea.bool() {
+                ObjetGeo::from(SphereGeo::new(v(x, y, z), R::depuis_f64(0.5), texture).unwrap())
+            } else {
+                let unite = v(1.0, 1.0, 1.0);
+                BoiteGeo::new(v(x, y, z), unite, Rotation::IDENTITE, texture).unwrap().into()
+            }));
+        }
+        let mut rayons = Vec::new();
+        for _ in 0..cas() {
+            let axe = alea.usize(0..3);
+            let sens = signe(&mut alea);
+            let pres = [-0.0, 0.0, 1e-320, -1e-40, 1e-20, -1e-7][alea.usize(0..6)];
+            let demi = f64::from(alea.u8(0..2)) / 2.0;
+            for k in 0..64 {
+                let [a, b] = [k % 8, k / 8].map(|i| f64::from(i) * 0.5 + demi - 1.0 + decalage);
+                let depart = decalage - sens * 3.0 * n as f64;
+                let (mut s, mut d) = ([a, b, a], [pres, -pres, pres]);
+                (s[axe], d[axe]) = (depart, sens);
+                (s[(axe + 1) % 3], s[(axe + 2) % 3]) = (a, b);
+                rayons.push(Rayon::new(arrondi(s.into()), arrondi(d.into())).unwrap());
+            }
+        }
+        let touches = comparer(&objets, &rayons);
+        assert!(touches > rayons.len() / 20, "{n}: only {touches} hits");
+    }
+}
+
+/// Ties: the first of the list, wherever it stands in the tree.
+fn egaux<R: Bits>() {
+    let rayons = scenes::en_tuiles(&scenes::rayons_camera::<R>(16, 16), 16);
+    for n in [6, 17, 100, 300, 5_000] {
+        let mut objets = scenes::melange::<R>(40)[1..6].repeat(n / 5 + 1);
+        objets.truncate(n);
+        Rng::with_seed(4).shuffle(&mut objets);
+        assert!(comparer(&objets, &rayons) > 20);
+    }
+    let boule = SphereGeo::new(v(0.0, 1.0, -4.0), R::UN, Texture(0)).unwrap();
+    let objet = ObjetRay::from(boule);
+    let objets = vec![objet; 100_000];
+    let mut places = vec![R::ZERO; Hierarchie::<R>::places(objets.len())];
+    let hierarchie = Hierarchie::new(&objets, &mut places).unwrap();
+    let mut touches = vec![Err(NoIntersection); 256];
+    hierarchie.premieres_intersections(&rayons, &mut touches).unwrap();
+    for (rayon, touche) in rayons.iter().zip(&touches) {
+        assert_eq!(mots(touche), mots(&objet.intersection(rayon)));
+        assert_eq!(mots(&hierarchie.premiere_intersection(rayon)), mots(touche));
+    }
+    assert!(touches.iter().flatten().count() > 5);
+}
+
+/// The rays of each regime at the objects of all its cases; and each case with copies of its object.
+fn extremes<R: Bits>() {
+    let mut alea = Rng::with_seed(5);
+    for regime in regimes::<R>() {
+        let tous: Vec<_> = (0..10 * cas()).map(|_| (regime.cas)(&mut alea)).collect();
+        let objets: Vec<_> = tous.iter().map(|cas| cas.objet).collect();
+        let rayons: Vec<_> = tous.iter().map(|cas| cas.rayon).collect();
+        comparer(&objets, &rayons);
+        for cas in tous {
+            comparer(&[cas.objet; 9], &[cas.rayon; 9]);
+        }
+    }
+}
+
+/// Each regime at the ends of the range, with a needle of rays around each.
+fn bornes<R: Bits>() {
+    let mut alea = Rng::with_seed(6);
+    for regime in regimes::<R>() {
+        if !regime.nom.ends_with("range") {
+            continue;
+        }
+        for _ in 0..cas().div_ceil(10) {
+            let tous: Vec<_> = (0..100).map(|_| (regime.cas)(&mut alea)).collect();
+            let objets: Vec<_> = tous.iter().map(|cas| cas.objet).collect();
+            let mut rayons = Vec::new();
+            for cas in &tous[..10] {
+                let d = cas.rayon.direction().vers_f64();
+                rayons.extend((0..64).map(|_| {
+                    let vers = d + direction(&mut alea) * 1e-5;
+                    Rayon::new(cas.rayon.source(), arrondi(vers)).unwrap()
+                }));
+            }
+            comparer(&objets, &rayons);
+        }
+    }
+}
+
+/// Objects that rays graze to the last bits, where rounding decides: one of them and its copies, or
+/// several about one point; small ones from afar, the origin near or far.
+fn bords<R: Bits>() {
+    let mut alea = Rng::with_seed(8);
+    let mut touches = 0;
+    let bits = -R::U.vers_f64().log2();
+    for _ in 0..40 * cas() {
+        let f = puissance(&mut alea, 0.0, bits - 2.0);
+        let lieu = if alea.bool() { Vecteur::NUL } else { direction(&mut alea) * f };
+        let mut objets: Vec<ObjetRay<R>> = Vec::new();
+        let copies = alea.bool();
+        while objets.len() < 7 {
+            let ou = lieu + direction(&mut alea) * if copies { 0.0 } else { 3.0 };
+            let premier = objets.first().copied().filter(|_| copies);
+            objets.push(premier.unwrap_or_else(|| objet(&mut alea, ou, 1.0, objets.len())));
+        }
+        let mut rayons = Vec::new();
+        let axe = alea.usize(0..3);
+        let d = if alea.bool() {
+            direction(&mut alea)
+        } else {
+            let mut d = [0.0; 3];
+            d[axe] = signe(&mut alea);
+            d.into()
+        };
+        while rayons.len() < 64 {
+            // A point of the outline as seen along D: of a sphere, or a corner or edge of a box.
+            let (c, bord) = match *alea.choice(&objets).unwrap() {
+                ObjetRay::Sphere(sphere) => {
+                    let v = if alea.bool() { direction(&mut alea) } else { d_axe(&mut alea) };
+                    let travers = (v - d * v.produit_scalaire(d)).unitaire();
+                    let r = sphere.rayon().vers_f64();
+                    (sphere.centre().vers_f64(), travers.unwrap_or(Vecteur::NUL) * r)
+                }
+                ObjetRay::Boite(boite) => {
+                    let l = boite.demi_longueurs().map(R::vers_f64);
+                    let coin = boite.normales().into_iter().zip(l).map(|(n, l)| {
+                        n.vers_f64() * (l * if alea.bool() { signe(&mut alea) } else { alea.f64() })
+                    });
+                    (boite.centre().vers_f64(), coin.fold(Vecteur::NUL, |a, b| a + b))
+                }
+                ObjetRay::Plan(_) => unreachable!("no half-space was made"),
+            };
+            let ecart = 1.0 + entre(&mut alea, -8.0, 8.0) * R::U.vers_f64() * f.max(1.0);
+            let s = c + bord * ecart - d * f;
+            rayons.push(Rayon::new(arrondi(s), arrondi(d)).unwrap());
+        }
+        touches += comparer(&objets, &rayons);
+    }
+    assert!(touches > 100 * cas(), "only {touches} hits");
+}
+
+fn d_axe(alea: &mut Rng) -> Vecteur {
+    let mut d = [0.0; 3];
+    d[alea.usize(0..3)] = signe(alea);
+    d.into()
+}
+
+/// Boxes along whose edge a ray runs, so that the conclusion in `f64` lies on the plane of a face, before the
+/// box: its distance counts for a shadow all the same.
+fn avant_la_boite<R: Bits>() {
+    let mut alea = Rng::with_seed(9);
+    let mut avant = 0;
+    for _ in 0..100 * cas() {
+        let [x, y] = [(); 2].map(|()| entre(&mut alea, 0.05, 0.15));
+        let boite = BoiteGeo::new(v(x, y, 0.0), v(1.0, 1.0, 4.0), Rotation::IDENTITE, Texture(0));
+        let objets = [ObjetRay::<R>::from(boite.unwrap()); 7];
+        let ObjetRay::Boite(boite) = objets[0] else { unreachable!("made as a box") };
+        let c = boite.centre();
+        let demi = R::depuis_f64(0.5);
+        let [sx, sy] = [c.x - demi, c.y - demi].map(|x| voisin(x, alea.i64(-2..=2)));
+        let s = Vecteur::new(sx, sy, -R::depuis_f64(7.0));
+        let d = v(alea.f64() * 0.3 * R::U.vers_f64(), 0.0, 1.0);
+        let rayon = Rayon::new(s, d).unwrap();
+        let touche = objets[0].intersection(&rayon);
+        avant += usize::from(touche.is_ok_and(|touche| touche.distance() < R::depuis_f64(4.99)));
+        comparer(&objets, &[rayon]);
+    }
+    println!("{avant} conclusions before the box");
+}
+
+fn places<R: Bits>() {
+    for n in [0, 1, 5, 6, 16, 17, 256, 257, 1_000] {
+        let scene = scenes::melange::<R>(n);
+        let rayons = scenes::rayons_camera::<R>(9, 9);
+        let necessaires = Hierarchie::<R>::places(n);
+        assert!(necessaires <= 8 * n + 300, "{n}: {necessaires}");
+        for pretees in [0, necessaires / 2, necessaires.saturating_sub(1)] {
+            let mut places = vec![R::ZERO; pretees];
+            let erreur = Hierarchie::new(&scene, &mut places).err();
+            let refus = PlacesInsuffisantes { places: pretees, necessaires };
+            assert_eq!(erreur, (pretees < necessaires).then_some(refus));
+            let phrase = format!("{pretees} places lent, but {necessaires} needed");
+            assert_eq!(refus.to_string(), phrase);
+        }
+        for pretees in [necessaires, necessaires + 1, 2 * necessaires + 100] {
+            let mut places = vec![R::INFINI; pretees];
+            let hierarchie = Hierarchie::new(&scene, &mut places).unwrap();
+            let copie = hierarchie;
+            for rayon in &rayons {
+                let attendue = mots(&premiere_intersection(&scene, rayon));
+                assert_eq!(mots(&copie.premiere_intersection(rayon)), attendue);
+            }
+        }
+    }
+}
+
+fn plans<R: Bits>() {
+    let mut alea = Rng::with_seed(7);
+    let rayons = scenes::rayons_camera::<R>(20, 20);
+    for n in [6, 16, 17, 100, 300] {
+        let mut objets: Vec<_> = (0..n).map(|_| sol(&mut alea, 20.0)).collect();
+        assert!(comparer(&objets, &rayons) > 0);
+        // One object with an end, wherever it stands.
+        for place in [0, n / 2, n - 1] {
+            let plan = objets[place];
+            objets[place] = scenes::melange(2)[1];
+            comparer(&objets, &rayons);
+            objets[place] = plan;
+        }
+    }
+}
+
+fn longueurs<R: Bits>() {
+    let rayons = scenes::rayons_camera::<R>(20, 10);
+    for n in [12, 100, 300] {
+        let scene = scenes::melange(n);
+        for longueur in 0..=129 {
+            comparer(&scene, &rayons[200 - longueur..]);
+        }
+        let mut places = vec![R::ZERO; Hierarchie::<R>::places(n)];
+        let hierarchie = Hierarchie::new(&scene, &mut places).unwrap();
+        for longueur in [0, 199, 201] {
+            let mut touches = vec![Err(NoIntersection); longueur];
+            let erreur = hierarchie.premieres_intersections(&rayons, &mut touches).unwrap_err();
+            assert_eq!(erreur, LongueursDifferentes { rayons: 200, touches: longueur });
+        }
+    }
+}
