@@ -79,6 +79,7 @@ impl<R: Reel> BoiteGeo<R> {
     /// # Errors
     /// If `v` is not finite, or the new centre lies outside the limits of [`new`](Self::new).
     #[doc(alias = "translate")]
+    #[doc(alias = "move")]
     pub fn translation(self, v: Vecteur<R>) -> Result<Self, ErreurGeo> {
         let v = deplacement(v)?;
         Self::new(self.centre + v, self.dimensions, self.rotation, self.texture)
@@ -89,6 +90,7 @@ impl<R: Reel> BoiteGeo<R> {
     /// # Errors
     /// If the new centre lies outside the limits of [`new`](Self::new).
     #[doc(alias = "rotate")]
+    #[doc(alias = "turn")]
     pub fn rotation(self, r: Rotation<R>) -> Result<Self, ErreurGeo> {
         let centre = r.appliquer(self.centre);
         Self::new(centre, self.dimensions, self.rotation.puis(r), self.texture)
@@ -170,6 +172,7 @@ impl<R: Reel> BoiteRay<R> {
 
     /// l_i, half the distance between each face and the opposite one.
     #[doc(alias = "half_extents")]
+    #[doc(alias = "half_lengths")]
     #[inline]
     #[must_use]
     pub fn demi_longueurs(&self) -> [R; 3] {

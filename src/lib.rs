@@ -134,7 +134,8 @@ pub use sphere::{SphereGeo, SphereRay};
 pub use texture::Texture;
 pub use vecteur::Vecteur;
 
-/// The example of the README, kept true.
+/// The examples of the README and of the recipes, kept true.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
+#[doc = include_str!("../docs/README.md")]
 struct Readme;

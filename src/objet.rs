@@ -66,6 +66,7 @@ impl<R: Reel> ObjetGeo<R> {
     /// # Errors
     /// If the moved object lies outside the limits of its constructor.
     #[doc(alias = "translate")]
+    #[doc(alias = "move")]
     pub fn translation(self, v: Vecteur<R>) -> Result<Self, ErreurGeo> {
         par_forme!(Self, self, forme => Ok(forme.translation(v)?.into()))
     }
@@ -75,6 +76,7 @@ impl<R: Reel> ObjetGeo<R> {
     /// # Errors
     /// If the turned object lies outside the limits of its constructor.
     #[doc(alias = "rotate")]
+    #[doc(alias = "turn")]
     pub fn rotation(self, r: Rotation<R>) -> Result<Self, ErreurGeo> {
         par_forme!(Self, self, forme => Ok(forme.rotation(r)?.into()))
     }

@@ -57,6 +57,7 @@ impl<R: Reel> PlanGeo<R> {
     /// # Errors
     /// If `v` is not finite, or the new distance lies outside the limits of [`new`](Self::new).
     #[doc(alias = "translate")]
+    #[doc(alias = "move")]
     pub fn translation(self, v: Vecteur<R>) -> Result<Self, ErreurGeo> {
         let v = deplacement(v)?;
         let distance = self.distance - self.normale().produit_scalaire(v);
@@ -68,6 +69,7 @@ impl<R: Reel> PlanGeo<R> {
     /// # Errors
     /// None today; the signature is that of the other shapes.
     #[doc(alias = "rotate")]
+    #[doc(alias = "turn")]
     pub fn rotation(self, r: Rotation<R>) -> Result<Self, ErreurGeo> {
         Self::new(self.rotation.puis(r), self.distance, self.texture)
     }

@@ -58,6 +58,7 @@ impl<R: Reel> SphereGeo<R> {
     /// # Errors
     /// If `v` is not finite, or the new centre lies outside the limits of [`new`](Self::new).
     #[doc(alias = "translate")]
+    #[doc(alias = "move")]
     pub fn translation(self, v: Vecteur<R>) -> Result<Self, ErreurGeo> {
         let v = deplacement(v)?;
         Self::new(self.centre + v, self.rayon, self.texture)
@@ -68,6 +69,7 @@ impl<R: Reel> SphereGeo<R> {
     /// # Errors
     /// If the new centre lies outside the limits of [`new`](Self::new).
     #[doc(alias = "rotate")]
+    #[doc(alias = "turn")]
     pub fn rotation(self, r: Rotation<R>) -> Result<Self, ErreurGeo> {
         Self::new(r.appliquer(self.centre), self.rayon, self.texture)
     }

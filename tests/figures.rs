@@ -9,6 +9,9 @@ fn les_figures_sont_a_jour() {
     for (nom, svg) in figures::figures().unwrap() {
         let chemin = format!("{}/{nom}", figures::DOSSIER);
         let dessinee = std::fs::read_to_string(&chemin).unwrap_or_default();
-        assert!(dessinee == svg, "docs/images/{nom} is stale: `cargo run --example figures`");
+        assert!(
+            dessinee == svg,
+            "docs/images/{nom} is stale: `cargo run -p exemples --bin figures`"
+        );
     }
 }

@@ -8,7 +8,7 @@ mod commun;
 use std::f64::consts::FRAC_PI_2;
 
 use commun::conversion::mots;
-use commun::regimes::{direction, entre, puissance, regimes, signe};
+use commun::regimes::{deux_puissance, direction, entre, regimes, signe};
 use commun::{Bits, arrondi, scenes};
 use fastrand::Rng;
 use lancer_rayon::{
@@ -134,7 +134,7 @@ fn objet<R: Reel>(alea: &mut Rng, centre: Vecteur, taille: f64, i: usize) -> Obj
     } else {
         [(); 3].map(|()| entre(alea, -4.0, 4.0))
     };
-    let dimensions = [(); 3].map(|()| taille * puissance(alea, -3.0, 1.0));
+    let dimensions = [(); 3].map(|()| taille * deux_puissance(alea, -3.0, 1.0));
     let rotation = Rotation::new(arrondi(angles.into())).unwrap();
     BoiteGeo::new(arrondi(centre), arrondi(dimensions.into()), rotation, texture).unwrap().into()
 }
@@ -153,8 +153,9 @@ fn gerbe<R: Reel>(alea: &mut Rng, objets: &[ObjetRay<R>], l: f64) -> Vec<Rayon<R
         Some(ObjetRay::Plan(_)) | None => Vecteur::NUL,
     };
     let cible = centre(alea);
-    let de = cible + direction(alea) * (l * puissance(alea, -6.0, 6.0));
-    let (ouverture, etendue) = (puissance(alea, -30.0, 2.0), l * puissance(alea, -30.0, 2.0));
+    let de = cible + direction(alea) * (l * deux_puissance(alea, -6.0, 6.0));
+    let (ouverture, etendue) =
+        (deux_puissance(alea, -30.0, 2.0), l * deux_puissance(alea, -30.0, 2.0));
     let genre = alea.u8(0..6);
     let mut rayons = Vec::new();
     while rayons.len() < 64 {
@@ -164,7 +165,7 @@ fn gerbe<R: Reel>(alea: &mut Rng, objets: &[ObjetRay<R>], l: f64) -> Vec<Rayon<R
         match genre {
             0 => d = [d[0], 0.0, d[2]],
             1 => d = [0.0, -0.0, signe(alea)],
-            2 => d[alea.usize(0..3)] *= puissance(alea, -1_100.0, 0.0),
+            2 => d[alea.usize(0..3)] *= deux_puissance(alea, -1_100.0, 0.0),
             3 => d = (centre(alea) - s).into(),
             _ => {}
         }
@@ -180,16 +181,17 @@ fn hasards<R: Bits>() {
     let mut touches = 0;
     for tour in 0..cas() {
         let n = [7, 20, 40, 70, 100, 200, 400, 900][tour % 8] + alea.usize(0..9);
-        let (l, loin) = (puissance(&mut alea, -8.0, 8.0), puissance(&mut alea, -6.0, 12.0));
+        let (l, loin) =
+            (deux_puissance(&mut alea, -8.0, 8.0), deux_puissance(&mut alea, -6.0, 12.0));
         let lieu = if alea.bool() { Vecteur::NUL } else { direction(&mut alea) * (l * loin) };
-        let etendue = l * puissance(&mut alea, -2.0, 6.0);
+        let etendue = l * deux_puissance(&mut alea, -2.0, 6.0);
         let aplati = [(); 3].map(|()| if alea.u8(0..3) == 0 { 0.0 } else { 1.0 });
         let minces = alea.bool();
         let mut objets: Vec<ObjetRay<R>> = Vec::new();
         for i in 0..n {
             let [x, y, z]: [f64; 3] = (direction(&mut alea) * (etendue * alea.f64())).into();
             let ou = lieu + Vecteur::new(x * aplati[0], y * aplati[1], z * aplati[2]);
-            let taille = if minces { l } else { l * puissance(&mut alea, -12.0, 2.0) };
+            let taille = if minces { l } else { l * deux_puissance(&mut alea, -12.0, 2.0) };
             objets.push(match alea.u8(0..40) {
                 0 => sol(&mut alea, lieu.longueur() + etendue),
                 1..6 if i > 0 => objets[alea.usize(0..i)],
@@ -308,7 +310,7 @@ fn bords<R: Bits>() {
     let mut touches = 0;
     let bits = -R::U.vers_f64().log2();
     for _ in 0..40 * cas() {
-        let f = puissance(&mut alea, 0.0, bits - 2.0);
+        let f = deux_puissance(&mut alea, 0.0, bits - 2.0);
         let lieu = if alea.bool() { Vecteur::NUL } else { direction(&mut alea) * f };
         let mut objets: Vec<ObjetRay<R>> = Vec::new();
         let copies = alea.bool();

@@ -1,7 +1,7 @@
 //! An overview of a scene: what every camera ray touches, in `f64` and in `f32`, as a table and as
 //! a picture.
 //!
-//! `cargo run --release --example apercu [scene.ron] [image.png]`
+//! `cargo run --release -p exemples [scene.ron] [image.png]`
 
 mod image;
 mod scene;

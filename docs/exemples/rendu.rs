@@ -1,6 +1,10 @@
-//! A picture of a scene, after Whitted: lamps, shadows, and mirrors that show each other.
+//! A picture of a scene, after Whitted: lamps, shadows, mirrors that show each other, and glass.
 //!
-//! `cargo run --release --example rendu [--f32] [scene.ron] [image.png]`
+//! `cargo run --release -p exemples --bin rendu [--f32] [scene.ron] [image.png]`
+//!
+//! Every kind of ray goes in batches, level by level: what the eye sees, the shadows of that, what
+//! mirrors and glass show, the shadows of that, and so on. Rays of a level that leave the same object are
+//! neighbours, so that the batch finds them a beam.
 
 mod image;
 mod scene;
@@ -10,10 +14,12 @@ use std::path::Path;
 use std::process::ExitCode;
 use std::time::Instant;
 
+use indicatif::ParallelProgressIterator;
 use lancer_rayon::{
-    Intersection, NoIntersection, ObjetRay, Rayon, Reel, Touche, Vecteur, est_occulte,
-    premiere_intersection, premieres_intersections,
+    Hierarchie, Intersection, LongueursDifferentes, NoIntersection, ObjetRay, Rayon, Reel, Touche,
+    Vecteur,
 };
+use rayon::prelude::*;
 use scene::Scene;
 use serde::de::DeserializeOwned;
 
@@ -26,8 +32,11 @@ const IMAGE: &str = "target/rendu.png";
 /// Rays across a pixel, each way.
 const FINESSE: u32 = 2;
 
-/// Mirrors in a row.
-const REBONDS: u32 = 4;
+/// Levels: mirrors in a row, or half as many glasses.
+const NIVEAUX: u32 = 6;
+
+/// Rays of the eye that go together, the work of one thread at a time.
+pub(crate) const ENSEMBLE: usize = 4096;
 
 fn main() -> ExitCode {
     let mut arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -38,19 +47,32 @@ fn main() -> ExitCode {
 }
 
 fn rendre<R: Reel + DeserializeOwned>(chemin: &str, image: &str) -> Result<(), Box<dyn Error>> {
-    let Scene { mut camera, objets } = Scene::<R>::lire(Path::new(chemin))?;
-    let taille = camera.image;
-    camera.image = (FINESSE * taille.0, FINESSE * taille.1);
-    let rayons = camera.rayons()?;
-    let objets = objets.iter().map(|objet| objet.vers_ray()).collect();
-    let atelier = Atelier { objets, lampes: lampes() };
-
     let debut = Instant::now();
-    let couleurs = atelier.prendre(&rayons, camera.image.0 as usize)?;
-    println!("{chemin}: {} rays, {:.1} s", rayons.len(), debut.elapsed().as_secs_f64());
-    ecrire(image, taille, &couleurs).map_err(|e| format!("{image}: {e}"))?;
+    let (taille, octets) = octets::<R>(chemin, FINESSE, ENSEMBLE)?;
+    println!("{chemin}: {:.1} s", debut.elapsed().as_secs_f64());
+    image::ecrire(image, taille, png::Compression::High, &octets)
+        .map_err(|e| format!("{image}: {e}"))?;
     println!("{image}");
     Ok(())
+}
+
+/// The picture of a scene file, and its size; so many rays across a pixel, and so many together.
+pub(crate) fn octets<R: Reel + DeserializeOwned>(
+    chemin: &str,
+    finesse: u32,
+    ensemble: usize,
+) -> Result<((u32, u32), Vec<u8>), Box<dyn Error>> {
+    let Scene { mut camera, objets } = Scene::<R>::lire(Path::new(chemin))?;
+    let taille = camera.image;
+    camera.image = (finesse * taille.0, finesse * taille.1);
+    let objets: Vec<_> = objets.into_iter().map(ObjetRay::from).collect();
+    let mut places = vec![R::ZERO; Hierarchie::<R>::places(objets.len())];
+    let hierarchie = Hierarchie::new(&objets, &mut places)?;
+    let atelier = Atelier { objets: &objets, hierarchie, lampes: lampes() };
+    let couleurs = atelier.prendre(&camera.rayons()?, camera.image.0, finesse, ensemble)?;
+    let octet = |x: f64| (255.0 * x.powf(1.0 / 2.2)).round() as u8;
+    let octets = couleurs.into_iter().flat_map(|couleur| <[f64; 3]>::from(couleur).map(octet));
+    Ok((taille, octets.collect()))
 }
 
 /// What a surface is made of. A texture is the number of one of these.
@@ -63,10 +85,12 @@ struct Matiere {
     reflet: f64,
     /// The strength of the highlights.
     eclat: f64,
+    /// The refractive index of glass, through which the colour is seen; 0 for what light does not pass.
+    indice: f64,
 }
 
 const fn mate(couleur: u32) -> Matiere {
-    Matiere { couleurs: [couleur; 2], carreau: 1.0, reflet: 0.0, eclat: 0.0 }
+    Matiere { couleurs: [couleur; 2], carreau: 1.0, reflet: 0.0, eclat: 0.0, indice: 0.0 }
 }
 
 const fn polie(couleur: u32, reflet: f64, eclat: f64) -> Matiere {
@@ -86,7 +110,7 @@ const PALETTE: [Matiere; 14] = [
     polie(0xe2b84c, 0.0, 0.2),
     polie(0xd9b07a, 0.0, 0.05),
     polie(0xd8dce0, 0.75, 0.6),
-    polie(0x2f6b4f, 0.06, 0.5),
+    Matiere { indice: 1.5, ..polie(0xb9e3cd, 0.0, 0.8) },
     polie(0xc65a4a, 0.06, 0.5),
     mate(0xe4dcd0),
 ];
@@ -115,79 +139,202 @@ fn lampes<R: Reel>() -> Vec<Lampe<R>> {
     lampes.map(|(p, couleur)| Lampe { position: Vecteur::depuis_f64(p), couleur }).collect()
 }
 
-struct Atelier<R> {
-    objets: Vec<ObjetRay<R>>,
+struct Atelier<'a, R> {
+    objets: &'a [ObjetRay<R>],
+    hierarchie: Hierarchie<'a, R>,
     lampes: Vec<Lampe<R>>,
 }
 
-impl<R: Reel> Atelier<R> {
+/// A ray on its way: what it sees is seen by this ray of the eye, in this part.
+struct Trajet<R> {
+    rayon: Rayon<R>,
+    oeil: usize,
+    part: Couleur,
+    /// The object that it leaves.
+    quitte: usize,
+    /// Whether it is inside that object, which is of glass.
+    dedans: bool,
+}
+
+impl<R: Reel> Atelier<'_, R> {
     /// The colour of each pixel, from rays that stand row by row, so many in a row.
-    fn prendre(&self, rayons: &[Rayon<R>], largeur: usize) -> Result<Vec<Couleur>, Box<dyn Error>> {
+    fn prendre(
+        &self,
+        rayons: &[Rayon<R>],
+        largeur: u32,
+        finesse: u32,
+        ensemble: usize,
+    ) -> Result<Vec<Couleur>, LongueursDifferentes> {
+        let (largeur, finesse) = (largeur as usize, finesse as usize);
         // The batch is at its best with neighbours in tiles of 8 × 8.
         let mut ordre: Vec<usize> = (0..rayons.len()).collect();
         ordre.sort_by_key(|i| (i / largeur / 8, i % largeur / 8));
+        let ensembles = ordre.par_chunks(ensemble).progress();
+        let vues: Vec<_> = ensembles
+            .map(|ordre| self.vues(ordre.iter().map(|&i| rayons[i])))
+            .collect::<Result<_, _>>()?;
 
-        let finesse = FINESSE as usize;
-        let part = 1.0 / f64::from(FINESSE * FINESSE);
         let mut couleurs = vec![Vecteur::NUL; rayons.len() / (finesse * finesse)];
-        let (mut lot, mut touches) = (vec![], [Err(NoIntersection); 4096]);
-        for ordre in ordre.chunks(touches.len()) {
-            lot.clear();
-            lot.extend(ordre.iter().map(|&i| rayons[i]));
-            let touches = &mut touches[..lot.len()];
-            premieres_intersections(&self.objets, &lot, touches)?;
-            for ((rayon, touche), i) in lot.iter().zip(touches).zip(ordre) {
-                let (ligne, colonne) = (i / largeur / finesse, i % largeur / finesse);
-                let pixel = &mut couleurs[ligne * (largeur / finesse) + colonne];
-                // What is brighter than the picture can show must not outweigh its neighbours.
-                let vue = <[f64; 3]>::from(self.vue(rayon, *touche, REBONDS)).map(|x| x.min(1.0));
-                *pixel = *pixel + Vecteur::from(vue) * part;
-            }
+        for (vue, i) in vues.into_iter().flatten().zip(ordre) {
+            let (ligne, colonne) = (i / largeur / finesse, i % largeur / finesse);
+            // What is brighter than the picture can show must not outweigh its neighbours.
+            let vue = Vecteur::from(<[f64; 3]>::from(vue).map(|x| x.min(1.0)));
+            couleurs[ligne * (largeur / finesse) + colonne] += vue / (finesse * finesse) as f64;
         }
         Ok(couleurs)
     }
 
-    /// What is seen along a ray.
-    fn vue(&self, rayon: &Rayon<R>, touche: Touche<R>, rebonds: u32) -> Couleur {
-        let Ok(touche) = touche else { return ciel(rayon.direction().y.vers_f64()) };
+    /// What is seen along each of these rays.
+    fn vues(
+        &self,
+        rayons: impl Iterator<Item = Rayon<R>>,
+    ) -> Result<Vec<Couleur>, LongueursDifferentes> {
+        let blanc = Vecteur::new(1.0, 1.0, 1.0);
+        let de_l_oeil =
+            |(oeil, rayon)| Trajet { rayon, oeil, part: blanc, quitte: 0, dedans: false };
+        let mut trajets: Vec<_> = rayons.enumerate().map(de_l_oeil).collect();
+        let mut vues = vec![Vecteur::NUL; trajets.len()];
+        for _ in 0..=NIVEAUX {
+            let touches = self.lancer(trajets.iter().map(|trajet| trajet.rayon).collect())?;
+            let mut surfaces = Vec::new();
+            let mut suivants = Vec::new();
+            for (trajet, touche) in trajets.iter().zip(touches) {
+                match (self.sortie(trajet, &touche), touche) {
+                    (Some(suivant), _) => suivants.push(suivant),
+                    (None, Ok(touche)) => {
+                        let (surface, suivant) = self.surface(trajet, touche);
+                        vues[trajet.oeil] += produit(surface.couleur, AMBIANTE);
+                        surfaces.push(surface);
+                        suivants.extend(suivant);
+                    }
+                    (None, Err(NoIntersection)) => {
+                        let ciel = ciel(trajet.rayon.direction().y.vers_f64());
+                        vues[trajet.oeil] += produit(trajet.part, ciel);
+                    }
+                }
+            }
+            for lampe in &self.lampes {
+                self.eclairer(lampe, &surfaces, &mut vues)?;
+            }
+            suivants.sort_by_key(|trajet| trajet.quitte);
+            trajets = suivants;
+        }
+        Ok(vues)
+    }
+
+    /// The first object that each of these rays touches.
+    fn lancer(&self, rayons: Vec<Rayon<R>>) -> Result<Vec<Touche<R>>, LongueursDifferentes> {
+        let mut touches = vec![Err(NoIntersection); rayons.len()];
+        self.hierarchie.premieres_intersections(&rayons, &mut touches)?;
+        Ok(touches)
+    }
+
+    /// What a ray sees of the surface that it touched, and the ray that goes on from there.
+    fn surface<'t>(
+        &self,
+        trajet: &'t Trajet<R>,
+        touche: Intersection<R>,
+    ) -> (Surface<'t, R>, Option<Trajet<R>>) {
+        let Trajet { rayon, oeil, part, .. } = trajet;
         let (d, n) = (rayon.direction(), touche.normale());
         let face = d.produit_scalaire(n);
         let reflechie = d - (n + n) * face;
         let matiere = &PALETTE[touche.texture().0 as usize % PALETTE.len()];
+        let couleur = matiere.couleur(rayon.point(touche.distance()), n, touche.distance());
+        let dedans = matiere.indice > 0.0;
+        // Schlick's approximation of Fresnel's formula.
+        let rasant = (1.0 + face.vers_f64()).max(0.0).powi(5);
+        let reflet = if matiere.reflet > 0.0 {
+            matiere.reflet + (1.0 - matiere.reflet) * rasant
+        } else {
+            0.0
+        };
+        let (vers, suit, reste) = if dedans {
+            (refractee(d, n, 1.0 / matiere.indice), couleur, 0.0)
+        } else {
+            (Some(reflechie), Vecteur::new(reflet, reflet, reflet), 1.0 - reflet)
+        };
+        let secondaire = vers.filter(|_| dedans || reflet > 0.0);
+        let secondaire = secondaire.and_then(|vers| rayon.secondaire(&touche, vers).ok());
+        let quitte = touche.objet();
+        let suivant = secondaire.map(|rayon| Trajet {
+            rayon,
+            oeil: *oeil,
+            part: produit(*part, suit),
+            quitte,
+            dedans,
+        });
+        let couleur = produit(*part, couleur) * reste;
+        (Surface { trajet, touche, reflechie, couleur, eclat: matiere.eclat }, suivant)
+    }
 
-        let point = rayon.point(touche.distance());
-        let couleur = matiere.couleur(point, n, touche.distance());
-        let mut vue = produit(couleur, AMBIANTE);
-        for lampe in &self.lampes {
-            let Some(vers) = (lampe.position - point).unitaire() else { continue };
-            let cosinus = vers.produit_scalaire(n);
-            if cosinus > R::ZERO && !self.a_l_ombre(rayon, &touche, lampe) {
-                let eclat = vers.produit_scalaire(reflechie).vers_f64().max(0.0).powi(60);
-                vue = vue + produit(couleur, lampe.couleur) * cosinus.vers_f64();
-                vue = vue + lampe.couleur * (matiere.eclat * eclat);
+    /// Where a ray inside glass leaves it, unless it touches something else before: shot back from beyond
+    /// the object, it enters where it left.
+    fn sortie(&self, trajet: &Trajet<R>, touche: &Touche<R>) -> Option<Trajet<R>> {
+        let Trajet { rayon, oeil, part, quitte, dedans: true } = *trajet else { return None };
+        let objet = &self.objets[quitte];
+        let longueur = match objet {
+            ObjetRay::Sphere(sphere) => sphere.rayon(),
+            ObjetRay::Boite(boite) => Vecteur::from(boite.demi_longueurs()).longueur(),
+            ObjetRay::Plan(_) => return None,
+        } * R::depuis_f64(3.0);
+        let retour = Rayon::new(rayon.point(longueur), -rayon.direction()).ok()?;
+        let sortie = objet.intersection(&retour).ok()?;
+        if touche.is_ok_and(|touche| touche.distance() < longueur - sortie.distance()) {
+            return None;
+        }
+        let matiere = &PALETTE[sortie.texture().0 as usize % PALETTE.len()];
+        let (d, n) = (rayon.direction(), -sortie.normale());
+        // Beyond the critical angle the ray stays inside.
+        let dehors = refractee(d, n, matiere.indice);
+        let vers = dehors.unwrap_or(d - (n + n) * d.produit_scalaire(n));
+        let rayon = retour.secondaire(&sortie, vers).ok()?;
+        Some(Trajet { rayon, oeil, part, quitte, dedans: dehors.is_none() })
+    }
+
+    /// Adds the light of one lamp to what is seen of these surfaces, except where something blocks it.
+    fn eclairer(
+        &self,
+        lampe: &Lampe<R>,
+        surfaces: &[Surface<'_, R>],
+        vues: &mut [Couleur],
+    ) -> Result<(), LongueursDifferentes> {
+        let vers = |surface: &Surface<'_, R>| {
+            surface.trajet.rayon.vers_lumiere(&surface.touche, lampe.position)
+        };
+        let ombres: Vec<_> = surfaces.iter().filter_map(|s| Some((s, vers(s)?))).collect();
+        let touches = self.lancer(ombres.iter().map(|(_, (ombre, _))| *ombre).collect())?;
+        for ((surface, (ombre, distance)), touche) in ombres.into_iter().zip(touches) {
+            if touche.is_ok_and(|touche| touche.distance() < distance) {
+                continue;
             }
+            let Surface { trajet, touche, reflechie, couleur, eclat } = surface;
+            let cosinus = ombre.direction().produit_scalaire(touche.normale()).vers_f64();
+            let brillant = ombre.direction().produit_scalaire(*reflechie).vers_f64().max(0.0);
+            vues[trajet.oeil] += produit(*couleur, lampe.couleur) * cosinus
+                + produit(trajet.part, lampe.couleur) * (eclat * brillant.powi(60));
         }
-
-        if matiere.reflet > 0.0
-            && rebonds > 0
-            && let Ok(miroir) = rayon.secondaire(&touche, reflechie)
-        {
-            // Schlick's approximation of Fresnel's formula.
-            let rasant = (1.0 + face.vers_f64()).max(0.0).powi(5);
-            let part = matiere.reflet + (1.0 - matiere.reflet) * rasant;
-            let touche = premiere_intersection(&self.objets, &miroir);
-            vue = vue * (1.0 - part) + self.vue(&miroir, touche, rebonds - 1) * part;
-        }
-        vue
+        Ok(())
     }
+}
 
-    fn a_l_ombre(&self, rayon: &Rayon<R>, touche: &Intersection<R>, lampe: &Lampe<R>) -> bool {
-        let vers = lampe.position - rayon.point(touche.distance());
-        // A point that is not known well enough to leave it is in the light.
-        let Ok(ombre) = rayon.secondaire(touche, vers) else { return false };
-        let distance = (lampe.position - ombre.source()).longueur();
-        est_occulte(&self.objets, &ombre, distance)
-    }
+/// A point of a surface that is seen.
+struct Surface<'t, R> {
+    trajet: &'t Trajet<R>,
+    touche: Intersection<R>,
+    /// Where a mirror would send the ray.
+    reflechie: Vecteur<R>,
+    /// In the part in which it is seen.
+    couleur: Couleur,
+    eclat: f64,
+}
+
+/// The direction of a ray behind a surface that it meets against the normal `n`, where light is so many
+/// times slower; none beyond the critical angle (Snell).
+fn refractee<R: Reel>(d: Vecteur<R>, n: Vecteur<R>, rapport: f64) -> Option<Vecteur<R>> {
+    let (rapport, cosinus) = (R::depuis_f64(rapport), -d.produit_scalaire(n));
+    let carre = R::UN - rapport * rapport * (R::UN - cosinus * cosinus);
+    (carre > R::ZERO).then(|| d * rapport + n * (rapport * cosinus - carre.sqrt()))
 }
 
 impl Matiere {
@@ -221,11 +368,4 @@ fn lineaire(couleur: u32) -> Couleur {
 
 fn produit(a: Couleur, b: Couleur) -> Couleur {
     Vecteur::new(a.x * b.x, a.y * b.y, a.z * b.z)
-}
-
-fn ecrire(chemin: &str, taille: (u32, u32), couleurs: &[Couleur]) -> Result<(), Box<dyn Error>> {
-    let octet = |x: f64| (255.0 * x.powf(1.0 / 2.2)).round() as u8;
-    let octets: Vec<u8> =
-        couleurs.iter().flat_map(|&couleur| <[f64; 3]>::from(couleur).map(octet)).collect();
-    image::ecrire(chemin, taille, png::Compression::High, &octets)
 }

@@ -1,9 +1,15 @@
-//! What someone with a list of objects writes in parry, at its best: a loop, or its tree of boxes.
+//! What someone with a list of objects writes in parry, at its best: a loop, its tree of boxes, or the
+//! eight-way tree of obvhs over the same shapes.
 //!
 //! `main.rs` compiles this page against `parry3d` and again against `parry3d-f64`, which have the
 //! same names in them; `Real` is `f32` in one and `f64` in the other.
 
 use lancer_rayon::{ObjetRay, Rayon, Texture, Vecteur};
+use obvhs::BvhBuildParams;
+use obvhs::aabb::Aabb as BoiteObvhs;
+use obvhs::cwbvh::CwBvh;
+use obvhs::cwbvh::builder::build_cwbvh;
+use obvhs::ray::{Ray as RayonObvhs, RayHit};
 
 use super::parry::bounding_volume::Aabb;
 use super::parry::math::{Mat3, Pose, Real, Rotation, Vector};
@@ -22,11 +28,20 @@ enum Forme {
     Boite(Cuboid, Pose),
 }
 
-/// A half-space has no finite box: those stay in a list.
-pub(crate) struct Arbre {
+/// A tree over the objects with an end. A half-space has no finite box: those stay in a list.
+pub(crate) struct Arbre<T> {
     plans: Vec<Objet>,
     solides: Vec<Objet>,
-    boites: Bvh,
+    boites: T,
+}
+
+impl<T> Arbre<T> {
+    fn new(objets: &[ObjetRay<Real>], faire: impl Fn(&[Aabb]) -> T) -> Self {
+        let objets = objets.iter().map(Real::objet);
+        let (solides, plans): (Vec<_>, Vec<_>) = objets.partition(|objet| objet.boite().is_some());
+        let boites: Vec<_> = solides.iter().filter_map(Objet::boite).collect();
+        Self { plans, boites: faire(&boites), solides }
+    }
 }
 
 impl Objet {
@@ -65,7 +80,8 @@ impl Objet {
 
 impl Parry for Real {
     type Objet = Objet;
-    type Arbre = Arbre;
+    type Arbre = Arbre<Bvh>;
+    type Obvhs = Arbre<CwBvh>;
     type Rayon = Ray;
 
     fn objet(objet: &ObjetRay<Self>) -> Objet {
@@ -91,11 +107,24 @@ impl Parry for Real {
         Ray::new(vector(rayon.source()), vector(rayon.direction()))
     }
 
-    fn arbre(objets: &[ObjetRay<Self>]) -> Arbre {
-        let objets = objets.iter().map(Self::objet);
-        let (solides, plans): (Vec<_>, Vec<_>) = objets.partition(|objet| objet.boite().is_some());
-        let boites: Vec<_> = solides.iter().filter_map(Objet::boite).collect();
-        Arbre { plans, boites: Bvh::from_leaves(BvhBuildStrategy::Binned, &boites), solides }
+    fn arbre(objets: &[ObjetRay<Self>]) -> Arbre<Bvh> {
+        Arbre::new(objets, |boites| Bvh::from_leaves(BvhBuildStrategy::Binned, boites))
+    }
+
+    fn obvhs(objets: &[ObjetRay<Self>]) -> Arbre<CwBvh> {
+        Arbre::new(objets, |boites| {
+            let boites: Vec<_> = boites
+                .iter()
+                .map(|boite| {
+                    // Past the rounding to f32.
+                    let [bas, haut] = [boite.mins, boite.maxs].map(|v| en_f32(v.to_array()));
+                    let marge = |x: f32| 1e-6 * x.abs();
+                    let (bas, haut) = (bas.map(|x| x - marge(x)), haut.map(|x| x + marge(x)));
+                    BoiteObvhs::new(bas.into(), haut.into())
+                })
+                .collect();
+            build_cwbvh(&boites, BvhBuildParams::very_slow_build(), &mut Default::default())
+        })
     }
 
     fn dans_la_liste(objets: &[Objet], rayon: &Ray) -> Option<Vu<Self>> {
@@ -104,20 +133,58 @@ impl Parry for Real {
 
     /// `find_best` with the inverses of the direction: `Bvh::cast_ray` divides again at every
     /// node in f64, and takes twice as long.
-    fn dans_l_arbre(arbre: &Arbre, rayon: &Ray) -> Option<Vu<Self>> {
+    fn dans_l_arbre(arbre: &Arbre<Bvh>, rayon: &Ray) -> Option<Vu<Self>> {
         let plan = premier(&arbre.plans, rayon);
         let t_max = plan.map_or(Self::INFINITY, |(_, t)| t);
         let inverses = rayon.dir.recip();
-        let boite = |boite: &BvhNode, _| {
-            let a = (boite.mins() - rayon.origin) * inverses;
-            let b = (boite.maxs() - rayon.origin) * inverses;
-            let (entree, sortie) = (a.min(b).max_element(), a.max(b).min_element());
-            if entree.max(0.0) <= sortie { entree } else { Self::MAX }
-        };
         let solide = |i| &arbre.solides[i as usize];
+        let boite = |boite: &BvhNode, _| entree(boite, rayon.origin, inverses);
         let dans = arbre.boites.find_best(t_max, boite, |i, t_max| solide(i).t(rayon, t_max));
         conclure(dans.map(|(i, t)| (solide(i), t)).or(plan)?, rayon)
     }
+
+    #[allow(clippy::unnecessary_cast, reason = "Real is f32 in one of the two")]
+    fn dans_obvhs(arbre: &Arbre<CwBvh>, rayon: &Ray) -> Option<Vu<Self>> {
+        let mut premier = premier(&arbre.plans, rayon);
+        let [origine, direction] = [rayon.origin, rayon.dir].map(|v| en_f32(v.to_array()).into());
+        let t_max = premier.map_or(f32::INFINITY, |(_, t)| t as f32);
+        let en_f32 = RayonObvhs::new(origine, direction, 0.0, t_max);
+        arbre.boites.ray_traverse(en_f32, &mut RayHit::none(), |_, place| {
+            let objet = &arbre.solides[arbre.boites.primitive_indices[place] as usize];
+            let t_max = premier.map_or(Self::INFINITY, |(_, t)| t);
+            let Some(t) = objet.t(rayon, t_max).filter(|t| *t < t_max) else {
+                return f32::INFINITY;
+            };
+            premier = Some((objet, t));
+            t as f32
+        });
+        conclure(premier?, rayon)
+    }
+
+    fn ombre_dans_la_liste(objets: &[Objet], rayon: &Ray, max: Self) -> bool {
+        objets.iter().any(|objet| objet.t(rayon, max).is_some_and(|t| t < max))
+    }
+
+    fn ombre_dans_l_arbre(arbre: &Arbre<Bvh>, rayon: &Ray, max: Self) -> bool {
+        let inverses = rayon.dir.recip();
+        let solide = |i| &arbre.solides[i as usize];
+        let boite = |boite: &BvhNode| entree(boite, rayon.origin, inverses) < max;
+        Self::ombre_dans_la_liste(&arbre.plans, rayon, max)
+            || arbre.boites.leaves(boite).any(|i| solide(i).t(rayon, max).is_some_and(|t| t < max))
+    }
+}
+
+/// The distance at which a ray enters a box of the tree; the largest number if it does not.
+fn entree(boite: &BvhNode, origine: Vector, inverses: Vector) -> Real {
+    let a = (boite.mins() - origine) * inverses;
+    let b = (boite.maxs() - origine) * inverses;
+    let (entree, sortie) = (a.min(b).max_element(), a.max(b).min_element());
+    if entree.max(0.0) <= sortie { entree } else { Real::MAX }
+}
+
+#[allow(clippy::unnecessary_cast, reason = "Real is f32 in one of the two")]
+fn en_f32(v: [Real; 3]) -> [f32; 3] {
+    v.map(|x| x as f32)
 }
 
 fn premier<'a>(objets: &'a [Objet], rayon: &Ray) -> Option<(&'a Objet, Real)> {

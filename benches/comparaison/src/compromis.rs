@@ -63,8 +63,8 @@ fn mesures<R: Parry + DeserializeOwned>(scalaire: &str) -> Result<Vec<Variante>,
     let objets = scene.objets.iter().copied().map(ObjetGeo::vers_ray).collect();
     let concours = Concours::<R>::new(objets, scene.camera.rayons()?);
     concours.verifier(&Concurrent::TOUS)?;
-    let temps = concours.temps(&Concurrent::TOUS);
-    let juges_de = [Concurrent::Rayons, Concurrent::AnnexeEnum, Concurrent::ParryListe];
+    let temps = concours.temps(&Concurrent::TOUS)?;
+    let juges_de = [Concurrent::Liste, Concurrent::AnnexeEnum, Concurrent::ParryListe];
     let reponses = juges_de.map(|qui| concours.reponses(qui, PAS));
     let juges = concours.rayons.iter().step_by(PAS);
     let verites: Vec<_> = juges.map(|rayon| premiere(&concours.objets, rayon)).collect();
@@ -93,10 +93,10 @@ fn mesures<R: Parry + DeserializeOwned>(scalaire: &str) -> Result<Vec<Variante>,
             fausses: 1e6 * f64::from(fausses) / cas,
         }
     };
-    let ns = [temps.de(Concurrent::Rayons), temps.annexe(), temps.parry()];
+    let ns = [temps.seuls(), temps.annexe(), temps.parry()];
     let mut variantes: Vec<_> = noms.into_iter().zip(ns).zip(reponses).map(variante).collect();
     exiger_exact_aux_extremes::<R>()?;
-    let ns = temps.de(Concurrent::Lot);
+    let ns = temps.lot();
     let lot = Variante { nom: format!("batch {scalaire}"), ns, ..variantes[0].clone() };
     variantes.push(lot);
     Ok(variantes)

@@ -3,11 +3,15 @@
 use std::error::Error;
 use std::fmt;
 
-use lancer_rayon::{ObjetRay, Rayon, Reel, Touche, premiere_intersection, premieres_intersections};
+use lancer_rayon::{
+    Hierarchie, ObjetRay, Rayon, Reel, Touche, premiere_intersection, premieres_intersections,
+};
 
 use crate::annexe_dyn;
 use crate::commun::litteral;
-use crate::horloge::{chronometrer, chronometrer_lot, exiger, medianes, petit_tampon, une_par_une};
+use crate::horloge::{
+    TUILE, chronometrer, chronometrer_lot, exiger, medianes, petit_tampon, une_par_une,
+};
 use crate::pairs::{Parry, Vu};
 
 /// Who looks at every object, ray by ray, gets one tile in so many of a picture of a thousand
@@ -16,53 +20,80 @@ const TUILES: usize = 8;
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Concurrent {
-    Lot,
-    Rayons,
-    AnnexeEnum,
-    AnnexeDyn,
+    LotListe,
+    LotHierarchie,
+    Liste,
+    Hierarchie,
     ParryListe,
     ParryArbre,
+    Obvhs,
+    AnnexeEnum,
+    AnnexeDyn,
 }
 
 impl Concurrent {
-    pub(crate) const TOUS: [Self; 6] = [
-        Self::Lot,
-        Self::Rayons,
-        Self::AnnexeEnum,
-        Self::AnnexeDyn,
+    pub(crate) const TOUS: [Self; 9] = [
+        Self::LotListe,
+        Self::LotHierarchie,
+        Self::Liste,
+        Self::Hierarchie,
         Self::ParryListe,
         Self::ParryArbre,
+        Self::Obvhs,
+        Self::AnnexeEnum,
+        Self::AnnexeDyn,
     ];
 
-    fn nom(self) -> &'static str {
+    /// Those whose time hardly grows with the number of objects.
+    pub(crate) const ARBRES: [Self; 4] =
+        [Self::LotHierarchie, Self::Hierarchie, Self::ParryArbre, Self::Obvhs];
+
+    pub(crate) fn nom(self) -> &'static str {
         match self {
-            Self::Lot => "batch",
-            Self::Rayons => "ray by ray",
-            Self::AnnexeEnum => "annex A, enum",
-            Self::AnnexeDyn => "annex A, dyn",
+            Self::LotListe => "list, batch",
+            Self::LotHierarchie => "hierarchy, batch",
+            Self::Liste => "list",
+            Self::Hierarchie => "hierarchy",
             Self::ParryListe => "parry, loop",
             Self::ParryArbre => "parry, Bvh",
+            Self::Obvhs => "parry in obvhs",
+            Self::AnnexeEnum => "annex A, enum",
+            Self::AnnexeDyn => "annex A, dyn",
         }
     }
 }
 
 /// Nanoseconds per ray; NaN for who did not run.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Temps([f64; 6]);
+pub(crate) struct Temps([f64; 9]);
 
 impl Temps {
     pub(crate) fn de(&self, qui: Concurrent) -> f64 {
         self.0[qui as usize]
     }
 
-    /// The better of the two.
-    pub(crate) fn parry(&self) -> f64 {
-        self.de(Concurrent::ParryListe).min(self.de(Concurrent::ParryArbre))
+    /// The best of these.
+    pub(crate) fn le_meilleur<const N: usize>(&self, de: [Concurrent; N]) -> f64 {
+        de.into_iter().map(|qui| self.de(qui)).fold(f64::NAN, f64::min)
     }
 
-    /// The better of the two.
+    /// Our rays one by one.
+    pub(crate) fn seuls(&self) -> f64 {
+        self.le_meilleur([Concurrent::Liste, Concurrent::Hierarchie])
+    }
+
+    /// Our batch.
+    pub(crate) fn lot(&self) -> f64 {
+        self.le_meilleur([Concurrent::LotListe, Concurrent::LotHierarchie])
+    }
+
+    /// parry, in a loop or in one of the two trees.
+    pub(crate) fn parry(&self) -> f64 {
+        self.le_meilleur([Concurrent::ParryListe, Concurrent::ParryArbre, Concurrent::Obvhs])
+    }
+
     pub(crate) fn annexe(&self) -> f64 {
-        self.de(Concurrent::AnnexeEnum).min(self.de(Concurrent::AnnexeDyn))
+        self.le_meilleur([Concurrent::AnnexeEnum, Concurrent::AnnexeDyn])
     }
 }
 
@@ -74,6 +105,7 @@ pub(crate) struct Concours<R: Parry> {
     dynamiques: Vec<Box<dyn annexe_dyn::Objet<R>>>,
     liste_parry: Vec<R::Objet>,
     arbre_parry: R::Arbre,
+    obvhs: R::Obvhs,
     rayons_parry: Vec<R::Rayon>,
 }
 
@@ -84,6 +116,7 @@ impl<R: Parry> Concours<R> {
             dynamiques: objets.iter().map(annexe_dyn::objet).collect(),
             liste_parry: objets.iter().map(R::objet).collect(),
             arbre_parry: R::arbre(&objets),
+            obvhs: R::obvhs(&objets),
             rayons_parry: rayons.iter().map(R::rayon).collect(),
             objets,
             rayons,
@@ -110,35 +143,59 @@ impl<R: Parry> Concours<R> {
         R::dans_l_arbre(&self.arbre_parry, rayon)
     }
 
-    /// What one answers to every ray of so many. The batch answers as the rays do one by one,
-    /// which `verifier` makes sure of.
+    fn obvhs(&self, rayon: &R::Rayon) -> Option<Vu<R>> {
+        R::dans_obvhs(&self.obvhs, rayon)
+    }
+
+    /// What one answers to every ray of so many. The batch and the hierarchy answer as the list does ray
+    /// by ray, which `verifier` makes sure of.
     pub(crate) fn reponses(&self, qui: Concurrent, pas: usize) -> Vec<Option<Vu<R>>> {
         let rayons = self.rayons.iter().step_by(pas);
         let rayons_parry = self.rayons_parry.iter().step_by(pas);
         match qui {
-            Concurrent::Lot | Concurrent::Rayons => rayons.map(|r| touche(self.ici(r))).collect(),
+            Concurrent::LotListe
+            | Concurrent::LotHierarchie
+            | Concurrent::Liste
+            | Concurrent::Hierarchie => rayons.map(|r| touche(self.ici(r))).collect(),
             Concurrent::AnnexeEnum => rayons.map(|r| self.litteral(r)).collect(),
             Concurrent::AnnexeDyn => rayons.map(|r| self.dynamique(r)).collect(),
             Concurrent::ParryListe => rayons_parry.map(|r| self.liste(r)).collect(),
             Concurrent::ParryArbre => rayons_parry.map(|r| self.arbre(r)).collect(),
+            Concurrent::Obvhs => rayons_parry.map(|r| self.obvhs(r)).collect(),
         }
     }
 
-    /// An error unless the batch is exact and the others agree but for rounding.
+    /// An error unless the batch and the hierarchy have the bits of the list ray by ray, and the others
+    /// agree but for rounding. Of a long list a part of the rays must do.
     pub(crate) fn verifier(&self, concurrents: &[Concurrent]) -> Result<(), Box<dyn Error>> {
-        let attendues = une_par_une(&self.objets, &self.rayons);
-        let ici: Vec<_> = attendues.iter().copied().map(touche).collect();
+        let pas = (self.objets.len() / 5000).max(1);
+        let rayons: Vec<_> = self.rayons.chunks(TUILE).step_by(pas).flatten().copied().collect();
+        let attendues = une_par_une(&self.objets, &rayons);
+        let ici = self.reponses(Concurrent::Liste, pas);
+        let mut places = places(&self.objets);
+        let hierarchie = Hierarchie::new(&self.objets, &mut places)?;
         for qui in concurrents {
             match qui {
-                Concurrent::Rayons => {}
-                Concurrent::Lot => exiger(&attendues, &self.rayons, |rayons, touches| {
+                Concurrent::Liste => {}
+                Concurrent::Hierarchie => {
+                    let obtenues =
+                        rayons.iter().map(|rayon| hierarchie.premiere_intersection(rayon));
+                    if !obtenues.eq(attendues.iter().copied()) {
+                        return Err("the hierarchy differs from its list".into());
+                    }
+                }
+                Concurrent::LotListe => exiger(&attendues, &rayons, |rayons, touches| {
                     premieres_intersections(&self.objets, rayons, touches)
+                })?,
+                Concurrent::LotHierarchie => exiger(&attendues, &rayons, |rayons, touches| {
+                    hierarchie.premieres_intersections(rayons, touches)
                 })?,
                 Concurrent::AnnexeEnum
                 | Concurrent::AnnexeDyn
                 | Concurrent::ParryListe
-                | Concurrent::ParryArbre => {
-                    let ecart = Ecart::entre(&ici, &self.reponses(*qui, 1));
+                | Concurrent::ParryArbre
+                | Concurrent::Obvhs => {
+                    let ecart = Ecart::entre(&ici, &self.reponses(*qui, pas));
                     let (scalaire, n) = (std::any::type_name::<R>(), self.objets.len());
                     println!("{scalaire}, N = {n}, {}: {ecart}", qui.nom());
                     if !ecart.explicable::<R>(ici.len()) {
@@ -150,26 +207,42 @@ impl<R: Parry> Concours<R> {
         Ok(())
     }
 
-    pub(crate) fn temps(&self, concurrents: &[Concurrent]) -> Temps {
+    pub(crate) fn temps(&self, concurrents: &[Concurrent]) -> Result<Temps, Box<dyn Error>> {
         let (rayons, rayons_parry) = (&self.rayons, &self.rayons_parry);
         let pas = if self.objets.len() < 1000 { 1 } else { TUILES };
         let mut tampon = petit_tampon();
+        let mut places = places(&self.objets);
+        let hierarchie = Hierarchie::new(&self.objets, &mut places)?;
         let medianes = medianes(concurrents, |qui| match qui {
-            Concurrent::Lot => chronometrer_lot(rayons, &mut tampon, |rayons, touches| {
+            Concurrent::LotListe => chronometrer_lot(rayons, &mut tampon, |rayons, touches| {
                 premieres_intersections(&self.objets, rayons, touches)
             }),
-            Concurrent::Rayons => chronometrer(rayons, pas, |rayon| self.ici(rayon)),
+            Concurrent::LotHierarchie => {
+                chronometrer_lot(rayons, &mut tampon, |rayons, touches| {
+                    hierarchie.premieres_intersections(rayons, touches)
+                })
+            }
+            Concurrent::Liste => chronometrer(rayons, pas, |rayon| self.ici(rayon)),
+            Concurrent::Hierarchie => {
+                chronometrer(rayons, 1, |rayon| hierarchie.premiere_intersection(rayon))
+            }
             Concurrent::AnnexeEnum => chronometrer(rayons, pas, |rayon| self.litteral(rayon)),
             Concurrent::AnnexeDyn => chronometrer(rayons, pas, |rayon| self.dynamique(rayon)),
             Concurrent::ParryListe => chronometrer(rayons_parry, pas, |rayon| self.liste(rayon)),
             Concurrent::ParryArbre => chronometrer(rayons_parry, 1, |rayon| self.arbre(rayon)),
+            Concurrent::Obvhs => chronometrer(rayons_parry, 1, |rayon| self.obvhs(rayon)),
         });
-        let mut temps = Temps([f64::NAN; 6]);
+        let mut temps = Temps([f64::NAN; 9]);
         for (qui, mediane) in concurrents.iter().zip(medianes) {
             temps.0[*qui as usize] = mediane;
         }
-        temps
+        Ok(temps)
     }
+}
+
+/// Places for a hierarchy over these objects.
+pub(crate) fn places<R: Reel>(objets: &[ObjetRay<R>]) -> Vec<R> {
+    vec![R::ZERO; Hierarchie::<R>::places(objets.len())]
 }
 
 fn touche<R: Reel>(reponse: Touche<R>) -> Option<Vu<R>> {

@@ -13,7 +13,7 @@ use lancer_rayon::{
 pub(crate) const MORCEAU: usize = 4096;
 
 /// Rays of a tile.
-const TUILE: usize = 64;
+pub(crate) const TUILE: usize = 64;
 
 /// Turns, of which the median counts.
 const TOURS: usize = 5;
@@ -73,7 +73,11 @@ pub(crate) fn chronometrer_lot<R: Reel>(
 }
 
 /// Nanoseconds per ray, over one tile in `pas`.
-pub(crate) fn chronometrer<Q, T>(rayons: &[Q], pas: usize, premiere: impl Fn(&Q) -> T) -> f64 {
+pub(crate) fn chronometrer<Q, T>(
+    rayons: &[Q],
+    pas: usize,
+    mut premiere: impl FnMut(&Q) -> T,
+) -> f64 {
     let mut lances = 0;
     let debut = Instant::now();
     for tuile in rayons.chunks(TUILE).step_by(pas) {

@@ -3,27 +3,28 @@
 
 use std::error::Error;
 
-use lancer_rayon::{Rayon, Reel, Reglage, Touche, premieres_intersections};
+use lancer_rayon::{Hierarchie, Rayon, Reel, Reglage, Touche};
 use rayon::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use crate::commun::scenes::melange;
-use crate::concours::{Concours, Concurrent};
+use crate::concours::{Concours, Concurrent, places};
 use crate::horloge::{
     MORCEAU, chronometrer_lot, exiger, medianes, nanosecondes, petit_tampon, tampon, une_par_une,
 };
 use crate::pairs::Parry;
 use crate::rayons::{en_lignes, en_tuiles, incoherents};
 
-/// The table of the orders; beside the incoherent rays, what they cost one by one.
+/// The table of the orders: the batch in rows and in tiles, and what rays in no order cost in a batch and
+/// one by one.
 pub(crate) fn ordres() -> Result<String, Box<dyn Error>> {
     let mut table = vec![
-        "| scalar | N | rows | whole | tiles | whole | incoherent | whole | incoherent, ray by ray \
-         | incoherent, parry's Bvh |"
+        "| scalar | N | batch, rows | tiles | tiles, whole picture | no order | one by one, no order \
+         | parry, no order | parry / one by one |"
             .to_owned(),
-        format!("|---|--:|{}", "--:|".repeat(8)),
+        format!("|---|--:|{}", "--:|".repeat(7)),
     ];
-    for n in [12, 192, 1000] {
+    for n in [12, 48, 192, 1000, 10_000, 100_000] {
         table.push(ordres_de::<f32>(n)?);
         table.push(ordres_de::<f64>(n)?);
     }
@@ -32,31 +33,25 @@ pub(crate) fn ordres() -> Result<String, Box<dyn Error>> {
 
 fn ordres_de<R: Parry>(n: usize) -> Result<String, Box<dyn Error>> {
     let objets = melange(n);
-    let scalaire = std::any::type_name::<R>();
+    let mut places = places(&objets);
+    let hierarchie = Hierarchie::new(&objets, &mut places)?;
     let premieres = |rayons: &[Rayon<R>], touches: &mut [Touche<R>]| {
-        premieres_intersections(&objets, rayons, touches)
+        hierarchie.premieres_intersections(rayons, touches)
     };
-    let ordres = [en_lignes(), en_tuiles(), incoherents(&objets)];
-    for rayons in &ordres {
-        exiger(&une_par_une(&objets, rayons), rayons, premieres)?;
-    }
+    let ordres = [en_lignes(), en_tuiles(), incoherents(&hierarchie)];
     let mut tampons = [petit_tampon(), tampon(ordres[0].len())];
-    let cas = [0, 1, 2].map(|ordre| [(ordre, 0), (ordre, 1)]);
-    let lot = medianes(cas.as_flattened(), |&(ordre, tampon)| {
+    let cas = [(0, 0), (1, 0), (1, 1), (2, 0)];
+    let lot = medianes(&cas, |&(ordre, tampon)| {
         chronometrer_lot(&ordres[ordre], &mut tampons[tampon], premieres)
     });
     let [_, _, rayons] = ordres;
     let concours = Concours::new(objets.clone(), rayons);
-    let autres = [Concurrent::Rayons, Concurrent::ParryArbre];
-    concours.verifier(&autres)?;
-    let temps = concours.temps(&autres);
-    let lot: Vec<_> = lot.into_iter().map(nanosecondes).collect();
-    Ok(format!(
-        "| {scalaire} | {n} | {} | {} | {} |",
-        lot.join(" | "),
-        nanosecondes(temps.de(Concurrent::Rayons)),
-        nanosecondes(temps.de(Concurrent::ParryArbre)),
-    ))
+    concours.verifier(&Concurrent::ARBRES)?;
+    let temps = concours.temps(&Concurrent::ARBRES)?;
+    let ns = lot.into_iter().chain([temps.seuls(), temps.parry()]);
+    let ns: Vec<_> = ns.map(nanosecondes).collect();
+    let (scalaire, rapport) = (std::any::type_name::<R>(), temps.parry() / temps.seuls());
+    Ok(format!("| {scalaire} | {n} | {} | {rapport:.1} |", ns.join(" | ")))
 }
 
 /// The table of the instruction sets.
@@ -84,17 +79,19 @@ pub(crate) fn jeux_d_instructions() -> Result<String, Box<dyn Error>> {
 /// Nanoseconds per ray of each set.
 fn jeux_de<R: Reel>(n: usize) -> Result<Vec<f64>, Box<dyn Error>> {
     let (objets, rayons) = (melange(n), en_tuiles::<R>());
-    let jeux: Vec<_> = Reglage::tous().map(|(_, reglage)| reglage).collect();
+    let mut places = places(&objets);
+    let hierarchie = Hierarchie::new(&objets, &mut places)?;
+    let jeux: Vec<_> = Reglage::tous().map(|(_, jeu)| jeu.hierarchie(hierarchie)).collect();
     let attendues = une_par_une(&objets, &rayons);
-    for reglage in &jeux {
+    for jeu in &jeux {
         exiger(&attendues, &rayons, |rayons, touches| {
-            reglage.premieres_intersections(&objets, rayons, touches)
+            jeu.premieres_intersections(rayons, touches)
         })?;
     }
     let mut tampon = petit_tampon();
-    Ok(medianes(&jeux, |reglage| {
+    Ok(medianes(&jeux, |jeu| {
         chronometrer_lot(&rayons, &mut tampon, |rayons, touches| {
-            reglage.premieres_intersections(&objets, rayons, touches)
+            jeu.premieres_intersections(rayons, touches)
         })
     }))
 }
@@ -117,9 +114,12 @@ pub(crate) fn threads() -> Result<String, Box<dyn Error>> {
 
 fn threads_de<R: Reel>(n: usize, equipes: &[ThreadPool; 2]) -> Result<String, Box<dyn Error>> {
     let (objets, rayons) = (melange(n), en_tuiles::<R>());
+    let mut places = places(&objets);
+    let hierarchie = Hierarchie::new(&objets, &mut places)?;
     let premieres = |rayons: &[Rayon<R>], touches: &mut [Touche<R>]| {
         let morceaux = rayons.par_chunks(MORCEAU).zip(touches.par_chunks_mut(MORCEAU));
-        morceaux.try_for_each(|(rayons, touches)| premieres_intersections(&objets, rayons, touches))
+        morceaux
+            .try_for_each(|(rayons, touches)| hierarchie.premieres_intersections(rayons, touches))
     };
     exiger(&une_par_une(&objets, &rayons), &rayons, premieres)?;
     let mut tampon = tampon(rayons.len());

@@ -1,9 +1,9 @@
-//! lancer-rayon beside annex A of the handout to the letter and beside parry, with the same
-//! objects and the same rays.
+//! lancer-rayon beside annex A of the handout to the letter, beside parry and beside parry's shapes in the
+//! tree of obvhs, with the same objects and the same rays.
 //!
 //! `cargo run --release -p comparaison` prints the times; with `documents` it measures errors as
-//! well, and writes the tables and plots of `docs/precision.md`, `docs/compromis.md`,
-//! `docs/performance.md` and the README.
+//! well, and writes the tables and plots of `docs/precision.md`, `docs/compromis.md` and
+//! `docs/performance.md`.
 
 mod annexe_dyn;
 mod compromis;
@@ -59,7 +59,14 @@ fn main() -> Result<(), Box<dyn Error>> {
     let ordres = lot::ordres()?;
     let jeux = lot::jeux_d_instructions()?;
     let threads = lot::threads()?;
-    let tables = [("times", complete), ("orders", ordres), ("sets", jeux), ("threads", threads)];
+    let tables = [
+        ("times", complete),
+        ("orders", ordres),
+        ("shadows", vitesse::ombres()?),
+        ("building", vitesse::constructions()?),
+        ("sets", jeux),
+        ("threads", threads),
+    ];
     for (nom, table) in &tables {
         println!("\n{nom}, ns per ray\n\n{table}");
     }
@@ -67,7 +74,6 @@ fn main() -> Result<(), Box<dyn Error>> {
         for (nom, table) in &tables {
             page::remplacer("docs/performance.md", nom, &page::datee(table))?;
         }
-        page::remplacer("README.md", "times", &vitesse::table_courte(&courses))?;
         vitesse::graphique(&courses)?;
         exactitude::documenter()?;
         compromis::documenter()?;

@@ -1,7 +1,7 @@
 //! The 240,000 rays of a picture, in the orders in which a renderer may have them.
 
 use fastrand::Rng;
-use lancer_rayon::{ObjetRay, Rayon, Reel, Vecteur, premiere_intersection};
+use lancer_rayon::{Hierarchie, Rayon, Reel, Vecteur};
 
 use crate::commun::conversion::arrondi;
 use crate::commun::regimes::{direction, entre};
@@ -20,12 +20,12 @@ pub(crate) fn en_tuiles<R: Reel>() -> Vec<Rayon<R>> {
 
 /// As many in no order: from what the camera sees outward in any direction, and for a pixel that
 /// sees nothing from anywhere to anywhere.
-pub(crate) fn incoherents<R: Reel>(objets: &[ObjetRay<R>]) -> Vec<Rayon<R>> {
+pub(crate) fn incoherents<R: Reel>(hierarchie: &Hierarchie<'_, R>) -> Vec<Rayon<R>> {
     let mut alea = Rng::with_seed(4);
     let mut rayons = en_lignes();
     for rayon in &mut rayons {
         let vers = direction(&mut alea);
-        let nouveau = match premiere_intersection(objets, rayon) {
+        let nouveau = match hierarchie.premiere_intersection(rayon) {
             Ok(touche) => {
                 let dehors = touche.normale().vers_f64().produit_scalaire(vers).signum();
                 rayon.secondaire(&touche, arrondi(vers * dehors))
@@ -36,6 +36,19 @@ pub(crate) fn incoherents<R: Reel>(objets: &[ObjetRay<R>]) -> Vec<Rayon<R>> {
     }
     alea.shuffle(&mut rayons);
     rayons
+}
+
+/// From what the camera sees to a lamp that it faces, with how far that is; in tiles.
+pub(crate) fn ombres<R: Reel>(hierarchie: &Hierarchie<'_, R>) -> Vec<(Rayon<R>, R)> {
+    let lampe = arrondi(Vecteur::new(-2.6, 7.2, 5.2));
+    let ombre = |rayon: Rayon<R>| {
+        let touche = hierarchie.premiere_intersection(&rayon).ok()?;
+        let vers = lampe - rayon.point(touche.distance());
+        let de_face = vers.produit_scalaire(touche.normale()) > R::ZERO;
+        let ombre = rayon.secondaire(&touche, vers).ok().filter(|_| de_face)?;
+        Some((ombre, (lampe - ombre.source()).longueur()))
+    };
+    en_tuiles().into_iter().filter_map(ombre).collect()
 }
 
 /// Among the objects of `scenes::melange`.

@@ -1,18 +1,21 @@
 //! How long each takes for the 240,000 rays of a picture, in tiles.
 
 use std::error::Error;
+use std::hint::black_box;
+use std::time::Instant;
 
+use lancer_rayon::{Hierarchie, est_occulte};
 use plotters::prelude::*;
 
 use crate::commun::scenes::melange;
-use crate::concours::{Concours, Concurrent, Temps};
+use crate::concours::{Concours, Concurrent, Temps, places};
 use crate::exactitude::COULEURS;
-use crate::horloge::nanosecondes;
+use crate::horloge::{chronometrer, medianes, nanosecondes};
 use crate::page;
 use crate::pairs::Parry;
-use crate::rayons::en_tuiles;
+use crate::rayons::{self, en_tuiles};
 
-const TAILLES: [usize; 6] = [3, 12, 48, 192, 1000, 10_000];
+const TAILLES: [usize; 7] = [3, 12, 48, 192, 1000, 10_000, 100_000];
 
 /// From here on a loop that looks closely at every object would run for minutes.
 const TROP: usize = 10_000;
@@ -35,74 +38,138 @@ pub(crate) fn courses() -> Result<Vec<Course>, Box<dyn Error>> {
 
 fn course<R: Parry>(n: usize) -> Result<Course, Box<dyn Error>> {
     let concours = Concours::<R>::new(melange(n), en_tuiles());
-    let grandes = [Concurrent::Lot, Concurrent::Rayons, Concurrent::ParryArbre];
-    let concurrents = if n < TROP { &Concurrent::TOUS[..] } else { &grandes };
+    let concurrents = if n < TROP { &Concurrent::TOUS[..] } else { &Concurrent::ARBRES };
     concours.verifier(concurrents)?;
-    let temps = concours.temps(concurrents);
+    let temps = concours.temps(concurrents)?;
     Ok(Course { scalaire: std::any::type_name::<R>(), n, temps })
 }
 
+/// Who stands in the table, in this order.
+const COLONNES: [Concurrent; 8] = [
+    Concurrent::LotListe,
+    Concurrent::LotHierarchie,
+    Concurrent::Liste,
+    Concurrent::Hierarchie,
+    Concurrent::ParryListe,
+    Concurrent::ParryArbre,
+    Concurrent::Obvhs,
+    Concurrent::AnnexeEnum,
+];
+
 pub(crate) fn table_complete(courses: &[Course]) -> String {
+    let noms = COLONNES.map(Concurrent::nom).join(" | ");
     let mut table = vec![
-        "| scalar | N | batch | ray by ray | parry, loop | parry, Bvh | annex A, enum \
-         | annex A, dyn | parry / batch | annex A / batch |"
-            .to_owned(),
-        format!("|---|--:|{}", "--:|".repeat(8)),
+        format!("| scalar | N | {noms} | parry / one by one | parry / batch | annex A / batch |"),
+        format!("|---|--:|{}", "--:|".repeat(COLONNES.len() + 3)),
     ];
     table.extend(courses.iter().map(|Course { scalaire, n, temps }| {
-        let [lot, rayons, annexe, dynamique, liste, arbre] =
-            Concurrent::TOUS.map(|qui| nanosecondes(temps.de(qui)));
-        let [parry, litteral] = rapports(temps);
-        format!(
-            "| {scalaire} | {n} | {lot} | {rayons} | {liste} | {arbre} | {annexe} | {dynamique} \
-             | {parry} | {litteral} |",
-        )
+        let ns = COLONNES.map(|qui| nanosecondes(temps.de(qui))).join(" | ");
+        format!("| {scalaire} | {n} | {ns} | {} |", rapports(temps).join(" | "))
     }));
     table.join("\n")
 }
 
-pub(crate) fn table_courte(courses: &[Course]) -> String {
-    let mut table = vec![
-        "| scalar | N | batch | ray by ray | annex A | parry | annex A / batch | parry / batch |"
-            .to_owned(),
-        format!("|---|--:|{}", "--:|".repeat(6)),
-    ];
-    table.extend(courses.iter().map(|Course { scalaire, n, temps }| {
-        let ns = [
-            temps.de(Concurrent::Lot),
-            temps.de(Concurrent::Rayons),
-            temps.annexe(),
-            temps.parry(),
-        ];
-        let [parry, annexe] = rapports(temps);
-        format!("| {scalaire} | {n} | {} | {annexe} | {parry} |", ns.map(nanosecondes).join(" | "),)
-    }));
-    table.join("\n")
+/// The best of parry over our rays one by one and over our batch, and annex A over our batch.
+fn rapports(temps: &Temps) -> [String; 3] {
+    let [parry, annexe, lot] = [temps.parry(), temps.annexe(), temps.lot()];
+    [parry / temps.seuls(), parry / lot, annexe / lot]
+        .map(|rapport| if rapport.is_nan() { "–".into() } else { format!("{rapport:.1}") })
 }
 
-/// The better of parry's two and of annex A's two over the batch.
-fn rapports(temps: &Temps) -> [String; 2] {
-    let lot = temps.de(Concurrent::Lot);
-    [temps.parry(), temps.annexe()].map(|ns| {
-        let rapport = ns / lot;
-        if rapport.is_nan() { "–".into() } else { format!("{rapport:.1}") }
-    })
+/// What shadows cost one by one: ours in a list and in a hierarchy, parry in a loop and in its `Bvh`.
+pub(crate) fn ombres() -> Result<String, Box<dyn Error>> {
+    let mut table = vec![
+        "| scalar | N | list | hierarchy | parry, loop | parry, Bvh | parry / ours |".to_owned(),
+        format!("|---|--:|{}", "--:|".repeat(5)),
+    ];
+    for n in [12, 48, 192, 1000, 10_000] {
+        table.push(ombres_de::<f32>(n)?);
+        table.push(ombres_de::<f64>(n)?);
+    }
+    Ok(table.join("\n"))
+}
+
+fn ombres_de<R: Parry>(n: usize) -> Result<String, Box<dyn Error>> {
+    let objets = melange::<R>(n);
+    let mut places = places(&objets);
+    let hierarchie = Hierarchie::new(&objets, &mut places)?;
+    let (liste, arbre) = (objets.iter().map(R::objet).collect::<Vec<_>>(), R::arbre(&objets));
+    let ombres: Vec<_> = rayons::ombres(&hierarchie)
+        .into_iter()
+        .map(|(rayon, max)| (rayon, R::rayon(&rayon), max))
+        .collect();
+    // Who looks at every object gets a part of the rays.
+    let pas = (n / 1000).max(1);
+    let mut comptes = [0; 4];
+    let ns = medianes(&[0, 1, 2, 3], |&qui| {
+        let compte = &mut comptes[qui];
+        *compte = 0;
+        let mut noter = |cache: bool| *compte += usize::from(cache);
+        match qui {
+            0 => chronometrer(&ombres, pas, |(r, _, max)| noter(est_occulte(&objets, r, *max))),
+            1 => chronometrer(&ombres, 1, |(r, _, max)| noter(hierarchie.est_occulte(r, *max))),
+            2 => chronometrer(&ombres, pas, |(_, r, max)| {
+                noter(R::ombre_dans_la_liste(&liste, r, *max));
+            }),
+            _ => chronometrer(&ombres, 1, |(_, r, max)| {
+                noter(R::ombre_dans_l_arbre(&arbre, r, *max));
+            }),
+        }
+    });
+    // Rounding moves an outline for parry; ours are the same.
+    if comptes[1].abs_diff(comptes[3]) > ombres.len() / 1000 || pas == 1 && comptes[0] != comptes[1]
+    {
+        return Err(format!("shadows differ: {comptes:?}").into());
+    }
+    let rapport = ns[2].min(ns[3]) / ns[0].min(ns[1]);
+    let ns: Vec<_> = ns.into_iter().map(nanosecondes).collect();
+    Ok(format!("| {} | {n} | {} | {rapport:.1} |", std::any::type_name::<R>(), ns.join(" | ")))
+}
+
+/// What a tree costs to build, in time and in memory beside the objects.
+pub(crate) fn constructions() -> Result<String, Box<dyn Error>> {
+    let mut table = vec![
+        "| scalar | N | hierarchy, ns per object | bytes per object | parry's Bvh, ns | obvhs, ns |"
+            .to_owned(),
+        format!("|---|--:|{}", "--:|".repeat(4)),
+    ];
+    for n in [1000, 10_000, 100_000] {
+        table.push(constructions_de::<f32>(n)?);
+        table.push(constructions_de::<f64>(n)?);
+    }
+    Ok(table.join("\n"))
+}
+
+fn constructions_de<R: Parry>(n: usize) -> Result<String, Box<dyn Error>> {
+    let objets = melange::<R>(n);
+    let mut places = places(&objets);
+    let octets = size_of_val(&places[..]) as f64 / n as f64;
+    let ns = medianes(&[0, 1, 2], |&qui| {
+        let debut = Instant::now();
+        match qui {
+            0 => assert!(black_box(Hierarchie::new(&objets, &mut places)).is_ok()),
+            1 => drop(black_box(R::arbre(&objets))),
+            _ => drop(black_box(R::obvhs(&objets))),
+        }
+        debut.elapsed().as_nanos() as f64 / n as f64
+    });
+    let [ici, parry, obvhs] = [0, 1, 2].map(|qui| nanosecondes(ns[qui]));
+    let scalaire = std::any::type_name::<R>();
+    Ok(format!("| {scalaire} | {n} | {ici} | {octets:.0} | {parry} | {obvhs} |"))
 }
 
 pub(crate) fn graphique(courses: &[Course]) -> Result<(), Box<dyn Error>> {
     type Ligne = (&'static str, &'static str, RGBColor, fn(&Temps) -> f64);
     let [ici, litteral, parry, lot] = COULEURS;
-    let par_rayon: fn(&Temps) -> f64 = |temps| temps.de(Concurrent::Rayons);
-    let en_lot: fn(&Temps) -> f64 = |temps| temps.de(Concurrent::Lot);
     // The f32 after the f64 of the same, as a thin line in its broad pale one: they often coincide.
     let lignes: [Ligne; 7] = [
         ("annex A", "f64", litteral, Temps::annexe),
         ("parry", "f64", parry, Temps::parry),
         ("parry", "f32", parry, Temps::parry),
-        ("ray by ray", "f64", ici, par_rayon),
-        ("ray by ray", "f32", ici, par_rayon),
-        ("batch", "f64", lot, en_lot),
-        ("batch", "f32", lot, en_lot),
+        ("one by one", "f64", ici, Temps::seuls),
+        ("one by one", "f32", ici, Temps::seuls),
+        ("batch", "f64", lot, Temps::lot),
+        ("batch", "f32", lot, Temps::lot),
     ];
     let chemin = page::chemin("docs/images/temps.svg");
     let surface = SVGBackend::new(&chemin, (900, 520)).into_drawing_area();
@@ -112,7 +179,7 @@ pub(crate) fn graphique(courses: &[Course]) -> Result<(), Box<dyn Error>> {
         .margin_right(24)
         .x_label_area_size(42)
         .y_label_area_size(70)
-        .build_cartesian_2d((2.5..12_000.0).log_scale(), (3.0..40_000.0).log_scale())?;
+        .build_cartesian_2d((2.5..120_000.0).log_scale(), (3.0..12_000.0).log_scale())?;
     graphe
         .configure_mesh()
         .light_line_style(TRANSPARENT)
