@@ -41,7 +41,7 @@ const SEUIL_LOT: usize = 64;
 /// };
 ///
 /// let boule = |x| SphereGeo::new(Vecteur::new(f64::from(x), 0.0, -5.0), 0.4, Texture(x));
-/// let scene: Vec<ObjetRay> = (0..1_000).map(|x| boule(x).map(ObjetRay::from)).collect::<Result<_, _>>()?;
+/// let scene = (0..1_000).map(|x| boule(x).map(ObjetRay::from)).collect::<Result<Vec<_>, _>>()?;
 ///
 /// let mut places = vec![0.0; Hierarchie::<f64>::places(scene.len())];
 /// let hierarchie = Hierarchie::new(&scene, &mut places)?;

@@ -314,7 +314,10 @@ fn bords<R: Bits>() {
         let lieu = if alea.bool() { Vecteur::NUL } else { direction(&mut alea) * f };
         let mut objets: Vec<ObjetRay<R>> = Vec::new();
         let copies = alea.bool();
+        // On both sides of the origin, with the sources between them.
+        let autour = !copies && alea.bool();
         while objets.len() < 7 {
+            let lieu = if autour && objets.len() % 2 == 1 { -lieu } else { lieu };
             let ou = lieu + direction(&mut alea) * if copies { 0.0 } else { 3.0 };
             let premier = objets.first().copied().filter(|_| copies);
             objets.push(premier.unwrap_or_else(|| objet(&mut alea, ou, 1.0, objets.len())));
@@ -346,8 +349,9 @@ fn bords<R: Bits>() {
                 }
                 ObjetRay::Plan(_) => unreachable!("no half-space was made"),
             };
+            let d = c.unitaire().filter(|_| autour).unwrap_or(d);
             let ecart = 1.0 + entre(&mut alea, -8.0, 8.0) * R::U.vers_f64() * f.max(1.0);
-            let s = c + bord * ecart - d * f;
+            let s = c + bord * ecart - d * if autour { c.longueur() } else { f };
             rayons.push(Rayon::new(arrondi(s), arrondi(d)).unwrap());
         }
         touches += comparer(&objets, &rayons);

@@ -5,7 +5,7 @@ use fearless_simd::Simd;
 use crate::hierarchie::construction::{Arbre, Colonne, ENFANTS, Noeud, somme};
 use crate::hierarchie::parcours::{GRANDE_PILE, Pile, le_premier};
 use crate::intersection::rang;
-use crate::lot::colonnes::VOIES;
+use crate::lot::colonnes::{VOIES, max};
 use crate::lot::faisceau::Faisceau;
 use crate::lot::groupe::Groupe;
 use crate::lot::{Recherche, proposer};
@@ -103,11 +103,12 @@ fn le_plus_loin<R: Reel>(bloc: &[Groupe<R>]) -> R {
     loin
 }
 
-/// A beam as the boxes see it.
+/// A beam as the boxes see it: the five normals P, and M; for each the bound on P·X, on the other side of
+/// M·X, with the slack (`docs/conception.md`, "Hierarchy").
 struct SondeDeBloc<R> {
-    faisceau: Faisceau<R>,
-    /// What is added to each w (`docs/conception.md`, "Hierarchy").
-    jeu: R,
+    plans: [(Vecteur<R>, R); 5],
+    m: Vecteur<R>,
+    depart: R,
 }
 
 impl<R: Reel> SondeDeBloc<R> {
@@ -146,9 +147,14 @@ impl<R: Reel> SondeDeBloc<R> {
 
     #[inline(always)]
     fn new(faisceau: Faisceau<R>, arbre: &Arbre<'_, R>) -> Self {
-        let loin = somme(faisceau.s0 - arbre.milieu) + faisceau.ecart * R::depuis_f64(4.0);
-        let jeu = (arbre.etendue + loin * R::depuis_f64(32.0)) * fois_u(8.0);
-        Self { faisceau, jeu }
+        let Faisceau { s0, plans, ecart } = faisceau;
+        let loin = somme(s0 - arbre.milieu) + ecart * R::depuis_f64(4.0);
+        let lieu = arbre.etendue + somme(arbre.milieu) + somme(s0);
+        let jeu = (lieu + loin * R::depuis_f64(32.0)) * fois_u(8.0);
+        let (moins_m, w) = plans[4];
+        let m = -moins_m;
+        let plans = plans.map(|(p, w)| (p, p.produit_scalaire(s0) + (w + jeu)));
+        Self { plans, m, depart: m.produit_scalaire(s0) + (w + jeu) }
     }
 
     /// Which children some ray may enter no later than `plafond`, a bit for each, and a distance before
@@ -161,32 +167,18 @@ impl<R: Reel> SondeDeBloc<R> {
         plafond: R,
         profondeurs: &mut Colonne<R>,
     ) -> u32 {
-        let Faisceau { s0, plans, .. } = self.faisceau;
-        let mut coins = [[R::ZERO; ENFANTS]; 6];
-        for (mot, (coin, &origine)) in
-            coins.iter_mut().zip([s0.x, s0.y, s0.z, s0.x, s0.y, s0.z].iter()).enumerate()
-        {
-            for i in 0..ENFANTS {
-                coin[i] = noeud[mot][i] - origine;
-            }
-        }
-        // Beyond which plane a child lies, by how much at most.
         let mut dehors = [-R::INFINI; ENFANTS];
-        for (p, w) in plans {
-            let (x, y, z) = au_plus_pres(&coins, p);
-            let limite = w + self.jeu;
+        for (p, limite) in self.plans {
+            let (x, y, z) = au_plus_pres(noeud, p);
             for i in 0..ENFANTS {
                 let h = p.produit_scalaire(Vecteur::new(x[i], y[i], z[i])) - limite;
-                dehors[i] = if h > dehors[i] { h } else { dehors[i] };
+                dehors[i] = max(dehors[i], h);
             }
         }
-        let (moins_m, w) = plans[4];
-        let m = -moins_m;
-        let (x, y, z) = au_plus_pres(&coins, m);
-        let limite = w + self.jeu;
+        let (x, y, z) = au_plus_pres(noeud, self.m);
         for i in 0..ENFANTS {
-            let h = m.produit_scalaire(Vecteur::new(x[i], y[i], z[i])) - limite;
-            profondeurs[i] = if h > R::ZERO { h } else { R::ZERO };
+            let h = self.m.produit_scalaire(Vecteur::new(x[i], y[i], z[i])) - self.depart;
+            profondeurs[i] = max(h, R::ZERO);
         }
         let pas_dehors = R::au_plus(simd, &dehors, &[R::ZERO; ENFANTS]);
         pas_dehors & R::au_plus(simd, profondeurs, &[plafond; ENFANTS])
@@ -202,7 +194,7 @@ fn presents<R: Reel, S: Simd>(simd: S, noeud: &Noeud<R>) -> u32 {
 /// The columns of the corners that lie lowest along P.
 #[inline(always)]
 fn au_plus_pres<R: Reel>(
-    [bx, by, bz, hx, hy, hz]: &[Colonne<R>; 6],
+    [bx, by, bz, hx, hy, hz, _]: &Noeud<R>,
     p: Vecteur<R>,
 ) -> (&Colonne<R>, &Colonne<R>, &Colonne<R>) {
     (
