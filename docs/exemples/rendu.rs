@@ -56,12 +56,15 @@ fn rendre<R: Reel + DeserializeOwned>(chemin: &str, image: &str) -> Result<(), B
     Ok(())
 }
 
-/// The picture of a scene file, and its size; so many rays across a pixel, and so many together.
+/// Width and height; red, green and blue of each pixel, row by row from the top left.
+pub(crate) type Image = ((u32, u32), Vec<u8>);
+
+/// The picture of a scene file; so many rays across a pixel, and so many together.
 pub(crate) fn octets<R: Reel + DeserializeOwned>(
     chemin: &str,
     finesse: u32,
     ensemble: usize,
-) -> Result<((u32, u32), Vec<u8>), Box<dyn Error>> {
+) -> Result<Image, Box<dyn Error>> {
     let Scene { mut camera, objets } = Scene::<R>::lire(Path::new(chemin))?;
     let taille = camera.image;
     camera.image = (finesse * taille.0, finesse * taille.1);
