@@ -28,6 +28,9 @@ use crate::reel::Reel;
 /// Up to so many objects the batch of the list is as fast (measured).
 const SEUIL_LOT: usize = 64;
 
+/// Up to so many objects a shadow of the list is as fast (measured).
+const SEUIL_OMBRE: usize = 32;
+
 /// A list of objects with a hierarchy of boxes around them: the answers of the list, to the bit, in a time
 /// that hardly grows with their number.
 ///
@@ -151,7 +154,9 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
     #[inline]
     #[must_use]
     pub fn est_occulte(&self, rayon: &Rayon<R>, distance_max: R) -> bool {
-        let Some(arbre) = &self.arbre else { return est_occulte(self.objets, rayon, distance_max) };
+        let Some(arbre) = self.arbre.as_ref().filter(|_| self.objets.len() > SEUIL_OMBRE) else {
+            return est_occulte(self.objets, rayon, distance_max);
+        };
         dispatch!(self.niveau, simd => {
             arbre.cache(simd, self.objets, rayon, distance_max)
         })
