@@ -276,7 +276,7 @@ impl Ecart {
     /// Rounding moves an outline by thousands of u at most, which are what SC² − SA² costs annex A
     /// and parry: the rays in between, and nothing else, may touch another object.
     fn explicable<R: Reel>(&self, rayons: usize) -> bool {
-        let tolerance = 1e4 * R::U.vers_f64();
+        let tolerance = 3e4 * R::U.vers_f64();
         self.autre_objet as f64 <= tolerance * rayons as f64 && self.relatif() <= tolerance
     }
 }
