@@ -1,4 +1,5 @@
-//! The picture of the renderer is the same, byte for byte, however many rays go together.
+//! The picture of the renderer is the same, byte for byte, however many rays go together and in however
+//! many bands it is made.
 
 mod commun;
 #[allow(dead_code, reason = "what writes the file")]
@@ -7,15 +8,29 @@ mod rendu;
 
 use commun::en_f32_et_f64;
 use lancer_rayon::Reel;
-use rendu::{ENSEMBLE, octets};
+use rendu::{Bande, ENSEMBLE, octets};
 use serde::de::DeserializeOwned;
 
 fn un_rayon_a_la_fois_donne_la_meme_image<R: Reel + DeserializeOwned>() {
     for scene in ["docs/scenes/atelier.ron", "docs/scenes/flocon.ron"] {
-        let ensemble = octets::<R>(scene, 1, ENSEMBLE).unwrap();
+        let ensemble = octets::<R>(scene, 1, ENSEMBLE, TOUT).unwrap();
         assert_eq!(ensemble.1.len(), 3 * 600 * 400);
-        assert_eq!(octets::<R>(scene, 1, 1).unwrap(), ensemble, "{scene}");
+        assert!(octets::<R>(scene, 1, 1, TOUT).unwrap() == ensemble, "{scene}");
+    }
+}
+
+const TOUT: Bande = Bande { numero: 1, nombre: 1 };
+const SCENE: &str = "docs/scenes/atelier.ron";
+
+fn les_bandes_bout_a_bout_sont_l_image<R: Reel + DeserializeOwned>() {
+    let (_, image) = octets::<R>(SCENE, 1, ENSEMBLE, TOUT).unwrap();
+    // 400 rows are no multiple of 7.
+    for nombre in [2, 7] {
+        let bandes = (1..=nombre).map(|numero| Bande { numero, nombre });
+        let octets = bandes.flat_map(|bande| octets::<R>(SCENE, 1, ENSEMBLE, bande).unwrap().1);
+        assert!(octets.eq(image.iter().copied()), "{nombre} bands");
     }
 }
 
 en_f32_et_f64!(un_rayon_a_la_fois_donne_la_meme_image);
+en_f32_et_f64!(les_bandes_bout_a_bout_sont_l_image);

@@ -1,6 +1,9 @@
 //! A picture of a scene, after Whitted: lamps, shadows, mirrors that show each other, and glass.
 //!
-//! `cargo run --release -p exemples --bin rendu [--f32] [scene.ron] [image.png]`
+//! `cargo run --release -p exemples --bin rendu [--f32] [--bande i/n] [scene.ron] [image.png]`
+//!
+//! With `--bande 2/4` only the second of four bands of the picture, as bare rows of red, green and blue:
+//! bands one after another are the whole, whichever machines made them.
 //!
 //! Every kind of ray goes in batches, level by level: what the eye sees, the shadows of that, what
 //! mirrors and glass show, the shadows of that, and so on. Rays of a level that leave the same object are
@@ -43,15 +46,59 @@ fn main() -> ExitCode {
     let avant = arguments.len();
     arguments.retain(|argument| argument != "--f32");
     let rendre = if arguments.len() < avant { rendre::<f32> } else { rendre::<f64> };
-    image::programme(&arguments, [SCENE, IMAGE], "rendu [--f32]", rendre)
+    let bande = match arguments.iter().position(|argument| argument == "--bande") {
+        None => Some(None),
+        Some(ou) => {
+            let suite: Vec<_> = arguments.drain(ou..).skip(1).collect();
+            arguments.extend(suite.iter().skip(1).cloned());
+            suite.first().and_then(|bande| Bande::lire(bande)).map(Some)
+        }
+    };
+    let usage = "rendu [--f32] [--bande i/n, i from 1 to n]";
+    let peindre = |scene: &str, image: &str| match bande {
+        Some(bande) => rendre(scene, image, bande),
+        None => Err(format!("usage: {usage} [scene.ron] [image.png]").into()),
+    };
+    image::programme(&arguments, [SCENE, IMAGE], usage, peindre)
 }
 
-fn rendre<R: Reel + DeserializeOwned>(chemin: &str, image: &str) -> Result<(), Box<dyn Error>> {
+/// One of so many bands of a picture, from the top; counted from 1.
+#[derive(Clone, Copy)]
+pub(crate) struct Bande {
+    pub(crate) numero: u32,
+    pub(crate) nombre: u32,
+}
+
+impl Bande {
+    const TOUT: Self = Self { numero: 1, nombre: 1 };
+
+    fn lire(texte: &str) -> Option<Self> {
+        let (numero, nombre) = texte.split_once('/')?;
+        let bande = Self { numero: numero.parse().ok()?, nombre: nombre.parse().ok()? };
+        (1..=bande.nombre).contains(&bande.numero).then_some(bande)
+    }
+
+    /// Its rows in a picture so high.
+    fn lignes(self, hauteur: u32) -> core::ops::Range<u32> {
+        let debut =
+            |numero: u32| (u64::from(hauteur) * u64::from(numero) / u64::from(self.nombre)) as u32;
+        debut(self.numero - 1)..debut(self.numero)
+    }
+}
+
+fn rendre<R: Reel + DeserializeOwned>(
+    chemin: &str,
+    image: &str,
+    bande: Option<Bande>,
+) -> Result<(), Box<dyn Error>> {
     let debut = Instant::now();
-    let (taille, octets) = octets::<R>(chemin, FINESSE, ENSEMBLE)?;
+    let (taille, octets) = octets::<R>(chemin, FINESSE, ENSEMBLE, bande.unwrap_or(Bande::TOUT))?;
     println!("{chemin}: {:.1} s", debut.elapsed().as_secs_f64());
-    image::ecrire(image, taille, png::Compression::High, &octets)
-        .map_err(|e| format!("{image}: {e}"))?;
+    let ecrite = match bande {
+        None => image::ecrire(image, taille, png::Compression::High, &octets),
+        Some(_) => std::fs::write(image, octets).map_err(Into::into),
+    };
+    ecrite.map_err(|e| format!("{image}: {e}"))?;
     println!("{image}");
     Ok(())
 }
@@ -64,18 +111,23 @@ pub(crate) fn octets<R: Reel + DeserializeOwned>(
     chemin: &str,
     finesse: u32,
     ensemble: usize,
+    bande: Bande,
 ) -> Result<Image, Box<dyn Error>> {
     let Scene { mut camera, objets } = Scene::<R>::lire(Path::new(chemin))?;
-    let taille = camera.image;
-    camera.image = (finesse * taille.0, finesse * taille.1);
+    let (largeur, hauteur) = camera.image;
+    camera.image = (finesse * largeur, finesse * hauteur);
+    let rayons = camera.rayons()?;
+    let lignes = bande.lignes(hauteur);
+    let par_ligne = (finesse * finesse * largeur) as usize;
+    let rayons = &rayons[lignes.start as usize * par_ligne..lignes.end as usize * par_ligne];
     let objets: Vec<_> = objets.into_iter().map(ObjetRay::from).collect();
     let mut places = vec![R::ZERO; Hierarchie::<R>::places(objets.len())];
     let hierarchie = Hierarchie::new(&objets, &mut places)?;
     let atelier = Atelier { objets: &objets, hierarchie, lampes: lampes() };
-    let couleurs = atelier.prendre(&camera.rayons()?, camera.image.0, finesse, ensemble)?;
+    let couleurs = atelier.prendre(rayons, camera.image.0, finesse, ensemble)?;
     let octet = |x: f64| (255.0 * x.powf(1.0 / 2.2)).round() as u8;
     let octets = couleurs.into_iter().flat_map(|couleur| <[f64; 3]>::from(couleur).map(octet));
-    Ok((taille, octets.collect()))
+    Ok(((largeur, lignes.end - lignes.start), octets.collect()))
 }
 
 /// What a surface is made of. A texture is the number of one of these.
