@@ -206,8 +206,11 @@ impl Entree {
         promesses::DIRECTION * u::<R>() * (1.0 + self.f / r) + (1.0 + 8.0 * u::<R>()) * ecart / r
     }
 
-    /// How far this normal lies from the true one.
+    /// How far this normal lies from the true one; +∞ if it is none.
     pub(crate) fn ecart_de_normale<R: Reel>(&self, normale: Vecteur<R>) -> f64 {
+        if normale.unitaire().is_none() {
+            return f64::INFINITY;
+        }
         let normale = point(normale);
         let ecarts = self.normales.iter().map(|n| longueur(&moins(&normale, n)));
         ecarts.fold(f64::INFINITY, f64::min)
