@@ -294,6 +294,13 @@ impl<R: Reel> Forme<R> for BoiteRay<R> {
         Boule { centre: self.centre, r2 }
     }
 
+    /// Σ|N_i|·l_i along each axis.
+    fn boite_englobante(&self) -> Option<(Vecteur<R>, Vecteur<R>)> {
+        let ([u, v, w], [a, b, c]) = (self.normales, self.demi_longueurs);
+        let h = |x: R, y: R, z: R| x.abs() * a + y.abs() * b + z.abs() * c;
+        Some((self.centre, Vecteur::new(h(u.x, v.x, w.x), h(u.y, v.y, w.y), h(u.z, v.z, w.z))))
+    }
+
     /// The last of the three entries, if it comes no later than the first of the three exits. Edges
     /// belong to the box.
     #[inline(always)]

@@ -153,21 +153,9 @@ impl<R: Reel> ObjetRay<R> {
         par_forme!(Self, self, forme => forme.boule())
     }
 
-    /// The centre of this object and how far it reaches from there along each axis; `None` for a half-space.
+    /// The centre of this object and how far it reaches from there along each axis; `None` without an end.
     pub(crate) fn boite_englobante(&self) -> Option<(Vecteur<R>, Vecteur<R>)> {
-        match self {
-            Self::Sphere(sphere) => {
-                let r = sphere.rayon();
-                Some((sphere.centre(), Vecteur::new(r, r, r)))
-            }
-            Self::Plan(_) => None,
-            Self::Boite(boite) => {
-                let ([u, v, w], [a, b, c]) = (boite.normales(), boite.demi_longueurs());
-                let h = |x: R, y: R, z: R| x.abs() * a + y.abs() * b + z.abs() * c;
-                let h = Vecteur::new(h(u.x, v.x, w.x), h(u.y, v.y, w.y), h(u.z, v.z, w.z));
-                Some((boite.centre(), h))
-            }
-        }
+        par_forme!(Self, self, forme => forme.boite_englobante())
     }
 }
 

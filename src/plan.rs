@@ -175,6 +175,10 @@ impl<R: Reel> Forme<R> for PlanRay<R> {
         Boule::INFINIE
     }
 
+    fn boite_englobante(&self) -> Option<(Vecteur<R>, Vecteur<R>)> {
+        None
+    }
+
     /// Whether the ray enters the half-space: S outside, N·D < 0. No threshold: a ray that
     /// descends at all arrives.
     #[inline(always)]

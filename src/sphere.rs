@@ -198,6 +198,10 @@ impl<R: Reel> Forme<R> for SphereRay<R> {
         Boule { centre: self.centre, r2: self.r * self.r }
     }
 
+    fn boite_englobante(&self) -> Option<(Vecteur<R>, Vecteur<R>)> {
+        Some((self.centre, Vecteur::new(self.r, self.r, self.r)))
+    }
+
     /// An entry has S outside, C ahead and AC < r.
     #[inline(always)]
     fn t(&self, s: Vecteur<R>, d: Vecteur<R>) -> R {

@@ -77,6 +77,14 @@ fn eclaire_ce_qui_fait_face<R: Reel>() {
                 let cosinus = -depuis.direction().produit_scalaire(touche.normale()).vers_f64();
                 let contexte = || format!("{objet:?} {rayon:?} {lampe:?}: {cosinus}");
                 assert!(voit(&objet, &rayon, &touche, lampe), "its own shadow: {}", contexte());
+                let vers = rayon.vers_lumiere(&touche, lampe);
+                if let Some((ombre, distance)) = vers {
+                    assert!(!est_occulte(&[objet], &ombre, distance), "{}", contexte());
+                    let ecart = (ombre.point(distance) - lampe).longueur().vers_f64();
+                    // A rounding of the distance, six of the direction, two of the point.
+                    let permis = 9.0 * u::<R>() * (distance + ombre.source().longueur()).vers_f64();
+                    assert!(ecart <= permis, "{ecart:e} beside the lamp, {}", contexte());
+                }
                 if cosinus.abs() < seuil {
                     rasants += u32::from(cosinus > 0.0);
                     continue;
@@ -84,6 +92,7 @@ fn eclaire_ce_qui_fait_face<R: Reel>() {
                 let vue = objet.intersection(&depuis).map_err(|_| contexte()).unwrap();
                 let ecart = (vue.normale().vers_f64() - n).longueur();
                 assert_eq!(ecart < seuil, cosinus > 0.0, "{ecart}, {}", contexte());
+                assert_eq!(vers.is_some(), cosinus > 0.0, "{}", contexte());
                 *(if cosinus > 0.0 { &mut clairs } else { &mut sombres }) += 1;
             }
         }

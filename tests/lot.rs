@@ -1,4 +1,4 @@
-//! The batch gives every ray the bits that `premiere_intersection` gives it alone, with every
+//! The batch, of a list and of a hierarchy, gives every ray the bits that `premiere_intersection` gives it alone, with every
 //! instruction set of the machine, with culling and without.
 //!
 //! `LANCER_RAYON_CAS` sets how many bundles of rays a test makes (300 unless set):
@@ -13,8 +13,8 @@ use commun::regimes::{Cas, deux_puissance, direction, entre, regimes, signe};
 use commun::{Bits, arrondi, en_f32_et_f64, scenes};
 use fastrand::Rng;
 use lancer_rayon::{
-    BoiteGeo, LongueursDifferentes, NoIntersection, ObjetRay, Rayon, Reel, Reglage, Rotation,
-    SphereGeo, Texture, Vecteur, premiere_intersection, premieres_intersections,
+    BoiteGeo, Hierarchie, LongueursDifferentes, NoIntersection, ObjetRay, Rayon, Reel, Reglage,
+    Rotation, SphereGeo, Texture, Vecteur, premiere_intersection, premieres_intersections,
 };
 
 /// Every way to run the batch here, by name.
@@ -32,9 +32,20 @@ fn comparer<R: Bits>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) -> usize {
     // A hit that no ray has, so that a place which the batch leaves out shows.
     let boule: ObjetRay<R> = SphereGeo::new(Vecteur::NUL, R::UN, Texture(u32::MAX)).unwrap().into();
     let absurde = boule.intersection(&Rayon::new(axe_z() * R::LIMITE, -axe_z()).unwrap());
-    for (nom, reglage) in reglages() {
+    let mut places = vec![R::ZERO; Hierarchie::<R>::places(objets.len())];
+    let hierarchie = Hierarchie::new(objets, &mut places).unwrap();
+    let de_la_liste = reglages().into_iter().map(|(nom, reglage)| (nom, reglage, None));
+    let de_l_arbre = Reglage::tous()
+        .map(|(nom, reglage)| (format!("{nom} in a hierarchy"), reglage, Some(hierarchie)));
+    for (nom, reglage, hierarchie) in de_la_liste.chain(de_l_arbre) {
         let mut touches = vec![absurde; rayons.len()];
-        reglage.premieres_intersections(objets, rayons, &mut touches).unwrap();
+        match hierarchie {
+            None => reglage.premieres_intersections(objets, rayons, &mut touches),
+            Some(hierarchie) => {
+                reglage.hierarchie(hierarchie).premieres_intersections(rayons, &mut touches)
+            }
+        }
+        .unwrap();
         for ((rayon, touche), attendue) in rayons.iter().zip(&touches).zip(&attendues) {
             let (n, scalaire) = (objets.len(), std::any::type_name::<R>());
             assert_eq!(
@@ -247,7 +258,7 @@ fn l_elagage_ne_perd_aucune_touche<R: Bits>() {
         let ouverture = deux_puissance(&mut alea, -40.0, 3.0);
         let etendue = if alea.bool() { 0.0 } else { deux_puissance(&mut alea, -40.0, 6.0) };
         let rayons = gerbe::<R>(&mut alea, axe, ouverture, etendue);
-        let objets: Vec<_> = (0..40).map(|i| frole(&mut alea, &rayons, Texture(i))).collect();
+        let objets: Vec<_> = (0..70).map(|i| frole(&mut alea, &rayons, Texture(i))).collect();
         touches += comparer(&objets, &rayons);
     }
     assert!(touches > 40 * cas(), "only {touches} hits");

@@ -127,22 +127,22 @@ impl<R: Reel> SondeDeBloc<R> {
         let mut profondeurs = [R::ZERO; ENFANTS];
         let mut traverses = sonde.traverse(simd, racine, R::INFINI, &mut profondeurs);
         let mut enfants = presents(simd, racine);
-        let (mut crossed, mut total) = (traverses.count_ones(), enfants.count_ones());
-        if total < PEU_D_ENFANTS && arbre.noeuds.len() > arbre.feuilles {
-            (crossed, total) = (0, 0);
+        let (mut croises, mut tous) = (traverses.count_ones(), enfants.count_ones());
+        if tous < PEU_D_ENFANTS && arbre.noeuds.len() > arbre.feuilles {
+            (croises, tous) = (0, 0);
             while enfants != 0 {
                 let enfant = le_premier(enfants);
                 let noeud = arbre.noeuds.get(racine[6][enfant].indice())?;
                 if traverses & enfants & enfants.wrapping_neg() != 0 {
-                    crossed +=
+                    croises +=
                         sonde.traverse(simd, noeud, R::INFINI, &mut profondeurs).count_ones();
                 }
-                total += presents(simd, noeud).count_ones();
+                tous += presents(simd, noeud).count_ones();
                 traverses &= !(1 << enfant);
                 enfants &= enfants - 1;
             }
         }
-        (2 * crossed <= total).then_some(sonde)
+        (2 * croises <= tous).then_some(sonde)
     }
 
     #[inline(always)]
