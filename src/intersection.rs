@@ -219,20 +219,15 @@ impl<R: Reel> Rayon<R> {
     /// where `secondaire` gives none.
     ///
     /// ```
-    /// use lancer_rayon::{ObjetRay, Rayon, SphereGeo, Texture, Vecteur, est_occulte};
+    /// use lancer_rayon::{ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
     ///
-    /// let boule = |y, r| SphereGeo::new(Vecteur::new(0.0, y, -5.0), r, Texture(0));
-    /// let scene: [ObjetRay; 2] = [boule(0.0, 1.0)?.into(), boule(4.0, 0.5)?.into()];
-    /// let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.0, 0.6, -5.0))?;
-    /// let touche = scene[0].intersection(&rayon)?;
+    /// let boule = SphereGeo::new(Vecteur::new(0.0, 0.0, -5.0), 1.0, Texture(0))?;
+    /// let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.0, 0.0, -1.0))?;
+    /// let touche = ObjetRay::from(boule).intersection(&rayon)?;
     ///
-    /// let eclaire = |lumiere| {
-    ///     let vers = rayon.vers_lumiere(&touche, lumiere);
-    ///     vers.is_some_and(|(ombre, distance)| !est_occulte(&scene, &ombre, distance))
-    /// };
-    /// assert!(eclaire(Vecteur::new(0.0, 3.0, -2.0)));
-    /// assert!(!eclaire(Vecteur::new(0.0, 9.0, -5.2))); // behind the small ball
-    /// assert!(!eclaire(Vecteur::new(0.0, 0.0, -9.0))); // behind the surface
+    /// let vers = |z| rayon.vers_lumiere(&touche, Vecteur::new(3.0, 0.0, z));
+    /// assert!(vers(0.0).is_some_and(|(_, distance)| (distance - 5.0).abs() < 1e-14));
+    /// assert!(vers(-9.0).is_none()); // behind the surface
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
     #[doc(alias = "shadow_ray")]

@@ -77,9 +77,9 @@ impl<R: Reel> ObjetRay<R> {
 /// and ends with the first such object. +∞ asks whether the ray touches anything at all; nothing is
 /// before a NaN.
 ///
-/// A [`secondaire`](Rayon::secondaire) leaves the point of a hit, and its own source is the one to
-/// measure from. Test N·L > 0 first: towards a lamp behind the surface the ray starts inside the
-/// object, which then casts no shadow.
+/// [`vers_lumiere`](Rayon::vers_lumiere) gives the ray and the distance. With a
+/// [`secondaire`](Rayon::secondaire) of one's own, measure from its source, and test N·L > 0 first:
+/// towards a lamp behind the surface the ray starts inside the object, which then casts no shadow.
 ///
 /// ```
 /// use lancer_rayon::{Rayon, SphereGeo, Texture, Vecteur, est_occulte, premiere_intersection};
@@ -88,16 +88,13 @@ impl<R: Reel> ObjetRay<R> {
 /// let scene = [boule(0.0, 1.0, 0)?.into(), boule(4.0, 0.5, 1)?.into()];
 /// let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.0, 0.6, -5.0))?;
 /// let touche = premiere_intersection(&scene, &rayon)?;
-/// let eclaire = |lampe: Vecteur| -> Result<bool, Box<dyn core::error::Error>> {
-///     let vers = lampe - rayon.point(touche.distance());
-///     let ombre = rayon.secondaire(&touche, vers)?;
-///     let distance = (lampe - ombre.source()).longueur();
-///     let de_face = vers.produit_scalaire(touche.normale()) > 0.0;
-///     Ok(de_face && !est_occulte(&scene, &ombre, distance))
+/// let eclaire = |lampe| {
+///     let vers = rayon.vers_lumiere(&touche, lampe);
+///     vers.is_some_and(|(ombre, distance)| !est_occulte(&scene, &ombre, distance))
 /// };
-/// assert!(eclaire(Vecteur::new(0.0, 3.0, -2.0))?);
-/// assert!(!eclaire(Vecteur::new(0.0, 9.0, -5.2))?); // behind the small ball
-/// assert!(!eclaire(Vecteur::new(0.0, 0.0, -9.0))?); // behind the surface
+/// assert!(eclaire(Vecteur::new(0.0, 3.0, -2.0)));
+/// assert!(!eclaire(Vecteur::new(0.0, 9.0, -5.2))); // behind the small ball
+/// assert!(!eclaire(Vecteur::new(0.0, 0.0, -9.0))); // behind the surface
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[doc(alias = "any_hit")]
