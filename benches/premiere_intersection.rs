@@ -74,10 +74,7 @@ fn ombres<R: Reel>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) -> Vec<(Rayon<R>
     let lampe = Vecteur::depuis_f64(Vecteur::new(-2.6, 7.2, 5.2));
     let ombre = |rayon: &Rayon<R>| {
         let touche = premiere_intersection(objets, rayon).ok()?;
-        let vers = lampe - rayon.point(touche.distance());
-        let de_face = vers.produit_scalaire(touche.normale()) > R::ZERO;
-        let ombre = rayon.secondaire(&touche, vers).ok().filter(|_| de_face)?;
-        Some((ombre, (lampe - ombre.source()).longueur()))
+        rayon.vers_lumiere(&touche, lampe)
     };
     rayons.iter().filter_map(ombre).collect()
 }

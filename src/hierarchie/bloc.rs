@@ -97,8 +97,7 @@ fn proposer_place<R: Reel>(
 fn le_plus_loin<R: Reel>(bloc: &[Groupe<R>]) -> R {
     let mut loin = R::ZERO;
     for groupe in bloc {
-        let t = groupe.le_plus_loin();
-        loin = if t > loin { t } else { loin };
+        loin = max(groupe.le_plus_loin(), loin);
     }
     loin
 }

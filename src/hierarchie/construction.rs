@@ -7,6 +7,7 @@
 
 use core::cmp::Ordering;
 
+use crate::lot::colonnes::max;
 use crate::objet::ObjetRay;
 use crate::reel::{Reel, fois_u};
 use crate::vecteur::Vecteur;
@@ -250,8 +251,4 @@ fn etendue<R: Reel>(racine: &Noeud<R>, milieu: Vecteur<R>) -> R {
 
 fn min<R: Reel>(a: R, b: R) -> R {
     if a < b { a } else { b }
-}
-
-fn max<R: Reel>(a: R, b: R) -> R {
-    if a > b { a } else { b }
 }

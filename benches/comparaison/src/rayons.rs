@@ -43,10 +43,7 @@ pub(crate) fn ombres<R: Reel>(hierarchie: &Hierarchie<'_, R>) -> Vec<(Rayon<R>, 
     let lampe = arrondi(Vecteur::new(-2.6, 7.2, 5.2));
     let ombre = |rayon: Rayon<R>| {
         let touche = hierarchie.premiere_intersection(&rayon).ok()?;
-        let vers = lampe - rayon.point(touche.distance());
-        let de_face = vers.produit_scalaire(touche.normale()) > R::ZERO;
-        let ombre = rayon.secondaire(&touche, vers).ok().filter(|_| de_face)?;
-        Some((ombre, (lampe - ombre.source()).longueur()))
+        rayon.vers_lumiere(&touche, lampe)
     };
     en_tuiles().into_iter().filter_map(ombre).collect()
 }
