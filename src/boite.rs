@@ -250,9 +250,20 @@ impl<R: Reel> BoiteRay<R> {
         dalles
     }
 
+    /// In `f64`, the distance of the hit and the pair of faces that the ray enters by; and whether the
+    /// search sees the ray enter by that pair, N·D < 0.
     #[inline(always)]
-    fn contact_a(&self, rayon: &Rayon<R>, t: R, entree: f64, axe: usize) -> Contact<R> {
-        let t = R::affiner(t, || entree);
+    fn entree_precise(&self, rayon: &Rayon<R>, t: R) -> (f64, usize, bool) {
+        let (s, d) = (rayon.source().vers_f64(), rayon.direction().vers_f64());
+        let Dalles { entree, axe, sortie: _ } = self.vers_f64().dalles(s, d);
+        let (normale, _) = self.couple(axe);
+        let vitesse = normale.produit_scalaire(rayon.direction()).vers_f64();
+        let d_accord = vitesse * normale.vers_f64().produit_scalaire(d) > 0.0;
+        (R::affiner(t, || entree.valeur()), axe, (entree.haut > 0.0) & d_accord)
+    }
+
+    #[inline(always)]
+    fn contact_a(&self, rayon: &Rayon<R>, t: f64, axe: usize) -> Contact<R> {
         let (normale, l) = self.couple(axe);
         let vitesse = normale.produit_scalaire(rayon.direction());
         let normale = if vitesse > R::ZERO { -normale } else { normale };
@@ -310,24 +321,30 @@ impl<R: Reel> Forme<R> for BoiteRay<R> {
         if entre { entree.valeur() } else { R::INFINI }
     }
 
-    /// Sure, unless `f64` names a face by which the search does not see the ray enter, N·D < 0.
+    /// Sure, unless `f64` names a face by which the search does not see the ray enter.
     #[inline(always)]
     fn contact(&self, rayon: &Rayon<R>, t: R) -> (Contact<R>, bool) {
-        let (s, d) = (rayon.source().vers_f64(), rayon.direction().vers_f64());
-        let Dalles { entree, axe, sortie: _ } = self.vers_f64().dalles(s, d);
-        let (normale, _) = self.couple(axe);
-        let vitesse = normale.produit_scalaire(rayon.direction()).vers_f64();
-        let d_accord = vitesse * normale.vers_f64().produit_scalaire(d) > 0.0;
-        (self.contact_a(rayon, t, entree.valeur(), axe), (entree.haut > 0.0) & d_accord)
+        let (t, axe, sur) = self.entree_precise(rayon, t);
+        (self.contact_a(rayon, t, axe), sur)
     }
 
-    /// On the face that the search entered by.
+    /// On the face that the search entered by; where the ray meets its plane before the box, at `t`.
     #[cold]
     fn contact_rare(&self, rayon: &Rayon<R>, t: R) -> Contact<R> {
         let (s, d) = (rayon.source(), rayon.direction());
         let axe = self.dalles(s, d).axe;
         let (entree, _) = self.vers_f64().dalle(axe, s.vers_f64(), d.vers_f64());
-        self.contact_a(rayon, t, entree.valeur(), axe)
+        let precise = R::affiner(t, || entree.valeur());
+        let t = t.vers_f64();
+        let avant_la_boite = precise < t * (1.0 - 64.0 * R::U.vers_f64());
+        self.contact_a(rayon, if avant_la_boite { t } else { precise }, axe)
+    }
+
+    /// In `f64` it is that of the search, whichever the face.
+    #[inline(always)]
+    fn distance_seule(&self, rayon: &Rayon<R>, t: R) -> (R, bool) {
+        let (t, _, sur) = self.entree_precise(rayon, t);
+        (Contact::distance(t), sur | !R::AFFINE)
     }
 }
 

@@ -38,10 +38,20 @@ pub(crate) trait Forme<R: Reel>: Copy {
     /// The same hit, where it takes more than the ordinary formula.
     fn contact_rare(&self, rayon: &Rayon<R>, t: R) -> Contact<R>;
 
+    /// The distance of that hit and no more, and whether that is sure, as of `contact`.
+    fn distance_seule(&self, rayon: &Rayon<R>, t: R) -> (R, bool);
+
     /// The distance at which the ray (S, D) enters, +∞ if it does not.
     #[inline(always)]
     fn entree(&self, s: Vecteur<R>, d: Vecteur<R>) -> R {
         if self.peut_entrer(s, d) { self.t(s, d) } else { R::INFINI }
+    }
+
+    /// The distance of the hit that the search found at distance `t`.
+    #[inline(always)]
+    fn distance_conclue(&self, rayon: &Rayon<R>, t: R) -> R {
+        let (distance, sur) = self.distance_seule(rayon, t);
+        if sur { distance } else { self.contact_rare(rayon, t).distance }
     }
 
     /// The hit that the search found at distance `t`, on the object of this texture and rank.

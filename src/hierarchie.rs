@@ -139,12 +139,7 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
         rayon: &Rayon<R>,
     ) -> Result<Intersection<R>, NoIntersection> {
         let Some(arbre) = &self.arbre else { return premiere_intersection(self.objets, rayon) };
-        let (rang, t) = dispatch!(self.niveau, simd => arbre.premier(simd, self.objets, rayon));
-        let Some(rang) = rang else { return Err(NoIntersection) };
-        match self.objets.get(rang.get() as usize - 1) {
-            Some(objet) => objet.conclure(rayon, t, rang),
-            None => Err(NoIntersection),
-        }
+        dispatch!(self.niveau, simd => arbre.premiere_intersection(simd, self.objets, rayon))
     }
 
     /// [`est_occulte`](fn@est_occulte) of the list.

@@ -128,8 +128,14 @@ pub(crate) struct Contact<R> {
 }
 
 impl<R: Reel> Contact<R> {
-    /// The hit of `rayon` at t > 0, rounded to R. One too small for R stays a hit, at the
-    /// smallest distance.
+    /// A distance t > 0 rounded to R. One too small for R stays a hit, at the smallest distance.
+    #[inline(always)]
+    pub(crate) fn distance(t: f64) -> R {
+        let t = R::depuis_f64(t);
+        if t > R::ZERO { t } else { R::MIN_POSITIF }
+    }
+
+    /// The hit of `rayon` at this [`distance`](Self::distance).
     ///
     /// `hauteur` gives, for a point in f64, its height over the surface along the normal, and a
     /// length of which 4u bound the error of that height, and 4u of R the error of the test by
@@ -141,8 +147,7 @@ impl<R: Reel> Contact<R> {
         normale: Vecteur<R>,
         hauteur: impl FnOnce(Vecteur<f64>) -> (f64, f64),
     ) -> Self {
-        let t = R::depuis_f64(t);
-        let distance = if t > R::ZERO { t } else { R::MIN_POSITIF };
+        let distance = Self::distance(t);
         // The bound is made from the very point that the caller will compute.
         let (hauteur, longueur) = hauteur(rayon.point(distance).vers_f64());
         let quatre_u: R = fois_u(4.0);

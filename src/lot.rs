@@ -175,7 +175,20 @@ fn avec_fenetre<R: Reel, const Q: usize>(
 /// A trait, since a method can be `inline(always)` and a closure cannot: it would leave the instruction
 /// set.
 pub(crate) trait Recherche<R> {
-    fn chercher(&mut self, bloc: &mut [Groupe<R>], rayons: &[Rayon<R>]);
+    /// Finds them in `bloc`, whence [`par_blocs`] makes the answers; or makes these itself, and says so.
+    fn chercher(
+        &mut self,
+        bloc: &mut [Groupe<R>],
+        rayons: &[Rayon<R>],
+        touches: &mut [Touche<R>],
+    ) -> Trouve;
+}
+
+/// Where a [`Recherche`] left what it found.
+#[derive(PartialEq)]
+pub(crate) enum Trouve {
+    DansLeBloc,
+    DansLesTouches,
 }
 
 /// In a list, of which all objects are asked.
@@ -185,10 +198,11 @@ struct Tous<'a, R> {
 
 impl<R: Reel> Recherche<R> for Tous<'_, R> {
     #[inline(always)]
-    fn chercher(&mut self, bloc: &mut [Groupe<R>], _: &[Rayon<R>]) {
+    fn chercher(&mut self, bloc: &mut [Groupe<R>], _: &[Rayon<R>], _: &mut [Touche<R>]) -> Trouve {
         for (indice, objet) in self.objets.iter().enumerate() {
             proposer::<R, true>(bloc, objet, rang(indice));
         }
+        Trouve::DansLeBloc
     }
 }
 
@@ -201,11 +215,15 @@ struct Elagage<'a, R, S, const Q: usize> {
 
 impl<R: Reel, S: Simd, const Q: usize> Recherche<R> for Elagage<'_, R, S, Q> {
     #[inline(always)]
-    fn chercher(&mut self, bloc: &mut [Groupe<R>], rayons: &[Rayon<R>]) {
+    fn chercher(
+        &mut self,
+        bloc: &mut [Groupe<R>],
+        rayons: &[Rayon<R>],
+        touches: &mut [Touche<R>],
+    ) -> Trouve {
         let Self { simd, objets, fenetre } = self;
         let Some(faisceau) = Faisceau::du_bloc(rayons, bloc) else {
-            Tous { objets }.chercher(bloc, rayons);
-            return;
+            return Tous { objets }.chercher(bloc, rayons, touches);
         };
         for (numero, groupe) in objets.chunks(VOIES).enumerate() {
             if numero % Q == 0 && objets.len() > Fenetre::<R, Q>::PLACES {
@@ -220,6 +238,7 @@ impl<R: Reel, S: Simd, const Q: usize> Recherche<R> for Elagage<'_, R, S, Q> {
                 }
             }
         }
+        Trouve::DansLeBloc
     }
 }
 
@@ -237,7 +256,9 @@ pub(crate) fn par_blocs<R: Reel>(
         for (groupe, rayons) in bloc.iter_mut().zip(rayons.chunks(VOIES)) {
             groupe.charger(rayons);
         }
-        recherche.chercher(bloc, rayons);
+        if recherche.chercher(bloc, rayons, touches) == Trouve::DansLesTouches {
+            continue;
+        }
         for (i, groupe) in bloc.iter().enumerate() {
             let (debut, fin) = (i * VOIES, rayons.len().min((i + 1) * VOIES));
             groupe.ecrire(objets, &rayons[debut..fin], &mut touches[debut..fin]);

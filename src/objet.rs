@@ -138,7 +138,19 @@ impl<R: Reel> ObjetRay<R> {
 
     /// The hit that the search found at distance `t`, on this object, which has this rank.
     pub(crate) fn conclure(&self, rayon: &Rayon<R>, t: R, rang: Rang) -> Touche<R> {
+        self.conclure_sur_place(rayon, t, rang)
+    }
+
+    /// The same without a call, which would leave the instruction set of the caller.
+    #[inline(always)]
+    pub(crate) fn conclure_sur_place(&self, rayon: &Rayon<R>, t: R, rang: Rang) -> Touche<R> {
         par_forme!(Self, self, forme => Ok(forme.conclure(rayon, t, forme.texture(), rang)))
+    }
+
+    /// The distance of that hit.
+    #[inline(always)]
+    pub(crate) fn distance_conclue(&self, rayon: &Rayon<R>, t: R) -> R {
+        par_forme!(Self, self, forme => forme.distance_conclue(rayon, t))
     }
 
     /// The texture of this object.

@@ -153,6 +153,15 @@ impl<R: Reel> PlanRay<R> {
     /// A descent below which N·D has lost half of its digits.
     const RASANT: f64 = 1.0 / 67_108_864.0; // 2^-26
 
+    /// In `f64`, the distance of the hit; and whether the ray descends by more than
+    /// [`RASANT`](Self::RASANT).
+    #[inline(always)]
+    fn distance_ordinaire(&self, rayon: &Rayon<R>, t: R) -> (f64, bool) {
+        let (s, d) = (rayon.source().vers_f64(), rayon.direction().vers_f64());
+        let (hauteur, descente) = self.vers_f64().hauteur_et_descente(s, d);
+        (R::affiner(t, || hauteur / descente), descente > Self::RASANT)
+    }
+
     #[inline(always)]
     fn contact_a(&self, rayon: &Rayon<R>, t: f64) -> Contact<R> {
         let plan = self.vers_f64();
@@ -197,10 +206,8 @@ impl<R: Reel> Forme<R> for PlanRay<R> {
     /// Sure, unless the ray descends by no more than [`RASANT`](Self::RASANT).
     #[inline(always)]
     fn contact(&self, rayon: &Rayon<R>, t: R) -> (Contact<R>, bool) {
-        let (s, d) = (rayon.source().vers_f64(), rayon.direction().vers_f64());
-        let (hauteur, descente) = self.vers_f64().hauteur_et_descente(s, d);
-        let t = R::affiner(t, || hauteur / descente);
-        (self.contact_a(rayon, t), descente > Self::RASANT)
+        let (t, sur) = self.distance_ordinaire(rayon, t);
+        (self.contact_a(rayon, t), sur)
     }
 
     /// With N·D compensated: the digits that cancellation leaves decide.
@@ -211,6 +218,12 @@ impl<R: Reel> Forme<R> for PlanRay<R> {
         let precise = hauteur / -plan.normale.produit_scalaire_compense(d);
         let de_ce_type = precise > 0.0 && R::depuis_f64(precise) < R::INFINI;
         self.contact_a(rayon, if de_ce_type { precise } else { t.vers_f64() })
+    }
+
+    #[inline(always)]
+    fn distance_seule(&self, rayon: &Rayon<R>, t: R) -> (R, bool) {
+        let (t, sur) = self.distance_ordinaire(rayon, t);
+        (Contact::distance(t), sur)
     }
 }
 

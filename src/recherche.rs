@@ -2,7 +2,7 @@
 
 use core::slice;
 
-use crate::intersection::{Intersection, NoIntersection, Rang, rang};
+use crate::intersection::{Intersection, NoIntersection, rang};
 use crate::objet::ObjetRay;
 use crate::rayon::Rayon;
 use crate::reel::Reel;
@@ -111,9 +111,5 @@ pub fn est_occulte<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>, distance_m
 pub(crate) fn cache_avant<R: Reel>(objet: &ObjetRay<R>, rayon: &Rayon<R>, distance_max: R) -> bool {
     let t = objet.entree(rayon.source(), rayon.direction());
     // The distance of a hit is always finite: without a limit the search decides.
-    t < R::INFINI
-        && (distance_max == R::INFINI
-            || objet
-                .conclure(rayon, t, Rang::MIN)
-                .is_ok_and(|touche| touche.distance() < distance_max))
+    t < R::INFINI && (distance_max == R::INFINI || objet.distance_conclue(rayon, t) < distance_max)
 }

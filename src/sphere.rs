@@ -227,6 +227,13 @@ impl<R: Reel> Forme<R> for SphereRay<R> {
         let (t, cb) = self.sb_et_cb(rayon, t);
         self.contact_a(rayon, t, vers_la_source(cb, rayon))
     }
+
+    /// Sure: rounding spoils the normal alone.
+    #[inline(always)]
+    fn distance_seule(&self, rayon: &Rayon<R>, t: R) -> (R, bool) {
+        let (t, _) = self.sb_et_cb(rayon, t);
+        (Contact::distance(t), true)
+    }
 }
 
 /// The lengths of annex A.2, with A the point of the ray nearest to C.

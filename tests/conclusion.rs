@@ -356,6 +356,28 @@ fn la_face_trouvee_reste_ou_f64_longe_une_autre() {
     assert!(trouvees > 20, "{trouvees} hits");
 }
 
+/// Built: a ray along an edge of a box, within rounding outside of both its faces; parallel to one, so
+/// that f64 sees no entry, and almost to the other, whose plane the ray meets before the box. Held: the
+/// hit is not before the box, to 64u and rounding.
+#[test]
+fn une_boite_n_est_pas_touchee_avant_elle() {
+    let (mut alea, mut avant) = (Rng::with_seed(17), 0);
+    for _ in 0..20 * CAS {
+        let centre = Vecteur::new(alea.f32(), alea.f32(), 0.0);
+        let dimensions = Vecteur::new(1.0, 1.0, 4.0);
+        let boite = BoiteGeo::new(centre, dimensions, Rotation::IDENTITE, Texture(0)).unwrap();
+        let dehors = Vecteur::new(alea.f32(), alea.f32(), 0.0) * 1e-7;
+        let arete = centre - Vecteur::new(0.5, 0.5, 7.0) - dehors;
+        let rayon = Rayon::new(arete, Vecteur::new(3e-8 * alea.f32(), 0.0, 1.0)).unwrap();
+        let Ok(touche) = ObjetRay::from(boite).intersection(&rayon) else { continue };
+        let haut = f64::from(centre.x) - 0.5 - f64::from(arete.x);
+        let vitesse = f64::from(rayon.direction().x);
+        avant += u32::from(haut > 0.0 && haut < 4.9 * vitesse && touche.normale().x != 0.0);
+        assert!(touche.distance() >= 5.0 * (1.0 - 66.0 * f32::U), "{boite:?} {rayon:?} {touche:?}");
+    }
+    assert!(avant > 20, "{avant} hits");
+}
+
 // The half-space.
 
 /// Built: the regimes of half-spaces in f64, except grazing rays. Held: t is A.1's, bit for bit.

@@ -2,13 +2,13 @@
 
 use fearless_simd::Simd;
 
-use crate::hierarchie::construction::{Arbre, Colonne, ENFANTS, Noeud, somme};
+use crate::hierarchie::construction::{Arbre, Colonne, ENFANTS, Noeud, premier_enfant, somme};
 use crate::hierarchie::parcours::{GRANDE_PILE, Pile, le_premier};
-use crate::intersection::rang;
-use crate::lot::colonnes::{VOIES, max};
+use crate::intersection::{Touche, rang};
+use crate::lot::colonnes::max;
 use crate::lot::faisceau::Faisceau;
 use crate::lot::groupe::Groupe;
-use crate::lot::{Recherche, proposer};
+use crate::lot::{Recherche, Trouve, proposer};
 use crate::objet::ObjetRay;
 use crate::rayon::Rayon;
 use crate::reel::{Reel, fois_u};
@@ -30,32 +30,33 @@ pub(crate) struct RechercheDansLArbre<'a, R, S> {
 
 impl<R: Reel, S: Simd> Recherche<R> for RechercheDansLArbre<'_, R, S> {
     #[inline(always)]
-    fn chercher(&mut self, bloc: &mut [Groupe<R>], rayons: &[Rayon<R>]) {
+    fn chercher(
+        &mut self,
+        bloc: &mut [Groupe<R>],
+        rayons: &[Rayon<R>],
+        touches: &mut [Touche<R>],
+    ) -> Trouve {
         let Self { simd, objets, arbre } = *self;
         let sonde = SondeDeBloc::etroite(simd, rayons, bloc, arbre);
-        let seuls = sonde.is_none() && arbre.objets > SEUIL_SEULS;
-        if seuls {
-            for (groupe, rayons) in bloc.iter_mut().zip(rayons.chunks(VOIES)) {
-                for (voie, rayon) in rayons.iter().enumerate() {
-                    if let (Some(rang), t) = arbre.premier(simd, objets, rayon) {
-                        groupe.retenir(voie, t, rang);
-                    }
-                }
+        if sonde.is_none() && arbre.objets > SEUIL_SEULS {
+            for (rayon, touche) in rayons.iter().zip(touches) {
+                *touche = arbre.premiere_intersection(simd, objets, rayon);
             }
-            return;
+            return Trouve::DansLesTouches;
         }
         // Behind the objects with an end stand the half-spaces.
         let premier = if sonde.is_some() { arbre.bornes } else { 0 };
         for place in premier..arbre.objets {
             proposer_place(arbre, objets, bloc, place);
         }
-        let (Some(sonde), Some(racine)) = (sonde, arbre.racine) else { return };
+        let (Some(sonde), Some(racine)) = (sonde, arbre.racine) else {
+            return Trouve::DansLeBloc;
+        };
         let mut profondeurs = [R::ZERO; ENFANTS];
         let mut pile = Pile::<R, GRANDE_PILE>::VIDE;
         let mut plafond = le_plus_loin(bloc);
         let mut rang = racine;
-        loop {
-            let Some(noeud) = arbre.noeuds.get(rang) else { return };
+        while let Some(noeud) = arbre.noeuds.get(rang) {
             let mut traverses = sonde.traverse(simd, noeud, plafond, &mut profondeurs);
             if rang < arbre.feuilles {
                 if traverses != 0 {
@@ -66,13 +67,14 @@ impl<R: Reel, S: Simd> Recherche<R> for RechercheDansLArbre<'_, R, S> {
                     }
                     plafond = le_plus_loin(bloc);
                 }
-            } else if let Some(proche) = pile.garder(traverses, &profondeurs, &noeud[6]) {
+            } else if let Some(proche) = pile.garder(traverses, &profondeurs, noeud) {
                 rang = proche;
                 continue;
             }
-            let Some(suivant) = pile.prendre(plafond) else { return };
+            let Some(suivant) = pile.prendre(plafond) else { break };
             rang = suivant;
         }
+        Trouve::DansLeBloc
     }
 }
 
@@ -131,7 +133,7 @@ impl<R: Reel> SondeDeBloc<R> {
             (croises, tous) = (0, 0);
             while enfants != 0 {
                 let enfant = le_premier(enfants);
-                let noeud = arbre.noeuds.get(racine[6][enfant].indice())?;
+                let noeud = arbre.noeuds.get(premier_enfant(racine) + enfant)?;
                 if traverses & enfants & enfants.wrapping_neg() != 0 {
                     croises +=
                         sonde.traverse(simd, noeud, R::INFINI, &mut profondeurs).count_ones();

@@ -36,8 +36,8 @@ type Fiche<R> = [R; FICHE];
 /// A number of each of sixteen children.
 pub(crate) type Colonne<R> = [R; ENFANTS];
 
-/// Sixteen children: the lower corners of their boxes, the upper corners, their indices; indices of objects
-/// in a leaf, of nodes above.
+/// Sixteen children: the lower corners of their boxes, the upper corners, and in a leaf the indices of the
+/// objects. Above, the children are neighbours, and the [first](premier_enfant) has its index there.
 ///
 /// A child that is missing has a box turned inside out ([`vide`]), which nothing enters.
 pub(crate) type Noeud<R> = [Colonne<R>; FICHE];
@@ -227,9 +227,15 @@ fn parent<R: Reel>(enfants: &[Noeud<R>], premier: usize) -> Noeud<R> {
             noeud[axe][enfant] = dessous[axe].into_iter().fold(loin(), min);
             noeud[axe + 3][enfant] = dessous[axe + 3].into_iter().fold(-loin::<R>(), max);
         }
-        noeud[FICHE - 1][enfant] = R::depuis_indice(premier + enfant);
     }
+    noeud[FICHE - 1][0] = R::depuis_indice(premier);
     noeud
+}
+
+/// The index of the first child of a node above the leaves; the others follow.
+#[inline(always)]
+pub(crate) fn premier_enfant<R: Reel>([.., indices]: &Noeud<R>) -> usize {
+    indices[0].indice()
 }
 
 /// A node without children: each box is turned inside out, its lower corner beyond everything and its upper

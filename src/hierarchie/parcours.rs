@@ -2,8 +2,10 @@
 
 use fearless_simd::Simd;
 
-use crate::hierarchie::construction::{Arbre, Colonne, ENFANTS, ETAGES, Noeud, somme};
-use crate::intersection::{Rang, rang};
+use crate::hierarchie::construction::{
+    Arbre, Colonne, ENFANTS, ETAGES, Noeud, premier_enfant, somme,
+};
+use crate::intersection::{NoIntersection, Rang, Touche, rang};
 use crate::objet::ObjetRay;
 use crate::rayon::Rayon;
 use crate::recherche::cache_avant;
@@ -11,14 +13,14 @@ use crate::reel::{Reel, fois_u};
 use crate::vecteur::Vecteur;
 
 impl<R: Reel> Arbre<'_, R> {
-    /// The rank of the first object that the ray enters, and the distance.
+    /// The first object that the ray enters.
     #[inline(always)]
-    pub(crate) fn premier<S: Simd>(
+    pub(crate) fn premiere_intersection<S: Simd>(
         &self,
         simd: S,
         objets: &[ObjetRay<R>],
         rayon: &Rayon<R>,
-    ) -> (Option<Rang>, R) {
+    ) -> Touche<R> {
         let (s, d) = (rayon.source(), rayon.direction());
         let mut premier = Premier { objets, s, d, rang: 0, t: R::INFINI };
         if self.noeuds.len() <= PEU_DE_NOEUDS {
@@ -26,13 +28,15 @@ impl<R: Reel> Arbre<'_, R> {
         } else {
             self.parcourir::<S, GRANDE_PILE>(simd, rayon, R::INFINI, &mut premier);
         }
-        (Rang::new(premier.rang), premier.t)
+        let Some(rang) = Rang::new(premier.rang) else { return Err(NoIntersection) };
+        match objets.get(rang.get() as usize - 1) {
+            Some(objet) => objet.conclure_sur_place(rayon, premier.t, rang),
+            None => Err(NoIntersection),
+        }
     }
 
-    /// Whether the ray touches an object before `distance_max`.
-    ///
-    /// The walk is cut off there only in `f64`, where the distance of a hit is that of the search: the
-    /// conclusion of an `f32` box may lie before the box (`docs/conception.md`, "Hierarchy").
+    /// Whether the ray touches an object before `distance_max`, where the walk is cut off: no object is
+    /// entered before the box around it (`docs/conception.md`, "Hierarchy").
     #[inline(always)]
     pub(crate) fn cache<S: Simd>(
         &self,
@@ -41,10 +45,9 @@ impl<R: Reel> Arbre<'_, R> {
         rayon: &Rayon<R>,
         distance_max: R,
     ) -> bool {
-        // Nothing is before 0, nor before a NaN.
-        let sans_fin = R::AFFINE && distance_max > R::ZERO;
-        let plafond = if sans_fin { R::INFINI } else { distance_max };
-        let mut ombre = Ombre { objets, rayon, distance_max, plafond, cache: false };
+        // Rounded, a hit may come out a little before the box around its object.
+        let plafond = distance_max * (R::UN + fois_u(128.0));
+        let mut ombre = Ombre { objets, rayon, distance_max, cache: false };
         if self.noeuds.len() <= PEU_DE_NOEUDS {
             self.parcourir::<S, PETITE_PILE>(simd, rayon, plafond, &mut ombre);
         } else {
@@ -54,7 +57,7 @@ impl<R: Reel> Arbre<'_, R> {
     }
 
     /// Shows to the question the half-spaces, and each object that the ray may enter no later than
-    /// `plafond`, which is then what the question answers; below 0 the walk ends.
+    /// `plafond`, which then is what the question answers; below 0 the walk ends.
     #[inline(always)]
     fn parcourir<S: Simd, const P: usize>(
         &self,
@@ -64,28 +67,28 @@ impl<R: Reel> Arbre<'_, R> {
         question: &mut impl Question<R>,
     ) {
         for indice in self.sans_bornes() {
-            plafond = question.voir(indice);
+            plafond = question.voir(indice).unwrap_or(plafond);
         }
         let Some(racine) = self.racine else { return };
         let sonde = Sonde::new(rayon, self.milieu);
+        // A tree of one node needs no pile, and to set one up costs as much as an object.
+        if let [feuille] = self.noeuds {
+            sonde.voir_feuille(simd, feuille, plafond, question);
+            return;
+        }
         let mut pile = Pile::<R, P>::VIDE;
         let mut entrees = [R::ZERO; ENFANTS];
         let mut rang = racine;
         loop {
             let Some(noeud) = self.noeuds.get(rang) else { return };
-            let mut traverses = sonde.traverse(simd, noeud, plafond, &mut entrees);
-            let indices = &noeud[6];
             if rang < self.feuilles {
-                while traverses != 0 {
-                    let enfant = le_premier(traverses);
-                    traverses &= traverses - 1;
-                    if entrees[enfant] <= plafond {
-                        plafond = question.voir(indices[enfant].indice());
-                    }
+                plafond = sonde.voir_feuille(simd, noeud, plafond, question);
+            } else {
+                let traverses = sonde.traverse(simd, noeud, plafond, &mut entrees);
+                if let Some(proche) = pile.garder(traverses, &entrees, noeud) {
+                    rang = proche;
+                    continue;
                 }
-            } else if let Some(proche) = pile.garder(traverses, &entrees, indices) {
-                rang = proche;
-                continue;
             }
             let Some(suivant) = pile.prendre(plafond) else { return };
             rang = suivant;
@@ -95,8 +98,9 @@ impl<R: Reel> Arbre<'_, R> {
 
 /// What is asked of each object in turn.
 trait Question<R> {
-    /// Looks at the object of this index; the largest entry that still matters, below 0 for none.
-    fn voir(&mut self, indice: usize) -> R;
+    /// Looks at the object of this index; if the answer changes with it, the largest entry that still
+    /// matters, below 0 for none.
+    fn voir(&mut self, indice: usize) -> Option<R>;
 }
 
 /// Which object is the first, so far?
@@ -111,16 +115,15 @@ struct Premier<'a, R> {
 
 impl<R: Reel> Question<R> for Premier<'_, R> {
     #[inline(always)]
-    fn voir(&mut self, indice: usize) -> R {
-        if let Some(objet) = self.objets.get(indice) {
-            let t = objet.entree(self.s, self.d);
-            let rang = rang(indice).get();
-            // In any order: of two at the same distance, the earlier in the list.
-            if t < self.t || (t == self.t && rang < self.rang) {
-                (self.rang, self.t) = (rang, t);
-            }
-        }
-        self.t
+    fn voir(&mut self, indice: usize) -> Option<R> {
+        let t = self.objets.get(indice)?.entree(self.s, self.d);
+        let rang = rang(indice).get();
+        // In any order: of two at the same distance, the earlier in the list.
+        let avant = t < self.t || (t == self.t && rang < self.rang);
+        avant.then(|| {
+            (self.rang, self.t) = (rang, t);
+            t
+        })
     }
 }
 
@@ -129,16 +132,14 @@ struct Ombre<'a, R> {
     objets: &'a [ObjetRay<R>],
     rayon: &'a Rayon<R>,
     distance_max: R,
-    plafond: R,
     cache: bool,
 }
 
 impl<R: Reel> Question<R> for Ombre<'_, R> {
     #[inline(always)]
-    fn voir(&mut self, indice: usize) -> R {
-        let objet = self.objets.get(indice);
-        self.cache |= objet.is_some_and(|objet| cache_avant(objet, self.rayon, self.distance_max));
-        if self.cache { -R::UN } else { self.plafond }
+    fn voir(&mut self, indice: usize) -> Option<R> {
+        self.cache |= cache_avant(self.objets.get(indice)?, self.rayon, self.distance_max);
+        self.cache.then(|| -R::UN)
     }
 }
 
@@ -202,6 +203,29 @@ impl<R: Reel> Sonde<R> {
         }
         R::au_plus(simd, entrees, &sorties)
     }
+
+    /// Shows to the question each object of a leaf that the ray may enter no later than `plafond`, and
+    /// answers as [`parcourir`](Arbre::parcourir) goes on.
+    #[inline(always)]
+    fn voir_feuille<S: Simd>(
+        &self,
+        simd: S,
+        feuille: &Noeud<R>,
+        mut plafond: R,
+        question: &mut impl Question<R>,
+    ) -> R {
+        let mut entrees = [R::ZERO; ENFANTS];
+        let mut traverses = self.traverse(simd, feuille, plafond, &mut entrees);
+        while traverses != 0 {
+            let enfant = le_premier(traverses);
+            traverses &= traverses - 1;
+            if let Some(nouveau) = question.voir(feuille[6][enfant].indice()) {
+                plafond = nouveau;
+                traverses &= R::au_plus(simd, &entrees, &[plafond; ENFANTS]);
+            }
+        }
+        plafond
+    }
 }
 
 impl<R: Reel> Axe<R> {
@@ -254,11 +278,12 @@ impl<R: Reel, const P: usize> Pile<R, P> {
         &mut self,
         mut enfants: u32,
         entrees: &Colonne<R>,
-        indices: &Colonne<R>,
+        noeud: &Noeud<R>,
     ) -> Option<usize> {
         if enfants == 0 {
             return None;
         }
+        let premier = premier_enfant(noeud);
         let mut proche = le_premier(enfants);
         enfants &= enfants - 1;
         while enfants != 0 {
@@ -269,9 +294,9 @@ impl<R: Reel, const P: usize> Pile<R, P> {
             } else {
                 enfant
             };
-            self.poser(entrees[plus_tard], indices[plus_tard].indice());
+            self.poser(entrees[plus_tard], premier + plus_tard);
         }
-        Some(indices[proche].indice())
+        Some(premier + proche)
     }
 
     #[inline(always)]

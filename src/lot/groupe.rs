@@ -65,12 +65,6 @@ impl<R: Reel> Groupe<R> {
         }
     }
 
-    /// Makes the object of this rank, at this distance, the first of one ray.
-    #[inline(always)]
-    pub(crate) fn retenir(&mut self, voie: usize, t: R, rang: Rang) {
-        (self.t[voie], self.rangs[voie]) = (t, rang.get());
-    }
-
     /// The largest distance of a first object so far.
     #[inline(always)]
     pub(crate) fn le_plus_loin(&self) -> R {
