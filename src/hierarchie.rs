@@ -28,9 +28,6 @@ use crate::reel::Reel;
 /// Up to so many objects the batch of the list is as fast (measured).
 const SEUIL_LOT: usize = 64;
 
-/// Up to so many objects a shadow of the list is as fast (measured).
-const SEUIL_OMBRE: usize = 32;
-
 /// A list of objects with a hierarchy of boxes around them: the answers of the list, to the bit, in a time
 /// that hardly grows with their number.
 ///
@@ -139,7 +136,9 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
         rayon: &Rayon<R>,
     ) -> Result<Intersection<R>, NoIntersection> {
         let Some(arbre) = &self.arbre else { return premiere_intersection(self.objets, rayon) };
-        dispatch!(self.niveau, simd => arbre.premiere_intersection(simd, self.objets, rayon))
+        dispatch!(self.niveau, simd => {
+            arbre.premiere_intersection(simd, self.objets, rayon, (R::INFINI, 0))
+        })
     }
 
     /// [`est_occulte`](fn@est_occulte) of the list.
@@ -149,7 +148,7 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
     #[inline]
     #[must_use]
     pub fn est_occulte(&self, rayon: &Rayon<R>, distance_max: R) -> bool {
-        let Some(arbre) = self.arbre.as_ref().filter(|_| self.objets.len() > SEUIL_OMBRE) else {
+        let Some(arbre) = &self.arbre else {
             return est_occulte(self.objets, rayon, distance_max);
         };
         dispatch!(self.niveau, simd => {

@@ -5,7 +5,7 @@ use fearless_simd::Simd;
 use crate::hierarchie::construction::{Arbre, Colonne, ENFANTS, Noeud, premier_enfant, somme};
 use crate::hierarchie::parcours::{GRANDE_PILE, Pile, le_premier};
 use crate::intersection::{Touche, rang};
-use crate::lot::colonnes::max;
+use crate::lot::colonnes::{VOIES, max};
 use crate::lot::faisceau::Faisceau;
 use crate::lot::groupe::Groupe;
 use crate::lot::{Recherche, Trouve, proposer};
@@ -16,7 +16,11 @@ use crate::vecteur::Vecteur;
 
 /// Up to so many objects a block without a beam is asked about all of them; of more, each ray walks alone
 /// (measured).
-const SEUIL_SEULS: usize = 130;
+const SEUIL_SEULS: usize = 100;
+
+/// When a block has seen so many objects, its rays are too far apart: from there each walks alone, cut off
+/// at what it has found (measured).
+const ASSEZ_D_OBJETS: u32 = 128;
 
 /// With fewer children than this, those of a root do not tell how wide a beam is, and theirs are looked at.
 const PEU_D_ENFANTS: u32 = 8;
@@ -39,10 +43,7 @@ impl<R: Reel, S: Simd> Recherche<R> for RechercheDansLArbre<'_, R, S> {
         let Self { simd, objets, arbre } = *self;
         let sonde = SondeDeBloc::etroite(simd, rayons, bloc, arbre);
         if sonde.is_none() && arbre.objets > SEUIL_SEULS {
-            for (rayon, touche) in rayons.iter().zip(touches) {
-                *touche = arbre.premiere_intersection(simd, objets, rayon);
-            }
-            return Trouve::DansLesTouches;
+            return un_par_un(simd, objets, arbre, bloc, rayons, touches);
         }
         // Behind the objects with an end stand the half-spaces.
         let premier = if sonde.is_some() { arbre.bornes } else { 0 };
@@ -56,10 +57,15 @@ impl<R: Reel, S: Simd> Recherche<R> for RechercheDansLArbre<'_, R, S> {
         let mut pile = Pile::<R, GRANDE_PILE>::VIDE;
         let mut plafond = le_plus_loin(bloc);
         let mut rang = racine;
+        let mut vus = 0;
         while let Some(noeud) = arbre.noeuds.get(rang) {
             let mut traverses = sonde.traverse(simd, noeud, plafond, &mut profondeurs);
             if rang < arbre.feuilles {
                 if traverses != 0 {
+                    vus += traverses.count_ones();
+                    if vus > ASSEZ_D_OBJETS {
+                        return un_par_un(simd, objets, arbre, bloc, rayons, touches);
+                    }
                     while traverses != 0 {
                         let enfant = le_premier(traverses);
                         traverses &= traverses - 1;
@@ -76,6 +82,23 @@ impl<R: Reel, S: Simd> Recherche<R> for RechercheDansLArbre<'_, R, S> {
         }
         Trouve::DansLeBloc
     }
+}
+
+/// Asks each ray alone, which knows its first object so far.
+#[inline(always)]
+fn un_par_un<R: Reel, S: Simd>(
+    simd: S,
+    objets: &[ObjetRay<R>],
+    arbre: &Arbre<'_, R>,
+    bloc: &[Groupe<R>],
+    rayons: &[Rayon<R>],
+    touches: &mut [Touche<R>],
+) -> Trouve {
+    for (i, (rayon, touche)) in rayons.iter().zip(touches).enumerate() {
+        let premier = bloc[i / VOIES].premier(i % VOIES);
+        *touche = arbre.premiere_intersection(simd, objets, rayon, premier);
+    }
+    Trouve::DansLesTouches
 }
 
 /// Proposes to the block the object in this place among the leaves.

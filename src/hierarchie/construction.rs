@@ -22,7 +22,7 @@ const FICHE: usize = 7;
 pub(crate) const MOTS: usize = FICHE * ENFANTS;
 
 /// Of fewer objects than this no tree is made: the list is as fast (measured).
-const SEUIL_ARBRE: usize = 6;
+const SEUIL_ARBRE: usize = 9;
 
 /// Of so many objects or more no tree is made: this index would have the bits of +∞ in `f32`.
 const LIMITE_INDICES: u64 = 0x7f80_0000;

@@ -13,20 +13,22 @@ use crate::reel::{Reel, fois_u};
 use crate::vecteur::Vecteur;
 
 impl<R: Reel> Arbre<'_, R> {
-    /// The first object that the ray enters.
+    /// The first object that the ray enters, of all and of that which was first so far: its distance and
+    /// its rank, 0 for none.
     #[inline(always)]
     pub(crate) fn premiere_intersection<S: Simd>(
         &self,
         simd: S,
         objets: &[ObjetRay<R>],
         rayon: &Rayon<R>,
+        (t, rang): (R, u32),
     ) -> Touche<R> {
         let (s, d) = (rayon.source(), rayon.direction());
-        let mut premier = Premier { objets, s, d, rang: 0, t: R::INFINI };
+        let mut premier = Premier { objets, s, d, rang, t };
         if self.noeuds.len() <= PEU_DE_NOEUDS {
-            self.parcourir::<S, PETITE_PILE>(simd, rayon, R::INFINI, &mut premier);
+            self.parcourir::<S, PETITE_PILE>(simd, rayon, t, &mut premier);
         } else {
-            self.parcourir::<S, GRANDE_PILE>(simd, rayon, R::INFINI, &mut premier);
+            self.parcourir::<S, GRANDE_PILE>(simd, rayon, t, &mut premier);
         }
         let Some(rang) = Rang::new(premier.rang) else { return Err(NoIntersection) };
         match objets.get(rang.get() as usize - 1) {

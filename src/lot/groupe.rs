@@ -65,6 +65,12 @@ impl<R: Reel> Groupe<R> {
         }
     }
 
+    /// The first object of one ray so far: its distance and its rank, 0 for none.
+    #[inline(always)]
+    pub(crate) fn premier(&self, voie: usize) -> (R, u32) {
+        (self.t[voie], self.rangs[voie])
+    }
+
     /// The largest distance of a first object so far.
     #[inline(always)]
     pub(crate) fn le_plus_loin(&self) -> R {
