@@ -1,5 +1,5 @@
 //! Raw bytes made into objects, transformations and rays: every value is refused or valid, and every
-//! answer to every ray is what it must be, alone and in a batch.
+//! answer to every ray is what it must be, alone, in a batch and in a hierarchy.
 //!
 //! Numbers are raw bits, or one that came before or its neighbour, without which nothing would ever
 //! coincide.
@@ -7,15 +7,16 @@
 #![no_main]
 
 use lancer_rayon::{
-    BoiteGeo, ErreurGeo, Intersection, NoIntersection, ObjetGeo, ObjetRay, PlanGeo, Rayon, Reglage,
-    Rotation, SphereGeo, Texture, Vecteur, est_occulte, premiere_intersection,
+    BoiteGeo, ErreurGeo, Hierarchie, Intersection, NoIntersection, ObjetGeo, ObjetRay,
+    PlacesInsuffisantes, PlanGeo, Rayon, Reglage, Rotation, SphereGeo, Texture, Vecteur,
+    est_occulte, premiere_intersection,
 };
 use libfuzzer_sys::fuzz_target;
 
 #[allow(dead_code, reason = "shared with the tests")]
 #[path = "../commun/conversion.rs"]
 mod conversion;
-use conversion::{Bits, mots};
+use conversion::{Bits, Mots, mots};
 
 struct Octets<'a, R> {
     reste: &'a [u8],
@@ -89,12 +90,51 @@ fn secondaires<R: Bits>(objet: &ObjetRay<R>, rayon: &Rayon<R>, vers: Vecteur<R>)
     }
 }
 
+/// The answers of a list: the words of the first hit of each ray, and whether something stands before
+/// each of these limits.
+struct Attendu<R> {
+    premiers: Vec<Mots>,
+    limites: Vec<R>,
+    ombres: Vec<Vec<bool>>,
+}
+
+/// The hierarchy over the list, in more places than it needs by `de_plus`, or in one too few.
+fn hierarchie<R: Bits>(
+    objets: &[ObjetRay<R>],
+    rayons: &[Rayon<R>],
+    attendu: &Attendu<R>,
+    de_plus: usize,
+) {
+    let necessaires = Hierarchie::<R>::places(objets.len());
+    // What they hold does not matter.
+    let mut places = vec![attendu.limites[0]; necessaires + de_plus];
+    if let Some(pretees) = places[..necessaires].split_last_mut().map(|(_, reste)| reste) {
+        let places = pretees.len();
+        let refus = Hierarchie::new(objets, pretees).unwrap_err();
+        assert_eq!(refus, PlacesInsuffisantes { places, necessaires });
+    }
+    let hierarchie = Hierarchie::new(objets, &mut places).unwrap();
+    for (_, reglage) in Reglage::tous() {
+        let hierarchie = reglage.hierarchie(hierarchie);
+        let mut touches = vec![Err(NoIntersection); rayons.len()];
+        hierarchie.premieres_intersections(rayons, &mut touches).unwrap();
+        assert!(touches.iter().map(mots).eq(attendu.premiers.iter().copied()), "{objets:?}");
+        for ((rayon, premier), ombres) in rayons.iter().zip(&attendu.premiers).zip(&attendu.ombres)
+        {
+            assert_eq!(mots(&hierarchie.premiere_intersection(rayon)), *premier, "{rayon:?}");
+            for (&limite, &ombre) in attendu.limites.iter().zip(ombres) {
+                assert_eq!(hierarchie.est_occulte(rayon, limite), ombre, "{rayon:?} {limite:?}");
+            }
+        }
+    }
+}
+
 fn attaquer<R: Bits>(octets: &[u8]) -> Option<()> {
     let mut octets = Octets { reste: octets, vus: vec![R::LIMITE, R::UN / R::LIMITE] };
     let (mut objets, mut rayons) = (Vec::<ObjetGeo<R>>::new(), Vec::<Rayon<R>>::new());
     let mut lire = || {
         loop {
-            match octets.octet()? % 6 {
+            match octets.octet()? % 7 {
                 0 => objets.extend(octets.objet(Texture(objets.len() as u32))?),
                 1 => {
                     let (v, k) = (octets.vecteur()?, octets.reel()?);
@@ -108,6 +148,13 @@ fn attaquer<R: Bits>(octets: &[u8]) -> Option<()> {
                     // Towards an object: a random ray hardly ever touches one.
                     let (de, vers) = (octets.vecteur()?, octets.vecteur()?);
                     rayons.extend(Rayon::new(de, vers - de));
+                }
+                6 => {
+                    // A row of them: few bytes make few objects.
+                    let (n, v) = (octets.octet()?, octets.vecteur()?);
+                    let Some(&modele) = objets.last() else { continue };
+                    let ecart = |i| v * R::depuis_f64(f64::from(i));
+                    objets.extend((1..=n).filter_map(|i| modele.translation(ecart(i)).ok()));
                 }
                 genre => {
                     let Some(rayon) = rayons.last() else { continue };
@@ -130,20 +177,25 @@ fn attaquer<R: Bits>(octets: &[u8]) -> Option<()> {
     debug_assert!(fini.is_none());
 
     let objets: Vec<_> = objets.into_iter().map(ObjetGeo::vers_ray).collect();
-    let mut attendues = Vec::new();
+    let limites: Vec<_> = octets.vus.iter().copied().take(4).collect();
+    let mut attendu = Attendu { premiers: Vec::new(), limites, ombres: Vec::new() };
     for rayon in &rayons {
         let premiere = premiere_intersection(&objets, rayon);
         if let Ok(touche) = premiere {
             verifier(rayon, &touche);
             assert!(est_occulte(&objets, rayon, R::INFINI));
         }
-        for max in octets.vus.iter().copied().take(4).chain(premiere.map(|t| t.distance())) {
-            let attendu =
+        let juger = |max: R| {
+            let occulte =
                 objets.iter().any(|o| o.intersection(rayon).is_ok_and(|i| i.distance() < max));
-            assert_eq!(est_occulte(&objets, rayon, max), attendu);
-        }
-        attendues.push(mots(&premiere));
+            assert_eq!(est_occulte(&objets, rayon, max), occulte);
+            occulte
+        };
+        attendu.ombres.push(attendu.limites.iter().map(|&max| juger(max)).collect());
+        premiere.map(|t| juger(t.distance())).ok();
+        attendu.premiers.push(mots(&premiere));
     }
+    hierarchie(&objets, &rayons, &attendu, objets.len() % 3);
     for (rayon, suivant) in rayons.iter().zip(rayons.iter().cycle().skip(1)) {
         for objet in &objets {
             secondaires(objet, rayon, suivant.direction());
@@ -153,7 +205,7 @@ fn attaquer<R: Bits>(octets: &[u8]) -> Option<()> {
         for reglage in [reglage, reglage.sans_elagage()] {
             let mut touches = vec![Err(NoIntersection); rayons.len()];
             reglage.premieres_intersections(&objets, &rayons, &mut touches).unwrap();
-            assert!(touches.iter().map(mots).eq(attendues.iter().copied()));
+            assert!(touches.iter().map(mots).eq(attendu.premiers.iter().copied()));
         }
     }
     Some(())
