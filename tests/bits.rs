@@ -1,5 +1,6 @@
-//! The same bits everywhere: a hash of the hits and misses of the 240,000 rays of each scene, ray by
-//! ray and with each instruction set of the machine.
+//! The same bits everywhere: a hash of the hits and misses of the 240,000 rays of each scene, and of
+//! random rays with all that a kernel makes of them, ray by ray, in a batch and in a hierarchy, with each
+//! instruction set of the machine.
 //!
 //! A change of a formula changes a hash, and the failed assertion prints the new one. Read
 //! `docs/precision.md` again before you take it over, and tell it in CHANGELOG.md.
@@ -11,9 +12,13 @@ mod scene;
 
 use std::path::Path;
 
-use commun::Bits;
 use commun::conversion::mots;
-use lancer_rayon::{NoIntersection, ObjetRay, Rayon, Reglage, Touche, premiere_intersection};
+use commun::{Bits, arrondi};
+use fastrand::Rng;
+use lancer_rayon::{
+    BoiteGeo, Hierarchie, NoIntersection, ObjetRay, PlanGeo, Rayon, Reglage, Rotation, SphereGeo,
+    Texture, Touche, Vecteur, est_occulte, premiere_intersection,
+};
 use scene::Scene;
 use serde::de::DeserializeOwned;
 
@@ -38,6 +43,74 @@ fn memes_bits<R: Bits + DeserializeOwned>(nom: &str, attendue: u64) {
         reglage.premieres_intersections(&objets, &rayons, &mut touches).unwrap();
         assert_eq!(empreinte(&touches), attendue, "{nom}, {scalaire}, {jeu}");
     }
+    let mut places = vec![R::ZERO; Hierarchie::<R>::places(objets.len())];
+    let hierarchie = Hierarchie::new(&objets, &mut places).unwrap();
+    let touches: Vec<_> = rayons.iter().map(|r| hierarchie.premiere_intersection(r)).collect();
+    assert_eq!(empreinte(&touches), attendue, "{nom}, {scalaire}, hierarchy");
+}
+
+/// Scenes and rays from sums, products and quotients of random numbers alone, which are the same on every
+/// machine; with the secondary rays, the shadows and the errors of what they touch.
+fn au_hasard<R: Bits>(attendue: u64) {
+    let mut alea = Rng::with_seed(18);
+    let mut touches = Vec::new();
+    for n in [1, 5, 9, 40, 300] {
+        for echelle in [1e-6, 1.0, 1e6] {
+            let mut point = |l: f64| {
+                let [x, y, z] = [(); 3].map(|()| (alea.f64() - 0.5) * l * echelle);
+                arrondi::<R>(Vecteur::new(x, y, z))
+            };
+            let objets: Vec<ObjetRay<R>> = (0..n)
+                .map(|i| {
+                    let (centre, v) = (point(16.0), point(4.0));
+                    let angles = v * R::depuis_f64(1.0 / echelle);
+                    let (tour, texture) = (Rotation::new(angles).unwrap(), Texture(i));
+                    match i % 9 {
+                        8 => PlanGeo::new(tour, centre.x.abs(), texture).unwrap().into(),
+                        0 | 2 | 4 => SphereGeo::new(centre, v.longueur(), texture).unwrap().into(),
+                        _ => {
+                            let dimensions = [v.x.abs(), v.y.abs(), v.longueur()].into();
+                            BoiteGeo::new(centre, dimensions, tour, texture).unwrap().into()
+                        }
+                    }
+                })
+                .collect();
+            let rayons: Vec<Rayon<R>> = (0..1_000)
+                .map(|_| (point(64.0), point(16.0)))
+                .map(|(de, vers)| Rayon::new(de, vers - de).unwrap())
+                .collect();
+            let premiers: Vec<_> =
+                rayons.iter().map(|r| premiere_intersection(&objets, r)).collect();
+            let mut places = vec![R::ZERO; Hierarchie::<R>::places(objets.len())];
+            let hierarchie = Hierarchie::new(&objets, &mut places).unwrap();
+            for (jeu, reglage) in Reglage::tous() {
+                let hierarchie = reglage.hierarchie(hierarchie);
+                let mut lot = vec![Err(NoIntersection); rayons.len()];
+                hierarchie.premieres_intersections(&rayons, &mut lot).unwrap();
+                assert_eq!(empreinte(&lot), empreinte(&premiers), "{jeu}, {n} objects");
+                reglage.premieres_intersections(&objets, &rayons, &mut lot).unwrap();
+                assert_eq!(empreinte(&lot), empreinte(&premiers), "{jeu}, {n} objects");
+            }
+            let suite = |(rayon, touche): (&Rayon<R>, &Touche<R>)| {
+                let touche = touche.ok()?;
+                let secondaire = rayon.secondaire(&touche, rayon.source()).ok()?;
+                let (ombre, loin) = rayon.vers_lumiere(&touche, secondaire.source() * R::U)?;
+                let occulte = est_occulte(&objets, &ombre, loin);
+                assert_eq!(hierarchie.est_occulte(&ombre, loin), occulte, "{n} objects");
+                let ombre = if occulte {
+                    premiere_intersection(&objets, &ombre)
+                } else {
+                    Err(NoIntersection)
+                };
+                Some([premiere_intersection(&objets, &secondaire), ombre])
+            };
+            touches.extend(rayons.iter().zip(&premiers).filter_map(suite).flatten());
+            touches.extend(premiers.iter().copied());
+        }
+    }
+    let (obtenue, hits) = (empreinte(&touches), touches.iter().flatten().count());
+    assert!(hits > 10_000, "only {hits} hits");
+    assert_eq!(obtenue, attendue, "{}: {obtenue:#018x}", std::any::type_name::<R>());
 }
 
 #[test]
@@ -68,4 +141,24 @@ fn les_extremes_f32() {
 #[test]
 fn les_extremes_f64() {
     memes_bits::<f64>("extremes", 0xf32b_1f7b_944f_b33c);
+}
+
+#[test]
+fn le_flocon_f32() {
+    memes_bits::<f32>("flocon", 0xe113_f277_ec87_d21d);
+}
+
+#[test]
+fn le_flocon_f64() {
+    memes_bits::<f64>("flocon", 0x3d35_97ac_7150_e20e);
+}
+
+#[test]
+fn des_rayons_au_hasard_f32() {
+    au_hasard::<f32>(0x3b20_dce0_d29f_131d);
+}
+
+#[test]
+fn des_rayons_au_hasard_f64() {
+    au_hasard::<f64>(0xd4b4_4523_af7c_cb53);
 }
