@@ -37,8 +37,8 @@ impl<R: Reel> Arbre<'_, R> {
         }
     }
 
-    /// Whether the ray touches an object before `distance_max`, where the walk is cut off: no object is
-    /// entered before the box around it (`docs/conception.md`, "Hierarchy").
+    /// Whether the ray touches an object before `distance_max`. The walk is cut off there, with room for a
+    /// hit that rounding puts before the box around its object (`docs/conception.md`, "Hierarchy").
     #[inline(always)]
     pub(crate) fn cache<S: Simd>(
         &self,
@@ -47,7 +47,6 @@ impl<R: Reel> Arbre<'_, R> {
         rayon: &Rayon<R>,
         distance_max: R,
     ) -> bool {
-        // Rounded, a hit may come out a little before the box around its object.
         let plafond = distance_max * (R::UN + fois_u(128.0));
         let mut ombre = Ombre { objets, rayon, distance_max, cache: false };
         if self.noeuds.len() <= PEU_DE_NOEUDS {
