@@ -328,7 +328,8 @@ impl<R: Reel> Forme<R> for BoiteRay<R> {
         (self.contact_a(rayon, t, axe), sur)
     }
 
-    /// On the face that the search entered by; where the ray meets its plane before the box, at `t`.
+    /// On the face that the search entered by. The ray may meet its plane before the box: then at `t`.
+    /// The 64u are what the walk of a shadow counts on (`docs/conception.md`, "Hierarchy").
     #[cold]
     fn contact_rare(&self, rayon: &Rayon<R>, t: R) -> Contact<R> {
         let (s, d) = (rayon.source(), rayon.direction());

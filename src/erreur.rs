@@ -7,7 +7,7 @@ use crate::vecteur::Vecteur;
 
 /// A number outside the accepted range, with the field it was given for.
 ///
-/// Every constructor and every transformation returns it: invalid values cannot be constructed.
+/// Constructors and transformations of rays, rotations and objects return it.
 ///
 /// ```
 /// use lancer_rayon::{SphereGeo, Texture, Vecteur};

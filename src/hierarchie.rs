@@ -1,9 +1,9 @@
 //! A hierarchy of bounding boxes over a list: the questions of `recherche.rs` and `lot.rs` where there are
 //! many objects, with the same answers.
 //!
-//! The objects with an end are the leaves, sixteen a node, and so are the nodes of each floor above
-//! (`hierarchie/construction.rs`). A ray looks at the nodes that it crosses (`hierarchie/parcours.rs`), a
-//! block of rays at those that its beam crosses (`hierarchie/bloc.rs`). Half-spaces are always asked.
+//! A leaf holds sixteen objects with an end, and a node of each floor above holds sixteen nodes
+//! (`hierarchie/construction.rs`). A ray looks at the nodes that it crosses (`hierarchie/parcours.rs`),
+//! a block of rays at those that its beam crosses (`hierarchie/bloc.rs`). Half-spaces are always asked.
 //! What may be left out is derived in `docs/conception.md`, "Hierarchy".
 
 mod bloc;
@@ -28,8 +28,8 @@ use crate::reel::Reel;
 /// Up to so many objects the batch of the list is as fast (measured).
 const SEUIL_LOT: usize = 64;
 
-/// A list of objects with a hierarchy of boxes around them: the answers of the list, to the bit, in a time
-/// that hardly grows with their number.
+/// A list of objects with a hierarchy of boxes around them: the answers of the list, to the bit, in a
+/// time that grows far more slowly than their number.
 ///
 /// It is built once and asked as often as the picture has pixels. It borrows the list, which keeps its
 /// order, and numbers that the caller lends; it is `Copy`, and threads may share it. After a change of the
@@ -66,7 +66,7 @@ const SEUIL_LOT: usize = 64;
 #[must_use]
 pub struct Hierarchie<'a, R = f64> {
     objets: &'a [ObjetRay<R>],
-    /// None if the list is as fast.
+    /// None for very few objects and for too many: these are asked as a list.
     arbre: Option<Arbre<'a, R>>,
     /// Detected once: for a single ray that would cost more than the ray.
     niveau: Level,
@@ -82,7 +82,7 @@ const _: () = {
 impl<'a, R: Reel> Hierarchie<'a, R> {
     /// How many numbers a hierarchy of so many objects needs: some 7.5 an object.
     ///
-    /// It is 0 for a few objects, and for more than the ranks of a hit can tell apart.
+    /// It is 0 for fewer than 9 objects, and for 2³¹ − 2²³ or more: these are asked as a list.
     #[doc(alias = "capacity")]
     #[doc(alias = "memory")]
     #[must_use]

@@ -68,7 +68,7 @@ impl<R: Reel> Intersection<R> {
         self.distance
     }
 
-    /// The direction of the surface there: unit, outward, and against the ray (D·N < 0).
+    /// N, the unit outward normal of the object at the hit; it points against the ray (D·N < 0).
     #[doc(alias = "normal")]
     #[inline]
     pub fn normale(&self) -> Vecteur<R> {
@@ -161,9 +161,9 @@ impl<R: Reel> Contact<R> {
 }
 
 impl<R: Reel> Rayon<R> {
-    /// A ray that starts where this one touched an object and never hits that object again, except
-    /// inward within rounding of a box edge: for shadows, reflections (a direction outward,
-    /// D·N > 0) and transparency (inward).
+    /// A ray that starts where this one touched an object and never hits that object again, with one
+    /// exception (below): for shadows, reflections (a direction outward, D·N > 0) and transparency
+    /// (inward).
     ///
     /// The source is the point of the hit, moved along the normal to the side to which the
     /// direction leads, by [`marge`](Intersection::marge) and the rounding of the moved point,
@@ -219,9 +219,9 @@ impl<R: Reel> Rayon<R> {
     /// The ray from the point of a hit to a light, and how far the light is: what
     /// [`est_occulte`](crate::est_occulte) asks for a shadow.
     ///
-    /// It is a [`secondaire`](Self::secondaire) and never hits the object it leaves. None if the
-    /// surface faces away from the light, or does so within 4u (the light is in the tangent plane), and
-    /// where `secondaire` gives none.
+    /// It is a [`secondaire`](Self::secondaire) and never hits the object it leaves. `None` if N·L ≤
+    /// 4u, with L the unit direction to the light: the surface faces away, or the light lies in its
+    /// tangent plane. `None` also where the start lies beyond the limits of a source.
     ///
     /// ```
     /// use lancer_rayon::{ObjetRay, Rayon, SphereGeo, Texture, Vecteur};

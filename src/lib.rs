@@ -21,10 +21,9 @@
 //! Describe with [`SphereGeo`], [`PlanGeo`] and [`BoiteGeo`]; move with [`ObjetGeo::translation`],
 //! [`rotation`](ObjetGeo::rotation) and [`homothetie`](ObjetGeo::homothetie); convert once with
 //! [`vers_ray`](ObjetGeo::vers_ray); then ask [`premiere_intersection`] as often as the picture has
-//! pixels, or [`premieres_intersections`] for many pixels at once: the same bits, several times as fast.
-//! [`est_occulte`] tells whether anything blocks the way to a light. From some dozens of objects on, build a
-//! [`Hierarchie`] over the list once and ask that: the same answers, in a time that hardly grows with
-//! their number.
+//! pixels, or [`premieres_intersections`] for many pixels at once: the same bits, several times as
+//! fast. [`est_occulte`] tells whether anything blocks the way to a light. From a dozen objects on,
+//! build a [`Hierarchie`] over the list once and ask that: the same answers, sooner.
 //!
 //! # Conventions
 //!

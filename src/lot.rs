@@ -32,10 +32,10 @@ const BLOC: usize = 4 * VOIES;
 /// Fewer rays than this are faster one by one: half a group.
 pub(crate) const PEU_DE_RAYONS: usize = VOIES / 2;
 
-/// Of how many times sixteen objects a window is: 8 kB of the stack in `f64`.
+/// Rows of sixteen objects in a window: 256 objects, 8 kB of the stack in `f64`.
 const FENETRE: usize = 16;
 
-/// The same where there are no more objects: to set up a large one costs as much as fifteen rays.
+/// The same for lists of at most 64 objects: to set up a large window costs as much as fifteen rays.
 const FENETRE_ETROITE: usize = 4;
 
 /// From so many objects on, culling saves more than it costs (measured).
@@ -44,11 +44,11 @@ const SEUIL_ELAGAGE: usize = 10;
 /// The first object that each ray enters: [`premiere_intersection`] of every ray, to the bit, several
 /// times as fast.
 ///
-/// Neighbours in `rayons` should be neighbours in the picture, in tiles of 8 × 8 better than in
-/// rows: objects that sixty-four rays in a row all miss cost next to nothing. Rays in no order at
-/// all are still faster than one by one. Give it some hundred rays a call; from some hundred objects on
-/// ask a [`Hierarchie`](crate::Hierarchie). Nothing is allocated and no thread is started; parts of a
-/// picture may be given to several.
+/// Neighbours in `rayons` should be neighbours in the picture, in tiles of 8 × 8 better than in rows:
+/// objects that sixty-four rays in a row all miss cost next to nothing. Rays in no order at all cost
+/// several times as much. Give it some hundred rays a call; from some sixty objects on ask a
+/// [`Hierarchie`](crate::Hierarchie). Nothing is allocated and no thread is started; the caller may
+/// give parts of a picture to several threads.
 ///
 /// # Errors
 /// If `rayons` and `touches` are not of the same length; nothing is written then.
@@ -123,7 +123,7 @@ pub(crate) fn repondre<R: Reel>(
     touches: &mut [Touche<R>],
 ) -> Result<(), LongueursDifferentes> {
     memes_longueurs(rayons, touches)?;
-    // Of more objects two could share a rank.
+    // In a longer list two objects share a rank.
     if rayons.len() < PEU_DE_RAYONS || objets.len() > Rang::MAX.get() as usize {
         for (rayon, touche) in rayons.iter().zip(touches) {
             *touche = premiere_intersection(objets, rayon);
@@ -172,10 +172,10 @@ fn avec_fenetre<R: Reel, const Q: usize>(
 
 /// Who finds the first object of each ray of a block.
 ///
-/// A trait, since a method can be `inline(always)` and a closure cannot: it would leave the instruction
-/// set.
+/// A trait: a call of a closure would leave the instruction set, and a method can be `inline(always)`.
 pub(crate) trait Recherche<R> {
-    /// Finds them in `bloc`, whence [`par_blocs`] makes the answers; or makes these itself, and says so.
+    /// Leaves the first objects in `bloc`, from which [`par_blocs`] writes the answers, or writes the
+    /// answers itself; the result says which.
     fn chercher(
         &mut self,
         bloc: &mut [Groupe<R>],

@@ -21,7 +21,8 @@ mod scelle {
         const ECHELLE_VITESSE: Self;
         /// Whether [`affiner`](Self::affiner) changes distances.
         const AFFINE: bool;
-        /// How far a matrix may be from orthonormal and still be taken as a rotation.
+        /// How far a matrix may be from orthonormal and still be taken as a rotation: room for
+        /// numbers written with six digits, or three in `f32`, and none for a matrix that scales or shears.
         const ECART_ROTATION: f64;
         /// `LIMITE` in words, for a coordinate.
         const ATTENDU_COORDONNEE: &'static str;
@@ -57,8 +58,8 @@ use scelle::Scelle;
 
 /// The scalar type: `f32` or `f64`. Sealed.
 ///
-/// Every operation it offers is correctly rounded, so that a query gives the same bits on
-/// every machine with IEEE arithmetic; the x87 of an i586 has another. Fused multiply-add is absent on
+/// Every operation it offers is correctly rounded, so that a query gives the same bits on every machine
+/// with IEEE arithmetic; the x87 of an i586 rounds differently. Fused multiply-add is absent on
 /// purpose: not every machine has it.
 ///
 /// ```

@@ -9,8 +9,9 @@ use crate::vecteur::Vecteur;
 /// A rotation about the origin O, held as its matrix M: a vector V, written as a row, becomes
 /// V·M (handout §2.1).
 ///
-/// However it was made, M is orthonormal to rounding: |M·Mᵀ − I| stays within 4 units
-/// in the last place of 1 after any number of compositions.
+/// However it was made, M is orthonormal to rounding: |M·Mᵀ − I| stays within 4 units in the last place
+/// of 1 after any number of compositions, and within 6 for a matrix that
+/// [`depuis_matrice`](Self::depuis_matrice) keeps.
 ///
 /// ```
 /// use core::f64::consts::FRAC_PI_2;
@@ -60,8 +61,8 @@ impl<R: Reel> Rotation<R> {
     /// The rotation of a vecteur-rotation (handout §2.1): by r_x about the x axis, then r_y about
     /// y, then r_z about z, the axes staying where they are; M = M_x·M_y·M_z, angles in radians.
     ///
-    /// The sense is that of the formula and of the worked example of §2.1: seen along the axis,
-    /// counter-clockwise. An angle that is the float nearest to k·π/2, |k| ≤ 4, turns exactly.
+    /// The sense is that of the formula and of the worked example of §2.1: to an eye that looks
+    /// the way the axis points, counter-clockwise. An angle that is the float nearest to k·π/2, |k| ≤ 4, turns exactly.
     /// For the right-hand rule see [`main_droite`](Self::main_droite).
     ///
     /// # Errors

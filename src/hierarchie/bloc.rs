@@ -22,7 +22,8 @@ const SEUIL_SEULS: usize = 100;
 /// at what it has found (measured).
 const ASSEZ_D_OBJETS: u32 = 128;
 
-/// With fewer children than this, those of a root do not tell how wide a beam is, and theirs are looked at.
+/// If the root has fewer children than this, they do not tell how wide a beam is, and their children
+/// are counted instead.
 const PEU_D_ENFANTS: u32 = 8;
 
 /// In a tree: the nodes that the beam of the block crosses.
@@ -127,8 +128,8 @@ fn le_plus_loin<R: Reel>(bloc: &[Groupe<R>]) -> R {
     loin
 }
 
-/// A beam as the boxes see it: the five normals P, and M; for each the bound on P·X, on the other side of
-/// M·X, with the slack (`docs/conception.md`, "Hierarchy").
+/// A beam as the boxes see it. For each of the five normals P, an upper bound on P·X over all hits X;
+/// for M, the M·X from which depths count. Both include the slack (`docs/conception.md`, "Hierarchy").
 struct SondeDeBloc<R> {
     plans: [(Vecteur<R>, R); 5],
     m: Vecteur<R>,
@@ -136,7 +137,7 @@ struct SondeDeBloc<R> {
 }
 
 impl<R: Reel> SondeDeBloc<R> {
-    /// That of the beam of these rays, unless there is none or it is too wide.
+    /// The probe of the beam of these rays; `None` if they have no beam or one that is too wide.
     #[inline(always)]
     fn etroite<S: Simd>(
         simd: S,

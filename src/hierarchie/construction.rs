@@ -170,8 +170,8 @@ pub(crate) fn somme<R: Reel>(v: Vecteur<R>) -> R {
 
 /// Puts the records of each node, of every floor, side by side.
 ///
-/// It calls itself at most four times for each of eight floors: at a multiple of 16^k, fewer than
-/// sixteen of which there are, each cut leaves half of them.
+/// It calls itself at most four times for each of eight floors: at most sixteen blocks of 16^k records
+/// are cut in half, and the halves again, until each block stands alone.
 fn trier<R: Reel>(fiches: &mut [Fiche<R>]) {
     if fiches.len() <= ENFANTS {
         return;

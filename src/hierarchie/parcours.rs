@@ -13,8 +13,8 @@ use crate::reel::{Reel, fois_u};
 use crate::vecteur::Vecteur;
 
 impl<R: Reel> Arbre<'_, R> {
-    /// The first object that the ray enters, of all and of that which was first so far: its distance and
-    /// its rank, 0 for none.
+    /// The hit of the first object that the ray enters. `(t, rang)` is the first object so far; rank 0
+    /// means none.
     #[inline(always)]
     pub(crate) fn premiere_intersection<S: Simd>(
         &self,
@@ -57,8 +57,8 @@ impl<R: Reel> Arbre<'_, R> {
         ombre.cache
     }
 
-    /// Shows to the question the half-spaces, and each object that the ray may enter no later than
-    /// `plafond`, which then is what the question answers; below 0 the walk ends.
+    /// Asks `question` about each half-space, then about each object that the ray may enter no later
+    /// than `plafond`. An answer replaces `plafond`; below 0 it ends the walk.
     #[inline(always)]
     fn parcourir<S: Simd, const P: usize>(
         &self,
@@ -205,8 +205,8 @@ impl<R: Reel> Sonde<R> {
         R::au_plus(simd, entrees, &sorties)
     }
 
-    /// Shows to the question each object of a leaf that the ray may enter no later than `plafond`, and
-    /// answers as [`parcourir`](Arbre::parcourir) goes on.
+    /// Asks `question` about each object of a leaf that the ray may enter no later than `plafond`; the
+    /// new `plafond`.
     #[inline(always)]
     fn voir_feuille<S: Simd>(
         &self,

@@ -28,8 +28,8 @@ pub(crate) struct Etendue<R> {
 }
 
 impl<R: Reel> Etendue<R> {
-    /// None yet, around the ray in the middle, with one axis from the first ray to the eighth: along
-    /// the row, of a tile and of a row of pixels. Any axis is right, this one fits closely.
+    /// The bounds of no rays yet. S₀ and M come from the ray in the middle. A points from the first ray
+    /// to the eighth, along a row of pixels: any A is right, this one fits closely.
     #[inline(always)]
     fn autour(rayons: &[Rayon<R>]) -> Self {
         let milieu = rayons[rayons.len() / 2];
@@ -70,6 +70,7 @@ impl<R: Reel> Etendue<R> {
     #[inline(always)]
     fn faisceau(self) -> Option<Faisceau<R>> {
         let mu = -le_plus_grand(self.moins_mu);
+        // The proof needs some room between the rays and the plane across M.
         if mu < R::depuis_f64(0.25) {
             return None;
         }

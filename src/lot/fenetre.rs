@@ -34,7 +34,7 @@ impl<R: Reel, const Q: usize> Fenetre<R, Q> {
         }
     }
 
-    /// Which of the sixteen balls of a group the beam does not avoid, a bit for each.
+    /// Which of the sixteen balls in this row of the window the beam may meet, a bit for each.
     #[inline(always)]
     pub(crate) fn face_a<S: Simd>(&self, simd: S, faisceau: &Faisceau<R>, groupe: usize) -> u32 {
         let [x, y, z] = &self.centres;
