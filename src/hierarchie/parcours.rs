@@ -25,11 +25,7 @@ impl<R: Reel> Arbre<'_, R> {
     ) -> Touche<R> {
         let (s, d) = (rayon.source(), rayon.direction());
         let mut premier = Premier { objets, s, d, rang, t };
-        if self.noeuds.len() <= PEU_DE_NOEUDS {
-            self.parcourir::<S, PETITE_PILE>(simd, rayon, t, &mut premier);
-        } else {
-            self.parcourir::<S, GRANDE_PILE>(simd, rayon, t, &mut premier);
-        }
+        self.parcourir(simd, rayon, t, &mut premier);
         let Some(rang) = Rang::new(premier.rang) else { return Err(NoIntersection) };
         match objets.get(rang.get() as usize - 1) {
             Some(objet) => objet.conclure_sur_place(rayon, premier.t, rang),
@@ -49,18 +45,14 @@ impl<R: Reel> Arbre<'_, R> {
     ) -> bool {
         let plafond = distance_max * (R::UN + fois_u(128.0));
         let mut ombre = Ombre { objets, rayon, distance_max, cache: false };
-        if self.noeuds.len() <= PEU_DE_NOEUDS {
-            self.parcourir::<S, PETITE_PILE>(simd, rayon, plafond, &mut ombre);
-        } else {
-            self.parcourir::<S, GRANDE_PILE>(simd, rayon, plafond, &mut ombre);
-        }
+        self.parcourir(simd, rayon, plafond, &mut ombre);
         ombre.cache
     }
 
     /// Asks `question` about each half-space, then about each object that the ray may enter no later
     /// than `plafond`. An answer replaces `plafond`; below 0 it ends the walk.
     #[inline(always)]
-    fn parcourir<S: Simd, const P: usize>(
+    fn parcourir<S: Simd>(
         &self,
         simd: S,
         rayon: &Rayon<R>,
@@ -72,11 +64,26 @@ impl<R: Reel> Arbre<'_, R> {
         }
         let Some(racine) = self.racine else { return };
         let sonde = Sonde::new(rayon, self.milieu);
-        // A tree of one node needs no pile, and to set one up costs as much as an object.
+        // No larger pile than the tree needs: to set it up costs as much as an object.
         if let [feuille] = self.noeuds {
             sonde.voir_feuille(simd, feuille, plafond, question);
-            return;
+        } else if self.noeuds.len() <= PEU_DE_NOEUDS {
+            self.descendre::<S, PETITE_PILE>(simd, &sonde, racine, plafond, question);
+        } else {
+            self.descendre::<S, GRANDE_PILE>(simd, &sonde, racine, plafond, question);
         }
+    }
+
+    /// The same from the root down, with a pile of P places.
+    #[inline(always)]
+    fn descendre<S: Simd, const P: usize>(
+        &self,
+        simd: S,
+        sonde: &Sonde<R>,
+        racine: usize,
+        mut plafond: R,
+        question: &mut impl Question<R>,
+    ) {
         let mut pile = Pile::<R, P>::VIDE;
         let mut entrees = [R::ZERO; ENFANTS];
         let mut rang = racine;
