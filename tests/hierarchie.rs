@@ -255,18 +255,21 @@ fn egaux<R: Bits>() {
         Rng::with_seed(4).shuffle(&mut objets);
         assert!(comparer(&objets, &rayons) > 20);
     }
+    // A ray enters every box of the tree: as many nodes wait as ever can, in the small pile and the large.
     let boule = SphereGeo::new(v(0.0, 1.0, -4.0), R::UN, Texture(0)).unwrap();
     let objet = ObjetRay::from(boule);
-    let objets = vec![objet; 100_000];
-    let mut places = vec![R::ZERO; Hierarchie::<R>::places(objets.len())];
-    let hierarchie = Hierarchie::new(&objets, &mut places).unwrap();
-    let mut touches = vec![Err(NoIntersection); 256];
-    hierarchie.premieres_intersections(&rayons, &mut touches).unwrap();
-    for (rayon, touche) in rayons.iter().zip(&touches) {
-        assert_eq!(mots(touche), mots(&objet.intersection(rayon)));
-        assert_eq!(mots(&hierarchie.premiere_intersection(rayon)), mots(touche));
+    for n in [61_440, 100_000] {
+        let objets = vec![objet; n];
+        let mut places = vec![R::ZERO; Hierarchie::<R>::places(objets.len())];
+        let hierarchie = Hierarchie::new(&objets, &mut places).unwrap();
+        let mut touches = vec![Err(NoIntersection); 256];
+        hierarchie.premieres_intersections(&rayons, &mut touches).unwrap();
+        for (rayon, touche) in rayons.iter().zip(&touches) {
+            assert_eq!(mots(touche), mots(&objet.intersection(rayon)));
+            assert_eq!(mots(&hierarchie.premiere_intersection(rayon)), mots(touche));
+        }
+        assert!(touches.iter().flatten().count() > 5);
     }
-    assert!(touches.iter().flatten().count() > 5);
 }
 
 /// The rays of each regime at the objects of all its cases; and each case with copies of its object.
