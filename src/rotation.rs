@@ -62,8 +62,8 @@ impl<R: Reel> Rotation<R> {
     /// y, then r_z about z, the axes staying where they are; M = M_x·M_y·M_z, angles in radians.
     ///
     /// The sense is that of the formula and of the worked example of §2.1: to an eye that looks
-    /// the way the axis points, counter-clockwise. An angle that is the float nearest to k·π/2, |k| ≤ 4, turns exactly.
-    /// For the right-hand rule see [`main_droite`](Self::main_droite).
+    /// the way the axis points, counter-clockwise. An angle that is the float nearest to k·π/2,
+    /// |k| ≤ 4, turns exactly. For the right-hand rule see [`main_droite`](Self::main_droite).
     ///
     /// # Errors
     /// If an angle is not finite.
