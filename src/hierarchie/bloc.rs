@@ -5,7 +5,7 @@ use fearless_simd::Simd;
 use crate::hierarchie::construction::{Arbre, Colonne, ENFANTS, Noeud, premier_enfant, somme};
 use crate::hierarchie::parcours::{GRANDE_PILE, Pile, le_premier};
 use crate::intersection::{Touche, rang};
-use crate::lot::colonnes::{VOIES, max};
+use crate::lot::colonnes::{EnLigne, VOIES, max};
 use crate::lot::faisceau::Faisceau;
 use crate::lot::groupe::Groupe;
 use crate::lot::{Recherche, Trouve, proposer};
@@ -54,13 +54,14 @@ impl<R: Reel, S: Simd> Recherche<R> for RechercheDansLArbre<'_, R, S> {
         let (Some(sonde), Some(racine)) = (sonde, arbre.racine) else {
             return Trouve::DansLeBloc;
         };
-        let mut profondeurs = [R::ZERO; ENFANTS];
+        let mut profondeurs = EnLigne([R::ZERO; ENFANTS]);
+        let EnLigne(profondeurs) = &mut profondeurs;
         let mut pile = Pile::<R, GRANDE_PILE>::VIDE;
         let mut plafond = le_plus_loin(bloc);
         let mut rang = racine;
         let mut vus = 0;
         while let Some(noeud) = arbre.noeuds.get(rang) {
-            let mut traverses = sonde.traverse(simd, noeud, plafond, &mut profondeurs);
+            let mut traverses = sonde.traverse(simd, noeud, plafond, profondeurs);
             if rang < arbre.feuilles {
                 if traverses != 0 {
                     vus += traverses.count_ones();
@@ -74,7 +75,7 @@ impl<R: Reel, S: Simd> Recherche<R> for RechercheDansLArbre<'_, R, S> {
                     }
                     plafond = le_plus_loin(bloc);
                 }
-            } else if let Some(proche) = pile.garder(traverses, &profondeurs, noeud) {
+            } else if let Some(proche) = pile.garder(traverses, profondeurs, noeud) {
                 rang = proche;
                 continue;
             }
@@ -149,8 +150,9 @@ impl<R: Reel> SondeDeBloc<R> {
         let sonde = Self::new(faisceau, arbre);
         let racine = arbre.racine.and_then(|racine| arbre.noeuds.get(racine));
         let Some(racine) = racine else { return Some(sonde) };
-        let mut profondeurs = [R::ZERO; ENFANTS];
-        let mut traverses = sonde.traverse(simd, racine, R::INFINI, &mut profondeurs);
+        let mut profondeurs = EnLigne([R::ZERO; ENFANTS]);
+        let EnLigne(profondeurs) = &mut profondeurs;
+        let mut traverses = sonde.traverse(simd, racine, R::INFINI, profondeurs);
         let mut enfants = presents(simd, racine);
         let (mut croises, mut tous) = (traverses.count_ones(), enfants.count_ones());
         if tous < PEU_D_ENFANTS && arbre.noeuds.len() > arbre.feuilles {
@@ -159,8 +161,7 @@ impl<R: Reel> SondeDeBloc<R> {
                 let enfant = le_premier(enfants);
                 let noeud = arbre.noeuds.get(premier_enfant(racine) + enfant)?;
                 if traverses & enfants & enfants.wrapping_neg() != 0 {
-                    croises +=
-                        sonde.traverse(simd, noeud, R::INFINI, &mut profondeurs).count_ones();
+                    croises += sonde.traverse(simd, noeud, R::INFINI, profondeurs).count_ones();
                 }
                 tous += presents(simd, noeud).count_ones();
                 traverses &= !(1 << enfant);

@@ -6,6 +6,7 @@ use crate::hierarchie::construction::{
     Arbre, Colonne, ENFANTS, ETAGES, Noeud, premier_enfant, somme,
 };
 use crate::intersection::{NoIntersection, Rang, Touche, rang};
+use crate::lot::colonnes::EnLigne;
 use crate::objet::ObjetRay;
 use crate::rayon::Rayon;
 use crate::recherche::cache_avant;
@@ -85,15 +86,14 @@ impl<R: Reel> Arbre<'_, R> {
         question: &mut impl Question<R>,
     ) {
         let mut pile = Pile::<R, P>::VIDE;
-        let mut entrees = [R::ZERO; ENFANTS];
         let mut rang = racine;
         loop {
             let Some(noeud) = self.noeuds.get(rang) else { return };
             if rang < self.feuilles {
                 plafond = sonde.voir_feuille(simd, noeud, plafond, question);
             } else {
-                let traverses = sonde.traverse(simd, noeud, plafond, &mut entrees);
-                if let Some(proche) = pile.garder(traverses, &entrees, noeud) {
+                let (traverses, EnLigne(entrees)) = &sonde.traverse(simd, noeud, plafond);
+                if let Some(proche) = pile.garder(*traverses, entrees, noeud) {
                     rang = proche;
                     continue;
                 }
@@ -191,12 +191,11 @@ impl<R: Reel> Sonde<R> {
         simd: S,
         noeud: &Noeud<R>,
         plafond: R,
-        entrees: &mut Colonne<R>,
-    ) -> u32 {
+    ) -> (u32, EnLigne<Colonne<R>>) {
         let [bx, by, bz, hx, hy, hz, _] = noeud;
         let [x, y, z] = self.0;
         let ((px, lx), (py, ly), (pz, lz)) = (x.cotes(bx, hx), y.cotes(by, hy), z.cotes(bz, hz));
-        let mut sorties = [plafond; ENFANTS];
+        let (mut entrees, mut sorties) = ([R::ZERO; ENFANTS], [plafond; ENFANTS]);
         for i in 0..ENFANTS {
             let mut entree = R::ZERO;
             entree = apres(entree, (px[i] - x.vers_proche) * x.inverse);
@@ -209,7 +208,7 @@ impl<R: Reel> Sonde<R> {
             sortie = avant(sortie, (lz[i] - z.vers_lointain) * z.inverse);
             sorties[i] = sortie;
         }
-        R::au_plus(simd, entrees, &sorties)
+        (R::au_plus(simd, &entrees, &sorties), EnLigne(entrees))
     }
 
     /// Asks `question` about each object of a leaf that the ray may enter no later than `plafond`; the
@@ -222,14 +221,14 @@ impl<R: Reel> Sonde<R> {
         mut plafond: R,
         question: &mut impl Question<R>,
     ) -> R {
-        let mut entrees = [R::ZERO; ENFANTS];
-        let mut traverses = self.traverse(simd, feuille, plafond, &mut entrees);
+        let (mut traverses, entrees) = self.traverse(simd, feuille, plafond);
+        let EnLigne(entrees) = &entrees;
         while traverses != 0 {
             let enfant = le_premier(traverses);
             traverses &= traverses - 1;
             if let Some(nouveau) = question.voir(feuille[6][enfant].indice()) {
                 plafond = nouveau;
-                traverses &= R::au_plus(simd, &entrees, &[plafond; ENFANTS]);
+                traverses &= R::au_plus(simd, entrees, &[plafond; ENFANTS]);
             }
         }
         plafond

@@ -7,6 +7,10 @@ use crate::vecteur::Vecteur;
 /// Rays side by side. Loops of eight would be unrolled before the compiler could widen them.
 pub(crate) const VOIES: usize = 16;
 
+/// At the start of a cache line.
+#[repr(align(64))]
+pub(crate) struct EnLigne<T>(pub(crate) T);
+
 /// A number for each of sixteen rays.
 pub(crate) type Voies<R> = [R; VOIES];
 

@@ -10,6 +10,7 @@ use crate::reel::Reel;
 use crate::vecteur::Vecteur;
 
 /// The balls around neighbours in a list, coordinate by coordinate: at most Q times sixteen.
+#[repr(align(64))]
 pub(crate) struct Fenetre<R, const Q: usize> {
     centres: [[Voies<R>; Q]; 3],
     r2: [Voies<R>; Q],

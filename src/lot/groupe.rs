@@ -17,6 +17,7 @@ use crate::vecteur::Vecteur;
 const COTE_A_COTE: u32 = 3;
 
 /// Sixteen rays, the distance of the first object of each so far, and its rank; 0 for none.
+#[repr(align(64))]
 pub(crate) struct Groupe<R> {
     pub(crate) colonnes: Colonnes<R>,
     t: Voies<R>,
@@ -137,6 +138,7 @@ fn la_premiere(voies: u16) -> usize {
 }
 
 /// The hits of sixteen rays on one shape, computed for all lanes; the caller keeps the valid ones.
+#[repr(align(64))]
 struct Contacts<R> {
     distance: Voies<R>,
     normale: [Voies<R>; 3],
