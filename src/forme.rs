@@ -16,8 +16,8 @@ pub(crate) trait Forme<R: Reel>: Copy {
     /// A ball around all of the shape; without an end, [`Boule::INFINIE`].
     fn boule(&self) -> Boule<R>;
 
-    /// The centre of the shape and how far it reaches from there along each axis, to 16u of the sum of
-    /// both; `None` without an end.
+    /// The centre of the shape and how far it reaches from there along each axis, to 16u of that; `None`
+    /// without an end.
     fn boite_englobante(&self) -> Option<(Vecteur<R>, Vecteur<R>)>;
 
     /// Whether the ray (S, D) may enter: never false if it does, and cheap. A shape with an end

@@ -46,11 +46,8 @@ mod scelle {
         /// step that the compiler does not widen by itself.
         fn au_plus<S: Simd>(simd: S, a: &[Self; 16], b: &[Self; 16]) -> u32;
 
-        /// An index below 2³¹ − 2²³ among numbers of this type: the number with these bits, which in
-        /// both types is finite.
-        fn depuis_indice(indice: usize) -> Self;
-        /// The index that [`depuis_indice`](Self::depuis_indice) was given.
-        fn indice(self) -> usize;
+        /// The same memory as numbers of `f32`.
+        fn en_simples(nombres: &mut [Self]) -> &mut [f32];
     }
 }
 
@@ -135,6 +132,12 @@ pub(crate) fn fois_u<R: Reel>(n: f64) -> R {
     R::depuis_f64(n) * R::U
 }
 
+/// Which of sixteen numbers are at most their neighbours in the other column, a bit for each.
+#[inline(always)]
+pub(crate) fn au_plus<R: Reel, S: Simd>(simd: S, a: &[R; 16], b: &[R; 16]) -> u32 {
+    R::au_plus(simd, a, b)
+}
+
 impl Scelle for f32 {
     const ECHELLE: Self = (1_u128 << 100) as Self;
     const ECHELLE_VITESSE: Self = (1_u64 << 62) as Self;
@@ -165,14 +168,8 @@ impl Scelle for f32 {
         a.simd_le(b).to_bitmask() as u32
     }
 
-    #[inline(always)]
-    fn depuis_indice(indice: usize) -> Self {
-        Self::from_bits(indice as u32)
-    }
-
-    #[inline(always)]
-    fn indice(self) -> usize {
-        self.to_bits() as usize
+    fn en_simples(nombres: &mut [Self]) -> &mut [f32] {
+        nombres
     }
 }
 
@@ -233,14 +230,8 @@ impl Scelle for f64 {
         (a0.simd_le(b0).to_bitmask() | a1.simd_le(b1).to_bitmask() << 8) as u32
     }
 
-    #[inline(always)]
-    fn depuis_indice(indice: usize) -> Self {
-        Self::from_bits(indice as u64)
-    }
-
-    #[inline(always)]
-    fn indice(self) -> usize {
-        self.to_bits() as usize
+    fn en_simples(nombres: &mut [Self]) -> &mut [f32] {
+        bytemuck::cast_slice_mut(nombres)
     }
 }
 

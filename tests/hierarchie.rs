@@ -42,6 +42,9 @@ dans_les_deux_types! {
     bornes => aux_bornes_du_type_f32, aux_bornes_du_type_f64;
     bords => des_rayons_qui_frolent_les_boites_f32, des_rayons_qui_frolent_les_boites_f64;
     aretes => des_rayons_le_long_des_aretes_f32, des_rayons_le_long_des_aretes_f64;
+    de_loin => des_sources_de_plus_en_plus_loin_f32, des_sources_de_plus_en_plus_loin_f64;
+    loupe => de_tout_petits_objets_parmi_des_grands_f32,
+        de_tout_petits_objets_parmi_des_grands_f64;
     places => les_places_pretees_f32, les_places_pretees_f64;
     plans => des_demi_espaces_seuls_f32, des_demi_espaces_seuls_f64;
     longueurs => toute_longueur_convient_f32, toute_longueur_convient_f64;
@@ -389,6 +392,59 @@ fn aretes<R: Bits>() {
         touches += comparer(&objets, &[Rayon::new(s, d).unwrap()]);
     }
     assert!(touches > 20 * cas(), "only {touches} hits");
+}
+
+/// Sources up to the limit away from objects of any size: farther and farther, until the boxes of the tree can
+/// no longer be told apart.
+fn de_loin<R: Bits>() {
+    let mut alea = Rng::with_seed(10);
+    let limite = R::LIMITE.vers_f64().log2();
+    let mut touches = 0;
+    for n in [UN_ARBRE, 40, 300] {
+        for unite in [8.0 - limite, -20.0, 0.0].map(f64::exp2) {
+            let autour = |alea: &mut Rng| direction(alea) * (4.0 * unite * alea.f64());
+            let objets: Vec<ObjetRay<R>> = (0..n)
+                .map(|i| {
+                    let ou = autour(&mut alea);
+                    objet(&mut alea, ou, 0.5 * unite, i)
+                })
+                .collect();
+            for _ in 0..cas() {
+                let loin = deux_puissance(&mut alea, unite.log2() + 3.0, limite - 1.0);
+                let axe = d_axe(&mut alea);
+                let rayons: Vec<_> = (0..64)
+                    .map(|_| {
+                        let s = autour(&mut alea) - axe * loin;
+                        Rayon::new(arrondi(s), arrondi(axe)).unwrap()
+                    })
+                    .collect();
+                touches += comparer(&objets, &rayons);
+            }
+        }
+    }
+    assert!(touches > 100 * cas(), "only {touches} hits");
+}
+
+/// Clusters so small beside the largest object that all their boxes have the same corners.
+fn loupe<R: Bits>() {
+    let mut alea = Rng::with_seed(11);
+    let limite = R::LIMITE.vers_f64().log2();
+    let mut touches = 0;
+    for _ in 0..3 * cas() {
+        let petit = deux_puissance(&mut alea, 8.0 - limite, -10.0);
+        let ou = if alea.bool() { Vecteur::NUL } else { direction(&mut alea) * (petit * 1e4) };
+        let mut objets: Vec<ObjetRay<R>> = (0..UN_ARBRE + alea.usize(0..60))
+            .map(|i| {
+                let ou = ou + direction(&mut alea) * (4.0 * petit * alea.f64());
+                objet(&mut alea, ou, petit * 0.5, i)
+            })
+            .collect();
+        let grand = deux_puissance(&mut alea, 0.0, limite - 3.0);
+        objets.push(objet(&mut alea, Vecteur::new(3.0 * grand, 0.0, 0.0), grand, 0));
+        let rayons = gerbe(&mut alea, &objets, petit);
+        touches += comparer(&objets, &rayons);
+    }
+    assert!(touches > 10 * cas(), "only {touches} hits");
 }
 
 fn places<R: Bits>() {

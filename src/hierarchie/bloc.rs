@@ -2,7 +2,10 @@
 
 use fearless_simd::Simd;
 
-use crate::hierarchie::construction::{Arbre, Colonne, ENFANTS, Noeud, premier_enfant, somme};
+use crate::hierarchie::construction::{
+    Arbre, Colonne, ENFANTS, Noeud, Repere, TROP_LOIN, indice, jeu, premier_enfant, simple,
+    simples, somme,
+};
 use crate::hierarchie::parcours::{GRANDE_PILE, Pile, le_premier};
 use crate::intersection::{Touche, rang};
 use crate::lot::colonnes::{EnLigne, VOIES, max};
@@ -11,7 +14,7 @@ use crate::lot::groupe::Groupe;
 use crate::lot::{Recherche, Trouve, proposer};
 use crate::objet::ObjetRay;
 use crate::rayon::Rayon;
-use crate::reel::{Reel, fois_u};
+use crate::reel::{Reel, au_plus};
 use crate::vecteur::Vecteur;
 
 /// Up to so many objects a block without a beam is asked about all of them; of more, each ray walks alone
@@ -54,14 +57,12 @@ impl<R: Reel, S: Simd> Recherche<R> for RechercheDansLArbre<'_, R, S> {
         let (Some(sonde), Some(racine)) = (sonde, arbre.racine) else {
             return Trouve::DansLeBloc;
         };
-        let mut profondeurs = EnLigne([R::ZERO; ENFANTS]);
-        let EnLigne(profondeurs) = &mut profondeurs;
-        let mut pile = Pile::<R, GRANDE_PILE>::VIDE;
-        let mut plafond = le_plus_loin(bloc);
+        let mut pile = Pile::<GRANDE_PILE>::VIDE;
+        let mut plafond = arbre.repere.distance(le_plus_loin(bloc));
         let mut rang = racine;
         let mut vus = 0;
         while let Some(noeud) = arbre.noeuds.get(rang) {
-            let mut traverses = sonde.traverse(simd, noeud, plafond, profondeurs);
+            let (mut traverses, EnLigne(profondeurs)) = sonde.traverse(simd, noeud, plafond);
             if rang < arbre.feuilles {
                 if traverses != 0 {
                     vus += traverses.count_ones();
@@ -73,9 +74,9 @@ impl<R: Reel, S: Simd> Recherche<R> for RechercheDansLArbre<'_, R, S> {
                         traverses &= traverses - 1;
                         proposer_place(arbre, objets, bloc, rang * ENFANTS + enfant);
                     }
-                    plafond = le_plus_loin(bloc);
+                    plafond = arbre.repere.distance(le_plus_loin(bloc));
                 }
-            } else if let Some(proche) = pile.garder(traverses, profondeurs, noeud) {
+            } else if let Some(proche) = pile.garder(traverses, &profondeurs, noeud) {
                 rang = proche;
                 continue;
             }
@@ -112,7 +113,7 @@ fn proposer_place<R: Reel>(
     place: usize,
 ) {
     if let Some([.., indices]) = arbre.noeuds.get(place / ENFANTS) {
-        let indice = indices[place % ENFANTS].indice();
+        let indice = indice(indices[place % ENFANTS]);
         if let Some(objet) = objets.get(indice) {
             proposer::<R, false>(bloc, objet, rang(indice));
         }
@@ -131,28 +132,25 @@ fn le_plus_loin<R: Reel>(bloc: &[Groupe<R>]) -> R {
 
 /// A beam as the boxes see it. For each of the five normals P, an upper bound on P·X over all hits X;
 /// for M, the M·X from which depths count. Both include the slack (`docs/conception.md`, "Hierarchy").
-struct SondeDeBloc<R> {
-    plans: [(Vecteur<R>, R); 5],
-    m: Vecteur<R>,
-    depart: R,
+struct SondeDeBloc {
+    plans: [(Vecteur<f32>, f32); 5],
+    m: Vecteur<f32>,
+    depart: f32,
 }
 
-impl<R: Reel> SondeDeBloc<R> {
+impl SondeDeBloc {
     /// The probe of the beam of these rays; `None` if they have no beam or one that is too wide.
     #[inline(always)]
-    fn etroite<S: Simd>(
+    fn etroite<R: Reel, S: Simd>(
         simd: S,
         rayons: &[Rayon<R>],
         bloc: &[Groupe<R>],
         arbre: &Arbre<'_, R>,
     ) -> Option<Self> {
-        let faisceau = Faisceau::du_bloc(rayons, bloc)?;
-        let sonde = Self::new(faisceau, arbre);
+        let sonde = Self::new(Faisceau::du_bloc(rayons, bloc)?, arbre.repere)?;
         let racine = arbre.racine.and_then(|racine| arbre.noeuds.get(racine));
         let Some(racine) = racine else { return Some(sonde) };
-        let mut profondeurs = EnLigne([R::ZERO; ENFANTS]);
-        let EnLigne(profondeurs) = &mut profondeurs;
-        let mut traverses = sonde.traverse(simd, racine, R::INFINI, profondeurs);
+        let (mut traverses, _) = sonde.traverse(simd, racine, f32::INFINI);
         let mut enfants = presents(simd, racine);
         let (mut croises, mut tous) = (traverses.count_ones(), enfants.count_ones());
         if tous < PEU_D_ENFANTS && arbre.noeuds.len() > arbre.feuilles {
@@ -161,7 +159,8 @@ impl<R: Reel> SondeDeBloc<R> {
                 let enfant = le_premier(enfants);
                 let noeud = arbre.noeuds.get(premier_enfant(racine) + enfant)?;
                 if traverses & enfants & enfants.wrapping_neg() != 0 {
-                    croises += sonde.traverse(simd, noeud, R::INFINI, profondeurs).count_ones();
+                    let (croises_ici, _) = sonde.traverse(simd, noeud, f32::INFINI);
+                    croises += croises_ici.count_ones();
                 }
                 tous += presents(simd, noeud).count_ones();
                 traverses &= !(1 << enfant);
@@ -171,29 +170,30 @@ impl<R: Reel> SondeDeBloc<R> {
         (2 * croises <= tous).then_some(sonde)
     }
 
+    /// `None` if the rays start too far away.
     #[inline(always)]
-    fn new(faisceau: Faisceau<R>, arbre: &Arbre<'_, R>) -> Self {
-        let Faisceau { s0, plans, ecart } = faisceau;
-        let loin = somme(s0 - arbre.milieu) + ecart * R::depuis_f64(4.0);
-        let lieu = arbre.etendue + somme(arbre.milieu) + somme(s0);
-        let jeu = (lieu + loin * R::depuis_f64(32.0)) * fois_u(8.0);
-        let (moins_m, w) = plans[4];
-        let m = -moins_m;
-        let plans = plans.map(|(p, w)| (p, p.produit_scalaire(s0) + (w + jeu)));
-        Self { plans, m, depart: m.produit_scalaire(s0) + (w + jeu) }
+    fn new<R: Reel>(faisceau: Faisceau<R>, repere: Repere<R>) -> Option<Self> {
+        let s0 = repere.place(faisceau.s0);
+        let loin = somme(s0) + repere.longueur(faisceau.ecart) * R::depuis_f64(4.0);
+        if simple(loin) > TROP_LOIN {
+            return None;
+        }
+        let jeu = loin * R::depuis_f64(2.0 * jeu::<R>()) + R::depuis_f64(32.0 * f64::from(f32::U));
+        let limite =
+            |p: Vecteur<R>, w: R| simple(p.produit_scalaire(s0) + (repere.longueur(w) + jeu));
+        let (moins_m, w) = faisceau.plans[4];
+        Some(Self {
+            plans: faisceau.plans.map(|(p, w)| (simples(p), limite(p, w))),
+            m: simples(-moins_m),
+            depart: limite(-moins_m, w),
+        })
     }
 
     /// Which children some ray may enter no later than `plafond`, a bit for each, and a distance before
     /// which none does.
     #[inline(always)]
-    fn traverse<S: Simd>(
-        &self,
-        simd: S,
-        noeud: &Noeud<R>,
-        plafond: R,
-        profondeurs: &mut Colonne<R>,
-    ) -> u32 {
-        let mut dehors = [-R::INFINI; ENFANTS];
+    fn traverse<S: Simd>(&self, simd: S, noeud: &Noeud, plafond: f32) -> (u32, EnLigne<Colonne>) {
+        let (mut dehors, mut profondeurs) = ([-f32::INFINI; ENFANTS], [0.0; ENFANTS]);
         for (p, limite) in self.plans {
             let (x, y, z) = au_plus_pres(noeud, p);
             for i in 0..ENFANTS {
@@ -204,28 +204,29 @@ impl<R: Reel> SondeDeBloc<R> {
         let (x, y, z) = au_plus_pres(noeud, self.m);
         for i in 0..ENFANTS {
             let h = self.m.produit_scalaire(Vecteur::new(x[i], y[i], z[i])) - self.depart;
-            profondeurs[i] = max(h, R::ZERO);
+            profondeurs[i] = max(h, 0.0);
         }
-        let pas_dehors = R::au_plus(simd, &dehors, &[R::ZERO; ENFANTS]);
-        pas_dehors & R::au_plus(simd, profondeurs, &[plafond; ENFANTS])
+        let pas_dehors = au_plus(simd, &dehors, &[0.0; ENFANTS]);
+        let avant = au_plus(simd, &profondeurs, &[plafond; ENFANTS]);
+        (pas_dehors & avant, EnLigne(profondeurs))
     }
 }
 
 /// Which children a node has, a bit for each.
 #[inline(always)]
-fn presents<R: Reel, S: Simd>(simd: S, noeud: &Noeud<R>) -> u32 {
-    R::au_plus(simd, &noeud[0], &noeud[3])
+fn presents<S: Simd>(simd: S, noeud: &Noeud) -> u32 {
+    au_plus(simd, &noeud[0], &noeud[3])
 }
 
 /// The columns of the corners that lie lowest along P.
 #[inline(always)]
-fn au_plus_pres<R: Reel>(
-    [bx, by, bz, hx, hy, hz, _]: &Noeud<R>,
-    p: Vecteur<R>,
-) -> (&Colonne<R>, &Colonne<R>, &Colonne<R>) {
+fn au_plus_pres(
+    [bx, by, bz, hx, hy, hz, _]: &Noeud,
+    p: Vecteur<f32>,
+) -> (&Colonne, &Colonne, &Colonne) {
     (
-        if p.x < R::ZERO { hx } else { bx },
-        if p.y < R::ZERO { hy } else { by },
-        if p.z < R::ZERO { hz } else { bz },
+        if p.x < 0.0 { hx } else { bx },
+        if p.y < 0.0 { hy } else { by },
+        if p.z < 0.0 { hz } else { bz },
     )
 }

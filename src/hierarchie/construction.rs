@@ -9,7 +9,7 @@ use core::cmp::Ordering;
 
 use crate::lot::colonnes::max;
 use crate::objet::ObjetRay;
-use crate::reel::{Reel, fois_u};
+use crate::reel::Reel;
 use crate::vecteur::Vecteur;
 
 /// Children of a node: as many as one loop tests side by side.
@@ -27,27 +27,33 @@ const SEUIL_ARBRE: usize = 9;
 /// Of so many objects or more no tree is made: this index would have the bits of +∞ in `f32`.
 const LIMITE_INDICES: u64 = 0x7f80_0000;
 
+/// The farthest corner of a missing child.
+const LOIN: f32 = (1_u128 << 120) as f32;
+
+/// From so far away the boxes of a scene cannot be told apart: the whole tree is asked.
+pub(crate) const TROP_LOIN: f32 = (1_u128 << 100) as f32;
+
 /// Floors of the largest tree: 16⁸ is more than [`LIMITE_INDICES`].
 pub(crate) const ETAGES: usize = 8;
 
 /// The box and the index of an object.
-type Fiche<R> = [R; FICHE];
+type Fiche = [f32; FICHE];
 
 /// A number of each of sixteen children.
-pub(crate) type Colonne<R> = [R; ENFANTS];
+pub(crate) type Colonne = [f32; ENFANTS];
 
 /// Sixteen children: the lower corners of their boxes, the upper corners, and in a leaf the indices of the
 /// objects. Above, the children are neighbours, and the [first](premier_enfant) has its index there.
 ///
 /// A child that is missing has a box turned inside out ([`vide`]), which nothing enters.
-pub(crate) type Noeud<R> = [Colonne<R>; FICHE];
+pub(crate) type Noeud = [Colonne; FICHE];
 
 /// A tree over a list of objects.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Arbre<'a, R> {
     /// The leaves, then the floors above. The columns of indices of the leaves hold the objects with an end
     /// first, then the half-spaces.
-    pub(crate) noeuds: &'a [Noeud<R>],
+    pub(crate) noeuds: &'a [Noeud],
     /// How many nodes are leaves.
     pub(crate) feuilles: usize,
     /// The root; none if all objects are half-spaces.
@@ -55,10 +61,17 @@ pub(crate) struct Arbre<'a, R> {
     /// How many objects there are, and how many of them have an end.
     pub(crate) objets: usize,
     pub(crate) bornes: usize,
-    /// K, a point amid the boxes.
-    pub(crate) milieu: Vecteur<R>,
-    /// E: no corner of a box is farther from K, the distances along the three axes added up.
-    pub(crate) etendue: R,
+    pub(crate) repere: Repere<R>,
+}
+
+/// Where the boxes stand, so that numbers of `f32` hold any scene: K is the origin, and no coordinate of a
+/// box is beyond 1.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Repere<R> {
+    /// K, the middle of the centres.
+    milieu: Vecteur<R>,
+    /// σ, what lengths are multiplied by.
+    echelle: R,
 }
 
 impl<R: Reel> Arbre<'_, R> {
@@ -67,7 +80,7 @@ impl<R: Reel> Arbre<'_, R> {
     pub(crate) fn sans_bornes(&self) -> impl Iterator<Item = usize> + use<'_, R> {
         (self.bornes..self.objets).filter_map(|place| {
             let [.., indices] = self.noeuds.get(place / ENFANTS)?;
-            Some(indices[place % ENFANTS].indice())
+            Some(indice(indices[place % ENFANTS]))
         })
     }
 }
@@ -87,13 +100,13 @@ pub(crate) const fn noeuds(objets: usize) -> usize {
 }
 
 /// The tree over these objects, in the numbers of [so many nodes](noeuds).
-pub(crate) fn ranger<'a, R: Reel>(objets: &[ObjetRay<R>], places: &'a mut [R]) -> Arbre<'a, R> {
-    let milieu = milieu(objets);
+pub(crate) fn ranger<'a, R: Reel>(objets: &[ObjetRay<R>], places: &'a mut [f32]) -> Arbre<'a, R> {
+    let repere = Repere::autour(objets);
     let (fiches, _) = places.as_chunks_mut();
     let (mut bornes, mut fin) = (0, objets.len());
     for (indice, objet) in objets.iter().enumerate() {
-        let indice = R::depuis_indice(indice);
-        if let Some((bas, haut)) = boite_elargie(objet, milieu) {
+        let indice = nombre(indice);
+        if let Some((bas, haut)) = boite_elargie(objet, repere) {
             fiches[bornes] = [bas.x, bas.y, bas.z, haut.x, haut.y, haut.z, indice];
             bornes += 1;
         } else {
@@ -121,15 +134,65 @@ pub(crate) fn ranger<'a, R: Reel>(objets: &[ObjetRay<R>], places: &'a mut [R]) -
         etage = premier..suivant;
     }
     let racine = etage.end.checked_sub(1);
-    let etendue = racine.map_or(R::ZERO, |racine| etendue(&noeuds[racine], milieu));
-    Arbre { noeuds, feuilles, racine, objets: objets.len(), bornes, milieu, etendue }
+    Arbre { noeuds, feuilles, racine, objets: objets.len(), bornes, repere }
 }
 
-/// The middle of the centres.
-fn milieu<R: Reel>(objets: &[ObjetRay<R>]) -> Vecteur<R> {
-    let centres = objets.iter().filter_map(|objet| Some(objet.boite_englobante()?.0.into()));
-    let (bas, haut) = extremes(centres);
-    (Vecteur::from(bas) + Vecteur::from(haut)) * R::depuis_f64(0.5)
+impl<R: Reel> Repere<R> {
+    /// That of these objects.
+    fn autour(objets: &[ObjetRay<R>]) -> Self {
+        let mut portee = R::ZERO;
+        let centres = objets.iter().filter_map(|objet| {
+            let (c, h) = objet.boite_englobante()?;
+            portee = max(portee, somme(h));
+            Some(c.into())
+        });
+        let (bas, haut) = extremes(centres);
+        let (bas, haut) = (Vecteur::from(bas), Vecteur::from(haut));
+        // Twice as much as K amid the centres needs: K is rounded, and boxes have slack.
+        let echelle = R::UN / (somme(haut - bas) + portee * R::depuis_f64(2.0));
+        Self { milieu: (bas + haut) * R::depuis_f64(0.5), echelle }
+    }
+
+    /// (X − K)·σ.
+    #[inline(always)]
+    pub(crate) fn place(self, x: Vecteur<R>) -> Vecteur<R> {
+        (x - self.milieu) * self.echelle
+    }
+
+    /// A length times σ.
+    #[inline(always)]
+    pub(crate) fn longueur(self, l: R) -> R {
+        l * self.echelle
+    }
+
+    /// A distance along a ray times σ, to 2u of `f32`; +∞ if it is larger than all numbers of that type.
+    #[inline(always)]
+    pub(crate) fn distance(self, t: R) -> f32 {
+        simple(self.longueur(t))
+    }
+}
+
+/// The nearest number of `f32`; ±∞ beyond them all.
+#[inline(always)]
+pub(crate) fn simple<R: Reel>(x: R) -> f32 {
+    x.vers_f64() as f32
+}
+
+/// The nearest vector of such numbers.
+#[inline(always)]
+pub(crate) fn simples<R: Reel>(v: Vecteur<R>) -> Vecteur<f32> {
+    Vecteur::depuis_f64(v.vers_f64())
+}
+
+/// An index below 2³¹ − 2²³ among numbers: the finite number with these bits.
+fn nombre(indice: usize) -> f32 {
+    f32::from_bits(indice as u32)
+}
+
+/// The index of which this is the [number](nombre).
+#[inline(always)]
+pub(crate) fn indice(nombre: f32) -> usize {
+    nombre.to_bits() as usize
 }
 
 /// The least and the greatest coordinates of these points.
@@ -149,18 +212,24 @@ fn loin<R: Reel>() -> R {
     R::LIMITE * R::LIMITE
 }
 
-/// The box around an object that has an end, with room for what depends on the object alone: the rounding
-/// of its corners, 16u(|C| + h), and of the point of a hit, 128u(|C − K| + ρ) (`docs/conception.md`).
+/// The box around an object that has an end, with the object's part of the [slack](jeu).
 fn boite_elargie<R: Reel>(
     objet: &ObjetRay<R>,
-    milieu: Vecteur<R>,
-) -> Option<(Vecteur<R>, Vecteur<R>)> {
+    repere: Repere<R>,
+) -> Option<(Vecteur<f32>, Vecteur<f32>)> {
     let (c, h) = objet.boite_englobante()?;
+    let (c, h) = (repere.place(c), h * repere.echelle);
     // The sum of the half-extents is at least ρ.
-    let touche = (somme(c - milieu) + somme(h)) * fois_u(128.0);
-    let coins = Vecteur::new(c.x.abs() + h.x, c.y.abs() + h.y, c.z.abs() + h.z) * fois_u(16.0);
-    let demi = h + coins + Vecteur::new(touche, touche, touche);
-    Some((c - demi, c + demi))
+    let jeu = (somme(c) + somme(h)) * R::depuis_f64(jeu::<R>());
+    let demi = h + Vecteur::new(jeu, jeu, jeu);
+    Some((simples(c - demi), simples(c + demi)))
+}
+
+/// What a unit of length between K and an object, or the source of a ray, adds to the slack: 128u for the
+/// point of a hit, and 4u of `f32` for what is rounded to that type (`docs/conception.md`, "Hierarchy").
+#[inline(always)]
+pub(crate) fn jeu<R: Reel>() -> f64 {
+    128.0 * R::U.vers_f64() + 4.0 * f64::from(f32::U)
 }
 
 /// |x| + |y| + |z|.
@@ -172,7 +241,7 @@ pub(crate) fn somme<R: Reel>(v: Vecteur<R>) -> R {
 ///
 /// It calls itself at most four times for each of eight floors: at most sixteen blocks of 16^k records
 /// are cut in half, and the halves again, until each block stands alone.
-fn trier<R: Reel>(fiches: &mut [Fiche<R>]) {
+fn trier(fiches: &mut [Fiche]) {
     if fiches.len() <= ENFANTS {
         return;
     }
@@ -202,12 +271,12 @@ fn trier<R: Reel>(fiches: &mut [Fiche<R>]) {
 
 /// Twice the centre of a box.
 #[inline(always)]
-fn double_centre<R: Reel>(&[x0, y0, z0, x1, y1, z1, _]: &Fiche<R>) -> [R; 3] {
+fn double_centre(&[x0, y0, z0, x1, y1, z1, _]: &Fiche) -> [f32; 3] {
     [x0 + x1, y0 + y1, z0 + z1]
 }
 
 /// Exchanges sixteen records for columns; only the first have a box.
-fn en_colonnes<R: Reel>(feuille: &mut Noeud<R>, bornes: usize) {
+fn en_colonnes(feuille: &mut Noeud, bornes: usize) {
     let mut noeud = vide();
     let (fiches, _) = feuille.as_flattened().as_chunks::<FICHE>();
     for (enfant, fiche) in fiches.iter().enumerate() {
@@ -220,39 +289,29 @@ fn en_colonnes<R: Reel>(feuille: &mut Noeud<R>, bornes: usize) {
 }
 
 /// The node over at most sixteen others, the first of which has this index.
-fn parent<R: Reel>(enfants: &[Noeud<R>], premier: usize) -> Noeud<R> {
+fn parent(enfants: &[Noeud], premier: usize) -> Noeud {
     let mut noeud = vide();
     for (enfant, dessous) in enfants.iter().enumerate() {
         for axe in 0..3 {
-            noeud[axe][enfant] = dessous[axe].into_iter().fold(loin(), min);
-            noeud[axe + 3][enfant] = dessous[axe + 3].into_iter().fold(-loin::<R>(), max);
+            noeud[axe][enfant] = dessous[axe].into_iter().fold(LOIN, min);
+            noeud[axe + 3][enfant] = dessous[axe + 3].into_iter().fold(-LOIN, max);
         }
     }
-    noeud[FICHE - 1][0] = R::depuis_indice(premier);
+    noeud[FICHE - 1][0] = nombre(premier);
     noeud
 }
 
 /// The index of the first child of a node above the leaves; the others follow.
 #[inline(always)]
-pub(crate) fn premier_enfant<R: Reel>([.., indices]: &Noeud<R>) -> usize {
-    indices[0].indice()
+pub(crate) fn premier_enfant([.., indices]: &Noeud) -> usize {
+    indice(indices[0])
 }
 
 /// A node without children: each box is turned inside out, its lower corner beyond everything and its upper
 /// corner below. A ray would leave it before it enters it.
-fn vide<R: Reel>() -> Noeud<R> {
-    let (bas, haut, indice) = ([loin(); ENFANTS], [-loin::<R>(); ENFANTS], [R::ZERO; ENFANTS]);
+fn vide() -> Noeud {
+    let (bas, haut, indice) = ([LOIN; ENFANTS], [-LOIN; ENFANTS], [0.0; ENFANTS]);
     [bas, bas, bas, haut, haut, haut, indice]
-}
-
-/// E for the tree of this root.
-fn etendue<R: Reel>(racine: &Noeud<R>, milieu: Vecteur<R>) -> R {
-    let [bx, by, bz, hx, hy, hz] = core::array::from_fn(|mot| {
-        let vers = if mot < 3 { min } else { max };
-        racine[mot].into_iter().reduce(vers).unwrap_or(R::ZERO)
-    });
-    let (a, b) = (milieu - Vecteur::new(bx, by, bz), Vecteur::new(hx, hy, hz) - milieu);
-    max(a.x, b.x) + max(a.y, b.y) + max(a.z, b.z)
 }
 
 fn min<R: Reel>(a: R, b: R) -> R {

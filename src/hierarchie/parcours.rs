@@ -3,14 +3,15 @@
 use fearless_simd::Simd;
 
 use crate::hierarchie::construction::{
-    Arbre, Colonne, ENFANTS, ETAGES, Noeud, premier_enfant, somme,
+    Arbre, Colonne, ENFANTS, ETAGES, Noeud, Repere, TROP_LOIN, indice, jeu, premier_enfant, simple,
+    simples, somme,
 };
 use crate::intersection::{NoIntersection, Rang, Touche, rang};
 use crate::lot::colonnes::EnLigne;
 use crate::objet::ObjetRay;
 use crate::rayon::Rayon;
 use crate::recherche::cache_avant;
-use crate::reel::{Reel, fois_u};
+use crate::reel::{Reel, au_plus, fois_u};
 use crate::vecteur::Vecteur;
 
 impl<R: Reel> Arbre<'_, R> {
@@ -25,8 +26,8 @@ impl<R: Reel> Arbre<'_, R> {
         (t, rang): (R, u32),
     ) -> Touche<R> {
         let (s, d) = (rayon.source(), rayon.direction());
-        let mut premier = Premier { objets, s, d, rang, t };
-        self.parcourir(simd, rayon, t, &mut premier);
+        let mut premier = Premier { repere: self.repere, objets, s, d, rang, t };
+        self.parcourir(simd, rayon, self.repere.distance(t), &mut premier);
         let Some(rang) = Rang::new(premier.rang) else { return Err(NoIntersection) };
         match objets.get(rang.get() as usize - 1) {
             Some(objet) => objet.conclure_sur_place(rayon, premier.t, rang),
@@ -44,27 +45,27 @@ impl<R: Reel> Arbre<'_, R> {
         rayon: &Rayon<R>,
         distance_max: R,
     ) -> bool {
-        let plafond = distance_max * (R::UN + fois_u(128.0));
+        let plafond = self.repere.distance(distance_max * (R::UN + fois_u(128.0)));
         let mut ombre = Ombre { objets, rayon, distance_max, cache: false };
         self.parcourir(simd, rayon, plafond, &mut ombre);
         ombre.cache
     }
 
     /// Asks `question` about each half-space, then about each object that the ray may enter no later
-    /// than `plafond`. An answer replaces `plafond`; below 0 it ends the walk.
+    /// than `plafond`, a [distance](Repere::distance). An answer replaces `plafond`; below 0 it ends the walk.
     #[inline(always)]
     fn parcourir<S: Simd>(
         &self,
         simd: S,
         rayon: &Rayon<R>,
-        mut plafond: R,
-        question: &mut impl Question<R>,
+        mut plafond: f32,
+        question: &mut impl Question,
     ) {
         for indice in self.sans_bornes() {
             plafond = question.voir(indice).unwrap_or(plafond);
         }
         let Some(racine) = self.racine else { return };
-        let sonde = Sonde::new(rayon, self.milieu);
+        let sonde = Sonde::new(rayon, self.repere);
         // No larger pile than the tree needs: to set it up costs as much as an object.
         if let [feuille] = self.noeuds {
             sonde.voir_feuille(simd, feuille, plafond, question);
@@ -80,12 +81,12 @@ impl<R: Reel> Arbre<'_, R> {
     fn descendre<S: Simd, const P: usize>(
         &self,
         simd: S,
-        sonde: &Sonde<R>,
+        sonde: &Sonde,
         racine: usize,
-        mut plafond: R,
-        question: &mut impl Question<R>,
+        mut plafond: f32,
+        question: &mut impl Question,
     ) {
-        let mut pile = Pile::<R, P>::VIDE;
+        let mut pile = Pile::<P>::VIDE;
         let mut rang = racine;
         loop {
             let Some(noeud) = self.noeuds.get(rang) else { return };
@@ -105,14 +106,15 @@ impl<R: Reel> Arbre<'_, R> {
 }
 
 /// What is asked of each object in turn.
-trait Question<R> {
+trait Question {
     /// Looks at the object of this index; if the answer changes with it, the largest entry that still
     /// matters, below 0 for none.
-    fn voir(&mut self, indice: usize) -> Option<R>;
+    fn voir(&mut self, indice: usize) -> Option<f32>;
 }
 
 /// Which object is the first, so far?
 struct Premier<'a, R> {
+    repere: Repere<R>,
     objets: &'a [ObjetRay<R>],
     s: Vecteur<R>,
     d: Vecteur<R>,
@@ -121,16 +123,16 @@ struct Premier<'a, R> {
     t: R,
 }
 
-impl<R: Reel> Question<R> for Premier<'_, R> {
+impl<R: Reel> Question for Premier<'_, R> {
     #[inline(always)]
-    fn voir(&mut self, indice: usize) -> Option<R> {
+    fn voir(&mut self, indice: usize) -> Option<f32> {
         let t = self.objets.get(indice)?.entree(self.s, self.d);
         let rang = rang(indice).get();
         // In any order: of two at the same distance, the earlier in the list.
         let avant = t < self.t || (t == self.t && rang < self.rang);
         avant.then(|| {
             (self.rang, self.t) = (rang, t);
-            t
+            self.repere.distance(t)
         })
     }
 }
@@ -143,11 +145,11 @@ struct Ombre<'a, R> {
     cache: bool,
 }
 
-impl<R: Reel> Question<R> for Ombre<'_, R> {
+impl<R: Reel> Question for Ombre<'_, R> {
     #[inline(always)]
-    fn voir(&mut self, indice: usize) -> Option<R> {
+    fn voir(&mut self, indice: usize) -> Option<f32> {
         self.cache |= cache_avant(self.objets.get(indice)?, self.rayon, self.distance_max);
-        self.cache.then(|| -R::UN)
+        self.cache.then_some(-1.0)
     }
 }
 
@@ -158,27 +160,33 @@ pub(crate) fn le_premier(enfants: u32) -> usize {
 }
 
 /// A ray as the boxes see it, with its part of the slack (`docs/conception.md`, "Hierarchy").
-struct Sonde<R>([Axe<R>; 3]);
+struct Sonde([Axe; 3]);
 
 /// One axis of it.
 #[derive(Clone, Copy)]
-struct Axe<R> {
+struct Axe {
     /// 1/D, below 0 where the ray runs backwards.
-    inverse: R,
+    inverse: f32,
     /// S with the slack: for the nearer side of a box and for the farther.
-    vers_proche: R,
-    vers_lointain: R,
+    vers_proche: f32,
+    vers_lointain: f32,
 }
 
-impl<R: Reel> Sonde<R> {
+impl Sonde {
     #[inline(always)]
-    fn new(rayon: &Rayon<R>, milieu: Vecteur<R>) -> Self {
-        let (s, d) = (rayon.source(), rayon.direction());
-        let jeu = somme(s - milieu) * fois_u(128.0) + somme(s) * fois_u(4.0);
-        let axe = |s: R, d: R| {
+    fn new<R: Reel>(rayon: &Rayon<R>, repere: Repere<R>) -> Self {
+        let (s, d) = (simples(repere.place(rayon.source())), rayon.direction());
+        let loin = somme(s);
+        // An infinity is too far as well.
+        let (s, jeu) = if loin < TROP_LOIN {
+            (s, loin * jeu::<R>() as f32 + f32::U)
+        } else {
+            (Vecteur::NUL, TROP_LOIN)
+        };
+        let axe = |s: f32, d: R| {
             // 1/−0 is −∞: the sign is that of the quotient.
-            let inverse = R::UN / d;
-            let jeu = if inverse < R::ZERO { -jeu } else { jeu };
+            let inverse = simple(R::UN / d);
+            let jeu = if inverse < 0.0 { -jeu } else { jeu };
             Axe { inverse, vers_proche: s + jeu, vers_lointain: s - jeu }
         };
         Self([axe(s.x, d.x), axe(s.y, d.y), axe(s.z, d.z)])
@@ -186,29 +194,24 @@ impl<R: Reel> Sonde<R> {
 
     /// Which children the ray may enter no later than `plafond`, a bit for each, and where.
     #[inline(always)]
-    fn traverse<S: Simd>(
-        &self,
-        simd: S,
-        noeud: &Noeud<R>,
-        plafond: R,
-    ) -> (u32, EnLigne<Colonne<R>>) {
+    fn traverse<S: Simd>(&self, simd: S, noeud: &Noeud, plafond: f32) -> (u32, EnLigne<Colonne>) {
         let [bx, by, bz, hx, hy, hz, _] = noeud;
         let [x, y, z] = self.0;
         let ((px, lx), (py, ly), (pz, lz)) = (x.cotes(bx, hx), y.cotes(by, hy), z.cotes(bz, hz));
-        let (mut entrees, mut sorties) = ([R::ZERO; ENFANTS], [plafond; ENFANTS]);
+        let (mut entrees, mut sorties) = ([0.0; ENFANTS], [plafond; ENFANTS]);
         for i in 0..ENFANTS {
-            let mut entree = R::ZERO;
+            let mut entree = 0.0;
             entree = apres(entree, (px[i] - x.vers_proche) * x.inverse);
             entree = apres(entree, (py[i] - y.vers_proche) * y.inverse);
             entree = apres(entree, (pz[i] - z.vers_proche) * z.inverse);
-            entrees[i] = entree * (R::UN - fois_u(8.0));
+            entrees[i] = entree * (1.0 - fois_u::<f32>(16.0));
             let mut sortie = plafond;
             sortie = avant(sortie, (lx[i] - x.vers_lointain) * x.inverse);
             sortie = avant(sortie, (ly[i] - y.vers_lointain) * y.inverse);
             sortie = avant(sortie, (lz[i] - z.vers_lointain) * z.inverse);
             sorties[i] = sortie;
         }
-        (R::au_plus(simd, &entrees, &sorties), EnLigne(entrees))
+        (au_plus(simd, &entrees, &sorties), EnLigne(entrees))
     }
 
     /// Asks `question` about each object of a leaf that the ray may enter no later than `plafond`; the
@@ -217,45 +220,41 @@ impl<R: Reel> Sonde<R> {
     fn voir_feuille<S: Simd>(
         &self,
         simd: S,
-        feuille: &Noeud<R>,
-        mut plafond: R,
-        question: &mut impl Question<R>,
-    ) -> R {
+        feuille: &Noeud,
+        mut plafond: f32,
+        question: &mut impl Question,
+    ) -> f32 {
         let (mut traverses, entrees) = self.traverse(simd, feuille, plafond);
         let EnLigne(entrees) = &entrees;
         while traverses != 0 {
             let enfant = le_premier(traverses);
             traverses &= traverses - 1;
-            if let Some(nouveau) = question.voir(feuille[6][enfant].indice()) {
+            if let Some(nouveau) = question.voir(indice(feuille[6][enfant])) {
                 plafond = nouveau;
-                traverses &= R::au_plus(simd, entrees, &[plafond; ENFANTS]);
+                traverses &= au_plus(simd, entrees, &[plafond; ENFANTS]);
             }
         }
         plafond
     }
 }
 
-impl<R: Reel> Axe<R> {
+impl Axe {
     /// The nearer side of each box and the farther.
     #[inline(always)]
-    fn cotes<'a>(
-        self,
-        bas: &'a Colonne<R>,
-        haut: &'a Colonne<R>,
-    ) -> (&'a Colonne<R>, &'a Colonne<R>) {
-        if self.inverse < R::ZERO { (haut, bas) } else { (bas, haut) }
+    fn cotes<'a>(self, bas: &'a Colonne, haut: &'a Colonne) -> (&'a Colonne, &'a Colonne) {
+        if self.inverse < 0.0 { (haut, bas) } else { (bas, haut) }
     }
 }
 
 /// The later of two distances; the first if the second is a NaN, of 0·∞.
 #[inline(always)]
-fn apres<R: Reel>(t: R, autre: R) -> R {
+fn apres(t: f32, autre: f32) -> f32 {
     if autre > t { autre } else { t }
 }
 
 /// The earlier of two distances; the first if the second is a NaN, of 0·∞.
 #[inline(always)]
-fn avant<R: Reel>(t: R, autre: R) -> R {
+fn avant(t: f32, autre: f32) -> f32 {
     if autre < t { autre } else { t }
 }
 
@@ -270,22 +269,22 @@ const PETITE_PILE: usize = 15 * 3;
 const PEU_DE_NOEUDS: usize = 16 * 16 * 16;
 
 /// Nodes to look at later, with the distance at which the ray enters them.
-pub(crate) struct Pile<R, const P: usize> {
-    entrees: [R; P],
+pub(crate) struct Pile<const P: usize> {
+    entrees: [f32; P],
     noeuds: [u32; P],
     hauteur: usize,
 }
 
-impl<R: Reel, const P: usize> Pile<R, P> {
-    pub(crate) const VIDE: Self = Self { entrees: [R::ZERO; P], noeuds: [0; P], hauteur: 0 };
+impl<const P: usize> Pile<P> {
+    pub(crate) const VIDE: Self = Self { entrees: [0.0; P], noeuds: [0; P], hauteur: 0 };
 
     /// The nearest of these children, a bit for each; the others are put here.
     #[inline(always)]
     pub(crate) fn garder(
         &mut self,
         mut enfants: u32,
-        entrees: &Colonne<R>,
-        noeud: &Noeud<R>,
+        entrees: &Colonne,
+        noeud: &Noeud,
     ) -> Option<usize> {
         if enfants == 0 {
             return None;
@@ -307,7 +306,7 @@ impl<R: Reel, const P: usize> Pile<R, P> {
     }
 
     #[inline(always)]
-    fn poser(&mut self, entree: R, noeud: usize) {
+    fn poser(&mut self, entree: f32, noeud: usize) {
         self.entrees[self.hauteur] = entree;
         self.noeuds[self.hauteur] = noeud as u32;
         self.hauteur += 1;
@@ -315,7 +314,7 @@ impl<R: Reel, const P: usize> Pile<R, P> {
 
     /// The last node put here that the ray enters no later than `plafond`.
     #[inline(always)]
-    pub(crate) fn prendre(&mut self, plafond: R) -> Option<usize> {
+    pub(crate) fn prendre(&mut self, plafond: f32) -> Option<usize> {
         while let Some(hauteur) = self.hauteur.checked_sub(1) {
             self.hauteur = hauteur;
             if self.entrees[hauteur] <= plafond {
