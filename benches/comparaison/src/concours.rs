@@ -10,7 +10,7 @@ use lancer_rayon::{
 use crate::annexe_dyn;
 use crate::commun::litteral;
 use crate::horloge::{
-    TUILE, chronometrer, chronometrer_lot, exiger, medianes, petit_tampon, une_par_une,
+    TUILE, chronometrer, chronometrer_lot, exiger, moindres, petit_tampon, une_par_une,
 };
 use crate::pairs::{Parry, Vu};
 
@@ -213,7 +213,7 @@ impl<R: Parry> Concours<R> {
         let mut tampon = petit_tampon();
         let mut places = places(&self.objets);
         let hierarchie = Hierarchie::new(&self.objets, &mut places)?;
-        let medianes = medianes(concurrents, |qui| match qui {
+        let moindres = moindres(concurrents, |qui| match qui {
             Concurrent::LotListe => chronometrer_lot(rayons, &mut tampon, |rayons, touches| {
                 premieres_intersections(&self.objets, rayons, touches)
             }),
@@ -233,8 +233,8 @@ impl<R: Parry> Concours<R> {
             Concurrent::Obvhs => chronometrer(rayons_parry, 1, |rayon| self.obvhs(rayon)),
         });
         let mut temps = Temps([f64::NAN; 9]);
-        for (qui, mediane) in concurrents.iter().zip(medianes) {
-            temps.0[*qui as usize] = mediane;
+        for (qui, moindre) in concurrents.iter().zip(moindres) {
+            temps.0[*qui as usize] = moindre;
         }
         Ok(temps)
     }

@@ -1,5 +1,5 @@
-//! The clock: in turns and by the median, since on a shared machine only ratios within a run last. What
-//! is timed must be right first.
+//! The clock: in turns, and the least of them, since other programs of a shared machine only ever add to a
+//! time. What is timed must be right first.
 
 use std::error::Error;
 use std::hint::black_box;
@@ -15,8 +15,8 @@ pub(crate) const MORCEAU: usize = 4096;
 /// Rays of a tile.
 pub(crate) const TUILE: usize = 64;
 
-/// Turns, of which the median counts.
-const TOURS: usize = 5;
+/// Turns, of which the least counts.
+const TOURS: usize = 7;
 
 /// Room for the answers to so many rays at a time.
 pub(crate) fn tampon<R: Reel>(rayons: usize) -> Vec<Touche<R>> {
@@ -90,19 +90,15 @@ pub(crate) fn chronometrer<Q, T>(
     debut.elapsed().as_nanos() as f64 / lances as f64
 }
 
-/// The median for each, in turns.
-pub(crate) fn medianes<Q>(concurrents: &[Q], mut duree: impl FnMut(&Q) -> f64) -> Vec<f64> {
-    let mut durees = vec![Vec::new(); concurrents.len()];
+/// The least time of each, in turns.
+pub(crate) fn moindres<Q>(concurrents: &[Q], mut duree: impl FnMut(&Q) -> f64) -> Vec<f64> {
+    let mut durees = vec![f64::INFINITY; concurrents.len()];
     for _ in 0..TOURS {
-        for (qui, durees) in concurrents.iter().zip(&mut durees) {
-            durees.push(duree(qui));
+        for (qui, moindre) in concurrents.iter().zip(&mut durees) {
+            *moindre = moindre.min(duree(qui));
         }
     }
-    let mediane = |mut durees: Vec<f64>| {
-        durees.sort_by(f64::total_cmp);
-        durees[durees.len() / 2]
-    };
-    durees.into_iter().map(mediane).collect()
+    durees
 }
 
 /// Nanoseconds in three digits or more; a dash for who did not run.

@@ -10,7 +10,7 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 use crate::commun::scenes::melange;
 use crate::concours::{Concours, Concurrent, places};
 use crate::horloge::{
-    MORCEAU, chronometrer_lot, exiger, medianes, nanosecondes, petit_tampon, tampon, une_par_une,
+    MORCEAU, chronometrer_lot, exiger, moindres, nanosecondes, petit_tampon, tampon, une_par_une,
 };
 use crate::pairs::Parry;
 use crate::rayons::{en_lignes, en_tuiles, incoherents};
@@ -41,7 +41,7 @@ fn ordres_de<R: Parry>(n: usize) -> Result<String, Box<dyn Error>> {
     let ordres = [en_lignes(), en_tuiles(), incoherents(&hierarchie)];
     let mut tampons = [petit_tampon(), tampon(ordres[0].len())];
     let cas = [(0, 0), (1, 0), (1, 1), (2, 0)];
-    let lot = medianes(&cas, |&(ordre, tampon)| {
+    let lot = moindres(&cas, |&(ordre, tampon)| {
         chronometrer_lot(&ordres[ordre], &mut tampons[tampon], premieres)
     });
     let [_, _, rayons] = ordres;
@@ -89,7 +89,7 @@ fn jeux_de<R: Reel>(n: usize) -> Result<Vec<f64>, Box<dyn Error>> {
         })?;
     }
     let mut tampon = petit_tampon();
-    Ok(medianes(&jeux, |jeu| {
+    Ok(moindres(&jeux, |jeu| {
         chronometrer_lot(&rayons, &mut tampon, |rayons, touches| {
             jeu.premieres_intersections(rayons, touches)
         })
@@ -123,7 +123,7 @@ fn threads_de<R: Reel>(n: usize, equipes: &[ThreadPool; 2]) -> Result<String, Bo
     };
     exiger(&une_par_une(&objets, &rayons), &rayons, premieres)?;
     let mut tampon = tampon(rayons.len());
-    let temps = medianes(equipes, |equipe| {
+    let temps = moindres(equipes, |equipe| {
         // The best of some pictures in a row: at the first the threads still wake up.
         equipe.install(|| {
             let images = (0..8).map(|_| chronometrer_lot(&rayons, &mut tampon, premieres));

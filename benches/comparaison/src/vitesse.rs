@@ -10,7 +10,7 @@ use plotters::prelude::*;
 use crate::commun::scenes::melange;
 use crate::concours::{Concours, Concurrent, Temps, places};
 use crate::exactitude::COULEURS;
-use crate::horloge::{chronometrer, medianes, nanosecondes};
+use crate::horloge::{chronometrer, moindres, nanosecondes};
 use crate::page;
 use crate::pairs::Parry;
 use crate::rayons::{self, en_tuiles};
@@ -101,7 +101,7 @@ fn ombres_de<R: Parry>(n: usize) -> Result<String, Box<dyn Error>> {
     // Who looks at every object gets a part of the rays.
     let pas = (n / 1000).max(1);
     let mut comptes = [0; 4];
-    let ns = medianes(&[0, 1, 2, 3], |&qui| {
+    let ns = moindres(&[0, 1, 2, 3], |&qui| {
         let compte = &mut comptes[qui];
         *compte = 0;
         let mut noter = |cache: bool| *compte += usize::from(cache);
@@ -144,7 +144,7 @@ fn constructions_de<R: Parry>(n: usize) -> Result<String, Box<dyn Error>> {
     let objets = melange::<R>(n);
     let mut places = places(&objets);
     let octets = size_of_val(&places[..]) as f64 / n as f64;
-    let ns = medianes(&[0, 1, 2], |&qui| {
+    let ns = moindres(&[0, 1, 2], |&qui| {
         let debut = Instant::now();
         match qui {
             0 => assert!(black_box(Hierarchie::new(&objets, &mut places)).is_ok()),
