@@ -1,5 +1,7 @@
-//! What a shape says of rays, in its own file and once, for a ray alone and for many side by side;
-//! and the ball around it, a test that needs neither division nor root.
+//! The trait of the three shapes: what the search and the conclusion ask of a shape. Each shape implements it
+//! once, in its own file, for a ray alone and for rays side by side.
+//!
+//! And the ball around a shape, a test that rejects most rays with neither a division nor a root.
 
 use crate::intersection::{Contact, Intersection, Rang};
 use crate::rayon::Rayon;

@@ -41,6 +41,9 @@ const SEUIL_LOT: usize = 64;
 /// order, and numbers that the caller lends; it is `Copy`, and threads may share it. After a change of the
 /// list, build it again.
 ///
+/// Its boxes are rounded to some 10⁻⁷ of the whole scene and of the distance of the source, in `f64` too.
+/// Objects that are no farther apart are all asked: a far smaller detail costs the time of a list, and no bit.
+///
 /// ```
 /// use lancer_rayon::{
 ///     Hierarchie, NoIntersection, ObjetRay, Rayon, SphereGeo, Texture, Vecteur, premiere_intersection,

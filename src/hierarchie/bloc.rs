@@ -1,4 +1,4 @@
-//! A block of rays and the nodes that its beam crosses.
+//! A block of rays in the tree: the walk through the nodes that its beam crosses.
 
 use fearless_simd::Simd;
 
@@ -148,12 +148,12 @@ impl SondeDeBloc {
         arbre: &Arbre<'_, R>,
     ) -> Option<Self> {
         let sonde = Self::new(Faisceau::du_bloc(rayons, bloc)?, arbre.repere)?;
-        let racine = arbre.racine.and_then(|racine| arbre.noeuds.get(racine));
-        let Some(racine) = racine else { return Some(sonde) };
+        let Some(rang) = arbre.racine else { return Some(sonde) };
+        let racine = arbre.noeuds.get(rang)?;
         let (mut traverses, _) = sonde.traverse(simd, racine, f32::INFINI);
         let mut enfants = presents(simd, racine);
         let (mut croises, mut tous) = (traverses.count_ones(), enfants.count_ones());
-        if tous < PEU_D_ENFANTS && arbre.noeuds.len() > arbre.feuilles {
+        if tous < PEU_D_ENFANTS && rang >= arbre.feuilles {
             (croises, tous) = (0, 0);
             while enfants != 0 {
                 let enfant = le_premier(enfants);

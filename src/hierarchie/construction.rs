@@ -1,5 +1,7 @@
 //! The nodes of a hierarchy, in the numbers that the caller lends.
 //!
+//! All boxes are numbers of `f32`, relative to the scene ([`Repere`]), whatever the scalar.
+//!
 //! Each object is first a record of seven numbers: its box and its index. Median cuts at multiples of 16^k,
 //! each along the axis on which the centres lie farthest apart, sort the records until those of a leaf are
 //! sixteen neighbours. The numbers of a leaf are then exchanged for columns where they stand, and the nodes
@@ -65,7 +67,7 @@ pub(crate) struct Arbre<'a, R> {
 }
 
 /// Where the boxes stand, so that numbers of `f32` hold any scene: K is the origin, and no coordinate of a
-/// box is beyond 1.
+/// box is beyond 1, except for rounding.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Repere<R> {
     /// K, the middle of the centres.
@@ -165,7 +167,8 @@ impl<R: Reel> Repere<R> {
         l * self.echelle
     }
 
-    /// A distance along a ray times σ, to 2u of `f32`; +∞ if it is larger than all numbers of that type.
+    /// A distance along a ray times σ, to 2u of `f32` down to its least normal number; +∞ beyond all numbers
+    /// of that type.
     #[inline(always)]
     pub(crate) fn distance(self, t: R) -> f32 {
         simple(self.longueur(t))

@@ -1,4 +1,4 @@
-//! One ray and the nodes that it crosses.
+//! One ray in the tree: the walk through the nodes that it crosses.
 
 use fearless_simd::Simd;
 

@@ -1,7 +1,7 @@
-//! Culling: objects that none of many rays can enter, found without asking every ray.
+//! Culling: leaves out the objects that no ray of a block can enter, without asking every ray.
 //!
-//! Nothing that a ray could enter is ever left out, rounding included: the bounds are derived in
-//! `docs/conception.md`, "Culling"; the letters and the constants in u here are those of that page.
+//! An object that some ray could enter is never left out, rounding included. The bounds are derived in
+//! `docs/conception.md`, "Culling", whose letters and constants in u are those of this file.
 
 use crate::forme::Boule;
 use crate::lot::colonnes::{Colonnes, VOIES, Voies, le_plus_grand, max};

@@ -1,4 +1,4 @@
-//! The balls around some objects of a list, side by side.
+//! The balls around neighbours in a list, in columns: a beam is tested against sixteen at a time.
 
 use fearless_simd::Simd;
 

@@ -16,7 +16,8 @@ use crate::vecteur::Vecteur;
 /// With fewer rays than this on one object, finishing hits one by one is faster (measured).
 const COTE_A_COTE: u32 = 3;
 
-/// Sixteen rays, the distance of the first object of each so far, and its rank; 0 for none.
+/// Sixteen rays, the distance of the first object of each so far, and its rank; 0 for none. Each column
+/// fills cache lines.
 #[repr(align(64))]
 pub(crate) struct Groupe<R> {
     pub(crate) colonnes: Colonnes<R>,
