@@ -79,7 +79,8 @@ fn limites<R: Bits>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> Vec<R> {
 /// Compares all questions of these rays; how many touch something.
 #[track_caller]
 fn comparer<R: Bits>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) -> usize {
-    let mut places = vec![R::UN; Hierarchie::<R>::places(objets.len())];
+    // What the memory held before must not show through.
+    let mut places = vec![R::depuis_f64(f64::NAN); Hierarchie::<R>::places(objets.len())];
     let hierarchie = Hierarchie::new(objets, &mut places).unwrap();
     let attendues: Vec<_> = rayons.iter().map(|r| premiere_intersection(objets, r)).collect();
     let limites: Vec<_> = rayons.iter().step_by(7).map(|r| (r, limites(objets, r))).collect();
@@ -213,8 +214,8 @@ fn hasards<R: Bits>() {
     assert!(touches > 20 * cas(), "only {touches} hits");
 }
 
-/// Boxes and spheres side by side, and beams along the axes over nodes that are partly filled: in faces,
-/// through edges and beside, with components that are ±0 and subnormal.
+/// Boxes and spheres side by side, and beams along the axes and diagonals over nodes that are partly filled: in
+/// faces, through edges and beside, with components that are ±0 and subnormal.
 fn grilles<R: Bits>() {
     let mut alea = Rng::with_seed(3);
     for (n, decalage) in [(2, 0.0), (3, 0.3), (4, 100.3), (5, -7.7), (7, 0.1)] {
@@ -241,6 +242,8 @@ fn grilles<R: Bits>() {
                 let (mut s, mut d) = ([a, b, a], [pres, -pres, pres]);
                 (s[axe], d[axe]) = (depart, sens);
                 (s[(axe + 1) % 3], s[(axe + 2) % 3]) = (a, b);
+                rayons.push(Rayon::new(arrondi(s.into()), arrondi(d.into())).unwrap());
+                let d = [(); 3].map(|()| signe(&mut alea));
                 rayons.push(Rayon::new(arrondi(s.into()), arrondi(d.into())).unwrap());
             }
         }
