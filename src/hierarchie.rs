@@ -17,6 +17,7 @@ use fearless_simd::{Level, dispatch};
 use crate::hierarchie::bloc::RechercheDansLArbre;
 use crate::hierarchie::construction::{Arbre, MOTS, noeuds, ranger};
 use crate::intersection::{Intersection, NoIntersection};
+use crate::lot::colonnes::EnLigne;
 use crate::lot::{
     LongueursDifferentes, PEU_DE_RAYONS, meilleur_niveau, memes_longueurs, par_blocs, repondre,
 };
@@ -26,7 +27,7 @@ use crate::recherche::{est_occulte, premiere_intersection};
 use crate::reel::Reel;
 
 /// Bytes of a cache line: nodes start on one, which makes a ray 5 to 10 % faster (measured).
-const LIGNE: usize = 64;
+const LIGNE: usize = align_of::<EnLigne<()>>();
 
 /// Numbers of `f32` that may have to be left out for that.
 const MARGE: usize = LIGNE / size_of::<f32>() - 1;

@@ -6,7 +6,7 @@ use crate::forme::Boule;
 use crate::lot::colonnes::{VOIES, Voies};
 use crate::lot::faisceau::Faisceau;
 use crate::objet::ObjetRay;
-use crate::reel::Reel;
+use crate::reel::{Reel, au_plus};
 use crate::vecteur::Vecteur;
 
 /// The balls around neighbours in a list, coordinate by coordinate: at most Q times sixteen.
@@ -45,6 +45,6 @@ impl<R: Reel, const Q: usize> Fenetre<R, Q> {
             let boule = Boule { centre: Vecteur::new(x[i], y[i], z[i]), r2: r2[i] };
             (h2[i], limites[i]) = faisceau.ecart(boule);
         }
-        R::au_plus(simd, &h2, &limites)
+        au_plus(simd, &h2, &limites)
     }
 }
