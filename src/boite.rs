@@ -54,8 +54,8 @@ impl<R: Reel> BoiteGeo<R> {
     /// The box of this centre, these dimensions (width, height, depth) and this rotation.
     ///
     /// # Errors
-    /// If a coordinate is beyond ±2⁴⁵⁰ (`f64`) or ±2⁶⁰ (`f32`), or a dimension outside
-    /// 2⁻⁴⁵⁰ … 2⁴⁵⁰ or 2⁻⁶⁰ … 2⁶⁰.
+    /// If a coordinate is beyond ±2⁴⁵⁰ (`f64`) or ±2⁶⁰ (`f32`), or a dimension outside 2⁻⁴⁵⁰ … 2⁴⁵⁰
+    /// (`f64`) or 2⁻⁶⁰ … 2⁶⁰ (`f32`).
     pub fn new(
         centre: Vecteur<R>,
         dimensions: Vecteur<R>,
@@ -250,8 +250,8 @@ impl<R: Reel> BoiteRay<R> {
         dalles
     }
 
-    /// In `f64`, the distance of the hit and the pair of faces that the ray enters by; and whether the
-    /// search sees the ray enter by that pair, N·D < 0.
+    /// In `f64`, the distance of the hit and the pair of faces that the ray enters by. The last value is
+    /// true if the source lies before that pair and N·D has the same sign in R as in `f64`.
     #[inline(always)]
     fn entree_precise(&self, rayon: &Rayon<R>, t: R) -> (f64, usize, bool) {
         let (s, d) = (rayon.source().vers_f64(), rayon.direction().vers_f64());
@@ -328,8 +328,9 @@ impl<R: Reel> Forme<R> for BoiteRay<R> {
         (self.contact_a(rayon, t, axe), sur)
     }
 
-    /// On the face that the search entered by. The ray may meet its plane before the box: then at `t`.
-    /// The 64u are what the walk of a shadow counts on (`docs/conception.md`, "Hierarchy").
+    /// On the face by which the search entered. If the ray meets the plane of that face more than 64u
+    /// before `t`, in front of the box, the distance is `t`. The walk of a shadow relies on the 64u
+    /// (`docs/conception.md`, "Hierarchy").
     #[cold]
     fn contact_rare(&self, rayon: &Rayon<R>, t: R) -> Contact<R> {
         let (s, d) = (rayon.source(), rayon.direction());
@@ -359,9 +360,9 @@ struct Dalles<R> {
 /// The distance to a face as a length over a speed of 0 or more, not divided yet. The speed is
 /// multiplied by [`ECHELLE_VITESSE`](crate::reel), so that no product below is subnormal.
 ///
-/// Two of them are compared by cross products, since one division costs more than all of these. It
-/// makes a ray parallel to a pair of faces right as well: beside the pair the entry is +∞ or the
-/// exit −∞, and in the plane of a face 0/0 is neither above nor below anything.
+/// Two quotients are compared by cross-multiplication, since one division costs more than the two
+/// products. A ray parallel to a pair of faces then needs no case of its own: beside the pair its entry
+/// is +∞ or its exit −∞, and in the plane of a face 0/0 is neither above nor below anything.
 #[derive(Clone, Copy)]
 struct Quotient<R> {
     haut: R,

@@ -25,7 +25,7 @@ pub struct ErreurGeo {
     /// The field or argument, for instance `"centre.x"`.
     #[doc(alias = "field")]
     pub champ: &'static str,
-    /// What it would have been (an `f32` is widened, exactly).
+    /// The value that the field would have had; an `f32` is converted exactly.
     #[doc(alias = "value")]
     pub valeur: f64,
     /// What would have been accepted, as the end of the sentence "it must be …".

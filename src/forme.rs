@@ -1,7 +1,8 @@
-//! The trait of the three shapes: what the search and the conclusion ask of a shape. Each shape implements it
-//! once, in its own file, for a ray alone and for rays side by side.
+//! The trait of the three shapes, and the ball that rejects most rays with neither a division nor a root.
 //!
-//! And the ball around a shape, a test that rejects most rays with neither a division nor a root.
+//! The *search* finds the first object that a ray enters, in the scalar of the scene. The *conclusion*
+//! then computes the hit on that object in `f64`. Each shape implements both once, in its own file, for
+//! one ray and for rays side by side.
 
 use crate::intersection::{Contact, Intersection, Rang};
 use crate::rayon::Rayon;
@@ -15,14 +16,14 @@ use crate::vecteur::Vecteur;
 /// rays, [`t`](Self::t) is the distance of the entry, and [`conclure`](Self::conclure) is asked
 /// once, for the first object of a ray.
 pub(crate) trait Forme<R: Reel>: Copy {
-    /// A ball around all of the shape; without an end, [`Boule::INFINIE`].
+    /// A ball around all of the shape; [`Boule::INFINIE`] if it is unbounded.
     fn boule(&self) -> Boule<R>;
 
     /// The centre of the shape and how far it reaches from there along each axis, to 16u of that; `None`
-    /// without an end.
+    /// if it is unbounded.
     fn boite_englobante(&self) -> Option<(Vecteur<R>, Vecteur<R>)>;
 
-    /// Whether the ray (S, D) may enter: never false if it does, and cheap. A shape with an end
+    /// Whether the ray (S, D) may enter: never false if it does, and cheap. A bounded shape
     /// keeps this definition, on which the proof of culling rests.
     #[inline(always)]
     fn peut_entrer(&self, s: Vecteur<R>, d: Vecteur<R>) -> bool {
@@ -33,14 +34,14 @@ pub(crate) trait Forme<R: Reel>: Copy {
     /// computed without a branch.
     fn t(&self, s: Vecteur<R>, d: Vecteur<R>) -> R;
 
-    /// The hit that the search found at distance `t`, computed in `f64` and without a branch; and
-    /// whether that is sure. Where rounding spoiled it, [`contact_rare`](Self::contact_rare) holds.
+    /// The hit that the search found at distance `t`, computed in `f64` and without a branch. The
+    /// second value is false if rounding may have spoiled it: take [`contact_rare`](Self::contact_rare).
     fn contact(&self, rayon: &Rayon<R>, t: R) -> (Contact<R>, bool);
 
     /// The same hit, where it takes more than the ordinary formula.
     fn contact_rare(&self, rayon: &Rayon<R>, t: R) -> Contact<R>;
 
-    /// The distance of that hit and no more, and whether that is sure, as of `contact`.
+    /// The distance of [`contact`](Self::contact) alone, and whether rounding may not have spoiled it.
     fn distance_seule(&self, rayon: &Rayon<R>, t: R) -> (R, bool);
 
     /// The distance at which the ray (S, D) enters, +∞ if it does not.
@@ -76,7 +77,7 @@ pub(crate) struct Boule<R> {
 }
 
 impl<R: Reel> Boule<R> {
-    /// The ball around a shape without an end.
+    /// The ball around an unbounded shape.
     pub(crate) const INFINIE: Self = Self { centre: Vecteur::NUL, r2: R::INFINI };
 
     /// Whether the ray (S, D) comes near the ball.

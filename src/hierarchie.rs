@@ -1,7 +1,7 @@
 //! A hierarchy of bounding boxes over a list: the questions of `recherche.rs` and `lot.rs` where there are
 //! many objects, with the same answers.
 //!
-//! A leaf holds sixteen objects with an end, and a node of each floor above holds sixteen nodes
+//! A leaf holds sixteen bounded objects, and a node of each floor above holds sixteen nodes
 //! (`hierarchie/construction.rs`). A ray looks at the nodes that it crosses (`hierarchie/parcours.rs`),
 //! a block of rays at those that its beam crosses (`hierarchie/bloc.rs`). Half-spaces are always asked.
 //! What may be left out is derived in `docs/conception.md`, "Hierarchy".
@@ -29,7 +29,7 @@ use crate::reel::Reel;
 /// Bytes of a cache line: nodes start on one, which makes a ray 5 to 10 % faster (measured).
 const LIGNE: usize = align_of::<EnLigne<()>>();
 
-/// Numbers of `f32` that may have to be left out for that.
+/// The most `f32` that are skipped at the start of what the caller lends, so that nodes start on a line.
 const MARGE: usize = LIGNE / size_of::<f32>() - 1;
 
 /// Up to so many objects the batch of the list is as fast (measured).
@@ -43,7 +43,8 @@ const SEUIL_LOT: usize = 64;
 /// list, build it again.
 ///
 /// Its boxes are rounded to some 10⁻⁷ of the whole scene and of the distance of the source, in `f64` too.
-/// Objects that are no farther apart are all asked: a far smaller detail costs the time of a list, and no bit.
+/// Objects closer together than that are all tested: very fine detail in a large scene costs time, and
+/// never accuracy.
 ///
 /// ```
 /// use lancer_rayon::{
@@ -110,7 +111,7 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
     /// It takes some 100 ns an object. An array on the stack serves as well as a `Vec`.
     ///
     /// # Errors
-    /// If `places` is shorter than [`places`](Self::places) says; a longer one is accepted.
+    /// If `places` is shorter than [`places`](Self::places)`(objets.len())`; a longer slice is accepted.
     ///
     /// ```
     /// use lancer_rayon::{Hierarchie, ObjetRay, PlacesInsuffisantes, SphereGeo, Texture, Vecteur};

@@ -41,10 +41,10 @@ pub struct Intersection<R = f64> {
 /// A hit or a miss: the answer to every question for the first object.
 pub type Touche<R = f64> = Result<Intersection<R>, NoIntersection>;
 
-// `Rang` is never 0, and that one value tells a miss: an answer is as large as a hit.
+// `Rang` is never 0, so the compiler marks a miss by rank 0, and `Touche` is no larger than `Intersection`.
 const _: () = assert!(size_of::<Touche<f64>>() == 48 && size_of::<Touche<f32>>() == 28);
 
-/// The place of an object in a list, counted from 1; from 2³² on all have the last.
+/// The place of an object in a list, counted from 1; objects from place 2³² on share the rank 2³² − 1.
 pub(crate) type Rang = NonZero<u32>;
 
 /// The rank of the object at this index of a list.
@@ -135,11 +135,11 @@ impl<R: Reel> Contact<R> {
         if t > R::ZERO { t } else { R::MIN_POSITIF }
     }
 
-    /// The hit of `rayon` at this [`distance`](Self::distance).
+    /// The hit of `rayon` at distance t, which is rounded to R.
     ///
-    /// `hauteur` gives, for a point in f64, its height over the surface along the normal, and a
-    /// length of which 4u bound the error of that height, and 4u of R the error of the test by
-    /// which a search sees a ray that starts there.
+    /// `hauteur` receives the point of the hit in `f64`. It returns the height of the point over the
+    /// surface, along the normal, and a length ℓ. The height is off by at most 4u·ℓ, with u of `f64`.
+    /// A search for a ray that starts at the point is off by at most 4u·ℓ, with u of R.
     #[inline(always)]
     pub(crate) fn new(
         rayon: &Rayon<R>,
@@ -216,12 +216,13 @@ impl<R: Reel> Rayon<R> {
         Ok(Self::valide(source_valide(self.depart(touche, dedans))?, direction))
     }
 
-    /// The ray from the point of a hit to a light, and how far the light is: what
-    /// [`est_occulte`](crate::est_occulte) asks for a shadow.
+    /// The ray from the point of a hit to a light, and the distance of the light in scene units: the
+    /// arguments of [`est_occulte`](crate::est_occulte) for a shadow.
     ///
-    /// It is a [`secondaire`](Self::secondaire) and never hits the object it leaves. `None` if N·L ≤
+    /// The ray is a [`secondaire`](Self::secondaire) and never hits the object it leaves. `None` if N·L ≤
     /// 4u, with L the unit direction to the light: the surface faces away, or the light lies in its
-    /// tangent plane. `None` also where the start lies beyond the limits of a source.
+    /// tangent plane. `None` also if `lumiere` is not finite or is the start itself, or if the start lies
+    /// beyond the limits of a source.
     ///
     /// ```
     /// use lancer_rayon::{ObjetRay, Rayon, SphereGeo, Texture, Vecteur};

@@ -22,8 +22,8 @@
 //! [`rotation`](ObjetGeo::rotation) and [`homothetie`](ObjetGeo::homothetie); convert once with
 //! [`vers_ray`](ObjetGeo::vers_ray); then ask [`premiere_intersection`] as often as the picture has
 //! pixels, or [`premieres_intersections`] for many pixels at once: the same bits, several times as
-//! fast. [`est_occulte`] tells whether anything blocks the way to a light. From a dozen objects on,
-//! build a [`Hierarchie`] over the list once and ask that: the same answers, sooner.
+//! fast. [`est_occulte`] tells whether anything blocks the way to a light. For more than some ten objects
+//! (sixty, if rays come in batches) build a [`Hierarchie`] over the list: the same hits, sooner.
 //!
 //! # Conventions
 //!
@@ -53,7 +53,7 @@
 //! ```
 //!
 //! **A hit is an entry** from outside, at a distance t > 0, against the normal (D·N < 0). An object
-//! is not touched from inside or from its surface, and a tangent touches nothing.
+//! is not hit from inside or from its surface, and a tangent ray misses.
 //!
 //! ```
 //! # use lancer_rayon::*;
@@ -84,8 +84,8 @@
 //!
 //! # Features
 //!
-//! `std` (default) brings the hardware square root, and to [`premieres_intersections`] the best
-//! instruction set of the machine it runs on; without it the crate needs `core` alone, takes the
+//! `std` (default) brings the hardware square root; batches and [`Hierarchie`] then choose the best
+//! instruction set of the machine at run time. Without `std` the crate needs `core` alone, uses the
 //! instruction set that it is compiled for, and gives the same bits. `serde` reads and writes
 //! `Vecteur`, `Rotation`, `Texture`, `Rayon` and the describing types, through the same checks as
 //! their constructors. Nothing allocates, nothing is `unsafe`.

@@ -1,11 +1,12 @@
-//! Many rays at once: an image is 240,000 of them.
+//! Many rays at once: a picture of 600 × 400 pixels is 240,000 of them.
 //!
 //! Three sizes cut the work:
 //!
 //! - a **group** of 16 rays goes side by side through the formulae of a shape (`lot/groupe.rs`);
 //! - a **block** of 64 rays, a tile of 8 × 8 pixels, shares a beam that leaves objects out
 //!   (`lot/faisceau.rs`);
-//! - a **window** of 64 or 256 objects is looked at by the beam at a time (`lot/fenetre.rs`).
+//! - a **window** holds the balls of 64 or 256 objects in columns, and the beam is tested against it
+//!   (`lot/fenetre.rs`).
 
 pub(crate) mod colonnes;
 pub(crate) mod faisceau;
@@ -46,7 +47,7 @@ const SEUIL_ELAGAGE: usize = 10;
 ///
 /// Neighbours in `rayons` should be neighbours in the picture, in tiles of 8 × 8 better than in rows:
 /// objects that sixty-four rays in a row all miss cost next to nothing. Rays in no order at all cost
-/// several times as much. Give it some hundred rays a call; from some sixty objects on ask a
+/// several times as much. Pass at least some hundred rays a call; from some sixty objects on, use a
 /// [`Hierarchie`](crate::Hierarchie). Nothing is allocated and no thread is started; the caller may
 /// give parts of a picture to several threads.
 ///
@@ -170,9 +171,9 @@ fn avec_fenetre<R: Reel, const Q: usize>(
     });
 }
 
-/// Who finds the first object of each ray of a block.
+/// Finds the first object of each ray of a block.
 ///
-/// A trait: a call of a closure would leave the instruction set, and a method can be `inline(always)`.
+/// A trait and not a closure, since only a method can be `inline(always)` (`lot/groupe.rs`).
 pub(crate) trait Recherche<R> {
     /// Leaves the first objects in `bloc`, from which [`par_blocs`] writes the answers, or writes the
     /// answers itself; the result says which.
@@ -191,7 +192,7 @@ pub(crate) enum Trouve {
     DansLesTouches,
 }
 
-/// In a list, of which all objects are asked.
+/// Searches a list and tests every object.
 struct Tous<'a, R> {
     objets: &'a [ObjetRay<R>],
 }
@@ -206,7 +207,7 @@ impl<R: Reel> Recherche<R> for Tous<'_, R> {
     }
 }
 
-/// In a list, except the objects that the beam of the block avoids.
+/// Searches a list and culls the objects that the beam of the block avoids.
 struct Elagage<'a, R, S, const Q: usize> {
     simd: S,
     objets: &'a [ObjetRay<R>],

@@ -141,13 +141,13 @@ impl<R: Reel> ObjetRay<R> {
         self.conclure_sur_place(rayon, t, rang)
     }
 
-    /// The same without a call, which would leave the instruction set of the caller.
+    /// [`conclure`](Self::conclure), inlined into the instruction set of the caller (`lot/groupe.rs`).
     #[inline(always)]
     pub(crate) fn conclure_sur_place(&self, rayon: &Rayon<R>, t: R, rang: Rang) -> Touche<R> {
         par_forme!(Self, self, forme => Ok(forme.conclure(rayon, t, forme.texture(), rang)))
     }
 
-    /// The distance of that hit.
+    /// The distance of the hit that the search found at distance `t`.
     #[inline(always)]
     pub(crate) fn distance_conclue(&self, rayon: &Rayon<R>, t: R) -> R {
         par_forme!(Self, self, forme => forme.distance_conclue(rayon, t))
@@ -165,14 +165,14 @@ impl<R: Reel> ObjetRay<R> {
         par_forme!(Self, self, forme => forme.boule())
     }
 
-    /// The centre of this object and how far it reaches from there along each axis; `None` without an end.
+    /// The centre of this object and how far it reaches from there along each axis; `None` for a half-space.
     pub(crate) fn boite_englobante(&self) -> Option<(Vecteur<R>, Vecteur<R>)> {
         par_forme!(Self, self, forme => forme.boite_englobante())
     }
 }
 
-/// The conversions of each shape: described to any described, ready for rays to any ready for rays, and
-/// from described to ready for rays.
+/// The conversions of each shape: `XGeo` and `XRay` into the enums `ObjetGeo` and `ObjetRay`, and `XGeo`
+/// into `XRay` and `ObjetRay`.
 macro_rules! conversions {
     ($($forme:ident, $geo:ident, $ray:ident;)*) => {$(
         impl<R> From<$geo<R>> for ObjetGeo<R> {

@@ -61,8 +61,8 @@ impl<R: Reel> ObjetRay<R> {
     /// object alone.
     ///
     /// # Errors
-    /// [`NoIntersection`] if it does not: it misses, only touches, leaves, or starts inside or
-    /// on the surface.
+    /// [`NoIntersection`] if the ray passes the object by, is tangent to it, or starts inside it or on
+    /// its surface.
     #[doc(alias = "intersect")]
     #[doc(alias = "hit")]
     pub fn intersection(&self, rayon: &Rayon<R>) -> Result<Intersection<R>, NoIntersection> {

@@ -21,8 +21,8 @@ mod scelle {
         const ECHELLE_VITESSE: Self;
         /// Whether [`affiner`](Self::affiner) changes distances.
         const AFFINE: bool;
-        /// How far a matrix may be from orthonormal and still be taken as a rotation: room for
-        /// numbers written with six digits, or three in `f32`, and none for a matrix that scales or shears.
+        /// The largest element of |M·Mᵀ − I| with which a matrix M still counts as a rotation: room for
+        /// numbers written with seven decimals, or four in `f32`.
         const ECART_ROTATION: f64;
         /// `LIMITE` in words, for a coordinate.
         const ATTENDU_COORDONNEE: &'static str;
@@ -31,19 +31,17 @@ mod scelle {
         /// `ECART_ROTATION` in words.
         const ATTENDU_ROTATION: &'static str;
 
-        /// A speed of 0 or more, multiplied by `ECHELLE_VITESSE`: 0 stays 0, and in `f32` any other
-        /// becomes 2⁻⁴⁰ at least, since the range of the type does not hold every product of a
-        /// length and a speed.
+        /// Raises a speed that is already multiplied by `ECHELLE_VITESSE` to 2⁻⁴⁰ at least in `f32`, whose
+        /// range does not hold every product of a length and a speed. 0 stays 0; `f64` changes nothing.
         fn au_plancher(self) -> Self;
 
         /// The distance of a hit in `f64`, from the distance `trouve` of the search.
         ///
-        /// In `f64` it is `trouve` itself. In `f32` it is `precise()`, unless that number is not a
-        /// distance of the type; then `trouve` stands, since the conclusion never revokes a hit.
+        /// In `f64` it is `trouve` itself. In `f32` it is `precise()` if that lies in (0, `f32::MAX`], and
+        /// otherwise `trouve`: the computation in `f64` refines a hit and never revokes one.
         fn affiner(trouve: Self, precise: impl FnOnce() -> f64) -> f64;
 
-        /// Which of sixteen numbers are at most their neighbours in the other column, a bit for each: the one
-        /// step that the compiler does not widen by itself.
+        /// Bit i is set if a[i] ≤ b[i]: the one step that the compiler does not vectorise by itself.
         fn au_plus<S: Simd>(simd: S, a: &[Self; 16], b: &[Self; 16]) -> u32;
 
         /// The same memory as numbers of `f32`.
@@ -109,8 +107,8 @@ pub trait Reel:
     #[doc(alias = "epsilon")]
     #[doc(alias = "unit_roundoff")]
     const U: Self;
-    /// The largest coordinate, distance or size of a scene: 2⁶⁰ or 2⁴⁵⁰. The smallest size is
-    /// its inverse.
+    /// The largest coordinate, size or relative distance of a half-space, in scene units: 2⁶⁰ or 2⁴⁵⁰. The
+    /// smallest size is 1/`LIMITE`. Within these limits no square overflows or loses bits.
     #[doc(alias = "limit")]
     const LIMITE: Self;
 
@@ -132,7 +130,7 @@ pub(crate) fn fois_u<R: Reel>(n: f64) -> R {
     R::depuis_f64(n) * R::U
 }
 
-/// Which of sixteen numbers are at most their neighbours in the other column, a bit for each.
+/// Bit i is set if a[i] ≤ b[i]. A function, so that `f32` needs no import of the sealed trait.
 #[inline(always)]
 pub(crate) fn au_plus<R: Reel, S: Simd>(simd: S, a: &[R; 16], b: &[R; 16]) -> u32 {
     R::au_plus(simd, a, b)

@@ -106,8 +106,8 @@ impl<R: Reel> Rotation<R> {
     /// A matrix that is only nearly orthonormal is replaced by the nearest rotation.
     ///
     /// # Errors
-    /// If an element of M·Mᵀ − I exceeds 1e-6 (`f64`) or 1e-3 (`f32`), or if M turns space
-    /// inside out.
+    /// If an element of M is not finite, if one of M·Mᵀ − I exceeds 1e-6 (`f64`) or 1e-3 (`f32`), or if
+    /// M is a mirror (determinant below 0).
     #[doc(alias = "from_matrix")]
     pub fn depuis_matrice(matrice: [[R; 3]; 3]) -> Result<Self, ErreurGeo> {
         const CHAMPS: [[&str; 3]; 3] = [

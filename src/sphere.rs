@@ -43,8 +43,8 @@ impl<R: Reel> SphereGeo<R> {
     /// The sphere of this centre and this radius.
     ///
     /// # Errors
-    /// If a coordinate is beyond ±2⁴⁵⁰ (`f64`) or ±2⁶⁰ (`f32`), or the radius outside
-    /// 2⁻⁴⁵⁰ … 2⁴⁵⁰ or 2⁻⁶⁰ … 2⁶⁰.
+    /// If a coordinate is beyond ±2⁴⁵⁰ (`f64`) or ±2⁶⁰ (`f32`), or the radius outside 2⁻⁴⁵⁰ … 2⁴⁵⁰
+    /// (`f64`) or 2⁻⁶⁰ … 2⁶⁰ (`f32`).
     pub fn new(centre: Vecteur<R>, rayon: R, texture: Texture) -> Result<Self, ErreurGeo> {
         Ok(Self {
             centre: point(["centre.x", "centre.y", "centre.z"], centre)?,
@@ -133,7 +133,8 @@ impl<R: Reel> SphereRay<R> {
         self.texture
     }
 
-    /// A CB² below that of any sphere, r² ≥ 2⁻⁹⁰⁰, and above those that lose bits.
+    /// CB² at or below this is all rounding: the smallest sphere has r² = 2⁻⁹⁰⁰, and no square that is
+    /// subnormal weighs in a sum above 2⁻⁹⁰⁴.
     const CB2_PERDU: f64 = f64::from_bits((1023 - 904) << 52);
 
     /// The lengths of annex A.2 for the ray (S, D).
@@ -167,10 +168,10 @@ impl<R: Reel> SphereRay<R> {
             let r2 = r * r;
             // (CP − r)(CP + r), and CP + r ≥ r/0.59 unless the hit fails the test below.
             let puissance = (cp.longueur_carree() - r2).abs();
-            // Where rounding tilts N away from CP, above all for a small far sphere, the height
-            // along N differs from CP − r by half of travers²/r, a ray along the tangent plane
-            // of N dips below the sphere by as much, and a point rounded sideways climbs by its
-            // rounding × travers/r, at most half of the sum of their squares over r.
+            // Rounding tilts N away from CP, above all for a small far sphere. Three errors follow:
+            // the height along N differs from CP − r by travers²/2r; a ray along the tangent plane
+            // of N dips below the sphere by as much; a point rounded sideways climbs by
+            // arrondi·travers/r, at most (arrondi² + travers²)/2r.
             let le_long = n.produit_scalaire(cp);
             let travers2 = (cp - n * le_long).longueur_carree();
             let arrondi = 4.0 * R::U.vers_f64() * (p.x.abs() + p.y.abs() + p.z.abs());
@@ -268,9 +269,9 @@ impl<R: Reel> Longueurs<R> {
 
 /// The unit normal nearest to CB that faces the source of the ray.
 ///
-/// Where a ray only grazes, rounding can leave CB at a right angle to D or past it. What CB
-/// has across D, leaning towards the source by 6u, is beyond the rounding of N·D; it fails
-/// only where rounding is larger than the sphere, and there −D is as good as any.
+/// Where a ray only grazes, rounding can leave CB at a right angle to D or past it. The normal is then
+/// the part of CB across D, leaned by 6u towards the source, which is more than N·D rounds away. If even
+/// this normal does not face the source, the sphere is smaller than rounding, and −D is as good as any.
 #[cold]
 fn vers_la_source<R: Reel>(cb: Vecteur<f64>, rayon: &Rayon<R>) -> Vecteur<R> {
     let d = rayon.direction().vers_f64();

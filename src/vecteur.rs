@@ -81,8 +81,7 @@ impl<R: Reel> Vecteur<R> {
         v.longueur_carree().sqrt() / echelle
     }
 
-    /// The unit vector of the same direction; `None` if there is none, for a vector that is
-    /// zero or not finite.
+    /// The unit vector of the same direction; `None` for a vector that is zero or not finite.
     ///
     /// ```
     /// # use lancer_rayon::Vecteur;
@@ -105,8 +104,8 @@ impl<R: Reel> Vecteur<R> {
         (longueur > R::ZERO && longueur < R::INFINI).then(|| (longueur / echelle, v / longueur))
     }
 
-    /// The vector multiplied by a power of two, and that power: 1 wherever the square of the
-    /// length neither overflows nor loses bits below the smallest normal number.
+    /// The vector multiplied by a power of two, and that power. It is 1 for lengths of ordinary size; others
+    /// are scaled so that the square of the length neither overflows nor loses bits.
     #[inline]
     fn mis_a_l_echelle(self) -> (Self, R) {
         let carre = self.longueur_carree();
@@ -139,7 +138,7 @@ impl<R: Reel> Vecteur<R> {
         )
     }
 
-    /// Σ|V_i·V′_i|: what a rounding error of the scalar product is a small multiple of.
+    /// Σ|V_i·V′_i|. The rounding error of the scalar product is at most 3u times this, to first order.
     #[inline(always)]
     pub(crate) fn somme_des_grandeurs(self, autre: Self) -> R {
         (self.x * autre.x).abs() + (self.y * autre.y).abs() + (self.z * autre.z).abs()
@@ -169,8 +168,8 @@ impl<R: Reel> Vecteur<R> {
 }
 
 impl Vecteur<f64> {
-    /// The scalar product as if computed with twice the digits and rounded once: where the plain
-    /// one is what remains of a cancellation.
+    /// The scalar product as if computed with twice the digits and rounded once, for use where the plain
+    /// one cancels.
     #[cold]
     pub(crate) fn produit_scalaire_compense(self, autre: Self) -> f64 {
         let (x, rx) = produit_exact(self.x, autre.x);
@@ -182,7 +181,7 @@ impl Vecteur<f64> {
     }
 }
 
-/// a + b and what rounding takes from it, whichever is larger (Knuth).
+/// a + b and its rounding error, exact whichever of a and b is the larger (Knuth's TwoSum).
 fn somme_exacte(a: f64, b: f64) -> (f64, f64) {
     let somme = a + b;
     let b_vu = somme - a;

@@ -2,8 +2,7 @@
 //! on the bits of the stored numbers of an object and a ray, towards the largest error as a part of
 //! the bound. Random cases come nowhere near what this finds.
 //!
-//! Each climb is short here. For as many seconds a row as one has patience for, with the worst case
-//! of each printed:
+//! By default each climb is short. This gives each promise 60 seconds and prints its worst case:
 //!
 //! ```sh
 //! LANCER_RAYON_ADVERSAIRE=60 cargo test --release --all-features --test adversaire -- --nocapture
@@ -25,10 +24,10 @@ use lancer_rayon::{
     Vecteur, premiere_intersection,
 };
 
-/// So many in a row that gain nothing end in another start.
+/// After so many steps in a row without a gain, the climb starts again elsewhere.
 const PATIENCE: u32 = 50;
 
-/// How many of the best are kept to set out from again.
+/// How many of the best cases are kept as starting points.
 const SOMMETS: usize = 20;
 
 /// Worse than any case: no hit to judge, or numbers that no constructor takes.

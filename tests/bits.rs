@@ -3,7 +3,7 @@
 //! instruction set of the machine.
 //!
 //! A change of a formula changes a hash, and the failed assertion prints the new one. Read
-//! `docs/precision.md` again before you take it over, and tell it in CHANGELOG.md.
+//! `docs/precision.md` again before you adopt it, and record it in CHANGELOG.md.
 
 mod commun;
 #[allow(dead_code, reason = "shared with the examples")]

@@ -1,4 +1,4 @@
-//! What every hit is, on random objects and rays.
+//! What holds of every hit, on random objects and rays.
 
 mod commun;
 

@@ -1,4 +1,4 @@
-//! What changes with a scene as it should: scaled, mirrored, turned onto other axes, moved.
+//! A hit changes as it should when its scene is scaled, mirrored, turned onto other axes or moved.
 
 mod commun;
 
@@ -13,8 +13,8 @@ use lancer_rayon::{
 
 const CAS: u32 = 1_000;
 
-/// Where no product is subnormal, scaling everything by a power of two changes no bit but the
-/// exponent of the distance: over the whole range that a scene can hold.
+/// Where no product is subnormal, scaling everything by a power of two changes no bit except
+/// the exponent of the distance, over the whole range that a scene can hold.
 fn une_puissance_de_deux_ne_change_aucun_bit<R: Reel>() {
     let bits = R::LIMITE.vers_f64().log2();
     let mut alea = Rng::with_seed(3);

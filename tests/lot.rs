@@ -1,5 +1,5 @@
-//! The batch, of a list and of a hierarchy, gives every ray the bits that `premiere_intersection` gives it alone, with every
-//! instruction set of the machine, with culling and without.
+//! The batch of a list and of a hierarchy gives every ray the bits that `premiere_intersection` gives it
+//! alone, with every instruction set of the machine, with culling and without.
 //!
 //! `LANCER_RAYON_CAS` sets how many bundles of rays a test makes (300 unless set):
 //! `LANCER_RAYON_CAS=100000 cargo test --release --all-features --test lot`

@@ -265,7 +265,7 @@ fn un_rayon_secondaire_ne_retouche_pas_l_objet_qu_il_quitte<R: Reel>() {
                         "{}: {cas:?} {touche:?} left by {rayon:?} is touched again: {encore:?}",
                         regime.nom
                     );
-                    // Turned outward by 8u, kept up to 6u too long, and rounded in each coordinate.
+                    // Turned outward by 16u, up to 6u too long at a right angle to that, and rounded in each coordinate.
                     let voulue = arrondi::<R>(vers).vers_f64().unitaire().unwrap();
                     let tournee = (rayon.direction().vers_f64() - voulue).longueur();
                     assert!(tournee <= 20.0 * u::<R>(), "{}: turned by {tournee:e}", regime.nom);

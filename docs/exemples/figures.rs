@@ -1,8 +1,8 @@
 //! The figures of `docs/conventions.md`: what the library answers, drawn.
 //!
 //! `cargo run -p exemples --bin figures` writes them again; `tests/figures.rs` holds the committed ones to this
-//! code, byte for byte. No sine or root of the standard library goes into them but through the
-//! library, so that every machine draws the same bytes.
+//! code, byte for byte. No sine or root goes into them except through
+//! `lancer_rayon`, so that every machine draws the same bytes.
 
 use std::error::Error;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_6};

@@ -26,7 +26,8 @@ pub(crate) fn ecrire(
     Ok(png.finish()?)
 }
 
-/// Makes the picture of a scene, those that `arguments` names or else these two, and says why not.
+/// Calls `peindre` with the scene and the image that `arguments` names, by default with these two, and
+/// prints its error.
 pub(crate) fn programme(
     arguments: &[String],
     [scene, image]: [&str; 2],

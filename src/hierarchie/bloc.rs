@@ -29,7 +29,7 @@ const ASSEZ_D_OBJETS: u32 = 128;
 /// are counted instead.
 const PEU_D_ENFANTS: u32 = 8;
 
-/// In a tree: the nodes that the beam of the block crosses.
+/// Searches a tree, in the nodes that the beam of the block crosses.
 pub(crate) struct RechercheDansLArbre<'a, R, S> {
     pub(crate) simd: S,
     pub(crate) objets: &'a [ObjetRay<R>],
@@ -49,7 +49,7 @@ impl<R: Reel, S: Simd> Recherche<R> for RechercheDansLArbre<'_, R, S> {
         if sonde.is_none() && arbre.objets > SEUIL_SEULS {
             return un_par_un(simd, objets, arbre, bloc, rayons, touches);
         }
-        // Behind the objects with an end stand the half-spaces.
+        // Behind the bounded objects stand the half-spaces.
         let premier = if sonde.is_some() { arbre.bornes } else { 0 };
         for place in premier..arbre.objets {
             proposer_place(arbre, objets, bloc, place);

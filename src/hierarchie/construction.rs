@@ -4,8 +4,8 @@
 //!
 //! Each object is first a record of seven numbers: its box and its index. Median cuts at multiples of 16^k,
 //! each along the axis on which the centres lie farthest apart, sort the records until those of a leaf are
-//! sixteen neighbours. The numbers of a leaf are then exchanged for columns where they stand, and the nodes
-//! above follow, floor by floor.
+//! sixteen neighbours. Each leaf is then transposed into columns in place, and the nodes above follow, floor
+//! by floor.
 
 use core::cmp::Ordering;
 
@@ -53,21 +53,21 @@ pub(crate) type Noeud = [Colonne; FICHE];
 /// A tree over a list of objects.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Arbre<'a, R> {
-    /// The leaves, then the floors above. The columns of indices of the leaves hold the objects with an end
+    /// The leaves, then the floors above. The columns of indices of the leaves hold the bounded objects
     /// first, then the half-spaces.
     pub(crate) noeuds: &'a [Noeud],
     /// How many nodes are leaves.
     pub(crate) feuilles: usize,
     /// The root; none if all objects are half-spaces.
     pub(crate) racine: Option<usize>,
-    /// How many objects there are, and how many of them have an end.
+    /// How many objects there are, and how many of them are bounded.
     pub(crate) objets: usize,
     pub(crate) bornes: usize,
     pub(crate) repere: Repere<R>,
 }
 
-/// Where the boxes stand, so that numbers of `f32` hold any scene: K is the origin, and no coordinate of a
-/// box is beyond 1, except for rounding.
+/// The frame of the tree, in which `f32` holds any scene: a point X of the scene stands at (X − K)·σ. No
+/// coordinate of a box is beyond ±1, except for rounding and slack.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Repere<R> {
     /// K, the middle of the centres.
@@ -140,7 +140,7 @@ pub(crate) fn ranger<'a, R: Reel>(objets: &[ObjetRay<R>], places: &'a mut [f32])
 }
 
 impl<R: Reel> Repere<R> {
-    /// That of these objects.
+    /// The frame of these objects.
     fn autour(objets: &[ObjetRay<R>]) -> Self {
         let mut portee = R::ZERO;
         let centres = objets.iter().filter_map(|objet| {
@@ -150,7 +150,7 @@ impl<R: Reel> Repere<R> {
         });
         let (bas, haut) = extremes(centres);
         let (bas, haut) = (Vecteur::from(bas), Vecteur::from(haut));
-        // Twice as much as K amid the centres needs: K is rounded, and boxes have slack.
+        // K in the middle would need half of this. In the worst case rounding moves K to the last centre.
         let echelle = R::UN / (somme(haut - bas) + portee * R::depuis_f64(2.0));
         Self { milieu: (bas + haut) * R::depuis_f64(0.5), echelle }
     }
@@ -187,7 +187,7 @@ pub(crate) fn simples<R: Reel>(v: Vecteur<R>) -> Vecteur<f32> {
     Vecteur::depuis_f64(v.vers_f64())
 }
 
-/// An index below 2³¹ − 2²³ among numbers: the finite number with these bits.
+/// An index below 2³¹ − 2²³, stored in a column of `f32` as the number with the same bits, which is finite.
 fn nombre(indice: usize) -> f32 {
     f32::from_bits(indice as u32)
 }
@@ -215,21 +215,22 @@ fn loin<R: Reel>() -> R {
     R::LIMITE * R::LIMITE
 }
 
-/// The box around an object that has an end, with the object's part of the [slack](jeu).
+/// The box around a bounded object, with the object's part of the [slack](jeu).
 fn boite_elargie<R: Reel>(
     objet: &ObjetRay<R>,
     repere: Repere<R>,
 ) -> Option<(Vecteur<f32>, Vecteur<f32>)> {
     let (c, h) = objet.boite_englobante()?;
     let (c, h) = (repere.place(c), h * repere.echelle);
-    // The sum of the half-extents is at least ρ.
+    // The proof needs ρ, the radius of the ball around the object; the sum of the half-extents is no less.
     let jeu = (somme(c) + somme(h)) * R::depuis_f64(jeu::<R>());
     let demi = h + Vecteur::new(jeu, jeu, jeu);
     Some((simples(c - demi), simples(c + demi)))
 }
 
-/// What a unit of length between K and an object, or the source of a ray, adds to the slack: 128u for the
-/// point of a hit, and 4u of `f32` for what is rounded to that type (`docs/conception.md`, "Hierarchy").
+/// The slack, by which boxes grow so that rounding loses no hit, per unit of distance from K to an object
+/// or to the source of a ray. It is 128u for the point of a hit, and 4u of `f32` for the rounding to that
+/// type (`docs/conception.md`, "Hierarchy").
 #[inline(always)]
 pub(crate) fn jeu<R: Reel>() -> f64 {
     128.0 * R::U.vers_f64() + 4.0 * f64::from(f32::U)
@@ -242,8 +243,8 @@ pub(crate) fn somme<R: Reel>(v: Vecteur<R>) -> R {
 
 /// Puts the records of each node, of every floor, side by side.
 ///
-/// It calls itself at most four times for each of eight floors: at most sixteen blocks of 16^k records
-/// are cut in half, and the halves again, until each block stands alone.
+/// The recursion is at most 32 deep, four calls for each of eight floors: four halvings separate at most
+/// sixteen blocks of 16^k records.
 fn trier(fiches: &mut [Fiche]) {
     if fiches.len() <= ENFANTS {
         return;
@@ -278,7 +279,7 @@ fn double_centre(&[x0, y0, z0, x1, y1, z1, _]: &Fiche) -> [f32; 3] {
     [x0 + x1, y0 + y1, z0 + z1]
 }
 
-/// Exchanges sixteen records for columns; only the first have a box.
+/// Transposes sixteen records into columns, in place; only the first `bornes` have a box.
 fn en_colonnes(feuille: &mut Noeud, bornes: usize) {
     let mut noeud = vide();
     let (fiches, _) = feuille.as_flattened().as_chunks::<FICHE>();

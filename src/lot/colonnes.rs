@@ -4,7 +4,7 @@ use crate::rayon::Rayon;
 use crate::reel::Reel;
 use crate::vecteur::Vecteur;
 
-/// Rays side by side. Loops of eight would be unrolled before the compiler could widen them.
+/// Lanes: rays side by side. The compiler would unroll loops of eight before it could vectorise them.
 pub(crate) const VOIES: usize = 16;
 
 /// A value at the start of a cache line. A column that lies across two lines takes so much longer to write

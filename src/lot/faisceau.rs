@@ -13,7 +13,7 @@ use crate::vecteur::Vecteur;
 /// Running bounds over the rays of a block: distance from a reference origin S₀, spread around a reference
 /// direction M.
 ///
-/// Of each quantity sixteen maxima, since a single running one cannot be widened.
+/// Each quantity has sixteen maxima, one a lane: a single running maximum cannot be vectorised.
 pub(crate) struct Etendue<R> {
     s0: Vecteur<R>,
     m: Vecteur<R>,
@@ -112,9 +112,9 @@ impl<R: Reel> Faisceau<R> {
         etendue.faisceau()
     }
 
-    /// h² if h > 0, otherwise 0, and ρ² + 2048u·|C − S₀|²: if the first is larger, this ball lies so far
-    /// beyond one of the five planes that no ray of the beam [comes near it](Boule::approchee), as
-    /// computed.
+    /// Two numbers: h², and the limit ρ² + 2048u·|C − S₀|². h is how far C lies beyond the farthest of the
+    /// five planes, or 0. If h² is above the limit, the computed [`approchee`](Boule::approchee) is false
+    /// for every ray of the beam.
     #[inline(always)]
     pub(crate) fn ecart(&self, boule: Boule<R>) -> (R, R) {
         let sc = boule.centre - self.s0;

@@ -1,9 +1,9 @@
 //! Sixteen rays with the first object of each so far: the search and the conclusion, side by side.
 //!
-//! Both are those of a single ray, the same formulae of [`Forme`] in plain loops, which the compiler
-//! turns into the widest instructions of the machine. A sum, a product, a quotient and a root are
-//! rounded alike by all of them, so that every ray gets the bits that it gets alone. What the loops
-//! call is `inline(always)`: a call would leave the instruction set.
+//! Plain loops call the same formulae of [`Forme`] as for a single ray, and the compiler vectorises them.
+//! Every instruction set rounds a sum, a product, a quotient and a root alike, so that every ray gets the
+//! bits that it gets alone. What the loops call is `inline(always)`: a function that is not inlined would be
+//! compiled for the baseline instruction set.
 
 use crate::forme::Forme;
 use crate::intersection::{Contact, Intersection, NoIntersection, Rang, Touche};
@@ -39,8 +39,8 @@ impl<R: Reel> Groupe<R> {
     /// Makes the object of this shape and rank the first of those rays that enter it before their
     /// first so far.
     ///
-    /// Of two objects at the same distance the one of lower rank is the first; objects that come in the order
-    /// of their ranks need no comparison for that. Roots and quotients are computed only if one ray at least
+    /// Of two objects at the same distance the one of lower rank is the first. `EN_ORDRE` promises that
+    /// objects come in the order of their ranks, which saves that comparison. Roots and quotients are computed only if one ray at least
     /// may enter.
     #[inline(always)]
     pub(crate) fn proposer<const EN_ORDRE: bool>(&mut self, forme: &impl Forme<R>, rang: Rang) {
@@ -52,7 +52,7 @@ impl<R: Reel> Groupe<R> {
         if !pres {
             return;
         }
-        // Computed for all and kept for some, in a loop of its own: a branch would not be widened.
+        // Computed for all and kept for some, in a loop of its own: a branch would not be vectorised.
         let mut t = [R::INFINI; VOIES];
         for (voie, t) in t.iter_mut().enumerate() {
             let (s, d) = self.colonnes.rayon(voie);
@@ -111,7 +111,7 @@ impl<R: Reel> Groupe<R> {
             while siens != 0 {
                 let voie = la_premiere(siens);
                 siens &= siens - 1;
-                // Each written in its place: moving a hit would wait for each of its fields.
+                // Built in its place: to copy a hit just built would stall until its fields are stored.
                 if contacts.surs[voie] {
                     touches[voie] = Ok(Intersection::new(contacts.de(voie), texture, rang));
                 } else {

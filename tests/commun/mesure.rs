@@ -21,8 +21,8 @@ pub(crate) struct Mesure {
     pub(crate) k: Vec<f64>,
     /// The error of every distance in units in the last place.
     pub(crate) ulp: Vec<f64>,
-    /// The largest K of the promise: in 2⁻⁵³·cond, for an f32 beyond half a unit in the last
-    /// place.
+    /// The largest error of a distance in 2⁻⁵³·cond: the K of the promise. For an f32 the error counts
+    /// beyond half a unit in the last place.
     pub(crate) k_promis: f64,
     /// The largest error of a normal, as a part of 4u(1 + |f|/r) + |Δt|/r.
     pub(crate) normale: f64,

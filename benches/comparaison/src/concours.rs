@@ -14,8 +14,8 @@ use crate::horloge::{
 };
 use crate::pairs::{Parry, Vu};
 
-/// Who looks at every object, ray by ray, gets one tile in so many of a picture of a thousand
-/// objects or more: enough for its time, which would be minutes for them all.
+/// A competitor that tests every object ray by ray gets one tile in so many, from a thousand objects on:
+/// enough to time it, where the whole picture would take minutes.
 const TUILES: usize = 8;
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

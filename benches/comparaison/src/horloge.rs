@@ -1,5 +1,5 @@
-//! The clock: in turns, and the least of them, since other programs of a shared machine only ever add to a
-//! time. What is timed must be right first.
+//! The clock. The competitors run in turns, and the least time of each counts, since other programs on a
+//! shared machine only ever add to a time. What is timed is first checked to be right.
 
 use std::error::Error;
 use std::hint::black_box;
@@ -55,7 +55,7 @@ pub(crate) fn exiger<R: Reel>(
 pub(crate) fn chronometrer_lot<R: Reel>(
     rayons: &[Rayon<R>],
     tampon: &mut [Touche<R>],
-    premieres: impl Fn(&[Rayon<R>], &mut [Touche<R>]) -> Result<(), LongueursDifferentes>,
+    mut premieres: impl FnMut(&[Rayon<R>], &mut [Touche<R>]) -> Result<(), LongueursDifferentes>,
 ) -> f64 {
     // A copy made just before, as by someone who makes the rays of a tile when it is their turn.
     let mut frais = Vec::with_capacity(tampon.len());

@@ -10,7 +10,9 @@ use plotters::prelude::*;
 use crate::commun::scenes::melange;
 use crate::concours::{Concours, Concurrent, Temps, places};
 use crate::exactitude::COULEURS;
-use crate::horloge::{chronometrer, moindres, nanosecondes};
+use crate::horloge::{
+    MORCEAU, chronometrer, chronometrer_lot, moindres, nanosecondes, petit_tampon,
+};
 use crate::page;
 use crate::pairs::Parry;
 use crate::rayons::{self, en_tuiles};
@@ -76,11 +78,13 @@ fn rapports(temps: &Temps) -> [String; 3] {
         .map(|rapport| if rapport.is_nan() { "–".into() } else { format!("{rapport:.1}") })
 }
 
-/// What shadows cost one by one: ours in a list and in a hierarchy, parry in a loop and in its `Bvh`.
+/// What shadows cost: ours in a list and in a hierarchy one by one, in a hierarchy as a batch of first hits
+/// compared with the distance of the lamp, and parry one by one in a loop and in its `Bvh`.
 pub(crate) fn ombres() -> Result<String, Box<dyn Error>> {
     let mut table = vec![
-        "| scalar | N | list | hierarchy | parry, loop | parry, Bvh | parry / ours |".to_owned(),
-        format!("|---|--:|{}", "--:|".repeat(5)),
+        "| scalar | N | list | hierarchy | first hits in a batch | parry, loop | parry, Bvh | parry / one by one |"
+            .to_owned(),
+        format!("|---|--:|{}", "--:|".repeat(6)),
     ];
     for n in [12, 48, 192, 1000, 10_000] {
         table.push(ombres_de::<f32>(n)?);
@@ -94,21 +98,31 @@ fn ombres_de<R: Parry>(n: usize) -> Result<String, Box<dyn Error>> {
     let mut places = places(&objets);
     let hierarchie = Hierarchie::new(&objets, &mut places)?;
     let (liste, arbre) = (objets.iter().map(R::objet).collect::<Vec<_>>(), R::arbre(&objets));
-    let ombres: Vec<_> = rayons::ombres(&hierarchie)
-        .into_iter()
-        .map(|(rayon, max)| (rayon, R::rayon(&rayon), max))
-        .collect();
+    let ombres = rayons::ombres(&hierarchie);
+    let (rayons, distances): (Vec<_>, Vec<_>) = ombres.iter().copied().unzip();
+    let ombres: Vec<_> = ombres.into_iter().map(|(r, max)| (r, R::rayon(&r), max)).collect();
+    let mut tampon = petit_tampon();
     // Who looks at every object gets a part of the rays.
     let pas = (n / 1000).max(1);
-    let mut comptes = [0; 4];
-    let ns = moindres(&[0, 1, 2, 3], |&qui| {
+    let mut comptes = [0; 5];
+    let ns = moindres(&[0, 1, 2, 3, 4], |&qui| {
         let compte = &mut comptes[qui];
         *compte = 0;
         let mut noter = |cache: bool| *compte += usize::from(cache);
         match qui {
             0 => chronometrer(&ombres, pas, |(r, _, max)| noter(est_occulte(&objets, r, *max))),
             1 => chronometrer(&ombres, 1, |(r, _, max)| noter(hierarchie.est_occulte(r, *max))),
-            2 => chronometrer(&ombres, pas, |(_, r, max)| {
+            2 => {
+                let mut distances = distances.chunks(MORCEAU);
+                chronometrer_lot(&rayons, &mut tampon, |rayons, touches| {
+                    hierarchie.premieres_intersections(rayons, touches)?;
+                    for (touche, max) in touches.iter().zip(distances.next().unwrap_or_default()) {
+                        noter(touche.is_ok_and(|touche| touche.distance() < *max));
+                    }
+                    Ok(())
+                })
+            }
+            3 => chronometrer(&ombres, pas, |(_, r, max)| {
                 noter(R::ombre_dans_la_liste(&liste, r, *max));
             }),
             _ => chronometrer(&ombres, 1, |(_, r, max)| {
@@ -117,11 +131,11 @@ fn ombres_de<R: Parry>(n: usize) -> Result<String, Box<dyn Error>> {
         }
     });
     // Rounding moves an outline for parry; ours are the same.
-    if comptes[1].abs_diff(comptes[3]) > ombres.len() / 1000 || pas == 1 && comptes[0] != comptes[1]
-    {
+    let [liste, arbre, lot, _, parry] = comptes;
+    if arbre.abs_diff(parry) > ombres.len() / 1000 || lot != arbre || pas == 1 && liste != arbre {
         return Err(format!("shadows differ: {comptes:?}").into());
     }
-    let rapport = ns[2].min(ns[3]) / ns[0].min(ns[1]);
+    let rapport = ns[3].min(ns[4]) / ns[0].min(ns[1]);
     let ns: Vec<_> = ns.into_iter().map(nanosecondes).collect();
     Ok(format!("| {} | {n} | {} | {rapport:.1} |", std::any::type_name::<R>(), ns.join(" | ")))
 }
