@@ -15,7 +15,7 @@ use core::fmt;
 use fearless_simd::{Level, dispatch};
 
 use crate::hierarchie::bloc::RechercheDansLArbre;
-use crate::hierarchie::construction::{Arbre, MOTS, noeuds, ranger};
+use crate::hierarchie::construction::{Arbre, MOTS, construire, noeuds};
 use crate::intersection::{Intersection, NoIntersection};
 use crate::lot::colonnes::EnLigne;
 use crate::lot::{
@@ -30,7 +30,7 @@ use crate::reel::Reel;
 const LIGNE: usize = align_of::<EnLigne<()>>();
 
 /// The most `f32` that are skipped at the start of what the caller lends, so that nodes start on a line.
-const MARGE: usize = LIGNE / size_of::<f32>() - 1;
+const BOURRAGE: usize = LIGNE / size_of::<f32>() - 1;
 
 /// Up to so many objects the batch of the list is as fast (measured).
 const SEUIL_LOT: usize = 64;
@@ -102,7 +102,8 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
         let par_nombre = size_of::<R>() / size_of::<f32>();
         match noeuds(nombre_d_objets) {
             0 => 0,
-            noeuds => (MOTS * noeuds + MARGE).div_ceil(par_nombre),
+            // More than a 32-bit machine has memory for, where it saturates.
+            noeuds => MOTS.saturating_mul(noeuds).saturating_add(BOURRAGE).div_ceil(par_nombre),
         }
     }
 
@@ -136,8 +137,8 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
         };
         let arbre = (necessaires > 0).then(|| {
             let places = R::en_simples(places);
-            let debut = places.as_ptr().align_offset(LIGNE).min(MARGE);
-            ranger(objets, &mut places[debut..])
+            let debut = places.as_ptr().align_offset(LIGNE).min(BOURRAGE);
+            construire(objets, &mut places[debut..])
         });
         Ok(Self { objets, arbre, niveau: meilleur_niveau() })
     }
@@ -172,7 +173,7 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
             return est_occulte(self.objets, rayon, distance_max);
         };
         dispatch!(self.niveau, simd => {
-            arbre.cache(simd, self.objets, rayon, distance_max)
+            arbre.est_occulte(simd, self.objets, rayon, distance_max)
         })
     }
 
@@ -214,7 +215,7 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
 }
 
 /// Fewer places were lent than the [hierarchy](Hierarchie) of so many objects needs.
-#[doc(alias = "out_of_memory")]
+#[doc(alias = "buffer_too_small")]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct PlacesInsuffisantes {
     /// How many were lent.

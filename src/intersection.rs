@@ -39,6 +39,7 @@ pub struct Intersection<R = f64> {
 }
 
 /// A hit or a miss: the answer to every question for the first object.
+#[doc(alias = "hit_or_miss")]
 pub type Touche<R = f64> = Result<Intersection<R>, NoIntersection>;
 
 // `Rang` is never 0, so the compiler marks a miss by rank 0, and `Touche` is no larger than `Intersection`.
@@ -213,7 +214,7 @@ impl<R: Reel> Rayon<R> {
         let direction =
             if tangente { direction_unitaire(direction + n * fois_u(16.0))? } else { direction };
         let dedans = cosinus < fois_u(-4.0);
-        Ok(Self::valide(source_valide(self.depart(touche, dedans))?, direction))
+        Ok(Self::sans_verifier(source_valide(self.depart(touche, dedans))?, direction))
     }
 
     /// The ray from the point of a hit to a light, and the distance of the light in scene units: the
@@ -246,7 +247,7 @@ impl<R: Reel> Rayon<R> {
         let depart = source_valide(self.depart(touche, false)).ok()?;
         let (distance, direction) = (lumiere - depart).longueur_et_unitaire()?;
         let de_face = direction.produit_scalaire(touche.normale) > fois_u(4.0);
-        de_face.then(|| (Self::valide(depart, direction), distance))
+        de_face.then(|| (Self::sans_verifier(depart, direction), distance))
     }
 
     /// The point of the hit, moved along the normal, outward or inward, past all rounding.

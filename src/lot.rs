@@ -18,7 +18,7 @@ use core::fmt;
 use fearless_simd::{Level, Simd, dispatch};
 
 use crate::intersection::{Intersection, NoIntersection, Rang, Touche, rang};
-use crate::lot::colonnes::VOIES;
+use crate::lot::colonnes::{VOIES, le_premier};
 use crate::lot::faisceau::Faisceau;
 use crate::lot::fenetre::Fenetre;
 use crate::lot::groupe::Groupe;
@@ -226,15 +226,15 @@ impl<R: Reel, S: Simd, const Q: usize> Recherche<R> for Elagage<'_, R, S, Q> {
         let Some(faisceau) = Faisceau::du_bloc(rayons, bloc) else {
             return Tous { objets }.chercher(bloc, rayons, touches);
         };
-        for (numero, groupe) in objets.chunks(VOIES).enumerate() {
+        for (numero, rangee) in objets.chunks(VOIES).enumerate() {
             if numero % Q == 0 && objets.len() > Fenetre::<R, Q>::PLACES {
                 fenetre.charger(&objets[numero * VOIES..]);
             }
-            let mut vus = fenetre.face_a(*simd, &faisceau, numero % Q);
+            let mut vus = fenetre.rencontres(*simd, &faisceau, numero % Q);
             while vus != 0 {
-                let i = vus.trailing_zeros() as usize;
+                let i = le_premier(vus);
                 vus &= vus - 1;
-                if let Some(objet) = groupe.get(i) {
+                if let Some(objet) = rangee.get(i) {
                     proposer::<R, true>(bloc, objet, rang(numero * VOIES + i));
                 }
             }

@@ -189,7 +189,7 @@ impl<R: Reel> Forme<R> for PlanRay<R> {
     }
 
     /// Whether the ray enters the half-space: S outside, N·D < 0. No threshold: a ray that
-    /// descends at all arrives.
+    /// descends at all arrives, unless its distance overflows.
     #[inline(always)]
     fn peut_entrer(&self, s: Vecteur<R>, d: Vecteur<R>) -> bool {
         let (hauteur, descente) = self.hauteur_et_descente(s, d);

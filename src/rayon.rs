@@ -41,7 +41,7 @@ impl<R: Reel> Rayon<R> {
 
     /// The ray of a source and a direction that were checked before.
     #[inline(always)]
-    pub(crate) fn valide(source: Vecteur<R>, direction: Vecteur<R>) -> Self {
+    pub(crate) fn sans_verifier(source: Vecteur<R>, direction: Vecteur<R>) -> Self {
         Self { source, direction }
     }
 

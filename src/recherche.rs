@@ -103,12 +103,16 @@ impl<R: Reel> ObjetRay<R> {
 #[inline]
 #[must_use]
 pub fn est_occulte<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>, distance_max: R) -> bool {
-    objets.iter().any(|objet| cache_avant(objet, rayon, distance_max))
+    objets.iter().any(|objet| occulte_avant(objet, rayon, distance_max))
 }
 
 /// Whether the ray touches this object before `distance_max`.
 #[inline(always)]
-pub(crate) fn cache_avant<R: Reel>(objet: &ObjetRay<R>, rayon: &Rayon<R>, distance_max: R) -> bool {
+pub(crate) fn occulte_avant<R: Reel>(
+    objet: &ObjetRay<R>,
+    rayon: &Rayon<R>,
+    distance_max: R,
+) -> bool {
     let t = objet.entree(rayon.source(), rayon.direction());
     // The distance of a hit is always finite: without a limit the search decides.
     t < R::INFINI && (distance_max == R::INFINI || objet.distance_conclue(rayon, t) < distance_max)

@@ -100,11 +100,9 @@ pub trait Reel:
     #[doc(alias = "infinity")]
     const INFINI: Self;
     /// The smallest number above 0, a subnormal.
-    #[doc(alias = "min_positive")]
     #[doc(alias = "smallest")]
     const MIN_POSITIF: Self;
     /// u, the largest relative error of one rounding: 2⁻²⁴ or 2⁻⁵³.
-    #[doc(alias = "epsilon")]
     #[doc(alias = "unit_roundoff")]
     const U: Self;
     /// The largest coordinate, size or relative distance of a half-space, in scene units: 2⁶⁰ or 2⁴⁵⁰. The

@@ -226,9 +226,9 @@ fn defaut(m: Matrice) -> Matrice {
     core::array::from_fn(|i| core::array::from_fn(|j| IDENTITE[i][j] - carre[i][j]))
 }
 
-/// The largest element of |M·Mᵀ − I|; NaN if there is one.
+/// The largest element of |M·Mᵀ − I|; a NaN if one of them is a NaN.
 fn ecart(m: Matrice) -> f64 {
-    let plus_grand = |a: f64, b: f64| if a >= b { a } else { b };
+    let plus_grand = |a: f64, b: f64| if b <= a || a.is_nan() { a } else { b };
     defaut(m).into_iter().flatten().map(f64::abs).fold(0.0, plus_grand)
 }
 

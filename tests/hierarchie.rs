@@ -451,6 +451,8 @@ fn loupe<R: Bits>() {
 }
 
 fn places<R: Bits>() {
+    // The last number of objects that gets a tree, and the first that does not, on 32-bit machines too.
+    assert!(Hierarchie::<R>::places(0x7f7f_ffff) > 0 && Hierarchie::<R>::places(0x7f80_0000) == 0);
     for n in [0, 1, UN_ARBRE - 1, UN_ARBRE, 16, 17, 256, 257, 1_000] {
         let scene = scenes::melange::<R>(n);
         let rayons = scenes::rayons_camera::<R>(9, 9);

@@ -69,7 +69,7 @@ fn premier_mot(texte: &str) -> &str {
 fn le_lexique_est_a_jour() {
     let mut page = String::from(
         "# Names\n\nThe names are the handout's, in French and in ASCII. `cargo doc` finds each by these English words as \
-         well.\nWritten by `tests/lexique.rs`, which also checks that none is missing:\n\n\
+         well.\nWritten by `tests/lexique.rs`, which also checks that it holds each name that has one:\n\n\
          ```sh\nLANCER_RAYON_ECRIRE=1 cargo test --all-features --test lexique\n```\n",
     );
     for (titre, fichiers) in PARTIES {

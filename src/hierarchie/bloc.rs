@@ -6,9 +6,9 @@ use crate::hierarchie::construction::{
     Arbre, Colonne, ENFANTS, Noeud, Repere, TROP_LOIN, indice, jeu, premier_enfant, simple,
     simples, somme,
 };
-use crate::hierarchie::parcours::{GRANDE_PILE, Pile, le_premier};
+use crate::hierarchie::parcours::{GRANDE_PILE, Pile};
 use crate::intersection::{Touche, rang};
-use crate::lot::colonnes::{EnLigne, VOIES, max};
+use crate::lot::colonnes::{EnLigne, VOIES, le_premier, max};
 use crate::lot::faisceau::Faisceau;
 use crate::lot::groupe::Groupe;
 use crate::lot::{Recherche, Trouve, proposer};
@@ -150,21 +150,20 @@ impl SondeDeBloc {
         let sonde = Self::new(Faisceau::du_bloc(rayons, bloc)?, arbre.repere)?;
         let Some(rang) = arbre.racine else { return Some(sonde) };
         let racine = arbre.noeuds.get(rang)?;
-        let (mut traverses, _) = sonde.traverse(simd, racine, f32::INFINI);
+        let (traverses, _) = sonde.traverse(simd, racine, f32::INFINI);
         let mut enfants = presents(simd, racine);
         let (mut croises, mut tous) = (traverses.count_ones(), enfants.count_ones());
         if tous < PEU_D_ENFANTS && rang >= arbre.feuilles {
             (croises, tous) = (0, 0);
             while enfants != 0 {
                 let enfant = le_premier(enfants);
+                enfants &= enfants - 1;
                 let noeud = arbre.noeuds.get(premier_enfant(racine) + enfant)?;
-                if traverses & enfants & enfants.wrapping_neg() != 0 {
+                if traverses & (1 << enfant) != 0 {
                     let (croises_ici, _) = sonde.traverse(simd, noeud, f32::INFINI);
                     croises += croises_ici.count_ones();
                 }
                 tous += presents(simd, noeud).count_ones();
-                traverses &= !(1 << enfant);
-                enfants &= enfants - 1;
             }
         }
         (2 * croises <= tous).then_some(sonde)

@@ -9,7 +9,7 @@
 
 use core::cmp::Ordering;
 
-use crate::lot::colonnes::max;
+use crate::lot::colonnes::{max, min};
 use crate::objet::ObjetRay;
 use crate::reel::Reel;
 use crate::vecteur::Vecteur;
@@ -30,7 +30,7 @@ const SEUIL_ARBRE: usize = 9;
 const LIMITE_INDICES: u64 = 0x7f80_0000;
 
 /// The farthest corner of a missing child.
-const LOIN: f32 = (1_u128 << 120) as f32;
+const COIN_ABSENT: f32 = (1_u128 << 120) as f32;
 
 /// From so far away the boxes of a scene cannot be told apart: the whole tree is asked.
 pub(crate) const TROP_LOIN: f32 = (1_u128 << 100) as f32;
@@ -102,7 +102,10 @@ pub(crate) const fn noeuds(objets: usize) -> usize {
 }
 
 /// The tree over these objects, in the numbers of [so many nodes](noeuds).
-pub(crate) fn ranger<'a, R: Reel>(objets: &[ObjetRay<R>], places: &'a mut [f32]) -> Arbre<'a, R> {
+pub(crate) fn construire<'a, R: Reel>(
+    objets: &[ObjetRay<R>],
+    places: &'a mut [f32],
+) -> Arbre<'a, R> {
     let repere = Repere::autour(objets);
     let (fiches, _) = places.as_chunks_mut();
     let (mut bornes, mut fin) = (0, objets.len());
@@ -200,7 +203,7 @@ pub(crate) fn indice(nombre: f32) -> usize {
 
 /// The least and the greatest coordinates of these points.
 fn extremes<R: Reel>(points: impl Iterator<Item = [R; 3]>) -> ([R; 3], [R; 3]) {
-    let (mut bas, mut haut) = ([loin::<R>(); 3], [-loin::<R>(); 3]);
+    let (mut bas, mut haut) = ([au_dela::<R>(); 3], [-au_dela::<R>(); 3]);
     for point in points {
         for axe in 0..3 {
             bas[axe] = min(bas[axe], point[axe]);
@@ -211,7 +214,7 @@ fn extremes<R: Reel>(points: impl Iterator<Item = [R; 3]>) -> ([R; 3], [R; 3]) {
 }
 
 /// Farther than any corner of a box.
-fn loin<R: Reel>() -> R {
+fn au_dela<R: Reel>() -> R {
     R::LIMITE * R::LIMITE
 }
 
@@ -297,8 +300,8 @@ fn parent(enfants: &[Noeud], premier: usize) -> Noeud {
     let mut noeud = vide();
     for (enfant, dessous) in enfants.iter().enumerate() {
         for axe in 0..3 {
-            noeud[axe][enfant] = dessous[axe].into_iter().fold(LOIN, min);
-            noeud[axe + 3][enfant] = dessous[axe + 3].into_iter().fold(-LOIN, max);
+            noeud[axe][enfant] = dessous[axe].into_iter().fold(COIN_ABSENT, min);
+            noeud[axe + 3][enfant] = dessous[axe + 3].into_iter().fold(-COIN_ABSENT, max);
         }
     }
     noeud[FICHE - 1][0] = nombre(premier);
@@ -314,10 +317,6 @@ pub(crate) fn premier_enfant([.., indices]: &Noeud) -> usize {
 /// A node without children: each box is turned inside out, its lower corner beyond everything and its upper
 /// corner below. A ray would leave it before it enters it.
 fn vide() -> Noeud {
-    let (bas, haut, indice) = ([LOIN; ENFANTS], [-LOIN; ENFANTS], [0.0; ENFANTS]);
-    [bas, bas, bas, haut, haut, haut, indice]
-}
-
-fn min<R: Reel>(a: R, b: R) -> R {
-    if a < b { a } else { b }
+    let (bas, haut) = ([COIN_ABSENT; ENFANTS], [-COIN_ABSENT; ENFANTS]);
+    [bas, bas, bas, haut, haut, haut, [0.0; ENFANTS]]
 }

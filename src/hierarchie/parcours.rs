@@ -7,10 +7,10 @@ use crate::hierarchie::construction::{
     simples, somme,
 };
 use crate::intersection::{NoIntersection, Rang, Touche, rang};
-use crate::lot::colonnes::EnLigne;
+use crate::lot::colonnes::{EnLigne, le_premier, max, min};
 use crate::objet::ObjetRay;
 use crate::rayon::Rayon;
-use crate::recherche::cache_avant;
+use crate::recherche::occulte_avant;
 use crate::reel::{Reel, au_plus, fois_u};
 use crate::vecteur::Vecteur;
 
@@ -38,7 +38,7 @@ impl<R: Reel> Arbre<'_, R> {
     /// Whether the ray touches an object before `distance_max`. The walk is cut off there, with room for a
     /// hit that rounding puts before the box around its object (`docs/conception.md`, "Hierarchy").
     #[inline(always)]
-    pub(crate) fn cache<S: Simd>(
+    pub(crate) fn est_occulte<S: Simd>(
         &self,
         simd: S,
         objets: &[ObjetRay<R>],
@@ -46,9 +46,9 @@ impl<R: Reel> Arbre<'_, R> {
         distance_max: R,
     ) -> bool {
         let plafond = self.repere.distance(distance_max * (R::UN + fois_u(128.0)));
-        let mut ombre = Ombre { objets, rayon, distance_max, cache: false };
+        let mut ombre = Ombre { objets, rayon, distance_max, occulte: false };
         self.parcourir(simd, rayon, plafond, &mut ombre);
-        ombre.cache
+        ombre.occulte
     }
 
     /// Asks `question` about each half-space, then about each object that the ray may enter no later
@@ -63,6 +63,9 @@ impl<R: Reel> Arbre<'_, R> {
     ) {
         for indice in self.sans_bornes() {
             plafond = question.voir(indice).unwrap_or(plafond);
+            if plafond < 0.0 {
+                return;
+            }
         }
         let Some(racine) = self.racine else { return };
         let sonde = Sonde::new(rayon, self.repere);
@@ -142,21 +145,15 @@ struct Ombre<'a, R> {
     objets: &'a [ObjetRay<R>],
     rayon: &'a Rayon<R>,
     distance_max: R,
-    cache: bool,
+    occulte: bool,
 }
 
 impl<R: Reel> Question for Ombre<'_, R> {
     #[inline(always)]
     fn voir(&mut self, indice: usize) -> Option<f32> {
-        self.cache |= cache_avant(self.objets.get(indice)?, self.rayon, self.distance_max);
-        self.cache.then_some(-1.0)
+        self.occulte = occulte_avant(self.objets.get(indice)?, self.rayon, self.distance_max);
+        self.occulte.then_some(-1.0)
     }
-}
-
-/// The first of a set of children, a bit for each.
-#[inline(always)]
-pub(crate) fn le_premier(enfants: u32) -> usize {
-    enfants.trailing_zeros() as usize % ENFANTS
 }
 
 /// A ray as the boxes see it, with its part of the slack (`docs/conception.md`, "Hierarchy").
@@ -200,15 +197,16 @@ impl Sonde {
         let ((px, lx), (py, ly), (pz, lz)) = (x.cotes(bx, hx), y.cotes(by, hy), z.cotes(bz, hz));
         let (mut entrees, mut sorties) = ([0.0; ENFANTS], [plafond; ENFANTS]);
         for i in 0..ENFANTS {
+            // 0·∞ is a NaN, which leaves the number so far.
             let mut entree = 0.0;
-            entree = apres(entree, (px[i] - x.vers_proche) * x.inverse);
-            entree = apres(entree, (py[i] - y.vers_proche) * y.inverse);
-            entree = apres(entree, (pz[i] - z.vers_proche) * z.inverse);
+            entree = max((px[i] - x.vers_proche) * x.inverse, entree);
+            entree = max((py[i] - y.vers_proche) * y.inverse, entree);
+            entree = max((pz[i] - z.vers_proche) * z.inverse, entree);
             entrees[i] = entree * (1.0 - fois_u::<f32>(16.0));
             let mut sortie = plafond;
-            sortie = avant(sortie, (lx[i] - x.vers_lointain) * x.inverse);
-            sortie = avant(sortie, (ly[i] - y.vers_lointain) * y.inverse);
-            sortie = avant(sortie, (lz[i] - z.vers_lointain) * z.inverse);
+            sortie = min((lx[i] - x.vers_lointain) * x.inverse, sortie);
+            sortie = min((ly[i] - y.vers_lointain) * y.inverse, sortie);
+            sortie = min((lz[i] - z.vers_lointain) * z.inverse, sortie);
             sorties[i] = sortie;
         }
         (au_plus(simd, &entrees, &sorties), EnLigne(entrees))
@@ -244,18 +242,6 @@ impl Axe {
     fn cotes<'a>(self, bas: &'a Colonne, haut: &'a Colonne) -> (&'a Colonne, &'a Colonne) {
         if self.inverse < 0.0 { (haut, bas) } else { (bas, haut) }
     }
-}
-
-/// The later of two distances; the first if the second is a NaN, of 0·∞.
-#[inline(always)]
-fn apres(t: f32, autre: f32) -> f32 {
-    if autre > t { autre } else { t }
-}
-
-/// The earlier of two distances; the first if the second is a NaN, of 0·∞.
-#[inline(always)]
-fn avant(t: f32, autre: f32) -> f32 {
-    if autre < t { autre } else { t }
 }
 
 /// Room for the nodes that a walk leaves for later: of each node above the leaves it visits one child at

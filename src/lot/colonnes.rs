@@ -54,10 +54,22 @@ impl<R: Reel> Colonnes<R> {
     }
 }
 
-/// The larger of two numbers.
+/// The larger of two numbers; b if one of them is a NaN.
 #[inline(always)]
 pub(crate) fn max<R: Reel>(a: R, b: R) -> R {
     if a > b { a } else { b }
+}
+
+/// The smaller of two numbers; b if one of them is a NaN.
+#[inline(always)]
+pub(crate) fn min<R: Reel>(a: R, b: R) -> R {
+    if a < b { a } else { b }
+}
+
+/// The first of sixteen, of which a set holds a bit for each.
+#[inline(always)]
+pub(crate) fn le_premier(ensemble: u32) -> usize {
+    ensemble.trailing_zeros() as usize % VOIES
 }
 
 /// The largest of sixteen numbers.

@@ -14,7 +14,7 @@ use crate::vecteur::Vecteur;
 /// direction M.
 ///
 /// Each quantity has sixteen maxima, one a lane: a single running maximum cannot be vectorised.
-pub(crate) struct Etendue<R> {
+struct Etendue<R> {
     s0: Vecteur<R>,
     m: Vecteur<R>,
     /// A and B, two unit vectors across M.
@@ -37,7 +37,7 @@ impl<R: Reel> Etendue<R> {
         let cote = rayons[7.min(rayons.len() - 1)].direction() - rayons[0].direction();
         let x = Vecteur::new(R::UN, R::ZERO, R::ZERO);
         let y = Vecteur::new(R::ZERO, R::UN, R::ZERO);
-        let a = en_travers(cote, m).or(en_travers(x, m)).unwrap_or(y);
+        let a = en_travers(cote, m).or_else(|| en_travers(x, m)).unwrap_or(y);
         Self {
             s0: milieu.source(),
             m,
@@ -116,7 +116,7 @@ impl<R: Reel> Faisceau<R> {
     /// five planes, or 0. If h² is above the limit, the computed [`approchee`](Boule::approchee) is false
     /// for every ray of the beam.
     #[inline(always)]
-    pub(crate) fn ecart(&self, boule: Boule<R>) -> (R, R) {
+    pub(crate) fn hauteur_et_limite(&self, boule: Boule<R>) -> (R, R) {
         let sc = boule.centre - self.s0;
         let [h1, h2, h3, h4, h5] = self.plans.map(|(p, w)| p.produit_scalaire(sc) - w);
         let h = max(max(max(h1, h2), max(h3, h4)), max(h5, R::ZERO));
@@ -124,8 +124,53 @@ impl<R: Reel> Faisceau<R> {
     }
 }
 
-/// The unit vector of what `v` has across M, if it has any.
+/// The unit vector of what `v` has across M; `None` if `v` lies along M, where what rounding leaves does too.
 #[inline(always)]
 fn en_travers<R: Reel>(v: Vecteur<R>, m: Vecteur<R>) -> Option<Vecteur<R>> {
-    (v - m * v.produit_scalaire(m)).unitaire()
+    let travers = (v - m * v.produit_scalaire(m)).unitaire()?;
+    (travers.produit_scalaire(m).abs() < R::depuis_f64(0.5)).then_some(travers)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// No answer tells whether a beam leaves anything out; these numbers do.
+    fn des_rayons_paralleles_evitent_une_boule_a_cote<R: Reel>() {
+        let nombre = R::depuis_f64;
+        for k in 0..27_u8 {
+            let axe = |i: u8| nombre(f64::from(k / i % 3) - 1.0);
+            let Some(d) = Vecteur::new(axe(1), axe(3), axe(9)).unitaire() else { continue };
+            // The corners of a tile.
+            let sources = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (1.0, 1.0)];
+            let autre = if d.x.abs() < nombre(0.9) {
+                Vecteur::new(R::UN, R::ZERO, R::ZERO)
+            } else {
+                Vecteur::new(R::ZERO, R::UN, R::ZERO)
+            };
+            let u = d.produit_vectoriel(autre).unitaire().expect("across D");
+            let v = d.produit_vectoriel(u);
+            let rayons =
+                sources.map(|(x, y)| Rayon::sans_verifier(u * nombre(x) + v * nombre(y), d));
+            let mut groupe = Groupe::VIDE;
+            groupe.charger(&rayons);
+            let faisceau =
+                Faisceau::du_bloc(&rayons, &[groupe]).expect("parallel rays have a beam");
+            for cote in [u, -u, v, -v, -d] {
+                let centre = d * nombre(7.0) + cote * nombre(10.0);
+                let (h2, limite) = faisceau.hauteur_et_limite(Boule { centre, r2: R::UN });
+                assert!(h2 > limite, "along {d:?} a ball beside {centre:?} is looked at");
+            }
+        }
+    }
+
+    #[test]
+    fn des_rayons_paralleles_evitent_une_boule_a_cote_en_f32() {
+        des_rayons_paralleles_evitent_une_boule_a_cote::<f32>();
+    }
+
+    #[test]
+    fn des_rayons_paralleles_evitent_une_boule_a_cote_en_f64() {
+        des_rayons_paralleles_evitent_une_boule_a_cote::<f64>();
+    }
 }

@@ -37,13 +37,18 @@ impl<R: Reel, const Q: usize> Fenetre<R, Q> {
 
     /// Which of the sixteen balls in this row of the window the beam may meet, a bit for each.
     #[inline(always)]
-    pub(crate) fn face_a<S: Simd>(&self, simd: S, faisceau: &Faisceau<R>, groupe: usize) -> u32 {
+    pub(crate) fn rencontres<S: Simd>(
+        &self,
+        simd: S,
+        faisceau: &Faisceau<R>,
+        rangee: usize,
+    ) -> u32 {
         let [x, y, z] = &self.centres;
-        let (x, y, z, r2) = (&x[groupe], &y[groupe], &z[groupe], &self.r2[groupe]);
+        let (x, y, z, r2) = (&x[rangee], &y[rangee], &z[rangee], &self.r2[rangee]);
         let (mut h2, mut limites) = ([R::ZERO; VOIES], [R::ZERO; VOIES]);
         for i in 0..VOIES {
             let boule = Boule { centre: Vecteur::new(x[i], y[i], z[i]), r2: r2[i] };
-            (h2[i], limites[i]) = faisceau.ecart(boule);
+            (h2[i], limites[i]) = faisceau.hauteur_et_limite(boule);
         }
         au_plus(simd, &h2, &limites)
     }

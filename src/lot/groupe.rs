@@ -7,7 +7,7 @@
 
 use crate::forme::Forme;
 use crate::intersection::{Contact, Intersection, NoIntersection, Rang, Touche};
-use crate::lot::colonnes::{Colonnes, VOIES, Voies, le_plus_grand};
+use crate::lot::colonnes::{Colonnes, VOIES, Voies, le_plus_grand, le_premier};
 use crate::objet::{ObjetRay, par_forme};
 use crate::rayon::Rayon;
 use crate::reel::Reel;
@@ -40,8 +40,8 @@ impl<R: Reel> Groupe<R> {
     /// first so far.
     ///
     /// Of two objects at the same distance the one of lower rank is the first. `EN_ORDRE` promises that
-    /// objects come in the order of their ranks, which saves that comparison. Roots and quotients are computed only if one ray at least
-    /// may enter.
+    /// objects come in the order of their ranks, which saves that comparison. Roots and quotients are computed
+    /// only if one ray at least may enter.
     #[inline(always)]
     pub(crate) fn proposer<const EN_ORDRE: bool>(&mut self, forme: &impl Forme<R>, rang: Rang) {
         let mut pres = false;
@@ -98,7 +98,7 @@ impl<R: Reel> Groupe<R> {
             }
         }
         while restent != 0 {
-            let Some(rang) = Rang::new(self.rangs[la_premiere(restent)]) else { return };
+            let Some(rang) = Rang::new(self.rangs[le_premier(restent)]) else { return };
             let Some(objet) = objets.get(rang.get() as usize - 1) else { return };
             let mut siens = self.voies_de(rang) & restent;
             restent &= !siens;
@@ -109,7 +109,7 @@ impl<R: Reel> Groupe<R> {
             }
             let texture = objet.texture();
             while siens != 0 {
-                let voie = la_premiere(siens);
+                let voie = le_premier(siens);
                 siens &= siens - 1;
                 // Built in its place: to copy a hit just built would stall until its fields are stored.
                 if contacts.surs[voie] {
@@ -123,19 +123,13 @@ impl<R: Reel> Groupe<R> {
 
     /// The rays whose first object has this rank, a bit for each.
     #[inline(always)]
-    fn voies_de(&self, rang: Rang) -> u16 {
+    fn voies_de(&self, rang: Rang) -> u32 {
         let mut siens = 0;
         for (voie, &autre) in self.rangs.iter().enumerate() {
-            siens |= u16::from(autre == rang.get()) << voie;
+            siens |= u32::from(autre == rang.get()) << voie;
         }
         siens
     }
-}
-
-/// The first ray of a set, a bit for each.
-#[inline(always)]
-fn la_premiere(voies: u16) -> usize {
-    voies.trailing_zeros() as usize % VOIES
 }
 
 /// The hits of sixteen rays on one shape, computed for all lanes; the caller keeps the valid ones.
@@ -160,7 +154,7 @@ impl<R: Reel> Contacts<R> {
         let Self { distance, normale: [nx, ny, nz], marge, surs } = self;
         for voie in 0..VOIES {
             let (s, d) = groupe.colonnes.rayon(voie);
-            let (contact, sur) = forme.contact(&Rayon::valide(s, d), groupe.t[voie]);
+            let (contact, sur) = forme.contact(&Rayon::sans_verifier(s, d), groupe.t[voie]);
             distance[voie] = contact.distance;
             [nx[voie], ny[voie], nz[voie]] = contact.normale.into();
             (marge[voie], surs[voie]) = (contact.marge, sur);
