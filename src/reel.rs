@@ -12,8 +12,8 @@ mod scelle {
     /// What only this crate needs of a scalar; and what keeps [`Reel`](super::Reel) to the two
     /// types whose rounding the crate's bounds rest on.
     pub trait Scelle: Sized {
-        /// A power of two that brings any length whose square leaves the range of the type back
-        /// into it.
+        /// A power of two that brings any length whose square leaves the range of the type back into it:
+        /// times this the smallest, 2⁻¹⁴⁹ or 2⁻¹⁰⁷⁴, is 2⁻⁴⁹ or 2⁻⁴⁷⁴, and the largest over this is 2²⁸ or 2⁴²⁴.
         const ECHELLE: Self;
         /// A power of two that multiplies speeds, so that no product of a length of a box and a
         /// speed towards its faces leaves the range of the type (`docs/precision.md`, "Underflow"); in

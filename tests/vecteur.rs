@@ -1,0 +1,60 @@
+//! Vectors, also where the squares of their coordinates leave the range of the type.
+
+mod commun;
+
+use commun::{arrondi, en_f32_et_f64};
+use lancer_rayon::{ObjetRay, Rayon, Reel, SphereGeo, Texture, Vecteur};
+
+/// 3² + 4² + 12² = 13².
+const COTES: Vecteur = Vecteur::new(3.0, -4.0, 12.0);
+
+/// From the smallest number to the largest, in all powers of two: the length is exact, and the unit
+/// vector always the same.
+fn la_longueur_est_exacte_d_un_bout_a_l_autre<R: Reel>() {
+    let (cotes, treize) = (arrondi::<R>(COTES), R::depuis_f64(13.0));
+    let unitaire = cotes.unitaire();
+    let (mut k, mut puissances) = (R::MIN_POSITIF, 0);
+    while treize * k < R::INFINI {
+        let v = cotes * k;
+        assert_eq!(
+            (v.longueur(), v.unitaire()),
+            (treize * k, unitaire),
+            "at {k:e}",
+            k = k.vers_f64()
+        );
+        k = k + k;
+        puissances += 1;
+    }
+    assert_eq!(puissances, if R::U == R::depuis_f64(f64::U) { 2095 } else { 274 });
+}
+
+/// A ball of radius r at the origin and a lamp above it on the axis: every distance is exact.
+fn la_distance_d_une_lampe_est_exacte_aux_bornes<R: Reel>() {
+    for (r, hauteur) in [
+        (R::UN / R::LIMITE, R::depuis_f64(64.0) / R::LIMITE),
+        (R::UN, R::depuis_f64(64.0)),
+        (R::LIMITE / R::depuis_f64(64.0), R::LIMITE * R::LIMITE / R::depuis_f64(16.0)),
+    ] {
+        let zero = R::ZERO;
+        let boule: ObjetRay<R> = SphereGeo::new(Vecteur::NUL, r, Texture(0)).unwrap().into();
+        let source = Vecteur::new(zero, zero, r * R::depuis_f64(4.0));
+        let rayon = Rayon::new(source, Vecteur::new(zero, zero, -R::UN)).unwrap();
+        let touche = boule.intersection(&rayon).unwrap();
+        let lampe = Vecteur::new(zero, zero, hauteur);
+        let (ombre, distance) = rayon.vers_lumiere(&touche, lampe).unwrap();
+        assert_eq!(distance, hauteur - ombre.source().z, "{r} {hauteur}");
+        assert_eq!(ombre.direction(), Vecteur::new(zero, zero, R::UN));
+    }
+}
+
+fn ajouter_sur_place_est_ajouter<R: Reel>() {
+    let (a, b) = (arrondi::<R>(COTES), arrondi(Vecteur::new(0.5, 0.25, -2.0)));
+    let mut somme = a;
+    somme += b;
+    assert_eq!(somme, arrondi(Vecteur::new(3.5, -3.75, 10.0)));
+    assert_eq!([a, b].into_iter().sum::<Vecteur<R>>(), somme);
+}
+
+en_f32_et_f64!(la_longueur_est_exacte_d_un_bout_a_l_autre);
+en_f32_et_f64!(la_distance_d_une_lampe_est_exacte_aux_bornes);
+en_f32_et_f64!(ajouter_sur_place_est_ajouter);
