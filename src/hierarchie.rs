@@ -26,14 +26,14 @@ use crate::rayon::Rayon;
 use crate::recherche::{est_occulte, premiere_intersection};
 use crate::reel::Reel;
 
-/// Bytes of a cache line: nodes start on one, which makes a ray 5 to 10 % faster (measured).
+/// Bytes of a cache line: nodes start on one (`docs/performance.md`, "Thresholds").
 const LIGNE: usize = align_of::<EnLigne<()>>();
 
 /// The most `f32` that are skipped at the start of what the caller lends, so that nodes start on a line.
 const BOURRAGE: usize = LIGNE / size_of::<f32>() - 1;
 
-/// Up to so many objects the batch of the list is as fast (measured).
-const SEUIL_LOT: usize = 64;
+/// Up to so many objects the batch of the list is as fast (`docs/performance.md`, "Thresholds").
+const SEUIL_LOT: usize = 100;
 
 /// A list of objects with a hierarchy of boxes around them: the answers of the list, to the bit, in a
 /// time that grows far more slowly than their number.

@@ -23,7 +23,7 @@
 //! [`vers_ray`](ObjetGeo::vers_ray); then ask [`premiere_intersection`] as often as the picture has
 //! pixels, or [`premieres_intersections`] for many pixels at once: the same bits, several times as
 //! fast. [`est_occulte`] tells whether anything blocks the way to a light. For more than some ten objects
-//! (sixty, if rays come in batches) build a [`Hierarchie`] over the list: the same hits, sooner.
+//! (a hundred, if rays come in batches) build a [`Hierarchie`] over the list: the same hits, sooner.
 //!
 //! # Conventions
 //!

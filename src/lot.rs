@@ -39,7 +39,7 @@ const FENETRE: usize = 16;
 /// The same for lists of at most 64 objects: to set up a large window costs as much as fifteen rays.
 const FENETRE_ETROITE: usize = 4;
 
-/// From so many objects on, culling saves more than it costs (measured).
+/// From so many objects on, culling saves more than it costs (`docs/performance.md`, "Thresholds").
 const SEUIL_ELAGAGE: usize = 10;
 
 /// The first object that each ray enters: [`premiere_intersection`] of every ray, to the bit, several
@@ -47,7 +47,7 @@ const SEUIL_ELAGAGE: usize = 10;
 ///
 /// Neighbours in `rayons` should be neighbours in the picture, in tiles of 8 × 8 better than in rows:
 /// objects that sixty-four rays in a row all miss cost next to nothing. Rays in no order at all cost
-/// several times as much. Pass at least some hundred rays a call; from some sixty objects on, use a
+/// several times as much. Pass at least some hundred rays a call; from some hundred objects on, use a
 /// [`Hierarchie`](crate::Hierarchie). Nothing is allocated and no thread is started; the caller may
 /// give parts of a picture to several threads.
 ///

@@ -17,12 +17,8 @@ use crate::rayon::Rayon;
 use crate::reel::{Reel, au_plus};
 use crate::vecteur::Vecteur;
 
-/// Up to so many objects a block without a beam is asked about all of them; of more, each ray walks alone
-/// (measured).
-const SEUIL_SEULS: usize = 100;
-
 /// When a block has seen so many objects, its rays are too far apart: from there each walks alone, cut off
-/// at what it has found (measured).
+/// at what it has found. Rays half in order gain 16 to 30 % among 10,000 objects (measured).
 const ASSEZ_D_OBJETS: u32 = 128;
 
 /// If the root has fewer children than this, they do not tell how wide a beam is, and their children
@@ -45,18 +41,14 @@ impl<R: Reel, S: Simd> Recherche<R> for RechercheDansLArbre<'_, R, S> {
         touches: &mut [Touche<R>],
     ) -> Trouve {
         let Self { simd, objets, arbre } = *self;
-        let sonde = SondeDeBloc::etroite(simd, rayons, bloc, arbre);
-        if sonde.is_none() && arbre.objets > SEUIL_SEULS {
+        let Some(sonde) = SondeDeBloc::etroite(simd, rayons, bloc, arbre) else {
             return un_par_un(simd, objets, arbre, bloc, rayons, touches);
-        }
+        };
         // Behind the bounded objects stand the half-spaces.
-        let premier = if sonde.is_some() { arbre.bornes } else { 0 };
-        for place in premier..arbre.objets {
+        for place in arbre.bornes..arbre.objets {
             proposer_place(arbre, objets, bloc, place);
         }
-        let (Some(sonde), Some(racine)) = (sonde, arbre.racine) else {
-            return Trouve::DansLeBloc;
-        };
+        let Some(racine) = arbre.racine else { return Trouve::DansLeBloc };
         let mut pile = Pile::<GRANDE_PILE>::VIDE;
         let mut plafond = arbre.repere.distance(le_plus_loin(bloc));
         let mut rang = racine;

@@ -23,7 +23,7 @@ const FICHE: usize = 7;
 /// Numbers of a node.
 pub(crate) const MOTS: usize = FICHE * ENFANTS;
 
-/// Of fewer objects than this no tree is made: the list is as fast (measured).
+/// Of fewer objects than this no tree is made: the list is as fast (`docs/performance.md`, "Thresholds").
 const SEUIL_ARBRE: usize = 9;
 
 /// Of so many objects or more no tree is made: this index would have the bits of +∞ in `f32`.

@@ -7,8 +7,8 @@ use crate::vecteur::Vecteur;
 /// Lanes: rays side by side. The compiler would unroll loops of eight before it could vectorise them.
 pub(crate) const VOIES: usize = 16;
 
-/// A value at the start of a cache line. A column that lies across two lines takes so much longer to write
-/// and to read back that a ray loses up to a sixth (measured).
+/// A value at the start of a cache line: a column that lies across two takes longer to write and to read
+/// back (`docs/performance.md`, "Thresholds").
 #[repr(align(64))]
 pub(crate) struct EnLigne<T>(pub(crate) T);
 

@@ -13,7 +13,8 @@ use crate::rayon::Rayon;
 use crate::reel::Reel;
 use crate::vecteur::Vecteur;
 
-/// With fewer rays than this on one object, finishing hits one by one is faster (measured).
+/// With fewer rays than this on one object, hits are concluded one by one: 5 % faster for rays in no order
+/// among 12 objects, and as fast for tiles (measured).
 const COTE_A_COTE: u32 = 3;
 
 /// Sixteen rays, the distance of the first object of each so far, and its rank; 0 for none. Each column
