@@ -53,6 +53,16 @@ dans_les_deux_types! {
 /// The fewest objects that get a tree; `les_places_pretees` holds it.
 const UN_ARBRE: usize = 9;
 
+/// The fewest objects of which a block walks the tree.
+const UN_BLOC: usize = 101;
+
+#[test]
+fn de_101_objets_un_bloc_descend_l_arbre() {
+    // No answer tells.
+    let seuil = format!("SEUIL_LOT: usize = {};", UN_BLOC - 1);
+    assert!(include_str!("../src/hierarchie.rs").contains(&seuil));
+}
+
 fn cas() -> usize {
     commun::cas(60) as usize
 }
@@ -76,7 +86,8 @@ fn limites<R: Bits>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> Vec<R> {
     fixes.into_iter().chain(autour).collect()
 }
 
-/// Compares all questions of these rays; how many touch something.
+/// Compares all questions of these rays; how many touch something. A list that is too short for a walk of
+/// its blocks is repeated until it is long enough.
 #[track_caller]
 fn comparer<R: Bits>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) -> usize {
     // What the memory held before must not show through.
@@ -115,6 +126,9 @@ fn comparer<R: Bits>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) -> usize {
                 );
             }
         }
+    }
+    if (UN_ARBRE..UN_BLOC).contains(&n) {
+        comparer(&objets.repeat(UN_BLOC.div_ceil(n)), rayons);
     }
     attendues.iter().flatten().count()
 }
