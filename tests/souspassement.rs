@@ -3,11 +3,13 @@
 
 mod commun;
 
-use commun::Bits;
 use commun::oracle::verite;
+use commun::regimes::{direction, repere};
+use commun::{Bits, arrondi, en_f32_et_f64};
+use fastrand::Rng;
 use lancer_rayon::{
-    BoiteGeo, Intersection, ObjetRay, Rayon, Reel, Rotation, Texture, Vecteur, est_occulte,
-    premieres_intersections,
+    BoiteGeo, Intersection, ObjetRay, PlanGeo, Rayon, Reel, Rotation, Texture, Vecteur,
+    est_occulte, premieres_intersections,
 };
 
 /// Numbers given by their bits.
@@ -138,3 +140,43 @@ fn la_plus_petite_boite_est_juste_a_toute_vitesse() {
     petite_boite::<f32>(149);
     petite_boite::<f64>(1074);
 }
+
+/// From one end of the range to a box at the other, and back: no distance is too long for the search.
+fn une_boite_a_l_autre_bout_est_touchee<R: Reel>() {
+    let bout = R::LIMITE * R::depuis_f64(0.75);
+    let objet =
+        boite(Vecteur::new(bout, bout, bout), Vecteur::new(bout, bout, bout) * R::depuis_f64(0.25));
+    for k in 0..8_u8 {
+        let vers = |bit: u8| if k & bit == 0 { -bout } else { bout };
+        let source = Vecteur::new(vers(1), vers(2), vers(4));
+        let Ok(rayon) = Rayon::new(source, Vecteur::new(bout, bout, bout) - source) else {
+            continue;
+        };
+        assert!(juger(&objet, &rayon).is_some(), "{rayon:?}");
+    }
+}
+
+en_f32_et_f64!(une_boite_a_l_autre_bout_est_touchee);
+
+/// Sources that lie a few of the smallest numbers above a half-space through the origin. In `f64` the
+/// conclusion then often finds less than the smallest number of `f32`, which would round to 0.
+fn aucune_distance_n_est_0<R: Reel>() {
+    let mut alea = Rng::with_seed(11);
+    let mut touches = 0;
+    for _ in 0..200 {
+        let n = arrondi::<R>(direction(&mut alea));
+        let tour = Rotation::depuis_matrice(repere(n)).unwrap();
+        let plan = ObjetRay::from(PlanGeo::new(tour, R::ZERO, Texture(0)).unwrap());
+        for k in 0..343_u16 {
+            let pas = |de: u16| R::MIN_POSITIF * R::depuis_f64(f64::from(k / de % 7) - 3.0);
+            let rayon = Rayon::new(Vecteur::new(pas(1), pas(7), pas(49)), -n).unwrap();
+            if let Ok(touche) = plan.intersection(&rayon) {
+                assert!(touche.distance() > R::ZERO, "{plan:?} {rayon:?} {touche:?}");
+                touches += 1;
+            }
+        }
+    }
+    assert!(touches > 10_000, "only {touches} hits");
+}
+
+en_f32_et_f64!(aucune_distance_n_est_0);
