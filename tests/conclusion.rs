@@ -154,12 +154,12 @@ fn une_sphere_est_touchee_avant_a() {
     });
 }
 
-/// Built: a unit sphere from 2^-8/u to 1/u away, about the origin, where P is hardly rounded, or as far
+/// Built: a unit sphere from 2^-8/u to 4/u away, about the origin, where P is hardly rounded, or as far
 /// from the origin. Held: `marge()` is +∞ exactly where `docs/precision.md` puts it.
 fn une_sphere_perdue_a_une_marge_infinie<R: Reel>() {
-    let (mut alea, mut finies, mut infinies) = (Rng::with_seed(12), 0, [0; 3]);
+    let (mut alea, mut finies, mut opposes, mut infinies) = (Rng::with_seed(12), 0, 0, [0; 3]);
     for _ in 0..20 * CAS {
-        let (d, loin) = (direction(&mut alea), deux_puissance(&mut alea, -8.0, 0.0) / u::<R>());
+        let (d, loin) = (direction(&mut alea), deux_puissance(&mut alea, -8.0, 2.0) / u::<R>());
         let centre = direction(&mut alea) * if alea.bool() { alea.f64() } else { loin };
         let source = arrondi(centre - d * loin + direction(&mut alea) * alea.f64());
         let centre = arrondi::<R>(centre);
@@ -167,7 +167,8 @@ fn une_sphere_perdue_a_une_marge_infinie<R: Reel>() {
         let Ok(touche) = sphere(centre, R::UN).intersection(&rayon) else { continue };
         let (p, n) = (rayon.point(touche.distance()).vers_f64(), touche.normale().vers_f64());
         let cp = p - centre.vers_f64();
-        let q = (cp - n * n.produit_scalaire(cp)).longueur();
+        let le_long = n.produit_scalaire(cp);
+        let q = (cp - n * le_long).longueur();
         let e = 4.0 * u::<R>() * (p.x.abs() + p.y.abs() + p.z.abs());
         let rapports = [(cp.longueur_carree() - 1.0).abs() / 0.5, q / 0.25, 4.0 * e];
         // The rounding of this test, far below 1e-6, decides nearer to 1.
@@ -175,15 +176,17 @@ fn une_sphere_perdue_a_une_marge_infinie<R: Reel>() {
             continue;
         }
         let perdue = rapports.map(|rapport| rapport > 1.0);
-        let attendue = perdue.contains(&true);
+        let attendue = perdue.contains(&true) || le_long <= 0.0;
+        opposes += u32::from(le_long <= 0.0);
         assert_eq!(touche.marge() == R::INFINI, attendue, "{rapports:?}, {centre:?} {rayon:?}");
         finies += u32::from(!attendue);
         for (raison, infinies) in infinies.iter_mut().enumerate() {
             *infinies += u32::from(perdue == [0, 1, 2].map(|autre| autre == raison));
         }
     }
-    // Each of the three reasons must also have been the only one.
+    // Each of the three reasons must also have been the only one; the point on the far side never is.
     assert!(finies > CAS && infinies.iter().all(|n| *n > 10), "{finies}, {infinies:?}");
+    assert!(opposes > 10, "only {opposes} on the far side");
 }
 
 en_f32_et_f64!(une_sphere_perdue_a_une_marge_infinie);
