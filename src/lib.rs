@@ -53,7 +53,7 @@
 //! ```
 //!
 //! **A hit is an entry** from outside, at a distance t > 0, against the normal (D·N < 0). An object
-//! is not hit from inside or from its surface, and a tangent ray misses.
+//! is not hit from inside or from its surface, and a ray tangent to a sphere misses.
 //!
 //! ```
 //! # use lancer_rayon::*;
