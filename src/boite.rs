@@ -251,7 +251,8 @@ impl<R: Reel> BoiteRay<R> {
     }
 
     /// In `f64`, the distance of the hit and the pair of faces that the ray enters by. The last value is
-    /// true if the source lies before that pair and N·D has the same sign in R as in `f64`.
+    /// true if the source lies before that pair, N·D has the same sign in R as in `f64`, and the distance is
+    /// finite in R.
     #[inline(always)]
     fn entree_precise(&self, rayon: &Rayon<R>, t: R) -> (f64, usize, bool) {
         let (s, d) = (rayon.source().vers_f64(), rayon.direction().vers_f64());
@@ -259,7 +260,8 @@ impl<R: Reel> BoiteRay<R> {
         let (normale, _) = self.couple(axe);
         let vitesse = normale.produit_scalaire(rayon.direction()).vers_f64();
         let d_accord = vitesse * normale.vers_f64().produit_scalaire(d) > 0.0;
-        (R::affiner(t, || entree.valeur()), axe, (entree.haut > 0.0) & d_accord)
+        let t = R::affiner(t, || entree.valeur());
+        (t, axe, (entree.haut > 0.0) & d_accord & (R::depuis_f64(t) < R::INFINI))
     }
 
     #[inline(always)]
@@ -336,7 +338,7 @@ impl<R: Reel> Forme<R> for BoiteRay<R> {
         let (s, d) = (rayon.source(), rayon.direction());
         let axe = self.dalles(s, d).axe;
         let (entree, _) = self.vers_f64().dalle(axe, s.vers_f64(), d.vers_f64());
-        let precise = R::affiner(t, || entree.valeur());
+        let precise = Contact::retenir(t, R::affiner(t, || entree.valeur()));
         let t = t.vers_f64();
         let avant_la_boite = precise < t * (1.0 - 64.0 * R::U.vers_f64());
         self.contact_a(rayon, if avant_la_boite { t } else { precise }, axe)
@@ -346,7 +348,7 @@ impl<R: Reel> Forme<R> for BoiteRay<R> {
     #[inline(always)]
     fn distance_seule(&self, rayon: &Rayon<R>, t: R) -> (R, bool) {
         let (t, _, sur) = self.entree_precise(rayon, t);
-        (Contact::distance(t), sur | !R::AFFINE)
+        (R::depuis_f64(t), sur | !R::AFFINE)
     }
 }
 

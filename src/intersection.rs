@@ -129,11 +129,12 @@ pub(crate) struct Contact<R> {
 }
 
 impl<R: Reel> Contact<R> {
-    /// A distance t > 0 rounded to R. One too small for R stays a hit, at the smallest distance.
-    #[inline(always)]
-    pub(crate) fn distance(t: f64) -> R {
-        let t = R::depuis_f64(t);
-        if t > R::ZERO { t } else { R::MIN_POSITIF }
+    /// `precise`, if it is the distance of a hit in R, and otherwise `trouve`, that of the search: what is
+    /// computed in `f64` refines a hit and never revokes one. A distance too small for R is the smallest.
+    pub(crate) fn retenir(trouve: R, precise: f64) -> f64 {
+        let de_ce_type = precise > 0.0 && R::depuis_f64(precise) < R::INFINI;
+        let t = if de_ce_type { precise } else { trouve.vers_f64() };
+        t.max(R::MIN_POSITIF.vers_f64())
     }
 
     /// The hit of `rayon` at distance t, which is rounded to R.
@@ -148,7 +149,7 @@ impl<R: Reel> Contact<R> {
         normale: Vecteur<R>,
         hauteur: impl FnOnce(Vecteur<f64>) -> (f64, f64),
     ) -> Self {
-        let distance = Self::distance(t);
+        let distance = R::depuis_f64(t);
         // The bound is made from the very point that the caller will compute.
         let (hauteur, longueur) = hauteur(rayon.point(distance).vers_f64());
         let quatre_u: R = fois_u(4.0);

@@ -154,12 +154,13 @@ impl<R: Reel> PlanRay<R> {
     const RASANT: f64 = 1.0 / 67_108_864.0; // 2^-26
 
     /// In `f64`, the distance of the hit; and whether the ray descends by more than
-    /// [`RASANT`](Self::RASANT).
+    /// [`RASANT`](Self::RASANT) and the distance does not round to 0.
     #[inline(always)]
     fn distance_ordinaire(&self, rayon: &Rayon<R>, t: R) -> (f64, bool) {
         let (s, d) = (rayon.source().vers_f64(), rayon.direction().vers_f64());
         let (hauteur, descente) = self.vers_f64().hauteur_et_descente(s, d);
-        (R::affiner(t, || hauteur / descente), descente > Self::RASANT)
+        let t = R::affiner(t, || hauteur / descente);
+        (t, (descente > Self::RASANT) & (R::depuis_f64(t) > R::ZERO))
     }
 
     #[inline(always)]
@@ -216,14 +217,13 @@ impl<R: Reel> Forme<R> for PlanRay<R> {
         let (plan, d) = (self.vers_f64(), rayon.direction().vers_f64());
         let (hauteur, _) = plan.hauteur_et_descente(rayon.source().vers_f64(), d);
         let precise = hauteur / -plan.normale.produit_scalaire_compense(d);
-        let de_ce_type = precise > 0.0 && R::depuis_f64(precise) < R::INFINI;
-        self.contact_a(rayon, if de_ce_type { precise } else { t.vers_f64() })
+        self.contact_a(rayon, Contact::retenir(t, precise))
     }
 
     #[inline(always)]
     fn distance_seule(&self, rayon: &Rayon<R>, t: R) -> (R, bool) {
         let (t, sur) = self.distance_ordinaire(rayon, t);
-        (Contact::distance(t), sur)
+        (R::depuis_f64(t), sur)
     }
 }
 

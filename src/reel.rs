@@ -35,10 +35,7 @@ mod scelle {
         /// range does not hold every product of a length and a speed. 0 stays 0; `f64` changes nothing.
         fn au_plancher(self) -> Self;
 
-        /// The distance of a hit in `f64`, from the distance `trouve` of the search.
-        ///
-        /// In `f64` it is `trouve` itself. In `f32` it is `precise()` if that lies in (0, `f32::MAX`], and
-        /// otherwise `trouve`: the computation in `f64` refines a hit and never revokes one.
+        /// The distance of a hit in `f64`: `trouve` itself, that of the search, and in `f32` `precise()`.
         fn affiner(trouve: Self, precise: impl FnOnce() -> f64) -> f64;
 
         /// Bit i is set if a[i] ≤ b[i]: the one step that the compiler does not vectorise by itself.
@@ -153,9 +150,8 @@ impl Scelle for f32 {
     }
 
     #[inline(always)]
-    fn affiner(trouve: Self, precise: impl FnOnce() -> f64) -> f64 {
-        let t = precise();
-        if (t > 0.0) & (t <= f64::from(Self::MAX)) { t } else { f64::from(trouve) }
+    fn affiner(_trouve: Self, precise: impl FnOnce() -> f64) -> f64 {
+        precise()
     }
 
     #[inline(always)]

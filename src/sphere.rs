@@ -133,10 +133,6 @@ impl<R: Reel> SphereRay<R> {
         self.texture
     }
 
-    /// CB² at or below this is all rounding: the smallest sphere has r² = 2⁻⁹⁰⁰, and no square that is
-    /// subnormal weighs in a sum above 2⁻⁹⁰⁴.
-    const CB2_PERDU: f64 = f64::from_bits((1023 - 904) << 52);
-
     /// The lengths of annex A.2 for the ray (S, D).
     #[inline(always)]
     fn longueurs(&self, s: Vecteur<R>, d: Vecteur<R>) -> Longueurs<R> {
@@ -150,14 +146,23 @@ impl<R: Reel> SphereRay<R> {
         }
     }
 
-    /// In `f64`, the distance SB and the vector from C to the point of the hit.
+    /// In `f64`, the distance SB of a ray that does not graze, and whether it is that of the hit: B comes
+    /// before A, and SB does not round to 0.
     #[inline(always)]
-    fn sb_et_cb(&self, rayon: &Rayon<R>, t: R) -> (f64, Vecteur<f64>) {
+    fn sb_ordinaire(&self, rayon: &Rayon<R>, t: R) -> (f64, bool) {
+        let longueurs =
+            self.vers_f64().longueurs(rayon.source().vers_f64(), rayon.direction().vers_f64());
+        let somme = longueurs.somme();
+        let sb = R::affiner(t, || longueurs.puissance / somme);
+        (sb, (longueurs.avant_a(somme) | !R::AFFINE) & (R::depuis_f64(sb) > R::ZERO))
+    }
+
+    /// In `f64`, the vector from C to the point at distance t.
+    #[inline(always)]
+    fn cb(&self, rayon: &Rayon<R>, t: f64) -> Vecteur<f64> {
         let (s, d) = (rayon.source().vers_f64(), rayon.direction().vers_f64());
-        let sphere = self.vers_f64();
-        let sb = R::affiner(t, || sphere.longueurs(s, d).sb());
-        // CB relative to the source: S + tD − C would lose what S and C have in common.
-        (sb, (s - sphere.centre) + d * sb)
+        // Relative to the source: S + tD − C would lose what S and C have in common.
+        (s - self.centre.vers_f64()) + d * t
     }
 
     #[inline(always)]
@@ -211,29 +216,34 @@ impl<R: Reel> Forme<R> for SphereRay<R> {
         if entre { l.sb() } else { R::INFINI }
     }
 
-    /// Sure, unless the normal comes out turned away from the source, or CB is all rounding.
+    /// Sure, unless the ray grazes or starts almost on the surface, or rounding has eaten the sphere.
     #[inline(always)]
     fn contact(&self, rayon: &Rayon<R>, t: R) -> (Contact<R>, bool) {
-        let (t, cb) = self.sb_et_cb(rayon, t);
-        let cb2 = cb.longueur_carree();
-        let normale = Vecteur::depuis_f64(cb / Reel::sqrt(cb2));
-        // False for a NaN as well.
-        let de_face = normale.produit_scalaire(rayon.direction()) < R::ZERO;
-        (self.contact_a(rayon, t, normale), de_face & (cb2 > Self::CB2_PERDU))
+        let (t, sur) = self.sb_ordinaire(rayon, t);
+        let cb = self.cb(rayon, t);
+        // With t computed in f64, CB is r long by far more digits than f32 keeps: no root to wait for.
+        let longueur = if R::AFFINE { self.r.vers_f64() } else { Reel::sqrt(cb.longueur_carree()) };
+        let (normale, de_face) = normale(cb, longueur, rayon);
+        (self.contact_a(rayon, t, normale), sur & de_face)
     }
 
-    /// With the nearest normal that faces the source.
+    /// With A for B if B comes no earlier, and the nearest normal that faces the source.
     #[cold]
     fn contact_rare(&self, rayon: &Rayon<R>, t: R) -> Contact<R> {
-        let (t, cb) = self.sb_et_cb(rayon, t);
-        self.contact_a(rayon, t, vers_la_source(cb, rayon))
+        let (s, d) = (rayon.source().vers_f64(), rayon.direction().vers_f64());
+        let precise = R::affiner(t, || self.vers_f64().longueurs(s, d).sb());
+        let t = Contact::retenir(t, precise);
+        let cb = self.cb(rayon, t);
+        let (normale, de_face) = normale(cb, Reel::sqrt(cb.longueur_carree()), rayon);
+        let normale = if de_face { normale } else { vers_la_source(cb, rayon) };
+        self.contact_a(rayon, t, normale)
     }
 
-    /// Sure: rounding spoils the normal alone.
+    /// The normal decides nothing here.
     #[inline(always)]
     fn distance_seule(&self, rayon: &Rayon<R>, t: R) -> (R, bool) {
-        let (t, _) = self.sb_et_cb(rayon, t);
-        (Contact::distance(t), true)
+        let (t, sur) = self.sb_ordinaire(rayon, t);
+        (R::depuis_f64(t), sur)
     }
 }
 
@@ -259,12 +269,42 @@ impl<R: Reel> Longueurs<R> {
     /// where the ray grazes so closely that AB is all rounding.
     #[inline(always)]
     fn sb(&self) -> R {
-        let ab2 = if self.ab2 > R::ZERO { self.ab2 } else { R::ZERO };
-        let somme = self.sa + ab2.sqrt();
-        let avant_a = self.puissance * self.d2 < self.sa * somme;
+        let somme = self.somme();
+        let avant_a = self.avant_a(somme);
         let (haut, bas) = if avant_a { (self.puissance, somme) } else { (self.sa, self.d2) };
         haut / bas
     }
+
+    /// SA + AB.
+    #[inline(always)]
+    fn somme(&self) -> R {
+        self.sa + if self.ab2 > R::ZERO { self.ab2 } else { R::ZERO }.sqrt()
+    }
+
+    /// Whether power/(SA + AB) comes before A.
+    #[inline(always)]
+    fn avant_a(&self, somme: R) -> bool {
+        self.puissance * self.d2 < self.sa * somme
+    }
+}
+
+/// CB² at or below this is all rounding: the smallest sphere has r² = 2⁻⁹⁰⁰, and no square that is
+/// subnormal weighs in a sum above 2⁻⁹⁰⁴.
+const CB2_PERDU: f64 = f64::from_bits((1023 - 904) << 52);
+
+/// How far the square of a length that stands for |CB| may be from CB², as a share of CB²: 2⁻³². The
+/// normal is then unit to 2⁻³³, far less than the 2⁻²⁴ of a rounding in `f32`.
+const ECART_LONGUEUR: f64 = f64::from_bits((1023 - 32) << 52);
+
+/// CB over this length, and whether that is a normal: a unit vector that faces the source of the ray.
+#[inline(always)]
+fn normale<R: Reel>(cb: Vecteur<f64>, longueur: f64, rayon: &Rayon<R>) -> (Vecteur<R>, bool) {
+    let cb2 = cb.longueur_carree();
+    let normale = Vecteur::depuis_f64(cb / longueur);
+    // False for a NaN as well.
+    let unitaire = (longueur * longueur - cb2).abs() <= ECART_LONGUEUR * cb2;
+    let de_face = normale.produit_scalaire(rayon.direction()) < R::ZERO;
+    (normale, unitaire & de_face & (cb2 > CB2_PERDU))
 }
 
 /// The unit normal nearest to CB that faces the source of the ray.

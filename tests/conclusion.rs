@@ -124,6 +124,20 @@ fn la_normale_d_une_sphere_perdue_est_unitaire<R: Reel>() {
 
 en_f32_et_f64!(la_normale_d_une_sphere_perdue_est_unitaire);
 
+/// Built: a unit sphere 2^40 away in f32, C on the ray exactly, so that even in f64 CB is a thousandth
+/// longer or shorter than r. Held: N is unit, to the 4u of the promise.
+#[test]
+fn la_normale_d_une_sphere_de_f32_est_unitaire_de_tres_loin() {
+    let mut alea = Rng::with_seed(23);
+    for _ in 0..CAS {
+        let d: Vecteur<f32> = arrondi(direction(&mut alea));
+        let rayon = Rayon::new(-d * 40_f32.exp2(), d).unwrap();
+        let touche = sphere(Vecteur::NUL, 1.0).intersection(&rayon).unwrap();
+        let ecart = (touche.normale().vers_f64().longueur() - 1.0).abs();
+        assert!(ecart <= 4.0 * u::<f32>(), "|N| is off by {ecart:e}: {rayon:?}");
+    }
+}
+
 // A sphere lost in rounding.
 
 /// Built: C level with the source, and |SC| within 3 units in the last place of r, so that rounding
@@ -420,6 +434,31 @@ fn le_produit_compense_n_est_arrondi_qu_une_fois() {
         juges += 1;
     }
     assert!(juges > CAS / 2);
+}
+
+/// Built: a thin box far away, almost parallel to the ray. f32 sees the source 2^-37 before a face, since
+/// two products of opposite sign cancel, and f64 2^32 before it, from where the way takes more than 2^128.
+/// Held: the distance of the search stands.
+#[test]
+fn la_distance_trouvee_reste_ou_f64_n_en_a_pas_boite() {
+    let (a, b, c) = (0.6_f32, 0.8_f32, (-30_f32).exp2());
+    let tour = Rotation::depuis_matrice([[b, -a, 0.0], [a * c, b * c, -1.0], [a, b, c]]).unwrap();
+    let mince = boite(tour, [59_f32.exp2(), 2.0, (-36_f32).exp2()]);
+    let n = mince.normales()[2];
+    assert_eq!(n, Vecteur::new(a, b, c));
+    let mut trouvees = 0;
+    for k in 0..CAS {
+        let x = -b * 59_f32.exp2() * (1.0 + f32::EPSILON * k as f32);
+        let source = Vecteur::new(x, -(a * x) / b, -(-6_f32).exp2());
+        let avant = n.vers_f64().produit_scalaire(source.vers_f64());
+        if n.produit_scalaire(source) == -(-36_f32).exp2() && avant < -32_f64.exp2() {
+            let rayon = Rayon::new(source, Vecteur::new(b, -a, (-66_f32).exp2())).unwrap();
+            let touche = ObjetRay::from(mince).intersection(&rayon).unwrap();
+            assert_eq!((touche.distance(), touche.normale()), (59_f32.exp2(), -n));
+            trouvees += 1;
+        }
+    }
+    assert!(trouvees > 50, "{trouvees}");
 }
 
 /// What the f32 search sees at the end of the range, the conclusion in f64 sees beyond it.
