@@ -4,7 +4,7 @@ use crate::erreur::{ErreurGeo, coefficient, deplacement, point, taille};
 use crate::forme::{Boule, Forme};
 use crate::intersection::Contact;
 use crate::rayon::Rayon;
-use crate::reel::Reel;
+use crate::reel::{Reel, affiner};
 use crate::rotation::Rotation;
 use crate::texture::Texture;
 use crate::vecteur::Vecteur;
@@ -260,7 +260,7 @@ impl<R: Reel> BoiteRay<R> {
         let (normale, _) = self.couple(axe);
         let vitesse = normale.produit_scalaire(rayon.direction()).vers_f64();
         let d_accord = vitesse * normale.vers_f64().produit_scalaire(d) > 0.0;
-        let t = R::affiner(t, || entree.valeur());
+        let t = affiner(t, || entree.valeur());
         (t, axe, (entree.haut > 0.0) & d_accord & (R::depuis_f64(t) < R::INFINI))
     }
 
@@ -338,7 +338,7 @@ impl<R: Reel> Forme<R> for BoiteRay<R> {
         let (s, d) = (rayon.source(), rayon.direction());
         let axe = self.dalles(s, d).axe;
         let (entree, _) = self.vers_f64().dalle(axe, s.vers_f64(), d.vers_f64());
-        let precise = Contact::retenir(t, R::affiner(t, || entree.valeur()));
+        let precise = Contact::retenir(t, affiner(t, || entree.valeur()));
         let t = t.vers_f64();
         let avant_la_boite = precise < t * (1.0 - 64.0 * R::U.vers_f64());
         self.contact_a(rayon, if avant_la_boite { t } else { precise }, axe)

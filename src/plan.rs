@@ -4,7 +4,7 @@ use crate::erreur::{ErreurGeo, coefficient, coordonnee, deplacement};
 use crate::forme::{Boule, Forme};
 use crate::intersection::Contact;
 use crate::rayon::Rayon;
-use crate::reel::Reel;
+use crate::reel::{Reel, affiner};
 use crate::rotation::Rotation;
 use crate::texture::Texture;
 use crate::vecteur::Vecteur;
@@ -159,7 +159,7 @@ impl<R: Reel> PlanRay<R> {
     fn distance_ordinaire(&self, rayon: &Rayon<R>, t: R) -> (f64, bool) {
         let (s, d) = (rayon.source().vers_f64(), rayon.direction().vers_f64());
         let (hauteur, descente) = self.vers_f64().hauteur_et_descente(s, d);
-        let t = R::affiner(t, || hauteur / descente);
+        let t = affiner(t, || hauteur / descente);
         (t, (descente > Self::RASANT) & (R::depuis_f64(t) > R::ZERO))
     }
 
@@ -204,7 +204,7 @@ impl<R: Reel> Forme<R> for PlanRay<R> {
         hauteur / descente
     }
 
-    /// Sure, unless the ray descends by no more than [`RASANT`](Self::RASANT).
+    /// Sure, unless the ray descends by no more than [`RASANT`](Self::RASANT) or starts almost on the surface.
     #[inline(always)]
     fn contact(&self, rayon: &Rayon<R>, t: R) -> (Contact<R>, bool) {
         let (t, sur) = self.distance_ordinaire(rayon, t);

@@ -19,7 +19,7 @@ mod scelle {
         /// speed towards its faces leaves the range of the type (`docs/precision.md`, "Underflow"); in
         /// `f32` with [`au_plancher`](Self::au_plancher).
         const ECHELLE_VITESSE: Self;
-        /// Whether [`affiner`](Self::affiner) changes distances.
+        /// Whether a distance that the search found is computed again in `f64`.
         const AFFINE: bool;
         /// The largest element of |M·Mᵀ − I| with which a matrix M still counts as a rotation: room for
         /// numbers written with seven decimals, or four in `f32`.
@@ -34,9 +34,6 @@ mod scelle {
         /// Raises a speed that is already multiplied by `ECHELLE_VITESSE` to 2⁻⁴⁰ at least in `f32`, whose
         /// range does not hold every product of a length and a speed. 0 stays 0; `f64` changes nothing.
         fn au_plancher(self) -> Self;
-
-        /// The distance of a hit in `f64`: `trouve` itself, that of the search, and in `f32` `precise()`.
-        fn affiner(trouve: Self, precise: impl FnOnce() -> f64) -> f64;
 
         /// Bit i is set if a[i] ≤ b[i]: the one step that the compiler does not vectorise by itself.
         fn au_plus<S: Simd>(simd: S, a: &[Self; 16], b: &[Self; 16]) -> u32;
@@ -125,6 +122,12 @@ pub(crate) fn fois_u<R: Reel>(n: f64) -> R {
     R::depuis_f64(n) * R::U
 }
 
+/// The distance of a hit in `f64`: `trouve` itself, that of the search, and in `f32` `precise()`.
+#[inline(always)]
+pub(crate) fn affiner<R: Reel>(trouve: R, precise: impl FnOnce() -> f64) -> f64 {
+    if R::AFFINE { precise() } else { trouve.vers_f64() }
+}
+
 /// Bit i is set if a[i] ≤ b[i]. A function, so that `f32` needs no import of the sealed trait.
 #[inline(always)]
 pub(crate) fn au_plus<R: Reel, S: Simd>(simd: S, a: &[R; 16], b: &[R; 16]) -> u32 {
@@ -147,11 +150,6 @@ impl Scelle for f32 {
         let haut = self * ((1_u128 << 126) as f32);
         let plancher = if haut < PLANCHER { haut } else { PLANCHER };
         if self > plancher { self } else { plancher }
-    }
-
-    #[inline(always)]
-    fn affiner(_trouve: Self, precise: impl FnOnce() -> f64) -> f64 {
-        precise()
     }
 
     #[inline(always)]
@@ -209,11 +207,6 @@ impl Scelle for f64 {
     #[inline(always)]
     fn au_plancher(self) -> Self {
         self
-    }
-
-    #[inline(always)]
-    fn affiner(trouve: Self, _precise: impl FnOnce() -> f64) -> f64 {
-        trouve
     }
 
     #[inline(always)]

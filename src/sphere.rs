@@ -4,7 +4,7 @@ use crate::erreur::{ErreurGeo, coefficient, deplacement, point, taille};
 use crate::forme::{Boule, Forme};
 use crate::intersection::Contact;
 use crate::rayon::Rayon;
-use crate::reel::Reel;
+use crate::reel::{Reel, affiner};
 use crate::rotation::Rotation;
 use crate::texture::Texture;
 use crate::vecteur::Vecteur;
@@ -153,7 +153,7 @@ impl<R: Reel> SphereRay<R> {
         let longueurs =
             self.vers_f64().longueurs(rayon.source().vers_f64(), rayon.direction().vers_f64());
         let somme = longueurs.somme();
-        let sb = R::affiner(t, || longueurs.puissance / somme);
+        let sb = affiner(t, || longueurs.puissance / somme);
         (sb, (longueurs.avant_a(somme) | !R::AFFINE) & (R::depuis_f64(sb) > R::ZERO))
     }
 
@@ -221,7 +221,7 @@ impl<R: Reel> Forme<R> for SphereRay<R> {
     fn contact(&self, rayon: &Rayon<R>, t: R) -> (Contact<R>, bool) {
         let (t, sur) = self.sb_ordinaire(rayon, t);
         let cb = self.cb(rayon, t);
-        // With t computed in f64, CB is r long by far more digits than f32 keeps: no root to wait for.
+        // With t computed in f64, CB is r long by far more digits than f32 keeps: no root is needed.
         let longueur = if R::AFFINE { self.r.vers_f64() } else { Reel::sqrt(cb.longueur_carree()) };
         let (normale, de_face) = normale(cb, longueur, rayon);
         (self.contact_a(rayon, t, normale), sur & de_face)
@@ -231,7 +231,7 @@ impl<R: Reel> Forme<R> for SphereRay<R> {
     #[cold]
     fn contact_rare(&self, rayon: &Rayon<R>, t: R) -> Contact<R> {
         let (s, d) = (rayon.source().vers_f64(), rayon.direction().vers_f64());
-        let precise = R::affiner(t, || self.vers_f64().longueurs(s, d).sb());
+        let precise = affiner(t, || self.vers_f64().longueurs(s, d).sb());
         let t = Contact::retenir(t, precise);
         let cb = self.cb(rayon, t);
         let (normale, de_face) = normale(cb, Reel::sqrt(cb.longueur_carree()), rayon);
