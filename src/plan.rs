@@ -211,12 +211,14 @@ impl<R: Reel> Forme<R> for PlanRay<R> {
         (self.contact_a(rayon, t), sur)
     }
 
-    /// With N·D compensated: the digits that cancellation leaves decide.
+    /// With N·D compensated, since its products cancel here. A ray that does not descend in `f64` has no
+    /// distance there.
     #[cold]
     fn contact_rare(&self, rayon: &Rayon<R>, t: R) -> Contact<R> {
         let (plan, d) = (self.vers_f64(), rayon.direction().vers_f64());
         let (hauteur, _) = plan.hauteur_et_descente(rayon.source().vers_f64(), d);
-        let precise = hauteur / -plan.normale.produit_scalaire_compense(d);
+        let descente = -plan.normale.produit_scalaire_compense(d);
+        let precise = if descente > 0.0 { hauteur / descente } else { f64::INFINITY };
         self.contact_a(rayon, Contact::retenir(t, precise))
     }
 

@@ -9,8 +9,8 @@ use crate::vecteur::Vecteur;
 /// A rotation about the origin O, held as its matrix M: a vector V, written as a row, becomes
 /// V·M (handout §2.1).
 ///
-/// However it was made, M is orthonormal to rounding: |M·Mᵀ − I| stays within 4 units in the last place
-/// of 1 after any number of compositions, and within 6 for a matrix that
+/// However it was made, M is orthonormal to rounding: |M·Mᵀ − I| stays within 8u after any number of
+/// compositions, and within 12u for an inverse and for a matrix that
 /// [`depuis_matrice`](Self::depuis_matrice) keeps.
 ///
 /// ```
@@ -103,7 +103,8 @@ impl<R: Reel> Rotation<R> {
     /// The rotation of matrix M, rows first, for instance one that [`matrice`](Self::matrice)
     /// gave, which comes back bit for bit.
     ///
-    /// A matrix that is only nearly orthonormal is replaced by the nearest rotation.
+    /// A matrix that is orthonormal to 8u, by its rows and by its columns, is kept; any other is replaced by
+    /// the nearest rotation.
     ///
     /// # Errors
     /// If an element of M is not finite, if one of M·Mᵀ − I exceeds 1e-6 (`f64`) or 1e-3 (`f32`), or if
@@ -119,14 +120,15 @@ impl<R: Reel> Rotation<R> {
             let _: Vecteur<R> = fini(champs, ligne.into())?;
         }
         let mut m = matrice.map(|ligne| ligne.map(R::vers_f64));
-        let ecart = ecart(m);
+        let (lignes, colonnes) = (ecart(m), ecart(transposee(m)));
         let (limite, attendu) = (R::ECART_ROTATION, R::ATTENDU_ROTATION);
-        exiger(ecart <= limite, "matrice: |M·Mᵀ - I|", ecart, attendu)?;
+        exiger(lignes <= limite, "matrice: |M·Mᵀ - I|", lignes, attendu)?;
         let [x, y, z] = m.map(Vecteur::from);
         let determinant = x.produit_vectoriel(y).produit_scalaire(z);
         let attendu = "1: a mirror is no rotation";
         exiger(determinant > 0.0, "matrice: determinant", determinant, attendu)?;
-        if ecart <= 8.0 * R::U.vers_f64() {
+        // The columns may be three times as far off as the rows, and are the rows of the inverse.
+        if lignes.max(colonnes) <= 8.0 * R::U.vers_f64() {
             return Ok(Self { matrice });
         }
         // Each step squares what is missing: from 1e-3, three reach the last bit of an f64.
@@ -200,8 +202,8 @@ impl<R> From<Rotation<R>> for [[R; 3]; 3] {
     }
 }
 
-/// The cosine and sine of an angle; exact at the float nearest to a multiple of a quarter turn,
-/// so that a scene turned by quarter turns stays aligned with the axes.
+/// The cosine and sine of an angle; exact at the float nearest to k quarter turns, |k| ≤ 4, so that a
+/// scene turned by quarter turns stays aligned with the axes.
 fn cos_sin<R: Reel>(angle: R) -> (f64, f64) {
     for (quart, cos, sin) in QUARTS {
         if angle.abs() == R::depuis_f64(quart) {

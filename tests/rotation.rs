@@ -2,6 +2,7 @@
 
 mod commun;
 
+use commun::regimes::repere;
 use commun::strategies::{rotation, vecteur, vecteur_rotation};
 use commun::tolerances::{ORTHONORMALE, PRODUIT, TOURNE, ecart_rotation, u};
 use commun::{Bits, en_f32_et_f64, pour_tout};
@@ -113,6 +114,31 @@ fn longueurs_et_angles_sont_conserves<R: Reel>() {
 }
 
 en_f32_et_f64!(longueurs_et_angles_sont_conserves);
+
+/// A matrix whose first column is too long by ever more: its columns are up to three times as far from
+/// orthonormal as its rows, which are the columns of its inverse.
+fn l_inverse_d_une_matrice_presque_orthonormale_est_une_rotation<R: Bits>() {
+    let [x, y, z] = repere(Vecteur::new(1.0, 1.0, 1.0).unitaire().unwrap());
+    let base = transposee([z, x, y]);
+    let bits = |r: Rotation<R>| r.matrice().map(|ligne| ligne.map(R::bits));
+    let mut gardees = 0;
+    for k in 0..40 {
+        let m =
+            base.map(|[a, b, c]| [a * (1.0 + f64::from(k) * u::<R>()), b, c].map(R::depuis_f64));
+        let r = Rotation::depuis_matrice(m).unwrap();
+        gardees += u32::from(r.matrice() == m);
+        for r in [r, r.inverse()] {
+            let m = matrice(r);
+            // An f64 is judged in f64, here and in the crate: 4u each.
+            let permis = ORTHONORMALE * u::<R>() + 8.0 * f64::U;
+            assert!(ecart(produit(m, transposee(m)), IDENTITE) <= permis, "{k}: {m:?}");
+            assert_eq!(bits(Rotation::depuis_matrice(r.matrice()).unwrap()), bits(r), "{k}");
+        }
+    }
+    assert!((1..40).contains(&gardees), "{gardees} kept");
+}
+
+en_f32_et_f64!(l_inverse_d_une_matrice_presque_orthonormale_est_une_rotation);
 
 /// A matrix off by less than the limit is repaired, to the nearest rotation.
 fn une_matrice_presque_orthonormale_est_reparee<R: Reel>() {
