@@ -222,8 +222,8 @@ impl<R: Reel> BoiteRay<R> {
         let (n, l) = (self.normales[axe], self.demi_longueurs[axe]);
         let (o, vitesse) = ((s - self.centre).produit_scalaire(n), d.produit_scalaire(n));
         let o = if vitesse < R::ZERO { -o } else { o };
-        let bas = (vitesse.abs() * R::ECHELLE_VITESSE).au_plancher();
-        (Quotient { haut: -(l + o), bas }, Quotient { haut: l - o, bas })
+        let vitesse = (vitesse.abs() * R::ECHELLE_VITESSE).au_plancher();
+        (Quotient { longueur: -(l + o), vitesse }, Quotient { longueur: l - o, vitesse })
     }
 
     /// The three pairs of faces together.
@@ -232,11 +232,11 @@ impl<R: Reel> BoiteRay<R> {
     /// `loin`.
     #[inline(always)]
     fn dalles(&self, s: Vecteur<R>, d: Vecteur<R>) -> Dalles<R> {
-        let (loin, bas) = (R::LIMITE * R::depuis_f64(8.0), R::ECHELLE_VITESSE);
+        let (loin, vitesse) = (R::LIMITE * R::depuis_f64(8.0), R::ECHELLE_VITESSE);
         let mut dalles = Dalles {
-            entree: Quotient { haut: -loin, bas },
+            entree: Quotient { longueur: -loin, vitesse },
             axe: 0,
-            sortie: Quotient { haut: loin, bas },
+            sortie: Quotient { longueur: loin, vitesse },
         };
         for axe in 0..3 {
             let (entree, sortie) = self.dalle(axe, s, d);
@@ -261,7 +261,7 @@ impl<R: Reel> BoiteRay<R> {
         let vitesse = normale.produit_scalaire(rayon.direction()).vers_f64();
         let d_accord = vitesse * normale.vers_f64().produit_scalaire(d) > 0.0;
         let t = affiner(t, || entree.valeur());
-        (t, axe, (entree.haut > 0.0) & d_accord & (R::depuis_f64(t) < R::INFINI))
+        (t, axe, (entree.longueur > 0.0) & d_accord & (R::depuis_f64(t) < R::INFINI))
     }
 
     #[inline(always)]
@@ -319,11 +319,12 @@ impl<R: Reel> Forme<R> for BoiteRay<R> {
     #[inline(always)]
     fn t(&self, s: Vecteur<R>, d: Vecteur<R>) -> R {
         let Dalles { entree, sortie, axe: _ } = self.dalles(s, d);
-        let entre = (entree.haut > R::ZERO) & entree.au_plus(sortie);
+        let entre = (entree.longueur > R::ZERO) & entree.au_plus(sortie);
         if entre { entree.valeur() } else { R::INFINI }
     }
 
-    /// Sure, unless `f64` names a face by which the search does not see the ray enter.
+    /// Sure, unless in `f64` the source is not before the face, N·D has another sign or rounds to 0, or the
+    /// distance overflows in R.
     #[inline(always)]
     fn contact(&self, rayon: &Rayon<R>, t: R) -> (Contact<R>, bool) {
         let (t, axe, sur) = self.entree_precise(rayon, t);
@@ -348,7 +349,7 @@ impl<R: Reel> Forme<R> for BoiteRay<R> {
     #[inline(always)]
     fn distance_seule(&self, rayon: &Rayon<R>, t: R) -> (R, bool) {
         let (t, _, sur) = self.entree_precise(rayon, t);
-        (R::depuis_f64(t), sur | !R::AFFINE)
+        (R::depuis_f64(t), sur | !R::RECALCULE)
     }
 }
 
@@ -364,28 +365,29 @@ struct Dalles<R> {
 ///
 /// Two quotients are compared by cross-multiplication, since one division costs more than the two
 /// products. A ray parallel to a pair of faces then needs no case of its own: beside the pair its entry
-/// is +∞ or its exit −∞, and in the plane of a face 0/0 is neither above nor below anything.
+/// is +∞ or its exit −∞, and in the plane of a face 0/0 is neither above nor below anything. Of +∞ and −∞
+/// neither is above the other: a ray beside two pairs has an entry at +∞.
 #[derive(Clone, Copy)]
 struct Quotient<R> {
-    haut: R,
-    bas: R,
+    longueur: R,
+    vitesse: R,
 }
 
 impl<R: Reel> Quotient<R> {
     #[inline(always)]
     fn depasse(self, autre: Self) -> bool {
-        self.haut * autre.bas > autre.haut * self.bas
+        self.longueur * autre.vitesse > autre.longueur * self.vitesse
     }
 
     #[inline(always)]
     fn au_plus(self, autre: Self) -> bool {
-        self.haut * autre.bas <= autre.haut * self.bas
+        self.longueur * autre.vitesse <= autre.longueur * self.vitesse
     }
 
     /// The length is multiplied, not the quotient, which may be subnormal.
     #[inline(always)]
     fn valeur(self) -> R {
-        self.haut * R::ECHELLE_VITESSE / self.bas
+        self.longueur * R::ECHELLE_VITESSE / self.vitesse
     }
 }
 

@@ -19,8 +19,8 @@ pub(crate) trait Forme<R: Reel>: Copy {
     /// A ball around all of the shape; [`Boule::INFINIE`] if it is unbounded.
     fn boule(&self) -> Boule<R>;
 
-    /// The centre of the shape and how far it reaches from there along each axis, to 16u of that; `None`
-    /// if it is unbounded.
+    /// The centre of the shape and its half-extents along the axes, each to 16u of itself; `None` if it is
+    /// unbounded.
     fn boite_englobante(&self) -> Option<(Vecteur<R>, Vecteur<R>)>;
 
     /// Whether the ray (S, D) may enter: never false if it does, and cheap. A bounded shape
@@ -41,7 +41,7 @@ pub(crate) trait Forme<R: Reel>: Copy {
     /// The same hit, where it takes more than the ordinary formula.
     fn contact_rare(&self, rayon: &Rayon<R>, t: R) -> Contact<R>;
 
-    /// The distance of [`contact`](Self::contact) alone, and whether rounding may not have spoiled it.
+    /// The distance of [`contact`](Self::contact), and whether it is that of the hit.
     fn distance_seule(&self, rayon: &Rayon<R>, t: R) -> (R, bool);
 
     /// The distance at which the ray (S, D) enters, +∞ if it does not.

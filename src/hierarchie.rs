@@ -17,7 +17,7 @@ use fearless_simd::{Level, dispatch};
 use crate::hierarchie::bloc::RechercheDansLArbre;
 use crate::hierarchie::construction::{Arbre, MOTS, construire, noeuds};
 use crate::intersection::{Intersection, NoIntersection};
-use crate::lot::colonnes::EnLigne;
+use crate::lot::colonnes::Aligne;
 use crate::lot::{
     LongueursDifferentes, PEU_DE_RAYONS, meilleur_niveau, memes_longueurs, par_blocs, repondre,
 };
@@ -27,7 +27,7 @@ use crate::recherche::{est_occulte, premiere_intersection};
 use crate::reel::Reel;
 
 /// Bytes of a cache line: nodes start on one (`docs/performance.md`, "Thresholds").
-const LIGNE: usize = align_of::<EnLigne<()>>();
+const LIGNE: usize = align_of::<Aligne<()>>();
 
 /// The most `f32` that are skipped at the start of what the caller lends, so that nodes start on a line.
 const BOURRAGE: usize = LIGNE / size_of::<f32>() - 1;
@@ -102,7 +102,7 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
         let par_nombre = size_of::<R>() / size_of::<f32>();
         match noeuds(nombre_d_objets) {
             0 => 0,
-            // More than a 32-bit machine has memory for, where it saturates.
+            // Where this saturates, on a 32-bit machine, it is more than there is memory.
             noeuds => MOTS.saturating_mul(noeuds).saturating_add(BOURRAGE).div_ceil(par_nombre),
         }
     }

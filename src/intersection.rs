@@ -45,7 +45,7 @@ pub type Touche<R = f64> = Result<Intersection<R>, NoIntersection>;
 // `Rang` is never 0, so the compiler marks a miss by rank 0, and `Touche` is no larger than `Intersection`.
 const _: () = assert!(size_of::<Touche<f64>>() == 48 && size_of::<Touche<f32>>() == 28);
 
-/// The place of an object in a list, counted from 1; objects from place 2³² on share the rank 2³² − 1.
+/// The number of an object in a list, counted from 1; objects from number 2³² on share the rank 2³² − 1.
 pub(crate) type Rang = NonZero<u32>;
 
 /// The rank of the object at this index of a list.
@@ -61,7 +61,8 @@ impl<R: Reel> Intersection<R> {
         Self { distance, normale, marge, texture, rang }
     }
 
-    /// From the source of the ray to the object, in scene units: finite and above 0.
+    /// t, finite and above 0: the object is touched at S + tD. As D is unit only to rounding, that is the
+    /// distance in scene units to 7.5u.
     #[doc(alias = "t")]
     #[inline]
     #[must_use]
@@ -139,9 +140,9 @@ impl<R: Reel> Contact<R> {
 
     /// The hit of `rayon` at distance t, which is rounded to R.
     ///
-    /// `hauteur` receives the point of the hit in `f64`. It returns the height of the point over the
-    /// surface, along the normal, and a length ℓ. The height is off by at most 4u·ℓ, with u of `f64`.
-    /// A search for a ray that starts at the point is off by at most 4u·ℓ, with u of R.
+    /// `hauteur` receives the point of the hit in `f64`. It returns two lengths, b and ℓ. The point lies
+    /// no farther from the surface, along the normal, than b, which is computed to 4u·ℓ with u of `f64`. A
+    /// search for a ray that starts at the point is off by at most 4u·ℓ, with u of R.
     #[inline(always)]
     pub(crate) fn new(
         rayon: &Rayon<R>,
@@ -182,7 +183,7 @@ impl<R: Reel> Rayon<R> {
     ///
     /// # Errors
     /// If the direction is zero or not finite, or if the start lies beyond the limits of a source,
-    /// as for [`new`](Self::new); a hit whose `marge` is +∞ has none.
+    /// as for [`new`](Self::new): always, where `marge` is +∞.
     ///
     /// ```
     /// use lancer_rayon::{NoIntersection, ObjetRay, Rayon, SphereGeo, Texture, Vecteur};

@@ -79,8 +79,8 @@
 //! # `f32` or `f64`
 //!
 //! Every type takes the scalar as a parameter, `f64` unless named: `Vecteur<f32>`. The search for the
-//! first object runs in that type, and its hit is computed in `f64`: in `f32` the distance to the object
-//! that was found is off by little more than half a unit in the last place (see `docs/precision.md`).
+//! first object runs in that type, and its hit is computed in `f64`: in `f32` t, for the point S + tD of the
+//! object that was found, is off by little more than half a unit in the last place (`docs/precision.md`).
 //!
 //! # Features
 //!

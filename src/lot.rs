@@ -162,7 +162,7 @@ fn avec_fenetre<R: Reel, const Q: usize>(
 ) {
     let mut fenetre = Fenetre::<R, Q>::VIDE;
     // Where one window holds all objects it is filled once.
-    if objets.len() <= Fenetre::<R, Q>::PLACES {
+    if objets.len() <= Fenetre::<R, Q>::CAPACITE {
         fenetre.charger(objets);
     }
     dispatch!(niveau, simd => {
@@ -174,7 +174,7 @@ fn avec_fenetre<R: Reel, const Q: usize>(
 /// Finds the first object of each ray of a block.
 ///
 /// A trait and not a closure, since only a method can be `inline(always)` (`lot/groupe.rs`).
-pub(crate) trait Recherche<R> {
+pub(crate) trait RechercheDeBloc<R> {
     /// Leaves the first objects in `bloc`, from which [`par_blocs`] writes the answers, or writes the
     /// answers itself; the result says which.
     fn chercher(
@@ -185,7 +185,7 @@ pub(crate) trait Recherche<R> {
     ) -> Trouve;
 }
 
-/// Where a [`Recherche`] left what it found.
+/// Where a [`RechercheDeBloc`] left what it found.
 #[derive(PartialEq)]
 pub(crate) enum Trouve {
     DansLeBloc,
@@ -197,7 +197,7 @@ struct Tous<'a, R> {
     objets: &'a [ObjetRay<R>],
 }
 
-impl<R: Reel> Recherche<R> for Tous<'_, R> {
+impl<R: Reel> RechercheDeBloc<R> for Tous<'_, R> {
     #[inline(always)]
     fn chercher(&mut self, bloc: &mut [Groupe<R>], _: &[Rayon<R>], _: &mut [Touche<R>]) -> Trouve {
         for (indice, objet) in self.objets.iter().enumerate() {
@@ -214,7 +214,7 @@ struct Elagage<'a, R, S, const Q: usize> {
     fenetre: &'a mut Fenetre<R, Q>,
 }
 
-impl<R: Reel, S: Simd, const Q: usize> Recherche<R> for Elagage<'_, R, S, Q> {
+impl<R: Reel, S: Simd, const Q: usize> RechercheDeBloc<R> for Elagage<'_, R, S, Q> {
     #[inline(always)]
     fn chercher(
         &mut self,
@@ -227,7 +227,7 @@ impl<R: Reel, S: Simd, const Q: usize> Recherche<R> for Elagage<'_, R, S, Q> {
             return Tous { objets }.chercher(bloc, rayons, touches);
         };
         for (numero, rangee) in objets.chunks(VOIES).enumerate() {
-            if numero % Q == 0 && objets.len() > Fenetre::<R, Q>::PLACES {
+            if numero % Q == 0 && objets.len() > Fenetre::<R, Q>::CAPACITE {
                 fenetre.charger(&objets[numero * VOIES..]);
             }
             let mut vus = fenetre.rencontres(*simd, &faisceau, numero % Q);
@@ -249,7 +249,7 @@ pub(crate) fn par_blocs<R: Reel>(
     objets: &[ObjetRay<R>],
     rayons: &[Rayon<R>],
     touches: &mut [Touche<R>],
-    recherche: &mut impl Recherche<R>,
+    recherche: &mut impl RechercheDeBloc<R>,
 ) {
     let mut bloc = [const { Groupe::VIDE }; BLOC / VOIES];
     for (rayons, touches) in rayons.chunks(BLOC).zip(touches.chunks_mut(BLOC)) {
@@ -267,8 +267,7 @@ pub(crate) fn par_blocs<R: Reel>(
     }
 }
 
-/// Makes the object, which has this rank, the first of those rays that enter it before their first
-/// so far.
+/// For each ray that enters the object, which has this rank, before its first so far: makes it its first.
 ///
 /// The shape is copied: nothing that is written to a group can overlap it, so that the compiler
 /// need not read it again for every ray.

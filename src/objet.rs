@@ -165,7 +165,7 @@ impl<R: Reel> ObjetRay<R> {
         par_forme!(Self, self, forme => forme.boule())
     }
 
-    /// The centre of this object and how far it reaches from there along each axis; `None` for a half-space.
+    /// The centre of this object and its half-extents along the axes; `None` for a half-space.
     pub(crate) fn boite_englobante(&self) -> Option<(Vecteur<R>, Vecteur<R>)> {
         par_forme!(Self, self, forme => forme.boite_englobante())
     }

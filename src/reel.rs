@@ -20,7 +20,7 @@ mod scelle {
         /// `f32` with [`au_plancher`](Self::au_plancher).
         const ECHELLE_VITESSE: Self;
         /// Whether a distance that the search found is computed again in `f64`.
-        const AFFINE: bool;
+        const RECALCULE: bool;
         /// The largest element of |M·Mᵀ − I| with which a matrix M still counts as a rotation: room for
         /// numbers written with seven decimals, or four in `f32`.
         const ECART_ROTATION: f64;
@@ -100,7 +100,7 @@ pub trait Reel:
     #[doc(alias = "unit_roundoff")]
     const U: Self;
     /// The largest coordinate, size or relative distance of a half-space, in scene units: 2⁶⁰ or 2⁴⁵⁰. The
-    /// smallest size is 1/`LIMITE`. Within these limits no square overflows or loses bits.
+    /// smallest size is 1/`LIMITE`. Within these limits no square overflows, and no square of a size loses bits.
     #[doc(alias = "limit")]
     const LIMITE: Self;
 
@@ -125,7 +125,7 @@ pub(crate) fn fois_u<R: Reel>(n: f64) -> R {
 /// The distance of a hit in `f64`: `trouve` itself, that of the search, and in `f32` `precise()`.
 #[inline(always)]
 pub(crate) fn affiner<R: Reel>(trouve: R, precise: impl FnOnce() -> f64) -> f64 {
-    if R::AFFINE { precise() } else { trouve.vers_f64() }
+    if R::RECALCULE { precise() } else { trouve.vers_f64() }
 }
 
 /// Bit i is set if a[i] ≤ b[i]. A function, so that `f32` needs no import of the sealed trait.
@@ -137,7 +137,7 @@ pub(crate) fn au_plus<R: Reel, S: Simd>(simd: S, a: &[R; 16], b: &[R; 16]) -> u3
 impl Scelle for f32 {
     const ECHELLE: Self = (1_u128 << 100) as Self;
     const ECHELLE_VITESSE: Self = (1_u64 << 62) as Self;
-    const AFFINE: bool = true;
+    const RECALCULE: bool = true;
     const ECART_ROTATION: f64 = 1e-3;
     const ATTENDU_COORDONNEE: &'static str = "a number between -2^60 and 2^60";
     const ATTENDU_TAILLE: &'static str = "a number between 2^-60 and 2^60";
@@ -146,9 +146,7 @@ impl Scelle for f32 {
     #[inline(always)]
     fn au_plancher(self) -> Self {
         const PLANCHER: f32 = 1.0 / (1_u64 << 40) as f32;
-        // 2^126 brings any number above 0 above the floor; that this overflows does no harm.
-        let haut = self * ((1_u128 << 126) as f32);
-        let plancher = if haut < PLANCHER { haut } else { PLANCHER };
+        let plancher = if self > 0.0 { PLANCHER } else { 0.0 };
         if self > plancher { self } else { plancher }
     }
 
@@ -198,7 +196,7 @@ impl Reel for f32 {
 impl Scelle for f64 {
     const ECHELLE: Self = Self::from_bits((1023 + 600) << 52);
     const ECHELLE_VITESSE: Self = Self::from_bits((1023 + 568) << 52);
-    const AFFINE: bool = false;
+    const RECALCULE: bool = false;
     const ECART_ROTATION: f64 = 1e-6;
     const ATTENDU_COORDONNEE: &'static str = "a number between -2^450 and 2^450";
     const ATTENDU_TAILLE: &'static str = "a number between 2^-450 and 2^450";

@@ -154,7 +154,7 @@ impl<R: Reel> SphereRay<R> {
             self.vers_f64().longueurs(rayon.source().vers_f64(), rayon.direction().vers_f64());
         let somme = longueurs.somme();
         let sb = affiner(t, || longueurs.puissance / somme);
-        (sb, (longueurs.avant_a(somme) | !R::AFFINE) & (R::depuis_f64(sb) > R::ZERO))
+        (sb, (longueurs.avant_a(somme) | !R::RECALCULE) & (R::depuis_f64(sb) > R::ZERO))
     }
 
     /// In `f64`, the vector from C to the point at distance t.
@@ -222,12 +222,13 @@ impl<R: Reel> Forme<R> for SphereRay<R> {
         let (t, sur) = self.sb_ordinaire(rayon, t);
         let cb = self.cb(rayon, t);
         // With t computed in f64, CB is r long by far more digits than f32 keeps: no root is needed.
-        let longueur = if R::AFFINE { self.r.vers_f64() } else { Reel::sqrt(cb.longueur_carree()) };
+        let longueur =
+            if R::RECALCULE { self.r.vers_f64() } else { Reel::sqrt(cb.longueur_carree()) };
         let (normale, de_face) = normale(cb, longueur, rayon);
         (self.contact_a(rayon, t, normale), sur & de_face)
     }
 
-    /// With A for B if B comes no earlier, and the nearest normal that faces the source.
+    /// With A for B if B comes no earlier. A normal that does not face the source is leaned towards it.
     #[cold]
     fn contact_rare(&self, rayon: &Rayon<R>, t: R) -> Contact<R> {
         let (s, d) = (rayon.source().vers_f64(), rayon.direction().vers_f64());

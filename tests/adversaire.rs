@@ -482,7 +482,7 @@ fn distance_pres_de_0<R: Reel>(cas: &Cas<R>, seuil: f64) -> f64 {
     distance_ou(cas, seuil, true)
 }
 
-/// By how much the margin would have to be larger to hold a wrong answer; a right one is the better
+/// By how much the band would have to be wider to hold a wrong answer; a right one is the better
 /// the nearer it is to the decision.
 fn decision<R: Reel>(cas: &Cas<R>, _: f64) -> f64 {
     let objet = &cas.objets[0];

@@ -45,7 +45,7 @@ fn chaque_touche<R: Reel>(
     }
 }
 
-/// Hit or miss never wrong outside the margin, distance to its K·2⁻⁵³·cond, normal to its bound.
+/// Hit or miss never wrong outside the band, distance to its K·u₆₄·cond, normal to its bound.
 fn distances_et_normales<R: Reel>() {
     for regime in regimes::<R>() {
         let mesure = mesurer(&regime, cas_par_regime(), 1, |objet, rayon| {

@@ -8,10 +8,10 @@ use crate::hierarchie::construction::{
 };
 use crate::hierarchie::parcours::{GRANDE_PILE, Pile};
 use crate::intersection::{Touche, rang};
-use crate::lot::colonnes::{EnLigne, VOIES, le_premier, max};
+use crate::lot::colonnes::{Aligne, VOIES, le_premier, max};
 use crate::lot::faisceau::Faisceau;
 use crate::lot::groupe::Groupe;
-use crate::lot::{Recherche, Trouve, proposer};
+use crate::lot::{RechercheDeBloc, Trouve, proposer};
 use crate::objet::ObjetRay;
 use crate::rayon::Rayon;
 use crate::reel::{Reel, au_plus};
@@ -32,7 +32,7 @@ pub(crate) struct RechercheDansLArbre<'a, R, S> {
     pub(crate) arbre: &'a Arbre<'a, R>,
 }
 
-impl<R: Reel, S: Simd> Recherche<R> for RechercheDansLArbre<'_, R, S> {
+impl<R: Reel, S: Simd> RechercheDeBloc<R> for RechercheDansLArbre<'_, R, S> {
     #[inline(always)]
     fn chercher(
         &mut self,
@@ -44,42 +44,42 @@ impl<R: Reel, S: Simd> Recherche<R> for RechercheDansLArbre<'_, R, S> {
         let Some(sonde) = SondeDeBloc::etroite(simd, rayons, bloc, arbre) else {
             return un_par_un(simd, objets, arbre, bloc, rayons, touches);
         };
-        // Behind the bounded objects stand the half-spaces.
-        for place in arbre.bornes..arbre.objets {
-            proposer_place(arbre, objets, bloc, place);
+        for indice in arbre.sans_bornes() {
+            proposer_indice(objets, bloc, indice);
         }
         let Some(racine) = arbre.racine else { return Trouve::DansLeBloc };
         let mut pile = Pile::<GRANDE_PILE>::VIDE;
         let mut plafond = arbre.repere.distance(le_plus_loin(bloc));
-        let mut rang = racine;
+        let mut numero = racine;
         let mut vus = 0;
-        while let Some(noeud) = arbre.noeuds.get(rang) {
-            let (mut traverses, EnLigne(profondeurs)) = sonde.traverse(simd, noeud, plafond);
-            if rang < arbre.feuilles {
+        while let Some(noeud) = arbre.noeuds.get(numero) {
+            let (mut traverses, Aligne(profondeurs)) = sonde.traverse(simd, noeud, plafond);
+            if numero < arbre.feuilles {
                 if traverses != 0 {
                     vus += traverses.count_ones();
                     if vus > ASSEZ_D_OBJETS {
                         return un_par_un(simd, objets, arbre, bloc, rayons, touches);
                     }
+                    let [.., indices] = noeud;
                     while traverses != 0 {
                         let enfant = le_premier(traverses);
                         traverses &= traverses - 1;
-                        proposer_place(arbre, objets, bloc, rang * ENFANTS + enfant);
+                        proposer_indice(objets, bloc, indice(indices[enfant]));
                     }
                     plafond = arbre.repere.distance(le_plus_loin(bloc));
                 }
             } else if let Some(proche) = pile.garder(traverses, &profondeurs, noeud) {
-                rang = proche;
+                numero = proche;
                 continue;
             }
             let Some(suivant) = pile.prendre(plafond) else { break };
-            rang = suivant;
+            numero = suivant;
         }
         Trouve::DansLeBloc
     }
 }
 
-/// Asks each ray alone, which knows its first object so far.
+/// Searches for each ray alone, from its first object so far.
 #[inline(always)]
 fn un_par_un<R: Reel, S: Simd>(
     simd: S,
@@ -96,19 +96,11 @@ fn un_par_un<R: Reel, S: Simd>(
     Trouve::DansLesTouches
 }
 
-/// Proposes to the block the object in this place among the leaves.
+/// Proposes the object of this index to the block.
 #[inline(always)]
-fn proposer_place<R: Reel>(
-    arbre: &Arbre<'_, R>,
-    objets: &[ObjetRay<R>],
-    bloc: &mut [Groupe<R>],
-    place: usize,
-) {
-    if let Some([.., indices]) = arbre.noeuds.get(place / ENFANTS) {
-        let indice = indice(indices[place % ENFANTS]);
-        if let Some(objet) = objets.get(indice) {
-            proposer::<R, false>(bloc, objet, rang(indice));
-        }
+fn proposer_indice<R: Reel>(objets: &[ObjetRay<R>], bloc: &mut [Groupe<R>], indice: usize) {
+    if let Some(objet) = objets.get(indice) {
+        proposer::<R, false>(bloc, objet, rang(indice));
     }
 }
 
@@ -140,12 +132,12 @@ impl SondeDeBloc {
         arbre: &Arbre<'_, R>,
     ) -> Option<Self> {
         let sonde = Self::new(Faisceau::du_bloc(rayons, bloc)?, arbre.repere)?;
-        let Some(rang) = arbre.racine else { return Some(sonde) };
-        let racine = arbre.noeuds.get(rang)?;
+        let Some(numero) = arbre.racine else { return Some(sonde) };
+        let racine = arbre.noeuds.get(numero)?;
         let (traverses, _) = sonde.traverse(simd, racine, f32::INFINI);
         let mut enfants = presents(simd, racine);
         let (mut croises, mut tous) = (traverses.count_ones(), enfants.count_ones());
-        if tous < PEU_D_ENFANTS && rang >= arbre.feuilles {
+        if tous < PEU_D_ENFANTS && numero >= arbre.feuilles {
             (croises, tous) = (0, 0);
             while enfants != 0 {
                 let enfant = le_premier(enfants);
@@ -164,7 +156,7 @@ impl SondeDeBloc {
     /// `None` if the rays start too far away.
     #[inline(always)]
     fn new<R: Reel>(faisceau: Faisceau<R>, repere: Repere<R>) -> Option<Self> {
-        let s0 = repere.place(faisceau.s0);
+        let s0 = repere.point(faisceau.s0);
         let loin = somme(s0) + repere.longueur(faisceau.ecart) * R::depuis_f64(4.0);
         if simple(loin) > TROP_LOIN {
             return None;
@@ -183,7 +175,7 @@ impl SondeDeBloc {
     /// Which children some ray may enter no later than `plafond`, a bit for each, and a distance before
     /// which none does.
     #[inline(always)]
-    fn traverse<S: Simd>(&self, simd: S, noeud: &Noeud, plafond: f32) -> (u32, EnLigne<Colonne>) {
+    fn traverse<S: Simd>(&self, simd: S, noeud: &Noeud, plafond: f32) -> (u32, Aligne<Colonne>) {
         let (mut dehors, mut profondeurs) = ([-f32::INFINI; ENFANTS], [0.0; ENFANTS]);
         for (p, limite) in self.plans {
             let (x, y, z) = au_plus_pres(noeud, p);
@@ -199,7 +191,7 @@ impl SondeDeBloc {
         }
         let pas_dehors = au_plus(simd, &dehors, &[0.0; ENFANTS]);
         let avant = au_plus(simd, &profondeurs, &[plafond; ENFANTS]);
-        (pas_dehors & avant, EnLigne(profondeurs))
+        (pas_dehors & avant, Aligne(profondeurs))
     }
 }
 

@@ -7,8 +7,6 @@
 //! sixteen neighbours. Each leaf is then transposed into columns in place, and the nodes above follow, floor
 //! by floor.
 
-use core::cmp::Ordering;
-
 use crate::lot::colonnes::{max, min};
 use crate::objet::ObjetRay;
 use crate::reel::Reel;
@@ -45,7 +43,8 @@ type Fiche = [f32; FICHE];
 pub(crate) type Colonne = [f32; ENFANTS];
 
 /// Sixteen children: the lower corners of their boxes, the upper corners, and in a leaf the indices of the
-/// objects. Above, the children are neighbours, and the [first](premier_enfant) has its index there.
+/// objects. Above the leaves the children are consecutive nodes, and the index of the
+/// [first](premier_enfant) stands there.
 ///
 /// A child that is missing has a box turned inside out ([`vide`]), which nothing enters.
 pub(crate) type Noeud = [Colonne; FICHE];
@@ -123,8 +122,8 @@ pub(crate) fn construire<'a, R: Reel>(
 
     let (noeuds, _) = places.as_chunks_mut().0.as_chunks_mut();
     let feuilles = objets.len().div_ceil(ENFANTS);
-    for (rang, feuille) in noeuds[..feuilles].iter_mut().enumerate() {
-        en_colonnes(feuille, bornes.saturating_sub(rang * ENFANTS));
+    for (numero, feuille) in noeuds[..feuilles].iter_mut().enumerate() {
+        en_colonnes(feuille, bornes.saturating_sub(numero * ENFANTS));
     }
     // The floor whose nodes have none above them yet.
     let mut etage = 0..bornes.div_ceil(ENFANTS);
@@ -160,7 +159,7 @@ impl<R: Reel> Repere<R> {
 
     /// (X − K)·σ.
     #[inline(always)]
-    pub(crate) fn place(self, x: Vecteur<R>) -> Vecteur<R> {
+    pub(crate) fn point(self, x: Vecteur<R>) -> Vecteur<R> {
         (x - self.milieu) * self.echelle
     }
 
@@ -224,7 +223,7 @@ fn boite_elargie<R: Reel>(
     repere: Repere<R>,
 ) -> Option<(Vecteur<f32>, Vecteur<f32>)> {
     let (c, h) = objet.boite_englobante()?;
-    let (c, h) = (repere.place(c), h * repere.echelle);
+    let (c, h) = (repere.point(c), h * repere.echelle);
     // The proof needs ρ, the radius of the ball around the object; the sum of the half-extents is no less.
     let jeu = (somme(c) + somme(h)) * R::depuis_f64(jeu::<R>());
     let demi = h + Vecteur::new(jeu, jeu, jeu);
@@ -258,19 +257,10 @@ fn trier(fiches: &mut [Fiche]) {
     }
     let coupe = fiches.len().div_ceil(pas) / 2 * pas;
     let (bas, haut) = extremes(fiches.iter().map(double_centre));
-    let etendue = [haut[0] - bas[0], haut[1] - bas[1], haut[2] - bas[2]];
-    let axe = if etendue[0] >= etendue[1] && etendue[0] >= etendue[2] {
-        0
-    } else if etendue[1] >= etendue[2] {
-        1
-    } else {
-        2
-    };
-    let _ = fiches.select_nth_unstable_by(coupe, |a, b| {
-        let ordre = double_centre(a)[axe].partial_cmp(&double_centre(b)[axe]);
-        // Never a NaN: coordinates are finite.
-        ordre.unwrap_or(Ordering::Equal)
-    });
+    let etendue: [f32; 3] = core::array::from_fn(|axe| haut[axe] - bas[axe]);
+    let axe = (1..3).fold(0, |long, axe| if etendue[axe] > etendue[long] { axe } else { long });
+    let place = |fiche: &Fiche| double_centre(fiche)[axe];
+    let _ = fiches.select_nth_unstable_by(coupe, |a, b| place(a).total_cmp(&place(b)));
     let (avant, apres) = fiches.split_at_mut(coupe);
     trier(avant);
     trier(apres);

@@ -7,7 +7,7 @@ use crate::hierarchie::construction::{
     simples, somme,
 };
 use crate::intersection::{NoIntersection, Rang, Touche, rang};
-use crate::lot::colonnes::{EnLigne, le_premier, max, min};
+use crate::lot::colonnes::{Aligne, le_premier, max, min};
 use crate::objet::ObjetRay;
 use crate::rayon::Rayon;
 use crate::recherche::occulte_avant;
@@ -90,28 +90,28 @@ impl<R: Reel> Arbre<'_, R> {
         question: &mut impl Question,
     ) {
         let mut pile = Pile::<P>::VIDE;
-        let mut rang = racine;
+        let mut numero = racine;
         loop {
-            let Some(noeud) = self.noeuds.get(rang) else { return };
-            if rang < self.feuilles {
+            let Some(noeud) = self.noeuds.get(numero) else { return };
+            if numero < self.feuilles {
                 plafond = sonde.voir_feuille(simd, noeud, plafond, question);
             } else {
-                let (traverses, EnLigne(entrees)) = &sonde.traverse(simd, noeud, plafond);
+                let (traverses, Aligne(entrees)) = &sonde.traverse(simd, noeud, plafond);
                 if let Some(proche) = pile.garder(*traverses, entrees, noeud) {
-                    rang = proche;
+                    numero = proche;
                     continue;
                 }
             }
             let Some(suivant) = pile.prendre(plafond) else { return };
-            rang = suivant;
+            numero = suivant;
         }
     }
 }
 
 /// What is asked of each object in turn.
 trait Question {
-    /// Looks at the object of this index; if the answer changes with it, the largest entry that still
-    /// matters, below 0 for none.
+    /// Asks the object of this index. If the answer changes, returns the largest entry that still matters;
+    /// below 0 it ends the walk.
     fn voir(&mut self, indice: usize) -> Option<f32>;
 }
 
@@ -172,7 +172,7 @@ struct Axe {
 impl Sonde {
     #[inline(always)]
     fn new<R: Reel>(rayon: &Rayon<R>, repere: Repere<R>) -> Self {
-        let (s, d) = (simples(repere.place(rayon.source())), rayon.direction());
+        let (s, d) = (simples(repere.point(rayon.source())), rayon.direction());
         let loin = somme(s);
         // An infinity is too far as well.
         let (s, jeu) = if loin < TROP_LOIN {
@@ -191,7 +191,7 @@ impl Sonde {
 
     /// Which children the ray may enter no later than `plafond`, a bit for each, and where.
     #[inline(always)]
-    fn traverse<S: Simd>(&self, simd: S, noeud: &Noeud, plafond: f32) -> (u32, EnLigne<Colonne>) {
+    fn traverse<S: Simd>(&self, simd: S, noeud: &Noeud, plafond: f32) -> (u32, Aligne<Colonne>) {
         let [bx, by, bz, hx, hy, hz, _] = noeud;
         let [x, y, z] = self.0;
         let ((px, lx), (py, ly), (pz, lz)) = (x.cotes(bx, hx), y.cotes(by, hy), z.cotes(bz, hz));
@@ -209,7 +209,7 @@ impl Sonde {
             sortie = min((lz[i] - z.vers_lointain) * z.inverse, sortie);
             sorties[i] = sortie;
         }
-        (au_plus(simd, &entrees, &sorties), EnLigne(entrees))
+        (au_plus(simd, &entrees, &sorties), Aligne(entrees))
     }
 
     /// Asks `question` about each object of a leaf that the ray may enter no later than `plafond`; the
@@ -223,11 +223,12 @@ impl Sonde {
         question: &mut impl Question,
     ) -> f32 {
         let (mut traverses, entrees) = self.traverse(simd, feuille, plafond);
-        let EnLigne(entrees) = &entrees;
+        let Aligne(entrees) = &entrees;
+        let [.., indices] = feuille;
         while traverses != 0 {
             let enfant = le_premier(traverses);
             traverses &= traverses - 1;
-            if let Some(nouveau) = question.voir(indice(feuille[6][enfant])) {
+            if let Some(nouveau) = question.voir(indice(indices[enfant])) {
                 plafond = nouveau;
                 traverses &= au_plus(simd, entrees, &[plafond; ENFANTS]);
             }
@@ -244,8 +245,8 @@ impl Axe {
     }
 }
 
-/// Room for the nodes that a walk leaves for later: of each node above the leaves it visits one child at
-/// once and leaves at most fifteen, and it ends with these before it looks at another node of that floor.
+/// Room for the nodes that a walk leaves for later. Of each node above the leaves it visits one child at
+/// once and leaves at most fifteen. It is done with these before it visits another node of that floor.
 pub(crate) const GRANDE_PILE: usize = 15 * (ETAGES - 1);
 
 /// Room for them where there are at most four floors. To set up a large one costs 6 ns a ray.

@@ -10,7 +10,7 @@ pub(crate) const VOIES: usize = 16;
 /// A value at the start of a cache line: a column that lies across two takes longer to write and to read
 /// back (`docs/performance.md`, "Thresholds").
 #[repr(align(64))]
-pub(crate) struct EnLigne<T>(pub(crate) T);
+pub(crate) struct Aligne<T>(pub(crate) T);
 
 /// A number for each of sixteen rays.
 pub(crate) type Voies<R> = [R; VOIES];

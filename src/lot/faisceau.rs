@@ -91,8 +91,8 @@ impl<R: Reel> Etendue<R> {
     }
 }
 
-/// A pyramid that many rays stay in: five outward normals P with P·D ≤ 0 for each of them, the four
-/// sides and the back; and for each P the bound w on P·(S − S₀).
+/// A pyramid that the rays of a block stay in: four sides and a back. Each of these planes has an outward
+/// normal P and a bound w, with P·D ≤ 0 and P·(S − S₀) ≤ w for every ray.
 #[derive(Clone, Copy)]
 pub(crate) struct Faisceau<R> {
     pub(crate) s0: Vecteur<R>,

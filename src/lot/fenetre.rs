@@ -18,7 +18,7 @@ pub(crate) struct Fenetre<R, const Q: usize> {
 
 impl<R: Reel, const Q: usize> Fenetre<R, Q> {
     /// How many balls there is room for.
-    pub(crate) const PLACES: usize = Q * VOIES;
+    pub(crate) const CAPACITE: usize = Q * VOIES;
 
     pub(crate) const VIDE: Self =
         Self { centres: [[[R::ZERO; VOIES]; Q]; 3], r2: [[R::ZERO; VOIES]; Q] };
@@ -28,7 +28,7 @@ impl<R: Reel, const Q: usize> Fenetre<R, Q> {
     pub(crate) fn charger(&mut self, objets: &[ObjetRay<R>]) {
         let [x, y, z] = self.centres.each_mut().map(|c| c.as_flattened_mut());
         let r2 = self.r2.as_flattened_mut();
-        for (i, objet) in objets.iter().enumerate().take(Self::PLACES) {
+        for (i, objet) in objets.iter().enumerate().take(Self::CAPACITE) {
             let boule = objet.boule();
             [x[i], y[i], z[i]] = boule.centre.into();
             r2[i] = boule.r2;

@@ -37,8 +37,7 @@ impl<R: Reel> Groupe<R> {
         (self.t, self.rangs) = ([R::INFINI; VOIES], [0; VOIES]);
     }
 
-    /// Makes the object of this shape and rank the first of those rays that enter it before their
-    /// first so far.
+    /// For each ray that enters the object of this shape and rank before its first so far: makes it its first.
     ///
     /// Of two objects at the same distance the one of lower rank is the first. `EN_ORDRE` promises that
     /// objects come in the order of their ranks, which saves that comparison. Roots and quotients are computed

@@ -15,7 +15,7 @@ pub(crate) type Reponse<R> = Option<(R, Vecteur<R>)>;
 pub(crate) struct Mesure {
     /// Cases in which the truth is a hit.
     pub(crate) touches: u32,
-    /// Hits where there is none and misses where there is one, outside the margin.
+    /// Hits where there is none and misses where there is one, outside the band of the decision.
     pub(crate) fausses: u32,
     /// The error of every distance in u·cond, with u that of the type.
     pub(crate) k: Vec<f64>,

@@ -16,7 +16,7 @@ use dashu_int::IBig;
 use dashu_int::ops::{BitTest, SquareRoot, UnsignedAbs};
 use lancer_rayon::{BoiteRay, ObjetRay, PlanRay, Rayon, Reel, SphereRay, Vecteur};
 
-use super::tolerances::{marges, promesses, u};
+use super::tolerances::{bandes, promesses, u};
 
 /// Bits kept of a quotient or a root.
 const PRECISION: isize = 256;
@@ -164,7 +164,7 @@ pub(crate) struct Verite {
 }
 
 impl Verite {
-    /// By what the margin would have to be multiplied to hold this decision.
+    /// By what the band would have to be multiplied to hold this decision.
     pub(crate) fn facteur(&self) -> f64 {
         match &self.marge {
             Marge::Connue(facteur) => *facteur,
@@ -181,7 +181,7 @@ enum Marge {
 pub(crate) struct Entree {
     /// The parameter t in S + tD.
     pub(crate) t: Exact,
-    /// The normal; beside an edge, those of all the faces entered within the margin.
+    /// The normal; beside an edge, those of all the faces entered within the band.
     normales: Vec<Point>,
     /// (|f| + r + t)/|N·D|: what an error of the distance is counted in, times u.
     pub(crate) cond: f64,
@@ -290,7 +290,7 @@ fn verite_sphere<R: Reel>(sphere: &SphereRay<R>, ray: &Droite) -> Verite {
     let sc_r = c.vers_f64() / (f_ + r_);
     let ac2 = (&(&a * &f2) - &(&b * &b)).sur(&a).vers_f64();
     let ac_r = -delta.sur(&a).vers_f64() / (ac2.sqrt() + r_);
-    let seuil = marges::SPHERE * u::<R>() * (f_ + r_);
+    let seuil = bandes::SPHERE * u::<R>() * (f_ + r_);
     let facteur = sc_r.abs().min(ac_r.abs().max(-b.vers_f64())) / seuil;
 
     let touche = c.positif() && b.positif() && delta.positif();
@@ -315,9 +315,9 @@ fn verite_plan<R: Reel>(plan: &PlanRay<R>, ray: &Droite) -> Verite {
     let descente = -&scalaire(&n, &ray.d);
     let (s_, d_) = (longueur(&ray.s), d.vers_f64().abs());
     let seuil =
-        marges::PLAN * u::<R>() * (s_ + d_) + marges::PLAN_ABSOLUE * R::MIN_POSITIF.vers_f64();
+        bandes::PLAN * u::<R>() * (s_ + d_) + bandes::PLAN_ABSOLUE * R::MIN_POSITIF.vers_f64();
     let cosinus = descente.vers_f64();
-    let facteur = (hauteur.vers_f64().abs() / seuil).min(cosinus.abs() / (marges::PLAN * u::<R>()));
+    let facteur = (hauteur.vers_f64().abs() / seuil).min(cosinus.abs() / (bandes::PLAN * u::<R>()));
     let entree = (hauteur.positif() && descente.positif()).then(|| {
         let t = hauteur.sur(&descente);
         // C = −d·N.
@@ -378,7 +378,7 @@ impl Produits {
     }
 }
 
-/// What the margin of a box is made of: lengths in a unit near |f| + ρ and cross products of them
+/// What the band of a box is made of: lengths in a unit near |f| + ρ and cross products of them
 /// and the speeds, exact until they were rounded here.
 struct Decision {
     a: [f64; 3],
@@ -403,8 +403,8 @@ impl Decision {
             b: longueurs.each_ref().map(|[_, b]| b.vers_f64()),
             v: couples.each_ref().map(|c| c.v.vers_f64()),
             produits,
-            alpha: marges::BOITE_LONGUEUR * u * taille,
-            beta: marges::BOITE_VITESSE * u,
+            alpha: bandes::BOITE_LONGUEUR * u * taille,
+            beta: bandes::BOITE_VITESSE * u,
         }
     }
 
@@ -464,7 +464,7 @@ impl Decision {
         if touche { self.touche_surement(facteur) } else { self.manque_surement(facteur) }
     }
 
-    /// By bisection of the exponent, since a wider margin holds all that a narrower one holds.
+    /// By bisection of the exponent, since a wider band holds all that a narrower one holds.
     fn facteur(&self, touche: bool) -> f64 {
         let (mut bas, mut haut) = (-40.0_f64, 40.0_f64);
         while haut - bas > 1e-3 {

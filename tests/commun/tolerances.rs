@@ -39,9 +39,9 @@ pub(crate) fn u<R: Reel>() -> f64 {
     R::U.vers_f64()
 }
 
-/// The margins of a decision, in u: within them rounding may answer a miss for a hit, or a hit for a
+/// The bands of the decisions, in u: within them rounding may answer a miss for a hit, or a hit for a
 /// miss.
-pub(crate) mod marges {
+pub(crate) mod bandes {
     /// |SC| and |AC| of a sphere, of |f| + r.
     pub(crate) const SPHERE: f64 = 4.0;
     /// The height of S over a half-space, of |S| + |d|, and N·D.
@@ -67,7 +67,7 @@ pub(crate) mod promesses {
     /// Distance to a box, in 2⁻⁵³·cond.
     pub(crate) const DISTANCE_BOITE: f64 = 5.0;
     /// What a speed towards a flat face may be off by, in u: taken from the |N·D| of cond.
-    pub(crate) const VITESSE: f64 = super::marges::BOITE_VITESSE;
+    pub(crate) const VITESSE: f64 = super::bandes::BOITE_VITESSE;
     /// ||N| − 1| of a half-space or a face, in u: what `Rotation::depuis_matrice` keeps is within
     /// 8u to 12u of orthonormal, and a length is off by half of its square.
     pub(crate) const UNITAIRE_PLATE: f64 = 6.0;
