@@ -141,7 +141,7 @@ impl<R: Reel> Contact<R> {
     /// The hit of `rayon` at distance t, which is rounded to R.
     ///
     /// `hauteur` receives the point of the hit in `f64`. It returns two lengths, b and ℓ. The point lies
-    /// no farther from the surface, along the normal, than b, which is computed to 4u·ℓ with u of `f64`. A
+    /// no farther from the surface than b, in units of the normal, and b is computed to 4u·ℓ with u of `f64`. A
     /// search for a ray that starts at the point is off by at most 4u·ℓ, with u of R.
     #[inline(always)]
     pub(crate) fn new(
@@ -153,11 +153,11 @@ impl<R: Reel> Contact<R> {
         let distance = R::depuis_f64(t);
         // The bound is made from the very point that the caller will compute.
         let (hauteur, longueur) = hauteur(rayon.point(distance).vers_f64());
-        let quatre_u: R = fois_u(4.0);
-        let erreurs = longueur * (quatre_u.vers_f64() + 4.0 * f64::U);
+        let erreurs = longueur * (4.0 * R::U.vers_f64() + 4.0 * f64::U);
         let marge = R::depuis_f64(hauteur + erreurs);
-        // Upwards, past the rounding of these last operations; a NaN comes from an overflow.
-        let marge = marge + marge * quatre_u + R::depuis_f64(8.0) * R::MIN_POSITIF;
+        // Upwards, past an N that is unit to 6u only and the rounding of these last operations; a NaN comes
+        // from an overflow.
+        let marge = marge + marge * fois_u(12.0) + R::depuis_f64(8.0) * R::MIN_POSITIF;
         let marge = if marge < R::INFINI { marge } else { R::INFINI };
         Self { distance, normale, marge }
     }
@@ -223,9 +223,9 @@ impl<R: Reel> Rayon<R> {
     /// arguments of [`est_occulte`](crate::est_occulte) for a shadow.
     ///
     /// The ray is a [`secondaire`](Self::secondaire) and never hits the object it leaves. `None` if N·L ≤
-    /// 4u, with L the unit direction to the light: the surface faces away, or the light lies in its
-    /// tangent plane. `None` also if `lumiere` is not finite or is the start itself, or if the start lies
-    /// beyond the limits of a source.
+    /// 4u, with L the unit direction from the start of the ray to the light: the surface faces away, or the
+    /// light lies in the tangent plane of the start. `None` also if `lumiere` is not finite or is the start
+    /// itself, or if the start lies beyond the limits of a source. A distance that overflows is +∞.
     ///
     /// ```
     /// use lancer_rayon::{ObjetRay, Rayon, SphereGeo, Texture, Vecteur};

@@ -128,7 +128,7 @@ impl<R: Reel> PlanRay<R> {
         self.normale
     }
 
-    /// d, the relative distance to the origin O: below 0 if and only if O is inside.
+    /// d, the relative distance to the origin O: below 0 if and only if O is inside, and 0 on the surface.
     #[doc(alias = "offset")]
     #[inline]
     #[must_use]

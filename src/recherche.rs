@@ -12,7 +12,8 @@ use crate::reel::Reel;
 ///
 /// A hit is an entry. An object that contains the source, or whose surface does, is not
 /// touched (handout §2.3); the others still count. Of two objects at the same distance the
-/// earlier in the list is the first.
+/// earlier in the list is the first. All of this holds for the distances that the search computes in R:
+/// within the bounds of `docs/precision.md` the exact answer may be another.
 ///
 /// # Errors
 /// [`NoIntersection`] if the ray enters no object.

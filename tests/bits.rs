@@ -116,50 +116,50 @@ fn au_hasard<R: Bits>(attendue: u64) {
 
 #[test]
 fn l_atelier_f32() {
-    memes_bits::<f32>("atelier", 0x9380_a89f_22a2_490d);
+    memes_bits::<f32>("atelier", 0x984f_59af_606b_680b);
 }
 
 #[test]
 fn l_atelier_f64() {
-    memes_bits::<f64>("atelier", 0x89a9_72c8_405e_c4a8);
+    memes_bits::<f64>("atelier", 0x75ff_320b_7a8c_1b3d);
 }
 
 #[test]
 fn la_foule_f32() {
-    memes_bits::<f32>("foule", 0x5f37_741c_6d9c_3964);
+    memes_bits::<f32>("foule", 0xfb5b_7b77_7f30_7aa3);
 }
 
 #[test]
 fn la_foule_f64() {
-    memes_bits::<f64>("foule", 0x9ead_9c4c_b412_4f51);
+    memes_bits::<f64>("foule", 0xab85_8703_90d0_45d4);
 }
 
 #[test]
 fn les_extremes_f32() {
-    memes_bits::<f32>("extremes", 0x2405_42d7_6977_af2b);
+    memes_bits::<f32>("extremes", 0xd735_d6be_71fe_0ad7);
 }
 
 #[test]
 fn les_extremes_f64() {
-    memes_bits::<f64>("extremes", 0xf32b_1f7b_944f_b33c);
+    memes_bits::<f64>("extremes", 0x1f64_d13b_3639_bc82);
 }
 
 #[test]
 fn le_flocon_f32() {
-    memes_bits::<f32>("flocon", 0xe113_f277_ec87_d21d);
+    memes_bits::<f32>("flocon", 0x3d86_3d07_1cbd_08a6);
 }
 
 #[test]
 fn le_flocon_f64() {
-    memes_bits::<f64>("flocon", 0x3d35_97ac_7150_e20e);
+    memes_bits::<f64>("flocon", 0x4c8f_b09b_ae0c_133e);
 }
 
 #[test]
 fn des_rayons_au_hasard_f32() {
-    au_hasard::<f32>(0x3b20_dce0_d29f_131d);
+    au_hasard::<f32>(0xbd2c_025a_5ee8_988c);
 }
 
 #[test]
 fn des_rayons_au_hasard_f64() {
-    au_hasard::<f64>(0xd4b4_4523_af7c_cb53);
+    au_hasard::<f64>(0xe44f_c782_7416_6516);
 }

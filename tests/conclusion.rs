@@ -12,7 +12,7 @@ mod litteral;
 
 use std::f64::consts::FRAC_PI_2;
 
-use commun::oracle::verite;
+use commun::oracle::{Exact, verite};
 use commun::regimes::{Cas, deux_puissance, direction, entre, regimes, vectoriel};
 use commun::tolerances::u;
 use commun::{arrondi, en_f32_et_f64};
@@ -400,6 +400,24 @@ fn une_boite_n_est_pas_touchee_avant_elle() {
 }
 
 // The half-space.
+
+/// Built: N = (0, 0, 1 − 4u), and the point of the hit is O. Held: the margin is no less than d/|N|.
+fn la_marge_est_selon_la_longueur_de_la_normale<R: Reel>() {
+    let un_peu_court = R::depuis_f64(1.0 - 4.0 * u::<R>());
+    let ligne = |i| core::array::from_fn(|j| if i == j { un_peu_court } else { R::ZERO });
+    let tour = Rotation::depuis_matrice(core::array::from_fn(ligne)).unwrap();
+    let s = Vecteur::new(R::ZERO, R::ZERO, R::UN);
+    for k in 0..CAS {
+        let d = R::depuis_f64((1.0 + f64::from(k) / f64::from(CAS)) * (-60_f64).exp2());
+        let plan = ObjetRay::from(PlanGeo::new(tour, d, Texture(0)).unwrap());
+        let touche = plan.intersection(&Rayon::new(s, -s).unwrap()).unwrap();
+        assert_eq!((touche.distance(), touche.normale().z), (R::UN, un_peu_court), "{d}");
+        let [marge, n, d] = [touche.marge(), un_peu_court, d].map(Exact::de);
+        assert!(&marge * &n >= d, "{touche:?}");
+    }
+}
+
+en_f32_et_f64!(la_marge_est_selon_la_longueur_de_la_normale);
 
 /// Built: the regimes of half-spaces in f64, except grazing rays. Held: t is A.1's, bit for bit.
 #[test]

@@ -227,10 +227,12 @@ fn longueur(v: &Point) -> f64 {
     Vecteur::from(v.each_ref().map(Exact::vers_f64)).longueur()
 }
 
-/// How far a point lies above the surface that was touched, along its normal; for a box the
-/// plane of the face of this normal.
+/// How far a point lies above the surface that was touched, along its normal N; for a box the plane of
+/// the face of this normal. To 3u of `f64`.
 pub(crate) fn hauteur<R: Reel>(objet: &ObjetRay<R>, normale: Vecteur<R>, p: Vecteur<R>) -> f64 {
     let p = point(p);
+    // |N|, of which |N|² − 1 is so small that its square is nothing.
+    let longueur = 1.0 + 0.5 * norme_au_carre_moins_un(normale);
     match objet {
         ObjetRay::Sphere(sphere) => {
             let cp = moins(&p, &point(sphere.centre()));
@@ -242,10 +244,10 @@ pub(crate) fn hauteur<R: Reel>(objet: &ObjetRay<R>, normale: Vecteur<R>, p: Vect
             let (n2, b) = (scalaire(&n, &n), scalaire(&cp, &n));
             let delta = &(&b * &b) - &(&n2 * &puissance);
             let (b, puissance) = (b.vers_f64(), puissance.vers_f64());
-            puissance / (b.abs() + delta.vers_f64().max(0.0).sqrt()).copysign(b)
+            longueur * puissance / (b.abs() + delta.vers_f64().max(0.0).sqrt()).copysign(b)
         }
         ObjetRay::Plan(plan) => {
-            (&scalaire(&point(plan.normale()), &p) + &Exact::de(plan.distance())).vers_f64()
+            (&scalaire(&point(normale), &p) + &Exact::de(plan.distance())).vers_f64() / longueur
         }
         ObjetRay::Boite(boite) => {
             let axe = (0..3).find(|&axe| {
@@ -254,7 +256,7 @@ pub(crate) fn hauteur<R: Reel>(objet: &ObjetRay<R>, normale: Vecteur<R>, p: Vect
             });
             let l = Exact::de(boite.demi_longueurs()[axe.expect("a normal of the box")]);
             let cp = moins(&p, &point(boite.centre()));
-            (&scalaire(&point(normale), &cp) - &l).vers_f64()
+            (&scalaire(&point(normale), &cp) - &l).vers_f64() / longueur
         }
     }
 }
