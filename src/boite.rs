@@ -251,17 +251,18 @@ impl<R: Reel> BoiteRay<R> {
     }
 
     /// In `f64`, the distance of the hit and the pair of faces that the ray enters by. The last value is
-    /// true if the source lies before that pair, N·D has the same sign in R as in `f64`, and the distance is
-    /// finite in R.
+    /// true if the ray enters from outside, N·D has the same sign in R as in `f64`, and the distance is finite
+    /// in R.
     #[inline(always)]
     fn entree_precise(&self, rayon: &Rayon<R>, t: R) -> (f64, usize, bool) {
         let (s, d) = (rayon.source().vers_f64(), rayon.direction().vers_f64());
-        let Dalles { entree, axe, sortie: _ } = self.vers_f64().dalles(s, d);
+        let Dalles { entree, axe, sortie } = self.vers_f64().dalles(s, d);
         let (normale, _) = self.couple(axe);
         let vitesse = normale.produit_scalaire(rayon.direction()).vers_f64();
         let d_accord = vitesse * normale.vers_f64().produit_scalaire(d) > 0.0;
         let t = affiner(t, || entree.valeur());
-        (t, axe, (entree.longueur > 0.0) & d_accord & (R::depuis_f64(t) < R::INFINI))
+        let entre = (entree.longueur > 0.0) & (entree.au_plus(sortie) | !R::RECALCULE);
+        (t, axe, entre & d_accord & (R::depuis_f64(t) < R::INFINI))
     }
 
     #[inline(always)]
@@ -323,8 +324,8 @@ impl<R: Reel> Forme<R> for BoiteRay<R> {
         if entre { entree.valeur() } else { R::INFINI }
     }
 
-    /// Sure, unless in `f64` the source is not before the face, N·D has another sign or rounds to 0, or the
-    /// distance overflows in R.
+    /// Sure, unless in `f64` the ray does not enter, N·D has another sign or rounds to 0, or the distance
+    /// overflows in R.
     #[inline(always)]
     fn contact(&self, rayon: &Rayon<R>, t: R) -> (Contact<R>, bool) {
         let (t, axe, sur) = self.entree_precise(rayon, t);

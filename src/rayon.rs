@@ -76,7 +76,7 @@ pub(crate) fn source_valide<R: Reel>(source: Vecteur<R>) -> Result<Vecteur<R>, E
 #[inline]
 pub(crate) fn direction_unitaire<R: Reel>(direction: Vecteur<R>) -> Result<Vecteur<R>, ErreurGeo> {
     let direction = fini(["direction.x", "direction.y", "direction.z"], direction)?;
-    // An ordinary normalisation leaves |D·D − 1| ≤ 6u; twice that is still a unit vector.
+    // An ordinary normalisation leaves |D·D − 1| within 10u.
     if (direction.longueur_carree() - R::UN).abs() <= fois_u(12.0) {
         return Ok(direction);
     }

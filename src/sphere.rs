@@ -146,15 +146,16 @@ impl<R: Reel> SphereRay<R> {
         }
     }
 
-    /// In `f64`, the distance SB of a ray that does not graze, and whether it is that of the hit: B comes
-    /// before A, and SB does not round to 0.
+    /// In `f64`, the distance SB of a ray that does not graze, and whether it is that of the hit: S is
+    /// outside, B comes before A, and SB does not round to 0.
     #[inline(always)]
     fn sb_ordinaire(&self, rayon: &Rayon<R>, t: R) -> (f64, bool) {
         let longueurs =
             self.vers_f64().longueurs(rayon.source().vers_f64(), rayon.direction().vers_f64());
         let somme = longueurs.somme();
         let sb = affiner(t, || longueurs.puissance / somme);
-        (sb, (longueurs.avant_a(somme) | !R::RECALCULE) & (R::depuis_f64(sb) > R::ZERO))
+        let dehors_et_avant = (longueurs.puissance > 0.0) & longueurs.avant_a(somme);
+        (sb, (dehors_et_avant | !R::RECALCULE) & (R::depuis_f64(sb) > R::ZERO))
     }
 
     /// In `f64`, the vector from C to the point at distance t.
@@ -228,11 +229,14 @@ impl<R: Reel> Forme<R> for SphereRay<R> {
         (self.contact_a(rayon, t, normale), sur & de_face)
     }
 
-    /// With A for B if B comes no earlier. A normal that does not face the source is leaned towards it.
+    /// With A for B if B comes no earlier. A source that is not outside in `f64` has no distance there, and
+    /// a normal that does not face the source is leaned towards it.
     #[cold]
     fn contact_rare(&self, rayon: &Rayon<R>, t: R) -> Contact<R> {
         let (s, d) = (rayon.source().vers_f64(), rayon.direction().vers_f64());
-        let precise = affiner(t, || self.vers_f64().longueurs(s, d).sb());
+        let longueurs = self.vers_f64().longueurs(s, d);
+        let dehors = longueurs.puissance > 0.0;
+        let precise = affiner(t, || if dehors { longueurs.sb() } else { f64::INFINITY });
         let t = Contact::retenir(t, precise);
         let cb = self.cb(rayon, t);
         let (normale, de_face) = normale(cb, Reel::sqrt(cb.longueur_carree()), rayon);
@@ -311,8 +315,8 @@ fn normale<R: Reel>(cb: Vecteur<f64>, longueur: f64, rayon: &Rayon<R>) -> (Vecte
 /// The unit normal nearest to CB that faces the source of the ray.
 ///
 /// Where a ray only grazes, rounding can leave CB at a right angle to D or past it. The normal is then
-/// the part of CB across D, leaned by 6u towards the source, which is more than N·D rounds away. If even
-/// this normal does not face the source, the sphere is smaller than rounding, and −D is as good as any.
+/// the part of CB across D, leaned by 6u towards the source: N·D rounds by no more than 3.5u, as far as a
+/// directed search could find. If even this normal does not face the source, −D does.
 #[cold]
 fn vers_la_source<R: Reel>(cb: Vecteur<f64>, rayon: &Rayon<R>) -> Vecteur<R> {
     let d = rayon.direction().vers_f64();

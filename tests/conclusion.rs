@@ -19,7 +19,7 @@ use commun::{arrondi, en_f32_et_f64};
 use fastrand::Rng;
 use lancer_rayon::{
     BoiteGeo, BoiteRay, Intersection, NoIntersection, ObjetRay, PlanGeo, Rayon, Reel, Rotation,
-    SphereGeo, Texture, Vecteur,
+    SphereGeo, Texture, Vecteur, est_occulte,
 };
 
 /// Cases of each regime, and of each construction that hits often.
@@ -261,6 +261,37 @@ fn la_distance_trouvee_reste_ou_f64_n_en_a_pas_sphere() {
         }
     }
     assert!(trouvees.iter().all(|n| *n > 50), "{trouvees:?}");
+}
+
+/// Built, in bits: a sphere that f32 sees ahead and from outside, f64 behind and from inside, where the
+/// power and SA + AB are both below 0. Held: t is that of the search, 2.1e-22 and 0.25, for a shadow too.
+#[test]
+fn la_distance_trouvee_reste_ou_f64_voit_la_sphere_derriere() {
+    let nombre = f32::from_bits;
+    let cas = [(0x27f6_9a41, 0x8d53_99aa, 0x0c58_c8df), (0xcac3_f92a, 0x300c_11df, 0xae69_639c)];
+    for (c, dy, dz) in cas.map(|(c, dy, dz)| (nombre(c), nombre(dy), nombre(dz))) {
+        let centre = Vecteur::new(c, nombre(0x5a47_9518), nombre(0x5a44_d060));
+        let boule = sphere(centre, nombre(0x5a8c_2694));
+        let source = Vecteur::new(0.0, nombre(0x3fc7_9518), 0.0);
+        let rayon = Rayon::new(source, Vecteur::new(nombre(0x3f7f_fffe), dy, dz)).unwrap();
+        let touche = boule.intersection(&rayon).unwrap();
+        assert!(touche.distance() < 0.5 && est_occulte(&[boule], &rayon, 0.5), "{touche:?}");
+    }
+}
+
+/// Built: a ray that rises so slowly towards a pair of faces that f32 sees it between their planes, and f64
+/// below them, which it reaches 10⁹ farther on. Held: t is that of the search, on a face that it meets.
+#[test]
+fn la_distance_trouvee_reste_ou_f64_manque_la_boite() {
+    for lenteur in [-60_f32, -100.0] {
+        let centre = Vecteur::new((-30_f32).exp2(), 0.0, 0.0);
+        let boite = BoiteGeo::new(centre, [2.0; 3].into(), Rotation::IDENTITE, Texture(0)).unwrap();
+        let direction = Vecteur::new(lenteur.exp2(), 0.0, 1.0);
+        let rayon = Rayon::new(Vecteur::new(-1.0, 0.25, -6.0), direction).unwrap();
+        let touche = ObjetRay::from(boite).intersection(&rayon).unwrap();
+        assert_eq!(touche.distance(), 5.0);
+        assert_eq!(touche.normale(), Vecteur::new(0.0, 0.0, -1.0));
+    }
 }
 
 /// A rotation whose third row is N = (a, b, ½), and two vectors V with N·V = 0 exactly, of which f32

@@ -17,7 +17,7 @@ use crate::vecteur::Vecteur;
 struct Etendue<R> {
     s0: Vecteur<R>,
     m: Vecteur<R>,
-    /// A and B, two unit vectors across M.
+    /// A and B, across M and no longer than 1.
     axes: [Vecteur<R>; 2],
     /// The largest coordinate of S − S₀.
     ecarts: Voies<R>,
