@@ -120,7 +120,7 @@ impl<R: Reel> Rotation<R> {
             let _: Vecteur<R> = fini(champs, ligne.into())?;
         }
         let mut m = matrice.map(|ligne| ligne.map(R::vers_f64));
-        let (lignes, colonnes) = (ecart(m), ecart(transposee(m)));
+        let lignes = ecart(m);
         let (limite, attendu) = (R::ECART_ROTATION, R::ATTENDU_ROTATION);
         exiger(lignes <= limite, "matrice: |M·Mᵀ - I|", lignes, attendu)?;
         let [x, y, z] = m.map(Vecteur::from);
@@ -128,7 +128,7 @@ impl<R: Reel> Rotation<R> {
         let attendu = "1: a mirror is no rotation";
         exiger(determinant > 0.0, "matrice: determinant", determinant, attendu)?;
         // The columns may be three times as far off as the rows, and are the rows of the inverse.
-        if lignes.max(colonnes) <= 8.0 * R::U.vers_f64() {
+        if lignes.max(ecart(transposee(m))) <= 8.0 * R::U.vers_f64() {
             return Ok(Self { matrice });
         }
         // Each step squares what is missing: from 1e-3, three reach the last bit of an f64.

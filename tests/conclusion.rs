@@ -280,7 +280,7 @@ fn la_distance_trouvee_reste_ou_f64_voit_la_sphere_derriere() {
 }
 
 /// Built: a ray that rises so slowly towards a pair of faces that f32 sees it between their planes, and f64
-/// below them, which it reaches 10⁹ farther on. Held: t is that of the search, on a face that it meets.
+/// below them, which it reaches 10⁹ and 10²¹ farther on. Held: t is that of the search, on a face that it meets.
 #[test]
 fn la_distance_trouvee_reste_ou_f64_manque_la_boite() {
     for lenteur in [-60_f32, -100.0] {

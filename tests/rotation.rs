@@ -17,6 +17,10 @@ fn matrice<R: Reel>(r: Rotation<R>) -> Matrice {
     r.matrice().map(|ligne| ligne.map(R::vers_f64))
 }
 
+fn bits<R: Bits>(r: Rotation<R>) -> [[u64; 3]; 3] {
+    r.matrice().map(|ligne| ligne.map(R::bits))
+}
+
 fn produit(a: Matrice, b: Matrice) -> Matrice {
     std::array::from_fn(|i| std::array::from_fn(|j| (0..3).map(|k| a[i][k] * b[k][j]).sum::<f64>()))
 }
@@ -85,7 +89,6 @@ fn les_rotations_forment_un_groupe<R: Bits>() {
         prop_assert_eq!(r.inverse().inverse(), r);
         prop_assert_eq!(matrice(r.inverse()), transposee(matrice(r)));
         // A polished matrix stays as it is, bit for bit.
-        let bits = |r: Rotation<R>| r.matrice().map(|ligne| ligne.map(R::bits));
         prop_assert_eq!(bits(Rotation::depuis_matrice(r.matrice()).unwrap()), bits(r));
         Ok(())
     });
@@ -120,7 +123,6 @@ en_f32_et_f64!(longueurs_et_angles_sont_conserves);
 fn l_inverse_d_une_matrice_presque_orthonormale_est_une_rotation<R: Bits>() {
     let [x, y, z] = repere(Vecteur::new(1.0, 1.0, 1.0).unitaire().unwrap());
     let base = transposee([z, x, y]);
-    let bits = |r: Rotation<R>| r.matrice().map(|ligne| ligne.map(R::bits));
     let mut gardees = 0;
     for k in 0..40 {
         let m =

@@ -259,8 +259,8 @@ fn trier(fiches: &mut [Fiche]) {
     let (bas, haut) = extremes(fiches.iter().map(double_centre));
     let etendue: [f32; 3] = core::array::from_fn(|axe| haut[axe] - bas[axe]);
     let axe = (1..3).fold(0, |long, axe| if etendue[axe] > etendue[long] { axe } else { long });
-    let place = |fiche: &Fiche| double_centre(fiche)[axe];
-    let _ = fiches.select_nth_unstable_by(coupe, |a, b| place(a).total_cmp(&place(b)));
+    let centre = |fiche: &Fiche| double_centre(fiche)[axe];
+    let _ = fiches.select_nth_unstable_by(coupe, |a, b| centre(a).total_cmp(&centre(b)));
     let (avant, apres) = fiches.split_at_mut(coupe);
     trier(avant);
     trier(apres);
