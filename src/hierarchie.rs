@@ -12,15 +12,15 @@ mod parcours;
 
 use core::fmt;
 
-use fearless_simd::{Level, dispatch};
+use fearless_simd::Level;
 
+use crate::compile_ici::compile_ici;
 use crate::hierarchie::bloc::RechercheDansLArbre;
 use crate::hierarchie::construction::{Arbre, MOTS, construire, noeuds};
-use crate::intersection::{Intersection, NoIntersection};
+use crate::intersection::{Intersection, NoIntersection, Touche};
 use crate::lot::colonnes::Aligne;
-use crate::lot::{
-    LongueursDifferentes, PEU_DE_RAYONS, meilleur_niveau, memes_longueurs, par_blocs, repondre,
-};
+use crate::lot::{LongueursDifferentes, PEU_DE_RAYONS, memes_longueurs, par_blocs, repondre};
+use crate::niveau::{meilleur_niveau, selon_le_niveau};
 use crate::objet::ObjetRay;
 use crate::rayon::Rayon;
 use crate::recherche::{est_occulte, premiere_intersection};
@@ -33,7 +33,7 @@ const LIGNE: usize = align_of::<Aligne<()>>();
 const BOURRAGE: usize = LIGNE / size_of::<f32>() - 1;
 
 /// Up to so many objects the batch of the list is as fast (`docs/performance.md`, "Thresholds").
-const SEUIL_LOT: usize = 100;
+pub(crate) const SEUIL_LOT: usize = 100;
 
 /// A list of objects with a hierarchy of boxes around them: the answers of the list, to the bit, in a
 /// time that grows far more slowly than their number.
@@ -135,11 +135,7 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
         let Some(places) = places.get_mut(..necessaires) else {
             return Err(PlacesInsuffisantes { places: pretees, necessaires });
         };
-        let arbre = (necessaires > 0).then(|| {
-            let places = R::en_simples(places);
-            let debut = places.as_ptr().align_offset(LIGNE).min(BOURRAGE);
-            construire(objets, &mut places[debut..])
-        });
+        let arbre = if necessaires > 0 { Some(batir(objets, places)) } else { None };
         Ok(Self { objets, arbre, niveau: meilleur_niveau() })
     }
 
@@ -156,10 +152,7 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
         &self,
         rayon: &Rayon<R>,
     ) -> Result<Intersection<R>, NoIntersection> {
-        let Some(arbre) = &self.arbre else { return premiere_intersection(self.objets, rayon) };
-        dispatch!(self.niveau, simd => {
-            arbre.premiere_intersection(simd, self.objets, rayon, (R::INFINI, 0))
-        })
+        premiere(self, rayon)
     }
 
     /// [`est_occulte`](fn@est_occulte) of the list.
@@ -169,12 +162,7 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
     #[inline]
     #[must_use]
     pub fn est_occulte(&self, rayon: &Rayon<R>, distance_max: R) -> bool {
-        let Some(arbre) = &self.arbre else {
-            return est_occulte(self.objets, rayon, distance_max);
-        };
-        dispatch!(self.niveau, simd => {
-            arbre.est_occulte(simd, self.objets, rayon, distance_max)
-        })
+        occulte(self, rayon, distance_max)
     }
 
     /// [`premieres_intersections`](crate::premieres_intersections) of the list.
@@ -191,27 +179,81 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
         rayons: &[Rayon<R>],
         touches: &mut [Result<Intersection<R>, NoIntersection>],
     ) -> Result<(), LongueursDifferentes> {
-        let Some(arbre) = self.arbre.as_ref().filter(|_| self.objets.len() > SEUIL_LOT) else {
-            return repondre(self.niveau, true, self.objets, rayons, touches);
-        };
-        memes_longueurs(rayons, touches)?;
-        if rayons.len() < PEU_DE_RAYONS {
-            for (rayon, touche) in rayons.iter().zip(touches) {
-                *touche = self.premiere_intersection(rayon);
-            }
-        } else {
-            dispatch!(self.niveau, simd => {
-                let mut recherche = RechercheDansLArbre { simd, objets: self.objets, arbre };
-                par_blocs(self.objets, rayons, touches, &mut recherche);
-            });
-        }
-        Ok(())
+        premieres(self, rayons, touches)
     }
 
     /// The same with these instructions.
     pub(crate) fn avec_niveau(self, niveau: Level) -> Self {
         Self { niveau, ..self }
     }
+}
+
+compile_ici! {
+    /// The tree over these objects, in the numbers lent, which are enough.
+    fn batir<'a, R>(objets: &'a [ObjetRay<R>], places: &'a mut [R]) -> Arbre<'a, R> = batir_ici;
+}
+
+compile_ici! {
+    /// [`Hierarchie::premiere_intersection`].
+    fn premiere<'a, R>(hierarchie: &'a Hierarchie<'a, R>, rayon: &'a Rayon<R>) -> Touche<R> = premiere_ici;
+}
+
+compile_ici! {
+    /// [`Hierarchie::est_occulte`].
+    fn occulte<'a, R>(hierarchie: &'a Hierarchie<'a, R>, rayon: &'a Rayon<R>, distance_max: R) -> bool
+        = occulte_ici;
+}
+
+compile_ici! {
+    /// [`Hierarchie::premieres_intersections`].
+    fn premieres<'a, R>(
+        hierarchie: &'a Hierarchie<'a, R>,
+        rayons: &'a [Rayon<R>],
+        touches: &'a mut [Touche<R>],
+    ) -> Result<(), LongueursDifferentes> = premieres_ici;
+}
+
+fn batir_ici<'a, R: Reel>(objets: &'a [ObjetRay<R>], places: &'a mut [R]) -> Arbre<'a, R> {
+    let places = R::en_simples(places);
+    let debut = places.as_ptr().align_offset(LIGNE).min(BOURRAGE);
+    construire(objets, &mut places[debut..])
+}
+
+fn premiere_ici<R: Reel>(hierarchie: &Hierarchie<'_, R>, rayon: &Rayon<R>) -> Touche<R> {
+    let Hierarchie { objets, arbre, niveau } = hierarchie;
+    let Some(arbre) = arbre else { return premiere_intersection(objets, rayon) };
+    selon_le_niveau!(*niveau, simd => {
+        arbre.premiere_intersection(simd, objets, rayon, (R::INFINI, 0))
+    })
+}
+
+fn occulte_ici<R: Reel>(hierarchie: &Hierarchie<'_, R>, rayon: &Rayon<R>, distance_max: R) -> bool {
+    let Hierarchie { objets, arbre, niveau } = hierarchie;
+    let Some(arbre) = arbre else { return est_occulte(objets, rayon, distance_max) };
+    selon_le_niveau!(*niveau, simd => arbre.est_occulte(simd, objets, rayon, distance_max))
+}
+
+fn premieres_ici<R: Reel>(
+    hierarchie: &Hierarchie<'_, R>,
+    rayons: &[Rayon<R>],
+    touches: &mut [Touche<R>],
+) -> Result<(), LongueursDifferentes> {
+    let Hierarchie { objets, arbre, niveau } = *hierarchie;
+    let Some(arbre) = &arbre.filter(|_| objets.len() > SEUIL_LOT) else {
+        return repondre(niveau, true, objets, rayons, touches);
+    };
+    memes_longueurs(rayons, touches)?;
+    if rayons.len() < PEU_DE_RAYONS {
+        for (rayon, touche) in rayons.iter().zip(touches) {
+            *touche = premiere_ici(hierarchie, rayon);
+        }
+    } else {
+        selon_le_niveau!(niveau, simd => {
+            let mut recherche = RechercheDansLArbre { simd, objets, arbre };
+            par_blocs(simd, objets, rayons, touches, &mut recherche);
+        });
+    }
+    Ok(())
 }
 
 /// Fewer places were lent than the [hierarchy](Hierarchie) of so many objects needs.

@@ -97,14 +97,16 @@ extern crate std;
 // The floors, from the ground up: a file imports only from floors below its own
 // (`docs/conception.md`, "The floors").
 //
-//   reel · vecteur · texture, erreur · rotation · rayon · intersection · forme
+//   reel · compile_ici, niveau · vecteur · texture, erreur · rotation · rayon · intersection · forme
 //   sphere, plan, boite · objet · recherche · lot · hierarchie · reglage
 mod boite;
+mod compile_ici;
 mod erreur;
 mod forme;
 mod hierarchie;
 mod intersection;
 mod lot;
+mod niveau;
 mod objet;
 mod plan;
 mod rayon;

@@ -15,13 +15,15 @@ pub(crate) mod groupe;
 
 use core::fmt;
 
-use fearless_simd::{Level, Simd, dispatch};
+use fearless_simd::{Level, Simd};
 
+use crate::compile_ici::compile_ici;
 use crate::intersection::{Intersection, NoIntersection, Rang, Touche, rang};
 use crate::lot::colonnes::{VOIES, le_premier};
 use crate::lot::faisceau::Faisceau;
-use crate::lot::fenetre::Fenetre;
+use crate::lot::fenetre::Rangee;
 use crate::lot::groupe::Groupe;
+use crate::niveau::{meilleur_niveau, selon_le_niveau};
 use crate::objet::{ObjetRay, par_forme};
 use crate::rayon::Rayon;
 use crate::recherche::premiere_intersection;
@@ -108,15 +110,19 @@ impl fmt::Display for LongueursDifferentes {
 
 impl core::error::Error for LongueursDifferentes {}
 
-/// The widest instructions of this machine.
-#[inline]
-pub(crate) fn meilleur_niveau() -> Level {
-    Level::try_detect().unwrap_or(Level::baseline())
+compile_ici! {
+    /// [`premieres_intersections`] with these instructions, with culling or without; no answer depends on
+    /// either.
+    pub(crate) fn repondre<'a, R>(
+        niveau: Level,
+        elaguer: bool,
+        objets: &'a [ObjetRay<R>],
+        rayons: &'a [Rayon<R>],
+        touches: &'a mut [Touche<R>],
+    ) -> Result<(), LongueursDifferentes> = repondre_generique;
 }
 
-/// [`premieres_intersections`] with these instructions, with culling or without; no answer depends on
-/// either.
-pub(crate) fn repondre<R: Reel>(
+fn repondre_generique<R: Reel>(
     niveau: Level,
     elaguer: bool,
     objets: &[ObjetRay<R>],
@@ -129,16 +135,35 @@ pub(crate) fn repondre<R: Reel>(
         for (rayon, touche) in rayons.iter().zip(touches) {
             *touche = premiere_intersection(objets, rayon);
         }
-    } else if !elaguer || objets.len() < SEUIL_ELAGAGE {
-        dispatch!(niveau, _simd => {
-            par_blocs(objets, rayons, touches, &mut Tous { objets });
-        });
-    } else if objets.len() <= FENETRE_ETROITE * VOIES {
-        avec_fenetre::<R, FENETRE_ETROITE>(niveau, objets, rayons, touches);
-    } else {
-        avec_fenetre::<R, FENETRE>(niveau, objets, rayons, touches);
+        return Ok(());
     }
+    let (mut etroite, mut large);
+    let fenetre: &mut [Rangee<R>] = if !elaguer || objets.len() < SEUIL_ELAGAGE {
+        &mut []
+    } else if objets.len() <= FENETRE_ETROITE * VOIES {
+        etroite = [const { Rangee::VIDE }; FENETRE_ETROITE];
+        &mut etroite
+    } else {
+        large = [const { Rangee::VIDE }; FENETRE];
+        &mut large
+    };
+    // Where one window holds all objects it is filled once.
+    if objets.len() <= fenetre.len() * VOIES {
+        charger(fenetre, objets);
+    }
+    selon_le_niveau!(niveau, simd => {
+        let mut recherche = RechercheDansLaListe { simd, objets, fenetre: &mut *fenetre };
+        par_blocs(simd, objets, rayons, touches, &mut recherche);
+    });
     Ok(())
+}
+
+/// Puts the balls around these objects into a window.
+#[inline(always)]
+fn charger<R: Reel>(fenetre: &mut [Rangee<R>], objets: &[ObjetRay<R>]) {
+    for (rangee, objets) in fenetre.iter_mut().zip(objets.chunks(VOIES)) {
+        rangee.charger(objets);
+    }
 }
 
 /// Refuses places for more or fewer answers than there are rays.
@@ -151,24 +176,6 @@ pub(crate) fn memes_longueurs<R>(
     } else {
         Err(LongueursDifferentes { rayons: rayons.len(), touches: touches.len() })
     }
-}
-
-/// With culling, in a window of Q times sixteen objects.
-fn avec_fenetre<R: Reel, const Q: usize>(
-    niveau: Level,
-    objets: &[ObjetRay<R>],
-    rayons: &[Rayon<R>],
-    touches: &mut [Touche<R>],
-) {
-    let mut fenetre = Fenetre::<R, Q>::VIDE;
-    // Where one window holds all objects it is filled once.
-    if objets.len() <= Fenetre::<R, Q>::CAPACITE {
-        fenetre.charger(objets);
-    }
-    dispatch!(niveau, simd => {
-        let mut elagage = Elagage { simd, objets, fenetre: &mut fenetre };
-        par_blocs(objets, rayons, touches, &mut elagage);
-    });
 }
 
 /// Finds the first object of each ray of a block.
@@ -192,50 +199,43 @@ pub(crate) enum Trouve {
     DansLesTouches,
 }
 
-/// Searches a list and tests every object.
-struct Tous<'a, R> {
-    objets: &'a [ObjetRay<R>],
-}
-
-impl<R: Reel> RechercheDeBloc<R> for Tous<'_, R> {
-    #[inline(always)]
-    fn chercher(&mut self, bloc: &mut [Groupe<R>], _: &[Rayon<R>], _: &mut [Touche<R>]) -> Trouve {
-        for (indice, objet) in self.objets.iter().enumerate() {
-            proposer::<R, true>(bloc, objet, rang(indice));
-        }
-        Trouve::DansLeBloc
-    }
-}
-
-/// Searches a list and culls the objects that the beam of the block avoids.
-struct Elagage<'a, R, S, const Q: usize> {
+/// Searches a list. Where there is a window, culls the objects that the beam of the block avoids.
+struct RechercheDansLaListe<'a, R, S> {
     simd: S,
     objets: &'a [ObjetRay<R>],
-    fenetre: &'a mut Fenetre<R, Q>,
+    fenetre: &'a mut [Rangee<R>],
 }
 
-impl<R: Reel, S: Simd, const Q: usize> RechercheDeBloc<R> for Elagage<'_, R, S, Q> {
+impl<R: Reel, S: Simd> RechercheDeBloc<R> for RechercheDansLaListe<'_, R, S> {
     #[inline(always)]
     fn chercher(
         &mut self,
         bloc: &mut [Groupe<R>],
         rayons: &[Rayon<R>],
-        touches: &mut [Touche<R>],
+        _: &mut [Touche<R>],
     ) -> Trouve {
         let Self { simd, objets, fenetre } = self;
-        let Some(faisceau) = Faisceau::du_bloc(rayons, bloc) else {
-            return Tous { objets }.chercher(bloc, rayons, touches);
-        };
-        for (numero, rangee) in objets.chunks(VOIES).enumerate() {
-            if numero % Q == 0 && objets.len() > Fenetre::<R, Q>::CAPACITE {
-                fenetre.charger(&objets[numero * VOIES..]);
+        let capacite = fenetre.len() * VOIES;
+        let faisceau = if capacite > 0 { Faisceau::du_bloc(rayons, bloc) } else { None };
+        let Some(faisceau) = faisceau else {
+            for (indice, objet) in objets.iter().enumerate() {
+                proposer::<R, true>(bloc, objet, rang(indice));
             }
-            let mut vus = fenetre.rencontres(*simd, &faisceau, numero % Q);
-            while vus != 0 {
-                let i = le_premier(vus);
-                vus &= vus - 1;
-                if let Some(objet) = rangee.get(i) {
-                    proposer::<R, true>(bloc, objet, rang(numero * VOIES + i));
+            return Trouve::DansLeBloc;
+        };
+        for (debut, proches) in (0..).step_by(capacite).zip(objets.chunks(capacite)) {
+            if objets.len() > capacite {
+                charger(fenetre, proches);
+            }
+            for (numero, (rangee, seize)) in fenetre.iter().zip(proches.chunks(VOIES)).enumerate() {
+                let mut vus = rangee.rencontres(*simd, &faisceau);
+                while vus != 0 {
+                    let i = le_premier(vus);
+                    vus &= vus - 1;
+                    if let Some(objet) = seize.get(i) {
+                        let rang = rang(debut + numero * VOIES + i);
+                        proposer::<R, true>(bloc, objet, rang);
+                    }
                 }
             }
         }
@@ -245,7 +245,8 @@ impl<R: Reel, S: Simd, const Q: usize> RechercheDeBloc<R> for Elagage<'_, R, S, 
 
 /// Block by block from the rays to the answers, so that a block stays in the nearest memory.
 #[inline(always)]
-pub(crate) fn par_blocs<R: Reel>(
+pub(crate) fn par_blocs<R: Reel, S: Simd>(
+    simd: S,
     objets: &[ObjetRay<R>],
     rayons: &[Rayon<R>],
     touches: &mut [Touche<R>],
@@ -257,14 +258,30 @@ pub(crate) fn par_blocs<R: Reel>(
         for (groupe, rayons) in bloc.iter_mut().zip(rayons.chunks(VOIES)) {
             groupe.charger(rayons);
         }
-        if recherche.chercher(bloc, rayons, touches) == Trouve::DansLesTouches {
-            continue;
-        }
-        for (i, groupe) in bloc.iter().enumerate() {
-            let (debut, fin) = (i * VOIES, rayons.len().min((i + 1) * VOIES));
-            groupe.ecrire(objets, &rayons[debut..fin], &mut touches[debut..fin]);
+        if recherche.chercher(bloc, rayons, touches) == Trouve::DansLeBloc {
+            ecrire(simd, bloc, objets, rayons, touches);
         }
     }
+}
+
+/// Writes the answers of a block; a function of the instruction set, which list and hierarchy share.
+#[inline(always)]
+fn ecrire<R: Reel, S: Simd>(
+    simd: S,
+    bloc: &[Groupe<R>],
+    objets: &[ObjetRay<R>],
+    rayons: &[Rayon<R>],
+    touches: &mut [Touche<R>],
+) {
+    simd.vectorize(
+        #[inline(always)]
+        || {
+            let morceaux = rayons.chunks(VOIES).zip(touches.chunks_mut(VOIES));
+            for (groupe, (rayons, touches)) in bloc.iter().zip(morceaux) {
+                groupe.ecrire(objets, rayons, touches);
+            }
+        },
+    );
 }
 
 /// For each ray that enters the object, which has this rank, before its first so far: makes it its first.

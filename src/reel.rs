@@ -40,10 +40,25 @@ mod scelle {
 
         /// The same memory as numbers of `f32`.
         fn en_simples(nombres: &mut [Self]) -> &mut [f32];
+
+        /// Does this work in this type.
+        fn faire<T: Travail>(arguments: T::Arguments<Self>) -> T::Reponse<Self>
+        where
+            Self: super::Reel;
+    }
+
+    /// Work that this crate compiles, once for each scalar. Generic code would be compiled again by every
+    /// crate that calls it; through this trait it compiles a call (`compile_ici.rs`).
+    pub trait Travail {
+        type Arguments<R: super::Reel>;
+        type Reponse<R: super::Reel>;
+        fn en_f32(arguments: Self::Arguments<f32>) -> Self::Reponse<f32>;
+        fn en_f64(arguments: Self::Arguments<f64>) -> Self::Reponse<f64>;
     }
 }
 
 use scelle::Scelle;
+pub(crate) use scelle::Travail;
 
 /// The scalar type: `f32` or `f64`. Sealed.
 ///
@@ -162,6 +177,11 @@ impl Scelle for f32 {
     fn en_simples(nombres: &mut [Self]) -> &mut [f32] {
         nombres
     }
+
+    #[inline]
+    fn faire<T: Travail>(arguments: T::Arguments<Self>) -> T::Reponse<Self> {
+        T::en_f32(arguments)
+    }
 }
 
 impl Reel for f32 {
@@ -218,6 +238,11 @@ impl Scelle for f64 {
 
     fn en_simples(nombres: &mut [Self]) -> &mut [f32] {
         bytemuck::cast_slice_mut(nombres)
+    }
+
+    #[inline]
+    fn faire<T: Travail>(arguments: T::Arguments<Self>) -> T::Reponse<Self> {
+        T::en_f64(arguments)
     }
 }
 

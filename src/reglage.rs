@@ -2,9 +2,10 @@
 
 use fearless_simd::Level;
 
-use crate::hierarchie::Hierarchie;
+use crate::hierarchie::{Hierarchie, SEUIL_LOT};
 use crate::intersection::{Intersection, NoIntersection};
-use crate::lot::{LongueursDifferentes, meilleur_niveau, repondre};
+use crate::lot::{LongueursDifferentes, repondre};
+use crate::niveau::meilleur_niveau;
 use crate::objet::ObjetRay;
 use crate::rayon::Rayon;
 use crate::reel::Reel;
@@ -18,6 +19,9 @@ pub struct Reglage {
 }
 
 impl Reglage {
+    /// Up to so many objects the batch of a hierarchy is that of the list.
+    pub const SEUIL_LOT: usize = SEUIL_LOT;
+
     /// Each instruction set of this machine, the best first, by name.
     pub fn tous() -> impl Iterator<Item = (&'static str, Self)> {
         let niveau = meilleur_niveau();
@@ -25,7 +29,6 @@ impl Reglage {
         let niveaux = [
             ("AVX-512", niveau.as_avx512().map(Level::Avx512)),
             ("AVX2", niveau.as_avx2().map(Level::Avx2)),
-            ("SSE4.2", niveau.as_sse4_2().map(Level::Sse4_2)),
             ("SSE2", niveau.as_sse2().map(Level::Sse2)),
         ];
         #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]

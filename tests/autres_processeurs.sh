@@ -102,7 +102,7 @@ eprouver() {
     "$racine" env -i PATH=/usr/sbin:/usr/bin HOME=/root "${@/#/$nom}" CARGO_TARGET_DIR=/cible \
     RUST_TEST_NOCAPTURE=1 CARGO_BUILD_JOBS="${CARGO_BUILD_JOBS:-default}" chroot "$racine" \
     cargo test --frozen --no-fail-fast --manifest-path essai/Cargo.toml --target "$cible" \
-    --test bits --test hierarchie --test lot --test souspassement 2>&1 |
+    --test memes_bits 2>&1 |
     tee -a "$dossier/$cible.log" || echec=1
 }
 for processeur in aarch64 s390x; do

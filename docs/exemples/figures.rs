@@ -1,6 +1,6 @@
 //! The figures of `docs/conventions.md`: what the library answers, drawn.
 //!
-//! `cargo run -p exemples --bin figures` writes them again; `tests/figures.rs` holds the committed ones to this
+//! `cargo run -p exemples --bin figures` writes them again; `tests/fichiers/figures.rs` holds the committed ones to this
 //! code, byte for byte. No sine or root goes into them except through
 //! `lancer_rayon`, so that every machine draws the same bytes.
 

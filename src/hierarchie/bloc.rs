@@ -6,7 +6,7 @@ use crate::hierarchie::construction::{
     Arbre, Colonne, ENFANTS, Noeud, Repere, TROP_LOIN, indice, jeu, premier_enfant, simple,
     simples, somme,
 };
-use crate::hierarchie::parcours::{GRANDE_PILE, Pile};
+use crate::hierarchie::parcours::{GRANDE_PILE, Pile, RIEN};
 use crate::intersection::{Touche, rang};
 use crate::lot::colonnes::{Aligne, VOIES, le_premier, max};
 use crate::lot::faisceau::Faisceau;
@@ -48,7 +48,8 @@ impl<R: Reel, S: Simd> RechercheDeBloc<R> for RechercheDansLArbre<'_, R, S> {
             proposer_indice(objets, bloc, indice);
         }
         let Some(racine) = arbre.racine else { return Trouve::DansLeBloc };
-        let mut pile = Pile::<GRANDE_PILE>::VIDE;
+        let mut attentes = [RIEN; GRANDE_PILE];
+        let mut pile = Pile::new(&mut attentes);
         let mut plafond = arbre.repere.distance(le_plus_loin(bloc));
         let mut numero = racine;
         let mut vus = 0;
@@ -89,10 +90,15 @@ fn un_par_un<R: Reel, S: Simd>(
     rayons: &[Rayon<R>],
     touches: &mut [Touche<R>],
 ) -> Trouve {
-    for (i, (rayon, touche)) in rayons.iter().zip(touches).enumerate() {
-        let premier = bloc[i / VOIES].premier(i % VOIES);
-        *touche = arbre.premiere_intersection(simd, objets, rayon, premier);
-    }
+    simd.vectorize(
+        #[inline(always)]
+        || {
+            for (i, (rayon, touche)) in rayons.iter().zip(touches).enumerate() {
+                let premier = bloc[i / VOIES].premier(i % VOIES);
+                *touche = arbre.premiere_intersection(simd, objets, rayon, premier);
+            }
+        },
+    );
     Trouve::DansLesTouches
 }
 

@@ -69,27 +69,19 @@ impl<R: Reel> Arbre<'_, R> {
         }
         let Some(racine) = self.racine else { return };
         let sonde = Sonde::new(rayon, self.repere);
-        // No larger pile than the tree needs: to set it up costs as much as an object.
         if let [feuille] = self.noeuds {
             sonde.voir_feuille(simd, feuille, plafond, question);
-        } else if self.noeuds.len() <= PEU_DE_NOEUDS {
-            self.descendre::<S, PETITE_PILE>(simd, &sonde, racine, plafond, question);
-        } else {
-            self.descendre::<S, GRANDE_PILE>(simd, &sonde, racine, plafond, question);
+            return;
         }
-    }
-
-    /// The same from the root down, with a pile of P places.
-    #[inline(always)]
-    fn descendre<S: Simd, const P: usize>(
-        &self,
-        simd: S,
-        sonde: &Sonde,
-        racine: usize,
-        mut plafond: f32,
-        question: &mut impl Question,
-    ) {
-        let mut pile = Pile::<P>::VIDE;
+        // No larger pile than the tree needs: to set it up costs as much as an object.
+        let (mut petite, mut grande);
+        let mut pile = Pile::new(if self.noeuds.len() <= PEU_DE_NOEUDS {
+            petite = [RIEN; PETITE_PILE];
+            &mut petite
+        } else {
+            grande = [RIEN; GRANDE_PILE];
+            &mut grande
+        });
         let mut numero = racine;
         loop {
             let Some(noeud) = self.noeuds.get(numero) else { return };
@@ -255,15 +247,23 @@ const PETITE_PILE: usize = 15 * 3;
 /// Trees of no more nodes than this have at most four floors.
 const PEU_DE_NOEUDS: usize = 16 * 16 * 16;
 
-/// Nodes to look at later, with the distance at which the ray enters them.
-pub(crate) struct Pile<const P: usize> {
-    entrees: [f32; P],
-    noeuds: [u32; P],
+/// A node to look at later, and the distance at which the ray enters it.
+type Attente = (f32, u32);
+
+/// A free place of a pile.
+pub(crate) const RIEN: Attente = (0.0, 0);
+
+/// Nodes to look at later.
+pub(crate) struct Pile<'a> {
+    attentes: &'a mut [Attente],
     hauteur: usize,
 }
 
-impl<const P: usize> Pile<P> {
-    pub(crate) const VIDE: Self = Self { entrees: [0.0; P], noeuds: [0; P], hauteur: 0 };
+impl<'a> Pile<'a> {
+    #[inline(always)]
+    pub(crate) fn new(attentes: &'a mut [Attente]) -> Self {
+        Self { attentes, hauteur: 0 }
+    }
 
     /// The nearest of these children, a bit for each; the others are put here.
     #[inline(always)]
@@ -294,8 +294,7 @@ impl<const P: usize> Pile<P> {
 
     #[inline(always)]
     fn poser(&mut self, entree: f32, noeud: usize) {
-        self.entrees[self.hauteur] = entree;
-        self.noeuds[self.hauteur] = noeud as u32;
+        self.attentes[self.hauteur] = (entree, noeud as u32);
         self.hauteur += 1;
     }
 
@@ -304,8 +303,9 @@ impl<const P: usize> Pile<P> {
     pub(crate) fn prendre(&mut self, plafond: f32) -> Option<usize> {
         while let Some(hauteur) = self.hauteur.checked_sub(1) {
             self.hauteur = hauteur;
-            if self.entrees[hauteur] <= plafond {
-                return Some(self.noeuds[hauteur] as usize);
+            let (entree, noeud) = self.attentes[hauteur];
+            if entree <= plafond {
+                return Some(noeud as usize);
             }
         }
         None

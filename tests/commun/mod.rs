@@ -4,6 +4,7 @@
 
 pub(crate) mod conversion;
 pub(crate) mod double;
+pub(crate) mod litteral;
 pub(crate) mod mesure;
 pub(crate) mod oracle;
 pub(crate) mod regimes;

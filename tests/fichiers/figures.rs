@@ -1,13 +1,13 @@
 //! The figures of `docs/conventions.md` are what the library answers today.
 
 #[allow(dead_code, reason = "an example, of which the test runs all but `main`")]
-#[path = "../docs/exemples/figures.rs"]
-mod figures;
+#[path = "../../docs/exemples/figures.rs"]
+mod dessin;
 
 #[test]
 fn les_figures_sont_a_jour() {
-    for (nom, svg) in figures::figures().unwrap() {
-        let chemin = format!("{}/{nom}", figures::DOSSIER);
+    for (nom, svg) in dessin::figures().unwrap() {
+        let chemin = format!("{}/{nom}", dessin::DOSSIER);
         let dessinee = std::fs::read_to_string(&chemin).unwrap_or_default();
         assert!(
             dessinee == svg,

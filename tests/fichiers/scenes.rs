@@ -1,16 +1,12 @@
 //! The scenes of `docs/scenes`, and the language in which they are written.
 
-mod commun;
-#[path = "../docs/exemples/scene.rs"]
-mod scene;
-
 use std::path::{Path, PathBuf};
 
-use commun::en_f32_et_f64;
+use crate::commun::en_f32_et_f64;
+use crate::scene::Scene;
 use lancer_rayon::{
     ObjetGeo, ObjetRay, Rayon, Reel, SphereGeo, Texture, Touche, Vecteur, premiere_intersection,
 };
-use scene::Scene;
 use serde::de::DeserializeOwned;
 
 fn fichiers() -> Vec<PathBuf> {

@@ -69,8 +69,8 @@ fn premier_mot(texte: &str) -> &str {
 fn le_lexique_est_a_jour() {
     let mut page = String::from(
         "# Names\n\nThe names are the handout's, in French and in ASCII. `cargo doc` finds each by these English words as \
-         well.\nWritten by `tests/lexique.rs`, which also checks that it holds each name that has one:\n\n\
-         ```sh\nLANCER_RAYON_ECRIRE=1 cargo test --all-features --test lexique\n```\n",
+         well.\nWritten by `tests/fichiers/lexique.rs`, which also checks that it holds each name that has one:\n\n\
+         ```sh\nLANCER_RAYON_ECRIRE=1 cargo test --all-features --test fichiers lexique\n```\n",
     );
     for (titre, fichiers) in PARTIES {
         page += &format!("\n## {titre}\n\n| here | in English |\n|---|---|\n");

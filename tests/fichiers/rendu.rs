@@ -1,14 +1,13 @@
 //! The picture of the renderer is the same, byte for byte, however many rays go together and in however
 //! many bands it is made.
 
-mod commun;
 #[allow(dead_code, reason = "what writes the file")]
-#[path = "../docs/exemples/rendu.rs"]
-mod rendu;
+#[path = "../../docs/exemples/rendu.rs"]
+mod exemple;
 
-use commun::en_f32_et_f64;
+use crate::commun::en_f32_et_f64;
+use exemple::{Bande, ENSEMBLE, octets};
 use lancer_rayon::Reel;
-use rendu::{Bande, ENSEMBLE, octets};
 use serde::de::DeserializeOwned;
 
 fn un_rayon_a_la_fois_donne_la_meme_image<R: Reel + DeserializeOwned>() {

@@ -5,21 +5,16 @@
 //! The rows are also the page `docs/jeu-de-tests.md`. To write it again:
 //! `LANCER_RAYON_ECRIRE=1 cargo test --all-features --test enonce`
 
-#[path = "commun/litteral.rs"]
-mod litteral;
-#[allow(dead_code, reason = "shared with the examples")]
-#[path = "../docs/exemples/scene.rs"]
-mod scene;
-
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 use core::fmt::{Display, Write};
 use std::path::Path;
 
+use crate::commun::litteral;
+use crate::scene::Scene;
 use lancer_rayon::{
     BoiteGeo, BoiteRay, ErreurGeo, NoIntersection, ObjetGeo, ObjetRay, PlanGeo, PlanRay, Rayon,
     Reel, Rotation, SphereGeo, SphereRay, Texture, Touche, Vecteur, premiere_intersection,
 };
-use scene::Scene;
 use serde::de::DeserializeOwned;
 
 /// What is tried, what is expected, what is obtained.
@@ -902,7 +897,7 @@ fn la_page_est_a_jour() {
     let chemin = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/jeu-de-tests.md");
     let mut page = String::from(
         "# Jeu de tests\n\nThe test set that the handout asks for in §4.3.3: for each test what it tries, the result\n\
-         expected and the result obtained. Written by `tests/enonce.rs`, which also checks every row:\n\n\
+         expected and the result obtained. Written by `tests/enonce/jeu_de_tests.rs`, which also checks every row:\n\n\
          ```sh\nLANCER_RAYON_ECRIRE=1 cargo test --all-features --test enonce\n```\n",
     );
     for partie in PARTIES {

@@ -5,22 +5,35 @@
 //! A change of a formula changes a hash, and the failed assertion prints the new one. Read
 //! `docs/precision.md` again before you adopt it, and record it in CHANGELOG.md.
 
-mod commun;
-#[allow(dead_code, reason = "shared with the examples")]
-#[path = "../docs/exemples/scene.rs"]
-mod scene;
-
 use std::path::Path;
 
-use commun::conversion::mots;
-use commun::{Bits, arrondi};
+use crate::commun::conversion::mots;
+use crate::commun::{Bits, arrondi};
+use crate::scene::Scene;
 use fastrand::Rng;
 use lancer_rayon::{
     BoiteGeo, Hierarchie, NoIntersection, ObjetRay, PlanGeo, Rayon, Reglage, Rotation, SphereGeo,
     Texture, Touche, Vecteur, est_occulte, premiere_intersection,
 };
-use scene::Scene;
 use serde::de::DeserializeOwned;
+
+/// These rays have these answers, to the bit; the first that differs is named.
+#[track_caller]
+fn exiger<R: Bits>(
+    qui: &str,
+    rayons: &[Rayon<R>],
+    obtenues: impl IntoIterator<Item = Touche<R>>,
+    attendues: &[Touche<R>],
+) {
+    for ((rayon, obtenue), attendue) in rayons.iter().zip(obtenues).zip(attendues) {
+        assert_eq!(
+            mots(&obtenue),
+            mots(attendue),
+            "{qui}, {}: {rayon:?} has {obtenue:?}, alone {attendue:?}",
+            std::any::type_name::<R>()
+        );
+    }
+}
 
 /// FNV-1a, 64 bits.
 fn empreinte<R: Bits>(touches: &[Touche<R>]) -> u64 {
@@ -34,19 +47,18 @@ fn memes_bits<R: Bits + DeserializeOwned>(nom: &str, attendue: u64) {
     let scene: Scene<R> = Scene::lire(Path::new(&format!("docs/scenes/{nom}.ron"))).unwrap();
     let objets: Vec<_> = scene.objets.into_iter().map(ObjetRay::from).collect();
     let rayons: Vec<Rayon<R>> = scene.camera.rayons().unwrap();
-    let mut touches: Vec<_> = rayons.iter().map(|r| premiere_intersection(&objets, r)).collect();
-    let scalaire = std::any::type_name::<R>();
-    let obtenue = empreinte(&touches);
-    assert_eq!(obtenue, attendue, "{nom}, {scalaire}, ray by ray: {obtenue:#018x}");
+    let seules: Vec<_> = rayons.iter().map(|r| premiere_intersection(&objets, r)).collect();
+    let obtenue = empreinte(&seules);
+    assert_eq!(obtenue, attendue, "{nom}, {}: {obtenue:#018x}", std::any::type_name::<R>());
     for (jeu, reglage) in Reglage::tous() {
-        touches.fill(Err(NoIntersection));
+        let mut touches = vec![Err(NoIntersection); rayons.len()];
         reglage.premieres_intersections(&objets, &rayons, &mut touches).unwrap();
-        assert_eq!(empreinte(&touches), attendue, "{nom}, {scalaire}, {jeu}");
+        exiger(&format!("{nom}, {jeu}"), &rayons, touches, &seules);
     }
     let mut places = vec![R::ZERO; Hierarchie::<R>::places(objets.len())];
     let hierarchie = Hierarchie::new(&objets, &mut places).unwrap();
-    let touches: Vec<_> = rayons.iter().map(|r| hierarchie.premiere_intersection(r)).collect();
-    assert_eq!(empreinte(&touches), attendue, "{nom}, {scalaire}, hierarchy");
+    let touches = rayons.iter().map(|r| hierarchie.premiere_intersection(r));
+    exiger(&format!("{nom}, hierarchy"), &rayons, touches, &seules);
 }
 
 /// Scenes and rays from sums, products and quotients of random numbers alone, which are the same on every
@@ -83,14 +95,19 @@ fn au_hasard<R: Bits>(attendue: u64) {
                 rayons.iter().map(|r| premiere_intersection(&objets, r)).collect();
             let mut places = vec![R::ZERO; Hierarchie::<R>::places(objets.len())];
             let hierarchie = Hierarchie::new(&objets, &mut places).unwrap();
-            let une_par_une = empreinte(&premiers);
             for (jeu, reglage) in Reglage::tous() {
                 let hierarchie = reglage.hierarchie(hierarchie);
                 let mut lot = vec![Err(NoIntersection); rayons.len()];
                 hierarchie.premieres_intersections(&rayons, &mut lot).unwrap();
-                assert_eq!(empreinte(&lot), une_par_une, "{jeu}, {n} objects");
+                exiger(
+                    &format!("hierarchy, {jeu}, {n} objects"),
+                    &rayons,
+                    lot.drain(..),
+                    &premiers,
+                );
+                lot.resize(rayons.len(), Err(NoIntersection));
                 reglage.premieres_intersections(&objets, &rayons, &mut lot).unwrap();
-                assert_eq!(empreinte(&lot), une_par_une, "{jeu}, {n} objects");
+                exiger(&format!("list, {jeu}, {n} objects"), &rayons, lot, &premiers);
             }
             let suite = |(rayon, touche): (&Rayon<R>, &Touche<R>)| {
                 let touche = touche.ok()?;

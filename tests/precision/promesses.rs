@@ -1,15 +1,13 @@
 //! The promises of `docs/precision.md`, in the order of its table, against the oracle at the extremes.
 //!
 //! `LANCER_RAYON_CAS` sets how many cases each regime runs (1 000 unless set):
-//! `LANCER_RAYON_CAS=1000000 cargo test --release --all-features --test promesses`
+//! `LANCER_RAYON_CAS=1000000 cargo test --release --all-features --test precision promesses`
 
-mod commun;
-
-use commun::mesure::{absolu, au_bord, mesurer, quantiles};
-use commun::oracle::{Entree, hauteur, verite};
-use commun::regimes::{Cas, direction, regimes, repere};
-use commun::tolerances::{ORTHONORMALE, promesses, u};
-use commun::{arrondi, en_f32_et_f64};
+use crate::commun::mesure::{absolu, au_bord, mesurer, quantiles};
+use crate::commun::oracle::{Entree, hauteur, verite};
+use crate::commun::regimes::{Cas, direction, regimes, repere};
+use crate::commun::tolerances::{ORTHONORMALE, promesses, u};
+use crate::commun::{arrondi, en_f32_et_f64};
 use fastrand::Rng;
 use lancer_rayon::{
     BoiteGeo, Intersection, NoIntersection, ObjetGeo, ObjetRay, PlanGeo, Rayon, Reel, Rotation,
@@ -26,7 +24,7 @@ fn k<R: Reel>(objet: &ObjetRay<R>) -> f64 {
 }
 
 fn cas_par_regime() -> u32 {
-    commun::cas(1_000)
+    crate::commun::cas(1_000)
 }
 
 /// The hits of a regime, and the randomness for what follows them.

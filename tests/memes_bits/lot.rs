@@ -2,15 +2,13 @@
 //! alone, with every instruction set of the machine, with culling and without.
 //!
 //! `LANCER_RAYON_CAS` sets how many bundles of rays a test makes (300 unless set):
-//! `LANCER_RAYON_CAS=100000 cargo test --release --all-features --test lot`
-
-mod commun;
+//! `LANCER_RAYON_CAS=100000 cargo test --release --all-features --test memes_bits lot`
 
 use std::collections::HashSet;
 
-use commun::conversion::mots;
-use commun::regimes::{Cas, deux_puissance, direction, entre, regimes, signe};
-use commun::{Bits, arrondi, en_f32_et_f64, scenes};
+use crate::commun::conversion::mots;
+use crate::commun::regimes::{Cas, deux_puissance, direction, entre, regimes, signe};
+use crate::commun::{Bits, arrondi, en_f32_et_f64, scenes};
 use fastrand::Rng;
 use lancer_rayon::{
     BoiteGeo, Hierarchie, LongueursDifferentes, NoIntersection, ObjetRay, Rayon, Reel, Reglage,
@@ -66,7 +64,7 @@ fn axe_z<R: Reel>() -> Vecteur<R> {
 const AIGUILLE: f64 = 1e-5;
 
 fn cas() -> usize {
-    commun::cas(300) as usize
+    crate::commun::cas(300) as usize
 }
 
 #[test]
@@ -114,8 +112,8 @@ fn toute_longueur_convient<R: Bits>() {
 
 en_f32_et_f64!(toute_longueur_convient);
 
-/// A block whose rays see more objects than the selection for so few rays has room for.
-fn un_bloc_pour_qui_la_place_manque<R: Bits>() {
+/// A block whose rays go opposite ways has no beam, among more objects than a window holds.
+fn un_bloc_de_rayons_opposes<R: Bits>() {
     let mut rayons = scenes::rayons_camera::<R>(8, 8);
     for rayon in rayons.iter_mut().step_by(2) {
         *rayon = Rayon::new(rayon.source(), -rayon.direction()).unwrap();
@@ -123,10 +121,9 @@ fn un_bloc_pour_qui_la_place_manque<R: Bits>() {
     comparer(&scenes::melange(300), &rayons);
 }
 
-en_f32_et_f64!(un_bloc_pour_qui_la_place_manque);
+en_f32_et_f64!(un_bloc_de_rayons_opposes);
 
-/// Pictures in rows, in tiles of 8 × 8 and in no order. With the most objects, so few rays make the
-/// library cut the selection in two again and again.
+/// Pictures in rows, in tiles of 8 × 8 and in no order: no objects, some, and more than a window holds.
 fn une_image_dans_tout_ordre<R: Bits>() {
     let (largeur, hauteur) = (96, 64);
     let rangees = scenes::rayons_camera::<R>(largeur, hauteur);
@@ -315,7 +312,7 @@ fn un_bloc_d_un_seul_cote_de_son_axe<R: Bits>() {
 en_f32_et_f64!(un_bloc_d_un_seul_cote_de_son_axe);
 
 /// Half a billion rays of each type, 64 bundles a scene, as a renderer uses the batch:
-/// `cargo test --release --all-features --test lot -- --ignored`, about four minutes.
+/// `cargo test --release --all-features --test memes_bits lot -- --ignored`, about four minutes.
 fn un_demi_milliard_de_rayons<R: Bits>() {
     let mut alea = Rng::with_seed(6);
     let (mut rayons, mut touches) = (Vec::new(), vec![Err(NoIntersection); 64 * 64]);

@@ -5,19 +5,17 @@
 //! By default each climb is short. This gives each promise 60 seconds and prints its worst case:
 //!
 //! ```sh
-//! LANCER_RAYON_ADVERSAIRE=60 cargo test --release --all-features --test adversaire -- --nocapture
+//! LANCER_RAYON_ADVERSAIRE=60 cargo test --release --all-features --test precision adversaire -- --nocapture
 //! ```
-
-mod commun;
 
 use std::time::{Duration, Instant};
 
-use commun::double::ecart_et_cond;
-use commun::mesure::{absolu, arrondi_de_la_distance, au_bord};
-use commun::oracle::{hauteur, norme_au_carre_moins_un, verite};
-use commun::regimes::{deux_puissance, direction, entre, regimes, repere, signe};
-use commun::tolerances::{promesses, u};
-use commun::{Bits, arrondi};
+use crate::commun::double::ecart_et_cond;
+use crate::commun::mesure::{absolu, arrondi_de_la_distance, au_bord};
+use crate::commun::oracle::{hauteur, norme_au_carre_moins_un, verite};
+use crate::commun::regimes::{deux_puissance, direction, entre, regimes, repere, signe};
+use crate::commun::tolerances::{promesses, u};
+use crate::commun::{Bits, arrondi};
 use fastrand::Rng;
 use lancer_rayon::{
     BoiteGeo, Intersection, ObjetGeo, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture,

@@ -5,17 +5,14 @@
 //! stands, which face of a box is named, the half-space. Each test names what it builds, then what must
 //! hold; it counts the hits that it judged, so that a construction that builds nothing is red.
 
-mod commun;
 #[allow(dead_code, reason = "only its half-space is asked")]
-#[path = "commun/litteral.rs"]
-mod litteral;
-
 use std::f64::consts::FRAC_PI_2;
 
-use commun::oracle::{Exact, verite};
-use commun::regimes::{Cas, deux_puissance, direction, entre, regimes, vectoriel};
-use commun::tolerances::u;
-use commun::{arrondi, en_f32_et_f64};
+use crate::commun::litteral;
+use crate::commun::oracle::{Exact, verite};
+use crate::commun::regimes::{Cas, deux_puissance, direction, entre, regimes, vectoriel};
+use crate::commun::tolerances::u;
+use crate::commun::{arrondi, en_f32_et_f64};
 use fastrand::Rng;
 use lancer_rayon::{
     BoiteGeo, BoiteRay, Intersection, NoIntersection, ObjetRay, PlanGeo, Rayon, Reel, Rotation,

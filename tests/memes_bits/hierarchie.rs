@@ -3,13 +3,11 @@
 //!
 //! `LANCER_RAYON_CAS` sets how many cases each random test makes (60 unless set).
 
-mod commun;
-
 use std::f64::consts::FRAC_PI_2;
 
-use commun::conversion::mots;
-use commun::regimes::{deux_puissance, direction, entre, regimes, signe};
-use commun::{Bits, arrondi, scenes};
+use crate::commun::conversion::mots;
+use crate::commun::regimes::{deux_puissance, direction, entre, regimes, signe};
+use crate::commun::{Bits, arrondi, en_f32_et_f64, scenes};
 use fastrand::Rng;
 use lancer_rayon::{
     BoiteGeo, Hierarchie, LongueursDifferentes, NoIntersection, ObjetGeo, ObjetRay,
@@ -17,54 +15,14 @@ use lancer_rayon::{
     est_occulte, premiere_intersection,
 };
 
-/// The tests for both types, each under its own name.
-macro_rules! dans_les_deux_types {
-    ($($nom:ident => $f32:ident, $f64:ident;)*) => {$(
-        #[test]
-        fn $f32() {
-            $nom::<f32>();
-        }
-
-        #[test]
-        fn $f64() {
-            $nom::<f64>();
-        }
-    )*};
-}
-
-dans_les_deux_types! {
-    melanges => des_scenes_de_0_a_3000_objets_f32, des_scenes_de_0_a_3000_objets_f64;
-    hasards => des_scenes_au_hasard_f32, des_scenes_au_hasard_f64;
-    grilles => des_grilles_et_des_rayons_le_long_des_axes_f32,
-        des_grilles_et_des_rayons_le_long_des_axes_f64;
-    egaux => des_objets_tous_egaux_f32, des_objets_tous_egaux_f64;
-    extremes => les_extremes_f32, les_extremes_f64;
-    bornes => aux_bornes_du_type_f32, aux_bornes_du_type_f64;
-    bords => des_rayons_qui_frolent_les_boites_f32, des_rayons_qui_frolent_les_boites_f64;
-    aretes => des_rayons_le_long_des_aretes_f32, des_rayons_le_long_des_aretes_f64;
-    de_loin => des_sources_de_plus_en_plus_loin_f32, des_sources_de_plus_en_plus_loin_f64;
-    loupe => de_tout_petits_objets_parmi_des_grands_f32,
-        de_tout_petits_objets_parmi_des_grands_f64;
-    places => les_places_pretees_f32, les_places_pretees_f64;
-    plans => des_demi_espaces_seuls_f32, des_demi_espaces_seuls_f64;
-    longueurs => toute_longueur_convient_f32, toute_longueur_convient_f64;
-}
-
 /// The fewest objects that get a tree; `les_places_pretees` holds it.
 const UN_ARBRE: usize = 9;
 
 /// The fewest objects of which a block walks the tree.
-const UN_BLOC: usize = 101;
-
-#[test]
-fn de_101_objets_un_bloc_descend_l_arbre() {
-    // No answer tells.
-    let seuil = format!("SEUIL_LOT: usize = {};", UN_BLOC - 1);
-    assert!(include_str!("../src/hierarchie.rs").contains(&seuil));
-}
+const UN_BLOC: usize = Reglage::SEUIL_LOT + 1;
 
 fn cas() -> usize {
-    commun::cas(60) as usize
+    crate::commun::cas(60) as usize
 }
 
 fn v<R: Reel>(x: f64, y: f64, z: f64) -> Vecteur<R> {
@@ -133,7 +91,7 @@ fn comparer<R: Bits>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) -> usize {
     attendues.iter().flatten().count()
 }
 
-fn melanges<R: Bits>() {
+fn des_scenes_de_0_a_3000_objets<R: Bits>() {
     let tuiles = scenes::en_tuiles(&scenes::rayons_camera::<R>(64, 40), 64);
     let mut desordre = tuiles.clone();
     Rng::with_seed(1).shuffle(&mut desordre);
@@ -197,7 +155,7 @@ fn gerbe<R: Reel>(alea: &mut Rng, objets: &[ObjetRay<R>], l: f64) -> Vec<Rayon<R
 
 /// Objects of one size and of many, near and far, in a cloud, on a plane, in a line and all about one
 /// point; some of them twice, some half-spaces.
-fn hasards<R: Bits>() {
+fn des_scenes_au_hasard<R: Bits>() {
     let mut alea = Rng::with_seed(2);
     let mut touches = 0;
     for tour in 0..cas() {
@@ -230,7 +188,7 @@ fn hasards<R: Bits>() {
 
 /// Boxes and spheres side by side, and beams along the axes and diagonals over nodes that are partly filled: in
 /// faces, through edges and beside, with components that are ±0 and subnormal.
-fn grilles<R: Bits>() {
+fn des_grilles_et_des_rayons_le_long_des_axes<R: Bits>() {
     let mut alea = Rng::with_seed(3);
     for (n, decalage) in [(2, 0.0), (3, 0.3), (4, 100.3), (5, -7.7), (7, 0.1)] {
         let mut objets = Vec::new();
@@ -267,7 +225,7 @@ fn grilles<R: Bits>() {
 }
 
 /// Ties: the first of the list, wherever it stands in the tree.
-fn egaux<R: Bits>() {
+fn des_objets_tous_egaux<R: Bits>() {
     let rayons = scenes::en_tuiles(&scenes::rayons_camera::<R>(16, 16), 16);
     for n in [UN_ARBRE, 17, 100, 300, 5_000] {
         let mut objets = scenes::melange::<R>(40)[1..6].repeat(n / 5 + 1);
@@ -293,7 +251,7 @@ fn egaux<R: Bits>() {
 }
 
 /// The rays of each regime at the objects of all its cases; and each case with copies of its object.
-fn extremes<R: Bits>() {
+fn les_extremes<R: Bits>() {
     let mut alea = Rng::with_seed(5);
     for regime in regimes::<R>() {
         let tous: Vec<_> = (0..10 * cas()).map(|_| (regime.cas)(&mut alea)).collect();
@@ -307,7 +265,7 @@ fn extremes<R: Bits>() {
 }
 
 /// Each regime at the ends of the range, with a needle of rays around each.
-fn bornes<R: Bits>() {
+fn aux_bornes_du_type<R: Bits>() {
     let mut alea = Rng::with_seed(6);
     for regime in regimes::<R>() {
         if !regime.nom.ends_with("range") {
@@ -331,7 +289,7 @@ fn bornes<R: Bits>() {
 
 /// Objects that rays graze to the last bits, where rounding decides: one of them and its copies, or
 /// several about one point; small ones from afar, the origin near or far.
-fn bords<R: Bits>() {
+fn des_rayons_qui_frolent_les_boites<R: Bits>() {
     let mut alea = Rng::with_seed(8);
     let mut touches = 0;
     let bits = -R::U.vers_f64().log2();
@@ -393,7 +351,7 @@ fn d_axe(alea: &mut Rng) -> Vecteur {
 
 /// Boxes along whose edge a ray runs, within rounding of two faces, where the search and the conclusion
 /// name different ones: a shadow is cut off no earlier than the list sees it.
-fn aretes<R: Bits>() {
+fn des_rayons_le_long_des_aretes<R: Bits>() {
     let mut alea = Rng::with_seed(9);
     let mut touches = 0;
     for _ in 0..100 * cas() {
@@ -413,7 +371,7 @@ fn aretes<R: Bits>() {
 
 /// Sources up to the limit away from objects of any size: farther and farther, until the boxes of the tree can
 /// no longer be told apart.
-fn de_loin<R: Bits>() {
+fn des_sources_de_plus_en_plus_loin<R: Bits>() {
     let mut alea = Rng::with_seed(10);
     let limite = R::LIMITE.vers_f64().log2();
     let mut touches = 0;
@@ -443,7 +401,7 @@ fn de_loin<R: Bits>() {
 }
 
 /// Clusters so small beside the largest object that all their boxes have the same corners.
-fn loupe<R: Bits>() {
+fn de_tout_petits_objets_parmi_des_grands<R: Bits>() {
     let mut alea = Rng::with_seed(11);
     let limite = R::LIMITE.vers_f64().log2();
     let mut touches = 0;
@@ -464,7 +422,7 @@ fn loupe<R: Bits>() {
     assert!(touches > 10 * cas(), "only {touches} hits");
 }
 
-fn places<R: Bits>() {
+fn les_places_pretees<R: Bits>() {
     // The last number of objects that gets a tree, and the first that does not, on 32-bit machines too.
     assert!(Hierarchie::<R>::places(0x7f7f_ffff) > 0 && Hierarchie::<R>::places(0x7f80_0000) == 0);
     for n in [0, 1, UN_ARBRE - 1, UN_ARBRE, 16, 17, 256, 257, 1_000] {
@@ -493,7 +451,7 @@ fn places<R: Bits>() {
     }
 }
 
-fn plans<R: Bits>() {
+fn des_demi_espaces_seuls<R: Bits>() {
     let mut alea = Rng::with_seed(7);
     let rayons = scenes::rayons_camera::<R>(20, 20);
     for n in [UN_ARBRE, 16, 17, 100, 300] {
@@ -509,7 +467,7 @@ fn plans<R: Bits>() {
     }
 }
 
-fn longueurs<R: Bits>() {
+fn toute_longueur_convient<R: Bits>() {
     let rayons = scenes::rayons_camera::<R>(20, 10);
     for n in [12, 100, 300] {
         let scene = scenes::melange(n);
@@ -525,3 +483,17 @@ fn longueurs<R: Bits>() {
         }
     }
 }
+
+en_f32_et_f64!(des_scenes_de_0_a_3000_objets);
+en_f32_et_f64!(des_scenes_au_hasard);
+en_f32_et_f64!(des_grilles_et_des_rayons_le_long_des_axes);
+en_f32_et_f64!(des_objets_tous_egaux);
+en_f32_et_f64!(les_extremes);
+en_f32_et_f64!(aux_bornes_du_type);
+en_f32_et_f64!(des_rayons_qui_frolent_les_boites);
+en_f32_et_f64!(des_rayons_le_long_des_aretes);
+en_f32_et_f64!(des_sources_de_plus_en_plus_loin);
+en_f32_et_f64!(de_tout_petits_objets_parmi_des_grands);
+en_f32_et_f64!(les_places_pretees);
+en_f32_et_f64!(des_demi_espaces_seuls);
+en_f32_et_f64!(toute_longueur_convient);

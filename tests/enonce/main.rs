@@ -1,0 +1,16 @@
+//! What the handout asks: its formulae, conventions and manipulations, list by list.
+
+#[path = "../commun/mod.rs"]
+mod commun;
+#[allow(dead_code, reason = "shared with the examples")]
+#[path = "../../docs/exemples/scene.rs"]
+mod scene;
+
+mod differentiel;
+mod eclairage;
+mod intersection;
+mod jeu_de_tests;
+mod manipulations;
+mod rotation;
+mod totalite;
+mod vecteur;

@@ -1,0 +1,10 @@
+//! What `docs/precision.md` promises, against an oracle in exact integers.
+
+#[path = "../commun/mod.rs"]
+mod commun;
+
+mod adversaire;
+mod conclusion;
+mod invariances;
+mod oracle;
+mod promesses;
