@@ -2,9 +2,8 @@
 
 use crate::erreur::{ErreurGeo, coefficient, deplacement, point, taille};
 use crate::forme::{Boule, Forme};
-use crate::intersection::Contact;
 use crate::rayon::Rayon;
-use crate::reel::{Reel, affiner};
+use crate::reel::{Reel, puissance_de_deux};
 use crate::rotation::Rotation;
 use crate::texture::Texture;
 use crate::vecteur::Vecteur;
@@ -222,7 +221,7 @@ impl<R: Reel> BoiteRay<R> {
         let (n, l) = (self.normales[axe], self.demi_longueurs[axe]);
         let (o, vitesse) = ((s - self.centre).produit_scalaire(n), d.produit_scalaire(n));
         let o = if vitesse < R::ZERO { -o } else { o };
-        let vitesse = (vitesse.abs() * R::ECHELLE_VITESSE).au_plancher();
+        let vitesse = au_plancher(vitesse.abs() * echelle_vitesse());
         (Quotient { longueur: -(l + o), vitesse }, Quotient { longueur: l - o, vitesse })
     }
 
@@ -232,7 +231,7 @@ impl<R: Reel> BoiteRay<R> {
     /// `loin`.
     #[inline(always)]
     fn dalles(&self, s: Vecteur<R>, d: Vecteur<R>) -> Dalles<R> {
-        let (loin, vitesse) = (R::LIMITE * R::depuis_f64(8.0), R::ECHELLE_VITESSE);
+        let (loin, vitesse) = (R::LIMITE * R::depuis_f64(8.0), echelle_vitesse());
         let mut dalles = Dalles {
             entree: Quotient { longueur: -loin, vitesse },
             axe: 0,
@@ -250,52 +249,28 @@ impl<R: Reel> BoiteRay<R> {
         dalles
     }
 
-    /// In `f64`, the distance of the hit and the pair of faces that the ray enters by. The last value is
-    /// true if the ray enters from outside, N·D has the same sign in R as in `f64`, and the distance is finite
-    /// in R.
+    /// N_i, chosen without an index, so that rays side by side may choose differently.
     #[inline(always)]
-    fn entree_precise(&self, rayon: &Rayon<R>, t: R) -> (f64, usize, bool) {
-        let (s, d) = (rayon.source().vers_f64(), rayon.direction().vers_f64());
-        let Dalles { entree, axe, sortie } = self.vers_f64().dalles(s, d);
-        let (normale, _) = self.couple(axe);
-        let vitesse = normale.produit_scalaire(rayon.direction()).vers_f64();
-        let d_accord = vitesse * normale.vers_f64().produit_scalaire(d) > 0.0;
-        let t = affiner(t, || entree.valeur());
-        let entre = (entree.longueur > 0.0) & (entree.au_plus(sortie) | !R::RECALCULE);
-        (t, axe, entre & d_accord & (R::depuis_f64(t) < R::INFINI))
-    }
-
-    #[inline(always)]
-    fn contact_a(&self, rayon: &Rayon<R>, t: f64, axe: usize) -> Contact<R> {
-        let (normale, l) = self.couple(axe);
-        let vitesse = normale.produit_scalaire(rayon.direction());
-        let normale = if vitesse > R::ZERO { -normale } else { normale };
-        Contact::new(rayon, t, normale, |p| {
-            let (n, cp) = (normale.vers_f64(), p - self.centre.vers_f64());
-            let hauteur = n.produit_scalaire(cp) - l.vers_f64();
-            (hauteur.abs(), n.somme_des_grandeurs(cp))
-        })
-    }
-
-    /// N_i and l_i, chosen without an index, so that rays side by side may choose differently.
-    #[inline(always)]
-    fn couple(&self, axe: usize) -> (Vecteur<R>, R) {
+    fn normale_de(&self, axe: usize) -> Vecteur<R> {
         let [x, y, z] = self.normales;
-        let [lx, ly, lz] = self.demi_longueurs;
         match axe {
-            0 => (x, lx),
-            1 => (y, ly),
-            _ => (z, lz),
+            0 => x,
+            1 => y,
+            _ => z,
         }
     }
 
+    /// l_i of the pair of faces with this normal.
     #[inline(always)]
-    fn vers_f64(&self) -> BoiteRay<f64> {
-        BoiteRay {
-            centre: self.centre.vers_f64(),
-            normales: self.normales.map(Vecteur::vers_f64),
-            demi_longueurs: self.demi_longueurs.map(R::vers_f64),
-            texture: self.texture,
+    fn demi_longueur_le_long(&self, n: Vecteur<R>) -> R {
+        let [x, y, _] = self.normales.map(|axe| n == axe || n == -axe);
+        let [lx, ly, lz] = self.demi_longueurs;
+        if x {
+            lx
+        } else if y {
+            ly
+        } else {
+            lz
         }
     }
 }
@@ -324,34 +299,41 @@ impl<R: Reel> Forme<R> for BoiteRay<R> {
         if entre { entree.valeur() } else { R::INFINI }
     }
 
-    /// Sure, unless in `f64` the ray does not enter, N·D has another sign or rounds to 0, or the distance
-    /// overflows in R.
     #[inline(always)]
-    fn contact(&self, rayon: &Rayon<R>, t: R) -> (Contact<R>, bool) {
-        let (t, axe, sur) = self.entree_precise(rayon, t);
-        (self.contact_a(rayon, t, axe), sur)
-    }
-
-    /// On the face by which the search entered. If the ray meets the plane of that face more than 64u
-    /// before `t`, in front of the box, the distance is `t`. The walk of a shadow relies on the 64u
-    /// (`docs/conception.md`, "Hierarchy").
-    #[cold]
-    fn contact_rare(&self, rayon: &Rayon<R>, t: R) -> Contact<R> {
+    fn normale_a_l_entree(&self, rayon: &Rayon<R>, _: R) -> Vecteur<R> {
         let (s, d) = (rayon.source(), rayon.direction());
-        let axe = self.dalles(s, d).axe;
-        let (entree, _) = self.vers_f64().dalle(axe, s.vers_f64(), d.vers_f64());
-        let precise = Contact::retenir(t, affiner(t, || entree.valeur()));
-        let t = t.vers_f64();
-        let avant_la_boite = precise < t * (1.0 - 64.0 * R::U.vers_f64());
-        self.contact_a(rayon, if avant_la_boite { t } else { precise }, axe)
+        let n = self.normale_de(self.dalles(s, d).axe);
+        if n.produit_scalaire(d) > R::ZERO { -n } else { n }
     }
 
-    /// In `f64` it is that of the search, whichever the face.
     #[inline(always)]
-    fn distance_seule(&self, rayon: &Rayon<R>, t: R) -> (R, bool) {
-        let (t, _, sur) = self.entree_precise(rayon, t);
-        (R::depuis_f64(t), sur | !R::RECALCULE)
+    fn hauteur(&self, p: Vecteur<R>, n: Vecteur<R>) -> (R, R) {
+        let cp = p - self.centre;
+        let hauteur = n.produit_scalaire(cp) - self.demi_longueur_le_long(n);
+        (hauteur.abs(), n.somme_des_grandeurs(cp))
     }
+}
+
+/// A power of two that multiplies speeds, so that no product of a length of a box and a speed towards its
+/// faces leaves the range of the type (`docs/precision.md`, "Underflow"); in `f32` with [`au_plancher`].
+#[inline(always)]
+fn echelle_vitesse<R: Reel>() -> R {
+    R::depuis_f64(R::selon(puissance_de_deux(62), puissance_de_deux(568)))
+}
+
+/// Raises a speed that is already multiplied by [`echelle_vitesse`] to 2⁻⁴⁰ at least in `f32`, whose range does
+/// not hold every product of a length and a speed. 0 stays 0; `f64` changes nothing.
+#[inline(always)]
+fn au_plancher<R: Reel>(vitesse: R) -> R {
+    if R::selon(false, true) {
+        return vitesse;
+    }
+    // A speed is 0 or 2⁻⁸⁷ at least, and at most 2⁶³. To ask whether it is above 0 would cost a ray alone 5 %
+    // (measured).
+    let haute = vitesse * R::depuis_f64(puissance_de_deux(47));
+    let plancher = R::depuis_f64(puissance_de_deux(-40));
+    let plancher = if haute < plancher { haute } else { plancher };
+    if vitesse > plancher { vitesse } else { plancher }
 }
 
 /// The last entry of a ray, the pair of faces it enters by, and the first exit.
@@ -362,7 +344,7 @@ struct Dalles<R> {
 }
 
 /// The distance to a face as a length over a speed of 0 or more, not divided yet. The speed is
-/// multiplied by [`ECHELLE_VITESSE`](crate::reel), so that no product below is subnormal.
+/// multiplied by [`echelle_vitesse`], so that no product below is subnormal.
 ///
 /// Two quotients are compared by cross-multiplication, since one division costs more than the two
 /// products. A ray parallel to a pair of faces then needs no case of its own: beside the pair its entry
@@ -388,7 +370,7 @@ impl<R: Reel> Quotient<R> {
     /// The length is multiplied, not the quotient, which may be subnormal.
     #[inline(always)]
     fn valeur(self) -> R {
-        self.longueur * R::ECHELLE_VITESSE / self.vitesse
+        self.longueur * echelle_vitesse() / self.vitesse
     }
 }
 

@@ -66,7 +66,8 @@ pub(crate) fn exiger<R: Reel>(
 
 /// A coordinate, or the relative distance of a half-space.
 pub(crate) fn coordonnee<R: Reel>(champ: &'static str, x: R) -> Result<R, ErreurGeo> {
-    exiger(x.abs() <= R::LIMITE, champ, x, R::ATTENDU_COORDONNEE)
+    let attendu = R::selon("a number between -2^60 and 2^60", "a number between -2^450 and 2^450");
+    exiger(x.abs() <= R::LIMITE, champ, x, attendu)
 }
 
 /// A point, whose three coordinates have these names.
@@ -80,7 +81,8 @@ pub(crate) fn point<R: Reel>(
 
 /// A radius or one of the three dimensions of a box.
 pub(crate) fn taille<R: Reel>(champ: &'static str, x: R) -> Result<R, ErreurGeo> {
-    exiger(x >= R::UN / R::LIMITE && x <= R::LIMITE, champ, x, R::ATTENDU_TAILLE)
+    let attendu = R::selon("a number between 2^-60 and 2^60", "a number between 2^-450 and 2^450");
+    exiger(x >= R::UN / R::LIMITE && x <= R::LIMITE, champ, x, attendu)
 }
 
 /// The coefficient of a homothety.

@@ -1,20 +1,16 @@
-//! The trait of the three shapes, and the ball that rejects most rays with neither a division nor a root.
+//! The trait of the three shapes, what they have in common of a hit, and the ball that rejects most rays
+//! with neither a division nor a root.
 //!
-//! The *search* finds the first object that a ray enters, in the scalar of the scene. The *conclusion*
-//! then computes the hit on that object in `f64`. Each shape implements both once, in its own file, for
-//! one ray and for rays side by side.
+//! A ray meets a shape in three steps. [`Forme::peut_entrer`] is cheap and rejects most rays;
+//! [`Forme::t`] is the distance of the entry; [`Forme::conclure`] computes normal and margin, once, for the
+//! first object of a ray. All of it is in the scalar of the scene, for one ray and for rays side by side.
 
-use crate::intersection::{Contact, Intersection, Rang};
+use crate::intersection::Contact;
 use crate::rayon::Rayon;
 use crate::reel::{Reel, fois_u};
-use crate::texture::Texture;
 use crate::vecteur::Vecteur;
 
 /// A shape, ready for rays.
-///
-/// A ray meets it in three steps: [`peut_entrer`](Self::peut_entrer) is cheap and rejects most
-/// rays, [`t`](Self::t) is the distance of the entry, and [`conclure`](Self::conclure) is asked
-/// once, for the first object of a ray.
 pub(crate) trait Forme<R: Reel>: Copy {
     /// A ball around all of the shape; [`Boule::INFINIE`] if it is unbounded.
     fn boule(&self) -> Boule<R>;
@@ -23,50 +19,75 @@ pub(crate) trait Forme<R: Reel>: Copy {
     /// unbounded.
     fn boite_englobante(&self) -> Option<(Vecteur<R>, Vecteur<R>)>;
 
-    /// Whether the ray (S, D) may enter: never false if it does, and cheap. A bounded shape
+    /// Whether the ray (S, D) may enter: true wherever [`t`](Self::t) is finite, and cheap. A bounded shape
     /// keeps this definition, on which the proof of culling rests.
     #[inline(always)]
     fn peut_entrer(&self, s: Vecteur<R>, d: Vecteur<R>) -> bool {
         self.boule().approchee(s, d)
     }
 
-    /// The distance at which a ray that [may enter](Self::peut_entrer) enters, +∞ if it does not;
-    /// computed without a branch.
+    /// The distance at which the ray (S, D) enters, +∞ if it does not; computed without a branch.
     fn t(&self, s: Vecteur<R>, d: Vecteur<R>) -> R;
 
-    /// The hit that the search found at distance `t`, computed in `f64` and without a branch. The
-    /// second value is false if rounding may have spoiled it: take [`contact_rare`](Self::contact_rare).
-    fn contact(&self, rayon: &Rayon<R>, t: R) -> (Contact<R>, bool);
+    /// The outward normal N at the entry at distance `t`, computed without a branch: unit, and N·D < 0 as
+    /// computed. Where rounding has left nothing of it N·D is 0 or more, and [`vers_la_source`] leans it.
+    fn normale_a_l_entree(&self, rayon: &Rayon<R>, t: R) -> Vecteur<R>;
 
-    /// The same hit, where it takes more than the ordinary formula.
-    fn contact_rare(&self, rayon: &Rayon<R>, t: R) -> Contact<R>;
+    /// Two lengths, b and ℓ, for the point P of a hit with normal N. P lies no farther from the surface than b,
+    /// in units of N, and b is computed to 4u·ℓ. A search for a ray that starts at P is off by at most 4u·ℓ.
+    fn hauteur(&self, p: Vecteur<R>, n: Vecteur<R>) -> (R, R);
 
-    /// The distance of [`contact`](Self::contact), and whether it is that of the hit.
-    fn distance_seule(&self, rayon: &Rayon<R>, t: R) -> (R, bool);
-
-    /// The distance at which the ray (S, D) enters, +∞ if it does not.
+    /// The same, sooner for a ray that passes the shape by.
     #[inline(always)]
     fn entree(&self, s: Vecteur<R>, d: Vecteur<R>) -> R {
         if self.peut_entrer(s, d) { self.t(s, d) } else { R::INFINI }
     }
 
-    /// The distance of the hit that the search found at distance `t`.
+    /// Normal and margin of the entry at distance `t`.
     #[inline(always)]
-    fn distance_conclue(&self, rayon: &Rayon<R>, t: R) -> R {
-        let (distance, sur) = self.distance_seule(rayon, t);
-        if sur { distance } else { self.contact_rare(rayon, t).distance }
+    fn conclure(&self, rayon: &Rayon<R>, t: R) -> Contact<R> {
+        let (contact, de_face) = self.contact(rayon, t);
+        if de_face { contact } else { self.contact_penche(rayon, t) }
     }
 
-    /// The hit that the search found at distance `t`, on the object of this texture and rank.
+    /// The same without a branch, and whether the normal faces the source.
     #[inline(always)]
-    fn conclure(&self, rayon: &Rayon<R>, t: R, texture: Texture, rang: Rang) -> Intersection<R> {
-        let (contact, sur) = self.contact(rayon, t);
-        if sur {
-            Intersection::new(contact, texture, rang)
-        } else {
-            Intersection::new(self.contact_rare(rayon, t), texture, rang)
-        }
+    fn contact(&self, rayon: &Rayon<R>, t: R) -> (Contact<R>, bool) {
+        let normale = self.normale_a_l_entree(rayon, t);
+        let de_face = normale.produit_scalaire(rayon.direction()) < R::ZERO;
+        (Contact { normale, marge: self.marge(rayon, t, normale) }, de_face)
     }
+
+    /// The same with a normal that is leaned towards the source.
+    #[cold]
+    fn contact_penche(&self, rayon: &Rayon<R>, t: R) -> Contact<R> {
+        let normale = vers_la_source(self.normale_a_l_entree(rayon, t), rayon.direction());
+        Contact { normale, marge: self.marge(rayon, t, normale) }
+    }
+
+    /// The bound of [`marge`](crate::Intersection::marge), from the very point that the caller will compute.
+    #[inline(always)]
+    fn marge(&self, rayon: &Rayon<R>, t: R, normale: Vecteur<R>) -> R {
+        let (b, l) = self.hauteur(rayon.point(t), normale);
+        let marge = b + l * fois_u(8.0);
+        // Upwards, past an N that is unit to 6u only and the rounding of these last operations; a NaN comes
+        // from an overflow.
+        let marge = marge + marge * fois_u(12.0) + R::depuis_f64(8.0) * R::MIN_POSITIF;
+        if marge < R::INFINI { marge } else { R::INFINI }
+    }
+}
+
+/// The unit normal nearest to N that faces the source of a ray of direction D.
+///
+/// Where a ray only grazes, rounding can leave N at a right angle to D or past it. The normal is then
+/// the part of N across D, leaned by 6u towards the source: N·D rounds by no more than 3.5u, as far as a
+/// directed search could find. If even this normal does not face the source, −D does.
+#[cold]
+fn vers_la_source<R: Reel>(n: Vecteur<R>, d: Vecteur<R>) -> Vecteur<R> {
+    let unitaire = d / d.longueur();
+    let travers = (n - unitaire * n.produit_scalaire(unitaire)).unitaire();
+    let penchee = travers.and_then(|n| (n - unitaire * fois_u(6.0)).unitaire());
+    penchee.filter(|n| n.produit_scalaire(d) < R::ZERO).unwrap_or(-unitaire)
 }
 
 /// A ball: its centre C and the square of its radius.
@@ -82,15 +103,16 @@ impl<R: Reel> Boule<R> {
 
     /// Whether the ray (S, D) comes near the ball.
     ///
-    /// Never false for a ray that enters the shape, whatever rounding does: SC² − (SC·D)² is off by
-    /// less than 32u·SC², a box whose normals are orthonormal to 12u pokes out of the ball by 36u·r²,
-    /// and the factor 1 − 128u takes away more than both (derivation in `docs/conception.md`). A ray
-    /// whose source is in the ball passes even with C behind it.
+    /// Never false for a ray that enters the shape, whatever rounding does (derivation in
+    /// `docs/conception.md`, "The ball"). A ray whose source is in the ball passes even with C behind it.
     #[inline(always)]
     pub(crate) fn approchee(self, s: Vecteur<R>, d: Vecteur<R>) -> bool {
         let sc = self.centre - s;
         let sa = sc.produit_scalaire(d);
-        let sc2 = sc.longueur_carree() * (R::UN - fois_u(128.0));
+        let sc2 = sc.longueur_carree() * (R::UN - fois_u(RETRAIT));
         (sc2 - sa * sa <= self.r2) & ((sa > R::ZERO) | (sc2 <= self.r2))
     }
 }
+
+/// By so many u of itself SC² is made smaller.
+const RETRAIT: f64 = 192.0;

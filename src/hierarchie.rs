@@ -18,7 +18,6 @@ use crate::compile_ici::compile_ici;
 use crate::hierarchie::bloc::RechercheDansLArbre;
 use crate::hierarchie::construction::{Arbre, MOTS, construire, noeuds};
 use crate::intersection::{Intersection, NoIntersection, Touche};
-use crate::lot::colonnes::Aligne;
 use crate::lot::{LongueursDifferentes, PEU_DE_RAYONS, memes_longueurs, par_blocs, repondre};
 use crate::niveau::{meilleur_niveau, selon_le_niveau};
 use crate::objet::ObjetRay;
@@ -27,7 +26,7 @@ use crate::recherche::{est_occulte, premiere_intersection};
 use crate::reel::Reel;
 
 /// Bytes of a cache line: nodes start on one (`docs/performance.md`, "Thresholds").
-const LIGNE: usize = align_of::<Aligne<()>>();
+const LIGNE: usize = 64;
 
 /// The most `f32` that are skipped at the start of what the caller lends, so that nodes start on a line.
 const BOURRAGE: usize = LIGNE / size_of::<f32>() - 1;
@@ -54,7 +53,7 @@ pub(crate) const SEUIL_LOT: usize = 100;
 /// let boule = |x| SphereGeo::new(Vecteur::new(f64::from(x), 0.0, -5.0), 0.4, Texture(x));
 /// let scene = (0..1_000).map(|x| boule(x).map(ObjetRay::from)).collect::<Result<Vec<_>, _>>()?;
 ///
-/// let mut places = vec![0.0; Hierarchie::<f64>::places(scene.len())];
+/// let mut places = vec![0.0; Hierarchie::places(scene.len())];
 /// let hierarchie = Hierarchie::new(&scene, &mut places)?;
 ///
 /// let rayon = Rayon::new(Vecteur::new(700.0, 0.0, 0.0), Vecteur::new(0.0, 0.0, -1.0))?;
@@ -90,35 +89,35 @@ const _: () = {
     partage::<Hierarchie<'_, f64>>();
 };
 
-impl<'a, R: Reel> Hierarchie<'a, R> {
-    /// How many numbers a hierarchy of so many objects needs: some 7.5 an object in `f32`, half as many in
-    /// `f64`, 30 bytes an object in both.
+impl Hierarchie<'_> {
+    /// How many numbers a hierarchy of so many objects needs, in either type: some 7.5 an object, 30 bytes.
     ///
     /// It is 0 for fewer than 9 objects, and for 2³¹ − 2²³ or more: these are asked as a list.
     #[doc(alias = "capacity")]
     #[doc(alias = "memory")]
     #[must_use]
     pub const fn places(nombre_d_objets: usize) -> usize {
-        let par_nombre = size_of::<R>() / size_of::<f32>();
         match noeuds(nombre_d_objets) {
             0 => 0,
             // Where this saturates, on a 32-bit machine, it is more than there is memory.
-            noeuds => MOTS.saturating_mul(noeuds).saturating_add(BOURRAGE).div_ceil(par_nombre),
+            noeuds => MOTS.saturating_mul(noeuds).saturating_add(BOURRAGE),
         }
     }
+}
 
+impl<'a, R: Reel> Hierarchie<'a, R> {
     /// The hierarchy over this list, in the numbers lent, whose values do not matter.
     ///
     /// It takes some 100 ns an object. An array on the stack serves as well as a `Vec`.
     ///
     /// # Errors
-    /// If `places` is shorter than [`places`](Self::places)`(objets.len())`; a longer slice is accepted.
+    /// If `places` is shorter than [`places`](Hierarchie::places)`(objets.len())`; a longer slice is accepted.
     ///
     /// ```
     /// use lancer_rayon::{Hierarchie, ObjetRay, PlacesInsuffisantes, SphereGeo, Texture, Vecteur};
     ///
     /// let boule = ObjetRay::from(SphereGeo::new(Vecteur::NUL, 1.0_f32, Texture(0))?);
-    /// let mut places = [0.0; Hierarchie::<f32>::places(20)];
+    /// let mut places = [0.0; Hierarchie::places(20)];
     /// assert!(Hierarchie::new(&[boule; 20], &mut places).is_ok());
     ///
     /// let refus = Hierarchie::new(&[boule; 200], &mut places).unwrap_err();
@@ -128,9 +127,9 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
     #[doc(alias = "build")]
     pub fn new(
         objets: &'a [ObjetRay<R>],
-        places: &'a mut [R],
+        places: &'a mut [f32],
     ) -> Result<Self, PlacesInsuffisantes> {
-        let necessaires = Self::places(objets.len());
+        let necessaires = Hierarchie::places(objets.len());
         let pretees = places.len();
         let Some(places) = places.get_mut(..necessaires) else {
             return Err(PlacesInsuffisantes { places: pretees, necessaires });
@@ -190,7 +189,7 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
 
 compile_ici! {
     /// The tree over these objects, in the numbers lent, which are enough.
-    fn batir<'a, R>(objets: &'a [ObjetRay<R>], places: &'a mut [R]) -> Arbre<'a, R> = batir_ici;
+    fn batir<'a, R>(objets: &'a [ObjetRay<R>], places: &'a mut [f32]) -> Arbre<'a, R> = batir_ici;
 }
 
 compile_ici! {
@@ -213,8 +212,7 @@ compile_ici! {
     ) -> Result<(), LongueursDifferentes> = premieres_ici;
 }
 
-fn batir_ici<'a, R: Reel>(objets: &'a [ObjetRay<R>], places: &'a mut [R]) -> Arbre<'a, R> {
-    let places = R::en_simples(places);
+fn batir_ici<'a, R: Reel>(objets: &'a [ObjetRay<R>], places: &'a mut [f32]) -> Arbre<'a, R> {
     let debut = places.as_ptr().align_offset(LIGNE).min(BOURRAGE);
     construire(objets, &mut places[debut..])
 }

@@ -56,8 +56,8 @@ pub(crate) fn rang(indice: usize) -> Rang {
 
 impl<R: Reel> Intersection<R> {
     #[inline(always)]
-    pub(crate) fn new(contact: Contact<R>, texture: Texture, rang: Rang) -> Self {
-        let Contact { distance, normale, marge } = contact;
+    pub(crate) fn new(distance: R, contact: Contact<R>, texture: Texture, rang: Rang) -> Self {
+        let Contact { normale, marge } = contact;
         Self { distance, normale, marge, texture, rang }
     }
 
@@ -121,46 +121,11 @@ impl<R: Reel> Intersection<R> {
     }
 }
 
-/// What a shape says of a hit on it: all of an [`Intersection`] except which object it is.
+/// What is computed once for a hit: all of an [`Intersection`] except what the search found.
 #[derive(Clone, Copy)]
 pub(crate) struct Contact<R> {
-    pub(crate) distance: R,
     pub(crate) normale: Vecteur<R>,
     pub(crate) marge: R,
-}
-
-impl<R: Reel> Contact<R> {
-    /// `precise`, if it is the distance of a hit in R, and otherwise `trouve`, that of the search: what is
-    /// computed in `f64` refines a hit and never revokes one. A distance too small for R is the smallest.
-    pub(crate) fn retenir(trouve: R, precise: f64) -> f64 {
-        let de_ce_type = precise > 0.0 && R::depuis_f64(precise) < R::INFINI;
-        let t = if de_ce_type { precise } else { trouve.vers_f64() };
-        t.max(R::MIN_POSITIF.vers_f64())
-    }
-
-    /// The hit of `rayon` at distance t, which is rounded to R.
-    ///
-    /// `hauteur` receives the point of the hit in `f64`. It returns two lengths, b and ℓ. The point lies
-    /// no farther from the surface than b, in units of the normal, and b is computed to 4u·ℓ with u of `f64`. A
-    /// search for a ray that starts at the point is off by at most 4u·ℓ, with u of R.
-    #[inline(always)]
-    pub(crate) fn new(
-        rayon: &Rayon<R>,
-        t: f64,
-        normale: Vecteur<R>,
-        hauteur: impl FnOnce(Vecteur<f64>) -> (f64, f64),
-    ) -> Self {
-        let distance = R::depuis_f64(t);
-        // The bound is made from the very point that the caller will compute.
-        let (hauteur, longueur) = hauteur(rayon.point(distance).vers_f64());
-        let erreurs = longueur * (4.0 * R::U.vers_f64() + 4.0 * f64::U);
-        let marge = R::depuis_f64(hauteur + erreurs);
-        // Upwards, past an N that is unit to 6u only and the rounding of these last operations; a NaN comes
-        // from an overflow.
-        let marge = marge + marge * fois_u(12.0) + R::depuis_f64(8.0) * R::MIN_POSITIF;
-        let marge = if marge < R::INFINI { marge } else { R::INFINI };
-        Self { distance, normale, marge }
-    }
 }
 
 impl<R: Reel> Rayon<R> {

@@ -19,7 +19,7 @@ use fearless_simd::{Level, Simd};
 
 use crate::compile_ici::compile_ici;
 use crate::intersection::{Intersection, NoIntersection, Rang, Touche, rang};
-use crate::lot::colonnes::{VOIES, le_premier};
+use crate::lot::colonnes::{VOIES, membres};
 use crate::lot::faisceau::Faisceau;
 use crate::lot::fenetre::Rangee;
 use crate::lot::groupe::Groupe;
@@ -228,10 +228,7 @@ impl<R: Reel, S: Simd> RechercheDeBloc<R> for RechercheDansLaListe<'_, R, S> {
                 charger(fenetre, proches);
             }
             for (numero, (rangee, seize)) in fenetre.iter().zip(proches.chunks(VOIES)).enumerate() {
-                let mut vus = rangee.rencontres(*simd, &faisceau);
-                while vus != 0 {
-                    let i = le_premier(vus);
-                    vus &= vus - 1;
+                for i in membres(rangee.rencontres(*simd, &faisceau)) {
                     if let Some(objet) = seize.get(i) {
                         let rang = rang(debut + numero * VOIES + i);
                         proposer::<R, true>(bloc, objet, rang);

@@ -3,7 +3,7 @@
 use crate::boite::{BoiteGeo, BoiteRay};
 use crate::erreur::ErreurGeo;
 use crate::forme::{Boule, Forme};
-use crate::intersection::{Rang, Touche};
+use crate::intersection::{Intersection, Rang};
 use crate::plan::{PlanGeo, PlanRay};
 use crate::rayon::Rayon;
 use crate::reel::Reel;
@@ -132,25 +132,27 @@ const _: () = assert!(size_of::<ObjetRay<f64>>() <= 136);
 impl<R: Reel> ObjetRay<R> {
     /// The distance at which the ray (S, D) enters this object, +∞ if it does not.
     #[inline(always)]
+    pub(crate) fn t(&self, s: Vecteur<R>, d: Vecteur<R>) -> R {
+        par_forme!(Self, self, forme => forme.t(s, d))
+    }
+
+    /// The same, sooner for a ray that passes this object by.
+    #[inline(always)]
     pub(crate) fn entree(&self, s: Vecteur<R>, d: Vecteur<R>) -> R {
         par_forme!(Self, self, forme => forme.entree(s, d))
     }
 
     /// The hit that the search found at distance `t`, on this object, which has this rank.
-    pub(crate) fn conclure(&self, rayon: &Rayon<R>, t: R, rang: Rang) -> Touche<R> {
-        self.conclure_sur_place(rayon, t, rang)
+    #[inline(always)]
+    pub(crate) fn conclure(&self, rayon: &Rayon<R>, t: R, rang: Rang) -> Intersection<R> {
+        par_forme!(Self, self, forme => {
+            Intersection::new(t, forme.conclure(rayon, t), forme.texture(), rang)
+        })
     }
 
-    /// [`conclure`](Self::conclure), inlined into the instruction set of the caller (`lot/groupe.rs`).
-    #[inline(always)]
-    pub(crate) fn conclure_sur_place(&self, rayon: &Rayon<R>, t: R, rang: Rang) -> Touche<R> {
-        par_forme!(Self, self, forme => Ok(forme.conclure(rayon, t, forme.texture(), rang)))
-    }
-
-    /// The distance of the hit that the search found at distance `t`.
-    #[inline(always)]
-    pub(crate) fn distance_conclue(&self, rayon: &Rayon<R>, t: R) -> R {
-        par_forme!(Self, self, forme => forme.distance_conclue(rayon, t))
+    /// [`conclure`](Self::conclure), compiled once for all lists.
+    pub(crate) fn conclure_a_part(&self, rayon: &Rayon<R>, t: R, rang: Rang) -> Intersection<R> {
+        self.conclure(rayon, t, rang)
     }
 
     /// The texture of this object.

@@ -2,9 +2,8 @@
 
 use crate::erreur::{ErreurGeo, coefficient, coordonnee, deplacement};
 use crate::forme::{Boule, Forme};
-use crate::intersection::Contact;
 use crate::rayon::Rayon;
-use crate::reel::{Reel, affiner};
+use crate::reel::Reel;
 use crate::rotation::Rotation;
 use crate::texture::Texture;
 use crate::vecteur::Vecteur;
@@ -149,34 +148,6 @@ impl<R: Reel> PlanRay<R> {
         let hauteur = self.normale.produit_scalaire(s) + self.distance;
         (hauteur, -self.normale.produit_scalaire(d))
     }
-
-    /// A descent below which N·D has lost half of its digits.
-    const RASANT: f64 = 1.0 / 67_108_864.0; // 2^-26
-
-    /// In `f64`, the distance of the hit; and whether the ray descends by more than
-    /// [`RASANT`](Self::RASANT) and the distance does not round to 0.
-    #[inline(always)]
-    fn distance_ordinaire(&self, rayon: &Rayon<R>, t: R) -> (f64, bool) {
-        let (s, d) = (rayon.source().vers_f64(), rayon.direction().vers_f64());
-        let (hauteur, descente) = self.vers_f64().hauteur_et_descente(s, d);
-        let t = affiner(t, || hauteur / descente);
-        (t, (descente > Self::RASANT) & (R::depuis_f64(t) > R::ZERO))
-    }
-
-    #[inline(always)]
-    fn contact_a(&self, rayon: &Rayon<R>, t: f64) -> Contact<R> {
-        let plan = self.vers_f64();
-        Contact::new(rayon, t, self.normale, |p| {
-            let hauteur = plan.normale.produit_scalaire(p) + plan.distance;
-            (hauteur.abs(), plan.normale.somme_des_grandeurs(p))
-        })
-    }
-
-    #[inline(always)]
-    fn vers_f64(&self) -> PlanRay<f64> {
-        let PlanRay { normale, distance, texture } = *self;
-        PlanRay { normale: normale.vers_f64(), distance: distance.vers_f64(), texture }
-    }
 }
 
 impl<R: Reel> Forme<R> for PlanRay<R> {
@@ -201,31 +172,17 @@ impl<R: Reel> Forme<R> for PlanRay<R> {
     #[inline(always)]
     fn t(&self, s: Vecteur<R>, d: Vecteur<R>) -> R {
         let (hauteur, descente) = self.hauteur_et_descente(s, d);
-        hauteur / descente
-    }
-
-    /// Sure, unless the ray descends by no more than [`RASANT`](Self::RASANT) or starts almost on the surface.
-    #[inline(always)]
-    fn contact(&self, rayon: &Rayon<R>, t: R) -> (Contact<R>, bool) {
-        let (t, sur) = self.distance_ordinaire(rayon, t);
-        (self.contact_a(rayon, t), sur)
-    }
-
-    /// With N·D compensated, since its products cancel here. A ray that does not descend in `f64` has no
-    /// distance there.
-    #[cold]
-    fn contact_rare(&self, rayon: &Rayon<R>, t: R) -> Contact<R> {
-        let (plan, d) = (self.vers_f64(), rayon.direction().vers_f64());
-        let (hauteur, _) = plan.hauteur_et_descente(rayon.source().vers_f64(), d);
-        let descente = -plan.normale.produit_scalaire_compense(d);
-        let precise = if descente > 0.0 { hauteur / descente } else { f64::INFINITY };
-        self.contact_a(rayon, Contact::retenir(t, precise))
+        if self.peut_entrer(s, d) { hauteur / descente } else { R::INFINI }
     }
 
     #[inline(always)]
-    fn distance_seule(&self, rayon: &Rayon<R>, t: R) -> (R, bool) {
-        let (t, sur) = self.distance_ordinaire(rayon, t);
-        (R::depuis_f64(t), sur)
+    fn normale_a_l_entree(&self, _: &Rayon<R>, _: R) -> Vecteur<R> {
+        self.normale
+    }
+
+    #[inline(always)]
+    fn hauteur(&self, p: Vecteur<R>, n: Vecteur<R>) -> (R, R) {
+        ((n.produit_scalaire(p) + self.distance).abs(), n.somme_des_grandeurs(p))
     }
 }
 

@@ -15,31 +15,11 @@ mod scelle {
         /// A power of two that brings any length whose square leaves the range of the type back into it:
         /// times this the smallest, 2⁻¹⁴⁹ or 2⁻¹⁰⁷⁴, is 2⁻⁴⁹ or 2⁻⁴⁷⁴, and the largest over this is 2²⁸ or 2⁴²⁴.
         const ECHELLE: Self;
-        /// A power of two that multiplies speeds, so that no product of a length of a box and a
-        /// speed towards its faces leaves the range of the type (`docs/precision.md`, "Underflow"); in
-        /// `f32` with [`au_plancher`](Self::au_plancher).
-        const ECHELLE_VITESSE: Self;
-        /// Whether a distance that the search found is computed again in `f64`.
-        const RECALCULE: bool;
-        /// The largest element of |M·Mᵀ − I| with which a matrix M still counts as a rotation: room for
-        /// numbers written with seven decimals, or four in `f32`.
-        const ECART_ROTATION: f64;
-        /// `LIMITE` in words, for a coordinate.
-        const ATTENDU_COORDONNEE: &'static str;
-        /// `LIMITE` in words, for a size.
-        const ATTENDU_TAILLE: &'static str;
-        /// `ECART_ROTATION` in words.
-        const ATTENDU_ROTATION: &'static str;
-
-        /// Raises a speed that is already multiplied by `ECHELLE_VITESSE` to 2⁻⁴⁰ at least in `f32`, whose
-        /// range does not hold every product of a length and a speed. 0 stays 0; `f64` changes nothing.
-        fn au_plancher(self) -> Self;
+        /// The one that belongs to this type of two constants.
+        fn selon<T>(en_f32: T, en_f64: T) -> T;
 
         /// Bit i is set if a[i] ≤ b[i]: the one step that the compiler does not vectorise by itself.
         fn au_plus<S: Simd>(simd: S, a: &[Self; 16], b: &[Self; 16]) -> u32;
-
-        /// The same memory as numbers of `f32`.
-        fn en_simples(nombres: &mut [Self]) -> &mut [f32];
 
         /// Does this work in this type.
         fn faire<T: Travail>(arguments: T::Arguments<Self>) -> T::Reponse<Self>
@@ -137,10 +117,9 @@ pub(crate) fn fois_u<R: Reel>(n: f64) -> R {
     R::depuis_f64(n) * R::U
 }
 
-/// The distance of a hit in `f64`: `trouve` itself, that of the search, and in `f32` `precise()`.
-#[inline(always)]
-pub(crate) fn affiner<R: Reel>(trouve: R, precise: impl FnOnce() -> f64) -> f64 {
-    if R::RECALCULE { precise() } else { trouve.vers_f64() }
+/// 2^k, for a k between −1022 and 1023.
+pub(crate) const fn puissance_de_deux(k: i32) -> f64 {
+    f64::from_bits(((1023 + k) as u64) << 52)
 }
 
 /// Bit i is set if a[i] ≤ b[i]. A function, so that `f32` needs no import of the sealed trait.
@@ -151,31 +130,16 @@ pub(crate) fn au_plus<R: Reel, S: Simd>(simd: S, a: &[R; 16], b: &[R; 16]) -> u3
 
 impl Scelle for f32 {
     const ECHELLE: Self = (1_u128 << 100) as Self;
-    const ECHELLE_VITESSE: Self = (1_u64 << 62) as Self;
-    const RECALCULE: bool = true;
-    const ECART_ROTATION: f64 = 1e-3;
-    const ATTENDU_COORDONNEE: &'static str = "a number between -2^60 and 2^60";
-    const ATTENDU_TAILLE: &'static str = "a number between 2^-60 and 2^60";
-    const ATTENDU_ROTATION: &'static str = "at most 1e-3, as for a rotation";
 
     #[inline(always)]
-    fn au_plancher(self) -> Self {
-        const PLANCHER: f32 = 1.0 / (1_u64 << 40) as f32;
-        // 2^126 brings any number above 0 above the floor; that this overflows does no harm. To ask whether the
-        // speed is above 0 would cost a ray alone 5 % (measured).
-        let haut = self * ((1_u128 << 126) as f32);
-        let plancher = if haut < PLANCHER { haut } else { PLANCHER };
-        if self > plancher { self } else { plancher }
+    fn selon<T>(en_f32: T, _: T) -> T {
+        en_f32
     }
 
     #[inline(always)]
     fn au_plus<S: Simd>(simd: S, a: &[Self; 16], b: &[Self; 16]) -> u32 {
         let [a, b] = [a, b].map(|colonne| f32x16::simd_from(simd, *colonne));
         a.simd_le(b).to_bitmask() as u32
-    }
-
-    fn en_simples(nombres: &mut [Self]) -> &mut [f32] {
-        nombres
     }
 
     #[inline]
@@ -218,26 +182,16 @@ impl Reel for f32 {
 
 impl Scelle for f64 {
     const ECHELLE: Self = Self::from_bits((1023 + 600) << 52);
-    const ECHELLE_VITESSE: Self = Self::from_bits((1023 + 568) << 52);
-    const RECALCULE: bool = false;
-    const ECART_ROTATION: f64 = 1e-6;
-    const ATTENDU_COORDONNEE: &'static str = "a number between -2^450 and 2^450";
-    const ATTENDU_TAILLE: &'static str = "a number between 2^-450 and 2^450";
-    const ATTENDU_ROTATION: &'static str = "at most 1e-6, as for a rotation";
 
     #[inline(always)]
-    fn au_plancher(self) -> Self {
-        self
+    fn selon<T>(_: T, en_f64: T) -> T {
+        en_f64
     }
 
     #[inline(always)]
     fn au_plus<S: Simd>(simd: S, a: &[Self; 16], b: &[Self; 16]) -> u32 {
-        let ([a0, a1], [b0, b1]) = (moities(simd, a), moities(simd, b));
+        let ([a0, a1], [b0, b1]) = (en_deux(simd, a), en_deux(simd, b));
         (a0.simd_le(b0).to_bitmask() | a1.simd_le(b1).to_bitmask() << 8) as u32
-    }
-
-    fn en_simples(nombres: &mut [Self]) -> &mut [f32] {
-        bytemuck::cast_slice_mut(nombres)
     }
 
     #[inline]
@@ -248,7 +202,7 @@ impl Scelle for f64 {
 
 /// A column in two vectors.
 #[inline(always)]
-fn moities<S: Simd>(
+fn en_deux<S: Simd>(
     simd: S,
     &[a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p]: &[f64; 16],
 ) -> [f64x8<S>; 2] {

@@ -121,7 +121,11 @@ impl<R: Reel> Rotation<R> {
         }
         let mut m = matrice.map(|ligne| ligne.map(R::vers_f64));
         let lignes = ecart(m);
-        let (limite, attendu) = (R::ECART_ROTATION, R::ATTENDU_ROTATION);
+        // Room for numbers written with seven decimals, or four in `f32`.
+        let (limite, attendu) = R::selon(
+            (1e-3, "at most 1e-3, as for a rotation"),
+            (1e-6, "at most 1e-6, as for a rotation"),
+        );
         exiger(lignes <= limite, "matrice: |M·Mᵀ - I|", lignes, attendu)?;
         let [x, y, z] = m.map(Vecteur::from);
         let determinant = x.produit_vectoriel(y).produit_scalaire(z);

@@ -2,9 +2,8 @@
 
 use crate::erreur::{ErreurGeo, coefficient, deplacement, point, taille};
 use crate::forme::{Boule, Forme};
-use crate::intersection::Contact;
 use crate::rayon::Rayon;
-use crate::reel::{Reel, affiner};
+use crate::reel::{Reel, fois_u};
 use crate::rotation::Rotation;
 use crate::texture::Texture;
 use crate::vecteur::Vecteur;
@@ -145,58 +144,6 @@ impl<R: Reel> SphereRay<R> {
             d2,
         }
     }
-
-    /// In `f64`, the distance SB of a ray that does not graze, and whether it is that of the hit: S is
-    /// outside, B comes before A, and SB does not round to 0.
-    #[inline(always)]
-    fn sb_ordinaire(&self, rayon: &Rayon<R>, t: R) -> (f64, bool) {
-        let longueurs =
-            self.vers_f64().longueurs(rayon.source().vers_f64(), rayon.direction().vers_f64());
-        let somme = longueurs.somme();
-        let sb = affiner(t, || longueurs.puissance / somme);
-        let dehors_et_avant = (longueurs.puissance > 0.0) & longueurs.avant_a(somme);
-        (sb, (dehors_et_avant | !R::RECALCULE) & (R::depuis_f64(sb) > R::ZERO))
-    }
-
-    /// In `f64`, the vector from C to the point at distance t.
-    #[inline(always)]
-    fn cb(&self, rayon: &Rayon<R>, t: f64) -> Vecteur<f64> {
-        let (s, d) = (rayon.source().vers_f64(), rayon.direction().vers_f64());
-        // Relative to the source: S + tD − C would lose what S and C have in common.
-        (s - self.centre.vers_f64()) + d * t
-    }
-
-    #[inline(always)]
-    fn contact_a(&self, rayon: &Rayon<R>, t: f64, normale: Vecteur<R>) -> Contact<R> {
-        let sphere = self.vers_f64();
-        Contact::new(rayon, t, normale, |p| {
-            let (n, cp, r) = (normale.vers_f64(), p - sphere.centre, sphere.r);
-            let r2 = r * r;
-            // (CP − r)(CP + r), and CP + r ≥ r/0.59 unless the hit fails the test below.
-            let puissance = (cp.longueur_carree() - r2).abs();
-            // Rounding tilts N away from CP, above all for a small far sphere. Three errors follow:
-            // the height along N differs from CP − r by travers²/2r; a ray along the tangent plane
-            // of N dips below the sphere by as much; a point rounded sideways climbs by
-            // arrondi·travers/r, at most (arrondi² + travers²)/2r.
-            let le_long = n.produit_scalaire(cp);
-            let travers2 = (cp - n * le_long).longueur_carree();
-            let arrondi = 4.0 * R::U.vers_f64() * (p.x.abs() + p.y.abs() + p.z.abs());
-            // The sphere is no larger than the rounding of its distance or of its place, or the
-            // point came out on its far side.
-            let perdue = (puissance > 0.5 * r2)
-                | (travers2 > 0.0625 * r2)
-                | (4.0 * arrondi > r)
-                | (le_long <= 0.0);
-            let hauteur = (0.6 * puissance + 2.0 * travers2 + 0.5 * arrondi * arrondi) * (1.0 / r);
-            (if perdue { f64::INFINITY } else { hauteur }, 2.0 * r)
-        })
-    }
-
-    #[inline(always)]
-    fn vers_f64(&self) -> SphereRay<f64> {
-        let SphereRay { centre, r, texture } = *self;
-        SphereRay { centre: centre.vers_f64(), r: r.vers_f64(), texture }
-    }
 }
 
 impl<R: Reel> Forme<R> for SphereRay<R> {
@@ -217,38 +164,39 @@ impl<R: Reel> Forme<R> for SphereRay<R> {
         if entre { l.sb() } else { R::INFINI }
     }
 
-    /// Sure, unless the ray grazes or starts almost on the surface, or rounding has eaten the sphere.
+    /// CB/|CB|; where CB is lost, 0.
     #[inline(always)]
-    fn contact(&self, rayon: &Rayon<R>, t: R) -> (Contact<R>, bool) {
-        let (t, sur) = self.sb_ordinaire(rayon, t);
-        let cb = self.cb(rayon, t);
-        // With t computed in f64, CB is r long by far more digits than f32 keeps: no root is needed.
-        let longueur =
-            if R::RECALCULE { self.r.vers_f64() } else { Reel::sqrt(cb.longueur_carree()) };
-        let (normale, de_face) = normale(cb, longueur, rayon);
-        (self.contact_a(rayon, t, normale), sur & de_face)
+    fn normale_a_l_entree(&self, rayon: &Rayon<R>, t: R) -> Vecteur<R> {
+        // Relative to the source: S + tD − C would lose what S and C have in common.
+        let cb = (rayon.source() - self.centre) + rayon.direction() * t;
+        let cb2 = cb.longueur_carree();
+        // Half of the smallest r²: what is shorter is all rounding, and its square may be subnormal.
+        let perdu = R::UN / (R::LIMITE * R::LIMITE * R::depuis_f64(2.0));
+        cb / if cb2 > perdu { cb2.sqrt() } else { R::INFINI }
     }
 
-    /// With A for B if B comes no earlier. A source that is not outside in `f64` has no distance there, and
-    /// a normal that does not face the source is leaned towards it.
-    #[cold]
-    fn contact_rare(&self, rayon: &Rayon<R>, t: R) -> Contact<R> {
-        let (s, d) = (rayon.source().vers_f64(), rayon.direction().vers_f64());
-        let longueurs = self.vers_f64().longueurs(s, d);
-        let dehors = longueurs.puissance > 0.0;
-        let precise = affiner(t, || if dehors { longueurs.sb() } else { f64::INFINITY });
-        let t = Contact::retenir(t, precise);
-        let cb = self.cb(rayon, t);
-        let (normale, de_face) = normale(cb, Reel::sqrt(cb.longueur_carree()), rayon);
-        let normale = if de_face { normale } else { vers_la_source(cb, rayon) };
-        self.contact_a(rayon, t, normale)
-    }
-
-    /// The normal decides nothing here.
     #[inline(always)]
-    fn distance_seule(&self, rayon: &Rayon<R>, t: R) -> (R, bool) {
-        let (t, sur) = self.sb_ordinaire(rayon, t);
-        (R::depuis_f64(t), sur)
+    fn hauteur(&self, p: Vecteur<R>, n: Vecteur<R>) -> (R, R) {
+        let nombre = R::depuis_f64;
+        let (cp, r) = (p - self.centre, self.r);
+        let r2 = r * r;
+        // (CP − r)(CP + r), and CP + r ≥ r/0.59 unless the hit fails the test below.
+        let puissance = (cp.longueur_carree() - r2).abs();
+        // Rounding tilts N away from CP, above all for a small far sphere. Three errors follow:
+        // the height along N differs from CP − r by travers²/2r; a ray along the tangent plane
+        // of N dips below the sphere by as much; a point rounded sideways climbs by
+        // arrondi·travers/r, at most (arrondi² + travers²)/2r.
+        let le_long = n.produit_scalaire(cp);
+        let travers2 = (cp - n * le_long).longueur_carree();
+        let arrondi = (p.x.abs() + p.y.abs() + p.z.abs()) * fois_u(4.0);
+        // The sphere is no larger than the rounding of its distance or of its place, or the
+        // point came out on its far side.
+        let perdue = (puissance > nombre(0.5) * r2)
+            | (travers2 > nombre(0.0625) * r2)
+            | (nombre(4.0) * arrondi > r)
+            | (le_long <= R::ZERO);
+        let b = nombre(0.6) * puissance + nombre(2.0) * travers2 + nombre(0.5) * arrondi * arrondi;
+        (if perdue { R::INFINI } else { b * (R::UN / r) }, nombre(2.0) * r)
     }
 }
 
@@ -291,41 +239,6 @@ impl<R: Reel> Longueurs<R> {
     fn avant_a(&self, somme: R) -> bool {
         self.puissance * self.d2 < self.sa * somme
     }
-}
-
-/// CB² at or below this is all rounding: the smallest sphere has r² = 2⁻⁹⁰⁰, and no square that is
-/// subnormal weighs in a sum above 2⁻⁹⁰⁴.
-const CB2_PERDU: f64 = f64::from_bits((1023 - 904) << 52);
-
-/// How far the square of a length that stands for |CB| may be from CB², as a share of CB²: 2⁻³². The
-/// normal is then unit to 2⁻³³, far less than the 2⁻²⁴ of a rounding in `f32`.
-const ECART_LONGUEUR: f64 = f64::from_bits((1023 - 32) << 52);
-
-/// CB over this length, and whether that is a normal: a unit vector that faces the source of the ray.
-#[inline(always)]
-fn normale<R: Reel>(cb: Vecteur<f64>, longueur: f64, rayon: &Rayon<R>) -> (Vecteur<R>, bool) {
-    let cb2 = cb.longueur_carree();
-    let normale = Vecteur::depuis_f64(cb / longueur);
-    // False for a NaN as well.
-    let unitaire = (longueur * longueur - cb2).abs() <= ECART_LONGUEUR * cb2;
-    let de_face = normale.produit_scalaire(rayon.direction()) < R::ZERO;
-    (normale, unitaire & de_face & (cb2 > CB2_PERDU))
-}
-
-/// The unit normal nearest to CB that faces the source of the ray.
-///
-/// Where a ray only grazes, rounding can leave CB at a right angle to D or past it. The normal is then
-/// the part of CB across D, leaned by 6u towards the source: N·D rounds by no more than 3.5u, as far as a
-/// directed search could find. If even this normal does not face the source, −D does.
-#[cold]
-fn vers_la_source<R: Reel>(cb: Vecteur<f64>, rayon: &Rayon<R>) -> Vecteur<R> {
-    let d = rayon.direction().vers_f64();
-    let d = d / d.longueur();
-    let travers = (cb - d * cb.produit_scalaire(d)).unitaire();
-    let penchee = travers.and_then(|n| (n - d * (6.0 * R::U.vers_f64())).unitaire());
-    let penchee = penchee.map(Vecteur::depuis_f64);
-    let de_face = |n: &Vecteur<R>| n.produit_scalaire(rayon.direction()) < R::ZERO;
-    penchee.filter(de_face).unwrap_or(Vecteur::depuis_f64(-d))
 }
 
 #[cfg(feature = "serde")]

@@ -167,40 +167,6 @@ impl<R: Reel> Vecteur<R> {
     }
 }
 
-impl Vecteur<f64> {
-    /// The scalar product as if computed with twice the digits and rounded once, for use where the plain
-    /// one cancels.
-    #[cold]
-    pub(crate) fn produit_scalaire_compense(self, autre: Self) -> f64 {
-        let (x, rx) = produit_exact(self.x, autre.x);
-        let (y, ry) = produit_exact(self.y, autre.y);
-        let (z, rz) = produit_exact(self.z, autre.z);
-        let (xy, rxy) = somme_exacte(x, y);
-        let (xyz, rxyz) = somme_exacte(xy, z);
-        xyz + (rxy + rxyz + (rx + ry + rz))
-    }
-}
-
-/// a + b and its rounding error, exact whichever of a and b is the larger (Knuth's TwoSum).
-fn somme_exacte(a: f64, b: f64) -> (f64, f64) {
-    let somme = a + b;
-    let b_vu = somme - a;
-    (somme, (a - (somme - b_vu)) + (b - b_vu))
-}
-
-/// a·b and what rounding takes from it, by cutting both in halves of 26 bits (Dekker): no fused
-/// multiply-add, so that every machine has the same bits.
-fn produit_exact(a: f64, b: f64) -> (f64, f64) {
-    fn moities(x: f64) -> (f64, f64) {
-        let c = 134_217_729.0 * x; // 2^27 + 1
-        let haut = c - (c - x);
-        (haut, x - haut)
-    }
-    let produit = a * b;
-    let ((ah, ab), (bh, bb)) = (moities(a), moities(b));
-    (produit, ab * bb - (((produit - ah * bh) - ab * bh) - ah * bb))
-}
-
 impl<R> From<[R; 3]> for Vecteur<R> {
     fn from([x, y, z]: [R; 3]) -> Self {
         Self { x, y, z }

@@ -64,7 +64,7 @@ fn aucune_question_n_alloue<R: Reel>() {
         })
         .unwrap();
     }
-    let mut places = vec![R::ZERO; Hierarchie::<R>::places(scene.len())];
+    let mut places = vec![0.0; Hierarchie::places(scene.len())];
     let hierarchie =
         sans_allocation("a hierarchy", || Hierarchie::new(&scene, &mut places)).unwrap();
     for (nom, reglage) in Reglage::tous() {

@@ -121,7 +121,7 @@ pub(crate) fn octets<R: Reel + DeserializeOwned>(
     let par_ligne = (finesse * finesse * largeur) as usize;
     let rayons = &rayons[lignes.start as usize * par_ligne..lignes.end as usize * par_ligne];
     let objets: Vec<_> = objets.into_iter().map(ObjetRay::from).collect();
-    let mut places = vec![R::ZERO; Hierarchie::<R>::places(objets.len())];
+    let mut places = vec![0.0; Hierarchie::places(objets.len())];
     let hierarchie = Hierarchie::new(&objets, &mut places)?;
     let atelier = Atelier { objets: &objets, hierarchie, lampes: lampes() };
     let couleurs = atelier.prendre(rayons, camera.image.0, finesse, ensemble)?;

@@ -3,12 +3,11 @@
 use fearless_simd::Simd;
 
 use crate::hierarchie::construction::{
-    Arbre, Colonne, ENFANTS, Noeud, Repere, TROP_LOIN, indice, jeu, premier_enfant, simple,
-    simples, somme,
+    Arbre, Colonne, ENFANTS, Noeud, Repere, TROP_LOIN, indice, jeu, simple, simples, somme,
 };
 use crate::hierarchie::parcours::{GRANDE_PILE, Pile, RIEN};
 use crate::intersection::{Touche, rang};
-use crate::lot::colonnes::{Aligne, VOIES, le_premier, max};
+use crate::lot::colonnes::{Aligne, VOIES, max, membres};
 use crate::lot::faisceau::Faisceau;
 use crate::lot::groupe::Groupe;
 use crate::lot::{RechercheDeBloc, Trouve, proposer};
@@ -20,10 +19,6 @@ use crate::vecteur::Vecteur;
 /// When a block has seen so many objects, its rays are too far apart: from there each walks alone, cut off
 /// at what it has found. Rays half in order gain 16 to 30 % among 10,000 objects (measured).
 const ASSEZ_D_OBJETS: u32 = 128;
-
-/// If the root has fewer children than this, they do not tell how wide a beam is, and their children
-/// are counted instead.
-const PEU_D_ENFANTS: u32 = 8;
 
 /// Searches a tree, in the nodes that the beam of the block crosses.
 pub(crate) struct RechercheDansLArbre<'a, R, S> {
@@ -41,7 +36,7 @@ impl<R: Reel, S: Simd> RechercheDeBloc<R> for RechercheDansLArbre<'_, R, S> {
         touches: &mut [Touche<R>],
     ) -> Trouve {
         let Self { simd, objets, arbre } = *self;
-        let Some(sonde) = SondeDeBloc::etroite(simd, rayons, bloc, arbre) else {
+        let Some(sonde) = SondeDeBloc::new(rayons, bloc, arbre.repere) else {
             return un_par_un(simd, objets, arbre, bloc, rayons, touches);
         };
         for indice in arbre.sans_bornes() {
@@ -54,7 +49,7 @@ impl<R: Reel, S: Simd> RechercheDeBloc<R> for RechercheDansLArbre<'_, R, S> {
         let mut numero = racine;
         let mut vus = 0;
         while let Some(noeud) = arbre.noeuds.get(numero) {
-            let (mut traverses, Aligne(profondeurs)) = sonde.traverse(simd, noeud, plafond);
+            let (traverses, Aligne(profondeurs)) = sonde.traverse(simd, noeud, plafond);
             if numero < arbre.feuilles {
                 if traverses != 0 {
                     vus += traverses.count_ones();
@@ -62,9 +57,7 @@ impl<R: Reel, S: Simd> RechercheDeBloc<R> for RechercheDansLArbre<'_, R, S> {
                         return un_par_un(simd, objets, arbre, bloc, rayons, touches);
                     }
                     let [.., indices] = noeud;
-                    while traverses != 0 {
-                        let enfant = le_premier(traverses);
-                        traverses &= traverses - 1;
+                    for enfant in membres(traverses) {
                         proposer_indice(objets, bloc, indice(indices[enfant]));
                     }
                     plafond = arbre.repere.distance(le_plus_loin(bloc));
@@ -129,39 +122,10 @@ struct SondeDeBloc {
 }
 
 impl SondeDeBloc {
-    /// The probe of the beam of these rays; `None` if they have no beam or one that is too wide.
+    /// The probe of the beam of these rays; `None` if they have no beam, or start too far away.
     #[inline(always)]
-    fn etroite<R: Reel, S: Simd>(
-        simd: S,
-        rayons: &[Rayon<R>],
-        bloc: &[Groupe<R>],
-        arbre: &Arbre<'_, R>,
-    ) -> Option<Self> {
-        let sonde = Self::new(Faisceau::du_bloc(rayons, bloc)?, arbre.repere)?;
-        let Some(numero) = arbre.racine else { return Some(sonde) };
-        let racine = arbre.noeuds.get(numero)?;
-        let (traverses, _) = sonde.traverse(simd, racine, f32::INFINI);
-        let mut enfants = presents(simd, racine);
-        let (mut croises, mut tous) = (traverses.count_ones(), enfants.count_ones());
-        if tous < PEU_D_ENFANTS && numero >= arbre.feuilles {
-            (croises, tous) = (0, 0);
-            while enfants != 0 {
-                let enfant = le_premier(enfants);
-                enfants &= enfants - 1;
-                let noeud = arbre.noeuds.get(premier_enfant(racine) + enfant)?;
-                if traverses & (1 << enfant) != 0 {
-                    let (croises_ici, _) = sonde.traverse(simd, noeud, f32::INFINI);
-                    croises += croises_ici.count_ones();
-                }
-                tous += presents(simd, noeud).count_ones();
-            }
-        }
-        (2 * croises <= tous).then_some(sonde)
-    }
-
-    /// `None` if the rays start too far away.
-    #[inline(always)]
-    fn new<R: Reel>(faisceau: Faisceau<R>, repere: Repere<R>) -> Option<Self> {
+    fn new<R: Reel>(rayons: &[Rayon<R>], bloc: &[Groupe<R>], repere: Repere<R>) -> Option<Self> {
+        let faisceau = Faisceau::du_bloc(rayons, bloc)?;
         let s0 = repere.point(faisceau.s0);
         let loin = somme(s0) + repere.longueur(faisceau.ecart) * R::depuis_f64(4.0);
         if simple(loin) > TROP_LOIN {
@@ -199,12 +163,6 @@ impl SondeDeBloc {
         let avant = au_plus(simd, &profondeurs, &[plafond; ENFANTS]);
         (pas_dehors & avant, Aligne(profondeurs))
     }
-}
-
-/// Which children a node has, a bit for each.
-#[inline(always)]
-fn presents<S: Simd>(simd: S, noeud: &Noeud) -> u32 {
-    au_plus(simd, &noeud[0], &noeud[3])
 }
 
 /// The columns of the corners that lie lowest along P.

@@ -7,36 +7,33 @@ use crate::hierarchie::construction::{
     simples, somme,
 };
 use crate::intersection::{NoIntersection, Rang, Touche, rang};
-use crate::lot::colonnes::{Aligne, le_premier, max, min};
+use crate::lot::colonnes::{Aligne, le_premier, max, membres, min};
 use crate::objet::ObjetRay;
 use crate::rayon::Rayon;
-use crate::recherche::occulte_avant;
+use crate::recherche::avant;
 use crate::reel::{Reel, au_plus, fois_u};
 use crate::vecteur::Vecteur;
 
 impl<R: Reel> Arbre<'_, R> {
-    /// The hit of the first object that the ray enters. `(t, rang)` is the first object so far; rank 0
-    /// means none.
+    /// The hit of the first object that the ray enters. `premier` is the first so far, a distance and a rank;
+    /// rank 0 means none.
     #[inline(always)]
     pub(crate) fn premiere_intersection<S: Simd>(
         &self,
         simd: S,
         objets: &[ObjetRay<R>],
         rayon: &Rayon<R>,
-        (t, rang): (R, u32),
+        premier: (R, u32),
     ) -> Touche<R> {
-        let (s, d) = (rayon.source(), rayon.direction());
-        let mut premier = Premier { repere: self.repere, objets, s, d, rang, t };
-        self.parcourir(simd, rayon, self.repere.distance(t), &mut premier);
-        let Some(rang) = Rang::new(premier.rang) else { return Err(NoIntersection) };
+        let (t, rang) = self.parcourir::<S, false>(simd, objets, rayon, premier);
+        let Some(rang) = Rang::new(rang) else { return Err(NoIntersection) };
         match objets.get(rang.get() as usize - 1) {
-            Some(objet) => objet.conclure_sur_place(rayon, premier.t, rang),
+            Some(objet) => Ok(objet.conclure(rayon, t, rang)),
             None => Err(NoIntersection),
         }
     }
 
-    /// Whether the ray touches an object before `distance_max`. The walk is cut off there, with room for a
-    /// hit that rounding puts before the box around its object (`docs/conception.md`, "Hierarchy").
+    /// Whether the ray touches an object before `distance_max`.
     #[inline(always)]
     pub(crate) fn est_occulte<S: Simd>(
         &self,
@@ -45,33 +42,33 @@ impl<R: Reel> Arbre<'_, R> {
         rayon: &Rayon<R>,
         distance_max: R,
     ) -> bool {
-        let plafond = self.repere.distance(distance_max * (R::UN + fois_u(128.0)));
-        let mut ombre = Ombre { objets, rayon, distance_max, occulte: false };
-        self.parcourir(simd, rayon, plafond, &mut ombre);
-        ombre.occulte
+        let (_, rang) = self.parcourir::<S, true>(simd, objets, rayon, (distance_max, 0));
+        rang > 0
     }
 
-    /// Asks `question` about each half-space, then about each object that the ray may enter no later
-    /// than `plafond`, a [distance](Repere::distance). An answer replaces `plafond`; below 0 it ends the walk.
+    /// The first object that the ray enters before `premier`, or `premier`; if `UN_SUFFIT`, any such object.
+    ///
+    /// It asks the half-spaces, then the objects of each leaf that the ray may enter before what it has found.
     #[inline(always)]
-    fn parcourir<S: Simd>(
+    fn parcourir<S: Simd, const UN_SUFFIT: bool>(
         &self,
         simd: S,
+        objets: &[ObjetRay<R>],
         rayon: &Rayon<R>,
-        mut plafond: f32,
-        question: &mut impl Question,
-    ) {
+        premier: (R, u32),
+    ) -> (R, u32) {
+        let (s, d) = (rayon.source(), rayon.direction());
+        let mut recherche = Recherche { repere: self.repere, objets, s, d, premier };
         for indice in self.sans_bornes() {
-            plafond = question.voir(indice).unwrap_or(plafond);
-            if plafond < 0.0 {
-                return;
+            if recherche.voir_demi_espace(indice) && UN_SUFFIT {
+                return recherche.premier;
             }
         }
-        let Some(racine) = self.racine else { return };
+        let Some(racine) = self.racine else { return recherche.premier };
         let sonde = Sonde::new(rayon, self.repere);
         if let [feuille] = self.noeuds {
-            sonde.voir_feuille(simd, feuille, plafond, question);
-            return;
+            sonde.voir_feuille::<R, S, UN_SUFFIT>(simd, feuille, &mut recherche);
+            return recherche.premier;
         }
         // No larger pile than the tree needs: to set it up costs as much as an object.
         let (mut petite, mut grande);
@@ -83,68 +80,66 @@ impl<R: Reel> Arbre<'_, R> {
             &mut grande
         });
         let mut numero = racine;
-        loop {
-            let Some(noeud) = self.noeuds.get(numero) else { return };
+        while let Some(noeud) = self.noeuds.get(numero) {
             if numero < self.feuilles {
-                plafond = sonde.voir_feuille(simd, noeud, plafond, question);
+                let trouve = sonde.voir_feuille::<R, S, UN_SUFFIT>(simd, noeud, &mut recherche);
+                if trouve && UN_SUFFIT {
+                    break;
+                }
             } else {
-                let (traverses, Aligne(entrees)) = &sonde.traverse(simd, noeud, plafond);
+                let (traverses, Aligne(entrees)) =
+                    &sonde.traverse(simd, noeud, recherche.plafond());
                 if let Some(proche) = pile.garder(*traverses, entrees, noeud) {
                     numero = proche;
                     continue;
                 }
             }
-            let Some(suivant) = pile.prendre(plafond) else { return };
+            let Some(suivant) = pile.prendre(recherche.plafond()) else { break };
             numero = suivant;
         }
+        recherche.premier
     }
 }
 
-/// What is asked of each object in turn.
-trait Question {
-    /// Asks the object of this index. If the answer changes, returns the largest entry that still matters;
-    /// below 0 it ends the walk.
-    fn voir(&mut self, indice: usize) -> Option<f32>;
-}
-
-/// Which object is the first, so far?
-struct Premier<'a, R> {
+/// A ray with its first object so far.
+struct Recherche<'a, R> {
     repere: Repere<R>,
     objets: &'a [ObjetRay<R>],
     s: Vecteur<R>,
     d: Vecteur<R>,
-    /// 0 for none.
-    rang: u32,
-    t: R,
+    /// Its distance and its rank; 0 for none.
+    premier: (R, u32),
 }
 
-impl<R: Reel> Question for Premier<'_, R> {
+impl<R: Reel> Recherche<'_, R> {
+    /// Asks the half-space of this index, and tells whether it is now the first.
     #[inline(always)]
-    fn voir(&mut self, indice: usize) -> Option<f32> {
-        let t = self.objets.get(indice)?.entree(self.s, self.d);
-        let rang = rang(indice).get();
-        // In any order: of two at the same distance, the earlier in the list.
-        let avant = t < self.t || (t == self.t && rang < self.rang);
-        avant.then(|| {
-            (self.rang, self.t) = (rang, t);
-            self.repere.distance(t)
-        })
+    fn voir_demi_espace(&mut self, indice: usize) -> bool {
+        let objet = self.objets.get(indice);
+        objet.is_some_and(|objet| self.retenir(objet.entree(self.s, self.d), indice))
     }
-}
 
-/// Does any object block the way?
-struct Ombre<'a, R> {
-    objets: &'a [ObjetRay<R>],
-    rayon: &'a Rayon<R>,
-    distance_max: R,
-    occulte: bool,
-}
-
-impl<R: Reel> Question for Ombre<'_, R> {
+    /// The same of a bounded object, whose ball a ray that crosses its box seldom passes by.
     #[inline(always)]
-    fn voir(&mut self, indice: usize) -> Option<f32> {
-        self.occulte = occulte_avant(self.objets.get(indice)?, self.rayon, self.distance_max);
-        self.occulte.then_some(-1.0)
+    fn voir_borne(&mut self, indice: usize) -> bool {
+        let objet = self.objets.get(indice);
+        objet.is_some_and(|objet| self.retenir(objet.t(self.s, self.d), indice))
+    }
+
+    #[inline(always)]
+    fn retenir(&mut self, t: R, indice: usize) -> bool {
+        let trouve = (t, rang(indice).get());
+        let avant = avant(trouve, self.premier);
+        if avant {
+            self.premier = trouve;
+        }
+        avant
+    }
+
+    /// The largest entry that still matters, in the frame of the tree.
+    #[inline(always)]
+    fn plafond(&self) -> f32 {
+        self.repere.distance(self.premier.0)
     }
 }
 
@@ -204,28 +199,31 @@ impl Sonde {
         (au_plus(simd, &entrees, &sorties), Aligne(entrees))
     }
 
-    /// Asks `question` about each object of a leaf that the ray may enter no later than `plafond`; the
-    /// new `plafond`.
+    /// Asks the objects of a leaf that the ray may enter before its first so far, and tells whether one of
+    /// them came before it; if `UN_SUFFIT`, that one is the last asked.
     #[inline(always)]
-    fn voir_feuille<S: Simd>(
+    fn voir_feuille<R: Reel, S: Simd, const UN_SUFFIT: bool>(
         &self,
         simd: S,
         feuille: &Noeud,
-        mut plafond: f32,
-        question: &mut impl Question,
-    ) -> f32 {
-        let (mut traverses, entrees) = self.traverse(simd, feuille, plafond);
+        recherche: &mut Recherche<'_, R>,
+    ) -> bool {
+        let (mut traverses, entrees) = self.traverse(simd, feuille, recherche.plafond());
         let Aligne(entrees) = &entrees;
         let [.., indices] = feuille;
+        let mut trouve = false;
         while traverses != 0 {
             let enfant = le_premier(traverses);
             traverses &= traverses - 1;
-            if let Some(nouveau) = question.voir(indice(indices[enfant])) {
-                plafond = nouveau;
-                traverses &= au_plus(simd, entrees, &[plafond; ENFANTS]);
+            if recherche.voir_borne(indice(indices[enfant])) {
+                trouve = true;
+                if UN_SUFFIT {
+                    break;
+                }
+                traverses &= au_plus(simd, entrees, &[recherche.plafond(); ENFANTS]);
             }
         }
-        plafond
+        trouve
     }
 }
 
@@ -269,19 +267,14 @@ impl<'a> Pile<'a> {
     #[inline(always)]
     pub(crate) fn garder(
         &mut self,
-        mut enfants: u32,
+        enfants: u32,
         entrees: &Colonne,
         noeud: &Noeud,
     ) -> Option<usize> {
-        if enfants == 0 {
-            return None;
-        }
         let premier = premier_enfant(noeud);
-        let mut proche = le_premier(enfants);
-        enfants &= enfants - 1;
-        while enfants != 0 {
-            let enfant = le_premier(enfants);
-            enfants &= enfants - 1;
+        let mut enfants = membres(enfants);
+        let mut proche = enfants.next()?;
+        for enfant in enfants {
             let plus_tard = if entrees[enfant] < entrees[proche] {
                 core::mem::replace(&mut proche, enfant)
             } else {

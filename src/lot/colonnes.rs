@@ -66,7 +66,17 @@ pub(crate) fn min<R: Reel>(a: R, b: R) -> R {
     if a < b { a } else { b }
 }
 
-/// The first of sixteen, of which a set holds a bit for each.
+/// The members of a set of sixteen, which has a bit for each, the least first.
+#[inline(always)]
+pub(crate) fn membres(mut ensemble: u32) -> impl Iterator<Item = usize> {
+    core::iter::from_fn(move || {
+        let membre = (ensemble != 0).then(|| le_premier(ensemble));
+        ensemble &= ensemble.wrapping_sub(1);
+        membre
+    })
+}
+
+/// The least member of such a set.
 #[inline(always)]
 pub(crate) fn le_premier(ensemble: u32) -> usize {
     ensemble.trailing_zeros() as usize % VOIES

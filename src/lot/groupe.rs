@@ -7,9 +7,10 @@
 
 use crate::forme::Forme;
 use crate::intersection::{Contact, Intersection, NoIntersection, Rang, Touche};
-use crate::lot::colonnes::{Colonnes, VOIES, Voies, le_plus_grand, le_premier};
+use crate::lot::colonnes::{Colonnes, VOIES, Voies, le_plus_grand, le_premier, membres};
 use crate::objet::{ObjetRay, par_forme};
 use crate::rayon::Rayon;
+use crate::recherche::avant;
 use crate::reel::Reel;
 use crate::vecteur::Vecteur;
 
@@ -56,12 +57,11 @@ impl<R: Reel> Groupe<R> {
         let mut t = [R::INFINI; VOIES];
         for (voie, t) in t.iter_mut().enumerate() {
             let (s, d) = self.colonnes.rayon(voie);
-            let entree = forme.t(s, d);
-            *t = if forme.peut_entrer(s, d) { entree } else { R::INFINI };
+            *t = forme.t(s, d);
         }
         for (voie, &t) in t.iter().enumerate() {
-            let meme = !EN_ORDRE & (t == self.t[voie]) & (rang.get() < self.rangs[voie]);
-            let avant = (t < self.t[voie]) | meme;
+            let (trouve, premier) = ((t, rang.get()), (self.t[voie], self.rangs[voie]));
+            let avant = if EN_ORDRE { t < premier.0 } else { avant(trouve, premier) };
             self.t[voie] = if avant { t } else { self.t[voie] };
             self.rangs[voie] = if avant { rang.get() } else { self.rangs[voie] };
         }
@@ -100,23 +100,21 @@ impl<R: Reel> Groupe<R> {
         while restent != 0 {
             let Some(rang) = Rang::new(self.rangs[le_premier(restent)]) else { return };
             let Some(objet) = objets.get(rang.get() as usize - 1) else { return };
-            let mut siens = self.voies_de(rang) & restent;
+            let siens = self.voies_de(rang) & restent;
             restent &= !siens;
-            if siens.count_ones() < COTE_A_COTE {
-                contacts.surs = [false; VOIES];
-            } else {
+            let cote_a_cote = siens.count_ones() >= COTE_A_COTE;
+            if cote_a_cote {
                 par_forme!(ObjetRay, objet, forme => contacts.calculer(self, *forme));
             }
             let texture = objet.texture();
-            while siens != 0 {
-                let voie = le_premier(siens);
-                siens &= siens - 1;
+            for voie in membres(siens) {
+                let t = self.t[voie];
                 // Built in its place: to copy a hit just built would stall until its fields are stored.
-                if contacts.surs[voie] {
-                    touches[voie] = Ok(Intersection::new(contacts.de(voie), texture, rang));
+                touches[voie] = Ok(if cote_a_cote && contacts.de_face[voie] {
+                    Intersection::new(t, contacts.de(voie), texture, rang)
                 } else {
-                    touches[voie] = objet.conclure(&rayons[voie], self.t[voie], rang);
-                }
+                    objet.conclure(&rayons[voie], t, rang)
+                });
             }
         }
     }
@@ -135,37 +133,30 @@ impl<R: Reel> Groupe<R> {
 /// The hits of sixteen rays on one shape, computed for all lanes; the caller keeps the valid ones.
 #[repr(align(64))]
 struct Contacts<R> {
-    distance: Voies<R>,
     normale: [Voies<R>; 3],
     marge: Voies<R>,
-    surs: Voies<bool>,
+    de_face: Voies<bool>,
 }
 
 impl<R: Reel> Contacts<R> {
-    const VIDES: Self = Self {
-        distance: [R::ZERO; VOIES],
-        normale: [[R::ZERO; VOIES]; 3],
-        marge: [R::ZERO; VOIES],
-        surs: [false; VOIES],
-    };
+    const VIDES: Self =
+        Self { normale: [[R::ZERO; VOIES]; 3], marge: [R::ZERO; VOIES], de_face: [false; VOIES] };
 
     #[inline(always)]
     fn calculer(&mut self, groupe: &Groupe<R>, forme: impl Forme<R>) {
-        let Self { distance, normale: [nx, ny, nz], marge, surs } = self;
+        let Self { normale: [nx, ny, nz], marge, de_face } = self;
         for voie in 0..VOIES {
             let (s, d) = groupe.colonnes.rayon(voie);
-            let (contact, sur) = forme.contact(&Rayon::sans_verifier(s, d), groupe.t[voie]);
-            distance[voie] = contact.distance;
+            let (contact, face) = forme.contact(&Rayon::sans_verifier(s, d), groupe.t[voie]);
             [nx[voie], ny[voie], nz[voie]] = contact.normale.into();
-            (marge[voie], surs[voie]) = (contact.marge, sur);
+            (marge[voie], de_face[voie]) = (contact.marge, face);
         }
     }
 
     /// The hit of one ray.
     #[inline(always)]
     fn de(&self, voie: usize) -> Contact<R> {
-        let Self { distance, normale: [nx, ny, nz], marge, surs: _ } = self;
-        let normale = Vecteur::new(nx[voie], ny[voie], nz[voie]);
-        Contact { distance: distance[voie], normale, marge: marge[voie] }
+        let Self { normale: [nx, ny, nz], marge, de_face: _ } = self;
+        Contact { normale: Vecteur::new(nx[voie], ny[voie], nz[voie]), marge: marge[voie] }
     }
 }

@@ -21,8 +21,7 @@ pub(crate) struct Mesure {
     pub(crate) k: Vec<f64>,
     /// The error of every distance in units in the last place.
     pub(crate) ulp: Vec<f64>,
-    /// The largest error of a distance in 2⁻⁵³·cond: the K of the promise. For an f32 the error counts
-    /// beyond half a unit in the last place.
+    /// The largest of these, without what products that underflow add: the K of the promise.
     pub(crate) k_promis: f64,
     /// The largest error of a normal, as a part of 4u(1 + |f|/r) + |Δt|/r.
     pub(crate) normale: f64,
@@ -45,20 +44,8 @@ fn demi_ulp<R: Reel>(t: R) -> f64 {
     f64::from(exposant).exp2() * R::U.vers_f64()
 }
 
-/// What rounding to the type of the scene adds to a distance that was computed in f64.
-pub(crate) fn arrondi_de_la_distance<R: Reel>(t: R) -> f64 {
-    if u::<R>() < f64::EPSILON {
-        0.0
-    } else if t == R::MIN_POSITIF {
-        // It also stands for those that would round to 0.
-        t.vers_f64()
-    } else {
-        demi_ulp(t)
-    }
-}
-
-/// What products that underflow in this type add to the error of a distance.
-pub(crate) fn absolu<R: Reel, S: Reel>(objet: &ObjetRay<S>, entree: &Entree) -> f64 {
+/// What products that underflow add to the error of a distance.
+pub(crate) fn absolu<R: Reel>(objet: &ObjetRay<R>, entree: &Entree) -> f64 {
     match objet {
         ObjetRay::Plan(_) => promesses::PLAN_ABSOLU * R::MIN_POSITIF.vers_f64() / entree.cosinus,
         ObjetRay::Sphere(_) | ObjetRay::Boite(_) => 0.0,
@@ -90,8 +77,7 @@ pub(crate) fn mesurer<R: Reel>(
         let ecart = entree.ecart(t).abs();
         mesure.k.push(ecart / (u * entree.cond));
         mesure.ulp.push(ecart / (2.0 * demi_ulp(t)));
-        let exempt = arrondi_de_la_distance(t) + absolu::<f64, _>(&cas.objet, &entree);
-        let k = (ecart - exempt) / (f64::EPSILON / 2.0 * entree.cond);
+        let k = (ecart - absolu(&cas.objet, &entree)) / (u * entree.cond);
         mesure.k_promis = mesure.k_promis.max(k);
 
         let permis = entree.direction_permise::<R>(ecart);

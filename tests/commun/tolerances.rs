@@ -3,9 +3,8 @@
 
 use lancer_rayon::Reel;
 
-/// Distance. The kernel promises K·u·cond with K ≤ 5.6 for f64 and half a unit in the last place
-/// more for f32; a property compares two such distances, 2·5.6, plus the rounding of its own
-/// inputs, each counted below.
+/// Distance. The kernel promises K·u·cond with K ≤ 5.6; a property compares two such distances, 2·5.6,
+/// plus the rounding of its own inputs, each counted below.
 pub(crate) const DISTANCE: f64 = 2.0 * promesses::DISTANCE_SPHERE;
 
 /// A vector turned by `Rotation::appliquer`: three products and two sums per coordinate, γ₃,
@@ -58,13 +57,13 @@ pub(crate) mod bandes {
 
 /// What the table of `docs/precision.md` promises, in the unit named.
 pub(crate) mod promesses {
-    /// Distance to a sphere, in 2⁻⁵³·cond.
+    /// Distance to a sphere, in u·cond.
     pub(crate) const DISTANCE_SPHERE: f64 = 5.6;
-    /// Distance to a half-space, in 2⁻⁵³·cond.
+    /// Distance to a half-space, in u·cond.
     pub(crate) const DISTANCE_PLAN: f64 = 4.5;
     /// What products that underflow add to it, in subnormals over |N·D|.
     pub(crate) const PLAN_ABSOLU: f64 = 2.0;
-    /// Distance to a box, in 2⁻⁵³·cond.
+    /// Distance to a box, in u·cond.
     pub(crate) const DISTANCE_BOITE: f64 = 5.0;
     /// What a speed towards a flat face may be off by, in u: taken from the |N·D| of cond.
     pub(crate) const VITESSE: f64 = super::bandes::BOITE_VITESSE;

@@ -105,9 +105,9 @@ fn hierarchie<R: Bits>(
     attendu: &Attendu<R>,
     de_plus: usize,
 ) {
-    let necessaires = Hierarchie::<R>::places(objets.len());
+    let necessaires = Hierarchie::places(objets.len());
     // What they hold does not matter.
-    let mut places = vec![attendu.limites[0]; necessaires + de_plus];
+    let mut places = vec![attendu.limites[0].vers_f64() as f32; necessaires + de_plus];
     if let Some(pretees) = places[..necessaires].split_last_mut().map(|(_, reste)| reste) {
         let places = pretees.len();
         let refus = Hierarchie::new(objets, pretees).unwrap_err();

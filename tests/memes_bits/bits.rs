@@ -55,7 +55,7 @@ fn memes_bits<R: Bits + DeserializeOwned>(nom: &str, attendue: u64) {
         reglage.premieres_intersections(&objets, &rayons, &mut touches).unwrap();
         exiger(&format!("{nom}, {jeu}"), &rayons, touches, &seules);
     }
-    let mut places = vec![R::ZERO; Hierarchie::<R>::places(objets.len())];
+    let mut places = vec![0.0; Hierarchie::places(objets.len())];
     let hierarchie = Hierarchie::new(&objets, &mut places).unwrap();
     let touches = rayons.iter().map(|r| hierarchie.premiere_intersection(r));
     exiger(&format!("{nom}, hierarchy"), &rayons, touches, &seules);
@@ -93,7 +93,7 @@ fn au_hasard<R: Bits>(attendue: u64) {
                 .collect();
             let premiers: Vec<_> =
                 rayons.iter().map(|r| premiere_intersection(&objets, r)).collect();
-            let mut places = vec![R::ZERO; Hierarchie::<R>::places(objets.len())];
+            let mut places = vec![0.0; Hierarchie::places(objets.len())];
             let hierarchie = Hierarchie::new(&objets, &mut places).unwrap();
             for (jeu, reglage) in Reglage::tous() {
                 let hierarchie = reglage.hierarchie(hierarchie);
@@ -133,7 +133,7 @@ fn au_hasard<R: Bits>(attendue: u64) {
 
 #[test]
 fn l_atelier_f32() {
-    memes_bits::<f32>("atelier", 0x984f_59af_606b_680b);
+    memes_bits::<f32>("atelier", 0x0071_6f41_c3b3_d35d);
 }
 
 #[test]
@@ -143,7 +143,7 @@ fn l_atelier_f64() {
 
 #[test]
 fn la_foule_f32() {
-    memes_bits::<f32>("foule", 0xfb5b_7b77_7f30_7aa3);
+    memes_bits::<f32>("foule", 0x2ca8_8ea4_e51a_cc17);
 }
 
 #[test]
@@ -153,7 +153,7 @@ fn la_foule_f64() {
 
 #[test]
 fn les_extremes_f32() {
-    memes_bits::<f32>("extremes", 0xd735_d6be_71fe_0ad7);
+    memes_bits::<f32>("extremes", 0x70bf_f164_414b_1d32);
 }
 
 #[test]
@@ -163,7 +163,7 @@ fn les_extremes_f64() {
 
 #[test]
 fn le_flocon_f32() {
-    memes_bits::<f32>("flocon", 0x3d86_3d07_1cbd_08a6);
+    memes_bits::<f32>("flocon", 0x6463_f0c9_a4b0_e63b);
 }
 
 #[test]
@@ -173,7 +173,7 @@ fn le_flocon_f64() {
 
 #[test]
 fn des_rayons_au_hasard_f32() {
-    au_hasard::<f32>(0xbd2c_025a_5ee8_988c);
+    au_hasard::<f32>(0x6673_5f30_90ec_4d70);
 }
 
 #[test]

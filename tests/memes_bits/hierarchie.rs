@@ -49,7 +49,7 @@ fn limites<R: Bits>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> Vec<R> {
 #[track_caller]
 fn comparer<R: Bits>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) -> usize {
     // What the memory held before must not show through.
-    let mut places = vec![R::depuis_f64(f64::NAN); Hierarchie::<R>::places(objets.len())];
+    let mut places = vec![f32::NAN; Hierarchie::places(objets.len())];
     let hierarchie = Hierarchie::new(objets, &mut places).unwrap();
     let attendues: Vec<_> = rayons.iter().map(|r| premiere_intersection(objets, r)).collect();
     let limites: Vec<_> = rayons.iter().step_by(7).map(|r| (r, limites(objets, r))).collect();
@@ -238,7 +238,7 @@ fn des_objets_tous_egaux<R: Bits>() {
     let objet = ObjetRay::from(boule);
     for n in [61_440, 100_000] {
         let objets = vec![objet; n];
-        let mut places = vec![R::ZERO; Hierarchie::<R>::places(objets.len())];
+        let mut places = vec![0.0; Hierarchie::places(objets.len())];
         let hierarchie = Hierarchie::new(&objets, &mut places).unwrap();
         let mut touches = vec![Err(NoIntersection); 256];
         hierarchie.premieres_intersections(&rayons, &mut touches).unwrap();
@@ -349,8 +349,8 @@ fn d_axe(alea: &mut Rng) -> Vecteur {
     d.into()
 }
 
-/// Boxes along whose edge a ray runs, within rounding of two faces, where the search and the conclusion
-/// name different ones: a shadow is cut off no earlier than the list sees it.
+/// Boxes along whose edge a ray runs, within rounding of two faces: a shadow is cut off no earlier than the
+/// list sees it.
 fn des_rayons_le_long_des_aretes<R: Bits>() {
     let mut alea = Rng::with_seed(9);
     let mut touches = 0;
@@ -424,15 +424,15 @@ fn de_tout_petits_objets_parmi_des_grands<R: Bits>() {
 
 fn les_places_pretees<R: Bits>() {
     // The last number of objects that gets a tree, and the first that does not, on 32-bit machines too.
-    assert!(Hierarchie::<R>::places(0x7f7f_ffff) > 0 && Hierarchie::<R>::places(0x7f80_0000) == 0);
+    assert!(Hierarchie::places(0x7f7f_ffff) > 0 && Hierarchie::places(0x7f80_0000) == 0);
     for n in [0, 1, UN_ARBRE - 1, UN_ARBRE, 16, 17, 256, 257, 1_000] {
         let scene = scenes::melange::<R>(n);
         let rayons = scenes::rayons_camera::<R>(9, 9);
-        let necessaires = Hierarchie::<R>::places(n);
+        let necessaires = Hierarchie::places(n);
         assert!(necessaires <= 8 * n + 300, "{n}: {necessaires}");
         assert_eq!(necessaires > 0, n >= UN_ARBRE);
         for pretees in [0, necessaires / 2, necessaires.saturating_sub(1)] {
-            let mut places = vec![R::ZERO; pretees];
+            let mut places = vec![0.0; pretees];
             let erreur = Hierarchie::new(&scene, &mut places).err();
             let refus = PlacesInsuffisantes { places: pretees, necessaires };
             assert_eq!(erreur, (pretees < necessaires).then_some(refus));
@@ -440,7 +440,7 @@ fn les_places_pretees<R: Bits>() {
             assert_eq!(refus.to_string(), phrase);
         }
         for pretees in [necessaires, necessaires + 1, 2 * necessaires + 100] {
-            let mut places = vec![R::INFINI; pretees];
+            let mut places = vec![f32::INFINITY; pretees];
             let hierarchie = Hierarchie::new(&scene, &mut places).unwrap();
             let copie = hierarchie;
             for rayon in &rayons {
@@ -474,7 +474,7 @@ fn toute_longueur_convient<R: Bits>() {
         for longueur in 0..=129 {
             comparer(&scene, &rayons[200 - longueur..]);
         }
-        let mut places = vec![R::ZERO; Hierarchie::<R>::places(n)];
+        let mut places = vec![0.0; Hierarchie::places(n)];
         let hierarchie = Hierarchie::new(&scene, &mut places).unwrap();
         for longueur in [0, 199, 201] {
             let mut touches = vec![Err(NoIntersection); longueur];

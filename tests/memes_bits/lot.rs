@@ -30,7 +30,7 @@ fn comparer<R: Bits>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) -> usize {
     // A hit that no ray has, so that a place which the batch leaves out shows.
     let boule: ObjetRay<R> = SphereGeo::new(Vecteur::NUL, R::UN, Texture(u32::MAX)).unwrap().into();
     let absurde = boule.intersection(&Rayon::new(axe_z() * R::LIMITE, -axe_z()).unwrap());
-    let mut places = vec![R::ZERO; Hierarchie::<R>::places(objets.len())];
+    let mut places = vec![0.0; Hierarchie::places(objets.len())];
     let hierarchie = Hierarchie::new(objets, &mut places).unwrap();
     let de_la_liste = reglages().into_iter().map(|(nom, reglage)| (nom, reglage, None));
     let de_l_arbre = Reglage::tous()

@@ -156,8 +156,7 @@ fn une_boite_a_l_autre_bout_est_touchee<R: Reel>() {
 
 en_f32_et_f64!(une_boite_a_l_autre_bout_est_touchee);
 
-/// Sources that lie a few of the smallest numbers above a half-space through the origin. In `f64` the
-/// conclusion then often finds less than the smallest number of `f32`, which would round to 0.
+/// Sources that lie a few of the smallest numbers above a half-space through the origin.
 fn aucune_distance_n_est_0<R: Reel>() {
     let mut alea = Rng::with_seed(11);
     let mut touches = 0;

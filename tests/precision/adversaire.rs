@@ -11,7 +11,7 @@
 use std::time::{Duration, Instant};
 
 use crate::commun::double::ecart_et_cond;
-use crate::commun::mesure::{absolu, arrondi_de_la_distance, au_bord};
+use crate::commun::mesure::{absolu, au_bord};
 use crate::commun::oracle::{hauteur, norme_au_carre_moins_un, verite};
 use crate::commun::regimes::{deux_puissance, direction, entre, regimes, repere, signe};
 use crate::commun::tolerances::{promesses, u};
@@ -453,23 +453,21 @@ fn distance_ou<R: Reel>(cas: &Cas<R>, seuil: f64, pres_de_0: bool) -> f64 {
     let objet = &cas.objets[0];
     let Ok(touche) = objet.intersection(&cas.rayon) else { return RIEN };
     let t = touche.distance();
-    let arrondi = arrondi_de_la_distance(t);
     let genre = Genre::de(objet);
     if !pres_de_0 {
         let (ecart, cond) = ecart_et_cond(objet, &cas.rayon, t);
-        let apercu = (ecart.abs() - arrondi) / (genre.distance() * f64::U * cond);
+        let apercu = ecart.abs() / (genre.distance() * u::<R>() * cond);
         if apercu < seuil {
             return apercu;
         }
     }
     let Some(entree) = verite(objet, &cas.rayon).entree else { return RIEN };
-    let (relatif, absolu) =
-        (genre.distance() * f64::U * entree.cond, absolu::<f64, _>(objet, &entree));
+    let (relatif, absolu) = (genre.distance() * u::<R>() * entree.cond, absolu(objet, &entree));
     // Each has its own climb, or the one would hide what the other finds.
     if relatif == f64::INFINITY || (absolu > 1e-3 * relatif && !pres_de_0) {
         return RIEN;
     }
-    (entree.ecart(t).abs() - arrondi) / (relatif + absolu)
+    entree.ecart(t).abs() / (relatif + absolu)
 }
 
 fn distance<R: Reel>(cas: &Cas<R>, seuil: f64) -> f64 {
@@ -505,7 +503,7 @@ fn ordre<R: Reel>(cas: &Cas<R>, _: f64) -> f64 {
         let sure = i == gagnant as usize || !verite.dans_la_marge;
         let objet = &cas.objets[i];
         let k = Genre::de(objet).distance() * u::<R>();
-        verite.entree.filter(|_| sure).map(|e| (k, absolu::<R, _>(objet, &e), e))
+        verite.entree.filter(|_| sure).map(|e| (k, absolu(objet, &e), e))
     });
     let (Some((k, absolu, gagnant)), Some((k_autre, absolu_autre, autre))) = (gagnant, autre)
     else {

@@ -241,8 +241,8 @@ impl<R: Parry> Concours<R> {
 }
 
 /// Places for a hierarchy over these objects.
-pub(crate) fn places<R: Reel>(objets: &[ObjetRay<R>]) -> Vec<R> {
-    vec![R::ZERO; Hierarchie::<R>::places(objets.len())]
+pub(crate) fn places<R: Reel>(objets: &[ObjetRay<R>]) -> Vec<f32> {
+    vec![0.0; Hierarchie::places(objets.len())]
 }
 
 fn touche<R: Reel>(reponse: Touche<R>) -> Option<Vu<R>> {
