@@ -33,9 +33,7 @@ use crate::vecteur::Vecteur;
 /// assert_eq!(grande.normales()[0], Vecteur::new(0.0, 0.0, 1.0));
 /// # Ok::<(), lancer_rayon::ErreurGeo>(())
 /// ```
-#[doc(alias = "box")]
-#[doc(alias = "cuboid")]
-#[doc(alias = "obb")]
+#[doc(alias("box", "cuboid", "obb"))]
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(try_from = "BoiteBrute<R>"))]
@@ -77,8 +75,7 @@ impl<R: Reel> BoiteGeo<R> {
     ///
     /// # Errors
     /// If `v` is not finite, or the new centre lies outside the limits of [`new`](Self::new).
-    #[doc(alias = "translate")]
-    #[doc(alias = "move")]
+    #[doc(alias("translate", "move"))]
     pub fn translation(self, v: Vecteur<R>) -> Result<Self, ErreurGeo> {
         let v = deplacement(v)?;
         Self::new(self.centre + v, self.dimensions, self.rotation, self.texture)
@@ -88,8 +85,7 @@ impl<R: Reel> BoiteGeo<R> {
     ///
     /// # Errors
     /// If the new centre lies outside the limits of [`new`](Self::new).
-    #[doc(alias = "rotate")]
-    #[doc(alias = "turn")]
+    #[doc(alias("rotate", "turn"))]
     pub fn rotation(self, r: Rotation<R>) -> Result<Self, ErreurGeo> {
         let centre = r.appliquer(self.centre);
         Self::new(centre, self.dimensions, self.rotation.puis(r), self.texture)
@@ -142,9 +138,7 @@ impl<R: Reel> BoiteGeo<R> {
 /// assert_eq!((boite.distances_faces()[0], boite.distances_opposees()[0]), (-3.0, -1.0));
 /// # Ok::<(), lancer_rayon::ErreurGeo>(())
 /// ```
-#[doc(alias = "box")]
-#[doc(alias = "cuboid")]
-#[doc(alias = "obb")]
+#[doc(alias("box", "cuboid", "obb"))]
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[must_use]
 pub struct BoiteRay<R = f64> {
@@ -170,8 +164,7 @@ impl<R: Reel> BoiteRay<R> {
     }
 
     /// l_i, half the distance between each face and the opposite one.
-    #[doc(alias = "half_extents")]
-    #[doc(alias = "half_lengths")]
+    #[doc(alias("half_extents", "half_lengths"))]
     #[inline]
     #[must_use]
     pub fn demi_longueurs(&self) -> [R; 3] {
@@ -375,20 +368,6 @@ impl<R: Reel> Quotient<R> {
 }
 
 #[cfg(feature = "serde")]
-#[derive(serde::Deserialize)]
-#[serde(rename = "BoiteGeo", deny_unknown_fields)]
-#[serde(bound(deserialize = "R: Reel + serde::Deserialize<'de>"))]
-struct BoiteBrute<R> {
-    centre: Vecteur<R>,
-    dimensions: Vecteur<R>,
-    rotation: Rotation<R>,
-    texture: Texture,
-}
-
-#[cfg(feature = "serde")]
-impl<R: Reel> TryFrom<BoiteBrute<R>> for BoiteGeo<R> {
-    type Error = ErreurGeo;
-    fn try_from(brute: BoiteBrute<R>) -> Result<Self, ErreurGeo> {
-        Self::new(brute.centre, brute.dimensions, brute.rotation, brute.texture)
-    }
+crate::erreur::lu_par_new! {
+    BoiteGeo, "BoiteGeo", BoiteBrute { centre: Vecteur<R>, dimensions: Vecteur<R>, rotation: Rotation<R>, texture: Texture }
 }

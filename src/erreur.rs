@@ -105,3 +105,26 @@ pub(crate) fn fini<R: Reel>(
     }
     Ok(v)
 }
+
+/// `lu_par_new! { T, "T", TBrut { champ: type, … } }`: serde reads a T as these fields, no others, and
+/// `T::new` checks them.
+#[cfg(feature = "serde")]
+macro_rules! lu_par_new {
+    ($type:ident, $nom:literal, $brut:ident { $($champ:ident: $du_type:ty),* }) => {
+        #[derive(serde::Deserialize)]
+        #[serde(rename = $nom, deny_unknown_fields)]
+        #[serde(bound(deserialize = "R: Reel + serde::Deserialize<'de>"))]
+        struct $brut<R> {
+            $($champ: $du_type),*
+        }
+
+        impl<R: Reel> TryFrom<$brut<R>> for $type<R> {
+            type Error = ErreurGeo;
+            fn try_from(brut: $brut<R>) -> Result<Self, ErreurGeo> {
+                Self::new($(brut.$champ),*)
+            }
+        }
+    };
+}
+#[cfg(feature = "serde")]
+pub(crate) use lu_par_new;

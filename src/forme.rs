@@ -10,6 +10,19 @@ use crate::rayon::Rayon;
 use crate::reel::{Reel, fois_u};
 use crate::vecteur::Vecteur;
 
+/// The rounding of a height over a surface, in u·ℓ, and of what the next search sees of it.
+const ARRONDI_HAUTEUR: f64 = 4.0;
+
+/// By so many u of itself a margin is larger: 6 for an N that is unit to 6u only, and the rounding of its last
+/// operations.
+const VERS_LE_HAUT: f64 = 12.0;
+
+/// By so many u a normal that does not face the source is leaned towards it.
+const PENCHE: f64 = 6.0;
+
+/// By so many u of itself SC² is smaller, so that rounding hides no entry from the ball.
+const RETRAIT: f64 = 192.0;
+
 /// A shape, ready for rays.
 pub(crate) trait Forme<R: Reel>: Copy {
     /// A ball around all of the shape; [`Boule::INFINIE`] if it is unbounded.
@@ -69,10 +82,9 @@ pub(crate) trait Forme<R: Reel>: Copy {
     #[inline(always)]
     fn marge(&self, rayon: &Rayon<R>, t: R, normale: Vecteur<R>) -> R {
         let (b, l) = self.hauteur(rayon.point(t), normale);
-        let marge = b + l * fois_u(8.0);
-        // Upwards, past an N that is unit to 6u only and the rounding of these last operations; a NaN comes
-        // from an overflow.
-        let marge = marge + marge * fois_u(12.0) + R::depuis_f64(8.0) * R::MIN_POSITIF;
+        let marge = b + l * fois_u(2.0 * ARRONDI_HAUTEUR);
+        // A NaN comes from an overflow.
+        let marge = marge + marge * fois_u(VERS_LE_HAUT) + R::depuis_f64(8.0) * R::MIN_POSITIF;
         if marge < R::INFINI { marge } else { R::INFINI }
     }
 }
@@ -86,7 +98,7 @@ pub(crate) trait Forme<R: Reel>: Copy {
 fn vers_la_source<R: Reel>(n: Vecteur<R>, d: Vecteur<R>) -> Vecteur<R> {
     let unitaire = d / d.longueur();
     let travers = (n - unitaire * n.produit_scalaire(unitaire)).unitaire();
-    let penchee = travers.and_then(|n| (n - unitaire * fois_u(6.0)).unitaire());
+    let penchee = travers.and_then(|n| (n - unitaire * fois_u(PENCHE)).unitaire());
     penchee.filter(|n| n.produit_scalaire(d) < R::ZERO).unwrap_or(-unitaire)
 }
 
@@ -113,6 +125,3 @@ impl<R: Reel> Boule<R> {
         (sc2 - sa * sa <= self.r2) & ((sa > R::ZERO) | (sc2 <= self.r2))
     }
 }
-
-/// By so many u of itself SC² is made smaller.
-const RETRAIT: f64 = 192.0;

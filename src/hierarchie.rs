@@ -67,11 +67,7 @@ pub(crate) const SEUIL_LOT: usize = 100;
 /// assert_eq!(touches, [Ok(touche); 2]);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
-#[doc(alias = "bvh")]
-#[doc(alias = "bounding_volume_hierarchy")]
-#[doc(alias = "acceleration_structure")]
-#[doc(alias = "tree")]
-#[doc(alias = "index")]
+#[doc(alias("bvh", "bounding_volume_hierarchy", "acceleration_structure", "tree", "index"))]
 #[derive(Debug, Clone, Copy)]
 #[must_use]
 pub struct Hierarchie<'a, R = f64> {
@@ -93,8 +89,7 @@ impl Hierarchie<'_> {
     /// How many numbers a hierarchy of so many objects needs, in either type: some 7.5 an object, 30 bytes.
     ///
     /// It is 0 for fewer than 9 objects, and for 2³¹ − 2²³ or more: these are asked as a list.
-    #[doc(alias = "capacity")]
-    #[doc(alias = "memory")]
+    #[doc(alias("capacity", "memory"))]
     #[must_use]
     pub const fn places(nombre_d_objets: usize) -> usize {
         match noeuds(nombre_d_objets) {
@@ -142,10 +137,7 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
     ///
     /// # Errors
     /// [`NoIntersection`] if the ray enters no object.
-    #[doc(alias = "cast_ray")]
-    #[doc(alias = "closest_hit")]
-    #[doc(alias = "first_hit")]
-    #[doc(alias = "raycast")]
+    #[doc(alias("cast_ray", "closest_hit", "first_hit", "raycast"))]
     #[inline]
     pub fn premiere_intersection(
         &self,
@@ -155,9 +147,7 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
     }
 
     /// [`est_occulte`](fn@est_occulte) of the list.
-    #[doc(alias = "any_hit")]
-    #[doc(alias = "occluded")]
-    #[doc(alias = "shadow")]
+    #[doc(alias("any_hit", "occluded", "shadow"))]
     #[inline]
     #[must_use]
     pub fn est_occulte(&self, rayon: &Rayon<R>, distance_max: R) -> bool {
@@ -170,9 +160,7 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
     ///
     /// # Errors
     /// If `rayons` and `touches` are not of the same length; nothing is written then.
-    #[doc(alias = "batch")]
-    #[doc(alias = "packet")]
-    #[doc(alias = "cast_rays")]
+    #[doc(alias("batch", "packet", "cast_rays"))]
     pub fn premieres_intersections(
         &self,
         rayons: &[Rayon<R>],
@@ -189,69 +177,50 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
 
 compile_ici! {
     /// The tree over these objects, in the numbers lent, which are enough.
-    fn batir<'a, R>(objets: &'a [ObjetRay<R>], places: &'a mut [f32]) -> Arbre<'a, R> = batir_ici;
-}
+    fn batir<'a, R>(objets: &'a [ObjetRay<R>], places: &'a mut [f32]) -> Arbre<'a, R> {
+        let debut = places.as_ptr().align_offset(LIGNE).min(BOURRAGE);
+        construire(objets, &mut places[debut..])
+    }
 
-compile_ici! {
     /// [`Hierarchie::premiere_intersection`].
-    fn premiere<'a, R>(hierarchie: &'a Hierarchie<'a, R>, rayon: &'a Rayon<R>) -> Touche<R> = premiere_ici;
-}
+    fn premiere<'a, R>(hierarchie: &'a Hierarchie<'a, R>, rayon: &'a Rayon<R>) -> Touche<R> {
+        let Hierarchie { objets, arbre, niveau } = hierarchie;
+        let Some(arbre) = arbre else { return premiere_intersection(objets, rayon) };
+        selon_le_niveau!(*niveau, simd => {
+            arbre.premiere_intersection(simd, objets, rayon, (R::INFINI, 0))
+        })
+    }
 
-compile_ici! {
     /// [`Hierarchie::est_occulte`].
-    fn occulte<'a, R>(hierarchie: &'a Hierarchie<'a, R>, rayon: &'a Rayon<R>, distance_max: R) -> bool
-        = occulte_ici;
-}
+    fn occulte<'a, R>(hierarchie: &'a Hierarchie<'a, R>, rayon: &'a Rayon<R>, distance_max: R) -> bool {
+        let Hierarchie { objets, arbre, niveau } = hierarchie;
+        let Some(arbre) = arbre else { return est_occulte(objets, rayon, distance_max) };
+        selon_le_niveau!(*niveau, simd => arbre.est_occulte(simd, objets, rayon, distance_max))
+    }
 
-compile_ici! {
     /// [`Hierarchie::premieres_intersections`].
     fn premieres<'a, R>(
         hierarchie: &'a Hierarchie<'a, R>,
         rayons: &'a [Rayon<R>],
         touches: &'a mut [Touche<R>],
-    ) -> Result<(), LongueursDifferentes> = premieres_ici;
-}
-
-fn batir_ici<'a, R: Reel>(objets: &'a [ObjetRay<R>], places: &'a mut [f32]) -> Arbre<'a, R> {
-    let debut = places.as_ptr().align_offset(LIGNE).min(BOURRAGE);
-    construire(objets, &mut places[debut..])
-}
-
-fn premiere_ici<R: Reel>(hierarchie: &Hierarchie<'_, R>, rayon: &Rayon<R>) -> Touche<R> {
-    let Hierarchie { objets, arbre, niveau } = hierarchie;
-    let Some(arbre) = arbre else { return premiere_intersection(objets, rayon) };
-    selon_le_niveau!(*niveau, simd => {
-        arbre.premiere_intersection(simd, objets, rayon, (R::INFINI, 0))
-    })
-}
-
-fn occulte_ici<R: Reel>(hierarchie: &Hierarchie<'_, R>, rayon: &Rayon<R>, distance_max: R) -> bool {
-    let Hierarchie { objets, arbre, niveau } = hierarchie;
-    let Some(arbre) = arbre else { return est_occulte(objets, rayon, distance_max) };
-    selon_le_niveau!(*niveau, simd => arbre.est_occulte(simd, objets, rayon, distance_max))
-}
-
-fn premieres_ici<R: Reel>(
-    hierarchie: &Hierarchie<'_, R>,
-    rayons: &[Rayon<R>],
-    touches: &mut [Touche<R>],
-) -> Result<(), LongueursDifferentes> {
-    let Hierarchie { objets, arbre, niveau } = *hierarchie;
-    let Some(arbre) = &arbre.filter(|_| objets.len() > SEUIL_LOT) else {
-        return repondre(niveau, true, objets, rayons, touches);
-    };
-    memes_longueurs(rayons, touches)?;
-    if rayons.len() < PEU_DE_RAYONS {
-        for (rayon, touche) in rayons.iter().zip(touches) {
-            *touche = premiere_ici(hierarchie, rayon);
+    ) -> Result<(), LongueursDifferentes> {
+        let Hierarchie { objets, arbre, niveau } = *hierarchie;
+        let Some(arbre) = &arbre.filter(|_| objets.len() > SEUIL_LOT) else {
+            return repondre(niveau, true, objets, rayons, touches);
+        };
+        memes_longueurs(rayons, touches)?;
+        if rayons.len() < PEU_DE_RAYONS {
+            for (rayon, touche) in rayons.iter().zip(touches) {
+                *touche = premiere(hierarchie, rayon);
+            }
+        } else {
+            selon_le_niveau!(niveau, simd => {
+                let recherche = RechercheDansLArbre { simd, objets, arbre };
+                par_blocs(simd, objets, rayons, touches, recherche);
+            });
         }
-    } else {
-        selon_le_niveau!(niveau, simd => {
-            let mut recherche = RechercheDansLArbre { simd, objets, arbre };
-            par_blocs(simd, objets, rayons, touches, &mut recherche);
-        });
+        Ok(())
     }
-    Ok(())
 }
 
 /// Fewer places were lent than the [hierarchy](Hierarchie) of so many objects needs.

@@ -26,8 +26,7 @@ use crate::vecteur::Vecteur;
 /// assert!((point - Vecteur::new(1.5, 0.0, -2.0)).longueur() < 1e-15);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
-#[doc(alias = "hit")]
-#[doc(alias = "HitRecord")]
+#[doc(alias("hit", "HitRecord"))]
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[must_use]
 pub struct Intersection<R = f64> {
@@ -87,8 +86,7 @@ impl<R: Reel> Intersection<R> {
     /// The index of the object in the list that was asked; 0 for an object that was asked alone.
     ///
     /// In a list of more than 2³² − 1 objects, those at the end share the index 2³² − 2.
-    #[doc(alias = "index")]
-    #[doc(alias = "primitive_id")]
+    #[doc(alias("index", "primitive_id"))]
     #[inline]
     #[must_use]
     pub fn objet(&self) -> usize {
@@ -112,8 +110,7 @@ impl<R: Reel> Intersection<R> {
     /// assert!(touche.marge() < 1e-14);
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
-    #[doc(alias = "error_bound")]
-    #[doc(alias = "margin")]
+    #[doc(alias("error_bound", "margin"))]
     #[inline]
     #[must_use]
     pub fn marge(&self) -> R {
@@ -127,6 +124,18 @@ pub(crate) struct Contact<R> {
     pub(crate) normale: Vecteur<R>,
     pub(crate) marge: R,
 }
+
+/// A direction within so many u of the tangent plane is turned outward.
+const TANGENT: f64 = 4.0;
+
+/// By so many u.
+const REDRESSE: f64 = 16.0;
+
+/// By so many u of itself a margin grows for an N that is not exactly unit.
+const PAS_NORMAL: f64 = 16.0;
+
+/// The rounding of the moved point, in u·Σ|N_i·P_i|.
+const PAS_ARRONDI: f64 = 2.0;
 
 impl<R: Reel> Rayon<R> {
     /// A ray that starts where this one touched an object and never hits that object again, with one
@@ -163,11 +172,7 @@ impl<R: Reel> Rayon<R> {
     /// assert_eq!(boule.intersection(&reflet), Err(NoIntersection));
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
-    #[doc(alias = "spawn_ray")]
-    #[doc(alias = "secondary_ray")]
-    #[doc(alias = "shadow_ray")]
-    #[doc(alias = "reflection")]
-    #[doc(alias = "refraction")]
+    #[doc(alias("spawn_ray", "secondary_ray", "shadow_ray", "reflection", "refraction"))]
     #[inline]
     pub fn secondaire(
         &self,
@@ -177,10 +182,13 @@ impl<R: Reel> Rayon<R> {
         let direction = direction_unitaire(direction)?;
         let n = touche.normale;
         let cosinus = direction.produit_scalaire(n);
-        let tangente = cosinus.abs() <= fois_u(4.0);
-        let direction =
-            if tangente { direction_unitaire(direction + n * fois_u(16.0))? } else { direction };
-        let dedans = cosinus < fois_u(-4.0);
+        let tangente = cosinus.abs() <= fois_u(TANGENT);
+        let direction = if tangente {
+            direction_unitaire(direction + n * fois_u(REDRESSE))?
+        } else {
+            direction
+        };
+        let dedans = cosinus < fois_u(-TANGENT);
         Ok(Self::sans_verifier(source_valide(self.depart(touche, dedans))?, direction))
     }
 
@@ -205,15 +213,13 @@ impl<R: Reel> Rayon<R> {
     /// assert!(vers(-9.0).is_none()); // behind the surface
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
-    #[doc(alias = "shadow_ray")]
-    #[doc(alias = "light")]
-    #[doc(alias = "lamp")]
+    #[doc(alias("shadow_ray", "light", "lamp"))]
     #[inline]
     #[must_use]
     pub fn vers_lumiere(&self, touche: &Intersection<R>, lumiere: Vecteur<R>) -> Option<(Self, R)> {
         let depart = source_valide(self.depart(touche, false)).ok()?;
         let (distance, direction) = (lumiere - depart).longueur_et_unitaire()?;
-        let de_face = direction.produit_scalaire(touche.normale) > fois_u(4.0);
+        let de_face = direction.produit_scalaire(touche.normale) > fois_u(TANGENT);
         de_face.then(|| (Self::sans_verifier(depart, direction), distance))
     }
 
@@ -221,10 +227,8 @@ impl<R: Reel> Rayon<R> {
     #[inline(always)]
     fn depart(&self, touche: &Intersection<R>, dedans: bool) -> Vecteur<R> {
         let (p, n) = (self.point(touche.distance), touche.normale);
-        // The bound of the hit, with room for N not being exactly unit, and the rounding of the
-        // moved point.
-        let pas = touche.marge * (R::UN + fois_u(16.0));
-        let pas = pas + n.somme_des_grandeurs(p) * fois_u(2.0);
+        let pas = touche.marge * (R::UN + fois_u(PAS_NORMAL));
+        let pas = pas + n.somme_des_grandeurs(p) * fois_u(PAS_ARRONDI);
         p + n * if dedans { -pas } else { pas }
     }
 }
@@ -240,8 +244,7 @@ impl<R: Reel> Rayon<R> {
 /// assert_eq!(NoIntersection.to_string(), "the ray touches no object");
 /// # Ok::<(), lancer_rayon::ErreurGeo>(())
 /// ```
-#[doc(alias = "No_intersection")]
-#[doc(alias = "miss")]
+#[doc(alias("No_intersection", "miss"))]
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub struct NoIntersection;
 

@@ -78,9 +78,9 @@
 //!
 //! # `f32` or `f64`
 //!
-//! Every type takes the scalar as a parameter, `f64` unless named: `Vecteur<f32>`. The search for the
-//! first object runs in that type, and its hit is computed in `f64`: in `f32` t, for the point S + tD of the
-//! object that was found, is off by little more than half a unit in the last place (`docs/precision.md`).
+//! Every type takes the scalar as a parameter, `f64` unless named: `Vecteur<f32>`. Everything is computed in
+//! that type. Take `f32` for speed and memory, in batches above all, and `f64` for distances to some 10⁻¹⁴
+//! (`docs/compromis.md`); what is promised is the same, in units of each type's rounding (`docs/precision.md`).
 //!
 //! # Features
 //!

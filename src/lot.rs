@@ -70,9 +70,7 @@ const SEUIL_ELAGAGE: usize = 10;
 /// assert_eq!(touches.map(|touche| touche.is_ok()), [true, true, false]);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
-#[doc(alias = "batch")]
-#[doc(alias = "packet")]
-#[doc(alias = "cast_rays")]
+#[doc(alias("batch", "packet", "cast_rays"))]
 pub fn premieres_intersections<R: Reel>(
     objets: &[ObjetRay<R>],
     rayons: &[Rayon<R>],
@@ -119,43 +117,35 @@ compile_ici! {
         objets: &'a [ObjetRay<R>],
         rayons: &'a [Rayon<R>],
         touches: &'a mut [Touche<R>],
-    ) -> Result<(), LongueursDifferentes> = repondre_generique;
-}
-
-fn repondre_generique<R: Reel>(
-    niveau: Level,
-    elaguer: bool,
-    objets: &[ObjetRay<R>],
-    rayons: &[Rayon<R>],
-    touches: &mut [Touche<R>],
-) -> Result<(), LongueursDifferentes> {
-    memes_longueurs(rayons, touches)?;
-    // In a longer list two objects share a rank.
-    if rayons.len() < PEU_DE_RAYONS || objets.len() > Rang::MAX.get() as usize {
-        for (rayon, touche) in rayons.iter().zip(touches) {
-            *touche = premiere_intersection(objets, rayon);
+    ) -> Result<(), LongueursDifferentes> {
+        memes_longueurs(rayons, touches)?;
+        // In a longer list two objects share a rank.
+        if rayons.len() < PEU_DE_RAYONS || objets.len() > Rang::MAX.get() as usize {
+            for (rayon, touche) in rayons.iter().zip(touches) {
+                *touche = premiere_intersection(objets, rayon);
+            }
+            return Ok(());
         }
-        return Ok(());
+        let (mut etroite, mut large);
+        let fenetre: &mut [Rangee<R>] = if !elaguer || objets.len() < SEUIL_ELAGAGE {
+            &mut []
+        } else if objets.len() <= FENETRE_ETROITE * VOIES {
+            etroite = [const { Rangee::VIDE }; FENETRE_ETROITE];
+            &mut etroite
+        } else {
+            large = [const { Rangee::VIDE }; FENETRE];
+            &mut large
+        };
+        // Where one window holds all objects it is filled once.
+        if objets.len() <= fenetre.len() * VOIES {
+            charger(fenetre, objets);
+        }
+        selon_le_niveau!(niveau, simd => {
+            let recherche = RechercheDansLaListe { simd, objets, fenetre: &mut *fenetre };
+            par_blocs(simd, objets, rayons, touches, recherche);
+        });
+        Ok(())
     }
-    let (mut etroite, mut large);
-    let fenetre: &mut [Rangee<R>] = if !elaguer || objets.len() < SEUIL_ELAGAGE {
-        &mut []
-    } else if objets.len() <= FENETRE_ETROITE * VOIES {
-        etroite = [const { Rangee::VIDE }; FENETRE_ETROITE];
-        &mut etroite
-    } else {
-        large = [const { Rangee::VIDE }; FENETRE];
-        &mut large
-    };
-    // Where one window holds all objects it is filled once.
-    if objets.len() <= fenetre.len() * VOIES {
-        charger(fenetre, objets);
-    }
-    selon_le_niveau!(niveau, simd => {
-        let mut recherche = RechercheDansLaListe { simd, objets, fenetre: &mut *fenetre };
-        par_blocs(simd, objets, rayons, touches, &mut recherche);
-    });
-    Ok(())
 }
 
 /// Puts the balls around these objects into a window.
@@ -182,21 +172,13 @@ pub(crate) fn memes_longueurs<R>(
 ///
 /// A trait and not a closure, since only a method can be `inline(always)` (`lot/groupe.rs`).
 pub(crate) trait RechercheDeBloc<R> {
-    /// Leaves the first objects in `bloc`, from which [`par_blocs`] writes the answers, or writes the
-    /// answers itself; the result says which.
+    /// Leaves the first objects in `bloc`, or writes the answers itself, and tells whether it did.
     fn chercher(
         &mut self,
         bloc: &mut [Groupe<R>],
         rayons: &[Rayon<R>],
         touches: &mut [Touche<R>],
-    ) -> Trouve;
-}
-
-/// Where a [`RechercheDeBloc`] left what it found.
-#[derive(PartialEq)]
-pub(crate) enum Trouve {
-    DansLeBloc,
-    DansLesTouches,
+    ) -> bool;
 }
 
 /// Searches a list. Where there is a window, culls the objects that the beam of the block avoids.
@@ -213,7 +195,7 @@ impl<R: Reel, S: Simd> RechercheDeBloc<R> for RechercheDansLaListe<'_, R, S> {
         bloc: &mut [Groupe<R>],
         rayons: &[Rayon<R>],
         _: &mut [Touche<R>],
-    ) -> Trouve {
+    ) -> bool {
         let Self { simd, objets, fenetre } = self;
         let capacite = fenetre.len() * VOIES;
         let faisceau = if capacite > 0 { Faisceau::du_bloc(rayons, bloc) } else { None };
@@ -221,7 +203,7 @@ impl<R: Reel, S: Simd> RechercheDeBloc<R> for RechercheDansLaListe<'_, R, S> {
             for (indice, objet) in objets.iter().enumerate() {
                 proposer::<R, true>(bloc, objet, rang(indice));
             }
-            return Trouve::DansLeBloc;
+            return false;
         };
         for (debut, proches) in (0..).step_by(capacite).zip(objets.chunks(capacite)) {
             if objets.len() > capacite {
@@ -236,7 +218,7 @@ impl<R: Reel, S: Simd> RechercheDeBloc<R> for RechercheDansLaListe<'_, R, S> {
                 }
             }
         }
-        Trouve::DansLeBloc
+        false
     }
 }
 
@@ -247,7 +229,7 @@ pub(crate) fn par_blocs<R: Reel, S: Simd>(
     objets: &[ObjetRay<R>],
     rayons: &[Rayon<R>],
     touches: &mut [Touche<R>],
-    recherche: &mut impl RechercheDeBloc<R>,
+    mut recherche: impl RechercheDeBloc<R>,
 ) {
     let mut bloc = [const { Groupe::VIDE }; BLOC / VOIES];
     for (rayons, touches) in rayons.chunks(BLOC).zip(touches.chunks_mut(BLOC)) {
@@ -255,7 +237,7 @@ pub(crate) fn par_blocs<R: Reel, S: Simd>(
         for (groupe, rayons) in bloc.iter_mut().zip(rayons.chunks(VOIES)) {
             groupe.charger(rayons);
         }
-        if recherche.chercher(bloc, rayons, touches) == Trouve::DansLeBloc {
+        if !recherche.chercher(bloc, rayons, touches) {
             ecrire(simd, bloc, objets, rayons, touches);
         }
     }

@@ -42,8 +42,7 @@ pub(crate) use par_forme;
 /// assert_eq!((boule.centre(), boule.rayon()), (Vecteur::new(0.0, 0.0, 4.0), 2.0));
 /// # Ok::<(), lancer_rayon::ErreurGeo>(())
 /// ```
-#[doc(alias = "shape")]
-#[doc(alias = "Objet_geo")]
+#[doc(alias("shape", "Objet_geo"))]
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(bound(serialize = "R: Reel + serde::Serialize")))]
@@ -65,8 +64,7 @@ impl<R: Reel> ObjetGeo<R> {
     ///
     /// # Errors
     /// If the moved object lies outside the limits of its constructor.
-    #[doc(alias = "translate")]
-    #[doc(alias = "move")]
+    #[doc(alias("translate", "move"))]
     pub fn translation(self, v: Vecteur<R>) -> Result<Self, ErreurGeo> {
         par_forme!(Self, self, forme => Ok(forme.translation(v)?.into()))
     }
@@ -75,8 +73,7 @@ impl<R: Reel> ObjetGeo<R> {
     ///
     /// # Errors
     /// If the turned object lies outside the limits of its constructor.
-    #[doc(alias = "rotate")]
-    #[doc(alias = "turn")]
+    #[doc(alias("rotate", "turn"))]
     pub fn rotation(self, r: Rotation<R>) -> Result<Self, ErreurGeo> {
         par_forme!(Self, self, forme => Ok(forme.rotation(r)?.into()))
     }
@@ -111,8 +108,7 @@ impl<R: Reel> ObjetGeo<R> {
 /// assert_eq!((touche.distance(), touche.texture()), (4.0, Texture(3)));
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
-#[doc(alias = "primitive")]
-#[doc(alias = "Objet_ray")]
+#[doc(alias("primitive", "Objet_ray"))]
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[must_use]
 pub enum ObjetRay<R = f64> {
@@ -156,8 +152,9 @@ impl<R: Reel> ObjetRay<R> {
     }
 
     /// The texture of this object.
+    #[doc(alias = "material")]
     #[inline(always)]
-    pub(crate) fn texture(&self) -> Texture {
+    pub fn texture(&self) -> Texture {
         par_forme!(Self, self, forme => forme.texture())
     }
 

@@ -28,8 +28,7 @@ use crate::vecteur::Vecteur;
 /// assert_eq!(plus_haut.vers_ray().distance(), -1.0);
 /// # Ok::<(), lancer_rayon::ErreurGeo>(())
 /// ```
-#[doc(alias = "plane")]
-#[doc(alias = "half-space")]
+#[doc(alias("plane", "half-space"))]
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(try_from = "PlanBrut<R>"))]
@@ -55,8 +54,7 @@ impl<R: Reel> PlanGeo<R> {
     ///
     /// # Errors
     /// If `v` is not finite, or the new distance lies outside the limits of [`new`](Self::new).
-    #[doc(alias = "translate")]
-    #[doc(alias = "move")]
+    #[doc(alias("translate", "move"))]
     pub fn translation(self, v: Vecteur<R>) -> Result<Self, ErreurGeo> {
         let v = deplacement(v)?;
         let distance = self.distance - self.normale().produit_scalaire(v);
@@ -67,8 +65,7 @@ impl<R: Reel> PlanGeo<R> {
     ///
     /// # Errors
     /// None today; the signature is that of the other shapes.
-    #[doc(alias = "rotate")]
-    #[doc(alias = "turn")]
+    #[doc(alias("rotate", "turn"))]
     pub fn rotation(self, r: Rotation<R>) -> Result<Self, ErreurGeo> {
         Self::new(self.rotation.puis(r), self.distance, self.texture)
     }
@@ -109,8 +106,7 @@ impl<R: Reel> PlanGeo<R> {
 /// assert_eq!((n, d, fond.texture()), (Vecteur::new(0.0, 0.0, 1.0), 2.0, Texture(7)));
 /// # Ok::<(), lancer_rayon::ErreurGeo>(())
 /// ```
-#[doc(alias = "plane")]
-#[doc(alias = "half-space")]
+#[doc(alias("plane", "half-space"))]
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[must_use]
 pub struct PlanRay<R = f64> {
@@ -187,19 +183,6 @@ impl<R: Reel> Forme<R> for PlanRay<R> {
 }
 
 #[cfg(feature = "serde")]
-#[derive(serde::Deserialize)]
-#[serde(rename = "PlanGeo", deny_unknown_fields)]
-#[serde(bound(deserialize = "R: Reel + serde::Deserialize<'de>"))]
-struct PlanBrut<R> {
-    rotation: Rotation<R>,
-    distance: R,
-    texture: Texture,
-}
-
-#[cfg(feature = "serde")]
-impl<R: Reel> TryFrom<PlanBrut<R>> for PlanGeo<R> {
-    type Error = ErreurGeo;
-    fn try_from(brut: PlanBrut<R>) -> Result<Self, ErreurGeo> {
-        Self::new(brut.rotation, brut.distance, brut.texture)
-    }
+crate::erreur::lu_par_new! {
+    PlanGeo, "PlanGeo", PlanBrut { rotation: Rotation<R>, distance: R, texture: Texture }
 }

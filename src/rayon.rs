@@ -84,18 +84,6 @@ pub(crate) fn direction_unitaire<R: Reel>(direction: Vecteur<R>) -> Result<Vecte
 }
 
 #[cfg(feature = "serde")]
-#[derive(serde::Deserialize)]
-#[serde(rename = "Rayon", deny_unknown_fields)]
-#[serde(bound(deserialize = "R: Reel + serde::Deserialize<'de>"))]
-struct RayonBrut<R> {
-    source: Vecteur<R>,
-    direction: Vecteur<R>,
-}
-
-#[cfg(feature = "serde")]
-impl<R: Reel> TryFrom<RayonBrut<R>> for Rayon<R> {
-    type Error = ErreurGeo;
-    fn try_from(brut: RayonBrut<R>) -> Result<Self, ErreurGeo> {
-        Self::new(brut.source, brut.direction)
-    }
+crate::erreur::lu_par_new! {
+    Rayon, "Rayon", RayonBrut { source: Vecteur<R>, direction: Vecteur<R> }
 }

@@ -12,8 +12,8 @@ use crate::reel::Reel;
 ///
 /// A hit is an entry. An object that contains the source, or whose surface does, is not
 /// touched (handout §2.3); the others still count. Of two objects at the same distance the
-/// earlier in the list is the first. All of this holds for the distances that the search computes in R:
-/// within the bounds of `docs/precision.md` the exact answer may be another.
+/// earlier in the list is the first. All of this holds for distances as computed in R: within the bounds of
+/// `docs/precision.md` the exact answer may be another.
 ///
 /// # Errors
 /// [`NoIntersection`] if the ray enters no object.
@@ -33,10 +33,7 @@ use crate::reel::Reel;
 /// assert_eq!(premiere_intersection(&scene, &ailleurs), Err(NoIntersection));
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
-#[doc(alias = "cast_ray")]
-#[doc(alias = "closest_hit")]
-#[doc(alias = "first_hit")]
-#[doc(alias = "raycast")]
+#[doc(alias("cast_ray", "closest_hit", "first_hit", "raycast"))]
 #[inline]
 pub fn premiere_intersection<R: Reel>(
     objets: &[ObjetRay<R>],
@@ -64,8 +61,7 @@ impl<R: Reel> ObjetRay<R> {
     /// # Errors
     /// [`NoIntersection`] if the ray passes the object by, is tangent to it, or starts inside it or on
     /// its surface.
-    #[doc(alias = "intersect")]
-    #[doc(alias = "hit")]
+    #[doc(alias("intersect", "hit"))]
     pub fn intersection(&self, rayon: &Rayon<R>) -> Result<Intersection<R>, NoIntersection> {
         premiere_intersection(slice::from_ref(self), rayon)
     }
@@ -74,8 +70,8 @@ impl<R: Reel> ObjetRay<R> {
 /// Tells whether anything blocks the way of the ray before `distance_max`, the distance of a light:
 /// the shadow of the handout's later parts.
 ///
-/// It is `objets.iter().any(|o| o.intersection(rayon).is_ok_and(|i| i.distance() < distance_max))`,
-/// and ends with the first such object. +∞ asks whether the ray touches anything at all; nothing is
+/// It is `objets.iter().any(|o| o.intersection(rayon).is_ok_and(|i| i.distance() < distance_max))`, to the
+/// bit, and ends with the first such object. +∞ asks whether the ray touches anything at all; nothing is
 /// before a NaN.
 ///
 /// [`vers_lumiere`](Rayon::vers_lumiere) gives the ray and the distance. With a
@@ -98,9 +94,7 @@ impl<R: Reel> ObjetRay<R> {
 /// assert!(!eclaire(Vecteur::new(0.0, 0.0, -9.0))); // behind the surface
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
-#[doc(alias = "any_hit")]
-#[doc(alias = "occluded")]
-#[doc(alias = "shadow")]
+#[doc(alias("any_hit", "occluded", "shadow"))]
 #[inline]
 #[must_use]
 pub fn est_occulte<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>, distance_max: R) -> bool {

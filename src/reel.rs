@@ -63,8 +63,7 @@ pub(crate) use scelle::Travail;
 /// assert_eq!((f32::INFINI.vers_f64(), f32::depuis_f64(0.1)), (f64::INFINITY, 0.1));
 /// assert_eq!((Reel::sqrt(9.0), Reel::abs(-3.0), f64::ZERO), (3.0, 3.0, 0.0));
 /// ```
-#[doc(alias = "float")]
-#[doc(alias = "scalar")]
+#[doc(alias("float", "scalar"))]
 pub trait Reel:
     Scelle
     + Copy
@@ -129,7 +128,7 @@ pub(crate) fn au_plus<R: Reel, S: Simd>(simd: S, a: &[R; 16], b: &[R; 16]) -> u3
 }
 
 impl Scelle for f32 {
-    const ECHELLE: Self = (1_u128 << 100) as Self;
+    const ECHELLE: Self = puissance_de_deux(100) as Self;
 
     #[inline(always)]
     fn selon<T>(en_f32: T, _: T) -> T {
@@ -148,40 +147,8 @@ impl Scelle for f32 {
     }
 }
 
-impl Reel for f32 {
-    const ZERO: Self = 0.0;
-    const UN: Self = 1.0;
-    const INFINI: Self = Self::INFINITY;
-    const MIN_POSITIF: Self = Self::from_bits(1);
-    const U: Self = Self::EPSILON / 2.0;
-    const LIMITE: Self = (1_u64 << 60) as Self;
-
-    #[inline(always)]
-    fn sqrt(self) -> Self {
-        #[cfg(feature = "std")]
-        return self.sqrt();
-        #[cfg(not(feature = "std"))]
-        return libm::sqrtf(self);
-    }
-
-    #[inline(always)]
-    fn abs(self) -> Self {
-        self.abs()
-    }
-
-    #[inline(always)]
-    fn vers_f64(self) -> f64 {
-        f64::from(self)
-    }
-
-    #[inline(always)]
-    fn depuis_f64(x: f64) -> Self {
-        x as Self
-    }
-}
-
 impl Scelle for f64 {
-    const ECHELLE: Self = Self::from_bits((1023 + 600) << 52);
+    const ECHELLE: Self = puissance_de_deux(600);
 
     #[inline(always)]
     fn selon<T>(_: T, en_f64: T) -> T {
@@ -202,41 +169,47 @@ impl Scelle for f64 {
 
 /// A column in two vectors.
 #[inline(always)]
-fn en_deux<S: Simd>(
-    simd: S,
-    &[a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p]: &[f64; 16],
-) -> [f64x8<S>; 2] {
-    [[a, b, c, d, e, f, g, h], [i, j, k, l, m, n, o, p]].map(|x| f64x8::simd_from(simd, x))
+fn en_deux<S: Simd>(simd: S, colonne: &[f64; 16]) -> [f64x8<S>; 2] {
+    let (moities, _) = colonne.as_chunks::<8>();
+    [moities[0], moities[1]].map(|moitie| f64x8::simd_from(simd, moitie))
 }
 
-impl Reel for f64 {
-    const ZERO: Self = 0.0;
-    const UN: Self = 1.0;
-    const INFINI: Self = Self::INFINITY;
-    const MIN_POSITIF: Self = Self::from_bits(1);
-    const U: Self = Self::EPSILON / 2.0;
-    const LIMITE: Self = Self::from_bits((1023 + 450) << 52);
+/// What the two scalars say alike, for one with this limit and this root from `libm`.
+macro_rules! reel {
+    ($reel:ident, $limite:expr, $racine:path) => {
+        impl Reel for $reel {
+            const ZERO: Self = 0.0;
+            const UN: Self = 1.0;
+            const INFINI: Self = Self::INFINITY;
+            const MIN_POSITIF: Self = Self::from_bits(1);
+            const U: Self = Self::EPSILON / 2.0;
+            const LIMITE: Self = $limite;
 
-    #[inline(always)]
-    fn sqrt(self) -> Self {
-        #[cfg(feature = "std")]
-        return self.sqrt();
-        #[cfg(not(feature = "std"))]
-        return libm::sqrt(self);
-    }
+            #[inline(always)]
+            fn sqrt(self) -> Self {
+                #[cfg(feature = "std")]
+                return self.sqrt();
+                #[cfg(not(feature = "std"))]
+                return $racine(self);
+            }
 
-    #[inline(always)]
-    fn abs(self) -> Self {
-        self.abs()
-    }
+            #[inline(always)]
+            fn abs(self) -> Self {
+                self.abs()
+            }
 
-    #[inline(always)]
-    fn vers_f64(self) -> f64 {
-        self
-    }
+            #[inline(always)]
+            fn vers_f64(self) -> f64 {
+                self.into()
+            }
 
-    #[inline(always)]
-    fn depuis_f64(x: f64) -> Self {
-        x
-    }
+            #[inline(always)]
+            fn depuis_f64(x: f64) -> Self {
+                x as Self
+            }
+        }
+    };
 }
+
+reel! { f32, puissance_de_deux(60) as f32, libm::sqrtf }
+reel! { f64, puissance_de_deux(450), libm::sqrt }

@@ -67,8 +67,7 @@ impl<R: Reel> Rotation<R> {
     ///
     /// # Errors
     /// If an angle is not finite.
-    #[doc(alias = "from_euler")]
-    #[doc(alias = "from_angles")]
+    #[doc(alias("from_euler", "from_angles"))]
     pub fn new(vecteur_rotation: Vecteur<R>) -> Result<Self, ErreurGeo> {
         let r = fini(ANGLES, vecteur_rotation)?;
         let (cos, sin) = cos_sin(r.x);
@@ -143,8 +142,7 @@ impl<R: Reel> Rotation<R> {
     }
 
     /// V·M, the vector V turned.
-    #[doc(alias = "rotate")]
-    #[doc(alias = "apply")]
+    #[doc(alias("rotate", "apply"))]
     #[inline]
     pub fn appliquer(self, v: Vecteur<R>) -> Vecteur<R> {
         let [a, b, c] = self.axes();
@@ -152,8 +150,7 @@ impl<R: Reel> Rotation<R> {
     }
 
     /// This rotation, then `suivante`: the product of the matrices in this order.
-    #[doc(alias = "then")]
-    #[doc(alias = "compose")]
+    #[doc(alias("then", "compose"))]
     pub fn puis(self, suivante: Self) -> Self {
         let [m, n] = [self, suivante].map(|r| r.matrice.map(|ligne| ligne.map(R::vers_f64)));
         Self::arrondie(polie(produit(m, n)))
@@ -190,6 +187,13 @@ impl<R: Reel> Rotation<R> {
 
     fn arrondie(m: Matrice) -> Self {
         Self { matrice: m.map(|ligne| ligne.map(R::depuis_f64)) }
+    }
+}
+
+impl<R: Reel> Default for Rotation<R> {
+    /// The identity.
+    fn default() -> Self {
+        Self::IDENTITE
     }
 }
 

@@ -56,8 +56,7 @@ impl<R: Reel> SphereGeo<R> {
     ///
     /// # Errors
     /// If `v` is not finite, or the new centre lies outside the limits of [`new`](Self::new).
-    #[doc(alias = "translate")]
-    #[doc(alias = "move")]
+    #[doc(alias("translate", "move"))]
     pub fn translation(self, v: Vecteur<R>) -> Result<Self, ErreurGeo> {
         let v = deplacement(v)?;
         Self::new(self.centre + v, self.rayon, self.texture)
@@ -67,8 +66,7 @@ impl<R: Reel> SphereGeo<R> {
     ///
     /// # Errors
     /// If the new centre lies outside the limits of [`new`](Self::new).
-    #[doc(alias = "rotate")]
-    #[doc(alias = "turn")]
+    #[doc(alias("rotate", "turn"))]
     pub fn rotation(self, r: Rotation<R>) -> Result<Self, ErreurGeo> {
         Self::new(r.appliquer(self.centre), self.rayon, self.texture)
     }
@@ -131,19 +129,6 @@ impl<R: Reel> SphereRay<R> {
     pub fn texture(&self) -> Texture {
         self.texture
     }
-
-    /// The lengths of annex A.2 for the ray (S, D).
-    #[inline(always)]
-    fn longueurs(&self, s: Vecteur<R>, d: Vecteur<R>) -> Longueurs<R> {
-        let sc = self.centre - s;
-        let (r2, d2) = (self.r * self.r, d.longueur_carree());
-        Longueurs {
-            sa: sc.produit_scalaire(d),
-            puissance: sc.longueur_carree() - r2,
-            ab2: r2 * d2 - sc.produit_vectoriel(d).longueur_carree(),
-            d2,
-        }
-    }
 }
 
 impl<R: Reel> Forme<R> for SphereRay<R> {
@@ -156,12 +141,25 @@ impl<R: Reel> Forme<R> for SphereRay<R> {
         Some((self.centre, Vecteur::new(self.r, self.r, self.r)))
     }
 
-    /// An entry has S outside, C ahead and AC < r.
+    /// SB = SA − AB, with A the point of the ray nearest to C, where S is outside, C ahead and AC < r.
+    ///
+    /// AC comes from SC ∧ D, never from SC² − SA², which for a small or far sphere is the difference of two
+    /// large numbers. D·D stands where the handout has 1, since D is unit only to rounding. SA − AB is written
+    /// as power/(SA + AB), which subtracts nothing; and B is never past A, even where the ray grazes so closely
+    /// that AB is all rounding.
     #[inline(always)]
     fn t(&self, s: Vecteur<R>, d: Vecteur<R>) -> R {
-        let l = self.longueurs(s, d);
-        let entre = (l.ab2 > R::ZERO) & (l.sa > R::ZERO) & (l.puissance > R::ZERO);
-        if entre { l.sb() } else { R::INFINI }
+        let sc = self.centre - s;
+        let (r2, d2) = (self.r * self.r, d.longueur_carree());
+        let sa = sc.produit_scalaire(d);
+        // The power of S.
+        let puissance = sc.longueur_carree() - r2;
+        let ab2 = r2 * d2 - sc.produit_vectoriel(d).longueur_carree();
+        let sa_ab = sa + ab2.sqrt();
+        let avant_a = puissance * d2 < sa * sa_ab;
+        let (haut, bas) = if avant_a { (puissance, sa_ab) } else { (sa, d2) };
+        let entre = (ab2 > R::ZERO) & (sa > R::ZERO) & (puissance > R::ZERO);
+        if entre { haut / bas } else { R::INFINI }
     }
 
     /// CB/|CB|; where CB is lost, 0.
@@ -200,61 +198,7 @@ impl<R: Reel> Forme<R> for SphereRay<R> {
     }
 }
 
-/// The lengths of annex A.2, with A the point of the ray nearest to C.
-///
-/// AC comes from SC ∧ D, never from SC² − SA², which for a small or far sphere is the difference of
-/// two large numbers. D·D stands where the handout has 1, since D is unit only to rounding.
-struct Longueurs<R> {
-    /// SA = SC·D, above 0 if C lies ahead.
-    sa: R,
-    /// The power of S, SC² − r²: above 0 outside.
-    puissance: R,
-    /// AB² = r² − AC².
-    ab2: R,
-    /// D·D.
-    d2: R,
-}
-
-impl<R: Reel> Longueurs<R> {
-    /// SB, if the ray enters the sphere.
-    ///
-    /// SB = SA − AB, written as power/(SA + AB), which subtracts nothing; and never past A, even
-    /// where the ray grazes so closely that AB is all rounding.
-    #[inline(always)]
-    fn sb(&self) -> R {
-        let somme = self.somme();
-        let avant_a = self.avant_a(somme);
-        let (haut, bas) = if avant_a { (self.puissance, somme) } else { (self.sa, self.d2) };
-        haut / bas
-    }
-
-    /// SA + AB.
-    #[inline(always)]
-    fn somme(&self) -> R {
-        self.sa + if self.ab2 > R::ZERO { self.ab2 } else { R::ZERO }.sqrt()
-    }
-
-    /// Whether power/(SA + AB) comes before A.
-    #[inline(always)]
-    fn avant_a(&self, somme: R) -> bool {
-        self.puissance * self.d2 < self.sa * somme
-    }
-}
-
 #[cfg(feature = "serde")]
-#[derive(serde::Deserialize)]
-#[serde(rename = "SphereGeo", deny_unknown_fields)]
-#[serde(bound(deserialize = "R: Reel + serde::Deserialize<'de>"))]
-struct SphereBrute<R> {
-    centre: Vecteur<R>,
-    rayon: R,
-    texture: Texture,
-}
-
-#[cfg(feature = "serde")]
-impl<R: Reel> TryFrom<SphereBrute<R>> for SphereGeo<R> {
-    type Error = ErreurGeo;
-    fn try_from(brute: SphereBrute<R>) -> Result<Self, ErreurGeo> {
-        Self::new(brute.centre, brute.rayon, brute.texture)
-    }
+crate::erreur::lu_par_new! {
+    SphereGeo, "SphereGeo", SphereBrute { centre: Vecteur<R>, rayon: R, texture: Texture }
 }

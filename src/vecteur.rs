@@ -1,7 +1,7 @@
 //! Vectors of space (handout §4.1 and annex A).
 
 use core::iter::Sum;
-use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
+use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 use crate::reel::Reel;
 
@@ -18,15 +18,14 @@ use crate::reel::Reel;
 /// assert_eq!(v.produit_scalaire(Vecteur::new(0.0, 0.5, 0.0)), 1.0);
 /// assert_eq!(v.longueur_carree(), 9.0);
 /// assert_eq!((v - v) * 2.0 + v / 1.0, v);
-/// assert_eq!(-v + v, Vecteur::NUL);
-/// assert_eq!([v, v, -v].into_iter().sum::<Vecteur>(), v);
+/// assert_eq!((-v + v, 2.0 * v), (Vecteur::NUL, v + v));
+/// assert_eq!([v, v, -v].iter().sum::<Vecteur>(), v);
 ///
 /// assert_eq!(Vecteur::from([1.0, 2.0, 2.0]), v);
 /// let [x, y, z]: [f64; 3] = v.into();
 /// assert_eq!((x, y, z), (v.x, v.y, v.z));
 /// ```
-#[doc(alias = "vector")]
-#[doc(alias = "point")]
+#[doc(alias("vector", "point"))]
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(from = "[R; 3]", into = "[R; 3]"))]
@@ -62,8 +61,7 @@ impl<R: Reel> Vecteur<R> {
     }
 
     /// V·V, the square of the length.
-    #[doc(alias = "length_squared")]
-    #[doc(alias = "norm_squared")]
+    #[doc(alias("length_squared", "norm_squared"))]
     #[inline]
     #[must_use]
     pub fn longueur_carree(self) -> R {
@@ -72,8 +70,7 @@ impl<R: Reel> Vecteur<R> {
 
     /// The length ‖V‖ (handout, annex A): of any vector, even where its square would leave the
     /// range of the type.
-    #[doc(alias = "length")]
-    #[doc(alias = "norm")]
+    #[doc(alias("length", "norm"))]
     #[inline]
     #[must_use]
     pub fn longueur(self) -> R {
@@ -88,8 +85,7 @@ impl<R: Reel> Vecteur<R> {
     /// assert_eq!(Vecteur::new(0.0, 1e300, 0.0).unitaire(), Some(Vecteur::new(0.0, 1.0, 0.0)));
     /// assert_eq!(Vecteur::<f64>::NUL.unitaire(), None);
     /// ```
-    #[doc(alias = "normalize")]
-    #[doc(alias = "unit")]
+    #[doc(alias("normalize", "unit"))]
     #[inline]
     #[must_use]
     pub fn unitaire(self) -> Option<Self> {
@@ -127,8 +123,7 @@ impl<R: Reel> Vecteur<R> {
     /// let (x, y) = (Vecteur::new(1.0, 0.0, 0.0), Vecteur::new(0.0, 1.0, 0.0));
     /// assert_eq!(x.produit_vectoriel(y), Vecteur::new(0.0, 0.0, 1.0));
     /// ```
-    #[doc(alias = "cross")]
-    #[doc(alias = "cross_product")]
+    #[doc(alias("cross", "cross_product"))]
     #[inline(always)]
     pub fn produit_vectoriel(self, autre: Self) -> Self {
         Self::new(
@@ -159,8 +154,7 @@ impl<R: Reel> Vecteur<R> {
     }
 
     /// The nearest vector of this type to one in `f64`: each coordinate rounded.
-    #[doc(alias = "from_f64")]
-    #[doc(alias = "cast")]
+    #[doc(alias("from_f64", "cast"))]
     #[inline(always)]
     pub fn depuis_f64(v: Vecteur<f64>) -> Self {
         Self::new(R::depuis_f64(v.x), R::depuis_f64(v.y), R::depuis_f64(v.z))
@@ -187,32 +181,11 @@ impl<R: Reel> Add for Vecteur<R> {
     }
 }
 
-impl<R: Reel> AddAssign for Vecteur<R> {
-    #[inline]
-    fn add_assign(&mut self, autre: Self) {
-        *self = *self + autre;
-    }
-}
-
-impl<R: Reel> Sum for Vecteur<R> {
-    fn sum<I: Iterator<Item = Self>>(vecteurs: I) -> Self {
-        vecteurs.fold(Self::NUL, Add::add)
-    }
-}
-
 impl<R: Reel> Sub for Vecteur<R> {
     type Output = Self;
     #[inline]
     fn sub(self, autre: Self) -> Self {
         Self::new(self.x - autre.x, self.y - autre.y, self.z - autre.z)
-    }
-}
-
-impl<R: Reel> Neg for Vecteur<R> {
-    type Output = Self;
-    #[inline]
-    fn neg(self) -> Self {
-        Self::new(-self.x, -self.y, -self.z)
     }
 }
 
@@ -229,5 +202,59 @@ impl<R: Reel> Div<R> for Vecteur<R> {
     #[inline]
     fn div(self, k: R) -> Self {
         Self::new(self.x / k, self.y / k, self.z / k)
+    }
+}
+
+/// `v += w` and the like.
+macro_rules! affectations {
+    ($($operateur:ident, $f:ident: $autre:ident, $binaire:ident;)*) => {$(
+        impl<R: Reel> $operateur<$autre> for Vecteur<R> {
+            #[inline]
+            fn $f(&mut self, autre: $autre) {
+                *self = self.$binaire(autre);
+            }
+        }
+    )*};
+}
+
+affectations! {
+    AddAssign, add_assign: Self, add;
+    SubAssign, sub_assign: Self, sub;
+    MulAssign, mul_assign: R, mul;
+    DivAssign, div_assign: R, div;
+}
+
+/// k·V, as V·k.
+macro_rules! nombre_fois_vecteur {
+    ($($reel:ident)*) => {$(
+        impl Mul<Vecteur<$reel>> for $reel {
+            type Output = Vecteur<$reel>;
+            #[inline]
+            fn mul(self, v: Vecteur<$reel>) -> Vecteur<$reel> {
+                v * self
+            }
+        }
+    )*};
+}
+
+nombre_fois_vecteur! { f32 f64 }
+
+impl<R: Reel> Neg for Vecteur<R> {
+    type Output = Self;
+    #[inline]
+    fn neg(self) -> Self {
+        Self::new(-self.x, -self.y, -self.z)
+    }
+}
+
+impl<R: Reel> Sum for Vecteur<R> {
+    fn sum<I: Iterator<Item = Self>>(vecteurs: I) -> Self {
+        vecteurs.fold(Self::NUL, Add::add)
+    }
+}
+
+impl<'a, R: Reel> Sum<&'a Self> for Vecteur<R> {
+    fn sum<I: Iterator<Item = &'a Self>>(vecteurs: I) -> Self {
+        vecteurs.copied().sum()
     }
 }

@@ -10,7 +10,7 @@ use crate::intersection::{Touche, rang};
 use crate::lot::colonnes::{Aligne, VOIES, max, membres};
 use crate::lot::faisceau::Faisceau;
 use crate::lot::groupe::Groupe;
-use crate::lot::{RechercheDeBloc, Trouve, proposer};
+use crate::lot::{RechercheDeBloc, proposer};
 use crate::objet::ObjetRay;
 use crate::rayon::Rayon;
 use crate::reel::{Reel, au_plus};
@@ -34,7 +34,7 @@ impl<R: Reel, S: Simd> RechercheDeBloc<R> for RechercheDansLArbre<'_, R, S> {
         bloc: &mut [Groupe<R>],
         rayons: &[Rayon<R>],
         touches: &mut [Touche<R>],
-    ) -> Trouve {
+    ) -> bool {
         let Self { simd, objets, arbre } = *self;
         let Some(sonde) = SondeDeBloc::new(rayons, bloc, arbre.repere) else {
             return un_par_un(simd, objets, arbre, bloc, rayons, touches);
@@ -42,7 +42,7 @@ impl<R: Reel, S: Simd> RechercheDeBloc<R> for RechercheDansLArbre<'_, R, S> {
         for indice in arbre.sans_bornes() {
             proposer_indice(objets, bloc, indice);
         }
-        let Some(racine) = arbre.racine else { return Trouve::DansLeBloc };
+        let Some(racine) = arbre.racine else { return false };
         let mut attentes = [RIEN; GRANDE_PILE];
         let mut pile = Pile::new(&mut attentes);
         let mut plafond = arbre.repere.distance(le_plus_loin(bloc));
@@ -69,11 +69,11 @@ impl<R: Reel, S: Simd> RechercheDeBloc<R> for RechercheDansLArbre<'_, R, S> {
             let Some(suivant) = pile.prendre(plafond) else { break };
             numero = suivant;
         }
-        Trouve::DansLeBloc
+        false
     }
 }
 
-/// Searches for each ray alone, from its first object so far.
+/// Searches for each ray alone, from its first object so far, and writes the answers.
 #[inline(always)]
 fn un_par_un<R: Reel, S: Simd>(
     simd: S,
@@ -82,7 +82,7 @@ fn un_par_un<R: Reel, S: Simd>(
     bloc: &[Groupe<R>],
     rayons: &[Rayon<R>],
     touches: &mut [Touche<R>],
-) -> Trouve {
+) -> bool {
     simd.vectorize(
         #[inline(always)]
         || {
@@ -92,7 +92,7 @@ fn un_par_un<R: Reel, S: Simd>(
             }
         },
     );
-    Trouve::DansLesTouches
+    true
 }
 
 /// Proposes the object of this index to the block.

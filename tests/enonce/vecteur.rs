@@ -45,14 +45,23 @@ fn la_distance_d_une_lampe_est_exacte_aux_bornes<R: Reel>() {
     }
 }
 
-fn ajouter_sur_place_est_ajouter<R: Reel>() {
-    let (a, b) = (arrondi::<R>(COTES), arrondi(Vecteur::new(0.5, 0.25, -2.0)));
-    let mut somme = a;
-    somme += b;
-    assert_eq!(somme, arrondi(Vecteur::new(3.5, -3.75, 10.0)));
-    assert_eq!([a, b].into_iter().sum::<Vecteur<R>>(), somme);
+fn un_operateur_sur_place_est_l_operateur<R: Reel>() {
+    let (a, b, k) =
+        (arrondi::<R>(COTES), arrondi(Vecteur::new(0.5, 0.25, -2.0)), R::depuis_f64(4.0));
+    let mut v = a;
+    v += b;
+    assert_eq!(v, arrondi(Vecteur::new(3.5, -3.75, 10.0)));
+    assert_eq!([a, b].into_iter().sum::<Vecteur<R>>(), v);
+    assert_eq!([a, b].iter().sum::<Vecteur<R>>(), v);
+    v -= b;
+    assert_eq!(v, a);
+    v *= k;
+    assert_eq!(v, arrondi(COTES * 4.0));
+    v /= k;
+    assert_eq!(v, a);
+    assert_eq!((4.0 * COTES, 4.0_f32 * arrondi(COTES)), (COTES * 4.0, arrondi(COTES * 4.0)));
 }
 
 en_f32_et_f64!(la_longueur_est_exacte_d_un_bout_a_l_autre);
 en_f32_et_f64!(la_distance_d_une_lampe_est_exacte_aux_bornes);
-en_f32_et_f64!(ajouter_sur_place_est_ajouter);
+en_f32_et_f64!(un_operateur_sur_place_est_l_operateur);

@@ -26,8 +26,9 @@ fn noms(source: &str) -> Vec<(String, Vec<String>)> {
     let mut alias = Vec::new();
     let mut cache = false;
     for ligne in source.lines().map(str::trim) {
-        if let Some(mot) = ligne.strip_prefix("#[doc(alias = \"") {
-            alias.push(mot.trim_end_matches("\")]").to_owned());
+        if ligne.starts_with("#[doc(alias") {
+            // Every other piece stands between quotes.
+            alias.extend(ligne.split('"').skip(1).step_by(2).map(str::to_owned));
         } else if ligne == "#[doc(hidden)]" {
             cache = true;
         } else if ligne.starts_with("#[") || ligne.starts_with("//") || ligne.is_empty() {
