@@ -1,5 +1,5 @@
-//! The first intersection, ray by ray and in a batch, beside annex A of the handout to the letter; and
-//! shadows, with the question made for them and without.
+//! The first intersection and shadows, of a list and of a hierarchy, ray by ray and in a batch, beside annex A
+//! of the handout to the letter.
 
 use std::hint::black_box;
 use std::path::Path;
@@ -10,7 +10,7 @@ use criterion::{
     BenchmarkId, Criterion, SamplingMode, Throughput, criterion_group, criterion_main,
 };
 use lancer_rayon::{
-    NoIntersection, ObjetRay, Rayon, Reel, Vecteur, est_occulte, premiere_intersection,
+    Hierarchie, NoIntersection, ObjetRay, Rayon, Reel, Vecteur, est_occulte, premiere_intersection,
     premieres_intersections,
 };
 use scene::Scene;
@@ -27,6 +27,9 @@ mod commun {
 #[path = "../docs/exemples/scene.rs"]
 mod scene;
 
+/// A longer list, object by object, would take minutes.
+const LONGUE_LISTE: usize = 1000;
+
 fn mesurer<R: Reel + DeserializeOwned>(c: &mut Criterion) {
     let mut groupe = c.benchmark_group(std::any::type_name::<R>());
     groupe
@@ -35,45 +38,55 @@ fn mesurer<R: Reel + DeserializeOwned>(c: &mut Criterion) {
         .warm_up_time(Duration::from_millis(500))
         .measurement_time(Duration::from_secs(2));
     let mut mesurer = |nom: &str, objets: &[ObjetRay<R>], rayons: &[Rayon<R>]| {
-        let litteraux: Vec<_> = objets.iter().map(litteral::Objet::from).collect();
-        groupe.throughput(Throughput::Elements(rayons.len() as u64));
-        groupe.bench_function(BenchmarkId::new("lancer-rayon", nom), |b| {
-            b.iter(|| lancer(rayons, |rayon| premiere_intersection(objets, rayon)));
-        });
         let mut touches = vec![Err(NoIntersection); rayons.len()];
-        groupe.bench_function(BenchmarkId::new("lot", nom), |b| {
-            b.iter(|| premieres_intersections(objets, rayons, black_box(&mut touches)));
+        let mut places = vec![0.0; Hierarchie::places(objets.len())];
+        let hierarchie = Hierarchie::new(objets, &mut places).expect("as many places as it takes");
+        let ombres = ombres(&hierarchie, rayons);
+        groupe.throughput(Throughput::Elements(rayons.len() as u64));
+        groupe.bench_function(BenchmarkId::new("hiérarchie", nom), |b| {
+            b.iter(|| lancer(rayons, |rayon| hierarchie.premiere_intersection(rayon)));
         });
-        let ombres = ombres(objets, rayons);
+        groupe.bench_function(BenchmarkId::new("hiérarchie, lot", nom), |b| {
+            b.iter(|| hierarchie.premieres_intersections(rayons, black_box(&mut touches)));
+        });
+        if objets.len() <= LONGUE_LISTE {
+            let litteraux: Vec<_> = objets.iter().map(litteral::Objet::from).collect();
+            groupe.bench_function(BenchmarkId::new("liste", nom), |b| {
+                b.iter(|| lancer(rayons, |rayon| premiere_intersection(objets, rayon)));
+            });
+            groupe.bench_function(BenchmarkId::new("liste, lot", nom), |b| {
+                b.iter(|| premieres_intersections(objets, rayons, black_box(&mut touches)));
+            });
+            groupe.bench_function(BenchmarkId::new("annexe A", nom), |b| {
+                let premiere = |rayon: &_| litteral::premiere_intersection(&litteraux, rayon);
+                b.iter(|| lancer(rayons, premiere));
+            });
+        }
         groupe.throughput(Throughput::Elements(ombres.len() as u64));
-        groupe.bench_function(BenchmarkId::new("ombres, est_occulte", nom), |b| {
-            b.iter(|| lancer(&ombres, |(ombre, max)| est_occulte(objets, ombre, *max)));
+        groupe.bench_function(BenchmarkId::new("hiérarchie, ombres", nom), |b| {
+            b.iter(|| lancer(&ombres, |(ombre, max)| hierarchie.est_occulte(ombre, *max)));
         });
-        groupe.bench_function(BenchmarkId::new("ombres, premiere_intersection", nom), |b| {
-            let avant = |(ombre, max): &(Rayon<R>, R)| {
-                premiere_intersection(objets, ombre).is_ok_and(|touche| touche.distance() < *max)
-            };
-            b.iter(|| lancer(&ombres, avant));
-        });
-        groupe.bench_function(BenchmarkId::new("annexe A", nom), |b| {
-            b.iter(|| lancer(rayons, |rayon| litteral::premiere_intersection(&litteraux, rayon)));
-        });
+        if objets.len() <= LONGUE_LISTE {
+            groupe.bench_function(BenchmarkId::new("liste, ombres", nom), |b| {
+                b.iter(|| lancer(&ombres, |(ombre, max)| est_occulte(objets, ombre, *max)));
+            });
+        }
     };
 
     let atelier: Scene<R> = Scene::lire(Path::new("docs/scenes/atelier.ron")).unwrap();
     let objets: Vec<_> = atelier.objets.iter().map(|objet| objet.vers_ray()).collect();
     mesurer("atelier", &objets, &atelier.camera.rayons().unwrap());
-    let rayons = scenes::rayons_camera(600, 400);
-    for n in [3, 12, 48, 192, 1000] {
+    let rayons = scenes::en_tuiles(&scenes::rayons_camera(600, 400), 600);
+    for n in [12, 100, 1000, 10_000] {
         mesurer(&n.to_string(), &scenes::melange(n), &rayons);
     }
 }
 
 /// From what the rays touch to a lamp that it faces, and how far that is.
-fn ombres<R: Reel>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) -> Vec<(Rayon<R>, R)> {
+fn ombres<R: Reel>(hierarchie: &Hierarchie<'_, R>, rayons: &[Rayon<R>]) -> Vec<(Rayon<R>, R)> {
     let lampe = Vecteur::depuis_f64(Vecteur::new(-2.6, 7.2, 5.2));
     let ombre = |rayon: &Rayon<R>| {
-        let touche = premiere_intersection(objets, rayon).ok()?;
+        let touche = hierarchie.premiere_intersection(rayon).ok()?;
         rayon.vers_lumiere(&touche, lampe)
     };
     rayons.iter().filter_map(ombre).collect()

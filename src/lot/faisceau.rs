@@ -80,6 +80,7 @@ impl<R: Reel> Etendue<R> {
             let p = axe - self.m * ((e + fois_u(32.0)) / (mu - fois_u(32.0)));
             p * ((R::UN - fois_u(16.0)) / p.longueur_carree().sqrt())
         });
+        let largeur = ((a1 + a2) * (b1 + b2)).sqrt() / mu;
         let ecart = le_plus_grand(self.ecarts);
         let ecarts = Vecteur::new(ecart, ecart, ecart);
         Some(Faisceau {
@@ -87,6 +88,7 @@ impl<R: Reel> Etendue<R> {
             plans: [p1, p2, p3, p4, -self.m]
                 .map(|p| (p, p.somme_des_grandeurs(ecarts) * (R::UN + fois_u(8.0)))),
             ecart,
+            largeur,
         })
     }
 }
@@ -99,6 +101,8 @@ pub(crate) struct Faisceau<R> {
     pub(crate) plans: [(Vecteur<R>, R); 5],
     /// The largest coordinate of any S − S₀.
     pub(crate) ecart: R,
+    /// The side of its section one unit ahead.
+    pub(crate) largeur: R,
 }
 
 impl<R: Reel> Faisceau<R> {

@@ -13,16 +13,15 @@ use crate::horloge::{
     MORCEAU, chronometrer_lot, exiger, moindres, nanosecondes, petit_tampon, tampon, une_par_une,
 };
 use crate::pairs::Parry;
-use crate::rayons::{en_lignes, en_tuiles, incoherents};
+use crate::rayons::{diffus, en_lignes, en_tuiles, incoherents, rugueux};
 
-/// The table of the orders: the batch in rows and in tiles, and what rays in no order cost in a batch and
-/// one by one.
+/// The table of the orders: what rays in each of them cost in a batch and one by one.
 pub(crate) fn ordres() -> Result<String, Box<dyn Error>> {
     let mut table = vec![
-        "| scalar | N | batch, rows | tiles | tiles, whole picture | no order | one by one, no order \
-         | parry, no order | parry / one by one |"
+        "| scalar | N | tiles | whole picture | rows | rough mirrors | diffuse | by object | by octant \
+         | by octant, object | no order | parry, no order | parry / one by one |"
             .to_owned(),
-        format!("|---|--:|{}", "--:|".repeat(7)),
+        format!("|---|--:|{}", "--:|".repeat(11)),
     ];
     for n in [12, 48, 192, 1000, 10_000, 100_000] {
         table.push(ordres_de::<f32>(n)?);
@@ -35,23 +34,48 @@ fn ordres_de<R: Parry>(n: usize) -> Result<String, Box<dyn Error>> {
     let objets = melange(n);
     let mut places = places(&objets);
     let hierarchie = Hierarchie::new(&objets, &mut places)?;
-    let premieres = |rayons: &[Rayon<R>], touches: &mut [Touche<R>]| {
+    let ensemble = |rayons: &[Rayon<R>], touches: &mut [Touche<R>]| {
         hierarchie.premieres_intersections(rayons, touches)
     };
-    let ordres = [en_lignes(), en_tuiles(), incoherents(&hierarchie)];
+    let seuls = |rayons: &[Rayon<R>], touches: &mut [Touche<R>]| {
+        for (rayon, touche) in rayons.iter().zip(touches) {
+            *touche = hierarchie.premiere_intersection(rayon);
+        }
+        Ok(())
+    };
+    let ordres = [
+        en_tuiles(),
+        en_lignes(),
+        rugueux(&hierarchie),
+        diffus(&hierarchie, |_| (0, 0)),
+        diffus(&hierarchie, |(objet, _)| (objet, 0)),
+        diffus(&hierarchie, |(_, octant)| (0, octant)),
+        diffus(&hierarchie, |(objet, octant)| (octant.into(), objet as u8)),
+        incoherents(&hierarchie),
+    ];
     let mut tampons = [petit_tampon(), tampon(ordres[0].len())];
-    let cas = [(0, 0), (1, 0), (1, 1), (2, 0)];
-    let lot = moindres(&cas, |&(ordre, tampon)| {
-        chronometrer_lot(&ordres[ordre], &mut tampons[tampon], premieres)
+    // Each order in a batch and one by one, and tiles with one buffer for the whole picture.
+    let mut cas: Vec<_> = (0..ordres.len()).flat_map(|o| [(o, 0, true), (o, 0, false)]).collect();
+    cas.push((0, 1, true));
+    let ns = moindres(&cas, |&(ordre, tampon, en_lot)| {
+        let (rayons, tampon) = (&ordres[ordre], &mut tampons[tampon]);
+        if en_lot {
+            chronometrer_lot(rayons, tampon, ensemble)
+        } else {
+            chronometrer_lot(rayons, tampon, seuls)
+        }
     });
-    let [_, _, rayons] = ordres;
+    let (paires, image) = ns.split_at(2 * ordres.len());
+    let mut cellules: Vec<_> =
+        paires.chunks(2).map(|ns| format!("{:.0} / {:.0}", ns[0], ns[1])).collect();
+    cellules.insert(1, format!("{:.0}", image[0]));
+    let [.., rayons] = ordres;
     let concours = Concours::new(objets.clone(), rayons);
     concours.verifier(&Concurrent::ARBRES)?;
     let temps = concours.temps(&Concurrent::ARBRES)?;
-    let ns = lot.into_iter().chain([temps.seuls(), temps.parry()]);
-    let ns: Vec<_> = ns.map(nanosecondes).collect();
-    let (scalaire, rapport) = (std::any::type_name::<R>(), temps.parry() / temps.seuls());
-    Ok(format!("| {scalaire} | {n} | {} | {rapport:.1} |", ns.join(" | ")))
+    let (scalaire, parry) = (std::any::type_name::<R>(), nanosecondes(temps.parry()));
+    let rapport = temps.parry() / temps.seuls();
+    Ok(format!("| {scalaire} | {n} | {} | {parry} | {rapport:.1} |", cellules.join(" | ")))
 }
 
 /// The table of the instruction sets.
