@@ -48,10 +48,15 @@ impl fmt::Display for ErreurGeo {
 
 impl core::error::Error for ErreurGeo {}
 
-pub(crate) fn refus<R: Reel>(champ: &'static str, valeur: R, attendu: &'static str) -> ErreurGeo {
+fn refus<R: Reel>(champ: &'static str, valeur: R, attendu: &'static str) -> ErreurGeo {
     let valeur = valeur.vers_f64();
     // The bits of a computed NaN differ between processors.
     ErreurGeo { champ, valeur: if valeur.is_nan() { f64::NAN } else { valeur }, attendu }
+}
+
+/// The refusal of a vector that is 0.
+pub(crate) fn refus_nul(champ: &'static str) -> ErreurGeo {
+    refus(champ, 0.0, "a vector other than 0")
 }
 
 /// Refuses `valeur` with its name unless `accepte`.

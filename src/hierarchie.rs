@@ -86,7 +86,8 @@ const _: () = {
 };
 
 impl Hierarchie<'_> {
-    /// How many numbers a hierarchy of so many objects needs, in either type: some 7.5 an object, 30 bytes.
+    /// How many numbers a hierarchy of so many objects needs, in either type: some 7.5 an object, 30 bytes. They
+    /// are scratch memory: what they hold before does not matter, and after the last question neither.
     ///
     /// It is 0 for fewer than 9 objects, and for 2³¹ − 2²³ or more: these are asked as a list.
     #[doc(alias("capacity", "memory"))]
@@ -131,6 +132,13 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
         };
         let arbre = if necessaires > 0 { Some(batir(objets, places)) } else { None };
         Ok(Self { objets, arbre, niveau: meilleur_niveau() })
+    }
+
+    /// The list.
+    #[doc(alias("objects", "primitives"))]
+    #[inline]
+    pub fn objets(&self) -> &'a [ObjetRay<R>] {
+        self.objets
     }
 
     /// [`premiere_intersection`](fn@premiere_intersection) of the list.

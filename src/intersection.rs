@@ -150,7 +150,9 @@ impl<R: Reel> Rayon<R> {
     /// over.
     ///
     /// Within rounding of a box edge an inward ray may touch the other face of that edge, of which
-    /// the hit knows nothing.
+    /// the hit knows nothing. **Of a second object** that the hit lies within rounding of, as in the corner
+    /// between two walls, the hit knows nothing either: the ray may start inside that object, which it then does
+    /// not see. Of rays aimed at such a seam itself up to half go through.
     ///
     /// `touche` is to be a hit of this very ray. With the hit of another ray the result is a valid
     /// ray or a refusal, and nothing is promised about where it starts.
@@ -199,6 +201,10 @@ impl<R: Reel> Rayon<R> {
     /// 4u, with L the unit direction from the start of the ray to the light: the surface faces away, or the
     /// light lies in the tangent plane of the start. `None` also if `lumiere` is not finite or is the start
     /// itself, or if the start lies beyond the limits of a source. A distance that overflows is +∞.
+    ///
+    /// From the start to the light the distance is good to 3.5u, the direction to 4.5u, and N·L to 8u. Towards a
+    /// point of a lamp that is itself an object of the list, do not compare distances: ask whether the lamp is
+    /// the first object ([`est_occulte`](crate::est_occulte)).
     ///
     /// ```
     /// use lancer_rayon::{ObjetRay, Rayon, SphereGeo, Texture, Vecteur};

@@ -1,6 +1,6 @@
 //! The plane, which is a solid half-space (handout §2.2, §3 and annex A.1).
 
-use crate::erreur::{ErreurGeo, coefficient, coordonnee, deplacement};
+use crate::erreur::{ErreurGeo, coefficient, coordonnee, deplacement, fini, point, refus_nul};
 use crate::forme::{Boule, Forme};
 use crate::rayon::Rayon;
 use crate::reel::Reel;
@@ -48,6 +48,33 @@ impl<R: Reel> PlanGeo<R> {
     /// If the distance is beyond ±2⁴⁵⁰ (`f64`) or ±2⁶⁰ (`f32`).
     pub fn new(rotation: Rotation<R>, distance: R, texture: Texture) -> Result<Self, ErreurGeo> {
         Ok(Self { rotation, distance: coordonnee("distance", distance)?, texture })
+    }
+
+    /// The half-space whose surface passes through this point, with this outward normal of any length: a wall.
+    ///
+    /// # Errors
+    /// If a coordinate of the point, or the distance to the origin, is beyond the limits of [`new`](Self::new),
+    /// or if the normal is zero or not finite.
+    ///
+    /// ```
+    /// use lancer_rayon::{PlanGeo, Texture, Vecteur};
+    ///
+    /// let (point, vers_la_piece) = (Vecteur::new(-3.0, 1.0, 0.0), Vecteur::new(2.0, 0.0, 0.0));
+    /// let mur = PlanGeo::par_un_point(point, vers_la_piece, Texture(0))?.vers_ray();
+    /// assert_eq!((mur.normale(), mur.distance()), (Vecteur::new(1.0, 0.0, 0.0), 3.0));
+    /// # Ok::<(), lancer_rayon::ErreurGeo>(())
+    /// ```
+    #[doc(alias("from_point_normal", "wall"))]
+    pub fn par_un_point(
+        p: Vecteur<R>,
+        normale: Vecteur<R>,
+        texture: Texture,
+    ) -> Result<Self, ErreurGeo> {
+        let p = point(["point.x", "point.y", "point.z"], p)?;
+        let normale = fini(["normale.x", "normale.y", "normale.z"], normale)?;
+        let rotation = Rotation::de_z_vers(normale).ok_or_else(|| refus_nul("normale"))?;
+        let [_, _, n] = rotation.axes();
+        Self::new(rotation, -n.produit_scalaire(p), texture)
     }
 
     /// The half-space moved by `v` (handout §2.3): d becomes d − N·v.

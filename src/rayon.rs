@@ -1,6 +1,6 @@
 //! Rays of light (handout §4.1 and annex A): a source and a unit direction.
 
-use crate::erreur::{ErreurGeo, fini, point, refus};
+use crate::erreur::{ErreurGeo, fini, point, refus_nul};
 use crate::reel::{Reel, fois_u};
 use crate::vecteur::Vecteur;
 
@@ -80,7 +80,7 @@ pub(crate) fn direction_unitaire<R: Reel>(direction: Vecteur<R>) -> Result<Vecte
     if (direction.longueur_carree() - R::UN).abs() <= fois_u(12.0) {
         return Ok(direction);
     }
-    direction.unitaire().ok_or_else(|| refus("direction", R::ZERO, "a vector other than 0"))
+    direction.unitaire().ok_or_else(|| refus_nul("direction"))
 }
 
 #[cfg(feature = "serde")]

@@ -74,6 +74,10 @@ impl<R: Reel> ObjetRay<R> {
 /// bit, and ends with the first such object. +∞ asks whether the ray touches anything at all; nothing is
 /// before a NaN.
 ///
+/// **A lamp that is an object of the list** hides the points of its own surface: no distance is exact enough to
+/// stop just before it. Ask which object is first instead: the point sees the lamp if
+/// `premiere_intersection(objets, rayon)` is it, by [`objet`](Intersection::objet).
+///
 /// [`vers_lumiere`](Rayon::vers_lumiere) gives the ray and the distance. With a
 /// [`secondaire`](Rayon::secondaire) of one's own, measure from its source, and test N·L > 0 first:
 /// towards a lamp behind the surface the ray starts inside the object, which then casts no shadow.

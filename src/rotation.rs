@@ -141,6 +141,16 @@ impl<R: Reel> Rotation<R> {
         Ok(Self::arrondie(m))
     }
 
+    /// A rotation that takes z to this direction; none for a vector that is zero or not finite.
+    pub(crate) fn de_z_vers(direction: Vecteur<R>) -> Option<Self> {
+        let z = direction.vers_f64().unitaire()?;
+        // The axis that lies farthest from it.
+        let [x, y] = [z.x, z.y].map(f64::abs);
+        let autre = if x <= y { Vecteur::new(1.0, 0.0, 0.0) } else { Vecteur::new(0.0, 1.0, 0.0) };
+        let x = autre.produit_vectoriel(z).unitaire()?;
+        Some(Self::arrondie(polie([x, z.produit_vectoriel(x), z].map(<[f64; 3]>::from))))
+    }
+
     /// V·M, the vector V turned.
     #[doc(alias("rotate", "apply"))]
     #[inline]

@@ -10,6 +10,7 @@ mod differentiel;
 mod eclairage;
 mod intersection;
 mod jeu_de_tests;
+mod lampe;
 mod manipulations;
 mod rotation;
 mod totalite;

@@ -4,7 +4,7 @@
 use crate::commun::strategies::{Plante, objet, plante, reel, rotation, vecteur};
 use crate::commun::tolerances::{ARRONDI, DISTANCE, NORMALE, TOURNE, u};
 use crate::commun::{en_f32_et_f64, pour_tout};
-use lancer_rayon::{ObjetGeo, ObjetRay, Rayon, Reel, Rotation, Vecteur};
+use lancer_rayon::{ObjetGeo, ObjetRay, PlanGeo, Rayon, Reel, Rotation, Texture, Vecteur};
 use proptest::prelude::*;
 use proptest::test_runner::TestCaseResult;
 
@@ -180,3 +180,31 @@ fn chaque_transformation_a_les_quantites_calculees_a_la_main<R: Reel>() {
 }
 
 en_f32_et_f64!(chaque_transformation_a_les_quantites_calculees_a_la_main);
+
+/// Any normal, of any length: the surface passes through the point, and the normal keeps its direction.
+fn un_mur_passe_par_son_point<R: Reel>() {
+    pour_tout((vecteur::<R>(30.0), vecteur::<R>(30.0)), |(point, normale)| {
+        let Ok(mur) = PlanGeo::par_un_point(point, normale, Texture(0)) else {
+            prop_assert_eq!(normale, Vecteur::NUL);
+            return Ok(());
+        };
+        let mur = mur.vers_ray();
+        let (n, p) = (mur.normale().vers_f64(), point.vers_f64());
+        let voulue = normale.vers_f64().unitaire().unwrap();
+        // A rotation is made in f64 and rounded once: u for each coordinate.
+        prop_assert!((n - voulue).longueur() <= 2.0 * u::<R>(), "{:?}", n);
+        // Three products and two sums.
+        let haut = n.produit_scalaire(p) + mur.distance().vers_f64();
+        prop_assert!(haut.abs() <= 4.0 * u::<R>() * p.longueur() * 3.0_f64.sqrt(), "{}", haut);
+        Ok(())
+    });
+    let refus = PlanGeo::par_un_point(Vecteur::NUL, Vecteur::<R>::NUL, Texture(0)).unwrap_err();
+    assert_eq!(refus.to_string(), "normale is 0, but must be a vector other than 0");
+    for axe in [[R::UN, R::ZERO, R::ZERO], [R::ZERO, -R::UN, R::ZERO], [R::ZERO, R::ZERO, R::UN]] {
+        let axe = Vecteur::from(axe);
+        let mur = PlanGeo::par_un_point(axe, axe, Texture(0)).unwrap().vers_ray();
+        assert_eq!((mur.normale(), mur.distance()), (axe, -R::UN));
+    }
+}
+
+en_f32_et_f64!(un_mur_passe_par_son_point);

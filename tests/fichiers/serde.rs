@@ -85,3 +85,11 @@ fn un_champ_inconnu_ou_absent_se_nomme() {
     let erreur = serde_json::from_str::<Rayon>(r#"{"source": [0, 0, 0], "dir": [0, 0, 1]}"#);
     assert!(erreur.unwrap_err().to_string().contains("unknown field `dir`"));
 }
+
+/// What docs/README.md says of a bare vector, the one value that may hold a NaN.
+#[test]
+fn un_nan_ecrit_en_json_n_est_pas_relu() {
+    let texte = serde_json::to_string(&Vecteur::new(f64::NAN, 0.0, f64::INFINITY)).unwrap();
+    assert_eq!(texte, "[null,0.0,null]");
+    assert!(serde_json::from_str::<Vecteur>(&texte).is_err());
+}

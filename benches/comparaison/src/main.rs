@@ -6,6 +6,7 @@
 //! `docs/performance.md`.
 
 mod annexe_dyn;
+mod avec_glam;
 mod compromis;
 mod concours;
 mod exactitude;
@@ -54,6 +55,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         Some("documents") => true,
         Some(_) => return Err("usage: comparaison [documents]".into()),
     };
+    avec_glam::verifier()?;
     let courses = vitesse::courses()?;
     let complete = vitesse::table_complete(&courses);
     let ordres = lot::ordres()?;

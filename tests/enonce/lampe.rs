@@ -1,0 +1,177 @@
+//! A lamp that is an object of the list: a point sees it where the lamp is the first object of the ray to it,
+//! and no distance is compared.
+
+use crate::commun::oracle::Exact;
+use crate::commun::regimes::{direction, entre, signe};
+use crate::commun::tolerances::u;
+use crate::commun::{arrondi, en_f32_et_f64};
+use fastrand::Rng;
+use lancer_rayon::{
+    BoiteGeo, Hierarchie, NoIntersection, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo,
+    Texture, Vecteur, est_occulte, premiere_intersection,
+};
+
+/// What rounding leaves open, in u of the lengths that go into the ray and the lamp: the ray passes 9u beside
+/// the point of the lamp that it is sent to, the silhouette of a sphere is sharp to 4u, a face of a box to 7u,
+/// and this test computes in f64, with room of 4u.
+const OUVERT: f64 = 24.0;
+
+/// A point of a lamp, its outward normal there, and how far the point is from the end of its face.
+type Lumineux = (Vecteur, Vecteur, f64);
+
+/// A number near 1, or nearer and nearer.
+fn vers_un(alea: &mut Rng) -> f64 {
+    1.0 - (-f64::from(alea.u8(0..50)) * alea.f64()).exp2()
+}
+
+/// A point of the surface of this lamp: anywhere, or near to its silhouette as seen from `s`.
+fn lumineux<R: Reel>(lampe: &ObjetRay<R>, s: Vecteur, alea: &mut Rng) -> Lumineux {
+    match lampe {
+        ObjetRay::Sphere(sphere) => {
+            let vers = (s - sphere.centre().vers_f64()).unitaire().unwrap();
+            let n = direction(alea);
+            let travers = (n - vers * n.produit_scalaire(vers)).unitaire().unwrap();
+            let sin = vers_un(alea);
+            let n = if alea.bool() { n } else { travers * sin + vers * (1.0 - sin * sin).sqrt() };
+            (sphere.centre().vers_f64() + n * sphere.rayon().vers_f64(), n, f64::INFINITY)
+        }
+        ObjetRay::Plan(plan) => {
+            let n = plan.normale().vers_f64();
+            let x = direction(alea) * 20.0;
+            let haut = n.produit_scalaire(x) + plan.distance().vers_f64();
+            (x - n * haut, n, f64::INFINITY)
+        }
+        ObjetRay::Boite(boite) => {
+            let (axe, l) = (alea.usize(0..3), boite.demi_longueurs().map(R::vers_f64));
+            let normales = boite.normales().map(Vecteur::vers_f64);
+            let mut parts = [(); 3].map(|()| signe(alea) * vers_un(alea));
+            parts[axe] = parts[axe].signum();
+            let depuis: Vecteur = (0..3).map(|i| normales[i] * (l[i] * parts[i])).sum();
+            let bord = (0..3).filter(|i| *i != axe).map(|i| l[i] * (1.0 - parts[i].abs()));
+            let bord = bord.fold(f64::INFINITY, f64::min);
+            (boite.centre().vers_f64() + depuis, normales[axe] * parts[axe], bord)
+        }
+    }
+}
+
+/// Whether rounding leaves open if the ray from `s` meets the lamp at this point of it.
+fn ouvert<R: Reel>(lampe: &ObjetRay<R>, (q, n, bord): Lumineux, s: Vecteur) -> bool {
+    let cosinus = (s - q).produit_scalaire(n) / (s - q).longueur();
+    let longueurs =
+        |f: f64, r: f64| OUVERT * u::<R>() * ((s - q).longueur() + s.longueur() + f + r);
+    match lampe {
+        ObjetRay::Sphere(sphere) => {
+            let (f, r) = ((s - sphere.centre().vers_f64()).longueur(), sphere.rayon().vers_f64());
+            // r − AC, where AC = r·sin.
+            r * cosinus * cosinus / 2.0 < longueurs(f, r)
+        }
+        ObjetRay::Plan(plan) => cosinus < longueurs(0.0, plan.distance().vers_f64().abs()),
+        ObjetRay::Boite(boite) => {
+            let rho = Vecteur::from(boite.demi_longueurs()).longueur().vers_f64();
+            let f = (s - boite.centre().vers_f64()).longueur();
+            bord < longueurs(f, rho) * (1.0 + 1.0 / cosinus)
+        }
+    }
+}
+
+/// A lamp of each shape beside a ball and a box, which it shines on from anywhere.
+fn lampes<R: Reel>(alea: &mut Rng) -> [ObjetRay<R>; 3] {
+    let mut place = || arrondi::<R>(direction(alea) * entre(alea, 4.0, 12.0));
+    let (centre, dimensions) = (place(), arrondi(Vecteur::new(1.5, 0.1, 0.7)));
+    let boule = SphereGeo::new(place(), R::depuis_f64(0.8), Texture(1)).unwrap();
+    let mur = place();
+    let plan = PlanGeo::par_un_point(mur, -mur, Texture(1)).unwrap();
+    let tour = Rotation::new(place()).unwrap();
+    let boite = BoiteGeo::new(centre, dimensions, tour, Texture(1)).unwrap();
+    [boule.into(), plan.into(), boite.into()]
+}
+
+/// The ball or the box at the origin stands before the lamp where the lamp's own face turns away or N·L ≤ 0,
+/// and nowhere else: both are convex. So the lamp must be first wherever both faces look at each other.
+fn un_point_voit_la_lampe_qui_lui_fait_face<R: Reel>() {
+    let mut alea = Rng::with_seed(19);
+    let mut vus = [0; 3];
+    let mut caches = 0;
+    for _ in 0..40 {
+        let tour = Rotation::new(arrondi::<R>(direction(&mut alea))).unwrap();
+        let cotes = arrondi(Vecteur::new(2.0, 1.0, 1.5));
+        let recepteurs: [ObjetRay<R>; 2] = [
+            SphereGeo::new(Vecteur::NUL, R::UN, Texture(0)).unwrap().into(),
+            BoiteGeo::new(Vecteur::NUL, cotes, tour, Texture(0)).unwrap().into(),
+        ];
+        for (forme, lampe) in lampes::<R>(&mut alea).into_iter().enumerate() {
+            for recepteur in recepteurs {
+                let scene = [recepteur, lampe];
+                let mut ombres = Vec::new();
+                for _ in 0..200 {
+                    let oeil = arrondi(direction(&mut alea) * 3.0);
+                    let vers = arrondi::<R>(direction(&mut alea) * 0.8) - oeil;
+                    let Ok(rayon) = Rayon::new(oeil, vers) else { continue };
+                    let Ok(touche) = recepteur.intersection(&rayon) else { continue };
+                    let p = rayon.point(touche.distance()).vers_f64();
+                    let point = lumineux(&lampe, p, &mut alea);
+                    let (q, n, _) = point;
+                    let vers = rayon.vers_lumiere(&touche, arrondi(q));
+                    let Some((ombre, distance)) = vers else { continue };
+                    let s = ombre.source().vers_f64();
+                    let en_face = (s - q).produit_scalaire(n) > 0.0;
+                    if en_face && !ouvert(&lampe, point, s) {
+                        let vue = premiere_intersection(&scene, &ombre).map(|t| t.objet());
+                        assert_eq!(vue, Ok(1), "dark: {scene:?} {ombre:?} {q:?}");
+                        caches += u32::from(est_occulte(&scene, &ombre, distance));
+                        vus[forme] += 1;
+                        ombres.push(ombre);
+                    }
+                }
+                // In a hierarchy and in a batch, among copies that make it a tree.
+                let objets: Vec<_> = scene.into_iter().cycle().take(128).collect();
+                let mut places = vec![0.0; Hierarchie::places(objets.len())];
+                let hierarchie = Hierarchie::new(&objets, &mut places).unwrap();
+                let mut touches = vec![Err(NoIntersection); ombres.len()];
+                hierarchie.premieres_intersections(&ombres, &mut touches).unwrap();
+                for (ombre, touche) in ombres.iter().zip(touches) {
+                    assert_eq!(touche.map(|t| t.objet()), Ok(1), "dark in a batch: {ombre:?}");
+                }
+            }
+        }
+    }
+    assert!(vus.iter().all(|n| *n > 1_000), "{vus:?} seen");
+    // Distances would have hidden these.
+    assert!(caches > vus.iter().sum::<u32>() / 10, "only {caches} hidden by their own lamp");
+}
+
+en_f32_et_f64!(un_point_voit_la_lampe_qui_lui_fait_face);
+
+/// What `vers_lumiere` says of its ray, beside the exact vector from the start to the lamp.
+fn la_distance_et_la_direction_d_une_lampe_sont_bornees<R: Reel>() {
+    let mut alea = Rng::with_seed(20);
+    let boule: ObjetRay<R> = SphereGeo::new(Vecteur::NUL, R::UN, Texture(0)).unwrap().into();
+    let mut juges = 0;
+    for _ in 0..5_000 {
+        let n = direction(&mut alea);
+        let Ok(rayon) = Rayon::new(arrondi(n * 3.0), arrondi(-n)) else { continue };
+        let Ok(touche) = boule.intersection(&rayon) else { continue };
+        let loin = entre(&mut alea, -12.0, 12.0).exp2();
+        let lampe = arrondi::<R>(n + (n + direction(&mut alea)) * loin);
+        let Some((ombre, distance)) = rayon.vers_lumiere(&touche, lampe) else { continue };
+        let (s, l) = (<[R; 3]>::from(ombre.source()), <[R; 3]>::from(lampe));
+        let v: [Exact; 3] = core::array::from_fn(|i| &Exact::de(l[i]) - &Exact::de(s[i]));
+        let carre = &(&(&v[0] * &v[0]) + &(&v[1] * &v[1])) + &(&v[2] * &v[2]);
+        let longueur = carre.vers_f64().sqrt();
+        // d² − |V|², exactly, over 2|V|.
+        let d = Exact::de(distance);
+        let ecart = (&(&d * &d) - &carre).vers_f64() / (2.0 * longueur);
+        assert!(ecart.abs() <= 3.5 * u::<R>() * longueur, "{ecart:e} of {longueur}: {ombre:?}");
+        // A component of |V|·L − V. The length is good to an f64, which f64 itself would see.
+        if u::<R>() > f64::EPSILON {
+            let direction = ombre.direction().vers_f64() * longueur;
+            let exacte = Vecteur::from(v.each_ref().map(Exact::vers_f64));
+            let ecart = (direction - exacte).longueur();
+            assert!(ecart <= 4.5 * u::<R>() * longueur, "{ecart:e} of {longueur}: {ombre:?}");
+        }
+        juges += 1;
+    }
+    assert!(juges > 3_000, "{juges} judged");
+}
+
+en_f32_et_f64!(la_distance_et_la_direction_d_une_lampe_sont_bornees);
