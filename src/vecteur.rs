@@ -8,7 +8,8 @@ use crate::reel::Reel;
 /// A vector, or a point seen from the origin O: x to the right, y up, z towards the viewer
 /// (handout §2.1).
 ///
-/// A bare triple: any number may stand in it. What builds on it (a ray, an object) checks.
+/// A bare triple: any number may stand in it. What builds on it (a ray, an object) checks. In generic code the
+/// compiler may ask for the type of an operand: `let v: Vecteur<R> = …`.
 ///
 /// ```
 /// use lancer_rayon::Vecteur;

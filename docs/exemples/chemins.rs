@@ -1,0 +1,314 @@
+//! A room in the evening, by path tracing: a lamp that is an object, soft shadows, walls that light each
+//! other, a mirror and a ball of glass.
+//!
+//! `cargo run --release -p exemples --bin chemins [--f32] [--rayons N] [scene.ron] [image.png]`
+//!
+//! A path starts at the eye and goes on by one bounce after another. The paths of one piece of the picture
+//! are a wave: all of them take one bounce, in a batch, then all their shadow rays, in another.
+
+mod image;
+mod scene;
+
+use std::error::Error;
+use std::path::Path;
+use std::process::ExitCode;
+use std::time::Instant;
+
+use indicatif::ParallelProgressIterator;
+use lancer_rayon::{
+    Hierarchie, Intersection, LongueursDifferentes, NoIntersection, ObjetRay, Rayon, Reel,
+    SphereRay, Touche, Vecteur,
+};
+use rayon::prelude::*;
+use scene::Scene;
+use serde::de::DeserializeOwned;
+
+/// Red, green and blue, in proportion to the light.
+type Couleur = Vecteur;
+
+/// The first object of the scene is its lamp, a sphere.
+const LAMPE: usize = 0;
+const LUEUR: Couleur = Vecteur::new(36.0, 27.0, 17.5);
+
+/// The sky behind the eye, where the room has no wall.
+const SOIR: Couleur = Vecteur::new(0.10, 0.17, 0.34);
+
+/// Paths a pixel, unless `--rayons` says how many, and the pixels of one piece: 4096 paths a wave.
+const RAYONS: usize = 64;
+const PIECE: usize = 64;
+
+/// The most bounces of a path; a ball of glass takes two.
+const REBONDS: usize = 8;
+
+/// A sample is limited to this before the average: a path that finds the lamp by a rare chance would else
+/// be a bright dot.
+const PLAFOND: f64 = 1.6;
+
+/// The refractive index of glass, and a length that no thing of glass reaches.
+const INDICE: f64 = 1.5;
+const VERRE: f64 = 2.0;
+
+fn main() -> ExitCode {
+    let mut arguments: Vec<String> = std::env::args().skip(1).collect();
+    let avant = arguments.len();
+    arguments.retain(|argument| argument != "--f32");
+    let rendre = if arguments.len() < avant { rendre::<f32> } else { rendre::<f64> };
+    let mut rayons = Some(RAYONS);
+    if let Some(ou) = arguments.iter().position(|argument| argument == "--rayons") {
+        let option: Vec<_> = arguments.drain(ou..arguments.len().min(ou + 2)).collect();
+        let nombre = option.get(1).and_then(|n| n.parse::<u16>().ok());
+        rayons = nombre.filter(|&n| n > 0).map(usize::from);
+    }
+    let usage = "chemins [--f32] [--rayons N, from 1 to 65535]";
+    let defauts = ["docs/scenes/soir.ron", "target/chemins.png"];
+    image::programme(&arguments, defauts, usage, |scene, image| match rayons {
+        Some(rayons) => rendre(scene, image, rayons),
+        None => Err(format!("usage: {usage} [scene.ron] [image.png]").into()),
+    })
+}
+
+fn rendre<R: Reel + DeserializeOwned>(
+    chemin: &str,
+    image: &str,
+    rayons: usize,
+) -> Result<(), Box<dyn Error>> {
+    let debut = Instant::now();
+    let Scene { camera, objets } = Scene::<R>::lire(Path::new(chemin))?;
+    let objets: Vec<_> = objets.into_iter().map(ObjetRay::from).collect();
+    let Some(ObjetRay::Sphere(lampe)) = objets.get(LAMPE) else {
+        return Err(format!("{chemin}: the first object is not a sphere, the lamp").into());
+    };
+    let mut places = vec![0.0; Hierarchie::places(objets.len())];
+    let hierarchie = Hierarchie::new(&objets, &mut places)?;
+    let grain = R::depuis_f64(1.0 / f64::from(camera.image.1));
+    let chambre = Chambre { objets: &objets, lampe, hierarchie, grain, rayons };
+
+    let (oeil, largeur) = (camera.rayons()?, camera.image.0 as usize);
+    // The batch is at its best with neighbours in tiles of 8 × 8.
+    let mut ordre: Vec<usize> = (0..oeil.len()).collect();
+    ordre.sort_by_key(|i| (i / largeur / 8, i % largeur / 8));
+    let pieces = ordre.par_chunks(PIECE).progress().map(|pixels| {
+        // A thread has its own generator. Seeded by the piece, it gives the same picture with any number
+        // of threads.
+        fastrand::seed(pixels[0] as u64);
+        chambre.couleurs(&pixels.iter().map(|&i| oeil[i]).collect::<Vec<_>>())
+    });
+    let pieces = pieces.collect::<Result<Vec<_>, _>>()?;
+    let mut octets = vec![[0; 3]; ordre.len()];
+    for (couleur, i) in pieces.into_iter().flatten().zip(ordre) {
+        let octet = |x: f64| (255.0 * x.min(1.0).powf(1.0 / 2.2)).round() as u8;
+        octets[i] = <[f64; 3]>::from(couleur).map(octet);
+    }
+    println!("{chemin}: {rayons} paths a pixel, {:.1} s", debut.elapsed().as_secs_f64());
+    image::ecrire(image, camera.image, png::Compression::High, octets.as_flattened())
+        .map_err(|erreur| format!("{image}: {erreur}"))?;
+    println!("{image}");
+    Ok(())
+}
+
+#[derive(Clone, Copy)]
+enum Genre {
+    Mat,
+    /// Matt under a clear coat that mirrors as glass does.
+    Verni,
+    Miroir,
+    Verre,
+}
+
+/// What a surface is made of: the parts of red, green and blue that it keeps, two of them for a checker.
+type Matiere = (Genre, [Couleur; 2]);
+
+const fn uni(genre: Genre, r: f64, v: f64, b: f64) -> Matiere {
+    (genre, [Vecteur::new(r, v, b); 2])
+}
+
+/// A texture is the number of one of these; a scene with more textures begins anew.
+const PALETTE: [Matiere; 12] = [
+    uni(Genre::Mat, 0.0, 0.0, 0.0), // the lamp
+    (Genre::Verni, [Vecteur::new(0.25, 0.11, 0.05), Vecteur::new(0.62, 0.42, 0.22)]),
+    uni(Genre::Mat, 0.82, 0.75, 0.65),
+    uni(Genre::Mat, 0.09, 0.25, 0.42),
+    uni(Genre::Mat, 0.56, 0.14, 0.07),
+    uni(Genre::Mat, 0.70, 0.56, 0.28),
+    uni(Genre::Miroir, 0.90, 0.88, 0.85),
+    uni(Genre::Verre, 0.92, 0.98, 0.96),
+    uni(Genre::Verni, 0.02, 0.07, 0.25),
+    uni(Genre::Verni, 0.47, 0.03, 0.02),
+    uni(Genre::Verni, 0.87, 0.26, 0.01),
+    uni(Genre::Mat, 0.02, 0.02, 0.02),
+];
+
+struct Chambre<'a, R> {
+    objets: &'a [ObjetRay<R>],
+    lampe: &'a SphereRay<R>,
+    hierarchie: Hierarchie<'a, R>,
+    /// The size of a pixel, one unit before the eye.
+    grain: R,
+    /// Paths a pixel.
+    rayons: usize,
+}
+
+/// A path on its way: what it finds counts in this part, for this path of the wave.
+struct Chemin<R> {
+    rayon: Rayon<R>,
+    numero: usize,
+    part: Couleur,
+    /// Whether it counts the lamp that it meets: after a matt surface the shadow ray has done so.
+    franc: bool,
+    /// The object of glass that it is inside of.
+    dans: Option<usize>,
+}
+
+impl<R: Reel> Chambre<'_, R> {
+    /// The colour of each pixel through whose middle such a ray of the eye goes.
+    fn couleurs(&self, oeil: &[Rayon<R>]) -> Result<Vec<Couleur>, LongueursDifferentes> {
+        let chemin = |numero: usize| {
+            let milieu = oeil[numero / self.rayons];
+            let vers = milieu.direction() + au_hasard() * (self.grain * R::depuis_f64(0.3));
+            let rayon = Rayon::new(milieu.source(), vers).unwrap_or(milieu);
+            let part = Vecteur::new(1.0, 1.0, 1.0);
+            Chemin { rayon, numero, part, franc: true, dans: None }
+        };
+        let nombre = oeil.len() * self.rayons;
+        let mut chemins: Vec<_> = (0..nombre).map(chemin).collect();
+        let mut vues = vec![Vecteur::NUL; nombre];
+        for _ in 0..REBONDS {
+            let touches = self.lancer(chemins.iter().map(|chemin| chemin.rayon))?;
+            let (mut suivants, mut ombres) = (Vec::new(), Vec::new());
+            for (chemin, touche) in chemins.into_iter().zip(touches) {
+                if let Some(verre) = chemin.dans {
+                    // Shot back, 2 of a million rays miss the box that they left, in `f32`: they end.
+                    let Some((t, sortie)) = self.sortie(&chemin, verre) else { continue };
+                    if !touche.is_ok_and(|touche| touche.distance() < t) {
+                        suivants.push(sortie);
+                        continue;
+                    }
+                }
+                let Ok(touche) = touche else {
+                    vues[chemin.numero] += produit(chemin.part, SOIR);
+                    continue;
+                };
+                if touche.objet() == LAMPE {
+                    if chemin.franc {
+                        vues[chemin.numero] += produit(chemin.part, LUEUR);
+                    }
+                } else if let Some(suivant) = chemin.rebond(&touche) {
+                    if !suivant.franc {
+                        ombres.extend(self.vers_la_lampe(&chemin, &touche, suivant.part));
+                    }
+                    suivants.push(suivant);
+                }
+            }
+            let touches = self.lancer(ombres.iter().map(|(ombre, ..)| *ombre))?;
+            for ((_, numero, lumiere), touche) in ombres.into_iter().zip(touches) {
+                // The lamp itself stands before the point of it that the ray is sent to: where it comes
+                // first, nothing else does. To compare objects needs no distance and no epsilon.
+                if touche.is_ok_and(|touche| touche.objet() == LAMPE) {
+                    vues[numero] += lumiere;
+                }
+            }
+            chemins = suivants;
+        }
+        let limitee = |&vue: &Couleur| Vecteur::from(<[f64; 3]>::from(vue).map(|x| x.min(PLAFOND)));
+        let moyenne =
+            |vues: &[Couleur]| vues.iter().map(limitee).sum::<Couleur>() / self.rayons as f64;
+        Ok(vues.chunks(self.rayons).map(moyenne).collect())
+    }
+
+    /// The first object that each of these rays touches.
+    fn lancer(
+        &self,
+        rayons: impl Iterator<Item = Rayon<R>>,
+    ) -> Result<Vec<Touche<R>>, LongueursDifferentes> {
+        let rayons: Vec<_> = rayons.collect();
+        let mut touches = vec![Err(NoIntersection); rayons.len()];
+        self.hierarchie.premieres_intersections(&rayons, &mut touches)?;
+        Ok(touches)
+    }
+
+    /// How far a path inside glass goes, and how it goes on: shot back from beyond the object, a ray
+    /// enters where the path leaves.
+    fn sortie(&self, chemin: &Chemin<R>, verre: usize) -> Option<(R, Chemin<R>)> {
+        let (d, loin) = (chemin.rayon.direction(), R::depuis_f64(VERRE));
+        let retour = Rayon::new(chemin.rayon.point(loin), -d).ok()?;
+        let touche = self.objets[verre].intersection(&retour).ok()?;
+        let (vers, dehors) = traverser(d, -touche.normale(), INDICE);
+        let rayon = retour.secondaire(&touche, vers).ok()?;
+        let dans = (!dehors).then_some(verre);
+        Some((loin - touche.distance(), Chemin { rayon, dans, ..*chemin }))
+    }
+
+    /// The ray from a matt surface to a point of the half of the lamp that faces it, and the light that it
+    /// brings to this path if it arrives.
+    fn vers_la_lampe(
+        &self,
+        chemin: &Chemin<R>,
+        touche: &Intersection<R>,
+        part: Couleur,
+    ) -> Option<(Rayon<R>, usize, Couleur)> {
+        let (centre, rayon) = (self.lampe.centre(), self.lampe.rayon());
+        let axe = (chemin.rayon.point(touche.distance()) - centre).unitaire()?;
+        // The normal of the lamp there, more often near the axis, by the cosine: nearly as the light goes.
+        let n = (axe + au_hasard()).unitaire()?;
+        let (ombre, distance) = chemin.rayon.vers_lumiere(touche, centre + n * rayon)?;
+        let l = ombre.direction();
+        // Below 0 near the rim, where the lamp hides this point of itself.
+        let de_face = -l.produit_scalaire(n);
+        // The π of the chance of this point, per area, is also that of a matt surface: none is left.
+        let poids = de_face / n.produit_scalaire(axe) * l.produit_scalaire(touche.normale());
+        let poids = (poids * rayon * rayon / (distance * distance)).vers_f64();
+        let lumiere = produit(part, LUEUR) * poids;
+        (de_face > R::ZERO).then_some((ombre, chemin.numero, lumiere))
+    }
+}
+
+impl<R: Reel> Chemin<R> {
+    /// How a path goes on from a surface that is not the lamp.
+    fn rebond(&self, touche: &Intersection<R>) -> Option<Self> {
+        let (d, n) = (self.rayon.direction(), touche.normale());
+        let (genre, couleurs) = PALETTE[touche.texture().0 as usize % PALETTE.len()];
+        let p = self.rayon.point(touche.distance());
+        let case = (p.x.vers_f64().floor() + p.z.vers_f64().floor()) as i64;
+        let teinte = produit(self.part, couleurs[(case & 1) as usize]);
+        let (passe, entre) = traverser(d, n, 1.0 / INDICE);
+        let (vers, part, franc) = match genre {
+            Genre::Miroir => (d - (n + n) * d.produit_scalaire(n), teinte, true),
+            Genre::Verre => (passe, teinte, true),
+            Genre::Verni if !entre => (passe, self.part, true),
+            // As often in each direction as the cosine there is large, so that no cosine is left to count.
+            Genre::Verni | Genre::Mat => (n + au_hasard(), teinte, false),
+        };
+        let dans = (entre && matches!(genre, Genre::Verre)).then(|| touche.objet());
+        let rayon = self.rayon.secondaire(touche, vers).ok()?;
+        Some(Self { rayon, numero: self.numero, part, franc, dans })
+    }
+}
+
+/// Where light goes on from a face of glass with the normal `n` against it, and whether it passes (Snell)
+/// or is mirrored, by chance. `rapport` is the index that it comes from over the one that it comes to.
+fn traverser<R: Reel>(d: Vecteur<R>, n: Vecteur<R>, rapport: f64) -> (Vecteur<R>, bool) {
+    let (rapport, cosinus) = (R::depuis_f64(rapport), -d.produit_scalaire(n));
+    let carre = R::UN - rapport * rapport * (R::UN - cosinus * cosinus);
+    if carre > R::ZERO {
+        let derriere = carre.sqrt();
+        // Schlick's approximation of Fresnel's formula, which takes the larger angle, that of the air.
+        let rasant = 1.0 - cosinus.vers_f64().min(derriere.vers_f64());
+        if fastrand::f64() > 0.04 + 0.96 * rasant.powi(5) {
+            return (d * rapport + n * (rapport * cosinus - derriere), true);
+        }
+    }
+    // All of it beyond the critical angle.
+    (d + (n + n) * cosinus, false)
+}
+
+/// A point of the unit sphere, all alike.
+fn au_hasard<R: Reel>() -> Vecteur<R> {
+    let z = 2.0 * fastrand::f64() - 1.0;
+    let (sin, cos) = (std::f64::consts::TAU * fastrand::f64()).sin_cos();
+    let r = (1.0 - z * z).sqrt();
+    Vecteur::depuis_f64(Vecteur::new(r * cos, r * sin, z))
+}
+
+fn produit(a: Couleur, b: Couleur) -> Couleur {
+    Vecteur::new(a.x * b.x, a.y * b.y, a.z * b.z)
+}
