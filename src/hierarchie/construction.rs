@@ -230,12 +230,15 @@ fn boite_elargie<R: Reel>(
     Some((simples(c - demi), simples(c + demi)))
 }
 
+/// The slack for the point of a hit, in u of the scalar, and for the rounding to `f32`, in u of that.
+const JEU_TOUCHE: f64 = 128.0;
+const JEU_F32: f64 = 4.0;
+
 /// The slack, by which boxes grow so that rounding loses no hit, per unit of distance from K to an object
-/// or to the source of a ray. It is 128u for the point of a hit, and 4u of `f32` for the rounding to that
-/// type (`docs/conception.md`, "Hierarchy").
+/// or to the source of a ray. Derived in `docs/conception.md`, "Hierarchy".
 #[inline(always)]
 pub(crate) fn jeu<R: Reel>() -> f64 {
-    128.0 * R::U.vers_f64() + 4.0 * f64::from(f32::U)
+    JEU_TOUCHE * R::U.vers_f64() + JEU_F32 * f64::from(f32::U)
 }
 
 /// |x| + |y| + |z|.

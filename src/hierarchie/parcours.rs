@@ -143,6 +143,9 @@ impl<R: Reel> Recherche<'_, R> {
     }
 }
 
+/// By so many u of `f32` an entry comes before its rounding.
+const ENTREE_AVANT: f64 = 16.0;
+
 /// A ray as the boxes see it, with its part of the slack (`docs/conception.md`, "Hierarchy").
 struct Sonde([Axe; 3]);
 
@@ -189,7 +192,7 @@ impl Sonde {
             entree = max((px[i] - x.vers_proche) * x.inverse, entree);
             entree = max((py[i] - y.vers_proche) * y.inverse, entree);
             entree = max((pz[i] - z.vers_proche) * z.inverse, entree);
-            entrees[i] = entree * (1.0 - fois_u::<f32>(16.0));
+            entrees[i] = entree * (1.0 - fois_u::<f32>(ENTREE_AVANT));
             let mut sortie = plafond;
             sortie = min((lx[i] - x.vers_lointain) * x.inverse, sortie);
             sortie = min((ly[i] - y.vers_lointain) * y.inverse, sortie);

@@ -10,6 +10,18 @@ use crate::rayon::Rayon;
 use crate::reel::{Reel, fois_u};
 use crate::vecteur::Vecteur;
 
+/// By so many u of themselves M and the normals P are shorter than 1.
+const COURT: f64 = 16.0;
+
+/// By so many u the slope e/μ is taken too large, above and below.
+const PENTE: f64 = 32.0;
+
+/// By so many u of itself the bound w on the origins is too large.
+const ORIGINES: f64 = 8.0;
+
+/// The rounding of h² and of the ball test, in u·|C − S₀|².
+const JEU_BOULE: f64 = 2048.0;
+
 /// Running bounds over the rays of a block: distance from a reference origin S₀, spread around a reference
 /// direction M.
 ///
@@ -33,7 +45,7 @@ impl<R: Reel> Etendue<R> {
     #[inline(always)]
     fn autour(rayons: &[Rayon<R>]) -> Self {
         let milieu = rayons[rayons.len() / 2];
-        let m = milieu.direction() * (R::UN - fois_u(16.0));
+        let m = milieu.direction() * (R::UN - fois_u(COURT));
         let cote = rayons[7.min(rayons.len() - 1)].direction() - rayons[0].direction();
         let x = Vecteur::new(R::UN, R::ZERO, R::ZERO);
         let y = Vecteur::new(R::ZERO, R::UN, R::ZERO);
@@ -77,8 +89,8 @@ impl<R: Reel> Etendue<R> {
         let [a, b] = self.axes;
         let [a1, a2, b1, b2] = self.e.map(le_plus_grand);
         let [p1, p2, p3, p4] = [(a, a1), (-a, a2), (b, b1), (-b, b2)].map(|(axe, e)| {
-            let p = axe - self.m * ((e + fois_u(32.0)) / (mu - fois_u(32.0)));
-            p * ((R::UN - fois_u(16.0)) / p.longueur_carree().sqrt())
+            let p = axe - self.m * ((e + fois_u(PENTE)) / (mu - fois_u(PENTE)));
+            p * ((R::UN - fois_u(COURT)) / p.longueur_carree().sqrt())
         });
         let largeur = ((a1 + a2) * (b1 + b2)).sqrt() / mu;
         let ecart = le_plus_grand(self.ecarts);
@@ -86,7 +98,7 @@ impl<R: Reel> Etendue<R> {
         Some(Faisceau {
             s0: self.s0,
             plans: [p1, p2, p3, p4, -self.m]
-                .map(|p| (p, p.somme_des_grandeurs(ecarts) * (R::UN + fois_u(8.0)))),
+                .map(|p| (p, p.somme_des_grandeurs(ecarts) * (R::UN + fois_u(ORIGINES)))),
             ecart,
             largeur,
         })
@@ -124,7 +136,7 @@ impl<R: Reel> Faisceau<R> {
         let sc = boule.centre - self.s0;
         let [h1, h2, h3, h4, h5] = self.plans.map(|(p, w)| p.produit_scalaire(sc) - w);
         let h = max(max(max(h1, h2), max(h3, h4)), max(h5, R::ZERO));
-        (h * h, boule.r2 + sc.longueur_carree() * fois_u(2048.0))
+        (h * h, boule.r2 + sc.longueur_carree() * fois_u(JEU_BOULE))
     }
 }
 
