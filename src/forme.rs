@@ -50,7 +50,7 @@ pub(crate) trait Forme<R: Reel>: Copy {
     /// in units of N, and b is computed to 4u·ℓ. A search for a ray that starts at P is off by at most 4u·ℓ.
     fn hauteur(&self, p: Vecteur<R>, n: Vecteur<R>) -> (R, R);
 
-    /// The same, sooner for a ray that passes the shape by.
+    /// [`t`](Self::t), sooner for a ray that passes the shape by.
     #[inline(always)]
     fn entree(&self, s: Vecteur<R>, d: Vecteur<R>) -> R {
         if self.peut_entrer(s, d) { self.t(s, d) } else { R::INFINI }
