@@ -154,8 +154,10 @@ fn graphique(variantes: &[Variante]) -> Result<(), Box<dyn Error>> {
         .y_desc("relative error of the distance, 99.9 %")
         .y_label_formatter(&|y| format!("{y:.0e}"))
         .draw()?;
-    for (i, v) in variantes.iter().enumerate() {
-        let (point, couleur) = ((v.ns, v.erreurs[1]), COULEURS[i % COULEURS.len()]);
+    for v in variantes {
+        // A colour a scalar.
+        let couleur = COULEURS[usize::from(v.nom.ends_with("f64"))];
+        let point = (v.ns, v.erreurs[1]);
         let nom = Text::new(v.nom.clone(), (9, -18), ("sans-serif", 15).into_font());
         let element = EmptyElement::at(point) + Circle::new((0, 0), 6, couleur.filled()) + nom;
         graphe.draw_series([element])?;
