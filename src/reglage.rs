@@ -4,6 +4,8 @@ use fearless_simd::Level;
 
 use crate::hierarchie::{Hierarchie, SEUIL_LOT};
 use crate::intersection::{Intersection, NoIntersection};
+use crate::lot::faisceau::Faisceau;
+use crate::lot::groupe::Groupe;
 use crate::lot::{LongueursDifferentes, repondre};
 use crate::niveau::meilleur_niveau;
 use crate::objet::ObjetRay;
@@ -36,6 +38,16 @@ impl Reglage {
         niveaux
             .into_iter()
             .filter_map(|(nom, niveau)| Some((nom, Self { niveau: niveau?, elaguer: true })))
+    }
+
+    /// Whether the beam of these rays, at most sixteen, leaves out a ball around this object. No answer tells.
+    pub fn evite<R: Reel>(rayons: &[Rayon<R>], objet: &ObjetRay<R>) -> bool {
+        let mut groupe = Groupe::VIDE;
+        groupe.charger(rayons);
+        Faisceau::du_bloc(rayons, &[groupe]).is_some_and(|faisceau| {
+            let (h2, limite) = faisceau.hauteur_et_limite(objet.boule());
+            h2 > limite
+        })
     }
 
     /// The same without culling.

@@ -340,3 +340,25 @@ en_f32_et_f64!(
     #[ignore = "takes minutes"]
     un_demi_milliard_de_rayons
 );
+
+/// No answer tells whether a beam leaves anything out; this does.
+fn des_rayons_paralleles_evitent_une_boule_a_cote<R: Reel>() {
+    let axes = [axe_z::<R>(), Vecteur::new(R::UN, R::ZERO, R::ZERO)];
+    for k in 0..27_u8 {
+        let axe = |i: u8| R::depuis_f64(f64::from(k / i % 3) - 1.0);
+        let Some(d) = Vecteur::new(axe(1), axe(3), axe(9)).unitaire() else { continue };
+        let autre = axes.into_iter().find(|axe| axe.produit_scalaire(d).abs() < R::depuis_f64(0.9));
+        let u = d.produit_vectoriel(autre.unwrap()).unitaire().expect("across D");
+        let v = d.produit_vectoriel(u);
+        // The corners of a tile.
+        let sources = [Vecteur::NUL, u, v, u + v];
+        let rayons = sources.map(|source| Rayon::new(source, d).unwrap());
+        for cote in [u, -u, v, -v, -d] {
+            let centre = d * R::depuis_f64(7.0) + cote * R::depuis_f64(10.0);
+            let boule = SphereGeo::new(centre, R::UN, Texture(0)).unwrap().into();
+            assert!(Reglage::evite(&rayons, &boule), "along {d:?}, beside {centre:?}");
+        }
+    }
+}
+
+en_f32_et_f64!(des_rayons_paralleles_evitent_une_boule_a_cote);
