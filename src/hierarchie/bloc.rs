@@ -131,6 +131,7 @@ struct SondeDeBloc {
     plans: [(Vecteur<f32>, f32); 5],
     m: Vecteur<f32>,
     depart: f32,
+    /// The side of the beam one unit ahead.
     largeur: f64,
 }
 
