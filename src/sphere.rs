@@ -186,7 +186,7 @@ impl<R: Reel> Forme<R> for SphereRay<R> {
         // arrondi·travers/r, at most (arrondi² + travers²)/2r.
         let le_long = n.produit_scalaire(cp);
         let travers2 = (cp - n * le_long).longueur_carree();
-        let arrondi = (p.x.abs() + p.y.abs() + p.z.abs()) * fois_u(4.0);
+        let arrondi = p.norme_1() * fois_u(4.0);
         // The sphere is no larger than the rounding of its distance or of its place, or the
         // point came out on its far side.
         let perdue = (puissance > nombre(0.5) * r2)

@@ -140,6 +140,12 @@ impl<R: Reel> Vecteur<R> {
         (self.x * autre.x).abs() + (self.y * autre.y).abs() + (self.z * autre.z).abs()
     }
 
+    /// |x| + |y| + |z|, no less than the length.
+    #[inline(always)]
+    pub(crate) fn norme_1(self) -> R {
+        self.x.abs() + self.y.abs() + self.z.abs()
+    }
+
     /// The same vector in `f64`, exactly.
     ///
     /// ```

@@ -3,7 +3,7 @@
 use fearless_simd::Simd;
 
 use crate::hierarchie::construction::{
-    Arbre, Colonne, ENFANTS, Noeud, Repere, TROP_LOIN, indice, jeu, simple, simples, somme,
+    Arbre, Colonne, ENFANTS, Noeud, Repere, TROP_LOIN, indice, jeu, simple, simples,
 };
 use crate::hierarchie::parcours::{GRANDE_PILE, Pile, RIEN};
 use crate::intersection::{Touche, rang};
@@ -141,7 +141,7 @@ impl SondeDeBloc {
     fn new<R: Reel>(rayons: &[Rayon<R>], bloc: &[Groupe<R>], repere: Repere<R>) -> Option<Self> {
         let faisceau = Faisceau::du_bloc(rayons, bloc)?;
         let s0 = repere.point(faisceau.s0);
-        let loin = somme(s0) + repere.longueur(faisceau.ecart) * R::depuis_f64(4.0);
+        let loin = s0.norme_1() + repere.longueur(faisceau.ecart) * R::depuis_f64(4.0);
         if simple(loin) > TROP_LOIN {
             return None;
         }

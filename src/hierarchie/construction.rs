@@ -147,13 +147,13 @@ impl<R: Reel> Repere<R> {
         let mut portee = R::ZERO;
         let centres = objets.iter().filter_map(|objet| {
             let (c, h) = objet.boite_englobante()?;
-            portee = max(portee, somme(h));
+            portee = max(portee, h.norme_1());
             Some(c.into())
         });
         let (bas, haut) = extremes(centres);
         let (bas, haut) = (Vecteur::from(bas), Vecteur::from(haut));
         // K in the middle would need half of this. In the worst case rounding moves K to the last centre.
-        let echelle = R::UN / (somme(haut - bas) + portee * R::depuis_f64(2.0));
+        let echelle = R::UN / ((haut - bas).norme_1() + portee * R::depuis_f64(2.0));
         Self { milieu: (bas + haut) * R::depuis_f64(0.5), echelle }
     }
 
@@ -225,7 +225,7 @@ fn boite_elargie<R: Reel>(
     let (c, h) = objet.boite_englobante()?;
     let (c, h) = (repere.point(c), h * repere.echelle);
     // The proof needs ρ, the radius of the ball around the object; the sum of the half-extents is no less.
-    let jeu = (somme(c) + somme(h)) * R::depuis_f64(jeu::<R>());
+    let jeu = (c.norme_1() + h.norme_1()) * R::depuis_f64(jeu::<R>());
     let demi = h + Vecteur::new(jeu, jeu, jeu);
     Some((simples(c - demi), simples(c + demi)))
 }
@@ -239,11 +239,6 @@ const JEU_F32: f64 = 4.0;
 #[inline(always)]
 pub(crate) fn jeu<R: Reel>() -> f64 {
     JEU_TOUCHE * R::U.vers_f64() + JEU_F32 * f64::from(f32::U)
-}
-
-/// |x| + |y| + |z|.
-pub(crate) fn somme<R: Reel>(v: Vecteur<R>) -> R {
-    v.x.abs() + v.y.abs() + v.z.abs()
 }
 
 /// Puts the records of each node, of every floor, side by side.

@@ -4,7 +4,7 @@ use fearless_simd::Simd;
 
 use crate::hierarchie::construction::{
     Arbre, Colonne, ENFANTS, ETAGES, Noeud, Repere, TROP_LOIN, indice, jeu, premier_enfant, simple,
-    simples, somme,
+    simples,
 };
 use crate::intersection::{NoIntersection, Rang, Touche, rang};
 use crate::lot::colonnes::{Aligne, le_premier, max, membres, min};
@@ -163,7 +163,7 @@ impl Sonde {
     #[inline(always)]
     fn new<R: Reel>(rayon: &Rayon<R>, repere: Repere<R>) -> Self {
         let (s, d) = (simples(repere.point(rayon.source())), rayon.direction());
-        let loin = somme(s);
+        let loin = s.norme_1();
         // An infinity is too far as well.
         let (s, jeu) = if loin < TROP_LOIN {
             (s, loin * jeu::<R>() as f32 + f32::U)
