@@ -10,25 +10,25 @@ use crate::rayon::Rayon;
 use crate::reel::{Reel, fois_u};
 use crate::vecteur::Vecteur;
 
-/// The rounding of a height over a surface, in u·ℓ, and of what the next search sees of it.
-const ARRONDI_HAUTEUR: f64 = 4.0;
+/// The rounding of a height over a surface, in u·ℓ, and of what the next search sees of it (lemma 7).
+pub const ARRONDI_HAUTEUR: f64 = 4.0;
 
-/// By so many u of itself a margin is larger: 6 for an N that is unit to 6u only, and the rounding of its last
-/// operations.
-const VERS_LE_HAUT: f64 = 12.0;
+/// By so many u of itself a margin is larger: 6 for an N that is unit to 6u only, the others for the rounding
+/// of its last operations (lemma 7).
+pub const VERS_LE_HAUT: f64 = 10.0;
 
-/// By so many u a normal that does not face the source is leaned towards it.
-const PENCHE: f64 = 6.0;
+/// By so many u a normal that does not face the source is leaned towards it (lemma 6).
+pub const PENCHE: f64 = 14.0;
 
-/// By so many u of itself SC² is smaller, so that rounding hides no entry from the ball.
-const RETRAIT: f64 = 192.0;
+/// By so many u of itself SC² is smaller, so that rounding hides no entry from the ball (lemma 11).
+pub const RETRAIT: f64 = 130.0;
 
 /// A shape, ready for rays.
 pub(crate) trait Forme<R: Reel>: Copy {
     /// A ball around all of the shape; [`Boule::INFINIE`] if it is unbounded.
     fn boule(&self) -> Boule<R>;
 
-    /// The centre of the shape and its half-extents along the axes, each to 16u of itself; `None` if it is
+    /// The centre of the shape and its half-extents along the axes, each to 4u of itself; `None` if it is
     /// unbounded.
     fn boite_englobante(&self) -> Option<(Vecteur<R>, Vecteur<R>)>;
 
@@ -91,9 +91,9 @@ pub(crate) trait Forme<R: Reel>: Copy {
 
 /// The unit normal nearest to N that faces the source of a ray of direction D.
 ///
-/// Where a ray only grazes, rounding can leave N at a right angle to D or past it. The normal is then
-/// the part of N across D, leaned by 6u towards the source: N·D rounds by no more than 3.5u, as far as a
-/// directed search could find. If even this normal does not face the source, −D does.
+/// Where a ray only grazes, rounding can leave N at a right angle to D or past it. The normal is then the part
+/// of N across D, leaned towards the source by more than N·D can round. Where nothing is left of N, −D faces
+/// the source.
 #[cold]
 fn vers_la_source<R: Reel>(n: Vecteur<R>, d: Vecteur<R>) -> Vecteur<R> {
     let unitaire = d / d.longueur();

@@ -6,9 +6,9 @@
 //! a block of rays at those that its beam crosses (`hierarchie/bloc.rs`). Half-spaces are always asked.
 //! What may be left out is derived in `docs/conception.md`, "Hierarchy".
 
-mod bloc;
-mod construction;
-mod parcours;
+pub(crate) mod bloc;
+pub(crate) mod construction;
+pub(crate) mod parcours;
 
 use core::fmt;
 

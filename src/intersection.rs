@@ -125,17 +125,17 @@ pub(crate) struct Contact<R> {
     pub(crate) marge: R,
 }
 
-/// A direction within so many u of the tangent plane is turned outward.
-const TANGENT: f64 = 4.0;
+/// A direction within so many u of the tangent plane is turned outward: no N·D rounds by more (lemma 8).
+pub const TANGENT: f64 = 3.2;
 
-/// By so many u.
-const REDRESSE: f64 = 16.0;
+/// By so many u, after which N·D is above 0 however it is rounded (lemma 8).
+pub const REDRESSE: f64 = 12.0;
 
-/// By so many u of itself a margin grows for an N that is not exactly unit.
-const PAS_NORMAL: f64 = 16.0;
+/// By so many u of itself a margin grows for an N that is not exactly unit (lemma 8).
+pub const PAS_NORMAL: f64 = 19.0;
 
-/// The rounding of the moved point, in u·Σ|N_i·P_i|.
-const PAS_ARRONDI: f64 = 2.0;
+/// The rounding of the moved point, in u·Σ|N_i·P_i| (lemma 8).
+pub const PAS_ARRONDI: f64 = 1.1;
 
 impl<R: Reel> Rayon<R> {
     /// A ray that starts where this one touched an object and never hits that object again, with one
@@ -144,9 +144,9 @@ impl<R: Reel> Rayon<R> {
     ///
     /// The source is the point of the hit, moved along the normal to the side to which the
     /// direction leads, by [`marge`](Intersection::marge) and the rounding of the moved point,
-    /// 2u·Σ|N_i·P_i|. From outside, a ray that leaves the object does not meet it again; from
-    /// inside, the object is not seen at all. A direction within 4u of the tangent plane is turned
-    /// outward by 16u. There is no epsilon to choose, and nothing farther than that step is jumped
+    /// 1.1u·Σ|N_i·P_i|. From outside, a ray that leaves the object does not meet it again; from
+    /// inside, the object is not seen at all. A direction within 3.2u of the tangent plane is turned
+    /// outward by 12u. There is no epsilon to choose, and nothing farther than that step is jumped
     /// over.
     ///
     /// Within rounding of a box edge an inward ray may touch the other face of that edge, of which
@@ -198,11 +198,11 @@ impl<R: Reel> Rayon<R> {
     /// arguments of [`est_occulte`](crate::est_occulte) for a shadow.
     ///
     /// The ray is a [`secondaire`](Self::secondaire) and never hits the object it leaves. `None` if N·L ≤
-    /// 4u, with L the unit direction from the start of the ray to the light: the surface faces away, or the
+    /// 3.2u, with L the unit direction from the start of the ray to the light: the surface faces away, or the
     /// light lies in the tangent plane of the start. `None` also if `lumiere` is not finite or is the start
     /// itself, or if the start lies beyond the limits of a source. A distance that overflows is +∞.
     ///
-    /// From the start to the light the distance is good to 3.5u, the direction to 4.5u, and N·L to 8u. Towards a
+    /// From the start to the light the distance is good to 3.6u, the direction to 4.6u, and N·L to 8u. Towards a
     /// point of a lamp that is itself an object of the list, do not compare distances: ask whether the lamp is
     /// the first object ([`est_occulte`](crate::est_occulte)).
     ///

@@ -98,9 +98,11 @@ extern crate std;
 // (`docs/conception.md`, "The floors").
 //
 //   reel · compile_ici, niveau · vecteur · texture, erreur · rotation · rayon · intersection · forme
-//   sphere, plan, boite · objet · recherche · lot · hierarchie · reglage
+//   sphere, plan, boite · objet · recherche · lot · hierarchie · reglage, constantes
 mod boite;
 mod compile_ici;
+#[doc(hidden)]
+pub mod constantes;
 mod erreur;
 mod forme;
 mod hierarchie;

@@ -72,12 +72,14 @@ pub(crate) fn source_valide<R: Reel>(source: Vecteur<R>) -> Result<Vecteur<R>, E
     point(["source.x", "source.y", "source.z"], source)
 }
 
+/// A direction with |D·D − 1| within so many u is kept: an ordinary normalisation leaves 10 (lemma 1).
+pub const DEJA_UNITAIRE: f64 = 12.0;
+
 /// This direction brought to length 1; refused if it is zero or not finite.
 #[inline]
 pub(crate) fn direction_unitaire<R: Reel>(direction: Vecteur<R>) -> Result<Vecteur<R>, ErreurGeo> {
     let direction = fini(["direction.x", "direction.y", "direction.z"], direction)?;
-    // An ordinary normalisation leaves |D·D − 1| within 10u.
-    if (direction.longueur_carree() - R::UN).abs() <= fois_u(12.0) {
+    if (direction.longueur_carree() - R::UN).abs() <= fois_u(DEJA_UNITAIRE) {
         return Ok(direction);
     }
     direction.unitaire().ok_or_else(|| refus_nul("direction"))

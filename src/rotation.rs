@@ -40,6 +40,9 @@ type Matrice = [[f64; 3]; 3];
 
 const IDENTITE: Matrice = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
+/// A matrix that is orthonormal to so many u is kept by [`Rotation::depuis_matrice`] (lemma 1).
+pub const DEJA_ORTHONORMALE: f64 = 8.0;
+
 const ANGLES: [&str; 3] = ["vecteur_rotation.x", "vecteur_rotation.y", "vecteur_rotation.z"];
 
 /// k·π/2 with its cosine and sine.
@@ -131,7 +134,7 @@ impl<R: Reel> Rotation<R> {
         let attendu = "1: a mirror is no rotation";
         exiger(determinant > 0.0, "matrice: determinant", determinant, attendu)?;
         // The columns may be three times as far off as the rows, and are the rows of the inverse.
-        if lignes.max(ecart(transposee(m))) <= 8.0 * R::U.vers_f64() {
+        if lignes.max(ecart(transposee(m))) <= DEJA_ORTHONORMALE * R::U.vers_f64() {
             return Ok(Self { matrice });
         }
         // Each step squares what is missing: from 1e-3, three reach the last bit of an f64.

@@ -3,7 +3,7 @@
 use crate::erreur::{ErreurGeo, coefficient, deplacement, point, taille};
 use crate::forme::{Boule, Forme};
 use crate::rayon::Rayon;
-use crate::reel::{Reel, fois_u};
+use crate::reel::Reel;
 use crate::rotation::Rotation;
 use crate::texture::Texture;
 use crate::vecteur::Vecteur;
@@ -131,6 +131,21 @@ impl<R: Reel> SphereRay<R> {
     }
 }
 
+/// A difference of squares, times this over r, is no less than the height that it comes to (lemma 7).
+pub const PAR_RAYON: f64 = 0.6;
+
+/// The length ℓ of a sphere, in r (lemma 7).
+pub const LONGUEUR: f64 = 1.3;
+
+/// The limit of |CP² − r²|, in r²: beyond it, and the next two, a sphere is lost in rounding (lemma 7).
+pub const PUISSANCE_PERDUE: f64 = 0.4;
+
+/// The limit of the square of what CP has across N, in r².
+pub const TRAVERS_PERDU: f64 = 0.0625;
+
+/// The limit of the rounding of P, in r.
+pub const ARRONDI_PERDU: f64 = 0.0625;
+
 impl<R: Reel> Forme<R> for SphereRay<R> {
     #[inline(always)]
     fn boule(&self) -> Boule<R> {
@@ -178,23 +193,20 @@ impl<R: Reel> Forme<R> for SphereRay<R> {
         let nombre = R::depuis_f64;
         let (cp, r) = (p - self.centre, self.r);
         let r2 = r * r;
-        // (CP − r)(CP + r), and CP + r ≥ r/0.59 unless the hit fails the test below.
         let puissance = (cp.longueur_carree() - r2).abs();
-        // Rounding tilts N away from CP, above all for a small far sphere. Three errors follow:
-        // the height along N differs from CP − r by travers²/2r; a ray along the tangent plane
-        // of N dips below the sphere by as much; a point rounded sideways climbs by
-        // arrondi·travers/r, at most (arrondi² + travers²)/2r.
+        // Rounding tilts N away from CP, above all for a small far sphere: a ray along the tangent plane of N
+        // dips below the sphere, and a point that is rounded sideways climbs.
         let le_long = n.produit_scalaire(cp);
         let travers2 = (cp - n * le_long).longueur_carree();
-        let arrondi = p.norme_1() * fois_u(4.0);
+        let arrondi = p.norme_1() * R::U;
         // The sphere is no larger than the rounding of its distance or of its place, or the
         // point came out on its far side.
-        let perdue = (puissance > nombre(0.5) * r2)
-            | (travers2 > nombre(0.0625) * r2)
-            | (nombre(4.0) * arrondi > r)
+        let perdue = (puissance > nombre(PUISSANCE_PERDUE) * r2)
+            | (travers2 > nombre(TRAVERS_PERDU) * r2)
+            | (arrondi > nombre(ARRONDI_PERDU) * r)
             | (le_long <= R::ZERO);
-        let b = nombre(0.6) * puissance + nombre(2.0) * travers2 + nombre(0.5) * arrondi * arrondi;
-        (if perdue { R::INFINI } else { b * (R::UN / r) }, nombre(2.0) * r)
+        let b = nombre(PAR_RAYON) * (puissance + travers2) + arrondi * arrondi;
+        (if perdue { R::INFINI } else { b * (R::UN / r) }, nombre(LONGUEUR) * r)
     }
 }
 

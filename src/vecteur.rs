@@ -79,7 +79,7 @@ impl<R: Reel> Vecteur<R> {
         v.longueur_carree().sqrt() / echelle
     }
 
-    /// The unit vector of the same direction, to 6u; `None` for a vector that is zero or not finite.
+    /// The unit vector of the same direction, to 3.6u; `None` for a vector that is zero or not finite.
     ///
     /// ```
     /// # use lancer_rayon::Vecteur;

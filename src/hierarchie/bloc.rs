@@ -23,6 +23,12 @@ const ASSEZ_D_OBJETS: f64 = 112.0;
 /// The same for a beam as wide as it is far; the wider, the sooner.
 const ASSEZ_SI_LARGE: f64 = 20.0;
 
+/// The slack of a beam is so many times that of a ray (lemma 17).
+pub const JEU_BLOC: f64 = 2.0;
+
+/// What is added to the slack of a beam, in u of `f32` (lemma 17).
+pub const JEU_FIXE: f64 = 13.0;
+
 /// In so small a tree a block never sees too many: 320 objects in `f32`, 160 in `f64`, where sixteen rays side by
 /// side take twice as long.
 const PETIT_ARBRE: usize = 1280;
@@ -145,7 +151,8 @@ impl SondeDeBloc {
         if simple(loin) > TROP_LOIN {
             return None;
         }
-        let jeu = loin * R::depuis_f64(2.0 * jeu::<R>()) + R::depuis_f64(32.0 * f64::from(f32::U));
+        let jeu = loin * R::depuis_f64(JEU_BLOC * jeu::<R>())
+            + R::depuis_f64(JEU_FIXE * f64::from(f32::U));
         let limite =
             |p: Vecteur<R>, w: R| simple(p.produit_scalaire(s0) + (repere.longueur(w) + jeu));
         let (moins_m, w) = faisceau.plans[4];

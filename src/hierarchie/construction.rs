@@ -230,9 +230,11 @@ fn boite_elargie<R: Reel>(
     Some((simples(c - demi), simples(c + demi)))
 }
 
-/// The slack for the point of a hit, in u of the scalar, and for the rounding to `f32`, in u of that.
-const JEU_TOUCHE: f64 = 128.0;
-const JEU_F32: f64 = 4.0;
+/// The slack for the point of a hit, in u of the scalar (lemma 15).
+pub const JEU_TOUCHE: f64 = 70.0;
+
+/// The slack for the rounding to `f32`, in u of `f32` (lemma 15).
+pub const JEU_F32: f64 = 2.2;
 
 /// The slack, by which boxes grow so that rounding loses no hit, per unit of distance from K to an object
 /// or to the source of a ray. Derived in `docs/conception.md`, "Hierarchy".

@@ -143,8 +143,8 @@ impl<R: Reel> Recherche<'_, R> {
     }
 }
 
-/// By so many u of `f32` an entry comes before its rounding.
-const ENTREE_AVANT: f64 = 16.0;
+/// By so many u of `f32` an entry comes before its rounding (lemma 16).
+pub const ENTREE_AVANT: f64 = 10.0;
 
 /// A ray as the boxes see it, with its part of the slack (`docs/conception.md`, "Hierarchy").
 struct Sonde([Axe; 3]);

@@ -10,17 +10,17 @@ use crate::rayon::Rayon;
 use crate::reel::{Reel, fois_u};
 use crate::vecteur::Vecteur;
 
-/// By so many u of themselves M and the normals P are shorter than 1.
-const COURT: f64 = 16.0;
+/// By so many u of themselves M and the normals P are shorter than 1 (lemma 12).
+pub const COURT: f64 = 9.0;
 
-/// By so many u the slope e/μ is taken too large, above and below.
-const PENTE: f64 = 32.0;
+/// By so many u the slope e/μ is taken too large, above and below (lemma 12).
+pub const PENTE: f64 = 7.5;
 
-/// By so many u of itself the bound w on the origins is too large.
-const ORIGINES: f64 = 8.0;
+/// By so many u of itself the bound w on the origins is too large (lemma 12).
+pub const ORIGINES: f64 = 5.5;
 
-/// The rounding of h² and of the ball test, in u·|C − S₀|².
-const JEU_BOULE: f64 = 2048.0;
+/// The rounding of h² and of the ball test, in u·|C − S₀|² (lemma 13).
+pub const JEU_BOULE: f64 = 1300.0;
 
 /// Running bounds over the rays of a block: distance from a reference origin S₀, spread around a reference
 /// direction M.
@@ -29,7 +29,7 @@ const JEU_BOULE: f64 = 2048.0;
 struct Etendue<R> {
     s0: Vecteur<R>,
     m: Vecteur<R>,
-    /// A and B, across M and no longer than 1.
+    /// A and B, across M and unit to rounding.
     axes: [Vecteur<R>; 2],
     /// The largest coordinate of S − S₀.
     ecarts: Voies<R>,
@@ -128,7 +128,7 @@ impl<R: Reel> Faisceau<R> {
         etendue.faisceau()
     }
 
-    /// Two numbers: h², and the limit ρ² + 2048u·|C − S₀|². h is how far C lies beyond the farthest of the
+    /// Two numbers: h², and the limit ρ² + 1300u·|C − S₀|². h is how far C lies beyond the farthest of the
     /// five planes, or 0. If h² is above the limit, the computed [`approchee`](Boule::approchee) is false
     /// for every ray of the beam.
     #[inline(always)]

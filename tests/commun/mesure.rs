@@ -21,9 +21,9 @@ pub(crate) struct Mesure {
     pub(crate) k: Vec<f64>,
     /// The error of every distance in units in the last place.
     pub(crate) ulp: Vec<f64>,
-    /// The largest of these, without what products that underflow add: the K of the promise.
-    pub(crate) k_promis: f64,
-    /// The largest error of a normal, as a part of 4u(1 + |f|/r) + |Δt|/r.
+    /// The largest of these as a part of the promise, without what products that underflow add.
+    pub(crate) part: f64,
+    /// The largest error of a normal, as a part of what is promised.
     pub(crate) normale: f64,
 }
 
@@ -77,8 +77,8 @@ pub(crate) fn mesurer<R: Reel>(
         let ecart = entree.ecart(t).abs();
         mesure.k.push(ecart / (u * entree.cond));
         mesure.ulp.push(ecart / (2.0 * demi_ulp(t)));
-        let k = (ecart - absolu(&cas.objet, &entree)) / (u * entree.cond);
-        mesure.k_promis = mesure.k_promis.max(k);
+        let part = (ecart - absolu(&cas.objet, &entree)) / (entree.k * u * entree.cond);
+        mesure.part = mesure.part.max(part);
 
         let permis = entree.direction_permise::<R>(ecart);
         mesure.normale = mesure.normale.max(entree.ecart_de_normale(normale) / permis);

@@ -149,6 +149,10 @@ fn scalaire(a: &Point, b: &Point) -> Exact {
     &(&x + &y) + &z
 }
 
+fn vectoriel([ax, ay, az]: &Point, [bx, by, bz]: &Point) -> Point {
+    [&(ay * bz) - &(az * by), &(az * bx) - &(ax * bz), &(ax * by) - &(ay * bx)]
+}
+
 /// A ray as stored.
 struct Droite {
     s: Point,
@@ -185,7 +189,9 @@ pub(crate) struct Entree {
     normales: Vec<Point>,
     /// (|f| + r + t)/|N·D|: what an error of the distance is counted in, times u.
     pub(crate) cond: f64,
-    /// |N·D|, the smallest of these faces; of a flat one less than its 4u.
+    /// K of the promise.
+    pub(crate) k: f64,
+    /// |N·D|, the smallest of these faces; of a flat one less than its 3.1u.
     pub(crate) cosinus: f64,
     /// |f|, from the source to the centre (for a half-space, to the foot of O).
     pub(crate) f: f64,
@@ -199,27 +205,36 @@ impl Entree {
         (&Exact::de(t) - &self.t).vers_f64()
     }
 
-    /// How far a normal may lie from the true one where the distance is off by `ecart`.
+    /// The sine of the angle between a normal and the true one that is allowed where the distance is off by
+    /// `ecart`; any, where the sphere is lost in its distance.
     pub(crate) fn direction_permise<R: Reel>(&self, ecart: f64) -> f64 {
         let r = self.rayon_de_courbure;
-        // D may be longer than 1 by 7.5u.
+        if r < promesses::PERDUE * u::<R>() * self.f {
+            return f64::INFINITY;
+        }
+        // D may be longer than 1 by 7.6u.
         promesses::DIRECTION * u::<R>() * (1.0 + self.f / r) + (1.0 + 8.0 * u::<R>()) * ecart / r
     }
 
-    /// How far this normal lies from the true one; +∞ if it is none.
+    /// The sine of the angle between this normal and the true one: 1 beyond a right angle, +∞ if it is no normal.
     pub(crate) fn ecart_de_normale<R: Reel>(&self, normale: Vecteur<R>) -> f64 {
         if normale.unitaire().is_none() {
             return f64::INFINITY;
         }
         let normale = point(normale);
-        let ecarts = self.normales.iter().map(|n| longueur(&moins(&normale, n)));
-        ecarts.fold(f64::INFINITY, f64::min)
+        let sinus = self.normales.iter().map(|n| {
+            if !scalaire(&normale, n).positif() {
+                return 1.0;
+            }
+            longueur(&vectoriel(&normale, n)) / (longueur(&normale) * longueur(n))
+        });
+        sinus.fold(f64::INFINITY, f64::min)
     }
 }
 
-/// What is sure of a speed towards a flat face: without the 4u that it may be off by, 0 if that is all.
+/// What is sure of a speed towards a flat face: without what it may be off by, 0 if that is all.
 fn sur<R: Reel>(cosinus: f64) -> f64 {
-    (cosinus - promesses::VITESSE * u::<R>()).max(0.0)
+    (cosinus - bandes::VITESSE * u::<R>()).max(0.0)
 }
 
 /// In f64.
@@ -305,7 +320,9 @@ fn verite_sphere<R: Reel>(sphere: &SphereRay<R>, ray: &Droite) -> Verite {
         let n = cb.each_ref().map(|x| x.sur(&r));
         let cosinus = delta.vers_f64().sqrt() / r_;
         let cond = (f_ + r_ + t.vers_f64()) / cosinus;
-        Entree { t, normales: vec![n], cond, cosinus, f: f_, rayon_de_courbure: r_ }
+        let perdue = r_ < promesses::PERDUE * u::<R>() * f_;
+        let k = if perdue { promesses::DISTANCE_PERDUE } else { promesses::DISTANCE_SPHERE };
+        Entree { t, normales: vec![n], cond, k, cosinus, f: f_, rayon_de_courbure: r_ }
     });
     Verite { entree, dans_la_marge: facteur <= 1.0, marge: Marge::Connue(facteur) }
 }
@@ -315,11 +332,12 @@ fn verite_plan<R: Reel>(plan: &PlanRay<R>, ray: &Droite) -> Verite {
     let d = Exact::de(plan.distance());
     let hauteur = &scalaire(&n, &ray.s) + &d;
     let descente = -&scalaire(&n, &ray.d);
-    let (s_, d_) = (longueur(&ray.s), d.vers_f64().abs());
-    let seuil =
-        bandes::PLAN * u::<R>() * (s_ + d_) + bandes::PLAN_ABSOLUE * R::MIN_POSITIF.vers_f64();
+    let d_ = d.vers_f64().abs();
+    let seuil = bandes::PLAN * u::<R>() * longueur(&ray.s)
+        + bandes::PLAN_ABSOLUE * R::MIN_POSITIF.vers_f64();
     let cosinus = descente.vers_f64();
-    let facteur = (hauteur.vers_f64().abs() / seuil).min(cosinus.abs() / (bandes::PLAN * u::<R>()));
+    let facteur =
+        (hauteur.vers_f64().abs() / seuil).min(cosinus.abs() / (bandes::VITESSE * u::<R>()));
     let entree = (hauteur.positif() && descente.positif()).then(|| {
         let t = hauteur.sur(&descente);
         // C = −d·N.
@@ -327,7 +345,8 @@ fn verite_plan<R: Reel>(plan: &PlanRay<R>, ray: &Droite) -> Verite {
         let f = longueur(&f);
         let cosinus = sur::<R>(cosinus);
         let cond = (f + d_ + t.vers_f64()) / cosinus;
-        Entree { t, normales: vec![n], cond, cosinus, f, rayon_de_courbure: f64::INFINITY }
+        let k = promesses::DISTANCE_PLAN;
+        Entree { t, normales: vec![n], cond, k, cosinus, f, rayon_de_courbure: f64::INFINITY }
     });
     Verite { entree, dans_la_marge: facteur <= 1.0, marge: Marge::Connue(facteur) }
 }
@@ -406,7 +425,7 @@ impl Decision {
             v: couples.each_ref().map(|c| c.v.vers_f64()),
             produits,
             alpha: bandes::BOITE_LONGUEUR * u * taille,
-            beta: bandes::BOITE_VITESSE * u,
+            beta: bandes::VITESSE * u,
         }
     }
 
@@ -566,7 +585,8 @@ fn verite_boite<R: Reel>(boite: &BoiteRay<R>, ray: &Droite) -> Verite {
         }
         let cosinus = sur::<R>(cosinus);
         let cond = (f_ + rho + t.vers_f64()) / cosinus;
-        Entree { t, normales, cond, cosinus, f: f_, rayon_de_courbure: f64::INFINITY }
+        let k = promesses::DISTANCE_BOITE;
+        Entree { t, normales, cond, k, cosinus, f: f_, rayon_de_courbure: f64::INFINITY }
     });
     Verite { entree, dans_la_marge, marge: Marge::Boite(decision) }
 }

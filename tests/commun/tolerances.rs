@@ -3,8 +3,8 @@
 
 use lancer_rayon::Reel;
 
-/// Distance. The kernel promises K·u·cond with K ≤ 5.6; a property compares two such distances, 2·5.6,
-/// plus the rounding of its own inputs, each counted below.
+/// Distance. The kernel promises K·u·cond with K ≤ 5.6 for what the properties build; a property compares two
+/// such distances plus the rounding of its own inputs, each counted below.
 pub(crate) const DISTANCE: f64 = 2.0 * promesses::DISTANCE_SPHERE;
 
 /// A vector turned by `Rotation::appliquer`: three products and two sums per coordinate, γ₃,
@@ -14,15 +14,15 @@ pub(crate) const TOURNE: f64 = 8.0;
 /// A vector moved or multiplied: one rounding, so u of the length of the result.
 pub(crate) const ARRONDI: f64 = 1.0;
 
-/// The length of a normal: within 6u of 1, and then 3u for measuring it in the same type.
+/// The length of a normal: within 6.1u of 1, and then 3u for measuring it in the same type.
 pub(crate) const NORMALE_UNITAIRE: f64 = promesses::UNITAIRE_PLATE + 3.0;
 
-/// The direction of a normal at a point that is known: 4u·(1 + |f|/r), beside what the error
+/// The direction of a normal at a point that is known, in u·(1 + |f|/r), beside what the error
 /// of the distance moves it by.
-pub(crate) const NORMALE: f64 = 4.0;
+pub(crate) const NORMALE: f64 = promesses::DIRECTION;
 
-/// Every element of R·Rᵀ − I: 4 units in the last place of 1, that is 8u, for a polished matrix.
-pub(crate) const ORTHONORMALE: f64 = 8.0;
+/// Every element of R·Rᵀ − I, for a polished matrix (lemma 10).
+pub(crate) const ORTHONORMALE: f64 = 5.5;
 
 /// An element of a product of two rotations against the product in f64 of what they hold: one
 /// rounding to R and the Newton step, which moves by no more than half of the 8u above, twice.
@@ -41,37 +41,37 @@ pub(crate) fn u<R: Reel>() -> f64 {
 /// The bands of the decisions, in u: within them rounding may answer a miss for a hit, or a hit for a
 /// miss.
 pub(crate) mod bandes {
-    /// |SC| and |AC| of a sphere, of |f| + r.
+    /// |SC| and |AC| of a sphere, of |f| + r (lemmas 3 and 5).
     pub(crate) const SPHERE: f64 = 4.0;
-    /// The height of S over a half-space, of |S| + |d|, and N·D.
-    pub(crate) const PLAN: f64 = 4.0;
-    /// What three products that underflow add to that height, in subnormals.
-    pub(crate) const PLAN_ABSOLUE: f64 = 2.0;
-    /// How far S is from a face of a box, of |f| + ρ: a rounding for each coordinate of S − C,
-    /// three for the scalar product, one for the sum with the half-length, two for the products in
-    /// which it is compared.
-    pub(crate) const BOITE_LONGUEUR: f64 = 7.0;
-    /// N·D of a face: three roundings, and a matrix that is orthonormal to rounding.
-    pub(crate) const BOITE_VITESSE: f64 = 4.0;
+    /// The height of S over a half-space, of |S| (lemma 3).
+    pub(crate) const PLAN: f64 = 3.1;
+    /// What three products that underflow add to that height, in subnormals (lemma 3).
+    pub(crate) const PLAN_ABSOLUE: f64 = 1.6;
+    /// How far S is from a face of a box, of |f| + ρ (lemma 3).
+    pub(crate) const BOITE_LONGUEUR: f64 = 8.1;
+    /// The speed N·D towards a flat face (lemma 3).
+    pub(crate) const VITESSE: f64 = 3.1;
 }
 
 /// What the table of `docs/precision.md` promises, in the unit named.
 pub(crate) mod promesses {
-    /// Distance to a sphere, in u·cond.
+    /// Distance to a sphere, in u·cond (lemma 5).
     pub(crate) const DISTANCE_SPHERE: f64 = 5.6;
-    /// Distance to a half-space, in u·cond.
-    pub(crate) const DISTANCE_PLAN: f64 = 4.5;
-    /// What products that underflow add to it, in subnormals over |N·D|.
-    pub(crate) const PLAN_ABSOLU: f64 = 2.0;
-    /// Distance to a box, in u·cond.
-    pub(crate) const DISTANCE_BOITE: f64 = 5.0;
-    /// What a speed towards a flat face may be off by, in u: taken from the |N·D| of cond.
-    pub(crate) const VITESSE: f64 = super::bandes::BOITE_VITESSE;
-    /// ||N| − 1| of a half-space or a face, in u: what `Rotation::depuis_matrice` keeps is within
-    /// 8u to 12u of orthonormal, and a length is off by half of its square.
-    pub(crate) const UNITAIRE_PLATE: f64 = 6.0;
-    /// ||N| − 1| of a sphere, in u: a square root, a division, a sum of three squares, a rounding.
-    pub(crate) const UNITAIRE_SPHERE: f64 = 4.0;
-    /// The direction of the normal of a sphere, in u(1 + |f|/r), beside |Δt|·|D|/r.
-    pub(crate) const DIRECTION: f64 = 4.0;
+    /// Distance to a sphere that is lost in its own distance, r < 64u|f| (lemma 5).
+    pub(crate) const DISTANCE_PERDUE: f64 = 6.2;
+    /// From how many u·|f| on a sphere is not lost.
+    pub(crate) const PERDUE: f64 = 64.0;
+    /// Distance to a half-space, in u·cond (lemma 4).
+    pub(crate) const DISTANCE_PLAN: f64 = 4.1;
+    /// What products that underflow add to it, in subnormals over |N·D| (lemma 4).
+    pub(crate) const PLAN_ABSOLU: f64 = 2.1;
+    /// Distance to a box, in u·cond (lemma 4).
+    pub(crate) const DISTANCE_BOITE: f64 = 5.3;
+    /// ||N| − 1| of a half-space or a face, in u (lemma 1).
+    pub(crate) const UNITAIRE_PLATE: f64 = 6.1;
+    /// ||N| − 1| of a sphere, in u (lemma 1).
+    pub(crate) const UNITAIRE_SPHERE: f64 = 3.6;
+    /// The sine of the angle between the normal of a sphere and the true one, in u(1 + |f|/r), beside |Δt|·|D|/r
+    /// (lemma 6).
+    pub(crate) const DIRECTION: f64 = 4.1;
 }

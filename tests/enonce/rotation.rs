@@ -4,7 +4,7 @@ use crate::commun::regimes::repere;
 use crate::commun::strategies::{rotation, vecteur, vecteur_rotation};
 use crate::commun::tolerances::{ORTHONORMALE, PRODUIT, TOURNE, ecart_rotation, u};
 use crate::commun::{Bits, en_f32_et_f64, pour_tout};
-use lancer_rayon::{Reel, Rotation, Vecteur};
+use lancer_rayon::{Reel, Rotation, Vecteur, constantes};
 use proptest::prelude::*;
 
 type Matrice = [[f64; 3]; 3];
@@ -130,7 +130,7 @@ fn l_inverse_d_une_matrice_presque_orthonormale_est_une_rotation<R: Bits>() {
         for r in [r, r.inverse()] {
             let m = matrice(r);
             // An f64 is judged in f64, here and in the crate: 4u each.
-            let permis = ORTHONORMALE * u::<R>() + 8.0 * f64::U;
+            let permis = constantes::DEJA_ORTHONORMALE * u::<R>() + 8.0 * f64::U;
             assert!(ecart(produit(m, transposee(m)), IDENTITE) <= permis, "{k}: {m:?}");
             assert_eq!(bits(Rotation::depuis_matrice(r.matrice()).unwrap()), bits(r), "{k}");
         }

@@ -58,6 +58,7 @@ impl Genre {
         }
     }
 
+    /// The least K of the promise for the distance to such an object.
     fn distance(self) -> f64 {
         match self {
             Self::Sphere => promesses::DISTANCE_SPHERE,
@@ -462,7 +463,7 @@ fn distance_ou<R: Reel>(cas: &Cas<R>, seuil: f64, pres_de_0: bool) -> f64 {
         }
     }
     let Some(entree) = verite(objet, &cas.rayon).entree else { return RIEN };
-    let (relatif, absolu) = (genre.distance() * u::<R>() * entree.cond, absolu(objet, &entree));
+    let (relatif, absolu) = (entree.k * u::<R>() * entree.cond, absolu(objet, &entree));
     // Each has its own climb, or the one would hide what the other finds.
     if relatif == f64::INFINITY || (absolu > 1e-3 * relatif && !pres_de_0) {
         return RIEN;
@@ -502,8 +503,7 @@ fn ordre<R: Reel>(cas: &Cas<R>, _: f64) -> f64 {
         let verite = verite(&cas.objets[i], &cas.rayon);
         let sure = i == gagnant as usize || !verite.dans_la_marge;
         let objet = &cas.objets[i];
-        let k = Genre::de(objet).distance() * u::<R>();
-        verite.entree.filter(|_| sure).map(|e| (k, absolu(objet, &e), e))
+        verite.entree.filter(|_| sure).map(|e| (e.k * u::<R>(), absolu(objet, &e), e))
     });
     let (Some((k, absolu, gagnant)), Some((k_autre, absolu_autre, autre))) = (gagnant, autre)
     else {

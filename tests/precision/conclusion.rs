@@ -7,12 +7,12 @@
 use crate::commun::litteral;
 use crate::commun::oracle::Exact;
 use crate::commun::regimes::{Cas, deux_puissance, direction, entre, regimes};
-use crate::commun::tolerances::u;
+use crate::commun::tolerances::{promesses, u};
 use crate::commun::{arrondi, en_f32_et_f64};
 use fastrand::Rng;
 use lancer_rayon::{
     Intersection, NoIntersection, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture,
-    Vecteur,
+    Vecteur, constantes,
 };
 
 /// Cases of each regime, and of each construction that hits often.
@@ -45,19 +45,18 @@ fn la_normale_d_une_sphere_est_celle_du_point<R: Reel>() {
         let f = (rayon.source().vers_f64() - centre).longueur();
         let p = rayon.point(touche.distance()).vers_f64();
         let cp = p - centre;
-        // 2u round N, 6u lean a grazing one, 4u take CP past a right angle; P is rounded twice in
+        // 2u round N, 14u lean a grazing one, 4u take CP past a right angle; P is rounded twice in
         // each coordinate, f once, CP once.
         let etendue = touche.distance().vers_f64() + p.longueur() + f;
-        let permis = u::<R>() * (12.0 + 4.0 * etendue / r);
+        let permis = u::<R>() * (6.0 + constantes::PENCHE + 4.0 * etendue / r);
         // Above 0.1 rad there is nothing left of the direction to judge.
         if permis < 0.1 {
             let n = touche.normale().vers_f64();
             let ecart = (n - cp / cp.longueur()).longueur();
             assert!(ecart <= permis, "off by {ecart:e}, {permis:e} allowed: {objet:?} {rayon:?}");
             jugees += 1;
-            // A leaned normal has N·D = −6u.
             let cosinus = -n.produit_scalaire(rayon.direction().vers_f64());
-            penchees += u32::from(cosinus < 8.0 * u::<R>());
+            penchees += u32::from(cosinus < (constantes::PENCHE + 2.0) * u::<R>());
         }
     });
     assert!(jugees > CAS && (penchees > 0 || u::<R>() < f64::EPSILON), "{jugees}, {penchees}");
@@ -66,7 +65,7 @@ fn la_normale_d_une_sphere_est_celle_du_point<R: Reel>() {
 en_f32_et_f64!(la_normale_d_une_sphere_est_celle_du_point);
 
 /// Built: a sphere as small as the rounding of its distance, so that CB may point away from the
-/// source. Held: N is then what CB has across the ray, leaned by 6u towards the source.
+/// source. Held: N is then what CB has across the ray, leaned towards the source.
 fn la_normale_d_une_sphere_perdue_est_en_travers_du_rayon<R: Reel>() {
     let (mut alea, mut penchees) = (Rng::with_seed(17), 0);
     for _ in 0..20 * CAS {
@@ -81,8 +80,11 @@ fn la_normale_d_une_sphere_perdue_est_en_travers_du_rayon<R: Reel>() {
         let travers = cb - d * (le_long / d.longueur_carree());
         if le_long > 0.0 && travers.longueur() > le_long {
             let ecart = (touche.normale().vers_f64() - travers / travers.longueur()).longueur();
-            // The lean of 6u, and 2u each for N and for this test.
-            assert!(ecart <= 10.0 * u::<R>(), "off by {ecart:e}: {centre:?} {rayon:?}");
+            // The lean, and 2u each for N and for this test.
+            assert!(
+                ecart <= (constantes::PENCHE + 4.0) * u::<R>(),
+                "off by {ecart:e}: {centre:?} {rayon:?}"
+            );
             penchees += 1;
         }
     }
@@ -92,7 +94,7 @@ fn la_normale_d_une_sphere_perdue_est_en_travers_du_rayon<R: Reel>() {
 en_f32_et_f64!(la_normale_d_une_sphere_perdue_est_en_travers_du_rayon);
 
 /// Built: a sphere so small and far that nothing is left of CB, and |D|² just within the 12u up to
-/// which D is kept. Held: N is −D made unit, to the 4u of the promise, which −D itself exceeds.
+/// which D is kept. Held: N is −D made unit, to the 3.6u of the promise, which −D itself exceeds.
 fn la_normale_d_une_sphere_perdue_est_unitaire<R: Reel>() {
     let (mut alea, mut perdues) = (Rng::with_seed(11), 0);
     let long = R::UN + R::depuis_f64(6.0 * u::<R>());
@@ -104,7 +106,10 @@ fn la_normale_d_une_sphere_perdue_est_unitaire<R: Reel>() {
         let Ok(touche) = objet.intersection(&rayon) else { continue };
         let n = touche.normale();
         let ecart = (n.vers_f64().longueur() - 1.0).abs();
-        assert!(ecart <= 4.0 * u::<R>(), "|N| is off by {ecart:e}: {rayon:?}");
+        assert!(
+            ecart <= promesses::UNITAIRE_SPHERE * u::<R>(),
+            "|N| is off by {ecart:e}: {rayon:?}"
+        );
         assert!(n.produit_scalaire(d) < R::ZERO, "{n:?} {rayon:?}");
         perdues += 1;
     }
@@ -157,11 +162,15 @@ fn une_sphere_perdue_a_une_marge_infinie<R: Reel>() {
         let (p, n) = (rayon.point(touche.distance()).vers_f64(), touche.normale().vers_f64());
         let cp = p - centre.vers_f64();
         let le_long = n.produit_scalaire(cp);
-        let q = (cp - n * le_long).longueur();
-        let e = 4.0 * u::<R>() * (p.x.abs() + p.y.abs() + p.z.abs());
-        let rapports = [(cp.longueur_carree() - 1.0).abs() / 0.5, q / 0.25, 4.0 * e];
-        // Nearer to 1 the rounding of the kernel decides: of |CP|² − r², some 8u of r², and of q, 4u of r.
-        if rapports.iter().any(|rapport| (rapport - 1.0).abs() < 32.0 * u::<R>()) {
+        let q2 = (cp - n * le_long).longueur_carree();
+        let e = u::<R>() * (p.x.abs() + p.y.abs() + p.z.abs());
+        let rapports = [
+            (cp.longueur_carree() - 1.0).abs() / constantes::PUISSANCE_PERDUE,
+            q2 / constantes::TRAVERS_PERDU,
+            e / constantes::ARRONDI_PERDU,
+        ];
+        // Nearer to 1 the rounding of the kernel decides: of |CP|² − r², some 8u of r², and of q, 2u of r.
+        if rapports.iter().any(|rapport| (rapport - 1.0).abs() < 64.0 * u::<R>()) {
             continue;
         }
         let perdue = rapports.map(|rapport| rapport > 1.0);

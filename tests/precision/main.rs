@@ -5,6 +5,8 @@ mod commun;
 
 mod adversaire;
 mod conclusion;
+mod constantes;
+mod intervalle;
 mod invariances;
 mod oracle;
 mod promesses;

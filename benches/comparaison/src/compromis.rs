@@ -88,7 +88,7 @@ fn mesures<R: Parry + DeserializeOwned>(scalaire: &str) -> Result<Vec<Variante>,
         let regimes = regimes::<R>();
         let mesures = regimes.iter().map(|r| mesurer(r, CAS, GRAINE, repondre));
         let (fausses, k) = mesures.fold((0, 0.0), |(fausses, k), mesure| {
-            (fausses + mesure.fausses, mesure.k_promis.max(k))
+            (fausses + mesure.fausses, mesure.k.iter().copied().fold(k, f64::max))
         });
         let cas = f64::from(CAS) * regimes.len() as f64;
         Variante {

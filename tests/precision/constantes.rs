@@ -1,0 +1,564 @@
+//! Each constant of a proof beside the number that its lemma needs: `docs/precision.md`, lemmas 1 to 10, and
+//! `docs/conception.md`, lemmas 11 to 17. The letters are theirs.
+//!
+//! What a lemma needs is computed in intervals over its whole domain, for both types, with every term of higher
+//! order. A constant must be no less, and no more than a ninth more: made a tenth smaller it is red.
+
+use crate::commun::tolerances::{ORTHONORMALE, bandes, promesses};
+use crate::intervalle::{Intervalle, de_a, portee};
+use lancer_rayon::constantes::*;
+
+/// u of `f32` and of `f64`.
+const U: [f64; 2] = [f32::EPSILON as f64 / 2.0, f64::EPSILON / 2.0];
+
+/// |D|² − 1 and |N|² − 1 of a flat face, in u; |D| − 1 and |N| − 1 of a sphere's normal.
+const D2: f64 = 15.1;
+const N2: f64 = 12.0;
+const D1: f64 = 7.6;
+const N1: f64 = promesses::UNITAIRE_SPHERE;
+
+/// What lemma 14 grants the point of a hit, in u·(f + ρ).
+const TOUCHE: f64 = 60.0;
+
+/// This constant is no less than what is needed in either type, and no more than a ninth more.
+#[track_caller]
+fn tenir(constante: f64, besoin: impl Fn(f64) -> Intervalle) {
+    let besoins = U.map(|u| {
+        let besoin = besoin(u);
+        assert!(besoin.haut <= constante, "{constante} is less than {} at u = {u:e}", besoin.haut);
+        besoin.bas
+    });
+    let besoin = besoins[0].max(besoins[1]);
+    assert!(besoin > 0.9 * constante, "{constante} is too much: {besoin} would do");
+}
+
+/// The same where what is needed depends on variables of this domain.
+#[track_caller]
+fn tenir_sur<const N: usize>(
+    constante: f64,
+    domaine: impl Fn(f64) -> [Intervalle; N],
+    besoin: impl Fn(f64, [Intervalle; N]) -> Option<Intervalle>,
+) {
+    tenir(constante, |u| portee(domaine(u), constante, |x| besoin(u, x)));
+}
+
+fn i(x: f64) -> Intervalle {
+    x.into()
+}
+
+/// γ_n = nu/(1 − nu), in u.
+fn gamma(n: f64, u: f64) -> Intervalle {
+    i(n) / (1.0 - i(n) * u)
+}
+
+/// (1 + a·u)(1 + b·u) − 1, in u.
+fn et(a: Intervalle, b: Intervalle, u: f64) -> Intervalle {
+    a + b + a * b * u
+}
+
+/// 1 − 1/(1 + a·u) is no more than this, in u; and 1/(1 − a·u) − 1 is this.
+fn inverse(a: Intervalle, u: f64) -> Intervalle {
+    a / (1.0 - a * u)
+}
+
+/// 1 + a·u.
+fn plus(a: impl Into<Intervalle>, u: f64) -> Intervalle {
+    1.0 + a.into() * u
+}
+
+/// 1 − a·u.
+fn moins(a: impl Into<Intervalle>, u: f64) -> Intervalle {
+    1.0 - a.into() * u
+}
+
+/// (1 + u)/(1 − u) − 1, in u.
+fn rapport(u: f64) -> Intervalle {
+    2.0 / moins(1.0, u)
+}
+
+fn zero_a_un() -> Intervalle {
+    de_a(0.0, 1.0)
+}
+
+/// 1/√(1 − γ₃) · (1 + u)/(1 − u) − 1, in u: a vector over its length.
+fn normalise(u: f64) -> Intervalle {
+    let g = inverse(gamma(3.0, u), u);
+    et(g / (1.0 + plus(g, u).racine()), rapport(u), u)
+}
+
+#[test]
+fn lemme_1_vecteurs_unitaires() {
+    tenir(N1, normalise);
+    for u in U {
+        // The decision C13: whatever was normalised is kept.
+        let carre = et(normalise(u), normalise(u), u);
+        assert!((et(carre, gamma(3.0, u), u) * plus(1.0, u)).haut <= DEJA_UNITAIRE);
+    }
+    let d2 =
+        |u| (DEJA_UNITAIRE * plus(1.0, u) + gamma(3.0, u)) * plus(inverse(gamma(3.0, u), u), u);
+    tenir(D2, d2);
+    let racine = |carre: f64, u: f64| carre / (1.0 + plus(carre, u).racine());
+    tenir(D1, |u| racine(D2, u));
+    // In f64 the elements of M·Mᵀ − I are themselves computed to γ₃.
+    tenir(N2, |u| DEJA_ORTHONORMALE * plus(1.0, u) + gamma(3.0, u) * plus(N2, u));
+    tenir(promesses::UNITAIRE_PLATE, |u| racine(N2, u) * plus(N2, u));
+}
+
+/// |N| of a flat face, at most.
+fn n(u: f64) -> Intervalle {
+    plus(promesses::UNITAIRE_PLATE, u)
+}
+
+/// |D|, at most.
+fn d(u: f64) -> Intervalle {
+    plus(D1, u)
+}
+
+#[test]
+fn lemme_3_decisions() {
+    tenir(bandes::PLAN, |u| gamma(3.0, u) * n(u));
+    tenir(bandes::PLAN_ABSOLUE, |u| 1.5 * plus(gamma(2.0, u), u));
+    // And 2⁻⁸⁰ for speeds that are raised.
+    tenir(bandes::VITESSE, |u| gamma(3.0, u) * n(u) * d(u) + (-80_f64).exp2());
+    tenir_sur(
+        bandes::BOITE_LONGUEUR,
+        |_| [zero_a_un()],
+        |u, [f]| {
+            let rho = 1.0 - f;
+            let o = f * n(u);
+            // Three comparisons in a row, half of their rounding for each of the two lengths.
+            let r = rapport(u);
+            let compare = et(et(r, r, u), r, u) * 0.5;
+            let longueur = rho + o * plus(gamma(4.0, u), u);
+            Some(gamma(4.0, u) * o + et(i(1.0), compare, u) * longueur)
+        },
+    );
+    // Sphere: S or A level with the surface. Its band is held by lemma 5 as well.
+    for u in U {
+        let p = (et(gamma(5.0, u), i(1.0), u) + 1.0) / 2.0;
+        assert!(p.haut <= bandes::SPHERE);
+    }
+}
+
+#[test]
+fn lemme_4_distance_d_un_demi_espace() {
+    tenir_sur(
+        promesses::DISTANCE_PLAN,
+        |_| [zero_a_un(), zero_a_un()],
+        |u, [f, d_]| {
+            if (f + d_).bas > 1.0 {
+                return None;
+            }
+            let t = (1.0 - f - d_).max(i(0.0));
+            let tv = (n(u) * f + N2 * u * d_).min(n(u) * d(u) * t);
+            let s = gamma(3.0, u) * plus(gamma(2.0, u), u) * n(u) * (f + n(u) * d_);
+            Some(gamma(2.0, u) * tv + s + gamma(3.0, u) * n(u) * d(u) * t)
+        },
+    );
+    tenir(promesses::PLAN_ABSOLU, |u| {
+        let g = plus(gamma(2.0, u), u);
+        1.5 * g * g + 0.5 * n(u) * d(u)
+    });
+}
+
+#[test]
+fn lemme_4_distance_d_une_boite() {
+    tenir_sur(
+        promesses::DISTANCE_BOITE,
+        |_| [zero_a_un(), zero_a_un()],
+        |u, [f, rho]| {
+            let t = (1.0 - f - rho).max(i(0.0));
+            // |f|, t and ρ are the sides of a triangle, or nearly.
+            let (rho_, t_) = (rho * plus(20.0, u), t * moins(D1, u));
+            if (f + rho).bas > 1.0 || f.bas > (rho_ + d(u) * t).haut || t_.bas > (f + rho_).haut {
+                return None;
+            }
+            let faces = [1.0, 2.0, 3.0].map(|k| {
+                let v = d(u) * plus(19.0, u) / i(k).racine();
+                let tv = (n(u) * f).min(t * (v + bandes::VITESSE * u));
+                let suite = (k - 1.0) * rapport(u) * plus(2.0 * rapport(u), u) * t * v;
+                gamma(2.0, u) * tv
+                    + gamma(4.0, u) * plus(gamma(2.0, u), u) * n(u) * f
+                    + gamma(3.0, u) * n(u) * d(u) * t
+                    + if k > 1.0 { suite } else { i(0.0) }
+            });
+            Some(faces[0].max(faces[1]).max(faces[2]))
+        },
+    );
+}
+
+/// What the sphere of radius 1 needs, in u·cond, where it is entered at the distance `t` and the cosine `c`; `x`
+/// tells how much of the rounding of S − C lies across the ray. None inside the band of `bande`·u(f + r).
+fn distance_d_une_sphere(u: f64, bande: f64, [t, c, x]: [Intervalle; 3]) -> Option<Intervalle> {
+    let s = ((1.0 - c).max(i(0.0)) * (1.0 + c)).racine();
+    let p = t * (t + 2.0 * c);
+    let f = (p + 1.0).racine();
+    let large = bande * u * (f + 1.0);
+    if (c.carre() / (1.0 + s)).haut <= large.bas || (p / (f + 1.0)).haut <= large.bas {
+        return None;
+    }
+    let infini = Some(de_a(0.0, f64::INFINITY));
+    // The sphere moves by e, no longer than u·f.
+    let e = u * f;
+    let (le_long, travers) = (e * (1.0 - x.carre()).racine(), e * x);
+    let w = c.carre();
+    let ecart = 2.0 * s * travers + travers.carre();
+    let w_ = w - ecart;
+    if w_.bas <= 0.0 {
+        return infini;
+    }
+    let ab = w_.racine();
+    let bouge = le_long + ecart.grandeur() / (c + ab);
+    // From here on for the moved sphere, which the computation takes for exact.
+    let (t_, f_) = (t + bouge, f * plus(1.0, u));
+    let ac = (s + travers).grandeur();
+    let q = t_ + 2.0 * ab;
+    let p_ = t_ * q;
+    let g = |k| gamma(k, u) * u;
+    // |SC ∧ D|, of which each coordinate is two products and a difference.
+    let g_ac = i(4.0 / 3.0).racine() * u * f_;
+    let large_ac = ac + g_ac;
+    let ac2 = et(gamma(3.0, u), et(i(1.0), i(1.0), u), u) * u * large_ac.carre()
+        + g_ac * (2.0 * ac + g_ac);
+    let dw = (g(5.0) + ac2) * plus(1.0, u) + u * w_;
+    if (w_ - dw).bas <= 0.0 {
+        return infini;
+    }
+    let dab = dw / (ab + (w_ - dw).racine());
+    let dp = (g(3.0) * f_.carre() + u) * plus(1.0, u) + u * p_;
+    let dq = (g(3.0) * f_ + dab + u * (ab + dab)) * plus(1.0, u) + u * q;
+    if (q - dq).bas <= 0.0 {
+        return infini;
+    }
+    let b = (dp * plus(1.0, u) + u * p_ + t_ * dq) / (q - dq);
+    // A is the answer where B comes out past it.
+    let m = t_ + ab;
+    let dm = g(3.0) * f_;
+    let passe = dp
+        + g(4.0) * (p_ + dp)
+        + dm * (2.0 * m + ab + dm)
+        + (m + dm) * (dab * plus(1.0, u) + u * ab)
+        + g(2.0) * m * q;
+    let erreur = if (ab * q).bas <= passe.haut {
+        let a = ab + dm + g(5.0) * m;
+        b.max((b * plus(2.0, u) + g(2.0) * t_).min(a))
+    } else {
+        b
+    };
+    // cond is that of a D that is not exactly unit.
+    Some((bouge + erreur) * c / (u * (f + 1.0 + t)) * plus(2.0 * D1, u))
+}
+
+fn rayons(u: f64) -> [Intervalle; 3] {
+    [de_a(u / 4.0, 0.5 / u), de_a(u.sqrt(), 1.0), de_a(-1.0, 1.0)]
+}
+
+#[test]
+fn lemme_5_distance_d_une_sphere() {
+    tenir_sur(promesses::DISTANCE_SPHERE, rayons, |u, x @ [t, ..]| {
+        let perdue = t.bas > 1.0 / (promesses::PERDUE * u);
+        if perdue { None } else { distance_d_une_sphere(u, bandes::SPHERE, x) }
+    });
+}
+
+#[test]
+fn lemme_5_distance_d_une_sphere_perdue() {
+    tenir_sur(promesses::DISTANCE_PERDUE, rayons, |u, x| {
+        distance_d_une_sphere(u, bandes::SPHERE, x)
+    });
+}
+
+#[test]
+#[should_panic(expected = "is more than")]
+fn lemme_5_une_bande_plus_etroite_ne_suffit_pas() {
+    let u = U[0];
+    let bande = 0.9 * bandes::SPHERE;
+    let _ = portee(rayons(u), promesses::DISTANCE_SPHERE, |x| distance_d_une_sphere(u, bande, x));
+}
+
+#[test]
+fn lemme_6_normale() {
+    // y = f/r; the error of the distance is at most K·u·cond, with c² > 4u(f + r)/r.
+    let domaine = |u| [de_a(1.0, 1.0 / (promesses::PERDUE * u))];
+    tenir_sur(promesses::DIRECTION, domaine, |u, [y]| {
+        let c = (bandes::SPHERE * u * (1.0 + y)).racine();
+        let z = (promesses::DISTANCE_SPHERE * u * (1.0 + 2.0 * y) / c).min(i(1.0));
+        let cb = 2.0 * y * plus(4.0, u) + z + 1.0;
+        let penchee = 4.0;
+        Some((cb + 1.0 + penchee) / (1.0 + y) * plus(8.0, u))
+    });
+    // What N·D is off by: γ₃ and u of N across D, 8u of its part along D, four roundings, γ₃ to compute it.
+    let le_long = 0.25;
+    tenir(PENCHE, |u| {
+        let reste = et(gamma(3.0, u) + 1.0 + 8.0 * le_long, i(4.0), u);
+        et(reste, gamma(3.0, u), u) * plus(8.0, u)
+    });
+}
+
+/// What a flat face leaves of a margin for each unit of its height.
+fn marge_plate(u: f64) -> Intervalle {
+    // Sum, product and sum.
+    moins(1.0, u) * (1.0 + VERS_LE_HAUT * u * moins(1.0, u)) * moins(1.0, u)
+}
+
+#[test]
+fn lemme_7_marge_d_une_face() {
+    tenir(VERS_LE_HAUT, |u| {
+        // (1 + u)/(√(1 − 12u)·(1 − u)²) − 1.
+        let n = inverse(i(N2), u);
+        let n = n / (1.0 + plus(n, u).racine());
+        let un = inverse(i(1.0), u);
+        et(et(et(i(1.0), n, u), un, u), un, u) * plus(un, u)
+    });
+}
+
+/// As parts of what the margin of a sphere of radius 1 grants: the height of P, the way outward and the way inward.
+/// `puissance` is |CP² − r²| as computed, of this sign; `q` is what CP has across N, `e` what P is rounded by.
+fn marge_d_une_sphere(
+    u: f64,
+    [par_rayon, longueur]: [f64; 2],
+    signe: f64,
+    [puissance, q, e]: [Intervalle; 3],
+) -> [Intervalle; 3] {
+    let g = |k| gamma(k, u) * u;
+    let b = par_rayon * (puissance + q.carre()) + e.carre();
+    let marge = (b * (1.0 - g(7.0)) + 2.0 * ARRONDI_HAUTEUR * longueur * u * (1.0 - g(2.0)))
+        * marge_plate(u);
+    let pas = marge * plus(PAS_NORMAL, u) * (1.0 - g(4.0)) * moins(N1 + 1.0, u);
+    // What was computed is off by so much.
+    let puissance = (puissance + g(5.0) * (1.0 + puissance) + u) * plus(rapport(u), u);
+    let (q, e) = (q + 2.1 * u, e * plus(4.0, u) + 2.1 * u);
+    let (q2, ecart) = (q.carre(), signe * puissance);
+    let le_long = (1.0 + ecart - q2).racine();
+    let hauteur = puissance / (le_long + (1.0 - q2).racine());
+    let f = (1.0 + (q + e).carre()).racine();
+    let r2 = et(gamma(5.0, u), inverse(gamma(5.0, u), u), u) * u;
+    let ac = r2 / (1.0 + (1.0 + r2).racine()) + (1.0 + i(4.0 / 3.0).racine()) * u * f;
+    let dehors = (ac * (2.0 + ac) - ecart + q2) / (1.0 + ac + le_long);
+    let six = et(gamma(5.0, u), i(1.0), u) * u;
+    let dedans =
+        (ecart + six + e * (2.0 * q + e)) / (le_long + (1.0 - six - (q + e).carre()).racine());
+    [hauteur / marge, dehors / pas, dedans / pas]
+}
+
+fn marges_d_une_sphere(u: f64, constantes: [f64; 2]) -> Intervalle {
+    let domaine = [
+        de_a(0.0, PUISSANCE_PERDUE),
+        de_a(0.0, TRAVERS_PERDU.sqrt().next_up()),
+        de_a(0.0, ARRONDI_PERDU),
+    ];
+    let [puissance, q, e] = domaine;
+    // Height and way outward: without e, of which the margin grants more.
+    let [a, b] = [1.0, -1.0].map(|signe| {
+        portee([puissance, q], 1.0, |[puissance, q]| {
+            let [h, dehors, _] = marge_d_une_sphere(u, constantes, signe, [puissance, q, i(0.0)]);
+            Some(h.max(dehors))
+        })
+    });
+    // The way inward, from P on the sphere: a P beyond it adds 0.55 of the power, one within takes from it.
+    let dedans = portee([q, e], 1.0, |[q, e]| {
+        Some(marge_d_une_sphere(u, constantes, 1.0, [i(0.0), q, e])[2])
+    });
+    a.max(b).max(dedans)
+}
+
+#[test]
+fn lemmes_7_et_8_marge_d_une_sphere() {
+    tenir(1.0, |u| marges_d_une_sphere(u, [PAR_RAYON, LONGUEUR]));
+}
+
+#[test]
+#[should_panic(expected = "is more than 1")]
+fn lemmes_7_et_8_moins_par_rayon_ne_suffit_pas() {
+    let _ = marges_d_une_sphere(U[0], [0.9 * PAR_RAYON, LONGUEUR]);
+}
+
+#[test]
+#[should_panic(expected = "is more than 1")]
+fn lemmes_7_et_8_une_longueur_moindre_ne_suffit_pas() {
+    let _ = marges_d_une_sphere(U[0], [PAR_RAYON, 0.9 * LONGUEUR]);
+}
+
+#[test]
+fn lemme_8_rayon_secondaire() {
+    // The step along N, of a margin: product and sum, N·pas, the sum with P; N² may be 12u less than 1.
+    tenir(PAS_NORMAL, |u| {
+        // What γ₄ twice, and every factor except that of the margin, are more than 8u·ℓ: as excesses.
+        let (un, quatre) = (inverse(i(1.0), u), inverse(gamma(4.0, u), u));
+        let besoin = et(gamma(4.0, u), 0.5 * et(i(1.0), gamma(2.0, u), u) + 0.5, u);
+        let pertes = et(et(quatre, quatre, u), et(inverse(i(N2), u), et(un, un, u), u), u);
+        let besoin = et(besoin, pertes, u);
+        besoin - VERS_LE_HAUT * moins(2.0 * VERS_LE_HAUT, u) * plus(besoin, u)
+    });
+    // γ₄ to first order; `PAS_NORMAL` pays for the rest.
+    tenir(ARRONDI_HAUTEUR, |_| i(4.0));
+    tenir(PAS_ARRONDI, |u| plus(1.0, u) / ((1.0 - gamma(6.0, u) * u) * moins(N2, u)));
+    tenir(TANGENT, |u| gamma(3.0, u) * n(u) * d(u));
+    tenir(REDRESSE, |u| {
+        let nd = gamma(3.0, u) * n(u) * d(u);
+        (TANGENT + 2.0 * nd + 2.0 * n(u) * d(u)) * plus(3.0 * N2, u)
+    });
+}
+
+#[test]
+fn lemme_9_lampe_et_transformations() {
+    let longueur = |u: f64| {
+        let g = gamma(3.0, u);
+        et(et(g / (1.0 + plus(g, u).racine()), i(1.0), u), i(1.0), u)
+    };
+    tenir(3.6, longueur);
+    let direction = |u: f64| et(et(normalise(u), i(1.0), u), i(0.0), u);
+    tenir(4.6, direction);
+    tenir(8.0, |u| et(direction(u), gamma(3.0, u), u) * n(u));
+    tenir(3.1, |u| gamma(3.0, u) * n(u));
+    tenir(4.1, |u| et(gamma(3.0, u), i(1.0), u));
+}
+
+#[test]
+fn lemme_10_rotations() {
+    // A product is off by γ₃ of f64, and a Newton step squares what it finds: ¾ of the square of 36u.
+    let reste = |u: f64| gamma(3.0, u) * plus(40.0, u) + 1_000.0 * u;
+    tenir(ORTHONORMALE, |u| et(reste(u), et(i(1.0), i(1.0), u), u));
+    tenir(N2, |u| et(3.0 * reste(u), et(i(1.0), i(1.0), u), u));
+}
+
+/// What the ball test loses of SC² − SA², in u·f².
+fn boule(u: f64) -> Intervalle {
+    let sc2 = et(gamma(5.0, u), i(1.0), u);
+    let sa = 2.0 * gamma(4.0, u) * d(u);
+    sc2 + et(i(D2), i(1.0), u) + sa * d(u)
+}
+
+#[test]
+fn lemme_11_boule() {
+    // y = ρ/f; lemma 14 says where the point of a hit lies.
+    tenir_sur(
+        RETRAIT,
+        |_| [zero_a_un()],
+        |u, [y]| {
+            let epsilon = 15.0 * plus(40.0, u) * u;
+            let rho2 = y.carre();
+            let loin = 11.0 * i(3.0).racine() * y;
+            let hors = plus(37.0, u)
+                * (2.0 * i(3.0).racine() * y * 15.0 * plus(40.0, u) + 3.0 * epsilon * 15.1);
+            let besoin =
+                boule(u) + hors + (37.0 + gamma(3.0, u)) * rho2 + loin.carre() * u * plus(100.0, u);
+            Some(besoin * plus(RETRAIT, u))
+        },
+    );
+    for u in U {
+        let g = inverse(gamma(5.0, u), u);
+        let ac = et(gamma(5.0, u), g, u) + 2.0 * 2.16 * plus(20.0, u);
+        assert!((boule(u) + ac + 1.0).haut < RETRAIT);
+        assert!((sc2_reduit(u) * plus(inverse(gamma(3.0, u), u), u)).haut < 1.0);
+    }
+}
+
+/// SC² less its part, as computed, over f².
+fn sc2_reduit(u: f64) -> Intervalle {
+    plus(et(gamma(5.0, u), i(1.0), u) - RETRAIT, u)
+}
+
+#[test]
+fn lemme_12_faisceau() {
+    tenir(COURT, |u| et(et(i(D1), i(1.0), u), i(0.0), u) * plus(2.0 * COURT, u));
+    for u in U {
+        // A vector over its length, times a number.
+        assert!((normalise(u) + 1.0).haut < COURT);
+    }
+    // (A − aM)·D and what rounds it, in u; above 0 it would not be below 0.
+    let pente = |u: f64, l: f64, [e, mu]: [Intervalle; 2]| {
+        let g = gamma(3.0, u) * d(u) * plus(8.0, u);
+        let a = (e + l * u) / (mu - l * u) * plus(gamma(3.0, u), u);
+        let a_bas = (e + l * u) / mu;
+        g - l + gamma(3.0, u) * (e + l * u) - (l - g) * a_bas * moins(3.0, u)
+            + a
+            + 2.0 * (1.0 + a) * plus(16.0, u)
+    };
+    let domaine = [de_a(0.0, 1.0 + 1e-6), de_a(0.25, 1.0)];
+    for u in U {
+        let portee = portee(domaine, 0.0, |x| Some(pente(u, PENTE, x)));
+        assert!(portee.haut < 0.0);
+        let [e, mu] = [1.0, 1.0].map(i);
+        assert!(pente(u, 0.9 * PENTE, [e, mu]).bas > 0.0, "less would do");
+    }
+    tenir(ORIGINES, |u| et(et(inverse(gamma(3.0, u), u), i(1.0), u), i(1.0), u) * plus(8.0, u));
+}
+
+#[test]
+fn lemme_13_elagage() {
+    tenir(JEU_BOULE, |u| {
+        // The sources lie within √3 of S₀, in f₀.
+        let f = 1.0 + i(3.0).racine() * plus(16.0, u);
+        let h = 2.0 * gamma(4.0, u) * plus(8.0, u) + 4.0;
+        let limite = h + 4.0 * plus(8.0, u) + (RETRAIT + boule(u)) * plus(8.0, u) * f.carre();
+        limite * plus(gamma(8.0, u) * 2.0, u)
+    });
+}
+
+#[test]
+fn lemme_14_lieu_d_une_touche() {
+    // The box: along an axis √3·(4f + 11t) with t ≤ f + ρ, and 36ρ.
+    tenir_sur(
+        TOUCHE,
+        |_| [zero_a_un()],
+        |u, [f]| {
+            let rho = 1.0 - f;
+            let t = f + rho * plus(20.0, u);
+            let y = (gamma(4.0, u) * f + 11.0 * plus(20.0, u) * t) * n(u);
+            Some((i(3.0).racine() * y + 36.0 * rho) * plus(60.0, u))
+        },
+    );
+    // The sphere of radius y·f: what is beyond it, in u·(f + r).
+    for u in U {
+        let y = [de_a(1e-30, 1.0 + 4.0 * u)];
+        let sphere = portee(y, TOUCHE, |[y]| {
+            let six = plus(100.0, u);
+            let w = (10.0 * y.carre() + 4.31 * y) * six;
+            let epsilon = (2.0 * 4.0 + 6.0) * six + y.carre() * six + w;
+            let part = (2.0 * y).min(i(1.0));
+            let le_long = 7.0 * 2.0 * y * six;
+            Some((w + le_long + epsilon * part) / (2.0 * y * (1.0 + y)))
+        });
+        assert!(sphere.haut < TOUCHE);
+    }
+}
+
+#[test]
+fn lemme_15_jeu() {
+    let v = U[0];
+    tenir(JEU_TOUCHE, |u| {
+        // The half-extents: γ₃, σ, the sum and the difference; the centre: 2u and the difference.
+        (TOUCHE + et(et(gamma(3.0, u), i(1.0), u), i(2.0), u)) * plus(10.0 * JEU_TOUCHE, v)
+    });
+    tenir(JEU_F32, |_| (2.0 + JEU_F32 * v + JEU_TOUCHE * v) * plus(10.0, v));
+    for u in U {
+        // A ray: the place of S is off by 2u.
+        assert!(((TOUCHE + 2.0) * plus(200.0, v)).haut < JEU_TOUCHE, "{u}");
+    }
+}
+
+#[test]
+fn lemme_16_un_rayon() {
+    let v = U[0];
+    tenir(ENTREE_AVANT, |u| {
+        // Two differences, two inverses, two products; the last product.
+        let inverse_d = et(i(u / v), i(1.0), v);
+        let un = et(et(inverse_d, i(1.0), v), i(1.0), v);
+        let moins = inverse(un, v);
+        et(et(un, moins, v), i(1.0), v) * plus(ENTREE_AVANT, v)
+    });
+}
+
+#[test]
+fn lemme_17_bloc() {
+    let v = U[0];
+    let y = i(3.0).racine() * plus(100.0, v);
+    // In u of f32, for each unit of ℓ; u/v of them for what is rounded in the scalar of the scene.
+    tenir(JEU_BLOC, |u| {
+        let sur_v = u / v;
+        let besoin = (TOUCHE * i(3.0).racine() + 8.0) * sur_v + 4.0;
+        besoin * plus(500.0, v) / (JEU_TOUCHE * sur_v + JEU_F32)
+    });
+    tenir(JEU_FIXE, |_| (gamma(4.0, v) * y + 3.0 * y) * plus(20.0, v));
+}
