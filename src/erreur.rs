@@ -22,7 +22,7 @@ use crate::vecteur::Vecteur;
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct ErreurGeo {
-    /// The field or argument, for instance `"centre.x"`.
+    /// The field or argument, for instance `"centre.x"`, or what was computed of it.
     #[doc(alias = "field")]
     pub champ: &'static str,
     /// The value that the field would have had; an `f32` is converted exactly.
@@ -111,7 +111,7 @@ pub(crate) fn fini<R: Reel>(
     Ok(v)
 }
 
-/// `lu_par_new! { T, "T", TBrut { champ: type, … } }`: serde reads a T as these fields, no others, and
+/// `lu_par_new! { T, "T", TBrut { champ: type, … } }`: serde reads a T as these fields, by name or in order, no others, and
 /// `T::new` checks them.
 #[cfg(feature = "serde")]
 macro_rules! lu_par_new {

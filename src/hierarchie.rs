@@ -35,7 +35,8 @@ const BOURRAGE: usize = LIGNE / size_of::<f32>() - 1;
 pub(crate) const SEUIL_LOT: usize = 100;
 
 /// A list of objects with a hierarchy of boxes around them: the answers of the list, to the bit, in a
-/// time that grows far more slowly than their number.
+/// time that grows far more slowly than their number. Half-spaces, and objects whose boxes all overlap, are asked
+/// one by one as in a list.
 ///
 /// It is built once and asked as often as the picture has pixels. It borrows the list, which keeps its
 /// order, and numbers that the caller lends; it is `Copy`, and threads may share it. After a change of the
@@ -72,7 +73,7 @@ pub(crate) const SEUIL_LOT: usize = 100;
 #[must_use]
 pub struct Hierarchie<'a, R = f64> {
     objets: &'a [ObjetRay<R>],
-    /// None for very few objects and for too many: these are asked as a list.
+    /// None for few bounded objects and for too many objects: these are asked as a list.
     arbre: Option<Arbre<'a, R>>,
     /// Detected once: for a single ray that would cost more than the ray.
     niveau: Level,
@@ -86,10 +87,12 @@ const _: () = {
 };
 
 impl Hierarchie<'_> {
-    /// How many numbers a hierarchy of so many objects needs, in either type: some 7.5 an object, 30 bytes. They
-    /// are scratch memory: what they hold before does not matter, and after the last question neither.
+    /// How many numbers a hierarchy of so many objects needs, in either type: 7.5 an object, 30 bytes, where there
+    /// are many. They are scratch memory: what they hold before does not matter, and after the last question
+    /// neither.
     ///
-    /// It is 0 for fewer than 9 objects, and for 2³¹ − 2²³ or more: these are asked as a list.
+    /// It is 0 for fewer than 17 objects, and for 2³¹ − 2²³ or more: these are asked as a list, and so are
+    /// more of which fewer than 17 are bounded. It is called without a type: `Hierarchie::places(n)`.
     #[doc(alias("capacity", "memory"))]
     #[must_use]
     pub const fn places(nombre_d_objets: usize) -> usize {
@@ -104,7 +107,7 @@ impl Hierarchie<'_> {
 impl<'a, R: Reel> Hierarchie<'a, R> {
     /// The hierarchy over this list, in the numbers lent, whose values do not matter.
     ///
-    /// It takes some 100 ns an object. An array on the stack serves as well as a `Vec`.
+    /// It takes 100 to 200 ns an object. An array on the stack serves as well as a `Vec`.
     ///
     /// # Errors
     /// If `places` is shorter than [`places`](Hierarchie::places)`(objets.len())`; a longer slice is accepted.
@@ -130,7 +133,7 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
         let Some(places) = places.get_mut(..necessaires) else {
             return Err(PlacesInsuffisantes { places: pretees, necessaires });
         };
-        let arbre = if necessaires > 0 { Some(batir(objets, places)) } else { None };
+        let arbre = if necessaires > 0 { batir(objets, places) } else { None };
         Ok(Self { objets, arbre, niveau: meilleur_niveau() })
     }
 
@@ -185,7 +188,7 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
 
 compile_ici! {
     /// The tree over these objects, in the numbers lent, which are enough.
-    fn batir<'a, R>(objets: &'a [ObjetRay<R>], places: &'a mut [f32]) -> Arbre<'a, R> {
+    fn batir<'a, R>(objets: &'a [ObjetRay<R>], places: &'a mut [f32]) -> Option<Arbre<'a, R>> {
         let debut = places.as_ptr().align_offset(LIGNE).min(BOURRAGE);
         construire(objets, &mut places[debut..])
     }
@@ -213,7 +216,7 @@ compile_ici! {
         touches: &'a mut [Touche<R>],
     ) -> Result<(), LongueursDifferentes> {
         let Hierarchie { objets, arbre, niveau } = *hierarchie;
-        let Some(arbre) = &arbre.filter(|_| objets.len() > SEUIL_LOT) else {
+        let Some(arbre) = &arbre.filter(|arbre| arbre.bornes > SEUIL_LOT) else {
             return repondre(niveau, true, objets, rayons, touches);
         };
         memes_longueurs(rayons, touches)?;

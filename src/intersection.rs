@@ -3,7 +3,7 @@
 use core::fmt;
 use core::num::NonZero;
 
-use crate::erreur::ErreurGeo;
+use crate::erreur::{ErreurGeo, exiger};
 use crate::rayon::{Rayon, direction_unitaire, source_valide};
 use crate::reel::{Reel, fois_u};
 use crate::texture::Texture;
@@ -97,9 +97,9 @@ impl<R: Reel> Intersection<R> {
     /// along the normal; in scene units.
     ///
     /// It is a proven bound (derived in `docs/precision.md`), most often a few times the error
-    /// itself, and never a NaN. It is +∞ where the point is beyond the range of the type, and for
-    /// a sphere no larger than the rounding of its distance or of its coordinates. For a box the
-    /// surface is the plane of the face that was touched.
+    /// itself, and never a NaN. It is +∞ where the point is beyond the range of the type, and for a sphere that
+    /// is lost in rounding: with a radius below 16u·(|x| + |y| + |z|) of the point, or below some 20u of the
+    /// distance. For a box the surface is the plane of the face that was touched.
     ///
     /// ```
     /// use lancer_rayon::{ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
@@ -158,8 +158,8 @@ impl<R: Reel> Rayon<R> {
     /// ray or a refusal, and nothing is promised about where it starts.
     ///
     /// # Errors
-    /// If the direction is zero or not finite, or if the start lies beyond the limits of a source,
-    /// as for [`new`](Self::new): always, where `marge` is +∞.
+    /// If the direction is zero or not finite, if `marge` is +∞, or if the start lies beyond the limits of a
+    /// source, as for [`new`](Self::new).
     ///
     /// ```
     /// use lancer_rayon::{NoIntersection, ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
@@ -191,7 +191,7 @@ impl<R: Reel> Rayon<R> {
             direction
         };
         let dedans = cosinus < fois_u(-TANGENT);
-        Ok(Self::sans_verifier(source_valide(self.depart(touche, dedans))?, direction))
+        Ok(Self::sans_verifier(self.depart(touche, dedans)?, direction))
     }
 
     /// The ray from the point of a hit to a light, and the distance of the light in scene units: the
@@ -200,9 +200,9 @@ impl<R: Reel> Rayon<R> {
     /// The ray is a [`secondaire`](Self::secondaire) and never hits the object it leaves. `None` if N·L ≤
     /// 3.2u, with L the unit direction from the start of the ray to the light: the surface faces away, or the
     /// light lies in the tangent plane of the start. `None` also if `lumiere` is not finite or is the start
-    /// itself, or if the start lies beyond the limits of a source. A distance that overflows is +∞.
+    /// itself, or where [`secondaire`](Self::secondaire) would fail. A distance that overflows is +∞.
     ///
-    /// From the start to the light the distance is good to 3.6u, the direction to 4.6u, and N·L to 8u. Towards a
+    /// From the start to the light the distance is good to 3.6u and η, the direction to 4.6u, and N·L to 8u. Towards a
     /// point of a lamp that is itself an object of the list, do not compare distances: ask whether the lamp is
     /// the first object ([`est_occulte`](crate::est_occulte)).
     ///
@@ -223,7 +223,7 @@ impl<R: Reel> Rayon<R> {
     #[inline]
     #[must_use]
     pub fn vers_lumiere(&self, touche: &Intersection<R>, lumiere: Vecteur<R>) -> Option<(Self, R)> {
-        let depart = source_valide(self.depart(touche, false)).ok()?;
+        let depart = self.depart(touche, false).ok()?;
         let (distance, direction) = (lumiere - depart).longueur_et_unitaire()?;
         let de_face = direction.produit_scalaire(touche.normale) > fois_u(TANGENT);
         de_face.then(|| (Self::sans_verifier(depart, direction), distance))
@@ -231,11 +231,13 @@ impl<R: Reel> Rayon<R> {
 
     /// The point of the hit, moved along the normal, outward or inward, past all rounding.
     #[inline(always)]
-    fn depart(&self, touche: &Intersection<R>, dedans: bool) -> Vecteur<R> {
+    fn depart(&self, touche: &Intersection<R>, dedans: bool) -> Result<Vecteur<R>, ErreurGeo> {
+        let attendu = "finite: a sphere lost in rounding, or a point out of range, has no side";
+        exiger(touche.marge < R::INFINI, "marge", touche.marge, attendu)?;
         let (p, n) = (self.point(touche.distance), touche.normale);
         let pas = touche.marge * (R::UN + fois_u(PAS_NORMAL));
         let pas = pas + n.somme_des_grandeurs(p) * fois_u(PAS_ARRONDI);
-        p + n * if dedans { -pas } else { pas }
+        source_valide(p + n * if dedans { -pas } else { pas })
     }
 }
 

@@ -22,7 +22,7 @@
 //! [`rotation`](ObjetGeo::rotation) and [`homothetie`](ObjetGeo::homothetie); convert once with
 //! [`vers_ray`](ObjetGeo::vers_ray); then ask [`premiere_intersection`] as often as the picture has
 //! pixels, or [`premieres_intersections`] for many pixels at once: the same bits, several times as
-//! fast. [`est_occulte`] tells whether anything blocks the way to a light. For more than some ten objects
+//! fast. [`est_occulte`] tells whether anything blocks the way to a light. From some twenty spheres and boxes on
 //! (a hundred, if rays come in batches) build a [`Hierarchie`] over the list: the same hits, sooner.
 //!
 //! # Conventions
@@ -67,9 +67,10 @@
 //! **Objects turn about the origin** and grow about their own centre. **At equal distance** the
 //! earlier in the list is touched.
 //!
-//! **Invalid values cannot be constructed.** Constructors and transformations refuse what is not
-//! finite or beyond ±2⁴⁵⁰ (±2⁶⁰ for `f32`), and a size below the inverse of that, and name the field; a
-//! query neither panics nor returns a NaN. ([`Vecteur`] is a bare triple: what is built from it checks.)
+//! **Invalid values cannot be constructed.** Constructors and transformations refuse what is not finite, a
+//! coordinate beyond ±2⁴⁵⁰ (±2⁶⁰ for `f32`) and a size outside 2⁻⁴⁵⁰ … 2⁴⁵⁰, and name the field. A question to
+//! an object or a list never panics, and no hit holds a NaN. ([`Vecteur`] is a bare triple: what is built from it
+//! checks.)
 //!
 //! **A hit knows its object and its error**: [`Intersection::objet`] is the index in the list,
 //! [`Intersection::marge`] bounds how far the point is from the surface, and [`Rayon::secondaire`] starts

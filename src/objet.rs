@@ -146,7 +146,7 @@ impl<R: Reel> ObjetRay<R> {
         })
     }
 
-    /// [`conclure`](Self::conclure), not inlined into the loop over a list.
+    /// [`conclure`](Self::conclure), which the compiler need not inline into the loop over a list.
     pub(crate) fn conclure_a_part(&self, rayon: &Rayon<R>, t: R, rang: Rang) -> Intersection<R> {
         self.conclure(rayon, t, rang)
     }

@@ -58,7 +58,7 @@ impl<R: Reel> Rayon<R> {
         self.direction
     }
 
-    /// R(t) = S + t·D, the point at this distance from the source, in scene units.
+    /// R(t) = S + t·D, the point at this distance from the source, in scene units. At +∞ a coordinate may be NaN.
     #[doc(alias = "at")]
     #[inline]
     pub fn point(&self, distance: R) -> Vecteur<R> {

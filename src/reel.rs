@@ -18,7 +18,7 @@ mod scelle {
         /// The one that belongs to this type of two constants.
         fn selon<T>(en_f32: T, en_f64: T) -> T;
 
-        /// Bit i is set if a[i] ≤ b[i]: the one step that the compiler does not vectorise by itself.
+        /// Bit i is set if `a[i] <= b[i]`: the one step that the compiler does not vectorise by itself.
         fn au_plus<S: Simd>(simd: S, a: &[Self; 16], b: &[Self; 16]) -> u32;
 
         /// Does this work in this type.
@@ -121,7 +121,7 @@ pub(crate) const fn puissance_de_deux(k: i32) -> f64 {
     f64::from_bits(((1023 + k) as u64) << 52)
 }
 
-/// Bit i is set if a[i] ≤ b[i]. A function, so that `f32` needs no import of the sealed trait.
+/// Bit i is set if `a[i] <= b[i]`. A function, so that `f32` needs no import of the sealed trait.
 #[inline(always)]
 pub(crate) fn au_plus<R: Reel, S: Simd>(simd: S, a: &[R; 16], b: &[R; 16]) -> u32 {
     R::au_plus(simd, a, b)

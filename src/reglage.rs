@@ -40,7 +40,7 @@ impl Reglage {
             .filter_map(|(nom, niveau)| Some((nom, Self { niveau: niveau?, elaguer: true })))
     }
 
-    /// Whether the beam of these rays, at most sixteen, leaves out a ball around this object. No answer tells.
+    /// Whether the beam of these rays, one to sixteen, leaves out a ball around this object. No answer tells.
     pub fn evite<R: Reel>(rayons: &[Rayon<R>], objet: &ObjetRay<R>) -> bool {
         let mut groupe = Groupe::VIDE;
         groupe.charger(rayons);

@@ -131,7 +131,7 @@ impl<R: Reel> Rotation<R> {
         exiger(lignes <= limite, "matrice: |M·Mᵀ - I|", lignes, attendu)?;
         let [x, y, z] = m.map(Vecteur::from);
         let determinant = x.produit_vectoriel(y).produit_scalaire(z);
-        let attendu = "1: a mirror is no rotation";
+        let attendu = "above 0: a mirror is no rotation";
         exiger(determinant > 0.0, "matrice: determinant", determinant, attendu)?;
         // The columns may be three times as far off as the rows, and are the rows of the inverse.
         if lignes.max(ecart(transposee(m))) <= DEJA_ORTHONORMALE * R::U.vers_f64() {

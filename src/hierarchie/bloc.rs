@@ -55,11 +55,10 @@ impl<R: Reel, S: Simd> RechercheDeBloc<R> for RechercheDansLArbre<'_, R, S> {
         for indice in arbre.sans_bornes() {
             proposer_indice(objets, bloc, indice);
         }
-        let Some(racine) = arbre.racine else { return false };
         let mut attentes = [RIEN; GRANDE_PILE];
         let mut pile = Pile::new(&mut attentes);
         let mut plafond = arbre.repere.distance(le_plus_loin(bloc));
-        let mut numero = racine;
+        let mut numero = arbre.racine;
         let assez = if objets.len() <= PETIT_ARBRE / size_of::<R>() {
             f64::INFINITY
         } else {

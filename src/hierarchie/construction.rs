@@ -21,8 +21,9 @@ const FICHE: usize = 7;
 /// Numbers of a node.
 pub(crate) const MOTS: usize = FICHE * ENFANTS;
 
-/// Of fewer objects than this no tree is made: the list is as fast (`docs/performance.md`, "Thresholds").
-const SEUIL_ARBRE: usize = 9;
+/// Over fewer bounded objects than this no tree is made: one leaf would hold them, and the list is as fast
+/// (`docs/performance.md`, "Thresholds").
+const SEUIL_ARBRE: usize = ENFANTS + 1;
 
 /// Of so many objects or more no tree is made: this index would have the bits of +∞ in `f32`.
 const LIMITE_INDICES: u64 = 0x7f80_0000;
@@ -57,8 +58,7 @@ pub(crate) struct Arbre<'a, R> {
     pub(crate) noeuds: &'a [Noeud],
     /// How many nodes are leaves.
     pub(crate) feuilles: usize,
-    /// The root; none if all objects are half-spaces.
-    pub(crate) racine: Option<usize>,
+    pub(crate) racine: usize,
     /// How many objects there are, and how many of them are bounded.
     pub(crate) objets: usize,
     pub(crate) bornes: usize,
@@ -100,11 +100,11 @@ pub(crate) const fn noeuds(objets: usize) -> usize {
     total
 }
 
-/// The tree over these objects, in the numbers of [so many nodes](noeuds).
+/// The tree over these objects, in the numbers of [so many nodes](noeuds); none over few that are bounded.
 pub(crate) fn construire<'a, R: Reel>(
     objets: &[ObjetRay<R>],
     places: &'a mut [f32],
-) -> Arbre<'a, R> {
+) -> Option<Arbre<'a, R>> {
     let repere = Repere::autour(objets);
     let (fiches, _) = places.as_chunks_mut();
     let (mut bornes, mut fin) = (0, objets.len());
@@ -117,6 +117,9 @@ pub(crate) fn construire<'a, R: Reel>(
             fin -= 1;
             fiches[fin][FICHE - 1] = indice;
         }
+    }
+    if bornes < SEUIL_ARBRE {
+        return None;
     }
     trier(&mut fiches[..bornes]);
 
@@ -137,8 +140,8 @@ pub(crate) fn construire<'a, R: Reel>(
         }
         etage = premier..suivant;
     }
-    let racine = etage.end.checked_sub(1);
-    Arbre { noeuds, feuilles, racine, objets: objets.len(), bornes, repere }
+    let racine = etage.end - 1;
+    Some(Arbre { noeuds, feuilles, racine, objets: objets.len(), bornes, repere })
 }
 
 impl<R: Reel> Repere<R> {

@@ -64,12 +64,7 @@ impl<R: Reel> Arbre<'_, R> {
                 return recherche.premier;
             }
         }
-        let Some(racine) = self.racine else { return recherche.premier };
         let sonde = Sonde::new(rayon, self.repere);
-        if let [feuille] = self.noeuds {
-            sonde.voir_feuille::<R, S, UN_SUFFIT>(simd, feuille, &mut recherche);
-            return recherche.premier;
-        }
         // No larger pile than the tree needs: to set it up costs as much as an object.
         let (mut petite, mut grande);
         let mut pile = Pile::new(if self.noeuds.len() <= PEU_DE_NOEUDS {
@@ -79,7 +74,7 @@ impl<R: Reel> Arbre<'_, R> {
             grande = [RIEN; GRANDE_PILE];
             &mut grande
         });
-        let mut numero = racine;
+        let mut numero = self.racine;
         while let Some(noeud) = self.noeuds.get(numero) {
             if numero < self.feuilles {
                 let trouve = sonde.voir_feuille::<R, S, UN_SUFFIT>(simd, noeud, &mut recherche);

@@ -794,7 +794,7 @@ fn c15() -> Partie {
         .ligne("off by 2⁻¹⁹", "matrice: |M·Mᵀ - I| is 1.9073495423072018e-6, but must be at most 1e-6, as for a rotation", {
             erreur(Rotation::depuis_matrice(ecartee((-20.0_f64).exp2())))
         })
-        .ligne("a mirror", "matrice: determinant is -1, but must be 1: a mirror is no rotation", {
+        .ligne("a mirror", "matrice: determinant is -1, but must be above 0: a mirror is no rotation", {
             erreur(Rotation::depuis_matrice([[-1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]))
         })
         .ligne("a NaN in a matrix", "matrice[1][2] is NaN, but must be a finite number", {

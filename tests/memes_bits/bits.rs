@@ -133,50 +133,50 @@ fn au_hasard<R: Bits>(attendue: u64) {
 
 #[test]
 fn l_atelier_f32() {
-    memes_bits::<f32>("atelier", 0x0071_6f41_c3b3_d35d);
+    memes_bits::<f32>("atelier", 0xd6c4_f65f_9759_d4d1);
 }
 
 #[test]
 fn l_atelier_f64() {
-    memes_bits::<f64>("atelier", 0x75ff_320b_7a8c_1b3d);
+    memes_bits::<f64>("atelier", 0xd649_a018_fcb1_a80f);
 }
 
 #[test]
 fn la_foule_f32() {
-    memes_bits::<f32>("foule", 0x2ca8_8ea4_e51a_cc17);
+    memes_bits::<f32>("foule", 0xddcd_dd57_e8b6_0f55);
 }
 
 #[test]
 fn la_foule_f64() {
-    memes_bits::<f64>("foule", 0xab85_8703_90d0_45d4);
+    memes_bits::<f64>("foule", 0xfb3d_779f_614c_d820);
 }
 
 #[test]
 fn les_extremes_f32() {
-    memes_bits::<f32>("extremes", 0x70bf_f164_414b_1d32);
+    memes_bits::<f32>("extremes", 0x245b_d654_2267_287c);
 }
 
 #[test]
 fn les_extremes_f64() {
-    memes_bits::<f64>("extremes", 0x1f64_d13b_3639_bc82);
+    memes_bits::<f64>("extremes", 0xbebf_a9f6_6d7f_3468);
 }
 
 #[test]
 fn le_flocon_f32() {
-    memes_bits::<f32>("flocon", 0x6463_f0c9_a4b0_e63b);
+    memes_bits::<f32>("flocon", 0x3494_9b33_7ead_d0da);
 }
 
 #[test]
 fn le_flocon_f64() {
-    memes_bits::<f64>("flocon", 0x4c8f_b09b_ae0c_133e);
+    memes_bits::<f64>("flocon", 0x163b_4c73_e057_f31b);
 }
 
 #[test]
 fn des_rayons_au_hasard_f32() {
-    au_hasard::<f32>(0x6673_5f30_90ec_4d70);
+    au_hasard::<f32>(0x7689_72fb_186e_249f);
 }
 
 #[test]
 fn des_rayons_au_hasard_f64() {
-    au_hasard::<f64>(0xe44f_c782_7416_6516);
+    au_hasard::<f64>(0xe39b_159c_729d_7ad6);
 }

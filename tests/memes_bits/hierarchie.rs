@@ -16,7 +16,7 @@ use lancer_rayon::{
 };
 
 /// The fewest objects that get a tree; `les_places_pretees` holds it.
-const UN_ARBRE: usize = 9;
+const UN_ARBRE: usize = 17;
 
 /// The fewest objects of which a block walks the tree.
 const UN_BLOC: usize = Reglage::SEUIL_LOT + 1;
@@ -425,7 +425,7 @@ fn de_tout_petits_objets_parmi_des_grands<R: Bits>() {
 fn les_places_pretees<R: Bits>() {
     // The last number of objects that gets a tree, and the first that does not, on 32-bit machines too.
     assert!(Hierarchie::places(0x7f7f_ffff) > 0 && Hierarchie::places(0x7f80_0000) == 0);
-    for n in [0, 1, UN_ARBRE - 1, UN_ARBRE, 16, 17, 256, 257, 1_000] {
+    for n in [0, 1, UN_ARBRE - 1, UN_ARBRE, 256, 257, 1_000] {
         let scene = scenes::melange::<R>(n);
         let rayons = scenes::rayons_camera::<R>(9, 9);
         let necessaires = Hierarchie::places(n);
@@ -451,18 +451,18 @@ fn les_places_pretees<R: Bits>() {
     }
 }
 
-fn des_demi_espaces_seuls<R: Bits>() {
+fn des_demi_espaces_et_peu_d_autres<R: Bits>() {
     let mut alea = Rng::with_seed(7);
     let rayons = scenes::rayons_camera::<R>(20, 20);
-    for n in [UN_ARBRE, 16, 17, 100, 300] {
-        let mut objets: Vec<_> = (0..n).map(|_| sol(&mut alea, 20.0)).collect();
-        assert!(comparer(&objets, &rayons) > 0);
-        // One object with an end, wherever it stands.
-        for place in [0, n / 2, n - 1] {
-            let plan = objets[place];
-            objets[place] = scenes::melange(2)[1];
-            comparer(&objets, &rayons);
-            objets[place] = plan;
+    for n in [UN_ARBRE, 100, 300] {
+        // None bounded, one, and as many as get no tree and a tree.
+        for bornes in [0, 1, UN_ARBRE - 1, UN_ARBRE] {
+            let mut objets: Vec<_> = (0..n).map(|_| sol(&mut alea, 20.0)).collect();
+            let bornees = scenes::melange(bornes + 1);
+            for (place, objet) in (0..n).rev().step_by(n / UN_ARBRE).zip(&bornees[1..]) {
+                objets[place] = *objet;
+            }
+            assert!(comparer(&objets, &rayons) > 0);
         }
     }
 }
@@ -495,5 +495,5 @@ en_f32_et_f64!(des_rayons_le_long_des_aretes);
 en_f32_et_f64!(des_sources_de_plus_en_plus_loin);
 en_f32_et_f64!(de_tout_petits_objets_parmi_des_grands);
 en_f32_et_f64!(les_places_pretees);
-en_f32_et_f64!(des_demi_espaces_seuls);
+en_f32_et_f64!(des_demi_espaces_et_peu_d_autres);
 en_f32_et_f64!(toute_longueur_convient);
