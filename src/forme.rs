@@ -116,7 +116,7 @@ impl<R: Reel> Boule<R> {
     /// Whether the ray (S, D) comes near the ball.
     ///
     /// Never false for a ray that enters the shape, whatever rounding does (derivation in
-    /// `docs/conception.md`, "The ball"). A ray whose source is in the ball passes even with C behind it.
+    /// `docs/conception.md`, lemma 11). A ray whose source is in the ball passes even with C behind it.
     #[inline(always)]
     pub(crate) fn approchee(self, s: Vecteur<R>, d: Vecteur<R>) -> bool {
         let sc = self.centre - s;

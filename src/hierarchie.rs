@@ -4,7 +4,7 @@
 //! A leaf holds sixteen bounded objects, and a node of each floor above holds sixteen nodes
 //! (`hierarchie/construction.rs`). A ray looks at the nodes that it crosses (`hierarchie/parcours.rs`),
 //! a block of rays at those that its beam crosses (`hierarchie/bloc.rs`). Half-spaces are always asked.
-//! What may be left out is derived in `docs/conception.md`, "Hierarchy".
+//! What may be left out is derived in `docs/conception.md`, lemmas 14 to 17.
 
 pub(crate) mod bloc;
 pub(crate) mod construction;

@@ -131,7 +131,7 @@ fn le_plus_loin<R: Reel>(bloc: &[Groupe<R>]) -> R {
 }
 
 /// A beam as the boxes see it. For each of the five normals P, an upper bound on P·X over all hits X;
-/// for M, the M·X from which depths count. Both include the slack (`docs/conception.md`, "Hierarchy").
+/// for M, the M·X from which depths count. Both include the slack (`docs/conception.md`, lemmas 14 to 17).
 struct SondeDeBloc {
     plans: [(Vecteur<f32>, f32); 5],
     m: Vecteur<f32>,

@@ -240,7 +240,7 @@ pub const JEU_TOUCHE: f64 = 70.0;
 pub const JEU_F32: f64 = 2.2;
 
 /// The slack, by which boxes grow so that rounding loses no hit, per unit of distance from K to an object
-/// or to the source of a ray. Derived in `docs/conception.md`, "Hierarchy".
+/// or to the source of a ray. Derived in `docs/conception.md`, lemmas 14 to 17.
 #[inline(always)]
 pub(crate) fn jeu<R: Reel>() -> f64 {
     JEU_TOUCHE * R::U.vers_f64() + JEU_F32 * f64::from(f32::U)

@@ -141,7 +141,7 @@ impl<R: Reel> Recherche<'_, R> {
 /// By so many u of `f32` an entry comes before its rounding (lemma 16).
 pub const ENTREE_AVANT: f64 = 10.0;
 
-/// A ray as the boxes see it, with its part of the slack (`docs/conception.md`, "Hierarchy").
+/// A ray as the boxes see it, with its part of the slack (`docs/conception.md`, lemmas 14 to 17).
 struct Sonde([Axe; 3]);
 
 /// One axis of it.

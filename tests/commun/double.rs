@@ -80,7 +80,7 @@ fn scalaire(a: &Point, b: &Point) -> Double {
 
 /// How far `t` lies from the entry of this ray, and the unit in which that counts,
 /// (|f| + r + t)/|N·D|; NaN where there is none.
-pub(crate) fn ecart_et_cond<R: Reel>(objet: &ObjetRay<R>, rayon: &Rayon<R>, t: R) -> (f64, f64) {
+pub(crate) fn ecart_et_kappa_t<R: Reel>(objet: &ObjetRay<R>, rayon: &Rayon<R>, t: R) -> (f64, f64) {
     let (s, d) = (point(rayon.source()), point(rayon.direction()));
     let depuis = |c: Vecteur<R>| -> Point {
         let c = point(c);

@@ -17,7 +17,7 @@ pub(crate) struct Mesure {
     pub(crate) touches: u32,
     /// Hits where there is none and misses where there is one, outside the band of the decision.
     pub(crate) fausses: u32,
-    /// The error of every distance in u·cond, with u that of the type.
+    /// The error of every distance in u·κt, with u that of the type.
     pub(crate) k: Vec<f64>,
     /// The error of every distance in units in the last place.
     pub(crate) ulp: Vec<f64>,
@@ -75,9 +75,9 @@ pub(crate) fn mesurer<R: Reel>(
         let (Some(entree), Some((t, normale))) = (entree, reponse) else { continue };
 
         let ecart = entree.ecart(t).abs();
-        mesure.k.push(ecart / (u * entree.cond));
+        mesure.k.push(ecart / (u * entree.kappa_t));
         mesure.ulp.push(ecart / (2.0 * demi_ulp(t)));
-        let part = (ecart - absolu(&cas.objet, &entree)) / (entree.k * u * entree.cond);
+        let part = (ecart - absolu(&cas.objet, &entree)) / (entree.k * u * entree.kappa_t);
         mesure.part = mesure.part.max(part);
 
         let permis = entree.direction_permise::<R>(ecart);

@@ -187,8 +187,8 @@ pub(crate) struct Entree {
     pub(crate) t: Exact,
     /// The normal; beside an edge, those of all the faces entered within the band.
     normales: Vec<Point>,
-    /// (|f| + r + t)/|N·D|: what an error of the distance is counted in, times u.
-    pub(crate) cond: f64,
+    /// κt = (|f| + r + t)/v: what an error of the distance is counted in, times u.
+    pub(crate) kappa_t: f64,
     /// K of the promise.
     pub(crate) k: f64,
     /// |N·D|, the smallest of these faces; of a flat one less than its 3.1u.
@@ -319,10 +319,10 @@ fn verite_sphere<R: Reel>(sphere: &SphereRay<R>, ray: &Droite) -> Verite {
         let cb: Point = core::array::from_fn(|i| &f[i] + &(&t * &ray.d[i]));
         let n = cb.each_ref().map(|x| x.sur(&r));
         let cosinus = delta.vers_f64().sqrt() / r_;
-        let cond = (f_ + r_ + t.vers_f64()) / cosinus;
+        let kappa_t = (f_ + r_ + t.vers_f64()) / cosinus;
         let perdue = r_ < promesses::PERDUE * u::<R>() * f_;
         let k = if perdue { promesses::DISTANCE_PERDUE } else { promesses::DISTANCE_SPHERE };
-        Entree { t, normales: vec![n], cond, k, cosinus, f: f_, rayon_de_courbure: r_ }
+        Entree { t, normales: vec![n], kappa_t, k, cosinus, f: f_, rayon_de_courbure: r_ }
     });
     Verite { entree, dans_la_marge: facteur <= 1.0, marge: Marge::Connue(facteur) }
 }
@@ -344,9 +344,9 @@ fn verite_plan<R: Reel>(plan: &PlanRay<R>, ray: &Droite) -> Verite {
         let f: Point = core::array::from_fn(|i| &ray.s[i] + &(&d * &n[i]));
         let f = longueur(&f);
         let cosinus = sur::<R>(cosinus);
-        let cond = (f + d_ + t.vers_f64()) / cosinus;
+        let kappa_t = (f + d_ + t.vers_f64()) / cosinus;
         let k = promesses::DISTANCE_PLAN;
-        Entree { t, normales: vec![n], cond, k, cosinus, f, rayon_de_courbure: f64::INFINITY }
+        Entree { t, normales: vec![n], kappa_t, k, cosinus, f, rayon_de_courbure: f64::INFINITY }
     });
     Verite { entree, dans_la_marge: facteur <= 1.0, marge: Marge::Connue(facteur) }
 }
@@ -584,9 +584,9 @@ fn verite_boite<R: Reel>(boite: &BoiteRay<R>, ray: &Droite) -> Verite {
             }
         }
         let cosinus = sur::<R>(cosinus);
-        let cond = (f_ + rho + t.vers_f64()) / cosinus;
+        let kappa_t = (f_ + rho + t.vers_f64()) / cosinus;
         let k = promesses::DISTANCE_BOITE;
-        Entree { t, normales, cond, k, cosinus, f: f_, rayon_de_courbure: f64::INFINITY }
+        Entree { t, normales, kappa_t, k, cosinus, f: f_, rayon_de_courbure: f64::INFINITY }
     });
     Verite { entree, dans_la_marge, marge: Marge::Boite(decision) }
 }

@@ -202,7 +202,7 @@ impl<R: Reel> Plante<R> {
     }
 
     /// u·(etendue)/|N·D|: what one rounding of the inputs may move the distance by.
-    pub(crate) fn cond(&self) -> f64 {
+    pub(crate) fn kappa_t(&self) -> f64 {
         R::U.vers_f64() * self.etendue / self.cosinus
     }
 }

@@ -3,7 +3,7 @@
 
 use lancer_rayon::Reel;
 
-/// Distance. The kernel promises K·u·cond with K ≤ 5.6 for what the properties build; a property compares two
+/// Distance. The kernel promises K·u·κt with K ≤ 5.6 for what the properties build; a property compares two
 /// such distances plus the rounding of its own inputs, each counted below.
 pub(crate) const DISTANCE: f64 = 2.0 * promesses::DISTANCE_SPHERE;
 
@@ -55,17 +55,17 @@ pub(crate) mod bandes {
 
 /// What the table of `docs/precision.md` promises, in the unit named.
 pub(crate) mod promesses {
-    /// Distance to a sphere, in u·cond (lemma 5).
+    /// Distance to a sphere, in u·κt (lemma 5).
     pub(crate) const DISTANCE_SPHERE: f64 = 5.6;
     /// Distance to a sphere that is lost in its own distance, r < 64u|f| (lemma 5).
     pub(crate) const DISTANCE_PERDUE: f64 = 6.2;
     /// From how many u·|f| on a sphere is not lost.
     pub(crate) const PERDUE: f64 = 64.0;
-    /// Distance to a half-space, in u·cond (lemma 4).
+    /// Distance to a half-space, in u·κt (lemma 4).
     pub(crate) const DISTANCE_PLAN: f64 = 4.1;
     /// What products that underflow add to it, in subnormals over |N·D| (lemma 4).
     pub(crate) const PLAN_ABSOLU: f64 = 2.1;
-    /// Distance to a box, in u·cond (lemma 4).
+    /// Distance to a box, in u·κt (lemma 4).
     pub(crate) const DISTANCE_BOITE: f64 = 5.3;
     /// ||N| − 1| of a half-space or a face, in u (lemma 1).
     pub(crate) const UNITAIRE_PLATE: f64 = 6.1;

@@ -23,7 +23,7 @@ fn un_objet_touche_de_face_est_touche_au_meme_endroit<R: Reel>() {
             ObjetRay::Sphere(_) => LITTERAL * p.etendue / p.taille,
             ObjetRay::Plan(_) | ObjetRay::Boite(_) => 0.0,
         };
-        let tolerance = (2.0 * DISTANCE + annulation) * p.cond();
+        let tolerance = (2.0 * DISTANCE + annulation) * p.kappa_t();
         prop_assert!(ecart <= tolerance, "distance off by {ecart:e}, {tolerance:e} allowed");
         // CB: the distances, and three roundings of A.2's CB before its length is taken out.
         let normales = match objet {

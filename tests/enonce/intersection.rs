@@ -49,7 +49,7 @@ fn un_point_plante_est_touche<R: Reel>() {
         est_une_entree(&p.rayon, &touche)?;
 
         // The rounding of S and D takes the stored ray past the planted point.
-        let tolerance = (DISTANCE + 3.0 * ARRONDI) * p.cond();
+        let tolerance = (DISTANCE + 3.0 * ARRONDI) * p.kappa_t();
         let ecart = (touche.distance().vers_f64() - p.distance).abs();
         prop_assert!(ecart <= tolerance, "distance off by {ecart:e}, {tolerance:e} allowed");
         let courbure = match p.objet {

@@ -22,7 +22,7 @@ fn accompagner<R: Reel>(
     let avant = p.objet.vers_ray().intersection(&p.rayon).unwrap();
     let apres = objet.vers_ray().intersection(&rayon).unwrap();
     let ecart = (apres.distance().vers_f64() / facteur - avant.distance().vers_f64()).abs();
-    let tolerance = (DISTANCE + bruit) * p.cond();
+    let tolerance = (DISTANCE + bruit) * p.kappa_t();
     prop_assert!(ecart <= tolerance, "distance off by {ecart:e}, {tolerance:e} allowed");
     let ecart = (apres.normale().vers_f64() - normale(avant.normale().vers_f64())).longueur();
     // Only a sphere's normal depends on where it is touched.

@@ -10,7 +10,7 @@
 
 use std::time::{Duration, Instant};
 
-use crate::commun::double::ecart_et_cond;
+use crate::commun::double::ecart_et_kappa_t;
 use crate::commun::mesure::{absolu, au_bord};
 use crate::commun::oracle::{hauteur, norme_au_carre_moins_un, verite};
 use crate::commun::regimes::{deux_puissance, direction, entre, regimes, repere, signe};
@@ -456,14 +456,14 @@ fn distance_ou<R: Reel>(cas: &Cas<R>, seuil: f64, pres_de_0: bool) -> f64 {
     let t = touche.distance();
     let genre = Genre::de(objet);
     if !pres_de_0 {
-        let (ecart, cond) = ecart_et_cond(objet, &cas.rayon, t);
-        let apercu = ecart.abs() / (genre.distance() * u::<R>() * cond);
+        let (ecart, kappa_t) = ecart_et_kappa_t(objet, &cas.rayon, t);
+        let apercu = ecart.abs() / (genre.distance() * u::<R>() * kappa_t);
         if apercu < seuil {
             return apercu;
         }
     }
     let Some(entree) = verite(objet, &cas.rayon).entree else { return RIEN };
-    let (relatif, absolu) = (entree.k * u::<R>() * entree.cond, absolu(objet, &entree));
+    let (relatif, absolu) = (entree.k * u::<R>() * entree.kappa_t, absolu(objet, &entree));
     // Each has its own climb, or the one would hide what the other finds.
     if relatif == f64::INFINITY || (absolu > 1e-3 * relatif && !pres_de_0) {
         return RIEN;
@@ -510,7 +510,7 @@ fn ordre<R: Reel>(cas: &Cas<R>, _: f64) -> f64 {
         return RIEN;
     };
     let avance = (&gagnant.t - &autre.t).vers_f64();
-    avance / (k * gagnant.cond + absolu + k_autre * autre.cond + absolu_autre)
+    avance / (k * gagnant.kappa_t + absolu + k_autre * autre.kappa_t + absolu_autre)
 }
 
 fn touche<R: Reel>(cas: &Cas<R>) -> Option<Intersection<R>> {

@@ -187,7 +187,7 @@ fn lemme_4_distance_d_une_boite() {
     );
 }
 
-/// What the sphere of radius 1 needs, in u·cond, where it is entered at the distance `t` and the cosine `c`; `x`
+/// What the sphere of radius 1 needs, in u·κt, where it is entered at the distance `t` and the cosine `c`; `x`
 /// tells how much of the rounding of S − C lies across the ray. None inside the band of `bande`·u(f + r).
 fn distance_d_une_sphere(u: f64, bande: f64, [t, c, x]: [Intervalle; 3]) -> Option<Intervalle> {
     let s = ((1.0 - c).max(i(0.0)) * (1.0 + c)).racine();
@@ -245,7 +245,7 @@ fn distance_d_une_sphere(u: f64, bande: f64, [t, c, x]: [Intervalle; 3]) -> Opti
     } else {
         b
     };
-    // cond is that of a D that is not exactly unit.
+    // κt is that of a D that is not exactly unit.
     Some((bouge + erreur) * c / (u * (f + 1.0 + t)) * plus(2.0 * D1, u))
 }
 
@@ -278,7 +278,7 @@ fn lemme_5_une_bande_plus_etroite_ne_suffit_pas() {
 
 #[test]
 fn lemme_6_normale() {
-    // y = f/r; the error of the distance is at most K·u·cond, with c² > 4u(f + r)/r.
+    // y = f/r; the error of the distance is at most K·u·κt, with c² > 4u(f + r)/r.
     let domaine = |u| [de_a(1.0, 1.0 / (promesses::PERDUE * u))];
     tenir_sur(promesses::DIRECTION, domaine, |u, [y]| {
         let c = (bandes::SPHERE * u * (1.0 + y)).racine();

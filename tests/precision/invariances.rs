@@ -63,9 +63,9 @@ fn ni_signe_ni_axe_n_est_privilegie<R: Reel>() {
             [ObjetGeo::from(boite.unwrap()), boule.into()].map(|objet| {
                 let objet = objet.vers_ray();
                 let touche = objet.intersection(&rayon).ok();
-                let cond = verite(&objet, &rayon).entree.map_or(f64::INFINITY, |e| e.cond);
+                let kappa_t = verite(&objet, &rayon).entree.map_or(f64::INFINITY, |e| e.kappa_t);
                 touche.map(|t| {
-                    (t.distance().vers_f64(), <[f64; 3]>::from(t.normale().vers_f64()), cond)
+                    (t.distance().vers_f64(), <[f64; 3]>::from(t.normale().vers_f64()), kappa_t)
                 })
             })
         };
@@ -74,12 +74,12 @@ fn ni_signe_ni_axe_n_est_privilegie<R: Reel>() {
         let permute = lancer(&|[x, y, z]| [z, x, y]);
         for ((a, b), c) in direct.into_iter().zip(miroir).zip(permute) {
             assert_eq!(a.is_some(), b.is_some());
-            let (Some((t, [x, y, z], cond)), Some((t_m, n_m, _))) = (a, b) else { continue };
+            let (Some((t, [x, y, z], kappa_t)), Some((t_m, n_m, _))) = (a, b) else { continue };
             touches += 1;
             assert_eq!((t_m, n_m), (t, [-x, y, -z]));
             if let Some((t_p, ..)) = c {
-                // Sums in another order: two errors of K·u·cond, that of a sphere being the larger.
-                assert!((t_p - t).abs() <= 2.0 * promesses::DISTANCE_SPHERE * u::<R>() * cond);
+                // Sums in another order: two errors of K·u·κt, that of a sphere being the larger.
+                assert!((t_p - t).abs() <= 2.0 * promesses::DISTANCE_SPHERE * u::<R>() * kappa_t);
             }
         }
     }

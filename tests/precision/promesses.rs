@@ -34,7 +34,7 @@ fn chaque_touche<R: Reel>(
     }
 }
 
-/// Hit or miss never wrong outside the band, distance to its K·u·cond, normal to its bound.
+/// Hit or miss never wrong outside the band, distance to its K·u·κt, normal to its bound.
 fn distances_et_normales<R: Reel>() {
     for regime in regimes::<R>() {
         let mesure = mesurer(&regime, cas_par_regime(), 1, |objet, rayon| {
@@ -112,7 +112,7 @@ fn le_premier_est_le_premier_a_l_arrondi_pres<R: Reel>() {
                 let Some(autre) = &autre.entree else { continue };
                 let avance = (&gagnant.t - &autre.t).vers_f64();
                 let objet = &cas.objet;
-                let borne = |e: &Entree| e.k * u::<R>() * e.cond + absolu(objet, e);
+                let borne = |e: &Entree| e.k * u::<R>() * e.kappa_t + absolu(objet, e);
                 let permis = borne(gagnant) + borne(autre);
                 assert!(
                     avance <= permis,

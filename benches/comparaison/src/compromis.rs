@@ -35,7 +35,7 @@ struct Variante {
     erreurs: [f64; 3],
     /// Rays of the picture that see another object than the true one, or none.
     autres: usize,
-    /// The largest error of a distance at the extremes, in u·cond.
+    /// The largest error of a distance at the extremes, in u·κt.
     k: f64,
     /// Wrong hits and misses per million cases of the extremes.
     fausses: f64,
