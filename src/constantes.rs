@@ -1,5 +1,5 @@
 //! The constants of the proofs in `docs/precision.md` and `docs/conception.md`, under one roof for the test that
-//! holds each to its lemma.
+//! holds them to their lemmas.
 
 pub use crate::forme::{ARRONDI_HAUTEUR, PENCHE, RETRAIT, VERS_LE_HAUT};
 pub use crate::hierarchie::bloc::{JEU_BLOC, JEU_FIXE};

@@ -10,17 +10,17 @@ use crate::rayon::Rayon;
 use crate::reel::{Reel, fois_u};
 use crate::vecteur::Vecteur;
 
-/// The rounding of a height over a surface, in u·ℓ, and of what the next search sees of it (lemma 7).
+/// The rounding of a height over a surface, in u·ℓ, and again of what the next search sees of it (lemmas 7 and 8).
 pub const ARRONDI_HAUTEUR: f64 = 4.0;
 
-/// By so many u of itself a margin is larger: 6 for an N that is unit to 6u only, the others for the rounding
-/// of its last operations (lemma 7).
+/// A margin is larger by so many u of itself: 6 for an N that is hardly unit, the others for the rounding of its
+/// last operations (lemma 7).
 pub const VERS_LE_HAUT: f64 = 10.0;
 
-/// By so many u a normal that does not face the source is leaned towards it (lemma 6).
+/// A normal that does not face the source is leaned towards it by so many u (lemma 6).
 pub const PENCHE: f64 = 14.0;
 
-/// By so many u of itself SC² is smaller, so that rounding hides no entry from the ball (lemma 11).
+/// SC² is reduced by so many u of itself, so that rounding hides no entry from the ball (lemma 11).
 pub const RETRAIT: f64 = 130.0;
 
 /// A shape, ready for rays.
@@ -42,12 +42,12 @@ pub(crate) trait Forme<R: Reel>: Copy {
     /// The distance at which the ray (S, D) enters, +∞ if it does not; computed without a branch.
     fn t(&self, s: Vecteur<R>, d: Vecteur<R>) -> R;
 
-    /// The outward normal N at the entry at distance `t`, computed without a branch: unit, and N·D < 0 as
-    /// computed. Where rounding has left nothing of it N·D is 0 or more, and [`vers_la_source`] leans it.
+    /// The unit outward normal N at the entry at distance `t`, computed without a branch. Where rounding has lost N
+    /// or brought N·D to 0 or above, [`vers_la_source`] replaces it.
     fn normale_a_l_entree(&self, rayon: &Rayon<R>, t: R) -> Vecteur<R>;
 
     /// Two lengths, b and ℓ, for the point P of a hit with normal N. P lies no farther from the surface than b,
-    /// in units of N, and b is computed to 4u·ℓ. A search for a ray that starts at P is off by at most 4u·ℓ.
+    /// in units of N. 8u·ℓ bounds the rounding of b and that of a search for a ray that starts at P.
     fn hauteur(&self, p: Vecteur<R>, n: Vecteur<R>) -> (R, R);
 
     /// [`t`](Self::t), sooner for a ray that passes the shape by.

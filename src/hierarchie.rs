@@ -91,8 +91,8 @@ impl Hierarchie<'_> {
     /// are many. They are scratch memory: what they hold before does not matter, and after the last question
     /// neither.
     ///
-    /// It is 0 for fewer than 17 objects, and for 2³¹ − 2²³ or more: these are asked as a list, and so are
-    /// more of which fewer than 17 are bounded. It is called without a type: `Hierarchie::places(n)`.
+    /// It is 0 for fewer than 17 objects, and for 2³¹ − 2²³ or more: these are asked as a list, as is any list with
+    /// fewer than 17 spheres and boxes. It is called without a type: `Hierarchie::places(n)`.
     #[doc(alias("capacity", "memory"))]
     #[must_use]
     pub const fn places(nombre_d_objets: usize) -> usize {

@@ -61,7 +61,7 @@ impl<R: Reel> Intersection<R> {
     }
 
     /// t, finite and above 0: the object is touched at S + tD. As D is unit only to rounding, that is the
-    /// distance in scene units to 7.5u.
+    /// distance in scene units to 7.6u.
     #[doc(alias = "t")]
     #[inline]
     #[must_use]

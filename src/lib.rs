@@ -68,7 +68,7 @@
 //! earlier in the list is touched.
 //!
 //! **Invalid values cannot be constructed.** Constructors and transformations refuse what is not finite, a
-//! coordinate beyond ±2⁴⁵⁰ (±2⁶⁰ for `f32`) and a size outside 2⁻⁴⁵⁰ … 2⁴⁵⁰, and name the field. A question to
+//! coordinate beyond ±2⁴⁵⁰ (±2⁶⁰ for `f32`) and a size outside 2⁻⁴⁵⁰ … 2⁴⁵⁰ (2⁻⁶⁰ … 2⁶⁰), and name the field. A question to
 //! an object or a list never panics, and no hit holds a NaN. ([`Vecteur`] is a bare triple: what is built from it
 //! checks.)
 //!

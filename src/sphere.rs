@@ -131,13 +131,13 @@ impl<R: Reel> SphereRay<R> {
     }
 }
 
-/// A difference of squares, times this over r, is no less than the height that it comes to (lemma 7).
+/// A height is at most this times the difference of squares, over r (lemmas 7 and 8).
 pub const PAR_RAYON: f64 = 0.6;
 
-/// The length ℓ of a sphere, in r (lemma 7).
+/// The length ℓ of a sphere, in r (lemmas 7 and 8).
 pub const LONGUEUR: f64 = 1.3;
 
-/// The limit of |CP² − r²|, in r²: beyond it, and the next two, a sphere is lost in rounding (lemma 7).
+/// The limit of |CP² − r²|, in r². A sphere is lost in rounding beyond this limit, or either of the next two (lemma 7).
 pub const PUISSANCE_PERDUE: f64 = 0.4;
 
 /// The limit of the square of what CP has across N, in r².

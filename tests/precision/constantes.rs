@@ -1,8 +1,9 @@
-//! Each constant of a proof beside the number that its lemma needs: `docs/precision.md`, lemmas 1 to 10, and
+//! The constants of the proofs beside the numbers that their lemmas need: `docs/precision.md`, lemmas 1 to 10, and
 //! `docs/conception.md`, lemmas 11 to 17. The letters are theirs.
 //!
 //! What a lemma needs is computed in intervals over its whole domain, for both types, with every term of higher
-//! order. A constant must be no less, and no more than a ninth more: made a tenth smaller it is red.
+//! order. A constant must be no less, and no more than a ninth more: made a tenth smaller it is red. Excepted are the
+//! limits of a sphere that is lost, which are limits of a domain, and what direction is kept, a decision (C13).
 
 use crate::commun::tolerances::{ORTHONORMALE, bandes, promesses};
 use crate::intervalle::{Intervalle, de_a, portee};
@@ -11,10 +12,16 @@ use lancer_rayon::constantes::*;
 /// u of `f32` and of `f64`.
 const U: [f64; 2] = [f32::EPSILON as f64 / 2.0, f64::EPSILON / 2.0];
 
-/// |D|² − 1 and |N|² − 1 of a flat face, in u; |D| − 1 and |N| − 1 of a sphere's normal.
+/// |D|² − 1, in u.
 const D2: f64 = 15.1;
-const N2: f64 = 12.0;
+
+/// |D| − 1, in u.
 const D1: f64 = 7.6;
+
+/// |N|² − 1 of a flat face, in u.
+const N2: f64 = 12.0;
+
+/// |N| − 1 of a sphere, in u.
 const N1: f64 = promesses::UNITAIRE_SPHERE;
 
 /// What lemma 14 grants the point of a hit, in u·(f + ρ).
