@@ -6,7 +6,7 @@ pub use crate::hierarchie::bloc::{JEU_BLOC, JEU_FIXE};
 pub use crate::hierarchie::construction::{JEU_F32, JEU_TOUCHE};
 pub use crate::hierarchie::parcours::ENTREE_AVANT;
 pub use crate::intersection::{PAS_ARRONDI, PAS_NORMAL, REDRESSE, TANGENT};
-pub use crate::lot::faisceau::{COURT, JEU_BOULE, ORIGINES, PENTE};
+pub use crate::lot::faisceau::{COURT, COURT_M, JEU_BOULE, ORIGINES, PENTE};
 pub use crate::rayon::DEJA_UNITAIRE;
 pub use crate::rotation::DEJA_ORTHONORMALE;
 pub use crate::sphere::{ARRONDI_PERDU, LONGUEUR, PAR_RAYON, PUISSANCE_PERDUE, TRAVERS_PERDU};

@@ -132,7 +132,7 @@ pub const TANGENT: f64 = 3.2;
 pub const REDRESSE: f64 = 12.0;
 
 /// By so many u of itself a margin grows for an N that is not exactly unit (lemma 8).
-pub const PAS_NORMAL: f64 = 19.0;
+pub const PAS_NORMAL: f64 = 20.0;
 
 /// The rounding of the moved point, in u·Σ|N_i·P_i| (lemma 8).
 pub const PAS_ARRONDI: f64 = 1.1;

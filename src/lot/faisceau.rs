@@ -10,8 +10,11 @@ use crate::rayon::Rayon;
 use crate::reel::{Reel, fois_u};
 use crate::vecteur::Vecteur;
 
-/// By so many u of themselves M and the normals P are shorter than 1 (lemma 12).
-pub const COURT: f64 = 9.0;
+/// M is shorter than a direction by so many u of itself: then M·D ≤ 1 (lemma 12).
+pub const COURT_M: f64 = 17.0;
+
+/// The normals P are shorter than 1 by so many u (lemma 12).
+pub const COURT: f64 = 4.9;
 
 /// By so many u the slope e/μ is taken too large, above and below (lemma 12).
 pub const PENTE: f64 = 7.5;
@@ -45,7 +48,7 @@ impl<R: Reel> Etendue<R> {
     #[inline(always)]
     fn autour(rayons: &[Rayon<R>]) -> Self {
         let milieu = rayons[rayons.len() / 2];
-        let m = milieu.direction() * (R::UN - fois_u(COURT));
+        let m = milieu.direction() * (R::UN - fois_u(COURT_M));
         let cote = rayons[7.min(rayons.len() - 1)].direction() - rayons[0].direction();
         let x = Vecteur::new(R::UN, R::ZERO, R::ZERO);
         let y = Vecteur::new(R::ZERO, R::UN, R::ZERO);

@@ -48,7 +48,7 @@ pub(crate) mod bandes {
     /// What three products that underflow add to that height, in subnormals (lemma 3).
     pub(crate) const PLAN_ABSOLUE: f64 = 1.6;
     /// How far S is from a face of a box, of |f| + ρ (lemma 3).
-    pub(crate) const BOITE_LONGUEUR: f64 = 8.1;
+    pub(crate) const BOITE_LONGUEUR: f64 = 7.1;
     /// The speed N·D towards a flat face (lemma 3).
     pub(crate) const VITESSE: f64 = 3.1;
 }
