@@ -32,19 +32,19 @@ pub const JEU_BOULE: f64 = 1300.0;
 struct Etendue<R> {
     s0: Vecteur<R>,
     m: Vecteur<R>,
-    /// A and B, across M and unit to rounding.
+    /// U and V, across M and unit to rounding.
     axes: [Vecteur<R>; 2],
     /// The largest coordinate of S − S₀.
     ecarts: Voies<R>,
-    /// e: the largest D·A, −D·A, D·B and −D·B.
+    /// e: the largest D·U, −D·U, D·V and −D·V.
     e: [Voies<R>; 4],
     /// −μ: the largest −D·M.
     moins_mu: Voies<R>,
 }
 
 impl<R: Reel> Etendue<R> {
-    /// The bounds of no rays yet. S₀ and M come from the ray in the middle. A points from the first ray
-    /// to the eighth, along a row of pixels: any A is right, this one fits closely.
+    /// The bounds of no rays yet. S₀ and M come from the ray in the middle. U points from the first ray
+    /// to the eighth, along a row of pixels: any U is right, this one fits closely.
     #[inline(always)]
     fn autour(rayons: &[Rayon<R>]) -> Self {
         let milieu = rayons[rayons.len() / 2];
