@@ -1,14 +1,17 @@
 #!/usr/bin/env bash
-# The same bits on other processors: runs the tests that compare bits on a 64-bit ARM and on a
-# big-endian IBM Z under qemu, and on WebAssembly with its 128-bit vectors under node.
+# The same bits on other processors: runs the tests that compare bits on a 64-bit ARM, a 64-bit RISC-V, a
+# 32-bit x86 and a big-endian IBM Z under qemu, and on WebAssembly under node, with its 128-bit vectors and
+# without.
 #
-#   tests/autres_processeurs.sh [FOLDER]      the folder is ${TMPDIR:-/tmp}/autres-processeurs
+#   tests/autres_processeurs.sh [FOLDER [NAME…]]
+#
+# The folder is ${TMPDIR:-/tmp}/autres-processeurs; the names are those of the loop at the end, all unless given.
 #
 # Compilers, standard libraries and emulators are those of Debian unstable, unpacked into that folder
 # (some 5 GB) and run there by chroot: nothing is installed and nothing written elsewhere, except the
 # crates that cargo adds to its own cache. It takes an amd64 Debian, and root or user namespaces.
 # CARGO_BUILD_JOBS is passed on, LANCER_RAYON_CAS is not: with fewer cases than usual some tests find
-# too few hits. Takes some twenty minutes, and is no part of CI.
+# too few hits. Takes some forty minutes, and is no part of CI.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -21,6 +24,8 @@ for outil in apt-get awk cargo chroot dpkg-deb mount unshare; do
   command -v "$outil" > /dev/null || rater "the program $outil is missing"
 done
 dossier=${1:-${TMPDIR:-/tmp}/autres-processeurs}
+noms=("${@:2}")
+[ ${#noms[@]} -gt 0 ] || noms=(aarch64 riscv64 s390x i686 wasm32-simd128 wasm32)
 mkdir -p "$dossier"/{apt/lists/partial,apt/archives/partial,racine}
 dossier=$(cd "$dossier" && pwd)
 racine=$dossier/racine
@@ -42,7 +47,7 @@ $reglages
 Dir::Etc { main "/dev/null"; parts "/dev/null"; preferences "/dev/null"; preferencesparts "/dev/null"; };
 Dir::Etc { sourcelist "$dossier/apt/sources.list"; sourceparts "/dev/null"; };
 Dir { State "$dossier/apt"; State::status "$dossier/apt/status"; Cache "$dossier/apt"; Log "$dossier/apt"; };
-APT { Architectures { "$(dpkg --print-architecture)"; "arm64"; "s390x"; }; };
+APT { Architectures { "$(dpkg --print-architecture)"; "arm64"; "i386"; "riscv64"; "s390x"; }; };
 APT { Install-Recommends "false"; Sandbox::User "root"; };
 FIN
 export APT_CONFIG=$dossier/apt/reglages
@@ -51,11 +56,11 @@ apt-get -q=2 update || rater "the mirror has no index of Debian unstable"
 lld=$(apt-cache depends rust-llvm | grep -o 'lld-[0-9]*') || rater "unstable has no rust-llvm"
 apt-get -q=2 autoclean
 apt-get -q=2 -y --download-only install base-files cargo rustc libstd-rust-dev-wasm32 "$lld" nodejs \
-  qemu-user gcc-{aarch64,s390x}-linux-gnu libc6-dev-{arm64,s390x}-cross ||
+  qemu-user gcc-{aarch64,i686,riscv64,s390x}-linux-gnu libc6-dev-{arm64,i386,riscv64,s390x}-cross ||
   rater "unstable lacks some packages just now"
 # Without what they depend on: LLVM for the other processors.
-(cd "$dossier/apt/archives" && apt-get -q=2 download libstd-rust-dev:{arm64,s390x}) ||
-  rater "unstable has no standard library of Rust for arm64 or s390x"
+(cd "$dossier/apt/archives" && apt-get -q=2 download libstd-rust-dev:{arm64,i386,riscv64,s390x}) ||
+  rater "unstable has no standard library of Rust for one of the processors"
 unset APT_CONFIG
 (cd "$dossier/apt/archives" && ls ./*.deb) > "$dossier/paquets"
 if ! cmp -s "$dossier/paquets" "$dossier/deballes"; then
@@ -89,31 +94,40 @@ const module = await WebAssembly.compile(await readFile(args[0]));
 process.exit(wasi.start(await WebAssembly.instantiate(module, wasi.getImportObject())));
 FIN
 
-# Runs the tests on a target, given what cargo has to know of it. On WebAssembly the first panic ends
-# the whole file, and a captured message would be lost.
+# Runs the tests under a name on a target, given what cargo has to know of it. On WebAssembly the first panic
+# ends the whole file, and a captured message would be lost.
 echec=0
 eprouver() {
-  local cible=$1 nom
-  nom=CARGO_TARGET_$(tr a-z- A-Z_ <<< "$cible")_
-  shift
-  echo "== $cible" | tee "$dossier/$cible.log"
+  local nom=$1 cible=$2 variable
+  variable=CARGO_TARGET_$(tr a-z- A-Z_ <<< "$cible")_
+  shift 2
+  echo "== $nom" | tee "$dossier/$nom.log"
   # shellcheck disable=SC2016
   "${espace[@]}" sh -c 'mount --rbind /dev "$0/dev" && mount --rbind /proc "$0/proc" && exec "$@"' \
-    "$racine" env -i PATH=/usr/sbin:/usr/bin HOME=/root "${@/#/$nom}" CARGO_TARGET_DIR=/cible \
+    "$racine" env -i PATH=/usr/sbin:/usr/bin HOME=/root "${@/#/$variable}" CARGO_TARGET_DIR=/cible \
     RUST_TEST_NOCAPTURE=1 CARGO_BUILD_JOBS="${CARGO_BUILD_JOBS:-default}" chroot "$racine" \
     cargo test --frozen --no-fail-fast --manifest-path essai/Cargo.toml --target "$cible" \
     --test memes_bits 2>&1 |
-    tee -a "$dossier/$cible.log" || echec=1
+    tee -a "$dossier/$nom.log" || echec=1
 }
-for processeur in aarch64 s390x; do
-  eprouver "$processeur-unknown-linux-gnu" "LINKER=$processeur-linux-gnu-gcc" \
-    "RUNNER=qemu-$processeur -L /usr/$processeur-linux-gnu"
+emuler() {
+  eprouver "$1" "$2-unknown-linux-gnu" "LINKER=$1-linux-gnu-gcc" "RUNNER=$3 -L /usr/$1-linux-gnu"
+}
+node="RUNNER=node --no-warnings /essai/node.mjs"
+for nom in "${noms[@]}"; do
+  case $nom in
+    aarch64 | s390x) emuler "$nom" "$nom" "qemu-$nom" ;;
+    riscv64) emuler "$nom" riscv64gc "qemu-$nom" ;;
+    i686) emuler "$nom" "$nom" qemu-i386 ;;
+    wasm32-simd128) eprouver "$nom" wasm32-wasip1 RUSTFLAGS=-Ctarget-feature=+simd128 "$node" ;;
+    wasm32) eprouver "$nom" wasm32-wasip1 RUSTFLAGS=-Ctarget-feature=-simd128 "$node" ;;
+    *) rater "no processor is called $nom" ;;
+  esac
 done
-eprouver wasm32-wasip1 RUSTFLAGS=-Ctarget-feature=+simd128 "RUNNER=node --no-warnings /essai/node.mjs"
 
-awk '/^== / { cible = $2 }
-  / Running tests/ { fichier[++n] = cible "  " $2; fin[n] = "DID NOT FINISH" }
-  /^test result: / { fin[n] = $4 " passed, " $6 " failed, " $NF }
-  END { print ""; for (i = 1; i <= n; i++) print fichier[i] ": " fin[i] }' \
-  "$dossier"/{aarch64-unknown-linux-gnu,s390x-unknown-linux-gnu,wasm32-wasip1}.log
+for nom in "${noms[@]}"; do
+  awk '/ Running tests/ { fichier = $2; fin = "DID NOT FINISH" }
+    /^test result: / { fin = $4 " passed, " $6 " failed, " $NF }
+    END { print FILENAME ": " fichier ": " fin }' "$dossier/$nom.log"
+done
 [ $echec = 0 ] || rater "a test failed or did not run, see above"
