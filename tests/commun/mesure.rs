@@ -47,9 +47,14 @@ fn demi_ulp<R: Reel>(t: R) -> f64 {
 /// What products that underflow add to the error of a distance.
 pub(crate) fn absolu<R: Reel>(objet: &ObjetRay<R>, entree: &Entree) -> f64 {
     match objet {
-        ObjetRay::Plan(_) => promesses::PLAN_ABSOLU * R::MIN_POSITIF.vers_f64() / entree.cosinus,
+        ObjetRay::Plan(_) => absolu_fois(entree, R::MIN_POSITIF.vers_f64()),
         ObjetRay::Sphere(_) | ObjetRay::Boite(_) => 0.0,
     }
+}
+
+/// The same of a half-space, for an η that may be multiplied by a number.
+pub(crate) fn absolu_fois(entree: &Entree, eta: f64) -> f64 {
+    promesses::PLAN_ABSOLU * eta / entree.cosinus
 }
 
 /// The same `graine` gives the same cases to every implementation.

@@ -202,7 +202,12 @@ pub(crate) struct Entree {
 impl Entree {
     /// How far `t` lies from the truth.
     pub(crate) fn ecart<R: Reel>(&self, t: R) -> f64 {
-        (&Exact::de(t) - &self.t).vers_f64()
+        self.ecart_fois(t, 1.0)
+    }
+
+    /// The same times a number, so that an error of a few subnormals has all its digits.
+    pub(crate) fn ecart_fois<R: Reel>(&self, t: R, k: f64) -> f64 {
+        (&(&Exact::de(t) - &self.t) * &Exact::de(k)).vers_f64()
     }
 
     /// The sine of the angle between a normal and the true one that is allowed where the distance is off by

@@ -11,7 +11,7 @@
 use std::time::{Duration, Instant};
 
 use crate::commun::double::ecart_et_kappa_t;
-use crate::commun::mesure::{absolu, au_bord};
+use crate::commun::mesure::{absolu, absolu_fois, au_bord};
 use crate::commun::oracle::{hauteur, norme_au_carre_moins_un, verite};
 use crate::commun::regimes::{deux_puissance, direction, entre, regimes, repere, signe};
 use crate::commun::tolerances::{promesses, u};
@@ -450,33 +450,35 @@ fn deux_objets<R: Bits>(alea: &mut Rng) -> Candidat<R> {
 }
 
 /// The error of the distance as a part of what is promised; below `seuil` an estimate is enough.
-fn distance_ou<R: Reel>(cas: &Cas<R>, seuil: f64, pres_de_0: bool) -> f64 {
+fn distance<R: Reel>(cas: &Cas<R>, seuil: f64) -> f64 {
     let objet = &cas.objets[0];
     let Ok(touche) = objet.intersection(&cas.rayon) else { return RIEN };
     let t = touche.distance();
-    let genre = Genre::de(objet);
-    if !pres_de_0 {
-        let (ecart, kappa_t) = ecart_et_kappa_t(objet, &cas.rayon, t);
-        let apercu = ecart.abs() / (genre.distance() * u::<R>() * kappa_t);
-        if apercu < seuil {
-            return apercu;
-        }
+    let (ecart, kappa_t) = ecart_et_kappa_t(objet, &cas.rayon, t);
+    let apercu = ecart.abs() / (Genre::de(objet).distance() * u::<R>() * kappa_t);
+    if apercu < seuil {
+        return apercu;
     }
     let Some(entree) = verite(objet, &cas.rayon).entree else { return RIEN };
     let (relatif, absolu) = (entree.k * u::<R>() * entree.kappa_t, absolu(objet, &entree));
     // Each has its own climb, or the one would hide what the other finds.
-    if relatif == f64::INFINITY || (absolu > 1e-3 * relatif && !pres_de_0) {
+    if relatif == f64::INFINITY || absolu > 1e-3 * relatif {
         return RIEN;
     }
     entree.ecart(t).abs() / (relatif + absolu)
 }
 
-fn distance<R: Reel>(cas: &Cas<R>, seuil: f64) -> f64 {
-    distance_ou(cas, seuil, false)
-}
-
-fn distance_pres_de_0<R: Reel>(cas: &Cas<R>, seuil: f64) -> f64 {
-    distance_ou(cas, seuil, true)
+/// The same of a half-space a few subnormals from the source, in units in which these are no subnormals.
+fn distance_pres_de_0<R: Reel>(cas: &Cas<R>, _: f64) -> f64 {
+    let Ok(touche) = cas.objets[0].intersection(&cas.rayon) else { return RIEN };
+    let Some(entree) = verite(&cas.objets[0], &cas.rayon).entree else { return RIEN };
+    let echelle = 200_f64.exp2();
+    let relatif = entree.k * u::<R>() * (entree.kappa_t * echelle);
+    if relatif == f64::INFINITY {
+        return RIEN;
+    }
+    let absolu = absolu_fois(&entree, R::MIN_POSITIF.vers_f64() * echelle);
+    entree.ecart_fois(touche.distance(), echelle).abs() / (relatif + absolu)
 }
 
 /// By how much the band would have to be wider to hold a wrong answer; a right one is the better
