@@ -201,7 +201,7 @@ fn la_marge_d_un_point_hors_du_type_est_infinie() {
     let touche = mur.vers_ray().intersection(&rayon).unwrap();
     assert_eq!(rayon.point(touche.distance()).x, f32::INFINITY);
     assert_eq!(touche.marge(), f32::INFINITY);
-    assert!(rayon.secondaire(&touche, touche.normale()).is_err());
+    assert_eq!(rayon.secondaire(&touche, touche.normale()).unwrap_err().champ, "marge");
 }
 
 /// Directions from a surface of normal `n`: any, straight in and out, along the tangent plane to
