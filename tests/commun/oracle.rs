@@ -214,7 +214,7 @@ impl Entree {
     /// `ecart`; any, where the sphere is lost in its distance.
     pub(crate) fn direction_permise<R: Reel>(&self, ecart: f64) -> f64 {
         let r = self.rayon_de_courbure;
-        if r < promesses::PERDUE * u::<R>() * self.f {
+        if perdue::<R>(r, self.f) {
             return f64::INFINITY;
         }
         // D may be longer than 1 by 7.6u.
@@ -235,6 +235,11 @@ impl Entree {
         });
         sinus.fold(f64::INFINITY, f64::min)
     }
+}
+
+/// Whether a sphere of this radius is lost in its distance |f|.
+fn perdue<R: Reel>(r: f64, f: f64) -> bool {
+    r < promesses::PERDUE * u::<R>() * f
 }
 
 /// What is sure of a speed towards a flat face: without what it may be off by, 0 if that is all.
@@ -325,8 +330,11 @@ fn verite_sphere<R: Reel>(sphere: &SphereRay<R>, ray: &Droite) -> Verite {
         let n = cb.each_ref().map(|x| x.sur(&r));
         let cosinus = delta.vers_f64().sqrt() / r_;
         let kappa_t = (f_ + r_ + t.vers_f64()) / cosinus;
-        let perdue = r_ < promesses::PERDUE * u::<R>() * f_;
-        let k = if perdue { promesses::DISTANCE_PERDUE } else { promesses::DISTANCE_SPHERE };
+        let k = if perdue::<R>(r_, f_) {
+            promesses::DISTANCE_PERDUE
+        } else {
+            promesses::DISTANCE_SPHERE
+        };
         Entree { t, normales: vec![n], kappa_t, k, cosinus, f: f_, rayon_de_courbure: r_ }
     });
     Verite { entree, dans_la_marge: facteur <= 1.0, marge: Marge::Connue(facteur) }

@@ -86,14 +86,19 @@ fn rapport(u: f64) -> Intervalle {
     2.0 / moins(1.0, u)
 }
 
+/// √(1 + a·u) − 1, in u, without a cancellation.
+fn racine(a: impl Into<Intervalle>, u: f64) -> Intervalle {
+    let a = a.into();
+    a / (1.0 + plus(a, u).racine())
+}
+
 fn zero_a_un() -> Intervalle {
     de_a(0.0, 1.0)
 }
 
 /// 1/√(1 − γ₃) · (1 + u)/(1 − u) − 1, in u: a vector over its length.
 fn normalise(u: f64) -> Intervalle {
-    let g = inverse(gamma(3.0, u), u);
-    et(g / (1.0 + plus(g, u).racine()), rapport(u), u)
+    et(racine(inverse(gamma(3.0, u), u), u), rapport(u), u)
 }
 
 #[test]
@@ -107,7 +112,6 @@ fn lemme_1_vecteurs_unitaires() {
     let d2 =
         |u| (DEJA_UNITAIRE * plus(1.0, u) + gamma(3.0, u)) * plus(inverse(gamma(3.0, u), u), u);
     tenir(D2, d2);
-    let racine = |carre: f64, u: f64| carre / (1.0 + plus(carre, u).racine());
     tenir(D1, |u| racine(D2, u));
     // In f64 the elements of M·Mᵀ − I are themselves computed to γ₃.
     tenir(N2, |u| DEJA_ORTHONORMALE * plus(1.0, u) + gamma(3.0, u) * plus(N2, u));
@@ -124,12 +128,27 @@ fn d(u: f64) -> Intervalle {
     plus(D1, u)
 }
 
+/// What a speed N·D towards a flat face is off by, in u.
+fn vitesse(u: f64) -> Intervalle {
+    gamma(3.0, u) * n(u) * d(u)
+}
+
+/// What SC² as computed, rounded once more, is off by, in u·f².
+fn sc2(u: f64) -> Intervalle {
+    et(gamma(5.0, u), i(1.0), u)
+}
+
+/// What AC is off by, in u·f: S − C, and the coordinates of SC ∧ D.
+fn autour_de_ac() -> Intervalle {
+    1.0 + i(4.0 / 3.0).racine()
+}
+
 #[test]
 fn lemme_3_decisions() {
     tenir(bandes::PLAN, |u| gamma(3.0, u) * n(u));
     tenir(bandes::PLAN_ABSOLUE, |u| 1.5 * plus(gamma(2.0, u), u));
     // And 2⁻⁷⁸ for speeds that are raised.
-    tenir(bandes::VITESSE, |u| gamma(3.0, u) * n(u) * d(u) + (-78_f64).exp2());
+    tenir(bandes::VITESSE, |u| vitesse(u) + (-78_f64).exp2());
     tenir_sur(
         bandes::BOITE_LONGUEUR,
         |_| [zero_a_un()],
@@ -146,7 +165,7 @@ fn lemme_3_decisions() {
     for u in U {
         let s = (gamma(5.0, u) + 1.0) / 4.0 * plus(20.0, u);
         let a = portee([zero_a_un()], bandes::SPHERE, |[y]| {
-            let deplace = (1.0 + i(4.0 / 3.0).racine()) * plus(20.0, u);
+            let deplace = autour_de_ac() * plus(20.0, u);
             Some((deplace + (5.0 + PERDU) * plus(20.0, u) * y) / (1.0 + y))
         });
         assert!(s.max(a).haut <= bandes::SPHERE);
@@ -165,7 +184,7 @@ fn lemme_4_distance_d_un_demi_espace() {
             let t = (1.0 - f - d_).max(i(0.0));
             let tv = (n(u) * f + N2 * u * d_).min(n(u) * d(u) * t);
             let s = gamma(3.0, u) * plus(gamma(2.0, u), u) * n(u) * (f + n(u) * d_);
-            Some(gamma(2.0, u) * tv + s + gamma(3.0, u) * n(u) * d(u) * t)
+            Some(gamma(2.0, u) * tv + s + vitesse(u) * t)
         },
     );
     tenir(promesses::PLAN_ABSOLU, |u| {
@@ -192,7 +211,7 @@ fn lemme_4_distance_d_une_boite() {
                 let suite = (k - 1.0) * rapport(u) * plus(2.0 * rapport(u), u) * t * v;
                 gamma(2.0, u) * tv
                     + gamma(4.0, u) * plus(gamma(2.0, u), u) * n(u) * f
-                    + gamma(3.0, u) * n(u) * d(u) * t
+                    + vitesse(u) * t
                     + if k > 1.0 { suite } else { i(0.0) }
             });
             Some(faces[0].max(faces[1]).max(faces[2]))
@@ -333,8 +352,7 @@ fn marge_plate(u: f64) -> Intervalle {
 fn lemme_7_marge_d_une_face() {
     tenir(VERS_LE_HAUT, |u| {
         // (1 + u)/(√(1 − 12u)·(1 − u)²) − 1.
-        let n = inverse(i(N2), u);
-        let n = n / (1.0 + plus(n, u).racine());
+        let n = racine(inverse(i(N2), u), u);
         let un = inverse(i(1.0), u);
         et(et(et(i(1.0), n, u), un, u), un, u) * plus(un, u)
     });
@@ -360,22 +378,19 @@ fn marge_d_une_sphere(
     let le_long = (1.0 + ecart - q2).racine();
     let hauteur = puissance / (le_long + (1.0 - q2).racine());
     let f = (1.0 + (q + e).carre()).racine();
-    let r2 = (et(gamma(5.0, u), inverse(gamma(5.0, u), u), u) + PERDU) * u;
-    let ac = r2 / (1.0 + (1.0 + r2).racine()) + (1.0 + i(4.0 / 3.0).racine()) * u * f;
+    let r2 = et(gamma(5.0, u), inverse(gamma(5.0, u), u), u) + PERDU;
+    let ac = (racine(r2, u) + autour_de_ac() * f) * u;
     let dehors = (ac * (2.0 + ac) - ecart + q2) / (1.0 + ac + le_long);
-    let six = (et(gamma(5.0, u), i(1.0), u) + PERDU) * u;
+    let six = (sc2(u) + PERDU) * u;
     let dedans =
         (ecart + six + e * (2.0 * q + e)) / (le_long + (1.0 - six - (q + e).carre()).racine());
     [hauteur / marge, dehors / pas, dedans / pas]
 }
 
 fn marges_d_une_sphere(u: f64, constantes: [f64; 2]) -> Intervalle {
-    let domaine = [
-        de_a(0.0, PUISSANCE_PERDUE),
-        de_a(0.0, TRAVERS_PERDU.sqrt().next_up()),
-        de_a(0.0, ARRONDI_PERDU),
-    ];
-    let [puissance, q, e] = domaine;
+    let puissance = de_a(0.0, PUISSANCE_PERDUE);
+    let q = de_a(0.0, TRAVERS_PERDU.sqrt().next_up());
+    let e = de_a(0.0, ARRONDI_PERDU);
     // Height and way outward: without e, of which the margin grants more.
     let [a, b] = [1.0, -1.0].map(|signe| {
         portee([puissance, q], 1.0, |[puissance, q]| {
@@ -424,21 +439,14 @@ fn lemme_8_rayon_secondaire() {
     // γ₄ to first order; `PAS_NORMAL` pays for the rest.
     tenir(ARRONDI_HAUTEUR, |_| i(4.0));
     tenir(PAS_ARRONDI, |u| plus(1.0, u) / ((1.0 - gamma(6.0, u) * u) * moins(N2, u)));
-    tenir(TANGENT, |u| gamma(3.0, u) * n(u) * d(u));
-    tenir(REDRESSE, |u| {
-        let nd = gamma(3.0, u) * n(u) * d(u);
-        (TANGENT + 2.0 * nd + 2.0 * n(u) * d(u)) * plus(3.0 * N2, u)
-    });
+    tenir(TANGENT, vitesse);
+    tenir(REDRESSE, |u| (TANGENT + 2.0 * vitesse(u) + 2.0 * n(u) * d(u)) * plus(3.0 * N2, u));
 }
 
 #[test]
 fn lemme_9_lampe_et_transformations() {
-    let longueur = |u: f64| {
-        let g = gamma(3.0, u);
-        et(et(g / (1.0 + plus(g, u).racine()), i(1.0), u), i(1.0), u)
-    };
-    tenir(3.6, longueur);
-    let direction = |u: f64| et(et(normalise(u), i(1.0), u), i(0.0), u);
+    tenir(3.6, |u| et(et(racine(gamma(3.0, u), u), i(1.0), u), i(1.0), u));
+    let direction = |u: f64| et(normalise(u), i(1.0), u);
     tenir(4.6, direction);
     tenir(8.0, |u| et(direction(u), gamma(3.0, u), u) * n(u));
     tenir(3.1, |u| gamma(3.0, u) * n(u));
@@ -456,9 +464,8 @@ fn lemme_10_rotations() {
 
 /// What the ball test loses of SC² − SA², in u·f².
 fn boule(u: f64) -> Intervalle {
-    let sc2 = et(gamma(5.0, u), i(1.0), u);
     let sa = 2.0 * gamma(4.0, u) * d(u);
-    sc2 + et(i(D2), i(1.0), u) + sa * d(u)
+    sc2(u) + et(i(D2), i(1.0), u) + sa * d(u)
 }
 
 #[test]
@@ -482,21 +489,17 @@ fn lemme_11_boule() {
         let g = inverse(gamma(5.0, u), u);
         let ac = et(gamma(5.0, u), g, u) + 2.0 * 2.16 * plus(20.0, u);
         assert!((boule(u) + ac + 1.0).haut < RETRAIT);
-        assert!((sc2_reduit(u) * plus(inverse(gamma(3.0, u), u), u)).haut < 1.0);
+        // SC² less its part, over f².
+        assert!((plus(sc2(u) - RETRAIT, u) * plus(inverse(gamma(3.0, u), u), u)).haut < 1.0);
     }
-}
-
-/// SC² less its part, as computed, over f².
-fn sc2_reduit(u: f64) -> Intervalle {
-    plus(et(gamma(5.0, u), i(1.0), u) - RETRAIT, u)
 }
 
 #[test]
 fn lemme_12_faisceau() {
     tenir(COURT_M, |u| et(et(i(D1), i(D1), u), i(1.0), u) * plus(2.0 * COURT_M, u));
     // The root of θ₃, its rounding, the quotient and the product.
-    tenir(COURT, |u| et(normalise(u), et(i(1.0), i(0.0), u), u) * plus(2.0 * COURT, u));
-    // (A − aM)·D and what rounds it, in u; above 0 it would not be below 0.
+    tenir(COURT, |u| et(normalise(u), i(1.0), u) * plus(2.0 * COURT, u));
+    // (U − aM)·D and what rounds it, in u; above 0 it would not be below 0.
     let pente = |u: f64, l: f64, [e, mu]: [Intervalle; 2]| {
         let g = gamma(3.0, u) * d(u) * plus(8.0, u);
         let a = (e + l * u) / (mu - l * u) * plus(gamma(3.0, u), u);
@@ -583,8 +586,8 @@ fn lemme_16_un_rayon() {
         // Two differences, two inverses, two products; the last product.
         let inverse_d = et(i(u / v), i(1.0), v);
         let un = et(et(inverse_d, i(1.0), v), i(1.0), v);
-        let moins = inverse(un, v);
-        et(et(un, moins, v), i(1.0), v) * plus(ENTREE_AVANT, v)
+        let sortie = inverse(un, v);
+        et(et(un, sortie, v), i(1.0), v) * plus(ENTREE_AVANT, v)
     });
 }
 
