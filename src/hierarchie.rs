@@ -31,7 +31,7 @@ const LIGNE: usize = 64;
 /// The most `f32` that are skipped at the start of what the caller lends, so that nodes start on a line.
 const BOURRAGE: usize = LIGNE / size_of::<f32>() - 1;
 
-/// Up to so many objects the batch of the list is as fast (`docs/performance.md`, "Thresholds").
+/// Up to so many spheres and boxes the batch of the list is as fast (`docs/performance.md`, "Thresholds").
 pub(crate) const SEUIL_LOT: usize = 100;
 
 /// A list of objects with a hierarchy of boxes around them: the answers of the list, to the bit, in a

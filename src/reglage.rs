@@ -21,7 +21,7 @@ pub struct Reglage {
 }
 
 impl Reglage {
-    /// Up to so many objects the batch of a hierarchy is that of the list.
+    /// Up to so many spheres and boxes the batch of a hierarchy is that of the list.
     pub const SEUIL_LOT: usize = SEUIL_LOT;
 
     /// Each instruction set of this machine, the best first, by name.

@@ -84,6 +84,14 @@ impl<R: Reel> Parametres<R> {
         self.agrandi(R::UN)
     }
 
+    pub(crate) fn texture(self) -> Texture {
+        match self {
+            Self::Sphere { texture, .. }
+            | Self::Plan { texture, .. }
+            | Self::Boite { texture, .. } => texture,
+        }
+    }
+
     /// The object with every length multiplied by k, its distance to O as well.
     pub(crate) fn agrandi(self, k: R) -> ObjetGeo<R> {
         match self {

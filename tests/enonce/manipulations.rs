@@ -33,7 +33,8 @@ fn accompagner<R: Reel>(
     // The normals before and after have one error each.
     let tolerance = 2.0 * (NORMALE + TOURNE) * u::<R>() + 2.0 * courbure;
     prop_assert!(ecart <= tolerance, "normal off by {ecart:e}, {tolerance:e} allowed");
-    prop_assert_eq!(apres.texture(), avant.texture());
+    let texture = p.parametres.texture();
+    prop_assert_eq!((avant.texture(), apres.texture()), (texture, texture));
     Ok(())
 }
 

@@ -9,6 +9,7 @@ use crate::commun::regimes::{Cas, direction, regimes, repere};
 use crate::commun::tolerances::{ORTHONORMALE, u};
 use crate::commun::{arrondi, en_f32_et_f64};
 use fastrand::Rng;
+use lancer_rayon::constantes::TANGENT;
 use lancer_rayon::{
     BoiteGeo, Intersection, NoIntersection, ObjetGeo, ObjetRay, PlanGeo, Rayon, Reel, Rotation,
     SphereGeo, Texture, Vecteur, premiere_intersection,
@@ -291,6 +292,25 @@ fn un_rayon_secondaire_invalide_est_refuse() {
     assert_eq!(refus(Vecteur::NUL), "direction");
     assert_eq!(refus(n * f64::NAN), "direction.x");
 }
+
+/// A direction at the limit itself, 3.2u, is tangent: its ray starts outside and leaves, and a light there has none.
+fn la_limite_du_plan_tangent_est_tangente<R: Reel>() {
+    let v = |x, z| Vecteur::new(x, R::ZERO, z);
+    let sol = ObjetRay::from(PlanGeo::new(Rotation::IDENTITE, R::ZERO, Texture(0)).unwrap());
+    let rayon = Rayon::new(v(R::ZERO, R::UN), v(R::ZERO, -R::UN)).unwrap();
+    let touche = sol.intersection(&rayon).unwrap();
+    let part = |z| rayon.secondaire(&touche, v(R::UN, z)).unwrap();
+    let limite = R::depuis_f64(TANGENT) * R::U;
+    let dessus = limite + limite * R::U * R::depuis_f64(2.0);
+    assert!(part(-dessus).source().z < R::ZERO && part(dessus).direction().z == dessus);
+    for z in [-limite, limite] {
+        assert!(part(z).source().z > R::ZERO && part(z).direction().z > dessus);
+    }
+    let eclaire = |z| rayon.vers_lumiere(&touche, part(R::UN).source() + v(R::UN, z)).is_some();
+    assert!(eclaire(dessus) && !eclaire(limite));
+}
+
+en_f32_et_f64!(la_limite_du_plan_tangent_est_tangente);
 
 /// |R·Rᵀ − I| ≤ 5.5u after 10^6 compositions, whatever is composed.
 fn un_million_de_rotations_ne_derive_pas<R: Reel>() {
