@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# The same bits on other processors: runs the tests that compare bits on a 64-bit ARM, a 64-bit RISC-V, a
-# 32-bit x86 and a big-endian IBM Z under qemu, and on WebAssembly under node, with its 128-bit vectors and
-# without.
+# The same bits on other processors: runs the tests that compare bits on a 64-bit ARM, a 64-bit RISC-V and a
+# big-endian IBM Z under qemu, on a 32-bit x86, which this processor is as well, and on WebAssembly under node,
+# with its 128-bit vectors and without.
 #
 #   tests/autres_processeurs.sh [FOLDER [NAME…]]
 #
@@ -113,12 +113,16 @@ eprouver() {
 emuler() {
   eprouver "$1" "$2-unknown-linux-gnu" "LINKER=$1-linux-gnu-gcc" "RUNNER=$3 -L /usr/$1-linux-gnu"
 }
+i686=/usr/i686-linux-gnu/lib
 node="RUNNER=node --no-warnings /essai/node.mjs"
 for nom in "${noms[@]}"; do
   case $nom in
     aarch64 | s390x) emuler "$nom" "$nom" "qemu-$nom" ;;
     riscv64) emuler "$nom" riscv64gc "qemu-$nom" ;;
-    i686) emuler "$nom" "$nom" qemu-i386 ;;
+    i686)
+      eprouver "$nom" "$nom-unknown-linux-gnu" "LINKER=$nom-linux-gnu-gcc" \
+        "RUNNER=$i686/ld-linux.so.2 --library-path $i686"
+      ;;
     wasm32-simd128) eprouver "$nom" wasm32-wasip1 RUSTFLAGS=-Ctarget-feature=+simd128 "$node" ;;
     wasm32) eprouver "$nom" wasm32-wasip1 RUSTFLAGS=-Ctarget-feature=-simd128 "$node" ;;
     *) rater "no processor is called $nom" ;;
