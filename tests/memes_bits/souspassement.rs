@@ -76,6 +76,26 @@ fn un_rayon_qui_quitte_une_face_ne_la_retouche_pas_f64() {
     }
 }
 
+/// A slope towards a face along the axes is exact, and decides as it is down to the smallest box: from 1024 before
+/// its middle the ray enters by the side, by the top, or passes over.
+fn une_pente_decide_telle_qu_elle_est<R: Reel>() {
+    let v = |x: f64, y: f64| arrondi::<R>(Vecteur::new(x, y, 0.0));
+    let plus_petite = -R::LIMITE.vers_f64().log2() as i32 - 9;
+    for pente in (plus_petite..=-30).map(|k| f64::from(k).exp2()) {
+        let haut = 1024.0 * pente;
+        let objet = boite(v(0.0, -haut), arrondi(Vecteur::new(1.0, haut, 1.0)));
+        let de = |hauteur| {
+            juger(&objet, &Rayon::new(v(-1024.0, hauteur), v(1.0, -pente)).unwrap())
+                .map(|touche| (touche.distance().vers_f64(), touche.normale()))
+        };
+        assert_eq!(de(512.0 * pente), Some((1023.0, v(-1.0, 0.0))));
+        assert_eq!(de(1024.0 * pente), Some((1024.0, v(0.0, 1.0))));
+        assert_eq!(de(2048.0 * pente), None);
+    }
+}
+
+en_f32_et_f64!(une_pente_decide_telle_qu_elle_est);
+
 #[test]
 fn un_rayon_qui_quitte_une_arete_ne_retouche_pas_la_boite() {
     let normales = [[0.0, 0.0, -1.0], [0.0, -1.0, 0.0], [-1.0, 0.0, 0.0]];
