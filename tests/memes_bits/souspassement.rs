@@ -80,7 +80,8 @@ fn un_rayon_qui_quitte_une_face_ne_la_retouche_pas_f64() {
 /// its middle the ray enters by the side, by the top, or passes over.
 fn une_pente_decide_telle_qu_elle_est<R: Reel>() {
     let v = |x: f64, y: f64| arrondi::<R>(Vecteur::new(x, y, 0.0));
-    let plus_petite = -R::LIMITE.vers_f64().log2() as i32 - 9;
+    // The box is 2¹¹ slopes high.
+    let plus_petite = -R::LIMITE.vers_f64().log2() as i32 - 11;
     for pente in (plus_petite..=-30).map(|k| f64::from(k).exp2()) {
         let haut = 1024.0 * pente;
         let objet = boite(v(0.0, -haut), arrondi(Vecteur::new(1.0, haut, 1.0)));
