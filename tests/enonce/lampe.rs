@@ -142,7 +142,8 @@ fn un_point_voit_la_lampe_qui_lui_fait_face<R: Reel>() {
 
 en_f32_et_f64!(un_point_voit_la_lampe_qui_lui_fait_face);
 
-/// What `vers_lumiere` says of its ray, beside the exact vector from the start to the lamp.
+/// What `vers_lumiere` says of its ray, beside the exact vector from the start to the lamp. Lemma 9: that vector
+/// rounds to u of its length, the length adds 2.5u and the direction 3.5u.
 fn la_distance_et_la_direction_d_une_lampe_sont_bornees<R: Reel>() {
     let mut alea = Rng::with_seed(20);
     let boule: ObjetRay<R> = SphereGeo::new(Vecteur::NUL, R::UN, Texture(0)).unwrap().into();
