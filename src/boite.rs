@@ -1,7 +1,7 @@
 //! The box (handout §2.2, §3 and annex A.3).
 
 use crate::erreur::{ErreurGeo, coefficient, deplacement, point, taille};
-use crate::forme::{Boule, Forme};
+use crate::forme::{Boule, Entree, Forme, Hauteur};
 use crate::rayon::Rayon;
 use crate::reel::{Reel, puissance_de_deux};
 use crate::rotation::Rotation;
@@ -210,9 +210,10 @@ impl<R: Reel> BoiteRay<R> {
     ///
     /// C is the origin, and the axis points the way the ray goes.
     #[inline(always)]
-    fn dalle(&self, axe: usize, s: Vecteur<R>, d: Vecteur<R>) -> (Quotient<R>, Quotient<R>) {
+    fn dalle(&self, axe: usize, rayon: &Rayon<R>) -> (Quotient<R>, Quotient<R>) {
         let (n, l) = (self.normales[axe], self.demi_longueurs[axe]);
-        let (o, vitesse) = ((s - self.centre).produit_scalaire(n), d.produit_scalaire(n));
+        let o = (rayon.source() - self.centre).produit_scalaire(n);
+        let vitesse = rayon.direction().produit_scalaire(n);
         let o = if vitesse < R::ZERO { -o } else { o };
         let vitesse = au_plancher(vitesse.abs() * echelle_vitesse());
         (Quotient { longueur: -(l + o), vitesse }, Quotient { longueur: l - o, vitesse })
@@ -223,7 +224,7 @@ impl<R: Reel> BoiteRay<R> {
     /// Of the three one has a speed of 0.5 or more, and with it an entry and an exit nearer than
     /// `loin`.
     #[inline(always)]
-    fn dalles(&self, s: Vecteur<R>, d: Vecteur<R>) -> Dalles<R> {
+    fn dalles(&self, rayon: &Rayon<R>) -> Dalles<R> {
         let (loin, vitesse) = (R::LIMITE * R::depuis_f64(8.0), echelle_vitesse());
         let mut dalles = Dalles {
             entree: Quotient { longueur: -loin, vitesse },
@@ -231,7 +232,7 @@ impl<R: Reel> BoiteRay<R> {
             sortie: Quotient { longueur: loin, vitesse },
         };
         for axe in 0..3 {
-            let (entree, sortie) = self.dalle(axe, s, d);
+            let (entree, sortie) = self.dalle(axe, rayon);
             if entree.depasse(dalles.entree) {
                 (dalles.entree, dalles.axe) = (entree, axe);
             }
@@ -241,34 +242,23 @@ impl<R: Reel> BoiteRay<R> {
         }
         dalles
     }
+}
 
-    /// N_i, chosen without an index, so that rays side by side may choose differently.
-    #[inline(always)]
-    fn normale_de(&self, axe: usize) -> Vecteur<R> {
-        let [x, y, z] = self.normales;
-        match axe {
-            0 => x,
-            1 => y,
-            _ => z,
-        }
-    }
-
-    /// l_i of the pair of faces with this normal.
-    #[inline(always)]
-    fn demi_longueur_le_long(&self, n: Vecteur<R>) -> R {
-        let [x, y, _] = self.normales.map(|axe| n == axe || n == -axe);
-        let [lx, ly, lz] = self.demi_longueurs;
-        if x {
-            lx
-        } else if y {
-            ly
-        } else {
-            lz
-        }
+/// What belongs to this pair of faces, chosen without an index, so that rays side by side may
+/// choose differently.
+#[inline(always)]
+fn de_l_axe<T>(axe: usize, [x, y, z]: [T; 3]) -> T {
+    match axe {
+        0 => x,
+        1 => y,
+        _ => z,
     }
 }
 
 impl<R: Reel> Forme<R> for BoiteRay<R> {
+    /// 0, 1 or 2, the pair of faces.
+    type Ou = usize;
+
     /// Its radius is half a diagonal of the box.
     #[inline(always)]
     fn boule(&self) -> Boule<R> {
@@ -286,43 +276,49 @@ impl<R: Reel> Forme<R> for BoiteRay<R> {
     /// The last of the three entries, if it comes no later than the first of the three exits. Edges
     /// belong to the box.
     #[inline(always)]
-    fn t(&self, s: Vecteur<R>, d: Vecteur<R>) -> R {
-        let Dalles { entree, sortie, axe: _ } = self.dalles(s, d);
+    fn t(&self, rayon: &Rayon<R>) -> R {
+        let Dalles { entree, sortie, axe: _ } = self.dalles(rayon);
         let entre = (entree.longueur > R::ZERO) & entree.au_plus(sortie);
         if entre { entree.valeur() } else { R::INFINI }
     }
 
     #[inline(always)]
-    fn normale_a_l_entree(&self, rayon: &Rayon<R>, _: R) -> Vecteur<R> {
-        let (s, d) = (rayon.source(), rayon.direction());
-        let n = self.normale_de(self.dalles(s, d).axe);
-        if n.produit_scalaire(d) > R::ZERO { -n } else { n }
+    fn ou(&self, rayon: &Rayon<R>) -> usize {
+        self.dalles(rayon).axe
     }
 
     #[inline(always)]
-    fn hauteur(&self, p: Vecteur<R>, n: Vecteur<R>) -> (R, R) {
+    fn normale(&self, rayon: &Rayon<R>, entree: Entree<R, usize>) -> Vecteur<R> {
+        let n = de_l_axe(entree.ou, self.normales);
+        if n.produit_scalaire(rayon.direction()) > R::ZERO { -n } else { n }
+    }
+
+    #[inline(always)]
+    fn hauteur(&self, p: Vecteur<R>, n: Vecteur<R>, axe: usize) -> Hauteur<R> {
         let cp = p - self.centre;
-        let hauteur = n.produit_scalaire(cp) - self.demi_longueur_le_long(n);
-        (hauteur.abs(), n.somme_des_grandeurs(cp))
+        let hauteur = n.produit_scalaire(cp) - de_l_axe(axe, self.demi_longueurs);
+        Hauteur { b: hauteur.abs(), l: n.somme_des_grandeurs(cp) }
     }
 }
 
-/// A power of two that multiplies speeds, so that no product of a length of a box and a speed towards its
-/// faces leaves the range of the type (`docs/precision.md`, lemma 2); in `f32` with [`au_plancher`].
+/// A power of two that multiplies speeds, so that no product of a length of a box and a speed
+/// towards its faces leaves the range of the type (`docs/precision.md`, lemma 2); in `f32` with
+/// [`au_plancher`].
 #[inline(always)]
 fn echelle_vitesse<R: Reel>() -> R {
     R::depuis_f64(R::selon(puissance_de_deux(62), puissance_de_deux(568)))
 }
 
-/// Raises a speed that is already multiplied by [`echelle_vitesse`] to 2⁻⁴⁰ at least in `f32`, whose range does
-/// not hold every product of a length and a speed. 0 stays 0; `f64` changes nothing.
+/// Raises a speed that is already multiplied by [`echelle_vitesse`] to 2⁻⁴⁰ at least in `f32`,
+/// whose range does not hold every product of a length and a speed. 0 stays 0; `f64` changes
+/// nothing.
 #[inline(always)]
 fn au_plancher<R: Reel>(vitesse: R) -> R {
     if R::selon(false, true) {
         return vitesse;
     }
-    // A speed is 0 or 2⁻⁸⁷ at least, and at most 2⁶³. To ask whether it is above 0 would cost a ray alone 5 %
-    // (measured).
+    // A speed is 0 or 2⁻⁸⁷ at least, and at most 2⁶³. To ask whether it is above 0 would cost a ray
+    // alone 5 % (measured).
     let haute = vitesse * R::depuis_f64(puissance_de_deux(47));
     let plancher = R::depuis_f64(puissance_de_deux(-40));
     let plancher = if haute < plancher { haute } else { plancher };
@@ -340,9 +336,9 @@ struct Dalles<R> {
 /// multiplied by [`echelle_vitesse`], so that no product below is subnormal.
 ///
 /// Two quotients are compared by cross-multiplication, since one division costs more than the two
-/// products. A ray parallel to a pair of faces then needs no case of its own: beside the pair its entry
-/// is +∞ or its exit −∞, and in the plane of a face 0/0 is neither above nor below anything. Of +∞ and −∞
-/// neither is above the other: a ray beside two pairs has an entry at +∞.
+/// products. A ray parallel to a pair of faces then needs no case of its own: beside the pair its
+/// entry is +∞ or its exit −∞, and in the plane of a face 0/0 is neither above nor below anything.
+/// Of +∞ and −∞ neither is above the other: a ray beside two pairs has an entry at +∞.
 #[derive(Clone, Copy)]
 struct Quotient<R> {
     longueur: R,

@@ -111,8 +111,8 @@ pub(crate) fn fini<R: Reel>(
     Ok(v)
 }
 
-/// `lu_par_new! { T, "T", TBrut { champ: type, … } }`: serde reads a T as these fields, by name or in order, no others, and
-/// `T::new` checks them.
+/// `lu_par_new! { T, "T", TBrut { champ: type, … } }`: serde reads a T as these fields, by name or
+/// in order, no others, and `T::new` checks them.
 #[cfg(feature = "serde")]
 macro_rules! lu_par_new {
     ($type:ident, $nom:literal, $brut:ident { $($champ:ident: $du_type:ty),* }) => {

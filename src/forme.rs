@@ -1,20 +1,22 @@
-//! The trait of the three shapes, what they have in common of a hit, and the ball that rejects most rays
-//! with neither a division nor a root.
+//! The trait of the three shapes, what they have in common of a hit, and the ball that rejects most
+//! rays with neither a division nor a root.
 //!
 //! A ray meets a shape in three steps. [`Forme::peut_entrer`] is cheap and rejects most rays;
-//! [`Forme::t`] is the distance of the entry; [`Forme::conclure`] computes normal and margin, once, for the
-//! first object of a ray. All of it is in the scalar of the scene, for one ray and for rays side by side.
+//! [`Forme::entree`] finds where the ray enters; [`Forme::conclure`] computes normal and margin,
+//! once, for the first object of a ray. All of it is in the scalar of the scene, for one ray and
+//! for rays side by side.
 
 use crate::intersection::Contact;
 use crate::rayon::Rayon;
-use crate::reel::{Reel, fois_u};
+use crate::reel::{Reel, fois_u, max};
 use crate::vecteur::Vecteur;
 
-/// The rounding of a height over a surface, in u·ℓ, and again of what the next search sees of it (lemmas 7 and 8).
+/// The rounding of a height over a surface, in u·ℓ, and again of what the next search sees of it
+/// (lemmas 7 and 8).
 pub const ARRONDI_HAUTEUR: f64 = 4.0;
 
-/// A margin is larger by so many u of itself: 6 for an N that is hardly unit, the others for the rounding of its
-/// last operations (lemma 7).
+/// A margin is larger by so many u of itself: 6 for an N that is hardly unit, the others for the
+/// rounding of its last operations (lemma 7).
 pub const VERS_LE_HAUT: f64 = 10.0;
 
 /// A normal that does not face the source is leaned towards it by so many u (lemma 6).
@@ -25,35 +27,41 @@ pub const RETRAIT: f64 = 130.0;
 
 /// A shape, ready for rays.
 pub(crate) trait Forme<R: Reel>: Copy {
+    /// Where on the shape a ray enters: of a box, by which pair of faces; of a shape in one piece,
+    /// nothing.
+    type Ou: Copy;
+
     /// A ball around all of the shape; [`Boule::INFINIE`] if it is unbounded.
     fn boule(&self) -> Boule<R>;
 
-    /// The centre of the shape and its half-extents along the axes, each to 4u of itself; `None` if it is
-    /// unbounded.
+    /// The centre of the shape and its half-extents along the axes, each to 4u of itself; `None` if
+    /// it is unbounded.
     fn boite_englobante(&self) -> Option<(Vecteur<R>, Vecteur<R>)>;
 
-    /// Whether the ray (S, D) may enter: true wherever [`t`](Self::t) is finite, and cheap. A bounded shape
-    /// keeps this definition, on which the proof of culling rests.
+    /// Whether the ray may enter: true wherever [`t`](Self::t) is finite, and cheap. A bounded
+    /// shape keeps this definition, on which the proof of culling rests.
     #[inline(always)]
-    fn peut_entrer(&self, s: Vecteur<R>, d: Vecteur<R>) -> bool {
-        self.boule().approchee(s, d)
+    fn peut_entrer(&self, rayon: &Rayon<R>) -> bool {
+        self.boule().approchee(rayon)
     }
 
-    /// The distance at which the ray (S, D) enters, +∞ if it does not; computed without a branch.
-    fn t(&self, s: Vecteur<R>, d: Vecteur<R>) -> R;
+    /// The distance at which the ray enters, +∞ if it does not; computed without a branch.
+    fn t(&self, rayon: &Rayon<R>) -> R;
 
-    /// The unit outward normal N at the entry at distance `t`, computed without a branch. Where rounding has lost N
+    /// Where on the shape a ray enters that does.
+    fn ou(&self, rayon: &Rayon<R>) -> Self::Ou;
+
+    /// The unit outward normal N at an entry, computed without a branch. Where rounding has lost N
     /// or brought N·D to 0 or above, [`vers_la_source`] replaces it.
-    fn normale_a_l_entree(&self, rayon: &Rayon<R>, t: R) -> Vecteur<R>;
+    fn normale(&self, rayon: &Rayon<R>, entree: Entree<R, Self::Ou>) -> Vecteur<R>;
 
-    /// Two lengths, b and ℓ, for the point P of a hit with normal N. P lies no farther from the surface than b,
-    /// in units of N. 8u·ℓ bounds the rounding of b and that of a search for a ray that starts at P.
-    fn hauteur(&self, p: Vecteur<R>, n: Vecteur<R>) -> (R, R);
+    /// How high the point P of a hit with normal N may lie over the surface there.
+    fn hauteur(&self, p: Vecteur<R>, n: Vecteur<R>, ou: Self::Ou) -> Hauteur<R>;
 
     /// [`t`](Self::t), sooner for a ray that passes the shape by.
     #[inline(always)]
-    fn entree(&self, s: Vecteur<R>, d: Vecteur<R>) -> R {
-        if self.peut_entrer(s, d) { self.t(s, d) } else { R::INFINI }
+    fn t_si_proche(&self, rayon: &Rayon<R>) -> R {
+        if self.peut_entrer(rayon) { self.t(rayon) } else { R::INFINI }
     }
 
     /// Normal and margin of the entry at distance `t`.
@@ -66,34 +74,58 @@ pub(crate) trait Forme<R: Reel>: Copy {
     /// The same without a branch, and whether the normal faces the source.
     #[inline(always)]
     fn contact(&self, rayon: &Rayon<R>, t: R) -> (Contact<R>, bool) {
-        let normale = self.normale_a_l_entree(rayon, t);
+        let entree = Entree { t, ou: self.ou(rayon) };
+        let normale = self.normale(rayon, entree);
         let de_face = normale.produit_scalaire(rayon.direction()) < R::ZERO;
-        (Contact { normale, marge: self.marge(rayon, t, normale) }, de_face)
+        (self.contact_avec(rayon, entree, normale), de_face)
     }
 
     /// The same with a normal that is leaned towards the source.
     #[cold]
     fn contact_penche(&self, rayon: &Rayon<R>, t: R) -> Contact<R> {
-        let normale = vers_la_source(self.normale_a_l_entree(rayon, t), rayon.direction());
-        Contact { normale, marge: self.marge(rayon, t, normale) }
+        let entree = Entree { t, ou: self.ou(rayon) };
+        let normale = vers_la_source(self.normale(rayon, entree), rayon.direction());
+        self.contact_avec(rayon, entree, normale)
     }
 
-    /// The bound of [`marge`](crate::Intersection::marge), from the very point that the caller will compute.
+    /// The contact with this normal. Its margin, the bound of
+    /// [`marge`](crate::Intersection::marge), is that of the very point that the caller will
+    /// compute.
     #[inline(always)]
-    fn marge(&self, rayon: &Rayon<R>, t: R, normale: Vecteur<R>) -> R {
-        let (b, l) = self.hauteur(rayon.point(t), normale);
+    fn contact_avec(
+        &self,
+        rayon: &Rayon<R>,
+        Entree { t, ou }: Entree<R, Self::Ou>,
+        normale: Vecteur<R>,
+    ) -> Contact<R> {
+        let Hauteur { b, l } = self.hauteur(rayon.point(t), normale, ou);
         let marge = b + l * fois_u(2.0 * ARRONDI_HAUTEUR);
         // A NaN comes from an overflow.
         let marge = marge + marge * fois_u(VERS_LE_HAUT) + R::depuis_f64(8.0) * R::MIN_POSITIF;
-        if marge < R::INFINI { marge } else { R::INFINI }
+        Contact { normale, marge: if marge < R::INFINI { marge } else { R::INFINI } }
     }
+}
+
+/// Where a ray enters a shape: at distance `t`.
+#[derive(Clone, Copy)]
+pub(crate) struct Entree<R, Ou> {
+    pub(crate) t: R,
+    pub(crate) ou: Ou,
+}
+
+/// A bound on the height of a point P over a surface with normal N (lemma 7).
+pub(crate) struct Hauteur<R> {
+    /// P lies no farther from the surface than b, in units of N.
+    pub(crate) b: R,
+    /// ℓ: 8u·ℓ bounds the rounding of b and that of a search for a ray that starts at P.
+    pub(crate) l: R,
 }
 
 /// The unit normal nearest to N that faces the source of a ray of direction D.
 ///
-/// Where a ray only grazes, rounding can leave N at a right angle to D or past it. The normal is then the part
-/// of N across D, leaned towards the source by more than N·D can round. Where nothing is left of N, −D faces
-/// the source.
+/// Where a ray only grazes, rounding can leave N at a right angle to D or past it. The normal is
+/// then the part of N across D, leaned towards the source by more than N·D can round. Where nothing
+/// is left of N, −D faces the source.
 #[cold]
 fn vers_la_source<R: Reel>(n: Vecteur<R>, d: Vecteur<R>) -> Vecteur<R> {
     let unitaire = d / d.longueur();
@@ -113,15 +145,18 @@ impl<R: Reel> Boule<R> {
     /// The ball around an unbounded shape.
     pub(crate) const INFINIE: Self = Self { centre: Vecteur::NUL, r2: R::INFINI };
 
-    /// Whether the ray (S, D) comes near the ball.
+    /// Whether the ray comes near the ball.
     ///
     /// Never false for a ray that enters the shape, whatever rounding does (derivation in
-    /// `docs/conception.md`, lemma 11). A ray whose source is in the ball passes even with C behind it.
+    /// `docs/conception.md`, lemma 11). A ray whose source is in the ball passes even with C behind
+    /// it.
     #[inline(always)]
-    pub(crate) fn approchee(self, s: Vecteur<R>, d: Vecteur<R>) -> bool {
-        let sc = self.centre - s;
-        let sa = sc.produit_scalaire(d);
-        let sc2 = sc.longueur_carree() * (R::UN - fois_u(RETRAIT));
-        (sc2 - sa * sa <= self.r2) & ((sa > R::ZERO) | (sc2 <= self.r2))
+    pub(crate) fn approchee(self, rayon: &Rayon<R>) -> bool {
+        let sc = self.centre - rayon.source();
+        let sa = sc.produit_scalaire(rayon.direction());
+        // One comparison, which the compiler cannot split into two branches. C behind the source
+        // is no nearer than the source.
+        let sa = max(sa, R::ZERO);
+        sc.longueur_carree() * (R::UN - fois_u(RETRAIT)) - sa * sa <= self.r2
     }
 }

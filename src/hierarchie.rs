@@ -1,50 +1,59 @@
-//! A hierarchy of bounding boxes over a list: the questions of `recherche.rs` and `lot.rs` where there are
-//! many objects, with the same answers.
+//! A hierarchy of bounding boxes over a list: the questions of `recherche.rs` and `lot.rs` where
+//! there are many objects, with the same answers.
 //!
 //! A leaf holds sixteen bounded objects, and a node of each floor above holds sixteen nodes
-//! (`hierarchie/construction.rs`). A ray looks at the nodes that it crosses (`hierarchie/parcours.rs`),
-//! a block of rays at those that its beam crosses (`hierarchie/bloc.rs`). Half-spaces are always asked.
-//! What may be left out is derived in `docs/conception.md`, lemmas 14 to 17.
+//! (`hierarchie/noeud.rs`, `construction.rs`). A ray looks at the nodes that it crosses
+//! (`parcours.rs`), a block of rays at those that its beam crosses (`bloc.rs`), each through its
+//! probe (`sonde.rs`). Half-spaces are always asked. What may be left out is derived in
+//! `docs/conception.md`, lemmas 14 to 17.
 
-pub(crate) mod bloc;
-pub(crate) mod construction;
-pub(crate) mod parcours;
+mod bloc;
+mod construction;
+mod noeud;
+mod parcours;
+mod pile;
+pub(crate) mod repere;
+pub(crate) mod sonde;
 
 use core::fmt;
 
 use fearless_simd::Level;
 
-use crate::compile_ici::compile_ici;
-use crate::hierarchie::bloc::RechercheDansLArbre;
-use crate::hierarchie::construction::{Arbre, MOTS, construire, noeuds};
-use crate::intersection::{Intersection, NoIntersection, Touche};
-use crate::lot::{LongueursDifferentes, PEU_DE_RAYONS, memes_longueurs, par_blocs, repondre};
+use crate::compile::compilees;
+use crate::hierarchie::construction::{Arbre, construire, noeuds};
+use crate::hierarchie::noeud::MOTS;
+use crate::intersection::Touche;
+use crate::lot::bloc::{BLOC, Bloc};
+use crate::lot::{LongueursDifferentes, PEU_DE_RAYONS, QuestionDeLot, memes_longueurs, repondre};
 use crate::niveau::{meilleur_niveau, selon_le_niveau};
 use crate::objet::ObjetRay;
+use crate::premier::Premier;
 use crate::rayon::Rayon;
 use crate::recherche::{est_occulte, premiere_intersection};
-use crate::reel::Reel;
+use crate::reel::{Reel, demander};
 
 /// Bytes of a cache line: nodes start on one (`docs/performance.md`, "Thresholds").
 const LIGNE: usize = 64;
 
-/// The most `f32` that are skipped at the start of what the caller lends, so that nodes start on a line.
+/// The most `f32` that are skipped at the start of what the caller lends, so that nodes start on a
+/// line.
 const BOURRAGE: usize = LIGNE / size_of::<f32>() - 1;
 
-/// Up to so many spheres and boxes the batch of the list is as fast (`docs/performance.md`, "Thresholds").
+/// Up to so many spheres and boxes the batch of the list is as fast (`docs/performance.md`,
+/// "Thresholds").
 pub(crate) const SEUIL_LOT: usize = 100;
 
-/// A list of objects with a hierarchy of boxes around them: the answers of the list, to the bit, in a
-/// time that grows far more slowly than their number. Half-spaces, and objects whose boxes all overlap, are asked
-/// one by one as in a list.
+/// A list of objects with a hierarchy of boxes around them: the answers of the list, to the bit, in
+/// a time that grows far more slowly than their number. Half-spaces, and objects whose boxes all
+/// overlap, are asked one by one as in a list.
 ///
-/// It is built once and asked as often as the picture has pixels. It borrows the list, which keeps its
-/// order, and numbers that the caller lends; it is `Copy`, and threads may share it. After a change of the
-/// list, build it again.
+/// It is built once and asked as often as the picture has pixels. It borrows the list, which keeps
+/// its order, and numbers that the caller lends; it is `Copy`, and threads may share it. After a
+/// change of the list, build it again.
 ///
-/// Its boxes are rounded to some 10⁻⁷ of the whole scene and of the distance of the source, in `f64` too.
-/// Objects closer together than that are all tested: very fine detail in a large scene costs time, and
-/// never accuracy.
+/// Its boxes are rounded to some 10⁻⁷ of the whole scene and of the distance of the source, in
+/// `f64` too. Objects closer together than that are all tested: very fine detail in a large scene
+/// costs time, and never accuracy.
 ///
 /// ```
 /// use lancer_rayon::{
@@ -69,7 +78,7 @@ pub(crate) const SEUIL_LOT: usize = 100;
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[doc(alias("bvh", "bounding_volume_hierarchy", "acceleration_structure", "tree", "index"))]
-#[derive(Debug, Clone, Copy)]
+#[derive(Clone, Copy)]
 #[must_use]
 pub struct Hierarchie<'a, R = f64> {
     objets: &'a [ObjetRay<R>],
@@ -77,6 +86,16 @@ pub struct Hierarchie<'a, R = f64> {
     arbre: Option<Arbre<'a, R>>,
     /// Detected once: for a single ray that would cost more than the ray.
     niveau: Level,
+}
+
+impl<R> fmt::Debug for Hierarchie<'_, R> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let noeuds = self.arbre.as_ref().map_or(0, |arbre| arbre.noeuds.len());
+        f.debug_struct("Hierarchie")
+            .field("objets", &self.objets.len())
+            .field("noeuds", &noeuds)
+            .finish()
+    }
 }
 
 // Threads share it.
@@ -87,12 +106,13 @@ const _: () = {
 };
 
 impl Hierarchie<'_> {
-    /// How many numbers a hierarchy of so many objects needs, in either type: 7.5 an object, 30 bytes, where there
-    /// are many. They are scratch memory: what they hold before does not matter, and after the last question
-    /// neither.
+    /// How many numbers a hierarchy of so many objects needs, in either type: 7.5 an object, 30
+    /// bytes, where there are many. They are scratch memory: what they hold before does not matter,
+    /// and after the last question neither.
     ///
-    /// It is 0 for fewer than 17 objects, and for 2³¹ − 2²³ or more: these are asked as a list, as is any list with
-    /// fewer than 17 spheres and boxes. It is called without a type: `Hierarchie::places(n)`.
+    /// It is 0 for fewer than 17 objects, and for 2³¹ − 2²³ or more: these are asked as a list, as
+    /// is any list with fewer than 17 spheres and boxes. It is called without a type:
+    /// `Hierarchie::places(n)`.
     #[doc(alias("capacity", "memory"))]
     #[must_use]
     pub const fn places(nombre_d_objets: usize) -> usize {
@@ -110,7 +130,8 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
     /// It takes 100 to 200 ns an object. An array on the stack serves as well as a `Vec`.
     ///
     /// # Errors
-    /// If `places` is shorter than [`places`](Hierarchie::places)`(objets.len())`; a longer slice is accepted.
+    /// If `places` is shorter than [`places`](Hierarchie::places)`(objets.len())`; a longer slice
+    /// is accepted.
     ///
     /// ```
     /// use lancer_rayon::{Hierarchie, ObjetRay, PlacesInsuffisantes, SphereGeo, Texture, Vecteur};
@@ -133,7 +154,7 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
         let Some(places) = places.get_mut(..necessaires) else {
             return Err(PlacesInsuffisantes { places: pretees, necessaires });
         };
-        let arbre = if necessaires > 0 { batir(objets, places) } else { None };
+        let arbre = if necessaires > 0 { demander::<Batir, R>((objets, places)) } else { None };
         Ok(Self { objets, arbre, niveau: meilleur_niveau() })
     }
 
@@ -147,14 +168,11 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
     /// [`premiere_intersection`](fn@premiere_intersection) of the list.
     ///
     /// # Errors
-    /// [`NoIntersection`] if the ray enters no object.
+    /// [`NoIntersection`](crate::NoIntersection) if the ray enters no object.
     #[doc(alias("cast_ray", "closest_hit", "first_hit", "raycast"))]
     #[inline]
-    pub fn premiere_intersection(
-        &self,
-        rayon: &Rayon<R>,
-    ) -> Result<Intersection<R>, NoIntersection> {
-        premiere(self, rayon)
+    pub fn premiere_intersection(&self, rayon: &Rayon<R>) -> Touche<R> {
+        demander::<Premiere, R>((self, rayon))
     }
 
     /// [`est_occulte`](fn@est_occulte) of the list.
@@ -162,7 +180,7 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
     #[inline]
     #[must_use]
     pub fn est_occulte(&self, rayon: &Rayon<R>, distance_max: R) -> bool {
-        occulte(self, rayon, distance_max)
+        demander::<Occulte, R>((self, rayon, distance_max))
     }
 
     /// [`premieres_intersections`](crate::premieres_intersections) of the list.
@@ -175,9 +193,13 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
     pub fn premieres_intersections(
         &self,
         rayons: &[Rayon<R>],
-        touches: &mut [Result<Intersection<R>, NoIntersection>],
+        touches: &mut [Touche<R>],
     ) -> Result<(), LongueursDifferentes> {
-        premieres(self, rayons, touches)
+        demander::<Premieres, R>((self, rayons, touches))
+    }
+
+    pub(crate) fn a_un_arbre(&self) -> bool {
+        self.arbre.is_some()
     }
 
     /// The same with these instructions.
@@ -186,57 +208,70 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
     }
 }
 
-compile_ici! {
-    /// The tree over these objects, in the numbers lent, which are enough.
-    fn batir<'a, R>(objets: &'a [ObjetRay<R>], places: &'a mut [f32]) -> Option<Arbre<'a, R>> {
-        let debut = places.as_ptr().align_offset(LIGNE).min(BOURRAGE);
-        construire(objets, &mut places[debut..])
-    }
+compilees! {
+    Batir<'a, R>: (&'a [ObjetRay<R>], &'a mut [f32]) => Option<Arbre<'a, R>> = batir;
+    Premiere<'a, R>: (&'a Hierarchie<'a, R>, &'a Rayon<R>) => Touche<R> = premiere;
+    Occulte<'a, R>: (&'a Hierarchie<'a, R>, &'a Rayon<R>, R) => bool = occulte;
+    Premieres<'a, R>: (&'a Hierarchie<'a, R>, &'a [Rayon<R>], &'a mut [Touche<R>])
+        => Result<(), LongueursDifferentes> = premieres;
+}
 
-    /// [`Hierarchie::premiere_intersection`].
-    fn premiere<'a, R>(hierarchie: &'a Hierarchie<'a, R>, rayon: &'a Rayon<R>) -> Touche<R> {
-        let Hierarchie { objets, arbre, niveau } = hierarchie;
-        let Some(arbre) = arbre else { return premiere_intersection(objets, rayon) };
-        selon_le_niveau!(*niveau, simd => {
-            arbre.premiere_intersection(simd, objets, rayon, (R::INFINI, 0))
-        })
-    }
+/// The tree over these objects, in the numbers lent, which are enough.
+fn batir<'a, R: Reel>(
+    (objets, places): (&'a [ObjetRay<R>], &'a mut [f32]),
+) -> Option<Arbre<'a, R>> {
+    let debut = places.as_ptr().align_offset(LIGNE).min(BOURRAGE);
+    construire(objets, &mut places[debut..])
+}
 
-    /// [`Hierarchie::est_occulte`].
-    fn occulte<'a, R>(hierarchie: &'a Hierarchie<'a, R>, rayon: &'a Rayon<R>, distance_max: R) -> bool {
-        let Hierarchie { objets, arbre, niveau } = hierarchie;
-        let Some(arbre) = arbre else { return est_occulte(objets, rayon, distance_max) };
-        selon_le_niveau!(*niveau, simd => arbre.est_occulte(simd, objets, rayon, distance_max))
-    }
+/// [`Hierarchie::premiere_intersection`].
+fn premiere<R: Reel>((hierarchie, rayon): (&Hierarchie<'_, R>, &Rayon<R>)) -> Touche<R> {
+    let Some(arbre) = &hierarchie.arbre else {
+        return premiere_intersection(hierarchie.objets, rayon);
+    };
+    selon_le_niveau!(hierarchie.niveau, simd => {
+        arbre.parcourir::<_, false>(simd, rayon, Premier::AUCUN).conclure(arbre.objets, rayon)
+    })
+}
 
-    /// [`Hierarchie::premieres_intersections`].
-    fn premieres<'a, R>(
-        hierarchie: &'a Hierarchie<'a, R>,
-        rayons: &'a [Rayon<R>],
-        touches: &'a mut [Touche<R>],
-    ) -> Result<(), LongueursDifferentes> {
-        let Hierarchie { objets, arbre, niveau } = *hierarchie;
-        let Some(arbre) = &arbre.filter(|arbre| arbre.bornes > SEUIL_LOT) else {
-            return repondre(niveau, true, objets, rayons, touches);
-        };
-        memes_longueurs(rayons, touches)?;
-        if rayons.len() < PEU_DE_RAYONS {
-            for (rayon, touche) in rayons.iter().zip(touches) {
-                *touche = premiere(hierarchie, rayon);
-            }
-        } else {
-            selon_le_niveau!(niveau, simd => {
-                let recherche = RechercheDansLArbre { simd, objets, arbre };
-                par_blocs(simd, objets, rayons, touches, recherche);
-            });
+/// [`Hierarchie::est_occulte`].
+fn occulte<R: Reel>((hierarchie, rayon, distance_max): (&Hierarchie<'_, R>, &Rayon<R>, R)) -> bool {
+    let Some(arbre) = &hierarchie.arbre else {
+        return est_occulte(hierarchie.objets, rayon, distance_max);
+    };
+    selon_le_niveau!(hierarchie.niveau, simd => {
+        arbre.parcourir::<_, true>(simd, rayon, Premier::avant(distance_max)).rang > 0
+    })
+}
+
+/// [`Hierarchie::premieres_intersections`].
+fn premieres<R: Reel>(
+    (hierarchie, rayons, touches): (&Hierarchie<'_, R>, &[Rayon<R>], &mut [Touche<R>]),
+) -> Result<(), LongueursDifferentes> {
+    let Hierarchie { objets, arbre, niveau } = *hierarchie;
+    let Some(arbre) = &arbre.filter(|arbre| arbre.bornes > SEUIL_LOT) else {
+        return repondre(QuestionDeLot { niveau, elaguer: true, objets, rayons, touches });
+    };
+    memes_longueurs(rayons, touches)?;
+    if rayons.len() < PEU_DE_RAYONS {
+        for (rayon, touche) in rayons.iter().zip(touches) {
+            *touche = hierarchie.premiere_intersection(rayon);
         }
-        Ok(())
+    } else {
+        selon_le_niveau!(niveau, simd => {
+            let mut bloc = Bloc::VIDE;
+            for (rayons, touches) in rayons.chunks(BLOC).zip(touches.chunks_mut(BLOC)) {
+                bloc.charger(rayons);
+                arbre.repondre_au_bloc(simd, &mut bloc, touches);
+            }
+        });
     }
+    Ok(())
 }
 
 /// Fewer places were lent than the [hierarchy](Hierarchie) of so many objects needs.
 #[doc(alias = "buffer_too_small")]
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct PlacesInsuffisantes {
     /// How many were lent.
     pub places: usize,

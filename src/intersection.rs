@@ -34,34 +34,64 @@ pub struct Intersection<R = f64> {
     normale: Vecteur<R>,
     marge: R,
     texture: Texture,
-    rang: Rang,
+    objet: Rang,
 }
 
 /// A hit or a miss: the answer to every question for the first object.
 #[doc(alias = "hit_or_miss")]
 pub type Touche<R = f64> = Result<Intersection<R>, NoIntersection>;
 
-// `Rang` is never 0, so the compiler marks a miss by rank 0, and `Touche` is no larger than `Intersection`.
+// `Rang` is never 0, so the compiler marks a miss by rank 0, and `Touche` is no larger than
+// `Intersection`.
 const _: () = assert!(size_of::<Touche<f64>>() == 48 && size_of::<Touche<f32>>() == 28);
 
-/// The number of an object in a list, counted from 1; objects from number 2³² on share the rank 2³² − 1.
-pub(crate) type Rang = NonZero<u32>;
+/// The number of an object in a list, counted from 1; objects from number 2³² on share the rank 2³²
+/// − 1.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Rang(NonZero<u32>);
 
-/// The rank of the object at this index of a list.
-#[inline(always)]
-pub(crate) fn rang(indice: usize) -> Rang {
-    Rang::MIN.saturating_add(u32::try_from(indice).unwrap_or(u32::MAX))
+/// As [`Intersection::objet`] says it.
+impl fmt::Debug for Rang {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.indice().fmt(f)
+    }
+}
+
+impl Rang {
+    /// The rank of the object at this index of a list.
+    #[inline(always)]
+    pub(crate) fn de(indice: usize) -> Self {
+        Self(NonZero::<u32>::MIN.saturating_add(u32::try_from(indice).unwrap_or(u32::MAX)))
+    }
+
+    /// The rank of this number; `None` for 0.
+    #[inline(always)]
+    pub(crate) fn numero(numero: u32) -> Option<Self> {
+        NonZero::new(numero).map(Self)
+    }
+
+    /// Its number.
+    #[inline(always)]
+    pub(crate) fn en_nombre(self) -> u32 {
+        self.0.get()
+    }
+
+    /// The index in the list.
+    #[inline(always)]
+    pub(crate) fn indice(self) -> usize {
+        self.0.get() as usize - 1
+    }
 }
 
 impl<R: Reel> Intersection<R> {
     #[inline(always)]
-    pub(crate) fn new(distance: R, contact: Contact<R>, texture: Texture, rang: Rang) -> Self {
+    pub(crate) fn new(distance: R, contact: Contact<R>, texture: Texture, objet: Rang) -> Self {
         let Contact { normale, marge } = contact;
-        Self { distance, normale, marge, texture, rang }
+        Self { distance, normale, marge, texture, objet }
     }
 
-    /// t, finite and above 0: the object is touched at S + tD. As D is unit only to rounding, that is the
-    /// distance in scene units to 7.6u.
+    /// t, finite and above 0: the object is touched at S + tD. As D is unit only to rounding, that
+    /// is the distance in scene units to 7.6u.
     #[doc(alias = "t")]
     #[inline]
     #[must_use]
@@ -90,16 +120,17 @@ impl<R: Reel> Intersection<R> {
     #[inline]
     #[must_use]
     pub fn objet(&self) -> usize {
-        self.rang.get() as usize - 1
+        self.objet.indice()
     }
 
     /// How far at most the point `rayon.point(distance)`, as computed, lies from the surface
     /// along the normal; in scene units.
     ///
     /// It is a proven bound (derived in `docs/precision.md`), most often a few times the error
-    /// itself, and never a NaN. It is +∞ where the point is beyond the range of the type, and for a sphere that
-    /// is lost in rounding: with a radius below 16u·(|x| + |y| + |z|) of the point, or below some 20u of the
-    /// distance. For a box the surface is the plane of the face that was touched.
+    /// itself, and never a NaN. It is +∞ where the point is beyond the range of the type, and for a
+    /// sphere that is lost in rounding: with a radius below 16u·(|x| + |y| + |z|) of the point, or
+    /// below some 20u of the distance. For a box the surface is the plane of the face that was
+    /// touched.
     ///
     /// ```
     /// use lancer_rayon::{ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
@@ -125,7 +156,8 @@ pub(crate) struct Contact<R> {
     pub(crate) marge: R,
 }
 
-/// A direction within so many u of the tangent plane is turned outward: no N·D rounds by more (lemma 8).
+/// A direction within so many u of the tangent plane is turned outward: no N·D rounds by more
+/// (lemma 8).
 pub const TANGENT: f64 = 3.2;
 
 /// By so many u, after which N·D is above 0 however it is rounded (lemma 8).
@@ -138,28 +170,29 @@ pub const PAS_NORMAL: f64 = 20.0;
 pub const PAS_ARRONDI: f64 = 1.1;
 
 impl<R: Reel> Rayon<R> {
-    /// A ray that starts where this one touched an object and never hits that object again, with one
-    /// exception (below): for shadows, reflections (a direction outward, D·N > 0) and transparency
-    /// (inward).
+    /// A ray that starts where this one touched an object and never hits that object again, with
+    /// one exception (below): for shadows, reflections (a direction outward, D·N > 0) and
+    /// transparency (inward).
     ///
     /// The source is the point of the hit, moved along the normal to the side to which the
     /// direction leads, by [`marge`](Intersection::marge) and the rounding of the moved point,
     /// 1.1u·Σ|N_i·P_i|. From outside, a ray that leaves the object does not meet it again; from
-    /// inside, the object is not seen at all. A direction within 3.2u of the tangent plane is turned
-    /// outward by 12u. There is no epsilon to choose, and nothing farther than that step is jumped
-    /// over.
+    /// inside, the object is not seen at all. A direction within 3.2u of the tangent plane is
+    /// turned outward by 12u. There is no epsilon to choose, and nothing farther than that step is
+    /// jumped over.
     ///
     /// Within rounding of a box edge an inward ray may touch the other face of that edge, of which
-    /// the hit knows nothing. **Of a second object** that the hit lies within rounding of, as in the corner
-    /// between two walls, the hit knows nothing either: the ray may start inside that object, which it then does
-    /// not see. Of rays aimed at such a seam itself up to half go through.
+    /// the hit knows nothing. **Of a second object** that the hit lies within rounding of, as in
+    /// the corner between two walls, the hit knows nothing either: the ray may start inside that
+    /// object, which it then does not see. Of rays aimed at such a seam itself up to half go
+    /// through.
     ///
     /// `touche` is to be a hit of this very ray. With the hit of another ray the result is a valid
     /// ray or a refusal, and nothing is promised about where it starts.
     ///
     /// # Errors
-    /// If the direction is zero or not finite, if `marge` is +∞, or if the start lies beyond the limits of a
-    /// source, as for [`new`](Self::new).
+    /// If the direction is zero or not finite, if `marge` is +∞, or if the start lies beyond the
+    /// limits of a source, as for [`new`](Self::new).
     ///
     /// ```
     /// use lancer_rayon::{NoIntersection, ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
@@ -194,17 +227,18 @@ impl<R: Reel> Rayon<R> {
         Ok(Self::sans_verifier(self.depart(touche, dedans)?, direction))
     }
 
-    /// The ray from the point of a hit to a light, and the distance of the light in scene units: the
-    /// arguments of [`est_occulte`](crate::est_occulte) for a shadow.
+    /// The ray from the point of a hit to a light, and the distance of the light in scene units:
+    /// the arguments of [`est_occulte`](crate::est_occulte) for a shadow.
     ///
-    /// The ray is a [`secondaire`](Self::secondaire) and never hits the object it leaves. `None` if N·L ≤
-    /// 3.2u, with L the unit direction from the start of the ray to the light: the surface faces away, or the
-    /// light lies in the tangent plane of the start. `None` also if `lumiere` is not finite or is the start
-    /// itself, or where [`secondaire`](Self::secondaire) would fail. A distance that overflows is +∞.
+    /// The ray is a [`secondaire`](Self::secondaire) and never hits the object it leaves. `None` if
+    /// N·L ≤ 3.2u, with L the unit direction from the start of the ray to the light: the surface
+    /// faces away, or the light lies in the tangent plane of the start. `None` also if `lumiere` is
+    /// not finite or is the start itself, or where [`secondaire`](Self::secondaire) would fail. A
+    /// distance that overflows is +∞.
     ///
-    /// From the start to the light the distance is good to 3.6u and η, the direction to 4.6u, and N·L to 8u. Towards a
-    /// point of a lamp that is itself an object of the list, do not compare distances: ask whether the lamp is
-    /// the first object ([`est_occulte`](crate::est_occulte)).
+    /// From the start to the light the distance is good to 3.6u and η, the direction to 4.6u, and
+    /// N·L to 8u. Towards a point of a lamp that is itself an object of the list, do not compare
+    /// distances: ask whether the lamp is the first object ([`est_occulte`](crate::est_occulte)).
     ///
     /// ```
     /// use lancer_rayon::{ObjetRay, Rayon, SphereGeo, Texture, Vecteur};

@@ -22,8 +22,9 @@
 //! [`rotation`](ObjetGeo::rotation) and [`homothetie`](ObjetGeo::homothetie); convert once with
 //! [`vers_ray`](ObjetGeo::vers_ray); then ask [`premiere_intersection`] as often as the picture has
 //! pixels, or [`premieres_intersections`] for many pixels at once: the same bits, several times as
-//! fast. [`est_occulte`] tells whether anything blocks the way to a light. From some twenty spheres and boxes on
-//! (a hundred, if rays come in batches) build a [`Hierarchie`] over the list: the same hits, sooner.
+//! fast. [`est_occulte`] tells whether anything blocks the way to a light. From some twenty spheres
+//! and boxes on (a hundred, if rays come in batches) build a [`Hierarchie`] over the list: the same
+//! hits, sooner.
 //!
 //! # Conventions
 //!
@@ -67,21 +68,22 @@
 //! **Objects turn about the origin** and grow about their own centre. **At equal distance** the
 //! earlier in the list is touched.
 //!
-//! **Invalid values cannot be constructed.** Constructors and transformations refuse what is not finite, a
-//! coordinate beyond ±2⁴⁵⁰ (±2⁶⁰ for `f32`) and a size outside 2⁻⁴⁵⁰ … 2⁴⁵⁰ (2⁻⁶⁰ … 2⁶⁰), and name the field. A question to
-//! an object or a list never panics, and no hit holds a NaN. ([`Vecteur`] is a bare triple: what is built from it
-//! checks.)
+//! **Invalid values cannot be constructed.** Constructors and transformations refuse what is not
+//! finite, a coordinate beyond ±2⁴⁵⁰ (±2⁶⁰ for `f32`) and a size outside 2⁻⁴⁵⁰ … 2⁴⁵⁰ (2⁻⁶⁰ … 2⁶⁰),
+//! and name the field. A question to an object or a list never panics, and no hit holds a NaN.
+//! ([`Vecteur`] is a bare triple: what is built from it checks.)
 //!
 //! **A hit knows its object and its error**: [`Intersection::objet`] is the index in the list,
-//! [`Intersection::marge`] bounds how far the point is from the surface, and [`Rayon::secondaire`] starts
-//! a shadow, reflection or refraction ray that never hits the object it leaves, except inward within
-//! rounding of a box edge.
+//! [`Intersection::marge`] bounds how far the point is from the surface, and [`Rayon::secondaire`]
+//! starts a shadow, reflection or refraction ray that never hits the object it leaves, except
+//! inward within rounding of a box edge.
 //!
 //! # `f32` or `f64`
 //!
-//! Every type takes the scalar as a parameter, `f64` unless named: `Vecteur<f32>`. Everything is computed in
-//! that type. Take `f32` for speed and memory, in batches above all, and `f64` for distances to some 10⁻¹⁴
-//! (`docs/compromis.md`); what is promised is the same, in units of each type's rounding (`docs/precision.md`).
+//! Every type takes the scalar as a parameter, `f64` unless named: `Vecteur<f32>`. Everything is
+//! computed in that type. Take `f32` for speed and memory, in batches above all, and `f64` for
+//! distances to some 10⁻¹⁴ (`docs/compromis.md`); what is promised is the same, in units of each
+//! type's rounding (`docs/precision.md`).
 //!
 //! # Features
 //!
@@ -98,28 +100,32 @@ extern crate std;
 // The floors, from the ground up: a file imports only from floors below its own
 // (`docs/conception.md`, "The floors").
 //
-//   reel · compile_ici, niveau · vecteur · texture, erreur · rotation · rayon · intersection · forme
-//   sphere, plan, boite · objet · recherche · lot · hierarchie · reglage, constantes
+//   seize · reel · compile, niveau · vecteur · texture, erreur · rotation · rayon · intersection · forme
+//   sphere, plan, boite · objet · premier · recherche · lot · hierarchie · reglage, constantes
 mod boite;
-mod compile_ici;
+mod compile;
 #[doc(hidden)]
 pub mod constantes;
 mod erreur;
 mod forme;
 mod hierarchie;
-mod intersection;
 mod lot;
 mod niveau;
 mod objet;
 mod plan;
+mod premier;
 mod rayon;
 mod recherche;
 mod reel;
 mod reglage;
 mod rotation;
+mod seize;
 mod sphere;
 mod texture;
 mod vecteur;
+
+// After `rayon`, so that the page of `Rayon` starts with its constructor.
+mod intersection;
 
 pub use boite::{BoiteGeo, BoiteRay};
 pub use erreur::ErreurGeo;

@@ -8,12 +8,12 @@ pub(crate) fn meilleur_niveau() -> Level {
     Level::try_detect().unwrap_or(Level::baseline())
 }
 
-/// `selon_le_niveau!(niveau, simd => expression)`: the expression, compiled for each instruction set, of which
-/// `simd` is a token; the level chooses.
+/// `selon_le_niveau!(niveau, simd => expression)`: the expression, compiled for each instruction
+/// set, of which `simd` is a token; the level chooses.
 ///
-/// It is `dispatch!` of `fearless_simd`, except on x86: without SSE4.2, which gains some 5 % over SSE2 and
-/// would add a third to what is compiled; and SSE2, which a function of the baseline could inline, stands in
-/// one of its own, so that nobody else pays for its frame.
+/// It is `dispatch!` of `fearless_simd`, except on x86: without SSE4.2, which gains some 5 % over
+/// SSE2 and would add a third to what is compiled; and SSE2, which a function of the baseline could
+/// inline, stands in one of its own, so that nobody else pays for its frame.
 macro_rules! selon_le_niveau {
     ($niveau:expr, $simd:ident => $expression:expr) => {{
         #[cfg(all(any(target_arch = "x86", target_arch = "x86_64"), target_feature = "sse2"))]

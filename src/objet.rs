@@ -12,11 +12,11 @@ use crate::sphere::{SphereGeo, SphereRay};
 use crate::texture::Texture;
 use crate::vecteur::Vecteur;
 
-/// `par_forme!(ObjetRay, objet, forme => expression)`: the expression for the shape in `objet`. It is
-/// the one `match` of the crate on a shape.
+/// `par_forme!(ObjetRay, objet, forme => expression)`: the expression for the shape in `objet`. It
+/// is the one `match` of the crate on a shape.
 ///
-/// Each arm has a type of its own for `forme`, which no closure could have. Whoever asks a shape about
-/// many rays matches once for all of them in this way.
+/// Each arm has a type of its own for `forme`, which no closure could have. Whoever asks a shape
+/// about many rays matches once for all of them in this way.
 macro_rules! par_forme {
     ($enum:ident, $objet:expr, $forme:ident => $expression:expr) => {
         match $objet {
@@ -126,16 +126,16 @@ pub enum ObjetRay<R = f64> {
 const _: () = assert!(size_of::<ObjetRay<f64>>() <= 136);
 
 impl<R: Reel> ObjetRay<R> {
-    /// The distance at which the ray (S, D) enters this object, +∞ if it does not.
+    /// The distance at which the ray enters this object, +∞ if it does not.
     #[inline(always)]
-    pub(crate) fn t(&self, s: Vecteur<R>, d: Vecteur<R>) -> R {
-        par_forme!(Self, self, forme => forme.t(s, d))
+    pub(crate) fn t(&self, rayon: &Rayon<R>) -> R {
+        par_forme!(Self, self, forme => forme.t(rayon))
     }
 
     /// The same, sooner for a ray that passes this object by.
     #[inline(always)]
-    pub(crate) fn entree(&self, s: Vecteur<R>, d: Vecteur<R>) -> R {
-        par_forme!(Self, self, forme => forme.entree(s, d))
+    pub(crate) fn t_si_proche(&self, rayon: &Rayon<R>) -> R {
+        par_forme!(Self, self, forme => forme.t_si_proche(rayon))
     }
 
     /// The hit that the search found at distance `t`, on this object, which has this rank.
@@ -170,8 +170,8 @@ impl<R: Reel> ObjetRay<R> {
     }
 }
 
-/// The conversions of each shape: `XGeo` and `XRay` into the enums `ObjetGeo` and `ObjetRay`, and `XGeo`
-/// into `XRay` and `ObjetRay`.
+/// The conversions of each shape: `XGeo` and `XRay` into the enums `ObjetGeo` and `ObjetRay`, and
+/// `XGeo` into `XRay` and `ObjetRay`.
 macro_rules! conversions {
     ($($forme:ident, $geo:ident, $ray:ident;)*) => {$(
         impl<R> From<$geo<R>> for ObjetGeo<R> {

@@ -1,7 +1,7 @@
 //! The plane, which is a solid half-space (handout §2.2, §3 and annex A.1).
 
 use crate::erreur::{ErreurGeo, coefficient, coordonnee, deplacement, fini, point, refus_nul};
-use crate::forme::{Boule, Forme};
+use crate::forme::{Boule, Entree, Forme, Hauteur};
 use crate::rayon::Rayon;
 use crate::reel::Reel;
 use crate::rotation::Rotation;
@@ -50,11 +50,12 @@ impl<R: Reel> PlanGeo<R> {
         Ok(Self { rotation, distance: coordonnee("distance", distance)?, texture })
     }
 
-    /// The half-space whose surface passes through this point, with this outward normal of any length: a wall.
+    /// The half-space whose surface passes through this point, with this outward normal of any
+    /// length: a wall.
     ///
     /// # Errors
-    /// If a coordinate of the point, or the distance to the origin, is beyond the limits of [`new`](Self::new),
-    /// or if the normal is zero or not finite.
+    /// If a coordinate of the point, or the distance to the origin, is beyond the limits of
+    /// [`new`](Self::new), or if the normal is zero or not finite.
     ///
     /// ```
     /// use lancer_rayon::{PlanGeo, Texture, Vecteur};
@@ -150,7 +151,8 @@ impl<R: Reel> PlanRay<R> {
         self.normale
     }
 
-    /// d, the relative distance to the origin O: below 0 if and only if O is inside, and 0 on the surface.
+    /// d, the relative distance to the origin O: below 0 if and only if O is inside, and 0 on the
+    /// surface.
     #[doc(alias = "offset")]
     #[inline]
     #[must_use]
@@ -167,13 +169,15 @@ impl<R: Reel> PlanRay<R> {
     /// The height of S over the surface, and the descent of the ray per unit of length: the
     /// numerator and the denominator of annex A.1, both times −1.
     #[inline(always)]
-    fn hauteur_et_descente(&self, s: Vecteur<R>, d: Vecteur<R>) -> (R, R) {
-        let hauteur = self.normale.produit_scalaire(s) + self.distance;
-        (hauteur, -self.normale.produit_scalaire(d))
+    fn hauteur_et_descente(&self, rayon: &Rayon<R>) -> (R, R) {
+        let hauteur = self.normale.produit_scalaire(rayon.source()) + self.distance;
+        (hauteur, -self.normale.produit_scalaire(rayon.direction()))
     }
 }
 
 impl<R: Reel> Forme<R> for PlanRay<R> {
+    type Ou = ();
+
     #[inline(always)]
     fn boule(&self) -> Boule<R> {
         Boule::INFINIE
@@ -186,26 +190,29 @@ impl<R: Reel> Forme<R> for PlanRay<R> {
     /// Whether the ray enters the half-space: S outside, N·D < 0. No threshold: a ray that
     /// descends at all arrives, unless its distance overflows.
     #[inline(always)]
-    fn peut_entrer(&self, s: Vecteur<R>, d: Vecteur<R>) -> bool {
-        let (hauteur, descente) = self.hauteur_et_descente(s, d);
+    fn peut_entrer(&self, rayon: &Rayon<R>) -> bool {
+        let (hauteur, descente) = self.hauteur_et_descente(rayon);
         (descente > R::ZERO) & (hauteur > R::ZERO)
     }
 
     /// t = (−d − N·S)/(N·D).
     #[inline(always)]
-    fn t(&self, s: Vecteur<R>, d: Vecteur<R>) -> R {
-        let (hauteur, descente) = self.hauteur_et_descente(s, d);
-        if self.peut_entrer(s, d) { hauteur / descente } else { R::INFINI }
+    fn t(&self, rayon: &Rayon<R>) -> R {
+        let (hauteur, descente) = self.hauteur_et_descente(rayon);
+        if self.peut_entrer(rayon) { hauteur / descente } else { R::INFINI }
     }
 
     #[inline(always)]
-    fn normale_a_l_entree(&self, _: &Rayon<R>, _: R) -> Vecteur<R> {
+    fn ou(&self, _: &Rayon<R>) {}
+
+    #[inline(always)]
+    fn normale(&self, _: &Rayon<R>, _: Entree<R, ()>) -> Vecteur<R> {
         self.normale
     }
 
     #[inline(always)]
-    fn hauteur(&self, p: Vecteur<R>, n: Vecteur<R>) -> (R, R) {
-        ((n.produit_scalaire(p) + self.distance).abs(), n.somme_des_grandeurs(p))
+    fn hauteur(&self, p: Vecteur<R>, n: Vecteur<R>, (): ()) -> Hauteur<R> {
+        Hauteur { b: (n.produit_scalaire(p) + self.distance).abs(), l: n.somme_des_grandeurs(p) }
     }
 }
 

@@ -47,20 +47,21 @@ impl<R: Reel> Rayon<R> {
 
     /// S, where the ray starts.
     #[doc(alias = "origin")]
-    #[inline]
+    #[inline(always)]
     pub fn source(&self) -> Vecteur<R> {
         self.source
     }
 
     /// D, a unit vector.
-    #[inline]
+    #[inline(always)]
     pub fn direction(&self) -> Vecteur<R> {
         self.direction
     }
 
-    /// R(t) = S + t·D, the point at this distance from the source, in scene units. At +∞ a coordinate may be NaN.
+    /// R(t) = S + t·D, the point at this distance from the source, in scene units. At +∞ a
+    /// coordinate may be NaN.
     #[doc(alias = "at")]
-    #[inline]
+    #[inline(always)]
     pub fn point(&self, distance: R) -> Vecteur<R> {
         self.source + self.direction * distance
     }
@@ -72,7 +73,8 @@ pub(crate) fn source_valide<R: Reel>(source: Vecteur<R>) -> Result<Vecteur<R>, E
     point(["source.x", "source.y", "source.z"], source)
 }
 
-/// A direction with |D·D − 1| within so many u is kept: an ordinary normalisation leaves 10 (lemma 1).
+/// A direction with |D·D − 1| within so many u is kept: an ordinary normalisation leaves 10 (lemma
+/// 1).
 pub const DEJA_UNITAIRE: f64 = 12.0;
 
 /// This direction brought to length 1; refused if it is zero or not finite.

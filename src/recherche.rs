@@ -2,7 +2,7 @@
 
 use core::slice;
 
-use crate::intersection::{Intersection, NoIntersection, rang};
+use crate::intersection::{NoIntersection, Rang, Touche};
 use crate::objet::ObjetRay;
 use crate::rayon::Rayon;
 use crate::reel::Reel;
@@ -10,9 +10,9 @@ use crate::reel::Reel;
 /// The first object that the ray enters: its distance, its normal there, its texture and its index
 /// in the list (handout §4.1).
 ///
-/// A hit is an entry. An object that contains the source, or whose surface does, is not
-/// touched (handout §2.3); the others still count. Of two objects at the same distance the
-/// earlier in the list is the first. All of this holds for distances as computed in R: within the bounds of
+/// A hit is an entry. An object that contains the source, or whose surface does, is not touched
+/// (handout §2.3); the others still count. Of two objects at the same distance the earlier in the
+/// list is the first. All of this holds for distances as computed in R: within the bounds of
 /// `docs/precision.md` the exact answer may be another.
 ///
 /// # Errors
@@ -35,21 +35,20 @@ use crate::reel::Reel;
 /// ```
 #[doc(alias("cast_ray", "closest_hit", "first_hit", "raycast"))]
 #[inline]
-pub fn premiere_intersection<R: Reel>(
-    objets: &[ObjetRay<R>],
-    rayon: &Rayon<R>,
-) -> Result<Intersection<R>, NoIntersection> {
-    let (s, d) = (rayon.source(), rayon.direction());
+pub fn premiere_intersection<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> Touche<R> {
+    // A copy, which stays in registers.
+    let copie = *rayon;
+    // An index and not a rank: a list may be longer than there are ranks.
     let mut premier = objets.len();
     let mut t_premier = R::INFINI;
     for (indice, objet) in objets.iter().enumerate() {
-        let t = objet.entree(s, d);
+        let t = objet.t_si_proche(&copie);
         if t < t_premier {
             (premier, t_premier) = (indice, t);
         }
     }
     match objets.get(premier) {
-        Some(objet) => Ok(objet.conclure_a_part(rayon, t_premier, rang(premier))),
+        Some(objet) => Ok(objet.conclure_a_part(rayon, t_premier, Rang::de(premier))),
         None => Err(NoIntersection),
     }
 }
@@ -59,10 +58,10 @@ impl<R: Reel> ObjetRay<R> {
     /// object alone.
     ///
     /// # Errors
-    /// [`NoIntersection`] if the ray passes the object by, is tangent to it, or starts inside it or on
-    /// its surface.
+    /// [`NoIntersection`] if the ray passes the object by, is tangent to it, or starts inside it or
+    /// on its surface.
     #[doc(alias("intersect", "hit"))]
-    pub fn intersection(&self, rayon: &Rayon<R>) -> Result<Intersection<R>, NoIntersection> {
+    pub fn intersection(&self, rayon: &Rayon<R>) -> Touche<R> {
         premiere_intersection(slice::from_ref(self), rayon)
     }
 }
@@ -70,13 +69,13 @@ impl<R: Reel> ObjetRay<R> {
 /// Tells whether anything blocks the way of the ray before `distance_max`, the distance of a light:
 /// the shadow of the handout's later parts.
 ///
-/// It is `objets.iter().any(|o| o.intersection(rayon).is_ok_and(|i| i.distance() < distance_max))`, to the
-/// bit, and ends with the first such object. +∞ asks whether the ray touches anything at all; nothing is
-/// before a NaN.
+/// It is `objets.iter().any(|o| o.intersection(rayon).is_ok_and(|i| i.distance() < distance_max))`,
+/// to the bit, and ends with the first such object. +∞ asks whether the ray touches anything at
+/// all; nothing is before a NaN.
 ///
-/// **A lamp that is an object of the list** hides the points of its own surface: no distance is exact enough to
-/// stop just before it. Ask which object is first instead: the point sees the lamp if
-/// `premiere_intersection(objets, rayon)` is it, by [`objet`](Intersection::objet).
+/// **A lamp that is an object of the list** hides the points of its own surface: no distance is
+/// exact enough to stop just before it. Ask which object is first instead: the point sees the lamp
+/// if `premiere_intersection(objets, rayon)` is it, by [`objet`](crate::Intersection::objet).
 ///
 /// [`vers_lumiere`](Rayon::vers_lumiere) gives the ray and the distance. With a
 /// [`secondaire`](Rayon::secondaire) of one's own, measure from its source, and test N·L > 0 first:
@@ -102,21 +101,14 @@ impl<R: Reel> ObjetRay<R> {
 #[inline]
 #[must_use]
 pub fn est_occulte<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>, distance_max: R) -> bool {
-    let (s, d) = (rayon.source(), rayon.direction());
+    let copie = *rayon;
     // Not `any`, which the compiler left out of line: 4 to 8 ns a ray (measured).
     for objet in objets {
-        let t = objet.entree(s, d);
+        let t = objet.t_si_proche(&copie);
         // The first comparison decides nothing; without it this takes 5 % longer (measured).
         if t < R::INFINI && t < distance_max {
             return true;
         }
     }
     false
-}
-
-/// Whether an object at distance `t` comes before the first so far: nearer, or as near and earlier in the
-/// list. Both are a distance and a rank.
-#[inline(always)]
-pub(crate) fn avant<R: Reel>((t, rang): (R, u32), (t_premier, rang_premier): (R, u32)) -> bool {
-    (t < t_premier) | ((t == t_premier) & (rang < rang_premier))
 }

@@ -3,48 +3,49 @@
 use core::fmt::{Debug, Display};
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use fearless_simd::prelude::*;
-use fearless_simd::{f32x16, f64x8};
+use crate::seize::EnColonne;
 
 mod scelle {
-    use fearless_simd::Simd;
-
     /// What only this crate needs of a scalar; and what keeps [`Reel`](super::Reel) to the two
     /// types whose rounding the crate's bounds rest on.
-    pub trait Scelle: Sized {
-        /// A power of two that brings any length whose square leaves the range of the type back into it:
-        /// times this the smallest, 2⁻¹⁴⁹ or 2⁻¹⁰⁷⁴, is 2⁻⁴⁹ or 2⁻⁴⁷⁴, and the largest over this is 2²⁸ or 2⁴²⁴.
+    pub trait Scelle: super::EnColonne {
+        /// A power of two that brings any length whose square leaves the range of the type back
+        /// into it: times this the smallest, 2⁻¹⁴⁹ or 2⁻¹⁰⁷⁴, is 2⁻⁴⁹ or 2⁻⁴⁷⁴, and the largest
+        /// over this is 2²⁸ or 2⁴²⁴.
         const ECHELLE: Self;
         /// The one that belongs to this type of two constants.
         fn selon<T>(en_f32: T, en_f64: T) -> T;
 
-        /// Bit i is set if `a[i] <= b[i]`: the one step that the compiler does not vectorise by itself.
-        fn au_plus<S: Simd>(simd: S, a: &[Self; 16], b: &[Self; 16]) -> u32;
-
-        /// Does this work in this type.
-        fn faire<T: Travail>(arguments: T::Arguments<Self>) -> T::Reponse<Self>
+        /// The answer to this question (`compile.rs`).
+        fn demander<Q: super::Question>(de: Q::De<'_, Self>) -> Q::Reponse<'_, Self>
         where
             Self: super::Reel;
-    }
-
-    /// Work that this crate compiles, once for each scalar. Generic code would be compiled again by every
-    /// crate that calls it; through this trait it compiles a call (`compile_ici.rs`).
-    pub trait Travail {
-        type Arguments<R: super::Reel>;
-        type Reponse<R: super::Reel>;
-        fn en_f32(arguments: Self::Arguments<f32>) -> Self::Reponse<f32>;
-        fn en_f64(arguments: Self::Arguments<f64>) -> Self::Reponse<f64>;
     }
 }
 
 use scelle::Scelle;
-pub(crate) use scelle::Travail;
+
+/// A question whose answer this crate compiles, once for each scalar, as
+/// [`compilees!`](crate::compile::compilees) writes it. Generic code would be compiled again by
+/// every crate that calls it.
+pub trait Question {
+    type De<'a, R: Reel>;
+    type Reponse<'a, R: Reel>;
+    fn en_f32(de: Self::De<'_, f32>) -> Self::Reponse<'_, f32>;
+    fn en_f64(de: Self::De<'_, f64>) -> Self::Reponse<'_, f64>;
+}
+
+/// The answer to a question, compiled in this crate.
+#[inline]
+pub(crate) fn demander<Q: Question, R: Reel>(de: Q::De<'_, R>) -> Q::Reponse<'_, R> {
+    R::demander::<Q>(de)
+}
 
 /// The scalar type: `f32` or `f64`. Sealed.
 ///
-/// Every operation it offers is correctly rounded, so that a query gives the same bits on every machine
-/// with IEEE arithmetic; the x87 of an i586 rounds differently. Fused multiply-add is absent on
-/// purpose: not every machine has it.
+/// Every operation it offers is correctly rounded, so that a query gives the same bits on every
+/// machine with IEEE arithmetic; the x87 of an i586 rounds differently. Fused multiply-add is
+/// absent on purpose: not every machine has it.
 ///
 /// ```
 /// use lancer_rayon::{Reel, Vecteur};
@@ -93,8 +94,9 @@ pub trait Reel:
     /// u, the largest relative error of one rounding: 2⁻²⁴ or 2⁻⁵³.
     #[doc(alias = "unit_roundoff")]
     const U: Self;
-    /// The largest coordinate, size or relative distance of a half-space, in scene units: 2⁶⁰ or 2⁴⁵⁰. The
-    /// smallest size is 1/`LIMITE`. Within these limits no square overflows, and no square of a size loses bits.
+    /// The largest coordinate, size or relative distance of a half-space, in scene units: 2⁶⁰ or
+    /// 2⁴⁵⁰. The smallest size is 1/`LIMITE`. Within these limits no square overflows, and no
+    /// square of a size loses bits.
     #[doc(alias = "limit")]
     const LIMITE: Self;
 
@@ -121,10 +123,16 @@ pub(crate) const fn puissance_de_deux(k: i32) -> f64 {
     f64::from_bits(((1023 + k) as u64) << 52)
 }
 
-/// Bit i is set if `a[i] <= b[i]`. A function, so that `f32` needs no import of the sealed trait.
+/// The larger of two numbers; b if one of them is a NaN.
 #[inline(always)]
-pub(crate) fn au_plus<R: Reel, S: Simd>(simd: S, a: &[R; 16], b: &[R; 16]) -> u32 {
-    R::au_plus(simd, a, b)
+pub(crate) fn max<R: Reel>(a: R, b: R) -> R {
+    if a > b { a } else { b }
+}
+
+/// The smaller of two numbers; b if one of them is a NaN.
+#[inline(always)]
+pub(crate) fn min<R: Reel>(a: R, b: R) -> R {
+    if a < b { a } else { b }
 }
 
 impl Scelle for f32 {
@@ -135,15 +143,9 @@ impl Scelle for f32 {
         en_f32
     }
 
-    #[inline(always)]
-    fn au_plus<S: Simd>(simd: S, a: &[Self; 16], b: &[Self; 16]) -> u32 {
-        let [a, b] = [a, b].map(|colonne| f32x16::simd_from(simd, *colonne));
-        a.simd_le(b).to_bitmask() as u32
-    }
-
     #[inline]
-    fn faire<T: Travail>(arguments: T::Arguments<Self>) -> T::Reponse<Self> {
-        T::en_f32(arguments)
+    fn demander<Q: Question>(de: Q::De<'_, Self>) -> Q::Reponse<'_, Self> {
+        Q::en_f32(de)
     }
 }
 
@@ -155,23 +157,10 @@ impl Scelle for f64 {
         en_f64
     }
 
-    #[inline(always)]
-    fn au_plus<S: Simd>(simd: S, a: &[Self; 16], b: &[Self; 16]) -> u32 {
-        let ([a0, a1], [b0, b1]) = (en_deux(simd, a), en_deux(simd, b));
-        (a0.simd_le(b0).to_bitmask() | a1.simd_le(b1).to_bitmask() << 8) as u32
-    }
-
     #[inline]
-    fn faire<T: Travail>(arguments: T::Arguments<Self>) -> T::Reponse<Self> {
-        T::en_f64(arguments)
+    fn demander<Q: Question>(de: Q::De<'_, Self>) -> Q::Reponse<'_, Self> {
+        Q::en_f64(de)
     }
-}
-
-/// A column in two vectors.
-#[inline(always)]
-fn en_deux<S: Simd>(simd: S, colonne: &[f64; 16]) -> [f64x8<S>; 2] {
-    let (moities, _) = colonne.as_chunks::<8>();
-    [moities[0], moities[1]].map(|moitie| f64x8::simd_from(simd, moitie))
 }
 
 /// What the two scalars say alike, for one with this limit and this root from `libm`.

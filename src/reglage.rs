@@ -3,14 +3,13 @@
 use fearless_simd::Level;
 
 use crate::hierarchie::{Hierarchie, SEUIL_LOT};
-use crate::intersection::{Intersection, NoIntersection};
-use crate::lot::faisceau::Faisceau;
-use crate::lot::groupe::Groupe;
-use crate::lot::{LongueursDifferentes, repondre};
+use crate::intersection::Touche;
+use crate::lot::bloc::Bloc;
+use crate::lot::{LongueursDifferentes, Lot, QuestionDeLot};
 use crate::niveau::meilleur_niveau;
 use crate::objet::ObjetRay;
 use crate::rayon::Rayon;
-use crate::reel::Reel;
+use crate::reel::{Reel, demander};
 
 /// Which instructions the batch takes, and whether it leaves objects out: no answer depends on it.
 #[doc(hidden)]
@@ -40,12 +39,13 @@ impl Reglage {
             .filter_map(|(nom, niveau)| Some((nom, Self { niveau: niveau?, elaguer: true })))
     }
 
-    /// Whether the beam of these rays, one to sixteen, leaves out a ball around this object. No answer tells.
+    /// Whether the beam of these rays, one to sixty-four, leaves out a ball around this object. No
+    /// answer tells.
     pub fn evite<R: Reel>(rayons: &[Rayon<R>], objet: &ObjetRay<R>) -> bool {
-        let mut groupe = Groupe::VIDE;
-        groupe.charger(rayons);
-        Faisceau::du_bloc(rayons, &[groupe]).is_some_and(|faisceau| {
-            let (h2, limite) = faisceau.hauteur_et_limite(objet.boule());
+        let mut bloc = Bloc::VIDE;
+        bloc.charger(rayons);
+        bloc.faisceau().is_some_and(|faisceau| {
+            let (h2, limite) = faisceau.depassement_et_limite(objet.boule());
             h2 > limite
         })
     }
@@ -63,9 +63,15 @@ impl Reglage {
         self,
         objets: &[ObjetRay<R>],
         rayons: &[Rayon<R>],
-        touches: &mut [Result<Intersection<R>, NoIntersection>],
+        touches: &mut [Touche<R>],
     ) -> Result<(), LongueursDifferentes> {
-        repondre(self.niveau, self.elaguer, objets, rayons, touches)
+        let Self { niveau, elaguer } = self;
+        demander::<Lot, R>(QuestionDeLot { niveau, elaguer, objets, rayons, touches })
+    }
+
+    /// Whether this hierarchy has a tree, or asks its list.
+    pub fn a_un_arbre<R: Reel>(hierarchie: &Hierarchie<'_, R>) -> bool {
+        hierarchie.a_un_arbre()
     }
 
     /// The same hierarchy with these instructions.

@@ -9,8 +9,8 @@ use crate::vecteur::Vecteur;
 /// A rotation about the origin O, held as its matrix M: a vector V, written as a row, becomes
 /// V·M (handout §2.1).
 ///
-/// However it was made, M is orthonormal to rounding: |M·Mᵀ − I| stays within 8u after any number of
-/// compositions, and within 12u for an inverse and for a matrix that
+/// However it was made, M is orthonormal to rounding: |M·Mᵀ − I| stays within 8u after any number
+/// of compositions, and within 12u for an inverse and for a matrix that
 /// [`depuis_matrice`](Self::depuis_matrice) keeps.
 ///
 /// ```
@@ -105,12 +105,12 @@ impl<R: Reel> Rotation<R> {
     /// The rotation of matrix M, rows first, for instance one that [`matrice`](Self::matrice)
     /// gave, which comes back bit for bit.
     ///
-    /// A matrix that is orthonormal to 8u, by its rows and by its columns, is kept; any other is replaced by
-    /// the nearest rotation.
+    /// A matrix that is orthonormal to 8u, by its rows and by its columns, is kept; any other is
+    /// replaced by the nearest rotation.
     ///
     /// # Errors
-    /// If an element of M is not finite, if one of M·Mᵀ − I exceeds 1e-6 (`f64`) or 1e-3 (`f32`), or if
-    /// M is a mirror (determinant below 0).
+    /// If an element of M is not finite, if one of M·Mᵀ − I exceeds 1e-6 (`f64`) or 1e-3 (`f32`),
+    /// or if M is a mirror (determinant below 0).
     #[doc(alias = "from_matrix")]
     pub fn depuis_matrice(matrice: [[R; 3]; 3]) -> Result<Self, ErreurGeo> {
         const CHAMPS: [[&str; 3]; 3] = [
@@ -223,8 +223,8 @@ impl<R> From<Rotation<R>> for [[R; 3]; 3] {
     }
 }
 
-/// The cosine and sine of an angle; exact at the float nearest to k quarter turns, |k| ≤ 4, so that a
-/// scene turned by quarter turns stays aligned with the axes.
+/// The cosine and sine of an angle; exact at the float nearest to k quarter turns, |k| ≤ 4, so that
+/// a scene turned by quarter turns stays aligned with the axes.
 fn cos_sin<R: Reel>(angle: R) -> (f64, f64) {
     for (quart, cos, sin) in QUARTS {
         if angle.abs() == R::depuis_f64(quart) {

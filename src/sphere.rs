@@ -1,7 +1,7 @@
 //! The sphere (handout §2.2, §3 and annex A.2).
 
 use crate::erreur::{ErreurGeo, coefficient, deplacement, point, taille};
-use crate::forme::{Boule, Forme};
+use crate::forme::{Boule, Entree, Forme, Hauteur};
 use crate::rayon::Rayon;
 use crate::reel::Reel;
 use crate::rotation::Rotation;
@@ -137,7 +137,8 @@ pub const PAR_RAYON: f64 = 0.6;
 /// The length ℓ of a sphere, in r (lemmas 7 and 8).
 pub const LONGUEUR: f64 = 1.3;
 
-/// The limit of |CP² − r²|, in r². A sphere is lost in rounding beyond this limit, or either of the next two (lemma 7).
+/// The limit of |CP² − r²|, in r². A sphere is lost in rounding beyond this limit, or either of the
+/// next two (lemma 7).
 pub const PUISSANCE_PERDUE: f64 = 0.4;
 
 /// The limit of the square of what CP has across N, in r².
@@ -147,6 +148,8 @@ pub const TRAVERS_PERDU: f64 = 0.0625;
 pub const ARRONDI_PERDU: f64 = 0.0625;
 
 impl<R: Reel> Forme<R> for SphereRay<R> {
+    type Ou = ();
+
     #[inline(always)]
     fn boule(&self) -> Boule<R> {
         Boule { centre: self.centre, r2: self.r * self.r }
@@ -156,15 +159,16 @@ impl<R: Reel> Forme<R> for SphereRay<R> {
         Some((self.centre, Vecteur::new(self.r, self.r, self.r)))
     }
 
-    /// SB = SA − AB, with A the point of the ray nearest to C, where S is outside, C ahead and AC < r.
+    /// SB = SA − AB, with A the point of the ray nearest to C, where S is outside, C ahead and AC <
+    /// r.
     ///
-    /// AC comes from SC ∧ D, never from SC² − SA², which for a small or far sphere is the difference of two
-    /// large numbers. D·D stands where the handout has 1, since D is unit only to rounding. SA − AB is written
-    /// as power/(SA + AB), which subtracts nothing; and B is never past A, even where the ray grazes so closely
-    /// that AB is all rounding.
+    /// AC comes from SC ∧ D, never from SC² − SA², which for a small or far sphere is the
+    /// difference of two large numbers. D·D stands where the handout has 1, since D is unit only to
+    /// rounding. SA − AB is written as power/(SA + AB), which subtracts nothing; and B is never
+    /// past A, even where the ray grazes so closely that AB is all rounding.
     #[inline(always)]
-    fn t(&self, s: Vecteur<R>, d: Vecteur<R>) -> R {
-        let sc = self.centre - s;
+    fn t(&self, rayon: &Rayon<R>) -> R {
+        let (sc, d) = (self.centre - rayon.source(), rayon.direction());
         let (r2, d2) = (self.r * self.r, d.longueur_carree());
         let sa = sc.produit_scalaire(d);
         // The power of S.
@@ -177,25 +181,29 @@ impl<R: Reel> Forme<R> for SphereRay<R> {
         if entre { haut / bas } else { R::INFINI }
     }
 
+    #[inline(always)]
+    fn ou(&self, _: &Rayon<R>) {}
+
     /// CB/|CB|; where CB is lost, 0.
     #[inline(always)]
-    fn normale_a_l_entree(&self, rayon: &Rayon<R>, t: R) -> Vecteur<R> {
+    fn normale(&self, rayon: &Rayon<R>, Entree { t, ou: () }: Entree<R, ()>) -> Vecteur<R> {
         // Relative to the source: S + tD − C would lose what S and C have in common.
         let cb = (rayon.source() - self.centre) + rayon.direction() * t;
         let cb2 = cb.longueur_carree();
-        // Half of the smallest r²: what is shorter is all rounding, and its square may be subnormal.
+        // Half of the smallest r²: what is shorter is all rounding, and its square may be
+        // subnormal.
         let perdu = R::UN / (R::LIMITE * R::LIMITE * R::depuis_f64(2.0));
         cb / if cb2 > perdu { cb2.sqrt() } else { R::INFINI }
     }
 
     #[inline(always)]
-    fn hauteur(&self, p: Vecteur<R>, n: Vecteur<R>) -> (R, R) {
+    fn hauteur(&self, p: Vecteur<R>, n: Vecteur<R>, (): ()) -> Hauteur<R> {
         let nombre = R::depuis_f64;
         let (cp, r) = (p - self.centre, self.r);
         let r2 = r * r;
         let puissance = (cp.longueur_carree() - r2).abs();
-        // Rounding tilts N away from CP, above all for a small far sphere: a ray along the tangent plane of N
-        // dips below the sphere, and a point that is rounded sideways climbs.
+        // Rounding tilts N away from CP, above all for a small far sphere: a ray along the tangent
+        // plane of N dips below the sphere, and a point that is rounded sideways climbs.
         let le_long = n.produit_scalaire(cp);
         let travers2 = (cp - n * le_long).longueur_carree();
         let arrondi = p.norme_1() * R::U;
@@ -206,7 +214,8 @@ impl<R: Reel> Forme<R> for SphereRay<R> {
             | (arrondi > nombre(ARRONDI_PERDU) * r)
             | (le_long <= R::ZERO);
         let b = nombre(PAR_RAYON) * (puissance + travers2) + arrondi * arrondi;
-        (if perdue { R::INFINI } else { b * (R::UN / r) }, nombre(LONGUEUR) * r)
+        let b = if perdue { R::INFINI } else { b * (R::UN / r) };
+        Hauteur { b, l: nombre(LONGUEUR) * r }
     }
 }
 

@@ -8,8 +8,8 @@ use crate::reel::Reel;
 /// A vector, or a point seen from the origin O: x to the right, y up, z towards the viewer
 /// (handout §2.1).
 ///
-/// A bare triple: any number may stand in it. What builds on it (a ray, an object) checks. In generic code the
-/// compiler may ask for the type of an operand: `let v: Vecteur<R> = …`.
+/// A bare triple: any number may stand in it. What builds on it (a ray, an object) checks. In
+/// generic code the compiler may ask for the type of an operand: `let v: Vecteur<R> = …`.
 ///
 /// ```
 /// use lancer_rayon::Vecteur;
@@ -48,14 +48,14 @@ impl<R: Reel> Vecteur<R> {
     pub const NUL: Self = Self::new(R::ZERO, R::ZERO, R::ZERO);
 
     /// The vector of these three coordinates.
-    #[inline]
+    #[inline(always)]
     pub const fn new(x: R, y: R, z: R) -> Self {
         Self { x, y, z }
     }
 
     /// The scalar product V·V′ (handout, annex A).
     #[doc(alias = "dot")]
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn produit_scalaire(self, autre: Self) -> R {
         self.x * autre.x + self.y * autre.y + self.z * autre.z
@@ -63,7 +63,7 @@ impl<R: Reel> Vecteur<R> {
 
     /// V·V, the square of the length.
     #[doc(alias("length_squared", "norm_squared"))]
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn longueur_carree(self) -> R {
         self.produit_scalaire(self)
@@ -79,7 +79,8 @@ impl<R: Reel> Vecteur<R> {
         v.longueur_carree().sqrt() / echelle
     }
 
-    /// The unit vector of the same direction, to 3.6u; `None` for a vector that is zero or not finite.
+    /// The unit vector of the same direction, to 3.6u; `None` for a vector that is zero or not
+    /// finite.
     ///
     /// ```
     /// # use lancer_rayon::Vecteur;
@@ -101,8 +102,8 @@ impl<R: Reel> Vecteur<R> {
         (longueur > R::ZERO && longueur < R::INFINI).then(|| (longueur / echelle, v / longueur))
     }
 
-    /// The vector multiplied by a power of two, and that power. It is 1 for lengths of ordinary size; others
-    /// are scaled so that the square of the length neither overflows nor loses bits.
+    /// The vector multiplied by a power of two, and that power. It is 1 for lengths of ordinary
+    /// size; others are scaled so that the square of the length neither overflows nor loses bits.
     #[inline]
     fn mis_a_l_echelle(self) -> (Self, R) {
         let carre = self.longueur_carree();
@@ -134,7 +135,8 @@ impl<R: Reel> Vecteur<R> {
         )
     }
 
-    /// Σ|V_i·V′_i|. The rounding error of the scalar product is at most 3u times this, to first order.
+    /// Σ|V_i·V′_i|. The rounding error of the scalar product is at most 3u times this, to first
+    /// order.
     #[inline(always)]
     pub(crate) fn somme_des_grandeurs(self, autre: Self) -> R {
         (self.x * autre.x).abs() + (self.y * autre.y).abs() + (self.z * autre.z).abs()
@@ -169,12 +171,14 @@ impl<R: Reel> Vecteur<R> {
 }
 
 impl<R> From<[R; 3]> for Vecteur<R> {
+    #[inline(always)]
     fn from([x, y, z]: [R; 3]) -> Self {
         Self { x, y, z }
     }
 }
 
 impl<R> From<Vecteur<R>> for [R; 3] {
+    #[inline(always)]
     fn from(v: Vecteur<R>) -> Self {
         [v.x, v.y, v.z]
     }
@@ -182,7 +186,7 @@ impl<R> From<Vecteur<R>> for [R; 3] {
 
 impl<R: Reel> Add for Vecteur<R> {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn add(self, autre: Self) -> Self {
         Self::new(self.x + autre.x, self.y + autre.y, self.z + autre.z)
     }
@@ -190,7 +194,7 @@ impl<R: Reel> Add for Vecteur<R> {
 
 impl<R: Reel> Sub for Vecteur<R> {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn sub(self, autre: Self) -> Self {
         Self::new(self.x - autre.x, self.y - autre.y, self.z - autre.z)
     }
@@ -198,7 +202,7 @@ impl<R: Reel> Sub for Vecteur<R> {
 
 impl<R: Reel> Mul<R> for Vecteur<R> {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn mul(self, k: R) -> Self {
         Self::new(self.x * k, self.y * k, self.z * k)
     }
@@ -206,7 +210,7 @@ impl<R: Reel> Mul<R> for Vecteur<R> {
 
 impl<R: Reel> Div<R> for Vecteur<R> {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn div(self, k: R) -> Self {
         Self::new(self.x / k, self.y / k, self.z / k)
     }
@@ -216,7 +220,7 @@ impl<R: Reel> Div<R> for Vecteur<R> {
 macro_rules! affectations {
     ($($operateur:ident, $f:ident: $autre:ident, $binaire:ident;)*) => {$(
         impl<R: Reel> $operateur<$autre> for Vecteur<R> {
-            #[inline]
+            #[inline(always)]
             fn $f(&mut self, autre: $autre) {
                 *self = self.$binaire(autre);
             }
@@ -236,7 +240,7 @@ macro_rules! nombre_fois_vecteur {
     ($($reel:ident)*) => {$(
         impl Mul<Vecteur<$reel>> for $reel {
             type Output = Vecteur<$reel>;
-            #[inline]
+            #[inline(always)]
             fn mul(self, v: Vecteur<$reel>) -> Vecteur<$reel> {
                 v * self
             }
@@ -248,7 +252,7 @@ nombre_fois_vecteur! { f32 f64 }
 
 impl<R: Reel> Neg for Vecteur<R> {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn neg(self) -> Self {
         Self::new(-self.x, -self.y, -self.z)
     }

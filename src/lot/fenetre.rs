@@ -3,42 +3,43 @@
 use fearless_simd::Simd;
 
 use crate::forme::Boule;
-use crate::lot::colonnes::{VOIES, Voies};
 use crate::lot::faisceau::Faisceau;
 use crate::objet::ObjetRay;
-use crate::reel::{Reel, au_plus};
+use crate::reel::Reel;
+use crate::seize::{Colonne, Membres, SEIZE};
 use crate::vecteur::Vecteur;
 
-/// The balls around sixteen neighbours in a list, coordinate by coordinate. A window is some of these.
+/// The balls around sixteen neighbours in a list, coordinate by coordinate. A window is some of
+/// these.
 #[repr(align(64))]
 pub(crate) struct Rangee<R> {
-    centres: [Voies<R>; 3],
-    r2: Voies<R>,
+    centres: [Colonne<R>; 3],
+    r2: Colonne<R>,
 }
 
 impl<R: Reel> Rangee<R> {
-    pub(crate) const VIDE: Self = Self { centres: [[R::ZERO; VOIES]; 3], r2: [R::ZERO; VOIES] };
+    pub(crate) const VIDE: Self = Self { centres: [[R::ZERO; SEIZE]; 3], r2: [R::ZERO; SEIZE] };
 
     /// Puts the balls around these objects here, at most sixteen.
     #[inline(always)]
     pub(crate) fn charger(&mut self, objets: &[ObjetRay<R>]) {
         let [x, y, z] = &mut self.centres;
-        for (i, objet) in objets.iter().enumerate().take(VOIES) {
+        for (i, objet) in objets.iter().enumerate().take(SEIZE) {
             let boule = objet.boule();
             [x[i], y[i], z[i]] = boule.centre.into();
             self.r2[i] = boule.r2;
         }
     }
 
-    /// Which of the sixteen balls the beam may meet, a bit for each.
+    /// Which of the sixteen balls the beam may meet.
     #[inline(always)]
-    pub(crate) fn rencontres<S: Simd>(&self, simd: S, faisceau: &Faisceau<R>) -> u32 {
+    pub(crate) fn rencontres<S: Simd>(&self, simd: S, faisceau: &Faisceau<R>) -> Membres {
         let ([x, y, z], r2) = (&self.centres, &self.r2);
-        let (mut h2, mut limites) = ([R::ZERO; VOIES], [R::ZERO; VOIES]);
-        for i in 0..VOIES {
+        let (mut h2, mut limites) = ([R::ZERO; SEIZE], [R::ZERO; SEIZE]);
+        for i in 0..SEIZE {
             let boule = Boule { centre: Vecteur::new(x[i], y[i], z[i]), r2: r2[i] };
-            (h2[i], limites[i]) = faisceau.hauteur_et_limite(boule);
+            (h2[i], limites[i]) = faisceau.depassement_et_limite(boule);
         }
-        au_plus(simd, &h2, &limites)
+        R::au_plus(simd, &h2, &limites)
     }
 }

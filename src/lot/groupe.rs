@@ -1,82 +1,112 @@
 //! Sixteen rays with the first object of each so far: the search and the conclusion, side by side.
 //!
-//! Plain loops call the same formulae of [`Forme`] as for a single ray, and the compiler vectorises them.
-//! Every instruction set rounds a sum, a product, a quotient and a root alike, so that every ray gets the
-//! bits that it gets alone. What the loops call is `inline(always)`: a function that is not inlined would be
-//! compiled for the baseline instruction set.
+//! Plain loops call the same formulae of [`Forme`] as for a single ray, and the compiler vectorises
+//! them. Every instruction set rounds a sum, a product, a quotient and a root alike, so that every
+//! ray gets the bits that it gets alone. What the loops call, closures too, is `inline(always)`: a
+//! function that is not inlined would be compiled for the baseline instruction set.
 
 use crate::forme::Forme;
 use crate::intersection::{Contact, Intersection, NoIntersection, Rang, Touche};
-use crate::lot::colonnes::{Colonnes, VOIES, Voies, le_plus_grand, le_premier, membres};
 use crate::objet::{ObjetRay, par_forme};
+use crate::premier::Premier;
 use crate::rayon::Rayon;
-use crate::recherche::avant;
 use crate::reel::Reel;
+use crate::seize::{Colonne, Membres, SEIZE, le_plus_grand};
 use crate::vecteur::Vecteur;
 
-/// With fewer rays than this on one object, hits are concluded one by one: 5 % faster for rays in no order
-/// among 12 objects, and as fast for tiles (measured).
+/// With fewer rays than this on one object, hits are concluded one by one: 5 % faster for rays in
+/// no order among 12 objects, and as fast for tiles (measured).
 const COTE_A_COTE: u32 = 3;
 
-/// Sixteen rays, the distance of the first object of each so far, and its rank; 0 for none. Each column
-/// fills cache lines.
+/// Sixteen rays, their sources S and directions D, the distance of the first object of each so far,
+/// and its rank; 0 for none. Each column fills cache lines.
 #[repr(align(64))]
 pub(crate) struct Groupe<R> {
-    pub(crate) colonnes: Colonnes<R>,
-    t: Voies<R>,
-    rangs: Voies<u32>,
+    s: [Colonne<R>; 3],
+    d: [Colonne<R>; 3],
+    t: Colonne<R>,
+    rangs: Colonne<u32>,
 }
 
 impl<R: Reel> Groupe<R> {
-    pub(crate) const VIDE: Self =
-        Self { colonnes: Colonnes::VIDES, t: [R::INFINI; VOIES], rangs: [0; VOIES] };
+    pub(crate) const VIDE: Self = Self {
+        s: [[R::ZERO; SEIZE]; 3],
+        d: [[R::ZERO; SEIZE]; 3],
+        t: [R::INFINI; SEIZE],
+        rangs: [0; SEIZE],
+    };
 
-    /// Puts these rays here, at most sixteen, with no object so far.
+    /// Puts these rays here, at most sixteen, with no object so far; the last stands in for those
+    /// that are missing.
     #[inline(always)]
     pub(crate) fn charger(&mut self, rayons: &[Rayon<R>]) {
-        self.colonnes.charger(rayons);
-        (self.t, self.rangs) = ([R::INFINI; VOIES], [0; VOIES]);
+        if let Some(rayons) = rayons.first_chunk() {
+            self.copier(rayons);
+        } else if let Some(dernier) = rayons.last() {
+            let mut complets = [*dernier; SEIZE];
+            complets[..rayons.len()].copy_from_slice(rayons);
+            self.copier(&complets);
+        }
+        (self.t, self.rangs) = ([R::INFINI; SEIZE], [0; SEIZE]);
     }
 
-    /// For each ray that enters the object of this shape and rank before its first so far: makes it its first.
-    ///
-    /// Of two objects at the same distance the one of lower rank is the first. `EN_ORDRE` promises that
-    /// objects come in the order of their ranks, which saves that comparison. Roots and quotients are computed
-    /// only if one ray at least may enter.
     #[inline(always)]
-    pub(crate) fn proposer<const EN_ORDRE: bool>(&mut self, forme: &impl Forme<R>, rang: Rang) {
-        let mut pres = false;
-        for voie in 0..VOIES {
-            let (s, d) = self.colonnes.rayon(voie);
-            pres |= forme.peut_entrer(s, d);
-        }
-        if !pres {
-            return;
-        }
-        // Computed for all and kept for some, in a loop of its own: a branch would not be vectorised.
-        let mut t = [R::INFINI; VOIES];
-        for (voie, t) in t.iter_mut().enumerate() {
-            let (s, d) = self.colonnes.rayon(voie);
-            *t = forme.t(s, d);
-        }
-        for (voie, &t) in t.iter().enumerate() {
-            let (trouve, premier) = ((t, rang.get()), (self.t[voie], self.rangs[voie]));
-            let avant = if EN_ORDRE { t < premier.0 } else { avant(trouve, premier) };
-            self.t[voie] = if avant { t } else { self.t[voie] };
-            self.rangs[voie] = if avant { rang.get() } else { self.rangs[voie] };
+    fn copier(&mut self, rayons: &[Rayon<R>; SEIZE]) {
+        for (voie, rayon) in rayons.iter().enumerate() {
+            let (s, d) = (rayon.source(), rayon.direction());
+            [self.s[0][voie], self.s[1][voie], self.s[2][voie]] = s.into();
+            [self.d[0][voie], self.d[1][voie], self.d[2][voie]] = d.into();
         }
     }
 
-    /// The first object of one ray so far: its distance and its rank, 0 for none.
+    /// The ray of one lane.
     #[inline(always)]
-    pub(crate) fn premier(&self, voie: usize) -> (R, u32) {
-        (self.t[voie], self.rangs[voie])
+    pub(crate) fn rayon(&self, voie: usize) -> Rayon<R> {
+        let ([sx, sy, sz], [dx, dy, dz]) = (&self.s, &self.d);
+        let s = Vecteur::new(sx[voie], sy[voie], sz[voie]);
+        Rayon::sans_verifier(s, Vecteur::new(dx[voie], dy[voie], dz[voie]))
+    }
+
+    /// The first object of one ray so far.
+    #[inline(always)]
+    pub(crate) fn premier(&self, voie: usize) -> Premier<R> {
+        Premier { t: self.t[voie], rang: self.rangs[voie] }
     }
 
     /// The largest distance of a first object so far.
     #[inline(always)]
     pub(crate) fn le_plus_loin(&self) -> R {
         le_plus_grand(self.t)
+    }
+
+    /// For each ray that enters the object of this shape and rank before its first so far: makes it
+    /// its first.
+    ///
+    /// Of two objects at the same distance the one of lower rank is the first. `EN_ORDRE` promises
+    /// that objects come in the order of their ranks, which saves that comparison. Roots and
+    /// quotients are computed only if one ray at least may enter.
+    #[inline(always)]
+    pub(crate) fn proposer<const EN_ORDRE: bool>(&mut self, forme: &impl Forme<R>, rang: Rang) {
+        let mut pres = false;
+        for voie in 0..SEIZE {
+            pres |= forme.peut_entrer(&self.rayon(voie));
+        }
+        if !pres {
+            return;
+        }
+        // Computed for all and kept for some, in a loop of its own: a branch would not be
+        // vectorised.
+        let mut t = [R::INFINI; SEIZE];
+        for (voie, t) in t.iter_mut().enumerate() {
+            *t = forme.t(&self.rayon(voie));
+        }
+        for (voie, &t) in t.iter().enumerate() {
+            let trouve = Premier { t, rang: rang.en_nombre() };
+            let premier = self.premier(voie);
+            let precede = if EN_ORDRE { t < premier.t } else { trouve.precede(premier) };
+            self.t[voie] = if precede { t } else { premier.t };
+            self.rangs[voie] = if precede { trouve.rang } else { premier.rang };
+        }
     }
 
     /// Writes the answers of these rays: for each object that is the first of some ray, the hits of
@@ -89,27 +119,28 @@ impl<R: Reel> Groupe<R> {
         touches: &mut [Touche<R>],
     ) {
         let mut contacts = Contacts::VIDES;
-        let mut restent = 0;
+        let mut restent = Membres::AUCUN;
         for (voie, touche) in touches.iter_mut().enumerate() {
             if self.rangs[voie] > 0 {
-                restent |= 1 << voie;
+                restent.ajouter(voie);
             } else {
                 *touche = Err(NoIntersection);
             }
         }
-        while restent != 0 {
-            let Some(rang) = Rang::new(self.rangs[le_premier(restent)]) else { return };
-            let Some(objet) = objets.get(rang.get() as usize - 1) else { return };
-            let siens = self.voies_de(rang) & restent;
-            restent &= !siens;
-            let cote_a_cote = siens.count_ones() >= COTE_A_COTE;
+        while let Some(voie) = restent.le_premier() {
+            let Some(rang) = Rang::numero(self.rangs[voie]) else { return };
+            let Some(objet) = objets.get(rang.indice()) else { return };
+            let siens = restent.et(&self.voies_de(rang));
+            restent = restent.sans(&siens);
+            let cote_a_cote = siens.nombre() >= COTE_A_COTE;
             if cote_a_cote {
                 par_forme!(ObjetRay, objet, forme => contacts.calculer(self, *forme));
             }
             let texture = objet.texture();
-            for voie in membres(siens) {
+            for voie in siens {
                 let t = self.t[voie];
-                // Built in its place: to copy a hit just built would stall until its fields are stored.
+                // Built in its place: to copy a hit just built would stall until its fields are
+                // stored.
                 touches[voie] = Ok(if cote_a_cote && contacts.de_face[voie] {
                     Intersection::new(t, contacts.de(voie), texture, rang)
                 } else {
@@ -119,35 +150,33 @@ impl<R: Reel> Groupe<R> {
         }
     }
 
-    /// The rays whose first object has this rank, a bit for each.
+    /// The rays whose first object has this rank.
     #[inline(always)]
-    fn voies_de(&self, rang: Rang) -> u32 {
-        let mut siens = 0;
-        for (voie, &autre) in self.rangs.iter().enumerate() {
-            siens |= u32::from(autre == rang.get()) << voie;
-        }
-        siens
+    fn voies_de(&self, rang: Rang) -> Membres {
+        Membres::tels_que(
+            #[inline(always)]
+            |voie| self.rangs[voie] == rang.en_nombre(),
+        )
     }
 }
 
 /// The hits of sixteen rays on one shape, computed for all lanes; the caller keeps the valid ones.
 #[repr(align(64))]
 struct Contacts<R> {
-    normale: [Voies<R>; 3],
-    marge: Voies<R>,
-    de_face: Voies<bool>,
+    normale: [Colonne<R>; 3],
+    marge: Colonne<R>,
+    de_face: Colonne<bool>,
 }
 
 impl<R: Reel> Contacts<R> {
     const VIDES: Self =
-        Self { normale: [[R::ZERO; VOIES]; 3], marge: [R::ZERO; VOIES], de_face: [false; VOIES] };
+        Self { normale: [[R::ZERO; SEIZE]; 3], marge: [R::ZERO; SEIZE], de_face: [false; SEIZE] };
 
     #[inline(always)]
     fn calculer(&mut self, groupe: &Groupe<R>, forme: impl Forme<R>) {
         let Self { normale: [nx, ny, nz], marge, de_face } = self;
-        for voie in 0..VOIES {
-            let (s, d) = groupe.colonnes.rayon(voie);
-            let (contact, face) = forme.contact(&Rayon::sans_verifier(s, d), groupe.t[voie]);
+        for voie in 0..SEIZE {
+            let (contact, face) = forme.contact(&groupe.rayon(voie), groupe.t[voie]);
             [nx[voie], ny[voie], nz[voie]] = contact.normale.into();
             (marge[voie], de_face[voie]) = (contact.marge, face);
         }

@@ -1,0 +1,53 @@
+//! The nodes of a tree: sixteen children side by side, in the numbers that the caller lends.
+
+use crate::seize::{Colonne, SEIZE};
+
+/// Numbers of a record: the lower corner, the upper corner, the index.
+pub(crate) const FICHE: usize = 7;
+
+/// Numbers of a node.
+pub(crate) const MOTS: usize = FICHE * SEIZE;
+
+/// Of so many objects or more no tree is made: this index would have the bits of +∞ in `f32`.
+pub(crate) const LIMITE_INDICES: u64 = 0x7f80_0000;
+
+/// Floors of the largest tree: 16⁸ is more than [`LIMITE_INDICES`].
+pub(crate) const ETAGES: usize = 8;
+
+/// The farthest corner of a missing child.
+pub(crate) const COIN_ABSENT: f32 = (1_u128 << 120) as f32;
+
+/// The box and the index of an object.
+pub(crate) type Fiche = [f32; FICHE];
+
+/// Sixteen children: the lower corners of their boxes, the upper corners, and in a leaf the indices
+/// of the objects. Above the leaves the children are consecutive nodes, and the index of the
+/// [first](premier_enfant) stands there.
+///
+/// A child that is missing has a box turned inside out ([`VIDE`]), which nothing enters.
+pub(crate) type Noeud = [Colonne<f32>; FICHE];
+
+/// A node without children: each box is turned inside out, its lower corner beyond everything and
+/// its upper corner below. A ray would leave it before it enters it.
+pub(crate) const VIDE: Noeud = {
+    let (bas, haut) = ([COIN_ABSENT; SEIZE], [-COIN_ABSENT; SEIZE]);
+    [bas, bas, bas, haut, haut, haut, [0.0; SEIZE]]
+};
+
+/// An index below 2³¹ − 2²³, stored in a column of `f32` as the number with the same bits, which is
+/// finite.
+pub(crate) fn en_mot(indice: usize) -> f32 {
+    f32::from_bits(indice as u32)
+}
+
+/// The index that is stored [so](en_mot).
+#[inline(always)]
+pub(crate) fn indice_lu(mot: f32) -> usize {
+    mot.to_bits() as usize
+}
+
+/// The index of the first child of a node above the leaves; the others follow.
+#[inline(always)]
+pub(crate) fn premier_enfant([.., indices]: &Noeud) -> usize {
+    indice_lu(indices[0])
+}

@@ -1,0 +1,165 @@
+//! What looks at the boxes of a node: the probe of a ray and the probe of a beam.
+
+use fearless_simd::Simd;
+
+use crate::hierarchie::noeud::Noeud;
+use crate::hierarchie::repere::{Repere, TROP_LOIN, part_du_jeu, simple, simples};
+use crate::lot::faisceau::Faisceau;
+use crate::rayon::Rayon;
+use crate::reel::{Reel, fois_u, max, min};
+use crate::seize::{Aligne, Colonne, EnColonne, Membres, SEIZE};
+use crate::vecteur::Vecteur;
+
+/// By so many u of `f32` an entry comes before its rounding (lemma 16).
+pub const ENTREE_AVANT: f64 = 10.0;
+
+/// A ray as the boxes see it, with its part of the slack (`docs/conception.md`, lemmas 14 to 17).
+pub(crate) struct Sonde([Axe; 3]);
+
+/// One axis of it.
+#[derive(Clone, Copy)]
+struct Axe {
+    /// 1/D, below 0 where the ray runs backwards.
+    inverse: f32,
+    /// S with the slack: for the nearer side of a box and for the farther.
+    vers_proche: f32,
+    vers_lointain: f32,
+}
+
+impl Sonde {
+    #[inline(always)]
+    pub(crate) fn new<R: Reel>(rayon: &Rayon<R>, repere: Repere<R>) -> Self {
+        let (s, d) = (simples(repere.point(rayon.source())), rayon.direction());
+        let loin = s.norme_1();
+        // An infinity is too far as well.
+        let (s, jeu) = if loin < TROP_LOIN {
+            (s, loin * part_du_jeu::<R>() as f32 + f32::U)
+        } else {
+            (Vecteur::NUL, TROP_LOIN)
+        };
+        let axe = |s: f32, d: R| {
+            // 1/−0 is −∞: the sign is that of the quotient.
+            let inverse = simple(R::UN / d);
+            let jeu = if inverse < 0.0 { -jeu } else { jeu };
+            Axe { inverse, vers_proche: s + jeu, vers_lointain: s - jeu }
+        };
+        Self([axe(s.x, d.x), axe(s.y, d.y), axe(s.z, d.z)])
+    }
+
+    /// Which children the ray may enter no later than `plafond`, and where.
+    #[inline(always)]
+    pub(crate) fn traverse<S: Simd>(
+        &self,
+        simd: S,
+        noeud: &Noeud,
+        plafond: f32,
+    ) -> (Membres, Aligne<Colonne<f32>>) {
+        let [bx, by, bz, hx, hy, hz, _] = noeud;
+        let [x, y, z] = self.0;
+        let ((px, lx), (py, ly), (pz, lz)) = (x.cotes(bx, hx), y.cotes(by, hy), z.cotes(bz, hz));
+        let (mut entrees, mut sorties) = ([0.0; SEIZE], [plafond; SEIZE]);
+        for i in 0..SEIZE {
+            // 0·∞ is a NaN, which leaves the number so far.
+            let mut entree = 0.0;
+            entree = max((px[i] - x.vers_proche) * x.inverse, entree);
+            entree = max((py[i] - y.vers_proche) * y.inverse, entree);
+            entree = max((pz[i] - z.vers_proche) * z.inverse, entree);
+            entrees[i] = entree * (1.0 - fois_u::<f32>(ENTREE_AVANT));
+            let mut sortie = plafond;
+            sortie = min((lx[i] - x.vers_lointain) * x.inverse, sortie);
+            sortie = min((ly[i] - y.vers_lointain) * y.inverse, sortie);
+            sortie = min((lz[i] - z.vers_lointain) * z.inverse, sortie);
+            sorties[i] = sortie;
+        }
+        (f32::au_plus(simd, &entrees, &sorties), Aligne(entrees))
+    }
+}
+
+impl Axe {
+    /// The nearer side of each box and the farther.
+    #[inline(always)]
+    fn cotes<'a>(
+        self,
+        bas: &'a Colonne<f32>,
+        haut: &'a Colonne<f32>,
+    ) -> (&'a Colonne<f32>, &'a Colonne<f32>) {
+        if self.inverse < 0.0 { (haut, bas) } else { (bas, haut) }
+    }
+}
+
+/// The slack of a beam is so many times that of a ray (lemma 17).
+pub const JEU_BLOC: f64 = 2.0;
+
+/// What is added to the slack of a beam, in u of `f32` (lemma 17).
+pub const JEU_FIXE: f64 = 13.0;
+
+/// A beam as the boxes see it. For each of the five normals P, an upper bound on P·X over all hits
+/// X; for M, the M·X from which depths count. Both include the slack (`docs/conception.md`, lemmas
+/// 14 to 17).
+pub(crate) struct SondeDeBloc {
+    plans: [(Vecteur<f32>, f32); 5],
+    m: Vecteur<f32>,
+    depart: f32,
+}
+
+impl SondeDeBloc {
+    /// The probe of this beam; `None` if its rays start too far away.
+    #[inline(always)]
+    pub(crate) fn new<R: Reel>(faisceau: &Faisceau<R>, repere: Repere<R>) -> Option<Self> {
+        let s0 = repere.point(faisceau.s0);
+        let loin = s0.norme_1() + repere.longueur(faisceau.ecart) * R::depuis_f64(4.0);
+        if simple(loin) > TROP_LOIN {
+            return None;
+        }
+        let jeu = loin * R::depuis_f64(JEU_BLOC * part_du_jeu::<R>())
+            + R::depuis_f64(JEU_FIXE * f64::from(f32::U));
+        let limite =
+            |p: Vecteur<R>, w: R| simple(p.produit_scalaire(s0) + (repere.longueur(w) + jeu));
+        let (moins_m, w) = faisceau.dos();
+        Some(Self {
+            plans: faisceau.plans.map(|(p, w)| (simples(p), limite(p, w))),
+            m: simples(-moins_m),
+            depart: limite(-moins_m, w),
+        })
+    }
+
+    /// Which children some ray may enter no later than `plafond`, and a distance before
+    /// which none does.
+    #[inline(always)]
+    pub(crate) fn traverse<S: Simd>(
+        &self,
+        simd: S,
+        noeud: &Noeud,
+        plafond: f32,
+    ) -> (Membres, Aligne<Colonne<f32>>) {
+        let (mut dehors, mut profondeurs) = ([-f32::INFINI; SEIZE], [0.0; SEIZE]);
+        for (p, limite) in self.plans {
+            let (x, y, z) = au_plus_pres(noeud, p);
+            for i in 0..SEIZE {
+                let h = p.produit_scalaire(Vecteur::new(x[i], y[i], z[i])) - limite;
+                dehors[i] = max(dehors[i], h);
+            }
+        }
+        let (x, y, z) = au_plus_pres(noeud, self.m);
+        for i in 0..SEIZE {
+            let h = self.m.produit_scalaire(Vecteur::new(x[i], y[i], z[i])) - self.depart;
+            profondeurs[i] = max(h, 0.0);
+        }
+        let pas_dehors = f32::au_plus(simd, &dehors, &[0.0; SEIZE]);
+        let avant = f32::au_plus(simd, &profondeurs, &[plafond; SEIZE]);
+        (pas_dehors.et(&avant), Aligne(profondeurs))
+    }
+}
+
+/// The columns of the corners that lie lowest along P.
+#[inline(always)]
+fn au_plus_pres(
+    [bx, by, bz, hx, hy, hz, _]: &Noeud,
+    p: Vecteur<f32>,
+) -> (&Colonne<f32>, &Colonne<f32>, &Colonne<f32>) {
+    (
+        if p.x < 0.0 { hx } else { bx },
+        if p.y < 0.0 { hy } else { by },
+        if p.z < 0.0 { hz } else { bz },
+    )
+}

@@ -1,0 +1,42 @@
+//! The first object of a ray so far.
+
+use crate::intersection::{NoIntersection, Rang, Touche};
+use crate::objet::ObjetRay;
+use crate::rayon::Rayon;
+use crate::reel::Reel;
+
+/// The first object of a ray so far, of a list with at most 2³² − 1 objects.
+#[derive(Clone, Copy)]
+pub(crate) struct Premier<R> {
+    /// Its distance; of none, the distance before which an object is looked for.
+    pub(crate) t: R,
+    /// Its rank; 0 for none.
+    pub(crate) rang: u32,
+}
+
+impl<R: Reel> Premier<R> {
+    /// None so far, and any will do.
+    pub(crate) const AUCUN: Self = Self::avant(R::INFINI);
+
+    /// None so far, and only one nearer than `t` will do.
+    #[inline(always)]
+    pub(crate) const fn avant(t: R) -> Self {
+        Self { t, rang: 0 }
+    }
+
+    /// Whether this comes before another: nearer, or as near and earlier in the list.
+    #[inline(always)]
+    pub(crate) fn precede(self, autre: Self) -> bool {
+        (self.t < autre.t) | ((self.t == autre.t) & (self.rang < autre.rang))
+    }
+
+    /// The hit of this ray on it.
+    #[inline(always)]
+    pub(crate) fn conclure(self, objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> Touche<R> {
+        let Some(rang) = Rang::numero(self.rang) else { return Err(NoIntersection) };
+        match objets.get(rang.indice()) {
+            Some(objet) => Ok(objet.conclure(rayon, self.t, rang)),
+            None => Err(NoIntersection),
+        }
+    }
+}

@@ -1,0 +1,115 @@
+//! Sixteen numbers side by side: of the rays of a group, of the balls of a row, of the children of
+//! a node.
+
+use fearless_simd::prelude::*;
+use fearless_simd::{f32x16, f64x8};
+
+/// How many. The compiler would unroll loops of eight before it could vectorise them.
+pub(crate) const SEIZE: usize = 16;
+
+/// A number for each of sixteen.
+pub(crate) type Colonne<R> = [R; SEIZE];
+
+/// A value at the start of a cache line: a column that lies across two takes longer to write and to
+/// read back (`docs/performance.md`, "Thresholds").
+#[repr(align(64))]
+pub(crate) struct Aligne<T>(pub(crate) T);
+
+/// Some of sixteen, a bit for each; as an iterator, the least first.
+#[derive(Clone, PartialEq, Eq)]
+pub struct Membres(u32);
+
+impl Membres {
+    /// Those that satisfy `est_membre`.
+    #[inline(always)]
+    pub(crate) fn tels_que(est_membre: impl Fn(usize) -> bool) -> Self {
+        let mut membres = 0;
+        for i in 0..SEIZE {
+            membres |= u32::from(est_membre(i)) << i;
+        }
+        Self(membres)
+    }
+
+    /// None.
+    pub(crate) const AUCUN: Self = Self(0);
+
+    #[inline(always)]
+    pub(crate) fn ajouter(&mut self, i: usize) {
+        self.0 |= 1 << i;
+    }
+
+    #[inline(always)]
+    pub(crate) fn le_premier(&self) -> Option<usize> {
+        self.clone().next()
+    }
+
+    #[inline(always)]
+    pub(crate) fn nombre(&self) -> u32 {
+        self.0.count_ones()
+    }
+
+    /// Those that are in both.
+    #[inline(always)]
+    pub(crate) fn et(&self, autres: &Self) -> Self {
+        Self(self.0 & autres.0)
+    }
+
+    /// Those that are not among the others.
+    #[inline(always)]
+    pub(crate) fn sans(&self, autres: &Self) -> Self {
+        Self(self.0 & !autres.0)
+    }
+}
+
+impl Iterator for Membres {
+    type Item = usize;
+
+    #[inline(always)]
+    fn next(&mut self) -> Option<usize> {
+        let membre = self.0.trailing_zeros() as usize;
+        self.0 &= self.0.wrapping_sub(1);
+        (membre < SEIZE).then_some(membre)
+    }
+}
+
+/// A number whose columns can be compared.
+pub trait EnColonne: Copy + PartialOrd {
+    /// Those i with `a[i] <= b[i]`: the one step that the compiler does not vectorise by itself.
+    fn au_plus<S: Simd>(simd: S, a: &Colonne<Self>, b: &Colonne<Self>) -> Membres;
+}
+
+impl EnColonne for f32 {
+    #[inline(always)]
+    fn au_plus<S: Simd>(simd: S, a: &Colonne<Self>, b: &Colonne<Self>) -> Membres {
+        let (a, b) = (f32x16::simd_from(simd, *a), f32x16::simd_from(simd, *b));
+        Membres(a.simd_le(b).to_bitmask() as u32)
+    }
+}
+
+impl EnColonne for f64 {
+    #[inline(always)]
+    fn au_plus<S: Simd>(simd: S, a: &Colonne<Self>, b: &Colonne<Self>) -> Membres {
+        let ([a0, a1], [b0, b1]) = (en_deux(simd, a), en_deux(simd, b));
+        Membres((a0.simd_le(b0).to_bitmask() | a1.simd_le(b1).to_bitmask() << 8) as u32)
+    }
+}
+
+/// A column in two vectors.
+#[inline(always)]
+fn en_deux<S: Simd>(simd: S, colonne: &Colonne<f64>) -> [f64x8<S>; 2] {
+    let (moities, _) = colonne.as_chunks::<8>();
+    [f64x8::simd_from(simd, moities[0]), f64x8::simd_from(simd, moities[1])]
+}
+
+/// The largest of sixteen numbers.
+#[inline(always)]
+pub(crate) fn le_plus_grand<R: EnColonne>(mut x: Colonne<R>) -> R {
+    let mut moitie = SEIZE / 2;
+    while moitie > 0 {
+        for i in 0..moitie {
+            x[i] = if x[i] > x[i + moitie] { x[i] } else { x[i + moitie] };
+        }
+        moitie /= 2;
+    }
+    x[0]
+}
