@@ -1,0 +1,81 @@
+#!/usr/bin/env bash
+# Times two versions of this crate in one process, by turns, and prints new over old for every family of
+# scenes, kind of ray, scalar and number of objects; under two minutes. The checkout that one stands in is the
+# new version, with what is not committed yet; the old one is any revision of it.
+#
+#   benches/ab.sh [--units OLD[:NEW]] REVISION [filters]
+#   benches/ab.sh HEAD
+#   benches/ab.sh HEAD~3 --family city,hall --n 12,1000 --scalar f32 --rays tiles,shadows --way single
+#   benches/ab.sh --units 1:16 .        one codegen unit against sixteen, of the same source
+#
+# REVISION `.` is the checkout itself. --units: codegen units of the crate, 16 unless said (as `cargo build
+# --release` of a user has it). Filters, each a list with commas:
+#   --family   city hall atoms stadium sticks sizes snowflake room atelier mix
+#   --rays     tiles rows mirrors rough diffuse "no order" shadows
+#   --way      list list-batch (both up to 64 objects), single batch (of the hierarchy)
+#   --n        12,48,192,1000,10000 unless said; room and atelier have their own
+#   --scalar   f32,f64
+# and, each a single value:
+#   --set AVX-512 | AVX2 | SSE2   the instructions of the hierarchy; the best of the machine unless said
+#   --bands 8   how much of the picture, 1 to 50 bands of 4,800 rays
+#   --turns 4   of a round; the least time of 2 to 6 rounds counts, until their ratio stands
+#   --ns        the old time as well, in ns a ray
+# `!` marks a cell in which the two versions do not agree to the bit. A version beside itself stays within 5 %,
+# except for lists and rooms of some ten objects (up to 40 %): where the code comes to lie decides what the
+# processor predicts. Run it again, or with `--bands 50`.
+set -euo pipefail
+
+aide() { sed -n '2,/^set/{/^set/d;s/^# \{0,1\}//;p}' "$0"; }
+unites=16:16
+[ "${1-}" != --units ] || { unites=$2; shift 2; }
+case "${1---help}" in -*) aide; exit ;; esac
+revision=$1
+shift
+
+bancs=$(cd "$(dirname "$0")" && pwd)
+racine=$(git rev-parse --show-toplevel)
+ab=$racine/target/ab
+if [ "$revision" = . ]; then
+  revision=$(git -C "$racine" stash create)
+  revision=${revision:-HEAD}
+fi
+commit=$(git -C "$racine" rev-parse "$revision^{commit}")
+version() { sed -n 's/^version = "\(.*\)"/\1/p' "$1/Cargo.toml" | head -1; }
+
+# Unpacked only if it is another one, so that cargo does not compile it again.
+mkdir -p "$ab/programme"
+if [ "$(cat "$ab/commit" 2>/dev/null)" != "$commit" ]; then
+  rm -rf "$ab/avant"
+  mkdir "$ab/avant"
+  git -C "$racine" archive "$commit" | tar -xm -C "$ab/avant"
+  # Two packages of one name need two versions.
+  sed -i '0,/^version = .*/s//version = "0.0.0-avant"/' "$ab/avant/Cargo.toml"
+  echo "$commit" > "$ab/commit"
+fi
+
+cat > "$ab/programme/Cargo.toml" <<FIN
+[package]
+name = "ab"
+version = "0.0.0"
+edition = "2024"
+[[bin]]
+name = "ab"
+path = "$bancs/comparaison/src/ab.rs"
+[workspace]
+[dependencies]
+avant = { package = "lancer-rayon", path = "$ab/avant", features = ["serde"] }
+fastrand = "2"
+lancer-rayon = { path = "$racine", features = ["serde"] }
+libm = "0.2.16"
+ron = "0.12.3"
+serde = { version = "1.0.229", features = ["derive"] }
+[profile.release.package]
+"lancer-rayon@0.0.0-avant" = { codegen-units = ${unites%:*} }
+"lancer-rayon@$(version "$racine")" = { codegen-units = ${unites#*:} }
+FIN
+[ -e "$ab/programme/Cargo.lock" ] || cp "$racine/Cargo.lock" "$ab/programme/"
+
+export DOCS=$bancs/../docs
+cargo build --release --quiet --manifest-path "$ab/programme/Cargo.toml" --target-dir "$ab/target"
+echo "old: $(git -C "$racine" log -1 --format='%h %s' "$commit"); new: $racine; codegen units $unites"
+exec "$ab/target/release/ab" "$@"

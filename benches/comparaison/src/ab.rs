@@ -1,0 +1,465 @@
+//! Two versions of this crate in one process, by turns: what `benches/ab.sh` runs. `avant` is the old one and
+//! `lancer_rayon` the new one; both get the same rays and the same numbers for their objects.
+
+mod familles;
+#[allow(dead_code, reason = "shared with the comparison")]
+mod horloge;
+
+use std::error::Error;
+use std::hint::black_box;
+use std::path::Path;
+
+use familles::{Famille, Genre};
+use horloge::{MORCEAU, chronometrer, chronometrer_lot, moindres};
+use lancer_rayon::{Hierarchie, ObjetRay, Reel};
+
+use serde::de::DeserializeOwned;
+
+#[allow(dead_code, reason = "shared with the tests")]
+#[path = "../../../tests/commun"]
+mod commun {
+    pub(crate) mod conversion;
+    pub(crate) mod regimes;
+    pub(crate) mod scenes;
+}
+#[allow(dead_code, reason = "shared with the examples")]
+#[path = "../../../docs/exemples/scene.rs"]
+mod scene;
+
+/// The most rounds, and by how much a ratio may move in the last.
+const MANCHES: usize = 6;
+const BOUGE: f64 = 0.015;
+
+/// Lists are asked up to so many objects.
+const LISTE: usize = 64;
+
+/// How a version is asked.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Facon {
+    Liste,
+    ListeEnLot,
+    Seul,
+    Lot,
+}
+
+impl Facon {
+    const TOUTES: [Self; 4] = [Self::Liste, Self::ListeEnLot, Self::Seul, Self::Lot];
+
+    fn nom(self) -> &'static str {
+        match self {
+            Self::Liste => "list",
+            Self::ListeEnLot => "list-batch",
+            Self::Seul => "single",
+            Self::Lot => "batch",
+        }
+    }
+}
+
+/// Every number of an object, as its getters give them.
+enum Brut<R> {
+    Sphere([R; 3], R),
+    Plan([R; 3], R),
+    Boite([R; 3], [[R; 3]; 3], [R; 3]),
+}
+
+/// Every number of an answer, exactly; a miss is `None`. Of a shadow: whether something is in the way.
+type Reponse = Option<[u64; 6]>;
+
+/// A version with a scene and rays.
+trait Version {
+    /// Nanoseconds a ray.
+    fn chronometrer(&mut self, facon: Facon) -> f64;
+    fn reponses(&mut self, facon: Facon) -> Vec<Reponse>;
+}
+
+/// What a version does with a batch of shadows. Where one has a question for it, it gets an arm here and
+/// stands in its `version!` below.
+macro_rules! ombres_en_lot {
+    (premieres, $hierarchie:ident, $rayons:expr, $max:expr, $touches:expr, $note:expr) => {{
+        $hierarchie.premieres_intersections($rayons, $touches).expect("as many answers as rays");
+        for (touche, max) in $touches.iter().zip($max) {
+            $note(touche.is_ok_and(|touche| touche.distance() < *max));
+        }
+    }};
+}
+
+macro_rules! version {
+    ($nom:ident, $version:ident, $ombres:ident) => {
+        mod $nom {
+            use ::$version::{
+                BoiteGeo, Hierarchie, NoIntersection, ObjetRay, PlanGeo, Rayon, Reel, Reglage,
+                Rotation, SphereGeo, Texture, Touche, Vecteur, est_occulte, premiere_intersection,
+                premieres_intersections,
+            };
+
+            use super::*;
+
+            struct Pret<'a, R> {
+                hierarchie: Hierarchie<'a, R>,
+                rayons: Vec<Rayon<R>>,
+                /// For shadows, how far each lamp is.
+                max: Vec<R>,
+                ombres: Vec<(Rayon<R>, R)>,
+                tampon: Vec<Touche<R>>,
+            }
+
+            fn objet<R: Reel>(brut: &Brut<R>, i: usize) -> ObjetRay<R> {
+                let texture = Texture(i as u32);
+                match *brut {
+                    Brut::Sphere(c, r) => SphereGeo::new(c.into(), r, texture).unwrap().into(),
+                    Brut::Plan(n, d) => {
+                        let plan = PlanGeo::par_un_point(Vecteur::NUL, n.into(), texture).unwrap();
+                        plan.translation(-Vecteur::from(n) * d).unwrap().into()
+                    }
+                    Brut::Boite(c, normales, demi) => {
+                        let rotation = Rotation::depuis_matrice(normales).unwrap();
+                        let dimensions = demi.map(|x| x + x).into();
+                        BoiteGeo::new(c.into(), dimensions, rotation, texture).unwrap().into()
+                    }
+                }
+            }
+
+            /// Prepares this version and hands it to `suite`.
+            pub(super) fn avec<R: Reel, T>(
+                bruts: &[Brut<R>],
+                rayons: &[([R; 3], [R; 3], R)],
+                jeu: &str,
+                ombres: bool,
+                suite: impl FnOnce(&mut dyn Version) -> T,
+            ) -> T {
+                let objets: Vec<_> =
+                    bruts.iter().enumerate().map(|(i, brut)| objet(brut, i)).collect();
+                let mut places = vec![0.0; Hierarchie::places(objets.len())];
+                let hierarchie = Hierarchie::new(&objets, &mut places).unwrap();
+                let reglage = Reglage::tous().find(|(nom, _)| jeu == *nom);
+                let hierarchie = match reglage {
+                    Some((_, reglage)) => reglage.hierarchie(hierarchie),
+                    None => hierarchie,
+                };
+                let lances = rayons
+                    .iter()
+                    .map(|(s, d, max)| (Rayon::new((*s).into(), (*d).into()).unwrap(), *max));
+                let lances: Vec<_> = lances.collect();
+                let (rayons, max): (Vec<_>, _) = lances.iter().copied().unzip();
+                let (ombres, max) = if ombres { (lances, max) } else { (vec![], vec![]) };
+                let tampon = vec![Err(NoIntersection); MORCEAU];
+                suite(&mut Pret { hierarchie, rayons, max, ombres, tampon })
+            }
+
+            impl<R: Reel> Version for Pret<'_, R> {
+                fn chronometrer(&mut self, facon: Facon) -> f64 {
+                    let Self { hierarchie, rayons, max, ombres, tampon } = self;
+                    let objets = hierarchie.objets();
+                    let mut max = max.chunks(MORCEAU);
+                    let note = black_box::<bool>;
+                    let premieres = |rayons: &[Rayon<R>], touches: &mut [Touche<R>]| match facon {
+                        Facon::ListeEnLot => {
+                            premieres_intersections(objets, rayons, touches).unwrap();
+                        }
+                        _ => hierarchie.premieres_intersections(rayons, touches).unwrap(),
+                    };
+                    match (facon, ombres.is_empty()) {
+                        (Facon::Liste, true) => {
+                            chronometrer(rayons, 1, |rayon| premiere_intersection(objets, rayon))
+                        }
+                        (Facon::Seul, true) => {
+                            chronometrer(rayons, 1, |rayon| hierarchie.premiere_intersection(rayon))
+                        }
+                        (Facon::ListeEnLot | Facon::Lot, true) => {
+                            chronometrer_lot(rayons, tampon, premieres)
+                        }
+                        (Facon::Liste, false) => {
+                            chronometrer(ombres, 1, |(rayon, max)| est_occulte(objets, rayon, *max))
+                        }
+                        (Facon::Seul, false) => chronometrer(ombres, 1, |(rayon, max)| {
+                            hierarchie.est_occulte(rayon, *max)
+                        }),
+                        (Facon::ListeEnLot, false) => {
+                            chronometrer_lot(rayons, tampon, |rayons, touches| {
+                                premieres(rayons, touches);
+                                for (touche, max) in touches.iter().zip(max.next().unwrap()) {
+                                    note(touche.is_ok_and(|touche| touche.distance() < *max));
+                                }
+                            })
+                        }
+                        (Facon::Lot, false) => {
+                            chronometrer_lot(rayons, tampon, |rayons, touches| {
+                                let max = max.next().unwrap();
+                                ombres_en_lot!($ombres, hierarchie, rayons, max, touches, note);
+                            })
+                        }
+                    }
+                }
+
+                fn reponses(&mut self, facon: Facon) -> Vec<Reponse> {
+                    let Self { hierarchie, rayons, max, ombres, .. } = self;
+                    let objets = hierarchie.objets();
+                    let mut touches = vec![Err(NoIntersection); rayons.len()];
+                    let touches = &mut touches[..];
+                    let mut caches = Vec::new();
+                    let mut note = |oui: bool| caches.push(oui.then_some([0; 6]));
+                    match (facon, ombres.is_empty()) {
+                        (Facon::Liste, false) => {
+                            ombres.iter().for_each(|(r, max)| note(est_occulte(objets, r, *max)));
+                        }
+                        (Facon::Seul, false) => {
+                            ombres
+                                .iter()
+                                .for_each(|(r, max)| note(hierarchie.est_occulte(r, *max)));
+                        }
+                        (Facon::Lot, false) => {
+                            ombres_en_lot!($ombres, hierarchie, rayons, &*max, touches, note);
+                        }
+                        (Facon::ListeEnLot, false) => {
+                            premieres_intersections(objets, rayons, touches).unwrap();
+                            for (touche, max) in touches.iter().zip(max) {
+                                note(touche.is_ok_and(|touche| touche.distance() < *max));
+                            }
+                        }
+                        (Facon::Liste, true) => {
+                            for (touche, rayon) in touches.iter_mut().zip(rayons) {
+                                *touche = premiere_intersection(objets, rayon);
+                            }
+                        }
+                        (Facon::Seul, true) => {
+                            for (touche, rayon) in touches.iter_mut().zip(rayons) {
+                                *touche = hierarchie.premiere_intersection(rayon);
+                            }
+                        }
+                        (Facon::ListeEnLot, true) => {
+                            premieres_intersections(objets, rayons, touches).unwrap();
+                        }
+                        (Facon::Lot, true) => {
+                            hierarchie.premieres_intersections(rayons, touches).unwrap();
+                        }
+                    }
+                    if ombres.is_empty() { touches.iter().map(reponse).collect() } else { caches }
+                }
+            }
+
+            fn reponse<R: Reel>(touche: &Touche<R>) -> Reponse {
+                let touche = touche.ok()?;
+                let n = touche.normale();
+                let [t, x, y, z, marge] = [touche.distance(), n.x, n.y, n.z, touche.marge()]
+                    .map(|x| x.vers_f64().to_bits());
+                Some([t, x, y, z, marge, touche.objet() as u64])
+            }
+        }
+    };
+}
+
+version! { ancienne, avant, premieres }
+version! { nouvelle, lancer_rayon, premieres }
+
+fn brut<R: Reel>(objet: &ObjetRay<R>) -> Brut<R> {
+    match objet {
+        ObjetRay::Sphere(s) => Brut::Sphere(s.centre().into(), s.rayon()),
+        ObjetRay::Plan(p) => Brut::Plan(p.normale().into(), p.distance()),
+        ObjetRay::Boite(b) => {
+            Brut::Boite(b.centre().into(), b.normales().map(Into::into), b.demi_longueurs())
+        }
+    }
+}
+
+/// What is asked for on the command line.
+struct Choix {
+    familles: Vec<Famille>,
+    nombres: Vec<usize>,
+    scalaires: Vec<String>,
+    genres: Vec<Genre>,
+    facons: Vec<Facon>,
+    jeu: String,
+    bandes: usize,
+    tours: usize,
+    temps: bool,
+}
+
+impl Choix {
+    fn lire() -> Result<Self, Box<dyn Error>> {
+        let mut choix = Self {
+            familles: Famille::TOUTES.into(),
+            nombres: vec![12, 48, 192, 1000, 10_000],
+            scalaires: vec!["f32".into(), "f64".into()],
+            genres: Genre::TOUS.into(),
+            facons: Facon::TOUTES.into(),
+            jeu: String::new(),
+            bandes: 8,
+            tours: 4,
+            temps: false,
+        };
+        let mut arguments = std::env::args().skip(1);
+        while let Some(option) = arguments.next() {
+            if option == "--ns" {
+                choix.temps = true;
+                continue;
+            }
+            let valeurs = arguments.next().ok_or_else(|| format!("{option} of what?"))?;
+            match option.as_str() {
+                "--family" => choix.familles = parmi(&valeurs, &Famille::TOUTES, Famille::nom)?,
+                "--rays" => choix.genres = parmi(&valeurs, &Genre::TOUS, Genre::nom)?,
+                "--way" => choix.facons = parmi(&valeurs, &Facon::TOUTES, Facon::nom)?,
+                "--scalar" => choix.scalaires = valeurs.split(',').map(Into::into).collect(),
+                "--n" => {
+                    choix.nombres = valeurs.split(',').map(str::parse).collect::<Result<_, _>>()?
+                }
+                "--set" => choix.jeu = valeurs,
+                "--bands" => choix.bandes = valeurs.parse()?,
+                "--turns" => choix.tours = valeurs.parse()?,
+                _ => return Err(format!("no option {option}; benches/ab.sh --help").into()),
+            }
+        }
+        Ok(choix)
+    }
+}
+
+/// Those of a list separated by commas.
+fn parmi<T: Copy>(
+    valeurs: &str,
+    tous: &[T],
+    nom: impl Fn(T) -> &'static str,
+) -> Result<Vec<T>, String> {
+    let un = |valeur: &str| {
+        let noms = || tous.iter().map(|t| nom(*t)).collect::<Vec<_>>().join(", ");
+        tous.iter()
+            .copied()
+            .find(|t| nom(*t) == valeur)
+            .ok_or_else(|| format!("{valeur} is none of {}", noms()))
+    };
+    valeurs.split(',').map(un).collect()
+}
+
+/// What one cell of the table was measured to be.
+struct Cellule {
+    nom: String,
+    genre: Genre,
+    facon: Facon,
+    rapport: f64,
+    /// Rays that the two versions answer differently, in any bit.
+    autres: usize,
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let choix = Choix::lire()?;
+    let titres: Vec<_> = choix.genres.iter().map(|genre| format!("{:>11}", genre.nom())).collect();
+    println!("time, new over old{}", if choix.temps { ", and the old in ns a ray" } else { "" });
+    println!("{:<32}{}", "family, N, scalar, way", titres.join(""));
+    let mut cellules = Vec::new();
+    for famille in &choix.familles {
+        for n in famille.nombres(&choix.nombres) {
+            for scalaire in &choix.scalaires {
+                match scalaire.as_str() {
+                    "f32" => mesurer::<f32>(&choix, *famille, *n, "f32", &mut cellules)?,
+                    "f64" => mesurer::<f64>(&choix, *famille, *n, "f64", &mut cellules)?,
+                    _ => return Err("--scalar f32,f64".into()),
+                }
+            }
+        }
+    }
+    resumer(&choix, cellules);
+    Ok(())
+}
+
+/// Every kind of ray and every way of one scene: a line a way.
+fn mesurer<R: Reel + avant::Reel + DeserializeOwned>(
+    choix: &Choix,
+    famille: Famille,
+    n: usize,
+    scalaire: &str,
+    cellules: &mut Vec<Cellule>,
+) -> Result<(), Box<dyn Error>> {
+    let docs = Path::new(env!("DOCS"));
+    let scene = famille.scene::<R>(n, docs);
+    let mut places = vec![0.0; Hierarchie::places(n)];
+    let hierarchie = Hierarchie::new(&scene.objets, &mut places)?;
+    let bruts: Vec<_> = scene.objets.iter().map(brut).collect();
+    let permise = |facon: &&Facon| n <= LISTE || matches!(facon, Facon::Seul | Facon::Lot);
+    let facons: Vec<_> = choix.facons.iter().filter(permise).copied().collect();
+    let mut lignes = vec![String::new(); facons.len()];
+    for &genre in &choix.genres {
+        let rayons = genre.rayons(&hierarchie, &scene, choix.bandes).into_iter();
+        let rayons: Vec<_> =
+            rayons.map(|(r, max)| (r.source().into(), r.direction().into(), max)).collect();
+        let ombres = genre == Genre::Ombres;
+        let mesures = ancienne::avec(&bruts, &rayons, &choix.jeu, ombres, |avant| {
+            nouvelle::avec(&bruts, &rayons, &choix.jeu, ombres, |apres| {
+                let attendues = apres.reponses(facons[0]);
+                facons
+                    .iter()
+                    .map(|&facon| {
+                        let [anciennes, nouvelles] = [avant.reponses(facon), apres.reponses(facon)];
+                        if nouvelles != attendues {
+                            println!("the ways of the new version differ: {}", facon.nom());
+                        }
+                        let autres =
+                            anciennes.iter().zip(&nouvelles).filter(|(a, b)| a != b).count();
+                        let ns = posees(choix.tours, |nouveau| {
+                            if nouveau {
+                                apres.chronometrer(facon)
+                            } else {
+                                avant.chronometrer(facon)
+                            }
+                        });
+                        (facon, ns[0], ns[1] / ns[0], autres)
+                    })
+                    .collect::<Vec<_>>()
+            })
+        });
+        for (ligne, (facon, ns, rapport, autres)) in lignes.iter_mut().zip(mesures) {
+            let temps = if choix.temps { format!(" {ns:4.0}") } else { String::new() };
+            let marque = if autres > 0 { "!" } else { " " };
+            ligne.push_str(&format!("{:>11}", format!("{rapport:.2}{marque}{temps}")));
+            let nom = format!("{} {n} {scalaire} {} {}", famille.nom(), facon.nom(), genre.nom());
+            cellules.push(Cellule { nom, genre, facon, rapport, autres });
+        }
+    }
+    for (ligne, facon) in lignes.iter().zip(&facons) {
+        println!("{:<32}{ligne}", format!("{} {n} {scalaire} {}", famille.nom(), facon.nom()));
+    }
+    Ok(())
+}
+
+/// The least times of the old and of the new, in rounds of so many turns, until a round no longer moves their
+/// ratio: another program that took the processor is not taken for a difference.
+fn posees(tours: usize, mut duree: impl FnMut(bool) -> f64) -> [f64; 2] {
+    let mut ns = [f64::INFINITY; 2];
+    let mut rapport = f64::NAN;
+    for _ in 0..MANCHES {
+        let manche = moindres(tours, &[false, true], |nouveau| duree(*nouveau));
+        ns = [ns[0].min(manche[0]), ns[1].min(manche[1])];
+        let dernier = std::mem::replace(&mut rapport, ns[1] / ns[0]);
+        if (rapport / dernier - 1.0).abs() < BOUGE {
+            break;
+        }
+    }
+    ns
+}
+
+/// The geometric means of each way and kind, the extremes, and which answers differ.
+fn resumer(choix: &Choix, mut cellules: Vec<Cellule>) {
+    println!();
+    for facon in &choix.facons {
+        let moyenne = |genre: &Genre| {
+            let choisies = cellules.iter().filter(|c| c.facon == *facon && c.genre == *genre);
+            let (somme, nombre) =
+                choisies.fold((0.0, 0.0), |(s, n), c| (s + c.rapport.ln(), n + 1.0));
+            format!("{:>10.3} ", (somme / f64::max(nombre, 1.0)).exp())
+        };
+        let moyennes: Vec<_> = choix.genres.iter().map(moyenne).collect();
+        println!("{:<32}{}", format!("geometric mean, {}", facon.nom()), moyennes.join(""));
+    }
+    cellules.sort_by(|a, b| a.rapport.total_cmp(&b.rapport));
+    let extremes = |cellules: &mut dyn Iterator<Item = &Cellule>| {
+        for c in cellules.take(8) {
+            println!("    {:.2}  {}", c.rapport, c.nom);
+        }
+    };
+    println!("best");
+    extremes(&mut cellules.iter());
+    println!("worst");
+    extremes(&mut cellules.iter().rev());
+    let autres: Vec<_> = cellules.iter().filter(|c| c.autres > 0).collect();
+    println!("{} of {} cells with other answers (!)", autres.len(), cellules.len());
+    for c in autres.iter().take(8) {
+        println!("    {} rays  {}", c.autres, c.nom);
+    }
+}

@@ -1,0 +1,413 @@
+//! The families of scenes that are measured, the same on every run, and the kinds of rays.
+
+use std::f64::consts::{PI, TAU};
+use std::path::Path;
+
+use fastrand::Rng;
+use lancer_rayon::{
+    BoiteGeo, Hierarchie, Intersection, ObjetGeo, ObjetRay, PlanGeo, Rayon, Reel, Rotation,
+    SphereGeo, Texture, Vecteur,
+};
+use serde::de::DeserializeOwned;
+
+use crate::commun::conversion::arrondi;
+use crate::commun::regimes::{direction, entre};
+use crate::commun::scenes::{en_tuiles, melange};
+use crate::scene::{self, Camera};
+
+/// What a scene is like.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Famille {
+    Ville,
+    Salle,
+    Atomes,
+    Stade,
+    Batons,
+    Tailles,
+    Flocon,
+    Piece,
+    Atelier,
+    Melange,
+}
+
+/// One scene, who looks at it, and its lamp.
+pub(crate) struct Scene<R> {
+    pub(crate) objets: Vec<ObjetRay<R>>,
+    camera: Camera,
+    lampe: Vecteur<R>,
+}
+
+impl Famille {
+    pub(crate) const TOUTES: [Self; 10] = [
+        Self::Ville,
+        Self::Salle,
+        Self::Atomes,
+        Self::Stade,
+        Self::Batons,
+        Self::Tailles,
+        Self::Flocon,
+        Self::Piece,
+        Self::Atelier,
+        Self::Melange,
+    ];
+
+    pub(crate) fn nom(self) -> &'static str {
+        match self {
+            Self::Ville => "city",
+            Self::Salle => "hall",
+            Self::Atomes => "atoms",
+            Self::Stade => "stadium",
+            Self::Batons => "sticks",
+            Self::Tailles => "sizes",
+            Self::Flocon => "snowflake",
+            Self::Piece => "room",
+            Self::Atelier => "atelier",
+            Self::Melange => "mix",
+        }
+    }
+
+    /// Those of so many objects; a room has eight or twenty-four solids in its six walls, and the atelier is
+    /// what it is.
+    pub(crate) fn nombres(self, usuels: &[usize]) -> &[usize] {
+        match self {
+            Self::Piece => &[14, 30],
+            Self::Atelier => &[14],
+            Self::Ville
+            | Self::Salle
+            | Self::Atomes
+            | Self::Stade
+            | Self::Batons
+            | Self::Tailles
+            | Self::Flocon
+            | Self::Melange => usuels,
+        }
+    }
+
+    /// The scene of `n` objects, object i with texture i. `docs` is the folder of that name.
+    pub(crate) fn scene<R: Reel + DeserializeOwned>(self, n: usize, docs: &Path) -> Scene<R> {
+        let alea = &mut Rng::with_seed(1);
+        let (objets, camera, lampe) = match self {
+            Self::Ville => (ville(n, alea), VUE_D_EN_HAUT, [-9.0, 14.0, 9.0]),
+            Self::Salle => (salle(n, alea), DANS_LA_SALLE, [1.0, 5.5, 2.0]),
+            Self::Atomes => (atomes(n, alea), DE_LOIN, [-8.0, 12.0, 10.0]),
+            Self::Stade => (stade(n, alea), DANS_LE_STADE, [-8.0, 12.0, 10.0]),
+            Self::Batons => (batons(n, alea), DE_LOIN, [-8.0, 12.0, 10.0]),
+            Self::Tailles => (tailles(n, alea), DE_LOIN, [-8.0, 12.0, 10.0]),
+            Self::Flocon => (flocon(n), DE_LOIN, [-8.0, 12.0, 10.0]),
+            Self::Piece => (piece(n, alea), DANS_LA_SALLE, [1.0, 5.5, 2.0]),
+            Self::Atelier => {
+                let atelier = scene::Scene::lire(&docs.join("scenes/atelier.ron"))
+                    .expect("the scene of the README");
+                let objets = atelier.objets.into_iter().map(ObjetGeo::vers_ray).collect();
+                return Scene {
+                    objets,
+                    camera: atelier.camera,
+                    lampe: arrondi(Vecteur::new(-2.6, 7.2, 5.2)),
+                };
+            }
+            Self::Melange => (melange(n), DEVANT, [-2.6, 7.2, 5.2]),
+        };
+        let camera = ron::from_str(camera).expect("a camera as in a scene file");
+        Scene { objets, camera, lampe: arrondi(lampe.into()) }
+    }
+}
+
+const VUE_D_EN_HAUT: &str = "(source: (3, 9, 22), regard: Point((0, 0, 0)), champ: 42)";
+const DANS_LA_SALLE: &str = "(source: (4, 3.5, 9), regard: Point((0, 1, 0)), champ: 55)";
+const DE_LOIN: &str = "(source: (0, 2, 16), regard: Point((0, 0, 0)), champ: 42)";
+const DANS_LE_STADE: &str = "(source: (0, 2, 9), regard: Point((0, 0.7, 0)), champ: 30)";
+const DEVANT: &str = "(source: (0, 1, 6), regard: Rotation((0, 0, 0)), champ: 50)";
+
+/// Houses along streets that run a little askew, each turned a little, with some towers; the ground.
+fn ville<R: Reel>(n: usize, alea: &mut Rng) -> Vec<ObjetRay<R>> {
+    let cote = ((n - 1) as f64).sqrt().ceil();
+    // A lot; every fourth is a street each way.
+    let lot = 20.0 / (cote * 1.25);
+    let mut objets = vec![sol(0.0)];
+    for i in 0..n - 1 {
+        let ou = [i as f64 % cote, (i as f64 / cote).floor()];
+        let [x, z] = ou.map(|k| (k + (k / 4.0).floor()) * lot - 10.0);
+        let tour = if alea.u8(..16) == 0 { 3.0 } else { 1.0 };
+        let haut = lot * tour * entre(alea, 0.5, 1.5);
+        let dimensions = [lot * entre(alea, 0.5, 0.9), haut, lot * entre(alea, 0.5, 0.9)];
+        let (sin, cos) = 0.3_f64.sin_cos();
+        let centre = [x * cos - z * sin, haut / 2.0, x * sin + z * cos];
+        objets.push(boite(centre, dimensions, [0.0, 0.3 + entre(alea, -0.1, 0.1), 0.0], i + 1));
+    }
+    objets
+}
+
+/// A floor, four walls and tables of one thickness, all of them boxes, with one to sixteen small things on each
+/// table.
+fn salle<R: Reel>(n: usize, alea: &mut Rng) -> Vec<ObjetRay<R>> {
+    let mut objets = Vec::new();
+    for (centre, dimensions) in [
+        ([0.0, -0.1, 0.0], [20.0, 0.2, 20.0]),
+        ([0.0, 3.0, -10.1], [20.0, 6.0, 0.2]),
+        ([-10.1, 3.0, 0.0], [0.2, 6.0, 20.0]),
+        ([10.1, 3.0, 0.0], [0.2, 6.0, 20.0]),
+        ([0.0, 3.0, 10.1], [20.0, 6.0, 0.2]),
+    ] {
+        objets.push(boite(centre, dimensions, [0.0; 3], objets.len()));
+    }
+    let choses = n - objets.len();
+    let rangee = (choses as f64 / 17.0).sqrt().ceil().max(1.0);
+    let table = 16.0 / rangee;
+    for i in 0..choses {
+        let (numero, place) = ((i / 17) as f64, i % 17);
+        let ou = [numero % rangee, (numero / rangee).floor()];
+        let [x, z] = ou.map(|k| (k + 0.5) * table - 8.0);
+        objets.push(if place == 0 {
+            boite([x, 1.0, z], [0.7 * table, 0.1, 0.7 * table], [0.0; 3], objets.len())
+        } else {
+            let r = 0.04 * table * entre(alea, 0.5, 1.5);
+            let x = x + 0.3 * table * entre(alea, -1.0, 1.0);
+            let z = z + 0.3 * table * entre(alea, -1.0, 1.0);
+            chose(alea, [x, 1.05 + r, z], r, objets.len())
+        });
+    }
+    objets
+}
+
+/// A chain of overlapping balls that folds up within a ball.
+fn atomes<R: Reel>(n: usize, alea: &mut Rng) -> Vec<ObjetRay<R>> {
+    let r = 5.0 * (0.3 / n as f64).cbrt();
+    let mut ou = Vecteur::NUL;
+    let atome = |i| {
+        loop {
+            let suivant = ou + direction(alea) * (1.3 * r);
+            if suivant.longueur() < 5.0 {
+                ou = suivant;
+                break;
+            }
+        }
+        sphere(ou.into(), r * entre(alea, 0.8, 1.2), i)
+    };
+    (0..n).map(atome).collect()
+}
+
+/// Half of all in a heap as large as a teapot, the other half around a stadium; the ground.
+fn stade<R: Reel>(n: usize, alea: &mut Rng) -> Vec<ObjetRay<R>> {
+    let r = (1.0 / n as f64).cbrt();
+    let mut objets = vec![sol(0.0)];
+    for i in 1..n {
+        objets.push(if i % 2 == 0 {
+            let ou = direction(alea) * alea.f64().cbrt();
+            let taille = 0.4 * r * entre(alea, 0.5, 1.5);
+            chose(alea, [ou.x, 1.0 + ou.y, ou.z], taille, i)
+        } else {
+            let (a, loin) = (entre(alea, 0.0, TAU), entre(alea, 30.0, 60.0));
+            let taille = 8.0 * r * entre(alea, 0.5, 1.5);
+            let haut = (loin - 30.0) * entre(alea, 0.0, 0.8);
+            chose(alea, [loin * a.cos(), haut, loin * a.sin()], taille, i)
+        });
+    }
+    objets
+}
+
+/// Long thin boxes anyhow.
+fn batons<R: Reel>(n: usize, alea: &mut Rng) -> Vec<ObjetRay<R>> {
+    let large = 1.5 / (n as f64).powf(0.6);
+    let baton = |i| {
+        let ou = direction(alea) * (5.0 * alea.f64().cbrt());
+        let tour = [(); 3].map(|()| entre(alea, 0.0, TAU));
+        boite(ou.into(), [large, 4.0 * entre(alea, 0.5, 1.0), large], tour, i)
+    };
+    (0..n).map(baton).collect()
+}
+
+/// A few large and many small: the i-th largest is as large as 1/√i.
+fn tailles<R: Reel>(n: usize, alea: &mut Rng) -> Vec<ObjetRay<R>> {
+    let mut rangs: Vec<_> = (1..=n).collect();
+    alea.shuffle(&mut rangs);
+    let chose = |(i, rang): (usize, usize)| {
+        let ou = direction(alea) * (5.0 * alea.f64().cbrt());
+        chose(alea, ou.into(), 1.2 / (rang as f64).sqrt(), i)
+    };
+    rangs.into_iter().enumerate().map(chose).collect()
+}
+
+/// Balls on balls: nine of a third of the radius on each; the ground.
+fn flocon<R: Reel>(n: usize) -> Vec<ObjetRay<R>> {
+    // Centre, radius, and the way outward.
+    let mut boules = vec![(Vecteur::NUL, 2.4, Vecteur::new(0.0, 1.0, 0.0))];
+    let mut mere = 0;
+    while boules.len() < n - 1 {
+        let (centre, rayon, z) = boules[mere];
+        mere += 1;
+        let x = z.produit_vectoriel(Vecteur::new(0.6, 0.48, 0.64)).unitaire().expect("no axis");
+        let y = z.produit_vectoriel(x);
+        // Six around the equator, three above.
+        for i in 0..9 {
+            let (tour, haut): (f64, f64) =
+                if i < 6 { (f64::from(i) / 6.0, 0.0) } else { (f64::from(i) / 3.0, 0.9) };
+            let ((sin, cos), (haut, bas)) = ((tour * TAU).sin_cos(), haut.sin_cos());
+            let vers = (x * cos + y * sin) * bas + z * haut;
+            boules.push((centre + vers * (rayon * 4.0 / 3.0), rayon / 3.0, vers));
+        }
+    }
+    let boules = boules.into_iter().enumerate();
+    let boules = boules.map(|(i, (centre, rayon, _))| sphere(centre.into(), rayon, i + 1));
+    [sol(-4.0)].into_iter().chain(boules).take(n).collect()
+}
+
+/// Six half-spaces with spheres and boxes between them.
+fn piece<R: Reel>(n: usize, alea: &mut Rng) -> Vec<ObjetRay<R>> {
+    let murs: [([f64; 3], [f64; 3]); 6] = [
+        ([0.0, 1.0, 0.0], [0.0, 0.0, 0.0]),
+        ([0.0, -1.0, 0.0], [0.0, 6.0, 0.0]),
+        ([1.0, 0.0, 0.0], [-10.0, 0.0, 0.0]),
+        ([-1.0, 0.0, 0.0], [10.0, 0.0, 0.0]),
+        ([0.0, 0.0, 1.0], [0.0, 0.0, -10.0]),
+        ([0.0, 0.0, -1.0], [0.0, 0.0, 10.0]),
+    ];
+    let murs = murs.into_iter().enumerate().map(|(i, (vers, ou))| demi_espace(ou, vers, i));
+    let mut objets: Vec<_> = murs.take(n).collect();
+    while objets.len() < n {
+        let r = 3.0 / (n as f64).cbrt() * entre(alea, 0.3, 0.8);
+        let ou = [entre(alea, -5.0, 5.0), r + entre(alea, 0.0, 2.0), entre(alea, -7.0, 4.0)];
+        objets.push(chose(alea, ou, r, objets.len()));
+    }
+    objets
+}
+
+/// A sphere or a turned box, of this size.
+fn chose<R: Reel>(alea: &mut Rng, ou: [f64; 3], r: f64, i: usize) -> ObjetRay<R> {
+    if i % 2 == 0 {
+        return sphere(ou, r, i);
+    }
+    let dimensions = [(); 3].map(|()| r * entre(alea, 0.7, 1.7));
+    boite(ou, dimensions, [(); 3].map(|()| entre(alea, -PI, PI)), i)
+}
+
+const PERMIS: &str = "a scene lies within every limit";
+
+fn sphere<R: Reel>(centre: [f64; 3], rayon: f64, i: usize) -> ObjetRay<R> {
+    let sphere = SphereGeo::new(arrondi(centre.into()), R::depuis_f64(rayon), Texture(i as u32));
+    sphere.expect(PERMIS).into()
+}
+
+fn boite<R: Reel>(
+    centre: [f64; 3],
+    dimensions: [f64; 3],
+    rotation: [f64; 3],
+    i: usize,
+) -> ObjetRay<R> {
+    let rotation = Rotation::new(arrondi(rotation.into())).expect(PERMIS);
+    let [centre, dimensions] = [centre, dimensions].map(|v| arrondi(v.into()));
+    BoiteGeo::new(centre, dimensions, rotation, Texture(i as u32)).expect(PERMIS).into()
+}
+
+fn demi_espace<R: Reel>(ou: [f64; 3], vers: [f64; 3], i: usize) -> ObjetRay<R> {
+    let [ou, vers] = [ou, vers].map(|v| arrondi(v.into()));
+    PlanGeo::par_un_point(ou, vers, Texture(i as u32)).expect(PERMIS).into()
+}
+
+/// The ground at this height, object 0.
+fn sol<R: Reel>(y: f64) -> ObjetRay<R> {
+    demi_espace([0.0, y, 0.0], [0.0, 1.0, 0.0], 0)
+}
+
+/// Which rays, and in what order.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Genre {
+    /// Of the camera, in tiles of 8 × 8.
+    Tuiles,
+    /// Of the camera, row by row.
+    Rangees,
+    /// Reflected by what the camera sees, in tiles.
+    Miroirs,
+    /// The same off by up to 0.05.
+    Rugueux,
+    /// Scattered about the normal of what the camera sees, in tiles.
+    Diffus,
+    /// From what the camera sees outward in any direction, shuffled.
+    SansOrdre,
+    /// From what the camera sees to the lamp, in tiles.
+    Ombres,
+}
+
+/// A ray, and how far the lamp is that it goes to.
+pub(crate) type Lance<R> = (Rayon<R>, R);
+
+impl Genre {
+    pub(crate) const TOUS: [Self; 7] = [
+        Self::Tuiles,
+        Self::Rangees,
+        Self::Miroirs,
+        Self::Rugueux,
+        Self::Diffus,
+        Self::SansOrdre,
+        Self::Ombres,
+    ];
+
+    pub(crate) fn nom(self) -> &'static str {
+        match self {
+            Self::Tuiles => "tiles",
+            Self::Rangees => "rows",
+            Self::Miroirs => "mirrors",
+            Self::Rugueux => "rough",
+            Self::Diffus => "diffuse",
+            Self::SansOrdre => "no order",
+            Self::Ombres => "shadows",
+        }
+    }
+
+    /// The rays of this kind from `bandes` of the picture's bands of eight rows, evenly spaced.
+    pub(crate) fn rayons<R: Reel>(
+        self,
+        hierarchie: &Hierarchie<'_, R>,
+        scene: &Scene<R>,
+        bandes: usize,
+    ) -> Vec<Lance<R>> {
+        let image = scene.camera.rayons().expect("a camera within the limits");
+        let (largeur, hauteur) = scene.camera.image;
+        let (largeur, toutes) = (largeur as usize, hauteur as usize / 8);
+        let choisies = (0..bandes).map(|i| (2 * i + 1) * toutes / (2 * bandes));
+        let choisies = choisies.flat_map(|i| &image[8 * largeur * i..8 * largeur * (i + 1)]);
+        let rangees: Vec<_> = choisies.copied().collect();
+        let de_la_camera = |rayon| (rayon, R::INFINI);
+        if self == Self::Rangees {
+            return rangees.into_iter().map(de_la_camera).collect();
+        }
+        let tuiles = en_tuiles(&rangees, largeur).into_iter();
+        if self == Self::Tuiles {
+            return tuiles.map(de_la_camera).collect();
+        }
+        let mut alea = Rng::with_seed(2);
+        let partis = tuiles.filter_map(|rayon| {
+            let touche = hierarchie.premiere_intersection(&rayon).ok()?;
+            self.depuis(&rayon, &touche, &mut alea, scene.lampe)
+        });
+        let mut partis: Vec<_> = partis.collect();
+        if self == Self::SansOrdre {
+            Rng::with_seed(3).shuffle(&mut partis);
+        }
+        partis
+    }
+
+    /// The ray of this kind that leaves this hit, if it goes outward.
+    fn depuis<R: Reel>(
+        self,
+        rayon: &Rayon<R>,
+        touche: &Intersection<R>,
+        alea: &mut Rng,
+        lampe: Vecteur<R>,
+    ) -> Option<Lance<R>> {
+        let (d, n) = (rayon.direction().vers_f64(), touche.normale().vers_f64());
+        let reflet = d - n * (2.0 * d.produit_scalaire(n));
+        let vers = match self {
+            Self::Tuiles | Self::Rangees => return Some((*rayon, R::INFINI)),
+            Self::Ombres => return rayon.vers_lumiere(touche, lampe),
+            Self::Miroirs => reflet,
+            Self::Rugueux => reflet + direction(alea) * 0.05,
+            Self::Diffus => n + direction(alea),
+            Self::SansOrdre => {
+                let vers = direction(alea);
+                vers * vers.produit_scalaire(n).signum()
+            }
+        };
+        let parti = rayon.secondaire(touche, arrondi(vers)).ok()?;
+        (vers.produit_scalaire(n) > 0.0).then_some((parti, R::INFINI))
+    }
+}
