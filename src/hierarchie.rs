@@ -20,8 +20,7 @@ use core::fmt;
 use fearless_simd::Level;
 
 use crate::compile::compilees;
-use crate::hierarchie::construction::{Arbre, construire, noeuds};
-use crate::hierarchie::noeud::MOTS;
+use crate::hierarchie::construction::{Arbre, construire, mots};
 use crate::intersection::Touche;
 use crate::lot::bloc::{BLOC, Bloc};
 use crate::lot::{LongueursDifferentes, PEU_DE_RAYONS, QuestionDeLot, memes_longueurs, repondre};
@@ -88,12 +87,11 @@ pub struct Hierarchie<'a, R = f64> {
     niveau: Level,
 }
 
-impl<R> fmt::Debug for Hierarchie<'_, R> {
+impl<R: Reel> fmt::Debug for Hierarchie<'_, R> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let noeuds = self.arbre.as_ref().map_or(0, |arbre| arbre.noeuds.len());
         f.debug_struct("Hierarchie")
             .field("objets", &self.objets.len())
-            .field("noeuds", &noeuds)
+            .field("noeuds", &self.noeuds())
             .finish()
     }
 }
@@ -110,16 +108,15 @@ impl Hierarchie<'_> {
     /// bytes, where there are many. They are scratch memory: what they hold before does not matter,
     /// and after the last question neither.
     ///
-    /// It is 0 for fewer than 17 objects, and for 2³¹ − 2²³ or more: these are asked as a list, as
-    /// is any list with fewer than 17 spheres and boxes. It is called without a type:
+    /// It is 0 for fewer than 8 objects, and for 2³¹ − 2²³ or more: these are asked as a list, as
+    /// is any list with fewer than 8 spheres and boxes. It is called without a type:
     /// `Hierarchie::places(n)`.
     #[doc(alias("capacity", "memory"))]
     #[must_use]
     pub const fn places(nombre_d_objets: usize) -> usize {
-        match noeuds(nombre_d_objets) {
+        match mots(nombre_d_objets) {
             0 => 0,
-            // Where this saturates, on a 32-bit machine, it is more than there is memory.
-            noeuds => MOTS.saturating_mul(noeuds).saturating_add(BOURRAGE),
+            mots => mots.saturating_add(BOURRAGE),
         }
     }
 }
@@ -141,7 +138,7 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
     /// assert!(Hierarchie::new(&[boule; 20], &mut places).is_ok());
     ///
     /// let refus = Hierarchie::new(&[boule; 200], &mut places).unwrap_err();
-    /// assert_eq!(refus.to_string(), "351 places lent, but 1583 needed");
+    /// assert_eq!(refus.to_string(), "366 places lent, but 1598 needed");
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
     #[doc(alias = "build")]
@@ -198,8 +195,9 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
         demander::<Premieres, R>((self, rayons, touches))
     }
 
-    pub(crate) fn a_un_arbre(&self) -> bool {
-        self.arbre.is_some()
+    /// How many nodes its tree has; 0 if it asks its list.
+    pub(crate) fn noeuds(&self) -> usize {
+        self.arbre.as_ref().map_or(0, |arbre| arbre.noeuds.len())
     }
 
     /// The same with these instructions.

@@ -27,7 +27,7 @@ impl<R: Reel> Premier<R> {
     /// Whether this comes before another: nearer, or as near and earlier in the list.
     #[inline(always)]
     pub(crate) fn precede(self, autre: Self) -> bool {
-        (self.t < autre.t) | ((self.t == autre.t) & (self.rang < autre.rang))
+        self.t < autre.t || (self.t == autre.t && self.rang < autre.rang)
     }
 
     /// The hit of this ray on it.

@@ -69,9 +69,9 @@ impl Reglage {
         demander::<Lot, R>(QuestionDeLot { niveau, elaguer, objets, rayons, touches })
     }
 
-    /// Whether this hierarchy has a tree, or asks its list.
-    pub fn a_un_arbre<R: Reel>(hierarchie: &Hierarchie<'_, R>) -> bool {
-        hierarchie.a_un_arbre()
+    /// How many nodes the tree of this hierarchy has; 0 if it has none and asks its list.
+    pub fn noeuds<R: Reel>(hierarchie: &Hierarchie<'_, R>) -> usize {
+        hierarchie.noeuds()
     }
 
     /// The same hierarchy with these instructions.

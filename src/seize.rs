@@ -43,6 +43,23 @@ impl Membres {
         self.clone().next()
     }
 
+    /// Takes out the one whose number is the least.
+    #[inline(always)]
+    pub(crate) fn prendre_le_moindre<R: EnColonne>(
+        &mut self,
+        nombres: &Colonne<R>,
+    ) -> Option<usize> {
+        let mut membres = self.clone();
+        let mut moindre = membres.next()?;
+        for membre in membres {
+            if nombres[membre] < nombres[moindre] {
+                moindre = membre;
+            }
+        }
+        self.0 &= !(1 << moindre);
+        Some(moindre)
+    }
+
     #[inline(always)]
     pub(crate) fn nombre(&self) -> u32 {
         self.0.count_ones()

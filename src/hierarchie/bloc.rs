@@ -57,13 +57,12 @@ impl<R: Reel> Arbre<'_, R> {
     ) -> Result<(), TropLoinLUnDeLAutre> {
         let faisceau = bloc.faisceau().ok_or(TropLoinLUnDeLAutre)?;
         let sonde = SondeDeBloc::new(&faisceau, self.repere).ok_or(TropLoinLUnDeLAutre)?;
-        for indice in self.sans_bornes() {
-            self.proposer(bloc, indice);
+        for &indice in self.plans {
+            self.proposer(bloc, indice_lu(indice));
         }
         let mut attentes = [RIEN; GRANDE_PILE];
-        let mut pile = Pile::new(&mut attentes);
+        let (mut pile, mut numero) = Pile::new(&mut attentes, self.geants, self.racine);
         let mut plafond = self.repere.distance(bloc.le_plus_loin());
-        let mut numero = self.racine;
         let assez = if self.objets.len() <= PETIT_ARBRE / size_of::<R>() {
             f64::INFINITY
         } else {

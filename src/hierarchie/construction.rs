@@ -7,46 +7,38 @@
 //! those of a leaf are sixteen neighbours. Each leaf is then transposed into columns in place, and
 //! the nodes above follow, floor by floor.
 
-use crate::hierarchie::noeud::{
-    COIN_ABSENT, FICHE, Fiche, LIMITE_INDICES, Noeud, VIDE, en_mot, indice_lu,
-};
+use crate::hierarchie::noeud::{COIN_ABSENT, FICHE, Fiche, LIMITE_INDICES, Noeud, VIDE, en_mot};
 use crate::hierarchie::repere::{Repere, extremes};
 use crate::objet::ObjetRay;
 use crate::reel::{Reel, max, min};
 use crate::seize::SEIZE;
+use crate::vecteur::Vecteur;
 
-/// Over fewer bounded objects than this no tree is made: one leaf would hold them, and the list is
-/// as fast (`docs/performance.md`, "Thresholds").
-const SEUIL_ARBRE: usize = SEIZE + 1;
+/// Over fewer bounded objects than this no tree is made: the list is as fast
+/// (`docs/performance.md`, "Thresholds").
+const SEUIL_ARBRE: usize = 8;
 
 /// A tree over a list of objects.
 #[derive(Clone, Copy)]
 pub(crate) struct Arbre<'a, R> {
     pub(crate) objets: &'a [ObjetRay<R>],
-    /// The leaves, then the floors above. The columns of indices of the leaves hold the bounded
-    /// objects first, then the half-spaces.
+    /// The leaves, then the floors above.
     pub(crate) noeuds: &'a [Noeud],
     /// How many nodes are leaves.
     pub(crate) feuilles: usize,
+    /// How many leaves of giants stand before the others, 0 or 1; the root is not above them.
+    pub(crate) geants: usize,
     pub(crate) racine: usize,
     /// How many of the objects are bounded.
     pub(crate) bornes: usize,
+    /// The [stored](en_mot) indices of the half-spaces, the last first.
+    pub(crate) plans: &'a [f32],
     pub(crate) repere: Repere<R>,
 }
 
-impl<R: Reel> Arbre<'_, R> {
-    /// The indices of the half-spaces.
-    #[inline(always)]
-    pub(crate) fn sans_bornes(&self) -> impl Iterator<Item = usize> + use<'_, R> {
-        (self.bornes..self.objets.len()).filter_map(|place| {
-            let [.., indices] = self.noeuds.get(place / SEIZE)?;
-            Some(indice_lu(indices[place % SEIZE]))
-        })
-    }
-}
-
-/// How many nodes the tree of so many objects may have, whichever of them are half-spaces.
-pub(crate) const fn noeuds(objets: usize) -> usize {
+/// How many numbers the tree of so many objects may need, whichever of them are half-spaces. A
+/// half-space needs one, and less than its share of a leaf, except for the first fifteen.
+pub(crate) const fn mots(objets: usize) -> usize {
     if objets < SEUIL_ARBRE || objets as u64 >= LIMITE_INDICES {
         return 0;
     }
@@ -56,52 +48,81 @@ pub(crate) const fn noeuds(objets: usize) -> usize {
         etage = etage.div_ceil(SEIZE);
         total += etage;
     }
-    total
+    // Where this saturates, on a 32-bit machine, it is more than there is memory.
+    total.saturating_mul(FICHE * SEIZE).saturating_add(SEIZE - 1)
 }
 
-/// The tree over these objects, in the numbers of [so many nodes](noeuds); none over few that are
-/// bounded.
+/// The tree over these objects, in [so many numbers](mots); none over few that are bounded.
 pub(crate) fn construire<'a, R: Reel>(
     objets: &'a [ObjetRay<R>],
     places: &'a mut [f32],
 ) -> Option<Arbre<'a, R>> {
     let repere = Repere::autour(objets);
-    let (fiches, _) = places.as_chunks_mut();
-    let (mut bornes, mut fin) = (0, objets.len());
+    let (mut bornes, mut fin) = (0, places.len());
     for (indice, objet) in objets.iter().enumerate() {
         let indice = en_mot(indice);
         if let Some((bas, haut)) = repere.boite_elargie(objet) {
+            let (fiches, _) = places.as_chunks_mut();
             fiches[bornes] = [bas.x, bas.y, bas.z, haut.x, haut.y, haut.z, indice];
             bornes += 1;
         } else {
             fin -= 1;
-            fiches[fin][FICHE - 1] = indice;
+            places[fin] = indice;
         }
     }
     if bornes < SEUIL_ARBRE {
         return None;
     }
-    trier(&mut fiches[..bornes]);
+    let (places, plans) = places.split_at_mut(fin);
+    let (fiches, _) = places.as_chunks_mut();
+    let geants = trier_les_geants(&mut fiches[..bornes]);
+    trier(&mut fiches[geants * SEIZE..bornes]);
 
     let (noeuds, _) = places.as_chunks_mut().0.as_chunks_mut();
-    let feuilles = objets.len().div_ceil(SEIZE);
+    let feuilles = bornes.div_ceil(SEIZE);
     for (numero, feuille) in noeuds[..feuilles].iter_mut().enumerate() {
-        en_colonnes(feuille, bornes.saturating_sub(numero * SEIZE));
+        en_colonnes(feuille, bornes - numero * SEIZE);
     }
     // The floor whose nodes have none above them yet.
-    let mut etage = 0..bornes.div_ceil(SEIZE);
-    let mut suivant = feuilles;
+    let mut etage = geants..feuilles;
     while etage.len() > 1 {
-        let premier = suivant;
+        let mut suivant = etage.end;
         for debut in etage.clone().step_by(SEIZE) {
             let (dessous, dessus) = noeuds.split_at_mut(suivant);
             dessus[0] = parent(&dessous[debut..etage.end.min(debut + SEIZE)], debut);
             suivant += 1;
         }
-        etage = premier..suivant;
+        etage = etage.end..suivant;
     }
-    let racine = etage.end - 1;
-    Some(Arbre { objets, noeuds, feuilles, racine, bornes, repere })
+    let racine = etage.start;
+    let noeuds = &noeuds[..=racine];
+    Some(Arbre { objets, noeuds, feuilles, geants, racine, bornes, plans, repere })
+}
+
+/// Giants are larger, in the mean, than this times the mean size of the others and the side of a
+/// leaf, if all leaves were alike (`docs/performance.md`, "Thresholds").
+const GEANT: f32 = 0.3;
+
+/// Puts the sixteen largest records first, and tells how many leaves they are: 1 if they are
+/// giants, floors and walls whose centres say little of where they are; else 0.
+fn trier_les_geants(fiches: &mut [Fiche]) -> usize {
+    let autres = fiches.len().saturating_sub(SEIZE);
+    if autres == 0 {
+        return 0;
+    }
+    let (bas, haut) = extremes(fiches.iter().map(double_centre));
+    let etendue = Vecteur::from(haut) - Vecteur::from(bas);
+    let cote = etendue.norme_1() * 0.5 / libm::cbrtf(fiches.len() as f32 / SEIZE as f32);
+    let moyenne =
+        |fiches: &[Fiche]| fiches.iter().map(taille).fold(0.0, |a, b| a + b) / fiches.len() as f32;
+    let _ = fiches.select_nth_unstable_by(SEIZE, |a, b| taille(b).total_cmp(&taille(a)));
+    let (grands, petits) = fiches.split_at(SEIZE);
+    usize::from(moyenne(grands) > GEANT * (moyenne(petits) + cote))
+}
+
+/// The sum of the sides of a box.
+fn taille(&[x0, y0, z0, x1, y1, z1, _]: &Fiche) -> f32 {
+    (x1 - x0) + (y1 - y0) + (z1 - z0)
 }
 
 /// Puts the records of each node, of every floor, side by side.
@@ -133,13 +154,12 @@ fn double_centre(&[x0, y0, z0, x1, y1, z1, _]: &Fiche) -> [f32; 3] {
     [x0 + x1, y0 + y1, z0 + z1]
 }
 
-/// Transposes sixteen records into columns, in place; only the first `bornes` have a box.
+/// Transposes sixteen records into columns, in place; only the first `bornes` are records.
 fn en_colonnes(feuille: &mut Noeud, bornes: usize) {
     let mut noeud = VIDE;
     let (fiches, _) = feuille.as_flattened().as_chunks::<FICHE>();
-    for (enfant, fiche) in fiches.iter().enumerate() {
-        let mots = if enfant < bornes { 0..FICHE } else { FICHE - 1..FICHE };
-        for mot in mots {
+    for (enfant, fiche) in fiches.iter().enumerate().take(bornes) {
+        for mot in 0..FICHE {
             noeud[mot][enfant] = fiche[mot];
         }
     }

@@ -5,9 +5,6 @@ use crate::seize::{Colonne, SEIZE};
 /// Numbers of a record: the lower corner, the upper corner, the index.
 pub(crate) const FICHE: usize = 7;
 
-/// Numbers of a node.
-pub(crate) const MOTS: usize = FICHE * SEIZE;
-
 /// Of so many objects or more no tree is made: this index would have the bits of +∞ in `f32`.
 pub(crate) const LIMITE_INDICES: u64 = 0x7f80_0000;
 

@@ -2,11 +2,15 @@
 
 use fearless_simd::Simd;
 
+use crate::forme::Forme;
 use crate::hierarchie::construction::Arbre;
 use crate::hierarchie::noeud::{Noeud, indice_lu};
-use crate::hierarchie::pile::{GRANDE_PILE, PETITE_PILE, PEU_DE_NOEUDS, Pile, RIEN};
+use crate::hierarchie::pile::{
+    DEUX_ETAGES, GRANDE_PILE, PETITE_PILE, PEU_DE_NOEUDS, PILE_D_UN_ETAGE, Pile, RIEN,
+};
 use crate::hierarchie::sonde::Sonde;
 use crate::intersection::Rang;
+use crate::objet::ObjetRay;
 use crate::premier::Premier;
 use crate::rayon::Rayon;
 use crate::reel::Reel;
@@ -26,22 +30,25 @@ impl<R: Reel> Arbre<'_, R> {
         premier: Premier<R>,
     ) -> Premier<R> {
         let mut recherche = Recherche { arbre: self, rayon: *rayon, premier };
-        for indice in self.sans_bornes() {
-            if recherche.voir_demi_espace(indice) && UN_SUFFIT {
+        for &indice in self.plans {
+            if recherche.voir_demi_espace(indice_lu(indice)) && UN_SUFFIT {
                 return recherche.premier;
             }
         }
         let sonde = Sonde::new(rayon, self.repere);
         // No larger pile than the tree needs: to set it up costs as much as an object.
-        let (mut petite, mut grande);
-        let mut pile = Pile::new(if self.noeuds.len() <= PEU_DE_NOEUDS {
+        let (mut moindre, mut petite, mut grande);
+        let attentes: &mut [_] = if self.noeuds.len() <= DEUX_ETAGES {
+            moindre = [RIEN; PILE_D_UN_ETAGE];
+            &mut moindre
+        } else if self.noeuds.len() <= PEU_DE_NOEUDS {
             petite = [RIEN; PETITE_PILE];
             &mut petite
         } else {
             grande = [RIEN; GRANDE_PILE];
             &mut grande
-        });
-        let mut numero = self.racine;
+        };
+        let (mut pile, mut numero) = Pile::new(attentes, self.geants, self.racine);
         while let Some(noeud) = self.noeuds.get(numero) {
             if numero < self.feuilles {
                 if recherche.voir_feuille::<S, UN_SUFFIT>(simd, &sonde, noeud) && UN_SUFFIT {
@@ -73,8 +80,9 @@ impl<R: Reel> Recherche<'_, R> {
     /// Asks the half-space of this index, and tells whether it is now the first.
     #[inline(always)]
     fn voir_demi_espace(&mut self, indice: usize) -> bool {
-        let objet = self.arbre.objets.get(indice);
-        objet.is_some_and(|objet| self.retenir(objet.t_si_proche(&self.rayon), indice))
+        // Matched as what it is, and its quotient behind a branch, for which no other step waits.
+        let Some(ObjetRay::Plan(plan)) = self.arbre.objets.get(indice) else { return false };
+        plan.peut_entrer(&self.rayon) && self.retenir(plan.t(&self.rayon), indice)
     }
 
     /// The same of a bounded object, whose ball a ray that crosses its box seldom passes by.
@@ -87,11 +95,11 @@ impl<R: Reel> Recherche<'_, R> {
     #[inline(always)]
     fn retenir(&mut self, t: R, indice: usize) -> bool {
         let trouve = Premier { t, rang: Rang::de(indice).en_nombre() };
-        let precede = trouve.precede(self.premier);
-        if precede {
+        if trouve.precede(self.premier) {
             self.premier = trouve;
+            return true;
         }
-        precede
+        false
     }
 
     /// The largest entry that still matters, in the frame of the tree.
@@ -112,7 +120,10 @@ impl<R: Reel> Recherche<'_, R> {
         let (mut traverses, Aligne(entrees)) = sonde.traverse(simd, feuille, self.plafond());
         let [.., indices] = feuille;
         let mut trouve = false;
-        while let Some(enfant) = traverses.next() {
+        // The nearest first, which most often cuts off the others; then in order.
+        let mut suivant =
+            if UN_SUFFIT { traverses.next() } else { traverses.prendre_le_moindre(&entrees) };
+        while let Some(enfant) = suivant {
             if self.voir_borne(indice_lu(indices[enfant])) {
                 trouve = true;
                 if UN_SUFFIT {
@@ -120,6 +131,7 @@ impl<R: Reel> Recherche<'_, R> {
                 }
                 traverses = traverses.et(&f32::au_plus(simd, &entrees, &[self.plafond(); SEIZE]));
             }
+            suivant = traverses.next();
         }
         trouve
     }

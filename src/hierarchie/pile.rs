@@ -14,6 +14,12 @@ pub(crate) const PETITE_PILE: usize = 15 * 3;
 /// Trees of no more nodes than this have at most four floors.
 pub(crate) const PEU_DE_NOEUDS: usize = 16 * 16 * 16;
 
+/// Room for them where there are at most two floors.
+pub(crate) const PILE_D_UN_ETAGE: usize = 15;
+
+/// Trees of no more nodes than this have at most two floors.
+pub(crate) const DEUX_ETAGES: usize = 16 + 1;
+
 /// A node to look at later, and the distance at which the ray enters it.
 type Attente = (f32, u32);
 
@@ -27,9 +33,15 @@ pub(crate) struct Pile<'a> {
 }
 
 impl<'a> Pile<'a> {
+    /// The pile at the start of a walk, and the node to start at: the giants, if there are some,
+    /// and then the root.
     #[inline(always)]
-    pub(crate) fn new(attentes: &'a mut [Attente]) -> Self {
-        Self { attentes, nombre: 0 }
+    pub(crate) fn new(attentes: &'a mut [Attente], geants: usize, racine: usize) -> (Self, usize) {
+        if geants == 0 {
+            return (Self { attentes, nombre: 0 }, racine);
+        }
+        attentes[0] = (0.0, racine as u32);
+        (Self { attentes, nombre: 1 }, 0)
     }
 
     /// The nearest of these children; the others are put here.
@@ -41,14 +53,9 @@ impl<'a> Pile<'a> {
         noeud: &Noeud,
     ) -> Option<usize> {
         let premier = premier_enfant(noeud);
-        let mut proche = enfants.next()?;
+        let proche = enfants.prendre_le_moindre(entrees)?;
         for enfant in enfants {
-            let plus_tard = if entrees[enfant] < entrees[proche] {
-                core::mem::replace(&mut proche, enfant)
-            } else {
-                enfant
-            };
-            self.attentes[self.nombre] = (entrees[plus_tard], (premier + plus_tard) as u32);
+            self.attentes[self.nombre] = (entrees[enfant], (premier + enfant) as u32);
             self.nombre += 1;
         }
         Some(premier + proche)

@@ -19,7 +19,10 @@ pub(crate) struct Sonde([Axe; 3]);
 /// One axis of it.
 #[derive(Clone, Copy)]
 struct Axe {
-    /// 1/D, below 0 where the ray runs backwards.
+    /// The columns of a node in which the nearer sides of its boxes stand, and the farther ones.
+    proche: usize,
+    lointain: usize,
+    /// 1/D.
     inverse: f32,
     /// S with the slack: for the nearer side of a box and for the farther.
     vers_proche: f32,
@@ -37,13 +40,19 @@ impl Sonde {
         } else {
             (Vecteur::NUL, TROP_LOIN)
         };
-        let axe = |s: f32, d: R| {
-            // 1/−0 is −∞: the sign is that of the quotient.
-            let inverse = simple(R::UN / d);
-            let jeu = if inverse < 0.0 { -jeu } else { jeu };
-            Axe { inverse, vers_proche: s + jeu, vers_lointain: s - jeu }
+        let axe = |axe: usize, s: f32, d: R| {
+            // The sign of 1/D is that of D, of −0 too, and is known before the quotient.
+            let signe = (simple(d).to_bits() >> 31) as usize;
+            let jeu = if signe == 1 { -jeu } else { jeu };
+            Axe {
+                proche: axe + 3 * signe,
+                lointain: axe + 3 - 3 * signe,
+                inverse: simple(R::UN / d),
+                vers_proche: s + jeu,
+                vers_lointain: s - jeu,
+            }
         };
-        Self([axe(s.x, d.x), axe(s.y, d.y), axe(s.z, d.z)])
+        Self([axe(0, s.x, d.x), axe(1, s.y, d.y), axe(2, s.z, d.z)])
     }
 
     /// Which children the ray may enter no later than `plafond`, and where.
@@ -54,9 +63,9 @@ impl Sonde {
         noeud: &Noeud,
         plafond: f32,
     ) -> (Membres, Aligne<Colonne<f32>>) {
-        let [bx, by, bz, hx, hy, hz, _] = noeud;
         let [x, y, z] = self.0;
-        let ((px, lx), (py, ly), (pz, lz)) = (x.cotes(bx, hx), y.cotes(by, hy), z.cotes(bz, hz));
+        let (px, py, pz) = (&noeud[x.proche], &noeud[y.proche], &noeud[z.proche]);
+        let (lx, ly, lz) = (&noeud[x.lointain], &noeud[y.lointain], &noeud[z.lointain]);
         let (mut entrees, mut sorties) = ([0.0; SEIZE], [plafond; SEIZE]);
         for i in 0..SEIZE {
             // 0·∞ is a NaN, which leaves the number so far.
@@ -72,18 +81,6 @@ impl Sonde {
             sorties[i] = sortie;
         }
         (f32::au_plus(simd, &entrees, &sorties), Aligne(entrees))
-    }
-}
-
-impl Axe {
-    /// The nearer side of each box and the farther.
-    #[inline(always)]
-    fn cotes<'a>(
-        self,
-        bas: &'a Colonne<f32>,
-        haut: &'a Colonne<f32>,
-    ) -> (&'a Colonne<f32>, &'a Colonne<f32>) {
-        if self.inverse < 0.0 { (haut, bas) } else { (bas, haut) }
     }
 }
 
