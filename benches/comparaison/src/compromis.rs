@@ -3,20 +3,19 @@
 use std::error::Error;
 
 use fastrand::Rng;
-use lancer_rayon::{ObjetGeo, ObjetRay, Rayon, premieres_intersections};
+use lancer_rayon::{ObjetRay, Rayon, premieres_intersections};
 use plotters::prelude::*;
-use serde::de::DeserializeOwned;
 
 use crate::commun::litteral;
 use crate::commun::mesure::{mesurer, quantiles};
 use crate::commun::oracle::verite;
 use crate::commun::regimes::regimes;
-use crate::concours::{Concours, Concurrent};
+use crate::concours::{Camp, Scalaire, Terrain, exiger_accord, exiger_memes_bits, temps};
 use crate::exactitude::{self, COULEURS, repondants};
+use crate::familles::{Famille, Genre};
 use crate::horloge::{exiger, une_par_une};
 use crate::page;
-use crate::pairs::{Parry, Vu};
-use crate::scene::Scene;
+use crate::pairs::Vu;
 
 type Mesures<R> = ((exactitude::Repondant<R>, f64), Vec<Option<Vu<R>>>);
 
@@ -42,8 +41,8 @@ struct Variante {
 }
 
 pub(crate) fn documenter() -> Result<(), Box<dyn Error>> {
-    let mut variantes = mesures::<f32>("f32")?;
-    variantes.extend(mesures::<f64>("f64")?);
+    let mut variantes = mesures::<f32>()?;
+    variantes.extend(mesures::<f64>()?);
     let mut lignes = vec![
         "| variant | ns per ray | relative error: median | 99.9 % | largest | another object | \
          K at the extremes | wrong hits or misses there, per million |"
@@ -61,16 +60,23 @@ pub(crate) fn documenter() -> Result<(), Box<dyn Error>> {
     graphique(&variantes)
 }
 
-fn mesures<R: Parry + DeserializeOwned>(scalaire: &str) -> Result<Vec<Variante>, Box<dyn Error>> {
-    let scene: Scene<R> = Scene::lire(&page::chemin("docs/scenes/atelier.ron"))?;
-    let objets = scene.objets.iter().copied().map(ObjetGeo::vers_ray).collect();
-    let concours = Concours::<R>::new(objets, scene.camera.rayons()?);
-    concours.verifier(&Concurrent::TOUS)?;
-    let temps = concours.temps(&Concurrent::TOUS)?;
-    let juges_de = [Concurrent::Liste, Concurrent::AnnexeEnum, Concurrent::ParryListe];
-    let reponses = juges_de.map(|qui| concours.reponses(qui, PAS));
-    let juges = concours.rayons.iter().step_by(PAS);
-    let verites: Vec<_> = juges.map(|rayon| premiere(&concours.objets, rayon)).collect();
+fn mesures<R: Scalaire>() -> Result<Vec<Variante>, Box<dyn Error>> {
+    let scene = Famille::Atelier.scene::<R>(0, &page::chemin("docs"));
+    let mut terrain = Terrain::new(scene.objets.clone());
+    let (hierarchie, mut concurrents) = terrain.entrer();
+    // The whole picture, in tiles.
+    let lances = Genre::Tuiles.rayons(&hierarchie, &scene, 50);
+    exiger_memes_bits(&hierarchie, &lances)?;
+    exiger_accord(&mut concurrents, &lances, false, 3e4 * R::U.vers_f64())?;
+    let ns = temps(&mut concurrents, &lances, false);
+    let juges: Vec<_> = lances.iter().step_by(PAS).copied().collect();
+    let juges_de = ["list", "annex A, enum", "parry, loop"];
+    let reponses = juges_de.map(|nom| {
+        let qui = concurrents.iter_mut().find(|qui| qui.nom == nom);
+        qui.and_then(|qui| qui.reponses(&juges, false)).expect("in so short a list all compete")
+    });
+    let juges = juges.iter().map(|(rayon, _)| rayon);
+    let verites: Vec<_> = juges.map(|rayon| premiere(&scene.objets, rayon)).collect();
 
     let noms = repondants::<R>();
     let variante = |(((nom, repondre), temps), reponses): Mesures<R>| {
@@ -92,7 +98,7 @@ fn mesures<R: Parry + DeserializeOwned>(scalaire: &str) -> Result<Vec<Variante>,
         });
         let cas = f64::from(CAS) * regimes.len() as f64;
         Variante {
-            nom: format!("{nom} {scalaire}"),
+            nom: format!("{nom} {}", R::NOM),
             ns: temps,
             erreurs: quantiles(&mut erreurs),
             autres,
@@ -100,21 +106,31 @@ fn mesures<R: Parry + DeserializeOwned>(scalaire: &str) -> Result<Vec<Variante>,
             fausses: 1e6 * f64::from(fausses) / cas,
         }
     };
-    let ns = [temps.de(Concurrent::Liste), temps.annexe(), temps.parry()];
-    let mut variantes: Vec<_> = noms.into_iter().zip(ns).zip(reponses).map(variante).collect();
+    // The least of this side whose name starts so.
+    let ns_de = |(cote, noms): (Camp, &str)| {
+        let ceux = ns.iter().filter(|(nom, camp, _)| *camp == cote && nom.starts_with(noms));
+        ceux.map(|(.., ns)| *ns).fold(f64::NAN, f64::min)
+    };
+    let ns_de_trois =
+        [(Camp::Seul, "list"), (Camp::Annexe, "annex A"), (Camp::Parry, "parry")].map(ns_de);
+    let mut variantes: Vec<_> =
+        noms.into_iter().zip(ns_de_trois).zip(reponses).map(variante).collect();
     exiger_exact_aux_extremes::<R>()?;
     // The same bits in less time.
-    let memes = [("hierarchy", temps.de(Concurrent::Hierarchie)), ("batch", temps.lot())];
+    let memes = [
+        ("hierarchy", ns_de((Camp::Seul, "hierarchy"))),
+        ("batch", ns_de((Camp::Lot, "hierarchy"))),
+    ];
     for (nom, ns) in memes {
         let liste = variantes[0].clone();
-        variantes.push(Variante { nom: format!("{nom} {scalaire}"), ns, ..liste });
+        variantes.push(Variante { nom: format!("{nom} {}", R::NOM), ns, ..liste });
     }
-    variantes[0].nom = format!("list {scalaire}");
+    variantes[0].nom = format!("list {}", R::NOM);
     Ok(variantes)
 }
 
 /// The batch errs where the rays one by one do, and nowhere else.
-fn exiger_exact_aux_extremes<R: Parry>() -> Result<(), Box<dyn Error>> {
+fn exiger_exact_aux_extremes<R: Scalaire>() -> Result<(), Box<dyn Error>> {
     for regime in regimes::<R>() {
         let mut alea = Rng::with_seed(GRAINE);
         for _ in 0..CAS {
@@ -130,7 +146,7 @@ fn exiger_exact_aux_extremes<R: Parry>() -> Result<(), Box<dyn Error>> {
 }
 
 /// The true first object, by its texture, and its distance; the earlier of two at the same.
-fn premiere<R: Parry>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> Option<(u32, f64)> {
+fn premiere<R: Scalaire>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> Option<(u32, f64)> {
     let touches =
         objets.iter().zip(0..).filter_map(|(objet, i)| Some((i, verite(objet, rayon).entree?.t)));
     let premiere = touches.reduce(|a, b| if b.1 < a.1 { b } else { a });
@@ -154,11 +170,25 @@ fn graphique(variantes: &[Variante]) -> Result<(), Box<dyn Error>> {
         .y_desc("relative error of the distance, 99.9 %")
         .y_label_formatter(&|y| format!("{y:.0e}"))
         .draw()?;
-    for v in variantes {
+    // Where a name would lie on a point or on another name, it goes elsewhere.
+    let points: Vec<_> = variantes.iter().map(|v| (v.ns, v.erreurs[1])).collect();
+    let coins = points.iter().map(|point| graphe.backend_coord(point));
+    let mut pris: Vec<_> = coins.map(|(x, y)| [x - 6, y - 6, x + 6, y + 6]).collect();
+    for (v, point) in variantes.iter().zip(points) {
         // A colour a scalar.
         let couleur = COULEURS[usize::from(v.nom.ends_with("f64"))];
-        let point = (v.ns, v.erreurs[1]);
-        let nom = Text::new(v.nom.clone(), (9, -18), ("sans-serif", 15).into_font());
+        let (x, y) = graphe.backend_coord(&point);
+        let large = 8 * v.nom.len() as i32;
+        let cotes = [(10, -8), (-10 - large, -8)].into_iter();
+        let etages = (1..9).flat_map(|i| [(-large / 2, 18 * -i - 6), (-large / 2, 18 * i - 8)]);
+        let boite = |&(dx, dy): &(i32, i32)| [x + dx, y + dy, x + dx + large, y + dy + 16];
+        let libre = |ou: &(i32, i32)| {
+            let [a, b, c, d] = boite(ou);
+            pris.iter().all(|[e, f, g, h]| c <= *e || *g <= a || d <= *f || *h <= b)
+        };
+        let ou = cotes.chain(etages).find(libre).unwrap_or((10, -8));
+        pris.push(boite(&ou));
+        let nom = Text::new(v.nom.clone(), ou, ("sans-serif", 15).into_font());
         let element = EmptyElement::at(point) + Circle::new((0, 0), 6, couleur.filled()) + nom;
         graphe.draw_series([element])?;
     }

@@ -1,253 +1,363 @@
-//! Who competes. What they answer is compared before anyone is timed.
+//! Who competes. All are asked in the same way: some thousands of rays into a buffer of their own, and each answer
+//! with its normal. What they answer is compared before anyone is timed.
 
 use std::error::Error;
 use std::fmt;
+use std::hint::black_box;
 
 use lancer_rayon::{
-    Hierarchie, ObjetRay, Rayon, Reel, Touche, premiere_intersection, premieres_intersections,
+    Hierarchie, NoIntersection, ObjetRay, Rayon, Reel, Touche, est_occulte, premiere_intersection,
+    premieres_intersections,
 };
+use serde::de::DeserializeOwned;
 
 use crate::annexe_dyn;
+use crate::commun::conversion::{Bits, mots};
 use crate::commun::litteral;
-use crate::horloge::{
-    TUILE, chronometrer, chronometrer_lot, exiger, moindres, petit_tampon, une_par_une,
-};
+use crate::familles::Lance;
+use crate::horloge::{MORCEAU, TOURS, TUILE, chronometrer_lot, moindres};
 use crate::pairs::{Parry, Vu};
 
-/// A competitor that tests every object ray by ray gets one tile in so many, from a thousand objects on:
-/// enough to time it, where the whole picture would take minutes.
-const TUILES: usize = 8;
+/// From so many objects on nobody looks at all of them for every ray.
+const TROP: usize = 64;
 
+/// On whose side, and how: all that a table tells apart.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Concurrent {
-    LotListe,
-    LotHierarchie,
-    Liste,
-    Hierarchie,
-    ParryListe,
-    ParryArbre,
-    Obvhs,
-    AnnexeEnum,
-    AnnexeDyn,
+pub(crate) enum Camp {
+    Seul,
+    Lot,
+    Parry,
+    #[cfg_attr(not(feature = "embree"), expect(dead_code, reason = "of that feature"))]
+    Embree,
+    #[cfg_attr(not(feature = "embree"), expect(dead_code, reason = "of that feature"))]
+    EmbreeSeize,
+    Annexe,
 }
 
-impl Concurrent {
-    pub(crate) const TOUS: [Self; 9] = [
-        Self::LotListe,
-        Self::LotHierarchie,
-        Self::Liste,
-        Self::Hierarchie,
-        Self::ParryListe,
-        Self::ParryArbre,
-        Self::Obvhs,
-        Self::AnnexeEnum,
-        Self::AnnexeDyn,
-    ];
+/// A scalar, with what there is for it.
+pub(crate) trait Scalaire: Parry + Bits + DeserializeOwned {
+    const NOM: &'static str;
 
-    /// Those whose time hardly grows with the number of objects.
-    pub(crate) const ARBRES: [Self; 4] =
-        [Self::LotHierarchie, Self::Hierarchie, Self::ParryArbre, Self::Obvhs];
+    /// Embree computes in `f32`.
+    fn embree(_: &[ObjetRay<Self>]) -> Vec<Concurrent<'_, Self>> {
+        Vec::new()
+    }
+}
 
-    pub(crate) fn nom(self) -> &'static str {
-        match self {
-            Self::LotListe => "list, batch",
-            Self::LotHierarchie => "hierarchy, batch",
-            Self::Liste => "list",
-            Self::Hierarchie => "hierarchy",
-            Self::ParryListe => "parry, loop",
-            Self::ParryArbre => "parry, Bvh",
-            Self::Obvhs => "parry in obvhs",
-            Self::AnnexeEnum => "annex A, enum",
-            Self::AnnexeDyn => "annex A, dyn",
+impl Scalaire for f32 {
+    const NOM: &'static str = "f32";
+
+    #[cfg(feature = "embree")]
+    fn embree(objets: &[ObjetRay<Self>]) -> Vec<Concurrent<'_, Self>> {
+        crate::avec_embree::concurrents(objets)
+    }
+}
+
+impl Scalaire for f64 {
+    const NOM: &'static str = "f64";
+}
+
+type Premieres<'a, R> = dyn FnMut(&[Rayon<R>], Option<&mut Vec<Option<Vu<R>>>>) + 'a;
+type Ombres<'a, R> = dyn FnMut(&[Rayon<R>], &[R], &mut [bool]) + 'a;
+
+/// Someone with a scene.
+pub(crate) struct Concurrent<'a, R> {
+    pub(crate) nom: &'static str,
+    pub(crate) camp: Camp,
+    /// How many objects it looks at for every ray, if it looks at all of them.
+    chaque: Option<usize>,
+    /// Asks for the first hits, and adds them to a list if there is one.
+    premieres: Box<Premieres<'a, R>>,
+    ombres: Option<Box<Ombres<'a, R>>>,
+}
+
+/// An answer, in the words of all.
+pub(crate) trait Reponse<R>: Copy {
+    const RIEN: Self;
+    fn vu(&self) -> Option<Vu<R>>;
+}
+
+impl<R: Reel> Reponse<R> for Touche<R> {
+    const RIEN: Self = Err(NoIntersection);
+    fn vu(&self) -> Option<Vu<R>> {
+        self.ok().map(|touche| (touche.distance(), touche.normale(), touche.texture()))
+    }
+}
+
+impl<R: Reel> Reponse<R> for Option<Vu<R>> {
+    const RIEN: Self = None;
+    fn vu(&self) -> Self {
+        *self
+    }
+}
+
+/// Who takes many rays at once.
+pub(crate) fn en_lot<'a, R: Reel, T: Reponse<R> + 'a>(
+    nom: &'static str,
+    camp: Camp,
+    chaque: Option<usize>,
+    premieres: impl Fn(&[Rayon<R>], &mut [T]) + 'a,
+    ombres: Option<impl FnMut(&[Rayon<R>], &[R], &mut [bool]) + 'a>,
+) -> Concurrent<'a, R> {
+    let mut tampon = vec![T::RIEN; MORCEAU].into_boxed_slice();
+    let premieres = move |rayons: &[Rayon<R>], vus: Option<&mut Vec<Option<Vu<R>>>>| {
+        let reponses = &mut tampon[..rayons.len()];
+        premieres(rayons, reponses);
+        if let Some(vus) = vus {
+            vus.extend(black_box(reponses).iter().map(Reponse::vu));
+        }
+    };
+    let ombres = ombres.map(|ombres| Box::new(ombres) as _);
+    Concurrent { nom, camp, chaque, premieres: Box::new(premieres), ombres }
+}
+
+/// Who takes one ray after the other.
+pub(crate) fn un_par_un<'a, R: Reel, T: Reponse<R> + 'a>(
+    nom: &'static str,
+    camp: Camp,
+    chaque: Option<usize>,
+    premiere: impl Fn(&Rayon<R>) -> T + 'a,
+    ombre: Option<impl Fn(&Rayon<R>, R) -> bool + 'a>,
+) -> Concurrent<'a, R> {
+    let premieres = move |rayons: &[Rayon<R>], reponses: &mut [T]| {
+        for (reponse, rayon) in reponses.iter_mut().zip(rayons) {
+            *reponse = premiere(rayon);
+        }
+    };
+    let ombres = ombre.map(|ombre| {
+        move |rayons: &[Rayon<R>], max: &[R], caches: &mut [bool]| {
+            for ((cache, rayon), max) in caches.iter_mut().zip(rayons).zip(max) {
+                *cache = ombre(rayon, *max);
+            }
+        }
+    });
+    en_lot(nom, camp, chaque, premieres, ombres)
+}
+
+/// A batch of shadows: first hits compared with the distance of the lamp.
+fn ombres_par_premieres<'a, R: Reel>(
+    premieres: impl Fn(&[Rayon<R>], &mut [Touche<R>]) + 'a,
+) -> impl FnMut(&[Rayon<R>], &[R], &mut [bool]) + 'a {
+    let mut tampon = vec![Touche::<R>::RIEN; MORCEAU].into_boxed_slice();
+    move |rayons, max, caches| {
+        let touches = &mut tampon[..rayons.len()];
+        premieres(rayons, touches);
+        for ((cache, touche), max) in caches.iter_mut().zip(touches).zip(max) {
+            *cache = touche.is_ok_and(|touche| touche.distance() < *max);
         }
     }
 }
 
-/// Nanoseconds per ray; NaN for who did not run.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Temps([f64; 9]);
-
-impl Temps {
-    pub(crate) fn de(&self, qui: Concurrent) -> f64 {
-        self.0[qui as usize]
-    }
-
-    /// The best of these.
-    pub(crate) fn le_meilleur<const N: usize>(&self, de: [Concurrent; N]) -> f64 {
-        de.into_iter().map(|qui| self.de(qui)).fold(f64::NAN, f64::min)
-    }
-
-    /// Our rays one by one.
-    pub(crate) fn seuls(&self) -> f64 {
-        self.le_meilleur([Concurrent::Liste, Concurrent::Hierarchie])
-    }
-
-    /// Our batch.
-    pub(crate) fn lot(&self) -> f64 {
-        self.le_meilleur([Concurrent::LotListe, Concurrent::LotHierarchie])
-    }
-
-    /// parry, in a loop or in one of the two trees.
-    pub(crate) fn parry(&self) -> f64 {
-        self.le_meilleur([Concurrent::ParryListe, Concurrent::ParryArbre, Concurrent::Obvhs])
-    }
-
-    pub(crate) fn annexe(&self) -> f64 {
-        self.le_meilleur([Concurrent::AnnexeEnum, Concurrent::AnnexeDyn])
-    }
-}
-
-/// One scene and its rays, as each wants them.
-pub(crate) struct Concours<R: Parry> {
+/// One scene, as each wants it.
+pub(crate) struct Terrain<R: Parry> {
     pub(crate) objets: Vec<ObjetRay<R>>,
-    pub(crate) rayons: Vec<Rayon<R>>,
+    places: Vec<f32>,
     litteraux: Vec<litteral::Objet<R>>,
     dynamiques: Vec<Box<dyn annexe_dyn::Objet<R>>>,
     liste_parry: Vec<R::Objet>,
     arbre_parry: R::Arbre,
     obvhs: R::Obvhs,
-    rayons_parry: Vec<R::Rayon>,
 }
 
-impl<R: Parry> Concours<R> {
-    pub(crate) fn new(objets: Vec<ObjetRay<R>>, rayons: Vec<Rayon<R>>) -> Self {
+impl<R: Scalaire> Terrain<R> {
+    pub(crate) fn new(objets: Vec<ObjetRay<R>>) -> Self {
         Self {
+            places: places(&objets),
             litteraux: objets.iter().map(litteral::Objet::from).collect(),
             dynamiques: objets.iter().map(annexe_dyn::objet).collect(),
             liste_parry: objets.iter().map(R::objet).collect(),
             arbre_parry: R::arbre(&objets),
             obvhs: R::obvhs(&objets),
-            rayons_parry: rayons.iter().map(R::rayon).collect(),
             objets,
-            rayons,
         }
     }
 
-    fn ici(&self, rayon: &Rayon<R>) -> Touche<R> {
-        premiere_intersection(&self.objets, rayon)
+    /// The hierarchy, and everyone.
+    pub(crate) fn entrer(&mut self) -> (Hierarchie<'_, R>, Vec<Concurrent<'_, R>>) {
+        let Self { objets, places, litteraux, dynamiques, liste_parry, arbre_parry, obvhs } = self;
+        let (objets, liste_parry) = (&objets[..], &liste_parry[..]);
+        let (arbre_parry, obvhs) = (&*arbre_parry, &*obvhs);
+        let tous = Some(objets.len());
+        let h = Hierarchie::new(objets, places).expect("as many places as it takes");
+        let liste = move |rayons: &[Rayon<R>], touches: &mut [Touche<R>]| {
+            premieres_intersections(objets, rayons, touches).expect("as many answers as rays");
+        };
+        let arbre = move |rayons: &[Rayon<R>], touches: &mut [Touche<R>]| {
+            h.premieres_intersections(rayons, touches).expect("as many answers as rays");
+        };
+        type Jamais<R> = fn(&Rayon<R>, R) -> bool;
+        let mut concurrents = vec![
+            un_par_un(
+                "list",
+                Camp::Seul,
+                tous,
+                |rayon| premiere_intersection(objets, rayon),
+                Some(|rayon: &Rayon<R>, max| est_occulte(objets, rayon, max)),
+            ),
+            un_par_un(
+                "hierarchy",
+                Camp::Seul,
+                None,
+                move |rayon| h.premiere_intersection(rayon),
+                Some(move |rayon: &Rayon<R>, max| h.est_occulte(rayon, max)),
+            ),
+            en_lot("list, batch", Camp::Lot, tous, liste, Some(ombres_par_premieres(liste))),
+            en_lot("hierarchy, batch", Camp::Lot, None, arbre, Some(ombres_par_premieres(arbre))),
+            un_par_un(
+                "parry, loop",
+                Camp::Parry,
+                tous,
+                |rayon| R::dans_la_liste(liste_parry, &R::rayon(rayon)),
+                Some(|rayon: &Rayon<R>, max| {
+                    R::ombre_dans_la_liste(liste_parry, &R::rayon(rayon), max)
+                }),
+            ),
+            un_par_un(
+                "parry, Bvh",
+                Camp::Parry,
+                None,
+                |rayon| R::dans_l_arbre(arbre_parry, &R::rayon(rayon)),
+                Some(|rayon: &Rayon<R>, max| {
+                    R::ombre_dans_l_arbre(arbre_parry, &R::rayon(rayon), max)
+                }),
+            ),
+            un_par_un(
+                "parry in obvhs",
+                Camp::Parry,
+                None,
+                |rayon| R::dans_obvhs(obvhs, &R::rayon(rayon)),
+                None::<Jamais<R>>,
+            ),
+            un_par_un(
+                "annex A, enum",
+                Camp::Annexe,
+                tous,
+                |rayon| litteral::premiere_intersection(litteraux, rayon),
+                None::<Jamais<R>>,
+            ),
+            un_par_un(
+                "annex A, dyn",
+                Camp::Annexe,
+                tous,
+                |rayon| annexe_dyn::premiere_intersection(dynamiques, rayon),
+                None::<Jamais<R>>,
+            ),
+        ];
+        concurrents.extend(R::embree(objets));
+        concurrents.retain(|qui| qui.chaque.is_none_or(|objets| objets <= TROP));
+        (h, concurrents)
     }
+}
 
-    fn litteral(&self, rayon: &Rayon<R>) -> Option<Vu<R>> {
-        litteral::premiere_intersection(&self.litteraux, rayon)
-    }
-
-    fn dynamique(&self, rayon: &Rayon<R>) -> Option<Vu<R>> {
-        annexe_dyn::premiere_intersection(&self.dynamiques, rayon)
-    }
-
-    fn liste(&self, rayon: &R::Rayon) -> Option<Vu<R>> {
-        R::dans_la_liste(&self.liste_parry, rayon)
-    }
-
-    fn arbre(&self, rayon: &R::Rayon) -> Option<Vu<R>> {
-        R::dans_l_arbre(&self.arbre_parry, rayon)
-    }
-
-    fn obvhs(&self, rayon: &R::Rayon) -> Option<Vu<R>> {
-        R::dans_obvhs(&self.obvhs, rayon)
-    }
-
-    /// What one answers to every ray of so many. The batch and the hierarchy answer as the list does ray
-    /// by ray, which `verifier` makes sure of.
-    pub(crate) fn reponses(&self, qui: Concurrent, pas: usize) -> Vec<Option<Vu<R>>> {
-        let rayons = self.rayons.iter().step_by(pas);
-        let rayons_parry = self.rayons_parry.iter().step_by(pas);
-        match qui {
-            Concurrent::LotListe
-            | Concurrent::LotHierarchie
-            | Concurrent::Liste
-            | Concurrent::Hierarchie => rayons.map(|r| touche(self.ici(r))).collect(),
-            Concurrent::AnnexeEnum => rayons.map(|r| self.litteral(r)).collect(),
-            Concurrent::AnnexeDyn => rayons.map(|r| self.dynamique(r)).collect(),
-            Concurrent::ParryListe => rayons_parry.map(|r| self.liste(r)).collect(),
-            Concurrent::ParryArbre => rayons_parry.map(|r| self.arbre(r)).collect(),
-            Concurrent::Obvhs => rayons_parry.map(|r| self.obvhs(r)).collect(),
+/// An error unless list, hierarchy and both of their batches have the same bits for these rays. A long list is
+/// asked about a part of them.
+pub(crate) fn exiger_memes_bits<R: Scalaire>(
+    hierarchie: &Hierarchie<'_, R>,
+    lances: &[Lance<R>],
+) -> Result<(), Box<dyn Error>> {
+    let objets = hierarchie.objets();
+    let pas = (objets.len() / 500).max(1);
+    let lances: Vec<_> = lances.chunks(TUILE).step_by(pas).flatten().copied().collect();
+    let (rayons, max): (Vec<_>, Vec<_>) = lances.iter().copied().unzip();
+    let mut lots = [(); 2].map(|()| vec![Touche::<R>::RIEN; rayons.len()]);
+    premieres_intersections(objets, &rayons, &mut lots[0])?;
+    hierarchie.premieres_intersections(&rayons, &mut lots[1])?;
+    for (i, (rayon, max)) in rayons.iter().zip(max).enumerate() {
+        let attendue = premiere_intersection(objets, rayon);
+        let [a, b] = [0, 1].map(|lot: usize| lots[lot][i]);
+        let autres = [hierarchie.premiere_intersection(rayon), a, b];
+        let cache = attendue.is_ok_and(|touche| touche.distance() < max);
+        if autres.iter().any(|autre| mots(autre) != mots(&attendue))
+            || est_occulte(objets, rayon, max) != cache
+            || hierarchie.est_occulte(rayon, max) != cache
+        {
+            return Err(format!("{rayon:?}: {attendue:?} in the list, else {autres:?}").into());
         }
     }
+    Ok(())
+}
 
-    /// An error unless the batch and the hierarchy have the bits of the list ray by ray, and the others
-    /// agree but for rounding. Of a long list a part of the rays must do.
-    pub(crate) fn verifier(&self, concurrents: &[Concurrent]) -> Result<(), Box<dyn Error>> {
-        let pas = (self.objets.len() / 5000).max(1);
-        let rayons: Vec<_> = self.rayons.chunks(TUILE).step_by(pas).flatten().copied().collect();
-        let attendues = une_par_une(&self.objets, &rayons);
-        let ici = self.reponses(Concurrent::Liste, pas);
-        let mut places = places(&self.objets);
-        let hierarchie = Hierarchie::new(&self.objets, &mut places)?;
-        for qui in concurrents {
-            match qui {
-                Concurrent::Liste => {}
-                Concurrent::Hierarchie => {
-                    let obtenues =
-                        rayons.iter().map(|rayon| hierarchie.premiere_intersection(rayon));
-                    if !obtenues.eq(attendues.iter().copied()) {
-                        return Err("the hierarchy differs from its list".into());
-                    }
-                }
-                Concurrent::LotListe => exiger(&attendues, &rayons, |rayons, touches| {
-                    premieres_intersections(&self.objets, rayons, touches)
-                })?,
-                Concurrent::LotHierarchie => exiger(&attendues, &rayons, |rayons, touches| {
-                    hierarchie.premieres_intersections(rayons, touches)
-                })?,
-                Concurrent::AnnexeEnum
-                | Concurrent::AnnexeDyn
-                | Concurrent::ParryListe
-                | Concurrent::ParryArbre
-                | Concurrent::Obvhs => {
-                    let ecart = Ecart::entre(&ici, &self.reponses(*qui, pas));
-                    let (scalaire, n) = (std::any::type_name::<R>(), self.objets.len());
-                    println!("{scalaire}, N = {n}, {}: {ecart}", qui.nom());
-                    if !ecart.explicable::<R>(ici.len()) {
-                        return Err("the answers differ by more than rounding explains".into());
-                    }
-                }
+/// An error unless the others see what we see, except for rounding: `tolerance` of the rays may meet another
+/// object.
+pub(crate) fn exiger_accord<R: Scalaire>(
+    concurrents: &mut [Concurrent<'_, R>],
+    lances: &[Lance<R>],
+    ombres: bool,
+    tolerance: f64,
+) -> Result<(), Box<dyn Error>> {
+    let reponses = |qui: &mut Concurrent<'_, R>| qui.reponses(lances, ombres);
+    let ici = concurrents.iter_mut().find(|qui| qui.nom == "hierarchy").and_then(reponses);
+    let ici = ici.ok_or("the hierarchy always competes")?;
+    for qui in concurrents {
+        let Some(autres) = qui.reponses(lances, ombres) else { continue };
+        let ecart = Ecart::entre(&ici, &autres);
+        if ecart.autre_objet as f64 > tolerance * ici.len() as f64 {
+            return Err(format!("{}: {ecart}, of {} rays", qui.nom, ici.len()).into());
+        }
+    }
+    Ok(())
+}
+
+/// Nanoseconds per ray of each, in turns; of who has no answer to a shadow, NaN.
+pub(crate) fn temps<R: Scalaire>(
+    concurrents: &mut [Concurrent<'_, R>],
+    lances: &[Lance<R>],
+    ombres: bool,
+) -> Vec<(&'static str, Camp, f64)> {
+    let (rayons, max): (Vec<_>, Vec<_>) = lances.iter().copied().unzip();
+    let mut caches = vec![false; MORCEAU];
+    let numeros: Vec<_> = (0..concurrents.len()).collect();
+    let ns = moindres(TOURS, &numeros, |&i| {
+        let qui = &mut concurrents[i];
+        let mut max = max.chunks(MORCEAU);
+        chronometrer_lot(&rayons, &mut caches, |rayons, caches| {
+            match (&mut qui.ombres, max.next().filter(|_| ombres)) {
+                (Some(ombres), Some(max)) => ombres(rayons, max, caches),
+                (None, Some(_)) => {}
+                (_, None) => (qui.premieres)(rayons, None),
             }
-        }
-        Ok(())
-    }
+        })
+    });
+    let temps = concurrents.iter().zip(ns);
+    temps
+        .map(|(qui, ns)| {
+            let ns = if ombres && qui.ombres.is_none() { f64::NAN } else { ns };
+            (qui.nom, qui.camp, ns)
+        })
+        .collect()
+}
 
-    pub(crate) fn temps(&self, concurrents: &[Concurrent]) -> Result<Temps, Box<dyn Error>> {
-        let (rayons, rayons_parry) = (&self.rayons, &self.rayons_parry);
-        let pas = if self.objets.len() < 1000 { 1 } else { TUILES };
-        let mut tampon = petit_tampon();
-        let mut places = places(&self.objets);
-        let hierarchie = Hierarchie::new(&self.objets, &mut places)?;
-        let moindres = moindres(concurrents, |qui| match qui {
-            Concurrent::LotListe => chronometrer_lot(rayons, &mut tampon, |rayons, touches| {
-                premieres_intersections(&self.objets, rayons, touches)
-            }),
-            Concurrent::LotHierarchie => {
-                chronometrer_lot(rayons, &mut tampon, |rayons, touches| {
-                    hierarchie.premieres_intersections(rayons, touches)
-                })
+impl<R: Reel> Concurrent<'_, R> {
+    /// What it answers; of a shadow, a hit at the source if there is something in the way.
+    pub(crate) fn reponses(
+        &mut self,
+        lances: &[Lance<R>],
+        ombres: bool,
+    ) -> Option<Vec<Option<Vu<R>>>> {
+        let (rayons, max): (Vec<_>, Vec<_>) = lances.iter().copied().unzip();
+        if ombres {
+            let ombres = self.ombres.as_mut()?;
+            let mut caches = vec![false; rayons.len()];
+            let morceaux = rayons.chunks(MORCEAU).zip(max.chunks(MORCEAU));
+            for ((rayons, max), caches) in morceaux.zip(caches.chunks_mut(MORCEAU)) {
+                ombres(rayons, max, caches);
             }
-            Concurrent::Liste => chronometrer(rayons, pas, |rayon| self.ici(rayon)),
-            Concurrent::Hierarchie => {
-                chronometrer(rayons, 1, |rayon| hierarchie.premiere_intersection(rayon))
-            }
-            Concurrent::AnnexeEnum => chronometrer(rayons, pas, |rayon| self.litteral(rayon)),
-            Concurrent::AnnexeDyn => chronometrer(rayons, pas, |rayon| self.dynamique(rayon)),
-            Concurrent::ParryListe => chronometrer(rayons_parry, pas, |rayon| self.liste(rayon)),
-            Concurrent::ParryArbre => chronometrer(rayons_parry, 1, |rayon| self.arbre(rayon)),
-            Concurrent::Obvhs => chronometrer(rayons_parry, 1, |rayon| self.obvhs(rayon)),
-        });
-        let mut temps = Temps([f64::NAN; 9]);
-        for (qui, moindre) in concurrents.iter().zip(moindres) {
-            temps.0[*qui as usize] = moindre;
+            let vu = |cache: bool| {
+                cache.then_some((R::ZERO, lancer_rayon::Vecteur::NUL, lancer_rayon::Texture(0)))
+            };
+            return Some(caches.into_iter().map(vu).collect());
         }
-        Ok(temps)
+        let mut vus = Vec::new();
+        for rayons in rayons.chunks(MORCEAU) {
+            (self.premieres)(rayons, Some(&mut vus));
+        }
+        Some(vus)
     }
 }
 
 /// Places for a hierarchy over these objects.
 pub(crate) fn places<R: Reel>(objets: &[ObjetRay<R>]) -> Vec<f32> {
     vec![0.0; Hierarchie::places(objets.len())]
-}
-
-fn touche<R: Reel>(reponse: Touche<R>) -> Option<Vu<R>> {
-    let touche = reponse.ok()?;
-    Some((touche.distance(), touche.normale(), touche.texture()))
 }
 
 /// How the answers of another differ from ours to the same rays.
@@ -267,24 +377,12 @@ impl Ecart {
             autre_objet: ici.iter().zip(autre).filter(|(a, b)| objet(a) != objet(b)).count(),
         }
     }
-
-    fn relatif(&self) -> f64 {
-        let [ici, autre] = self.sommes_des_distances;
-        (autre - ici).abs() / ici
-    }
-
-    /// Rounding moves an outline by thousands of u at most, which are what SC² − SA² costs annex A
-    /// and parry: the rays in between, and nothing else, may touch another object.
-    fn explicable<R: Reel>(&self, rayons: usize) -> bool {
-        let tolerance = 3e4 * R::U.vers_f64();
-        self.autre_objet as f64 <= tolerance * rayons as f64 && self.relatif() <= tolerance
-    }
 }
 
 impl fmt::Display for Ecart {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let ([ici, autre], relatif) = (self.touches, self.relatif());
-        write!(f, "{autre} hits for our {ici}, distances off by {relatif:.0e}, ")?;
+        let ([ici, autre], [a, b]) = (self.touches, self.sommes_des_distances);
+        write!(f, "{autre} hits for our {ici}, distances off by {:.0e}, ", (b - a).abs() / a)?;
         write!(f, "another object for {} rays", self.autre_objet)
     }
 }

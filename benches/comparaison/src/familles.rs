@@ -191,7 +191,7 @@ fn stade<R: Reel>(n: usize, alea: &mut Rng) -> Vec<ObjetRay<R>> {
     let r = (1.0 / n as f64).cbrt();
     let mut objets = vec![sol(0.0)];
     for i in 1..n {
-        objets.push(if i % 2 == 0 {
+        objets.push(if i.is_multiple_of(2) {
             let ou = direction(alea) * alea.f64().cbrt();
             let taille = 0.4 * r * entre(alea, 0.5, 1.5);
             chose(alea, [ou.x, 1.0 + ou.y, ou.z], taille, i)
@@ -273,7 +273,7 @@ fn piece<R: Reel>(n: usize, alea: &mut Rng) -> Vec<ObjetRay<R>> {
 
 /// A sphere or a turned box, of this size.
 fn chose<R: Reel>(alea: &mut Rng, ou: [f64; 3], r: f64, i: usize) -> ObjetRay<R> {
-    if i % 2 == 0 {
+    if i.is_multiple_of(2) {
         return sphere(ou, r, i);
     }
     let dimensions = [(); 3].map(|()| r * entre(alea, 0.7, 1.7));

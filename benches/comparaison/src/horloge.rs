@@ -16,7 +16,7 @@ pub(crate) const MORCEAU: usize = 4096;
 pub(crate) const TUILE: usize = 64;
 
 /// Turns, of which the least counts.
-pub(crate) const TOURS: usize = 7;
+pub(crate) const TOURS: usize = 5;
 
 /// Room for the answers to so many rays at a time.
 pub(crate) fn tampon<R: Reel>(rayons: usize) -> Vec<Touche<R>> {
@@ -70,24 +70,6 @@ pub(crate) fn chronometrer_lot<Q: Copy, T>(
         black_box(touches);
     }
     duree.as_nanos() as f64 / rayons.len() as f64
-}
-
-/// Nanoseconds per ray, over one tile in `pas`.
-pub(crate) fn chronometrer<Q, T>(
-    rayons: &[Q],
-    pas: usize,
-    mut premiere: impl FnMut(&Q) -> T,
-) -> f64 {
-    let mut lances = 0;
-    let debut = Instant::now();
-    for tuile in rayons.chunks(TUILE).step_by(pas) {
-        for rayon in tuile {
-            // By reference: moving an answer would wait for each of its fields to be written.
-            black_box(&premiere(rayon));
-        }
-        lances += tuile.len();
-    }
-    debut.elapsed().as_nanos() as f64 / lances as f64
 }
 
 /// The least time of each, in so many turns.

@@ -1,81 +1,25 @@
-//! The batch alone: what the order of the rays, the place of the answers, the instruction set and
-//! the threads do to it.
+//! The hierarchy alone, over the even mix: what the instruction set and the threads do to a batch, and what
+//! it takes to build.
 
 use std::error::Error;
+use std::hint::black_box;
+use std::time::Instant;
 
 use lancer_rayon::{Hierarchie, Rayon, Reel, Reglage, Touche};
 use rayon::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
-use crate::commun::scenes::melange;
-use crate::concours::{Concours, Concurrent, places};
+use crate::commun::scenes::{en_tuiles, melange, rayons_camera};
+use crate::concours::places;
 use crate::horloge::{
-    MORCEAU, chronometrer_lot, exiger, moindres, nanosecondes, petit_tampon, tampon, une_par_une,
+    MORCEAU, TOURS, chronometrer_lot, exiger, moindres, nanosecondes, petit_tampon, tampon,
+    une_par_une,
 };
 use crate::pairs::Parry;
-use crate::rayons::{diffus, en_lignes, en_tuiles, incoherents, rugueux};
 
-/// The table of the orders: what rays in each of them cost in a batch and one by one.
-pub(crate) fn ordres() -> Result<String, Box<dyn Error>> {
-    let mut table = vec![
-        "| scalar | N | tiles | whole picture | rows | rough mirrors | diffuse | by object | by octant \
-         | by octant, object | no order | parry, no order | parry / one by one |"
-            .to_owned(),
-        format!("|---|--:|{}", "--:|".repeat(11)),
-    ];
-    for n in [12, 48, 192, 1000, 10_000, 100_000] {
-        table.push(ordres_de::<f32>(n)?);
-        table.push(ordres_de::<f64>(n)?);
-    }
-    Ok(table.join("\n"))
-}
-
-fn ordres_de<R: Parry>(n: usize) -> Result<String, Box<dyn Error>> {
-    let objets = melange(n);
-    let mut places = places(&objets);
-    let hierarchie = Hierarchie::new(&objets, &mut places)?;
-    let ensemble = |rayons: &[Rayon<R>], touches: &mut [Touche<R>]| {
-        hierarchie.premieres_intersections(rayons, touches)
-    };
-    let seuls = |rayons: &[Rayon<R>], touches: &mut [Touche<R>]| {
-        for (rayon, touche) in rayons.iter().zip(touches) {
-            *touche = hierarchie.premiere_intersection(rayon);
-        }
-        Ok(())
-    };
-    let ordres = [
-        en_tuiles(),
-        en_lignes(),
-        rugueux(&hierarchie),
-        diffus(&hierarchie, |_| (0, 0)),
-        diffus(&hierarchie, |(objet, _)| (objet, 0)),
-        diffus(&hierarchie, |(_, octant)| (0, octant)),
-        diffus(&hierarchie, |(objet, octant)| (octant.into(), objet as u8)),
-        incoherents(&hierarchie),
-    ];
-    let mut tampons = [petit_tampon(), tampon(ordres[0].len())];
-    // Each order in a batch and one by one, and tiles with one buffer for the whole picture.
-    let mut cas: Vec<_> = (0..ordres.len()).flat_map(|o| [(o, 0, true), (o, 0, false)]).collect();
-    cas.push((0, 1, true));
-    let ns = moindres(&cas, |&(ordre, tampon, en_lot)| {
-        let (rayons, tampon) = (&ordres[ordre], &mut tampons[tampon]);
-        if en_lot {
-            chronometrer_lot(rayons, tampon, ensemble)
-        } else {
-            chronometrer_lot(rayons, tampon, seuls)
-        }
-    });
-    let (paires, image) = ns.split_at(2 * ordres.len());
-    let mut cellules: Vec<_> =
-        paires.chunks(2).map(|ns| format!("{:.0} / {:.0}", ns[0], ns[1])).collect();
-    cellules.insert(1, format!("{:.0}", image[0]));
-    let [.., rayons] = ordres;
-    let concours = Concours::new(objets.clone(), rayons);
-    concours.verifier(&Concurrent::ARBRES)?;
-    let temps = concours.temps(&Concurrent::ARBRES)?;
-    let (scalaire, parry) = (std::any::type_name::<R>(), nanosecondes(temps.parry()));
-    let rapport = temps.parry() / temps.seuls();
-    Ok(format!("| {scalaire} | {n} | {} | {parry} | {rapport:.1} |", cellules.join(" | ")))
+/// The rays of a picture, in tiles.
+fn image<R: Reel>() -> Vec<Rayon<R>> {
+    en_tuiles(&rayons_camera(600, 400), 600)
 }
 
 /// The table of the instruction sets.
@@ -102,7 +46,7 @@ pub(crate) fn jeux_d_instructions() -> Result<String, Box<dyn Error>> {
 
 /// Nanoseconds per ray of each set.
 fn jeux_de<R: Reel>(n: usize) -> Result<Vec<f64>, Box<dyn Error>> {
-    let (objets, rayons) = (melange(n), en_tuiles::<R>());
+    let (objets, rayons) = (melange(n), image::<R>());
     let mut places = places(&objets);
     let hierarchie = Hierarchie::new(&objets, &mut places)?;
     let jeux: Vec<_> = Reglage::tous().map(|(_, jeu)| jeu.hierarchie(hierarchie)).collect();
@@ -113,9 +57,9 @@ fn jeux_de<R: Reel>(n: usize) -> Result<Vec<f64>, Box<dyn Error>> {
         })?;
     }
     let mut tampon = petit_tampon();
-    Ok(moindres(&jeux, |jeu| {
+    Ok(moindres(TOURS, &jeux, |jeu| {
         chronometrer_lot(&rayons, &mut tampon, |rayons, touches| {
-            jeu.premieres_intersections(rayons, touches)
+            jeu.premieres_intersections(rayons, touches).expect("as many answers as rays");
         })
     }))
 }
@@ -137,7 +81,7 @@ pub(crate) fn threads() -> Result<String, Box<dyn Error>> {
 }
 
 fn threads_de<R: Reel>(n: usize, equipes: &[ThreadPool; 2]) -> Result<String, Box<dyn Error>> {
-    let (objets, rayons) = (melange(n), en_tuiles::<R>());
+    let (objets, rayons) = (melange(n), image::<R>());
     let mut places = places(&objets);
     let hierarchie = Hierarchie::new(&objets, &mut places)?;
     let premieres = |rayons: &[Rayon<R>], touches: &mut [Touche<R>]| {
@@ -147,13 +91,49 @@ fn threads_de<R: Reel>(n: usize, equipes: &[ThreadPool; 2]) -> Result<String, Bo
     };
     exiger(&une_par_une(&objets, &rayons), &rayons, premieres)?;
     let mut tampon = tampon(rayons.len());
-    let temps = moindres(equipes, |equipe| {
+    let temps = moindres(TOURS, equipes, |equipe| {
         // The best of some pictures in a row: at the first the threads still wake up.
         equipe.install(|| {
-            let images = (0..8).map(|_| chronometrer_lot(&rayons, &mut tampon, premieres));
+            let images = (0..8).map(|_| {
+                chronometrer_lot(&rayons, &mut tampon, |rayons, touches| {
+                    premieres(rayons, touches).expect("as many answers as rays");
+                })
+            });
             images.fold(f64::INFINITY, f64::min)
         })
     });
     let (un, deux, scalaire) = (temps[0], temps[1], std::any::type_name::<R>());
     Ok(format!("| {scalaire} | {n} | {un:.1} | {deux:.1} | {:.2} |", un / deux))
+}
+
+/// What a tree costs to build, in time and in memory beside the objects.
+pub(crate) fn constructions() -> Result<String, Box<dyn Error>> {
+    let mut table = vec![
+        "| scalar | N | hierarchy, ns per object | bytes per object | parry's Bvh, ns | obvhs, ns |"
+            .to_owned(),
+        format!("|---|--:|{}", "--:|".repeat(4)),
+    ];
+    for n in [1000, 10_000, 100_000] {
+        table.push(constructions_de::<f32>(n)?);
+        table.push(constructions_de::<f64>(n)?);
+    }
+    Ok(table.join("\n"))
+}
+
+fn constructions_de<R: Parry>(n: usize) -> Result<String, Box<dyn Error>> {
+    let objets = melange::<R>(n);
+    let mut places = places(&objets);
+    let octets = size_of_val(&places[..]) as f64 / n as f64;
+    let ns = moindres(TOURS, &[0, 1, 2], |&qui| {
+        let debut = Instant::now();
+        match qui {
+            0 => assert!(black_box(Hierarchie::new(&objets, &mut places)).is_ok()),
+            1 => drop(black_box(R::arbre(&objets))),
+            _ => drop(black_box(R::obvhs(&objets))),
+        }
+        debut.elapsed().as_nanos() as f64 / n as f64
+    });
+    let [ici, parry, obvhs] = [0, 1, 2].map(|qui| nanosecondes(ns[qui]));
+    let scalaire = std::any::type_name::<R>();
+    Ok(format!("| {scalaire} | {n} | {ici} | {octets:.0} | {parry} | {obvhs} |"))
 }

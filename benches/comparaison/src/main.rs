@@ -1,21 +1,23 @@
-//! lancer-rayon beside annex A of the handout to the letter, beside parry and beside parry's shapes in the
-//! tree of obvhs, with the same objects and the same rays.
+//! lancer-rayon beside annex A of the handout to the letter, beside parry, beside parry's shapes in the tree of
+//! obvhs and beside Embree, with the same objects and the same rays.
 //!
-//! `cargo run --release -p comparaison` prints the times; with `documents` it measures errors as
-//! well, and writes the tables and plots of `docs/precision.md`, `docs/compromis.md` and
-//! `docs/performance.md`.
+//! `cargo run --release -p comparaison` prints the times, in five minutes; with `documents` it measures errors
+//! as well, and writes the tables and plots of `docs/precision.md`, `docs/compromis.md` and
+//! `docs/performance.md`. `--features embree` takes Embree 3.13 along (`apt-get install libembree-dev`).
 
 mod annexe_dyn;
+#[cfg(feature = "embree")]
+mod avec_embree;
 mod avec_glam;
 mod compromis;
 mod concours;
 mod exactitude;
+mod familles;
 mod horloge;
 mod lot;
 mod page;
 mod pairs;
-mod rayons;
-mod vitesse;
+mod tableau;
 
 use std::error::Error;
 
@@ -56,27 +58,22 @@ fn main() -> Result<(), Box<dyn Error>> {
         Some(_) => return Err("usage: comparaison [documents]".into()),
     };
     avec_glam::verifier()?;
-    let courses = vitesse::courses()?;
-    let complete = vitesse::table_complete(&courses);
-    let ordres = lot::ordres()?;
-    let jeux = lot::jeux_d_instructions()?;
-    let threads = lot::threads()?;
+    let cellules = tableau::mesurer()?;
     let tables = [
-        ("times", complete),
-        ("orders", ordres),
-        ("shadows", vitesse::ombres()?),
-        ("building", vitesse::constructions()?),
-        ("sets", jeux),
-        ("threads", threads),
+        ("summary", tableau::resume(&cellules)),
+        ("families", tableau::table(&cellules)),
+        ("building", lot::constructions()?),
+        ("sets", lot::jeux_d_instructions()?),
+        ("threads", lot::threads()?),
     ];
     for (nom, table) in &tables {
-        println!("\n{nom}, ns per ray\n\n{table}");
+        println!("\n{nom}\n\n{table}");
     }
     if ecrire {
         for (nom, table) in &tables {
             page::remplacer("docs/performance.md", nom, &page::datee(table))?;
         }
-        vitesse::graphique(&courses)?;
+        tableau::graphique(&cellules)?;
         exactitude::documenter()?;
         compromis::documenter()?;
     }

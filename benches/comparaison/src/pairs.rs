@@ -1,4 +1,4 @@
-//! What is asked of every peer.
+//! What is asked of parry.
 
 use lancer_rayon::{ObjetRay, Rayon, Reel, Texture, Vecteur};
 
