@@ -1,0 +1,102 @@
+//! The first intersection and shadows, of a list and of a hierarchy, ray by ray and in a batch, beside annex A
+//! of the handout to the letter.
+
+use std::hint::black_box;
+use std::path::Path;
+use std::time::Duration;
+
+use commun::{litteral, scenes};
+use criterion::{
+    BenchmarkId, Criterion, SamplingMode, Throughput, criterion_group, criterion_main,
+};
+use lancer_rayon::{
+    Hierarchie, NoIntersection, ObjetRay, Rayon, Reel, Vecteur, est_occulte, premiere_intersection,
+    premieres_intersections,
+};
+use scene::Scene;
+use serde::de::DeserializeOwned;
+
+#[allow(dead_code, reason = "shared with the tests")]
+#[path = "../tests/commun"]
+mod commun {
+    pub(crate) mod conversion;
+    pub(crate) mod litteral;
+    pub(crate) mod scenes;
+}
+#[allow(dead_code, reason = "shared with the examples")]
+#[path = "../docs/exemples/scene.rs"]
+mod scene;
+
+/// A longer list, object by object, would take minutes.
+const LONGUE_LISTE: usize = 1000;
+
+fn mesurer<R: Reel + DeserializeOwned>(c: &mut Criterion) {
+    let mut groupe = c.benchmark_group(std::any::type_name::<R>());
+    groupe
+        .sample_size(10)
+        .sampling_mode(SamplingMode::Flat)
+        .warm_up_time(Duration::from_millis(500))
+        .measurement_time(Duration::from_secs(2));
+    let mut mesurer = |nom: &str, objets: &[ObjetRay<R>], rayons: &[Rayon<R>]| {
+        let mut touches = vec![Err(NoIntersection); rayons.len()];
+        let mut places = vec![0.0; Hierarchie::places(objets.len())];
+        let hierarchie = Hierarchie::new(objets, &mut places).expect("as many places as it takes");
+        let ombres = ombres(&hierarchie, rayons);
+        groupe.throughput(Throughput::Elements(rayons.len() as u64));
+        groupe.bench_function(BenchmarkId::new("hiérarchie", nom), |b| {
+            b.iter(|| lancer(rayons, |rayon| hierarchie.premiere_intersection(rayon)));
+        });
+        groupe.bench_function(BenchmarkId::new("hiérarchie, lot", nom), |b| {
+            b.iter(|| hierarchie.premieres_intersections(rayons, black_box(&mut touches)));
+        });
+        if objets.len() <= LONGUE_LISTE {
+            let litteraux: Vec<_> = objets.iter().map(litteral::Objet::from).collect();
+            groupe.bench_function(BenchmarkId::new("liste", nom), |b| {
+                b.iter(|| lancer(rayons, |rayon| premiere_intersection(objets, rayon)));
+            });
+            groupe.bench_function(BenchmarkId::new("liste, lot", nom), |b| {
+                b.iter(|| premieres_intersections(objets, rayons, black_box(&mut touches)));
+            });
+            groupe.bench_function(BenchmarkId::new("annexe A", nom), |b| {
+                let premiere = |rayon: &_| litteral::premiere_intersection(&litteraux, rayon);
+                b.iter(|| lancer(rayons, premiere));
+            });
+        }
+        groupe.throughput(Throughput::Elements(ombres.len() as u64));
+        groupe.bench_function(BenchmarkId::new("hiérarchie, ombres", nom), |b| {
+            b.iter(|| lancer(&ombres, |(ombre, max)| hierarchie.est_occulte(ombre, *max)));
+        });
+        if objets.len() <= LONGUE_LISTE {
+            groupe.bench_function(BenchmarkId::new("liste, ombres", nom), |b| {
+                b.iter(|| lancer(&ombres, |(ombre, max)| est_occulte(objets, ombre, *max)));
+            });
+        }
+    };
+
+    let atelier: Scene<R> = Scene::lire(Path::new("docs/scenes/atelier.ron")).unwrap();
+    let objets: Vec<_> = atelier.objets.iter().map(|objet| objet.vers_ray()).collect();
+    mesurer("atelier", &objets, &atelier.camera.rayons().unwrap());
+    let rayons = scenes::en_tuiles(&scenes::rayons_camera(600, 400), 600);
+    for n in [12, 100, 1000, 10_000] {
+        mesurer(&n.to_string(), &scenes::melange(n), &rayons);
+    }
+}
+
+/// From what the rays touch to a lamp that it faces, and how far that is.
+fn ombres<R: Reel>(hierarchie: &Hierarchie<'_, R>, rayons: &[Rayon<R>]) -> Vec<(Rayon<R>, R)> {
+    let lampe = Vecteur::depuis_f64(Vecteur::new(-2.6, 7.2, 5.2));
+    let ombre = |rayon: &Rayon<R>| {
+        let touche = hierarchie.premiere_intersection(rayon).ok()?;
+        rayon.vers_lumiere(&touche, lampe)
+    };
+    rayons.iter().filter_map(ombre).collect()
+}
+
+fn lancer<Q, T>(rayons: &[Q], premiere: impl Fn(&Q) -> T) {
+    for rayon in rayons {
+        black_box(&premiere(rayon));
+    }
+}
+
+criterion_group!(bancs, mesurer::<f32>, mesurer::<f64>);
+criterion_main!(bancs);
