@@ -20,6 +20,7 @@ use core::fmt;
 use fearless_simd::Level;
 
 use crate::compile::compilees;
+use crate::hierarchie::bloc::Patience;
 use crate::hierarchie::construction::{Arbre, construire, mots};
 use crate::intersection::Touche;
 use crate::lot::bloc::{BLOC, Bloc};
@@ -257,10 +258,10 @@ fn premieres<R: Reel>(
         }
     } else {
         selon_le_niveau!(niveau, simd => {
-            let mut bloc = Bloc::VIDE;
+            let (mut bloc, mut patience) = (Bloc::VIDE, Patience::default());
             for (rayons, touches) in rayons.chunks(BLOC).zip(touches.chunks_mut(BLOC)) {
                 bloc.charger(rayons);
-                arbre.repondre_au_bloc(simd, &mut bloc, touches);
+                arbre.repondre_au_bloc(simd, &mut bloc, touches, &mut patience);
             }
         });
     }

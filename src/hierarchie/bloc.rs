@@ -11,16 +11,37 @@ use crate::lot::bloc::Bloc;
 use crate::reel::Reel;
 use crate::seize::Aligne;
 
-/// When a block has seen so many objects, its rays are too far apart: from there each walks alone,
-/// cut off at what it has found.
-const ASSEZ_D_OBJETS: f64 = 112.0;
+/// When a block has met so many objects, its rays are too far apart: from there each walks alone, cut
+/// off at what it has found.
+const ASSEZ_D_OBJETS: u32 = 112;
 
-/// The same for a beam as wide as it is far; the wider, the sooner.
-const ASSEZ_SI_LARGE: f64 = 20.0;
+/// After this many blocks that did not try to walk together, one does.
+const PAUSE: u32 = 31;
 
-/// In so small a tree a block never sees too many: 320 objects in `f32`, 160 in `f64`, where
-/// sixteen rays side by side take twice as long.
-const PETIT_ARBRE: usize = 1280;
+/// Which blocks of a call try to walk together. After a second that gave up in a row 3 do not, after a
+/// third 15, and then 31: what a try in vain costs is spread over these.
+#[derive(Default)]
+pub(crate) struct Patience {
+    abandons: u32,
+    seuls: u32,
+}
+
+impl Patience {
+    /// Whether the next block tries.
+    #[inline(always)]
+    fn essayer(&mut self) -> bool {
+        let essayer = self.seuls == 0;
+        self.seuls = self.seuls.saturating_sub(1);
+        essayer
+    }
+
+    /// Notes how a try ended.
+    #[inline(always)]
+    fn noter(&mut self, a_abandonne: bool) {
+        self.abandons = if a_abandonne { (self.abandons + 1).min(4) } else { 0 };
+        self.seuls = (4_u32.pow(self.abandons.saturating_sub(1)) - 1).min(PAUSE);
+    }
+}
 
 /// The rays of a block go too far apart for one walk. What they have found so far stands.
 struct TropLoinLUnDeLAutre;
@@ -33,19 +54,29 @@ impl<R: Reel> Arbre<'_, R> {
         simd: S,
         bloc: &mut Bloc<'_, R>,
         touches: &mut [Touche<R>],
+        patience: &mut Patience,
     ) {
-        match self.parcourir_ensemble(simd, bloc) {
-            Ok(()) => bloc.ecrire(simd, self.objets, touches),
-            Err(TropLoinLUnDeLAutre) => simd.vectorize(
-                #[inline(always)]
-                || {
-                    for ((rayon, premier), touche) in bloc.premiers().zip(touches) {
-                        let premier = self.parcourir::<S, false>(simd, rayon, premier);
-                        *touche = premier.conclure(self.objets, rayon);
-                    }
-                },
-            ),
+        let sonde = if patience.essayer() {
+            bloc.faisceau().and_then(|faisceau| SondeDeBloc::new(&faisceau, self.repere))
+        } else {
+            None
+        };
+        if let Some(sonde) = sonde {
+            let ensemble = self.parcourir_ensemble(simd, &sonde, bloc);
+            patience.noter(ensemble.is_err());
+            if ensemble.is_ok() {
+                return bloc.ecrire(simd, self.objets, touches);
+            }
         }
+        simd.vectorize(
+            #[inline(always)]
+            || {
+                for ((rayon, premier), touche) in bloc.premiers().zip(touches) {
+                    let premier = self.parcourir::<S, false>(simd, rayon, premier);
+                    *touche = premier.conclure(self.objets, rayon);
+                }
+            },
+        );
     }
 
     /// Finds the first object of each ray of a block, in the nodes that its beam crosses.
@@ -53,28 +84,22 @@ impl<R: Reel> Arbre<'_, R> {
     fn parcourir_ensemble<S: Simd>(
         &self,
         simd: S,
+        sonde: &SondeDeBloc,
         bloc: &mut Bloc<'_, R>,
     ) -> Result<(), TropLoinLUnDeLAutre> {
-        let faisceau = bloc.faisceau().ok_or(TropLoinLUnDeLAutre)?;
-        let sonde = SondeDeBloc::new(&faisceau, self.repere).ok_or(TropLoinLUnDeLAutre)?;
         for &indice in self.plans {
             self.proposer(bloc, indice_lu(indice));
         }
         let mut attentes = [RIEN; GRANDE_PILE];
         let (mut pile, mut numero) = Pile::new(&mut attentes, self.geants, self.racine);
         let mut plafond = self.repere.distance(bloc.le_plus_loin());
-        let assez = if self.objets.len() <= PETIT_ARBRE / size_of::<R>() {
-            f64::INFINITY
-        } else {
-            (ASSEZ_SI_LARGE / faisceau.largeur.vers_f64()).min(ASSEZ_D_OBJETS)
-        };
         let mut vus = 0;
         while let Some(noeud) = self.noeuds.get(numero) {
             let (traverses, Aligne(profondeurs)) = sonde.traverse(simd, noeud, plafond);
             if numero < self.feuilles {
                 if traverses.le_premier().is_some() {
                     vus += traverses.nombre();
-                    if f64::from(vus) > assez {
+                    if vus > ASSEZ_D_OBJETS {
                         return Err(TropLoinLUnDeLAutre);
                     }
                     let [.., indices] = noeud;

@@ -42,11 +42,11 @@ impl Sonde {
         };
         let axe = |axe: usize, s: f32, d: R| {
             // The sign of 1/D is that of D, of −0 too, and is known before the quotient.
-            let signe = (simple(d).to_bits() >> 31) as usize;
-            let jeu = if signe == 1 { -jeu } else { jeu };
+            let d32 = simple(d);
+            let jeu = jeu.copysign(d32);
             Axe {
-                proche: axe + 3 * signe,
-                lointain: axe + 3 - 3 * signe,
+                proche: colonne(axe, d32),
+                lointain: colonne(axe, -d32),
                 inverse: simple(R::UN / d),
                 vers_proche: s + jeu,
                 vers_lointain: s - jeu,
@@ -104,7 +104,8 @@ impl SondeDeBloc {
     #[inline(always)]
     pub(crate) fn new<R: Reel>(faisceau: &Faisceau<R>, repere: Repere<R>) -> Option<Self> {
         let s0 = repere.point(faisceau.s0);
-        let loin = s0.norme_1() + repere.longueur(faisceau.ecart) * R::depuis_f64(4.0);
+        let loin = faisceau.ecart * R::depuis_f64(4.0) + faisceau.portee;
+        let loin = s0.norme_1() + repere.longueur(loin);
         if simple(loin) > TROP_LOIN {
             return None;
         }
@@ -112,11 +113,11 @@ impl SondeDeBloc {
             + R::depuis_f64(JEU_FIXE * f64::from(f32::U));
         let limite =
             |p: Vecteur<R>, w: R| simple(p.produit_scalaire(s0) + (repere.longueur(w) + jeu));
-        let (moins_m, w) = faisceau.dos();
+        let (m, w) = faisceau.axe;
         Some(Self {
             plans: faisceau.plans.map(|(p, w)| (simples(p), limite(p, w))),
-            m: simples(-moins_m),
-            depart: limite(-moins_m, w),
+            m: simples(m),
+            depart: limite(m, w),
         })
     }
 
@@ -148,15 +149,17 @@ impl SondeDeBloc {
     }
 }
 
-/// The columns of the corners that lie lowest along P.
+/// The columns of the corners that lie lowest along P: by the sign, without a branch.
 #[inline(always)]
 fn au_plus_pres(
-    [bx, by, bz, hx, hy, hz, _]: &Noeud,
+    noeud: &Noeud,
     p: Vecteur<f32>,
 ) -> (&Colonne<f32>, &Colonne<f32>, &Colonne<f32>) {
-    (
-        if p.x < 0.0 { hx } else { bx },
-        if p.y < 0.0 { hy } else { by },
-        if p.z < 0.0 { hz } else { bz },
-    )
+    (&noeud[colonne(0, p.x)], &noeud[colonne(1, p.y)], &noeud[colonne(2, p.z)])
+}
+
+/// The column of the sides that something of this sign along this axis comes to first.
+#[inline(always)]
+fn colonne(axe: usize, signe: f32) -> usize {
+    axe + 3 * (signe.to_bits() >> 31) as usize
 }

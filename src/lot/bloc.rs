@@ -42,7 +42,9 @@ impl<'a, R: Reel> Bloc<'a, R> {
     /// The beam of these rays; `None` if they go too far apart for one.
     #[inline(always)]
     pub(crate) fn faisceau(&self) -> Option<Faisceau<R>> {
-        Faisceau::autour(self.rayons, self.groupes())
+        let (rayons, dernier) = (self.rayons, self.rayons.len() - 1);
+        let reperes = [rayons[0], rayons[7.min(dernier)], rayons[rayons.len() / 2]];
+        Faisceau::de_rayons(self.groupes(), reperes)
     }
 
     /// For each ray that enters this object, at this index of the list, before its first so far:

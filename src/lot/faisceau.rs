@@ -6,7 +6,7 @@
 use crate::forme::Boule;
 use crate::lot::groupe::Groupe;
 use crate::rayon::Rayon;
-use crate::reel::{Reel, fois_u, max};
+use crate::reel::{Reel, fois_u, max, min};
 use crate::seize::{Colonne, SEIZE, le_plus_grand};
 use crate::vecteur::Vecteur;
 
@@ -19,136 +19,222 @@ pub const COURT: f64 = 4.9;
 /// By so many u the slope e/μ is taken too large, above and below (lemma 12).
 pub const PENTE: f64 = 7.5;
 
-/// By so many u of itself the bound w on the origins is too large (lemma 12).
-pub const ORIGINES: f64 = 5.5;
+/// By so many u of the spread of the origins and of the longest segment a bound w is too large
+/// (lemma 12).
+pub const ORIGINES: f64 = 10.6;
 
-/// The rounding of h² and of the ball test, in u·|C − S₀|² (lemma 13).
-pub const JEU_BOULE: f64 = 1300.0;
+/// The rounding of h² and of an entry near the ball, in u·(|C − S₀|² + 3q²) (lemma 13).
+pub const JEU_BOULE: f64 = 310.0;
 
-/// Running bounds over the rays of a block: distance from a reference origin S₀, spread around a
-/// reference direction M.
-///
-/// Each quantity has sixteen maxima, one a lane: a single running maximum cannot be vectorised.
-struct Etendue<R> {
-    s0: Vecteur<R>,
-    m: Vecteur<R>,
-    /// U and V, across M and unit to rounding.
-    axes: [Vecteur<R>; 2],
-    /// The largest coordinate of S − S₀.
-    ecarts: Colonne<R>,
-    /// e: the largest D·U, −D·U, D·V and −D·V.
-    e: [Colonne<R>; 4],
-    /// −μ: the largest −D·M.
-    moins_mu: Colonne<R>,
-}
-
-impl<R: Reel> Etendue<R> {
-    /// The bounds of no rays yet. S₀ and M come from the ray in the middle. U points from the first
-    /// ray to the eighth, along a row of pixels: any U is right, this one fits closely.
-    #[inline(always)]
-    fn vide(rayons: &[Rayon<R>]) -> Self {
-        let milieu = rayons[rayons.len() / 2];
-        let m = milieu.direction() * (R::UN - fois_u(COURT_M));
-        let cote = rayons[7.min(rayons.len() - 1)].direction() - rayons[0].direction();
-        let x = Vecteur::new(R::UN, R::ZERO, R::ZERO);
-        let y = Vecteur::new(R::ZERO, R::UN, R::ZERO);
-        let a = en_travers(cote, m).or_else(|| en_travers(x, m)).unwrap_or(y);
-        Self {
-            s0: milieu.source(),
-            m,
-            axes: [a, m.produit_vectoriel(a)],
-            ecarts: [R::ZERO; SEIZE],
-            // Not −∞: the proof needs e ≥ 0.
-            e: [[R::ZERO; SEIZE]; 4],
-            moins_mu: [-R::INFINI; SEIZE],
-        }
-    }
-
-    #[inline(always)]
-    fn ajouter(&mut self, groupe: &Groupe<R>) {
-        let Self { s0, m, axes: [a, b], ecarts, e: [a1, a2, b1, b2], moins_mu } = self;
-        for voie in 0..SEIZE {
-            let rayon = groupe.rayon(voie);
-            let (ecart, d) = (rayon.source() - *s0, rayon.direction());
-            let ecart = max(max(ecart.x.abs(), ecart.y.abs()), ecart.z.abs());
-            ecarts[voie] = max(ecarts[voie], ecart);
-            let (da, db) = (d.produit_scalaire(*a), d.produit_scalaire(*b));
-            a1[voie] = max(a1[voie], da);
-            a2[voie] = max(a2[voie], -da);
-            b1[voie] = max(b1[voie], db);
-            b2[voie] = max(b2[voie], -db);
-            moins_mu[voie] = max(moins_mu[voie], -d.produit_scalaire(*m));
-        }
-    }
-
-    /// The beam of these rays; `None` if they go too far apart for one.
-    #[inline(always)]
-    fn faisceau(self) -> Option<Faisceau<R>> {
-        let mu = -le_plus_grand(self.moins_mu);
-        // The proof needs some room between the rays and the plane across M.
-        if mu < R::depuis_f64(0.25) {
-            return None;
-        }
-        let [a, b] = self.axes;
-        let [a1, a2, b1, b2] = self.e.map(le_plus_grand);
-        let [p1, p2, p3, p4] = [(a, a1), (-a, a2), (b, b1), (-b, b2)].map(|(axe, e)| {
-            let p = axe - self.m * ((e + fois_u(PENTE)) / (mu - fois_u(PENTE)));
-            p * ((R::UN - fois_u(COURT)) / p.longueur_carree().sqrt())
-        });
-        let largeur = ((a1 + a2) * (b1 + b2)).sqrt() / mu;
-        let ecart = le_plus_grand(self.ecarts);
-        let ecarts = Vecteur::new(ecart, ecart, ecart);
-        Some(Faisceau {
-            s0: self.s0,
-            plans: [p1, p2, p3, p4, -self.m]
-                .map(|p| (p, p.somme_des_grandeurs(ecarts) * (R::UN + fois_u(ORIGINES)))),
-            ecart,
-            largeur,
-        })
-    }
-}
+/// No side of a beam of segments is steeper against M: any slope is right, these fit.
+const RAIDE: f64 = 4.0;
 
 /// A pyramid that the rays of a block stay in: four sides, then a back. Each of these planes has an
-/// outward normal P and a bound w, with P·D ≤ 0 and P·(S − S₀) ≤ w for every ray.
+/// outward normal P and a bound w on P·(X − S₀) over the points X of all rays, or of the part of each
+/// that counts.
 #[derive(Clone, Copy)]
 pub(crate) struct Faisceau<R> {
     pub(crate) s0: Vecteur<R>,
     pub(crate) plans: [(Vecteur<R>, R); 5],
-    /// The largest coordinate of any S − S₀.
+    /// M, a direction along which depths count, and a bound on M·(S − S₀).
+    pub(crate) axe: (Vecteur<R>, R),
+    /// q, the largest |coordinate| of any S − S₀.
     pub(crate) ecart: R,
-    /// The side of its section one unit ahead.
-    pub(crate) largeur: R,
+    /// The longest segment; 0 for rays without an end.
+    pub(crate) portee: R,
+}
+
+/// What a beam is built around: a reference origin S₀, a reference direction M, and U and V across M.
+struct Repere<R> {
+    s0: Vecteur<R>,
+    m: Vecteur<R>,
+    u: Vecteur<R>,
+    v: Vecteur<R>,
+}
+
+impl<R: Reel> Repere<R> {
+    /// S₀ and M come from the ray in the middle. U points from the first ray to the eighth, along a
+    /// row of pixels: any U is right, this one fits closely.
+    #[inline(always)]
+    fn de([premier, huitieme, milieu]: [Rayon<R>; 3]) -> Self {
+        let m = milieu.direction() * (R::UN - fois_u(COURT_M));
+        let cote = huitieme.direction() - premier.direction();
+        let x = Vecteur::new(R::UN, R::ZERO, R::ZERO);
+        let y = Vecteur::new(R::ZERO, R::UN, R::ZERO);
+        let u = en_travers(cote, m).or_else(|| en_travers(x, m)).unwrap_or(y);
+        Self { s0: milieu.source(), m, u, v: m.produit_vectoriel(u) }
+    }
 }
 
 impl<R: Reel> Faisceau<R> {
-    /// The beam of these rays, which stand in these groups as well; `None` if they go too far apart
-    /// for one.
+    /// The beam of the rays of these groups; three of them, the first, the eighth and the one in the
+    /// middle, say where it goes. `None` if they go too far apart for one.
     #[inline(always)]
-    pub(crate) fn autour(rayons: &[Rayon<R>], groupes: &[Groupe<R>]) -> Option<Self> {
-        let mut etendue = Etendue::vide(rayons);
-        for groupe in groupes {
-            etendue.ajouter(groupe);
+    pub(crate) fn de_rayons(groupes: &[Groupe<R>], reperes: [Rayon<R>; 3]) -> Option<Self> {
+        let repere = Repere::de(reperes);
+        let Repere { s0, m, u, v } = repere;
+        let [u1, u2, v1, v2, moins_mu, ecart] = maxima(
+            -R::INFINI,
+            groupes,
+            #[inline(always)]
+            |rayon, _| {
+                let (s, d) = (rayon.source() - s0, rayon.direction());
+                let (du, dv) = (d.produit_scalaire(u), d.produit_scalaire(v));
+                [du, -du, dv, -dv, -d.produit_scalaire(m), plus_grande_coordonnee(s)]
+            },
+        );
+        // The proof needs some room between the rays and the plane across M.
+        if -moins_mu < R::depuis_f64(0.25) {
+            return None;
         }
-        etendue.faisceau()
+        let (plus, mu) = (fois_u(PENTE), -moins_mu - fois_u(PENTE));
+        // And e ≥ 0.
+        let (e1, e2) = (max(u1, R::ZERO) + plus, max(u2, R::ZERO) + plus);
+        let (e3, e4) = (max(v1, R::ZERO) + plus, max(v2, R::ZERO) + plus);
+        let pentes = [e1, e2, e3, e4].map(
+            #[inline(always)]
+            |e| e / mu,
+        );
+        Some(Self::de_pentes::<false>(groupes, repere, pentes, ecart, R::ZERO))
     }
 
-    /// −M and its w: the plane behind which no ray goes.
+    /// The beam of the segments from the sources of these rays to the limits of their first objects:
+    /// from surfaces to lamps. Its sides touch both ends.
     #[inline(always)]
-    pub(crate) fn dos(&self) -> (Vecteur<R>, R) {
-        let [.., dos] = self.plans;
-        dos
+    pub(crate) fn de_segments(groupes: &[Groupe<R>], reperes: [Rayon<R>; 3]) -> Self {
+        let repere = Repere::de(reperes);
+        let Repere { s0, m, u, v } = repere;
+        let [s1, s2, s3, s4, l1, l2, l3, l4, profondeur, ecart, portee] = maxima(
+            R::ZERO,
+            groupes,
+            #[inline(always)]
+            |rayon, t| {
+                let s = rayon.source() - s0;
+                let l = s + rayon.direction() * t;
+                let (su, sv) = (s.produit_scalaire(u), s.produit_scalaire(v));
+                let (lu, lv) = (l.produit_scalaire(u), l.produit_scalaire(v));
+                let profondeur = l.produit_scalaire(m);
+                [su, -su, sv, -sv, lu, -lu, lv, -lv, profondeur, plus_grande_coordonnee(s), t]
+            },
+        );
+        let pentes = [
+            bornee((l1 - s1) / profondeur),
+            bornee((l2 - s2) / profondeur),
+            bornee((l3 - s3) / profondeur),
+            bornee((l4 - s4) / profondeur),
+        ];
+        Self::de_pentes::<true>(groupes, repere, pentes, ecart, portee)
     }
 
-    /// Two numbers: h², and the limit ρ² + 1300u·|C − S₀|². h is how far C lies beyond the farthest
-    /// of the five planes, or 0. If h² is above the limit, the computed
-    /// [`approchee`](Boule::approchee) is false for every ray of the beam.
+    /// The beam whose sides lean from U, −U, V and −V by these slopes against M, around `SEGMENTS` of
+    /// lengths up to `portee`, or around rays that no side faces.
+    #[inline(always)]
+    fn de_pentes<const SEGMENTS: bool>(
+        groupes: &[Groupe<R>],
+        Repere { s0, m, u, v }: Repere<R>,
+        [a1, a2, a3, a4]: [R; 4],
+        ecart: R,
+        portee: R,
+    ) -> Self {
+        let [p1, p2, p3, p4] = [(u, a1), (-u, a2), (v, a3), (-v, a4)].map(
+            #[inline(always)]
+            |(axe, pente)| cote(axe - m * pente),
+        );
+        // Rays of a camera have one source.
+        let [w1, w2, w3, w4, arriere, avant] = if !SEGMENTS && ecart == R::ZERO {
+            [R::ZERO; 6]
+        } else {
+            maxima(
+                R::ZERO,
+                groupes,
+                #[inline(always)]
+                |rayon, t| {
+                    let s = rayon.source() - s0;
+                    let l = if SEGMENTS { s + rayon.direction() * t } else { s };
+                    let (w1, w2) = (le_plus_loin(p1, s, l), le_plus_loin(p2, s, l));
+                    let (w3, w4) = (le_plus_loin(p3, s, l), le_plus_loin(p4, s, l));
+                    [w1, w2, w3, w4, le_plus_loin(-m, s, l), m.produit_scalaire(s)]
+                },
+            )
+        };
+        let jeu = (ecart + portee) * fois_u(ORIGINES);
+        Self {
+            s0,
+            plans: [
+                (p1, w1 + jeu),
+                (p2, w2 + jeu),
+                (p3, w3 + jeu),
+                (p4, w4 + jeu),
+                (-m, arriere + jeu),
+            ],
+            axe: (m, avant + jeu),
+            ecart,
+            portee,
+        }
+    }
+
+    /// Two numbers: h², and the limit ρ² + 310u·(|C − S₀|² + 3q²). h is how far C lies beyond the
+    /// farthest of the five planes, or 0. If h² is above the limit, no ray of the beam enters what is
+    /// in the ball.
     #[inline(always)]
     pub(crate) fn depassement_et_limite(&self, boule: Boule<R>) -> (R, R) {
         let sc = boule.centre - self.s0;
-        let [h1, h2, h3, h4, h5] = self.plans.map(|(p, w)| p.produit_scalaire(sc) - w);
-        let h = max(max(max(h1, h2), max(h3, h4)), max(h5, R::ZERO));
-        (h * h, boule.r2 + sc.longueur_carree() * fois_u(JEU_BOULE))
+        let mut h = R::ZERO;
+        for (p, w) in self.plans {
+            h = max(p.produit_scalaire(sc) - w, h);
+        }
+        let etendue = R::depuis_f64(3.0) * (self.ecart * self.ecart);
+        (h * h, boule.r2 + (sc.longueur_carree() + etendue) * fois_u(JEU_BOULE))
     }
+}
+
+/// The largest of each of these numbers over the rays of these groups and the limits of their first
+/// objects, and of `depart`: 0 where the ray in the middle, which starts at S₀ along M, gives a 0.
+///
+/// Each has sixteen maxima, one a lane: a single running maximum cannot be vectorised.
+#[inline(always)]
+fn maxima<R: Reel, const N: usize>(
+    depart: R,
+    groupes: &[Groupe<R>],
+    nombres: impl Fn(Rayon<R>, R) -> [R; N],
+) -> [R; N] {
+    let mut colonnes: [Colonne<R>; N] = [[depart; SEIZE]; N];
+    for groupe in groupes {
+        for voie in 0..SEIZE {
+            let nombres = nombres(groupe.rayon(voie), groupe.premier(voie).t);
+            for k in 0..N {
+                colonnes[k][voie] = max(colonnes[k][voie], nombres[k]);
+            }
+        }
+    }
+    let mut maxima = [depart; N];
+    for k in 0..N {
+        maxima[k] = le_plus_grand(colonnes[k]);
+    }
+    maxima
+}
+
+/// This slope, no steeper than one that fits.
+#[inline(always)]
+fn bornee<R: Reel>(pente: R) -> R {
+    max(min(pente, R::depuis_f64(RAIDE)), -R::depuis_f64(RAIDE))
+}
+
+/// P along this vector, a little shorter than 1.
+#[inline(always)]
+fn cote<R: Reel>(p: Vecteur<R>) -> Vecteur<R> {
+    p * ((R::UN - fois_u(COURT)) / p.longueur_carree().sqrt())
+}
+
+/// How far along P the farther end of a segment is.
+#[inline(always)]
+fn le_plus_loin<R: Reel>(p: Vecteur<R>, s: Vecteur<R>, l: Vecteur<R>) -> R {
+    max(p.produit_scalaire(s), p.produit_scalaire(l))
+}
+
+#[inline(always)]
+fn plus_grande_coordonnee<R: Reel>(v: Vecteur<R>) -> R {
+    max(max(v.x.abs(), v.y.abs()), v.z.abs())
 }
 
 /// The unit vector of what `v` has across M; `None` if `v` lies along M, where what rounding leaves

@@ -515,17 +515,27 @@ fn lemme_12_faisceau() {
         let [e, mu] = [1.0, 1.0].map(i);
         assert!(pente(u, 0.9 * PENTE, [e, mu]).bas > 0.0, "less would do");
     }
-    tenir(ORIGINES, |u| et(et(inverse(gamma(3.0, u), u), i(1.0), u), i(1.0), u) * plus(8.0, u));
+    // Of P·(S − S₀ + tD), five roundings of each term; the sum with this slack, and the slack itself. The largest
+    // coordinate is rounded once, and √3 of it bounds a length.
+    tenir(ORIGINES, |u| {
+        let tous = gamma(5.0, u) + 1.0 * plus(ORIGINES, u);
+        tous * i(3.0).racine() * plus(1.0 + D1, u) * plus(inverse(i(3.0), u), u)
+    });
 }
 
 #[test]
 fn lemme_13_elagage() {
+    // In u·F², F = |C − S₀| + √3q, no less than |f|, h and ρ; F² is at most twice the sum of squares.
     tenir(JEU_BOULE, |u| {
-        // The sources lie within √3 of S₀, in f₀.
-        let f = 1.0 + i(3.0).racine() * plus(16.0, u);
-        let h = 2.0 * gamma(4.0, u) * plus(8.0, u) + 4.0;
-        let limite = h + 4.0 * plus(8.0, u) + (RETRAIT + boule(u)) * plus(8.0, u) * f.carre();
-        limite * plus(gamma(8.0, u) * 2.0, u)
+        // |X − C|² − ρ²: of a box by lemma 14, of a sphere CX ≤ r + 33u(|f| + r).
+        let epsilon = (gamma(4.0, u) + 11.0 * i(2.0) * plus(40.0, u)) * n(u);
+        let boite = plus(37.0, u) * (2.0 * i(3.0).racine() * epsilon + 3.0 * epsilon.carre() * u) + 37.0;
+        let sphere = 2.0 * i(66.0) + i(66.0).carre() * u;
+        // h as computed exceeds h by four roundings of P·(C − S₀) and one of the difference.
+        let h2 = 2.0 * (gamma(4.0, u) + 1.0) * plus(20.0, u) + 1.0;
+        // ρ² rounds thrice, the limit and its parts four times.
+        let limite = gamma(3.0, u) + 1.0;
+        2.0 * (boite.max(sphere) + h2 + limite) * plus(gamma(8.0, u) + JEU_BOULE, u)
     });
 }
 
