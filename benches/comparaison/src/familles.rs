@@ -118,12 +118,16 @@ const DE_LOIN: &str = "(source: (0, 2, 16), regard: Point((0, 0, 0)), champ: 42)
 const DANS_LE_STADE: &str = "(source: (0, 2, 9), regard: Point((0, 0.7, 0)), champ: 30)";
 const DEVANT: &str = "(source: (0, 1, 6), regard: Rotation((0, 0, 0)), champ: 50)";
 
+/// The height of the ground. At 0 a ray that leaves it would start at a subnormal height, and the time of every
+/// implementation would be that of subnormal numbers.
+const SOL: f64 = -0.5;
+
 /// Houses along streets that run a little askew, each turned a little, with some towers; the ground.
 fn ville<R: Reel>(n: usize, alea: &mut Rng) -> Vec<ObjetRay<R>> {
     let cote = ((n - 1) as f64).sqrt().ceil();
     // A lot; every fourth is a street each way.
     let lot = 20.0 / (cote * 1.25);
-    let mut objets = vec![sol(0.0)];
+    let mut objets = vec![sol(SOL)];
     for i in 0..n - 1 {
         let ou = [i as f64 % cote, (i as f64 / cote).floor()];
         let [x, z] = ou.map(|k| (k + (k / 4.0).floor()) * lot - 10.0);
@@ -131,7 +135,7 @@ fn ville<R: Reel>(n: usize, alea: &mut Rng) -> Vec<ObjetRay<R>> {
         let haut = lot * tour * entre(alea, 0.5, 1.5);
         let dimensions = [lot * entre(alea, 0.5, 0.9), haut, lot * entre(alea, 0.5, 0.9)];
         let (sin, cos) = 0.3_f64.sin_cos();
-        let centre = [x * cos - z * sin, haut / 2.0, x * sin + z * cos];
+        let centre = [x * cos - z * sin, SOL + haut / 2.0, x * sin + z * cos];
         objets.push(boite(centre, dimensions, [0.0, 0.3 + entre(alea, -0.1, 0.1), 0.0], i + 1));
     }
     objets
@@ -189,16 +193,16 @@ fn atomes<R: Reel>(n: usize, alea: &mut Rng) -> Vec<ObjetRay<R>> {
 /// Half of all in a heap as large as a teapot, the other half around a stadium; the ground.
 fn stade<R: Reel>(n: usize, alea: &mut Rng) -> Vec<ObjetRay<R>> {
     let r = (1.0 / n as f64).cbrt();
-    let mut objets = vec![sol(0.0)];
+    let mut objets = vec![sol(SOL)];
     for i in 1..n {
         objets.push(if i.is_multiple_of(2) {
             let ou = direction(alea) * alea.f64().cbrt();
             let taille = 0.4 * r * entre(alea, 0.5, 1.5);
-            chose(alea, [ou.x, 1.0 + ou.y, ou.z], taille, i)
+            chose(alea, [ou.x, SOL + 1.0 + ou.y, ou.z], taille, i)
         } else {
             let (a, loin) = (entre(alea, 0.0, TAU), entre(alea, 30.0, 60.0));
             let taille = 8.0 * r * entre(alea, 0.5, 1.5);
-            let haut = (loin - 30.0) * entre(alea, 0.0, 0.8);
+            let haut = SOL + (loin - 30.0) * entre(alea, 0.0, 0.8);
             chose(alea, [loin * a.cos(), haut, loin * a.sin()], taille, i)
         });
     }
@@ -254,7 +258,7 @@ fn flocon<R: Reel>(n: usize) -> Vec<ObjetRay<R>> {
 /// Six half-spaces with spheres and boxes between them.
 fn piece<R: Reel>(n: usize, alea: &mut Rng) -> Vec<ObjetRay<R>> {
     let murs: [([f64; 3], [f64; 3]); 6] = [
-        ([0.0, 1.0, 0.0], [0.0, 0.0, 0.0]),
+        ([0.0, 1.0, 0.0], [0.0, SOL, 0.0]),
         ([0.0, -1.0, 0.0], [0.0, 6.0, 0.0]),
         ([1.0, 0.0, 0.0], [-10.0, 0.0, 0.0]),
         ([-1.0, 0.0, 0.0], [10.0, 0.0, 0.0]),
@@ -265,7 +269,8 @@ fn piece<R: Reel>(n: usize, alea: &mut Rng) -> Vec<ObjetRay<R>> {
     let mut objets: Vec<_> = murs.take(n).collect();
     while objets.len() < n {
         let r = 3.0 / (n as f64).cbrt() * entre(alea, 0.3, 0.8);
-        let ou = [entre(alea, -5.0, 5.0), r + entre(alea, 0.0, 2.0), entre(alea, -7.0, 4.0)];
+        let haut = SOL + r + entre(alea, 0.0, 2.0);
+        let ou = [entre(alea, -5.0, 5.0), haut, entre(alea, -7.0, 4.0)];
         objets.push(chose(alea, ou, r, objets.len()));
     }
     objets

@@ -58,13 +58,15 @@ fn main() -> Result<(), Box<dyn Error>> {
         Some(_) => return Err("usage: comparaison [documents]".into()),
     };
     avec_glam::verifier()?;
+    // First: Embree ties this thread, and those that it starts later, to one core.
+    let threads = lot::threads()?;
     let cellules = tableau::mesurer()?;
     let tables = [
         ("summary", tableau::resume(&cellules)),
         ("families", tableau::table(&cellules)),
         ("building", lot::constructions()?),
         ("sets", lot::jeux_d_instructions()?),
-        ("threads", lot::threads()?),
+        ("threads", threads),
     ];
     for (nom, table) in &tables {
         println!("\n{nom}\n\n{table}");
