@@ -448,12 +448,14 @@ fn posees(tours: usize, mut duree: impl FnMut(bool) -> f64) -> [f64; 2] {
 /// The geometric means of each way and kind, the extremes, and which answers differ.
 fn resumer(choix: &Choix, mut cellules: Vec<Cellule>) {
     println!();
-    for facon in &choix.facons {
+    // Lists of many objects are not asked.
+    let posees = |facon: &&Facon| cellules.iter().any(|c| c.facon == **facon);
+    for facon in choix.facons.iter().filter(posees) {
         let moyenne = |genre: &Genre| {
             let choisies = cellules.iter().filter(|c| c.facon == *facon && c.genre == *genre);
             let (somme, nombre) =
                 choisies.fold((0.0, 0.0), |(s, n), c| (s + c.rapport.ln(), n + 1.0));
-            format!("{:>10.3} ", (somme / f64::max(nombre, 1.0)).exp())
+            format!("{:>10.3} ", (somme / nombre).exp())
         };
         let moyennes: Vec<_> = choix.genres.iter().map(moyenne).collect();
         println!("{:<32}{}", format!("geometric mean, {}", facon.nom()), moyennes.join(""));
