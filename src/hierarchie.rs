@@ -24,7 +24,8 @@ use crate::hierarchie::bloc::Patience;
 use crate::hierarchie::construction::{Arbre, construire, mots};
 use crate::intersection::Touche;
 use crate::lot::bloc::{BLOC, Bloc};
-use crate::lot::{LongueursDifferentes, PEU_DE_RAYONS, QuestionDeLot, memes_longueurs, repondre};
+use crate::lot::demande::Demande;
+use crate::lot::{EnLot, LongueursDifferentes, PEU_DE_RAYONS, memes_longueurs, repondre};
 use crate::niveau::{meilleur_niveau, selon_le_niveau};
 use crate::objet::ObjetRay;
 use crate::premier::Premier;
@@ -196,6 +197,19 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
         demander::<Premieres, R>((self, rayons, touches))
     }
 
+    /// [`sont_occultes`](crate::sont_occultes) of the list.
+    ///
+    /// # Errors
+    /// If `ombres` and `occultes` are not of the same length; nothing is written then.
+    #[doc(alias("any_hit", "occluded", "shadow", "batch"))]
+    pub fn sont_occultes(
+        &self,
+        ombres: &[(Rayon<R>, R)],
+        occultes: &mut [bool],
+    ) -> Result<(), LongueursDifferentes> {
+        demander::<Occultes, R>((self, ombres, occultes))
+    }
+
     /// How many nodes its tree has; 0 if it asks its list.
     pub(crate) fn noeuds(&self) -> usize {
         self.arbre.as_ref().map_or(0, |arbre| arbre.noeuds.len())
@@ -212,7 +226,9 @@ compilees! {
     Premiere<'a, R>: (&'a Hierarchie<'a, R>, &'a Rayon<R>) => Touche<R> = premiere;
     Occulte<'a, R>: (&'a Hierarchie<'a, R>, &'a Rayon<R>, R) => bool = occulte;
     Premieres<'a, R>: (&'a Hierarchie<'a, R>, &'a [Rayon<R>], &'a mut [Touche<R>])
-        => Result<(), LongueursDifferentes> = premieres;
+        => Result<(), LongueursDifferentes> = en_lot;
+    Occultes<'a, R>: (&'a Hierarchie<'a, R>, &'a [(Rayon<R>, R)], &'a mut [bool])
+        => Result<(), LongueursDifferentes> = en_lot;
 }
 
 /// The tree over these objects, in the numbers lent, which are enough.
@@ -229,7 +245,7 @@ fn premiere<R: Reel>((hierarchie, rayon): (&Hierarchie<'_, R>, &Rayon<R>)) -> To
         return premiere_intersection(hierarchie.objets, rayon);
     };
     selon_le_niveau!(hierarchie.niveau, simd => {
-        arbre.parcourir::<_, false>(simd, rayon, Premier::AUCUN).conclure(arbre.objets, rayon)
+        arbre.parcourir::<_, Rayon<R>>(simd, rayon, Premier::AUCUN).conclure(arbre.objets, rayon)
     })
 }
 
@@ -239,32 +255,34 @@ fn occulte<R: Reel>((hierarchie, rayon, distance_max): (&Hierarchie<'_, R>, &Ray
         return est_occulte(hierarchie.objets, rayon, distance_max);
     };
     selon_le_niveau!(hierarchie.niveau, simd => {
-        arbre.parcourir::<_, true>(simd, rayon, Premier::avant(distance_max)).rang > 0
+        arbre.parcourir::<_, (Rayon<R>, R)>(simd, rayon, Premier::avant(distance_max)).rang > 0
     })
 }
 
-/// [`Hierarchie::premieres_intersections`].
-fn premieres<R: Reel>(
-    (hierarchie, rayons, touches): (&Hierarchie<'_, R>, &[Rayon<R>], &mut [Touche<R>]),
+/// [`Hierarchie::premieres_intersections`] and [`Hierarchie::sont_occultes`].
+fn en_lot<R: Reel, D: Demande<R>>(
+    (hierarchie, demandes, reponses): (&Hierarchie<'_, R>, &[D], &mut [D::Reponse]),
 ) -> Result<(), LongueursDifferentes> {
     let Hierarchie { objets, arbre, niveau } = *hierarchie;
     let Some(arbre) = &arbre.filter(|arbre| arbre.bornes > SEUIL_LOT) else {
-        return repondre(QuestionDeLot { niveau, elaguer: true, objets, rayons, touches });
+        return repondre((EnLot { niveau, elaguer: true, objets }, demandes, reponses));
     };
-    memes_longueurs(rayons, touches)?;
-    if rayons.len() < PEU_DE_RAYONS {
-        for (rayon, touche) in rayons.iter().zip(touches) {
-            *touche = hierarchie.premiere_intersection(rayon);
-        }
-    } else {
-        selon_le_niveau!(niveau, simd => {
-            let (mut bloc, mut patience) = (Bloc::VIDE, Patience::default());
-            for (rayons, touches) in rayons.chunks(BLOC).zip(touches.chunks_mut(BLOC)) {
-                bloc.charger(rayons);
-                arbre.repondre_au_bloc(simd, &mut bloc, touches, &mut patience);
+    memes_longueurs(demandes, reponses)?;
+    selon_le_niveau!(niveau, simd => {
+        if demandes.len() < PEU_DE_RAYONS {
+            for (demande, reponse) in demandes.iter().zip(reponses) {
+                let (rayon, premier) = (demande.rayon(), Premier::avant(demande.limite()));
+                let premier = arbre.parcourir::<_, D>(simd, &rayon, premier);
+                *reponse = D::conclure(premier, objets, &rayon);
             }
-        });
-    }
+        } else {
+            let (mut bloc, mut patience) = (Bloc::VIDE, Patience::default());
+            for (demandes, reponses) in demandes.chunks(BLOC).zip(reponses.chunks_mut(BLOC)) {
+                bloc.charger(demandes);
+                arbre.repondre_au_bloc(simd, &mut bloc, reponses, &mut patience);
+            }
+        }
+    });
     Ok(())
 }
 

@@ -131,7 +131,7 @@ pub use boite::{BoiteGeo, BoiteRay};
 pub use erreur::ErreurGeo;
 pub use hierarchie::{Hierarchie, PlacesInsuffisantes};
 pub use intersection::{Intersection, NoIntersection, Touche};
-pub use lot::{LongueursDifferentes, premieres_intersections};
+pub use lot::{LongueursDifferentes, premieres_intersections, sont_occultes};
 pub use objet::{ObjetGeo, ObjetRay};
 pub use plan::{PlanGeo, PlanRay};
 pub use rayon::Rayon;

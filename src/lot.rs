@@ -9,6 +9,7 @@
 //!   (`lot/fenetre.rs`).
 
 pub(crate) mod bloc;
+pub(crate) mod demande;
 pub(crate) mod faisceau;
 mod fenetre;
 pub(crate) mod groupe;
@@ -20,11 +21,11 @@ use fearless_simd::{Level, Simd};
 use crate::compile::compilees;
 use crate::intersection::Touche;
 use crate::lot::bloc::{BLOC, Bloc};
+use crate::lot::demande::Demande;
 use crate::lot::fenetre::Rangee;
 use crate::niveau::{meilleur_niveau, selon_le_niveau};
 use crate::objet::ObjetRay;
 use crate::rayon::Rayon;
-use crate::recherche::premiere_intersection;
 use crate::reel::{Reel, demander};
 use crate::seize::SEIZE;
 
@@ -73,14 +74,8 @@ pub fn premieres_intersections<R: Reel>(
     rayons: &[Rayon<R>],
     touches: &mut [Touche<R>],
 ) -> Result<(), LongueursDifferentes> {
-    let elaguer = true;
-    demander::<Lot, R>(QuestionDeLot {
-        niveau: meilleur_niveau(),
-        elaguer,
-        objets,
-        rayons,
-        touches,
-    })
+    let comment = EnLot { niveau: meilleur_niveau(), elaguer: true, objets };
+    demander::<Lot, R>((comment, rayons, touches))
 }
 
 /// `rayons` and `touches` have different lengths.
@@ -112,29 +107,65 @@ impl fmt::Display for LongueursDifferentes {
 
 impl core::error::Error for LongueursDifferentes {}
 
-/// [`premieres_intersections`] with these instructions, with culling or without; no answer depends
-/// on either.
-pub(crate) struct QuestionDeLot<'a, R> {
+/// Whether anything stands before the lamp of each shadow ray: [`est_occulte`](fn@crate::est_occulte) of
+/// every ray and the distance of its lamp, to the bit, several times as fast.
+///
+/// [`vers_lumiere`](Rayon::vers_lumiere) gives both. What [`premieres_intersections`] says of order and
+/// length of a call holds here; rays to one lamp, in the order of the picture, are neighbours.
+///
+/// # Errors
+/// If `ombres` and `occultes` are not of the same length; nothing is written then.
+///
+/// ```
+/// use lancer_rayon::{ObjetRay, Rayon, SphereGeo, Texture, Vecteur, sont_occultes};
+///
+/// let boule = ObjetRay::from(SphereGeo::new(Vecteur::new(0.0, 3.0, 0.0), 1.0, Texture(0))?);
+/// let vers_le_haut = |x| Rayon::new(Vecteur::new(x, 0.0, 0.0), Vecteur::new(0.0, 1.0, 0.0));
+/// let ombres = [(vers_le_haut(0.0)?, 9.0), (vers_le_haut(0.0)?, 2.0), (vers_le_haut(4.0)?, 9.0)];
+///
+/// let mut occultes = [false; 3];
+/// sont_occultes(&[boule], &ombres, &mut occultes)?;
+/// assert_eq!(occultes, [true, false, false]);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+#[doc(alias("any_hit", "occluded", "shadow", "batch"))]
+pub fn sont_occultes<R: Reel>(
+    objets: &[ObjetRay<R>],
+    ombres: &[(Rayon<R>, R)],
+    occultes: &mut [bool],
+) -> Result<(), LongueursDifferentes> {
+    let comment = EnLot { niveau: meilleur_niveau(), elaguer: true, objets };
+    demander::<LotDOmbres, R>((comment, ombres, occultes))
+}
+
+/// A list, the instructions to take, and whether to cull; no answer depends on the last two.
+#[derive(Clone, Copy)]
+pub(crate) struct EnLot<'a, R> {
     pub(crate) niveau: Level,
     pub(crate) elaguer: bool,
     pub(crate) objets: &'a [ObjetRay<R>],
-    pub(crate) rayons: &'a [Rayon<R>],
-    pub(crate) touches: &'a mut [Touche<R>],
 }
 
 compilees! {
-    Lot<'a, R>: QuestionDeLot<'a, R> => Result<(), LongueursDifferentes> = repondre;
+    Lot<'a, R>: (EnLot<'a, R>, &'a [Rayon<R>], &'a mut [Touche<R>])
+        => Result<(), LongueursDifferentes> = repondre;
+    LotDOmbres<'a, R>: (EnLot<'a, R>, &'a [(Rayon<R>, R)], &'a mut [bool])
+        => Result<(), LongueursDifferentes> = repondre;
 }
 
 /// The answers of a list to many rays.
-pub(crate) fn repondre<R: Reel>(
-    QuestionDeLot { niveau, elaguer, objets, rayons, touches }: QuestionDeLot<'_, R>,
+pub(crate) fn repondre<R: Reel, D: Demande<R>>(
+    (EnLot { niveau, elaguer, objets }, demandes, reponses): (
+        EnLot<'_, R>,
+        &[D],
+        &mut [D::Reponse],
+    ),
 ) -> Result<(), LongueursDifferentes> {
-    memes_longueurs(rayons, touches)?;
+    memes_longueurs(demandes, reponses)?;
     // In a longer list two objects share a rank.
-    if rayons.len() < PEU_DE_RAYONS || u32::try_from(objets.len()).is_err() {
-        for (rayon, touche) in rayons.iter().zip(touches) {
-            *touche = premiere_intersection(objets, rayon);
+    if demandes.len() < PEU_DE_RAYONS || u32::try_from(objets.len()).is_err() {
+        for (demande, reponse) in demandes.iter().zip(reponses) {
+            *reponse = demande.parmi(objets);
         }
         return Ok(());
     }
@@ -154,35 +185,32 @@ pub(crate) fn repondre<R: Reel>(
     }
     selon_le_niveau!(niveau, simd => {
         let mut bloc = Bloc::VIDE;
-        for (rayons, touches) in rayons.chunks(BLOC).zip(touches.chunks_mut(BLOC)) {
-            bloc.charger(rayons);
+        for (demandes, reponses) in demandes.chunks(BLOC).zip(reponses.chunks_mut(BLOC)) {
+            bloc.charger(demandes);
             chercher(simd, objets, fenetre, &mut bloc);
-            bloc.ecrire(simd, objets, touches);
+            bloc.ecrire(simd, objets, reponses);
         }
     });
     Ok(())
 }
 
 /// Refuses places for more or fewer answers than there are rays.
-pub(crate) fn memes_longueurs<R>(
-    rayons: &[Rayon<R>],
-    touches: &[Touche<R>],
+pub(crate) fn memes_longueurs<D, A>(
+    demandes: &[D],
+    reponses: &[A],
 ) -> Result<(), LongueursDifferentes> {
-    if rayons.len() == touches.len() {
-        Ok(())
-    } else {
-        Err(LongueursDifferentes { rayons: rayons.len(), touches: touches.len() })
-    }
+    let (rayons, touches) = (demandes.len(), reponses.len());
+    if rayons == touches { Ok(()) } else { Err(LongueursDifferentes { rayons, touches }) }
 }
 
 /// Finds the first object of each ray of a block. Where there is a window, culls the objects that
 /// the beam of the block avoids.
 #[inline(always)]
-fn chercher<R: Reel, S: Simd>(
+fn chercher<R: Reel, D: Demande<R>, S: Simd>(
     simd: S,
     objets: &[ObjetRay<R>],
     fenetre: &mut [Rangee<R>],
-    bloc: &mut Bloc<'_, R>,
+    bloc: &mut Bloc<R, D>,
 ) {
     let capacite = fenetre.len() * SEIZE;
     let faisceau = if capacite > 0 { bloc.faisceau() } else { None };

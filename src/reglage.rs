@@ -5,7 +5,8 @@ use fearless_simd::Level;
 use crate::hierarchie::{Hierarchie, SEUIL_LOT};
 use crate::intersection::Touche;
 use crate::lot::bloc::Bloc;
-use crate::lot::{LongueursDifferentes, Lot, QuestionDeLot};
+use crate::lot::demande::Demande;
+use crate::lot::{EnLot, LongueursDifferentes, Lot, LotDOmbres};
 use crate::niveau::meilleur_niveau;
 use crate::objet::ObjetRay;
 use crate::rayon::Rayon;
@@ -39,15 +40,15 @@ impl Reglage {
             .filter_map(|(nom, niveau)| Some((nom, Self { niveau: niveau?, elaguer: true })))
     }
 
-    /// Whether the beam of these rays, one to sixty-four, leaves out a ball around this object. No
-    /// answer tells.
+    /// Whether the beam of these rays, one to sixty-four, leaves out a ball around this object. No answer
+    /// tells.
     pub fn evite<R: Reel>(rayons: &[Rayon<R>], objet: &ObjetRay<R>) -> bool {
-        let mut bloc = Bloc::VIDE;
-        bloc.charger(rayons);
-        bloc.faisceau().is_some_and(|faisceau| {
-            let (h2, limite) = faisceau.depassement_et_limite(objet.boule());
-            h2 > limite
-        })
+        evite(rayons, objet)
+    }
+
+    /// The same of shadow rays up to their lamps.
+    pub fn evite_segments<R: Reel>(ombres: &[(Rayon<R>, R)], objet: &ObjetRay<R>) -> bool {
+        evite(ombres, objet)
     }
 
     /// The same without culling.
@@ -66,7 +67,21 @@ impl Reglage {
         touches: &mut [Touche<R>],
     ) -> Result<(), LongueursDifferentes> {
         let Self { niveau, elaguer } = self;
-        demander::<Lot, R>(QuestionDeLot { niveau, elaguer, objets, rayons, touches })
+        demander::<Lot, R>((EnLot { niveau, elaguer, objets }, rayons, touches))
+    }
+
+    /// [`sont_occultes`](crate::sont_occultes) with these settings.
+    ///
+    /// # Errors
+    /// The same.
+    pub fn sont_occultes<R: Reel>(
+        self,
+        objets: &[ObjetRay<R>],
+        ombres: &[(Rayon<R>, R)],
+        occultes: &mut [bool],
+    ) -> Result<(), LongueursDifferentes> {
+        let Self { niveau, elaguer } = self;
+        demander::<LotDOmbres, R>((EnLot { niveau, elaguer, objets }, ombres, occultes))
     }
 
     /// How many nodes the tree of this hierarchy has; 0 if it has none and asks its list.
@@ -78,4 +93,13 @@ impl Reglage {
     pub fn hierarchie<R: Reel>(self, hierarchie: Hierarchie<'_, R>) -> Hierarchie<'_, R> {
         hierarchie.avec_niveau(self.niveau)
     }
+}
+
+fn evite<R: Reel, D: Demande<R>>(demandes: &[D], objet: &ObjetRay<R>) -> bool {
+    let mut bloc = Bloc::VIDE;
+    bloc.charger(demandes);
+    bloc.faisceau().is_some_and(|faisceau| {
+        let (h2, limite) = faisceau.depassement_et_limite(objet.boule());
+        h2 > limite
+    })
 }

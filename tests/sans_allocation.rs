@@ -13,7 +13,7 @@ use commun::{arrondi, en_f32_et_f64};
 use lancer_rayon::{
     BoiteGeo, ErreurGeo, Hierarchie, NoIntersection, ObjetGeo, ObjetRay, PlanGeo, Rayon, Reel,
     Reglage, Rotation, SphereGeo, Texture, Vecteur, est_occulte, premiere_intersection,
-    premieres_intersections,
+    premieres_intersections, sont_occultes,
 };
 
 #[track_caller]
@@ -78,6 +78,13 @@ fn aucune_question_n_alloue<R: Reel>() {
             sans_allocation(nom, questions);
         }
     }
+    let ombres: Vec<_> = rayons.iter().map(|rayon| (*rayon, R::UN)).collect();
+    let mut occultes = vec![false; ombres.len()];
+    sans_allocation("sont_occultes", || {
+        sont_occultes(&scene, &ombres, &mut occultes)?;
+        hierarchie.sont_occultes(&ombres, &mut occultes)
+    })
+    .unwrap();
     for (rayon, touche) in rayons.iter().zip(&touches) {
         let seule = sans_allocation("premiere_intersection", || {
             premiere_intersection(&scene, black_box(rayon))

@@ -357,10 +357,12 @@ impl<R: Reel> Atelier<'_, R> {
         let vers = |surface: &Surface<'_, R>| {
             surface.trajet.rayon.vers_lumiere(&surface.touche, lampe.position)
         };
-        let ombres: Vec<_> = surfaces.iter().filter_map(|s| Some((s, vers(s)?))).collect();
-        let touches = self.lancer(ombres.iter().map(|(_, (ombre, _))| *ombre).collect())?;
-        for ((surface, (ombre, distance)), touche) in ombres.into_iter().zip(touches) {
-            if touche.is_ok_and(|touche| touche.distance() < distance) {
+        let vers = surfaces.iter().filter_map(|s| Some((s, vers(s)?)));
+        let (eclairees, ombres): (Vec<_>, Vec<_>) = vers.unzip();
+        let mut occultes = vec![false; ombres.len()];
+        self.hierarchie.sont_occultes(&ombres, &mut occultes)?;
+        for ((surface, (ombre, _)), occulte) in eclairees.into_iter().zip(ombres).zip(occultes) {
+            if occulte {
                 continue;
             }
             let Surface { trajet, touche, reflechie, couleur, eclat } = surface;

@@ -6,8 +6,8 @@ use crate::hierarchie::construction::Arbre;
 use crate::hierarchie::noeud::indice_lu;
 use crate::hierarchie::pile::{GRANDE_PILE, Pile, RIEN};
 use crate::hierarchie::sonde::SondeDeBloc;
-use crate::intersection::Touche;
 use crate::lot::bloc::Bloc;
+use crate::lot::demande::Demande;
 use crate::reel::Reel;
 use crate::seize::Aligne;
 
@@ -49,11 +49,11 @@ struct TropLoinLUnDeLAutre;
 impl<R: Reel> Arbre<'_, R> {
     /// The answers to the rays of a block.
     #[inline(always)]
-    pub(crate) fn repondre_au_bloc<S: Simd>(
+    pub(crate) fn repondre_au_bloc<S: Simd, D: Demande<R>>(
         &self,
         simd: S,
-        bloc: &mut Bloc<'_, R>,
-        touches: &mut [Touche<R>],
+        bloc: &mut Bloc<R, D>,
+        reponses: &mut [D::Reponse],
         patience: &mut Patience,
     ) {
         let sonde = if patience.essayer() {
@@ -65,15 +65,17 @@ impl<R: Reel> Arbre<'_, R> {
             let ensemble = self.parcourir_ensemble(simd, &sonde, bloc);
             patience.noter(ensemble.is_err());
             if ensemble.is_ok() {
-                return bloc.ecrire(simd, self.objets, touches);
+                return bloc.ecrire(simd, self.objets, reponses);
             }
         }
         simd.vectorize(
             #[inline(always)]
             || {
-                for ((rayon, premier), touche) in bloc.premiers().zip(touches) {
-                    let premier = self.parcourir::<S, false>(simd, rayon, premier);
-                    *touche = premier.conclure(self.objets, rayon);
+                for ((rayon, premier), reponse) in bloc.premiers().zip(reponses) {
+                    let fini = D::UN_SUFFIT && premier.rang > 0;
+                    let premier =
+                        if fini { premier } else { self.parcourir::<S, D>(simd, &rayon, premier) };
+                    *reponse = D::conclure(premier, self.objets, &rayon);
                 }
             },
         );
@@ -81,11 +83,11 @@ impl<R: Reel> Arbre<'_, R> {
 
     /// Finds the first object of each ray of a block, in the nodes that its beam crosses.
     #[inline(always)]
-    fn parcourir_ensemble<S: Simd>(
+    fn parcourir_ensemble<S: Simd, D: Demande<R>>(
         &self,
         simd: S,
         sonde: &SondeDeBloc,
-        bloc: &mut Bloc<'_, R>,
+        bloc: &mut Bloc<R, D>,
     ) -> Result<(), TropLoinLUnDeLAutre> {
         for &indice in self.plans {
             self.proposer(bloc, indice_lu(indice));
@@ -106,7 +108,11 @@ impl<R: Reel> Arbre<'_, R> {
                     for enfant in traverses {
                         self.proposer(bloc, indice_lu(indices[enfant]));
                     }
-                    plafond = self.repere.distance(bloc.le_plus_loin());
+                    let loin = bloc.le_plus_loin();
+                    if D::UN_SUFFIT && loin == R::ZERO {
+                        break;
+                    }
+                    plafond = self.repere.distance(loin);
                 }
             } else if let Some(proche) = pile.garder(traverses, &profondeurs, noeud) {
                 numero = proche;
@@ -120,7 +126,7 @@ impl<R: Reel> Arbre<'_, R> {
 
     /// Proposes the object of this index to the block.
     #[inline(always)]
-    fn proposer(&self, bloc: &mut Bloc<'_, R>, indice: usize) {
+    fn proposer<D: Demande<R>>(&self, bloc: &mut Bloc<R, D>, indice: usize) {
         if let Some(objet) = self.objets.get(indice) {
             bloc.proposer::<false>(objet, indice);
         }

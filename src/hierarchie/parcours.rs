@@ -10,6 +10,7 @@ use crate::hierarchie::pile::{
 };
 use crate::hierarchie::sonde::Sonde;
 use crate::intersection::Rang;
+use crate::lot::demande::Demande;
 use crate::objet::ObjetRay;
 use crate::premier::Premier;
 use crate::rayon::Rayon;
@@ -23,7 +24,7 @@ impl<R: Reel> Arbre<'_, R> {
     /// It asks the half-spaces, then the objects of each leaf that the ray may enter before what it
     /// has found.
     #[inline(always)]
-    pub(crate) fn parcourir<S: Simd, const UN_SUFFIT: bool>(
+    pub(crate) fn parcourir<S: Simd, D: Demande<R>>(
         &self,
         simd: S,
         rayon: &Rayon<R>,
@@ -31,7 +32,7 @@ impl<R: Reel> Arbre<'_, R> {
     ) -> Premier<R> {
         let mut recherche = Recherche { arbre: self, rayon: *rayon, premier };
         for &indice in self.plans {
-            if recherche.voir_demi_espace(indice_lu(indice)) && UN_SUFFIT {
+            if recherche.voir_demi_espace(indice_lu(indice)) && D::UN_SUFFIT {
                 return recherche.premier;
             }
         }
@@ -51,7 +52,7 @@ impl<R: Reel> Arbre<'_, R> {
         let (mut pile, mut numero) = Pile::new(attentes, self.geants, self.racine);
         while let Some(noeud) = self.noeuds.get(numero) {
             if numero < self.feuilles {
-                if recherche.voir_feuille::<S, UN_SUFFIT>(simd, &sonde, noeud) && UN_SUFFIT {
+                if recherche.voir_feuille::<S, D>(simd, &sonde, noeud) && D::UN_SUFFIT {
                     break;
                 }
             } else {
@@ -109,9 +110,9 @@ impl<R: Reel> Recherche<'_, R> {
     }
 
     /// Asks the objects of a leaf that the ray may enter before its first so far, and tells whether
-    /// one of them came before it; if `UN_SUFFIT`, that one is the last asked.
+    /// one of them came before it; if any answers, that one is the last asked.
     #[inline(always)]
-    fn voir_feuille<S: Simd, const UN_SUFFIT: bool>(
+    fn voir_feuille<S: Simd, D: Demande<R>>(
         &mut self,
         simd: S,
         sonde: &Sonde,
@@ -122,11 +123,11 @@ impl<R: Reel> Recherche<'_, R> {
         let mut trouve = false;
         // The nearest first, which most often cuts off the others; then in order.
         let mut suivant =
-            if UN_SUFFIT { traverses.next() } else { traverses.prendre_le_moindre(&entrees) };
+            if D::UN_SUFFIT { traverses.next() } else { traverses.prendre_le_moindre(&entrees) };
         while let Some(enfant) = suivant {
             if self.voir_borne(indice_lu(indices[enfant])) {
                 trouve = true;
-                if UN_SUFFIT {
+                if D::UN_SUFFIT {
                     break;
                 }
                 traverses = traverses.et(&f32::au_plus(simd, &entrees, &[self.plafond(); SEIZE]));

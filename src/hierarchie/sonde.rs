@@ -151,10 +151,7 @@ impl SondeDeBloc {
 
 /// The columns of the corners that lie lowest along P: by the sign, without a branch.
 #[inline(always)]
-fn au_plus_pres(
-    noeud: &Noeud,
-    p: Vecteur<f32>,
-) -> (&Colonne<f32>, &Colonne<f32>, &Colonne<f32>) {
+fn au_plus_pres(noeud: &Noeud, p: Vecteur<f32>) -> (&Colonne<f32>, &Colonne<f32>, &Colonne<f32>) {
     (&noeud[colonne(0, p.x)], &noeud[colonne(1, p.y)], &noeud[colonne(2, p.z)])
 }
 

@@ -1,8 +1,11 @@
 //! A block of rays: what the search of a list and the walk of a tree ask of it.
 
+use core::marker::PhantomData;
+
 use fearless_simd::Simd;
 
-use crate::intersection::{Rang, Touche};
+use crate::intersection::Rang;
+use crate::lot::demande::Demande;
 use crate::lot::faisceau::Faisceau;
 use crate::lot::groupe::Groupe;
 use crate::objet::{ObjetRay, par_forme};
@@ -15,35 +18,44 @@ use crate::seize::SEIZE;
 pub(crate) const BLOC: usize = 4 * SEIZE;
 
 /// At most 64 rays, with the first object of each so far.
-pub(crate) struct Bloc<'a, R> {
-    rayons: &'a [Rayon<R>],
+pub(crate) struct Bloc<R, D> {
+    nombre: usize,
     groupes: [Groupe<R>; BLOC / SEIZE],
+    demande: PhantomData<D>,
 }
 
-impl<'a, R: Reel> Bloc<'a, R> {
+impl<R: Reel, D: Demande<R>> Bloc<R, D> {
     pub(crate) const VIDE: Self =
-        Self { rayons: &[], groupes: [const { Groupe::VIDE }; BLOC / SEIZE] };
+        Self { nombre: 0, groupes: [const { Groupe::VIDE }; BLOC / SEIZE], demande: PhantomData };
 
     /// Puts these rays here, with no object so far.
     #[inline(always)]
-    pub(crate) fn charger(&mut self, rayons: &'a [Rayon<R>]) {
-        self.rayons = rayons;
-        for (groupe, rayons) in self.groupes.iter_mut().zip(rayons.chunks(SEIZE)) {
-            groupe.charger(rayons);
+    pub(crate) fn charger(&mut self, demandes: &[D]) {
+        self.nombre = demandes.len();
+        for (groupe, demandes) in self.groupes.iter_mut().zip(demandes.chunks(SEIZE)) {
+            groupe.charger(demandes);
         }
     }
 
     /// The groups that hold rays.
     #[inline(always)]
     fn groupes(&self) -> &[Groupe<R>] {
-        &self.groupes[..self.rayons.len().div_ceil(SEIZE)]
+        &self.groupes[..self.nombre.div_ceil(SEIZE)]
     }
 
-    /// The beam of these rays; `None` if they go too far apart for one.
+    #[inline(always)]
+    fn rayon(&self, i: usize) -> Rayon<R> {
+        self.groupes[i / SEIZE].rayon(i % SEIZE)
+    }
+
+    /// The beam of these rays, up to their limits if they have some; `None` if they go too far apart for
+    /// one.
     #[inline(always)]
     pub(crate) fn faisceau(&self) -> Option<Faisceau<R>> {
-        let (rayons, dernier) = (self.rayons, self.rayons.len() - 1);
-        let reperes = [rayons[0], rayons[7.min(dernier)], rayons[rayons.len() / 2]];
+        let reperes = [self.rayon(0), self.rayon(7), self.rayon(self.nombre / 2)];
+        if D::UN_SUFFIT && self.le_plus_loin() <= R::LIMITE {
+            return Some(Faisceau::de_segments(self.groupes(), reperes));
+        }
         Faisceau::de_rayons(self.groupes(), reperes)
     }
 
@@ -54,16 +66,20 @@ impl<'a, R: Reel> Bloc<'a, R> {
     /// need not read it again for every ray.
     #[inline(always)]
     pub(crate) fn proposer<const EN_ORDRE: bool>(&mut self, objet: &ObjetRay<R>, indice: usize) {
-        let (rang, groupes) = (Rang::de(indice), self.rayons.len().div_ceil(SEIZE));
+        let (rang, groupes) = (Rang::de(indice), self.nombre.div_ceil(SEIZE));
         par_forme!(ObjetRay, objet, forme => {
             let forme = *forme;
             for groupe in &mut self.groupes[..groupes] {
-                groupe.proposer::<EN_ORDRE>(&forme, rang);
+                if D::UN_SUFFIT {
+                    groupe.occulter(&forme, rang);
+                } else {
+                    groupe.proposer::<EN_ORDRE>(&forme, rang);
+                }
             }
         });
     }
 
-    /// The largest distance of a first object so far.
+    /// The largest distance before which a ray looks for an object; 0 if all are done.
     #[inline(always)]
     pub(crate) fn le_plus_loin(&self) -> R {
         let mut loin = R::ZERO;
@@ -75,9 +91,9 @@ impl<'a, R: Reel> Bloc<'a, R> {
 
     /// Each ray with its first object so far.
     #[inline(always)]
-    pub(crate) fn premiers(&self) -> impl Iterator<Item = (&Rayon<R>, Premier<R>)> {
+    pub(crate) fn premiers(&self) -> impl Iterator<Item = (Rayon<R>, Premier<R>)> {
         let premier = |i: usize| self.groupes[i / SEIZE].premier(i % SEIZE);
-        self.rayons.iter().enumerate().map(move |(i, rayon)| (rayon, premier(i)))
+        (0..self.nombre).map(move |i| (self.rayon(i), premier(i)))
     }
 
     /// Writes the answers; a function of the instruction set, which list and hierarchy share.
@@ -86,14 +102,13 @@ impl<'a, R: Reel> Bloc<'a, R> {
         &self,
         simd: S,
         objets: &[ObjetRay<R>],
-        touches: &mut [Touche<R>],
+        reponses: &mut [D::Reponse],
     ) {
         simd.vectorize(
             #[inline(always)]
             || {
-                let morceaux = self.rayons.chunks(SEIZE).zip(touches.chunks_mut(SEIZE));
-                for (groupe, (rayons, touches)) in self.groupes.iter().zip(morceaux) {
-                    groupe.ecrire(objets, rayons, touches);
+                for (groupe, reponses) in self.groupes.iter().zip(reponses.chunks_mut(SEIZE)) {
+                    D::conclure_groupe(groupe, objets, reponses);
                 }
             },
         );

@@ -202,16 +202,15 @@ fn maxima<R: Reel, const N: usize>(
     for groupe in groupes {
         for voie in 0..SEIZE {
             let nombres = nombres(groupe.rayon(voie), groupe.premier(voie).t);
-            for k in 0..N {
-                colonnes[k][voie] = max(colonnes[k][voie], nombres[k]);
+            for (colonne, nombre) in colonnes.iter_mut().zip(nombres) {
+                colonne[voie] = max(colonne[voie], nombre);
             }
         }
     }
-    let mut maxima = [depart; N];
-    for k in 0..N {
-        maxima[k] = le_plus_grand(colonnes[k]);
-    }
-    maxima
+    colonnes.map(
+        #[inline(always)]
+        |colonne| le_plus_grand(colonne),
+    )
 }
 
 /// This slope, no steeper than one that fits.

@@ -7,6 +7,7 @@
 
 use crate::forme::Forme;
 use crate::intersection::{Contact, Intersection, NoIntersection, Rang, Touche};
+use crate::lot::demande::Demande;
 use crate::objet::{ObjetRay, par_forme};
 use crate::premier::Premier;
 use crate::rayon::Rayon;
@@ -36,26 +37,27 @@ impl<R: Reel> Groupe<R> {
         rangs: [0; SEIZE],
     };
 
-    /// Puts these rays here, at most sixteen, with no object so far; the last stands in for those
-    /// that are missing.
+    /// Puts what is asked here, at most sixteen, with no object so far; the last stands in for those that
+    /// are missing.
     #[inline(always)]
-    pub(crate) fn charger(&mut self, rayons: &[Rayon<R>]) {
-        if let Some(rayons) = rayons.first_chunk() {
-            self.copier(rayons);
-        } else if let Some(dernier) = rayons.last() {
-            let mut complets = [*dernier; SEIZE];
-            complets[..rayons.len()].copy_from_slice(rayons);
-            self.copier(&complets);
+    pub(crate) fn charger<D: Demande<R>>(&mut self, demandes: &[D]) {
+        if let Some(demandes) = demandes.first_chunk() {
+            self.copier(demandes);
+        } else if let Some(derniere) = demandes.last() {
+            let mut completes = [*derniere; SEIZE];
+            completes[..demandes.len()].copy_from_slice(demandes);
+            self.copier(&completes);
         }
-        (self.t, self.rangs) = ([R::INFINI; SEIZE], [0; SEIZE]);
     }
 
     #[inline(always)]
-    fn copier(&mut self, rayons: &[Rayon<R>; SEIZE]) {
-        for (voie, rayon) in rayons.iter().enumerate() {
-            let (s, d) = (rayon.source(), rayon.direction());
+    fn copier<D: Demande<R>>(&mut self, demandes: &[D; SEIZE]) {
+        self.rangs = [0; SEIZE];
+        for (voie, demande) in demandes.iter().enumerate() {
+            let (s, d) = (demande.rayon().source(), demande.rayon().direction());
             [self.s[0][voie], self.s[1][voie], self.s[2][voie]] = s.into();
             [self.d[0][voie], self.d[1][voie], self.d[2][voie]] = d.into();
+            self.t[voie] = demande.limite();
         }
     }
 
@@ -83,23 +85,10 @@ impl<R: Reel> Groupe<R> {
     /// its first.
     ///
     /// Of two objects at the same distance the one of lower rank is the first. `EN_ORDRE` promises
-    /// that objects come in the order of their ranks, which saves that comparison. Roots and
-    /// quotients are computed only if one ray at least may enter.
+    /// that objects come in the order of their ranks, which saves that comparison.
     #[inline(always)]
     pub(crate) fn proposer<const EN_ORDRE: bool>(&mut self, forme: &impl Forme<R>, rang: Rang) {
-        let mut pres = false;
-        for voie in 0..SEIZE {
-            pres |= forme.peut_entrer(&self.rayon(voie));
-        }
-        if !pres {
-            return;
-        }
-        // Computed for all and kept for some, in a loop of its own: a branch would not be
-        // vectorised.
-        let mut t = [R::INFINI; SEIZE];
-        for (voie, t) in t.iter_mut().enumerate() {
-            *t = forme.t(&self.rayon(voie));
-        }
+        let Some(t) = self.entrees(forme) else { return };
         for (voie, &t) in t.iter().enumerate() {
             let trouve = Premier { t, rang: rang.en_nombre() };
             let premier = self.premier(voie);
@@ -109,15 +98,41 @@ impl<R: Reel> Groupe<R> {
         }
     }
 
+    /// The same where any object answers: before distance 0 a ray looks for no other.
+    #[inline(always)]
+    pub(crate) fn occulter(&mut self, forme: &impl Forme<R>, rang: Rang) {
+        let Some(t) = self.entrees(forme) else { return };
+        for (voie, &t) in t.iter().enumerate() {
+            let cache = t < self.t[voie];
+            self.t[voie] = if cache { R::ZERO } else { self.t[voie] };
+            self.rangs[voie] = if cache { rang.en_nombre() } else { self.rangs[voie] };
+        }
+    }
+
+    /// The distances at which these rays enter a shape; `None` if none enters. Roots and quotients are
+    /// computed only if one ray at least may enter.
+    #[inline(always)]
+    fn entrees(&self, forme: &impl Forme<R>) -> Option<Colonne<R>> {
+        let mut pres = false;
+        for voie in 0..SEIZE {
+            pres |= forme.peut_entrer(&self.rayon(voie));
+        }
+        if !pres {
+            return None;
+        }
+        // Computed for all and kept for some, in a loop of its own: a branch would not be
+        // vectorised.
+        let mut t = [R::INFINI; SEIZE];
+        for (voie, t) in t.iter_mut().enumerate() {
+            *t = forme.t(&self.rayon(voie));
+        }
+        Some(t)
+    }
+
     /// Writes the answers of these rays: for each object that is the first of some ray, the hits of
     /// all its rays.
     #[inline(always)]
-    pub(crate) fn ecrire(
-        &self,
-        objets: &[ObjetRay<R>],
-        rayons: &[Rayon<R>],
-        touches: &mut [Touche<R>],
-    ) {
+    pub(crate) fn ecrire(&self, objets: &[ObjetRay<R>], touches: &mut [Touche<R>]) {
         let mut contacts = Contacts::VIDES;
         let mut restent = Membres::AUCUN;
         for (voie, touche) in touches.iter_mut().enumerate() {
@@ -144,7 +159,7 @@ impl<R: Reel> Groupe<R> {
                 touches[voie] = Ok(if cote_a_cote && contacts.de_face[voie] {
                     Intersection::new(t, contacts.de(voie), texture, rang)
                 } else {
-                    objet.conclure(&rayons[voie], t, rang)
+                    objet.conclure(&self.rayon(voie), t, rang)
                 });
             }
         }

@@ -8,6 +8,7 @@ use std::f64::consts::FRAC_PI_2;
 use crate::commun::conversion::mots;
 use crate::commun::regimes::{deux_puissance, direction, entre, regimes, signe};
 use crate::commun::{Bits, arrondi, en_f32_et_f64, scenes};
+use crate::ombres::{comparer_les_ombres, voisin};
 use fastrand::Rng;
 use lancer_rayon::{
     BoiteGeo, Hierarchie, LongueursDifferentes, NoIntersection, ObjetGeo, ObjetRay,
@@ -27,12 +28,6 @@ fn cas() -> usize {
 
 fn v<R: Reel>(x: f64, y: f64, z: f64) -> Vecteur<R> {
     arrondi(Vecteur::new(x, y, z))
-}
-
-/// The number so many units in the last place away.
-fn voisin<R: Bits>(x: R, de: i64) -> R {
-    let unite = if size_of::<R>() == 4 { 32 } else { 0 };
-    R::depuis_bits((x.bits() << unite).wrapping_add_signed(de << unite))
 }
 
 /// Limits for a shadow ray: at, beside and around the distances of the objects that it touches.
@@ -85,6 +80,8 @@ fn comparer<R: Bits>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) -> usize {
             }
         }
     }
+    let par_jeu: Vec<_> = Reglage::tous().map(|(nom, jeu)| (nom.to_owned(), jeu)).collect();
+    comparer_les_ombres(objets, rayons, &attendues, &par_jeu, Some(hierarchie));
     if (UN_ARBRE..UN_BLOC).contains(&n) {
         comparer(&objets.repeat(UN_BLOC.div_ceil(n)), rayons);
     }

@@ -9,6 +9,7 @@ use std::collections::HashSet;
 use crate::commun::conversion::mots;
 use crate::commun::regimes::{Cas, deux_puissance, direction, entre, regimes, signe};
 use crate::commun::{Bits, arrondi, en_f32_et_f64, scenes};
+use crate::ombres::comparer_les_ombres;
 use fastrand::Rng;
 use lancer_rayon::{
     BoiteGeo, Hierarchie, LongueursDifferentes, NoIntersection, ObjetRay, Rayon, Reel, Reglage,
@@ -53,6 +54,9 @@ fn comparer<R: Bits>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) -> usize {
             );
         }
     }
+    let par_jeu: Vec<_> = Reglage::tous().map(|(nom, jeu)| (nom.to_owned(), jeu)).collect();
+    comparer_les_ombres(objets, rayons, &attendues, &reglages(), None);
+    comparer_les_ombres(objets, rayons, &attendues, &par_jeu, Some(hierarchie));
     attendues.iter().flatten().count()
 }
 
@@ -363,3 +367,33 @@ fn des_rayons_paralleles_evitent_une_boule_a_cote<R: Reel>() {
 }
 
 en_f32_et_f64!(des_rayons_paralleles_evitent_une_boule_a_cote);
+
+/// No answer tells what a beam of segments leaves out; this does. Its sides touch the sources and the lamp.
+fn des_segments_vers_une_lampe_evitent_une_boule_a_cote<R: Reel>() {
+    let v = |x, y, z| Vecteur::from([x, y, z].map(R::depuis_f64));
+    let lampe = v(0.0, 10.0, 0.0);
+    let sources = (0..64).map(|i| v(f64::from(i % 8) - 3.5, 0.0, f64::from(i / 8) - 3.5));
+    let ombres: Vec<_> = sources
+        .map(|source| {
+            let vers = lampe - source;
+            (Rayon::new(source, vers).unwrap(), vers.longueur())
+        })
+        .collect();
+    // Beside a corner of the sources, among them, half-way beside and within, and beside the lamp, where the
+    // rays themselves go on and part.
+    for (centre, a_cote) in [
+        ([6.0, 0.5, 6.0], true),
+        ([3.0, 0.5, 3.0], false),
+        ([9.0, 5.0, 0.0], true),
+        ([1.5, 5.0, 0.0], false),
+        ([0.0, 9.5, 3.0], true),
+        ([0.0, 9.5, 0.5], false),
+        ([0.0, -5.0, 0.0], true),
+    ] {
+        let centre = Vecteur::from(centre.map(R::depuis_f64));
+        let boule = SphereGeo::new(centre, R::depuis_f64(0.75), Texture(0)).unwrap().into();
+        assert_eq!(Reglage::evite_segments(&ombres, &boule), a_cote, "{centre:?}");
+    }
+}
+
+en_f32_et_f64!(des_segments_vers_une_lampe_evitent_une_boule_a_cote);

@@ -9,4 +9,5 @@ mod scene;
 mod bits;
 mod hierarchie;
 mod lot;
+mod ombres;
 mod souspassement;

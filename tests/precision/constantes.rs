@@ -529,7 +529,8 @@ fn lemme_13_elagage() {
     tenir(JEU_BOULE, |u| {
         // |X − C|² − ρ²: of a box by lemma 14, of a sphere CX ≤ r + 33u(|f| + r).
         let epsilon = (gamma(4.0, u) + 11.0 * i(2.0) * plus(40.0, u)) * n(u);
-        let boite = plus(37.0, u) * (2.0 * i(3.0).racine() * epsilon + 3.0 * epsilon.carre() * u) + 37.0;
+        let boite =
+            plus(37.0, u) * (2.0 * i(3.0).racine() * epsilon + 3.0 * epsilon.carre() * u) + 37.0;
         let sphere = 2.0 * i(66.0) + i(66.0).carre() * u;
         // h as computed exceeds h by four roundings of P·(C − S₀) and one of the difference.
         let h2 = 2.0 * (gamma(4.0, u) + 1.0) * plus(20.0, u) + 1.0;

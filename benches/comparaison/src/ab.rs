@@ -92,6 +92,15 @@ macro_rules! ombres_en_lot {
             $note(touche.is_ok_and(|touche| touche.distance() < *max));
         }
     }};
+    (sont_occultes, $hierarchie:ident, $rayons:expr, $max:expr, $touches:expr, $note:expr) => {{
+        // The pairs are made within the time, some 1 ns a ray.
+        let ombres: Vec<_> = $rayons.iter().copied().zip($max.iter().copied()).collect();
+        let mut occultes = vec![false; $touches.len()];
+        $hierarchie.sont_occultes(&ombres, &mut occultes).expect("as many answers as rays");
+        for occulte in occultes {
+            $note(occulte);
+        }
+    }};
 }
 
 macro_rules! version {
@@ -260,7 +269,7 @@ macro_rules! version {
 }
 
 version! { ancienne, avant, premieres }
-version! { nouvelle, lancer_rayon, premieres }
+version! { nouvelle, lancer_rayon, sont_occultes }
 
 fn brut<R: Reel>(objet: &ObjetRay<R>) -> Brut<R> {
     match objet {
