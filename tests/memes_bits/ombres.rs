@@ -2,7 +2,7 @@
 //! does.
 
 use crate::commun::Bits;
-use lancer_rayon::{Hierarchie, ObjetRay, Rayon, Reel, Reglage, Touche};
+use lancer_rayon::{Hierarchie, ObjetRay, Rayon, Reglage, Touche};
 
 /// The number so many units in the last place away.
 pub(crate) fn voisin<R: Bits>(x: R, de: i64) -> R {
