@@ -1,9 +1,10 @@
 //! What is measured of an implementation against the oracle, regime by regime.
 
 use fastrand::Rng;
-use lancer_rayon::{Intersection, ObjetRay, Rayon, Reel, Vecteur};
+use lancer_rayon::constantes::ARRONDI_PERDU;
+use lancer_rayon::{Intersection, ObjetRay, Rayon, Reel, SphereRay, Vecteur};
 
-use super::oracle::{Entree, verite};
+use super::oracle::{Entree, hauteur, verite};
 use super::regimes::Regime;
 use super::tolerances::{promesses, u};
 
@@ -91,22 +92,48 @@ pub(crate) fn mesurer<R: Reel>(
     mesure
 }
 
-/// Within rounding of an edge: an inward start there may see the other face.
+/// Whether an inward ray that left a box by the face `touche` may enter it again at `encore`: by another face, above whose
+/// plane it starts, as the search sees it, and no farther above than the hit may lie (lemma 14).
 pub(crate) fn au_bord<R: Reel>(
     objet: &ObjetRay<R>,
+    rayon: &Rayon<R>,
     touche: &Intersection<R>,
     depart: Vecteur<R>,
+    encore: &Intersection<R>,
 ) -> bool {
     let ObjetRay::Boite(boite) = objet else { return false };
-    let cp = depart.vers_f64() - boite.centre().vers_f64();
-    // The start was moved and rounded, by this much at most in each coordinate, and as much more
-    // is what the search can be off by.
-    let pas = touche.marge().vers_f64() + 4.0 * u::<R>() * depart.vers_f64().longueur();
-    (0..3).any(|axe| {
-        let n = boite.normales()[axe];
-        let o = n.vers_f64().produit_scalaire(cp).abs();
-        n != touche.normale()
-            && n != -touche.normale()
-            && o >= boite.demi_longueurs()[axe].vers_f64() - 2.0 * pas
-    })
+    let (n, autre) = (touche.normale(), encore.normale());
+    if autre == n || autre == -n {
+        return false;
+    }
+    let u = u::<R>();
+    let du_depart = (depart.vers_f64() - boite.centre().vers_f64()).longueur();
+    let p = rayon.point(touche.distance());
+    // The step, along N, and the rounding of the start.
+    let permis = lieu_permis(objet, rayon, touche.distance())
+        + u * (14.0 * touche.marge().vers_f64() + 1.1 * p.vers_f64().longueur());
+    let h = hauteur(objet, autre, depart);
+    -promesses::LIEU_F * u * du_depart < h && h <= permis
+}
+
+/// How far outside a box or a sphere the point `rayon.point(t)` of its hit may lie (lemma 14).
+pub(crate) fn lieu_permis<R: Reel>(objet: &ObjetRay<R>, rayon: &Rayon<R>, t: R) -> f64 {
+    let [s, p] = [rayon.source(), rayon.point(t)].map(Vecteur::vers_f64);
+    let loin = |centre: Vecteur<R>| (s - centre.vers_f64()).longueur();
+    let t = t.vers_f64();
+    let de_x = match objet {
+        ObjetRay::Boite(b) => promesses::LIEU_F * loin(b.centre()) + promesses::LIEU_T * t,
+        ObjetRay::Sphere(s) => {
+            promesses::LIEU_SPHERE * (loin(s.centre()) + s.rayon().vers_f64()) + 1.1 * t
+        }
+        ObjetRay::Plan(_) => f64::INFINITY,
+    };
+    u::<R>() * (de_x + promesses::LIEU_P * p.longueur())
+}
+
+/// The radius from which on the margin of a sphere that is hit at `t` is finite (lemma 7).
+pub(crate) fn rayon_non_perdu<R: Reel>(sphere: &SphereRay<R>, rayon: &Rayon<R>, t: R) -> f64 {
+    let [f, p] = [rayon.source() - sphere.centre(), rayon.point(t)].map(Vecteur::vers_f64);
+    let p = p.x.abs() + p.y.abs() + p.z.abs();
+    u::<R>() * (promesses::PERDUE * f.longueur() + p / ARRONDI_PERDU)
 }

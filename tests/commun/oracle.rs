@@ -286,6 +286,32 @@ pub(crate) fn hauteur<R: Reel>(objet: &ObjetRay<R>, normale: Vecteur<R>, p: Vect
     }
 }
 
+/// How far outside an object a point lies; of a box, above the plane of the face that it lies farthest above. To 3u of
+/// `f64`, in units of N.
+pub(crate) fn dehors<R: Reel>(objet: &ObjetRay<R>, p: Vecteur<R>) -> f64 {
+    let p = point(p);
+    match objet {
+        ObjetRay::Sphere(sphere) => {
+            let cp = moins(&p, &point(sphere.centre()));
+            let r = Exact::de(sphere.rayon());
+            (&scalaire(&cp, &cp) - &(&r * &r)).vers_f64() / (longueur(&cp) + r.vers_f64())
+        }
+        ObjetRay::Plan(plan) => {
+            (&scalaire(&point(plan.normale()), &p) + &Exact::de(plan.distance())).vers_f64()
+        }
+        ObjetRay::Boite(boite) => {
+            let cp = moins(&p, &point(boite.centre()));
+            let hauteurs =
+                boite.normales().into_iter().zip(boite.demi_longueurs()).map(|(n, l)| {
+                    let h = scalaire(&point(n), &cp);
+                    let h = if h.positif() { h } else { -&h };
+                    (&h - &Exact::de(l)).vers_f64()
+                });
+            hauteurs.fold(f64::NEG_INFINITY, f64::max)
+        }
+    }
+}
+
 /// |V|² − 1.
 pub(crate) fn norme_au_carre_moins_un<R: Reel>(v: Vecteur<R>) -> f64 {
     let v = point(v);

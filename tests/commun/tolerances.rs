@@ -71,6 +71,12 @@ pub(crate) mod promesses {
     pub(crate) const UNITAIRE_PLATE: f64 = 6.1;
     /// ||N| − 1| of a sphere, in u (lemma 1).
     pub(crate) const UNITAIRE_SPHERE: f64 = 3.6;
+    /// How far above the plane of any face of a box the point P of its hit may lie, in u·|f|, u·t and u·|P| (lemma 14).
+    pub(crate) const LIEU_F: f64 = 4.1;
+    pub(crate) const LIEU_T: f64 = 12.1;
+    pub(crate) const LIEU_P: f64 = 1.1;
+    /// How far outside a sphere the point S + tD of its hit may lie, in u(|f| + r) (lemma 14).
+    pub(crate) const LIEU_SPHERE: f64 = 13.0;
     /// The sine of the angle between the normal of a sphere and the true one, in u(1 + |f|/r), beside |Δt|·|D|/r
     /// (lemma 6).
     pub(crate) const DIRECTION: f64 = 4.1;

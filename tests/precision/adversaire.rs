@@ -11,12 +11,13 @@
 use std::time::{Duration, Instant};
 
 use crate::commun::double::ecart_et_kappa_t;
-use crate::commun::mesure::{absolu, absolu_fois, au_bord};
-use crate::commun::oracle::{hauteur, norme_au_carre_moins_un, verite};
+use crate::commun::mesure::{absolu, absolu_fois, au_bord, lieu_permis, rayon_non_perdu};
+use crate::commun::oracle::{dehors, hauteur, norme_au_carre_moins_un, verite};
 use crate::commun::regimes::{deux_puissance, direction, entre, regimes, repere, signe};
 use crate::commun::tolerances::{promesses, u};
 use crate::commun::{Bits, arrondi};
 use fastrand::Rng;
+use lancer_rayon::constantes::PUISSANCE_PERDUE;
 use lancer_rayon::{
     BoiteGeo, Intersection, ObjetGeo, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture,
     Vecteur, premiere_intersection,
@@ -546,6 +547,30 @@ fn marge<R: Reel>(cas: &Cas<R>, _: f64) -> f64 {
     hauteur(&cas.objets[0], touche.normale(), p).abs() / marge
 }
 
+/// How far outside its object the point of a hit lies, as a part of what lemma 14 grants.
+fn lieu<R: Reel>(cas: &Cas<R>, _: f64) -> f64 {
+    let Some(touche) = touche(cas) else { return RIEN };
+    let p = cas.rayon.point(touche.distance());
+    dehors(&cas.objets[0], p) / lieu_permis(&cas.objets[0], &cas.rayon, touche.distance())
+}
+
+/// How far P lies from a sphere that is nearly lost in its distance, as a part of what makes its margin infinite. P is hardly
+/// rounded there: that alone decides elsewhere.
+fn marge_infinie<R: Reel>(cas: &Cas<R>, _: f64) -> f64 {
+    let objet = &cas.objets[0];
+    let (Some(touche), ObjetRay::Sphere(sphere)) = (touche(cas), objet) else { return RIEN };
+    let (r, p) = (sphere.rayon().vers_f64(), cas.rayon.point(touche.distance()));
+    let non_perdue = rayon_non_perdu(sphere, &cas.rayon, touche.distance());
+    if r < 0.5 * non_perdue || u::<R>() * p.vers_f64().longueur() > r / 256.0 {
+        return RIEN;
+    }
+    if touche.marge() == R::INFINI && r >= non_perdue {
+        return ROMPUE;
+    }
+    let loin = (1.0 + PUISSANCE_PERDUE).sqrt() - 1.0;
+    (dehors(objet, p).abs() / (loin * r.max(non_perdue))).min(1.0)
+}
+
 /// What is no promise but a sign: below 1 as it holds, the higher the nearer to where it would not.
 fn tenue(ecart: f64) -> f64 {
     1.0 / (1.0 + ecart)
@@ -575,7 +600,9 @@ fn secondaire<R: Reel>(cas: &Cas<R>, _: f64) -> f64 {
     };
     let Ok(rayon) = cas.rayon.secondaire(&touche, vers) else { return RIEN };
     let dedans = rayon.direction().produit_scalaire(n) < R::ZERO;
-    if objet.intersection(&rayon).is_ok() && !(dedans && au_bord(objet, &touche, rayon.source())) {
+    if let Ok(encore) = objet.intersection(&rayon)
+        && !(dedans && au_bord(objet, &cas.rayon, &touche, rayon.source(), &encore))
+    {
         return ROMPUE;
     }
     let (n, depart) = (n.vers_f64(), rayon.source().vers_f64());
@@ -749,8 +776,11 @@ rangees! {
     direction_de_la_normale_d_une_sphere: sphere, direction_de_la_normale, 60_000;
     direction_de_la_normale_d_une_boite: boite, direction_de_la_normale, 60_000;
     marge_d_une_sphere: sphere, marge, 60_000;
+    marge_infinie_d_une_sphere: sphere, marge_infinie, 60_000;
     marge_d_un_demi_espace: demi_espace, marge, 60_000;
     marge_d_une_boite: boite, marge, 60_000;
+    lieu_d_une_touche_d_une_sphere: sphere, lieu, 60_000;
+    lieu_d_une_touche_d_une_boite: boite, lieu, 60_000;
     secondaire_d_une_sphere: sphere, secondaire, 100_000;
     secondaire_d_un_demi_espace: demi_espace, secondaire, 100_000;
     secondaire_d_une_boite: boite, secondaire, 100_000;

@@ -5,6 +5,7 @@
 //! construction that builds nothing is red.
 
 use crate::commun::litteral;
+use crate::commun::mesure::rayon_non_perdu;
 use crate::commun::oracle::Exact;
 use crate::commun::regimes::{Cas, deux_puissance, direction, entre, regimes};
 use crate::commun::tolerances::{promesses, u};
@@ -188,6 +189,35 @@ fn une_sphere_perdue_a_une_marge_infinie<R: Reel>() {
 }
 
 en_f32_et_f64!(une_sphere_perdue_a_une_marge_infinie);
+
+/// Built: from 4·10⁶ away a sphere about O with r = 42u|f|, which was found, and the regimes of spheres. Held: the margin of
+/// the first is +∞, so that "below some 20u|f|" was false, and none is where r ≥ 64u|f| + 16u⟨P, 1⟩.
+#[test]
+fn la_marge_d_une_sphere_de_42_u_f_peut_etre_infinie() {
+    let r = 10.810261_f32;
+    let boule = sphere(Vecteur::NUL, r);
+    let s = Vecteur::new(-4252056.5, -288853.3, 537674.06);
+    let rayon = Rayon::new(s, Vecteur::new(0.98985416, 0.067242615, -0.12516737)).unwrap();
+    let touche = boule.intersection(&rayon).unwrap();
+    let f = s.vers_f64().longueur();
+    assert!(touche.marge() == f32::INFINI && f64::from(r) > 42.0 * u::<f32>() * f, "{touche:?}");
+}
+
+fn la_marge_d_une_sphere_de_64_u_f_est_finie<R: Reel>() {
+    let (mut finies, mut infinies) = (0, 0);
+    chaque_touche::<R>("sphere", |Cas { objet, rayon }, touche| {
+        let ObjetRay::Sphere(sphere) = objet else { unreachable!("a regime of spheres") };
+        if sphere.rayon().vers_f64() >= rayon_non_perdu(sphere, rayon, touche.distance()) {
+            assert!(touche.marge() < R::INFINI, "{objet:?} {rayon:?}");
+            finies += 1;
+        } else {
+            infinies += u32::from(touche.marge() == R::INFINI);
+        }
+    });
+    assert!(finies > CAS && infinies > CAS / 20, "{finies}, {infinies}");
+}
+
+en_f32_et_f64!(la_marge_d_une_sphere_de_64_u_f_est_finie);
 
 /// Built: a sphere on the ray whose far side is O, smaller than the rounding of its distance, so that P
 /// is O. Held: the margin is +∞, although P lies on the sphere.

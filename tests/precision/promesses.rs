@@ -241,14 +241,15 @@ fn un_rayon_secondaire_ne_retouche_pas_l_objet_qu_il_quitte<R: Reel>() {
                         continue;
                     };
                     lances += 1;
-                    let encore = cas.objet.intersection(&rayon);
                     let dedans = rayon.direction().produit_scalaire(touche.normale()) < R::ZERO;
-                    assert!(
-                        encore == Err(NoIntersection)
-                            || dedans && au_bord(&cas.objet, touche, rayon.source()),
-                        "{}: {cas:?} {touche:?} left by {rayon:?} is touched again: {encore:?}",
-                        regime.nom
-                    );
+                    if let Ok(encore) = cas.objet.intersection(&rayon) {
+                        assert!(
+                            dedans
+                                && au_bord(&cas.objet, &cas.rayon, touche, rayon.source(), &encore),
+                            "{}: {cas:?} {touche:?} left by {rayon:?} is touched again: {encore:?}",
+                            regime.nom
+                        );
+                    }
                     // Turned outward by 12u, up to 8u too long at a right angle to that, and rounded in each coordinate.
                     let voulue = arrondi::<R>(vers).vers_f64().unitaire().unwrap();
                     let tournee = (rayon.direction().vers_f64() - voulue).longueur();
@@ -281,6 +282,45 @@ fn un_rayon_secondaire_ne_retouche_pas_l_objet_qu_il_quitte<R: Reel>() {
 }
 
 en_f32_et_f64!(un_rayon_secondaire_ne_retouche_pas_l_objet_qu_il_quitte);
+
+/// From afar a hit beside an edge is off by much along the ray, of which the margin over its face knows nothing: an inward
+/// ray may start a thousand times as far above another face as 2(`marge()` + 4u|P|), though no farther than lemma 14 grants.
+fn un_depart_vers_l_interieur_peut_etre_loin_au_dessus_d_une_autre_face<R: Reel>() {
+    let v = |x, y, z| arrondi::<R>(Vecteur::new(x, y, z));
+    let centre = v(-0.0077286684, 0.018294489, 0.19977821);
+    let dimensions = v(1.0, 2.0 * 0.57481515, 2.0 * 0.7004555);
+    let boite = BoiteGeo::new(centre, dimensions, Rotation::IDENTITE, Texture(0)).unwrap();
+    let boite = ObjetRay::from(boite);
+    let encore = |rayon: &Rayon<R>, vers| {
+        let touche = boite.intersection(rayon).ok()?;
+        let dedans = rayon.secondaire(&touche, vers).ok()?;
+        let encore = boite.intersection(&dedans).ok()?;
+        assert!(au_bord(&boite, rayon, &touche, dedans.source(), &encore), "{rayon:?} {dedans:?}");
+        let p = rayon.point(touche.distance()).vers_f64().longueur();
+        let autrefois = 2.0 * (touche.marge().vers_f64() + 4.0 * u::<R>() * p);
+        Some(hauteur(&boite, encore.normale(), dedans.source()) / autrefois)
+    };
+    if u::<R>() > f64::EPSILON {
+        let d = v(0.0039478806, -0.99913543, -0.041385863);
+        let rayon = Rayon::new(v(-58.45057, 14664.854, 606.94366), d).unwrap();
+        assert!(encore(&rayon, v(0.20613794, -0.8412872, -0.4997429)).is_some_and(|h| h > 1_480.0));
+    }
+    // At the edge that the faces −x and +y share.
+    let mut alea = Rng::with_seed(21);
+    let mut pire = 0.0_f64;
+    for _ in 0..20 * cas_par_regime() {
+        let bord = centre.vers_f64() + Vecteur::new(-0.5, 0.57481515, alea.f64() - 0.5);
+        let d = Vecteur::new(0.01 * alea.f64(), -1.0, 0.1 * alea.f64());
+        let Ok(rayon) = Rayon::new(arrondi(bord - d * 1.5e4), arrondi(d)) else { continue };
+        if let Some(h) = encore(&rayon, v(0.2, -0.8, -0.5)) {
+            pire = pire.max(h);
+        }
+    }
+    println!("{pire}");
+    assert!(pire > 1_000.0, "{pire}");
+}
+
+en_f32_et_f64!(un_depart_vers_l_interieur_peut_etre_loin_au_dessus_d_une_autre_face);
 
 #[test]
 fn un_rayon_secondaire_invalide_est_refuse() {
