@@ -1,9 +1,19 @@
 //! The constants of the proofs beside the numbers that their lemmas need: `docs/precision.md`, lemmas 1 to 10, and
 //! `docs/conception.md`, lemmas 11 to 17. The letters are theirs.
 //!
-//! What a lemma needs is computed in intervals over its whole domain, for both types, with every term of higher
-//! order. A constant must be no less, and no more than a ninth more: made a tenth smaller it is red. Excepted are the
-//! limits of a sphere that is lost, which are limits of a domain, and what direction is kept, a decision (C13).
+//! What a lemma needs is computed in intervals over its whole domain, for both types. A constant must be no less, and no
+//! more than a ninth more: made a tenth smaller it is red. Excepted are `PAS_NORMAL`, of which 0.87 is red, the limits of
+//! a sphere that is lost, which are limits of a domain, and what direction is kept, a decision (C13).
+//!
+//! Taken from the text, and not found here:
+//! - how many roundings a step of an algorithm has, and what each is relative to;
+//! - what is of second order in u, where the text says "to O(u²)": one factor such as `plus(20.0, u)` stands for all of it,
+//!   larger than what was counted by hand;
+//! - lemma 3: that two comparisons at most lie between an entry and an exit; lemma 4: that k speeds of which all are v or
+//!   more have v ≤ 1/√k;
+//! - lemma 7: that near its surface, |f| < 2r, no sphere is lost;
+//! - lemma 10: that a matrix made of sines and cosines, or of one direction, is orthonormal to 90u before its Newton step;
+//! - lemma 16: that what is subnormal is less than the slack.
 
 use crate::commun::tolerances::{ORTHONORMALE, bandes, promesses};
 use crate::intervalle::{Intervalle, de_a, portee};
@@ -26,6 +36,9 @@ const N1: f64 = promesses::UNITAIRE_SPHERE;
 
 /// What lost products weigh beside r² where r is smallest, in u·r²: three, each at most 1/64 (lemma 2).
 const PERDU: f64 = 3.0 / 64.0;
+
+/// What lost products weigh beside a length or its error where r is smallest, in u·r: 2η/(2⁻⁶⁰·u) (lemma 2).
+const PERDU_LONGUEUR: f64 = 1.0 / (1_u64 << 60) as f64;
 
 /// What lemma 14 grants the point of a hit, in u·(f + ρ).
 const TOUCHE: f64 = 60.0;
@@ -103,7 +116,8 @@ fn normalise(u: f64) -> Intervalle {
 
 #[test]
 fn lemme_1_vecteurs_unitaires() {
-    tenir(N1, normalise);
+    // CB of a sphere is not scaled: of CB², r²/2 at least, three products may be lost.
+    tenir(N1, |u| et(normalise(u), PERDU * plus(8.0, u), u));
     for u in U {
         // The decision C13: whatever was normalised is kept.
         let carre = et(normalise(u), normalise(u), u);
@@ -220,7 +234,7 @@ fn lemme_4_distance_d_une_boite() {
 }
 
 /// What the sphere of radius 1 needs, in u·κt, where it is entered at the distance `t` and the cosine `c`; `x`
-/// tells how much of the rounding of S − C lies across the ray. None inside the band of `bande`·u(f + r).
+/// tells how far z moves C across the ray, in u·f. None inside the band of `bande`·u(f + r).
 fn distance_d_une_sphere(u: f64, bande: f64, [t, c, x]: [Intervalle; 3]) -> Option<Intervalle> {
     let s = ((1.0 - c).max(i(0.0)) * (1.0 + c)).racine();
     let p = t * (t + 2.0 * c);
@@ -230,9 +244,9 @@ fn distance_d_une_sphere(u: f64, bande: f64, [t, c, x]: [Intervalle; 3]) -> Opti
         return None;
     }
     let infini = Some(de_a(0.0, f64::INFINITY));
-    // The sphere moves by e, no longer than u·f.
-    let e = u * f;
-    let (le_long, travers) = (e * (1.0 - x.carre()).racine(), e * x);
+    // 1: the sphere moves by z, in the plane of C and the ray and no longer than u·f.
+    let z = u * f;
+    let (le_long, travers) = (z * (1.0 - x.carre()).racine(), z * x);
     let w = c.carre();
     let ecart = 2.0 * s * travers + travers.carre();
     let w_ = w - ecart;
@@ -246,7 +260,7 @@ fn distance_d_une_sphere(u: f64, bande: f64, [t, c, x]: [Intervalle; 3]) -> Opti
     let ac = (s + travers).grandeur();
     let g = |k| gamma(k, u) * u;
     // |SC ∧ D|, of which each coordinate is two products and a difference.
-    let g_ac = i(4.0 / 3.0).racine() * u * f_;
+    let g_ac = i(4.0 / 3.0).racine() * u * f_ + PERDU_LONGUEUR * u;
     let large_ac = ac + g_ac;
     let ac2 = et(gamma(3.0, u), et(i(1.0), i(1.0), u), u) * u * large_ac.carre()
         + g_ac * (2.0 * ac + g_ac);
@@ -255,33 +269,34 @@ fn distance_d_une_sphere(u: f64, bande: f64, [t, c, x]: [Intervalle; 3]) -> Opti
         return infini;
     }
     let dab = dw / (ab + (w_ - dw).racine());
-    let erreurs = [le_long, -le_long].map(|le_long| {
-        // SA − AB, without a cancellation.
-        let t_ = (t + le_long + ecart / (c + ab)).max(i(0.0));
-        let q = t_ + 2.0 * ab;
-        let p_ = t_ * q;
-        let dp = (g(3.0) * f_.carre() + u + PERDU * u) * plus(1.0, u) + u * p_;
-        let dq = (g(3.0) * f_ + dab + u * (ab + dab)) * plus(1.0, u) + u * q;
-        if (q - dq).bas <= 0.0 {
-            return de_a(0.0, f64::INFINITY);
-        }
-        let b = (dp * plus(1.0, u) + u * p_ + t_ * dq) / (q - dq);
-        // A is the answer where B comes out past it.
-        let m = t_ + ab;
-        let dm = g(3.0) * f_;
-        let passe = dp
-            + g(4.0) * (p_ + dp)
-            + dm * (2.0 * m + ab + dm)
-            + (m + dm) * (dab * plus(1.0, u) + u * ab)
-            + g(2.0) * (m + dm) * (q + dq);
-        if (ab * q).bas <= passe.haut {
-            let a = ab + dm + g(5.0) * m;
-            b.max((b * plus(2.0, u) + g(2.0) * t_).min(a))
-        } else {
-            b
-        }
-    });
-    let erreur = erreurs[0].max(erreurs[1]);
+    // SA − AB, without a cancellation.
+    let t_ = (t + le_long * de_a(-1.0, 1.0) + ecart / (c + ab)).max(i(0.0));
+    let q = t_ + 2.0 * ab;
+    let p_ = t_ * q;
+    let dp = (g(3.0) * f_.carre() + u + PERDU * u) * plus(1.0, u) + u * p_;
+    let dsa = g(3.0) * f_ + PERDU_LONGUEUR * u;
+    let dq = (dsa + dab + u * (ab + dab)) * plus(1.0, u) + u * q;
+    if (q - dq).bas <= 0.0 {
+        return infini;
+    }
+    // 2: p/q.
+    let de_p_sur_q = (dp * plus(1.0, u) + u * p_ + t_ * dq) / (q - dq);
+    // 3: SA/D², if p·D² ≥ SA·q as computed. Exactly SA·q − p = AB·q; `passe` is what the two products are off by, each
+    // of which may be lost.
+    let m = t_ + ab;
+    let passe = dp
+        + g(4.0) * (p_ + dp)
+        + dsa * (2.0 * m + ab + dsa)
+        + (m + dsa) * (dab * plus(1.0, u) + u * ab)
+        + g(2.0) * (m + dsa) * (q + dq)
+        + PERDU * u;
+    let erreur = if (ab * q).bas <= passe.haut {
+        let de_a_ = (dsa + g(4.0) * m) * plus(8.0, u);
+        let trop_loin = (de_p_sur_q + g(2.0) * (t_ + de_p_sur_q)).min(ab + de_a_);
+        de_p_sur_q.max(trop_loin).max(de_a_ - ab)
+    } else {
+        de_p_sur_q
+    };
     // κt is that of a D that is not exactly unit.
     Some((bouge + erreur) * c / (u * (f + 1.0 + t)) * plus(2.0 * D1, u))
 }
@@ -315,31 +330,39 @@ fn lemme_5_une_bande_plus_etroite_ne_suffit_pas() {
 
 #[test]
 fn lemme_6_normale() {
-    // y = f/r; the error of the distance is at most K·u·κt, with c² > 4u(f + r)/r.
+    // y = f/r; the error of the distance is at most K·u·κt, with κt ≤ (1 + 2y)/c.
     let domaine = |u| [de_a(1.0, 1.0 / (promesses::PERDUE * u))];
+    let k_kappa_t = |u: f64, y: Intervalle| promesses::DISTANCE_SPHERE * u * (1.0 + 2.0 * y);
+    // The part along D of a normal that does not face the source. t is no more than A to 9u·f, CB is off by 2u·f more, and
+    // c is no more than the errors of both and the rounding of N·D.
+    let part = |u: f64, y: Intervalle| {
+        let c2 = k_kappa_t(u, y) + u * (2.0 * y + 9.0);
+        (11.0 * y * u + 4.0 * u) / ((1.0 - c2).racine() - 4.0 * y * u)
+    };
     tenir_sur(promesses::DIRECTION, domaine, |u, [y]| {
+        // Outside the band c² > 4u(1 + y).
         let c = (bandes::SPHERE * u * (1.0 + y)).racine();
-        let z = (promesses::DISTANCE_SPHERE * u * (1.0 + 2.0 * y) / c).min(i(1.0));
+        let z = k_kappa_t(u, y) / c;
+        assert!(z.bas < 1.0, "the distance is off by more than r");
         let cb = 2.0 * y * plus(4.0, u) + z + 1.0;
-        let penchee = 4.0;
+        let penchee = 4.0 + 2.0 * part(u, y);
         Some((cb + 1.0 + penchee) / (1.0 + y) * plus(8.0, u))
     });
-    // The part along D of a normal that does not face the source: t is no more than A to 7u·f, CB off by 2u·f more,
-    // and c no more than its error.
     let le_long = 0.25;
     for u in U {
-        let part = portee(domaine(u), le_long, |[y]| {
-            let c2 = promesses::DISTANCE_SPHERE * u * (2.0 + 2.0 * y);
-            Some((10.0 * y * u + 4.0 * u) / ((1.0 - c2).racine() - 4.0 * y * u))
-        });
-        assert!(part.haut <= le_long);
+        assert!(portee(domaine(u), le_long, |[y]| Some(part(u, y))).haut <= le_long);
     }
-    // What N·D is off by: γ₃ and u of N across D, 8u of its part along D and a difference, all over the length of
-    // what is left; three roundings; γ₃ to compute it.
-    tenir(PENCHE, |u| {
-        let reste = (gamma(3.0, u) + 2.0 + 8.0 * le_long) / i(1.0 - le_long * le_long).racine();
-        et(et(reste, i(3.0), u), gamma(3.0, u), u) * plus(8.0, u)
-    });
+    // What N·D is off by. The part along D: γ₃ and u of N·D, 8u of that part and the product, over the length of what is
+    // left. Then the difference, two quotients and a difference; γ₃ to compute it.
+    let de_n_d = |u: f64| {
+        let reste = (gamma(3.0, u) + 1.0 + 9.0 * le_long) / i(1.0 - le_long * le_long).racine();
+        et(et(reste, i(4.0), u), gamma(3.0, u), u) * plus(8.0, u)
+    };
+    tenir(PENCHE, de_n_d);
+    for u in U {
+        // It leans less than the true normal, of which c² > 8u outside the band.
+        assert!((PENCHE + de_n_d(u).haut) * u < (2.0 * bandes::SPHERE * u).sqrt());
+    }
 }
 
 /// What a flat face leaves of a margin for each unit of its height.
@@ -368,13 +391,16 @@ fn marge_d_une_sphere(
 ) -> [Intervalle; 3] {
     let g = |k| gamma(k, u) * u;
     let b = par_rayon * (puissance + q.carre()) + e.carre();
-    let marge = (b * (1.0 - g(9.0)) + 2.0 * ARRONDI_HAUTEUR * longueur * u * (1.0 - g(2.0)))
+    // Three of its products may be lost.
+    let marge = (b * (1.0 - g(9.0)) - PERDU * u
+        + 2.0 * ARRONDI_HAUTEUR * longueur * u * (1.0 - g(2.0)))
         * marge_plate(u);
     let pas = marge * plus(PAS_NORMAL, u) * (1.0 - g(4.0)) * moins(N1 + 1.0, u);
     // What was computed is off by so much.
     let puissance = (puissance + g(5.0) * (1.0 + puissance) + u + PERDU * u) * plus(rapport(u), u);
-    let (q, e) = (q * plus(1.5, u) + 2.7 * u, e * plus(4.0, u) + 2.1 * u);
-    let (q2, ecart) = (q.carre(), signe * puissance);
+    let e = e * plus(4.0, u) + 2.1 * u;
+    let q2 = (q * plus(1.5, u) + 2.7 * u).carre() + PERDU * u;
+    let (q, ecart) = (q2.racine(), signe * puissance);
     let le_long = (1.0 + ecart - q2).racine();
     let hauteur = puissance / (le_long + (1.0 - q2).racine());
     let f = (1.0 + (q + e).carre()).racine();
@@ -425,20 +451,80 @@ fn lemmes_7_et_8_une_longueur_moindre_ne_suffit_pas() {
     let _ = marges_d_une_sphere(U[0], [PAR_RAYON, 0.9 * LONGUEUR]);
 }
 
+/// What |CP² − r²|, x² and y reach of a sphere of radius 1 with r ≥ 64u|f| + 16u⟨P, 1⟩, as parts of the limits beyond which
+/// it is lost. `k` is AC. None where the ray misses.
+fn sphere_non_perdue(u: f64, perdue: f64, [f, k]: [Intervalle; 2]) -> Option<Intervalle> {
+    let a = u * f;
+    let g = |k| gamma(k, u) * u;
+    let g_ac = i(4.0 / 3.0).racine() * a + PERDU_LONGUEUR * u;
+    let ac2 = et(gamma(3.0, u), et(i(1.0), i(1.0), u), u) * u * (k + g_ac).carre()
+        + g_ac * (2.0 * k + g_ac);
+    let w = 1.0 - k.carre();
+    let dw = g(5.0) + PERDU * u + ac2 + u * w.grandeur();
+    if (w + dw).haut <= 0.0 {
+        return None;
+    }
+    let beta = (w + dw).max(i(0.0)).racine();
+    let (b, p) = ((f.carre() - k.carre()).racine(), f.carre() - 1.0);
+    // What at̂ − b + β is off by (lemma 14).
+    let dp = (g(3.0) * f.carre() + u + PERDU * u) * plus(1.0, u) + u * p;
+    let dq = (g(3.0) * f + PERDU_LONGUEUR * u + u * beta) * plus(2.0, u) + u * (b + beta);
+    let e = (dw + dp * plus(1.0, u) + u * p + b * dq) / (b - dq);
+    // Where t̂ is SA/D², β is no more than e and 8u·f.
+    let loin = (dw + 2.0 * beta * e + e.carre()).max(dw + (g(7.0) * f).carre());
+    let pres = dw + (2.0 * beta * e).max((e + g(8.0) * f).carre());
+    // y, and what P and S − C are rounded by.
+    let y = (1.0 - perdue * a) * ARRONDI_PERDU;
+    let arrondi = 2.0 * a * plus(16.0, u) + y * plus(2.0, u);
+    let dessus = ((1.0 + loin).racine() + arrondi).carre() - 1.0;
+    let dessous = 1.0 - ((1.0 - pres).racine() - arrondi).carre();
+    let puissance = (dessus.max(dessous) + 20.0 * u) / PUISSANCE_PERDUE;
+    // A leaned N is across the ray, and P beyond A by 10u·f at most.
+    let x = 13.0 * a * plus(16.0, u) + y + 32.0 * u;
+    let y = y * plus(8.0, u) / ARRONDI_PERDU;
+    Some(puissance.max(x.carre() / TRAVERS_PERDU).max(y))
+}
+
+#[test]
+fn lemme_7_marge_finie() {
+    let reste_finie = |perdue: f64| {
+        move |u: f64| {
+            let domaine = [de_a(2.0, 1.0 / (perdue * u)), de_a(0.0, 1.05)];
+            portee(domaine, 1.0, |x| sphere_non_perdue(u, perdue, x))
+        }
+    };
+    tenir(1.0, reste_finie(promesses::PERDUE));
+}
+
+#[test]
+fn lemmes_7_et_8_un_pas_de_plat() {
+    // What 2·`arrondi`·u·ℓ must pay, as an excess over what it is, in u: twice (1 + u)⁴ − 1, which N·(P − C) as computed is
+    // off by, for the height of P and for the next search.
+    let exces = |u: f64, arrondi: f64, pas: f64| {
+        let quatre = et(i((4.0 / arrondi - 1.0) / u), 0.25 * (6.0 + 4.0 * i(u) + i(u) * u), u);
+        // ℓ; two sums of the margin; a product and a sum, N·pas, the sum with P; N² may be 12u less than 1; what the next
+        // search sees of the step.
+        let pertes = [1.0, 1.0, 1.0, 1.0, 2.0, N2, 4.0].map(|perte| inverse(gamma(perte, u), u));
+        let pertes = pertes.into_iter().fold(inverse(gamma(4.0, u), u), |a, b| et(a, b, u));
+        et(quatre, pertes, u) - et(VERS_LE_HAUT * moins(1.0, u), i(pas), u)
+    };
+    for u in U {
+        assert!(exces(u, ARRONDI_HAUTEUR, PAS_NORMAL).haut <= 0.0);
+        assert!(exces(u, 0.9 * ARRONDI_HAUTEUR, PAS_NORMAL).bas > 0.0, "less would do");
+        assert!(exces(u, ARRONDI_HAUTEUR, 0.87 * PAS_NORMAL).bas > 0.0, "less would do");
+    }
+    for u in U {
+        // The height itself: rounded once.
+        assert!((exces(u, 4.0, PAS_NORMAL) - gamma(4.0, u) + 1.0).haut < 0.0);
+    }
+    // What is lost below the normal numbers, in η: three products of the height and of that which the next search sees,
+    // those by 8u, 10u, 1 + 20u and 1.1u, and N·pas along N.
+    assert!((1.5 + 1.5 + 4.0 * 0.5 + 0.5 * i(3.0).racine()).haut < 8.0);
+    tenir(PAS_ARRONDI, |u| plus(1.0, u) / ((1.0 - gamma(6.0, u) * u) * moins(N2, u)));
+}
+
 #[test]
 fn lemme_8_rayon_secondaire() {
-    // The step along N, of a margin: product and sum, N·pas, the sum with P; N² may be 12u less than 1.
-    tenir(PAS_NORMAL, |u| {
-        // What γ₄ twice, and every factor except that of the margin, are more than 8u·ℓ: as excesses.
-        let (un, quatre) = (inverse(i(1.0), u), inverse(gamma(4.0, u), u));
-        let besoin = et(gamma(4.0, u), 0.5 * et(i(1.0), gamma(2.0, u), u) + 0.5, u);
-        let pertes = et(et(quatre, quatre, u), et(inverse(i(N2), u), et(un, un, u), u), u);
-        let besoin = et(besoin, pertes, u);
-        besoin - VERS_LE_HAUT * moins(2.0 * VERS_LE_HAUT, u) * plus(besoin, u)
-    });
-    // γ₄ to first order; `PAS_NORMAL` pays for the rest.
-    tenir(ARRONDI_HAUTEUR, |_| i(4.0));
-    tenir(PAS_ARRONDI, |u| plus(1.0, u) / ((1.0 - gamma(6.0, u) * u) * moins(N2, u)));
     tenir(TANGENT, vitesse);
     tenir(REDRESSE, |u| (TANGENT + 2.0 * vitesse(u) + 2.0 * n(u) * d(u)) * plus(3.0 * N2, u));
 }
@@ -455,11 +541,27 @@ fn lemme_9_lampe_et_transformations() {
 
 #[test]
 fn lemme_10_rotations() {
-    // A product is off by γ₃ of f64, and a Newton step squares what it finds, a norm of 90u at most. In f32 only the last
-    // rounding is left.
-    let reste = |u: f64| gamma(3.0, u) * plus(40.0, u) + 1e4 * u;
-    tenir(ORTHONORMALE, |u| et(reste(u), et(i(1.0), i(1.0), u), u));
-    tenir(N2, |u| et(3.0 * reste(u), et(i(1.0), i(1.0), u), u));
+    let v = U[1];
+    // What one Newton step leaves of |M·Mᵀ − I| = e.
+    let pas = |e: Intervalle| 0.75 * e.carre() + 0.25 * e * e.carre();
+    // Elements of 12u and products off by γ₃ of f64, as norms, which are at most three times the largest element.
+    let compose = |u: f64| {
+        let facteur = 3.0 * N2 * i(u);
+        facteur + facteur * (1.0 + facteur) + 2.0 * 3.0 * gamma(3.0, v) * v * plus(8.0, v)
+    };
+    // I − M·Mᵀ is off by γ₃ of f64, and so is what is left; then the sum of the step. In f64 that is the last rounding,
+    // in f32 the elements round once more.
+    let reste = |u: f64| (pas(compose(u)) + gamma(3.0, v) * v * plus(40.0, v)) / i(u);
+    let elements = |u: f64| et(i(1.0), i(1.0), u) + if u > v { 2.0 * v / u } else { 0.0 };
+    tenir(ORTHONORMALE, |u| et(reste(u), elements(u), u));
+    // The columns: the eigenvalues are the same.
+    tenir(N2, |u| et(3.0 * reste(u), elements(u), u));
+    // From an element of 1e-3, three steps.
+    let mut e = 3.0 * i(1.01e-3);
+    for _ in 0..3 {
+        e = pas(e) + 3.0 * gamma(4.0, v) * v;
+    }
+    assert!(e.haut < compose(v).bas);
 }
 
 /// What the ball test loses of SC² − SA², in u·f².
@@ -482,6 +584,9 @@ fn lemme_11_boule() {
                 * (2.0 * i(3.0).racine() * y * 15.0 * plus(40.0, u) + 3.0 * epsilon * 15.1);
             let besoin =
                 boule(u) + hors + (37.0 + gamma(3.0, u)) * rho2 + loin.carre() * u * plus(100.0, u);
+            // If SA ≤ 0 as computed, C is no farther ahead than 4u·f: CX² ≥ f²(1 − 17u²) + t².
+            let derriere = sc2(u) + 17.0 * u;
+            assert!(derriere.haut < boule(u).bas, "the second condition needs more than the first");
             Some(besoin * plus(RETRAIT, u))
         },
     );
@@ -540,6 +645,13 @@ fn lemme_13_elagage() {
     });
 }
 
+/// What the point of a hit is off by along the axis of a box, in u·t: three comparisons, the quotient and the length of an
+/// exit, and the speed.
+fn lieu_le_long(u: f64) -> Intervalle {
+    let comparaisons = et(et(rapport(u), rapport(u), u), rapport(u), u);
+    et(et(comparaisons, i(1.0), u), i(1.0), u) * n(u) * d(u) * plus(20.0, u) + vitesse(u)
+}
+
 #[test]
 fn lemme_14_lieu_d_une_touche() {
     // The box: along an axis √3·(4f + 11t) with t ≤ f + ρ, and 36ρ.
@@ -549,31 +661,61 @@ fn lemme_14_lieu_d_une_touche() {
         |u, [f]| {
             let rho = 1.0 - f;
             let t = f + rho * plus(20.0, u);
-            let y = (gamma(4.0, u) * f + 11.0 * plus(20.0, u) * t) * n(u);
+            let y = gamma(4.0, u) * n(u) * f + lieu_le_long(u) * t;
             Some((i(3.0).racine() * y + 36.0 * rho) * plus(60.0, u))
         },
     );
-    // The sphere of radius y·f, in u·f. ε is what SA² − AB² − p is off by, w what AB² is.
-    for u in U {
-        let erreurs = |y: Intervalle| {
-            let w = (10.1 * y.carre() + 4.31 * y) * plus(100.0, u);
-            (w, 14.0 * plus(100.0, u) + 1.1 * y.carre() + w)
-        };
-        let loin = portee([de_a(0.0, 0.5)], TOUCHE, |[y]| {
-            let (_, epsilon) = erreurs(y);
-            let q = (1.0 - y.carre() * plus(10.0, u)).racine();
-            let le_long = 7.0 * plus(100.0, u) + epsilon / q;
-            Some((le_long + 5.05 * y * plus(100.0, u) + 2.16 * plus(100.0, u)) / (1.0 + y))
-        });
-        // Here X is no farther than S: CX² − r² is at most p, and what is added to p no more than ε²/p.
-        let pres = portee([de_a(0.5, 1.0 + 4.0 * u)], TOUCHE, |[y]| {
-            let (w, epsilon) = erreurs(y);
-            let somme = w + 14.0 * y * plus(100.0, u) + epsilon * (2.0 * y).min(i(1.0)) + 1.0;
-            let p = 0.5 * (somme + (somme.carre() + 8.0 * epsilon.carre()).racine());
-            Some(p / (2.0 * y * (1.0 + y)))
-        });
-        assert!(loin.max(pres).haut < TOUCHE);
+}
+
+/// How far from the surface the point of a hit lies outside a sphere of radius `y`, seen from 1 away, in u(1 + y).
+fn hors_d_une_sphere(u: f64, y: Intervalle) -> Intervalle {
+    let g_ac = i(4.0 / 3.0).racine() + PERDU_LONGUEUR;
+    // AC is no more than this, since r² − AC² > 0 as computed.
+    let k = y * plus(10.0, u) + 3.0 * u;
+    // The last difference adds u(r² − AC²) to 5u of each.
+    let dw = gamma(5.0, u) * plus(8.0, u) * (y.carre() + (k + g_ac * u).carre())
+        + g_ac * (2.0 * k + g_ac * u)
+        + PERDU * y.carre();
+    let (y_bas, k_bas) = (i(y.bas), i(k.bas));
+    assert!((dw.haut * u - (k_bas - y_bas) * (k_bas + y_bas)).haut <= 0.0 || y.haut > y.bas);
+    let p = (1.0 - y.carre()).max(i(0.0));
+    let racine_p = p.racine();
+    // (b − β)β is no more than p/2, nor than √p·y.
+    let t_beta = (0.5 * p).min(racine_p * y);
+    let somme = dw
+        + (gamma(3.0, u) + (1.0 + PERDU) * y.carre() + p) * plus(2.0, u)
+        + p
+        + (gamma(3.0, u) * racine_p + t_beta + p) * plus(4.0, u);
+    let dehors = |carre: Intervalle| carre / ((y.carre() + carre * u).racine() + y);
+    // From the point where AB as computed ends.
+    let loin = if racine_p.bas > 0.5 {
+        dehors(dw) + somme / (racine_p * moins(40.0, u))
+    } else {
+        i(f64::INFINITY)
+    };
+    // X is no farther from C than S.
+    let w = dw + 2.0 * somme * (y / (1.0 + y)).min(i(0.5));
+    let mut carre = 0.5 * (w + (w.carre() + 4.0 * somme.carre()).racine());
+    if p.bas > 0.25 {
+        carre = carre.min(w + somme.carre() * u / p);
     }
+    let pres = if y.bas > 0.25 { dehors(carre) } else { i(f64::INFINITY) };
+    // SA/D², and S − C.
+    let de_a_ = dehors(dw) + gamma(7.0, u);
+    (loin.min(pres).max(de_a_) + 1.0) / (1.0 + y) * plus(100.0, u)
+}
+
+#[test]
+fn lemme_14_lieu_d_une_touche_de_sphere() {
+    let domaine = |u: f64| [de_a(u * u, 1.0 + 4.0 * u)];
+    tenir_sur(promesses::LIEU_SPHERE, domaine, |u, [y]| Some(hors_d_une_sphere(u, y)));
+    for u in U {
+        assert!(promesses::LIEU_SPHERE * plus(20.0, u).haut < TOUCHE);
+    }
+    // P: S + tD is rounded twice, and for a box off by more than the 11u of X.
+    tenir(promesses::LIEU_F, |u| gamma(4.0, u) * n(u));
+    tenir(promesses::LIEU_T, |u| lieu_le_long(u) + n(u) * d(u) * plus(1.0, u));
+    tenir(promesses::LIEU_P, n);
 }
 
 #[test]
