@@ -20,8 +20,6 @@ pub(crate) struct Mesure {
     pub(crate) fausses: u32,
     /// The error of every distance in u·κt, with u that of the type.
     pub(crate) k: Vec<f64>,
-    /// The error of every distance in units in the last place.
-    pub(crate) ulp: Vec<f64>,
     /// The largest of these as a part of the promise, without what products that underflow add.
     pub(crate) part: f64,
     /// The largest error of a normal, as a part of what is promised.
@@ -35,14 +33,6 @@ pub(crate) fn quantiles(valeurs: &mut [f64]) -> [f64; 3] {
         let rang = (valeurs.len().saturating_sub(1)) as f64 * part;
         valeurs.get(rang as usize).copied().unwrap_or(f64::NAN)
     })
-}
-
-/// Half the distance to the next number of the type.
-fn demi_ulp<R: Reel>(t: R) -> f64 {
-    // Below the smallest normal number the spacing stays what it is there.
-    let minimal = if R::U.vers_f64() > f64::EPSILON { -126 } else { -1022 };
-    let exposant = ((t.vers_f64().to_bits() >> 52) as i32 - 1023).max(minimal);
-    f64::from(exposant).exp2() * R::U.vers_f64()
 }
 
 /// What products that underflow add to the error of a distance.
@@ -82,7 +72,6 @@ pub(crate) fn mesurer<R: Reel>(
 
         let ecart = entree.ecart(t).abs();
         mesure.k.push(ecart / (u * entree.kappa_t));
-        mesure.ulp.push(ecart / (2.0 * demi_ulp(t)));
         let part = (ecart - absolu(&cas.objet, &entree)) / (entree.k * u * entree.kappa_t);
         mesure.part = mesure.part.max(part);
 

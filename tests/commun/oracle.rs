@@ -52,6 +52,10 @@ impl Exact {
         self.signe() == Ordering::Greater
     }
 
+    fn grandeur(&self) -> Self {
+        if self.signe() == Ordering::Less { -self } else { self.clone() }
+    }
+
     fn longueur_en_bits(&self) -> isize {
         (&self.m).unsigned_abs().bit_len() as isize
     }
@@ -372,7 +376,9 @@ fn verite_plan<R: Reel>(plan: &PlanRay<R>, ray: &Droite) -> Verite {
     let hauteur = &scalaire(&n, &ray.s) + &d;
     let descente = -&scalaire(&n, &ray.d);
     let d_ = d.vers_f64().abs();
-    let seuil = bandes::PLAN * u::<R>() * longueur(&ray.s)
+    let grandeurs =
+        scalaire(&n.each_ref().map(Exact::grandeur), &ray.s.each_ref().map(Exact::grandeur));
+    let seuil = bandes::PLAN * u::<R>() * grandeurs.vers_f64()
         + bandes::PLAN_ABSOLUE * R::MIN_POSITIF.vers_f64();
     let cosinus = descente.vers_f64();
     let facteur =

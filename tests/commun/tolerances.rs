@@ -43,7 +43,7 @@ pub(crate) fn u<R: Reel>() -> f64 {
 pub(crate) mod bandes {
     /// |SC| and |AC| of a sphere, of |f| + r (lemmas 3 and 5).
     pub(crate) const SPHERE: f64 = 4.0;
-    /// The height of S over a half-space, of |S| (lemma 3).
+    /// The height of S over a half-space, of ⟨N, S⟩ (lemma 3).
     pub(crate) const PLAN: f64 = 3.1;
     /// What three products that underflow add to that height, in subnormals (lemma 3).
     pub(crate) const PLAN_ABSOLUE: f64 = 1.6;

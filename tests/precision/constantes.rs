@@ -43,16 +43,56 @@ const PERDU_LONGUEUR: f64 = 1.0 / (1_u64 << 60) as f64;
 /// What lemma 14 grants the point of a hit, in u·(f + ρ).
 const TOUCHE: f64 = 60.0;
 
-/// This constant is no less than what is needed in either type, and no more than a ninth more.
+/// This constant is no less than what is needed in either type, and no more than a ninth more; and the table of
+/// `docs/precision.md`, if it has the constant, has what is needed.
 #[track_caller]
 fn tenir(constante: f64, besoin: impl Fn(f64) -> Intervalle) {
     let besoins = U.map(|u| {
         let besoin = besoin(u);
         assert!(besoin.haut <= constante, "{constante} is less than {} at u = {u:e}", besoin.haut);
-        besoin.bas
+        besoin
     });
     let besoin = besoins[0].max(besoins[1]);
-    assert!(besoin > 0.9 * constante, "{constante} is too much: {besoin} would do");
+    assert!(besoin.bas > 0.9 * constante, "{constante} is too much: {} would do", besoin.bas);
+    // Three digits are printed.
+    let (bas, haut) = (0.995 * besoin.bas, 1.005 * besoin.haut);
+    let mut ecrits = besoins_ecrits().filter(|(_, accorde)| *accorde == constante).peekable();
+    assert!(
+        ecrits.peek().is_none() || ecrits.any(|(ecrit, _)| bas <= ecrit && ecrit <= haut),
+        "docs/precision.md has another need than {besoin:?} for {constante}"
+    );
+}
+
+/// Needs and constants in the rows of the table in `docs/precision.md` for the lemma of this test, which has a thread of its
+/// name.
+fn besoins_ecrits() -> impl Iterator<Item = (f64, f64)> {
+    let fil = std::thread::current();
+    let test = fil.name().unwrap_or_default().replace("constantes::", "");
+    lignes_des_besoins().filter_map(move |[lemme, _, besoin, accorde, _]| {
+        let du_test = test.split('_').any(|mot| mot == lemme);
+        du_test.then(|| Some((besoin.parse().ok()?, accorde.parse().ok()?))).flatten()
+    })
+}
+
+fn lignes_des_besoins() -> impl Iterator<Item = [&'static str; 5]> {
+    let page = include_str!("../../docs/precision.md");
+    let (_, table) = page.split_once("## Constants and slack").expect("the table");
+    let lignes = table.lines().skip_while(|ligne| !ligne.starts_with("|---")).skip(1);
+    lignes.map_while(|ligne| {
+        let cases = ligne.strip_prefix("| ")?.strip_suffix(" |")?.split(" | ");
+        cases.collect::<Vec<_>>().try_into().ok()
+    })
+}
+
+/// The slack of each row is that of its need and its constant; and the rows are read.
+#[test]
+fn la_table_des_besoins_donne_leurs_jeux() {
+    let jeux = lignes_des_besoins().map(|[lemme, quoi, besoin, accorde, jeu]| {
+        let [besoin, accorde]: [f64; 2] = [besoin, accorde].map(|nombre| nombre.parse().unwrap());
+        let attendu = format!("{:.0} %", 100.0 * (accorde / besoin - 1.0));
+        assert_eq!(jeu, attendu, "lemma {lemme}, {quoi}");
+    });
+    assert!(jeux.count() > 20);
 }
 
 /// The same where what is needed depends on variables of this domain.
@@ -159,7 +199,7 @@ fn autour_de_ac() -> Intervalle {
 
 #[test]
 fn lemme_3_decisions() {
-    tenir(bandes::PLAN, |u| gamma(3.0, u) * n(u));
+    tenir(bandes::PLAN, |u| gamma(3.0, u));
     tenir(bandes::PLAN_ABSOLUE, |u| 1.5 * plus(gamma(2.0, u), u));
     // And 2⁻⁷⁸ for speeds that are raised.
     tenir(bandes::VITESSE, |u| vitesse(u) + (-78_f64).exp2());
@@ -487,13 +527,17 @@ fn sphere_non_perdue(u: f64, perdue: f64, [f, k]: [Intervalle; 2]) -> Option<Int
 
 #[test]
 fn lemme_7_marge_finie() {
-    let reste_finie = |perdue: f64| {
-        move |u: f64| {
-            let domaine = [de_a(2.0, 1.0 / (perdue * u)), de_a(0.0, 1.05)];
-            portee(domaine, 1.0, |x| sphere_non_perdue(u, perdue, x))
-        }
-    };
-    tenir(1.0, reste_finie(promesses::PERDUE));
+    let perdue = promesses::PERDUE;
+    let domaine = |u| [de_a(2.0, 1.0 / (perdue * u)), de_a(0.0, 1.05)];
+    tenir_sur(1.0, domaine, |u, x| sphere_non_perdue(u, perdue, x));
+}
+
+#[test]
+#[should_panic(expected = "is more than 1")]
+fn lemme_7_plus_pres_une_sphere_se_perd() {
+    let perdue = 0.9 * promesses::PERDUE;
+    let domaine = [de_a(2.0, 1.0 / (perdue * U[0])), de_a(0.0, 1.05)];
+    let _ = portee(domaine, 1.0, |x| sphere_non_perdue(U[0], perdue, x));
 }
 
 #[test]

@@ -50,11 +50,10 @@ pub(crate) fn documenter() -> Result<(), Box<dyn Error>> {
 
 /// K in the 99.9th percentile and at most, and wrong decisions, for each regime and variant.
 fn erreurs<R: Parry>() -> String {
-    let noms =
-        repondants::<R>().map(|(nom, _)| format!("{nom}: K 99.9 % | max | ulp 99.9 % | wrong"));
+    let noms = repondants::<R>().map(|(nom, _)| format!("{nom}: K 99.9 % | max | wrong"));
     let mut lignes = vec![
         format!("| regime | hits | {} |", noms.join(" | ")),
-        format!("|---|--:|{}", "--:|".repeat(12)),
+        format!("|---|--:|{}", "--:|".repeat(9)),
     ];
     for regime in regimes::<R>() {
         println!("{}", regime.nom);
@@ -62,9 +61,8 @@ fn erreurs<R: Parry>() -> String {
         let touches = mesures[0].touches;
         let cases = mesures.map(|mut mesure: Mesure| {
             let [_, presque, pire] = quantiles(&mut mesure.k);
-            let [_, ulp, _] = quantiles(&mut mesure.ulp);
-            let [presque, pire, ulp] = [presque, pire, ulp].map(lisible);
-            format!("{presque} | {pire} | {ulp} | {}", mesure.fausses)
+            let [presque, pire] = [presque, pire].map(lisible);
+            format!("{presque} | {pire} | {}", mesure.fausses)
         });
         lignes.push(format!("| {} | {touches} | {} |", regime.nom, cases.join(" | ")));
     }
