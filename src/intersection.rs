@@ -128,9 +128,9 @@ impl<R: Reel> Intersection<R> {
     ///
     /// It is a proven bound (derived in `docs/precision.md`), most often a few times the error
     /// itself, and never a NaN. It is +∞ where the point is beyond the range of the type, and for a
-    /// sphere that is lost in rounding: with a radius below 16u·(|x| + |y| + |z|) of the point, or
-    /// below some 20u of the distance. For a box the surface is the plane of the face that was
-    /// touched.
+    /// sphere that is lost in rounding: always with a radius below a = 16u·(|x| + |y| + |z|) of the
+    /// point, never with one of 64u·|f| + a or more, |f| the distance of the source from the
+    /// centre. For a box the surface is the plane of the face that was touched.
     ///
     /// ```
     /// use lancer_rayon::{ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
@@ -237,8 +237,10 @@ impl<R: Reel> Rayon<R> {
     /// distance that overflows is +∞.
     ///
     /// From the start to the light the distance is good to 3.6u and η, the direction to 4.6u, and
-    /// N·L to 8u. Towards a point of a lamp that is itself an object of the list, do not compare
-    /// distances: ask whether the lamp is the first object ([`est_occulte`](crate::est_occulte)).
+    /// N·L to 8u (lemma 9: the vector to the light rounds to u of its length; its length adds 2.5u,
+    /// the quotient one more, N·L γ₃; a length below the normal numbers rounds by η/2). Towards a
+    /// point of a lamp that is itself an object of the list, do not compare distances: ask whether
+    /// the lamp is the first object ([`est_occulte`](crate::est_occulte)).
     ///
     /// ```
     /// use lancer_rayon::{ObjetRay, Rayon, SphereGeo, Texture, Vecteur};

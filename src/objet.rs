@@ -30,6 +30,11 @@ pub(crate) use par_forme;
 
 /// An object as one describes and moves it (`Objet_geo` in the handout).
 ///
+/// A translation rounds each coordinate of the centre once; of a half-space d − N·v is off by u of
+/// d and 4.1u·Σ|N_i·v_i|. A turned centre C·M is off by 3.1u·Σ|C_i|, since no element of M exceeds
+/// 1 + 6u. Below the normal numbers both are off by 1.6 times the smallest number besides (lemma
+/// 9).
+///
 /// ```
 /// use core::f64::consts::PI;
 /// use lancer_rayon::{ObjetGeo, ObjetRay, Rotation, SphereGeo, Texture, Vecteur};
