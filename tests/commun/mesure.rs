@@ -81,8 +81,9 @@ pub(crate) fn mesurer<R: Reel>(
     mesure
 }
 
-/// Whether an inward ray that left a box by the face `touche` may enter it again at `encore`: by another face, above whose
-/// plane it starts, as the search sees it, and no farther above than the hit may lie (lemma 14).
+/// Whether an inward ray that left a box by the face `touche` may enter it again at `encore`: by
+/// another face, above whose plane it starts, as the search sees it, and no farther above than the
+/// hit may lie (lemma 14).
 pub(crate) fn au_bord<R: Reel>(
     objet: &ObjetRay<R>,
     rayon: &Rayon<R>,

@@ -290,8 +290,8 @@ pub(crate) fn hauteur<R: Reel>(objet: &ObjetRay<R>, normale: Vecteur<R>, p: Vect
     }
 }
 
-/// How far outside an object a point lies; of a box, above the plane of the face that it lies farthest above. To 3u of
-/// `f64`, in units of N.
+/// How far outside an object a point lies; of a box, above the plane of the face that it lies
+/// farthest above. To 3u of `f64`, in units of N.
 pub(crate) fn dehors<R: Reel>(objet: &ObjetRay<R>, p: Vecteur<R>) -> f64 {
     let p = point(p);
     match objet {

@@ -71,7 +71,8 @@ pub(crate) mod promesses {
     pub(crate) const UNITAIRE_PLATE: f64 = 6.1;
     /// ||N| − 1| of a sphere, in u (lemma 1).
     pub(crate) const UNITAIRE_SPHERE: f64 = 3.6;
-    /// How far above the plane of any face of a box the point P of its hit may lie, in u·|f|, u·t and u·|P| (lemma 14).
+    /// How far above the plane of any face of a box the point P of its hit may lie, in u·|f|, u·t
+    /// and u·|P| (lemma 14).
     pub(crate) const LIEU_F: f64 = 4.1;
     pub(crate) const LIEU_T: f64 = 12.1;
     pub(crate) const LIEU_P: f64 = 1.1;

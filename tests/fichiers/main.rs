@@ -7,6 +7,7 @@ mod commun;
 #[path = "../../docs/exemples/scene.rs"]
 mod scene;
 
+mod chiffres;
 mod figures;
 mod lexique;
 mod rendu;

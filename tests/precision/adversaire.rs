@@ -554,8 +554,8 @@ fn lieu<R: Reel>(cas: &Cas<R>, _: f64) -> f64 {
     dehors(&cas.objets[0], p) / lieu_permis(&cas.objets[0], &cas.rayon, touche.distance())
 }
 
-/// How far P lies from a sphere that is nearly lost in its distance, as a part of what makes its margin infinite. P is hardly
-/// rounded there: that alone decides elsewhere.
+/// How far P lies from a sphere that is nearly lost in its distance, as a part of what makes its
+/// margin infinite. P is hardly rounded there: that alone decides elsewhere.
 fn marge_infinie<R: Reel>(cas: &Cas<R>, _: f64) -> f64 {
     let objet = &cas.objets[0];
     let (Some(touche), ObjetRay::Sphere(sphere)) = (touche(cas), objet) else { return RIEN };

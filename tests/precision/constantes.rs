@@ -1,18 +1,20 @@
 //! The constants of the proofs beside the numbers that their lemmas need: `docs/precision.md`, lemmas 1 to 10, and
 //! `docs/conception.md`, lemmas 11 to 17. The letters are theirs.
 //!
-//! What a lemma needs is computed in intervals over its whole domain, for both types. A constant must be no less, and no
-//! more than a ninth more: made a tenth smaller it is red. Excepted are `PAS_NORMAL`, of which 0.87 is red, the limits of
-//! a sphere that is lost, which are limits of a domain, and what direction is kept, a decision (C13).
+//! What a lemma needs is computed in intervals over its whole domain, for both types. A constant
+//! must be no less, and no more than a ninth more: made a tenth smaller it is red. Excepted are
+//! `PAS_NORMAL`, of which 0.87 is red, the limits of a sphere that is lost, which are limits of a
+//! domain, and what direction is kept, a decision (C13).
 //!
 //! Taken from the text, and not found here:
 //! - how many roundings a step of an algorithm has, and what each is relative to;
-//! - what is of second order in u, where the text says "to O(u²)": one factor such as `plus(20.0, u)` stands for all of it,
-//!   larger than what was counted by hand;
-//! - lemma 3: that two comparisons at most lie between an entry and an exit; lemma 4: that k speeds of which all are v or
-//!   more have v ≤ 1/√k;
+//! - what is of second order in u, where the text says "to O(u²)": one factor such as `plus(20.0,
+//!   u)` stands for all of it, larger than what was counted by hand;
+//! - lemma 3: that two comparisons at most lie between an entry and an exit; lemma 4: that k speeds
+//!   of which all are v or more have v ≤ 1/√k;
 //! - lemma 7: that near its surface, |f| < 2r, no sphere is lost;
-//! - lemma 10: that a matrix made of sines and cosines, or of one direction, is orthonormal to 90u before its Newton step;
+//! - lemma 10: that a matrix made of sines and cosines, or of one direction, is orthonormal to 90u
+//!   before its Newton step;
 //! - lemma 16: that what is subnormal is less than the slack.
 
 use crate::commun::tolerances::{ORTHONORMALE, bandes, promesses};
@@ -37,14 +39,15 @@ const N1: f64 = promesses::UNITAIRE_SPHERE;
 /// What lost products weigh beside r² where r is smallest, in u·r²: three, each at most 1/64 (lemma 2).
 const PERDU: f64 = 3.0 / 64.0;
 
-/// What lost products weigh beside a length or its error where r is smallest, in u·r: 2η/(2⁻⁶⁰·u) (lemma 2).
+/// What lost products weigh beside a length or its error where r is smallest, in u·r: 2η/(2⁻⁶⁰·u)
+/// (lemma 2).
 const PERDU_LONGUEUR: f64 = 1.0 / (1_u64 << 60) as f64;
 
 /// What lemma 14 grants the point of a hit, in u·(f + ρ).
 const TOUCHE: f64 = 60.0;
 
-/// This constant is no less than what is needed in either type, and no more than a ninth more; and the table of
-/// `docs/precision.md`, if it has the constant, has what is needed.
+/// This constant is no less than what is needed in either type, and no more than a ninth more; and
+/// the table of `docs/precision.md`, if it has the constant, has what is needed.
 #[track_caller]
 fn tenir(constante: f64, besoin: impl Fn(f64) -> Intervalle) {
     let besoins = U.map(|u| {
@@ -63,8 +66,8 @@ fn tenir(constante: f64, besoin: impl Fn(f64) -> Intervalle) {
     );
 }
 
-/// Needs and constants in the rows of the table in `docs/precision.md` for the lemma of this test, which has a thread of its
-/// name.
+/// Needs and constants in the rows of the table in `docs/precision.md` for the lemma of this test,
+/// which has a thread of its name.
 fn besoins_ecrits() -> impl Iterator<Item = (f64, f64)> {
     let fil = std::thread::current();
     let test = fil.name().unwrap_or_default().replace("constantes::", "");
@@ -321,8 +324,8 @@ fn distance_d_une_sphere(u: f64, bande: f64, [t, c, x]: [Intervalle; 3]) -> Opti
     }
     // 2: p/q.
     let de_p_sur_q = (dp * plus(1.0, u) + u * p_ + t_ * dq) / (q - dq);
-    // 3: SA/D², if p·D² ≥ SA·q as computed. Exactly SA·q − p = AB·q; `passe` is what the two products are off by, each
-    // of which may be lost.
+    // 3: SA/D², if p·D² ≥ SA·q as computed. Exactly SA·q − p = AB·q; `passe` is what the two
+    // products are off by, each of which may be lost.
     let m = t_ + ab;
     let passe = dp
         + g(4.0) * (p_ + dp)
@@ -373,8 +376,8 @@ fn lemme_6_normale() {
     // y = f/r; the error of the distance is at most K·u·κt, with κt ≤ (1 + 2y)/c.
     let domaine = |u| [de_a(1.0, 1.0 / (promesses::PERDUE * u))];
     let k_kappa_t = |u: f64, y: Intervalle| promesses::DISTANCE_SPHERE * u * (1.0 + 2.0 * y);
-    // The part along D of a normal that does not face the source. t is no more than A to 9u·f, CB is off by 2u·f more, and
-    // c is no more than the errors of both and the rounding of N·D.
+    // The part along D of a normal that does not face the source. t is no more than A to 9u·f, CB
+    // is off by 2u·f more, and c is no more than the errors of both and the rounding of N·D.
     let part = |u: f64, y: Intervalle| {
         let c2 = k_kappa_t(u, y) + u * (2.0 * y + 9.0);
         (11.0 * y * u + 4.0 * u) / ((1.0 - c2).racine() - 4.0 * y * u)
@@ -392,8 +395,9 @@ fn lemme_6_normale() {
     for u in U {
         assert!(portee(domaine(u), le_long, |[y]| Some(part(u, y))).haut <= le_long);
     }
-    // What N·D is off by. The part along D: γ₃ and u of N·D, 8u of that part and the product, over the length of what is
-    // left. Then the difference, two quotients and a difference; γ₃ to compute it.
+    // What N·D is off by. The part along D: γ₃ and u of N·D, 8u of that part and the product, over
+    // the length of what is left. Then the difference, two quotients and a difference; γ₃ to
+    // compute it.
     let de_n_d = |u: f64| {
         let reste = (gamma(3.0, u) + 1.0 + 9.0 * le_long) / i(1.0 - le_long * le_long).racine();
         et(et(reste, i(4.0), u), gamma(3.0, u), u) * plus(8.0, u)
@@ -491,8 +495,8 @@ fn lemmes_7_et_8_une_longueur_moindre_ne_suffit_pas() {
     let _ = marges_d_une_sphere(U[0], [PAR_RAYON, 0.9 * LONGUEUR]);
 }
 
-/// What |CP² − r²|, x² and y reach of a sphere of radius 1 with r ≥ 64u|f| + 16u⟨P, 1⟩, as parts of the limits beyond which
-/// it is lost. `k` is AC. None where the ray misses.
+/// What |CP² − r²|, x² and y reach of a sphere of radius 1 with r ≥ 64u|f| + 16u⟨P, 1⟩, as parts of
+/// the limits beyond which it is lost. `k` is AC. None where the ray misses.
 fn sphere_non_perdue(u: f64, perdue: f64, [f, k]: [Intervalle; 2]) -> Option<Intervalle> {
     let a = u * f;
     let g = |k| gamma(k, u) * u;
@@ -542,12 +546,12 @@ fn lemme_7_plus_pres_une_sphere_se_perd() {
 
 #[test]
 fn lemmes_7_et_8_un_pas_de_plat() {
-    // What 2·`arrondi`·u·ℓ must pay, as an excess over what it is, in u: twice (1 + u)⁴ − 1, which N·(P − C) as computed is
-    // off by, for the height of P and for the next search.
+    // What 2·`arrondi`·u·ℓ must pay, as an excess over what it is, in u: twice (1 + u)⁴ − 1, which
+    // N·(P − C) as computed is off by, for the height of P and for the next search.
     let exces = |u: f64, arrondi: f64, pas: f64| {
         let quatre = et(i((4.0 / arrondi - 1.0) / u), 0.25 * (6.0 + 4.0 * i(u) + i(u) * u), u);
-        // ℓ; two sums of the margin; a product and a sum, N·pas, the sum with P; N² may be 12u less than 1; what the next
-        // search sees of the step.
+        // ℓ; two sums of the margin; a product and a sum, N·pas, the sum with P; N² may be 12u less
+        // than 1; what the next search sees of the step.
         let pertes = [1.0, 1.0, 1.0, 1.0, 2.0, N2, 4.0].map(|perte| inverse(gamma(perte, u), u));
         let pertes = pertes.into_iter().fold(inverse(gamma(4.0, u), u), |a, b| et(a, b, u));
         et(quatre, pertes, u) - et(VERS_LE_HAUT * moins(1.0, u), i(pas), u)
@@ -561,8 +565,8 @@ fn lemmes_7_et_8_un_pas_de_plat() {
         // The height itself: rounded once.
         assert!((exces(u, 4.0, PAS_NORMAL) - gamma(4.0, u) + 1.0).haut < 0.0);
     }
-    // What is lost below the normal numbers, in η: three products of the height and of that which the next search sees,
-    // those by 8u, 10u, 1 + 20u and 1.1u, and N·pas along N.
+    // What is lost below the normal numbers, in η: three products of the height and of that which
+    // the next search sees, those by 8u, 10u, 1 + 20u and 1.1u, and N·pas along N.
     assert!((1.5 + 1.5 + 4.0 * 0.5 + 0.5 * i(3.0).racine()).haut < 8.0);
     tenir(PAS_ARRONDI, |u| plus(1.0, u) / ((1.0 - gamma(6.0, u) * u) * moins(N2, u)));
 }
@@ -588,13 +592,14 @@ fn lemme_10_rotations() {
     let v = U[1];
     // What one Newton step leaves of |M·Mᵀ − I| = e.
     let pas = |e: Intervalle| 0.75 * e.carre() + 0.25 * e * e.carre();
-    // Elements of 12u and products off by γ₃ of f64, as norms, which are at most three times the largest element.
+    // Elements of 12u and products off by γ₃ of f64, as norms, which are at most three times the
+    // largest element.
     let compose = |u: f64| {
         let facteur = 3.0 * N2 * i(u);
         facteur + facteur * (1.0 + facteur) + 2.0 * 3.0 * gamma(3.0, v) * v * plus(8.0, v)
     };
-    // I − M·Mᵀ is off by γ₃ of f64, and so is what is left; then the sum of the step. In f64 that is the last rounding,
-    // in f32 the elements round once more.
+    // I − M·Mᵀ is off by γ₃ of f64, and so is what is left; then the sum of the step. In f64 that
+    // is the last rounding, in f32 the elements round once more.
     let reste = |u: f64| (pas(compose(u)) + gamma(3.0, v) * v * plus(40.0, v)) / i(u);
     let elements = |u: f64| et(i(1.0), i(1.0), u) + if u > v { 2.0 * v / u } else { 0.0 };
     tenir(ORTHONORMALE, |u| et(reste(u), elements(u), u));
@@ -689,8 +694,8 @@ fn lemme_13_elagage() {
     });
 }
 
-/// What the point of a hit is off by along the axis of a box, in u·t: three comparisons, the quotient and the length of an
-/// exit, and the speed.
+/// What the point of a hit is off by along the axis of a box, in u·t: three comparisons, the
+/// quotient and the length of an exit, and the speed.
 fn lieu_le_long(u: f64) -> Intervalle {
     let comparaisons = et(et(rapport(u), rapport(u), u), rapport(u), u);
     et(et(comparaisons, i(1.0), u), i(1.0), u) * n(u) * d(u) * plus(20.0, u) + vitesse(u)
@@ -711,7 +716,8 @@ fn lemme_14_lieu_d_une_touche() {
     );
 }
 
-/// How far from the surface the point of a hit lies outside a sphere of radius `y`, seen from 1 away, in u(1 + y).
+/// How far from the surface the point of a hit lies outside a sphere of radius `y`, seen from 1
+/// away, in u(1 + y).
 fn hors_d_une_sphere(u: f64, y: Intervalle) -> Intervalle {
     let g_ac = i(4.0 / 3.0).racine() + PERDU_LONGUEUR;
     // AC is no more than this, since r² − AC² > 0 as computed.

@@ -283,8 +283,9 @@ fn un_rayon_secondaire_ne_retouche_pas_l_objet_qu_il_quitte<R: Reel>() {
 
 en_f32_et_f64!(un_rayon_secondaire_ne_retouche_pas_l_objet_qu_il_quitte);
 
-/// From afar a hit beside an edge is off by much along the ray, of which the margin over its face knows nothing: an inward
-/// ray may start a thousand times as far above another face as 2(`marge()` + 4u|P|), though no farther than lemma 14 grants.
+/// From afar a hit beside an edge is off by much along the ray, of which the margin over its face
+/// knows nothing: an inward ray may start a thousand times as far above another face as 2(`marge()`
+/// + 4u|P|), though no farther than lemma 14 grants.
 fn un_depart_vers_l_interieur_peut_etre_loin_au_dessus_d_une_autre_face<R: Reel>() {
     let v = |x, y, z| arrondi::<R>(Vecteur::new(x, y, z));
     let centre = v(-0.0077286684, 0.018294489, 0.19977821);
