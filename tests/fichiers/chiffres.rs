@@ -1,7 +1,8 @@
 //! The figures of the promises stand in several places, with one value.
 //!
 //! Each row is a number and the phrases that say it, `{}` in its place. A phrase may stand anywhere in
-//! the pages, the changes of this version or the documentation of the sources, and has that number there.
+//! the pages, the changes since 0.2.0 or the documentation of the sources, and has that number
+//! there. A promise that changes takes the phrases of older changes out of its row.
 
 use std::fs;
 use std::path::Path;
@@ -27,7 +28,7 @@ fn un_chiffre_d_une_promesse_a_une_valeur() {
         (bandes::PLAN_ABSOLUE, &["u⟨N, S⟩ + {}η"]),
         (
             bandes::BOITE_LONGUEUR,
-            &["at most {}u(|f| + ρ)", "Δ = {}u(|f| + ρ)", "uncertain by {}u instead of 7u"],
+            &["at most {}u(|f| + ρ)", "λ = {}u(|f| + ρ)", "uncertain by {}u instead of 7u"],
         ),
         (bandes::VITESSE, &["or v ≤ {}u", "|Δv| ≤ {}u", "speeds of boxes {}u instead of 4u"]),
         (promesses::UNITAIRE_SPHERE, &["1| ≤ {}u for a sphere", "of a sphere is unit to {}u"]),
@@ -51,7 +52,7 @@ fn un_chiffre_d_une_promesse_a_une_valeur() {
         (TANGENT, &["within {}u of the tangent plane", "outward within {}u of", "if N·L ≤ {}u"]),
         (REDRESSE, &["turned outward by {}u", "D′ + N·{}u"]),
         (PAS_ARRONDI, &["{}u·Σ|N_i·P_i|", "⟨N, P⟩·{}u)"]),
-        (PENCHE, &["T − E·{}u", "leaned normals (by {}u"]),
+        (PENCHE, &["T − D₁·{}u", "leaned normals (by {}u"]),
         (3.6, &["relative error of the distance {}u", "to the light the distance is good to {}u"]),
         (4.6, &["|ΔL| ≤ {}u", "the direction to {}u, and N·L"]),
         (8.0, &["|ΔN·L| ≤ {}u", "and N·L to {}u"]),
