@@ -317,7 +317,6 @@ fn un_depart_vers_l_interieur_peut_etre_loin_au_dessus_d_une_autre_face<R: Reel>
             pire = pire.max(h);
         }
     }
-    println!("{pire}");
     assert!(pire > 1_000.0, "{pire}");
 }
 
