@@ -6,8 +6,8 @@ use std::fmt;
 use std::hint::black_box;
 
 use lancer_rayon::{
-    Hierarchie, NoIntersection, ObjetRay, Rayon, Reel, Touche, est_occulte, premiere_intersection,
-    premieres_intersections,
+    Hierarchie, LongueursDifferentes, NoIntersection, ObjetRay, Rayon, Reel, Touche, est_occulte,
+    premiere_intersection, premieres_intersections, sont_occultes,
 };
 use serde::de::DeserializeOwned;
 
@@ -27,9 +27,7 @@ pub(crate) enum Camp {
     Seul,
     Lot,
     Parry,
-    #[cfg_attr(not(feature = "embree"), expect(dead_code, reason = "of that feature"))]
     Embree,
-    #[cfg_attr(not(feature = "embree"), expect(dead_code, reason = "of that feature"))]
     EmbreeSeize,
     Annexe,
 }
@@ -134,17 +132,15 @@ pub(crate) fn un_par_un<'a, R: Reel, T: Reponse<R> + 'a>(
     en_lot(nom, camp, chaque, premieres, ombres)
 }
 
-/// A batch of shadows: first hits compared with the distance of the lamp.
-fn ombres_par_premieres<'a, R: Reel>(
-    premieres: impl Fn(&[Rayon<R>], &mut [Touche<R>]) + 'a,
+/// A batch of shadows. The pairs that are asked are made within the time, some 1 ns a ray.
+fn ombres_en_lot<'a, R: Reel>(
+    occultes: impl Fn(&[Lance<R>], &mut [bool]) -> Result<(), LongueursDifferentes> + 'a,
 ) -> impl FnMut(&[Rayon<R>], &[R], &mut [bool]) + 'a {
-    let mut tampon = vec![Touche::<R>::RIEN; MORCEAU].into_boxed_slice();
+    let mut ombres = Vec::with_capacity(MORCEAU);
     move |rayons, max, caches| {
-        let touches = &mut tampon[..rayons.len()];
-        premieres(rayons, touches);
-        for ((cache, touche), max) in caches.iter_mut().zip(touches).zip(max) {
-            *cache = touche.is_ok_and(|touche| touche.distance() < *max);
-        }
+        ombres.clear();
+        ombres.extend(rayons.iter().copied().zip(max.iter().copied()));
+        occultes(&ombres, caches).expect("as many answers as rays");
     }
 }
 
@@ -201,8 +197,20 @@ impl<R: Scalaire> Terrain<R> {
                 move |rayon| h.premiere_intersection(rayon),
                 Some(move |rayon: &Rayon<R>, max| h.est_occulte(rayon, max)),
             ),
-            en_lot("list, batch", Camp::Lot, tous, liste, Some(ombres_par_premieres(liste))),
-            en_lot("hierarchy, batch", Camp::Lot, None, arbre, Some(ombres_par_premieres(arbre))),
+            en_lot(
+                "list, batch",
+                Camp::Lot,
+                tous,
+                liste,
+                Some(ombres_en_lot(|ombres, caches| sont_occultes(objets, ombres, caches))),
+            ),
+            en_lot(
+                "hierarchy, batch",
+                Camp::Lot,
+                None,
+                arbre,
+                Some(ombres_en_lot(move |ombres, caches| h.sont_occultes(ombres, caches))),
+            ),
             un_par_un(
                 "parry, loop",
                 Camp::Parry,
