@@ -1,5 +1,6 @@
 //! The box (handout §2.2, §3 and annex A.3).
 
+use crate::double::{Jugement, juger_faces};
 use crate::erreur::{ErreurGeo, coefficient, deplacement, point, taille};
 use crate::forme::{Boule, Entree, Forme, Hauteur};
 use crate::rayon::Rayon;
@@ -206,6 +207,13 @@ impl<R: Reel> BoiteRay<R> {
         self.texture
     }
 
+    /// The same numbers in `f64`.
+    pub(crate) fn vers_f64(self) -> BoiteRay {
+        let (centre, normales) = (self.centre.vers_f64(), self.normales.map(Vecteur::vers_f64));
+        let demi_longueurs = self.demi_longueurs.map(R::vers_f64);
+        BoiteRay { centre, normales, demi_longueurs, texture: self.texture }
+    }
+
     /// The entry and the exit of the ray between one pair of faces.
     ///
     /// C is the origin, and the axis points the way the ray goes.
@@ -241,6 +249,15 @@ impl<R: Reel> BoiteRay<R> {
             }
         }
         dalles
+    }
+}
+
+impl BoiteRay {
+    /// What exact numbers say of a ray and a distance (lemma 19).
+    pub(crate) fn juger(&self, rayon: &Rayon, t: f64) -> Jugement {
+        let ([u, v, w], [a, b, c]) = (self.normales, self.demi_longueurs);
+        let faces = [(u, a), (v, b), (w, c), (-u, a), (-v, b), (-w, c)];
+        juger_faces(self.centre, &faces, rayon, t)
     }
 }
 

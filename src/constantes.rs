@@ -1,11 +1,13 @@
 //! The constants of the proofs in `docs/precision.md` and `docs/conception.md`, under one roof for
 //! the test that holds them to their lemmas.
 
+pub use crate::double::{BORNE_DOUBLE, PERTE_DOUBLE, PRODUIT_DOUBLE};
 pub use crate::forme::{ARRONDI_HAUTEUR, PENCHE, RETRAIT, VERS_LE_HAUT};
 pub use crate::hierarchie::repere::{JEU_F32, JEU_TOUCHE};
 pub use crate::hierarchie::sonde::{ENTREE_AVANT, JEU_BLOC, JEU_FIXE};
 pub use crate::intersection::{PAS_ARRONDI, PAS_NORMAL, REDRESSE, TANGENT};
 pub use crate::lot::faisceau::{COURT, COURT_M, JEU_BOULE, ORIGINES, PENTE};
 pub use crate::rayon::DEJA_UNITAIRE;
+pub use crate::recherche::ERREUR_ARRONDIE;
 pub use crate::rotation::DEJA_ORTHONORMALE;
 pub use crate::sphere::{ARRONDI_PERDU, LONGUEUR, PAR_RAYON, PUISSANCE_PERDUE, TRAVERS_PERDU};

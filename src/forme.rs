@@ -22,7 +22,8 @@ pub const VERS_LE_HAUT: f64 = 10.0;
 /// A normal that does not face the source is leaned towards it by so many u (lemma 6).
 pub const PENCHE: f64 = 14.0;
 
-/// SC² is reduced by so many u of itself, so that rounding hides no entry from the ball (lemma 11).
+/// SC² is reduced by so many u of `f32` of itself, in both types, so that rounding hides no entry from
+/// the ball (lemma 11): the numbers of a scene in `f64` may be those of one in `f32`.
 pub const RETRAIT: f64 = 130.0;
 
 /// A shape, ready for rays.
@@ -157,6 +158,7 @@ impl<R: Reel> Boule<R> {
         // One comparison, which the compiler cannot split into two branches. C behind the source
         // is no nearer than the source.
         let sa = max(sa, R::ZERO);
-        sc.longueur_carree() * (R::UN - fois_u(RETRAIT)) - sa * sa <= self.r2
+        let retrait = R::depuis_f64(RETRAIT * f32::EPSILON as f64 / 2.0);
+        sc.longueur_carree() * (R::UN - retrait) - sa * sa <= self.r2
     }
 }

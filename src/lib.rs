@@ -100,12 +100,14 @@ extern crate std;
 // The floors, from the ground up: a file imports only from floors below its own
 // (`docs/conception.md`, "The floors").
 //
-//   seize · reel · compile, niveau · vecteur · texture, erreur · rotation · rayon · intersection · forme
-//   sphere, plan, boite · objet · premier · recherche · lot · hierarchie · reglage, constantes
+//   seize · reel · compile, niveau · vecteur · texture, erreur · rotation · rayon · double
+//   intersection · forme · sphere, plan, boite · objet · premier · recherche · lot · hierarchie
+//   reglage, constantes
 mod boite;
 mod compile;
 #[doc(hidden)]
 pub mod constantes;
+mod double;
 mod erreur;
 mod forme;
 mod hierarchie;

@@ -163,6 +163,23 @@ impl<R: Reel> ObjetRay<R> {
         par_forme!(Self, self, forme => forme.texture())
     }
 
+    /// The same object in `f64`, exactly: every number that is stored, and no other.
+    ///
+    /// With [`Rayon::vers_f64`] anybody can judge `f32` by `f64` on a scene of their own.
+    ///
+    /// ```
+    /// use lancer_rayon::{ObjetRay, SphereGeo, Texture, Vecteur};
+    ///
+    /// let boule = SphereGeo::<f32>::new(Vecteur::new(0.1, 0.2, 0.3), 0.7, Texture(0))?;
+    /// let ObjetRay::Sphere(boule) = ObjetRay::from(boule).vers_f64() else { panic!("a sphere") };
+    /// assert_eq!((boule.centre().x, boule.rayon()), (0.1_f32.into(), 0.7_f32.into()));
+    /// # Ok::<(), lancer_rayon::ErreurGeo>(())
+    /// ```
+    #[doc(alias("to_f64", "widen"))]
+    pub fn vers_f64(&self) -> ObjetRay {
+        par_forme!(Self, self, forme => forme.vers_f64().into())
+    }
+
     /// A ball around this object.
     #[inline(always)]
     pub(crate) fn boule(&self) -> Boule<R> {

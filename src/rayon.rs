@@ -65,6 +65,23 @@ impl<R: Reel> Rayon<R> {
     pub fn point(&self, distance: R) -> Vecteur<R> {
         self.source + self.direction * distance
     }
+
+    /// The same ray in `f64`, exactly: to judge an answer in `f32` by one in `f64`.
+    ///
+    /// The direction is not made unit again. That of an `f32` stays unit to the rounding of `f32`,
+    /// and distances along it are in units of its length, in both types alike.
+    ///
+    /// ```
+    /// use lancer_rayon::{Rayon, Vecteur};
+    ///
+    /// let rayon = Rayon::<f32>::new(Vecteur::NUL, Vecteur::new(1.0, 2.0, 3.0))?;
+    /// assert_eq!(rayon.vers_f64().direction(), rayon.direction().vers_f64());
+    /// # Ok::<(), lancer_rayon::ErreurGeo>(())
+    /// ```
+    #[doc(alias("to_f64", "widen"))]
+    pub fn vers_f64(&self) -> Rayon {
+        Rayon { source: self.source.vers_f64(), direction: self.direction.vers_f64() }
+    }
 }
 
 /// This source; refused if it is outside the limits of a scene.

@@ -1,5 +1,6 @@
 //! The sphere (handout §2.2, §3 and annex A.2).
 
+use crate::double::{Double, Jugement, depuis, scalaire, triple};
 use crate::erreur::{ErreurGeo, coefficient, deplacement, point, taille};
 use crate::forme::{Boule, Entree, Forme, Hauteur};
 use crate::rayon::Rayon;
@@ -128,6 +129,41 @@ impl<R: Reel> SphereRay<R> {
     #[inline]
     pub fn texture(&self) -> Texture {
         self.texture
+    }
+
+    /// The same numbers in `f64`.
+    pub(crate) fn vers_f64(self) -> SphereRay {
+        SphereRay { centre: self.centre.vers_f64(), r: self.r.vers_f64(), texture: self.texture }
+    }
+}
+
+impl SphereRay {
+    /// What exact numbers say of a ray and a distance (lemma 19).
+    pub(crate) fn juger(&self, rayon: &Rayon, t: f64) -> Jugement {
+        // PC² − r² and PA, for the point P of the ray at this distance.
+        let r2 = Double::de(self.r).fois(Double::de(-self.r));
+        let en = |t| {
+            let cp = depuis(self.centre, rayon, t);
+            let pa = scalaire(cp, triple(-rayon.direction()));
+            (scalaire(cp, cp).plus(r2).bornes(), pa.bornes())
+        };
+        let d2 = rayon.direction().longueur_carree();
+        let a = (self.centre - rayon.source()).produit_scalaire(rayon.direction()) / d2;
+        let ((puissance, sa), (ac, presque_0), (pb, ba)) = (en(0.0), en(a), en(t));
+        let grandeur = |[bas, haut]: [f64; 2]| haut.max(-bas);
+        // AB²·D² is D²(r² − PC²) + PA², of which hardly anything is left at A: twice for rounding.
+        let reste = 2.0 * grandeur(presque_0) * grandeur(presque_0);
+        let ab2 = [-ac[1] * d2, reste - ac[0] * d2];
+        let ecart = if ba[0] > 0.0 {
+            grandeur(pb) / (ba[0] + ab2[0].max(0.0).sqrt())
+        } else {
+            (ab2[1].max(0.0).sqrt() + grandeur(ba)) / d2
+        };
+        let positifs = [puissance, sa, ab2];
+        let exclu = positifs.iter().any(|[_, haut]| *haut <= 0.0);
+        let entre = positifs.iter().all(|[bas, _]| *bas > 0.0);
+        let entre = (exclu || entre).then_some(entre);
+        Jugement { entre, ecart }
     }
 }
 

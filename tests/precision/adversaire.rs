@@ -629,6 +629,35 @@ fn secondaire<R: Reel>(cas: &Cas<R>, _: f64) -> f64 {
     0.5 * tenue(haut + cosinus) + 0.4 * tenue(bord)
 }
 
+/// The error of the distance as a part of `erreur`, which is +∞ where there is no entry.
+fn erreur<R: Reel>(cas: &Cas<R>, _: f64) -> f64 {
+    let Some(touche) = touche(cas) else { return RIEN };
+    let borne = cas.objets[0].erreur(&cas.rayon, &touche).vers_f64();
+    match verite(&cas.objets[0], &cas.rayon).entree {
+        // In units in which neither is a subnormal.
+        Some(entree) => {
+            let echelle = if borne < 1e-200 { 200_f64.exp2() } else { 1.0 };
+            entree.ecart_fois(touche.distance(), echelle).abs() / (borne * echelle)
+        }
+        None if borne < f64::INFINITY => ROMPUE,
+        None => RIEN,
+    }
+}
+
+/// `est_sur` of a wrong answer is the end; of a right one it is the better the nearer the decision.
+fn est_sur<R: Reel>(cas: &Cas<R>, _: f64) -> f64 {
+    let objet = &cas.objets[0];
+    let verite = verite(objet, &cas.rayon);
+    let touche = objet.intersection(&cas.rayon).is_ok();
+    let plus_grand = if en_f32::<R>() { f64::from(f32::MAX) } else { f64::MAX };
+    match verite.entree {
+        Some(entree) if entree.t.vers_f64() > plus_grand => RIEN,
+        ref entree if entree.is_some() == touche => tenue(verite.facteur()),
+        Some(_) | None if objet.est_sur(&cas.rayon) => ROMPUE,
+        Some(_) | None => 1.0,
+    }
+}
+
 /// FNV-1a, so that each row has its own seed.
 fn graine(nom: &str) -> u64 {
     nom.bytes().fold(0xcbf2_9ce4_8422_2325, |graine, octet| {
@@ -770,6 +799,13 @@ rangees! {
     decision_d_un_demi_espace: demi_espace, decision, 60_000, true;
     decision_d_une_boite: boite, decision, 150_000, true;
     ordre_de_deux_objets: deux_objets, ordre, 60_000, true;
+    erreur_d_une_sphere: sphere, erreur, 60_000;
+    erreur_d_un_demi_espace: demi_espace, erreur, 60_000;
+    erreur_d_un_demi_espace_pres_de_0: demi_espace_pres_de_0, erreur, 60_000;
+    erreur_d_une_boite: boite, erreur, 60_000;
+    certitude_d_une_sphere: sphere, est_sur, 60_000, true;
+    certitude_d_un_demi_espace: demi_espace, est_sur, 60_000, true;
+    certitude_d_une_boite: boite, est_sur, 60_000, true;
     normale_unitaire_d_une_sphere: sphere, longueur_de_la_normale, 60_000;
     normale_unitaire_d_un_demi_espace: demi_espace, longueur_de_la_normale, 60_000;
     normale_unitaire_d_une_boite: boite, longueur_de_la_normale, 60_000;

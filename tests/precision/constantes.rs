@@ -807,3 +807,33 @@ fn lemme_17_bloc() {
     });
     tenir(JEU_FIXE, |_| (gamma(4.0, v) * y + 3.0 * y) * plus(20.0, v));
 }
+
+#[test]
+fn lemme_18_nombres_doubles() {
+    tenir(PRODUIT_DOUBLE, |u| {
+        // In u² of the product as computed: two low parts, their products with the high ones, the sum of these, the
+        // sum with what the product of the high ones left.
+        let un = plus(inverse(i(1.0), u), u);
+        let croises = 2.0 * plus(1.0, u);
+        (1.0 + 2.0 + croises + (1.0 + croises * plus(1.0, u))) * un
+    });
+    // Of fma ½, of two cross products 1, of four products of bounds 2.
+    tenir(PERTE_DOUBLE, |u| 3.5 * plus(1.0, u));
+    // |x| ≤ |haut|(1 + u); a product, four sums and the product that makes it grow.
+    tenir(BORNE_DOUBLE, |u| et(i(1.0), inverse(gamma(6.0, u), u), u));
+}
+
+#[test]
+fn lemme_19_erreur_et_certitude() {
+    tenir(ERREUR_ARRONDIE, |u| {
+        // AB of −D²(PC² − r²), D² to γ₃, and of 2PA²; then the sum with PA and the quotient by D².
+        let ab = et(racine(et(i(1.0), et(gamma(3.0, u), gamma(2.0, u), u), u), u), i(1.0), u);
+        let ecart = et(ab, et(i(1.0), inverse(gamma(4.0, u), u), u), u);
+        // To the scalar, the sum with u·t, the product that makes it grow, two sums.
+        et(ecart, inverse(gamma(4.0, u), u), u)
+    });
+    for u in U {
+        // No ray that enters an object passes its ball by: AC² is at most ρ²(1 + 37u), and ρ² as computed off by 3u.
+        assert!((boule(u) + 37.0 + gamma(3.0, u)).haut * (1.0 + 100.0 * u) < RETRAIT);
+    }
+}

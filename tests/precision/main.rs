@@ -6,6 +6,7 @@ mod commun;
 mod adversaire;
 mod conclusion;
 mod constantes;
+mod erreur;
 mod intervalle;
 mod invariances;
 mod oracle;
