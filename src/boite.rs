@@ -299,6 +299,11 @@ impl<R: Reel> Forme<R> for BoiteRay<R> {
         if entre { entree.valeur() } else { R::INFINI }
     }
 
+    fn contient(&self, point: Vecteur<R>) -> bool {
+        let faces = self.normales.into_iter().zip(self.demi_longueurs);
+        faces.into_iter().all(|(n, l)| (point - self.centre).produit_scalaire(n).abs() <= l)
+    }
+
     #[inline(always)]
     fn ou(&self, rayon: &Rayon<R>) -> usize {
         self.dalles(rayon).axe

@@ -49,6 +49,9 @@ pub(crate) trait Forme<R: Reel>: Copy {
     /// The distance at which the ray enters, +∞ if it does not; computed without a branch.
     fn t(&self, rayon: &Rayon<R>) -> R;
 
+    /// Whether a point is in the shape or on its surface: then no ray from it enters.
+    fn contient(&self, point: Vecteur<R>) -> bool;
+
     /// Where on the shape a ray enters that does.
     fn ou(&self, rayon: &Rayon<R>) -> Self::Ou;
 

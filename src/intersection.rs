@@ -169,6 +169,13 @@ pub const PAS_NORMAL: f64 = 20.0;
 /// The rounding of the moved point, in u·Σ|N_i·P_i| (lemma 8).
 pub const PAS_ARRONDI: f64 = 1.1;
 
+/// Before a surface that a ray is aimed at, at a right angle, its own entry may come out early by so
+/// many u of the distance (lemma 20).
+pub const CIBLE: f64 = 73.0;
+
+/// And by so many margins of that hit (lemma 20).
+pub const CIBLE_MARGES: f64 = 12.0;
+
 impl<R: Reel> Rayon<R> {
     /// A ray that starts where this one touched an object and never hits that object again, with
     /// one exception (below): for shadows, reflections (a direction outward, D·N > 0) and
@@ -234,7 +241,9 @@ impl<R: Reel> Rayon<R> {
     /// N·L ≤ 3.2u, with L the unit direction from the start of the ray to the light: the surface
     /// faces away, or the light lies in the tangent plane of the start. `None` also if `lumiere` is
     /// not finite or is the start itself, or where [`secondaire`](Self::secondaire) would fail. A
-    /// distance that overflows is +∞.
+    /// distance that overflows is +∞. Either way no light of this point is to be added, and a
+    /// renderer need not tell the cases apart; whoever must asks `secondaire(touche, lumiere −
+    /// point)`, whose error names what cannot be computed.
     ///
     /// From the start to the light the distance is good to 3.6u and η, the direction to 4.6u, and
     /// N·L to 8u (lemma 9: the vector to the light rounds to u of its length; its length adds 2.5u,
@@ -263,6 +272,52 @@ impl<R: Reel> Rayon<R> {
         let (distance, direction) = (lumiere - depart).longueur_et_unitaire()?;
         let de_face = direction.produit_scalaire(touche.normale) > fois_u(TANGENT);
         de_face.then(|| (Self::sans_verifier(depart, direction), distance))
+    }
+
+    /// The ray from this hit to another, `cible`, which the ray `autre` found, and the distance
+    /// before which nothing must stand: the arguments of [`est_occulte`](crate::est_occulte) for
+    /// whether two points of surfaces see each other.
+    ///
+    /// Both ends step off their surfaces, as for [`secondaire`](Self::secondaire). The ray never
+    /// hits the object it leaves, nor the object it goes to before this distance, which ends short
+    /// of the far point by 73u of itself and 12 of its margins, over −N·L there. `None` if either
+    /// surface faces away from the other point, or if the points are no farther apart than that:
+    /// then nothing stands between them that could be told. `None` also where
+    /// [`vers_lumiere`](Self::vers_lumiere) cannot compute.
+    ///
+    /// ```
+    /// use lancer_rayon::{PlanGeo, Rayon, SphereGeo, Texture, Vecteur};
+    /// use lancer_rayon::{est_occulte, premiere_intersection};
+    ///
+    /// let haut = Vecteur::new(0.0, 1.0, 0.0);
+    /// let sol = PlanGeo::par_un_point(Vecteur::NUL, haut, Texture(0))?;
+    /// let boule = |x| SphereGeo::new(Vecteur::new(x, 1.0, 0.0), 1.0, Texture(1));
+    /// let scene = [sol.into(), boule(0.0)?.into(), boule(6.0)?.into()];
+    ///
+    /// let vers = |x, y| Rayon::new(Vecteur::new(3.0, 8.0, 0.0), Vecteur::new(x, y, 0.0));
+    /// let (a, b, c) = (vers(-0.5, -8.0)?, vers(2.2, -7.0)?, vers(-5.0, -8.0)?);
+    /// let se_voient = |a: &Rayon, b: &Rayon| {
+    ///     let touche = |rayon| premiere_intersection(&scene, rayon).ok();
+    ///     let vers = a.vers_touche(&touche(a)?, b, &touche(b)?);
+    ///     vers.map(|(rayon, distance)| !est_occulte(&scene, &rayon, distance))
+    /// };
+    /// assert_eq!(se_voient(&a, &b), Some(true));
+    /// assert_eq!(se_voient(&c, &b), Some(false)); // the first ball stands between
+    /// # Ok::<(), lancer_rayon::ErreurGeo>(())
+    /// ```
+    #[doc(alias("line_of_sight", "visibility", "segment"))]
+    #[must_use]
+    pub fn vers_touche(
+        &self,
+        touche: &Intersection<R>,
+        autre: &Self,
+        cible: &Intersection<R>,
+    ) -> Option<(Self, R)> {
+        let (rayon, distance) = self.vers_lumiere(touche, autre.depart(cible, false).ok()?)?;
+        let arrivee = -rayon.direction().produit_scalaire(cible.normale);
+        let jeu = distance * fois_u(CIBLE) + cible.marge * R::depuis_f64(CIBLE_MARGES);
+        let avant = distance - jeu / arrivee;
+        (arrivee > R::ZERO && avant > R::ZERO).then_some((rayon, avant))
     }
 
     /// The point of the hit, moved along the normal, outward or inward, past all rounding.

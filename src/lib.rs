@@ -134,7 +134,7 @@ pub use erreur::ErreurGeo;
 pub use hierarchie::{Hierarchie, PlacesInsuffisantes};
 pub use intersection::{Intersection, NoIntersection, Touche};
 pub use lot::{LongueursDifferentes, premieres_intersections, sont_occultes};
-pub use objet::{ObjetGeo, ObjetRay};
+pub use objet::{ObjetGeo, ObjetRay, etendue};
 pub use plan::{PlanGeo, PlanRay};
 pub use rayon::Rayon;
 pub use recherche::{est_occulte, premiere_intersection};

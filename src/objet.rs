@@ -6,7 +6,7 @@ use crate::forme::{Boule, Forme};
 use crate::intersection::{Intersection, Rang};
 use crate::plan::{PlanGeo, PlanRay};
 use crate::rayon::Rayon;
-use crate::reel::Reel;
+use crate::reel::{Reel, fois_u};
 use crate::rotation::Rotation;
 use crate::sphere::{SphereGeo, SphereRay};
 use crate::texture::Texture;
@@ -180,6 +180,40 @@ impl<R: Reel> ObjetRay<R> {
         par_forme!(Self, self, forme => forme.vers_f64().into())
     }
 
+    /// Whether a point is in this object or on its surface, by the numbers that a ray from that
+    /// point would be told by: no such ray touches the object.
+    ///
+    /// ```
+    /// use lancer_rayon::{ObjetRay, SphereGeo, Texture, Vecteur};
+    ///
+    /// let boule = ObjetRay::from(SphereGeo::new(Vecteur::NUL, 2.0, Texture(0))?);
+    /// let le_long = |x| boule.contient(Vecteur::new(x, 0.0, 0.0));
+    /// assert_eq!([1.0, 2.0, 3.0, f64::NAN].map(le_long), [true, true, false, false]);
+    ///
+    /// // Of a list, say for a camera that may stand inside something:
+    /// assert!([boule].iter().any(|objet| objet.contient(Vecteur::NUL)));
+    /// # Ok::<(), lancer_rayon::ErreurGeo>(())
+    /// ```
+    #[doc(alias("contains", "inside"))]
+    #[must_use]
+    pub fn contient(&self, point: Vecteur<R>) -> bool {
+        par_forme!(Self, self, forme => forme.contient(point))
+    }
+
+    /// The lowest and the highest corner of a box along the axes that holds all of this object;
+    /// `None` for a half-space.
+    ///
+    /// All of it with the rounding: the corners lie up to 50u of the size of the object and 3u of
+    /// the coordinates of its centre beyond it. Of a list: [`etendue`].
+    #[doc(alias("bounding_box", "aabb", "bounds"))]
+    #[must_use]
+    pub fn etendue(&self) -> Option<[Vecteur<R>; 2]> {
+        let (c, h) = self.boite_englobante()?;
+        let jeu = h.norme_1() * fois_u(ETENDUE) + c.norme_1() * fois_u(2.0);
+        let h = h + Vecteur::new(jeu, jeu, jeu);
+        Some([c - h, c + h])
+    }
+
     /// A ball around this object.
     #[inline(always)]
     pub(crate) fn boule(&self) -> Boule<R> {
@@ -190,6 +224,33 @@ impl<R: Reel> ObjetRay<R> {
     pub(crate) fn boite_englobante(&self) -> Option<(Vecteur<R>, Vecteur<R>)> {
         par_forme!(Self, self, forme => forme.boite_englobante())
     }
+}
+
+/// A box around an object is larger by so many u of the sum of its half-extents (lemma 21).
+pub const ETENDUE: f64 = 44.0;
+
+/// The lowest and the highest corner of a box along the axes that holds all of these objects, save
+/// the half-spaces, which no box holds; `None` if there are no others.
+///
+/// ```
+/// use lancer_rayon::{PlanGeo, Rotation, SphereGeo, Texture, Vecteur, etendue};
+///
+/// let boule = |x| SphereGeo::new(Vecteur::new(x, 0.0, 0.0), 1.0, Texture(0));
+/// let mur = PlanGeo::new(Rotation::IDENTITE, 0.0, Texture(0))?;
+/// let [bas, haut] = etendue(&[boule(3.0)?.into(), mur.into(), boule(-5.0)?.into()]).unwrap();
+/// assert!((bas - Vecteur::new(-6.0, -1.0, -1.0)).longueur() < 1e-13);
+/// assert!((haut - Vecteur::new(4.0, 1.0, 1.0)).longueur() < 1e-13);
+/// # Ok::<(), lancer_rayon::ErreurGeo>(())
+/// ```
+#[doc(alias("bounding_box", "aabb", "bounds"))]
+#[must_use]
+pub fn etendue<R: Reel>(objets: &[ObjetRay<R>]) -> Option<[Vecteur<R>; 2]> {
+    objets.iter().filter_map(ObjetRay::etendue).reduce(|[a, b], [c, d]| {
+        let de_chacun = |v: Vecteur<R>, w: Vecteur<R>, f: fn(R, R) -> R| {
+            Vecteur::new(f(v.x, w.x), f(v.y, w.y), f(v.z, w.z))
+        };
+        [de_chacun(a, c, R::min), de_chacun(b, d, R::max)]
+    })
 }
 
 /// The conversions of each shape: `XGeo` and `XRay` into the enums `ObjetGeo` and `ObjetRay`, and

@@ -216,6 +216,10 @@ impl<R: Reel> Forme<R> for PlanRay<R> {
         if self.peut_entrer(rayon) { hauteur / descente } else { R::INFINI }
     }
 
+    fn contient(&self, point: Vecteur<R>) -> bool {
+        self.normale.produit_scalaire(point) + self.distance <= R::ZERO
+    }
+
     #[inline(always)]
     fn ou(&self, _: &Rayon<R>) {}
 

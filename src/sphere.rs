@@ -217,6 +217,10 @@ impl<R: Reel> Forme<R> for SphereRay<R> {
         if entre { haut / bas } else { R::INFINI }
     }
 
+    fn contient(&self, point: Vecteur<R>) -> bool {
+        (self.centre - point).longueur_carree() <= self.r * self.r
+    }
+
     #[inline(always)]
     fn ou(&self, _: &Rayon<R>) {}
 

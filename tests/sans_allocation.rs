@@ -12,7 +12,7 @@ use commun::scenes::{melange, rayons_camera};
 use commun::{arrondi, en_f32_et_f64};
 use lancer_rayon::{
     BoiteGeo, ErreurGeo, Hierarchie, NoIntersection, ObjetGeo, ObjetRay, PlanGeo, Rayon, Reel,
-    Reglage, Rotation, SphereGeo, Texture, Vecteur, est_occulte, premiere_intersection,
+    Reglage, Rotation, SphereGeo, Texture, Vecteur, est_occulte, etendue, premiere_intersection,
     premieres_intersections, sont_occultes,
 };
 
@@ -48,6 +48,14 @@ fn aucune_question_n_alloue<R: Reel>() {
     assert!(objets.is_ok());
     let refus = || SphereGeo::new(Vecteur::NUL, -R::UN, Texture(0));
     assert!(sans_allocation("an error", refus).is_err());
+
+    let [objet, autre, _] = objets.unwrap();
+    let [bas, haut] = sans_allocation("etendue", || etendue(&[objet])).unwrap();
+    let rayon = Rayon::new(Vecteur::NUL, bas + haut).unwrap();
+    let touche = objet.intersection(&rayon).unwrap();
+    sans_allocation("erreur", || objet.erreur(&rayon, &touche));
+    sans_allocation("est_sur", || autre.est_sur(&rayon));
+    sans_allocation("vers_touche", || rayon.vers_touche(&touche, &rayon, &touche));
 
     let scene = melange::<R>(300);
     let rayons = rayons_camera::<R>(40, 40);

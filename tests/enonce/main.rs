@@ -8,6 +8,7 @@ mod scene;
 
 mod differentiel;
 mod eclairage;
+mod etendue;
 mod intersection;
 mod jeu_de_tests;
 mod lampe;
@@ -15,3 +16,4 @@ mod manipulations;
 mod rotation;
 mod totalite;
 mod vecteur;
+mod visibilite;

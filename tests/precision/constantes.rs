@@ -837,3 +837,28 @@ fn lemme_19_erreur_et_certitude() {
         assert!((boule(u) + 37.0 + gamma(3.0, u)).haut * (1.0 + 100.0 * u) < RETRAIT);
     }
 }
+
+#[test]
+fn lemme_20_vers_une_touche() {
+    // c = −N·L at the far end, above CIBLE·u less its rounding; the distance is off by 3.6u, the direction by 4.6u.
+    let domaine = |u: f64| [de_a((CIBLE - 4.0) * u, 1.0)];
+    tenir_sur(CIBLE, domaine, |u, [c]| {
+        let avance = (TOUCHE + 4.6) * plus(2.0 * TOUCHE, u) / c + et(i(3.6), i(1.0), u);
+        Some(avance * (c + vitesse(u) * u) * plus(6.0, u))
+    });
+    // Of u·r, which a margin holds 8·1.3 times.
+    tenir(CIBLE_MARGES, |u| {
+        (2.0 * i(TOUCHE) + N1) / (2.0 * ARRONDI_HAUTEUR * LONGUEUR) * plus(300.0, u)
+    });
+    // A face needs less: the height of S to γ₄, with what is left of the step, and two comparisons in a row.
+    for u in U {
+        let face = 4.6 + gamma(4.0, u) + vitesse(u) + 2.0 * rapport(u) + 2.0;
+        assert!(face.haut < TOUCHE);
+    }
+}
+
+#[test]
+fn lemme_21_etendue() {
+    // The half-extents as computed, what the matrix is off by, two sums and the sums of the slack.
+    tenir(ETENDUE, |u| (et(gamma(3.0, u), i(1.0), u) + 36.0 + 2.0) * plus(100.0, u));
+}

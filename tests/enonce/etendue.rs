@@ -1,0 +1,99 @@
+//! What is in an object, and what holds it.
+
+use crate::commun::arrondi;
+use crate::commun::en_f32_et_f64;
+use crate::commun::regimes::{direction, entre, regimes};
+use fastrand::Rng;
+use lancer_rayon::{NoIntersection, ObjetRay, Rayon, Reel, Vecteur, etendue};
+
+/// The centre of an object, or a point deep in it.
+fn fond<R: Reel>(objet: &ObjetRay<R>) -> Vecteur {
+    match objet {
+        ObjetRay::Sphere(sphere) => sphere.centre().vers_f64(),
+        ObjetRay::Plan(plan) => {
+            plan.normale().vers_f64() * (-1.0 - 2.0 * plan.distance().vers_f64().abs())
+        }
+        ObjetRay::Boite(boite) => boite.centre().vers_f64(),
+    }
+}
+
+/// No ray from a point that is in an object touches it, to the last bit; from any other the ray to its middle does,
+/// save where a thin box is missed by rounding.
+fn un_point_contenu_ne_voit_pas_l_objet<R: Reel>() {
+    let mut alea = Rng::with_seed(41);
+    let (mut dedans, mut dehors) = (0, 0);
+    for regime in regimes::<R>() {
+        for _ in 0..200 {
+            let cas = (regime.cas)(&mut alea);
+            let (fond, source) = (fond(&cas.objet), cas.rayon.source().vers_f64());
+            // Near the surface, from either side: the point of a hit and some roundings beside it.
+            let ou = match cas.objet.intersection(&cas.rayon) {
+                Ok(touche) => cas.rayon.point(touche.distance()).vers_f64(),
+                Err(NoIntersection) => fond + (source - fond) * alea.f64(),
+            };
+            let peu = entre(&mut alea, -8.0, 8.0) * R::U.vers_f64();
+            for point in [ou, ou + (ou - fond) * peu, fond, source] {
+                let point = arrondi::<R>(point);
+                let vers_le_fond = arrondi::<R>(fond - point.vers_f64());
+                let mut directions: Vec<Vecteur<R>> =
+                    (0..10).map(|_| arrondi(direction(&mut alea))).collect();
+                directions.push(vers_le_fond);
+                let contient = cas.objet.contient(point);
+                let large =
+                    !matches!(cas.objet, ObjetRay::Boite(_)) && regime.nom.ends_with("ordinary");
+                for direction in directions {
+                    let Ok(rayon) = Rayon::new(point, direction) else { continue };
+                    let touche = cas.objet.intersection(&rayon);
+                    assert!(
+                        !contient || touche == Err(NoIntersection),
+                        "{:?} {rayon:?}",
+                        cas.objet
+                    );
+                    if !contient && direction == vers_le_fond && large {
+                        assert!(touche.is_ok(), "{:?} {rayon:?}", cas.objet);
+                    }
+                }
+                dedans += u32::from(contient);
+                dehors += u32::from(!contient);
+            }
+        }
+    }
+    assert!(dedans > 3_000 && dehors > 3_000, "{dedans} {dehors}");
+}
+
+en_f32_et_f64!(un_point_contenu_ne_voit_pas_l_objet);
+
+/// Each hit lies in the box around its object, and in that around the list; no box is much too large.
+#[test]
+fn chaque_touche_est_dans_l_etendue() {
+    let mut alea = Rng::with_seed(42);
+    let (mut juges, mut objets) = (0, Vec::new());
+    for regime in regimes::<f32>() {
+        for _ in 0..300 {
+            let cas = (regime.cas)(&mut alea);
+            let Some([bas, haut]) = cas.objet.etendue() else {
+                assert!(matches!(cas.objet, ObjetRay::Plan(_)));
+                continue;
+            };
+            objets.push(cas.objet);
+            let [bas, haut] = [bas, haut].map(|v| <[f64; 3]>::from(v.vers_f64()));
+            // As exact as an f64 is.
+            let rayon = cas.rayon.vers_f64();
+            let Ok(touche) = cas.objet.vers_f64().intersection(&rayon) else { continue };
+            let s = <[f64; 3]>::from(rayon.source());
+            let ici = <[f64; 3]>::from(rayon.point(touche.distance()));
+            for i in 0..3 {
+                let arrondi = 1e-14 * (s[i].abs() + touche.distance());
+                assert!(bas[i] <= ici[i] + arrondi && ici[i] <= haut[i] + arrondi, "{cas:?}");
+            }
+            juges += 1;
+        }
+    }
+    assert!(juges > 1_000, "{juges}");
+    let [bas, haut] = etendue(&objets).unwrap();
+    for [b, h] in objets.iter().filter_map(ObjetRay::etendue) {
+        assert!(bas.x <= b.x && bas.y <= b.y && bas.z <= b.z);
+        assert!(haut.x >= h.x && haut.y >= h.y && haut.z >= h.z);
+    }
+    assert_eq!(etendue::<f64>(&[]), None);
+}
