@@ -5,6 +5,7 @@
 
 mod image;
 mod scene;
+mod surete;
 
 use std::error::Error;
 use std::io::{self, Write};
@@ -54,6 +55,15 @@ fn apercu(chemin: &str, image: &str) -> Result<(), Box<dyn Error>> {
         )?;
     }
     comparer(&mut sortie, &touches, &simples)?;
+    let objets: Vec<_> = simple.objets.iter().map(|objet| objet.vers_ray()).collect();
+    let pixels = surete::juger(&objets, &simple.camera.rayons()?);
+    writeln!(
+        sortie,
+        "         {} rays uncertain in f32, of which f64 on the same numbers answers {} otherwise; {} unforeseen",
+        pixels.incertains,
+        pixels.autres - pixels.tus,
+        pixels.tus
+    )?;
     let (largeur, hauteur) = scene.camera.image;
     peindre(image, largeur, hauteur, &rayons, &touches).map_err(|e| format!("{image}: {e}"))?;
     writeln!(sortie, "picture  {image}: normals | distance (log) | textures")?;

@@ -139,7 +139,11 @@ impl TryFrom<CameraBrute> for Camera {
         let rotation = match regard {
             Regard::Rotation(rotation) => rotation,
             Regard::Point(point) => {
-                let d = Rayon::new(source, point - source)?.direction();
+                let rayon = Rayon::new(source, point - source).map_err(|mut erreur| {
+                    erreur.champ = "regard - source";
+                    erreur
+                });
+                let d = rayon?.direction();
                 // From libm, as the library has its own: a scene has the same bits on every machine.
                 let montee = libm::atan2(d.y, libm::hypot(d.x, d.z));
                 let lacet = libm::atan2(-d.x, -d.z);
@@ -283,7 +287,9 @@ fn champ<'de, D: Deserializer<'de>>(d: D) -> Result<f64, D::Error> {
     if 0.0 < champ && champ < 180.0 {
         return Ok(champ);
     }
-    Err(D::Error::custom(format_args!("champ is {champ}, but must lie between 0 and 180 degrees")))
+    Err(D::Error::custom(format_args!(
+        "champ is {champ}, but must lie strictly between 0 and 180 degrees"
+    )))
 }
 
 fn image<'de, D: Deserializer<'de>>(d: D) -> Result<(u32, u32), D::Error> {

@@ -7,9 +7,14 @@ mod commun;
 #[path = "../../docs/exemples/scene.rs"]
 mod scene;
 
+#[allow(dead_code, reason = "shared with the examples")]
+#[path = "../../docs/exemples/surete.rs"]
+mod surete;
+
 mod chiffres;
 mod figures;
 mod lexique;
+mod pixels;
 mod rendu;
 mod scenes;
 mod serde;

@@ -150,7 +150,7 @@ fn une_camera_refusee_dit_ou_et_pourquoi() {
     for (camera, attendu) in [
         (
             "source: (0, 0, 0), regard: Point((0, 0, 0)), champ: 40",
-            "2:66: direction is 0, but must be a vector other than 0",
+            "2:66: regard - source is 0, but must be a vector other than 0",
         ),
         (
             "source: (0, 0, inf), regard: Rotation((0, 0, 0)), champ: 40",
@@ -162,11 +162,11 @@ fn une_camera_refusee_dit_ou_et_pourquoi() {
         ),
         (
             "source: (0, 0, 9), regard: Point((0, 0, 0)), champ: 180",
-            "2:64: champ is 180, but must lie between 0 and 180 degrees",
+            "2:64: champ is 180, but must lie strictly between 0 and 180 degrees",
         ),
         (
             "source: (0, 0, 9), regard: Point((0, 0, 0)), champ: NaN",
-            "2:64: champ is NaN, but must lie between 0 and 180 degrees",
+            "2:64: champ is NaN, but must lie strictly between 0 and 180 degrees",
         ),
         (
             "source: (0, 0, 9), regard: Point((0, 0, 0)), champ: 40, image: (600, 0)",
