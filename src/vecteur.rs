@@ -9,7 +9,8 @@ use crate::reel::Reel;
 /// (handout §2.1).
 ///
 /// A bare triple: any number may stand in it. What builds on it (a ray, an object) checks. In
-/// generic code the compiler may ask for the type of an operand: `let v: Vecteur<R> = …`.
+/// generic code the compiler may ask for the type of an operand: `let v: Vecteur<R> = …`; and
+/// `k * v` is there `v * k`, since only the two scalars themselves can be multiplied from the left.
 ///
 /// ```
 /// use lancer_rayon::Vecteur;

@@ -57,10 +57,9 @@ fn point<R: Reel>(
         };
         let (de, vers) = (lieu(0.6), lieu(0.1));
         let rayon = Rayon::new(arrondi(de), arrondi(vers - de)).unwrap();
-        if let Ok(touche) = premiere_intersection(objets, &rayon) {
-            if touche.distance().vers_f64() < 4.0 * etendue {
-                return (rayon, touche);
-            }
+        let touche = premiere_intersection(objets, &rayon).ok();
+        if let Some(touche) = touche.filter(|t| t.distance().vers_f64() < 4.0 * etendue) {
+            return (rayon, touche);
         }
     }
 }

@@ -7,6 +7,7 @@ mod commun;
 mod scene;
 
 mod bits;
+mod deux;
 mod hierarchie;
 mod lot;
 mod ombres;
