@@ -22,8 +22,8 @@ pub const VERS_LE_HAUT: f64 = 10.0;
 /// A normal that does not face the source is leaned towards it by so many u (lemma 6).
 pub const PENCHE: f64 = 14.0;
 
-/// SC² is reduced by so many u of `f32` of itself, in both types, so that rounding hides no entry from
-/// the ball (lemma 11): the numbers of a scene in `f64` may be those of one in `f32`.
+/// SC² is reduced by so many u of `f32` of itself, in both types, so that rounding hides no entry
+/// from the ball (lemma 11): the numbers of a scene in `f64` may be those of one in `f32`.
 pub const RETRAIT: f64 = 130.0;
 
 /// A shape, ready for rays.

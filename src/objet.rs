@@ -246,10 +246,8 @@ pub const ETENDUE: f64 = 44.0;
 #[must_use]
 pub fn etendue<R: Reel>(objets: &[ObjetRay<R>]) -> Option<[Vecteur<R>; 2]> {
     objets.iter().filter_map(ObjetRay::etendue).reduce(|[a, b], [c, d]| {
-        let de_chacun = |v: Vecteur<R>, w: Vecteur<R>, f: fn(R, R) -> R| {
-            Vecteur::new(f(v.x, w.x), f(v.y, w.y), f(v.z, w.z))
-        };
-        [de_chacun(a, c, R::min), de_chacun(b, d, R::max)]
+        let bas = Vecteur::new(a.x.min(c.x), a.y.min(c.y), a.z.min(c.z));
+        [bas, Vecteur::new(b.x.max(d.x), b.y.max(d.y), b.z.max(d.z))]
     })
 }
 

@@ -59,10 +59,8 @@ fn apercu(chemin: &str, image: &str) -> Result<(), Box<dyn Error>> {
     let pixels = surete::juger(&objets, &simple.camera.rayons()?);
     writeln!(
         sortie,
-        "         {} rays uncertain in f32, of which f64 on the same numbers answers {} otherwise; {} unforeseen",
-        pixels.incertains,
-        pixels.autres - pixels.tus,
-        pixels.tus
+        "         on the same numbers {} rays differ; f32 called {} uncertain before, and {} of these not",
+        pixels.autres, pixels.incertains, pixels.tus
     )?;
     let (largeur, hauteur) = scene.camera.image;
     peindre(image, largeur, hauteur, &rayons, &touches).map_err(|e| format!("{image}: {e}"))?;

@@ -1,12 +1,12 @@
-//! Which answers of a picture are certain: the same as exact arithmetic would give for the numbers of the
-//! scene as they are stored.
+//! Which answers of a picture are certain: those of exact arithmetic on the numbers as stored.
 
 use lancer_rayon::{NoIntersection, ObjetRay, Rayon, Reel, Touche, premiere_intersection};
 
-/// Whether this answer of `premiere_intersection` names the object that exact arithmetic names, or none as
-/// exact arithmetic does.
+/// Whether this answer of `premiere_intersection` names the object that exact arithmetic names, or
+/// none as it does.
 ///
-/// Each object must be certain, hit or miss; and no other that is hit may come within the bounds of both.
+/// Each object must be certain, hit or miss; and no other that is hit may come within the bounds of
+/// both.
 pub(crate) fn est_certaine<R: Reel>(
     objets: &[ObjetRay<R>],
     rayon: &Rayon<R>,
@@ -30,14 +30,15 @@ pub(crate) fn est_certaine<R: Reel>(
 pub(crate) struct Pixels {
     /// Those whose answer is not certain.
     pub(crate) incertains: usize,
-    /// Those that another object, or none, or a distance farther off than `erreur`, answers in `f64` on the
-    /// same numbers.
+    /// Those whose answer in `f64` on the same numbers is another object, or none, or a distance
+    /// farther off than `erreur`.
     pub(crate) autres: usize,
     /// Those of the latter that were certain: there must be none.
     pub(crate) tus: usize,
 }
 
-/// What `f64` says, on the same numbers, of the answers in `f32`, and what `f32` itself said of them before.
+/// What `f64` says, on the same numbers, of the answers in `f32`, and what `f32` itself said of them
+/// before.
 pub(crate) fn juger(objets: &[ObjetRay<f32>], rayons: &[Rayon<f32>]) -> Pixels {
     let doubles: Vec<_> = objets.iter().map(ObjetRay::vers_f64).collect();
     let mut pixels = Pixels::default();

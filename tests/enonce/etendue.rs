@@ -4,7 +4,10 @@ use crate::commun::arrondi;
 use crate::commun::en_f32_et_f64;
 use crate::commun::regimes::{direction, entre, regimes};
 use fastrand::Rng;
-use lancer_rayon::{NoIntersection, ObjetRay, Rayon, Reel, Vecteur, etendue};
+use lancer_rayon::{
+    BoiteGeo, NoIntersection, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture,
+    Vecteur, etendue,
+};
 
 /// The centre of an object, or a point deep in it.
 fn fond<R: Reel>(objet: &ObjetRay<R>) -> Vecteur {
@@ -62,6 +65,23 @@ fn un_point_contenu_ne_voit_pas_l_objet<R: Reel>() {
 }
 
 en_f32_et_f64!(un_point_contenu_ne_voit_pas_l_objet);
+
+/// The surface belongs to an object, and the next number beyond it does not.
+fn la_surface_est_dans_l_objet<R: Reel>() {
+    let (cotes, un) = (arrondi(Vecteur::new(2.0, 2.0, 2.0)), Vecteur::new(R::UN, R::ZERO, R::ZERO));
+    let objets: [ObjetRay<R>; 3] = [
+        SphereGeo::new(Vecteur::NUL, R::UN, Texture(0)).unwrap().into(),
+        PlanGeo::par_un_point(un, un, Texture(0)).unwrap().into(),
+        BoiteGeo::new(Vecteur::NUL, cotes, Rotation::IDENTITE, Texture(0)).unwrap().into(),
+    ];
+    for objet in objets {
+        assert!(objet.contient(un), "{objet:?}");
+        assert!(!objet.contient(un * (R::UN + (R::U + R::U))), "{objet:?}");
+        assert!(!objet.contient(un * (R::INFINI - R::INFINI)), "{objet:?}");
+    }
+}
+
+en_f32_et_f64!(la_surface_est_dans_l_objet);
 
 /// Each hit lies in the box around its object, and in that around the list; no box is much too large.
 #[test]
