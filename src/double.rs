@@ -64,12 +64,13 @@ impl Double {
         Self::arrondi(p, n, erreur + arrondi + PERTE_DOUBLE * f64::MIN_POSITIF)
     }
 
-    /// The number lies between these two, each to u of itself and with the right sign.
+    /// The number lies between these two, which are the same if it is an `f64` exactly.
     pub(crate) fn bornes(self) -> [f64; 2] {
+        if self.erreur == 0.0 && self.bas == 0.0 {
+            return [self.haut; 2];
+        }
         let [bas, haut] = [self.bas - self.erreur, self.bas + self.erreur];
-        let exact = self.erreur == 0.0;
-        let [bas, haut] = if exact { [bas, haut] } else { [bas.next_down(), haut.next_up()] };
-        [self.haut + bas, self.haut + haut]
+        [(self.haut + bas.next_down()).next_down(), (self.haut + haut.next_up()).next_up()]
     }
 }
 
@@ -94,7 +95,7 @@ pub(crate) fn scalaire([a, b, c]: Triple, [x, y, z]: Triple) -> Double {
 pub(crate) struct Jugement {
     /// Whether the ray enters the object, if that is certain.
     pub(crate) entre: Option<bool>,
-    /// If it enters: no less than how far the distance is from that of the entry, to 8u.
+    /// If it enters: no less than how far the distance is from that of the entry, to 8.6u of `f64`.
     pub(crate) ecart: f64,
 }
 

@@ -10,7 +10,7 @@ use crate::reel::{Reel, fois_u};
 
 /// The bound of [`ObjetRay::erreur`] grows by so many u of itself for its last operations (lemma
 /// 19).
-pub const ERREUR_ARRONDIE: f64 = 13.1;
+pub const ERREUR_ARRONDIE: f64 = 12.6;
 
 /// The first object that the ray enters: its distance, its normal there, its texture and its index
 /// in the list (handout §4.1).

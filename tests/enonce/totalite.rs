@@ -67,7 +67,16 @@ fn valide<R: Reel>(objet: &ObjetRay<R>) -> TestCaseResult {
 }
 
 fn touche_valide<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> TestCaseResult {
-    premiere_intersection(objets, rayon).map_or(Ok(()), |touche| est_une_entree(rayon, &touche))
+    let Ok(touche) = premiere_intersection(objets, rayon) else { return Ok(()) };
+    // Above 0, and no NaN, of whichever object it is asked.
+    for objet in objets {
+        prop_assert!(objet.erreur(rayon, &touche) > R::ZERO);
+        let _: bool = objet.est_sur(rayon);
+    }
+    if let Some((_, distance)) = rayon.vers_touche(&touche, rayon, &touche) {
+        prop_assert!(distance > R::ZERO && distance < R::INFINI);
+    }
+    est_une_entree(rayon, &touche)
 }
 
 /// A rotation from any angles or any matrix, if it is one; no rotation otherwise.

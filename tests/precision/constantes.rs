@@ -827,7 +827,7 @@ fn lemme_18_nombres_doubles() {
 fn lemme_19_erreur_et_certitude() {
     tenir(ERREUR_ARRONDIE, |u| {
         // AB of −D²(PC² − r²), D² to γ₃, and of 2PA²; then the sum with PA and the quotient by D².
-        let ab = et(racine(et(i(1.0), et(gamma(3.0, u), gamma(2.0, u), u), u), u), i(1.0), u);
+        let ab = et(racine(et(gamma(3.0, u), gamma(2.0, u), u), u), i(1.0), u);
         let ecart = et(ab, et(i(1.0), inverse(gamma(4.0, u), u), u), u);
         // To the scalar, the sum with u·t, the product that makes it grow, two sums.
         et(ecart, inverse(gamma(4.0, u), u), u)
