@@ -8,7 +8,7 @@
 
 use crate::intersection::Contact;
 use crate::rayon::Rayon;
-use crate::reel::{Reel, fois_u, max};
+use crate::reel::{Reel, fois_u, fois_u_simple, max};
 use crate::vecteur::Vecteur;
 
 /// The rounding of a height over a surface, in u·ℓ, and again of what the next search sees of it
@@ -161,7 +161,6 @@ impl<R: Reel> Boule<R> {
         // One comparison, which the compiler cannot split into two branches. C behind the source
         // is no nearer than the source.
         let sa = max(sa, R::ZERO);
-        let retrait = R::depuis_f64(RETRAIT * f32::EPSILON as f64 / 2.0);
-        sc.longueur_carree() * (R::UN - retrait) - sa * sa <= self.r2
+        sc.longueur_carree() * (R::UN - fois_u_simple(RETRAIT)) - sa * sa <= self.r2
     }
 }

@@ -69,9 +69,9 @@ impl<R: Reel> Rayon<R> {
     /// The same ray in `f64`, exactly: to judge an answer in `f32` by one in `f64`.
     ///
     /// The direction is not made unit again. That of an `f32` stays unit to the rounding of `f32`,
-    /// and distances along it are in units of its length, in both types alike. Ask about such rays
-    /// one by one, in a list: what a batch and a hierarchy leave out is proven for directions and
-    /// normals that are unit to the rounding of `f64`.
+    /// and distances along it are in units of its length, in both types alike. Batches and
+    /// hierarchies answer it as a list does, since what they leave out presumes no more. Margins and
+    /// secondary rays of its hits are not promised.
     ///
     /// ```
     /// use lancer_rayon::{Rayon, Vecteur};

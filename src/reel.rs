@@ -124,6 +124,13 @@ pub(crate) fn fois_u<R: Reel>(n: f64) -> R {
     R::depuis_f64(n) * R::U
 }
 
+/// `n` times u of `f32`, in either type: enough for the numbers of an `f32` scene in `f64`, whose
+/// directions and normals are unit to that only.
+#[inline(always)]
+pub(crate) fn fois_u_simple<R: Reel>(n: f64) -> R {
+    R::depuis_f64(n * (f32::EPSILON as f64 / 2.0))
+}
+
 /// 2^k, for a k between −1022 and 1023.
 pub(crate) const fn puissance_de_deux(k: i32) -> f64 {
     f64::from_bits(((1023 + k) as u64) << 52)

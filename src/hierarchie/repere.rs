@@ -46,7 +46,7 @@ impl<R: Reel> Repere<R> {
         let (c, h) = (self.point(c), h * self.echelle);
         // The proof needs ρ, the radius of the ball around the object; the sum of the half-extents
         // is no less.
-        let jeu = (c.norme_1() + h.norme_1()) * R::depuis_f64(part_du_jeu::<R>());
+        let jeu = (c.norme_1() + h.norme_1()) * R::depuis_f64(part_du_jeu());
         let demi = h + Vecteur::new(jeu, jeu, jeu);
         Some((simples(c - demi), simples(c + demi)))
     }
@@ -65,7 +65,7 @@ impl<R: Reel> Repere<R> {
     }
 }
 
-/// The slack for the point of a hit, in u of the scalar (lemma 15).
+/// The slack for the point of a hit, in u of `f32` (lemma 15).
 pub const JEU_TOUCHE: f64 = 70.0;
 
 /// The slack for the rounding to `f32`, in u of `f32` (lemma 15).
@@ -74,8 +74,8 @@ pub const JEU_F32: f64 = 2.2;
 /// The slack, by which boxes grow so that rounding loses no hit, per unit of distance from K to an
 /// object or to the source of a ray. Derived in `docs/conception.md`, lemmas 14 to 17.
 #[inline(always)]
-pub(crate) fn part_du_jeu<R: Reel>() -> f64 {
-    JEU_TOUCHE * R::U.vers_f64() + JEU_F32 * f64::from(f32::U)
+pub(crate) fn part_du_jeu() -> f64 {
+    (JEU_TOUCHE + JEU_F32) * f64::from(f32::U)
 }
 
 /// The nearest number of `f32`; ±∞ beyond them all.

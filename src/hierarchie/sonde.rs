@@ -36,7 +36,7 @@ impl Sonde {
         let loin = s.norme_1();
         // An infinity is too far as well.
         let (s, jeu) = if loin < TROP_LOIN {
-            (s, loin * part_du_jeu::<R>() as f32 + f32::U)
+            (s, loin * part_du_jeu() as f32 + f32::U)
         } else {
             (Vecteur::NUL, TROP_LOIN)
         };
@@ -85,7 +85,7 @@ impl Sonde {
 }
 
 /// The slack of a beam is so many times that of a ray (lemma 17).
-pub const JEU_BLOC: f64 = 2.0;
+pub const JEU_BLOC: f64 = 1.7;
 
 /// What is added to the slack of a beam, in u of `f32` (lemma 17).
 pub const JEU_FIXE: f64 = 13.0;
@@ -109,7 +109,7 @@ impl SondeDeBloc {
         if simple(loin) > TROP_LOIN {
             return None;
         }
-        let jeu = loin * R::depuis_f64(JEU_BLOC * part_du_jeu::<R>())
+        let jeu = loin * R::depuis_f64(JEU_BLOC * part_du_jeu())
             + R::depuis_f64(JEU_FIXE * f64::from(f32::U));
         let limite =
             |p: Vecteur<R>, w: R| simple(p.produit_scalaire(s0) + (repere.longueur(w) + jeu));

@@ -6,11 +6,11 @@
 use crate::forme::Boule;
 use crate::lot::groupe::Groupe;
 use crate::rayon::Rayon;
-use crate::reel::{Reel, fois_u, max, min};
+use crate::reel::{Reel, fois_u, fois_u_simple, max, min};
 use crate::seize::{Colonne, SEIZE, le_plus_grand};
 use crate::vecteur::Vecteur;
 
-/// M is shorter than a direction by so many u of itself: then M·D ≤ 1 (lemma 12).
+/// M is shorter than a direction by so many u of `f32` of itself: then M·D ≤ 1 (lemma 12).
 pub const COURT_M: f64 = 17.0;
 
 /// The normals P are shorter than 1 by so many u (lemma 12).
@@ -23,7 +23,7 @@ pub const PENTE: f64 = 7.5;
 /// (lemma 12).
 pub const ORIGINES: f64 = 10.6;
 
-/// The rounding of h² and of an entry near the ball, in u·(|C − S₀|² + 3q²) (lemma 13).
+/// The rounding of h² and of an entry near the ball, in u of `f32` times |C − S₀|² + 3q² (lemma 13).
 pub const JEU_BOULE: f64 = 310.0;
 
 /// No side of a beam of segments is steeper against M: any slope is right, these fit.
@@ -57,7 +57,7 @@ impl<R: Reel> Repere<R> {
     /// row of pixels: any U is right, this one fits closely.
     #[inline(always)]
     fn de([premier, huitieme, milieu]: [Rayon<R>; 3]) -> Self {
-        let m = milieu.direction() * (R::UN - fois_u(COURT_M));
+        let m = milieu.direction() * (R::UN - fois_u_simple(COURT_M));
         let cote = huitieme.direction() - premier.direction();
         let x = Vecteur::new(R::UN, R::ZERO, R::ZERO);
         let y = Vecteur::new(R::ZERO, R::UN, R::ZERO);
@@ -173,7 +173,7 @@ impl<R: Reel> Faisceau<R> {
         }
     }
 
-    /// Two numbers: h², and the limit ρ² + 310u·(|C − S₀|² + 3q²). h is how far C lies beyond the
+    /// Two numbers: h², and the limit ρ² + 310u₃₂·(|C − S₀|² + 3q²). h is how far C lies beyond the
     /// farthest of the five planes, or 0. If h² is above the limit, no ray of the beam enters what is
     /// in the ball.
     #[inline(always)]
@@ -184,7 +184,7 @@ impl<R: Reel> Faisceau<R> {
             h = max(p.produit_scalaire(sc) - w, h);
         }
         let etendue = R::depuis_f64(3.0) * (self.ecart * self.ecart);
-        (h * h, boule.r2 + (sc.longueur_carree() + etendue) * fois_u(JEU_BOULE))
+        (h * h, boule.r2 + (sc.longueur_carree() + etendue) * fois_u_simple(JEU_BOULE))
     }
 }
 

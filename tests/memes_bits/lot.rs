@@ -261,6 +261,9 @@ fn l_elagage_ne_perd_aucune_touche<R: Bits>() {
         let rayons = gerbe::<R>(&mut alea, axe, ouverture, etendue);
         let objets: Vec<_> = (0..70).map(|i| frole(&mut alea, &rayons, Texture(i))).collect();
         touches += comparer(&objets, &rayons);
+        // The same numbers in f64: D and N are unit to the rounding of f32 only.
+        let en_f64: Vec<_> = objets.iter().map(ObjetRay::vers_f64).collect();
+        comparer(&en_f64, &rayons.iter().map(Rayon::vers_f64).collect::<Vec<_>>());
     }
     assert!(touches > 40 * cas(), "only {touches} hits");
 }

@@ -799,11 +799,11 @@ fn lemme_16_un_rayon() {
 fn lemme_17_bloc() {
     let v = U[0];
     let y = i(3.0).racine() * plus(100.0, v);
-    // In u of f32, for each unit of ℓ; u/v of them for what is rounded in the scalar of the scene.
+    // In u of f32, for each unit of ℓ; u/v of them for what is rounded in the scalar of the scene. Where a hit
+    // lies may be that of f32 numbers in f64.
     tenir(JEU_BLOC, |u| {
-        let sur_v = u / v;
-        let besoin = (TOUCHE * i(3.0).racine() + 8.0) * sur_v + 4.0;
-        besoin * plus(500.0, v) / (JEU_TOUCHE * sur_v + JEU_F32)
+        let besoin = TOUCHE * i(3.0).racine() + 8.0 * (u / v) + 4.0;
+        besoin * plus(500.0, v) / (JEU_TOUCHE + JEU_F32)
     });
     tenir(JEU_FIXE, |_| (gamma(4.0, v) * y + 3.0 * y) * plus(20.0, v));
 }
