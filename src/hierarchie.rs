@@ -40,8 +40,8 @@ const LIGNE: usize = 64;
 /// line.
 const BOURRAGE: usize = LIGNE / size_of::<f32>() - 1;
 
-/// Up to so many spheres and boxes the batch of the list is as fast (`docs/performance.md`,
-/// "Thresholds").
+/// Up to so many spheres and boxes the batch is that of the list, in `f64`, and up to twice as many in
+/// `f32`, of which as many again go side by side (`docs/performance.md`, "Thresholds").
 pub(crate) const SEUIL_LOT: usize = 100;
 
 /// A list of objects with a hierarchy of boxes around them: the answers of the list, to the bit, in
@@ -52,7 +52,7 @@ pub(crate) const SEUIL_LOT: usize = 100;
 /// its order, and numbers that the caller lends; it is `Copy`, and threads may share it. After a
 /// change of the list, build it again.
 ///
-/// Its boxes are rounded to some 10⁻⁷ of the whole scene and of the distance of the source, in
+/// Its boxes are rounded to some 10⁻⁶ of the whole scene and of the distance of the source, in
 /// `f64` too. Objects closer together than that are all tested: very fine detail in a large scene
 /// costs time, and never accuracy.
 ///
@@ -264,7 +264,8 @@ fn en_lot<R: Reel, D: Demande<R>>(
     (hierarchie, demandes, reponses): (&Hierarchie<'_, R>, &[D], &mut [D::Reponse]),
 ) -> Result<(), LongueursDifferentes> {
     let Hierarchie { objets, arbre, niveau } = *hierarchie;
-    let Some(arbre) = &arbre.filter(|arbre| arbre.bornes > SEUIL_LOT) else {
+    let Some(arbre) = &arbre.filter(|arbre| arbre.bornes > R::selon(2 * SEUIL_LOT, SEUIL_LOT))
+    else {
         return repondre((EnLot { niveau, elaguer: true, objets }, demandes, reponses));
     };
     memes_longueurs(demandes, reponses)?;

@@ -21,8 +21,9 @@ pub struct Reglage {
 }
 
 impl Reglage {
-    /// Up to so many spheres and boxes the batch of a hierarchy is that of the list.
-    pub const SEUIL_LOT: usize = SEUIL_LOT;
+    /// Up to so many spheres and boxes the batch of a hierarchy is that of the list, in `f64` up to half as
+    /// many.
+    pub const SEUIL_LOT: usize = 2 * SEUIL_LOT;
 
     /// Each instruction set of this machine, the best first, by name.
     pub fn tous() -> impl Iterator<Item = (&'static str, Self)> {

@@ -33,7 +33,11 @@ impl<R: Reel, D: Demande<R>> Bloc<R, D> {
     pub(crate) fn charger(&mut self, demandes: &[D]) {
         self.nombre = demandes.len();
         for (groupe, demandes) in self.groupes.iter_mut().zip(demandes.chunks(SEIZE)) {
-            groupe.charger(demandes);
+            groupe.charger(
+                demandes,
+                #[inline(always)]
+                |demande| (demande.rayon(), demande.limite()),
+            );
         }
     }
 

@@ -7,7 +7,6 @@
 
 use crate::forme::Forme;
 use crate::intersection::{Contact, Intersection, NoIntersection, Rang, Touche};
-use crate::lot::demande::Demande;
 use crate::objet::{ObjetRay, par_forme};
 use crate::premier::Premier;
 use crate::rayon::Rayon;
@@ -38,26 +37,27 @@ impl<R: Reel> Groupe<R> {
     };
 
     /// Puts what is asked here, at most sixteen, with no object so far; the last stands in for those that
-    /// are missing.
+    /// are missing. `lire` tells a ray, and the distance before which an object counts.
     #[inline(always)]
-    pub(crate) fn charger<D: Demande<R>>(&mut self, demandes: &[D]) {
+    pub(crate) fn charger<D: Copy>(&mut self, demandes: &[D], lire: impl Fn(&D) -> (Rayon<R>, R)) {
         if let Some(demandes) = demandes.first_chunk() {
-            self.copier(demandes);
+            self.copier(demandes, lire);
         } else if let Some(derniere) = demandes.last() {
             let mut completes = [*derniere; SEIZE];
             completes[..demandes.len()].copy_from_slice(demandes);
-            self.copier(&completes);
+            self.copier(&completes, lire);
         }
     }
 
     #[inline(always)]
-    fn copier<D: Demande<R>>(&mut self, demandes: &[D; SEIZE]) {
+    fn copier<D>(&mut self, demandes: &[D; SEIZE], lire: impl Fn(&D) -> (Rayon<R>, R)) {
         self.rangs = [0; SEIZE];
         for (voie, demande) in demandes.iter().enumerate() {
-            let (s, d) = (demande.rayon().source(), demande.rayon().direction());
+            let (rayon, limite) = lire(demande);
+            let (s, d) = (rayon.source(), rayon.direction());
             [self.s[0][voie], self.s[1][voie], self.s[2][voie]] = s.into();
             [self.d[0][voie], self.d[1][voie], self.d[2][voie]] = d.into();
-            self.t[voie] = demande.limite();
+            self.t[voie] = limite;
         }
     }
 
