@@ -42,7 +42,7 @@ const FENETRE_ETROITE: usize = 4;
 /// From so many objects on, culling saves more than it costs (`docs/performance.md`, "Thresholds").
 const SEUIL_ELAGAGE: usize = 10;
 
-/// The first object that each ray enters: [`premiere_intersection`] of every ray, to the bit,
+/// The first object that each ray enters: [`premiere_intersection`](fn@crate::premiere_intersection) of every ray, to the bit,
 /// several times as fast.
 ///
 /// Neighbours in `rayons` should be neighbours in the picture, in tiles of 8 × 8 better than in
