@@ -42,8 +42,9 @@ const FENETRE_ETROITE: usize = 4;
 /// From so many objects on, culling saves more than it costs (`docs/performance.md`, "Thresholds").
 const SEUIL_ELAGAGE: usize = 10;
 
-/// The first object that each ray enters: [`premiere_intersection`](fn@crate::premiere_intersection) of every ray, to the bit,
-/// several times as fast.
+/// The first object that each ray enters:
+/// [`premiere_intersection`](fn@crate::premiere_intersection) of every ray, to the bit, several times
+/// as fast.
 ///
 /// Neighbours in `rayons` should be neighbours in the picture, in tiles of 8 × 8 better than in
 /// rows: objects that sixty-four rays in a row all miss cost next to nothing. Rays in no order at
