@@ -128,7 +128,7 @@ pub(crate) fn fois_u<R: Reel>(n: f64) -> R {
 /// directions and normals are unit to that only.
 #[inline(always)]
 pub(crate) fn fois_u_simple<R: Reel>(n: f64) -> R {
-    R::depuis_f64(n * (f32::EPSILON as f64 / 2.0))
+    R::depuis_f64(n * f64::from(f32::U))
 }
 
 /// 2^k, for a k between −1022 and 1023.

@@ -106,8 +106,7 @@ const GEANT: f32 = 0.3;
 /// Puts the sixteen largest records first, and tells how many leaves they are: 1 if they are
 /// giants, floors and walls whose centres say little of where they are; else 0.
 fn trier_les_geants(fiches: &mut [Fiche]) -> usize {
-    let autres = fiches.len().saturating_sub(SEIZE);
-    if autres == 0 {
+    if fiches.len() <= SEIZE {
         return 0;
     }
     let (bas, haut) = extremes(fiches.iter().map(double_centre));

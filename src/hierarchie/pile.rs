@@ -1,24 +1,24 @@
 //! The nodes that a walk leaves for later.
 
 use crate::hierarchie::noeud::{ETAGES, Noeud, premier_enfant};
-use crate::seize::{Colonne, Membres};
+use crate::seize::{Colonne, Membres, SEIZE};
 
 /// Room for the nodes that a walk leaves for later. Of each node above the leaves it visits one
 /// child at once and leaves at most fifteen. It is done with these before it visits another node of
 /// that floor.
-pub(crate) const GRANDE_PILE: usize = 15 * (ETAGES - 1);
+pub(crate) const GRANDE_PILE: usize = (SEIZE - 1) * (ETAGES - 1);
 
 /// Room for them where there are at most four floors. To set up a large one costs 6 ns a ray.
-pub(crate) const PETITE_PILE: usize = 15 * 3;
+pub(crate) const PETITE_PILE: usize = (SEIZE - 1) * 3;
 
 /// Trees of no more nodes than this have at most four floors.
-pub(crate) const PEU_DE_NOEUDS: usize = 16 * 16 * 16;
+pub(crate) const PEU_DE_NOEUDS: usize = SEIZE.pow(3);
 
 /// Room for them where there are at most two floors.
-pub(crate) const PILE_D_UN_ETAGE: usize = 15;
+pub(crate) const PILE_D_UN_ETAGE: usize = SEIZE - 1;
 
 /// Trees of no more nodes than this have at most two floors.
-pub(crate) const DEUX_ETAGES: usize = 16 + 1;
+pub(crate) const DEUX_ETAGES: usize = SEIZE + 1;
 
 /// A node to look at later, and the distance at which the ray enters it.
 type Attente = (f32, u32);

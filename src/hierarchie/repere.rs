@@ -1,7 +1,7 @@
 //! The frame of a tree: where its boxes of `f32` stand, and by how much they grow.
 
 use crate::objet::ObjetRay;
-use crate::reel::{Reel, max, min};
+use crate::reel::{Reel, fois_u_simple, max, min};
 use crate::vecteur::Vecteur;
 
 /// From so far away the boxes of a scene cannot be told apart: the whole tree is asked.
@@ -40,13 +40,13 @@ impl<R: Reel> Repere<R> {
         (x - self.milieu) * self.echelle
     }
 
-    /// The box around a bounded object, with the object's part of the [slack](part_du_jeu).
+    /// The box around a bounded object, with the object's part of the [slack](PART_DU_JEU).
     pub(crate) fn boite_elargie(self, objet: &ObjetRay<R>) -> Option<(Vecteur<f32>, Vecteur<f32>)> {
         let (c, h) = objet.boite_englobante()?;
         let (c, h) = (self.point(c), h * self.echelle);
         // The proof needs ρ, the radius of the ball around the object; the sum of the half-extents
         // is no less.
-        let jeu = (c.norme_1() + h.norme_1()) * R::depuis_f64(part_du_jeu());
+        let jeu = (c.norme_1() + h.norme_1()) * fois_u_simple(PART_DU_JEU);
         let demi = h + Vecteur::new(jeu, jeu, jeu);
         Some((simples(c - demi), simples(c + demi)))
     }
@@ -72,11 +72,8 @@ pub const JEU_TOUCHE: f64 = 70.0;
 pub const JEU_F32: f64 = 2.2;
 
 /// The slack, by which boxes grow so that rounding loses no hit, per unit of distance from K to an
-/// object or to the source of a ray. Derived in `docs/conception.md`, lemmas 14 to 17.
-#[inline(always)]
-pub(crate) fn part_du_jeu() -> f64 {
-    (JEU_TOUCHE + JEU_F32) * f64::from(f32::U)
-}
+/// object or to the source of a ray, in u of `f32`. Derived in `docs/conception.md`, lemmas 14 to 17.
+pub(crate) const PART_DU_JEU: f64 = JEU_TOUCHE + JEU_F32;
 
 /// The nearest number of `f32`; ±∞ beyond them all.
 #[inline(always)]

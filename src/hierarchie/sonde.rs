@@ -3,10 +3,10 @@
 use fearless_simd::Simd;
 
 use crate::hierarchie::noeud::Noeud;
-use crate::hierarchie::repere::{Repere, TROP_LOIN, part_du_jeu, simple, simples};
+use crate::hierarchie::repere::{PART_DU_JEU, Repere, TROP_LOIN, simple, simples};
 use crate::lot::faisceau::Faisceau;
 use crate::rayon::Rayon;
-use crate::reel::{Reel, fois_u, max, min};
+use crate::reel::{Reel, fois_u, fois_u_simple, max, min};
 use crate::seize::{Aligne, Colonne, EnColonne, Membres, SEIZE};
 use crate::vecteur::Vecteur;
 
@@ -36,7 +36,7 @@ impl Sonde {
         let loin = s.norme_1();
         // An infinity is too far as well.
         let (s, jeu) = if loin < TROP_LOIN {
-            (s, loin * part_du_jeu() as f32 + f32::U)
+            (s, loin * fois_u::<f32>(PART_DU_JEU) + f32::U)
         } else {
             (Vecteur::NUL, TROP_LOIN)
         };
@@ -109,8 +109,7 @@ impl SondeDeBloc {
         if simple(loin) > TROP_LOIN {
             return None;
         }
-        let jeu = loin * R::depuis_f64(JEU_BLOC * part_du_jeu())
-            + R::depuis_f64(JEU_FIXE * f64::from(f32::U));
+        let jeu = loin * fois_u_simple(JEU_BLOC * PART_DU_JEU) + fois_u_simple(JEU_FIXE);
         let limite =
             |p: Vecteur<R>, w: R| simple(p.produit_scalaire(s0) + (repere.longueur(w) + jeu));
         let (m, w) = faisceau.axe;
