@@ -11,8 +11,8 @@ use crate::lot::demande::Demande;
 use crate::reel::Reel;
 use crate::seize::Aligne;
 
-/// When a block has met so many objects, its rays are too far apart: from there each walks alone, cut
-/// off at what it has found.
+/// When a block has met so many objects in `f64`, or twice as many in `f32`, its rays are too far apart: from
+/// there each walks alone, cut off at what it has found.
 const ASSEZ_D_OBJETS: u32 = 112;
 
 /// After this many blocks that did not try to walk together, one does.
@@ -101,7 +101,7 @@ impl<R: Reel> Arbre<'_, R> {
             if numero < self.feuilles {
                 if traverses.le_premier().is_some() {
                     vus += traverses.nombre();
-                    if vus > ASSEZ_D_OBJETS {
+                    if vus > R::selon(2 * ASSEZ_D_OBJETS, ASSEZ_D_OBJETS) {
                         return Err(TropLoinLUnDeLAutre);
                     }
                     let [.., indices] = noeud;
