@@ -2,7 +2,7 @@
 
 use crate::double::{Jugement, juger_faces};
 use crate::erreur::{ErreurGeo, coefficient, deplacement, point, taille};
-use crate::forme::{Boule, Entree, Forme, Hauteur};
+use crate::forme::{Boule, Forme};
 use crate::rayon::Rayon;
 use crate::reel::{Reel, puissance_de_deux};
 use crate::rotation::Rotation;
@@ -36,10 +36,8 @@ use crate::vecteur::Vecteur;
 /// ```
 #[doc(alias("box", "cuboid", "obb"))]
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(try_from = "BoiteBrute<R>"))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(bound(serialize = "R: Reel + serde::Serialize")))]
-#[cfg_attr(feature = "serde", serde(bound(deserialize = "R: Reel + serde::Deserialize<'de>")))]
 #[must_use]
 pub struct BoiteGeo<R = f64> {
     centre: Vecteur<R>,
@@ -227,28 +225,24 @@ impl<R: Reel> BoiteRay<R> {
         (Quotient { longueur: -(l + o), vitesse }, Quotient { longueur: l - o, vitesse })
     }
 
-    /// The three pairs of faces together.
+    /// Of the three pairs of faces: the last entry, its pair, and the first exit.
     ///
-    /// Of the three one has a speed of 0.5 or more, and with it an entry and an exit nearer than
-    /// `loin`.
+    /// One pair has a speed of 0.5 or more, and with it an entry and an exit nearer than `loin`.
     #[inline(always)]
-    fn dalles(&self, rayon: &Rayon<R>) -> Dalles<R> {
+    fn dalles(&self, rayon: &Rayon<R>) -> (Quotient<R>, usize, Quotient<R>) {
         let (loin, vitesse) = (R::LIMITE * R::depuis_f64(8.0), echelle_vitesse());
-        let mut dalles = Dalles {
-            entree: Quotient { longueur: -loin, vitesse },
-            axe: 0,
-            sortie: Quotient { longueur: loin, vitesse },
-        };
+        let (mut derniere, mut paire) = (Quotient { longueur: -loin, vitesse }, 0);
+        let mut premiere = Quotient { longueur: loin, vitesse };
         for axe in 0..3 {
             let (entree, sortie) = self.dalle(axe, rayon);
-            if entree.depasse(dalles.entree) {
-                (dalles.entree, dalles.axe) = (entree, axe);
+            if entree.depasse(derniere) {
+                (derniere, paire) = (entree, axe);
             }
-            if dalles.sortie.depasse(sortie) {
-                dalles.sortie = sortie;
+            if premiere.depasse(sortie) {
+                premiere = sortie;
             }
         }
-        dalles
+        (derniere, paire, premiere)
     }
 }
 
@@ -273,9 +267,6 @@ fn de_l_axe<T>(axe: usize, [x, y, z]: [T; 3]) -> T {
 }
 
 impl<R: Reel> Forme<R> for BoiteRay<R> {
-    /// 0, 1 or 2, the pair of faces.
-    type Ou = usize;
-
     /// Its radius is half a diagonal of the box.
     #[inline(always)]
     fn boule(&self) -> Boule<R> {
@@ -294,9 +285,10 @@ impl<R: Reel> Forme<R> for BoiteRay<R> {
     /// belong to the box.
     #[inline(always)]
     fn t(&self, rayon: &Rayon<R>) -> R {
-        let Dalles { entree, sortie, axe: _ } = self.dalles(rayon);
-        let entre = (entree.longueur > R::ZERO) & entree.au_plus(sortie);
-        if entre { entree.valeur() } else { R::INFINI }
+        let (entree, _, sortie) = self.dalles(rayon);
+        let entre = (entree.longueur > R::ZERO) & !entree.depasse(sortie);
+        // The length is multiplied, not the quotient, which may be subnormal.
+        if entre { entree.longueur * echelle_vitesse() / entree.vitesse } else { R::INFINI }
     }
 
     fn contient(&self, point: Vecteur<R>) -> bool {
@@ -305,21 +297,11 @@ impl<R: Reel> Forme<R> for BoiteRay<R> {
     }
 
     #[inline(always)]
-    fn ou(&self, rayon: &Rayon<R>) -> usize {
-        self.dalles(rayon).axe
-    }
-
-    #[inline(always)]
-    fn normale(&self, rayon: &Rayon<R>, entree: Entree<R, usize>) -> Vecteur<R> {
-        let n = de_l_axe(entree.ou, self.normales);
-        if n.produit_scalaire(rayon.direction()) > R::ZERO { -n } else { n }
-    }
-
-    #[inline(always)]
-    fn hauteur(&self, p: Vecteur<R>, n: Vecteur<R>, axe: usize) -> Hauteur<R> {
-        let cp = p - self.centre;
-        let hauteur = n.produit_scalaire(cp) - de_l_axe(axe, self.demi_longueurs);
-        Hauteur { b: hauteur.abs(), l: n.somme_des_grandeurs(cp) }
+    fn normale(&self, rayon: &Rayon<R>, _: R) -> (Vecteur<R>, R) {
+        let (_, axe, _) = self.dalles(rayon);
+        let n = de_l_axe(axe, self.normales);
+        let n = if n.produit_scalaire(rayon.direction()) > R::ZERO { -n } else { n };
+        (n, de_l_axe(axe, self.demi_longueurs))
     }
 }
 
@@ -347,13 +329,6 @@ fn au_plancher<R: Reel>(vitesse: R) -> R {
     if vitesse > plancher { vitesse } else { plancher }
 }
 
-/// The last entry of a ray, the pair of faces it enters by, and the first exit.
-struct Dalles<R> {
-    entree: Quotient<R>,
-    axe: usize,
-    sortie: Quotient<R>,
-}
-
 /// The distance to a face as a length over a speed of 0 or more, not divided yet. The speed is
 /// multiplied by [`echelle_vitesse`], so that no product below is subnormal.
 ///
@@ -372,20 +347,9 @@ impl<R: Reel> Quotient<R> {
     fn depasse(self, autre: Self) -> bool {
         self.longueur * autre.vitesse > autre.longueur * self.vitesse
     }
-
-    #[inline(always)]
-    fn au_plus(self, autre: Self) -> bool {
-        self.longueur * autre.vitesse <= autre.longueur * self.vitesse
-    }
-
-    /// The length is multiplied, not the quotient, which may be subnormal.
-    #[inline(always)]
-    fn valeur(self) -> R {
-        self.longueur * echelle_vitesse() / self.vitesse
-    }
 }
 
 #[cfg(feature = "serde")]
 crate::erreur::lu_par_new! {
-    BoiteGeo, "BoiteGeo", BoiteBrute { centre: Vecteur<R>, dimensions: Vecteur<R>, rotation: Rotation<R>, texture: Texture }
+    BoiteGeo { centre: Vecteur<R>, dimensions: Vecteur<R>, rotation: Rotation<R>, texture: Texture }
 }

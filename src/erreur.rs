@@ -111,22 +111,23 @@ pub(crate) fn fini<R: Reel>(
     Ok(v)
 }
 
-/// `lu_par_new! { T, "T", TBrut { champ: type, … } }`: serde reads a T as these fields, by name or
-/// in order, no others, and `T::new` checks them.
+/// `lu_par_new! { T { champ: type, … } }`: serde reads a T as these fields, by name or in order, no
+/// others, and `T::new` checks them.
 #[cfg(feature = "serde")]
 macro_rules! lu_par_new {
-    ($type:ident, $nom:literal, $brut:ident { $($champ:ident: $du_type:ty),* }) => {
-        #[derive(serde::Deserialize)]
-        #[serde(rename = $nom, deny_unknown_fields)]
-        #[serde(bound(deserialize = "R: Reel + serde::Deserialize<'de>"))]
-        struct $brut<R> {
-            $($champ: $du_type),*
-        }
+    ($type:ident { $($champ:ident: $du_type:ty),* }) => {
+        impl<'de, R: Reel + serde::Deserialize<'de>> serde::Deserialize<'de> for $type<R> {
+            fn deserialize<D: serde::Deserializer<'de>>(lecteur: D) -> Result<Self, D::Error> {
+                // What is read, under the name that formats and their errors give it.
+                #[derive(serde::Deserialize)]
+                #[serde(deny_unknown_fields)]
+                #[serde(bound(deserialize = "R: Reel + serde::Deserialize<'de>"))]
+                struct $type<R> {
+                    $($champ: $du_type),*
+                }
 
-        impl<R: Reel> TryFrom<$brut<R>> for $type<R> {
-            type Error = ErreurGeo;
-            fn try_from(brut: $brut<R>) -> Result<Self, ErreurGeo> {
-                Self::new($(brut.$champ),*)
+                let $type { $($champ),* } = $type::deserialize(lecteur)?;
+                Self::new($($champ),*).map_err(serde::de::Error::custom)
             }
         }
     };

@@ -28,10 +28,6 @@ pub const RETRAIT: f64 = 130.0;
 
 /// A shape, ready for rays.
 pub(crate) trait Forme<R: Reel>: Copy {
-    /// Where on the shape a ray enters: of a box, by which pair of faces; of a shape in one piece,
-    /// nothing.
-    type Ou: Copy;
-
     /// A ball around all of the shape; [`Boule::INFINIE`] if it is unbounded.
     fn boule(&self) -> Boule<R>;
 
@@ -52,15 +48,19 @@ pub(crate) trait Forme<R: Reel>: Copy {
     /// Whether a point is in the shape or on its surface: then no ray from it enters.
     fn contient(&self, point: Vecteur<R>) -> bool;
 
-    /// Where on the shape a ray enters that does.
-    fn ou(&self, rayon: &Rayon<R>) -> Self::Ou;
+    /// The unit outward normal N of the entry at distance `t`, and how far along N the surface lies
+    /// there from the centre of the ball; computed without a branch. Where rounding has lost N or
+    /// brought N·D to 0 or above, [`vers_la_source`] replaces it.
+    fn normale(&self, rayon: &Rayon<R>, t: R) -> (Vecteur<R>, R);
 
-    /// The unit outward normal N at an entry, computed without a branch. Where rounding has lost N
-    /// or brought N·D to 0 or above, [`vers_la_source`] replaces it.
-    fn normale(&self, rayon: &Rayon<R>, entree: Entree<R, Self::Ou>) -> Vecteur<R>;
-
-    /// How high the point P of a hit with normal N may lie over the surface there.
-    fn hauteur(&self, p: Vecteur<R>, n: Vecteur<R>, ou: Self::Ou) -> Hauteur<R>;
+    /// How high the point P of a hit may lie over the surface there, for what
+    /// [`normale`](Self::normale) said of it. This definition is that of a flat face.
+    #[inline(always)]
+    fn hauteur(&self, p: Vecteur<R>, n: Vecteur<R>, du_centre: R) -> Hauteur<R> {
+        let cp = p - self.boule().centre;
+        let hauteur = n.produit_scalaire(cp) - du_centre;
+        Hauteur { b: hauteur.abs(), l: n.somme_des_grandeurs(cp) }
+    }
 
     /// [`t`](Self::t), sooner for a ray that passes the shape by.
     #[inline(always)]
@@ -71,50 +71,32 @@ pub(crate) trait Forme<R: Reel>: Copy {
     /// Normal and margin of the entry at distance `t`.
     #[inline(always)]
     fn conclure(&self, rayon: &Rayon<R>, t: R) -> Contact<R> {
-        let (contact, de_face) = self.contact(rayon, t);
-        if de_face { contact } else { self.contact_penche(rayon, t) }
+        let (n, du_centre) = self.normale(rayon, t);
+        let d = rayon.direction();
+        let n = if n.produit_scalaire(d) < R::ZERO { n } else { vers_la_source(n, d) };
+        self.contact_en(rayon.point(t), n, du_centre)
     }
 
-    /// The same without a branch, and whether the normal faces the source.
+    /// The same without a branch, true only if the normal as it is faces the source, which is told
+    /// besides.
     #[inline(always)]
     fn contact(&self, rayon: &Rayon<R>, t: R) -> (Contact<R>, bool) {
-        let entree = Entree { t, ou: self.ou(rayon) };
-        let normale = self.normale(rayon, entree);
-        let de_face = normale.produit_scalaire(rayon.direction()) < R::ZERO;
-        (self.contact_avec(rayon, entree, normale), de_face)
+        let (n, du_centre) = self.normale(rayon, t);
+        let de_face = n.produit_scalaire(rayon.direction()) < R::ZERO;
+        (self.contact_en(rayon.point(t), n, du_centre), de_face)
     }
 
-    /// The same with a normal that is leaned towards the source.
-    #[cold]
-    fn contact_penche(&self, rayon: &Rayon<R>, t: R) -> Contact<R> {
-        let entree = Entree { t, ou: self.ou(rayon) };
-        let normale = vers_la_source(self.normale(rayon, entree), rayon.direction());
-        self.contact_avec(rayon, entree, normale)
-    }
-
-    /// The contact with this normal. Its margin, the bound of
+    /// The contact at a point, with this normal. Its margin, the bound of
     /// [`marge`](crate::Intersection::marge), is that of the very point that the caller will
     /// compute.
     #[inline(always)]
-    fn contact_avec(
-        &self,
-        rayon: &Rayon<R>,
-        Entree { t, ou }: Entree<R, Self::Ou>,
-        normale: Vecteur<R>,
-    ) -> Contact<R> {
-        let Hauteur { b, l } = self.hauteur(rayon.point(t), normale, ou);
+    fn contact_en(&self, p: Vecteur<R>, normale: Vecteur<R>, du_centre: R) -> Contact<R> {
+        let Hauteur { b, l } = self.hauteur(p, normale, du_centre);
         let marge = b + l * fois_u(2.0 * ARRONDI_HAUTEUR);
         // A NaN comes from an overflow.
         let marge = marge + marge * fois_u(VERS_LE_HAUT) + R::depuis_f64(8.0) * R::MIN_POSITIF;
         Contact { normale, marge: if marge < R::INFINI { marge } else { R::INFINI } }
     }
-}
-
-/// Where a ray enters a shape: at distance `t`.
-#[derive(Clone, Copy)]
-pub(crate) struct Entree<R, Ou> {
-    pub(crate) t: R,
-    pub(crate) ou: Ou,
 }
 
 /// A bound on the height of a point P over a surface with normal N (lemma 7).

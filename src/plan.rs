@@ -2,7 +2,7 @@
 
 use crate::double::{Jugement, juger_faces};
 use crate::erreur::{ErreurGeo, coefficient, coordonnee, deplacement, fini, point, refus_nul};
-use crate::forme::{Boule, Entree, Forme, Hauteur};
+use crate::forme::{Boule, Forme};
 use crate::rayon::Rayon;
 use crate::reel::Reel;
 use crate::rotation::Rotation;
@@ -31,10 +31,8 @@ use crate::vecteur::Vecteur;
 /// ```
 #[doc(alias("plane", "half-space"))]
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(try_from = "PlanBrut<R>"))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(bound(serialize = "R: Reel + serde::Serialize")))]
-#[cfg_attr(feature = "serde", serde(bound(deserialize = "R: Reel + serde::Deserialize<'de>")))]
 #[must_use]
 pub struct PlanGeo<R = f64> {
     rotation: Rotation<R>,
@@ -190,8 +188,6 @@ impl PlanRay {
 }
 
 impl<R: Reel> Forme<R> for PlanRay<R> {
-    type Ou = ();
-
     #[inline(always)]
     fn boule(&self) -> Boule<R> {
         Boule::INFINIE
@@ -221,20 +217,12 @@ impl<R: Reel> Forme<R> for PlanRay<R> {
     }
 
     #[inline(always)]
-    fn ou(&self, _: &Rayon<R>) {}
-
-    #[inline(always)]
-    fn normale(&self, _: &Rayon<R>, _: Entree<R, ()>) -> Vecteur<R> {
-        self.normale
-    }
-
-    #[inline(always)]
-    fn hauteur(&self, p: Vecteur<R>, n: Vecteur<R>, (): ()) -> Hauteur<R> {
-        Hauteur { b: (n.produit_scalaire(p) + self.distance).abs(), l: n.somme_des_grandeurs(p) }
+    fn normale(&self, _: &Rayon<R>, _: R) -> (Vecteur<R>, R) {
+        (self.normale, -self.distance)
     }
 }
 
 #[cfg(feature = "serde")]
 crate::erreur::lu_par_new! {
-    PlanGeo, "PlanGeo", PlanBrut { rotation: Rotation<R>, distance: R, texture: Texture }
+    PlanGeo { rotation: Rotation<R>, distance: R, texture: Texture }
 }

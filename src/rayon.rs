@@ -17,10 +17,8 @@ use crate::vecteur::Vecteur;
 /// ```
 #[doc(alias = "ray")]
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(try_from = "RayonBrut<R>"))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(bound(serialize = "R: Reel + serde::Serialize")))]
-#[cfg_attr(feature = "serde", serde(bound(deserialize = "R: Reel + serde::Deserialize<'de>")))]
 #[must_use]
 pub struct Rayon<R = f64> {
     source: Vecteur<R>,
@@ -108,5 +106,5 @@ pub(crate) fn direction_unitaire<R: Reel>(direction: Vecteur<R>) -> Result<Vecte
 
 #[cfg(feature = "serde")]
 crate::erreur::lu_par_new! {
-    Rayon, "Rayon", RayonBrut { source: Vecteur<R>, direction: Vecteur<R> }
+    Rayon { source: Vecteur<R>, direction: Vecteur<R> }
 }
