@@ -76,8 +76,7 @@ impl<R: Reel> BoiteGeo<R> {
     /// If `v` is not finite, or the new centre lies outside the limits of [`new`](Self::new).
     #[doc(alias("translate", "move"))]
     pub fn translation(self, v: Vecteur<R>) -> Result<Self, ErreurGeo> {
-        let v = deplacement(v)?;
-        Self::new(self.centre + v, self.dimensions, self.rotation, self.texture)
+        Self::new(self.centre + deplacement(v)?, self.dimensions, self.rotation, self.texture)
     }
 
     /// The box turned about the origin O (handout §2.3): its centre moves, its faces turn.
@@ -105,11 +104,10 @@ impl<R: Reel> BoiteGeo<R> {
     #[doc(alias = "into_ray")]
     #[inline]
     pub fn vers_ray(self) -> BoiteRay<R> {
-        let Vecteur { x, y, z } = self.dimensions;
         BoiteRay {
             centre: self.centre,
             normales: self.rotation.axes(),
-            demi_longueurs: [x, y, z].map(|l| l / (R::UN + R::UN)),
+            demi_longueurs: (self.dimensions / (R::UN + R::UN)).into(),
             texture: self.texture,
         }
     }
@@ -212,12 +210,12 @@ impl<R: Reel> BoiteRay<R> {
         BoiteRay { centre, normales, demi_longueurs, texture: self.texture }
     }
 
-    /// The entry and the exit of the ray between one pair of faces.
+    /// The entry and the exit of the ray between the pair of faces with this normal and this
+    /// half-length.
     ///
     /// C is the origin, and the axis points the way the ray goes.
     #[inline(always)]
-    fn dalle(&self, axe: usize, rayon: &Rayon<R>) -> (Quotient<R>, Quotient<R>) {
-        let (n, l) = (self.normales[axe], self.demi_longueurs[axe]);
+    fn dalle(&self, (n, l): (Vecteur<R>, R), rayon: &Rayon<R>) -> (Quotient<R>, Quotient<R>) {
         let o = (rayon.source() - self.centre).produit_scalaire(n);
         let vitesse = rayon.direction().produit_scalaire(n);
         let o = if vitesse < R::ZERO { -o } else { o };
@@ -225,24 +223,27 @@ impl<R: Reel> BoiteRay<R> {
         (Quotient { longueur: -(l + o), vitesse }, Quotient { longueur: l - o, vitesse })
     }
 
-    /// Of the three pairs of faces: the last entry, its pair, and the first exit.
+    /// Of the three pairs of faces the last entry, the normal and the half-length of its pair, and
+    /// the first exit.
     ///
     /// One pair has a speed of 0.5 or more, and with it an entry and an exit nearer than `loin`.
     #[inline(always)]
-    fn dalles(&self, rayon: &Rayon<R>) -> (Quotient<R>, usize, Quotient<R>) {
+    fn dalles(&self, rayon: &Rayon<R>) -> (Quotient<R>, (Vecteur<R>, R), Quotient<R>) {
         let (loin, vitesse) = (R::LIMITE * R::depuis_f64(8.0), echelle_vitesse());
-        let (mut derniere, mut paire) = (Quotient { longueur: -loin, vitesse }, 0);
-        let mut premiere = Quotient { longueur: loin, vitesse };
-        for axe in 0..3 {
-            let (entree, sortie) = self.dalle(axe, rayon);
-            if entree.depasse(derniere) {
-                (derniere, paire) = (entree, axe);
+        let mut entree = Quotient { longueur: -loin, vitesse };
+        let mut sortie = Quotient { longueur: loin, vitesse };
+        let paires = [0, 1, 2].map(|i| (self.normales[i], self.demi_longueurs[i]));
+        let mut par = paires[0];
+        for paire in paires {
+            let (e, s) = self.dalle(paire, rayon);
+            if e.depasse(entree) {
+                (entree, par) = (e, paire);
             }
-            if premiere.depasse(sortie) {
-                premiere = sortie;
+            if sortie.depasse(s) {
+                sortie = s;
             }
         }
-        (derniere, paire, premiere)
+        (entree, par, sortie)
     }
 }
 
@@ -252,17 +253,6 @@ impl BoiteRay {
         let ([u, v, w], [a, b, c]) = (self.normales, self.demi_longueurs);
         let faces = [(u, a), (v, b), (w, c), (-u, a), (-v, b), (-w, c)];
         juger_faces(self.centre, &faces, rayon, t)
-    }
-}
-
-/// What belongs to this pair of faces, chosen without an index, so that rays side by side may
-/// choose differently.
-#[inline(always)]
-fn de_l_axe<T>(axe: usize, [x, y, z]: [T; 3]) -> T {
-    match axe {
-        0 => x,
-        1 => y,
-        _ => z,
     }
 }
 
@@ -298,10 +288,8 @@ impl<R: Reel> Forme<R> for BoiteRay<R> {
 
     #[inline(always)]
     fn normale(&self, rayon: &Rayon<R>, _: R) -> (Vecteur<R>, R) {
-        let (_, axe, _) = self.dalles(rayon);
-        let n = de_l_axe(axe, self.normales);
-        let n = if n.produit_scalaire(rayon.direction()) > R::ZERO { -n } else { n };
-        (n, de_l_axe(axe, self.demi_longueurs))
+        let (_, (n, l), _) = self.dalles(rayon);
+        (if n.produit_scalaire(rayon.direction()) > R::ZERO { -n } else { n }, l)
     }
 }
 

@@ -48,15 +48,9 @@ impl fmt::Display for ErreurGeo {
 
 impl core::error::Error for ErreurGeo {}
 
-fn refus<R: Reel>(champ: &'static str, valeur: R, attendu: &'static str) -> ErreurGeo {
-    let valeur = valeur.vers_f64();
-    // The bits of a computed NaN differ between processors.
-    ErreurGeo { champ, valeur: if valeur.is_nan() { f64::NAN } else { valeur }, attendu }
-}
-
 /// The refusal of a vector that is 0.
 pub(crate) fn refus_nul(champ: &'static str) -> ErreurGeo {
-    refus(champ, 0.0, "a vector other than 0")
+    ErreurGeo { champ, valeur: 0.0, attendu: "a vector other than 0" }
 }
 
 /// Refuses `valeur` with its name unless `accepte`.
@@ -66,7 +60,12 @@ pub(crate) fn exiger<R: Reel>(
     valeur: R,
     attendu: &'static str,
 ) -> Result<R, ErreurGeo> {
-    if accepte { Ok(valeur) } else { Err(refus(champ, valeur, attendu)) }
+    if accepte {
+        return Ok(valeur);
+    }
+    let valeur = valeur.vers_f64();
+    // The bits of a computed NaN differ between processors.
+    Err(ErreurGeo { champ, valeur: if valeur.is_nan() { f64::NAN } else { valeur }, attendu })
 }
 
 /// A coordinate, or the relative distance of a half-space.

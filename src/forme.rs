@@ -77,8 +77,7 @@ pub(crate) trait Forme<R: Reel>: Copy {
         self.contact_en(rayon.point(t), n, du_centre)
     }
 
-    /// The same without a branch, true only if the normal as it is faces the source, which is told
-    /// besides.
+    /// The same without a branch, of the normal as it is; and whether that normal faces the source.
     #[inline(always)]
     fn contact(&self, rayon: &Rayon<R>, t: R) -> (Contact<R>, bool) {
         let (n, du_centre) = self.normale(rayon, t);

@@ -83,8 +83,7 @@ impl<R: Reel> PlanGeo<R> {
     /// If `v` is not finite, or the new distance lies outside the limits of [`new`](Self::new).
     #[doc(alias("translate", "move"))]
     pub fn translation(self, v: Vecteur<R>) -> Result<Self, ErreurGeo> {
-        let v = deplacement(v)?;
-        let distance = self.distance - self.normale().produit_scalaire(v);
+        let distance = self.distance - self.normale().produit_scalaire(deplacement(v)?);
         Self::new(self.rotation, distance, self.texture)
     }
 

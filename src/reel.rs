@@ -9,11 +9,7 @@ mod scelle {
     /// What only this crate needs of a scalar; and what keeps [`Reel`](super::Reel) to the two
     /// types whose rounding the crate's bounds rest on.
     pub trait Scelle: super::EnColonne {
-        /// A power of two that brings any length whose square leaves the range of the type back
-        /// into it: times this the smallest, 2⁻¹⁴⁹ or 2⁻¹⁰⁷⁴, is 2⁻⁴⁹ or 2⁻⁴⁷⁴, and the largest
-        /// over this is 2²⁸ or 2⁴²⁴.
-        const ECHELLE: Self;
-        /// The one that belongs to this type of two constants.
+        /// Of two constants the one for this type.
         fn selon<T>(en_f32: T, en_f64: T) -> T;
 
         /// The answer to this question (`compile.rs`).
@@ -149,8 +145,6 @@ pub(crate) fn min<R: Reel>(a: R, b: R) -> R {
 }
 
 impl Scelle for f32 {
-    const ECHELLE: Self = puissance_de_deux(100) as Self;
-
     #[inline(always)]
     fn selon<T>(en_f32: T, _: T) -> T {
         en_f32
@@ -163,8 +157,6 @@ impl Scelle for f32 {
 }
 
 impl Scelle for f64 {
-    const ECHELLE: Self = puissance_de_deux(600);
-
     #[inline(always)]
     fn selon<T>(_: T, en_f64: T) -> T {
         en_f64

@@ -57,8 +57,7 @@ impl<R: Reel> SphereGeo<R> {
     /// If `v` is not finite, or the new centre lies outside the limits of [`new`](Self::new).
     #[doc(alias("translate", "move"))]
     pub fn translation(self, v: Vecteur<R>) -> Result<Self, ErreurGeo> {
-        let v = deplacement(v)?;
-        Self::new(self.centre + v, self.rayon, self.texture)
+        Self::new(self.centre + deplacement(v)?, self.rayon, self.texture)
     }
 
     /// The sphere turned about the origin O (handout §2.3): its centre moves.

@@ -3,7 +3,7 @@
 use core::iter::Sum;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
-use crate::reel::Reel;
+use crate::reel::{Reel, puissance_de_deux};
 
 /// A vector, or a point seen from the origin O: x to the right, y up, z towards the viewer
 /// (handout §2.1).
@@ -107,12 +107,15 @@ impl<R: Reel> Vecteur<R> {
     /// size; others are scaled so that the square of the length neither overflows nor loses bits.
     #[inline]
     fn mis_a_l_echelle(self) -> (Self, R) {
+        // Times this the smallest length, 2⁻¹⁴⁹ or 2⁻¹⁰⁷⁴, is 2⁻⁴⁹ or 2⁻⁴⁷⁴; the largest over this
+        // is 2²⁸ or 2⁴²⁴.
+        let grande = R::depuis_f64(R::selon(puissance_de_deux(100), puissance_de_deux(600)));
         let carre = self.longueur_carree();
-        // In a sum above 1/ECHELLE, a square that loses bits weighs nothing.
+        // In a sum above 1/`grande`, a square that loses bits weighs nothing.
         let echelle = if carre == R::INFINI {
-            R::UN / R::ECHELLE
-        } else if carre < R::UN / R::ECHELLE {
-            R::ECHELLE
+            R::UN / grande
+        } else if carre < R::UN / grande {
+            grande
         } else {
             R::UN
         };
