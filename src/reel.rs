@@ -10,7 +10,10 @@ mod scelle {
     /// types whose rounding the crate's bounds rest on.
     pub trait Scelle: super::EnColonne {
         /// Of two constants the one for this type.
-        fn selon<T>(en_f32: T, en_f64: T) -> T;
+        #[inline(always)]
+        fn selon<T>(en_f32: T, en_f64: T) -> T {
+            if size_of::<Self>() == size_of::<f32>() { en_f32 } else { en_f64 }
+        }
 
         /// The answer to this question (`compile.rs`).
         fn demander<Q: super::Question>(de: Q::De<'_, Self>) -> Q::Reponse<'_, Self>
@@ -144,33 +147,17 @@ pub(crate) fn min<R: Reel>(a: R, b: R) -> R {
     if a < b { a } else { b }
 }
 
-impl Scelle for f32 {
-    #[inline(always)]
-    fn selon<T>(en_f32: T, _: T) -> T {
-        en_f32
-    }
-
-    #[inline]
-    fn demander<Q: Question>(de: Q::De<'_, Self>) -> Q::Reponse<'_, Self> {
-        Q::en_f32(de)
-    }
-}
-
-impl Scelle for f64 {
-    #[inline(always)]
-    fn selon<T>(_: T, en_f64: T) -> T {
-        en_f64
-    }
-
-    #[inline]
-    fn demander<Q: Question>(de: Q::De<'_, Self>) -> Q::Reponse<'_, Self> {
-        Q::en_f64(de)
-    }
-}
-
-/// What the two scalars say alike, for one with this limit and this root from `libm`.
+/// What the two scalars say alike, for one with this limit, this root from `libm` and these answers
+/// to a [`Question`].
 macro_rules! reel {
-    ($reel:ident, $limite:expr, $racine:path) => {
+    ($reel:ident, $limite:expr, $racine:path, $reponse:ident) => {
+        impl Scelle for $reel {
+            #[inline]
+            fn demander<Q: Question>(de: Q::De<'_, Self>) -> Q::Reponse<'_, Self> {
+                Q::$reponse(de)
+            }
+        }
+
         impl Reel for $reel {
             const ZERO: Self = 0.0;
             const UN: Self = 1.0;
@@ -215,5 +202,5 @@ macro_rules! reel {
     };
 }
 
-reel! { f32, puissance_de_deux(60) as f32, libm::sqrtf }
-reel! { f64, puissance_de_deux(450), libm::sqrt }
+reel! { f32, puissance_de_deux(60) as f32, libm::sqrtf, en_f32 }
+reel! { f64, puissance_de_deux(450), libm::sqrt, en_f64 }
