@@ -96,8 +96,7 @@ impl<R: Reel> BoiteGeo<R> {
     /// [`new`](Self::new).
     #[doc(alias = "scale")]
     pub fn homothetie(self, k: R) -> Result<Self, ErreurGeo> {
-        let dimensions = self.dimensions * coefficient(k)?;
-        Self::new(self.centre, dimensions, self.rotation, self.texture)
+        Self::new(self.centre, self.dimensions * coefficient(k)?, self.rotation, self.texture)
     }
 
     /// The same box, ready for rays (handout §3).
@@ -171,21 +170,20 @@ impl<R: Reel> BoiteRay<R> {
     /// Cf_i = C + l_i·N_i, the centres of the three faces.
     #[doc(alias = "face_centers")]
     pub fn centres_faces(&self) -> [Vecteur<R>; 3] {
-        core::array::from_fn(|i| self.centre + self.normales[i] * self.demi_longueurs[i])
+        self.paires().map(|(n, l)| self.centre + n * l)
     }
 
     /// Co_i = C − l_i·N_i, the centres of the opposite faces.
     #[doc(alias = "opposite_face_centers")]
     pub fn centres_opposes(&self) -> [Vecteur<R>; 3] {
-        core::array::from_fn(|i| self.centre - self.normales[i] * self.demi_longueurs[i])
+        self.paires().map(|(n, l)| self.centre - n * l)
     }
 
     /// df_i = −N_i·Cf_i, the relative distances to the origin of the planes of the three faces.
     #[doc(alias = "face_distances")]
     #[must_use]
     pub fn distances_faces(&self) -> [R; 3] {
-        let centres = self.centres_faces();
-        core::array::from_fn(|i| -self.normales[i].produit_scalaire(centres[i]))
+        self.paires().map(|(n, l)| -n.produit_scalaire(self.centre + n * l))
     }
 
     /// do_i = N_i·Co_i, the relative distances to the origin of the planes of the opposite
@@ -193,8 +191,7 @@ impl<R: Reel> BoiteRay<R> {
     #[doc(alias = "opposite_face_distances")]
     #[must_use]
     pub fn distances_opposees(&self) -> [R; 3] {
-        let centres = self.centres_opposes();
-        core::array::from_fn(|i| self.normales[i].produit_scalaire(centres[i]))
+        self.paires().map(|(n, l)| n.produit_scalaire(self.centre - n * l))
     }
 
     /// The texture of the object.
@@ -210,12 +207,19 @@ impl<R: Reel> BoiteRay<R> {
         BoiteRay { centre, normales, demi_longueurs, texture: self.texture }
     }
 
-    /// The entry and the exit of the ray between the pair of faces with this normal and this
-    /// half-length.
+    /// N_i and l_i of each pair of faces.
+    #[inline(always)]
+    fn paires(&self) -> [(Vecteur<R>, R); 3] {
+        let ([u, v, w], [a, b, c]) = (self.normales, self.demi_longueurs);
+        [(u, a), (v, b), (w, c)]
+    }
+
+    /// The entry and the exit of the ray between one pair of faces.
     ///
     /// C is the origin, and the axis points the way the ray goes.
     #[inline(always)]
-    fn dalle(&self, (n, l): (Vecteur<R>, R), rayon: &Rayon<R>) -> (Quotient<R>, Quotient<R>) {
+    fn dalle(&self, axe: usize, rayon: &Rayon<R>) -> (Quotient<R>, Quotient<R>) {
+        let (n, l) = (self.normales[axe], self.demi_longueurs[axe]);
         let o = (rayon.source() - self.centre).produit_scalaire(n);
         let vitesse = rayon.direction().produit_scalaire(n);
         let o = if vitesse < R::ZERO { -o } else { o };
@@ -223,27 +227,25 @@ impl<R: Reel> BoiteRay<R> {
         (Quotient { longueur: -(l + o), vitesse }, Quotient { longueur: l - o, vitesse })
     }
 
-    /// Of the three pairs of faces the last entry, the normal and the half-length of its pair, and
-    /// the first exit.
+    /// Of the three pairs of faces the last entry, by which of them it is, and the first exit.
     ///
     /// One pair has a speed of 0.5 or more, and with it an entry and an exit nearer than `loin`.
     #[inline(always)]
-    fn dalles(&self, rayon: &Rayon<R>) -> (Quotient<R>, (Vecteur<R>, R), Quotient<R>) {
+    fn dalles(&self, rayon: &Rayon<R>) -> (Quotient<R>, usize, Quotient<R>) {
         let (loin, vitesse) = (R::LIMITE * R::depuis_f64(8.0), echelle_vitesse());
         let mut entree = Quotient { longueur: -loin, vitesse };
         let mut sortie = Quotient { longueur: loin, vitesse };
-        let paires = [0, 1, 2].map(|i| (self.normales[i], self.demi_longueurs[i]));
-        let mut par = paires[0];
-        for paire in paires {
-            let (e, s) = self.dalle(paire, rayon);
+        let mut axe_d_entree = 0;
+        for axe in 0..3 {
+            let (e, s) = self.dalle(axe, rayon);
             if e.depasse(entree) {
-                (entree, par) = (e, paire);
+                (entree, axe_d_entree) = (e, axe);
             }
             if sortie.depasse(s) {
                 sortie = s;
             }
         }
-        (entree, par, sortie)
+        (entree, axe_d_entree, sortie)
     }
 }
 
@@ -282,13 +284,21 @@ impl<R: Reel> Forme<R> for BoiteRay<R> {
     }
 
     fn contient(&self, point: Vecteur<R>) -> bool {
-        let faces = self.normales.into_iter().zip(self.demi_longueurs);
-        faces.into_iter().all(|(n, l)| (point - self.centre).produit_scalaire(n).abs() <= l)
+        let cp = point - self.centre;
+        self.paires().into_iter().all(|(n, l)| cp.produit_scalaire(n).abs() <= l)
     }
 
     #[inline(always)]
     fn normale(&self, rayon: &Rayon<R>, _: R) -> (Vecteur<R>, R) {
-        let (_, (n, l), _) = self.dalles(rayon);
+        let (_, axe, _) = self.dalles(rayon);
+        let [x, y, z] = self.paires();
+        // No index, so that rays side by side may choose differently; and once, since to carry the
+        // pair through the loop would cost a batch 2 to 4 % (measured).
+        let (n, l) = match axe {
+            0 => x,
+            1 => y,
+            _ => z,
+        };
         (if n.produit_scalaire(rayon.direction()) > R::ZERO { -n } else { n }, l)
     }
 }
@@ -337,7 +347,6 @@ impl<R: Reel> Quotient<R> {
     }
 }
 
-#[cfg(feature = "serde")]
 crate::erreur::lu_par_new! {
     BoiteGeo { centre: Vecteur<R>, dimensions: Vecteur<R>, rotation: Rotation<R>, texture: Texture }
 }

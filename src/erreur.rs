@@ -110,11 +110,11 @@ pub(crate) fn fini<R: Reel>(
     Ok(v)
 }
 
-/// `lu_par_new! { T { champ: type, … } }`: serde reads a T as these fields, by name or in order, no
-/// others, and `T::new` checks them.
-#[cfg(feature = "serde")]
+/// `lu_par_new! { T { champ: type, … } }`: with the feature `serde` a T is read as these fields, by
+/// name or in order, no others, and `T::new` checks them.
 macro_rules! lu_par_new {
     ($type:ident { $($champ:ident: $du_type:ty),* }) => {
+        #[cfg(feature = "serde")]
         impl<'de, R: Reel + serde::Deserialize<'de>> serde::Deserialize<'de> for $type<R> {
             fn deserialize<D: serde::Deserializer<'de>>(lecteur: D) -> Result<Self, D::Error> {
                 // What is read, under the name that formats and their errors give it.
@@ -131,5 +131,4 @@ macro_rules! lu_par_new {
         }
     };
 }
-#[cfg(feature = "serde")]
 pub(crate) use lu_par_new;

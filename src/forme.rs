@@ -2,17 +2,17 @@
 //! rays with neither a division nor a root.
 //!
 //! A ray meets a shape in three steps. [`Forme::peut_entrer`] is cheap and rejects most rays;
-//! [`Forme::entree`] finds where the ray enters; [`Forme::conclure`] computes normal and margin,
-//! once, for the first object of a ray. All of it is in the scalar of the scene, for one ray and
-//! for rays side by side.
+//! [`Forme::t`] finds where the ray enters; [`Forme::conclure`] computes normal and margin, once,
+//! for the first object of a ray. All of it is in the scalar of the scene, for one ray and for rays
+//! side by side.
 
 use crate::intersection::Contact;
 use crate::rayon::Rayon;
 use crate::reel::{Reel, fois_u, fois_u_simple, max};
 use crate::vecteur::Vecteur;
 
-/// The rounding of a height over a surface, in u·ℓ, and again of what the next search sees of it
-/// (lemmas 7 and 8).
+/// The rounding of a height over a surface, in u·ℓ; and as much again is the rounding with which the
+/// next search sees that height (lemmas 7 and 8).
 pub const ARRONDI_HAUTEUR: f64 = 4.0;
 
 /// A margin is larger by so many u of itself: 6 for an N that is hardly unit, the others for the
@@ -71,10 +71,16 @@ pub(crate) trait Forme<R: Reel>: Copy {
     /// Normal and margin of the entry at distance `t`.
     #[inline(always)]
     fn conclure(&self, rayon: &Rayon<R>, t: R) -> Contact<R> {
+        let (contact, de_face) = self.contact(rayon, t);
+        if de_face { contact } else { self.contact_penche(rayon, t) }
+    }
+
+    /// The same with a normal that is leaned towards the source. In `conclure` itself, before the
+    /// margin, the call would cost a ray alone up to 40 % (measured).
+    #[cold]
+    fn contact_penche(&self, rayon: &Rayon<R>, t: R) -> Contact<R> {
         let (n, du_centre) = self.normale(rayon, t);
-        let d = rayon.direction();
-        let n = if n.produit_scalaire(d) < R::ZERO { n } else { vers_la_source(n, d) };
-        self.contact_en(rayon.point(t), n, du_centre)
+        self.contact_en(rayon.point(t), vers_la_source(n, rayon.direction()), du_centre)
     }
 
     /// The same without a branch, of the normal as it is; and whether that normal faces the source.
@@ -127,7 +133,7 @@ pub(crate) struct Boule<R> {
 }
 
 impl<R: Reel> Boule<R> {
-    /// The ball around an unbounded shape.
+    /// The ball around an unbounded shape; its centre is O.
     pub(crate) const INFINIE: Self = Self { centre: Vecteur::NUL, r2: R::INFINI };
 
     /// Whether the ray comes near the ball.

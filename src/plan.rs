@@ -73,8 +73,7 @@ impl<R: Reel> PlanGeo<R> {
         let p = point(["point.x", "point.y", "point.z"], p)?;
         let normale = fini(["normale.x", "normale.y", "normale.z"], normale)?;
         let rotation = Rotation::de_z_vers(normale).ok_or_else(|| refus_nul("normale"))?;
-        let [_, _, n] = rotation.axes();
-        Self::new(rotation, -n.produit_scalaire(p), texture)
+        Self::new(rotation, -rotation.axe_z().produit_scalaire(p), texture)
     }
 
     /// The half-space moved by `v` (handout §2.3): d becomes d − N·v.
@@ -83,7 +82,7 @@ impl<R: Reel> PlanGeo<R> {
     /// If `v` is not finite, or the new distance lies outside the limits of [`new`](Self::new).
     #[doc(alias("translate", "move"))]
     pub fn translation(self, v: Vecteur<R>) -> Result<Self, ErreurGeo> {
-        let distance = self.distance - self.normale().produit_scalaire(deplacement(v)?);
+        let distance = self.distance - self.rotation.axe_z().produit_scalaire(deplacement(v)?);
         Self::new(self.rotation, distance, self.texture)
     }
 
@@ -110,13 +109,8 @@ impl<R: Reel> PlanGeo<R> {
     #[doc(alias = "into_ray")]
     #[inline]
     pub fn vers_ray(self) -> PlanRay<R> {
-        PlanRay { normale: self.normale(), distance: self.distance, texture: self.texture }
-    }
-
-    /// (0, 0, 1)·M, since the half-space was z ≤ 0 before it was turned.
-    fn normale(&self) -> Vecteur<R> {
-        let [_, _, normale] = self.rotation.axes();
-        normale
+        // The outward normal was that of z ≤ 0 before the rotation.
+        PlanRay { normale: self.rotation.axe_z(), distance: self.distance, texture: self.texture }
     }
 }
 
@@ -221,7 +215,6 @@ impl<R: Reel> Forme<R> for PlanRay<R> {
     }
 }
 
-#[cfg(feature = "serde")]
 crate::erreur::lu_par_new! {
     PlanGeo { rotation: Rotation<R>, distance: R, texture: Texture }
 }

@@ -33,8 +33,7 @@ impl<R: Reel> Rayon<R> {
     /// If a coordinate of the source is beyond ±2⁴⁵⁰ (`f64`) or ±2⁶⁰ (`f32`), or if the direction
     /// is zero or not finite.
     pub fn new(source: Vecteur<R>, direction: Vecteur<R>) -> Result<Self, ErreurGeo> {
-        let source = source_valide(source)?;
-        Ok(Self { source, direction: direction_unitaire(direction)? })
+        Ok(Self { source: source_valide(source)?, direction: direction_unitaire(direction)? })
     }
 
     /// The ray of a source and a direction that were checked before.
@@ -104,7 +103,6 @@ pub(crate) fn direction_unitaire<R: Reel>(direction: Vecteur<R>) -> Result<Vecte
     direction.unitaire().ok_or_else(|| refus_nul("direction"))
 }
 
-#[cfg(feature = "serde")]
 crate::erreur::lu_par_new! {
     Rayon { source: Vecteur<R>, direction: Vecteur<R> }
 }

@@ -191,6 +191,12 @@ impl<R: Reel> Rotation<R> {
         self.matrice.map(Vecteur::from)
     }
 
+    /// (0, 0, 1)·M.
+    pub(crate) fn axe_z(self) -> Vecteur<R> {
+        let [_, _, z] = self.axes();
+        z
+    }
+
     fn arrondie(m: Matrice) -> Self {
         Self { matrice: m.map(|ligne| ligne.map(R::depuis_f64)) }
     }

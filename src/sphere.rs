@@ -251,7 +251,6 @@ impl<R: Reel> Forme<R> for SphereRay<R> {
     }
 }
 
-#[cfg(feature = "serde")]
 crate::erreur::lu_par_new! {
     SphereGeo { centre: Vecteur<R>, rayon: R, texture: Texture }
 }
