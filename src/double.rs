@@ -99,8 +99,8 @@ pub(crate) struct Jugement {
     pub(crate) ecart: f64,
 }
 
-/// The same of what is inside all of these faces, each with its outward normal and how far along it
-/// the face is from the centre (lemma 19).
+/// What exact numbers say of a ray, a distance and the solid inside all of these faces, each with
+/// its outward normal and how far along it the face is from the centre c (lemma 19).
 pub(crate) fn juger_faces(c: Vecteur, faces: &[(Vecteur, f64)], rayon: &Rayon, t: f64) -> Jugement {
     // How long the ray has been inside the last face that it entered, and will be inside the first
     // that it leaves, at this distance or where it is nearest to the centre: bounds of both.

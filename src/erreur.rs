@@ -48,15 +48,9 @@ impl fmt::Display for ErreurGeo {
 
 impl core::error::Error for ErreurGeo {}
 
-fn refus<R: Reel>(champ: &'static str, valeur: R, attendu: &'static str) -> ErreurGeo {
-    let valeur = valeur.vers_f64();
-    // The bits of a computed NaN differ between processors.
-    ErreurGeo { champ, valeur: if valeur.is_nan() { f64::NAN } else { valeur }, attendu }
-}
-
 /// The refusal of a vector that is 0.
 pub(crate) fn refus_nul(champ: &'static str) -> ErreurGeo {
-    refus(champ, 0.0, "a vector other than 0")
+    ErreurGeo { champ, valeur: 0.0, attendu: "a vector other than 0" }
 }
 
 /// Refuses `valeur` with its name unless `accepte`.
@@ -66,7 +60,12 @@ pub(crate) fn exiger<R: Reel>(
     valeur: R,
     attendu: &'static str,
 ) -> Result<R, ErreurGeo> {
-    if accepte { Ok(valeur) } else { Err(refus(champ, valeur, attendu)) }
+    if accepte {
+        return Ok(valeur);
+    }
+    let valeur = valeur.vers_f64();
+    // The bits of a computed NaN differ between processors.
+    Err(ErreurGeo { champ, valeur: if valeur.is_nan() { f64::NAN } else { valeur }, attendu })
 }
 
 /// A coordinate, or the relative distance of a half-space.
@@ -111,25 +110,25 @@ pub(crate) fn fini<R: Reel>(
     Ok(v)
 }
 
-/// `lu_par_new! { T, "T", TBrut { champ: type, … } }`: serde reads a T as these fields, by name or
-/// in order, no others, and `T::new` checks them.
-#[cfg(feature = "serde")]
+/// `lu_par_new! { T { champ: type, … } }`: with the feature `serde` a T is read as these fields, by
+/// name or in order, no others, and `T::new` checks them.
 macro_rules! lu_par_new {
-    ($type:ident, $nom:literal, $brut:ident { $($champ:ident: $du_type:ty),* }) => {
-        #[derive(serde::Deserialize)]
-        #[serde(rename = $nom, deny_unknown_fields)]
-        #[serde(bound(deserialize = "R: Reel + serde::Deserialize<'de>"))]
-        struct $brut<R> {
-            $($champ: $du_type),*
-        }
+    ($type:ident { $($champ:ident: $du_type:ty),* }) => {
+        #[cfg(feature = "serde")]
+        impl<'de, R: Reel + serde::Deserialize<'de>> serde::Deserialize<'de> for $type<R> {
+            fn deserialize<D: serde::Deserializer<'de>>(lecteur: D) -> Result<Self, D::Error> {
+                // What is read, under the name that formats and their errors give it.
+                #[derive(serde::Deserialize)]
+                #[serde(deny_unknown_fields)]
+                #[serde(bound(deserialize = "R: Reel + serde::Deserialize<'de>"))]
+                struct $type<R> {
+                    $($champ: $du_type),*
+                }
 
-        impl<R: Reel> TryFrom<$brut<R>> for $type<R> {
-            type Error = ErreurGeo;
-            fn try_from(brut: $brut<R>) -> Result<Self, ErreurGeo> {
-                Self::new($(brut.$champ),*)
+                let $type { $($champ),* } = $type::deserialize(lecteur)?;
+                Self::new($($champ),*).map_err(serde::de::Error::custom)
             }
         }
     };
 }
-#[cfg(feature = "serde")]
 pub(crate) use lu_par_new;

@@ -86,8 +86,7 @@ impl Rang {
 impl<R: Reel> Intersection<R> {
     #[inline(always)]
     pub(crate) fn new(distance: R, contact: Contact<R>, texture: Texture, objet: Rang) -> Self {
-        let Contact { normale, marge } = contact;
-        Self { distance, normale, marge, texture, objet }
+        Self { distance, normale: contact.normale, marge: contact.marge, texture, objet }
     }
 
     /// t, finite and above 0: the object is touched at S + tD. As D is unit only to rounding, that
@@ -221,15 +220,12 @@ impl<R: Reel> Rayon<R> {
         touche: &Intersection<R>,
         direction: Vecteur<R>,
     ) -> Result<Self, ErreurGeo> {
-        let direction = direction_unitaire(direction)?;
+        let mut direction = direction_unitaire(direction)?;
         let n = touche.normale;
         let cosinus = direction.produit_scalaire(n);
-        let tangente = cosinus.abs() <= fois_u(TANGENT);
-        let direction = if tangente {
-            direction_unitaire(direction + n * fois_u(REDRESSE))?
-        } else {
-            direction
-        };
+        if cosinus.abs() <= fois_u(TANGENT) {
+            direction = direction_unitaire(direction + n * fois_u(REDRESSE))?;
+        }
         let dedans = cosinus < fois_u(-TANGENT);
         Ok(Self::sans_verifier(self.depart(touche, dedans)?, direction))
     }

@@ -2,7 +2,7 @@
 
 use crate::double::{Jugement, juger_faces};
 use crate::erreur::{ErreurGeo, coefficient, coordonnee, deplacement, fini, point, refus_nul};
-use crate::forme::{Boule, Entree, Forme, Hauteur};
+use crate::forme::{Boule, Forme};
 use crate::rayon::Rayon;
 use crate::reel::Reel;
 use crate::rotation::Rotation;
@@ -31,10 +31,8 @@ use crate::vecteur::Vecteur;
 /// ```
 #[doc(alias("plane", "half-space"))]
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(try_from = "PlanBrut<R>"))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(bound(serialize = "R: Reel + serde::Serialize")))]
-#[cfg_attr(feature = "serde", serde(bound(deserialize = "R: Reel + serde::Deserialize<'de>")))]
 #[must_use]
 pub struct PlanGeo<R = f64> {
     rotation: Rotation<R>,
@@ -75,8 +73,7 @@ impl<R: Reel> PlanGeo<R> {
         let p = point(["point.x", "point.y", "point.z"], p)?;
         let normale = fini(["normale.x", "normale.y", "normale.z"], normale)?;
         let rotation = Rotation::de_z_vers(normale).ok_or_else(|| refus_nul("normale"))?;
-        let [_, _, n] = rotation.axes();
-        Self::new(rotation, -n.produit_scalaire(p), texture)
+        Self::new(rotation, -rotation.axe_z().produit_scalaire(p), texture)
     }
 
     /// The half-space moved by `v` (handout §2.3): d becomes d − N·v.
@@ -85,8 +82,7 @@ impl<R: Reel> PlanGeo<R> {
     /// If `v` is not finite, or the new distance lies outside the limits of [`new`](Self::new).
     #[doc(alias("translate", "move"))]
     pub fn translation(self, v: Vecteur<R>) -> Result<Self, ErreurGeo> {
-        let v = deplacement(v)?;
-        let distance = self.distance - self.normale().produit_scalaire(v);
+        let distance = self.distance - self.rotation.axe_z().produit_scalaire(deplacement(v)?);
         Self::new(self.rotation, distance, self.texture)
     }
 
@@ -113,13 +109,8 @@ impl<R: Reel> PlanGeo<R> {
     #[doc(alias = "into_ray")]
     #[inline]
     pub fn vers_ray(self) -> PlanRay<R> {
-        PlanRay { normale: self.normale(), distance: self.distance, texture: self.texture }
-    }
-
-    /// (0, 0, 1)·M, since the half-space was z ≤ 0 before it was turned.
-    fn normale(&self) -> Vecteur<R> {
-        let [_, _, normale] = self.rotation.axes();
-        normale
+        // The outward normal was that of z ≤ 0 before the rotation.
+        PlanRay { normale: self.rotation.axe_z(), distance: self.distance, texture: self.texture }
     }
 }
 
@@ -190,8 +181,6 @@ impl PlanRay {
 }
 
 impl<R: Reel> Forme<R> for PlanRay<R> {
-    type Ou = ();
-
     #[inline(always)]
     fn boule(&self) -> Boule<R> {
         Boule::INFINIE
@@ -221,20 +210,11 @@ impl<R: Reel> Forme<R> for PlanRay<R> {
     }
 
     #[inline(always)]
-    fn ou(&self, _: &Rayon<R>) {}
-
-    #[inline(always)]
-    fn normale(&self, _: &Rayon<R>, _: Entree<R, ()>) -> Vecteur<R> {
-        self.normale
-    }
-
-    #[inline(always)]
-    fn hauteur(&self, p: Vecteur<R>, n: Vecteur<R>, (): ()) -> Hauteur<R> {
-        Hauteur { b: (n.produit_scalaire(p) + self.distance).abs(), l: n.somme_des_grandeurs(p) }
+    fn normale(&self, _: &Rayon<R>, _: R) -> (Vecteur<R>, R) {
+        (self.normale, -self.distance)
     }
 }
 
-#[cfg(feature = "serde")]
 crate::erreur::lu_par_new! {
-    PlanGeo, "PlanGeo", PlanBrut { rotation: Rotation<R>, distance: R, texture: Texture }
+    PlanGeo { rotation: Rotation<R>, distance: R, texture: Texture }
 }

@@ -17,10 +17,8 @@ use crate::vecteur::Vecteur;
 /// ```
 #[doc(alias = "ray")]
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(try_from = "RayonBrut<R>"))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(bound(serialize = "R: Reel + serde::Serialize")))]
-#[cfg_attr(feature = "serde", serde(bound(deserialize = "R: Reel + serde::Deserialize<'de>")))]
 #[must_use]
 pub struct Rayon<R = f64> {
     source: Vecteur<R>,
@@ -35,8 +33,7 @@ impl<R: Reel> Rayon<R> {
     /// If a coordinate of the source is beyond ±2⁴⁵⁰ (`f64`) or ±2⁶⁰ (`f32`), or if the direction
     /// is zero or not finite.
     pub fn new(source: Vecteur<R>, direction: Vecteur<R>) -> Result<Self, ErreurGeo> {
-        let source = source_valide(source)?;
-        Ok(Self { source, direction: direction_unitaire(direction)? })
+        Ok(Self { source: source_valide(source)?, direction: direction_unitaire(direction)? })
     }
 
     /// The ray of a source and a direction that were checked before.
@@ -106,7 +103,6 @@ pub(crate) fn direction_unitaire<R: Reel>(direction: Vecteur<R>) -> Result<Vecte
     direction.unitaire().ok_or_else(|| refus_nul("direction"))
 }
 
-#[cfg(feature = "serde")]
 crate::erreur::lu_par_new! {
-    Rayon, "Rayon", RayonBrut { source: Vecteur<R>, direction: Vecteur<R> }
+    Rayon { source: Vecteur<R>, direction: Vecteur<R> }
 }

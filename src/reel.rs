@@ -9,12 +9,11 @@ mod scelle {
     /// What only this crate needs of a scalar; and what keeps [`Reel`](super::Reel) to the two
     /// types whose rounding the crate's bounds rest on.
     pub trait Scelle: super::EnColonne {
-        /// A power of two that brings any length whose square leaves the range of the type back
-        /// into it: times this the smallest, 2⁻¹⁴⁹ or 2⁻¹⁰⁷⁴, is 2⁻⁴⁹ or 2⁻⁴⁷⁴, and the largest
-        /// over this is 2²⁸ or 2⁴²⁴.
-        const ECHELLE: Self;
-        /// The one that belongs to this type of two constants.
-        fn selon<T>(en_f32: T, en_f64: T) -> T;
+        /// Of two constants the one for this type.
+        #[inline(always)]
+        fn selon<T>(en_f32: T, en_f64: T) -> T {
+            if size_of::<Self>() == size_of::<f32>() { en_f32 } else { en_f64 }
+        }
 
         /// The answer to this question (`compile.rs`).
         fn demander<Q: super::Question>(de: Q::De<'_, Self>) -> Q::Reponse<'_, Self>
@@ -148,37 +147,17 @@ pub(crate) fn min<R: Reel>(a: R, b: R) -> R {
     if a < b { a } else { b }
 }
 
-impl Scelle for f32 {
-    const ECHELLE: Self = puissance_de_deux(100) as Self;
-
-    #[inline(always)]
-    fn selon<T>(en_f32: T, _: T) -> T {
-        en_f32
-    }
-
-    #[inline]
-    fn demander<Q: Question>(de: Q::De<'_, Self>) -> Q::Reponse<'_, Self> {
-        Q::en_f32(de)
-    }
-}
-
-impl Scelle for f64 {
-    const ECHELLE: Self = puissance_de_deux(600);
-
-    #[inline(always)]
-    fn selon<T>(_: T, en_f64: T) -> T {
-        en_f64
-    }
-
-    #[inline]
-    fn demander<Q: Question>(de: Q::De<'_, Self>) -> Q::Reponse<'_, Self> {
-        Q::en_f64(de)
-    }
-}
-
-/// What the two scalars say alike, for one with this limit and this root from `libm`.
+/// What the two scalars say alike, for one with this limit, this root from `libm` and these answers
+/// to a [`Question`].
 macro_rules! reel {
-    ($reel:ident, $limite:expr, $racine:path) => {
+    ($reel:ident, $limite:expr, $racine:path, $reponse:ident) => {
+        impl Scelle for $reel {
+            #[inline]
+            fn demander<Q: Question>(de: Q::De<'_, Self>) -> Q::Reponse<'_, Self> {
+                Q::$reponse(de)
+            }
+        }
+
         impl Reel for $reel {
             const ZERO: Self = 0.0;
             const UN: Self = 1.0;
@@ -223,5 +202,5 @@ macro_rules! reel {
     };
 }
 
-reel! { f32, puissance_de_deux(60) as f32, libm::sqrtf }
-reel! { f64, puissance_de_deux(450), libm::sqrt }
+reel! { f32, puissance_de_deux(60) as f32, libm::sqrtf, en_f32 }
+reel! { f64, puissance_de_deux(450), libm::sqrt, en_f64 }

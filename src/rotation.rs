@@ -1,6 +1,6 @@
 //! Rotations of space (handout §2.1).
 
-use core::f64::consts::{FRAC_PI_2, PI, TAU};
+use core::f64::consts::FRAC_PI_2;
 
 use crate::erreur::{ErreurGeo, exiger, fini};
 use crate::reel::Reel;
@@ -45,14 +45,8 @@ pub const DEJA_ORTHONORMALE: f64 = 8.0;
 
 const ANGLES: [&str; 3] = ["vecteur_rotation.x", "vecteur_rotation.y", "vecteur_rotation.z"];
 
-/// k·π/2 with its cosine and sine.
-const QUARTS: [(f64, f64, f64); 5] = [
-    (0.0, 1.0, 0.0),
-    (FRAC_PI_2, 0.0, 1.0),
-    (PI, -1.0, 0.0),
-    (3.0 * FRAC_PI_2, 0.0, -1.0),
-    (TAU, 1.0, 0.0),
-];
+/// The cosine and the sine of k quarter turns.
+const QUARTS: [(f64, f64); 5] = [(1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0), (1.0, 0.0)];
 
 impl<R: Reel> Rotation<R> {
     /// The rotation that changes nothing.
@@ -147,10 +141,9 @@ impl<R: Reel> Rotation<R> {
     /// A rotation that takes z to this direction; none for a vector that is zero or not finite.
     pub(crate) fn de_z_vers(direction: Vecteur<R>) -> Option<Self> {
         let z = direction.vers_f64().unitaire()?;
-        // The axis that lies farthest from it.
-        let [x, y] = [z.x, z.y].map(f64::abs);
-        let autre = if x <= y { Vecteur::new(1.0, 0.0, 0.0) } else { Vecteur::new(0.0, 1.0, 0.0) };
-        let x = autre.produit_vectoriel(z).unitaire()?;
+        // Of x and y the axis that lies farther from it.
+        let axe = usize::from(z.x.abs() > z.y.abs());
+        let x = Vecteur::from(IDENTITE[axe]).produit_vectoriel(z).unitaire()?;
         Some(Self::arrondie(polie([x, z.produit_vectoriel(x), z].map(<[f64; 3]>::from))))
     }
 
@@ -198,6 +191,12 @@ impl<R: Reel> Rotation<R> {
         self.matrice.map(Vecteur::from)
     }
 
+    /// (0, 0, 1)·M.
+    pub(crate) fn axe_z(self) -> Vecteur<R> {
+        let [_, _, z] = self.axes();
+        z
+    }
+
     fn arrondie(m: Matrice) -> Self {
         Self { matrice: m.map(|ligne| ligne.map(R::depuis_f64)) }
     }
@@ -226,8 +225,8 @@ impl<R> From<Rotation<R>> for [[R; 3]; 3] {
 /// The cosine and sine of an angle; exact at the float nearest to k quarter turns, |k| ≤ 4, so that
 /// a scene turned by quarter turns stays aligned with the axes.
 fn cos_sin<R: Reel>(angle: R) -> (f64, f64) {
-    for (quart, cos, sin) in QUARTS {
-        if angle.abs() == R::depuis_f64(quart) {
+    for (k, (cos, sin)) in QUARTS.into_iter().enumerate() {
+        if angle.abs() == R::depuis_f64(k as f64 * FRAC_PI_2) {
             return (cos, if angle < R::ZERO { -sin } else { sin });
         }
     }

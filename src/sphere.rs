@@ -2,7 +2,7 @@
 
 use crate::double::{Double, Jugement, depuis, scalaire, triple};
 use crate::erreur::{ErreurGeo, coefficient, deplacement, point, taille};
-use crate::forme::{Boule, Entree, Forme, Hauteur};
+use crate::forme::{Boule, Forme, Hauteur};
 use crate::rayon::Rayon;
 use crate::reel::Reel;
 use crate::rotation::Rotation;
@@ -28,10 +28,8 @@ use crate::vecteur::Vecteur;
 /// ```
 #[doc(alias = "ball")]
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(try_from = "SphereBrute<R>"))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(bound(serialize = "R: Reel + serde::Serialize")))]
-#[cfg_attr(feature = "serde", serde(bound(deserialize = "R: Reel + serde::Deserialize<'de>")))]
 #[must_use]
 pub struct SphereGeo<R = f64> {
     centre: Vecteur<R>,
@@ -59,8 +57,7 @@ impl<R: Reel> SphereGeo<R> {
     /// If `v` is not finite, or the new centre lies outside the limits of [`new`](Self::new).
     #[doc(alias("translate", "move"))]
     pub fn translation(self, v: Vecteur<R>) -> Result<Self, ErreurGeo> {
-        let v = deplacement(v)?;
-        Self::new(self.centre + v, self.rayon, self.texture)
+        Self::new(self.centre + deplacement(v)?, self.rayon, self.texture)
     }
 
     /// The sphere turned about the origin O (handout §2.3): its centre moves.
@@ -184,8 +181,6 @@ pub const TRAVERS_PERDU: f64 = 0.0625;
 pub const ARRONDI_PERDU: f64 = 0.0625;
 
 impl<R: Reel> Forme<R> for SphereRay<R> {
-    type Ou = ();
-
     #[inline(always)]
     fn boule(&self) -> Boule<R> {
         Boule { centre: self.centre, r2: self.r * self.r }
@@ -221,25 +216,22 @@ impl<R: Reel> Forme<R> for SphereRay<R> {
         (self.centre - point).longueur_carree() <= self.r * self.r
     }
 
-    #[inline(always)]
-    fn ou(&self, _: &Rayon<R>) {}
-
     /// CB/|CB|; where CB is lost, 0.
     #[inline(always)]
-    fn normale(&self, rayon: &Rayon<R>, Entree { t, ou: () }: Entree<R, ()>) -> Vecteur<R> {
+    fn normale(&self, rayon: &Rayon<R>, t: R) -> (Vecteur<R>, R) {
         // Relative to the source: S + tD − C would lose what S and C have in common.
         let cb = (rayon.source() - self.centre) + rayon.direction() * t;
         let cb2 = cb.longueur_carree();
         // Half of the smallest r²: what is shorter is all rounding, and its square may be
         // subnormal.
         let perdu = R::UN / (R::LIMITE * R::LIMITE * R::depuis_f64(2.0));
-        cb / if cb2 > perdu { cb2.sqrt() } else { R::INFINI }
+        (cb / if cb2 > perdu { cb2.sqrt() } else { R::INFINI }, self.r)
     }
 
     #[inline(always)]
-    fn hauteur(&self, p: Vecteur<R>, n: Vecteur<R>, (): ()) -> Hauteur<R> {
+    fn hauteur(&self, p: Vecteur<R>, n: Vecteur<R>, r: R) -> Hauteur<R> {
         let nombre = R::depuis_f64;
-        let (cp, r) = (p - self.centre, self.r);
+        let cp = p - self.centre;
         let r2 = r * r;
         let puissance = (cp.longueur_carree() - r2).abs();
         // Rounding tilts N away from CP, above all for a small far sphere: a ray along the tangent
@@ -259,7 +251,6 @@ impl<R: Reel> Forme<R> for SphereRay<R> {
     }
 }
 
-#[cfg(feature = "serde")]
 crate::erreur::lu_par_new! {
-    SphereGeo, "SphereGeo", SphereBrute { centre: Vecteur<R>, rayon: R, texture: Texture }
+    SphereGeo { centre: Vecteur<R>, rayon: R, texture: Texture }
 }

@@ -3,7 +3,7 @@
 use core::iter::Sum;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
-use crate::reel::Reel;
+use crate::reel::{Reel, puissance_de_deux};
 
 /// A vector, or a point seen from the origin O: x to the right, y up, z towards the viewer
 /// (handout §2.1).
@@ -107,12 +107,15 @@ impl<R: Reel> Vecteur<R> {
     /// size; others are scaled so that the square of the length neither overflows nor loses bits.
     #[inline]
     fn mis_a_l_echelle(self) -> (Self, R) {
+        // Times this the smallest length, 2⁻¹⁴⁹ or 2⁻¹⁰⁷⁴, is 2⁻⁴⁹ or 2⁻⁴⁷⁴; the largest over this
+        // is 2²⁸ or 2⁴²⁴.
+        let grande = R::depuis_f64(R::selon(puissance_de_deux(100), puissance_de_deux(600)));
         let carre = self.longueur_carree();
-        // In a sum above 1/ECHELLE, a square that loses bits weighs nothing.
+        // In a sum above 1/`grande`, a square that loses bits weighs nothing.
         let echelle = if carre == R::INFINI {
-            R::UN / R::ECHELLE
-        } else if carre < R::UN / R::ECHELLE {
-            R::ECHELLE
+            R::UN / grande
+        } else if carre < R::UN / grande {
+            grande
         } else {
             R::UN
         };
@@ -185,55 +188,33 @@ impl<R> From<Vecteur<R>> for [R; 3] {
     }
 }
 
-impl<R: Reel> Add for Vecteur<R> {
-    type Output = Self;
-    #[inline(always)]
-    fn add(self, autre: Self) -> Self {
-        Self::new(self.x + autre.x, self.y + autre.y, self.z + autre.z)
-    }
-}
-
-impl<R: Reel> Sub for Vecteur<R> {
-    type Output = Self;
-    #[inline(always)]
-    fn sub(self, autre: Self) -> Self {
-        Self::new(self.x - autre.x, self.y - autre.y, self.z - autre.z)
-    }
-}
-
-impl<R: Reel> Mul<R> for Vecteur<R> {
-    type Output = Self;
-    #[inline(always)]
-    fn mul(self, k: R) -> Self {
-        Self::new(self.x * k, self.y * k, self.z * k)
-    }
-}
-
-impl<R: Reel> Div<R> for Vecteur<R> {
-    type Output = Self;
-    #[inline(always)]
-    fn div(self, k: R) -> Self {
-        Self::new(self.x / k, self.y / k, self.z / k)
-    }
-}
-
-/// `v += w` and the like.
-macro_rules! affectations {
-    ($($operateur:ident, $f:ident: $autre:ident, $binaire:ident;)*) => {$(
-        impl<R: Reel> $operateur<$autre> for Vecteur<R> {
+/// Operators between two vectors, or a vector and a number, and those that assign: `+` with `+=`.
+macro_rules! operateurs {
+    ($($binaire:ident::$f:ident, $affectation:ident::$g:ident,
+       |$v:ident, $autre:ident: $type:ty| $resultat:expr;)*) => {$(
+        impl<R: Reel> $binaire<$type> for Vecteur<R> {
+            type Output = Self;
             #[inline(always)]
-            fn $f(&mut self, autre: $autre) {
-                *self = self.$binaire(autre);
+            fn $f(self, $autre: $type) -> Self {
+                let $v = self;
+                $resultat
+            }
+        }
+
+        impl<R: Reel> $affectation<$type> for Vecteur<R> {
+            #[inline(always)]
+            fn $g(&mut self, autre: $type) {
+                *self = self.$f(autre);
             }
         }
     )*};
 }
 
-affectations! {
-    AddAssign, add_assign: Self, add;
-    SubAssign, sub_assign: Self, sub;
-    MulAssign, mul_assign: R, mul;
-    DivAssign, div_assign: R, div;
+operateurs! {
+    Add::add, AddAssign::add_assign, |v, w: Self| Self::new(v.x + w.x, v.y + w.y, v.z + w.z);
+    Sub::sub, SubAssign::sub_assign, |v, w: Self| Self::new(v.x - w.x, v.y - w.y, v.z - w.z);
+    Mul::mul, MulAssign::mul_assign, |v, k: R| Self::new(v.x * k, v.y * k, v.z * k);
+    Div::div, DivAssign::div_assign, |v, k: R| Self::new(v.x / k, v.y / k, v.z / k);
 }
 
 /// k·V, as V·k.
