@@ -1,7 +1,7 @@
 //! What is compiled in this crate, whoever calls it.
 
 /// `compilees! { Nom: De => Reponse = f; … }`: the [`Question`](crate::reel::Question) `Nom`, which
-/// `f::<f32>` and `f::<f64>` answer. [`demander`](crate::reel::demander) asks it of either.
+/// `f::<f32>` and `f::<f64>` answer. `R::demander` asks it of either.
 macro_rules! compilees {
     ($($question:ident<$vie:lifetime, $R:ident>: $de:ty => $reponse:ty = $f:ident;)*) => {$(
         #[doc = concat!("[`", stringify!($f), "`], compiled here.")]

@@ -31,7 +31,7 @@ use crate::objet::ObjetRay;
 use crate::premier::Premier;
 use crate::rayon::Rayon;
 use crate::recherche::{est_occulte, premiere_intersection};
-use crate::reel::{Reel, demander};
+use crate::reel::Reel;
 
 /// Bytes of a cache line: nodes start on one (`docs/performance.md`, "Thresholds").
 const LIGNE: usize = 64;
@@ -153,7 +153,7 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
         let Some(places) = places.get_mut(..necessaires) else {
             return Err(PlacesInsuffisantes { places: pretees, necessaires });
         };
-        let arbre = if necessaires > 0 { demander::<Batir, R>((objets, places)) } else { None };
+        let arbre = if necessaires > 0 { R::demander::<Batir>((objets, places)) } else { None };
         Ok(Self { objets, arbre, niveau: meilleur_niveau() })
     }
 
@@ -171,7 +171,7 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
     #[doc(alias("cast_ray", "closest_hit", "first_hit", "raycast"))]
     #[inline]
     pub fn premiere_intersection(&self, rayon: &Rayon<R>) -> Touche<R> {
-        demander::<Premiere, R>((self, rayon))
+        R::demander::<Premiere>((self, rayon))
     }
 
     /// [`est_occulte`](fn@est_occulte) of the list.
@@ -179,7 +179,7 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
     #[inline]
     #[must_use]
     pub fn est_occulte(&self, rayon: &Rayon<R>, distance_max: R) -> bool {
-        demander::<Occulte, R>((self, rayon, distance_max))
+        R::demander::<Occulte>((self, rayon, distance_max))
     }
 
     /// [`premieres_intersections`](crate::premieres_intersections) of the list.
@@ -194,7 +194,7 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
         rayons: &[Rayon<R>],
         touches: &mut [Touche<R>],
     ) -> Result<(), LongueursDifferentes> {
-        demander::<Premieres, R>((self, rayons, touches))
+        R::demander::<Premieres>((self, rayons, touches))
     }
 
     /// [`sont_occultes`](crate::sont_occultes) of the list.
@@ -207,7 +207,7 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
         ombres: &[(Rayon<R>, R)],
         occultes: &mut [bool],
     ) -> Result<(), LongueursDifferentes> {
-        demander::<Occultes, R>((self, ombres, occultes))
+        R::demander::<Occultes>((self, ombres, occultes))
     }
 
     /// How many nodes its tree has; 0 if it asks its list.

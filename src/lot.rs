@@ -26,7 +26,7 @@ use crate::lot::fenetre::Rangee;
 use crate::niveau::{meilleur_niveau, selon_le_niveau};
 use crate::objet::ObjetRay;
 use crate::rayon::Rayon;
-use crate::reel::{Reel, demander};
+use crate::reel::Reel;
 use crate::seize::SEIZE;
 
 /// Fewer rays than this are faster one by one: half a group.
@@ -76,7 +76,7 @@ pub fn premieres_intersections<R: Reel>(
     touches: &mut [Touche<R>],
 ) -> Result<(), LongueursDifferentes> {
     let comment = EnLot { niveau: meilleur_niveau(), elaguer: true, objets };
-    demander::<Lot, R>((comment, rayons, touches))
+    R::demander::<Lot>((comment, rayons, touches))
 }
 
 /// `rayons` and `touches` have different lengths.
@@ -136,7 +136,7 @@ pub fn sont_occultes<R: Reel>(
     occultes: &mut [bool],
 ) -> Result<(), LongueursDifferentes> {
     let comment = EnLot { niveau: meilleur_niveau(), elaguer: true, objets };
-    demander::<LotDOmbres, R>((comment, ombres, occultes))
+    R::demander::<LotDOmbres>((comment, ombres, occultes))
 }
 
 /// A list, the instructions to take, and whether to cull; no answer depends on the last two.

@@ -3,19 +3,17 @@
 use core::fmt::{Debug, Display, LowerExp};
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::seize::EnColonne;
-
 mod scelle {
     /// What only this crate needs of a scalar; and what keeps [`Reel`](super::Reel) to the two
     /// types whose rounding the crate's bounds rest on.
-    pub trait Scelle: super::EnColonne {
+    pub trait Scelle: Copy {
         /// Of two constants the one for this type.
         #[inline(always)]
         fn selon<T>(en_f32: T, en_f64: T) -> T {
             if size_of::<Self>() == size_of::<f32>() { en_f32 } else { en_f64 }
         }
 
-        /// The answer to this question (`compile.rs`).
+        /// The answer to this question, compiled in this crate (`compile.rs`).
         fn demander<Q: super::Question>(de: Q::De<'_, Self>) -> Q::Reponse<'_, Self>
         where
             Self: super::Reel;
@@ -32,12 +30,6 @@ pub trait Question {
     type Reponse<'a, R: Reel>;
     fn en_f32(de: Self::De<'_, f32>) -> Self::Reponse<'_, f32>;
     fn en_f64(de: Self::De<'_, f64>) -> Self::Reponse<'_, f64>;
-}
-
-/// The answer to a question, compiled in this crate.
-#[inline]
-pub(crate) fn demander<Q: Question, R: Reel>(de: Q::De<'_, R>) -> Q::Reponse<'_, R> {
-    R::demander::<Q>(de)
 }
 
 /// The scalar type: `f32` or `f64`. Sealed.

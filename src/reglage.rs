@@ -10,7 +10,7 @@ use crate::lot::{EnLot, LongueursDifferentes, Lot, LotDOmbres};
 use crate::niveau::meilleur_niveau;
 use crate::objet::ObjetRay;
 use crate::rayon::Rayon;
-use crate::reel::{Reel, demander};
+use crate::reel::Reel;
 
 /// Which instructions the batch takes, and whether it leaves objects out: no answer depends on it.
 #[doc(hidden)]
@@ -68,7 +68,7 @@ impl Reglage {
         touches: &mut [Touche<R>],
     ) -> Result<(), LongueursDifferentes> {
         let Self { niveau, elaguer } = self;
-        demander::<Lot, R>((EnLot { niveau, elaguer, objets }, rayons, touches))
+        R::demander::<Lot>((EnLot { niveau, elaguer, objets }, rayons, touches))
     }
 
     /// [`sont_occultes`](crate::sont_occultes) with these settings.
@@ -82,7 +82,7 @@ impl Reglage {
         occultes: &mut [bool],
     ) -> Result<(), LongueursDifferentes> {
         let Self { niveau, elaguer } = self;
-        demander::<LotDOmbres, R>((EnLot { niveau, elaguer, objets }, ombres, occultes))
+        R::demander::<LotDOmbres>((EnLot { niveau, elaguer, objets }, ombres, occultes))
     }
 
     /// How many nodes the tree of this hierarchy has; 0 if it has none and asks its list.
@@ -99,8 +99,5 @@ impl Reglage {
 fn evite<R: Reel, D: Demande<R>>(demandes: &[D], objet: &ObjetRay<R>) -> bool {
     let mut bloc = Bloc::VIDE;
     bloc.charger(demandes);
-    bloc.faisceau().is_some_and(|faisceau| {
-        let (h2, limite) = faisceau.depassement_et_limite(objet.boule());
-        h2 > limite
-    })
+    bloc.faisceau().is_some_and(|faisceau| faisceau.ecart_a(objet.boule()) > R::ZERO)
 }

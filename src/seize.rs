@@ -1,8 +1,8 @@
 //! Sixteen numbers side by side: of the rays of a group, of the balls of a row, of the children of
 //! a node.
 
+use fearless_simd::f32x16;
 use fearless_simd::prelude::*;
-use fearless_simd::{f32x16, f64x8};
 
 /// How many. The compiler would unroll loops of eight before it could vectorise them.
 pub(crate) const SEIZE: usize = 16;
@@ -17,7 +17,7 @@ pub(crate) struct Aligne<T>(pub(crate) T);
 
 /// Some of sixteen, a bit for each; as an iterator, the least first.
 #[derive(Clone, PartialEq, Eq)]
-pub struct Membres(u32);
+pub(crate) struct Membres(u32);
 
 impl Membres {
     /// Those that satisfy `est_membre`.
@@ -45,10 +45,7 @@ impl Membres {
 
     /// Takes out the one whose number is the least.
     #[inline(always)]
-    pub(crate) fn prendre_le_moindre<R: EnColonne>(
-        &mut self,
-        nombres: &Colonne<R>,
-    ) -> Option<usize> {
+    pub(crate) fn prendre_le_moindre(&mut self, nombres: &Colonne<f32>) -> Option<usize> {
         let mut membres = self.clone();
         let mut moindre = membres.next()?;
         for membre in membres {
@@ -89,38 +86,16 @@ impl Iterator for Membres {
     }
 }
 
-/// A number whose columns can be compared.
-pub trait EnColonne: Copy + PartialOrd {
-    /// Those i with `a[i] <= b[i]`: the one step that the compiler does not vectorise by itself.
-    fn au_plus<S: Simd>(simd: S, a: &Colonne<Self>, b: &Colonne<Self>) -> Membres;
-}
-
-impl EnColonne for f32 {
-    #[inline(always)]
-    fn au_plus<S: Simd>(simd: S, a: &Colonne<Self>, b: &Colonne<Self>) -> Membres {
-        let (a, b) = (f32x16::simd_from(simd, *a), f32x16::simd_from(simd, *b));
-        Membres(a.simd_le(b).to_bitmask() as u32)
-    }
-}
-
-impl EnColonne for f64 {
-    #[inline(always)]
-    fn au_plus<S: Simd>(simd: S, a: &Colonne<Self>, b: &Colonne<Self>) -> Membres {
-        let ([a0, a1], [b0, b1]) = (en_deux(simd, a), en_deux(simd, b));
-        Membres((a0.simd_le(b0).to_bitmask() | a1.simd_le(b1).to_bitmask() << 8) as u32)
-    }
-}
-
-/// A column in two vectors.
+/// Those i with `a[i] <= b[i]`: the one step that the compiler does not vectorise by itself.
 #[inline(always)]
-fn en_deux<S: Simd>(simd: S, colonne: &Colonne<f64>) -> [f64x8<S>; 2] {
-    let (moities, _) = colonne.as_chunks::<8>();
-    [f64x8::simd_from(simd, moities[0]), f64x8::simd_from(simd, moities[1])]
+pub(crate) fn au_plus<S: Simd>(simd: S, a: &Colonne<f32>, b: &Colonne<f32>) -> Membres {
+    let (a, b) = (f32x16::simd_from(simd, *a), f32x16::simd_from(simd, *b));
+    Membres(a.simd_le(b).to_bitmask() as u32)
 }
 
 /// The largest of sixteen numbers.
 #[inline(always)]
-pub(crate) fn le_plus_grand<R: EnColonne>(mut x: Colonne<R>) -> R {
+pub(crate) fn le_plus_grand<R: Copy + PartialOrd>(mut x: Colonne<R>) -> R {
     let mut moitie = SEIZE / 2;
     while moitie > 0 {
         for i in 0..moitie {

@@ -37,14 +37,11 @@ impl Patience {
 
     /// Notes how a try ended.
     #[inline(always)]
-    fn noter(&mut self, a_abandonne: bool) {
-        self.abandons = if a_abandonne { (self.abandons + 1).min(4) } else { 0 };
+    fn noter(&mut self, jusqu_au_bout: bool) {
+        self.abandons = if jusqu_au_bout { 0 } else { (self.abandons + 1).min(4) };
         self.seuls = (4_u32.pow(self.abandons.saturating_sub(1)) - 1).min(PAUSE);
     }
 }
-
-/// The rays of a block go too far apart for one walk. What they have found so far stands.
-struct TropLoinLUnDeLAutre;
 
 impl<R: Reel> Arbre<'_, R> {
     /// The answers to the rays of a block.
@@ -63,8 +60,8 @@ impl<R: Reel> Arbre<'_, R> {
         };
         if let Some(sonde) = sonde {
             let ensemble = self.parcourir_ensemble(simd, &sonde, bloc);
-            patience.noter(ensemble.is_err());
-            if ensemble.is_ok() {
+            patience.noter(ensemble);
+            if ensemble {
                 return bloc.ecrire(simd, self.objets, reponses);
             }
         }
@@ -81,14 +78,15 @@ impl<R: Reel> Arbre<'_, R> {
         );
     }
 
-    /// Finds the first object of each ray of a block, in the nodes that its beam crosses.
+    /// Finds the first object of each ray of a block, in the nodes that its beam crosses. Tells whether it
+    /// came to the end: if the rays go too far apart for one walk, what they have found so far stands.
     #[inline(always)]
     fn parcourir_ensemble<S: Simd, D: Demande<R>>(
         &self,
         simd: S,
         sonde: &SondeDeBloc,
         bloc: &mut Bloc<R, D>,
-    ) -> Result<(), TropLoinLUnDeLAutre> {
+    ) -> bool {
         for &indice in self.plans {
             self.proposer(bloc, indice_lu(indice));
         }
@@ -102,7 +100,7 @@ impl<R: Reel> Arbre<'_, R> {
                 if traverses.le_premier().is_some() {
                     vus += traverses.nombre();
                     if vus > R::selon(2 * ASSEZ_D_OBJETS, ASSEZ_D_OBJETS) {
-                        return Err(TropLoinLUnDeLAutre);
+                        return false;
                     }
                     let [.., indices] = noeud;
                     for enfant in traverses {
@@ -121,7 +119,7 @@ impl<R: Reel> Arbre<'_, R> {
             let Some(suivant) = pile.prendre(plafond) else { break };
             numero = suivant;
         }
-        Ok(())
+        true
     }
 
     /// Proposes the object of this index to the block.

@@ -15,7 +15,7 @@ use crate::objet::ObjetRay;
 use crate::premier::Premier;
 use crate::rayon::Rayon;
 use crate::reel::Reel;
-use crate::seize::{Aligne, EnColonne, SEIZE};
+use crate::seize::{Aligne, SEIZE, au_plus};
 
 impl<R: Reel> Arbre<'_, R> {
     /// The first object that the ray enters before `premier`, or `premier`; if `UN_SUFFIT`, any
@@ -130,7 +130,7 @@ impl<R: Reel> Recherche<'_, R> {
                 if D::UN_SUFFIT {
                     break;
                 }
-                traverses = traverses.et(&f32::au_plus(simd, &entrees, &[self.plafond(); SEIZE]));
+                traverses = traverses.et(&au_plus(simd, &entrees, &[self.plafond(); SEIZE]));
             }
             suivant = traverses.next();
         }

@@ -7,7 +7,7 @@ use crate::hierarchie::repere::{PART_DU_JEU, Repere, TROP_LOIN, simple, simples}
 use crate::lot::faisceau::Faisceau;
 use crate::rayon::Rayon;
 use crate::reel::{Reel, fois_u, fois_u_simple, max, min};
-use crate::seize::{Aligne, Colonne, EnColonne, Membres, SEIZE};
+use crate::seize::{Aligne, Colonne, Membres, SEIZE, au_plus};
 use crate::vecteur::Vecteur;
 
 /// By so many u of `f32` an entry comes before its rounding (lemma 16).
@@ -80,7 +80,7 @@ impl Sonde {
             sortie = min((lz[i] - z.vers_lointain) * z.inverse, sortie);
             sorties[i] = sortie;
         }
-        (f32::au_plus(simd, &entrees, &sorties), Aligne(entrees))
+        (au_plus(simd, &entrees, &sorties), Aligne(entrees))
     }
 }
 
@@ -142,8 +142,8 @@ impl SondeDeBloc {
             let h = self.m.produit_scalaire(Vecteur::new(x[i], y[i], z[i])) - self.depart;
             profondeurs[i] = max(h, 0.0);
         }
-        let pas_dehors = f32::au_plus(simd, &dehors, &[0.0; SEIZE]);
-        let avant = f32::au_plus(simd, &profondeurs, &[plafond; SEIZE]);
+        let pas_dehors = au_plus(simd, &dehors, &[0.0; SEIZE]);
+        let avant = au_plus(simd, &profondeurs, &[plafond; SEIZE]);
         (pas_dehors.et(&avant), Aligne(profondeurs))
     }
 }

@@ -173,18 +173,17 @@ impl<R: Reel> Faisceau<R> {
         }
     }
 
-    /// Two numbers: h², and the limit ρ² + 310u₃₂·(|C − S₀|² + 3q²). h is how far C lies beyond the
-    /// farthest of the five planes, or 0. If h² is above the limit, no ray of the beam enters what is
-    /// in the ball.
+    /// h² − ρ² − 310u₃₂·(|C − S₀|² + 3q²), where h is how far C lies beyond the farthest of the five
+    /// planes, or 0. Above 0 no ray of the beam enters what is in the ball.
     #[inline(always)]
-    pub(crate) fn depassement_et_limite(&self, boule: Boule<R>) -> (R, R) {
+    pub(crate) fn ecart_a(&self, boule: Boule<R>) -> R {
         let sc = boule.centre - self.s0;
         let mut h = R::ZERO;
         for (p, w) in self.plans {
             h = max(p.produit_scalaire(sc) - w, h);
         }
         let etendue = R::depuis_f64(3.0) * (self.ecart * self.ecart);
-        (h * h, boule.r2 + (sc.longueur_carree() + etendue) * fois_u_simple(JEU_BOULE))
+        h * h - (boule.r2 + (sc.longueur_carree() + etendue) * fois_u_simple(JEU_BOULE))
     }
 }
 

@@ -6,7 +6,7 @@ use crate::forme::Boule;
 use crate::lot::faisceau::Faisceau;
 use crate::objet::ObjetRay;
 use crate::reel::Reel;
-use crate::seize::{Colonne, Membres, SEIZE};
+use crate::seize::{Colonne, Membres, SEIZE, au_plus};
 use crate::vecteur::Vecteur;
 
 /// The balls around sixteen neighbours in a list, coordinate by coordinate. A window is some of
@@ -35,11 +35,12 @@ impl<R: Reel> Rangee<R> {
     #[inline(always)]
     pub(crate) fn rencontres<S: Simd>(&self, simd: S, faisceau: &Faisceau<R>) -> Membres {
         let ([x, y, z], r2) = (&self.centres, &self.r2);
-        let (mut h2, mut limites) = ([R::ZERO; SEIZE], [R::ZERO; SEIZE]);
+        let mut ecarts = [0.0; SEIZE];
         for i in 0..SEIZE {
             let boule = Boule { centre: Vecteur::new(x[i], y[i], z[i]), r2: r2[i] };
-            (h2[i], limites[i]) = faisceau.depassement_et_limite(boule);
+            // Rounding to `f32` keeps the sign, or makes a 0.
+            ecarts[i] = faisceau.ecart_a(boule).vers_f64() as f32;
         }
-        R::au_plus(simd, &h2, &limites)
+        au_plus(simd, &ecarts, &[0.0; SEIZE])
     }
 }
