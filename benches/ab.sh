@@ -64,11 +64,10 @@ path = "$bancs/comparaison/src/ab.rs"
 [workspace]
 [dependencies]
 avant = { package = "lancer-rayon", path = "$ab/avant", features = ["serde"] }
+commun = { path = "$bancs/../tests/commun" }
 fastrand = "2"
 lancer-rayon = { path = "$racine", features = ["serde"] }
-libm = "0.2.16"
-ron = "0.12.3"
-serde = { version = "1.0.229", features = ["derive"] }
+serde = "1.0.229"
 [profile.release.package]
 "lancer-rayon@0.0.0-avant" = { codegen-units = ${unites%:*} }
 "lancer-rayon@$(version "$racine")" = { codegen-units = ${unites#*:} }

@@ -9,23 +9,12 @@ use commun::{litteral, scenes};
 use criterion::{
     BenchmarkId, Criterion, SamplingMode, Throughput, criterion_group, criterion_main,
 };
+use exemples::scene::Scene;
 use lancer_rayon::{
     Hierarchie, NoIntersection, ObjetRay, Rayon, Reel, Vecteur, est_occulte, premiere_intersection,
     premieres_intersections,
 };
-use scene::Scene;
 use serde::de::DeserializeOwned;
-
-#[allow(dead_code, reason = "shared with the tests")]
-#[path = "../tests/commun"]
-mod commun {
-    pub(crate) mod conversion;
-    pub(crate) mod litteral;
-    pub(crate) mod scenes;
-}
-#[allow(dead_code, reason = "shared with the examples")]
-#[path = "../docs/exemples/scene.rs"]
-mod scene;
 
 /// A longer list, object by object, would take minutes.
 const LONGUE_LISTE: usize = 1000;

@@ -3,8 +3,6 @@
 //! The crate is `#![no_std]` without `alloc`, so that its own code cannot allocate. This test covers the
 //! crates that it calls as well.
 
-mod commun;
-
 use std::hint::black_box;
 
 use allocation_counter::measure;

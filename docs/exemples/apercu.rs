@@ -3,20 +3,17 @@
 //!
 //! `cargo run --release -p exemples [scene.ron] [image.png]`
 
-mod image;
-mod scene;
-mod surete;
-
 use std::error::Error;
 use std::io::{self, Write};
 use std::path::Path;
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
+use exemples::scene::Scene;
+use exemples::{image, surete};
 use lancer_rayon::{
     Intersection, NoIntersection, ObjetGeo, Rayon, Reel, Touche, premiere_intersection,
 };
-use scene::Scene;
 
 const SCENE: &str = "docs/scenes/atelier.ron";
 const IMAGE: &str = "target/apercu.png";

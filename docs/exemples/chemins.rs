@@ -6,21 +6,19 @@
 //! A path starts at the eye and goes on by one bounce after another. The paths of one piece of the picture
 //! are a wave: all of them take one bounce, in a batch, then all their shadow rays, in another.
 
-mod image;
-mod scene;
-
 use std::error::Error;
 use std::path::Path;
 use std::process::ExitCode;
 use std::time::Instant;
 
+use exemples::image;
+use exemples::scene::Scene;
 use indicatif::ParallelProgressIterator;
 use lancer_rayon::{
     Hierarchie, Intersection, LongueursDifferentes, NoIntersection, ObjetRay, Rayon, Reel,
     SphereRay, Touche, Vecteur,
 };
 use rayon::prelude::*;
-use scene::Scene;
 use serde::de::DeserializeOwned;
 
 /// Red, green and blue, in proportion to the light.

@@ -14,11 +14,12 @@ use lancer_rayon::{
 };
 
 /// Where the figures stand.
-pub(crate) const DOSSIER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/images");
+pub const DOSSIER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../images");
 
 type Resultat<T> = Result<T, Box<dyn Error>>;
 
-fn main() -> Resultat<()> {
+/// Writes them.
+pub fn ecrire() -> Resultat<()> {
     for (nom, svg) in figures()? {
         std::fs::write(format!("{DOSSIER}/{nom}"), svg)?;
     }
@@ -26,7 +27,7 @@ fn main() -> Resultat<()> {
 }
 
 /// Each figure with the name of its file.
-pub(crate) fn figures() -> Resultat<[(&'static str, String); 4]> {
+pub fn figures() -> Resultat<[(&'static str, String); 4]> {
     Ok([
         ("rotations.svg", rotations()?),
         ("demi-espace.svg", demi_espace()?),

@@ -9,7 +9,7 @@ use std::process::ExitCode;
 use png::Compression;
 
 /// Writes rows of pixels from the top left, red, green and blue each; makes the folder if need be.
-pub(crate) fn ecrire(
+pub fn ecrire(
     chemin: &str,
     (largeur, hauteur): (u32, u32),
     compression: Compression,
@@ -28,7 +28,7 @@ pub(crate) fn ecrire(
 
 /// Calls `peindre` with the scene and the image that `arguments` names, by default with these two, and
 /// prints its error.
-pub(crate) fn programme(
+pub fn programme(
     arguments: &[String],
     [scene, image]: [&str; 2],
     usage: &str,

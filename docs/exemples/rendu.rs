@@ -9,21 +9,19 @@
 //! mirrors and glass show, the shadows of that, and so on. Rays of a level that leave the same object are
 //! neighbours, so that the batch finds them a beam.
 
-mod image;
-mod scene;
-
 use std::error::Error;
 use std::path::Path;
 use std::process::ExitCode;
 use std::time::Instant;
 
+use crate::image;
+use crate::scene::Scene;
 use indicatif::ParallelProgressIterator;
 use lancer_rayon::{
     Hierarchie, Intersection, LongueursDifferentes, NoIntersection, ObjetRay, Rayon, Reel, Touche,
     Vecteur,
 };
 use rayon::prelude::*;
-use scene::Scene;
 use serde::de::DeserializeOwned;
 
 /// Red, green and blue, in proportion to the light.
@@ -39,9 +37,10 @@ const FINESSE: u32 = 2;
 const NIVEAUX: u32 = 6;
 
 /// Rays of the eye that go together, the work of one thread at a time.
-pub(crate) const ENSEMBLE: usize = 4096;
+pub const ENSEMBLE: usize = 4096;
 
-fn main() -> ExitCode {
+/// What the command line asks for.
+pub fn programme() -> ExitCode {
     let mut arguments: Vec<String> = std::env::args().skip(1).collect();
     let avant = arguments.len();
     arguments.retain(|argument| argument != "--f32");
@@ -64,9 +63,9 @@ fn main() -> ExitCode {
 
 /// One of so many bands of a picture, from the top; counted from 1.
 #[derive(Clone, Copy)]
-pub(crate) struct Bande {
-    pub(crate) numero: u32,
-    pub(crate) nombre: u32,
+pub struct Bande {
+    pub numero: u32,
+    pub nombre: u32,
 }
 
 impl Bande {
@@ -104,10 +103,10 @@ fn rendre<R: Reel + DeserializeOwned>(
 }
 
 /// Width and height; red, green and blue of each pixel, row by row from the top left.
-pub(crate) type Image = ((u32, u32), Vec<u8>);
+pub type Image = ((u32, u32), Vec<u8>);
 
 /// The picture of a scene file; so many rays across a pixel, and so many together.
-pub(crate) fn octets<R: Reel + DeserializeOwned>(
+pub fn octets<R: Reel + DeserializeOwned>(
     chemin: &str,
     finesse: u32,
     ensemble: usize,

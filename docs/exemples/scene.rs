@@ -33,15 +33,15 @@ use serde::{Deserialize, Deserializer};
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[serde(bound(deserialize = "R: Reel + Deserialize<'de>"))]
-pub(crate) struct Scene<R> {
-    pub(crate) camera: Camera,
+pub struct Scene<R> {
+    pub camera: Camera,
     #[serde(deserialize_with = "objets")]
-    pub(crate) objets: Vec<ObjetGeo<R>>,
+    pub objets: Vec<ObjetGeo<R>>,
 }
 
 impl<R: Reel + DeserializeOwned> Scene<R> {
     /// The scene of this file.
-    pub(crate) fn lire(chemin: &Path) -> Result<Self, ErreurScene> {
+    pub fn lire(chemin: &Path) -> Result<Self, ErreurScene> {
         let texte = fs::read_to_string(chemin).map_err(|erreur| ErreurScene {
             fichier: chemin.to_owned(),
             position: None,
@@ -51,7 +51,7 @@ impl<R: Reel + DeserializeOwned> Scene<R> {
     }
 
     /// The scene of this text; errors say that it stands in `fichier`.
-    pub(crate) fn depuis_texte(fichier: &Path, texte: &str) -> Result<Self, ErreurScene> {
+    pub fn depuis_texte(fichier: &Path, texte: &str) -> Result<Self, ErreurScene> {
         let ron = ron::Options::default().with_default_extension(Extensions::UNWRAP_NEWTYPES);
         ron.from_str(texte).map_err(|erreur| ErreurScene {
             fichier: fichier.to_owned(),
@@ -63,7 +63,7 @@ impl<R: Reel + DeserializeOwned> Scene<R> {
 
 /// Why there is no scene.
 #[derive(Debug)]
-pub(crate) struct ErreurScene {
+pub struct ErreurScene {
     fichier: PathBuf,
     /// Line and column, unless the file as a whole could not be read.
     position: Option<Position>,
@@ -86,18 +86,18 @@ impl std::error::Error for ErreurScene {}
 /// up to their rounding.
 #[derive(Debug, Deserialize)]
 #[serde(try_from = "CameraBrute")]
-pub(crate) struct Camera {
+pub struct Camera {
     source: Vecteur,
     rotation: Rotation,
     /// The height of the picture, one unit before the camera.
     hauteur: f64,
     /// Width and height, in pixels.
-    pub(crate) image: (u32, u32),
+    pub image: (u32, u32),
 }
 
 impl Camera {
     /// One ray through the middle of each pixel, row by row from the upper left corner.
-    pub(crate) fn rayons<R: Reel>(&self) -> Result<Vec<Rayon<R>>, ErreurGeo> {
+    pub fn rayons<R: Reel>(&self) -> Result<Vec<Rayon<R>>, ErreurGeo> {
         let (largeur, hauteur) = self.image;
         let pas = self.hauteur / f64::from(hauteur);
         let milieu = |pixel: u32, pixels: u32| f64::from(pixel) + 0.5 - f64::from(pixels) / 2.0;

@@ -7,11 +7,7 @@ use lancer_rayon::{NoIntersection, ObjetRay, Rayon, Reel, Touche, premiere_inter
 ///
 /// Each object must be certain, hit or miss; and no other that is hit may come within the bounds of
 /// both.
-pub(crate) fn est_certaine<R: Reel>(
-    objets: &[ObjetRay<R>],
-    rayon: &Rayon<R>,
-    touche: &Touche<R>,
-) -> bool {
+pub fn est_certaine<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>, touche: &Touche<R>) -> bool {
     let bornes = |objet: &ObjetRay<R>| {
         let touche = objet.intersection(rayon).ok()?;
         let (t, erreur) = (touche.distance().vers_f64(), objet.erreur(rayon, &touche).vers_f64());
@@ -27,19 +23,19 @@ pub(crate) fn est_certaine<R: Reel>(
 
 /// Rays of a picture in `f32`.
 #[derive(Debug, Default)]
-pub(crate) struct Pixels {
+pub struct Pixels {
     /// Those whose answer is not certain.
-    pub(crate) incertains: usize,
+    pub incertains: usize,
     /// Those whose answer in `f64` on the same numbers is another object, or none, or a distance
     /// farther off than `erreur`.
-    pub(crate) autres: usize,
+    pub autres: usize,
     /// Those of the latter that were certain: there must be none.
-    pub(crate) tus: usize,
+    pub tus: usize,
 }
 
 /// What `f64` says, on the same numbers, of the answers in `f32`, and what `f32` itself said of them
 /// before.
-pub(crate) fn juger(objets: &[ObjetRay<f32>], rayons: &[Rayon<f32>]) -> Pixels {
+pub fn juger(objets: &[ObjetRay<f32>], rayons: &[Rayon<f32>]) -> Pixels {
     let doubles: Vec<_> = objets.iter().map(ObjetRay::vers_f64).collect();
     let mut pixels = Pixels::default();
     for rayon in rayons {

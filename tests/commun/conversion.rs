@@ -3,12 +3,12 @@
 use lancer_rayon::{Reel, Touche, Vecteur};
 
 /// [`Vecteur::depuis_f64`] under a shorter name.
-pub(crate) fn arrondi<R: Reel>(v: Vecteur) -> Vecteur<R> {
+pub fn arrondi<R: Reel>(v: Vecteur) -> Vecteur<R> {
     Vecteur::depuis_f64(v)
 }
 
 /// A scalar as bits, and back.
-pub(crate) trait Bits: Reel {
+pub trait Bits: Reel {
     fn depuis_bits(bits: u64) -> Self;
     fn bits(self) -> u64;
 }
@@ -34,14 +34,14 @@ impl Bits for f64 {
 
 /// Every bit of a hit or a miss.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Mots {
+pub struct Mots {
     /// Distance, normal, margin and texture. A miss has bits that would be NaNs, and no hit has those.
-    pub(crate) valeurs: [u64; 6],
+    pub valeurs: [u64; 6],
     /// The index of the object.
-    pub(crate) objet: Option<usize>,
+    pub objet: Option<usize>,
 }
 
-pub(crate) fn mots<R: Bits>(touche: &Touche<R>) -> Mots {
+pub fn mots<R: Bits>(touche: &Touche<R>) -> Mots {
     let Ok(t) = touche else { return Mots { valeurs: [u64::MAX; 6], objet: None } };
     let (n, texture) = (t.normale(), t.texture().0.into());
     let [d, x, y, z, marge] = [t.distance(), n.x, n.y, n.z, t.marge()].map(R::bits);

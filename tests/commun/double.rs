@@ -7,7 +7,7 @@ use lancer_rayon::{ObjetRay, Rayon, Reel, Vecteur};
 
 /// An unevaluated sum of two f64, the second below the last place of the first.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Double(f64, f64);
+pub struct Double(f64, f64);
 
 impl Double {
     fn somme(a: f64, b: f64) -> Self {
@@ -80,7 +80,7 @@ fn scalaire(a: &Point, b: &Point) -> Double {
 
 /// How far `t` lies from the entry of this ray, and the unit in which that counts,
 /// (|f| + r + t)/|N·D|; NaN where there is none.
-pub(crate) fn ecart_et_kappa_t<R: Reel>(objet: &ObjetRay<R>, rayon: &Rayon<R>, t: R) -> (f64, f64) {
+pub fn ecart_et_kappa_t<R: Reel>(objet: &ObjetRay<R>, rayon: &Rayon<R>, t: R) -> (f64, f64) {
     let (s, d) = (point(rayon.source()), point(rayon.direction()));
     let depuis = |c: Vecteur<R>| -> Point {
         let c = point(c);

@@ -4,14 +4,14 @@
 
 use lancer_rayon::{ObjetRay, Rayon, Reel, Texture, Vecteur};
 
-pub(crate) struct Objet<R>(pub(crate) Forme<R>, pub(crate) Texture);
-pub(crate) enum Forme<R> {
+pub struct Objet<R>(pub Forme<R>, pub Texture);
+pub enum Forme<R> {
     Sphere(Vecteur<R>, R),
     Plan(Vecteur<R>, R),
     Boite([Couple<R>; 3]),
 }
 /// N, (Cf, df), (Co, do), l.
-pub(crate) type Couple<R> = (Vecteur<R>, (Vecteur<R>, R), (Vecteur<R>, R), R);
+pub type Couple<R> = (Vecteur<R>, (Vecteur<R>, R), (Vecteur<R>, R), R);
 
 impl<R: Reel> From<&ObjetRay<R>> for Objet<R> {
     fn from(objet: &ObjetRay<R>) -> Self {
@@ -30,7 +30,7 @@ impl<R: Reel> From<&ObjetRay<R>> for Objet<R> {
     }
 }
 
-pub(crate) fn premiere_intersection<R: Reel>(
+pub fn premiere_intersection<R: Reel>(
     objets: &[Objet<R>],
     rayon: &Rayon<R>,
 ) -> Option<(R, Vecteur<R>, Texture)> {
@@ -49,14 +49,14 @@ pub(crate) fn premiere_intersection<R: Reel>(
 }
 
 /// A.1.
-pub(crate) fn plan<R: Reel>(p: Vecteur<R>, d: R, rayon: &Rayon<R>) -> Option<R> {
+pub fn plan<R: Reel>(p: Vecteur<R>, d: R, rayon: &Rayon<R>) -> Option<R> {
     let pd = p.produit_scalaire(rayon.direction());
     let t = || (-d - p.produit_scalaire(rayon.source())) / pd;
     (pd < R::ZERO).then(t).filter(|t| *t > R::ZERO)
 }
 
 /// A.2.
-pub(crate) fn sphere<R: Reel>(c: Vecteur<R>, r: R, rayon: &Rayon<R>) -> Option<(R, Vecteur<R>)> {
+pub fn sphere<R: Reel>(c: Vecteur<R>, r: R, rayon: &Rayon<R>) -> Option<(R, Vecteur<R>)> {
     let sc = c - rayon.source();
     let sa = sc.produit_scalaire(rayon.direction());
     let ac2 = sc.longueur_carree() - sa * sa;
@@ -67,10 +67,7 @@ pub(crate) fn sphere<R: Reel>(c: Vecteur<R>, r: R, rayon: &Rayon<R>) -> Option<(
 }
 
 /// A.3.
-pub(crate) fn boite<R: Reel>(
-    couples: &[Couple<R>; 3],
-    rayon: &Rayon<R>,
-) -> Option<(R, Vecteur<R>)> {
+pub fn boite<R: Reel>(couples: &[Couple<R>; 3], rayon: &Rayon<R>) -> Option<(R, Vecteur<R>)> {
     [[0, 1, 2], [1, 2, 0], [2, 0, 1]].into_iter().find_map(|[i, j, k]| {
         let (n, face, opposee, _) = &couples[i];
         let opposee_en_vue = n.produit_scalaire(rayon.direction()) > R::ZERO;

@@ -4,30 +4,30 @@ use fastrand::Rng;
 use lancer_rayon::constantes::ARRONDI_PERDU;
 use lancer_rayon::{Intersection, ObjetRay, Rayon, Reel, SphereRay, Vecteur};
 
-use super::oracle::{Entree, hauteur, verite};
-use super::regimes::Regime;
-use super::tolerances::{promesses, u};
+use crate::oracle::{Entree, hauteur, verite};
+use crate::regimes::Regime;
+use crate::tolerances::{promesses, u};
 
 /// What an implementation answers: distance and normal.
-pub(crate) type Reponse<R> = Option<(R, Vecteur<R>)>;
+pub type Reponse<R> = Option<(R, Vecteur<R>)>;
 
 /// Counts and errors of one regime.
 #[derive(Debug, Default)]
-pub(crate) struct Mesure {
+pub struct Mesure {
     /// Cases in which the truth is a hit.
-    pub(crate) touches: u32,
+    pub touches: u32,
     /// Hits where there is none and misses where there is one, outside the band of the decision.
-    pub(crate) fausses: u32,
+    pub fausses: u32,
     /// The error of every distance in u·κt, with u that of the type.
-    pub(crate) k: Vec<f64>,
+    pub k: Vec<f64>,
     /// The largest of these as a part of the promise, without what products that underflow add.
-    pub(crate) part: f64,
+    pub part: f64,
     /// The largest error of a normal, as a part of what is promised.
-    pub(crate) normale: f64,
+    pub normale: f64,
 }
 
 /// The median, what one in a thousand exceeds, and the largest.
-pub(crate) fn quantiles(valeurs: &mut [f64]) -> [f64; 3] {
+pub fn quantiles(valeurs: &mut [f64]) -> [f64; 3] {
     valeurs.sort_by(f64::total_cmp);
     [0.5, 0.999, 1.0].map(|part| {
         let rang = (valeurs.len().saturating_sub(1)) as f64 * part;
@@ -36,7 +36,7 @@ pub(crate) fn quantiles(valeurs: &mut [f64]) -> [f64; 3] {
 }
 
 /// What products that underflow add to the error of a distance.
-pub(crate) fn absolu<R: Reel>(objet: &ObjetRay<R>, entree: &Entree) -> f64 {
+pub fn absolu<R: Reel>(objet: &ObjetRay<R>, entree: &Entree) -> f64 {
     match objet {
         ObjetRay::Plan(_) => absolu_fois(entree, R::MIN_POSITIF.vers_f64()),
         ObjetRay::Sphere(_) | ObjetRay::Boite(_) => 0.0,
@@ -44,12 +44,12 @@ pub(crate) fn absolu<R: Reel>(objet: &ObjetRay<R>, entree: &Entree) -> f64 {
 }
 
 /// The same of a half-space, for an η that may be multiplied by a number.
-pub(crate) fn absolu_fois(entree: &Entree, eta: f64) -> f64 {
+pub fn absolu_fois(entree: &Entree, eta: f64) -> f64 {
     promesses::PLAN_ABSOLU * eta / entree.cosinus
 }
 
 /// The same `graine` gives the same cases to every implementation.
-pub(crate) fn mesurer<R: Reel>(
+pub fn mesurer<R: Reel>(
     regime: &Regime<R>,
     cas: u32,
     graine: u64,
@@ -84,7 +84,7 @@ pub(crate) fn mesurer<R: Reel>(
 /// Whether an inward ray that left a box by the face `touche` may enter it again at `encore`: by
 /// another face, above whose plane it starts, as the search sees it, and no farther above than the
 /// hit may lie (lemma 14).
-pub(crate) fn au_bord<R: Reel>(
+pub fn au_bord<R: Reel>(
     objet: &ObjetRay<R>,
     rayon: &Rayon<R>,
     touche: &Intersection<R>,
@@ -107,7 +107,7 @@ pub(crate) fn au_bord<R: Reel>(
 }
 
 /// How far outside a box or a sphere the point `rayon.point(t)` of its hit may lie (lemma 14).
-pub(crate) fn lieu_permis<R: Reel>(objet: &ObjetRay<R>, rayon: &Rayon<R>, t: R) -> f64 {
+pub fn lieu_permis<R: Reel>(objet: &ObjetRay<R>, rayon: &Rayon<R>, t: R) -> f64 {
     let [s, p] = [rayon.source(), rayon.point(t)].map(Vecteur::vers_f64);
     let loin = |centre: Vecteur<R>| (s - centre.vers_f64()).longueur();
     let t = t.vers_f64();
@@ -122,7 +122,7 @@ pub(crate) fn lieu_permis<R: Reel>(objet: &ObjetRay<R>, rayon: &Rayon<R>, t: R) 
 }
 
 /// The radius from which on the margin of a sphere that is hit at `t` is finite (lemma 7).
-pub(crate) fn rayon_non_perdu<R: Reel>(sphere: &SphereRay<R>, rayon: &Rayon<R>, t: R) -> f64 {
+pub fn rayon_non_perdu<R: Reel>(sphere: &SphereRay<R>, rayon: &Rayon<R>, t: R) -> f64 {
     let [f, p] = [rayon.source() - sphere.centre(), rayon.point(t)].map(Vecteur::vers_f64);
     let p = p.x.abs() + p.y.abs() + p.z.abs();
     u::<R>() * (promesses::PERDUE * f.longueur() + p / ARRONDI_PERDU)

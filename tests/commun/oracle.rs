@@ -16,20 +16,20 @@ use dashu_int::IBig;
 use dashu_int::ops::{BitTest, SquareRoot, UnsignedAbs};
 use lancer_rayon::{BoiteRay, ObjetRay, PlanRay, Rayon, Reel, SphereRay, Vecteur};
 
-use super::tolerances::{bandes, promesses, u};
+use crate::tolerances::{bandes, promesses, u};
 
 /// Bits kept of a quotient or a root.
 const PRECISION: isize = 256;
 
 /// The integer `m` times 2^`e`.
 #[derive(Debug, Clone)]
-pub(crate) struct Exact {
+pub struct Exact {
     m: IBig,
     e: isize,
 }
 
 impl Exact {
-    pub(crate) fn de<R: Reel>(x: R) -> Self {
+    pub fn de<R: Reel>(x: R) -> Self {
         let bits = x.vers_f64().to_bits();
         let (exposant, fraction) = ((bits >> 52) & 0x7ff, bits & ((1 << 52) - 1));
         assert!(exposant < 0x7ff, "{x} is not a number");
@@ -44,11 +44,11 @@ impl Exact {
         &self.m << usize::try_from(self.e - e).expect("the exponent only goes down")
     }
 
-    pub(crate) fn signe(&self) -> Ordering {
+    pub fn signe(&self) -> Ordering {
         self.m.cmp(&IBig::ZERO)
     }
 
-    pub(crate) fn positif(&self) -> bool {
+    pub fn positif(&self) -> bool {
         self.signe() == Ordering::Greater
     }
 
@@ -66,7 +66,7 @@ impl Exact {
     }
 
     /// Cut off to its leading bits.
-    pub(crate) fn vers_f64(&self) -> f64 {
+    pub fn vers_f64(&self) -> f64 {
         let trop = self.longueur_en_bits() - 64;
         let (m, e) = if trop > 0 {
             (&self.m >> trop as usize, self.e + trop)
@@ -164,16 +164,16 @@ struct Droite {
 }
 
 /// The true entry of a ray into an object, or the truth that there is none.
-pub(crate) struct Verite {
-    pub(crate) entree: Option<Entree>,
+pub struct Verite {
+    pub entree: Option<Entree>,
     /// The decision is closer than what the promise of the kernel covers.
-    pub(crate) dans_la_marge: bool,
+    pub dans_la_marge: bool,
     marge: Marge,
 }
 
 impl Verite {
     /// By what the band would have to be multiplied to hold this decision.
-    pub(crate) fn facteur(&self) -> f64 {
+    pub fn facteur(&self) -> f64 {
         match &self.marge {
             Marge::Connue(facteur) => *facteur,
             Marge::Boite(decision) => decision.facteur(self.entree.is_some()),
@@ -186,37 +186,37 @@ enum Marge {
     Boite(Box<Decision>),
 }
 
-pub(crate) struct Entree {
+pub struct Entree {
     /// The parameter t in S + tD.
-    pub(crate) t: Exact,
+    pub t: Exact,
     /// The normal; beside an edge, those of all the faces entered within the band.
     normales: Vec<Point>,
     /// κt = (|f| + r + t)/v: what an error of the distance is counted in, times u.
-    pub(crate) kappa_t: f64,
+    pub kappa_t: f64,
     /// K of the promise.
-    pub(crate) k: f64,
+    pub k: f64,
     /// |N·D|, the smallest of these faces; of a flat one less than its 3.1u.
-    pub(crate) cosinus: f64,
+    pub cosinus: f64,
     /// |f|, from the source to the centre (for a half-space, to the foot of O).
-    pub(crate) f: f64,
+    pub f: f64,
     /// The radius; +∞ for a flat face.
-    pub(crate) rayon_de_courbure: f64,
+    pub rayon_de_courbure: f64,
 }
 
 impl Entree {
     /// How far `t` lies from the truth.
-    pub(crate) fn ecart<R: Reel>(&self, t: R) -> f64 {
+    pub fn ecart<R: Reel>(&self, t: R) -> f64 {
         self.ecart_fois(t, 1.0)
     }
 
     /// The same times a number, so that an error of a few subnormals has all its digits.
-    pub(crate) fn ecart_fois<R: Reel>(&self, t: R, k: f64) -> f64 {
+    pub fn ecart_fois<R: Reel>(&self, t: R, k: f64) -> f64 {
         (&(&Exact::de(t) - &self.t) * &Exact::de(k)).vers_f64()
     }
 
     /// The sine of the angle between a normal and the true one that is allowed where the distance is off by
     /// `ecart`; any, where the sphere is lost in its distance.
-    pub(crate) fn direction_permise<R: Reel>(&self, ecart: f64) -> f64 {
+    pub fn direction_permise<R: Reel>(&self, ecart: f64) -> f64 {
         let r = self.rayon_de_courbure;
         if perdue::<R>(r, self.f) {
             return f64::INFINITY;
@@ -226,7 +226,7 @@ impl Entree {
     }
 
     /// The sine of the angle between this normal and the true one: 1 beyond a right angle, +∞ if it is no normal.
-    pub(crate) fn ecart_de_normale<R: Reel>(&self, normale: Vecteur<R>) -> f64 {
+    pub fn ecart_de_normale<R: Reel>(&self, normale: Vecteur<R>) -> f64 {
         if normale.unitaire().is_none() {
             return f64::INFINITY;
         }
@@ -258,7 +258,7 @@ fn longueur(v: &Point) -> f64 {
 
 /// How far a point lies above the surface that was touched, along its normal N; for a box the plane of
 /// the face of this normal. To 3u of `f64`.
-pub(crate) fn hauteur<R: Reel>(objet: &ObjetRay<R>, normale: Vecteur<R>, p: Vecteur<R>) -> f64 {
+pub fn hauteur<R: Reel>(objet: &ObjetRay<R>, normale: Vecteur<R>, p: Vecteur<R>) -> f64 {
     let p = point(p);
     // |N|, of which |N|² − 1 is so small that its square is nothing.
     let longueur = 1.0 + 0.5 * norme_au_carre_moins_un(normale);
@@ -292,7 +292,7 @@ pub(crate) fn hauteur<R: Reel>(objet: &ObjetRay<R>, normale: Vecteur<R>, p: Vect
 
 /// How far outside an object a point lies; of a box, above the plane of the face that it lies
 /// farthest above. To 3u of `f64`, in units of N.
-pub(crate) fn dehors<R: Reel>(objet: &ObjetRay<R>, p: Vecteur<R>) -> f64 {
+pub fn dehors<R: Reel>(objet: &ObjetRay<R>, p: Vecteur<R>) -> f64 {
     let p = point(p);
     match objet {
         ObjetRay::Sphere(sphere) => {
@@ -317,13 +317,13 @@ pub(crate) fn dehors<R: Reel>(objet: &ObjetRay<R>, p: Vecteur<R>) -> f64 {
 }
 
 /// |V|² − 1.
-pub(crate) fn norme_au_carre_moins_un<R: Reel>(v: Vecteur<R>) -> f64 {
+pub fn norme_au_carre_moins_un<R: Reel>(v: Vecteur<R>) -> f64 {
     let v = point(v);
     (&scalaire(&v, &v) - &Exact::de(1.0)).vers_f64()
 }
 
 /// The truth about one object and one ray.
-pub(crate) fn verite<R: Reel>(objet: &ObjetRay<R>, rayon: &Rayon<R>) -> Verite {
+pub fn verite<R: Reel>(objet: &ObjetRay<R>, rayon: &Rayon<R>) -> Verite {
     let droite = Droite { s: point(rayon.source()), d: point(rayon.direction()) };
     match objet {
         ObjetRay::Sphere(sphere) => verite_sphere(sphere, &droite),

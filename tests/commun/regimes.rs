@@ -8,20 +8,20 @@ use lancer_rayon::{
     BoiteGeo, ObjetGeo, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture, Vecteur,
 };
 
-use super::conversion::arrondi;
+use crate::conversion::arrondi;
 
 #[derive(Debug)]
-pub(crate) struct Cas<R> {
-    pub(crate) objet: ObjetRay<R>,
-    pub(crate) rayon: Rayon<R>,
+pub struct Cas<R> {
+    pub objet: ObjetRay<R>,
+    pub rayon: Rayon<R>,
 }
 
-pub(crate) struct Regime<R> {
-    pub(crate) nom: &'static str,
-    pub(crate) cas: fn(&mut Rng) -> Cas<R>,
+pub struct Regime<R> {
+    pub nom: &'static str,
+    pub cas: fn(&mut Rng) -> Cas<R>,
 }
 
-pub(crate) fn regimes<R: Reel>() -> [Regime<R>; 19] {
+pub fn regimes<R: Reel>() -> [Regime<R>; 19] {
     [
         Regime { nom: "sphere, ordinary", cas: |a| ordinaire(a, boule) },
         Regime { nom: "sphere, far and small", cas: |a| loin(a, boule) },
@@ -51,33 +51,33 @@ pub(crate) fn regimes<R: Reel>() -> [Regime<R>; 19] {
 /// An object of about this size with its centre (for a half-space, a point of it) here.
 type Forme<R> = fn(&mut Rng, Vecteur, f64) -> ObjetGeo<R>;
 
-pub(crate) fn entre(alea: &mut Rng, min: f64, max: f64) -> f64 {
+pub fn entre(alea: &mut Rng, min: f64, max: f64) -> f64 {
     min + (max - min) * alea.f64()
 }
 
 /// 2^x, with x anywhere between the two.
-pub(crate) fn deux_puissance(alea: &mut Rng, min: f64, max: f64) -> f64 {
+pub fn deux_puissance(alea: &mut Rng, min: f64, max: f64) -> f64 {
     entre(alea, min, max).exp2()
 }
 
-pub(crate) fn direction(alea: &mut Rng) -> Vecteur {
+pub fn direction(alea: &mut Rng) -> Vecteur {
     let (z, a) = (entre(alea, -1.0, 1.0), entre(alea, 0.0, TAU));
     let r = (1.0 - z * z).sqrt();
     Vecteur::new(r * a.cos(), r * a.sin(), z)
 }
 
 /// 1 or −1.
-pub(crate) fn signe(alea: &mut Rng) -> f64 {
+pub fn signe(alea: &mut Rng) -> f64 {
     f64::from(1 - 2 * i8::from(alea.bool()))
 }
 
 /// The vector product.
-pub(crate) fn vectoriel(a: Vecteur, b: Vecteur) -> Vecteur {
+pub fn vectoriel(a: Vecteur, b: Vecteur) -> Vecteur {
     Vecteur::new(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x)
 }
 
 /// A matrix whose last row is this normal.
-pub(crate) fn repere<R: Reel>(normale: Vecteur<R>) -> [[R; 3]; 3] {
+pub fn repere<R: Reel>(normale: Vecteur<R>) -> [[R; 3]; 3] {
     let n = normale.vers_f64();
     let cote =
         if n.x.abs() < 0.6 { Vecteur::new(1.0, 0.0, 0.0) } else { Vecteur::new(0.0, 1.0, 0.0) };

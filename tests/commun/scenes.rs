@@ -7,7 +7,7 @@ use lancer_rayon::{
     Vecteur,
 };
 
-use super::conversion::arrondi;
+use crate::conversion::arrondi;
 
 /// Where the rays start; they look towards −z.
 const CAMERA: Vecteur = Vecteur::new(0.0, 1.0, 6.0);
@@ -20,7 +20,7 @@ const DEMI_CHAMP: f64 = 0.466_307_658_154_998_6;
 ///
 /// They shrink so that their volumes add up to the same for every n: the picture stays full,
 /// and the more there are the more of them are hidden.
-pub(crate) fn melange<R: Reel>(n: usize) -> Vec<ObjetRay<R>> {
+pub fn melange<R: Reel>(n: usize) -> Vec<ObjetRay<R>> {
     let taille = 2.5 / (n as f64).cbrt();
     let textures = (0..).map(Texture);
     let objets = textures.zip(suite_dense()).map(|(texture, alea)| match texture.0 {
@@ -33,7 +33,7 @@ pub(crate) fn melange<R: Reel>(n: usize) -> Vec<ObjetRay<R>> {
 }
 
 /// One ray through the middle of each pixel of a picture, row by row from the top left.
-pub(crate) fn rayons_camera<R: Reel>(largeur: usize, hauteur: usize) -> Vec<Rayon<R>> {
+pub fn rayons_camera<R: Reel>(largeur: usize, hauteur: usize) -> Vec<Rayon<R>> {
     let pixel = 2.0 * DEMI_CHAMP / hauteur as f64;
     let cote = |i: usize, nombre: usize| (i as f64 + 0.5 - nombre as f64 / 2.0) * pixel;
     let rayon = |(ligne, colonne)| {
@@ -46,7 +46,7 @@ pub(crate) fn rayons_camera<R: Reel>(largeur: usize, hauteur: usize) -> Vec<Rayo
 }
 
 /// The rows of a picture so wide, in tiles of 8 × 8.
-pub(crate) fn en_tuiles<T: Copy>(rangees: &[T], largeur: usize) -> Vec<T> {
+pub fn en_tuiles<T: Copy>(rangees: &[T], largeur: usize) -> Vec<T> {
     let bandes = rangees.chunks(8 * largeur);
     let tuiles = bandes.flat_map(|bande| {
         (0..largeur).step_by(8).flat_map(move |debut| {

@@ -5,10 +5,10 @@ use lancer_rayon::{
 };
 use proptest::prelude::*;
 
-use super::{Bits, arrondi};
+use crate::{Bits, arrondi};
 
 /// Any float at all, the remarkable ones often.
-pub(crate) fn quelconque<R: Bits>() -> impl Strategy<Value = R> {
+pub fn quelconque<R: Bits>() -> impl Strategy<Value = R> {
     let limite = R::LIMITE.vers_f64();
     let remarquables = [
         0.0,
@@ -36,22 +36,22 @@ pub(crate) fn quelconque<R: Bits>() -> impl Strategy<Value = R> {
     ]
 }
 
-pub(crate) fn vecteur_quelconque<R: Bits>() -> impl Strategy<Value = Vecteur<R>> {
+pub fn vecteur_quelconque<R: Bits>() -> impl Strategy<Value = Vecteur<R>> {
     [quelconque(), quelconque(), quelconque()].prop_map(Vecteur::from)
 }
 
 /// A real number of this range, rounded.
-pub(crate) fn reel<R: Reel>(min: f64, max: f64) -> impl Strategy<Value = R> {
+pub fn reel<R: Reel>(min: f64, max: f64) -> impl Strategy<Value = R> {
     (min..max).prop_map(R::depuis_f64)
 }
 
 /// A vector whose coordinates are at most `max`.
-pub(crate) fn vecteur<R: Reel>(max: f64) -> impl Strategy<Value = Vecteur<R>> {
+pub fn vecteur<R: Reel>(max: f64) -> impl Strategy<Value = Vecteur<R>> {
     [-max..max, -max..max, -max..max].prop_map(|v| arrondi(Vecteur::from(v)))
 }
 
 /// A unit vector, every direction as likely as another.
-pub(crate) fn direction() -> impl Strategy<Value = Vecteur> {
+pub fn direction() -> impl Strategy<Value = Vecteur> {
     (-1.0..1.0_f64, 0.0..std::f64::consts::TAU).prop_map(|(z, a)| {
         let r = (1.0 - z * z).sqrt();
         Vecteur::new(r * a.cos(), r * a.sin(), z)
@@ -59,7 +59,7 @@ pub(crate) fn direction() -> impl Strategy<Value = Vecteur> {
 }
 
 /// A vecteur-rotation; one in four turns by quarters, whose matrix is exact.
-pub(crate) fn vecteur_rotation<R: Reel>() -> impl Strategy<Value = Vecteur<R>> {
+pub fn vecteur_rotation<R: Reel>() -> impl Strategy<Value = Vecteur<R>> {
     let quart = || (-4..=4_i8).prop_map(|k| f64::from(k) * std::f64::consts::FRAC_PI_2);
     prop_oneof![
         3 => vecteur(7.0),
@@ -67,24 +67,24 @@ pub(crate) fn vecteur_rotation<R: Reel>() -> impl Strategy<Value = Vecteur<R>> {
     ]
 }
 
-pub(crate) fn rotation<R: Reel>() -> impl Strategy<Value = Rotation<R>> {
+pub fn rotation<R: Reel>() -> impl Strategy<Value = Rotation<R>> {
     vecteur_rotation().prop_map(|r| Rotation::new(r).unwrap())
 }
 
 /// What an object is made from, so that it can be made again otherwise.
 #[derive(Debug, Clone, Copy)]
-pub(crate) enum Parametres<R> {
+pub enum Parametres<R> {
     Sphere { centre: Vecteur<R>, rayon: R, texture: Texture },
     Plan { rotation: Rotation<R>, distance: R, texture: Texture },
     Boite { centre: Vecteur<R>, dimensions: Vecteur<R>, rotation: Rotation<R>, texture: Texture },
 }
 
 impl<R: Reel> Parametres<R> {
-    pub(crate) fn objet(self) -> ObjetGeo<R> {
+    pub fn objet(self) -> ObjetGeo<R> {
         self.agrandi(R::UN)
     }
 
-    pub(crate) fn texture(self) -> Texture {
+    pub fn texture(self) -> Texture {
         match self {
             Self::Sphere { texture, .. }
             | Self::Plan { texture, .. }
@@ -93,7 +93,7 @@ impl<R: Reel> Parametres<R> {
     }
 
     /// The object with every length multiplied by k, its distance to O as well.
-    pub(crate) fn agrandi(self, k: R) -> ObjetGeo<R> {
+    pub fn agrandi(self, k: R) -> ObjetGeo<R> {
         match self {
             Self::Sphere { centre, rayon, texture } => {
                 SphereGeo::new(centre * k, rayon * k, texture).unwrap().into()
@@ -109,7 +109,7 @@ impl<R: Reel> Parametres<R> {
 }
 
 /// A sphere, a half-space or a box about `taille` large, whose coordinates are at most ten times that.
-pub(crate) fn parametres<R: Reel>(taille: f64) -> impl Strategy<Value = Parametres<R>> {
+pub fn parametres<R: Reel>(taille: f64) -> impl Strategy<Value = Parametres<R>> {
     let centre = move || vecteur(10.0 * taille);
     let longueur = move || reel(0.1 * taille, 2.0 * taille);
     let texture = || any::<u32>().prop_map(Texture);
@@ -133,26 +133,26 @@ pub(crate) fn parametres<R: Reel>(taille: f64) -> impl Strategy<Value = Parametr
     ]
 }
 
-pub(crate) fn objet<R: Reel>(taille: f64) -> impl Strategy<Value = ObjetGeo<R>> {
+pub fn objet<R: Reel>(taille: f64) -> impl Strategy<Value = ObjetGeo<R>> {
     parametres(taille).prop_map(Parametres::objet)
 }
 
 /// A hit that was planted: the point of the surface first, then a ray that arrives there.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Plante<R> {
-    pub(crate) parametres: Parametres<R>,
-    pub(crate) objet: ObjetGeo<R>,
-    pub(crate) rayon: Rayon<R>,
+pub struct Plante<R> {
+    pub parametres: Parametres<R>,
+    pub objet: ObjetGeo<R>,
+    pub rayon: Rayon<R>,
     /// The outward normal at the point, in f64.
-    pub(crate) normale: Vecteur,
+    pub normale: Vecteur,
     /// From the source as stored to the point, in f64.
-    pub(crate) distance: f64,
+    pub distance: f64,
     /// |N·D|, never below 0.1: a first-order bound must hold here, and other tests have flatter rays.
-    pub(crate) cosinus: f64,
+    pub cosinus: f64,
     /// The radius, the half-diagonal or |d|.
-    pub(crate) taille: f64,
+    pub taille: f64,
     /// |S| + |P| + size + t: every length that is rounded on the way to the hit.
-    pub(crate) etendue: f64,
+    pub etendue: f64,
 }
 
 impl<R: Reel> Plante<R> {
@@ -210,12 +210,12 @@ impl<R: Reel> Plante<R> {
     }
 
     /// u·(etendue)/|N·D|: what one rounding of the inputs may move the distance by.
-    pub(crate) fn kappa_t(&self) -> f64 {
+    pub fn kappa_t(&self) -> f64 {
         R::U.vers_f64() * self.etendue / self.cosinus
     }
 }
 
-pub(crate) fn plante<R: Reel>() -> impl Strategy<Value = Plante<R>> {
+pub fn plante<R: Reel>() -> impl Strategy<Value = Plante<R>> {
     // The scale of the scene, from a grain of sand to a planet.
     let echelle = (-20..20_i32).prop_map(|k| f64::from(k).exp2());
     echelle
@@ -228,7 +228,7 @@ pub(crate) fn plante<R: Reel>() -> impl Strategy<Value = Plante<R>> {
 }
 
 /// A list of up to 11 objects, and a ray between two points among them.
-pub(crate) fn scene<R: Reel>() -> impl Strategy<Value = (Vec<ObjetGeo<R>>, Rayon<R>)> {
+pub fn scene<R: Reel>() -> impl Strategy<Value = (Vec<ObjetGeo<R>>, Rayon<R>)> {
     (prop::collection::vec(objet(1.0), 0..12), vecteur::<R>(15.0), vecteur::<R>(10.0)).prop_map(
         |(objets, source, cible)| {
             let vers = cible.vers_f64() - source.vers_f64();

@@ -5,80 +5,80 @@ use lancer_rayon::Reel;
 
 /// Distance. The kernel promises K·u·κt with K ≤ 5.6 for what the properties build; a property compares two
 /// such distances plus the rounding of its own inputs, each counted below.
-pub(crate) const DISTANCE: f64 = 2.0 * promesses::DISTANCE_SPHERE;
+pub const DISTANCE: f64 = 2.0 * promesses::DISTANCE_SPHERE;
 
 /// A vector turned by `Rotation::appliquer`: three products and two sums per coordinate, γ₃,
 /// and a matrix that is orthonormal to 4u and rounded to u: (3 + 1 + 4)u of its length.
-pub(crate) const TOURNE: f64 = 8.0;
+pub const TOURNE: f64 = 8.0;
 
 /// A vector moved or multiplied: one rounding, so u of the length of the result.
-pub(crate) const ARRONDI: f64 = 1.0;
+pub const ARRONDI: f64 = 1.0;
 
 /// The length of a normal: within 6.1u of 1, and then 3u for measuring it in the same type.
-pub(crate) const NORMALE_UNITAIRE: f64 = promesses::UNITAIRE_PLATE + 3.0;
+pub const NORMALE_UNITAIRE: f64 = promesses::UNITAIRE_PLATE + 3.0;
 
 /// The direction of a normal at a point that is known, in u·(1 + |f|/r), beside what the error
 /// of the distance moves it by.
-pub(crate) const NORMALE: f64 = promesses::DIRECTION;
+pub const NORMALE: f64 = promesses::DIRECTION;
 
 /// Every element of R·Rᵀ − I, for a polished matrix (lemma 10).
-pub(crate) const ORTHONORMALE: f64 = 5.5;
+pub const ORTHONORMALE: f64 = 5.5;
 
 /// An element of a product of two rotations against the product in f64 of what they hold: one
 /// rounding to R and the Newton step, which moves by no more than half of the 8u above, twice.
-pub(crate) const PRODUIT: f64 = 9.0;
+pub const PRODUIT: f64 = 9.0;
 
 /// How far M·Mᵀ may be from I for `depuis_matrice` to take M (C15).
-pub(crate) fn ecart_rotation<R: Reel>() -> f64 {
+pub fn ecart_rotation<R: Reel>() -> f64 {
     if u::<R>() > f64::EPSILON { 1e-3 } else { 1e-6 }
 }
 
 /// u in f64.
-pub(crate) fn u<R: Reel>() -> f64 {
+pub fn u<R: Reel>() -> f64 {
     R::U.vers_f64()
 }
 
 /// The bands of the decisions, in u: within them rounding may answer a miss for a hit, or a hit for a
 /// miss.
-pub(crate) mod bandes {
+pub mod bandes {
     /// |SC| and |AC| of a sphere, of |f| + r (lemmas 3 and 5).
-    pub(crate) const SPHERE: f64 = 4.0;
+    pub const SPHERE: f64 = 4.0;
     /// The height of S over a half-space, of ⟨N, S⟩ (lemma 3).
-    pub(crate) const PLAN: f64 = 3.1;
+    pub const PLAN: f64 = 3.1;
     /// What three products that underflow add to that height, in subnormals (lemma 3).
-    pub(crate) const PLAN_ABSOLUE: f64 = 1.6;
+    pub const PLAN_ABSOLUE: f64 = 1.6;
     /// How far S is from a face of a box, of |f| + ρ (lemma 3).
-    pub(crate) const BOITE_LONGUEUR: f64 = 7.1;
+    pub const BOITE_LONGUEUR: f64 = 7.1;
     /// The speed N·D towards a flat face (lemma 3).
-    pub(crate) const VITESSE: f64 = 3.1;
+    pub const VITESSE: f64 = 3.1;
 }
 
 /// What the table of `docs/precision.md` promises, in the unit named.
-pub(crate) mod promesses {
+pub mod promesses {
     /// Distance to a sphere, in u·κt (lemma 5).
-    pub(crate) const DISTANCE_SPHERE: f64 = 5.6;
+    pub const DISTANCE_SPHERE: f64 = 5.6;
     /// Distance to a sphere that is lost in its own distance, r < 64u|f| (lemma 5).
-    pub(crate) const DISTANCE_PERDUE: f64 = 6.2;
+    pub const DISTANCE_PERDUE: f64 = 6.2;
     /// From how many u·|f| on a sphere is not lost.
-    pub(crate) const PERDUE: f64 = 64.0;
+    pub const PERDUE: f64 = 64.0;
     /// Distance to a half-space, in u·κt (lemma 4).
-    pub(crate) const DISTANCE_PLAN: f64 = 4.1;
+    pub const DISTANCE_PLAN: f64 = 4.1;
     /// What products that underflow add to it, in subnormals over |N·D| (lemma 4).
-    pub(crate) const PLAN_ABSOLU: f64 = 2.1;
+    pub const PLAN_ABSOLU: f64 = 2.1;
     /// Distance to a box, in u·κt (lemma 4).
-    pub(crate) const DISTANCE_BOITE: f64 = 5.3;
+    pub const DISTANCE_BOITE: f64 = 5.3;
     /// ||N| − 1| of a half-space or a face, in u (lemma 1).
-    pub(crate) const UNITAIRE_PLATE: f64 = 6.1;
+    pub const UNITAIRE_PLATE: f64 = 6.1;
     /// ||N| − 1| of a sphere, in u (lemma 1).
-    pub(crate) const UNITAIRE_SPHERE: f64 = 3.6;
+    pub const UNITAIRE_SPHERE: f64 = 3.6;
     /// How far above the plane of any face of a box the point P of its hit may lie, in u·|f|, u·t
     /// and u·|P| (lemma 14).
-    pub(crate) const LIEU_F: f64 = 4.1;
-    pub(crate) const LIEU_T: f64 = 12.1;
-    pub(crate) const LIEU_P: f64 = 1.1;
+    pub const LIEU_F: f64 = 4.1;
+    pub const LIEU_T: f64 = 12.1;
+    pub const LIEU_P: f64 = 1.1;
     /// How far outside a sphere the point S + tD of its hit may lie, in u(|f| + r) (lemma 14).
-    pub(crate) const LIEU_SPHERE: f64 = 13.0;
+    pub const LIEU_SPHERE: f64 = 13.0;
     /// The sine of the angle between the normal of a sphere and the true one, in u(1 + |f|/r), beside |Δt|·|D|/r
     /// (lemma 6).
-    pub(crate) const DIRECTION: f64 = 4.1;
+    pub const DIRECTION: f64 = 4.1;
 }

@@ -1,10 +1,10 @@
 //! The library beside annex A to the letter (`commun/litteral.rs`), away from the weaknesses of the
 //! latter: no ray grazes, none is far from its object, none passes beside an edge.
 
-use crate::commun::litteral;
-use crate::commun::strategies::{plante, scene};
-use crate::commun::tolerances::{DISTANCE, u};
-use crate::commun::{en_f32_et_f64, pour_tout};
+use commun::litteral;
+use commun::strategies::{plante, scene};
+use commun::tolerances::{DISTANCE, u};
+use commun::{en_f32_et_f64, pour_tout};
 use lancer_rayon::{ObjetGeo, ObjetRay, Reel, premiere_intersection};
 use proptest::prelude::*;
 

@@ -1,9 +1,9 @@
 //! What a renderer rests on: a lamp lights a convex object on its own exactly where the object faces the
 //! lamp.
 
-use crate::commun::scenes::rayons_camera;
-use crate::commun::tolerances::u;
-use crate::commun::{arrondi, en_f32_et_f64};
+use commun::scenes::rayons_camera;
+use commun::tolerances::u;
+use commun::{arrondi, en_f32_et_f64};
 use lancer_rayon::{
     BoiteGeo, Intersection, ObjetRay, Rayon, Reel, Rotation, SphereGeo, Texture, Vecteur,
     est_occulte,

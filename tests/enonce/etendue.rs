@@ -1,8 +1,8 @@
 //! What is in an object, and what holds it.
 
-use crate::commun::arrondi;
-use crate::commun::en_f32_et_f64;
-use crate::commun::regimes::{direction, entre, regimes};
+use commun::arrondi;
+use commun::en_f32_et_f64;
+use commun::regimes::{direction, entre, regimes};
 use fastrand::Rng;
 use lancer_rayon::{
     BoiteGeo, NoIntersection, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture,

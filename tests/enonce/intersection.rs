@@ -1,10 +1,10 @@
 //! What holds of every hit, on random objects and rays.
 
-use crate::commun::conversion::mots;
-use crate::commun::regimes::regimes;
-use crate::commun::strategies::{Plante, direction, plante, scene};
-use crate::commun::tolerances::{ARRONDI, DISTANCE, NORMALE, u};
-use crate::commun::{Bits, arrondi, en_f32_et_f64, est_une_entree, pour_tout};
+use commun::conversion::mots;
+use commun::regimes::regimes;
+use commun::strategies::{Plante, direction, plante, scene};
+use commun::tolerances::{ARRONDI, DISTANCE, NORMALE, u};
+use commun::{Bits, arrondi, en_f32_et_f64, est_une_entree, pour_tout};
 use lancer_rayon::{
     NoIntersection, ObjetGeo, ObjetRay, Rayon, Reel, Vecteur, est_occulte, premiere_intersection,
 };

@@ -9,8 +9,8 @@ use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 use core::fmt::{Display, Write};
 use std::path::Path;
 
-use crate::commun::litteral;
-use crate::scene::Scene;
+use commun::litteral;
+use exemples::scene::Scene;
 use lancer_rayon::{
     BoiteGeo, BoiteRay, ErreurGeo, NoIntersection, ObjetGeo, ObjetRay, PlanGeo, PlanRay, Rayon,
     Reel, Rotation, SphereGeo, SphereRay, Texture, Touche, Vecteur, premiere_intersection,

@@ -1,10 +1,10 @@
 //! A lamp that is an object of the list: a point sees it where the lamp is the first object of the ray to it,
 //! and no distance is compared.
 
-use crate::commun::oracle::Exact;
-use crate::commun::regimes::{direction, entre, signe};
-use crate::commun::tolerances::u;
-use crate::commun::{arrondi, en_f32_et_f64};
+use commun::oracle::Exact;
+use commun::regimes::{direction, entre, signe};
+use commun::tolerances::u;
+use commun::{arrondi, en_f32_et_f64};
 use fastrand::Rng;
 use lancer_rayon::{
     BoiteGeo, Hierarchie, NoIntersection, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo,

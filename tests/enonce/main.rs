@@ -1,11 +1,5 @@
 //! What the handout asks: its formulae, conventions and manipulations, list by list.
 
-#[path = "../commun/mod.rs"]
-mod commun;
-#[allow(dead_code, reason = "shared with the examples")]
-#[path = "../../docs/exemples/scene.rs"]
-mod scene;
-
 mod differentiel;
 mod eclairage;
 mod etendue;

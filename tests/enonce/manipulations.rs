@@ -1,9 +1,9 @@
 //! Moving, turning and scaling objects (handout §2.3), and what each representation of §3 holds
 //! afterwards.
 
-use crate::commun::strategies::{Plante, objet, plante, reel, rotation, vecteur};
-use crate::commun::tolerances::{ARRONDI, DISTANCE, NORMALE, TOURNE, u};
-use crate::commun::{en_f32_et_f64, pour_tout};
+use commun::strategies::{Plante, objet, plante, reel, rotation, vecteur};
+use commun::tolerances::{ARRONDI, DISTANCE, NORMALE, TOURNE, u};
+use commun::{en_f32_et_f64, pour_tout};
 use lancer_rayon::{ObjetGeo, ObjetRay, PlanGeo, Rayon, Reel, Rotation, Texture, Vecteur};
 use proptest::prelude::*;
 use proptest::test_runner::TestCaseResult;

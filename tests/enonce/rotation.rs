@@ -1,9 +1,9 @@
 //! The laws of `Rotation`.
 
-use crate::commun::regimes::repere;
-use crate::commun::strategies::{rotation, vecteur, vecteur_rotation};
-use crate::commun::tolerances::{ORTHONORMALE, PRODUIT, TOURNE, ecart_rotation, u};
-use crate::commun::{Bits, en_f32_et_f64, pour_tout};
+use commun::regimes::repere;
+use commun::strategies::{rotation, vecteur, vecteur_rotation};
+use commun::tolerances::{ORTHONORMALE, PRODUIT, TOURNE, ecart_rotation, u};
+use commun::{Bits, en_f32_et_f64, pour_tout};
 use lancer_rayon::{Reel, Rotation, Vecteur, constantes};
 use proptest::prelude::*;
 

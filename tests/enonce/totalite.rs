@@ -1,8 +1,8 @@
 //! Whatever bits go in, invalid values cannot be constructed, and every query on valid ones ends.
 
-use crate::commun::strategies::{quelconque, vecteur_quelconque};
-use crate::commun::tolerances::{ORTHONORMALE, ecart_rotation, u};
-use crate::commun::{Bits, en_f32_et_f64, est_une_entree, pour_tout};
+use commun::strategies::{quelconque, vecteur_quelconque};
+use commun::tolerances::{ORTHONORMALE, ecart_rotation, u};
+use commun::{Bits, en_f32_et_f64, est_une_entree, pour_tout};
 use lancer_rayon::{
     BoiteGeo, ErreurGeo, ObjetGeo, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture,
     Vecteur, premiere_intersection,

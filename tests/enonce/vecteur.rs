@@ -1,6 +1,6 @@
 //! Vectors, also where the squares of their coordinates leave the range of the type.
 
-use crate::commun::{arrondi, en_f32_et_f64};
+use commun::{arrondi, en_f32_et_f64};
 use lancer_rayon::{ObjetRay, Rayon, Reel, SphereGeo, Texture, Vecteur};
 
 /// 3² + 4² + 12² = 13².

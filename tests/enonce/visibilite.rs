@@ -2,11 +2,11 @@
 
 use std::path::Path;
 
-use crate::commun::oracle::verite;
-use crate::commun::regimes::{direction, entre};
-use crate::commun::tolerances::u;
-use crate::commun::{arrondi, en_f32_et_f64};
-use crate::scene::Scene;
+use commun::oracle::verite;
+use commun::regimes::{direction, entre};
+use commun::tolerances::u;
+use commun::{arrondi, en_f32_et_f64};
+use exemples::scene::Scene;
 use fastrand::Rng;
 use lancer_rayon::{
     BoiteGeo, Intersection, ObjetRay, PlanGeo, Rayon, Reel, Rotation, Texture, Vecteur,

@@ -7,7 +7,7 @@
 use std::fs;
 use std::path::Path;
 
-use crate::commun::tolerances::{ORTHONORMALE, bandes, promesses};
+use commun::tolerances::{ORTHONORMALE, bandes, promesses};
 use lancer_rayon::constantes::*;
 
 /// Secondary rays of the long run, in millions (`docs/epreuves.md`).

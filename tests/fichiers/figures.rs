@@ -1,8 +1,6 @@
 //! The figures of `docs/conventions.md` are what the library answers today.
 
-#[allow(dead_code, reason = "an example, of which the test runs all but `main`")]
-#[path = "../../docs/exemples/figures.rs"]
-mod dessin;
+use exemples::figures as dessin;
 
 #[test]
 fn les_figures_sont_a_jour() {

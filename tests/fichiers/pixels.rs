@@ -4,8 +4,8 @@
 use std::fs;
 use std::path::Path;
 
-use crate::scene::Scene;
-use crate::surete::juger;
+use exemples::scene::Scene;
+use exemples::surete::juger;
 use lancer_rayon::{ObjetRay, Rayon, premiere_intersection};
 
 const SCENES: [&str; 5] = ["atelier", "soir", "foule", "flocon", "extremes"];

@@ -1,12 +1,8 @@
 //! The picture of the renderer is the same, byte for byte, however many rays go together and in however
 //! many bands it is made.
 
-#[allow(dead_code, reason = "what writes the file")]
-#[path = "../../docs/exemples/rendu.rs"]
-mod exemple;
-
-use crate::commun::en_f32_et_f64;
-use exemple::{Bande, ENSEMBLE, octets};
+use commun::en_f32_et_f64;
+use exemples::rendu::{Bande, ENSEMBLE, octets};
 use lancer_rayon::Reel;
 use serde::de::DeserializeOwned;
 

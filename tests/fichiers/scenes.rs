@@ -2,8 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::commun::en_f32_et_f64;
-use crate::scene::Scene;
+use commun::en_f32_et_f64;
+use exemples::scene::Scene;
 use lancer_rayon::{
     ObjetGeo, ObjetRay, Rayon, Reel, SphereGeo, Texture, Touche, Vecteur, premiere_intersection,
 };

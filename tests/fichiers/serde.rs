@@ -1,7 +1,7 @@
 //! Reading a value goes through the same checks as making it, and loses no bit.
 
-use crate::commun::strategies::{objet, plante, rotation};
-use crate::commun::{en_f32_et_f64, pour_tout};
+use commun::strategies::{objet, plante, rotation};
+use commun::{en_f32_et_f64, pour_tout};
 use lancer_rayon::{
     BoiteGeo, ObjetGeo, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture, Vecteur,
 };

@@ -13,10 +13,7 @@ use lancer_rayon::{
 };
 use libfuzzer_sys::fuzz_target;
 
-#[allow(dead_code, reason = "shared with the tests")]
-#[path = "../commun/conversion.rs"]
-mod conversion;
-use conversion::{Bits, Mots, mots};
+use commun::conversion::{Bits, Mots, mots};
 
 struct Octets<'a, R> {
     reste: &'a [u8],

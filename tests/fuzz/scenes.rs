@@ -4,16 +4,13 @@
 
 use std::path::Path;
 
+use exemples::scene::Scene;
 use lancer_rayon::{ObjetGeo, Rayon, Reel, Vecteur, premiere_intersection};
 use libfuzzer_sys::fuzz_target;
 use serde::de::DeserializeOwned;
 
-#[allow(dead_code, reason = "shared with the examples")]
-#[path = "../../docs/exemples/scene.rs"]
-mod scene;
-
 fn lire<R: Reel + DeserializeOwned>(texte: &str) {
-    match scene::Scene::<R>::depuis_texte(Path::new("scene.ron"), texte) {
+    match Scene::<R>::depuis_texte(Path::new("scene.ron"), texte) {
         Ok(scene) => {
             let objets: Vec<_> = scene.objets.into_iter().map(ObjetGeo::vers_ray).collect();
             for (x, y, z) in [(0, 0, -1), (1, 1, 1), (-3, 0, 2), (0, -7, 1)] {

@@ -7,9 +7,9 @@
 
 use std::path::Path;
 
-use crate::commun::conversion::mots;
-use crate::commun::{Bits, arrondi};
-use crate::scene::Scene;
+use commun::conversion::mots;
+use commun::{Bits, arrondi};
+use exemples::scene::Scene;
 use fastrand::Rng;
 use lancer_rayon::{
     BoiteGeo, Hierarchie, NoIntersection, ObjetRay, PlanGeo, Rayon, Reglage, Rotation, SphereGeo,

@@ -1,8 +1,8 @@
 //! Two hierarchies, one over what stays and one over what moves: the nearer hit of both is the hit of one list.
 
-use crate::commun::conversion::mots;
-use crate::commun::scenes::{melange, rayons_camera};
-use crate::commun::{Bits, en_f32_et_f64};
+use commun::conversion::mots;
+use commun::scenes::{melange, rayons_camera};
+use commun::{Bits, en_f32_et_f64};
 use lancer_rayon::{Hierarchie, NoIntersection, premiere_intersection};
 
 fn deux_hierarchies_repondent_comme_une_liste<R: Bits>() {

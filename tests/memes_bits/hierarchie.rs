@@ -5,10 +5,10 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use crate::commun::conversion::mots;
-use crate::commun::regimes::{deux_puissance, direction, entre, regimes, signe};
-use crate::commun::{Bits, arrondi, en_f32_et_f64, scenes};
 use crate::ombres::{comparer_les_ombres, voisin};
+use commun::conversion::mots;
+use commun::regimes::{deux_puissance, direction, entre, regimes, signe};
+use commun::{Bits, arrondi, en_f32_et_f64, scenes};
 use fastrand::Rng;
 use lancer_rayon::{
     BoiteGeo, Hierarchie, LongueursDifferentes, NoIntersection, ObjetGeo, ObjetRay,
@@ -23,7 +23,7 @@ const UN_ARBRE: usize = 8;
 const UN_BLOC: usize = Reglage::SEUIL_LOT + 1;
 
 fn cas() -> usize {
-    crate::commun::cas(60) as usize
+    commun::cas(60) as usize
 }
 
 fn v<R: Reel>(x: f64, y: f64, z: f64) -> Vecteur<R> {

@@ -6,10 +6,10 @@
 
 use std::collections::HashSet;
 
-use crate::commun::conversion::mots;
-use crate::commun::regimes::{Cas, deux_puissance, direction, entre, regimes, signe};
-use crate::commun::{Bits, arrondi, en_f32_et_f64, scenes};
 use crate::ombres::comparer_les_ombres;
+use commun::conversion::mots;
+use commun::regimes::{Cas, deux_puissance, direction, entre, regimes, signe};
+use commun::{Bits, arrondi, en_f32_et_f64, scenes};
 use fastrand::Rng;
 use lancer_rayon::{
     BoiteGeo, Hierarchie, LongueursDifferentes, NoIntersection, ObjetRay, Rayon, Reel, Reglage,
@@ -68,7 +68,7 @@ fn axe_z<R: Reel>() -> Vecteur<R> {
 const AIGUILLE: f64 = 1e-5;
 
 fn cas() -> usize {
-    crate::commun::cas(300) as usize
+    commun::cas(300) as usize
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! `sont_occultes` beside the first hits of the same rays: something stands before the lamp if the first object
 //! does.
 
-use crate::commun::Bits;
+use commun::Bits;
 use lancer_rayon::{Hierarchie, ObjetRay, Rayon, Reglage, Touche};
 
 /// The number so many units in the last place away.

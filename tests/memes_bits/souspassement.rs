@@ -1,9 +1,9 @@
 //! Rays almost parallel to a face, down to the smallest number of the type, and boxes at both ends of
 //! the range: no product that leaves the range decides anything.
 
-use crate::commun::oracle::verite;
-use crate::commun::regimes::{direction, repere};
-use crate::commun::{Bits, arrondi, en_f32_et_f64};
+use commun::oracle::verite;
+use commun::regimes::{direction, repere};
+use commun::{Bits, arrondi, en_f32_et_f64};
 use fastrand::Rng;
 use lancer_rayon::{
     BoiteGeo, Intersection, ObjetRay, PlanGeo, Rayon, Reel, Rotation, Texture, Vecteur,

@@ -10,12 +10,12 @@
 
 use std::time::{Duration, Instant};
 
-use crate::commun::double::ecart_et_kappa_t;
-use crate::commun::mesure::{absolu, absolu_fois, au_bord, lieu_permis, rayon_non_perdu};
-use crate::commun::oracle::{dehors, hauteur, norme_au_carre_moins_un, verite};
-use crate::commun::regimes::{deux_puissance, direction, entre, regimes, repere, signe};
-use crate::commun::tolerances::{promesses, u};
-use crate::commun::{Bits, arrondi};
+use commun::double::ecart_et_kappa_t;
+use commun::mesure::{absolu, absolu_fois, au_bord, lieu_permis, rayon_non_perdu};
+use commun::oracle::{dehors, hauteur, norme_au_carre_moins_un, verite};
+use commun::regimes::{deux_puissance, direction, entre, regimes, repere, signe};
+use commun::tolerances::{promesses, u};
+use commun::{Bits, arrondi};
 use fastrand::Rng;
 use lancer_rayon::constantes::PUISSANCE_PERDUE;
 use lancer_rayon::{

@@ -4,12 +4,12 @@
 //! Each test names what it builds, then what must hold; it counts the hits that it judged, so that a
 //! construction that builds nothing is red.
 
-use crate::commun::litteral;
-use crate::commun::mesure::rayon_non_perdu;
-use crate::commun::oracle::Exact;
-use crate::commun::regimes::{Cas, deux_puissance, direction, entre, regimes};
-use crate::commun::tolerances::{promesses, u};
-use crate::commun::{arrondi, en_f32_et_f64};
+use commun::litteral;
+use commun::mesure::rayon_non_perdu;
+use commun::oracle::Exact;
+use commun::regimes::{Cas, deux_puissance, direction, entre, regimes};
+use commun::tolerances::{promesses, u};
+use commun::{arrondi, en_f32_et_f64};
 use fastrand::Rng;
 use lancer_rayon::{
     Intersection, NoIntersection, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture,

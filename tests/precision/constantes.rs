@@ -17,8 +17,8 @@
 //!   before its Newton step;
 //! - lemma 16: that what is subnormal is less than the slack.
 
-use crate::commun::tolerances::{ORTHONORMALE, bandes, promesses};
 use crate::intervalle::{Intervalle, de_a, portee};
+use commun::tolerances::{ORTHONORMALE, bandes, promesses};
 use lancer_rayon::constantes::*;
 
 /// u of `f32` and of `f64`.

@@ -1,10 +1,10 @@
 //! `erreur` and `est_sur` beside the oracle, regime by regime: never short of the error, seldom far above it; never
 //! certain of a wrong answer, seldom uncertain of a right one.
 
-use crate::commun::en_f32_et_f64;
-use crate::commun::mesure::quantiles;
-use crate::commun::oracle::verite;
-use crate::commun::regimes::regimes;
+use commun::en_f32_et_f64;
+use commun::mesure::quantiles;
+use commun::oracle::verite;
+use commun::regimes::regimes;
 use fastrand::Rng;
 use lancer_rayon::Reel;
 
@@ -12,7 +12,7 @@ use lancer_rayon::Reel;
 const AISANCE: f64 = 6.0;
 
 fn erreur_borne_l_erreur_et_est_sur_ne_se_trompe_pas<R: Reel>() {
-    let cas_par_regime = crate::commun::cas(1_000);
+    let cas_par_regime = commun::cas(1_000);
     for regime in regimes::<R>() {
         let (mut incertains, mut faux) = (0, 0);
         let mut alea = Rng::with_seed(39);

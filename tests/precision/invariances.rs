@@ -1,9 +1,9 @@
 //! A hit changes as it should when its scene is scaled, mirrored, turned onto other axes or moved.
 
-use crate::commun::oracle::verite;
-use crate::commun::regimes::direction;
-use crate::commun::tolerances::{promesses, u};
-use crate::commun::{arrondi, en_f32_et_f64};
+use commun::oracle::verite;
+use commun::regimes::direction;
+use commun::tolerances::{promesses, u};
+use commun::{arrondi, en_f32_et_f64};
 use fastrand::Rng;
 use lancer_rayon::{
     BoiteGeo, Intersection, ObjetGeo, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture, Vecteur,

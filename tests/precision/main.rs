@@ -1,8 +1,5 @@
 //! What `docs/precision.md` promises, against an oracle in exact integers.
 
-#[path = "../commun/mod.rs"]
-mod commun;
-
 mod adversaire;
 mod conclusion;
 mod constantes;

@@ -1,6 +1,6 @@
 //! The oracle itself, where a quotient of however many bits would decide wrongly.
 
-use crate::commun::oracle::verite;
+use commun::oracle::verite;
 use lancer_rayon::{BoiteGeo, ObjetRay, Rayon, Rotation, Texture, Vecteur};
 
 /// A box of 2⁴⁴⁰ by an edge of which the ray passes at 2⁻⁴⁰⁰: entry and exit agree in 839 bits.

@@ -3,11 +3,11 @@
 //! `LANCER_RAYON_CAS` sets how many cases each regime runs (1 000 unless set):
 //! `LANCER_RAYON_CAS=1000000 cargo test --release --all-features --test precision promesses`
 
-use crate::commun::mesure::{absolu, au_bord, mesurer, quantiles};
-use crate::commun::oracle::{Entree, hauteur, verite};
-use crate::commun::regimes::{Cas, direction, regimes, repere};
-use crate::commun::tolerances::{ORTHONORMALE, u};
-use crate::commun::{arrondi, en_f32_et_f64};
+use commun::mesure::{absolu, au_bord, mesurer, quantiles};
+use commun::oracle::{Entree, hauteur, verite};
+use commun::regimes::{Cas, direction, regimes, repere};
+use commun::tolerances::{ORTHONORMALE, u};
+use commun::{arrondi, en_f32_et_f64};
 use fastrand::Rng;
 use lancer_rayon::constantes::TANGENT;
 use lancer_rayon::{
@@ -16,7 +16,7 @@ use lancer_rayon::{
 };
 
 fn cas_par_regime() -> u32 {
-    crate::commun::cas(1_000)
+    commun::cas(1_000)
 }
 
 /// The hits of a regime, and the randomness for what follows them.

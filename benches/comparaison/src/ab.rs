@@ -1,31 +1,16 @@
 //! Two versions of this crate in one process, by turns: what `benches/ab.sh` runs. `avant` is the old one and
 //! `lancer_rayon` the new one; both get the same rays and the same numbers for their objects.
 
-mod familles;
-#[allow(dead_code, reason = "shared with the comparison")]
-mod horloge;
-
 use std::error::Error;
 use std::hint::black_box;
 use std::path::Path;
 use std::time::Instant;
 
-use familles::{Famille, Genre};
-use horloge::{MORCEAU, chronometrer_lot, moindres};
+use commun::familles::{Famille, Genre};
+use commun::horloge::{MORCEAU, chronometrer_lot, moindres};
 use lancer_rayon::{Hierarchie, ObjetRay, Reel};
 
 use serde::de::DeserializeOwned;
-
-#[allow(dead_code, reason = "shared with the tests")]
-#[path = "../../../tests/commun"]
-mod commun {
-    pub(crate) mod conversion;
-    pub(crate) mod regimes;
-    pub(crate) mod scenes;
-}
-#[allow(dead_code, reason = "shared with the examples")]
-#[path = "../../../docs/exemples/scene.rs"]
-mod scene;
 
 /// The most rounds, and by how much a ratio may move in the last.
 const MANCHES: usize = 6;

@@ -3,8 +3,8 @@
 
 use lancer_rayon::{ObjetRay, Rayon, Reel, Texture, Vecteur};
 
-use crate::commun::litteral::{self, Couple, Forme};
 use crate::pairs::Vu;
+use commun::litteral::{self, Couple, Forme};
 
 pub(crate) trait Objet<R> {
     fn intersection(&self, rayon: &Rayon<R>) -> Option<Vu<R>>;

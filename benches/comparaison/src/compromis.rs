@@ -6,16 +6,16 @@ use fastrand::Rng;
 use lancer_rayon::{ObjetRay, Rayon, premieres_intersections};
 use plotters::prelude::*;
 
-use crate::commun::litteral;
-use crate::commun::mesure::{mesurer, quantiles};
-use crate::commun::oracle::verite;
-use crate::commun::regimes::regimes;
 use crate::concours::{Camp, Scalaire, Terrain, exiger_accord, exiger_memes_bits, temps};
 use crate::exactitude::{self, COULEURS, repondants};
-use crate::familles::{Famille, Genre};
-use crate::horloge::{exiger, une_par_une};
 use crate::page;
 use crate::pairs::Vu;
+use commun::familles::{Famille, Genre};
+use commun::horloge::{exiger, une_par_une};
+use commun::litteral;
+use commun::mesure::{mesurer, quantiles};
+use commun::oracle::verite;
+use commun::regimes::regimes;
 
 type Mesures<R> = ((exactitude::Repondant<R>, f64), Vec<Option<Vu<R>>>);
 

@@ -12,11 +12,11 @@ use lancer_rayon::{
 use serde::de::DeserializeOwned;
 
 use crate::annexe_dyn;
-use crate::commun::conversion::{Bits, mots};
-use crate::commun::litteral;
-use crate::familles::Lance;
-use crate::horloge::{MORCEAU, TOURS, TUILE, chronometrer_lot, moindres};
 use crate::pairs::{Parry, Vu};
+use commun::conversion::{Bits, mots};
+use commun::familles::Lance;
+use commun::horloge::{MORCEAU, TOURS, TUILE, chronometrer_lot, moindres};
+use commun::litteral;
 
 /// From so many objects on nobody looks at all of them for every ray.
 const TROP: usize = 64;

@@ -6,13 +6,13 @@ use fastrand::Rng;
 use lancer_rayon::{ObjetGeo, ObjetRay, Rayon, Reel, SphereGeo, Texture, premiere_intersection};
 use plotters::prelude::*;
 
-use crate::commun::conversion::arrondi;
-use crate::commun::litteral;
-use crate::commun::mesure::{Mesure, Reponse, mesurer, quantiles};
-use crate::commun::oracle::{hauteur, verite};
-use crate::commun::regimes::{Cas, Regime, direction, regimes};
 use crate::page;
 use crate::pairs::Parry;
+use commun::conversion::arrondi;
+use commun::litteral;
+use commun::mesure::{Mesure, Reponse, mesurer, quantiles};
+use commun::oracle::{hauteur, verite};
+use commun::regimes::{Cas, Regime, direction, regimes};
 
 /// Cases of each regime.
 const CAS: u32 = 100_000;

@@ -9,13 +9,13 @@ use lancer_rayon::{Hierarchie, Rayon, Reel, Reglage, Touche};
 use rayon::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
-use crate::commun::scenes::{en_tuiles, melange, rayons_camera};
 use crate::concours::places;
-use crate::horloge::{
+use crate::pairs::Parry;
+use commun::horloge::{
     MORCEAU, TOURS, chronometrer_lot, exiger, moindres, nanosecondes, petit_tampon, tampon,
     une_par_une,
 };
-use crate::pairs::Parry;
+use commun::scenes::{en_tuiles, melange, rayons_camera};
 
 /// The rays of a picture, in tiles.
 fn image<R: Reel>() -> Vec<Rayon<R>> {

@@ -12,31 +12,12 @@ mod avec_glam;
 mod compromis;
 mod concours;
 mod exactitude;
-mod familles;
-mod horloge;
 mod lot;
 mod page;
 mod pairs;
 mod tableau;
 
 use std::error::Error;
-
-/// What the tests share, and these measurements with them.
-#[allow(dead_code, reason = "shared with the tests, each of which uses its own part")]
-#[path = "../../../tests/commun"]
-mod commun {
-    pub(crate) mod conversion;
-    pub(crate) mod litteral;
-    pub(crate) mod mesure;
-    pub(crate) mod oracle;
-    pub(crate) mod regimes;
-    pub(crate) mod scenes;
-    pub(crate) mod tolerances;
-}
-
-#[allow(dead_code, reason = "shared with the examples")]
-#[path = "../../../docs/exemples/scene.rs"]
-mod scene;
 
 #[path = "."]
 mod simple {

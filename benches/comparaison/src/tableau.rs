@@ -7,9 +7,9 @@ use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 use crate::concours::{Camp, Scalaire, Terrain, exiger_accord, exiger_memes_bits, places, temps};
-use crate::familles::{Famille, Genre};
-use crate::horloge::nanosecondes;
 use crate::page;
+use commun::familles::{Famille, Genre};
+use commun::horloge::nanosecondes;
 
 const NOMBRES: [usize; 5] = [12, 48, 192, 1000, 10_000];
 

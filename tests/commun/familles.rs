@@ -10,14 +10,14 @@ use lancer_rayon::{
 };
 use serde::de::DeserializeOwned;
 
-use crate::commun::conversion::arrondi;
-use crate::commun::regimes::{direction, entre};
-use crate::commun::scenes::{en_tuiles, melange};
-use crate::scene::{self, Camera};
+use crate::conversion::arrondi;
+use crate::regimes::{direction, entre};
+use crate::scenes::{en_tuiles, melange};
+use exemples::scene::{self, Camera};
 
 /// What a scene is like.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Famille {
+pub enum Famille {
     Ville,
     Salle,
     Atomes,
@@ -31,14 +31,14 @@ pub(crate) enum Famille {
 }
 
 /// One scene, who looks at it, and its lamp.
-pub(crate) struct Scene<R> {
-    pub(crate) objets: Vec<ObjetRay<R>>,
+pub struct Scene<R> {
+    pub objets: Vec<ObjetRay<R>>,
     camera: Camera,
     lampe: Vecteur<R>,
 }
 
 impl Famille {
-    pub(crate) const TOUTES: [Self; 10] = [
+    pub const TOUTES: [Self; 10] = [
         Self::Ville,
         Self::Salle,
         Self::Atomes,
@@ -51,7 +51,7 @@ impl Famille {
         Self::Melange,
     ];
 
-    pub(crate) fn nom(self) -> &'static str {
+    pub fn nom(self) -> &'static str {
         match self {
             Self::Ville => "city",
             Self::Salle => "hall",
@@ -68,7 +68,7 @@ impl Famille {
 
     /// Those of so many objects; a room has eight or twenty-four solids in its six walls, and the atelier is
     /// what it is.
-    pub(crate) fn nombres(self, usuels: &[usize]) -> &[usize] {
+    pub fn nombres(self, usuels: &[usize]) -> &[usize] {
         match self {
             Self::Piece => &[14, 30],
             Self::Atelier => &[14],
@@ -84,7 +84,7 @@ impl Famille {
     }
 
     /// The scene of `n` objects, object i with texture i. `docs` is the folder of that name.
-    pub(crate) fn scene<R: Reel + DeserializeOwned>(self, n: usize, docs: &Path) -> Scene<R> {
+    pub fn scene<R: Reel + DeserializeOwned>(self, n: usize, docs: &Path) -> Scene<R> {
         let alea = &mut Rng::with_seed(1);
         let (objets, camera, lampe) = match self {
             Self::Ville => (ville(n, alea), VUE_D_EN_HAUT, [-9.0, 14.0, 9.0]),
@@ -315,7 +315,7 @@ fn sol<R: Reel>(y: f64) -> ObjetRay<R> {
 
 /// Which rays, and in what order.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Genre {
+pub enum Genre {
     /// Of the camera, in tiles of 8 × 8.
     Tuiles,
     /// Of the camera, row by row.
@@ -333,10 +333,10 @@ pub(crate) enum Genre {
 }
 
 /// A ray, and how far the lamp is that it goes to.
-pub(crate) type Lance<R> = (Rayon<R>, R);
+pub type Lance<R> = (Rayon<R>, R);
 
 impl Genre {
-    pub(crate) const TOUS: [Self; 7] = [
+    pub const TOUS: [Self; 7] = [
         Self::Tuiles,
         Self::Rangees,
         Self::Miroirs,
@@ -346,7 +346,7 @@ impl Genre {
         Self::Ombres,
     ];
 
-    pub(crate) fn nom(self) -> &'static str {
+    pub fn nom(self) -> &'static str {
         match self {
             Self::Tuiles => "tiles",
             Self::Rangees => "rows",
@@ -359,7 +359,7 @@ impl Genre {
     }
 
     /// The rays of this kind from `bandes` of the picture's bands of eight rows, evenly spaced.
-    pub(crate) fn rayons<R: Reel>(
+    pub fn rayons<R: Reel>(
         self,
         hierarchie: &Hierarchie<'_, R>,
         scene: &Scene<R>,

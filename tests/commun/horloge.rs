@@ -10,31 +10,31 @@ use lancer_rayon::{
 };
 
 /// Rays whose answers stay in the cache.
-pub(crate) const MORCEAU: usize = 4096;
+pub const MORCEAU: usize = 4096;
 
 /// Rays of a tile.
-pub(crate) const TUILE: usize = 64;
+pub const TUILE: usize = 64;
 
 /// Turns, of which the least counts.
-pub(crate) const TOURS: usize = 5;
+pub const TOURS: usize = 5;
 
 /// Room for the answers to so many rays at a time.
-pub(crate) fn tampon<R: Reel>(rayons: usize) -> Vec<Touche<R>> {
+pub fn tampon<R: Reel>(rayons: usize) -> Vec<Touche<R>> {
     vec![Err(NoIntersection); rayons]
 }
 
 /// Room for those of a part of the picture, used again for the next.
-pub(crate) fn petit_tampon<R: Reel>() -> Vec<Touche<R>> {
+pub fn petit_tampon<R: Reel>() -> Vec<Touche<R>> {
     tampon(MORCEAU)
 }
 
 /// What the rays get one by one.
-pub(crate) fn une_par_une<R: Reel>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) -> Vec<Touche<R>> {
+pub fn une_par_une<R: Reel>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) -> Vec<Touche<R>> {
     rayons.iter().map(|rayon| premiere_intersection(objets, rayon)).collect()
 }
 
 /// An error unless `premieres` gives these rays `attendues`, however many it is given at a time.
-pub(crate) fn exiger<R: Reel>(
+pub fn exiger<R: Reel>(
     attendues: &[Touche<R>],
     rayons: &[Rayon<R>],
     premieres: impl Fn(&[Rayon<R>], &mut [Touche<R>]) -> Result<(), LongueursDifferentes>,
@@ -52,7 +52,7 @@ pub(crate) fn exiger<R: Reel>(
 }
 
 /// Nanoseconds per ray, as many at a time as `tampon` has room for.
-pub(crate) fn chronometrer_lot<Q: Copy, T>(
+pub fn chronometrer_lot<Q: Copy, T>(
     rayons: &[Q],
     tampon: &mut [T],
     mut premieres: impl FnMut(&[Q], &mut [T]),
@@ -73,11 +73,7 @@ pub(crate) fn chronometrer_lot<Q: Copy, T>(
 }
 
 /// The least time of each, in so many turns.
-pub(crate) fn moindres<Q>(
-    tours: usize,
-    concurrents: &[Q],
-    mut duree: impl FnMut(&Q) -> f64,
-) -> Vec<f64> {
+pub fn moindres<Q>(tours: usize, concurrents: &[Q], mut duree: impl FnMut(&Q) -> f64) -> Vec<f64> {
     let mut durees = vec![f64::INFINITY; concurrents.len()];
     for _ in 0..tours {
         for (qui, moindre) in concurrents.iter().zip(&mut durees) {
@@ -88,7 +84,7 @@ pub(crate) fn moindres<Q>(
 }
 
 /// Nanoseconds in three digits or more; a dash for who did not run.
-pub(crate) fn nanosecondes(ns: f64) -> String {
+pub fn nanosecondes(ns: f64) -> String {
     match ns {
         _ if ns.is_nan() => "–".into(),
         _ if ns < 100.0 => format!("{ns:.1}"),

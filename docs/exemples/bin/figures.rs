@@ -1,0 +1,5 @@
+//! Writes the figures of `../figures.rs`.
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    exemples::figures::ecrire()
+}
