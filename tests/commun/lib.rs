@@ -2,12 +2,12 @@
 //! may see, and what every hit is.
 
 pub mod conversion;
-pub mod double;
 pub mod familles;
 pub mod horloge;
 pub mod litteral;
 pub mod mesure;
 pub mod oracle;
+pub mod promesses;
 pub mod regimes;
 pub mod scenes;
 pub mod strategies;

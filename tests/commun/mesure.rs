@@ -35,6 +35,11 @@ pub fn quantiles(valeurs: &mut [f64]) -> [f64; 3] {
     })
 }
 
+/// The largest distance of the type.
+pub fn plus_grand<R: Reel>() -> f64 {
+    if u::<R>() > f64::EPSILON { f64::from(f32::MAX) } else { f64::MAX }
+}
+
 /// What products that underflow add to the error of a distance.
 pub fn absolu<R: Reel>(objet: &ObjetRay<R>, entree: &Entree) -> f64 {
     match objet {
@@ -58,14 +63,12 @@ pub fn mesurer<R: Reel>(
     let mut alea = Rng::with_seed(graine);
     let mut mesure = Mesure::default();
     let u = u::<R>();
-    let en_f32 = u > f64::EPSILON;
-    let plus_grand = if en_f32 { f64::from(f32::MAX) } else { f64::MAX };
     for _ in 0..cas {
         let cas = (regime.cas)(&mut alea);
         let verite = verite(&cas.objet, &cas.rayon);
         let reponse = repondre(&cas.objet, &cas.rayon);
         // A distance that the type cannot hold is a miss.
-        let entree = verite.entree.filter(|e| e.t.vers_f64() <= plus_grand);
+        let entree = verite.entree.filter(|e| e.t.vers_f64() <= plus_grand::<R>());
         mesure.touches += u32::from(entree.is_some());
         mesure.fausses += u32::from(!verite.dans_la_marge && entree.is_some() != reponse.is_some());
         let (Some(entree), Some((t, normale))) = (entree, reponse) else { continue };

@@ -16,35 +16,74 @@ pub struct Cas<R> {
     pub rayon: Rayon<R>,
 }
 
+/// The three shapes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Genre {
+    Sphere,
+    Plan,
+    Boite,
+}
+
+impl Genre {
+    pub const TOUS: [Self; 3] = [Self::Sphere, Self::Plan, Self::Boite];
+
+    pub fn de<R: Reel>(objet: &ObjetRay<R>) -> Self {
+        match objet {
+            ObjetRay::Sphere(_) => Self::Sphere,
+            ObjetRay::Plan(_) => Self::Plan,
+            ObjetRay::Boite(_) => Self::Boite,
+        }
+    }
+}
+
+/// What is hard about a regime.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Extreme {
+    /// Nothing.
+    Aucun,
+    /// The object is small beside its distance, or its distance from the origin.
+    Loin,
+    /// The ray is nearly parallel to the surface, so that hits may lie anywhere.
+    Parallele,
+    /// Numbers at the ends of their range.
+    Bornes,
+    /// The decision, to the last bits.
+    Decision,
+}
+
 pub struct Regime<R> {
+    pub genre: Genre,
+    pub extreme: Extreme,
     pub nom: &'static str,
     pub cas: fn(&mut Rng) -> Cas<R>,
 }
 
 pub fn regimes<R: Reel>() -> [Regime<R>; 19] {
+    use Extreme::{Aucun, Bornes, Decision, Loin, Parallele};
+    use Genre::{Boite, Plan, Sphere};
+    let regime = |genre, extreme, nom, cas| Regime { genre, extreme, nom, cas };
     [
-        Regime { nom: "sphere, ordinary", cas: |a| ordinaire(a, boule) },
-        Regime { nom: "sphere, far and small", cas: |a| loin(a, boule) },
-        Regime { nom: "sphere, far from the origin", cas: |a| loin_de_l_origine(a, boule) },
-        Regime { nom: "sphere, grazing", cas: sphere_rasante },
-        Regime { nom: "sphere, close above the surface", cas: |a| au_ras(a, boule) },
-        Regime {
-            nom: "sphere, source within ulps of the surface",
-            cas: |a| a_quelques_ulp(a, boule),
-        },
-        Regime { nom: "sphere, at the ends of the range", cas: |a| bornes(a, boule) },
-        Regime { nom: "half-space, ordinary", cas: |a| ordinaire(a, demi_espace) },
-        Regime { nom: "half-space, almost parallel", cas: plan_rasant },
-        Regime { nom: "half-space, close above the surface", cas: |a| au_ras(a, demi_espace) },
-        Regime { nom: "half-space, at the ends of the range", cas: |a| bornes(a, demi_espace) },
-        Regime { nom: "box, ordinary", cas: |a| ordinaire(a, boite) },
-        Regime { nom: "box, far and small", cas: |a| loin(a, boite) },
-        Regime { nom: "box, far from the origin", cas: |a| loin_de_l_origine(a, boite) },
-        Regime { nom: "box, edges and corners", cas: aretes },
-        Regime { nom: "box, along the plane of a face", cas: le_long_d_une_face },
-        Regime { nom: "box, almost along a face", cas: presque_le_long_d_une_face },
-        Regime { nom: "box, close above the surface", cas: |a| au_ras(a, boite) },
-        Regime { nom: "box, at the ends of the range", cas: |a| bornes(a, boite) },
+        regime(Sphere, Aucun, "sphere, ordinary", |a| ordinaire(a, boule)),
+        regime(Sphere, Loin, "sphere, far and small", |a| loin(a, boule)),
+        regime(Sphere, Loin, "sphere, far from the origin", |a| loin_de_l_origine(a, boule)),
+        regime(Sphere, Decision, "sphere, grazing", sphere_rasante),
+        regime(Sphere, Decision, "sphere, close above the surface", |a| au_ras(a, boule)),
+        regime(Sphere, Decision, "sphere, source within ulps of the surface", |a| {
+            a_quelques_ulp(a, boule)
+        }),
+        regime(Sphere, Bornes, "sphere, at the ends of the range", |a| bornes(a, boule)),
+        regime(Plan, Aucun, "half-space, ordinary", |a| ordinaire(a, demi_espace)),
+        regime(Plan, Parallele, "half-space, almost parallel", plan_rasant),
+        regime(Plan, Decision, "half-space, close above the surface", |a| au_ras(a, demi_espace)),
+        regime(Plan, Bornes, "half-space, at the ends of the range", |a| bornes(a, demi_espace)),
+        regime(Boite, Aucun, "box, ordinary", |a| ordinaire(a, boite)),
+        regime(Boite, Loin, "box, far and small", |a| loin(a, boite)),
+        regime(Boite, Loin, "box, far from the origin", |a| loin_de_l_origine(a, boite)),
+        regime(Boite, Decision, "box, edges and corners", aretes),
+        regime(Boite, Decision, "box, along the plane of a face", le_long_d_une_face),
+        regime(Boite, Decision, "box, almost along a face", presque_le_long_d_une_face),
+        regime(Boite, Decision, "box, close above the surface", |a| au_ras(a, boite)),
+        regime(Boite, Bornes, "box, at the ends of the range", |a| bornes(a, boite)),
     ]
 }
 

@@ -10,17 +10,14 @@
 
 use std::time::{Duration, Instant};
 
-use commun::double::ecart_et_kappa_t;
-use commun::mesure::{absolu, absolu_fois, au_bord, lieu_permis, rayon_non_perdu};
-use commun::oracle::{dehors, hauteur, norme_au_carre_moins_un, verite};
-use commun::regimes::{deux_puissance, direction, entre, regimes, repere, signe};
-use commun::tolerances::{promesses, u};
+use commun::promesses::{self, Essai, Part, RIEN};
+use commun::regimes::{Genre, deux_puissance, direction, entre, regimes, repere, signe};
+use commun::tolerances::u;
 use commun::{Bits, arrondi};
 use fastrand::Rng;
-use lancer_rayon::constantes::PUISSANCE_PERDUE;
 use lancer_rayon::{
-    BoiteGeo, Intersection, ObjetGeo, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture,
-    Vecteur, premiere_intersection,
+    BoiteGeo, ObjetGeo, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture, Vecteur,
+    premiere_intersection,
 };
 
 /// After so many steps in a row without a gain, the climb starts again elsewhere.
@@ -28,46 +25,6 @@ const PATIENCE: u32 = 50;
 
 /// How many of the best cases are kept as starting points.
 const SOMMETS: usize = 20;
-
-/// Worse than any case: no hit to judge, or numbers that no constructor takes.
-const RIEN: f64 = f64::NEG_INFINITY;
-
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Genre {
-    Sphere,
-    Plan,
-    Boite,
-}
-
-const GENRES: [Genre; 3] = [Genre::Sphere, Genre::Plan, Genre::Boite];
-
-impl Genre {
-    /// How the regimes name it.
-    fn nom(self) -> &'static str {
-        match self {
-            Self::Sphere => "sphere",
-            Self::Plan => "half-space",
-            Self::Boite => "box",
-        }
-    }
-
-    fn de<R: Reel>(objet: &ObjetRay<R>) -> Self {
-        match objet {
-            ObjetRay::Sphere(_) => Self::Sphere,
-            ObjetRay::Plan(_) => Self::Plan,
-            ObjetRay::Boite(_) => Self::Boite,
-        }
-    }
-
-    /// The least K of the promise for the distance to such an object.
-    fn distance(self) -> f64 {
-        match self {
-            Self::Sphere => promesses::DISTANCE_SPHERE,
-            Self::Plan => promesses::DISTANCE_PLAN,
-            Self::Boite => promesses::DISTANCE_BOITE,
-        }
-    }
-}
 
 /// What a number is: a length may be scaled with all the others, a row of a matrix may not.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -83,13 +40,6 @@ enum Role {
 struct Candidat<R> {
     genres: Vec<Genre>,
     nombres: Vec<(Role, R)>,
-}
-
-/// What the constructors made of them.
-struct Cas<R> {
-    objets: Vec<ObjetRay<R>>,
-    rayon: Rayon<R>,
-    vers: [R; 5],
 }
 
 impl<R: Bits> Candidat<R> {
@@ -121,7 +71,7 @@ impl<R: Bits> Candidat<R> {
     }
 
     /// What the constructors take of it; the numbers are then those that they stored.
-    fn construire(&mut self) -> Option<Cas<R>> {
+    fn construire(&mut self) -> Option<Essai<R>> {
         fn prendre<R: Reel, const N: usize>(reste: &[(Role, R)], ou: &mut usize) -> [R; N] {
             let valeurs = core::array::from_fn(|i| reste[*ou + i].1);
             *ou += N;
@@ -168,7 +118,7 @@ impl<R: Bits> Candidat<R> {
         for (nombre, x) in nombres[debut..].iter_mut().zip(d) {
             nombre.1 = x;
         }
-        Some(Cas { objets, rayon, vers: prendre(nombres, &mut ou) })
+        Some(Essai { objets, rayon, vers: prendre(nombres, &mut ou) })
     }
 
     fn bouger(&mut self, alea: &mut Rng) {
@@ -271,21 +221,17 @@ impl<R: Bits> Candidat<R> {
     }
 }
 
-fn en_f32<R: Reel>() -> bool {
-    u::<R>() > f64::EPSILON
-}
-
 fn mots<R: Reel>() -> u32 {
-    if en_f32::<R>() { 32 } else { 64 }
+    if size_of::<R>() == 4 { 32 } else { 64 }
 }
 
 fn mantisse<R: Reel>() -> u32 {
-    if en_f32::<R>() { 23 } else { 52 }
+    if size_of::<R>() == 4 { 23 } else { 52 }
 }
 
 /// The number of these bits, whose last are its last.
 fn depuis_mot<R: Bits>(bits: u64) -> R {
-    R::depuis_bits(if en_f32::<R>() { bits << 32 } else { bits })
+    R::depuis_bits(if size_of::<R>() == 4 { bits << 32 } else { bits })
 }
 
 fn remarquable<R: Reel>(alea: &mut Rng) -> R {
@@ -326,7 +272,7 @@ fn depart<R: Bits>(genre: Genre, alea: &mut Rng) -> (ObjetRay<R>, Rayon<R>) {
         if alea.u8(0..3) > 0 {
             let regimes = regimes::<R>();
             let regime = &regimes[alea.usize(0..regimes.len())];
-            if regime.nom.starts_with(genre.nom()) {
+            if regime.genre == genre {
                 let cas = (regime.cas)(alea);
                 return (cas.objet, cas.rayon);
             }
@@ -412,7 +358,7 @@ fn un_objet<R: Bits>(genre: Genre, alea: &mut Rng) -> Candidat<R> {
 /// An object and another beside it: itself moved a little, or one through the point of the hit.
 fn deux_objets<R: Bits>(alea: &mut Rng) -> Candidat<R> {
     loop {
-        let (objet, rayon) = depart::<R>(GENRES[alea.usize(0..3)], alea);
+        let (objet, rayon) = depart::<R>(Genre::TOUS[alea.usize(0..3)], alea);
         let Ok(touche) = objet.intersection(&rayon) else { continue };
         let t = touche.distance().vers_f64();
         let d = rayon.direction().vers_f64();
@@ -450,214 +396,6 @@ fn deux_objets<R: Bits>(alea: &mut Rng) -> Candidat<R> {
     }
 }
 
-/// The error of the distance as a part of what is promised; below `seuil` an estimate is enough.
-fn distance<R: Reel>(cas: &Cas<R>, seuil: f64) -> f64 {
-    let objet = &cas.objets[0];
-    let Ok(touche) = objet.intersection(&cas.rayon) else { return RIEN };
-    let t = touche.distance();
-    let (ecart, kappa_t) = ecart_et_kappa_t(objet, &cas.rayon, t);
-    let apercu = ecart.abs() / (Genre::de(objet).distance() * u::<R>() * kappa_t);
-    if apercu < seuil {
-        return apercu;
-    }
-    let Some(entree) = verite(objet, &cas.rayon).entree else { return RIEN };
-    let (relatif, absolu) = (entree.k * u::<R>() * entree.kappa_t, absolu(objet, &entree));
-    // Each has its own climb, or the one would hide what the other finds.
-    if relatif == f64::INFINITY || absolu > 1e-3 * relatif {
-        return RIEN;
-    }
-    entree.ecart(t).abs() / (relatif + absolu)
-}
-
-/// The same of a half-space a few subnormals from the source, in units in which these are no subnormals.
-fn distance_pres_de_0<R: Reel>(cas: &Cas<R>, _: f64) -> f64 {
-    let Ok(touche) = cas.objets[0].intersection(&cas.rayon) else { return RIEN };
-    let Some(entree) = verite(&cas.objets[0], &cas.rayon).entree else { return RIEN };
-    let echelle = 200_f64.exp2();
-    let relatif = entree.k * u::<R>() * (entree.kappa_t * echelle);
-    if relatif == f64::INFINITY {
-        return RIEN;
-    }
-    let absolu = absolu_fois(&entree, R::MIN_POSITIF.vers_f64() * echelle);
-    entree.ecart_fois(touche.distance(), echelle).abs() / (relatif + absolu)
-}
-
-/// By how much the band would have to be wider to hold a wrong answer; a right one is the better
-/// the nearer it is to the decision.
-fn decision<R: Reel>(cas: &Cas<R>, _: f64) -> f64 {
-    let objet = &cas.objets[0];
-    let verite = verite(objet, &cas.rayon);
-    let touche = objet.intersection(&cas.rayon).is_ok();
-    let facteur = verite.facteur();
-    let plus_grand = if en_f32::<R>() { f64::from(f32::MAX) } else { f64::MAX };
-    match verite.entree {
-        // A distance that the type cannot hold is a miss.
-        Some(entree) if entree.t.vers_f64() > plus_grand => RIEN,
-        entree if entree.is_some() == touche => -facteur,
-        Some(_) | None => facteur,
-    }
-}
-
-/// By how much the object that is answered lies behind the other, as a part of what is promised.
-fn ordre<R: Reel>(cas: &Cas<R>, _: f64) -> f64 {
-    let Ok(premiere) = premiere_intersection(&cas.objets, &cas.rayon) else { return RIEN };
-    let Texture(gagnant) = premiere.texture();
-    let [gagnant, autre] = [gagnant as usize, 1 - gagnant as usize].map(|i| {
-        let verite = verite(&cas.objets[i], &cas.rayon);
-        let sure = i == gagnant as usize || !verite.dans_la_marge;
-        let objet = &cas.objets[i];
-        verite.entree.filter(|_| sure).map(|e| (e.k * u::<R>(), absolu(objet, &e), e))
-    });
-    let (Some((k, absolu, gagnant)), Some((k_autre, absolu_autre, autre))) = (gagnant, autre)
-    else {
-        return RIEN;
-    };
-    let avance = (&gagnant.t - &autre.t).vers_f64();
-    avance / (k * gagnant.kappa_t + absolu + k_autre * autre.kappa_t + absolu_autre)
-}
-
-fn touche<R: Reel>(cas: &Cas<R>) -> Option<Intersection<R>> {
-    cas.objets[0].intersection(&cas.rayon).ok()
-}
-
-fn longueur_de_la_normale<R: Reel>(cas: &Cas<R>, _: f64) -> f64 {
-    let Some(touche) = touche(cas) else { return RIEN };
-    let permis = match Genre::de(&cas.objets[0]) {
-        Genre::Sphere => promesses::UNITAIRE_SPHERE,
-        Genre::Plan | Genre::Boite => promesses::UNITAIRE_PLATE,
-    };
-    // |N| − 1 is half of |N|² − 1, to its square.
-    0.5 * norme_au_carre_moins_un(touche.normale()).abs() / (permis * u::<R>())
-}
-
-fn direction_de_la_normale<R: Reel>(cas: &Cas<R>, _: f64) -> f64 {
-    let Some(entree) = verite(&cas.objets[0], &cas.rayon).entree else { return RIEN };
-    let Some(touche) = touche(cas) else { return RIEN };
-    let permis = entree.direction_permise::<R>(entree.ecart(touche.distance()).abs());
-    entree.ecart_de_normale(touche.normale()) / permis
-}
-
-fn marge<R: Reel>(cas: &Cas<R>, _: f64) -> f64 {
-    let Some(touche) = touche(cas) else { return RIEN };
-    let marge = touche.marge().vers_f64();
-    if marge == f64::INFINITY {
-        return RIEN;
-    }
-    let p = cas.rayon.point(touche.distance());
-    hauteur(&cas.objets[0], touche.normale(), p).abs() / marge
-}
-
-/// How far outside its object the point of a hit lies, as a part of what lemma 14 grants.
-fn lieu<R: Reel>(cas: &Cas<R>, _: f64) -> f64 {
-    let Some(touche) = touche(cas) else { return RIEN };
-    let p = cas.rayon.point(touche.distance());
-    dehors(&cas.objets[0], p) / lieu_permis(&cas.objets[0], &cas.rayon, touche.distance())
-}
-
-/// How far P lies from a sphere that is nearly lost in its distance, as a part of what makes its
-/// margin infinite. P is hardly rounded there: that alone decides elsewhere.
-fn marge_infinie<R: Reel>(cas: &Cas<R>, _: f64) -> f64 {
-    let objet = &cas.objets[0];
-    let (Some(touche), ObjetRay::Sphere(sphere)) = (touche(cas), objet) else { return RIEN };
-    let (r, p) = (sphere.rayon().vers_f64(), cas.rayon.point(touche.distance()));
-    let non_perdue = rayon_non_perdu(sphere, &cas.rayon, touche.distance());
-    if r < 0.5 * non_perdue || u::<R>() * p.vers_f64().longueur() > r / 256.0 {
-        return RIEN;
-    }
-    if touche.marge() == R::INFINI && r >= non_perdue {
-        return ROMPUE;
-    }
-    let loin = (1.0 + PUISSANCE_PERDUE).sqrt() - 1.0;
-    (dehors(objet, p).abs() / (loin * r.max(non_perdue))).min(1.0)
-}
-
-/// What is no promise but a sign: below 1 as it holds, the higher the nearer to where it would not.
-fn tenue(ecart: f64) -> f64 {
-    1.0 / (1.0 + ecart)
-}
-
-/// Larger than 1, which no surrogate is.
-const ROMPUE: f64 = 2.0;
-
-fn face_a_la_source<R: Reel>(cas: &Cas<R>, _: f64) -> f64 {
-    let Some(touche) = touche(cas) else { return RIEN };
-    let cosinus = touche.normale().produit_scalaire(cas.rayon.direction());
-    if cosinus < R::ZERO { tenue(-cosinus.vers_f64() / u::<R>()) } else { ROMPUE }
-}
-
-fn secondaire<R: Reel>(cas: &Cas<R>, _: f64) -> f64 {
-    let objet = &cas.objets[0];
-    let Some(touche) = touche(cas) else { return RIEN };
-    let n = touche.normale();
-    let [x, y, z, h, penche] = cas.vers;
-    let v = Vecteur::new(x, y, z);
-    let vers = if penche > R::ZERO {
-        let v = v.vers_f64().unitaire().unwrap_or(Vecteur::NUL);
-        let n = n.vers_f64();
-        arrondi(v - n * n.produit_scalaire(v) + n * h.vers_f64())
-    } else {
-        v
-    };
-    let Ok(rayon) = cas.rayon.secondaire(&touche, vers) else { return RIEN };
-    let dedans = rayon.direction().produit_scalaire(n) < R::ZERO;
-    if let Ok(encore) = objet.intersection(&rayon)
-        && !(dedans && au_bord(objet, &cas.rayon, &touche, rayon.source(), &encore))
-    {
-        return ROMPUE;
-    }
-    let (n, depart) = (n.vers_f64(), rayon.source().vers_f64());
-    let cosinus = n.produit_scalaire(rayon.direction().vers_f64()).abs() / u::<R>();
-    let (centre, [l0, l1, l2]) = match objet {
-        ObjetRay::Sphere(s) => (s.centre().vers_f64(), [s.rayon().vers_f64(); 3]),
-        ObjetRay::Plan(p) => (n * -p.distance().vers_f64(), [p.distance().vers_f64().abs(); 3]),
-        ObjetRay::Boite(b) => (b.centre().vers_f64(), b.demi_longueurs().map(R::vers_f64)),
-    };
-    let arrondi = u::<R>() * (depart.longueur() + centre.longueur() + l0.max(l1).max(l2));
-    let haut = hauteur(objet, touche.normale(), rayon.source()).abs() / arrondi;
-    let bord = match objet {
-        ObjetRay::Sphere(_) | ObjetRay::Plan(_) => 0.0,
-        ObjetRay::Boite(b) => (0..3)
-            .filter(|&axe| {
-                b.normales()[axe] != touche.normale() && b.normales()[axe] != -touche.normale()
-            })
-            .map(|axe| {
-                let o = b.normales()[axe].vers_f64().produit_scalaire(depart - centre);
-                (o.abs() - [l0, l1, l2][axe]).abs() / arrondi
-            })
-            .fold(f64::INFINITY, f64::min),
-    };
-    0.5 * tenue(haut + cosinus) + 0.4 * tenue(bord)
-}
-
-/// The error of the distance as a part of `erreur`, which is +∞ where there is no entry.
-fn erreur<R: Reel>(cas: &Cas<R>, _: f64) -> f64 {
-    let Some(touche) = touche(cas) else { return RIEN };
-    let borne = cas.objets[0].erreur(&cas.rayon, &touche).vers_f64();
-    match verite(&cas.objets[0], &cas.rayon).entree {
-        // In units in which neither is a subnormal.
-        Some(entree) => {
-            let echelle = if borne < 1e-200 { 200_f64.exp2() } else { 1.0 };
-            entree.ecart_fois(touche.distance(), echelle).abs() / (borne * echelle)
-        }
-        None if borne < f64::INFINITY => ROMPUE,
-        None => RIEN,
-    }
-}
-
-/// `est_sur` of a wrong answer is the end; of a right one it is the better the nearer the decision.
-fn est_sur<R: Reel>(cas: &Cas<R>, _: f64) -> f64 {
-    let objet = &cas.objets[0];
-    let verite = verite(objet, &cas.rayon);
-    let touche = objet.intersection(&cas.rayon).is_ok();
-    let plus_grand = if en_f32::<R>() { f64::from(f32::MAX) } else { f64::MAX };
-    match verite.entree {
-        Some(entree) if entree.t.vers_f64() > plus_grand => RIEN,
-        ref entree if entree.is_some() == touche => tenue(verite.facteur()),
-        Some(_) | None if objet.est_sur(&cas.rayon) => ROMPUE,
-        Some(_) | None => 1.0,
-    }
-}
-
 /// FNV-1a, so that each row has its own seed.
 fn graine(nom: &str) -> u64 {
     nom.bytes().fold(0xcbf2_9ce4_8422_2325, |graine, octet| {
@@ -669,7 +407,7 @@ fn graine(nom: &str) -> u64 {
 fn grimper<R: Bits>(
     nom: &str,
     depart: impl Fn(&mut Rng) -> Candidat<R>,
-    juger: impl Fn(&Cas<R>, f64) -> f64,
+    part: Part<R>,
     assez: u32,
     decide: bool,
 ) {
@@ -705,7 +443,7 @@ fn grimper<R: Bits>(
                     candidat.bouger_une_fois(&mut alea);
                 }
                 if let Some(cas) = candidat.construire() {
-                    ici = Some((juger(&cas, RIEN), candidat));
+                    ici = Some((part(&cas), candidat));
                 }
             }
         }
@@ -718,9 +456,8 @@ fn grimper<R: Bits>(
             }
             None => depart(&mut alea),
         };
-        let valeur = |candidat: &mut Candidat<R>| {
-            candidat.construire().map_or(RIEN, |cas| juger(&cas, avant))
-        };
+        let valeur =
+            |candidat: &mut Candidat<R>| candidat.construire().map_or(RIEN, |cas| part(&cas));
         let voisins = if decide && alea.u8(0..4) > 0 {
             candidat.clone().a_la_decision(&mut alea)
         } else {
@@ -754,14 +491,14 @@ fn grimper<R: Bits>(
 /// A climb of so many evaluations for each row of the table in each type, unless it is told how long
 /// to last; some look for the point where an answer changes.
 macro_rules! rangees {
-    ($($nom:ident: $depart:ident, $juger:ident, $assez:literal $(, $decide:literal)?;)*) => {
-        rangees! { en_f32, f32: $($nom: $depart, $juger, $assez, false $(|| $decide)?;)* }
-        rangees! { en_f64, f64: $($nom: $depart, $juger, $assez, false $(|| $decide)?;)* }
+    ($($nom:ident: $depart:ident, $part:path, $assez:literal $(, $decide:literal)?;)*) => {
+        rangees! { en_f32, f32: $($nom: $depart, $part, $assez, false $(|| $decide)?;)* }
+        rangees! { en_f64, f64: $($nom: $depart, $part, $assez, false $(|| $decide)?;)* }
     };
-    ($module:ident, $r:ident: $($nom:ident: $depart:ident, $juger:ident, $assez:expr, $decide:expr;)*) => {
+    ($module:ident, $r:ident: $($nom:ident: $depart:ident, $part:path, $assez:expr, $decide:expr;)*) => {
         mod $module {
             use super::*;
-            $(#[test] fn $nom() { grimper::<$r>(stringify!($nom), $depart, $juger, $assez, $decide); })*
+            $(#[test] fn $nom() { grimper::<$r>(stringify!($nom), $depart, $part, $assez, $decide); })*
         }
     };
 }
@@ -791,36 +528,36 @@ fn boite<R: Bits>(alea: &mut Rng) -> Candidat<R> {
 }
 
 rangees! {
-    distance_d_une_sphere: sphere, distance, 400_000;
-    distance_d_un_demi_espace: demi_espace, distance, 400_000;
-    distance_d_un_demi_espace_pres_de_0: demi_espace_pres_de_0, distance_pres_de_0, 400_000;
-    distance_d_une_boite: boite, distance, 400_000;
-    decision_d_une_sphere: sphere, decision, 60_000, true;
-    decision_d_un_demi_espace: demi_espace, decision, 60_000, true;
-    decision_d_une_boite: boite, decision, 150_000, true;
-    ordre_de_deux_objets: deux_objets, ordre, 60_000, true;
-    erreur_d_une_sphere: sphere, erreur, 60_000;
-    erreur_d_un_demi_espace: demi_espace, erreur, 60_000;
-    erreur_d_un_demi_espace_pres_de_0: demi_espace_pres_de_0, erreur, 60_000;
-    erreur_d_une_boite: boite, erreur, 60_000;
-    certitude_d_une_sphere: sphere, est_sur, 60_000, true;
-    certitude_d_un_demi_espace: demi_espace, est_sur, 60_000, true;
-    certitude_d_une_boite: boite, est_sur, 60_000, true;
-    normale_unitaire_d_une_sphere: sphere, longueur_de_la_normale, 60_000;
-    normale_unitaire_d_un_demi_espace: demi_espace, longueur_de_la_normale, 60_000;
-    normale_unitaire_d_une_boite: boite, longueur_de_la_normale, 60_000;
-    direction_de_la_normale_d_une_sphere: sphere, direction_de_la_normale, 60_000;
-    direction_de_la_normale_d_une_boite: boite, direction_de_la_normale, 60_000;
-    marge_d_une_sphere: sphere, marge, 60_000;
-    marge_infinie_d_une_sphere: sphere, marge_infinie, 60_000;
-    marge_d_un_demi_espace: demi_espace, marge, 60_000;
-    marge_d_une_boite: boite, marge, 60_000;
-    lieu_d_une_touche_d_une_sphere: sphere, lieu, 60_000;
-    lieu_d_une_touche_d_une_boite: boite, lieu, 60_000;
-    secondaire_d_une_sphere: sphere, secondaire, 100_000;
-    secondaire_d_un_demi_espace: demi_espace, secondaire, 100_000;
-    secondaire_d_une_boite: boite, secondaire, 100_000;
-    face_a_la_source_d_une_sphere: sphere, face_a_la_source, 60_000;
-    face_a_la_source_d_un_demi_espace: demi_espace, face_a_la_source, 60_000;
-    face_a_la_source_d_une_boite: boite, face_a_la_source, 60_000;
+    distance_d_une_sphere: sphere, promesses::distance, 400_000;
+    distance_d_un_demi_espace: demi_espace, promesses::distance, 400_000;
+    distance_d_un_demi_espace_pres_de_0: demi_espace_pres_de_0, promesses::distance_pres_de_0, 400_000;
+    distance_d_une_boite: boite, promesses::distance, 400_000;
+    decision_d_une_sphere: sphere, promesses::decision, 60_000, true;
+    decision_d_un_demi_espace: demi_espace, promesses::decision, 60_000, true;
+    decision_d_une_boite: boite, promesses::decision, 150_000, true;
+    ordre_de_deux_objets: deux_objets, promesses::ordre, 60_000, true;
+    erreur_d_une_sphere: sphere, promesses::erreur, 60_000;
+    erreur_d_un_demi_espace: demi_espace, promesses::erreur, 60_000;
+    erreur_d_un_demi_espace_pres_de_0: demi_espace_pres_de_0, promesses::erreur, 60_000;
+    erreur_d_une_boite: boite, promesses::erreur, 60_000;
+    certitude_d_une_sphere: sphere, promesses::est_sur, 60_000, true;
+    certitude_d_un_demi_espace: demi_espace, promesses::est_sur, 60_000, true;
+    certitude_d_une_boite: boite, promesses::est_sur, 60_000, true;
+    normale_unitaire_d_une_sphere: sphere, promesses::longueur_de_la_normale, 60_000;
+    normale_unitaire_d_un_demi_espace: demi_espace, promesses::longueur_de_la_normale, 60_000;
+    normale_unitaire_d_une_boite: boite, promesses::longueur_de_la_normale, 60_000;
+    direction_de_la_normale_d_une_sphere: sphere, promesses::direction_de_la_normale, 60_000;
+    direction_de_la_normale_d_une_boite: boite, promesses::direction_de_la_normale, 60_000;
+    marge_d_une_sphere: sphere, promesses::marge, 60_000;
+    marge_infinie_d_une_sphere: sphere, promesses::marge_infinie, 60_000;
+    marge_d_un_demi_espace: demi_espace, promesses::marge, 60_000;
+    marge_d_une_boite: boite, promesses::marge, 60_000;
+    lieu_d_une_touche_d_une_sphere: sphere, promesses::lieu, 60_000;
+    lieu_d_une_touche_d_une_boite: boite, promesses::lieu, 60_000;
+    secondaire_d_une_sphere: sphere, promesses::secondaire, 100_000;
+    secondaire_d_un_demi_espace: demi_espace, promesses::secondaire, 100_000;
+    secondaire_d_une_boite: boite, promesses::secondaire, 100_000;
+    face_a_la_source_d_une_sphere: sphere, promesses::face_a_la_source, 60_000;
+    face_a_la_source_d_un_demi_espace: demi_espace, promesses::face_a_la_source, 60_000;
+    face_a_la_source_d_une_boite: boite, promesses::face_a_la_source, 60_000;
 }

@@ -7,7 +7,7 @@
 use commun::litteral;
 use commun::mesure::rayon_non_perdu;
 use commun::oracle::Exact;
-use commun::regimes::{Cas, deux_puissance, direction, entre, regimes};
+use commun::regimes::{Cas, Genre, deux_puissance, direction, entre, regimes};
 use commun::tolerances::{promesses, u};
 use commun::{arrondi, en_f32_et_f64};
 use fastrand::Rng;
@@ -19,10 +19,10 @@ use lancer_rayon::{
 /// Cases of each regime, and of each construction that hits often.
 const CAS: u32 = 2_000;
 
-/// Passes on every hit of the regimes whose name begins with `debut`.
-fn chaque_touche<R: Reel>(debut: &str, mut juger: impl FnMut(&Cas<R>, &Intersection<R>)) {
+/// Passes on every hit of the regimes of a shape.
+fn chaque_touche<R: Reel>(genre: Genre, mut juger: impl FnMut(&Cas<R>, &Intersection<R>)) {
     let mut alea = Rng::with_seed(9);
-    for regime in regimes::<R>().into_iter().filter(|regime| regime.nom.starts_with(debut)) {
+    for regime in regimes::<R>().into_iter().filter(|regime| regime.genre == genre) {
         for cas in (0..CAS).map(|_| (regime.cas)(&mut alea)) {
             if let Ok(touche) = cas.objet.intersection(&cas.rayon) {
                 juger(&cas, &touche);
@@ -40,7 +40,7 @@ fn sphere<R: Reel>(centre: Vecteur<R>, rayon: R) -> ObjetRay<R> {
 /// Built: the regimes of spheres, whether or not the ray truly hits. Held: N is the direction of CP.
 fn la_normale_d_une_sphere_est_celle_du_point<R: Reel>() {
     let (mut jugees, mut penchees) = (0, 0);
-    chaque_touche::<R>("sphere", |Cas { objet, rayon }, touche| {
+    chaque_touche::<R>(Genre::Sphere, |Cas { objet, rayon }, touche| {
         let ObjetRay::Sphere(sphere) = objet else { unreachable!("a regime of spheres") };
         let (centre, r) = (sphere.centre().vers_f64(), sphere.rayon().vers_f64());
         let f = (rayon.source().vers_f64() - centre).longueur();
@@ -139,7 +139,7 @@ en_f32_et_f64!(sc_a_angle_droit_de_d_manque);
 
 /// Built: the regimes of spheres. Held: t ≤ SA, both as computed.
 fn une_sphere_est_touchee_avant_a<R: Reel>() {
-    chaque_touche::<R>("sphere", |Cas { objet, rayon }, touche| {
+    chaque_touche::<R>(Genre::Sphere, |Cas { objet, rayon }, touche| {
         let ObjetRay::Sphere(sphere) = objet else { unreachable!("a regime of spheres") };
         let (s, d) = (rayon.source(), rayon.direction());
         let sa = (sphere.centre() - s).produit_scalaire(d) / d.longueur_carree();
@@ -206,7 +206,7 @@ fn la_marge_d_une_sphere_de_42_u_f_peut_etre_infinie() {
 
 fn la_marge_d_une_sphere_de_64_u_f_est_finie<R: Reel>() {
     let (mut finies, mut infinies) = (0, 0);
-    chaque_touche::<R>("sphere", |Cas { objet, rayon }, touche| {
+    chaque_touche::<R>(Genre::Sphere, |Cas { objet, rayon }, touche| {
         let ObjetRay::Sphere(sphere) = objet else { unreachable!("a regime of spheres") };
         if sphere.rayon().vers_f64() >= rayon_non_perdu(sphere, rayon, touche.distance()) {
             assert!(touche.marge() < R::INFINI, "{objet:?} {rayon:?}");
@@ -280,7 +280,7 @@ en_f32_et_f64!(la_marge_est_selon_la_longueur_de_la_normale);
 /// Built: the regimes of half-spaces. Held: t is A.1's, bit for bit.
 fn un_demi_espace_est_l_annexe<R: Reel>() {
     let mut juges = 0;
-    chaque_touche::<R>("half-space", |Cas { objet, rayon }, touche| {
+    chaque_touche::<R>(Genre::Plan, |Cas { objet, rayon }, touche| {
         let ObjetRay::Plan(plan) = objet else { unreachable!("a regime of half-spaces") };
         let (n, d) = (plan.normale(), plan.distance());
         assert_eq!(Some(touche.distance()), litteral::plan(n, d, rayon));

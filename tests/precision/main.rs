@@ -3,7 +3,6 @@
 mod adversaire;
 mod conclusion;
 mod constantes;
-mod erreur;
 mod intervalle;
 mod invariances;
 mod oracle;

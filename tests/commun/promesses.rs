@@ -1,0 +1,275 @@
+//! The promises of `docs/precision.md` and `docs/jugement.md`, one by one: what part of what is promised a case
+//! takes. Random cases (`tests/precision/promesses.rs`), a search that climbs (`adversaire.rs`) and the tables of the
+//! pages (`benches/comparaison`) all ask these.
+
+use lancer_rayon::constantes::PUISSANCE_PERDUE;
+use lancer_rayon::{Intersection, ObjetRay, Rayon, Reel, Texture, Vecteur, premiere_intersection};
+
+use crate::arrondi;
+use crate::mesure::{absolu, absolu_fois, au_bord, lieu_permis, plus_grand, rayon_non_perdu};
+use crate::oracle::{dehors, hauteur, norme_au_carre_moins_un, verite};
+use crate::regimes::Genre;
+use crate::tolerances::{promesses as permis, u};
+
+/// What is asked: of the first of these objects or of both, by this ray; and the direction in which the first
+/// is left: x, y, z, a height over the tangent plane, and whether that counts.
+#[derive(Debug)]
+pub struct Essai<R> {
+    pub objets: Vec<ObjetRay<R>>,
+    pub rayon: Rayon<R>,
+    pub vers: [R; 5],
+}
+
+/// How much of what is promised a case takes: above 1 the promise is broken.
+pub type Part<R> = fn(&Essai<R>) -> f64;
+
+/// Less than any case takes: there is nothing to judge.
+pub const RIEN: f64 = f64::NEG_INFINITY;
+
+/// Broken, where there is no more or less of it.
+pub const ROMPUE: f64 = 2.0;
+
+/// A row of the table.
+pub struct Promesse<R> {
+    pub nom: &'static str,
+    pub genres: &'static [Genre],
+    pub part: Part<R>,
+    /// How many times the error the bound may be in the median: of ordinary cases, and of each extreme.
+    pub aisance: [f64; 2],
+}
+
+/// All of them that one object and one ray decide.
+pub fn toutes<R: Reel>() -> [Promesse<R>; 12] {
+    const RONDS: &[Genre] = &[Genre::Sphere];
+    const PLATS: &[Genre] = &[Genre::Plan];
+    const BORNES: &[Genre] = &[Genre::Sphere, Genre::Boite];
+    let promesse = |nom, genres, part, aisance| Promesse { nom, genres, part, aisance };
+    let quelconque = [f64::INFINITY; 2];
+    [
+        promesse("distance", &Genre::TOUS, distance, quelconque),
+        promesse("distance near 0", PLATS, distance_pres_de_0, quelconque),
+        promesse("hit or miss", &Genre::TOUS, decision, quelconque),
+        promesse("length of the normal", &Genre::TOUS, longueur_de_la_normale, quelconque),
+        promesse("direction of the normal", &Genre::TOUS, direction_de_la_normale, quelconque),
+        promesse("the normal faces the source", &Genre::TOUS, face_a_la_source, quelconque),
+        promesse("margin", &Genre::TOUS, marge, [16.0, f64::INFINITY]),
+        promesse("infinite margins", RONDS, marge_infinie, quelconque),
+        promesse("where a hit lies", BORNES, lieu, quelconque),
+        promesse("secondary ray", &Genre::TOUS, secondaire, quelconque),
+        promesse("erreur", &Genre::TOUS, erreur, [6.0; 2]),
+        promesse("est_sur", &Genre::TOUS, est_sur, quelconque),
+    ]
+}
+
+/// The error of the distance, as a part of K·u·κt.
+pub fn distance<R: Reel>(cas: &Essai<R>) -> f64 {
+    let objet = &cas.objets[0];
+    let Ok(touche) = objet.intersection(&cas.rayon) else { return RIEN };
+    let Some(entree) = verite(objet, &cas.rayon).entree else { return RIEN };
+    let (relatif, absolu) = (entree.k * u::<R>() * entree.kappa_t, absolu(objet, &entree));
+    // What underflow adds has a row of its own, or the one would hide what a search finds of the other.
+    if relatif == f64::INFINITY || absolu > 1e-3 * relatif {
+        return RIEN;
+    }
+    entree.ecart(touche.distance()).abs() / (relatif + absolu)
+}
+
+/// The same of a half-space a few subnormals from the source, in units in which these are no subnormals.
+pub fn distance_pres_de_0<R: Reel>(cas: &Essai<R>) -> f64 {
+    let Ok(touche) = cas.objets[0].intersection(&cas.rayon) else { return RIEN };
+    let Some(entree) = verite(&cas.objets[0], &cas.rayon).entree else { return RIEN };
+    let echelle = 200_f64.exp2();
+    let relatif = entree.k * u::<R>() * (entree.kappa_t * echelle);
+    if relatif == f64::INFINITY {
+        return RIEN;
+    }
+    let absolu = absolu_fois(&entree, R::MIN_POSITIF.vers_f64() * echelle);
+    entree.ecart_fois(touche.distance(), echelle).abs() / (relatif + absolu)
+}
+
+/// By how much the band would have to be wider to hold a wrong answer; a right one is the better
+/// the nearer it is to the decision.
+pub fn decision<R: Reel>(cas: &Essai<R>) -> f64 {
+    let objet = &cas.objets[0];
+    let verite = verite(objet, &cas.rayon);
+    let touche = objet.intersection(&cas.rayon).is_ok();
+    let facteur = verite.facteur();
+    let plus_grand = plus_grand::<R>();
+    match verite.entree {
+        // A distance that the type cannot hold is a miss.
+        Some(entree) if entree.t.vers_f64() > plus_grand => RIEN,
+        entree if entree.is_some() == touche => -facteur,
+        Some(_) | None => facteur,
+    }
+}
+
+/// By how much the object that is answered lies behind the other, as a part of what is promised.
+pub fn ordre<R: Reel>(cas: &Essai<R>) -> f64 {
+    let Ok(premiere) = premiere_intersection(&cas.objets, &cas.rayon) else { return RIEN };
+    let Texture(gagnant) = premiere.texture();
+    let [gagnant, autre] = [gagnant as usize, 1 - gagnant as usize].map(|i| {
+        let verite = verite(&cas.objets[i], &cas.rayon);
+        let sure = i == gagnant as usize || !verite.dans_la_marge;
+        let objet = &cas.objets[i];
+        verite.entree.filter(|_| sure).map(|e| (e.k * u::<R>(), absolu(objet, &e), e))
+    });
+    let (Some((k, absolu, gagnant)), Some((k_autre, absolu_autre, autre))) = (gagnant, autre)
+    else {
+        return RIEN;
+    };
+    let avance = (&gagnant.t - &autre.t).vers_f64();
+    avance / (k * gagnant.kappa_t + absolu + k_autre * autre.kappa_t + absolu_autre)
+}
+
+fn touche<R: Reel>(cas: &Essai<R>) -> Option<Intersection<R>> {
+    cas.objets[0].intersection(&cas.rayon).ok()
+}
+
+pub fn longueur_de_la_normale<R: Reel>(cas: &Essai<R>) -> f64 {
+    let Some(touche) = touche(cas) else { return RIEN };
+    let permis = match Genre::de(&cas.objets[0]) {
+        Genre::Sphere => permis::UNITAIRE_SPHERE,
+        Genre::Plan | Genre::Boite => permis::UNITAIRE_PLATE,
+    };
+    // |N| − 1 is half of |N|² − 1, to its square.
+    0.5 * norme_au_carre_moins_un(touche.normale()).abs() / (permis * u::<R>())
+}
+
+pub fn direction_de_la_normale<R: Reel>(cas: &Essai<R>) -> f64 {
+    let Some(entree) = verite(&cas.objets[0], &cas.rayon).entree else { return RIEN };
+    let Some(touche) = touche(cas) else { return RIEN };
+    let permis = entree.direction_permise::<R>(entree.ecart(touche.distance()).abs());
+    entree.ecart_de_normale(touche.normale()) / permis
+}
+
+pub fn marge<R: Reel>(cas: &Essai<R>) -> f64 {
+    let Some(touche) = touche(cas) else { return RIEN };
+    let marge = touche.marge().vers_f64();
+    if marge == f64::INFINITY {
+        return RIEN;
+    }
+    let p = cas.rayon.point(touche.distance());
+    hauteur(&cas.objets[0], touche.normale(), p).abs() / marge
+}
+
+/// How far outside its object the point of a hit lies, as a part of what lemma 14 grants.
+pub fn lieu<R: Reel>(cas: &Essai<R>) -> f64 {
+    let Some(touche) = touche(cas) else { return RIEN };
+    let p = cas.rayon.point(touche.distance());
+    dehors(&cas.objets[0], p) / lieu_permis(&cas.objets[0], &cas.rayon, touche.distance())
+}
+
+/// How far P lies from a sphere that is nearly lost in its distance, as a part of what makes its
+/// margin infinite. P is hardly rounded there: that alone decides elsewhere.
+pub fn marge_infinie<R: Reel>(cas: &Essai<R>) -> f64 {
+    let objet = &cas.objets[0];
+    let (Some(touche), ObjetRay::Sphere(sphere)) = (touche(cas), objet) else { return RIEN };
+    let (r, p) = (sphere.rayon().vers_f64(), cas.rayon.point(touche.distance()));
+    let non_perdue = rayon_non_perdu(sphere, &cas.rayon, touche.distance());
+    if r < 0.5 * non_perdue || u::<R>() * p.vers_f64().longueur() > r / 256.0 {
+        return RIEN;
+    }
+    if touche.marge() == R::INFINI && r >= non_perdue {
+        return ROMPUE;
+    }
+    let loin = (1.0 + PUISSANCE_PERDUE).sqrt() - 1.0;
+    (dehors(objet, p).abs() / (loin * r.max(non_perdue))).min(1.0)
+}
+
+/// What is no promise but a sign: below 1 as it holds, the higher the nearer to where it would not.
+fn tenue(ecart: f64) -> f64 {
+    1.0 / (1.0 + ecart)
+}
+
+pub fn face_a_la_source<R: Reel>(cas: &Essai<R>) -> f64 {
+    let Some(touche) = touche(cas) else { return RIEN };
+    let cosinus = touche.normale().produit_scalaire(cas.rayon.direction());
+    if cosinus < R::ZERO { tenue(-cosinus.vers_f64() / u::<R>()) } else { ROMPUE }
+}
+
+/// A secondary ray touches what it leaves only inward at the edge of a box, starts no farther than promised, and
+/// goes where it was sent; the higher, the nearer to the tangent plane, to the surface and to an edge.
+pub fn secondaire<R: Reel>(cas: &Essai<R>) -> f64 {
+    let objet = &cas.objets[0];
+    let Some(touche) = touche(cas) else { return RIEN };
+    let n = touche.normale();
+    let [x, y, z, h, penche] = cas.vers;
+    let v = Vecteur::new(x, y, z);
+    let vers = if penche > R::ZERO {
+        let v = v.vers_f64().unitaire().unwrap_or(Vecteur::NUL);
+        let n = n.vers_f64();
+        arrondi(v - n * n.produit_scalaire(v) + n * h.vers_f64())
+    } else {
+        v
+    };
+    let Ok(rayon) = cas.rayon.secondaire(&touche, vers) else { return RIEN };
+    let dedans = rayon.direction().produit_scalaire(n) < R::ZERO;
+    if let Ok(encore) = objet.intersection(&rayon)
+        && !(dedans && au_bord(objet, &cas.rayon, &touche, rayon.source(), &encore))
+    {
+        return ROMPUE;
+    }
+    let (n, depart) = (n.vers_f64(), rayon.source().vers_f64());
+    // Turned outward by 12u, up to 8u too long at a right angle to that, and rounded in each coordinate.
+    let voulue = vers.vers_f64().unitaire().unwrap_or(Vecteur::NUL);
+    let tournee = (rayon.direction().vers_f64() - voulue).longueur() / (20.0 * u::<R>());
+    // The last terms are the rounding of the start itself, in three coordinates, and products that underflow.
+    let p = cas.rayon.point(touche.distance()).vers_f64();
+    let poids = (n.x * p.x).abs() + (n.y * p.y).abs() + (n.z * p.z).abs();
+    let permis = touche.marge().vers_f64() * (1.0 + 32.0 * u::<R>())
+        + 2.0 * u::<R>() * (poids + p.longueur())
+        + 8.0 * R::MIN_POSITIF.vers_f64();
+    if tournee > 1.0 || (depart - p).longueur() > permis {
+        return ROMPUE;
+    }
+    let cosinus = n.produit_scalaire(rayon.direction().vers_f64()).abs() / u::<R>();
+    let (centre, [l0, l1, l2]) = match objet {
+        ObjetRay::Sphere(s) => (s.centre().vers_f64(), [s.rayon().vers_f64(); 3]),
+        ObjetRay::Plan(p) => (n * -p.distance().vers_f64(), [p.distance().vers_f64().abs(); 3]),
+        ObjetRay::Boite(b) => (b.centre().vers_f64(), b.demi_longueurs().map(R::vers_f64)),
+    };
+    let arrondi = u::<R>() * (depart.longueur() + centre.longueur() + l0.max(l1).max(l2));
+    let haut = hauteur(objet, touche.normale(), rayon.source()).abs() / arrondi;
+    let bord = match objet {
+        ObjetRay::Sphere(_) | ObjetRay::Plan(_) => 0.0,
+        ObjetRay::Boite(b) => (0..3)
+            .filter(|&axe| {
+                b.normales()[axe] != touche.normale() && b.normales()[axe] != -touche.normale()
+            })
+            .map(|axe| {
+                let o = b.normales()[axe].vers_f64().produit_scalaire(depart - centre);
+                (o.abs() - [l0, l1, l2][axe]).abs() / arrondi
+            })
+            .fold(f64::INFINITY, f64::min),
+    };
+    0.5 * tenue(haut + cosinus) + 0.4 * tenue(bord)
+}
+
+/// The error of the distance as a part of `erreur`, which is +∞ where there is no entry.
+pub fn erreur<R: Reel>(cas: &Essai<R>) -> f64 {
+    let Some(touche) = touche(cas) else { return RIEN };
+    let borne = cas.objets[0].erreur(&cas.rayon, &touche).vers_f64();
+    match verite(&cas.objets[0], &cas.rayon).entree {
+        // In units in which neither is a subnormal.
+        Some(entree) => {
+            let echelle = if borne < 1e-200 { 200_f64.exp2() } else { 1.0 };
+            entree.ecart_fois(touche.distance(), echelle).abs() / (borne * echelle)
+        }
+        None if borne < f64::INFINITY => ROMPUE,
+        None => RIEN,
+    }
+}
+
+/// `est_sur` of a wrong answer is the end; of a right one it is the better the nearer the decision.
+pub fn est_sur<R: Reel>(cas: &Essai<R>) -> f64 {
+    let objet = &cas.objets[0];
+    let verite = verite(objet, &cas.rayon);
+    let touche = objet.intersection(&cas.rayon).is_ok();
+    let plus_grand = plus_grand::<R>();
+    match verite.entree {
+        Some(entree) if entree.t.vers_f64() > plus_grand => RIEN,
+        ref entree if entree.is_some() == touche => tenue(verite.facteur()),
+        Some(_) | None if objet.est_sur(&cas.rayon) => ROMPUE,
+        Some(_) | None => 1.0,
+    }
+}
