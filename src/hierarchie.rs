@@ -266,7 +266,7 @@ fn en_lot<R: Reel, D: Demande<R>>(
     let Hierarchie { objets, arbre, niveau } = *hierarchie;
     let Some(arbre) = &arbre.filter(|arbre| arbre.bornes > R::selon(2 * SEUIL_LOT, SEUIL_LOT))
     else {
-        return repondre((EnLot { niveau, elaguer: true, objets }, demandes, reponses));
+        return repondre((EnLot { niveau, objets }, demandes, reponses));
     };
     memes_longueurs(demandes, reponses)?;
     selon_le_niveau!(niveau, simd => {

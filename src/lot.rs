@@ -75,7 +75,7 @@ pub fn premieres_intersections<R: Reel>(
     rayons: &[Rayon<R>],
     touches: &mut [Touche<R>],
 ) -> Result<(), LongueursDifferentes> {
-    let comment = EnLot { niveau: meilleur_niveau(), elaguer: true, objets };
+    let comment = EnLot { niveau: meilleur_niveau(), objets };
     R::demander::<Lot>((comment, rayons, touches))
 }
 
@@ -135,15 +135,14 @@ pub fn sont_occultes<R: Reel>(
     ombres: &[(Rayon<R>, R)],
     occultes: &mut [bool],
 ) -> Result<(), LongueursDifferentes> {
-    let comment = EnLot { niveau: meilleur_niveau(), elaguer: true, objets };
+    let comment = EnLot { niveau: meilleur_niveau(), objets };
     R::demander::<LotDOmbres>((comment, ombres, occultes))
 }
 
-/// A list, the instructions to take, and whether to cull; no answer depends on the last two.
+/// A list and the instructions to take, on which no answer depends.
 #[derive(Clone, Copy)]
 pub(crate) struct EnLot<'a, R> {
     pub(crate) niveau: Level,
-    pub(crate) elaguer: bool,
     pub(crate) objets: &'a [ObjetRay<R>],
 }
 
@@ -156,11 +155,7 @@ compilees! {
 
 /// The answers of a list to many rays.
 pub(crate) fn repondre<R: Reel, D: Demande<R>>(
-    (EnLot { niveau, elaguer, objets }, demandes, reponses): (
-        EnLot<'_, R>,
-        &[D],
-        &mut [D::Reponse],
-    ),
+    (EnLot { niveau, objets }, demandes, reponses): (EnLot<'_, R>, &[D], &mut [D::Reponse]),
 ) -> Result<(), LongueursDifferentes> {
     memes_longueurs(demandes, reponses)?;
     // In a longer list two objects share a rank.
@@ -171,7 +166,7 @@ pub(crate) fn repondre<R: Reel, D: Demande<R>>(
         return Ok(());
     }
     let (mut etroite, mut large);
-    let fenetre: &mut [Rangee<R>] = if !elaguer || objets.len() < SEUIL_ELAGAGE {
+    let fenetre: &mut [Rangee<R>] = if objets.len() < SEUIL_ELAGAGE {
         &mut []
     } else if objets.len() <= FENETRE_ETROITE * SEIZE {
         etroite = [const { Rangee::VIDE }; FENETRE_ETROITE];

@@ -1,4 +1,4 @@
-//! The batch and the hierarchy with other settings, for tests and measurements.
+//! The batch and the hierarchy with other instructions, for tests and measurements.
 
 use fearless_simd::Level;
 
@@ -12,12 +12,11 @@ use crate::objet::ObjetRay;
 use crate::rayon::Rayon;
 use crate::reel::Reel;
 
-/// Which instructions the batch takes, and whether it leaves objects out: no answer depends on it.
+/// Which instructions are taken: no answer depends on it.
 #[doc(hidden)]
 #[derive(Debug, Clone, Copy)]
 pub struct Reglage {
     niveau: Level,
-    elaguer: bool,
 }
 
 impl Reglage {
@@ -36,9 +35,7 @@ impl Reglage {
         ];
         #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
         let niveaux = [("the only one", Some(niveau))];
-        niveaux
-            .into_iter()
-            .filter_map(|(nom, niveau)| Some((nom, Self { niveau: niveau?, elaguer: true })))
+        niveaux.into_iter().filter_map(|(nom, niveau)| Some((nom, Self { niveau: niveau? })))
     }
 
     /// Whether the beam of these rays, one to sixty-four, leaves out a ball around this object. No answer
@@ -52,12 +49,7 @@ impl Reglage {
         evite(ombres, objet)
     }
 
-    /// The same without culling.
-    pub fn sans_elagage(self) -> Self {
-        Self { elaguer: false, ..self }
-    }
-
-    /// [`premieres_intersections`](crate::premieres_intersections) with these settings.
+    /// [`premieres_intersections`](crate::premieres_intersections) with these instructions.
     ///
     /// # Errors
     /// The same.
@@ -67,11 +59,10 @@ impl Reglage {
         rayons: &[Rayon<R>],
         touches: &mut [Touche<R>],
     ) -> Result<(), LongueursDifferentes> {
-        let Self { niveau, elaguer } = self;
-        R::demander::<Lot>((EnLot { niveau, elaguer, objets }, rayons, touches))
+        R::demander::<Lot>((EnLot { niveau: self.niveau, objets }, rayons, touches))
     }
 
-    /// [`sont_occultes`](crate::sont_occultes) with these settings.
+    /// [`sont_occultes`](crate::sont_occultes) with these instructions.
     ///
     /// # Errors
     /// The same.
@@ -81,8 +72,7 @@ impl Reglage {
         ombres: &[(Rayon<R>, R)],
         occultes: &mut [bool],
     ) -> Result<(), LongueursDifferentes> {
-        let Self { niveau, elaguer } = self;
-        R::demander::<LotDOmbres>((EnLot { niveau, elaguer, objets }, ombres, occultes))
+        R::demander::<LotDOmbres>((EnLot { niveau: self.niveau, objets }, ombres, occultes))
     }
 
     /// How many nodes the tree of this hierarchy has; 0 if it has none and asks its list.

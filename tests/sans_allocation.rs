@@ -63,12 +63,8 @@ fn aucune_question_n_alloue<R: Reel>() {
     })
     .unwrap();
     for (nom, reglage) in Reglage::tous() {
-        let sans = reglage.sans_elagage();
-        sans_allocation(nom, || {
-            reglage.premieres_intersections(&scene, &rayons, &mut touches)?;
-            sans.premieres_intersections(&scene, &rayons, &mut touches)
-        })
-        .unwrap();
+        sans_allocation(nom, || reglage.premieres_intersections(&scene, &rayons, &mut touches))
+            .unwrap();
     }
     let mut places = vec![0.0; Hierarchie::places(scene.len())];
     let hierarchie =

@@ -2,6 +2,7 @@
 //! may see, and what every hit is.
 
 pub mod conversion;
+pub mod facons;
 pub mod familles;
 pub mod horloge;
 pub mod litteral;

@@ -8,12 +8,13 @@
 
 use lancer_rayon::{
     BoiteGeo, ErreurGeo, Hierarchie, Intersection, NoIntersection, ObjetGeo, ObjetRay,
-    PlacesInsuffisantes, PlanGeo, Rayon, Reglage, Rotation, SphereGeo, Texture, Vecteur,
-    est_occulte, premiere_intersection,
+    PlacesInsuffisantes, PlanGeo, Rayon, Rotation, SphereGeo, Texture, Vecteur, est_occulte,
+    etendue,
 };
 use libfuzzer_sys::fuzz_target;
 
-use commun::conversion::{Bits, Mots, mots};
+use commun::Bits;
+use commun::facons::comparer;
 
 struct Octets<'a, R> {
     reste: &'a [u8],
@@ -87,42 +88,37 @@ fn secondaires<R: Bits>(objet: &ObjetRay<R>, rayon: &Rayon<R>, vers: Vecteur<R>)
     }
 }
 
-/// The answers of a list: the words of the first hit of each ray, and whether something stands before
-/// each of these limits.
-struct Attendu<R> {
-    premiers: Vec<Mots>,
-    limites: Vec<R>,
-    ombres: Vec<Vec<bool>>,
+/// What is asked after the fact: certain answers of two precisions agree, and so do two bounded distances; and
+/// from one hit to the next nothing of either object is in the way.
+fn apres_coup<R: Bits>(objet: &ObjetRay<R>, [rayon, autre]: [&Rayon<R>; 2]) {
+    let (double, en_double) = (objet.vers_f64(), rayon.vers_f64());
+    let (touche, la) = (objet.intersection(rayon), double.intersection(&en_double));
+    if objet.est_sur(rayon) && double.est_sur(&en_double) {
+        assert_eq!(touche.is_ok(), la.is_ok(), "{objet:?} {rayon:?}");
+    }
+    let _ = objet.contient(rayon.source());
+    let Ok(touche) = touche else { return };
+    let erreur = objet.erreur(rayon, &touche).vers_f64();
+    assert!(erreur > 0.0);
+    if let Ok(la) = la {
+        let permis = (erreur + double.erreur(&en_double, &la)) * (1.0 + 4.0 * f64::EPSILON);
+        let ecart = (touche.distance().vers_f64() - la.distance()).abs();
+        assert!(ecart <= permis, "{ecart:e} > {permis:e}: {objet:?} {rayon:?}");
+    }
+    if let Ok(cible) = objet.intersection(autre)
+        && let Some((vers, avant)) = rayon.vers_touche(&touche, autre, &cible)
+    {
+        assert!(!est_occulte(std::slice::from_ref(objet), &vers, avant), "{objet:?} {vers:?}");
+    }
 }
 
-/// The hierarchy over the list, in more places than it needs by `de_plus`, or in one too few.
-fn hierarchie<R: Bits>(
-    objets: &[ObjetRay<R>],
-    rayons: &[Rayon<R>],
-    attendu: &Attendu<R>,
-    de_plus: usize,
-) {
+/// Places that are one too few are refused.
+fn trop_peu_de_places<R: Bits>(objets: &[ObjetRay<R>]) {
     let necessaires = Hierarchie::places(objets.len());
-    // What they hold does not matter.
-    let mut places = vec![attendu.limites[0].vers_f64() as f32; necessaires + de_plus];
-    if let Some(pretees) = places[..necessaires].split_last_mut().map(|(_, reste)| reste) {
-        let places = pretees.len();
-        let refus = Hierarchie::new(objets, pretees).unwrap_err();
+    if let Some(places) = necessaires.checked_sub(1) {
+        let mut pretees = vec![0.0; places];
+        let refus = Hierarchie::new(objets, &mut pretees).unwrap_err();
         assert_eq!(refus, PlacesInsuffisantes { places, necessaires });
-    }
-    let hierarchie = Hierarchie::new(objets, &mut places).unwrap();
-    for (_, reglage) in Reglage::tous() {
-        let hierarchie = reglage.hierarchie(hierarchie);
-        let mut touches = vec![Err(NoIntersection); rayons.len()];
-        hierarchie.premieres_intersections(rayons, &mut touches).unwrap();
-        assert!(touches.iter().map(mots).eq(attendu.premiers.iter().copied()), "{objets:?}");
-        for ((rayon, premier), ombres) in rayons.iter().zip(&attendu.premiers).zip(&attendu.ombres)
-        {
-            assert_eq!(mots(&hierarchie.premiere_intersection(rayon)), *premier, "{rayon:?}");
-            for (&limite, &ombre) in attendu.limites.iter().zip(ombres) {
-                assert_eq!(hierarchie.est_occulte(rayon, limite), ombre, "{rayon:?} {limite:?}");
-            }
-        }
     }
 }
 
@@ -175,34 +171,20 @@ fn attaquer<R: Bits>(octets: &[u8]) -> Option<()> {
 
     let objets: Vec<_> = objets.into_iter().map(ObjetGeo::vers_ray).collect();
     let limites: Vec<_> = octets.vus.iter().copied().take(4).collect();
-    let mut attendu = Attendu { premiers: Vec::new(), limites, ombres: Vec::new() };
-    for rayon in &rayons {
-        let premiere = premiere_intersection(&objets, rayon);
-        if let Ok(touche) = premiere {
-            verifier(rayon, &touche);
-            assert!(est_occulte(&objets, rayon, R::INFINI));
-        }
-        let juger = |max: R| {
+    comparer(&objets, &rayons);
+    trop_peu_de_places(&objets);
+    if let Some([bas, haut]) = etendue(&objets) {
+        assert!(bas.x <= haut.x && bas.y <= haut.y && bas.z <= haut.z);
+    }
+    for (rayon, suivant) in rayons.iter().zip(rayons.iter().cycle().skip(1)) {
+        for &max in &limites {
             let occulte =
                 objets.iter().any(|o| o.intersection(rayon).is_ok_and(|i| i.distance() < max));
             assert_eq!(est_occulte(&objets, rayon, max), occulte);
-            occulte
-        };
-        attendu.ombres.push(attendu.limites.iter().map(|&max| juger(max)).collect());
-        premiere.map(|t| juger(t.distance())).ok();
-        attendu.premiers.push(mots(&premiere));
-    }
-    hierarchie(&objets, &rayons, &attendu, objets.len() % 3);
-    for (rayon, suivant) in rayons.iter().zip(rayons.iter().cycle().skip(1)) {
+        }
         for objet in &objets {
             secondaires(objet, rayon, suivant.direction());
-        }
-    }
-    for (_, reglage) in Reglage::tous() {
-        for reglage in [reglage, reglage.sans_elagage()] {
-            let mut touches = vec![Err(NoIntersection); rayons.len()];
-            reglage.premieres_intersections(&objets, &rayons, &mut touches).unwrap();
-            assert!(touches.iter().map(mots).eq(attendu.premiers.iter().copied()));
+            apres_coup(objet, [rayon, suivant]);
         }
     }
     Some(())

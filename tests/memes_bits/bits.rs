@@ -8,6 +8,7 @@
 use std::path::Path;
 
 use commun::conversion::mots;
+use commun::facons::{comparer, exiger};
 use commun::{Bits, arrondi};
 use exemples::scene::Scene;
 use fastrand::Rng;
@@ -16,24 +17,6 @@ use lancer_rayon::{
     Texture, Touche, Vecteur, est_occulte, premiere_intersection,
 };
 use serde::de::DeserializeOwned;
-
-/// These rays have these answers, to the bit; the first that differs is named.
-#[track_caller]
-fn exiger<R: Bits>(
-    qui: &str,
-    rayons: &[Rayon<R>],
-    obtenues: impl IntoIterator<Item = Touche<R>>,
-    attendues: &[Touche<R>],
-) {
-    for ((rayon, obtenue), attendue) in rayons.iter().zip(obtenues).zip(attendues) {
-        assert_eq!(
-            mots(&obtenue),
-            mots(attendue),
-            "{qui}, {}: {rayon:?} has {obtenue:?}, alone {attendue:?}",
-            std::any::type_name::<R>()
-        );
-    }
-}
 
 /// FNV-1a, 64 bits.
 fn empreinte<R: Bits>(touches: &[Touche<R>]) -> u64 {
@@ -53,12 +36,12 @@ fn memes_bits<R: Bits + DeserializeOwned>(nom: &str, attendue: u64) {
     for (jeu, reglage) in Reglage::tous() {
         let mut touches = vec![Err(NoIntersection); rayons.len()];
         reglage.premieres_intersections(&objets, &rayons, &mut touches).unwrap();
-        exiger(&format!("{nom}, {jeu}"), &rayons, touches, &seules);
+        exiger(&format!("{nom}, {jeu}"), &objets, &rayons, &touches, &seules);
     }
     let mut places = vec![0.0; Hierarchie::places(objets.len())];
     let hierarchie = Hierarchie::new(&objets, &mut places).unwrap();
-    let touches = rayons.iter().map(|r| hierarchie.premiere_intersection(r));
-    exiger(&format!("{nom}, hierarchy"), &rayons, touches, &seules);
+    let touches: Vec<_> = rayons.iter().map(|r| hierarchie.premiere_intersection(r)).collect();
+    exiger(&format!("{nom}, hierarchy"), &objets, &rayons, &touches, &seules);
 }
 
 /// Scenes and rays from sums, products and quotients of random numbers alone, which are the same on every
@@ -93,28 +76,12 @@ fn au_hasard<R: Bits>(attendue: u64) {
                 .collect();
             let premiers: Vec<_> =
                 rayons.iter().map(|r| premiere_intersection(&objets, r)).collect();
-            let mut places = vec![0.0; Hierarchie::places(objets.len())];
-            let hierarchie = Hierarchie::new(&objets, &mut places).unwrap();
-            for (jeu, reglage) in Reglage::tous() {
-                let hierarchie = reglage.hierarchie(hierarchie);
-                let mut lot = vec![Err(NoIntersection); rayons.len()];
-                hierarchie.premieres_intersections(&rayons, &mut lot).unwrap();
-                exiger(
-                    &format!("hierarchy, {jeu}, {n} objects"),
-                    &rayons,
-                    lot.drain(..),
-                    &premiers,
-                );
-                lot.resize(rayons.len(), Err(NoIntersection));
-                reglage.premieres_intersections(&objets, &rayons, &mut lot).unwrap();
-                exiger(&format!("list, {jeu}, {n} objects"), &rayons, lot, &premiers);
-            }
+            comparer(&objets, &rayons);
             let suite = |(rayon, touche): (&Rayon<R>, &Touche<R>)| {
                 let touche = touche.ok()?;
                 let secondaire = rayon.secondaire(&touche, rayon.source()).ok()?;
                 let (ombre, loin) = rayon.vers_lumiere(&touche, secondaire.source() * R::U)?;
                 let occulte = est_occulte(&objets, &ombre, loin);
-                assert_eq!(hierarchie.est_occulte(&ombre, loin), occulte, "{n} objects");
                 let ombre = if occulte {
                     premiere_intersection(&objets, &ombre)
                 } else {

@@ -5,22 +5,16 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use crate::ombres::{comparer_les_ombres, voisin};
 use commun::conversion::mots;
-use commun::regimes::{deux_puissance, direction, entre, regimes, signe};
+use commun::facons::{UN_ARBRE, comparer, voisin};
+use commun::regimes::{deux_puissance, direction, entre, signe};
 use commun::{Bits, arrondi, en_f32_et_f64, scenes};
 use fastrand::Rng;
 use lancer_rayon::{
     BoiteGeo, Hierarchie, LongueursDifferentes, NoIntersection, ObjetGeo, ObjetRay,
     PlacesInsuffisantes, PlanGeo, Rayon, Reel, Reglage, Rotation, SphereGeo, Texture, Vecteur,
-    est_occulte, premiere_intersection,
+    premiere_intersection,
 };
-
-/// The fewest objects that get a tree; `les_places_pretees` holds it.
-const UN_ARBRE: usize = 8;
-
-/// The fewest objects of which a block walks the tree.
-const UN_BLOC: usize = Reglage::SEUIL_LOT + 1;
 
 fn cas() -> usize {
     commun::cas(60) as usize
@@ -28,64 +22,6 @@ fn cas() -> usize {
 
 fn v<R: Reel>(x: f64, y: f64, z: f64) -> Vecteur<R> {
     arrondi(Vecteur::new(x, y, z))
-}
-
-/// Limits for a shadow ray: at, beside and around the distances of the objects that it touches.
-fn limites<R: Bits>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> Vec<R> {
-    let fixes = [R::ZERO, -R::UN, R::UN, R::INFINI, R::depuis_f64(f64::NAN), R::MIN_POSITIF];
-    let touches = objets.iter().filter_map(|o| o.intersection(rayon).ok()).take(3);
-    let distances = touches.map(|touche| touche.distance());
-    let autour = distances.flat_map(|t| [-2, -1, 0, 1, 2].map(|de| voisin(t, de)));
-    fixes.into_iter().chain(autour).collect()
-}
-
-/// Compares all questions of these rays; how many touch something. A list that is too short for a walk of
-/// its blocks is repeated until it is long enough.
-#[track_caller]
-fn comparer<R: Bits>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) -> usize {
-    // What the memory held before must not show through.
-    let mut places = vec![f32::NAN; Hierarchie::places(objets.len())];
-    let hierarchie = Hierarchie::new(objets, &mut places).unwrap();
-    let attendues: Vec<_> = rayons.iter().map(|r| premiere_intersection(objets, r)).collect();
-    let limites: Vec<_> = rayons.iter().step_by(7).map(|r| (r, limites(objets, r))).collect();
-    let ombres = |(rayon, limites): &(&Rayon<R>, Vec<R>)| {
-        limites.iter().map(|&limite| est_occulte(objets, rayon, limite)).collect::<Vec<_>>()
-    };
-    let ombres: Vec<_> = limites.iter().map(ombres).collect();
-    let (n, scalaire) = (objets.len(), std::any::type_name::<R>());
-    for (nom, reglage) in Reglage::tous() {
-        let hierarchie = reglage.hierarchie(hierarchie);
-        let mut touches = vec![Err(NoIntersection); rayons.len()];
-        hierarchie.premieres_intersections(rayons, &mut touches).unwrap();
-        for ((rayon, touche), attendue) in rayons.iter().zip(&touches).zip(&attendues) {
-            let seule = hierarchie.premiere_intersection(rayon);
-            assert_eq!(
-                mots(&seule),
-                mots(attendue),
-                "{nom}, {scalaire}, {n} objects: {rayon:?} has {seule:?}, the list {attendue:?}"
-            );
-            assert_eq!(
-                mots(touche),
-                mots(attendue),
-                "batch, {nom}, {scalaire}, {n} objects: {rayon:?} has {touche:?}, the list {attendue:?}"
-            );
-        }
-        for ((rayon, limites), ombres) in limites.iter().zip(&ombres) {
-            for (&limite, &attendue) in limites.iter().zip(ombres) {
-                assert_eq!(
-                    hierarchie.est_occulte(rayon, limite),
-                    attendue,
-                    "shadow, {nom}, {scalaire}, {n} objects: {rayon:?} before {limite:?}"
-                );
-            }
-        }
-    }
-    let par_jeu: Vec<_> = Reglage::tous().map(|(nom, jeu)| (nom.to_owned(), jeu)).collect();
-    comparer_les_ombres(objets, rayons, &attendues, &par_jeu, Some(hierarchie));
-    if (UN_ARBRE..UN_BLOC).contains(&n) {
-        comparer(&objets.repeat(UN_BLOC.div_ceil(n)), rayons);
-    }
-    attendues.iter().flatten().count()
 }
 
 fn des_scenes_de_0_a_3000_objets<R: Bits>() {
@@ -244,43 +180,6 @@ fn des_objets_tous_egaux<R: Bits>() {
             assert_eq!(mots(&hierarchie.premiere_intersection(rayon)), mots(touche));
         }
         assert!(touches.iter().flatten().count() > 5);
-    }
-}
-
-/// The rays of each regime at the objects of all its cases; and each case with copies of its object.
-fn les_extremes<R: Bits>() {
-    let mut alea = Rng::with_seed(5);
-    for regime in regimes::<R>() {
-        let tous: Vec<_> = (0..10 * cas()).map(|_| (regime.cas)(&mut alea)).collect();
-        let objets: Vec<_> = tous.iter().map(|cas| cas.objet).collect();
-        let rayons: Vec<_> = tous.iter().map(|cas| cas.rayon).collect();
-        comparer(&objets, &rayons);
-        for cas in tous {
-            comparer(&[cas.objet; UN_ARBRE], &[cas.rayon; 9]);
-        }
-    }
-}
-
-/// Each regime at the ends of the range, with a needle of rays around each.
-fn aux_bornes_du_type<R: Bits>() {
-    let mut alea = Rng::with_seed(6);
-    for regime in regimes::<R>() {
-        if !regime.nom.ends_with("range") {
-            continue;
-        }
-        for _ in 0..cas().div_ceil(10) {
-            let tous: Vec<_> = (0..100).map(|_| (regime.cas)(&mut alea)).collect();
-            let objets: Vec<_> = tous.iter().map(|cas| cas.objet).collect();
-            let mut rayons = Vec::new();
-            for cas in &tous[..10] {
-                let d = cas.rayon.direction().vers_f64();
-                rayons.extend((0..64).map(|_| {
-                    let vers = d + direction(&mut alea) * 1e-5;
-                    Rayon::new(cas.rayon.source(), arrondi(vers)).unwrap()
-                }));
-            }
-            comparer(&objets, &rayons);
-        }
     }
 }
 
@@ -523,20 +422,14 @@ fn les_demi_espaces_ont_leur_place<R: Bits>() {
     }
 }
 
-fn toute_longueur_convient<R: Bits>() {
-    let rayons = scenes::rayons_camera::<R>(20, 10);
-    for n in [12, 100, 300] {
-        let scene = scenes::melange(n);
-        for longueur in 0..=129 {
-            comparer(&scene, &rayons[200 - longueur..]);
-        }
-        let mut places = vec![0.0; Hierarchie::places(n)];
-        let hierarchie = Hierarchie::new(&scene, &mut places).unwrap();
-        for longueur in [0, 199, 201] {
-            let mut touches = vec![Err(NoIntersection); longueur];
-            let erreur = hierarchie.premieres_intersections(&rayons, &mut touches).unwrap_err();
-            assert_eq!(erreur, LongueursDifferentes { rayons: 200, touches: longueur });
-        }
+fn des_longueurs_differentes_sont_une_erreur<R: Bits>() {
+    let (scene, rayons) = (scenes::melange::<R>(300), scenes::rayons_camera(20, 10));
+    let mut places = vec![0.0; Hierarchie::places(scene.len())];
+    let hierarchie = Hierarchie::new(&scene, &mut places).unwrap();
+    for longueur in [0, 199, 201] {
+        let mut touches = vec![Err(NoIntersection); longueur];
+        let erreur = hierarchie.premieres_intersections(&rayons, &mut touches).unwrap_err();
+        assert_eq!(erreur, LongueursDifferentes { rayons: 200, touches: longueur });
     }
 }
 
@@ -544,8 +437,6 @@ en_f32_et_f64!(des_scenes_de_0_a_3000_objets);
 en_f32_et_f64!(des_scenes_au_hasard);
 en_f32_et_f64!(des_grilles_et_des_rayons_le_long_des_axes);
 en_f32_et_f64!(des_objets_tous_egaux);
-en_f32_et_f64!(les_extremes);
-en_f32_et_f64!(aux_bornes_du_type);
 en_f32_et_f64!(des_rayons_qui_frolent_les_boites);
 en_f32_et_f64!(des_rayons_le_long_des_aretes);
 en_f32_et_f64!(des_sources_de_plus_en_plus_loin);
@@ -554,4 +445,4 @@ en_f32_et_f64!(les_places_pretees);
 en_f32_et_f64!(des_demi_espaces_et_peu_d_autres);
 en_f32_et_f64!(les_demi_espaces_ont_leur_place);
 en_f32_et_f64!(des_geants_parmi_des_petits);
-en_f32_et_f64!(toute_longueur_convient);
+en_f32_et_f64!(des_longueurs_differentes_sont_une_erreur);

@@ -1,64 +1,20 @@
-//! The batch of a list and of a hierarchy gives every ray the bits that `premiere_intersection` gives it
-//! alone, with every instruction set of the machine, with culling and without.
+//! Batches: every number of rays, every order, and what a beam leaves out.
 //!
-//! `LANCER_RAYON_CAS` sets how many bundles of rays a test makes (300 unless set):
+//! `LANCER_RAYON_CAS` sets how many bundles of rays a test makes (200 unless set):
 //! `LANCER_RAYON_CAS=100000 cargo test --release --all-features --test memes_bits lot`
 
 use std::collections::HashSet;
 
-use crate::ombres::comparer_les_ombres;
 use commun::conversion::mots;
-use commun::regimes::{Cas, deux_puissance, direction, entre, regimes, signe};
+use commun::facons::{UN_ARBRE, comparer, voisin};
+use commun::regimes::{Cas, Extreme, deux_puissance, direction, entre, regimes, signe};
 use commun::{Bits, arrondi, en_f32_et_f64, scenes};
 use fastrand::Rng;
 use lancer_rayon::{
-    BoiteGeo, Hierarchie, LongueursDifferentes, NoIntersection, ObjetRay, Rayon, Reel, Reglage,
-    Rotation, SphereGeo, Texture, Vecteur, premiere_intersection, premieres_intersections,
+    BoiteGeo, LongueursDifferentes, NoIntersection, ObjetRay, Rayon, Reel, Reglage, Rotation,
+    SphereGeo, Texture, Touche, Vecteur, premiere_intersection, premieres_intersections,
+    sont_occultes,
 };
-
-/// Every way to run the batch here, by name.
-fn reglages() -> Vec<(String, Reglage)> {
-    let avec = Reglage::tous().map(|(nom, reglage)| (nom.to_owned(), reglage));
-    let sans = Reglage::tous()
-        .map(|(nom, reglage)| (format!("{nom} without culling"), reglage.sans_elagage()));
-    avec.chain(sans).collect()
-}
-
-/// Compares the batch with the search ray by ray; the number of rays that hit.
-#[track_caller]
-fn comparer<R: Bits>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) -> usize {
-    let attendues: Vec<_> = rayons.iter().map(|r| premiere_intersection(objets, r)).collect();
-    // A hit that no ray has, so that a place which the batch leaves out shows.
-    let boule: ObjetRay<R> = SphereGeo::new(Vecteur::NUL, R::UN, Texture(u32::MAX)).unwrap().into();
-    let absurde = boule.intersection(&Rayon::new(axe_z() * R::LIMITE, -axe_z()).unwrap());
-    let mut places = vec![0.0; Hierarchie::places(objets.len())];
-    let hierarchie = Hierarchie::new(objets, &mut places).unwrap();
-    let de_la_liste = reglages().into_iter().map(|(nom, reglage)| (nom, reglage, None));
-    let de_l_arbre = Reglage::tous()
-        .map(|(nom, reglage)| (format!("{nom} in a hierarchy"), reglage, Some(hierarchie)));
-    for (nom, reglage, hierarchie) in de_la_liste.chain(de_l_arbre) {
-        let mut touches = vec![absurde; rayons.len()];
-        match hierarchie {
-            None => reglage.premieres_intersections(objets, rayons, &mut touches),
-            Some(hierarchie) => {
-                reglage.hierarchie(hierarchie).premieres_intersections(rayons, &mut touches)
-            }
-        }
-        .unwrap();
-        for ((rayon, touche), attendue) in rayons.iter().zip(&touches).zip(&attendues) {
-            let (n, scalaire) = (objets.len(), std::any::type_name::<R>());
-            assert_eq!(
-                mots(touche),
-                mots(attendue),
-                "{nom}, {scalaire}, {n} objects: {rayon:?} has {touche:?}, alone {attendue:?}"
-            );
-        }
-    }
-    let par_jeu: Vec<_> = Reglage::tous().map(|(nom, jeu)| (nom.to_owned(), jeu)).collect();
-    comparer_les_ombres(objets, rayons, &attendues, &reglages(), None);
-    comparer_les_ombres(objets, rayons, &attendues, &par_jeu, Some(hierarchie));
-    attendues.iter().flatten().count()
-}
 
 fn axe_z<R: Reel>() -> Vecteur<R> {
     Vecteur::new(R::ZERO, R::ZERO, R::UN)
@@ -68,7 +24,7 @@ fn axe_z<R: Reel>() -> Vecteur<R> {
 const AIGUILLE: f64 = 1e-5;
 
 fn cas() -> usize {
-    commun::cas(300) as usize
+    commun::cas(200) as usize
 }
 
 #[test]
@@ -84,8 +40,8 @@ fn chaque_jeu_d_instructions_de_la_machine_est_essaye() {
         let avx512 = is_x86_feature_detected!("avx512vpopcntdq");
         assert_eq!(avx512, noms.contains(&"AVX-512"));
     }
-    let uns = reglages().into_iter().map(|(_, reglage)| format!("{reglage:?}"));
-    assert_eq!(uns.collect::<HashSet<_>>().len(), 2 * noms.len(), "two settings are the same");
+    let uns = Reglage::tous().map(|(_, reglage)| format!("{reglage:?}"));
+    assert_eq!(uns.collect::<HashSet<_>>().len(), noms.len(), "two settings are the same");
 }
 
 #[test]
@@ -106,7 +62,7 @@ fn des_longueurs_differentes_sont_une_erreur_et_rien_n_est_ecrit() {
 /// From no ray to two blocks of 64 and one more, with few objects and with enough for culling.
 fn toute_longueur_convient<R: Bits>() {
     let rayons = scenes::rayons_camera::<R>(20, 10);
-    for n in [3, 12, 300] {
+    for n in [3, 12, 100, 300] {
         let scene = scenes::melange(n);
         for longueur in 0..=129 {
             comparer(&scene, &rayons[200 - longueur..]);
@@ -144,8 +100,8 @@ fn une_image_dans_tout_ordre<R: Bits>() {
 
 en_f32_et_f64!(une_image_dans_tout_ordre);
 
-/// All rays of a regime of the extremes against all its objects; then each ray against its own object
-/// alone, nine times over, since fewer rays do not go side by side.
+/// All rays of a regime of the extremes against all its objects; then each ray against its own object, alone and
+/// with copies that make a tree, nine times over, since fewer rays do not go side by side.
 fn les_extremes<R: Bits>() {
     let mut alea = Rng::with_seed(2);
     for regime in regimes::<R>() {
@@ -153,7 +109,10 @@ fn les_extremes<R: Bits>() {
         let objets: Vec<_> = cas.iter().map(|cas| cas.objet).collect();
         let rayons: Vec<_> = cas.iter().map(|cas| cas.rayon).collect();
         comparer(&objets, &rayons);
-        let seuls = cas.iter().map(|Cas { objet, rayon }| comparer(&[*objet], &[*rayon; 9]));
+        let seuls = cas.iter().map(|Cas { objet, rayon }| {
+            comparer(&[*objet; UN_ARBRE], &[*rayon; 9]);
+            comparer(&[*objet], &[*rayon; 9])
+        });
         assert!(seuls.sum::<usize>() > 9 * 10, "{}", regime.nom);
     }
 }
@@ -274,7 +233,7 @@ en_f32_et_f64!(l_elagage_ne_perd_aucune_touche);
 fn aux_bornes_du_type<R: Bits>() {
     let mut alea = Rng::with_seed(4);
     for regime in regimes::<R>() {
-        if !regime.nom.ends_with("range") {
+        if regime.extreme != Extreme::Bornes {
             continue;
         }
         for _ in 0..cas() / 10 {
@@ -318,12 +277,12 @@ fn un_bloc_d_un_seul_cote_de_son_axe<R: Bits>() {
 
 en_f32_et_f64!(un_bloc_d_un_seul_cote_de_son_axe);
 
-/// Half a billion rays of each type, 64 bundles a scene, as a renderer uses the batch:
+/// Half a billion rays of each type and as many shadows, 64 bundles a scene, as a renderer uses the batch:
 /// `cargo test --release --all-features --test memes_bits lot -- --ignored`, about four minutes.
 fn un_demi_milliard_de_rayons<R: Bits>() {
     let mut alea = Rng::with_seed(6);
     let (mut rayons, mut touches) = (Vec::new(), vec![Err(NoIntersection); 64 * 64]);
-    let mut attendues = touches.clone();
+    let (mut attendues, mut occultes) = (touches.clone(), vec![false; touches.len()]);
     for tour in 0..122_071 {
         let n = [5, 12, 40, 100][tour % 4];
         let scene = scenes::melange::<R>(n);
@@ -340,6 +299,21 @@ fn un_demi_milliard_de_rayons<R: Bits>() {
         }
         premieres_intersections(&scene, &rayons, &mut touches).unwrap();
         assert!(touches.iter().map(mots).eq(attendues.iter().map(mots)), "{n} objects");
+        // A lamp at the hit, one number farther, or anywhere.
+        let lampe = |touche: &Touche<R>| {
+            let t = touche.map_or(R::UN, |touche| touche.distance());
+            [t, voisin(t, 1), t * R::depuis_f64(4.0 * alea.f64())][alea.usize(0..3)]
+        };
+        let limites: Vec<_> = attendues.iter().map(lampe).collect();
+        let ombres: Vec<_> = rayons.iter().copied().zip(limites).collect();
+        sont_occultes(&scene, &ombres, &mut occultes).unwrap();
+        let avant = |(touche, (_, max)): (&Touche<R>, &(Rayon<R>, R))| {
+            touche.is_ok_and(|touche| touche.distance() < *max)
+        };
+        assert!(
+            attendues.iter().zip(&ombres).map(avant).eq(occultes.iter().copied()),
+            "{n} objects"
+        );
     }
 }
 

@@ -4,5 +4,4 @@ mod bits;
 mod deux;
 mod hierarchie;
 mod lot;
-mod ombres;
 mod souspassement;

@@ -11,7 +11,8 @@ use crate::pairs::Parry;
 use commun::conversion::arrondi;
 use commun::litteral;
 use commun::mesure::{Mesure, Reponse, mesurer, quantiles};
-use commun::oracle::{hauteur, verite};
+use commun::oracle::verite;
+use commun::promesses::{Essai, RIEN, marge, secondaire};
 use commun::regimes::{Cas, Regime, direction, regimes};
 
 /// Cases of each regime.
@@ -88,27 +89,24 @@ fn promesses<R: Reel>(scalaire: &str) -> String {
         for _ in 0..CAS {
             let Cas { objet, rayon } = (regime.cas)(&mut alea);
             let Ok(touche) = objet.intersection(&rayon) else { continue };
+            let vers = [R::ZERO; 5];
+            let mut essai = Essai { objets: vec![objet], rayon, vers };
+            let part = marge(&essai);
+            infinies += u64::from(part == RIEN);
+            depassees += u64::from(part > 1.0);
+            aisances.extend((part > 0.0).then(|| 1.0 / part));
             let n = touche.normale().vers_f64();
-            let ecart = hauteur(&objet, touche.normale(), rayon.point(touche.distance())).abs();
-            let marge = touche.marge().vers_f64();
-            if marge.is_finite() {
-                depassees += u64::from(ecart > marge);
-                aisances.extend((ecart > 0.0).then_some(marge / ecart));
-            } else {
-                infinies += 1;
-            }
             for _ in 0..20 {
                 // Outward and along: from inside, the edges of a box are outside the promise.
                 let vers = direction(&mut alea);
                 let cosinus = vers.produit_scalaire(n);
                 let tangente = vers - n * cosinus;
                 for vers in [vers - n * (cosinus - cosinus.abs()), tangente] {
-                    let Ok(secondaire) = rayon.secondaire(&touche, arrondi(vers)) else { continue };
-                    if secondaire.direction().produit_scalaire(touche.normale()) < R::ZERO {
-                        continue; // A tangent that rounding turned inward.
-                    }
-                    lances += 1;
-                    retouches += u64::from(objet.intersection(&secondaire).is_ok());
+                    let [x, y, z] = arrondi(vers).into();
+                    essai.vers = [x, y, z, R::ZERO, R::ZERO];
+                    let part = secondaire(&essai);
+                    lances += u64::from(part > RIEN);
+                    retouches += u64::from(part > 1.0);
                 }
             }
         }
