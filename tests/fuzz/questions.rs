@@ -96,7 +96,9 @@ fn apres_coup<R: Bits>(objet: &ObjetRay<R>, [rayon, autre]: [&Rayon<R>; 2]) {
     if objet.est_sur(rayon) && double.est_sur(&en_double) {
         assert_eq!(touche.is_ok(), la.is_ok(), "{objet:?} {rayon:?}");
     }
-    let _ = objet.contient(rayon.source());
+    if objet.contient(rayon.source()) {
+        assert_eq!(touche, Err(NoIntersection), "from inside: {objet:?} {rayon:?}");
+    }
     let Ok(touche) = touche else { return };
     let erreur = objet.erreur(rayon, &touche).vers_f64();
     assert!(erreur > 0.0);
