@@ -98,52 +98,27 @@ fn au_hasard<R: Bits>(attendue: u64) {
     assert_eq!(obtenue, attendue, "{}: {obtenue:#018x}", std::any::type_name::<R>());
 }
 
-#[test]
-fn l_atelier_f32() {
-    memes_bits::<f32>("atelier", 0xd6c4_f65f_9759_d4d1);
+/// A test in each type, with the fingerprint of its answers.
+macro_rules! empreintes {
+    ($($nom:ident: $question:ident($($scene:literal)?), $en_f32:literal, $en_f64:literal;)*) => {$(
+        mod $nom {
+            #[test]
+            fn f32() {
+                super::$question::<f32>($($scene,)? $en_f32);
+            }
+
+            #[test]
+            fn f64() {
+                super::$question::<f64>($($scene,)? $en_f64);
+            }
+        }
+    )*};
 }
 
-#[test]
-fn l_atelier_f64() {
-    memes_bits::<f64>("atelier", 0xd649_a018_fcb1_a80f);
-}
-
-#[test]
-fn la_foule_f32() {
-    memes_bits::<f32>("foule", 0xddcd_dd57_e8b6_0f55);
-}
-
-#[test]
-fn la_foule_f64() {
-    memes_bits::<f64>("foule", 0xfb3d_779f_614c_d820);
-}
-
-#[test]
-fn les_extremes_f32() {
-    memes_bits::<f32>("extremes", 0x245b_d654_2267_287c);
-}
-
-#[test]
-fn les_extremes_f64() {
-    memes_bits::<f64>("extremes", 0xbebf_a9f6_6d7f_3468);
-}
-
-#[test]
-fn le_flocon_f32() {
-    memes_bits::<f32>("flocon", 0x3494_9b33_7ead_d0da);
-}
-
-#[test]
-fn le_flocon_f64() {
-    memes_bits::<f64>("flocon", 0x163b_4c73_e057_f31b);
-}
-
-#[test]
-fn des_rayons_au_hasard_f32() {
-    au_hasard::<f32>(0x7689_72fb_186e_249f);
-}
-
-#[test]
-fn des_rayons_au_hasard_f64() {
-    au_hasard::<f64>(0xe39b_159c_729d_7ad6);
+empreintes! {
+    l_atelier: memes_bits("atelier"), 0xd6c4_f65f_9759_d4d1, 0xd649_a018_fcb1_a80f;
+    la_foule: memes_bits("foule"), 0xddcd_dd57_e8b6_0f55, 0xfb3d_779f_614c_d820;
+    les_extremes: memes_bits("extremes"), 0x245b_d654_2267_287c, 0xbebf_a9f6_6d7f_3468;
+    le_flocon: memes_bits("flocon"), 0x3494_9b33_7ead_d0da, 0x163b_4c73_e057_f31b;
+    des_rayons_au_hasard: au_hasard(), 0x7689_72fb_186e_249f, 0xe39b_159c_729d_7ad6;
 }

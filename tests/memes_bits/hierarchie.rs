@@ -24,17 +24,6 @@ fn v<R: Reel>(x: f64, y: f64, z: f64) -> Vecteur<R> {
     arrondi(Vecteur::new(x, y, z))
 }
 
-fn des_scenes_de_0_a_3000_objets<R: Bits>() {
-    let tuiles = scenes::en_tuiles(&scenes::rayons_camera::<R>(64, 40), 64);
-    let mut desordre = tuiles.clone();
-    Rng::with_seed(1).shuffle(&mut desordre);
-    for n in [0, 1, 2, 5, 8, 9, 10, 15, 16, 17, 33, 64, 65, 130, 131, 255, 256, 257, 1_000, 3_000] {
-        let scene = scenes::melange(n);
-        let touches = [&tuiles, &desordre].map(|rayons| comparer(&scene, &rayons[..1_000]));
-        assert!(n < 9 || touches[0] > 100, "{n} objects, {} hits", touches[0]);
-    }
-}
-
 /// An object of this size here.
 fn objet<R: Reel>(alea: &mut Rng, centre: Vecteur, taille: f64, i: usize) -> ObjetRay<R> {
     let texture = Texture(i as u32);
@@ -433,7 +422,6 @@ fn des_longueurs_differentes_sont_une_erreur<R: Bits>() {
     }
 }
 
-en_f32_et_f64!(des_scenes_de_0_a_3000_objets);
 en_f32_et_f64!(des_scenes_au_hasard);
 en_f32_et_f64!(des_grilles_et_des_rayons_le_long_des_axes);
 en_f32_et_f64!(des_objets_tous_egaux);
