@@ -127,27 +127,34 @@ fn un_rayon_a_cote_de_la_boite_manque() {
     a_cote::<f64>();
 }
 
-/// The smallest box, beside it and at it, at every speed down to 2^−`lointain`.
-fn petite_boite<R: Reel>(lointain: i32) {
+/// The smallest box, beside it and at it, at every speed across down to the smallest number, along one axis and along
+/// two. A speed below 2^−`dernier` may count as 0, which tells only in the plane of a face.
+fn petite_boite<R: Reel>(dernier: i32) {
     let bits = R::LIMITE.vers_f64().log2() as i32;
     let k = puissance(-bits);
     let cube = boite(Vecteur::NUL, Vecteur::new(R::UN, R::UN, R::UN) * (k / (R::UN + R::UN)));
     let mut touches = 0;
-    for e in 0..=lointain {
+    for (e, vitesse) in (0..).map(|e| (e, puissance::<R>(-e))).take_while(|&(_, v)| v > R::ZERO) {
         for (x, y, z) in [
             (0.6, -0.51, -0.1),
             (0.3, -0.51, -0.1),
             (0.3, -0.49, -0.8),
             (0.6, 0.2, 3.0),
+            (0.5625, -0.5625, -0.8),
             (0.5, -0.51, -0.1),
             (0.3, 0.5, -0.8),
             (0.5, 0.5, -0.8),
             (0.3, -0.5, -0.50001),
         ] {
+            if e > dernier && (x == 0.5 || y.abs() == 0.5) {
+                continue;
+            }
             let s = Vecteur::new(R::depuis_f64(x), R::depuis_f64(y), R::depuis_f64(z)) * k;
-            for signe in [R::UN, -R::UN] {
-                let d = Vecteur::new(R::ZERO, puissance::<R>(-e) * signe, R::UN);
-                touches += u32::from(juger(&cube, &Rayon::new(s, d).unwrap()).is_some());
+            for cote in [R::ZERO, vitesse, -vitesse] {
+                for vers_y in [vitesse, -vitesse] {
+                    let d = Vecteur::new(cote, vers_y, R::UN);
+                    touches += u32::from(juger(&cube, &Rayon::new(s, d).unwrap()).is_some());
+                }
             }
         }
     }
@@ -156,8 +163,21 @@ fn petite_boite<R: Reel>(lointain: i32) {
 
 #[test]
 fn la_plus_petite_boite_est_juste_a_toute_vitesse() {
-    petite_boite::<f32>(149);
+    petite_boite::<f32>(102);
     petite_boite::<f64>(1074);
+}
+
+/// In `f32` a speed of 2⁻¹⁰³ counts as 0, and the next above it does not: the ray that leaves the plane of a face so
+/// slowly slides along the face.
+#[test]
+fn une_vitesse_de_f32_est_un_multiple_de_2_puissance_moins_102() {
+    let cube = boite(Vecteur::NUL, Vecteur::new(1.0_f32, 1.0, 1.0));
+    let touche = |vitesse| {
+        let rayon = Rayon::new(Vecteur::new(0.5, 1.0, -5.0), Vecteur::new(0.0, vitesse, 1.0));
+        cube.intersection(&rayon.unwrap()).is_ok()
+    };
+    let demi = puissance::<f32>(-103);
+    assert!(touche(0.0) && touche(f32::MIN_POSITIF) && touche(demi) && !touche(demi.next_up()));
 }
 
 /// From one end of the range to a box at the other, and back: no distance is too long for the search.
