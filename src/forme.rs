@@ -8,7 +8,7 @@
 
 use crate::intersection::Contact;
 use crate::rayon::Rayon;
-use crate::reel::{Reel, fois_u, fois_u_simple, max};
+use crate::reel::{Reel, fois_u, fois_u_simple, max, min};
 use crate::vecteur::Vecteur;
 
 /// The rounding of a height over a surface, in u·ℓ; and as much again is the rounding with which the
@@ -100,7 +100,7 @@ pub(crate) trait Forme<R: Reel>: Copy {
         let marge = b + l * fois_u(2.0 * ARRONDI_HAUTEUR);
         // A NaN comes from an overflow.
         let marge = marge + marge * fois_u(VERS_LE_HAUT) + R::depuis_f64(8.0) * R::MIN_POSITIF;
-        Contact { normale, marge: if marge < R::INFINI { marge } else { R::INFINI } }
+        Contact { normale, marge: min(marge, R::INFINI) }
     }
 }
 

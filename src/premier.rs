@@ -15,12 +15,9 @@ pub(crate) struct Premier<R> {
 }
 
 impl<R: Reel> Premier<R> {
-    /// None so far, and any will do.
-    pub(crate) const AUCUN: Self = Self::avant(R::INFINI);
-
     /// None so far, and only one nearer than `t` will do.
     #[inline(always)]
-    pub(crate) const fn avant(t: R) -> Self {
+    pub(crate) fn avant(t: R) -> Self {
         Self { t, rang: 0 }
     }
 
@@ -33,10 +30,8 @@ impl<R: Reel> Premier<R> {
     /// The hit of this ray on it.
     #[inline(always)]
     pub(crate) fn conclure(self, objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> Touche<R> {
-        let Some(rang) = Rang::numero(self.rang) else { return Err(NoIntersection) };
-        match objets.get(rang.indice()) {
-            Some(objet) => Ok(objet.conclure(rayon, self.t, rang)),
-            None => Err(NoIntersection),
-        }
+        let rang = Rang::numero(self.rang).ok_or(NoIntersection)?;
+        let objet = objets.get(rang.indice()).ok_or(NoIntersection)?;
+        Ok(objet.conclure(rayon, self.t, rang))
     }
 }

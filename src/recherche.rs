@@ -52,10 +52,8 @@ pub fn premiere_intersection<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) 
             (premier, t_premier) = (indice, t);
         }
     }
-    match objets.get(premier) {
-        Some(objet) => Ok(objet.conclure_a_part(rayon, t_premier, Rang::de(premier))),
-        None => Err(NoIntersection),
-    }
+    let objet = objets.get(premier).ok_or(NoIntersection)?;
+    Ok(objet.conclure_a_part(rayon, t_premier, Rang::de(premier)))
 }
 
 impl<R: Reel> ObjetRay<R> {

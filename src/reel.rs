@@ -122,6 +122,12 @@ pub(crate) fn fois_u_simple<R: Reel>(n: f64) -> R {
     R::depuis_f64(n * f64::from(f32::U))
 }
 
+/// The nearest number of `f32`; ±∞ beyond them all.
+#[inline(always)]
+pub(crate) fn simple<R: Reel>(x: R) -> f32 {
+    x.vers_f64() as f32
+}
+
 /// 2^k, for a k between −1022 and 1023.
 pub(crate) const fn puissance_de_deux(k: i32) -> f64 {
     f64::from_bits(((1023 + k) as u64) << 52)

@@ -193,8 +193,7 @@ impl<R: Reel> Rotation<R> {
 
     /// (0, 0, 1)·M.
     pub(crate) fn axe_z(self) -> Vecteur<R> {
-        let [_, _, z] = self.axes();
-        z
+        self.axes()[2]
     }
 
     fn arrondie(m: Matrice) -> Self {

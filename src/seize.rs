@@ -16,7 +16,7 @@ pub(crate) type Colonne<R> = [R; SEIZE];
 pub(crate) struct Aligne<T>(pub(crate) T);
 
 /// Some of sixteen, a bit for each; as an iterator, the least first.
-#[derive(Clone, PartialEq, Eq)]
+#[derive(Clone)]
 pub(crate) struct Membres(u32);
 
 impl Membres {

@@ -137,7 +137,7 @@ impl<R: Reel> SphereRay<R> {
 impl SphereRay {
     /// What exact numbers say of a ray and a distance (lemma 19).
     pub(crate) fn juger(&self, rayon: &Rayon, t: f64) -> Jugement {
-        // PC² − r² and PA, for the point P of the ray at this distance.
+        // g and w of lemma 19, at the point of the ray at this distance.
         let r2 = Double::de(self.r).fois(Double::de(-self.r));
         let en = |t| {
             let cp = depuis(self.centre, rayon, t);
@@ -146,17 +146,17 @@ impl SphereRay {
         };
         let d2 = rayon.direction().longueur_carree();
         let a = (self.centre - rayon.source()).produit_scalaire(rayon.direction()) / d2;
-        let ((puissance, sa), (ac, presque_0), (pb, ba)) = (en(0.0), en(a), en(t));
+        let ((g_s, w_s), (g_a, w_a), (g, w)) = (en(0.0), en(a), en(t));
         let grandeur = |[bas, haut]: [f64; 2]| haut.max(-bas);
         // AB²·D² is D²(r² − PC²) + PA², of which hardly anything is left at A: twice for rounding.
-        let reste = 2.0 * grandeur(presque_0) * grandeur(presque_0);
-        let ab2 = [-ac[1] * d2, reste - ac[0] * d2];
-        let ecart = if ba[0] > 0.0 {
-            grandeur(pb) / (ba[0] + ab2[0].max(0.0).sqrt())
+        let reste = 2.0 * grandeur(w_a) * grandeur(w_a);
+        let ab2 = [-g_a[1] * d2, reste - g_a[0] * d2];
+        let ecart = if w[0] > 0.0 {
+            grandeur(g) / (w[0] + ab2[0].max(0.0).sqrt())
         } else {
-            (ab2[1].max(0.0).sqrt() + grandeur(ba)) / d2
+            (ab2[1].max(0.0).sqrt() + grandeur(w)) / d2
         };
-        let positifs = [puissance, sa, ab2];
+        let positifs = [g_s, w_s, ab2];
         let exclu = positifs.iter().any(|[_, haut]| *haut <= 0.0);
         let entre = positifs.iter().all(|[bas, _]| *bas > 0.0);
         let entre = (exclu || entre).then_some(entre);

@@ -91,7 +91,7 @@ impl<R: Reel> Arbre<'_, R> {
             self.proposer(bloc, indice_lu(indice));
         }
         let mut attentes = [RIEN; GRANDE_PILE];
-        let (mut pile, mut numero) = Pile::new(&mut attentes, self.geants, self.racine);
+        let (mut pile, mut numero) = Pile::new(&mut attentes, self.geants, self.noeuds.len() - 1);
         let mut plafond = self.repere.distance(bloc.le_plus_loin());
         let mut vus = 0;
         while let Some(noeud) = self.noeuds.get(numero) {

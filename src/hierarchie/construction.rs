@@ -12,11 +12,17 @@ use crate::hierarchie::repere::{Repere, extremes};
 use crate::objet::ObjetRay;
 use crate::reel::{Reel, max, min};
 use crate::seize::SEIZE;
-use crate::vecteur::Vecteur;
 
 /// Over fewer bounded objects than this no tree is made: the list is as fast
 /// (`docs/performance.md`, "Thresholds").
 const SEUIL_ARBRE: usize = 8;
+
+/// Bytes of a cache line: nodes start on one (`docs/performance.md`, "Thresholds").
+const LIGNE: usize = 64;
+
+/// The most `f32` that are skipped at the start of what the caller lends, so that nodes start on a
+/// line.
+const BOURRAGE: usize = LIGNE / size_of::<f32>() - 1;
 
 /// A tree over a list of objects.
 #[derive(Clone, Copy)]
@@ -28,7 +34,6 @@ pub(crate) struct Arbre<'a, R> {
     pub(crate) feuilles: usize,
     /// How many leaves of giants stand before the others, 0 or 1; the root is not above them.
     pub(crate) geants: usize,
-    pub(crate) racine: usize,
     /// How many of the objects are bounded.
     pub(crate) bornes: usize,
     /// The [stored](en_mot) indices of the half-spaces, the last first.
@@ -49,14 +54,15 @@ pub(crate) const fn mots(objets: usize) -> usize {
         total += etage;
     }
     // Where this saturates, on a 32-bit machine, it is more than there is memory.
-    total.saturating_mul(FICHE * SEIZE).saturating_add(SEIZE - 1)
+    total.saturating_mul(FICHE * SEIZE).saturating_add(SEIZE - 1 + BOURRAGE)
 }
 
 /// The tree over these objects, in [so many numbers](mots); none over few that are bounded.
 pub(crate) fn construire<'a, R: Reel>(
-    objets: &'a [ObjetRay<R>],
-    places: &'a mut [f32],
+    (objets, places): (&'a [ObjetRay<R>], &'a mut [f32]),
 ) -> Option<Arbre<'a, R>> {
+    let debut = places.as_ptr().align_offset(LIGNE).min(BOURRAGE);
+    let places = &mut places[debut..];
     let repere = Repere::autour(objets);
     let (mut bornes, mut fin) = (0, places.len());
     for (indice, objet) in objets.iter().enumerate() {
@@ -94,9 +100,9 @@ pub(crate) fn construire<'a, R: Reel>(
         }
         etage = etage.end..suivant;
     }
-    let racine = etage.start;
-    let noeuds = &noeuds[..=racine];
-    Some(Arbre { objets, noeuds, feuilles, geants, racine, bornes, plans, repere })
+    // The root is the last.
+    let noeuds = &noeuds[..=etage.start];
+    Some(Arbre { objets, noeuds, feuilles, geants, bornes, plans, repere })
 }
 
 /// Giants are larger, in the mean, than this times the mean size of the others and the side of a
@@ -109,9 +115,8 @@ fn trier_les_geants(fiches: &mut [Fiche]) -> usize {
     if fiches.len() <= SEIZE {
         return 0;
     }
-    let (bas, haut) = extremes(fiches.iter().map(double_centre));
-    let etendue = Vecteur::from(haut) - Vecteur::from(bas);
-    let cote = etendue.norme_1() * 0.5 / libm::cbrtf(fiches.len() as f32 / SEIZE as f32);
+    let [bas, haut] = extremes(fiches.iter().map(double_centre));
+    let cote = (haut - bas).norme_1() * 0.5 / libm::cbrtf(fiches.len() as f32 / SEIZE as f32);
     let moyenne =
         |fiches: &[Fiche]| fiches.iter().map(taille).fold(0.0, |a, b| a + b) / fiches.len() as f32;
     let _ = fiches.select_nth_unstable_by(SEIZE, |a, b| taille(b).total_cmp(&taille(a)));
@@ -137,8 +142,8 @@ fn trier(fiches: &mut [Fiche]) {
         pas *= SEIZE;
     }
     let coupe = fiches.len().div_ceil(pas) / 2 * pas;
-    let (bas, haut) = extremes(fiches.iter().map(double_centre));
-    let etendue: [f32; 3] = core::array::from_fn(|axe| haut[axe] - bas[axe]);
+    let [bas, haut] = extremes(fiches.iter().map(double_centre));
+    let etendue: [f32; 3] = (haut - bas).into();
     let axe = (1..3).fold(0, |long, axe| if etendue[axe] > etendue[long] { axe } else { long });
     let centre = |fiche: &Fiche| double_centre(fiche)[axe];
     let _ = fiches.select_nth_unstable_by(coupe, |a, b| centre(a).total_cmp(&centre(b)));

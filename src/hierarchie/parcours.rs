@@ -18,6 +18,13 @@ use crate::reel::Reel;
 use crate::seize::{Aligne, SEIZE, au_plus};
 
 impl<R: Reel> Arbre<'_, R> {
+    /// The answer to what one ray asks.
+    #[inline(always)]
+    pub(crate) fn repondre<S: Simd, D: Demande<R>>(&self, simd: S, demande: &D) -> D::Reponse {
+        let (rayon, premier) = (demande.rayon(), Premier::avant(demande.limite()));
+        D::conclure(self.parcourir::<S, D>(simd, &rayon, premier), self.objets, &rayon)
+    }
+
     /// The first object that the ray enters before `premier`, or `premier`; if `UN_SUFFIT`, any
     /// such object.
     ///
@@ -49,7 +56,7 @@ impl<R: Reel> Arbre<'_, R> {
             grande = [RIEN; GRANDE_PILE];
             &mut grande
         };
-        let (mut pile, mut numero) = Pile::new(attentes, self.geants, self.racine);
+        let (mut pile, mut numero) = Pile::new(attentes, self.geants, self.noeuds.len() - 1);
         while let Some(noeud) = self.noeuds.get(numero) {
             if numero < self.feuilles {
                 if recherche.voir_feuille::<S, D>(simd, &sonde, noeud) && D::UN_SUFFIT {

@@ -1,7 +1,7 @@
 //! The frame of a tree: where its boxes of `f32` stand, and by how much they grow.
 
 use crate::objet::ObjetRay;
-use crate::reel::{Reel, fois_u_simple, max, min};
+use crate::reel::{Reel, fois_u_simple, max, min, simple};
 use crate::vecteur::Vecteur;
 
 /// From so far away the boxes of a scene cannot be told apart: the whole tree is asked.
@@ -26,8 +26,7 @@ impl<R: Reel> Repere<R> {
             portee = max(portee, h.norme_1());
             Some(c.into())
         });
-        let (bas, haut) = extremes(centres);
-        let (bas, haut) = (Vecteur::from(bas), Vecteur::from(haut));
+        let [bas, haut] = extremes(centres);
         // K in the middle would need half of this. In the worst case rounding moves K to the last
         // centre.
         let echelle = R::UN / ((haut - bas).norme_1() + portee * R::depuis_f64(2.0));
@@ -75,12 +74,6 @@ pub const JEU_F32: f64 = 2.2;
 /// object or to the source of a ray, in u of `f32`. Derived in `docs/conception.md`, lemmas 14 to 17.
 pub(crate) const PART_DU_JEU: f64 = JEU_TOUCHE + JEU_F32;
 
-/// The nearest number of `f32`; ±∞ beyond them all.
-#[inline(always)]
-pub(crate) fn simple<R: Reel>(x: R) -> f32 {
-    x.vers_f64() as f32
-}
-
 /// The nearest vector of such numbers.
 #[inline(always)]
 pub(crate) fn simples<R: Reel>(v: Vecteur<R>) -> Vecteur<f32> {
@@ -88,18 +81,15 @@ pub(crate) fn simples<R: Reel>(v: Vecteur<R>) -> Vecteur<f32> {
 }
 
 /// The least and the greatest coordinates of these points.
-pub(crate) fn extremes<R: Reel>(points: impl Iterator<Item = [R; 3]>) -> ([R; 3], [R; 3]) {
-    let (mut bas, mut haut) = ([au_dela::<R>(); 3], [-au_dela::<R>(); 3]);
+pub(crate) fn extremes<R: Reel>(points: impl Iterator<Item = [R; 3]>) -> [Vecteur<R>; 2] {
+    // Farther than any corner of a box.
+    let loin = R::LIMITE * R::LIMITE;
+    let [mut bas, mut haut] = [[loin; 3], [-loin; 3]];
     for point in points {
         for axe in 0..3 {
             bas[axe] = min(bas[axe], point[axe]);
             haut[axe] = max(haut[axe], point[axe]);
         }
     }
-    (bas, haut)
-}
-
-/// Farther than any corner of a box.
-fn au_dela<R: Reel>() -> R {
-    R::LIMITE * R::LIMITE
+    [bas, haut].map(Vecteur::from)
 }

@@ -3,10 +3,10 @@
 use fearless_simd::Simd;
 
 use crate::hierarchie::noeud::Noeud;
-use crate::hierarchie::repere::{PART_DU_JEU, Repere, TROP_LOIN, simple, simples};
+use crate::hierarchie::repere::{PART_DU_JEU, Repere, TROP_LOIN, simples};
 use crate::lot::faisceau::Faisceau;
 use crate::rayon::Rayon;
-use crate::reel::{Reel, fois_u, fois_u_simple, max, min};
+use crate::reel::{Reel, fois_u, fois_u_simple, max, min, simple};
 use crate::seize::{Aligne, Colonne, Membres, SEIZE, au_plus};
 use crate::vecteur::Vecteur;
 

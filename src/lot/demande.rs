@@ -7,7 +7,7 @@ use crate::objet::ObjetRay;
 use crate::premier::Premier;
 use crate::rayon::Rayon;
 use crate::recherche::{est_occulte, premiere_intersection};
-use crate::reel::Reel;
+use crate::reel::{Reel, max};
 
 /// A ray and what is asked of it.
 pub(crate) trait Demande<R: Reel>: Copy {
@@ -74,7 +74,7 @@ impl<R: Reel> Demande<R> for (Rayon<R>, R) {
     #[inline(always)]
     fn limite(&self) -> R {
         // Nothing is before a NaN.
-        if self.1 > R::ZERO { self.1 } else { R::ZERO }
+        max(self.1, R::ZERO)
     }
 
     fn parmi(&self, objets: &[ObjetRay<R>]) -> bool {

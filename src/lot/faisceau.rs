@@ -45,14 +45,14 @@ pub(crate) struct Faisceau<R> {
 }
 
 /// What a beam is built around: a reference origin S₀, a reference direction M, and U and V across M.
-struct Repere<R> {
+struct Axes<R> {
     s0: Vecteur<R>,
     m: Vecteur<R>,
     u: Vecteur<R>,
     v: Vecteur<R>,
 }
 
-impl<R: Reel> Repere<R> {
+impl<R: Reel> Axes<R> {
     /// S₀ and M come from the ray in the middle. U points from the first ray to the eighth, along a
     /// row of pixels: any U is right, this one fits closely.
     #[inline(always)]
@@ -71,8 +71,8 @@ impl<R: Reel> Faisceau<R> {
     /// middle, say where it goes. `None` if they go too far apart for one.
     #[inline(always)]
     pub(crate) fn de_rayons(groupes: &[Groupe<R>], reperes: [Rayon<R>; 3]) -> Option<Self> {
-        let repere = Repere::de(reperes);
-        let Repere { s0, m, u, v } = repere;
+        let axes = Axes::de(reperes);
+        let Axes { s0, m, u, v } = axes;
         let [u1, u2, v1, v2, moins_mu, ecart] = maxima(
             -R::INFINI,
             groupes,
@@ -95,15 +95,15 @@ impl<R: Reel> Faisceau<R> {
             #[inline(always)]
             |e| e / mu,
         );
-        Some(Self::de_pentes::<false>(groupes, repere, pentes, ecart, R::ZERO))
+        Some(Self::de_pentes::<false>(groupes, axes, pentes, ecart, R::ZERO))
     }
 
     /// The beam of the segments from the sources of these rays to the limits of their first objects:
     /// from surfaces to lamps. Its sides touch both ends.
     #[inline(always)]
     pub(crate) fn de_segments(groupes: &[Groupe<R>], reperes: [Rayon<R>; 3]) -> Self {
-        let repere = Repere::de(reperes);
-        let Repere { s0, m, u, v } = repere;
+        let axes = Axes::de(reperes);
+        let Axes { s0, m, u, v } = axes;
         let [s1, s2, s3, s4, l1, l2, l3, l4, profondeur, ecart, portee] = maxima(
             R::ZERO,
             groupes,
@@ -123,7 +123,7 @@ impl<R: Reel> Faisceau<R> {
             bornee((l3 - s3) / profondeur),
             bornee((l4 - s4) / profondeur),
         ];
-        Self::de_pentes::<true>(groupes, repere, pentes, ecart, portee)
+        Self::de_pentes::<true>(groupes, axes, pentes, ecart, portee)
     }
 
     /// The beam whose sides lean from U, −U, V and −V by these slopes against M, around `SEGMENTS` of
@@ -131,7 +131,7 @@ impl<R: Reel> Faisceau<R> {
     #[inline(always)]
     fn de_pentes<const SEGMENTS: bool>(
         groupes: &[Groupe<R>],
-        Repere { s0, m, u, v }: Repere<R>,
+        Axes { s0, m, u, v }: Axes<R>,
         [a1, a2, a3, a4]: [R; 4],
         ecart: R,
         portee: R,
@@ -151,9 +151,9 @@ impl<R: Reel> Faisceau<R> {
                 |rayon, t| {
                     let s = rayon.source() - s0;
                     let l = if SEGMENTS { s + rayon.direction() * t } else { s };
-                    let (w1, w2) = (le_plus_loin(p1, s, l), le_plus_loin(p2, s, l));
-                    let (w3, w4) = (le_plus_loin(p3, s, l), le_plus_loin(p4, s, l));
-                    [w1, w2, w3, w4, le_plus_loin(-m, s, l), m.produit_scalaire(s)]
+                    let (w1, w2) = (plus_loin_le_long(p1, s, l), plus_loin_le_long(p2, s, l));
+                    let (w3, w4) = (plus_loin_le_long(p3, s, l), plus_loin_le_long(p4, s, l));
+                    [w1, w2, w3, w4, plus_loin_le_long(-m, s, l), m.produit_scalaire(s)]
                 },
             )
         };
@@ -188,7 +188,7 @@ impl<R: Reel> Faisceau<R> {
 }
 
 /// The largest of each of these numbers over the rays of these groups and the limits of their first
-/// objects, and of `depart`: 0 where the ray in the middle, which starts at S₀ along M, gives a 0.
+/// objects, or `depart` if that is larger. A caller whose ray in the middle gives a 0 passes 0.
 ///
 /// Each has sixteen maxima, one a lane: a single running maximum cannot be vectorised.
 #[inline(always)]
@@ -226,7 +226,7 @@ fn cote<R: Reel>(p: Vecteur<R>) -> Vecteur<R> {
 
 /// How far along P the farther end of a segment is.
 #[inline(always)]
-fn le_plus_loin<R: Reel>(p: Vecteur<R>, s: Vecteur<R>, l: Vecteur<R>) -> R {
+fn plus_loin_le_long<R: Reel>(p: Vecteur<R>, s: Vecteur<R>, l: Vecteur<R>) -> R {
     max(p.produit_scalaire(s), p.produit_scalaire(l))
 }
 

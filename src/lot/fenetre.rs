@@ -5,7 +5,7 @@ use fearless_simd::Simd;
 use crate::forme::Boule;
 use crate::lot::faisceau::Faisceau;
 use crate::objet::ObjetRay;
-use crate::reel::Reel;
+use crate::reel::{Reel, simple};
 use crate::seize::{Colonne, Membres, SEIZE, au_plus};
 use crate::vecteur::Vecteur;
 
@@ -39,7 +39,7 @@ impl<R: Reel> Rangee<R> {
         for i in 0..SEIZE {
             let boule = Boule { centre: Vecteur::new(x[i], y[i], z[i]), r2: r2[i] };
             // Rounding to `f32` keeps the sign, or makes a 0.
-            ecarts[i] = faisceau.ecart_a(boule).vers_f64() as f32;
+            ecarts[i] = simple(faisceau.ecart_a(boule));
         }
         au_plus(simd, &ecarts, &[0.0; SEIZE])
     }
