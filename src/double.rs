@@ -57,16 +57,21 @@ impl Double {
         let erreur = x * autre.erreur + y * self.erreur + self.erreur * autre.erreur;
         // What is exact stays so: a ray may be parallel to a face, or start in its plane.
         let sans_perte = x.min(y) == 0.0 || p.abs() > 1e-270;
-        if sans_perte && n == 0.0 && self.erreur + autre.erreur == 0.0 {
+        if sans_perte && r == 0.0 && self.est_un_f64() && autre.est_un_f64() {
             return Self::de(p);
         }
         let arrondi = PRODUIT_DOUBLE * f64::U * f64::U * p.abs();
         Self::arrondi(p, n, erreur + arrondi + PERTE_DOUBLE * f64::MIN_POSITIF)
     }
 
+    /// Whether the number is exactly `haut`.
+    fn est_un_f64(self) -> bool {
+        self.erreur == 0.0 && self.bas == 0.0
+    }
+
     /// The number lies between these two, which are the same if it is an `f64` exactly.
     pub(crate) fn bornes(self) -> [f64; 2] {
-        if self.erreur == 0.0 && self.bas == 0.0 {
+        if self.est_un_f64() {
             return [self.haut; 2];
         }
         let [bas, haut] = [self.bas - self.erreur, self.bas + self.erreur];
@@ -114,13 +119,24 @@ pub(crate) fn juger_faces(c: Vecteur, faces: &[(Vecteur, f64)], rayon: &Rayon, t
         let ([s_bas, s_haut], [bas, haut]) = (profondeur(depart), profondeur(point));
         let [v_bas, v_haut] = scalaire(triple(-n), triple(rayon.direction())).bornes();
         let (lent, vite) = (v_bas.max(-v_haut), v_haut.max(-v_bas));
-        if vite == 0.0 && s_bas >= 0.0 {
-            // Parallel, and inside: the face excludes nothing.
-            continue;
-        }
         if lent <= 0.0 {
-            let a_cote = vite == 0.0 && s_haut < 0.0;
-            return Jugement { entre: a_cote.then_some(false), ecart: f64::INFINI };
+            // Parallel, or nearly: whether the ray comes nearer to the face or leaves it is unknown.
+            if vite == 0.0 && s_bas >= 0.0 {
+                continue;
+            }
+            let loin = if bas > 0.0 { bas / vite } else { haut / vite };
+            if s_bas >= 0.0 && bas > 0.0 {
+                // For so long it has been under the face, and will be.
+                [entree[0], sortie[0]] = [entree[0], sortie[0]].map(|t| t.min(loin.next_down()));
+            } else if vite > 0.0 && s_haut < 0.0 && haut < 0.0 {
+                // It never enters, or not for so long.
+                entree = [-f64::INFINI, entree[1].min(loin.next_up())];
+                dedans = false;
+            } else {
+                let a_cote = vite == 0.0 && s_haut < 0.0;
+                return Jugement { entre: a_cote.then_some(false), ecart: f64::INFINI };
+            }
+            continue;
         }
         let duree = if v_bas > 0.0 { &mut entree } else { &mut sortie };
         duree[0] = duree[0].min((bas / if bas > 0.0 { vite } else { lent }).next_down());

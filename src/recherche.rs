@@ -131,7 +131,10 @@ impl<R: Reel> ObjetRay<R> {
             return true;
         }
         let t = self.t(rayon);
-        self.juger(rayon, t).entre == Some(t < R::INFINI)
+        let Jugement { entre, ecart } = self.juger(rayon, t);
+        // Nor does the type hold an entry beyond its largest number (C7): twice the bound, for its own rounding.
+        let au_plus = R::depuis_f64(t.vers_f64() + 2.0 * ecart);
+        entre == Some(t < R::INFINI) && (t == R::INFINI || au_plus < R::INFINI)
     }
 
     /// What exact numbers say of this ray and this distance.

@@ -148,8 +148,10 @@ impl SphereRay {
         let a = (self.centre - rayon.source()).produit_scalaire(rayon.direction()) / d2;
         let ((g_s, w_s), (g_a, w_a), (g, w)) = (en(0.0), en(a), en(t));
         let grandeur = |[bas, haut]: [f64; 2]| haut.max(-bas);
-        // AB²·D² is D²(r² − PC²) + PA², of which hardly anything is left at A: twice for rounding.
-        let reste = 2.0 * grandeur(w_a) * grandeur(w_a);
+        // AB²·D² is D²(r² − PC²) + PA², of which hardly anything is left at A: twice for rounding, and
+        // no square may be lost.
+        let perdu = if grandeur(w_a) > 0.0 { f64::MIN_POSITIF } else { 0.0 };
+        let reste = 2.0 * grandeur(w_a) * grandeur(w_a) + perdu;
         let ab2 = [-g_a[1] * d2, reste - g_a[0] * d2];
         let ecart = if w[0] > 0.0 {
             grandeur(g) / (w[0] + ab2[0].max(0.0).sqrt())

@@ -7,9 +7,9 @@ use lancer_rayon::Reel;
 /// such distances plus the rounding of its own inputs, each counted below.
 pub const DISTANCE: f64 = 2.0 * promesses::DISTANCE_SPHERE;
 
-/// A vector turned by `Rotation::appliquer`: three products and two sums per coordinate, γ₃,
-/// and a matrix that is orthonormal to 4u and rounded to u: (3 + 1 + 4)u of its length.
-pub const TOURNE: f64 = 8.0;
+/// A vector turned by `Rotation::appliquer`, of its length: three products and two sums in each of three
+/// coordinates, √3·3.1u; and M·Mᵀ, which is I to 5.5u an element (lemma 10), stretches it by half of 3·5.5u.
+pub const TOURNE: f64 = 14.0;
 
 /// A vector moved or multiplied: one rounding, so u of the length of the result.
 pub const ARRONDI: f64 = 1.0;
@@ -25,8 +25,8 @@ pub const NORMALE: f64 = promesses::DIRECTION;
 pub const ORTHONORMALE: f64 = 5.5;
 
 /// An element of a product of two rotations against the product in f64 of what they hold: one
-/// rounding to R and the Newton step, which moves by no more than half of the 8u above, twice.
-pub const PRODUIT: f64 = 9.0;
+/// rounding to R, and the Newton step, which moves by half of what both factors are off orthonormal, 2·3·5.5u.
+pub const PRODUIT: f64 = 18.0;
 
 /// How far M·Mᵀ may be from I for `depuis_matrice` to take M (C15).
 pub fn ecart_rotation<R: Reel>() -> f64 {

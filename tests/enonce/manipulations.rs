@@ -1,6 +1,7 @@
 //! Moving, turning and scaling objects (handout §2.3), and what each representation of §3 holds
 //! afterwards.
 
+use commun::oracle::Exact;
 use commun::strategies::{Plante, objet, plante, reel, rotation, vecteur};
 use commun::tolerances::{ARRONDI, DISTANCE, NORMALE, TOURNE, u};
 use commun::{en_f32_et_f64, pour_tout};
@@ -181,6 +182,59 @@ fn chaque_transformation_a_les_quantites_calculees_a_la_main<R: Reel>() {
 }
 
 en_f32_et_f64!(chaque_transformation_a_les_quantites_calculees_a_la_main);
+
+/// The row "transformations" of `docs/precision.md`, against exact numbers.
+fn chaque_transformation_tient_sa_borne<R: Reel>() {
+    let strategie = (objet::<R>(1.0), vecteur::<R>(10.0), rotation::<R>(), reel::<R>(0.1, 10.0));
+    let (u, eta) = (u::<R>(), R::MIN_POSITIF.vers_f64());
+    pour_tout(strategie, |(objet, v, r, k)| {
+        let (avant, v) = (objet.vers_ray(), <[R; 3]>::from(v));
+        let deplace = objet.translation(v.into()).unwrap().vers_ray();
+        let tourne = objet.rotation(r).unwrap().vers_ray();
+        let agrandi = objet.homothetie(k).unwrap().vers_ray();
+        if let (ObjetRay::Plan(plan), ObjetRay::Plan(deplace)) = (avant, deplace) {
+            let n = <[R; 3]>::from(plan.normale());
+            let termes: [Exact; 3] = [0, 1, 2].map(|i| &Exact::de(n[i]) * &Exact::de(v[i]));
+            let exacte = &Exact::de(plan.distance()) - &somme(&termes);
+            let poids: f64 = termes.iter().map(|x| x.vers_f64().abs()).sum();
+            let permis = u * exacte.vers_f64().abs() + 4.1 * u * poids + 1.6 * eta;
+            prop_assert!((&Exact::de(deplace.distance()) - &exacte).vers_f64().abs() <= permis);
+        }
+        let (Some((c, tailles)), Some((c_deplace, _)), Some((c_tourne, _)), Some((_, tailles_k))) =
+            (borne(avant), borne(deplace), borne(tourne), borne(agrandi))
+        else {
+            return Ok(());
+        };
+        let poids: f64 = c.iter().map(|x| x.vers_f64().abs()).sum();
+        for i in 0..3 {
+            let exacte = &Exact::de(c[i]) + &Exact::de(v[i]);
+            let ecart = (&Exact::de(c_deplace[i]) - &exacte).vers_f64().abs();
+            prop_assert!(ecart <= u * exacte.vers_f64().abs(), "moved, off by {ecart:e}");
+            let termes = [0, 1, 2].map(|j| &Exact::de(c[j]) * &Exact::de(r.matrice()[j][i]));
+            let ecart = (&Exact::de(c_tourne[i]) - &somme(&termes)).vers_f64().abs();
+            prop_assert!(ecart <= 3.1 * u * poids + 1.6 * eta, "turned, off by {ecart:e}");
+            let exacte = &Exact::de(tailles[i]) * &Exact::de(k);
+            let ecart = (&Exact::de(tailles_k[i]) - &exacte).vers_f64().abs();
+            prop_assert!(ecart <= u * exacte.vers_f64(), "grown, off by {ecart:e}");
+        }
+        Ok(())
+    });
+}
+
+en_f32_et_f64!(chaque_transformation_tient_sa_borne);
+
+fn somme([a, b, c]: &[Exact; 3]) -> Exact {
+    &(a + b) + c
+}
+
+/// The centre and three sizes of an object that has them.
+fn borne<R: Reel>(objet: ObjetRay<R>) -> Option<([R; 3], [R; 3])> {
+    match objet {
+        ObjetRay::Sphere(sphere) => Some((sphere.centre().into(), [sphere.rayon(); 3])),
+        ObjetRay::Plan(_) => None,
+        ObjetRay::Boite(boite) => Some((boite.centre().into(), boite.demi_longueurs())),
+    }
+}
 
 /// Any normal, of any length: the surface passes through the point, and the normal keeps its direction.
 fn un_mur_passe_par_son_point<R: Reel>() {

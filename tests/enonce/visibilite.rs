@@ -117,7 +117,6 @@ fn deux_points_se_voient_si_rien_n_est_entre_eux<R: Reel + DeserializeOwned>() {
                 ouverts += 1;
                 assert!(cache(&objets, &rayon, (1.0 + OUVERT) * d), "{nom}: hidden: {rayon:?}");
             }
-            vus += u32::from(entrees && libre);
             caches += u32::from(!libre);
             naifs[usize::from(obvie)] += u32::from(obvie != libre);
         }

@@ -64,9 +64,8 @@ fn toute_longueur_convient<R: Bits>() {
     let rayons = scenes::rayons_camera::<R>(20, 10);
     for n in [3, 12, 100, 300] {
         let scene = scenes::melange(n);
-        for longueur in 0..=129 {
-            comparer(&scene, &rayons[200 - longueur..]);
-        }
+        let touches = (0..=129).map(|longueur| comparer(&scene, &rayons[200 - longueur..]));
+        assert!(touches.sum::<usize>() > 100, "{n} objects");
     }
 }
 
@@ -78,7 +77,7 @@ fn un_bloc_de_rayons_opposes<R: Bits>() {
     for rayon in rayons.iter_mut().step_by(2) {
         *rayon = Rayon::new(rayon.source(), -rayon.direction()).unwrap();
     }
-    comparer(&scenes::melange(300), &rayons);
+    assert!(comparer(&scenes::melange(300), &rayons) > 10);
 }
 
 en_f32_et_f64!(un_bloc_de_rayons_opposes);
@@ -236,6 +235,7 @@ fn aux_bornes_du_type<R: Bits>() {
         if regime.extreme != Extreme::Bornes {
             continue;
         }
+        let mut touches = 0;
         for _ in 0..cas() / 10 {
             let cas: Vec<_> = (0..20).map(|_| (regime.cas)(&mut alea)).collect();
             let objets: Vec<_> = cas.iter().map(|cas| cas.objet).collect();
@@ -247,9 +247,10 @@ fn aux_bornes_du_type<R: Bits>() {
                     Rayon::new(rayon.source(), arrondi(vers)).unwrap()
                 };
                 let rayons: Vec<_> = (0..64).map(ecarter).collect();
-                comparer(&objets, &rayons);
+                touches += comparer(&objets, &rayons);
             }
         }
+        assert!(touches > 100, "{}: {touches} hits", regime.nom);
     }
 }
 

@@ -191,8 +191,7 @@ fn une_sphere_perdue_a_une_marge_infinie<R: Reel>() {
 en_f32_et_f64!(une_sphere_perdue_a_une_marge_infinie);
 
 /// Built: from 4·10⁶ away a sphere about O with r = 42u|f|, which was found, and the regimes of
-/// spheres. Held: the margin of the first is +∞, so that "below some 20u|f|" was false, and none is
-/// where r ≥ 64u|f| + 16u⟨P, 1⟩.
+/// spheres. Held: the margin of the first is +∞, and none is where r ≥ 64u|f| + 16u⟨P, 1⟩.
 #[test]
 fn la_marge_d_une_sphere_de_42_u_f_peut_etre_infinie() {
     let r = 10.810261_f32;

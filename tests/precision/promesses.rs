@@ -249,8 +249,8 @@ fn un_rayon_secondaire_ne_retouche_pas_l_objet_qu_il_quitte<R: Reel>() {
 en_f32_et_f64!(un_rayon_secondaire_ne_retouche_pas_l_objet_qu_il_quitte);
 
 /// From afar a hit beside an edge is off by much along the ray, of which the margin over its face
-/// knows nothing: an inward ray may start a thousand times as far above another face as 2(`marge()`
-/// + 4u|P|), though no farther than lemma 14 grants.
+/// knows nothing: an inward ray may start above another face by a thousand times 2(`marge()` + 4u|P|), which
+/// one might expect, though by no more than lemma 14 grants.
 fn un_depart_vers_l_interieur_peut_etre_loin_au_dessus_d_une_autre_face<R: Reel>() {
     let v = |x, y, z| arrondi::<R>(Vecteur::new(x, y, z));
     let centre = v(-0.0077286684, 0.018294489, 0.19977821);
@@ -263,8 +263,8 @@ fn un_depart_vers_l_interieur_peut_etre_loin_au_dessus_d_une_autre_face<R: Reel>
         let encore = boite.intersection(&dedans).ok()?;
         assert!(au_bord(&boite, rayon, &touche, dedans.source(), &encore), "{rayon:?} {dedans:?}");
         let p = rayon.point(touche.distance()).vers_f64().longueur();
-        let autrefois = 2.0 * (touche.marge().vers_f64() + 4.0 * u::<R>() * p);
-        Some(hauteur(&boite, encore.normale(), dedans.source()) / autrefois)
+        let attendu = 2.0 * (touche.marge().vers_f64() + 4.0 * u::<R>() * p);
+        Some(hauteur(&boite, encore.normale(), dedans.source()) / attendu)
     };
     if u::<R>() > f64::EPSILON {
         let d = v(0.0039478806, -0.99913543, -0.041385863);

@@ -1,0 +1,157 @@
+//! `erreur` and `est_sur` where doubled numbers themselves end (`docs/jugement.md`, lemmas 18 and 19): numbers of
+//! few bits from one end of the range to the other, exactly on a surface, in the plane of a face or a little beside.
+
+use commun::en_f32_et_f64;
+use commun::oracle::verite;
+use commun::promesses::{Essai, erreur, est_sur};
+use commun::regimes::entre;
+use fastrand::Rng;
+use lancer_rayon::{
+    BoiteGeo, ErreurGeo, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture, Vecteur,
+};
+
+/// An answer is right or not called certain, and nothing bounds the distance of what is not entered.
+#[track_caller]
+fn juger<R: Reel>(objet: ObjetRay<R>, rayon: Rayon<R>) {
+    let essai = Essai { objets: vec![objet], rayon, vers: [R::ZERO; 5] };
+    let parts = [est_sur(&essai), erreur(&essai)];
+    assert!(parts.iter().all(|part| *part <= 1.0), "{parts:?} {essai:?}");
+}
+
+/// |CP| is half a subnormal short of r: a hit.
+#[test]
+fn un_facteur_qui_a_une_part_basse_n_est_pas_exact() {
+    let boule = SphereGeo::new(Vecteur::new(0.0, f64::MIN_POSITIF, 0.0), 0.5, Texture(0)).unwrap();
+    let rayon = Rayon::new(Vecteur::new(-5.0, 0.5, 0.0), Vecteur::new(1.0, 0.0, 0.0)).unwrap();
+    juger(boule.into(), rayon);
+}
+
+/// The ray is parallel to a face, and half a subnormal outside: a miss.
+#[test]
+fn un_rayon_a_cote_d_une_face_ne_la_longe_pas() {
+    let m = [[0.28, 0.96, 0.0], [-0.96, 0.28, 0.0], [0.0, 0.0, 1.0]];
+    let (c, cotes) = (Vecteur::new(-f64::MIN_POSITIF, 0.0, 0.0), Vecteur::new(0.56, 4.0, 2.0));
+    let boite = BoiteGeo::new(c, cotes, Rotation::depuis_matrice(m).unwrap(), Texture(0)).unwrap();
+    let rayon = Rayon::new(Vecteur::new(1.0, 0.0, 5.0), Vecteur::new(0.0, 0.0, -1.0)).unwrap();
+    juger(boite.into(), rayon);
+}
+
+/// A is on the sphere exactly, and w = 2⁻⁵⁴⁰ there, whose square is below all numbers: a hit.
+#[test]
+fn un_carre_perdu_n_est_pas_nul() {
+    let [r, loin, peu, pente] = [-440.0, -300.0, -400.0, -100.0].map(f64::exp2);
+    let boule = SphereGeo::new(Vecteur::NUL, r, Texture(0)).unwrap();
+    let d = Vecteur::new(1.0, 0.0, pente);
+    juger(boule.into(), Rayon::new(Vecteur::new(-loin, 0.0, r - peu), d).unwrap());
+}
+
+/// A distance that rounds to +∞ is a miss (C7), and the search answers the largest number.
+#[test]
+fn une_distance_que_le_type_ne_contient_pas_n_est_pas_sure() {
+    let deux = |k: f32| k.exp2();
+    let n = deux(-93.0) * 0.99;
+    let m = [[0.0, 0.0, 1.0], [1.0, -n, 0.0], [n, 1.0, 0.0]];
+    let rotation = Rotation::depuis_matrice(m).unwrap();
+    let mur = PlanGeo::new(rotation, deux(35.0) * 0.99, Texture(0)).unwrap();
+    let mur = ObjetRay::from(mur);
+    let source = Vecteur::new(0.0, deux(60.0) - deux(36.0), 0.0);
+    let rayon = Rayon::new(source, Vecteur::new(1.0, -deux(-68.0), 0.0)).unwrap();
+    assert_eq!(mur.intersection(&rayon).unwrap().distance(), f32::MAX);
+    let t = verite(&mur, &rayon).entree.unwrap().t.vers_f64();
+    assert!(t as f32 == f32::INFINI && !mur.est_sur(&rayon), "{t:e}");
+}
+
+/// Along an axis of a turned box, whose other faces the ray neither nears nor leaves as far as doubled numbers tell:
+/// through the middle, and past the box.
+#[test]
+fn le_long_d_une_face_tournee_une_reponse_est_sure() {
+    let mut alea = Rng::with_seed(52);
+    for _ in 0..1_000 {
+        let rotation = Rotation::new(Vecteur::new(0.0, entre(&mut alea, -3.0, 3.0), 0.0)).unwrap();
+        let cotes = Vecteur::new(2.0, 2.0, 2.0);
+        let boite = BoiteGeo::new(Vecteur::NUL, cotes, rotation, Texture(0)).unwrap().vers_ray();
+        let [u, v, w] = boite.normales();
+        let boite = ObjetRay::from(boite);
+        let vers_le_fond = |source| Rayon::new(source, -w).unwrap();
+        let rayon = vers_le_fond(w * 5.0 + u * entre(&mut alea, -0.9, 0.9));
+        let touche = boite.intersection(&rayon).unwrap();
+        assert!(boite.est_sur(&rayon) && boite.erreur(&rayon, &touche) < 1e-14, "{rayon:?}");
+        for cote in [u, v] {
+            assert!(boite.est_sur(&vers_le_fond(w * 5.0 + cote * 1.2)), "{rayon:?}");
+        }
+    }
+}
+
+/// A number of few bits: 0, a power of two, or one with a far smaller one beside it.
+fn creux<R: Reel>(alea: &mut Rng) -> R {
+    let fond = R::MIN_POSITIF.vers_f64().log2() as i32;
+    let k = if alea.bool() { alea.i32(-8..=8) } else { alea.i32(fond..-fond / 3) };
+    let ecart = if alea.bool() { 60 } else { -fond };
+    let plus_bas = (k - alea.i32(1..=ecart)).max(fond);
+    let [a, b] = [k, plus_bas].map(|k| f64::from(k).exp2());
+    let x = [0.0, a, a, a + b, a - b][alea.usize(..5)];
+    R::depuis_f64(if alea.bool() { x } else { -x })
+}
+
+fn triple<R: Reel>(alea: &mut Rng) -> Vecteur<R> {
+    Vecteur::new(creux(alea), creux(alea), creux(alea))
+}
+
+/// An object and a ray of such numbers: along an axis of the object more often than not, and from a place that is
+/// on its surface, or beside, at some distance along the ray.
+fn essai<R: Reel>(alea: &mut Rng) -> Result<(ObjetRay<R>, Rayon<R>), ErreurGeo> {
+    let (peu, e) = (creux::<R>(alea), entre(alea, 0.0, 6.0));
+    let m = [
+        [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(|l| l.map(R::depuis_f64)),
+        [[0.28, 0.96, 0.0], [-0.96, 0.28, 0.0], [0.0, 0.0, 1.0]].map(|l| l.map(R::depuis_f64)),
+        [[e.cos(), 0.0, -e.sin()], [0.0, 1.0, 0.0], [e.sin(), 0.0, e.cos()]]
+            .map(|l| l.map(R::depuis_f64)),
+        [[R::UN, -peu, R::ZERO], [peu, R::UN, R::ZERO], [R::ZERO, R::ZERO, R::UN]],
+    ][alea.usize(..4)];
+    let rotation = Rotation::depuis_matrice(m)?;
+    let axes = m.map(Vecteur::from);
+    let d = match alea.u8(..4) {
+        0 => triple(alea),
+        1 => Vecteur::new(R::UN, creux(alea), creux(alea)),
+        _ => axes[alea.usize(..3)],
+    };
+    let d = if alea.bool() { d } else { -d };
+    // Or the smallest number beside O, which the surface is then around.
+    let mut moindre = [R::ZERO; 3];
+    moindre[alea.usize(..3)] = if alea.bool() { R::MIN_POSITIF } else { -R::MIN_POSITIF };
+    let quelconque = triple(alea);
+    let (centre, autour) =
+        [(Vecteur::NUL, Vecteur::NUL), (moindre.into(), Vecteur::NUL), (quelconque, quelconque)]
+            [alea.usize(..3)];
+    let [a, b, c] = <[R; 3]>::from(triple::<R>(alea)).map(R::abs);
+    let cote = |alea: &mut Rng, l: R| [l, -l, creux(alea)][alea.usize(..3)];
+    let bord = axes[0] * cote(alea, a) + axes[1] * cote(alea, b) + axes[2] * cote(alea, c);
+    let (objet, bord) = match alea.u8(..3) {
+        0 => {
+            let bord = axes[alea.usize(..3)] * a;
+            (SphereGeo::new(centre, a, Texture(0))?.into(), autour + bord)
+        }
+        1 => (PlanGeo::new(rotation, a, Texture(0))?.into(), axes[2] * -a + axes[0] * b),
+        _ => {
+            let cotes = Vecteur::new(a, b, c) * R::depuis_f64(2.0);
+            (BoiteGeo::new(centre, cotes, rotation, Texture(0))?.into(), autour + bord)
+        }
+    };
+    let source = if alea.u8(..4) > 0 { bord - d * creux::<R>(alea).abs() } else { triple(alea) };
+    Ok((objet, Rayon::new(source, d)?))
+}
+
+fn rien_de_faux_n_est_sur<R: Reel>() {
+    let mut alea = Rng::with_seed(52);
+    let [mut surs, mut incertains] = [0; 2];
+    while surs < commun::cas(20_000) {
+        let Ok((objet, rayon)) = essai::<R>(&mut alea) else { continue };
+        juger(objet, rayon);
+        let sur = objet.est_sur(&rayon);
+        surs += u32::from(sur);
+        incertains += u32::from(!sur);
+    }
+    assert!(incertains > surs / 100, "{incertains} of {surs}");
+}
+
+en_f32_et_f64!(rien_de_faux_n_est_sur);
