@@ -22,9 +22,9 @@
 //! [`rotation`](ObjetGeo::rotation) and [`homothetie`](ObjetGeo::homothetie); convert once with
 //! [`vers_ray`](ObjetGeo::vers_ray); then ask [`premiere_intersection`] as often as the picture has
 //! pixels, or [`premieres_intersections`] for many pixels at once: the same bits, several times as
-//! fast. [`est_occulte`] tells whether anything blocks the way to a light. From eight spheres
-//! and boxes on (a hundred, if rays come in batches) build a [`Hierarchie`] over the list: the same
-//! hits, sooner.
+//! fast. [`est_occulte`] tells whether anything blocks the way to a light. Over many objects build
+//! a [`Hierarchie`]: the same hits, sooner from eight spheres and boxes on, and below that it asks
+//! the list.
 //!
 //! # Conventions
 //!

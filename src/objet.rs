@@ -203,8 +203,8 @@ impl<R: Reel> ObjetRay<R> {
     /// The lowest and the highest corner of a box along the axes that holds all of this object;
     /// `None` for a half-space.
     ///
-    /// All of it with the rounding: the corners lie up to 50u of the size of the object and 3u of
-    /// the coordinates of its centre beyond it. Of a list: [`etendue`].
+    /// All of it with the rounding: the corners lie up to 50u of the sum of its half-extents and 3u of
+    /// the sum of the coordinates of its centre beyond it. Of a list: [`etendue`].
     #[doc(alias("bounding_box", "aabb", "bounds"))]
     #[must_use]
     pub fn etendue(&self) -> Option<[Vecteur<R>; 2]> {

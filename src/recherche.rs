@@ -75,10 +75,12 @@ impl<R: Reel> ObjetRay<R> {
     /// It is proven (`docs/jugement.md`, lemma 19), at the edges of a box too and with the rounding
     /// of its own computation. It is +∞ where the ray does not enter the object, and where numbers
     /// of twice the length of an `f64` cannot tell; it is never a NaN. It rests on t alone, not on
-    /// how t was found: it is the error itself, as found with such numbers, and u·t, so that an
-    /// answer in `f64` may judge one in `f32`. In the median of ordinary hits it is 2 to 3 times
-    /// the error. Ask it of the object that was hit, with the ray of the hit. It takes many times
-    /// as long as the hit; whoever does not ask pays nothing.
+    /// how t was found: it is the error itself, as found with such numbers, and u·t. In the median of
+    /// ordinary hits it is 2 to 3 times the error. Ask it of the object that was hit, with the ray of
+    /// the hit. It takes many times as long as the hit; whoever does not ask pays nothing.
+    ///
+    /// **t counts in lengths of D**, which is unit to 7.6u only: for a length in scene units multiply
+    /// t and the bound by `rayon.vers_f64().direction().longueur()`, above all after `vers_f64`.
     ///
     /// ```
     /// use lancer_rayon::{ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
@@ -108,8 +110,8 @@ impl<R: Reel> ObjetRay<R> {
     /// of exact arithmetic on the numbers as they are stored.
     ///
     /// It is never true of a wrong answer. It is false of a right one only within some 2⁻¹⁰⁰ of the
-    /// decision, for spheres 2⁻⁵⁰ times as large as their distance or smaller, and of a hit whose
-    /// distance the type cannot hold. **Of a list the first object is certain** if each object is
+    /// decision, for spheres 2⁻⁵⁰ times as large as their distance or smaller, where products leave
+    /// the normal numbers of `f64`, and of a hit whose distance the type can hardly hold. **Of a list the first object is certain** if each object is
     /// certain, and if no other that is touched comes within both bounds, [`erreur`](Self::erreur),
     /// of the first (recipe in `docs/README.md`).
     ///

@@ -60,7 +60,8 @@ impl<R: Reel> Rotation<R> {
     ///
     /// The sense is that of the formula and of the worked example of §2.1: to an eye that looks
     /// the way the axis points, counter-clockwise. An angle that is the float nearest to k·π/2,
-    /// |k| ≤ 4, turns exactly. For the right-hand rule see [`main_droite`](Self::main_droite).
+    /// |k| ≤ 4, as `90.0_f64.to_radians()` is, turns exactly. For the right-hand rule see
+    /// [`main_droite`](Self::main_droite).
     ///
     /// # Errors
     /// If an angle is not finite.

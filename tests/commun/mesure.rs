@@ -20,10 +20,6 @@ pub struct Mesure {
     pub fausses: u32,
     /// The error of every distance in u·κt, with u that of the type.
     pub k: Vec<f64>,
-    /// The largest of these as a part of the promise, without what products that underflow add.
-    pub part: f64,
-    /// The largest error of a normal, as a part of what is promised.
-    pub normale: f64,
 }
 
 /// The median, what one in a thousand exceeds, and the largest.
@@ -71,15 +67,8 @@ pub fn mesurer<R: Reel>(
         let entree = verite.entree.filter(|e| e.t.vers_f64() <= plus_grand::<R>());
         mesure.touches += u32::from(entree.is_some());
         mesure.fausses += u32::from(!verite.dans_la_marge && entree.is_some() != reponse.is_some());
-        let (Some(entree), Some((t, normale))) = (entree, reponse) else { continue };
-
-        let ecart = entree.ecart(t).abs();
-        mesure.k.push(ecart / (u * entree.kappa_t));
-        let part = (ecart - absolu(&cas.objet, &entree)) / (entree.k * u * entree.kappa_t);
-        mesure.part = mesure.part.max(part);
-
-        let permis = entree.direction_permise::<R>(ecart);
-        mesure.normale = mesure.normale.max(entree.ecart_de_normale(normale) / permis);
+        let (Some(entree), Some((t, _))) = (entree, reponse) else { continue };
+        mesure.k.push(entree.ecart(t).abs() / (u * entree.kappa_t));
     }
     mesure
 }

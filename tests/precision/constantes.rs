@@ -1,5 +1,5 @@
-//! The constants of the proofs beside the numbers that their lemmas need: `docs/precision.md`, lemmas 1 to 10, and
-//! `docs/conception.md`, lemmas 11 to 17. The letters are theirs.
+//! The constants of the proofs beside the numbers that their lemmas need: `docs/precision.md`, lemmas 1 to 10,
+//! `docs/conception.md`, lemmas 11 to 17, and `docs/jugement.md`, lemmas 18 to 21. The letters are theirs.
 //!
 //! What a lemma needs is computed in intervals over its whole domain, for both types. A constant
 //! must be no less, and no more than a ninth more: made a tenth smaller it is red. Excepted are

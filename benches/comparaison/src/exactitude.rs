@@ -10,9 +10,9 @@ use crate::page;
 use crate::pairs::Parry;
 use commun::conversion::arrondi;
 use commun::litteral;
-use commun::mesure::{Mesure, Reponse, mesurer, quantiles};
+use commun::mesure::{Mesure, Reponse, mesurer, plus_grand, quantiles};
 use commun::oracle::verite;
-use commun::promesses::{Essai, RIEN, marge, secondaire};
+use commun::promesses::{Essai, RIEN, erreur, marge, secondaire};
 use commun::regimes::{Cas, Regime, direction, regimes};
 
 /// Cases of each regime.
@@ -46,6 +46,7 @@ pub(crate) fn documenter() -> Result<(), Box<dyn Error>> {
     let tete = "| type | regime | margins: looseness in the median | exceeded | +∞ | secondary rays \
                 | touched again |\n|---|---|--:|--:|--:|--:|--:|\n";
     page::remplacer(page, "margins", &page::datee(format!("{tete}{promesses}").trim_end()))?;
+    page::remplacer("docs/jugement.md", "judgements", &page::datee(&jugements()))?;
     courbes()
 }
 
@@ -118,6 +119,36 @@ fn promesses<R: Reel>(scalaire: &str) -> String {
         )
     };
     regimes::<R>().map(ligne).concat()
+}
+
+/// How loose `erreur` is, and how many answers `est_sur` calls uncertain, beside how many are wrong.
+fn jugements() -> String {
+    let mut lignes = vec![
+        "| regime | f32: median | not certain | wrong | f64: median | not certain | wrong |".into(),
+        format!("|---|{}", "--:|".repeat(6)),
+    ];
+    for (simple, double) in regimes::<f32>().into_iter().zip(regimes::<f64>()) {
+        let nom = simple.nom;
+        lignes.push(format!("| {nom} | {} | {} |", jugement(&simple), jugement(&double)));
+    }
+    lignes.join("\n")
+}
+
+fn jugement<R: Reel>(regime: &Regime<R>) -> String {
+    let mut alea = Rng::with_seed(4);
+    let (mut aisances, [mut incertaines, mut fausses]) = (Vec::new(), [0_u64; 2]);
+    for _ in 0..CAS {
+        let Cas { objet, rayon } = (regime.cas)(&mut alea);
+        let touchee = objet.intersection(&rayon).is_ok();
+        incertaines += u64::from(!objet.est_sur(&rayon));
+        let entree = verite(&objet, &rayon).entree;
+        let entree = entree.filter(|e| e.t.vers_f64() <= plus_grand::<R>());
+        fausses += u64::from(entree.is_some() != touchee);
+        let part = erreur(&Essai { objets: vec![objet], rayon, vers: [R::ZERO; 5] });
+        aisances.extend((part > 0.0).then(|| 1.0 / part));
+    }
+    let [mediane, ..] = quantiles(&mut aisances);
+    format!("{} | {incertaines} | {fausses}", lisible(mediane))
 }
 
 /// The error of the distance over the radius against the distance in radii, for a sphere that is
