@@ -116,7 +116,7 @@ impl Hierarchie<'_> {
 impl<'a, R: Reel> Hierarchie<'a, R> {
     /// The hierarchy over this list, in the numbers lent, whose values do not matter.
     ///
-    /// It takes some 100 ns an object. An array on the stack serves as well as a `Vec`.
+    /// It takes 100 to 200 ns an object. An array on the stack serves as well as a `Vec`.
     ///
     /// # Errors
     /// If `places` is shorter than [`places`](Hierarchie::places)`(objets.len())`; a longer slice
