@@ -13,7 +13,7 @@ use embree3::{
 };
 use lancer_rayon::{BoiteRay, ObjetRay, PlanRay, Rayon, Texture};
 
-use crate::concours::{Camp, Concurrent, en_lot, un_par_un};
+use crate::concurrent::{Camp, Concurrent, en_lot, un_par_un};
 use crate::pairs::Vu;
 
 const SEIZE: usize = 16;

@@ -6,7 +6,8 @@ use fastrand::Rng;
 use lancer_rayon::{ObjetRay, Rayon, premieres_intersections};
 use plotters::prelude::*;
 
-use crate::concours::{Camp, Scalaire, Terrain, exiger_accord, exiger_memes_bits, temps};
+use crate::concours::{Scalaire, Terrain, exiger_accord, exiger_memes_bits, temps};
+use crate::concurrent::Camp;
 use crate::exactitude::{self, COULEURS, repondants};
 use crate::page;
 use crate::pairs::Vu;

@@ -1,9 +1,7 @@
-//! Who competes. All are asked in the same way: some thousands of rays into a buffer of their own, and each answer
-//! with its normal. What they answer is compared before anyone is timed.
+//! Who competes. What all answer is compared before anyone is timed.
 
 use std::error::Error;
 use std::fmt;
-use std::hint::black_box;
 
 use lancer_rayon::{
     Hierarchie, LongueursDifferentes, NoIntersection, ObjetRay, Rayon, Reel, Touche, est_occulte,
@@ -12,6 +10,7 @@ use lancer_rayon::{
 use serde::de::DeserializeOwned;
 
 use crate::annexe_dyn;
+use crate::concurrent::{Camp, Concurrent, en_lot, un_par_un};
 use crate::pairs::{Parry, Vu};
 use commun::conversion::{Bits, mots};
 use commun::familles::Lance;
@@ -20,17 +19,6 @@ use commun::litteral;
 
 /// From so many objects on nobody looks at all of them for every ray.
 const TROP: usize = 64;
-
-/// On whose side, and how: all that a table tells apart.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Camp {
-    Seul,
-    Lot,
-    Parry,
-    Embree,
-    EmbreeSeize,
-    Annexe,
-}
 
 /// A scalar, with what there is for it.
 pub(crate) trait Scalaire: Parry + Bits + DeserializeOwned {
@@ -53,83 +41,6 @@ impl Scalaire for f32 {
 
 impl Scalaire for f64 {
     const NOM: &'static str = "f64";
-}
-
-type Premieres<'a, R> = dyn FnMut(&[Rayon<R>], Option<&mut Vec<Option<Vu<R>>>>) + 'a;
-type Ombres<'a, R> = dyn FnMut(&[Rayon<R>], &[R], &mut [bool]) + 'a;
-
-/// Someone with a scene.
-pub(crate) struct Concurrent<'a, R> {
-    pub(crate) nom: &'static str,
-    pub(crate) camp: Camp,
-    /// How many objects it looks at for every ray, if it looks at all of them.
-    chaque: Option<usize>,
-    /// Asks for the first hits, and adds them to a list if there is one.
-    premieres: Box<Premieres<'a, R>>,
-    ombres: Option<Box<Ombres<'a, R>>>,
-}
-
-/// An answer, in the words of all.
-pub(crate) trait Reponse<R>: Copy {
-    const RIEN: Self;
-    fn vu(&self) -> Option<Vu<R>>;
-}
-
-impl<R: Reel> Reponse<R> for Touche<R> {
-    const RIEN: Self = Err(NoIntersection);
-    fn vu(&self) -> Option<Vu<R>> {
-        self.ok().map(|touche| (touche.distance(), touche.normale(), touche.texture()))
-    }
-}
-
-impl<R: Reel> Reponse<R> for Option<Vu<R>> {
-    const RIEN: Self = None;
-    fn vu(&self) -> Self {
-        *self
-    }
-}
-
-/// Who takes many rays at once.
-pub(crate) fn en_lot<'a, R: Reel, T: Reponse<R> + 'a>(
-    nom: &'static str,
-    camp: Camp,
-    chaque: Option<usize>,
-    premieres: impl Fn(&[Rayon<R>], &mut [T]) + 'a,
-    ombres: Option<impl FnMut(&[Rayon<R>], &[R], &mut [bool]) + 'a>,
-) -> Concurrent<'a, R> {
-    let mut tampon = vec![T::RIEN; MORCEAU].into_boxed_slice();
-    let premieres = move |rayons: &[Rayon<R>], vus: Option<&mut Vec<Option<Vu<R>>>>| {
-        let reponses = &mut tampon[..rayons.len()];
-        premieres(rayons, reponses);
-        if let Some(vus) = vus {
-            vus.extend(black_box(reponses).iter().map(Reponse::vu));
-        }
-    };
-    let ombres = ombres.map(|ombres| Box::new(ombres) as _);
-    Concurrent { nom, camp, chaque, premieres: Box::new(premieres), ombres }
-}
-
-/// Who takes one ray after the other.
-pub(crate) fn un_par_un<'a, R: Reel, T: Reponse<R> + 'a>(
-    nom: &'static str,
-    camp: Camp,
-    chaque: Option<usize>,
-    premiere: impl Fn(&Rayon<R>) -> T + 'a,
-    ombre: Option<impl Fn(&Rayon<R>, R) -> bool + 'a>,
-) -> Concurrent<'a, R> {
-    let premieres = move |rayons: &[Rayon<R>], reponses: &mut [T]| {
-        for (reponse, rayon) in reponses.iter_mut().zip(rayons) {
-            *reponse = premiere(rayon);
-        }
-    };
-    let ombres = ombre.map(|ombre| {
-        move |rayons: &[Rayon<R>], max: &[R], caches: &mut [bool]| {
-            for ((cache, rayon), max) in caches.iter_mut().zip(rayons).zip(max) {
-                *cache = ombre(rayon, *max);
-            }
-        }
-    });
-    en_lot(nom, camp, chaque, premieres, ombres)
 }
 
 /// A batch of shadows. The pairs that are asked are made within the time, some 1 ns a ray.
@@ -267,7 +178,7 @@ pub(crate) fn exiger_memes_bits<R: Scalaire>(
     let pas = (objets.len() / 500).max(1);
     let lances: Vec<_> = lances.chunks(TUILE).step_by(pas).flatten().copied().collect();
     let (rayons, max): (Vec<_>, Vec<_>) = lances.iter().copied().unzip();
-    let mut lots = [(); 2].map(|()| vec![Touche::<R>::RIEN; rayons.len()]);
+    let mut lots = [(); 2].map(|()| vec![Touche::<R>::Err(NoIntersection); rayons.len()]);
     premieres_intersections(objets, &rayons, &mut lots[0])?;
     hierarchie.premieres_intersections(&rayons, &mut lots[1])?;
     for (i, (rayon, max)) in rayons.iter().zip(max).enumerate() {

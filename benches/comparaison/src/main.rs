@@ -11,6 +11,7 @@ mod avec_embree;
 mod avec_glam;
 mod compromis;
 mod concours;
+mod concurrent;
 mod exactitude;
 mod lot;
 mod page;

@@ -6,7 +6,8 @@ use lancer_rayon::Hierarchie;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-use crate::concours::{Camp, Scalaire, Terrain, exiger_accord, exiger_memes_bits, places, temps};
+use crate::concours::{Scalaire, Terrain, exiger_accord, exiger_memes_bits, places, temps};
+use crate::concurrent::Camp;
 use crate::page;
 use commun::familles::{Famille, Genre};
 use commun::horloge::nanosecondes;
