@@ -314,8 +314,8 @@ fn echelle_vitesse<R: Reel>() -> R {
 /// length and a speed, rounded to a multiple of 2⁻¹⁰² before: only a speed below 2⁻⁷⁹ changes.
 #[inline(always)]
 fn a_l_echelle<R: Reel>(vitesse: R) -> R {
-    // Down to where the spacing of numbers is 2⁻¹⁴⁹, and up again. A floor by minimum and maximum would
-    // take a ray alone up to 1.3 times as long among boxes (measured).
+    // Down to where the spacing of numbers is 2⁻¹⁴⁹, and up again. With a floor, by minimum and
+    // maximum, a ray alone takes up to 1.3 times as long among boxes (measured).
     let descente = R::depuis_f64(R::selon(puissance_de_deux(-47), 1.0));
     vitesse * descente * (echelle_vitesse::<R>() / descente)
 }

@@ -221,8 +221,8 @@ compilees! {
         => Result<(), LongueursDifferentes> = en_lot;
 }
 
-/// [`Hierarchie::premiere_intersection`]. As one function of any [`Demande`] this and [`occulte`] would
-/// take 1.4 times as long (measured).
+/// [`Hierarchie::premiere_intersection`]. As one function of any [`Demande`] this and [`occulte`]
+/// would take 1.4 times as long (measured).
 fn premiere<R: Reel>((hierarchie, rayon): (&Hierarchie<'_, R>, &Rayon<R>)) -> Touche<R> {
     let Some(arbre) = &hierarchie.arbre else {
         return premiere_intersection(hierarchie.objets, rayon);

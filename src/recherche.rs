@@ -111,9 +111,9 @@ impl<R: Reel> ObjetRay<R> {
     ///
     /// It is never true of a wrong answer. It is false of a right one only within some 2⁻¹⁰⁰ of the
     /// decision, for spheres 2⁻⁵⁰ times as large as their distance or smaller, where products leave
-    /// the normal numbers of `f64`, and of a hit whose distance the type can hardly hold. **Of a list the first object is certain** if each object is
-    /// certain, and if no other that is touched comes within both bounds, [`erreur`](Self::erreur),
-    /// of the first (recipe in `docs/README.md`).
+    /// the normal numbers of `f64`, and of a hit whose distance the type can hardly hold. **Of a list
+    /// the first object is certain** if each object is certain, and if no other that is touched comes
+    /// within both bounds, [`erreur`](Self::erreur), of the first (recipe in `docs/README.md`).
     ///
     /// ```
     /// use lancer_rayon::{ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
@@ -134,7 +134,7 @@ impl<R: Reel> ObjetRay<R> {
         }
         let t = self.t(rayon);
         let Jugement { entre, ecart } = self.juger(rayon, t);
-        // Nor does the type hold an entry beyond its largest number (C7): twice the bound, for its own rounding.
+        // Nor is an entry beyond the largest number a hit (C7): twice the bound, for its rounding.
         let au_plus = R::depuis_f64(t.vers_f64() + 2.0 * ecart);
         entre == Some(t < R::INFINI) && (t == R::INFINI || au_plus < R::INFINI)
     }
