@@ -27,6 +27,14 @@ impl<R: Reel> Premier<R> {
         self.t < autre.t || (self.t == autre.t && self.rang < autre.rang)
     }
 
+    /// The same object for another ray, if that ray enters it before `autre`; else `autre`.
+    #[inline(always)]
+    pub(crate) fn encore(self, objets: &[ObjetRay<R>], rayon: &Rayon<R>, autre: Self) -> Self {
+        let objet = Rang::numero(self.rang).and_then(|rang| objets.get(rang.indice()));
+        let t = objet.map_or(R::INFINI, |objet| objet.t_si_proche(rayon));
+        if t < autre.t { Self { t, ..self } } else { autre }
+    }
+
     /// The hit of this ray on it.
     #[inline(always)]
     pub(crate) fn conclure(self, objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> Touche<R> {

@@ -8,6 +8,7 @@ use crate::hierarchie::pile::{GRANDE_PILE, Pile, RIEN};
 use crate::hierarchie::sonde::SondeDeBloc;
 use crate::lot::bloc::Bloc;
 use crate::lot::demande::Demande;
+use crate::premier::Premier;
 use crate::reel::Reel;
 use crate::seize::Aligne;
 
@@ -68,10 +69,18 @@ impl<R: Reel> Arbre<'_, R> {
         simd.vectorize(
             #[inline(always)]
             || {
-                for ((rayon, premier), reponse) in bloc.premiers().zip(reponses) {
-                    let fini = D::UN_SUFFIT && premier.rang > 0;
-                    let premier =
-                        if fini { premier } else { self.parcourir::<S, D>(simd, &rayon, premier) };
+                // What stands before the lamp of one ray often stands before that of the next.
+                let mut dernier = Premier::avant(R::INFINI);
+                for ((rayon, mut premier), reponse) in bloc.premiers().zip(reponses) {
+                    if D::UN_SUFFIT && premier.rang == 0 {
+                        premier = dernier.encore(self.objets, &rayon, premier);
+                    }
+                    if !D::UN_SUFFIT || premier.rang == 0 {
+                        premier = self.parcourir::<S, D>(simd, &rayon, premier);
+                    }
+                    if premier.rang > 0 {
+                        dernier = premier;
+                    }
                     *reponse = D::conclure(premier, self.objets, &rayon);
                 }
             },
