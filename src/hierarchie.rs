@@ -25,7 +25,7 @@ use crate::hierarchie::construction::{Arbre, construire, mots};
 use crate::intersection::Touche;
 use crate::lot::bloc::{BLOC, Bloc};
 use crate::lot::demande::Demande;
-use crate::lot::{EnLot, LongueursDifferentes, PEU_DE_RAYONS, memes_longueurs, repondre};
+use crate::lot::{LongueursDifferentes, PEU_DE_RAYONS, memes_longueurs, repondre};
 use crate::niveau::{meilleur_niveau, selon_le_niveau};
 use crate::objet::ObjetRay;
 use crate::premier::Premier;
@@ -250,9 +250,9 @@ fn en_lot<R: Reel, D: Demande<R>>(
     let Hierarchie { objets, arbre, niveau } = *hierarchie;
     let Some(arbre) = &arbre.filter(|arbre| arbre.bornes > R::selon(2 * SEUIL_LOT, SEUIL_LOT))
     else {
-        return repondre((EnLot { niveau, objets }, demandes, reponses));
+        return repondre(((niveau, objets), demandes, reponses));
     };
-    memes_longueurs(demandes, reponses)?;
+    memes_longueurs(demandes.len(), reponses.len())?;
     selon_le_niveau!(niveau, simd => {
         if demandes.len() < PEU_DE_RAYONS {
             for (demande, reponse) in demandes.iter().zip(reponses) {

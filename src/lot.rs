@@ -75,8 +75,7 @@ pub fn premieres_intersections<R: Reel>(
     rayons: &[Rayon<R>],
     touches: &mut [Touche<R>],
 ) -> Result<(), LongueursDifferentes> {
-    let comment = EnLot { niveau: meilleur_niveau(), objets };
-    R::demander::<Lot>((comment, rayons, touches))
+    R::demander::<Lot>(((meilleur_niveau(), objets), rayons, touches))
 }
 
 /// `rayons` and `touches` have different lengths.
@@ -135,29 +134,24 @@ pub fn sont_occultes<R: Reel>(
     ombres: &[(Rayon<R>, R)],
     occultes: &mut [bool],
 ) -> Result<(), LongueursDifferentes> {
-    let comment = EnLot { niveau: meilleur_niveau(), objets };
-    R::demander::<LotDOmbres>((comment, ombres, occultes))
+    R::demander::<LotDOmbres>(((meilleur_niveau(), objets), ombres, occultes))
 }
 
-/// A list and the instructions to take, on which no answer depends.
-#[derive(Clone, Copy)]
-pub(crate) struct EnLot<'a, R> {
-    pub(crate) niveau: Level,
-    pub(crate) objets: &'a [ObjetRay<R>],
-}
+/// A list, and the instructions to take, on which no answer depends.
+pub(crate) type Liste<'a, R> = (Level, &'a [ObjetRay<R>]);
 
 compilees! {
-    Lot<'a, R>: (EnLot<'a, R>, &'a [Rayon<R>], &'a mut [Touche<R>])
+    Lot<'a, R>: (Liste<'a, R>, &'a [Rayon<R>], &'a mut [Touche<R>])
         => Result<(), LongueursDifferentes> = repondre;
-    LotDOmbres<'a, R>: (EnLot<'a, R>, &'a [(Rayon<R>, R)], &'a mut [bool])
+    LotDOmbres<'a, R>: (Liste<'a, R>, &'a [(Rayon<R>, R)], &'a mut [bool])
         => Result<(), LongueursDifferentes> = repondre;
 }
 
 /// The answers of a list to many rays.
 pub(crate) fn repondre<R: Reel, D: Demande<R>>(
-    (EnLot { niveau, objets }, demandes, reponses): (EnLot<'_, R>, &[D], &mut [D::Reponse]),
+    ((niveau, objets), demandes, reponses): (Liste<'_, R>, &[D], &mut [D::Reponse]),
 ) -> Result<(), LongueursDifferentes> {
-    memes_longueurs(demandes, reponses)?;
+    memes_longueurs(demandes.len(), reponses.len())?;
     // In a longer list two objects share a rank.
     if demandes.len() < PEU_DE_RAYONS || u32::try_from(objets.len()).is_err() {
         for (demande, reponse) in demandes.iter().zip(reponses) {
@@ -191,11 +185,7 @@ pub(crate) fn repondre<R: Reel, D: Demande<R>>(
 }
 
 /// Refuses places for more or fewer answers than there are rays.
-pub(crate) fn memes_longueurs<D, A>(
-    demandes: &[D],
-    reponses: &[A],
-) -> Result<(), LongueursDifferentes> {
-    let (rayons, touches) = (demandes.len(), reponses.len());
+pub(crate) fn memes_longueurs(rayons: usize, touches: usize) -> Result<(), LongueursDifferentes> {
     if rayons == touches { Ok(()) } else { Err(LongueursDifferentes { rayons, touches }) }
 }
 

@@ -6,7 +6,7 @@ use crate::hierarchie::{Hierarchie, SEUIL_LOT};
 use crate::intersection::Touche;
 use crate::lot::bloc::Bloc;
 use crate::lot::demande::Demande;
-use crate::lot::{EnLot, LongueursDifferentes, Lot, LotDOmbres};
+use crate::lot::{LongueursDifferentes, Lot, LotDOmbres};
 use crate::niveau::meilleur_niveau;
 use crate::objet::ObjetRay;
 use crate::rayon::Rayon;
@@ -59,7 +59,7 @@ impl Reglage {
         rayons: &[Rayon<R>],
         touches: &mut [Touche<R>],
     ) -> Result<(), LongueursDifferentes> {
-        R::demander::<Lot>((EnLot { niveau: self.niveau, objets }, rayons, touches))
+        R::demander::<Lot>(((self.niveau, objets), rayons, touches))
     }
 
     /// [`sont_occultes`](crate::sont_occultes) with these instructions.
@@ -72,7 +72,7 @@ impl Reglage {
         ombres: &[(Rayon<R>, R)],
         occultes: &mut [bool],
     ) -> Result<(), LongueursDifferentes> {
-        R::demander::<LotDOmbres>((EnLot { niveau: self.niveau, objets }, ombres, occultes))
+        R::demander::<LotDOmbres>(((self.niveau, objets), ombres, occultes))
     }
 
     /// How many nodes the tree of this hierarchy has; 0 if it has none and asks its list.
