@@ -5,7 +5,6 @@ use fearless_simd::Level;
 use crate::hierarchie::{Hierarchie, SEUIL_LOT};
 use crate::intersection::Touche;
 use crate::lot::bloc::Bloc;
-use crate::lot::demande::Demande;
 use crate::lot::{LongueursDifferentes, Lot, LotDOmbres};
 use crate::niveau::meilleur_niveau;
 use crate::objet::ObjetRay;
@@ -38,15 +37,12 @@ impl Reglage {
         niveaux.into_iter().filter_map(|(nom, niveau)| Some((nom, Self { niveau: niveau? })))
     }
 
-    /// Whether the beam of these rays, one to sixty-four, leaves out a ball around this object. No answer
-    /// tells.
-    pub fn evite<R: Reel>(rayons: &[Rayon<R>], objet: &ObjetRay<R>) -> bool {
-        evite(rayons, objet)
-    }
-
-    /// The same of shadow rays up to their lamps.
-    pub fn evite_segments<R: Reel>(ombres: &[(Rayon<R>, R)], objet: &ObjetRay<R>) -> bool {
-        evite(ombres, objet)
+    /// Whether the beam of these shadow rays, one to sixty-four, up to their lamps leaves out a ball
+    /// around this object, or that of the rays if a lamp is infinitely far. No answer tells.
+    pub fn evite<R: Reel>(ombres: &[(Rayon<R>, R)], objet: &ObjetRay<R>) -> bool {
+        let mut bloc = Bloc::VIDE;
+        bloc.charger(ombres);
+        bloc.faisceau().is_some_and(|faisceau| faisceau.ecart_a(objet.boule()) > R::ZERO)
     }
 
     /// [`premieres_intersections`](crate::premieres_intersections) with these instructions.
@@ -84,10 +80,4 @@ impl Reglage {
     pub fn hierarchie<R: Reel>(self, hierarchie: Hierarchie<'_, R>) -> Hierarchie<'_, R> {
         hierarchie.avec_niveau(self.niveau)
     }
-}
-
-fn evite<R: Reel, D: Demande<R>>(demandes: &[D], objet: &ObjetRay<R>) -> bool {
-    let mut bloc = Bloc::VIDE;
-    bloc.charger(demandes);
-    bloc.faisceau().is_some_and(|faisceau| faisceau.ecart_a(objet.boule()) > R::ZERO)
 }

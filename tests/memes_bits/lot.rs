@@ -337,7 +337,7 @@ fn des_rayons_paralleles_evitent_une_boule_a_cote<R: Reel>() {
         let v = d.produit_vectoriel(u);
         // The corners of a tile.
         let sources = [Vecteur::NUL, u, v, u + v];
-        let rayons = sources.map(|source| Rayon::new(source, d).unwrap());
+        let rayons = sources.map(|source| (Rayon::new(source, d).unwrap(), R::INFINI));
         for cote in [Vecteur::NUL, u, -u, v, -v, -d] {
             let centre = d * R::depuis_f64(7.0) + cote * R::depuis_f64(10.0);
             let boule = SphereGeo::new(centre, R::UN, Texture(0)).unwrap().into();
@@ -373,7 +373,7 @@ fn des_segments_vers_une_lampe_evitent_une_boule_a_cote<R: Reel>() {
     ] {
         let centre = Vecteur::from(centre.map(R::depuis_f64));
         let boule = SphereGeo::new(centre, R::depuis_f64(0.75), Texture(0)).unwrap().into();
-        assert_eq!(Reglage::evite_segments(&ombres, &boule), a_cote, "{centre:?}");
+        assert_eq!(Reglage::evite(&ombres, &boule), a_cote, "{centre:?}");
     }
 }
 
