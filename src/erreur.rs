@@ -74,11 +74,11 @@ pub(crate) fn coordonnee<R: Reel>(champ: &'static str, x: R) -> Result<R, Erreur
     exiger(x.abs() <= R::LIMITE, champ, x, attendu)
 }
 
+/// The names of three coordinates.
+type Champs = [&'static str; 3];
+
 /// A point, whose three coordinates have these names.
-pub(crate) fn point<R: Reel>(
-    champs: [&'static str; 3],
-    p: Vecteur<R>,
-) -> Result<Vecteur<R>, ErreurGeo> {
+pub(crate) fn point<R: Reel>(champs: Champs, p: Vecteur<R>) -> Result<Vecteur<R>, ErreurGeo> {
     let [x, y, z] = champs;
     Ok(Vecteur::new(coordonnee(x, p.x)?, coordonnee(y, p.y)?, coordonnee(z, p.z)?))
 }
@@ -100,10 +100,7 @@ pub(crate) fn deplacement<R: Reel>(v: Vecteur<R>) -> Result<Vecteur<R>, ErreurGe
 }
 
 /// A vector each of whose coordinates is finite.
-pub(crate) fn fini<R: Reel>(
-    champs: [&'static str; 3],
-    v: Vecteur<R>,
-) -> Result<Vecteur<R>, ErreurGeo> {
+pub(crate) fn fini<R: Reel>(champs: Champs, v: Vecteur<R>) -> Result<Vecteur<R>, ErreurGeo> {
     for (champ, x) in champs.into_iter().zip([v.x, v.y, v.z]) {
         exiger(x.abs() < R::INFINI, champ, x, "a finite number")?;
     }
