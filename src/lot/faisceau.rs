@@ -45,25 +45,17 @@ pub(crate) struct Faisceau<R> {
 }
 
 /// What a beam is built around: a reference origin S₀, a reference direction M, and U and V across M.
-struct Axes<R> {
-    s0: Vecteur<R>,
-    m: Vecteur<R>,
-    u: Vecteur<R>,
-    v: Vecteur<R>,
-}
-
-impl<R: Reel> Axes<R> {
-    /// S₀ and M come from the ray in the middle. U points from the first ray to the eighth, along a
-    /// row of pixels: any U is right, this one fits closely.
-    #[inline(always)]
-    fn de([premier, huitieme, milieu]: [Rayon<R>; 3]) -> Self {
-        let m = milieu.direction() * (R::UN - fois_u_simple(COURT_M));
-        let cote = huitieme.direction() - premier.direction();
-        let x = Vecteur::new(R::UN, R::ZERO, R::ZERO);
-        let y = Vecteur::new(R::ZERO, R::UN, R::ZERO);
-        let u = en_travers(cote, m).or_else(|| en_travers(x, m)).unwrap_or(y);
-        Self { s0: milieu.source(), m, u, v: m.produit_vectoriel(u) }
-    }
+///
+/// S₀ and M come from the ray in the middle. U points from the first ray to the eighth, along a row
+/// of pixels: any U is right, this one fits closely.
+#[inline(always)]
+fn axes<R: Reel>([premier, huitieme, milieu]: [Rayon<R>; 3]) -> [Vecteur<R>; 4] {
+    let m = milieu.direction() * (R::UN - fois_u_simple(COURT_M));
+    let cote = huitieme.direction() - premier.direction();
+    let x = Vecteur::new(R::UN, R::ZERO, R::ZERO);
+    let y = Vecteur::new(R::ZERO, R::UN, R::ZERO);
+    let u = en_travers(cote, m).or_else(|| en_travers(x, m)).unwrap_or(y);
+    [milieu.source(), m, u, m.produit_vectoriel(u)]
 }
 
 impl<R: Reel> Faisceau<R> {
@@ -71,8 +63,7 @@ impl<R: Reel> Faisceau<R> {
     /// middle, say where it goes. `None` if they go too far apart for one.
     #[inline(always)]
     pub(crate) fn de_rayons(groupes: &[Groupe<R>], reperes: [Rayon<R>; 3]) -> Option<Self> {
-        let axes = Axes::de(reperes);
-        let Axes { s0, m, u, v } = axes;
+        let axes @ [s0, m, u, v] = axes(reperes);
         let [u1, u2, v1, v2, moins_mu, ecart] = maxima(
             -R::INFINI,
             groupes,
@@ -102,8 +93,7 @@ impl<R: Reel> Faisceau<R> {
     /// from surfaces to lamps. Its sides touch both ends.
     #[inline(always)]
     pub(crate) fn de_segments(groupes: &[Groupe<R>], reperes: [Rayon<R>; 3]) -> Self {
-        let axes = Axes::de(reperes);
-        let Axes { s0, m, u, v } = axes;
+        let axes @ [s0, m, u, v] = axes(reperes);
         let [s1, s2, s3, s4, l1, l2, l3, l4, profondeur, ecart, portee] = maxima(
             R::ZERO,
             groupes,
@@ -117,12 +107,10 @@ impl<R: Reel> Faisceau<R> {
                 [su, -su, sv, -sv, lu, -lu, lv, -lv, profondeur, plus_grande_coordonnee(s), t]
             },
         );
-        let pentes = [
-            bornee((l1 - s1) / profondeur),
-            bornee((l2 - s2) / profondeur),
-            bornee((l3 - s3) / profondeur),
-            bornee((l4 - s4) / profondeur),
-        ];
+        let pentes = [l1 - s1, l2 - s2, l3 - s3, l4 - s4].map(
+            #[inline(always)]
+            |elargi| bornee(elargi / profondeur),
+        );
         Self::de_pentes::<true>(groupes, axes, pentes, ecart, portee)
     }
 
@@ -131,7 +119,7 @@ impl<R: Reel> Faisceau<R> {
     #[inline(always)]
     fn de_pentes<const SEGMENTS: bool>(
         groupes: &[Groupe<R>],
-        Axes { s0, m, u, v }: Axes<R>,
+        [s0, m, u, v]: [Vecteur<R>; 4],
         [a1, a2, a3, a4]: [R; 4],
         ecart: R,
         portee: R,
