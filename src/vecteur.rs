@@ -1,5 +1,6 @@
 //! Vectors of space (handout §4.1 and annex A).
 
+use core::borrow::Borrow;
 use core::iter::Sum;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
@@ -240,14 +241,9 @@ impl<R: Reel> Neg for Vecteur<R> {
     }
 }
 
-impl<R: Reel> Sum for Vecteur<R> {
-    fn sum<I: Iterator<Item = Self>>(vecteurs: I) -> Self {
-        vecteurs.fold(Self::NUL, Add::add)
-    }
-}
-
-impl<'a, R: Reel> Sum<&'a Self> for Vecteur<R> {
-    fn sum<I: Iterator<Item = &'a Self>>(vecteurs: I) -> Self {
-        vecteurs.copied().sum()
+/// Of vectors, or of references to them.
+impl<R: Reel, V: Borrow<Self>> Sum<V> for Vecteur<R> {
+    fn sum<I: Iterator<Item = V>>(vecteurs: I) -> Self {
+        vecteurs.fold(Self::NUL, |somme, v| somme + *v.borrow())
     }
 }
