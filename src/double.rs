@@ -121,12 +121,9 @@ pub(crate) fn juger_faces(c: Vecteur, faces: &[(Vecteur, f64)], rayon: &Rayon, t
         let (lent, vite) = (v_bas.max(-v_haut), v_haut.max(-v_bas));
         if lent <= 0.0 {
             // Parallel, or nearly: whether the ray comes nearer to the face or leaves it is unknown.
-            if vite == 0.0 && s_bas >= 0.0 {
-                continue;
-            }
             let loin = if bas > 0.0 { bas / vite } else { haut / vite };
-            if s_bas >= 0.0 && bas > 0.0 {
-                // For so long it has been under the face, and will be.
+            if s_bas >= 0.0 && (bas > 0.0 || vite == 0.0) {
+                // For so long it has been under the face, and will be; in its plane 0/0 is no bound.
                 [entree[0], sortie[0]] = [entree[0], sortie[0]].map(|t| t.min(loin.next_down()));
             } else if vite > 0.0 && s_haut < 0.0 && haut < 0.0 {
                 // It never enters, or not for so long.

@@ -161,8 +161,7 @@ impl SphereRay {
         let positifs = [g_s, w_s, ab2];
         let exclu = positifs.iter().any(|[_, haut]| *haut <= 0.0);
         let entre = positifs.iter().all(|[bas, _]| *bas > 0.0);
-        let entre = (exclu || entre).then_some(entre);
-        Jugement { entre, ecart }
+        Jugement { entre: (exclu || entre).then_some(entre), ecart }
     }
 }
 
