@@ -79,7 +79,7 @@ pub struct Hierarchie<'a, R = f64> {
     /// None for few bounded objects and for too many objects: these are asked as a list.
     arbre: Option<Arbre<'a, R>>,
     /// Detected once: for a single ray that would cost more than the ray.
-    niveau: Level,
+    pub(crate) niveau: Level,
 }
 
 impl<R: Reel> fmt::Debug for Hierarchie<'_, R> {
@@ -90,13 +90,6 @@ impl<R: Reel> fmt::Debug for Hierarchie<'_, R> {
             .finish()
     }
 }
-
-// Threads share it.
-const _: () = {
-    const fn partage<T: Copy + Send + Sync>() {}
-    partage::<Hierarchie<'_, f32>>();
-    partage::<Hierarchie<'_, f64>>();
-};
 
 impl Hierarchie<'_> {
     /// How many numbers a hierarchy of so many objects needs, in either type: 7.5 an object, 30
@@ -203,11 +196,6 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
     /// How many nodes its tree has; 0 if it asks its list.
     pub(crate) fn noeuds(&self) -> usize {
         self.arbre.as_ref().map_or(0, |arbre| arbre.noeuds.len())
-    }
-
-    /// The same with these instructions.
-    pub(crate) fn avec_niveau(self, niveau: Level) -> Self {
-        Self { niveau, ..self }
     }
 }
 

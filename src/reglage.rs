@@ -77,7 +77,8 @@ impl Reglage {
     }
 
     /// The same hierarchy with these instructions.
-    pub fn hierarchie<R: Reel>(self, hierarchie: Hierarchie<'_, R>) -> Hierarchie<'_, R> {
-        hierarchie.avec_niveau(self.niveau)
+    pub fn hierarchie<R: Reel>(self, mut hierarchie: Hierarchie<'_, R>) -> Hierarchie<'_, R> {
+        hierarchie.niveau = self.niveau;
+        hierarchie
     }
 }

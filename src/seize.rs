@@ -38,11 +38,6 @@ impl Membres {
         self.0 |= 1 << i;
     }
 
-    #[inline(always)]
-    pub(crate) fn le_premier(&self) -> Option<usize> {
-        self.clone().next()
-    }
-
     /// Takes out the one whose number is the least.
     #[inline(always)]
     pub(crate) fn prendre_le_moindre(&mut self, nombres: &Colonne<f32>) -> Option<usize> {

@@ -106,7 +106,7 @@ impl<R: Reel> Arbre<'_, R> {
         while let Some(noeud) = self.noeuds.get(numero) {
             let (traverses, Aligne(profondeurs)) = sonde.traverse(simd, noeud, plafond);
             if numero < self.feuilles {
-                if traverses.le_premier().is_some() {
+                if traverses.nombre() > 0 {
                     vus += traverses.nombre();
                     if vus > R::selon(2 * ASSEZ_D_OBJETS, ASSEZ_D_OBJETS) {
                         return false;

@@ -19,7 +19,7 @@ pub(crate) type Fiche = [f32; FICHE];
 
 /// Sixteen children: the lower corners of their boxes, the upper corners, and in a leaf the indices
 /// of the objects. Above the leaves the children are consecutive nodes, and the index of the
-/// [first](premier_enfant) stands there.
+/// first stands there.
 ///
 /// A child that is missing has a box turned inside out ([`VIDE`]), which nothing enters.
 pub(crate) type Noeud = [Colonne<f32>; FICHE];
@@ -41,10 +41,4 @@ pub(crate) fn en_mot(indice: usize) -> f32 {
 #[inline(always)]
 pub(crate) fn indice_lu(mot: f32) -> usize {
     mot.to_bits() as usize
-}
-
-/// The index of the first child of a node above the leaves; the others follow.
-#[inline(always)]
-pub(crate) fn premier_enfant([.., indices]: &Noeud) -> usize {
-    indice_lu(indices[0])
 }

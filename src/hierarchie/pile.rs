@@ -1,6 +1,6 @@
 //! The nodes that a walk leaves for later.
 
-use crate::hierarchie::noeud::{ETAGES, Noeud, premier_enfant};
+use crate::hierarchie::noeud::{ETAGES, Noeud, indice_lu};
 use crate::seize::{Colonne, Membres, SEIZE};
 
 /// Room for the nodes that a walk leaves for later. Of each node above the leaves it visits one
@@ -50,9 +50,9 @@ impl<'a> Pile<'a> {
         &mut self,
         mut enfants: Membres,
         entrees: &Colonne<f32>,
-        noeud: &Noeud,
+        [.., indices]: &Noeud,
     ) -> Option<usize> {
-        let premier = premier_enfant(noeud);
+        let premier = indice_lu(indices[0]);
         let proche = enfants.prendre_le_moindre(entrees)?;
         for enfant in enfants {
             self.attentes[self.nombre] = (entrees[enfant], (premier + enfant) as u32);

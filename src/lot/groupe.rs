@@ -142,7 +142,7 @@ impl<R: Reel> Groupe<R> {
                 *touche = Err(NoIntersection);
             }
         }
-        while let Some(voie) = restent.le_premier() {
+        while let Some(voie) = restent.clone().next() {
             let Some(rang) = Rang::numero(self.rangs[voie]) else { return };
             let Some(objet) = objets.get(rang.indice()) else { return };
             let siens = restent.et(&self.voies_de(rang));

@@ -16,6 +16,13 @@ use lancer_rayon::{
     premiere_intersection,
 };
 
+// Threads share it.
+const _: () = {
+    const fn partage<T: Copy + Send + Sync>() {}
+    partage::<Hierarchie<'_, f32>>();
+    partage::<Hierarchie<'_, f64>>();
+};
+
 fn cas() -> usize {
     commun::cas(60) as usize
 }
