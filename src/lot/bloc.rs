@@ -33,11 +33,7 @@ impl<R: Reel, D: Demande<R>> Bloc<R, D> {
     pub(crate) fn charger(&mut self, demandes: &[D]) {
         self.nombre = demandes.len();
         for (groupe, demandes) in self.groupes.iter_mut().zip(demandes.chunks(SEIZE)) {
-            groupe.charger(
-                demandes,
-                #[inline(always)]
-                |demande| (demande.rayon(), demande.limite()),
-            );
+            groupe.charger(demandes, D::lire);
         }
     }
 

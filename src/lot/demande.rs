@@ -16,10 +16,8 @@ pub(crate) trait Demande<R: Reel>: Copy {
     /// Whether any object before the limit answers, or the first alone.
     const UN_SUFFIT: bool;
 
-    fn rayon(&self) -> Rayon<R>;
-
-    /// The distance before which an object counts, 0 or more.
-    fn limite(&self) -> R;
+    /// The ray, and the distance before which an object counts, 0 or more.
+    fn lire(&self) -> (Rayon<R>, R);
 
     /// The answer of the list, ray by ray.
     fn parmi(&self, objets: &[ObjetRay<R>]) -> Self::Reponse;
@@ -37,13 +35,8 @@ impl<R: Reel> Demande<R> for Rayon<R> {
     const UN_SUFFIT: bool = false;
 
     #[inline(always)]
-    fn rayon(&self) -> Rayon<R> {
-        *self
-    }
-
-    #[inline(always)]
-    fn limite(&self) -> R {
-        R::INFINI
+    fn lire(&self) -> (Rayon<R>, R) {
+        (*self, R::INFINI)
     }
 
     fn parmi(&self, objets: &[ObjetRay<R>]) -> Touche<R> {
@@ -67,14 +60,9 @@ impl<R: Reel> Demande<R> for (Rayon<R>, R) {
     const UN_SUFFIT: bool = true;
 
     #[inline(always)]
-    fn rayon(&self) -> Rayon<R> {
-        self.0
-    }
-
-    #[inline(always)]
-    fn limite(&self) -> R {
+    fn lire(&self) -> (Rayon<R>, R) {
         // Nothing is before a NaN.
-        max(self.1, R::ZERO)
+        (self.0, max(self.1, R::ZERO))
     }
 
     fn parmi(&self, objets: &[ObjetRay<R>]) -> bool {
