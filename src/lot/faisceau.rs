@@ -32,7 +32,6 @@ const RAIDE: f64 = 4.0;
 /// A pyramid that the rays of a block stay in: four sides, then a back. Each of these planes has an
 /// outward normal P and a bound w on P·(X − S₀) over the points X of all rays, or of the part of each
 /// that counts.
-#[derive(Clone, Copy)]
 pub(crate) struct Faisceau<R> {
     pub(crate) s0: Vecteur<R>,
     pub(crate) plans: [(Vecteur<R>, R); 5],
@@ -78,13 +77,11 @@ impl<R: Reel> Faisceau<R> {
         if -moins_mu < R::depuis_f64(0.25) {
             return None;
         }
-        let (plus, mu) = (fois_u(PENTE), -moins_mu - fois_u(PENTE));
+        let mu = -moins_mu - fois_u(PENTE);
         // And e ≥ 0.
-        let (e1, e2) = (max(u1, R::ZERO) + plus, max(u2, R::ZERO) + plus);
-        let (e3, e4) = (max(v1, R::ZERO) + plus, max(v2, R::ZERO) + plus);
-        let pentes = [e1, e2, e3, e4].map(
+        let pentes = [u1, u2, v1, v2].map(
             #[inline(always)]
-            |e| e / mu,
+            |e| (max(e, R::ZERO) + fois_u(PENTE)) / mu,
         );
         Some(Self::de_pentes::<false>(groupes, axes, pentes, ecart, R::ZERO))
     }
@@ -148,13 +145,10 @@ impl<R: Reel> Faisceau<R> {
         let jeu = (ecart + portee) * fois_u(ORIGINES);
         Self {
             s0,
-            plans: [
-                (p1, w1 + jeu),
-                (p2, w2 + jeu),
-                (p3, w3 + jeu),
-                (p4, w4 + jeu),
-                (-m, arriere + jeu),
-            ],
+            plans: [(p1, w1), (p2, w2), (p3, w3), (p4, w4), (-m, arriere)].map(
+                #[inline(always)]
+                |(p, w)| (p, w + jeu),
+            ),
             axe: (m, avant + jeu),
             ecart,
             portee,
