@@ -117,8 +117,7 @@ fn trier_les_geants(fiches: &mut [Fiche]) -> usize {
     }
     let [bas, haut] = extremes(fiches.iter().map(double_centre));
     let cote = (haut - bas).norme_1() * 0.5 / libm::cbrtf(fiches.len() as f32 / SEIZE as f32);
-    let moyenne =
-        |fiches: &[Fiche]| fiches.iter().map(taille).fold(0.0, |a, b| a + b) / fiches.len() as f32;
+    let moyenne = |fiches: &[Fiche]| fiches.iter().map(taille).sum::<f32>() / fiches.len() as f32;
     let _ = fiches.select_nth_unstable_by(SEIZE, |a, b| taille(b).total_cmp(&taille(a)));
     let (grands, petits) = fiches.split_at(SEIZE);
     usize::from(moyenne(grands) > GEANT * (moyenne(petits) + cote))
@@ -137,10 +136,7 @@ fn trier(fiches: &mut [Fiche]) {
     if fiches.len() <= SEIZE {
         return;
     }
-    let mut pas = SEIZE;
-    while fiches.len() > pas * SEIZE {
-        pas *= SEIZE;
-    }
+    let pas = SEIZE.pow((fiches.len() - 1).ilog(SEIZE));
     let coupe = fiches.len().div_ceil(pas) / 2 * pas;
     let [bas, haut] = extremes(fiches.iter().map(double_centre));
     let etendue: [f32; 3] = (haut - bas).into();
