@@ -62,12 +62,6 @@ pub(crate) trait Forme<R: Reel>: Copy {
         Hauteur { b: hauteur.abs(), l: n.somme_des_grandeurs(cp) }
     }
 
-    /// [`t`](Self::t), sooner for a ray that passes the shape by.
-    #[inline(always)]
-    fn t_si_proche(&self, rayon: &Rayon<R>) -> R {
-        if self.peut_entrer(rayon) { self.t(rayon) } else { R::INFINI }
-    }
-
     /// Normal and margin of the entry at distance `t`.
     #[inline(always)]
     fn conclure(&self, rayon: &Rayon<R>, t: R) -> Contact<R> {

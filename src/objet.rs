@@ -140,7 +140,9 @@ impl<R: Reel> ObjetRay<R> {
     /// The same, sooner for a ray that passes this object by.
     #[inline(always)]
     pub(crate) fn t_si_proche(&self, rayon: &Rayon<R>) -> R {
-        par_forme!(Self, self, forme => forme.t_si_proche(rayon))
+        par_forme!(Self, self, forme => {
+            if forme.peut_entrer(rayon) { forme.t(rayon) } else { R::INFINI }
+        })
     }
 
     /// The hit that the search found at distance `t`, on this object, which has this rank.

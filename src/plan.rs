@@ -73,7 +73,7 @@ impl<R: Reel> PlanGeo<R> {
         let p = point(["point.x", "point.y", "point.z"], p)?;
         let normale = fini(["normale.x", "normale.y", "normale.z"], normale)?;
         let rotation = Rotation::de_z_vers(normale).ok_or_else(|| refus_nul("normale"))?;
-        Self::new(rotation, -rotation.axe_z().produit_scalaire(p), texture)
+        Self::new(rotation, -rotation.axes()[2].produit_scalaire(p), texture)
     }
 
     /// The half-space moved by `v` (handout §2.3): d becomes d − N·v.
@@ -82,7 +82,7 @@ impl<R: Reel> PlanGeo<R> {
     /// If `v` is not finite, or the new distance lies outside the limits of [`new`](Self::new).
     #[doc(alias("translate", "move"))]
     pub fn translation(self, v: Vecteur<R>) -> Result<Self, ErreurGeo> {
-        let distance = self.distance - self.rotation.axe_z().produit_scalaire(deplacement(v)?);
+        let distance = self.distance - self.rotation.axes()[2].produit_scalaire(deplacement(v)?);
         Self::new(self.rotation, distance, self.texture)
     }
 
@@ -110,7 +110,7 @@ impl<R: Reel> PlanGeo<R> {
     #[inline]
     pub fn vers_ray(self) -> PlanRay<R> {
         // The outward normal was that of z ≤ 0 before the rotation.
-        PlanRay { normale: self.rotation.axe_z(), distance: self.distance, texture: self.texture }
+        PlanRay { normale: self.rotation.axes()[2], distance: self.distance, texture: self.texture }
     }
 }
 

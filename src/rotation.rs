@@ -192,11 +192,6 @@ impl<R: Reel> Rotation<R> {
         self.matrice.map(Vecteur::from)
     }
 
-    /// (0, 0, 1)·M.
-    pub(crate) fn axe_z(self) -> Vecteur<R> {
-        self.axes()[2]
-    }
-
     fn arrondie(m: Matrice) -> Self {
         Self { matrice: m.map(|ligne| ligne.map(R::depuis_f64)) }
     }
