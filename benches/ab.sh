@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Times two versions of this crate in one process, by turns, and prints new over old for every family of
 # scenes, kind of ray, scalar and number of objects; under two minutes. The checkout that one stands in is the
-# new version, with what is not committed yet; the old one is any revision of it.
+# new version, with what is not committed yet; the old one is any revision that has `sont_occultes`.
 #
 #   benches/ab.sh [--units OLD[:NEW]] REVISION [filters]
 #   benches/ab.sh HEAD

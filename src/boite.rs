@@ -223,12 +223,7 @@ impl<R: Reel> BoiteRay<R> {
         let o = (rayon.source() - self.centre).produit_scalaire(n);
         let vitesse = rayon.direction().produit_scalaire(n);
         let o = if vitesse < R::ZERO { -o } else { o };
-        // In `f32`, whose range does not hold every product of a length and a speed, rounded to a
-        // multiple of 2⁻¹⁰² before: only a speed below 2⁻⁷⁹ changes. Down to where the spacing of
-        // numbers is 2⁻¹⁴⁹, and up again: with a floor, by minimum and maximum, a ray alone takes
-        // up to 1.3 times as long among boxes (measured).
-        let descente = R::depuis_f64(R::selon(puissance_de_deux(-47), 1.0));
-        let vitesse = vitesse.abs() * descente * (echelle_vitesse::<R>() / descente);
+        let vitesse = a_l_echelle(vitesse.abs());
         (Quotient { longueur: -(l + o), vitesse }, Quotient { longueur: l - o, vitesse })
     }
 
@@ -313,6 +308,16 @@ impl<R: Reel> Forme<R> for BoiteRay<R> {
 #[inline(always)]
 fn echelle_vitesse<R: Reel>() -> R {
     R::depuis_f64(R::selon(puissance_de_deux(62), puissance_de_deux(568)))
+}
+
+/// This speed times [`echelle_vitesse`]; in `f32`, whose range does not hold every product of a
+/// length and a speed, rounded to a multiple of 2⁻¹⁰² before: only a speed below 2⁻⁷⁹ changes.
+#[inline(always)]
+fn a_l_echelle<R: Reel>(vitesse: R) -> R {
+    // Down to where the spacing of numbers is 2⁻¹⁴⁹, and up again. With a floor, by minimum and
+    // maximum, a ray alone takes up to 1.3 times as long among boxes (measured).
+    let descente = R::depuis_f64(R::selon(puissance_de_deux(-47), 1.0));
+    vitesse * descente * (echelle_vitesse::<R>() / descente)
 }
 
 /// The distance to a face as a length over a speed of 0 or more, not divided yet. The speed is

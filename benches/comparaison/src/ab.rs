@@ -68,33 +68,13 @@ fn chronometrer<Q, T>(questions: &[Q], mut reponse: impl FnMut(&Q) -> T) -> f64 
     debut.elapsed().as_nanos() as f64 / questions.len() as f64
 }
 
-/// What a version does with a batch of shadows. Where one has a question for it, it gets an arm here and
-/// stands in its `version!` below.
-macro_rules! ombres_en_lot {
-    (premieres, $hierarchie:ident, $rayons:expr, $max:expr, $touches:expr, $note:expr) => {{
-        $hierarchie.premieres_intersections($rayons, $touches).expect("as many answers as rays");
-        for (touche, max) in $touches.iter().zip($max) {
-            $note(touche.is_ok_and(|touche| touche.distance() < *max));
-        }
-    }};
-    (sont_occultes, $hierarchie:ident, $rayons:expr, $max:expr, $touches:expr, $note:expr) => {{
-        // The pairs are made within the time, some 1 ns a ray.
-        let ombres: Vec<_> = $rayons.iter().copied().zip($max.iter().copied()).collect();
-        let mut occultes = vec![false; $touches.len()];
-        $hierarchie.sont_occultes(&ombres, &mut occultes).expect("as many answers as rays");
-        for occulte in occultes {
-            $note(occulte);
-        }
-    }};
-}
-
 macro_rules! version {
-    ($nom:ident, $version:ident, $ombres:ident) => {
+    ($nom:ident, $version:ident) => {
         mod $nom {
             use ::$version::{
                 BoiteGeo, Hierarchie, NoIntersection, ObjetRay, PlanGeo, Rayon, Reel, Reglage,
                 Rotation, SphereGeo, Texture, Touche, Vecteur, est_occulte, premiere_intersection,
-                premieres_intersections,
+                premieres_intersections, sont_occultes,
             };
 
             use super::*;
@@ -102,10 +82,8 @@ macro_rules! version {
             struct Pret<'a, R> {
                 hierarchie: Hierarchie<'a, R>,
                 rayons: Vec<Rayon<R>>,
-                /// For shadows, how far each lamp is.
-                max: Vec<R>,
+                /// The same with the distance of each lamp; none unless they are shadows.
                 ombres: Vec<(Rayon<R>, R)>,
-                tampon: Vec<Touche<R>>,
             }
 
             fn objet<R: Reel>(brut: &Brut<R>, i: usize) -> ObjetRay<R> {
@@ -141,28 +119,21 @@ macro_rules! version {
                     Some((_, reglage)) => reglage.hierarchie(hierarchie),
                     None => hierarchie,
                 };
-                let lances = rayons
+                let lances: Vec<_> = rayons
                     .iter()
-                    .map(|(s, d, max)| (Rayon::new((*s).into(), (*d).into()).unwrap(), *max));
-                let lances: Vec<_> = lances.collect();
-                let (rayons, max): (Vec<_>, _) = lances.iter().copied().unzip();
-                let (ombres, max) = if ombres { (lances, max) } else { (vec![], vec![]) };
-                let tampon = vec![Err(NoIntersection); MORCEAU];
-                suite(&mut Pret { hierarchie, rayons, max, ombres, tampon })
+                    .map(|(s, d, max)| (Rayon::new((*s).into(), (*d).into()).unwrap(), *max))
+                    .collect();
+                let rayons = lances.iter().map(|(rayon, _)| *rayon).collect();
+                let ombres = if ombres { lances } else { vec![] };
+                suite(&mut Pret { hierarchie, rayons, ombres })
             }
 
             impl<R: Reel> Version for Pret<'_, R> {
                 fn chronometrer(&mut self, facon: Facon) -> f64 {
-                    let Self { hierarchie, rayons, max, ombres, tampon } = self;
+                    let Self { hierarchie, rayons, ombres } = self;
                     let objets = hierarchie.objets();
-                    let mut max = max.chunks(MORCEAU);
-                    let note = black_box::<bool>;
-                    let premieres = |rayons: &[Rayon<R>], touches: &mut [Touche<R>]| match facon {
-                        Facon::ListeEnLot => {
-                            premieres_intersections(objets, rayons, touches).unwrap();
-                        }
-                        _ => hierarchie.premieres_intersections(rayons, touches).unwrap(),
-                    };
+                    let mut touches = vec![Err(NoIntersection); MORCEAU];
+                    let mut caches = vec![false; MORCEAU];
                     match (facon, ombres.is_empty()) {
                         (Facon::Liste, true) => {
                             chronometrer(rayons, |rayon| premiere_intersection(objets, rayon))
@@ -170,8 +141,15 @@ macro_rules! version {
                         (Facon::Seul, true) => {
                             chronometrer(rayons, |rayon| hierarchie.premiere_intersection(rayon))
                         }
-                        (Facon::ListeEnLot | Facon::Lot, true) => {
-                            chronometrer_lot(rayons, tampon, premieres)
+                        (Facon::ListeEnLot, true) => {
+                            chronometrer_lot(rayons, &mut touches, |rayons, touches| {
+                                premieres_intersections(objets, rayons, touches).unwrap();
+                            })
+                        }
+                        (Facon::Lot, true) => {
+                            chronometrer_lot(rayons, &mut touches, |rayons, touches| {
+                                hierarchie.premieres_intersections(rayons, touches).unwrap();
+                            })
                         }
                         (Facon::Liste, false) => {
                             chronometrer(ombres, |(rayon, max)| est_occulte(objets, rayon, *max))
@@ -180,47 +158,24 @@ macro_rules! version {
                             chronometrer(ombres, |(rayon, max)| hierarchie.est_occulte(rayon, *max))
                         }
                         (Facon::ListeEnLot, false) => {
-                            chronometrer_lot(rayons, tampon, |rayons, touches| {
-                                premieres(rayons, touches);
-                                for (touche, max) in touches.iter().zip(max.next().unwrap()) {
-                                    note(touche.is_ok_and(|touche| touche.distance() < *max));
-                                }
+                            chronometrer_lot(ombres, &mut caches, |ombres, caches| {
+                                sont_occultes(objets, ombres, caches).unwrap();
                             })
                         }
                         (Facon::Lot, false) => {
-                            chronometrer_lot(rayons, tampon, |rayons, touches| {
-                                let max = max.next().unwrap();
-                                ombres_en_lot!($ombres, hierarchie, rayons, max, touches, note);
+                            chronometrer_lot(ombres, &mut caches, |ombres, caches| {
+                                hierarchie.sont_occultes(ombres, caches).unwrap();
                             })
                         }
                     }
                 }
 
                 fn reponses(&mut self, facon: Facon) -> Vec<Reponse> {
-                    let Self { hierarchie, rayons, max, ombres, .. } = self;
+                    let Self { hierarchie, rayons, ombres } = self;
                     let objets = hierarchie.objets();
                     let mut touches = vec![Err(NoIntersection); rayons.len()];
-                    let touches = &mut touches[..];
-                    let mut caches = Vec::new();
-                    let mut note = |oui: bool| caches.push(oui.then_some([0; 6]));
+                    let mut caches = vec![false; ombres.len()];
                     match (facon, ombres.is_empty()) {
-                        (Facon::Liste, false) => {
-                            ombres.iter().for_each(|(r, max)| note(est_occulte(objets, r, *max)));
-                        }
-                        (Facon::Seul, false) => {
-                            ombres
-                                .iter()
-                                .for_each(|(r, max)| note(hierarchie.est_occulte(r, *max)));
-                        }
-                        (Facon::Lot, false) => {
-                            ombres_en_lot!($ombres, hierarchie, rayons, &*max, touches, note);
-                        }
-                        (Facon::ListeEnLot, false) => {
-                            premieres_intersections(objets, rayons, touches).unwrap();
-                            for (touche, max) in touches.iter().zip(max) {
-                                note(touche.is_ok_and(|touche| touche.distance() < *max));
-                            }
-                        }
                         (Facon::Liste, true) => {
                             for (touche, rayon) in touches.iter_mut().zip(rayons) {
                                 *touche = premiere_intersection(objets, rayon);
@@ -232,13 +187,33 @@ macro_rules! version {
                             }
                         }
                         (Facon::ListeEnLot, true) => {
-                            premieres_intersections(objets, rayons, touches).unwrap();
+                            premieres_intersections(objets, rayons, &mut touches).unwrap();
                         }
                         (Facon::Lot, true) => {
-                            hierarchie.premieres_intersections(rayons, touches).unwrap();
+                            hierarchie.premieres_intersections(rayons, &mut touches).unwrap();
+                        }
+                        (Facon::Liste, false) => {
+                            for (cache, (rayon, max)) in caches.iter_mut().zip(&*ombres) {
+                                *cache = est_occulte(objets, rayon, *max);
+                            }
+                        }
+                        (Facon::Seul, false) => {
+                            for (cache, (rayon, max)) in caches.iter_mut().zip(&*ombres) {
+                                *cache = hierarchie.est_occulte(rayon, *max);
+                            }
+                        }
+                        (Facon::ListeEnLot, false) => {
+                            sont_occultes(objets, ombres, &mut caches).unwrap();
+                        }
+                        (Facon::Lot, false) => {
+                            hierarchie.sont_occultes(ombres, &mut caches).unwrap();
                         }
                     }
-                    if ombres.is_empty() { touches.iter().map(reponse).collect() } else { caches }
+                    if ombres.is_empty() {
+                        touches.iter().map(reponse).collect()
+                    } else {
+                        caches.into_iter().map(|cache| cache.then_some([0; 6])).collect()
+                    }
                 }
             }
 
@@ -253,8 +228,8 @@ macro_rules! version {
     };
 }
 
-version! { ancienne, avant, premieres }
-version! { nouvelle, lancer_rayon, sont_occultes }
+version! { ancienne, avant }
+version! { nouvelle, lancer_rayon }
 
 fn brut<R: Reel>(objet: &ObjetRay<R>) -> Brut<R> {
     match objet {
