@@ -75,6 +75,6 @@ FIN
 [ -e "$ab/programme/Cargo.lock" ] || cp "$racine/Cargo.lock" "$ab/programme/"
 
 export DOCS=$bancs/../docs
-cargo build --release --quiet --manifest-path "$ab/programme/Cargo.toml" --target-dir "$ab/target"
+cargo build --release --quiet --manifest-path "$ab/programme/Cargo.toml" --target-dir "$racine/target"
 echo "old: $(git -C "$racine" log -1 --format='%h %s' "$commit"); new: $racine; codegen units $unites"
-exec "$ab/target/release/ab" "$@"
+exec "$racine/target/release/ab" "$@"
