@@ -37,8 +37,11 @@ impl<'a> Pile<'a> {
     /// and then the root.
     #[inline(always)]
     pub(crate) fn new(attentes: &'a mut [Attente], geants: usize, racine: usize) -> (Self, usize) {
+        if geants == 0 {
+            return (Self { attentes, nombre: 0 }, racine);
+        }
         attentes[0] = (0.0, racine as u32);
-        (Self { attentes, nombre: geants }, if geants == 0 { racine } else { 0 })
+        (Self { attentes, nombre: 1 }, 0)
     }
 
     /// The nearest of these children; the others are put here.
