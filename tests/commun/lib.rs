@@ -54,6 +54,13 @@ pub fn cas(defaut: u32) -> u32 {
     std::env::var("LANCER_RAYON_CAS").map_or(defaut, |cas| cas.parse().expect("a number of cases"))
 }
 
+/// FNV-1a, 64 bits.
+pub fn empreinte(octets: impl IntoIterator<Item = u8>) -> u64 {
+    octets.into_iter().fold(0xcbf2_9ce4_8422_2325, |empreinte, octet| {
+        (empreinte ^ u64::from(octet)).wrapping_mul(0x0000_0100_0000_01b3)
+    })
+}
+
 /// What every hit is, whatever was asked.
 pub fn est_une_entree<R: Reel>(rayon: &Rayon<R>, touche: &Intersection<R>) -> TestCaseResult {
     prop_assert!(touche.distance() > R::ZERO && touche.distance() < R::INFINI);

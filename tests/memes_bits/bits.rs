@@ -9,7 +9,7 @@ use std::path::Path;
 
 use commun::conversion::mots;
 use commun::facons::{comparer, exiger};
-use commun::{Bits, arrondi};
+use commun::{Bits, arrondi, empreinte};
 use exemples::scene::Scene;
 use fastrand::Rng;
 use lancer_rayon::{
@@ -18,12 +18,8 @@ use lancer_rayon::{
 };
 use serde::de::DeserializeOwned;
 
-/// FNV-1a, 64 bits.
-fn empreinte<R: Bits>(touches: &[Touche<R>]) -> u64 {
-    let octets = touches.iter().flat_map(|t| mots(t).valeurs).flat_map(u64::to_le_bytes);
-    octets.fold(0xcbf2_9ce4_8422_2325, |empreinte, octet| {
-        (empreinte ^ u64::from(octet)).wrapping_mul(0x0000_0100_0000_01b3)
-    })
+fn empreinte_de<R: Bits>(touches: &[Touche<R>]) -> u64 {
+    empreinte(touches.iter().flat_map(|t| mots(t).valeurs).flat_map(u64::to_le_bytes))
 }
 
 fn memes_bits<R: Bits + DeserializeOwned>(nom: &str, attendue: u64) {
@@ -31,7 +27,7 @@ fn memes_bits<R: Bits + DeserializeOwned>(nom: &str, attendue: u64) {
     let objets: Vec<_> = scene.objets.into_iter().map(ObjetRay::from).collect();
     let rayons: Vec<Rayon<R>> = scene.camera.rayons().unwrap();
     let seules: Vec<_> = rayons.iter().map(|r| premiere_intersection(&objets, r)).collect();
-    let obtenue = empreinte(&seules);
+    let obtenue = empreinte_de(&seules);
     assert_eq!(obtenue, attendue, "{nom}, {}: {obtenue:#018x}", std::any::type_name::<R>());
     for (jeu, reglage) in Reglage::tous() {
         let mut touches = vec![Err(NoIntersection); rayons.len()];
@@ -93,7 +89,7 @@ fn au_hasard<R: Bits>(attendue: u64) {
             touches.extend(premiers.iter().copied());
         }
     }
-    let (obtenue, hits) = (empreinte(&touches), touches.iter().flatten().count());
+    let (obtenue, hits) = (empreinte_de(&touches), touches.iter().flatten().count());
     assert!(hits > 10_000, "only {hits} hits");
     assert_eq!(obtenue, attendue, "{}: {obtenue:#018x}", std::any::type_name::<R>());
 }

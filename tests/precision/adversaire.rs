@@ -13,7 +13,7 @@ use std::time::{Duration, Instant};
 use commun::promesses::{self, Essai, Part, RIEN};
 use commun::regimes::{Genre, deux_puissance, direction, entre, regimes, repere, signe};
 use commun::tolerances::u;
-use commun::{Bits, arrondi};
+use commun::{Bits, arrondi, empreinte};
 use fastrand::Rng;
 use lancer_rayon::{
     BoiteGeo, ObjetGeo, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture, Vecteur,
@@ -396,13 +396,6 @@ fn deux_objets<R: Bits>(alea: &mut Rng) -> Candidat<R> {
     }
 }
 
-/// FNV-1a, so that each row has its own seed.
-fn graine(nom: &str) -> u64 {
-    nom.bytes().fold(0xcbf2_9ce4_8422_2325, |graine, octet| {
-        (graine ^ u64::from(octet)).wrapping_mul(0x0000_0100_0000_01b3)
-    })
-}
-
 /// Climbs, and fails where it comes beyond 1.
 fn grimper<R: Bits>(
     nom: &str,
@@ -415,7 +408,8 @@ fn grimper<R: Bits>(
         .ok()
         .map(|s| Duration::from_secs_f64(s.parse().expect("a number of seconds")));
     let nom = format!("{nom}, {}", std::any::type_name::<R>());
-    let mut alea = Rng::with_seed(graine(&nom));
+    // Each row has its own seed.
+    let mut alea = Rng::with_seed(empreinte(nom.bytes()));
     let debut = Instant::now();
     let mut evaluations = 0_u32;
     // The best of each of the last climbs, to set out from again.
