@@ -213,7 +213,8 @@ pub fn secondaire<R: Reel>(cas: &Essai<R>) -> f64 {
     // Turned outward by 12u, up to 8u too long at a right angle to that, and rounded in each coordinate.
     let voulue = vers.vers_f64().unitaire().unwrap_or(Vecteur::NUL);
     let tournee = (rayon.direction().vers_f64() - voulue).longueur() / (20.0 * u::<R>());
-    // The last terms are the rounding of the start itself, in three coordinates, and products that underflow.
+    // The step is the margin and 20u of it (`PAS_NORMAL`), and 1.1u of the weights (`PAS_ARRONDI`), along an N
+    // up to 6u too long, 26.1u in all; the start rounds in each coordinate, |P| among them, and products underflow.
     let p = cas.rayon.point(touche.distance()).vers_f64();
     let poids = (n.x * p.x).abs() + (n.y * p.y).abs() + (n.z * p.z).abs();
     let permis = touche.marge().vers_f64() * (1.0 + 32.0 * u::<R>())

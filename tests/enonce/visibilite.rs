@@ -100,7 +100,8 @@ fn deux_points_se_voient_si_rien_n_est_entre_eux<R: Reel + DeserializeOwned>() {
                 assert!(!avant, "{nom}: hidden by its own end: {objet:?} {rayon:?} {distance:?}");
             }
             let d = (q - p).longueur().vers_f64();
-            // The end of the way that nobody looks at: a few roundings, over the cosine at the far surface.
+            // The end of the way that nobody looks at: 73u and 12 margins (lemma 20), the step off each surface and
+            // the rounding of both points, over the cosine at the far surface.
             let cosinus = -rayon.direction().produit_scalaire(cible.normale()).vers_f64();
             let pas = touche.marge().vers_f64() + cible.marge().vers_f64();
             let bout = (80.0 * u::<R>() * (d + etendue) + 20.0 * pas) / cosinus;

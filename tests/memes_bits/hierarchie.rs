@@ -349,6 +349,7 @@ fn les_places_pretees<R: Bits>() {
         let scene = scenes::melange::<R>(n);
         let rayons = scenes::rayons_camera::<R>(9, 9);
         let necessaires = Hierarchie::places(n);
+        // 7.5 an object; the rest is nodes that are not full, one a floor and the giants'.
         assert!(necessaires <= 8 * n + 300, "{n}: {necessaires}");
         assert_eq!(necessaires > 0, n >= UN_ARBRE);
         for pretees in [0, necessaires / 2, necessaires.saturating_sub(1)] {
