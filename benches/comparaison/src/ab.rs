@@ -141,14 +141,9 @@ macro_rules! version {
                         (Facon::Seul, true) => {
                             chronometrer(rayons, |rayon| hierarchie.premiere_intersection(rayon))
                         }
-                        (Facon::ListeEnLot, true) => {
+                        (Facon::ListeEnLot | Facon::Lot, true) => {
                             chronometrer_lot(rayons, &mut touches, |rayons, touches| {
-                                premieres_intersections(objets, rayons, touches).unwrap();
-                            })
-                        }
-                        (Facon::Lot, true) => {
-                            chronometrer_lot(rayons, &mut touches, |rayons, touches| {
-                                hierarchie.premieres_intersections(rayons, touches).unwrap();
+                                toucher(hierarchie, facon, rayons, touches);
                             })
                         }
                         (Facon::Liste, false) => {
@@ -157,14 +152,9 @@ macro_rules! version {
                         (Facon::Seul, false) => {
                             chronometrer(ombres, |(rayon, max)| hierarchie.est_occulte(rayon, *max))
                         }
-                        (Facon::ListeEnLot, false) => {
+                        (Facon::ListeEnLot | Facon::Lot, false) => {
                             chronometrer_lot(ombres, &mut caches, |ombres, caches| {
-                                sont_occultes(objets, ombres, caches).unwrap();
-                            })
-                        }
-                        (Facon::Lot, false) => {
-                            chronometrer_lot(ombres, &mut caches, |ombres, caches| {
-                                hierarchie.sont_occultes(ombres, caches).unwrap();
+                                occulter(hierarchie, facon, ombres, caches);
                             })
                         }
                     }
@@ -172,48 +162,63 @@ macro_rules! version {
 
                 fn reponses(&mut self, facon: Facon) -> Vec<Reponse> {
                     let Self { hierarchie, rayons, ombres } = self;
-                    let objets = hierarchie.objets();
-                    let mut touches = vec![Err(NoIntersection); rayons.len()];
-                    let mut caches = vec![false; ombres.len()];
-                    match (facon, ombres.is_empty()) {
-                        (Facon::Liste, true) => {
-                            for (touche, rayon) in touches.iter_mut().zip(rayons) {
-                                *touche = premiere_intersection(objets, rayon);
-                            }
-                        }
-                        (Facon::Seul, true) => {
-                            for (touche, rayon) in touches.iter_mut().zip(rayons) {
-                                *touche = hierarchie.premiere_intersection(rayon);
-                            }
-                        }
-                        (Facon::ListeEnLot, true) => {
-                            premieres_intersections(objets, rayons, &mut touches).unwrap();
-                        }
-                        (Facon::Lot, true) => {
-                            hierarchie.premieres_intersections(rayons, &mut touches).unwrap();
-                        }
-                        (Facon::Liste, false) => {
-                            for (cache, (rayon, max)) in caches.iter_mut().zip(&*ombres) {
-                                *cache = est_occulte(objets, rayon, *max);
-                            }
-                        }
-                        (Facon::Seul, false) => {
-                            for (cache, (rayon, max)) in caches.iter_mut().zip(&*ombres) {
-                                *cache = hierarchie.est_occulte(rayon, *max);
-                            }
-                        }
-                        (Facon::ListeEnLot, false) => {
-                            sont_occultes(objets, ombres, &mut caches).unwrap();
-                        }
-                        (Facon::Lot, false) => {
-                            hierarchie.sont_occultes(ombres, &mut caches).unwrap();
-                        }
-                    }
                     if ombres.is_empty() {
+                        let mut touches = vec![Err(NoIntersection); rayons.len()];
+                        toucher(hierarchie, facon, rayons, &mut touches);
                         touches.iter().map(reponse).collect()
                     } else {
+                        let mut caches = vec![false; ombres.len()];
+                        occulter(hierarchie, facon, ombres, &mut caches);
                         caches.into_iter().map(|cache| cache.then_some([0; 6])).collect()
                     }
+                }
+            }
+
+            /// The first object of each ray, asked in this way.
+            fn toucher<R: Reel>(
+                hierarchie: &Hierarchie<'_, R>,
+                facon: Facon,
+                rayons: &[Rayon<R>],
+                touches: &mut [Touche<R>],
+            ) {
+                let objets = hierarchie.objets();
+                match facon {
+                    Facon::Liste => {
+                        for (touche, rayon) in touches.iter_mut().zip(rayons) {
+                            *touche = premiere_intersection(objets, rayon);
+                        }
+                    }
+                    Facon::Seul => {
+                        for (touche, rayon) in touches.iter_mut().zip(rayons) {
+                            *touche = hierarchie.premiere_intersection(rayon);
+                        }
+                    }
+                    Facon::ListeEnLot => premieres_intersections(objets, rayons, touches).unwrap(),
+                    Facon::Lot => hierarchie.premieres_intersections(rayons, touches).unwrap(),
+                }
+            }
+
+            /// Whether anything stands before the lamp of each, asked in this way.
+            fn occulter<R: Reel>(
+                hierarchie: &Hierarchie<'_, R>,
+                facon: Facon,
+                ombres: &[(Rayon<R>, R)],
+                caches: &mut [bool],
+            ) {
+                let objets = hierarchie.objets();
+                match facon {
+                    Facon::Liste => {
+                        for (cache, (rayon, max)) in caches.iter_mut().zip(ombres) {
+                            *cache = est_occulte(objets, rayon, *max);
+                        }
+                    }
+                    Facon::Seul => {
+                        for (cache, (rayon, max)) in caches.iter_mut().zip(ombres) {
+                            *cache = hierarchie.est_occulte(rayon, *max);
+                        }
+                    }
+                    Facon::ListeEnLot => sont_occultes(objets, ombres, caches).unwrap(),
+                    Facon::Lot => hierarchie.sont_occultes(ombres, caches).unwrap(),
                 }
             }
 
