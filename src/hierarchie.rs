@@ -3,12 +3,12 @@
 //!
 //! A leaf holds sixteen bounded objects, and a node of each floor above holds sixteen nodes
 //! (`hierarchie/noeud.rs`, `construction.rs`). A ray looks at the nodes that it crosses
-//! (`parcours.rs`), a block of rays at those that its beam crosses (`bloc.rs`), each through its
+//! (`parcours.rs`), a block of rays at those that its beam crosses (`ensemble.rs`), each through its
 //! probe (`sonde.rs`). Half-spaces are always asked. What may be left out is derived in
 //! `docs/conception.md`, lemmas 14 to 17.
 
-mod bloc;
 mod construction;
+mod ensemble;
 mod noeud;
 mod parcours;
 mod pile;
@@ -20,8 +20,8 @@ use core::fmt;
 use fearless_simd::Level;
 
 use crate::compile::compilees;
-use crate::hierarchie::bloc::Patience;
 use crate::hierarchie::construction::{Arbre, construire, mots};
+use crate::hierarchie::ensemble::Patience;
 use crate::intersection::Touche;
 use crate::lot::bloc::{BLOC, Bloc};
 use crate::lot::demande::Demande;

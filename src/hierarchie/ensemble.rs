@@ -1,4 +1,4 @@
-//! A block of rays in the tree: the walk through the nodes that its beam crosses.
+//! The rays of a block together in the tree: the walk through the nodes that their beam crosses.
 
 use fearless_simd::Simd;
 
