@@ -205,7 +205,7 @@ impl<R: Reel> ObjetRay<R> {
     /// The lowest and the highest corner of a box along the axes that holds all of this object;
     /// `None` for a half-space.
     ///
-    /// All of it with the rounding: the corners lie up to 50u of the sum of its half-extents and 3u of
+    /// All of it with the rounding: the corners lie up to 87u of the sum of its half-extents and 3.1u of
     /// the sum of the coordinates of its centre beyond it. Of a list: [`etendue`].
     #[doc(alias("bounding_box", "aabb", "bounds"))]
     #[must_use]

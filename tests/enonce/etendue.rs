@@ -83,7 +83,22 @@ fn la_surface_est_dans_l_objet<R: Reel>() {
 
 en_f32_et_f64!(la_surface_est_dans_l_objet);
 
-/// Each hit lies in the box around its object, and in that around the list.
+/// How far an object reaches from its centre along each axis: to its farthest corner.
+fn demi_etendue(objet: &ObjetRay<f32>) -> [f64; 3] {
+    let coins = match objet {
+        ObjetRay::Sphere(sphere) => vec![[sphere.rayon().vers_f64(); 3]],
+        ObjetRay::Plan(_) => vec![[f64::INFINITY; 3]],
+        ObjetRay::Boite(boite) => {
+            let [u, v, w] = [0, 1, 2]
+                .map(|i| boite.normales()[i].vers_f64() * boite.demi_longueurs()[i].vers_f64());
+            let coin = |x: f64, y: f64| <[f64; 3]>::from(u + v * x + w * y);
+            vec![coin(1.0, 1.0), coin(1.0, -1.0), coin(-1.0, 1.0), coin(-1.0, -1.0)]
+        }
+    };
+    [0, 1, 2].map(|i| coins.iter().map(|coin| coin[i].abs()).fold(0.0, f64::max))
+}
+
+/// Each hit lies in the box around its object, and in that around the list; no box is larger than promised.
 #[test]
 fn chaque_touche_est_dans_l_etendue() {
     let mut alea = Rng::with_seed(42);
@@ -97,6 +112,14 @@ fn chaque_touche_est_dans_l_etendue() {
             };
             objets.push(cas.objet);
             let [bas, haut] = [bas, haut].map(|v| <[f64; 3]>::from(v.vers_f64()));
+            let (c, h) = (<[f64; 3]>::from(fond(&cas.objet)), demi_etendue(&cas.objet));
+            // What lemma 21 adds to the corners; 36u more is how far they may be from those of the solid.
+            let (des_demis, du_centre) =
+                (h.iter().sum::<f64>(), c.map(f64::abs).iter().sum::<f64>());
+            let jeu = f64::from(f32::U) * (51.0 * des_demis + 3.1 * du_centre);
+            for i in 0..3 {
+                assert!(bas[i] >= c[i] - h[i] - jeu && haut[i] <= c[i] + h[i] + jeu, "{cas:?}");
+            }
             // As exact as an f64 is.
             let rayon = cas.rayon.vers_f64();
             let Ok(touche) = cas.objet.vers_f64().intersection(&rayon) else { continue };
