@@ -1,7 +1,7 @@
 //! The constants of the proofs in `docs/precision.md`, `docs/conception.md` and `docs/jugement.md`,
-//! under one roof for the test that holds them to their lemmas.
+//! under one roof for the test that holds them to their lemmas; and the numbers of lemma 18.
 
-pub use crate::double::{BORNE_DOUBLE, PERTE_DOUBLE, PRODUIT_DOUBLE};
+pub use crate::double::{BORNE_DOUBLE, Double, PERTE_DOUBLE, PRODUIT_DOUBLE};
 pub use crate::forme::{ARRONDI_HAUTEUR, PENCHE, RETRAIT, VERS_LE_HAUT};
 pub use crate::hierarchie::repere::{JEU_F32, JEU_TOUCHE};
 pub use crate::hierarchie::sonde::{ENTREE_AVANT, JEU_BLOC, JEU_FIXE};

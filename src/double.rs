@@ -15,11 +15,14 @@ pub const PERTE_DOUBLE: f64 = 3.8;
 pub const BORNE_DOUBLE: f64 = 7.5;
 
 /// `haut` + `bas`, no farther than `erreur` from the number that it stands for; |bas| ≤ u·|haut|.
-#[derive(Clone, Copy)]
-pub(crate) struct Double {
-    haut: f64,
-    bas: f64,
-    erreur: f64,
+#[derive(Debug, Clone, Copy)]
+pub struct Double {
+    /// The number to `f64`.
+    pub haut: f64,
+    /// What is left of it.
+    pub bas: f64,
+    /// The bound.
+    pub erreur: f64,
 }
 
 /// s + r = x + y exactly, with s their sum as computed.
@@ -31,7 +34,7 @@ fn somme(x: f64, y: f64) -> (f64, f64) {
 
 impl Double {
     /// This very number.
-    pub(crate) fn de(x: f64) -> Self {
+    pub fn de(x: f64) -> Self {
         Self { haut: x, bas: 0.0, erreur: 0.0 }
     }
 
@@ -41,14 +44,16 @@ impl Double {
         Self { haut, bas, erreur: erreur * (1.0 + BORNE_DOUBLE * f64::U) }
     }
 
-    pub(crate) fn plus(self, autre: Self) -> Self {
+    /// The sum.
+    pub fn plus(self, autre: Self) -> Self {
         let (s, r) = somme(self.haut, autre.haut);
         let m = self.bas + autre.bas;
         let n = r + m;
         Self::arrondi(s, n, self.erreur + autre.erreur + (m.abs() + n.abs()) * f64::U)
     }
 
-    pub(crate) fn fois(self, autre: Self) -> Self {
+    /// The product.
+    pub fn fois(self, autre: Self) -> Self {
         let p = self.haut * autre.haut;
         // No machine instruction where there is none: the same bits everywhere.
         let r = libm::fma(self.haut, autre.haut, -p);
@@ -70,7 +75,7 @@ impl Double {
     }
 
     /// The number lies between these two, which are the same if it is an `f64` exactly.
-    pub(crate) fn bornes(self) -> [f64; 2] {
+    pub fn bornes(self) -> [f64; 2] {
         if self.est_un_f64() {
             return [self.haut; 2];
         }

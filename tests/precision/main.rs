@@ -4,6 +4,7 @@ mod adversaire;
 mod certitude;
 mod conclusion;
 mod constantes;
+mod doubles;
 mod intervalle;
 mod invariances;
 mod oracle;

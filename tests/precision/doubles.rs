@@ -1,0 +1,119 @@
+//! Doubled numbers themselves (`docs/jugement.md`, lemma 18): a climb on the bits of a few numbers, towards the largest
+//! error of their sums and products as a part of its bound. Of an error there `est_sur` sees only what decides within
+//! 2⁻¹⁰⁰, which no search among scenes finds.
+
+use commun::cas;
+use commun::oracle::Exact;
+use fastrand::Rng;
+use lancer_rayon::constantes::Double;
+
+/// What is done with two numbers so far, given by their places.
+#[derive(Debug, Clone, Copy)]
+enum Pas {
+    Plus(usize, usize),
+    Fois(usize, usize),
+    /// The number minus what an `f64` holds of it: what is left is all rounding.
+    Reste(usize),
+}
+
+/// The largest error of any number on the way as a part of its bound; `None` if one is beyond all numbers.
+fn part(feuilles: &[f64], pas: &[Pas]) -> Option<f64> {
+    let mut nombres: Vec<(Double, Exact)> =
+        feuilles.iter().map(|&x| (Double::de(x), Exact::de(x))).collect();
+    let mut pire: f64 = 0.0;
+    for &pas in pas {
+        let (double, exact) = match pas {
+            Pas::Plus(i, j) => (nombres[i].0.plus(nombres[j].0), &nombres[i].1 + &nombres[j].1),
+            Pas::Fois(i, j) => (nombres[i].0.fois(nombres[j].0), &nombres[i].1 * &nombres[j].1),
+            Pas::Reste(i) => {
+                let x = -nombres[i].0.haut;
+                (nombres[i].0.plus(Double::de(x)), &nombres[i].1 + &Exact::de(x))
+            }
+        };
+        let Double { haut, bas, erreur } = double;
+        if !(haut.is_finite() && erreur.is_finite()) {
+            return None;
+        }
+        assert!(bas.abs() <= haut.abs() * (f64::EPSILON / 2.0), "{double:?} {feuilles:?}");
+        let ecart = (&(&exact - &Exact::de(haut)) - &Exact::de(bas)).vers_f64().abs();
+        pire = pire.max(if ecart <= erreur { ecart / erreur } else { f64::INFINITY });
+        let [au_moins, au_plus] = double.bornes().map(Exact::de);
+        assert!(au_moins <= exact && exact <= au_plus, "{double:?} {feuilles:?}");
+        nombres.push((double, exact));
+    }
+    Some(pire)
+}
+
+/// A number of a scene: of full length or of a few bits, of one size or of any, in the limits or hardly a number.
+fn feuille(alea: &mut Rng, etendue: i32) -> f64 {
+    let exposant = alea.i32(-etendue..=etendue);
+    let bits = if alea.bool() { alea.u64(..) } else { alea.u64(..8) << 49 };
+    let un_a_deux = f64::from_bits((1023 << 52) | (bits >> 12) | (bits & (0xf << 49)));
+    un_a_deux * f64::from(exposant).exp2() * if alea.bool() { 1.0 } else { -1.0 }
+}
+
+/// Some steps, each with any two numbers so far, the last more often.
+fn programme(alea: &mut Rng, feuilles: usize) -> Vec<Pas> {
+    (feuilles..feuilles + 6)
+        .map(|nombre| {
+            let mut un = || nombre - 1 - alea.usize(..nombre).min(alea.usize(..nombre));
+            let (i, j) = (un(), un());
+            *alea
+                .choice(&[Pas::Plus(i, j), Pas::Fois(i, j), Pas::Fois(i, i), Pas::Reste(i)])
+                .unwrap()
+        })
+        .collect()
+}
+
+#[test]
+fn aucune_somme_et_aucun_produit_ne_sort_de_sa_borne() {
+    let mut alea = Rng::with_seed(18);
+    let mut pires = [0.0; 3];
+    for essai in 0..cas(4_000) {
+        let etendue = [3, 60, 537][essai as usize % 3];
+        let mut feuilles: Vec<f64> = (0..4).map(|_| feuille(&mut alea, etendue)).collect();
+        let pas = programme(&mut alea, feuilles.len());
+        let Some(mut mieux) = part(&feuilles, &pas) else { continue };
+        for _ in 0..100 {
+            let (i, bit) = (alea.usize(..feuilles.len()), alea.u32(..53));
+            let avant = feuilles[i];
+            feuilles[i] = f64::from_bits(avant.to_bits() ^ (1 << bit));
+            match part(&feuilles, &pas) {
+                Some(part) if part >= mieux => mieux = part,
+                _ => feuilles[i] = avant,
+            }
+            assert!(mieux <= 1.0, "{mieux} {feuilles:?} {pas:?}");
+        }
+        let pire = &mut pires[essai as usize % 3];
+        *pire = f64::max(*pire, mieux);
+    }
+    // Nor are the bounds loose: of numbers of one size, of many and of all some error is more than half of its bound.
+    assert!(pires.iter().all(|pire| *pire > 0.5), "{pires:?}");
+}
+
+/// Also where a number is about as large as its bound, which is where a sign is decided.
+#[test]
+fn les_bornes_tiennent_le_nombre_et_son_erreur() {
+    let mut alea = Rng::with_seed(19);
+    for _ in 0..cas(4_000) {
+        let haut = feuille(&mut alea, 3);
+        let bas = haut * alea.f64() * (f64::EPSILON / 2.0);
+        let erreur = haut.abs() * (1.0 + f64::from(alea.i32(-2..=2)) * f64::EPSILON);
+        let double = Double { haut, bas, erreur };
+        let ([au_moins, au_plus], milieu) = (double.bornes(), &Exact::de(haut) + &Exact::de(bas));
+        assert!(Exact::de(au_moins) <= &milieu - &Exact::de(erreur), "{double:?}");
+        assert!(Exact::de(au_plus) >= &milieu + &Exact::de(erreur), "{double:?}");
+    }
+}
+
+/// A ray along a face is judged by products that are 0, or exact.
+#[test]
+fn ce_qui_est_exact_le_reste() {
+    let [trois, tiers, nul] = [3.0, 1.0 / 3.0, 0.0].map(Double::de);
+    for (double, exact) in
+        [(trois.fois(trois), 9.0), (tiers.fois(nul), 0.0), (trois.plus(nul), 3.0)]
+    {
+        assert_eq!((double.erreur, double.bornes()), (0.0, [exact; 2]));
+    }
+    assert!(trois.fois(tiers).erreur > 0.0);
+}
