@@ -4,7 +4,7 @@
 use commun::en_f32_et_f64;
 use commun::oracle::verite;
 use commun::promesses::{Essai, erreur, est_sur};
-use commun::regimes::entre;
+use commun::regimes::{Cas, Extreme, entre, regimes};
 use fastrand::Rng;
 use lancer_rayon::{
     BoiteGeo, ErreurGeo, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture, Vecteur,
@@ -79,6 +79,47 @@ fn le_long_d_une_face_tournee_une_reponse_est_sure() {
         for cote in [u, v] {
             assert!(boite.est_sur(&vers_le_fond(w * 5.0 + cote * 1.2)), "{rayon:?}");
         }
+    }
+}
+
+/// Of ordinary rays every right answer is sure, and `erreur` is what it says: the error itself and a rounding of t.
+fn une_reponse_juste_est_sure<R: Reel>() {
+    let mut alea = Rng::with_seed(54);
+    let (mut touches, mut pire) = (0, 0.0_f64);
+    for regime in regimes::<R>().into_iter().filter(|regime| regime.extreme == Extreme::Aucun) {
+        for _ in 0..300 {
+            let Cas { objet, rayon, .. } = (regime.cas)(&mut alea);
+            let (touche, entree) = (objet.intersection(&rayon), verite(&objet, &rayon).entree);
+            assert_eq!(
+                objet.est_sur(&rayon),
+                touche.is_ok() == entree.is_some(),
+                "{objet:?} {rayon:?}"
+            );
+            if let (Ok(touche), Some(entree)) = (touche, entree) {
+                let t = touche.distance();
+                let attendue = entree.ecart(t).abs() + (t * R::U).vers_f64();
+                pire = pire.max(objet.erreur(&rayon, &touche).vers_f64() / attendue);
+                touches += 1;
+            }
+        }
+    }
+    // Lemma 19: in `f32` the sum rounds and grows by 14u in all.
+    assert!(touches > 300 && pire < 1.0 + 1e-6, "{touches} {pire}");
+}
+
+en_f32_et_f64!(une_reponse_juste_est_sure);
+
+/// The face of a box that a ray lies in excludes nothing, and one beside which it runs all: the products are exact.
+#[test]
+fn dans_le_plan_d_une_face_une_reponse_est_sure() {
+    let cotes = Vecteur::new(2.0, 2.0, 2.0);
+    let boite = BoiteGeo::new(Vecteur::NUL, cotes, Rotation::IDENTITE, Texture(0)).unwrap();
+    let boite = ObjetRay::from(boite);
+    for (y, t) in [(1.0, Some(4.0)), (1.0_f64.next_up(), None), (-1.0, Some(4.0))] {
+        let x = Vecteur::new(1.0, 0.0, 0.0);
+        let rayon = Rayon::new(Vecteur::new(-5.0, y, 0.0), x).unwrap();
+        assert_eq!(boite.intersection(&rayon).ok().map(|touche| touche.distance()), t);
+        assert!(boite.est_sur(&rayon), "{y}");
     }
 }
 
