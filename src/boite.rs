@@ -101,7 +101,6 @@ impl<R: Reel> BoiteGeo<R> {
 
     /// The same box, ready for rays (handout §3).
     #[doc(alias = "into_ray")]
-    #[inline]
     pub fn vers_ray(self) -> BoiteRay<R> {
         BoiteRay {
             centre: self.centre,
@@ -147,21 +146,18 @@ pub struct BoiteRay<R = f64> {
 impl<R: Reel> BoiteRay<R> {
     /// C, the centre.
     #[doc(alias = "center")]
-    #[inline]
     pub fn centre(&self) -> Vecteur<R> {
         self.centre
     }
 
     /// N_i, the unit normals of the three faces, outward. Those of the opposite faces are −N_i.
     #[doc(alias = "normals")]
-    #[inline]
     pub fn normales(&self) -> [Vecteur<R>; 3] {
         self.normales
     }
 
     /// l_i, half the distance between each face and the opposite one.
     #[doc(alias("half_extents", "half_lengths"))]
-    #[inline]
     #[must_use]
     pub fn demi_longueurs(&self) -> [R; 3] {
         self.demi_longueurs
@@ -195,7 +191,6 @@ impl<R: Reel> BoiteRay<R> {
     }
 
     /// The texture of the object.
-    #[inline]
     pub fn texture(&self) -> Texture {
         self.texture
     }

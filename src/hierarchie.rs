@@ -75,9 +75,9 @@ pub(crate) const SEUIL_LOT: usize = 100;
 #[derive(Clone, Copy)]
 #[must_use]
 pub struct Hierarchie<'a, R = f64> {
-    objets: &'a [ObjetRay<R>],
+    pub(crate) objets: &'a [ObjetRay<R>],
     /// None for few bounded objects and for too many objects: these are asked as a list.
-    arbre: Option<Arbre<'a, R>>,
+    pub(crate) arbre: Option<Arbre<'a, R>>,
     /// Detected once: for a single ray that would cost more than the ray.
     pub(crate) niveau: Level,
 }
@@ -142,7 +142,6 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
 
     /// The list.
     #[doc(alias("objects", "primitives"))]
-    #[inline]
     pub fn objets(&self) -> &'a [ObjetRay<R>] {
         self.objets
     }
@@ -244,7 +243,9 @@ fn en_lot<R: Reel, D: Demande<R>>(
     selon_le_niveau!(niveau, simd => {
         if demandes.len() < PEU_DE_RAYONS {
             for (demande, reponse) in demandes.iter().zip(reponses) {
-                *reponse = arbre.repondre(simd, demande);
+                let (rayon, limite) = demande.lire();
+                let premier = arbre.parcourir::<_, D>(simd, &rayon, Premier::avant(limite));
+                *reponse = D::conclure(premier, objets, &rayon);
             }
         } else {
             let (mut bloc, mut patience) = (Bloc::VIDE, Patience::default());

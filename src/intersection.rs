@@ -92,7 +92,6 @@ impl<R: Reel> Intersection<R> {
     /// t, finite and above 0: the object is touched at S + tD. As D is unit only to rounding, that
     /// is the distance in scene units to 7.6u.
     #[doc(alias = "t")]
-    #[inline]
     #[must_use]
     pub fn distance(&self) -> R {
         self.distance
@@ -100,14 +99,12 @@ impl<R: Reel> Intersection<R> {
 
     /// N, the unit outward normal of the object at the hit; it points against the ray (D·N < 0).
     #[doc(alias = "normal")]
-    #[inline]
     pub fn normale(&self) -> Vecteur<R> {
         self.normale
     }
 
     /// The texture of the object.
     #[doc(alias = "material")]
-    #[inline]
     pub fn texture(&self) -> Texture {
         self.texture
     }
@@ -116,7 +113,6 @@ impl<R: Reel> Intersection<R> {
     ///
     /// In a list of more than 2³² − 1 objects, those at the end share the index 2³² − 2.
     #[doc(alias("index", "primitive_id"))]
-    #[inline]
     #[must_use]
     pub fn objet(&self) -> usize {
         self.objet.indice()
@@ -141,7 +137,6 @@ impl<R: Reel> Intersection<R> {
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
     #[doc(alias("error_bound", "margin"))]
-    #[inline]
     #[must_use]
     pub fn marge(&self) -> R {
         self.marge

@@ -95,7 +95,6 @@ impl<R: Reel> ObjetGeo<R> {
 
     /// The same object, ready for rays (handout §3).
     #[doc(alias = "into_ray")]
-    #[inline]
     pub fn vers_ray(self) -> ObjetRay<R> {
         par_forme!(Self, self, forme => forme.vers_ray().into())
     }

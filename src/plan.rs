@@ -107,7 +107,6 @@ impl<R: Reel> PlanGeo<R> {
 
     /// The same half-space, ready for rays (handout §3).
     #[doc(alias = "into_ray")]
-    #[inline]
     pub fn vers_ray(self) -> PlanRay<R> {
         // The outward normal was that of z ≤ 0 before the rotation.
         PlanRay { normale: self.rotation.axes()[2], distance: self.distance, texture: self.texture }
@@ -138,7 +137,6 @@ pub struct PlanRay<R = f64> {
 impl<R: Reel> PlanRay<R> {
     /// N, the unit normal, outward.
     #[doc(alias = "normal")]
-    #[inline]
     pub fn normale(&self) -> Vecteur<R> {
         self.normale
     }
@@ -146,14 +144,12 @@ impl<R: Reel> PlanRay<R> {
     /// d, the relative distance to the origin O: below 0 if and only if O is inside, and 0 on the
     /// surface.
     #[doc(alias = "offset")]
-    #[inline]
     #[must_use]
     pub fn distance(&self) -> R {
         self.distance
     }
 
     /// The texture of the object.
-    #[inline]
     pub fn texture(&self) -> Texture {
         self.texture
     }

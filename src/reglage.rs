@@ -3,9 +3,7 @@
 use fearless_simd::Level;
 
 use crate::hierarchie::{Hierarchie, SEUIL_LOT};
-use crate::intersection::Touche;
 use crate::lot::bloc::Bloc;
-use crate::lot::{LongueursDifferentes, Lot, LotDOmbres};
 use crate::niveau::meilleur_niveau;
 use crate::objet::ObjetRay;
 use crate::rayon::Rayon;
@@ -45,30 +43,9 @@ impl Reglage {
         bloc.faisceau().is_some_and(|faisceau| faisceau.ecart_a(objet.boule()) > R::ZERO)
     }
 
-    /// [`premieres_intersections`](crate::premieres_intersections) with these instructions.
-    ///
-    /// # Errors
-    /// The same.
-    pub fn premieres_intersections<R: Reel>(
-        self,
-        objets: &[ObjetRay<R>],
-        rayons: &[Rayon<R>],
-        touches: &mut [Touche<R>],
-    ) -> Result<(), LongueursDifferentes> {
-        R::demander::<Lot>(((self.niveau, objets), rayons, touches))
-    }
-
-    /// [`sont_occultes`](crate::sont_occultes) with these instructions.
-    ///
-    /// # Errors
-    /// The same.
-    pub fn sont_occultes<R: Reel>(
-        self,
-        objets: &[ObjetRay<R>],
-        ombres: &[(Rayon<R>, R)],
-        occultes: &mut [bool],
-    ) -> Result<(), LongueursDifferentes> {
-        R::demander::<LotDOmbres>(((self.niveau, objets), ombres, occultes))
+    /// These objects as a hierarchy that asks its list, however long, with these instructions.
+    pub fn liste<R: Reel>(self, objets: &[ObjetRay<R>]) -> Hierarchie<'_, R> {
+        Hierarchie { objets, arbre: None, niveau: self.niveau }
     }
 
     /// How many nodes the tree of this hierarchy has; 0 if it has none and asks its list.

@@ -81,7 +81,6 @@ impl<R: Reel> SphereGeo<R> {
 
     /// The same sphere, ready for rays (handout §3).
     #[doc(alias = "into_ray")]
-    #[inline]
     pub fn vers_ray(self) -> SphereRay<R> {
         let Self { centre, rayon, texture } = self;
         SphereRay { centre, r: rayon, texture }
@@ -109,21 +108,18 @@ pub struct SphereRay<R = f64> {
 impl<R: Reel> SphereRay<R> {
     /// C, the centre.
     #[doc(alias = "center")]
-    #[inline]
     pub fn centre(&self) -> Vecteur<R> {
         self.centre
     }
 
     /// r, the radius.
     #[doc(alias = "radius")]
-    #[inline]
     #[must_use]
     pub fn rayon(&self) -> R {
         self.r
     }
 
     /// The texture of the object.
-    #[inline]
     pub fn texture(&self) -> Texture {
         self.texture
     }

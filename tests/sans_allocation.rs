@@ -63,8 +63,10 @@ fn aucune_question_n_alloue<R: Reel>() {
     })
     .unwrap();
     for (nom, reglage) in Reglage::tous() {
-        sans_allocation(nom, || reglage.premieres_intersections(&scene, &rayons, &mut touches))
-            .unwrap();
+        sans_allocation(nom, || {
+            reglage.liste(&scene).premieres_intersections(&rayons, &mut touches)
+        })
+        .unwrap();
     }
     let mut places = vec![0.0; Hierarchie::places(scene.len())];
     let hierarchie =

@@ -18,14 +18,6 @@ use crate::reel::Reel;
 use crate::seize::{Aligne, SEIZE, au_plus};
 
 impl<R: Reel> Arbre<'_, R> {
-    /// The answer to what one ray asks.
-    #[inline(always)]
-    pub(crate) fn repondre<S: Simd, D: Demande<R>>(&self, simd: S, demande: &D) -> D::Reponse {
-        let (rayon, limite) = demande.lire();
-        let premier = self.parcourir::<S, D>(simd, &rayon, Premier::avant(limite));
-        D::conclure(premier, self.objets, &rayon)
-    }
-
     /// The first object that the ray enters before `premier`, or `premier`; if `UN_SUFFIT`, any
     /// such object.
     ///

@@ -104,9 +104,10 @@ impl<R: Reel> Faisceau<R> {
                 [su, -su, sv, -sv, lu, -lu, lv, -lv, profondeur, plus_grande_coordonnee(s), t]
             },
         );
+        let raide = R::depuis_f64(RAIDE);
         let pentes = [l1 - s1, l2 - s2, l3 - s3, l4 - s4].map(
             #[inline(always)]
-            |elargi| bornee(elargi / profondeur),
+            |elargi| max(min(elargi / profondeur, raide), -raide),
         );
         Self::de_pentes::<true>(groupes, axes, pentes, ecart, portee)
     }
@@ -123,7 +124,11 @@ impl<R: Reel> Faisceau<R> {
     ) -> Self {
         let [p1, p2, p3, p4] = [(u, a1), (-u, a2), (v, a3), (-v, a4)].map(
             #[inline(always)]
-            |(axe, pente)| cote(axe - m * pente),
+            |(axe, pente)| {
+                // A little shorter than 1.
+                let p = axe - m * pente;
+                p * ((R::UN - fois_u(COURT)) / p.longueur_carree().sqrt())
+            },
         );
         // Rays of a camera have one source.
         let [w1, w2, w3, w4, arriere, avant] = if !SEGMENTS && ecart == R::ZERO {
@@ -192,18 +197,6 @@ fn maxima<R: Reel, const N: usize>(
         #[inline(always)]
         |colonne| le_plus_grand(colonne),
     )
-}
-
-/// This slope, no steeper than one that fits.
-#[inline(always)]
-fn bornee<R: Reel>(pente: R) -> R {
-    max(min(pente, R::depuis_f64(RAIDE)), -R::depuis_f64(RAIDE))
-}
-
-/// P along this vector, a little shorter than 1.
-#[inline(always)]
-fn cote<R: Reel>(p: Vecteur<R>) -> Vecteur<R> {
-    p * ((R::UN - fois_u(COURT)) / p.longueur_carree().sqrt())
 }
 
 /// How far along P the farther end of a segment is.

@@ -59,7 +59,7 @@ pub fn comparer<R: Bits>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) -> usize {
     for (nom, reglage) in Reglage::tous() {
         let hierarchie = reglage.hierarchie(hierarchie);
         let mut touches = vec![absurde(); rayons.len()];
-        reglage.premieres_intersections(objets, rayons, &mut touches).unwrap();
+        reglage.liste(objets).premieres_intersections(rayons, &mut touches).unwrap();
         exiger(&format!("{nom}, batch"), objets, rayons, &touches, &attendues);
         touches.fill(absurde());
         hierarchie.premieres_intersections(rayons, &mut touches).unwrap();
@@ -115,7 +115,7 @@ fn comparer_les_ombres<R: Bits>(
         for (nom, reglage) in Reglage::tous() {
             let hierarchie = reglage.hierarchie(hierarchie);
             let (mut de_la_liste, mut de_l_arbre) = (contraires.clone(), contraires.clone());
-            reglage.sont_occultes(objets, &ombres, &mut de_la_liste).unwrap();
+            reglage.liste(objets).sont_occultes(&ombres, &mut de_la_liste).unwrap();
             hierarchie.sont_occultes(&ombres, &mut de_l_arbre).unwrap();
             let n = objets.len();
             let exiger = |facon: &str, ombre: &(Rayon<R>, R), occulte: bool, voulue: bool| {

@@ -31,7 +31,7 @@ fn memes_bits<R: Bits + DeserializeOwned>(nom: &str, attendue: u64) {
     assert_eq!(obtenue, attendue, "{nom}, {}: {obtenue:#018x}", std::any::type_name::<R>());
     for (jeu, reglage) in Reglage::tous() {
         let mut touches = vec![Err(NoIntersection); rayons.len()];
-        reglage.premieres_intersections(&objets, &rayons, &mut touches).unwrap();
+        reglage.liste(&objets).premieres_intersections(&rayons, &mut touches).unwrap();
         exiger(&format!("{nom}, {jeu}"), &objets, &rayons, &touches, &seules);
     }
     let mut places = vec![0.0; Hierarchie::places(objets.len())];
