@@ -70,11 +70,7 @@ impl<R: Reel, D: Demande<R>> Bloc<R, D> {
         par_forme!(ObjetRay, objet, forme => {
             let forme = *forme;
             for groupe in &mut self.groupes[..groupes] {
-                if D::UN_SUFFIT {
-                    groupe.occulter(&forme, rang);
-                } else {
-                    groupe.proposer::<EN_ORDRE>(&forme, rang);
-                }
+                groupe.proposer::<EN_ORDRE>(&forme, rang, D::UN_SUFFIT);
             }
         });
     }

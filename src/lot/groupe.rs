@@ -82,43 +82,24 @@ impl<R: Reel> Groupe<R> {
     }
 
     /// For each ray that enters the object of this shape and rank before its first so far: makes it
-    /// its first.
+    /// its first. If one suffices, the ray is done: before distance 0 it looks for no other.
     ///
     /// Of two objects at the same distance the one of lower rank is the first. `EN_ORDRE` promises
     /// that objects come in the order of their ranks, which saves that comparison.
     #[inline(always)]
-    pub(crate) fn proposer<const EN_ORDRE: bool>(&mut self, forme: &impl Forme<R>, rang: Rang) {
-        let Some(t) = self.entrees(forme) else { return };
-        for (voie, &t) in t.iter().enumerate() {
-            let trouve = Premier { t, rang: rang.en_nombre() };
-            let premier = self.premier(voie);
-            let precede = if EN_ORDRE { t < premier.t } else { trouve.precede(premier) };
-            self.t[voie] = if precede { t } else { premier.t };
-            self.rangs[voie] = if precede { trouve.rang } else { premier.rang };
-        }
-    }
-
-    /// The same where any object answers: before distance 0 a ray looks for no other.
-    #[inline(always)]
-    pub(crate) fn occulter(&mut self, forme: &impl Forme<R>, rang: Rang) {
-        let Some(t) = self.entrees(forme) else { return };
-        for (voie, &t) in t.iter().enumerate() {
-            let cache = t < self.t[voie];
-            self.t[voie] = if cache { R::ZERO } else { self.t[voie] };
-            self.rangs[voie] = if cache { rang.en_nombre() } else { self.rangs[voie] };
-        }
-    }
-
-    /// The distances at which these rays enter a shape; `None` if none enters. Roots and quotients are
-    /// computed only if one ray at least may enter.
-    #[inline(always)]
-    fn entrees(&self, forme: &impl Forme<R>) -> Option<Colonne<R>> {
+    pub(crate) fn proposer<const EN_ORDRE: bool>(
+        &mut self,
+        forme: &impl Forme<R>,
+        rang: Rang,
+        un_suffit: bool,
+    ) {
         let mut pres = false;
         for voie in 0..SEIZE {
             pres |= forme.peut_entrer(&self.rayon(voie));
         }
+        // Roots and quotients only if one ray at least may enter.
         if !pres {
-            return None;
+            return;
         }
         // Computed for all and kept for some, in a loop of its own: a branch would not be
         // vectorised.
@@ -126,7 +107,14 @@ impl<R: Reel> Groupe<R> {
         for (voie, t) in t.iter_mut().enumerate() {
             *t = forme.t(&self.rayon(voie));
         }
-        Some(t)
+        for (voie, &t) in t.iter().enumerate() {
+            let (trouve, premier) = (Premier { t, rang: rang.en_nombre() }, self.premier(voie));
+            let precede =
+                if EN_ORDRE || un_suffit { t < premier.t } else { trouve.precede(premier) };
+            let t = if un_suffit { R::ZERO } else { t };
+            self.t[voie] = if precede { t } else { premier.t };
+            self.rangs[voie] = if precede { trouve.rang } else { premier.rang };
+        }
     }
 
     /// Writes the answers of these rays: for each object that is the first of some ray, the hits of
