@@ -20,22 +20,12 @@ pub(crate) struct Aligne<T>(pub(crate) T);
 pub(crate) struct Membres(u32);
 
 impl Membres {
-    /// Those that satisfy `est_membre`.
-    #[inline(always)]
-    pub(crate) fn tels_que(est_membre: impl Fn(usize) -> bool) -> Self {
-        let mut membres = 0;
-        for i in 0..SEIZE {
-            membres |= u32::from(est_membre(i)) << i;
-        }
-        Self(membres)
-    }
-
     /// None.
     pub(crate) const AUCUN: Self = Self(0);
 
     #[inline(always)]
-    pub(crate) fn ajouter(&mut self, i: usize) {
-        self.0 |= 1 << i;
+    pub(crate) fn ajouter_si(&mut self, i: usize, est_membre: bool) {
+        self.0 |= u32::from(est_membre) << i;
     }
 
     /// Takes out the one whose number is the least.

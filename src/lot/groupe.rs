@@ -125,7 +125,7 @@ impl<R: Reel> Groupe<R> {
         let mut restent = Membres::AUCUN;
         for (voie, touche) in touches.iter_mut().enumerate() {
             if self.rangs[voie] > 0 {
-                restent.ajouter(voie);
+                restent.ajouter_si(voie, true);
             } else {
                 *touche = Err(NoIntersection);
             }
@@ -133,7 +133,11 @@ impl<R: Reel> Groupe<R> {
         while let Some(voie) = restent.clone().next() {
             let Some(rang) = Rang::numero(self.rangs[voie]) else { return };
             let Some(objet) = objets.get(rang.indice()) else { return };
-            let siens = restent.et(&self.voies_de(rang));
+            let mut siens = Membres::AUCUN;
+            for voie in 0..SEIZE {
+                siens.ajouter_si(voie, self.rangs[voie] == rang.en_nombre());
+            }
+            siens = siens.et(&restent);
             restent = restent.sans(&siens);
             let cote_a_cote = siens.nombre() >= COTE_A_COTE;
             if cote_a_cote {
@@ -151,15 +155,6 @@ impl<R: Reel> Groupe<R> {
                 });
             }
         }
-    }
-
-    /// The rays whose first object has this rank.
-    #[inline(always)]
-    fn voies_de(&self, rang: Rang) -> Membres {
-        Membres::tels_que(
-            #[inline(always)]
-            |voie| self.rangs[voie] == rang.en_nombre(),
-        )
     }
 }
 
