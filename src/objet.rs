@@ -152,11 +152,6 @@ impl<R: Reel> ObjetRay<R> {
         })
     }
 
-    /// [`conclure`](Self::conclure), which the compiler need not inline into the loop over a list.
-    pub(crate) fn conclure_a_part(&self, rayon: &Rayon<R>, t: R, rang: Rang) -> Intersection<R> {
-        self.conclure(rayon, t, rang)
-    }
-
     /// The texture of this object.
     #[doc(alias = "material")]
     #[inline(always)]

@@ -53,7 +53,7 @@ pub fn premiere_intersection<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) 
         }
     }
     let objet = objets.get(premier).ok_or(NoIntersection)?;
-    Ok(objet.conclure_a_part(rayon, t_premier, Rang::de(premier)))
+    Ok(objet.conclure(rayon, t_premier, Rang::de(premier)))
 }
 
 impl<R: Reel> ObjetRay<R> {

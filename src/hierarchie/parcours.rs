@@ -32,7 +32,13 @@ impl<R: Reel> Arbre<'_, R> {
     ) -> Premier<R> {
         let mut recherche = Recherche { arbre: self, rayon: *rayon, premier };
         for &indice in self.plans {
-            if recherche.voir_demi_espace(indice_lu(indice)) && D::UN_SUFFIT {
+            let indice = indice_lu(indice);
+            // Matched as what it is, and its quotient behind a branch, for which no other step waits.
+            if let Some(ObjetRay::Plan(plan)) = self.objets.get(indice)
+                && plan.peut_entrer(rayon)
+                && recherche.retenir(plan.t(rayon), indice)
+                && D::UN_SUFFIT
+            {
                 return recherche.premier;
             }
         }
@@ -78,21 +84,7 @@ struct Recherche<'a, R> {
 }
 
 impl<R: Reel> Recherche<'_, R> {
-    /// Asks the half-space of this index, and tells whether it is now the first.
-    #[inline(always)]
-    fn voir_demi_espace(&mut self, indice: usize) -> bool {
-        // Matched as what it is, and its quotient behind a branch, for which no other step waits.
-        let Some(ObjetRay::Plan(plan)) = self.arbre.objets.get(indice) else { return false };
-        plan.peut_entrer(&self.rayon) && self.retenir(plan.t(&self.rayon), indice)
-    }
-
-    /// The same of a bounded object, whose ball a ray that crosses its box seldom passes by.
-    #[inline(always)]
-    fn voir_borne(&mut self, indice: usize) -> bool {
-        let objet = self.arbre.objets.get(indice);
-        objet.is_some_and(|objet| self.retenir(objet.t(&self.rayon), indice))
-    }
-
+    /// Makes the object of this index, entered at this distance, the first if it comes before it.
     #[inline(always)]
     fn retenir(&mut self, t: R, indice: usize) -> bool {
         let trouve = Premier { t, rang: Rang::de(indice).en_nombre() };
@@ -125,7 +117,10 @@ impl<R: Reel> Recherche<'_, R> {
         let mut suivant =
             if D::UN_SUFFIT { traverses.next() } else { traverses.prendre_le_moindre(&entrees) };
         while let Some(enfant) = suivant {
-            if self.voir_borne(indice_lu(indices[enfant])) {
+            let indice = indice_lu(indices[enfant]);
+            // Its ball is not asked: a ray that crosses its box seldom passes the ball by.
+            let objet = self.arbre.objets.get(indice);
+            if objet.is_some_and(|objet| self.retenir(objet.t(&self.rayon), indice)) {
                 trouve = true;
                 if D::UN_SUFFIT {
                     break;
