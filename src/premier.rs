@@ -27,6 +27,19 @@ impl<R: Reel> Premier<R> {
         self.t < autre.t || (self.t == autre.t && self.rang < autre.rang)
     }
 
+    /// Becomes the object at this index of the list, entered at distance `t`, if that comes before
+    /// it; tells whether.
+    #[inline(always)]
+    pub(crate) fn retenir(&mut self, t: R, indice: usize) -> bool {
+        let trouve = Self { t, rang: Rang::de(indice).en_nombre() };
+        // Two ends: with a flag instead a ray alone takes up to 1.5 times as long (measured).
+        if trouve.precede(*self) {
+            *self = trouve;
+            return true;
+        }
+        false
+    }
+
     /// The same object for another ray, if that ray enters it before `autre`; else `autre`.
     #[inline(always)]
     pub(crate) fn encore(self, objets: &[ObjetRay<R>], rayon: &Rayon<R>, autre: Self) -> Self {
