@@ -27,8 +27,8 @@ impl<R: Reel> Premier<R> {
         self.t < autre.t || (self.t == autre.t && self.rang < autre.rang)
     }
 
-    /// Becomes the object at this index of the list, entered at distance `t`, if that comes before
-    /// it; tells whether.
+    /// Takes the object at this index of the list, entered at distance `t`, instead of this one if
+    /// that object comes before; tells whether.
     #[inline(always)]
     pub(crate) fn retenir(&mut self, t: R, indice: usize) -> bool {
         let trouve = Self { t, rang: Rang::de(indice).en_nombre() };

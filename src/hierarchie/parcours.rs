@@ -56,8 +56,9 @@ impl<R: Reel> Arbre<'_, R> {
             &mut grande
         };
         let (mut pile, mut numero) = Pile::new(attentes, self.geants, self.noeuds.len() - 1);
+        // The largest entry that still matters, in the frame of the tree.
+        let mut plafond = self.repere.distance(premier.t);
         while let Some(noeud) = self.noeuds.get(numero) {
-            let plafond = self.repere.distance(premier.t);
             let (mut traverses, Aligne(entrees)) = sonde.traverse(simd, noeud, plafond);
             if numero < self.feuilles {
                 let [.., indices] = noeud;
@@ -75,7 +76,7 @@ impl<R: Reel> Arbre<'_, R> {
                         if D::UN_SUFFIT {
                             return premier;
                         }
-                        let plafond = self.repere.distance(premier.t);
+                        plafond = self.repere.distance(premier.t);
                         traverses = traverses.et(&au_plus(simd, &entrees, &[plafond; SEIZE]));
                     }
                     suivant = traverses.next();
@@ -84,7 +85,7 @@ impl<R: Reel> Arbre<'_, R> {
                 numero = proche;
                 continue;
             }
-            let Some(suivant) = pile.prendre(self.repere.distance(premier.t)) else { break };
+            let Some(suivant) = pile.prendre(plafond) else { break };
             numero = suivant;
         }
         premier

@@ -137,6 +137,7 @@ impl<R: Reel> Groupe<R> {
             for voie in 0..SEIZE {
                 siens.ajouter_si(voie, self.rangs[voie] == rang.en_nombre());
             }
+            // Without those that stand in for missing rays, which have no answer.
             siens = siens.et(&restent);
             restent = restent.sans(&siens);
             let cote_a_cote = siens.nombre() >= COTE_A_COTE;
