@@ -13,6 +13,7 @@ use std::time::Instant;
 
 use exemples::image;
 use exemples::scene::Scene;
+use exemples::verre::{avant_la_sortie, sortir};
 use indicatif::ParallelProgressIterator;
 use lancer_rayon::{
     Hierarchie, Intersection, LongueursDifferentes, NoIntersection, ObjetRay, Rayon, Reel,
@@ -146,6 +147,9 @@ struct Chambre<'a, R> {
     rayons: usize,
 }
 
+/// A ray to a lamp, and how far it is.
+type Ombre<R> = (Rayon<R>, R);
+
 /// A path on its way: what it finds counts in this part, for this path of the wave.
 struct Chemin<R> {
     rayon: Rayon<R>,
@@ -176,9 +180,11 @@ impl<R: Reel> Chambre<'_, R> {
             for (chemin, touche) in chemins.into_iter().zip(touches) {
                 if let Some(verre) = chemin.dans {
                     // Shot back, 2 of a million rays miss the box that they left, in `f32`: they end.
-                    let Some((t, sortie)) = self.sortie(&chemin, verre) else { continue };
-                    if !touche.is_ok_and(|touche| touche.distance() < t) {
-                        suivants.push(sortie);
+                    let loin = R::depuis_f64(VERRE);
+                    let sortie = sortir(&self.objets[verre], &chemin.rayon, loin);
+                    let Some(sortie) = sortie else { continue };
+                    if !touche.is_ok_and(|t| avant_la_sortie(&chemin.rayon, &t, &sortie)) {
+                        suivants.extend(chemin.dehors(&sortie, verre));
                         continue;
                     }
                 }
@@ -197,11 +203,13 @@ impl<R: Reel> Chambre<'_, R> {
                     suivants.push(suivant);
                 }
             }
-            let touches = self.lancer(ombres.iter().map(|(ombre, ..)| *ombre))?;
-            for ((_, numero, lumiere), touche) in ombres.into_iter().zip(touches) {
-                // The lamp itself stands before the point of it that the ray is sent to: where it comes
-                // first, nothing else does. To compare objects needs no distance and no epsilon.
-                if touche.is_ok_and(|touche| touche.objet() == LAMPE) {
+            // The lamp would stand before the point of it that a ray is sent to: no distance is exact
+            // enough to stop just before it. Left out, it needs no epsilon.
+            let (vers, lumieres): (Vec<_>, Vec<_>) = ombres.into_iter().unzip();
+            let mut occultes = vec![false; vers.len()];
+            self.hierarchie.sans(LAMPE).sont_occultes(&vers, &mut occultes)?;
+            for ((numero, lumiere), occulte) in lumieres.into_iter().zip(occultes) {
+                if !occulte {
                     vues[numero] += lumiere;
                 }
             }
@@ -224,18 +232,6 @@ impl<R: Reel> Chambre<'_, R> {
         Ok(touches)
     }
 
-    /// How far a path inside glass goes, and how it goes on: shot back from beyond the object, a ray
-    /// enters where the path leaves.
-    fn sortie(&self, chemin: &Chemin<R>, verre: usize) -> Option<(R, Chemin<R>)> {
-        let (d, loin) = (chemin.rayon.direction(), R::depuis_f64(VERRE));
-        let retour = Rayon::new(chemin.rayon.point(loin), -d).ok()?;
-        let touche = self.objets[verre].intersection(&retour).ok()?;
-        let (vers, dehors) = traverser(d, -touche.normale(), INDICE);
-        let rayon = retour.secondaire(&touche, vers).ok()?;
-        let dans = (!dehors).then_some(verre);
-        Some((loin - touche.distance(), Chemin { rayon, dans, ..*chemin }))
-    }
-
     /// The ray from a matt surface to a point of the half of the lamp that faces it, and the light that it
     /// brings to this path if it arrives.
     fn vers_la_lampe(
@@ -243,7 +239,7 @@ impl<R: Reel> Chambre<'_, R> {
         chemin: &Chemin<R>,
         touche: &Intersection<R>,
         part: Couleur,
-    ) -> Option<(Rayon<R>, usize, Couleur)> {
+    ) -> Option<(Ombre<R>, (usize, Couleur))> {
         let (centre, rayon) = (self.lampe.centre(), self.lampe.rayon());
         let axe = (chemin.rayon.point(touche.distance()) - centre).unitaire()?;
         // The normal of the lamp there, more often near the axis, by the cosine: nearly as the light goes.
@@ -256,11 +252,18 @@ impl<R: Reel> Chambre<'_, R> {
         let poids = de_face / n.produit_scalaire(axe) * l.produit_scalaire(touche.normale());
         let poids = (poids * rayon * rayon / (distance * distance)).vers_f64();
         let lumiere = produit(part, LUEUR) * poids;
-        (de_face > R::ZERO).then_some((ombre, chemin.numero, lumiere))
+        (de_face > R::ZERO).then_some(((ombre, distance), (chemin.numero, lumiere)))
     }
 }
 
 impl<R: Reel> Chemin<R> {
+    /// How a path inside the object of this index goes on from where it leaves it, or is mirrored within.
+    fn dehors(&self, (retour, sortie): &(Rayon<R>, Intersection<R>), verre: usize) -> Option<Self> {
+        let (vers, passe) = traverser(self.rayon.direction(), -sortie.normale(), INDICE);
+        let rayon = retour.secondaire(sortie, vers).ok()?;
+        Some(Self { rayon, dans: (!passe).then_some(verre), ..*self })
+    }
+
     /// How a path goes on from a surface that is not the lamp.
     fn rebond(&self, touche: &Intersection<R>) -> Option<Self> {
         let (d, n) = (self.rayon.direction(), touche.normale());

@@ -16,6 +16,7 @@ use std::time::Instant;
 
 use crate::image;
 use crate::scene::Scene;
+use crate::verre::{avant_la_sortie, sortir};
 use indicatif::ParallelProgressIterator;
 use lancer_rayon::{
     Hierarchie, Intersection, LongueursDifferentes, NoIntersection, ObjetRay, Rayon, Reel, Touche,
@@ -322,21 +323,16 @@ impl<R: Reel> Atelier<'_, R> {
         (Surface { trajet, touche, reflechie, couleur, eclat: matiere.eclat }, suivant)
     }
 
-    /// Where a ray inside glass leaves it, unless it touches something else before: shot back from beyond
-    /// the object, it enters where it left.
+    /// Where a ray inside glass leaves it, unless it touches something else before.
     fn sortie(&self, trajet: &Trajet<R>, touche: &Touche<R>) -> Option<Trajet<R>> {
         let Trajet { rayon, oeil, part, quitte, dedans: true } = *trajet else { return None };
         let objet = &self.objets[quitte];
-        let longueur = match objet {
-            ObjetRay::Sphere(sphere) => sphere.rayon(),
-            ObjetRay::Boite(boite) => Vecteur::from(boite.demi_longueurs()).longueur(),
-            ObjetRay::Plan(_) => return None,
-        } * R::depuis_f64(3.0);
-        let retour = Rayon::new(rayon.point(longueur), -rayon.direction()).ok()?;
-        let sortie = objet.intersection(&retour).ok()?;
-        if touche.is_ok_and(|touche| touche.distance() < longueur - sortie.distance()) {
+        let [bas, haut] = objet.etendue()?;
+        let sortie = sortir(objet, &rayon, (haut - bas).longueur() * R::depuis_f64(2.0))?;
+        if touche.is_ok_and(|touche| avant_la_sortie(&rayon, &touche, &sortie)) {
             return None;
         }
+        let (retour, sortie) = sortie;
         let matiere = &PALETTE[sortie.texture().0 as usize % PALETTE.len()];
         let (d, n) = (rayon.direction(), -sortie.normale());
         // Beyond the critical angle the ray stays inside.

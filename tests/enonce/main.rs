@@ -10,4 +10,5 @@ mod manipulations;
 mod rotation;
 mod totalite;
 mod vecteur;
+mod verre;
 mod visibilite;
