@@ -171,23 +171,29 @@ fn graphique(variantes: &[Variante]) -> Result<(), Box<dyn Error>> {
         .y_desc("relative error of the distance, 99.9 %")
         .y_label_formatter(&|y| format!("{y:.0e}"))
         .draw()?;
-    // Where a name would lie on a point or on another name, it goes elsewhere.
-    let points: Vec<_> = variantes.iter().map(|v| (v.ns, v.erreurs[1])).collect();
-    let coins = points.iter().map(|point| graphe.backend_coord(point));
+    // A name lies beside its point, from left to right, where it touches neither the edge of the plot,
+    // with its axes and their names, nor a point or another name.
+    let mut points: Vec<_> = variantes.iter().map(|v| (v, (v.ns, v.erreurs[1]))).collect();
+    points.sort_by(|(a, _), (b, _)| a.ns.total_cmp(&b.ns));
+    let coins = points.iter().map(|(_, point)| graphe.backend_coord(point));
     let mut pris: Vec<_> = coins.map(|(x, y)| [x - 6, y - 6, x + 6, y + 6]).collect();
-    for (v, point) in variantes.iter().zip(points) {
+    let (colonnes, lignes) = graphe.plotting_area().get_pixel_range();
+    for (v, point) in points {
         // A colour a scalar.
         let couleur = COULEURS[usize::from(v.nom.ends_with("f64"))];
         let (x, y) = graphe.backend_coord(&point);
         let large = 8 * v.nom.len() as i32;
-        let cotes = [(10, -8), (-10 - large, -8)].into_iter();
-        let etages = (1..9).flat_map(|i| [(-large / 2, 18 * -i - 6), (-large / 2, 18 * i - 8)]);
+        let etages = (1..9).flat_map(|i| [-18 * i - 6, 18 * i - 8]);
+        let etages = etages.flat_map(|dy| [(-large / 2, dy), (0, dy)]);
         let boite = |&(dx, dy): &(i32, i32)| [x + dx, y + dy, x + dx + large, y + dy + 16];
         let libre = |ou: &(i32, i32)| {
             let [a, b, c, d] = boite(ou);
-            pris.iter().all(|[e, f, g, h]| c <= *e || *g <= a || d <= *f || *h <= b)
+            let dedans =
+                colonnes.start < a && c < colonnes.end && lignes.start < b && d < lignes.end;
+            dedans && pris.iter().all(|[e, f, g, h]| c <= *e || *g <= a || d <= *f || *h <= b)
         };
-        let ou = cotes.chain(etages).find(libre).unwrap_or((10, -8));
+        let mut places = [(10, -8), (-10 - large, -8)].into_iter().chain(etages);
+        let ou = places.find(libre).ok_or("compromis.svg has no room for a name")?;
         pris.push(boite(&ou));
         let nom = Text::new(v.nom.clone(), ou, ("sans-serif", 15).into_font());
         let element = EmptyElement::at(point) + Circle::new((0, 0), 6, couleur.filled()) + nom;
