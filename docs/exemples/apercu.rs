@@ -1,5 +1,5 @@
-//! An overview of a scene: what every camera ray touches, in `f64` and in `f32`, as a table and as
-//! a picture.
+//! An overview of a scene: what every camera ray touches, how long that takes in `f64` and in `f32`, and
+//! how far these differ, as a table and as a picture.
 //!
 //! `cargo run --release -p exemples [scene.ron] [image.png]`
 
@@ -7,12 +7,14 @@ use std::error::Error;
 use std::io::{self, Write};
 use std::path::Path;
 use std::process::ExitCode;
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 use exemples::scene::Scene;
+use exemples::surete::Jugement;
 use exemples::{image, surete};
 use lancer_rayon::{
-    Intersection, NoIntersection, ObjetGeo, Rayon, Reel, Touche, premiere_intersection,
+    Hierarchie, LongueursDifferentes, NoIntersection, ObjetGeo, ObjetRay, Rayon, Reel, Touche,
+    premiere_intersection,
 };
 
 const SCENE: &str = "docs/scenes/atelier.ron";
@@ -24,60 +26,106 @@ fn main() -> ExitCode {
 }
 
 fn apercu(chemin: &str, image: &str) -> Result<(), Box<dyn Error>> {
-    let scene: Scene<f64> = Scene::lire(Path::new(chemin))?;
-    let simple: Scene<f32> = Scene::lire(Path::new(chemin))?;
-    let rayons = scene.camera.rayons()?;
-    let (touches, duree) = lancer(&scene.objets, &rayons);
-    let (simples, duree_simple) = lancer(&simple.objets, &simple.camera.rayons()?);
-
-    let mut sortie = io::stdout().lock();
+    let Scene { camera, objets } = Scene::<f64>::lire(Path::new(chemin))?;
     let [mut spheres, mut plans, mut boites] = [0; 3];
-    for objet in &scene.objets {
+    for objet in &objets {
         match objet {
             ObjetGeo::Sphere(_) => spheres += 1,
             ObjetGeo::Plan(_) => plans += 1,
             ObjetGeo::Boite(_) => boites += 1,
         }
     }
-    let n = rayons.len();
+    let Scene { objets: simples, .. } = Scene::<f32>::lire(Path::new(chemin))?;
+    let objets: Vec<_> = objets.into_iter().map(ObjetRay::from).collect();
+    let simples: Vec<_> = simples.into_iter().map(ObjetRay::from).collect();
+    let (rayons, rayons_simples) = (camera.rayons()?, camera.rayons()?);
+    let (touches, temps) = lancer(&objets, &rayons, camera.image.0)?;
+    let (touches_simples, temps_simples) = lancer(&simples, &rayons_simples, camera.image.0)?;
+
+    let mut sortie = io::stdout().lock();
     writeln!(sortie, "{chemin}")?;
     writeln!(sortie, "objects  {spheres} spheres, {plans} half-spaces, {boites} boxes")?;
-    writeln!(sortie, "hits     {} of {n} rays", touches.iter().flatten().count())?;
-    for (nom, duree) in [("f64", duree), ("f32", duree_simple)] {
-        let par_rayon = duree.as_secs_f64() * 1e9 / n as f64;
-        writeln!(
-            sortie,
-            "{nom}      {:.1} ms, {par_rayon:.0} ns per ray",
-            duree.as_secs_f64() * 1e3
-        )?;
+    writeln!(sortie, "hits     {} of {} rays", touches.iter().flatten().count(), rayons.len())?;
+    writeln!(sortie, "time     ns per ray                  f64     f32")?;
+    for ((facon, double), simple) in FACONS.iter().zip(temps).zip(temps_simples) {
+        writeln!(sortie, "         {facon:<23} {double:>7.1} {simple:>7.1}")?;
     }
-    comparer(&mut sortie, &touches, &simples)?;
-    let objets: Vec<_> = simple.objets.iter().map(|objet| objet.vers_ray()).collect();
-    let pixels = surete::juger(&objets, &simple.camera.rayons()?);
+    writeln!(sortie, "         all with the hits of the list; the batch in tiles of 8 x 8 pixels")?;
+    comparer(&mut sortie, &touches, &touches_simples)?;
+    let jugements = surete::juger(&simples, &rayons_simples);
+    let comptes = surete::compter(&jugements);
     writeln!(
         sortie,
         "         on the same numbers {} rays differ; f32 called {} uncertain before, and {} of these not",
-        pixels.autres, pixels.incertains, pixels.tus
+        comptes.autres, comptes.incertaines, comptes.tues
     )?;
-    let (largeur, hauteur) = scene.camera.image;
-    peindre(image, largeur, hauteur, &rayons, &touches).map_err(|e| format!("{image}: {e}"))?;
-    writeln!(sortie, "picture  {image}: normals | distance (log) | textures")?;
+    peindre(image, camera.image, &rayons, &touches, &jugements)
+        .map_err(|e| format!("{image}: {e}"))?;
+    writeln!(sortie, "picture  {image}: normals | distance (log) | textures | f32 - f64")?;
+    writeln!(
+        sortie,
+        "         f32 - f64 on the same numbers, of the distance: violet {PEU:e}, blue, green, \
+         yellow {BEAUCOUP:e} (log); red: not certain"
+    )?;
     Ok(())
 }
 
-/// What every ray touches, and the time of the best of three passes: the machine has other work.
-fn lancer<R: Reel>(objets: &[ObjetGeo<R>], rayons: &[Rayon<R>]) -> (Vec<Touche<R>>, Duration) {
-    let objets: Vec<_> = objets.iter().map(|objet| objet.vers_ray()).collect();
-    let mut touches = vec![Err(NoIntersection); rayons.len()];
-    let passe = |_| {
-        let debut = Instant::now();
-        for (touche, rayon) in touches.iter_mut().zip(rayons) {
-            *touche = premiere_intersection(&objets, rayon);
+/// The ways to ask for the rays of a picture.
+const FACONS: [&str; 3] = ["list", "hierarchy", "batch of the hierarchy"];
+
+type Facon<'a, R> = &'a dyn Fn(&mut [Touche<R>]) -> Result<(), LongueursDifferentes>;
+
+/// What every ray touches, and the nanoseconds per ray of each of `FACONS`.
+type Mesure<R> = (Vec<Touche<R>>, [f64; 3]);
+
+/// Asks for a picture so wide in three passes, the best of which counts: the machine has other work.
+fn lancer<R: Reel>(
+    objets: &[ObjetRay<R>],
+    rayons: &[Rayon<R>],
+    largeur: u32,
+) -> Result<Mesure<R>, Box<dyn Error>> {
+    let largeur = largeur as usize;
+    // The batch is at its best with neighbours in tiles of 8 × 8.
+    let mut ordre: Vec<usize> = (0..rayons.len()).collect();
+    ordre.sort_by_key(|i| (i / largeur / 8, i % largeur / 8));
+    let tuiles: Vec<_> = ordre.iter().map(|&i| rayons[i]).collect();
+    let mut places = vec![0.0; Hierarchie::places(objets.len())];
+    let hierarchie = Hierarchie::new(objets, &mut places)?;
+    let facons: [Facon<'_, R>; 3] = [
+        &|touches| {
+            for (touche, rayon) in touches.iter_mut().zip(&tuiles) {
+                *touche = premiere_intersection(objets, rayon);
+            }
+            Ok(())
+        },
+        &|touches| {
+            for (touche, rayon) in touches.iter_mut().zip(&tuiles) {
+                *touche = hierarchie.premiere_intersection(rayon);
+            }
+            Ok(())
+        },
+        &|touches| hierarchie.premieres_intersections(&tuiles, touches),
+    ];
+    let mut touches = [(); 3].map(|()| vec![Err(NoIntersection); rayons.len()]);
+    let mut temps = [f64::INFINITY; 3];
+    for _ in 0..3 {
+        for ((facon, touches), temps) in facons.iter().zip(&mut touches).zip(&mut temps) {
+            let debut = Instant::now();
+            facon(touches)?;
+            *temps = temps.min(debut.elapsed().as_secs_f64() * 1e9 / rayons.len() as f64);
         }
-        debut.elapsed()
-    };
-    let duree = (0..3).map(passe).min().unwrap_or_default();
-    (touches, duree)
+    }
+    let [liste, autres @ ..] = touches;
+    for (touches, facon) in autres.iter().zip(&FACONS[1..]) {
+        if *touches != liste {
+            return Err(format!("the {facon} has other hits than the list").into());
+        }
+    }
+    let mut touches = liste.clone();
+    for (i, touche) in ordre.into_iter().zip(liste) {
+        touches[i] = touche;
+    }
+    Ok((touches, temps))
 }
 
 /// How far the answers in `f32` are from those in `f64`.
@@ -116,43 +164,71 @@ fn comparer(
 }
 
 type Couleur = [u8; 3];
-type Panneau<'a> = &'a dyn Fn(&Intersection, &Rayon) -> Couleur;
 
-/// Writes the three panels side by side as a PNG.
+/// The colour of the pixel of this index, unless nothing is seen there.
+type Panneau<'a> = &'a dyn Fn(usize) -> Option<Couleur>;
+
+/// The ends of the ramp of differences between `f32` and `f64`.
+const PEU: f64 = 1e-9;
+const BEAUCOUP: f64 = 1e-5;
+
+/// An answer that is not certain. No ramp or texture comes near.
+const ALARME: Couleur = [255, 30, 30];
+
+/// How far the mark of such a pixel reaches, so that one alone is seen.
+const MARQUE: usize = 4;
+
+/// Writes the four panels side by side as a PNG.
 fn peindre(
     chemin: &str,
-    largeur: u32,
-    hauteur: u32,
+    (largeur, hauteur): (u32, u32),
     rayons: &[Rayon],
     touches: &[Touche],
+    jugements: &[Jugement],
 ) -> Result<(), Box<dyn Error>> {
     let mut logs: Vec<f64> = touches.iter().flatten().map(|t| t.distance().ln()).collect();
     logs.sort_by(f64::total_cmp);
     // The ramp leaves out the ends: one far horizon would flatten all the rest.
     let centile = |c: usize| logs.get(logs.len() * c / 100).copied().unwrap_or(0.0);
     let (pres, loin) = (centile(1), centile(97).max(centile(1) + 1e-9));
-
-    let normale = |t: &Intersection, _: &Rayon| {
-        <[f64; 3]>::from(t.normale()).map(|x| (127.5 * (x + 1.0)).round() as u8)
-    };
-    let distance = |t: &Intersection, _: &Rayon| rampe((t.distance().ln() - pres) / (loin - pres));
-    let texture = |t: &Intersection, r: &Rayon| {
-        let face = -t.normale().produit_scalaire(r.direction());
-        teinte(t.texture().0, 0.35 + 0.65 * face)
-    };
-    let panneaux: [Panneau<'_>; 3] = [&normale, &distance, &texture];
-
-    let lignes = touches.chunks(largeur as usize).zip(rayons.chunks(largeur as usize));
-    let mut pixels = Vec::with_capacity(3 * 3 * touches.len());
-    for (j, (touches, rayons)) in lignes.enumerate() {
-        let fond = fond(j as f64 / f64::from(hauteur));
-        for panneau in panneaux {
-            for (touche, rayon) in touches.iter().zip(rayons) {
-                pixels.extend(touche.as_ref().map_or(fond, |t| panneau(t, rayon)));
-            }
+    let cote = largeur as usize;
+    let mut marques = vec![false; jugements.len()];
+    for i in (0..jugements.len()).filter(|&i| !jugements[i].certaine) {
+        let autour = |x: usize, fin: usize| x.saturating_sub(MARQUE)..(x + MARQUE + 1).min(fin);
+        for ligne in autour(i / cote, hauteur as usize) {
+            let colonnes = autour(i % cote, cote);
+            marques[ligne * cote + colonnes.start..ligne * cote + colonnes.end].fill(true);
         }
     }
-    image::ecrire(chemin, (3 * largeur, hauteur), png::Compression::Fast, &pixels)
+
+    let normale = |i: usize| {
+        let n = touches[i].ok()?.normale();
+        Some(<[f64; 3]>::from(n).map(|x| (127.5 * (x + 1.0)).round() as u8))
+    };
+    let distance = |i: usize| {
+        let t = touches[i].ok()?.distance();
+        Some(rampe((t.ln() - pres) / (loin - pres)))
+    };
+    let texture = |i: usize| {
+        let t = touches[i].ok()?;
+        let face = -t.normale().produit_scalaire(rayons[i].direction());
+        Some(teinte(t.texture().0, 0.35 + 0.65 * face))
+    };
+    let ecart = |i: usize| {
+        let difference = |x: f64| rampe((BEAUCOUP / x).ln() / (BEAUCOUP / PEU).ln());
+        if marques[i] { Some(ALARME) } else { jugements[i].ecart.map(difference) }
+    };
+    let panneaux: [Panneau<'_>; 4] = [&normale, &distance, &texture, &ecart];
+
+    let mut pixels = Vec::with_capacity(4 * 3 * touches.len());
+    for j in 0..hauteur as usize {
+        let fond = fond(j as f64 / f64::from(hauteur));
+        for panneau in panneaux {
+            let ligne = j * cote..(j + 1) * cote;
+            pixels.extend(ligne.flat_map(|i| panneau(i).unwrap_or(fond)));
+        }
+    }
+    image::ecrire(chemin, (4 * largeur, hauteur), png::Compression::Fast, &pixels)
 }
 
 /// What is seen where nothing is touched: a dusk, from the top (0) to the bottom (1).

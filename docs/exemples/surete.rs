@@ -21,38 +21,52 @@ pub fn est_certaine<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>, touche: &
     })
 }
 
-/// Rays of a picture in `f32`.
-#[derive(Debug, Default)]
-pub struct Pixels {
-    /// Those whose answer is not certain.
-    pub incertains: usize,
-    /// Those whose answer in `f64` on the same numbers is another object, or none, or a distance
-    /// farther off than `erreur`.
-    pub autres: usize,
-    /// Those of the latter that were certain: there must be none.
-    pub tus: usize,
+/// What `f64` says, on the same numbers, of an answer in `f32`, and what `f32` itself said before.
+#[derive(Clone, Copy, Debug)]
+pub struct Jugement {
+    /// Whether `est_certaine` says so.
+    pub certaine: bool,
+    /// Whether the answer in `f64` is another object, or none, or a distance farther off than `erreur`.
+    pub autre: bool,
+    /// How far the distance is from that in `f64`, in parts of it; none unless both name one object.
+    pub ecart: Option<f64>,
 }
 
-/// What `f64` says, on the same numbers, of the answers in `f32`, and what `f32` itself said of them
-/// before.
-pub fn juger(objets: &[ObjetRay<f32>], rayons: &[Rayon<f32>]) -> Pixels {
+/// The judgement of each of these rays.
+pub fn juger(objets: &[ObjetRay<f32>], rayons: &[Rayon<f32>]) -> Vec<Jugement> {
     let doubles: Vec<_> = objets.iter().map(ObjetRay::vers_f64).collect();
-    let mut pixels = Pixels::default();
-    for rayon in rayons {
+    let jugement = |rayon: &Rayon<f32>| {
         let touche = premiere_intersection(objets, rayon);
-        let certaine = est_certaine(objets, rayon, &touche);
-        let autre = match (touche, premiere_intersection(&doubles, &rayon.vers_f64())) {
-            (Err(NoIntersection), Err(NoIntersection)) => false,
-            (Ok(a), Ok(b)) => {
+        let (autre, ecart) = match (touche, premiere_intersection(&doubles, &rayon.vers_f64())) {
+            (Err(NoIntersection), Err(NoIntersection)) => (false, None),
+            (Ok(a), Ok(b)) if a.objet() == b.objet() => {
                 let ecart = (f64::from(a.distance()) - b.distance()).abs();
                 let erreur = objets[a.objet()].erreur(rayon, &a);
-                a.objet() != b.objet() || ecart > f64::from(erreur)
+                (ecart > f64::from(erreur), Some(ecart / b.distance()))
             }
-            (Ok(_), Err(NoIntersection)) | (Err(NoIntersection), Ok(_)) => true,
+            (Ok(_), Ok(_) | Err(NoIntersection)) | (Err(NoIntersection), Ok(_)) => (true, None),
         };
-        pixels.incertains += usize::from(!certaine);
-        pixels.autres += usize::from(autre);
-        pixels.tus += usize::from(autre && certaine);
+        Jugement { certaine: est_certaine(objets, rayon, &touche), autre, ecart }
+    };
+    rayons.iter().map(jugement).collect()
+}
+
+/// How many of the judged rays are what.
+#[derive(Debug)]
+pub struct Comptes {
+    /// Those whose answer is not certain.
+    pub incertaines: usize,
+    /// Those that `f64` answers otherwise.
+    pub autres: usize,
+    /// Those of the latter that were certain: there must be none.
+    pub tues: usize,
+}
+
+pub fn compter(jugements: &[Jugement]) -> Comptes {
+    let combien = |quoi: fn(&&Jugement) -> bool| jugements.iter().filter(quoi).count();
+    Comptes {
+        incertaines: combien(|j| !j.certaine),
+        autres: combien(|j| j.autre),
+        tues: combien(|j| j.autre && j.certaine),
     }
-    pixels
 }

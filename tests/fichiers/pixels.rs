@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 
 use exemples::scene::Scene;
-use exemples::surete::juger;
+use exemples::surete::{compter, juger};
 use lancer_rayon::{ObjetRay, Rayon, premiere_intersection};
 
 const SCENES: [&str; 5] = ["atelier", "soir", "foule", "flocon", "extremes"];
@@ -39,16 +39,16 @@ fn un_pixel_faux_etait_incertain() {
         let rayons = scene.camera.rayons().unwrap();
         let voisins = rayons.windows(2).map(|paire| [paire[0], paire[1]]);
         let bords: Vec<_> = voisins.filter_map(|v| au_bord(&objets, v)).flatten().collect();
-        let [image, bord] = [&rayons, &bords].map(|rayons| juger(&objets, rayons));
-        assert_eq!((image.tus, bord.tus), (0, 0), "{nom}: {image:?} {bord:?}");
+        let [image, bord] = [&rayons, &bords].map(|rayons| compter(&juger(&objets, rayons)));
+        assert_eq!((image.tues, bord.tues), (0, 0), "{nom}: {image:?} {bord:?}");
         lignes += &format!(
             "| {nom} | {} | {} | {} | {} | {} | {} | {} |\n",
             objets.len(),
             rayons.len(),
-            image.incertains,
+            image.incertaines,
             image.autres,
             bords.len(),
-            bord.incertains,
+            bord.incertaines,
             bord.autres
         );
     }
