@@ -1,5 +1,4 @@
-//! A lamp that is an object of the list: a point sees it where the lamp is the first object of the ray to it,
-//! and no distance is compared.
+//! A lamp that is an object of the list is left out: no distance is exact enough to stop just before it.
 
 use commun::oracle::Exact;
 use commun::regimes::{direction, entre, signe};
@@ -7,17 +6,12 @@ use commun::tolerances::u;
 use commun::{arrondi, en_f32_et_f64};
 use fastrand::Rng;
 use lancer_rayon::{
-    BoiteGeo, Hierarchie, NoIntersection, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo,
-    Texture, Vecteur, est_occulte, premiere_intersection,
+    BoiteGeo, Hierarchie, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture, Vecteur,
+    est_occulte,
 };
 
-/// What rounding leaves open, in u of the lengths that go into the ray and the lamp: the ray passes 9u beside
-/// the point of the lamp that it is sent to, the silhouette of a sphere is sharp to 4u, a face of a box to 7u,
-/// and this test computes in f64, with room of 4u.
-const OUVERT: f64 = 24.0;
-
-/// A point of a lamp, its outward normal there, and how far the point is from the end of its face.
-type Lumineux = (Vecteur, Vecteur, f64);
+/// A point of a lamp, and its outward normal there.
+type Lumineux = (Vecteur, Vecteur);
 
 /// A number near 1, or nearer and nearer.
 fn vers_un(alea: &mut Rng) -> f64 {
@@ -33,13 +27,13 @@ fn lumineux<R: Reel>(lampe: &ObjetRay<R>, s: Vecteur, alea: &mut Rng) -> Lumineu
             let travers = (n - vers * n.produit_scalaire(vers)).unitaire().unwrap();
             let sin = vers_un(alea);
             let n = if alea.bool() { n } else { travers * sin + vers * (1.0 - sin * sin).sqrt() };
-            (sphere.centre().vers_f64() + n * sphere.rayon().vers_f64(), n, f64::INFINITY)
+            (sphere.centre().vers_f64() + n * sphere.rayon().vers_f64(), n)
         }
         ObjetRay::Plan(plan) => {
             let n = plan.normale().vers_f64();
             let x = direction(alea) * 20.0;
             let haut = n.produit_scalaire(x) + plan.distance().vers_f64();
-            (x - n * haut, n, f64::INFINITY)
+            (x - n * haut, n)
         }
         ObjetRay::Boite(boite) => {
             let (axe, l) = (alea.usize(0..3), boite.demi_longueurs().map(R::vers_f64));
@@ -47,29 +41,7 @@ fn lumineux<R: Reel>(lampe: &ObjetRay<R>, s: Vecteur, alea: &mut Rng) -> Lumineu
             let mut parts = [(); 3].map(|()| signe(alea) * vers_un(alea));
             parts[axe] = parts[axe].signum();
             let depuis: Vecteur = (0..3).map(|i| normales[i] * (l[i] * parts[i])).sum();
-            let bord = (0..3).filter(|i| *i != axe).map(|i| l[i] * (1.0 - parts[i].abs()));
-            let bord = bord.fold(f64::INFINITY, f64::min);
-            (boite.centre().vers_f64() + depuis, normales[axe] * parts[axe], bord)
-        }
-    }
-}
-
-/// Whether rounding leaves open if the ray from `s` meets the lamp at this point of it.
-fn ouvert<R: Reel>(lampe: &ObjetRay<R>, (q, n, bord): Lumineux, s: Vecteur) -> bool {
-    let cosinus = (s - q).produit_scalaire(n) / (s - q).longueur();
-    let longueurs =
-        |f: f64, r: f64| OUVERT * u::<R>() * ((s - q).longueur() + s.longueur() + f + r);
-    match lampe {
-        ObjetRay::Sphere(sphere) => {
-            let (f, r) = ((s - sphere.centre().vers_f64()).longueur(), sphere.rayon().vers_f64());
-            // r − AC, where AC = r·sin.
-            r * cosinus * cosinus / 2.0 < longueurs(f, r)
-        }
-        ObjetRay::Plan(plan) => cosinus < longueurs(0.0, plan.distance().vers_f64().abs()),
-        ObjetRay::Boite(boite) => {
-            let rho = Vecteur::from(boite.demi_longueurs()).longueur().vers_f64();
-            let f = (s - boite.centre().vers_f64()).longueur();
-            bord < longueurs(f, rho) * (1.0 + 1.0 / cosinus)
+            (boite.centre().vers_f64() + depuis, normales[axe] * parts[axe])
         }
     }
 }
@@ -87,11 +59,12 @@ fn lampes<R: Reel>(alea: &mut Rng) -> [ObjetRay<R>; 3] {
 }
 
 /// The ball or the box at the origin stands before the lamp where the lamp's own face turns away or N·L ≤ 0,
-/// and nowhere else: both are convex. So the lamp must be first wherever both faces look at each other.
+/// and nowhere else: both are convex. So with the lamp left out the recipe sees every point of it that faces the
+/// start, however near to the silhouette; and a screen hides what it hides of a list without the lamp.
 fn un_point_voit_la_lampe_qui_lui_fait_face<R: Reel>() {
     let mut alea = Rng::with_seed(19);
     let mut vus = [0; 3];
-    let mut caches = 0;
+    let (mut caches, mut derriere) = (0, 0);
     for _ in 0..40 {
         let tour = Rotation::new(arrondi::<R>(direction(&mut alea))).unwrap();
         let cotes = arrondi(Vecteur::new(2.0, 1.0, 1.5));
@@ -101,7 +74,9 @@ fn un_point_voit_la_lampe_qui_lui_fait_face<R: Reel>() {
         ];
         for (forme, lampe) in lampes::<R>(&mut alea).into_iter().enumerate() {
             for recepteur in recepteurs {
-                let scene = [recepteur, lampe];
+                let centre = arrondi(direction(&mut alea) * entre(&mut alea, 2.0, 3.5));
+                let ecran = SphereGeo::new(centre, R::depuis_f64(0.9), Texture(2)).unwrap();
+                let ecran = ObjetRay::from(ecran);
                 let mut ombres = Vec::new();
                 for _ in 0..200 {
                     let oeil = arrondi(direction(&mut alea) * 3.0);
@@ -109,28 +84,29 @@ fn un_point_voit_la_lampe_qui_lui_fait_face<R: Reel>() {
                     let Ok(rayon) = Rayon::new(oeil, vers) else { continue };
                     let Ok(touche) = recepteur.intersection(&rayon) else { continue };
                     let p = rayon.point(touche.distance()).vers_f64();
-                    let point = lumineux(&lampe, p, &mut alea);
-                    let (q, n, _) = point;
+                    let (q, n) = lumineux(&lampe, p, &mut alea);
                     let vers = rayon.vers_lumiere(&touche, arrondi(q));
+                    let vers = vers.filter(|(ombre, _)| {
+                        ombre.direction().produit_scalaire(arrondi(n)) < R::ZERO
+                    });
                     let Some((ombre, distance)) = vers else { continue };
-                    let s = ombre.source().vers_f64();
-                    let en_face = (s - q).produit_scalaire(n) > 0.0;
-                    if en_face && !ouvert(&lampe, point, s) {
-                        let vue = premiere_intersection(&scene, &ombre).map(|t| t.objet());
-                        assert_eq!(vue, Ok(1), "dark: {scene:?} {ombre:?} {q:?}");
-                        caches += u32::from(est_occulte(&scene, &ombre, distance));
-                        vus[forme] += 1;
-                        ombres.push(ombre);
-                    }
+                    caches += u32::from(est_occulte(&[lampe], &ombre, distance));
+                    vus[forme] += 1;
+                    ombres.push((ombre, distance));
                 }
-                // In a hierarchy and in a batch, among copies that make it a tree.
-                let objets: Vec<_> = scene.into_iter().cycle().take(128).collect();
-                let mut places = vec![0.0; Hierarchie::places(objets.len())];
-                let hierarchie = Hierarchie::new(&objets, &mut places).unwrap();
-                let mut touches = vec![Err(NoIntersection); ombres.len()];
-                hierarchie.premieres_intersections(&ombres, &mut touches).unwrap();
-                for (ombre, touche) in ombres.iter().zip(touches) {
-                    assert_eq!(touche.map(|t| t.objet()), Ok(1), "dark in a batch: {ombre:?}");
+                // As a list, and among copies of what hides nothing that make it a tree.
+                for copies in [1, 126] {
+                    let mut objets = vec![lampe, ecran];
+                    objets.extend([recepteur].repeat(copies));
+                    let mut places = vec![0.0; Hierarchie::places(objets.len())];
+                    let hierarchie = Hierarchie::new(&objets, &mut places).unwrap();
+                    let mut occultes = vec![false; ombres.len()];
+                    hierarchie.sans(0).sont_occultes(&ombres, &mut occultes).unwrap();
+                    for ((ombre, distance), occulte) in ombres.iter().zip(occultes) {
+                        let attendu = est_occulte(&[ecran], ombre, *distance);
+                        assert_eq!(occulte, attendu, "{objets:?} {ombre:?} {distance:?}");
+                        derriere += u32::from(occulte);
+                    }
                 }
             }
         }
@@ -138,6 +114,7 @@ fn un_point_voit_la_lampe_qui_lui_fait_face<R: Reel>() {
     assert!(vus.iter().all(|n| *n > 1_000), "{vus:?} seen");
     // Distances would have hidden these.
     assert!(caches > vus.iter().sum::<u32>() / 10, "only {caches} hidden by their own lamp");
+    assert!(derriere > 1_000, "only {derriere} behind the screen");
 }
 
 en_f32_et_f64!(un_point_voit_la_lampe_qui_lui_fait_face);
