@@ -232,8 +232,8 @@ impl<R: Reel> Rayon<R> {
     /// From the start to the light the distance is good to 3.6u and η, the direction to 4.6u, and
     /// N·L to 8u (lemma 9: the vector to the light rounds to u of its length; its length adds 2.5u,
     /// the quotient one more, N·L γ₃; a length below the normal numbers rounds by η/2). Towards a
-    /// point of a lamp that is itself an object of the list, do not compare distances: ask whether
-    /// the lamp is the first object ([`est_occulte`](crate::est_occulte)).
+    /// point of a lamp that is itself an object of the list, [leave the lamp
+    /// out](crate::Hierarchie::sans).
     ///
     /// ```
     /// use lancer_rayon::{ObjetRay, Rayon, SphereGeo, Texture, Vecteur};

@@ -111,7 +111,8 @@ impl core::error::Error for LongueursDifferentes {}
 /// every ray and the distance of its lamp, to the bit, several times as fast.
 ///
 /// [`vers_lumiere`](Rayon::vers_lumiere) gives both. What [`premieres_intersections`] says of order and
-/// length of a call holds here; rays to one lamp, in the order of the picture, are neighbours.
+/// length of a call holds here; rays to one lamp, in the order of the picture, are neighbours. A ray
+/// from inside an object does not see that object.
 ///
 /// # Errors
 /// If `ombres` and `occultes` are not of the same length; nothing is written then.

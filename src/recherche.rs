@@ -172,8 +172,10 @@ impl<R: Reel> ObjetRay<R> {
 /// all; nothing is before a NaN.
 ///
 /// **A lamp that is an object of the list** hides the points of its own surface: no distance is
-/// exact enough to stop just before it. Ask which object is first instead: the point sees the lamp
-/// if `premiere_intersection(objets, rayon)` is it, by [`objet`](crate::Intersection::objet).
+/// exact enough to stop just before it. [Leave it out](crate::Hierarchie::sans).
+///
+/// **From inside an object** that object is not seen, as by any ray: a point under a thing that
+/// stands on the floor is not in its shadow. [`contient`](ObjetRay::contient) tells such points.
 ///
 /// [`vers_lumiere`](Rayon::vers_lumiere) gives the ray and the distance. With a
 /// [`secondaire`](Rayon::secondaire) of one's own, measure from its source, and test N·L > 0 first:

@@ -8,6 +8,7 @@ mod jeu_de_tests;
 mod lampe;
 mod manipulations;
 mod rotation;
+mod sol;
 mod totalite;
 mod vecteur;
 mod verre;

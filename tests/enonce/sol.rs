@@ -1,0 +1,149 @@
+//! A floor at y = 0, what every scene begins with: its points under things are dark, and nothing that starts there is a
+//! subnormal number.
+
+use commun::regimes::entre;
+use commun::scenes::rayons_camera;
+use commun::{arrondi, en_f32_et_f64};
+use fastrand::Rng;
+use lancer_rayon::{
+    BoiteGeo, Hierarchie, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture, Vecteur,
+};
+
+/// Points along each side of the floor.
+const GRILLE: u32 = 200;
+
+/// A floor, as a half-space or the top of a slab, with things that stand on it.
+fn scene<R: Reel>(dalle: bool) -> Vec<ObjetRay<R>> {
+    let mut alea = Rng::with_seed(61);
+    let v = |x, y, z| arrondi(Vecteur::new(x, y, z));
+    let sol = if dalle {
+        let (c, cotes) = (v(0.0, -0.25, 0.0), v(20.0, 0.5, 20.0));
+        BoiteGeo::new(c, cotes, Rotation::IDENTITE, Texture(0)).unwrap().into()
+    } else {
+        PlanGeo::par_un_point(Vecteur::NUL, v(0.0, 1.0, 0.0), Texture(0)).unwrap().into()
+    };
+    let mut objets = vec![sol];
+    for i in 1..40 {
+        let (x, z) = (entre(&mut alea, -9.0, 9.0), entre(&mut alea, -9.0, 9.0));
+        let haut = entre(&mut alea, 0.1, 1.5);
+        objets.push(if i % 2 == 0 {
+            SphereGeo::new(v(x, 0.3 * haut, z), R::depuis_f64(haut), Texture(1)).unwrap().into()
+        } else {
+            let tour = Rotation::new(v(0.0, entre(&mut alea, 0.0, 1.5), 0.0)).unwrap();
+            let cotes = v(entre(&mut alea, 0.3, 2.0), haut, entre(&mut alea, 0.3, 2.0));
+            BoiteGeo::new(v(x, haut / 2.0, z), cotes, tour, Texture(1)).unwrap().into()
+        });
+    }
+    objets
+}
+
+/// The recipe of the documents: of each point whether the lamp shines on it, and whether it would without the
+/// question what the start lies in.
+fn eclaire<R: Reel>(
+    hierarchie: &Hierarchie<'_, R>,
+    point: Vecteur<R>,
+    lampe: Vecteur<R>,
+) -> [bool; 2] {
+    let haut = Vecteur::new(R::ZERO, R::UN, R::ZERO);
+    let rayon = Rayon::new(point + haut, -haut).unwrap();
+    let touche = hierarchie.objets()[0].intersection(&rayon).unwrap();
+    let (ombre, distance) = rayon.vers_lumiere(&touche, lampe).unwrap();
+    let dessous = hierarchie.objets().iter().any(|objet| objet.contient(ombre.source()));
+    let libre = !hierarchie.sans(0).est_occulte(&ombre, distance);
+    [!dessous && libre, libre]
+}
+
+/// How deep a point is under things, in scene units; below 0 it is beside them all.
+fn sous<R: Reel>(objets: &[ObjetRay<R>], [x, z]: [f64; 2]) -> f64 {
+    let profondeur = |objet: &ObjetRay<R>| match objet {
+        ObjetRay::Sphere(s) => {
+            let c = s.centre().vers_f64();
+            s.rayon().vers_f64() - (c - Vecteur::new(x, 0.0, z)).longueur()
+        }
+        ObjetRay::Boite(b) => {
+            let depuis = Vecteur::new(x, 0.0, z) - b.centre().vers_f64();
+            let (n, l) = (b.normales().map(Vecteur::vers_f64), b.demi_longueurs().map(R::vers_f64));
+            [0, 2]
+                .map(|i| l[i] - n[i].produit_scalaire(depuis).abs())
+                .into_iter()
+                .fold(9.0, f64::min)
+        }
+        ObjetRay::Plan(_) => f64::NEG_INFINITY,
+    };
+    objets[1..].iter().map(profondeur).fold(f64::NEG_INFINITY, f64::max)
+}
+
+fn sous_un_objet_il_fait_sombre<R: Reel>() {
+    for dalle in [false, true] {
+        let objets = scene::<R>(dalle);
+        let mut places = vec![0.0; Hierarchie::places(objets.len())];
+        let hierarchie = Hierarchie::new(&objets, &mut places).unwrap();
+        let lampe = arrondi(Vecteur::new(-6.0, 9.0, 4.0));
+        let (mut sombres, mut naifs, mut clairs) = (0, 0, 0);
+        for i in 0..GRILLE * GRILLE {
+            let ou =
+                [i % GRILLE, i / GRILLE].map(|k| f64::from(k) * 18.0 / f64::from(GRILLE) - 9.0);
+            let point = arrondi(Vecteur::new(ou[0], 0.0, ou[1]));
+            let [clair, naif] = eclaire(&hierarchie, point, lampe);
+            // Of a side of a thing rounding decides.
+            let dessous = sous(&objets, ou);
+            if dessous > 1e-5 {
+                assert!(!clair, "lit under something: {ou:?}");
+                sombres += 1;
+                naifs += u32::from(naif);
+            } else if dessous < -1e-5 {
+                assert_eq!(clair, naif, "{ou:?}");
+                clairs += u32::from(clair);
+            }
+        }
+        println!("{sombres} under things, {naifs} of them lit at first, {clairs} lit");
+        assert!(naifs > sombres / 2 && clairs > 10 * GRILLE);
+    }
+}
+
+en_f32_et_f64!(sous_un_objet_il_fait_sombre);
+
+/// A number that is subnormal: processors take up to a hundred times as long for it.
+fn sous_normal<R: Reel>(x: R) -> bool {
+    let normal = if size_of::<R>() == 4 { f32::MIN_POSITIVE.into() } else { f64::MIN_POSITIVE };
+    x != R::ZERO && x.abs().vers_f64() < normal
+}
+
+/// Margins, starts, directions and distances over a floor, a wall and a slab through O and the axes.
+fn au_sol_rien_n_est_sous_normal<R: Reel>() {
+    let lampe = arrondi(Vecteur::new(-2.0, 3.0, 4.0));
+    let mut vus = 0;
+    for dalle in [false, true] {
+        let mut objets = scene::<R>(dalle);
+        let [x, y]: [Vecteur<R>; 2] = [[1.0, 0.0, 0.0], [0.0, 0.0, 1.0]].map(|n| arrondi(n.into()));
+        for n in [x, y] {
+            objets.push(
+                PlanGeo::par_un_point(n * R::depuis_f64(-9.0), n, Texture(2)).unwrap().into(),
+            );
+        }
+        let mur = PlanGeo::par_un_point(Vecteur::NUL, x + y, Texture(2)).unwrap();
+        for scene in [objets.clone(), vec![objets[0], mur.into()]] {
+            let mut places = vec![0.0; Hierarchie::places(scene.len())];
+            let hierarchie = Hierarchie::new(&scene, &mut places).unwrap();
+            for rayon in rayons_camera::<R>(60, 40) {
+                let Ok(touche) = hierarchie.premiere_intersection(&rayon) else { continue };
+                let (d, n) = (rayon.direction(), touche.normale());
+                let reflet = d - n * (d.produit_scalaire(n) * R::depuis_f64(2.0));
+                let reflet = rayon.secondaire(&touche, reflet).unwrap();
+                let mut nombres = vec![touche.marge(), touche.distance()];
+                nombres.extend(<[R; 3]>::from(reflet.source()));
+                nombres
+                    .extend(hierarchie.premiere_intersection(&reflet).ok().map(|t| t.distance()));
+                if let Some((ombre, distance)) = rayon.vers_lumiere(&touche, lampe) {
+                    nombres.extend(<[R; 3]>::from(ombre.direction()));
+                    nombres.push(distance);
+                }
+                assert!(!nombres.iter().copied().any(sous_normal), "{nombres:?} {rayon:?}");
+                vus += 1;
+            }
+        }
+    }
+    assert!(vus > 4_000, "{vus}");
+}
+
+en_f32_et_f64!(au_sol_rien_n_est_sous_normal);
