@@ -1,6 +1,5 @@
 //! The box (handout §2.2, §3 and annex A.3).
 
-use crate::double::{Jugement, juger_faces};
 use crate::erreur::{ErreurGeo, coefficient, deplacement, point, taille};
 use crate::forme::{Boule, Forme};
 use crate::rayon::Rayon;
@@ -213,7 +212,7 @@ impl<R: Reel> BoiteRay<R> {
     ///
     /// C is the origin, and the axis points the way the ray goes.
     #[inline(always)]
-    fn dalle(&self, axe: usize, rayon: &Rayon<R>) -> (Quotient<R>, Quotient<R>) {
+    pub(crate) fn dalle(&self, axe: usize, rayon: &Rayon<R>) -> (Quotient<R>, Quotient<R>) {
         let (n, l) = (self.normales[axe], self.demi_longueurs[axe]);
         let o = (rayon.source() - self.centre).produit_scalaire(n);
         let vitesse = rayon.direction().produit_scalaire(n);
@@ -241,15 +240,6 @@ impl<R: Reel> BoiteRay<R> {
             }
         }
         (entree, axe_d_entree, sortie)
-    }
-}
-
-impl BoiteRay {
-    /// What exact numbers say of a ray and a distance (lemma 19).
-    pub(crate) fn juger(&self, rayon: &Rayon, t: f64) -> Jugement {
-        let ([u, v, w], [a, b, c]) = (self.normales, self.demi_longueurs);
-        let faces = [(u, a), (v, b), (w, c), (-u, a), (-v, b), (-w, c)];
-        juger_faces(self.centre, &faces, rayon, t)
     }
 }
 
@@ -301,7 +291,7 @@ impl<R: Reel> Forme<R> for BoiteRay<R> {
 /// A power of two that multiplies speeds, so that no product of a length of a box and a speed
 /// towards its faces leaves the range of the type (`docs/precision.md`, lemma 2).
 #[inline(always)]
-fn echelle_vitesse<R: Reel>() -> R {
+pub(crate) fn echelle_vitesse<R: Reel>() -> R {
     R::depuis_f64(R::selon(puissance_de_deux(62), puissance_de_deux(568)))
 }
 
@@ -323,9 +313,9 @@ fn a_l_echelle<R: Reel>(vitesse: R) -> R {
 /// entry is +∞ or its exit −∞, and in the plane of a face 0/0 is neither above nor below anything.
 /// Of +∞ and −∞ neither is above the other: a ray beside two pairs has an entry at +∞.
 #[derive(Clone, Copy)]
-struct Quotient<R> {
-    longueur: R,
-    vitesse: R,
+pub(crate) struct Quotient<R> {
+    pub(crate) longueur: R,
+    pub(crate) vitesse: R,
 }
 
 impl<R: Reel> Quotient<R> {

@@ -1,7 +1,6 @@
-//! Numbers of twice the length of an `f64`, each with a bound on its own error: with them a hit or
-//! a miss is judged after the fact, in either scalar (`docs/jugement.md`, lemmas 18 and 19).
+//! Numbers of twice the length of an `f64`, each with a bound on its own error (`docs/preuves.md`,
+//! lemma 18).
 
-use crate::rayon::Rayon;
 use crate::reel::Reel;
 use crate::vecteur::Vecteur;
 
@@ -74,13 +73,42 @@ impl Double {
         self.erreur == 0.0 && self.bas == 0.0
     }
 
-    /// The number lies between these two, which are the same if it is an `f64` exactly.
-    pub fn bornes(self) -> [f64; 2] {
+    /// Where the number lies, rounded outward; in no more than itself if it is an `f64` exactly.
+    pub fn bornes(self) -> Intervalle {
         if self.est_un_f64() {
-            return [self.haut; 2];
+            return Intervalle { bas: self.haut, haut: self.haut };
         }
-        let [bas, haut] = [self.bas - self.erreur, self.bas + self.erreur];
-        [(self.haut + bas.next_down()).next_down(), (self.haut + haut.next_up()).next_up()]
+        let (bas, haut) =
+            ((self.bas - self.erreur).next_down(), (self.bas + self.erreur).next_up());
+        Intervalle { bas: (self.haut + bas).next_down(), haut: (self.haut + haut).next_up() }
+    }
+}
+
+/// All numbers between two.
+#[derive(Debug, Clone, Copy)]
+pub struct Intervalle {
+    /// None is below.
+    pub bas: f64,
+    /// None is above.
+    pub haut: f64,
+}
+
+impl Intervalle {
+    /// The largest of their absolute values.
+    pub(crate) fn grandeur(self) -> f64 {
+        self.haut.max(-self.bas)
+    }
+
+    /// Over all speeds between two, rounded outward.
+    pub(crate) fn sur(self, lent: f64, vite: f64) -> Self {
+        let (de_bas, de_haut) =
+            (if self.bas > 0.0 { vite } else { lent }, if self.haut > 0.0 { lent } else { vite });
+        Self { bas: (self.bas / de_bas).next_down(), haut: (self.haut / de_haut).next_up() }
+    }
+
+    /// The lesser of two numbers, one of either.
+    pub(crate) fn moindre(self, autre: Self) -> Self {
+        Self { bas: self.bas.min(autre.bas), haut: self.haut.min(autre.haut) }
     }
 }
 
@@ -91,62 +119,6 @@ pub(crate) fn triple(v: Vecteur) -> Triple {
     <[f64; 3]>::from(v).map(Double::de)
 }
 
-/// S + tD − C.
-pub(crate) fn depuis(centre: Vecteur, rayon: &Rayon, t: f64) -> Triple {
-    let [s, d, c] = [rayon.source(), rayon.direction(), -centre].map(triple);
-    [0, 1, 2].map(|i| s[i].plus(c[i]).plus(d[i].fois(Double::de(t))))
-}
-
 pub(crate) fn scalaire([a, b, c]: Triple, [x, y, z]: Triple) -> Double {
     a.fois(x).plus(b.fois(y)).plus(c.fois(z))
-}
-
-/// What exact numbers say of a ray, an object and a distance.
-pub(crate) struct Jugement {
-    /// Whether the ray enters the object, if that is certain.
-    pub(crate) entre: Option<bool>,
-    /// If it enters: no less than how far the distance is from that of the entry, to 8.6u of `f64`.
-    pub(crate) ecart: f64,
-}
-
-/// What exact numbers say of a ray, a distance and the solid inside all of these faces, each with
-/// its outward normal and how far along it the face is from the centre c (lemma 19).
-pub(crate) fn juger_faces(c: Vecteur, faces: &[(Vecteur, f64)], rayon: &Rayon, t: f64) -> Jugement {
-    // How long the ray has been inside the last face that it entered, and will be inside the first
-    // that it leaves, at this distance or where it is nearest to the centre: bounds of both.
-    let pres = (c - rayon.source()).produit_scalaire(rayon.direction());
-    let t = if t < f64::INFINI { t } else { pres };
-    let [depart, point] = [0.0, t].map(|t| depuis(c, rayon, t));
-    let [mut entree, mut sortie] = [[f64::INFINI; 2]; 2];
-    let (mut dehors, mut dedans) = (false, true);
-    for &(n, l) in faces {
-        let profondeur = |x| scalaire(triple(-n), x).plus(Double::de(l)).bornes();
-        let ([s_bas, s_haut], [bas, haut]) = (profondeur(depart), profondeur(point));
-        let [v_bas, v_haut] = scalaire(triple(-n), triple(rayon.direction())).bornes();
-        let (lent, vite) = (v_bas.max(-v_haut), v_haut.max(-v_bas));
-        if lent <= 0.0 {
-            // Parallel, or nearly: whether the ray comes nearer to the face or leaves it is unknown.
-            let loin = if bas > 0.0 { bas / vite } else { haut / vite };
-            if s_bas >= 0.0 && (bas > 0.0 || vite == 0.0) {
-                // For so long it has been under the face, and will be; in its plane 0/0 is no bound.
-                [entree[0], sortie[0]] = [entree[0], sortie[0]].map(|t| t.min(loin.next_down()));
-            } else if vite > 0.0 && s_haut < 0.0 && haut < 0.0 {
-                // It never enters, or not for so long.
-                entree = [-f64::INFINI, entree[1].min(loin.next_up())];
-                dedans = false;
-            } else {
-                let a_cote = vite == 0.0 && s_haut < 0.0;
-                return Jugement { entre: a_cote.then_some(false), ecart: f64::INFINI };
-            }
-            continue;
-        }
-        let duree = if v_bas > 0.0 { &mut entree } else { &mut sortie };
-        duree[0] = duree[0].min((bas / if bas > 0.0 { vite } else { lent }).next_down());
-        duree[1] = duree[1].min((haut / if haut > 0.0 { lent } else { vite }).next_up());
-        dehors |= v_bas > 0.0 && s_haut < 0.0;
-        dedans &= v_bas < 0.0 || s_bas >= 0.0;
-    }
-    let touche = dehors && entree[0] + sortie[0] >= 0.0;
-    let manque = dedans || entree[1] + sortie[1] < 0.0;
-    Jugement { entre: (touche || manque).then_some(touche), ecart: entree[1].max(-entree[0]) }
 }

@@ -23,8 +23,9 @@ use crate::compile::compilees;
 use crate::hierarchie::construction::{Arbre, construire, mots};
 use crate::hierarchie::ensemble::Patience;
 use crate::intersection::Touche;
+use crate::jugement::Certificat;
 use crate::lot::bloc::{BLOC, Bloc};
-use crate::lot::demande::Demande;
+use crate::lot::demande::{Demande, Epreuve};
 use crate::lot::{LongueursDifferentes, PEU_DE_RAYONS, memes_longueurs, repondre};
 use crate::niveau::{meilleur_niveau, selon_le_niveau};
 use crate::objet::ObjetRay;
@@ -225,6 +226,15 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
         R::demander::<Occultes>((self, ombres, occultes))
     }
 
+    /// [`est_certaine`](fn@crate::est_certaine) of the list, in a time that is hardly more than that
+    /// of the ray.
+    #[doc(alias("is_certain", "certify", "certificate"))]
+    #[inline]
+    #[must_use]
+    pub fn est_certaine(&self, rayon: &Rayon<R>, touche: &Touche<R>) -> bool {
+        R::demander::<Certaine>((self, rayon, touche))
+    }
+
     /// How many nodes its tree has; 0 if it asks its list.
     pub(crate) fn noeuds(&self) -> usize {
         self.arbre.as_ref().map_or(0, |arbre| arbre.noeuds.len())
@@ -235,6 +245,7 @@ compilees! {
     Batir<'a, R>: (&'a [ObjetRay<R>], &'a mut [f32]) => Option<Arbre<'a, R>> = construire;
     Premiere<'a, R>: (&'a Hierarchie<'a, R>, &'a Rayon<R>) => Touche<R> = premiere;
     Occulte<'a, R>: (&'a Hierarchie<'a, R>, &'a Rayon<R>, R) => bool = occulte;
+    Certaine<'a, R>: (&'a Hierarchie<'a, R>, &'a Rayon<R>, &'a Touche<R>) => bool = certaine;
     Premieres<'a, R>: (&'a Hierarchie<'a, R>, &'a [Rayon<R>], &'a mut [Touche<R>])
         => Result<(), LongueursDifferentes> = en_lot;
     Occultes<'a, R>: (&'a Hierarchie<'a, R>, &'a [(Rayon<R>, R)], &'a mut [bool])
@@ -249,7 +260,7 @@ fn premiere<R: Reel>((hierarchie, rayon): (&Hierarchie<'_, R>, &Rayon<R>)) -> To
     };
     selon_le_niveau!(hierarchie.niveau, simd => {
         let premier = Premier::avant(R::INFINI);
-        let premier = arbre.parcourir::<_, Rayon<R>>(simd, rayon, premier, hierarchie.sauf);
+        let premier = arbre.parcourir(simd, rayon, premier, hierarchie.sauf);
         premier.conclure(arbre.objets, rayon)
     })
 }
@@ -261,8 +272,41 @@ fn occulte<R: Reel>((hierarchie, rayon, distance_max): (&Hierarchie<'_, R>, &Ray
     };
     selon_le_niveau!(hierarchie.niveau, simd => {
         let premier = Premier::avant(distance_max);
-        arbre.parcourir::<_, (Rayon<R>, R)>(simd, rayon, premier, hierarchie.sauf).rang > 0
+        arbre.parcourir(simd, &(*rayon, distance_max), premier, hierarchie.sauf).rang > 0
     })
+}
+
+/// [`Hierarchie::est_certaine`]: no object may come before the first, or as soon.
+fn certaine<R: Reel>(
+    (hierarchie, rayon, touche): (&Hierarchie<'_, R>, &Rayon<R>, &Touche<R>),
+) -> bool {
+    let Hierarchie { objets, arbre, sauf, niveau } = hierarchie;
+    let Some(certificat) = Certificat::new(objets, rayon, touche) else { return false };
+    let Some(arbre) = arbre else { return certificat.vient_avant_tous(objets, *sauf) };
+    selon_le_niveau!(*niveau, simd => {
+        let premier = Premier::avant(certificat.limite());
+        arbre.parcourir(simd, &certificat, premier, *sauf).rang == 0
+    })
+}
+
+/// That an object may come before the first.
+impl<R: Reel> Epreuve<R> for Certificat<'_, R> {
+    const UN_SUFFIT: bool = true;
+
+    #[inline(always)]
+    fn rayon(&self) -> &Rayon<R> {
+        self.rayon
+    }
+
+    #[inline(always)]
+    fn t(&self, _: &Rayon<R>, objet: &ObjetRay<R>, indice: usize) -> R {
+        if self.vient_apres(objet, indice) { R::INFINI } else { R::ZERO }
+    }
+
+    #[inline(always)]
+    fn t_si_proche(&self, rayon: &Rayon<R>, objet: &ObjetRay<R>, indice: usize) -> R {
+        self.t(rayon, objet, indice)
+    }
 }
 
 /// [`Hierarchie::premieres_intersections`] and [`Hierarchie::sont_occultes`].
@@ -279,14 +323,14 @@ fn en_lot<R: Reel, D: Demande<R>>(
         if demandes.len() < PEU_DE_RAYONS {
             for (demande, reponse) in demandes.iter().zip(reponses) {
                 let (rayon, limite) = demande.lire();
-                let premier = arbre.parcourir::<_, D>(simd, &rayon, Premier::avant(limite), sauf);
+                let premier = arbre.parcourir(simd, demande, Premier::avant(limite), sauf);
                 *reponse = D::conclure(premier, objets, &rayon);
             }
         } else {
             let (mut bloc, mut patience) = (Bloc::sans(sauf), Patience::default());
             for (demandes, reponses) in demandes.chunks(BLOC).zip(reponses.chunks_mut(BLOC)) {
                 bloc.charger(demandes);
-                arbre.repondre_au_bloc(simd, &mut bloc, reponses, &mut patience);
+                arbre.repondre_au_bloc(simd, &mut bloc, (demandes, reponses), &mut patience);
             }
         }
     });

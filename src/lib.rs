@@ -111,6 +111,8 @@ mod double;
 mod erreur;
 mod forme;
 mod hierarchie;
+mod intersection;
+mod jugement;
 mod lot;
 mod niveau;
 mod objet;
@@ -121,18 +123,17 @@ mod recherche;
 mod reel;
 mod reglage;
 mod rotation;
+mod secondaire;
 mod seize;
 mod sphere;
 mod texture;
 mod vecteur;
 
-// After `rayon`, so that the page of `Rayon` starts with its constructor.
-mod intersection;
-
 pub use boite::{BoiteGeo, BoiteRay};
 pub use erreur::ErreurGeo;
 pub use hierarchie::{Hierarchie, PlacesInsuffisantes};
 pub use intersection::{Intersection, NoIntersection, Touche};
+pub use jugement::est_certaine;
 pub use lot::{LongueursDifferentes, premieres_intersections, sont_occultes};
 pub use objet::{ObjetGeo, ObjetRay, etendue};
 pub use plan::{PlanGeo, PlanRay};

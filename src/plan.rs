@@ -1,6 +1,5 @@
 //! The plane, which is a solid half-space (handout §2.2, §3 and annex A.1).
 
-use crate::double::{Jugement, juger_faces};
 use crate::erreur::{ErreurGeo, coefficient, coordonnee, deplacement, fini, point, refus_nul};
 use crate::forme::{Boule, Forme};
 use crate::rayon::Rayon;
@@ -163,16 +162,9 @@ impl<R: Reel> PlanRay<R> {
     /// The height of S over the surface, and the descent of the ray per unit of length: the
     /// numerator and the denominator of annex A.1, both times −1.
     #[inline(always)]
-    fn hauteur_et_descente(&self, rayon: &Rayon<R>) -> (R, R) {
+    pub(crate) fn hauteur_et_descente(&self, rayon: &Rayon<R>) -> (R, R) {
         let hauteur = self.normale.produit_scalaire(rayon.source()) + self.distance;
         (hauteur, -self.normale.produit_scalaire(rayon.direction()))
-    }
-}
-
-impl PlanRay {
-    /// What exact numbers say of a ray and a distance (lemma 19).
-    pub(crate) fn juger(&self, rayon: &Rayon, t: f64) -> Jugement {
-        juger_faces(Vecteur::NUL, &[(self.normale, -self.distance)], rayon, t)
     }
 }
 

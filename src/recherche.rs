@@ -2,15 +2,10 @@
 
 use core::slice;
 
-use crate::double::{Double, Jugement, scalaire, triple};
-use crate::intersection::{Intersection, NoIntersection, Rang, Touche};
-use crate::objet::{ObjetRay, par_forme};
+use crate::intersection::{NoIntersection, Rang, Touche};
+use crate::objet::ObjetRay;
 use crate::rayon::Rayon;
-use crate::reel::{Reel, fois_u};
-
-/// The bound of [`ObjetRay::erreur`] grows by so many u of itself for its last operations (lemma
-/// 19).
-pub const ERREUR_ARRONDIE: f64 = 17.2;
+use crate::reel::Reel;
 
 /// The first object that the ray enters: its distance, its normal there, its texture and its index
 /// in the list (handout §4.1).
@@ -79,88 +74,6 @@ impl<R: Reel> ObjetRay<R> {
     #[doc(alias("intersect", "hit"))]
     pub fn intersection(&self, rayon: &Rayon<R>) -> Touche<R> {
         premiere_intersection(slice::from_ref(self), rayon)
-    }
-
-    /// A bound on the error of [`touche.distance()`](Intersection::distance), in scene units: the
-    /// ray enters this object no farther than that from there, for the numbers as they are stored.
-    ///
-    /// It is proven (`docs/jugement.md`, lemma 19), at the edges of a box too and with the rounding
-    /// of its own computation. It is +∞ where the ray does not enter the object, and where numbers
-    /// of twice the length of an `f64` cannot tell; it is never a NaN. It rests on t alone, not on
-    /// how t was found: it is the error itself, as found with such numbers, what D lacks to length 1
-    /// over that distance, and u·t. In the median of ordinary hits it is 2 to 3 times the error. Ask
-    /// it of the object that was hit, with the ray of the hit. It takes many times as long as the
-    /// hit; whoever does not ask pays nothing.
-    ///
-    /// The same bound holds of t in lengths of D: no less than |t − t′|, where the ray enters at S +
-    /// t′D. After [`Rayon::vers_f64`] D is unit to the rounding of `f32` only, and so is the bound:
-    /// multiply the distance by `rayon.direction().longueur()` there.
-    ///
-    /// ```
-    /// use lancer_rayon::{ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
-    ///
-    /// let boule = SphereGeo::<f32>::new(Vecteur::new(0.0, 0.0, -5.0), 1.0, Texture(0))?;
-    /// let boule = ObjetRay::from(boule);
-    /// let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.1, 0.05, -1.0))?;
-    /// let touche = boule.intersection(&rayon)?;
-    ///
-    /// let erreur = boule.erreur(&rayon, &touche);
-    /// let exacte = boule.vers_f64().intersection(&rayon.vers_f64())?.distance();
-    /// assert!((f64::from(touche.distance()) - exacte).abs() <= erreur.into());
-    /// assert!(erreur < 2e-6);
-    /// # Ok::<(), Box<dyn core::error::Error>>(())
-    /// ```
-    #[doc(alias("error_bound", "distance_error"))]
-    #[must_use]
-    pub fn erreur(&self, rayon: &Rayon<R>, touche: &Intersection<R>) -> R {
-        let t = touche.distance();
-        let Jugement { entre, ecart } = self.juger(rayon, t);
-        // t counts in lengths of D.
-        let d = rayon.vers_f64().direction();
-        let [bas, haut] = scalaire(triple(d), triple(d)).plus(Double::de(-1.0)).bornes();
-        let longueur = d.longueur();
-        let de_d = t.vers_f64() * (haut.max(-bas) / (1.0 + longueur));
-        let erreur = R::depuis_f64(ecart * Reel::max(longueur, 1.0) + de_d) + t * R::U;
-        let erreur = erreur + erreur * fois_u(ERREUR_ARRONDIE) + R::MIN_POSITIF;
-        if entre == Some(true) && erreur < R::INFINI { erreur } else { R::INFINI }
-    }
-
-    /// Whether the answer of [`intersection`](Self::intersection), a hit or a miss, is certain: that
-    /// of exact arithmetic on the numbers as they are stored.
-    ///
-    /// It is never true of a wrong answer. It is false of a right one only within some 2⁻¹⁰⁰ of the
-    /// decision, for spheres 2⁻⁵⁰ times as large as their distance or smaller, where products leave
-    /// the normal numbers of `f64`, and of a hit whose distance the type can hardly hold. **Of a list
-    /// the first object is certain** if each object is certain, and if no other that is touched comes
-    /// within both bounds, [`erreur`](Self::erreur), of the first (recipe in `docs/README.md`).
-    ///
-    /// ```
-    /// use lancer_rayon::{ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
-    ///
-    /// let boule = ObjetRay::from(SphereGeo::new(Vecteur::new(0.0, 0.0, -5.0), 1.0, Texture(0))?);
-    /// let vers_le_fond = |x| Rayon::new(Vecteur::new(x, 0.0, 0.0), Vecteur::new(0.0, 0.0, -1.0));
-    /// assert!(boule.est_sur(&vers_le_fond(0.5)?)); // a hit
-    /// assert!(boule.est_sur(&vers_le_fond(1.5)?)); // a miss
-    /// assert!(boule.est_sur(&vers_le_fond(1.0)?)); // a tangent, exactly
-    /// # Ok::<(), lancer_rayon::ErreurGeo>(())
-    /// ```
-    #[doc(alias("is_certain", "is_robust"))]
-    #[must_use]
-    pub fn est_sur(&self, rayon: &Rayon<R>) -> bool {
-        // No ray that enters an object passes the ball around it by (lemma 11).
-        if !self.boule().approchee(rayon) {
-            return true;
-        }
-        let t = self.t(rayon);
-        let Jugement { entre, ecart } = self.juger(rayon, t);
-        // Nor is an entry beyond the largest number a hit (C7): twice the bound, for its rounding.
-        let au_plus = R::depuis_f64(t.vers_f64() + 2.0 * ecart);
-        entre == Some(t < R::INFINI) && (t == R::INFINI || au_plus < R::INFINI)
-    }
-
-    /// What exact numbers say of this ray and this distance.
-    fn juger(&self, rayon: &Rayon<R>, t: R) -> Jugement {
-        par_forme!(Self, self, forme => forme.vers_f64().juger(&rayon.vers_f64(), t.vers_f64()))
     }
 }
 

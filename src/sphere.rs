@@ -1,6 +1,5 @@
 //! The sphere (handout §2.2, §3 and annex A.2).
 
-use crate::double::{Double, Jugement, depuis, scalaire, triple};
 use crate::erreur::{ErreurGeo, coefficient, deplacement, point, taille};
 use crate::forme::{Boule, Forme, Hauteur};
 use crate::rayon::Rayon;
@@ -105,6 +104,19 @@ pub struct SphereRay<R = f64> {
     texture: Texture,
 }
 
+/// What an entry into a sphere is computed from, with D·D where the handout has 1.
+pub(crate) struct Termes<R> {
+    /// SC·D.
+    pub(crate) sa: R,
+    /// The power of S, SC² − r².
+    pub(crate) puissance: R,
+    /// AB²·D².
+    pub(crate) ab2: R,
+    pub(crate) sc2: R,
+    pub(crate) r2: R,
+    pub(crate) d2: R,
+}
+
 impl<R: Reel> SphereRay<R> {
     /// C, the centre.
     #[doc(alias = "center")]
@@ -124,40 +136,19 @@ impl<R: Reel> SphereRay<R> {
         self.texture
     }
 
+    /// What an entry is computed from.
+    #[inline(always)]
+    pub(crate) fn termes(&self, rayon: &Rayon<R>) -> Termes<R> {
+        let (sc, d) = (self.centre - rayon.source(), rayon.direction());
+        let (r2, d2, sc2) = (self.r * self.r, d.longueur_carree(), sc.longueur_carree());
+        let ac2_d2 = sc.produit_vectoriel(d).longueur_carree();
+        let (sa, ab2) = (sc.produit_scalaire(d), r2 * d2 - ac2_d2);
+        Termes { sa, puissance: sc2 - r2, ab2, sc2, r2, d2 }
+    }
+
     /// The same numbers in `f64`.
     pub(crate) fn vers_f64(self) -> SphereRay {
         SphereRay { centre: self.centre.vers_f64(), r: self.r.vers_f64(), texture: self.texture }
-    }
-}
-
-impl SphereRay {
-    /// What exact numbers say of a ray and a distance (lemma 19).
-    pub(crate) fn juger(&self, rayon: &Rayon, t: f64) -> Jugement {
-        // g and w of lemma 19, at the point of the ray at this distance.
-        let r2 = Double::de(self.r).fois(Double::de(-self.r));
-        let en = |t| {
-            let cp = depuis(self.centre, rayon, t);
-            let pa = scalaire(cp, triple(-rayon.direction()));
-            (scalaire(cp, cp).plus(r2).bornes(), pa.bornes())
-        };
-        let d2 = rayon.direction().longueur_carree();
-        let a = (self.centre - rayon.source()).produit_scalaire(rayon.direction()) / d2;
-        let ((g_s, w_s), (g_a, w_a), (g, w)) = (en(0.0), en(a), en(t));
-        let grandeur = |[bas, haut]: [f64; 2]| haut.max(-bas);
-        // AB²·D² is D²(r² − PC²) + PA², of which hardly anything is left at A: twice for rounding, and
-        // no square may be lost.
-        let perdu = if grandeur(w_a) > 0.0 { f64::MIN_POSITIF } else { 0.0 };
-        let reste = 2.0 * grandeur(w_a) * grandeur(w_a) + perdu;
-        let ab2 = [-g_a[1] * d2, reste - g_a[0] * d2];
-        let ecart = if w[0] > 0.0 {
-            grandeur(g) / (w[0] + ab2[0].max(0.0).sqrt())
-        } else {
-            (ab2[1].max(0.0).sqrt() + grandeur(w)) / d2
-        };
-        let positifs = [g_s, w_s, ab2];
-        let exclu = positifs.iter().any(|[_, haut]| *haut <= 0.0);
-        let entre = positifs.iter().all(|[bas, _]| *bas > 0.0);
-        Jugement { entre: (exclu || entre).then_some(entre), ecart }
     }
 }
 
@@ -196,12 +187,7 @@ impl<R: Reel> Forme<R> for SphereRay<R> {
     /// past A, even where the ray grazes so closely that AB is all rounding.
     #[inline(always)]
     fn t(&self, rayon: &Rayon<R>) -> R {
-        let (sc, d) = (self.centre - rayon.source(), rayon.direction());
-        let (r2, d2) = (self.r * self.r, d.longueur_carree());
-        let sa = sc.produit_scalaire(d);
-        // The power of S.
-        let puissance = sc.longueur_carree() - r2;
-        let ab2 = r2 * d2 - sc.produit_vectoriel(d).longueur_carree();
+        let Termes { sa, puissance, ab2, d2, .. } = self.termes(rayon);
         let sa_ab = sa + ab2.sqrt();
         let avant_a = puissance * d2 < sa * sa_ab;
         let (haut, bas) = if avant_a { (puissance, sa_ab) } else { (sa, d2) };

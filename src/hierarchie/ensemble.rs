@@ -51,7 +51,7 @@ impl<R: Reel> Arbre<'_, R> {
         &self,
         simd: S,
         bloc: &mut Bloc<R, D>,
-        reponses: &mut [D::Reponse],
+        (demandes, reponses): (&[D], &mut [D::Reponse]),
         patience: &mut Patience,
     ) {
         let sonde = if patience.essayer() {
@@ -71,17 +71,20 @@ impl<R: Reel> Arbre<'_, R> {
             || {
                 // What stands before the lamp of one ray often stands before that of the next.
                 let mut dernier = Premier::avant(R::INFINI);
-                for ((rayon, mut premier), reponse) in bloc.premiers().zip(reponses) {
+                for ((demande, mut premier), reponse) in
+                    demandes.iter().zip(bloc.premiers()).zip(reponses)
+                {
+                    let rayon = demande.rayon();
                     if D::UN_SUFFIT && premier.rang == 0 {
-                        premier = dernier.encore(self.objets, &rayon, premier);
+                        premier = dernier.encore(self.objets, rayon, premier);
                     }
                     if !D::UN_SUFFIT || premier.rang == 0 {
-                        premier = self.parcourir::<S, D>(simd, &rayon, premier, bloc.sauf);
+                        premier = self.parcourir(simd, demande, premier, bloc.sauf);
                     }
                     if premier.rang > 0 {
                         dernier = premier;
                     }
-                    *reponse = D::conclure(premier, self.objets, &rayon);
+                    *reponse = D::conclure(premier, self.objets, rayon);
                 }
             },
         );

@@ -2,17 +2,14 @@
 
 use fearless_simd::Simd;
 
-use crate::forme::Forme;
 use crate::hierarchie::construction::Arbre;
 use crate::hierarchie::noeud::{en_mot, indice_lu};
 use crate::hierarchie::pile::{
     DEUX_ETAGES, GRANDE_PILE, PETITE_PILE, PEU_DE_NOEUDS, PILE_D_UN_ETAGE, Pile, RIEN,
 };
 use crate::hierarchie::sonde::Sonde;
-use crate::lot::demande::Demande;
-use crate::objet::ObjetRay;
+use crate::lot::demande::Epreuve;
 use crate::premier::Premier;
-use crate::rayon::Rayon;
 use crate::reel::Reel;
 use crate::seize::{Aligne, SEIZE, au_plus, egaux};
 
@@ -23,28 +20,26 @@ impl<R: Reel> Arbre<'_, R> {
     /// It asks the half-spaces, then the objects of each leaf that the ray may enter before what it
     /// has found; never the object at the index `sauf`.
     #[inline(always)]
-    pub(crate) fn parcourir<S: Simd, D: Demande<R>>(
+    pub(crate) fn parcourir<S: Simd, E: Epreuve<R>>(
         &self,
         simd: S,
-        rayon: &Rayon<R>,
+        epreuve: &E,
         mut premier: Premier<R>,
         sauf: Option<usize>,
     ) -> Premier<R> {
         // A copy, which stays in registers.
-        let copie = *rayon;
+        let copie = *epreuve.rayon();
         for &indice in self.plans {
             let indice = indice_lu(indice);
-            // Matched as what it is, and its quotient behind a branch, for which no other step waits.
-            if let Some(ObjetRay::Plan(plan)) = self.objets.get(indice)
-                && plan.peut_entrer(&copie)
+            if let Some(objet) = self.objets.get(indice)
                 && sauf != Some(indice)
-                && premier.retenir(plan.t(&copie), indice)
-                && D::UN_SUFFIT
+                && premier.retenir(epreuve.t_si_proche(&copie, objet, indice), indice)
+                && E::UN_SUFFIT
             {
                 return premier;
             }
         }
-        let sonde = Sonde::new(rayon, self.repere);
+        let sonde = Sonde::new(&copie, self.repere);
         // No larger pile than the tree needs: to set it up costs as much as an object.
         let (mut moindre, mut petite, mut grande);
         let attentes: &mut [_] = if self.noeuds.len() <= DEUX_ETAGES {
@@ -68,7 +63,7 @@ impl<R: Reel> Arbre<'_, R> {
                     traverses = traverses.sans(&egaux(simd, indices, en_mot(sauf)));
                 }
                 // The nearest first, which most often cuts off the others; then in order.
-                let mut suivant = if D::UN_SUFFIT {
+                let mut suivant = if E::UN_SUFFIT {
                     traverses.next()
                 } else {
                     traverses.prendre_le_moindre(&entrees)
@@ -77,8 +72,10 @@ impl<R: Reel> Arbre<'_, R> {
                     let indice = indice_lu(indices[enfant]);
                     // Its ball is not asked: a ray that crosses its box seldom passes the ball by.
                     let objet = self.objets.get(indice);
-                    if objet.is_some_and(|objet| premier.retenir(objet.t(&copie), indice)) {
-                        if D::UN_SUFFIT {
+                    if objet.is_some_and(|objet| {
+                        premier.retenir(epreuve.t(&copie, objet, indice), indice)
+                    }) {
+                        if E::UN_SUFFIT {
                             return premier;
                         }
                         plafond = self.repere.distance(premier.t);

@@ -93,11 +93,10 @@ impl<R: Reel, D: Demande<R>> Bloc<R, D> {
         loin
     }
 
-    /// Each ray with its first object so far.
+    /// The first object of each ray so far.
     #[inline(always)]
-    pub(crate) fn premiers(&self) -> impl Iterator<Item = (Rayon<R>, Premier<R>)> {
-        let premier = |i: usize| self.groupes[i / SEIZE].premier(i % SEIZE);
-        (0..self.nombre).map(move |i| (self.rayon(i), premier(i)))
+    pub(crate) fn premiers(&self) -> impl Iterator<Item = Premier<R>> {
+        (0..self.nombre).map(|i| self.groupes[i / SEIZE].premier(i % SEIZE))
     }
 
     /// Writes the answers; a function of the instruction set, which list and hierarchy share.

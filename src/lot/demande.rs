@@ -9,12 +9,30 @@ use crate::rayon::Rayon;
 use crate::recherche::{occulte_sauf, premiere_sauf};
 use crate::reel::{Reel, max};
 
-/// A ray and what is asked of it.
-pub(crate) trait Demande<R: Reel>: Copy {
-    type Reponse;
-
+/// A ray and what is asked of it and of each object.
+pub(crate) trait Epreuve<R: Reel> {
     /// Whether any object before the limit answers, or the first alone.
     const UN_SUFFIT: bool;
+
+    fn rayon(&self) -> &Rayon<R>;
+
+    /// Where this object counts, which has this index in the list: where the ray enters it, +∞ if
+    /// nowhere. The ray is a copy, which stays in registers.
+    #[inline(always)]
+    fn t(&self, rayon: &Rayon<R>, objet: &ObjetRay<R>, _indice: usize) -> R {
+        objet.t(rayon)
+    }
+
+    /// The same, sooner for a ray that passes this object by.
+    #[inline(always)]
+    fn t_si_proche(&self, rayon: &Rayon<R>, objet: &ObjetRay<R>, _indice: usize) -> R {
+        objet.t_si_proche(rayon)
+    }
+}
+
+/// A question that may be asked for many rays at once.
+pub(crate) trait Demande<R: Reel>: Epreuve<R> + Copy {
+    type Reponse;
 
     /// The ray, and the distance before which an object counts, 0 or more.
     fn lire(&self) -> (Rayon<R>, R);
@@ -30,9 +48,17 @@ pub(crate) trait Demande<R: Reel>: Copy {
 }
 
 /// Its first object.
+impl<R: Reel> Epreuve<R> for Rayon<R> {
+    const UN_SUFFIT: bool = false;
+
+    #[inline(always)]
+    fn rayon(&self) -> &Rayon<R> {
+        self
+    }
+}
+
 impl<R: Reel> Demande<R> for Rayon<R> {
     type Reponse = Touche<R>;
-    const UN_SUFFIT: bool = false;
 
     #[inline(always)]
     fn lire(&self) -> (Rayon<R>, R) {
@@ -55,9 +81,17 @@ impl<R: Reel> Demande<R> for Rayon<R> {
 }
 
 /// A shadow ray and the distance of its lamp: whether anything stands before the lamp.
+impl<R: Reel> Epreuve<R> for (Rayon<R>, R) {
+    const UN_SUFFIT: bool = true;
+
+    #[inline(always)]
+    fn rayon(&self) -> &Rayon<R> {
+        &self.0
+    }
+}
+
 impl<R: Reel> Demande<R> for (Rayon<R>, R) {
     type Reponse = bool;
-    const UN_SUFFIT: bool = true;
 
     #[inline(always)]
     fn lire(&self) -> (Rayon<R>, R) {

@@ -5,7 +5,7 @@
 use commun::cas;
 use commun::oracle::Exact;
 use fastrand::Rng;
-use lancer_rayon::constantes::Double;
+use lancer_rayon::constantes::{Double, Intervalle};
 
 /// What is done with two numbers so far, given by their places.
 #[derive(Debug, Clone, Copy)]
@@ -37,7 +37,8 @@ fn part(feuilles: &[f64], pas: &[Pas]) -> Option<f64> {
         assert!(bas.abs() <= haut.abs() * (f64::EPSILON / 2.0), "{double:?} {feuilles:?}");
         let ecart = (&(&exact - &Exact::de(haut)) - &Exact::de(bas)).vers_f64().abs();
         pire = pire.max(if ecart <= erreur { ecart / erreur } else { f64::INFINITY });
-        let [au_moins, au_plus] = double.bornes().map(Exact::de);
+        let Intervalle { bas, haut } = double.bornes();
+        let (au_moins, au_plus) = (Exact::de(bas), Exact::de(haut));
         assert!(au_moins <= exact && exact <= au_plus, "{double:?} {feuilles:?}");
         nombres.push((double, exact));
     }
@@ -100,7 +101,8 @@ fn les_bornes_tiennent_le_nombre_et_son_erreur() {
         let bas = haut * alea.f64() * (f64::EPSILON / 2.0);
         let erreur = haut.abs() * (1.0 + f64::from(alea.i32(-2..=2)) * f64::EPSILON);
         let double = Double { haut, bas, erreur };
-        let ([au_moins, au_plus], milieu) = (double.bornes(), &Exact::de(haut) + &Exact::de(bas));
+        let milieu = &Exact::de(haut) + &Exact::de(bas);
+        let Intervalle { bas: au_moins, haut: au_plus } = double.bornes();
         assert!(Exact::de(au_moins) <= &milieu - &Exact::de(erreur), "{double:?}");
         assert!(Exact::de(au_plus) >= &milieu + &Exact::de(erreur), "{double:?}");
     }
@@ -113,7 +115,8 @@ fn ce_qui_est_exact_le_reste() {
     for (double, exact) in
         [(trois.fois(trois), 9.0), (tiers.fois(nul), 0.0), (trois.plus(nul), 3.0)]
     {
-        assert_eq!((double.erreur, double.bornes()), (0.0, [exact; 2]));
+        let Intervalle { bas, haut } = double.bornes();
+        assert_eq!((double.erreur, bas, haut), (0.0, exact, exact));
     }
     assert!(trois.fois(tiers).erreur > 0.0);
 }

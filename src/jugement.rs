@@ -1,0 +1,224 @@
+//! What is judged after the fact: how far a distance is off, and whether an answer is certain, that
+//! of exact arithmetic on the numbers as they are stored.
+//!
+//! Nearly every ray is clear at a glance (`jugement/coup_d_oeil.rs`); what that leaves open is judged
+//! in doubled numbers (`jugement/loupe.rs`).
+
+pub(crate) mod coup_d_oeil;
+pub(crate) mod loupe;
+
+use crate::compile::compilees;
+use crate::double::{Double, Intervalle, scalaire, triple};
+use crate::intersection::{Intersection, Touche};
+use crate::jugement::coup_d_oeil::coup_d_oeil;
+use crate::jugement::loupe::{Jugement, juger, loupe};
+use crate::objet::ObjetRay;
+use crate::rayon::Rayon;
+use crate::reel::{Reel, fois_u};
+
+/// A glance serves for [`ObjetRay::erreur`] where it leaves no more than this part of u·t open: then
+/// the bound is what doubled numbers would say.
+const NET: f64 = 1.0 / 64.0;
+
+/// The bound of [`ObjetRay::erreur`] grows by so many u of itself for its last operations (lemma
+/// 19).
+pub const ERREUR_ARRONDIE: f64 = 17.2;
+
+impl<R: Reel> ObjetRay<R> {
+    /// A bound on the error of [`touche.distance()`](Intersection::distance), in scene units: the
+    /// ray enters this object no farther than that from there, for the numbers as they are stored.
+    ///
+    /// It is proven (`docs/preuves.md`, lemma 19), at the edges of a box too and with the rounding
+    /// of its own computation. It is +∞ where the ray does not enter the object, and where numbers
+    /// of twice the length of an `f64` cannot tell; it is never a NaN. It rests on t alone, not on
+    /// how t was found: it is the error itself, as found with such numbers, what D lacks to length 1
+    /// over that distance, and u·t. In the median of ordinary hits it is 2 to 3 times the error. Ask
+    /// it of the object that was hit, with the ray of the hit. It takes many times as long as the
+    /// hit; whoever does not ask pays nothing.
+    ///
+    /// The same bound holds of t in lengths of D: no less than |t − t′|, where the ray enters at S +
+    /// t′D. After [`Rayon::vers_f64`] D is unit to the rounding of `f32` only, and so is the bound:
+    /// multiply the distance by `rayon.direction().longueur()` there.
+    ///
+    /// ```
+    /// use lancer_rayon::{ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
+    ///
+    /// let boule = SphereGeo::<f32>::new(Vecteur::new(0.0, 0.0, -5.0), 1.0, Texture(0))?;
+    /// let boule = ObjetRay::from(boule);
+    /// let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.1, 0.05, -1.0))?;
+    /// let touche = boule.intersection(&rayon)?;
+    ///
+    /// let erreur = boule.erreur(&rayon, &touche);
+    /// let exacte = boule.vers_f64().intersection(&rayon.vers_f64())?.distance();
+    /// assert!((f64::from(touche.distance()) - exacte).abs() <= erreur.into());
+    /// assert!(erreur < 2e-6);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    #[doc(alias("error_bound", "distance_error"))]
+    #[must_use]
+    pub fn erreur(&self, rayon: &Rayon<R>, touche: &Intersection<R>) -> R {
+        let t = touche.distance();
+        let (objet, rayon, en_f64) = (self.vers_f64(), rayon.vers_f64(), t.vers_f64());
+        let vue = coup_d_oeil(&objet, &rayon);
+        let ecart = if vue.haut - vue.bas <= en_f64 * (R::U.vers_f64() * NET) {
+            (vue.haut - en_f64).max(en_f64 - vue.bas)
+        } else {
+            let Jugement { entre, ecart } = juger(&objet, &rayon, en_f64);
+            if entre == Some(true) { ecart } else { f64::INFINI }
+        };
+        // t counts in lengths of D.
+        let d = rayon.direction();
+        let exces = scalaire(triple(d), triple(d)).plus(Double::de(-1.0)).bornes().grandeur();
+        let longueur = d.longueur();
+        let de_d = en_f64 * (exces / (1.0 + longueur));
+        let erreur = R::depuis_f64(ecart * longueur.max(1.0) + de_d) + t * R::U;
+        erreur + erreur * fois_u(ERREUR_ARRONDIE) + R::MIN_POSITIF
+    }
+
+    /// Whether the answer of [`intersection`](Self::intersection), a hit or a miss, is certain: that
+    /// of exact arithmetic on the numbers as they are stored.
+    ///
+    /// It is never true of a wrong answer. It is false of a right one only within some 2⁻¹⁰⁰ of the
+    /// decision, for spheres 2⁻⁵⁰ times as large as their distance or smaller, where products leave
+    /// the normal numbers of `f64`, and of a hit whose distance the type can hardly hold. Of a list:
+    /// [`est_certaine`].
+    ///
+    /// ```
+    /// use lancer_rayon::{ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
+    ///
+    /// let boule = ObjetRay::from(SphereGeo::new(Vecteur::new(0.0, 0.0, -5.0), 1.0, Texture(0))?);
+    /// let vers_le_fond = |x| Rayon::new(Vecteur::new(x, 0.0, 0.0), Vecteur::new(0.0, 0.0, -1.0));
+    /// assert!(boule.est_sur(&vers_le_fond(0.5)?)); // a hit
+    /// assert!(boule.est_sur(&vers_le_fond(1.5)?)); // a miss
+    /// assert!(boule.est_sur(&vers_le_fond(1.0)?)); // a tangent, exactly
+    /// # Ok::<(), lancer_rayon::ErreurGeo>(())
+    /// ```
+    #[doc(alias("is_certain", "is_robust"))]
+    #[must_use]
+    pub fn est_sur(&self, rayon: &Rayon<R>) -> bool {
+        // No ray that enters an object passes the ball around it by (lemma 11).
+        if !self.boule().approchee(rayon) {
+            return true;
+        }
+        let touche = self.t(rayon) < R::INFINI;
+        let (objet, rayon) = (self.vers_f64(), rayon.vers_f64());
+        let certain = |entree: Intervalle| entree.touche(plus_grand::<R>());
+        let vue = certain(coup_d_oeil(&objet, &rayon));
+        vue.or_else(|| certain(loupe(&objet, &rayon))) == Some(touche)
+    }
+}
+
+/// The largest number of a scalar: an entry beyond it is no hit (C7).
+fn plus_grand<R: Reel>() -> f64 {
+    R::selon(f32::MAX.into(), f64::MAX)
+}
+
+/// Whether an answer of [`premiere_intersection`](crate::premiere_intersection) of this list, a hit or
+/// a miss, is certain: whether exact arithmetic on the numbers as they are stored names the same
+/// object first, or none as well.
+///
+/// It is never true of a wrong answer. It is false of a right one only where
+/// [`est_sur`](ObjetRay::est_sur) of some object would be, and of two entries within some 2⁻¹⁰⁰ of
+/// each other: an exact tie, most often, as where the sides of two boxes are flush. Of `touche` only
+/// [`objet`](Intersection::objet) counts, whoever found it. The time is that of a ray or two;
+/// [`Hierarchie::est_certaine`](crate::Hierarchie::est_certaine) asks a tree.
+///
+/// In an answer that is not certain ask the same numbers in `f64`: [`ObjetRay::vers_f64`] of all
+/// objects, and [`Rayon::vers_f64`].
+///
+/// ```
+/// use lancer_rayon::{ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
+/// use lancer_rayon::{est_certaine, premiere_intersection};
+///
+/// let boule = |z| SphereGeo::<f32>::new(Vecteur::new(0.0, 0.0, z), 1.0, Texture(0));
+/// let scene: [ObjetRay<f32>; 2] = [boule(-5.0)?.into(), boule(-5.000001)?.into()];
+/// let vers_le_fond = |x| Rayon::new(Vecteur::new(x, 0.0, 0.0), Vecteur::new(0.0, 0.0, -1.0));
+/// let certaine = |rayon| est_certaine(&scene, &rayon, &premiere_intersection(&scene, &rayon));
+/// assert!(certaine(vers_le_fond(0.3)?)); // the nearer one
+/// assert!(certaine(vers_le_fond(1.5)?)); // a miss
+///
+/// let deux_fois = [scene[0]; 2];
+/// let rayon = vers_le_fond(0.3)?;
+/// let touche = premiere_intersection(&deux_fois, &rayon);
+/// assert!(!est_certaine(&deux_fois, &rayon, &touche)); // a tie
+/// # Ok::<(), lancer_rayon::ErreurGeo>(())
+/// ```
+#[doc(alias("is_certain", "certify", "certificate"))]
+#[inline]
+#[must_use]
+pub fn est_certaine<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>, touche: &Touche<R>) -> bool {
+    R::demander::<Certaine>((objets, rayon, touche))
+}
+
+compilees! {
+    Certaine<'a, R>: (&'a [ObjetRay<R>], &'a Rayon<R>, &'a Touche<R>) => bool = certaine;
+}
+
+fn certaine<R: Reel>((objets, rayon, touche): (&[ObjetRay<R>], &Rayon<R>, &Touche<R>)) -> bool {
+    let certificat = Certificat::new(objets, rayon, touche);
+    certificat.is_some_and(|certificat| certificat.vient_avant_tous(objets, None))
+}
+
+/// An answer, of which every object is to be asked whether it comes later.
+pub(crate) struct Certificat<'a, R> {
+    pub(crate) rayon: &'a Rayon<R>,
+    double: Rayon,
+    /// The first object and its index; `None` of a miss.
+    premier: Option<(&'a ObjetRay<R>, usize)>,
+    /// The ray has entered the first object by then; of a miss, the largest number.
+    fin: f64,
+}
+
+impl<'a, R: Reel> Certificat<'a, R> {
+    /// `None` if it is not certain that the ray enters the first object.
+    #[inline(always)]
+    pub(crate) fn new(
+        objets: &'a [ObjetRay<R>],
+        rayon: &'a Rayon<R>,
+        touche: &Touche<R>,
+    ) -> Option<Self> {
+        let (double, plus_grand) = (rayon.vers_f64(), plus_grand::<R>());
+        let Ok(touche) = touche else {
+            return Some(Self { rayon, double, premier: None, fin: plus_grand });
+        };
+        let indice = touche.objet();
+        let premier = objets.get(indice)?;
+        let mut entree = coup_d_oeil(&premier.vers_f64(), &double);
+        if entree.touche(plus_grand).is_none() {
+            entree = loupe(&premier.vers_f64(), &double);
+        }
+        let certaine = entree.touche(plus_grand) == Some(true);
+        let premier = Some((premier, indice));
+        certaine.then_some(Self { rayon, double, premier, fin: entree.haut })
+    }
+
+    /// No object that the ray enters later than this is asked.
+    pub(crate) fn limite(&self) -> R {
+        R::depuis_f64(self.fin * (1.0 + 2.0 * R::U.vers_f64()))
+    }
+
+    /// Whether the ray certainly never enters the object at this index, or later than the first; or it
+    /// is the first.
+    #[inline(always)]
+    pub(crate) fn vient_apres(&self, objet: &ObjetRay<R>, indice: usize) -> bool {
+        self.premier.is_some_and(|(_, premier)| premier == indice)
+            || coup_d_oeil(&objet.vers_f64(), &self.double).bas > self.fin
+            || self.vient_apres_a_la_loupe(objet)
+    }
+
+    /// Whether every object of the list comes later, except that at the index `sauf`.
+    pub(crate) fn vient_avant_tous(&self, objets: &[ObjetRay<R>], sauf: Option<usize>) -> bool {
+        objets.iter().enumerate().all(|(indice, objet)| {
+            // No ray that enters an object passes the ball around it by (lemma 11).
+            let loin = sauf == Some(indice) || !objet.boule().approchee(self.rayon);
+            loin || self.vient_apres(objet, indice)
+        })
+    }
+
+    #[cold]
+    fn vient_apres_a_la_loupe(&self, objet: &ObjetRay<R>) -> bool {
+        let entree = |objet: &ObjetRay<R>| loupe(&objet.vers_f64(), &self.double);
+        let fin = self.premier.map_or(self.fin, |(premier, _)| entree(premier).haut.min(self.fin));
+        entree(objet).bas > fin
+    }
+}

@@ -1,0 +1,145 @@
+//! A glance: when a ray enters an object, in plain `f64` (`docs/preuves.md`, lemma 22).
+//!
+//! The formulae are those of the shapes; lemmas 3 and 4 say how far their terms may be off. The
+//! numbers of an `f32` scene are the same in `f64`, and `f64` tells them apart with ease.
+
+use crate::boite::{BoiteRay, Quotient, echelle_vitesse};
+use crate::double::Intervalle;
+use crate::forme::Forme;
+use crate::objet::ObjetRay;
+use crate::plan::PlanRay;
+use crate::rayon::Rayon;
+use crate::reel::Reel;
+use crate::sphere::{SphereRay, Termes};
+use crate::vecteur::Vecteur;
+
+/// |CP|² − r² and AB² decide beyond so many u of |f|² + r² (lemma 22).
+pub const VUE_SPHERE: f64 = 24.0;
+
+/// What the distance to a sphere is off by, in u·(t + r)·r/AB (lemma 22).
+pub const VUE_DISTANCE: f64 = 22.0;
+
+/// What the height over a half-space is off by, in u·⟨N, S⟩ (lemma 22).
+pub const VUE_HAUTEUR: f64 = 3.5;
+
+/// What a length of a box is off by, in u of the sums of |f_i| and of the half-lengths (lemma 22).
+pub const VUE_LONGUEUR: f64 = 6.0;
+
+/// What a speed towards a flat face is off by, in u (lemma 22).
+pub const VUE_VITESSE: f64 = 3.5;
+
+/// What a quotient and its factors round by, in u of itself (lemma 22).
+pub const VUE_QUOTIENT: f64 = 6.0;
+
+/// Entries of a ray.
+impl Intervalle {
+    /// The ray never enters.
+    pub(crate) const JAMAIS: Self = Self { bas: f64::INFINI, haut: f64::INFINI };
+
+    /// Whether it enters is unknown, and when.
+    pub(crate) const INCONNU: Self = Self { bas: 0.0, haut: f64::INFINI };
+
+    /// Whether the ray enters at a distance that is at most the largest number of a type, if that is
+    /// certain.
+    #[inline(always)]
+    pub(crate) fn touche(self, plus_grand: f64) -> Option<bool> {
+        let touche = self.haut <= plus_grand;
+        (touche || self.bas > plus_grand).then_some(touche)
+    }
+}
+
+/// If the ray enters the object, then between these distances; the later one is +∞ unless it
+/// certainly enters, and the earlier one if it never does.
+#[inline(always)]
+pub(crate) fn coup_d_oeil(objet: &ObjetRay, rayon: &Rayon) -> Intervalle {
+    match objet {
+        ObjetRay::Sphere(sphere) => de_sphere(sphere, rayon),
+        ObjetRay::Plan(plan) => de_plan(plan, rayon),
+        ObjetRay::Boite(boite) => de_boite(boite, rayon),
+    }
+}
+
+#[inline(always)]
+fn de_sphere(sphere: &SphereRay, rayon: &Rayon) -> Intervalle {
+    let Termes { sa, puissance, ab2, sc2, r2, .. } = sphere.termes(rayon);
+    let jeu = (sc2 + r2) * (VUE_SPHERE * f64::U);
+    // Where S is certainly outside, SA has its sign or AC is beyond r.
+    if puissance < -jeu || ab2 < -jeu || (puissance > jeu && sa < 0.0) {
+        return Intervalle::JAMAIS;
+    }
+    if puissance > jeu && ab2 > jeu {
+        let (t, r) = (sphere.t(rayon), sphere.rayon());
+        let ecart = (t + r) * (r / ab2.sqrt()) * (VUE_DISTANCE * f64::U);
+        return Intervalle { bas: t - ecart, haut: t + ecart };
+    }
+    Intervalle::INCONNU
+}
+
+#[inline(always)]
+fn de_plan(plan: &PlanRay, rayon: &Rayon) -> Intervalle {
+    let (hauteur, descente) = plan.hauteur_et_descente(rayon);
+    let poids = plan.normale().somme_des_grandeurs(rayon.source());
+    let jeu = poids * (VUE_HAUTEUR * f64::U) + 4.0 * f64::MIN_POSITIF;
+    let (lente, vite) = (descente - VUE_VITESSE * f64::U, descente + VUE_VITESSE * f64::U);
+    if hauteur < -jeu || vite < 0.0 {
+        return Intervalle::JAMAIS;
+    }
+    if hauteur <= jeu {
+        return Intervalle::INCONNU;
+    }
+    let tard = if lente > 0.0 { (hauteur + jeu) / lente * APRES } else { f64::INFINI };
+    Intervalle { bas: (hauteur - jeu) / vite * AVANT, haut: tard }
+}
+
+/// The latest of the three entries, unless the first of the three exits comes before.
+#[inline(always)]
+fn de_boite(boite: &BoiteRay, rayon: &Rayon) -> Intervalle {
+    let longueurs = Vecteur::from(boite.demi_longueurs());
+    let jeu = (rayon.source() - boite.centre()).norme_1() + longueurs.norme_1();
+    let jeu = jeu * (VUE_LONGUEUR * f64::U);
+    let mut entree = Intervalle { bas: -f64::INFINI, haut: -f64::INFINI };
+    let mut sortie = Intervalle { bas: f64::INFINI, haut: f64::INFINI };
+    for axe in 0..3 {
+        let (Quotient { longueur: e, vitesse }, Quotient { longueur: s, .. }) =
+            boite.dalle(axe, rayon);
+        let vitesse = vitesse / echelle_vitesse::<f64>();
+        let vite = 1.0 / (vitesse + VUE_VITESSE * f64::U);
+        let (e, s) = if vitesse > VUE_VITESSE * f64::U {
+            let lent = 1.0 / (vitesse - VUE_VITESSE * f64::U);
+            (autour(e, jeu, lent, vite), autour(s, jeu, lent, vite))
+        } else {
+            // Which way the ray goes is unknown. It comes to either face no sooner than so.
+            let (dehors, dedans) = (e.max(-s) - jeu, (-e).min(s) - jeu);
+            if dehors > 0.0 {
+                let jamais = Intervalle { bas: -f64::INFINI, haut: f64::INFINI };
+                (Intervalle { bas: dehors * vite * AVANT, haut: f64::INFINI }, jamais)
+            } else if dedans > 0.0 {
+                let pas_avant = dedans * vite * AVANT;
+                let entree = Intervalle { bas: -f64::INFINI, haut: -pas_avant };
+                (entree, Intervalle { bas: pas_avant, haut: f64::INFINI })
+            } else {
+                return Intervalle::INCONNU;
+            }
+        };
+        entree = Intervalle { bas: entree.bas.max(e.bas), haut: entree.haut.max(e.haut) };
+        sortie = Intervalle { bas: sortie.bas.min(s.bas), haut: sortie.haut.min(s.haut) };
+    }
+    if entree.haut <= 0.0 || entree.bas > sortie.haut || sortie.haut < 0.0 {
+        return Intervalle::JAMAIS;
+    }
+    let certaine = entree.bas > 0.0 && entree.haut <= sortie.bas;
+    Intervalle { bas: entree.bas.max(0.0), haut: if certaine { entree.haut } else { f64::INFINI } }
+}
+
+/// A length that may be off by `jeu` over a speed between two, of which these are the inverses.
+#[inline(always)]
+fn autour(longueur: f64, jeu: f64, lent: f64, vite: f64) -> Intervalle {
+    let (bas, haut) = (longueur - jeu, longueur + jeu);
+    Intervalle {
+        bas: bas * if bas > 0.0 { vite * AVANT } else { lent * APRES },
+        haut: haut * if haut > 0.0 { lent * APRES } else { vite * AVANT },
+    }
+}
+
+const AVANT: f64 = 1.0 - VUE_QUOTIENT * f64::U;
+const APRES: f64 = 1.0 + VUE_QUOTIENT * f64::U;

@@ -1,0 +1,144 @@
+//! A closer look: whether and when a ray enters an object, in doubled numbers (`docs/preuves.md`,
+//! lemma 19). No formula is that of the search.
+
+use crate::double::{Double, Intervalle, Triple, scalaire, triple};
+use crate::objet::ObjetRay;
+use crate::rayon::Rayon;
+use crate::reel::Reel;
+use crate::sphere::SphereRay;
+use crate::vecteur::Vecteur;
+
+/// The bound of a [`Jugement`] grows by so many u of itself: what it is off by, and the growing
+/// (lemma 19).
+pub const ECART_ARRONDI: f64 = 10.6;
+
+/// What exact numbers say of a ray, an object and a distance.
+pub(crate) struct Jugement {
+    /// Whether the ray enters the object, if that is certain.
+    pub(crate) entre: Option<bool>,
+    /// If it enters: no less than how far the distance is from that of the entry, to 8.6u of `f64`.
+    pub(crate) ecart: f64,
+}
+
+/// If the ray enters the object, then between these distances; the later one is +∞ unless it
+/// certainly enters, and the earlier one if it never does.
+pub(crate) fn loupe(objet: &ObjetRay, rayon: &Rayon) -> Intervalle {
+    let t = objet.t(rayon);
+    let Jugement { entre, ecart } = juger(objet, rayon, t);
+    match entre {
+        Some(true) if t < f64::INFINI => {
+            let ecart = ecart + ecart * (ECART_ARRONDI * f64::U);
+            Intervalle { bas: (t - ecart).next_down(), haut: (t + ecart).next_up() }
+        }
+        Some(false) => Intervalle::JAMAIS,
+        // If it enters where the search saw nothing, the distance says nothing.
+        Some(true) | None => Intervalle::INCONNU,
+    }
+}
+
+/// What exact numbers say of a ray and a distance; of a miss the distance is +∞.
+pub(crate) fn juger(objet: &ObjetRay, rayon: &Rayon, t: f64) -> Jugement {
+    match objet {
+        ObjetRay::Sphere(sphere) => juger_sphere(sphere, rayon, t),
+        ObjetRay::Plan(plan) => {
+            juger_faces(Vecteur::NUL, &[(plan.normale(), -plan.distance())], rayon, t)
+        }
+        ObjetRay::Boite(boite) => {
+            let ([u, v, w], [a, b, c]) = (boite.normales(), boite.demi_longueurs());
+            let faces = [(u, a), (v, b), (w, c), (-u, a), (-v, b), (-w, c)];
+            juger_faces(boite.centre(), &faces, rayon, t)
+        }
+    }
+}
+
+/// What exact numbers say of a ray, a distance and the solid inside all of these faces, each with
+/// its outward normal and how far along it the face is from the centre c.
+fn juger_faces(c: Vecteur, faces: &[(Vecteur, f64)], rayon: &Rayon, t: f64) -> Jugement {
+    if t < f64::INFINI {
+        return juger_faces_a(c, faces, rayon, t).0;
+    }
+    // A miss is judged where the ray is nearest to the centre; and where it leaves, if that leaves it
+    // open by an exit and an entry at about one place, beside an edge.
+    let pres = (c - rayon.source()).produit_scalaire(rayon.direction());
+    let (jugement, sortie) = juger_faces_a(c, faces, rayon, pres);
+    if jugement.entre.is_some() {
+        jugement
+    } else {
+        juger_faces_a(c, faces, rayon, pres + sortie).0
+    }
+}
+
+/// The same for any distance; and how long after it the ray leaves the solid, about.
+fn juger_faces_a(c: Vecteur, faces: &[(Vecteur, f64)], rayon: &Rayon, t: f64) -> (Jugement, f64) {
+    let [depart, point] = [0.0, t].map(|t| depuis(c, rayon, t));
+    // How long the ray has been inside the last face that it entered, and will be inside the first
+    // that it leaves.
+    let [mut entree, mut sortie] = [Intervalle { bas: f64::INFINI, haut: f64::INFINI }; 2];
+    let (mut dehors, mut dedans) = (false, true);
+    for &(n, l) in faces {
+        let profondeur = |x| scalaire(triple(-n), x).plus(Double::de(l)).bornes();
+        let (sous_depart, sous_point) = (profondeur(depart), profondeur(point));
+        let vitesse = scalaire(triple(-n), triple(rayon.direction())).bornes();
+        let (lent, vite) = (vitesse.bas.max(-vitesse.haut), vitesse.grandeur());
+        if lent <= 0.0 {
+            // Parallel, or nearly: whether the ray comes nearer to the face or leaves it is unknown.
+            let loin = sous_point.sur(vite, vite);
+            if sous_depart.bas >= 0.0 && (sous_point.bas > 0.0 || vite == 0.0) {
+                // For so long it has been under the face, and will be; in its plane 0/0 is no bound.
+                entree.bas = entree.bas.min(loin.bas);
+                sortie.bas = sortie.bas.min(loin.bas);
+            } else if vite > 0.0 && sous_depart.haut < 0.0 && sous_point.haut < 0.0 {
+                // It never enters, or not for so long.
+                entree = Intervalle { bas: -f64::INFINI, haut: entree.haut.min(loin.haut) };
+                dedans = false;
+            } else {
+                let a_cote = vite == 0.0 && sous_depart.haut < 0.0;
+                let entre = a_cote.then_some(false);
+                return (Jugement { entre, ecart: f64::INFINI }, f64::INFINI);
+            }
+            continue;
+        }
+        let duree = if vitesse.bas > 0.0 { &mut entree } else { &mut sortie };
+        *duree = duree.moindre(sous_point.sur(lent, vite));
+        dehors |= vitesse.bas > 0.0 && sous_depart.haut < 0.0;
+        dedans &= vitesse.bas < 0.0 || sous_depart.bas >= 0.0;
+    }
+    let touche = dehors && entree.bas + sortie.bas >= 0.0;
+    let manque = dedans || entree.haut + sortie.haut < 0.0;
+    let entre = (touche || manque).then_some(touche);
+    (Jugement { entre, ecart: entree.grandeur() }, sortie.haut)
+}
+
+/// S + tD − C.
+fn depuis(centre: Vecteur, rayon: &Rayon, t: f64) -> Triple {
+    let [s, d, c] = [rayon.source(), rayon.direction(), -centre].map(triple);
+    [0, 1, 2].map(|i| s[i].plus(c[i]).plus(d[i].fois(Double::de(t))))
+}
+
+/// What exact numbers say of a ray, a sphere and a distance.
+fn juger_sphere(sphere: &SphereRay, rayon: &Rayon, t: f64) -> Jugement {
+    // |CP|² − r² and −CP·D, at the point P of the ray at this distance.
+    let r2 = Double::de(sphere.rayon()).fois(Double::de(-sphere.rayon()));
+    let en = |t| {
+        let cp = depuis(sphere.centre(), rayon, t);
+        let pa = scalaire(cp, triple(-rayon.direction()));
+        (scalaire(cp, cp).plus(r2).bornes(), pa.bornes())
+    };
+    let d2 = rayon.direction().longueur_carree();
+    let a = (sphere.centre() - rayon.source()).produit_scalaire(rayon.direction()) / d2;
+    let ((g_s, w_s), (g_a, w_a), (g, w)) = (en(0.0), en(a), en(t));
+    // AB²·D² is D²(r² − PC²) + PA², of which hardly anything is left at A: twice for rounding, and
+    // no square may be lost.
+    let w_a = w_a.grandeur();
+    let reste = 2.0 * w_a * w_a + if w_a > 0.0 { f64::MIN_POSITIF } else { 0.0 };
+    let ab2 = Intervalle { bas: -g_a.haut * d2, haut: reste - g_a.bas * d2 };
+    let ecart = if w.bas > 0.0 {
+        g.grandeur() / (w.bas + ab2.bas.max(0.0).sqrt())
+    } else {
+        (ab2.haut.max(0.0).sqrt() + w.grandeur()) / d2
+    };
+    let positifs = [g_s, w_s, ab2];
+    let exclu = positifs.iter().any(|x| x.haut <= 0.0);
+    let entre = positifs.iter().all(|x| x.bas > 0.0);
+    Jugement { entre: (exclu || entre).then_some(entre), ecart }
+}

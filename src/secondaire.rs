@@ -1,0 +1,174 @@
+//! The rays that start from a hit: mirrors, glass, shadows, lines of sight (handout, later parts).
+
+use crate::erreur::{ErreurGeo, exiger};
+use crate::intersection::Intersection;
+use crate::rayon::{Rayon, direction_unitaire, source_valide};
+use crate::reel::{Reel, fois_u};
+use crate::vecteur::Vecteur;
+
+/// A direction within so many u of the tangent plane is turned outward: no N·D rounds by more
+/// (lemma 8).
+pub const TANGENT: f64 = 3.2;
+
+/// By so many u, after which N·D is above 0 however it is rounded (lemma 8).
+pub const REDRESSE: f64 = 12.0;
+
+/// By so many u of itself a margin grows for an N that is not exactly unit (lemma 8).
+pub const PAS_NORMAL: f64 = 20.0;
+
+/// The rounding of the moved point, in u·Σ|N_i·P_i| (lemma 8).
+pub const PAS_ARRONDI: f64 = 1.1;
+
+impl<R: Reel> Rayon<R> {
+    /// A ray that starts where this one touched an object and never hits that object again, with
+    /// one exception (below): for shadows, reflections (a direction outward, D·N > 0) and
+    /// transparency (inward).
+    ///
+    /// The source is the point of the hit, moved along the normal to the side to which the
+    /// direction leads, by [`marge`](Intersection::marge) and the rounding of the moved point,
+    /// 1.1u·Σ|N_i·P_i|. From outside, a ray that leaves the object does not meet it again; from
+    /// inside, the object is not seen at all. A direction within 3.2u of the tangent plane is
+    /// turned outward by 12u. There is no epsilon to choose, and nothing farther than that step is
+    /// jumped over.
+    ///
+    /// Within rounding of a box edge an inward ray may touch the other face of that edge, of which
+    /// the hit knows nothing. **Of a second object** that the hit lies within rounding of, as in
+    /// the corner between two walls, the hit knows nothing either: the ray may start inside that
+    /// object, which it then does not see. Of rays aimed at such a seam itself up to half go
+    /// through.
+    ///
+    /// `touche` is to be a hit of this very ray. With the hit of another ray the result is a valid
+    /// ray or a refusal, and nothing is promised about where it starts.
+    ///
+    /// # Errors
+    /// If the direction is zero or not finite, if `marge` is +∞, or if the start lies beyond the
+    /// limits of a source, as for [`new`](Self::new).
+    ///
+    /// ```
+    /// use lancer_rayon::{NoIntersection, ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
+    ///
+    /// let boule = SphereGeo::new(Vecteur::new(0.1, 0.2, -5.0), 1.7, Texture(0))?;
+    /// let boule = ObjetRay::from(boule);
+    /// let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.1, 0.05, -1.0))?;
+    /// let touche = boule.intersection(&rayon)?;
+    ///
+    /// let (d, n) = (rayon.direction(), touche.normale());
+    /// let reflet = rayon.secondaire(&touche, d - n * (2.0 * d.produit_scalaire(n)))?;
+    /// assert_eq!(boule.intersection(&reflet), Err(NoIntersection));
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    #[doc(alias("spawn_ray", "secondary_ray", "shadow_ray", "reflection", "refraction"))]
+    #[inline]
+    pub fn secondaire(
+        &self,
+        touche: &Intersection<R>,
+        direction: Vecteur<R>,
+    ) -> Result<Self, ErreurGeo> {
+        let mut direction = direction_unitaire(direction)?;
+        let n = touche.normale();
+        let cosinus = direction.produit_scalaire(n);
+        if cosinus.abs() <= fois_u(TANGENT) {
+            direction = direction_unitaire(direction + n * fois_u(REDRESSE))?;
+        }
+        let dedans = cosinus < fois_u(-TANGENT);
+        Ok(Self::sans_verifier(self.depart(touche, dedans)?, direction))
+    }
+
+    /// The ray from the point of a hit to a light, and the distance of the light in scene units:
+    /// the arguments of [`est_occulte`](crate::est_occulte) for a shadow.
+    ///
+    /// The ray is a [`secondaire`](Self::secondaire) and never hits the object it leaves. `None` if
+    /// N·L ≤ 3.2u, with L the unit direction from the start of the ray to the light: the surface
+    /// faces away, or the light lies in the tangent plane of the start. `None` also if `lumiere` is
+    /// not finite or is the start itself, or where [`secondaire`](Self::secondaire) would fail. A
+    /// distance that overflows is +∞. Either way no light of this point is to be added, and a
+    /// renderer need not tell the cases apart; whoever must asks `secondaire(touche, lumiere −
+    /// point)`, whose error names what cannot be computed.
+    ///
+    /// From the start to the light the distance is good to 3.6u and η, the direction to 4.6u, and
+    /// N·L to 8u (lemma 9: the vector to the light rounds to u of its length; its length adds 2.5u,
+    /// the quotient one more, N·L γ₃; a length below the normal numbers rounds by η/2). Towards a
+    /// point of a lamp that is itself an object of the list, [leave the lamp
+    /// out](crate::Hierarchie::sans).
+    ///
+    /// ```
+    /// use lancer_rayon::{ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
+    ///
+    /// let boule = SphereGeo::new(Vecteur::new(0.0, 0.0, -5.0), 1.0, Texture(0))?;
+    /// let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.0, 0.0, -1.0))?;
+    /// let touche = ObjetRay::from(boule).intersection(&rayon)?;
+    ///
+    /// let vers = |z| rayon.vers_lumiere(&touche, Vecteur::new(3.0, 0.0, z));
+    /// let (_, distance): (Rayon, f64) = vers(0.0).expect("the surface faces it");
+    /// assert!((distance - 5.0).abs() < 1e-13);
+    /// assert!(vers(-9.0).is_none()); // behind the surface
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    #[doc(alias("shadow_ray", "light", "lamp"))]
+    #[inline]
+    #[must_use]
+    pub fn vers_lumiere(&self, touche: &Intersection<R>, lumiere: Vecteur<R>) -> Option<(Self, R)> {
+        let depart = self.depart(touche, false).ok()?;
+        let (distance, direction) = (lumiere - depart).longueur_et_unitaire()?;
+        let de_face = direction.produit_scalaire(touche.normale()) > fois_u(TANGENT);
+        de_face.then(|| (Self::sans_verifier(depart, direction), distance))
+    }
+
+    /// The ray from this hit to another, `cible`, which the ray `autre` found, and the distance
+    /// between both: whether two points of surfaces see each other is
+    /// `!hierarchie.sans(cible.objet()).est_occulte(&rayon, distance)`.
+    ///
+    /// Both ends step off their surfaces, as for [`secondaire`](Self::secondaire), so that the ray
+    /// never hits the object it leaves. The object it goes to is
+    /// [left out](crate::Hierarchie::sans), since no distance stops exactly before a surface: solids
+    /// are convex, and one that faces the ray hides no point of its own. `None` if either surface
+    /// faces away from the other point, to the 3.2u of [`vers_lumiere`](Self::vers_lumiere), or
+    /// where that cannot compute. With both hits exchanged the answer is the same ray reversed, to
+    /// the bit, or `None` again.
+    ///
+    /// ```
+    /// use lancer_rayon::{Hierarchie, PlanGeo, Rayon, SphereGeo, Texture, Vecteur};
+    ///
+    /// let haut = Vecteur::new(0.0, 1.0, 0.0);
+    /// let sol = PlanGeo::par_un_point(Vecteur::NUL, haut, Texture(0))?;
+    /// let boule = |x| SphereGeo::new(Vecteur::new(x, 1.0, 0.0), 1.0, Texture(1));
+    /// let scene = [sol.into(), boule(0.0)?.into(), boule(6.0)?.into()];
+    ///
+    /// let vers = |x, y| Rayon::new(Vecteur::new(3.0, 8.0, 0.0), Vecteur::new(x, y, 0.0));
+    /// let (a, b, c) = (vers(-0.5, -8.0)?, vers(2.2, -7.0)?, vers(-5.0, -8.0)?);
+    /// let mut places = vec![0.0; Hierarchie::places(scene.len())];
+    /// let hierarchie = Hierarchie::new(&scene, &mut places)?;
+    /// let se_voient = |a: &Rayon, b: &Rayon| {
+    ///     let touche = |rayon| hierarchie.premiere_intersection(rayon).ok();
+    ///     let (depart, cible) = (touche(a)?, touche(b)?);
+    ///     let (rayon, distance) = a.vers_touche(&depart, b, &cible)?;
+    ///     Some(!hierarchie.sans(cible.objet()).est_occulte(&rayon, distance))
+    /// };
+    /// assert_eq!(se_voient(&a, &b), Some(true));
+    /// assert_eq!(se_voient(&c, &b), Some(false)); // the first ball stands between
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    #[doc(alias("line_of_sight", "visibility", "segment"))]
+    #[must_use]
+    pub fn vers_touche(
+        &self,
+        touche: &Intersection<R>,
+        autre: &Self,
+        cible: &Intersection<R>,
+    ) -> Option<(Self, R)> {
+        let vers = self.vers_lumiere(touche, autre.depart(cible, false).ok()?)?;
+        let arrivee = -vers.0.direction().produit_scalaire(cible.normale());
+        (arrivee > fois_u(TANGENT)).then_some(vers)
+    }
+
+    /// The point of the hit, moved along the normal, outward or inward, past all rounding.
+    #[inline(always)]
+    fn depart(&self, touche: &Intersection<R>, dedans: bool) -> Result<Vecteur<R>, ErreurGeo> {
+        let attendu = "finite: a sphere lost in rounding, or a point out of range, has no side";
+        exiger(touche.marge() < R::INFINI, "marge", touche.marge(), attendu)?;
+        let (p, n) = (self.point(touche.distance()), touche.normale());
+        let pas = touche.marge() * (R::UN + fois_u(PAS_NORMAL));
+        let pas = pas + n.somme_des_grandeurs(p) * fois_u(PAS_ARRONDI);
+        source_valide(p + n * if dedans { -pas } else { pas })
+    }
+}
