@@ -10,8 +10,8 @@
 #
 # REVISION `.` is the checkout itself. --units: codegen units of the crate, 16 unless said (as `cargo build
 # --release` of a user has it). Filters, each a list with commas:
-#   --family   city hall atoms stadium sticks sizes snowflake room atelier mix
-#   --rays     tiles rows mirrors rough diffuse "no order" shadows
+#   --family   city hall atoms stadium sticks sizes snowflake cubes room atelier mix
+#   --rays     tiles rows parallel mirrors rough diffuse "no order" shadows
 #   --way      list list-batch (both up to 64 objects), single batch (of the hierarchy)
 #   --n        12,48,192,1000,10000 unless said; room and atelier have their own
 #   --scalar   f32,f64

@@ -11,7 +11,7 @@ use obvhs::cwbvh::CwBvh;
 use obvhs::cwbvh::builder::build_cwbvh;
 use obvhs::ray::{Ray as RayonObvhs, RayHit};
 
-use super::parry::bounding_volume::Aabb;
+use super::parry::bounding_volume::{Aabb, BoundingVolume};
 use super::parry::math::{Mat3, Pose, Real, Rotation, Vector};
 use super::parry::partitioning::{Bvh, BvhBuildStrategy, BvhNode};
 use super::parry::query::{Ray, RayCast};
@@ -45,12 +45,14 @@ impl<T> Arbre<T> {
 }
 
 impl Objet {
+    /// Its box, past rounding: a ray along a side would have no entry into it, 0 times ∞.
     fn boite(&self) -> Option<Aabb> {
-        match &self.0 {
-            Forme::Sphere(f, ou) => Some(f.aabb(&Pose::from_translation(*ou))),
-            Forme::Plan(..) => None,
-            Forme::Boite(f, pose) => Some(f.aabb(pose)),
-        }
+        let boite = match &self.0 {
+            Forme::Sphere(f, ou) => f.aabb(&Pose::from_translation(*ou)),
+            Forme::Plan(..) => return None,
+            Forme::Boite(f, pose) => f.aabb(pose),
+        };
+        Some(boite.loosened(1e-6 * boite.mins.abs().max(boite.maxs.abs()).max_element()))
     }
 
     /// An entry: a solid answers 0 to a source inside it.
@@ -116,11 +118,8 @@ impl Parry for Real {
             let boites: Vec<_> = boites
                 .iter()
                 .map(|boite| {
-                    // Past the rounding to f32.
-                    let [bas, haut] = [boite.mins, boite.maxs].map(|v| en_f32(v.to_array()));
-                    let marge = |x: f32| 1e-6 * x.abs();
-                    let (bas, haut) = (bas.map(|x| x - marge(x)), haut.map(|x| x + marge(x)));
-                    BoiteObvhs::new(bas.into(), haut.into())
+                    let [bas, haut] = [boite.mins, boite.maxs].map(|v| en_f32(v.to_array()).into());
+                    BoiteObvhs::new(bas, haut)
                 })
                 .collect();
             build_cwbvh(&boites, BvhBuildParams::very_slow_build(), &mut Default::default())

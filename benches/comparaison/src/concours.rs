@@ -289,11 +289,17 @@ struct Ecart {
 impl Ecart {
     fn entre<R: Reel>(ici: &[Option<Vu<R>>], autre: &[Option<Vu<R>>]) -> Self {
         let distance = |touche: &Vu<R>| touche.0.vers_f64();
-        let objet = |touche: &Option<Vu<R>>| touche.map(|(_, _, texture)| texture);
+        // Of two objects at one distance, as of cubes side by side, each takes either.
+        let autre_objet = |a: &Option<Vu<R>>, b: &Option<Vu<R>>| match (a, b) {
+            (Some(a), Some(b)) => {
+                a.2 != b.2 && (distance(a) - distance(b)).abs() > 1e-5 * distance(a)
+            }
+            (a, b) => a.is_some() != b.is_some(),
+        };
         Self {
             touches: [ici, autre].map(|liste| liste.iter().flatten().count()),
             sommes_des_distances: [ici, autre].map(|l| l.iter().flatten().map(distance).sum()),
-            autre_objet: ici.iter().zip(autre).filter(|(a, b)| objet(a) != objet(b)).count(),
+            autre_objet: ici.iter().zip(autre).filter(|(a, b)| autre_objet(a, b)).count(),
         }
     }
 }

@@ -132,7 +132,7 @@ pub(crate) fn resume(cellules: &[Cellule]) -> String {
     let titres = Genre::TOUS.map(Genre::nom).join(" | ");
     let mut table = vec![
         format!("| theirs / ours | scalar | {titres} | below 1 |"),
-        "|---|---|--:|--:|--:|--:|--:|--:|--:|--:|".into(),
+        format!("|---|---|{}--:|", "--:|".repeat(Genre::TOUS.len())),
     ];
     for question in &QUESTIONS {
         let rapports = |genre: Option<Genre>| -> Vec<f64> {
