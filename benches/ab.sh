@@ -60,12 +60,13 @@ version = "0.0.0"
 edition = "2024"
 [[bin]]
 name = "ab"
-path = "$bancs/comparaison/src/ab.rs"
+path = "$bancs/banc/ab.rs"
+[features]
+seule = []
 [workspace]
 [dependencies]
 avant = { package = "lancer-rayon", path = "$ab/avant", features = ["serde"] }
-commun = { path = "$bancs/../tests/commun" }
-fastrand = "2"
+banc = { path = "$bancs/banc" }
 lancer-rayon = { path = "$racine", features = ["serde"] }
 serde = "1.0.229"
 [profile.release.package]
@@ -74,7 +75,6 @@ serde = "1.0.229"
 FIN
 [ -e "$ab/programme/Cargo.lock" ] || cp "$racine/Cargo.lock" "$ab/programme/"
 
-export DOCS=$bancs/../docs
 cargo build --release --quiet --manifest-path "$ab/programme/Cargo.toml" --target-dir "$racine/target"
 echo "old: $(git -C "$racine" log -1 --format='%h %s' "$commit"); new: $racine; codegen units $unites"
 exec "$racine/target/release/ab" "$@"

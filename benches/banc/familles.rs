@@ -10,9 +10,9 @@ use lancer_rayon::{
 };
 use serde::de::DeserializeOwned;
 
-use crate::conversion::arrondi;
-use crate::regimes::{direction, entre};
-use crate::scenes::{en_tuiles, melange};
+use commun::conversion::arrondi;
+use commun::regimes::{direction, entre};
+use commun::scenes::{en_tuiles, melange};
 use exemples::scene::{self, Camera};
 
 /// What a scene is like.
@@ -78,53 +78,48 @@ impl Famille {
     /// Those of so many objects; a room has eight or twenty-four solids in its six walls, and the atelier is
     /// what it is.
     pub fn nombres(self, usuels: &[usize]) -> &[usize] {
-        match self {
-            Self::Piece => &[14, 30],
-            Self::Atelier => &[14],
-            Self::Ville
-            | Self::Salle
-            | Self::Atomes
-            | Self::Stade
-            | Self::Batons
-            | Self::Tailles
-            | Self::Flocon
-            | Self::Cubes
-            | Self::Melange => usuels,
+        if self == Self::Piece {
+            &[14, 30]
+        } else if self == Self::Atelier {
+            &[14]
+        } else {
+            usuels
         }
     }
 
-    /// The scene of `n` objects, object i with texture i. `docs` is the folder of that name.
-    pub fn scene<R: Reel + DeserializeOwned>(self, n: usize, docs: &Path) -> Scene<R> {
+    /// The scene of `n` objects, object i with texture i.
+    pub fn scene<R: Reel + DeserializeOwned>(self, n: usize) -> Scene<R> {
         let alea = &mut Rng::with_seed(1);
-        let (objets, camera, pas, lampe) = match self {
-            Self::Ville => (ville(n, alea), VUE_D_EN_HAUT, 1.0 / 32.0, [-9.0, 14.5, 9.0]),
-            Self::Salle => (salle(n, alea), DANS_LA_SALLE, 1.0 / 32.0, [1.0, 5.5, 2.0]),
-            Self::Atomes => (atomes(n, alea), DE_LOIN, 1.0 / 64.0, [-8.0, 12.0, 10.0]),
-            Self::Stade => (stade(n, alea), DANS_LE_STADE, 1.0 / 128.0, [-8.0, 12.5, 10.0]),
-            Self::Batons => (batons(n, alea), DE_LOIN, 1.0 / 64.0, [-8.0, 12.0, 10.0]),
-            Self::Tailles => (tailles(n, alea), DE_LOIN, 1.0 / 64.0, [-8.0, 12.0, 10.0]),
-            Self::Flocon => (flocon(n), DEVANT_LE_FLOCON, 1.0 / 64.0, [-8.0, 16.0, 10.0]),
+        let vue = |camera| {
+            let camera: Camera = ron::from_str(camera).expect("a camera as in a scene file");
+            camera.rayons().expect(PERMIS)
+        };
+        let (objets, image, pas, lampe) = match self {
+            Self::Ville => (ville(n, alea), vue(VUE_D_EN_HAUT), 1.0 / 32.0, [-9.0, 14.5, 9.0]),
+            Self::Salle => (salle(n, alea), vue(DANS_LA_SALLE), 1.0 / 32.0, [1.0, 5.5, 2.0]),
+            Self::Atomes => (atomes(n, alea), vue(DE_LOIN), 1.0 / 64.0, [-8.0, 12.0, 10.0]),
+            Self::Stade => (stade(n, alea), vue(DANS_LE_STADE), 1.0 / 128.0, [-8.0, 12.5, 10.0]),
+            Self::Batons => (batons(n, alea), vue(DE_LOIN), 1.0 / 64.0, [-8.0, 12.0, 10.0]),
+            Self::Tailles => (tailles(n, alea), vue(DE_LOIN), 1.0 / 64.0, [-8.0, 12.0, 10.0]),
+            Self::Flocon => (flocon(n), vue(DEVANT_LE_FLOCON), 1.0 / 64.0, [-8.0, 16.0, 10.0]),
             Self::Cubes => {
                 let (objets, cote) = cubes(n, alea);
                 // As wide as the terrain; from the largest on the camera sees a part of it.
                 let pas = cote.next_power_of_two().min(64) as f64 / 512.0;
                 let image = sans_perspective(pas, |i| VUES_SUR_LES_CUBES[3 * i / IMAGE.0]);
-                let lampe = [-0.4 * cote as f64, 20.0, 0.6 * cote as f64];
-                return Scene { objets, image, pas, lampe: arrondi(lampe.into()) };
+                (objets, image, pas, [-0.4 * cote as f64, 20.0, 0.6 * cote as f64])
             }
-            Self::Piece => (piece(n, alea), DANS_LA_PIECE, 1.0 / 32.0, [1.0, 6.0, 2.0]),
+            Self::Piece => (piece(n, alea), vue(DANS_LA_PIECE), 1.0 / 32.0, [1.0, 6.0, 2.0]),
             Self::Atelier => {
-                let atelier = scene::Scene::lire(&docs.join("scenes/atelier.ron"))
-                    .expect("the scene of the README");
+                let chemin = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/scenes/atelier.ron");
+                let atelier =
+                    scene::Scene::lire(Path::new(chemin)).expect("the scene of the README");
                 let objets = atelier.objets.into_iter().map(ObjetGeo::vers_ray).collect();
                 let image = atelier.camera.rayons().expect(PERMIS);
-                let lampe = arrondi(Vecteur::new(-2.6, 7.2, 5.2));
-                return Scene { objets, image, pas: 1.0 / 64.0, lampe };
+                (objets, image, 1.0 / 64.0, [-2.6, 7.2, 5.2])
             }
-            Self::Melange => (melange(n), DEVANT, 1.0 / 32.0, [-2.6, 8.2, 5.2]),
+            Self::Melange => (melange(n), vue(DEVANT), 1.0 / 32.0, [-2.6, 8.2, 5.2]),
         };
-        let camera: Camera = ron::from_str(camera).expect("a camera as in a scene file");
-        let image = camera.rayons().expect(PERMIS);
         Scene { objets, image, pas, lampe: arrondi(lampe.into()) }
     }
 }
@@ -413,13 +408,14 @@ impl Genre {
         }
     }
 
-    /// The rays of this kind from `bandes` of the picture's bands of eight rows, evenly spaced.
+    /// The rays of this kind from `bandes` of the picture's bands of eight rows, evenly spaced; and the same once
+    /// more as shadows, if they are.
     pub fn rayons<R: Reel>(
         self,
         hierarchie: &Hierarchie<'_, R>,
         scene: &Scene<R>,
         bandes: usize,
-    ) -> Vec<Lance<R>> {
+    ) -> (Vec<Rayon<R>>, Vec<Lance<R>>) {
         let image = if self == Self::Paralleles {
             &sans_perspective(scene.pas, |_| EN_BAS)
         } else {
@@ -429,24 +425,28 @@ impl Genre {
         let choisies = (0..bandes).map(|i| (2 * i + 1) * toutes / (2 * bandes));
         let choisies = choisies.flat_map(|i| &image[8 * largeur * i..8 * largeur * (i + 1)]);
         let rangees: Vec<_> = choisies.copied().collect();
-        let de_la_camera = |rayon| (rayon, R::INFINI);
         if self == Self::Rangees {
-            return rangees.into_iter().map(de_la_camera).collect();
+            return (rangees, Vec::new());
         }
-        let tuiles = en_tuiles(&rangees, largeur).into_iter();
+        let tuiles = en_tuiles(&rangees, largeur);
         if self == Self::Tuiles || self == Self::Paralleles {
-            return tuiles.map(de_la_camera).collect();
+            return (tuiles, Vec::new());
         }
         let mut alea = Rng::with_seed(2);
-        let partis = tuiles.filter_map(|rayon| {
+        let mut ombres = Vec::new();
+        let partis = tuiles.into_iter().filter_map(|rayon| {
             let touche = hierarchie.premiere_intersection(&rayon).ok()?;
-            self.depuis(&rayon, &touche, &mut alea, scene.lampe)
+            if self == Self::Ombres {
+                ombres.push(rayon.vers_lumiere(&touche, scene.lampe)?);
+                return ombres.last().map(|(rayon, _)| *rayon);
+            }
+            self.depuis(&rayon, &touche, &mut alea)
         });
         let mut partis: Vec<_> = partis.collect();
         if self == Self::SansOrdre {
             Rng::with_seed(3).shuffle(&mut partis);
         }
-        partis
+        (partis, ombres)
     }
 
     /// The ray of this kind that leaves this hit, if it goes outward.
@@ -455,13 +455,11 @@ impl Genre {
         rayon: &Rayon<R>,
         touche: &Intersection<R>,
         alea: &mut Rng,
-        lampe: Vecteur<R>,
-    ) -> Option<Lance<R>> {
+    ) -> Option<Rayon<R>> {
         let (d, n) = (rayon.direction().vers_f64(), touche.normale().vers_f64());
         let reflet = d - n * (2.0 * d.produit_scalaire(n));
         let vers = match self {
-            Self::Tuiles | Self::Rangees | Self::Paralleles => return Some((*rayon, R::INFINI)),
-            Self::Ombres => return rayon.vers_lumiere(touche, lampe),
+            Self::Tuiles | Self::Rangees | Self::Paralleles | Self::Ombres => return None,
             Self::Miroirs => reflet,
             Self::Rugueux => reflet + direction(alea) * 0.05,
             Self::Diffus => n + direction(alea),
@@ -471,6 +469,6 @@ impl Genre {
             }
         };
         let parti = rayon.secondaire(touche, arrondi(vers)).ok()?;
-        (vers.produit_scalaire(n) > 0.0).then_some((parti, R::INFINI))
+        (vers.produit_scalaire(n) > 0.0).then_some(parti)
     }
 }
