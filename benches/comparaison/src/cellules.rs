@@ -6,7 +6,7 @@ use banc::concurrents::{Camp, temps};
 use banc::familles::{Famille, Genre};
 use lancer_rayon::Hierarchie;
 
-use crate::concurrents::{Scalaire, exiger_accord, exiger_memes_bits, mondes, places, tous};
+use crate::autres::{Scalaire, exiger_accord, exiger_memes_bits, mondes, places, tous};
 
 const NOMBRES: [usize; 5] = [12, 48, 192, 1000, 10_000];
 

@@ -10,9 +10,7 @@ use lancer_rayon::{
 };
 use plotters::prelude::*;
 
-use crate::concurrents::{
-    Scalaire, distance, exiger_accord, exiger_memes_bits, mondes, places, tous,
-};
+use crate::autres::{Scalaire, distance, exiger_accord, exiger_memes_bits, mondes, places, tous};
 use crate::exactitude::{self, COULEURS, repondants};
 use crate::page;
 use commun::litteral;

@@ -6,6 +6,8 @@ use std::hint::black_box;
 use std::sync::Arc;
 use std::thread;
 
+use banc::concurrents::{Camp, Concurrent, cachee};
+use banc::familles::Lance;
 use embree3::{
     Bounds, BufferUsage, Device, Format, GeometryKind, Hit, Hit16, INVALID_ID, IntersectContext,
     IntersectFunctionNArgs, OccludedFunctionNArgs, QuadMeshBuilder, Ray, Ray16, RayHit, RayHit16,
@@ -13,10 +15,7 @@ use embree3::{
 };
 use lancer_rayon::{BoiteRay, ObjetRay, PlanRay, Rayon, Texture};
 
-use banc::concurrents::{Camp, Concurrent, cachee};
-use banc::familles::Lance;
-
-use crate::concurrents::{Monde, Vu, dire};
+use crate::autres::{Monde, Vu, dire};
 
 const SEIZE: usize = 16;
 

@@ -13,7 +13,7 @@ use lancer_rayon::{Hierarchie, NoIntersection, Rayon, Reel, Reglage, premiere_in
 use rayon::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
-use crate::concurrents::{Parry, places};
+use crate::autres::{Parry, places};
 use crate::tables::nanosecondes;
 
 /// The rays of a picture, in tiles.

@@ -6,9 +6,9 @@
 //! `docs/performance.md`. `--features embree` takes Embree 3.13 along (`apt-get install libembree-dev`).
 
 mod annexe;
+mod autres;
 mod cellules;
 mod compromis;
-mod concurrents;
 #[cfg(feature = "embree")]
 mod embree;
 mod exactitude;
