@@ -10,8 +10,8 @@
 #
 # REVISION `.` is the checkout itself. --units: codegen units of the crate, 16 unless said (as `cargo build
 # --release` of a user has it). Filters, each a list with commas:
-#   --family   city hall atoms stadium sticks sizes snowflake room atelier mix
-#   --rays     tiles rows mirrors rough diffuse "no order" shadows
+#   --family   city hall atoms stadium sticks sizes snowflake cubes room atelier mix
+#   --rays     tiles rows parallel mirrors rough diffuse "no order" shadows
 #   --way      list list-batch (both up to 64 objects), single batch (of the hierarchy)
 #   --n        12,48,192,1000,10000 unless said; room and atelier have their own
 #   --scalar   f32,f64
@@ -60,12 +60,13 @@ version = "0.0.0"
 edition = "2024"
 [[bin]]
 name = "ab"
-path = "$bancs/comparaison/src/ab.rs"
+path = "$bancs/banc/ab.rs"
+[features]
+seule = []
 [workspace]
 [dependencies]
 avant = { package = "lancer-rayon", path = "$ab/avant", features = ["serde"] }
-commun = { path = "$bancs/../tests/commun" }
-fastrand = "2"
+banc = { path = "$bancs/banc" }
 lancer-rayon = { path = "$racine", features = ["serde"] }
 serde = "1.0.229"
 [profile.release.package]
@@ -74,7 +75,6 @@ serde = "1.0.229"
 FIN
 [ -e "$ab/programme/Cargo.lock" ] || cp "$racine/Cargo.lock" "$ab/programme/"
 
-export DOCS=$bancs/../docs
 cargo build --release --quiet --manifest-path "$ab/programme/Cargo.toml" --target-dir "$racine/target"
 echo "old: $(git -C "$racine" log -1 --format='%h %s' "$commit"); new: $racine; codegen units $unites"
 exec "$racine/target/release/ab" "$@"

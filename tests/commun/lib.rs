@@ -3,8 +3,6 @@
 
 pub mod conversion;
 pub mod facons;
-pub mod familles;
-pub mod horloge;
 pub mod litteral;
 pub mod mesure;
 pub mod oracle;

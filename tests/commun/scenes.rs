@@ -10,13 +10,13 @@ use lancer_rayon::{
 use crate::conversion::arrondi;
 
 /// Where the rays start; they look towards −z.
-const CAMERA: Vecteur = Vecteur::new(0.0, 1.0, 6.0);
+const CAMERA: Vecteur = Vecteur::new(0.0, 2.0, 6.0);
 
 /// tan 25°: half of what the camera sees from top to bottom, one unit ahead of it.
 const DEMI_CHAMP: f64 = 0.466_307_658_154_998_6;
 
-/// `n` objects in view of the camera, object i with texture i: a floor one below the origin, then
-/// spheres and turned boxes by turns.
+/// `n` objects in view of the camera, object i with texture i: a floor at height 0, then spheres
+/// and turned boxes by turns.
 ///
 /// They shrink so that their volumes add up to the same for every n: the picture stays full,
 /// and the more there are the more of them are hidden.
@@ -59,7 +59,7 @@ pub fn en_tuiles<T: Copy>(rangees: &[T], largeur: usize) -> Vec<T> {
 
 fn sol<R: Reel>(texture: Texture) -> Result<ObjetGeo<R>, ErreurGeo> {
     let couche = Rotation::new(arrondi(Vecteur::new(FRAC_PI_2, 0.0, 0.0)))?;
-    Ok(PlanGeo::new(couche, R::UN, texture)?.into())
+    Ok(PlanGeo::new(couche, R::ZERO, texture)?.into())
 }
 
 fn sphere<R: Reel>(taille: f64, alea: Alea, texture: Texture) -> Result<ObjetGeo<R>, ErreurGeo> {
@@ -78,7 +78,7 @@ fn boite<R: Reel>(taille: f64, alea: Alea, texture: Texture) -> Result<ObjetGeo<
 fn place([x, y, z, ..]: Alea) -> Vecteur {
     let profondeur = 6.0 + 12.0 * z;
     let haut = profondeur * DEMI_CHAMP;
-    let bas = haut.min(CAMERA.y + 1.0);
+    let bas = haut.min(CAMERA.y);
     CAMERA + Vecteur::new((2.0 * x - 1.0) * 1.5 * haut, (haut + bas) * y - bas, -profondeur)
 }
 

@@ -20,7 +20,8 @@ const LAMPES: [Vecteur; 4] = [
 /// off by a few u, and 64 is far above a few.
 const RASANT: f64 = 64.0;
 
-/// How far the camera stands from the objects, in their size: the distance is rounded as well.
+/// How far the camera stands from the objects, in their size: the distance is rounded as well, and that of the
+/// lamp.
 const RECUL: f64 = 8.0;
 
 /// A ball and a turned box, about as large as `echelle`.
@@ -57,8 +58,7 @@ fn eclaire_ce_qui_fait_face<R: Reel>() {
     let (mut clairs, mut sombres, mut rasants) = (0, 0, 0);
     for (echelle, loin) in [1e-3, 1.0, 1e4].into_iter().flat_map(|e| [(e, 0.0), (e, 1e3)]) {
         let decalage = Vecteur::new(0.6, -0.7, 0.4) * (loin * echelle);
-        let centre = Vecteur::new(0.0, 1.0, 2.0) * echelle + decalage;
-        let seuil = (RASANT * u::<R>() * (centre.longueur() / echelle + RECUL)).sqrt();
+        let centre = Vecteur::new(0.0, 2.0, 2.0) * echelle + decalage;
         let objets = objets::<R>(centre, echelle);
         let rayons = rayons_camera::<R>(90, 60).into_iter().map(|rayon| {
             let source = rayon.source().vers_f64() * echelle + decalage;
@@ -70,6 +70,8 @@ fn eclaire_ce_qui_fait_face<R: Reel>() {
             let point = rayon.point(touche.distance());
             let rasante = point.vers_f64() + (d - n * d.produit_scalaire(n)) * echelle;
             for lampe in LAMPES.map(|lampe| lampe * echelle + centre).into_iter().chain([rasante]) {
+                let loin = (lampe - centre).longueur() + centre.longueur();
+                let seuil = (RASANT * u::<R>() * (loin / echelle + RECUL)).sqrt();
                 let lampe = arrondi(lampe);
                 let Ok(depuis) = Rayon::new(lampe, point - lampe) else { continue };
                 let cosinus = -depuis.direction().produit_scalaire(touche.normale()).vers_f64();

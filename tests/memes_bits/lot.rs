@@ -292,8 +292,8 @@ fn un_demi_milliard_de_rayons<R: Bits>() {
         let scene = scenes::melange::<R>(n);
         rayons.clear();
         while rayons.len() < touches.len() {
-            let cible = Vecteur::new(0.0, 2.0, -6.0) + direction(&mut alea) * 6.0;
-            let de = Vecteur::new(0.0, 1.0, 6.0) + direction(&mut alea) * (4.0 * alea.f64());
+            let cible = Vecteur::new(0.0, 3.0, -6.0) + direction(&mut alea) * 6.0;
+            let de = Vecteur::new(0.0, 2.0, 6.0) + direction(&mut alea) * (4.0 * alea.f64());
             let ouverture = deux_puissance(&mut alea, -20.0, 1.0);
             let etendue = if alea.bool() { 0.0 } else { deux_puissance(&mut alea, -20.0, 1.0) };
             rayons.extend(gerbe(&mut alea, (de, cible - de), ouverture, etendue));

@@ -2,23 +2,23 @@
 
 use std::error::Error;
 
+use banc::concurrents::{Camp, Reponse, temps};
+use banc::familles::{Famille, Genre};
 use fastrand::Rng;
-use lancer_rayon::{ObjetRay, Rayon, premieres_intersections};
+use lancer_rayon::{
+    Hierarchie, NoIntersection, ObjetRay, Rayon, premiere_intersection, premieres_intersections,
+};
 use plotters::prelude::*;
 
-use crate::concours::{Scalaire, Terrain, exiger_accord, exiger_memes_bits, temps};
-use crate::concurrent::Camp;
+use crate::autres::{Scalaire, distance, exiger_accord, exiger_memes_bits, mondes, places, tous};
 use crate::exactitude::{self, COULEURS, repondants};
 use crate::page;
-use crate::pairs::Vu;
-use commun::familles::{Famille, Genre};
-use commun::horloge::{exiger, une_par_une};
 use commun::litteral;
 use commun::mesure::{mesurer, quantiles};
 use commun::oracle::verite;
 use commun::regimes::regimes;
 
-type Mesures<R> = ((exactitude::Repondant<R>, f64), Vec<Option<Vu<R>>>);
+type Mesures<R> = ((exactitude::Repondant<R>, f64), Vec<Reponse>);
 
 /// One ray in so many is judged by the oracle.
 const PAS: usize = 7;
@@ -62,21 +62,23 @@ pub(crate) fn documenter() -> Result<(), Box<dyn Error>> {
 }
 
 fn mesures<R: Scalaire>() -> Result<Vec<Variante>, Box<dyn Error>> {
-    let scene = Famille::Atelier.scene::<R>(0, &page::chemin("docs"));
-    let mut terrain = Terrain::new(scene.objets.clone());
-    let (hierarchie, mut concurrents) = terrain.entrer();
+    let scene = Famille::Atelier.scene::<R>(0);
+    let mut places = places(&scene.objets);
+    let hierarchie = Hierarchie::new(&scene.objets, &mut places)?;
+    let mondes = mondes(&scene.objets);
     // The whole picture, in tiles.
-    let lances = Genre::Tuiles.rayons(&hierarchie, &scene, 50);
-    exiger_memes_bits(&hierarchie, &lances)?;
-    exiger_accord(&mut concurrents, &lances, false, 3e4 * R::U.vers_f64())?;
-    let ns = temps(&mut concurrents, &lances, false);
-    let juges: Vec<_> = lances.iter().step_by(PAS).copied().collect();
-    let juges_de = ["list", "annex A, enum", "parry, loop"];
-    let reponses = juges_de.map(|nom| {
-        let qui = concurrents.iter_mut().find(|qui| qui.nom == nom);
-        qui.and_then(|qui| qui.reponses(&juges, false)).expect("in so short a list all compete")
+    let (rayons, _) = Genre::Tuiles.rayons(&hierarchie, &scene, 50);
+    let mut concurrents = tous(hierarchie, &mondes, &rayons, &[]);
+    exiger_memes_bits(hierarchie, &rayons, &[])?;
+    exiger_accord(&concurrents, 3e4 * R::U.vers_f64())?;
+    let ns = temps(&mut concurrents);
+    let ns: Vec<_> = concurrents.iter().map(|qui| (qui.nom, qui.camp)).zip(ns).collect();
+    let reponses = ["list", "annex A, enum", "parry, loop"].map(|nom| {
+        let qui = concurrents.iter().find(|qui| qui.nom == nom);
+        let reponses = qui.expect("in so short a list all compete").reponses();
+        reponses.into_iter().step_by(PAS).collect()
     });
-    let juges = juges.iter().map(|(rayon, _)| rayon);
+    let juges = rayons.iter().step_by(PAS);
     let verites: Vec<_> = juges.map(|rayon| premiere(&scene.objets, rayon)).collect();
 
     let noms = repondants::<R>();
@@ -85,8 +87,8 @@ fn mesures<R: Scalaire>() -> Result<Vec<Variante>, Box<dyn Error>> {
         let mut erreurs = Vec::new();
         for (verite, reponse) in verites.iter().zip(&reponses) {
             match (verite, reponse) {
-                (Some((objet, t)), Some((obtenu, _, texture))) if texture.0 == *objet => {
-                    erreurs.push((obtenu.vers_f64() - t).abs() / t);
+                (Some((objet, t)), Some(obtenu)) if obtenu.1 == *objet => {
+                    erreurs.push((distance(*obtenu) - t).abs() / t);
                 }
                 (None, None) => {}
                 _ => autres += 1,
@@ -109,8 +111,8 @@ fn mesures<R: Scalaire>() -> Result<Vec<Variante>, Box<dyn Error>> {
     };
     // The least of this side whose name starts so.
     let ns_de = |(cote, noms): (Camp, &str)| {
-        let ceux = ns.iter().filter(|(nom, camp, _)| *camp == cote && nom.starts_with(noms));
-        ceux.map(|(.., ns)| *ns).fold(f64::NAN, f64::min)
+        let ceux = ns.iter().filter(|((nom, camp), _)| *camp == cote && nom.starts_with(noms));
+        ceux.map(|(_, ns)| *ns).fold(f64::NAN, f64::min)
     };
     let ns_de_trois =
         [(Camp::Seul, "list"), (Camp::Annexe, "annex A"), (Camp::Parry, "parry")].map(ns_de);
@@ -118,10 +120,8 @@ fn mesures<R: Scalaire>() -> Result<Vec<Variante>, Box<dyn Error>> {
         noms.into_iter().zip(ns_de_trois).zip(reponses).map(variante).collect();
     exiger_exact_aux_extremes::<R>()?;
     // The same bits in less time.
-    let memes = [
-        ("hierarchy", ns_de((Camp::Seul, "hierarchy"))),
-        ("batch", ns_de((Camp::Lot, "hierarchy"))),
-    ];
+    let memes =
+        [("hierarchy", ns_de((Camp::Seul, "single"))), ("batch", ns_de((Camp::Lot, "batch")))];
     for (nom, ns) in memes {
         let liste = variantes[0].clone();
         variantes.push(Variante { nom: format!("{nom} {}", R::NOM), ns, ..liste });
@@ -137,10 +137,11 @@ fn exiger_exact_aux_extremes<R: Scalaire>() -> Result<(), Box<dyn Error>> {
         for _ in 0..CAS {
             let cas = (regime.cas)(&mut alea);
             // Several of the same: fewer would not go side by side.
-            let (objets, rayons) = ([cas.objet], [cas.rayon; 9]);
-            exiger(&une_par_une(&objets, &rayons), &rayons, |rayons, touches| {
-                premieres_intersections(&objets, rayons, touches)
-            })?;
+            let (objets, mut touches) = ([cas.objet], [Err(NoIntersection); 9]);
+            premieres_intersections(&objets, &[cas.rayon; 9], &mut touches)?;
+            if touches != [premiere_intersection(&objets, &cas.rayon); 9] {
+                return Err("the batch differs from its rays one by one".into());
+            }
         }
     }
     Ok(())

@@ -6,8 +6,8 @@ use fastrand::Rng;
 use lancer_rayon::{ObjetGeo, ObjetRay, Rayon, Reel, SphereGeo, Texture, premiere_intersection};
 use plotters::prelude::*;
 
+use crate::autres::Parry;
 use crate::page;
-use crate::pairs::Parry;
 use commun::conversion::arrondi;
 use commun::litteral;
 use commun::mesure::{Mesure, Reponse, mesurer, plus_grand, quantiles};
@@ -32,7 +32,7 @@ pub(crate) fn repondants<R: Parry>() -> [Repondant<R>; 3] {
             touche.map(|(t, n, _)| (t, n))
         }),
         ("parry", |objet, rayon| {
-            let touche = R::dans_la_liste(&[R::objet(objet)], &R::rayon(rayon));
+            let touche = R::touche(objet, rayon);
             touche.map(|(t, n, _)| (t, n))
         }),
     ]

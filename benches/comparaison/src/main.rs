@@ -5,32 +5,31 @@
 //! as well, and writes the tables and plots of `docs/precision.md`, `docs/compromis.md` and
 //! `docs/performance.md`. `--features embree` takes Embree 3.13 along (`apt-get install libembree-dev`).
 
-mod annexe_dyn;
-#[cfg(feature = "embree")]
-mod avec_embree;
-mod avec_glam;
+mod annexe;
+mod autres;
+mod cellules;
 mod compromis;
-mod concours;
-mod concurrent;
+#[cfg(feature = "embree")]
+mod embree;
 mod exactitude;
-mod lot;
+mod glam;
+mod hierarchie;
 mod page;
-mod pairs;
-mod tableau;
+mod tables;
 
 use std::error::Error;
 
 #[path = "."]
 mod simple {
-    pub(crate) use parry3d as parry;
-    mod avec_parry;
+    pub(crate) use parry3d as version;
+    mod parry;
 }
 
 #[path = "."]
 mod double {
-    pub(crate) use parry3d_f64 as parry;
+    pub(crate) use parry3d_f64 as version;
     #[expect(clippy::duplicate_mod, reason = "one page, two crates with the same names in them")]
-    mod avec_parry;
+    mod parry;
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -39,15 +38,15 @@ fn main() -> Result<(), Box<dyn Error>> {
         Some("documents") => true,
         Some(_) => return Err("usage: comparaison [documents]".into()),
     };
-    avec_glam::verifier()?;
+    glam::verifier()?;
     // First: Embree ties this thread, and those that it starts later, to one core.
-    let threads = lot::threads()?;
-    let cellules = tableau::mesurer()?;
+    let threads = hierarchie::threads()?;
+    let cellules = cellules::mesurer()?;
     let tables = [
-        ("summary", tableau::resume(&cellules)),
-        ("families", tableau::table(&cellules)),
-        ("building", lot::constructions()?),
-        ("sets", lot::jeux_d_instructions()?),
+        ("summary", tables::resume(&cellules)),
+        ("families", tables::table(&cellules)),
+        ("building", hierarchie::constructions()),
+        ("sets", hierarchie::jeux_d_instructions()?),
         ("threads", threads),
     ];
     for (nom, table) in &tables {
@@ -57,7 +56,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         for (nom, table) in &tables {
             page::remplacer("docs/performance.md", nom, &page::datee(table))?;
         }
-        tableau::graphique(&cellules)?;
+        tables::graphique(&cellules)?;
         exactitude::documenter()?;
         compromis::documenter()?;
     }

@@ -1,50 +1,17 @@
-//! Every family of scenes and kind of rays: ours beside all others, in two tables and a plot.
+//! What is printed of the cells: ours beside all others, in two tables and a plot.
 
 use std::error::Error;
 
-use lancer_rayon::Hierarchie;
+use banc::concurrents::Camp;
+use banc::familles::Genre;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-use crate::concours::{Scalaire, Terrain, exiger_accord, exiger_memes_bits, places, temps};
-use crate::concurrent::Camp;
+use crate::cellules::Cellule;
 use crate::page;
-use commun::familles::{Famille, Genre};
-use commun::horloge::nanosecondes;
 
-const NOMBRES: [usize; 5] = [12, 48, 192, 1000, 10_000];
-
-/// Of these the table has rows; the plot has them all.
+/// Of these numbers of objects the table has rows; the plot has them all.
 const AU_TABLEAU: [usize; 5] = [12, 14, 30, 1000, 10_000];
-
-/// How much of a picture: bands of 4,800 rays.
-const BANDES: usize = 8;
-
-/// So many rays may meet another object for others: where two objects touch, or where they meet the one again that
-/// they have just left.
-const TOLERANCE: f64 = 0.005;
-
-/// The times of one kind of rays in one scene.
-pub(crate) struct Cellule {
-    famille: Famille,
-    n: usize,
-    scalaire: &'static str,
-    genre: Genre,
-    temps: Vec<(&'static str, Camp, f64)>,
-}
-
-impl Cellule {
-    /// The least of these.
-    fn ns(&self, camps: &[Camp]) -> f64 {
-        let les_leurs = self.temps.iter().filter(|(_, camp, _)| camps.contains(camp));
-        les_leurs.map(|(.., ns)| *ns).fold(f64::NAN, f64::min)
-    }
-
-    /// Theirs over ours.
-    fn rapport(&self, question: &Question) -> f64 {
-        self.ns(question.autres) / self.ns(question.ici)
-    }
-}
 
 /// Whom a ratio compares.
 struct Question {
@@ -52,6 +19,13 @@ struct Question {
     scalaire: &'static str,
     ici: &'static [Camp],
     autres: &'static [Camp],
+}
+
+impl Question {
+    /// Theirs over ours.
+    fn rapport(&self, cellule: &Cellule) -> f64 {
+        cellule.ns(self.autres) / cellule.ns(self.ici)
+    }
 }
 
 const SEUL: &[Camp] = &[Camp::Seul];
@@ -71,54 +45,12 @@ const QUESTIONS: [Question; 7] = [
     Question { nom: "ours one by one, over our batch", scalaire: "f64", ici: LOT, autres: SEUL },
 ];
 
-/// All cells; first everyone's answers, then the times.
-pub(crate) fn mesurer() -> Result<Vec<Cellule>, Box<dyn Error>> {
-    verifier::<f32>()?;
-    verifier::<f64>()?;
-    let mut cellules = Vec::new();
-    for famille in Famille::TOUTES {
-        for &n in famille.nombres(&NOMBRES) {
-            courir::<f32>(famille, n, &mut cellules);
-            courir::<f64>(famille, n, &mut cellules);
-        }
-        println!("{} timed", famille.nom());
-    }
-    Ok(cellules)
-}
-
-/// List, hierarchy and batches to the bit in every family, before anything is timed.
-fn verifier<R: Scalaire>() -> Result<(), Box<dyn Error>> {
-    for famille in Famille::TOUTES {
-        for &n in famille.nombres(&NOMBRES) {
-            let scene = famille.scene::<R>(n, &page::chemin("docs"));
-            let mut places = places(&scene.objets);
-            let hierarchie = Hierarchie::new(&scene.objets, &mut places)?;
-            let mut terrain = Terrain::new(scene.objets.clone());
-            let (_, mut concurrents) = terrain.entrer();
-            for genre in Genre::TOUS {
-                let ou = format!("{} {n} {} {}", famille.nom(), R::NOM, genre.nom());
-                let lances = genre.rayons(&hierarchie, &scene, BANDES);
-                let juge = exiger_memes_bits(&hierarchie, &lances).and_then(|()| {
-                    let ombres = genre == Genre::Ombres;
-                    exiger_accord(&mut concurrents, &lances, ombres, TOLERANCE)
-                });
-                juge.map_err(|erreur| format!("{ou}: {erreur}"))?;
-            }
-        }
-        println!("{} {}: all agree", famille.nom(), R::NOM);
-    }
-    Ok(())
-}
-
-fn courir<R: Scalaire>(famille: Famille, n: usize, cellules: &mut Vec<Cellule>) {
-    let scene = famille.scene::<R>(n, &page::chemin("docs"));
-    let mut terrain = Terrain::new(scene.objets.clone());
-    let (hierarchie, mut concurrents) = terrain.entrer();
-    concurrents.retain(|qui| qui.camp != Camp::Annexe);
-    for genre in Genre::TOUS {
-        let lances = genre.rayons(&hierarchie, &scene, BANDES);
-        let temps = temps(&mut concurrents, &lances, genre == Genre::Ombres);
-        cellules.push(Cellule { famille, n, scalaire: R::NOM, genre, temps });
+/// Nanoseconds in three digits or more; a dash for who did not run.
+pub(crate) fn nanosecondes(ns: f64) -> String {
+    match ns {
+        _ if ns.is_nan() => "–".into(),
+        _ if ns < 100.0 => format!("{ns:.1}"),
+        _ => format!("{ns:.0}"),
     }
 }
 
@@ -132,13 +64,13 @@ pub(crate) fn resume(cellules: &[Cellule]) -> String {
     let titres = Genre::TOUS.map(Genre::nom).join(" | ");
     let mut table = vec![
         format!("| theirs / ours | scalar | {titres} | below 1 |"),
-        "|---|---|--:|--:|--:|--:|--:|--:|--:|--:|".into(),
+        format!("|---|---|{}--:|", "--:|".repeat(Genre::TOUS.len())),
     ];
     for question in &QUESTIONS {
         let rapports = |genre: Option<Genre>| -> Vec<f64> {
             let celles = cellules.iter().filter(|c| c.scalaire == question.scalaire);
             let celles = celles.filter(|c| genre.is_none_or(|genre| c.genre == genre));
-            celles.map(|c| c.rapport(question)).filter(|x| x.is_finite()).collect()
+            celles.map(|c| question.rapport(c)).filter(|x| x.is_finite()).collect()
         };
         let case = |genre| {
             let rapports = rapports(Some(genre));
@@ -221,7 +153,7 @@ pub(crate) fn graphique(cellules: &[Cellule]) -> Result<(), Box<dyn Error>> {
             for (i, scene) in scenes.iter().enumerate() {
                 let cellule =
                     scene.iter().find(|c| c.genre == genre).expect("every kind was timed");
-                let r = cellule.rapport(&question);
+                let r = question.rapport(cellule);
                 let (haut, bas) = ((x + 1, y(i) + 1), (x + LARGE - 1, y(i) + HAUT - 1));
                 surface.draw(&Rectangle::new([haut, bas], teinte(r).filled()))?;
                 let milieu = (x + LARGE / 2, y(i) + HAUT / 2 + 1);

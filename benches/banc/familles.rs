@@ -10,9 +10,9 @@ use lancer_rayon::{
 };
 use serde::de::DeserializeOwned;
 
-use crate::conversion::arrondi;
-use crate::regimes::{direction, entre};
-use crate::scenes::{en_tuiles, melange};
+use commun::conversion::arrondi;
+use commun::regimes::{direction, entre};
+use commun::scenes::{en_tuiles, melange};
 use exemples::scene::{self, Camera};
 
 /// What a scene is like.
@@ -25,20 +25,27 @@ pub enum Famille {
     Batons,
     Tailles,
     Flocon,
+    Cubes,
     Piece,
     Atelier,
     Melange,
 }
 
-/// One scene, who looks at it, and its lamp.
+/// One scene, what its camera looks along, and its lamp.
 pub struct Scene<R> {
     pub objets: Vec<ObjetRay<R>>,
-    camera: Camera,
+    /// Row by row.
+    image: Vec<Rayon<R>>,
+    /// From one ray to the next of a picture without perspective.
+    pas: f64,
     lampe: Vecteur<R>,
 }
 
+/// The size of every picture.
+const IMAGE: (usize, usize) = (600, 400);
+
 impl Famille {
-    pub const TOUTES: [Self; 10] = [
+    pub const TOUTES: [Self; 11] = [
         Self::Ville,
         Self::Salle,
         Self::Atomes,
@@ -46,6 +53,7 @@ impl Famille {
         Self::Batons,
         Self::Tailles,
         Self::Flocon,
+        Self::Cubes,
         Self::Piece,
         Self::Atelier,
         Self::Melange,
@@ -60,6 +68,7 @@ impl Famille {
             Self::Batons => "sticks",
             Self::Tailles => "sizes",
             Self::Flocon => "snowflake",
+            Self::Cubes => "cubes",
             Self::Piece => "room",
             Self::Atelier => "atelier",
             Self::Melange => "mix",
@@ -69,65 +78,88 @@ impl Famille {
     /// Those of so many objects; a room has eight or twenty-four solids in its six walls, and the atelier is
     /// what it is.
     pub fn nombres(self, usuels: &[usize]) -> &[usize] {
-        match self {
-            Self::Piece => &[14, 30],
-            Self::Atelier => &[14],
-            Self::Ville
-            | Self::Salle
-            | Self::Atomes
-            | Self::Stade
-            | Self::Batons
-            | Self::Tailles
-            | Self::Flocon
-            | Self::Melange => usuels,
+        if self == Self::Piece {
+            &[14, 30]
+        } else if self == Self::Atelier {
+            &[14]
+        } else {
+            usuels
         }
     }
 
-    /// The scene of `n` objects, object i with texture i. `docs` is the folder of that name.
-    pub fn scene<R: Reel + DeserializeOwned>(self, n: usize, docs: &Path) -> Scene<R> {
+    /// The scene of `n` objects, object i with texture i.
+    pub fn scene<R: Reel + DeserializeOwned>(self, n: usize) -> Scene<R> {
         let alea = &mut Rng::with_seed(1);
-        let (objets, camera, lampe) = match self {
-            Self::Ville => (ville(n, alea), VUE_D_EN_HAUT, [-9.0, 14.0, 9.0]),
-            Self::Salle => (salle(n, alea), DANS_LA_SALLE, [1.0, 5.5, 2.0]),
-            Self::Atomes => (atomes(n, alea), DE_LOIN, [-8.0, 12.0, 10.0]),
-            Self::Stade => (stade(n, alea), DANS_LE_STADE, [-8.0, 12.0, 10.0]),
-            Self::Batons => (batons(n, alea), DE_LOIN, [-8.0, 12.0, 10.0]),
-            Self::Tailles => (tailles(n, alea), DE_LOIN, [-8.0, 12.0, 10.0]),
-            Self::Flocon => (flocon(n), DE_LOIN, [-8.0, 12.0, 10.0]),
-            Self::Piece => (piece(n, alea), DANS_LA_SALLE, [1.0, 5.5, 2.0]),
-            Self::Atelier => {
-                let atelier = scene::Scene::lire(&docs.join("scenes/atelier.ron"))
-                    .expect("the scene of the README");
-                let objets = atelier.objets.into_iter().map(ObjetGeo::vers_ray).collect();
-                return Scene {
-                    objets,
-                    camera: atelier.camera,
-                    lampe: arrondi(Vecteur::new(-2.6, 7.2, 5.2)),
-                };
-            }
-            Self::Melange => (melange(n), DEVANT, [-2.6, 7.2, 5.2]),
+        let vue = |camera| {
+            let camera: Camera = ron::from_str(camera).expect("a camera as in a scene file");
+            camera.rayons().expect(PERMIS)
         };
-        let camera = ron::from_str(camera).expect("a camera as in a scene file");
-        Scene { objets, camera, lampe: arrondi(lampe.into()) }
+        let (objets, image, pas, lampe) = match self {
+            Self::Ville => (ville(n, alea), vue(VUE_D_EN_HAUT), 1.0 / 32.0, [-9.0, 14.5, 9.0]),
+            Self::Salle => (salle(n, alea), vue(DANS_LA_SALLE), 1.0 / 32.0, [1.0, 5.5, 2.0]),
+            Self::Atomes => (atomes(n, alea), vue(DE_LOIN), 1.0 / 64.0, [-8.0, 12.0, 10.0]),
+            Self::Stade => (stade(n, alea), vue(DANS_LE_STADE), 1.0 / 128.0, [-8.0, 12.5, 10.0]),
+            Self::Batons => (batons(n, alea), vue(DE_LOIN), 1.0 / 64.0, [-8.0, 12.0, 10.0]),
+            Self::Tailles => (tailles(n, alea), vue(DE_LOIN), 1.0 / 64.0, [-8.0, 12.0, 10.0]),
+            Self::Flocon => (flocon(n), vue(DEVANT_LE_FLOCON), 1.0 / 64.0, [-8.0, 16.0, 10.0]),
+            Self::Cubes => {
+                let (objets, cote) = cubes(n, alea);
+                // As wide as the terrain; from the largest on the camera sees a part of it.
+                let pas = cote.next_power_of_two().min(64) as f64 / 512.0;
+                let image = sans_perspective(pas, |i| VUES_SUR_LES_CUBES[3 * i / IMAGE.0]);
+                (objets, image, pas, [-0.4 * cote as f64, 20.0, 0.6 * cote as f64])
+            }
+            Self::Piece => (piece(n, alea), vue(DANS_LA_PIECE), 1.0 / 32.0, [1.0, 6.0, 2.0]),
+            Self::Atelier => {
+                let chemin = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/scenes/atelier.ron");
+                let atelier =
+                    scene::Scene::lire(Path::new(chemin)).expect("the scene of the README");
+                let objets = atelier.objets.into_iter().map(ObjetGeo::vers_ray).collect();
+                let image = atelier.camera.rayons().expect(PERMIS);
+                (objets, image, 1.0 / 64.0, [-2.6, 7.2, 5.2])
+            }
+            Self::Melange => (melange(n), vue(DEVANT), 1.0 / 32.0, [-2.6, 8.2, 5.2]),
+        };
+        Scene { objets, image, pas, lampe: arrondi(lampe.into()) }
     }
 }
 
-const VUE_D_EN_HAUT: &str = "(source: (3, 9, 22), regard: Point((0, 0, 0)), champ: 42)";
+const VUE_D_EN_HAUT: &str = "(source: (3, 9.5, 22), regard: Point((0, 0.5, 0)), champ: 42)";
 const DANS_LA_SALLE: &str = "(source: (4, 3.5, 9), regard: Point((0, 1, 0)), champ: 55)";
 const DE_LOIN: &str = "(source: (0, 2, 16), regard: Point((0, 0, 0)), champ: 42)";
-const DANS_LE_STADE: &str = "(source: (0, 2, 9), regard: Point((0, 0.7, 0)), champ: 30)";
-const DEVANT: &str = "(source: (0, 1, 6), regard: Rotation((0, 0, 0)), champ: 50)";
+const DANS_LE_STADE: &str = "(source: (0, 2.5, 9), regard: Point((0, 1.2, 0)), champ: 30)";
+const DEVANT_LE_FLOCON: &str = "(source: (0, 6, 16), regard: Point((0, 4, 0)), champ: 42)";
+const DANS_LA_PIECE: &str = "(source: (4, 4, 9), regard: Point((0, 1.5, 0)), champ: 55)";
+const DEVANT: &str = "(source: (0, 2, 6), regard: Rotation((0, 0, 0)), champ: 50)";
 
-/// The height of the ground. At 0 a ray that leaves it would start at a subnormal height, and the time of every
-/// implementation would be that of subnormal numbers.
-const SOL: f64 = -0.5;
+/// Where the three parts of the picture of the cubes look: along an axis, along a face, and askew.
+const VUES_SUR_LES_CUBES: [Vecteur; 3] =
+    [EN_BAS, Vecteur::new(0.0, -0.6, -0.8), Vecteur::new(-0.48, -0.6, -0.64)];
+
+const EN_BAS: Vecteur = Vecteur::new(0.0, -1.0, 0.0);
+
+/// Parallel rays to every point of a grid on the ground, row by row, each column of the picture the way that it
+/// is told. The coordinates of the grid are exact, and some are integers: there stand the sides of the cubes.
+fn sans_perspective<R: Reel>(pas: f64, vers: impl Fn(usize) -> Vecteur) -> Vec<Rayon<R>> {
+    let (largeur, hauteur) = IMAGE;
+    // Higher than all that is seen; from much farther away others lose small objects in rounding.
+    let haut = (largeur as f64 * pas).max(12.0);
+    let pixels = (0..hauteur).flat_map(|j| (0..largeur).map(move |i| (i, j)));
+    let rayon = |(i, j)| {
+        let [x, z] = [(i, largeur), (j, hauteur)].map(|(k, n)| (k as f64 - n as f64 / 2.0) * pas);
+        let vers = vers(i);
+        let source = Vecteur::new(x, 0.0, z) + vers * (haut / vers.y);
+        Rayon::new(arrondi(source), arrondi(vers)).expect(PERMIS)
+    };
+    pixels.map(rayon).collect()
+}
 
 /// Houses along streets that run a little askew, each turned a little, with some towers; the ground.
 fn ville<R: Reel>(n: usize, alea: &mut Rng) -> Vec<ObjetRay<R>> {
     let cote = ((n - 1) as f64).sqrt().ceil();
     // A lot; every fourth is a street each way.
     let lot = 20.0 / (cote * 1.25);
-    let mut objets = vec![sol(SOL)];
+    let mut objets = vec![sol()];
     for i in 0..n - 1 {
         let ou = [i as f64 % cote, (i as f64 / cote).floor()];
         let [x, z] = ou.map(|k| (k + (k / 4.0).floor()) * lot - 10.0);
@@ -135,7 +167,7 @@ fn ville<R: Reel>(n: usize, alea: &mut Rng) -> Vec<ObjetRay<R>> {
         let haut = lot * tour * entre(alea, 0.5, 1.5);
         let dimensions = [lot * entre(alea, 0.5, 0.9), haut, lot * entre(alea, 0.5, 0.9)];
         let (sin, cos) = 0.3_f64.sin_cos();
-        let centre = [x * cos - z * sin, SOL + haut / 2.0, x * sin + z * cos];
+        let centre = [x * cos - z * sin, haut / 2.0, x * sin + z * cos];
         objets.push(boite(centre, dimensions, [0.0, 0.3 + entre(alea, -0.1, 0.1), 0.0], i + 1));
     }
     objets
@@ -193,16 +225,16 @@ fn atomes<R: Reel>(n: usize, alea: &mut Rng) -> Vec<ObjetRay<R>> {
 /// Half of all in a heap as large as a teapot, the other half around a stadium; the ground.
 fn stade<R: Reel>(n: usize, alea: &mut Rng) -> Vec<ObjetRay<R>> {
     let r = (1.0 / n as f64).cbrt();
-    let mut objets = vec![sol(SOL)];
+    let mut objets = vec![sol()];
     for i in 1..n {
         objets.push(if i.is_multiple_of(2) {
             let ou = direction(alea) * alea.f64().cbrt();
             let taille = 0.4 * r * entre(alea, 0.5, 1.5);
-            chose(alea, [ou.x, SOL + 1.0 + ou.y, ou.z], taille, i)
+            chose(alea, [ou.x, 1.0 + ou.y, ou.z], taille, i)
         } else {
             let (a, loin) = (entre(alea, 0.0, TAU), entre(alea, 30.0, 60.0));
             let taille = 8.0 * r * entre(alea, 0.5, 1.5);
-            let haut = SOL + (loin - 30.0) * entre(alea, 0.0, 0.8);
+            let haut = (loin - 30.0) * entre(alea, 0.0, 0.8);
             chose(alea, [loin * a.cos(), haut, loin * a.sin()], taille, i)
         });
     }
@@ -234,7 +266,7 @@ fn tailles<R: Reel>(n: usize, alea: &mut Rng) -> Vec<ObjetRay<R>> {
 /// Balls on balls: nine of a third of the radius on each; the ground.
 fn flocon<R: Reel>(n: usize) -> Vec<ObjetRay<R>> {
     // Centre, radius, and the way outward.
-    let mut boules = vec![(Vecteur::NUL, 2.4, Vecteur::new(0.0, 1.0, 0.0))];
+    let mut boules = vec![(Vecteur::new(0.0, 4.0, 0.0), 2.4, Vecteur::new(0.0, 1.0, 0.0))];
     let mut mere = 0;
     while boules.len() < n - 1 {
         let (centre, rayon, z) = boules[mere];
@@ -252,14 +284,28 @@ fn flocon<R: Reel>(n: usize) -> Vec<ObjetRay<R>> {
     }
     let boules = boules.into_iter().enumerate();
     let boules = boules.map(|(i, (centre, rayon, _))| sphere(centre.into(), rayon, i + 1));
-    [sol(-4.0)].into_iter().chain(boules).take(n).collect()
+    [sol()].into_iter().chain(boules).take(n).collect()
+}
+
+/// A terrain of unit cubes side by side, each on whatever stands in its place; the ground. With its columns a side.
+fn cubes<R: Reel>(n: usize, alea: &mut Rng) -> (Vec<ObjetRay<R>>, usize) {
+    let cote = ((n - 1) as f64 / 4.0).sqrt().ceil() as usize;
+    let mut hauteurs = vec![0.0; cote * cote];
+    let mut objets = vec![sol()];
+    for i in 1..n {
+        let ou = alea.usize(..hauteurs.len());
+        let [x, z] = [ou % cote, ou / cote].map(|k| k as f64 - (cote / 2) as f64 + 0.5);
+        objets.push(boite([x, hauteurs[ou] + 0.5, z], [1.0; 3], [0.0; 3], i));
+        hauteurs[ou] += 1.0;
+    }
+    (objets, cote)
 }
 
 /// Six half-spaces with spheres and boxes between them.
 fn piece<R: Reel>(n: usize, alea: &mut Rng) -> Vec<ObjetRay<R>> {
     let murs: [([f64; 3], [f64; 3]); 6] = [
-        ([0.0, 1.0, 0.0], [0.0, SOL, 0.0]),
-        ([0.0, -1.0, 0.0], [0.0, 6.0, 0.0]),
+        ([0.0, 1.0, 0.0], [0.0, 0.0, 0.0]),
+        ([0.0, -1.0, 0.0], [0.0, 6.5, 0.0]),
         ([1.0, 0.0, 0.0], [-10.0, 0.0, 0.0]),
         ([-1.0, 0.0, 0.0], [10.0, 0.0, 0.0]),
         ([0.0, 0.0, 1.0], [0.0, 0.0, -10.0]),
@@ -269,7 +315,7 @@ fn piece<R: Reel>(n: usize, alea: &mut Rng) -> Vec<ObjetRay<R>> {
     let mut objets: Vec<_> = murs.take(n).collect();
     while objets.len() < n {
         let r = 3.0 / (n as f64).cbrt() * entre(alea, 0.3, 0.8);
-        let haut = SOL + r + entre(alea, 0.0, 2.0);
+        let haut = r + entre(alea, 0.0, 2.0);
         let ou = [entre(alea, -5.0, 5.0), haut, entre(alea, -7.0, 4.0)];
         objets.push(chose(alea, ou, r, objets.len()));
     }
@@ -308,9 +354,9 @@ fn demi_espace<R: Reel>(ou: [f64; 3], vers: [f64; 3], i: usize) -> ObjetRay<R> {
     PlanGeo::par_un_point(ou, vers, Texture(i as u32)).expect(PERMIS).into()
 }
 
-/// The ground at this height, object 0.
-fn sol<R: Reel>(y: f64) -> ObjetRay<R> {
-    demi_espace([0.0, y, 0.0], [0.0, 1.0, 0.0], 0)
+/// The ground at height 0, object 0.
+fn sol<R: Reel>() -> ObjetRay<R> {
+    demi_espace([0.0; 3], [0.0, 1.0, 0.0], 0)
 }
 
 /// Which rays, and in what order.
@@ -320,6 +366,8 @@ pub enum Genre {
     Tuiles,
     /// Of the camera, row by row.
     Rangees,
+    /// Straight down without perspective, in tiles.
+    Paralleles,
     /// Reflected by what the camera sees, in tiles.
     Miroirs,
     /// The same off by up to 0.05.
@@ -336,9 +384,10 @@ pub enum Genre {
 pub type Lance<R> = (Rayon<R>, R);
 
 impl Genre {
-    pub const TOUS: [Self; 7] = [
+    pub const TOUS: [Self; 8] = [
         Self::Tuiles,
         Self::Rangees,
+        Self::Paralleles,
         Self::Miroirs,
         Self::Rugueux,
         Self::Diffus,
@@ -350,6 +399,7 @@ impl Genre {
         match self {
             Self::Tuiles => "tiles",
             Self::Rangees => "rows",
+            Self::Paralleles => "parallel",
             Self::Miroirs => "mirrors",
             Self::Rugueux => "rough",
             Self::Diffus => "diffuse",
@@ -358,37 +408,45 @@ impl Genre {
         }
     }
 
-    /// The rays of this kind from `bandes` of the picture's bands of eight rows, evenly spaced.
+    /// The rays of this kind from `bandes` of the picture's bands of eight rows, evenly spaced; and the same once
+    /// more as shadows, if they are.
     pub fn rayons<R: Reel>(
         self,
         hierarchie: &Hierarchie<'_, R>,
         scene: &Scene<R>,
         bandes: usize,
-    ) -> Vec<Lance<R>> {
-        let image = scene.camera.rayons().expect("a camera within the limits");
-        let (largeur, hauteur) = scene.camera.image;
-        let (largeur, toutes) = (largeur as usize, hauteur as usize / 8);
+    ) -> (Vec<Rayon<R>>, Vec<Lance<R>>) {
+        let image = if self == Self::Paralleles {
+            &sans_perspective(scene.pas, |_| EN_BAS)
+        } else {
+            &scene.image
+        };
+        let (largeur, toutes) = (IMAGE.0, IMAGE.1 / 8);
         let choisies = (0..bandes).map(|i| (2 * i + 1) * toutes / (2 * bandes));
         let choisies = choisies.flat_map(|i| &image[8 * largeur * i..8 * largeur * (i + 1)]);
         let rangees: Vec<_> = choisies.copied().collect();
-        let de_la_camera = |rayon| (rayon, R::INFINI);
         if self == Self::Rangees {
-            return rangees.into_iter().map(de_la_camera).collect();
+            return (rangees, Vec::new());
         }
-        let tuiles = en_tuiles(&rangees, largeur).into_iter();
-        if self == Self::Tuiles {
-            return tuiles.map(de_la_camera).collect();
+        let tuiles = en_tuiles(&rangees, largeur);
+        if self == Self::Tuiles || self == Self::Paralleles {
+            return (tuiles, Vec::new());
         }
         let mut alea = Rng::with_seed(2);
-        let partis = tuiles.filter_map(|rayon| {
+        let mut ombres = Vec::new();
+        let partis = tuiles.into_iter().filter_map(|rayon| {
             let touche = hierarchie.premiere_intersection(&rayon).ok()?;
-            self.depuis(&rayon, &touche, &mut alea, scene.lampe)
+            if self == Self::Ombres {
+                ombres.push(rayon.vers_lumiere(&touche, scene.lampe)?);
+                return ombres.last().map(|(rayon, _)| *rayon);
+            }
+            self.depuis(&rayon, &touche, &mut alea)
         });
         let mut partis: Vec<_> = partis.collect();
         if self == Self::SansOrdre {
             Rng::with_seed(3).shuffle(&mut partis);
         }
-        partis
+        (partis, ombres)
     }
 
     /// The ray of this kind that leaves this hit, if it goes outward.
@@ -397,13 +455,11 @@ impl Genre {
         rayon: &Rayon<R>,
         touche: &Intersection<R>,
         alea: &mut Rng,
-        lampe: Vecteur<R>,
-    ) -> Option<Lance<R>> {
+    ) -> Option<Rayon<R>> {
         let (d, n) = (rayon.direction().vers_f64(), touche.normale().vers_f64());
         let reflet = d - n * (2.0 * d.produit_scalaire(n));
         let vers = match self {
-            Self::Tuiles | Self::Rangees => return Some((*rayon, R::INFINI)),
-            Self::Ombres => return rayon.vers_lumiere(touche, lampe),
+            Self::Tuiles | Self::Rangees | Self::Paralleles | Self::Ombres => return None,
             Self::Miroirs => reflet,
             Self::Rugueux => reflet + direction(alea) * 0.05,
             Self::Diffus => n + direction(alea),
@@ -413,6 +469,6 @@ impl Genre {
             }
         };
         let parti = rayon.secondaire(touche, arrondi(vers)).ok()?;
-        (vers.produit_scalaire(n) > 0.0).then_some((parti, R::INFINI))
+        (vers.produit_scalaire(n) > 0.0).then_some(parti)
     }
 }

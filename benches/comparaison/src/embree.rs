@@ -6,6 +6,8 @@ use std::hint::black_box;
 use std::sync::Arc;
 use std::thread;
 
+use banc::concurrents::{Camp, Concurrent, cachee};
+use banc::familles::Lance;
 use embree3::{
     Bounds, BufferUsage, Device, Format, GeometryKind, Hit, Hit16, INVALID_ID, IntersectContext,
     IntersectFunctionNArgs, OccludedFunctionNArgs, QuadMeshBuilder, Ray, Ray16, RayHit, RayHit16,
@@ -13,62 +15,69 @@ use embree3::{
 };
 use lancer_rayon::{BoiteRay, ObjetRay, PlanRay, Rayon, Texture};
 
-use crate::concurrent::{Camp, Concurrent, en_lot, un_par_un};
-use crate::pairs::Vu;
+use crate::autres::{Monde, Vu, dire};
 
 const SEIZE: usize = 16;
 
-/// Quads or one's own boxes, singly or in packets that expect coherent rays or not.
-pub(crate) fn concurrents(objets: &[ObjetRay<f32>]) -> Vec<Concurrent<'_, f32>> {
+/// With quads, and with one's own boxes.
+pub(crate) fn mondes(objets: &[ObjetRay<f32>]) -> Vec<Box<dyn Monde<f32>>> {
     let noms = [
         ["Embree, quads", "Embree ×16, quads, coherent", "Embree ×16, quads"],
         ["Embree, own boxes", "Embree ×16, own boxes, coherent", "Embree ×16, own boxes"],
     ];
-    let mut concurrents = Vec::new();
-    for (en_quads, [seul, coherents, quelconques]) in [true, false].into_iter().zip(noms) {
+    let faire = |(noms, en_quads)| {
         // In a thread of its own: whoever makes a device of Embree rounds subnormal numbers to 0 from then on.
-        let monde = thread::scope(|fils| fils.spawn(|| Monde::new(objets, en_quads)).join());
-        let monde = Arc::new(monde.expect("Embree takes every scene"));
+        let foule = thread::scope(|fils| fils.spawn(|| Foule::new(objets, noms, en_quads)).join());
         assert!(
             black_box(f32::MIN_POSITIVE) / 2.0 > 0.0,
             "this thread has lost its subnormal numbers"
         );
-        let ombres = Arc::clone(&monde);
-        let m = Arc::clone(&monde);
-        concurrents.push(un_par_un(
-            seul,
-            Camp::Embree,
-            None,
-            move |rayon| m.premiere(rayon),
-            Some(move |rayon: &Rayon<f32>, max| ombres.occulte(rayon, max)),
-        ));
+        Box::new(foule.expect("Embree takes every scene")) as _
+    };
+    noms.into_iter().zip([true, false]).map(faire).collect()
+}
+
+/// Singly, or in packets that expect coherent rays or not.
+impl Monde<f32> for Foule {
+    fn concurrents<'a>(
+        &'a self,
+        rayons: &'a [Rayon<f32>],
+        ombres: &'a [Lance<f32>],
+    ) -> Vec<Concurrent<'a>> {
+        let [seul, coherents, quelconques] = self.noms;
+        let seul = (seul, Camp::Embree);
+        let mut concurrents = vec![if ombres.is_empty() {
+            Concurrent::un_par_un(seul, rayons, |rayon| self.premiere(rayon), dire)
+        } else {
+            Concurrent::un_par_un(seul, ombres, |ombre| self.occulte(ombre), cachee)
+        }];
         for (nom, contexte) in [
             (coherents, IntersectContext::coherent as fn() -> IntersectContext),
             (quelconques, IntersectContext::incoherent),
         ] {
-            let (m, ombres) = (Arc::clone(&monde), Arc::clone(&monde));
-            concurrents.push(en_lot(
-                nom,
-                Camp::EmbreeSeize,
-                None,
-                move |rayons, vus| {
-                    for (rayons, vus) in rayons.chunks(SEIZE).zip(vus.chunks_mut(SEIZE)) {
-                        m.premieres(&mut contexte(), rayons, vus);
-                    }
-                },
-                Some(move |rayons: &[Rayon<f32>], max: &[f32], caches: &mut [bool]| {
-                    let paquets = rayons.chunks(SEIZE).zip(max.chunks(SEIZE));
-                    for ((rayons, max), caches) in paquets.zip(caches.chunks_mut(SEIZE)) {
-                        ombres.occultes(&mut contexte(), rayons, max, caches);
-                    }
-                }),
-            ));
+            let seize = (nom, Camp::EmbreeSeize);
+            let premieres = move |rayons: &[Rayon<f32>], vus: &mut [Option<Vu<f32>>]| {
+                for (rayons, vus) in rayons.chunks(SEIZE).zip(vus.chunks_mut(SEIZE)) {
+                    self.premieres(&mut contexte(), rayons, vus);
+                }
+            };
+            let occultes = move |ombres: &[Lance<f32>], caches: &mut [bool]| {
+                for (ombres, caches) in ombres.chunks(SEIZE).zip(caches.chunks_mut(SEIZE)) {
+                    self.occultes(&mut contexte(), ombres, caches);
+                }
+            };
+            concurrents.push(if ombres.is_empty() {
+                Concurrent::en_lot(seize, rayons, None, premieres, dire)
+            } else {
+                Concurrent::en_lot(seize, ombres, false, occultes, cachee)
+            });
         }
+        concurrents
     }
-    concurrents
 }
 
-struct Monde {
+struct Foule {
+    noms: [&'static str; 3],
     scene: Scene<'static>,
     plans: Vec<PlanRay<f32>>,
     spheres: Vec<Texture>,
@@ -78,8 +87,8 @@ struct Monde {
     par_boite: u32,
 }
 
-impl Monde {
-    fn new(objets: &[ObjetRay<f32>], en_quads: bool) -> Self {
+impl Foule {
+    fn new(objets: &[ObjetRay<f32>], noms: [&'static str; 3], en_quads: bool) -> Self {
         let (mut plans, mut spheres, mut boites) = (vec![], vec![], vec![]);
         for objet in objets {
             match objet {
@@ -116,6 +125,7 @@ impl Monde {
         }
         scene.commit();
         Self {
+            noms,
             scene,
             plans,
             spheres: spheres.iter().map(|sphere| sphere.texture()).collect(),
@@ -146,11 +156,11 @@ impl Monde {
         self.vu(ray.tfar, hit.normal(), hit.geomID, hit.primID, plan.map(|(plan, _)| plan))
     }
 
-    fn occulte(&self, rayon: &Rayon<f32>, max: f32) -> bool {
-        self.plans.iter().any(|plan| entree_du_plan(plan, rayon) < max)
+    fn occulte(&self, (rayon, max): &Lance<f32>) -> bool {
+        self.plans.iter().any(|plan| entree_du_plan(plan, rayon) < *max)
             || self
                 .scene
-                .occluded(&mut IntersectContext::incoherent(), &mut vers_embree(rayon, max))
+                .occluded(&mut IntersectContext::incoherent(), &mut vers_embree(rayon, *max))
     }
 
     fn premieres(
@@ -169,7 +179,7 @@ impl Monde {
                 }
             }
         }
-        let mut seize = RayHit16 { ray: paquet(rayons, loin), hit: Hit16::new() };
+        let mut seize = RayHit16 { ray: paquet(rayons.iter(), loin), hit: Hit16::new() };
         self.scene.intersect16(contexte, &mut seize, &actifs(rayons.len()));
         let RayHit16 { ray, hit } = seize;
         for (i, vu) in vus.iter_mut().enumerate() {
@@ -181,18 +191,17 @@ impl Monde {
     fn occultes(
         &self,
         contexte: &mut IntersectContext,
-        rayons: &[Rayon<f32>],
-        max: &[f32],
+        ombres: &[Lance<f32>],
         caches: &mut [bool],
     ) {
-        let loin = array::from_fn(|i| max.get(i).copied().unwrap_or_default());
-        let mut seize = paquet(rayons, loin);
-        self.scene.occluded16(contexte, &mut seize, &actifs(rayons.len()));
+        let loin = array::from_fn(|i| ombres.get(i).map_or(0.0, |(_, max)| *max));
+        let mut seize = paquet(ombres.iter().map(|(rayon, _)| rayon), loin);
+        self.scene.occluded16(contexte, &mut seize, &actifs(ombres.len()));
         for (cache, t) in caches.iter_mut().zip(seize.tfar) {
             *cache = t == f32::NEG_INFINITY;
         }
         for plan in &self.plans {
-            for ((rayon, max), cache) in rayons.iter().zip(max).zip(&mut *caches) {
+            for ((rayon, max), cache) in ombres.iter().zip(&mut *caches) {
                 *cache |= entree_du_plan(plan, rayon) < *max;
             }
         }
@@ -224,9 +233,9 @@ fn vers_embree(rayon: &Rayon<f32>, loin: f32) -> Ray {
     Ray::segment(rayon.source().into(), rayon.direction().into(), 0.0, loin)
 }
 
-fn paquet(rayons: &[Rayon<f32>], loin: [f32; SEIZE]) -> Ray16 {
+fn paquet<'a>(rayons: impl Iterator<Item = &'a Rayon<f32>>, loin: [f32; SEIZE]) -> Ray16 {
     let mut seize = Ray16 { tfar: loin, ..Ray16::empty() };
-    for (i, rayon) in rayons.iter().enumerate() {
+    for (i, rayon) in rayons.enumerate() {
         [seize.org_x[i], seize.org_y[i], seize.org_z[i]] = rayon.source().into();
         [seize.dir_x[i], seize.dir_y[i], seize.dir_z[i]] = rayon.direction().into();
     }

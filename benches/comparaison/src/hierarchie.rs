@@ -5,17 +5,16 @@ use std::error::Error;
 use std::hint::black_box;
 use std::time::Instant;
 
-use lancer_rayon::{Hierarchie, Rayon, Reel, Reglage, Touche};
+use banc::concurrents::temps;
+use banc::horloge::{MORCEAU, TOURS, moindres};
+use banc::nous;
+use commun::scenes::{en_tuiles, melange, rayons_camera};
+use lancer_rayon::{Hierarchie, NoIntersection, Rayon, Reel, Reglage, premiere_intersection};
 use rayon::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
-use crate::concours::places;
-use crate::pairs::Parry;
-use commun::horloge::{
-    MORCEAU, TOURS, chronometrer_lot, exiger, moindres, nanosecondes, petit_tampon, tampon,
-    une_par_une,
-};
-use commun::scenes::{en_tuiles, melange, rayons_camera};
+use crate::autres::{Parry, places};
+use crate::tables::nanosecondes;
 
 /// The rays of a picture, in tiles.
 fn image<R: Reel>() -> Vec<Rayon<R>> {
@@ -30,13 +29,8 @@ pub(crate) fn jeux_d_instructions() -> Result<String, Box<dyn Error>> {
         format!("| instructions | {} | {} |", titre("f32"), titre("f64")),
         format!("|---|{}", "--:|".repeat(2 * TAILLES.len())),
     ];
-    let mut colonnes = Vec::new();
-    for n in TAILLES {
-        colonnes.push(jeux_de::<f32>(n)?);
-    }
-    for n in TAILLES {
-        colonnes.push(jeux_de::<f64>(n)?);
-    }
+    let colonnes = TAILLES.map(jeux_de::<f32>).into_iter().chain(TAILLES.map(jeux_de::<f64>));
+    let colonnes: Vec<_> = colonnes.collect::<Result<_, _>>()?;
     for (i, (nom, _)) in Reglage::tous().enumerate() {
         let temps: Vec<_> = colonnes.iter().map(|temps| nanosecondes(temps[i])).collect();
         table.push(format!("| {nom} | {} |", temps.join(" | ")));
@@ -49,19 +43,17 @@ fn jeux_de<R: Reel>(n: usize) -> Result<Vec<f64>, Box<dyn Error>> {
     let (objets, rayons) = (melange(n), image::<R>());
     let mut places = places(&objets);
     let hierarchie = Hierarchie::new(&objets, &mut places)?;
-    let jeux: Vec<_> = Reglage::tous().map(|(_, jeu)| jeu.hierarchie(hierarchie)).collect();
-    let attendues = une_par_une(&objets, &rayons);
-    for jeu in &jeux {
-        exiger(&attendues, &rayons, |rayons, touches| {
-            jeu.premieres_intersections(rayons, touches)
-        })?;
+    let [liste, ..] = nous::concurrents(hierarchie, &rayons, &[]);
+    let attendues = liste.reponses();
+    let en_lot = |(_, jeu): (_, Reglage)| {
+        let [.., lot] = nous::concurrents(jeu.hierarchie(hierarchie), &rayons, &[]);
+        lot
+    };
+    let mut lots: Vec<_> = Reglage::tous().map(en_lot).collect();
+    if lots.iter().any(|lot| lot.reponses() != attendues) {
+        return Err("a batch differs from its rays one by one".into());
     }
-    let mut tampon = petit_tampon();
-    Ok(moindres(TOURS, &jeux, |jeu| {
-        chronometrer_lot(&rayons, &mut tampon, |rayons, touches| {
-            jeu.premieres_intersections(rayons, touches).expect("as many answers as rays");
-        })
-    }))
+    Ok(temps(&mut lots))
 }
 
 /// The table of the threads.
@@ -84,56 +76,53 @@ fn threads_de<R: Reel>(n: usize, equipes: &[ThreadPool; 2]) -> Result<String, Bo
     let (objets, rayons) = (melange(n), image::<R>());
     let mut places = places(&objets);
     let hierarchie = Hierarchie::new(&objets, &mut places)?;
-    let premieres = |rayons: &[Rayon<R>], touches: &mut [Touche<R>]| {
+    let mut touches = vec![Err(NoIntersection); rayons.len()];
+    let mut premieres = || {
+        let debut = Instant::now();
         let morceaux = rayons.par_chunks(MORCEAU).zip(touches.par_chunks_mut(MORCEAU));
         morceaux
             .try_for_each(|(rayons, touches)| hierarchie.premieres_intersections(rayons, touches))
+            .expect("as many answers as rays");
+        debut.elapsed().as_nanos() as f64 / rayons.len() as f64
     };
-    exiger(&une_par_une(&objets, &rayons), &rayons, premieres)?;
-    let mut tampon = tampon(rayons.len());
-    let temps = moindres(TOURS, equipes, |equipe| {
-        // The best of some pictures in a row: at the first the threads still wake up.
-        equipe.install(|| {
-            let images = (0..8).map(|_| {
-                chronometrer_lot(&rayons, &mut tampon, |rayons, touches| {
-                    premieres(rayons, touches).expect("as many answers as rays");
-                })
-            });
-            images.fold(f64::INFINITY, f64::min)
-        })
+    // The best of some pictures in a row: at the first the threads still wake up.
+    let temps = moindres(TOURS, 2, |i| {
+        equipes[i].install(|| (0..8).map(|_| premieres()).fold(f64::INFINITY, f64::min))
     });
+    if rayons.iter().zip(&touches).any(|(r, touche)| premiere_intersection(&objets, r) != *touche) {
+        return Err("the batch differs from its rays one by one".into());
+    }
     let (un, deux, scalaire) = (temps[0], temps[1], std::any::type_name::<R>());
     Ok(format!("| {scalaire} | {n} | {un:.1} | {deux:.1} | {:.2} |", un / deux))
 }
 
 /// What a tree costs to build, in time and in memory beside the objects.
-pub(crate) fn constructions() -> Result<String, Box<dyn Error>> {
+pub(crate) fn constructions() -> String {
     let mut table = vec![
         "| scalar | N | hierarchy, ns per object | bytes per object | parry's Bvh, ns | obvhs, ns |"
             .to_owned(),
         format!("|---|--:|{}", "--:|".repeat(4)),
     ];
     for n in [1000, 10_000, 100_000] {
-        table.push(constructions_de::<f32>(n)?);
-        table.push(constructions_de::<f64>(n)?);
+        table.push(constructions_de::<f32>(n));
+        table.push(constructions_de::<f64>(n));
     }
-    Ok(table.join("\n"))
+    table.join("\n")
 }
 
-fn constructions_de<R: Parry>(n: usize) -> Result<String, Box<dyn Error>> {
+fn constructions_de<R: Parry>(n: usize) -> String {
     let objets = melange::<R>(n);
     let mut places = places(&objets);
     let octets = size_of_val(&places[..]) as f64 / n as f64;
-    let ns = moindres(TOURS, &[0, 1, 2], |&qui| {
+    let ns = moindres(TOURS, 3, |qui| {
         let debut = Instant::now();
         match qui {
             0 => assert!(black_box(Hierarchie::new(&objets, &mut places)).is_ok()),
-            1 => drop(black_box(R::arbre(&objets))),
-            _ => drop(black_box(R::obvhs(&objets))),
+            _ => R::ARBRES[qui - 1](&objets),
         }
         debut.elapsed().as_nanos() as f64 / n as f64
     });
     let [ici, parry, obvhs] = [0, 1, 2].map(|qui| nanosecondes(ns[qui]));
     let scalaire = std::any::type_name::<R>();
-    Ok(format!("| {scalaire} | {n} | {ici} | {octets:.0} | {parry} | {obvhs} |"))
+    format!("| {scalaire} | {n} | {ici} | {octets:.0} | {parry} | {obvhs} |")
 }

@@ -1,0 +1,254 @@
+//! Two versions of this crate in one process, by turns: what `benches/ab.sh` runs. `avant` is the old one and
+//! `lancer_rayon` the new one; both get the same rays and the same numbers for their objects.
+
+use std::error::Error;
+
+use banc::concurrents::{Concurrent, FACONS, permises};
+use banc::familles::{Famille, Genre};
+use banc::horloge::moindres;
+use banc::nous;
+use lancer_rayon::{Hierarchie, ObjetRay, Rayon, Reel, Reglage};
+use serde::de::DeserializeOwned;
+
+#[path = "."]
+mod ancienne {
+    #[cfg(not(feature = "seule"))]
+    pub use avant as version;
+    pub use banc::concurrents;
+    #[cfg(feature = "seule")]
+    pub use lancer_rayon as version;
+    pub mod nous;
+}
+use ancienne::version as avant;
+
+/// The most rounds, and by how much a ratio may move in the last.
+const MANCHES: usize = 6;
+const BOUGE: f64 = 0.015;
+
+/// What is asked for on the command line.
+struct Choix {
+    familles: Vec<Famille>,
+    nombres: Vec<usize>,
+    scalaires: Vec<String>,
+    genres: Vec<Genre>,
+    facons: Vec<&'static str>,
+    jeu: String,
+    bandes: usize,
+    tours: usize,
+    temps: bool,
+}
+
+impl Choix {
+    fn lire() -> Result<Self, Box<dyn Error>> {
+        let mut choix = Self {
+            familles: Famille::TOUTES.into(),
+            nombres: vec![12, 48, 192, 1000, 10_000],
+            scalaires: vec!["f32".into(), "f64".into()],
+            genres: Genre::TOUS.into(),
+            facons: FACONS.map(|(nom, _)| nom).into(),
+            jeu: String::new(),
+            bandes: 8,
+            tours: 4,
+            temps: false,
+        };
+        let mut arguments = std::env::args().skip(1);
+        while let Some(option) = arguments.next() {
+            if option == "--ns" {
+                choix.temps = true;
+                continue;
+            }
+            let valeurs = arguments.next().ok_or_else(|| format!("{option} of what?"))?;
+            match option.as_str() {
+                "--family" => choix.familles = parmi(&valeurs, &Famille::TOUTES, Famille::nom)?,
+                "--rays" => choix.genres = parmi(&valeurs, &Genre::TOUS, Genre::nom)?,
+                "--way" => choix.facons = parmi(&valeurs, &choix.facons, |nom| nom)?,
+                "--scalar" => choix.scalaires = valeurs.split(',').map(Into::into).collect(),
+                "--n" => {
+                    choix.nombres = valeurs.split(',').map(str::parse).collect::<Result<_, _>>()?
+                }
+                "--set" => choix.jeu = valeurs,
+                "--bands" => choix.bandes = valeurs.parse()?,
+                "--turns" => choix.tours = valeurs.parse()?,
+                _ => return Err(format!("no option {option}; benches/ab.sh --help").into()),
+            }
+        }
+        Ok(choix)
+    }
+}
+
+/// Those of a list separated by commas.
+fn parmi<T: Copy>(
+    valeurs: &str,
+    tous: &[T],
+    nom: impl Fn(T) -> &'static str,
+) -> Result<Vec<T>, String> {
+    let un = |valeur: &str| {
+        let noms = || tous.iter().map(|t| nom(*t)).collect::<Vec<_>>().join(", ");
+        tous.iter()
+            .copied()
+            .find(|t| nom(*t) == valeur)
+            .ok_or_else(|| format!("{valeur} is none of {}", noms()))
+    };
+    valeurs.split(',').map(un).collect()
+}
+
+/// What one cell of the table was measured to be.
+struct Cellule {
+    nom: String,
+    genre: Genre,
+    facon: &'static str,
+    rapport: f64,
+    /// Rays that the two versions answer differently, in any bit.
+    autres: usize,
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let choix = Choix::lire()?;
+    let titres: Vec<_> = choix.genres.iter().map(|genre| format!("{:>11}", genre.nom())).collect();
+    println!("time, new over old{}", if choix.temps { ", and the old in ns a ray" } else { "" });
+    println!("{:<32}{}", "family, N, scalar, way", titres.join(""));
+    let mut cellules = Vec::new();
+    for famille in &choix.familles {
+        for n in famille.nombres(&choix.nombres) {
+            for scalaire in &choix.scalaires {
+                match scalaire.as_str() {
+                    "f32" => mesurer::<f32>(&choix, *famille, *n, "f32", &mut cellules)?,
+                    "f64" => mesurer::<f64>(&choix, *famille, *n, "f64", &mut cellules)?,
+                    _ => return Err("--scalar f32,f64".into()),
+                }
+            }
+        }
+    }
+    resumer(&choix, cellules);
+    Ok(())
+}
+
+/// The same object in the old version.
+fn ancien<R: Reel + avant::Reel>(objet: &ObjetRay<R>) -> avant::ObjetRay<R> {
+    use avant::{BoiteGeo, PlanGeo, Rotation, SphereGeo, Texture, Vecteur};
+    let vecteur = |v: lancer_rayon::Vecteur<R>| Vecteur::from(<[R; 3]>::from(v));
+    let texture = Texture(objet.texture().0);
+    let objet: Result<avant::ObjetRay<R>, avant::ErreurGeo> = match objet {
+        ObjetRay::Sphere(s) => {
+            SphereGeo::new(vecteur(s.centre()), s.rayon(), texture).map(Into::into)
+        }
+        ObjetRay::Plan(p) => {
+            let pied = vecteur(p.normale() * -p.distance());
+            let plan = PlanGeo::par_un_point(Vecteur::NUL, vecteur(p.normale()), texture);
+            plan.and_then(|plan| plan.translation(pied)).map(Into::into)
+        }
+        ObjetRay::Boite(b) => Rotation::depuis_matrice(b.normales().map(Into::into))
+            .and_then(|rotation| {
+                let dimensions = b.demi_longueurs().map(|x| x + x).into();
+                BoiteGeo::new(vecteur(b.centre()), dimensions, rotation, texture)
+            })
+            .map(Into::into),
+    };
+    objet.expect("an object within the limits")
+}
+
+/// Every kind of ray and every way of one scene: a line a way.
+fn mesurer<R: Reel + avant::Reel + DeserializeOwned>(
+    choix: &Choix,
+    famille: Famille,
+    n: usize,
+    scalaire: &str,
+    cellules: &mut Vec<Cellule>,
+) -> Result<(), Box<dyn Error>> {
+    let scene = famille.scene::<R>(n);
+    let anciens: Vec<_> = scene.objets.iter().map(ancien).collect();
+    let [mut places, mut anciennes] =
+        [Hierarchie::places(n), avant::Hierarchie::places(n)].map(|places| vec![0.0; places]);
+    let mut hierarchie = Hierarchie::new(&scene.objets, &mut places)?;
+    let mut ancienne = avant::Hierarchie::new(&anciens, &mut anciennes)?;
+    if let Some((_, reglage)) = Reglage::tous().find(|(nom, _)| choix.jeu == *nom) {
+        hierarchie = reglage.hierarchie(hierarchie);
+    }
+    if let Some((_, reglage)) = avant::Reglage::tous().find(|(nom, _)| choix.jeu == *nom) {
+        ancienne = reglage.hierarchie(ancienne);
+    }
+    let permises = permises(n).iter().map(|(nom, _)| *nom).filter(|nom| choix.facons.contains(nom));
+    let mut lignes: Vec<_> = permises.map(|nom| (nom, String::new())).collect();
+    for &genre in &choix.genres {
+        let (rayons, ombres) = genre.rayons(&hierarchie, &scene, choix.bandes);
+        let ancien = |rayon: &Rayon<R>| {
+            let [s, d] = [rayon.source(), rayon.direction()].map(<[R; 3]>::from);
+            avant::Rayon::new(s.into(), d.into()).expect("a ray within the limits")
+        };
+        let anciens: Vec<_> = rayons.iter().map(ancien).collect();
+        let anciennes: Vec<_> = ombres.iter().map(|(rayon, max)| (ancien(rayon), *max)).collect();
+        let nouveaux = nous::concurrents(hierarchie, &rayons, &ombres);
+        let anciens = ancienne::nous::concurrents(ancienne, &anciens, &anciennes);
+        let attendues = nouveaux[2].reponses();
+        for (avant, apres) in anciens.into_iter().zip(nouveaux) {
+            let facon = apres.nom;
+            let Some((_, ligne)) = lignes.iter_mut().find(|(nom, _)| *nom == facon) else {
+                continue;
+            };
+            let nouvelles = apres.reponses();
+            if nouvelles != attendues {
+                println!("the ways of the new version differ: {facon}");
+            }
+            let autres = avant.reponses().iter().zip(&nouvelles).filter(|(a, b)| a != b).count();
+            let [ns, nouveau] = posees(choix.tours, [avant, apres]);
+            let rapport = nouveau / ns;
+            let temps = if choix.temps { format!(" {ns:4.0}") } else { String::new() };
+            let marque = if autres > 0 { "!" } else { " " };
+            ligne.push_str(&format!("{:>11}", format!("{rapport:.2}{marque}{temps}")));
+            let nom = format!("{} {n} {scalaire} {facon} {}", famille.nom(), genre.nom());
+            cellules.push(Cellule { nom, genre, facon, rapport, autres });
+        }
+    }
+    for (facon, ligne) in lignes {
+        println!("{:<32}{ligne}", format!("{} {n} {scalaire} {facon}", famille.nom()));
+    }
+    Ok(())
+}
+
+/// The least times of the old and of the new, in rounds of so many turns, until a round no longer moves their
+/// ratio: another program that took the processor is not taken for a difference.
+fn posees(tours: usize, mut versions: [Concurrent<'_>; 2]) -> [f64; 2] {
+    let mut ns = [f64::INFINITY; 2];
+    let mut rapport = f64::NAN;
+    for _ in 0..MANCHES {
+        let manche = moindres(tours, 2, |i| versions[i].chronometrer());
+        ns = [ns[0].min(manche[0]), ns[1].min(manche[1])];
+        let dernier = std::mem::replace(&mut rapport, ns[1] / ns[0]);
+        if (rapport / dernier - 1.0).abs() < BOUGE {
+            break;
+        }
+    }
+    ns
+}
+
+/// The geometric means of each way and kind, the extremes, and which answers differ.
+fn resumer(choix: &Choix, mut cellules: Vec<Cellule>) {
+    println!();
+    // Lists of many objects are not asked.
+    let posees = |facon: &&&str| cellules.iter().any(|c| c.facon == **facon);
+    for facon in choix.facons.iter().filter(posees) {
+        let moyenne = |genre: &Genre| {
+            let choisies = cellules.iter().filter(|c| c.facon == *facon && c.genre == *genre);
+            let (somme, nombre) =
+                choisies.fold((0.0, 0.0), |(s, n), c| (s + c.rapport.ln(), n + 1.0));
+            format!("{:>10.3} ", (somme / nombre).exp())
+        };
+        let moyennes: Vec<_> = choix.genres.iter().map(moyenne).collect();
+        println!("{:<32}{}", format!("geometric mean, {facon}"), moyennes.join(""));
+    }
+    cellules.sort_by(|a, b| a.rapport.total_cmp(&b.rapport));
+    let extremes = |cellules: &mut dyn Iterator<Item = &Cellule>| {
+        for c in cellules.take(8) {
+            println!("    {:.2}  {}", c.rapport, c.nom);
+        }
+    };
+    println!("best");
+    extremes(&mut cellules.iter());
+    println!("worst");
+    extremes(&mut cellules.iter().rev());
+    let autres: Vec<_> = cellules.iter().filter(|c| c.autres > 0).collect();
+    println!("{} of {} cells with other answers (!)", autres.len(), cellules.len());
+    for c in autres.iter().take(8) {
+        println!("    {} rays  {}", c.autres, c.nom);
+    }
+}

@@ -1,0 +1,111 @@
+//! Someone who competes, and how anyone is timed and asked.
+
+use std::hint::black_box;
+
+use crate::horloge::{MORCEAU, TOURS, chronometrer, moindres};
+
+/// From so many objects on nobody looks at all of them for every ray.
+pub const TROP: usize = 64;
+
+/// On whose side, and how: all that a table tells apart.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Camp {
+    Seul,
+    Lot,
+    Parry,
+    Embree,
+    EmbreeSeize,
+    Annexe,
+}
+
+/// Our four ways: the list one by one and in a batch, the hierarchy one by one and in a batch.
+pub const FACONS: [(&str, Camp); 4] =
+    [("list", Camp::Seul), ("list-batch", Camp::Lot), ("single", Camp::Seul), ("batch", Camp::Lot)];
+
+/// Of these among so many objects.
+pub fn permises(objets: usize) -> &'static [(&'static str, Camp)] {
+    if objets <= TROP { &FACONS } else { &FACONS[2..] }
+}
+
+/// An answer in the words of all: every number of a hit as bits of an `f64`, distance, normal and margin; and its
+/// texture, since in these scenes each object has one of its own. Of a shadow: something is in the way.
+pub type Reponse = Option<([u64; 5], u32)>;
+
+/// The answer to a shadow ray.
+pub fn cachee(cache: bool) -> Reponse {
+    cache.then_some(([0; 5], 0))
+}
+
+/// Someone with a scene and the rays of one kind.
+pub struct Concurrent<'a> {
+    pub nom: &'static str,
+    pub camp: Camp,
+    chronometrer: Box<dyn FnMut() -> f64 + 'a>,
+    repondre: Box<dyn Fn() -> Vec<Reponse> + 'a>,
+}
+
+impl<'a> Concurrent<'a> {
+    /// Who takes one question after the other.
+    pub fn un_par_un<Q: Copy, T>(
+        (nom, camp): (&'static str, Camp),
+        questions: &'a [Q],
+        une: impl Fn(&Q) -> T + Clone + 'a,
+        dire: impl Fn(T) -> Reponse + 'a,
+    ) -> Self {
+        let chronometree = une.clone();
+        let toutes = move |questions: &[Q]| {
+            for question in questions {
+                // By reference: moving an answer would wait for each of its fields to be written.
+                black_box(&chronometree(question));
+            }
+        };
+        Self {
+            nom,
+            camp,
+            chronometrer: Box::new(move || chronometrer(questions, &toutes)),
+            repondre: Box::new(move || questions.iter().map(|q| dire(une(q))).collect()),
+        }
+    }
+
+    /// Who takes many at once, into a buffer that `rien` fills at first.
+    pub fn en_lot<Q: Copy, T: Clone + 'a>(
+        (nom, camp): (&'static str, Camp),
+        questions: &'a [Q],
+        rien: T,
+        lot: impl Fn(&[Q], &mut [T]) + Clone + 'a,
+        dire: impl Fn(T) -> Reponse + 'a,
+    ) -> Self {
+        let (chronometre, vides) = (lot.clone(), vec![rien; MORCEAU]);
+        let mut tampon = vides.clone();
+        let repondre = move || {
+            let lot = |questions: &[Q]| {
+                let mut reponses = vides[..questions.len()].to_vec();
+                lot(questions, &mut reponses);
+                reponses
+            };
+            questions.chunks(MORCEAU).flat_map(lot).map(&dire).collect()
+        };
+        let chronometrer = move || {
+            chronometrer(questions, |questions| {
+                let reponses = &mut tampon[..questions.len()];
+                chronometre(questions, reponses);
+                black_box(reponses);
+            })
+        };
+        Self { nom, camp, chronometrer: Box::new(chronometrer), repondre: Box::new(repondre) }
+    }
+
+    /// Nanoseconds per question.
+    pub fn chronometrer(&mut self) -> f64 {
+        (self.chronometrer)()
+    }
+
+    pub fn reponses(&self) -> Vec<Reponse> {
+        (self.repondre)()
+    }
+}
+
+/// Nanoseconds per question of each, in turns.
+pub fn temps(concurrents: &mut [Concurrent<'_>]) -> Vec<f64> {
+    moindres(TOURS, concurrents.len(), |i| concurrents[i].chronometrer())
+}

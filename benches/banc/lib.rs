@@ -1,0 +1,8 @@
+//! What is measured (`familles`), who competes (`concurrents`, of which we are `nous`), and the clock.
+
+pub mod concurrents;
+pub mod familles;
+pub mod horloge;
+
+pub use lancer_rayon as version;
+pub mod nous;

@@ -1,0 +1,80 @@
+//! What is measured: every family of scenes, kind of rays and scalar, a cell each.
+
+use std::error::Error;
+
+use banc::concurrents::{Camp, temps};
+use banc::familles::{Famille, Genre};
+use lancer_rayon::Hierarchie;
+
+use crate::autres::{Scalaire, exiger_accord, exiger_memes_bits, mondes, places, tous};
+
+const NOMBRES: [usize; 5] = [12, 48, 192, 1000, 10_000];
+
+/// How much of a picture: bands of 4,800 rays.
+const BANDES: usize = 8;
+
+/// So many rays may meet another object for others: where two objects touch, or where they meet the one again that
+/// they have just left.
+const TOLERANCE: f64 = 0.005;
+
+/// The times of one kind of rays in one scene.
+pub(crate) struct Cellule {
+    pub(crate) famille: Famille,
+    pub(crate) n: usize,
+    pub(crate) scalaire: &'static str,
+    pub(crate) genre: Genre,
+    temps: Vec<(Camp, f64)>,
+}
+
+impl Cellule {
+    /// The least of these.
+    pub(crate) fn ns(&self, camps: &[Camp]) -> f64 {
+        let les_leurs = self.temps.iter().filter(|(camp, _)| camps.contains(camp));
+        les_leurs.map(|(_, ns)| *ns).fold(f64::NAN, f64::min)
+    }
+}
+
+/// All cells; first everyone's answers, then the times.
+pub(crate) fn mesurer() -> Result<Vec<Cellule>, Box<dyn Error>> {
+    let mut cellules = Vec::new();
+    for chronometrer in [false, true] {
+        for famille in Famille::TOUTES {
+            for &n in famille.nombres(&NOMBRES) {
+                courir::<f32>(famille, n, chronometrer, &mut cellules)?;
+                courir::<f64>(famille, n, chronometrer, &mut cellules)?;
+            }
+            println!("{} {}", famille.nom(), if chronometrer { "timed" } else { "agrees" });
+        }
+    }
+    Ok(cellules)
+}
+
+/// The cells of a scene; or that in each list, hierarchy and batches agree to the bit, and the others but for
+/// rounding.
+fn courir<R: Scalaire>(
+    famille: Famille,
+    n: usize,
+    chronometrer: bool,
+    cellules: &mut Vec<Cellule>,
+) -> Result<(), Box<dyn Error>> {
+    let scene = famille.scene::<R>(n);
+    let mut places = places(&scene.objets);
+    let hierarchie = Hierarchie::new(&scene.objets, &mut places)?;
+    let mondes = mondes(&scene.objets);
+    for genre in Genre::TOUS {
+        let (rayons, ombres) = genre.rayons(&hierarchie, &scene, BANDES);
+        let mut concurrents = tous(hierarchie, &mondes, &rayons, &ombres);
+        if chronometrer {
+            concurrents.retain(|qui| qui.camp != Camp::Annexe);
+            let ns = temps(&mut concurrents);
+            let temps = concurrents.iter().map(|qui| qui.camp).zip(ns).collect();
+            cellules.push(Cellule { famille, n, scalaire: R::NOM, genre, temps });
+            continue;
+        }
+        let juge = exiger_memes_bits(hierarchie, &rayons, &ombres)
+            .and_then(|()| exiger_accord(&concurrents, TOLERANCE));
+        let ou = format!("{} {n} {} {}", famille.nom(), R::NOM, genre.nom());
+        juge.map_err(|erreur| format!("{ou}: {erreur}"))?;
+    }
+    Ok(())
+}
