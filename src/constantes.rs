@@ -1,5 +1,5 @@
-//! The constants of the proofs in `docs/precision.md`, `docs/conception.md` and `docs/jugement.md`,
-//! under one roof for the test that holds them to their lemmas; and the numbers of lemma 18.
+//! The constants of the proofs in `docs/preuves.md`, under one roof for the test that holds them to
+//! their lemmas; and the numbers of lemma 18.
 
 pub use crate::double::{BORNE_DOUBLE, Double, PERTE_DOUBLE, PRODUIT_DOUBLE};
 pub use crate::forme::{ARRONDI_HAUTEUR, PENCHE, RETRAIT, VERS_LE_HAUT};

@@ -1,5 +1,5 @@
 //! Numbers of twice the length of an `f64`, each with a bound on its own error: with them a hit or
-//! a miss is judged after the fact, in either scalar (`docs/jugement.md`, lemmas 18 and 19).
+//! a miss is judged after the fact, in either scalar (`docs/preuves.md`, lemmas 18 and 19).
 
 use crate::rayon::Rayon;
 use crate::reel::Reel;

@@ -72,7 +72,7 @@ impl<R: Reel> ObjetRay<R> {
     /// less than |t − t′|, where the ray enters this object at S + t′D, for the numbers as they are
     /// stored.
     ///
-    /// It is proven (`docs/jugement.md`, lemma 19), at the edges of a box too and with the rounding
+    /// It is proven (`docs/preuves.md`, lemma 19), at the edges of a box too and with the rounding
     /// of its own computation. It is +∞ where the ray does not enter the object, and where numbers
     /// of twice the length of an `f64` cannot tell; it is never a NaN. It rests on t alone, not on
     /// how t was found: it is the error itself, as found with such numbers, and u·t. In the median of
