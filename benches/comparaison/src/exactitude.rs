@@ -47,8 +47,10 @@ pub(crate) fn documenter() -> Result<(), Box<dyn Error>> {
 /// The largest K, and the wrong decisions in brackets, for each regime, type and variant.
 fn erreurs() -> String {
     let noms = repondants::<f32>().map(|(nom, _)| nom).join(" | ");
-    let mut lignes =
-        vec![format!("| regime | f32: {noms} | f64: {noms} |"), format!("|---|{}", "--:|".repeat(6))];
+    let mut lignes = vec![
+        format!("| regime | f32: {noms} | f64: {noms} |"),
+        format!("|---|{}", "--:|".repeat(6)),
+    ];
     for (simple, double) in regimes::<f32>().into_iter().zip(regimes::<f64>()) {
         let nom = simple.nom;
         println!("{nom}");
@@ -83,10 +85,10 @@ fn lisible(x: f64) -> String {
 
 /// What our own hits say of themselves: margins, `erreur` and `est_sur`.
 fn bornes() -> String {
-    let cases = "marge | +∞ | erreur | not certain";
+    let cases = "marge (+∞) | erreur | not certain (right)";
     let mut lignes = vec![
         format!("| regime | f32: {cases} | f64: {cases} |"),
-        format!("|---|{}", "--:|".repeat(8)),
+        format!("|---|{}", "--:|".repeat(6)),
     ];
     let mut lances = 0;
     for (simple, double) in regimes::<f32>().into_iter().zip(regimes::<f64>()) {
@@ -98,18 +100,18 @@ fn bornes() -> String {
     format!("{}\n\nSecondary rays: {millions} million, none touched again.", lignes.join("\n"))
 }
 
-/// The looseness of margins in the median, and how many are +∞. None is exceeded, and none of the
+/// The looseness of margins in the median, and in brackets how many are +∞. None is exceeded, and none of the
 /// secondary rays, which it counts, touches its object.
 fn marges<R: Reel>(regime: &Regime<R>, lances: &mut u64) -> String {
     let mut alea = Rng::with_seed(2);
-    let (mut aisances, mut infinies) = (Vec::new(), 0_u64);
+    let (mut aisances, mut infinies) = (Vec::new(), 0);
     for _ in 0..CAS {
         let Cas { objet, rayon } = (regime.cas)(&mut alea);
         let Ok(touche) = objet.intersection(&rayon) else { continue };
         let vers = [R::ZERO; 5];
         let mut essai = Essai { objets: vec![objet], rayon, vers };
         let part = marge(&essai);
-        infinies += u64::from(part == RIEN);
+        infinies += u32::from(part == RIEN);
         assert!(part <= 1.0, "{}: a margin is exceeded", regime.nom);
         aisances.extend((part > 0.0).then(|| 1.0 / part));
         let n = touche.normale().vers_f64();
@@ -128,7 +130,7 @@ fn marges<R: Reel>(regime: &Regime<R>, lances: &mut u64) -> String {
         }
     }
     let [mediane, ..] = quantiles(&mut aisances);
-    format!("{} | {infinies}", lisible(mediane))
+    format!("{}{}", lisible(mediane), entre_crochets(infinies))
 }
 
 /// How loose `erreur` is, and how many answers `est_sur` calls uncertain, in brackets how many of them
