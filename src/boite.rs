@@ -336,5 +336,5 @@ impl<R: Reel> Quotient<R> {
 }
 
 crate::erreur::lu_par_new! {
-    BoiteGeo { centre: Vecteur<R>, dimensions: Vecteur<R>, rotation: Rotation<R>, texture: Texture }
+    BoiteGeo { centre: Vecteur<R>, dimensions: Vecteur<R>, rotation: Rotation<R> = default, texture: Texture }
 }

@@ -2,10 +2,10 @@
 //! their lemmas; and the numbers of lemma 18.
 
 pub use crate::double::{BORNE_DOUBLE, Double, PERTE_DOUBLE, PRODUIT_DOUBLE};
-pub use crate::forme::{ARRONDI_HAUTEUR, PENCHE, RETRAIT, VERS_LE_HAUT};
+pub use crate::forme::{ARRONDI_HAUTEUR, PENCHE, RETRAIT, SEUIL, VERS_LE_HAUT};
 pub use crate::hierarchie::repere::{JEU_F32, JEU_TOUCHE};
 pub use crate::hierarchie::sonde::{ENTREE_AVANT, JEU_BLOC, JEU_FIXE};
-pub use crate::intersection::{CIBLE, CIBLE_MARGES, PAS_ARRONDI, PAS_NORMAL, REDRESSE, TANGENT};
+pub use crate::intersection::{PAS_ARRONDI, PAS_NORMAL, REDRESSE, TANGENT};
 pub use crate::lot::faisceau::{COURT, COURT_M, JEU_BOULE, ORIGINES, PENTE};
 pub use crate::objet::ETENDUE;
 pub use crate::rayon::DEJA_UNITAIRE;

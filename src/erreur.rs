@@ -15,8 +15,8 @@ use crate::vecteur::Vecteur;
 /// let erreur = SphereGeo::new(Vecteur::NUL, -1.0, Texture(0)).unwrap_err();
 /// assert_eq!(erreur.champ, "rayon");
 /// assert_eq!(erreur.valeur, -1.0);
-/// assert_eq!(erreur.attendu, "a number between 2^-450 and 2^450");
-/// assert_eq!(erreur.to_string(), "rayon is -1, but must be a number between 2^-450 and 2^450");
+/// assert_eq!(erreur.attendu, "a number above 0");
+/// assert_eq!(erreur.to_string(), "rayon is -1, but must be a number above 0");
 /// ```
 #[doc(alias = "error")]
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -85,6 +85,7 @@ pub(crate) fn point<R: Reel>(champs: Champs, p: Vecteur<R>) -> Result<Vecteur<R>
 
 /// A radius or one of the three dimensions of a box.
 pub(crate) fn taille<R: Reel>(champ: &'static str, x: R) -> Result<R, ErreurGeo> {
+    exiger(x > R::ZERO, champ, x, "a number above 0")?;
     let attendu = R::selon("a number between 2^-60 and 2^60", "a number between 2^-450 and 2^450");
     exiger(x >= R::UN / R::LIMITE && x <= R::LIMITE, champ, x, attendu)
 }
@@ -108,9 +109,9 @@ pub(crate) fn fini<R: Reel>(champs: Champs, v: Vecteur<R>) -> Result<Vecteur<R>,
 }
 
 /// `lu_par_new! { T { champ: type, … } }`: with the feature `serde` a T is read as these fields, by
-/// name or in order, no others, and `T::new` checks them.
+/// name or in order, no others, and `T::new` checks them. A field with `= default` may be left out.
 macro_rules! lu_par_new {
-    ($type:ident { $($champ:ident: $du_type:ty),* }) => {
+    ($type:ident { $($champ:ident: $du_type:ty $(= $defaut:ident)?),* }) => {
         #[cfg(feature = "serde")]
         impl<'de, R: Reel + serde::Deserialize<'de>> serde::Deserialize<'de> for $type<R> {
             fn deserialize<D: serde::Deserializer<'de>>(lecteur: D) -> Result<Self, D::Error> {
@@ -119,7 +120,7 @@ macro_rules! lu_par_new {
                 #[serde(deny_unknown_fields)]
                 #[serde(bound(deserialize = "R: Reel + serde::Deserialize<'de>"))]
                 struct $type<R> {
-                    $($champ: $du_type),*
+                    $($(#[serde($defaut)])? $champ: $du_type),*
                 }
 
                 let $type { $($champ),* } = $type::deserialize(lecteur)?;

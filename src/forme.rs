@@ -8,7 +8,7 @@
 
 use crate::intersection::Contact;
 use crate::rayon::Rayon;
-use crate::reel::{Reel, fois_u, fois_u_simple, max, min};
+use crate::reel::{Reel, fois_u, fois_u_simple, max, min, puissance_de_deux};
 use crate::vecteur::Vecteur;
 
 /// The rounding of a height over a surface, in u·ℓ; and as much again is the rounding with which the
@@ -18,6 +18,11 @@ pub const ARRONDI_HAUTEUR: f64 = 4.0;
 /// A margin is larger by so many u of itself: 6 for an N that is hardly unit, the others for the
 /// rounding of its last operations (lemma 7).
 pub const VERS_LE_HAUT: f64 = 10.0;
+
+/// A margin is larger by this length, in `f32` and in `f64`: more than is lost below the normal
+/// numbers (lemma 7), and so much that neither a margin nor a start over a floor through O is a
+/// subnormal number, with which processors compute up to a hundred times as long.
+pub const SEUIL: (f64, f64) = (puissance_de_deux(-100), puissance_de_deux(-900));
 
 /// A normal that does not face the source is leaned towards it by so many u (lemma 6).
 pub const PENCHE: f64 = 14.0;
@@ -93,7 +98,8 @@ pub(crate) trait Forme<R: Reel>: Copy {
         let Hauteur { b, l } = self.hauteur(p, normale, du_centre);
         let marge = b + l * fois_u(2.0 * ARRONDI_HAUTEUR);
         // A NaN comes from an overflow.
-        let marge = marge + marge * fois_u(VERS_LE_HAUT) + R::depuis_f64(8.0) * R::MIN_POSITIF;
+        let marge =
+            marge + marge * fois_u(VERS_LE_HAUT) + R::depuis_f64(R::selon(SEUIL.0, SEUIL.1));
         Contact { normale, marge: min(marge, R::INFINI) }
     }
 }

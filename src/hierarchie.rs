@@ -30,7 +30,7 @@ use crate::niveau::{meilleur_niveau, selon_le_niveau};
 use crate::objet::ObjetRay;
 use crate::premier::Premier;
 use crate::rayon::Rayon;
-use crate::recherche::{est_occulte, premiere_intersection};
+use crate::recherche::{occulte_sauf, premiere_sauf};
 use crate::reel::Reel;
 
 /// Up to so many spheres and boxes, in `f32` twice as many, the batch is that of the list
@@ -78,6 +78,8 @@ pub struct Hierarchie<'a, R = f64> {
     pub(crate) objets: &'a [ObjetRay<R>],
     /// None for few bounded objects and for too many objects: these are asked as a list.
     pub(crate) arbre: Option<Arbre<'a, R>>,
+    /// The index of the object that is left out.
+    pub(crate) sauf: Option<usize>,
     /// Detected once: for a single ray that would cost more than the ray.
     pub(crate) niveau: Level,
 }
@@ -137,7 +139,7 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
             return Err(PlacesInsuffisantes { places: pretees, necessaires });
         };
         let arbre = if necessaires > 0 { R::demander::<Batir>((objets, places)) } else { None };
-        Ok(Self { objets, arbre, niveau: meilleur_niveau() })
+        Ok(Self { objets, arbre, sauf: None, niveau: meilleur_niveau() })
     }
 
     /// The list.
@@ -146,7 +148,38 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
         self.objets
     }
 
-    /// [`premiere_intersection`](fn@premiere_intersection) of the list.
+    /// The same hierarchy without the object at this index of the list: its answers are those of the
+    /// list without that object, and the others keep their indices.
+    ///
+    /// One object is left out at a time: a second `sans` takes the place of the first, and an index
+    /// beyond the list leaves out nothing.
+    ///
+    /// - **A ray that leaves an object** never hits that object again
+    ///   ([`secondaire`](Rayon::secondaire)), and finds the next one sooner without it: above all
+    ///   from a box it takes half to nine tenths of the time (`docs/performance.md`).
+    /// - **A lamp of the list**, or the far end of [`vers_touche`](Rayon::vers_touche), does not
+    ///   stand before itself.
+    ///
+    /// ```
+    /// use lancer_rayon::{Hierarchie, ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
+    ///
+    /// let boule = |z| SphereGeo::new(Vecteur::new(0.0, 0.0, z), 1.0, Texture(0));
+    /// let scene: Vec<ObjetRay> = vec![boule(-4.0)?.into(), boule(-9.0)?.into()];
+    /// let mut places = vec![0.0; Hierarchie::places(scene.len())];
+    /// let hierarchie = Hierarchie::new(&scene, &mut places)?;
+    ///
+    /// let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.0, 0.0, -1.0))?;
+    /// let touche = hierarchie.sans(0).premiere_intersection(&rayon)?;
+    /// assert_eq!((touche.objet(), touche.distance()), (1, 8.0));
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    #[doc(alias("without", "except", "ignore", "exclude", "skip"))]
+    #[inline]
+    pub fn sans(self, objet: usize) -> Self {
+        Self { sauf: (objet < self.objets.len()).then_some(objet), ..self }
+    }
+
+    /// [`premiere_intersection`](fn@crate::premiere_intersection) of the list.
     ///
     /// # Errors
     /// [`NoIntersection`](crate::NoIntersection) if the ray enters no object.
@@ -156,7 +189,7 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
         R::demander::<Premiere>((self, rayon))
     }
 
-    /// [`est_occulte`](fn@est_occulte) of the list.
+    /// [`est_occulte`](fn@crate::est_occulte) of the list.
     #[doc(alias("any_hit", "occluded", "shadow"))]
     #[inline]
     #[must_use]
@@ -212,21 +245,23 @@ compilees! {
 /// would take 1.4 times as long (measured).
 fn premiere<R: Reel>((hierarchie, rayon): (&Hierarchie<'_, R>, &Rayon<R>)) -> Touche<R> {
     let Some(arbre) = &hierarchie.arbre else {
-        return premiere_intersection(hierarchie.objets, rayon);
+        return premiere_sauf(hierarchie.objets, hierarchie.sauf, rayon);
     };
     selon_le_niveau!(hierarchie.niveau, simd => {
         let premier = Premier::avant(R::INFINI);
-        arbre.parcourir::<_, Rayon<R>>(simd, rayon, premier).conclure(arbre.objets, rayon)
+        let premier = arbre.parcourir::<_, Rayon<R>>(simd, rayon, premier, hierarchie.sauf);
+        premier.conclure(arbre.objets, rayon)
     })
 }
 
 /// [`Hierarchie::est_occulte`].
 fn occulte<R: Reel>((hierarchie, rayon, distance_max): (&Hierarchie<'_, R>, &Rayon<R>, R)) -> bool {
     let Some(arbre) = &hierarchie.arbre else {
-        return est_occulte(hierarchie.objets, rayon, distance_max);
+        return occulte_sauf(hierarchie.objets, hierarchie.sauf, rayon, distance_max);
     };
     selon_le_niveau!(hierarchie.niveau, simd => {
-        arbre.parcourir::<_, (Rayon<R>, R)>(simd, rayon, Premier::avant(distance_max)).rang > 0
+        let premier = Premier::avant(distance_max);
+        arbre.parcourir::<_, (Rayon<R>, R)>(simd, rayon, premier, hierarchie.sauf).rang > 0
     })
 }
 
@@ -234,21 +269,21 @@ fn occulte<R: Reel>((hierarchie, rayon, distance_max): (&Hierarchie<'_, R>, &Ray
 fn en_lot<R: Reel, D: Demande<R>>(
     (hierarchie, demandes, reponses): (&Hierarchie<'_, R>, &[D], &mut [D::Reponse]),
 ) -> Result<(), LongueursDifferentes> {
-    let Hierarchie { objets, arbre, niveau } = *hierarchie;
+    let Hierarchie { objets, arbre, sauf, niveau } = *hierarchie;
     let Some(arbre) = &arbre.filter(|arbre| arbre.bornes > R::selon(2 * SEUIL_LOT, SEUIL_LOT))
     else {
-        return repondre(((niveau, objets), demandes, reponses));
+        return repondre(((niveau, objets, sauf), demandes, reponses));
     };
     memes_longueurs(demandes.len(), reponses.len())?;
     selon_le_niveau!(niveau, simd => {
         if demandes.len() < PEU_DE_RAYONS {
             for (demande, reponse) in demandes.iter().zip(reponses) {
                 let (rayon, limite) = demande.lire();
-                let premier = arbre.parcourir::<_, D>(simd, &rayon, Premier::avant(limite));
+                let premier = arbre.parcourir::<_, D>(simd, &rayon, Premier::avant(limite), sauf);
                 *reponse = D::conclure(premier, objets, &rayon);
             }
         } else {
-            let (mut bloc, mut patience) = (Bloc::VIDE, Patience::default());
+            let (mut bloc, mut patience) = (Bloc::sans(sauf), Patience::default());
             for (demandes, reponses) in demandes.chunks(BLOC).zip(reponses.chunks_mut(BLOC)) {
                 bloc.charger(demandes);
                 arbre.repondre_au_bloc(simd, &mut bloc, reponses, &mut patience);

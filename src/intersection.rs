@@ -163,13 +163,6 @@ pub const PAS_NORMAL: f64 = 20.0;
 /// The rounding of the moved point, in u·Σ|N_i·P_i| (lemma 8).
 pub const PAS_ARRONDI: f64 = 1.1;
 
-/// Before a surface that a ray is aimed at, at a right angle, its own entry may come out early by so
-/// many u of the distance (lemma 20).
-pub const CIBLE: f64 = 73.0;
-
-/// And by so many margins of that hit (lemma 20).
-pub const CIBLE_MARGES: f64 = 12.0;
-
 impl<R: Reel> Rayon<R> {
     /// A ray that starts where this one touched an object and never hits that object again, with
     /// one exception (below): for shadows, reflections (a direction outward, D·N > 0) and
@@ -266,19 +259,19 @@ impl<R: Reel> Rayon<R> {
     }
 
     /// The ray from this hit to another, `cible`, which the ray `autre` found, and the distance
-    /// before which nothing must stand: the arguments of [`est_occulte`](crate::est_occulte) for
-    /// whether two points of surfaces see each other.
+    /// between both: whether two points of surfaces see each other is
+    /// `!hierarchie.sans(cible.objet()).est_occulte(&rayon, distance)`.
     ///
-    /// Both ends step off their surfaces, as for [`secondaire`](Self::secondaire). The ray never
-    /// hits the object it leaves, nor the object it goes to before this distance, which ends short
-    /// of the far point by 73u of itself and 12 of its margins, over −N·L there. `None` if either
-    /// surface faces away from the other point, or if the points are no farther apart than that:
-    /// then nothing stands between them that could be told. `None` also where
-    /// [`vers_lumiere`](Self::vers_lumiere) cannot compute.
+    /// Both ends step off their surfaces, as for [`secondaire`](Self::secondaire), so that the ray
+    /// never hits the object it leaves. The object it goes to is
+    /// [left out](crate::Hierarchie::sans), since no distance stops exactly before a surface: solids
+    /// are convex, and one that faces the ray hides no point of its own. `None` if either surface
+    /// faces away from the other point, to the 3.2u of [`vers_lumiere`](Self::vers_lumiere), or
+    /// where that cannot compute. With both hits exchanged the answer is the same ray reversed, to
+    /// the bit, or `None` again.
     ///
     /// ```
-    /// use lancer_rayon::{PlanGeo, Rayon, SphereGeo, Texture, Vecteur};
-    /// use lancer_rayon::{est_occulte, premiere_intersection};
+    /// use lancer_rayon::{Hierarchie, PlanGeo, Rayon, SphereGeo, Texture, Vecteur};
     ///
     /// let haut = Vecteur::new(0.0, 1.0, 0.0);
     /// let sol = PlanGeo::par_un_point(Vecteur::NUL, haut, Texture(0))?;
@@ -287,14 +280,17 @@ impl<R: Reel> Rayon<R> {
     ///
     /// let vers = |x, y| Rayon::new(Vecteur::new(3.0, 8.0, 0.0), Vecteur::new(x, y, 0.0));
     /// let (a, b, c) = (vers(-0.5, -8.0)?, vers(2.2, -7.0)?, vers(-5.0, -8.0)?);
+    /// let mut places = vec![0.0; Hierarchie::places(scene.len())];
+    /// let hierarchie = Hierarchie::new(&scene, &mut places)?;
     /// let se_voient = |a: &Rayon, b: &Rayon| {
-    ///     let touche = |rayon| premiere_intersection(&scene, rayon).ok();
-    ///     let vers = a.vers_touche(&touche(a)?, b, &touche(b)?);
-    ///     vers.map(|(rayon, distance)| !est_occulte(&scene, &rayon, distance))
+    ///     let touche = |rayon| hierarchie.premiere_intersection(rayon).ok();
+    ///     let (depart, cible) = (touche(a)?, touche(b)?);
+    ///     let (rayon, distance) = a.vers_touche(&depart, b, &cible)?;
+    ///     Some(!hierarchie.sans(cible.objet()).est_occulte(&rayon, distance))
     /// };
     /// assert_eq!(se_voient(&a, &b), Some(true));
     /// assert_eq!(se_voient(&c, &b), Some(false)); // the first ball stands between
-    /// # Ok::<(), lancer_rayon::ErreurGeo>(())
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
     #[doc(alias("line_of_sight", "visibility", "segment"))]
     #[must_use]
@@ -304,11 +300,9 @@ impl<R: Reel> Rayon<R> {
         autre: &Self,
         cible: &Intersection<R>,
     ) -> Option<(Self, R)> {
-        let (rayon, distance) = self.vers_lumiere(touche, autre.depart(cible, false).ok()?)?;
-        let arrivee = -rayon.direction().produit_scalaire(cible.normale);
-        let jeu = distance * fois_u(CIBLE) + cible.marge * R::depuis_f64(CIBLE_MARGES);
-        let avant = distance - jeu / arrivee;
-        (arrivee > R::ZERO && avant > R::ZERO).then_some((rayon, avant))
+        let vers = self.vers_lumiere(touche, autre.depart(cible, false).ok()?)?;
+        let arrivee = -vers.0.direction().produit_scalaire(cible.normale);
+        (arrivee > fois_u(TANGENT)).then_some(vers)
     }
 
     /// The point of the hit, moved along the normal, outward or inward, past all rounding.

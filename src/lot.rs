@@ -75,7 +75,7 @@ pub fn premieres_intersections<R: Reel>(
     rayons: &[Rayon<R>],
     touches: &mut [Touche<R>],
 ) -> Result<(), LongueursDifferentes> {
-    R::demander::<Lot>(((meilleur_niveau(), objets), rayons, touches))
+    R::demander::<Lot>(((meilleur_niveau(), objets, None), rayons, touches))
 }
 
 /// `rayons` and `touches` have different lengths.
@@ -134,11 +134,12 @@ pub fn sont_occultes<R: Reel>(
     ombres: &[(Rayon<R>, R)],
     occultes: &mut [bool],
 ) -> Result<(), LongueursDifferentes> {
-    R::demander::<LotDOmbres>(((meilleur_niveau(), objets), ombres, occultes))
+    R::demander::<LotDOmbres>(((meilleur_niveau(), objets, None), ombres, occultes))
 }
 
-/// A list, and the instructions to take, on which no answer depends.
-pub(crate) type Liste<'a, R> = (Level, &'a [ObjetRay<R>]);
+/// The instructions to take, on which no answer depends; a list; the index of an object to leave
+/// out.
+pub(crate) type Liste<'a, R> = (Level, &'a [ObjetRay<R>], Option<usize>);
 
 compilees! {
     Lot<'a, R>: (Liste<'a, R>, &'a [Rayon<R>], &'a mut [Touche<R>])
@@ -149,13 +150,13 @@ compilees! {
 
 /// The answers of a list to many rays.
 pub(crate) fn repondre<R: Reel, D: Demande<R>>(
-    ((niveau, objets), demandes, reponses): (Liste<'_, R>, &[D], &mut [D::Reponse]),
+    ((niveau, objets, sauf), demandes, reponses): (Liste<'_, R>, &[D], &mut [D::Reponse]),
 ) -> Result<(), LongueursDifferentes> {
     memes_longueurs(demandes.len(), reponses.len())?;
     // In a longer list two objects share a rank.
     if demandes.len() < PEU_DE_RAYONS || u32::try_from(objets.len()).is_err() {
         for (demande, reponse) in demandes.iter().zip(reponses) {
-            *reponse = demande.parmi(objets);
+            *reponse = demande.parmi(objets, sauf);
         }
         return Ok(());
     }
@@ -174,7 +175,7 @@ pub(crate) fn repondre<R: Reel, D: Demande<R>>(
         charger(fenetre, objets);
     }
     selon_le_niveau!(niveau, simd => {
-        let mut bloc = Bloc::VIDE;
+        let mut bloc = Bloc::sans(sauf);
         for (demandes, reponses) in demandes.chunks(BLOC).zip(reponses.chunks_mut(BLOC)) {
             bloc.charger(demandes);
             chercher(simd, objets, fenetre, &mut bloc);

@@ -212,5 +212,5 @@ impl<R: Reel> Forme<R> for PlanRay<R> {
 }
 
 crate::erreur::lu_par_new! {
-    PlanGeo { rotation: Rotation<R>, distance: R, texture: Texture }
+    PlanGeo { rotation: Rotation<R> = default, distance: R, texture: Texture }
 }

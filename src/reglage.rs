@@ -38,14 +38,14 @@ impl Reglage {
     /// Whether the beam of these shadow rays, one to sixty-four, up to their lamps leaves out a ball
     /// around this object, or that of the rays if a lamp is infinitely far. No answer tells.
     pub fn evite<R: Reel>(ombres: &[(Rayon<R>, R)], objet: &ObjetRay<R>) -> bool {
-        let mut bloc = Bloc::VIDE;
+        let mut bloc = Bloc::sans(None);
         bloc.charger(ombres);
         bloc.faisceau().is_some_and(|faisceau| faisceau.ecart_a(objet.boule()) > R::ZERO)
     }
 
     /// These objects as a hierarchy that asks its list, however long, with these instructions.
     pub fn liste<R: Reel>(self, objets: &[ObjetRay<R>]) -> Hierarchie<'_, R> {
-        Hierarchie { objets, arbre: None, niveau: self.niveau }
+        Hierarchie { objets, arbre: None, sauf: None, niveau: self.niveau }
     }
 
     /// How many nodes the tree of this hierarchy has; 0 if it has none and asks its list.

@@ -76,7 +76,7 @@ impl<R: Reel> Arbre<'_, R> {
                         premier = dernier.encore(self.objets, &rayon, premier);
                     }
                     if !D::UN_SUFFIT || premier.rang == 0 {
-                        premier = self.parcourir::<S, D>(simd, &rayon, premier);
+                        premier = self.parcourir::<S, D>(simd, &rayon, premier, bloc.sauf);
                     }
                     if premier.rang > 0 {
                         dernier = premier;

@@ -4,7 +4,7 @@ use fearless_simd::Simd;
 
 use crate::forme::Forme;
 use crate::hierarchie::construction::Arbre;
-use crate::hierarchie::noeud::indice_lu;
+use crate::hierarchie::noeud::{en_mot, indice_lu};
 use crate::hierarchie::pile::{
     DEUX_ETAGES, GRANDE_PILE, PETITE_PILE, PEU_DE_NOEUDS, PILE_D_UN_ETAGE, Pile, RIEN,
 };
@@ -14,20 +14,21 @@ use crate::objet::ObjetRay;
 use crate::premier::Premier;
 use crate::rayon::Rayon;
 use crate::reel::Reel;
-use crate::seize::{Aligne, SEIZE, au_plus};
+use crate::seize::{Aligne, SEIZE, au_plus, egaux};
 
 impl<R: Reel> Arbre<'_, R> {
     /// The first object that the ray enters before `premier`, or `premier`; if `UN_SUFFIT`, any
     /// such object.
     ///
     /// It asks the half-spaces, then the objects of each leaf that the ray may enter before what it
-    /// has found.
+    /// has found; never the object at the index `sauf`.
     #[inline(always)]
     pub(crate) fn parcourir<S: Simd, D: Demande<R>>(
         &self,
         simd: S,
         rayon: &Rayon<R>,
         mut premier: Premier<R>,
+        sauf: Option<usize>,
     ) -> Premier<R> {
         // A copy, which stays in registers.
         let copie = *rayon;
@@ -36,6 +37,7 @@ impl<R: Reel> Arbre<'_, R> {
             // Matched as what it is, and its quotient behind a branch, for which no other step waits.
             if let Some(ObjetRay::Plan(plan)) = self.objets.get(indice)
                 && plan.peut_entrer(&copie)
+                && sauf != Some(indice)
                 && premier.retenir(plan.t(&copie), indice)
                 && D::UN_SUFFIT
             {
@@ -62,6 +64,9 @@ impl<R: Reel> Arbre<'_, R> {
             let (mut traverses, Aligne(entrees)) = sonde.traverse(simd, noeud, plafond);
             if numero < self.feuilles {
                 let [.., indices] = noeud;
+                if let Some(sauf) = sauf {
+                    traverses = traverses.sans(&egaux(simd, indices, en_mot(sauf)));
+                }
                 // The nearest first, which most often cuts off the others; then in order.
                 let mut suivant = if D::UN_SUFFIT {
                     traverses.next()

@@ -19,14 +19,19 @@ pub(crate) const BLOC: usize = 4 * SEIZE;
 
 /// At most 64 rays, with the first object of each so far.
 pub(crate) struct Bloc<R, D> {
+    /// The index of the object that is left out.
+    pub(crate) sauf: Option<usize>,
     nombre: usize,
     groupes: [Groupe<R>; BLOC / SEIZE],
     demande: PhantomData<D>,
 }
 
 impl<R: Reel, D: Demande<R>> Bloc<R, D> {
-    pub(crate) const VIDE: Self =
-        Self { nombre: 0, groupes: [const { Groupe::VIDE }; BLOC / SEIZE], demande: PhantomData };
+    #[inline(always)]
+    pub(crate) fn sans(sauf: Option<usize>) -> Self {
+        let groupes = [const { Groupe::VIDE }; BLOC / SEIZE];
+        Self { sauf, nombre: 0, groupes, demande: PhantomData }
+    }
 
     /// Puts these rays here, with no object so far.
     #[inline(always)]
@@ -66,6 +71,9 @@ impl<R: Reel, D: Demande<R>> Bloc<R, D> {
     /// need not read it again for every ray.
     #[inline(always)]
     pub(crate) fn proposer<const EN_ORDRE: bool>(&mut self, objet: &ObjetRay<R>, indice: usize) {
+        if self.sauf == Some(indice) {
+            return;
+        }
         let (rang, groupes) = (Rang::de(indice), self.nombre.div_ceil(SEIZE));
         par_forme!(ObjetRay, objet, forme => {
             let forme = *forme;

@@ -6,7 +6,7 @@ use crate::lot::groupe::Groupe;
 use crate::objet::ObjetRay;
 use crate::premier::Premier;
 use crate::rayon::Rayon;
-use crate::recherche::{est_occulte, premiere_intersection};
+use crate::recherche::{occulte_sauf, premiere_sauf};
 use crate::reel::{Reel, max};
 
 /// A ray and what is asked of it.
@@ -19,8 +19,8 @@ pub(crate) trait Demande<R: Reel>: Copy {
     /// The ray, and the distance before which an object counts, 0 or more.
     fn lire(&self) -> (Rayon<R>, R);
 
-    /// The answer of the list, ray by ray.
-    fn parmi(&self, objets: &[ObjetRay<R>]) -> Self::Reponse;
+    /// The answer of the list without the object at this index, ray by ray.
+    fn parmi(&self, objets: &[ObjetRay<R>], sauf: Option<usize>) -> Self::Reponse;
 
     /// The answer, once a search has found this.
     fn conclure(premier: Premier<R>, objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> Self::Reponse;
@@ -39,8 +39,8 @@ impl<R: Reel> Demande<R> for Rayon<R> {
         (*self, R::INFINI)
     }
 
-    fn parmi(&self, objets: &[ObjetRay<R>]) -> Touche<R> {
-        premiere_intersection(objets, self)
+    fn parmi(&self, objets: &[ObjetRay<R>], sauf: Option<usize>) -> Touche<R> {
+        premiere_sauf(objets, sauf, self)
     }
 
     #[inline(always)]
@@ -65,8 +65,8 @@ impl<R: Reel> Demande<R> for (Rayon<R>, R) {
         (self.0, max(self.1, R::ZERO))
     }
 
-    fn parmi(&self, objets: &[ObjetRay<R>]) -> bool {
-        est_occulte(objets, &self.0, self.1)
+    fn parmi(&self, objets: &[ObjetRay<R>], sauf: Option<usize>) -> bool {
+        occulte_sauf(objets, sauf, &self.0, self.1)
     }
 
     #[inline(always)]

@@ -2,7 +2,7 @@
 //! ray and in a batch, shadows of both; each beside the list ray by ray.
 
 use lancer_rayon::{
-    Hierarchie, ObjetRay, Rayon, Reglage, SphereGeo, Texture, Touche, Vecteur, est_occulte,
+    Hierarchie, ObjetRay, Rayon, Reel, Reglage, SphereGeo, Texture, Touche, Vecteur, est_occulte,
     premiere_intersection,
 };
 
@@ -27,7 +27,8 @@ fn absurde<R: Bits>() -> Touche<R> {
     boule.intersection(&Rayon::new(z * R::LIMITE, -z).unwrap())
 }
 
-/// These rays have these answers, to the bit; the first that differs is named.
+/// These rays have these answers, to the bit, of a list from which the object at the index `sauf` was taken; the first
+/// that differs is named.
 #[track_caller]
 pub fn exiger<R: Bits>(
     facon: &str,
@@ -35,11 +36,14 @@ pub fn exiger<R: Bits>(
     rayons: &[Rayon<R>],
     obtenues: &[Touche<R>],
     attendues: &[Touche<R>],
+    sauf: Option<usize>,
 ) {
     for ((rayon, obtenue), attendue) in rayons.iter().zip(obtenues).zip(attendues) {
+        let mut voulus = mots(attendue);
+        voulus.objet = voulus.objet.map(|i| i + usize::from(sauf.is_some_and(|sauf| i >= sauf)));
         assert_eq!(
             mots(obtenue),
-            mots(attendue),
+            voulus,
             "{facon}, {}, {} objects: {rayon:?} has {obtenue:?}, alone {attendue:?}",
             std::any::type_name::<R>(),
             objets.len()
@@ -47,8 +51,8 @@ pub fn exiger<R: Bits>(
     }
 }
 
-/// Asks these rays every question in every way; how many touch something. A list that is too short for a walk of
-/// its blocks is repeated until it is long enough.
+/// Asks these rays every question in every way, of all objects and without one that some ray may meet; how many touch
+/// something. A list that is too short for a walk of its blocks is repeated until it is long enough.
 #[track_caller]
 pub fn comparer<R: Bits>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) -> usize {
     let n = objets.len();
@@ -56,36 +60,71 @@ pub fn comparer<R: Bits>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) -> usize {
     // What the memory held before must not show through.
     let mut places = vec![f32::NAN; Hierarchie::places(n)];
     let hierarchie = Hierarchie::new(objets, &mut places).unwrap();
-    for (nom, reglage) in Reglage::tous() {
-        let hierarchie = reglage.hierarchie(hierarchie);
-        let mut touches = vec![absurde(); rayons.len()];
-        reglage.liste(objets).premieres_intersections(rayons, &mut touches).unwrap();
-        exiger(&format!("{nom}, batch"), objets, rayons, &touches, &attendues);
-        touches.fill(absurde());
-        hierarchie.premieres_intersections(rayons, &mut touches).unwrap();
-        exiger(&format!("{nom}, hierarchy, batch"), objets, rayons, &touches, &attendues);
-        touches.clear();
-        touches.extend(rayons.iter().map(|rayon| hierarchie.premiere_intersection(rayon)));
-        exiger(&format!("{nom}, hierarchy"), objets, rayons, &touches, &attendues);
-    }
-    comparer_les_ombres(objets, rayons, &attendues, hierarchie);
+    comparer_les_facons(rayons, &attendues, hierarchie, None);
+    // Another one each time, and now and then one that is not there.
+    let sauf = rayons.len() % (n + 1);
+    let sauf = attendues.iter().flatten().nth(sauf).map_or(sauf, |touche| touche.objet());
+    let autres: Vec<_> =
+        [objets.get(..sauf), objets.get(sauf + 1..)].into_iter().flatten().collect();
+    let autres = if sauf < n { autres.concat() } else { objets.to_vec() };
+    let restantes: Vec<_> = rayons.iter().map(|r| premiere_intersection(&autres, r)).collect();
+    comparer_les_facons(rayons, &restantes, hierarchie, Some(sauf));
     if (UN_ARBRE..UN_BLOC).contains(&n) {
         comparer(&objets.repeat(UN_BLOC.div_ceil(n)), rayons);
     }
     attendues.iter().flatten().count()
 }
 
+/// This hierarchy without that object, if there is one to leave out.
+fn sans<R: Reel>(hierarchie: Hierarchie<'_, R>, sauf: Option<usize>) -> Hierarchie<'_, R> {
+    sauf.map_or(hierarchie, |sauf| hierarchie.sans(sauf))
+}
+
+/// The answers of this hierarchy, of its list as a batch and ray by ray, and of shadows, without the object at the
+/// index `sauf`, beside those of the list from which that object was taken.
+#[track_caller]
+fn comparer_les_facons<R: Bits>(
+    rayons: &[Rayon<R>],
+    attendues: &[Touche<R>],
+    hierarchie: Hierarchie<'_, R>,
+    sauf: Option<usize>,
+) {
+    let objets = hierarchie.objets();
+    for (nom, reglage) in Reglage::tous() {
+        let nom = format!("{nom}, without {sauf:?}");
+        let (hierarchie, liste) =
+            (sans(reglage.hierarchie(hierarchie), sauf), sans(reglage.liste(objets), sauf));
+        let exiger = |facon: &str, touches: &[Touche<R>]| {
+            exiger(&format!("{nom}, {facon}"), objets, rayons, touches, attendues, sauf);
+        };
+        let mut touches = vec![absurde(); rayons.len()];
+        liste.premieres_intersections(rayons, &mut touches).unwrap();
+        exiger("batch", &touches);
+        touches.fill(absurde());
+        hierarchie.premieres_intersections(rayons, &mut touches).unwrap();
+        exiger("hierarchy, batch", &touches);
+        for (facon, hierarchie) in [("hierarchy", hierarchie), ("list", liste)] {
+            touches.clear();
+            touches.extend(rayons.iter().map(|rayon| hierarchie.premiere_intersection(rayon)));
+            exiger(facon, &touches);
+        }
+    }
+    comparer_les_ombres(rayons, attendues, sans(hierarchie, sauf), sauf);
+}
+
 /// The same of shadow rays whose lamps are at their first hits, beside them and farther, of some that no segment
 /// reaches, and of a sun. A ray that hits nothing has the lamp of the ray before it.
 #[track_caller]
 fn comparer_les_ombres<R: Bits>(
-    objets: &[ObjetRay<R>],
     rayons: &[Rayon<R>],
     touches: &[Touche<R>],
     hierarchie: Hierarchie<'_, R>,
+    sauf: Option<usize>,
 ) {
+    let objets = hierarchie.objets();
     let etranges = [R::INFINI, R::depuis_f64(f64::NAN), R::ZERO, -R::UN, R::MIN_POSITIF];
-    for paquet in 0..6 {
+    // What is left out changes nothing of what limits are.
+    for paquet in if sauf.is_some() { 1..2 } else { 0..6 } {
         let mut lampe = R::UN;
         let limite = |(i, touche): (usize, &Touche<R>)| {
             lampe = touche.map_or(lampe, |touche| touche.distance());
@@ -106,21 +145,27 @@ fn comparer_les_ombres<R: Bits>(
         };
         let voulues: Vec<_> = touches.iter().zip(&ombres).map(cachee).collect();
         // Ray by ray where limits are hard: that takes longest.
-        let une_par_une = if paquet == 3 || paquet == 4 { &ombres[..] } else { &[] };
+        let seules = sauf.is_some() || paquet == 3 || paquet == 4;
+        let une_par_une = if seules { &ombres[..] } else { &[] };
         for ((rayon, max), voulue) in une_par_une.iter().zip(&voulues) {
-            assert_eq!(est_occulte(objets, rayon, *max), *voulue, "{rayon:?} before {max:?}");
+            let seule = est_occulte(objets, rayon, *max);
+            assert!(seule == *voulue || sauf.is_some(), "{rayon:?} before {max:?}: {seule}");
         }
         // The contrary, so that a place which is left out shows.
         let contraires: Vec<_> = voulues.iter().map(|occulte| !occulte).collect();
         for (nom, reglage) in Reglage::tous() {
             let hierarchie = reglage.hierarchie(hierarchie);
             let (mut de_la_liste, mut de_l_arbre) = (contraires.clone(), contraires.clone());
-            reglage.liste(objets).sont_occultes(&ombres, &mut de_la_liste).unwrap();
+            let liste = sans(reglage.liste(objets), sauf);
+            liste.sont_occultes(&ombres, &mut de_la_liste).unwrap();
             hierarchie.sont_occultes(&ombres, &mut de_l_arbre).unwrap();
             let n = objets.len();
             let exiger = |facon: &str, ombre: &(Rayon<R>, R), occulte: bool, voulue: bool| {
                 let scalaire = std::any::type_name::<R>();
-                assert_eq!(occulte, voulue, "{facon}, {nom}, {scalaire}, {n} objects: {ombre:?}");
+                assert_eq!(
+                    occulte, voulue,
+                    "{facon}, {nom}, {scalaire}, {n} objects without {sauf:?}: {ombre:?}"
+                );
             };
             let en_lot = de_la_liste.into_iter().zip(de_l_arbre);
             for ((ombre, voulue), (liste, arbre)) in ombres.iter().zip(&voulues).zip(en_lot) {
@@ -130,6 +175,7 @@ fn comparer_les_ombres<R: Bits>(
             for (ombre, voulue) in une_par_une.iter().zip(&voulues) {
                 let occulte = hierarchie.est_occulte(&ombre.0, ombre.1);
                 exiger("a shadow of a hierarchy", ombre, occulte, *voulue);
+                exiger("a shadow", ombre, liste.est_occulte(&ombre.0, ombre.1), *voulue);
             }
         }
     }

@@ -214,6 +214,13 @@ impl Entree {
         (&(&Exact::de(t) - &self.t) * &Exact::de(k)).vers_f64()
     }
 
+    /// The same for t in scene units: t − t′|D|.
+    pub fn ecart_mesure_fois<R: Reel>(&self, rayon: &Rayon<R>, t: R, k: f64) -> f64 {
+        let d = point(rayon.direction());
+        let entree = &self.t * &scalaire(&d, &d).racine(-PRECISION);
+        (&(&Exact::de(t) - &entree) * &Exact::de(k)).vers_f64()
+    }
+
     /// The sine of the angle between a normal and the true one that is allowed where the distance is off by
     /// `ecart`; any, where the sphere is lost in its distance.
     pub fn direction_permise<R: Reel>(&self, ecart: f64) -> f64 {

@@ -246,7 +246,8 @@ pub fn secondaire<R: Reel>(cas: &Essai<R>) -> f64 {
     0.5 * tenue(haut + cosinus) + 0.4 * tenue(bord)
 }
 
-/// The error of the distance as a part of `erreur`, which is +∞ where there is no entry.
+/// The error of the distance, in scene units or in lengths of D if that is more, as a part of `erreur`, which is +∞
+/// where there is no entry.
 pub fn erreur<R: Reel>(cas: &Essai<R>) -> f64 {
     let Some(touche) = touche(cas) else { return RIEN };
     let borne = cas.objets[0].erreur(&cas.rayon, &touche).vers_f64();
@@ -254,7 +255,9 @@ pub fn erreur<R: Reel>(cas: &Essai<R>) -> f64 {
         // In units in which neither is a subnormal.
         Some(entree) => {
             let echelle = if borne < 1e-200 { 200_f64.exp2() } else { 1.0 };
-            entree.ecart_fois(touche.distance(), echelle).abs() / (borne * echelle)
+            let en_longueurs_de_d = entree.ecart_fois(touche.distance(), echelle).abs();
+            let mesure = entree.ecart_mesure_fois(&cas.rayon, touche.distance(), echelle).abs();
+            mesure.max(en_longueurs_de_d) / (borne * echelle)
         }
         None if borne < f64::INFINITY => ROMPUE,
         None => RIEN,

@@ -762,9 +762,9 @@ fn c15() -> Partie {
         .ligne("f32 has its own limits", "centre.y is 1.1529216420458004e18, but must be a number between -2^60 and 2^60", {
             erreur(SphereGeo::new(Vecteur::new(0.0, 60_f32.exp2().next_up(), 0.0), 1.0, texture))
         })
-        .ligne("a NaN", "rayon is NaN, but must be a number between 2^-450 and 2^450", boule(0.0, f64::NAN))
-        .ligne("a radius of 0", "rayon is 0, but must be a number between 2^-450 and 2^450", boule(0.0, 0.0))
-        .ligne("a negative height", "dimensions.y (hauteur) is -2, but must be a number between 2^-450 and 2^450", {
+        .ligne("a NaN", "rayon is NaN, but must be a number above 0", boule(0.0, f64::NAN))
+        .ligne("a radius of 0", "rayon is 0, but must be a number above 0", boule(0.0, 0.0))
+        .ligne("a negative height", "dimensions.y (hauteur) is -2, but must be a number above 0", {
             erreur(BoiteGeo::new(O, v(1.0, -2.0, 1.0), i, texture))
         })
         .ligne("an infinite d", "distance is -inf, but must be a number between -2^450 and 2^450", {

@@ -98,11 +98,11 @@ fn un_objet_refuse_dit_ou_et_pourquoi() {
     for (objet, attendu) in [
         (
             "Sphere(centre: (0, 0, 0), rayon: -1, texture: 0)",
-            "4:38: rayon is -1, but must be a number between 2^-",
+            "4:38: rayon is -1, but must be a number above 0",
         ),
         (
             "Sphere(rayon: NaN, centre: (0, 0, 0), texture: 0)",
-            "4:19: rayon is NaN, but must be a number between 2^-",
+            "4:19: rayon is NaN, but must be a number above 0",
         ),
         (
             "Sphere(centre: (0, NaN, 0), rayon: 1, texture: 0)",
@@ -110,7 +110,7 @@ fn un_objet_refuse_dit_ou_et_pourquoi() {
         ),
         (
             "Boite(dimensions: (1, 0, 1), centre: (0, 0, 0), rotation: (0, 0, 0), texture: 0)",
-            "4:31: dimensions.y (hauteur) is 0, but must be a number between 2^-",
+            "4:31: dimensions.y (hauteur) is 0, but must be a number above 0",
         ),
         (
             "Plan(distance: inf, rotation: (0, 0, 0), texture: 0)",

@@ -89,7 +89,7 @@ fn secondaires<R: Bits>(objet: &ObjetRay<R>, rayon: &Rayon<R>, vers: Vecteur<R>)
 }
 
 /// What is asked after the fact: certain answers of two precisions agree, and so do two bounded distances; and
-/// from one hit to the next nothing of either object is in the way.
+/// from one hit to the next nothing of the object itself is in the way.
 fn apres_coup<R: Bits>(objet: &ObjetRay<R>, [rayon, autre]: [&Rayon<R>; 2]) {
     let (double, en_double) = (objet.vers_f64(), rayon.vers_f64());
     let (touche, la) = (objet.intersection(rayon), double.intersection(&en_double));

@@ -19,6 +19,7 @@
 
 use crate::intervalle::{Intervalle, de_a, portee};
 use commun::tolerances::{ORTHONORMALE, bandes, promesses};
+use lancer_rayon::Reel;
 use lancer_rayon::constantes::*;
 
 /// u of `f32` and of `f64`.
@@ -567,7 +568,15 @@ fn lemmes_7_et_8_un_pas_de_plat() {
     }
     // What is lost below the normal numbers, in η: three products of the height and of that which
     // the next search sees, those by 8u, 10u, 1 + 20u and 1.1u, and N·pas along N.
-    assert!((1.5 + 1.5 + 4.0 * 0.5 + 0.5 * i(3.0).racine()).haut < 8.0);
+    let perdu = 1.5 + 1.5 + 4.0 * 0.5 + 0.5 * i(3.0).racine();
+    assert!(perdu.haut * f64::from(f32::MIN_POSITIF) < SEUIL.0);
+    assert!(perdu.haut * f64::MIN_POSITIF < SEUIL.1);
+    // A margin over a floor through O is so long, and u of it is a normal number; of the margin of the smallest sphere
+    // it is no hundred thousandth.
+    let moindre = |u: f64, limite: f64| 2.0 * ARRONDI_HAUTEUR * LONGUEUR * u / limite;
+    assert!(SEUIL.0 * U[0] >= f64::from(f32::MIN_POSITIVE) && SEUIL.1 * U[1] >= f64::MIN_POSITIVE);
+    assert!(SEUIL.0 < 1e-5 * moindre(U[0], f32::LIMITE.into()));
+    assert!(SEUIL.1 < 1e-5 * moindre(U[1], f64::LIMITE));
     tenir(PAS_ARRONDI, |u| plus(1.0, u) / ((1.0 - gamma(6.0, u) * u) * moins(N2, u)));
 }
 
@@ -829,31 +838,15 @@ fn lemme_19_erreur_et_certitude() {
         // AB of −D²(PC² − r²), D² to γ₃, and of 2PA²; then the sum with PA and the quotient by D².
         let ab = et(racine(et(gamma(3.0, u), gamma(2.0, u), u), u), i(1.0), u);
         let ecart = et(ab, et(i(1.0), inverse(gamma(4.0, u), u), u), u);
+        // Times |D|, a root of a sum, and the sum with what D lacks, which has fewer roundings.
+        let mesure =
+            et(ecart, et(et(racine(gamma(3.0, u), u), i(1.0), u), inverse(gamma(2.0, u), u), u), u);
         // To the scalar, the sum with u·t, the product that makes it grow, two sums.
-        et(ecart, inverse(gamma(4.0, u), u), u)
+        et(mesure, inverse(gamma(4.0, u), u), u)
     });
     for u in U {
         // No ray that enters an object passes its ball by: AC² is at most ρ²(1 + 37u), and ρ² as computed off by 3u.
         assert!((boule(u) + 37.0 + gamma(3.0, u)).haut * (1.0 + 100.0 * u) < RETRAIT);
-    }
-}
-
-#[test]
-fn lemme_20_vers_une_touche() {
-    // c = −N·L at the far end, above CIBLE·u less its rounding; the distance is off by 3.6u, the direction by 4.6u.
-    let domaine = |u: f64| [de_a((CIBLE - 4.0) * u, 1.0)];
-    tenir_sur(CIBLE, domaine, |u, [c]| {
-        let avance = (TOUCHE + 4.6) * plus(2.0 * TOUCHE, u) / c + et(i(3.6), i(1.0), u);
-        Some(avance * (c + vitesse(u) * u) * plus(6.0, u))
-    });
-    // Of u·r, which a margin holds 8·1.3 times.
-    tenir(CIBLE_MARGES, |u| {
-        (2.0 * i(TOUCHE) + N1) / (2.0 * ARRONDI_HAUTEUR * LONGUEUR) * plus(300.0, u)
-    });
-    // A face needs less: the height of S to γ₄, with what is left of the step, and two comparisons in a row.
-    for u in U {
-        let face = 4.6 + gamma(4.0, u) + vitesse(u) + 2.0 * rapport(u) + 2.0;
-        assert!(face.haut < TOUCHE);
     }
 }
 
