@@ -662,7 +662,7 @@ fn lemme_12_faisceau() {
     tenir(COURT_M, |u| et(et(i(D1), i(D1), u), i(1.0), u) * plus(2.0 * COURT_M, u));
     // The root of θ₃, its rounding, the quotient and the product.
     tenir(COURT, |u| et(normalise(u), i(1.0), u) * plus(2.0 * COURT, u));
-    // (U − aM)·D and what rounds it, in u; above 0 it would not be below 0.
+    // (U − aΩ)·D and what rounds it, in u; above 0 it would not be below 0.
     let pente = |u: f64, l: f64, [e, mu]: [Intervalle; 2]| {
         let g = gamma(3.0, u) * d(u) * plus(8.0, u);
         let a = (e + l * u) / (mu - l * u) * plus(gamma(3.0, u), u);
@@ -678,7 +678,7 @@ fn lemme_12_faisceau() {
         let [e, mu] = [1.0, 1.0].map(i);
         assert!(pente(u, 0.9 * PENTE, [e, mu]).bas > 0.0, "less would do");
     }
-    // Of P·(S − S₀ + tD), five roundings of each term; the sum with this slack, and the slack itself. The largest
+    // Of Π·(S − S₀ + tD), five roundings of each term; the sum with this slack, and the slack itself. The largest
     // coordinate is rounded once, and √3 of it bounds a length.
     tenir(ORIGINES, |u| {
         let tous = gamma(5.0, u) + 1.0 * plus(ORIGINES, u);
@@ -835,7 +835,7 @@ fn lemme_18_nombres_doubles() {
 #[test]
 fn lemme_19_erreur_et_certitude() {
     tenir(ERREUR_ARRONDIE, |u| {
-        // AB of −D²(PC² − r²), D² to γ₃, and of 2PA²; then the sum with PA and the quotient by D².
+        // AB of −D²·p_A, D² to γ₃, and of 2XA²; then the sum with XA and the quotient by D².
         let ab = et(racine(et(gamma(3.0, u), gamma(2.0, u), u), u), i(1.0), u);
         let ecart = et(ab, et(i(1.0), inverse(gamma(4.0, u), u), u), u);
         // Times |D|, a root of a sum, and the sum with what D lacks, which has fewer roundings.
