@@ -289,7 +289,7 @@ impl<R: Reel> Forme<R> for BoiteRay<R> {
 }
 
 /// A power of two that multiplies speeds, so that no product of a length of a box and a speed
-/// towards its faces leaves the range of the type (`docs/precision.md`, lemma 2).
+/// towards its faces leaves the range of the type (`docs/preuves.md`, lemma 2).
 #[inline(always)]
 pub(crate) fn echelle_vitesse<R: Reel>() -> R {
     R::depuis_f64(R::selon(puissance_de_deux(62), puissance_de_deux(568)))

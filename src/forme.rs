@@ -139,7 +139,7 @@ impl<R: Reel> Boule<R> {
     /// Whether the ray comes near the ball.
     ///
     /// Never false for a ray that enters the shape, whatever rounding does (derivation in
-    /// `docs/conception.md`, lemma 11). A ray whose source is in the ball passes even with C behind
+    /// `docs/preuves.md`, lemma 11). A ray whose source is in the ball passes even with C behind
     /// it.
     #[inline(always)]
     pub(crate) fn approchee(self, rayon: &Rayon<R>) -> bool {

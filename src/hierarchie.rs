@@ -5,7 +5,7 @@
 //! (`hierarchie/noeud.rs`, `construction.rs`). A ray looks at the nodes that it crosses
 //! (`parcours.rs`), a block of rays at those that its beam crosses (`ensemble.rs`), each through its
 //! probe (`sonde.rs`). Half-spaces are always asked. What may be left out is derived in
-//! `docs/conception.md`, lemmas 14 to 17.
+//! `docs/preuves.md`, lemmas 14 to 17.
 
 mod construction;
 mod ensemble;

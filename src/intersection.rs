@@ -119,7 +119,7 @@ impl<R: Reel> Intersection<R> {
     /// How far at most the point `rayon.point(distance)`, as computed, lies from the surface
     /// along the normal; in scene units.
     ///
-    /// It is a proven bound (derived in `docs/precision.md`), most often a few times the error
+    /// It is a proven bound (derived in `docs/preuves.md`), most often a few times the error
     /// itself, and never a NaN. It is +∞ where the point is beyond the range of the type, and for a
     /// sphere that is lost in rounding: always with a radius below a = 16u·(|x| + |y| + |z|) of the
     /// point, never with one of 64u·|f| + a or more, |f| the distance of the source from the

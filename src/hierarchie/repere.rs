@@ -71,7 +71,7 @@ pub const JEU_TOUCHE: f64 = 70.0;
 pub const JEU_F32: f64 = 2.2;
 
 /// The slack, by which boxes grow so that rounding loses no hit, per unit of distance from K to an
-/// object or to the source of a ray, in u of `f32`. Derived in `docs/conception.md`, lemmas 14 to 17.
+/// object or to the source of a ray, in u of `f32`. Derived in `docs/preuves.md`, lemmas 14 to 17.
 pub(crate) const PART_DU_JEU: f64 = JEU_TOUCHE + JEU_F32;
 
 /// The nearest vector of such numbers.

@@ -13,7 +13,7 @@ use crate::vecteur::Vecteur;
 /// By so many u of `f32` an entry comes before its rounding (lemma 16).
 pub const ENTREE_AVANT: f64 = 10.0;
 
-/// A ray as the boxes see it, with its part of the slack (`docs/conception.md`, lemmas 14 to 17).
+/// A ray as the boxes see it, with its part of the slack (`docs/preuves.md`, lemmas 14 to 17).
 pub(crate) struct Sonde([Axe; 3]);
 
 /// One axis of it.
@@ -91,7 +91,7 @@ pub const JEU_BLOC: f64 = 1.7;
 pub const JEU_FIXE: f64 = 13.0;
 
 /// A beam as the boxes see it. For each of the five normals P, an upper bound on P·X over all hits
-/// X; for M, the M·X from which depths count. Both include the slack (`docs/conception.md`, lemmas
+/// X; for M, the M·X from which depths count. Both include the slack (`docs/preuves.md`, lemmas
 /// 14 to 17).
 pub(crate) struct SondeDeBloc {
     plans: [(Vecteur<f32>, f32); 5],

@@ -1,7 +1,7 @@
 //! Culling: leaves out the objects that no ray of a block can enter, without asking every ray.
 //!
 //! An object that some ray could enter is never left out, rounding included. The bounds are derived
-//! in `docs/conception.md`, lemmas 12 and 13, whose letters are those of this file.
+//! in `docs/preuves.md`, lemmas 12 and 13, whose letters are those of this file.
 
 use crate::forme::Boule;
 use crate::lot::groupe::Groupe;

@@ -14,8 +14,6 @@ pub type Reponse<R> = Option<(R, Vecteur<R>)>;
 /// Counts and errors of one regime.
 #[derive(Debug, Default)]
 pub struct Mesure {
-    /// Cases in which the truth is a hit.
-    pub touches: u32,
     /// Hits where there is none and misses where there is one, outside the band of the decision.
     pub fausses: u32,
     /// The error of every distance in u·κt, with u that of the type.
@@ -65,7 +63,6 @@ pub fn mesurer<R: Reel>(
         let reponse = repondre(&cas.objet, &cas.rayon);
         // A distance that the type cannot hold is a miss.
         let entree = verite.entree.filter(|e| e.t.vers_f64() <= plus_grand::<R>());
-        mesure.touches += u32::from(entree.is_some());
         mesure.fausses += u32::from(!verite.dans_la_marge && entree.is_some() != reponse.is_some());
         let (Some(entree), Some((t, _))) = (entree, reponse) else { continue };
         mesure.k.push(entree.ecart(t).abs() / (u * entree.kappa_t));

@@ -1,4 +1,4 @@
-//! The promises of `docs/precision.md` and `docs/jugement.md`, one by one: what part of what is promised a case
+//! The promises of `docs/precision.md`, one by one: what part of what is promised a case
 //! takes. Random cases (`tests/precision/promesses.rs`), a search that climbs (`adversaire.rs`) and the tables of the
 //! pages (`benches/comparaison`) all ask these.
 

@@ -52,7 +52,7 @@ fn un_chiffre_d_une_promesse_a_une_valeur() {
         (TANGENT, &["within {}u of the tangent plane", "outward within {}u of", "if N·L ≤ {}u"]),
         (REDRESSE, &["turned outward by {}u", "D′ + N·{}u"]),
         (PAS_ARRONDI, &["{}u·Σ|N_i·P_i|", "⟨N, P⟩·{}u)"]),
-        (PENCHE, &["T − D₁·{}u", "leaned normals (by {}u"]),
+        (PENCHE, &["N′ − D₁·{}u", "leaned normals (by {}u"]),
         (3.6, &["relative error of the distance {}u", "to the light the distance is good to {}u"]),
         (4.6, &["|ΔL| ≤ {}u", "the direction to {}u, and N·L"]),
         (8.0, &["|ΔN·L| ≤ {}u", "and N·L to {}u"]),

@@ -1,4 +1,4 @@
-//! What `docs/precision.md` and `docs/jugement.md` promise, against an oracle in exact integers.
+//! What `docs/precision.md` promises, against an oracle in exact integers.
 
 mod adversaire;
 mod certitude;

@@ -67,6 +67,29 @@ fn chaque_promesse_tient<R: Reel>() {
 
 en_f32_et_f64!(chaque_promesse_tient);
 
+/// What `docs/preuves.md` grants the numbers of an `f32` scene in `f64`, which are unit to the rounding of `f32` only:
+/// all except what rests on the length of the normal of a flat face.
+#[test]
+fn les_promesses_tiennent_de_nombres_elargis() {
+    let refusees = ["length of the normal", "margin", "secondary ray"];
+    for regime in regimes::<f32>() {
+        let mut alea = Rng::with_seed(5);
+        for _ in 0..cas_par_regime() {
+            let Cas { objet, rayon } = (regime.cas)(&mut alea);
+            let [x, y, z] = direction(&mut alea).into();
+            let (objets, rayon) = (vec![objet.vers_f64()], rayon.vers_f64());
+            let essai = Essai { objets, rayon, vers: [x, y, z, 0.0, 0.0] };
+            for Promesse { nom, genres, part, .. } in toutes::<f64>() {
+                let plate = regime.genre != Genre::Sphere;
+                if genres.contains(&regime.genre) && !(plate && refusees.contains(&nom)) {
+                    let part = part(&essai);
+                    assert!(part <= 1.0, "{nom}: {}: {part} of it, {essai:?}", regime.nom);
+                }
+            }
+        }
+    }
+}
+
 /// Tangents every number of which is exact: (3, 4, 5)·2^k, with r = 5·2^k. They miss; one
 /// unit in the last place more of radius is touched, at A.
 fn une_tangente_exacte_manque<R: Reel>() {

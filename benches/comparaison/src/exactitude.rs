@@ -10,7 +10,7 @@ use crate::autres::Parry;
 use crate::page;
 use commun::conversion::arrondi;
 use commun::litteral;
-use commun::mesure::{Mesure, Reponse, mesurer, plus_grand, quantiles};
+use commun::mesure::{Reponse, mesurer, plus_grand, quantiles};
 use commun::oracle::verite;
 use commun::promesses::{Essai, RIEN, erreur, marge, secondaire};
 use commun::regimes::{Cas, Regime, direction, regimes};
@@ -39,36 +39,38 @@ pub(crate) fn repondants<R: Parry>() -> [Repondant<R>; 3] {
 }
 
 pub(crate) fn documenter() -> Result<(), Box<dyn Error>> {
-    let page = "docs/precision.md";
-    page::remplacer(page, "f64", &page::datee(&erreurs::<f64>()))?;
-    page::remplacer(page, "f32", &page::datee(&erreurs::<f32>()))?;
-    let promesses = [promesses::<f64>("f64"), promesses::<f32>("f32")].concat();
-    let tete = "| type | regime | margins: looseness in the median | exceeded | +∞ | secondary rays \
-                | touched again |\n|---|---|--:|--:|--:|--:|--:|\n";
-    page::remplacer(page, "margins", &page::datee(format!("{tete}{promesses}").trim_end()))?;
-    page::remplacer("docs/jugement.md", "judgements", &page::datee(&jugements()))?;
+    page::remplacer("docs/precision.md", "errors", &page::datee(&erreurs()))?;
+    page::remplacer("docs/precision.md", "bounds", &page::datee(&bornes()))?;
     courbes()
 }
 
-/// K in the 99.9th percentile and at most, and wrong decisions, for each regime and variant.
-fn erreurs<R: Parry>() -> String {
-    let noms = repondants::<R>().map(|(nom, _)| format!("{nom}: K 99.9 % | max | wrong"));
+/// The largest K, and the wrong decisions in brackets, for each regime, type and variant.
+fn erreurs() -> String {
+    let noms = repondants::<f32>().map(|(nom, _)| nom).join(" | ");
     let mut lignes = vec![
-        format!("| regime | hits | {} |", noms.join(" | ")),
-        format!("|---|--:|{}", "--:|".repeat(9)),
+        format!("| regime | f32: {noms} | f64: {noms} |"),
+        format!("|---|{}", "--:|".repeat(6)),
     ];
-    for regime in regimes::<R>() {
-        println!("{}", regime.nom);
-        let mesures = repondants::<R>().map(|(_, repondre)| mesurer(&regime, CAS, 1, repondre));
-        let touches = mesures[0].touches;
-        let cases = mesures.map(|mut mesure: Mesure| {
-            let [_, presque, pire] = quantiles(&mut mesure.k);
-            let [presque, pire] = [presque, pire].map(lisible);
-            format!("{presque} | {pire} | {}", mesure.fausses)
-        });
-        lignes.push(format!("| {} | {touches} | {} |", regime.nom, cases.join(" | ")));
+    for (simple, double) in regimes::<f32>().into_iter().zip(regimes::<f64>()) {
+        let nom = simple.nom;
+        println!("{nom}");
+        lignes.push(format!("| {nom} | {} | {} |", erreurs_de(&simple), erreurs_de(&double)));
     }
     lignes.join("\n")
+}
+
+fn erreurs_de<R: Parry>(regime: &Regime<R>) -> String {
+    let cases = repondants::<R>().map(|(_, repondre)| {
+        let mut mesure = mesurer(regime, CAS, 1, repondre);
+        let [.., pire] = quantiles(&mut mesure.k);
+        format!("{}{}", lisible(pire), entre_crochets(mesure.fausses))
+    });
+    cases.join(" | ")
+}
+
+/// Nothing for 0.
+fn entre_crochets(nombre: u32) -> String {
+    if nombre == 0 { String::new() } else { format!(" ({nombre})") }
 }
 
 /// Two digits, and a power of ten where it is large.
@@ -81,74 +83,74 @@ fn lisible(x: f64) -> String {
     }
 }
 
-/// Margins and secondary rays of our own hits.
-fn promesses<R: Reel>(scalaire: &str) -> String {
-    let ligne = |regime: Regime<R>| {
-        let mut alea = Rng::with_seed(2);
-        let mut aisances = Vec::new();
-        let [mut depassees, mut infinies, mut lances, mut retouches] = [0_u64; 4];
-        for _ in 0..CAS {
-            let Cas { objet, rayon } = (regime.cas)(&mut alea);
-            let Ok(touche) = objet.intersection(&rayon) else { continue };
-            let vers = [R::ZERO; 5];
-            let mut essai = Essai { objets: vec![objet], rayon, vers };
-            let part = marge(&essai);
-            infinies += u64::from(part == RIEN);
-            depassees += u64::from(part > 1.0);
-            aisances.extend((part > 0.0).then(|| 1.0 / part));
-            let n = touche.normale().vers_f64();
-            for _ in 0..20 {
-                // Outward and along: from inside, the edges of a box are outside the promise.
-                let vers = direction(&mut alea);
-                let cosinus = vers.produit_scalaire(n);
-                let tangente = vers - n * cosinus;
-                for vers in [vers - n * (cosinus - cosinus.abs()), tangente] {
-                    let [x, y, z] = arrondi(vers).into();
-                    essai.vers = [x, y, z, R::ZERO, R::ZERO];
-                    let part = secondaire(&essai);
-                    lances += u64::from(part > RIEN);
-                    retouches += u64::from(part > 1.0);
-                }
-            }
-        }
-        let [mediane, ..] = quantiles(&mut aisances);
-        let nom = regime.nom;
-        let mediane = lisible(mediane);
-        format!(
-            "| {scalaire} | {nom} | {mediane} | {depassees} | {infinies} | {lances} | {retouches} |\n"
-        )
-    };
-    regimes::<R>().map(ligne).concat()
-}
-
-/// How loose `erreur` is, and how many answers `est_sur` calls uncertain, beside how many are wrong.
-fn jugements() -> String {
+/// What our own hits say of themselves: margins, `erreur` and `est_sur`.
+fn bornes() -> String {
+    let cases = "marge (+∞) | erreur | not certain (right)";
     let mut lignes = vec![
-        "| regime | f32: median | not certain | wrong | f64: median | not certain | wrong |".into(),
+        format!("| regime | f32: {cases} | f64: {cases} |"),
         format!("|---|{}", "--:|".repeat(6)),
     ];
+    let mut lances = 0;
     for (simple, double) in regimes::<f32>().into_iter().zip(regimes::<f64>()) {
-        let nom = simple.nom;
-        lignes.push(format!("| {nom} | {} | {} |", jugement(&simple), jugement(&double)));
+        let cases = [marges(&simple, &mut lances), jugement(&simple)];
+        let autres = [marges(&double, &mut lances), jugement(&double)];
+        lignes.push(format!("| {} | {} | {} |", simple.nom, cases.join(" | "), autres.join(" | ")));
     }
-    lignes.join("\n")
+    let millions = lances / 1_000_000;
+    format!("{}\n\nSecondary rays: {millions} million, none touched again.", lignes.join("\n"))
 }
 
+/// The looseness of margins in the median, and in brackets how many are +∞. None is exceeded, and none of the
+/// secondary rays, which it counts, touches its object.
+fn marges<R: Reel>(regime: &Regime<R>, lances: &mut u64) -> String {
+    let mut alea = Rng::with_seed(2);
+    let (mut aisances, mut infinies) = (Vec::new(), 0);
+    for _ in 0..CAS {
+        let Cas { objet, rayon } = (regime.cas)(&mut alea);
+        let Ok(touche) = objet.intersection(&rayon) else { continue };
+        let vers = [R::ZERO; 5];
+        let mut essai = Essai { objets: vec![objet], rayon, vers };
+        let part = marge(&essai);
+        infinies += u32::from(part == RIEN);
+        assert!(part <= 1.0, "{}: a margin is exceeded", regime.nom);
+        aisances.extend((part > 0.0).then(|| 1.0 / part));
+        let n = touche.normale().vers_f64();
+        for _ in 0..20 {
+            // Outward and along: from inside, the edges of a box are outside the promise.
+            let vers = direction(&mut alea);
+            let cosinus = vers.produit_scalaire(n);
+            let tangente = vers - n * cosinus;
+            for vers in [vers - n * (cosinus - cosinus.abs()), tangente] {
+                let [x, y, z] = arrondi(vers).into();
+                essai.vers = [x, y, z, R::ZERO, R::ZERO];
+                let part = secondaire(&essai);
+                *lances += u64::from(part > RIEN);
+                assert!(part <= 1.0, "{}: touched again", regime.nom);
+            }
+        }
+    }
+    let [mediane, ..] = quantiles(&mut aisances);
+    format!("{}{}", lisible(mediane), entre_crochets(infinies))
+}
+
+/// How loose `erreur` is, and how many answers `est_sur` calls uncertain, in brackets how many of them
+/// are right.
 fn jugement<R: Reel>(regime: &Regime<R>) -> String {
     let mut alea = Rng::with_seed(4);
-    let (mut aisances, [mut incertaines, mut fausses]) = (Vec::new(), [0_u64; 2]);
+    let (mut aisances, [mut incertaines, mut fausses]) = (Vec::new(), [0_u32; 2]);
     for _ in 0..CAS {
         let Cas { objet, rayon } = (regime.cas)(&mut alea);
         let touchee = objet.intersection(&rayon).is_ok();
-        incertaines += u64::from(!objet.est_sur(&rayon));
+        incertaines += u32::from(!objet.est_sur(&rayon));
         let entree = verite(&objet, &rayon).entree;
         let entree = entree.filter(|e| e.t.vers_f64() <= plus_grand::<R>());
-        fausses += u64::from(entree.is_some() != touchee);
+        fausses += u32::from(entree.is_some() != touchee);
         let part = erreur(&Essai { objets: vec![objet], rayon, vers: [R::ZERO; 5] });
         aisances.extend((part > 0.0).then(|| 1.0 / part));
     }
     let [mediane, ..] = quantiles(&mut aisances);
-    format!("{} | {incertaines} | {fausses}", lisible(mediane))
+    // No wrong answer is certain.
+    format!("{} | {incertaines}{}", lisible(mediane), entre_crochets(incertaines - fausses))
 }
 
 /// The error of the distance over the radius against the distance in radii, for a sphere that is
