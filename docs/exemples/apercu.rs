@@ -52,7 +52,7 @@ fn apercu(chemin: &str, image: &str) -> Result<(), Box<dyn Error>> {
     }
     writeln!(sortie, "         all with the hits of the list; the batch in tiles of 8 x 8 pixels")?;
     comparer(&mut sortie, &touches, &touches_simples)?;
-    let jugements = surete::juger(&simples, &rayons_simples);
+    let jugements = surete::juger(&simples, &rayons_simples)?;
     let comptes = surete::compter(&jugements);
     writeln!(
         sortie,

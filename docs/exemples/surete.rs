@@ -1,30 +1,11 @@
 //! Which answers of a picture are certain: those of exact arithmetic on the numbers as stored.
 
-use lancer_rayon::{NoIntersection, ObjetRay, Rayon, Reel, Touche, premiere_intersection};
-
-/// Whether this answer of `premiere_intersection` names the object that exact arithmetic names, or
-/// none as it does.
-///
-/// Each object must be certain, hit or miss; and no other that is hit may come within the bounds of
-/// both.
-pub fn est_certaine<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>, touche: &Touche<R>) -> bool {
-    let bornes = |objet: &ObjetRay<R>| {
-        let touche = objet.intersection(rayon).ok()?;
-        let (t, erreur) = (touche.distance().vers_f64(), objet.erreur(rayon, &touche).vers_f64());
-        Some([t - erreur, t + erreur])
-    };
-    let premier = touche.map(|touche| touche.objet());
-    let fin = premier.ok().and_then(|i| bornes(&objets[i])).map_or(f64::INFINITY, |[_, fin]| fin);
-    objets.iter().enumerate().all(|(i, objet)| {
-        let derriere = |[debut, _]: [f64; 2]| debut > fin;
-        objet.est_sur(rayon) && (premier == Ok(i) || bornes(objet).is_none_or(derriere))
-    })
-}
+use lancer_rayon::{Hierarchie, NoIntersection, ObjetRay, PlacesInsuffisantes, Rayon};
 
 /// What `f64` says, on the same numbers, of an answer in `f32`, and what `f32` itself said before.
 #[derive(Clone, Copy, Debug)]
 pub struct Jugement {
-    /// Whether `est_certaine` says so.
+    /// Whether `Hierarchie::est_certaine` says so.
     pub certaine: bool,
     /// Whether the answer in `f64` is another object, or none, or a distance farther off than `erreur`.
     pub autre: bool,
@@ -33,11 +14,18 @@ pub struct Jugement {
 }
 
 /// The judgement of each of these rays.
-pub fn juger(objets: &[ObjetRay<f32>], rayons: &[Rayon<f32>]) -> Vec<Jugement> {
+pub fn juger(
+    objets: &[ObjetRay<f32>],
+    rayons: &[Rayon<f32>],
+) -> Result<Vec<Jugement>, PlacesInsuffisantes> {
     let doubles: Vec<_> = objets.iter().map(ObjetRay::vers_f64).collect();
+    let [mut places, mut places_doubles] =
+        [(); 2].map(|()| vec![0.0; Hierarchie::places(objets.len())]);
+    let simple = Hierarchie::new(objets, &mut places)?;
+    let double = Hierarchie::new(&doubles, &mut places_doubles)?;
     let jugement = |rayon: &Rayon<f32>| {
-        let touche = premiere_intersection(objets, rayon);
-        let (autre, ecart) = match (touche, premiere_intersection(&doubles, &rayon.vers_f64())) {
+        let touche = simple.premiere_intersection(rayon);
+        let (autre, ecart) = match (touche, double.premiere_intersection(&rayon.vers_f64())) {
             (Err(NoIntersection), Err(NoIntersection)) => (false, None),
             (Ok(a), Ok(b)) if a.objet() == b.objet() => {
                 let ecart = (f64::from(a.distance()) - b.distance()).abs();
@@ -46,9 +34,9 @@ pub fn juger(objets: &[ObjetRay<f32>], rayons: &[Rayon<f32>]) -> Vec<Jugement> {
             }
             (Ok(_), Ok(_) | Err(NoIntersection)) | (Err(NoIntersection), Ok(_)) => (true, None),
         };
-        Jugement { certaine: est_certaine(objets, rayon, &touche), autre, ecart }
+        Jugement { certaine: simple.est_certaine(rayon, &touche), autre, ecart }
     };
-    rayons.iter().map(jugement).collect()
+    Ok(rayons.iter().map(jugement).collect())
 }
 
 /// How many of the judged rays are what.

@@ -108,17 +108,17 @@ fn de_boite(boite: &BoiteRay, rayon: &Rayon) -> Intervalle {
             let lent = 1.0 / (vitesse - VUE_VITESSE * f64::U);
             (autour(e, jeu, lent, vite), autour(s, jeu, lent, vite))
         } else {
-            // Which way the ray goes is unknown. It comes to either face no sooner than so.
-            let (dehors, dedans) = (e.max(-s) - jeu, (-e).min(s) - jeu);
-            if dehors > 0.0 {
-                let jamais = Intervalle { bas: -f64::INFINI, haut: f64::INFINI };
-                (Intervalle { bas: dehors * vite * AVANT, haut: f64::INFINI }, jamais)
-            } else if dedans > 0.0 {
-                let pas_avant = dedans * vite * AVANT;
-                let entree = Intervalle { bas: -f64::INFINI, haut: -pas_avant };
-                (entree, Intervalle { bas: pas_avant, haut: f64::INFINI })
-            } else {
+            // Which way the ray goes is unknown; it comes to neither face sooner than so.
+            let sous = s.min(-e);
+            let loin = (sous.abs() - jeu) * vite * AVANT;
+            if loin <= 0.0 {
                 return Intervalle::INCONNU;
+            }
+            let (avant, apres) = (-f64::INFINI, f64::INFINI);
+            if sous > 0.0 {
+                (Intervalle { bas: avant, haut: -loin }, Intervalle { bas: loin, haut: apres })
+            } else {
+                (Intervalle { bas: loin, haut: apres }, Intervalle { bas: avant, haut: apres })
             }
         };
         entree = Intervalle { bas: entree.bas.max(e.bas), haut: entree.haut.max(e.haut) };

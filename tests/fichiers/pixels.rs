@@ -39,7 +39,8 @@ fn un_pixel_faux_etait_incertain() {
         let rayons = scene.camera.rayons().unwrap();
         let voisins = rayons.windows(2).map(|paire| [paire[0], paire[1]]);
         let bords: Vec<_> = voisins.filter_map(|v| au_bord(&objets, v)).flatten().collect();
-        let [image, bord] = [&rayons, &bords].map(|rayons| compter(&juger(&objets, rayons)));
+        let [image, bord] =
+            [&rayons, &bords].map(|rayons| compter(&juger(&objets, rayons).unwrap()));
         assert_eq!((image.tues, bord.tues), (0, 0), "{nom}: {image:?} {bord:?}");
         lignes += &format!(
             "| {nom} | {} | {} | {} | {} | {} | {} | {} |\n",

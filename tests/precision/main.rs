@@ -1,6 +1,7 @@
 //! What `docs/precision.md` promises, against an oracle in exact integers.
 
 mod adversaire;
+mod certificat;
 mod certitude;
 mod conclusion;
 mod constantes;

@@ -1,0 +1,163 @@
+//! The certificate of a scene: where `est_certaine` says yes, exact arithmetic names the same object first, or none.
+//!
+//! `LANCER_RAYON_CAS` sets how many scenes of each kind are judged (300 unless set).
+
+use std::cmp::Ordering;
+
+use commun::oracle::{Exact, verite};
+use commun::regimes::{Cas, direction, entre, regimes};
+use commun::{arrondi, en_f32_et_f64};
+use fastrand::Rng;
+use lancer_rayon::{
+    BoiteGeo, Hierarchie, NoIntersection, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo,
+    Texture, Vecteur, est_certaine, premiere_intersection,
+};
+
+/// The first object of a list in exact arithmetic; of two at one distance the earlier. None beyond the largest number.
+fn premier_exact<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> Option<usize> {
+    let plus_grand = if size_of::<R>() == 4 { f32::MAX.into() } else { f64::MAX };
+    let plus_grand = Exact::de(plus_grand);
+    let mut premier: Option<(usize, Exact)> = None;
+    for (i, objet) in objets.iter().enumerate() {
+        let Some(entree) = verite(objet, rayon).entree else { continue };
+        let avant = premier.as_ref().map_or(&plus_grand, |(_, t)| t);
+        // The oracle rounds to 256 bits: a tie is a tie.
+        if (&entree.t - avant).signe() == Ordering::Less {
+            premier = Some((i, entree.t));
+        }
+    }
+    premier.map(|(i, _)| i)
+}
+
+/// Judges the answer of a list to a ray, by itself and by a hierarchy of it, and two answers that are wrong; whether it
+/// is certain.
+fn juger<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> bool {
+    let touche = premiere_intersection(objets, rayon);
+    let mut places = vec![0.0; Hierarchie::places(objets.len())];
+    let hierarchie = Hierarchie::new(objets, &mut places).unwrap();
+    let exact = premier_exact(objets, rayon);
+    let certaine = est_certaine(objets, rayon, &touche);
+    let contexte = || format!("{touche:?}, but {exact:?}: {objets:?} {rayon:?}");
+    let dite = touche.ok().map(|touche| touche.objet());
+    assert!(!certaine || dite == exact, "{}", contexte());
+    let par_l_arbre = hierarchie.est_certaine(rayon, &touche);
+    assert!(!par_l_arbre || dite == exact, "by the tree: {}", contexte());
+    // The tree leaves out what the list must look at.
+    assert!(par_l_arbre || !certaine, "less certain by the tree: {}", contexte());
+    // What would be first without the first is wrong, and so is a miss.
+    if let Some(exact) = exact {
+        let suivante = hierarchie.sans(exact).premiere_intersection(rayon);
+        for fausse in [suivante, Err(NoIntersection)] {
+            assert!(!est_certaine(objets, rayon, &fausse), "{fausse:?}: {}", contexte());
+            assert!(!hierarchie.est_certaine(rayon, &fausse), "tree, {fausse:?}: {}", contexte());
+        }
+    }
+    certaine
+}
+
+/// An object with another number, moved by a few units in the last place or by nothing.
+fn presque<R: Reel>(objet: &ObjetRay<R>, alea: &mut Rng) -> ObjetRay<R> {
+    let mut peu = |x: R| {
+        let k = if alea.bool() { 0.0 } else { f64::from(alea.i8(-3..=3)) };
+        R::depuis_f64(x.vers_f64() * (1.0 + k * 2.0 * R::U.vers_f64()))
+    };
+    let texture = Texture(1);
+    let autre = match objet {
+        ObjetRay::Sphere(s) => SphereGeo::new(s.centre(), peu(s.rayon()), texture).map(Into::into),
+        ObjetRay::Plan(p) => {
+            let ou = p.normale() * -p.distance();
+            PlanGeo::par_un_point(Vecteur::new(peu(ou.x), ou.y, ou.z), p.normale(), texture)
+                .map(Into::into)
+        }
+        ObjetRay::Boite(b) => {
+            let rotation = Rotation::depuis_matrice(b.normales().map(<[R; 3]>::from)).unwrap();
+            let [a, c, d] = b.demi_longueurs().map(|l| l + l);
+            let centre = Vecteur::new(peu(b.centre().x), b.centre().y, b.centre().z);
+            BoiteGeo::new(centre, Vecteur::new(peu(a), c, d), rotation, texture).map(Into::into)
+        }
+    };
+    autre.unwrap_or(*objet)
+}
+
+/// The hard cases of each shape, with twins in front and behind, which enter at nearly one distance.
+fn des_jumeaux<R: Reel>() {
+    let mut alea = Rng::with_seed(70);
+    let (mut certaines, mut incertaines) = (0, 0);
+    for regime in regimes::<R>() {
+        for _ in 0..commun::cas(300) / 4 {
+            let Cas { objet, rayon } = (regime.cas)(&mut alea);
+            let mut objets = vec![objet];
+            // Some with enough for a tree.
+            for _ in 0..[1, 3, 12][alea.usize(..3)] {
+                objets.push(presque(&objet, &mut alea));
+            }
+            alea.shuffle(&mut objets);
+            let certaine = juger(&objets, &rayon);
+            certaines += u32::from(certaine);
+            incertaines += u32::from(!certaine);
+        }
+    }
+    println!("{certaines} certain, {incertaines} not");
+    assert!(certaines > incertaines / 10 && incertaines > certaines / 10);
+}
+
+/// Cubes side by side, and rays along axes and in the planes of their sides, straight and almost so.
+fn des_cubes<R: Reel>() {
+    let mut alea = Rng::with_seed(71);
+    let mut certaines = 0;
+    for _ in 0..commun::cas(300) {
+        let cote = [1.0, 0.5, 0.1, 0.3][alea.usize(..4)];
+        let mut objets: Vec<ObjetRay<R>> = Vec::new();
+        for i in 0..27_u32 {
+            if alea.u8(..4) == 0 {
+                continue;
+            }
+            let [x, y, z] = [i % 3, i / 3 % 3, i / 9].map(|k| f64::from(k) * cote);
+            let (centre, cotes) = (Vecteur::new(x, y, z), Vecteur::new(cote, cote, cote));
+            let boite =
+                BoiteGeo::new(arrondi(centre), arrondi(cotes), Rotation::IDENTITE, Texture(i));
+            objets.push(boite.unwrap().into());
+        }
+        let grille = |alea: &mut Rng| f64::from(alea.i8(-2..=6)) * 0.5 * cote;
+        let source = Vecteur::new(grille(&mut alea), grille(&mut alea), 5.0 * cote);
+        let pente = |alea: &mut Rng| {
+            [0.0, 0.0, 1e-9, -1e-17, 1e-300, 0.25, entre(alea, -0.3, 0.3)][alea.usize(..7)]
+        };
+        let vers = Vecteur::new(pente(&mut alea), pente(&mut alea), -1.0);
+        let rayon = Rayon::new(arrondi(source), arrondi(vers)).unwrap();
+        certaines += u32::from(juger(&objets, &rayon));
+    }
+    println!("{certaines} certain");
+    assert!(certaines > commun::cas(300) / 4);
+}
+
+/// A heap of things on a floor at 0, most of its rays clear.
+fn un_tas<R: Reel>() {
+    let mut alea = Rng::with_seed(72);
+    let haut = arrondi(Vecteur::new(0.0, 1.0, 0.0));
+    let mut objets: Vec<ObjetRay<R>> =
+        vec![PlanGeo::par_un_point(Vecteur::NUL, haut, Texture(0)).unwrap().into()];
+    for i in 1..40 {
+        let ou = arrondi(direction(&mut alea) * 3.0 + Vecteur::new(0.0, 2.0, 0.0));
+        let r = R::depuis_f64(entre(&mut alea, 0.1, 1.0));
+        objets.push(if i % 2 == 0 {
+            SphereGeo::new(ou, r, Texture(i)).unwrap().into()
+        } else {
+            let tour = Rotation::new(arrondi(direction(&mut alea) * 3.0)).unwrap();
+            BoiteGeo::new(ou, Vecteur::new(r, r, r + r), tour, Texture(i)).unwrap().into()
+        });
+    }
+    let mut certaines = 0;
+    for _ in 0..commun::cas(300) {
+        let source = direction(&mut alea) * 9.0 + Vecteur::new(0.0, 9.0, 0.0);
+        let vers = direction(&mut alea) * 3.0 + Vecteur::new(0.0, 2.0, 0.0) - source;
+        let rayon = Rayon::new(arrondi(source), arrondi(vers)).unwrap();
+        certaines += u32::from(juger(&objets, &rayon));
+    }
+    // None of these is near to any decision.
+    assert_eq!(certaines, commun::cas(300));
+}
+
+en_f32_et_f64!(des_jumeaux);
+en_f32_et_f64!(des_cubes);
+en_f32_et_f64!(un_tas);
