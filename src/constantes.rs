@@ -7,7 +7,7 @@ pub use crate::hierarchie::repere::{JEU_F32, JEU_TOUCHE};
 pub use crate::hierarchie::sonde::{ENTREE_AVANT, JEU_BLOC, JEU_FIXE};
 pub use crate::jugement::ERREUR_ARRONDIE;
 pub use crate::jugement::coup_d_oeil::{
-    VUE_DISTANCE, VUE_HAUTEUR, VUE_LONGUEUR, VUE_QUOTIENT, VUE_SPHERE, VUE_VITESSE,
+    VUE_DISTANCE, VUE_HAUTEUR, VUE_LONGUEUR, VUE_QUOTIENT, VUE_SPHERE, VUE_VITESSE, coup_d_oeil,
 };
 pub use crate::jugement::loupe::ECART_ARRONDI;
 pub use crate::lot::faisceau::{COURT, COURT_M, JEU_BOULE, ORIGINES, PENTE};

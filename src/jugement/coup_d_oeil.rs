@@ -14,22 +14,22 @@ use crate::sphere::{SphereRay, Termes};
 use crate::vecteur::Vecteur;
 
 /// |CP|² − r² and AB² decide beyond so many u of |f|² + r² (lemma 22).
-pub const VUE_SPHERE: f64 = 24.0;
+pub const VUE_SPHERE: f64 = 19.0;
 
 /// What the distance to a sphere is off by, in u·(t + r)·r/AB (lemma 22).
-pub const VUE_DISTANCE: f64 = 22.0;
+pub const VUE_DISTANCE: f64 = 20.0;
 
 /// What the height over a half-space is off by, in u·⟨N, S⟩ (lemma 22).
-pub const VUE_HAUTEUR: f64 = 3.5;
+pub const VUE_HAUTEUR: f64 = 3.1;
 
 /// What a length of a box is off by, in u of the sums of |f_i| and of the half-lengths (lemma 22).
-pub const VUE_LONGUEUR: f64 = 6.0;
+pub const VUE_LONGUEUR: f64 = 5.5;
 
 /// What a speed towards a flat face is off by, in u (lemma 22).
-pub const VUE_VITESSE: f64 = 3.5;
+pub const VUE_VITESSE: f64 = 3.2;
 
 /// What a quotient and its factors round by, in u of itself (lemma 22).
-pub const VUE_QUOTIENT: f64 = 6.0;
+pub const VUE_QUOTIENT: f64 = 5.5;
 
 /// Entries of a ray.
 impl Intervalle {
@@ -51,7 +51,7 @@ impl Intervalle {
 /// If the ray enters the object, then between these distances; the later one is +∞ unless it
 /// certainly enters, and the earlier one if it never does.
 #[inline(always)]
-pub(crate) fn coup_d_oeil(objet: &ObjetRay, rayon: &Rayon) -> Intervalle {
+pub fn coup_d_oeil(objet: &ObjetRay, rayon: &Rayon) -> Intervalle {
     match objet {
         ObjetRay::Sphere(sphere) => de_sphere(sphere, rayon),
         ObjetRay::Plan(plan) => de_plan(plan, rayon),
@@ -111,14 +111,13 @@ fn de_boite(boite: &BoiteRay, rayon: &Rayon) -> Intervalle {
             // Which way the ray goes is unknown; it comes to neither face sooner than so.
             let sous = s.min(-e);
             let loin = (sous.abs() - jeu) * vite * AVANT;
+            let partout = Intervalle { bas: -f64::INFINI, haut: f64::INFINI };
             if loin <= 0.0 {
-                return Intervalle::INCONNU;
-            }
-            let (avant, apres) = (-f64::INFINI, f64::INFINI);
-            if sous > 0.0 {
-                (Intervalle { bas: avant, haut: -loin }, Intervalle { bas: loin, haut: apres })
+                (partout, partout)
+            } else if sous > 0.0 {
+                (Intervalle { haut: -loin, ..partout }, Intervalle { bas: loin, ..partout })
             } else {
-                (Intervalle { bas: loin, haut: apres }, Intervalle { bas: avant, haut: apres })
+                (Intervalle { bas: loin, ..partout }, partout)
             }
         };
         entree = Intervalle { bas: entree.bas.max(e.bas), haut: entree.haut.max(e.haut) };

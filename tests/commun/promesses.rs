@@ -2,7 +2,7 @@
 //! takes. Random cases (`tests/precision/promesses.rs`), a search that climbs (`adversaire.rs`) and the tables of the
 //! pages (`benches/comparaison`) all ask these.
 
-use lancer_rayon::constantes::PUISSANCE_PERDUE;
+use lancer_rayon::constantes::{self, PUISSANCE_PERDUE};
 use lancer_rayon::{Intersection, ObjetRay, Rayon, Reel, Texture, Vecteur, premiere_intersection};
 
 use crate::arrondi;
@@ -39,7 +39,7 @@ pub struct Promesse<R> {
 }
 
 /// All of them that one object and one ray decide.
-pub fn toutes<R: Reel>() -> [Promesse<R>; 12] {
+pub fn toutes<R: Reel>() -> [Promesse<R>; 13] {
     const RONDS: &[Genre] = &[Genre::Sphere];
     const PLATS: &[Genre] = &[Genre::Plan];
     const BORNES: &[Genre] = &[Genre::Sphere, Genre::Boite];
@@ -58,6 +58,7 @@ pub fn toutes<R: Reel>() -> [Promesse<R>; 12] {
         promesse("secondary ray", &Genre::TOUS, secondaire, quelconque),
         promesse("erreur", &Genre::TOUS, erreur, [6.0; 2]),
         promesse("est_sur", &Genre::TOUS, est_sur, quelconque),
+        promesse("a glance", &Genre::TOUS, coup_d_oeil, quelconque),
     ]
 }
 
@@ -276,4 +277,26 @@ pub fn est_sur<R: Reel>(cas: &Essai<R>) -> f64 {
         Some(_) | None if objet.est_sur(&cas.rayon) => ROMPUE,
         Some(_) | None => 1.0,
     }
+}
+
+/// How far the true entry lies from the distance in `f64`, as a part of what a glance leaves on that side.
+pub fn coup_d_oeil<R: Reel>(cas: &Essai<R>) -> f64 {
+    let (objet, rayon) = (cas.objets[0].vers_f64(), cas.rayon.vers_f64());
+    let vue = constantes::coup_d_oeil(&objet, &rayon);
+    let Some(entree) = verite(&objet, &rayon).entree else {
+        return if vue.haut < f64::INFINITY { ROMPUE } else { RIEN };
+    };
+    if vue.bas == f64::INFINITY || entree.ecart(vue.bas) > 0.0 {
+        return ROMPUE;
+    }
+    let Some(t) = objet.intersection(&rayon).ok().map(|touche| touche.distance()) else {
+        return RIEN;
+    };
+    // Else one face alone may have said how early it is.
+    if vue.haut == f64::INFINITY {
+        return RIEN;
+    }
+    let ecart = entree.ecart(t);
+    let (avant, apres) = (t - vue.bas, vue.haut - t);
+    if ecart > 0.0 { ecart / avant } else { -ecart / apres }
 }

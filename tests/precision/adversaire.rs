@@ -537,6 +537,9 @@ rangees! {
     certitude_d_une_sphere: sphere, promesses::est_sur, 60_000, true;
     certitude_d_un_demi_espace: demi_espace, promesses::est_sur, 60_000, true;
     certitude_d_une_boite: boite, promesses::est_sur, 60_000, true;
+    coup_d_oeil_d_une_sphere: sphere, promesses::coup_d_oeil, 60_000, true;
+    coup_d_oeil_d_un_demi_espace: demi_espace, promesses::coup_d_oeil, 60_000, true;
+    coup_d_oeil_d_une_boite: boite, promesses::coup_d_oeil, 60_000, true;
     normale_unitaire_d_une_sphere: sphere, promesses::longueur_de_la_normale, 60_000;
     normale_unitaire_d_un_demi_espace: demi_espace, promesses::longueur_de_la_normale, 60_000;
     normale_unitaire_d_une_boite: boite, promesses::longueur_de_la_normale, 60_000;
