@@ -279,24 +279,22 @@ pub fn est_sur<R: Reel>(cas: &Essai<R>) -> f64 {
     }
 }
 
-/// How far the true entry lies from the distance in `f64`, as a part of what a glance leaves on that side.
+/// A glance that leaves the true entry out is the end; else it is the better, the nearer that is to an end, in u of it.
 pub fn coup_d_oeil<R: Reel>(cas: &Essai<R>) -> f64 {
     let (objet, rayon) = (cas.objets[0].vers_f64(), cas.rayon.vers_f64());
     let vue = constantes::coup_d_oeil(&objet, &rayon);
     let Some(entree) = verite(&objet, &rayon).entree else {
         return if vue.haut < f64::INFINITY { ROMPUE } else { RIEN };
     };
-    if vue.bas == f64::INFINITY || entree.ecart(vue.bas) > 0.0 {
+    if vue.bas == f64::INFINITY {
         return ROMPUE;
     }
-    let Some(t) = objet.intersection(&rayon).ok().map(|touche| touche.distance()) else {
-        return RIEN;
-    };
-    // Else one face alone may have said how early it is.
-    if vue.haut == f64::INFINITY {
-        return RIEN;
+    let apres = -entree.ecart(vue.bas);
+    let avant = if vue.haut < f64::INFINITY { entree.ecart(vue.haut) } else { f64::INFINITY };
+    let (reste, arrondi) = (apres.min(avant), entree.t.vers_f64() * f64::U);
+    if reste < 0.0 {
+        return ROMPUE;
     }
-    let ecart = entree.ecart(t);
-    let (avant, apres) = (t - vue.bas, vue.haut - t);
-    if ecart > 0.0 { ecart / avant } else { -ecart / apres }
+    // Of an entry that no `f64` holds.
+    if arrondi == 0.0 || arrondi == f64::INFINITY { RIEN } else { tenue(reste / arrondi) }
 }
