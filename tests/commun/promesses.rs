@@ -272,7 +272,14 @@ pub fn est_sur<R: Reel>(cas: &Essai<R>) -> f64 {
     let touche = objet.intersection(&cas.rayon).is_ok();
     let plus_grand = plus_grand::<R>();
     match verite.entree {
-        Some(entree) if entree.t.vers_f64() > plus_grand => RIEN,
+        // A distance that the type cannot hold is a miss.
+        Some(entree) if entree.ecart(plus_grand) < 0.0 => {
+            if touche && objet.est_sur(&cas.rayon) {
+                ROMPUE
+            } else {
+                RIEN
+            }
+        }
         ref entree if entree.is_some() == touche => tenue(verite.facteur()),
         Some(_) | None if objet.est_sur(&cas.rayon) => ROMPUE,
         Some(_) | None => 1.0,

@@ -4,7 +4,7 @@
 use commun::en_f32_et_f64;
 use commun::oracle::{norme_au_carre_moins_un, verite};
 use commun::promesses::{Essai, erreur, est_sur};
-use commun::regimes::{Cas, Extreme, entre, regimes};
+use commun::regimes::{Cas, Extreme, direction, entre, regimes};
 use fastrand::Rng;
 use lancer_rayon::{
     BoiteGeo, ErreurGeo, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture, Vecteur,
@@ -59,6 +59,45 @@ fn une_distance_que_le_type_ne_contient_pas_n_est_pas_sure() {
     assert_eq!(mur.intersection(&rayon).unwrap().distance(), f32::MAX);
     let t = verite(&mur, &rayon).entree.unwrap().t.vers_f64();
     assert!(t as f32 == f32::INFINI && !mur.est_sur(&rayon), "{t:e}");
+}
+
+/// The same, and the entry lies less than half a unit in the last place beyond the largest number.
+#[test]
+fn une_distance_a_peine_trop_grande_n_est_pas_sure() {
+    let deux = |k: f32| k.exp2();
+    let haut = Vecteur::new(0.0, 0.0, 1.0);
+    let rotation = Rotation::IDENTITE;
+    let mur = ObjetRay::from(PlanGeo::new(rotation, deux(33.0), Texture(0)).unwrap());
+    assert!(matches!(mur, ObjetRay::Plan(plan) if plan.normale() == haut));
+    let source = Vecteur::new(0.0, 0.0, (1.0 - f32::U) * deux(60.0));
+    let rayon = Rayon::new(source, Vecteur::new(1.0, 0.0, -deux(-68.0))).unwrap();
+    assert_eq!(mur.intersection(&rayon).unwrap().distance(), f32::MAX);
+    assert!(verite(&mur, &rayon).entree.unwrap().ecart(f32::MAX) < 0.0 && !mur.est_sur(&rayon));
+    juger(mur, rayon);
+}
+
+/// A ray that passes a turned box by beside an edge, some 2⁻⁵⁰ to 2⁻⁹⁰ of its distance: exactly a miss, and certain.
+#[test]
+fn un_manque_a_cote_d_une_arete_est_sur() {
+    let mut alea = Rng::with_seed(55);
+    let mut manques = 0;
+    for _ in 0..20_000 {
+        let tour = Rotation::new(direction(&mut alea) * 3.0).unwrap();
+        let cotes = Vecteur::new(2.0, 1.0, 3.0);
+        let boite =
+            BoiteGeo::new(direction(&mut alea), cotes, tour, Texture(0)).unwrap().vers_ray();
+        let ([u, v, w], [a, b, c]) = (boite.normales(), boite.demi_longueurs());
+        let arete = boite.centre() + u * a + v * b + w * (c * entre(&mut alea, -0.9, 0.9));
+        let source = arete + u * entre(&mut alea, -3.0, -0.1) + v * entre(&mut alea, 0.1, 3.0);
+        let a_cote = arete + (u + v) * entre(&mut alea, -90.0, -48.0).exp2();
+        let rayon = Rayon::new(source, a_cote - source).unwrap();
+        let boite = ObjetRay::from(boite);
+        if verite(&boite, &rayon).entree.is_none() && boite.intersection(&rayon).is_err() {
+            assert!(boite.est_sur(&rayon), "{boite:?} {rayon:?}");
+            manques += 1;
+        }
+    }
+    assert!(manques > 1_000, "{manques}");
 }
 
 /// Along an axis of a turned box, whose other faces the ray neither nears nor leaves as far as doubled numbers tell:
