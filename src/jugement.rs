@@ -108,7 +108,7 @@ impl<R: Reel> ObjetRay<R> {
     }
 }
 
-/// The largest number of a scalar: an entry beyond it is no hit (C7).
+/// The largest number of a scalar.
 fn plus_grand<R: Reel>() -> f64 {
     R::selon(f32::MAX.into(), f64::MAX)
 }
@@ -165,7 +165,7 @@ pub(crate) struct Certificat<'a, R> {
     double: Rayon,
     /// The first object and its index; `None` of a miss.
     premier: Option<(&'a ObjetRay<R>, usize)>,
-    /// The ray has entered the first object by then; of a miss, the largest number.
+    /// The ray has entered the first object by then; of a miss, the largest number there is.
     fin: f64,
 }
 
@@ -179,7 +179,7 @@ impl<'a, R: Reel> Certificat<'a, R> {
     ) -> Option<Self> {
         let (double, plus_grand) = (rayon.vers_f64(), plus_grand::<R>());
         let Ok(touche) = touche else {
-            return Some(Self { rayon, double, premier: None, fin: plus_grand });
+            return Some(Self { rayon, double, premier: None, fin: f64::MAX });
         };
         let indice = touche.objet();
         let premier = objets.get(indice)?;

@@ -39,12 +39,12 @@ impl Intervalle {
     /// Whether it enters is unknown, and when.
     pub(crate) const INCONNU: Self = Self { bas: 0.0, haut: f64::INFINI };
 
-    /// Whether the ray enters at a distance that is at most the largest number of a type, if that is
-    /// certain.
+    /// Whether the ray enters, if that is certain, and if so at a distance that is at most the largest
+    /// number of a type: an entry beyond it is no hit there, and one in a wider type (C7).
     #[inline(always)]
     pub(crate) fn touche(self, plus_grand: f64) -> Option<bool> {
         let touche = self.haut <= plus_grand;
-        (touche || self.bas > plus_grand).then_some(touche)
+        (touche || self.bas == f64::INFINI).then_some(touche)
     }
 }
 
@@ -80,7 +80,10 @@ fn de_plan(plan: &PlanRay, rayon: &Rayon) -> Intervalle {
     let (hauteur, descente) = plan.hauteur_et_descente(rayon);
     let poids = plan.normale().somme_des_grandeurs(rayon.source());
     let jeu = poids * (VUE_HAUTEUR * f64::U) + 4.0 * f64::MIN_POSITIF;
-    let (lente, vite) = (descente - VUE_VITESSE * f64::U, descente + VUE_VITESSE * f64::U);
+    // A ray that is exactly parallel is so at a glance.
+    let jeu_v = plan.normale().somme_des_grandeurs(rayon.direction()) * (VUE_VITESSE * f64::U);
+    let jeu_v = jeu_v + 4.0 * f64::MIN_POSITIF;
+    let (lente, vite) = (descente - jeu_v, descente + jeu_v);
     if hauteur < -jeu || vite < 0.0 {
         return Intervalle::JAMAIS;
     }
