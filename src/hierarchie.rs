@@ -34,9 +34,9 @@ use crate::rayon::Rayon;
 use crate::recherche::{occulte_sauf, premiere_sauf};
 use crate::reel::Reel;
 
-/// Up to so many spheres and boxes, in `f32` twice as many, the batch is that of the list
+/// Up to so many spheres and boxes, in `f32` and in `f64`, the batch is that of the list
 /// (`docs/performance.md`, "Thresholds"). Of `f32` twice as many go side by side.
-pub(crate) const SEUIL_LOT: usize = 100;
+pub const SEUIL_LOT: (usize, usize) = (200, 100);
 
 /// A list of objects with a hierarchy of boxes around them: the answers of the list, to the bit, in
 /// a time that grows far more slowly than their number. Half-spaces, and objects whose boxes all
@@ -314,7 +314,7 @@ fn en_lot<R: Reel, D: Demande<R>>(
     (hierarchie, demandes, reponses): (&Hierarchie<'_, R>, &[D], &mut [D::Reponse]),
 ) -> Result<(), LongueursDifferentes> {
     let Hierarchie { objets, arbre, sauf, niveau } = *hierarchie;
-    let Some(arbre) = &arbre.filter(|arbre| arbre.bornes > R::selon(2 * SEUIL_LOT, SEUIL_LOT))
+    let Some(arbre) = &arbre.filter(|arbre| arbre.bornes > R::selon(SEUIL_LOT.0, SEUIL_LOT.1))
     else {
         return repondre(((niveau, objets, sauf), demandes, reponses));
     };

@@ -102,11 +102,9 @@ extern crate std;
 //
 //   seize · reel · compile, niveau · vecteur · texture, erreur · rotation · rayon · double
 //   intersection · forme · sphere, plan, boite · objet · premier · recherche · lot · hierarchie
-//   reglage, constantes
+//   pour_les_tests
 mod boite;
 mod compile;
-#[doc(hidden)]
-pub mod constantes;
 mod double;
 mod erreur;
 mod forme;
@@ -117,11 +115,12 @@ mod lot;
 mod niveau;
 mod objet;
 mod plan;
+#[doc(hidden)]
+pub mod pour_les_tests;
 mod premier;
 mod rayon;
 mod recherche;
 mod reel;
-mod reglage;
 mod rotation;
 mod secondaire;
 mod seize;
@@ -140,8 +139,6 @@ pub use plan::{PlanGeo, PlanRay};
 pub use rayon::Rayon;
 pub use recherche::{est_occulte, premiere_intersection};
 pub use reel::Reel;
-#[doc(hidden)]
-pub use reglage::Reglage;
 pub use rotation::Rotation;
 pub use sphere::{SphereGeo, SphereRay};
 pub use texture::Texture;

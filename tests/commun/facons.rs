@@ -1,8 +1,9 @@
 //! Every way to an answer, with every instruction set of the machine: the list in a batch, the hierarchy ray by
 //! ray and in a batch, shadows of both; each beside the list ray by ray.
 
+use lancer_rayon::pour_les_tests::{Reglage, SEUIL_LOT};
 use lancer_rayon::{
-    Hierarchie, ObjetRay, Rayon, Reel, Reglage, SphereGeo, Texture, Touche, Vecteur, est_occulte,
+    Hierarchie, ObjetRay, Rayon, Reel, SphereGeo, Texture, Touche, Vecteur, est_occulte,
     premiere_intersection,
 };
 
@@ -12,7 +13,7 @@ use crate::conversion::{Bits, mots};
 pub const UN_ARBRE: usize = 8;
 
 /// The fewest objects of which a block walks the tree.
-const UN_BLOC: usize = Reglage::SEUIL_LOT + 1;
+const UN_BLOC: usize = SEUIL_LOT.0 + 1;
 
 /// The number so many units in the last place away.
 pub fn voisin<R: Bits>(x: R, de: i64) -> R {

@@ -10,9 +10,10 @@ use commun::facons::{UN_ARBRE, comparer, voisin};
 use commun::regimes::{deux_puissance, direction, entre, signe};
 use commun::{Bits, arrondi, en_f32_et_f64, scenes};
 use fastrand::Rng;
+use lancer_rayon::pour_les_tests::noeuds;
 use lancer_rayon::{
     BoiteGeo, Hierarchie, LongueursDifferentes, NoIntersection, ObjetGeo, ObjetRay,
-    PlacesInsuffisantes, PlanGeo, Rayon, Reel, Reglage, Rotation, SphereGeo, Texture, Vecteur,
+    PlacesInsuffisantes, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture, Vecteur,
     premiere_intersection,
 };
 
@@ -335,8 +336,8 @@ fn des_geants_parmi_des_petits<R: Bits>() {
         let hierarchie = Hierarchie::new(&objets, &mut places).unwrap();
         if grands + petits as u32 == 272 {
             // The giants, sixteen leaves and a root; without giants, or with fewer, 17 + 2 + 1.
-            let noeuds = if grands == 5 { 20 } else { 18 };
-            assert_eq!(Reglage::noeuds(&hierarchie), noeuds, "{grands} giants");
+            let voulus = if grands == 5 { 20 } else { 18 };
+            assert_eq!(noeuds(&hierarchie), voulus, "{grands} giants");
         }
     }
     assert!(touches > 100, "only {touches} hits");
@@ -391,7 +392,7 @@ fn des_demi_espaces_et_peu_d_autres<R: Bits>() {
             // Without a tree a comparison is of the list with itself.
             let mut places = vec![0.0; Hierarchie::places(n)];
             let hierarchie = Hierarchie::new(&objets, &mut places).unwrap();
-            assert_eq!(Reglage::noeuds(&hierarchie) > 0, bornes == UN_ARBRE);
+            assert_eq!(noeuds(&hierarchie) > 0, bornes == UN_ARBRE);
         }
     }
 }
@@ -410,7 +411,7 @@ fn les_demi_espaces_ont_leur_place<R: Bits>() {
         for debut in 0..16 {
             let places = &mut places[debut..debut + necessaires];
             let hierarchie = Hierarchie::new(objets, places).unwrap();
-            assert_eq!(Reglage::noeuds(&hierarchie) > 0, bornes >= UN_ARBRE);
+            assert_eq!(noeuds(&hierarchie) > 0, bornes >= UN_ARBRE);
             for rayon in &rayons {
                 let attendue = mots(&premiere_intersection(objets, rayon));
                 assert_eq!(mots(&hierarchie.premiere_intersection(rayon)), attendue);

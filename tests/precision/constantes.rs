@@ -20,7 +20,7 @@
 use crate::intervalle::{Intervalle, de_a, portee};
 use commun::tolerances::{ORTHONORMALE, bandes, promesses};
 use lancer_rayon::Reel;
-use lancer_rayon::constantes::*;
+use lancer_rayon::pour_les_tests::*;
 
 /// u of `f32` and of `f64`.
 const U: [f64; 2] = [f32::EPSILON as f64 / 2.0, f64::EPSILON / 2.0];
