@@ -1,9 +1,9 @@
 //! The box (handout §2.2, §3 and annex A.3).
 
-use crate::erreur::{ErreurGeo, coefficient, deplacement, point, taille};
 use crate::forme::{Boule, Forme};
 use crate::rayon::Rayon;
 use crate::reel::{Reel, puissance_de_deux};
+use crate::refus::{ErreurGeo, coefficient, deplacement, point, taille};
 use crate::rotation::Rotation;
 use crate::texture::Texture;
 use crate::vecteur::Vecteur;
@@ -274,7 +274,7 @@ impl<R: Reel> Forme<R> for BoiteRay<R> {
     }
 
     #[inline(always)]
-    fn normale(&self, rayon: &Rayon<R>, _: R) -> (Vecteur<R>, R) {
+    fn plan_tangent(&self, rayon: &Rayon<R>, _: R) -> (Vecteur<R>, R) {
         let (_, axe, _) = self.dalles(rayon);
         let [x, y, z] = self.paires();
         // No index, so that rays side by side may choose differently; and once, since to carry the
@@ -325,6 +325,6 @@ impl<R: Reel> Quotient<R> {
     }
 }
 
-crate::erreur::lu_par_new! {
+crate::refus::lu_par_new! {
     BoiteGeo { centre: Vecteur<R>, dimensions: Vecteur<R>, rotation: Rotation<R> = default, texture: Texture }
 }

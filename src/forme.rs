@@ -22,7 +22,7 @@ pub const VERS_LE_HAUT: f64 = 10.0;
 /// A margin is larger by this length, in `f32` and in `f64`: more than is lost below the normal
 /// numbers (lemma 7), and so much that neither a margin nor a start over a floor through O is a
 /// subnormal number, with which processors compute up to a hundred times as long.
-pub const SEUIL: (f64, f64) = (puissance_de_deux(-100), puissance_de_deux(-900));
+pub const PLANCHER: (f64, f64) = (puissance_de_deux(-100), puissance_de_deux(-900));
 
 /// A normal that does not face the source is leaned towards it by so many u (lemma 6).
 pub const PENCHE: f64 = 14.0;
@@ -56,10 +56,10 @@ pub(crate) trait Forme<R: Reel>: Copy {
     /// The unit outward normal N of the entry at distance `t`, and how far along N the surface lies
     /// there from the centre of the ball; computed without a branch. Where rounding has lost N or
     /// brought N·D to 0 or above, [`vers_la_source`] replaces it.
-    fn normale(&self, rayon: &Rayon<R>, t: R) -> (Vecteur<R>, R);
+    fn plan_tangent(&self, rayon: &Rayon<R>, t: R) -> (Vecteur<R>, R);
 
     /// How high the point P of a hit may lie over the surface there, for what
-    /// [`normale`](Self::normale) said of it. This definition is that of a flat face.
+    /// [`plan_tangent`](Self::plan_tangent) said of it. This definition is that of a flat face.
     #[inline(always)]
     fn hauteur(&self, p: Vecteur<R>, n: Vecteur<R>, du_centre: R) -> Hauteur<R> {
         let cp = p - self.boule().centre;
@@ -78,14 +78,14 @@ pub(crate) trait Forme<R: Reel>: Copy {
     /// margin, the call would cost a ray alone up to 40 % (measured).
     #[cold]
     fn contact_penche(&self, rayon: &Rayon<R>, t: R) -> Contact<R> {
-        let (n, du_centre) = self.normale(rayon, t);
+        let (n, du_centre) = self.plan_tangent(rayon, t);
         self.contact_en(rayon.point(t), vers_la_source(n, rayon.direction()), du_centre)
     }
 
     /// The same without a branch, of the normal as it is; and whether that normal faces the source.
     #[inline(always)]
     fn contact(&self, rayon: &Rayon<R>, t: R) -> (Contact<R>, bool) {
-        let (n, du_centre) = self.normale(rayon, t);
+        let (n, du_centre) = self.plan_tangent(rayon, t);
         let de_face = n.produit_scalaire(rayon.direction()) < R::ZERO;
         (self.contact_en(rayon.point(t), n, du_centre), de_face)
     }
@@ -99,7 +99,7 @@ pub(crate) trait Forme<R: Reel>: Copy {
         let marge = b + l * fois_u(2.0 * ARRONDI_HAUTEUR);
         // A NaN comes from an overflow.
         let marge =
-            marge + marge * fois_u(VERS_LE_HAUT) + R::depuis_f64(R::selon(SEUIL.0, SEUIL.1));
+            marge + marge * fois_u(VERS_LE_HAUT) + R::depuis_f64(R::selon(PLANCHER.0, PLANCHER.1));
         Contact { normale, marge: min(marge, R::INFINI) }
     }
 }

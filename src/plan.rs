@@ -1,9 +1,9 @@
 //! The plane, which is a solid half-space (handout §2.2, §3 and annex A.1).
 
-use crate::erreur::{ErreurGeo, coefficient, coordonnee, deplacement, fini, point, refus_nul};
 use crate::forme::{Boule, Forme};
 use crate::rayon::Rayon;
 use crate::reel::Reel;
+use crate::refus::{ErreurGeo, coefficient, coordonnee, deplacement, fini, point, refus_nul};
 use crate::rotation::Rotation;
 use crate::texture::Texture;
 use crate::vecteur::Vecteur;
@@ -198,11 +198,11 @@ impl<R: Reel> Forme<R> for PlanRay<R> {
     }
 
     #[inline(always)]
-    fn normale(&self, _: &Rayon<R>, _: R) -> (Vecteur<R>, R) {
+    fn plan_tangent(&self, _: &Rayon<R>, _: R) -> (Vecteur<R>, R) {
         (self.normale, -self.distance)
     }
 }
 
-crate::erreur::lu_par_new! {
+crate::refus::lu_par_new! {
     PlanGeo { rotation: Rotation<R> = default, distance: R, texture: Texture }
 }

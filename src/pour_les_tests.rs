@@ -5,6 +5,8 @@
 use fearless_simd::Level;
 
 use crate::hierarchie::Hierarchie;
+use crate::hierarchie::construction::Arbre;
+use crate::hierarchie::noeud::{VIDE, en_mot};
 use crate::lot::bloc::Bloc;
 use crate::niveau::meilleur_niveau;
 use crate::objet::ObjetRay;
@@ -12,7 +14,7 @@ use crate::rayon::Rayon;
 use crate::reel::Reel;
 
 pub use crate::double::{BORNE_DOUBLE, Double, Intervalle, PERTE_DOUBLE, PRODUIT_DOUBLE};
-pub use crate::forme::{ARRONDI_HAUTEUR, PENCHE, RETRAIT, SEUIL, VERS_LE_HAUT};
+pub use crate::forme::{ARRONDI_HAUTEUR, PENCHE, PLANCHER, RETRAIT, VERS_LE_HAUT};
 pub use crate::hierarchie::SEUIL_LOT;
 pub use crate::hierarchie::repere::{JEU_F32, JEU_TOUCHE};
 pub use crate::hierarchie::sonde::{ENTREE_AVANT, JEU_BLOC, JEU_FIXE};
@@ -66,10 +68,23 @@ impl Reglage {
 pub fn evite<R: Reel>(ombres: &[(Rayon<R>, R)], objet: &ObjetRay<R>) -> bool {
     let mut bloc = Bloc::sans(None);
     bloc.charger(ombres);
-    bloc.faisceau().is_some_and(|faisceau| faisceau.ecart_a(objet.boule()) > R::ZERO)
+    bloc.faisceau().is_some_and(|faisceau| faisceau.degagement(objet.boule()) > R::ZERO)
 }
 
 /// How many nodes the tree of this hierarchy has; 0 if it has none and asks its list.
 pub fn noeuds<R: Reel>(hierarchie: &Hierarchie<'_, R>) -> usize {
     hierarchie.noeuds()
+}
+
+/// This hierarchy as if none of its objects had a box; it needs a number for each.
+pub fn sans_boites<'a, R: Reel>(
+    hierarchie: Hierarchie<'a, R>,
+    indices: &'a mut [f32],
+) -> Hierarchie<'a, R> {
+    for (place, indice) in indices.iter_mut().zip(0..) {
+        *place = en_mot(indice);
+    }
+    let arbre =
+        |arbre| Arbre { noeuds: &[VIDE], feuilles: 1, geants: 0, sans_boite: indices, ..arbre };
+    Hierarchie { arbre: hierarchie.arbre.map(arbre), ..hierarchie }
 }

@@ -1,9 +1,9 @@
 //! The rays that start from a hit: mirrors, glass, shadows, lines of sight (handout, later parts).
 
-use crate::erreur::{ErreurGeo, exiger};
 use crate::intersection::Intersection;
 use crate::rayon::{Rayon, direction_unitaire, source_valide};
 use crate::reel::{Reel, fois_u};
+use crate::refus::{ErreurGeo, exiger};
 use crate::vecteur::Vecteur;
 
 /// A direction within so many u of the tangent plane is turned outward: no N·D rounds by more

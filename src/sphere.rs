@@ -1,9 +1,9 @@
 //! The sphere (handout §2.2, §3 and annex A.2).
 
-use crate::erreur::{ErreurGeo, coefficient, deplacement, point, taille};
 use crate::forme::{Boule, Forme, Hauteur};
 use crate::rayon::Rayon;
 use crate::reel::Reel;
+use crate::refus::{ErreurGeo, coefficient, deplacement, point, taille};
 use crate::rotation::Rotation;
 use crate::texture::Texture;
 use crate::vecteur::Vecteur;
@@ -201,7 +201,7 @@ impl<R: Reel> Forme<R> for SphereRay<R> {
 
     /// CB/|CB|; where CB is lost, 0.
     #[inline(always)]
-    fn normale(&self, rayon: &Rayon<R>, t: R) -> (Vecteur<R>, R) {
+    fn plan_tangent(&self, rayon: &Rayon<R>, t: R) -> (Vecteur<R>, R) {
         // Relative to the source: S + tD − C would lose what S and C have in common.
         let cb = (rayon.source() - self.centre) + rayon.direction() * t;
         let cb2 = cb.longueur_carree();
@@ -234,6 +234,6 @@ impl<R: Reel> Forme<R> for SphereRay<R> {
     }
 }
 
-crate::erreur::lu_par_new! {
+crate::refus::lu_par_new! {
     SphereGeo { centre: Vecteur<R>, rayon: R, texture: Texture }
 }

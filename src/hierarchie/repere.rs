@@ -20,16 +20,16 @@ pub(crate) struct Repere<R> {
 impl<R: Reel> Repere<R> {
     /// The frame of these objects.
     pub(crate) fn autour(objets: &[ObjetRay<R>]) -> Self {
-        let mut portee = R::ZERO;
+        let mut plus_large = R::ZERO;
         let centres = objets.iter().filter_map(|objet| {
             let (c, h) = objet.boite_englobante()?;
-            portee = max(portee, h.norme_1());
+            plus_large = max(plus_large, h.norme_1());
             Some(c.into())
         });
         let [bas, haut] = extremes(centres);
         // K in the middle would need half of this. In the worst case rounding moves K to the last
         // centre.
-        let echelle = R::UN / ((haut - bas).norme_1() + portee * R::depuis_f64(2.0));
+        let echelle = R::UN / ((haut - bas).norme_1() + plus_large * R::depuis_f64(2.0));
         Self { milieu: (bas + haut) * R::depuis_f64(0.5), echelle }
     }
 
@@ -39,7 +39,7 @@ impl<R: Reel> Repere<R> {
         (x - self.milieu) * self.echelle
     }
 
-    /// The box around a bounded object, with the object's part of the [slack](PART_DU_JEU).
+    /// The box around an object that has one, with the object's part of the [slack](PART_DU_JEU).
     pub(crate) fn boite_elargie(self, objet: &ObjetRay<R>) -> Option<(Vecteur<f32>, Vecteur<f32>)> {
         let (c, h) = objet.boite_englobante()?;
         let (c, h) = (self.point(c), h * self.echelle);

@@ -94,7 +94,7 @@ pub const JEU_FIXE: f64 = 13.0;
 /// X; for M, the M·X from which depths count. Both include the slack (`docs/preuves.md`, lemmas
 /// 14 to 17).
 pub(crate) struct SondeDeBloc {
-    plans: [(Vecteur<f32>, f32); 5],
+    faces: [(Vecteur<f32>, f32); 5],
     m: Vecteur<f32>,
     depart: f32,
 }
@@ -104,7 +104,7 @@ impl SondeDeBloc {
     #[inline(always)]
     pub(crate) fn new<R: Reel>(faisceau: &Faisceau<R>, repere: Repere<R>) -> Option<Self> {
         let s0 = repere.point(faisceau.s0);
-        let loin = faisceau.ecart * R::depuis_f64(4.0) + faisceau.portee;
+        let loin = faisceau.etalement * R::depuis_f64(4.0) + faisceau.portee;
         let loin = s0.norme_1() + repere.longueur(loin);
         if simple(loin) > TROP_LOIN {
             return None;
@@ -114,7 +114,7 @@ impl SondeDeBloc {
             |p: Vecteur<R>, w: R| simple(p.produit_scalaire(s0) + (repere.longueur(w) + jeu));
         let (m, w) = faisceau.axe;
         Some(Self {
-            plans: faisceau.plans.map(|(p, w)| (simples(p), limite(p, w))),
+            faces: faisceau.faces.map(|(p, w)| (simples(p), limite(p, w))),
             m: simples(m),
             depart: limite(m, w),
         })
@@ -130,7 +130,7 @@ impl SondeDeBloc {
         plafond: f32,
     ) -> (Membres, Aligne<Colonne<f32>>) {
         let (mut dehors, mut profondeurs) = ([-f32::INFINI; SEIZE], [0.0; SEIZE]);
-        for (p, limite) in self.plans {
+        for (p, limite) in self.faces {
             let (x, y, z) = au_plus_pres(noeud, p);
             for i in 0..SEIZE {
                 let h = p.produit_scalaire(Vecteur::new(x[i], y[i], z[i])) - limite;

@@ -34,11 +34,11 @@ const RAIDE: f64 = 4.0;
 /// that counts.
 pub(crate) struct Faisceau<R> {
     pub(crate) s0: Vecteur<R>,
-    pub(crate) plans: [(Vecteur<R>, R); 5],
+    pub(crate) faces: [(Vecteur<R>, R); 5],
     /// M, a direction along which depths count, and a bound on M·(S − S₀).
     pub(crate) axe: (Vecteur<R>, R),
     /// q, the largest |coordinate| of any S − S₀.
-    pub(crate) ecart: R,
+    pub(crate) etalement: R,
     /// The longest segment; 0 for rays without an end.
     pub(crate) portee: R,
 }
@@ -48,9 +48,9 @@ pub(crate) struct Faisceau<R> {
 /// S₀ and M come from the ray in the middle. U points from the first ray to the eighth, along a row
 /// of pixels: any U is right, this one fits closely.
 #[inline(always)]
-fn axes<R: Reel>([premier, huitieme, milieu]: [Rayon<R>; 3]) -> [Vecteur<R>; 4] {
+fn axes<R: Reel>([depart, huitieme, milieu]: [Rayon<R>; 3]) -> [Vecteur<R>; 4] {
     let m = milieu.direction() * (R::UN - fois_u_simple(COURT_M));
-    let cote = huitieme.direction() - premier.direction();
+    let cote = huitieme.direction() - depart.direction();
     let x = Vecteur::new(R::UN, R::ZERO, R::ZERO);
     let y = Vecteur::new(R::ZERO, R::UN, R::ZERO);
     let u = en_travers(cote, m).or_else(|| en_travers(x, m)).unwrap_or(y);
@@ -63,7 +63,7 @@ impl<R: Reel> Faisceau<R> {
     #[inline(always)]
     pub(crate) fn de_rayons(groupes: &[Groupe<R>], reperes: [Rayon<R>; 3]) -> Option<Self> {
         let axes @ [s0, m, u, v] = axes(reperes);
-        let [u1, u2, v1, v2, moins_mu, ecart] = maxima(
+        let [u1, u2, v1, v2, moins_mu, etalement] = maxima(
             -R::INFINI,
             groupes,
             #[inline(always)]
@@ -83,7 +83,7 @@ impl<R: Reel> Faisceau<R> {
             #[inline(always)]
             |e| (max(e, R::ZERO) + fois_u(PENTE)) / mu,
         );
-        Some(Self::de_pentes::<false>(groupes, axes, pentes, ecart, R::ZERO))
+        Some(Self::de_pentes::<false>(groupes, axes, pentes, etalement, R::ZERO))
     }
 
     /// The beam of the segments from the sources of these rays to the limits of their first objects:
@@ -91,7 +91,7 @@ impl<R: Reel> Faisceau<R> {
     #[inline(always)]
     pub(crate) fn de_segments(groupes: &[Groupe<R>], reperes: [Rayon<R>; 3]) -> Self {
         let axes @ [s0, m, u, v] = axes(reperes);
-        let [s1, s2, s3, s4, l1, l2, l3, l4, profondeur, ecart, portee] = maxima(
+        let [s1, s2, s3, s4, l1, l2, l3, l4, profondeur, etalement, portee] = maxima(
             R::ZERO,
             groupes,
             #[inline(always)]
@@ -109,7 +109,7 @@ impl<R: Reel> Faisceau<R> {
             #[inline(always)]
             |elargi| max(min(elargi / profondeur, raide), -raide),
         );
-        Self::de_pentes::<true>(groupes, axes, pentes, ecart, portee)
+        Self::de_pentes::<true>(groupes, axes, pentes, etalement, portee)
     }
 
     /// The beam whose sides lean from U, −U, V and −V by these slopes against M, around `SEGMENTS` of
@@ -119,7 +119,7 @@ impl<R: Reel> Faisceau<R> {
         groupes: &[Groupe<R>],
         [s0, m, u, v]: [Vecteur<R>; 4],
         [a1, a2, a3, a4]: [R; 4],
-        ecart: R,
+        etalement: R,
         portee: R,
     ) -> Self {
         let [p1, p2, p3, p4] = [(u, a1), (-u, a2), (v, a3), (-v, a4)].map(
@@ -131,7 +131,7 @@ impl<R: Reel> Faisceau<R> {
             },
         );
         // Rays of a camera have one source.
-        let [w1, w2, w3, w4, arriere, avant] = if !SEGMENTS && ecart == R::ZERO {
+        let [w1, w2, w3, w4, arriere, avant] = if !SEGMENTS && etalement == R::ZERO {
             [R::ZERO; 6]
         } else {
             maxima(
@@ -147,15 +147,15 @@ impl<R: Reel> Faisceau<R> {
                 },
             )
         };
-        let jeu = (ecart + portee) * fois_u(ORIGINES);
+        let jeu = (etalement + portee) * fois_u(ORIGINES);
         Self {
             s0,
-            plans: [(p1, w1), (p2, w2), (p3, w3), (p4, w4), (-m, arriere)].map(
+            faces: [(p1, w1), (p2, w2), (p3, w3), (p4, w4), (-m, arriere)].map(
                 #[inline(always)]
                 |(p, w)| (p, w + jeu),
             ),
             axe: (m, avant + jeu),
-            ecart,
+            etalement,
             portee,
         }
     }
@@ -163,14 +163,14 @@ impl<R: Reel> Faisceau<R> {
     /// h² − ρ² − 310u₃₂·(|C − S₀|² + 3q²), where h is how far C lies beyond the farthest of the five
     /// planes, or 0. Above 0 no ray of the beam enters what is in the ball.
     #[inline(always)]
-    pub(crate) fn ecart_a(&self, boule: Boule<R>) -> R {
+    pub(crate) fn degagement(&self, boule: Boule<R>) -> R {
         let sc = boule.centre - self.s0;
         let mut h = R::ZERO;
-        for (p, w) in self.plans {
+        for (p, w) in self.faces {
             h = max(p.produit_scalaire(sc) - w, h);
         }
-        let etendue = R::depuis_f64(3.0) * (self.ecart * self.ecart);
-        h * h - (boule.r2 + (sc.longueur_carree() + etendue) * fois_u_simple(JEU_BOULE))
+        let loin = R::depuis_f64(3.0) * (self.etalement * self.etalement);
+        h * h - (boule.r2 + (sc.longueur_carree() + loin) * fois_u_simple(JEU_BOULE))
     }
 }
 

@@ -10,10 +10,10 @@ const PARTIES: [(&str, &[&str]); 8] = [
     ("Rotations", &["rotation"]),
     ("Objects", &["objet", "sphere", "plan", "boite", "texture"]),
     ("Rays", &["rayon"]),
-    ("Hits, and the rays that start there", &["intersection"]),
-    ("One ray and a list", &["recherche"]),
+    ("Hits, and the rays that start there", &["intersection", "secondaire"]),
+    ("One ray and a list", &["recherche", "jugement"]),
     ("Many rays, many objects", &["lot", "hierarchie"]),
-    ("Errors", &["erreur"]),
+    ("Errors", &["refus"]),
 ];
 
 fn racine() -> &'static Path {

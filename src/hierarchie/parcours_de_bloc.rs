@@ -60,9 +60,9 @@ impl<R: Reel> Arbre<'_, R> {
             None
         };
         if let Some(sonde) = sonde {
-            let ensemble = self.parcourir_ensemble(simd, &sonde, bloc);
-            patience.noter(ensemble);
-            if ensemble {
+            let jusqu_au_bout = self.parcourir_en_bloc(simd, &sonde, bloc);
+            patience.noter(jusqu_au_bout);
+            if jusqu_au_bout {
                 return bloc.ecrire(simd, self.objets, reponses);
             }
         }
@@ -93,13 +93,13 @@ impl<R: Reel> Arbre<'_, R> {
     /// Finds the first object of each ray of a block, in the nodes that its beam crosses. Tells whether it
     /// came to the end: if the rays go too far apart for one walk, what they have found so far stands.
     #[inline(always)]
-    fn parcourir_ensemble<S: Simd, D: Demande<R>>(
+    fn parcourir_en_bloc<S: Simd, D: Demande<R>>(
         &self,
         simd: S,
         sonde: &SondeDeBloc,
         bloc: &mut Bloc<R, D>,
     ) -> bool {
-        for &indice in self.plans {
+        for &indice in self.sans_boite {
             self.proposer(bloc, indice_lu(indice));
         }
         let mut attentes = [RIEN; GRANDE_PILE];
