@@ -272,7 +272,7 @@ fn occulte<R: Reel>((hierarchie, rayon, distance_max): (&Hierarchie<'_, R>, &Ray
     };
     selon_le_niveau!(hierarchie.niveau, simd => {
         let premier = Premier::avant(distance_max);
-        arbre.parcourir(simd, &(*rayon, distance_max), premier, hierarchie.sauf).rang > 0
+        arbre.parcourir(simd, &(*rayon, distance_max), premier, hierarchie.sauf).rang.is_some()
     })
 }
 
@@ -285,7 +285,7 @@ fn certaine<R: Reel>(
     let Some(arbre) = arbre else { return certificat.vient_avant_tous(objets, *sauf) };
     selon_le_niveau!(*niveau, simd => {
         let premier = Premier::avant(certificat.limite());
-        arbre.parcourir(simd, &certificat, premier, *sauf).rang == 0
+        arbre.parcourir(simd, &certificat, premier, *sauf).rang.is_none()
     })
 }
 
@@ -299,13 +299,8 @@ impl<R: Reel> Epreuve<R> for Certificat<'_, R> {
     }
 
     #[inline(always)]
-    fn t(&self, _: &Rayon<R>, objet: &ObjetRay<R>, indice: usize) -> R {
+    fn t(&self, _: &Rayon<R>, objet: &ObjetRay<R>, indice: usize, _: bool) -> R {
         if self.vient_apres(objet, indice) { R::INFINI } else { R::ZERO }
-    }
-
-    #[inline(always)]
-    fn t_si_proche(&self, rayon: &Rayon<R>, objet: &ObjetRay<R>, indice: usize) -> R {
-        self.t(rayon, objet, indice)
     }
 }
 

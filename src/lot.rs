@@ -204,7 +204,7 @@ fn chercher<R: Reel, D: Demande<R>, S: Simd>(
     let faisceau = if capacite > 0 { bloc.faisceau() } else { None };
     let Some(faisceau) = faisceau else {
         for (indice, objet) in objets.iter().enumerate() {
-            bloc.proposer::<true>(objet, indice);
+            bloc.proposer(objet, indice, true);
         }
         return;
     };
@@ -215,7 +215,7 @@ fn chercher<R: Reel, D: Demande<R>, S: Simd>(
         for (numero, (rangee, seize)) in fenetre.iter().zip(proches.chunks(SEIZE)).enumerate() {
             for i in rangee.rencontres(simd, &faisceau) {
                 if let Some(objet) = seize.get(i) {
-                    bloc.proposer::<true>(objet, debut + numero * SEIZE + i);
+                    bloc.proposer(objet, debut + numero * SEIZE + i, true);
                 }
             }
         }

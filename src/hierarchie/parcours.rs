@@ -33,7 +33,7 @@ impl<R: Reel> Arbre<'_, R> {
             let indice = indice_lu(indice);
             if let Some(objet) = self.objets.get(indice)
                 && sauf != Some(indice)
-                && premier.retenir(epreuve.t_si_proche(&copie, objet, indice), indice)
+                && premier.retenir(epreuve.t(&copie, objet, indice, false), indice)
                 && E::UN_SUFFIT
             {
                 return premier;
@@ -70,10 +70,9 @@ impl<R: Reel> Arbre<'_, R> {
                 };
                 while let Some(enfant) = suivant {
                     let indice = indice_lu(indices[enfant]);
-                    // Its ball is not asked: a ray that crosses its box seldom passes the ball by.
                     let objet = self.objets.get(indice);
                     if objet.is_some_and(|objet| {
-                        premier.retenir(epreuve.t(&copie, objet, indice), indice)
+                        premier.retenir(epreuve.t(&copie, objet, indice, true), indice)
                     }) {
                         if E::UN_SUFFIT {
                             return premier;

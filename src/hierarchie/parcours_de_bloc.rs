@@ -75,13 +75,13 @@ impl<R: Reel> Arbre<'_, R> {
                     demandes.iter().zip(bloc.premiers()).zip(reponses)
                 {
                     let rayon = demande.rayon();
-                    if D::UN_SUFFIT && premier.rang == 0 {
+                    if D::UN_SUFFIT && premier.rang.is_none() {
                         premier = dernier.encore(self.objets, rayon, premier);
                     }
-                    if !D::UN_SUFFIT || premier.rang == 0 {
+                    if !D::UN_SUFFIT || premier.rang.is_none() {
                         premier = self.parcourir(simd, demande, premier, bloc.sauf);
                     }
-                    if premier.rang > 0 {
+                    if premier.rang.is_some() {
                         dernier = premier;
                     }
                     *reponse = D::conclure(premier, self.objets, rayon);
@@ -138,7 +138,7 @@ impl<R: Reel> Arbre<'_, R> {
     #[inline(always)]
     fn proposer<D: Demande<R>>(&self, bloc: &mut Bloc<R, D>, indice: usize) {
         if let Some(objet) = self.objets.get(indice) {
-            bloc.proposer::<false>(objet, indice);
+            bloc.proposer(objet, indice, false);
         }
     }
 }

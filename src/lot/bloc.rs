@@ -65,12 +65,12 @@ impl<R: Reel, D: Demande<R>> Bloc<R, D> {
     }
 
     /// For each ray that enters this object, at this index of the list, before its first so far:
-    /// makes it its first. `EN_ORDRE` promises that objects come in the order of the list.
+    /// makes it its first. `en_ordre` promises that objects come in the order of the list.
     ///
     /// The shape is copied: nothing that is written to a group can overlap it, so that the compiler
     /// need not read it again for every ray.
     #[inline(always)]
-    pub(crate) fn proposer<const EN_ORDRE: bool>(&mut self, objet: &ObjetRay<R>, indice: usize) {
+    pub(crate) fn proposer(&mut self, objet: &ObjetRay<R>, indice: usize, en_ordre: bool) {
         if self.sauf == Some(indice) {
             return;
         }
@@ -78,7 +78,7 @@ impl<R: Reel, D: Demande<R>> Bloc<R, D> {
         par_forme!(ObjetRay, objet, forme => {
             let forme = *forme;
             for groupe in &mut self.groupes[..groupes] {
-                groupe.proposer::<EN_ORDRE>(&forme, rang, D::UN_SUFFIT);
+                groupe.proposer(&forme, rang, en_ordre, D::UN_SUFFIT);
             }
         });
     }

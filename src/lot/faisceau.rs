@@ -83,7 +83,7 @@ impl<R: Reel> Faisceau<R> {
             #[inline(always)]
             |e| (max(e, R::ZERO) + fois_u(PENTE)) / mu,
         );
-        Some(Self::de_pentes::<false>(groupes, axes, pentes, etalement, R::ZERO))
+        Some(Self::de_pentes(groupes, axes, pentes, etalement, None))
     }
 
     /// The beam of the segments from the sources of these rays to the limits of their first objects:
@@ -109,19 +109,20 @@ impl<R: Reel> Faisceau<R> {
             #[inline(always)]
             |elargi| max(min(elargi / profondeur, raide), -raide),
         );
-        Self::de_pentes::<true>(groupes, axes, pentes, etalement, portee)
+        Self::de_pentes(groupes, axes, pentes, etalement, Some(portee))
     }
 
-    /// The beam whose sides lean from U, −U, V and −V by these slopes against M, around `SEGMENTS` of
-    /// lengths up to `portee`, or around rays that no side faces.
+    /// The beam whose sides lean from U, −U, V and −V by these slopes against M, around segments
+    /// of lengths up to `portee`, or without one around rays that no side faces.
     #[inline(always)]
-    fn de_pentes<const SEGMENTS: bool>(
+    fn de_pentes(
         groupes: &[Groupe<R>],
         [s0, m, u, v]: [Vecteur<R>; 4],
         [a1, a2, a3, a4]: [R; 4],
         etalement: R,
-        portee: R,
+        portee: Option<R>,
     ) -> Self {
+        let segments = portee.is_some();
         let [p1, p2, p3, p4] = [(u, a1), (-u, a2), (v, a3), (-v, a4)].map(
             #[inline(always)]
             |(axe, pente)| {
@@ -131,7 +132,7 @@ impl<R: Reel> Faisceau<R> {
             },
         );
         // Rays of a camera have one source.
-        let [w1, w2, w3, w4, arriere, avant] = if !SEGMENTS && etalement == R::ZERO {
+        let [w1, w2, w3, w4, arriere, avant] = if !segments && etalement == R::ZERO {
             [R::ZERO; 6]
         } else {
             maxima(
@@ -140,13 +141,14 @@ impl<R: Reel> Faisceau<R> {
                 #[inline(always)]
                 |rayon, t| {
                     let s = rayon.source() - s0;
-                    let l = if SEGMENTS { s + rayon.direction() * t } else { s };
+                    let l = if segments { s + rayon.direction() * t } else { s };
                     let (w1, w2) = (plus_loin_le_long(p1, s, l), plus_loin_le_long(p2, s, l));
                     let (w3, w4) = (plus_loin_le_long(p3, s, l), plus_loin_le_long(p4, s, l));
                     [w1, w2, w3, w4, plus_loin_le_long(-m, s, l), m.produit_scalaire(s)]
                 },
             )
         };
+        let portee = portee.unwrap_or(R::ZERO);
         let jeu = (etalement + portee) * fois_u(ORIGINES);
         Self {
             s0,
