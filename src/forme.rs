@@ -62,6 +62,7 @@ pub(crate) trait Forme<R: Reel>: Copy {
     /// [`plan_tangent`](Self::plan_tangent) said of it. This definition is that of a flat face.
     #[inline(always)]
     fn hauteur(&self, p: Vecteur<R>, n: Vecteur<R>, du_centre: R) -> Hauteur<R> {
+        // M2: the centre of a half-space is O.
         let cp = p - self.boule().centre;
         let hauteur = n.produit_scalaire(cp) - du_centre;
         Hauteur { b: hauteur.abs(), l: n.somme_des_grandeurs(cp) }
@@ -97,7 +98,7 @@ pub(crate) trait Forme<R: Reel>: Copy {
     fn contact_en(&self, p: Vecteur<R>, normale: Vecteur<R>, du_centre: R) -> Contact<R> {
         let Hauteur { b, l } = self.hauteur(p, normale, du_centre);
         let marge = b + l * fois_u(2.0 * ARRONDI_HAUTEUR);
-        // A NaN comes from an overflow.
+        // M4. A NaN comes from an overflow.
         let marge =
             marge + marge * fois_u(VERS_LE_HAUT) + R::depuis_f64(R::selon(PLANCHER.0, PLANCHER.1));
         Contact { normale, marge: min(marge, R::INFINI) }
@@ -119,7 +120,7 @@ pub(crate) struct Hauteur<R> {
 /// is left of N, −D faces the source.
 #[cold]
 fn vers_la_source<R: Reel>(n: Vecteur<R>, d: Vecteur<R>) -> Vecteur<R> {
-    let unitaire = d / d.longueur();
+    let unitaire = d / d.longueur(); // S8
     let travers = (n - unitaire * n.produit_scalaire(unitaire)).unitaire();
     let penchee = travers.and_then(|n| (n - unitaire * fois_u(PENCHE)).unitaire());
     penchee.filter(|n| n.produit_scalaire(d) < R::ZERO).unwrap_or(-unitaire)
@@ -145,9 +146,9 @@ impl<R: Reel> Boule<R> {
     pub(crate) fn approchee(self, rayon: &Rayon<R>) -> bool {
         let sc = self.centre - rayon.source();
         let sa = sc.produit_scalaire(rayon.direction());
-        // One comparison, which the compiler cannot split into two branches. C behind the source
-        // is no nearer than the source.
-        let sa = max(sa, R::ZERO);
+        // C behind the source is no nearer than the source.
+        let sa = max(sa, R::ZERO); // O1
+        // One comparison (O2), which the compiler cannot split into two branches.
         sc.longueur_carree() * (R::UN - fois_u_simple(RETRAIT)) - sa * sa <= self.r2
     }
 }

@@ -205,6 +205,7 @@ impl<R: Reel> ObjetRay<R> {
     #[must_use]
     pub fn etendue(&self) -> Option<[Vecteur<R>; 2]> {
         let (c, h) = self.boite_englobante()?;
+        // E1
         let jeu = h.norme_1() * fois_u(ETENDUE) + c.norme_1() * fois_u(2.0);
         let h = h + Vecteur::new(jeu, jeu, jeu);
         Some([c - h, c + h])

@@ -164,6 +164,7 @@ impl<R: Reel> PlanRay<R> {
     #[inline(always)]
     pub(crate) fn hauteur_et_descente(&self, rayon: &Rayon<R>) -> (R, R) {
         let hauteur = self.normale.produit_scalaire(rayon.source()) + self.distance;
+        // H1
         (hauteur, -self.normale.produit_scalaire(rayon.direction()))
     }
 }
@@ -183,13 +184,14 @@ impl<R: Reel> Forme<R> for PlanRay<R> {
     #[inline(always)]
     fn peut_entrer(&self, rayon: &Rayon<R>) -> bool {
         let (hauteur, descente) = self.hauteur_et_descente(rayon);
-        (descente > R::ZERO) & (hauteur > R::ZERO)
+        (descente > R::ZERO) & (hauteur > R::ZERO) // H2
     }
 
     /// t = (−d − N·S)/(N·D).
     #[inline(always)]
     fn t(&self, rayon: &Rayon<R>) -> R {
         let (hauteur, descente) = self.hauteur_et_descente(rayon);
+        // H3
         if self.peut_entrer(rayon) { hauteur / descente } else { R::INFINI }
     }
 

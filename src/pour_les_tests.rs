@@ -23,7 +23,7 @@ pub use crate::jugement::coup_d_oeil::{
     VUE_DISTANCE, VUE_HAUTEUR, VUE_LONGUEUR, VUE_QUOTIENT, VUE_SPHERE, VUE_VITESSE, coup_d_oeil,
 };
 pub use crate::jugement::loupe::ECART_ARRONDI;
-pub use crate::lot::faisceau::{COURT, COURT_M, JEU_BOULE, ORIGINES, PENTE};
+pub use crate::lot::faisceau::{COURT, COURT_OMEGA, JEU_BOULE, ORIGINES, PENTE};
 pub use crate::objet::ETENDUE;
 pub use crate::rayon::DEJA_UNITAIRE;
 pub use crate::rotation::DEJA_ORTHONORMALE;

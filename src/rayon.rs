@@ -60,7 +60,7 @@ impl<R: Reel> Rayon<R> {
     #[doc(alias = "at")]
     #[inline(always)]
     pub fn point(&self, distance: R) -> Vecteur<R> {
-        self.source + self.direction * distance
+        self.source + self.direction * distance // M1
     }
 
     /// The same ray in `f64`, exactly: to judge an answer in `f32` by one in `f64`.

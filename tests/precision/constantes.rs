@@ -661,7 +661,7 @@ fn lemme_11_boule() {
 
 #[test]
 fn lemme_12_faisceau() {
-    tenir(COURT_M, |u| et(et(i(D1), i(D1), u), i(1.0), u) * plus(2.0 * COURT_M, u));
+    tenir(COURT_OMEGA, |u| et(et(i(D1), i(D1), u), i(1.0), u) * plus(2.0 * COURT_OMEGA, u));
     // The root of θ₃, its rounding, the quotient and the product.
     tenir(COURT, |u| et(normalise(u), i(1.0), u) * plus(2.0 * COURT, u));
     // (U − aΩ)·D and what rounds it, in u; above 0 it would not be below 0.
