@@ -54,12 +54,10 @@ impl<R: Reel> Arbre<'_, R> {
         (demandes, reponses): (&[D], &mut [D::Reponse]),
         patience: &mut Patience,
     ) {
-        let sonde = if patience.essayer() {
-            bloc.faisceau().and_then(|faisceau| SondeDeBloc::new(&faisceau, self.repere))
-        } else {
-            None
-        };
-        if let Some(sonde) = sonde {
+        if patience.essayer()
+            && let Some(faisceau) = bloc.faisceau()
+            && let Some(sonde) = SondeDeBloc::new(&faisceau, self.repere)
+        {
             let jusqu_au_bout = self.parcourir_en_bloc(simd, &sonde, bloc);
             patience.noter(jusqu_au_bout);
             if jusqu_au_bout {
@@ -100,7 +98,7 @@ impl<R: Reel> Arbre<'_, R> {
         bloc: &mut Bloc<R, D>,
     ) -> bool {
         for &indice in self.sans_boite {
-            self.proposer(bloc, indice_lu(indice));
+            bloc.proposer(self.objets, indice_lu(indice), false);
         }
         let mut attentes = [RIEN; GRANDE_PILE];
         let (mut pile, mut numero) = Pile::new(&mut attentes, self.geants, self.noeuds.len() - 1);
@@ -116,7 +114,7 @@ impl<R: Reel> Arbre<'_, R> {
                     }
                     let [.., indices] = noeud;
                     for enfant in traverses {
-                        self.proposer(bloc, indice_lu(indices[enfant]));
+                        bloc.proposer(self.objets, indice_lu(indices[enfant]), false);
                     }
                     let loin = bloc.le_plus_loin();
                     if D::UN_SUFFIT && loin == R::ZERO {
@@ -132,13 +130,5 @@ impl<R: Reel> Arbre<'_, R> {
             numero = suivant;
         }
         true
-    }
-
-    /// Proposes the object of this index to the block.
-    #[inline(always)]
-    fn proposer<D: Demande<R>>(&self, bloc: &mut Bloc<R, D>, indice: usize) {
-        if let Some(objet) = self.objets.get(indice) {
-            bloc.proposer(objet, indice, false);
-        }
     }
 }

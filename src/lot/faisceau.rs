@@ -197,10 +197,7 @@ fn maxima<R: Reel, const N: usize>(
             }
         }
     }
-    colonnes.map(
-        #[inline(always)]
-        |colonne| le_plus_grand(colonne),
-    )
+    colonnes.map(le_plus_grand)
 }
 
 /// How far along Π the farther end of a segment is.

@@ -125,11 +125,8 @@ impl<R: Reel> Groupe<R> {
         let mut contacts = Contacts::VIDES;
         let mut restent = Membres::AUCUN;
         for (voie, touche) in touches.iter_mut().enumerate() {
-            if self.rangs[voie] > 0 {
-                restent.ajouter_si(voie, true);
-            } else {
-                *touche = Err(NoIntersection);
-            }
+            *touche = Err(NoIntersection);
+            restent.ajouter_si(voie, self.rangs[voie] > 0);
         }
         while let Some(voie) = restent.clone().next() {
             let Some(rang) = Rang::de_nombre(self.rangs[voie]) else { return };
