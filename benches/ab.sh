@@ -50,6 +50,9 @@ if [ "$(cat "$ab/commit" 2>/dev/null)" != "$commit" ]; then
   git -C "$racine" archive "$commit" | tar -xm -C "$ab/avant"
   # Two packages of one name need two versions.
   sed -i '0,/^version = .*/s//version = "0.0.0-avant"/' "$ab/avant/Cargo.toml"
+  # Before 0.5.0 what measurements need stood elsewhere.
+  grep -q 'pub mod pour_les_tests' "$ab/avant/src/lib.rs" ||
+    echo '#[doc(hidden)] pub mod pour_les_tests { pub use crate::Reglage; }' >> "$ab/avant/src/lib.rs"
   echo "$commit" > "$ab/commit"
 fi
 

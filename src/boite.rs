@@ -1,9 +1,9 @@
 //! The box (handout §2.2, §3 and annex A.3).
 
-use crate::erreur::{ErreurGeo, coefficient, deplacement, point, taille};
 use crate::forme::{Boule, Forme};
 use crate::rayon::Rayon;
 use crate::reel::{Reel, puissance_de_deux};
+use crate::refus::{ErreurGeo, coefficient, deplacement, point, taille};
 use crate::rotation::Rotation;
 use crate::texture::Texture;
 use crate::vecteur::Vecteur;
@@ -216,7 +216,7 @@ impl<R: Reel> BoiteRay<R> {
         let (n, l) = (self.normales[axe], self.demi_longueurs[axe]);
         let o = (rayon.source() - self.centre).produit_scalaire(n);
         let vitesse = rayon.direction().produit_scalaire(n);
-        let o = if vitesse < R::ZERO { -o } else { o };
+        let o = if vitesse < R::ZERO { -o } else { o }; // B1
         let vitesse = a_l_echelle(vitesse.abs());
         (Quotient { longueur: -(l + o), vitesse }, Quotient { longueur: l - o, vitesse })
     }
@@ -229,7 +229,7 @@ impl<R: Reel> BoiteRay<R> {
         let (loin, vitesse) = (R::LIMITE * R::depuis_f64(8.0), echelle_vitesse());
         let mut entree = Quotient { longueur: -loin, vitesse };
         let mut sortie = Quotient { longueur: loin, vitesse };
-        let mut axe_d_entree = 0;
+        let mut axe_d_entree = 0; // B4
         for axe in 0..3 {
             let (e, s) = self.dalle(axe, rayon);
             if e.depasse(entree) {
@@ -264,7 +264,7 @@ impl<R: Reel> Forme<R> for BoiteRay<R> {
     fn t(&self, rayon: &Rayon<R>) -> R {
         let (entree, _, sortie) = self.dalles(rayon);
         let entre = (entree.longueur > R::ZERO) & !entree.depasse(sortie);
-        // The length is multiplied, not the quotient, which may be subnormal.
+        // B5: the length is multiplied, not the quotient, which may be subnormal.
         if entre { entree.longueur * echelle_vitesse() / entree.vitesse } else { R::INFINI }
     }
 
@@ -274,7 +274,7 @@ impl<R: Reel> Forme<R> for BoiteRay<R> {
     }
 
     #[inline(always)]
-    fn normale(&self, rayon: &Rayon<R>, _: R) -> (Vecteur<R>, R) {
+    fn plan_tangent(&self, rayon: &Rayon<R>, _: R) -> (Vecteur<R>, R) {
         let (_, axe, _) = self.dalles(rayon);
         let [x, y, z] = self.paires();
         // No index, so that rays side by side may choose differently; and once, since to carry the
@@ -302,6 +302,7 @@ fn a_l_echelle<R: Reel>(vitesse: R) -> R {
     // Down to where the spacing of numbers is 2⁻¹⁴⁹, and up again. With a floor, by minimum and
     // maximum, a ray alone takes up to 1.3 times as long among boxes (measured).
     let descente = R::depuis_f64(R::selon(puissance_de_deux(-47), 1.0));
+    // B2
     vitesse * descente * (echelle_vitesse::<R>() / descente)
 }
 
@@ -321,10 +322,11 @@ pub(crate) struct Quotient<R> {
 impl<R: Reel> Quotient<R> {
     #[inline(always)]
     fn depasse(self, autre: Self) -> bool {
+        // B3
         self.longueur * autre.vitesse > autre.longueur * self.vitesse
     }
 }
 
-crate::erreur::lu_par_new! {
+crate::refus::lu_par_new! {
     BoiteGeo { centre: Vecteur<R>, dimensions: Vecteur<R>, rotation: Rotation<R> = default, texture: Texture }
 }

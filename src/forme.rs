@@ -22,7 +22,7 @@ pub const VERS_LE_HAUT: f64 = 10.0;
 /// A margin is larger by this length, in `f32` and in `f64`: more than is lost below the normal
 /// numbers (lemma 7), and so much that neither a margin nor a start over a floor through O is a
 /// subnormal number, with which processors compute up to a hundred times as long.
-pub const SEUIL: (f64, f64) = (puissance_de_deux(-100), puissance_de_deux(-900));
+pub const PLANCHER: (f64, f64) = (puissance_de_deux(-100), puissance_de_deux(-900));
 
 /// A normal that does not face the source is leaned towards it by so many u (lemma 6).
 pub const PENCHE: f64 = 14.0;
@@ -56,12 +56,13 @@ pub(crate) trait Forme<R: Reel>: Copy {
     /// The unit outward normal N of the entry at distance `t`, and how far along N the surface lies
     /// there from the centre of the ball; computed without a branch. Where rounding has lost N or
     /// brought N·D to 0 or above, [`vers_la_source`] replaces it.
-    fn normale(&self, rayon: &Rayon<R>, t: R) -> (Vecteur<R>, R);
+    fn plan_tangent(&self, rayon: &Rayon<R>, t: R) -> (Vecteur<R>, R);
 
     /// How high the point P of a hit may lie over the surface there, for what
-    /// [`normale`](Self::normale) said of it. This definition is that of a flat face.
+    /// [`plan_tangent`](Self::plan_tangent) said of it. This definition is that of a flat face.
     #[inline(always)]
     fn hauteur(&self, p: Vecteur<R>, n: Vecteur<R>, du_centre: R) -> Hauteur<R> {
+        // M2: the centre of a half-space is O.
         let cp = p - self.boule().centre;
         let hauteur = n.produit_scalaire(cp) - du_centre;
         Hauteur { b: hauteur.abs(), l: n.somme_des_grandeurs(cp) }
@@ -78,14 +79,14 @@ pub(crate) trait Forme<R: Reel>: Copy {
     /// margin, the call would cost a ray alone up to 40 % (measured).
     #[cold]
     fn contact_penche(&self, rayon: &Rayon<R>, t: R) -> Contact<R> {
-        let (n, du_centre) = self.normale(rayon, t);
+        let (n, du_centre) = self.plan_tangent(rayon, t);
         self.contact_en(rayon.point(t), vers_la_source(n, rayon.direction()), du_centre)
     }
 
     /// The same without a branch, of the normal as it is; and whether that normal faces the source.
     #[inline(always)]
     fn contact(&self, rayon: &Rayon<R>, t: R) -> (Contact<R>, bool) {
-        let (n, du_centre) = self.normale(rayon, t);
+        let (n, du_centre) = self.plan_tangent(rayon, t);
         let de_face = n.produit_scalaire(rayon.direction()) < R::ZERO;
         (self.contact_en(rayon.point(t), n, du_centre), de_face)
     }
@@ -97,9 +98,9 @@ pub(crate) trait Forme<R: Reel>: Copy {
     fn contact_en(&self, p: Vecteur<R>, normale: Vecteur<R>, du_centre: R) -> Contact<R> {
         let Hauteur { b, l } = self.hauteur(p, normale, du_centre);
         let marge = b + l * fois_u(2.0 * ARRONDI_HAUTEUR);
-        // A NaN comes from an overflow.
+        // M4. A NaN comes from an overflow.
         let marge =
-            marge + marge * fois_u(VERS_LE_HAUT) + R::depuis_f64(R::selon(SEUIL.0, SEUIL.1));
+            marge + marge * fois_u(VERS_LE_HAUT) + R::depuis_f64(R::selon(PLANCHER.0, PLANCHER.1));
         Contact { normale, marge: min(marge, R::INFINI) }
     }
 }
@@ -119,7 +120,7 @@ pub(crate) struct Hauteur<R> {
 /// is left of N, −D faces the source.
 #[cold]
 fn vers_la_source<R: Reel>(n: Vecteur<R>, d: Vecteur<R>) -> Vecteur<R> {
-    let unitaire = d / d.longueur();
+    let unitaire = d / d.longueur(); // S8
     let travers = (n - unitaire * n.produit_scalaire(unitaire)).unitaire();
     let penchee = travers.and_then(|n| (n - unitaire * fois_u(PENCHE)).unitaire());
     penchee.filter(|n| n.produit_scalaire(d) < R::ZERO).unwrap_or(-unitaire)
@@ -145,9 +146,9 @@ impl<R: Reel> Boule<R> {
     pub(crate) fn approchee(self, rayon: &Rayon<R>) -> bool {
         let sc = self.centre - rayon.source();
         let sa = sc.produit_scalaire(rayon.direction());
-        // One comparison, which the compiler cannot split into two branches. C behind the source
-        // is no nearer than the source.
-        let sa = max(sa, R::ZERO);
+        // C behind the source is no nearer than the source.
+        let sa = max(sa, R::ZERO); // O1
+        // One comparison (O2), which the compiler cannot split into two branches.
         sc.longueur_carree() * (R::UN - fois_u_simple(RETRAIT)) - sa * sa <= self.r2
     }
 }

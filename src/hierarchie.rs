@@ -1,16 +1,16 @@
 //! A hierarchy of bounding boxes over a list: the questions of `recherche.rs` and `lot.rs` where
 //! there are many objects, with the same answers.
 //!
-//! A leaf holds sixteen bounded objects, and a node of each floor above holds sixteen nodes
+//! A leaf holds sixteen objects with a box, and a node of each floor above holds sixteen nodes
 //! (`hierarchie/noeud.rs`, `construction.rs`). A ray looks at the nodes that it crosses
-//! (`parcours.rs`), a block of rays at those that its beam crosses (`ensemble.rs`), each through its
-//! probe (`sonde.rs`). Half-spaces are always asked. What may be left out is derived in
+//! (`parcours.rs`), a block of rays at those that its beam crosses (`parcours_de_bloc.rs`), each through its
+//! probe (`sonde.rs`). Objects without a box are always asked. What may be left out is derived in
 //! `docs/preuves.md`, lemmas 14 to 17.
 
-mod construction;
-mod ensemble;
-mod noeud;
+pub(crate) mod construction;
+pub(crate) mod noeud;
 mod parcours;
+mod parcours_de_bloc;
 mod pile;
 pub(crate) mod repere;
 pub(crate) mod sonde;
@@ -21,7 +21,7 @@ use fearless_simd::Level;
 
 use crate::compile::compilees;
 use crate::hierarchie::construction::{Arbre, construire, mots};
-use crate::hierarchie::ensemble::Patience;
+use crate::hierarchie::parcours_de_bloc::Patience;
 use crate::intersection::Touche;
 use crate::jugement::Certificat;
 use crate::lot::bloc::{BLOC, Bloc};
@@ -34,9 +34,9 @@ use crate::rayon::Rayon;
 use crate::recherche::{occulte_sauf, premiere_sauf};
 use crate::reel::Reel;
 
-/// Up to so many spheres and boxes, in `f32` twice as many, the batch is that of the list
+/// Up to so many spheres and boxes, in `f32` and in `f64`, the batch is that of the list
 /// (`docs/performance.md`, "Thresholds"). Of `f32` twice as many go side by side.
-pub(crate) const SEUIL_LOT: usize = 100;
+pub const SEUIL_LOT: (usize, usize) = (200, 100);
 
 /// A list of objects with a hierarchy of boxes around them: the answers of the list, to the bit, in
 /// a time that grows far more slowly than their number. Half-spaces, and objects whose boxes all
@@ -77,7 +77,7 @@ pub(crate) const SEUIL_LOT: usize = 100;
 #[must_use]
 pub struct Hierarchie<'a, R = f64> {
     pub(crate) objets: &'a [ObjetRay<R>],
-    /// None for few bounded objects and for too many objects: these are asked as a list.
+    /// None for few objects with a box and for too many objects: these are asked as a list.
     pub(crate) arbre: Option<Arbre<'a, R>>,
     /// The index of the object that is left out.
     pub(crate) sauf: Option<usize>,
@@ -272,7 +272,7 @@ fn occulte<R: Reel>((hierarchie, rayon, distance_max): (&Hierarchie<'_, R>, &Ray
     };
     selon_le_niveau!(hierarchie.niveau, simd => {
         let premier = Premier::avant(distance_max);
-        arbre.parcourir(simd, &(*rayon, distance_max), premier, hierarchie.sauf).rang > 0
+        arbre.parcourir(simd, &(*rayon, distance_max), premier, hierarchie.sauf).rang.is_some()
     })
 }
 
@@ -285,7 +285,7 @@ fn certaine<R: Reel>(
     let Some(arbre) = arbre else { return certificat.vient_avant_tous(objets, *sauf) };
     selon_le_niveau!(*niveau, simd => {
         let premier = Premier::avant(certificat.limite());
-        arbre.parcourir(simd, &certificat, premier, *sauf).rang == 0
+        arbre.parcourir(simd, &certificat, premier, *sauf).rang.is_none()
     })
 }
 
@@ -299,13 +299,8 @@ impl<R: Reel> Epreuve<R> for Certificat<'_, R> {
     }
 
     #[inline(always)]
-    fn t(&self, _: &Rayon<R>, objet: &ObjetRay<R>, indice: usize) -> R {
+    fn t(&self, _: &Rayon<R>, objet: &ObjetRay<R>, indice: usize, _: bool) -> R {
         if self.vient_apres(objet, indice) { R::INFINI } else { R::ZERO }
-    }
-
-    #[inline(always)]
-    fn t_si_proche(&self, rayon: &Rayon<R>, objet: &ObjetRay<R>, indice: usize) -> R {
-        self.t(rayon, objet, indice)
     }
 }
 
@@ -314,7 +309,7 @@ fn en_lot<R: Reel, D: Demande<R>>(
     (hierarchie, demandes, reponses): (&Hierarchie<'_, R>, &[D], &mut [D::Reponse]),
 ) -> Result<(), LongueursDifferentes> {
     let Hierarchie { objets, arbre, sauf, niveau } = *hierarchie;
-    let Some(arbre) = &arbre.filter(|arbre| arbre.bornes > R::selon(2 * SEUIL_LOT, SEUIL_LOT))
+    let Some(arbre) = &arbre.filter(|arbre| arbre.nombre > R::selon(SEUIL_LOT.0, SEUIL_LOT.1))
     else {
         return repondre(((niveau, objets, sauf), demandes, reponses));
     };

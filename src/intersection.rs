@@ -64,8 +64,8 @@ impl Rang {
 
     /// The rank of this number; `None` for 0.
     #[inline(always)]
-    pub(crate) fn numero(numero: u32) -> Option<Self> {
-        NonZero::new(numero).map(Self)
+    pub(crate) fn de_nombre(nombre: u32) -> Option<Self> {
+        NonZero::new(nombre).map(Self)
     }
 
     /// Its number.

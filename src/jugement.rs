@@ -66,7 +66,7 @@ impl<R: Reel> ObjetRay<R> {
             let Jugement { entre, ecart } = juger(&objet, &rayon, en_f64);
             if entre == Some(true) { ecart } else { f64::INFINI }
         };
-        // t counts in lengths of D.
+        // J7: t counts in lengths of D.
         let d = rayon.direction();
         let exces = scalaire(triple(d), triple(d)).plus(Double::de(-1.0)).bornes().grandeur();
         let longueur = d.longueur();
@@ -96,7 +96,7 @@ impl<R: Reel> ObjetRay<R> {
     #[doc(alias("is_certain", "is_robust"))]
     #[must_use]
     pub fn est_sur(&self, rayon: &Rayon<R>) -> bool {
-        // No ray that enters an object passes the ball around it by (lemma 11).
+        // J8: no ray that enters an object passes the ball around it by (lemma 11).
         if !self.boule().approchee(rayon) {
             return true;
         }

@@ -100,15 +100,12 @@ extern crate std;
 // The floors, from the ground up: a file imports only from floors below its own
 // (`docs/conception.md`, "The floors").
 //
-//   seize · reel · compile, niveau · vecteur · texture, erreur · rotation · rayon · double
-//   intersection · forme · sphere, plan, boite · objet · premier · recherche · lot · hierarchie
-//   reglage, constantes
+//   seize · reel · compile, niveau · vecteur · texture, refus · rotation · rayon · double
+//   intersection · secondaire · forme · sphere, plan, boite · objet · jugement · premier
+//   recherche · lot · hierarchie · pour_les_tests
 mod boite;
 mod compile;
-#[doc(hidden)]
-pub mod constantes;
 mod double;
-mod erreur;
 mod forme;
 mod hierarchie;
 mod intersection;
@@ -117,11 +114,13 @@ mod lot;
 mod niveau;
 mod objet;
 mod plan;
+#[doc(hidden)]
+pub mod pour_les_tests;
 mod premier;
 mod rayon;
 mod recherche;
 mod reel;
-mod reglage;
+mod refus;
 mod rotation;
 mod secondaire;
 mod seize;
@@ -130,7 +129,6 @@ mod texture;
 mod vecteur;
 
 pub use boite::{BoiteGeo, BoiteRay};
-pub use erreur::ErreurGeo;
 pub use hierarchie::{Hierarchie, PlacesInsuffisantes};
 pub use intersection::{Intersection, NoIntersection, Touche};
 pub use jugement::est_certaine;
@@ -140,8 +138,7 @@ pub use plan::{PlanGeo, PlanRay};
 pub use rayon::Rayon;
 pub use recherche::{est_occulte, premiere_intersection};
 pub use reel::Reel;
-#[doc(hidden)]
-pub use reglage::Reglage;
+pub use refus::ErreurGeo;
 pub use rotation::Rotation;
 pub use sphere::{SphereGeo, SphereRay};
 pub use texture::Texture;

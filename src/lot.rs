@@ -203,8 +203,8 @@ fn chercher<R: Reel, D: Demande<R>, S: Simd>(
     let capacite = fenetre.len() * SEIZE;
     let faisceau = if capacite > 0 { bloc.faisceau() } else { None };
     let Some(faisceau) = faisceau else {
-        for (indice, objet) in objets.iter().enumerate() {
-            bloc.proposer::<true>(objet, indice);
+        for indice in 0..objets.len() {
+            bloc.proposer(objets, indice, true);
         }
         return;
     };
@@ -212,11 +212,9 @@ fn chercher<R: Reel, D: Demande<R>, S: Simd>(
         if objets.len() > capacite {
             charger(fenetre, proches);
         }
-        for (numero, (rangee, seize)) in fenetre.iter().zip(proches.chunks(SEIZE)).enumerate() {
+        for (debut, rangee) in (debut..debut + proches.len()).step_by(SEIZE).zip(&*fenetre) {
             for i in rangee.rencontres(simd, &faisceau) {
-                if let Some(objet) = seize.get(i) {
-                    bloc.proposer::<true>(objet, debut + numero * SEIZE + i);
-                }
+                bloc.proposer(objets, debut + i, true);
             }
         }
     }

@@ -1,19 +1,19 @@
 //! The two enums of the handout's §4.1, and the choice between shapes.
 
 use crate::boite::{BoiteGeo, BoiteRay};
-use crate::erreur::ErreurGeo;
 use crate::forme::{Boule, Forme};
 use crate::intersection::{Intersection, Rang};
 use crate::plan::{PlanGeo, PlanRay};
 use crate::rayon::Rayon;
 use crate::reel::{Reel, fois_u};
+use crate::refus::ErreurGeo;
 use crate::rotation::Rotation;
 use crate::sphere::{SphereGeo, SphereRay};
 use crate::texture::Texture;
 use crate::vecteur::Vecteur;
 
-/// `par_forme!(ObjetRay, objet, forme => expression)`: the expression for the shape in `objet`. It
-/// is the one `match` of the crate on a shape.
+/// `par_forme!(ObjetRay, objet, forme => expression)`: the expression for the shape in `objet`: how
+/// all of the crate chooses between shapes, except where it judges (`jugement/`).
 ///
 /// Each arm has a type of its own for `forme`, which no closure could have. Whoever asks a shape
 /// about many rays matches once for all of them in this way.
@@ -197,7 +197,7 @@ impl<R: Reel> ObjetRay<R> {
     }
 
     /// The lowest and the highest corner of a box along the axes that holds all of this object;
-    /// `None` for a half-space.
+    /// `None` for what is unbounded, a half-space.
     ///
     /// All of it with the rounding: the corners lie up to 87u of the sum of its half-extents and 3.1u of
     /// the sum of the coordinates of its centre beyond it. Of a list: [`etendue`].
@@ -205,6 +205,7 @@ impl<R: Reel> ObjetRay<R> {
     #[must_use]
     pub fn etendue(&self) -> Option<[Vecteur<R>; 2]> {
         let (c, h) = self.boite_englobante()?;
+        // E1
         let jeu = h.norme_1() * fois_u(ETENDUE) + c.norme_1() * fois_u(2.0);
         let h = h + Vecteur::new(jeu, jeu, jeu);
         Some([c - h, c + h])
@@ -216,7 +217,7 @@ impl<R: Reel> ObjetRay<R> {
         par_forme!(Self, self, forme => forme.boule())
     }
 
-    /// The centre of this object and its half-extents along the axes; `None` for a half-space.
+    /// The centre of this object and its half-extents along the axes; `None` if it is unbounded.
     pub(crate) fn boite_englobante(&self) -> Option<(Vecteur<R>, Vecteur<R>)> {
         par_forme!(Self, self, forme => forme.boite_englobante())
     }

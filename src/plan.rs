@@ -1,9 +1,9 @@
 //! The plane, which is a solid half-space (handout §2.2, §3 and annex A.1).
 
-use crate::erreur::{ErreurGeo, coefficient, coordonnee, deplacement, fini, point, refus_nul};
 use crate::forme::{Boule, Forme};
 use crate::rayon::Rayon;
 use crate::reel::Reel;
+use crate::refus::{ErreurGeo, coefficient, coordonnee, deplacement, fini, point, refus_nul};
 use crate::rotation::Rotation;
 use crate::texture::Texture;
 use crate::vecteur::Vecteur;
@@ -164,6 +164,7 @@ impl<R: Reel> PlanRay<R> {
     #[inline(always)]
     pub(crate) fn hauteur_et_descente(&self, rayon: &Rayon<R>) -> (R, R) {
         let hauteur = self.normale.produit_scalaire(rayon.source()) + self.distance;
+        // H1
         (hauteur, -self.normale.produit_scalaire(rayon.direction()))
     }
 }
@@ -183,13 +184,14 @@ impl<R: Reel> Forme<R> for PlanRay<R> {
     #[inline(always)]
     fn peut_entrer(&self, rayon: &Rayon<R>) -> bool {
         let (hauteur, descente) = self.hauteur_et_descente(rayon);
-        (descente > R::ZERO) & (hauteur > R::ZERO)
+        (descente > R::ZERO) & (hauteur > R::ZERO) // H2
     }
 
     /// t = (−d − N·S)/(N·D).
     #[inline(always)]
     fn t(&self, rayon: &Rayon<R>) -> R {
         let (hauteur, descente) = self.hauteur_et_descente(rayon);
+        // H3
         if self.peut_entrer(rayon) { hauteur / descente } else { R::INFINI }
     }
 
@@ -198,11 +200,11 @@ impl<R: Reel> Forme<R> for PlanRay<R> {
     }
 
     #[inline(always)]
-    fn normale(&self, _: &Rayon<R>, _: R) -> (Vecteur<R>, R) {
+    fn plan_tangent(&self, _: &Rayon<R>, _: R) -> (Vecteur<R>, R) {
         (self.normale, -self.distance)
     }
 }
 
-crate::erreur::lu_par_new! {
+crate::refus::lu_par_new! {
     PlanGeo { rotation: Rotation<R> = default, distance: R, texture: Texture }
 }

@@ -1,7 +1,7 @@
 //! Rays of light (handout §4.1 and annex A): a source and a unit direction.
 
-use crate::erreur::{ErreurGeo, fini, point, refus_nul};
 use crate::reel::{Reel, fois_u};
+use crate::refus::{ErreurGeo, fini, point, refus_nul};
 use crate::vecteur::Vecteur;
 
 /// A ray: the points R(t) = S + t·D, t ≥ 0, from the source S along the unit vector D
@@ -60,7 +60,7 @@ impl<R: Reel> Rayon<R> {
     #[doc(alias = "at")]
     #[inline(always)]
     pub fn point(&self, distance: R) -> Vecteur<R> {
-        self.source + self.direction * distance
+        self.source + self.direction * distance // M1
     }
 
     /// The same ray in `f64`, exactly: to judge an answer in `f32` by one in `f64`.
@@ -103,6 +103,6 @@ pub(crate) fn direction_unitaire<R: Reel>(direction: Vecteur<R>) -> Result<Vecte
     direction.unitaire().ok_or_else(|| refus_nul("direction"))
 }
 
-crate::erreur::lu_par_new! {
+crate::refus::lu_par_new! {
     Rayon { source: Vecteur<R>, direction: Vecteur<R> }
 }

@@ -2,8 +2,8 @@
 
 use core::f64::consts::FRAC_PI_2;
 
-use crate::erreur::{ErreurGeo, exiger, fini};
 use crate::reel::Reel;
+use crate::refus::{ErreurGeo, exiger, fini};
 use crate::vecteur::Vecteur;
 
 /// A rotation about the origin O, held as its matrix M: a vector V, written as a row, becomes
@@ -117,7 +117,7 @@ impl<R: Reel> Rotation<R> {
             let _: Vecteur<R> = fini(champs, ligne.into())?;
         }
         let mut m = matrice.map(|ligne| ligne.map(R::vers_f64));
-        let lignes = ecart(m);
+        let lignes = plus_grand_defaut(m);
         // Room for numbers written with seven decimals, or four in `f32`.
         let (limite, attendu) = R::selon(
             (1e-3, "at most 1e-3, as for a rotation"),
@@ -129,7 +129,7 @@ impl<R: Reel> Rotation<R> {
         let attendu = "above 0: a mirror is no rotation";
         exiger(determinant > 0.0, "matrice: determinant", determinant, attendu)?;
         // The columns may be three times as far off as the rows, and are the rows of the inverse.
-        if lignes.max(ecart(transposee(m))) <= DEJA_ORTHONORMALE * R::U.vers_f64() {
+        if lignes.max(plus_grand_defaut(transposee(m))) <= DEJA_ORTHONORMALE * R::U.vers_f64() {
             return Ok(Self { matrice });
         }
         // Each step squares what is missing: from 1e-3, three reach the last bit of an f64.
@@ -243,7 +243,7 @@ fn defaut(m: Matrice) -> Matrice {
 }
 
 /// The largest element of |M·Mᵀ − I|; a NaN if one of them is a NaN.
-fn ecart(m: Matrice) -> f64 {
+fn plus_grand_defaut(m: Matrice) -> f64 {
     let plus_grand = |a: f64, b: f64| if b <= a || a.is_nan() { a } else { b };
     defaut(m).into_iter().flatten().map(f64::abs).fold(0.0, plus_grand)
 }

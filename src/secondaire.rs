@@ -1,9 +1,9 @@
 //! The rays that start from a hit: mirrors, glass, shadows, lines of sight (handout, later parts).
 
-use crate::erreur::{ErreurGeo, exiger};
 use crate::intersection::Intersection;
 use crate::rayon::{Rayon, direction_unitaire, source_valide};
 use crate::reel::{Reel, fois_u};
+use crate::refus::{ErreurGeo, exiger};
 use crate::vecteur::Vecteur;
 
 /// A direction within so many u of the tangent plane is turned outward: no N·D rounds by more
@@ -68,6 +68,7 @@ impl<R: Reel> Rayon<R> {
         let n = touche.normale();
         let cosinus = direction.produit_scalaire(n);
         if cosinus.abs() <= fois_u(TANGENT) {
+            // M5
             direction = direction_unitaire(direction + n * fois_u(REDRESSE))?;
         }
         let dedans = cosinus < fois_u(-TANGENT);
@@ -108,9 +109,9 @@ impl<R: Reel> Rayon<R> {
     #[inline]
     #[must_use]
     pub fn vers_lumiere(&self, touche: &Intersection<R>, lumiere: Vecteur<R>) -> Option<(Self, R)> {
-        let depart = self.depart(touche, false).ok()?;
-        let (distance, direction) = (lumiere - depart).longueur_et_unitaire()?;
-        let de_face = direction.produit_scalaire(touche.normale()) > fois_u(TANGENT);
+        let depart = self.depart(touche, false).ok()?; // L1
+        let (distance, direction) = (lumiere - depart).longueur_et_unitaire()?; // L2
+        let de_face = direction.produit_scalaire(touche.normale()) > fois_u(TANGENT); // L3
         de_face.then(|| (Self::sans_verifier(depart, direction), distance))
     }
 
@@ -169,6 +170,7 @@ impl<R: Reel> Rayon<R> {
         let (p, n) = (self.point(touche.distance()), touche.normale());
         let pas = touche.marge() * (R::UN + fois_u(PAS_NORMAL));
         let pas = pas + n.somme_des_grandeurs(p) * fois_u(PAS_ARRONDI);
+        // M6
         source_valide(p + n * if dedans { -pas } else { pas })
     }
 }

@@ -1,9 +1,9 @@
 //! The sphere (handout §2.2, §3 and annex A.2).
 
-use crate::erreur::{ErreurGeo, coefficient, deplacement, point, taille};
 use crate::forme::{Boule, Forme, Hauteur};
 use crate::rayon::Rayon;
 use crate::reel::Reel;
+use crate::refus::{ErreurGeo, coefficient, deplacement, point, taille};
 use crate::rotation::Rotation;
 use crate::texture::Texture;
 use crate::vecteur::Vecteur;
@@ -140,10 +140,11 @@ impl<R: Reel> SphereRay<R> {
     #[inline(always)]
     pub(crate) fn termes(&self, rayon: &Rayon<R>) -> Termes<R> {
         let (sc, d) = (self.centre - rayon.source(), rayon.direction());
-        let (r2, d2, sc2) = (self.r * self.r, d.longueur_carree(), sc.longueur_carree());
-        let ac2_d2 = sc.produit_vectoriel(d).longueur_carree();
-        let (sa, ab2) = (sc.produit_scalaire(d), r2 * d2 - ac2_d2);
-        Termes { sa, puissance: sc2 - r2, ab2, sc2, r2, d2 }
+        let (r2, d2, sc2) = (self.r * self.r, d.longueur_carree(), sc.longueur_carree()); // S1
+        let sa = sc.produit_scalaire(d); // S2
+        let puissance = sc2 - r2; // S3
+        let ab2 = r2 * d2 - sc.produit_vectoriel(d).longueur_carree(); // S4
+        Termes { sa, puissance, ab2, sc2, r2, d2 }
     }
 
     /// The same numbers in `f64`.
@@ -188,10 +189,10 @@ impl<R: Reel> Forme<R> for SphereRay<R> {
     #[inline(always)]
     fn t(&self, rayon: &Rayon<R>) -> R {
         let Termes { sa, puissance, ab2, d2, .. } = self.termes(rayon);
-        let sa_ab = sa + ab2.sqrt();
+        let sa_ab = sa + ab2.sqrt(); // S6
         let avant_a = puissance * d2 < sa * sa_ab;
         let (haut, bas) = if avant_a { (puissance, sa_ab) } else { (sa, d2) };
-        let entre = (ab2 > R::ZERO) & (sa > R::ZERO) & (puissance > R::ZERO);
+        let entre = (ab2 > R::ZERO) & (sa > R::ZERO) & (puissance > R::ZERO); // S5
         if entre { haut / bas } else { R::INFINI }
     }
 
@@ -201,8 +202,8 @@ impl<R: Reel> Forme<R> for SphereRay<R> {
 
     /// CB/|CB|; where CB is lost, 0.
     #[inline(always)]
-    fn normale(&self, rayon: &Rayon<R>, t: R) -> (Vecteur<R>, R) {
-        // Relative to the source: S + tD − C would lose what S and C have in common.
+    fn plan_tangent(&self, rayon: &Rayon<R>, t: R) -> (Vecteur<R>, R) {
+        // S7, relative to the source: S + tD − C would lose what S and C have in common.
         let cb = (rayon.source() - self.centre) + rayon.direction() * t;
         let cb2 = cb.longueur_carree();
         // Half of the smallest r²: what is shorter is all rounding, and its square may be
@@ -213,6 +214,7 @@ impl<R: Reel> Forme<R> for SphereRay<R> {
 
     #[inline(always)]
     fn hauteur(&self, p: Vecteur<R>, n: Vecteur<R>, r: R) -> Hauteur<R> {
+        // M3
         let nombre = R::depuis_f64;
         let cp = p - self.centre;
         let r2 = r * r;
@@ -234,6 +236,6 @@ impl<R: Reel> Forme<R> for SphereRay<R> {
     }
 }
 
-crate::erreur::lu_par_new! {
+crate::refus::lu_par_new! {
     SphereGeo { centre: Vecteur<R>, rayon: R, texture: Texture }
 }

@@ -8,9 +8,10 @@ use std::hint::black_box;
 use allocation_counter::measure;
 use commun::scenes::{melange, rayons_camera};
 use commun::{arrondi, en_f32_et_f64};
+use lancer_rayon::pour_les_tests::Reglage;
 use lancer_rayon::{
     BoiteGeo, ErreurGeo, Hierarchie, NoIntersection, ObjetGeo, ObjetRay, PlanGeo, Rayon, Reel,
-    Reglage, Rotation, SphereGeo, Texture, Vecteur, est_occulte, etendue, premiere_intersection,
+    Rotation, SphereGeo, Texture, Vecteur, est_occulte, etendue, premiere_intersection,
     premieres_intersections, sont_occultes,
 };
 

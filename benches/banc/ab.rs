@@ -7,7 +7,8 @@ use banc::concurrents::{Concurrent, FACONS, permises};
 use banc::familles::{Famille, Genre};
 use banc::horloge::moindres;
 use banc::nous;
-use lancer_rayon::{Hierarchie, ObjetRay, Rayon, Reel, Reglage};
+use lancer_rayon::pour_les_tests::Reglage;
+use lancer_rayon::{Hierarchie, ObjetRay, Rayon, Reel};
 use serde::de::DeserializeOwned;
 
 #[path = "."]
@@ -164,7 +165,9 @@ fn mesurer<R: Reel + avant::Reel + DeserializeOwned>(
     if let Some((_, reglage)) = Reglage::tous().find(|(nom, _)| choix.jeu == *nom) {
         hierarchie = reglage.hierarchie(hierarchie);
     }
-    if let Some((_, reglage)) = avant::Reglage::tous().find(|(nom, _)| choix.jeu == *nom) {
+    if let Some((_, reglage)) =
+        avant::pour_les_tests::Reglage::tous().find(|(nom, _)| choix.jeu == *nom)
+    {
         ancienne = reglage.hierarchie(ancienne);
     }
     let permises = permises(n).iter().map(|(nom, _)| *nom).filter(|nom| choix.facons.contains(nom));

@@ -13,7 +13,7 @@ use crate::objet::ObjetRay;
 use crate::reel::{Reel, max, min};
 use crate::seize::SEIZE;
 
-/// Over fewer bounded objects than this no tree is made: the list is as fast
+/// Over fewer objects with a box than this no tree is made: the list is as fast
 /// (`docs/performance.md`, "Thresholds").
 const SEUIL_ARBRE: usize = 8;
 
@@ -34,15 +34,15 @@ pub(crate) struct Arbre<'a, R> {
     pub(crate) feuilles: usize,
     /// How many leaves of giants stand before the others, 0 or 1; the root is not above them.
     pub(crate) geants: usize,
-    /// How many of the objects are bounded.
-    pub(crate) bornes: usize,
-    /// The [stored](en_mot) indices of the half-spaces, the last first.
-    pub(crate) plans: &'a [f32],
+    /// How many of the objects have a box.
+    pub(crate) nombre: usize,
+    /// The [stored](en_mot) indices of those without a box, the last first.
+    pub(crate) sans_boite: &'a [f32],
     pub(crate) repere: Repere<R>,
 }
 
-/// How many numbers the tree of so many objects may need, whichever of them are half-spaces. A
-/// half-space needs one, and less than its share of a leaf, except for the first fifteen.
+/// How many numbers the tree of so many objects may need, whichever of them have no box. One without needs one
+/// number, and less than its share of a leaf, except for the first fifteen.
 pub(crate) const fn mots(objets: usize) -> usize {
     if objets < SEUIL_ARBRE || objets as u64 >= LIMITE_INDICES {
         return 0;
@@ -57,37 +57,37 @@ pub(crate) const fn mots(objets: usize) -> usize {
     total.saturating_mul(FICHE * SEIZE).saturating_add(SEIZE - 1 + BOURRAGE)
 }
 
-/// The tree over these objects, in [so many numbers](mots); none over few that are bounded.
+/// The tree over these objects, in [so many numbers](mots); none over few that have a box.
 pub(crate) fn construire<'a, R: Reel>(
     (objets, places): (&'a [ObjetRay<R>], &'a mut [f32]),
 ) -> Option<Arbre<'a, R>> {
     let debut = places.as_ptr().align_offset(LIGNE).min(BOURRAGE);
     let places = &mut places[debut..];
     let repere = Repere::autour(objets);
-    let (mut bornes, mut fin) = (0, places.len());
+    let (mut nombre, mut fin) = (0, places.len());
     for (indice, objet) in objets.iter().enumerate() {
         let indice = en_mot(indice);
         if let Some((bas, haut)) = repere.boite_elargie(objet) {
             let (fiches, _) = places.as_chunks_mut();
-            fiches[bornes] = [bas.x, bas.y, bas.z, haut.x, haut.y, haut.z, indice];
-            bornes += 1;
+            fiches[nombre] = [bas.x, bas.y, bas.z, haut.x, haut.y, haut.z, indice];
+            nombre += 1;
         } else {
             fin -= 1;
             places[fin] = indice;
         }
     }
-    if bornes < SEUIL_ARBRE {
+    if nombre < SEUIL_ARBRE {
         return None;
     }
-    let (places, plans) = places.split_at_mut(fin);
+    let (places, sans_boite) = places.split_at_mut(fin);
     let (fiches, _) = places.as_chunks_mut();
-    let geants = trier_les_geants(&mut fiches[..bornes]);
-    trier(&mut fiches[geants * SEIZE..bornes]);
+    let geants = trier_les_geants(&mut fiches[..nombre]);
+    trier(&mut fiches[geants * SEIZE..nombre]);
 
     let (noeuds, _) = places.as_chunks_mut().0.as_chunks_mut();
-    let feuilles = bornes.div_ceil(SEIZE);
+    let feuilles = nombre.div_ceil(SEIZE);
     for (numero, feuille) in noeuds[..feuilles].iter_mut().enumerate() {
-        en_colonnes(feuille, bornes - numero * SEIZE);
+        en_colonnes(feuille, nombre - numero * SEIZE);
     }
     // The floor whose nodes have none above them yet.
     let mut etage = geants..feuilles;
@@ -102,7 +102,7 @@ pub(crate) fn construire<'a, R: Reel>(
     }
     // The root is the last.
     let noeuds = &noeuds[..=etage.start];
-    Some(Arbre { objets, noeuds, feuilles, geants, bornes, plans, repere })
+    Some(Arbre { objets, noeuds, feuilles, geants, nombre, sans_boite, repere })
 }
 
 /// Giants are larger, in the mean, than this times the mean size of the others and the side of a
@@ -154,11 +154,11 @@ fn double_centre(&[x0, y0, z0, x1, y1, z1, _]: &Fiche) -> [f32; 3] {
     [x0 + x1, y0 + y1, z0 + z1]
 }
 
-/// Transposes sixteen records into columns, in place; only the first `bornes` are records.
-fn en_colonnes(feuille: &mut Noeud, bornes: usize) {
+/// Transposes sixteen records into columns, in place; only the first `nombre` are records.
+fn en_colonnes(feuille: &mut Noeud, nombre: usize) {
     let mut noeud = VIDE;
     let (fiches, _) = feuille.as_flattened().as_chunks::<FICHE>();
-    for (enfant, fiche) in fiches.iter().enumerate().take(bornes) {
+    for (enfant, fiche) in fiches.iter().enumerate().take(nombre) {
         for mot in 0..FICHE {
             noeud[mot][enfant] = fiche[mot];
         }
@@ -167,7 +167,7 @@ fn en_colonnes(feuille: &mut Noeud, bornes: usize) {
 }
 
 /// The node over at most sixteen others, the first of which has this index.
-fn parent(enfants: &[Noeud], premier: usize) -> Noeud {
+fn parent(enfants: &[Noeud], debut: usize) -> Noeud {
     let mut noeud = VIDE;
     for (enfant, dessous) in enfants.iter().enumerate() {
         for axe in 0..3 {
@@ -175,6 +175,6 @@ fn parent(enfants: &[Noeud], premier: usize) -> Noeud {
             noeud[axe + 3][enfant] = dessous[axe + 3].into_iter().fold(-COIN_ABSENT, max);
         }
     }
-    noeud[FICHE - 1][0] = en_mot(premier);
+    noeud[FICHE - 1][0] = en_mot(debut);
     noeud
 }

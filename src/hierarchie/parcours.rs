@@ -17,7 +17,7 @@ impl<R: Reel> Arbre<'_, R> {
     /// The first object that the ray enters before `premier`, or `premier`; if `UN_SUFFIT`, any
     /// such object.
     ///
-    /// It asks the half-spaces, then the objects of each leaf that the ray may enter before what it
+    /// It asks the objects without a box, then the objects of each leaf that the ray may enter before what it
     /// has found; never the object at the index `sauf`.
     #[inline(always)]
     pub(crate) fn parcourir<S: Simd, E: Epreuve<R>>(
@@ -29,11 +29,11 @@ impl<R: Reel> Arbre<'_, R> {
     ) -> Premier<R> {
         // A copy, which stays in registers.
         let copie = *epreuve.rayon();
-        for &indice in self.plans {
+        for &indice in self.sans_boite {
             let indice = indice_lu(indice);
             if let Some(objet) = self.objets.get(indice)
                 && sauf != Some(indice)
-                && premier.retenir(epreuve.t_si_proche(&copie, objet, indice), indice)
+                && premier.retenir(epreuve.t(&copie, objet, indice, false), indice)
                 && E::UN_SUFFIT
             {
                 return premier;
@@ -70,10 +70,9 @@ impl<R: Reel> Arbre<'_, R> {
                 };
                 while let Some(enfant) = suivant {
                     let indice = indice_lu(indices[enfant]);
-                    // Its ball is not asked: a ray that crosses its box seldom passes the ball by.
                     let objet = self.objets.get(indice);
                     if objet.is_some_and(|objet| {
-                        premier.retenir(epreuve.t(&copie, objet, indice), indice)
+                        premier.retenir(epreuve.t(&copie, objet, indice, true), indice)
                     }) {
                         if E::UN_SUFFIT {
                             return premier;

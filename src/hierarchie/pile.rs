@@ -52,13 +52,13 @@ impl<'a> Pile<'a> {
         entrees: &Colonne<f32>,
         [.., indices]: &Noeud,
     ) -> Option<usize> {
-        let premier = indice_lu(indices[0]);
+        let debut = indice_lu(indices[0]);
         let proche = enfants.prendre_le_moindre(entrees)?;
         for enfant in enfants {
-            self.attentes[self.nombre] = (entrees[enfant], (premier + enfant) as u32);
+            self.attentes[self.nombre] = (entrees[enfant], (debut + enfant) as u32);
             self.nombre += 1;
         }
-        Some(premier + proche)
+        Some(debut + proche)
     }
 
     /// The last node put here that the ray enters no later than `plafond`.

@@ -8,10 +8,10 @@ use crate::vecteur::Vecteur;
 pub(crate) const TROP_LOIN: f32 = (1_u128 << 100) as f32;
 
 /// The frame of the tree, in which `f32` holds any scene: a point X of the scene stands at (X −
-/// K)·σ. No coordinate of a box is beyond ±1, except for rounding and slack.
+/// Z)·σ. No coordinate of a box is beyond ±1, except for rounding and slack.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Repere<R> {
-    /// K, the middle of the centres.
+    /// Z, the middle of the centres.
     milieu: Vecteur<R>,
     /// σ, what lengths are multiplied by.
     echelle: R,
@@ -20,31 +20,31 @@ pub(crate) struct Repere<R> {
 impl<R: Reel> Repere<R> {
     /// The frame of these objects.
     pub(crate) fn autour(objets: &[ObjetRay<R>]) -> Self {
-        let mut portee = R::ZERO;
+        let mut plus_large = R::ZERO;
         let centres = objets.iter().filter_map(|objet| {
             let (c, h) = objet.boite_englobante()?;
-            portee = max(portee, h.norme_1());
+            plus_large = max(plus_large, h.norme_1());
             Some(c.into())
         });
         let [bas, haut] = extremes(centres);
-        // K in the middle would need half of this. In the worst case rounding moves K to the last
-        // centre.
-        let echelle = R::UN / ((haut - bas).norme_1() + portee * R::depuis_f64(2.0));
+        // T1. Z in the middle would need half of this. In the worst case rounding moves Z to the
+        // last centre.
+        let echelle = R::UN / ((haut - bas).norme_1() + plus_large * R::depuis_f64(2.0));
         Self { milieu: (bas + haut) * R::depuis_f64(0.5), echelle }
     }
 
-    /// (X − K)·σ.
+    /// (X − Z)·σ.
     #[inline(always)]
     pub(crate) fn point(self, x: Vecteur<R>) -> Vecteur<R> {
         (x - self.milieu) * self.echelle
     }
 
-    /// The box around a bounded object, with the object's part of the [slack](PART_DU_JEU).
+    /// The box around an object that has one, with the object's part of the [slack](PART_DU_JEU).
     pub(crate) fn boite_elargie(self, objet: &ObjetRay<R>) -> Option<(Vecteur<f32>, Vecteur<f32>)> {
         let (c, h) = objet.boite_englobante()?;
         let (c, h) = (self.point(c), h * self.echelle);
-        // The proof needs ρ, the radius of the ball around the object; the sum of the half-extents
-        // is no less.
+        // T2. The proof needs ρ, the radius of the ball around the object; the sum of the
+        // half-extents is no less.
         let jeu = (c.norme_1() + h.norme_1()) * fois_u_simple(PART_DU_JEU);
         let demi = h + Vecteur::new(jeu, jeu, jeu);
         Some((simples(c - demi), simples(c + demi)))
@@ -70,7 +70,7 @@ pub const JEU_TOUCHE: f64 = 70.0;
 /// The slack for the rounding to `f32`, in u of `f32` (lemma 15).
 pub const JEU_F32: f64 = 2.2;
 
-/// The slack, by which boxes grow so that rounding loses no hit, per unit of distance from K to an
+/// The slack, by which boxes grow so that rounding loses no hit, per unit of distance from Z to an
 /// object or to the source of a ray, in u of `f32`. Derived in `docs/preuves.md`, lemmas 14 to 17.
 pub(crate) const PART_DU_JEU: f64 = JEU_TOUCHE + JEU_F32;
 

@@ -34,7 +34,7 @@ impl Sonde {
     pub(crate) fn new<R: Reel>(rayon: &Rayon<R>, repere: Repere<R>) -> Self {
         let (s, d) = (simples(repere.point(rayon.source())), rayon.direction());
         let loin = s.norme_1();
-        // An infinity is too far as well.
+        // T3. An infinity is too far as well.
         let (s, jeu) = if loin < TROP_LOIN {
             (s, loin * fois_u::<f32>(PART_DU_JEU) + f32::U)
         } else {
@@ -68,7 +68,7 @@ impl Sonde {
         let (lx, ly, lz) = (&noeud[x.lointain], &noeud[y.lointain], &noeud[z.lointain]);
         let (mut entrees, mut sorties) = ([0.0; SEIZE], [plafond; SEIZE]);
         for i in 0..SEIZE {
-            // 0·∞ is a NaN, which leaves the number so far.
+            // T4. 0·∞ is a NaN, which leaves the number so far.
             let mut entree = 0.0;
             entree = max((px[i] - x.vers_proche) * x.inverse, entree);
             entree = max((py[i] - y.vers_proche) * y.inverse, entree);
@@ -90,12 +90,12 @@ pub const JEU_BLOC: f64 = 1.7;
 /// What is added to the slack of a beam, in u of `f32` (lemma 17).
 pub const JEU_FIXE: f64 = 13.0;
 
-/// A beam as the boxes see it. For each of the five normals P, an upper bound on P·X over all hits
-/// X; for M, the M·X from which depths count. Both include the slack (`docs/preuves.md`, lemmas
+/// A beam as the boxes see it. For each of the five normals Π, an upper bound on Π·X over all hits
+/// X; for Ω, the Ω·X from which depths count. Both include the slack (`docs/preuves.md`, lemmas
 /// 14 to 17).
 pub(crate) struct SondeDeBloc {
-    plans: [(Vecteur<f32>, f32); 5],
-    m: Vecteur<f32>,
+    faces: [(Vecteur<f32>, f32); 5],
+    omega: Vecteur<f32>,
     depart: f32,
 }
 
@@ -104,19 +104,20 @@ impl SondeDeBloc {
     #[inline(always)]
     pub(crate) fn new<R: Reel>(faisceau: &Faisceau<R>, repere: Repere<R>) -> Option<Self> {
         let s0 = repere.point(faisceau.s0);
-        let loin = faisceau.ecart * R::depuis_f64(4.0) + faisceau.portee;
+        let loin = faisceau.etalement * R::depuis_f64(4.0) + faisceau.portee;
         let loin = s0.norme_1() + repere.longueur(loin);
         if simple(loin) > TROP_LOIN {
             return None;
         }
         let jeu = loin * fois_u_simple(JEU_BLOC * PART_DU_JEU) + fois_u_simple(JEU_FIXE);
         let limite =
-            |p: Vecteur<R>, w: R| simple(p.produit_scalaire(s0) + (repere.longueur(w) + jeu));
-        let (m, w) = faisceau.axe;
+            |pi: Vecteur<R>, w: R| simple(pi.produit_scalaire(s0) + (repere.longueur(w) + jeu));
+        // T5
+        let (omega, w) = faisceau.axe;
         Some(Self {
-            plans: faisceau.plans.map(|(p, w)| (simples(p), limite(p, w))),
-            m: simples(m),
-            depart: limite(m, w),
+            faces: faisceau.faces.map(|(pi, w)| (simples(pi), limite(pi, w))),
+            omega: simples(omega),
+            depart: limite(omega, w),
         })
     }
 
@@ -130,16 +131,16 @@ impl SondeDeBloc {
         plafond: f32,
     ) -> (Membres, Aligne<Colonne<f32>>) {
         let (mut dehors, mut profondeurs) = ([-f32::INFINI; SEIZE], [0.0; SEIZE]);
-        for (p, limite) in self.plans {
-            let (x, y, z) = au_plus_pres(noeud, p);
+        for (pi, limite) in self.faces {
+            let (x, y, z) = au_plus_pres(noeud, pi);
             for i in 0..SEIZE {
-                let h = p.produit_scalaire(Vecteur::new(x[i], y[i], z[i])) - limite;
+                let h = pi.produit_scalaire(Vecteur::new(x[i], y[i], z[i])) - limite;
                 dehors[i] = max(dehors[i], h);
             }
         }
-        let (x, y, z) = au_plus_pres(noeud, self.m);
+        let (x, y, z) = au_plus_pres(noeud, self.omega);
         for i in 0..SEIZE {
-            let h = self.m.produit_scalaire(Vecteur::new(x[i], y[i], z[i])) - self.depart;
+            let h = self.omega.produit_scalaire(Vecteur::new(x[i], y[i], z[i])) - self.depart;
             profondeurs[i] = max(h, 0.0);
         }
         let pas_dehors = au_plus(simd, &dehors, &[0.0; SEIZE]);
@@ -148,10 +149,10 @@ impl SondeDeBloc {
     }
 }
 
-/// The columns of the corners that lie lowest along P: by the sign, without a branch.
+/// The columns of the corners that lie lowest along Π: by the sign, without a branch.
 #[inline(always)]
-fn au_plus_pres(noeud: &Noeud, p: Vecteur<f32>) -> (&Colonne<f32>, &Colonne<f32>, &Colonne<f32>) {
-    (&noeud[colonne(0, p.x)], &noeud[colonne(1, p.y)], &noeud[colonne(2, p.z)])
+fn au_plus_pres(noeud: &Noeud, pi: Vecteur<f32>) -> (&Colonne<f32>, &Colonne<f32>, &Colonne<f32>) {
+    (&noeud[colonne(0, pi.x)], &noeud[colonne(1, pi.y)], &noeud[colonne(2, pi.z)])
 }
 
 /// The column of the sides that something of this sign along this axis comes to first.

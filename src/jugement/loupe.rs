@@ -76,12 +76,13 @@ fn juger_faces_a(c: Vecteur, faces: &[(Vecteur, f64)], rayon: &Rayon, t: f64) ->
     let [mut entree, mut sortie] = [Intervalle { bas: f64::INFINI, haut: f64::INFINI }; 2];
     let (mut dehors, mut dedans) = (false, true);
     for &(n, l) in faces {
+        // J1
         let profondeur = |x| scalaire(triple(-n), x).plus(Double::de(l)).bornes();
         let (sous_depart, sous_point) = (profondeur(depart), profondeur(point));
         let vitesse = scalaire(triple(-n), triple(rayon.direction())).bornes();
         let (lent, vite) = (vitesse.bas.max(-vitesse.haut), vitesse.grandeur());
         if lent <= 0.0 {
-            // Parallel, or nearly: whether the ray comes nearer to the face or leaves it is unknown.
+            // J3. Parallel, or nearly: whether the ray comes nearer to the face or leaves it is unknown.
             let loin = sous_point.sur(vite, vite);
             if sous_depart.bas >= 0.0 && (sous_point.bas > 0.0 || vite == 0.0) {
                 // For so long it has been under the face, and will be; in its plane 0/0 is no bound.
@@ -98,11 +99,13 @@ fn juger_faces_a(c: Vecteur, faces: &[(Vecteur, f64)], rayon: &Rayon, t: f64) ->
             }
             continue;
         }
+        // J2
         let duree = if vitesse.bas > 0.0 { &mut entree } else { &mut sortie };
         *duree = duree.moindre(sous_point.sur(lent, vite));
         dehors |= vitesse.bas > 0.0 && sous_depart.haut < 0.0;
         dedans &= vitesse.bas < 0.0 || sous_depart.bas >= 0.0;
     }
+    // J4
     let touche = dehors && entree.bas + sortie.bas >= 0.0;
     let manque = dedans || entree.haut + sortie.haut < 0.0;
     let entre = (touche || manque).then_some(touche);
@@ -117,27 +120,28 @@ fn depuis(centre: Vecteur, rayon: &Rayon, t: f64) -> Triple {
 
 /// What exact numbers say of a ray, a sphere and a distance.
 fn juger_sphere(sphere: &SphereRay, rayon: &Rayon, t: f64) -> Jugement {
-    // |CP|² − r² and −CP·D, at the point P of the ray at this distance.
+    // p_X and XA, at the point X of the ray at this distance (J5).
     let r2 = Double::de(sphere.rayon()).fois(Double::de(-sphere.rayon()));
     let en = |t| {
-        let cp = depuis(sphere.centre(), rayon, t);
-        let pa = scalaire(cp, triple(-rayon.direction()));
-        (scalaire(cp, cp).plus(r2).bornes(), pa.bornes())
+        let cx = depuis(sphere.centre(), rayon, t);
+        let xa = scalaire(cx, triple(-rayon.direction()));
+        (scalaire(cx, cx).plus(r2).bornes(), xa.bornes())
     };
     let d2 = rayon.direction().longueur_carree();
     let a = (sphere.centre() - rayon.source()).produit_scalaire(rayon.direction()) / d2;
-    let ((g_s, w_s), (g_a, w_a), (g, w)) = (en(0.0), en(a), en(t));
+    let ((p_s, xa_s), (p_a, xa_a), (p, xa)) = (en(0.0), en(a), en(t));
     // AB²·D² is D²(r² − PC²) + PA², of which hardly anything is left at A: twice for rounding, and
     // no square may be lost.
-    let w_a = w_a.grandeur();
-    let reste = 2.0 * w_a * w_a + if w_a > 0.0 { f64::MIN_POSITIF } else { 0.0 };
-    let ab2 = Intervalle { bas: -g_a.haut * d2, haut: reste - g_a.bas * d2 };
-    let ecart = if w.bas > 0.0 {
-        g.grandeur() / (w.bas + ab2.bas.max(0.0).sqrt())
+    let xa_a = xa_a.grandeur();
+    let reste = 2.0 * xa_a * xa_a + if xa_a > 0.0 { f64::MIN_POSITIF } else { 0.0 };
+    let ab2 = Intervalle { bas: -p_a.haut * d2, haut: reste - p_a.bas * d2 };
+    let ecart = if xa.bas > 0.0 {
+        p.grandeur() / (xa.bas + ab2.bas.max(0.0).sqrt())
     } else {
-        (ab2.haut.max(0.0).sqrt() + w.grandeur()) / d2
+        (ab2.haut.max(0.0).sqrt() + xa.grandeur()) / d2
     };
-    let positifs = [g_s, w_s, ab2];
+    // J6
+    let positifs = [p_s, xa_s, ab2];
     let exclu = positifs.iter().any(|x| x.haut <= 0.0);
     let entre = positifs.iter().all(|x| x.bas > 0.0);
     Jugement { entre: (exclu || entre).then_some(entre), ecart }

@@ -64,21 +64,19 @@ impl<R: Reel, D: Demande<R>> Bloc<R, D> {
         Faisceau::de_rayons(self.groupes(), reperes)
     }
 
-    /// For each ray that enters this object, at this index of the list, before its first so far:
-    /// makes it its first. `EN_ORDRE` promises that objects come in the order of the list.
+    /// For each ray that enters the object at this index of the list before its first so far: makes
+    /// it its first. `en_ordre` promises that objects come in the order of the list.
     ///
     /// The shape is copied: nothing that is written to a group can overlap it, so that the compiler
     /// need not read it again for every ray.
     #[inline(always)]
-    pub(crate) fn proposer<const EN_ORDRE: bool>(&mut self, objet: &ObjetRay<R>, indice: usize) {
-        if self.sauf == Some(indice) {
-            return;
-        }
+    pub(crate) fn proposer(&mut self, objets: &[ObjetRay<R>], indice: usize, en_ordre: bool) {
+        let Some(objet) = objets.get(indice).filter(|_| self.sauf != Some(indice)) else { return };
         let (rang, groupes) = (Rang::de(indice), self.nombre.div_ceil(SEIZE));
         par_forme!(ObjetRay, objet, forme => {
             let forme = *forme;
             for groupe in &mut self.groupes[..groupes] {
-                groupe.proposer::<EN_ORDRE>(&forme, rang, D::UN_SUFFIT);
+                groupe.proposer(&forme, rang, en_ordre, D::UN_SUFFIT);
             }
         });
     }

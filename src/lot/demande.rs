@@ -17,16 +17,11 @@ pub(crate) trait Epreuve<R: Reel> {
     fn rayon(&self) -> &Rayon<R>;
 
     /// Where this object counts, which has this index in the list: where the ray enters it, +∞ if
-    /// nowhere. The ray is a copy, which stays in registers.
+    /// nowhere. The ray is a copy, which stays in registers; if it crosses the box of the object
+    /// (`dans_sa_boite`), the ball is not asked, which such a ray seldom passes by.
     #[inline(always)]
-    fn t(&self, rayon: &Rayon<R>, objet: &ObjetRay<R>, _indice: usize) -> R {
-        objet.t(rayon)
-    }
-
-    /// The same, sooner for a ray that passes this object by.
-    #[inline(always)]
-    fn t_si_proche(&self, rayon: &Rayon<R>, objet: &ObjetRay<R>, _indice: usize) -> R {
-        objet.t_si_proche(rayon)
+    fn t(&self, rayon: &Rayon<R>, objet: &ObjetRay<R>, _indice: usize, dans_sa_boite: bool) -> R {
+        if dans_sa_boite { objet.t(rayon) } else { objet.t_si_proche(rayon) }
     }
 }
 
@@ -105,13 +100,13 @@ impl<R: Reel> Demande<R> for (Rayon<R>, R) {
 
     #[inline(always)]
     fn conclure(premier: Premier<R>, _: &[ObjetRay<R>], _: &Rayon<R>) -> bool {
-        premier.rang > 0
+        premier.rang.is_some()
     }
 
     #[inline(always)]
     fn conclure_groupe(groupe: &Groupe<R>, _: &[ObjetRay<R>], occultes: &mut [bool]) {
         for (voie, occulte) in occultes.iter_mut().enumerate() {
-            *occulte = groupe.premier(voie).rang > 0;
+            *occulte = groupe.premier(voie).rang.is_some();
         }
     }
 }

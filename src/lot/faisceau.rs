@@ -10,13 +10,13 @@ use crate::reel::{Reel, fois_u, fois_u_simple, max, min};
 use crate::seize::{Colonne, SEIZE, le_plus_grand};
 use crate::vecteur::Vecteur;
 
-/// M is shorter than a direction by so many u of `f32` of itself: then M·D ≤ 1 (lemma 12).
-pub const COURT_M: f64 = 17.0;
+/// Ω is shorter than a direction by so many u of `f32` of itself: then Ω·D ≤ 1 (lemma 12).
+pub const COURT_OMEGA: f64 = 17.0;
 
-/// The normals P are shorter than 1 by so many u (lemma 12).
+/// The normals Π are shorter than 1 by so many u (lemma 12).
 pub const COURT: f64 = 4.9;
 
-/// By so many u the slope e/μ is taken too large, above and below (lemma 12).
+/// By so many u the slope ξ/μ is taken too large, above and below (lemma 12).
 pub const PENTE: f64 = 7.5;
 
 /// By so many u of the spread of the origins and of the longest segment a bound w is too large
@@ -26,35 +26,36 @@ pub const ORIGINES: f64 = 10.6;
 /// The rounding of h² and of an entry near the ball, in u of `f32` times |C − S₀|² + 3q² (lemma 13).
 pub const JEU_BOULE: f64 = 310.0;
 
-/// No side of a beam of segments is steeper against M: any slope is right, these fit.
+/// No side of a beam of segments is steeper against Ω: any slope is right, these fit.
 const RAIDE: f64 = 4.0;
 
 /// A pyramid that the rays of a block stay in: four sides, then a back. Each of these planes has an
-/// outward normal P and a bound w on P·(X − S₀) over the points X of all rays, or of the part of each
+/// outward normal Π and a bound w on Π·(X − S₀) over the points X of all rays, or of the part of each
 /// that counts.
 pub(crate) struct Faisceau<R> {
     pub(crate) s0: Vecteur<R>,
-    pub(crate) plans: [(Vecteur<R>, R); 5],
-    /// M, a direction along which depths count, and a bound on M·(S − S₀).
+    pub(crate) faces: [(Vecteur<R>, R); 5],
+    /// Ω, a direction along which depths count, and a bound on Ω·(S − S₀).
     pub(crate) axe: (Vecteur<R>, R),
     /// q, the largest |coordinate| of any S − S₀.
-    pub(crate) ecart: R,
+    pub(crate) etalement: R,
     /// The longest segment; 0 for rays without an end.
     pub(crate) portee: R,
 }
 
-/// What a beam is built around: a reference origin S₀, a reference direction M, and U and V across M.
+/// What a beam is built around: a reference origin S₀, a reference direction Ω, and U and V across Ω.
 ///
-/// S₀ and M come from the ray in the middle. U points from the first ray to the eighth, along a row
+/// S₀ and Ω come from the ray in the middle. U points from the first ray to the eighth, along a row
 /// of pixels: any U is right, this one fits closely.
 #[inline(always)]
-fn axes<R: Reel>([premier, huitieme, milieu]: [Rayon<R>; 3]) -> [Vecteur<R>; 4] {
-    let m = milieu.direction() * (R::UN - fois_u_simple(COURT_M));
-    let cote = huitieme.direction() - premier.direction();
+fn axes<R: Reel>([depart, huitieme, milieu]: [Rayon<R>; 3]) -> [Vecteur<R>; 4] {
+    let omega = milieu.direction() * (R::UN - fois_u_simple(COURT_OMEGA));
+    // F1
+    let cote = huitieme.direction() - depart.direction();
     let x = Vecteur::new(R::UN, R::ZERO, R::ZERO);
     let y = Vecteur::new(R::ZERO, R::UN, R::ZERO);
-    let u = en_travers(cote, m).or_else(|| en_travers(x, m)).unwrap_or(y);
-    [milieu.source(), m, u, m.produit_vectoriel(u)]
+    let u = en_travers(cote, omega).or_else(|| en_travers(x, omega)).unwrap_or(y);
+    [milieu.source(), omega, u, omega.produit_vectoriel(u)]
 }
 
 impl<R: Reel> Faisceau<R> {
@@ -62,36 +63,36 @@ impl<R: Reel> Faisceau<R> {
     /// middle, say where it goes. `None` if they go too far apart for one.
     #[inline(always)]
     pub(crate) fn de_rayons(groupes: &[Groupe<R>], reperes: [Rayon<R>; 3]) -> Option<Self> {
-        let axes @ [s0, m, u, v] = axes(reperes);
-        let [u1, u2, v1, v2, moins_mu, ecart] = maxima(
+        let axes @ [s0, omega, u, v] = axes(reperes);
+        let [u1, u2, v1, v2, moins_mu, etalement] = maxima(
             -R::INFINI,
             groupes,
             #[inline(always)]
             |rayon, _| {
                 let (s, d) = (rayon.source() - s0, rayon.direction());
                 let (du, dv) = (d.produit_scalaire(u), d.produit_scalaire(v));
-                [du, -du, dv, -dv, -d.produit_scalaire(m), plus_grande_coordonnee(s)]
+                [du, -du, dv, -dv, -d.produit_scalaire(omega), plus_grande_coordonnee(s)]
             },
         );
-        // The proof needs some room between the rays and the plane across M.
+        // The proof needs some room between the rays and the plane across Ω.
         if -moins_mu < R::depuis_f64(0.25) {
             return None;
         }
         let mu = -moins_mu - fois_u(PENTE);
-        // And e ≥ 0.
+        // F2, and ξ ≥ 0.
         let pentes = [u1, u2, v1, v2].map(
             #[inline(always)]
-            |e| (max(e, R::ZERO) + fois_u(PENTE)) / mu,
+            |xi| (max(xi, R::ZERO) + fois_u(PENTE)) / mu,
         );
-        Some(Self::de_pentes::<false>(groupes, axes, pentes, ecart, R::ZERO))
+        Some(Self::de_pentes(groupes, axes, pentes, etalement, None))
     }
 
     /// The beam of the segments from the sources of these rays to the limits of their first objects:
     /// from surfaces to lamps. Its sides touch both ends.
     #[inline(always)]
     pub(crate) fn de_segments(groupes: &[Groupe<R>], reperes: [Rayon<R>; 3]) -> Self {
-        let axes @ [s0, m, u, v] = axes(reperes);
-        let [s1, s2, s3, s4, l1, l2, l3, l4, profondeur, ecart, portee] = maxima(
+        let axes @ [s0, omega, u, v] = axes(reperes);
+        let [s1, s2, s3, s4, l1, l2, l3, l4, profondeur, etalement, portee] = maxima(
             R::ZERO,
             groupes,
             #[inline(always)]
@@ -100,7 +101,7 @@ impl<R: Reel> Faisceau<R> {
                 let l = s + rayon.direction() * t;
                 let (su, sv) = (s.produit_scalaire(u), s.produit_scalaire(v));
                 let (lu, lv) = (l.produit_scalaire(u), l.produit_scalaire(v));
-                let profondeur = l.produit_scalaire(m);
+                let profondeur = l.produit_scalaire(omega);
                 [su, -su, sv, -sv, lu, -lu, lv, -lv, profondeur, plus_grande_coordonnee(s), t]
             },
         );
@@ -109,29 +110,30 @@ impl<R: Reel> Faisceau<R> {
             #[inline(always)]
             |elargi| max(min(elargi / profondeur, raide), -raide),
         );
-        Self::de_pentes::<true>(groupes, axes, pentes, ecart, portee)
+        Self::de_pentes(groupes, axes, pentes, etalement, Some(portee))
     }
 
-    /// The beam whose sides lean from U, −U, V and −V by these slopes against M, around `SEGMENTS` of
-    /// lengths up to `portee`, or around rays that no side faces.
+    /// The beam whose sides lean from U, −U, V and −V by these slopes against Ω, around segments
+    /// of lengths up to `portee`, or without one around rays that no side faces.
     #[inline(always)]
-    fn de_pentes<const SEGMENTS: bool>(
+    fn de_pentes(
         groupes: &[Groupe<R>],
-        [s0, m, u, v]: [Vecteur<R>; 4],
+        [s0, omega, u, v]: [Vecteur<R>; 4],
         [a1, a2, a3, a4]: [R; 4],
-        ecart: R,
-        portee: R,
+        etalement: R,
+        portee: Option<R>,
     ) -> Self {
-        let [p1, p2, p3, p4] = [(u, a1), (-u, a2), (v, a3), (-v, a4)].map(
+        let segments = portee.is_some();
+        let [pi1, pi2, pi3, pi4] = [(u, a1), (-u, a2), (v, a3), (-v, a4)].map(
             #[inline(always)]
             |(axe, pente)| {
-                // A little shorter than 1.
-                let p = axe - m * pente;
-                p * ((R::UN - fois_u(COURT)) / p.longueur_carree().sqrt())
+                // F3: a little shorter than 1.
+                let pi = axe - omega * pente;
+                pi * ((R::UN - fois_u(COURT)) / pi.longueur_carree().sqrt())
             },
         );
-        // Rays of a camera have one source.
-        let [w1, w2, w3, w4, arriere, avant] = if !SEGMENTS && ecart == R::ZERO {
+        // F4. Rays of a camera have one source.
+        let [w1, w2, w3, w4, arriere, avant] = if !segments && etalement == R::ZERO {
             [R::ZERO; 6]
         } else {
             maxima(
@@ -140,22 +142,23 @@ impl<R: Reel> Faisceau<R> {
                 #[inline(always)]
                 |rayon, t| {
                     let s = rayon.source() - s0;
-                    let l = if SEGMENTS { s + rayon.direction() * t } else { s };
-                    let (w1, w2) = (plus_loin_le_long(p1, s, l), plus_loin_le_long(p2, s, l));
-                    let (w3, w4) = (plus_loin_le_long(p3, s, l), plus_loin_le_long(p4, s, l));
-                    [w1, w2, w3, w4, plus_loin_le_long(-m, s, l), m.produit_scalaire(s)]
+                    let l = if segments { s + rayon.direction() * t } else { s };
+                    let (w1, w2) = (plus_loin_le_long(pi1, s, l), plus_loin_le_long(pi2, s, l));
+                    let (w3, w4) = (plus_loin_le_long(pi3, s, l), plus_loin_le_long(pi4, s, l));
+                    [w1, w2, w3, w4, plus_loin_le_long(-omega, s, l), omega.produit_scalaire(s)]
                 },
             )
         };
-        let jeu = (ecart + portee) * fois_u(ORIGINES);
+        let portee = portee.unwrap_or(R::ZERO);
+        let jeu = (etalement + portee) * fois_u(ORIGINES);
         Self {
             s0,
-            plans: [(p1, w1), (p2, w2), (p3, w3), (p4, w4), (-m, arriere)].map(
+            faces: [(pi1, w1), (pi2, w2), (pi3, w3), (pi4, w4), (-omega, arriere)].map(
                 #[inline(always)]
-                |(p, w)| (p, w + jeu),
+                |(pi, w)| (pi, w + jeu),
             ),
-            axe: (m, avant + jeu),
-            ecart,
+            axe: (omega, avant + jeu),
+            etalement,
             portee,
         }
     }
@@ -163,14 +166,15 @@ impl<R: Reel> Faisceau<R> {
     /// h² − ρ² − 310u₃₂·(|C − S₀|² + 3q²), where h is how far C lies beyond the farthest of the five
     /// planes, or 0. Above 0 no ray of the beam enters what is in the ball.
     #[inline(always)]
-    pub(crate) fn ecart_a(&self, boule: Boule<R>) -> R {
+    pub(crate) fn degagement(&self, boule: Boule<R>) -> R {
         let sc = boule.centre - self.s0;
         let mut h = R::ZERO;
-        for (p, w) in self.plans {
-            h = max(p.produit_scalaire(sc) - w, h);
+        for (pi, w) in self.faces {
+            h = max(pi.produit_scalaire(sc) - w, h);
         }
-        let etendue = R::depuis_f64(3.0) * (self.ecart * self.ecart);
-        h * h - (boule.r2 + (sc.longueur_carree() + etendue) * fois_u_simple(JEU_BOULE))
+        let loin = R::depuis_f64(3.0) * (self.etalement * self.etalement);
+        // F5
+        h * h - (boule.r2 + (sc.longueur_carree() + loin) * fois_u_simple(JEU_BOULE))
     }
 }
 
@@ -193,16 +197,13 @@ fn maxima<R: Reel, const N: usize>(
             }
         }
     }
-    colonnes.map(
-        #[inline(always)]
-        |colonne| le_plus_grand(colonne),
-    )
+    colonnes.map(le_plus_grand)
 }
 
-/// How far along P the farther end of a segment is.
+/// How far along Π the farther end of a segment is.
 #[inline(always)]
-fn plus_loin_le_long<R: Reel>(p: Vecteur<R>, s: Vecteur<R>, l: Vecteur<R>) -> R {
-    max(p.produit_scalaire(s), p.produit_scalaire(l))
+fn plus_loin_le_long<R: Reel>(pi: Vecteur<R>, s: Vecteur<R>, l: Vecteur<R>) -> R {
+    max(pi.produit_scalaire(s), pi.produit_scalaire(l))
 }
 
 #[inline(always)]
@@ -210,10 +211,10 @@ fn plus_grande_coordonnee<R: Reel>(v: Vecteur<R>) -> R {
     max(max(v.x.abs(), v.y.abs()), v.z.abs())
 }
 
-/// The unit vector of what `v` has across M; `None` if `v` lies along M, where what rounding leaves
+/// The unit vector of what `v` has across Ω; `None` if `v` lies along Ω, where what rounding leaves
 /// does too.
 #[inline(always)]
-fn en_travers<R: Reel>(v: Vecteur<R>, m: Vecteur<R>) -> Option<Vecteur<R>> {
-    let travers = (v - m * v.produit_scalaire(m)).unitaire()?;
-    (travers.produit_scalaire(m).abs() < R::depuis_f64(0.5)).then_some(travers)
+fn en_travers<R: Reel>(v: Vecteur<R>, omega: Vecteur<R>) -> Option<Vecteur<R>> {
+    let travers = (v - omega * v.produit_scalaire(omega)).unitaire()?;
+    (travers.produit_scalaire(omega).abs() < R::depuis_f64(0.5)).then_some(travers)
 }

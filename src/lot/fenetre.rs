@@ -35,12 +35,12 @@ impl<R: Reel> Rangee<R> {
     #[inline(always)]
     pub(crate) fn rencontres<S: Simd>(&self, simd: S, faisceau: &Faisceau<R>) -> Membres {
         let ([x, y, z], r2) = (&self.centres, &self.r2);
-        let mut ecarts = [0.0; SEIZE];
+        let mut degagements = [0.0; SEIZE];
         for i in 0..SEIZE {
             let boule = Boule { centre: Vecteur::new(x[i], y[i], z[i]), r2: r2[i] };
             // Rounding to `f32` keeps the sign, or makes a 0.
-            ecarts[i] = simple(faisceau.ecart_a(boule));
+            degagements[i] = simple(faisceau.degagement(boule));
         }
-        au_plus(simd, &ecarts, &[0.0; SEIZE])
+        au_plus(simd, &degagements, &[0.0; SEIZE])
     }
 }

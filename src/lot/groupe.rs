@@ -72,7 +72,7 @@ impl<R: Reel> Groupe<R> {
     /// The first object of one ray so far.
     #[inline(always)]
     pub(crate) fn premier(&self, voie: usize) -> Premier<R> {
-        Premier { t: self.t[voie], rang: self.rangs[voie] }
+        Premier { t: self.t[voie], rang: Rang::de_nombre(self.rangs[voie]) }
     }
 
     /// The largest distance of a first object so far.
@@ -84,13 +84,14 @@ impl<R: Reel> Groupe<R> {
     /// For each ray that enters the object of this shape and rank before its first so far: makes it
     /// its first. If one suffices, the ray is done: before distance 0 it looks for no other.
     ///
-    /// Of two objects at the same distance the one of lower rank is the first. `EN_ORDRE` promises
+    /// Of two objects at the same distance the one of lower rank is the first. `en_ordre` promises
     /// that objects come in the order of their ranks, which saves that comparison.
     #[inline(always)]
-    pub(crate) fn proposer<const EN_ORDRE: bool>(
+    pub(crate) fn proposer(
         &mut self,
         forme: &impl Forme<R>,
         rang: Rang,
+        en_ordre: bool,
         un_suffit: bool,
     ) {
         let mut pres = false;
@@ -108,12 +109,12 @@ impl<R: Reel> Groupe<R> {
             *t = forme.t(&self.rayon(voie));
         }
         for (voie, &t) in t.iter().enumerate() {
-            let (trouve, premier) = (Premier { t, rang: rang.en_nombre() }, self.premier(voie));
+            let (trouve, premier) = (Premier { t, rang: Some(rang) }, self.premier(voie));
             let precede =
-                if EN_ORDRE || un_suffit { t < premier.t } else { trouve.precede(premier) };
+                if en_ordre || un_suffit { t < premier.t } else { trouve.precede(premier) };
             let t = if un_suffit { R::ZERO } else { t };
             self.t[voie] = if precede { t } else { premier.t };
-            self.rangs[voie] = if precede { trouve.rang } else { premier.rang };
+            self.rangs[voie] = if precede { trouve } else { premier }.nombre();
         }
     }
 
@@ -124,14 +125,11 @@ impl<R: Reel> Groupe<R> {
         let mut contacts = Contacts::VIDES;
         let mut restent = Membres::AUCUN;
         for (voie, touche) in touches.iter_mut().enumerate() {
-            if self.rangs[voie] > 0 {
-                restent.ajouter_si(voie, true);
-            } else {
-                *touche = Err(NoIntersection);
-            }
+            *touche = Err(NoIntersection);
+            restent.ajouter_si(voie, self.rangs[voie] > 0);
         }
         while let Some(voie) = restent.clone().next() {
-            let Some(rang) = Rang::numero(self.rangs[voie]) else { return };
+            let Some(rang) = Rang::de_nombre(self.rangs[voie]) else { return };
             let Some(objet) = objets.get(rang.indice()) else { return };
             let mut siens = Membres::AUCUN;
             for voie in 0..SEIZE {

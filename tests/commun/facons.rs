@@ -1,9 +1,10 @@
 //! Every way to an answer, with every instruction set of the machine: the list in a batch, the hierarchy ray by
 //! ray and in a batch, shadows of both; each beside the list ray by ray.
 
+use lancer_rayon::pour_les_tests::{Reglage, SEUIL_LOT, sans_boites};
 use lancer_rayon::{
-    Hierarchie, ObjetRay, Rayon, Reel, Reglage, SphereGeo, Texture, Touche, Vecteur, est_occulte,
-    premiere_intersection,
+    Hierarchie, ObjetRay, Rayon, Reel, SphereGeo, Texture, Touche, Vecteur, est_certaine,
+    est_occulte, premiere_intersection,
 };
 
 use crate::conversion::{Bits, mots};
@@ -12,7 +13,7 @@ use crate::conversion::{Bits, mots};
 pub const UN_ARBRE: usize = 8;
 
 /// The fewest objects of which a block walks the tree.
-const UN_BLOC: usize = Reglage::SEUIL_LOT + 1;
+const UN_BLOC: usize = SEUIL_LOT.0 + 1;
 
 /// The number so many units in the last place away.
 pub fn voisin<R: Bits>(x: R, de: i64) -> R {
@@ -73,6 +74,27 @@ pub fn comparer<R: Bits>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) -> usize {
         comparer(&objets.repeat(UN_BLOC.div_ceil(n)), rayons);
     }
     attendues.iter().flatten().count()
+}
+
+/// Asks these rays every question in every way of a hierarchy that knows no box of these objects, more than a batch
+/// of the list takes.
+#[track_caller]
+pub fn comparer_sans_boites<R: Bits>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) {
+    assert!(objets.len() >= UN_BLOC);
+    let mut places = vec![0.0; Hierarchie::places(objets.len())];
+    let mut indices = vec![0.0; objets.len()];
+    let hierarchie = Hierarchie::new(objets, &mut places).unwrap();
+    let hierarchie = sans_boites(hierarchie, &mut indices);
+    let attendues: Vec<_> = rayons.iter().map(|r| premiere_intersection(objets, r)).collect();
+    comparer_les_facons(rayons, &attendues, hierarchie, None);
+    let sauf = attendues.iter().flatten().next().unwrap().objet();
+    let autres = [&objets[..sauf], &objets[sauf + 1..]].concat();
+    let restantes: Vec<_> = rayons.iter().map(|r| premiere_intersection(&autres, r)).collect();
+    comparer_les_facons(rayons, &restantes, hierarchie, Some(sauf));
+    for (rayon, touche) in rayons.iter().zip(&attendues) {
+        let certaine = est_certaine(objets, rayon, touche);
+        assert_eq!(hierarchie.est_certaine(rayon, touche), certaine, "{rayon:?}: {touche:?}");
+    }
 }
 
 /// This hierarchy without that object, if there is one to leave out.

@@ -1,7 +1,7 @@
 //! What is measured of an implementation against the oracle, regime by regime.
 
 use fastrand::Rng;
-use lancer_rayon::constantes::ARRONDI_PERDU;
+use lancer_rayon::pour_les_tests::ARRONDI_PERDU;
 use lancer_rayon::{Intersection, ObjetRay, Rayon, Reel, SphereRay, Vecteur};
 
 use crate::oracle::{Entree, hauteur, verite};

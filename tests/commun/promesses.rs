@@ -2,7 +2,7 @@
 //! takes. Random cases (`tests/precision/promesses.rs`), a search that climbs (`adversaire.rs`) and the tables of the
 //! pages (`benches/comparaison`) all ask these.
 
-use lancer_rayon::constantes::{self, PUISSANCE_PERDUE};
+use lancer_rayon::pour_les_tests::{self, PUISSANCE_PERDUE};
 use lancer_rayon::{Intersection, ObjetRay, Rayon, Reel, Texture, Vecteur, premiere_intersection};
 
 use crate::arrondi;
@@ -289,7 +289,7 @@ pub fn est_sur<R: Reel>(cas: &Essai<R>) -> f64 {
 /// A glance that leaves the true entry out is the end; else it is the better, the nearer that is to an end, in u of it.
 pub fn coup_d_oeil<R: Reel>(cas: &Essai<R>) -> f64 {
     let (objet, rayon) = (cas.objets[0].vers_f64(), cas.rayon.vers_f64());
-    let vue = constantes::coup_d_oeil(&objet, &rayon);
+    let vue = pour_les_tests::coup_d_oeil(&objet, &rayon);
     let Some(entree) = verite(&objet, &rayon).entree else {
         return if vue.haut < f64::INFINITY { ROMPUE } else { RIEN };
     };

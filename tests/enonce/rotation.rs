@@ -4,7 +4,8 @@ use commun::regimes::repere;
 use commun::strategies::{rotation, vecteur, vecteur_rotation};
 use commun::tolerances::{ORTHONORMALE, PRODUIT, TOURNE, ecart_rotation, u};
 use commun::{Bits, en_f32_et_f64, pour_tout};
-use lancer_rayon::{Reel, Rotation, Vecteur, constantes};
+use lancer_rayon::pour_les_tests::DEJA_ORTHONORMALE;
+use lancer_rayon::{Reel, Rotation, Vecteur};
 use proptest::prelude::*;
 
 type Matrice = [[f64; 3]; 3];
@@ -130,7 +131,7 @@ fn l_inverse_d_une_matrice_presque_orthonormale_est_une_rotation<R: Bits>() {
         for r in [r, r.inverse()] {
             let m = matrice(r);
             // An f64 is judged in f64, here and in the crate: 4u each.
-            let permis = constantes::DEJA_ORTHONORMALE * u::<R>() + 8.0 * f64::U;
+            let permis = DEJA_ORTHONORMALE * u::<R>() + 8.0 * f64::U;
             assert!(ecart(produit(m, transposee(m)), IDENTITE) <= permis, "{k}: {m:?}");
             assert_eq!(bits(Rotation::depuis_matrice(r.matrice()).unwrap()), bits(r), "{k}");
         }

@@ -8,7 +8,7 @@ use std::fs;
 use std::path::Path;
 
 use commun::tolerances::{ORTHONORMALE, bandes, promesses};
-use lancer_rayon::constantes::*;
+use lancer_rayon::pour_les_tests::*;
 
 /// Secondary rays of the long run, in millions (`docs/epreuves.md`).
 const SECONDAIRES: f64 = 963.0;

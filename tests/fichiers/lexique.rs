@@ -13,7 +13,7 @@ const PARTIES: [(&str, &[&str]); 8] = [
     ("Hits, and the rays that start there", &["intersection", "secondaire"]),
     ("One ray and a list", &["recherche", "jugement"]),
     ("Many rays, many objects", &["lot", "hierarchie"]),
-    ("Errors", &["erreur"]),
+    ("Errors", &["refus"]),
 ];
 
 fn racine() -> &'static Path {

@@ -12,9 +12,10 @@ use commun::facons::{comparer, exiger};
 use commun::{Bits, arrondi, empreinte};
 use exemples::scene::Scene;
 use fastrand::Rng;
+use lancer_rayon::pour_les_tests::Reglage;
 use lancer_rayon::{
-    BoiteGeo, Hierarchie, NoIntersection, ObjetRay, PlanGeo, Rayon, Reglage, Rotation, SphereGeo,
-    Texture, Touche, Vecteur, est_occulte, premiere_intersection,
+    BoiteGeo, Hierarchie, NoIntersection, ObjetRay, PlanGeo, Rayon, Rotation, SphereGeo, Texture,
+    Touche, Vecteur, est_occulte, premiere_intersection,
 };
 use serde::de::DeserializeOwned;
 

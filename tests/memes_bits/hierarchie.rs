@@ -6,13 +6,14 @@
 use std::f64::consts::FRAC_PI_2;
 
 use commun::conversion::mots;
-use commun::facons::{UN_ARBRE, comparer, voisin};
+use commun::facons::{UN_ARBRE, comparer, comparer_sans_boites, voisin};
 use commun::regimes::{deux_puissance, direction, entre, signe};
 use commun::{Bits, arrondi, en_f32_et_f64, scenes};
 use fastrand::Rng;
+use lancer_rayon::pour_les_tests::noeuds;
 use lancer_rayon::{
     BoiteGeo, Hierarchie, LongueursDifferentes, NoIntersection, ObjetGeo, ObjetRay,
-    PlacesInsuffisantes, PlanGeo, Rayon, Reel, Reglage, Rotation, SphereGeo, Texture, Vecteur,
+    PlacesInsuffisantes, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture, Vecteur,
     premiere_intersection,
 };
 
@@ -335,8 +336,8 @@ fn des_geants_parmi_des_petits<R: Bits>() {
         let hierarchie = Hierarchie::new(&objets, &mut places).unwrap();
         if grands + petits as u32 == 272 {
             // The giants, sixteen leaves and a root; without giants, or with fewer, 17 + 2 + 1.
-            let noeuds = if grands == 5 { 20 } else { 18 };
-            assert_eq!(Reglage::noeuds(&hierarchie), noeuds, "{grands} giants");
+            let voulus = if grands == 5 { 20 } else { 18 };
+            assert_eq!(noeuds(&hierarchie), voulus, "{grands} giants");
         }
     }
     assert!(touches > 100, "only {touches} hits");
@@ -391,9 +392,18 @@ fn des_demi_espaces_et_peu_d_autres<R: Bits>() {
             // Without a tree a comparison is of the list with itself.
             let mut places = vec![0.0; Hierarchie::places(n)];
             let hierarchie = Hierarchie::new(&objets, &mut places).unwrap();
-            assert_eq!(Reglage::noeuds(&hierarchie) > 0, bornes == UN_ARBRE);
+            assert_eq!(noeuds(&hierarchie) > 0, bornes == UN_ARBRE);
         }
     }
+}
+
+/// Built: a tree that takes spheres, boxes and half-spaces for objects without a box, as another unbounded shape would
+/// be. Held: the answers of the list. What a walk asks of half-spaces alone would be missed.
+fn nul_objet_sans_boite_n_est_oublie<R: Bits>() {
+    let mut alea = Rng::with_seed(9);
+    let mut objets = scenes::melange::<R>(205);
+    objets.extend([(); 3].map(|()| sol(&mut alea, 20.0)));
+    comparer_sans_boites(&objets, &scenes::rayons_camera::<R>(24, 16));
 }
 
 /// Built: as many half-spaces as need no node more, in exactly the places that are asked for, which start
@@ -410,7 +420,7 @@ fn les_demi_espaces_ont_leur_place<R: Bits>() {
         for debut in 0..16 {
             let places = &mut places[debut..debut + necessaires];
             let hierarchie = Hierarchie::new(objets, places).unwrap();
-            assert_eq!(Reglage::noeuds(&hierarchie) > 0, bornes >= UN_ARBRE);
+            assert_eq!(noeuds(&hierarchie) > 0, bornes >= UN_ARBRE);
             for rayon in &rayons {
                 let attendue = mots(&premiere_intersection(objets, rayon));
                 assert_eq!(mots(&hierarchie.premiere_intersection(rayon)), attendue);
@@ -439,6 +449,7 @@ en_f32_et_f64!(des_sources_de_plus_en_plus_loin);
 en_f32_et_f64!(de_tout_petits_objets_parmi_des_grands);
 en_f32_et_f64!(les_places_pretees);
 en_f32_et_f64!(des_demi_espaces_et_peu_d_autres);
+en_f32_et_f64!(nul_objet_sans_boite_n_est_oublie);
 en_f32_et_f64!(les_demi_espaces_ont_leur_place);
 en_f32_et_f64!(des_geants_parmi_des_petits);
 en_f32_et_f64!(des_longueurs_differentes_sont_une_erreur);

@@ -11,10 +11,10 @@ use commun::regimes::{Cas, Extreme, deux_puissance, direction, entre, regimes, s
 use commun::tolerances::u;
 use commun::{Bits, arrondi, en_f32_et_f64, scenes};
 use fastrand::Rng;
+use lancer_rayon::pour_les_tests::{Reglage, evite};
 use lancer_rayon::{
-    BoiteGeo, LongueursDifferentes, NoIntersection, ObjetRay, Rayon, Reel, Reglage, Rotation,
-    SphereGeo, Texture, Touche, Vecteur, premiere_intersection, premieres_intersections,
-    sont_occultes,
+    BoiteGeo, LongueursDifferentes, NoIntersection, ObjetRay, Rayon, Reel, Rotation, SphereGeo,
+    Texture, Touche, Vecteur, premiere_intersection, premieres_intersections, sont_occultes,
 };
 
 fn axe_z<R: Reel>() -> Vecteur<R> {
@@ -342,7 +342,7 @@ fn des_rayons_paralleles_evitent_une_boule_a_cote<R: Reel>() {
             let centre = d * R::depuis_f64(7.0) + cote * R::depuis_f64(10.0);
             let boule = SphereGeo::new(centre, R::UN, Texture(0)).unwrap().into();
             let a_cote = cote != Vecteur::NUL;
-            assert_eq!(Reglage::evite(&rayons, &boule), a_cote, "along {d:?}, {centre:?}");
+            assert_eq!(evite(&rayons, &boule), a_cote, "along {d:?}, {centre:?}");
         }
     }
 }
@@ -373,7 +373,7 @@ fn des_segments_vers_une_lampe_evitent_une_boule_a_cote<R: Reel>() {
     ] {
         let centre = Vecteur::from(centre.map(R::depuis_f64));
         let boule = SphereGeo::new(centre, R::depuis_f64(0.75), Texture(0)).unwrap().into();
-        assert_eq!(Reglage::evite(&ombres, &boule), a_cote, "{centre:?}");
+        assert_eq!(evite(&ombres, &boule), a_cote, "{centre:?}");
     }
 }
 

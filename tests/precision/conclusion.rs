@@ -11,9 +11,10 @@ use commun::regimes::{Cas, Genre, deux_puissance, direction, entre, regimes};
 use commun::tolerances::{promesses, u};
 use commun::{arrondi, en_f32_et_f64};
 use fastrand::Rng;
+use lancer_rayon::pour_les_tests::{ARRONDI_PERDU, PENCHE, PUISSANCE_PERDUE, TRAVERS_PERDU};
 use lancer_rayon::{
     Intersection, NoIntersection, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture,
-    Vecteur, constantes,
+    Vecteur,
 };
 
 /// Cases of each regime, and of each construction that hits often.
@@ -49,7 +50,7 @@ fn la_normale_d_une_sphere_est_celle_du_point<R: Reel>() {
         // 2u round N, 14u lean a grazing one, 4u take CP past a right angle; P is rounded twice in
         // each coordinate, f once, CP once.
         let etendue = touche.distance().vers_f64() + p.longueur() + f;
-        let permis = u::<R>() * (6.0 + constantes::PENCHE + 4.0 * etendue / r);
+        let permis = u::<R>() * (6.0 + PENCHE + 4.0 * etendue / r);
         // Above 0.1 rad there is nothing left of the direction to judge.
         if permis < 0.1 {
             let n = touche.normale().vers_f64();
@@ -57,7 +58,7 @@ fn la_normale_d_une_sphere_est_celle_du_point<R: Reel>() {
             assert!(ecart <= permis, "off by {ecart:e}, {permis:e} allowed: {objet:?} {rayon:?}");
             jugees += 1;
             let cosinus = -n.produit_scalaire(rayon.direction().vers_f64());
-            penchees += u32::from(cosinus < (constantes::PENCHE + 2.0) * u::<R>());
+            penchees += u32::from(cosinus < (PENCHE + 2.0) * u::<R>());
         }
     });
     assert!(jugees > CAS && (penchees > 0 || u::<R>() < f64::EPSILON), "{jugees}, {penchees}");
@@ -82,10 +83,7 @@ fn la_normale_d_une_sphere_perdue_est_en_travers_du_rayon<R: Reel>() {
         if le_long > 0.0 && travers.longueur() > le_long {
             let ecart = (touche.normale().vers_f64() - travers / travers.longueur()).longueur();
             // The lean, and 2u each for N and for this test.
-            assert!(
-                ecart <= (constantes::PENCHE + 4.0) * u::<R>(),
-                "off by {ecart:e}: {centre:?} {rayon:?}"
-            );
+            assert!(ecart <= (PENCHE + 4.0) * u::<R>(), "off by {ecart:e}: {centre:?} {rayon:?}");
             penchees += 1;
         }
     }
@@ -166,9 +164,9 @@ fn une_sphere_perdue_a_une_marge_infinie<R: Reel>() {
         let q2 = (cp - n * le_long).longueur_carree();
         let e = u::<R>() * (p.x.abs() + p.y.abs() + p.z.abs());
         let rapports = [
-            (cp.longueur_carree() - 1.0).abs() / constantes::PUISSANCE_PERDUE,
-            q2 / constantes::TRAVERS_PERDU,
-            e / constantes::ARRONDI_PERDU,
+            (cp.longueur_carree() - 1.0).abs() / PUISSANCE_PERDUE,
+            q2 / TRAVERS_PERDU,
+            e / ARRONDI_PERDU,
         ];
         // Nearer to 1 the rounding of the kernel decides: of |CP|² − r², some 8u of r², and of q, 2u of r.
         if rapports.iter().any(|rapport| (rapport - 1.0).abs() < 64.0 * u::<R>()) {

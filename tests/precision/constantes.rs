@@ -20,7 +20,7 @@
 use crate::intervalle::{Intervalle, de_a, portee};
 use commun::tolerances::{ORTHONORMALE, bandes, promesses};
 use lancer_rayon::Reel;
-use lancer_rayon::constantes::*;
+use lancer_rayon::pour_les_tests::*;
 
 /// u of `f32` and of `f64`.
 const U: [f64; 2] = [f32::EPSILON as f64 / 2.0, f64::EPSILON / 2.0];
@@ -569,14 +569,16 @@ fn lemmes_7_et_8_un_pas_de_plat() {
     // What is lost below the normal numbers, in η: three products of the height and of that which
     // the next search sees, those by 8u, 10u, 1 + 20u and 1.1u, and N·pas along N.
     let perdu = 1.5 + 1.5 + 4.0 * 0.5 + 0.5 * i(3.0).racine();
-    assert!(perdu.haut * f64::from(f32::MIN_POSITIF) < SEUIL.0);
-    assert!(perdu.haut * f64::MIN_POSITIF < SEUIL.1);
+    assert!(perdu.haut * f64::from(f32::MIN_POSITIF) < PLANCHER.0);
+    assert!(perdu.haut * f64::MIN_POSITIF < PLANCHER.1);
     // A margin over a floor through O is so long, and u of it is a normal number; of the margin of the smallest sphere
     // it is no hundred thousandth.
     let moindre = |u: f64, limite: f64| 2.0 * ARRONDI_HAUTEUR * LONGUEUR * u / limite;
-    assert!(SEUIL.0 * U[0] >= f64::from(f32::MIN_POSITIVE) && SEUIL.1 * U[1] >= f64::MIN_POSITIVE);
-    assert!(SEUIL.0 < 1e-5 * moindre(U[0], f32::LIMITE.into()));
-    assert!(SEUIL.1 < 1e-5 * moindre(U[1], f64::LIMITE));
+    assert!(
+        PLANCHER.0 * U[0] >= f64::from(f32::MIN_POSITIVE) && PLANCHER.1 * U[1] >= f64::MIN_POSITIVE
+    );
+    assert!(PLANCHER.0 < 1e-5 * moindre(U[0], f32::LIMITE.into()));
+    assert!(PLANCHER.1 < 1e-5 * moindre(U[1], f64::LIMITE));
     tenir(PAS_ARRONDI, |u| plus(1.0, u) / ((1.0 - gamma(6.0, u) * u) * moins(N2, u)));
 }
 
@@ -659,7 +661,7 @@ fn lemme_11_boule() {
 
 #[test]
 fn lemme_12_faisceau() {
-    tenir(COURT_M, |u| et(et(i(D1), i(D1), u), i(1.0), u) * plus(2.0 * COURT_M, u));
+    tenir(COURT_OMEGA, |u| et(et(i(D1), i(D1), u), i(1.0), u) * plus(2.0 * COURT_OMEGA, u));
     // The root of θ₃, its rounding, the quotient and the product.
     tenir(COURT, |u| et(normalise(u), i(1.0), u) * plus(2.0 * COURT, u));
     // (U − aΩ)·D and what rounds it, in u; above 0 it would not be below 0.

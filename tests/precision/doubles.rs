@@ -5,7 +5,7 @@
 use commun::cas;
 use commun::oracle::Exact;
 use fastrand::Rng;
-use lancer_rayon::constantes::{Double, Intervalle};
+use lancer_rayon::pour_les_tests::{Double, Intervalle};
 
 /// What is done with two numbers so far, given by their places.
 #[derive(Debug, Clone, Copy)]

@@ -10,7 +10,7 @@ use commun::regimes::{Cas, Extreme, Genre, direction, regimes, repere};
 use commun::tolerances::{ORTHONORMALE, u};
 use commun::{arrondi, en_f32_et_f64};
 use fastrand::Rng;
-use lancer_rayon::constantes::TANGENT;
+use lancer_rayon::pour_les_tests::TANGENT;
 use lancer_rayon::{
     BoiteGeo, Intersection, NoIntersection, ObjetGeo, ObjetRay, PlanGeo, Rayon, Reel, Rotation,
     SphereGeo, Texture, Vecteur, premiere_intersection,

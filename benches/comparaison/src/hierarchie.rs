@@ -9,7 +9,8 @@ use banc::concurrents::temps;
 use banc::horloge::{MORCEAU, TOURS, moindres};
 use banc::nous;
 use commun::scenes::{en_tuiles, melange, rayons_camera};
-use lancer_rayon::{Hierarchie, NoIntersection, Rayon, Reel, Reglage, premiere_intersection};
+use lancer_rayon::pour_les_tests::Reglage;
+use lancer_rayon::{Hierarchie, NoIntersection, Rayon, Reel, premiere_intersection};
 use rayon::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 

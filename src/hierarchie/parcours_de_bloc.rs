@@ -54,15 +54,13 @@ impl<R: Reel> Arbre<'_, R> {
         (demandes, reponses): (&[D], &mut [D::Reponse]),
         patience: &mut Patience,
     ) {
-        let sonde = if patience.essayer() {
-            bloc.faisceau().and_then(|faisceau| SondeDeBloc::new(&faisceau, self.repere))
-        } else {
-            None
-        };
-        if let Some(sonde) = sonde {
-            let ensemble = self.parcourir_ensemble(simd, &sonde, bloc);
-            patience.noter(ensemble);
-            if ensemble {
+        if patience.essayer()
+            && let Some(faisceau) = bloc.faisceau()
+            && let Some(sonde) = SondeDeBloc::new(&faisceau, self.repere)
+        {
+            let jusqu_au_bout = self.parcourir_en_bloc(simd, &sonde, bloc);
+            patience.noter(jusqu_au_bout);
+            if jusqu_au_bout {
                 return bloc.ecrire(simd, self.objets, reponses);
             }
         }
@@ -75,13 +73,13 @@ impl<R: Reel> Arbre<'_, R> {
                     demandes.iter().zip(bloc.premiers()).zip(reponses)
                 {
                     let rayon = demande.rayon();
-                    if D::UN_SUFFIT && premier.rang == 0 {
+                    if D::UN_SUFFIT && premier.rang.is_none() {
                         premier = dernier.encore(self.objets, rayon, premier);
                     }
-                    if !D::UN_SUFFIT || premier.rang == 0 {
+                    if !D::UN_SUFFIT || premier.rang.is_none() {
                         premier = self.parcourir(simd, demande, premier, bloc.sauf);
                     }
-                    if premier.rang > 0 {
+                    if premier.rang.is_some() {
                         dernier = premier;
                     }
                     *reponse = D::conclure(premier, self.objets, rayon);
@@ -93,14 +91,14 @@ impl<R: Reel> Arbre<'_, R> {
     /// Finds the first object of each ray of a block, in the nodes that its beam crosses. Tells whether it
     /// came to the end: if the rays go too far apart for one walk, what they have found so far stands.
     #[inline(always)]
-    fn parcourir_ensemble<S: Simd, D: Demande<R>>(
+    fn parcourir_en_bloc<S: Simd, D: Demande<R>>(
         &self,
         simd: S,
         sonde: &SondeDeBloc,
         bloc: &mut Bloc<R, D>,
     ) -> bool {
-        for &indice in self.plans {
-            self.proposer(bloc, indice_lu(indice));
+        for &indice in self.sans_boite {
+            bloc.proposer(self.objets, indice_lu(indice), false);
         }
         let mut attentes = [RIEN; GRANDE_PILE];
         let (mut pile, mut numero) = Pile::new(&mut attentes, self.geants, self.noeuds.len() - 1);
@@ -116,7 +114,7 @@ impl<R: Reel> Arbre<'_, R> {
                     }
                     let [.., indices] = noeud;
                     for enfant in traverses {
-                        self.proposer(bloc, indice_lu(indices[enfant]));
+                        bloc.proposer(self.objets, indice_lu(indices[enfant]), false);
                     }
                     let loin = bloc.le_plus_loin();
                     if D::UN_SUFFIT && loin == R::ZERO {
@@ -132,13 +130,5 @@ impl<R: Reel> Arbre<'_, R> {
             numero = suivant;
         }
         true
-    }
-
-    /// Proposes the object of this index to the block.
-    #[inline(always)]
-    fn proposer<D: Demande<R>>(&self, bloc: &mut Bloc<R, D>, indice: usize) {
-        if let Some(objet) = self.objets.get(indice) {
-            bloc.proposer::<false>(objet, indice);
-        }
     }
 }

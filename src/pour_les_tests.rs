@@ -1,0 +1,90 @@
+//! What tests and measurements need of this crate and its callers do not: the batch and the hierarchy with
+//! other instructions; what no answer tells; and, under one roof for the test that holds them to their
+//! lemmas, the constants of the proofs in `docs/preuves.md` and the numbers of lemma 18.
+
+use fearless_simd::Level;
+
+use crate::hierarchie::Hierarchie;
+use crate::hierarchie::construction::Arbre;
+use crate::hierarchie::noeud::{VIDE, en_mot};
+use crate::lot::bloc::Bloc;
+use crate::niveau::meilleur_niveau;
+use crate::objet::ObjetRay;
+use crate::rayon::Rayon;
+use crate::reel::Reel;
+
+pub use crate::double::{BORNE_DOUBLE, Double, Intervalle, PERTE_DOUBLE, PRODUIT_DOUBLE};
+pub use crate::forme::{ARRONDI_HAUTEUR, PENCHE, PLANCHER, RETRAIT, VERS_LE_HAUT};
+pub use crate::hierarchie::SEUIL_LOT;
+pub use crate::hierarchie::repere::{JEU_F32, JEU_TOUCHE};
+pub use crate::hierarchie::sonde::{ENTREE_AVANT, JEU_BLOC, JEU_FIXE};
+pub use crate::jugement::ERREUR_ARRONDIE;
+pub use crate::jugement::coup_d_oeil::{
+    VUE_DISTANCE, VUE_HAUTEUR, VUE_LONGUEUR, VUE_QUOTIENT, VUE_SPHERE, VUE_VITESSE, coup_d_oeil,
+};
+pub use crate::jugement::loupe::ECART_ARRONDI;
+pub use crate::lot::faisceau::{COURT, COURT_OMEGA, JEU_BOULE, ORIGINES, PENTE};
+pub use crate::objet::ETENDUE;
+pub use crate::rayon::DEJA_UNITAIRE;
+pub use crate::rotation::DEJA_ORTHONORMALE;
+pub use crate::secondaire::{PAS_ARRONDI, PAS_NORMAL, REDRESSE, TANGENT};
+pub use crate::sphere::{ARRONDI_PERDU, LONGUEUR, PAR_RAYON, PUISSANCE_PERDUE, TRAVERS_PERDU};
+
+/// Which instructions are taken: no answer depends on it.
+#[derive(Debug, Clone, Copy)]
+pub struct Reglage {
+    niveau: Level,
+}
+
+impl Reglage {
+    /// Each instruction set of this machine, the best first, by name.
+    pub fn tous() -> impl Iterator<Item = (&'static str, Self)> {
+        let niveau = meilleur_niveau();
+        #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+        let niveaux = [
+            ("AVX-512", niveau.as_avx512().map(Level::Avx512)),
+            ("AVX2", niveau.as_avx2().map(Level::Avx2)),
+            ("SSE2", niveau.as_sse2().map(Level::Sse2)),
+        ];
+        #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
+        let niveaux = [("the only one", Some(niveau))];
+        niveaux.into_iter().filter_map(|(nom, niveau)| Some((nom, Self { niveau: niveau? })))
+    }
+
+    /// These objects as a hierarchy that asks its list, however long, with these instructions.
+    pub fn liste<R: Reel>(self, objets: &[ObjetRay<R>]) -> Hierarchie<'_, R> {
+        Hierarchie { objets, arbre: None, sauf: None, niveau: self.niveau }
+    }
+
+    /// The same hierarchy with these instructions.
+    pub fn hierarchie<R: Reel>(self, mut hierarchie: Hierarchie<'_, R>) -> Hierarchie<'_, R> {
+        hierarchie.niveau = self.niveau;
+        hierarchie
+    }
+}
+
+/// Whether the beam of these shadow rays, one to sixty-four, up to their lamps leaves out a ball
+/// around this object, or that of the rays if a lamp is infinitely far. No answer tells.
+pub fn evite<R: Reel>(ombres: &[(Rayon<R>, R)], objet: &ObjetRay<R>) -> bool {
+    let mut bloc = Bloc::sans(None);
+    bloc.charger(ombres);
+    bloc.faisceau().is_some_and(|faisceau| faisceau.degagement(objet.boule()) > R::ZERO)
+}
+
+/// How many nodes the tree of this hierarchy has; 0 if it has none and asks its list.
+pub fn noeuds<R: Reel>(hierarchie: &Hierarchie<'_, R>) -> usize {
+    hierarchie.noeuds()
+}
+
+/// This hierarchy as if none of its objects had a box; it needs a number for each.
+pub fn sans_boites<'a, R: Reel>(
+    hierarchie: Hierarchie<'a, R>,
+    indices: &'a mut [f32],
+) -> Hierarchie<'a, R> {
+    for (place, indice) in indices.iter_mut().zip(0..) {
+        *place = en_mot(indice);
+    }
+    let arbre =
+        |arbre| Arbre { noeuds: &[VIDE], feuilles: 1, geants: 0, sans_boite: indices, ..arbre };
+    Hierarchie { arbre: hierarchie.arbre.map(arbre), ..hierarchie }
+}
