@@ -201,6 +201,7 @@ impl<'a, R: Reel> Certificat<'a, R> {
     /// is the first.
     #[inline(always)]
     pub(crate) fn vient_apres(&self, objet: &ObjetRay<R>, indice: usize) -> bool {
+        // G5
         self.premier.is_some_and(|(_, premier)| premier == indice)
             || coup_d_oeil(&objet.vers_f64(), &self.double).bas > self.fin
             || self.vient_apres_a_la_loupe(objet)

@@ -43,6 +43,7 @@ impl Intervalle {
     /// number of a type: an entry beyond it is no hit there, and one in a wider type (C7).
     #[inline(always)]
     pub(crate) fn touche(self, plus_grand: f64) -> Option<bool> {
+        // G4
         let touche = self.haut <= plus_grand;
         (touche || self.bas == f64::INFINI).then_some(touche)
     }
@@ -61,6 +62,7 @@ pub fn coup_d_oeil(objet: &ObjetRay, rayon: &Rayon) -> Intervalle {
 
 #[inline(always)]
 fn de_sphere(sphere: &SphereRay, rayon: &Rayon) -> Intervalle {
+    // G1
     let Termes { sa, puissance, ab2, sc2, r2, .. } = sphere.termes(rayon);
     let jeu = (sc2 + r2) * (VUE_SPHERE * f64::U);
     // Where S is certainly outside, SA has its sign or AC is beyond r.
@@ -77,6 +79,7 @@ fn de_sphere(sphere: &SphereRay, rayon: &Rayon) -> Intervalle {
 
 #[inline(always)]
 fn de_plan(plan: &PlanRay, rayon: &Rayon) -> Intervalle {
+    // G2
     let (hauteur, descente) = plan.hauteur_et_descente(rayon);
     let poids = plan.normale().somme_des_grandeurs(rayon.source());
     let jeu = poids * (VUE_HAUTEUR * f64::U) + 4.0 * f64::MIN_POSITIF;
@@ -97,6 +100,7 @@ fn de_plan(plan: &PlanRay, rayon: &Rayon) -> Intervalle {
 /// The latest of the three entries, unless the first of the three exits comes before.
 #[inline(always)]
 fn de_boite(boite: &BoiteRay, rayon: &Rayon) -> Intervalle {
+    // G3
     let longueurs = Vecteur::from(boite.demi_longueurs());
     let jeu = (rayon.source() - boite.centre()).norme_1() + longueurs.norme_1();
     let jeu = jeu * (VUE_LONGUEUR * f64::U);
