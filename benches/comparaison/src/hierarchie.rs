@@ -1,18 +1,22 @@
-//! The hierarchy alone, over the even mix: what the instruction set and the threads do to a batch, and what
-//! it takes to build.
+//! The hierarchy alone: over the even mix what the instruction set and the threads do to a batch, and what it
+//! takes to build; over all families what a certificate takes, and what a ray gains that leaves out what it leaves.
 
 use std::error::Error;
 use std::hint::black_box;
 use std::time::Instant;
 
 use banc::concurrents::temps;
+use banc::familles::{Famille, Genre};
 use banc::horloge::{MORCEAU, TOURS, moindres};
 use banc::nous;
 use commun::scenes::{en_tuiles, melange, rayons_camera};
 use lancer_rayon::pour_les_tests::Reglage;
-use lancer_rayon::{Hierarchie, NoIntersection, Rayon, Reel, premiere_intersection};
+use lancer_rayon::{
+    Hierarchie, NoIntersection, Rayon, Reel, Touche, Vecteur, premiere_intersection,
+};
 use rayon::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
+use serde::de::DeserializeOwned;
 
 use crate::autres::{Parry, places};
 use crate::tables::nanosecondes;
@@ -126,4 +130,63 @@ fn constructions_de<R: Parry>(n: usize) -> String {
     let [ici, parry, obvhs] = [0, 1, 2].map(|qui| nanosecondes(ns[qui]));
     let scalaire = std::any::type_name::<R>();
     format!("| {scalaire} | {n} | {ici} | {octets:.0} | {parry} | {obvhs} |")
+}
+
+/// One by one, in tiles: a certificate over its ray; and mirrors and shadows without the object that they leave over
+/// the same with it.
+pub(crate) fn certificats() -> Result<String, Box<dyn Error>> {
+    let titre = |scalaire| format!("{scalaire}: certificate | mirrors | shadows");
+    let mut table = vec![
+        format!("| family | N | {} | {} |", titre("f32"), titre("f64")),
+        format!("|---|{}", "--:|".repeat(7)),
+    ];
+    for famille in Famille::TOUTES {
+        for &n in famille.nombres(&[12, 1000, 10_000]) {
+            let rapports = [certificats_de::<f32>(famille, n)?, certificats_de::<f64>(famille, n)?];
+            let rapports = rapports.as_flattened().iter().map(|x| format!("{x:.2}"));
+            let rapports = rapports.collect::<Vec<_>>().join(" | ");
+            table.push(format!("| {} | {n} | {rapports} |", famille.nom()));
+        }
+    }
+    Ok(table.join("\n"))
+}
+
+fn certificats_de<R: Reel + DeserializeOwned>(
+    famille: Famille,
+    n: usize,
+) -> Result<[f64; 3], Box<dyn Error>> {
+    let scene = famille.scene::<R>(n);
+    let mut places = places(&scene.objets);
+    let hierarchie = Hierarchie::new(&scene.objets, &mut places)?;
+    let (rayons, _) = Genre::Tuiles.rayons(&hierarchie, &scene, 4);
+    let vues: Vec<(Rayon<R>, Touche<R>)> =
+        rayons.iter().map(|rayon| (*rayon, hierarchie.premiere_intersection(rayon))).collect();
+    let lampe = Vecteur::depuis_f64(Vecteur::new(-8.0, 12.0, 10.0));
+    let touchees = vues.iter().filter_map(|(rayon, touche)| Some((rayon, touche.ok()?)));
+    let reflets = touchees.clone().filter_map(|(rayon, touche)| {
+        let (d, n) = (rayon.direction(), touche.normale());
+        let reflet = d - n * (d.produit_scalaire(n) * R::depuis_f64(2.0));
+        Some((rayon.secondaire(&touche, reflet).ok()?, touche.objet()))
+    });
+    let reflets: Vec<_> = reflets.collect();
+    let ombres = touchees
+        .filter_map(|(rayon, touche)| Some((rayon.vers_lumiere(&touche, lampe)?, touche.objet())));
+    let ombres: Vec<_> = ombres.collect();
+    fn chaque<Q>(questions: &[Q], mut demander: impl FnMut(&Q) -> bool) -> f64 {
+        let debut = Instant::now();
+        for question in questions {
+            black_box(demander(black_box(question)));
+        }
+        debut.elapsed().as_nanos() as f64
+    }
+    let h = &hierarchie;
+    let ns = moindres(TOURS, 6, |quoi| match quoi {
+        0 => chaque(&vues, |(r, _)| h.premiere_intersection(r).is_ok()),
+        1 => chaque(&vues, |(r, touche)| h.est_certaine(r, touche)),
+        2 => chaque(&reflets, |(r, _)| h.premiere_intersection(r).is_ok()),
+        3 => chaque(&reflets, |(r, objet)| h.sans(*objet).premiere_intersection(r).is_ok()),
+        4 => chaque(&ombres, |((r, t), _)| h.est_occulte(r, *t)),
+        _ => chaque(&ombres, |((r, t), objet)| h.sans(*objet).est_occulte(r, *t)),
+    });
+    Ok([ns[1] / ns[0], ns[3] / ns[2], ns[5] / ns[4]])
 }

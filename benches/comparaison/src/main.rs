@@ -48,6 +48,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         ("building", hierarchie::constructions()),
         ("sets", hierarchie::jeux_d_instructions()?),
         ("threads", threads),
+        ("certificates", hierarchie::certificats()?),
     ];
     for (nom, table) in &tables {
         println!("\n{nom}\n\n{table}");
