@@ -8,7 +8,7 @@ use crate::reel::Reel;
 use crate::sphere::SphereRay;
 use crate::vecteur::Vecteur;
 
-/// The bound of a [`Jugement`] grows by so many u of itself: what it is off by, and the growing
+/// The bound of a `Jugement` grows by so many u of itself: what it is off by, and the growing
 /// (lemma 19).
 pub const ECART_ARRONDI: f64 = 10.6;
 
