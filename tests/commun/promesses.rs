@@ -290,7 +290,9 @@ pub fn est_sur<R: Reel>(cas: &Essai<R>) -> f64 {
 pub fn coup_d_oeil<R: Reel>(cas: &Essai<R>) -> f64 {
     let (objet, rayon) = (cas.objets[0].vers_f64(), cas.rayon.vers_f64());
     let vue = pour_les_tests::coup_d_oeil(&objet, &rayon);
-    let Some(entree) = verite(&objet, &rayon).entree else {
+    // Beyond the largest number there is no hit.
+    let entree = verite(&objet, &rayon).entree.filter(|entree| entree.ecart(f64::MAX) >= 0.0);
+    let Some(entree) = entree else {
         return if vue.haut < f64::INFINITY { ROMPUE } else { RIEN };
     };
     if vue.bas == f64::INFINITY {
