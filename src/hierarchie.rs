@@ -112,7 +112,7 @@ impl Hierarchie<'_> {
 impl<'a, R: Reel> Hierarchie<'a, R> {
     /// The hierarchy over this list, in the numbers lent, whose values do not matter.
     ///
-    /// It takes 100 to 200 ns an object. An array on the stack serves as well as a `Vec`.
+    /// It takes some 80 to 140 ns an object (`docs/performance.md`). An array on the stack serves as well as a `Vec`.
     ///
     /// # Errors
     /// If `places` is shorter than [`places`](Hierarchie::places)`(objets.len())`; a longer slice
