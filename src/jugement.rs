@@ -194,7 +194,8 @@ impl<'a, R: Reel> Certificat<'a, R> {
 
     /// No object that the ray enters later than this is asked.
     pub(crate) fn limite(&self) -> R {
-        R::depuis_f64(self.fin * (1.0 + 2.0 * R::U.vers_f64()))
+        // Before 0 nothing would be asked.
+        R::depuis_f64(self.fin * (1.0 + 2.0 * R::U.vers_f64())).max(R::MIN_POSITIF)
     }
 
     /// Whether the ray certainly never enters the object at this index, or later than the first; or it

@@ -9,7 +9,7 @@ use crate::forme::Forme;
 use crate::objet::ObjetRay;
 use crate::plan::PlanRay;
 use crate::rayon::Rayon;
-use crate::reel::Reel;
+use crate::reel::{Reel, puissance_de_deux};
 use crate::sphere::{SphereRay, Termes};
 use crate::vecteur::Vecteur;
 
@@ -94,7 +94,10 @@ fn de_plan(plan: &PlanRay, rayon: &Rayon) -> Intervalle {
         return Intervalle::INCONNU;
     }
     let tard = if lente > 0.0 { (hauteur + jeu) / lente * APRES } else { f64::INFINI };
-    Intervalle { bas: (hauteur - jeu) / vite * AVANT, haut: tard }
+    // Near the largest number a quotient may be rounded to +∞ that is none.
+    let jamais = (hauteur - jeu) * puissance_de_deux(-10) / vite == f64::INFINI;
+    let tot = (hauteur - jeu) / vite * AVANT;
+    Intervalle { bas: if jamais { f64::INFINI } else { tot.min(f64::MAX) }, haut: tard }
 }
 
 /// The latest of the three entries, unless the first of the three exits comes before.

@@ -161,3 +161,45 @@ fn un_tas<R: Reel>() {
 en_f32_et_f64!(des_jumeaux);
 en_f32_et_f64!(des_cubes);
 en_f32_et_f64!(un_tas);
+
+/// Two half-spaces through O, and a source a few subnormals from it: before a limit of 0 the tree would ask nobody.
+#[test]
+fn une_limite_n_est_jamais_0() {
+    let plan = |x: f32, y, z| {
+        let n = Vecteur::new(x, y, z);
+        ObjetRay::from(PlanGeo::par_un_point(Vecteur::NUL, n, Texture(0)).unwrap())
+    };
+    let mut objets = vec![
+        plan(0.31017277, -0.28852975, -0.90583855),
+        plan(0.47415906, -0.83682054, -0.27368703),
+    ];
+    for i in 0..20_u8 {
+        let centre = Vecteur::new(100.0 + f32::from(i), 0.0, 0.0);
+        objets.push(SphereGeo::new(centre, 0.1, Texture(1)).unwrap().into());
+    }
+    let source = Vecteur::new(-4.0, -2.0, -1.0) * f32::MIN_POSITIF;
+    let rayon = Rayon::new(source, Vecteur::new(-0.5240927, 0.34185442, 0.78003997)).unwrap();
+    assert_eq!(premier_exact(&objets, &rayon), Some(1));
+    assert!(!juger(&objets, &rayon));
+}
+
+/// An object that is left out is no answer.
+#[test]
+fn sans_un_objet_il_n_est_pas_certain() {
+    for n in [3, 20] {
+        let boule = |i: u8| {
+            let centre = Vecteur::new(0.0, 0.0, -5.0 - 3.0 * f64::from(i));
+            ObjetRay::from(SphereGeo::new(centre, 1.0, Texture(0)).unwrap())
+        };
+        let objets: Vec<_> = (0..n).map(boule).collect();
+        let mut places = vec![0.0; Hierarchie::places(objets.len())];
+        let hierarchie = Hierarchie::new(&objets, &mut places).unwrap();
+        let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.0, 0.0, -1.0)).unwrap();
+        let [premiere, suivante] =
+            [hierarchie, hierarchie.sans(0)].map(|h| h.premiere_intersection(&rayon));
+        assert!(hierarchie.est_certaine(&rayon, &premiere));
+        assert!(!hierarchie.sans(0).est_certaine(&rayon, &premiere));
+        assert!(hierarchie.sans(0).est_certaine(&rayon, &suivante));
+        assert!(!hierarchie.est_certaine(&rayon, &suivante));
+    }
+}
