@@ -156,8 +156,8 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
     /// beyond the list leaves out nothing.
     ///
     /// - **A ray that leaves an object** never hits that object again
-    ///   ([`secondaire`](Rayon::secondaire)), and finds the next one sooner without it: above all
-    ///   from a box it takes half to nine tenths of the time (`docs/performance.md`).
+    ///   ([`secondaire`](Rayon::secondaire)), and finds the next one sooner without it if the object
+    ///   is a box. Each call copies the hierarchy, some 140 bytes (`docs/performance.md`).
     /// - **A lamp of the list**, or the far end of [`vers_touche`](Rayon::vers_touche), does not
     ///   stand before itself.
     ///
