@@ -5,7 +5,7 @@ use std::error::Error;
 
 use banc::concurrents::{Concurrent, FACONS, permises};
 use banc::familles::{Famille, Genre};
-use banc::horloge::moindres;
+use banc::horloge::{MORCEAU, moindres};
 use banc::nous;
 use lancer_rayon::pour_les_tests::Reglage;
 use lancer_rayon::{Hierarchie, ObjetRay, Rayon, Reel};
@@ -36,7 +36,9 @@ struct Choix {
     jeu: String,
     bandes: usize,
     tours: usize,
+    appel: usize,
     temps: bool,
+    sur: bool,
 }
 
 impl Choix {
@@ -50,12 +52,18 @@ impl Choix {
             jeu: String::new(),
             bandes: 8,
             tours: 4,
+            appel: MORCEAU,
             temps: false,
+            sur: false,
         };
         let mut arguments = std::env::args().skip(1);
         while let Some(option) = arguments.next() {
             if option == "--ns" {
                 choix.temps = true;
+                continue;
+            }
+            if option == "--over" {
+                (choix.sur, choix.facons) = (true, vec!["list-batch", "batch"]);
                 continue;
             }
             let valeurs = arguments.next().ok_or_else(|| format!("{option} of what?"))?;
@@ -70,6 +78,7 @@ impl Choix {
                 "--set" => choix.jeu = valeurs,
                 "--bands" => choix.bandes = valeurs.parse()?,
                 "--turns" => choix.tours = valeurs.parse()?,
+                "--call" => choix.appel = valeurs.parse::<usize>()?.clamp(1, MORCEAU),
                 _ => return Err(format!("no option {option}; benches/ab.sh --help").into()),
             }
         }
@@ -106,7 +115,8 @@ struct Cellule {
 fn main() -> Result<(), Box<dyn Error>> {
     let choix = Choix::lire()?;
     let titres: Vec<_> = choix.genres.iter().map(|genre| format!("{:>11}", genre.nom())).collect();
-    println!("time, new over old{}", if choix.temps { ", and the old in ns a ray" } else { "" });
+    let de = if choix.sur { "batch over one by one" } else { "new over old" };
+    println!("time, {de}{}", if choix.temps { ", and the old in ns a ray" } else { "" });
     println!("{:<32}{}", "family, N, scalar, way", titres.join(""));
     let mut cellules = Vec::new();
     for famille in &choix.familles {
@@ -181,7 +191,12 @@ fn mesurer<R: Reel + avant::Reel + DeserializeOwned>(
         let anciens: Vec<_> = rayons.iter().map(ancien).collect();
         let anciennes: Vec<_> = ombres.iter().map(|(rayon, max)| (ancien(rayon), *max)).collect();
         let nouveaux = nous::concurrents(hierarchie, &rayons, &ombres);
-        let anciens = ancienne::nous::concurrents(ancienne, &anciens, &anciennes);
+        let mut anciens = ancienne::nous::concurrents(ancienne, &anciens, &anciennes);
+        if choix.sur {
+            // Beside each batch its rays one by one.
+            anciens.swap(0, 1);
+            anciens.swap(2, 3);
+        }
         let attendues = nouveaux[2].reponses();
         for (avant, apres) in anciens.into_iter().zip(nouveaux) {
             let facon = apres.nom;
@@ -193,7 +208,7 @@ fn mesurer<R: Reel + avant::Reel + DeserializeOwned>(
                 println!("the ways of the new version differ: {facon}");
             }
             let autres = avant.reponses().iter().zip(&nouvelles).filter(|(a, b)| a != b).count();
-            let [ns, nouveau] = posees(choix.tours, [avant, apres]);
+            let [ns, nouveau] = posees(choix, [avant, apres]);
             let rapport = nouveau / ns;
             let temps = if choix.temps { format!(" {ns:4.0}") } else { String::new() };
             let marque = if autres > 0 { "!" } else { " " };
@@ -210,11 +225,11 @@ fn mesurer<R: Reel + avant::Reel + DeserializeOwned>(
 
 /// The least times of the old and of the new, in rounds of so many turns, until a round no longer moves their
 /// ratio: another program that took the processor is not taken for a difference.
-fn posees(tours: usize, mut versions: [Concurrent<'_>; 2]) -> [f64; 2] {
+fn posees(choix: &Choix, mut versions: [Concurrent<'_>; 2]) -> [f64; 2] {
     let mut ns = [f64::INFINITY; 2];
     let mut rapport = f64::NAN;
     for _ in 0..MANCHES {
-        let manche = moindres(tours, 2, |i| versions[i].chronometrer());
+        let manche = moindres(choix.tours, 2, |i| versions[i].chronometrer(choix.appel));
         ns = [ns[0].min(manche[0]), ns[1].min(manche[1])];
         let dernier = std::mem::replace(&mut rapport, ns[1] / ns[0]);
         if (rapport / dernier - 1.0).abs() < BOUGE {

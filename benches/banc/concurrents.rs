@@ -40,7 +40,8 @@ pub fn cachee(cache: bool) -> Reponse {
 pub struct Concurrent<'a> {
     pub nom: &'static str,
     pub camp: Camp,
-    chronometrer: Box<dyn FnMut() -> f64 + 'a>,
+    /// In calls of so many, if more than one is taken at once.
+    chronometrer: Box<dyn FnMut(usize) -> f64 + 'a>,
     repondre: Box<dyn Fn() -> Vec<Reponse> + 'a>,
 }
 
@@ -62,7 +63,7 @@ impl<'a> Concurrent<'a> {
         Self {
             nom,
             camp,
-            chronometrer: Box::new(move || chronometrer(questions, &toutes)),
+            chronometrer: Box::new(move |_| chronometrer(questions, &toutes)),
             repondre: Box::new(move || questions.iter().map(|q| dire(une(q))).collect()),
         }
     }
@@ -85,19 +86,21 @@ impl<'a> Concurrent<'a> {
             };
             questions.chunks(MORCEAU).flat_map(lot).map(&dire).collect()
         };
-        let chronometrer = move || {
+        let chronometrer = move |appel| {
             chronometrer(questions, |questions| {
-                let reponses = &mut tampon[..questions.len()];
-                chronometre(questions, reponses);
-                black_box(reponses);
+                for (questions, reponses) in questions.chunks(appel).zip(tampon.chunks_mut(appel)) {
+                    let reponses = &mut reponses[..questions.len()];
+                    chronometre(questions, reponses);
+                    black_box(reponses);
+                }
             })
         };
         Self { nom, camp, chronometrer: Box::new(chronometrer), repondre: Box::new(repondre) }
     }
 
-    /// Nanoseconds per question.
-    pub fn chronometrer(&mut self) -> f64 {
-        (self.chronometrer)()
+    /// Nanoseconds per question, asked in calls of so many.
+    pub fn chronometrer(&mut self, appel: usize) -> f64 {
+        (self.chronometrer)(appel)
     }
 
     pub fn reponses(&self) -> Vec<Reponse> {
@@ -107,5 +110,5 @@ impl<'a> Concurrent<'a> {
 
 /// Nanoseconds per question of each, in turns.
 pub fn temps(concurrents: &mut [Concurrent<'_>]) -> Vec<f64> {
-    moindres(TOURS, concurrents.len(), |i| concurrents[i].chronometrer())
+    moindres(TOURS, concurrents.len(), |i| concurrents[i].chronometrer(MORCEAU))
 }
