@@ -281,11 +281,10 @@ fn certaine<R: Reel>(
     (hierarchie, rayon, touche): (&Hierarchie<'_, R>, &Rayon<R>, &Touche<R>),
 ) -> bool {
     let Hierarchie { objets, arbre, sauf, niveau } = hierarchie;
-    let Some(certificat) = Certificat::new(objets, rayon, touche) else { return false };
     // What is left out is no answer.
-    if touche.is_ok_and(|touche| *sauf == Some(touche.objet())) {
-        return false;
-    }
+    let laisse = touche.is_ok_and(|touche| *sauf == Some(touche.objet()));
+    let certificat = Certificat::new(objets, rayon, touche).filter(|_| !laisse);
+    let Some(certificat) = certificat else { return false };
     let Some(arbre) = arbre else { return certificat.vient_avant_tous(objets, *sauf) };
     selon_le_niveau!(*niveau, simd => {
         let premier = Premier::avant(certificat.limite());
