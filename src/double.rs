@@ -107,6 +107,7 @@ impl Intervalle {
     }
 
     /// The lesser of two numbers, one of either.
+    #[inline(always)]
     pub(crate) fn moindre(self, autre: Self) -> Self {
         Self { bas: self.bas.min(autre.bas), haut: self.haut.min(autre.haut) }
     }

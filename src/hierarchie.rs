@@ -112,7 +112,8 @@ impl Hierarchie<'_> {
 impl<'a, R: Reel> Hierarchie<'a, R> {
     /// The hierarchy over this list, in the numbers lent, whose values do not matter.
     ///
-    /// It takes some 80 to 140 ns an object (`docs/performance.md`). An array on the stack serves as well as a `Vec`.
+    /// It takes some 80 to 140 ns an object (`docs/performance.md`). An array on the stack serves as
+    /// well as a `Vec`.
     ///
     /// # Errors
     /// If `places` is shorter than [`places`](Hierarchie::places)`(objets.len())`; a longer slice
@@ -281,10 +282,7 @@ fn certaine<R: Reel>(
     (hierarchie, rayon, touche): (&Hierarchie<'_, R>, &Rayon<R>, &Touche<R>),
 ) -> bool {
     let Hierarchie { objets, arbre, sauf, niveau } = hierarchie;
-    // What is left out is no answer.
-    let laisse = touche.is_ok_and(|touche| *sauf == Some(touche.objet()));
-    let certificat = Certificat::new(objets, rayon, touche).filter(|_| !laisse);
-    let Some(certificat) = certificat else { return false };
+    let Some(certificat) = Certificat::new(objets, *sauf, rayon, touche) else { return false };
     let Some(arbre) = arbre else { return certificat.vient_avant_tous(objets, *sauf) };
     selon_le_niveau!(*niveau, simd => {
         let premier = Premier::avant(certificat.limite());

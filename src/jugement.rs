@@ -59,7 +59,9 @@ impl<R: Reel> ObjetRay<R> {
     pub fn erreur(&self, rayon: &Rayon<R>, touche: &Intersection<R>) -> R {
         let t = touche.distance();
         let (objet, rayon, en_f64) = (self.vers_f64(), rayon.vers_f64(), t.vers_f64());
-        let vue = coup_d_oeil(&objet, &rayon);
+        // Of a distance in `f64` a glance never leaves so little open.
+        let simple = R::selon(true, false);
+        let vue = if simple { coup_d_oeil(&objet, &rayon) } else { Intervalle::INCONNU };
         let ecart = if vue.haut - vue.bas <= en_f64 * (R::U.vers_f64() * NET) {
             (vue.haut - en_f64).max(en_f64 - vue.bas)
         } else {
@@ -100,12 +102,17 @@ impl<R: Reel> ObjetRay<R> {
         if !self.boule().approchee(rayon) {
             return true;
         }
-        let touche = self.t(rayon) < R::INFINI;
-        let (objet, rayon) = (self.vers_f64(), rayon.vers_f64());
-        let certain = |entree: Intervalle| entree.touche(plus_grand::<R>());
-        let vue = certain(coup_d_oeil(&objet, &rayon));
-        vue.or_else(|| certain(loupe(&objet, &rayon))) == Some(touche)
+        let (touche, plus_grand) = (self.t(rayon) < R::INFINI, plus_grand::<R>());
+        entree(&self.vers_f64(), &rayon.vers_f64(), plus_grand).touche(plus_grand) == Some(touche)
     }
+}
+
+/// When the ray enters, at a glance, or in doubled numbers if that leaves hit or miss open in a type
+/// of this largest number.
+#[inline(always)]
+fn entree(objet: &ObjetRay, rayon: &Rayon, plus_grand: f64) -> Intervalle {
+    let vue = coup_d_oeil(objet, rayon);
+    if vue.touche(plus_grand).is_some() { vue } else { loupe(objet, rayon) }
 }
 
 /// The largest number of a scalar.
@@ -155,7 +162,7 @@ compilees! {
 }
 
 fn certaine<R: Reel>((objets, rayon, touche): (&[ObjetRay<R>], &Rayon<R>, &Touche<R>)) -> bool {
-    let certificat = Certificat::new(objets, rayon, touche);
+    let certificat = Certificat::new(objets, None, rayon, touche);
     certificat.is_some_and(|certificat| certificat.vient_avant_tous(objets, None))
 }
 
@@ -170,10 +177,12 @@ pub(crate) struct Certificat<'a, R> {
 }
 
 impl<'a, R: Reel> Certificat<'a, R> {
-    /// `None` if it is not certain that the ray enters the first object.
+    /// `None` if it is not certain that the ray enters the first object, or if that is the one at the
+    /// index `sauf`: what is left out is no answer.
     #[inline(always)]
     pub(crate) fn new(
         objets: &'a [ObjetRay<R>],
+        sauf: Option<usize>,
         rayon: &'a Rayon<R>,
         touche: &Touche<R>,
     ) -> Option<Self> {
@@ -182,11 +191,8 @@ impl<'a, R: Reel> Certificat<'a, R> {
             return Some(Self { rayon, double, premier: None, fin: f64::MAX });
         };
         let indice = touche.objet();
-        let premier = objets.get(indice)?;
-        let mut entree = coup_d_oeil(&premier.vers_f64(), &double);
-        if entree.touche(plus_grand).is_none() {
-            entree = loupe(&premier.vers_f64(), &double);
-        }
+        let premier = objets.get(indice).filter(|_| sauf != Some(indice))?;
+        let entree = entree(&premier.vers_f64(), &double, plus_grand);
         let certaine = entree.touche(plus_grand) == Some(true);
         let premier = Some((premier, indice));
         certaine.then_some(Self { rayon, double, premier, fin: entree.haut })

@@ -90,13 +90,14 @@ fn de_plan(plan: &PlanRay, rayon: &Rayon) -> Intervalle {
     if hauteur < -jeu || vite < 0.0 {
         return Intervalle::JAMAIS;
     }
-    if hauteur <= jeu {
+    let au_moins = hauteur - jeu;
+    if au_moins <= 0.0 {
         return Intervalle::INCONNU;
     }
     let tard = if lente > 0.0 { (hauteur + jeu) / lente * APRES } else { f64::INFINI };
     // Near the largest number a quotient may be rounded to +∞ that is none.
-    let jamais = (hauteur - jeu) * puissance_de_deux(-10) / vite == f64::INFINI;
-    let tot = (hauteur - jeu) / vite * AVANT;
+    let jamais = au_moins * puissance_de_deux(-10) / vite == f64::INFINI;
+    let tot = au_moins / vite * AVANT;
     Intervalle { bas: if jamais { f64::INFINI } else { tot.min(f64::MAX) }, haut: tard }
 }
 
@@ -131,7 +132,7 @@ fn de_boite(boite: &BoiteRay, rayon: &Rayon) -> Intervalle {
             }
         };
         entree = Intervalle { bas: entree.bas.max(e.bas), haut: entree.haut.max(e.haut) };
-        sortie = Intervalle { bas: sortie.bas.min(s.bas), haut: sortie.haut.min(s.haut) };
+        sortie = sortie.moindre(s);
     }
     if entree.haut <= 0.0 || entree.bas > sortie.haut || sortie.haut < 0.0 {
         return Intervalle::JAMAIS;
