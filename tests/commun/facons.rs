@@ -57,19 +57,14 @@ pub fn exiger<R: Bits>(
 #[track_caller]
 pub fn comparer<R: Bits>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) -> usize {
     let n = objets.len();
-    let attendues: Vec<_> = rayons.iter().map(|r| premiere_intersection(objets, r)).collect();
     // What the memory held before must not show through.
     let mut places = vec![f32::NAN; Hierarchie::places(n)];
     let hierarchie = Hierarchie::new(objets, &mut places).unwrap();
-    comparer_les_facons(rayons, &attendues, hierarchie, None);
+    let attendues = comparer_les_facons(rayons, hierarchie, None);
     // Another one each time, and now and then one that is not there.
     let sauf = rayons.len() % (n + 1);
     let sauf = attendues.iter().flatten().nth(sauf).map_or(sauf, |touche| touche.objet());
-    let autres: Vec<_> =
-        [objets.get(..sauf), objets.get(sauf + 1..)].into_iter().flatten().collect();
-    let autres = if sauf < n { autres.concat() } else { objets.to_vec() };
-    let restantes: Vec<_> = rayons.iter().map(|r| premiere_intersection(&autres, r)).collect();
-    comparer_les_facons(rayons, &restantes, hierarchie, Some(sauf));
+    comparer_les_facons(rayons, hierarchie, Some(sauf));
     if (UN_ARBRE..UN_BLOC).contains(&n) {
         comparer(&objets.repeat(UN_BLOC.div_ceil(n)), rayons);
     }
@@ -85,12 +80,9 @@ pub fn comparer_sans_boites<R: Bits>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]
     let mut indices = vec![0.0; objets.len()];
     let hierarchie = Hierarchie::new(objets, &mut places).unwrap();
     let hierarchie = sans_boites(hierarchie, &mut indices);
-    let attendues: Vec<_> = rayons.iter().map(|r| premiere_intersection(objets, r)).collect();
-    comparer_les_facons(rayons, &attendues, hierarchie, None);
+    let attendues = comparer_les_facons(rayons, hierarchie, None);
     let sauf = attendues.iter().flatten().next().unwrap().objet();
-    let autres = [&objets[..sauf], &objets[sauf + 1..]].concat();
-    let restantes: Vec<_> = rayons.iter().map(|r| premiere_intersection(&autres, r)).collect();
-    comparer_les_facons(rayons, &restantes, hierarchie, Some(sauf));
+    comparer_les_facons(rayons, hierarchie, Some(sauf));
     for (rayon, touche) in rayons.iter().zip(&attendues) {
         let certaine = est_certaine(objets, rayon, touche);
         assert_eq!(hierarchie.est_certaine(rayon, touche), certaine, "{rayon:?}: {touche:?}");
@@ -103,21 +95,25 @@ fn sans<R: Reel>(hierarchie: Hierarchie<'_, R>, sauf: Option<usize>) -> Hierarch
 }
 
 /// The answers of this hierarchy, of its list as a batch and ray by ray, and of shadows, without the object at the
-/// index `sauf`, beside those of the list from which that object was taken.
+/// index `sauf`, beside those of the list from which that object was taken, which it returns.
 #[track_caller]
 fn comparer_les_facons<R: Bits>(
     rayons: &[Rayon<R>],
-    attendues: &[Touche<R>],
     hierarchie: Hierarchie<'_, R>,
     sauf: Option<usize>,
-) {
+) -> Vec<Touche<R>> {
     let objets = hierarchie.objets();
+    let mut restants = objets.to_vec();
+    if let Some(sauf) = sauf.filter(|sauf| *sauf < objets.len()) {
+        restants.remove(sauf);
+    }
+    let attendues: Vec<_> = rayons.iter().map(|r| premiere_intersection(&restants, r)).collect();
     for (nom, reglage) in Reglage::tous() {
         let nom = format!("{nom}, without {sauf:?}");
         let (hierarchie, liste) =
             (sans(reglage.hierarchie(hierarchie), sauf), sans(reglage.liste(objets), sauf));
         let exiger = |facon: &str, touches: &[Touche<R>]| {
-            exiger(&format!("{nom}, {facon}"), objets, rayons, touches, attendues, sauf);
+            exiger(&format!("{nom}, {facon}"), objets, rayons, touches, &attendues, sauf);
         };
         let mut touches = vec![absurde(); rayons.len()];
         liste.premieres_intersections(rayons, &mut touches).unwrap();
@@ -131,7 +127,8 @@ fn comparer_les_facons<R: Bits>(
             exiger(facon, &touches);
         }
     }
-    comparer_les_ombres(rayons, attendues, sans(hierarchie, sauf), sauf);
+    comparer_les_ombres(rayons, &attendues, &restants, sans(hierarchie, sauf), sauf);
+    attendues
 }
 
 /// The same of shadow rays whose lamps are at their first hits, beside them and farther, of some that no segment
@@ -140,6 +137,7 @@ fn comparer_les_facons<R: Bits>(
 fn comparer_les_ombres<R: Bits>(
     rayons: &[Rayon<R>],
     touches: &[Touche<R>],
+    restants: &[ObjetRay<R>],
     hierarchie: Hierarchie<'_, R>,
     sauf: Option<usize>,
 ) {
@@ -170,8 +168,7 @@ fn comparer_les_ombres<R: Bits>(
         let seules = sauf.is_some() || paquet == 3 || paquet == 4;
         let une_par_une = if seules { &ombres[..] } else { &[] };
         for ((rayon, max), voulue) in une_par_une.iter().zip(&voulues) {
-            let seule = est_occulte(objets, rayon, *max);
-            assert!(seule == *voulue || sauf.is_some(), "{rayon:?} before {max:?}: {seule}");
+            assert_eq!(est_occulte(restants, rayon, *max), *voulue, "{rayon:?} before {max:?}");
         }
         // The contrary, so that a place which is left out shows.
         let contraires: Vec<_> = voulues.iter().map(|occulte| !occulte).collect();
