@@ -9,7 +9,7 @@ use std::path::Path;
 use std::process::ExitCode;
 use std::time::Instant;
 
-use exemples::scene::Scene;
+use exemples::scene::{Scene, tuiles};
 use exemples::surete::Jugement;
 use exemples::{image, surete};
 use lancer_rayon::{
@@ -84,10 +84,7 @@ fn lancer<R: Reel>(
     rayons: &[Rayon<R>],
     largeur: u32,
 ) -> Result<Mesure<R>, Box<dyn Error>> {
-    let largeur = largeur as usize;
-    // The batch is at its best with neighbours in tiles of 8 × 8.
-    let mut ordre: Vec<usize> = (0..rayons.len()).collect();
-    ordre.sort_by_key(|i| (i / largeur / 8, i % largeur / 8));
+    let ordre = tuiles(rayons.len(), largeur as usize);
     let tuiles: Vec<_> = ordre.iter().map(|&i| rayons[i]).collect();
     let mut places = vec![0.0; Hierarchie::places(objets.len())];
     let hierarchie = Hierarchie::new(objets, &mut places)?;

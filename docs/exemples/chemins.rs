@@ -12,7 +12,7 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 use exemples::image;
-use exemples::scene::Scene;
+use exemples::scene::{Scene, tuiles};
 use exemples::verre::{avant_la_sortie, sortir};
 use indicatif::ParallelProgressIterator;
 use lancer_rayon::{
@@ -82,10 +82,8 @@ fn rendre<R: Reel + DeserializeOwned>(
     let grain = R::depuis_f64(1.0 / f64::from(camera.image.1));
     let chambre = Chambre { objets: &objets, lampe, hierarchie, grain, rayons };
 
-    let (oeil, largeur) = (camera.rayons()?, camera.image.0 as usize);
-    // The batch is at its best with neighbours in tiles of 8 × 8.
-    let mut ordre: Vec<usize> = (0..oeil.len()).collect();
-    ordre.sort_by_key(|i| (i / largeur / 8, i % largeur / 8));
+    let oeil = camera.rayons()?;
+    let ordre = tuiles(oeil.len(), camera.image.0 as usize);
     let pieces = ordre.par_chunks(PIECE).progress().map(|pixels| {
         // A thread has its own generator. Seeded by the piece, it gives the same picture with any number
         // of threads.

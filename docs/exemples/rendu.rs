@@ -15,7 +15,7 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 use crate::image;
-use crate::scene::Scene;
+use crate::scene::{Scene, tuiles};
 use crate::verre::{avant_la_sortie, sortir};
 use indicatif::ParallelProgressIterator;
 use lancer_rayon::{
@@ -221,9 +221,7 @@ impl<R: Reel> Atelier<'_, R> {
         ensemble: usize,
     ) -> Result<Vec<Couleur>, LongueursDifferentes> {
         let (largeur, finesse) = (largeur as usize, finesse as usize);
-        // The batch is at its best with neighbours in tiles of 8 × 8.
-        let mut ordre: Vec<usize> = (0..rayons.len()).collect();
-        ordre.sort_by_key(|i| (i / largeur / 8, i % largeur / 8));
+        let ordre = tuiles(rayons.len(), largeur);
         let ensembles = ordre.par_chunks(ensemble).progress();
         let vues: Vec<_> = ensembles
             .map(|ordre| self.vues(ordre.iter().map(|&i| rayons[i])))

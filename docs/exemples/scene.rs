@@ -111,6 +111,14 @@ impl Camera {
     }
 }
 
+/// The pixels of a picture so wide, counted row by row, in tiles of 8 × 8: a batch is at its best with such
+/// neighbours.
+pub fn tuiles(pixels: usize, largeur: usize) -> Vec<usize> {
+    let mut ordre: Vec<usize> = (0..pixels).collect();
+    ordre.sort_by_key(|i| (i / largeur / 8, i % largeur / 8));
+    ordre
+}
+
 #[derive(Deserialize)]
 #[serde(rename = "Camera", deny_unknown_fields)]
 struct CameraBrute {
