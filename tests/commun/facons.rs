@@ -105,7 +105,7 @@ fn comparer_les_facons<R: Bits>(
     let objets = hierarchie.objets();
     let mut restants = objets.to_vec();
     if let Some(sauf) = sauf.filter(|sauf| *sauf < objets.len()) {
-        restants.remove(sauf);
+        let _ = restants.remove(sauf);
     }
     let attendues: Vec<_> = rayons.iter().map(|r| premiere_intersection(&restants, r)).collect();
     for (nom, reglage) in Reglage::tous() {
