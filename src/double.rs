@@ -51,6 +51,11 @@ impl Double {
         Self::arrondi(s, n, self.erreur + autre.erreur + (m.abs() + n.abs()) * f64::U)
     }
 
+    /// −x.
+    pub(crate) fn oppose(self) -> Self {
+        Self { haut: -self.haut, bas: -self.bas, ..self }
+    }
+
     /// The product.
     pub fn fois(self, autre: Self) -> Self {
         let p = self.haut * autre.haut;
@@ -94,9 +99,9 @@ pub struct Intervalle {
 }
 
 impl Intervalle {
-    /// The largest of their absolute values.
+    /// The largest of their absolute values; never −0, over which a bound would change its sign.
     pub(crate) fn grandeur(self) -> f64 {
-        self.haut.max(-self.bas)
+        self.haut.max(-self.bas) + 0.0
     }
 
     /// Over all speeds between two, rounded outward.

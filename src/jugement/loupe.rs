@@ -41,45 +41,58 @@ pub(crate) fn juger(objet: &ObjetRay, rayon: &Rayon, t: f64) -> Jugement {
     match objet {
         ObjetRay::Sphere(sphere) => juger_sphere(sphere, rayon, t),
         ObjetRay::Plan(plan) => {
-            juger_faces(Vecteur::NUL, &[(plan.normale(), -plan.distance())], rayon, t)
+            juger_faces(Vecteur::NUL, 1, &[(plan.normale(), -plan.distance())], rayon, t)
         }
         ObjetRay::Boite(boite) => {
             let ([u, v, w], [a, b, c]) = (boite.normales(), boite.demi_longueurs());
-            let faces = [(u, a), (v, b), (w, c), (-u, a), (-v, b), (-w, c)];
-            juger_faces(boite.centre(), &faces, rayon, t)
+            juger_faces(boite.centre(), 2, &[(u, a), (v, b), (w, c)], rayon, t)
         }
     }
 }
 
-/// What exact numbers say of a ray, a distance and the solid inside all of these faces, each with
-/// its outward normal and how far along it the face is from the centre c.
-fn juger_faces(c: Vecteur, faces: &[(Vecteur, f64)], rayon: &Rayon, t: f64) -> Jugement {
+/// What exact numbers say of a ray, a distance and the solid inside all of these faces. Each axis has a
+/// unit vector and how far along it the face is from the centre c; of two sides, the opposite face too.
+fn juger_faces(
+    c: Vecteur,
+    cotes: usize,
+    axes: &[(Vecteur, f64)],
+    rayon: &Rayon,
+    t: f64,
+) -> Jugement {
+    let juger_a = |t| juger_faces_a(c, cotes, axes, rayon, t);
     if t < f64::INFINI {
-        return juger_faces_a(c, faces, rayon, t).0;
+        return juger_a(t).0;
     }
     // A miss is judged where the ray is nearest to the centre; and where it leaves, if that leaves it
     // open by an exit and an entry at about one place, beside an edge.
     let pres = (c - rayon.source()).produit_scalaire(rayon.direction());
-    let (jugement, sortie) = juger_faces_a(c, faces, rayon, pres);
-    if jugement.entre.is_some() {
-        jugement
-    } else {
-        juger_faces_a(c, faces, rayon, pres + sortie).0
-    }
+    let (jugement, sortie) = juger_a(pres);
+    if jugement.entre.is_some() { jugement } else { juger_a(pres + sortie).0 }
 }
 
 /// The same for any distance; and how long after it the ray leaves the solid, about.
-fn juger_faces_a(c: Vecteur, faces: &[(Vecteur, f64)], rayon: &Rayon, t: f64) -> (Jugement, f64) {
+fn juger_faces_a(
+    c: Vecteur,
+    cotes: usize,
+    axes: &[(Vecteur, f64)],
+    rayon: &Rayon,
+    t: f64,
+) -> (Jugement, f64) {
     let [depart, point] = [0.0, t].map(|t| depuis(c, rayon, t));
+    let direction = triple(rayon.direction());
     // How long the ray has been inside the last face that it entered, and will be inside the first
     // that it leaves.
     let [mut entree, mut sortie] = [Intervalle { bas: f64::INFINI, haut: f64::INFINI }; 2];
     let (mut dehors, mut dedans) = (false, true);
-    for &(n, l) in faces {
-        // J1
-        let profondeur = |x| scalaire(triple(-n), x).plus(Double::de(l)).bornes();
-        let (sous_depart, sous_point) = (profondeur(depart), profondeur(point));
-        let vitesse = scalaire(triple(-n), triple(rayon.direction())).bornes();
+    // J1
+    let faces = axes.iter().flat_map(|&(n, l)| {
+        let en_face = [depart, point, direction].map(|x| scalaire(triple(n), x));
+        [en_face.map(Double::oppose), en_face].into_iter().take(cotes).map(move |x| (x, l))
+    });
+    for ([sous_depart, sous_point, vitesse], l) in faces {
+        let [sous_depart, sous_point] =
+            [sous_depart, sous_point].map(|x| x.plus(Double::de(l)).bornes());
+        let vitesse = vitesse.bornes();
         let (lent, vite) = (vitesse.bas.max(-vitesse.haut), vitesse.grandeur());
         if lent <= 0.0 {
             // J3. Parallel, or nearly: whether the ray comes nearer to the face or leaves it is unknown.
