@@ -10,7 +10,7 @@
 pub(crate) mod construction;
 pub(crate) mod noeud;
 mod parcours;
-mod parcours_de_bloc;
+pub(crate) mod parcours_de_bloc;
 mod pile;
 pub(crate) mod repere;
 pub(crate) mod sonde;
@@ -33,10 +33,6 @@ use crate::premier::Premier;
 use crate::rayon::Rayon;
 use crate::recherche::{occulte_sauf, premiere_sauf};
 use crate::reel::Reel;
-
-/// Up to so many spheres and boxes, in `f32` and in `f64`, the batch is that of the list
-/// (`docs/performance.md`, "Thresholds"). Of `f32` twice as many go side by side.
-pub const SEUIL_LOT: (usize, usize) = (200, 100);
 
 /// A list of objects with a hierarchy of boxes around them: the answers of the list, to the bit, in
 /// a time that grows far more slowly than their number. Half-spaces, and objects whose boxes all
@@ -310,8 +306,7 @@ fn en_lot<R: Reel, D: Demande<R>>(
     (hierarchie, demandes, reponses): (&Hierarchie<'_, R>, &[D], &mut [D::Reponse]),
 ) -> Result<(), LongueursDifferentes> {
     let Hierarchie { objets, arbre, sauf, niveau } = *hierarchie;
-    let Some(arbre) = &arbre.filter(|arbre| arbre.nombre > R::selon(SEUIL_LOT.0, SEUIL_LOT.1))
-    else {
+    let Some(arbre) = &arbre else {
         return repondre(((niveau, objets, sauf), demandes, reponses));
     };
     memes_longueurs(demandes.len(), reponses.len())?;
@@ -325,7 +320,6 @@ fn en_lot<R: Reel, D: Demande<R>>(
         } else {
             let (mut bloc, mut patience) = (Bloc::sans(sauf), Patience::default());
             for (demandes, reponses) in demandes.chunks(BLOC).zip(reponses.chunks_mut(BLOC)) {
-                bloc.charger(demandes);
                 arbre.repondre_au_bloc(simd, &mut bloc, (demandes, reponses), &mut patience);
             }
         }

@@ -3,18 +3,31 @@
 use fearless_simd::Simd;
 
 use crate::hierarchie::construction::Arbre;
-use crate::hierarchie::noeud::indice_lu;
-use crate::hierarchie::pile::{GRANDE_PILE, Pile, RIEN};
+use crate::hierarchie::noeud::{FICHE, indice_lu};
+use crate::hierarchie::pile::{GRANDE_PILE, PEU_DE_NOEUDS, Pile, RIEN};
 use crate::hierarchie::sonde::SondeDeBloc;
 use crate::lot::bloc::Bloc;
 use crate::lot::demande::Demande;
+use crate::lot::faisceau::vont_ensemble;
 use crate::premier::Premier;
 use crate::reel::Reel;
 use crate::seize::Aligne;
 
-/// When a block has met so many objects in `f64`, or twice as many in `f32`, its rays are too far apart: from
-/// there each walks alone, cut off at what it has found.
-const ASSEZ_D_OBJETS: u32 = 112;
+/// Up to so many spheres and boxes, in `f32` and in `f64`, a block without a beam asks every object of
+/// all its rays (`docs/performance.md`, "Thresholds", as for what follows). Of `f32` twice as many go side
+/// by side.
+pub const PEU_D_OBJETS: (usize, usize) = (48, 24);
+
+/// A beam that crosses so many of the sixteen leaves under a node is too wide: from there each ray walks
+/// alone, cut off at what the block has found.
+const TROP_DE_FEUILLES: (u32, u32) = (12, 10);
+
+/// So is one that has met so many objects.
+const ASSEZ_D_OBJETS: (u32, u32) = (224, 112);
+
+/// Such a part of them is enough where a tree has more than four floors: in so large a scene each ray of
+/// a tile meets an object of its own, which comes from memory.
+const PARTIE: u32 = 8;
 
 /// After this many blocks that did not try to walk together, one does.
 const PAUSE: u32 = 31;
@@ -54,12 +67,22 @@ impl<R: Reel> Arbre<'_, R> {
         (demandes, reponses): (&[D], &mut [D::Reponse]),
         patience: &mut Patience,
     ) {
-        if patience.essayer()
-            && let Some(faisceau) = bloc.faisceau()
-            && let Some(sonde) = SondeDeBloc::new(&faisceau, self.repere)
-        {
-            let jusqu_au_bout = self.parcourir_en_bloc(simd, &sonde, bloc);
-            patience.noter(jusqu_au_bout);
+        let peu = self.nombre <= R::selon(PEU_D_OBJETS.0, PEU_D_OBJETS.1);
+        let essayer = (peu || D::UN_SUFFIT || vont_ensemble(demandes)) && patience.essayer();
+        if essayer {
+            bloc.charger(demandes);
+            let mut jusqu_au_bout = false;
+            if let Some(faisceau) = bloc.faisceau()
+                && let Some(sonde) = SondeDeBloc::new(&faisceau, self.repere)
+            {
+                jusqu_au_bout = self.parcourir_en_bloc(simd, &sonde, bloc);
+                patience.noter(jusqu_au_bout);
+            } else if peu {
+                for indice in 0..self.objets.len() {
+                    bloc.proposer(self.objets, indice, true);
+                }
+                jusqu_au_bout = true;
+            }
             if jusqu_au_bout {
                 return bloc.ecrire(simd, self.objets, reponses);
             }
@@ -69,10 +92,10 @@ impl<R: Reel> Arbre<'_, R> {
             || {
                 // What stands before the lamp of one ray often stands before that of the next.
                 let mut dernier = Premier::avant(R::INFINI);
-                for ((demande, mut premier), reponse) in
-                    demandes.iter().zip(bloc.premiers()).zip(reponses)
-                {
+                for (i, (demande, reponse)) in demandes.iter().zip(reponses).enumerate() {
                     let rayon = demande.rayon();
+                    let mut premier =
+                        if essayer { bloc.premier(i) } else { Premier::avant(demande.lire().1) };
                     if D::UN_SUFFIT && premier.rang.is_none() {
                         premier = dernier.encore(self.objets, rayon, premier);
                     }
@@ -103,13 +126,18 @@ impl<R: Reel> Arbre<'_, R> {
         let mut attentes = [RIEN; GRANDE_PILE];
         let (mut pile, mut numero) = Pile::new(&mut attentes, self.geants, self.noeuds.len() - 1);
         let mut plafond = self.repere.distance(bloc.le_plus_loin());
+        let trop = R::selon(TROP_DE_FEUILLES.0, TROP_DE_FEUILLES.1);
+        let mut assez = R::selon(ASSEZ_D_OBJETS.0, ASSEZ_D_OBJETS.1);
+        if self.noeuds.len() > PEU_DE_NOEUDS {
+            assez /= PARTIE;
+        }
         let mut vus = 0;
         while let Some(noeud) = self.noeuds.get(numero) {
             let (traverses, Aligne(profondeurs)) = sonde.traverse(simd, noeud, plafond);
             if numero < self.feuilles {
                 if traverses.nombre() > 0 {
                     vus += traverses.nombre();
-                    if vus > R::selon(2 * ASSEZ_D_OBJETS, ASSEZ_D_OBJETS) {
+                    if vus > assez {
                         return false;
                     }
                     let [.., indices] = noeud;
@@ -122,6 +150,8 @@ impl<R: Reel> Arbre<'_, R> {
                     }
                     plafond = self.repere.distance(loin);
                 }
+            } else if traverses.nombre() >= trop && indice_lu(noeud[FICHE - 1][0]) < self.feuilles {
+                return false;
             } else if let Some(proche) = pile.garder(traverses, &profondeurs, noeud) {
                 numero = proche;
                 continue;

@@ -91,10 +91,10 @@ impl<R: Reel, D: Demande<R>> Bloc<R, D> {
         loin
     }
 
-    /// The first object of each ray so far.
+    /// The first object of one ray so far.
     #[inline(always)]
-    pub(crate) fn premiers(&self) -> impl Iterator<Item = Premier<R>> {
-        (0..self.nombre).map(|i| self.groupes[i / SEIZE].premier(i % SEIZE))
+    pub(crate) fn premier(&self, i: usize) -> Premier<R> {
+        self.groupes[i / SEIZE].premier(i % SEIZE)
     }
 
     /// Writes the answers; a function of the instruction set, which list and hierarchy share.

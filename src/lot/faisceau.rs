@@ -4,6 +4,7 @@
 //! in `docs/preuves.md`, lemmas 12 and 13, whose letters are those of this file.
 
 use crate::forme::Boule;
+use crate::lot::demande::Epreuve;
 use crate::lot::groupe::Groupe;
 use crate::rayon::Rayon;
 use crate::reel::{Reel, fois_u, fois_u_simple, max, min};
@@ -43,6 +44,23 @@ pub(crate) struct Faisceau<R> {
     pub(crate) portee: R,
 }
 
+/// No ray of a beam turns farther from the one in the middle: this is the least cosine.
+const ECART_MAXIMAL: f64 = 0.25;
+
+/// Whether rays without an end may share a beam, by eight of them: rays in no order are known before
+/// all are looked at.
+#[inline(always)]
+pub(crate) fn vont_ensemble<R: Reel>(epreuves: &[impl Epreuve<R>]) -> bool {
+    let milieu = epreuves[epreuves.len() / 2].rayon().direction();
+    let mut huit = epreuves.iter().step_by(epreuves.len() / 8 + 1);
+    huit.all(
+        #[inline(always)]
+        |epreuve| {
+            epreuve.rayon().direction().produit_scalaire(milieu) > R::depuis_f64(ECART_MAXIMAL)
+        },
+    )
+}
+
 /// What a beam is built around: a reference origin S₀, a reference direction Ω, and U and V across Ω.
 ///
 /// S₀ and Ω come from the ray in the middle. U points from the first ray to the eighth, along a row
@@ -75,7 +93,7 @@ impl<R: Reel> Faisceau<R> {
             },
         );
         // The proof needs some room between the rays and the plane across Ω.
-        if -moins_mu < R::depuis_f64(0.25) {
+        if -moins_mu < R::depuis_f64(ECART_MAXIMAL) {
             return None;
         }
         let mu = -moins_mu - fois_u(PENTE);

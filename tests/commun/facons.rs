@@ -1,7 +1,7 @@
 //! Every way to an answer, with every instruction set of the machine: the list in a batch, the hierarchy ray by
 //! ray and in a batch, shadows of both; each beside the list ray by ray.
 
-use lancer_rayon::pour_les_tests::{Reglage, SEUIL_LOT, sans_boites};
+use lancer_rayon::pour_les_tests::{PEU_D_OBJETS, Reglage, sans_boites};
 use lancer_rayon::{
     Hierarchie, ObjetRay, Rayon, Reel, SphereGeo, Texture, Touche, Vecteur, est_certaine,
     est_occulte, premiere_intersection,
@@ -12,8 +12,8 @@ use crate::conversion::{Bits, mots};
 /// The fewest objects that get a tree; `les_places_pretees` holds it.
 pub const UN_ARBRE: usize = 8;
 
-/// The fewest objects of which a block walks the tree.
-const UN_BLOC: usize = SEUIL_LOT.0 + 1;
+/// The fewest objects of which no block asks all.
+const BEAUCOUP: usize = PEU_D_OBJETS.0 + 1;
 
 /// The number so many units in the last place away.
 pub fn voisin<R: Bits>(x: R, de: i64) -> R {
@@ -53,7 +53,7 @@ pub fn exiger<R: Bits>(
 }
 
 /// Asks these rays every question in every way, of all objects and without one that some ray may meet; how many touch
-/// something. A list that is too short for a walk of its blocks is repeated until it is long enough.
+/// something. A list so short that a block without a beam asks all of it is asked again, repeated until it is longer.
 #[track_caller]
 pub fn comparer<R: Bits>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) -> usize {
     let n = objets.len();
@@ -65,17 +65,17 @@ pub fn comparer<R: Bits>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) -> usize {
     let sauf = rayons.len() % (n + 1);
     let sauf = attendues.iter().flatten().nth(sauf).map_or(sauf, |touche| touche.objet());
     comparer_les_facons(rayons, hierarchie, Some(sauf));
-    if (UN_ARBRE..UN_BLOC).contains(&n) {
-        comparer(&objets.repeat(UN_BLOC.div_ceil(n)), rayons);
+    if (UN_ARBRE..BEAUCOUP).contains(&n) {
+        comparer(&objets.repeat(BEAUCOUP.div_ceil(n)), rayons);
     }
     attendues.iter().flatten().count()
 }
 
-/// Asks these rays every question in every way of a hierarchy that knows no box of these objects, more than a batch
-/// of the list takes.
+/// Asks these rays every question in every way of a hierarchy that knows no box of these objects, so many that no block
+/// asks them all.
 #[track_caller]
 pub fn comparer_sans_boites<R: Bits>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) {
-    assert!(objets.len() >= UN_BLOC);
+    assert!(objets.len() >= BEAUCOUP);
     let mut places = vec![0.0; Hierarchie::places(objets.len())];
     let mut indices = vec![0.0; objets.len()];
     let hierarchie = Hierarchie::new(objets, &mut places).unwrap();
