@@ -83,7 +83,7 @@ fn juger_faces_a(
     // How long the ray has been inside the last face that it entered, and will be inside the first
     // that it leaves.
     let [mut entree, mut sortie] = [Intervalle { bas: f64::INFINI, haut: f64::INFINI }; 2];
-    let (mut dehors, mut dedans) = (false, true);
+    let (mut dehors, mut dedans, mut inconnue) = (false, true, false);
     // J1
     let faces = axes.iter().flat_map(|&(n, l)| {
         let en_face = [depart, point, direction].map(|x| scalaire(triple(n), x));
@@ -105,10 +105,11 @@ fn juger_faces_a(
                 // It never enters, or not for so long.
                 entree = Intervalle { bas: -f64::INFINI, haut: entree.haut.min(loin.haut) };
                 dedans = false;
+            } else if vite == 0.0 && sous_depart.haut < 0.0 {
+                return (Jugement { entre: Some(false), ecart: f64::INFINI }, f64::INFINI);
             } else {
-                let a_cote = vite == 0.0 && sous_depart.haut < 0.0;
-                let entre = a_cote.then_some(false);
-                return (Jugement { entre, ecart: f64::INFINI }, f64::INFINI);
+                // The other faces may still exclude an entry.
+                (inconnue, dedans) = (true, false);
             }
             continue;
         }
@@ -119,7 +120,7 @@ fn juger_faces_a(
         dedans &= vitesse.bas < 0.0 || sous_depart.bas >= 0.0;
     }
     // J4
-    let touche = dehors && entree.bas + sortie.bas >= 0.0;
+    let touche = !inconnue && dehors && entree.bas + sortie.bas >= 0.0;
     let manque = dedans || entree.haut + sortie.haut < 0.0;
     let entre = (touche || manque).then_some(touche);
     (Jugement { entre, ecart: entree.grandeur() }, sortie.haut)

@@ -8,8 +8,8 @@
 
 use lancer_rayon::{
     BoiteGeo, ErreurGeo, Hierarchie, Intersection, NoIntersection, ObjetGeo, ObjetRay,
-    PlacesInsuffisantes, PlanGeo, Rayon, Rotation, SphereGeo, Texture, Vecteur, est_occulte,
-    etendue,
+    PlacesInsuffisantes, PlanGeo, Rayon, Rotation, SphereGeo, Texture, Vecteur, est_certaine,
+    est_occulte, etendue,
 };
 use libfuzzer_sys::fuzz_target;
 
@@ -114,6 +114,19 @@ fn apres_coup<R: Bits>(objet: &ObjetRay<R>, [rayon, autre]: [&Rayon<R>; 2]) {
     }
 }
 
+/// Certain answers of two precisions name the same object, or none, of a list and of a tree.
+fn certificats<R: Bits>(hierarchie: &Hierarchie<'_, R>, en_double: &Hierarchie<'_>, rayon: &Rayon<R>) {
+    let (touche, double) = (hierarchie.premiere_intersection(rayon), rayon.vers_f64());
+    let la = en_double.premiere_intersection(&double);
+    let ici = est_certaine(hierarchie.objets(), rayon, &touche);
+    if (ici || hierarchie.est_certaine(rayon, &touche))
+        && (est_certaine(en_double.objets(), &double, &la) || en_double.est_certaine(&double, &la))
+    {
+        let [ici, la] = [touche.ok().map(|t| t.objet()), la.ok().map(|t| t.objet())];
+        assert_eq!(ici, la, "{:?} {rayon:?}", hierarchie.objets());
+    }
+}
+
 /// Places that are one too few are refused.
 fn trop_peu_de_places<R: Bits>(objets: &[ObjetRay<R>]) {
     let necessaires = Hierarchie::places(objets.len());
@@ -178,12 +191,17 @@ fn attaquer<R: Bits>(octets: &[u8]) -> Option<()> {
     if let Some([bas, haut]) = etendue(&objets) {
         assert!(bas.x <= haut.x && bas.y <= haut.y && bas.z <= haut.z);
     }
+    let doubles: Vec<_> = objets.iter().map(ObjetRay::vers_f64).collect();
+    let [mut places, mut autres] = [(); 2].map(|()| vec![0.0; Hierarchie::places(objets.len())]);
+    let hierarchie = Hierarchie::new(&objets, &mut places).unwrap();
+    let en_double = Hierarchie::new(&doubles, &mut autres).unwrap();
     for (rayon, suivant) in rayons.iter().zip(rayons.iter().cycle().skip(1)) {
         for &max in &limites {
             let occulte =
                 objets.iter().any(|o| o.intersection(rayon).is_ok_and(|i| i.distance() < max));
             assert_eq!(est_occulte(&objets, rayon, max), occulte);
         }
+        certificats(&hierarchie, &en_double, rayon);
         for objet in &objets {
             secondaires(objet, rayon, suivant.direction());
             apres_coup(objet, [rayon, suivant]);
