@@ -115,7 +115,11 @@ fn apres_coup<R: Bits>(objet: &ObjetRay<R>, [rayon, autre]: [&Rayon<R>; 2]) {
 }
 
 /// Certain answers of two precisions name the same object, or none, of a list and of a tree.
-fn certificats<R: Bits>(hierarchie: &Hierarchie<'_, R>, en_double: &Hierarchie<'_>, rayon: &Rayon<R>) {
+fn certificats<R: Bits>(
+    hierarchie: &Hierarchie<'_, R>,
+    en_double: &Hierarchie<'_>,
+    rayon: &Rayon<R>,
+) {
     let (touche, double) = (hierarchie.premiere_intersection(rayon), rayon.vers_f64());
     let la = en_double.premiere_intersection(&double);
     let ici = est_certaine(hierarchie.objets(), rayon, &touche);
