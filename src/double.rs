@@ -65,8 +65,9 @@ impl Double {
         let (x, y) = (self.haut.abs(), autre.haut.abs());
         let erreur = x * autre.erreur + y * self.erreur + self.erreur * autre.erreur;
         // What is exact stays so: a ray may be parallel to a face, or start in its plane.
-        let sans_perte = x.min(y) == 0.0 || p.abs() > 1e-270;
-        if sans_perte && r == 0.0 && self.est_un_f64() && autre.est_un_f64() {
+        let (exact, autre_exact) = (self.est_un_f64(), autre.est_un_f64());
+        let nul = (exact && x == 0.0) || (autre_exact && y == 0.0);
+        if nul || (exact && autre_exact && r == 0.0 && p.abs() > 1e-270) {
             return Self::de(p);
         }
         let arrondi = PRODUIT_DOUBLE * f64::U * f64::U * p.abs();
@@ -99,9 +100,9 @@ pub struct Intervalle {
 }
 
 impl Intervalle {
-    /// The largest of their absolute values; never −0, over which a bound would change its sign.
+    /// The largest of their absolute values.
     pub(crate) fn grandeur(self) -> f64 {
-        self.haut.max(-self.bas) + 0.0
+        self.haut.max(-self.bas)
     }
 
     /// Over all speeds between two, rounded outward.

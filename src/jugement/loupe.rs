@@ -41,49 +41,40 @@ pub(crate) fn juger(objet: &ObjetRay, rayon: &Rayon, t: f64) -> Jugement {
     match objet {
         ObjetRay::Sphere(sphere) => juger_sphere(sphere, rayon, t),
         ObjetRay::Plan(plan) => {
-            juger_faces(Vecteur::NUL, 1, &[(plan.normale(), -plan.distance())], rayon, t)
+            juger_faces((Vecteur::NUL, 1, &[(plan.normale(), -plan.distance())]), rayon, t)
         }
         ObjetRay::Boite(boite) => {
             let ([u, v, w], [a, b, c]) = (boite.normales(), boite.demi_longueurs());
-            juger_faces(boite.centre(), 2, &[(u, a), (v, b), (w, c)], rayon, t)
+            juger_faces((boite.centre(), 2, &[(u, a), (v, b), (w, c)]), rayon, t)
         }
     }
 }
 
-/// What exact numbers say of a ray, a distance and the solid inside all of these faces. Each axis has a
-/// unit vector and how far along it the face is from the centre c; of two sides, the opposite face too.
-fn juger_faces(
-    c: Vecteur,
-    cotes: usize,
-    axes: &[(Vecteur, f64)],
-    rayon: &Rayon,
-    t: f64,
-) -> Jugement {
-    let juger_a = |t| juger_faces_a(c, cotes, axes, rayon, t);
+/// The centre c of a solid; how many faces stand across each axis, one or two; of each axis a unit vector,
+/// and how far along it from c its face stands. The second stands as far the other way.
+type Faces<'a> = (Vecteur, usize, &'a [(Vecteur, f64)]);
+
+/// What exact numbers say of a ray, a distance and the solid inside all of these faces.
+fn juger_faces(faces: Faces<'_>, rayon: &Rayon, t: f64) -> Jugement {
     if t < f64::INFINI {
-        return juger_a(t).0;
+        return juger_faces_a(faces, rayon, t).0;
     }
     // A miss is judged where the ray is nearest to the centre; and where it leaves, if that leaves it
     // open by an exit and an entry at about one place, beside an edge.
-    let pres = (c - rayon.source()).produit_scalaire(rayon.direction());
-    let (jugement, sortie) = juger_a(pres);
-    if jugement.entre.is_some() { jugement } else { juger_a(pres + sortie).0 }
+    let pres = (faces.0 - rayon.source()).produit_scalaire(rayon.direction());
+    let (jugement, sortie) = juger_faces_a(faces, rayon, pres);
+    let ouvert = jugement.entre.is_none();
+    if ouvert { juger_faces_a(faces, rayon, pres + sortie).0 } else { jugement }
 }
 
 /// The same for any distance; and how long after it the ray leaves the solid, about.
-fn juger_faces_a(
-    c: Vecteur,
-    cotes: usize,
-    axes: &[(Vecteur, f64)],
-    rayon: &Rayon,
-    t: f64,
-) -> (Jugement, f64) {
+fn juger_faces_a((c, cotes, axes): Faces<'_>, rayon: &Rayon, t: f64) -> (Jugement, f64) {
     let [depart, point] = [0.0, t].map(|t| depuis(c, rayon, t));
     let direction = triple(rayon.direction());
     // How long the ray has been inside the last face that it entered, and will be inside the first
     // that it leaves.
     let [mut entree, mut sortie] = [Intervalle { bas: f64::INFINI, haut: f64::INFINI }; 2];
-    let (mut dehors, mut dedans, mut inconnue) = (false, true, false);
+    let (mut dehors, mut dedans) = (false, true);
     // J1
     let faces = axes.iter().flat_map(|&(n, l)| {
         let en_face = [depart, point, direction].map(|x| scalaire(triple(n), x));
@@ -94,33 +85,38 @@ fn juger_faces_a(
             [sous_depart, sous_point].map(|x| x.plus(Double::de(l)).bornes());
         let vitesse = vitesse.bornes();
         let (lent, vite) = (vitesse.bas.max(-vitesse.haut), vitesse.grandeur());
-        if lent <= 0.0 {
-            // J3. Parallel, or nearly: whether the ray comes nearer to the face or leaves it is unknown.
+        if vite == 0.0 {
+            // J3. Parallel: a ray above the face stays there, and in the plane or below nothing is excluded.
+            if sous_depart.haut < 0.0 {
+                return (Jugement { entre: Some(false), ecart: f64::INFINI }, f64::INFINI);
+            }
+            if sous_depart.bas < 0.0 {
+                entree.bas = -f64::INFINI;
+            }
+        } else if lent <= 0.0 {
+            // J3. Nearly parallel: whether the ray comes nearer to the face or leaves it is unknown.
             let loin = sous_point.sur(vite, vite);
-            if sous_depart.bas >= 0.0 && (sous_point.bas > 0.0 || vite == 0.0) {
-                // For so long it has been under the face, and will be; in its plane 0/0 is no bound.
+            if sous_depart.bas >= 0.0 && sous_point.bas > 0.0 {
+                // For so long it has been under the face, and will be.
                 entree.bas = entree.bas.min(loin.bas);
                 sortie.bas = sortie.bas.min(loin.bas);
-            } else if vite > 0.0 && sous_depart.haut < 0.0 && sous_point.haut < 0.0 {
-                // It never enters, or not for so long.
-                entree = Intervalle { bas: -f64::INFINI, haut: entree.haut.min(loin.haut) };
-                dedans = false;
-            } else if vite == 0.0 && sous_depart.haut < 0.0 {
-                return (Jugement { entre: Some(false), ecart: f64::INFINI }, f64::INFINI);
             } else {
-                // The other faces may still exclude an entry.
-                (inconnue, dedans) = (true, false);
+                // It never enters, or not for so long; or else the other faces may still exclude an entry.
+                let au_dessus = sous_depart.haut < 0.0 && sous_point.haut < 0.0;
+                let tard = if au_dessus { loin.haut } else { f64::INFINI };
+                entree = Intervalle { bas: -f64::INFINI, haut: entree.haut.min(tard) };
+                dedans = false;
             }
-            continue;
+        } else {
+            // J2
+            let duree = if vitesse.bas > 0.0 { &mut entree } else { &mut sortie };
+            *duree = duree.moindre(sous_point.sur(lent, vite));
+            dehors |= vitesse.bas > 0.0 && sous_depart.haut < 0.0;
+            dedans &= vitesse.bas < 0.0 || sous_depart.bas >= 0.0;
         }
-        // J2
-        let duree = if vitesse.bas > 0.0 { &mut entree } else { &mut sortie };
-        *duree = duree.moindre(sous_point.sur(lent, vite));
-        dehors |= vitesse.bas > 0.0 && sous_depart.haut < 0.0;
-        dedans &= vitesse.bas < 0.0 || sous_depart.bas >= 0.0;
     }
     // J4
-    let touche = !inconnue && dehors && entree.bas + sortie.bas >= 0.0;
+    let touche = dehors && entree.bas + sortie.bas >= 0.0;
     let manque = dedans || entree.haut + sortie.haut < 0.0;
     let entre = (touche || manque).then_some(touche);
     (Jugement { entre, ecart: entree.grandeur() }, sortie.haut)

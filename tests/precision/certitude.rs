@@ -1,6 +1,7 @@
 //! `erreur` and `est_sur` where doubled numbers themselves end (`docs/preuves.md`, lemmas 18 and 19): numbers of
 //! few bits from one end of the range to the other, exactly on a surface, in the plane of a face or a little beside.
 
+use commun::conversion::arrondi;
 use commun::en_f32_et_f64;
 use commun::oracle::{norme_au_carre_moins_un, verite};
 use commun::promesses::{Essai, erreur, est_sur};
@@ -164,6 +165,31 @@ fn dans_le_plan_d_une_face_une_reponse_est_sure() {
         assert!(boite.est_sur(&rayon), "{y}");
     }
 }
+
+/// The same where nothing but N·D is exact: of a right hit the answer is sure, and its distance bounded.
+fn dans_le_plan_d_une_face_un_contact_est_sur<R: Reel>() {
+    let mut alea = Rng::with_seed(56);
+    let mut touches = 0;
+    for _ in 0..1_000 {
+        let vecteur = |x, y, z| arrondi::<R>(Vecteur::new(x, y, z));
+        let centre = vecteur(entre(&mut alea, -1.0, 1.0), 0.5, entre(&mut alea, -1.0, 1.0));
+        let cotes = vecteur(2.0, 2.0, 3.0);
+        let boite = BoiteGeo::new(centre, cotes, Rotation::IDENTITE, Texture(0)).unwrap();
+        let boite = ObjetRay::from(boite);
+        for y in [-0.5, 1.5] {
+            let source = vecteur(-5.0, y, 0.0);
+            let vers = vecteur(1.0, 0.0, entre(&mut alea, -0.3, 0.3));
+            let rayon = Rayon::new(source, vers).unwrap();
+            let Ok(touche) = boite.intersection(&rayon) else { continue };
+            assert!(boite.est_sur(&rayon), "{boite:?} {rayon:?}");
+            assert!(boite.erreur(&rayon, &touche) < R::U * R::depuis_f64(64.0), "{rayon:?}");
+            touches += 1;
+        }
+    }
+    assert!(touches > 1_000, "{touches}");
+}
+
+en_f32_et_f64!(dans_le_plan_d_une_face_un_contact_est_sur);
 
 /// A number of few bits: 0, a power of two, or one with a far smaller one beside it.
 fn creux<R: Reel>(alea: &mut Rng) -> R {
