@@ -48,8 +48,8 @@ const SEUIL_ELAGAGE: usize = 10;
 ///
 /// Neighbours in `rayons` should be neighbours in the picture, in tiles of 8 × 8 better than in
 /// rows: objects that sixty-four rays in a row all miss cost next to nothing. Rays in no order at
-/// all cost several times as much. Pass at least some hundred rays a call; from some hundred
-/// spheres and boxes on, use a [`Hierarchie`](crate::Hierarchie). Nothing is allocated and no
+/// all cost several times as much. Pass 64 rays or more a call; from some ten spheres and boxes
+/// on, use a [`Hierarchie`](crate::Hierarchie). Nothing is allocated and no
 /// thread is started; the caller may give parts of a picture to several threads.
 ///
 /// # Errors

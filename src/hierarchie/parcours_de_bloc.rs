@@ -22,14 +22,14 @@ pub const PEU_D_OBJETS: (usize, usize) = (48, 24);
 /// alone, cut off at what the block has found.
 const TROP_DE_FEUILLES: (u32, u32) = (12, 10);
 
-/// So is one that has met so many objects.
+/// So is a beam that meets more objects than this.
 const ASSEZ_D_OBJETS: (u32, u32) = (224, 112);
 
-/// Such a part of them is enough where a tree has more than four floors: in so large a scene each ray of
-/// a tile meets an object of its own, which comes from memory.
+/// Among more than [`PEU_DE_NOEUDS`] nodes that number is divided by this: there each ray of a tile meets
+/// an object of its own, which comes from memory.
 const PARTIE: u32 = 8;
 
-/// After this many blocks that did not try to walk together, one does.
+/// After this many blocks that could try to walk together and did not, one does.
 const PAUSE: u32 = 31;
 
 /// Which blocks of a call try to walk together. After a second that gave up in a row 3 do not, after a

@@ -94,7 +94,7 @@ fn juger_faces_a((c, cotes, axes): Faces<'_>, rayon: &Rayon, t: f64) -> (Jugemen
                 entree.bas = -f64::INFINI;
             }
         } else if lent <= 0.0 {
-            // J3. Nearly parallel: whether the ray comes nearer to the face or leaves it is unknown.
+            // Nearly parallel: whether the ray comes nearer to the face or leaves it is unknown.
             let loin = sous_point.sur(vite, vite);
             if sous_depart.bas >= 0.0 && sous_point.bas > 0.0 {
                 // For so long it has been under the face, and will be.

@@ -44,19 +44,19 @@ pub(crate) struct Faisceau<R> {
     pub(crate) portee: R,
 }
 
-/// No ray of a beam turns farther from the one in the middle: this is the least cosine.
-const ECART_MAXIMAL: f64 = 0.25;
+/// The least cosine between a ray of a beam and the one in the middle.
+const COSINUS_MINIMAL: f64 = 0.25;
 
-/// Whether rays without an end may share a beam, by eight of them: rays in no order are known before
-/// all are looked at.
+/// Whether some eight of these rays lie near enough to the one in the middle for a beam: rays in no order
+/// are refused before a block is loaded. Of segments it says nothing.
 #[inline(always)]
 pub(crate) fn vont_ensemble<R: Reel>(epreuves: &[impl Epreuve<R>]) -> bool {
     let milieu = epreuves[epreuves.len() / 2].rayon().direction();
-    let mut huit = epreuves.iter().step_by(epreuves.len() / 8 + 1);
-    huit.all(
+    let mut quelques = epreuves.iter().step_by(epreuves.len() / 8 + 1);
+    quelques.all(
         #[inline(always)]
         |epreuve| {
-            epreuve.rayon().direction().produit_scalaire(milieu) > R::depuis_f64(ECART_MAXIMAL)
+            epreuve.rayon().direction().produit_scalaire(milieu) > R::depuis_f64(COSINUS_MINIMAL)
         },
     )
 }
@@ -93,7 +93,7 @@ impl<R: Reel> Faisceau<R> {
             },
         );
         // The proof needs some room between the rays and the plane across Ω.
-        if -moins_mu < R::depuis_f64(ECART_MAXIMAL) {
+        if -moins_mu < R::depuis_f64(COSINUS_MINIMAL) {
             return None;
         }
         let mu = -moins_mu - fois_u(PENTE);

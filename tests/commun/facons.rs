@@ -12,8 +12,8 @@ use crate::conversion::{Bits, mots};
 /// The fewest objects that get a tree; `les_places_pretees` holds it.
 pub const UN_ARBRE: usize = 8;
 
-/// The fewest objects of which no block asks all.
-const BEAUCOUP: usize = PEU_D_OBJETS.0 + 1;
+/// So many that no block asks all of them, and that a beam can meet more than it is given.
+const BEAUCOUP: usize = 5 * PEU_D_OBJETS.0;
 
 /// The number so many units in the last place away.
 pub fn voisin<R: Bits>(x: R, de: i64) -> R {
@@ -75,7 +75,7 @@ pub fn comparer<R: Bits>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) -> usize {
 /// asks them all.
 #[track_caller]
 pub fn comparer_sans_boites<R: Bits>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) {
-    assert!(objets.len() >= BEAUCOUP);
+    assert!(objets.len() > PEU_D_OBJETS.0);
     let mut places = vec![0.0; Hierarchie::places(objets.len())];
     let mut indices = vec![0.0; objets.len()];
     let hierarchie = Hierarchie::new(objets, &mut places).unwrap();

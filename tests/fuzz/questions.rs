@@ -122,10 +122,11 @@ fn certificats<R: Bits>(
 ) {
     let (touche, double) = (hierarchie.premiere_intersection(rayon), rayon.vers_f64());
     let la = en_double.premiere_intersection(&double);
-    let ici = est_certaine(hierarchie.objets(), rayon, &touche);
-    if (ici || hierarchie.est_certaine(rayon, &touche))
-        && (est_certaine(en_double.objets(), &double, &la) || en_double.est_certaine(&double, &la))
-    {
+    let sure = est_certaine(hierarchie.objets(), rayon, &touche)
+        || hierarchie.est_certaine(rayon, &touche);
+    let sure_la =
+        est_certaine(en_double.objets(), &double, &la) || en_double.est_certaine(&double, &la);
+    if sure && sure_la {
         let [ici, la] = [touche.ok().map(|t| t.objet()), la.ok().map(|t| t.objet())];
         assert_eq!(ici, la, "{:?} {rayon:?}", hierarchie.objets());
     }

@@ -180,6 +180,19 @@ fn des_objets_tous_egaux<R: Bits>() {
     }
 }
 
+/// A tree of five floors, in which a block gives up sooner: two tiles of a picture, one wide and one narrow.
+fn parmi_beaucoup_d_objets<R: Bits>() {
+    let objets = scenes::melange::<R>(70_000);
+    assert!(
+        noeuds(&Hierarchie::new(&objets, &mut vec![0.0; Hierarchie::places(70_000)]).unwrap())
+            > 4_369
+    );
+    for cote in [8, 64] {
+        let rayons = scenes::en_tuiles(&scenes::rayons_camera::<R>(cote, cote), cote);
+        assert!(comparer(&objets, &rayons[rayons.len() / 2..][..16]) > 2);
+    }
+}
+
 /// Objects that rays graze to the last bits, where rounding decides: one of them and its copies, or
 /// several about one point; small ones from afar, the origin near or far.
 fn des_rayons_qui_frolent_les_boites<R: Bits>() {
@@ -443,6 +456,7 @@ fn des_longueurs_differentes_sont_une_erreur<R: Bits>() {
 en_f32_et_f64!(des_scenes_au_hasard);
 en_f32_et_f64!(des_grilles_et_des_rayons_le_long_des_axes);
 en_f32_et_f64!(des_objets_tous_egaux);
+en_f32_et_f64!(parmi_beaucoup_d_objets);
 en_f32_et_f64!(des_rayons_qui_frolent_les_boites);
 en_f32_et_f64!(des_rayons_le_long_des_aretes);
 en_f32_et_f64!(des_sources_de_plus_en_plus_loin);
