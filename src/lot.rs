@@ -203,10 +203,7 @@ fn chercher<R: Reel, D: Demande<R>, S: Simd>(
     let capacite = fenetre.len() * SEIZE;
     let faisceau = if capacite > 0 { bloc.faisceau() } else { None };
     let Some(faisceau) = faisceau else {
-        for indice in 0..objets.len() {
-            bloc.proposer(objets, indice, true);
-        }
-        return;
+        return bloc.proposer_tous(objets);
     };
     for (debut, proches) in (0..).step_by(capacite).zip(objets.chunks(capacite)) {
         if objets.len() > capacite {

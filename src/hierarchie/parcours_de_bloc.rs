@@ -3,7 +3,7 @@
 use fearless_simd::Simd;
 
 use crate::hierarchie::construction::Arbre;
-use crate::hierarchie::noeud::{FICHE, indice_lu};
+use crate::hierarchie::noeud::indice_lu;
 use crate::hierarchie::pile::{GRANDE_PILE, PEU_DE_NOEUDS, Pile, RIEN};
 use crate::hierarchie::sonde::SondeDeBloc;
 use crate::lot::bloc::Bloc;
@@ -71,18 +71,18 @@ impl<R: Reel> Arbre<'_, R> {
         let essayer = (peu || D::UN_SUFFIT || vont_ensemble(demandes)) && patience.essayer();
         if essayer {
             bloc.charger(demandes);
-            let mut jusqu_au_bout = false;
-            if let Some(faisceau) = bloc.faisceau()
+            let jusqu_au_bout = if let Some(faisceau) = bloc.faisceau()
                 && let Some(sonde) = SondeDeBloc::new(&faisceau, self.repere)
             {
-                jusqu_au_bout = self.parcourir_en_bloc(simd, &sonde, bloc);
+                let jusqu_au_bout = self.parcourir_en_bloc(simd, &sonde, bloc);
                 patience.noter(jusqu_au_bout);
-            } else if peu {
-                for indice in 0..self.objets.len() {
-                    bloc.proposer(self.objets, indice, true);
+                jusqu_au_bout
+            } else {
+                if peu {
+                    bloc.proposer_tous(self.objets);
                 }
-                jusqu_au_bout = true;
-            }
+                peu
+            };
             if jusqu_au_bout {
                 return bloc.ecrire(simd, self.objets, reponses);
             }
@@ -134,13 +134,13 @@ impl<R: Reel> Arbre<'_, R> {
         let mut vus = 0;
         while let Some(noeud) = self.noeuds.get(numero) {
             let (traverses, Aligne(profondeurs)) = sonde.traverse(simd, noeud, plafond);
+            let [.., indices] = noeud;
             if numero < self.feuilles {
                 if traverses.nombre() > 0 {
                     vus += traverses.nombre();
                     if vus > assez {
                         return false;
                     }
-                    let [.., indices] = noeud;
                     for enfant in traverses {
                         bloc.proposer(self.objets, indice_lu(indices[enfant]), false);
                     }
@@ -150,7 +150,7 @@ impl<R: Reel> Arbre<'_, R> {
                     }
                     plafond = self.repere.distance(loin);
                 }
-            } else if traverses.nombre() >= trop && indice_lu(noeud[FICHE - 1][0]) < self.feuilles {
+            } else if traverses.nombre() >= trop && indice_lu(indices[0]) < self.feuilles {
                 return false;
             } else if let Some(proche) = pile.garder(traverses, &profondeurs, noeud) {
                 numero = proche;

@@ -63,8 +63,10 @@ fn juger_faces(faces: Faces<'_>, rayon: &Rayon, t: f64) -> Jugement {
     // open by an exit and an entry at about one place, beside an edge.
     let pres = (faces.0 - rayon.source()).produit_scalaire(rayon.direction());
     let (jugement, sortie) = juger_faces_a(faces, rayon, pres);
-    let ouvert = jugement.entre.is_none();
-    if ouvert { juger_faces_a(faces, rayon, pres + sortie).0 } else { jugement }
+    if jugement.entre.is_some() {
+        return jugement;
+    }
+    juger_faces_a(faces, rayon, pres + sortie).0
 }
 
 /// The same for any distance; and how long after it the ray leaves the solid, about.

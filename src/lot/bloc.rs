@@ -81,6 +81,14 @@ impl<R: Reel, D: Demande<R>> Bloc<R, D> {
         });
     }
 
+    /// [`proposer`](Self::proposer) of every object of the list, in order: what a block without a beam does.
+    #[inline(always)]
+    pub(crate) fn proposer_tous(&mut self, objets: &[ObjetRay<R>]) {
+        for indice in 0..objets.len() {
+            self.proposer(objets, indice, true);
+        }
+    }
+
     /// The largest distance before which a ray looks for an object; 0 if all are done.
     #[inline(always)]
     pub(crate) fn le_plus_loin(&self) -> R {
