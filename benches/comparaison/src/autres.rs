@@ -123,7 +123,7 @@ pub(crate) fn exiger_memes_bits<R: Scalaire>(
 /// object. Of two objects at one distance, as of cubes side by side, each takes either.
 pub(crate) fn exiger_accord(
     concurrents: &[Concurrent<'_>],
-    tolerance: f64,
+    tolerance: impl Fn(&Concurrent<'_>) -> f64,
 ) -> Result<(), Box<dyn Error>> {
     let seule = concurrents.iter().find(|qui| qui.nom == "single");
     let ici = seule.ok_or("the hierarchy always competes")?.reponses();
@@ -136,7 +136,7 @@ pub(crate) fn exiger_accord(
             (a, b) => a.is_some() != b.is_some(),
         };
         let autres = ici.iter().zip(&reponses).filter(autre).count();
-        if autres as f64 > tolerance * ici.len() as f64 {
+        if autres as f64 > tolerance(qui) * ici.len() as f64 {
             let n = ici.len();
             return Err(format!("{}: another object for {autres} of {n} rays", qui.nom).into());
         }

@@ -2,7 +2,7 @@
 
 use std::error::Error;
 
-use banc::concurrents::{Camp, temps};
+use banc::concurrents::{Camp, Concurrent, temps};
 use banc::familles::{Famille, Genre};
 use lancer_rayon::Hierarchie;
 
@@ -17,8 +17,8 @@ const BANDES: usize = 8;
 /// they have just left.
 const TOLERANCE: f64 = 0.005;
 
-/// The same among cubes: a ray along a side touches it for us, and passes between two quads of Embree.
-const TOLERANCE_DES_COTES: f64 = 0.1;
+/// The same of Embree's quads among cubes, where they see another object along up to 7 % of the rays.
+const TOLERANCE_DES_QUADS: f64 = 0.1;
 
 /// The times of one kind of rays in one scene.
 pub(crate) struct Cellule {
@@ -74,7 +74,10 @@ fn courir<R: Scalaire>(
             cellules.push(Cellule { famille, n, scalaire: R::NOM, genre, temps });
             continue;
         }
-        let tolerance = if famille == Famille::Cubes { TOLERANCE_DES_COTES } else { TOLERANCE };
+        let tolerance = |qui: &Concurrent<'_>| {
+            let quads = famille == Famille::Cubes && qui.nom.contains("quads");
+            if quads { TOLERANCE_DES_QUADS } else { TOLERANCE }
+        };
         let juge = exiger_memes_bits(hierarchie, &rayons, &ombres)
             .and_then(|()| exiger_accord(&concurrents, tolerance));
         let ou = format!("{} {n} {} {}", famille.nom(), R::NOM, genre.nom());

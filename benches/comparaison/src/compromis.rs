@@ -70,7 +70,7 @@ fn mesures<R: Scalaire>() -> Result<Vec<Variante>, Box<dyn Error>> {
     let (rayons, _) = Genre::Tuiles.rayons(&hierarchie, &scene, 50);
     let mut concurrents = tous(hierarchie, &mondes, &rayons, &[]);
     exiger_memes_bits(hierarchie, &rayons, &[])?;
-    exiger_accord(&concurrents, 3e4 * R::U.vers_f64())?;
+    exiger_accord(&concurrents, |_| 3e4 * R::U.vers_f64())?;
     let ns = temps(&mut concurrents);
     let ns: Vec<_> = concurrents.iter().map(|qui| (qui.nom, qui.camp)).zip(ns).collect();
     let reponses = ["list", "annex A, enum", "parry, loop"].map(|nom| {
