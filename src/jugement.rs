@@ -22,7 +22,7 @@ const NET: f64 = 1.0 / 64.0;
 
 /// The bound of [`ObjetRay::erreur`] grows by so many u of itself for its last operations (lemma
 /// 19).
-pub const ERREUR_ARRONDIE: f64 = 17.2;
+pub const ERREUR_ARRONDIE: f64 = 16.1;
 
 impl<R: Reel> ObjetRay<R> {
     /// A bound on the error of [`touche.distance()`](Intersection::distance), in scene units: the
@@ -31,14 +31,14 @@ impl<R: Reel> ObjetRay<R> {
     /// It is proven (`docs/preuves.md`, lemma 19), at the edges of a box too and with the rounding
     /// of its own computation. It is +∞ where the ray does not enter the object, and where numbers
     /// of twice the length of an `f64` cannot tell; it is never a NaN. It rests on t alone, not on
-    /// how t was found: it is the error itself, as found with such numbers, what D lacks to length 1
-    /// over that distance, and u·t. In the median of ordinary hits it is 2 to 3 times the error. Ask
-    /// it of the object that was hit, with the ray of the hit. It takes many times as long as the
-    /// hit; whoever does not ask pays nothing.
+    /// how t was found: it is the error itself, as found with such numbers, and what D lacks to
+    /// length 1 over that distance; in the median less than 1.2 times the error. Ask it of the object that was hit, with the ray of the hit. It
+    /// takes many times as long as the hit; whoever does not ask pays nothing.
     ///
     /// The same bound holds of t in lengths of D: no less than |t − t′|, where the ray enters at S +
-    /// t′D. After [`Rayon::vers_f64`] D is unit to the rounding of `f32` only, and so is the bound:
-    /// multiply the distance by `rayon.direction().longueur()` there.
+    /// t′D. After [`Rayon::vers_f64`] D is unit to the rounding of `f32` only, and the bound covers
+    /// that; for digits in scene units make D unit again, by [`Rayon::new`] of the same source and
+    /// direction.
     ///
     /// ```
     /// use lancer_rayon::{ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
@@ -73,8 +73,8 @@ impl<R: Reel> ObjetRay<R> {
         let exces = scalaire(triple(d), triple(d)).plus(Double::de(-1.0)).bornes().grandeur();
         let longueur = d.longueur();
         let de_d = en_f64 * (exces / (1.0 + longueur));
-        let erreur = R::depuis_f64(ecart * longueur.max(1.0) + de_d) + t * R::U;
-        erreur + erreur * fois_u(ERREUR_ARRONDIE) + R::MIN_POSITIF
+        let erreur = R::depuis_f64(ecart * longueur.max(1.0) + de_d);
+        erreur + erreur * fois_u(ERREUR_ARRONDIE) + (R::MIN_POSITIF + R::MIN_POSITIF)
     }
 
     /// Whether the answer of [`intersection`](Self::intersection), a hit or a miss, is certain: that
@@ -98,7 +98,7 @@ impl<R: Reel> ObjetRay<R> {
     #[doc(alias("is_certain", "is_robust"))]
     #[must_use]
     pub fn est_sur(&self, rayon: &Rayon<R>) -> bool {
-        // J8: no ray that enters an object passes the ball around it by (lemma 11).
+        // J8: no ray that enters an object passes the ball around it by (lemma 19).
         if !self.boule().approchee(rayon) {
             return true;
         }
@@ -122,7 +122,7 @@ fn plus_grand<R: Reel>() -> f64 {
 
 /// Whether an answer of [`premiere_intersection`](crate::premiere_intersection) of this list, a hit or
 /// a miss, is certain: whether exact arithmetic on the numbers as they are stored names the same
-/// object first, or none as well.
+/// object first, or none as well. (Which face of a box, at an edge, is not asked.)
 ///
 /// It is never true of a wrong answer. It is false of a right one only where
 /// [`est_sur`](ObjetRay::est_sur) of some object would be, and of two entries within some 2⁻¹⁰⁰ of
@@ -131,7 +131,7 @@ fn plus_grand<R: Reel>() -> f64 {
 /// [`Hierarchie::est_certaine`](crate::Hierarchie::est_certaine) asks a tree.
 ///
 /// In an answer that is not certain ask the same numbers in `f64`: [`ObjetRay::vers_f64`] of all
-/// objects, and [`Rayon::vers_f64`].
+/// objects, and [`Rayon::vers_f64`]. What is uncertain there as well is most often a tie.
 ///
 /// ```
 /// use lancer_rayon::{ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
@@ -217,7 +217,7 @@ impl<'a, R: Reel> Certificat<'a, R> {
     /// Whether every object of the list comes later, except that at the index `sauf`.
     pub(crate) fn vient_avant_tous(&self, objets: &[ObjetRay<R>], sauf: Option<usize>) -> bool {
         objets.iter().enumerate().all(|(indice, objet)| {
-            // No ray that enters an object passes the ball around it by (lemma 11).
+            // No ray that enters an object passes the ball around it by (lemma 19).
             let loin = sauf == Some(indice) || !objet.boule().approchee(self.rayon);
             loin || self.vient_apres(objet, indice)
         })

@@ -43,14 +43,14 @@ const FENETRE_ETROITE: usize = 4;
 const SEUIL_ELAGAGE: usize = 10;
 
 /// The first object that each ray enters:
-/// [`premiere_intersection`](fn@crate::premiere_intersection) of every ray, to the bit, several times
-/// as fast.
+/// [`premiere_intersection`](fn@crate::premiere_intersection) of every ray, to the bit, and several
+/// times as fast for the rays of a picture.
 ///
 /// Neighbours in `rayons` should be neighbours in the picture, in tiles of 8 × 8 better than in
-/// rows: objects that sixty-four rays in a row all miss cost next to nothing. Rays in no order at
-/// all cost several times as much. Pass 64 rays or more a call; from some ten spheres and boxes
-/// on, use a [`Hierarchie`](crate::Hierarchie). Nothing is allocated and no
-/// thread is started; the caller may give parts of a picture to several threads.
+/// rows: objects that sixty-four rays in a row all miss cost next to nothing. Rays in no order gain
+/// less, or nothing. Pass 64 rays or more a call; from eight spheres and boxes on, use a
+/// [`Hierarchie`](crate::Hierarchie). Nothing is allocated and no thread is started; the caller may
+/// give parts of a picture to several threads.
 ///
 /// # Errors
 /// If `rayons` and `touches` are not of the same length; nothing is written then.
@@ -108,7 +108,7 @@ impl fmt::Display for LongueursDifferentes {
 impl core::error::Error for LongueursDifferentes {}
 
 /// Whether anything stands before the lamp of each shadow ray: [`est_occulte`](fn@crate::est_occulte) of
-/// every ray and the distance of its lamp, to the bit, several times as fast.
+/// every ray and the distance of its lamp, to the bit, and sooner.
 ///
 /// [`vers_lumiere`](Rayon::vers_lumiere) gives both. What [`premieres_intersections`] says of order and
 /// length of a call holds here; rays to one lamp, in the order of the picture, are neighbours. A ray

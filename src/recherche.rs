@@ -90,7 +90,8 @@ impl<R: Reel> ObjetRay<R> {
 /// **From inside an object** that object is not seen, as by any ray: a point under a thing that
 /// stands on the floor is not in its shadow. [`contient`](ObjetRay::contient) tells such points.
 ///
-/// [`vers_lumiere`](Rayon::vers_lumiere) gives the ray and the distance. With a
+/// [`vers_lumiere`](Rayon::vers_lumiere) gives the ray and the distance; between two points P and Q in
+/// the air they are `Rayon::new(p, q - p)` and `(q - p).longueur()`. With a
 /// [`secondaire`](Rayon::secondaire) of one's own, measure from its source, and test N·L > 0 first:
 /// towards a lamp behind the surface the ray starts inside the object, which then casts no shadow.
 ///

@@ -32,10 +32,12 @@ impl<R: Reel> Rayon<R> {
     /// jumped over.
     ///
     /// Within rounding of a box edge an inward ray may touch the other face of that edge, of which
-    /// the hit knows nothing. **Of a second object** that the hit lies within rounding of, as in
-    /// the corner between two walls, the hit knows nothing either: the ray may start inside that
-    /// object, which it then does not see. Of rays aimed at such a seam itself up to half go
-    /// through.
+    /// the hit knows nothing. **Of a second object** that the hit lies within rounding of, the hit
+    /// knows nothing either: the ray may start inside that object, which it then does not see. Of
+    /// rays aimed at the corner between two walls up to half go through; a ray out of a glass into
+    /// the table that the glass stands on always starts inside the table. Where a ray leaves an
+    /// object it finds by the way back, from beyond the object: the recipe "Glass" in
+    /// `docs/README.md` asks for both.
     ///
     /// `touche` is to be a hit of this very ray. With the hit of another ray the result is a valid
     /// ray or a refusal, and nothing is promised about where it starts.
@@ -86,9 +88,8 @@ impl<R: Reel> Rayon<R> {
     /// renderer need not tell the cases apart; whoever must asks `secondaire(touche, lumiere −
     /// point)`, whose error names what cannot be computed.
     ///
-    /// From the start to the light the distance is good to 3.6u and η, the direction to 4.6u, and
-    /// N·L to 8u (lemma 9: the vector to the light rounds to u of its length; its length adds 2.5u,
-    /// the quotient one more, N·L γ₃; a length below the normal numbers rounds by η/2). Towards a
+    /// From the start to the light the distance is good to 3.6u of itself and
+    /// [`MIN_POSITIF`](Reel::MIN_POSITIF), the direction to 4.6u, and N·L to 8u (lemma 9). Towards a
     /// point of a lamp that is itself an object of the list, [leave the lamp
     /// out](crate::Hierarchie::sans).
     ///
@@ -117,7 +118,8 @@ impl<R: Reel> Rayon<R> {
 
     /// The ray from this hit to another, `cible`, which the ray `autre` found, and the distance
     /// between both: whether two points of surfaces see each other is
-    /// `!hierarchie.sans(cible.objet()).est_occulte(&rayon, distance)`.
+    /// `!hierarchie.sans(cible.objet()).est_occulte(&rayon, distance)`. (A hit of an object that was
+    /// asked alone has index 0: name its index in the list.)
     ///
     /// Both ends step off their surfaces, as for [`secondaire`](Self::secondaire), so that the ray
     /// never hits the object it leaves. The object it goes to is

@@ -21,6 +21,9 @@ use crate::tolerances::{bandes, promesses, u};
 /// Bits kept of a quotient or a root.
 const PRECISION: isize = 256;
 
+/// What an entry rounds by, of itself: a root, a quotient and, in scene units, the length of D.
+pub const ORACLE_ARRONDI: f64 = 1.0 / ((1_u128 << 127) as f64 * (1_u128 << 127) as f64);
+
 /// The integer `m` times 2^`e`.
 #[derive(Debug, Clone)]
 pub struct Exact {

@@ -7,7 +7,7 @@ use lancer_rayon::{Intersection, ObjetRay, Rayon, Reel, Texture, Vecteur, premie
 
 use crate::arrondi;
 use crate::mesure::{absolu, absolu_fois, au_bord, lieu_permis, plus_grand, rayon_non_perdu};
-use crate::oracle::{dehors, hauteur, norme_au_carre_moins_un, verite};
+use crate::oracle::{ORACLE_ARRONDI, dehors, hauteur, norme_au_carre_moins_un, verite};
 use crate::regimes::Genre;
 use crate::tolerances::{promesses as permis, u};
 
@@ -56,7 +56,7 @@ pub fn toutes<R: Reel>() -> [Promesse<R>; 13] {
         promesse("infinite margins", RONDS, marge_infinie, quelconque),
         promesse("where a hit lies", BORNES, lieu, quelconque),
         promesse("secondary ray", &Genre::TOUS, secondaire, quelconque),
-        promesse("erreur", &Genre::TOUS, erreur, [6.0; 2]),
+        promesse("erreur", &Genre::TOUS, erreur, [1.2; 2]),
         promesse("est_sur", &Genre::TOUS, est_sur, quelconque),
         promesse("a glance", &Genre::TOUS, coup_d_oeil, quelconque),
     ]
@@ -248,7 +248,7 @@ pub fn secondaire<R: Reel>(cas: &Essai<R>) -> f64 {
 }
 
 /// The error of the distance, in scene units or in lengths of D if that is more, as a part of `erreur`, which is +∞
-/// where there is no entry.
+/// where there is no entry. What the oracle itself may have rounded does not count.
 pub fn erreur<R: Reel>(cas: &Essai<R>) -> f64 {
     let Some(touche) = touche(cas) else { return RIEN };
     let borne = cas.objets[0].erreur(&cas.rayon, &touche).vers_f64();
@@ -258,7 +258,8 @@ pub fn erreur<R: Reel>(cas: &Essai<R>) -> f64 {
             let echelle = if borne < 1e-200 { 200_f64.exp2() } else { 1.0 };
             let en_longueurs_de_d = entree.ecart_fois(touche.distance(), echelle).abs();
             let mesure = entree.ecart_mesure_fois(&cas.rayon, touche.distance(), echelle).abs();
-            mesure.max(en_longueurs_de_d) / (borne * echelle)
+            let arrondi = touche.distance().vers_f64() * ORACLE_ARRONDI * echelle;
+            (mesure.max(en_longueurs_de_d) - arrondi).max(0.0) / (borne * echelle)
         }
         None if borne < f64::INFINITY => ROMPUE,
         None => RIEN,

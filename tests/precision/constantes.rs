@@ -843,8 +843,8 @@ fn lemme_19_erreur_et_certitude() {
         // Times |D|, a root of a sum, and the sum with what D lacks, which has fewer roundings.
         let mesure =
             et(ecart, et(et(racine(gamma(3.0, u), u), i(1.0), u), inverse(gamma(2.0, u), u), u), u);
-        // To the scalar, the sum with u·t, the product that makes it grow, two sums.
-        et(mesure, inverse(gamma(4.0, u), u), u)
+        // To the scalar, the product that makes it grow, two sums.
+        et(mesure, inverse(gamma(3.0, u), u), u)
     });
     for u in U {
         // No ray that enters an object passes its ball by: AC² is at most ρ²(1 + 37u), and ρ² as computed off by 3u.
