@@ -4,7 +4,7 @@
 use std::error::Error;
 
 use banc::concurrents::{Concurrent, FACONS, permises};
-use banc::familles::{Famille, Genre};
+use banc::familles::{Famille, Genre, Lances};
 use banc::horloge::{MORCEAU, moindres};
 use banc::nous;
 use lancer_rayon::pour_les_tests::Reglage;
@@ -183,7 +183,7 @@ fn mesurer<R: Reel + avant::Reel + DeserializeOwned>(
     let permises = permises(n).iter().map(|(nom, _)| *nom).filter(|nom| choix.facons.contains(nom));
     let mut lignes: Vec<_> = permises.map(|nom| (nom, String::new())).collect();
     for &genre in &choix.genres {
-        let (rayons, ombres) = genre.rayons(&hierarchie, &scene, choix.bandes);
+        let Lances { rayons, ombres, .. } = genre.rayons(&hierarchie, &scene, choix.bandes);
         let ancien = |rayon: &Rayon<R>| {
             let [s, d] = [rayon.source(), rayon.direction()].map(<[R; 3]>::from);
             avant::Rayon::new(s.into(), d.into()).expect("a ray within the limits")

@@ -383,6 +383,34 @@ pub enum Genre {
 /// A ray, and how far the lamp is that it goes to.
 pub type Lance<R> = (Rayon<R>, R);
 
+/// The rays of one kind in one scene.
+pub struct Lances<R> {
+    pub rayons: Vec<Rayon<R>>,
+    /// The same rays with their lamps, if they are shadows.
+    pub ombres: Vec<Lance<R>>,
+    /// The same rays with the object that each leaves; none of a camera.
+    pub partis: Vec<(Lance<R>, usize)>,
+}
+
+/// By so much those who cannot leave out an object start ahead of it.
+pub const AVANCE: f64 = 0.001;
+
+impl<R: Reel> Lances<R> {
+    fn de_camera(rayons: Vec<Rayon<R>>) -> Self {
+        Self { rayons, ombres: Vec::new(), partis: Vec::new() }
+    }
+
+    /// The same rays, started ahead of what they leave.
+    pub fn en_avant(&self) -> Self {
+        let avance = if self.partis.is_empty() { R::ZERO } else { R::depuis_f64(AVANCE) };
+        let avancer =
+            |rayon: &Rayon<R>| Rayon::new(rayon.point(avance), rayon.direction()).expect(PERMIS);
+        let ombres = self.ombres.iter().map(|(rayon, max)| (avancer(rayon), *max - avance));
+        let ombres = ombres.collect();
+        Self { ombres, ..Self::de_camera(self.rayons.iter().map(avancer).collect()) }
+    }
+}
+
 impl Genre {
     pub const TOUS: [Self; 8] = [
         Self::Tuiles,
@@ -408,14 +436,13 @@ impl Genre {
         }
     }
 
-    /// The rays of this kind from `bandes` of the picture's bands of eight rows, evenly spaced; and the same once
-    /// more as shadows, if they are.
+    /// The rays of this kind from `bandes` of the picture's bands of eight rows, evenly spaced.
     pub fn rayons<R: Reel>(
         self,
         hierarchie: &Hierarchie<'_, R>,
         scene: &Scene<R>,
         bandes: usize,
-    ) -> (Vec<Rayon<R>>, Vec<Lance<R>>) {
+    ) -> Lances<R> {
         let image = if self == Self::Paralleles {
             &sans_perspective(scene.pas, |_| EN_BAS)
         } else {
@@ -426,27 +453,29 @@ impl Genre {
         let choisies = choisies.flat_map(|i| &image[8 * largeur * i..8 * largeur * (i + 1)]);
         let rangees: Vec<_> = choisies.copied().collect();
         if self == Self::Rangees {
-            return (rangees, Vec::new());
+            return Lances::de_camera(rangees);
         }
         let tuiles = en_tuiles(&rangees, largeur);
         if self == Self::Tuiles || self == Self::Paralleles {
-            return (tuiles, Vec::new());
+            return Lances::de_camera(tuiles);
         }
         let mut alea = Rng::with_seed(2);
-        let mut ombres = Vec::new();
         let partis = tuiles.into_iter().filter_map(|rayon| {
             let touche = hierarchie.premiere_intersection(&rayon).ok()?;
-            if self == Self::Ombres {
-                ombres.push(rayon.vers_lumiere(&touche, scene.lampe)?);
-                return ombres.last().map(|(rayon, _)| *rayon);
-            }
-            self.depuis(&rayon, &touche, &mut alea)
+            let parti = if self == Self::Ombres {
+                rayon.vers_lumiere(&touche, scene.lampe)?
+            } else {
+                (self.depuis(&rayon, &touche, &mut alea)?, R::INFINI)
+            };
+            Some((parti, touche.objet()))
         });
         let mut partis: Vec<_> = partis.collect();
         if self == Self::SansOrdre {
             Rng::with_seed(3).shuffle(&mut partis);
         }
-        (partis, ombres)
+        let rayons = partis.iter().map(|((rayon, _), _)| *rayon).collect();
+        let ombres = partis.iter().filter(|_| self == Self::Ombres).map(|(ombre, _)| *ombre);
+        Lances { rayons, ombres: ombres.collect(), partis }
     }
 
     /// The ray of this kind that leaves this hit, if it goes outward.

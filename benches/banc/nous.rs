@@ -44,7 +44,8 @@ pub fn concurrents<'a, R: Reel>(
     }
 }
 
-fn dire<R: Reel>(touche: Touche<R>) -> Reponse {
+/// This answer in the words of all.
+pub fn dire<R: Reel>(touche: Touche<R>) -> Reponse {
     let touche = touche.ok()?;
     let n = touche.normale();
     let nombres = [touche.distance(), n.x, n.y, n.z, touche.marge()];

@@ -2,8 +2,8 @@
 
 use std::error::Error;
 
-use banc::concurrents::{Concurrent, Reponse, permises};
-use banc::familles::Lance;
+use banc::concurrents::{Camp, Concurrent, Reponse, cachee, permises};
+use banc::familles::{AVANCE, Lance, Lances};
 use banc::nous;
 use commun::conversion::Bits;
 use lancer_rayon::{Hierarchie, ObjetRay, Rayon, Reel, Texture, Vecteur};
@@ -71,17 +71,38 @@ pub(crate) fn mondes<R: Scalaire>(objets: &[ObjetRay<R>]) -> Vec<Box<dyn Monde<R
     mondes
 }
 
-/// We and all others; who looks at all objects for every ray, only where they are few.
+/// We and all others, who start ahead of what a ray leaves; who looks at all objects for every ray, only where they are few.
 pub(crate) fn tous<'a, R: Reel>(
     hierarchie: Hierarchie<'a, R>,
     mondes: &'a [Box<dyn Monde<R>>],
-    rayons: &'a [Rayon<R>],
-    ombres: &'a [Lance<R>],
+    lances: &'a Lances<R>,
+    en_avant: &'a Lances<R>,
 ) -> Vec<Concurrent<'a>> {
     let permises = permises(hierarchie.objets().len());
-    let nous = nous::concurrents(hierarchie, rayons, ombres).into_iter();
+    let nous = nous::concurrents(hierarchie, &lances.rayons, &lances.ombres).into_iter();
     let nous = nous.filter(|qui| permises.contains(&(qui.nom, qui.camp)));
-    nous.chain(mondes.iter().flat_map(|monde| monde.concurrents(rayons, ombres))).collect()
+    let sans = sans(hierarchie, lances);
+    let Lances { rayons, ombres, .. } = en_avant;
+    let eux = mondes.iter().flat_map(|monde| monde.concurrents(rayons, ombres));
+    nous.chain(sans).chain(eux).collect()
+}
+
+/// We one by one, without the object that each ray leaves; nobody of rays of a camera.
+fn sans<'a, R: Reel>(h: Hierarchie<'a, R>, lances: &'a Lances<R>) -> Option<Concurrent<'a>> {
+    let Lances { ombres, partis, .. } = lances;
+    let sans = ("single, sans", Camp::Sans);
+    let concurrent = if ombres.is_empty() {
+        let premiere = move |((rayon, _), objet): &(Lance<R>, usize)| {
+            h.sans(*objet).premiere_intersection(rayon)
+        };
+        Concurrent::un_par_un(sans, partis, premiere, nous::dire)
+    } else {
+        let ombre = move |((rayon, max), objet): &(Lance<R>, usize)| {
+            h.sans(*objet).est_occulte(rayon, *max)
+        };
+        Concurrent::un_par_un(sans, partis, ombre, cachee)
+    };
+    (!partis.is_empty()).then_some(concurrent)
 }
 
 /// Places for a hierarchy over these objects.
@@ -119,8 +140,8 @@ pub(crate) fn exiger_memes_bits<R: Scalaire>(
     Ok(())
 }
 
-/// An error unless the others see what we see, except for rounding: `tolerance` of the rays may meet another
-/// object. Of two objects at one distance, as of cubes side by side, each takes either.
+/// An error unless the others see what we see, except for rounding and where they start: `tolerance` of the rays
+/// may meet another object. Of two objects at one distance, as of cubes side by side, each takes either.
 pub(crate) fn exiger_accord(
     concurrents: &[Concurrent<'_>],
     tolerance: impl Fn(&Concurrent<'_>) -> f64,
@@ -131,7 +152,8 @@ pub(crate) fn exiger_accord(
         let reponses = qui.reponses();
         let autre = |(a, b): &(&Reponse, &Reponse)| match (a, b) {
             (Some(a), Some(b)) => {
-                a.1 != b.1 && (distance(*a) - distance(*b)).abs() > 1e-5 * distance(*a)
+                let ecart = (distance(*a) - distance(*b)).abs();
+                a.1 != b.1 && ecart > 1e-5 * distance(*a) + 1.5 * AVANCE
             }
             (a, b) => a.is_some() != b.is_some(),
         };

@@ -13,8 +13,7 @@ const NOMBRES: [usize; 5] = [12, 48, 192, 1000, 10_000];
 /// How much of a picture: bands of 4,800 rays.
 const BANDES: usize = 8;
 
-/// So many rays may meet another object for others: where two objects touch, or where they meet the one again that
-/// they have just left.
+/// So many rays may meet another object for others: where two objects touch, or nearer than they start.
 const TOLERANCE: f64 = 0.005;
 
 /// The same of Embree's quads among cubes, where they see another object along up to 7 % of the rays.
@@ -65,8 +64,9 @@ fn courir<R: Scalaire>(
     let hierarchie = Hierarchie::new(&scene.objets, &mut places)?;
     let mondes = mondes(&scene.objets);
     for genre in Genre::TOUS {
-        let (rayons, ombres) = genre.rayons(&hierarchie, &scene, BANDES);
-        let mut concurrents = tous(hierarchie, &mondes, &rayons, &ombres);
+        let lances = genre.rayons(&hierarchie, &scene, BANDES);
+        let en_avant = lances.en_avant();
+        let mut concurrents = tous(hierarchie, &mondes, &lances, &en_avant);
         if chronometrer {
             concurrents.retain(|qui| qui.camp != Camp::Annexe);
             let ns = temps(&mut concurrents);
@@ -76,9 +76,13 @@ fn courir<R: Scalaire>(
         }
         let tolerance = |qui: &Concurrent<'_>| {
             let quads = famille == Famille::Cubes && qui.nom.contains("quads");
-            if quads { TOLERANCE_DES_QUADS } else { TOLERANCE }
+            match qui.camp {
+                Camp::Seul | Camp::Sans | Camp::Lot => 0.0,
+                _ if quads => TOLERANCE_DES_QUADS,
+                _ => TOLERANCE,
+            }
         };
-        let juge = exiger_memes_bits(hierarchie, &rayons, &ombres)
+        let juge = exiger_memes_bits(hierarchie, &lances.rayons, &lances.ombres)
             .and_then(|()| exiger_accord(&concurrents, tolerance));
         let ou = format!("{} {n} {} {}", famille.nom(), R::NOM, genre.nom());
         juge.map_err(|erreur| format!("{ou}: {erreur}"))?;

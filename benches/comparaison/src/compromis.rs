@@ -67,9 +67,10 @@ fn mesures<R: Scalaire>() -> Result<Vec<Variante>, Box<dyn Error>> {
     let hierarchie = Hierarchie::new(&scene.objets, &mut places)?;
     let mondes = mondes(&scene.objets);
     // The whole picture, in tiles.
-    let (rayons, _) = Genre::Tuiles.rayons(&hierarchie, &scene, 50);
-    let mut concurrents = tous(hierarchie, &mondes, &rayons, &[]);
-    exiger_memes_bits(hierarchie, &rayons, &[])?;
+    let lances = Genre::Tuiles.rayons(&hierarchie, &scene, 50);
+    let rayons = &lances.rayons;
+    let mut concurrents = tous(hierarchie, &mondes, &lances, &lances);
+    exiger_memes_bits(hierarchie, rayons, &[])?;
     exiger_accord(&concurrents, |_| 3e4 * R::U.vers_f64())?;
     let ns = temps(&mut concurrents);
     let ns: Vec<_> = concurrents.iter().map(|qui| (qui.nom, qui.camp)).zip(ns).collect();

@@ -1,5 +1,5 @@
-//! The hierarchy alone: over the even mix what the instruction set and the threads do to a batch, and what it
-//! takes to build; over all families what a certificate takes, and what a ray gains that leaves out what it leaves.
+//! The hierarchy alone: over the even mix what the instruction set does to a batch, and what it takes to build; over
+//! all families what a certificate takes.
 
 use std::error::Error;
 use std::hint::black_box;
@@ -7,18 +7,13 @@ use std::time::Instant;
 
 use banc::concurrents::temps;
 use banc::familles::{Famille, Genre};
-use banc::horloge::{MORCEAU, TOURS, moindres};
+use banc::horloge::{TOURS, moindres};
 use banc::nous;
 use commun::scenes::{en_tuiles, melange, rayons_camera};
 use lancer_rayon::pour_les_tests::Reglage;
-use lancer_rayon::{
-    Hierarchie, NoIntersection, Rayon, Reel, Touche, Vecteur, premiere_intersection,
-};
-use rayon::prelude::*;
-use rayon::{ThreadPool, ThreadPoolBuilder};
-use serde::de::DeserializeOwned;
+use lancer_rayon::{Hierarchie, Rayon, Reel, Touche};
 
-use crate::autres::{Parry, places};
+use crate::autres::{Parry, Scalaire, places};
 use crate::tables::nanosecondes;
 
 /// The rays of a picture, in tiles.
@@ -61,46 +56,6 @@ fn jeux_de<R: Reel>(n: usize) -> Result<Vec<f64>, Box<dyn Error>> {
     Ok(temps(&mut lots))
 }
 
-/// The table of the threads.
-pub(crate) fn threads() -> Result<String, Box<dyn Error>> {
-    let equipes = [1, 2].map(|threads| ThreadPoolBuilder::new().num_threads(threads).build());
-    let [une, deux] = equipes;
-    let equipes = [une?, deux?];
-    let mut table = vec![
-        "| scalar | N | one thread | two threads | speed-up |".to_owned(),
-        "|---|--:|--:|--:|--:|".to_owned(),
-    ];
-    for n in [48, 1000] {
-        table.push(threads_de::<f32>(n, &equipes)?);
-        table.push(threads_de::<f64>(n, &equipes)?);
-    }
-    Ok(table.join("\n"))
-}
-
-fn threads_de<R: Reel>(n: usize, equipes: &[ThreadPool; 2]) -> Result<String, Box<dyn Error>> {
-    let (objets, rayons) = (melange(n), image::<R>());
-    let mut places = places(&objets);
-    let hierarchie = Hierarchie::new(&objets, &mut places)?;
-    let mut touches = vec![Err(NoIntersection); rayons.len()];
-    let mut premieres = || {
-        let debut = Instant::now();
-        let morceaux = rayons.par_chunks(MORCEAU).zip(touches.par_chunks_mut(MORCEAU));
-        morceaux
-            .try_for_each(|(rayons, touches)| hierarchie.premieres_intersections(rayons, touches))
-            .expect("as many answers as rays");
-        debut.elapsed().as_nanos() as f64 / rayons.len() as f64
-    };
-    // The best of some pictures in a row: at the first the threads still wake up.
-    let temps = moindres(TOURS, 2, |i| {
-        equipes[i].install(|| (0..8).map(|_| premieres()).fold(f64::INFINITY, f64::min))
-    });
-    if rayons.iter().zip(&touches).any(|(r, touche)| premiere_intersection(&objets, r) != *touche) {
-        return Err("the batch differs from its rays one by one".into());
-    }
-    let (un, deux, scalaire) = (temps[0], temps[1], std::any::type_name::<R>());
-    Ok(format!("| {scalaire} | {n} | {un:.1} | {deux:.1} | {:.2} |", un / deux))
-}
-
 /// What a tree costs to build, in time and in memory beside the objects.
 pub(crate) fn constructions() -> String {
     let mut table = vec![
@@ -132,61 +87,56 @@ fn constructions_de<R: Parry>(n: usize) -> String {
     format!("| {scalaire} | {n} | {ici} | {octets:.0} | {parry} | {obvhs} |")
 }
 
-/// One by one, in tiles: a certificate over its ray; and mirrors and shadows without the object that they leave over
-/// the same with it.
+/// One by one, in tiles: the time of a certificate over that of its ray.
 pub(crate) fn certificats() -> Result<String, Box<dyn Error>> {
-    let titre = |scalaire| format!("{scalaire}: certificate | mirrors | shadows");
     let mut table = vec![
-        format!("| family | N | {} | {} |", titre("f32"), titre("f64")),
-        format!("|---|{}", "--:|".repeat(7)),
+        "| scalar | objects | geometric mean | least | highest |".to_owned(),
+        "|---|--:|--:|---|---|".to_owned(),
     ];
-    for famille in Famille::TOUTES {
-        for &n in famille.nombres(&[12, 10_000]) {
-            let rapports = [certificats_de::<f32>(famille, n)?, certificats_de::<f64>(famille, n)?];
-            let rapports = rapports.as_flattened().iter().map(|x| format!("{x:.2}"));
-            let rapports = rapports.collect::<Vec<_>>().join(" | ");
-            table.push(format!("| {} | {n} | {rapports} |", famille.nom()));
-        }
+    for (noms, n) in [("12 to 30", 12), ("10000", 10_000)] {
+        table.push(certificats_parmi::<f32>(noms, n)?);
+        table.push(certificats_parmi::<f64>(noms, n)?);
     }
     Ok(table.join("\n"))
 }
 
-fn certificats_de<R: Reel + DeserializeOwned>(
-    famille: Famille,
-    n: usize,
-) -> Result<[f64; 3], Box<dyn Error>> {
+fn certificats_parmi<R: Scalaire>(noms: &str, n: usize) -> Result<String, Box<dyn Error>> {
+    let mut rapports = Vec::new();
+    for famille in Famille::TOUTES {
+        for &n in famille.nombres(&[n]).iter().filter(|&&m| (m < 100) == (n < 100)) {
+            rapports.push((certificat_de::<R>(famille, n)?, famille.nom()));
+        }
+    }
+    rapports.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let moyenne = rapports.iter().map(|(x, _)| x.ln()).sum::<f64>() / rapports.len() as f64;
+    let [Some(moindre), Some(plus_haut)] = [rapports.first(), rapports.last()] else {
+        return Err("no family".into());
+    };
+    let [(moindre, ou), (plus_haut, la)] = [moindre, plus_haut];
+    let moyenne = moyenne.exp();
+    Ok(format!(
+        "| {} | {noms} | {moyenne:.2} | {moindre:.2}: {ou} | {plus_haut:.2}: {la} |",
+        R::NOM
+    ))
+}
+
+fn certificat_de<R: Scalaire>(famille: Famille, n: usize) -> Result<f64, Box<dyn Error>> {
     let scene = famille.scene::<R>(n);
     let mut places = places(&scene.objets);
     let hierarchie = Hierarchie::new(&scene.objets, &mut places)?;
-    let (rayons, _) = Genre::Tuiles.rayons(&hierarchie, &scene, 4);
+    let rayons = Genre::Tuiles.rayons(&hierarchie, &scene, 4).rayons;
     let vues: Vec<(Rayon<R>, Touche<R>)> =
         rayons.iter().map(|rayon| (*rayon, hierarchie.premiere_intersection(rayon))).collect();
-    let lampe = Vecteur::depuis_f64(Vecteur::new(-8.0, 12.0, 10.0));
-    let touchees = vues.iter().filter_map(|(rayon, touche)| Some((rayon, touche.ok()?)));
-    let reflets = touchees.clone().filter_map(|(rayon, touche)| {
-        let (d, n) = (rayon.direction(), touche.normale());
-        let reflet = d - n * (d.produit_scalaire(n) * R::depuis_f64(2.0));
-        Some((rayon.secondaire(&touche, reflet).ok()?, touche.objet()))
-    });
-    let reflets: Vec<_> = reflets.collect();
-    let ombres = touchees
-        .filter_map(|(rayon, touche)| Some((rayon.vers_lumiere(&touche, lampe)?, touche.objet())));
-    let ombres: Vec<_> = ombres.collect();
-    fn chaque<Q>(questions: &[Q], mut demander: impl FnMut(&Q) -> bool) -> f64 {
+    let ns = moindres(TOURS, 2, |quoi| {
         let debut = Instant::now();
-        for question in questions {
-            black_box(demander(black_box(question)));
+        for (rayon, touche) in black_box(&vues) {
+            black_box(if quoi == 0 {
+                hierarchie.premiere_intersection(rayon).is_ok()
+            } else {
+                hierarchie.est_certaine(rayon, touche)
+            });
         }
         debut.elapsed().as_nanos() as f64
-    }
-    let h = &hierarchie;
-    let ns = moindres(TOURS, 6, |quoi| match quoi {
-        0 => chaque(&vues, |(r, _)| h.premiere_intersection(r).is_ok()),
-        1 => chaque(&vues, |(r, touche)| h.est_certaine(r, touche)),
-        2 => chaque(&reflets, |(r, _)| h.premiere_intersection(r).is_ok()),
-        3 => chaque(&reflets, |(r, objet)| h.sans(*objet).premiere_intersection(r).is_ok()),
-        4 => chaque(&ombres, |((r, t), _)| h.est_occulte(r, *t)),
-        _ => chaque(&ombres, |((r, t), objet)| h.sans(*objet).est_occulte(r, *t)),
     });
-    Ok([ns[1] / ns[0], ns[3] / ns[2], ns[5] / ns[4]])
+    Ok(ns[1] / ns[0])
 }

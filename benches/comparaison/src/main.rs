@@ -39,15 +39,12 @@ fn main() -> Result<(), Box<dyn Error>> {
         Some(_) => return Err("usage: comparaison [documents]".into()),
     };
     glam::verifier()?;
-    // First: Embree ties this thread, and those that it starts later, to one core.
-    let threads = hierarchie::threads()?;
     let cellules = cellules::mesurer()?;
     let tables = [
         ("summary", tables::resume(&cellules)),
         ("families", tables::table(&cellules)),
         ("building", hierarchie::constructions()),
         ("sets", hierarchie::jeux_d_instructions()?),
-        ("threads", threads),
         ("certificates", hierarchie::certificats()?),
     ];
     for (nom, table) in &tables {

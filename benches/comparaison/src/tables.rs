@@ -28,21 +28,43 @@ impl Question {
     }
 }
 
-const SEUL: &[Camp] = &[Camp::Seul];
+const SEUL: &[Camp] = &[Camp::Seul, Camp::Sans];
 const LOT: &[Camp] = &[Camp::Lot];
-const TOUT: &[Camp] = &[Camp::Seul, Camp::Lot];
+const TOUT: &[Camp] = &[Camp::Seul, Camp::Sans, Camp::Lot];
 const AUTRES: &[Camp] = &[Camp::Parry, Camp::Embree, Camp::EmbreeSeize];
 
-const QUESTIONS: [Question; 7] = [
+const QUESTIONS: [Question; 9] = [
     Question { nom: "one by one: parry", scalaire: "f32", ici: SEUL, autres: &[Camp::Parry] },
     Question { nom: "one by one: Embree", scalaire: "f32", ici: SEUL, autres: &[Camp::Embree] },
     Question {
         nom: "best: parry, Embree ×1 and ×16", scalaire: "f32", ici: TOUT, autres: AUTRES
     },
-    Question { nom: "ours one by one, over our batch", scalaire: "f32", ici: LOT, autres: SEUL },
+    Question {
+        nom: "ours one by one, over our batch",
+        scalaire: "f32",
+        ici: LOT,
+        autres: &[Camp::Seul],
+    },
+    Question {
+        nom: "ours one by one, over ours with `sans`",
+        scalaire: "f32",
+        ici: &[Camp::Sans],
+        autres: &[Camp::Seul],
+    },
     Question { nom: "one by one: parry", scalaire: "f64", ici: SEUL, autres: &[Camp::Parry] },
     Question { nom: "best: parry", scalaire: "f64", ici: TOUT, autres: &[Camp::Parry] },
-    Question { nom: "ours one by one, over our batch", scalaire: "f64", ici: LOT, autres: SEUL },
+    Question {
+        nom: "ours one by one, over our batch",
+        scalaire: "f64",
+        ici: LOT,
+        autres: &[Camp::Seul],
+    },
+    Question {
+        nom: "ours one by one, over ours with `sans`",
+        scalaire: "f64",
+        ici: &[Camp::Sans],
+        autres: &[Camp::Seul],
+    },
 ];
 
 /// Nanoseconds in three digits or more; a dash for who did not run.
@@ -74,6 +96,9 @@ pub(crate) fn resume(cellules: &[Cellule]) -> String {
         };
         let case = |genre| {
             let rapports = rapports(Some(genre));
+            if rapports.is_empty() {
+                return "–".to_owned();
+            }
             let moyenne =
                 (rapports.iter().map(|x| x.ln()).sum::<f64>() / rapports.len() as f64).exp();
             let moindre = rapports.iter().copied().fold(f64::NAN, f64::min);
