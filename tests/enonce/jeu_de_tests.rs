@@ -905,7 +905,7 @@ fn la_page_est_a_jour() {
         write!(page, "\n## {titre}\n\n| test | expected | obtained |\n|---|---|---|\n").unwrap();
         for (quoi, attendu, obtenu) in lignes {
             let sans_barre = |s: &str| s.replace('|', "\\|");
-            let obtenu = if obtenu == attendu { "the same".into() } else { sans_barre(&obtenu) };
+            let obtenu = if obtenu == attendu { "idem".into() } else { sans_barre(&obtenu) };
             let (quoi, attendu) = (sans_barre(quoi), sans_barre(&attendu));
             writeln!(page, "| {quoi} | {attendu} | {obtenu} |").unwrap();
         }

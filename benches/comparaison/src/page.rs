@@ -30,8 +30,7 @@ pub(crate) fn datee(texte: &str) -> String {
     let cpu = cpu.lines().find_map(|ligne| ligne.strip_prefix("model name"));
     let cpu = cpu.map_or("an unknown processor", |nom| nom.trim_start_matches(['\t', ' ', ':']));
     let rustc = sortie("rustc", &["--version"]).unwrap_or_default();
+    let rustc = rustc.split(" (").next().unwrap_or_default();
     let jour = sortie("date", &["+%Y-%m-%d"]).unwrap_or_default();
-    let avec = if cfg!(feature = "embree") { " --features embree" } else { "" };
-    let commande = format!("`cargo run --release -p comparaison{avec} -- documents`");
-    format!("{texte}\n\n{jour}, {cpu}, {rustc}, {commande}.")
+    format!("{texte}\n\n{jour}, {cpu}, {rustc}, `comparaison documents`.")
 }
