@@ -27,7 +27,7 @@ use crate::niveau::{meilleur_niveau, selon_le_niveau};
 use crate::objet::ObjetRay;
 use crate::rayon::Rayon;
 use crate::reel::Reel;
-use crate::seize::SEIZE;
+use crate::seize::{SEIZE, prendre};
 
 /// Fewer rays than this are faster one by one: half a group.
 pub(crate) const PEU_DE_RAYONS: usize = SEIZE / 2;
@@ -210,7 +210,8 @@ fn chercher<R: Reel, D: Demande<R>, S: Simd>(
             charger(fenetre, proches);
         }
         for (debut, rangee) in (debut..debut + proches.len()).step_by(SEIZE).zip(&*fenetre) {
-            for i in rangee.rencontres(simd, &faisceau) {
+            let mut rencontres = rangee.rencontres(simd, &faisceau);
+            while let Some(i) = prendre(&mut rencontres) {
                 bloc.proposer(objets, debut + i, true);
             }
         }

@@ -15,67 +15,36 @@ pub(crate) type Colonne<R> = [R; SEIZE];
 #[repr(align(64))]
 pub(crate) struct Aligne<T>(pub(crate) T);
 
-/// Some of sixteen, a bit for each; as an iterator, the least first.
-#[derive(Clone)]
-pub(crate) struct Membres(u32);
+/// Some of sixteen, a bit for each.
+pub(crate) type Membres = u32;
 
-impl Membres {
-    /// None.
-    pub(crate) const AUCUN: Self = Self(0);
-
-    #[inline(always)]
-    pub(crate) fn ajouter_si(&mut self, i: usize, est_membre: bool) {
-        self.0 |= u32::from(est_membre) << i;
-    }
-
-    /// Takes out the one whose number is the least.
-    #[inline(always)]
-    pub(crate) fn prendre_le_moindre(&mut self, nombres: &Colonne<f32>) -> Option<usize> {
-        let mut membres = self.clone();
-        let mut moindre = membres.next()?;
-        for membre in membres {
-            if nombres[membre] < nombres[moindre] {
-                moindre = membre;
-            }
-        }
-        self.0 &= !(1 << moindre);
-        Some(moindre)
-    }
-
-    #[inline(always)]
-    pub(crate) fn nombre(&self) -> u32 {
-        self.0.count_ones()
-    }
-
-    /// Those that are in both.
-    #[inline(always)]
-    pub(crate) fn et(&self, autres: &Self) -> Self {
-        Self(self.0 & autres.0)
-    }
-
-    /// Those that are not among the others.
-    #[inline(always)]
-    pub(crate) fn sans(&self, autres: &Self) -> Self {
-        Self(self.0 & !autres.0)
-    }
+/// Takes out the first.
+#[inline(always)]
+pub(crate) fn prendre(membres: &mut Membres) -> Option<usize> {
+    let premier = membres.trailing_zeros() as usize;
+    *membres &= membres.wrapping_sub(1);
+    (premier < SEIZE).then_some(premier)
 }
 
-impl Iterator for Membres {
-    type Item = usize;
-
-    #[inline(always)]
-    fn next(&mut self) -> Option<usize> {
-        let membre = self.0.trailing_zeros() as usize;
-        self.0 &= self.0.wrapping_sub(1);
-        (membre < SEIZE).then_some(membre)
+/// Takes out the one whose number is the least.
+#[inline(always)]
+pub(crate) fn prendre_le_moindre(membres: &mut Membres, nombres: &Colonne<f32>) -> Option<usize> {
+    let mut autres = *membres;
+    let mut moindre = prendre(&mut autres)?;
+    while let Some(membre) = prendre(&mut autres) {
+        if nombres[membre] < nombres[moindre] {
+            moindre = membre;
+        }
     }
+    *membres &= !(1 << moindre);
+    Some(moindre)
 }
 
 /// Those i with `a[i] <= b[i]`: the one step that the compiler does not vectorise by itself.
 #[inline(always)]
 pub(crate) fn au_plus<S: Simd>(simd: S, a: &Colonne<f32>, b: &Colonne<f32>) -> Membres {
     let (a, b) = (f32x16::simd_from(simd, *a), f32x16::simd_from(simd, *b));
-    Membres(a.simd_le(b).to_bitmask() as u32)
+    a.simd_le(b).to_bitmask() as u32
 }
 
 /// Those i where `a[i]` has the bits of `b`.
@@ -83,7 +52,7 @@ pub(crate) fn au_plus<S: Simd>(simd: S, a: &Colonne<f32>, b: &Colonne<f32>) -> M
 pub(crate) fn egaux<S: Simd>(simd: S, a: &Colonne<f32>, b: f32) -> Membres {
     let (a, b) = (a.map(f32::to_bits), [b.to_bits(); SEIZE]);
     let (a, b) = (u32x16::simd_from(simd, a), u32x16::simd_from(simd, b));
-    Membres(a.simd_eq(b).to_bitmask() as u32)
+    a.simd_eq(b).to_bitmask() as u32
 }
 
 /// The largest of sixteen numbers.

@@ -11,7 +11,7 @@ use crate::hierarchie::sonde::Sonde;
 use crate::lot::demande::Epreuve;
 use crate::premier::Premier;
 use crate::reel::Reel;
-use crate::seize::{Aligne, SEIZE, au_plus, egaux};
+use crate::seize::{Aligne, SEIZE, au_plus, egaux, prendre, prendre_le_moindre};
 
 impl<R: Reel> Arbre<'_, R> {
     /// The first object that the ray enters before `premier`, or `premier`; if `UN_SUFFIT`, any
@@ -60,13 +60,13 @@ impl<R: Reel> Arbre<'_, R> {
             if numero < self.feuilles {
                 let [.., indices] = noeud;
                 if let Some(sauf) = sauf {
-                    traverses = traverses.sans(&egaux(simd, indices, en_mot(sauf)));
+                    traverses &= !egaux(simd, indices, en_mot(sauf));
                 }
                 // The nearest first, which most often cuts off the others; then in order.
                 let mut suivant = if E::UN_SUFFIT {
-                    traverses.next()
+                    prendre(&mut traverses)
                 } else {
-                    traverses.prendre_le_moindre(&entrees)
+                    prendre_le_moindre(&mut traverses, &entrees)
                 };
                 while let Some(enfant) = suivant {
                     let indice = indice_lu(indices[enfant]);
@@ -78,9 +78,9 @@ impl<R: Reel> Arbre<'_, R> {
                             return premier;
                         }
                         plafond = self.repere.distance(premier.t);
-                        traverses = traverses.et(&au_plus(simd, &entrees, &[plafond; SEIZE]));
+                        traverses &= au_plus(simd, &entrees, &[plafond; SEIZE]);
                     }
-                    suivant = traverses.next();
+                    suivant = prendre(&mut traverses);
                 }
             } else if let Some(proche) = pile.garder(traverses, &entrees, noeud) {
                 numero = proche;

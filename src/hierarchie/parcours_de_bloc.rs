@@ -11,7 +11,7 @@ use crate::lot::demande::Demande;
 use crate::lot::faisceau::vont_ensemble;
 use crate::premier::Premier;
 use crate::reel::Reel;
-use crate::seize::Aligne;
+use crate::seize::{Aligne, prendre};
 
 /// Up to so many spheres and boxes, in `f32` and in `f64`, a block without a beam asks every object of
 /// all its rays (`docs/performance.md`, "Thresholds", as for what follows). Of `f32` twice as many go side
@@ -133,15 +133,15 @@ impl<R: Reel> Arbre<'_, R> {
         }
         let mut vus = 0;
         while let Some(noeud) = self.noeuds.get(numero) {
-            let (traverses, Aligne(profondeurs)) = sonde.traverse(simd, noeud, plafond);
+            let (mut traverses, Aligne(profondeurs)) = sonde.traverse(simd, noeud, plafond);
             let [.., indices] = noeud;
             if numero < self.feuilles {
-                if traverses.nombre() > 0 {
-                    vus += traverses.nombre();
+                if traverses > 0 {
+                    vus += traverses.count_ones();
                     if vus > assez {
                         return false;
                     }
-                    for enfant in traverses {
+                    while let Some(enfant) = prendre(&mut traverses) {
                         bloc.proposer(self.objets, indice_lu(indices[enfant]), false);
                     }
                     let loin = bloc.le_plus_loin();
@@ -150,7 +150,7 @@ impl<R: Reel> Arbre<'_, R> {
                     }
                     plafond = self.repere.distance(loin);
                 }
-            } else if traverses.nombre() >= trop && indice_lu(indices[0]) < self.feuilles {
+            } else if traverses.count_ones() >= trop && indice_lu(indices[0]) < self.feuilles {
                 return false;
             } else if let Some(proche) = pile.garder(traverses, &profondeurs, noeud) {
                 numero = proche;

@@ -1,7 +1,7 @@
 //! The nodes that a walk leaves for later.
 
 use crate::hierarchie::noeud::{ETAGES, Noeud, indice_lu};
-use crate::seize::{Colonne, Membres, SEIZE};
+use crate::seize::{Colonne, Membres, SEIZE, prendre, prendre_le_moindre};
 
 /// Room for the nodes that a walk leaves for later. Of each node above the leaves it visits one
 /// child at once and leaves at most fifteen. It is done with these before it visits another node of
@@ -53,8 +53,8 @@ impl<'a> Pile<'a> {
         [.., indices]: &Noeud,
     ) -> Option<usize> {
         let debut = indice_lu(indices[0]);
-        let proche = enfants.prendre_le_moindre(entrees)?;
-        for enfant in enfants {
+        let proche = prendre_le_moindre(&mut enfants, entrees)?;
+        while let Some(enfant) = prendre(&mut enfants) {
             self.attentes[self.nombre] = (entrees[enfant], (debut + enfant) as u32);
             self.nombre += 1;
         }

@@ -145,7 +145,7 @@ impl SondeDeBloc {
         }
         let pas_dehors = au_plus(simd, &dehors, &[0.0; SEIZE]);
         let avant = au_plus(simd, &profondeurs, &[plafond; SEIZE]);
-        (pas_dehors.et(&avant), Aligne(profondeurs))
+        (pas_dehors & avant, Aligne(profondeurs))
     }
 }
 

@@ -11,7 +11,7 @@ use crate::objet::{ObjetRay, par_forme};
 use crate::premier::Premier;
 use crate::rayon::Rayon;
 use crate::reel::Reel;
-use crate::seize::{Colonne, Membres, SEIZE, le_plus_grand};
+use crate::seize::{Colonne, SEIZE, le_plus_grand, prendre};
 use crate::vecteur::Vecteur;
 
 /// With fewer rays than this on one object, hits are concluded one by one: 5 % faster for rays in
@@ -123,27 +123,28 @@ impl<R: Reel> Groupe<R> {
     #[inline(always)]
     pub(crate) fn ecrire(&self, objets: &[ObjetRay<R>], touches: &mut [Touche<R>]) {
         let mut contacts = Contacts::VIDES;
-        let mut restent = Membres::AUCUN;
+        let mut restent = 0;
         for (voie, touche) in touches.iter_mut().enumerate() {
             *touche = Err(NoIntersection);
-            restent.ajouter_si(voie, self.rangs[voie] > 0);
+            restent |= u32::from(self.rangs[voie] > 0) << voie;
         }
-        while let Some(voie) = restent.clone().next() {
+        let valides = restent;
+        while let Some(voie) = prendre(&mut restent) {
             let Some(rang) = Rang::de_nombre(self.rangs[voie]) else { return };
             let Some(objet) = objets.get(rang.indice()) else { return };
-            let mut siens = Membres::AUCUN;
+            let mut siens = 0;
             for voie in 0..SEIZE {
-                siens.ajouter_si(voie, self.rangs[voie] == rang.en_nombre());
+                siens |= u32::from(self.rangs[voie] == rang.en_nombre()) << voie;
             }
             // Without those that stand in for missing rays, which have no answer.
-            siens = siens.et(&restent);
-            restent = restent.sans(&siens);
-            let cote_a_cote = siens.nombre() >= COTE_A_COTE;
+            siens &= valides;
+            restent &= !siens;
+            let cote_a_cote = siens.count_ones() >= COTE_A_COTE;
             if cote_a_cote {
                 par_forme!(ObjetRay, objet, forme => contacts.calculer(self, *forme));
             }
             let texture = objet.texture();
-            for voie in siens {
+            while let Some(voie) = prendre(&mut siens) {
                 let t = self.t[voie];
                 // Built in its place: to copy a hit just built would stall until its fields are
                 // stored.
