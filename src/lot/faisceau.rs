@@ -53,12 +53,9 @@ const COSINUS_MINIMAL: f64 = 0.25;
 pub(crate) fn vont_ensemble<R: Reel>(epreuves: &[impl Epreuve<R>]) -> bool {
     let milieu = epreuves[epreuves.len() / 2].rayon().direction();
     let mut quelques = epreuves.iter().step_by(epreuves.len() / 8 + 1);
-    quelques.all(
-        #[inline(always)]
-        |epreuve| {
-            epreuve.rayon().direction().produit_scalaire(milieu) > R::depuis_f64(COSINUS_MINIMAL)
-        },
-    )
+    quelques.all(|epreuve| {
+        epreuve.rayon().direction().produit_scalaire(milieu) > R::depuis_f64(COSINUS_MINIMAL)
+    })
 }
 
 /// What a beam is built around: a reference origin S₀, a reference direction Ω, and U and V across Ω.
@@ -98,10 +95,7 @@ impl<R: Reel> Faisceau<R> {
         }
         let mu = -moins_mu - fois_u(PENTE);
         // F2, and ξ ≥ 0.
-        let pentes = [u1, u2, v1, v2].map(
-            #[inline(always)]
-            |xi| (max(xi, R::ZERO) + fois_u(PENTE)) / mu,
-        );
+        let pentes = [u1, u2, v1, v2].map(|xi| (max(xi, R::ZERO) + fois_u(PENTE)) / mu);
         Some(Self::de_pentes(groupes, axes, pentes, etalement, None))
     }
 
@@ -124,10 +118,8 @@ impl<R: Reel> Faisceau<R> {
             },
         );
         let raide = R::depuis_f64(RAIDE);
-        let pentes = [l1 - s1, l2 - s2, l3 - s3, l4 - s4].map(
-            #[inline(always)]
-            |elargi| max(min(elargi / profondeur, raide), -raide),
-        );
+        let pentes = [l1 - s1, l2 - s2, l3 - s3, l4 - s4]
+            .map(|elargi| max(min(elargi / profondeur, raide), -raide));
         Self::de_pentes(groupes, axes, pentes, etalement, Some(portee))
     }
 
@@ -142,14 +134,11 @@ impl<R: Reel> Faisceau<R> {
         portee: Option<R>,
     ) -> Self {
         let segments = portee.is_some();
-        let [pi1, pi2, pi3, pi4] = [(u, a1), (-u, a2), (v, a3), (-v, a4)].map(
-            #[inline(always)]
-            |(axe, pente)| {
-                // F3: a little shorter than 1.
-                let pi = axe - omega * pente;
-                pi * ((R::UN - fois_u(COURT)) / pi.longueur_carree().sqrt())
-            },
-        );
+        let [pi1, pi2, pi3, pi4] = [(u, a1), (-u, a2), (v, a3), (-v, a4)].map(|(axe, pente)| {
+            // F3: a little shorter than 1.
+            let pi = axe - omega * pente;
+            pi * ((R::UN - fois_u(COURT)) / pi.longueur_carree().sqrt())
+        });
         // F4. Rays of a camera have one source.
         let [w1, w2, w3, w4, arriere, avant] = if !segments && etalement == R::ZERO {
             [R::ZERO; 6]
@@ -171,10 +160,8 @@ impl<R: Reel> Faisceau<R> {
         let jeu = (etalement + portee) * fois_u(ORIGINES);
         Self {
             s0,
-            faces: [(pi1, w1), (pi2, w2), (pi3, w3), (pi4, w4), (-omega, arriere)].map(
-                #[inline(always)]
-                |(pi, w)| (pi, w + jeu),
-            ),
+            faces: [(pi1, w1), (pi2, w2), (pi3, w3), (pi4, w4), (-omega, arriere)]
+                .map(|(pi, w)| (pi, w + jeu)),
             axe: (omega, avant + jeu),
             etalement,
             portee,
