@@ -62,12 +62,6 @@ impl Rang {
         Self(NonZero::<u32>::MIN.saturating_add(u32::try_from(indice).unwrap_or(u32::MAX)))
     }
 
-    /// The rank of this number; `None` for 0.
-    #[inline(always)]
-    pub(crate) fn de_nombre(nombre: u32) -> Option<Self> {
-        NonZero::new(nombre).map(Self)
-    }
-
     /// Its number.
     #[inline(always)]
     pub(crate) fn en_nombre(self) -> u32 {

@@ -19,13 +19,13 @@ use crate::vecteur::Vecteur;
 const COTE_A_COTE: u32 = 3;
 
 /// Sixteen rays, their sources S and directions D, the distance of the first object of each so far,
-/// and its rank; 0 for none. Each column fills cache lines.
+/// and its rank. Each column fills cache lines.
 #[repr(align(64))]
 pub(crate) struct Groupe<R> {
     s: [Colonne<R>; 3],
     d: [Colonne<R>; 3],
     t: Colonne<R>,
-    rangs: Colonne<u32>,
+    rangs: Colonne<Option<Rang>>,
 }
 
 impl<R: Reel> Groupe<R> {
@@ -33,7 +33,7 @@ impl<R: Reel> Groupe<R> {
         s: [[R::ZERO; SEIZE]; 3],
         d: [[R::ZERO; SEIZE]; 3],
         t: [R::INFINI; SEIZE],
-        rangs: [0; SEIZE],
+        rangs: [None; SEIZE],
     };
 
     /// Puts what is asked here, at most sixteen, with no object so far; the last stands in for those that
@@ -51,7 +51,7 @@ impl<R: Reel> Groupe<R> {
 
     #[inline(always)]
     fn copier<D>(&mut self, demandes: &[D; SEIZE], lire: impl Fn(&D) -> (Rayon<R>, R)) {
-        self.rangs = [0; SEIZE];
+        self.rangs = [None; SEIZE];
         for (voie, demande) in demandes.iter().enumerate() {
             let (rayon, limite) = lire(demande);
             let (s, d) = (rayon.source(), rayon.direction());
@@ -72,7 +72,7 @@ impl<R: Reel> Groupe<R> {
     /// The first object of one ray so far.
     #[inline(always)]
     pub(crate) fn premier(&self, voie: usize) -> Premier<R> {
-        Premier { t: self.t[voie], rang: Rang::de_nombre(self.rangs[voie]) }
+        Premier { t: self.t[voie], rang: self.rangs[voie] }
     }
 
     /// The largest distance of a first object so far.
@@ -114,7 +114,7 @@ impl<R: Reel> Groupe<R> {
                 if en_ordre || un_suffit { t < premier.t } else { trouve.precede(premier) };
             let t = if un_suffit { R::ZERO } else { t };
             self.t[voie] = if precede { t } else { premier.t };
-            self.rangs[voie] = if precede { trouve } else { premier }.nombre();
+            self.rangs[voie] = if precede { trouve.rang } else { premier.rang };
         }
     }
 
@@ -126,15 +126,15 @@ impl<R: Reel> Groupe<R> {
         let mut restent = 0;
         for (voie, touche) in touches.iter_mut().enumerate() {
             *touche = Err(NoIntersection);
-            restent |= u32::from(self.rangs[voie] > 0) << voie;
+            restent |= u32::from(self.rangs[voie].is_some()) << voie;
         }
         let valides = restent;
         while let Some(voie) = prendre(&mut restent) {
-            let Some(rang) = Rang::de_nombre(self.rangs[voie]) else { return };
+            let Some(rang) = self.rangs[voie] else { return };
             let Some(objet) = objets.get(rang.indice()) else { return };
             let mut siens = 0;
             for voie in 0..SEIZE {
-                siens |= u32::from(self.rangs[voie] == rang.en_nombre()) << voie;
+                siens |= u32::from(self.rangs[voie] == Some(rang)) << voie;
             }
             // Without those that stand in for missing rays, which have no answer.
             siens &= valides;
