@@ -56,7 +56,7 @@ pub fn toutes<R: Reel>() -> [Promesse<R>; 13] {
         promesse("infinite margins", RONDS, marge_infinie, quelconque),
         promesse("where a hit lies", BORNES, lieu, quelconque),
         promesse("secondary ray", &Genre::TOUS, secondaire, quelconque),
-        promesse("erreur", &Genre::TOUS, erreur, [1.2; 2]),
+        promesse("erreur", &Genre::TOUS, erreur, [1.5; 2]),
         promesse("est_sur", &Genre::TOUS, est_sur, quelconque),
         promesse("a glance", &Genre::TOUS, coup_d_oeil, quelconque),
     ]
