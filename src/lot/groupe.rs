@@ -39,11 +39,21 @@ impl<R: Reel> Groupe<R> {
     /// Puts what is asked here, at most sixteen, with no object so far; the last stands in for those that
     /// are missing. `lire` tells a ray, and the distance before which an object counts.
     #[inline(always)]
-    pub(crate) fn charger<D>(&mut self, demandes: &[D], lire: impl Fn(&D) -> (Rayon<R>, R)) {
-        let Some(derniere) = demandes.last() else { return };
+    pub(crate) fn charger<D: Copy>(&mut self, demandes: &[D], lire: impl Fn(&D) -> (Rayon<R>, R)) {
+        if let Some(demandes) = demandes.first_chunk() {
+            self.copier(demandes, lire);
+        } else if let Some(derniere) = demandes.last() {
+            let mut completes = [*derniere; SEIZE];
+            completes[..demandes.len()].copy_from_slice(demandes);
+            self.copier(&completes, lire);
+        }
+    }
+
+    #[inline(always)]
+    fn copier<D>(&mut self, demandes: &[D; SEIZE], lire: impl Fn(&D) -> (Rayon<R>, R)) {
         self.rangs = [None; SEIZE];
-        for voie in 0..SEIZE {
-            let (rayon, limite) = lire(demandes.get(voie).unwrap_or(derniere));
+        for (voie, demande) in demandes.iter().enumerate() {
+            let (rayon, limite) = lire(demande);
             let (s, d) = (rayon.source(), rayon.direction());
             [self.s[0][voie], self.s[1][voie], self.s[2][voie]] = s.into();
             [self.d[0][voie], self.d[1][voie], self.d[2][voie]] = d.into();
