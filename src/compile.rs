@@ -1,4 +1,4 @@
-//! What is compiled in this crate, whoever calls it.
+//! The macro that has a question compiled here, once for each scalar, whoever asks it.
 
 /// `compilees! { Nom: De => Reponse = f; … }`: the [`Question`](crate::reel::Question) `Nom`, which
 /// `f::<f32>` and `f::<f64>` answer. `R::demander` asks it of either.

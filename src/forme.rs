@@ -83,7 +83,7 @@ pub(crate) trait Forme<R: Reel>: Copy {
         self.contact_en(rayon.point(t), vers_la_source(n, rayon.direction()), du_centre)
     }
 
-    /// The same without a branch, of the normal as it is; and whether that normal faces the source.
+    /// The normal as it is and the margin, without a branch; and whether that normal faces the source.
     #[inline(always)]
     fn contact(&self, rayon: &Rayon<R>, t: R) -> (Contact<R>, bool) {
         let (n, du_centre) = self.plan_tangent(rayon, t);

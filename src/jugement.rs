@@ -60,8 +60,8 @@ impl<R: Reel> ObjetRay<R> {
         let t = touche.distance();
         let (objet, rayon, en_f64) = (self.vers_f64(), rayon.vers_f64(), t.vers_f64());
         // Of a distance in `f64` a glance never leaves so little open.
-        let simple = R::selon(true, false);
-        let vue = if simple { coup_d_oeil(&objet, &rayon) } else { Intervalle::INCONNU };
+        let en_simple = R::selon(true, false);
+        let vue = if en_simple { coup_d_oeil(&objet, &rayon) } else { Intervalle::INCONNU };
         let ecart = if vue.haut - vue.bas <= en_f64 * (R::U.vers_f64() * NET) {
             (vue.haut - en_f64).max(en_f64 - vue.bas)
         } else {
@@ -225,8 +225,8 @@ impl<'a, R: Reel> Certificat<'a, R> {
 
     #[cold]
     fn vient_apres_a_la_loupe(&self, objet: &ObjetRay<R>) -> bool {
-        let entree = |objet: &ObjetRay<R>| loupe(&objet.vers_f64(), &self.double);
-        let fin = self.premier.map_or(self.fin, |(premier, _)| entree(premier).haut.min(self.fin));
-        entree(objet).bas > fin
+        let a_la_loupe = |objet: &ObjetRay<R>| loupe(&objet.vers_f64(), &self.double);
+        let premier = self.premier.map(|(premier, _)| a_la_loupe(premier).haut);
+        a_la_loupe(objet).bas > premier.unwrap_or(f64::INFINI).min(self.fin)
     }
 }

@@ -176,7 +176,7 @@ pub(crate) fn repondre<R: Reel, D: Demande<R>>(
         charger(fenetre, objets);
     }
     selon_le_niveau!(niveau, simd => {
-        let mut bloc = Bloc::sans(sauf);
+        let mut bloc = Bloc::new(sauf);
         for (demandes, reponses) in demandes.chunks(BLOC).zip(reponses.chunks_mut(BLOC)) {
             bloc.charger(demandes);
             chercher(simd, objets, fenetre, &mut bloc);

@@ -63,10 +63,10 @@ impl Reglage {
     }
 }
 
-/// Whether the beam of these shadow rays, one to sixty-four, up to their lamps leaves out a ball
-/// around this object, or that of the rays if a lamp is infinitely far. No answer tells.
+/// Whether the beam of these shadow rays, one to sixty-four, leaves out the ball around this object. It
+/// ends at the lamps, unless one is infinitely far. No answer shows it.
 pub fn evite<R: Reel>(ombres: &[(Rayon<R>, R)], objet: &ObjetRay<R>) -> bool {
-    let mut bloc = Bloc::sans(None);
+    let mut bloc = Bloc::new(None);
     bloc.charger(ombres);
     bloc.faisceau().is_some_and(|faisceau| faisceau.degagement(objet.boule()) > R::ZERO)
 }

@@ -59,7 +59,6 @@ pub trait Question {
 #[doc(alias("float", "scalar"))]
 pub trait Reel:
     Scelle
-    + Copy
     + Debug
     + Display
     + LowerExp

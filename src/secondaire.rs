@@ -10,7 +10,7 @@ use crate::vecteur::Vecteur;
 /// (lemma 8).
 pub const TANGENT: f64 = 3.2;
 
-/// By so many u, after which N·D is above 0 however it is rounded (lemma 8).
+/// Such a direction is turned by so many u: N·D is then above 0, however it is rounded (lemma 8).
 pub const REDRESSE: f64 = 12.0;
 
 /// By so many u of itself a margin grows for an N that is not exactly unit (lemma 8).

@@ -40,7 +40,7 @@ pub(crate) fn prendre_le_moindre(membres: &mut Membres, nombres: &Colonne<f32>) 
     Some(moindre)
 }
 
-/// Those i with `a[i] <= b[i]`: the one step that the compiler does not vectorise by itself.
+/// Those i with `a[i] <= b[i]`. From a comparison to a mask the compiler does not vectorise by itself.
 #[inline(always)]
 pub(crate) fn au_plus<S: Simd>(simd: S, a: &Colonne<f32>, b: &Colonne<f32>) -> Membres {
     let (a, b) = (f32x16::simd_from(simd, *a), f32x16::simd_from(simd, *b));

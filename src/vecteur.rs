@@ -33,7 +33,6 @@ use crate::reel::{Reel, puissance_de_deux};
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(from = "[R; 3]", into = "[R; 3]"))]
 #[cfg_attr(feature = "serde", serde(bound(serialize = "R: Reel + serde::Serialize")))]
-#[cfg_attr(feature = "serde", serde(bound(deserialize = "R: Reel + serde::Deserialize<'de>")))]
 #[must_use]
 pub struct Vecteur<R = f64> {
     /// To the right.

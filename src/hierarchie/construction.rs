@@ -34,8 +34,6 @@ pub(crate) struct Arbre<'a, R> {
     pub(crate) feuilles: usize,
     /// How many leaves of giants stand before the others, 0 or 1; the root is not above them.
     pub(crate) geants: usize,
-    /// How many of the objects have a box.
-    pub(crate) nombre: usize,
     /// The [stored](en_mot) indices of those without a box, the last first.
     pub(crate) sans_boite: &'a [f32],
     pub(crate) repere: Repere<R>,
@@ -102,7 +100,7 @@ pub(crate) fn construire<'a, R: Reel>(
     }
     // The root is the last.
     let noeuds = &noeuds[..=etage.start];
-    Some(Arbre { objets, noeuds, feuilles, geants, nombre, sans_boite, repere })
+    Some(Arbre { objets, noeuds, feuilles, geants, sans_boite, repere })
 }
 
 /// Giants are larger, in the mean, than this times the mean size of the others and the side of a

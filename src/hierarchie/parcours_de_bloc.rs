@@ -22,7 +22,7 @@ pub const PEU_D_OBJETS: (usize, usize) = (48, 24);
 /// alone, cut off at what the block has found.
 const TROP_DE_FEUILLES: (u32, u32) = (12, 10);
 
-/// So is a beam that meets more objects than this.
+/// A beam that meets more objects than this is too wide as well.
 const ASSEZ_D_OBJETS: (u32, u32) = (224, 112);
 
 /// Among more than [`PEU_DE_NOEUDS`] nodes that number is divided by this: there each ray of a tile meets
@@ -67,7 +67,8 @@ impl<R: Reel> Arbre<'_, R> {
         (demandes, reponses): (&[D], &mut [D::Reponse]),
         patience: &mut Patience,
     ) {
-        let peu = self.nombre <= R::selon(PEU_D_OBJETS.0, PEU_D_OBJETS.1);
+        let avec_boite = self.objets.len() - self.sans_boite.len();
+        let peu = avec_boite <= R::selon(PEU_D_OBJETS.0, PEU_D_OBJETS.1);
         let essayer = (peu || D::UN_SUFFIT || vont_ensemble(demandes)) && patience.essayer();
         if essayer {
             bloc.charger(demandes);

@@ -28,7 +28,7 @@ pub(crate) struct Bloc<R, D> {
 
 impl<R: Reel, D: Demande<R>> Bloc<R, D> {
     #[inline(always)]
-    pub(crate) fn sans(sauf: Option<usize>) -> Self {
+    pub(crate) fn new(sauf: Option<usize>) -> Self {
         let groupes = [const { Groupe::VIDE }; BLOC / SEIZE];
         Self { sauf, nombre: 0, groupes, demande: PhantomData }
     }
