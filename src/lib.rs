@@ -77,6 +77,7 @@
 //! [`Intersection::marge`] bounds how far the point is from the surface, and [`Rayon::secondaire`]
 //! starts a shadow, reflection or refraction ray that never hits the object it leaves, except
 //! inward within rounding of a box edge.
+//! [`est_certaine`] tells whether the first object is that of exact arithmetic.
 //!
 //! # `f32` or `f64`
 //!
