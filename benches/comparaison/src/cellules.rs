@@ -13,8 +13,11 @@ const NOMBRES: [usize; 5] = [12, 48, 192, 1000, 10_000];
 /// How much of a picture: bands of 4,800 rays.
 const BANDES: usize = 8;
 
-/// So many rays may meet another object for others: where two objects touch, or nearer than they start.
+/// So many rays of a camera may meet another object for others, where two objects touch.
 const TOLERANCE: f64 = 0.005;
+
+/// So many of those that start ahead: in a corner they start in the neighbour.
+const TOLERANCE_EN_AVANT: f64 = 0.02;
 
 /// The same of Embree's quads among cubes, where they see another object along up to 7 % of the rays.
 const TOLERANCE_DES_QUADS: f64 = 0.1;
@@ -79,7 +82,8 @@ fn courir<R: Scalaire>(
             match qui.camp {
                 Camp::Seul | Camp::Sans | Camp::Lot => 0.0,
                 _ if quads => TOLERANCE_DES_QUADS,
-                _ => TOLERANCE,
+                _ if lances.partis.is_empty() => TOLERANCE,
+                _ => TOLERANCE_EN_AVANT,
             }
         };
         let juge = exiger_memes_bits(hierarchie, &lances.rayons, &lances.ombres)
