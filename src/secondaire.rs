@@ -126,8 +126,8 @@ impl<R: Reel> Rayon<R> {
     /// [left out](crate::Hierarchie::sans), since no distance stops exactly before a surface: solids
     /// are convex, and one that faces the ray hides no point of its own. `None` if either surface
     /// faces away from the other point, to the 3.2u of [`vers_lumiere`](Self::vers_lumiere), or
-    /// where that cannot compute. With both hits exchanged the answer is the same ray reversed, to
-    /// the bit, or `None` again.
+    /// where that cannot compute. With both hits exchanged the answer is the same distance and the
+    /// opposite direction, exactly, or `None` again.
     ///
     /// ```
     /// use lancer_rayon::{Hierarchie, PlanGeo, Rayon, SphereGeo, Texture, Vecteur};
