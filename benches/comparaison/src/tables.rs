@@ -113,29 +113,25 @@ pub(crate) fn resume(cellules: &[Cellule]) -> String {
     table.join("\n")
 }
 
-/// What each family takes in `f32`, and what the others take.
+/// What each family takes in `f32`, in tiles, and what the others take over that.
 pub(crate) fn table(cellules: &[Cellule]) -> String {
     let mut table = vec![
-        "| family | N | tiles one by one, ns | parry | Embree | tiles in a batch, ns | parry | Embree ×16 \
-         | diffuse, ns | others | shadows, ns | others |"
+        "| family | N | one by one, ns | parry | Embree | in a batch, ns | parry | Embree ×16 |"
             .to_owned(),
-        format!("|---|--:|{}", "--:|".repeat(10)),
+        format!("|---|--:|{}", "--:|".repeat(6)),
     ];
     let simples = cellules.iter().filter(|c| c.scalaire == "f32" && AU_TABLEAU.contains(&c.n));
     let simples: Vec<_> = simples.collect();
     for scene in simples.chunks(Genre::TOUS.len()) {
-        let de = |genre| scene.iter().find(|c| c.genre == genre).expect("every kind was timed");
-        let [tuiles, diffus, ombres] = [Genre::Tuiles, Genre::Diffus, Genre::Ombres].map(de);
+        let tuiles = scene.iter().find(|c| c.genre == Genre::Tuiles).expect("every kind was timed");
         let mut cases = Vec::new();
-        for (cellule, ici, autres) in [
-            (tuiles, SEUL, &[&[Camp::Parry][..], &[Camp::Embree]][..]),
-            (tuiles, LOT, &[&[Camp::Parry], &[Camp::EmbreeSeize]]),
-            (diffus, TOUT, &[AUTRES]),
-            (ombres, TOUT, &[AUTRES]),
+        for (ici, autres) in [
+            (SEUL, [&[Camp::Parry], &[Camp::Embree]]),
+            (LOT, [&[Camp::Parry], &[Camp::EmbreeSeize]]),
         ] {
-            let ns = cellule.ns(ici);
+            let ns = tuiles.ns(ici);
             cases.push(nanosecondes(ns));
-            cases.extend(autres.iter().map(|autres| rapport(cellule.ns(autres) / ns)));
+            cases.extend(autres.map(|autres| rapport(tuiles.ns(autres) / ns)));
         }
         let Cellule { famille, n, .. } = tuiles;
         table.push(format!("| {} | {n} | {} |", famille.nom(), cases.join(" | ")));
