@@ -19,6 +19,8 @@ mod tables;
 
 use std::error::Error;
 
+use lancer_rayon::pour_les_tests::Reglage;
+
 #[path = "."]
 mod simple {
     pub(crate) use parry3d as version;
@@ -40,8 +42,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     };
     glam::verifier()?;
     let cellules = cellules::mesurer()?;
+    // Another machine, another table.
+    let (instructions, _) = Reglage::tous().next().ok_or("no instructions")?;
+    let resume = format!("summary, {instructions}");
+    println!("\nleft out\n\n{}", tables::resume(&cellules, &tables::SANS));
     let tables = [
-        ("summary", tables::resume(&cellules)),
+        (&*resume, tables::resume(&cellules, &tables::QUESTIONS)),
         ("families", tables::table(&cellules)),
         ("building", hierarchie::constructions()),
         ("sets", hierarchie::jeux_d_instructions()?),

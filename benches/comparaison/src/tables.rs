@@ -14,7 +14,7 @@ use crate::page;
 const AU_TABLEAU: [usize; 4] = [12, 14, 30, 10_000];
 
 /// Whom a ratio compares.
-struct Question {
+pub(crate) struct Question {
     nom: &'static str,
     scalaire: &'static str,
     ici: &'static [Camp],
@@ -33,7 +33,18 @@ const LOT: &[Camp] = &[Camp::Lot];
 const TOUT: &[Camp] = &[Camp::Seul, Camp::Sans, Camp::Lot];
 const AUTRES: &[Camp] = &[Camp::Parry, Camp::Embree, Camp::EmbreeSeize];
 
-const QUESTIONS: [Question; 9] = [
+/// The kinds of rays of which the summary has columns.
+const AU_RESUME: [Genre; 6] = [
+    Genre::Tuiles,
+    Genre::Paralleles,
+    Genre::Miroirs,
+    Genre::Diffus,
+    Genre::SansOrdre,
+    Genre::Ombres,
+];
+
+/// Ours beside theirs, and beside ours in another way.
+pub(crate) const QUESTIONS: [Question; 7] = [
     Question { nom: "one by one: parry", scalaire: "f32", ici: SEUL, autres: &[Camp::Parry] },
     Question { nom: "one by one: Embree", scalaire: "f32", ici: SEUL, autres: &[Camp::Embree] },
     Question {
@@ -45,12 +56,6 @@ const QUESTIONS: [Question; 9] = [
         ici: LOT,
         autres: &[Camp::Seul],
     },
-    Question {
-        nom: "ours one by one, over ours with `sans`",
-        scalaire: "f32",
-        ici: &[Camp::Sans],
-        autres: &[Camp::Seul],
-    },
     Question { nom: "one by one: parry", scalaire: "f64", ici: SEUL, autres: &[Camp::Parry] },
     Question { nom: "best: parry", scalaire: "f64", ici: TOUT, autres: &[Camp::Parry] },
     Question {
@@ -59,13 +64,15 @@ const QUESTIONS: [Question; 9] = [
         ici: LOT,
         autres: &[Camp::Seul],
     },
-    Question {
-        nom: "ours one by one, over ours with `sans`",
-        scalaire: "f64",
-        ici: &[Camp::Sans],
-        autres: &[Camp::Seul],
-    },
 ];
+
+/// What it gains to leave out what a ray leaves.
+pub(crate) const SANS: [Question; 2] = [sans("f32"), sans("f64")];
+
+const fn sans(scalaire: &'static str) -> Question {
+    let nom = "ours one by one, over ours with `sans`";
+    Question { nom, scalaire, ici: &[Camp::Sans], autres: &[Camp::Seul] }
+}
 
 /// Nanoseconds in three digits or more; a dash for who did not run.
 pub(crate) fn nanosecondes(ns: f64) -> String {
@@ -81,14 +88,18 @@ fn rapport(x: f64) -> String {
     if x.is_nan() { "–".into() } else { format!("{x:.*}", if x < 10.0 { 2 } else { 0 }) }
 }
 
-/// Each question over all families: the geometric mean, the least, and how many cells are behind.
-pub(crate) fn resume(cellules: &[Cellule]) -> String {
-    let titres = Genre::TOUS.map(Genre::nom).join(" | ");
+fn moindre(rapports: &[f64]) -> f64 {
+    rapports.iter().copied().fold(f64::NAN, f64::min)
+}
+
+/// Each question over all families: the geometric mean and the least; and of all kinds of rays how many cells are behind.
+pub(crate) fn resume(cellules: &[Cellule], questions: &[Question]) -> String {
+    let titres = AU_RESUME.map(Genre::nom).join(" | ");
     let mut table = vec![
         format!("| theirs / ours | scalar | {titres} | below 1 |"),
-        format!("|---|---|{}--:|", "--:|".repeat(Genre::TOUS.len())),
+        format!("|---|---|{}---|", "--:|".repeat(AU_RESUME.len())),
     ];
-    for question in &QUESTIONS {
+    for question in questions {
         let rapports = |genre: Option<Genre>| -> Vec<f64> {
             let celles = cellules.iter().filter(|c| c.scalaire == question.scalaire);
             let celles = celles.filter(|c| genre.is_none_or(|genre| c.genre == genre));
@@ -101,14 +112,16 @@ pub(crate) fn resume(cellules: &[Cellule]) -> String {
             }
             let moyenne =
                 (rapports.iter().map(|x| x.ln()).sum::<f64>() / rapports.len() as f64).exp();
-            let moindre = rapports.iter().copied().fold(f64::NAN, f64::min);
-            format!("{} ({})", rapport(moyenne), rapport(moindre))
+            format!("{} ({})", rapport(moyenne), rapport(moindre(&rapports)))
         };
         let tous = rapports(None);
         let derriere = tous.iter().filter(|x| **x < 1.0).count();
-        let cases = Genre::TOUS.map(case).join(" | ");
+        let cases = AU_RESUME.map(case).join(" | ");
         let Question { nom, scalaire, .. } = question;
-        table.push(format!("| {nom} | {scalaire} | {cases} | {derriere} of {} |", tous.len()));
+        let (sur, le_moindre) = (tous.len(), rapport(moindre(&tous)));
+        table.push(format!(
+            "| {nom} | {scalaire} | {cases} | {derriere} of {sur}, least {le_moindre} |"
+        ));
     }
     table.join("\n")
 }
