@@ -11,7 +11,7 @@ use crate::cellules::Cellule;
 use crate::page;
 
 /// Of these numbers of objects the table has rows; the plot has them all.
-const AU_TABLEAU: [usize; 4] = [12, 14, 30, 10_000];
+const AU_TABLEAU: [usize; 3] = [14, 30, 10_000];
 
 /// Whom a ratio compares.
 pub(crate) struct Question {
