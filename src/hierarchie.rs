@@ -95,8 +95,8 @@ impl Hierarchie<'_> {
     /// bytes, where there are many. They are scratch memory: what they hold before does not matter,
     /// and after the last question neither.
     ///
-    /// It is 0 for fewer than 8 objects, and for 2³¹ − 2²³ or more: these are asked as a list, as
-    /// is any list with fewer than 8 spheres and boxes. It is called without a type:
+    /// It is 0 for fewer than 10 objects, and for 2³¹ − 2²³ or more: these are asked as a list, as
+    /// is any list with fewer than 10 spheres and boxes. It is called without a type:
     /// `Hierarchie::places(n)`.
     #[doc(alias("capacity", "memory"))]
     #[must_use]

@@ -15,7 +15,7 @@ use crate::seize::SEIZE;
 
 /// Over fewer objects with a box than this no tree is made: the list is as fast
 /// (`docs/performance.md`, "Thresholds").
-const SEUIL_ARBRE: usize = 8;
+const SEUIL_ARBRE: usize = 10;
 
 /// Bytes of a cache line: nodes start on one (`docs/performance.md`, "Thresholds").
 const LIGNE: usize = 64;

@@ -10,7 +10,7 @@ use lancer_rayon::{
 use crate::conversion::{Bits, mots};
 
 /// The fewest objects that get a tree; `les_places_pretees` holds it.
-pub const UN_ARBRE: usize = 8;
+pub const UN_ARBRE: usize = 10;
 
 /// So many that no block asks all of them, and that a beam can meet more than it is given.
 const BEAUCOUP: usize = 5 * PEU_D_OBJETS.0;
