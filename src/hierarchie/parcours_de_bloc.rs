@@ -1,6 +1,6 @@
 //! The rays of a block together in the tree: the walk through the nodes that their beam crosses.
 
-use fearless_simd::Simd;
+use fearless_simd::prelude::*;
 
 use crate::hierarchie::construction::Arbre;
 use crate::hierarchie::noeud::indice_lu;
@@ -11,12 +11,14 @@ use crate::lot::demande::Demande;
 use crate::lot::faisceau::vont_ensemble;
 use crate::premier::Premier;
 use crate::reel::Reel;
-use crate::seize::{Aligne, prendre};
+use crate::seize::{Aligne, SEIZE, prendre};
 
-/// Up to so many spheres and boxes, in `f32` and in `f64`, a block without a beam asks every object of
-/// all its rays (`docs/performance.md`, "Thresholds", as for what follows). Of `f32` twice as many go side
-/// by side.
-pub const PEU_D_OBJETS: (usize, usize) = (48, 24);
+/// Up to so many spheres and boxes for each ray that goes side by side, a block without a beam asks every object of all
+/// its rays (`docs/performance.md`, "Thresholds", as for what follows).
+const PEU_PAR_VOIE: usize = 6;
+
+/// The most for which one does, of `f32` with AVX-512.
+pub const PEU_D_OBJETS: usize = PEU_PAR_VOIE * SEIZE;
 
 /// A beam that crosses so many of the sixteen leaves under a node is too wide: from there each ray walks
 /// alone, cut off at what the block has found.
@@ -68,7 +70,7 @@ impl<R: Reel> Arbre<'_, R> {
         patience: &mut Patience,
     ) {
         let avec_boite = self.objets.len() - self.sans_boite.len();
-        let peu = avec_boite <= R::selon(PEU_D_OBJETS.0, PEU_D_OBJETS.1);
+        let peu = avec_boite <= PEU_PAR_VOIE * R::selon(S::f32s::LEN, S::f64s::LEN);
         let essayer = (peu || D::UN_SUFFIT || vont_ensemble(demandes)) && patience.essayer();
         if essayer {
             bloc.charger(demandes);

@@ -13,7 +13,7 @@ use crate::conversion::{Bits, mots};
 pub const UN_ARBRE: usize = 10;
 
 /// So many that no block asks all of them, and that a beam can meet more than it is given.
-const BEAUCOUP: usize = 5 * PEU_D_OBJETS.0;
+const BEAUCOUP: usize = 5 * PEU_D_OBJETS / 2;
 
 /// The number so many units in the last place away.
 pub fn voisin<R: Bits>(x: R, de: i64) -> R {
@@ -75,7 +75,7 @@ pub fn comparer<R: Bits>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) -> usize {
 /// asks them all.
 #[track_caller]
 pub fn comparer_sans_boites<R: Bits>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) {
-    assert!(objets.len() > PEU_D_OBJETS.0);
+    assert!(objets.len() > PEU_D_OBJETS);
     let mut places = vec![0.0; Hierarchie::places(objets.len())];
     let mut indices = vec![0.0; objets.len()];
     let hierarchie = Hierarchie::new(objets, &mut places).unwrap();
