@@ -223,8 +223,7 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
         R::demander::<Occultes>((self, ombres, occultes))
     }
 
-    /// [`est_certaine`](fn@crate::est_certaine) of the list, in a time that is hardly more than that
-    /// of the ray. It is true wherever that is, and of some right answers more: what lies later by
+    /// [`est_certaine`](fn@crate::est_certaine) of the list, in about the time of the ray. It is true wherever that is, and of some right answers more: what lies later by
     /// its box is not asked.
     #[doc(alias("is_certain", "certify", "certificate"))]
     #[inline]
