@@ -223,8 +223,8 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
         R::demander::<Occultes>((self, ombres, occultes))
     }
 
-    /// [`est_certaine`](fn@crate::est_certaine) of the list, in about the time of the ray. It is true wherever that is, and of some right answers more: what lies later by
-    /// its box is not asked.
+    /// [`est_certaine`](fn@crate::est_certaine) of the list, in about the time of the ray. It is true
+    /// wherever that is, and of some right answers more: what lies later by its box is not asked.
     #[doc(alias("is_certain", "certify", "certificate"))]
     #[inline]
     #[must_use]
