@@ -20,11 +20,10 @@ const PEU_PAR_VOIE: usize = 6;
 /// The most for which one does, of `f32` with AVX-512.
 pub const PEU_D_OBJETS: usize = PEU_PAR_VOIE * SEIZE;
 
-/// A beam that crosses so many of the sixteen leaves under a node is too wide: from there each ray walks
-/// alone, cut off at what the block has found.
+/// A beam that crosses so many of the sixteen leaves under a node is too wide.
 const TROP_DE_FEUILLES: (u32, u32) = (12, 10);
 
-/// A beam that meets more objects than this is too wide as well.
+/// A beam of 64 rays that meets more objects than this is too wide as well; of sixteen, more than a quarter.
 const ASSEZ_D_OBJETS: (u32, u32) = (224, 112);
 
 /// Among more than [`PEU_DE_NOEUDS`] nodes that number is divided by this: there each ray of a tile meets
@@ -34,7 +33,7 @@ const PARTIE: u32 = 8;
 /// After this many blocks that could try to walk together and did not, one does.
 const PAUSE: u32 = 31;
 
-/// Which blocks of a call try to walk together. After a second that gave up in a row 3 do not, after a
+/// Which blocks of a call, or groups of their rays, try to walk together. After a second that gave up in a row 3 do not, after a
 /// third 15, and then 31: what a try in vain costs is spread over these.
 #[derive(Default)]
 pub(crate) struct Patience {
@@ -60,62 +59,83 @@ impl Patience {
 }
 
 impl<R: Reel> Arbre<'_, R> {
-    /// The answers to the rays of a block.
+    /// The answers to the rays of a block: of all together, else of sixteen at a time, else one by one.
     #[inline(always)]
     pub(crate) fn repondre_au_bloc<S: Simd, D: Demande<R>>(
         &self,
         simd: S,
         bloc: &mut Bloc<R, D>,
         (demandes, reponses): (&[D], &mut [D::Reponse]),
-        patience: &mut Patience,
+        [des_blocs, des_groupes]: &mut [Patience; 2],
     ) {
+        if self.repondre_ensemble(simd, bloc, (demandes, reponses), des_blocs) {
+            return;
+        }
+        let plusieurs = demandes.len() > SEIZE;
+        // What stands before the lamp of one ray often stands before that of the next.
+        let mut dernier = Premier::avant(R::INFINI);
+        for (demandes, reponses) in demandes.chunks(SEIZE).zip(reponses.chunks_mut(SEIZE)) {
+            if plusieurs && self.repondre_ensemble(simd, bloc, (demandes, reponses), des_groupes) {
+                continue;
+            }
+            simd.vectorize(
+                #[inline(always)]
+                || {
+                    for (demande, reponse) in demandes.iter().zip(reponses) {
+                        let (rayon, limite) = demande.lire();
+                        let mut premier = Premier::avant(limite);
+                        if D::UN_SUFFIT {
+                            premier = dernier.encore(self.objets, &rayon, premier);
+                        }
+                        if !D::UN_SUFFIT || premier.rang.is_none() {
+                            premier = self.parcourir(simd, demande, premier, bloc.sauf);
+                        }
+                        if premier.rang.is_some() {
+                            dernier = premier;
+                        }
+                        *reponse = D::conclure(premier, self.objets, &rayon);
+                    }
+                },
+            );
+        }
+    }
+
+    /// The answers to these rays together, at most a block, unless they go too far apart; tells whether.
+    #[inline(always)]
+    fn repondre_ensemble<S: Simd, D: Demande<R>>(
+        &self,
+        simd: S,
+        bloc: &mut Bloc<R, D>,
+        (demandes, reponses): (&[D], &mut [D::Reponse]),
+        patience: &mut Patience,
+    ) -> bool {
         let avec_boite = self.objets.len() - self.sans_boite.len();
         let peu = avec_boite <= PEU_PAR_VOIE * R::selon(S::f32s::LEN, S::f64s::LEN);
         let essayer = (peu || D::UN_SUFFIT || vont_ensemble(demandes)) && patience.essayer();
-        if essayer {
-            bloc.charger(demandes);
-            let jusqu_au_bout = if let Some(faisceau) = bloc.faisceau()
-                && let Some(sonde) = SondeDeBloc::new(&faisceau, self.repere)
-            {
-                let jusqu_au_bout = self.parcourir_en_bloc(simd, &sonde, bloc);
-                patience.noter(jusqu_au_bout);
-                jusqu_au_bout
-            } else {
-                if peu {
-                    bloc.proposer_tous(self.objets);
-                }
-                peu
-            };
-            if jusqu_au_bout {
-                return bloc.ecrire(simd, self.objets, reponses);
-            }
+        if !essayer {
+            return false;
         }
-        simd.vectorize(
-            #[inline(always)]
-            || {
-                // What stands before the lamp of one ray often stands before that of the next.
-                let mut dernier = Premier::avant(R::INFINI);
-                for (i, (demande, reponse)) in demandes.iter().zip(reponses).enumerate() {
-                    let rayon = demande.rayon();
-                    let mut premier =
-                        if essayer { bloc.premier(i) } else { Premier::avant(demande.lire().1) };
-                    if D::UN_SUFFIT && premier.rang.is_none() {
-                        premier = dernier.encore(self.objets, rayon, premier);
-                    }
-                    if !D::UN_SUFFIT || premier.rang.is_none() {
-                        premier = self.parcourir(simd, demande, premier, bloc.sauf);
-                    }
-                    if premier.rang.is_some() {
-                        dernier = premier;
-                    }
-                    *reponse = D::conclure(premier, self.objets, rayon);
-                }
-            },
-        );
+        bloc.charger(demandes);
+        let jusqu_au_bout = if let Some(faisceau) = bloc.faisceau()
+            && let Some(sonde) = SondeDeBloc::new(&faisceau, self.repere)
+        {
+            let jusqu_au_bout = self.parcourir_en_bloc(simd, &sonde, bloc);
+            patience.noter(jusqu_au_bout);
+            jusqu_au_bout
+        } else {
+            if peu {
+                bloc.proposer_tous(self.objets);
+            }
+            peu
+        };
+        if jusqu_au_bout {
+            bloc.ecrire(simd, self.objets, reponses);
+        }
+        jusqu_au_bout
     }
 
     /// Finds the first object of each ray of a block, in the nodes that its beam crosses. Tells whether it
-    /// came to the end: if the rays go too far apart for one walk, what they have found so far stands.
+    /// came to the end: false if the rays go too far apart for one walk.
     #[inline(always)]
     fn parcourir_en_bloc<S: Simd, D: Demande<R>>(
         &self,
@@ -130,7 +150,7 @@ impl<R: Reel> Arbre<'_, R> {
         let (mut pile, mut numero) = Pile::new(&mut attentes, self.geants, self.noeuds.len() - 1);
         let mut plafond = self.repere.distance(bloc.le_plus_loin());
         let trop = R::selon(TROP_DE_FEUILLES.0, TROP_DE_FEUILLES.1);
-        let mut assez = R::selon(ASSEZ_D_OBJETS.0, ASSEZ_D_OBJETS.1);
+        let mut assez = R::selon(ASSEZ_D_OBJETS.0, ASSEZ_D_OBJETS.1) * bloc.nombre_de_groupes() / 4;
         if self.noeuds.len() > PEU_DE_NOEUDS {
             assez /= PARTIE;
         }

@@ -9,7 +9,6 @@ use crate::lot::demande::Demande;
 use crate::lot::faisceau::Faisceau;
 use crate::lot::groupe::Groupe;
 use crate::objet::{ObjetRay, par_forme};
-use crate::premier::Premier;
 use crate::rayon::Rayon;
 use crate::reel::{Reel, max};
 use crate::seize::SEIZE;
@@ -99,10 +98,10 @@ impl<R: Reel, D: Demande<R>> Bloc<R, D> {
         loin
     }
 
-    /// The first object of one ray so far.
+    /// How many groups of sixteen these rays fill.
     #[inline(always)]
-    pub(crate) fn premier(&self, i: usize) -> Premier<R> {
-        self.groupes[i / SEIZE].premier(i % SEIZE)
+    pub(crate) fn nombre_de_groupes(&self) -> u32 {
+        self.nombre.div_ceil(SEIZE) as u32
     }
 
     /// Writes the answers; a function of the instruction set, which list and hierarchy share.
