@@ -71,11 +71,13 @@ impl<R: Reel> Arbre<'_, R> {
         if self.repondre_ensemble(simd, bloc, (demandes, reponses), des_blocs) {
             return;
         }
-        let plusieurs = demandes.len() > SEIZE;
+        // Of shadows both tries together would cost too much.
+        let par_groupes = !D::UN_SUFFIT && demandes.len() > SEIZE;
         // What stands before the lamp of one ray often stands before that of the next.
         let mut dernier = Premier::avant(R::INFINI);
         for (demandes, reponses) in demandes.chunks(SEIZE).zip(reponses.chunks_mut(SEIZE)) {
-            if plusieurs && self.repondre_ensemble(simd, bloc, (demandes, reponses), des_groupes) {
+            if par_groupes && self.repondre_ensemble(simd, bloc, (demandes, reponses), des_groupes)
+            {
                 continue;
             }
             simd.vectorize(
