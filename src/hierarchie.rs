@@ -318,8 +318,7 @@ fn en_lot<R: Reel, D: Demande<R>>(
                 *reponse = D::conclure(premier, objets, &rayon);
             }
         } else {
-            let mut bloc = Bloc::new(sauf);
-            let mut patience = [Patience::default(), Patience::default()];
+            let (mut bloc, mut patience) = (Bloc::new(sauf), <[Patience; 2]>::default());
             for (demandes, reponses) in demandes.chunks(BLOC).zip(reponses.chunks_mut(BLOC)) {
                 arbre.repondre_au_bloc(simd, &mut bloc, (demandes, reponses), &mut patience);
             }

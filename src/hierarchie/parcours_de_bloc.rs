@@ -13,8 +13,8 @@ use crate::premier::Premier;
 use crate::reel::Reel;
 use crate::seize::{Aligne, SEIZE, prendre};
 
-/// Up to so many spheres and boxes for each ray that goes side by side, a block without a beam asks every object of all
-/// its rays (`docs/performance.md`, "Thresholds", as for what follows).
+/// Up to so many spheres and boxes for each ray that goes side by side, a block without a beam asks
+/// every object of all its rays (`docs/performance.md`, "Thresholds", as for what follows).
 const PEU_PAR_VOIE: usize = 6;
 
 /// The most for which one does, of `f32` with AVX-512.
@@ -23,18 +23,18 @@ pub const PEU_D_OBJETS: usize = PEU_PAR_VOIE * SEIZE;
 /// A beam that crosses so many of the sixteen leaves under a node is too wide.
 const TROP_DE_FEUILLES: (u32, u32) = (12, 10);
 
-/// A beam of 64 rays that meets more objects than this is too wide as well; of sixteen, more than a quarter.
-const ASSEZ_D_OBJETS: (u32, u32) = (224, 112);
+/// A beam that meets more objects than this for each group of its rays is too wide as well.
+const ASSEZ_D_OBJETS: (usize, usize) = (56, 28);
 
 /// Among more than [`PEU_DE_NOEUDS`] nodes that number is divided by this: there each ray of a tile meets
 /// an object of its own, which comes from memory.
-const PARTIE: u32 = 8;
+const PARTIE: usize = 8;
 
 /// After this many blocks that could try to walk together and did not, one does.
 const PAUSE: u32 = 31;
 
-/// Which blocks of a call, or groups of their rays, try to walk together. After a second that gave up in a row 3 do not, after a
-/// third 15, and then 31: what a try in vain costs is spread over these.
+/// Which blocks of a call, or groups of their rays, try to walk together. After a second that gave up
+/// in a row 3 do not, after a third 15, and then 31: what a try in vain costs is spread over these.
 #[derive(Default)]
 pub(crate) struct Patience {
     abandons: u32,
@@ -152,7 +152,7 @@ impl<R: Reel> Arbre<'_, R> {
         let (mut pile, mut numero) = Pile::new(&mut attentes, self.geants, self.noeuds.len() - 1);
         let mut plafond = self.repere.distance(bloc.le_plus_loin());
         let trop = R::selon(TROP_DE_FEUILLES.0, TROP_DE_FEUILLES.1);
-        let mut assez = R::selon(ASSEZ_D_OBJETS.0, ASSEZ_D_OBJETS.1) * bloc.nombre_de_groupes() / 4;
+        let mut assez = R::selon(ASSEZ_D_OBJETS.0, ASSEZ_D_OBJETS.1) * bloc.groupes().len();
         if self.noeuds.len() > PEU_DE_NOEUDS {
             assez /= PARTIE;
         }
@@ -162,7 +162,7 @@ impl<R: Reel> Arbre<'_, R> {
             let [.., indices] = noeud;
             if numero < self.feuilles {
                 if traverses > 0 {
-                    vus += traverses.count_ones();
+                    vus += traverses.count_ones() as usize;
                     if vus > assez {
                         return false;
                     }

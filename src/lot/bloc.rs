@@ -43,7 +43,7 @@ impl<R: Reel, D: Demande<R>> Bloc<R, D> {
 
     /// The groups that hold rays.
     #[inline(always)]
-    fn groupes(&self) -> &[Groupe<R>] {
+    pub(crate) fn groupes(&self) -> &[Groupe<R>] {
         &self.groupes[..self.nombre.div_ceil(SEIZE)]
     }
 
@@ -71,7 +71,7 @@ impl<R: Reel, D: Demande<R>> Bloc<R, D> {
     #[inline(always)]
     pub(crate) fn proposer(&mut self, objets: &[ObjetRay<R>], indice: usize, en_ordre: bool) {
         let Some(objet) = objets.get(indice).filter(|_| self.sauf != Some(indice)) else { return };
-        let (rang, groupes) = (Rang::de(indice), self.nombre.div_ceil(SEIZE));
+        let (rang, groupes) = (Rang::de(indice), self.groupes().len());
         par_forme!(ObjetRay, objet, forme => {
             let forme = *forme;
             for groupe in &mut self.groupes[..groupes] {
@@ -96,12 +96,6 @@ impl<R: Reel, D: Demande<R>> Bloc<R, D> {
             loin = max(groupe.le_plus_loin(), loin);
         }
         loin
-    }
-
-    /// How many groups of sixteen these rays fill.
-    #[inline(always)]
-    pub(crate) fn nombre_de_groupes(&self) -> u32 {
-        self.nombre.div_ceil(SEIZE) as u32
     }
 
     /// Writes the answers; a function of the instruction set, which list and hierarchy share.
