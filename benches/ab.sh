@@ -21,7 +21,7 @@
 #   --turns 4   of a round; the least time of 2 to 6 rounds counts, until their ratio stands
 #   --call 64   rays in a call of a batch, 4096 at most and unless said
 #   --ns        the old time as well, in ns a ray
-#   --over      batches of the new version over the rays of the old one, one by one
+#   --over      batches of the new version over its rays one by one
 # `!` marks a cell in which the two versions do not agree to the bit. A version beside itself stays within 5 %,
 # except for lists and rooms of some ten objects (up to 40 %): where the code comes to lie decides what the
 # processor predicts. Run it again, or with `--bands 50`.
