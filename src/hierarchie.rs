@@ -318,7 +318,8 @@ fn en_lot<R: Reel, D: Demande<R>>(
                 *reponse = D::conclure(premier, objets, &rayon);
             }
         } else {
-            let (mut bloc, mut patience) = (Bloc::new(sauf), <[Patience; 2]>::default());
+            let (mut groupes, mut patience) = (Bloc::<R, D>::GROUPES, <[Patience; 2]>::default());
+            let mut bloc = Bloc::new(sauf, &mut groupes);
             for (demandes, reponses) in demandes.chunks(BLOC).zip(reponses.chunks_mut(BLOC)) {
                 arbre.repondre_au_bloc(simd, &mut bloc, (demandes, reponses), &mut patience);
             }

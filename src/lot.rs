@@ -176,7 +176,8 @@ pub(crate) fn repondre<R: Reel, D: Demande<R>>(
         charger(fenetre, objets);
     }
     selon_le_niveau!(niveau, simd => {
-        let mut bloc = Bloc::new(sauf);
+        let mut groupes = Bloc::<R, D>::GROUPES;
+        let mut bloc = Bloc::new(sauf, &mut groupes);
         for (demandes, reponses) in demandes.chunks(BLOC).zip(reponses.chunks_mut(BLOC)) {
             bloc.charger(demandes);
             chercher(simd, objets, fenetre, &mut bloc);
@@ -198,7 +199,7 @@ fn chercher<R: Reel, D: Demande<R>, S: Simd>(
     simd: S,
     objets: &[ObjetRay<R>],
     fenetre: &mut [Rangee<R>],
-    bloc: &mut Bloc<R, D>,
+    bloc: &mut Bloc<'_, R, D>,
 ) {
     let capacite = fenetre.len() * SEIZE;
     let faisceau = if capacite > 0 { bloc.faisceau() } else { None };

@@ -66,7 +66,8 @@ impl Reglage {
 /// Whether the beam of these shadow rays, one to sixty-four, leaves out the ball around this object. It
 /// ends at the lamps, unless one is infinitely far. No answer shows it.
 pub fn evite<R: Reel>(ombres: &[(Rayon<R>, R)], objet: &ObjetRay<R>) -> bool {
-    let mut bloc = Bloc::new(None);
+    let mut groupes = Bloc::<R, (Rayon<R>, R)>::GROUPES;
+    let mut bloc = Bloc::new(None, &mut groupes);
     bloc.charger(ombres);
     bloc.faisceau().is_some_and(|faisceau| faisceau.degagement(objet.boule()) > R::ZERO)
 }

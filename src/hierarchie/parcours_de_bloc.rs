@@ -4,7 +4,7 @@ use fearless_simd::prelude::*;
 
 use crate::hierarchie::construction::Arbre;
 use crate::hierarchie::noeud::indice_lu;
-use crate::hierarchie::pile::{GRANDE_PILE, PEU_DE_NOEUDS, Pile, RIEN};
+use crate::hierarchie::pile::{GRANDE_PILE, Pile, RIEN};
 use crate::hierarchie::sonde::SondeDeBloc;
 use crate::lot::bloc::Bloc;
 use crate::lot::demande::Demande;
@@ -26,9 +26,9 @@ const TROP_DE_FEUILLES: (u32, u32) = (12, 10);
 /// A beam that meets more objects than this for each group of its rays is too wide as well.
 const ASSEZ_D_OBJETS: (usize, usize) = (56, 28);
 
-/// Among more than [`PEU_DE_NOEUDS`] nodes that number is divided by this: there each ray of a tile meets
-/// an object of its own, which comes from memory.
-const PARTIE: usize = 8;
+/// Among more than twice so many nodes fewer objects are enough, and no group tries: there each ray of a tile
+/// meets an object of its own, which comes from memory.
+const BEAUCOUP_DE_NOEUDS: usize = 2048;
 
 /// After this many blocks that could try to walk together and did not, one does.
 const PAUSE: u32 = 31;
@@ -64,18 +64,21 @@ impl<R: Reel> Arbre<'_, R> {
     pub(crate) fn repondre_au_bloc<S: Simd, D: Demande<R>>(
         &self,
         simd: S,
-        bloc: &mut Bloc<R, D>,
+        bloc: &mut Bloc<'_, R, D>,
         (demandes, reponses): (&[D], &mut [D::Reponse]),
         [des_blocs, des_groupes]: &mut [Patience; 2],
     ) {
+        bloc.vider();
         if self.repondre_ensemble(simd, bloc, (demandes, reponses), des_blocs) {
             return;
         }
         // Of shadows both tries together would cost too much.
-        let par_groupes = !D::UN_SUFFIT && demandes.len() > SEIZE;
+        let par_groupes = !D::UN_SUFFIT && demandes.len() > SEIZE && self.abondance() == 1;
         // What stands before the lamp of one ray often stands before that of the next.
         let mut dernier = Premier::avant(R::INFINI);
-        for (demandes, reponses) in demandes.chunks(SEIZE).zip(reponses.chunks_mut(SEIZE)) {
+        let groupes = demandes.chunks(SEIZE).zip(reponses.chunks_mut(SEIZE));
+        for (numero, (demandes, reponses)) in groupes.enumerate() {
+            let bloc = &mut bloc.groupe(numero);
             if par_groupes && self.repondre_ensemble(simd, bloc, (demandes, reponses), des_groupes)
             {
                 continue;
@@ -83,10 +86,10 @@ impl<R: Reel> Arbre<'_, R> {
             simd.vectorize(
                 #[inline(always)]
                 || {
-                    for (demande, reponse) in demandes.iter().zip(reponses) {
+                    for (voie, (demande, reponse)) in demandes.iter().zip(reponses).enumerate() {
                         let (rayon, limite) = demande.lire();
-                        let mut premier = Premier::avant(limite);
-                        if D::UN_SUFFIT {
+                        let mut premier = bloc.premier(voie, limite);
+                        if D::UN_SUFFIT && premier.rang.is_none() {
                             premier = dernier.encore(self.objets, &rayon, premier);
                         }
                         if !D::UN_SUFFIT || premier.rang.is_none() {
@@ -107,17 +110,21 @@ impl<R: Reel> Arbre<'_, R> {
     fn repondre_ensemble<S: Simd, D: Demande<R>>(
         &self,
         simd: S,
-        bloc: &mut Bloc<R, D>,
+        bloc: &mut Bloc<'_, R, D>,
         (demandes, reponses): (&[D], &mut [D::Reponse]),
         patience: &mut Patience,
     ) -> bool {
         let avec_boite = self.objets.len() - self.sans_boite.len();
-        let peu = avec_boite <= PEU_PAR_VOIE * R::selon(S::f32s::LEN, S::f64s::LEN);
+        // What is proposed in order must not follow what was not.
+        let peu =
+            bloc.est_vide() && avec_boite <= PEU_PAR_VOIE * R::selon(S::f32s::LEN, S::f64s::LEN);
         let essayer = (peu || D::UN_SUFFIT || vont_ensemble(demandes)) && patience.essayer();
         if !essayer {
             return false;
         }
-        bloc.charger(demandes);
+        if bloc.est_vide() {
+            bloc.charger(demandes);
+        }
         let jusqu_au_bout = if let Some(faisceau) = bloc.faisceau()
             && let Some(sonde) = SondeDeBloc::new(&faisceau, self.repere)
         {
@@ -136,6 +143,12 @@ impl<R: Reel> Arbre<'_, R> {
         jusqu_au_bout
     }
 
+    /// How many times [`BEAUCOUP_DE_NOEUDS`] this tree has, 1 at least.
+    #[inline(always)]
+    fn abondance(&self) -> usize {
+        (self.noeuds.len() / BEAUCOUP_DE_NOEUDS).max(1)
+    }
+
     /// Finds the first object of each ray of a block, in the nodes that its beam crosses. Tells whether it
     /// came to the end: false if the rays go too far apart for one walk.
     #[inline(always)]
@@ -143,7 +156,7 @@ impl<R: Reel> Arbre<'_, R> {
         &self,
         simd: S,
         sonde: &SondeDeBloc,
-        bloc: &mut Bloc<R, D>,
+        bloc: &mut Bloc<'_, R, D>,
     ) -> bool {
         for &indice in self.sans_boite {
             bloc.proposer(self.objets, indice_lu(indice), false);
@@ -152,10 +165,8 @@ impl<R: Reel> Arbre<'_, R> {
         let (mut pile, mut numero) = Pile::new(&mut attentes, self.geants, self.noeuds.len() - 1);
         let mut plafond = self.repere.distance(bloc.le_plus_loin());
         let trop = R::selon(TROP_DE_FEUILLES.0, TROP_DE_FEUILLES.1);
-        let mut assez = R::selon(ASSEZ_D_OBJETS.0, ASSEZ_D_OBJETS.1) * bloc.groupes().len();
-        if self.noeuds.len() > PEU_DE_NOEUDS {
-            assez /= PARTIE;
-        }
+        let par_groupe = R::selon(ASSEZ_D_OBJETS.0, ASSEZ_D_OBJETS.1);
+        let assez = par_groupe * bloc.groupes().len() / self.abondance();
         let mut vus = 0;
         while let Some(noeud) = self.noeuds.get(numero) {
             let (mut traverses, Aligne(profondeurs)) = sonde.traverse(simd, noeud, plafond);

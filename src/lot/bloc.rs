@@ -9,6 +9,7 @@ use crate::lot::demande::Demande;
 use crate::lot::faisceau::Faisceau;
 use crate::lot::groupe::Groupe;
 use crate::objet::{ObjetRay, par_forme};
+use crate::premier::Premier;
 use crate::rayon::Rayon;
 use crate::reel::{Reel, max};
 use crate::seize::SEIZE;
@@ -17,19 +18,39 @@ use crate::seize::SEIZE;
 pub(crate) const BLOC: usize = 4 * SEIZE;
 
 /// At most 64 rays, with the first object of each so far.
-pub(crate) struct Bloc<R, D> {
+pub(crate) struct Bloc<'a, R, D> {
     /// The index of the object that is left out.
     pub(crate) sauf: Option<usize>,
     nombre: usize,
-    groupes: [Groupe<R>; BLOC / SEIZE],
+    groupes: &'a mut [Groupe<R>],
     demande: PhantomData<D>,
 }
 
-impl<R: Reel, D: Demande<R>> Bloc<R, D> {
+impl<'a, R: Reel, D: Demande<R>> Bloc<'a, R, D> {
+    /// What a block is made of.
+    pub(crate) const GROUPES: [Groupe<R>; BLOC / SEIZE] = [const { Groupe::VIDE }; BLOC / SEIZE];
+
     #[inline(always)]
-    pub(crate) fn new(sauf: Option<usize>) -> Self {
-        let groupes = [const { Groupe::VIDE }; BLOC / SEIZE];
+    pub(crate) fn new(sauf: Option<usize>, groupes: &'a mut [Groupe<R>]) -> Self {
         Self { sauf, nombre: 0, groupes, demande: PhantomData }
+    }
+
+    /// Its rays of one group as a block, with the first object of each so far.
+    #[inline(always)]
+    pub(crate) fn groupe(&mut self, numero: usize) -> Bloc<'_, R, D> {
+        let nombre = self.nombre.saturating_sub(numero * SEIZE).min(SEIZE);
+        Bloc { nombre, ..Bloc::new(self.sauf, &mut self.groupes[numero..=numero]) }
+    }
+
+    /// Takes its rays away.
+    #[inline(always)]
+    pub(crate) fn vider(&mut self) {
+        self.nombre = 0;
+    }
+
+    #[inline(always)]
+    pub(crate) fn est_vide(&self) -> bool {
+        self.nombre == 0
     }
 
     /// Puts these rays here, with no object so far.
@@ -78,6 +99,15 @@ impl<R: Reel, D: Demande<R>> Bloc<R, D> {
                 groupe.proposer(&forme, rang, en_ordre, D::UN_SUFFIT);
             }
         });
+    }
+
+    /// The first object so far of one of its rays; none, before this limit, of a ray that is not here.
+    #[inline(always)]
+    pub(crate) fn premier(&self, i: usize, limite: R) -> Premier<R> {
+        if i < self.nombre {
+            return self.groupes[i / SEIZE].premier(i % SEIZE);
+        }
+        Premier::avant(limite)
     }
 
     /// [`proposer`](Self::proposer) of every object of the list, in order: what a block without a beam does.
