@@ -128,15 +128,14 @@ impl<R: Reel> Arbre<'_, R> {
         let jusqu_au_bout = if let Some(faisceau) = bloc.faisceau()
             && let Some(sonde) = SondeDeBloc::new(&faisceau, self.repere)
         {
-            let jusqu_au_bout = self.parcourir_en_bloc(simd, &sonde, bloc);
-            patience.noter(jusqu_au_bout);
-            jusqu_au_bout
+            self.parcourir_en_bloc(simd, &sonde, bloc)
         } else {
             if peu {
                 bloc.proposer_tous(self.objets);
             }
             peu
         };
+        patience.noter(jusqu_au_bout);
         if jusqu_au_bout {
             bloc.ecrire(simd, self.objets, reponses);
         }
