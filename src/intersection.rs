@@ -62,10 +62,10 @@ impl Rang {
         Self(NonZero::<u32>::MIN.saturating_add(u32::try_from(indice).unwrap_or(u32::MAX)))
     }
 
-    /// Its number.
+    /// The number of this rank; 0 of none, before any other.
     #[inline(always)]
-    pub(crate) fn en_nombre(self) -> u32 {
-        self.0.get()
+    pub(crate) fn nombre(rang: Option<Self>) -> u32 {
+        rang.map_or(0, |Self(nombre)| nombre.get())
     }
 
     /// The index in the list.

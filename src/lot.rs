@@ -213,7 +213,7 @@ fn chercher<R: Reel, D: Demande<R>, S: Simd>(
         for (debut, rangee) in (debut..debut + proches.len()).step_by(SEIZE).zip(&*fenetre) {
             let mut rencontres = rangee.rencontres(simd, &faisceau);
             while let Some(i) = prendre(&mut rencontres) {
-                bloc.proposer(objets, debut + i, true);
+                bloc.proposer(objets, debut + i);
             }
         }
     }

@@ -20,16 +20,12 @@ impl<R: Reel> Premier<R> {
         Self { t, rang: None }
     }
 
-    /// The number of its rank; 0 of none, before any other.
-    #[inline(always)]
-    pub(crate) fn nombre(self) -> u32 {
-        self.rang.map_or(0, Rang::en_nombre)
-    }
-
-    /// Whether this comes before another: nearer, or as near and earlier in the list.
+    /// Whether this comes before another: nearer, or as near and earlier in the list. Without a branch, for
+    /// sixteen side by side.
     #[inline(always)]
     pub(crate) fn precede(self, autre: Self) -> bool {
-        self.t < autre.t || (self.t == autre.t && self.nombre() < autre.nombre())
+        let [rang, son_rang] = [self, autre].map(|premier| Rang::nombre(premier.rang));
+        (self.t < autre.t) | ((self.t == autre.t) & (rang < son_rang))
     }
 
     /// Takes the object at this index of the list, entered at distance `t`, instead of this one if
@@ -37,8 +33,9 @@ impl<R: Reel> Premier<R> {
     #[inline(always)]
     pub(crate) fn retenir(&mut self, t: R, indice: usize) -> bool {
         let trouve = Self { t, rang: Some(Rang::de(indice)) };
-        // Two ends: with a flag instead a ray alone takes up to 1.5 times as long (measured).
-        if trouve.precede(*self) {
+        // What seldom happens behind a branch, and two ends: without a branch a ray alone takes up to 1.16 times as
+        // long, with a flag up to 1.5 (measured).
+        if t < self.t || (t == self.t && trouve.precede(*self)) {
             *self = trouve;
             return true;
         }

@@ -115,9 +115,7 @@ impl<R: Reel> Arbre<'_, R> {
         patience: &mut Patience,
     ) -> bool {
         let avec_boite = self.objets.len() - self.sans_boite.len();
-        // What is proposed in order must not follow what was not.
-        let peu =
-            bloc.est_vide() && avec_boite <= PEU_PAR_VOIE * R::selon(S::f32s::LEN, S::f64s::LEN);
+        let peu = avec_boite <= PEU_PAR_VOIE * R::selon(S::f32s::LEN, S::f64s::LEN);
         let essayer = (peu || D::UN_SUFFIT || vont_ensemble(demandes)) && patience.essayer();
         if !essayer {
             return false;
@@ -158,7 +156,7 @@ impl<R: Reel> Arbre<'_, R> {
         bloc: &mut Bloc<'_, R, D>,
     ) -> bool {
         for &indice in self.sans_boite {
-            bloc.proposer(self.objets, indice_lu(indice), false);
+            bloc.proposer(self.objets, indice_lu(indice));
         }
         let mut attentes = [RIEN; GRANDE_PILE];
         let (mut pile, mut numero) = Pile::new(&mut attentes, self.geants, self.noeuds.len() - 1);
@@ -177,7 +175,7 @@ impl<R: Reel> Arbre<'_, R> {
                         return false;
                     }
                     while let Some(enfant) = prendre(&mut traverses) {
-                        bloc.proposer(self.objets, indice_lu(indices[enfant]), false);
+                        bloc.proposer(self.objets, indice_lu(indices[enfant]));
                     }
                     let loin = bloc.le_plus_loin();
                     if D::UN_SUFFIT && loin == R::ZERO {

@@ -85,18 +85,18 @@ impl<'a, R: Reel, D: Demande<R>> Bloc<'a, R, D> {
     }
 
     /// For each ray that enters the object at this index of the list before its first so far: makes
-    /// it its first. `en_ordre` promises that objects come in the order of the list.
+    /// it its first.
     ///
     /// The shape is copied: nothing that is written to a group can overlap it, so that the compiler
     /// need not read it again for every ray.
     #[inline(always)]
-    pub(crate) fn proposer(&mut self, objets: &[ObjetRay<R>], indice: usize, en_ordre: bool) {
+    pub(crate) fn proposer(&mut self, objets: &[ObjetRay<R>], indice: usize) {
         let Some(objet) = objets.get(indice).filter(|_| self.sauf != Some(indice)) else { return };
         let (rang, groupes) = (Rang::de(indice), self.groupes().len());
         par_forme!(ObjetRay, objet, forme => {
             let forme = *forme;
             for groupe in &mut self.groupes[..groupes] {
-                groupe.proposer(&forme, rang, en_ordre, D::UN_SUFFIT);
+                groupe.proposer(&forme, rang, D::UN_SUFFIT);
             }
         });
     }
@@ -110,11 +110,11 @@ impl<'a, R: Reel, D: Demande<R>> Bloc<'a, R, D> {
         Premier::avant(limite)
     }
 
-    /// [`proposer`](Self::proposer) of every object of the list, in order: what a block without a beam does.
+    /// [`proposer`](Self::proposer) of every object of the list: what a block without a beam does.
     #[inline(always)]
     pub(crate) fn proposer_tous(&mut self, objets: &[ObjetRay<R>]) {
         for indice in 0..objets.len() {
-            self.proposer(objets, indice, true);
+            self.proposer(objets, indice);
         }
     }
 

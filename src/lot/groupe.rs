@@ -84,16 +84,9 @@ impl<R: Reel> Groupe<R> {
     /// For each ray that enters the object of this shape and rank before its first so far: makes it
     /// its first. If one suffices, the ray is done: before distance 0 it looks for no other.
     ///
-    /// Of two objects at the same distance the one of lower rank is the first. `en_ordre` promises
-    /// that objects come in the order of their ranks, which saves that comparison.
+    /// Of two objects at the same distance the one of lower rank is the first.
     #[inline(always)]
-    pub(crate) fn proposer(
-        &mut self,
-        forme: &impl Forme<R>,
-        rang: Rang,
-        en_ordre: bool,
-        un_suffit: bool,
-    ) {
+    pub(crate) fn proposer(&mut self, forme: &impl Forme<R>, rang: Rang, un_suffit: bool) {
         let mut pres = false;
         for voie in 0..SEIZE {
             pres |= forme.peut_entrer(&self.rayon(voie));
@@ -110,8 +103,7 @@ impl<R: Reel> Groupe<R> {
         }
         for (voie, &t) in t.iter().enumerate() {
             let (trouve, premier) = (Premier { t, rang: Some(rang) }, self.premier(voie));
-            let precede =
-                if en_ordre || un_suffit { t < premier.t } else { trouve.precede(premier) };
+            let precede = trouve.precede(premier);
             let t = if un_suffit { R::ZERO } else { t };
             self.t[voie] = if precede { t } else { premier.t };
             self.rangs[voie] = if precede { trouve.rang } else { premier.rang };
