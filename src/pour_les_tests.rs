@@ -15,7 +15,7 @@ use crate::reel::Reel;
 
 pub use crate::double::{BORNE_DOUBLE, Double, Intervalle, PERTE_DOUBLE, PRODUIT_DOUBLE};
 pub use crate::forme::{ARRONDI_HAUTEUR, PENCHE, PLANCHER, RETRAIT, VERS_LE_HAUT};
-pub use crate::hierarchie::parcours_de_bloc::PEU_D_OBJETS;
+pub use crate::hierarchie::parcours_de_bloc::ASSEZ_D_OBJETS;
 pub use crate::hierarchie::repere::{JEU_F32, JEU_TOUCHE};
 pub use crate::hierarchie::sonde::{ENTREE_AVANT, JEU_BLOC, JEU_FIXE};
 pub use crate::jugement::ERREUR_ARRONDIE;

@@ -21,7 +21,8 @@ pub(crate) const BLOC: usize = 4 * SEIZE;
 pub(crate) struct Bloc<'a, R, D> {
     /// The index of the object that is left out.
     pub(crate) sauf: Option<usize>,
-    nombre: usize,
+    /// How many rays are here.
+    pub(crate) nombre: usize,
     groupes: &'a mut [Groupe<R>],
     demande: PhantomData<D>,
 }
@@ -40,17 +41,6 @@ impl<'a, R: Reel, D: Demande<R>> Bloc<'a, R, D> {
     pub(crate) fn groupe(&mut self, numero: usize) -> Bloc<'_, R, D> {
         let nombre = self.nombre.saturating_sub(numero * SEIZE).min(SEIZE);
         Bloc { nombre, ..Bloc::new(self.sauf, &mut self.groupes[numero..=numero]) }
-    }
-
-    /// Takes its rays away.
-    #[inline(always)]
-    pub(crate) fn vider(&mut self) {
-        self.nombre = 0;
-    }
-
-    #[inline(always)]
-    pub(crate) fn est_vide(&self) -> bool {
-        self.nombre == 0
     }
 
     /// Puts these rays here, with no object so far.

@@ -1,7 +1,7 @@
 //! Every way to an answer, with every instruction set of the machine: the list in a batch, the hierarchy ray by
 //! ray and in a batch, shadows of both; each beside the list ray by ray.
 
-use lancer_rayon::pour_les_tests::{PEU_D_OBJETS, Reglage, sans_boites};
+use lancer_rayon::pour_les_tests::{ASSEZ_D_OBJETS, Reglage, sans_boites};
 use lancer_rayon::{
     Hierarchie, ObjetRay, Rayon, Reel, SphereGeo, Texture, Touche, Vecteur, est_certaine,
     est_occulte, premiere_intersection,
@@ -12,8 +12,8 @@ use crate::conversion::{Bits, mots};
 /// The fewest objects that get a tree; `les_places_pretees` holds it.
 pub const UN_ARBRE: usize = 10;
 
-/// So many that no block asks all of them, and that a beam can meet more than it is given.
-const BEAUCOUP: usize = 5 * PEU_D_OBJETS / 2;
+/// So many that the beam of 64 rays can meet more than it is given, and that no block asks all of them.
+const BEAUCOUP: usize = 4 * ASSEZ_D_OBJETS.0 + 16;
 
 /// The number so many units in the last place away.
 pub fn voisin<R: Bits>(x: R, de: i64) -> R {
@@ -71,11 +71,9 @@ pub fn comparer<R: Bits>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) -> usize {
     attendues.iter().flatten().count()
 }
 
-/// Asks these rays every question in every way of a hierarchy that knows no box of these objects, so many that no block
-/// asks them all.
+/// Asks these rays every question in every way of a hierarchy that knows no box of these objects.
 #[track_caller]
 pub fn comparer_sans_boites<R: Bits>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) {
-    assert!(objets.len() > PEU_D_OBJETS);
     let mut places = vec![0.0; Hierarchie::places(objets.len())];
     let mut indices = vec![0.0; objets.len()];
     let hierarchie = Hierarchie::new(objets, &mut places).unwrap();

@@ -180,16 +180,16 @@ fn des_objets_tous_egaux<R: Bits>() {
     }
 }
 
-/// A tree of five floors, in which a block gives up sooner: two tiles of a picture, one wide and one narrow.
+/// A tree of five floors, in which a block gives up sooner: a tile that is a whole picture, and one of a larger.
 fn parmi_beaucoup_d_objets<R: Bits>() {
     let objets = scenes::melange::<R>(70_000);
     assert!(
         noeuds(&Hierarchie::new(&objets, &mut vec![0.0; Hierarchie::places(70_000)]).unwrap())
             > 4_369
     );
-    for cote in [8, 64] {
+    for cote in [8, 256] {
         let rayons = scenes::en_tuiles(&scenes::rayons_camera::<R>(cote, cote), cote);
-        assert!(comparer(&objets, &rayons[rayons.len() / 2..][..16]) > 2);
+        assert!(comparer(&objets, &rayons[(rayons.len() - 64) / 2..][..64]) > 2);
     }
 }
 
@@ -424,7 +424,9 @@ fn nul_objet_sans_boite_n_est_oublie<R: Bits>() {
 fn les_demi_espaces_ont_leur_place<R: Bits>() {
     let mut alea = Rng::with_seed(8);
     let rayons = scenes::rayons_camera::<R>(6, 6);
-    for (bornes, demi_espaces) in [(8, 8), (17, 15), (1, 15), (241, 15), (257, 15), (20, 60)] {
+    for (bornes, demi_espaces) in
+        [(UN_ARBRE, 16 - UN_ARBRE), (17, 15), (1, 15), (241, 15), (257, 15), (20, 60)]
+    {
         let mut objets = scenes::melange::<R>(bornes + 1);
         objets.extend((0..demi_espaces).map(|_| sol::<R>(&mut alea, 20.0)));
         let objets = &objets[1..];
