@@ -36,10 +36,11 @@ impl<'a, R: Reel, D: Demande<R>> Bloc<'a, R, D> {
         Self { sauf, nombre: 0, groupes, demande: PhantomData }
     }
 
-    /// Its rays of one group as a block, with the first object of each so far.
+    /// One of its groups as a block, with the first object of each ray so far; what stands in for missing rays
+    /// counts.
     #[inline(always)]
     pub(crate) fn groupe(&mut self, numero: usize) -> Bloc<'_, R, D> {
-        let nombre = self.nombre.saturating_sub(numero * SEIZE).min(SEIZE);
+        let nombre = self.nombre.min(SEIZE);
         Bloc { nombre, ..Bloc::new(self.sauf, &mut self.groupes[numero..=numero]) }
     }
 

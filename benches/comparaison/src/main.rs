@@ -40,11 +40,15 @@ fn main() -> Result<(), Box<dyn Error>> {
         Some("documents") => true,
         Some(_) => return Err("usage: comparaison [documents]".into()),
     };
-    glam::verifier()?;
-    let cellules = cellules::mesurer()?;
     // Another machine, another table.
     let (instructions, _) = Reglage::tous().next().ok_or("no instructions")?;
     let resume = format!("summary, {instructions}");
+    if ecrire {
+        // Sooner than after all the measuring.
+        page::autour("docs/performance.md", &resume)?;
+    }
+    glam::verifier()?;
+    let cellules = cellules::mesurer()?;
     println!("\nleft out\n\n{}", tables::resume(&cellules, &tables::SANS));
     let tables = [
         (&*resume, tables::resume(&cellules, &tables::QUESTIONS)),

@@ -11,13 +11,18 @@ pub(crate) fn chemin(relatif: &str) -> PathBuf {
 
 /// Puts `texte` between `<!-- begin nom -->` and `<!-- end nom -->`.
 pub(crate) fn remplacer(page: &str, nom: &str, texte: &str) -> io::Result<()> {
-    let chemin = chemin(page);
-    let contenu = std::fs::read_to_string(&chemin)?;
+    let [avant, apres] = autour(page, nom)?;
+    std::fs::write(chemin(page), format!("{avant}\n{texte}\n\n{apres}"))
+}
+
+/// What stands before that text and after it, comments included; an error if the page has no place for it.
+pub(crate) fn autour(page: &str, nom: &str) -> io::Result<[String; 2]> {
+    let contenu = std::fs::read_to_string(chemin(page))?;
     let (debut, fin) = (format!("<!-- begin {nom} -->\n"), format!("<!-- end {nom} -->"));
-    let manque = || io::Error::other(format!("{page} has no place for {nom}"));
-    let (avant, reste) = contenu.split_once(&debut).ok_or_else(manque)?;
-    let (_, apres) = reste.split_once(&fin).ok_or_else(manque)?;
-    std::fs::write(chemin, format!("{avant}{debut}\n{texte}\n\n{fin}{apres}"))
+    let place = contenu.find(&debut).map(|i| i + debut.len()).zip(contenu.find(&fin));
+    let (avant, apres) =
+        place.ok_or_else(|| io::Error::other(format!("{page} has no place for {nom}")))?;
+    Ok([contenu[..avant].to_owned(), contenu[apres..].to_owned()])
 }
 
 /// The text, with the machine, the compiler and the day that it was measured on.
