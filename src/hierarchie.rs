@@ -223,7 +223,7 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
         R::demander::<Occultes>((self, ombres, occultes))
     }
 
-    /// [`est_certaine`](fn@crate::est_certaine) of the list, in about the time of the ray. It is true
+    /// [`est_certaine`](fn@crate::est_certaine) of the list, in 1.0 to 1.4 of the time of the ray. It is true
     /// wherever that is, and of some right answers more: what lies later by its box is not asked.
     #[doc(alias("is_certain", "certify", "certificate"))]
     #[inline]

@@ -23,7 +23,7 @@
 //! [`vers_ray`](ObjetGeo::vers_ray); then ask [`premiere_intersection`] as often as the picture has
 //! pixels, or [`premieres_intersections`] for many pixels at once: the same bits, several times as
 //! fast. [`est_occulte`] tells whether anything blocks the way to a light. Over many objects build
-//! a [`Hierarchie`]: the same hits, sooner from ten spheres and boxes on, and below that it asks
+//! a [`Hierarchie`]: the same hits, sooner from a dozen spheres and boxes on, and below ten it asks
 //! the list.
 //!
 //! # Conventions

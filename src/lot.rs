@@ -48,7 +48,7 @@ const SEUIL_ELAGAGE: usize = 10;
 ///
 /// Neighbours in `rayons` should be neighbours in the picture, in tiles of 8 × 8 better than in
 /// rows: objects that sixty-four rays in a row all miss cost next to nothing. Rays in no order gain
-/// less, or nothing. Pass 64 rays or more a call; from ten spheres and boxes on, use a
+/// less, or nothing. Pass 64 rays or more a call; from a dozen spheres and boxes on, use a
 /// [`Hierarchie`](crate::Hierarchie). Nothing is allocated and no thread is started; the caller may
 /// give parts of a picture to several threads.
 ///
