@@ -23,8 +23,8 @@ const TROP_DE_FEUILLES: (u32, u32) = (12, 10);
 /// A beam that meets more objects than this for each group of its rays is too wide as well.
 pub const ASSEZ_D_OBJETS: (usize, usize) = (56, 28);
 
-/// A tree of k times so many nodes divides that number by k, rounded down, and from k = 2 on none of its
-/// groups tries alone: each ray of a tile meets an object of its own there, which comes from memory.
+/// In a tree of k times so many nodes each object that a beam meets counts k times, and from k = 2 on no group
+/// tries alone: each ray of a tile meets an object of its own there, which comes from memory.
 const BEAUCOUP_DE_NOEUDS: usize = 2048;
 
 /// The most that do not try in a row.
@@ -159,15 +159,15 @@ impl<R: Reel> Arbre<'_, R> {
         let (mut pile, mut numero) = Pile::new(&mut attentes, self.geants, self.noeuds.len() - 1);
         let mut plafond = self.repere.distance(bloc.le_plus_loin());
         let trop = R::selon(TROP_DE_FEUILLES.0, TROP_DE_FEUILLES.1);
-        let par_groupe = R::selon(ASSEZ_D_OBJETS.0, ASSEZ_D_OBJETS.1);
-        let assez = par_groupe * bloc.groupes().len() / self.abondance();
+        let assez = R::selon(ASSEZ_D_OBJETS.0, ASSEZ_D_OBJETS.1) * bloc.groupes().len();
+        let abondance = self.abondance();
         let mut vus = 0;
         while let Some(noeud) = self.noeuds.get(numero) {
             let (mut traverses, Aligne(profondeurs)) = sonde.traverse(simd, noeud, plafond);
             let [.., indices] = noeud;
             if numero < self.feuilles {
                 if traverses > 0 {
-                    vus += traverses.count_ones() as usize;
+                    vus += traverses.count_ones() as usize * abondance;
                     if vus > assez {
                         return false;
                     }

@@ -92,15 +92,6 @@ impl<'a, R: Reel, D: Demande<R>> Bloc<'a, R, D> {
         });
     }
 
-    /// The first object so far of one of its rays; none, before this limit, of a ray that is not here.
-    #[inline(always)]
-    pub(crate) fn premier(&self, i: usize, limite: R) -> Premier<R> {
-        if i < self.nombre {
-            return self.groupes[i / SEIZE].premier(i % SEIZE);
-        }
-        Premier::avant(limite)
-    }
-
     /// [`proposer`](Self::proposer) of every object of the list: what a block without a beam does.
     #[inline(always)]
     pub(crate) fn proposer_tous(&mut self, objets: &[ObjetRay<R>]) {
@@ -117,6 +108,15 @@ impl<'a, R: Reel, D: Demande<R>> Bloc<'a, R, D> {
             loin = max(groupe.le_plus_loin(), loin);
         }
         loin
+    }
+
+    /// The first object so far of one of its rays; none, before this limit, of a ray that is not here.
+    #[inline(always)]
+    pub(crate) fn premier(&self, i: usize, limite: R) -> Premier<R> {
+        if i < self.nombre {
+            return self.groupes[i / SEIZE].premier(i % SEIZE);
+        }
+        Premier::avant(limite)
     }
 
     /// Writes the answers; a function of the instruction set, which list and hierarchy share.

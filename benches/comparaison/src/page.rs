@@ -19,10 +19,10 @@ pub(crate) fn remplacer(page: &str, nom: &str, texte: &str) -> io::Result<()> {
 pub(crate) fn autour(page: &str, nom: &str) -> io::Result<[String; 2]> {
     let contenu = std::fs::read_to_string(chemin(page))?;
     let (debut, fin) = (format!("<!-- begin {nom} -->\n"), format!("<!-- end {nom} -->"));
-    let place = contenu.find(&debut).map(|i| i + debut.len()).zip(contenu.find(&fin));
-    let (avant, apres) =
-        place.ok_or_else(|| io::Error::other(format!("{page} has no place for {nom}")))?;
-    Ok([contenu[..avant].to_owned(), contenu[apres..].to_owned()])
+    let manque = || io::Error::other(format!("{page} has no place for {nom}"));
+    let (avant, reste) = contenu.split_once(&debut).ok_or_else(manque)?;
+    let (_, apres) = reste.split_once(&fin).ok_or_else(manque)?;
+    Ok([format!("{avant}{debut}"), format!("{fin}{apres}")])
 }
 
 /// The text, with the machine, the compiler and the day that it was measured on.
