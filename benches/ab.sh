@@ -20,7 +20,7 @@
 #   --bands 8   how much of the picture, 1 to 50 bands of 4,800 rays
 #   --turns 4   of a round; the least time of 2 to 6 rounds counts, until their ratio stands
 #   --call 64   rays in a call of a batch, 4096 at most and unless said
-#   --ns        the old time as well, in ns a ray
+#   --ns        the time that is divided by as well, in ns a ray
 #   --over      batches of the new version over its rays one by one
 # `!` marks a cell in which the two versions do not agree to the bit. A version beside itself stays within 5 %,
 # except for lists and rooms of some ten objects (up to 40 %): where the code comes to lie decides what the

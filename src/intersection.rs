@@ -62,9 +62,9 @@ impl Rang {
         Self(NonZero::<u32>::MIN.saturating_add(u32::try_from(indice).unwrap_or(u32::MAX)))
     }
 
-    /// The number of this rank; 0 of none, before any other.
+    /// Its place in the order of ranks; 0 of none, before any other.
     #[inline(always)]
-    pub(crate) fn nombre(rang: Option<Self>) -> u32 {
+    pub(crate) fn ordre(rang: Option<Self>) -> u32 {
         rang.map_or(0, |Self(nombre)| nombre.get())
     }
 

@@ -32,7 +32,7 @@ impl<R: Reel> ObjetRay<R> {
     /// of its own computation. It is +∞ where the ray does not enter the object, and where numbers
     /// of twice the length of an `f64` cannot tell; it is never a NaN. It rests on t alone, not on
     /// how t was found: it is the error itself, as found with such numbers, and what D lacks to
-    /// length 1 over that distance; in the median less than 1.5 times the error. Ask it of the object that was hit, with the ray of the hit. It
+    /// length 1 over that distance; in the median less than 1.1 times the error. Ask it of the object that was hit, with the ray of the hit. It
     /// takes many times as long as the hit; whoever does not ask pays nothing.
     ///
     /// The same bound holds of t in lengths of D: no less than |t − t′|, where the ray enters at S +

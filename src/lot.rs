@@ -20,7 +20,7 @@ use fearless_simd::{Level, Simd};
 
 use crate::compile::compilees;
 use crate::intersection::Touche;
-use crate::lot::bloc::{BLOC, Bloc};
+use crate::lot::bloc::{BLOC, Bloc, groupes_vides};
 use crate::lot::demande::Demande;
 use crate::lot::fenetre::Rangee;
 use crate::niveau::{meilleur_niveau, selon_le_niveau};
@@ -78,7 +78,7 @@ pub fn premieres_intersections<R: Reel>(
     R::demander::<Lot>(((meilleur_niveau(), objets, None), rayons, touches))
 }
 
-/// `rayons` and `touches` have different lengths.
+/// There are more or fewer places for answers than rays.
 ///
 /// ```
 /// use lancer_rayon::{LongueursDifferentes, NoIntersection, Rayon, premieres_intersections};
@@ -176,7 +176,7 @@ pub(crate) fn repondre<R: Reel, D: Demande<R>>(
         charger(fenetre, objets);
     }
     selon_le_niveau!(niveau, simd => {
-        let mut groupes = Bloc::<R, D>::GROUPES;
+        let mut groupes = groupes_vides();
         let mut bloc = Bloc::new(sauf, &mut groupes);
         for (demandes, reponses) in demandes.chunks(BLOC).zip(reponses.chunks_mut(BLOC)) {
             bloc.charger(demandes);

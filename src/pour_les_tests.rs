@@ -7,7 +7,7 @@ use fearless_simd::Level;
 use crate::hierarchie::Hierarchie;
 use crate::hierarchie::construction::Arbre;
 use crate::hierarchie::noeud::{VIDE, en_mot};
-use crate::lot::bloc::Bloc;
+use crate::lot::bloc::{Bloc, groupes_vides};
 use crate::niveau::meilleur_niveau;
 use crate::objet::ObjetRay;
 use crate::rayon::Rayon;
@@ -66,7 +66,7 @@ impl Reglage {
 /// Whether the beam of these shadow rays, one to sixty-four, leaves out the ball around this object. It
 /// ends at the lamps, unless one is infinitely far. No answer shows it.
 pub fn evite<R: Reel>(ombres: &[(Rayon<R>, R)], objet: &ObjetRay<R>) -> bool {
-    let mut groupes = Bloc::<R, (Rayon<R>, R)>::GROUPES;
+    let mut groupes = groupes_vides();
     let mut bloc = Bloc::new(None, &mut groupes);
     bloc.charger(ombres);
     bloc.faisceau().is_some_and(|faisceau| faisceau.degagement(objet.boule()) > R::ZERO)

@@ -85,13 +85,14 @@ impl<R: Reel> ObjetRay<R> {
 /// all; nothing is before a NaN.
 ///
 /// **A lamp that is an object of the list** hides the points of its own surface: no distance is
-/// exact enough to stop just before it. [Leave it out](crate::Hierarchie::sans).
+/// exact enough to stop just before it. [Leave it out](crate::Hierarchie::sans): over a short list
+/// `Hierarchie::new(&objets, &mut [])` will do.
 ///
 /// **From inside an object** that object is not seen, as by any ray: a point under a thing that
 /// stands on the floor is not in its shadow. [`contient`](ObjetRay::contient) tells such points.
 ///
-/// [`vers_lumiere`](Rayon::vers_lumiere) gives the ray and the distance; between two points P and Q in
-/// the air they are `Rayon::new(p, q - p)` and `(q - p).longueur()`. With a
+/// [`vers_lumiere`](Rayon::vers_lumiere) gives the ray and the distance; between two points in the
+/// air they are `Rayon::new(p, q - p)` and `(q - p).longueur()`, with P the one nearer to a surface. With a
 /// [`secondaire`](Rayon::secondaire) of one's own, measure from its source, and test N·L > 0 first:
 /// towards a lamp behind the surface the ray starts inside the object, which then casts no shadow.
 ///

@@ -6,7 +6,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 mod scelle {
     /// What only this crate needs of a scalar; and what keeps [`Reel`](super::Reel) to the two
     /// types whose rounding the crate's bounds rest on.
-    pub trait Scelle: Copy {
+    pub trait Scelle: Sized {
         /// Of two constants the one for this type.
         #[inline(always)]
         fn selon<T>(en_f32: T, en_f64: T) -> T {
@@ -59,6 +59,7 @@ pub trait Question {
 #[doc(alias("float", "scalar"))]
 pub trait Reel:
     Scelle
+    + Copy
     + Debug
     + Display
     + LowerExp

@@ -5,7 +5,7 @@ use fearless_simd::Simd;
 use crate::hierarchie::construction::Arbre;
 use crate::hierarchie::noeud::{en_mot, indice_lu};
 use crate::hierarchie::pile::{
-    DEUX_ETAGES, GRANDE_PILE, PETITE_PILE, PEU_DE_NOEUDS, PILE_D_UN_ETAGE, Pile, RIEN,
+    DEUX_ETAGES, GRANDE_PILE, PETITE_PILE, PILE_D_UN_ETAGE, Pile, QUATRE_ETAGES, RIEN,
 };
 use crate::hierarchie::sonde::Sonde;
 use crate::lot::demande::Epreuve;
@@ -45,7 +45,7 @@ impl<R: Reel> Arbre<'_, R> {
         let attentes: &mut [_] = if self.noeuds.len() <= DEUX_ETAGES {
             moindre = [RIEN; PILE_D_UN_ETAGE];
             &mut moindre
-        } else if self.noeuds.len() <= PEU_DE_NOEUDS {
+        } else if self.noeuds.len() <= QUATRE_ETAGES {
             petite = [RIEN; PETITE_PILE];
             &mut petite
         } else {

@@ -17,14 +17,14 @@ use crate::seize::{Aligne, SEIZE, prendre};
 /// object of all its rays (`docs/performance.md`, "Thresholds", as for what follows).
 const PEU_PAR_NOMBRE: usize = 6;
 
-/// A beam that crosses so many of the sixteen leaves under a node is too wide.
+/// A beam that crosses so many of the sixteen leaves under a node is too wide, in `f32` and in `f64`.
 const TROP_DE_FEUILLES: (u32, u32) = (12, 10);
 
 /// A beam that meets more objects than this for each group of its rays is too wide as well.
 pub const ASSEZ_D_OBJETS: (usize, usize) = (56, 28);
 
-/// In a tree of k times so many nodes each object that a beam meets counts k times, and from k = 2 on no group
-/// tries alone: each ray of a tile meets an object of its own there, which comes from memory.
+/// Each object that a beam meets counts once for each so many nodes of the tree, rounded down, and from twice on no
+/// group tries: each ray of a tile meets an object of its own there, which comes from memory.
 const BEAUCOUP_DE_NOEUDS: usize = 2048;
 
 /// The most that do not try in a row.
@@ -69,14 +69,15 @@ impl<R: Reel> Arbre<'_, R> {
         if self.repondre_ensemble(simd, bloc, (demandes, reponses), des_blocs) {
             return;
         }
-        // Of shadows both tries would cost up to 1.17 of the time (measured).
+        // Shadows that try twice take up to 1.17 of the time (measured).
         let par_groupes = !D::UN_SUFFIT && demandes.len() > SEIZE && self.abondance() == 1;
         // What stands before the lamp of one ray often stands before that of the next.
         let mut dernier = Premier::avant(R::INFINI);
         let groupes = demandes.chunks(SEIZE).zip(reponses.chunks_mut(SEIZE));
         for (numero, (demandes, reponses)) in groupes.enumerate() {
-            let bloc = &mut bloc.groupe(numero);
-            if par_groupes && self.repondre_ensemble(simd, bloc, (demandes, reponses), des_groupes)
+            let groupe = &mut bloc.groupe(numero);
+            if par_groupes
+                && self.repondre_ensemble(simd, groupe, (demandes, reponses), des_groupes)
             {
                 continue;
             }
@@ -85,12 +86,12 @@ impl<R: Reel> Arbre<'_, R> {
                 || {
                     for (voie, (demande, reponse)) in demandes.iter().zip(reponses).enumerate() {
                         let (rayon, limite) = demande.lire();
-                        let mut premier = bloc.premier(voie, limite);
+                        let mut premier = groupe.premier(voie, limite);
                         if D::UN_SUFFIT && premier.rang.is_none() {
                             premier = dernier.encore(self.objets, &rayon, premier);
                         }
                         if !D::UN_SUFFIT || premier.rang.is_none() {
-                            premier = self.parcourir(simd, demande, premier, bloc.sauf);
+                            premier = self.parcourir(simd, demande, premier, groupe.sauf);
                         }
                         if premier.rang.is_some() {
                             dernier = premier;
@@ -102,7 +103,7 @@ impl<R: Reel> Arbre<'_, R> {
         }
     }
 
-    /// The answers to these rays together, at most a block, unless they go too far apart; tells whether.
+    /// Answers these rays together, at most a block, and tells so; else what the block has found so far stands.
     #[inline(always)]
     fn repondre_ensemble<S: Simd, D: Demande<R>>(
         &self,
@@ -137,7 +138,7 @@ impl<R: Reel> Arbre<'_, R> {
         jusqu_au_bout
     }
 
-    /// How many times [`BEAUCOUP_DE_NOEUDS`] this tree has, and 1 at least.
+    /// How many times [`BEAUCOUP_DE_NOEUDS`] this tree has, rounded down, and 1 at least.
     #[inline(always)]
     fn abondance(&self) -> usize {
         (self.noeuds.len() / BEAUCOUP_DE_NOEUDS).max(1)

@@ -12,7 +12,7 @@ pub(crate) const GRANDE_PILE: usize = (SEIZE - 1) * (ETAGES - 1);
 pub(crate) const PETITE_PILE: usize = (SEIZE - 1) * 3;
 
 /// Trees of no more nodes than this have at most four floors.
-pub(crate) const PEU_DE_NOEUDS: usize = SEIZE.pow(3);
+pub(crate) const QUATRE_ETAGES: usize = SEIZE.pow(3);
 
 /// Room for them where there are at most two floors.
 pub(crate) const PILE_D_UN_ETAGE: usize = SEIZE - 1;

@@ -17,27 +17,29 @@ use crate::seize::SEIZE;
 /// Rays of a block: a tile of 8 × 8 pixels.
 pub(crate) const BLOC: usize = 4 * SEIZE;
 
-/// At most 64 rays, with the first object of each so far.
+/// The memory of a block.
+#[inline(always)]
+pub(crate) fn groupes_vides<R: Reel>() -> [Groupe<R>; BLOC / SEIZE] {
+    [const { Groupe::VIDE }; BLOC / SEIZE]
+}
+
+/// At most 64 rays, or one group of them, with the first object of each so far.
 pub(crate) struct Bloc<'a, R, D> {
     /// The index of the object that is left out.
     pub(crate) sauf: Option<usize>,
-    /// How many rays are here.
+    /// How many rays are here, in a group with what stands in for missing ones; 0 if none are loaded.
     pub(crate) nombre: usize,
     groupes: &'a mut [Groupe<R>],
     demande: PhantomData<D>,
 }
 
 impl<'a, R: Reel, D: Demande<R>> Bloc<'a, R, D> {
-    /// What a block is made of.
-    pub(crate) const GROUPES: [Groupe<R>; BLOC / SEIZE] = [const { Groupe::VIDE }; BLOC / SEIZE];
-
     #[inline(always)]
     pub(crate) fn new(sauf: Option<usize>, groupes: &'a mut [Groupe<R>]) -> Self {
         Self { sauf, nombre: 0, groupes, demande: PhantomData }
     }
 
-    /// One of its groups as a block, with the first object of each ray so far; what stands in for missing rays
-    /// counts.
+    /// One of its groups as a block of sixteen, with what they have found so far; of none if none are loaded.
     #[inline(always)]
     pub(crate) fn groupe(&mut self, numero: usize) -> Bloc<'_, R, D> {
         let nombre = self.nombre.min(SEIZE);
@@ -110,7 +112,7 @@ impl<'a, R: Reel, D: Demande<R>> Bloc<'a, R, D> {
         loin
     }
 
-    /// The first object so far of one of its rays; none, before this limit, of a ray that is not here.
+    /// The first object so far of one of its rays; none, before this limit, if they are not loaded.
     #[inline(always)]
     pub(crate) fn premier(&self, i: usize, limite: R) -> Premier<R> {
         if i < self.nombre {

@@ -47,8 +47,8 @@ pub(crate) struct Faisceau<R> {
 /// The least cosine between a ray of a beam and the one in the middle.
 const COSINUS_MINIMAL: f64 = 0.25;
 
-/// Whether some six to eight of these rays lie near enough to the one in the middle for a beam: rays in no
-/// order are refused before they are loaded. Of segments it says nothing.
+/// Whether at most eight of these rays, evenly spread, lie near enough to the one in the middle for a beam: rays in
+/// no order are refused before they are loaded. Of segments it says nothing.
 #[inline(always)]
 pub(crate) fn vont_ensemble<R: Reel>(epreuves: &[impl Epreuve<R>]) -> bool {
     let milieu = epreuves[epreuves.len() / 2].rayon().direction();

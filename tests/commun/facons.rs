@@ -53,7 +53,7 @@ pub fn exiger<R: Bits>(
 }
 
 /// Asks these rays every question in every way, of all objects and without one that some ray may meet; how many touch
-/// something. A list so short that a block without a beam asks all of it is asked again, repeated until it is longer.
+/// something. A list so short that no beam of 64 rays would give up is asked again, repeated until it is longer.
 #[track_caller]
 pub fn comparer<R: Bits>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) -> usize {
     let n = objets.len();

@@ -7,6 +7,7 @@ use commun::{arrondi, en_f32_et_f64};
 use fastrand::Rng;
 use lancer_rayon::{
     BoiteGeo, Hierarchie, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture, Vecteur,
+    est_occulte,
 };
 
 /// Points along each side of the floor.
@@ -49,7 +50,7 @@ fn eclaire<R: Reel>(
     let touche = hierarchie.objets()[0].intersection(&rayon).unwrap();
     let (ombre, distance) = rayon.vers_lumiere(&touche, lampe).unwrap();
     let dessous = hierarchie.objets().iter().any(|objet| objet.contient(ombre.source()));
-    let libre = !hierarchie.sans(0).est_occulte(&ombre, distance);
+    let libre = !hierarchie.est_occulte(&ombre, distance);
     [!dessous && libre, libre]
 }
 
@@ -102,6 +103,31 @@ fn sous_un_objet_il_fait_sombre<R: Reel>() {
 }
 
 en_f32_et_f64!(sous_un_objet_il_fait_sombre);
+
+/// A sensor in the air, a hundredth of a rounding above the floor, and a lamp: from the sensor nothing stands between
+/// them, as the documents advise; from the lamp rounding sets some sensors behind the floor.
+fn un_capteur_au_ras_du_sol_voit_la_lampe<R: Reel>() {
+    let sol = &scene::<R>(false)[..1];
+    let voit = |de: Vecteur<R>, vers: Vecteur<R>| {
+        let rayon = Rayon::new(de, vers - de).unwrap();
+        !est_occulte(sol, &rayon, (vers - de).longueur())
+    };
+    let mut alea = Rng::with_seed(62);
+    let mut depuis_la_lampe = 0;
+    for _ in 0..GRILLE * GRILLE {
+        let mut lieu =
+            |haut| Vecteur::new(entre(&mut alea, -5.0, 5.0), haut, entre(&mut alea, -5.0, 5.0));
+        let capteur = arrondi::<R>(lieu(0.01 * R::U.vers_f64()));
+        let lampe = arrondi(lieu(2.5));
+        assert!(voit(capteur, lampe), "{capteur:?} {lampe:?}");
+        depuis_la_lampe += u32::from(voit(lampe, capteur));
+    }
+    let tous = GRILLE * GRILLE;
+    println!("from the lamp {depuis_la_lampe} of {tous}");
+    assert!((tous / 2..tous - tous / 100).contains(&depuis_la_lampe));
+}
+
+en_f32_et_f64!(un_capteur_au_ras_du_sol_voit_la_lampe);
 
 /// A number that is subnormal: processors take up to a hundred times as long for it.
 fn sous_normal<R: Reel>(x: R) -> bool {

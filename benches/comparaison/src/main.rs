@@ -44,7 +44,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let (instructions, _) = Reglage::tous().next().ok_or("no instructions")?;
     let resume = format!("summary, {instructions}");
     if ecrire {
-        // Sooner than after all the measuring.
+        // Fails now, not after all the measuring.
         page::autour("docs/performance.md", &resume)?;
     }
     glam::verifier()?;

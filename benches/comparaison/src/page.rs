@@ -15,7 +15,7 @@ pub(crate) fn remplacer(page: &str, nom: &str, texte: &str) -> io::Result<()> {
     std::fs::write(chemin(page), format!("{avant}\n{texte}\n\n{apres}"))
 }
 
-/// What stands before that text and after it, comments included; an error if the page has no place for it.
+/// What stands before the part `nom` and after it, comments included; an error if the page has no place for it.
 pub(crate) fn autour(page: &str, nom: &str) -> io::Result<[String; 2]> {
     let contenu = std::fs::read_to_string(chemin(page))?;
     let (debut, fin) = (format!("<!-- begin {nom} -->\n"), format!("<!-- end {nom} -->"));
