@@ -205,7 +205,7 @@ fn autour_de_ac() -> Intervalle {
 fn lemme_3_decisions() {
     tenir(bandes::PLAN, |u| gamma(3.0, u));
     tenir(bandes::PLAN_ABSOLUE, |u| 1.5 * plus(gamma(2.0, u), u));
-    // And 2⁻⁷⁸ for speeds that are raised.
+    // And 2⁻⁷⁸ for speeds that are rounded.
     tenir(bandes::VITESSE, |u| vitesse(u) + (-78_f64).exp2());
     tenir_sur(
         bandes::BOITE_LONGUEUR,
@@ -755,13 +755,22 @@ fn hors_d_une_sphere(u: f64, y: Intervalle) -> Intervalle {
     } else {
         i(f64::INFINITY)
     };
-    // X is no farther from C than S.
+    // X is no farther from C than S; and p ≤ ΔAB², or 2β ≤ s and s² ≥ p.
     let w = dw + 2.0 * somme * (y / (1.0 + y)).min(i(0.5));
     let mut carre = 0.5 * (w + (w.carre() + 4.0 * somme.carre()).racine());
     if p.bas > 0.25 {
         carre = carre.min(w + somme.carre() * u / p);
     }
-    let pres = if y.bas > 0.25 { dehors(carre) } else { i(f64::INFINITY) };
+    // Where AB² < 0, β² + |AB²| = ΔAB² and SA² = p + AB²; SA − t is (β·SA + AB²)/s, off by what remains over s.
+    // Of a small p ω is no more.
+    let petit = 40.0 * y.carre();
+    let sa = (petit.max(p / u) - dw).racine();
+    let pres = if y.bas > 0.25 && sa.bas > 0.0 {
+        let sans = (dw.racine().max(dw / sa) + (somme - dw) / sa).carre() + dw;
+        dehors(carre.max(petit).max(sans))
+    } else {
+        i(f64::INFINITY)
+    };
     // SA/D², and S − C.
     let de_a_ = dehors(dw) + gamma(7.0, u);
     (loin.min(pres).max(de_a_) + 1.0) / (1.0 + y) * plus(100.0, u)
