@@ -7,8 +7,10 @@ use fearless_simd::Level;
 use crate::hierarchie::Hierarchie;
 use crate::hierarchie::construction::Arbre;
 use crate::hierarchie::noeud::{VIDE, en_mot};
-use crate::lot::bloc::{Bloc, groupes_vides};
-use crate::niveau::meilleur_niveau;
+use crate::hierarchie::parcours_de_bloc::Patience;
+use crate::intersection::NoIntersection;
+use crate::lot::bloc::{BLOC, Bloc, groupes_vides};
+use crate::niveau::{meilleur_niveau, selon_le_niveau};
 use crate::objet::ObjetRay;
 use crate::rayon::Rayon;
 use crate::reel::Reel;
@@ -70,6 +72,18 @@ pub fn evite<R: Reel>(ombres: &[(Rayon<R>, R)], objet: &ObjetRay<R>) -> bool {
     let mut bloc = Bloc::new(None, &mut groupes);
     bloc.charger(ombres);
     bloc.faisceau().is_some_and(|faisceau| faisceau.degagement(objet.boule()) > R::ZERO)
+}
+
+/// Whether these rays, one to sixty-four, come to the end of the tree of this hierarchy together. No answer
+/// shows it.
+pub fn vont_au_bout<R: Reel>(hierarchie: &Hierarchie<'_, R>, rayons: &[Rayon<R>]) -> bool {
+    let Hierarchie { arbre: Some(arbre), sauf, niveau, .. } = hierarchie else { return false };
+    let (mut groupes, mut patience) = (groupes_vides(), Patience::default());
+    let mut bloc = Bloc::new(*sauf, &mut groupes);
+    let touches = &mut [Err(NoIntersection); BLOC][..rayons.len()];
+    selon_le_niveau!(*niveau, simd => {
+        arbre.repondre_ensemble(simd, &mut bloc, (rayons, touches), &mut patience)
+    })
 }
 
 /// How many nodes the tree of this hierarchy has; 0 if it has none and asks its list.

@@ -105,7 +105,7 @@ impl<R: Reel> Arbre<'_, R> {
 
     /// Answers these rays together, at most a block, and tells so; else what the block has found so far stands.
     #[inline(always)]
-    fn repondre_ensemble<S: Simd, D: Demande<R>>(
+    pub(crate) fn repondre_ensemble<S: Simd, D: Demande<R>>(
         &self,
         simd: S,
         bloc: &mut Bloc<'_, R, D>,

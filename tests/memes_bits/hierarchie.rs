@@ -10,7 +10,7 @@ use commun::facons::{UN_ARBRE, comparer, comparer_sans_boites, voisin};
 use commun::regimes::{deux_puissance, direction, entre, signe};
 use commun::{Bits, arrondi, en_f32_et_f64, scenes};
 use fastrand::Rng;
-use lancer_rayon::pour_les_tests::noeuds;
+use lancer_rayon::pour_les_tests::{noeuds, vont_au_bout};
 use lancer_rayon::{
     BoiteGeo, Hierarchie, LongueursDifferentes, NoIntersection, ObjetGeo, ObjetRay,
     PlacesInsuffisantes, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture, Vecteur,
@@ -184,14 +184,35 @@ fn des_objets_tous_egaux<R: Bits>() {
 /// and one of a larger, of which it comes to the end.
 fn parmi_beaucoup_d_objets<R: Bits>() {
     let objets = scenes::melange::<R>(70_000);
-    assert!(
-        noeuds(&Hierarchie::new(&objets, &mut vec![0.0; Hierarchie::places(70_000)]).unwrap())
-            >= 4_096
-    );
+    let mut places = vec![0.0; Hierarchie::places(70_000)];
+    let hierarchie = Hierarchie::new(&objets, &mut places).unwrap();
+    assert!(noeuds(&hierarchie) >= 4_096);
     for cote in [8, 256] {
         let rayons = scenes::en_tuiles(&scenes::rayons_camera::<R>(cote, cote), cote);
-        assert!(comparer(&objets, &rayons[rayons.len() / 128 * 64..][..64]) > 2);
+        let bloc = &rayons[rayons.len() / 128 * 64..][..64];
+        assert_eq!(vont_au_bout(&hierarchie, bloc), cote > 8);
+        assert!(comparer(&objets, bloc) > 2);
     }
+}
+
+/// What makes a batch fast, which no answer shows: the tiles of a picture walk together, of the rows of a smaller one
+/// some; rays in no order do so among few objects alone.
+fn les_tuiles_vont_ensemble<R: Bits>() {
+    let mut alea = Rng::with_seed(12);
+    let mut tuiles = scenes::en_tuiles(&scenes::rayons_camera::<R>(512, 512), 512);
+    let petite = scenes::rayons_camera::<R>(64, 64);
+    let combien = |n, sortes: [&[Rayon<R>]; 2]| {
+        let objets = scenes::melange::<R>(n);
+        let mut places = vec![0.0; Hierarchie::places(n)];
+        let hierarchie = Hierarchie::new(&objets, &mut places).unwrap();
+        let vont = |bloc: &&[Rayon<R>]| vont_au_bout(&hierarchie, bloc);
+        sortes.map(|rayons| rayons.chunks(64).filter(vont).count())
+    };
+    let [en_tuiles, en_rangees] = combien(10_000, [&tuiles, &petite]);
+    assert!(en_tuiles > 4_000 && (8..56).contains(&en_rangees), "{en_tuiles}, {en_rangees}");
+    alea.shuffle(&mut tuiles);
+    let au_hasard = [UN_ARBRE + 1, 10_000].map(|n| combien(n, [&tuiles, &petite])[0]);
+    assert_eq!(au_hasard, [4_096, 0]);
 }
 
 /// Objects that rays graze to the last bits, where rounding decides: one of them and its copies, or
@@ -466,6 +487,7 @@ fn des_longueurs_differentes_sont_une_erreur_et_rien_n_est_ecrit<R: Bits>() {
     }
 }
 
+en_f32_et_f64!(les_tuiles_vont_ensemble);
 en_f32_et_f64!(des_scenes_au_hasard);
 en_f32_et_f64!(des_grilles_et_des_rayons_le_long_des_axes);
 en_f32_et_f64!(des_objets_tous_egaux);
