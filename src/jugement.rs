@@ -30,7 +30,7 @@ impl<R: Reel> ObjetRay<R> {
     ///
     /// It is proven (`docs/preuves.md`, lemma 19), at the edges of a box too and with the rounding
     /// of its own computation. It is +∞ where the ray does not enter the object, and where numbers
-    /// of twice the length of an `f64` cannot tell; it is never a NaN. It rests on t alone, not on
+    /// of twice the length of an `f64` cannot tell at t whether it does; it is never a NaN. It rests on t alone, not on
     /// how t was found: it is the error itself, as found with such numbers, and what D lacks to
     /// length 1 over that distance; in the median less than 1.1 times the error. Ask it of the object that was hit, with the ray of the hit. It
     /// takes many times as long as the hit; whoever does not ask pays nothing.
@@ -80,10 +80,10 @@ impl<R: Reel> ObjetRay<R> {
     /// Whether the answer of [`intersection`](Self::intersection), a hit or a miss, is certain: that
     /// of exact arithmetic on the numbers as they are stored.
     ///
-    /// It is never true of a wrong answer. It is false of a right one only within some 2⁻¹⁰⁰ of the
-    /// decision, for spheres 2⁻⁵⁰ times as large as their distance or smaller, where products leave
-    /// the normal numbers of `f64`, and of a hit whose distance the type can hardly hold. Of a list:
-    /// [`est_certaine`].
+    /// It is never true of a wrong answer. It is false of a right one only within some 2⁻¹⁰⁰|S − C| of a
+    /// face or 2⁻¹⁰⁰|S − C|²/r of the outline of a sphere, for boxes thinner than 2⁻¹⁰⁰|S − C|, where
+    /// products leave the normal numbers of `f64`, and of a hit whose distance the type can hardly hold. Of
+    /// a list: [`est_certaine`].
     ///
     /// ```
     /// use lancer_rayon::{ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
@@ -125,7 +125,7 @@ fn plus_grand<R: Reel>() -> f64 {
 /// object first, or none as well. (Which face of a box, at an edge, is not asked.)
 ///
 /// It is never true of a wrong answer. It is false of a right one only where
-/// [`est_sur`](ObjetRay::est_sur) of some object would be, and of two entries within some 2⁻¹⁰⁰ of
+/// [`est_sur`](ObjetRay::est_sur) of some object would be, and of two entries within some 2⁻⁵⁰ of t of
 /// each other: an exact tie, most often, as where the sides of two boxes are flush. Of `touche` only
 /// [`objet`](Intersection::objet) counts, whoever found it. The time is that of a ray or two;
 /// [`Hierarchie::est_certaine`](crate::Hierarchie::est_certaine) asks a tree.

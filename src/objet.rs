@@ -161,7 +161,8 @@ impl<R: Reel> ObjetRay<R> {
 
     /// The same object in `f64`, exactly: every number that is stored, and no other.
     ///
-    /// With [`Rayon::vers_f64`] anybody can judge `f32` by `f64` on a scene of their own.
+    /// With [`Rayon::vers_f64`] anybody can judge `f32` by `f64` on a scene of their own. Directions are unit
+    /// to the rounding of `f32` only, and `marge`, `secondaire`, `vers_touche` and `etendue` promise nothing.
     ///
     /// ```
     /// use lancer_rayon::{ObjetRay, SphereGeo, Texture, Vecteur};
@@ -199,7 +200,7 @@ impl<R: Reel> ObjetRay<R> {
     /// The lowest and the highest corner of a box along the axes that holds all of this object;
     /// `None` for what is unbounded, a half-space.
     ///
-    /// All of it with the rounding: the corners lie up to 87u of the sum of its half-extents and 3.1u of
+    /// All of it with the rounding, except of an object that [`vers_f64`](Self::vers_f64) gave: the corners lie up to 87u of the sum of its half-extents and 3.1u of
     /// the sum of the coordinates of its centre beyond it. Of a list: [`etendue`].
     #[doc(alias("bounding_box", "aabb", "bounds"))]
     #[must_use]

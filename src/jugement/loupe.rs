@@ -87,11 +87,12 @@ fn juger_faces_a((c, cotes, axes): Faces<'_>, rayon: &Rayon, t: f64) -> (Jugemen
             [sous_depart, sous_point].map(|x| x.plus(Double::de(l)).bornes());
         let vitesse = vitesse.bornes();
         let (lent, vite) = (vitesse.bas.max(-vitesse.haut), vitesse.grandeur());
+        // J3. Above a face that the ray does not come nearer to.
+        if sous_depart.haut < 0.0 && vitesse.haut <= 0.0 {
+            return (Jugement { entre: Some(false), ecart: f64::INFINI }, f64::INFINI);
+        }
         if vite == 0.0 {
-            // J3. Parallel: a ray above the face stays there, and in the plane or below nothing is excluded.
-            if sous_depart.haut < 0.0 {
-                return (Jugement { entre: Some(false), ecart: f64::INFINI }, f64::INFINI);
-            }
+            // Parallel: in the plane or below nothing is excluded.
             if sous_depart.bas < 0.0 {
                 entree.bas = -f64::INFINI;
             }

@@ -187,6 +187,10 @@ fn parmi_beaucoup_d_objets<R: Bits>() {
     let mut places = vec![0.0; Hierarchie::places(70_000)];
     let hierarchie = Hierarchie::new(&objets, &mut places).unwrap();
     assert!(noeuds(&hierarchie) >= 4_096);
+    // Of 256 tiles 158 in `f32`, 63 in `f64`; if each object counted once, 206 and 146.
+    let tuiles = scenes::en_tuiles(&scenes::rayons_camera::<R>(128, 128), 128);
+    let au_bout = tuiles.chunks(64).filter(|bloc| vont_au_bout(&hierarchie, bloc)).count();
+    assert!((50..190).contains(&au_bout), "{au_bout}");
     for cote in [8, 256] {
         let rayons = scenes::en_tuiles(&scenes::rayons_camera::<R>(cote, cote), cote);
         let bloc = &rayons[rayons.len() / 128 * 64..][..64];
@@ -209,7 +213,8 @@ fn les_tuiles_vont_ensemble<R: Bits>() {
         sortes.map(|rayons| rayons.chunks(64).filter(vont).count())
     };
     let [en_tuiles, en_rangees] = combien(10_000, [&tuiles, &petite]);
-    assert!(en_tuiles > 4_000 && (8..56).contains(&en_rangees), "{en_tuiles}, {en_rangees}");
+    // Of 64 rows 23 in `f32`, 18 in `f64`; if objects did not count, 46 and 38.
+    assert!(en_tuiles > 4_000 && (12..32).contains(&en_rangees), "{en_tuiles}, {en_rangees}");
     alea.shuffle(&mut tuiles);
     let au_hasard = [UN_ARBRE + 1, 10_000].map(|n| combien(n, [&tuiles, &petite])[0]);
     assert_eq!(au_hasard, [4_096, 0]);

@@ -9,6 +9,7 @@ use commun::regimes::{Cas, Extreme, direction, entre, regimes};
 use fastrand::Rng;
 use lancer_rayon::{
     BoiteGeo, ErreurGeo, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture, Vecteur,
+    est_certaine, premiere_intersection,
 };
 
 /// An answer is right or not called certain, and nothing bounds the distance of what is not entered.
@@ -163,6 +164,57 @@ fn dans_le_plan_d_une_face_une_reponse_est_sure() {
         let rayon = Rayon::new(Vecteur::new(-5.0, y, 0.0), x).unwrap();
         assert_eq!(boite.intersection(&rayon).ok().map(|touche| touche.distance()), t);
         assert!(boite.est_sur(&rayon), "{y}");
+    }
+}
+
+/// Above one face, from which the ray goes away, and in the plane of another as far as can be told: a miss.
+#[test]
+fn au_dela_d_une_face_un_manque_est_sur() {
+    for k in [-30.0, -45.0, -60.0, -100.0] {
+        let [loin, haut, pente] = [-110.0, -64.0, k].map(f32::exp2);
+        let (c, cotes) = (Vecteur::new(loin, 0.0, haut), Vecteur::new(2.0, 2.0, 2.0));
+        let boite = BoiteGeo::new(c, cotes, Rotation::IDENTITE, Texture(0)).unwrap();
+        let d = Vecteur::new(-pente, 0.0, -1.0);
+        let rayon = Rayon::new(Vecteur::new(1.0, 0.0, -1.0), d).unwrap();
+        assert!(ObjetRay::from(boite).est_sur(&rayon), "{k}");
+        juger(boite.into(), rayon);
+    }
+}
+
+/// Where the documents say that a right answer may be uncertain, and just beside.
+#[test]
+fn une_reponse_juste_qui_n_est_plus_sure() {
+    // A plate 2⁻⁶⁰ thick.
+    let deux = |k: f32| k.exp2();
+    let cotes = Vecteur::new(deux(60.0), deux(60.0), deux(-60.0));
+    let plaque = BoiteGeo::new(Vecteur::NUL, cotes, Rotation::IDENTITE, Texture(0)).unwrap();
+    let plaque = ObjetRay::from(plaque);
+    for (k, sure) in [(38.0, true), (45.0, false)] {
+        let (s, d) = (Vecteur::new(0.0, 0.0, deux(k)), Vecteur::new(0.1, 0.05, -1.0));
+        let rayon = Rayon::new(s, d).unwrap();
+        assert!(plaque.intersection(&rayon).is_ok());
+        assert_eq!(plaque.est_sur(&rayon), sure, "{k}");
+    }
+    // A sphere 2⁻³⁸ times as large as far: past its outline by 2⁻⁶⁹, and farther.
+    let b = f32::from_bits;
+    let c = Vecteur::new(b(0x3f39_7e2d), b(0x37fc_5035), b(0x3f30_6eb2));
+    let boule = ObjetRay::from(SphereGeo::new(c, deux(-38.0), Texture(0)).unwrap());
+    for (y, sure) in [(0x37fc_5033, false), (0x37fc_5034, true)] {
+        let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(c.x, b(y), c.z)).unwrap();
+        assert_eq!(boule.est_sur(&rayon), sure, "{y:x}");
+    }
+    // Two cubes, one a little before the other.
+    for (k, certaine) in [(-50.0, true), (-54.0, false)] {
+        let cube = |z| {
+            let (c, cotes) = (Vecteur::new(0.0, 0.0, z), Vecteur::new(1.0, 1.0, 1.0));
+            ObjetRay::from(BoiteGeo::new(c, cotes, Rotation::IDENTITE, Texture(0)).unwrap())
+        };
+        let cubes = [cube(0.0), cube(-deux(k))];
+        let (s, d) = (Vecteur::new(0.0, 0.0, 1.0), Vecteur::new(0.0, 0.0, -1.0));
+        let rayon = Rayon::new(s, d).unwrap();
+        let touche = premiere_intersection(&cubes, &rayon);
+        assert_eq!(touche.map(|touche| touche.objet()), Ok(0));
+        assert_eq!(est_certaine(&cubes, &rayon, &touche), certaine, "{k}");
     }
 }
 
