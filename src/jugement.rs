@@ -30,10 +30,11 @@ impl<R: Reel> ObjetRay<R> {
     ///
     /// It is proven (`docs/preuves.md`, lemma 19), at the edges of a box too and with the rounding
     /// of its own computation. It is +∞ where the ray does not enter the object, and where numbers
-    /// of twice the length of an `f64` cannot tell at t whether it does; it is never a NaN. It rests on t alone, not on
-    /// how t was found: it is the error itself, as found with such numbers, and what D lacks to
-    /// length 1 over that distance; in the median less than 1.1 times the error. Ask it of the object that was hit, with the ray of the hit. It
-    /// takes many times as long as the hit; whoever does not ask pays nothing.
+    /// of twice the length of an `f64` cannot tell at t whether it does; it is never a NaN. It rests on t
+    /// alone, not on how t was found: it is the error itself, as found with such numbers, and what D lacks
+    /// to length 1 over that distance; in the median less than 1.1 times the error. Ask it of the object
+    /// that was hit, with the ray of the hit. It takes many times as long as the hit; whoever does not ask
+    /// pays nothing.
     ///
     /// The same bound holds of t in lengths of D: no less than |t − t′|, where the ray enters at S +
     /// t′D. After [`Rayon::vers_f64`] D is unit to the rounding of `f32` only, and the bound covers

@@ -200,8 +200,9 @@ impl<R: Reel> ObjetRay<R> {
     /// The lowest and the highest corner of a box along the axes that holds all of this object;
     /// `None` for what is unbounded, a half-space.
     ///
-    /// All of it with the rounding, except of an object that [`vers_f64`](Self::vers_f64) gave: the corners lie up to 87u of the sum of its half-extents and 3.1u of
-    /// the sum of the coordinates of its centre beyond it. Of a list: [`etendue`].
+    /// All of it with the rounding, except of an object that [`vers_f64`](Self::vers_f64) gave: the corners
+    /// lie up to 87u of the sum of its half-extents and 3.1u of the sum of the coordinates of its centre
+    /// beyond it. Of a list: [`etendue`].
     #[doc(alias("bounding_box", "aabb", "bounds"))]
     #[must_use]
     pub fn etendue(&self) -> Option<[Vecteur<R>; 2]> {

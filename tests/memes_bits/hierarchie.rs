@@ -180,6 +180,11 @@ fn des_objets_tous_egaux<R: Bits>() {
     }
 }
 
+/// How many blocks of these rays come to the end of a tree together.
+fn combien_vont_au_bout<R: Bits>(hierarchie: &Hierarchie<'_, R>, rayons: &[Rayon<R>]) -> usize {
+    rayons.chunks(64).filter(|bloc| vont_au_bout(hierarchie, bloc)).count()
+}
+
 /// A tree of so many nodes that each object counts twice: a tile that is a whole picture, of which the beam gives up,
 /// and one of a larger, of which it comes to the end.
 fn parmi_beaucoup_d_objets<R: Bits>() {
@@ -189,7 +194,7 @@ fn parmi_beaucoup_d_objets<R: Bits>() {
     assert!(noeuds(&hierarchie) >= 4_096);
     // Of 256 tiles 158 in `f32`, 63 in `f64`; if each object counted once, 206 and 146.
     let tuiles = scenes::en_tuiles(&scenes::rayons_camera::<R>(128, 128), 128);
-    let au_bout = tuiles.chunks(64).filter(|bloc| vont_au_bout(&hierarchie, bloc)).count();
+    let au_bout = combien_vont_au_bout(&hierarchie, &tuiles);
     assert!((50..190).contains(&au_bout), "{au_bout}");
     for cote in [8, 256] {
         let rayons = scenes::en_tuiles(&scenes::rayons_camera::<R>(cote, cote), cote);
@@ -202,22 +207,19 @@ fn parmi_beaucoup_d_objets<R: Bits>() {
 /// What makes a batch fast, which no answer shows: the tiles of a picture walk together, of the rows of a smaller one
 /// some; rays in no order do so among few objects alone.
 fn les_tuiles_vont_ensemble<R: Bits>() {
-    let mut alea = Rng::with_seed(12);
-    let mut tuiles = scenes::en_tuiles(&scenes::rayons_camera::<R>(512, 512), 512);
+    let tuiles = scenes::en_tuiles(&scenes::rayons_camera::<R>(512, 512), 512);
     let petite = scenes::rayons_camera::<R>(64, 64);
-    let combien = |n, sortes: [&[Rayon<R>]; 2]| {
+    let mut melees = tuiles.clone();
+    Rng::with_seed(12).shuffle(&mut melees);
+    let [peu, beaucoup] = [UN_ARBRE + 1, 10_000].map(|n| {
         let objets = scenes::melange::<R>(n);
         let mut places = vec![0.0; Hierarchie::places(n)];
         let hierarchie = Hierarchie::new(&objets, &mut places).unwrap();
-        let vont = |bloc: &&[Rayon<R>]| vont_au_bout(&hierarchie, bloc);
-        sortes.map(|rayons| rayons.chunks(64).filter(vont).count())
-    };
-    let [en_tuiles, en_rangees] = combien(10_000, [&tuiles, &petite]);
+        [&tuiles, &petite, &melees].map(|rayons| combien_vont_au_bout(&hierarchie, rayons))
+    });
     // Of 64 rows 23 in `f32`, 18 in `f64`; if objects did not count, 46 and 38.
-    assert!(en_tuiles > 4_000 && (12..32).contains(&en_rangees), "{en_tuiles}, {en_rangees}");
-    alea.shuffle(&mut tuiles);
-    let au_hasard = [UN_ARBRE + 1, 10_000].map(|n| combien(n, [&tuiles, &petite])[0]);
-    assert_eq!(au_hasard, [4_096, 0]);
+    assert!(beaucoup[0] > 4_000 && (12..32).contains(&beaucoup[1]), "{beaucoup:?}");
+    assert_eq!([peu[2], beaucoup[2]], [4_096, 0]);
 }
 
 /// Objects that rays graze to the last bits, where rounding decides: one of them and its copies, or
