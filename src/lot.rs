@@ -86,7 +86,7 @@ pub fn premieres_intersections<R: Reel>(
 /// let rayons: [Rayon; 0] = [];
 /// let mut touches = [Err(NoIntersection); 3];
 /// let refus = premieres_intersections(&[], &rayons, &mut touches);
-/// assert_eq!(refus, Err(LongueursDifferentes { rayons: 0, touches: 3 }));
+/// assert_eq!(refus, Err(LongueursDifferentes { rayons: 0, reponses: 3 }));
 /// ```
 #[doc(alias = "length_mismatch")]
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -95,13 +95,13 @@ pub struct LongueursDifferentes {
     #[doc(alias = "rays")]
     pub rayons: usize,
     /// Places for how many answers.
-    #[doc(alias = "hits")]
-    pub touches: usize,
+    #[doc(alias = "answers")]
+    pub reponses: usize,
 }
 
 impl fmt::Display for LongueursDifferentes {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} rays, but places for {} answers", self.rayons, self.touches)
+        write!(f, "{} rays, but places for {} answers", self.rayons, self.reponses)
     }
 }
 
@@ -188,8 +188,8 @@ pub(crate) fn repondre<R: Reel, D: Demande<R>>(
 }
 
 /// Refuses places for more or fewer answers than there are rays.
-pub(crate) fn memes_longueurs(rayons: usize, touches: usize) -> Result<(), LongueursDifferentes> {
-    if rayons == touches { Ok(()) } else { Err(LongueursDifferentes { rayons, touches }) }
+pub(crate) fn memes_longueurs(rayons: usize, reponses: usize) -> Result<(), LongueursDifferentes> {
+    if rayons == reponses { Ok(()) } else { Err(LongueursDifferentes { rayons, reponses }) }
 }
 
 /// Finds the first object of each ray of a block. Where there is a window, culls the objects that

@@ -481,7 +481,7 @@ fn des_longueurs_differentes_sont_une_erreur_et_rien_n_est_ecrit<R: Bits>() {
     let avant = hierarchie.premiere_intersection(&rayons[105]);
     assert!(avant.is_ok());
     for longueur in [0, 199, 201] {
-        let attendue = Err(LongueursDifferentes { rayons: 200, touches: longueur });
+        let attendue = Err(LongueursDifferentes { rayons: 200, reponses: longueur });
         let mut touches = vec![avant; longueur];
         assert_eq!(hierarchie.premieres_intersections(&rayons, &mut touches), attendue);
         assert_eq!(touches, vec![avant; longueur]);

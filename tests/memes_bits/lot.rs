@@ -54,7 +54,7 @@ fn des_longueurs_differentes_sont_une_erreur_et_rien_n_est_ecrit() {
     for longueur in [0, 1, 99, 101] {
         let mut touches = vec![avant; longueur];
         let erreur = premieres_intersections(&scene, &rayons, &mut touches).unwrap_err();
-        assert_eq!(erreur, LongueursDifferentes { rayons: 100, touches: longueur });
+        assert_eq!(erreur, LongueursDifferentes { rayons: 100, reponses: longueur });
         assert_eq!(erreur.to_string(), format!("100 rays, but places for {longueur} answers"));
         assert_eq!(touches, vec![avant; longueur]);
     }
