@@ -257,7 +257,7 @@ fn premiere<R: Reel>((hierarchie, rayon): (&Hierarchie<'_, R>, &Rayon<R>)) -> To
     };
     selon_le_niveau!(hierarchie.niveau, simd => {
         let premier = Premier::avant(R::INFINI);
-        let premier = arbre.parcourir(simd, rayon, premier, hierarchie.sauf);
+        let premier = arbre.parcourir(simd, rayon, premier, hierarchie.sauf, &mut 0);
         premier.conclure(arbre.objets, rayon)
     })
 }
@@ -269,7 +269,7 @@ fn occulte<R: Reel>((hierarchie, rayon, distance_max): (&Hierarchie<'_, R>, &Ray
     };
     selon_le_niveau!(hierarchie.niveau, simd => {
         let premier = Premier::avant(distance_max);
-        arbre.parcourir(simd, &(*rayon, distance_max), premier, hierarchie.sauf).rang.is_some()
+        arbre.parcourir(simd, &(*rayon, distance_max), premier, hierarchie.sauf, &mut 0).rang.is_some()
     })
 }
 
@@ -282,7 +282,7 @@ fn certaine<R: Reel>(
     let Some(arbre) = arbre else { return certificat.vient_avant_tous(objets, *sauf) };
     selon_le_niveau!(*niveau, simd => {
         let premier = Premier::avant(certificat.limite());
-        arbre.parcourir(simd, &certificat, premier, *sauf).rang.is_none()
+        arbre.parcourir(simd, &certificat, premier, *sauf, &mut 0).rang.is_none()
     })
 }
 
@@ -314,7 +314,7 @@ fn en_lot<R: Reel, D: Demande<R>>(
         if demandes.len() < PEU_DE_RAYONS {
             for (demande, reponse) in demandes.iter().zip(reponses) {
                 let (rayon, limite) = demande.lire();
-                let premier = arbre.parcourir(simd, demande, Premier::avant(limite), sauf);
+                let premier = arbre.parcourir(simd, demande, Premier::avant(limite), sauf, &mut 0);
                 *reponse = D::conclure(premier, objets, &rayon);
             }
         } else {

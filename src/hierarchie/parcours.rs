@@ -18,7 +18,8 @@ impl<R: Reel> Arbre<'_, R> {
     /// such object.
     ///
     /// It asks the objects without a box, then the objects of each leaf that the ray may enter before what it
-    /// has found; never the object at the index `sauf`.
+    /// has found; never the object at the index `sauf`. `pas` grows by a step for each node and each object of a
+    /// leaf.
     #[inline(always)]
     pub(crate) fn parcourir<S: Simd, E: Epreuve<R>>(
         &self,
@@ -26,6 +27,7 @@ impl<R: Reel> Arbre<'_, R> {
         epreuve: &E,
         mut premier: Premier<R>,
         sauf: Option<usize>,
+        pas: &mut usize,
     ) -> Premier<R> {
         // A copy, which stays in registers.
         let copie = *epreuve.rayon();
@@ -56,6 +58,7 @@ impl<R: Reel> Arbre<'_, R> {
         // The largest entry that still matters, in the frame of the tree.
         let mut plafond = self.repere.distance(premier.t);
         while let Some(noeud) = self.noeuds.get(numero) {
+            *pas += 1;
             let (mut traverses, Aligne(entrees)) = sonde.traverse(simd, noeud, plafond);
             if numero < self.feuilles {
                 let [.., indices] = noeud;
@@ -69,6 +72,7 @@ impl<R: Reel> Arbre<'_, R> {
                     prendre_le_moindre(&mut traverses, &entrees)
                 };
                 while let Some(enfant) = suivant {
+                    *pas += 1;
                     let indice = indice_lu(indices[enfant]);
                     let objet = self.objets.get(indice);
                     if objet.is_some_and(|objet| {
