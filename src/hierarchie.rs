@@ -26,6 +26,7 @@ use crate::intersection::Touche;
 use crate::jugement::Certificat;
 use crate::lot::bloc::{BLOC, Bloc, groupes_vides};
 use crate::lot::demande::{Demande, Epreuve};
+use crate::lot::groupe::Groupe;
 use crate::lot::{LongueursDifferentes, PEU_DE_RAYONS, memes_longueurs, repondre};
 use crate::niveau::{meilleur_niveau, selon_le_niveau};
 use crate::objet::ObjetRay;
@@ -33,6 +34,7 @@ use crate::premier::Premier;
 use crate::rayon::Rayon;
 use crate::recherche::{occulte_sauf, premiere_sauf};
 use crate::reel::Reel;
+use crate::seize::SEIZE;
 
 /// A list of objects with a hierarchy of boxes around them: the answers of the list, to the bit, in
 /// a time that grows far more slowly than their number. Half-spaces, and objects whose boxes all
@@ -318,8 +320,17 @@ fn en_lot<R: Reel, D: Demande<R>>(
                 *reponse = D::conclure(premier, objets, &rayon);
             }
         } else {
-            let (mut groupes, mut patience) = (groupes_vides(), <[Patience; 2]>::default());
-            let mut bloc = Bloc::new(sauf, &mut groupes);
+            // Calls of 16 rays take 0.94 of the time that they take with the memory of a block (measured).
+            let (mut un, mut quatre);
+            let groupes: &mut [_] = if demandes.len() <= SEIZE {
+                un = [const { Groupe::VIDE }; 1];
+                &mut un
+            } else {
+                quatre = groupes_vides();
+                &mut quatre
+            };
+            let mut patience = <[Patience; 2]>::default();
+            let mut bloc = Bloc::new(sauf, groupes);
             for (demandes, reponses) in demandes.chunks(BLOC).zip(reponses.chunks_mut(BLOC)) {
                 arbre.repondre_au_bloc(simd, &mut bloc, (demandes, reponses), &mut patience);
             }

@@ -6,6 +6,7 @@ use crate::hierarchie::construction::Arbre;
 use crate::hierarchie::noeud::indice_lu;
 use crate::hierarchie::pile::{GRANDE_PILE, Pile, RIEN};
 use crate::hierarchie::sonde::SondeDeBloc;
+use crate::lot::PEU_DE_RAYONS;
 use crate::lot::bloc::Bloc;
 use crate::lot::demande::Demande;
 use crate::lot::faisceau::vont_ensemble;
@@ -17,6 +18,9 @@ use crate::seize::{Aligne, SEIZE, prendre};
 /// Up to so many spheres and boxes for each number that a register holds, a block without a beam asks every
 /// object of all its rays (`docs/performance.md`, "Thresholds", as for what follows).
 const PEU_PAR_NOMBRE: usize = 6;
+
+/// Fewer shadows than this are faster one by one, of first hits fewer than [`PEU_DE_RAYONS`].
+const PEU_D_OMBRES: usize = 12;
 
 /// A beam that crosses so many of the sixteen leaves under a node may be too wide, in `f32` and in `f64`.
 const TROP_DE_FEUILLES: (u32, u32) = (12, 10);
@@ -117,8 +121,13 @@ impl<R: Reel> Arbre<'_, R> {
         patience: &mut Patience,
     ) -> bool {
         let avec_boite = self.objets.len() - self.sans_boite.len();
-        let peu = avec_boite <= PEU_PAR_NOMBRE * R::selon(S::f32s::LEN, S::f64s::LEN);
-        if !((peu || D::UN_SUFFIT || vont_ensemble(demandes)) && patience.essayer()) {
+        // A shape asks sixteen rays even where some are missing.
+        let voies = demandes.len().next_multiple_of(SEIZE);
+        let nombres = R::selon(S::f32s::LEN, S::f64s::LEN);
+        let peu = avec_boite * voies <= PEU_PAR_NOMBRE * nombres * demandes.len();
+        let minimum = if D::UN_SUFFIT { PEU_D_OMBRES } else { PEU_DE_RAYONS };
+        let ensemble = peu || D::UN_SUFFIT || vont_ensemble(demandes);
+        if demandes.len() < minimum || !ensemble || !patience.essayer() {
             return false;
         }
         // A group of a block that has tried goes on with what it has found.
@@ -128,7 +137,7 @@ impl<R: Reel> Arbre<'_, R> {
         let jusqu_au_bout = if let Some(faisceau) = bloc.faisceau()
             && let Some(sonde) = SondeDeBloc::new(&faisceau, self.repere)
         {
-            self.parcourir_en_bloc(simd, &sonde, bloc, demandes[demandes.len() / 2].rayon())
+            self.parcourir_en_bloc(simd, &sonde, bloc)
         } else {
             if peu {
                 bloc.proposer_tous(self.objets);
@@ -157,7 +166,6 @@ impl<R: Reel> Arbre<'_, R> {
         simd: S,
         sonde: &SondeDeBloc,
         bloc: &mut Bloc<'_, R, D>,
-        milieu: &Rayon<R>,
     ) -> bool {
         for &indice in self.sans_boite {
             bloc.proposer(self.objets, indice_lu(indice));
@@ -166,7 +174,7 @@ impl<R: Reel> Arbre<'_, R> {
         let (mut pile, mut numero) = Pile::new(&mut attentes, self.geants, self.noeuds.len() - 1);
         let mut plafond = self.repere.distance(bloc.le_plus_loin());
         let trop = R::selon(TROP_DE_FEUILLES.0, TROP_DE_FEUILLES.1);
-        let mut assez = R::selon(ASSEZ_D_OBJETS.0, ASSEZ_D_OBJETS.1) * bloc.groupes().len();
+        let mut permis = R::selon(ASSEZ_D_OBJETS.0, ASSEZ_D_OBJETS.1) * bloc.groupes().len();
         let abondance = self.abondance();
         let (mut vus, mut pese) = (0, false);
         while let Some(noeud) = self.noeuds.get(numero) {
@@ -175,7 +183,7 @@ impl<R: Reel> Arbre<'_, R> {
             let feuille = numero < self.feuilles;
             let trop_large = if feuille {
                 vus += traverses.count_ones() as usize * abondance;
-                vus > assez
+                vus > permis
             } else {
                 !pese && traverses.count_ones() >= trop && indice_lu(indices[0]) < self.feuilles
             };
@@ -184,11 +192,11 @@ impl<R: Reel> Arbre<'_, R> {
                 if pese || D::UN_SUFFIT {
                     return false;
                 }
-                let permis = self.permis(simd, milieu, bloc.sauf);
-                if permis < assez.max(vus) {
+                let selon_lui = self.objets_permis(simd, &bloc.milieu(), bloc.sauf);
+                if selon_lui < permis.max(vus) {
                     return false;
                 }
-                (assez, pese) = (permis, true);
+                (permis, pese) = (selon_lui, true);
             }
             if feuille {
                 if traverses > 0 {
@@ -211,12 +219,12 @@ impl<R: Reel> Arbre<'_, R> {
         true
     }
 
-    /// How many objects a block may meet whose rays one by one take as many steps as this one.
+    /// How many objects may be met by a block whose rays, one by one, take as many steps as this one.
     ///
     /// In the walk itself this would slow down tiles, which seldom ask it, by up to 1.05 (measured).
     #[cold]
     #[inline(never)]
-    fn permis<S: Simd>(&self, simd: S, rayon: &Rayon<R>, sauf: Option<usize>) -> usize {
+    fn objets_permis<S: Simd>(&self, simd: S, rayon: &Rayon<R>, sauf: Option<usize>) -> usize {
         let mut pas = 0;
         simd.vectorize(
             #[inline(always)]

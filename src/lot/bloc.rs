@@ -42,7 +42,7 @@ impl<'a, R: Reel, D: Demande<R>> Bloc<'a, R, D> {
     /// One of its groups as a block of sixteen, with what they have found so far; of none if none are loaded.
     #[inline(always)]
     pub(crate) fn groupe(&mut self, numero: usize) -> Bloc<'_, R, D> {
-        let nombre = self.nombre.min(SEIZE);
+        let nombre = self.nombre.saturating_sub(numero * SEIZE).min(SEIZE);
         Bloc { nombre, ..Bloc::new(self.sauf, &mut self.groupes[numero..=numero]) }
     }
 
@@ -66,11 +66,17 @@ impl<'a, R: Reel, D: Demande<R>> Bloc<'a, R, D> {
         self.groupes[i / SEIZE].rayon(i % SEIZE)
     }
 
+    /// The ray in the middle.
+    #[inline(always)]
+    pub(crate) fn milieu(&self) -> Rayon<R> {
+        self.rayon(self.nombre / 2)
+    }
+
     /// The beam of these rays, up to their limits if they have some; `None` if they go too far apart for
     /// one.
     #[inline(always)]
     pub(crate) fn faisceau(&self) -> Option<Faisceau<R>> {
-        let reperes = [self.rayon(0), self.rayon(7), self.rayon(self.nombre / 2)];
+        let reperes = [self.rayon(0), self.rayon(7), self.milieu()];
         if D::UN_SUFFIT && self.le_plus_loin() <= R::LIMITE {
             return Some(Faisceau::de_segments(self.groupes(), reperes));
         }
