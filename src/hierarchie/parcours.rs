@@ -18,8 +18,8 @@ impl<R: Reel> Arbre<'_, R> {
     /// such object.
     ///
     /// It asks the objects without a box, then the objects of each leaf that the ray may enter before what it
-    /// has found; never the object at the index `sauf`. `pas` grows by a step for each node and each object of a
-    /// leaf.
+    /// has found; never the object at the index `sauf`. `pas` grows by a step for each node, and for each object
+    /// that a leaf has it ask.
     #[inline(always)]
     pub(crate) fn parcourir<S: Simd, E: Epreuve<R>>(
         &self,

@@ -158,8 +158,10 @@ impl<R: Reel> Arbre<'_, R> {
     }
 
     /// Finds the first object of each ray of a block, in the nodes that its beam crosses. Tells whether it
-    /// came to the end; if that would cost more than its rays one by one, as the one in the middle tells, what
-    /// they have found so far stands.
+    /// came to the end; else what its rays have found so far stands.
+    ///
+    /// Where the beam may be too wide, the ray in the middle tells whether the rays one by one would cost more; a
+    /// block of shadows gives up there.
     #[inline(always)]
     fn parcourir_en_bloc<S: Simd, D: Demande<R>>(
         &self,

@@ -27,7 +27,7 @@ pub(crate) fn groupes_vides<R: Reel>() -> [Groupe<R>; BLOC / SEIZE] {
 pub(crate) struct Bloc<'a, R, D> {
     /// The index of the object that is left out.
     pub(crate) sauf: Option<usize>,
-    /// How many rays are here, in a group with what stands in for missing ones; 0 if none are loaded.
+    /// How many rays are here, without what stands in for missing ones; 0 if none are loaded.
     pub(crate) nombre: usize,
     groupes: &'a mut [Groupe<R>],
     demande: PhantomData<D>,
@@ -39,7 +39,7 @@ impl<'a, R: Reel, D: Demande<R>> Bloc<'a, R, D> {
         Self { sauf, nombre: 0, groupes, demande: PhantomData }
     }
 
-    /// One of its groups as a block of sixteen, with what they have found so far; of none if none are loaded.
+    /// One of its groups as a block of sixteen at most, with what they found so far; of none if none are loaded.
     #[inline(always)]
     pub(crate) fn groupe(&mut self, numero: usize) -> Bloc<'_, R, D> {
         let nombre = self.nombre.saturating_sub(numero * SEIZE).min(SEIZE);
