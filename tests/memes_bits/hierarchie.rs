@@ -230,7 +230,7 @@ fn une_moitie_de_groupe_demande_la_moitie<R: Bits>() {
         *rayon = Rayon::new(rayon.source(), -rayon.direction()).unwrap();
     }
     let boule = SphereGeo::new(v(0.0, 0.0, -4.0), R::UN, Texture(0)).unwrap();
-    let objets = vec![ObjetRay::from(boule); 200];
+    let objets = [ObjetRay::from(boule); 200];
     let mut places = vec![0.0; Hierarchie::places(objets.len())];
     let mut au_bout = |n, nombre| {
         vont_au_bout(&Hierarchie::new(&objets[..n], &mut places).unwrap(), &rayons[..nombre])
