@@ -323,7 +323,7 @@ fn en_lot<R: Reel, D: Demande<R>>(
             // Calls of 16 rays take 0.94 of the time that they take with the memory of a block (measured).
             let (mut un, mut quatre);
             let groupes: &mut [_] = if demandes.len() <= SEIZE {
-                un = [const { Groupe::VIDE }; 1];
+                un = [Groupe::VIDE];
                 &mut un
             } else {
                 quatre = groupes_vides();

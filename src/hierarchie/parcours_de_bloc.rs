@@ -126,8 +126,10 @@ impl<R: Reel> Arbre<'_, R> {
         let nombres = R::selon(S::f32s::LEN, S::f64s::LEN);
         let peu = avec_boite * voies <= PEU_PAR_NOMBRE * nombres * demandes.len();
         let minimum = if D::UN_SUFFIT { PEU_D_OMBRES } else { PEU_DE_RAYONS };
-        let ensemble = peu || D::UN_SUFFIT || vont_ensemble(demandes);
-        if demandes.len() < minimum || !ensemble || !patience.essayer() {
+        if demandes.len() < minimum
+            || !(peu || D::UN_SUFFIT || vont_ensemble(demandes))
+            || !patience.essayer()
+        {
             return false;
         }
         // A group of a block that has tried goes on with what it has found.

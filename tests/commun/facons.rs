@@ -12,7 +12,8 @@ use crate::conversion::{Bits, mots};
 /// The fewest objects that get a tree; `les_places_pretees` holds it.
 pub const UN_ARBRE: usize = 10;
 
-/// So many that the beam of 64 rays can meet more than `ASSEZ_D_OBJETS` for each group, and that no block asks all of them.
+/// So many that the beam of 64 rays can meet more than `ASSEZ_D_OBJETS` for each group, and that no block asks
+/// all of them.
 const BEAUCOUP: usize = 4 * ASSEZ_D_OBJETS.0 + 16;
 
 /// The number so many units in the last place away.

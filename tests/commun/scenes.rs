@@ -45,6 +45,15 @@ pub fn rayons_camera<R: Reel>(largeur: usize, hauteur: usize) -> Vec<Rayon<R>> {
     pixels.map(rayon).collect()
 }
 
+/// The rays of a square picture, every other one turned round: together they have no beam.
+pub fn rayons_opposes<R: Reel>(cote: usize) -> Vec<Rayon<R>> {
+    let mut rayons = rayons_camera::<R>(cote, cote);
+    for rayon in rayons.iter_mut().step_by(2) {
+        *rayon = Rayon::new(rayon.source(), -rayon.direction()).expect("within the limits");
+    }
+    rayons
+}
+
 /// The rows of a picture so wide, in tiles of 8 × 8.
 pub fn en_tuiles<T: Copy>(rangees: &[T], largeur: usize) -> Vec<T> {
     let bandes = rangees.chunks(8 * largeur);

@@ -225,10 +225,7 @@ fn les_tuiles_vont_ensemble<R: Bits>() {
 
 /// Without a beam a group that is half full asks at most half as many objects side by side.
 fn une_moitie_de_groupe_demande_la_moitie<R: Bits>() {
-    let mut rayons = scenes::rayons_camera::<R>(4, 4);
-    for rayon in rayons.iter_mut().step_by(2) {
-        *rayon = Rayon::new(rayon.source(), -rayon.direction()).unwrap();
-    }
+    let rayons = scenes::rayons_opposes::<R>(4);
     let boule = SphereGeo::new(v(0.0, 0.0, -4.0), R::UN, Texture(0)).unwrap();
     let objets = [ObjetRay::from(boule); 200];
     let mut places = vec![0.0; Hierarchie::places(objets.len())];

@@ -74,10 +74,7 @@ en_f32_et_f64!(toute_longueur_convient);
 
 /// A block whose rays go opposite ways has no beam, among more objects than a window holds.
 fn un_bloc_de_rayons_opposes<R: Bits>() {
-    let mut rayons = scenes::rayons_camera::<R>(8, 8);
-    for rayon in rayons.iter_mut().step_by(2) {
-        *rayon = Rayon::new(rayon.source(), -rayon.direction()).unwrap();
-    }
+    let rayons = scenes::rayons_opposes::<R>(8);
     assert!(comparer(&scenes::melange(300), &rayons) > 10);
 }
 
