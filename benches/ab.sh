@@ -10,13 +10,14 @@
 #
 # REVISION `.` is the checkout itself. --units: codegen units of the crate, 16 unless said (as `cargo build
 # --release` of a user has it). Filters, each a list with commas:
-#   --family   city hall atoms stadium sticks sizes snowflake cubes room atelier mix
-#   --rays     tiles rows parallel mirrors rough diffuse "no order" shadows
+#   --family   city hall atoms stadium sticks sizes snowflake cubes room atelier mix shelves forest lattice
+#   --rays     tiles rows parallel mirrors rough diffuse "no order" shadows shuffled "shuf. shad."
 #   --way      list list-batch (both up to 64 objects), single batch (of the hierarchy)
 #   --n        12,48,192,1000,10000 unless said; room and atelier have their own
 #   --scalar   f32,f64
 # and, each a single value:
 #   --set AVX-512 | AVX2 | SSE2   the instructions of the hierarchy; the best of the machine unless said
+#   --seed 1    of the scenes and of the rays that leave them
 #   --bands 8   how much of the picture, 1 to 50 bands of 4,800 rays
 #   --turns 4   of a round; the least time of 2 to 6 rounds counts, until their ratio stands
 #   --call 64   rays in a call of a batch, 4096 at most and unless said

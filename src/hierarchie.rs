@@ -21,24 +21,25 @@ use fearless_simd::Level;
 
 use crate::compile::compilees;
 use crate::hierarchie::construction::{Arbre, construire, mots};
-use crate::hierarchie::parcours_de_bloc::Patience;
+use crate::hierarchie::parcours_de_bloc::RAYONS_D_UN_BLOC;
 use crate::intersection::Touche;
 use crate::jugement::Certificat;
 use crate::lot::bloc::{BLOC, Bloc, groupes_vides};
-use crate::lot::demande::{Demande, Epreuve};
+use crate::lot::demande::Demande;
 use crate::lot::groupe::Groupe;
-use crate::lot::{LongueursDifferentes, PEU_DE_RAYONS, memes_longueurs, repondre};
+use crate::lot::{LongueursDifferentes, memes_longueurs, repondre};
 use crate::niveau::{meilleur_niveau, selon_le_niveau};
 use crate::objet::ObjetRay;
 use crate::premier::Premier;
 use crate::rayon::Rayon;
-use crate::recherche::{occulte_sauf, premiere_sauf};
+use crate::recherche::{occulte_de, premiere_de};
 use crate::reel::Reel;
 use crate::seize::SEIZE;
 
 /// A list of objects with a hierarchy of boxes around them: the answers of the list, to the bit, in
-/// a time that grows far more slowly than their number. Half-spaces, and objects whose boxes all
-/// overlap, are asked one by one as in a list.
+/// a time that grows far more slowly than their number. Half-spaces are asked one by one as in a list.
+/// Objects whose boxes all overlap are a heap: a batch asks them as its list does, a single ray takes
+/// up to twice as long as its list.
 ///
 /// It is built once and asked as often as the picture has pixels. It borrows the list, which keeps
 /// its order, and numbers that the caller lends; it is `Copy`, and threads may share it. After a
@@ -74,11 +75,8 @@ use crate::seize::SEIZE;
 #[derive(Clone, Copy)]
 #[must_use]
 pub struct Hierarchie<'a, R = f64> {
-    pub(crate) objets: &'a [ObjetRay<R>],
-    /// None for few objects with a box and for too many objects: these are asked as a list.
-    pub(crate) arbre: Option<Arbre<'a, R>>,
-    /// The index of the object that is left out.
-    pub(crate) sauf: Option<usize>,
+    /// Without nodes over few objects with a box and over too many objects: these are asked as a list.
+    pub(crate) arbre: Arbre<'a, R>,
     /// Detected once: for a single ray that would cost more than the ray.
     pub(crate) niveau: Level,
 }
@@ -86,8 +84,8 @@ pub struct Hierarchie<'a, R = f64> {
 impl<R: Reel> fmt::Debug for Hierarchie<'_, R> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Hierarchie")
-            .field("objets", &self.objets.len())
-            .field("noeuds", &self.noeuds())
+            .field("objets", &self.arbre.liste.objets.len())
+            .field("noeuds", &self.arbre.noeuds.len())
             .finish()
     }
 }
@@ -125,7 +123,7 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
     /// assert!(Hierarchie::new(&[boule; 20], &mut places).is_ok());
     ///
     /// let refus = Hierarchie::new(&[boule; 200], &mut places).unwrap_err();
-    /// assert_eq!(refus.to_string(), "366 places lent, but 1598 needed");
+    /// assert_eq!(refus.to_string(), "478 places lent, but 1710 needed");
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
     #[doc(alias = "build")]
@@ -138,14 +136,14 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
         let Some(places) = places.get_mut(..necessaires) else {
             return Err(PlacesInsuffisantes { places: pretees, necessaires });
         };
-        let arbre = if necessaires > 0 { R::demander::<Batir>((objets, places)) } else { None };
-        Ok(Self { objets, arbre, sauf: None, niveau: meilleur_niveau() })
+        let arbre = R::demander::<Batir>((objets, places));
+        Ok(Self { arbre, niveau: meilleur_niveau() })
     }
 
     /// The list.
     #[doc(alias("objects", "primitives"))]
     pub fn objets(&self) -> &'a [ObjetRay<R>] {
-        self.objets
+        self.arbre.liste.objets
     }
 
     /// The same hierarchy without the object at this index of the list: its answers are those of the
@@ -175,8 +173,9 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
     /// ```
     #[doc(alias("without", "except", "ignore", "exclude", "skip"))]
     #[inline]
-    pub fn sans(self, objet: usize) -> Self {
-        Self { sauf: (objet < self.objets.len()).then_some(objet), ..self }
+    pub fn sans(mut self, objet: usize) -> Self {
+        self.arbre.liste.sauf = (objet < self.objets().len()).then_some(objet);
+        self
     }
 
     /// [`premiere_intersection`](fn@crate::premiere_intersection) of the list.
@@ -233,15 +232,10 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
     pub fn est_certaine(&self, rayon: &Rayon<R>, touche: &Touche<R>) -> bool {
         R::demander::<Certaine>((self, rayon, touche))
     }
-
-    /// How many nodes its tree has; 0 if it asks its list.
-    pub(crate) fn noeuds(&self) -> usize {
-        self.arbre.as_ref().map_or(0, |arbre| arbre.noeuds.len())
-    }
 }
 
 compilees! {
-    Batir<'a, R>: (&'a [ObjetRay<R>], &'a mut [f32]) => Option<Arbre<'a, R>> = construire;
+    Batir<'a, R>: (&'a [ObjetRay<R>], &'a mut [f32]) => Arbre<'a, R> = construire;
     Premiere<'a, R>: (&'a Hierarchie<'a, R>, &'a Rayon<R>) => Touche<R> = premiere;
     Occulte<'a, R>: (&'a Hierarchie<'a, R>, &'a Rayon<R>, R) => bool = occulte;
     Certaine<'a, R>: (&'a Hierarchie<'a, R>, &'a Rayon<R>, &'a Touche<R>) => bool = certaine;
@@ -254,24 +248,25 @@ compilees! {
 /// [`Hierarchie::premiere_intersection`]. As one function of any [`Demande`] this and [`occulte`]
 /// would take 1.4 times as long (measured).
 fn premiere<R: Reel>((hierarchie, rayon): (&Hierarchie<'_, R>, &Rayon<R>)) -> Touche<R> {
-    let Some(arbre) = &hierarchie.arbre else {
-        return premiere_sauf(hierarchie.objets, hierarchie.sauf, rayon);
-    };
-    selon_le_niveau!(hierarchie.niveau, simd => {
-        let premier = Premier::avant(R::INFINI);
-        let premier = arbre.parcourir(simd, rayon, premier, hierarchie.sauf, &mut 0);
-        premier.conclure(arbre.objets, rayon)
+    let Hierarchie { arbre, niveau } = hierarchie;
+    if arbre.noeuds.is_empty() {
+        return premiere_de(arbre.liste, rayon);
+    }
+    selon_le_niveau!(*niveau, simd => {
+        let premier = arbre.parcourir(simd, rayon, Premier::avant(R::INFINI));
+        premier.touche(arbre.liste.objets, rayon)
     })
 }
 
 /// [`Hierarchie::est_occulte`].
 fn occulte<R: Reel>((hierarchie, rayon, distance_max): (&Hierarchie<'_, R>, &Rayon<R>, R)) -> bool {
-    let Some(arbre) = &hierarchie.arbre else {
-        return occulte_sauf(hierarchie.objets, hierarchie.sauf, rayon, distance_max);
-    };
-    selon_le_niveau!(hierarchie.niveau, simd => {
+    let Hierarchie { arbre, niveau } = hierarchie;
+    if arbre.noeuds.is_empty() {
+        return occulte_de(arbre.liste, rayon, distance_max);
+    }
+    selon_le_niveau!(*niveau, simd => {
         let premier = Premier::avant(distance_max);
-        arbre.parcourir(simd, &(*rayon, distance_max), premier, hierarchie.sauf, &mut 0).rang.is_some()
+        arbre.parcourir(simd, &(*rayon, distance_max), premier).rang.is_some()
     })
 }
 
@@ -279,61 +274,41 @@ fn occulte<R: Reel>((hierarchie, rayon, distance_max): (&Hierarchie<'_, R>, &Ray
 fn certaine<R: Reel>(
     (hierarchie, rayon, touche): (&Hierarchie<'_, R>, &Rayon<R>, &Touche<R>),
 ) -> bool {
-    let Hierarchie { objets, arbre, sauf, niveau } = hierarchie;
-    let Some(certificat) = Certificat::new(objets, *sauf, rayon, touche) else { return false };
-    let Some(arbre) = arbre else { return certificat.vient_avant_tous(objets, *sauf) };
+    let Hierarchie { arbre, niveau } = hierarchie;
+    let Some(certificat) = Certificat::new(arbre.liste, rayon, touche) else { return false };
+    if arbre.noeuds.is_empty() {
+        return certificat.vient_avant_tous(arbre.liste);
+    }
     selon_le_niveau!(*niveau, simd => {
         let premier = Premier::avant(certificat.limite());
-        arbre.parcourir(simd, &certificat, premier, *sauf, &mut 0).rang.is_none()
+        arbre.parcourir(simd, &certificat, premier).rang.is_none()
     })
-}
-
-/// That an object may come before the first.
-impl<R: Reel> Epreuve<R> for Certificat<'_, R> {
-    const UN_SUFFIT: bool = true;
-
-    #[inline(always)]
-    fn rayon(&self) -> &Rayon<R> {
-        self.rayon
-    }
-
-    #[inline(always)]
-    fn t(&self, _: &Rayon<R>, objet: &ObjetRay<R>, indice: usize, _: bool) -> R {
-        if self.vient_apres(objet, indice) { R::INFINI } else { R::ZERO }
-    }
 }
 
 /// [`Hierarchie::premieres_intersections`] and [`Hierarchie::sont_occultes`].
 fn en_lot<R: Reel, D: Demande<R>>(
     (hierarchie, demandes, reponses): (&Hierarchie<'_, R>, &[D], &mut [D::Reponse]),
 ) -> Result<(), LongueursDifferentes> {
-    let Hierarchie { objets, arbre, sauf, niveau } = *hierarchie;
-    let Some(arbre) = &arbre else {
-        return repondre(((niveau, objets, sauf), demandes, reponses));
-    };
+    let Hierarchie { arbre, niveau } = *hierarchie;
+    if arbre.noeuds.is_empty() {
+        return repondre(((niveau, arbre.liste), demandes, reponses));
+    }
     memes_longueurs(demandes.len(), reponses.len())?;
     selon_le_niveau!(niveau, simd => {
-        if demandes.len() < PEU_DE_RAYONS {
-            for (demande, reponse) in demandes.iter().zip(reponses) {
-                let (rayon, limite) = demande.lire();
-                let premier = arbre.parcourir(simd, demande, Premier::avant(limite), sauf, &mut 0);
-                *reponse = D::conclure(premier, objets, &rayon);
-            }
+        // No more memory than the call needs: to set up that of a block costs as much as some rays.
+        let (mut un, mut quatre);
+        let groupes: &mut [Groupe<R>] = if demandes.len() < RAYONS_D_UN_BLOC {
+            &mut []
+        } else if demandes.len() <= SEIZE {
+            un = [Groupe::VIDE];
+            &mut un
         } else {
-            // Calls of 16 rays take 0.94 of the time that they take with the memory of a block (measured).
-            let (mut un, mut quatre);
-            let groupes: &mut [_] = if demandes.len() <= SEIZE {
-                un = [Groupe::VIDE];
-                &mut un
-            } else {
-                quatre = groupes_vides();
-                &mut quatre
-            };
-            let mut patience = <[Patience; 2]>::default();
-            let mut bloc = Bloc::new(sauf, groupes);
-            for (demandes, reponses) in demandes.chunks(BLOC).zip(reponses.chunks_mut(BLOC)) {
-                arbre.repondre_au_bloc(simd, &mut bloc, (demandes, reponses), &mut patience);
-            }
+            quatre = groupes_vides();
+            &mut quatre
+        };
+        let mut bloc = Bloc::new(arbre.liste, groupes);
+        for (demandes, reponses) in demandes.chunks(BLOC).zip(reponses.chunks_mut(BLOC)) {
+            arbre.repondre_au_bloc(simd, &mut bloc, (demandes, reponses));
         }
     });
     Ok(())

@@ -9,9 +9,11 @@ pub(crate) mod loupe;
 
 use crate::compile::compilees;
 use crate::double::{Double, Intervalle, scalaire, triple};
+use crate::epreuve::Epreuve;
 use crate::intersection::{Intersection, Touche};
 use crate::jugement::coup_d_oeil::coup_d_oeil;
 use crate::jugement::loupe::{Jugement, juger, loupe};
+use crate::liste::Liste;
 use crate::objet::ObjetRay;
 use crate::rayon::Rayon;
 use crate::reel::{Reel, fois_u};
@@ -163,13 +165,14 @@ compilees! {
 }
 
 fn certaine<R: Reel>((objets, rayon, touche): (&[ObjetRay<R>], &Rayon<R>, &Touche<R>)) -> bool {
-    let certificat = Certificat::new(objets, None, rayon, touche);
-    certificat.is_some_and(|certificat| certificat.vient_avant_tous(objets, None))
+    let liste = Liste::entiere(objets);
+    let certificat = Certificat::new(liste, rayon, touche);
+    certificat.is_some_and(|certificat| certificat.vient_avant_tous(liste))
 }
 
 /// An answer, of which every object is to be asked whether it comes later.
 pub(crate) struct Certificat<'a, R> {
-    pub(crate) rayon: &'a Rayon<R>,
+    rayon: &'a Rayon<R>,
     double: Rayon,
     /// The first object and its index; `None` of a miss.
     premier: Option<(&'a ObjetRay<R>, usize)>,
@@ -178,12 +181,11 @@ pub(crate) struct Certificat<'a, R> {
 }
 
 impl<'a, R: Reel> Certificat<'a, R> {
-    /// `None` if it is not certain that the ray enters the first object, or if that is the one at the
-    /// index `sauf`: what is left out is no answer.
+    /// `None` if it is not certain that the ray enters the first object, or if that is left out: what is
+    /// left out is no answer.
     #[inline(always)]
     pub(crate) fn new(
-        objets: &'a [ObjetRay<R>],
-        sauf: Option<usize>,
+        liste: Liste<'a, R>,
         rayon: &'a Rayon<R>,
         touche: &Touche<R>,
     ) -> Option<Self> {
@@ -192,7 +194,7 @@ impl<'a, R: Reel> Certificat<'a, R> {
             return Some(Self { rayon, double, premier: None, fin: f64::MAX });
         };
         let indice = touche.objet();
-        let premier = objets.get(indice).filter(|_| sauf != Some(indice))?;
+        let premier = liste.objet(indice)?;
         let entree = entree(&premier.vers_f64(), &double, plus_grand);
         let certaine = entree.touche(plus_grand) == Some(true);
         let premier = Some((premier, indice));
@@ -208,19 +210,18 @@ impl<'a, R: Reel> Certificat<'a, R> {
     /// Whether the ray certainly never enters the object at this index, or later than the first; or it
     /// is the first.
     #[inline(always)]
-    pub(crate) fn vient_apres(&self, objet: &ObjetRay<R>, indice: usize) -> bool {
+    fn vient_apres(&self, objet: &ObjetRay<R>, indice: usize) -> bool {
         // G5
         self.premier.is_some_and(|(_, premier)| premier == indice)
             || coup_d_oeil(&objet.vers_f64(), &self.double).bas > self.fin
             || self.vient_apres_a_la_loupe(objet)
     }
 
-    /// Whether every object of the list comes later, except that at the index `sauf`.
-    pub(crate) fn vient_avant_tous(&self, objets: &[ObjetRay<R>], sauf: Option<usize>) -> bool {
-        objets.iter().enumerate().all(|(indice, objet)| {
+    /// Whether every object of the list comes later.
+    pub(crate) fn vient_avant_tous(&self, liste: Liste<'_, R>) -> bool {
+        liste.tous().all(|(indice, objet)| {
             // No ray that enters an object passes the ball around it by (lemma 19).
-            let loin = sauf == Some(indice) || !objet.boule().approchee(self.rayon);
-            loin || self.vient_apres(objet, indice)
+            !objet.boule().approchee(self.rayon) || self.vient_apres(objet, indice)
         })
     }
 
@@ -229,5 +230,20 @@ impl<'a, R: Reel> Certificat<'a, R> {
         let a_la_loupe = |objet: &ObjetRay<R>| loupe(&objet.vers_f64(), &self.double);
         let premier = self.premier.map(|(premier, _)| a_la_loupe(premier).haut);
         a_la_loupe(objet).bas > premier.unwrap_or(f64::INFINI).min(self.fin)
+    }
+}
+
+/// That an object may come before the first.
+impl<R: Reel> Epreuve<R> for Certificat<'_, R> {
+    const UN_SUFFIT: bool = true;
+
+    #[inline(always)]
+    fn rayon(&self) -> &Rayon<R> {
+        self.rayon
+    }
+
+    #[inline(always)]
+    fn t(&self, _: &Rayon<R>, objet: &ObjetRay<R>, indice: usize, _: bool) -> R {
+        if self.vient_apres(objet, indice) { R::INFINI } else { R::ZERO }
     }
 }

@@ -23,8 +23,7 @@
 //! [`vers_ray`](ObjetGeo::vers_ray); then ask [`premiere_intersection`] as often as the picture has
 //! pixels, or [`premieres_intersections`] for many pixels at once: the same bits, several times as
 //! fast. [`est_occulte`] tells whether anything blocks the way to a light. Over many objects build
-//! a [`Hierarchie`]: the same hits, sooner from a dozen spheres and boxes on, and below ten it asks
-//! the list.
+//! a [`Hierarchie`]: the same hits, sooner from ten spheres and boxes on; below ten it asks the list.
 //!
 //! # Conventions
 //!
@@ -102,15 +101,17 @@ extern crate std;
 // (`docs/conception.md`, "The floors").
 //
 //   seize · reel · compile, niveau · vecteur · texture, refus · rotation · rayon · double
-//   intersection · secondaire · forme · sphere, plan, boite · objet · jugement · premier
+//   intersection · secondaire · forme · sphere, plan, boite · objet · liste, epreuve · jugement · premier
 //   recherche · lot · hierarchie · pour_les_tests
 mod boite;
 mod compile;
 mod double;
+mod epreuve;
 mod forme;
 mod hierarchie;
 mod intersection;
 mod jugement;
+mod liste;
 mod lot;
 mod niveau;
 mod objet;

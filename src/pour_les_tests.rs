@@ -2,14 +2,17 @@
 //! other instructions; what no answer tells; and, under one roof for the test that holds them to their
 //! lemmas, the constants of the proofs in `docs/preuves.md` and the numbers of lemma 18.
 
+use core::slice;
+
 use fearless_simd::Level;
 
 use crate::hierarchie::Hierarchie;
 use crate::hierarchie::construction::Arbre;
 use crate::hierarchie::noeud::{VIDE, en_mot};
-use crate::hierarchie::parcours_de_bloc::Patience;
-use crate::intersection::NoIntersection;
-use crate::lot::bloc::{BLOC, Bloc, groupes_vides};
+use crate::hierarchie::repere::Repere;
+use crate::hierarchie::sonde::SondeDeBloc;
+use crate::liste::Liste;
+use crate::lot::bloc::{Bloc, groupes_vides};
 use crate::niveau::{meilleur_niveau, selon_le_niveau};
 use crate::objet::ObjetRay;
 use crate::rayon::Rayon;
@@ -17,7 +20,6 @@ use crate::reel::Reel;
 
 pub use crate::double::{BORNE_DOUBLE, Double, Intervalle, PERTE_DOUBLE, PRODUIT_DOUBLE};
 pub use crate::forme::{ARRONDI_HAUTEUR, PENCHE, PLANCHER, RETRAIT, VERS_LE_HAUT};
-pub use crate::hierarchie::parcours_de_bloc::ASSEZ_D_OBJETS;
 pub use crate::hierarchie::repere::{JEU_F32, JEU_TOUCHE};
 pub use crate::hierarchie::sonde::{ENTREE_AVANT, JEU_BLOC, JEU_FIXE};
 pub use crate::jugement::ERREUR_ARRONDIE;
@@ -25,7 +27,7 @@ pub use crate::jugement::coup_d_oeil::{
     VUE_DISTANCE, VUE_HAUTEUR, VUE_LONGUEUR, VUE_QUOTIENT, VUE_SPHERE, VUE_VITESSE, coup_d_oeil,
 };
 pub use crate::jugement::loupe::ECART_ARRONDI;
-pub use crate::lot::faisceau::{COURT, COURT_OMEGA, JEU_BOULE, ORIGINES, PENTE};
+pub use crate::lot::faisceau::{COURT, COURT_OMEGA, ORIGINES, PENTE};
 pub use crate::objet::ETENDUE;
 pub use crate::rayon::DEJA_UNITAIRE;
 pub use crate::rotation::DEJA_ORTHONORMALE;
@@ -55,7 +57,7 @@ impl Reglage {
 
     /// These objects as a hierarchy that asks its list, however long, with these instructions.
     pub fn liste<R: Reel>(self, objets: &[ObjetRay<R>]) -> Hierarchie<'_, R> {
-        Hierarchie { objets, arbre: None, sauf: None, niveau: self.niveau }
+        Hierarchie { arbre: Arbre::sans_noeuds(Liste::entiere(objets)), niveau: self.niveau }
     }
 
     /// The same hierarchy with these instructions.
@@ -65,30 +67,39 @@ impl Reglage {
     }
 }
 
-/// Whether the beam of these shadow rays, one to sixty-four, leaves out the ball around this object. It
+/// Whether the beam of these shadow rays, one to sixty-four, leaves out the box around this object. It
 /// ends at the lamps, unless one is infinitely far. No answer shows it.
 pub fn evite<R: Reel>(ombres: &[(Rayon<R>, R)], objet: &ObjetRay<R>) -> bool {
     let mut groupes = groupes_vides();
-    let mut bloc = Bloc::new(None, &mut groupes);
+    let mut bloc = Bloc::new(Liste::entiere(&[]), &mut groupes);
     bloc.charger(ombres);
-    bloc.faisceau().is_some_and(|faisceau| faisceau.degagement(objet.boule()) > R::ZERO)
+    bloc.faisceau().is_some_and(|faisceau| {
+        let repere = Repere::autour(slice::from_ref(objet));
+        let sonde = SondeDeBloc::new(&faisceau, repere);
+        let mut noeud = VIDE;
+        if let Some((bas, haut)) = repere.boite_elargie(objet) {
+            [noeud[0][0], noeud[1][0], noeud[2][0]] = bas.into();
+            [noeud[3][0], noeud[4][0], noeud[5][0]] = haut.into();
+        }
+        let plafond = repere.distance(bloc.le_plus_loin());
+        selon_le_niveau!(meilleur_niveau(), simd => {
+            sonde.as_ref().is_some_and(|sonde| sonde.traverse(simd, &noeud, plafond).0 == 0)
+        })
+    })
 }
 
 /// Whether these rays, one to sixty-four, come to the end of the tree of this hierarchy together. No answer
 /// shows it.
 pub fn vont_au_bout<R: Reel>(hierarchie: &Hierarchie<'_, R>, rayons: &[Rayon<R>]) -> bool {
-    let Hierarchie { arbre: Some(arbre), sauf, niveau, .. } = hierarchie else { return false };
-    let (mut groupes, mut patience) = (groupes_vides(), Patience::default());
-    let mut bloc = Bloc::new(*sauf, &mut groupes);
-    let touches = &mut [Err(NoIntersection); BLOC][..rayons.len()];
-    selon_le_niveau!(*niveau, simd => {
-        arbre.repondre_ensemble(simd, &mut bloc, (rayons, touches), &mut patience)
-    })
+    let Hierarchie { arbre, niveau } = hierarchie;
+    let mut groupes = groupes_vides();
+    let mut bloc = Bloc::new(arbre.liste, &mut groupes);
+    selon_le_niveau!(*niveau, simd => arbre.chercher_ensemble(simd, &mut bloc, rayons))
 }
 
 /// How many nodes the tree of this hierarchy has; 0 if it has none and asks its list.
 pub fn noeuds<R: Reel>(hierarchie: &Hierarchie<'_, R>) -> usize {
-    hierarchie.noeuds()
+    hierarchie.arbre.noeuds.len()
 }
 
 /// This hierarchy as if none of its objects had a box; it needs a number for each.
@@ -99,7 +110,6 @@ pub fn sans_boites<'a, R: Reel>(
     for (place, indice) in indices.iter_mut().zip(0..) {
         *place = en_mot(indice);
     }
-    let arbre =
-        |arbre| Arbre { noeuds: &[VIDE], feuilles: 1, geants: 0, sans_boite: indices, ..arbre };
-    Hierarchie { arbre: hierarchie.arbre.map(arbre), ..hierarchie }
+    let arbre = Arbre { noeuds: &[VIDE], feuilles: 1, sans_boite: indices, ..hierarchie.arbre };
+    Hierarchie { arbre, ..hierarchie }
 }

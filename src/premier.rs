@@ -52,7 +52,7 @@ impl<R: Reel> Premier<R> {
 
     /// The hit of this ray on it.
     #[inline(always)]
-    pub(crate) fn conclure(self, objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> Touche<R> {
+    pub(crate) fn touche(self, objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> Touche<R> {
         let rang = self.rang.ok_or(NoIntersection)?;
         let objet = objets.get(rang.indice()).ok_or(NoIntersection)?;
         Ok(objet.conclure(rayon, self.t, rang))

@@ -34,6 +34,7 @@ struct Choix {
     genres: Vec<Genre>,
     facons: Vec<&'static str>,
     jeu: String,
+    graine: u64,
     bandes: usize,
     tours: usize,
     appel: usize,
@@ -50,6 +51,7 @@ impl Choix {
             genres: Genre::TOUS.into(),
             facons: FACONS.map(|(nom, _)| nom).into(),
             jeu: String::new(),
+            graine: 1,
             bandes: 8,
             tours: 4,
             appel: MORCEAU,
@@ -76,6 +78,7 @@ impl Choix {
                     choix.nombres = valeurs.split(',').map(str::parse).collect::<Result<_, _>>()?
                 }
                 "--set" => choix.jeu = valeurs,
+                "--seed" => choix.graine = valeurs.parse()?,
                 "--bands" => choix.bandes = valeurs.parse()?,
                 "--turns" => choix.tours = valeurs.parse()?,
                 "--call" => choix.appel = valeurs.parse::<usize>()?.clamp(1, MORCEAU),
@@ -117,7 +120,7 @@ struct Cellule {
 
 fn main() -> Result<(), Box<dyn Error>> {
     let choix = Choix::lire()?;
-    let titres: Vec<_> = choix.genres.iter().map(|genre| format!("{:>11}", genre.nom())).collect();
+    let titres: Vec<_> = choix.genres.iter().map(|genre| format!("{:>12}", genre.nom())).collect();
     let de = if choix.sur { "batch over one by one" } else { "new over old" };
     println!("time, {de}{}", if choix.temps { ", and the latter in ns a ray" } else { "" });
     println!("{:<32}{}", "family, N, scalar, way", titres.join(""));
@@ -169,7 +172,7 @@ fn mesurer<R: Reel + avant::Reel + DeserializeOwned>(
     scalaire: &str,
     cellules: &mut Vec<Cellule>,
 ) -> Result<(), Box<dyn Error>> {
-    let scene = famille.scene::<R>(n);
+    let scene = famille.scene::<R>(n, choix.graine);
     let anciens: Vec<_> = scene.objets.iter().map(ancien).collect();
     let [mut places, mut anciennes] =
         [Hierarchie::places(n), avant::Hierarchie::places(n)].map(|places| vec![0.0; places]);
@@ -217,7 +220,7 @@ fn mesurer<R: Reel + avant::Reel + DeserializeOwned>(
             let rapport = nouveau / ns;
             let temps = if choix.temps { format!(" {ns:4.0}") } else { String::new() };
             let marque = if autres > 0 { "!" } else { " " };
-            ligne.push_str(&format!("{:>11}", format!("{rapport:.2}{marque}{temps}")));
+            ligne.push_str(&format!("{:>12}", format!("{rapport:.2}{marque}{temps}")));
             let nom = format!("{} {n} {scalaire} {facon} {}", famille.nom(), genre.nom());
             cellules.push(Cellule { nom, genre, facon, rapport, autres });
         }
@@ -254,7 +257,7 @@ fn resumer(choix: &Choix, mut cellules: Vec<Cellule>) {
             let choisies = cellules.iter().filter(|c| c.facon == *facon && c.genre == *genre);
             let (somme, nombre) =
                 choisies.fold((0.0, 0.0), |(s, n), c| (s + c.rapport.ln(), n + 1.0));
-            format!("{:>10.3} ", (somme / nombre).exp())
+            format!("{:>11.3} ", (somme / nombre).exp())
         };
         let moyennes: Vec<_> = choix.genres.iter().map(moyenne).collect();
         println!("{:<32}{}", format!("geometric mean, {facon}"), moyennes.join(""));
@@ -265,6 +268,9 @@ fn resumer(choix: &Choix, mut cellules: Vec<Cellule>) {
             println!("    {:.2}  {}", c.rapport, c.nom);
         }
     };
+    let au_dela = |seuil| cellules.iter().filter(|c| c.rapport > seuil).count();
+    let [un_dixieme, deux_cinquiemes] = [1.1, 1.4].map(au_dela);
+    println!("of {} cells {un_dixieme} over 1.10, {deux_cinquiemes} over 1.40", cellules.len());
     println!("best");
     extremes(&mut cellules.iter());
     println!("worst");

@@ -29,11 +29,16 @@ pub enum Famille {
     Piece,
     Atelier,
     Melange,
+    Etageres,
+    Foret,
+    Treillis,
 }
 
 /// One scene, what its camera looks along, and its lamp.
 pub struct Scene<R> {
     pub objets: Vec<ObjetRay<R>>,
+    /// From which the objects and the rays that leave them are drawn.
+    graine: u64,
     /// Row by row.
     image: Vec<Rayon<R>>,
     /// From one ray to the next of a picture without perspective.
@@ -41,11 +46,14 @@ pub struct Scene<R> {
     lampe: Vecteur<R>,
 }
 
+/// The seed of what the pages report. What is chosen in the library is chosen with others.
+pub const GRAINE_DES_PAGES: u64 = 7;
+
 /// The size of every picture.
 const IMAGE: (usize, usize) = (600, 400);
 
 impl Famille {
-    pub const TOUTES: [Self; 11] = [
+    pub const TOUTES: [Self; 14] = [
         Self::Ville,
         Self::Salle,
         Self::Atomes,
@@ -57,6 +65,9 @@ impl Famille {
         Self::Piece,
         Self::Atelier,
         Self::Melange,
+        Self::Etageres,
+        Self::Foret,
+        Self::Treillis,
     ];
 
     pub fn nom(self) -> &'static str {
@@ -72,6 +83,9 @@ impl Famille {
             Self::Piece => "room",
             Self::Atelier => "atelier",
             Self::Melange => "mix",
+            Self::Etageres => "shelves",
+            Self::Foret => "forest",
+            Self::Treillis => "lattice",
         }
     }
 
@@ -87,9 +101,9 @@ impl Famille {
         }
     }
 
-    /// The scene of `n` objects, object i with texture i.
-    pub fn scene<R: Reel + DeserializeOwned>(self, n: usize) -> Scene<R> {
-        let alea = &mut Rng::with_seed(1);
+    /// The scene of `n` objects, object i with texture i, drawn from this seed.
+    pub fn scene<R: Reel + DeserializeOwned>(self, n: usize, graine: u64) -> Scene<R> {
+        let alea = &mut Rng::with_seed(graine);
         let vue = |camera| {
             let camera: Camera = ron::from_str(camera).expect("a camera as in a scene file");
             camera.rayons().expect(PERMIS)
@@ -119,8 +133,13 @@ impl Famille {
                 (objets, image, 1.0 / 64.0, [-2.6, 7.2, 5.2])
             }
             Self::Melange => (melange(n), vue(DEVANT), 1.0 / 32.0, [-2.6, 8.2, 5.2]),
+            Self::Etageres => {
+                (etageres(n, alea), vue(DEVANT_LES_ETAGERES), 1.0 / 64.0, [-4.0, 7.5, 6.0])
+            }
+            Self::Foret => (foret(n, alea), vue(DANS_LA_FORET), 1.0 / 32.0, [-9.0, 25.0, 12.0]),
+            Self::Treillis => (treillis(n), vue(DE_COTE), 1.0 / 64.0, [-8.0, 14.0, 10.0]),
         };
-        Scene { objets, image, pas, lampe: arrondi(lampe.into()) }
+        Scene { objets, graine, image, pas, lampe: arrondi(lampe.into()) }
     }
 }
 
@@ -130,6 +149,9 @@ const DE_LOIN: &str = "(source: (0, 2, 16), regard: Point((0, 0, 0)), champ: 42)
 const DANS_LE_STADE: &str = "(source: (0, 2.5, 9), regard: Point((0, 1.2, 0)), champ: 30)";
 const DEVANT_LE_FLOCON: &str = "(source: (0, 6, 16), regard: Point((0, 4, 0)), champ: 42)";
 const DANS_LA_PIECE: &str = "(source: (4, 4, 9), regard: Point((0, 1.5, 0)), champ: 55)";
+const DEVANT_LES_ETAGERES: &str = "(source: (3, 3.5, 9), regard: Point((0, 2.5, 0)), champ: 42)";
+const DANS_LA_FORET: &str = "(source: (0, 1.7, 10), regard: Point((1, 2.5, 0)), champ: 55)";
+const DE_COTE: &str = "(source: (6, 5, 13), regard: Point((0, 0, 0)), champ: 42)";
 const DEVANT: &str = "(source: (0, 2, 6), regard: Rotation((0, 0, 0)), champ: 50)";
 
 /// Where the three parts of the picture of the cubes look: along an axis, along a face, and askew.
@@ -322,6 +344,95 @@ fn piece<R: Reel>(n: usize, alea: &mut Rng) -> Vec<ObjetRay<R>> {
     objets
 }
 
+/// Shelves against a wall, ten places on each board, and on eight of them something: a book that may lean, or a ball;
+/// the ground.
+fn etageres<R: Reel>(n: usize, alea: &mut Rng) -> Vec<ObjetRay<R>> {
+    const PLACES: usize = 10;
+    let mut objets = vec![sol(), demi_espace([0.0, 0.0, -0.6], [0.0, 0.0, 1.0], 1)];
+    // A board takes itself, an upright at its left end and what stands on it.
+    let planches = ((n - objets.len()) as f64 / 10.0).ceil();
+    let colonnes = (planches / 3.0).sqrt().ceil();
+    let (large, haut) = (8.0 / colonnes, 6.0 / (planches / colonnes).ceil());
+    let mut numero = 0;
+    while objets.len() < n {
+        let [x, y] = [numero % colonnes as usize, numero / colonnes as usize].map(|k| k as f64);
+        let (gauche, bas) = (x * large - 4.0, y * haut + 0.1 * haut);
+        numero += 1;
+        let planche = [gauche + large / 2.0, bas, 0.0];
+        objets.push(boite(planche, [large, 0.04 * haut, 1.0], [0.0; 3], objets.len()));
+        let montant = [gauche, bas + haut / 2.0, 0.0];
+        objets.push(boite(montant, [0.03 * large, haut, 1.0], [0.0; 3], objets.len()));
+        let pas = 0.9 * large / PLACES as f64;
+        let mut places: Vec<_> = (0..PLACES).collect();
+        alea.shuffle(&mut places);
+        for place in &places[..8] {
+            let x = gauche + 0.08 * large + (*place as f64 + 0.5) * pas;
+            let dessus = bas + 0.02 * haut;
+            objets.push(if alea.u8(..5) == 0 {
+                let r = 0.45 * pas.min(haut);
+                sphere([x, dessus + r, entre(alea, -0.2, 0.3)], r, objets.len())
+            } else {
+                let dimensions = [
+                    pas * entre(alea, 0.3, 0.9),
+                    haut * entre(alea, 0.5, 0.85),
+                    entre(alea, 0.5, 0.8),
+                ];
+                let penche = if alea.u8(..4) == 0 { entre(alea, -0.1, 0.1) } else { 0.0 };
+                let ou = [x, dessus + dimensions[1] / 2.0, entre(alea, -0.1, 0.1)];
+                boite(ou, dimensions, [0.0, 0.0, penche], objets.len())
+            });
+        }
+    }
+    objets.truncate(n);
+    objets
+}
+
+/// Trees here and there, a trunk that leans a little and a crown of five balls; the ground.
+fn foret<R: Reel>(n: usize, alea: &mut Rng) -> Vec<ObjetRay<R>> {
+    let mut objets = vec![sol()];
+    let arbres = ((n - 1) as f64 / 6.0).ceil();
+    // So wide a wood that trees stand as far apart whatever their number.
+    let taille = 12.0 / arbres.sqrt().max(3.0);
+    while objets.len() < n {
+        let [x, z] = [(); 2].map(|()| entre(alea, -12.0, 12.0));
+        let haut = taille * entre(alea, 0.7, 1.3);
+        let penche = [(); 3].map(|()| entre(alea, -0.1, 0.1));
+        let tronc = [0.08 * haut, haut, 0.08 * haut];
+        objets.push(boite([x, haut / 2.0, z], tronc, penche, objets.len()));
+        for _ in 0..5 {
+            let autour = direction(alea) * (0.3 * haut);
+            let r = haut * entre(alea, 0.12, 0.3);
+            let ou = [x + autour.x, haut + autour.y, z + autour.z];
+            objets.push(sphere(ou, r, objets.len()));
+        }
+    }
+    objets.truncate(n);
+    objets
+}
+
+/// Balls on the corners of a grid, and along its edges thin rods that stop short of them.
+fn treillis<R: Reel>(n: usize) -> Vec<ObjetRay<R>> {
+    let cote = (n as f64 / 4.0).cbrt().ceil() as usize;
+    let pas = 9.0 / cote as f64;
+    let coins = (0..).map(|i| [i % cote, i / cote % cote, i / cote / cote]);
+    let coins = coins.map(|ou| ou.map(|k| (k as f64 + 0.5) * pas - 4.5));
+    let mut objets = Vec::new();
+    for [x, y, z] in coins {
+        objets.push(sphere([x, y, z], 0.16 * pas, objets.len()));
+        for axe in 0..3 {
+            let (mut ou, mut dimensions) = ([x, y, z], [0.06 * pas; 3]);
+            ou[axe] += pas / 2.0;
+            dimensions[axe] = 0.6 * pas;
+            objets.push(boite(ou, dimensions, [0.0; 3], objets.len()));
+        }
+        if objets.len() >= n {
+            break;
+        }
+    }
+    objets.truncate(n);
+    objets
+}
+
 /// A sphere or a turned box, of this size.
 fn chose<R: Reel>(alea: &mut Rng, ou: [f64; 3], r: f64, i: usize) -> ObjetRay<R> {
     if i.is_multiple_of(2) {
@@ -378,6 +489,10 @@ pub enum Genre {
     SansOrdre,
     /// From what the camera sees to the lamp, in tiles.
     Ombres,
+    /// Of the camera, shuffled.
+    Melees,
+    /// From what the camera sees to the lamp, shuffled.
+    OmbresMelees,
 }
 
 /// A ray, and how far the lamp is that it goes to.
@@ -412,7 +527,7 @@ impl<R: Reel> Lances<R> {
 }
 
 impl Genre {
-    pub const TOUS: [Self; 8] = [
+    pub const TOUS: [Self; 10] = [
         Self::Tuiles,
         Self::Rangees,
         Self::Paralleles,
@@ -421,6 +536,8 @@ impl Genre {
         Self::Diffus,
         Self::SansOrdre,
         Self::Ombres,
+        Self::Melees,
+        Self::OmbresMelees,
     ];
 
     pub fn nom(self) -> &'static str {
@@ -433,6 +550,8 @@ impl Genre {
             Self::Diffus => "diffuse",
             Self::SansOrdre => "no order",
             Self::Ombres => "shadows",
+            Self::Melees => "shuffled",
+            Self::OmbresMelees => "shuf. shad.",
         }
     }
 
@@ -455,14 +574,18 @@ impl Genre {
         if self == Self::Rangees {
             return Lances::de_camera(rangees);
         }
-        let tuiles = en_tuiles(&rangees, largeur);
-        if self == Self::Tuiles || self == Self::Paralleles {
+        let mut tuiles = en_tuiles(&rangees, largeur);
+        if self == Self::Melees {
+            Rng::with_seed(scene.graine + 2).shuffle(&mut tuiles);
+        }
+        if matches!(self, Self::Tuiles | Self::Paralleles | Self::Melees) {
             return Lances::de_camera(tuiles);
         }
-        let mut alea = Rng::with_seed(2);
+        let vers_la_lampe = matches!(self, Self::Ombres | Self::OmbresMelees);
+        let mut alea = Rng::with_seed(scene.graine + 1);
         let partis = tuiles.into_iter().filter_map(|rayon| {
             let touche = hierarchie.premiere_intersection(&rayon).ok()?;
-            let parti = if self == Self::Ombres {
+            let parti = if vers_la_lampe {
                 rayon.vers_lumiere(&touche, scene.lampe)?
             } else {
                 (self.depuis(&rayon, &touche, &mut alea)?, R::INFINI)
@@ -470,11 +593,11 @@ impl Genre {
             Some((parti, touche.objet()))
         });
         let mut partis: Vec<_> = partis.collect();
-        if self == Self::SansOrdre {
-            Rng::with_seed(3).shuffle(&mut partis);
+        if matches!(self, Self::SansOrdre | Self::OmbresMelees) {
+            Rng::with_seed(scene.graine + 2).shuffle(&mut partis);
         }
         let rayons = partis.iter().map(|((rayon, _), _)| *rayon).collect();
-        let ombres = partis.iter().filter(|_| self == Self::Ombres).map(|(ombre, _)| *ombre);
+        let ombres = partis.iter().filter(|_| vers_la_lampe).map(|(ombre, _)| *ombre);
         Lances { rayons, ombres: ombres.collect(), partis }
     }
 
@@ -488,7 +611,8 @@ impl Genre {
         let (d, n) = (rayon.direction().vers_f64(), touche.normale().vers_f64());
         let reflet = d - n * (2.0 * d.produit_scalaire(n));
         let vers = match self {
-            Self::Tuiles | Self::Rangees | Self::Paralleles | Self::Ombres => return None,
+            Self::Tuiles | Self::Rangees | Self::Paralleles | Self::Melees => return None,
+            Self::Ombres | Self::OmbresMelees => return None,
             Self::Miroirs => reflet,
             Self::Rugueux => reflet + direction(alea) * 0.05,
             Self::Diffus => n + direction(alea),

@@ -7,15 +7,18 @@
 //! those of a leaf are sixteen neighbours. Each leaf is then transposed into columns in place, and
 //! the nodes above follow, floor by floor.
 
+use core::mem;
+
 use crate::hierarchie::noeud::{COIN_ABSENT, FICHE, Fiche, LIMITE_INDICES, Noeud, VIDE, en_mot};
 use crate::hierarchie::repere::{Repere, extremes};
+use crate::liste::Liste;
 use crate::objet::ObjetRay;
 use crate::reel::{Reel, max, min};
 use crate::seize::SEIZE;
 
 /// Over fewer objects with a box than this no tree is made: the list is as fast
 /// (`docs/performance.md`, "Thresholds").
-const SEUIL_ARBRE: usize = 10;
+const OBJETS_D_UN_ARBRE: usize = 10;
 
 /// Bytes of a cache line: nodes start on one (`docs/performance.md`, "Thresholds").
 const LIGNE: usize = 64;
@@ -27,22 +30,27 @@ const BOURRAGE: usize = LIGNE / size_of::<f32>() - 1;
 /// A tree over a list of objects.
 #[derive(Clone, Copy)]
 pub(crate) struct Arbre<'a, R> {
-    pub(crate) objets: &'a [ObjetRay<R>],
-    /// The leaves, then the floors above.
+    pub(crate) liste: Liste<'a, R>,
+    /// The leaves, then the floors above, the root last; none over a list that is as fast.
     pub(crate) noeuds: &'a [Noeud],
     /// How many nodes are leaves.
     pub(crate) feuilles: usize,
-    /// How many leaves of giants stand before the others, 0 or 1; the root is not above them.
-    pub(crate) geants: usize,
     /// The [stored](en_mot) indices of those without a box, the last first.
     pub(crate) sans_boite: &'a [f32],
     pub(crate) repere: Repere<R>,
 }
 
+impl<'a, R: Reel> Arbre<'a, R> {
+    /// A list that is asked as a list.
+    pub(crate) fn sans_noeuds(liste: Liste<'a, R>) -> Self {
+        Self { liste, noeuds: &[], feuilles: 0, sans_boite: &[], repere: Repere::QUELCONQUE }
+    }
+}
+
 /// How many numbers the tree of so many objects may need, whichever of them have no box. One without needs one
 /// number, and less than its share of a leaf, except for the first fifteen.
 pub(crate) const fn mots(objets: usize) -> usize {
-    if objets < SEUIL_ARBRE || objets as u64 >= LIMITE_INDICES {
+    if objets < OBJETS_D_UN_ARBRE || objets as u64 >= LIMITE_INDICES {
         return 0;
     }
     let mut etage = objets.div_ceil(SEIZE);
@@ -51,14 +59,22 @@ pub(crate) const fn mots(objets: usize) -> usize {
         etage = etage.div_ceil(SEIZE);
         total += etage;
     }
+    // Where the root is full another stands above it and the giants.
+    if total > 1 {
+        total += 1;
+    }
     // Where this saturates, on a 32-bit machine, it is more than there is memory.
     total.saturating_mul(FICHE * SEIZE).saturating_add(SEIZE - 1 + BOURRAGE)
 }
 
-/// The tree over these objects, in [so many numbers](mots); none over few that have a box.
+/// The tree over these objects, in [so many numbers](mots); one without nodes over few that have a box.
 pub(crate) fn construire<'a, R: Reel>(
     (objets, places): (&'a [ObjetRay<R>], &'a mut [f32]),
-) -> Option<Arbre<'a, R>> {
+) -> Arbre<'a, R> {
+    let sans_noeuds = Arbre::sans_noeuds(Liste::entiere(objets));
+    if places.is_empty() {
+        return sans_noeuds;
+    }
     let debut = places.as_ptr().align_offset(LIGNE).min(BOURRAGE);
     let places = &mut places[debut..];
     let repere = Repere::autour(objets);
@@ -74,8 +90,8 @@ pub(crate) fn construire<'a, R: Reel>(
             places[fin] = indice;
         }
     }
-    if nombre < SEUIL_ARBRE {
-        return None;
+    if nombre < OBJETS_D_UN_ARBRE {
+        return sans_noeuds;
     }
     let (places, sans_boite) = places.split_at_mut(fin);
     let (fiches, _) = places.as_chunks_mut();
@@ -87,25 +103,27 @@ pub(crate) fn construire<'a, R: Reel>(
     for (numero, feuille) in noeuds[..feuilles].iter_mut().enumerate() {
         en_colonnes(feuille, nombre - numero * SEIZE);
     }
-    // The floor whose nodes have none above them yet.
-    let mut etage = geants..feuilles;
-    while etage.len() > 1 {
+    // The floor whose nodes have none above them yet, and the leaves of giants, which the root takes along.
+    let (mut etage, mut a_part) = (geants..feuilles, geants);
+    while etage.len() + a_part > 1 {
         let mut suivant = etage.end;
         for debut in etage.clone().step_by(SEIZE) {
             let (dessous, dessus) = noeuds.split_at_mut(suivant);
-            dessus[0] = parent(&dessous[debut..etage.end.min(debut + SEIZE)], debut);
+            let enfants = debut..etage.end.min(debut + SEIZE);
+            let la_racine = enfants.len() == etage.len() && enfants.len() + a_part <= SEIZE;
+            let geants = if la_racine { 0..mem::take(&mut a_part) } else { 0..0 };
+            dessus[0] = parent(dessous, geants.chain(enfants));
             suivant += 1;
         }
         etage = etage.end..suivant;
     }
     // The root is the last.
-    let noeuds = &noeuds[..=etage.start];
-    Some(Arbre { objets, noeuds, feuilles, geants, sans_boite, repere })
+    Arbre { noeuds: &noeuds[..=etage.start], feuilles, sans_boite, repere, ..sans_noeuds }
 }
 
 /// Giants are larger, in the mean, than this times the mean size of the others and the side of a
 /// leaf, if all leaves were alike (`docs/performance.md`, "Thresholds").
-const GEANT: f32 = 0.3;
+const TAILLE_DES_GEANTS: f32 = 0.3;
 
 /// Puts the sixteen largest records first, and tells how many leaves they are: 1 if they are
 /// giants, floors and walls whose centres say little of where they are; else 0.
@@ -118,7 +136,7 @@ fn trier_les_geants(fiches: &mut [Fiche]) -> usize {
     let moyenne = |fiches: &[Fiche]| fiches.iter().map(taille).sum::<f32>() / fiches.len() as f32;
     let _ = fiches.select_nth_unstable_by(SEIZE, |a, b| taille(b).total_cmp(&taille(a)));
     let (grands, petits) = fiches.split_at(SEIZE);
-    usize::from(moyenne(grands) > GEANT * (moyenne(petits) + cote))
+    usize::from(moyenne(grands) > TAILLE_DES_GEANTS * (moyenne(petits) + cote))
 }
 
 /// The sum of the sides of a box.
@@ -164,15 +182,16 @@ fn en_colonnes(feuille: &mut Noeud, nombre: usize) {
     *feuille = noeud;
 }
 
-/// The node over at most sixteen others, the first of which has this index.
-fn parent(enfants: &[Noeud], debut: usize) -> Noeud {
+/// The node over those of these nodes that have these numbers, at most sixteen.
+fn parent(noeuds: &[Noeud], enfants: impl Iterator<Item = usize>) -> Noeud {
     let mut noeud = VIDE;
-    for (enfant, dessous) in enfants.iter().enumerate() {
+    for (enfant, numero) in enfants.enumerate() {
+        let dessous = &noeuds[numero];
         for axe in 0..3 {
             noeud[axe][enfant] = dessous[axe].into_iter().fold(COIN_ABSENT, min);
             noeud[axe + 3][enfant] = dessous[axe + 3].into_iter().fold(-COIN_ABSENT, max);
         }
+        noeud[FICHE - 1][enfant] = en_mot(numero);
     }
-    noeud[FICHE - 1][0] = en_mot(debut);
     noeud
 }

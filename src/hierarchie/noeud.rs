@@ -17,9 +17,8 @@ pub(crate) const COIN_ABSENT: f32 = (1_u128 << 120) as f32;
 /// The box and the index of an object.
 pub(crate) type Fiche = [f32; FICHE];
 
-/// Sixteen children: the lower corners of their boxes, the upper corners, and in a leaf the indices
-/// of the objects. Above the leaves the children are consecutive nodes, and the index of the
-/// first stands there.
+/// Sixteen children: the lower corners of their boxes, the upper corners, and the indices of the objects in a
+/// leaf, above the leaves the numbers of the nodes.
 ///
 /// A child that is missing has a box turned inside out ([`VIDE`]), which nothing enters.
 pub(crate) type Noeud = [Colonne<f32>; FICHE];

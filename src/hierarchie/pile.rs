@@ -33,15 +33,10 @@ pub(crate) struct Pile<'a> {
 }
 
 impl<'a> Pile<'a> {
-    /// The pile at the start of a walk, and the node to start at: the giants, if there are some,
-    /// and then the root.
+    /// A pile in this room, empty.
     #[inline(always)]
-    pub(crate) fn new(attentes: &'a mut [Attente], geants: usize, racine: usize) -> (Self, usize) {
-        if geants == 0 {
-            return (Self { attentes, nombre: 0 }, racine);
-        }
-        attentes[0] = (0.0, racine as u32);
-        (Self { attentes, nombre: 1 }, 0)
+    pub(crate) fn vide(attentes: &'a mut [Attente]) -> Self {
+        Self { attentes, nombre: 0 }
     }
 
     /// The nearest of these children; the others are put here.
@@ -52,13 +47,12 @@ impl<'a> Pile<'a> {
         entrees: &Colonne<f32>,
         [.., indices]: &Noeud,
     ) -> Option<usize> {
-        let debut = indice_lu(indices[0]);
         let proche = prendre_le_moindre(&mut enfants, entrees)?;
         while let Some(enfant) = prendre(&mut enfants) {
-            self.attentes[self.nombre] = (entrees[enfant], (debut + enfant) as u32);
+            self.attentes[self.nombre] = (entrees[enfant], indice_lu(indices[enfant]) as u32);
             self.nombre += 1;
         }
-        Some(debut + proche)
+        Some(indice_lu(indices[proche]))
     }
 
     /// The last node put here that the ray enters no later than `plafond`.

@@ -18,6 +18,9 @@ pub(crate) struct Repere<R> {
 }
 
 impl<R: Reel> Repere<R> {
+    /// The frame of a tree without nodes.
+    pub(crate) const QUELCONQUE: Self = Self { milieu: Vecteur::NUL, echelle: R::UN };
+
     /// The frame of these objects.
     pub(crate) fn autour(objets: &[ObjetRay<R>]) -> Self {
         let mut plus_large = R::ZERO;

@@ -5,6 +5,7 @@ use core::marker::PhantomData;
 use fearless_simd::Simd;
 
 use crate::intersection::Rang;
+use crate::liste::Liste;
 use crate::lot::demande::Demande;
 use crate::lot::faisceau::Faisceau;
 use crate::lot::groupe::Groupe;
@@ -23,27 +24,19 @@ pub(crate) fn groupes_vides<R: Reel>() -> [Groupe<R>; BLOC / SEIZE] {
     [const { Groupe::VIDE }; BLOC / SEIZE]
 }
 
-/// At most 64 rays, or one group of them, with the first object of each so far.
+/// At most 64 rays with the first object of each so far.
 pub(crate) struct Bloc<'a, R, D> {
-    /// The index of the object that is left out.
-    pub(crate) sauf: Option<usize>,
-    /// How many rays are here, without what stands in for missing ones; 0 if none are loaded.
-    pub(crate) nombre: usize,
+    liste: Liste<'a, R>,
+    /// How many rays are here, without what stands in for missing ones.
+    nombre: usize,
     groupes: &'a mut [Groupe<R>],
     demande: PhantomData<D>,
 }
 
 impl<'a, R: Reel, D: Demande<R>> Bloc<'a, R, D> {
     #[inline(always)]
-    pub(crate) fn new(sauf: Option<usize>, groupes: &'a mut [Groupe<R>]) -> Self {
-        Self { sauf, nombre: 0, groupes, demande: PhantomData }
-    }
-
-    /// One of its groups as a block of sixteen at most, with what they found so far; of none if none are loaded.
-    #[inline(always)]
-    pub(crate) fn groupe(&mut self, numero: usize) -> Bloc<'_, R, D> {
-        let nombre = self.nombre.saturating_sub(numero * SEIZE).min(SEIZE);
-        Bloc { nombre, ..Bloc::new(self.sauf, &mut self.groupes[numero..=numero]) }
+    pub(crate) fn new(liste: Liste<'a, R>, groupes: &'a mut [Groupe<R>]) -> Self {
+        Self { liste, nombre: 0, groupes, demande: PhantomData }
     }
 
     /// Puts these rays here, with no object so far.
@@ -66,17 +59,20 @@ impl<'a, R: Reel, D: Demande<R>> Bloc<'a, R, D> {
         self.groupes[i / SEIZE].rayon(i % SEIZE)
     }
 
-    /// The ray in the middle.
+    /// So many of these rays, evenly spread from the first to the last.
     #[inline(always)]
-    pub(crate) fn milieu(&self) -> Rayon<R> {
-        self.rayon(self.nombre / 2)
+    pub(crate) fn temoins(&self, combien: usize) -> impl Iterator<Item = Rayon<R>> {
+        (0..combien).map(
+            #[inline(always)]
+            move |i| self.rayon(i * (self.nombre - 1) / (combien - 1)),
+        )
     }
 
     /// The beam of these rays, up to their limits if they have some; `None` if they go too far apart for
     /// one.
     #[inline(always)]
     pub(crate) fn faisceau(&self) -> Option<Faisceau<R>> {
-        let reperes = [self.rayon(0), self.rayon(7), self.milieu()];
+        let reperes = [0, 7, self.nombre / 2].map(|i| self.rayon(i));
         if D::UN_SUFFIT && self.le_plus_loin() <= R::LIMITE {
             return Some(Faisceau::de_segments(self.groupes(), reperes));
         }
@@ -89,8 +85,8 @@ impl<'a, R: Reel, D: Demande<R>> Bloc<'a, R, D> {
     /// The shape is copied: nothing that is written to a group can overlap it, so that the compiler
     /// need not read it again for every ray.
     #[inline(always)]
-    pub(crate) fn proposer(&mut self, objets: &[ObjetRay<R>], indice: usize) {
-        let Some(objet) = objets.get(indice).filter(|_| self.sauf != Some(indice)) else { return };
+    pub(crate) fn proposer(&mut self, indice: usize) {
+        let Some(objet) = self.liste.objet(indice) else { return };
         let (rang, groupes) = (Rang::de(indice), self.groupes().len());
         par_forme!(ObjetRay, objet, forme => {
             let forme = *forme;
@@ -100,11 +96,11 @@ impl<'a, R: Reel, D: Demande<R>> Bloc<'a, R, D> {
         });
     }
 
-    /// [`proposer`](Self::proposer) of every object of the list: what a block without a beam does.
+    /// [`proposer`](Self::proposer) of every object of the list.
     #[inline(always)]
-    pub(crate) fn proposer_tous(&mut self, objets: &[ObjetRay<R>]) {
-        for indice in 0..objets.len() {
-            self.proposer(objets, indice);
+    pub(crate) fn proposer_tous(&mut self) {
+        for indice in 0..self.liste.objets.len() {
+            self.proposer(indice);
         }
     }
 
@@ -118,28 +114,21 @@ impl<'a, R: Reel, D: Demande<R>> Bloc<'a, R, D> {
         loin
     }
 
-    /// The first object so far of one of its rays; none, before this limit, if they are not loaded.
+    /// The first object so far of one of its rays.
     #[inline(always)]
-    pub(crate) fn premier(&self, i: usize, limite: R) -> Premier<R> {
-        if i < self.nombre {
-            return self.groupes[i / SEIZE].premier(i % SEIZE);
-        }
-        Premier::avant(limite)
+    pub(crate) fn premier(&self, i: usize) -> Premier<R> {
+        self.groupes[i / SEIZE].premier(i % SEIZE)
     }
 
     /// Writes the answers; a function of the instruction set, which list and hierarchy share.
     #[inline(always)]
-    pub(crate) fn ecrire<S: Simd>(
-        &self,
-        simd: S,
-        objets: &[ObjetRay<R>],
-        reponses: &mut [D::Reponse],
-    ) {
+    pub(crate) fn ecrire<S: Simd>(&self, simd: S, reponses: &mut [D::Reponse]) {
+        let objets = self.liste.objets;
         simd.vectorize(
             #[inline(always)]
             || {
                 for (groupe, reponses) in self.groupes.iter().zip(reponses.chunks_mut(SEIZE)) {
-                    D::conclure_groupe(groupe, objets, reponses);
+                    D::reponses_du_groupe(groupe, objets, reponses);
                 }
             },
         );

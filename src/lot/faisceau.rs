@@ -1,10 +1,10 @@
-//! Culling: leaves out the objects that no ray of a block can enter, without asking every ray.
+//! The beam of a block: a pyramid that all its rays stay in, by which a hierarchy leaves objects out without
+//! asking every ray.
 //!
-//! An object that some ray could enter is never left out, rounding included. The bounds are derived
-//! in `docs/preuves.md`, lemmas 12 and 13, whose letters are those of this file.
+//! No point of a ray lies outside, rounding included. The bounds are derived in `docs/preuves.md`, lemma 12, whose
+//! letters are those of this file.
 
-use crate::forme::Boule;
-use crate::lot::demande::Epreuve;
+use crate::epreuve::Epreuve;
 use crate::lot::groupe::Groupe;
 use crate::rayon::Rayon;
 use crate::reel::{Reel, fois_u, fois_u_simple, max, min};
@@ -24,11 +24,8 @@ pub const PENTE: f64 = 7.5;
 /// (lemma 12).
 pub const ORIGINES: f64 = 10.6;
 
-/// The rounding of h² and of an entry near the ball, in u of `f32` times |C − S₀|² + 3q² (lemma 13).
-pub const JEU_BOULE: f64 = 310.0;
-
-/// No side of a beam of segments is steeper against Ω: any slope is right, these fit.
-const RAIDE: f64 = 4.0;
+/// The steepest side of a beam of segments against Ω: any slope is right, these fit.
+const PENTE_DES_SEGMENTS: f64 = 4.0;
 
 /// A pyramid that the rays of a block stay in: four sides, then a back. Each of these planes has an
 /// outward normal Π and a bound w on Π·(X − S₀) over the points X of all rays, or of the part of each
@@ -117,7 +114,7 @@ impl<R: Reel> Faisceau<R> {
                 [su, -su, sv, -sv, lu, -lu, lv, -lv, profondeur, plus_grande_coordonnee(s), t]
             },
         );
-        let raide = R::depuis_f64(RAIDE);
+        let raide = R::depuis_f64(PENTE_DES_SEGMENTS);
         let pentes = [l1 - s1, l2 - s2, l3 - s3, l4 - s4]
             .map(|elargi| max(min(elargi / profondeur, raide), -raide));
         Self::de_pentes(groupes, axes, pentes, etalement, Some(portee))
@@ -166,20 +163,6 @@ impl<R: Reel> Faisceau<R> {
             etalement,
             portee,
         }
-    }
-
-    /// h² − ρ² − 310u₃₂·(|C − S₀|² + 3q²), where h is how far C lies beyond the farthest of the five
-    /// planes, or 0. Above 0 no ray of the beam enters what is in the ball.
-    #[inline(always)]
-    pub(crate) fn degagement(&self, boule: Boule<R>) -> R {
-        let sc = boule.centre - self.s0;
-        let mut h = R::ZERO;
-        for (pi, w) in self.faces {
-            h = max(pi.produit_scalaire(sc) - w, h);
-        }
-        let loin = R::depuis_f64(3.0) * (self.etalement * self.etalement);
-        // F5
-        h * h - (boule.r2 + (sc.longueur_carree() + loin) * fois_u_simple(JEU_BOULE))
     }
 }
 

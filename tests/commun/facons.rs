@@ -1,7 +1,7 @@
 //! Every way to an answer, with every instruction set of the machine: the list in a batch, the hierarchy ray by
 //! ray and in a batch, shadows of both; each beside the list ray by ray.
 
-use lancer_rayon::pour_les_tests::{ASSEZ_D_OBJETS, Reglage, sans_boites};
+use lancer_rayon::pour_les_tests::{Reglage, sans_boites};
 use lancer_rayon::{
     Hierarchie, ObjetRay, Rayon, Reel, SphereGeo, Texture, Touche, Vecteur, est_certaine,
     est_occulte, premiere_intersection,
@@ -12,9 +12,9 @@ use crate::conversion::{Bits, mots};
 /// The fewest objects that get a tree; `les_places_pretees` holds it.
 pub const UN_ARBRE: usize = 10;
 
-/// So many that the beam of 64 rays can meet more than `ASSEZ_D_OBJETS` for each group, and that no block asks
-/// all of them.
-const BEAUCOUP: usize = 4 * ASSEZ_D_OBJETS.0 + 16;
+/// So many that a node has sixteen children, of which the beam of 64 rays may cross too many, and that no block
+/// asks all of them.
+const BEAUCOUP: usize = 240;
 
 /// The number so many units in the last place away.
 pub fn voisin<R: Bits>(x: R, de: i64) -> R {

@@ -185,18 +185,13 @@ fn combien_vont_au_bout<R: Bits>(hierarchie: &Hierarchie<'_, R>, rayons: &[Rayon
     rayons.chunks(64).filter(|bloc| vont_au_bout(hierarchie, bloc)).count()
 }
 
-/// A tree of so many nodes that each object counts twice: a tile that is a whole picture, of which the beam gives up,
-/// and one of a larger, of which it comes to the end.
+/// A tree of so many nodes that a walk needs the large pile: a tile that is a whole picture, of which the beam gives
+/// up, and one of a larger, of which it comes to the end.
 fn parmi_beaucoup_d_objets<R: Bits>() {
     let objets = scenes::melange::<R>(70_000);
     let mut places = vec![0.0; Hierarchie::places(70_000)];
     let hierarchie = Hierarchie::new(&objets, &mut places).unwrap();
     assert!(noeuds(&hierarchie) >= 4_096);
-    // Of 256 tiles 161 in `f32`, 63 in `f64`; if each object counted once, 209 and 149.
-    let tuiles = scenes::en_tuiles(&scenes::rayons_camera::<R>(128, 128), 128);
-    let au_bout = combien_vont_au_bout(&hierarchie, &tuiles);
-    let bornes = if size_of::<R>() == 4 { 140..185 } else { 45..80 };
-    assert!(bornes.contains(&au_bout), "{au_bout}");
     for cote in [8, 256] {
         let rayons = scenes::en_tuiles(&scenes::rayons_camera::<R>(cote, cote), cote);
         let bloc = &rayons[rayons.len() / 128 * 64..][..64];
@@ -205,42 +200,27 @@ fn parmi_beaucoup_d_objets<R: Bits>() {
     }
 }
 
-/// What makes a batch fast, which no answer shows: the tiles of a picture walk together, of the rows of a smaller one
-/// some; rays in no order do so among few objects alone.
+/// What makes a batch fast, which no answer shows: the tiles of a picture walk together; rays in no order go apart,
+/// except among few objects, and in a heap, where each of them crosses every box.
 fn les_tuiles_vont_ensemble<R: Bits>() {
     let tuiles = scenes::en_tuiles(&scenes::rayons_camera::<R>(512, 512), 512);
-    let petite = scenes::rayons_camera::<R>(64, 64);
     let mut melees = tuiles.clone();
     Rng::with_seed(12).shuffle(&mut melees);
-    let [peu, beaucoup] = [UN_ARBRE + 1, 10_000].map(|n| {
-        let objets = scenes::melange::<R>(n);
-        let mut places = vec![0.0; Hierarchie::places(n)];
-        let hierarchie = Hierarchie::new(&objets, &mut places).unwrap();
-        [&tuiles, &petite, &melees].map(|rayons| combien_vont_au_bout(&hierarchie, rayons))
-    });
-    // Of 64 rows 24 in `f32`, 18 in `f64`; if objects did not count, 47 and 39.
-    assert!(beaucoup[0] > 4_000 && (12..32).contains(&beaucoup[1]), "{beaucoup:?}");
-    assert_eq!([peu[2], beaucoup[2]], [4_096, 0]);
-}
-
-/// Without a beam a group that is half full asks at most half as many objects side by side.
-fn une_moitie_de_groupe_demande_la_moitie<R: Bits>() {
-    let rayons = scenes::rayons_opposes::<R>(4);
-    let boule = SphereGeo::new(v(0.0, 0.0, -4.0), R::UN, Texture(0)).unwrap();
-    let objets = [ObjetRay::from(boule); 200];
-    let mut places = vec![0.0; Hierarchie::places(objets.len())];
-    let mut au_bout = |n, nombre| {
-        vont_au_bout(&Hierarchie::new(&objets[..n], &mut places).unwrap(), &rayons[..nombre])
+    let combien = |objets: &[ObjetRay<R>]| {
+        let mut places = vec![0.0; Hierarchie::places(objets.len())];
+        let hierarchie = Hierarchie::new(objets, &mut places).unwrap();
+        [&tuiles, &melees].map(|rayons| combien_vont_au_bout(&hierarchie, rayons))
     };
-    assert!(au_bout(UN_ARBRE + 2, 16) && !au_bout(200, 16));
-    for n in 2 * UN_ARBRE..=200 {
-        assert_eq!(au_bout(n / 2, 8), au_bout(n / 2 * 2, 16), "{n}");
-    }
+    let [ensemble, apart] = combien(&scenes::melange(10_000));
+    assert!(ensemble > 4_000 && apart == 0, "{ensemble}, {apart}");
+    assert_eq!(combien(&scenes::melange(UN_ARBRE + 1)), [4_096; 2]);
+    let boule = SphereGeo::new(v(0.0, 2.0, 0.0), R::depuis_f64(4.0), Texture(0)).unwrap();
+    assert_eq!(combien(&[boule.into(); 1_000]), [4_096; 2]);
 }
 
-/// Where one ray asks many objects a wide beam may too: rows among sticks that cross each other walk together, most of
+/// Where one ray crosses many boxes a wide beam may too: rows among sticks that cross each other walk together, most of
 /// them.
-fn ce_que_coute_un_rayon_est_permis_a_tous<R: Bits>() {
+fn un_large_faisceau_parmi_ce_que_chacun_traverse<R: Bits>() {
     let mut alea = Rng::with_seed(3);
     let baton = |i| {
         let ou = direction(&mut alea) * (5.0 * alea.f64().cbrt());
@@ -252,10 +232,10 @@ fn ce_que_coute_un_rayon_est_permis_a_tous<R: Bits>() {
     let mut places = vec![0.0; Hierarchie::places(objets.len())];
     let hierarchie = Hierarchie::new(&objets, &mut places).unwrap();
     let rangs = scenes::rayons_camera::<R>(64, 64);
-    // Of 64 rows 54 in `f32`, 36 in `f64`; if no ray were asked what it costs, 1 and 0.
+    // If no ray were asked what it crosses, none.
     let au_bout = combien_vont_au_bout(&hierarchie, &rangs);
-    let bornes = if size_of::<R>() == 4 { 45..60 } else { 30..50 };
-    assert!(bornes.contains(&au_bout), "{au_bout}");
+    println!("of 64 rows {au_bout} come to the end");
+    assert!(au_bout > 32, "{au_bout}");
     assert!(comparer(&objets, &rangs[..512]) > 100);
 }
 
@@ -395,11 +375,21 @@ fn de_tout_petits_objets_parmi_des_grands<R: Bits>() {
 }
 
 /// Built: slabs that cover the scene, more and fewer than a leaf holds, among small objects. Held: the answers of
-/// the list; and that sixteen of them have a leaf beside the tree, which saves it a floor.
+/// the list; and that sixteen of them have a leaf under the root, or where it is full under another above it.
 fn des_geants_parmi_des_petits<R: Bits>() {
     let mut alea = Rng::with_seed(23);
     let mut touches = 0;
-    for (grands, petits) in [(16, 256), (16, 1), (16, 8), (5, 256), (40, 232), (17, 600)] {
+    for (grands, petits) in [
+        (16, 256),
+        (16, 240),
+        (16, 1),
+        (16, 8),
+        (5, 256),
+        (0, 272),
+        (40, 232),
+        (17, 600),
+        (16, 4_000),
+    ] {
         let mut objets: Vec<_> = (0..petits)
             .map(|i| objet::<R>(&mut alea, direction(&mut Rng::with_seed(i)) * 10.0, 0.1, 0))
             .collect();
@@ -413,11 +403,15 @@ fn des_geants_parmi_des_petits<R: Bits>() {
         touches += comparer(&objets, &rayons);
         let mut places = vec![0.0; Hierarchie::places(objets.len())];
         let hierarchie = Hierarchie::new(&objets, &mut places).unwrap();
-        if grands + petits as u32 == 272 {
-            // The giants, sixteen leaves and a root; without giants, or with fewer, 17 + 2 + 1.
-            let voulus = if grands == 5 { 20 } else { 18 };
-            assert_eq!(noeuds(&hierarchie), voulus, "{grands} giants");
-        }
+        // The leaves, that of the giants among them, and what stands above. Without giants 272 objects have 17 + 2 + 1.
+        let voulus = match (grands, petits) {
+            (16, 240) => 16 + 1,
+            (16, 256) | (40, 232) => 17 + 1 + 1,
+            (0, 272) => 17 + 2 + 1,
+            (16, 4_000) => 251 + 16 + 1 + 1,
+            _ => continue,
+        };
+        assert_eq!(noeuds(&hierarchie), voulus, "{grands} giants, {petits}");
     }
     assert!(touches > 100, "only {touches} hits");
 }
@@ -429,8 +423,8 @@ fn les_places_pretees<R: Bits>() {
         let scene = scenes::melange::<R>(n);
         let rayons = scenes::rayons_camera::<R>(9, 9);
         let necessaires = Hierarchie::places(n);
-        // 7.5 an object; the rest is nodes that are not full, one a floor and the giants'.
-        assert!(necessaires <= 8 * n + 300, "{n}: {necessaires}");
+        // 7.5 an object; the rest is nodes that are not full, one a floor, and one above the giants.
+        assert!(necessaires <= 8 * n + 400, "{n}: {necessaires}");
         assert_eq!(necessaires > 0, n >= UN_ARBRE);
         for pretees in [0, necessaires / 2, necessaires.saturating_sub(1)] {
             let mut places = vec![0.0; pretees];
@@ -532,8 +526,7 @@ fn des_longueurs_differentes_sont_une_erreur_et_rien_n_est_ecrit<R: Bits>() {
 }
 
 en_f32_et_f64!(les_tuiles_vont_ensemble);
-en_f32_et_f64!(ce_que_coute_un_rayon_est_permis_a_tous);
-en_f32_et_f64!(une_moitie_de_groupe_demande_la_moitie);
+en_f32_et_f64!(un_large_faisceau_parmi_ce_que_chacun_traverse);
 en_f32_et_f64!(des_scenes_au_hasard);
 en_f32_et_f64!(des_grilles_et_des_rayons_le_long_des_axes);
 en_f32_et_f64!(des_objets_tous_egaux);

@@ -1,4 +1,4 @@
-//! Batches: every number of rays, every order, and what a beam leaves out.
+//! Batches: every number of rays, every order, and what a beam leaves out of a tree.
 //!
 //! `LANCER_RAYON_CAS` sets how many bundles of rays a test makes (200 unless set):
 //! `LANCER_RAYON_CAS=100000 cargo test --release --all-features --test memes_bits lot`
@@ -13,8 +13,8 @@ use commun::{Bits, arrondi, en_f32_et_f64, scenes};
 use fastrand::Rng;
 use lancer_rayon::pour_les_tests::{Reglage, evite};
 use lancer_rayon::{
-    BoiteGeo, LongueursDifferentes, NoIntersection, ObjetRay, Rayon, Reel, Rotation, SphereGeo,
-    Texture, Touche, Vecteur, premiere_intersection, premieres_intersections, sont_occultes,
+    BoiteGeo, Hierarchie, LongueursDifferentes, NoIntersection, ObjetRay, Rayon, Reel, Rotation,
+    SphereGeo, Texture, Touche, Vecteur, premiere_intersection, premieres_intersections,
 };
 
 fn axe_z<R: Reel>() -> Vecteur<R> {
@@ -60,7 +60,7 @@ fn des_longueurs_differentes_sont_une_erreur_et_rien_n_est_ecrit() {
     }
 }
 
-/// From no ray to two blocks of 64 and one more, with few objects and with enough for culling.
+/// From no ray to two blocks of 64 and one more, with few objects and with enough for a tree.
 fn toute_longueur_convient<R: Bits>() {
     let rayons = scenes::rayons_camera::<R>(20, 10);
     for n in [3, 12, 100, 300] {
@@ -72,7 +72,7 @@ fn toute_longueur_convient<R: Bits>() {
 
 en_f32_et_f64!(toute_longueur_convient);
 
-/// A block whose rays go opposite ways has no beam, among more objects than a window holds.
+/// A block whose rays go opposite ways has no beam, among more objects than it asks then.
 fn un_bloc_de_rayons_opposes<R: Bits>() {
     let rayons = scenes::rayons_opposes::<R>(8);
     assert!(comparer(&scenes::melange(300), &rayons) > 10);
@@ -80,7 +80,7 @@ fn un_bloc_de_rayons_opposes<R: Bits>() {
 
 en_f32_et_f64!(un_bloc_de_rayons_opposes);
 
-/// Pictures in rows, in tiles of 8 × 8 and in no order: no objects, some, and more than a window holds.
+/// Pictures in rows, in tiles of 8 × 8 and in no order: no objects, some, and many.
 fn une_image_dans_tout_ordre<R: Bits>() {
     let (largeur, hauteur) = (96, 64);
     let rangees = scenes::rayons_camera::<R>(largeur, hauteur);
@@ -149,7 +149,7 @@ fn gerbe<R: Reel>(
     (0..64).map(rayon).collect::<Result<_, _>>().unwrap()
 }
 
-/// An object whose ball, of radius `l`, one of the rays grazes, since culling asks about balls.
+/// An object whose ball, of radius `l`, one of the rays grazes.
 ///
 /// Half of them are spheres. The others are cubes with a corner at the point of the ball that the ray
 /// grazes: a cube has nothing of its ball except its corners.
@@ -206,7 +206,7 @@ fn coin_vers<R: Reel>(alea: &mut Rng, cible: Vecteur) -> Rotation<R> {
 /// at the rim of the bundle graze.
 ///
 /// Four times the usual number: a beam without any of its margins in u loses so few hits.
-fn l_elagage_ne_perd_aucune_touche<R: Bits>() {
+fn le_faisceau_ne_perd_aucune_touche<R: Bits>() {
     let mut alea = Rng::with_seed(3);
     let mut touches = 0;
     for _ in 0..4 * cas() {
@@ -226,7 +226,7 @@ fn l_elagage_ne_perd_aucune_touche<R: Bits>() {
     assert!(touches > 40 * cas(), "only {touches} hits");
 }
 
-en_f32_et_f64!(l_elagage_ne_perd_aucune_touche);
+en_f32_et_f64!(le_faisceau_ne_perd_aucune_touche);
 
 /// Needles at objects so large, small or far that squares lie at the ends of the type.
 fn aux_bornes_du_type<R: Bits>() {
@@ -278,15 +278,18 @@ fn un_bloc_d_un_seul_cote_de_son_axe<R: Bits>() {
 
 en_f32_et_f64!(un_bloc_d_un_seul_cote_de_son_axe);
 
-/// Half a billion rays of each type and as many shadows, 64 bundles a scene, as a renderer uses the batch:
+/// Half a billion rays of each type and as many shadows, 64 bundles a scene, as a renderer uses the batch, of a list and of a
+/// tree:
 /// `cargo test --release --all-features --test memes_bits lot -- --ignored`, about four minutes.
 fn un_demi_milliard_de_rayons<R: Bits>() {
     let mut alea = Rng::with_seed(6);
     let (mut rayons, mut touches) = (Vec::new(), vec![Err(NoIntersection); 64 * 64]);
     let (mut attendues, mut occultes) = (touches.clone(), vec![false; touches.len()]);
     for tour in 0..122_071 {
-        let n = [5, 12, 40, 100][tour % 4];
+        let n = [5, 12, 100, 400][tour % 4];
         let scene = scenes::melange::<R>(n);
+        let mut places = vec![0.0; Hierarchie::places(n)];
+        let hierarchie = Hierarchie::new(&scene, &mut places).unwrap();
         rayons.clear();
         while rayons.len() < touches.len() {
             let cible = Vecteur::new(0.0, 3.0, -6.0) + direction(&mut alea) * 6.0;
@@ -296,9 +299,9 @@ fn un_demi_milliard_de_rayons<R: Bits>() {
             rayons.extend(gerbe(&mut alea, (de, cible - de), ouverture, etendue));
         }
         for (rayon, attendue) in rayons.iter().zip(&mut attendues) {
-            *attendue = premiere_intersection(&scene, rayon);
+            *attendue = hierarchie.premiere_intersection(rayon);
         }
-        premieres_intersections(&scene, &rayons, &mut touches).unwrap();
+        hierarchie.premieres_intersections(&rayons, &mut touches).unwrap();
         assert!(touches.iter().map(mots).eq(attendues.iter().map(mots)), "{n} objects");
         // A lamp at the hit, one number farther, or anywhere.
         let lampe = |touche: &Touche<R>| {
@@ -307,7 +310,7 @@ fn un_demi_milliard_de_rayons<R: Bits>() {
         };
         let limites: Vec<_> = attendues.iter().map(lampe).collect();
         let ombres: Vec<_> = rayons.iter().copied().zip(limites).collect();
-        sont_occultes(&scene, &ombres, &mut occultes).unwrap();
+        hierarchie.sont_occultes(&ombres, &mut occultes).unwrap();
         let avant = |(touche, (_, max)): (&Touche<R>, &(Rayon<R>, R))| {
             touche.is_ok_and(|touche| touche.distance() < *max)
         };

@@ -688,24 +688,6 @@ fn lemme_12_faisceau() {
     });
 }
 
-#[test]
-fn lemme_13_elagage() {
-    // In u·F², F = |C − S₀| + √3q, no less than |f|, h and ρ; F² is at most twice the sum of squares.
-    tenir(JEU_BOULE, |u| {
-        // |X − C|² − ρ²: of a box by lemma 14, of a sphere CX ≤ r + 13u(|f| + r).
-        let epsilon = (gamma(4.0, u) + 11.0 * i(2.0) * plus(40.0, u)) * n(u);
-        let boite =
-            plus(37.0, u) * (2.0 * i(3.0).racine() * epsilon + 3.0 * epsilon.carre() * u) + 37.0;
-        let lieu = 2.0 * i(promesses::LIEU_SPHERE);
-        let sphere = 2.0 * lieu + lieu.carre() * u;
-        // h as computed exceeds h by four roundings of P·(C − S₀) and one of the difference.
-        let h2 = 2.0 * (gamma(4.0, u) + 1.0) * plus(20.0, u) + 1.0;
-        // ρ² rounds thrice, the limit and its parts four times.
-        let limite = gamma(3.0, u) + 1.0;
-        2.0 * (boite.max(sphere) + h2 + limite) * plus(gamma(8.0, u) + JEU_BOULE, u)
-    });
-}
-
 /// What the point of a hit is off by along the axis of a box, in u·t: three comparisons, the
 /// quotient and the length of an exit, and the speed.
 fn lieu_le_long(u: f64) -> Intervalle {

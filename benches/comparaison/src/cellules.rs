@@ -3,7 +3,7 @@
 use std::error::Error;
 
 use banc::concurrents::{Camp, Concurrent, temps};
-use banc::familles::{Famille, Genre};
+use banc::familles::{Famille, GRAINE_DES_PAGES, Genre};
 use lancer_rayon::Hierarchie;
 
 use crate::autres::{Scalaire, exiger_accord, exiger_memes_bits, mondes, places, tous};
@@ -62,7 +62,7 @@ fn courir<R: Scalaire>(
     chronometrer: bool,
     cellules: &mut Vec<Cellule>,
 ) -> Result<(), Box<dyn Error>> {
-    let scene = famille.scene::<R>(n);
+    let scene = famille.scene::<R>(n, GRAINE_DES_PAGES);
     let mut places = places(&scene.objets);
     let hierarchie = Hierarchie::new(&scene.objets, &mut places)?;
     let mondes = mondes(&scene.objets);

@@ -62,7 +62,7 @@ pub(crate) fn documenter() -> Result<(), Box<dyn Error>> {
 }
 
 fn mesures<R: Scalaire>() -> Result<Vec<Variante>, Box<dyn Error>> {
-    let scene = Famille::Atelier.scene::<R>(0);
+    let scene = Famille::Atelier.scene::<R>(0, GRAINE);
     let mut places = places(&scene.objets);
     let hierarchie = Hierarchie::new(&scene.objets, &mut places)?;
     let mondes = mondes(&scene.objets);

@@ -6,7 +6,7 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use banc::concurrents::temps;
-use banc::familles::{Famille, Genre};
+use banc::familles::{Famille, GRAINE_DES_PAGES, Genre};
 use banc::horloge::{TOURS, moindres};
 use banc::nous;
 use commun::scenes::{en_tuiles, melange, rayons_camera};
@@ -121,7 +121,7 @@ fn certificats_parmi<R: Scalaire>(noms: &str, n: usize) -> Result<String, Box<dy
 }
 
 fn certificat_de<R: Scalaire>(famille: Famille, n: usize) -> Result<f64, Box<dyn Error>> {
-    let scene = famille.scene::<R>(n);
+    let scene = famille.scene::<R>(n, GRAINE_DES_PAGES);
     let mut places = places(&scene.objets);
     let hierarchie = Hierarchie::new(&scene.objets, &mut places)?;
     let rayons = Genre::Tuiles.rayons(&hierarchie, &scene, 4).rayons;
