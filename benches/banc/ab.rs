@@ -270,7 +270,12 @@ fn resumer(choix: &Choix, mut cellules: Vec<Cellule>) {
     };
     let au_dela = |seuil| cellules.iter().filter(|c| c.rapport > seuil).count();
     let [un_dixieme, deux_cinquiemes] = [1.1, 1.4].map(au_dela);
-    println!("of {} cells {un_dixieme} over 1.10, {deux_cinquiemes} over 1.40", cellules.len());
+    let moyenne = cellules.iter().map(|c| c.rapport.ln()).sum::<f64>() / cellules.len() as f64;
+    println!(
+        "of {} cells the mean is {:.2}, {un_dixieme} over 1.10, {deux_cinquiemes} over 1.40",
+        cellules.len(),
+        moyenne.exp()
+    );
     println!("best");
     extremes(&mut cellules.iter());
     println!("worst");
