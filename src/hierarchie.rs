@@ -8,6 +8,7 @@
 //! `docs/preuves.md`, lemmas 14 to 17.
 
 pub(crate) mod construction;
+mod morceaux;
 pub(crate) mod noeud;
 mod parcours;
 pub(crate) mod parcours_de_bloc;
@@ -132,10 +133,9 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
         places: &'a mut [f32],
     ) -> Result<Self, PlacesInsuffisantes> {
         let necessaires = Hierarchie::places(objets.len());
-        let pretees = places.len();
-        let Some(places) = places.get_mut(..necessaires) else {
-            return Err(PlacesInsuffisantes { places: pretees, necessaires });
-        };
+        if places.len() < necessaires {
+            return Err(PlacesInsuffisantes { places: places.len(), necessaires });
+        }
         let arbre = R::demander::<Batir>((objets, places));
         Ok(Self { arbre, niveau: meilleur_niveau() })
     }

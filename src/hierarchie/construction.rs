@@ -2,13 +2,15 @@
 //!
 //! All boxes are numbers of `f32`, relative to the scene ([`Repere`]), whatever the scalar.
 //!
-//! Each object is first a record of seven numbers: its box and its index. Median cuts at multiples
+//! Each object is first a record of seven numbers: its box and its index; a long box that stands askew is some
+//! records, one for each of its pieces (`morceaux.rs`). Median cuts at multiples
 //! of 16^k, each along the axis on which the centres lie farthest apart, sort the records until
 //! those of a leaf are sixteen neighbours. Each leaf is then transposed into columns in place, and
 //! the nodes above follow, floor by floor.
 
 use core::mem;
 
+use crate::hierarchie::morceaux::Partage;
 use crate::hierarchie::noeud::{COIN_ABSENT, FICHE, Fiche, LIMITE_INDICES, Noeud, VIDE, en_mot};
 use crate::hierarchie::repere::{Repere, extremes};
 use crate::liste::Liste;
@@ -67,33 +69,48 @@ pub(crate) const fn mots(objets: usize) -> usize {
     total.saturating_mul(FICHE * SEIZE).saturating_add(SEIZE - 1 + BOURRAGE)
 }
 
-/// The tree over these objects, in [so many numbers](mots); one without nodes over few that have a box.
+/// How many records there is room for in so many numbers, beyond the leaves that these objects fill with one each.
+fn fiches_de_plus(objets: usize, places: usize) -> usize {
+    const FEUILLE: usize = FICHE * SEIZE;
+    let feuilles = objets.div_ceil(SEIZE);
+    let le_plus = (LIMITE_INDICES as usize / SEIZE - 1).saturating_sub(feuilles);
+    let plus = (places.saturating_sub(mots(objets)) / FEUILLE).min(le_plus);
+    // The nodes above these leaves take the place of some.
+    let trop = mots((feuilles + plus) * SEIZE).saturating_sub(places).div_ceil(FEUILLE);
+    plus.saturating_sub(trop) * SEIZE
+}
+
+/// The tree over these objects, in [so many numbers](mots) or more; one without nodes over few that have a box.
 pub(crate) fn construire<'a, R: Reel>(
     (objets, places): (&'a [ObjetRay<R>], &'a mut [f32]),
 ) -> Arbre<'a, R> {
     let sans_noeuds = Arbre::sans_noeuds(Liste::entiere(objets));
-    if places.is_empty() {
+    if mots(objets.len()) == 0 {
         return sans_noeuds;
     }
+    let restent = fiches_de_plus(objets.len(), places.len());
     let debut = places.as_ptr().align_offset(LIGNE).min(BOURRAGE);
     let places = &mut places[debut..];
     let repere = Repere::autour(objets);
+    let mut partage = Partage::new(objets, repere, restent);
     let (mut nombre, mut fin) = (0, places.len());
     for (indice, objet) in objets.iter().enumerate() {
         let indice = en_mot(indice);
-        if let Some((bas, haut)) = repere.boite_elargie(objet) {
+        if let Some(boites) = partage.boites(objet) {
             let (fiches, _) = places.as_chunks_mut();
-            fiches[nombre] = [bas.x, bas.y, bas.z, haut.x, haut.y, haut.z, indice];
-            nombre += 1;
+            for (bas, haut) in boites {
+                fiches[nombre] = [bas.x, bas.y, bas.z, haut.x, haut.y, haut.z, indice];
+                nombre += 1;
+            }
         } else {
             fin -= 1;
             places[fin] = indice;
         }
     }
-    if nombre < OBJETS_D_UN_ARBRE {
+    let (places, sans_boite) = places.split_at_mut(fin);
+    if objets.len() - sans_boite.len() < OBJETS_D_UN_ARBRE {
         return sans_noeuds;
     }
-    let (places, sans_boite) = places.split_at_mut(fin);
     let (fiches, _) = places.as_chunks_mut();
     let geants = trier_les_geants(&mut fiches[..nombre]);
     trier(&mut fiches[geants * SEIZE..nombre]);

@@ -42,15 +42,20 @@ impl<R: Reel> Repere<R> {
         (x - self.milieu) * self.echelle
     }
 
-    /// The box around an object that has one, with the object's part of the [slack](PART_DU_JEU).
-    pub(crate) fn boite_elargie(self, objet: &ObjetRay<R>) -> Option<(Vecteur<f32>, Vecteur<f32>)> {
-        let (c, h) = objet.boite_englobante()?;
+    /// The box around a slice of an object, with the part of the [slack](PART_DU_JEU) that an object of centre `c` and
+    /// half-extents `h` has: the centre of the slice is `decalage` away from `c`, its half-extents are `demi`.
+    pub(crate) fn boite_elargie(
+        self,
+        (c, h): (Vecteur<R>, Vecteur<R>),
+        (decalage, demi): (Vecteur<R>, Vecteur<R>),
+    ) -> (Vecteur<f32>, Vecteur<f32>) {
         let (c, h) = (self.point(c), h * self.echelle);
         // T2. The proof needs ρ, the radius of the ball around the object; the sum of the
         // half-extents is no less.
         let jeu = (c.norme_1() + h.norme_1()) * fois_u_simple(PART_DU_JEU);
+        let (c, h) = (c + decalage * self.echelle, demi * self.echelle);
         let demi = h + Vecteur::new(jeu, jeu, jeu);
-        Some((simples(c - demi), simples(c + demi)))
+        (simples(c - demi), simples(c + demi))
     }
 
     /// A length times σ.
