@@ -11,7 +11,7 @@ use crate::vecteur::Vecteur;
 
 /// What a record costs, as a surface: in squares of the side of a leaf, if all leaves were alike, in a scene of size 1
 /// (`docs/performance.md`, "Thresholds").
-const PRIX_D_UNE_FICHE: f32 = 1.5e-3;
+const PRIX_D_UNE_FICHE: f32 = 1e-3;
 
 /// Who gets the records for which there is room beyond one for each object.
 pub(crate) struct Partage<R> {

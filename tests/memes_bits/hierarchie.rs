@@ -249,6 +249,14 @@ fn arbre<R: Reel>(objets: &[ObjetRay<R>], places: &mut [f32]) -> Vec<[[u32; 16];
     noeuds[..combien].iter().map(|noeud| noeud.map(|colonne| colonne.map(f32::to_bits))).collect()
 }
 
+/// The index of each record in the first leaves of a tree.
+fn indices(feuilles: &[[[u32; 16]; 7]]) -> impl Iterator<Item = usize> {
+    let fiches = feuilles.iter().flat_map(|[bas, .., indices]| bas.iter().zip(indices));
+    // A child that is missing has its lower corner far away.
+    let fiches = fiches.filter(|(bas, _)| f32::from_bits(**bas) < 2.0);
+    fiches.map(|(_, indice)| *indice as usize)
+}
+
 /// Long boxes that stand askew about the origin, each like no other.
 fn poutres<R: Reel>(alea: &mut Rng, n: usize) -> Vec<ObjetRay<R>> {
     let poutre = |i| {
@@ -312,6 +320,12 @@ fn des_places_de_plus<R: Bits>() {
         }
         assert!(plus_grand > seul.len(), "{n}: {}, {plus_grand}", seul.len());
     }
+    // Where there is too little room, it is for all: not for the first of the list.
+    let objets = poutres::<R>(&mut alea, 1_000);
+    let noeuds = arbre(&objets, &mut vec![f32::NAN; 2 * Hierarchie::places(1_000)]);
+    let feuilles = noeuds.len() * 15 / 16;
+    let premiers = indices(&noeuds[..feuilles]).filter(|indice| *indice < 500).count();
+    assert!((900..1_100).contains(&premiers) && feuilles >= 120, "{premiers} of {feuilles} leaves");
 }
 
 /// Built: a long box that stands askew, alone or twice, among small spheres, in a tree with so much room that it is cut
@@ -335,12 +349,9 @@ fn aux_coutures_des_morceaux<R: Bits>() {
             objets.push(boule.into());
         }
         let mut places = vec![f32::NAN; Hierarchie::places(200)];
-        // All but the root are leaves. A child that is missing has its lower corner far away.
+        // All but the root are leaves.
         let noeuds = arbre(&objets, &mut places);
-        let feuilles = noeuds.iter().take((noeuds.len() - 1).max(1));
-        let fiches = feuilles.flat_map(|[bas, .., indices]| bas.iter().zip(indices));
-        let tranches =
-            fiches.filter(|(bas, indice)| **indice == 0 && f32::from_bits(**bas) < 2.0).count();
+        let tranches = indices(&noeuds[..noeuds.len() - 1]).filter(|indice| *indice == 0).count();
         coutures += tranches.saturating_sub(1);
         let hierarchie = Hierarchie::new(&objets, &mut places).unwrap();
         let poutre = poutre.vers_ray();
