@@ -96,13 +96,12 @@ pub(crate) fn construire<'a, R: Reel>(
     let (mut nombre, mut fin) = (0, places.len());
     for (indice, objet) in objets.iter().enumerate() {
         let indice = en_mot(indice);
-        if let Some(boites) = partage.boites(objet) {
-            let (fiches, _) = places.as_chunks_mut();
-            for (bas, haut) in boites {
-                fiches[nombre] = [bas.x, bas.y, bas.z, haut.x, haut.y, haut.z, indice];
-                nombre += 1;
-            }
-        } else {
+        let (fiches, _) = places.as_chunks_mut();
+        let a_une_boite = partage.decouper(objet, |(bas, haut)| {
+            fiches[nombre] = [bas.x, bas.y, bas.z, haut.x, haut.y, haut.z, indice];
+            nombre += 1;
+        });
+        if !a_une_boite {
             fin -= 1;
             places[fin] = indice;
         }

@@ -28,12 +28,12 @@ pub(crate) struct Partage<R> {
 impl<R: Reel> Partage<R> {
     /// So many records for these objects.
     pub(crate) fn new(objets: &[ObjetRay<R>], repere: Repere<R>, restent: usize) -> Self {
-        let cote = 1.0 / libm::cbrtf(objets.len() as f32 / SEIZE as f32);
-        let mut partage =
-            Self { repere, prix: PRIX_D_UNE_FICHE * cote * cote, restent, part: 0.0, du: 0.0 };
+        let mut partage = Self { repere, prix: 0.0, restent, part: 0.0, du: 0.0 };
         if restent > 0 {
+            let cote = 1.0 / libm::cbrtf(objets.len() as f32 / SEIZE as f32);
+            partage.prix = PRIX_D_UNE_FICHE * cote * cote;
             let somme: f32 = objets.iter().map(|objet| partage.de_plus(objet)).sum();
-            partage.part = (restent as f32 / somme).min(1.0);
+            partage.part = if somme > 0.0 { (restent as f32 / somme).min(1.0) } else { 0.0 };
         }
         partage
     }
@@ -53,7 +53,7 @@ impl<R: Reel> Partage<R> {
 
     /// Into how many pieces the next object of the list is cut.
     fn morceaux(&mut self, objet: &ObjetRay<R>) -> usize {
-        if self.restent == 0 {
+        if self.part == 0.0 {
             return 1;
         }
         self.du += self.de_plus(objet) * self.part;
@@ -63,21 +63,25 @@ impl<R: Reel> Partage<R> {
         1 + plus
     }
 
-    /// The boxes of the next object of the list, in the frame of the tree; `None` if it is unbounded.
-    pub(crate) fn boites(
+    /// Hands over the boxes of the next object of the list, in the frame of the tree; whether it has some. (As an
+    /// iterator building took 1.17 of the time.)
+    #[inline(always)]
+    pub(crate) fn decouper(
         &mut self,
         objet: &ObjetRay<R>,
-    ) -> Option<impl Iterator<Item = (Vecteur<f32>, Vecteur<f32>)>> {
-        let (c, h) = objet.boite_englobante()?;
-        let (repere, morceaux) = (self.repere, self.morceaux(objet));
-        let (axe, k) = (objet.demi_axe(), morceaux as f64);
-        let fois = move |x: f64| axe * (R::depuis_f64(x) / R::depuis_f64(k));
+        mut recevoir: impl FnMut((Vecteur<f32>, Vecteur<f32>)),
+    ) -> bool {
+        let Some((c, h)) = objet.boite_englobante() else { return false };
+        let morceaux = self.morceaux(objet);
+        let k = R::depuis_f64(morceaux as f64);
+        let pas = if morceaux > 1 { objet.demi_axe() / k } else { Vecteur::NUL };
         // T2. Its slack is that of an object longer by R: the roundings of the slices are more.
-        let retrait = grandeurs(fois(k - 1.0));
-        Some((0..morceaux).map(move |i| {
-            let decalage = fois((2 * i + 1) as f64 - k);
-            repere.boite_elargie((c, h + retrait), (decalage, h - retrait))
-        }))
+        let retrait = grandeurs(pas) * (k - R::UN);
+        for i in 0..morceaux {
+            let decalage = pas * (R::depuis_f64((2 * i + 1) as f64) - k);
+            recevoir(self.repere.boite_elargie((c, h + retrait), (decalage, h - retrait)));
+        }
+        true
     }
 }
 
