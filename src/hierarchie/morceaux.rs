@@ -9,8 +9,8 @@ use crate::reel::Reel;
 use crate::seize::SEIZE;
 use crate::vecteur::Vecteur;
 
-/// What a record costs, as a surface: in squares of the side of a leaf, if all leaves were alike, in a scene of size 1
-/// (`docs/performance.md`, "Thresholds").
+/// So much surface a record more must save, in squares of the side of a leaf, if all leaves were alike and the scene of
+/// size 1 (`docs/performance.md`, "Thresholds").
 const PRIX_D_UNE_FICHE: f32 = 1e-3;
 
 /// Who gets the records for which there is room beyond one for each object.
@@ -75,7 +75,7 @@ impl<R: Reel> Partage<R> {
         let morceaux = self.morceaux(objet);
         let k = R::depuis_f64(morceaux as f64);
         let pas = if morceaux > 1 { objet.demi_axe() / k } else { Vecteur::NUL };
-        // T2. Its slack is that of an object longer by R: the roundings of the slices are more.
+        // The slack is that of an object longer by R, since the roundings of slices are more (lemma 15).
         let retrait = grandeurs(pas) * (k - R::UN);
         for i in 0..morceaux {
             let decalage = pas * (R::depuis_f64((2 * i + 1) as f64) - k);

@@ -264,15 +264,15 @@ fn poutres<R: Reel>(alea: &mut Rng, n: usize) -> Vec<ObjetRay<R>> {
         let mut dimensions = [(); 3].map(|()| long * deux_puissance(alea, -8.0, -4.0));
         dimensions[alea.usize(0..3)] = long;
         let ou = direction(alea) * (4.0 * alea.f64());
-        let tour = Rotation::new(arrondi((direction(alea) * 7.0).into())).unwrap();
+        let tour = Rotation::new(arrondi(direction(alea) * 7.0)).unwrap();
         let texture = Texture(i as u32);
         BoiteGeo::new(arrondi(ou), arrondi(dimensions.into()), tour, texture).unwrap().into()
     };
     (0..n).map(poutre).collect()
 }
 
-/// What is lent beyond the places that are needed is spent on long boxes that stand askew: nowhere else, and all that is
-/// left is room.
+/// What is lent beyond the places that are needed is spent on long boxes that stand askew, on all alike, and on nothing
+/// else. Any number of places will do.
 fn des_places_de_plus<R: Bits>() {
     let mut alea = Rng::with_seed(31);
     // Nothing long, or long along the axes.
@@ -328,10 +328,10 @@ fn des_places_de_plus<R: Bits>() {
     assert!((900..1_100).contains(&premiers) && feuilles >= 120, "{premiers} of {feuilles} leaves");
 }
 
-/// Built: a long box that stands askew, alone or twice, among small spheres, in a tree with so much room that it is cut
-/// into some four to ten slices. Rays at the planes between the slices to the last bits, most of them at the edges of
-/// the box: from all sides, near and so far away that rounding moves the hit, and along the box. Held: the answers of the
-/// list, of shadows up to the very hit as well. A gap between two slices would be missed.
+/// Built: a long box that stands askew, alone or twice, among small spheres, in a tree with room for all its slices, some
+/// four to ten. Rays at the planes between the slices to the last bits, most of them at the edges of the box: from all
+/// sides, near and so far away that rounding moves the hit, and along the box. Held: the answers of the list, of shadows
+/// up to the very hit as well. A gap between two slices would be seen.
 fn aux_coutures_des_morceaux<R: Bits>() {
     let mut alea = Rng::with_seed(32);
     let bits = -R::U.vers_f64().log2();
@@ -392,8 +392,8 @@ fn aux_coutures_des_morceaux<R: Bits>() {
     assert!(touches > 200 * cas() && certaines > 10 * cas() && coutures > 3 * cas(), "{combien}");
 }
 
-/// Long boxes anyhow, some of them twice, and rays of all kinds: the first of a tie, whichever piece it is found by; and
-/// any of them left out.
+/// Long boxes anyhow, once and three times, and rays of all kinds: the first of a tie, whichever piece it is found by;
+/// and one of them left out.
 fn parmi_des_poutres<R: Bits>() {
     let mut alea = Rng::with_seed(33);
     let mut touches = 0;
