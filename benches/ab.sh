@@ -10,7 +10,7 @@
 #
 # REVISION `.` is the checkout itself. --units: codegen units of the crate, 16 unless said (as `cargo build
 # --release` of a user has it). Filters, each a list with commas:
-#   --family   city hall atoms stadium sticks sizes snowflake cubes room atelier mix shelves forest lattice
+#   --family   city hall atoms stadium sticks beams sizes snowflake cubes room atelier mix shelves forest lattice
 #   --rays     tiles rows parallel mirrors rough diffuse "no order" shadows shuffled "shuf. shad."
 #   --way      list list-batch (both up to 64 objects), single batch (of the hierarchy)
 #   --n        12,48,192,1000,10000 unless said; room and atelier have their own
@@ -21,6 +21,7 @@
 #   --bands 8   how much of the picture, 1 to 50 bands of 4,800 rays
 #   --turns 4   of a round; the least time of 2 to 6 rounds counts, until their ratio stands
 #   --call 64   rays in a call of a batch, 4096 at most and unless said
+#   --places 2  lends the new version so many times Hierarchie::places(n); the old one always once
 #   --ns        the time that is divided by as well, in ns a ray
 #   --over      batches of the new version over its rays one by one
 # `!` marks a cell in which the two versions do not agree to the bit. A version beside itself stays within 5 %,

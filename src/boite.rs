@@ -258,6 +258,14 @@ impl<R: Reel> Forme<R> for BoiteRay<R> {
         Some((self.centre, Vecteur::new(h(u.x, v.x, w.x), h(u.y, v.y, w.y), h(u.z, v.z, w.z))))
     }
 
+    /// The longest, as a vector.
+    fn demi_axe(&self) -> Vecteur<R> {
+        let [u, v, w] = self.paires();
+        let plus_long = |a: (Vecteur<R>, R), b: (Vecteur<R>, R)| if b.1 > a.1 { b } else { a };
+        let (n, l) = plus_long(plus_long(u, v), w);
+        n * l
+    }
+
     /// The last of the three entries, if it comes no later than the first of the three exits. Edges
     /// belong to the box.
     #[inline(always)]

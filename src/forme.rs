@@ -40,6 +40,11 @@ pub(crate) trait Forme<R: Reel>: Copy {
     /// it is unbounded.
     fn boite_englobante(&self) -> Option<(Vecteur<R>, Vecteur<R>)>;
 
+    /// Half of the axis across which a [tree](crate::Hierarchie) may cut the shape into slices; 0 if it has none.
+    fn demi_axe(&self) -> Vecteur<R> {
+        Vecteur::NUL
+    }
+
     /// Whether the ray may enter: true wherever [`t`](Self::t) is finite, and cheap. A bounded
     /// shape keeps this definition, on which the proof of culling rests.
     #[inline(always)]

@@ -223,6 +223,11 @@ impl<R: Reel> ObjetRay<R> {
     pub(crate) fn boite_englobante(&self) -> Option<(Vecteur<R>, Vecteur<R>)> {
         par_forme!(Self, self, forme => forme.boite_englobante())
     }
+
+    /// Half of the axis across which this object may be cut into slices; 0 if it has none.
+    pub(crate) fn demi_axe(&self) -> Vecteur<R> {
+        par_forme!(Self, self, forme => forme.demi_axe())
+    }
 }
 
 /// A box around an object is larger by so many u of the sum of its half-extents (lemma 21).

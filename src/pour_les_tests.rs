@@ -17,6 +17,7 @@ use crate::niveau::{meilleur_niveau, selon_le_niveau};
 use crate::objet::ObjetRay;
 use crate::rayon::Rayon;
 use crate::reel::Reel;
+use crate::vecteur::Vecteur;
 
 pub use crate::double::{BORNE_DOUBLE, Double, Intervalle, PERTE_DOUBLE, PRODUIT_DOUBLE};
 pub use crate::forme::{ARRONDI_HAUTEUR, PENCHE, PLANCHER, RETRAIT, VERS_LE_HAUT};
@@ -78,7 +79,8 @@ pub fn evite<R: Reel>(ombres: &[(Rayon<R>, R)], objet: &ObjetRay<R>) -> bool {
         repere.jeu_maximal = 1.0;
         let sonde = SondeDeBloc::new(&faisceau, repere);
         let mut noeud = VIDE;
-        if let Some((bas, haut)) = repere.boite_elargie(objet) {
+        if let Some((c, h)) = objet.boite_englobante() {
+            let (bas, haut) = repere.boite_elargie((c, h), (Vecteur::NUL, h));
             [noeud[0][0], noeud[1][0], noeud[2][0]] = bas.into();
             [noeud[3][0], noeud[4][0], noeud[5][0]] = haut.into();
         }

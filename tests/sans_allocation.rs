@@ -69,7 +69,12 @@ fn aucune_question_n_alloue<R: Reel>() {
         })
         .unwrap();
     }
-    let mut places = vec![0.0; Hierarchie::places(scene.len())];
+    // With room for the pieces of long boxes.
+    let tour = Rotation::new(arrondi(Vecteur::new(0.3, -0.2, 0.1))).unwrap();
+    let dimensions = arrondi(Vecteur::new(0.1, 9.0, 0.1));
+    let poutre = BoiteGeo::new(Vecteur::NUL, dimensions, tour, Texture(4)).unwrap();
+    let scene = [scene, vec![poutre.into(); 20]].concat();
+    let mut places = vec![0.0; 2 * Hierarchie::places(scene.len())];
     let hierarchie =
         sans_allocation("a hierarchy", || Hierarchie::new(&scene, &mut places)).unwrap();
     for (nom, reglage) in Reglage::tous() {

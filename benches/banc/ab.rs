@@ -38,6 +38,7 @@ struct Choix {
     bandes: usize,
     tours: usize,
     appel: usize,
+    places: usize,
     temps: bool,
     sur: bool,
 }
@@ -55,6 +56,7 @@ impl Choix {
             bandes: 8,
             tours: 4,
             appel: MORCEAU,
+            places: 2,
             temps: false,
             sur: false,
         };
@@ -81,6 +83,7 @@ impl Choix {
                 "--seed" => choix.graine = valeurs.parse()?,
                 "--bands" => choix.bandes = valeurs.parse()?,
                 "--turns" => choix.tours = valeurs.parse()?,
+                "--places" => choix.places = valeurs.parse::<usize>()?.max(1),
                 "--call" => choix.appel = valeurs.parse::<usize>()?.clamp(1, MORCEAU),
                 _ => return Err(format!("no option {option}; benches/ab.sh --help").into()),
             }
@@ -175,7 +178,8 @@ fn mesurer<R: Reel + avant::Reel + DeserializeOwned>(
     let scene = famille.scene::<R>(n, choix.graine);
     let anciens: Vec<_> = scene.objets.iter().map(ancien).collect();
     let [mut places, mut anciennes] =
-        [Hierarchie::places(n), avant::Hierarchie::places(n)].map(|places| vec![0.0; places]);
+        [choix.places * Hierarchie::places(n), avant::Hierarchie::places(n)]
+            .map(|places| vec![0.0; places]);
     let mut hierarchie = Hierarchie::new(&scene.objets, &mut places)?;
     let mut ancienne = avant::Hierarchie::new(&anciens, &mut anciennes)?;
     if let Some((_, reglage)) = Reglage::tous().find(|(nom, _)| choix.jeu == *nom) {

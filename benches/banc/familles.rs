@@ -23,6 +23,7 @@ pub enum Famille {
     Atomes,
     Stade,
     Batons,
+    Poutres,
     Tailles,
     Flocon,
     Cubes,
@@ -53,12 +54,13 @@ pub const GRAINE_DES_PAGES: u64 = 7;
 const IMAGE: (usize, usize) = (600, 400);
 
 impl Famille {
-    pub const TOUTES: [Self; 14] = [
+    pub const TOUTES: [Self; 15] = [
         Self::Ville,
         Self::Salle,
         Self::Atomes,
         Self::Stade,
         Self::Batons,
+        Self::Poutres,
         Self::Tailles,
         Self::Flocon,
         Self::Cubes,
@@ -77,6 +79,7 @@ impl Famille {
             Self::Atomes => "atoms",
             Self::Stade => "stadium",
             Self::Batons => "sticks",
+            Self::Poutres => "beams",
             Self::Tailles => "sizes",
             Self::Flocon => "snowflake",
             Self::Cubes => "cubes",
@@ -114,6 +117,7 @@ impl Famille {
             Self::Atomes => (atomes(n, alea), vue(DE_LOIN), 1.0 / 64.0, [-8.0, 12.0, 10.0]),
             Self::Stade => (stade(n, alea), vue(DANS_LE_STADE), 1.0 / 128.0, [-8.0, 12.5, 10.0]),
             Self::Batons => (batons(n, alea), vue(DE_LOIN), 1.0 / 64.0, [-8.0, 12.0, 10.0]),
+            Self::Poutres => (poutres(n, alea), vue(DE_LOIN), 1.0 / 64.0, [-8.0, 12.0, 10.0]),
             Self::Tailles => (tailles(n, alea), vue(DE_LOIN), 1.0 / 64.0, [-8.0, 12.0, 10.0]),
             Self::Flocon => (flocon(n), vue(DEVANT_LE_FLOCON), 1.0 / 64.0, [-8.0, 16.0, 10.0]),
             Self::Cubes => {
@@ -347,6 +351,27 @@ fn batons<R: Reel>(n: usize, alea: &mut Rng) -> Vec<ObjetRay<R>> {
         boite(ou.into(), [large, 4.0 * entre(alea, 0.5, 1.0), large], tour, i)
     };
     (0..n).map(baton).collect()
+}
+
+/// Poles, planks and beams of all lengths, a fifth of them along the axes, among as many spheres and boxes.
+fn poutres<R: Reel>(n: usize, alea: &mut Rng) -> Vec<ObjetRay<R>> {
+    let large = 0.6 / (n as f64).sqrt();
+    let poutre = |i: usize| {
+        let ou = direction(alea) * (5.0 * alea.f64().cbrt());
+        if i % 4 < 2 {
+            let r = 2.0 / (n as f64).cbrt() * entre(alea, 0.3, 0.8);
+            return chose(alea, ou.into(), r, i);
+        }
+        let long = 0.25 * 16.0_f64.powf(alea.f64());
+        let [a, b]: [f64; 2] = [[1.0, 1.0], [6.0, 1.0], [2.0, 3.0]][alea.usize(..3)];
+        let tour = if alea.u8(..5) == 0 {
+            [(); 3].map(|()| f64::from(alea.u8(..4)) * PI / 2.0)
+        } else {
+            [(); 3].map(|()| entre(alea, 0.0, TAU))
+        };
+        boite(ou.into(), [a * large, long, b * large], tour, i)
+    };
+    (0..n).map(poutre).collect()
 }
 
 /// A few large and many small: the i-th largest is as large as 1/√i.

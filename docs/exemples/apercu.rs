@@ -86,7 +86,8 @@ fn lancer<R: Reel>(
 ) -> Result<Mesure<R>, Box<dyn Error>> {
     let ordre = tuiles(rayons.len(), largeur as usize);
     let tuiles: Vec<_> = ordre.iter().map(|&i| rayons[i]).collect();
-    let mut places = vec![0.0; Hierarchie::places(objets.len())];
+    // Twice as many, in case a scene has long boxes that stand askew.
+    let mut places = vec![0.0; 2 * Hierarchie::places(objets.len())];
     let hierarchie = Hierarchie::new(objets, &mut places)?;
     let facons: [Facon<'_, R>; 3] = [
         &|touches| {

@@ -2,15 +2,17 @@
 //!
 //! All boxes are numbers of `f32`, relative to the scene ([`Repere`]), whatever the scalar.
 //!
-//! Each object is first a record of seven numbers: its box and its index. Median cuts at multiples
+//! Each object is first a record of seven numbers: its box and its index; a long box that stands askew is some
+//! records, one for each of its pieces (`morceaux.rs`). Median cuts at multiples
 //! of 16^k, each along the axis on which the centres lie farthest apart, sort the records until
 //! those of a leaf are sixteen neighbours. Each leaf is then transposed into columns in place, and
 //! the nodes above follow, floor by floor.
 
 use core::mem;
 
+use crate::hierarchie::morceaux::Partage;
 use crate::hierarchie::noeud::{COIN_ABSENT, FICHE, Fiche, LIMITE_INDICES, Noeud, VIDE, en_mot};
-use crate::hierarchie::repere::{LARGEURS, Repere, extremes};
+use crate::hierarchie::repere::{Repere, extremes};
 use crate::liste::Liste;
 use crate::objet::ObjetRay;
 use crate::reel::{Reel, max, min, simple};
@@ -68,35 +70,49 @@ pub(crate) const fn mots(objets: usize) -> usize {
     total.saturating_mul(FICHE * SEIZE).saturating_add(SEIZE - 1 + BOURRAGE)
 }
 
-/// The tree over these objects, in [so many numbers](mots); one without nodes over few that have a box.
+/// How many records there is room for in so many numbers, beyond the leaves that these objects fill with one each.
+fn fiches_de_plus(objets: usize, places: usize) -> usize {
+    const FEUILLE: usize = FICHE * SEIZE;
+    let feuilles = objets.div_ceil(SEIZE);
+    let le_plus = (LIMITE_INDICES as usize / SEIZE - 1).saturating_sub(feuilles);
+    let plus = (places.saturating_sub(mots(objets)) / FEUILLE).min(le_plus);
+    // The nodes above these leaves take the place of some.
+    let trop = mots((feuilles + plus) * SEIZE).saturating_sub(places).div_ceil(FEUILLE);
+    plus.saturating_sub(trop) * SEIZE
+}
+
+/// The tree over these objects, in [so many numbers](mots) or more; one without nodes over few that have a box.
 pub(crate) fn construire<'a, R: Reel>(
     (objets, places): (&'a [ObjetRay<R>], &'a mut [f32]),
 ) -> Arbre<'a, R> {
     let sans_noeuds = Arbre::sans_noeuds(Liste::entiere(objets));
-    if places.is_empty() {
+    if mots(objets.len()) == 0 {
         return sans_noeuds;
     }
+    let restent = fiches_de_plus(objets.len(), places.len());
     let debut = places.as_ptr().align_offset(LIGNE).min(BOURRAGE);
     let places = &mut places[debut..];
     let mut repere = Repere::autour(objets);
+    let mut partage = Partage::new(objets, repere, restent);
     let (mut nombre, mut fin) = (0, places.len());
     for (indice, objet) in objets.iter().enumerate() {
         let indice = en_mot(indice);
-        if let Some((bas, haut)) = repere.boite_elargie(objet) {
-            let (fiches, _) = places.as_chunks_mut();
+        let (fiches, _) = places.as_chunks_mut();
+        let a_une_boite = partage.decouper(objet, |(bas, haut)| {
             fiches[nombre] = [bas.x, bas.y, bas.z, haut.x, haut.y, haut.z, indice];
             nombre += 1;
-        } else {
+        });
+        if !a_une_boite {
             fin -= 1;
             places[fin] = indice;
         }
     }
-    if nombre < OBJETS_D_UN_ARBRE {
+    let (places, sans_boite) = places.split_at_mut(fin);
+    if objets.len() - sans_boite.len() < OBJETS_D_UN_ARBRE {
         return sans_noeuds;
     }
-    let (places, sans_boite) = places.split_at_mut(fin);
     let (fiches, _) = places.as_chunks_mut();
-    let geants = trier_les_geants(&mut fiches[..nombre], simple(repere.loin));
+    let geants = trier_les_geants(&mut fiches[..nombre], repere);
     let autres = &mut fiches[geants * SEIZE..nombre];
     let [bas, haut] = extremes(autres.iter().map(double_centre));
     repere.jeu_maximal = JEU_MAXIMAL * 0.5 * (haut - bas).norme_1();
@@ -135,11 +151,11 @@ const TAILLE_DES_GEANTS: f32 = 0.4;
 /// Puts the sixteen largest records first, and tells how many leaves they are: 1 if they are
 /// giants, else 0. Giants are floors and walls whose centres say little of where they are, a sky, a ball for a ground;
 /// a sun is one for being far, whatever its size.
-fn trier_les_geants(fiches: &mut [Fiche], loin: f32) -> usize {
+fn trier_les_geants<R: Reel>(fiches: &mut [Fiche], repere: Repere<R>) -> usize {
     if fiches.len() <= SEIZE {
         return 0;
     }
-    let cote = loin / (LARGEURS as f32 * libm::cbrtf(fiches.len() as f32 / SEIZE as f32));
+    let (cote, loin) = (repere.cote_d_une_feuille(fiches.len()), simple(repere.loin));
     let portee = |fiche: &Fiche| portee(fiche, loin);
     let moyenne = |fiches: &[Fiche]| fiches.iter().map(portee).sum::<f32>() / fiches.len() as f32;
     let _ = fiches.select_nth_unstable_by(SEIZE, |a, b| portee(b).total_cmp(&portee(a)));

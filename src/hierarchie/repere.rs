@@ -4,6 +4,7 @@ use core::cmp::Ordering;
 
 use crate::objet::ObjetRay;
 use crate::reel::{Reel, fois_u, fois_u_simple, max, min, simple};
+use crate::seize::SEIZE;
 use crate::vecteur::Vecteur;
 
 /// The frame of the tree, in which `f32` holds any scene: a point X of the scene stands at (X −
@@ -21,7 +22,7 @@ pub(crate) struct Repere<R> {
 }
 
 /// What is farther from Z than so many times the width of the many is far from them.
-pub(crate) const LARGEURS: f64 = 4.0;
+const LARGEURS: f64 = 4.0;
 
 /// At most so many objects, evenly spread over the list, tell where the many are.
 const TEMOINS: usize = 31;
@@ -71,9 +72,13 @@ impl<R: Reel> Repere<R> {
         (x - self.milieu) * self.echelle
     }
 
-    /// The box around an object that has one, with the object's part of the slack.
-    pub(crate) fn boite_elargie(self, objet: &ObjetRay<R>) -> Option<(Vecteur<f32>, Vecteur<f32>)> {
-        let (c, h) = objet.boite_englobante()?;
+    /// The box around a slice of an object, with the part of the slack that an object of centre `c` and half-extents
+    /// `h` has: the centre of the slice is `decalage` away from `c`, its half-extents are `demi`.
+    pub(crate) fn boite_elargie(
+        self,
+        (c, h): (Vecteur<R>, Vecteur<R>),
+        (decalage, demi): (Vecteur<R>, Vecteur<R>),
+    ) -> (Vecteur<f32>, Vecteur<f32>) {
         let (c, h) = (self.point(c), h * self.echelle);
         // T2. The proof needs ρ, the radius of the ball around the object; the sum of the
         // half-extents is no less.
@@ -81,8 +86,14 @@ impl<R: Reel> Repere<R> {
         let jeu = loin * fois_u(JEU_DISTANCE)
             + large * fois_u_simple(JEU_LARGEUR)
             + (loin + large) * fois_u_simple(JEU_F32);
+        let (c, h) = (c + decalage * self.echelle, demi * self.echelle);
         let demi = h + Vecteur::new(jeu, jeu, jeu);
-        Some((simples(c - demi), simples(c + demi)))
+        (simples(c - demi), simples(c + demi))
+    }
+
+    /// The side of a leaf in this frame, if all leaves of so many records were alike among the many.
+    pub(crate) fn cote_d_une_feuille(self, fiches: usize) -> f32 {
+        simple(self.loin) / (LARGEURS as f32 * libm::cbrtf(fiches as f32 / SEIZE as f32))
     }
 
     /// A length times σ.

@@ -1,7 +1,7 @@
 //! Every way to an answer, with every instruction set of the machine: the list in a batch, the hierarchy ray by
 //! ray and in a batch, shadows of both; each beside the list ray by ray.
 
-use lancer_rayon::pour_les_tests::{Reglage, sans_boites};
+use lancer_rayon::pour_les_tests::{Reglage, noeuds, sans_boites};
 use lancer_rayon::{
     Hierarchie, ObjetRay, Rayon, Reel, SphereGeo, Texture, Touche, Vecteur, est_certaine,
     est_occulte, premiere_intersection,
@@ -58,17 +58,29 @@ pub fn exiger<R: Bits>(
 #[track_caller]
 pub fn comparer<R: Bits>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) -> usize {
     let n = objets.len();
-    // What the memory held before must not show through.
-    let mut places = vec![f32::NAN; Hierarchie::places(n)];
-    let hierarchie = Hierarchie::new(objets, &mut places).unwrap();
-    let attendues = comparer_les_facons(rayons, hierarchie, None);
-    // Another one each time, and now and then one that is not there.
-    let sauf = rayons.len() % (n + 1);
-    let sauf = attendues.iter().flatten().nth(sauf).map_or(sauf, |touche| touche.objet());
-    comparer_les_facons(rayons, hierarchie, Some(sauf));
+    // What the memory held before must not show through. In the larger one long boxes are cut into pieces.
+    let mut memoires = [1, 6].map(|fois| vec![f32::NAN; fois * Hierarchie::places(n)]);
+    let [hierarchie, en_morceaux] =
+        memoires.each_mut().map(|places| Hierarchie::new(objets, places).unwrap());
+    let touches = comparer_dans(&hierarchie, rayons);
+    // Else it is the same tree.
+    if noeuds(&en_morceaux) > noeuds(&hierarchie) {
+        comparer_dans(&en_morceaux, rayons);
+    }
     if (UN_ARBRE..BEAUCOUP).contains(&n) {
         comparer(&objets.repeat(BEAUCOUP.div_ceil(n)), rayons);
     }
+    touches
+}
+
+/// The same of this very hierarchy.
+#[track_caller]
+pub fn comparer_dans<R: Bits>(hierarchie: &Hierarchie<'_, R>, rayons: &[Rayon<R>]) -> usize {
+    let attendues = comparer_les_facons(rayons, *hierarchie, None);
+    // Another one each time, and now and then one that is not there.
+    let sauf = rayons.len() % (hierarchie.objets().len() + 1);
+    let sauf = attendues.iter().flatten().nth(sauf).map_or(sauf, |touche| touche.objet());
+    comparer_les_facons(rayons, *hierarchie, Some(sauf));
     attendues.iter().flatten().count()
 }
 

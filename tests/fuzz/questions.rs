@@ -197,7 +197,9 @@ fn attaquer<R: Bits>(octets: &[u8]) -> Option<()> {
         assert!(bas.x <= haut.x && bas.y <= haut.y && bas.z <= haut.z);
     }
     let doubles: Vec<_> = objets.iter().map(ObjetRay::vers_f64).collect();
-    let [mut places, mut autres] = [(); 2].map(|()| vec![0.0; Hierarchie::places(objets.len())]);
+    // In the second long boxes are cut into pieces.
+    let [mut places, mut autres] =
+        [1, 6].map(|fois| vec![0.0; fois * Hierarchie::places(objets.len())]);
     let hierarchie = Hierarchie::new(&objets, &mut places).unwrap();
     let en_double = Hierarchie::new(&doubles, &mut autres).unwrap();
     for (rayon, suivant) in rayons.iter().zip(rayons.iter().cycle().skip(1)) {

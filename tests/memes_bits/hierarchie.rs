@@ -6,14 +6,14 @@
 use std::f64::consts::FRAC_PI_2;
 
 use commun::conversion::mots;
-use commun::facons::{UN_ARBRE, comparer, comparer_sans_boites, voisin};
+use commun::facons::{UN_ARBRE, comparer, comparer_dans, comparer_sans_boites, voisin};
 use commun::regimes::{deux_puissance, direction, entre, signe};
 use commun::{Bits, arrondi, en_f32_et_f64, scenes};
 use fastrand::Rng;
 use lancer_rayon::pour_les_tests::{noeuds, vont_au_bout};
 use lancer_rayon::{
     BoiteGeo, Hierarchie, LongueursDifferentes, NoIntersection, ObjetGeo, ObjetRay,
-    PlacesInsuffisantes, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture, Vecteur,
+    PlacesInsuffisantes, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture, Vecteur, est_certaine,
     premiere_intersection, sont_occultes,
 };
 
@@ -237,6 +237,178 @@ fn un_large_faisceau_parmi_ce_que_chacun_traverse<R: Bits>() {
     println!("of 64 rows {au_bout} come to the end");
     assert!(au_bout > 32, "{au_bout}");
     assert!(comparer(&objets, &rangs[..512]) > 100);
+}
+
+/// The nodes of the tree of these objects in this memory, as bits.
+fn arbre<R: Reel>(objets: &[ObjetRay<R>], places: &mut [f32]) -> Vec<[[u32; 16]; 7]> {
+    // Nodes start on a cache line.
+    let debut = places.as_ptr().align_offset(64);
+    let combien = noeuds(&Hierarchie::new(objets, places).unwrap());
+    let (colonnes, _) = places[debut..].as_chunks::<16>();
+    let (noeuds, _) = colonnes.as_chunks::<7>();
+    noeuds[..combien].iter().map(|noeud| noeud.map(|colonne| colonne.map(f32::to_bits))).collect()
+}
+
+/// The index of each record in the first leaves of a tree.
+fn indices(feuilles: &[[[u32; 16]; 7]]) -> impl Iterator<Item = usize> {
+    let fiches = feuilles.iter().flat_map(|[bas, .., indices]| bas.iter().zip(indices));
+    // A child that is missing has its lower corner far away.
+    let fiches = fiches.filter(|(bas, _)| f32::from_bits(**bas) < 2.0);
+    fiches.map(|(_, indice)| *indice as usize)
+}
+
+/// Long boxes that stand askew about the origin, each like no other.
+fn poutres<R: Reel>(alea: &mut Rng, n: usize) -> Vec<ObjetRay<R>> {
+    let poutre = |i| {
+        let long = deux_puissance(alea, 2.0, 4.0);
+        let mut dimensions = [(); 3].map(|()| long * deux_puissance(alea, -8.0, -4.0));
+        dimensions[alea.usize(0..3)] = long;
+        let ou = direction(alea) * (4.0 * alea.f64());
+        let tour = Rotation::new(arrondi(direction(alea) * 7.0)).unwrap();
+        let texture = Texture(i as u32);
+        BoiteGeo::new(arrondi(ou), arrondi(dimensions.into()), tour, texture).unwrap().into()
+    };
+    (0..n).map(poutre).collect()
+}
+
+/// What is lent beyond the places that are needed is spent on long boxes that stand askew, on all alike, and on nothing
+/// else. Any number of places will do.
+fn des_places_de_plus<R: Bits>() {
+    let mut alea = Rng::with_seed(31);
+    // Nothing long, or long along the axes.
+    let mut trapus = scenes::melange::<R>(500);
+    for (i, axe) in (0..40).zip([0, 1, 2].into_iter().cycle()) {
+        let mut dimensions = [0.1; 3];
+        dimensions[axe] = 5.0;
+        let quart = Rotation::new(v(FRAC_PI_2, 0.0, 2.0 * FRAC_PI_2)).unwrap();
+        let ou = arrondi(direction(&mut alea) * 4.0);
+        let poutre = BoiteGeo::new(ou, arrondi(dimensions.into()), quart, Texture(i));
+        trapus.push(poutre.unwrap().into());
+    }
+    for n in [UN_ARBRE, 100, trapus.len()] {
+        let (objets, necessaires) = (&trapus[trapus.len() - n..], Hierarchie::places(n));
+        let [juste, ample] = [1, 9].map(|k| arbre(objets, &mut vec![f32::NAN; k * necessaires]));
+        assert!(juste == ample, "{n}");
+    }
+    // Too few for a tree stay too few, alone and among half-spaces.
+    let demi_espaces = [(); 20].map(|()| sol(&mut alea, 20.0));
+    let mut peu = poutres::<R>(&mut alea, UN_ARBRE - 1);
+    assert!(arbre(&peu, &mut [0.0; 9_000]).is_empty());
+    peu.extend(demi_espaces);
+    assert!(arbre(&peu, &mut [0.0; 9_000]).is_empty());
+    for n in [UN_ARBRE, 16, 17, 100, 240, 256, 700] {
+        let mut objets = poutres::<R>(&mut alea, n);
+        let rayons = gerbe(&mut alea, &objets, 4.0);
+        if n == 100 {
+            objets.extend(demi_espaces);
+        }
+        let necessaires = Hierarchie::places(objets.len());
+        let seul = arbre(&objets, &mut vec![f32::NAN; necessaires]);
+        let mut plus_grand = seul.len();
+        for plus in (0..4 * necessaires + 500).step_by(necessaires / 12 + 1) {
+            let mut places = vec![f32::NAN; necessaires + plus + 16];
+            let places = &mut places[plus % 16..][..necessaires + plus];
+            let noeuds = arbre(&objets, places);
+            // Less than a leaf is not enough.
+            assert!(plus >= 16 * 7 || noeuds == seul, "{n}, {plus} more");
+            plus_grand = plus_grand.max(noeuds.len());
+            let hierarchie = Hierarchie::new(&objets, places).unwrap();
+            for rayon in &rayons[..16] {
+                let attendue = mots(&premiere_intersection(&objets, rayon));
+                assert_eq!(mots(&hierarchie.premiere_intersection(rayon)), attendue);
+            }
+        }
+        assert!(plus_grand > seul.len(), "{n}: {}, {plus_grand}", seul.len());
+    }
+    // Where there is too little room, it is for all: not for the first of the list.
+    let objets = poutres::<R>(&mut alea, 1_000);
+    let noeuds = arbre(&objets, &mut vec![f32::NAN; 2 * Hierarchie::places(1_000)]);
+    let feuilles = noeuds.len() * 15 / 16;
+    let premiers = indices(&noeuds[..feuilles]).filter(|indice| *indice < 500).count();
+    assert!((900..1_100).contains(&premiers) && feuilles >= 120, "{premiers} of {feuilles} leaves");
+}
+
+/// Built: a long box that stands askew, alone or twice, among small spheres, in a tree with room for all its slices, some
+/// four to ten. Rays at the planes between the slices to the last bits, most of them at the edges of the box: from all
+/// sides, near and so far away that rounding moves the hit, and along the box. Held: the answers of the list, of shadows
+/// up to the very hit as well. A gap between two slices would be seen.
+fn aux_coutures_des_morceaux<R: Bits>() {
+    let mut alea = Rng::with_seed(32);
+    let bits = -R::U.vers_f64().log2();
+    let (mut touches, mut certaines, mut coutures) = (0, 0, 0);
+    for tour in 0..cas() {
+        let lieu = direction(&mut alea) * [0.0, 0.0, 100.0][tour % 3];
+        let mince = deux_puissance(&mut alea, -9.0, -4.0);
+        let dimensions = v(mince, 4.0, mince * deux_puissance(&mut alea, -2.0, 2.0));
+        let rotation = Rotation::new(arrondi(direction(&mut alea) * 7.0)).unwrap();
+        let poutre = BoiteGeo::new(arrondi(lieu), dimensions, rotation, Texture(0)).unwrap();
+        let mut objets: Vec<ObjetRay<R>> = vec![poutre.into(); 1 + tour % 2];
+        while objets.len() < 60 {
+            let ou = arrondi(lieu + direction(&mut alea) * 0.5);
+            let boule = SphereGeo::new(ou, R::depuis_f64(0.01), Texture(1)).unwrap();
+            objets.push(boule.into());
+        }
+        let mut places = vec![f32::NAN; Hierarchie::places(200)];
+        // All but the root are leaves.
+        let noeuds = arbre(&objets, &mut places);
+        let tranches = indices(&noeuds[..noeuds.len() - 1]).filter(|indice| *indice == 0).count();
+        coutures += tranches.saturating_sub(1);
+        let hierarchie = Hierarchie::new(&objets, &mut places).unwrap();
+        let poutre = poutre.vers_ray();
+        let [n, long, m] = poutre.normales().map(Vecteur::vers_f64);
+        let [a, b, c] = poutre.demi_longueurs().map(R::vers_f64);
+        let mut rayons = Vec::new();
+        while rayons.len() < 8 * 64 {
+            let j = alea.usize(0..=tranches);
+            let couture = 2.0 * j as f64 / tranches as f64 - 1.0;
+            let peu = 1.0 + entre(&mut alea, -4.0, 4.0) * R::U.vers_f64();
+            let bord = |alea: &mut Rng| {
+                if alea.u8(0..4) > 0 { signe(alea) } else { entre(alea, -1.0, 1.0) }
+            };
+            let bords = n * (a * bord(&mut alea)) + m * (c * bord(&mut alea));
+            let cible = poutre.centre().vers_f64() + bords * peu + long * (b * couture * peu);
+            let (d, loin) = match alea.u8(0..4) {
+                // Along the box.
+                0 => {
+                    let travers = direction(&mut alea) * deux_puissance(&mut alea, -bits, -4.0);
+                    (long * signe(&mut alea) + travers, 5.0)
+                }
+                1 => (direction(&mut alea), deux_puissance(&mut alea, 3.0, bits - 4.0)),
+                _ => (direction(&mut alea), deux_puissance(&mut alea, -6.0, 2.0)),
+            };
+            let d = d.unitaire().unwrap();
+            rayons.push(Rayon::new(arrondi(cible - d * loin), arrondi(d)).unwrap());
+        }
+        touches += comparer_dans(&hierarchie, &rayons);
+        for rayon in &rayons[..64] {
+            let touche = premiere_intersection(&objets, rayon);
+            let certaine = est_certaine(&objets, rayon, &touche);
+            assert!(hierarchie.est_certaine(rayon, &touche) || !certaine, "{rayon:?}");
+            certaines += usize::from(certaine);
+        }
+    }
+    let combien = format!("{touches} hits, {certaines} certain, {coutures} seams");
+    println!("{combien}");
+    assert!(touches > 200 * cas() && certaines > 10 * cas() && coutures > 3 * cas(), "{combien}");
+}
+
+/// Long boxes anyhow, once and three times, and rays of all kinds: the first of a tie, whichever piece it is found by;
+/// and one of them left out.
+fn parmi_des_poutres<R: Bits>() {
+    let mut alea = Rng::with_seed(33);
+    let mut touches = 0;
+    for n in [UN_ARBRE, 40, 300] {
+        for copies in [1, 3] {
+            let mut objets = poutres::<R>(&mut alea, n.div_ceil(copies)).repeat(copies);
+            alea.shuffle(&mut objets);
+            let mut rayons = Vec::new();
+            for _ in 0..3 {
+                rayons.extend(gerbe(&mut alea, &objets, 4.0));
+            }
+            touches += comparer(&objets, &rayons);
+        }
+    }
+    assert!(touches > 100, "only {touches} hits");
 }
 
 /// Objects that rays graze to the last bits, where rounding decides: one of them and its copies, or
@@ -598,6 +770,9 @@ en_f32_et_f64!(des_scenes_au_hasard);
 en_f32_et_f64!(des_grilles_et_des_rayons_le_long_des_axes);
 en_f32_et_f64!(des_objets_tous_egaux);
 en_f32_et_f64!(parmi_beaucoup_d_objets);
+en_f32_et_f64!(des_places_de_plus);
+en_f32_et_f64!(aux_coutures_des_morceaux);
+en_f32_et_f64!(parmi_des_poutres);
 en_f32_et_f64!(des_rayons_qui_frolent_les_boites);
 en_f32_et_f64!(des_touches_au_bord_de_leur_boite);
 en_f32_et_f64!(des_rayons_le_long_des_aretes);

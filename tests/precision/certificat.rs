@@ -29,23 +29,24 @@ fn premier_exact<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> Option<us
     premier.map(|(i, _)| i)
 }
 
-/// Judges the answer of a list to a ray, by itself and by a hierarchy of it, and two answers that are wrong; whether it
-/// is certain.
+/// Judges the answer of a list to a ray, by itself and by two hierarchies of it, of which the second has long boxes cut
+/// into pieces, and two answers that are wrong; whether it is certain.
 fn juger<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> bool {
     let touche = premiere_intersection(objets, rayon);
-    let mut places = vec![0.0; Hierarchie::places(objets.len())];
-    let hierarchie = Hierarchie::new(objets, &mut places).unwrap();
+    let mut memoires = [1, 6].map(|fois| vec![0.0; fois * Hierarchie::places(objets.len())]);
+    let hierarchies = memoires.each_mut().map(|places| Hierarchie::new(objets, places).unwrap());
     let exact = premier_exact(objets, rayon);
     let certaine = est_certaine(objets, rayon, &touche);
     let contexte = || format!("{touche:?}, but {exact:?}: {objets:?} {rayon:?}");
     let dite = touche.ok().map(|touche| touche.objet());
     assert!(!certaine || dite == exact, "{}", contexte());
-    let par_l_arbre = hierarchie.est_certaine(rayon, &touche);
-    assert!(!par_l_arbre || dite == exact, "by the tree: {}", contexte());
-    // The tree leaves out what the list must look at.
-    assert!(par_l_arbre || !certaine, "less certain by the tree: {}", contexte());
-    // What would be first without the first is wrong, and so is a miss.
-    if let Some(exact) = exact {
+    for hierarchie in hierarchies {
+        let par_l_arbre = hierarchie.est_certaine(rayon, &touche);
+        assert!(!par_l_arbre || dite == exact, "by the tree: {}", contexte());
+        // The tree leaves out what the list must look at.
+        assert!(par_l_arbre || !certaine, "less certain by the tree: {}", contexte());
+        // What would be first without the first is wrong, and so is a miss.
+        let Some(exact) = exact else { continue };
         let suivante = hierarchie.sans(exact).premiere_intersection(rayon);
         for fausse in [suivante, Err(NoIntersection)] {
             assert!(!est_certaine(objets, rayon, &fausse), "{fausse:?}: {}", contexte());

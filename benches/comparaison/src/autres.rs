@@ -105,9 +105,9 @@ fn sans<'a, R: Reel>(h: Hierarchie<'a, R>, lances: &'a Lances<R>) -> Option<Conc
     (!partis.is_empty()).then_some(concurrent)
 }
 
-/// Places for a hierarchy over these objects.
+/// Places for a hierarchy over these objects, and as many for the pieces of long boxes.
 pub(crate) fn places<R: Reel>(objets: &[ObjetRay<R>]) -> Vec<f32> {
-    vec![0.0; Hierarchie::places(objets.len())]
+    vec![0.0; 2 * Hierarchie::places(objets.len())]
 }
 
 /// An error unless list, hierarchy and both of their batches have the same bits for these rays and for shadows

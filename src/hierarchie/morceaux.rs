@@ -1,0 +1,90 @@
+//! The boxes of an object in the tree: one, or of a long box that stands askew one for each of some slices.
+//!
+//! The box along the axes of such an object is nearly all air, those of its slices have less. All records carry the
+//! index of the object. A walk may ask it twice and finds the same t.
+
+use crate::hierarchie::repere::Repere;
+use crate::objet::ObjetRay;
+use crate::reel::Reel;
+use crate::vecteur::Vecteur;
+
+/// So much surface a record more must save, in squares of the side of a leaf, if all leaves were alike and the scene of
+/// size 1 (`docs/performance.md`, "Thresholds").
+const PRIX_D_UNE_FICHE: f32 = 1e-3;
+
+/// Who gets the records for which there is room beyond one for each object.
+pub(crate) struct Partage<R> {
+    repere: Repere<R>,
+    prix: f32,
+    /// How many there still are.
+    restent: usize,
+    /// How many an object gets of each that would save time.
+    part: f32,
+    /// What rounding down has left.
+    du: f32,
+}
+
+impl<R: Reel> Partage<R> {
+    /// So many records for these objects.
+    pub(crate) fn new(objets: &[ObjetRay<R>], repere: Repere<R>, restent: usize) -> Self {
+        let mut partage = Self { repere, prix: 0.0, restent, part: 0.0, du: 0.0 };
+        if restent > 0 {
+            let cote = repere.cote_d_une_feuille(objets.len());
+            partage.prix = PRIX_D_UNE_FICHE * cote * cote;
+            let somme: f32 = objets.iter().map(|objet| partage.de_plus(objet)).sum();
+            partage.part = if somme > 0.0 { (restent as f32 / somme).min(1.0) } else { 0.0 };
+        }
+        partage
+    }
+
+    /// How many pieces more than one save time: 0, or at least 1. The boxes of k pieces have the surface a/k + b + ck,
+    /// and cost k times the price: the least is at k² = a/(c + price).
+    fn de_plus(&self, objet: &ObjetRay<R>) -> f32 {
+        let Some((_, h)) = objet.boite_englobante() else { return 0.0 };
+        let axe = grandeurs(objet.demi_axe());
+        let [a, c] = [axe, h - axe].map(|h| {
+            let [x, y, z] = <[R; 3]>::from(h).map(|l| self.repere.distance(l));
+            x * y + y * z + z * x
+        });
+        let k = (a / (c + self.prix)).sqrt();
+        if k >= 2.0 { k - 1.0 } else { 0.0 }
+    }
+
+    /// Into how many pieces the next object of the list is cut.
+    fn morceaux(&mut self, objet: &ObjetRay<R>) -> usize {
+        if self.part == 0.0 {
+            return 1;
+        }
+        self.du += self.de_plus(objet) * self.part;
+        let plus = (self.du as usize).min(self.restent);
+        self.du -= plus as f32;
+        self.restent -= plus;
+        1 + plus
+    }
+
+    /// Hands over the boxes of the next object of the list, in the frame of the tree; whether it has some. (As an
+    /// iterator building took 1.17 of the time.)
+    #[inline(always)]
+    pub(crate) fn decouper(
+        &mut self,
+        objet: &ObjetRay<R>,
+        mut recevoir: impl FnMut((Vecteur<f32>, Vecteur<f32>)),
+    ) -> bool {
+        let Some((c, h)) = objet.boite_englobante() else { return false };
+        let morceaux = self.morceaux(objet);
+        let k = R::depuis_f64(morceaux as f64);
+        let pas = if morceaux > 1 { objet.demi_axe() / k } else { Vecteur::NUL };
+        // The slack is that of an object longer by R, since the roundings of slices are more (lemma 15).
+        let retrait = grandeurs(pas) * (k - R::UN);
+        for i in 0..morceaux {
+            let decalage = pas * (R::depuis_f64((2 * i + 1) as f64) - k);
+            recevoir(self.repere.boite_elargie((c, h + retrait), (decalage, h - retrait)));
+        }
+        true
+    }
+}
+
+/// The sizes of its coordinates.
+fn grandeurs<R: Reel>(v: Vecteur<R>) -> Vecteur<R> {
+    Vecteur::new(v.x.abs(), v.y.abs(), v.z.abs())
+}
