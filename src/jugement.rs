@@ -16,7 +16,7 @@ use crate::jugement::loupe::{Jugement, juger, loupe};
 use crate::liste::Liste;
 use crate::objet::ObjetRay;
 use crate::rayon::Rayon;
-use crate::reel::{Reel, fois_u};
+use crate::reel::{Reel, fois_u, max};
 
 /// A glance serves for [`ObjetRay::erreur`] where it leaves no more than this part of u·t open: then
 /// the bound is what doubled numbers would say.
@@ -93,14 +93,14 @@ impl<R: Reel> ObjetRay<R> {
     ///
     /// let boule = ObjetRay::from(SphereGeo::new(Vecteur::new(0.0, 0.0, -5.0), 1.0, Texture(0))?);
     /// let vers_le_fond = |x| Rayon::new(Vecteur::new(x, 0.0, 0.0), Vecteur::new(0.0, 0.0, -1.0));
-    /// assert!(boule.est_sur(&vers_le_fond(0.5)?)); // a hit
-    /// assert!(boule.est_sur(&vers_le_fond(1.5)?)); // a miss
-    /// assert!(boule.est_sur(&vers_le_fond(1.0)?)); // a tangent, exactly
+    /// assert!(boule.est_certain(&vers_le_fond(0.5)?)); // a hit
+    /// assert!(boule.est_certain(&vers_le_fond(1.5)?)); // a miss
+    /// assert!(boule.est_certain(&vers_le_fond(1.0)?)); // a tangent, exactly
     /// # Ok::<(), lancer_rayon::ErreurGeo>(())
     /// ```
     #[doc(alias("is_certain", "is_robust"))]
     #[must_use]
-    pub fn est_sur(&self, rayon: &Rayon<R>) -> bool {
+    pub fn est_certain(&self, rayon: &Rayon<R>) -> bool {
         // J8: no ray that enters an object passes the ball around it by (lemma 19).
         if !self.boule().approchee(rayon) {
             return true;
@@ -128,7 +128,7 @@ fn plus_grand<R: Reel>() -> f64 {
 /// object first, or none as well. (Which face of a box, at an edge, is not asked.)
 ///
 /// It is never true of a wrong answer. It is false of a right one only where
-/// [`est_sur`](ObjetRay::est_sur) of some object would be, and of two entries within some 2⁻⁵⁰ of t of
+/// [`est_certain`](ObjetRay::est_certain) of some object would be, and of two entries within some 2⁻⁵⁰ of t of
 /// each other: an exact tie, most often, as where the sides of two boxes are flush. Of `touche` only
 /// [`objet`](Intersection::objet) counts, whoever found it. The time is that of a ray or two;
 /// [`Hierarchie::est_certaine`](crate::Hierarchie::est_certaine) asks a tree.
@@ -204,7 +204,7 @@ impl<'a, R: Reel> Certificat<'a, R> {
     /// No object that the ray enters later than this is asked.
     pub(crate) fn limite(&self) -> R {
         // Before 0 nothing would be asked.
-        R::depuis_f64(self.fin * (1.0 + 2.0 * R::U.vers_f64())).max(R::MIN_POSITIF)
+        max(R::depuis_f64(self.fin * (1.0 + 2.0 * R::U.vers_f64())), R::MIN_POSITIF)
     }
 
     /// Whether the ray certainly never enters the object at this index, or later than the first; or it

@@ -5,7 +5,7 @@ use crate::forme::{Boule, Forme};
 use crate::intersection::{Intersection, Rang};
 use crate::plan::{PlanGeo, PlanRay};
 use crate::rayon::Rayon;
-use crate::reel::{Reel, fois_u};
+use crate::reel::{Reel, fois_u, max, min};
 use crate::refus::ErreurGeo;
 use crate::rotation::Rotation;
 use crate::sphere::{SphereGeo, SphereRay};
@@ -173,7 +173,7 @@ impl<R: Reel> ObjetRay<R> {
     /// # Ok::<(), lancer_rayon::ErreurGeo>(())
     /// ```
     #[doc(alias("to_f64", "widen"))]
-    pub fn vers_f64(&self) -> ObjetRay {
+    pub fn vers_f64(self) -> ObjetRay {
         par_forme!(Self, self, forme => forme.vers_f64().into())
     }
 
@@ -245,8 +245,8 @@ pub const ETENDUE: f64 = 44.0;
 #[must_use]
 pub fn etendue<R: Reel>(objets: &[ObjetRay<R>]) -> Option<[Vecteur<R>; 2]> {
     objets.iter().filter_map(ObjetRay::etendue).reduce(|[a, b], [c, d]| {
-        let bas = Vecteur::new(a.x.min(c.x), a.y.min(c.y), a.z.min(c.z));
-        [bas, Vecteur::new(b.x.max(d.x), b.y.max(d.y), b.z.max(d.z))]
+        let bas = Vecteur::new(min(a.x, c.x), min(a.y, c.y), min(a.z, c.z));
+        [bas, Vecteur::new(max(b.x, d.x), max(b.y, d.y), max(b.z, d.z))]
     })
 }
 

@@ -78,7 +78,7 @@ impl<R: Reel> Rayon<R> {
     /// # Ok::<(), lancer_rayon::ErreurGeo>(())
     /// ```
     #[doc(alias("to_f64", "widen"))]
-    pub fn vers_f64(&self) -> Rayon {
+    pub fn vers_f64(self) -> Rayon {
         Rayon { source: self.source.vers_f64(), direction: self.direction.vers_f64() }
     }
 }

@@ -71,7 +71,7 @@ fn touche_valide<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> TestCaseR
     // Above 0, and no NaN, of whichever object it is asked.
     for objet in objets {
         prop_assert!(objet.erreur(rayon, &touche) > R::ZERO);
-        let _: bool = objet.est_sur(rayon);
+        let _: bool = objet.est_certain(rayon);
     }
     if let Some((_, distance)) = rayon.vers_touche(&touche, rayon, &touche) {
         prop_assert!(distance > R::ZERO);

@@ -93,7 +93,7 @@ fn secondaires<R: Bits>(objet: &ObjetRay<R>, rayon: &Rayon<R>, vers: Vecteur<R>)
 fn apres_coup<R: Bits>(objet: &ObjetRay<R>, [rayon, autre]: [&Rayon<R>; 2]) {
     let (double, en_double) = (objet.vers_f64(), rayon.vers_f64());
     let (touche, la) = (objet.intersection(rayon), double.intersection(&en_double));
-    if objet.est_sur(rayon) && double.est_sur(&en_double) {
+    if objet.est_certain(rayon) && double.est_certain(&en_double) {
         assert_eq!(touche.is_ok(), la.is_ok(), "{objet:?} {rayon:?}");
     }
     if objet.contient(rayon.source()) {
@@ -196,7 +196,7 @@ fn attaquer<R: Bits>(octets: &[u8]) -> Option<()> {
     if let Some([bas, haut]) = etendue(&objets) {
         assert!(bas.x <= haut.x && bas.y <= haut.y && bas.z <= haut.z);
     }
-    let doubles: Vec<_> = objets.iter().map(ObjetRay::vers_f64).collect();
+    let doubles: Vec<_> = objets.iter().map(|objet| objet.vers_f64()).collect();
     let [mut places, mut autres] = [(); 2].map(|()| vec![0.0; Hierarchie::places(objets.len())]);
     let hierarchie = Hierarchie::new(&objets, &mut places).unwrap();
     let en_double = Hierarchie::new(&doubles, &mut autres).unwrap();
