@@ -101,12 +101,13 @@ extern crate std;
 // (`docs/conception.md`, "The floors").
 //
 //   seize · reel · compile, niveau · vecteur · texture, refus · rotation · rayon · double
-//   intersection · secondaire · forme · sphere, plan, boite · objet · liste, epreuve · jugement · premier
+//   intersection · secondaire · forme · sphere, plan, boite · face, objet · liste, epreuve · jugement · premier
 //   recherche · lot · hierarchie · pour_les_tests
 mod boite;
 mod compile;
 mod double;
 mod epreuve;
+mod face;
 mod forme;
 mod hierarchie;
 mod intersection;
@@ -131,6 +132,7 @@ mod texture;
 mod vecteur;
 
 pub use boite::{BoiteGeo, BoiteRay};
+pub use face::Face;
 pub use hierarchie::{Hierarchie, PlacesInsuffisantes};
 pub use intersection::{Intersection, NoIntersection, Touche};
 pub use jugement::est_certaine;

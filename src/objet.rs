@@ -93,6 +93,41 @@ impl<R: Reel> ObjetGeo<R> {
         par_forme!(Self, self, forme => Ok(forme.homothetie(k)?.into()))
     }
 
+    /// The same object in `f32`, seen from an origin that is taken off in the type of the object,
+    /// before anything is rounded to `f32`: the object moved by −`origine`.
+    ///
+    /// Far from O an `f32` holds few digits: near 4,200,000 the next number is 0.5 away. What is
+    /// lost in storing no margin and no certificate sees, since all of them speak of the numbers as
+    /// stored. So describe a scene in `f64`, take off an origin in its middle, and the same of the
+    /// rays ([`Rayon::vers_f32`]). `Vecteur::NUL` leaves the scene where it is.
+    ///
+    /// # Errors
+    /// If [`translation`](Self::translation) by −`origine` refuses, or the constructor the numbers in
+    /// `f32`: the error names the field.
+    ///
+    /// ```
+    /// use lancer_rayon::{ObjetGeo, ObjetRay, SphereGeo, Texture, Vecteur};
+    ///
+    /// let borne = SphereGeo::new(Vecteur::new(500001.005, 150.0, 4200000.0115), 0.01, Texture(0))?;
+    /// let borne = ObjetGeo::from(borne);
+    /// let centre = |objet: ObjetGeo<f32>| match objet.vers_ray() {
+    ///     ObjetRay::Sphere(sphere) => sphere.centre(),
+    ///     ObjetRay::Plan(_) | ObjetRay::Boite(_) => panic!("a sphere stays one"),
+    /// };
+    /// let origine = Vecteur::new(500000.0, 0.0, 4200000.0);
+    /// assert_eq!(centre(borne.vers_f32(origine)?), Vecteur::new(1.005, 150.0, 0.0115));
+    /// // As it stands, z would be off by more than the radius.
+    /// assert_eq!(centre(borne.vers_f32(Vecteur::NUL)?).z, 4200000.0);
+    ///
+    /// let loin = SphereGeo::new(Vecteur::new(0.0, 1e30, 0.0), 1.0, Texture(0))?;
+    /// assert_eq!(ObjetGeo::from(loin).vers_f32(Vecteur::NUL).unwrap_err().champ, "centre.y");
+    /// # Ok::<(), lancer_rayon::ErreurGeo>(())
+    /// ```
+    #[doc(alias("to_f32", "narrow", "floating_origin"))]
+    pub fn vers_f32(self, origine: Vecteur<R>) -> Result<ObjetGeo<f32>, ErreurGeo> {
+        par_forme!(Self, self, forme => Ok(forme.vers_f32(origine)?.into()))
+    }
+
     /// The same object, ready for rays (handout §3).
     #[doc(alias = "into_ray")]
     pub fn vers_ray(self) -> ObjetRay<R> {

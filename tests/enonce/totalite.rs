@@ -4,8 +4,8 @@ use commun::strategies::{quelconque, vecteur_quelconque};
 use commun::tolerances::{ORTHONORMALE, ecart_rotation, u};
 use commun::{Bits, en_f32_et_f64, est_une_entree, pour_tout};
 use lancer_rayon::{
-    BoiteGeo, ErreurGeo, ObjetGeo, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture,
-    Vecteur, premiere_intersection,
+    BoiteGeo, ErreurGeo, Face, ObjetGeo, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo,
+    Texture, Vecteur, premiere_intersection,
 };
 use proptest::prelude::*;
 use proptest::test_runner::{TestCaseError, TestCaseResult};
@@ -53,10 +53,10 @@ fn valide<R: Reel>(objet: &ObjetRay<R>) -> TestCaseResult {
             let double = boite.demi_longueurs().map(|l| l + l);
             prop_assert!(tient(boite.centre()) && double.into_iter().all(mesure));
             let finis = |v: Vecteur<R>| v.vers_f64().longueur() < f64::INFINITY;
-            prop_assert!(boite.centres_faces().into_iter().all(finis));
-            prop_assert!(boite.centres_opposes().into_iter().all(finis));
-            let distances = [boite.distances_faces(), boite.distances_opposees()].concat();
-            prop_assert!(distances.into_iter().all(|d| d.abs() < R::INFINI));
+            for (centre, normale) in Face::TOUTES.map(|face| boite.face(face)) {
+                prop_assert!(finis(centre) && finis(normale));
+                prop_assert!(normale.produit_scalaire(centre).abs() < R::INFINI);
+            }
             boite.normales().to_vec()
         }
     };
