@@ -66,14 +66,9 @@ impl<R: Reel> Rayon<R> {
         touche: &Intersection<R>,
         direction: Vecteur<R>,
     ) -> Result<Self, ErreurGeo> {
-        let mut direction = direction_unitaire(direction)?;
-        let n = touche.normale();
-        let cosinus = direction.produit_scalaire(n);
-        if cosinus.abs() <= fois_u(TANGENT) {
-            // M5
-            direction = direction_unitaire(direction + n * fois_u(REDRESSE))?;
-        }
-        let dedans = cosinus < fois_u(-TANGENT);
+        let direction = direction_unitaire(direction)?;
+        let dedans = direction.produit_scalaire(touche.normale()) < fois_u(-TANGENT);
+        let direction = if dedans { direction } else { redressee(direction, touche.normale())? };
         Ok(Self::sans_verifier(self.depart(touche, dedans)?, direction))
     }
 
@@ -103,11 +98,10 @@ impl<R: Reel> Rayon<R> {
     #[inline]
     pub fn reflechi(&self, touche: &Intersection<R>) -> Result<Self, ErreurGeo> {
         let (d, n) = (self.direction(), touche.normale());
-        let vers = d - (n + n) * d.produit_scalaire(n);
-        // N·D < 0 as computed: exactly it is at most 3.1u, and N·D′ at least −5.1u as D′ is rounded
-        // twice. Turned by so much, no direction is below the tangent plane.
-        let sous = vers.produit_scalaire(n) < fois_u(-TANGENT);
-        self.secondaire(touche, if sous { vers + n * fois_u(REDRESSE) } else { vers })
+        // N·D < 0 as computed: exactly it may be above by 3.1u, so that N·D′ is no less than −3.1u before
+        // D′ is rounded, and than −5.1u after.
+        let direction = direction_unitaire(d - (n + n) * d.produit_scalaire(n))?;
+        Ok(Self::sans_verifier(self.depart(touche, false)?, redressee(direction, n)?))
     }
 
     /// The ray from the point of a hit to a light, and the distance of the light in scene units:
@@ -242,4 +236,13 @@ impl<R: Reel> Rayon<R> {
         // M6
         source_valide(p + n * if dedans { -pas } else { pas })
     }
+}
+
+/// This direction, which no more than rounding leads inward, turned outward if it is within
+/// [`TANGENT`] of the tangent plane or below it.
+#[inline]
+fn redressee<R: Reel>(d: Vecteur<R>, n: Vecteur<R>) -> Result<Vecteur<R>, ErreurGeo> {
+    let rase = d.produit_scalaire(n) <= fois_u(TANGENT);
+    // M5
+    if rase { direction_unitaire(d + n * fois_u(REDRESSE)) } else { Ok(d) }
 }

@@ -72,6 +72,20 @@ fn touche_valide<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> TestCaseR
     for objet in objets {
         prop_assert!(objet.erreur(rayon, &touche) > R::ZERO);
         let _: bool = objet.est_certain(rayon);
+        // Of a hit of whichever object, a point of the box.
+        if let ObjetRay::Boite(boite) = objet {
+            let (face, p) = boite.lieu(rayon, &touche);
+            let p = <[R; 3]>::from(p);
+            prop_assert!(p.into_iter().all(|x| x.abs() <= R::UN), "{:?}", p);
+            prop_assert!(p[face as usize % 3].abs() == R::UN);
+        }
+    }
+    if let Some((ombre, distance)) = rayon.vers_soleil(&touche, rayon.source()) {
+        prop_assert!(tient(ombre.source()) && distance == R::INFINI);
+    }
+    match rayon.reflechi(&touche) {
+        Ok(reflet) => prop_assert!(tient(reflet.source())),
+        Err(erreur) => prop_assert!(erreur.champ == "marge" || erreur.champ.starts_with("source")),
     }
     if let Some((_, distance)) = rayon.vers_touche(&touche, rayon, &touche) {
         prop_assert!(distance > R::ZERO);
@@ -118,6 +132,10 @@ fn n_importe_quels_bits_donnent_une_valeur_valide_ou_une_erreur<R: Bits>() {
                 garder(objet.translation(v))?;
                 garder(objet.rotation(r2))?;
                 garder(objet.homothetie(k))?;
+                match objet.vers_f32(v) {
+                    Ok(simple) => valide(&simple.vers_ray())?,
+                    Err(erreur) => refusee::<f32>(erreur)?,
+                }
             }
         }
         let objets: Vec<_> = objets.into_iter().map(ObjetGeo::vers_ray).collect();
@@ -133,6 +151,10 @@ fn n_importe_quels_bits_donnent_une_valeur_valide_ou_une_erreur<R: Bits>() {
                         touche_valide(core::slice::from_ref(objet), &rayon)?;
                     }
                     touche_valide(&objets, &rayon)?;
+                    match rayon.vers_f32(v) {
+                        Ok(simple) => prop_assert!(tient(simple.source())),
+                        Err(erreur) => refusee::<f32>(erreur)?,
+                    }
                 }
                 Err(erreur) => refusee::<R>(erreur)?,
             }
