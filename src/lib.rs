@@ -75,7 +75,7 @@
 //! **A hit knows its object and its error**: [`Intersection::objet`] is the index in the list,
 //! [`Intersection::marge`] bounds how far the point is from the surface, and [`Rayon::secondaire`]
 //! starts a shadow, reflection or refraction ray that never hits the object it leaves, except
-//! inward within rounding of a box edge.
+//! inward within rounding of a box edge. [`BoiteRay::lieu`] says which face of a box was hit, and where.
 //! [`est_certaine`] tells whether the first object is that of exact arithmetic.
 //!
 //! # `f32` or `f64`
@@ -83,7 +83,8 @@
 //! Every type takes the scalar as a parameter, `f64` unless named: `Vecteur<f32>`. Everything is
 //! computed in that type. Take `f32` for speed and memory, in batches above all, and `f64` for
 //! distances to some 10⁻¹⁴ (`docs/compromis.md`); what is promised is the same, in units of each
-//! type's rounding (`docs/precision.md`).
+//! type's rounding (`docs/precision.md`). Of a scene far from O take an origin off first:
+//! [`ObjetGeo::vers_f32`].
 //!
 //! # Features
 //!

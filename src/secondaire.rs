@@ -21,8 +21,9 @@ pub const PAS_ARRONDI: f64 = 1.1;
 
 impl<R: Reel> Rayon<R> {
     /// A ray that starts where this one touched an object and never hits that object again, with
-    /// one exception (below): for shadows, reflections (a direction outward, D·N > 0) and
-    /// transparency (inward).
+    /// one exception (below): for a direction outward, D·N > 0, and for transparency, inward. Mirrors
+    /// have [`reflechi`](Self::reflechi), shadows [`vers_lumiere`](Self::vers_lumiere) and
+    /// [`vers_soleil`](Self::vers_soleil).
     ///
     /// The source is the point of the hit, moved along the normal to the side to which the
     /// direction leads, by [`marge`](Intersection::marge) and the rounding of the moved point,
@@ -54,9 +55,11 @@ impl<R: Reel> Rayon<R> {
     /// let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.1, 0.05, -1.0))?;
     /// let touche = boule.intersection(&rayon)?;
     ///
-    /// let (d, n) = (rayon.direction(), touche.normale());
-    /// let reflet = rayon.secondaire(&touche, d - n * (2.0 * d.produit_scalaire(n)))?;
-    /// assert_eq!(boule.intersection(&reflet), Err(NoIntersection));
+    /// // Back along the normal, and straight on, as through glass.
+    /// for direction in [touche.normale(), rayon.direction()] {
+    ///     let suite = rayon.secondaire(&touche, direction)?;
+    ///     assert_eq!(boule.intersection(&suite), Err(NoIntersection));
+    /// }
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
     #[doc(alias("spawn_ray", "secondary_ray", "shadow_ray", "reflection", "refraction"))]
