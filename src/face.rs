@@ -109,7 +109,7 @@ impl<R: Reel> BoiteRay<R> {
         // and sum round by 2u(|f| + t) along N, the scalar product by 3u, the quotient by u.
         let p = (rayon.source() - self.centre()) + rayon.direction() * touche.distance();
         let mut p = self.paires().map(|(n, l)| {
-            // A NaN, of a hit on something else that is far away, becomes a limit as well.
+            // Of a hit on something else a NaN is possible, and becomes a limit as well.
             max(min(p.produit_scalaire(n) / l, R::UN), -R::UN)
         });
         p[axe] = face.signe();

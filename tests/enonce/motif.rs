@@ -94,6 +94,28 @@ fn le_lieu_est_sur_la_face_de_la_normale<R: Reel>() {
 
 en_f32_et_f64!(le_lieu_est_sur_la_face_de_la_normale);
 
+/// Of a hit on something else, so far away that its point is beyond every number: a point of the box all the same.
+#[test]
+fn le_lieu_d_une_touche_d_ailleurs_est_un_point_de_la_boite() {
+    let cotes = Vecteur::new(1.0, 1.0, 1.0);
+    let boite = BoiteGeo::new(Vecteur::NUL, cotes, Rotation::IDENTITE, Texture(0)).unwrap();
+    let boite = boite.vers_ray();
+    // A direction that is kept, a little longer than 1.
+    let (haut, long) = (f32::LIMITE, 1.0 + 2.0 * f32::EPSILON);
+    let rayon = Rayon::new(Vecteur::new(0.0, haut, 0.0), Vecteur::new(long, 0.0, 0.0)).unwrap();
+    let mut perdus = 0;
+    for k in 0..16 {
+        let pente = f32::from_bits((haut / f32::MAX).to_bits() - k);
+        let n = Vecteur::new(-pente, 1.0, 0.0);
+        let sol = PlanGeo::par_un_point(Vecteur::NUL, n, Texture(0)).unwrap();
+        let Ok(touche) = ObjetRay::from(sol).intersection(&rayon) else { continue };
+        let (_, p) = boite.lieu(&rayon, &touche);
+        assert!(<[f32; 3]>::from(p).into_iter().all(|x| x.abs() <= 1.0), "{p:?}");
+        perdus += u32::from(rayon.point(touche.distance()).x == f32::INFINITY);
+    }
+    assert!(perdus > 0);
+}
+
 /// Whether the sum of these cells is odd: the colour of a checker.
 fn impair(cases: impl IntoIterator<Item = f64>) -> bool {
     cases.into_iter().map(f64::floor).sum::<f64>().rem_euclid(2.0) == 1.0
