@@ -60,11 +60,6 @@ impl Face {
             Self::MoinsZ => [-p.x, p.y],
         }
     }
-
-    /// 1 of the first three, −1 of the opposite ones.
-    fn signe<R: Reel>(self) -> R {
-        if (self as usize) < 3 { R::UN } else { -R::UN }
-    }
 }
 
 impl<R: Reel> BoiteRay<R> {
@@ -112,7 +107,7 @@ impl<R: Reel> BoiteRay<R> {
             // Of a hit on something else a NaN is possible, and becomes a limit as well.
             max(min(p.produit_scalaire(n) / l, R::UN), -R::UN)
         });
-        p[axe] = face.signe();
+        p[axe] = if cosinus[axe] < R::ZERO { -R::UN } else { R::UN };
         (face, p.into())
     }
 
@@ -121,7 +116,7 @@ impl<R: Reel> BoiteRay<R> {
     #[doc(alias("face_center", "face_normal"))]
     pub fn face(&self, face: Face) -> (Vecteur<R>, Vecteur<R>) {
         let (n, l) = self.paires()[face as usize % 3];
-        let n = n * face.signe();
+        let n = if (face as usize) < 3 { n } else { -n };
         (self.centre() + n * l, n)
     }
 }

@@ -61,7 +61,7 @@ impl<R: Reel> ObjetRay<R> {
     #[must_use]
     pub fn erreur(&self, rayon: &Rayon<R>, touche: &Intersection<R>) -> R {
         let t = touche.distance();
-        let (objet, rayon, en_f64) = (self.vers_f64(), rayon.vers_f64(), t.vers_f64());
+        let (objet, rayon, en_f64) = (self.en_double(), rayon.vers_f64(), t.vers_f64());
         // Of a distance in `f64` a glance never leaves so little open.
         let en_simple = R::selon(true, false);
         let vue = if en_simple { coup_d_oeil(&objet, &rayon) } else { Intervalle::INCONNU };
@@ -106,7 +106,7 @@ impl<R: Reel> ObjetRay<R> {
             return true;
         }
         let (touche, plus_grand) = (self.t(rayon) < R::INFINI, plus_grand::<R>());
-        entree(&self.vers_f64(), &rayon.vers_f64(), plus_grand).touche(plus_grand) == Some(touche)
+        entree(&self.en_double(), &rayon.vers_f64(), plus_grand).touche(plus_grand) == Some(touche)
     }
 }
 
@@ -195,7 +195,7 @@ impl<'a, R: Reel> Certificat<'a, R> {
         };
         let indice = touche.objet();
         let premier = liste.objet(indice)?;
-        let entree = entree(&premier.vers_f64(), &double, plus_grand);
+        let entree = entree(&premier.en_double(), &double, plus_grand);
         let certaine = entree.touche(plus_grand) == Some(true);
         let premier = Some((premier, indice));
         certaine.then_some(Self { rayon, double, premier, fin: entree.haut })
@@ -213,7 +213,7 @@ impl<'a, R: Reel> Certificat<'a, R> {
     fn vient_apres(&self, objet: &ObjetRay<R>, indice: usize) -> bool {
         // G5
         self.premier.is_some_and(|(_, premier)| premier == indice)
-            || coup_d_oeil(&objet.vers_f64(), &self.double).bas > self.fin
+            || coup_d_oeil(&objet.en_double(), &self.double).bas > self.fin
             || self.vient_apres_a_la_loupe(objet)
     }
 
@@ -227,7 +227,7 @@ impl<'a, R: Reel> Certificat<'a, R> {
 
     #[cold]
     fn vient_apres_a_la_loupe(&self, objet: &ObjetRay<R>) -> bool {
-        let a_la_loupe = |objet: &ObjetRay<R>| loupe(&objet.vers_f64(), &self.double);
+        let a_la_loupe = |objet: &ObjetRay<R>| loupe(&objet.en_double(), &self.double);
         let premier = self.premier.map(|(premier, _)| a_la_loupe(premier).haut);
         a_la_loupe(objet).bas > premier.unwrap_or(f64::INFINI).min(self.fin)
     }
