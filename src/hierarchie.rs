@@ -45,9 +45,9 @@ use crate::seize::SEIZE;
 /// its order, and numbers that the caller lends; it is `Copy`, and threads may share it. After a
 /// change of the list, build it again.
 ///
-/// Its boxes are rounded to some 10⁻⁶ of the whole scene and of the distance of the source, in
-/// `f64` too. Objects closer together than that are all tested: very fine detail in a large scene
-/// costs time, and never accuracy.
+/// Its boxes are rounded to some 10⁻⁶ of their distance from the middle of the many, in `f32` also of that of the
+/// source. Objects closer together than that are all tested: fine detail far from most objects costs time, and
+/// never accuracy. A sun, a sky, a ball for a ground cost little (`docs/performance.md`).
 ///
 /// ```
 /// use lancer_rayon::{

@@ -20,8 +20,8 @@ use crate::reel::Reel;
 
 pub use crate::double::{BORNE_DOUBLE, Double, Intervalle, PERTE_DOUBLE, PRODUIT_DOUBLE};
 pub use crate::forme::{ARRONDI_HAUTEUR, PENCHE, PLANCHER, RETRAIT, VERS_LE_HAUT};
-pub use crate::hierarchie::repere::{JEU_F32, JEU_TOUCHE};
-pub use crate::hierarchie::sonde::{ENTREE_AVANT, JEU_BLOC, JEU_FIXE};
+pub use crate::hierarchie::repere::{JEU_DISTANCE, JEU_F32, JEU_LARGEUR};
+pub use crate::hierarchie::sonde::{JEU_FACE, JEU_FAISCEAU};
 pub use crate::jugement::ERREUR_ARRONDIE;
 pub use crate::jugement::coup_d_oeil::{
     VUE_DISTANCE, VUE_HAUTEUR, VUE_LONGUEUR, VUE_QUOTIENT, VUE_SPHERE, VUE_VITESSE, coup_d_oeil,
@@ -74,7 +74,8 @@ pub fn evite<R: Reel>(ombres: &[(Rayon<R>, R)], objet: &ObjetRay<R>) -> bool {
     let mut bloc = Bloc::new(Liste::entiere(&[]), &mut groupes);
     bloc.charger(ombres);
     bloc.faisceau().is_some_and(|faisceau| {
-        let repere = Repere::autour(slice::from_ref(objet));
+        let mut repere = Repere::autour(slice::from_ref(objet));
+        repere.jeu_maximal = 1.0;
         let sonde = SondeDeBloc::new(&faisceau, repere);
         let mut noeud = VIDE;
         if let Some((bas, haut)) = repere.boite_elargie(objet) {

@@ -176,6 +176,81 @@ fn sans_perspective<R: Reel>(pas: f64, vers: impl Fn(usize) -> Vecteur) -> Vec<R
     pixels.map(rayon).collect()
 }
 
+/// What is far from a city of one kilometre, or so large that its middle is: such things stand in most scene files.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum AuLoin {
+    Rien,
+    /// A sun at this distance, as large as ours looks.
+    Soleil,
+    /// A sky, a ball of this radius around all.
+    Ciel,
+    /// The ground is a ball of this radius.
+    Globe,
+    /// Half of the houses stand this far away.
+    DeuxVilles,
+    /// The camera looks from there.
+    Camera,
+}
+
+/// A metre, in the city.
+const METRE: f64 = 0.02;
+
+impl AuLoin {
+    pub fn nom(self) -> &'static str {
+        match self {
+            Self::Rien => "nothing",
+            Self::Soleil => "a sun",
+            Self::Ciel => "a sky",
+            Self::Globe => "a globe",
+            Self::DeuxVilles => "two towns",
+            Self::Camera => "a camera",
+        }
+    }
+
+    /// The city of `n` objects with this, so many metres away or in radius.
+    pub fn scene<R: Reel + DeserializeOwned>(self, n: usize, graine: u64, metres: f64) -> Scene<R> {
+        let mut scene = Famille::Ville.scene::<R>(n, graine);
+        let loin = metres * METRE;
+        match self {
+            Self::Rien => {}
+            Self::Soleil => {
+                scene.objets[n / 2] =
+                    sphere([0.6 * loin, 0.64 * loin, 0.48 * loin], loin / 215.0, n / 2);
+            }
+            Self::Ciel => scene.objets[n / 2] = sphere([0.0, 0.0, 0.0], loin, n / 2),
+            Self::Globe => scene.objets[0] = sphere([0.0, -loin, 0.0], loin, 0),
+            Self::DeuxVilles => {
+                let pas = Vecteur::new(0.8 * loin, 0.0, 0.6 * loin);
+                for objet in scene.objets.iter_mut().skip(1).step_by(2) {
+                    let ObjetRay::Boite(boite) = *objet else { continue };
+                    let [c, l] =
+                        [boite.centre().vers_f64(), boite.demi_longueurs().map(R::vers_f64).into()];
+                    let rotation = Rotation::depuis_matrice(boite.normales().map(Into::into));
+                    let boite = BoiteGeo::new(
+                        arrondi(c + pas),
+                        arrondi(l * 2.0),
+                        rotation.expect(PERMIS),
+                        boite.texture(),
+                    );
+                    *objet = boite.expect(PERMIS).into();
+                }
+            }
+            Self::Camera => {
+                // As large in the picture as from near.
+                let k = loin / 24.0;
+                let [x, y, z] = [3.0 * k, 9.5 * k, 22.0 * k];
+                let champ = 2.0 * ((42.0_f64.to_radians() / 2.0).tan() / k).atan().to_degrees();
+                let camera = format!(
+                    "(source: ({x}, {y}, {z}), regard: Point((0, 0.5, 0)), champ: {champ})"
+                );
+                let camera: Camera = ron::from_str(&camera).expect("a camera as in a scene file");
+                scene.image = camera.rayons().expect(PERMIS);
+            }
+        }
+        scene
+    }
+}
+
 /// Houses along streets that run a little askew, each turned a little, with some towers; the ground.
 fn ville<R: Reel>(n: usize, alea: &mut Rng) -> Vec<ObjetRay<R>> {
     let cote = ((n - 1) as f64).sqrt().ceil();

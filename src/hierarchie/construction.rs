@@ -10,11 +10,12 @@
 use core::mem;
 
 use crate::hierarchie::noeud::{COIN_ABSENT, FICHE, Fiche, LIMITE_INDICES, Noeud, VIDE, en_mot};
-use crate::hierarchie::repere::{Repere, extremes};
+use crate::hierarchie::repere::{LARGEURS, Repere, extremes};
 use crate::liste::Liste;
 use crate::objet::ObjetRay;
-use crate::reel::{Reel, max, min};
+use crate::reel::{Reel, max, min, simple};
 use crate::seize::SEIZE;
+use crate::vecteur::Vecteur;
 
 /// Over fewer objects with a box than this no tree is made: the list is as fast
 /// (`docs/performance.md`, "Thresholds").
@@ -77,7 +78,7 @@ pub(crate) fn construire<'a, R: Reel>(
     }
     let debut = places.as_ptr().align_offset(LIGNE).min(BOURRAGE);
     let places = &mut places[debut..];
-    let repere = Repere::autour(objets);
+    let mut repere = Repere::autour(objets);
     let (mut nombre, mut fin) = (0, places.len());
     for (indice, objet) in objets.iter().enumerate() {
         let indice = en_mot(indice);
@@ -95,8 +96,11 @@ pub(crate) fn construire<'a, R: Reel>(
     }
     let (places, sans_boite) = places.split_at_mut(fin);
     let (fiches, _) = places.as_chunks_mut();
-    let geants = trier_les_geants(&mut fiches[..nombre]);
-    trier(&mut fiches[geants * SEIZE..nombre]);
+    let geants = trier_les_geants(&mut fiches[..nombre], simple(repere.loin));
+    let autres = &mut fiches[geants * SEIZE..nombre];
+    let [bas, haut] = extremes(autres.iter().map(double_centre));
+    repere.jeu_maximal = JEU_MAXIMAL * 0.5 * (haut - bas).norme_1();
+    trier(autres);
 
     let (noeuds, _) = places.as_chunks_mut().0.as_chunks_mut();
     let feuilles = nombre.div_ceil(SEIZE);
@@ -121,27 +125,32 @@ pub(crate) fn construire<'a, R: Reel>(
     Arbre { noeuds: &noeuds[..=etage.start], feuilles, sans_boite, repere, ..sans_noeuds }
 }
 
-/// Giants are larger, in the mean, than this times the mean size of the others and the side of a
-/// leaf, if all leaves were alike (`docs/performance.md`, "Thresholds").
-const TAILLE_DES_GEANTS: f32 = 0.3;
+/// From a slack of this times the width of a scene on, boxes tell no objects apart.
+const JEU_MAXIMAL: f32 = 1.0 / 8.0;
+
+/// Giants reach farther, in the mean, than this times the mean of the others and the side of a leaf, if all leaves were
+/// alike (`docs/performance.md`, "Thresholds").
+const TAILLE_DES_GEANTS: f32 = 0.4;
 
 /// Puts the sixteen largest records first, and tells how many leaves they are: 1 if they are
-/// giants, floors and walls whose centres say little of where they are; else 0.
-fn trier_les_geants(fiches: &mut [Fiche]) -> usize {
+/// giants, else 0. Giants are floors and walls whose centres say little of where they are, a sky, a ball for a ground;
+/// a sun is one for being far, whatever its size.
+fn trier_les_geants(fiches: &mut [Fiche], loin: f32) -> usize {
     if fiches.len() <= SEIZE {
         return 0;
     }
-    let [bas, haut] = extremes(fiches.iter().map(double_centre));
-    let cote = (haut - bas).norme_1() * 0.5 / libm::cbrtf(fiches.len() as f32 / SEIZE as f32);
-    let moyenne = |fiches: &[Fiche]| fiches.iter().map(taille).sum::<f32>() / fiches.len() as f32;
-    let _ = fiches.select_nth_unstable_by(SEIZE, |a, b| taille(b).total_cmp(&taille(a)));
+    let cote = loin / (LARGEURS as f32 * libm::cbrtf(fiches.len() as f32 / SEIZE as f32));
+    let portee = |fiche: &Fiche| portee(fiche, loin);
+    let moyenne = |fiches: &[Fiche]| fiches.iter().map(portee).sum::<f32>() / fiches.len() as f32;
+    let _ = fiches.select_nth_unstable_by(SEIZE, |a, b| portee(b).total_cmp(&portee(a)));
     let (grands, petits) = fiches.split_at(SEIZE);
     usize::from(moyenne(grands) > TAILLE_DES_GEANTS * (moyenne(petits) + cote))
 }
 
-/// The sum of the sides of a box.
-fn taille(&[x0, y0, z0, x1, y1, z1, _]: &Fiche) -> f32 {
-    (x1 - x0) + (y1 - y0) + (z1 - z0)
+/// The sum of the sides of a box, and by how much its centre is farther from Z than `loin`.
+fn portee(fiche @ &[x0, y0, z0, x1, y1, z1, _]: &Fiche, loin: f32) -> f32 {
+    let au_dela = 0.5 * Vecteur::from(double_centre(fiche)).norme_1() - loin;
+    (x1 - x0) + (y1 - y0) + (z1 - z0) + max(au_dela, 0.0)
 }
 
 /// Puts the records of each node, of every floor, side by side.

@@ -9,6 +9,7 @@ use crate::hierarchie::pile::{
     DEUX_ETAGES, GRANDE_PILE, PETITE_PILE, PILE_D_UN_ETAGE, Pile, QUATRE_ETAGES, RIEN,
 };
 use crate::hierarchie::sonde::Sonde;
+use crate::objet::ObjetRay;
 use crate::premier::Premier;
 use crate::reel::Reel;
 use crate::seize::{Aligne, SEIZE, au_plus, egaux, prendre, prendre_le_moindre};
@@ -34,22 +35,15 @@ impl<R: Reel> Arbre<'_, R> {
     pub(crate) fn demander_aux_sans_boite<E: Epreuve<R>>(
         &self,
         epreuve: &E,
-        mut premier: Premier<R>,
+        premier: Premier<R>,
     ) -> Premier<R> {
-        let copie = *epreuve.rayon();
-        for &indice in self.sans_boite {
-            let indice = indice_lu(indice);
-            if let Some(objet) = self.liste.objet(indice)
-                && premier.retenir(epreuve.t(&copie, objet, indice, false), indice)
-                && E::UN_SUFFIT
-            {
-                break;
-            }
-        }
-        premier
+        let indices = self.sans_boite.iter().map(|indice| indice_lu(*indice));
+        let objets = indices.filter_map(|indice| Some((indice, self.liste.objet(indice)?)));
+        demander(epreuve, premier, objets)
     }
 
-    /// The same of the objects with a box: of each leaf that the ray may enter before what it has found.
+    /// The same of the objects with a box: of each leaf that the ray may enter before what it has found, of all where
+    /// boxes tell none apart.
     #[inline(always)]
     pub(crate) fn descendre<S: Simd, E: Epreuve<R>>(
         &self,
@@ -59,7 +53,9 @@ impl<R: Reel> Arbre<'_, R> {
     ) -> Premier<R> {
         // A copy, which stays in registers.
         let copie = *epreuve.rayon();
-        let sonde = Sonde::new(&copie, self.repere);
+        let Some(sonde) = Sonde::new(&copie, self.repere) else {
+            return demander(epreuve, premier, self.liste.tous());
+        };
         // No larger pile than the tree needs: to set it up costs as much as an object.
         let (mut moindre, mut petite, mut grande);
         let attentes: &mut [_] = if self.noeuds.len() <= DEUX_ETAGES {
@@ -74,7 +70,7 @@ impl<R: Reel> Arbre<'_, R> {
         };
         let (mut pile, mut numero) = (Pile::vide(attentes), self.noeuds.len() - 1);
         // The largest entry that still matters, in the frame of the tree.
-        let mut plafond = self.repere.distance(premier.t);
+        let mut plafond = sonde.plafond(self.repere, premier.t);
         while let Some(noeud) = self.noeuds.get(numero) {
             let (mut traverses, Aligne(entrees)) = sonde.traverse(simd, noeud, plafond);
             if numero < self.feuilles {
@@ -97,7 +93,7 @@ impl<R: Reel> Arbre<'_, R> {
                         if E::UN_SUFFIT {
                             return premier;
                         }
-                        plafond = self.repere.distance(premier.t);
+                        plafond = sonde.plafond(self.repere, premier.t);
                         traverses &= au_plus(simd, &entrees, &[plafond; SEIZE]);
                     }
                     suivant = prendre(&mut traverses);
@@ -111,4 +107,21 @@ impl<R: Reel> Arbre<'_, R> {
         }
         premier
     }
+}
+
+/// The first of these objects, each after its index, that the ray enters before `premier`, or `premier`; if
+/// `UN_SUFFIT`, any such object.
+#[inline(always)]
+fn demander<'a, R: Reel, E: Epreuve<R>>(
+    epreuve: &E,
+    mut premier: Premier<R>,
+    objets: impl Iterator<Item = (usize, &'a ObjetRay<R>)>,
+) -> Premier<R> {
+    let copie = *epreuve.rayon();
+    for (indice, objet) in objets {
+        if premier.retenir(epreuve.t(&copie, objet, indice, false), indice) && E::UN_SUFFIT {
+            break;
+        }
+    }
+    premier
 }

@@ -85,17 +85,21 @@ impl<R: Reel> Arbre<'_, R> {
     ) -> bool {
         bloc.charger(demandes);
         let faisceau = if vont_ensemble(demandes) { bloc.faisceau() } else { None };
-        let sonde = faisceau.and_then(|faisceau| SondeDeBloc::new(&faisceau, self.repere));
+        let sonde = faisceau.map(|faisceau| SondeDeBloc::new(&faisceau, self.repere));
         let avec_boite = self.liste.objets.len() - self.sans_boite.len();
         let peu_d_objets = avec_boite <= OBJETS_PAR_NOMBRE * nombres_par_registre::<R, S>();
-        if sonde.is_none() && peu_d_objets {
+        let boites_inutiles = match &sonde {
+            Some(sonde) => sonde.is_none(),
+            None => peu_d_objets || Sonde::new(demandes[0].rayon(), self.repere).is_none(),
+        };
+        if boites_inutiles {
             bloc.proposer_tous();
             return true;
         }
         for &indice in self.sans_boite {
             bloc.proposer(indice_lu(indice));
         }
-        sonde.is_some_and(
+        sonde.flatten().is_some_and(
             #[inline(always)]
             |sonde| self.descendre_en_bloc(simd, &sonde, bloc),
         )
@@ -130,7 +134,7 @@ impl<R: Reel> Arbre<'_, R> {
             } else {
                 let croises = traverses.count_ones();
                 if croises >= ENFANTS_CROISES
-                    && croises > self.croises_par_les_temoins(simd, bloc, noeud, plafond)
+                    && croises > self.croises_par_les_temoins(simd, bloc, noeud)
                 {
                     return false;
                 }
@@ -153,16 +157,15 @@ impl<R: Reel> Arbre<'_, R> {
         simd: S,
         bloc: &Bloc<'_, R, D>,
         noeud: &Noeud,
-        plafond: f32,
     ) -> u32 {
-        let mut croises = 0;
+        let (mut croises, loin) = (0, bloc.le_plus_loin());
         simd.vectorize(
             #[inline(always)]
             || {
                 for rayon in bloc.temoins(temoins(nombres_par_registre::<R, S>())) {
-                    let (traverses, _) =
-                        Sonde::new(&rayon, self.repere).traverse(simd, noeud, plafond);
-                    croises += traverses.count_ones();
+                    let Some(sonde) = Sonde::new(&rayon, self.repere) else { continue };
+                    let plafond = sonde.plafond(self.repere, loin);
+                    croises += sonde.traverse(simd, noeud, plafond).0.count_ones();
                 }
             },
         );

@@ -1,39 +1,68 @@
 //! The frame of a tree: where its boxes of `f32` stand, and by how much they grow.
 
-use crate::objet::ObjetRay;
-use crate::reel::{Reel, fois_u_simple, max, min, simple};
-use crate::vecteur::Vecteur;
+use core::cmp::Ordering;
 
-/// From so far away the boxes of a scene cannot be told apart: the whole tree is asked.
-pub(crate) const TROP_LOIN: f32 = (1_u128 << 100) as f32;
+use crate::objet::ObjetRay;
+use crate::reel::{Reel, fois_u, fois_u_simple, max, min, simple};
+use crate::vecteur::Vecteur;
 
 /// The frame of the tree, in which `f32` holds any scene: a point X of the scene stands at (X −
 /// Z)·σ. No coordinate of a box is beyond ±1, except for rounding and slack.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Repere<R> {
-    /// Z, the middle of the centres.
+    /// Z, amid the many: a number of `f32` is exact relative to its distance from there.
     milieu: Vecteur<R>,
     /// σ, what lengths are multiplied by.
     echelle: R,
+    /// What is farther from Z than this is far from the many.
+    pub(crate) loin: R,
+    /// From this slack on boxes tell no objects apart.
+    pub(crate) jeu_maximal: f32,
 }
+
+/// What is farther from Z than so many times the width of the many is far from them.
+pub(crate) const LARGEURS: f64 = 4.0;
+
+/// At most so many objects, evenly spread over the list, tell where the many are.
+const TEMOINS: usize = 31;
 
 impl<R: Reel> Repere<R> {
     /// The frame of a tree without nodes.
-    pub(crate) const QUELCONQUE: Self = Self { milieu: Vecteur::NUL, echelle: R::UN };
+    pub(crate) const QUELCONQUE: Self =
+        Self { milieu: Vecteur::NUL, echelle: R::UN, loin: R::ZERO, jeu_maximal: 0.0 };
 
-    /// The frame of these objects.
+    /// The frame of these objects. The many are the inner three quarters.
     pub(crate) fn autour(objets: &[ObjetRay<R>]) -> Self {
-        let mut plus_large = R::ZERO;
+        // An odd step, in step with no pair.
+        let pas = objets.len().div_ceil(TEMOINS) | 1;
+        let (mut temoins, mut nombre) = ([[R::ZERO; TEMOINS]; 3], 0);
+        let (mut vus, mut plus_large) = (0, R::ZERO);
         let centres = objets.iter().filter_map(|objet| {
             let (c, h) = objet.boite_englobante()?;
+            let c: [R; 3] = c.into();
             plus_large = max(plus_large, h.norme_1());
-            Some(c.into())
+            if vus == nombre * pas {
+                for axe in 0..3 {
+                    temoins[axe][nombre] = c[axe];
+                }
+                nombre += 1;
+            }
+            vus += 1;
+            Some(c)
         });
         let [bas, haut] = extremes(centres);
-        // T1. Z in the middle would need half of this. In the worst case rounding moves Z to the
-        // last centre.
+        // T1. In the worst case Z is the last centre.
         let echelle = R::UN / ((haut - bas).norme_1() + plus_large * R::depuis_f64(2.0));
-        Self { milieu: (bas + haut) * R::depuis_f64(0.5), echelle }
+        let mut largeur = R::ZERO;
+        let milieu = temoins.map(|mut temoins| {
+            let temoins = &mut temoins[..nombre];
+            temoins.sort_unstable_by(|a, b| a.partial_cmp(b).unwrap_or(Ordering::Equal));
+            let place = |huitiemes| temoins.get(huitiemes * nombre / 8).copied().unwrap_or(R::ZERO);
+            largeur = largeur + (place(7) - place(1));
+            place(4)
+        });
+        let loin = largeur * echelle * R::depuis_f64(LARGEURS);
+        Self { milieu: milieu.into(), echelle, loin, jeu_maximal: 0.0 }
     }
 
     /// (X − Z)·σ.
@@ -42,13 +71,16 @@ impl<R: Reel> Repere<R> {
         (x - self.milieu) * self.echelle
     }
 
-    /// The box around an object that has one, with the object's part of the [slack](PART_DU_JEU).
+    /// The box around an object that has one, with the object's part of the slack.
     pub(crate) fn boite_elargie(self, objet: &ObjetRay<R>) -> Option<(Vecteur<f32>, Vecteur<f32>)> {
         let (c, h) = objet.boite_englobante()?;
         let (c, h) = (self.point(c), h * self.echelle);
         // T2. The proof needs ρ, the radius of the ball around the object; the sum of the
         // half-extents is no less.
-        let jeu = (c.norme_1() + h.norme_1()) * fois_u_simple(PART_DU_JEU);
+        let (loin, large) = (c.norme_1(), h.norme_1());
+        let jeu = loin * fois_u(JEU_DISTANCE)
+            + large * fois_u_simple(JEU_LARGEUR)
+            + (loin + large) * fois_u_simple(JEU_F32);
         let demi = h + Vecteur::new(jeu, jeu, jeu);
         Some((simples(c - demi), simples(c + demi)))
     }
@@ -67,15 +99,20 @@ impl<R: Reel> Repere<R> {
     }
 }
 
-/// The slack for the point of a hit, in u of `f32` (lemma 15).
-pub const JEU_TOUCHE: f64 = 70.0;
+/// The slack for the point of a hit, in u of the scene's type, per unit of distance from Z to an object or to the
+/// source of a ray (lemma 15).
+pub const JEU_DISTANCE: f64 = 37.0;
 
-/// The slack for the rounding to `f32`, in u of `f32` (lemma 15).
-pub const JEU_F32: f64 = 2.2;
+/// The slack for the point of a hit, in u of `f32`, per unit of an object's half-extents: its normals may be unit to
+/// `f32` only (lemma 15).
+pub const JEU_LARGEUR: f64 = 67.0;
 
-/// The slack, by which boxes grow so that rounding loses no hit, per unit of distance from Z to an
-/// object or to the source of a ray, in u of `f32`. Derived in `docs/preuves.md`, lemmas 14 to 17.
-pub(crate) const PART_DU_JEU: f64 = JEU_TOUCHE + JEU_F32;
+/// The slack for the rounding to `f32`, in u of `f32`, per unit of distance from Z to a side of a box or to where a ray
+/// starts (lemmas 15 to 17).
+pub const JEU_F32: f64 = 7.5;
+
+/// More than is lost below the normal numbers (lemma 15).
+pub(crate) const JEU_SOUS_NORMAL: f32 = 1.0 / (1_u128 << 100) as f32;
 
 /// The nearest vector of such numbers.
 #[inline(always)]

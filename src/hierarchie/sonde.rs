@@ -3,18 +3,19 @@
 use fearless_simd::Simd;
 
 use crate::hierarchie::noeud::Noeud;
-use crate::hierarchie::repere::{PART_DU_JEU, Repere, TROP_LOIN, simples};
+use crate::hierarchie::repere::{JEU_DISTANCE, JEU_F32, JEU_SOUS_NORMAL, Repere, simples};
 use crate::lot::faisceau::Faisceau;
 use crate::rayon::Rayon;
 use crate::reel::{Reel, fois_u, fois_u_simple, max, min, simple};
 use crate::seize::{Aligne, Colonne, Membres, SEIZE, au_plus};
 use crate::vecteur::Vecteur;
 
-/// By so many u of `f32` an entry comes before its rounding (lemma 16).
-pub const ENTREE_AVANT: f64 = 10.0;
-
 /// A ray as the boxes see it, with its part of the slack (`docs/preuves.md`, lemmas 14 to 17).
-pub(crate) struct Sonde([Axe; 3]);
+pub(crate) struct Sonde<R> {
+    axes: [Axe; 3],
+    /// τ₀, how far along the ray the point is, in the frame of the tree, from which entries count.
+    depart: R,
+}
 
 /// One axis of it.
 #[derive(Clone, Copy)]
@@ -24,22 +25,27 @@ struct Axe {
     lointain: usize,
     /// 1/D.
     inverse: f32,
-    /// S with the slack: for the nearer side of a box and for the farther.
+    /// Where entries count from, with the slack: for the nearer side of a box and for the farther.
     vers_proche: f32,
     vers_lointain: f32,
 }
 
-impl Sonde {
+impl<R: Reel> Sonde<R> {
+    /// The probe of this ray; `None` if its slack is so large that boxes tell no objects apart.
     #[inline(always)]
-    pub(crate) fn new<R: Reel>(rayon: &Rayon<R>, repere: Repere<R>) -> Self {
-        let (s, d) = (simples(repere.point(rayon.source())), rayon.direction());
-        let loin = s.norme_1();
-        // T3. An infinity is too far as well.
-        let (s, jeu) = if loin < TROP_LOIN {
-            (s, loin * fois_u::<f32>(PART_DU_JEU) + f32::U)
+    pub(crate) fn new(rayon: &Rayon<R>, repere: Repere<R>) -> Option<Self> {
+        let (y, d) = (repere.point(rayon.source()), rayon.direction());
+        let loin = y.norme_1();
+        // T3. Of a source far away entries count from the point next to Z. In `f32` that point is off by as much as a
+        // hit: the source serves.
+        let depart = if R::selon(false, true) && loin > repere.loin {
+            -y.produit_scalaire(d)
         } else {
-            (Vecteur::NUL, TROP_LOIN)
+            R::ZERO
         };
+        let s = if depart == R::ZERO { y } else { y + d * depart };
+        let jeu = loin * fois_u(JEU_DISTANCE) + s.norme_1() * fois_u_simple(JEU_F32);
+        let (s, jeu) = (simples(s), simple(jeu) + JEU_SOUS_NORMAL);
         let axe = |axe: usize, s: f32, d: R| {
             // The sign of 1/D is that of D, of −0 too, and is known before the quotient.
             let d32 = simple(d);
@@ -52,7 +58,14 @@ impl Sonde {
                 vers_lointain: s - jeu,
             }
         };
-        Self([axe(0, s.x, d.x), axe(1, s.y, d.y), axe(2, s.z, d.z)])
+        let axes = [axe(0, s.x, d.x), axe(1, s.y, d.y), axe(2, s.z, d.z)];
+        (jeu < repere.jeu_maximal).then_some(Self { axes, depart })
+    }
+
+    /// The largest entry that matters before this distance from the source.
+    #[inline(always)]
+    pub(crate) fn plafond(&self, repere: Repere<R>, t: R) -> f32 {
+        simple(repere.longueur(t) - self.depart)
     }
 
     /// Which children the ray may enter no later than `plafond`, and where.
@@ -63,32 +76,31 @@ impl Sonde {
         noeud: &Noeud,
         plafond: f32,
     ) -> (Membres, Aligne<Colonne<f32>>) {
-        let [x, y, z] = self.0;
+        let ([x, y, z], source) = (self.axes, simple(-self.depart));
         let (px, py, pz) = (&noeud[x.proche], &noeud[y.proche], &noeud[z.proche]);
         let (lx, ly, lz) = (&noeud[x.lointain], &noeud[y.lointain], &noeud[z.lointain]);
         let (mut entrees, mut sorties) = ([0.0; SEIZE], [plafond; SEIZE]);
         for i in 0..SEIZE {
             // T4. 0·∞ is a NaN, which leaves the number so far.
-            let mut entree = 0.0;
+            let mut entree = source;
             entree = max((px[i] - x.vers_proche) * x.inverse, entree);
             entree = max((py[i] - y.vers_proche) * y.inverse, entree);
-            entree = max((pz[i] - z.vers_proche) * z.inverse, entree);
-            entrees[i] = entree * (1.0 - fois_u::<f32>(ENTREE_AVANT));
+            entrees[i] = max((pz[i] - z.vers_proche) * z.inverse, entree);
             let mut sortie = plafond;
             sortie = min((lx[i] - x.vers_lointain) * x.inverse, sortie);
             sortie = min((ly[i] - y.vers_lointain) * y.inverse, sortie);
-            sortie = min((lz[i] - z.vers_lointain) * z.inverse, sortie);
-            sorties[i] = sortie;
+            sorties[i] = min((lz[i] - z.vers_lointain) * z.inverse, sortie);
         }
         (au_plus(simd, &entrees, &sorties), Aligne(entrees))
     }
 }
 
-/// The slack of a beam is so many times that of a ray (lemma 17).
-pub const JEU_BLOC: f64 = 1.7;
+/// The slack of a beam, in u of the scene's type, per unit of distance from Z to its sources and of their spread
+/// (lemma 17).
+pub const JEU_FAISCEAU: f64 = 60.0;
 
-/// What is added to the slack of a beam, in u of `f32` (lemma 17).
-pub const JEU_FIXE: f64 = 13.0;
+/// The slack of a side of a beam, in u of `f32`, per unit of its distance from Z (lemma 17).
+pub const JEU_FACE: f64 = 3.1;
 
 /// A beam as the boxes see it. For each of the five normals Π, an upper bound on Π·X over all hits
 /// X; for Ω, the Ω·X from which depths count. Both include the slack (`docs/preuves.md`, lemmas
@@ -100,21 +112,20 @@ pub(crate) struct SondeDeBloc {
 }
 
 impl SondeDeBloc {
-    /// The probe of this beam; `None` if its rays start too far away.
+    /// The probe of this beam; `None` if its slack is so large that boxes tell no objects apart.
     #[inline(always)]
     pub(crate) fn new<R: Reel>(faisceau: &Faisceau<R>, repere: Repere<R>) -> Option<Self> {
         let s0 = repere.point(faisceau.s0);
         let loin = faisceau.etalement * R::depuis_f64(4.0) + faisceau.portee;
         let loin = s0.norme_1() + repere.longueur(loin);
-        if simple(loin) > TROP_LOIN {
-            return None;
-        }
-        let jeu = loin * fois_u_simple(JEU_BLOC * PART_DU_JEU) + fois_u_simple(JEU_FIXE);
-        let limite =
-            |pi: Vecteur<R>, w: R| simple(pi.produit_scalaire(s0) + (repere.longueur(w) + jeu));
+        let jeu = loin * fois_u(JEU_FAISCEAU) + R::depuis_f64(JEU_SOUS_NORMAL.into());
+        let limite = |pi: Vecteur<R>, w: R| {
+            let loin = pi.produit_scalaire(s0) + repere.longueur(w);
+            simple(loin + (loin.abs() * fois_u_simple(JEU_FACE) + jeu))
+        };
         // T5
         let (omega, w) = faisceau.axe;
-        Some(Self {
+        (simple(jeu) < repere.jeu_maximal).then_some(Self {
             faces: faisceau.faces.map(|(pi, w)| (simples(pi), limite(pi, w))),
             omega: simples(omega),
             depart: limite(omega, w),

@@ -295,6 +295,73 @@ fn des_rayons_qui_frolent_les_boites<R: Bits>() {
     assert!(touches > 50 * cas(), "only {touches} hits");
 }
 
+/// Built: one object that a ray passes across an axis, at its farthest point along that axis, within rounding of the
+/// distance; either the object, or the source, or both far from the many. Held: a hit that lies beyond the box of the
+/// object is not lost. In `f32` some lie so; in `f64` the box itself is rounded.
+fn des_touches_au_bord_de_leur_boite<R: Bits>() {
+    let mut alea = Rng::with_seed(24);
+    let (mut touches, mut dehors) = (0, 0.0_f64);
+    for tour in 0..40 * cas() {
+        let [f, loin] = [(); 2].map(|()| deux_puissance(&mut alea, 0.0, 20.0));
+        let milieu = direction(&mut alea) * if tour % 3 == 0 { 0.0 } else { loin };
+        let b = alea.usize(0..3);
+        let mut e = [0.0; 3];
+        e[b] = signe(&mut alea);
+        let e = Vecteur::from(e);
+        let d = direction(&mut alea);
+        let d = (d - e * d.produit_scalaire(e)).unitaire().unwrap();
+        let seul = objet::<R>(&mut alea, milieu, 1.0, 0);
+        let (c, bord) = match seul {
+            ObjetRay::Sphere(sphere) => (sphere.centre(), e * sphere.rayon().vers_f64()),
+            ObjetRay::Boite(boite) => {
+                let coin =
+                    boite.normales().into_iter().zip(boite.demi_longueurs()).map(|(n, l)| {
+                        let n = n.vers_f64();
+                        n * (l.vers_f64() * n.produit_scalaire(e).signum())
+                    });
+                (boite.centre(), coin.fold(Vecteur::NUL, |a, b| a + b))
+            }
+            ObjetRay::Plan(_) => unreachable!("no half-space was made"),
+        };
+        let c = c.vers_f64();
+        // The many about the origin, all on one side, so that the box of the one is not that of a neighbour.
+        let mut objets = vec![seul];
+        objets.extend((0..40).map(|i| {
+            let ou = direction(&mut alea) * 0.4 - e * 3.0;
+            objet(&mut alea, ou, 0.01, i)
+        }));
+        let mut places = vec![0.0; Hierarchie::places(objets.len())];
+        let hierarchie = Hierarchie::new(&objets, &mut places).unwrap();
+        let mut rayons = Vec::new();
+        for _ in 0..64 {
+            let unite = if alea.bool() { R::U.vers_f64() } else { f64::from(f32::U) };
+            let ecart = entre(&mut alea, -8.0, 8.0) * unite * (f + milieu.longueur());
+            let s = c + bord + e * ecart - d * f;
+            rayons.extend(Rayon::new(arrondi(s), arrondi(d)));
+        }
+        let mut lot = vec![Err(NoIntersection); rayons.len()];
+        hierarchie.premieres_intersections(&rayons, &mut lot).unwrap();
+        for (rayon, en_lot) in rayons.iter().zip(lot) {
+            let attendue = premiere_intersection(&objets, rayon);
+            let obtenue = hierarchie.premiere_intersection(rayon);
+            assert_eq!(mots(&obtenue), mots(&attendue), "{seul:?}, {rayon:?}");
+            assert_eq!(mots(&en_lot), mots(&attendue), "in a batch: {seul:?}, {rayon:?}");
+            let Ok(touche) = attendue else { continue };
+            if touche.objet() > 0 {
+                continue;
+            }
+            touches += 1;
+            let x = rayon.source().vers_f64()
+                + rayon.direction().vers_f64() * touche.distance().vers_f64();
+            let au_dela = (x - c - bord).produit_scalaire(e);
+            dehors = dehors.max(au_dela / (R::U.vers_f64() * (f + milieu.longueur())));
+        }
+    }
+    println!("a hit lies up to {dehors:.1} u of its distance beyond the box");
+    assert!(touches > 100 * cas(), "only {touches} hits");
+    assert!(R::U < R::depuis_f64(1e-10) || dehors > 1.5, "{dehors}");
+}
+
 fn d_axe(alea: &mut Rng) -> Vecteur {
     let mut d = [0.0; 3];
     d[alea.usize(0..3)] = signe(alea);
@@ -532,6 +599,7 @@ en_f32_et_f64!(des_grilles_et_des_rayons_le_long_des_axes);
 en_f32_et_f64!(des_objets_tous_egaux);
 en_f32_et_f64!(parmi_beaucoup_d_objets);
 en_f32_et_f64!(des_rayons_qui_frolent_les_boites);
+en_f32_et_f64!(des_touches_au_bord_de_leur_boite);
 en_f32_et_f64!(des_rayons_le_long_des_aretes);
 en_f32_et_f64!(des_sources_de_plus_en_plus_loin);
 en_f32_et_f64!(de_tout_petits_objets_parmi_des_grands);

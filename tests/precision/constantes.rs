@@ -44,8 +44,9 @@ const PERDU: f64 = 3.0 / 64.0;
 /// (lemma 2).
 const PERDU_LONGUEUR: f64 = 1.0 / (1_u64 << 60) as f64;
 
-/// What lemma 14 grants the point of a hit, in u·(f + ρ).
-const TOUCHE: f64 = 60.0;
+/// What lemma 14 grants the point of a hit, in u·|f| and in u·ρ.
+const TOUCHE_F: f64 = 27.0;
+const TOUCHE_RHO: f64 = 60.0;
 
 /// This constant is no less than what is needed in either type, and no more than a ninth more; and
 /// the table of `docs/preuves.md`, if it has the constant, has what is needed.
@@ -698,16 +699,9 @@ fn lieu_le_long(u: f64) -> Intervalle {
 #[test]
 fn lemme_14_lieu_d_une_touche() {
     // The box: along an axis √3·(4f + 11t) with t ≤ f + ρ, and 36ρ.
-    tenir_sur(
-        TOUCHE,
-        |_| [zero_a_un()],
-        |u, [f]| {
-            let rho = 1.0 - f;
-            let t = f + rho * plus(20.0, u);
-            let y = gamma(4.0, u) * n(u) * f + lieu_le_long(u) * t;
-            Some((i(3.0).racine() * y + 36.0 * rho) * plus(60.0, u))
-        },
-    );
+    let le_long = |u: f64| i(3.0).racine() * lieu_le_long(u) * plus(20.0, u);
+    tenir(TOUCHE_F, |u| (i(3.0).racine() * gamma(4.0, u) * n(u) + le_long(u)) * plus(60.0, u));
+    tenir(TOUCHE_RHO, |u| (le_long(u) + 36.0) * plus(60.0, u));
 }
 
 /// How far from the surface the point of a hit lies outside a sphere of radius `y`, seen from 1
@@ -763,7 +757,7 @@ fn lemme_14_lieu_d_une_touche_de_sphere() {
     let domaine = |u: f64| [de_a(u * u, 1.0 + 4.0 * u)];
     tenir_sur(promesses::LIEU_SPHERE, domaine, |u, [y]| Some(hors_d_une_sphere(u, y)));
     for u in U {
-        assert!(promesses::LIEU_SPHERE * plus(20.0, u).haut < TOUCHE);
+        assert!(promesses::LIEU_SPHERE * plus(20.0, u).haut < TOUCHE_F);
     }
     // P: S + tD is rounded twice, and for a box off by more than the 11u of X.
     tenir(promesses::LIEU_F, |u| gamma(4.0, u) * n(u));
@@ -774,40 +768,51 @@ fn lemme_14_lieu_d_une_touche_de_sphere() {
 #[test]
 fn lemme_15_jeu() {
     let v = U[0];
-    tenir(JEU_TOUCHE, |u| {
-        // The half-extents: γ₃, σ, the sum and the difference; the centre: 2u and the difference.
-        (TOUCHE + et(et(gamma(3.0, u), i(1.0), u), i(2.0), u)) * plus(10.0 * JEU_TOUCHE, v)
+    // What a ray loses of the place of its source: (S − Z)σ; moved, a product, a sum of up to twice that, and the
+    // distances that count from there.
+    tenir(JEU_DISTANCE, |u| {
+        let place = et(i(1.0), i(1.0), u);
+        let deplacee = i(1.0) + 2.0 * i(1.0) + 2.0 * i(2.0);
+        let deplacee = if u == v { i(0.0) } else { deplacee };
+        // An object: three roundings of its centre, and two for the distances.
+        let objet = et(et(i(1.0), i(1.0), u), i(1.0), u) + 2.0;
+        (TOUCHE_F + (place + deplacee).max(objet)) * plus(200.0, u)
     });
-    tenir(JEU_F32, |_| (2.0 + JEU_F32 * v + JEU_TOUCHE * v) * plus(10.0, v));
-    for u in U {
-        // A ray: the place of S is off by 2u.
-        assert!(((TOUCHE + 2.0) * plus(200.0, v)).haut < JEU_TOUCHE, "{u}");
-    }
+    // The half-extents: γ₃, σ, the sum and the difference.
+    tenir(JEU_LARGEUR, |u| {
+        let lieu = if u == v { i(TOUCHE_RHO) } else { 36.0 * plus(60.0, v) };
+        lieu + et(et(gamma(3.0, u), i(1.0), u), i(2.0), u) * (u / v)
+    });
+}
+
+/// What a scalar product of a corner and a normal, both of f32, is off by, in u of f32 and lengths of the corner: the
+/// normal is rounded as well.
+fn coin(v: f64) -> Intervalle {
+    et(gamma(3.0, v), i(1.0), v)
 }
 
 #[test]
 fn lemme_16_un_rayon() {
     let v = U[0];
-    tenir(ENTREE_AVANT, |u| {
-        // Two differences, two inverses, two products; the last product.
+    for u in U {
+        // Of a length G − Y_S: the difference, the inverse and the product; the ceiling.
         let inverse_d = et(i(u / v), i(1.0), v);
-        let un = et(et(inverse_d, i(1.0), v), i(1.0), v);
-        let sortie = inverse(un, v);
-        et(et(un, sortie, v), i(1.0), v) * plus(ENTREE_AVANT, v)
-    });
+        let entree = et(et(inverse_d, i(1.0), v), i(1.0), v) + 1.0;
+        // The corner is rounded; Y_S is, and its sum with the slack.
+        let besoin = (entree + 2.0) * plus(3.0 * JEU_F32, v);
+        assert!(besoin.haut < JEU_F32, "{besoin:?}");
+    }
 }
 
 #[test]
 fn lemme_17_bloc() {
     let v = U[0];
-    let y = i(3.0).racine() * plus(100.0, v);
-    // In u of f32, for each unit of ℓ; u/v of them for what is rounded in the scalar of the scene. Where a hit
-    // lies may be that of f32 numbers in f64.
-    tenir(JEU_BLOC, |u| {
-        let besoin = TOUCHE * i(3.0).racine() + 8.0 * (u / v) + 4.0;
-        besoin * plus(500.0, v) / (JEU_TOUCHE + JEU_F32)
-    });
-    tenir(JEU_FIXE, |_| (gamma(4.0, v) * y + 3.0 * y) * plus(20.0, v));
+    // Y₀, the scalar product and the sums; in u, for each unit of ψ.
+    tenir(JEU_FAISCEAU, |u| (TOUCHE_F * i(3.0).racine() + 8.0) * plus(500.0, v) * plus(10.0, u));
+    // In u of f32: for each unit of a corner, which is rounded before; the depth and what it is compared with.
+    tenir(JEU_F32, |_| (coin(v) + 1.0 + 2.0) * plus(20.0, v));
+    // For each unit of a bound: its rounding, the depth and what that is compared with.
+    tenir(JEU_FACE, |_| 3.0 * plus(20.0, v));
 }
 
 #[test]
