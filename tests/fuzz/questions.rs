@@ -86,6 +86,17 @@ fn secondaires<R: Bits>(objet: &ObjetRay<R>, rayon: &Rayon<R>, vers: Vecteur<R>)
             assert_eq!(objet.intersection(&secondaire), Err(NoIntersection), "{objet:?} {rayon:?}");
         }
     }
+    if let Ok(reflet) = rayon.reflechi(&touche) {
+        assert_eq!(objet.intersection(&reflet), Err(NoIntersection), "{objet:?} {rayon:?}");
+    }
+    if let Some((ombre, loin)) = rayon.vers_soleil(&touche, vers) {
+        assert!(!est_occulte(std::slice::from_ref(objet), &ombre, loin), "{objet:?} {rayon:?}");
+    }
+    if let ObjetRay::Boite(boite) = objet {
+        let (face, p) = boite.lieu(rayon, &touche);
+        assert_eq!(boite.face(face).1, touche.normale(), "{objet:?} {rayon:?}");
+        assert!(<[R; 3]>::from(p).into_iter().all(|x| x.abs() <= R::UN), "{objet:?} {rayon:?}");
+    }
 }
 
 /// What is asked after the fact: certain answers of two precisions agree, and so do two bounded distances; and
