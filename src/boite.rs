@@ -13,7 +13,7 @@ use crate::vecteur::Vecteur;
 ///
 /// ```
 /// use core::f64::consts::FRAC_PI_2;
-/// use lancer_rayon::{BoiteGeo, Rotation, Texture, Vecteur};
+/// use lancer_rayon::{BoiteGeo, Face, Rotation, Texture, Vecteur};
 ///
 /// let marche = BoiteGeo::new(
 ///     Vecteur::new(0.0, 1.0, 0.0),
@@ -21,8 +21,8 @@ use crate::vecteur::Vecteur;
 ///     Rotation::IDENTITE,
 ///     Texture(0),
 /// )?;
-/// let faces = marche.vers_ray().centres_faces();
-/// assert_eq!(faces[0], Vecteur::new(2.0, 1.0, 0.0));
+/// let (centre, normale) = marche.vers_ray().face(Face::PlusX);
+/// assert_eq!((centre, normale), (Vecteur::new(2.0, 1.0, 0.0), Vecteur::new(1.0, 0.0, 0.0)));
 ///
 /// // Twice as large, a quarter turn about y, then back to where it stood.
 /// let quart = Rotation::new(Vecteur::new(0.0, FRAC_PI_2, 0.0))?;
@@ -46,6 +46,29 @@ pub struct BoiteGeo<R = f64> {
 }
 
 impl<R: Reel> BoiteGeo<R> {
+    /// C, the centre.
+    #[doc(alias = "center")]
+    pub fn centre(&self) -> Vecteur<R> {
+        self.centre
+    }
+
+    /// The width, height and depth, along x, y and z before the box is turned.
+    #[doc(alias("size", "extents"))]
+    pub fn dimensions(&self) -> Vecteur<R> {
+        self.dimensions
+    }
+
+    /// The rotation that turns the box about its centre; [`rotation`](Self::rotation) turns it on.
+    #[doc(alias = "rotation")]
+    pub fn orientation(&self) -> Rotation<R> {
+        self.rotation
+    }
+
+    /// The texture of the object.
+    pub fn texture(&self) -> Texture {
+        self.texture
+    }
+
     /// The box of this centre, these dimensions (width, height, depth) and this rotation.
     ///
     /// # Errors
@@ -98,6 +121,17 @@ impl<R: Reel> BoiteGeo<R> {
         Self::new(self.centre, self.dimensions * coefficient(k)?, self.rotation, self.texture)
     }
 
+    /// The same box in `f32`, seen from an origin that is taken off before anything is rounded: see
+    /// [`ObjetGeo::vers_f32`](crate::ObjetGeo::vers_f32).
+    ///
+    /// # Errors
+    /// If [`translation`](Self::translation) by −`origine` refuses, or [`new`](Self::new) the numbers in
+    /// `f32`.
+    pub fn vers_f32(self, origine: Vecteur<R>) -> Result<BoiteGeo<f32>, ErreurGeo> {
+        let Self { centre, dimensions, rotation, texture } = self.translation(-origine)?;
+        BoiteGeo::new(centre.vers_f32(), dimensions.vers_f32(), rotation.vers_f32(), texture)
+    }
+
     /// The same box, ready for rays (handout §3).
     #[doc(alias = "into_ray")]
     pub fn vers_ray(self) -> BoiteRay<R> {
@@ -117,7 +151,7 @@ impl<R: Reel> BoiteGeo<R> {
 /// determine the rest, and are all that an intersection reads.
 ///
 /// ```
-/// use lancer_rayon::{BoiteGeo, Rotation, Texture, Vecteur};
+/// use lancer_rayon::{BoiteGeo, Face, Rotation, Texture, Vecteur};
 ///
 /// let centre = Vecteur::new(1.0, 0.0, 0.0);
 /// let boite = BoiteGeo::new(centre, Vecteur::new(4.0, 2.0, 6.0), Rotation::IDENTITE, Texture(7))?;
@@ -127,9 +161,11 @@ impl<R: Reel> BoiteGeo<R> {
 /// assert_eq!(boite.demi_longueurs(), [2.0, 1.0, 3.0]);
 ///
 /// // From x = −1 to x = 3: the origin is inside both planes.
-/// assert_eq!(boite.centres_faces()[0], Vecteur::new(3.0, 0.0, 0.0));
-/// assert_eq!(boite.centres_opposes()[0], Vecteur::new(-1.0, 0.0, 0.0));
-/// assert_eq!((boite.distances_faces()[0], boite.distances_opposees()[0]), (-3.0, -1.0));
+/// for (face, x, d) in [(Face::PlusX, 3.0, -3.0), (Face::MoinsX, -1.0, -1.0)] {
+///     let (centre, normale) = boite.face(face);
+///     assert_eq!(centre, Vecteur::new(x, 0.0, 0.0));
+///     assert_eq!(-normale.produit_scalaire(centre), d);
+/// }
 /// # Ok::<(), lancer_rayon::ErreurGeo>(())
 /// ```
 #[doc(alias("box", "cuboid", "obb"))]
@@ -162,33 +198,6 @@ impl<R: Reel> BoiteRay<R> {
         self.demi_longueurs
     }
 
-    /// Cf_i = C + l_i·N_i, the centres of the three faces.
-    #[doc(alias = "face_centers")]
-    pub fn centres_faces(&self) -> [Vecteur<R>; 3] {
-        self.paires().map(|(n, l)| self.centre + n * l)
-    }
-
-    /// Co_i = C − l_i·N_i, the centres of the opposite faces.
-    #[doc(alias = "opposite_face_centers")]
-    pub fn centres_opposes(&self) -> [Vecteur<R>; 3] {
-        self.paires().map(|(n, l)| self.centre - n * l)
-    }
-
-    /// df_i = −N_i·Cf_i, the relative distances to the origin of the planes of the three faces.
-    #[doc(alias = "face_distances")]
-    #[must_use]
-    pub fn distances_faces(&self) -> [R; 3] {
-        self.paires().map(|(n, l)| -n.produit_scalaire(self.centre + n * l))
-    }
-
-    /// do_i = N_i·Co_i, the relative distances to the origin of the planes of the opposite
-    /// faces, whose normals are −N_i.
-    #[doc(alias = "opposite_face_distances")]
-    #[must_use]
-    pub fn distances_opposees(&self) -> [R; 3] {
-        self.paires().map(|(n, l)| n.produit_scalaire(self.centre - n * l))
-    }
-
     /// The texture of the object.
     pub fn texture(&self) -> Texture {
         self.texture
@@ -203,7 +212,7 @@ impl<R: Reel> BoiteRay<R> {
 
     /// N_i and l_i of each pair of faces.
     #[inline(always)]
-    fn paires(&self) -> [(Vecteur<R>, R); 3] {
+    pub(crate) fn paires(&self) -> [(Vecteur<R>, R); 3] {
         let ([u, v, w], [a, b, c]) = (self.normales, self.demi_longueurs);
         [(u, a), (v, b), (w, c)]
     }

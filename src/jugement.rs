@@ -16,7 +16,7 @@ use crate::jugement::loupe::{Jugement, juger, loupe};
 use crate::liste::Liste;
 use crate::objet::ObjetRay;
 use crate::rayon::Rayon;
-use crate::reel::{Reel, fois_u};
+use crate::reel::{Reel, fois_u, max};
 
 /// A glance serves for [`ObjetRay::erreur`] where it leaves no more than this part of u·t open: then
 /// the bound is what doubled numbers would say.
@@ -61,7 +61,7 @@ impl<R: Reel> ObjetRay<R> {
     #[must_use]
     pub fn erreur(&self, rayon: &Rayon<R>, touche: &Intersection<R>) -> R {
         let t = touche.distance();
-        let (objet, rayon, en_f64) = (self.vers_f64(), rayon.vers_f64(), t.vers_f64());
+        let (objet, rayon, en_f64) = (self.en_double(), rayon.vers_f64(), t.vers_f64());
         // Of a distance in `f64` a glance never leaves so little open.
         let en_simple = R::selon(true, false);
         let vue = if en_simple { coup_d_oeil(&objet, &rayon) } else { Intervalle::INCONNU };
@@ -93,20 +93,20 @@ impl<R: Reel> ObjetRay<R> {
     ///
     /// let boule = ObjetRay::from(SphereGeo::new(Vecteur::new(0.0, 0.0, -5.0), 1.0, Texture(0))?);
     /// let vers_le_fond = |x| Rayon::new(Vecteur::new(x, 0.0, 0.0), Vecteur::new(0.0, 0.0, -1.0));
-    /// assert!(boule.est_sur(&vers_le_fond(0.5)?)); // a hit
-    /// assert!(boule.est_sur(&vers_le_fond(1.5)?)); // a miss
-    /// assert!(boule.est_sur(&vers_le_fond(1.0)?)); // a tangent, exactly
+    /// assert!(boule.est_certain(&vers_le_fond(0.5)?)); // a hit
+    /// assert!(boule.est_certain(&vers_le_fond(1.5)?)); // a miss
+    /// assert!(boule.est_certain(&vers_le_fond(1.0)?)); // a tangent, exactly
     /// # Ok::<(), lancer_rayon::ErreurGeo>(())
     /// ```
     #[doc(alias("is_certain", "is_robust"))]
     #[must_use]
-    pub fn est_sur(&self, rayon: &Rayon<R>) -> bool {
+    pub fn est_certain(&self, rayon: &Rayon<R>) -> bool {
         // J8: no ray that enters an object passes the ball around it by (lemma 19).
         if !self.boule().approchee(rayon) {
             return true;
         }
         let (touche, plus_grand) = (self.t(rayon) < R::INFINI, plus_grand::<R>());
-        entree(&self.vers_f64(), &rayon.vers_f64(), plus_grand).touche(plus_grand) == Some(touche)
+        entree(&self.en_double(), &rayon.vers_f64(), plus_grand).touche(plus_grand) == Some(touche)
     }
 }
 
@@ -128,7 +128,7 @@ fn plus_grand<R: Reel>() -> f64 {
 /// object first, or none as well. (Which face of a box, at an edge, is not asked.)
 ///
 /// It is never true of a wrong answer. It is false of a right one only where
-/// [`est_sur`](ObjetRay::est_sur) of some object would be, and of two entries within some 2⁻⁵⁰ of t of
+/// [`est_certain`](ObjetRay::est_certain) of some object would be, and of two entries within some 2⁻⁵⁰ of t of
 /// each other: an exact tie, most often, as where the sides of two boxes are flush. Of `touche` only
 /// [`objet`](Intersection::objet) counts, whoever found it. The time is that of a ray or two;
 /// [`Hierarchie::est_certaine`](crate::Hierarchie::est_certaine) asks a tree.
@@ -195,7 +195,7 @@ impl<'a, R: Reel> Certificat<'a, R> {
         };
         let indice = touche.objet();
         let premier = liste.objet(indice)?;
-        let entree = entree(&premier.vers_f64(), &double, plus_grand);
+        let entree = entree(&premier.en_double(), &double, plus_grand);
         let certaine = entree.touche(plus_grand) == Some(true);
         let premier = Some((premier, indice));
         certaine.then_some(Self { rayon, double, premier, fin: entree.haut })
@@ -204,7 +204,7 @@ impl<'a, R: Reel> Certificat<'a, R> {
     /// No object that the ray enters later than this is asked.
     pub(crate) fn limite(&self) -> R {
         // Before 0 nothing would be asked.
-        R::depuis_f64(self.fin * (1.0 + 2.0 * R::U.vers_f64())).max(R::MIN_POSITIF)
+        max(R::depuis_f64(self.fin * (1.0 + 2.0 * R::U.vers_f64())), R::MIN_POSITIF)
     }
 
     /// Whether the ray certainly never enters the object at this index, or later than the first; or it
@@ -213,7 +213,7 @@ impl<'a, R: Reel> Certificat<'a, R> {
     fn vient_apres(&self, objet: &ObjetRay<R>, indice: usize) -> bool {
         // G5
         self.premier.is_some_and(|(_, premier)| premier == indice)
-            || coup_d_oeil(&objet.vers_f64(), &self.double).bas > self.fin
+            || coup_d_oeil(&objet.en_double(), &self.double).bas > self.fin
             || self.vient_apres_a_la_loupe(objet)
     }
 
@@ -227,7 +227,7 @@ impl<'a, R: Reel> Certificat<'a, R> {
 
     #[cold]
     fn vient_apres_a_la_loupe(&self, objet: &ObjetRay<R>) -> bool {
-        let a_la_loupe = |objet: &ObjetRay<R>| loupe(&objet.vers_f64(), &self.double);
+        let a_la_loupe = |objet: &ObjetRay<R>| loupe(&objet.en_double(), &self.double);
         let premier = self.premier.map(|(premier, _)| a_la_loupe(premier).haut);
         a_la_loupe(objet).bas > premier.unwrap_or(f64::INFINI).min(self.fin)
     }

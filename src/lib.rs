@@ -75,7 +75,7 @@
 //! **A hit knows its object and its error**: [`Intersection::objet`] is the index in the list,
 //! [`Intersection::marge`] bounds how far the point is from the surface, and [`Rayon::secondaire`]
 //! starts a shadow, reflection or refraction ray that never hits the object it leaves, except
-//! inward within rounding of a box edge.
+//! inward within rounding of a box edge. [`BoiteRay::lieu`] says which face of a box was hit, and where.
 //! [`est_certaine`] tells whether the first object is that of exact arithmetic.
 //!
 //! # `f32` or `f64`
@@ -83,7 +83,8 @@
 //! Every type takes the scalar as a parameter, `f64` unless named: `Vecteur<f32>`. Everything is
 //! computed in that type. Take `f32` for speed and memory, in batches above all, and `f64` for
 //! distances to some 10⁻¹⁴ (`docs/compromis.md`); what is promised is the same, in units of each
-//! type's rounding (`docs/precision.md`).
+//! type's rounding (`docs/precision.md`). Of a scene far from O take an origin off first:
+//! [`ObjetGeo::vers_f32`].
 //!
 //! # Features
 //!
@@ -101,12 +102,13 @@ extern crate std;
 // (`docs/conception.md`, "The floors").
 //
 //   seize · reel · compile, niveau · vecteur · texture, refus · rotation · rayon · double
-//   intersection · secondaire · forme · sphere, plan, boite · objet · liste, epreuve · jugement · premier
+//   intersection · secondaire · forme · sphere, plan, boite · face, objet · liste, epreuve · jugement · premier
 //   recherche · lot · hierarchie · pour_les_tests
 mod boite;
 mod compile;
 mod double;
 mod epreuve;
+mod face;
 mod forme;
 mod hierarchie;
 mod intersection;
@@ -131,6 +133,7 @@ mod texture;
 mod vecteur;
 
 pub use boite::{BoiteGeo, BoiteRay};
+pub use face::Face;
 pub use hierarchie::{Hierarchie, PlacesInsuffisantes};
 pub use intersection::{Intersection, NoIntersection, Touche};
 pub use jugement::est_certaine;

@@ -2,7 +2,7 @@
 
 use crate::forme::{Boule, Forme};
 use crate::rayon::Rayon;
-use crate::reel::Reel;
+use crate::reel::{Reel, simple};
 use crate::refus::{ErreurGeo, coefficient, coordonnee, deplacement, fini, point, refus_nul};
 use crate::rotation::Rotation;
 use crate::texture::Texture;
@@ -46,6 +46,50 @@ impl<R: Reel> PlanGeo<R> {
     /// If the distance is beyond ±2⁴⁵⁰ (`f64`) or ±2⁶⁰ (`f32`).
     pub fn new(rotation: Rotation<R>, distance: R, texture: Texture) -> Result<Self, ErreurGeo> {
         Ok(Self { rotation, distance: coordonnee("distance", distance)?, texture })
+    }
+
+    /// The rotation that laid z ≤ 0 down as this half-space; [`rotation`](Self::rotation) turns it on.
+    ///
+    /// Its [`axes`](Rotation::axes) are the two unit axes x and y, in the surface, and N. Measured
+    /// along x and y, a pattern turns with its half-space. They come from here and not from N alone:
+    /// N does not change when a floor is turned about it, and no choice of axes by N is without a
+    /// jump somewhere. In the third axis the surface lies at −d exactly, which the point of a hit
+    /// reaches only to rounding: a pattern in three dimensions takes −d.
+    ///
+    /// ```
+    /// use core::f64::consts::FRAC_PI_2;
+    /// use lancer_rayon::{PlanGeo, Rotation, Texture, Vecteur};
+    ///
+    /// let couche = Rotation::new(Vecteur::new(FRAC_PI_2, 0.0, 0.0))?;
+    /// let sol = PlanGeo::new(couche, 2.0, Texture(0))?;
+    /// let point = Vecteur::new(3.0, -2.0, 5.0);
+    /// let le_long = |sol: PlanGeo| {
+    ///     let [x, y, _] = sol.orientation().axes();
+    ///     [x.produit_scalaire(point), y.produit_scalaire(point), -sol.distance()]
+    /// };
+    /// assert_eq!(le_long(sol), [3.0, -5.0, -2.0]);
+    ///
+    /// // A quarter turn of the floor about its normal, the same N: the pattern turns.
+    /// let tourne = sol.rotation(Rotation::new(Vecteur::new(0.0, FRAC_PI_2, 0.0))?)?;
+    /// assert_eq!(tourne.vers_ray(), sol.vers_ray());
+    /// assert_eq!(le_long(tourne), [5.0, 3.0, -2.0]);
+    /// # Ok::<(), lancer_rayon::ErreurGeo>(())
+    /// ```
+    #[doc(alias("rotation", "tangent", "bitangent", "uv"))]
+    pub fn orientation(&self) -> Rotation<R> {
+        self.rotation
+    }
+
+    /// d, the relative distance to the origin O.
+    #[doc(alias = "offset")]
+    #[must_use]
+    pub fn distance(&self) -> R {
+        self.distance
+    }
+
+    /// The texture of the object.
+    pub fn texture(&self) -> Texture {
+        self.texture
     }
 
     /// The half-space whose surface passes through this point, with this outward normal of any
@@ -102,6 +146,17 @@ impl<R: Reel> PlanGeo<R> {
     pub fn homothetie(self, k: R) -> Result<Self, ErreurGeo> {
         coefficient(k)?;
         Ok(self)
+    }
+
+    /// The same half-space in `f32`, seen from an origin that is taken off before anything is
+    /// rounded: see [`ObjetGeo::vers_f32`](crate::ObjetGeo::vers_f32).
+    ///
+    /// # Errors
+    /// If [`translation`](Self::translation) by −`origine` refuses, or [`new`](Self::new) the numbers in
+    /// `f32`.
+    pub fn vers_f32(self, origine: Vecteur<R>) -> Result<PlanGeo<f32>, ErreurGeo> {
+        let Self { rotation, distance, texture } = self.translation(-origine)?;
+        PlanGeo::new(rotation.vers_f32(), simple(distance), texture)
     }
 
     /// The same half-space, ready for rays (handout §3).

@@ -63,6 +63,27 @@ impl<R: Reel> Rayon<R> {
         self.source + self.direction * distance // M1
     }
 
+    /// The same ray in `f32`, seen from an origin that is taken off before anything is rounded: the
+    /// ray for objects that [`ObjetGeo::vers_f32`](crate::ObjetGeo::vers_f32) gave with this origin.
+    ///
+    /// # Errors
+    /// If the source in `f32` is outside the limits of [`new`](Self::new), as with an `origine` that is
+    /// not finite.
+    ///
+    /// ```
+    /// use lancer_rayon::{Rayon, Vecteur};
+    ///
+    /// let arpenteur = Vecteur::new(500001.005, 150.0, 4200000.0115);
+    /// let rayon = Rayon::new(arpenteur, Vecteur::new(0.0, -1.0, 0.0))?;
+    /// let rayon = rayon.vers_f32(Vecteur::new(500000.0, 0.0, 4200000.0))?;
+    /// assert_eq!(rayon.source(), Vecteur::new(1.005_f32, 150.0, 0.0115));
+    /// # Ok::<(), lancer_rayon::ErreurGeo>(())
+    /// ```
+    #[doc(alias("to_f32", "narrow", "floating_origin"))]
+    pub fn vers_f32(self, origine: Vecteur<R>) -> Result<Rayon<f32>, ErreurGeo> {
+        Rayon::new((self.source - origine).vers_f32(), self.direction.vers_f32())
+    }
+
     /// The same ray in `f64`, exactly: to judge an answer in `f32` by one in `f64`.
     ///
     /// The direction is not made unit again. That of an `f32` stays unit to the rounding of `f32`,
@@ -78,7 +99,7 @@ impl<R: Reel> Rayon<R> {
     /// # Ok::<(), lancer_rayon::ErreurGeo>(())
     /// ```
     #[doc(alias("to_f64", "widen"))]
-    pub fn vers_f64(&self) -> Rayon {
+    pub fn vers_f64(self) -> Rayon {
         Rayon { source: self.source.vers_f64(), direction: self.direction.vers_f64() }
     }
 }

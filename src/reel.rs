@@ -1,6 +1,6 @@
 //! The scalar of the crate: `f32` or `f64`, and nothing else.
 
-use core::fmt::{Debug, Display, LowerExp};
+use core::fmt::{Debug, Display};
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 mod scelle {
@@ -54,7 +54,6 @@ pub trait Question {
 /// assert_eq!(f64::MIN_POSITIF, 5e-324);
 /// assert_eq!((f32::INFINI.vers_f64(), f32::depuis_f64(0.1)), (f64::INFINITY, 0.1));
 /// assert_eq!((Reel::sqrt(9.0), Reel::abs(-3.0), f64::ZERO), (3.0, 3.0, 0.0));
-/// assert_eq!((Reel::min(f64::NAN, 1.0), Reel::max(2.0, 1.0)), (1.0, 2.0));
 /// ```
 #[doc(alias("float", "scalar"))]
 pub trait Reel:
@@ -62,7 +61,6 @@ pub trait Reel:
     + Copy
     + Debug
     + Display
-    + LowerExp
     + PartialOrd
     + Neg<Output = Self>
     + Add<Output = Self>
@@ -97,10 +95,6 @@ pub trait Reel:
     fn sqrt(self) -> Self;
     /// Absolute value.
     fn abs(self) -> Self;
-    /// The smaller of two numbers; of a NaN and a number the number, as `f64::min`.
-    fn min(self, autre: Self) -> Self;
-    /// The larger of two numbers; of a NaN and a number the number, as `f64::max`.
-    fn max(self, autre: Self) -> Self;
     /// The same number as an `f64`, exactly.
     #[doc(alias = "to_f64")]
     fn vers_f64(self) -> f64;
@@ -175,16 +169,6 @@ macro_rules! reel {
             #[inline(always)]
             fn abs(self) -> Self {
                 self.abs()
-            }
-
-            #[inline(always)]
-            fn min(self, autre: Self) -> Self {
-                self.min(autre)
-            }
-
-            #[inline(always)]
-            fn max(self, autre: Self) -> Self {
-                self.max(autre)
             }
 
             #[inline(always)]

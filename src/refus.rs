@@ -20,7 +20,6 @@ use crate::vecteur::Vecteur;
 /// ```
 #[doc(alias = "error")]
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
 pub struct ErreurGeo {
     /// The field or argument, for instance `"centre.x"`, or what was computed of it.
     #[doc(alias = "field")]

@@ -2,7 +2,7 @@
 
 use core::f64::consts::FRAC_PI_2;
 
-use crate::reel::Reel;
+use crate::reel::{Reel, simple};
 use crate::refus::{ErreurGeo, exiger, fini};
 use crate::vecteur::Vecteur;
 
@@ -187,8 +187,17 @@ impl<R: Reel> Rotation<R> {
     }
 
     /// The rows of M: what the axes x, y and z become.
-    pub(crate) fn axes(self) -> [Vecteur<R>; 3] {
+    ///
+    /// Those of a half-space, by [`PlanGeo::orientation`](crate::PlanGeo::orientation), are two unit
+    /// vectors in its surface and its normal.
+    #[doc(alias("rows", "basis"))]
+    pub fn axes(self) -> [Vecteur<R>; 3] {
         self.matrice.map(Vecteur::from)
+    }
+
+    /// The same rotation in `f32`, each element rounded.
+    pub(crate) fn vers_f32(self) -> Rotation<f32> {
+        Rotation { matrice: self.matrice.map(|ligne| ligne.map(simple)) }
     }
 
     fn arrondie(m: Matrice) -> Self {

@@ -21,8 +21,9 @@ pub const PAS_ARRONDI: f64 = 1.1;
 
 impl<R: Reel> Rayon<R> {
     /// A ray that starts where this one touched an object and never hits that object again, with
-    /// one exception (below): for shadows, reflections (a direction outward, D·N > 0) and
-    /// transparency (inward).
+    /// one exception (below): for a direction outward, D·N > 0, and for transparency, inward. Mirrors
+    /// have [`reflechi`](Self::reflechi), shadows [`vers_lumiere`](Self::vers_lumiere) and
+    /// [`vers_soleil`](Self::vers_soleil).
     ///
     /// The source is the point of the hit, moved along the normal to the side to which the
     /// direction leads, by [`marge`](Intersection::marge) and the rounding of the moved point,
@@ -54,9 +55,11 @@ impl<R: Reel> Rayon<R> {
     /// let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.1, 0.05, -1.0))?;
     /// let touche = boule.intersection(&rayon)?;
     ///
-    /// let (d, n) = (rayon.direction(), touche.normale());
-    /// let reflet = rayon.secondaire(&touche, d - n * (2.0 * d.produit_scalaire(n)))?;
-    /// assert_eq!(boule.intersection(&reflet), Err(NoIntersection));
+    /// // Back along the normal, and straight on, as through glass.
+    /// for direction in [touche.normale(), rayon.direction()] {
+    ///     let suite = rayon.secondaire(&touche, direction)?;
+    ///     assert_eq!(boule.intersection(&suite), Err(NoIntersection));
+    /// }
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
     #[doc(alias("spawn_ray", "secondary_ray", "shadow_ray", "reflection", "refraction"))]
@@ -66,15 +69,42 @@ impl<R: Reel> Rayon<R> {
         touche: &Intersection<R>,
         direction: Vecteur<R>,
     ) -> Result<Self, ErreurGeo> {
-        let mut direction = direction_unitaire(direction)?;
-        let n = touche.normale();
-        let cosinus = direction.produit_scalaire(n);
-        if cosinus.abs() <= fois_u(TANGENT) {
-            // M5
-            direction = direction_unitaire(direction + n * fois_u(REDRESSE))?;
-        }
-        let dedans = cosinus < fois_u(-TANGENT);
+        let direction = direction_unitaire(direction)?;
+        let dedans = direction.produit_scalaire(touche.normale()) < fois_u(-TANGENT);
+        let direction = if dedans { direction } else { redressee(direction, touche.normale())? };
         Ok(Self::sans_verifier(self.depart(touche, dedans)?, direction))
+    }
+
+    /// The ray that a mirror sends on from where this one touched an object: a
+    /// [`secondaire`](Self::secondaire) in the direction D − 2(D·N)N, which never hits that object
+    /// again.
+    ///
+    /// Where this ray grazes, rounding may turn that direction below the surface; it is then turned
+    /// outward, as one of the tangent plane is.
+    ///
+    /// # Errors
+    /// As [`secondaire`](Self::secondaire): if `marge` is +∞, or the start beyond the limits of a
+    /// source.
+    ///
+    /// ```
+    /// use lancer_rayon::{ObjetRay, PlanGeo, Rayon, Texture, Vecteur};
+    ///
+    /// let haut = Vecteur::new(0.0, 1.0, 0.0);
+    /// let sol = ObjetRay::from(PlanGeo::par_un_point(Vecteur::NUL, haut, Texture(0))?);
+    /// let rayon = Rayon::new(Vecteur::new(0.0, 4.0, 0.0), Vecteur::new(3.0, -4.0, 0.0))?;
+    /// let reflet = rayon.reflechi(&sol.intersection(&rayon)?)?;
+    /// assert!((reflet.direction() - Vecteur::new(0.6, 0.8, 0.0)).longueur() < 1e-15);
+    /// assert!((reflet.source() - Vecteur::new(3.0, 0.0, 0.0)).longueur() < 1e-14);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    #[doc(alias("reflect", "reflection", "mirror"))]
+    #[inline]
+    pub fn reflechi(&self, touche: &Intersection<R>) -> Result<Self, ErreurGeo> {
+        let (d, n) = (self.direction(), touche.normale());
+        // N·D < 0 as computed: exactly it may be above by 3.1u, so that N·D′ is no less than −3.1u before
+        // D′ is rounded, and than −5.1u after.
+        let direction = direction_unitaire(d - (n + n) * d.produit_scalaire(n))?;
+        Ok(Self::sans_verifier(self.depart(touche, false)?, redressee(direction, n)?))
     }
 
     /// The ray from the point of a hit to a light, and the distance of the light in scene units:
@@ -114,6 +144,40 @@ impl<R: Reel> Rayon<R> {
         let (distance, direction) = (lumiere - depart).longueur_et_unitaire()?; // L2
         let de_face = direction.produit_scalaire(touche.normale()) > fois_u(TANGENT); // L3
         de_face.then(|| (Self::sans_verifier(depart, direction), distance))
+    }
+
+    /// The ray from the point of a hit to a light that is a direction and has no place, a sun, and
+    /// its distance, +∞: the arguments of [`est_occulte`](crate::est_occulte) for a shadow, as those
+    /// of [`vers_lumiere`](Self::vers_lumiere).
+    ///
+    /// `soleil` is the direction to the light, of any length. `None` if N·L ≤ 3.2u, with L that
+    /// direction as a unit vector: the surface faces away. `None` also if `soleil` is zero or not
+    /// finite, or where [`secondaire`](Self::secondaire) would fail. What the surface receives goes
+    /// with N·L, the cosine: `touche.normale().produit_scalaire(ombre.direction())`.
+    ///
+    /// ```
+    /// use lancer_rayon::{ObjetRay, Rayon, SphereGeo, Texture, Vecteur, est_occulte};
+    ///
+    /// let boule = SphereGeo::new(Vecteur::new(0.0, 0.0, -5.0), 1.0, Texture(0))?;
+    /// let scene = [ObjetRay::from(boule)];
+    /// let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.0, 0.0, -1.0))?;
+    /// let touche = scene[0].intersection(&rayon)?;
+    ///
+    /// let vers = |z| rayon.vers_soleil(&touche, Vecteur::new(3.0, 0.0, z));
+    /// let (ombre, distance): (Rayon, f64) = vers(4.0).expect("the surface faces it");
+    /// assert_eq!((ombre.direction().x, distance), (0.6, f64::INFINITY));
+    /// assert!(!est_occulte(&scene, &ombre, distance));
+    /// assert!(vers(-4.0).is_none()); // behind the surface
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    #[doc(alias("sun", "directional_light", "shadow_ray"))]
+    #[inline]
+    #[must_use]
+    pub fn vers_soleil(&self, touche: &Intersection<R>, soleil: Vecteur<R>) -> Option<(Self, R)> {
+        let (depart, direction) =
+            (self.depart(touche, false).ok()?, direction_unitaire(soleil).ok()?);
+        let de_face = direction.produit_scalaire(touche.normale()) > fois_u(TANGENT);
+        de_face.then(|| (Self::sans_verifier(depart, direction), R::INFINI))
     }
 
     /// The ray from this hit to another, `cible`, which the ray `autre` found, and the distance
@@ -175,4 +239,13 @@ impl<R: Reel> Rayon<R> {
         // M6
         source_valide(p + n * if dedans { -pas } else { pas })
     }
+}
+
+/// This direction, which no more than rounding leads inward, turned outward if it is within
+/// [`TANGENT`] of the tangent plane or below it.
+#[inline]
+fn redressee<R: Reel>(d: Vecteur<R>, n: Vecteur<R>) -> Result<Vecteur<R>, ErreurGeo> {
+    let rase = d.produit_scalaire(n) <= fois_u(TANGENT);
+    // M5
+    if rase { direction_unitaire(d + n * fois_u(REDRESSE)) } else { Ok(d) }
 }

@@ -2,7 +2,7 @@
 
 use crate::forme::{Boule, Forme, Hauteur};
 use crate::rayon::Rayon;
-use crate::reel::Reel;
+use crate::reel::{Reel, simple};
 use crate::refus::{ErreurGeo, coefficient, deplacement, point, taille};
 use crate::rotation::Rotation;
 use crate::texture::Texture;
@@ -37,6 +37,24 @@ pub struct SphereGeo<R = f64> {
 }
 
 impl<R: Reel> SphereGeo<R> {
+    /// C, the centre.
+    #[doc(alias = "center")]
+    pub fn centre(&self) -> Vecteur<R> {
+        self.centre
+    }
+
+    /// r, the radius.
+    #[doc(alias = "radius")]
+    #[must_use]
+    pub fn rayon(&self) -> R {
+        self.rayon
+    }
+
+    /// The texture of the object.
+    pub fn texture(&self) -> Texture {
+        self.texture
+    }
+
     /// The sphere of this centre and this radius.
     ///
     /// # Errors
@@ -76,6 +94,17 @@ impl<R: Reel> SphereGeo<R> {
     #[doc(alias = "scale")]
     pub fn homothetie(self, k: R) -> Result<Self, ErreurGeo> {
         Self::new(self.centre, self.rayon * coefficient(k)?, self.texture)
+    }
+
+    /// The same sphere in `f32`, seen from an origin that is taken off before anything is rounded: see
+    /// [`ObjetGeo::vers_f32`](crate::ObjetGeo::vers_f32).
+    ///
+    /// # Errors
+    /// If [`translation`](Self::translation) by −`origine` refuses, or [`new`](Self::new) the numbers in
+    /// `f32`.
+    pub fn vers_f32(self, origine: Vecteur<R>) -> Result<SphereGeo<f32>, ErreurGeo> {
+        let Self { centre, rayon, texture } = self.translation(-origine)?;
+        SphereGeo::new(centre.vers_f32(), simple(rayon), texture)
     }
 
     /// The same sphere, ready for rays (handout §3).

@@ -4,7 +4,7 @@ use core::borrow::Borrow;
 use core::iter::Sum;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
-use crate::reel::{Reel, puissance_de_deux};
+use crate::reel::{Reel, puissance_de_deux, simple};
 
 /// A vector, or a point seen from the origin O: x to the right, y up, z towards the viewer
 /// (handout §2.1).
@@ -164,6 +164,11 @@ impl<R: Reel> Vecteur<R> {
     #[inline(always)]
     pub fn vers_f64(self) -> Vecteur<f64> {
         Vecteur::new(self.x.vers_f64(), self.y.vers_f64(), self.z.vers_f64())
+    }
+
+    /// The nearest vector in `f32`: each coordinate rounded.
+    pub(crate) fn vers_f32(self) -> Vecteur<f32> {
+        Vecteur::new(simple(self.x), simple(self.y), simple(self.z))
     }
 
     /// The nearest vector of this type to one in `f64`: each coordinate rounded.

@@ -53,7 +53,7 @@ fn aucune_question_n_alloue<R: Reel>() {
     let rayon = Rayon::new(Vecteur::NUL, bas + haut).unwrap();
     let touche = objet.intersection(&rayon).unwrap();
     sans_allocation("erreur", || objet.erreur(&rayon, &touche));
-    sans_allocation("est_sur", || autre.est_sur(&rayon));
+    sans_allocation("est_certain", || autre.est_certain(&rayon));
     sans_allocation("vers_touche", || rayon.vers_touche(&touche, &rayon, &touche));
 
     let scene = melange::<R>(300);

@@ -22,7 +22,7 @@ const IMAGE: &str = "target/apercu.png";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
-    image::programme(&arguments, [SCENE, IMAGE], "apercu", apercu)
+    image::programme(&arguments, [SCENE, IMAGE], "apercu", Some(apercu))
 }
 
 fn apercu(chemin: &str, image: &str) -> Result<(), Box<dyn Error>> {

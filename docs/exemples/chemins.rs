@@ -60,10 +60,8 @@ fn main() -> ExitCode {
     }
     let usage = "chemins [--f32] [--rayons N, from 1 to 65535]";
     let defauts = ["docs/scenes/soir.ron", "target/chemins.png"];
-    image::programme(&arguments, defauts, usage, |scene, image| match rayons {
-        Some(rayons) => rendre(scene, image, rayons),
-        None => Err(format!("usage: {usage} [scene.ron] [image.png]").into()),
-    })
+    let peindre = rayons.map(|rayons| move |scene: &str, image: &str| rendre(scene, image, rayons));
+    image::programme(&arguments, defauts, usage, peindre)
 }
 
 fn rendre<R: Reel + DeserializeOwned>(
@@ -270,16 +268,16 @@ impl<R: Reel> Chemin<R> {
         let case = (p.x.vers_f64().floor() + p.z.vers_f64().floor()) as i64;
         let teinte = produit(self.part, couleurs[(case & 1) as usize]);
         let (passe, entre) = traverser(d, n, 1.0 / INDICE);
-        let (vers, part, franc) = match genre {
-            Genre::Miroir => (d - (n + n) * d.produit_scalaire(n), teinte, true),
-            Genre::Verre => (passe, teinte, true),
-            Genre::Verni if !entre => (passe, self.part, true),
+        let vers = |direction| self.rayon.secondaire(touche, direction);
+        let (rayon, part, franc) = match genre {
+            Genre::Miroir => (self.rayon.reflechi(touche), teinte, true),
+            Genre::Verre => (vers(passe), teinte, true),
+            Genre::Verni if !entre => (vers(passe), self.part, true),
             // As often in each direction as the cosine there is large, so that no cosine is left to count.
-            Genre::Verni | Genre::Mat => (n + au_hasard(), teinte, false),
+            Genre::Verni | Genre::Mat => (vers(n + au_hasard()), teinte, false),
         };
         let dans = (entre && matches!(genre, Genre::Verre)).then(|| touche.objet());
-        let rayon = self.rayon.secondaire(touche, vers).ok()?;
-        Some(Self { rayon, numero: self.numero, part, franc, dans })
+        Some(Self { rayon: rayon.ok()?, numero: self.numero, part, franc, dans })
     }
 }
 

@@ -9,8 +9,8 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_6};
 use std::fmt::{self, Display, Write};
 
 use lancer_rayon::{
-    BoiteGeo, NoIntersection, ObjetRay, PlanGeo, Rayon, Rotation, SphereGeo, Texture, Vecteur,
-    premiere_intersection,
+    BoiteGeo, Face, NoIntersection, ObjetRay, PlanGeo, Rayon, Rotation, SphereGeo, Texture,
+    Vecteur, premiere_intersection,
 };
 
 /// Where the figures stand.
@@ -400,7 +400,7 @@ fn boite() -> Resultat<String> {
                 vue.pixel(coin(signes))
             })
         };
-        let (centres, opposes) = (boite.centres_faces(), boite.centres_opposes());
+        let centres = Face::TOUTES.map(|face| boite.face(face).0);
         for (i, normale) in normales.into_iter().enumerate() {
             if vue.vue.appliquer(normale).z <= 0.0 {
                 return Err("a face that the figure names is hidden".into());
@@ -417,7 +417,7 @@ fn boite() -> Resultat<String> {
         }
         let c = vue.pixel(boite.centre());
         for i in 0..3 {
-            let (cf, co) = (vue.pixel(centres[i]), vue.pixel(opposes[i]));
+            let (cf, co) = (vue.pixel(centres[i]), vue.pixel(centres[i + 3]));
             dessin.ligne(&[co, cf], AXES[i], TIRETS);
             let bout = vue.pixel(centres[i] + normales[i] * 0.75);
             dessin.fleche(&[cf, bout], AXES[i], PLEIN);

@@ -27,18 +27,24 @@ pub fn ecrire(
 }
 
 /// Calls `peindre` with the scene and the image that `arguments` names, by default with these two, and
-/// prints its error.
+/// prints its error. Without a `peindre`, and of arguments that it does not know, it prints the usage instead.
 pub fn programme(
     arguments: &[String],
     [scene, image]: [&str; 2],
     usage: &str,
-    peindre: impl FnOnce(&str, &str) -> Result<(), Box<dyn Error>>,
+    peindre: Option<impl FnOnce(&str, &str) -> Result<(), Box<dyn Error>>>,
 ) -> ExitCode {
-    let resultat = match arguments {
-        [] => peindre(scene, image),
-        [scene] => peindre(scene, image),
-        [scene, image] => peindre(scene, image),
-        [_, _, _, ..] => Err(format!("usage: {usage} [scene.ron] [image.png]").into()),
+    let usage = format!("usage: {usage} [scene.ron] [image.png]\nby default {scene} and {image}");
+    if arguments.iter().any(|argument| argument == "--help" || argument == "-h") {
+        println!("{usage}");
+        return ExitCode::SUCCESS;
+    }
+    let inconnue = arguments.iter().any(|argument| argument.starts_with('-'));
+    let resultat = match (arguments, peindre.filter(|_| !inconnue)) {
+        ([], Some(peindre)) => peindre(scene, image),
+        ([scene], Some(peindre)) => peindre(scene, image),
+        ([scene, image], Some(peindre)) => peindre(scene, image),
+        ([_, _, _, ..], Some(_)) | (_, None) => Err(usage.into()),
     };
     match resultat {
         Ok(()) => ExitCode::SUCCESS,

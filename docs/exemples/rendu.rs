@@ -55,10 +55,7 @@ pub fn programme() -> ExitCode {
         }
     };
     let usage = "rendu [--f32] [--bande i/n, i from 1 to n]";
-    let peindre = |scene: &str, image: &str| match bande {
-        Some(bande) => rendre(scene, image, bande),
-        None => Err(format!("usage: {usage} [scene.ron] [image.png]").into()),
-    };
+    let peindre = bande.map(|bande| move |scene: &str, image: &str| rendre(scene, image, bande));
     image::programme(&arguments, [SCENE, IMAGE], usage, peindre)
 }
 
@@ -291,7 +288,7 @@ impl<R: Reel> Atelier<'_, R> {
         let Trajet { rayon, oeil, part, .. } = trajet;
         let (d, n) = (rayon.direction(), touche.normale());
         let face = d.produit_scalaire(n);
-        let reflechie = d - (n + n) * face;
+        let reflechi = rayon.reflechi(&touche).ok();
         let matiere = &PALETTE[touche.texture().0 as usize % PALETTE.len()];
         let couleur = matiere.couleur(rayon.point(touche.distance()), n, touche.distance());
         let dedans = matiere.indice > 0.0;
@@ -302,13 +299,13 @@ impl<R: Reel> Atelier<'_, R> {
         } else {
             0.0
         };
-        let (vers, suit, reste) = if dedans {
-            (refractee(d, n, 1.0 / matiere.indice), couleur, 0.0)
+        let (secondaire, suit, reste) = if dedans {
+            let vers = refractee(d, n, 1.0 / matiere.indice);
+            (vers.and_then(|vers| rayon.secondaire(&touche, vers).ok()), couleur, 0.0)
         } else {
-            (Some(reflechie), Vecteur::new(reflet, reflet, reflet), 1.0 - reflet)
+            let suit = Vecteur::new(reflet, reflet, reflet);
+            (reflechi.filter(|_| reflet > 0.0), suit, 1.0 - reflet)
         };
-        let secondaire = vers.filter(|_| dedans || reflet > 0.0);
-        let secondaire = secondaire.and_then(|vers| rayon.secondaire(&touche, vers).ok());
         let quitte = touche.objet();
         let suivant = secondaire.map(|rayon| Trajet {
             rayon,
@@ -318,7 +315,7 @@ impl<R: Reel> Atelier<'_, R> {
             dedans,
         });
         let couleur = produit(*part, couleur) * reste;
-        (Surface { trajet, touche, reflechie, couleur, eclat: matiere.eclat }, suivant)
+        (Surface { trajet, touche, reflechi, couleur, eclat: matiere.eclat }, suivant)
     }
 
     /// Where a ray inside glass leaves it, unless it touches something else before.
@@ -358,9 +355,12 @@ impl<R: Reel> Atelier<'_, R> {
             if occulte {
                 continue;
             }
-            let Surface { trajet, touche, reflechie, couleur, eclat } = surface;
+            let Surface { trajet, touche, reflechi, couleur, eclat } = surface;
             let cosinus = ombre.direction().produit_scalaire(touche.normale()).vers_f64();
-            let brillant = ombre.direction().produit_scalaire(*reflechie).vers_f64().max(0.0);
+            let brillant = reflechi.map_or(R::ZERO, |reflechi| {
+                ombre.direction().produit_scalaire(reflechi.direction())
+            });
+            let brillant = brillant.vers_f64().max(0.0);
             vues[trajet.oeil] += produit(*couleur, lampe.couleur) * cosinus
                 + produit(trajet.part, lampe.couleur) * (eclat * brillant.powi(60));
         }
@@ -372,8 +372,8 @@ impl<R: Reel> Atelier<'_, R> {
 struct Surface<'t, R> {
     trajet: &'t Trajet<R>,
     touche: Intersection<R>,
-    /// Where a mirror would send the ray.
-    reflechie: Vecteur<R>,
+    /// What a mirror would make of the ray.
+    reflechi: Option<Rayon<R>>,
     /// In the part in which it is seen.
     couleur: Couleur,
     eclat: f64,

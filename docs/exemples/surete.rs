@@ -18,7 +18,7 @@ pub fn juger(
     objets: &[ObjetRay<f32>],
     rayons: &[Rayon<f32>],
 ) -> Result<Vec<Jugement>, PlacesInsuffisantes> {
-    let doubles: Vec<_> = objets.iter().map(ObjetRay::vers_f64).collect();
+    let doubles: Vec<_> = objets.iter().map(|objet| objet.vers_f64()).collect();
     let [mut places, mut places_doubles] =
         [(); 2].map(|()| vec![0.0; Hierarchie::places(objets.len())]);
     let simple = Hierarchie::new(objets, &mut places)?;

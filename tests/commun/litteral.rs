@@ -2,7 +2,7 @@
 //! to C9). Its weaknesses stay: SC² − SA² cancels for a small or far sphere, a ray along a face misses
 //! it, and at an edge `≤ l` compares rounded numbers, so that both faces may refuse the point.
 
-use lancer_rayon::{ObjetRay, Rayon, Reel, Texture, Vecteur};
+use lancer_rayon::{Face, ObjetRay, Rayon, Reel, Texture, Vecteur};
 
 pub struct Objet<R>(pub Forme<R>, pub Texture);
 pub enum Forme<R> {
@@ -20,8 +20,10 @@ impl<R: Reel> From<&ObjetRay<R>> for Objet<R> {
             ObjetRay::Plan(p) => Self(Forme::Plan(p.normale(), p.distance()), p.texture()),
             ObjetRay::Boite(b) => {
                 let couple = |i: usize| {
-                    let face = (b.centres_faces()[i], b.distances_faces()[i]);
-                    let opposee = (b.centres_opposes()[i], b.distances_opposees()[i]);
+                    let [face, opposee] = [i, i + 3].map(|i| {
+                        let (centre, normale) = b.face(Face::TOUTES[i]);
+                        (centre, -normale.produit_scalaire(centre))
+                    });
                     (b.normales()[i], face, opposee, b.demi_longueurs()[i])
                 };
                 Self(Forme::Boite([0, 1, 2].map(couple)), b.texture())

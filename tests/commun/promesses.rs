@@ -57,7 +57,7 @@ pub fn toutes<R: Reel>() -> [Promesse<R>; 13] {
         promesse("where a hit lies", BORNES, lieu, quelconque),
         promesse("secondary ray", &Genre::TOUS, secondaire, quelconque),
         promesse("erreur", &Genre::TOUS, erreur, [1.5; 2]),
-        promesse("est_sur", &Genre::TOUS, est_sur, quelconque),
+        promesse("est_certain", &Genre::TOUS, est_certain, quelconque),
         promesse("a glance", &Genre::TOUS, coup_d_oeil, quelconque),
     ]
 }
@@ -266,8 +266,8 @@ pub fn erreur<R: Reel>(cas: &Essai<R>) -> f64 {
     }
 }
 
-/// `est_sur` of a wrong answer is the end; of a right one it is the better the nearer the decision.
-pub fn est_sur<R: Reel>(cas: &Essai<R>) -> f64 {
+/// `est_certain` of a wrong answer is the end; of a right one it is the better the nearer the decision.
+pub fn est_certain<R: Reel>(cas: &Essai<R>) -> f64 {
     let objet = &cas.objets[0];
     let verite = verite(objet, &cas.rayon);
     let touche = objet.intersection(&cas.rayon).is_ok();
@@ -275,14 +275,10 @@ pub fn est_sur<R: Reel>(cas: &Essai<R>) -> f64 {
     match verite.entree {
         // A distance that the type cannot hold is a miss.
         Some(entree) if entree.ecart(plus_grand) < 0.0 => {
-            if touche && objet.est_sur(&cas.rayon) {
-                ROMPUE
-            } else {
-                RIEN
-            }
+            if touche && objet.est_certain(&cas.rayon) { ROMPUE } else { RIEN }
         }
         ref entree if entree.is_some() == touche => tenue(verite.facteur()),
-        Some(_) | None if objet.est_sur(&cas.rayon) => ROMPUE,
+        Some(_) | None if objet.est_certain(&cas.rayon) => ROMPUE,
         Some(_) | None => 1.0,
     }
 }

@@ -12,8 +12,8 @@ use std::path::Path;
 use commun::litteral;
 use exemples::scene::Scene;
 use lancer_rayon::{
-    BoiteGeo, BoiteRay, ErreurGeo, NoIntersection, ObjetGeo, ObjetRay, PlanGeo, PlanRay, Rayon,
-    Reel, Rotation, SphereGeo, SphereRay, Texture, Touche, Vecteur, premiere_intersection,
+    BoiteGeo, BoiteRay, ErreurGeo, Face, NoIntersection, ObjetGeo, ObjetRay, PlanGeo, PlanRay,
+    Rayon, Reel, Rotation, SphereGeo, SphereRay, Texture, Touche, Vecteur, premiere_intersection,
 };
 use serde::de::DeserializeOwned;
 
@@ -52,6 +52,10 @@ fn nombre<R: Reel>(x: R) -> String {
 fn vecteur<R: Reel>(v: Vecteur<R>) -> String {
     format!("({}, {}, {})", nombre(v.x), nombre(v.y), nombre(v.z))
 }
+
+/// The faces of §3, and the opposite ones.
+const FACES: [Face; 3] = [Face::PlusX, Face::PlusY, Face::PlusZ];
+const OPPOSEES: [Face; 3] = [Face::MoinsX, Face::MoinsY, Face::MoinsZ];
 
 fn liste<T>(trois: [T; 3], montrer: impl Fn(T) -> String) -> String {
     trois.map(montrer).join(" ")
@@ -394,7 +398,8 @@ fn c4() -> Partie {
             {
                 let b =
                     boite_ray(cube(v(0.0, 0.0, -5.0), Rotation::IDENTITE).translation(w).unwrap());
-                format!("{} {}", vecteur(b.centre()), liste(b.centres_faces(), vecteur))
+                let faces = FACES.map(|face| b.face(face).0);
+                format!("{} {}", vecteur(b.centre()), liste(faces, vecteur))
             },
         )
         .ligne("a half-space: d − N·v = 4 − 3", "d 1, normal (0, 0, 1)", {
@@ -652,20 +657,25 @@ fn c10() -> Partie {
 fn c11() -> Partie {
     let b = boite_ray(boite(v(1.0, 2.0, -10.0), v(2.0, 4.0, 6.0), tour(FRAC_PI_2, 0.0, 0.0)));
     let m = tour(0.3, 0.5, 0.7);
+    let centre = |face| b.face(face).0;
+    let distance = |face| {
+        let (centre, normale) = b.face(face);
+        -normale.produit_scalaire(centre)
+    };
     Partie::new(
         "C11: the quantities of §3 for a box 2 × 4 × 6 at (1, 2, −10), a quarter turned about x",
     )
     .ligne("C", "(1, 2, -10)", vecteur(b.centre()))
     .ligne("N₁ N₂ N₃", "(1, 0, 0) (0, 0, -1) (0, 1, 0)", liste(b.normales(), vecteur))
     .ligne("l₁ l₂ l₃", "1 2 3", liste(b.demi_longueurs(), nombre))
-    .ligne("Cf = C + l·N", "(2, 2, -10) (1, 2, -12) (1, 5, -10)", liste(b.centres_faces(), vecteur))
+    .ligne("Cf = C + l·N", "(2, 2, -10) (1, 2, -12) (1, 5, -10)", liste(FACES.map(centre), vecteur))
     .ligne(
         "Co = C − l·N",
         "(0, 2, -10) (1, 2, -8) (1, -1, -10)",
-        liste(b.centres_opposes(), vecteur),
+        liste(OPPOSEES.map(centre), vecteur),
     )
-    .ligne("df = −N·Cf", "-2 -12 -5", liste(b.distances_faces(), nombre))
-    .ligne("do = +N·Co", "0 8 -1", liste(b.distances_opposees(), nombre))
+    .ligne("df = −N·Cf", "-2 -12 -5", liste(FACES.map(distance), nombre))
+    .ligne("do = +N·Co", "0 8 -1", liste(OPPOSEES.map(distance), nombre))
     .ligne(
         "N_i is row i of M, here of the rotation by (0.3, 0.5, 0.7)",
         matrice(m.matrice()),

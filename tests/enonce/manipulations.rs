@@ -5,7 +5,7 @@ use commun::oracle::Exact;
 use commun::strategies::{Plante, objet, plante, reel, rotation, vecteur};
 use commun::tolerances::{ARRONDI, DISTANCE, NORMALE, TOURNE, u};
 use commun::{en_f32_et_f64, pour_tout};
-use lancer_rayon::{ObjetGeo, ObjetRay, PlanGeo, Rayon, Reel, Rotation, Texture, Vecteur};
+use lancer_rayon::{Face, ObjetGeo, ObjetRay, PlanGeo, Rayon, Reel, Rotation, Texture, Vecteur};
 use proptest::prelude::*;
 use proptest::test_runner::TestCaseResult;
 
@@ -101,11 +101,13 @@ fn proches<R: Reel>(a: ObjetRay<R>, b: Attendu, tolerance: f64) -> TestCaseResul
                 prop_assert!(ecart <= 2.0 * TOURNE * u::<R>());
                 prop_assert!((boite.demi_longueurs()[i].vers_f64() - l).abs() <= tolerance);
                 let (cf, co) = (b.centre + n * l, b.centre - n * l);
-                prop_assert!(vecteurs(boite.centres_faces()[i], cf));
-                prop_assert!(vecteurs(boite.centres_opposes()[i], co));
                 let (df, d_o) = (-n.produit_scalaire(cf), n.produit_scalaire(co));
-                prop_assert!((boite.distances_faces()[i].vers_f64() - df).abs() <= tolerance);
-                prop_assert!((boite.distances_opposees()[i].vers_f64() - d_o).abs() <= tolerance);
+                for (face, c, d) in [(i, cf, df), (i + 3, co, d_o)] {
+                    let (centre, normale) = boite.face(Face::TOUTES[face]);
+                    prop_assert!(vecteurs(centre, c));
+                    let distance = -normale.produit_scalaire(centre).vers_f64();
+                    prop_assert!((distance - d).abs() <= tolerance);
+                }
             }
         }
     }

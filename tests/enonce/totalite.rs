@@ -4,8 +4,8 @@ use commun::strategies::{quelconque, vecteur_quelconque};
 use commun::tolerances::{ORTHONORMALE, ecart_rotation, u};
 use commun::{Bits, en_f32_et_f64, est_une_entree, pour_tout};
 use lancer_rayon::{
-    BoiteGeo, ErreurGeo, ObjetGeo, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture,
-    Vecteur, premiere_intersection,
+    BoiteGeo, ErreurGeo, Face, ObjetGeo, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo,
+    Texture, Vecteur, premiere_intersection,
 };
 use proptest::prelude::*;
 use proptest::test_runner::{TestCaseError, TestCaseResult};
@@ -53,10 +53,10 @@ fn valide<R: Reel>(objet: &ObjetRay<R>) -> TestCaseResult {
             let double = boite.demi_longueurs().map(|l| l + l);
             prop_assert!(tient(boite.centre()) && double.into_iter().all(mesure));
             let finis = |v: Vecteur<R>| v.vers_f64().longueur() < f64::INFINITY;
-            prop_assert!(boite.centres_faces().into_iter().all(finis));
-            prop_assert!(boite.centres_opposes().into_iter().all(finis));
-            let distances = [boite.distances_faces(), boite.distances_opposees()].concat();
-            prop_assert!(distances.into_iter().all(|d| d.abs() < R::INFINI));
+            for (centre, normale) in Face::TOUTES.map(|face| boite.face(face)) {
+                prop_assert!(finis(centre) && finis(normale));
+                prop_assert!(normale.produit_scalaire(centre).abs() < R::INFINI);
+            }
             boite.normales().to_vec()
         }
     };
@@ -71,7 +71,21 @@ fn touche_valide<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> TestCaseR
     // Above 0, and no NaN, of whichever object it is asked.
     for objet in objets {
         prop_assert!(objet.erreur(rayon, &touche) > R::ZERO);
-        let _: bool = objet.est_sur(rayon);
+        let _: bool = objet.est_certain(rayon);
+        // Of a hit of whichever object, a point of the box.
+        if let ObjetRay::Boite(boite) = objet {
+            let (face, p) = boite.lieu(rayon, &touche);
+            let p = <[R; 3]>::from(p);
+            prop_assert!(p.into_iter().all(|x| x.abs() <= R::UN), "{:?}", p);
+            prop_assert!(p[face as usize % 3].abs() == R::UN);
+        }
+    }
+    if let Some((ombre, distance)) = rayon.vers_soleil(&touche, rayon.source()) {
+        prop_assert!(tient(ombre.source()) && distance == R::INFINI);
+    }
+    match rayon.reflechi(&touche) {
+        Ok(reflet) => prop_assert!(tient(reflet.source())),
+        Err(erreur) => prop_assert!(erreur.champ == "marge" || erreur.champ.starts_with("source")),
     }
     if let Some((_, distance)) = rayon.vers_touche(&touche, rayon, &touche) {
         prop_assert!(distance > R::ZERO);
@@ -118,6 +132,10 @@ fn n_importe_quels_bits_donnent_une_valeur_valide_ou_une_erreur<R: Bits>() {
                 garder(objet.translation(v))?;
                 garder(objet.rotation(r2))?;
                 garder(objet.homothetie(k))?;
+                match objet.vers_f32(v) {
+                    Ok(simple) => valide(&simple.vers_ray())?,
+                    Err(erreur) => refusee::<f32>(erreur)?,
+                }
             }
         }
         let objets: Vec<_> = objets.into_iter().map(ObjetGeo::vers_ray).collect();
@@ -133,6 +151,10 @@ fn n_importe_quels_bits_donnent_une_valeur_valide_ou_une_erreur<R: Bits>() {
                         touche_valide(core::slice::from_ref(objet), &rayon)?;
                     }
                     touche_valide(&objets, &rayon)?;
+                    match rayon.vers_f32(v) {
+                        Ok(simple) => prop_assert!(tient(simple.source())),
+                        Err(erreur) => refusee::<f32>(erreur)?,
+                    }
                 }
                 Err(erreur) => refusee::<R>(erreur)?,
             }

@@ -101,7 +101,7 @@ fn cache<'a, R: Reel>(
     let longueur = rayon.vers_f64().direction().longueur();
     let fin = distance.vers_f64() / longueur;
     // Those that are certainly passed by need no exact numbers.
-    let proches = objets.filter(|o| !o.est_sur(rayon) || o.intersection(rayon).is_ok());
+    let proches = objets.filter(|o| !o.est_certain(rayon) || o.intersection(rayon).is_ok());
     let entrees = proches.filter_map(|objet| verite(objet, rayon).entree);
     let premiere = entrees.map(|entree| entree.t.vers_f64()).fold(f64::INFINITY, f64::min);
     // The distance is good to 3.6u (lemma 9), and rounds here.

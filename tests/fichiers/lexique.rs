@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 const PARTIES: [(&str, &[&str]); 8] = [
     ("Scalars and vectors", &["reel", "vecteur"]),
     ("Rotations", &["rotation"]),
-    ("Objects", &["objet", "sphere", "plan", "boite", "texture"]),
+    ("Objects", &["objet", "sphere", "plan", "boite", "face", "texture"]),
     ("Rays", &["rayon"]),
     ("Hits, and the rays that start there", &["intersection", "secondaire"]),
     ("One ray and a list", &["recherche", "jugement"]),

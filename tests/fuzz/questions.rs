@@ -86,6 +86,17 @@ fn secondaires<R: Bits>(objet: &ObjetRay<R>, rayon: &Rayon<R>, vers: Vecteur<R>)
             assert_eq!(objet.intersection(&secondaire), Err(NoIntersection), "{objet:?} {rayon:?}");
         }
     }
+    if let Ok(reflet) = rayon.reflechi(&touche) {
+        assert_eq!(objet.intersection(&reflet), Err(NoIntersection), "{objet:?} {rayon:?}");
+    }
+    if let Some((ombre, loin)) = rayon.vers_soleil(&touche, vers) {
+        assert!(!est_occulte(std::slice::from_ref(objet), &ombre, loin), "{objet:?} {rayon:?}");
+    }
+    if let ObjetRay::Boite(boite) = objet {
+        let (face, p) = boite.lieu(rayon, &touche);
+        assert_eq!(boite.face(face).1, touche.normale(), "{objet:?} {rayon:?}");
+        assert!(<[R; 3]>::from(p).into_iter().all(|x| x.abs() <= R::UN), "{objet:?} {rayon:?}");
+    }
 }
 
 /// What is asked after the fact: certain answers of two precisions agree, and so do two bounded distances; and
@@ -93,7 +104,7 @@ fn secondaires<R: Bits>(objet: &ObjetRay<R>, rayon: &Rayon<R>, vers: Vecteur<R>)
 fn apres_coup<R: Bits>(objet: &ObjetRay<R>, [rayon, autre]: [&Rayon<R>; 2]) {
     let (double, en_double) = (objet.vers_f64(), rayon.vers_f64());
     let (touche, la) = (objet.intersection(rayon), double.intersection(&en_double));
-    if objet.est_sur(rayon) && double.est_sur(&en_double) {
+    if objet.est_certain(rayon) && double.est_certain(&en_double) {
         assert_eq!(touche.is_ok(), la.is_ok(), "{objet:?} {rayon:?}");
     }
     if objet.contient(rayon.source()) {
@@ -196,7 +207,7 @@ fn attaquer<R: Bits>(octets: &[u8]) -> Option<()> {
     if let Some([bas, haut]) = etendue(&objets) {
         assert!(bas.x <= haut.x && bas.y <= haut.y && bas.z <= haut.z);
     }
-    let doubles: Vec<_> = objets.iter().map(ObjetRay::vers_f64).collect();
+    let doubles: Vec<_> = objets.iter().map(|objet| objet.vers_f64()).collect();
     // In the second long boxes are cut into pieces.
     let [mut places, mut autres] =
         [1, 6].map(|fois| vec![0.0; fois * Hierarchie::places(objets.len())]);

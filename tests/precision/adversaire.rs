@@ -534,9 +534,9 @@ rangees! {
     erreur_d_un_demi_espace: demi_espace, promesses::erreur, 60_000;
     erreur_d_un_demi_espace_pres_de_0: demi_espace_pres_de_0, promesses::erreur, 60_000;
     erreur_d_une_boite: boite, promesses::erreur, 60_000;
-    certitude_d_une_sphere: sphere, promesses::est_sur, 60_000, true;
-    certitude_d_un_demi_espace: demi_espace, promesses::est_sur, 60_000, true;
-    certitude_d_une_boite: boite, promesses::est_sur, 60_000, true;
+    certitude_d_une_sphere: sphere, promesses::est_certain, 60_000, true;
+    certitude_d_un_demi_espace: demi_espace, promesses::est_certain, 60_000, true;
+    certitude_d_une_boite: boite, promesses::est_certain, 60_000, true;
     coup_d_oeil_d_une_sphere: sphere, promesses::coup_d_oeil, 60_000, true;
     coup_d_oeil_d_un_demi_espace: demi_espace, promesses::coup_d_oeil, 60_000, true;
     coup_d_oeil_d_une_boite: boite, promesses::coup_d_oeil, 60_000, true;

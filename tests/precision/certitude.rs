@@ -1,10 +1,10 @@
-//! `erreur` and `est_sur` where doubled numbers themselves end (`docs/preuves.md`, lemmas 18 and 19): numbers of
+//! `erreur` and `est_certain` where doubled numbers themselves end (`docs/preuves.md`, lemmas 18 and 19): numbers of
 //! few bits from one end of the range to the other, exactly on a surface, in the plane of a face or a little beside.
 
 use commun::conversion::arrondi;
 use commun::en_f32_et_f64;
 use commun::oracle::{norme_au_carre_moins_un, verite};
-use commun::promesses::{Essai, erreur, est_sur};
+use commun::promesses::{Essai, erreur, est_certain};
 use commun::regimes::{Cas, Extreme, direction, entre, regimes};
 use fastrand::Rng;
 use lancer_rayon::{
@@ -16,7 +16,7 @@ use lancer_rayon::{
 #[track_caller]
 fn juger<R: Reel>(objet: ObjetRay<R>, rayon: Rayon<R>) {
     let essai = Essai { objets: vec![objet], rayon, vers: [R::ZERO; 5] };
-    let parts = [est_sur(&essai), erreur(&essai)];
+    let parts = [est_certain(&essai), erreur(&essai)];
     assert!(parts.iter().all(|part| *part <= 1.0), "{parts:?} {essai:?}");
 }
 
@@ -60,7 +60,7 @@ fn une_distance_que_le_type_ne_contient_pas_n_est_pas_sure() {
     let rayon = Rayon::new(source, Vecteur::new(1.0, -deux(-68.0), 0.0)).unwrap();
     assert_eq!(mur.intersection(&rayon).unwrap().distance(), f32::MAX);
     let t = verite(&mur, &rayon).entree.unwrap().t.vers_f64();
-    assert!(t as f32 == f32::INFINI && !mur.est_sur(&rayon), "{t:e}");
+    assert!(t as f32 == f32::INFINI && !mur.est_certain(&rayon), "{t:e}");
 }
 
 /// The same, and the entry lies less than half a unit in the last place beyond the largest number.
@@ -74,7 +74,7 @@ fn une_distance_a_peine_trop_grande_n_est_pas_sure() {
     let source = Vecteur::new(0.0, 0.0, (1.0 - f32::U) * deux(60.0));
     let rayon = Rayon::new(source, Vecteur::new(1.0, 0.0, -deux(-68.0))).unwrap();
     assert_eq!(mur.intersection(&rayon).unwrap().distance(), f32::MAX);
-    assert!(verite(&mur, &rayon).entree.unwrap().ecart(f32::MAX) < 0.0 && !mur.est_sur(&rayon));
+    assert!(verite(&mur, &rayon).entree.unwrap().ecart(f32::MAX) < 0.0 && !mur.est_certain(&rayon));
     juger(mur, rayon);
 }
 
@@ -95,7 +95,7 @@ fn un_manque_a_cote_d_une_arete_est_sur() {
         let rayon = Rayon::new(source, a_cote - source).unwrap();
         let boite = ObjetRay::from(boite);
         if verite(&boite, &rayon).entree.is_none() && boite.intersection(&rayon).is_err() {
-            assert!(boite.est_sur(&rayon), "{boite:?} {rayon:?}");
+            assert!(boite.est_certain(&rayon), "{boite:?} {rayon:?}");
             manques += 1;
         }
     }
@@ -116,9 +116,9 @@ fn le_long_d_une_face_tournee_une_reponse_est_sure() {
         let vers_le_fond = |source| Rayon::new(source, -w).unwrap();
         let rayon = vers_le_fond(w * 5.0 + u * entre(&mut alea, -0.9, 0.9));
         let touche = boite.intersection(&rayon).unwrap();
-        assert!(boite.est_sur(&rayon) && boite.erreur(&rayon, &touche) < 1e-14, "{rayon:?}");
+        assert!(boite.est_certain(&rayon) && boite.erreur(&rayon, &touche) < 1e-14, "{rayon:?}");
         for cote in [u, v] {
-            assert!(boite.est_sur(&vers_le_fond(w * 5.0 + cote * 1.2)), "{rayon:?}");
+            assert!(boite.est_certain(&vers_le_fond(w * 5.0 + cote * 1.2)), "{rayon:?}");
         }
     }
 }
@@ -133,7 +133,7 @@ fn une_reponse_juste_est_sure<R: Reel>() {
             let Cas { objet, rayon, .. } = (regime.cas)(&mut alea);
             let (touche, entree) = (objet.intersection(&rayon), verite(&objet, &rayon).entree);
             assert_eq!(
-                objet.est_sur(&rayon),
+                objet.est_certain(&rayon),
                 touche.is_ok() == entree.is_some(),
                 "{objet:?} {rayon:?}"
             );
@@ -163,7 +163,7 @@ fn dans_le_plan_d_une_face_une_reponse_est_sure() {
         let x = Vecteur::new(1.0, 0.0, 0.0);
         let rayon = Rayon::new(Vecteur::new(-5.0, y, 0.0), x).unwrap();
         assert_eq!(boite.intersection(&rayon).ok().map(|touche| touche.distance()), t);
-        assert!(boite.est_sur(&rayon), "{y}");
+        assert!(boite.est_certain(&rayon), "{y}");
     }
 }
 
@@ -176,7 +176,7 @@ fn au_dela_d_une_face_un_manque_est_sur() {
         let boite = BoiteGeo::new(c, cotes, Rotation::IDENTITE, Texture(0)).unwrap();
         let d = Vecteur::new(-pente, 0.0, -1.0);
         let rayon = Rayon::new(Vecteur::new(1.0, 0.0, -1.0), d).unwrap();
-        assert!(ObjetRay::from(boite).est_sur(&rayon), "{k}");
+        assert!(ObjetRay::from(boite).est_certain(&rayon), "{k}");
         juger(boite.into(), rayon);
     }
 }
@@ -193,7 +193,7 @@ fn une_reponse_juste_qui_n_est_plus_sure() {
         let (s, d) = (Vecteur::new(0.0, 0.0, deux(k)), Vecteur::new(0.1, 0.05, -1.0));
         let rayon = Rayon::new(s, d).unwrap();
         assert!(plaque.intersection(&rayon).is_ok());
-        assert_eq!(plaque.est_sur(&rayon), sure, "{k}");
+        assert_eq!(plaque.est_certain(&rayon), sure, "{k}");
     }
     // A sphere 2⁻³⁸ times as large as far: past its outline by 2⁻⁶⁹, and farther.
     let b = f32::from_bits;
@@ -201,7 +201,7 @@ fn une_reponse_juste_qui_n_est_plus_sure() {
     let boule = ObjetRay::from(SphereGeo::new(c, deux(-38.0), Texture(0)).unwrap());
     for (y, sure) in [(0x37fc_5033, false), (0x37fc_5034, true)] {
         let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(c.x, b(y), c.z)).unwrap();
-        assert_eq!(boule.est_sur(&rayon), sure, "{y:x}");
+        assert_eq!(boule.est_certain(&rayon), sure, "{y:x}");
     }
     // Two cubes, one a little before the other.
     for (k, certaine) in [(-50.0, true), (-54.0, false)] {
@@ -233,7 +233,7 @@ fn dans_le_plan_d_une_face_un_contact_est_sur<R: Reel>() {
             let vers = vecteur(1.0, 0.0, entre(&mut alea, -0.3, 0.3));
             let rayon = Rayon::new(source, vers).unwrap();
             let Ok(touche) = boite.intersection(&rayon) else { continue };
-            assert!(boite.est_sur(&rayon), "{boite:?} {rayon:?}");
+            assert!(boite.est_certain(&rayon), "{boite:?} {rayon:?}");
             assert!(boite.erreur(&rayon, &touche) < R::U * R::depuis_f64(64.0), "{rayon:?}");
             touches += 1;
         }
@@ -308,7 +308,7 @@ fn rien_de_faux_n_est_sur<R: Reel>() {
     while surs < commun::cas(20_000) {
         let Ok((objet, rayon)) = essai::<R>(&mut alea) else { continue };
         juger(objet, rayon);
-        let sur = objet.est_sur(&rayon);
+        let sur = objet.est_certain(&rayon);
         surs += u32::from(sur);
         incertains += u32::from(!sur);
     }

@@ -1,5 +1,5 @@
 //! Doubled numbers themselves (`docs/preuves.md`, lemma 18): a climb on the bits of a few numbers, towards the largest
-//! error of their sums and products as a part of its bound. Of an error there `est_sur` sees only what decides within
+//! error of their sums and products as a part of its bound. Of an error there `est_certain` sees only what decides within
 //! 2⁻¹⁰⁰, which no search among scenes finds.
 
 use commun::cas;

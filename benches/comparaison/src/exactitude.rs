@@ -83,7 +83,7 @@ fn lisible(x: f64) -> String {
     }
 }
 
-/// What our own hits say of themselves: margins, `erreur` and `est_sur`.
+/// What our own hits say of themselves: margins, `erreur` and `est_certain`.
 fn bornes() -> String {
     let cases = "marge (+∞) | not certain (right)";
     let mut lignes = vec![
@@ -137,7 +137,7 @@ fn marges<R: Reel>(regime: &Regime<R>, lances: &mut u64) -> String {
     format!("{}{}", lisible(mediane), entre_crochets(infinies))
 }
 
-/// How many answers `est_sur` calls uncertain, in brackets how many of them are right; and how loose `erreur` is in
+/// How many answers `est_certain` calls uncertain, in brackets how many of them are right; and how loose `erreur` is in
 /// the median, if that is more than so far.
 fn jugement<R: Reel>(regime: &Regime<R>, aisance: &mut f64) -> String {
     let mut alea = Rng::with_seed(4);
@@ -145,7 +145,7 @@ fn jugement<R: Reel>(regime: &Regime<R>, aisance: &mut f64) -> String {
     for _ in 0..CAS {
         let Cas { objet, rayon } = (regime.cas)(&mut alea);
         let touchee = objet.intersection(&rayon).is_ok();
-        incertaines += u32::from(!objet.est_sur(&rayon));
+        incertaines += u32::from(!objet.est_certain(&rayon));
         let entree = verite(&objet, &rayon).entree;
         let entree = entree.filter(|e| e.t.vers_f64() <= plus_grand::<R>());
         fausses += u32::from(entree.is_some() != touchee);

@@ -1,0 +1,238 @@
+//! Patterns: which face of a box a hit lies on and where, and along which axes a half-space is measured. Every
+//! colour is that of exact arithmetic, except within rounding of a line of the pattern.
+
+use commun::oracle::{Exact, verite};
+use commun::regimes::{Genre, direction, entre, regimes};
+use commun::scenes::rayons_camera;
+use commun::tolerances::u;
+use commun::{arrondi, en_f32_et_f64};
+use fastrand::Rng;
+use lancer_rayon::{
+    BoiteGeo, BoiteRay, Face, Intersection, ObjetRay, PlanGeo, Rayon, Reel, Rotation, Texture,
+    Vecteur,
+};
+
+fn exacts<R: Reel>(v: Vecteur<R>) -> [Exact; 3] {
+    [v.x, v.y, v.z].map(Exact::de)
+}
+
+fn scalaire(a: &[Exact; 3], b: &[Exact; 3]) -> Exact {
+    &(&(&a[0] * &b[0]) + &(&a[1] * &b[1])) + &(&a[2] * &b[2])
+}
+
+/// S + tD.
+fn point<R: Reel>(rayon: &Rayon<R>, t: &Exact) -> [Exact; 3] {
+    let (s, d) = (exacts(rayon.source()), exacts(rayon.direction()));
+    core::array::from_fn(|i| &s[i] + &(t * &d[i]))
+}
+
+/// The three N_i·(S + tD − C), from −l_i to l_i on the faces.
+fn dans_la_boite<R: Reel>(boite: &BoiteRay<R>, rayon: &Rayon<R>, t: &Exact) -> [Exact; 3] {
+    let (p, c) = (point(rayon, t), exacts(boite.centre()));
+    let depuis = core::array::from_fn(|i| &p[i] - &c[i]);
+    boite.normales().map(|n| scalaire(&exacts(n), &depuis))
+}
+
+/// What `lieu` promises of one hit: the face of the normal, ±1 across it exactly, and along it the coordinates of
+/// S + tD, t as reported, limited to ±1. The part of the bound that was needed.
+fn juger_le_lieu<R: Reel>(boite: &BoiteRay<R>, rayon: &Rayon<R>, touche: &Intersection<R>) -> f64 {
+    let (face, p) = boite.lieu(rayon, touche);
+    let (n, p) = (boite.face(face).1, <[R; 3]>::from(p));
+    assert_eq!(n, touche.normale(), "{boite:?} {rayon:?}");
+    let (axe, un) = (face as usize % 3, if (face as usize) < 3 { R::UN } else { -R::UN });
+    assert!(p[axe] == un && Face::TOUTES[face as usize] == face);
+    // To the right and up along the face: the area is turned outward.
+    let [droite, haut] = [0, 1].map(|k| {
+        let axes = [0, 1, 2].map(|i| {
+            let unite = Vecteur::from([0, 1, 2].map(|j| if i == j { R::UN } else { R::ZERO }));
+            face.le_long(unite)[k]
+        });
+        Vecteur::from(axes)
+    });
+    let dehors = Vecteur::from([0, 1, 2].map(|i| if i == axe { un } else { R::ZERO }));
+    assert_eq!(droite.produit_vectoriel(haut), dehors);
+
+    let t = touche.distance();
+    let f = (rayon.source() - boite.centre()).longueur().vers_f64();
+    let permis = 6.1 * u::<R>() * (f + t.vers_f64());
+    let mut pire = 0.0_f64;
+    let exactes = dans_la_boite(boite, rayon, &Exact::de(t));
+    for (i, exacte) in exactes.into_iter().enumerate().filter(|(i, _)| *i != axe) {
+        assert!(p[i] >= -R::UN && p[i] <= R::UN, "{p:?}");
+        let l = Exact::de(boite.demi_longueurs()[i]);
+        let exacte = if exacte > l {
+            l.clone()
+        } else if exacte < -&l {
+            -&l
+        } else {
+            exacte
+        };
+        let ecart = (&(&Exact::de(p[i]) * &l) - &exacte).vers_f64().abs();
+        assert!(ecart <= permis, "{ecart:e} > {permis:e}: {boite:?} {rayon:?}");
+        pire = pire.max(ecart / permis);
+    }
+    pire
+}
+
+/// Of every kind of box and ray, those at edges and at the ends of the range among them.
+fn le_lieu_est_sur_la_face_de_la_normale<R: Reel>() {
+    let mut alea = Rng::with_seed(70);
+    let mut faces = [0; 6];
+    let mut pire = 0.0_f64;
+    for regime in regimes::<R>().into_iter().filter(|regime| regime.genre == Genre::Boite) {
+        for _ in 0..4_000 {
+            let cas = (regime.cas)(&mut alea);
+            let ObjetRay::Boite(boite) = cas.objet else { panic!("a box") };
+            let Ok(touche) = cas.objet.intersection(&cas.rayon) else { continue };
+            pire = pire.max(juger_le_lieu(&boite, &cas.rayon, &touche));
+            faces[boite.lieu(&cas.rayon, &touche).0 as usize] += 1;
+        }
+    }
+    println!("hits on each face: {faces:?}; {pire} of the bound needed");
+    assert!(faces.iter().all(|n| *n > 500), "{faces:?}");
+}
+
+en_f32_et_f64!(le_lieu_est_sur_la_face_de_la_normale);
+
+/// Of a hit on something else, so far away that its point is beyond every number: a point of the box all the same.
+#[test]
+fn le_lieu_d_une_touche_d_ailleurs_est_un_point_de_la_boite() {
+    let cotes = Vecteur::new(1.0, 1.0, 1.0);
+    let boite = BoiteGeo::new(Vecteur::NUL, cotes, Rotation::IDENTITE, Texture(0)).unwrap();
+    let boite = boite.vers_ray();
+    // A direction that is kept, a little longer than 1.
+    let (haut, long) = (f32::LIMITE, 1.0 + 2.0 * f32::EPSILON);
+    let rayon = Rayon::new(Vecteur::new(0.0, haut, 0.0), Vecteur::new(long, 0.0, 0.0)).unwrap();
+    let mut perdus = 0;
+    for k in 0..16 {
+        let pente = f32::from_bits((haut / f32::MAX).to_bits() - k);
+        let n = Vecteur::new(-pente, 1.0, 0.0);
+        let sol = PlanGeo::par_un_point(Vecteur::NUL, n, Texture(0)).unwrap();
+        let Ok(touche) = ObjetRay::from(sol).intersection(&rayon) else { continue };
+        let (_, p) = boite.lieu(&rayon, &touche);
+        assert!(<[f32; 3]>::from(p).into_iter().all(|x| x.abs() <= 1.0), "{p:?}");
+        perdus += u32::from(rayon.point(touche.distance()).x == f32::INFINITY);
+    }
+    assert!(perdus > 0);
+}
+
+/// Whether the sum of these cells is odd: the colour of a checker.
+fn impair(cases: impl IntoIterator<Item = f64>) -> bool {
+    cases.into_iter().map(f64::floor).sum::<f64>().rem_euclid(2.0) == 1.0
+}
+
+/// Whether a coordinate in cells lies so near to a line of the checker.
+fn sur_une_ligne(case: f64, pres: f64) -> bool {
+    (case - case.round()).abs() <= pres
+}
+
+/// Turned boxes near and far from O, a checker of space with a line in each face. The colour by `lieu` is exact; by the
+/// point of the hit itself it speckles.
+fn un_damier_sur_une_boite_tournee_n_a_pas_de_taches<R: Reel>() {
+    const CASES: f64 = 4.0;
+    let mut alea = Rng::with_seed(71);
+    let [mut justes, mut naifs, mut lignes] = [0; 3];
+    for loin in [0.0, 0.0, 30.0, 300.0] {
+        let tour = Rotation::new(arrondi::<R>(direction(&mut alea) * 3.0)).unwrap();
+        let ailleurs = direction(&mut alea) * loin;
+        let cotes = [(); 3].map(|()| entre(&mut alea, 2.0, 4.0));
+        let centre = arrondi(ailleurs + Vecteur::new(0.0, 1.0, 0.0));
+        let boite = BoiteGeo::new(centre, arrondi(cotes.into()), tour, Texture(0)).unwrap();
+        let boite = boite.vers_ray();
+        for rayon in rayons_camera::<R>(120, 80) {
+            let source = arrondi(rayon.source().vers_f64() + ailleurs);
+            let rayon = Rayon::new(source, rayon.direction()).unwrap();
+            let Ok(touche) = ObjetRay::from(boite).intersection(&rayon) else { continue };
+            let verite = verite(&boite.into(), &rayon);
+            let Some(entree) = verite.entree.filter(|_| !verite.dans_la_marge) else { continue };
+            let l = boite.demi_longueurs().map(R::vers_f64);
+            let exactes = dans_la_boite(&boite, &rayon, &entree.t);
+            let exactes = [0, 1, 2].map(|i| exactes[i].vers_f64() / l[i] * CASES);
+            let (face, p) = boite.lieu(&rayon, &touche);
+            let axe = face as usize % 3;
+            // The face itself is a line of the checker, on which both lie exactly.
+            assert!(exactes[axe].abs() == CASES, "{exactes:?}");
+            // The error of the distance, along the face, and that of the coordinates.
+            let t = touche.distance().vers_f64();
+            let permis = entree.k * u::<R>() * entree.kappa_t + 7.0 * u::<R>() * (entree.f + t);
+            let le_long = (0..3).filter(|i| *i != axe);
+            if le_long.into_iter().any(|i| sur_une_ligne(exactes[i], permis * CASES / l[i])) {
+                lignes += 1;
+                continue;
+            }
+            let attendu = impair(exactes);
+            let obtenu = impair(<[R; 3]>::from(p).map(|x| x.vers_f64() * CASES));
+            assert_eq!(obtenu, attendu, "{p:?} {exactes:?}");
+            let depuis = rayon.point(touche.distance()) - boite.centre();
+            let (n, demi) = (boite.normales(), boite.demi_longueurs());
+            let point = [0, 1, 2].map(|i| (depuis.produit_scalaire(n[i]) / demi[i]).vers_f64());
+            naifs += u32::from(impair(point.map(|x| x * CASES)) != attendu);
+            justes += 1;
+        }
+    }
+    println!("{justes} exact, {lignes} on a line, {naifs} wrong by the point");
+    assert!(justes > 5_000 && lignes < justes / 50 && naifs > justes / 10);
+}
+
+en_f32_et_f64!(un_damier_sur_une_boite_tournee_n_a_pas_de_taches);
+
+/// A checker of three dimensions on a floor at a height of so many cells, turned about its normal: measured along the
+/// axes of its rotation, −d across, and the same point back in the axes of the scene.
+fn un_damier_de_l_espace_sur_un_sol_n_a_pas_de_taches<R: Reel>() {
+    let quart = core::f64::consts::FRAC_PI_2;
+    let mut alea = Rng::with_seed(72);
+    let couche = Rotation::new(arrondi::<R>(Vecteur::new(quart, 0.0, 0.0))).unwrap();
+    let [mut justes, mut naifs, mut lignes] = [0; 3];
+    for (hauteur, lacet) in [(0.0, 0.0), (0.0, 0.4), (-1.0, 0.0), (0.3, 0.0), (1.0, 0.7)] {
+        let lacet = Rotation::new(arrondi::<R>(Vecteur::new(0.0, lacet, 0.0))).unwrap();
+        let sol = PlanGeo::new(couche, R::ZERO, Texture(0)).unwrap().rotation(lacet).unwrap();
+        let sol = sol.translation(arrondi(Vecteur::new(5.0, hauteur, 7.0))).unwrap();
+        let axes = sol.orientation().axes();
+        assert_eq!(axes[2], sol.vers_ray().normale());
+        let [x, y, n] = axes;
+        let objet = ObjetRay::from(sol);
+        for _ in 0..4_000 {
+            let haut = Vecteur::new(0.0, entre(&mut alea, 1.5, 6.0), 0.0);
+            let vers = Vecteur::new(entre(&mut alea, -2.0, 2.0), -1.0, entre(&mut alea, -2.0, 2.0));
+            let rayon = Rayon::new(arrondi(haut + direction(&mut alea) * 0.3), arrondi(vers));
+            let rayon = rayon.unwrap();
+            let Ok(touche) = objet.intersection(&rayon) else { continue };
+            let verite = verite(&objet, &rayon);
+            let Some(entree) = verite.entree.filter(|_| !verite.dans_la_marge) else { continue };
+            let p = rayon.point(touche.distance());
+            let le_long = [x.produit_scalaire(p), y.produit_scalaire(p), -sol.distance()];
+            let scene = x * le_long[0] + y * le_long[1] + n * le_long[2];
+
+            let exact = point(&rayon, &entree.t);
+            let mut propres = axes.map(|axe| scalaire(&exacts(axe), &exact).vers_f64());
+            let mut exact = exact.each_ref().map(Exact::vers_f64);
+            // But for the rounding of the exact t, at 256 bits, the surface is at −d.
+            let haut = -sol.distance().vers_f64();
+            for a_travers in [&mut propres[2], &mut exact[1]] {
+                assert!((*a_travers - haut).abs() <= 1e-30, "{a_travers:e}");
+                *a_travers = haut;
+            }
+            let t = touche.distance().vers_f64();
+            let grandeur = rayon.source().longueur().vers_f64() + t;
+            let permis = entree.k * u::<R>() * entree.kappa_t + 16.0 * u::<R>() * grandeur;
+            for (obtenu, attendu, a_travers) in
+                [(le_long, propres, 2), (<[R; 3]>::from(scene), exact, 1)]
+            {
+                let long = (0..3).filter(|i| *i != a_travers);
+                if long.into_iter().any(|i| sur_une_ligne(attendu[i], permis)) {
+                    lignes += 1;
+                    continue;
+                }
+                let juste = impair(attendu);
+                assert_eq!(impair(obtenu.map(R::vers_f64)), juste, "{obtenu:?} {attendu:?}");
+                let point = [p.x, p.y, p.z].map(R::vers_f64);
+                naifs += u32::from(a_travers == 1 && impair(point) != juste);
+                justes += 1;
+            }
+        }
+    }
+    println!("{justes} exact, {lignes} on a line, {naifs} wrong by the point");
+    assert!(justes > 20_000 && lignes < justes / 50 && naifs > 500);
+}
+
+en_f32_et_f64!(un_damier_de_l_espace_sur_un_sol_n_a_pas_de_taches);

@@ -1,0 +1,153 @@
+//! From `f64` to `f32`, an origin taken off first.
+
+use commun::oracle::Exact;
+use commun::regimes::{direction, entre};
+use fastrand::Rng;
+use lancer_rayon::{
+    BoiteGeo, ErreurGeo, Hierarchie, ObjetGeo, ObjetRay, PlanGeo, Rayon, Rotation, SphereGeo,
+    Texture, Vecteur,
+};
+
+/// As surveyors have it: metres east of a meridian and north of the equator.
+const ORIGINE: Vecteur = Vecteur::new(500_000.0, 0.0, 4_200_000.0);
+
+/// A place in the town around the origin, to a tenth of a millimetre.
+fn lieu(alea: &mut Rng, haut: f64) -> Vecteur {
+    let mut le_long = || (entre(alea, -50.0, 50.0) * 1e4).round() / 1e4;
+    ORIGINE + Vecteur::new(le_long(), haut, le_long())
+}
+
+/// Balls and turned boxes of a metre or two on a floor.
+fn ville(alea: &mut Rng) -> Result<Vec<ObjetGeo>, ErreurGeo> {
+    let sol = PlanGeo::par_un_point(ORIGINE, Vecteur::new(0.01, 1.0, 0.02), Texture(0))?;
+    let mut objets = vec![sol.into()];
+    for i in 1..200 {
+        let haut = entre(alea, 0.0, 2.0);
+        let (centre, texture) = (lieu(alea, haut), Texture(i));
+        objets.push(if i % 2 == 0 {
+            SphereGeo::new(centre, entre(alea, 0.5, 2.0), texture)?.into()
+        } else {
+            let tour = Rotation::new(direction(alea))?;
+            let cotes = [(); 3].map(|()| entre(alea, 1.0, 4.0));
+            BoiteGeo::new(centre, cotes.into(), tour, texture)?.into()
+        });
+    }
+    Ok(objets)
+}
+
+/// How many of these rays name in `f32`, seen from this origin, another object than in `f64`; and how many of these
+/// were certain.
+fn autres(objets: &[ObjetGeo], rayons: &[Rayon], origine: Vecteur) -> Result<[u32; 2], ErreurGeo> {
+    let simples = objets.iter().map(|objet| Ok(objet.vers_f32(origine)?.vers_ray()));
+    let simples = simples.collect::<Result<Vec<ObjetRay<f32>>, ErreurGeo>>()?;
+    let objets: Vec<_> = objets.iter().map(|objet| objet.vers_ray()).collect();
+    let mut places = [(); 2].map(|()| vec![0.0; Hierarchie::places(objets.len())]);
+    let [a, b] = &mut places;
+    let (double, simple) =
+        (Hierarchie::new(&objets, a).unwrap(), Hierarchie::new(&simples, b).unwrap());
+    let mut comptes = [0; 2];
+    for rayon in rayons {
+        let la = double.premiere_intersection(rayon);
+        let rayon = rayon.vers_f32(origine)?;
+        let ici = simple.premiere_intersection(&rayon);
+        if ici.map(|touche| touche.objet()) != la.map(|touche| touche.objet()) {
+            comptes[0] += 1;
+            comptes[1] += u32::from(simple.est_certaine(&rayon, &ici));
+        } else if let (Ok(ici), Ok(la)) = (ici, la)
+            && origine == ORIGINE
+            // κ of the rounding of the scene, and far from an outline.
+            && la.normale().produit_scalaire(rayon.direction().vers_f64()) < -0.1
+        {
+            assert!((f64::from(ici.distance()) - la.distance()).abs() < 1e-3, "{ici:?} {la:?}");
+        }
+    }
+    Ok(comptes)
+}
+
+/// With the origin taken off hardly a ray sees another object than in `f64`; as they stand, many do, and call that
+/// certain: certificates speak of the numbers as stored.
+#[test]
+fn une_origine_sauve_la_scene_des_arpenteurs() {
+    let mut alea = Rng::with_seed(73);
+    let objets = ville(&mut alea).unwrap();
+    let rayons = (0..20_000).map(|_| {
+        let (oeil, vers) = (lieu(&mut alea, 6.0), lieu(&mut alea, 0.5));
+        Rayon::new(oeil, vers - oeil).unwrap()
+    });
+    let rayons: Vec<_> = rayons.collect();
+    let avec = autres(&objets, &rayons, ORIGINE).unwrap();
+    let sans = autres(&objets, &rayons, Vecteur::NUL).unwrap();
+    println!("other objects, and of these certain: {avec:?}, as they stand {sans:?}");
+    assert!(avec[0] <= 4, "{avec:?}");
+    assert!(sans[0] > 500 && sans[1] > sans[0] / 2, "{sans:?}");
+}
+
+/// The nearest `f32` to the difference in `f64`; of a half-space the surface is where it was.
+#[test]
+fn chaque_nombre_est_le_plus_proche() {
+    let mut alea = Rng::with_seed(74);
+    let simple = |v: Vecteur| Vecteur::<f32>::depuis_f64(v);
+    for _ in 0..2_000 {
+        let (centre, origine) = (lieu(&mut alea, 3.0), lieu(&mut alea, 7.0));
+        let (r, cotes) = (entre(&mut alea, 0.1, 3.0), direction(&mut alea));
+        let cotes = Vecteur::new(cotes.x.abs() + 0.1, cotes.y.abs() + 0.1, cotes.z.abs() + 0.1);
+        let tour = Rotation::new(direction(&mut alea) * 3.0).unwrap();
+
+        let boule = SphereGeo::new(centre, r, Texture(1)).unwrap().vers_f32(origine).unwrap();
+        assert_eq!((boule.centre(), boule.rayon()), (simple(centre - origine), r as f32));
+        assert_eq!(boule.texture(), Texture(1));
+
+        let boite = BoiteGeo::new(centre, cotes, tour, Texture(2)).unwrap();
+        assert_eq!((boite.centre(), boite.dimensions()), (centre, cotes));
+        assert_eq!((boite.orientation(), boite.texture()), (tour, Texture(2)));
+        let boite = boite.vers_f32(origine).unwrap();
+        assert_eq!((boite.centre(), boite.dimensions()), (simple(centre - origine), simple(cotes)));
+        assert_eq!(boite.texture(), Texture(2));
+        let arrondie = tour.matrice().map(|ligne| ligne.map(|x| x as f32));
+        assert_eq!(boite.orientation().matrice(), arrondie);
+        // No constructor would polish it.
+        assert_eq!(Rotation::depuis_matrice(arrondie), Ok(boite.orientation()));
+
+        let d = -tour.axes()[2].produit_scalaire(centre);
+        let plan = PlanGeo::new(tour, d, Texture(3)).unwrap();
+        assert_eq!((plan.orientation(), plan.distance(), plan.texture()), (tour, d, Texture(3)));
+        let plan = plan.vers_f32(origine).unwrap();
+        assert_eq!((plan.orientation(), plan.texture()), (boite.orientation(), Texture(3)));
+        // N·(C − O) + d, exactly, which would be 0.
+        let (n, depuis) = (tour.axes()[2], (centre - origine));
+        let terme = |a: f64, b: f64| &Exact::de(a) * &Exact::de(b);
+        let reste = &(&terme(n.x, depuis.x) + &terme(n.y, depuis.y)) + &terme(n.z, depuis.z);
+        let reste = (&reste + &Exact::de(plan.distance())).vers_f64().abs();
+        // A rounding of the distance to `f32`; those of `f64`, at the numbers of the place.
+        let permis = f64::from(plan.distance().abs()) * 6e-8 + 8.0 * 1.2e-16 * centre.longueur();
+        assert!(reste <= permis, "{reste:e} > {permis:e}");
+
+        let rayon = Rayon::new(centre, cotes).unwrap();
+        let tourne = rayon.vers_f32(origine).unwrap();
+        assert_eq!(tourne.source(), simple(centre - origine));
+        assert_eq!(tourne.direction(), simple(rayon.direction()));
+    }
+}
+
+/// What does not fit into an `f32` is refused by its name.
+#[test]
+fn un_refus_nomme_le_champ() {
+    let (loin, nul) = (Vecteur::new(0.0, 0.0, 1e20), Vecteur::NUL);
+    let champ = |objet: Result<ObjetGeo<f32>, ErreurGeo>| objet.unwrap_err().champ;
+    let boule = |c, r| ObjetGeo::from(SphereGeo::new(c, r, Texture(0)).unwrap());
+    assert_eq!(champ(boule(loin, 1.0).vers_f32(nul)), "centre.z");
+    assert!(boule(loin, 1.0).vers_f32(loin).is_ok());
+    assert_eq!(champ(boule(nul, 1e20).vers_f32(nul)), "rayon");
+    assert_eq!(champ(boule(nul, 1e-60).vers_f32(nul)), "rayon");
+    let infinie = Vecteur::new(0.0, f64::INFINITY, 0.0);
+    assert_eq!(champ(boule(nul, 1.0).vers_f32(infinie)), "translation.y");
+    let cotes = Vecteur::new(1.0, 1e-30, 1.0);
+    let boite = BoiteGeo::new(nul, cotes, Rotation::IDENTITE, Texture(0)).unwrap();
+    assert_eq!(boite.vers_f32(nul).unwrap_err().champ, "dimensions.y (hauteur)");
+    let plan = PlanGeo::new(Rotation::IDENTITE, 1e20, Texture(0)).unwrap();
+    assert_eq!(plan.vers_f32(nul).unwrap_err().champ, "distance");
+    assert_eq!(plan.vers_f32(-loin).unwrap().distance(), 0.0);
+    let rayon = Rayon::new(loin, loin).unwrap();
+    assert_eq!(rayon.vers_f32(nul).unwrap_err().champ, "source.z");
+    assert!(rayon.vers_f32(infinie).unwrap_err().champ.starts_with("source."));
+}
