@@ -8,9 +8,9 @@ use crate::objet::ObjetRay;
 use crate::reel::Reel;
 use crate::vecteur::Vecteur;
 
-/// So much surface a record more must save, in squares of the side of a leaf, if all leaves were alike and the scene of
-/// size 1 (`docs/performance.md`, "Thresholds").
-const PRIX_D_UNE_FICHE: f32 = 1e-3;
+/// So much surface a record more must save, in squares of the side of a leaf, if all leaves were alike among the many
+/// (`docs/performance.md`, "Thresholds").
+const PRIX_D_UNE_FICHE: f32 = 2e-3;
 
 /// Who gets the records for which there is room beyond one for each object.
 pub(crate) struct Partage<R> {

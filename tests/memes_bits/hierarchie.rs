@@ -638,6 +638,10 @@ fn des_geants_parmi_des_petits<R: Bits>() {
             let dalle = BoiteGeo::new(v(0.0, y, 0.0), dalle, Rotation::IDENTITE, Texture(1));
             objets.insert(alea.usize(..=objets.len()), dalle.unwrap().into());
         }
+        if petits == 4_065 {
+            // As many numbers beside the nodes as there are places for.
+            objets.extend((0..15).map(|_| sol::<R>(&mut alea, 20.0)));
+        }
         let rayons = gerbe(&mut alea, &objets, 10.0);
         touches += comparer(&objets, &rayons);
         let mut places = vec![0.0; Hierarchie::places(objets.len())];
@@ -648,6 +652,7 @@ fn des_geants_parmi_des_petits<R: Bits>() {
             (16, 256) | (40, 232) => 17 + 1 + 1,
             (0, 272) => 17 + 2 + 1,
             (16, 4_000) => 251 + 16 + 1 + 1,
+            (16, 4_065) => 256 + 16 + 1 + 1,
             _ => continue,
         };
         assert_eq!(noeuds(&hierarchie), voulus, "{grands} giants, {petits}");
