@@ -628,6 +628,7 @@ fn des_geants_parmi_des_petits<R: Bits>() {
         (40, 232),
         (17, 600),
         (16, 4_000),
+        (16, 4_065),
     ] {
         let mut objets: Vec<_> = (0..petits)
             .map(|i| objet::<R>(&mut alea, direction(&mut Rng::with_seed(i)) * 10.0, 0.1, 0))
