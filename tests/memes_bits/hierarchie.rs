@@ -474,7 +474,9 @@ fn des_touches_au_bord_de_leur_boite<R: Bits>() {
     let mut alea = Rng::with_seed(24);
     let (mut touches, mut dehors) = (0, 0.0_f64);
     for tour in 0..40 * cas() {
-        let [f, loin] = [(); 2].map(|()| deux_puissance(&mut alea, 0.0, 20.0));
+        // In `f64` so far away that what a hit is off by is more than what a box is rounded by.
+        let bits = -R::U.vers_f64().log2() - 4.0;
+        let [f, loin] = [(); 2].map(|()| deux_puissance(&mut alea, 0.0, bits));
         let milieu = direction(&mut alea) * if tour % 3 == 0 { 0.0 } else { loin };
         let b = alea.usize(0..3);
         let mut e = [0.0; 3];
@@ -506,8 +508,9 @@ fn des_touches_au_bord_de_leur_boite<R: Bits>() {
         let hierarchie = Hierarchie::new(&objets, &mut places).unwrap();
         let mut rayons = Vec::new();
         for _ in 0..64 {
-            let unite = if alea.bool() { R::U.vers_f64() } else { f64::from(f32::U) };
-            let ecart = entre(&mut alea, -8.0, 8.0) * unite * (f + milieu.longueur());
+            let loin = R::U.vers_f64() * (f + milieu.longueur());
+            let large = f64::from(f32::U) * (1.0 + milieu.longueur());
+            let ecart = entre(&mut alea, -8.0, 8.0) * if alea.bool() { loin } else { large };
             let s = c + bord + e * ecart - d * f;
             rayons.extend(Rayon::new(arrondi(s), arrondi(d)));
         }
