@@ -504,7 +504,8 @@ fn des_touches_au_bord_de_leur_boite<R: Bits>() {
             let ou = direction(&mut alea) * 0.4 - e * 3.0;
             objet(&mut alea, ou, 0.01, i)
         }));
-        let mut places = vec![0.0; Hierarchie::places(objets.len())];
+        // Every other time long boxes are cut into pieces.
+        let mut places = vec![0.0; [1, 6][tour % 2] * Hierarchie::places(objets.len())];
         let hierarchie = Hierarchie::new(&objets, &mut places).unwrap();
         let mut rayons = Vec::new();
         for _ in 0..64 {
