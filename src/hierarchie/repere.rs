@@ -34,7 +34,7 @@ impl<R: Reel> Repere<R> {
 
     /// The frame of these objects. The many are the inner three quarters.
     pub(crate) fn autour(objets: &[ObjetRay<R>]) -> Self {
-        // An odd step, in step with no pair.
+        // Odd, so that of things that stand in the list by turns all kinds are seen.
         let pas = objets.len().div_ceil(TEMOINS) | 1;
         let (mut temoins, mut nombre) = ([[R::ZERO; TEMOINS]; 3], 0);
         let (mut vus, mut plus_large) = (0, R::ZERO);
