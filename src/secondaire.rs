@@ -142,8 +142,7 @@ impl<R: Reel> Rayon<R> {
     pub fn vers_lumiere(&self, touche: &Intersection<R>, lumiere: Vecteur<R>) -> Option<(Self, R)> {
         let depart = self.depart(touche, false).ok()?; // L1
         let (distance, direction) = (lumiere - depart).longueur_et_unitaire()?; // L2
-        let de_face = direction.produit_scalaire(touche.normale()) > fois_u(TANGENT); // L3
-        de_face.then(|| (Self::sans_verifier(depart, direction), distance))
+        Self::vers_une_lampe(touche, depart, direction, distance)
     }
 
     /// The ray from the point of a hit to a light that is a direction and has no place, a sun, and
@@ -176,8 +175,19 @@ impl<R: Reel> Rayon<R> {
     pub fn vers_soleil(&self, touche: &Intersection<R>, soleil: Vecteur<R>) -> Option<(Self, R)> {
         let (depart, direction) =
             (self.depart(touche, false).ok()?, direction_unitaire(soleil).ok()?);
-        let de_face = direction.produit_scalaire(touche.normale()) > fois_u(TANGENT);
-        de_face.then(|| (Self::sans_verifier(depart, direction), R::INFINI))
+        Self::vers_une_lampe(touche, depart, direction, R::INFINI)
+    }
+
+    /// The shadow ray in this unit direction, with the distance of its light; `None` if the surface faces away.
+    #[inline(always)]
+    fn vers_une_lampe(
+        touche: &Intersection<R>,
+        depart: Vecteur<R>,
+        direction: Vecteur<R>,
+        distance: R,
+    ) -> Option<(Self, R)> {
+        let de_face = direction.produit_scalaire(touche.normale()) > fois_u(TANGENT); // L3
+        de_face.then(|| (Self::sans_verifier(depart, direction), distance))
     }
 
     /// The ray from this hit to another, `cible`, which the ray `autre` found, and the distance

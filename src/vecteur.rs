@@ -167,6 +167,7 @@ impl<R: Reel> Vecteur<R> {
     }
 
     /// The nearest vector in `f32`: each coordinate rounded.
+    #[inline(always)]
     pub(crate) fn vers_f32(self) -> Vecteur<f32> {
         Vecteur::new(simple(self.x), simple(self.y), simple(self.z))
     }

@@ -31,7 +31,8 @@ impl<R: Reel> Partage<R> {
         if restent > 0 {
             let cote = repere.cote_d_une_feuille(objets.len());
             partage.prix = PRIX_D_UNE_FICHE * cote * cote;
-            let somme: f32 = objets.iter().map(|objet| partage.de_plus(objet)).sum();
+            let avec_boite = objets.iter().filter_map(|o| Some((o, o.boite_englobante()?.1)));
+            let somme: f32 = avec_boite.map(|(objet, h)| partage.de_plus(objet, h)).sum();
             partage.part = if somme > 0.0 { (restent as f32 / somme).min(1.0) } else { 0.0 };
         }
         partage
@@ -39,8 +40,7 @@ impl<R: Reel> Partage<R> {
 
     /// How many pieces more than one save time: 0, or at least 1. The boxes of k pieces have the surface a/k + b + ck,
     /// and cost k times the price: the least is at k² = a/(c + price).
-    fn de_plus(&self, objet: &ObjetRay<R>) -> f32 {
-        let Some((_, h)) = objet.boite_englobante() else { return 0.0 };
+    fn de_plus(&self, objet: &ObjetRay<R>, h: Vecteur<R>) -> f32 {
         let axe = grandeurs(objet.demi_axe());
         let [a, c] = [axe, h - axe].map(|h| {
             let [x, y, z] = <[R; 3]>::from(h).map(|l| self.repere.distance(l));
@@ -51,11 +51,11 @@ impl<R: Reel> Partage<R> {
     }
 
     /// Into how many pieces the next object of the list is cut.
-    fn morceaux(&mut self, objet: &ObjetRay<R>) -> usize {
+    fn morceaux(&mut self, objet: &ObjetRay<R>, h: Vecteur<R>) -> usize {
         if self.part == 0.0 {
             return 1;
         }
-        self.du += self.de_plus(objet) * self.part;
+        self.du += self.de_plus(objet, h) * self.part;
         let plus = (self.du as usize).min(self.restent);
         self.du -= plus as f32;
         self.restent -= plus;
@@ -71,7 +71,7 @@ impl<R: Reel> Partage<R> {
         mut recevoir: impl FnMut((Vecteur<f32>, Vecteur<f32>)),
     ) -> bool {
         let Some((c, h)) = objet.boite_englobante() else { return false };
-        let morceaux = self.morceaux(objet);
+        let morceaux = self.morceaux(objet, h);
         let k = R::depuis_f64(morceaux as f64);
         let pas = if morceaux > 1 { objet.demi_axe() / k } else { Vecteur::NUL };
         // The slack is that of an object longer by R, since the roundings of slices are more (lemma 15).

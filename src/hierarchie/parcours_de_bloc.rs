@@ -85,12 +85,15 @@ impl<R: Reel> Arbre<'_, R> {
     ) -> bool {
         bloc.charger(demandes);
         let faisceau = if vont_ensemble(demandes) { bloc.faisceau() } else { None };
-        let sonde = faisceau.map(|faisceau| SondeDeBloc::new(&faisceau, self.repere));
         let avec_boite = self.liste.objets.len() - self.sans_boite.len();
         let peu_d_objets = avec_boite <= OBJETS_PAR_NOMBRE * nombres_par_registre::<R, S>();
-        let boites_inutiles = match &sonde {
-            Some(sonde) => sonde.is_none(),
-            None => peu_d_objets || Sonde::new(demandes[0].rayon(), self.repere).is_none(),
+        let (sonde, boites_inutiles) = if let Some(faisceau) = faisceau {
+            let sonde = SondeDeBloc::new(&faisceau, self.repere);
+            let inutiles = sonde.is_none();
+            (sonde, inutiles)
+        } else {
+            let rayon = demandes[0].rayon();
+            (None, peu_d_objets || Sonde::new(rayon, self.repere).is_none())
         };
         if boites_inutiles {
             bloc.proposer_tous();
@@ -99,7 +102,7 @@ impl<R: Reel> Arbre<'_, R> {
         for &indice in self.sans_boite {
             bloc.proposer(indice_lu(indice));
         }
-        sonde.flatten().is_some_and(
+        sonde.is_some_and(
             #[inline(always)]
             |sonde| self.descendre_en_bloc(simd, &sonde, bloc),
         )

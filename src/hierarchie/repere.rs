@@ -88,7 +88,7 @@ impl<R: Reel> Repere<R> {
             + (loin + large) * fois_u_simple(JEU_F32);
         let (c, h) = (c + decalage * self.echelle, demi * self.echelle);
         let demi = h + Vecteur::new(jeu, jeu, jeu);
-        (simples(c - demi), simples(c + demi))
+        ((c - demi).vers_f32(), (c + demi).vers_f32())
     }
 
     /// The side of a leaf in this frame, if all leaves of so many records were alike among the many.
@@ -124,12 +124,6 @@ pub const JEU_F32: f64 = 7.5;
 
 /// More than is lost below the normal numbers (lemma 15).
 pub(crate) const JEU_SOUS_NORMAL: f32 = 1.0 / (1_u128 << 100) as f32;
-
-/// The nearest vector of such numbers.
-#[inline(always)]
-pub(crate) fn simples<R: Reel>(v: Vecteur<R>) -> Vecteur<f32> {
-    Vecteur::depuis_f64(v.vers_f64())
-}
 
 /// The least and the greatest coordinates of these points.
 pub(crate) fn extremes<R: Reel>(points: impl Iterator<Item = [R; 3]>) -> [Vecteur<R>; 2] {

@@ -3,7 +3,7 @@
 use fearless_simd::Simd;
 
 use crate::hierarchie::noeud::Noeud;
-use crate::hierarchie::repere::{JEU_DISTANCE, JEU_F32, JEU_SOUS_NORMAL, Repere, simples};
+use crate::hierarchie::repere::{JEU_DISTANCE, JEU_F32, JEU_SOUS_NORMAL, Repere};
 use crate::lot::faisceau::Faisceau;
 use crate::rayon::Rayon;
 use crate::reel::{Reel, fois_u, fois_u_simple, max, min, simple};
@@ -45,7 +45,7 @@ impl<R: Reel> Sonde<R> {
         };
         let s = if depart == R::ZERO { y } else { y + d * depart };
         let jeu = loin * fois_u(JEU_DISTANCE) + s.norme_1() * fois_u_simple(JEU_F32);
-        let (s, jeu) = (simples(s), simple(jeu) + JEU_SOUS_NORMAL);
+        let (s, jeu) = (s.vers_f32(), simple(jeu) + JEU_SOUS_NORMAL);
         let axe = |axe: usize, s: f32, d: R| {
             // The sign of 1/D is that of D, of −0 too, and is known before the quotient.
             let d32 = simple(d);
@@ -126,8 +126,8 @@ impl SondeDeBloc {
         // T5
         let (omega, w) = faisceau.axe;
         (simple(jeu) < repere.jeu_maximal).then_some(Self {
-            faces: faisceau.faces.map(|(pi, w)| (simples(pi), limite(pi, w))),
-            omega: simples(omega),
+            faces: faisceau.faces.map(|(pi, w)| (pi.vers_f32(), limite(pi, w))),
+            omega: omega.vers_f32(),
             depart: limite(omega, w),
         })
     }
