@@ -30,7 +30,7 @@ use crate::lot::demande::Demande;
 use crate::lot::{LongueursDifferentes, memes_longueurs, repondre};
 use crate::niveau::{meilleur_niveau, selon_le_niveau};
 use crate::objet::ObjetRay;
-use crate::premier::{Premier, demander};
+use crate::premier::Premier;
 use crate::rangee::Rangee;
 use crate::rayon::Rayon;
 use crate::recherche::{occulte_de, premiere_de};
@@ -189,9 +189,9 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
     /// let touche = autres.premiere_intersection(&rayon)?;
     /// assert_eq!((touche.objet(), touche.distance()), (1, 8.0));
     ///
-    /// // Each bit, or any property, as well; and here nothing is left.
-    /// let vide = autres.parmi(&|indice| scene[indice].texture() != Texture(7));
-    /// assert_eq!(vide.premiere_intersection(&rayon), Err(NoIntersection));
+    /// // By any property; and here nothing is left.
+    /// let pas_rouge = |indice: usize| scene[indice].texture() != Texture(7);
+    /// assert_eq!(autres.parmi(&pas_rouge).premiere_intersection(&rayon), Err(NoIntersection));
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
     #[doc(alias("filter", "mask", "without", "except", "ignore", "exclude", "skip"))]
@@ -350,12 +350,7 @@ fn premiere<R: Reel>(
 /// [`Hierarchie::dans_l_ordre`].
 fn dans_l_ordre<R: Reel>((hierarchie, mut rangee): (&Hierarchie<'_, R>, Rangee<'_, R>)) -> usize {
     let Hierarchie { arbre, niveau } = hierarchie;
-    let rayon = rangee.rayon;
-    if arbre.noeuds.is_empty() {
-        demander(rayon, &mut rangee, arbre.liste.tous());
-    } else {
-        selon_le_niveau!(*niveau, simd => arbre.parcourir(simd, rayon, &mut rangee));
-    }
+    selon_le_niveau!(*niveau, simd => arbre.parcourir(simd, rangee.rayon, &mut rangee));
     rangee.nombre()
 }
 
@@ -378,9 +373,6 @@ fn certaine<R: Reel>(
 ) -> bool {
     let Hierarchie { arbre, niveau } = hierarchie;
     let Some(certificat) = Certificat::new(arbre.liste, rayon, reponse) else { return false };
-    if arbre.noeuds.is_empty() {
-        return certificat.vient_avant_tous(arbre.liste);
-    }
     selon_le_niveau!(*niveau, simd => {
         let mut premier = Premier::avant(certificat.limite());
         arbre.parcourir(simd, &certificat, &mut premier);

@@ -15,6 +15,7 @@ use crate::jugement::coup_d_oeil::coup_d_oeil;
 use crate::jugement::loupe::{Jugement, juger, loupe};
 use crate::liste::Liste;
 use crate::objet::ObjetRay;
+use crate::premier::{Premier, demander};
 use crate::rayon::Rayon;
 use crate::reel::{Reel, fois_u, max};
 
@@ -172,8 +173,10 @@ compilees! {
 
 fn certaine<R: Reel>((objets, rayon, reponse): (&[ObjetRay<R>], &Rayon<R>, &Touche<R>)) -> bool {
     let liste = Liste::entiere(objets);
-    let certificat = Certificat::new(liste, rayon, reponse);
-    certificat.is_some_and(|certificat| certificat.vient_avant_tous(liste))
+    Certificat::new(liste, rayon, reponse).is_some_and(|certificat| {
+        // Nothing that may come before.
+        !demander(&certificat, &mut Premier::avant(R::INFINI), liste.tous())
+    })
 }
 
 /// An answer, of which every object is to be asked whether it comes later.
@@ -223,14 +226,6 @@ impl<'a, R: Reel> Certificat<'a, R> {
             || self.vient_apres_a_la_loupe(objet)
     }
 
-    /// Whether every object of the list comes later.
-    pub(crate) fn vient_avant_tous(&self, liste: Liste<'_, R>) -> bool {
-        liste.tous().all(|(indice, objet)| {
-            // No ray that enters an object passes the ball around it by (lemma 19).
-            !objet.boule().approchee(self.rayon) || self.vient_apres(objet, indice)
-        })
-    }
-
     #[cold]
     fn vient_apres_a_la_loupe(&self, objet: &ObjetRay<R>) -> bool {
         let a_la_loupe = |objet: &ObjetRay<R>| loupe(&objet.en_double(), &self.double);
@@ -249,7 +244,9 @@ impl<R: Reel> Epreuve<R> for Certificat<'_, R> {
     }
 
     #[inline(always)]
-    fn t(&self, _: &Rayon<R>, objet: &ObjetRay<R>, indice: usize, _: bool) -> R {
-        if self.vient_apres(objet, indice) { R::INFINI } else { R::ZERO }
+    fn t(&self, rayon: &Rayon<R>, objet: &ObjetRay<R>, indice: usize, dans_sa_boite: bool) -> R {
+        // No ray that enters an object passes the ball around it by (lemma 19).
+        let proche = dans_sa_boite || objet.boule().approchee(rayon);
+        if !proche || self.vient_apres(objet, indice) { R::INFINI } else { R::ZERO }
     }
 }

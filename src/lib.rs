@@ -103,7 +103,7 @@ extern crate std;
 // (`docs/conception.md`, "The floors").
 //
 //   seize · reel · compile, niveau · vecteur · texture, refus · rotation · rayon · double
-//   intersection · secondaire · forme · sphere, plan, boite · face, objet · liste, epreuve · jugement · premier · rangee
+//   intersection · secondaire · forme · sphere, plan, boite · face, objet · liste, epreuve · premier · jugement, rangee
 //   recherche · lot · hierarchie · pour_les_tests
 mod boite;
 mod compile;

@@ -13,7 +13,7 @@ use crate::reel::Reel;
 use crate::seize::{Aligne, Colonne, Membres, SEIZE, au_plus, prendre, prendre_le_moindre};
 
 impl<R: Reel> Arbre<'_, R> {
-    /// Keeps what the ray enters; if `UN_SUFFIT`, until something is kept.
+    /// Keeps what the ray enters; if `UN_SUFFIT`, until something is kept. A tree without nodes asks its list.
     #[inline(always)]
     pub(crate) fn parcourir<S: Simd, E: Epreuve<R>>(
         &self,
@@ -21,7 +21,9 @@ impl<R: Reel> Arbre<'_, R> {
         epreuve: &E,
         retenus: &mut impl Retenus<R>,
     ) {
-        if !self.demander_aux_sans_boite(epreuve, retenus) {
+        if self.noeuds.is_empty() {
+            demander(epreuve, retenus, self.liste.tous());
+        } else if !self.demander_aux_sans_boite(epreuve, retenus) {
             self.descendre(simd, epreuve, retenus);
         }
     }
