@@ -48,7 +48,7 @@ use crate::seize::SEIZE;
 ///
 /// Its boxes are rounded to some 10⁻⁶ of their distance from the middle of the many, in `f32` also of that of the
 /// source. Objects closer together than that are all tested: fine detail far from most objects costs time, and
-/// never accuracy. A sun, a sky, a ball for a ground cost little (`docs/performance.md`).
+/// never accuracy. A sun, a sky, a ball for a ground cost little (`benches/README.md`).
 ///
 /// ```
 /// use lancer_rayon::{
@@ -109,7 +109,7 @@ impl Hierarchie<'_> {
 impl<'a, R: Reel> Hierarchie<'a, R> {
     /// The hierarchy over this list, in the numbers lent, whose values do not matter.
     ///
-    /// It takes some 0.1 to 0.2 µs an object (`docs/performance.md`). An array on the stack serves as
+    /// It takes some 0.1 to 0.2 µs an object (`benches/README.md`). An array on the stack serves as
     /// well as a `Vec`.
     ///
     /// A longer slice pays for **long boxes that stand askew**: poles, planks, beams. They are cut into pieces, of which
@@ -164,7 +164,7 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
     ///
     /// - **A ray that leaves an object** never hits that object again
     ///   ([`secondaire`](Rayon::secondaire)), and finds the next one sooner without it if the object
-    ///   is a box. Each call copies the hierarchy, some 140 bytes (`docs/performance.md`).
+    ///   is a box. Each call copies the hierarchy, some 140 bytes (`docs/choisir.md`).
     /// - **A lamp of the list**, or the far end of [`vers_touche`](Rayon::vers_touche), does not
     ///   stand before itself.
     ///
