@@ -278,10 +278,9 @@ fn resumer(choix: &Choix, mut cellules: Vec<Cellule>) {
     // What loses a tenth and two fifths.
     let ([a, b], ou) =
         if choix.sur { ([1.0 / 1.1, 1.0 / 1.4], "under") } else { ([1.1, 1.4], "over") };
-    let perdues = |seuil: f64| {
-        cellules.iter().filter(|c| if choix.sur { c.rapport < seuil } else { c.rapport > seuil })
-    };
-    let [un_dixieme, deux_cinquiemes] = [a, b].map(|seuil| perdues(seuil).count());
+    let perdue = |x: f64, seuil| if choix.sur { x < seuil } else { x > seuil };
+    let perdues = |seuil| cellules.iter().filter(|c| perdue(c.rapport, seuil)).count();
+    let [un_dixieme, deux_cinquiemes] = [a, b].map(perdues);
     let moyenne = cellules.iter().map(|c| c.rapport.ln()).sum::<f64>() / cellules.len() as f64;
     println!(
         "of {} cells the mean is {:.2}, {un_dixieme} {ou} {a:.2}, {deux_cinquiemes} {ou} {b:.2}",
