@@ -30,6 +30,7 @@ pub enum Face {
 
 impl Face {
     /// All six.
+    #[doc(alias = "all")]
     pub const TOUTES: [Self; 6] =
         [Self::PlusX, Self::PlusY, Self::PlusZ, Self::MoinsX, Self::MoinsY, Self::MoinsZ];
 

@@ -22,20 +22,19 @@ use fearless_simd::Level;
 
 use crate::compile::compilees;
 use crate::hierarchie::construction::{Arbre, construire, mots};
-use crate::hierarchie::parcours_de_bloc::RAYONS_D_UN_BLOC;
 use crate::intersection::Touche;
 use crate::jugement::Certificat;
-use crate::lot::bloc::{BLOC, Bloc, groupes_vides};
+use crate::liste::{Choix, Liste};
+use crate::lot::bloc::{BLOC, Bloc};
 use crate::lot::demande::Demande;
-use crate::lot::groupe::Groupe;
 use crate::lot::{LongueursDifferentes, memes_longueurs, repondre};
 use crate::niveau::{meilleur_niveau, selon_le_niveau};
 use crate::objet::ObjetRay;
-use crate::premier::Premier;
+use crate::premier::{Premier, demander};
+use crate::rangee::Rangee;
 use crate::rayon::Rayon;
 use crate::recherche::{occulte_de, premiere_de};
 use crate::reel::Reel;
-use crate::seize::SEIZE;
 
 /// A list of objects with a hierarchy of boxes around them: the answers of the list, to the bit, in
 /// a time that grows far more slowly than their number. Half-spaces are asked one by one as in a list.
@@ -150,42 +149,57 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
         Ok(Self { arbre, niveau: meilleur_niveau() })
     }
 
+    /// A hierarchy without a tree: it asks its list, and needs no places. What a [`Hierarchie`] alone answers,
+    /// [`parmi`](Self::parmi), [`premiere_avant`](Self::premiere_avant) and
+    /// [`dans_l_ordre`](Self::dans_l_ordre), it answers of a list.
+    #[doc(alias("from_slice", "brute_force"))]
+    pub fn de_liste(objets: &'a [ObjetRay<R>]) -> Self {
+        Self { arbre: Arbre::sans_noeuds(Liste::entiere(objets)), niveau: meilleur_niveau() }
+    }
+
     /// The list.
     #[doc(alias("objects", "primitives"))]
     pub fn objets(&self) -> &'a [ObjetRay<R>] {
         self.arbre.liste.objets
     }
 
-    /// The same hierarchy without the object at this index of the list: its answers are those of the
-    /// list without that object, and the others keep their indices.
+    /// The same hierarchy among the objects that `prend` takes, by their indices in the list: its answers are those of
+    /// a list of these objects, to the bit, save that each keeps its index.
     ///
-    /// One object is left out at a time: a second `sans` takes the place of the first, and an index
-    /// beyond the list leaves out nothing.
+    /// Every question knows it, shadows, batches and certificates too. A choice among a choice takes what both take.
+    /// `prend` is called for few of the objects that a ray passes by, and for some more than once.
     ///
-    /// - **A ray that leaves an object** never hits that object again
-    ///   ([`secondaire`](Rayon::secondaire)), and finds the next one sooner without it if the object
-    ///   is a box. Each call copies the hierarchy, some 140 bytes (`docs/choisir.md`).
     /// - **A lamp of the list**, or the far end of [`vers_touche`](Rayon::vers_touche), does not
     ///   stand before itself.
+    /// - **Panes** throw no shadow, a robot does not see itself, a plan shows one storey.
+    ///
+    /// A ray that leaves an object needs no choice: it never hits that object again
+    /// ([`secondaire`](Rayon::secondaire)).
     ///
     /// ```
-    /// use lancer_rayon::{Hierarchie, ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
+    /// use lancer_rayon::{Hierarchie, NoIntersection, ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
     ///
-    /// let boule = |z| SphereGeo::new(Vecteur::new(0.0, 0.0, z), 1.0, Texture(0));
-    /// let scene: Vec<ObjetRay> = vec![boule(-4.0)?.into(), boule(-9.0)?.into()];
-    /// let mut places = vec![0.0; Hierarchie::places(scene.len())];
-    /// let hierarchie = Hierarchie::new(&scene, &mut places)?;
+    /// let boule = |z, texture| SphereGeo::new(Vecteur::new(0.0, 0.0, z), 1.0, Texture(texture));
+    /// let scene: Vec<ObjetRay> = vec![boule(-4.0, 0)?.into(), boule(-9.0, 7)?.into()];
+    /// let hierarchie = Hierarchie::de_liste(&scene);
     ///
     /// let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.0, 0.0, -1.0))?;
-    /// let touche = hierarchie.sans(0).premiere_intersection(&rayon)?;
+    /// let sans_la_premiere = |indice| indice != 0;
+    /// let autres = hierarchie.parmi(&sans_la_premiere);
+    /// let touche = autres.premiere_intersection(&rayon)?;
     /// assert_eq!((touche.objet(), touche.distance()), (1, 8.0));
+    ///
+    /// // Each bit, or any property, as well; and here nothing is left.
+    /// let vide = autres.parmi(&|indice| scene[indice].texture() != Texture(7));
+    /// assert_eq!(vide.premiere_intersection(&rayon), Err(NoIntersection));
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
-    #[doc(alias("without", "except", "ignore", "exclude", "skip"))]
+    #[doc(alias("filter", "mask", "without", "except", "ignore", "exclude", "skip"))]
     #[inline]
-    pub fn sans(mut self, objet: usize) -> Self {
-        self.arbre.liste.sauf = (objet < self.objets().len()).then_some(objet);
-        self
+    pub fn parmi<'b>(&'b self, prend: &'b (dyn Fn(usize) -> bool + Sync)) -> Hierarchie<'b, R> {
+        let mut parmi: Hierarchie<'b, R> = *self;
+        parmi.arbre.liste.choix = Some(Choix { prend, parmi: self.arbre.liste.choix.as_ref() });
+        parmi
     }
 
     /// [`premiere_intersection`](fn@crate::premiere_intersection) of the list.
@@ -195,7 +209,68 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
     #[doc(alias("cast_ray", "closest_hit", "first_hit", "raycast"))]
     #[inline]
     pub fn premiere_intersection(&self, rayon: &Rayon<R>) -> Touche<R> {
-        R::demander::<Premiere>((self, rayon))
+        self.premiere_avant(rayon, R::INFINI)
+    }
+
+    /// The first object that the ray enters before this distance: the answer of
+    /// [`premiere_intersection`](Self::premiere_intersection) if that is nearer, else a miss. The less there is before
+    /// the distance, the sooner.
+    ///
+    /// # Errors
+    /// [`NoIntersection`](crate::NoIntersection) if the ray enters no object before; none is before a NaN.
+    ///
+    /// ```
+    /// use lancer_rayon::{Hierarchie, NoIntersection, ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
+    ///
+    /// let boule = SphereGeo::new(Vecteur::new(0.0, 0.0, -4.0), 1.0, Texture(0))?;
+    /// let scene: [ObjetRay; 1] = [boule.into()];
+    /// let hierarchie = Hierarchie::de_liste(&scene);
+    ///
+    /// let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.0, 0.0, -1.0))?;
+    /// assert_eq!(hierarchie.premiere_avant(&rayon, 3.0), Err(NoIntersection)); // at 3, not before
+    /// assert_eq!(hierarchie.premiere_avant(&rayon, 3.5)?.distance(), 3.0);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    #[doc(alias("max_distance", "t_max", "range", "cast_ray"))]
+    #[inline]
+    pub fn premiere_avant(&self, rayon: &Rayon<R>, distance_max: R) -> Touche<R> {
+        R::demander::<Premiere>((self, rayon, distance_max))
+    }
+
+    /// The objects that the ray enters before this distance, as many as there are places, in order: the nearest first,
+    /// of two at the same distance the earlier in the list. Places that are left over become misses. Tells how many
+    /// objects there are here.
+    ///
+    /// It is what asking every object alone and sorting gives, to the bit, also where two objects touch: to go on from
+    /// hit to hit with [`secondaire`](Rayon::secondaire) would lose objects there. Where a ray leaves an object,
+    /// [`sortie`](ObjetRay::sortie) tells. An object in which the ray starts is not entered.
+    ///
+    /// ```
+    /// use lancer_rayon::{Hierarchie, NoIntersection, ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
+    ///
+    /// let boule = |z| SphereGeo::new(Vecteur::new(0.0, 0.0, z), 1.0, Texture(0));
+    /// let scene: [ObjetRay; 3] = [boule(-9.0)?.into(), boule(-4.0)?.into(), boule(-4.5)?.into()];
+    /// let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.0, 0.0, -1.0))?;
+    ///
+    /// let mut touches = [Err(NoIntersection); 4];
+    /// let hierarchie = Hierarchie::de_liste(&scene);
+    /// assert_eq!(hierarchie.dans_l_ordre(&rayon, f64::INFINITY, &mut touches), 3);
+    /// let objets = touches.iter().flatten().map(|touche| touche.objet());
+    /// assert!(objets.eq([1, 2, 0]));
+    ///
+    /// // The first two alone; and those before 3.2.
+    /// assert_eq!(hierarchie.dans_l_ordre(&rayon, f64::INFINITY, &mut touches[..2]), 2);
+    /// assert_eq!(hierarchie.dans_l_ordre(&rayon, 3.2, &mut touches), 1);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    #[doc(alias("all_hits", "multi_hit", "k_nearest", "in_order", "transparency", "picking"))]
+    pub fn dans_l_ordre(
+        &self,
+        rayon: &Rayon<R>,
+        distance_max: R,
+        touches: &mut [Touche<R>],
+    ) -> usize {
+        R::demander::<DansLOrdre>((self, Rangee::vide(self.objets(), rayon, distance_max, touches)))
     }
 
     /// [`est_occulte`](fn@crate::est_occulte) of the list.
@@ -239,14 +314,15 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
     #[doc(alias("is_certain", "certify", "certificate"))]
     #[inline]
     #[must_use]
-    pub fn est_certaine(&self, rayon: &Rayon<R>, touche: &Touche<R>) -> bool {
-        R::demander::<Certaine>((self, rayon, touche))
+    pub fn est_certaine(&self, rayon: &Rayon<R>, reponse: &Touche<R>) -> bool {
+        R::demander::<Certaine>((self, rayon, reponse))
     }
 }
 
 compilees! {
     Batir<'a, R>: (&'a [ObjetRay<R>], &'a mut [f32]) => Arbre<'a, R> = construire;
-    Premiere<'a, R>: (&'a Hierarchie<'a, R>, &'a Rayon<R>) => Touche<R> = premiere;
+    Premiere<'a, R>: (&'a Hierarchie<'a, R>, &'a Rayon<R>, R) => Touche<R> = premiere;
+    DansLOrdre<'a, R>: (&'a Hierarchie<'a, R>, Rangee<'a, R>) => usize = dans_l_ordre;
     Occulte<'a, R>: (&'a Hierarchie<'a, R>, &'a Rayon<R>, R) => bool = occulte;
     Certaine<'a, R>: (&'a Hierarchie<'a, R>, &'a Rayon<R>, &'a Touche<R>) => bool = certaine;
     Premieres<'a, R>: (&'a Hierarchie<'a, R>, &'a [Rayon<R>], &'a mut [Touche<R>])
@@ -255,17 +331,32 @@ compilees! {
         => Result<(), LongueursDifferentes> = en_lot;
 }
 
-/// [`Hierarchie::premiere_intersection`]. As one function of any [`Demande`] this and [`occulte`]
+/// [`Hierarchie::premiere_avant`]. As one function of any [`Demande`] this and [`occulte`]
 /// would take 1.4 times as long (measured).
-fn premiere<R: Reel>((hierarchie, rayon): (&Hierarchie<'_, R>, &Rayon<R>)) -> Touche<R> {
+fn premiere<R: Reel>(
+    (hierarchie, rayon, distance_max): (&Hierarchie<'_, R>, &Rayon<R>, R),
+) -> Touche<R> {
     let Hierarchie { arbre, niveau } = hierarchie;
     if arbre.noeuds.is_empty() {
-        return premiere_de(arbre.liste, rayon);
+        return premiere_de(arbre.liste, rayon, distance_max);
     }
     selon_le_niveau!(*niveau, simd => {
-        let premier = arbre.parcourir(simd, rayon, Premier::avant(R::INFINI));
+        let mut premier = Premier::avant(distance_max);
+        arbre.parcourir(simd, rayon, &mut premier);
         premier.touche(arbre.liste.objets, rayon)
     })
+}
+
+/// [`Hierarchie::dans_l_ordre`].
+fn dans_l_ordre<R: Reel>((hierarchie, mut rangee): (&Hierarchie<'_, R>, Rangee<'_, R>)) -> usize {
+    let Hierarchie { arbre, niveau } = hierarchie;
+    let rayon = rangee.rayon;
+    if arbre.noeuds.is_empty() {
+        demander(rayon, &mut rangee, arbre.liste.tous());
+    } else {
+        selon_le_niveau!(*niveau, simd => arbre.parcourir(simd, rayon, &mut rangee));
+    }
+    rangee.nombre()
 }
 
 /// [`Hierarchie::est_occulte`].
@@ -275,23 +366,25 @@ fn occulte<R: Reel>((hierarchie, rayon, distance_max): (&Hierarchie<'_, R>, &Ray
         return occulte_de(arbre.liste, rayon, distance_max);
     }
     selon_le_niveau!(*niveau, simd => {
-        let premier = Premier::avant(distance_max);
-        arbre.parcourir(simd, &(*rayon, distance_max), premier).rang.is_some()
+        let mut premier = Premier::avant(distance_max);
+        arbre.parcourir(simd, &(*rayon, distance_max), &mut premier);
+        premier.rang.is_some()
     })
 }
 
 /// [`Hierarchie::est_certaine`]: no object may come before the first, or as soon.
 fn certaine<R: Reel>(
-    (hierarchie, rayon, touche): (&Hierarchie<'_, R>, &Rayon<R>, &Touche<R>),
+    (hierarchie, rayon, reponse): (&Hierarchie<'_, R>, &Rayon<R>, &Touche<R>),
 ) -> bool {
     let Hierarchie { arbre, niveau } = hierarchie;
-    let Some(certificat) = Certificat::new(arbre.liste, rayon, touche) else { return false };
+    let Some(certificat) = Certificat::new(arbre.liste, rayon, reponse) else { return false };
     if arbre.noeuds.is_empty() {
         return certificat.vient_avant_tous(arbre.liste);
     }
     selon_le_niveau!(*niveau, simd => {
-        let premier = Premier::avant(certificat.limite());
-        arbre.parcourir(simd, &certificat, premier).rang.is_none()
+        let mut premier = Premier::avant(certificat.limite());
+        arbre.parcourir(simd, &certificat, &mut premier);
+        premier.rang.is_none()
     })
 }
 
@@ -305,18 +398,7 @@ fn en_lot<R: Reel, D: Demande<R>>(
     }
     memes_longueurs(demandes.len(), reponses.len())?;
     selon_le_niveau!(niveau, simd => {
-        // No more memory than the call needs: to set up that of a block costs as much as some rays.
-        let (mut un, mut quatre);
-        let groupes: &mut [Groupe<R>] = if demandes.len() < RAYONS_D_UN_BLOC {
-            &mut []
-        } else if demandes.len() <= SEIZE {
-            un = [Groupe::VIDE];
-            &mut un
-        } else {
-            quatre = groupes_vides();
-            &mut quatre
-        };
-        let mut bloc = Bloc::new(arbre.liste, groupes);
+        let mut bloc = Bloc::new(arbre.liste);
         for (demandes, reponses) in demandes.chunks(BLOC).zip(reponses.chunks_mut(BLOC)) {
             arbre.repondre_au_bloc(simd, &mut bloc, (demandes, reponses));
         }

@@ -129,7 +129,7 @@ fn plus_grand<R: Reel>() -> f64 {
 ///
 /// It is never true of a wrong answer. It is false of a right one only where
 /// [`est_certain`](ObjetRay::est_certain) of some object would be, and of two entries within some 2⁻⁵⁰ of t of
-/// each other: an exact tie, most often, as where the sides of two boxes are flush. Of `touche` only
+/// each other: an exact tie, most often, as where the sides of two boxes are flush. Of `reponse` only
 /// [`objet`](Intersection::objet) counts, whoever found it. The time is that of a ray or two;
 /// [`Hierarchie::est_certaine`](crate::Hierarchie::est_certaine) asks a tree.
 ///
@@ -156,17 +156,21 @@ fn plus_grand<R: Reel>() -> f64 {
 #[doc(alias("is_certain", "certify", "certificate"))]
 #[inline]
 #[must_use]
-pub fn est_certaine<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>, touche: &Touche<R>) -> bool {
-    R::demander::<Certaine>((objets, rayon, touche))
+pub fn est_certaine<R: Reel>(
+    objets: &[ObjetRay<R>],
+    rayon: &Rayon<R>,
+    reponse: &Touche<R>,
+) -> bool {
+    R::demander::<Certaine>((objets, rayon, reponse))
 }
 
 compilees! {
     Certaine<'a, R>: (&'a [ObjetRay<R>], &'a Rayon<R>, &'a Touche<R>) => bool = certaine;
 }
 
-fn certaine<R: Reel>((objets, rayon, touche): (&[ObjetRay<R>], &Rayon<R>, &Touche<R>)) -> bool {
+fn certaine<R: Reel>((objets, rayon, reponse): (&[ObjetRay<R>], &Rayon<R>, &Touche<R>)) -> bool {
     let liste = Liste::entiere(objets);
-    let certificat = Certificat::new(liste, rayon, touche);
+    let certificat = Certificat::new(liste, rayon, reponse);
     certificat.is_some_and(|certificat| certificat.vient_avant_tous(liste))
 }
 
@@ -187,10 +191,10 @@ impl<'a, R: Reel> Certificat<'a, R> {
     pub(crate) fn new(
         liste: Liste<'a, R>,
         rayon: &'a Rayon<R>,
-        touche: &Touche<R>,
+        reponse: &Touche<R>,
     ) -> Option<Self> {
         let (double, plus_grand) = (rayon.vers_f64(), plus_grand::<R>());
-        let Ok(touche) = touche else {
+        let Ok(touche) = reponse else {
             return Some(Self { rayon, double, premier: None, fin: f64::MAX });
         };
         let indice = touche.objet();

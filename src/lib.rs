@@ -102,7 +102,7 @@ extern crate std;
 // (`docs/conception.md`, "The floors").
 //
 //   seize · reel · compile, niveau · vecteur · texture, refus · rotation · rayon · double
-//   intersection · secondaire · forme · sphere, plan, boite · face, objet · liste, epreuve · jugement · premier
+//   intersection · secondaire · forme · sphere, plan, boite · face, objet · liste, epreuve · jugement · premier · rangee
 //   recherche · lot · hierarchie · pour_les_tests
 mod boite;
 mod compile;
@@ -121,6 +121,7 @@ mod plan;
 #[doc(hidden)]
 pub mod pour_les_tests;
 mod premier;
+mod rangee;
 mod rayon;
 mod recherche;
 mod reel;

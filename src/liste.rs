@@ -1,26 +1,47 @@
-//! What a question is asked of: the objects of a list, one of them perhaps left out.
+//! What a question is asked of: the objects of a list, or a choice of them.
 
 use crate::objet::ObjetRay;
 
-/// The objects of a list without the one that is left out. Each keeps its index in the list.
+/// The objects of a list, or some of them. Each keeps its index in the list.
 #[derive(Clone, Copy)]
 pub(crate) struct Liste<'a, R> {
     pub(crate) objets: &'a [ObjetRay<R>],
-    /// The index of the object that is left out.
-    pub(crate) sauf: Option<usize>,
+    pub(crate) choix: Option<Choix<'a>>,
 }
 
-impl<'a, R> Liste<'a, R> {
+/// A choice of objects by their indices.
+#[derive(Clone, Copy)]
+pub(crate) struct Choix<'a> {
+    /// Whether it takes the object at this index.
+    pub(crate) prend: &'a (dyn Fn(usize) -> bool + Sync),
+    /// The choice that this is made among.
+    pub(crate) parmi: Option<&'a Self>,
+}
+
+impl Choix<'_> {
+    /// Whether this and all choices before take the object at this index.
+    pub(crate) fn contient(self, indice: usize) -> bool {
+        (self.prend)(indice) && self.parmi.is_none_or(|parmi| parmi.contient(indice))
+    }
+}
+
+impl<'a, R: Copy> Liste<'a, R> {
     /// All of these objects.
     #[inline(always)]
     pub(crate) fn entiere(objets: &'a [ObjetRay<R>]) -> Self {
-        Self { objets, sauf: None }
+        Self { objets, choix: None }
     }
 
-    /// The object at this index; none if it is left out.
+    /// Whether the choice takes the object at this index.
+    #[inline(always)]
+    pub(crate) fn contient(self, indice: usize) -> bool {
+        self.choix.is_none_or(|choix| choix.contient(indice))
+    }
+
+    /// The object at this index; none if the choice leaves it out.
     #[inline(always)]
     pub(crate) fn objet(self, indice: usize) -> Option<&'a ObjetRay<R>> {
-        if self.sauf == Some(indice) { None } else { self.objets.get(indice) }
+        if self.contient(indice) { self.objets.get(indice) } else { None }
     }
 
     /// Every object, after its index.
@@ -29,7 +50,7 @@ impl<'a, R> Liste<'a, R> {
         let objets = self.objets.iter().enumerate();
         objets.filter(
             #[inline(always)]
-            move |(indice, _)| self.sauf != Some(*indice),
+            move |(indice, _)| self.contient(*indice),
         )
     }
 }

@@ -16,7 +16,7 @@ use fearless_simd::Level;
 use crate::compile::compilees;
 use crate::intersection::Touche;
 use crate::liste::Liste;
-use crate::lot::bloc::{BLOC, Bloc, groupes_vides};
+use crate::lot::bloc::{BLOC, Bloc};
 use crate::lot::demande::Demande;
 use crate::niveau::{meilleur_niveau, selon_le_niveau};
 use crate::objet::ObjetRay;
@@ -145,8 +145,7 @@ pub(crate) fn repondre<R: Reel, D: Demande<R>>(
         return Ok(());
     }
     selon_le_niveau!(niveau, simd => {
-        let mut groupes = groupes_vides();
-        let mut bloc = Bloc::new(liste, &mut groupes);
+        let mut bloc = Bloc::new(liste);
         for (demandes, reponses) in demandes.chunks(BLOC).zip(reponses.chunks_mut(BLOC)) {
             bloc.charger(demandes);
             bloc.proposer_tous();

@@ -12,7 +12,7 @@ use crate::hierarchie::noeud::{VIDE, en_mot};
 use crate::hierarchie::repere::Repere;
 use crate::hierarchie::sonde::SondeDeBloc;
 use crate::liste::Liste;
-use crate::lot::bloc::{Bloc, groupes_vides};
+use crate::lot::bloc::Bloc;
 use crate::niveau::{meilleur_niveau, selon_le_niveau};
 use crate::objet::ObjetRay;
 use crate::rayon::Rayon;
@@ -56,23 +56,24 @@ impl Reglage {
         niveaux.into_iter().filter_map(|(nom, niveau)| Some((nom, Self { niveau: niveau? })))
     }
 
-    /// These objects as a hierarchy that asks its list, however long, with these instructions.
-    pub fn liste<R: Reel>(self, objets: &[ObjetRay<R>]) -> Hierarchie<'_, R> {
-        Hierarchie { arbre: Arbre::sans_noeuds(Liste::entiere(objets)), niveau: self.niveau }
-    }
-
     /// The same hierarchy with these instructions.
     pub fn hierarchie<R: Reel>(self, mut hierarchie: Hierarchie<'_, R>) -> Hierarchie<'_, R> {
         hierarchie.niveau = self.niveau;
         hierarchie
+    }
+
+    /// The same hierarchy with these instructions, and one without a tree that asks the same choice of its list.
+    pub fn facons<R: Reel>(self, hierarchie: Hierarchie<'_, R>) -> [Hierarchie<'_, R>; 2] {
+        let hierarchie = self.hierarchie(hierarchie);
+        let arbre = Arbre::sans_noeuds(hierarchie.arbre.liste);
+        [hierarchie, Hierarchie { arbre, ..hierarchie }]
     }
 }
 
 /// Whether the beam of these shadow rays, one to sixty-four, leaves out the box around this object. It
 /// ends at the lamps, unless one is infinitely far. No answer shows it.
 pub fn evite<R: Reel>(ombres: &[(Rayon<R>, R)], objet: &ObjetRay<R>) -> bool {
-    let mut groupes = groupes_vides();
-    let mut bloc = Bloc::new(Liste::entiere(&[]), &mut groupes);
+    let mut bloc = Bloc::new(Liste::entiere(&[]));
     bloc.charger(ombres);
     bloc.faisceau().is_some_and(|faisceau| {
         let mut repere = Repere::autour(slice::from_ref(objet));
@@ -95,8 +96,7 @@ pub fn evite<R: Reel>(ombres: &[(Rayon<R>, R)], objet: &ObjetRay<R>) -> bool {
 /// shows it.
 pub fn vont_au_bout<R: Reel>(hierarchie: &Hierarchie<'_, R>, rayons: &[Rayon<R>]) -> bool {
     let Hierarchie { arbre, niveau } = hierarchie;
-    let mut groupes = groupes_vides();
-    let mut bloc = Bloc::new(arbre.liste, &mut groupes);
+    let mut bloc = Bloc::new(arbre.liste);
     selon_le_niveau!(*niveau, simd => arbre.chercher_ensemble(simd, &mut bloc, rayons))
 }
 

@@ -1,9 +1,37 @@
-//! The first object of a ray so far.
+//! What a search keeps of what a ray enters: the first object so far.
 
+use crate::epreuve::Epreuve;
 use crate::intersection::{NoIntersection, Rang, Touche};
 use crate::objet::ObjetRay;
 use crate::rayon::Rayon;
 use crate::reel::Reel;
+
+/// What a search keeps of what a ray enters.
+pub(crate) trait Retenus<R> {
+    /// Nothing that is entered farther than this is kept.
+    fn t(&self) -> R;
+
+    /// Keeps the object at this index of the list, entered at distance `t`, if it comes before the last that is kept;
+    /// tells whether.
+    fn retenir(&mut self, t: R, indice: usize) -> bool;
+}
+
+/// Keeps what the ray enters of these objects, each after its index; if `UN_SUFFIT`, until something is kept. Tells
+/// whether something is that suffices.
+#[inline(always)]
+pub(crate) fn demander<'a, R: Reel, E: Epreuve<R>>(
+    epreuve: &E,
+    retenus: &mut impl Retenus<R>,
+    objets: impl Iterator<Item = (usize, &'a ObjetRay<R>)>,
+) -> bool {
+    let copie = *epreuve.rayon();
+    for (indice, objet) in objets {
+        if retenus.retenir(epreuve.t(&copie, objet, indice, false), indice) && E::UN_SUFFIT {
+            return true;
+        }
+    }
+    false
+}
 
 /// The first object of a ray so far, of a list with at most 2³² − 1 objects.
 #[derive(Clone, Copy)]
@@ -28,20 +56,6 @@ impl<R: Reel> Premier<R> {
         (self.t < autre.t) | ((self.t == autre.t) & (rang < son_rang))
     }
 
-    /// Takes the object at this index of the list, entered at distance `t`, instead of this one if
-    /// that object comes before; tells whether.
-    #[inline(always)]
-    pub(crate) fn retenir(&mut self, t: R, indice: usize) -> bool {
-        let trouve = Self { t, rang: Some(Rang::de(indice)) };
-        // Ties, which are rare, behind a branch, and two returns: without that branch a ray alone takes up to 1.16
-        // times as long, where `precede` alone decides up to 1.12 in rooms, with a flag up to 1.5 (measured).
-        if t < self.t || (t == self.t && trouve.precede(*self)) {
-            *self = trouve;
-            return true;
-        }
-        false
-    }
-
     /// The same object for another ray, if that ray enters it before `autre`; else `autre`.
     #[inline(always)]
     pub(crate) fn encore(self, objets: &[ObjetRay<R>], rayon: &Rayon<R>, autre: Self) -> Self {
@@ -56,5 +70,25 @@ impl<R: Reel> Premier<R> {
         let rang = self.rang.ok_or(NoIntersection)?;
         let objet = objets.get(rang.indice()).ok_or(NoIntersection)?;
         Ok(objet.conclure(rayon, self.t, rang))
+    }
+}
+
+/// The first alone.
+impl<R: Reel> Retenus<R> for Premier<R> {
+    #[inline(always)]
+    fn t(&self) -> R {
+        self.t
+    }
+
+    #[inline(always)]
+    fn retenir(&mut self, t: R, indice: usize) -> bool {
+        let trouve = Self { t, rang: Some(Rang::de(indice)) };
+        // Ties, which are rare, behind a branch, and two returns: without that branch a ray alone takes up to 1.16
+        // times as long, where `precede` alone decides up to 1.12 in rooms, with a flag up to 1.5 (measured).
+        if t < self.t || (t == self.t && trouve.precede(*self)) {
+            *self = trouve;
+            return true;
+        }
+        false
     }
 }

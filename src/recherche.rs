@@ -37,18 +37,22 @@ use crate::reel::Reel;
 #[doc(alias("cast_ray", "closest_hit", "first_hit", "raycast"))]
 #[inline]
 pub fn premiere_intersection<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> Touche<R> {
-    premiere_de(Liste::entiere(objets), rayon)
+    premiere_de(Liste::entiere(objets), rayon, R::INFINI)
 }
 
-/// The same of a list without what is left out.
+/// The same of a choice of objects, before this distance.
 #[inline(always)]
-pub(crate) fn premiere_de<R: Reel>(liste: Liste<'_, R>, rayon: &Rayon<R>) -> Touche<R> {
+pub(crate) fn premiere_de<R: Reel>(
+    liste: Liste<'_, R>,
+    rayon: &Rayon<R>,
+    distance_max: R,
+) -> Touche<R> {
     // A copy, which stays in registers.
     let copie = *rayon;
     // An index and not a rank: a list may be longer than there are ranks. In the order of the list none of an
     // equal distance takes the place of an earlier one.
     let mut premier = liste.objets.len();
-    let mut t_premier = R::INFINI;
+    let mut t_premier = distance_max;
     for (indice, objet) in liste.tous() {
         let t = objet.t_si_proche(&copie);
         if t < t_premier {
@@ -80,8 +84,8 @@ impl<R: Reel> ObjetRay<R> {
 /// all; nothing is before a NaN.
 ///
 /// **A lamp that is an object of the list** hides the points of its own surface: no distance is
-/// exact enough to stop just before it. [Leave it out](crate::Hierarchie::sans): over a short list
-/// `Hierarchie::new(&objets, &mut [])` will do.
+/// exact enough to stop just before it. [Leave it out](crate::Hierarchie::parmi); of a plain list
+/// [`Hierarchie::de_liste`](crate::Hierarchie::de_liste) takes such a choice.
 ///
 /// **From inside an object** that object is not seen, as by any ray: a point under a thing that
 /// stands on the floor is not in its shadow. [`contient`](ObjetRay::contient) tells such points.
@@ -114,7 +118,7 @@ pub fn est_occulte<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>, distance_m
     occulte_de(Liste::entiere(objets), rayon, distance_max)
 }
 
-/// The same of a list without what is left out.
+/// The same of a choice of objects.
 #[inline(always)]
 pub(crate) fn occulte_de<R: Reel>(liste: Liste<'_, R>, rayon: &Rayon<R>, distance_max: R) -> bool {
     let copie = *rayon;

@@ -192,7 +192,7 @@ impl<R: Reel> Rayon<R> {
 
     /// The ray from this hit to another, `cible`, which the ray `autre` found, and the distance
     /// between both: whether two points of surfaces see each other is
-    /// `!hierarchie.sans(cible.objet()).est_occulte(&rayon, distance)`. (A hit of an object that was
+    /// `!hierarchie.parmi(&|objet| objet != cible.objet()).est_occulte(&rayon, distance)`. (A hit of an object that was
     /// asked alone has index 0: name its index in the list.)
     ///
     /// Both ends step off their surfaces, as for [`secondaire`](Self::secondaire), so that the ray
@@ -219,7 +219,7 @@ impl<R: Reel> Rayon<R> {
     ///     let touche = |rayon| hierarchie.premiere_intersection(rayon).ok();
     ///     let (depart, cible) = (touche(a)?, touche(b)?);
     ///     let (rayon, distance) = a.vers_touche(&depart, b, &cible)?;
-    ///     Some(!hierarchie.sans(cible.objet()).est_occulte(&rayon, distance))
+    ///     Some(!hierarchie.parmi(&|objet| objet != cible.objet()).est_occulte(&rayon, distance))
     /// };
     /// assert_eq!(se_voient(&a, &b), Some(true));
     /// assert_eq!(se_voient(&c, &b), Some(false)); // the first ball stands between

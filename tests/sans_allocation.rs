@@ -65,7 +65,8 @@ fn aucune_question_n_alloue<R: Reel>() {
     .unwrap();
     for (nom, reglage) in Reglage::tous() {
         sans_allocation(nom, || {
-            reglage.liste(&scene).premieres_intersections(&rayons, &mut touches)
+            let liste = reglage.hierarchie(Hierarchie::de_liste(&scene));
+            liste.premieres_intersections(&rayons, &mut touches)
         })
         .unwrap();
     }
@@ -83,7 +84,15 @@ fn aucune_question_n_alloue<R: Reel>() {
         for rayon in &rayons {
             let questions = || {
                 let touche = hierarchie.premiere_intersection(black_box(rayon));
-                (touche.is_ok(), hierarchie.est_occulte(rayon, R::UN))
+                let mut premieres = [Err(NoIntersection); 3];
+                let autres = hierarchie.parmi(&|objet| objet % 3 > 0);
+                let nombre = autres.dans_l_ordre(rayon, R::INFINI, &mut premieres);
+                (
+                    touche.is_ok(),
+                    autres.premiere_avant(rayon, R::UN).is_ok(),
+                    nombre,
+                    hierarchie.est_occulte(rayon, R::UN),
+                )
             };
             sans_allocation(nom, questions);
         }

@@ -4,6 +4,7 @@
 pub mod figures;
 pub mod image;
 pub mod rendu;
+pub mod scenario;
 pub mod scene;
 pub mod surete;
 pub mod verre;

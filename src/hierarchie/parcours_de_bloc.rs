@@ -4,7 +4,7 @@ use fearless_simd::prelude::*;
 
 use crate::hierarchie::construction::Arbre;
 use crate::hierarchie::noeud::{Noeud, indice_lu};
-use crate::hierarchie::pile::{GRANDE_PILE, Pile, RIEN};
+use crate::hierarchie::pile::Pile;
 use crate::hierarchie::sonde::{Sonde, SondeDeBloc};
 use crate::lot::bloc::Bloc;
 use crate::lot::demande::Demande;
@@ -18,7 +18,7 @@ use crate::seize::{Aligne, SEIZE, prendre};
 const OBJETS_PAR_NOMBRE: usize = 6;
 
 /// Fewer rays than this are asked one by one: in no order eight together take up to twice as long.
-pub(crate) const RAYONS_D_UN_BLOC: usize = 12;
+const RAYONS_D_UN_BLOC: usize = 12;
 
 /// A beam that crosses fewer children of a node than this is not too wide.
 const ENFANTS_CROISES: u32 = SEIZE as u32 / 2;
@@ -56,16 +56,17 @@ impl<R: Reel> Arbre<'_, R> {
             || {
                 for (i, (demande, reponse)) in demandes.iter().zip(reponses).enumerate() {
                     let (rayon, limite) = demande.lire();
-                    let mut premier = if en_bloc {
-                        bloc.premier(i)
+                    let mut premier = Premier::avant(limite);
+                    if en_bloc {
+                        premier = bloc.premier(i);
                     } else {
-                        self.demander_aux_sans_boite(demande, Premier::avant(limite))
-                    };
+                        self.demander_aux_sans_boite(demande, &mut premier);
+                    }
                     if D::UN_SUFFIT && premier.rang.is_none() {
                         premier = dernier.encore(self.liste.objets, &rayon, premier);
                     }
                     if !D::UN_SUFFIT || premier.rang.is_none() {
-                        premier = self.descendre(simd, demande, premier);
+                        self.descendre(simd, demande, &mut premier);
                     }
                     dernier = premier;
                     *reponse = D::reponse(premier, self.liste.objets, &rayon);
@@ -117,8 +118,7 @@ impl<R: Reel> Arbre<'_, R> {
         sonde: &SondeDeBloc,
         bloc: &mut Bloc<'_, R, D>,
     ) -> bool {
-        let mut attentes = [RIEN; GRANDE_PILE];
-        let (mut pile, mut numero) = (Pile::vide(&mut attentes), self.noeuds.len() - 1);
+        let (mut pile, mut numero) = (Pile::vide(), self.noeuds.len() - 1);
         let mut plafond = self.repere.distance(bloc.le_plus_loin());
         while let Some(noeud) = self.noeuds.get(numero) {
             let (mut traverses, Aligne(profondeurs)) = sonde.traverse(simd, noeud, plafond);

@@ -2,6 +2,7 @@
 
 use core::marker::PhantomData;
 
+use arrayvec::ArrayVec;
 use fearless_simd::Simd;
 
 use crate::intersection::Rang;
@@ -18,33 +19,31 @@ use crate::seize::SEIZE;
 /// Rays of a block: a tile of 8 × 8 pixels.
 pub(crate) const BLOC: usize = 4 * SEIZE;
 
-/// The memory of a block.
-#[inline(always)]
-pub(crate) fn groupes_vides<R: Reel>() -> [Groupe<R>; BLOC / SEIZE] {
-    [const { Groupe::VIDE }; BLOC / SEIZE]
-}
-
 /// At most 64 rays with the first object of each so far.
 pub(crate) struct Bloc<'a, R, D> {
     liste: Liste<'a, R>,
     /// How many rays are here, without what stands in for missing ones.
     nombre: usize,
-    groupes: &'a mut [Groupe<R>],
+    /// No more than the call needs: to set up that of a block costs as much as some rays.
+    groupes: ArrayVec<Groupe<R>, { BLOC / SEIZE }>,
     demande: PhantomData<D>,
 }
 
 impl<'a, R: Reel, D: Demande<R>> Bloc<'a, R, D> {
     #[inline(always)]
-    pub(crate) fn new(liste: Liste<'a, R>, groupes: &'a mut [Groupe<R>]) -> Self {
-        Self { liste, nombre: 0, groupes, demande: PhantomData }
+    pub(crate) fn new(liste: Liste<'a, R>) -> Self {
+        Self { liste, nombre: 0, groupes: ArrayVec::new_const(), demande: PhantomData }
     }
 
     /// Puts these rays here, with no object so far.
     #[inline(always)]
     pub(crate) fn charger(&mut self, demandes: &[D]) {
         self.nombre = demandes.len();
-        for (groupe, demandes) in self.groupes.iter_mut().zip(demandes.chunks(SEIZE)) {
-            groupe.charger(demandes, D::lire);
+        for (i, demandes) in demandes.chunks(SEIZE).enumerate() {
+            if i == self.groupes.len() {
+                self.groupes.push(Groupe::VIDE);
+            }
+            self.groupes[i].charger(demandes, D::lire);
         }
     }
 

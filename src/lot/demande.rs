@@ -41,7 +41,7 @@ impl<R: Reel> Demande<R> for Rayon<R> {
     }
 
     fn parmi(&self, liste: Liste<'_, R>) -> Touche<R> {
-        premiere_de(liste, self)
+        premiere_de(liste, self, R::INFINI)
     }
 
     #[inline(always)]

@@ -1,13 +1,13 @@
 //! Every way to an answer, with every instruction set of the machine: the list in a batch, the hierarchy ray by
-//! ray and in a batch, shadows of both; each beside the list ray by ray.
+//! ray and in a batch, before a limit and in order, shadows of both; each beside the list ray by ray.
 
 use lancer_rayon::pour_les_tests::{Reglage, noeuds, sans_boites};
 use lancer_rayon::{
-    Hierarchie, ObjetRay, Rayon, Reel, SphereGeo, Texture, Touche, Vecteur, est_certaine,
-    est_occulte, premiere_intersection,
+    Hierarchie, Intersection, NoIntersection, ObjetRay, Rayon, SphereGeo, Texture, Touche, Vecteur,
+    est_certaine, est_occulte, premiere_intersection,
 };
 
-use crate::conversion::{Bits, mots};
+use crate::conversion::{Bits, Mots, mots};
 
 /// The fewest objects that get a tree; `les_places_pretees` holds it.
 pub const UN_ARBRE: usize = 10;
@@ -29,31 +29,30 @@ fn absurde<R: Bits>() -> Touche<R> {
     boule.intersection(&Rayon::new(z * R::LIMITE, -z).unwrap())
 }
 
-/// These rays have these answers, to the bit, of a list from which the object at the index `sauf` was taken; the first
-/// that differs is named.
+/// These rays have these answers, to the bit, of a list of the objects at the indices `pris`; the first that differs
+/// is named.
 #[track_caller]
 pub fn exiger<R: Bits>(
     facon: &str,
-    objets: &[ObjetRay<R>],
     rayons: &[Rayon<R>],
     obtenues: &[Touche<R>],
     attendues: &[Touche<R>],
-    sauf: Option<usize>,
+    pris: &[usize],
 ) {
     for ((rayon, obtenue), attendue) in rayons.iter().zip(obtenues).zip(attendues) {
         let mut voulus = mots(attendue);
-        voulus.objet = voulus.objet.map(|i| i + usize::from(sauf.is_some_and(|sauf| i >= sauf)));
+        voulus.objet = voulus.objet.map(|i| pris[i]);
         assert_eq!(
             mots(obtenue),
             voulus,
             "{facon}, {}, {} objects: {rayon:?} has {obtenue:?}, alone {attendue:?}",
             std::any::type_name::<R>(),
-            objets.len()
+            pris.len()
         );
     }
 }
 
-/// Asks these rays every question in every way, of all objects and without one that some ray may meet; how many touch
+/// Asks these rays every question in every way, of all objects and of a choice of them; how many touch
 /// something. A list so short that no beam of 64 rays would give up is asked again, repeated until it is longer.
 #[track_caller]
 pub fn comparer<R: Bits>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) -> usize {
@@ -76,11 +75,15 @@ pub fn comparer<R: Bits>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) -> usize {
 /// The same of this very hierarchy.
 #[track_caller]
 pub fn comparer_dans<R: Bits>(hierarchie: &Hierarchie<'_, R>, rayons: &[Rayon<R>]) -> usize {
-    let attendues = comparer_les_facons(rayons, *hierarchie, None);
+    let attendues = comparer_les_facons(rayons, *hierarchie, |_| true);
     // Another one each time, and now and then one that is not there.
     let sauf = rayons.len() % (hierarchie.objets().len() + 1);
     let sauf = attendues.iter().flatten().nth(sauf).map_or(sauf, |touche| touche.objet());
-    comparer_les_facons(rayons, *hierarchie, Some(sauf));
+    let pas_lui = |indice| indice != sauf;
+    // And no more than some of these, by no rule that a walk could follow.
+    let plupart = |indice: usize| indice.wrapping_mul(0x9e37_79b9) >> 7 & 7 > 1;
+    let les_deux = |indice| pas_lui(indice) && plupart(indice);
+    comparer_les_facons(rayons, hierarchie.parmi(&pas_lui).parmi(&plupart), les_deux);
     attendues.iter().flatten().count()
 }
 
@@ -91,40 +94,35 @@ pub fn comparer_sans_boites<R: Bits>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]
     let mut indices = vec![0.0; objets.len()];
     let hierarchie = Hierarchie::new(objets, &mut places).unwrap();
     let hierarchie = sans_boites(hierarchie, &mut indices);
-    let attendues = comparer_les_facons(rayons, hierarchie, None);
+    let attendues = comparer_les_facons(rayons, hierarchie, |_| true);
     let sauf = attendues.iter().flatten().next().unwrap().objet();
-    comparer_les_facons(rayons, hierarchie, Some(sauf));
+    let pas_lui = |indice| indice != sauf;
+    comparer_les_facons(rayons, hierarchie.parmi(&pas_lui), pas_lui);
     for (rayon, touche) in rayons.iter().zip(&attendues) {
         let certaine = est_certaine(objets, rayon, touche);
         assert_eq!(hierarchie.est_certaine(rayon, touche), certaine, "{rayon:?}: {touche:?}");
     }
 }
 
-/// This hierarchy without that object, if there is one to leave out.
-fn sans<R: Reel>(hierarchie: Hierarchie<'_, R>, sauf: Option<usize>) -> Hierarchie<'_, R> {
-    sauf.map_or(hierarchie, |sauf| hierarchie.sans(sauf))
-}
-
-/// The answers of this hierarchy, of its list as a batch and ray by ray, and of shadows, without the object at the
-/// index `sauf`, beside those of the list from which that object was taken, which it returns.
+/// The answers of this hierarchy, of its list as a batch and ray by ray, and of shadows, beside those of the list of the
+/// objects that it is to choose, which it returns.
 #[track_caller]
 fn comparer_les_facons<R: Bits>(
     rayons: &[Rayon<R>],
     hierarchie: Hierarchie<'_, R>,
-    sauf: Option<usize>,
+    prend: impl Fn(usize) -> bool,
 ) -> Vec<Touche<R>> {
-    let objets = hierarchie.objets();
-    let mut restants = objets.to_vec();
-    if let Some(sauf) = sauf.filter(|sauf| *sauf < objets.len()) {
-        let _ = restants.remove(sauf);
-    }
+    let pris: Vec<_> = (0..hierarchie.objets().len()).filter(|indice| prend(*indice)).collect();
+    let restants: Vec<_> = pris.iter().map(|indice| hierarchie.objets()[*indice]).collect();
     let attendues: Vec<_> = rayons.iter().map(|r| premiere_intersection(&restants, r)).collect();
+    let entiere = restants.len() == hierarchie.objets().len();
+    // That takes long: of a few rays.
+    let quelques = (0..rayons.len()).step_by(1 + rayons.len() / 4);
+    let ordres: Vec<_> = quelques.map(|i| (toutes(&rayons[i], &restants, &pris), i)).collect();
     for (nom, reglage) in Reglage::tous() {
-        let nom = format!("{nom}, without {sauf:?}");
-        let (hierarchie, liste) =
-            (sans(reglage.hierarchie(hierarchie), sauf), sans(reglage.liste(objets), sauf));
+        let [hierarchie, liste] = reglage.facons(hierarchie);
         let exiger = |facon: &str, touches: &[Touche<R>]| {
-            exiger(&format!("{nom}, {facon}"), objets, rayons, touches, &attendues, sauf);
+            exiger(&format!("{nom}, {facon}"), rayons, touches, &attendues, &pris);
         };
         let mut touches = vec![absurde(); rayons.len()];
         liste.premieres_intersections(rayons, &mut touches).unwrap();
@@ -136,10 +134,58 @@ fn comparer_les_facons<R: Bits>(
             touches.clear();
             touches.extend(rayons.iter().map(|rayon| hierarchie.premiere_intersection(rayon)));
             exiger(facon, &touches);
+            for (toutes, i) in &ordres {
+                comparer_l_ordre(facon, &rayons[*i], hierarchie, toutes, *i);
+            }
         }
     }
-    comparer_les_ombres(rayons, &attendues, &restants, sans(hierarchie, sauf), sauf);
+    comparer_les_ombres(rayons, &attendues, &restants, hierarchie, entiere);
     attendues
+}
+
+/// All hits of these objects, each asked alone, in order.
+fn toutes<R: Bits>(
+    rayon: &Rayon<R>,
+    objets: &[ObjetRay<R>],
+    indices: &[usize],
+) -> Vec<(Intersection<R>, Mots)> {
+    let touche = |(objet, indice): (&ObjetRay<R>, &usize)| {
+        let touche = objet.intersection(rayon).ok()?;
+        Some((touche, Mots { objet: Some(*indice), ..mots(&Ok(touche)) }))
+    };
+    let mut toutes: Vec<_> = objets.iter().zip(indices).filter_map(touche).collect();
+    // Stable: of equal distances the earlier in the list.
+    toutes.sort_by(|(a, _), (b, _)| a.distance().partial_cmp(&b.distance()).unwrap());
+    toutes
+}
+
+/// The first objects before limits that matter, as many as fit in some places, beside all of them.
+#[track_caller]
+fn comparer_l_ordre<R: Bits>(
+    facon: &str,
+    rayon: &Rayon<R>,
+    hierarchie: Hierarchie<'_, R>,
+    toutes: &[(Intersection<R>, Mots)],
+    i: usize,
+) {
+    let une = toutes.get(i % (toutes.len() + 1)).map_or(R::INFINI, |(touche, _)| touche.distance());
+    let limites = [une, R::INFINI, voisin(une, 1), -R::UN, R::depuis_f64(f64::NAN)];
+    let places = [toutes.len() + 1, 1 + i % 4, i % 2];
+    for (limite, places) in
+        [(R::INFINI, places[0]), (limites[i % 5], places[i % 3]), (voisin(une, 1), places[1])]
+    {
+        let avant = toutes.iter().filter(|(touche, _)| touche.distance() < limite);
+        let voulues: Vec<_> = avant.map(|(_, mots)| *mots).collect();
+        let premiere = voulues.first().copied().unwrap_or_else(|| mots::<R>(&Err(NoIntersection)));
+        let trouvee = hierarchie.premiere_avant(rayon, limite);
+        assert_eq!(mots(&trouvee), premiere, "{facon}, before {limite:?}: {rayon:?}");
+        let mut touches = vec![absurde(); places];
+        let nombre = hierarchie.dans_l_ordre(rayon, limite, &mut touches);
+        let obtenues: Vec<_> = touches[..nombre].iter().map(mots).collect();
+        let voulues = &voulues[..voulues.len().min(places)];
+        assert_eq!(obtenues, voulues, "{facon}, {places} places before {limite:?}: {rayon:?}");
+        assert!(touches[nombre..].iter().all(Result::is_err), "{facon}: {touches:?}");
+    }
 }
 
 /// The same of shadow rays whose lamps are at their first hits, beside them and farther, of some that no segment
@@ -150,12 +196,11 @@ fn comparer_les_ombres<R: Bits>(
     touches: &[Touche<R>],
     restants: &[ObjetRay<R>],
     hierarchie: Hierarchie<'_, R>,
-    sauf: Option<usize>,
+    entiere: bool,
 ) {
-    let objets = hierarchie.objets();
     let etranges = [R::INFINI, R::depuis_f64(f64::NAN), R::ZERO, -R::UN, R::MIN_POSITIF];
     // What is left out changes nothing of what limits are.
-    for paquet in if sauf.is_some() { 1..2 } else { 0..6 } {
+    for paquet in if entiere { 0..6 } else { 1..2 } {
         let mut lampe = R::UN;
         let limite = |(i, touche): (usize, &Touche<R>)| {
             lampe = touche.map_or(lampe, |touche| touche.distance());
@@ -176,7 +221,7 @@ fn comparer_les_ombres<R: Bits>(
         };
         let voulues: Vec<_> = touches.iter().zip(&ombres).map(cachee).collect();
         // Ray by ray where limits are hard: that takes longest.
-        let seules = sauf.is_some() || paquet == 3 || paquet == 4;
+        let seules = !entiere || paquet == 3 || paquet == 4;
         let une_par_une = if seules { &ombres[..] } else { &[] };
         for ((rayon, max), voulue) in une_par_une.iter().zip(&voulues) {
             assert_eq!(est_occulte(restants, rayon, *max), *voulue, "{rayon:?} before {max:?}");
@@ -184,18 +229,14 @@ fn comparer_les_ombres<R: Bits>(
         // The contrary, so that a place which is left out shows.
         let contraires: Vec<_> = voulues.iter().map(|occulte| !occulte).collect();
         for (nom, reglage) in Reglage::tous() {
-            let hierarchie = reglage.hierarchie(hierarchie);
+            let [hierarchie, liste] = reglage.facons(hierarchie);
             let (mut de_la_liste, mut de_l_arbre) = (contraires.clone(), contraires.clone());
-            let liste = sans(reglage.liste(objets), sauf);
             liste.sont_occultes(&ombres, &mut de_la_liste).unwrap();
             hierarchie.sont_occultes(&ombres, &mut de_l_arbre).unwrap();
-            let n = objets.len();
+            let n = restants.len();
             let exiger = |facon: &str, ombre: &(Rayon<R>, R), occulte: bool, voulue: bool| {
                 let scalaire = std::any::type_name::<R>();
-                assert_eq!(
-                    occulte, voulue,
-                    "{facon}, {nom}, {scalaire}, {n} objects without {sauf:?}: {ombre:?}"
-                );
+                assert_eq!(occulte, voulue, "{facon}, {nom}, {scalaire}, {n} objects: {ombre:?}");
             };
             let en_lot = de_la_liste.into_iter().zip(de_l_arbre);
             for ((ombre, voulue), (liste, arbre)) in ombres.iter().zip(&voulues).zip(en_lot) {

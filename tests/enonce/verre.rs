@@ -68,7 +68,8 @@ fn la_lumiere_trouve_la_table_sous_le_verre<R: Reel>() {
                     rayon.direction() - entree.normale() * R::depuis_f64(0.5)
                 };
                 let Ok(dedans) = rayon.secondaire(&entree, vers) else { continue };
-                let touche = hierarchie.sans(1).premiere_intersection(&dedans).ok();
+                let touche =
+                    hierarchie.parmi(&|objet| objet != 1).premiere_intersection(&dedans).ok();
                 let Some((retour, sortie)) = sortir(&scene[1], &dedans, loin) else { continue };
                 let n = sortie.normale().vers_f64();
                 let dehors = retour.secondaire(&sortie, dedans.direction()).unwrap();

@@ -1,106 +1,126 @@
-//! `docs/lexique.md` has every public name and every English word by which `cargo doc` finds it.
+//! `cargo doc` finds every public name by English words, and those of `docs/conventions.md` are among them.
 
 use std::collections::BTreeMap;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-/// What each page of the sources is about, in the order of the lexicon.
-const PARTIES: [(&str, &[&str]); 8] = [
-    ("Scalars and vectors", &["reel", "vecteur"]),
-    ("Rotations", &["rotation"]),
-    ("Objects", &["objet", "sphere", "plan", "boite", "face", "texture"]),
-    ("Rays", &["rayon"]),
-    ("Hits, and the rays that start there", &["intersection", "secondaire"]),
-    ("One ray and a list", &["recherche", "jugement"]),
-    ("Many rays, many objects", &["lot", "hierarchie"]),
-    ("Errors", &["refus"]),
-];
+/// Public names that are the same word in both languages.
+const MEMES: [&str; 8] = ["Rotation", "ZERO", "abs", "direction", "sqrt", "x", "y", "z"];
 
-fn racine() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
+/// The names of the page.
+const SUR_LA_PAGE: usize = 25;
+
+/// Each public name, with its English words.
+type Lexique = BTreeMap<String, Vec<String>>;
+
+/// The types and functions that `src/lib.rs` makes public.
+fn exportes(racine: &Path) -> Vec<String> {
+    let lib = fs::read_to_string(racine.join("src/lib.rs")).unwrap();
+    let lignes = lib.lines().filter_map(|ligne| ligne.strip_prefix("pub use "));
+    lignes.flat_map(|ligne| mots(ligne).skip(1).map(str::to_owned).collect::<Vec<_>>()).collect()
 }
 
-/// The public names of a source, each with its aliases, in their order.
-fn noms(source: &str) -> Vec<(String, Vec<String>)> {
-    let mut noms: Vec<(String, Vec<String>)> = Vec::new();
-    let mut alias = Vec::new();
-    let mut cache = false;
-    for ligne in source.lines().map(str::trim) {
-        if ligne.starts_with("#[doc(alias") {
+fn mots(texte: &str) -> impl Iterator<Item = &str> {
+    texte.split(|c: char| !c.is_alphanumeric() && c != '_').filter(|mot| !mot.is_empty())
+}
+
+/// Adds what this source has of public names: the exported items, and what stands in them with `pub`, in a
+/// trait without, in an enum if it has an alias: the faces of a box are found by their enum.
+fn noter(source: &str, exportes: &[String], lexique: &mut Lexique) {
+    let mut alias: Vec<String> = Vec::new();
+    // The item around a line, if it is exported: its first word.
+    let mut autour = None;
+    for ligne in source.lines() {
+        let nue = ligne.trim_start();
+        if nue.starts_with("#[doc(alias") {
             // Every other piece stands between quotes.
-            alias.extend(ligne.split('"').skip(1).step_by(2).map(str::to_owned));
-        } else if ligne == "#[doc(hidden)]" {
-            cache = true;
-        } else if ligne.starts_with("#[") || ligne.starts_with("//") || ligne.is_empty() {
-        } else {
-            let nom = nom_public(ligne).or_else(|| nom_de_trait_ou_de_variante(ligne, &alias));
-            if let Some(nom) = nom.filter(|_| !cache) {
-                match noms.iter_mut().find(|(autre, _)| *autre == nom) {
-                    Some((_, mots)) => mots.append(&mut alias),
-                    None => noms.push((nom, std::mem::take(&mut alias))),
-                }
+            alias.extend(nue.split('"').skip(1).step_by(2).map(|mot| mot.replace('_', " ")));
+            continue;
+        } else if nue.starts_with("#[") || nue.starts_with("//") || nue.is_empty() {
+            continue;
+        }
+        let dehors = nue.len() == ligne.len();
+        let publique = nue.strip_prefix("pub ");
+        let suite = publique.unwrap_or(nue).trim_start_matches("const fn ");
+        let sorte = mots(suite).next().unwrap_or_default();
+        let declare = ["fn", "struct", "enum", "trait", "type", "const"].contains(&sorte);
+        let nom = if declare { mots(suite).nth(1) } else { mots(suite).next() };
+        let nom = nom.unwrap_or_default();
+        let exporte = |nom: &str| exportes.iter().any(|autre| autre == nom);
+        let est_publique = if dehors {
+            if sorte == "impl" {
+                // After the parameters, as in `impl<R: Reel> Rayon<R> {`.
+                let parametres = nue.strip_prefix("impl<").and_then(|suite| suite.split_once("> "));
+                let type_seul = parametres.map_or(&nue[sorte.len()..], |(_, suite)| suite);
+                let de = mots(type_seul).next().unwrap_or_default();
+                autour = (exporte(de) && !nue.contains(" for ")).then_some("impl");
+            } else if nue != "}" && !nue.starts_with(['{', ')', 'w']) {
+                autour = (publique.is_some() && exporte(nom)).then_some(sorte);
             }
-            alias.clear();
-            cache = false;
+            publique.is_some() && declare && exporte(nom)
+        } else {
+            ligne.starts_with("    ")
+                && !ligne.starts_with("     ")
+                && match autour {
+                    Some("trait") => declare,
+                    Some("enum") => !alias.is_empty(),
+                    _ => autour.is_some() && publique.is_some(),
+                }
+        };
+        if est_publique {
+            lexique.entry(nom.to_owned()).or_default().append(&mut alias);
+        }
+        alias.clear();
+    }
+}
+
+fn lexique(racine: &Path) -> Lexique {
+    let exportes = exportes(racine);
+    let mut lexique = Lexique::new();
+    let mut dossiers = vec![racine.join("src")];
+    while let Some(dossier) = dossiers.pop() {
+        for entree in fs::read_dir(dossier).unwrap() {
+            let chemin = entree.unwrap().path();
+            if chemin.is_dir() {
+                dossiers.push(chemin);
+            } else {
+                noter(&fs::read_to_string(&chemin).unwrap(), &exportes, &mut lexique);
+            }
         }
     }
-    noms
-}
-
-fn nom_public(ligne: &str) -> Option<String> {
-    let suite = ligne.strip_prefix("pub ")?;
-    let mots = ["const fn ", "fn ", "struct ", "enum ", "trait ", "type ", "const ", ""];
-    let suite = mots.iter().find_map(|mot| suite.strip_prefix(mot))?;
-    let nom = premier_mot(suite);
-    (nom != "mod" && nom != "use" && !nom.is_empty()).then(|| nom.to_owned())
-}
-
-/// What stands in a public trait or enum has no `pub`; with an alias it is public.
-fn nom_de_trait_ou_de_variante(ligne: &str, alias: &[String]) -> Option<String> {
-    let suite = ["fn ", "const "].iter().find_map(|mot| ligne.strip_prefix(mot)).unwrap_or(ligne);
-    let nom = premier_mot(suite);
-    (!alias.is_empty() && !nom.is_empty()).then(|| nom.to_owned())
-}
-
-fn premier_mot(texte: &str) -> &str {
-    texte.split(|c: char| !c.is_alphanumeric() && c != '_').next().unwrap_or_default()
+    for nom in &exportes {
+        assert!(lexique.contains_key(nom), "nowhere: {nom}");
+    }
+    lexique
 }
 
 #[test]
-fn le_lexique_est_a_jour() {
-    let mut page = String::from(
-        "# Names\n\nThe names are the handout's, in French and in ASCII. `cargo doc` finds each by these English words as \
-         well.\nWritten by `tests/fichiers/lexique.rs`, which also checks that it holds each name that has one:\n\n\
-         ```sh\nLANCER_RAYON_ECRIRE=1 cargo test --all-features --test fichiers lexique\n```\n",
-    );
-    for (titre, fichiers) in PARTIES {
-        page += &format!("\n## {titre}\n\n| here | in English |\n|---|---|\n");
-        let mut vus = BTreeMap::new();
-        let mut ordre = Vec::new();
-        for fichier in fichiers {
-            let source = fs::read_to_string(racine().join(format!("src/{fichier}.rs"))).unwrap();
-            for (nom, mots) in noms(&source) {
-                let tous: &mut Vec<String> = vus.entry(nom.clone()).or_default();
-                if !ordre.contains(&nom) {
-                    ordre.push(nom);
-                }
-                for mot in mots {
-                    if !tous.contains(&mot) {
-                        tous.push(mot);
-                    }
-                }
-            }
-        }
-        // A name without a word of its own, as `direction`, is English already.
-        for nom in ordre.into_iter().filter(|nom| !vus[nom].is_empty()) {
-            page += &format!("| `{nom}` | {} |\n", vus[&nom].join(", ").replace('_', " "));
+fn chaque_nom_public_a_un_mot_anglais() {
+    let lexique = lexique(Path::new(env!("CARGO_MANIFEST_DIR")));
+    let sans: Vec<_> =
+        lexique.iter().filter(|(_, mots)| mots.is_empty()).map(|(nom, _)| nom).collect();
+    assert_eq!(sans, MEMES, "names without an alias, and those that need none");
+}
+
+/// Each name of the section is followed by one of its words.
+#[test]
+fn les_noms_de_la_page_ont_les_mots_de_la_documentation() {
+    let racine = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let page = fs::read_to_string(racine.join("docs/conventions.md")).unwrap();
+    let (_, section) = page.split_once("\n## Names\n").expect("the names");
+    let section = section.split("\n## ").next().unwrap();
+    let lexique = lexique(racine);
+    let mut combien = 0;
+    for ligne in section.lines().filter(|ligne| ligne.contains("| `")) {
+        // Names stand between backquotes, words between them.
+        let (noms, mots) =
+            (ligne.split('`').skip(1).step_by(2), ligne.split('`').skip(2).step_by(2));
+        for (nom, mot) in noms.zip(mots) {
+            let mot = mot.trim_end_matches(['|', ' ']).trim_matches([',', ' ']);
+            let permis = lexique.get(nom).unwrap_or_else(|| panic!("{nom} is not public"));
+            assert!(permis.iter().any(|autre| autre == mot), "{nom}: {mot} is none of {permis:?}");
+            combien += 1;
         }
     }
-    let chemin: PathBuf = racine().join("docs/lexique.md");
-    if std::env::var_os("LANCER_RAYON_ECRIRE").is_some() {
-        fs::write(&chemin, &page).unwrap();
-    }
-    let ecrite = fs::read_to_string(&chemin).unwrap_or_default();
-    let autre = ecrite.lines().zip(page.lines()).find(|(ecrite, ligne)| ecrite != ligne);
-    assert!(ecrite == page, "docs/lexique.md is stale, write it again: {autre:?}");
+    assert_eq!(combien, SUR_LA_PAGE);
 }

@@ -6,5 +6,6 @@ mod figures;
 mod lexique;
 mod pixels;
 mod rendu;
+mod scenario;
 mod scenes;
 mod serde;

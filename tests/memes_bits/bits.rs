@@ -28,17 +28,19 @@ fn memes_bits<R: Bits + DeserializeOwned>(nom: &str, attendue: u64) {
     let objets: Vec<_> = scene.objets.into_iter().map(ObjetRay::from).collect();
     let rayons: Vec<Rayon<R>> = scene.camera.rayons().unwrap();
     let seules: Vec<_> = rayons.iter().map(|r| premiere_intersection(&objets, r)).collect();
+    let tous: Vec<_> = (0..objets.len()).collect();
     let obtenue = empreinte_de(&seules);
     assert_eq!(obtenue, attendue, "{nom}, {}: {obtenue:#018x}", std::any::type_name::<R>());
     for (jeu, reglage) in Reglage::tous() {
         let mut touches = vec![Err(NoIntersection); rayons.len()];
-        reglage.liste(&objets).premieres_intersections(&rayons, &mut touches).unwrap();
-        exiger(&format!("{nom}, {jeu}"), &objets, &rayons, &touches, &seules, None);
+        let liste = reglage.hierarchie(Hierarchie::de_liste(&objets));
+        liste.premieres_intersections(&rayons, &mut touches).unwrap();
+        exiger(&format!("{nom}, {jeu}"), &rayons, &touches, &seules, &tous);
     }
     let mut places = vec![0.0; Hierarchie::places(objets.len())];
     let hierarchie = Hierarchie::new(&objets, &mut places).unwrap();
     let touches: Vec<_> = rayons.iter().map(|r| hierarchie.premiere_intersection(r)).collect();
-    exiger(&format!("{nom}, hierarchy"), &objets, &rayons, &touches, &seules, None);
+    exiger(&format!("{nom}, hierarchy"), &rayons, &touches, &seules, &tous);
 }
 
 /// Scenes and rays from sums, products and quotients of random numbers alone, which are the same on every

@@ -47,7 +47,7 @@ fn juger<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> bool {
         assert!(par_l_arbre || !certaine, "less certain by the tree: {}", contexte());
         // What would be first without the first is wrong, and so is a miss.
         let Some(exact) = exact else { continue };
-        let suivante = hierarchie.sans(exact).premiere_intersection(rayon);
+        let suivante = hierarchie.parmi(&|indice| indice != exact).premiere_intersection(rayon);
         for fausse in [suivante, Err(NoIntersection)] {
             assert!(!est_certaine(objets, rayon, &fausse), "{fausse:?}: {}", contexte());
             assert!(!hierarchie.est_certaine(rayon, &fausse), "tree, {fausse:?}: {}", contexte());
@@ -196,11 +196,12 @@ fn sans_un_objet_il_n_est_pas_certain() {
         let mut places = vec![0.0; Hierarchie::places(objets.len())];
         let hierarchie = Hierarchie::new(&objets, &mut places).unwrap();
         let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.0, 0.0, -1.0)).unwrap();
-        let [premiere, suivante] =
-            [hierarchie, hierarchie.sans(0)].map(|h| h.premiere_intersection(&rayon));
+        let pas_elle = |indice| indice != 0;
+        let autres = hierarchie.parmi(&pas_elle);
+        let [premiere, suivante] = [hierarchie, autres].map(|h| h.premiere_intersection(&rayon));
         assert!(hierarchie.est_certaine(&rayon, &premiere));
-        assert!(!hierarchie.sans(0).est_certaine(&rayon, &premiere));
-        assert!(hierarchie.sans(0).est_certaine(&rayon, &suivante));
+        assert!(!autres.est_certaine(&rayon, &premiere));
+        assert!(autres.est_certaine(&rayon, &suivante));
         assert!(!hierarchie.est_certaine(&rayon, &suivante));
     }
 }

@@ -93,12 +93,12 @@ fn sans<'a, R: Reel>(h: Hierarchie<'a, R>, lances: &'a Lances<R>) -> Option<Conc
     let sans = ("single, sans", Camp::Sans);
     let concurrent = if ombres.is_empty() {
         let premiere = move |((rayon, _), objet): &(Lance<R>, usize)| {
-            h.sans(*objet).premiere_intersection(rayon)
+            h.parmi(&|indice| indice != *objet).premiere_intersection(rayon)
         };
         Concurrent::un_par_un(sans, partis, premiere, nous::dire)
     } else {
         let ombre = move |((rayon, max), objet): &(Lance<R>, usize)| {
-            h.sans(*objet).est_occulte(rayon, *max)
+            h.parmi(&|indice| indice != *objet).est_occulte(rayon, *max)
         };
         Concurrent::un_par_un(sans, partis, ombre, cachee)
     };

@@ -1,0 +1,58 @@
+//! From a file to a lit picture, in as few lines as may be: the program at the head of `docs/README.md`, where a
+//! student copies it, and `tests/fichiers/scenario.rs` runs it.
+
+use std::error::Error;
+
+use crate::scene::Scene;
+use lancer_rayon::*;
+
+/// What the handout calls a scenario: a scene as `scene.rs` reads it, its colours and its light.
+#[derive(serde::Deserialize)]
+struct Scenario {
+    ambiante: f64,
+    lampes: Vec<Lampe>,
+    /// Of each texture, red, green and blue from 0 to 1.
+    couleurs: Vec<Vecteur>,
+    scene: Scene<f64>,
+}
+
+#[derive(serde::Deserialize)]
+struct Lampe {
+    position: Vecteur,
+    eclat: f64,
+}
+
+/// The picture of this scenario, as the text of a PPM file.
+pub fn image(scenario: &str) -> Result<String, Box<dyn Error>> {
+    let Scenario { ambiante, lampes, couleurs, scene } = ron::from_str(scenario)?;
+    let objets: Vec<ObjetRay> = scene.objets.iter().map(|objet| objet.vers_ray()).collect();
+    let mut places = vec![0.0; Hierarchie::places(objets.len())];
+    let monde = Hierarchie::new(&objets, &mut places)?;
+
+    let (largeur, hauteur) = scene.camera.image;
+    let mut image = format!("P3 {largeur} {hauteur} 255\n");
+    for rayon in scene.camera.rayons()? {
+        let mut couleur = Vecteur::NUL;
+        if let Ok(touche) = monde.premiere_intersection(&rayon) {
+            let mut lumiere = ambiante;
+            for lampe in &lampes {
+                let vers = rayon.vers_lumiere(&touche, lampe.position);
+                let libre = vers.filter(|(ombre, loin)| !monde.est_occulte(ombre, *loin));
+                if let Some((ombre, _)) = libre {
+                    lumiere += lampe.eclat * ombre.direction().produit_scalaire(touche.normale());
+                }
+            }
+            let texture = touche.texture().0 as usize;
+            couleur = *couleurs.get(texture).ok_or("a texture without a colour")? * lumiere;
+        }
+        // A screen wants the root of the light; above 255 `as u8` stays there.
+        let [r, v, b] = <[f64; 3]>::from(couleur).map(|c| (255.0 * c.sqrt()) as u8);
+        image += &format!("{r} {v} {b}\n");
+    }
+    Ok(image)
+}
+
+pub fn main() -> Result<(), Box<dyn Error>> {
+    let scenario = std::fs::read_to_string("scenario.ron")?;
+    Ok(std::fs::write("image.ppm", image(&scenario)?)?)
+}
