@@ -20,8 +20,9 @@ pub const ARRONDI_HAUTEUR: f64 = 4.0;
 pub const VERS_LE_HAUT: f64 = 10.0;
 
 /// A margin is larger by this length, in `f32` and in `f64`: more than is lost below the normal
-/// numbers (lemma 7), and so much that neither a margin nor a start over a floor through O is a
-/// subnormal number, with which processors compute up to a hundred times as long.
+/// numbers (lemma 7), and so much that no margin is a subnormal number, with which processors compute up
+/// to a hundred times as long. Nor is a start over a floor through O, unless a coordinate of its normal
+/// is below 2⁻²⁶ (`f64`: 2⁻¹²²) and not 0, as a turn of π by rounding leaves one in `f32`.
 pub const PLANCHER: (f64, f64) = (puissance_de_deux(-100), puissance_de_deux(-900));
 
 /// A normal that does not face the source is leaned towards it by so many u (lemma 6).

@@ -84,9 +84,9 @@ impl<R: Reel> ObjetRay<R> {
     /// of exact arithmetic on the numbers as they are stored.
     ///
     /// It is never true of a wrong answer. It is false of a right one only within some 2⁻¹⁰⁰|S − C| of a
-    /// face or 2⁻¹⁰⁰|S − C|²/r of the outline of a sphere, for boxes thinner than 2⁻¹⁰⁰|S − C|, where
-    /// products leave the normal numbers of `f64`, and of a hit whose distance the type can hardly hold. Of
-    /// a list: [`est_certaine`].
+    /// face or 2⁻¹⁰⁰|S − C|²/r of the outline of a sphere, for boxes thinner than 2⁻¹⁰⁰|S − C|, of a
+    /// direction within some 2⁻¹⁰⁰ of the plane of a turned face, where products leave the normal numbers
+    /// of `f64`, and of a hit whose distance the type can hardly hold. Of a list: [`est_certaine`].
     ///
     /// ```
     /// use lancer_rayon::{ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
@@ -128,8 +128,10 @@ fn plus_grand<R: Reel>() -> f64 {
 /// object first, or none as well. (Which face of a box, at an edge, is not asked.)
 ///
 /// It is never true of a wrong answer. It is false of a right one only where
-/// [`est_certain`](ObjetRay::est_certain) of some object would be, and of two entries within some 2⁻⁵⁰ of t of
-/// each other: an exact tie, most often, as where the sides of two boxes are flush. Of `reponse` only
+/// [`est_certain`](ObjetRay::est_certain) of some object would be, where no distance is promised, and of two
+/// entries nearer to each other than some 2⁻⁵⁰(κ + κ′)·t, twice what both distances are promised to in `f64`
+/// (`docs/precision.md`; κ is large where a ray grazes). Most often that is an exact tie, as where the sides
+/// of two boxes are flush. Of `reponse` only
 /// [`objet`](Intersection::objet) counts, whoever found it. The time is that of a ray or two;
 /// [`Hierarchie::est_certaine`](crate::Hierarchie::est_certaine) asks a tree.
 ///

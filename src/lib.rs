@@ -90,7 +90,8 @@
 //!
 //! `std` (default) brings the hardware square root; batches and [`Hierarchie`] then choose the best
 //! instruction set of the machine at run time. Without `std` the crate needs `core` alone, uses the
-//! instruction set that it is compiled for, and gives the same bits. `serde` reads and writes
+//! instruction set that it is compiled for, and gives the same bits (of subnormal numbers too, unless
+//! they are switched off in the thread). `serde` reads and writes
 //! `Vecteur`, `Rotation`, `Texture`, `Rayon` and the describing types, through the same checks as
 //! their constructors. Nothing allocates, nothing is `unsafe`.
 #![no_std]

@@ -201,7 +201,8 @@ impl<R: Reel> Rayon<R> {
     /// are convex, and one that faces the ray hides no point of its own. `None` if either surface
     /// faces away from the other point, to the 3.2u of [`vers_lumiere`](Self::vers_lumiere), or
     /// where that cannot compute. With both hits exchanged the answer is the same distance and the
-    /// opposite direction, exactly, or `None` again.
+    /// opposite direction, exactly, or `None` again; what stands between is the same both ways, but
+    /// within rounding of a third object, that the line grazes or one hit lies against.
     ///
     /// ```
     /// use lancer_rayon::{Hierarchie, PlanGeo, Rayon, SphereGeo, Texture, Vecteur};

@@ -194,7 +194,7 @@ pub struct Entree {
     pub t: Exact,
     /// The normal; beside an edge, those of all the faces entered within the band.
     normales: Vec<Point>,
-    /// κt = (|f| + r + t)/v: what an error of the distance is counted in, times u.
+    /// κt = (|f| + r + t)/v, at a flat face over v − 3.1u: what an error of the distance is counted in, times u.
     pub kappa_t: f64,
     /// K of the promise.
     pub k: f64,
@@ -222,6 +222,11 @@ impl Entree {
         let d = point(rayon.direction());
         let entree = &self.t * &scalaire(&d, &d).racine(-PRECISION);
         (&(&Exact::de(t) - &entree) * &Exact::de(k)).vers_f64()
+    }
+
+    /// How far this entry lies after another.
+    pub fn ecart_de(&self, autre: &Self) -> f64 {
+        (&self.t - &autre.t).vers_f64()
     }
 
     /// The sine of the angle between a normal and the true one that is allowed where the distance is off by

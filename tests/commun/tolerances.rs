@@ -76,6 +76,8 @@ pub mod promesses {
     pub const LIEU_F: f64 = 4.1;
     pub const LIEU_T: f64 = 12.1;
     pub const LIEU_P: f64 = 1.1;
+    /// The coordinates of a hit along a face of a box, in u(|f| + t)/l (lemma 14).
+    pub const LIEU_FACE: f64 = 6.1;
     /// How far outside a sphere the point S + tD of its hit may lie, in u(|f| + r) (lemma 14).
     pub const LIEU_SPHERE: f64 = 13.0;
     /// The sine of the angle between the normal of a sphere and the true one, in u(1 + |f|/r), beside |Δt|·|D|/r

@@ -4,7 +4,7 @@
 use commun::oracle::{Exact, verite};
 use commun::regimes::{Genre, direction, entre, regimes};
 use commun::scenes::rayons_camera;
-use commun::tolerances::u;
+use commun::tolerances::{promesses, u};
 use commun::{arrondi, en_f32_et_f64};
 use fastrand::Rng;
 use lancer_rayon::{
@@ -54,7 +54,7 @@ fn juger_le_lieu<R: Reel>(boite: &BoiteRay<R>, rayon: &Rayon<R>, touche: &Inters
 
     let t = touche.distance();
     let f = (rayon.source() - boite.centre()).longueur().vers_f64();
-    let permis = 6.1 * u::<R>() * (f + t.vers_f64());
+    let permis = promesses::LIEU_FACE * u::<R>() * (f + t.vers_f64());
     let mut pire = 0.0_f64;
     let exactes = dans_la_boite(boite, rayon, &Exact::de(t));
     for (i, exacte) in exactes.into_iter().enumerate().filter(|(i, _)| *i != axe) {

@@ -1,5 +1,5 @@
 //! A floor at y = 0, what every scene begins with: its points under things are dark, and nothing that starts there is a
-//! subnormal number.
+//! subnormal number, which a turned floor may give.
 
 use commun::regimes::entre;
 use commun::scenes::rayons_camera;
@@ -173,3 +173,22 @@ fn au_sol_rien_n_est_sous_normal<R: Reel>() {
 }
 
 en_f32_et_f64!(au_sol_rien_n_est_sous_normal);
+
+/// Of a floor through O that is turned by less than 2⁻²⁶ (`f64`: 2⁻¹²²), and a point that is exactly O: no margin is
+/// subnormal, and a coordinate of the start is.
+fn au_sol_tourne_un_depart_est_sous_normal<R: Reel>() {
+    let peu = if size_of::<R>() == 4 { -27.0_f64 } else { -123.0 };
+    for (pente, attendu) in [(peu.exp2(), true), ((peu + 2.0).exp2(), false), (0.0, false)] {
+        let n = arrondi::<R>(Vecteur::new(-pente, -1.0, 0.0));
+        let sol = PlanGeo::par_un_point(Vecteur::NUL, n, Texture(0)).unwrap();
+        let source = Vecteur::new(R::ZERO, -R::UN, R::ZERO);
+        let rayon = Rayon::new(source, -source).unwrap();
+        let touche = ObjetRay::from(sol).intersection(&rayon).unwrap();
+        assert_eq!((rayon.point(touche.distance()), touche.normale()), (Vecteur::NUL, n));
+        let depart = rayon.secondaire(&touche, n).unwrap().source();
+        assert!(!sous_normal(touche.marge()));
+        assert_eq!(<[R; 3]>::from(depart).into_iter().any(sous_normal), attendu, "{depart:?}");
+    }
+}
+
+en_f32_et_f64!(au_sol_tourne_un_depart_est_sous_normal);

@@ -2,14 +2,14 @@
 
 use std::path::Path;
 
-use commun::oracle::verite;
+use commun::oracle::{dehors, verite};
 use commun::regimes::{direction, entre};
 use commun::{arrondi, en_f32_et_f64};
 use exemples::scene::Scene;
 use fastrand::Rng;
 use lancer_rayon::{
-    BoiteGeo, Hierarchie, Intersection, ObjetRay, PlanGeo, Rayon, Reel, Rotation, Texture, Vecteur,
-    est_occulte, premiere_intersection,
+    BoiteGeo, Hierarchie, Intersection, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo,
+    Texture, Vecteur, est_occulte, premiere_intersection,
 };
 use serde::de::DeserializeOwned;
 
@@ -185,3 +185,76 @@ fn deux_points_se_voient_si_rien_n_est_entre_eux<R: Reel + DeserializeOwned>() {
 }
 
 en_f32_et_f64!(deux_points_se_voient_si_rien_n_est_entre_eux);
+
+/// What the recipe says of two points, of a list.
+fn voit<R: Reel>(
+    objets: &[ObjetRay<R>],
+    (a, depart): &Point<R>,
+    (b, cible): &Point<R>,
+) -> Option<(Rayon<R>, bool)> {
+    let (rayon, distance) = a.vers_touche(depart, b, cible)?;
+    let (avant, apres) = (&objets[..cible.objet()], &objets[cible.objet() + 1..]);
+    let cache = est_occulte(avant, &rayon, distance) || est_occulte(apres, &rayon, distance);
+    Some((rayon, !cache))
+}
+
+/// At the foot of a turned wall rounding sets starts inside the wall or under the ground, of which a ray that comes there
+/// knows and one that leaves does not; and a ball that the line grazes may be hit one way and missed the other.
+/// Nowhere else does it matter which of two points is named first.
+fn a_un_joint_ou_au_ras_d_un_tiers_l_ordre_compte<R: Reel>() {
+    let mut alea = Rng::with_seed(41);
+    let haut = Vecteur::new(0.0, 1.0, 0.0);
+    let sol: ObjetRay<R> =
+        PlanGeo::par_un_point(Vecteur::NUL, arrondi(haut), Texture(0)).unwrap().into();
+    let boule = |c: Vecteur, r: f64| -> ObjetRay<R> {
+        SphereGeo::new(arrondi(c), R::depuis_f64(r), Texture(1)).unwrap().into()
+    };
+    let [mut au_joint, mut au_ras, mut memes] = [0; 3];
+    for i in 0..PAIRES {
+        let tour = Rotation::new(arrondi(haut * entre(&mut alea, -3.0, 3.0))).unwrap();
+        let cotes = arrondi(Vecteur::new(2.0, 2.0, 2.0));
+        let mur = BoiteGeo::new(arrondi(haut), cotes, tour, Texture(2)).unwrap().vers_ray();
+        let [n, _, le_long] = mur.normales().map(Vecteur::vers_f64);
+        let au_pied = n + le_long * entre(&mut alea, -0.9, 0.9);
+        let lustre = n * entre(&mut alea, 3.0, 5.0) + haut * 2.0;
+        let mut objets = vec![sol, boule(lustre, 0.5)];
+        let joint = i % 2 == 0;
+        if joint {
+            objets.push(mur.into());
+        }
+        let vers = |ou: Vecteur, de: Vecteur| {
+            let rayon = Rayon::new(arrondi(de), arrondi(ou - de)).unwrap();
+            (rayon, premiere_intersection(&objets, &rayon).unwrap())
+        };
+        let a = vers(au_pied, au_pied + n * entre(&mut alea, 0.1, 1.0) + haut);
+        let b = vers(lustre + le_long * entre(&mut alea, -0.2, 0.2), n * 2.0 + haut * 0.5);
+        if !joint {
+            let [p, q] = [&a, &b].map(|(rayon, t)| rayon.point(t.distance()).vers_f64());
+            let travers = (q - p).produit_vectoriel(direction(&mut alea)).unitaire().unwrap();
+            let r = entre(&mut alea, 0.01, 0.1);
+            objets.push(boule((p + q) * 0.5 + travers * r, r));
+        }
+        let [aller, retour] = [voit(&objets, &a, &b), voit(&objets, &b, &a)];
+        let (Some((aller, libre)), Some((retour, egalement))) = (aller, retour) else {
+            assert!(aller.is_none() && retour.is_none());
+            continue;
+        };
+        if libre == egalement {
+            memes += 1;
+        } else if joint {
+            // The wall at a point of the ground, the ground at one of the wall.
+            let tiers = objets[2 - a.1.objet()];
+            let hauteur = dehors(&tiers, aller.source());
+            assert!(hauteur < 16.0 * R::U.vers_f64(), "clear of its neighbour: {a:?} {b:?}");
+            au_joint += 1;
+        } else {
+            let de_bande = |rayon| verite(&objets[2], rayon).dans_la_marge;
+            assert!([aller, retour].iter().any(de_bande), "clear of the ball: {a:?} {b:?}");
+            au_ras += 1;
+        }
+    }
+    println!("{au_joint} at seams, {au_ras} beside a ball, {memes} alike");
+    assert!(au_joint > 10 && au_ras > 10 && memes > PAIRES / 4);
+}
+
+en_f32_et_f64!(a_un_joint_ou_au_ras_d_un_tiers_l_ordre_compte);

@@ -10,7 +10,7 @@ use std::path::Path;
 use commun::tolerances::{ORTHONORMALE, bandes, promesses};
 use lancer_rayon::pour_les_tests::*;
 
-/// Secondary rays of the long run, in millions (`docs/epreuves.md`).
+/// Secondary rays of the long run, in millions (`docs/precision.md`).
 const SECONDAIRES: f64 = 963.0;
 
 #[test]
@@ -33,6 +33,7 @@ fn un_chiffre_d_une_promesse_a_une_valeur() {
         (promesses::DIRECTION, &["of sine at most {}u(1 +"]),
         (promesses::LIEU_SPHERE, &["a sphere by at most {}u(|f| + r)", "is below {}u(|f| + r)"]),
         (promesses::LIEU_F, &["by more than {}u|f| +"]),
+        (promesses::LIEU_FACE, &["to {}u(|f| + t)/l", "to {}u(|S − C| + t)"]),
         (DEJA_UNITAIRE, &["|D·D − 1| ≤ {}u"]),
         (DEJA_ORTHONORMALE, &["columns are orthonormal to {}u", "is orthonormal to {}u"]),
         (

@@ -205,3 +205,48 @@ fn sans_un_objet_il_n_est_pas_certain() {
         assert!(!hierarchie.est_certaine(&rayon, &suivante));
     }
 }
+
+/// Two entries are told apart beyond twice the errors of both distances in `f64`, and 3u of each. Where the ray grazes, that
+/// is far more than some 2⁻⁵⁰ of t.
+#[test]
+fn deux_entrees_pres_l_une_de_l_autre_ne_sont_pas_sures() {
+    let u = f64::U;
+    let mut alea = Rng::with_seed(73);
+    let (mut sures, mut loin_de_2_50, mut pire) = (0, 0, 0.0_f64);
+    for regime in regimes::<f64>() {
+        for _ in 0..10 * commun::cas(300) {
+            let Cas { objet, rayon } = (regime.cas)(&mut alea);
+            let objets = [objet, presque(&objet, &mut alea)];
+            let verites = objets.each_ref().map(|objet| verite(objet, &rayon));
+            // Where each object is certain, and each distance promised.
+            let de_bande = verites.iter().any(|verite| verite.dans_la_marge);
+            if de_bande || !objets.iter().all(|objet| objet.est_certain(&rayon)) {
+                continue;
+            }
+            let [Some(une), Some(autre)] = verites.map(|verite| verite.entree) else { continue };
+            let touche = premiere_intersection(&objets, &rayon);
+            let juste = premier_exact(&objets, &rayon) == touche.ok().map(|touche| touche.objet());
+            let ecart = une.ecart_de(&autre).abs();
+            if !juste || ecart == 0.0 {
+                continue;
+            }
+            if est_certaine(&objets, &rayon, &touche) {
+                sures += 1;
+                continue;
+            }
+            // An end of J8 lies beyond the entry by twice the error, and by the roundings of t.
+            let [t, t_autre] = [&une, &autre].map(|entree| entree.t.vers_f64());
+            let erreurs = [&une, &autre].into_iter().zip(objets).map(|(entree, objet)| {
+                entree.ecart(objet.intersection(&rayon).unwrap().distance()).abs()
+            });
+            let permis = 2.0 * (1.0 + 1e-9) * erreurs.sum::<f64>() + 3.0 * u * (t + t_autre);
+            assert!(ecart <= permis, "{ecart:e} > {permis:e}: {objets:?} {rayon:?}");
+            pire = pire.max(ecart / (u * (une.kappa_t + autre.kappa_t)));
+            loin_de_2_50 += u32::from(ecart > 1000.0 * (-50_f64).exp2() * t);
+        }
+    }
+    println!(
+        "{sures} certain; {loin_de_2_50} not, a thousand times 2⁻⁵⁰ of t apart; at most {pire}·2⁻⁵³(κ + κ′)t"
+    );
+    assert!(sures > 1_000 && loin_de_2_50 > 100 && pire > 1.0, "{sures} {loin_de_2_50} {pire}");
+}

@@ -218,6 +218,33 @@ fn une_reponse_juste_qui_n_est_plus_sure() {
     }
 }
 
+/// Within 2⁻¹⁰⁰ of the plane of a turned floor whether a direction comes down doubled numbers cannot tell, high as S is
+/// above it: exactly a miss, which is not certain. A little steeper it is, and so it is along an axis.
+#[test]
+fn presque_le_long_d_un_sol_tourne_une_reponse_juste_n_est_pas_sure() {
+    let [a, b, x, y, z] = [
+        0x3fec_2dd5_38e2_9bb5,
+        0x3fde_53e2_a5c9_57b2,
+        0xbfc8_137b_efdd_2b28,
+        0x3fd6_5ed0_f46b_c116,
+        0x3fed_5f01_ee55_05ff,
+    ]
+    .map(f64::from_bits);
+    let n = Vecteur::new(a, b, 0.0);
+    let sol = ObjetRay::from(PlanGeo::par_un_point(Vecteur::NUL, n, Texture(0)).unwrap());
+    let rayon = Rayon::new(n, Vecteur::new(x, y, z)).unwrap();
+    assert!(verite(&sol, &rayon).entree.is_none() && sol.intersection(&rayon).is_err());
+    assert!(!sol.est_certain(&rayon));
+
+    let plus_raide = Rayon::new(n, Vecteur::new(x, y - 1e-14, z)).unwrap();
+    assert!(sol.est_certain(&plus_raide));
+    let haut = Vecteur::new(0.0, 1.0, 0.0);
+    let plat = ObjetRay::from(PlanGeo::par_un_point(Vecteur::NUL, haut, Texture(0)).unwrap());
+    for pente in [0.0, (-106_f64).exp2(), -(-106_f64).exp2()] {
+        assert!(plat.est_certain(&Rayon::new(haut, Vecteur::new(1.0, pente, 0.0)).unwrap()));
+    }
+}
+
 /// The same where nothing but N·D is exact: of a right hit the answer is sure, and its distance bounded.
 fn dans_le_plan_d_une_face_un_contact_est_sur<R: Reel>() {
     let mut alea = Rng::with_seed(56);

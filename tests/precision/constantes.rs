@@ -763,6 +763,14 @@ fn lemme_14_lieu_d_une_touche_de_sphere() {
     tenir(promesses::LIEU_F, |u| gamma(4.0, u) * n(u));
     tenir(promesses::LIEU_T, |u| lieu_le_long(u) + n(u) * d(u) * plus(1.0, u));
     tenir(promesses::LIEU_P, n);
+    // `lieu`: difference, product and sum; the scalar product; the quotient. What that loses below the normal numbers
+    // is least beside |f|, no less than a half-length, where the half-length that divides is largest.
+    tenir(promesses::LIEU_FACE, |u| {
+        let limite = if u == U[0] { f32::LIMITE.into() } else { f64::LIMITE };
+        let eta = if u == U[0] { f32::MIN_POSITIF.into() } else { f64::MIN_POSITIF };
+        let perdu = 0.5 * (eta * limite * limite) / u * plus(20.0, u);
+        et(et(i(2.0), gamma(3.0, u), u), i(1.0), u) * n(u) * d(u) * plus(1.0, u) + perdu
+    });
 }
 
 #[test]
@@ -873,6 +881,14 @@ fn lemme_22_coup_d_oeil() {
     tenir(VUE_LONGUEUR, (gamma(4.0, u) + 1.0) * large * plus(8.0, u));
     // The sum with the slack, the speed with its own, the inverse or the quotient, two products.
     tenir(VUE_QUOTIENT, gamma(5.0, u) * plus(VUE_QUOTIENT, u));
+}
+
+#[test]
+fn lemme_20_vers_une_touche() {
+    // Difference and quotient, the scalar product; as computed it exceeds what is tangent.
+    tenir(1.9, |u| {
+        (2.0 * plus(1.0, u) * n(u) + vitesse(u) * plus(8.0, u)) - TANGENT * moins(1.0, u)
+    });
 }
 
 #[test]
