@@ -23,7 +23,7 @@
 #   --call 64   rays in a call of a batch, 4096 at most and unless said
 #   --places 2  lends the new version so many times Hierarchie::places(n); the old one always once
 #   --ns        the time that is divided by as well, in ns a ray
-#   --over      batches of the new version over its rays one by one
+#   --over      the new version alone: its rays one by one over its batches
 # `!` marks a cell in which the two versions do not agree to the bit. A version beside itself stays within 5 %,
 # except for lists and rooms of some ten objects (up to 40 %): where the code comes to lie decides what the
 # processor predicts. Run it again, or with `--bands 50`.

@@ -47,7 +47,7 @@ use crate::reel::Reel;
 ///
 /// Its boxes are rounded to some 10⁻⁶ of their distance from the middle of the many, in `f32` also of that of the
 /// source. Objects closer together than that are all tested: fine detail far from most objects costs time, and
-/// never accuracy. A sun, a sky, a ball for a ground cost little (`docs/performance.md`).
+/// never accuracy. A sun, a sky, a ball for a ground cost little (`benches/README.md`).
 ///
 /// ```
 /// use lancer_rayon::{
@@ -108,7 +108,7 @@ impl Hierarchie<'_> {
 impl<'a, R: Reel> Hierarchie<'a, R> {
     /// The hierarchy over this list, in the numbers lent, whose values do not matter.
     ///
-    /// It takes some 0.1 to 0.2 µs an object (`docs/performance.md`). An array on the stack serves as
+    /// It takes some 0.1 to 0.2 µs an object (`benches/README.md`). An array on the stack serves as
     /// well as a `Vec`.
     ///
     /// A longer slice pays for **long boxes that stand askew**: poles, planks, beams. They are cut into pieces, of which

@@ -82,7 +82,7 @@
 //!
 //! Every type takes the scalar as a parameter, `f64` unless named: `Vecteur<f32>`. Everything is
 //! computed in that type. Take `f32` for speed and memory, in batches above all, and `f64` for
-//! distances to some 10⁻¹⁴ (`docs/compromis.md`); what is promised is the same, in units of each
+//! distances to some 10⁻¹⁴ (`docs/choisir.md`); what is promised is the same, in units of each
 //! type's rounding (`docs/precision.md`). Of a scene far from O take an origin off first:
 //! [`ObjetGeo::vers_f32`].
 //!

@@ -11,7 +11,7 @@ pub(crate) const SEIZE: usize = 16;
 pub(crate) type Colonne<R> = [R; SEIZE];
 
 /// A value at the start of a cache line: a column that lies across two takes longer to write and to
-/// read back (`docs/performance.md`, "Thresholds").
+/// read back (`benches/README.md`, "Thresholds").
 #[repr(align(64))]
 pub(crate) struct Aligne<T>(pub(crate) T);
 

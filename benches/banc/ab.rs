@@ -124,8 +124,11 @@ struct Cellule {
 fn main() -> Result<(), Box<dyn Error>> {
     let choix = Choix::lire()?;
     let titres: Vec<_> = choix.genres.iter().map(|genre| format!("{:>12}", genre.nom())).collect();
-    let de = if choix.sur { "batch over one by one" } else { "new over old" };
-    println!("time, {de}{}", if choix.temps { ", and the latter in ns a ray" } else { "" });
+    let de = if choix.sur { "one by one over batch" } else { "new over old" };
+    println!(
+        "time, {de}{}",
+        if choix.temps { ", and the ns a ray of old or one by one" } else { "" }
+    );
     println!("{:<32}{}", "family, N, scalar, way", titres.join(""));
     let mut cellules = Vec::new();
     for famille in &choix.familles {
@@ -221,7 +224,7 @@ fn mesurer<R: Reel + avant::Reel + DeserializeOwned>(
             }
             let autres = avant.reponses().iter().zip(&nouvelles).filter(|(a, b)| a != b).count();
             let [ns, nouveau] = posees(choix, [avant, apres]);
-            let rapport = nouveau / ns;
+            let rapport = if choix.sur { ns / nouveau } else { nouveau / ns };
             let temps = if choix.temps { format!(" {ns:4.0}") } else { String::new() };
             let marque = if autres > 0 { "!" } else { " " };
             ligne.push_str(&format!("{:>12}", format!("{rapport:.2}{marque}{temps}")));
@@ -272,17 +275,21 @@ fn resumer(choix: &Choix, mut cellules: Vec<Cellule>) {
             println!("    {:.2}  {}", c.rapport, c.nom);
         }
     };
-    let au_dela = |seuil| cellules.iter().filter(|c| c.rapport > seuil).count();
-    let [un_dixieme, deux_cinquiemes] = [1.1, 1.4].map(au_dela);
+    // What loses a tenth and two fifths.
+    let ([a, b], ou) =
+        if choix.sur { ([1.0 / 1.1, 1.0 / 1.4], "under") } else { ([1.1, 1.4], "over") };
+    let perdue = |x: f64, seuil| if choix.sur { x < seuil } else { x > seuil };
+    let perdues = |seuil| cellules.iter().filter(|c| perdue(c.rapport, seuil)).count();
+    let [un_dixieme, deux_cinquiemes] = [a, b].map(perdues);
     let moyenne = cellules.iter().map(|c| c.rapport.ln()).sum::<f64>() / cellules.len() as f64;
     println!(
-        "of {} cells the mean is {:.2}, {un_dixieme} over 1.10, {deux_cinquiemes} over 1.40",
+        "of {} cells the mean is {:.2}, {un_dixieme} {ou} {a:.2}, {deux_cinquiemes} {ou} {b:.2}",
         cellules.len(),
         moyenne.exp()
     );
-    println!("best");
+    println!("least");
     extremes(&mut cellules.iter());
-    println!("worst");
+    println!("highest");
     extremes(&mut cellules.iter().rev());
     let autres: Vec<_> = cellules.iter().filter(|c| c.autres > 0).collect();
     println!("{} of {} cells with other answers (!)", autres.len(), cellules.len());

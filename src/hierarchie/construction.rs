@@ -20,10 +20,10 @@ use crate::seize::SEIZE;
 use crate::vecteur::Vecteur;
 
 /// Over fewer objects with a box than this no tree is made: the list is as fast
-/// (`docs/performance.md`, "Thresholds").
+/// (`benches/README.md`, "Thresholds").
 const OBJETS_D_UN_ARBRE: usize = 10;
 
-/// Bytes of a cache line: nodes start on one (`docs/performance.md`, "Thresholds").
+/// Bytes of a cache line: nodes start on one (`benches/README.md`, "Thresholds").
 const LIGNE: usize = 64;
 
 /// The most `f32` that are skipped at the start of what the caller lends, so that nodes start on a
@@ -145,7 +145,7 @@ pub(crate) fn construire<'a, R: Reel>(
 const JEU_MAXIMAL: f32 = 1.0 / 8.0;
 
 /// Giants reach farther, in the mean, than this times the mean of the others and the side of a leaf, if all leaves were
-/// alike (`docs/performance.md`, "Thresholds").
+/// alike (`benches/README.md`, "Thresholds").
 const TAILLE_DES_GEANTS: f32 = 0.4;
 
 /// Puts the sixteen largest records first, and tells how many leaves they are: 1 if they are

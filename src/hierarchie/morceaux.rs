@@ -9,7 +9,7 @@ use crate::reel::Reel;
 use crate::vecteur::Vecteur;
 
 /// So much surface a record more must save, in squares of the side of a leaf, if all leaves were alike among the many
-/// (`docs/performance.md`, "Thresholds").
+/// (`benches/README.md`, "Thresholds").
 const PRIX_D_UNE_FICHE: f32 = 2e-3;
 
 /// Who gets the records for which there is room beyond one for each object.

@@ -14,7 +14,7 @@ use crate::reel::Reel;
 use crate::seize::{Aligne, SEIZE, prendre};
 
 /// Up to so many spheres and boxes for each number that a register holds, a block without a beam asks every
-/// object of all its rays (`docs/performance.md`, "Thresholds", as for what follows).
+/// object of all its rays (`benches/README.md`, "Thresholds", as for what follows).
 const OBJETS_PAR_NOMBRE: usize = 6;
 
 /// Fewer rays than this are asked one by one: in no order eight together take up to twice as long.

@@ -113,9 +113,9 @@ fn textes() -> Vec<(String, String)> {
 /// title, and no table is cut by an empty line.
 #[test]
 fn aucune_ligne_d_une_page_ne_commence_par_un_operateur() {
-    let docs = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs");
-    for entree in fs::read_dir(docs).unwrap() {
-        let chemin = entree.unwrap().path();
+    let racine = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let pages = fs::read_dir(racine.join("docs")).unwrap().map(|entree| entree.unwrap().path());
+    for chemin in pages.chain(["README.md", "benches/README.md"].map(|page| racine.join(page))) {
         if chemin.extension().is_none_or(|ext| ext != "md") {
             continue;
         }

@@ -26,11 +26,11 @@ fn au_bord(objets: &[ObjetRay<f32>], [mut a, mut b]: [Rayon<f32>; 2]) -> Option<
     }
 }
 
-/// No ray on which the two differ was certain; how many were not is a table of `docs/compromis.md`.
+/// No ray on which the two differ was certain; how many were not is a table of `benches/README.md`.
 #[test]
 fn un_pixel_faux_etait_incertain() {
     let racine = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let page = fs::read_to_string(racine.join("docs/compromis.md")).unwrap();
+    let page = fs::read_to_string(racine.join("benches/README.md")).unwrap();
     let mut lignes = String::new();
     for nom in SCENES {
         let scene: Scene<f32> =
@@ -53,5 +53,5 @@ fn un_pixel_faux_etait_incertain() {
             bord.autres
         );
     }
-    assert!(page.contains(&lignes), "docs/compromis.md has not these rows:\n{lignes}");
+    assert!(page.contains(&lignes), "benches/README.md has not these rows:\n{lignes}");
 }

@@ -1,4 +1,4 @@
-//! Speed against accuracy, one point for each variant: `docs/compromis.md`.
+//! Speed against accuracy, one point for each variant: `docs/choisir.md`; every way to ask for the picture.
 
 use std::error::Error;
 
@@ -13,15 +13,16 @@ use plotters::prelude::*;
 use crate::autres::{Scalaire, distance, exiger_accord, exiger_memes_bits, mondes, places, tous};
 use crate::exactitude::{self, COULEURS, repondants};
 use crate::page;
+use crate::tables::nanosecondes;
 use commun::litteral;
 use commun::mesure::{mesurer, quantiles};
 use commun::oracle::verite;
 use commun::regimes::regimes;
 
-type Mesures<R> = ((exactitude::Repondant<R>, f64), Vec<Reponse>);
+type Mesures<R> = (((&'static str, Camp), exactitude::Repondant<R>), Vec<Reponse>);
 
-/// One ray in so many is judged by the oracle.
-const PAS: usize = 7;
+/// The true first object of a ray, by its texture, and its distance.
+type Verite = Option<(u32, f64)>;
 
 /// Cases of each regime of the extremes, and what they are drawn from.
 const CAS: u32 = 20_000;
@@ -29,39 +30,120 @@ const GRAINE: u64 = 1;
 
 #[derive(Clone)]
 struct Variante {
-    nom: String,
+    nom: &'static str,
+    scalaire: &'static str,
     ns: f64,
-    /// Relative errors of the distances of the picture: median, 99.9 %, largest.
-    erreurs: [f64; 3],
-    /// Rays of the picture that see another object than the true one, or none.
-    autres: usize,
-    /// The largest error of a distance at the extremes, in u·κt.
-    k: f64,
+    /// Of the picture, on the numbers of its own scene.
+    erreurs: Erreurs,
+    /// The same beside the scene in `f64`; none of that scene itself.
+    arrondies: Option<Erreurs>,
     /// Wrong hits and misses per million cases of the extremes.
     fausses: f64,
 }
 
-pub(crate) fn documenter() -> Result<(), Box<dyn Error>> {
-    let mut variantes = mesures::<f32>()?;
-    variantes.extend(mesures::<f64>()?);
-    let mut lignes = vec![
-        "| variant | ns per ray | relative error: median | 99.9 % | largest | another object | \
-         K at the extremes | wrong hits or misses there, per million |"
-            .to_owned(),
-        format!("|---|{}", "--:|".repeat(7)),
-    ];
-    for Variante { nom, ns, erreurs: [mediane, presque, pire], autres, k, fausses } in &variantes {
-        let mediane = if *mediane > 0.0 { format!("{mediane:.0e}") } else { "0".into() };
-        let k = if *k < 100.0 { format!("{k:.2}") } else { format!("{k:.0e}") };
-        lignes.push(format!(
-            "| {nom} | {ns:.1} | {mediane} | {presque:.0e} | {pire:.0e} | {autres} | {k} | {fausses:.0} |",
-        ));
+/// Relative errors of distances, and rays that see another object than the true one, or none.
+#[derive(Clone, Copy)]
+struct Erreurs {
+    presque: f64,
+    pire: f64,
+    autres: usize,
+}
+
+impl Erreurs {
+    fn de(verites: &[Verite], reponses: &[Reponse]) -> Self {
+        let mut autres = 0;
+        let mut erreurs = Vec::new();
+        for (verite, reponse) in verites.iter().zip(reponses) {
+            match (verite, reponse) {
+                (Some((objet, t)), Some(obtenu)) if obtenu.1 == *objet => {
+                    erreurs.push((distance(*obtenu) - t).abs() / t);
+                }
+                (None, None) => {}
+                _ => autres += 1,
+            }
+        }
+        let [_, presque, pire] = quantiles(&mut erreurs);
+        Self { presque, pire, autres }
     }
-    page::remplacer("docs/compromis.md", "variants", &page::datee(&lignes.join("\n")))?;
+
+    /// What one in a thousand exceeds, and in brackets the largest.
+    fn texte(self) -> String {
+        format!("{:.0e} ({:.1e})", self.presque, self.pire)
+    }
+}
+
+/// What one scalar takes and errs by.
+struct Mesuree {
+    variantes: Vec<Variante>,
+    /// Every way to ask, in nanoseconds a ray.
+    temps: Vec<(&'static str, f64)>,
+    verites: Vec<Verite>,
+}
+
+pub(crate) fn documenter() -> Result<(), Box<dyn Error>> {
+    let doubles = mesures::<f64>(None)?;
+    let simples = mesures::<f32>(Some(&doubles.verites))?;
+    let variantes: Vec<_> = simples.variantes.iter().chain(&doubles.variantes).cloned().collect();
+    page::remplacer("docs/choisir.md", "variants", &page::datee(&table(&variantes)))?;
+    page::remplacer("README.md", "picture", &page::datee(&image(&variantes)))?;
+    let facons = facons(&simples.temps, &doubles.temps);
+    page::remplacer("benches/README.md", "ways", &page::datee(&facons))?;
     graphique(&variantes)
 }
 
-fn mesures<R: Scalaire>() -> Result<Vec<Variante>, Box<dyn Error>> {
+/// Time and errors of every variant.
+fn table(variantes: &[Variante]) -> String {
+    let mut lignes = vec![
+        "| | 240,000 rays, ms | error: 99.9 % (largest) | the scene rounded too | another object | \
+         wrong at the extremes, per million |"
+            .to_owned(),
+        format!("|---|{}", "--:|".repeat(5)),
+    ];
+    for Variante { nom, scalaire, ns, erreurs, arrondies, fausses } in variantes {
+        let autres = arrondies.unwrap_or(*erreurs).autres;
+        let arrondies = arrondies.map_or("–".into(), Erreurs::texte);
+        let (ms, erreurs) = (millisecondes(*ns), erreurs.texte());
+        lignes.push(format!(
+            "| {nom} {scalaire} | {ms} | {erreurs} | {arrondies} | {autres} | {fausses:.0} |"
+        ));
+    }
+    lignes.join("\n")
+}
+
+/// What the handout asks for: the time of its picture.
+fn image(variantes: &[Variante]) -> String {
+    let mut lignes =
+        vec!["| 240,000 rays, ms | f32 | f64 |".to_owned(), "|---|--:|--:|".to_owned()];
+    let noms =
+        [("list", "list"), ("batch", "batch of a `Hierarchie`"), ("annex A", "annex A as printed")];
+    for (nom, texte) in noms {
+        let ms = ["f32", "f64"].map(|scalaire| {
+            let celle = variantes.iter().find(|v| v.nom == nom && v.scalaire == scalaire);
+            celle.map_or("–".into(), |v| millisecondes(v.ns))
+        });
+        lignes.push(format!("| {texte} | {} |", ms.join(" | ")));
+    }
+    lignes.join("\n")
+}
+
+/// Every way to ask for the picture, in nanoseconds a ray.
+fn facons(simples: &[(&str, f64)], doubles: &[(&str, f64)]) -> String {
+    let mut lignes = vec!["| way | f32 | f64 |".to_owned(), "|---|--:|--:|".to_owned()];
+    for (nom, ns) in simples {
+        let double = doubles.iter().find(|(autre, _)| autre == nom);
+        let double = double.map_or(f64::NAN, |(_, ns)| *ns);
+        lignes.push(format!("| {nom} | {} | {} |", nanosecondes(*ns), nanosecondes(double)));
+    }
+    lignes.join("\n")
+}
+
+/// Of the 240,000 rays, from the nanoseconds of one.
+fn millisecondes(ns: f64) -> String {
+    format!("{:.1}", 0.24 * ns)
+}
+
+/// Beside the truth of the scene in `f64` as well, if that is another one.
+fn mesures<R: Scalaire>(doubles: Option<&[Verite]>) -> Result<Mesuree, Box<dyn Error>> {
     let scene = Famille::Atelier.scene::<R>(0, GRAINE);
     let mut places = places(&scene.objets);
     let hierarchie = Hierarchie::new(&scene.objets, &mut places)?;
@@ -76,59 +158,43 @@ fn mesures<R: Scalaire>() -> Result<Vec<Variante>, Box<dyn Error>> {
     let ns: Vec<_> = concurrents.iter().map(|qui| (qui.nom, qui.camp)).zip(ns).collect();
     let reponses = ["list", "annex A, enum", "parry, loop"].map(|nom| {
         let qui = concurrents.iter().find(|qui| qui.nom == nom);
-        let reponses = qui.expect("in so short a list all compete").reponses();
-        reponses.into_iter().step_by(PAS).collect()
+        qui.expect("in so short a list all compete").reponses()
     });
-    let juges = rayons.iter().step_by(PAS);
-    let verites: Vec<_> = juges.map(|rayon| premiere(&scene.objets, rayon)).collect();
+    let verites: Vec<_> = rayons.iter().map(|rayon| premiere(&scene.objets, rayon)).collect();
 
-    let noms = repondants::<R>();
-    let variante = |(((nom, repondre), temps), reponses): Mesures<R>| {
-        let mut autres = 0;
-        let mut erreurs = Vec::new();
-        for (verite, reponse) in verites.iter().zip(&reponses) {
-            match (verite, reponse) {
-                (Some((objet, t)), Some(obtenu)) if obtenu.1 == *objet => {
-                    erreurs.push((distance(*obtenu) - t).abs() / t);
-                }
-                (None, None) => {}
-                _ => autres += 1,
-            }
-        }
-        let regimes = regimes::<R>();
-        let mesures = regimes.iter().map(|r| mesurer(r, CAS, GRAINE, repondre));
-        let (fausses, k) = mesures.fold((0, 0.0), |(fausses, k), mesure| {
-            (fausses + mesure.fausses, mesure.k.iter().copied().fold(k, f64::max))
-        });
-        let cas = f64::from(CAS) * regimes.len() as f64;
-        Variante {
-            nom: format!("{nom} {}", R::NOM),
-            ns: temps,
-            erreurs: quantiles(&mut erreurs),
-            autres,
-            k,
-            fausses: 1e6 * f64::from(fausses) / cas,
-        }
-    };
     // The least of this side whose name starts so.
-    let ns_de = |(cote, noms): (Camp, &str)| {
+    let ns_de = |cote: Camp, noms: &str| {
         let ceux = ns.iter().filter(|((nom, camp), _)| *camp == cote && nom.starts_with(noms));
         ceux.map(|(_, ns)| *ns).fold(f64::NAN, f64::min)
     };
-    let ns_de_trois =
-        [(Camp::Seul, "list"), (Camp::Annexe, "annex A"), (Camp::Parry, "parry")].map(ns_de);
+    let noms = ["list", "annex A", "parry"];
+    let camps = [Camp::Seul, Camp::Annexe, Camp::Parry];
+    let variante = |(((nom, camp), (_, repondre)), reponses): Mesures<R>| {
+        let regimes = regimes::<R>();
+        let mesures = regimes.iter().map(|r| mesurer(r, CAS, GRAINE, repondre));
+        let fausses: u32 = mesures.map(|mesure| mesure.fausses).sum();
+        let cas = f64::from(CAS) * regimes.len() as f64;
+        Variante {
+            nom,
+            scalaire: R::NOM,
+            ns: ns_de(camp, nom),
+            erreurs: Erreurs::de(&verites, &reponses),
+            arrondies: doubles.map(|verites| Erreurs::de(verites, &reponses)),
+            fausses: 1e6 * f64::from(fausses) / cas,
+        }
+    };
+    let repondants = repondants::<R>();
     let mut variantes: Vec<_> =
-        noms.into_iter().zip(ns_de_trois).zip(reponses).map(variante).collect();
+        noms.into_iter().zip(camps).zip(repondants).zip(reponses).map(variante).collect();
     exiger_exact_aux_extremes::<R>()?;
     // The same bits in less time.
-    let memes =
-        [("hierarchy", ns_de((Camp::Seul, "single"))), ("batch", ns_de((Camp::Lot, "batch")))];
-    for (nom, ns) in memes {
-        let liste = variantes[0].clone();
-        variantes.push(Variante { nom: format!("{nom} {}", R::NOM), ns, ..liste });
+    for (nom, ns) in
+        [("hierarchy", ns_de(Camp::Seul, "single")), ("batch", ns_de(Camp::Lot, "batch"))]
+    {
+        variantes.push(Variante { nom, ns, ..variantes[0].clone() });
     }
-    variantes[0].nom = format!("list {}", R::NOM);
-    Ok(variantes)
+    let temps = ns.into_iter().map(|((nom, _), ns)| (nom, ns)).collect();
+    Ok(Mesuree { variantes, temps, verites })
 }
 
 /// The batch errs where the rays one by one do, and nowhere else.
@@ -148,8 +214,8 @@ fn exiger_exact_aux_extremes<R: Scalaire>() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The true first object, by its texture, and its distance; the earlier of two at the same.
-fn premiere<R: Scalaire>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> Option<(u32, f64)> {
+/// The earlier of two at the same distance.
+fn premiere<R: Scalaire>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> Verite {
     let touches =
         objets.iter().zip(0..).filter_map(|(objet, i)| Some((i, verite(objet, rayon).entree?.t)));
     let premiere = touches.reduce(|a, b| if b.1 < a.1 { b } else { a });
@@ -175,16 +241,17 @@ fn graphique(variantes: &[Variante]) -> Result<(), Box<dyn Error>> {
         .draw()?;
     // A name lies beside its point, from left to right, where it touches neither the edge of the plot,
     // with its axes and their names, nor a point or another name.
-    let mut points: Vec<_> = variantes.iter().map(|v| (v, (v.ns, v.erreurs[1]))).collect();
+    let mut points: Vec<_> = variantes.iter().map(|v| (v, (v.ns, v.erreurs.presque))).collect();
     points.sort_by(|(a, _), (b, _)| a.ns.total_cmp(&b.ns));
     let coins = points.iter().map(|(_, point)| graphe.backend_coord(point));
     let mut pris: Vec<_> = coins.map(|(x, y)| [x - 6, y - 6, x + 6, y + 6]).collect();
     let (colonnes, lignes) = graphe.plotting_area().get_pixel_range();
     for (v, point) in points {
         // A colour a scalar.
-        let couleur = COULEURS[usize::from(v.nom.ends_with("f64"))];
+        let couleur = COULEURS[usize::from(v.scalaire == "f64")];
+        let nom = format!("{} {}", v.nom, v.scalaire);
         let (x, y) = graphe.backend_coord(&point);
-        let large = 8 * v.nom.len() as i32;
+        let large = 8 * nom.len() as i32;
         let etages = (1..9).flat_map(|i| [-18 * i - 6, 18 * i - 8]);
         let etages = etages.flat_map(|dy| [(-large / 2, dy), (0, dy)]);
         let boite = |&(dx, dy): &(i32, i32)| [x + dx, y + dy, x + dx + large, y + dy + 16];
@@ -197,7 +264,7 @@ fn graphique(variantes: &[Variante]) -> Result<(), Box<dyn Error>> {
         let mut places = [(10, -8), (-10 - large, -8)].into_iter().chain(etages);
         let ou = places.find(libre).ok_or("compromis.svg has no room for a name")?;
         pris.push(boite(&ou));
-        let nom = Text::new(v.nom.clone(), ou, ("sans-serif", 15).into_font());
+        let nom = Text::new(nom, ou, ("sans-serif", 15).into_font());
         let element = EmptyElement::at(point) + Circle::new((0, 0), 6, couleur.filled()) + nom;
         graphe.draw_series([element])?;
     }

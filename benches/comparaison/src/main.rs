@@ -2,8 +2,8 @@
 //! obvhs and beside Embree, with the same objects and the same rays.
 //!
 //! `cargo run --release -p comparaison` prints the times, in five minutes; with `documents` it measures errors
-//! as well, and writes the tables and plots of `docs/precision.md`, `docs/compromis.md` and
-//! `docs/performance.md`. `--features embree` takes Embree 3.13 along (`apt-get install libembree-dev`).
+//! as well, and writes the tables and plots of `README.md`, `docs/choisir.md`, `docs/precision.md` and
+//! `benches/README.md`. `--features embree` takes Embree 3.13 along (`apt-get install libembree-dev`).
 
 mod annexe;
 mod autres;
@@ -34,6 +34,17 @@ mod double {
     mod parry;
 }
 
+/// What else is written than the tables of the cells, by page.
+const AUTRES: [(&str, &str); 5] = [
+    ("README.md", "picture"),
+    ("docs/choisir.md", "variants"),
+    ("docs/precision.md", "errors"),
+    ("docs/precision.md", "bounds"),
+    (BANCS, "ways"),
+];
+
+const BANCS: &str = "benches/README.md";
+
 fn main() -> Result<(), Box<dyn Error>> {
     let ecrire = match std::env::args().nth(1).as_deref() {
         None => false,
@@ -43,26 +54,36 @@ fn main() -> Result<(), Box<dyn Error>> {
     // Another machine, another table.
     let (instructions, _) = Reglage::tous().next().ok_or("no instructions")?;
     let resume = format!("summary, {instructions}");
+    let a_ecrire = [
+        ("README.md", "speed"),
+        (BANCS, &resume),
+        (BANCS, "families"),
+        (BANCS, "building"),
+        (BANCS, "sets"),
+        (BANCS, "certificates"),
+    ];
     if ecrire {
         // Fails now, not after all the measuring.
-        page::autour("docs/performance.md", &resume)?;
+        for (ou, nom) in a_ecrire.into_iter().chain(AUTRES) {
+            page::autour(ou, nom)?;
+        }
     }
     glam::verifier()?;
     let cellules = cellules::mesurer()?;
-    println!("\nleft out\n\n{}", tables::resume(&cellules, &tables::SANS));
     let tables = [
-        (&*resume, tables::resume(&cellules, &tables::QUESTIONS)),
-        ("families", tables::table(&cellules)),
-        ("building", hierarchie::constructions()),
-        ("sets", hierarchie::jeux_d_instructions()?),
-        ("certificates", hierarchie::certificats()?),
+        tables::vitesse(&cellules),
+        tables::resume(&cellules),
+        tables::table(&cellules),
+        hierarchie::constructions(),
+        hierarchie::jeux_d_instructions()?,
+        hierarchie::certificats()?,
     ];
-    for (nom, table) in &tables {
+    for ((_, nom), table) in a_ecrire.iter().zip(&tables) {
         println!("\n{nom}\n\n{table}");
     }
     if ecrire {
-        for (nom, table) in &tables {
-            page::remplacer("docs/performance.md", nom, &page::datee(table))?;
+        for ((ou, nom), table) in a_ecrire.iter().zip(&tables) {
+            page::remplacer(ou, nom, &page::datee(table))?;
         }
         tables::graphique(&cellules)?;
         exactitude::documenter()?;

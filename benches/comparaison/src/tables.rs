@@ -26,6 +26,17 @@ impl Question {
     fn rapport(&self, cellule: &Cellule) -> f64 {
         cellule.ns(self.autres) / cellule.ns(self.ici)
     }
+
+    /// Theirs over ours in every cell with these rays, or with all, that has both.
+    fn rapports<'a>(
+        &self,
+        cellules: &'a [Cellule],
+        genre: Option<Genre>,
+    ) -> Vec<(f64, &'a Cellule)> {
+        let celles = cellules.iter().filter(|c| c.scalaire == self.scalaire);
+        let celles = celles.filter(|c| genre.is_none_or(|genre| c.genre == genre));
+        celles.map(|c| (self.rapport(c), c)).filter(|(x, _)| x.is_finite()).collect()
+    }
 }
 
 const SEUL: &[Camp] = &[Camp::Seul, Camp::Sans];
@@ -44,11 +55,14 @@ const AU_RESUME: [Genre; 6] = [
 ];
 
 /// Ours beside theirs, and beside ours in another way.
-pub(crate) const QUESTIONS: [Question; 7] = [
+const QUESTIONS: [Question; 9] = [
     Question { nom: "one by one: parry", scalaire: "f32", ici: SEUL, autres: &[Camp::Parry] },
     Question { nom: "one by one: Embree", scalaire: "f32", ici: SEUL, autres: &[Camp::Embree] },
     Question {
-        nom: "best: parry, Embree ×1 and ×16", scalaire: "f32", ici: TOUT, autres: AUTRES
+        nom: "fastest of all ways: parry, Embree ×1, ×16",
+        scalaire: "f32",
+        ici: TOUT,
+        autres: AUTRES,
     },
     Question {
         nom: "ours one by one, over our batch",
@@ -57,20 +71,41 @@ pub(crate) const QUESTIONS: [Question; 7] = [
         autres: &[Camp::Seul],
     },
     Question { nom: "one by one: parry", scalaire: "f64", ici: SEUL, autres: &[Camp::Parry] },
-    Question { nom: "best: parry", scalaire: "f64", ici: TOUT, autres: &[Camp::Parry] },
+    Question {
+        nom: "fastest of all ways: parry",
+        scalaire: "f64",
+        ici: TOUT,
+        autres: &[Camp::Parry],
+    },
     Question {
         nom: "ours one by one, over our batch",
         scalaire: "f64",
         ici: LOT,
         autres: &[Camp::Seul],
     },
+    sans("f32"),
+    sans("f64"),
+];
+
+/// Those of the two halves of the plot.
+const DESSINEES: [Question; 2] = [
+    Question {
+        nom: "one by one: the better of parry and Embree, over ours",
+        scalaire: "f32",
+        ici: SEUL,
+        autres: &[Camp::Parry, Camp::Embree],
+    },
+    Question {
+        nom: "the fastest of all their ways over the fastest of ours",
+        scalaire: "f32",
+        ici: TOUT,
+        autres: AUTRES,
+    },
 ];
 
 /// What it gains to leave out what a ray leaves.
-pub(crate) const SANS: [Question; 2] = [sans("f32"), sans("f64")];
-
 const fn sans(scalaire: &'static str) -> Question {
-    let nom = "ours one by one, over ours with `sans`";
+    let nom = "ours one by one, over the same without what the ray leaves";
     Question { nom, scalaire, ici: &[Camp::Sans], autres: &[Camp::Seul] }
 }
 
@@ -88,40 +123,58 @@ fn rapport(x: f64) -> String {
     if x.is_nan() { "–".into() } else { format!("{x:.*}", if x < 10.0 { 2 } else { 0 }) }
 }
 
-fn moindre(rapports: &[f64]) -> f64 {
-    rapports.iter().copied().fold(f64::NAN, f64::min)
+/// The geometric mean, the least, and where that is; nothing of no cells.
+fn resumer<'a>(rapports: &[(f64, &'a Cellule)]) -> Option<(f64, f64, &'a Cellule)> {
+    let (moindre, ou) = rapports.iter().min_by(|a, b| a.0.total_cmp(&b.0))?;
+    let somme: f64 = rapports.iter().map(|(x, _)| x.ln()).sum();
+    Some(((somme / rapports.len() as f64).exp(), *moindre, ou))
 }
 
 /// Each question over all families: the geometric mean and the least; and of all kinds of rays how many cells are behind.
-pub(crate) fn resume(cellules: &[Cellule], questions: &[Question]) -> String {
+pub(crate) fn resume(cellules: &[Cellule]) -> String {
     let titres = AU_RESUME.map(Genre::nom).join(" | ");
     let mut table = vec![
-        format!("| theirs / ours | scalar | {titres} | below 1 |"),
+        format!("| the other / ours | scalar | {titres} | below 1 |"),
         format!("|---|---|{}---|", "--:|".repeat(AU_RESUME.len())),
     ];
-    for question in questions {
-        let rapports = |genre: Option<Genre>| -> Vec<f64> {
-            let celles = cellules.iter().filter(|c| c.scalaire == question.scalaire);
-            let celles = celles.filter(|c| genre.is_none_or(|genre| c.genre == genre));
-            celles.map(|c| question.rapport(c)).filter(|x| x.is_finite()).collect()
+    for question in &QUESTIONS {
+        let case = |genre| match resumer(&question.rapports(cellules, Some(genre))) {
+            Some((moyenne, moindre, _)) => format!("{} ({})", rapport(moyenne), rapport(moindre)),
+            None => "–".to_owned(),
         };
-        let case = |genre| {
-            let rapports = rapports(Some(genre));
-            if rapports.is_empty() {
-                return "–".to_owned();
-            }
-            let moyenne =
-                (rapports.iter().map(|x| x.ln()).sum::<f64>() / rapports.len() as f64).exp();
-            format!("{} ({})", rapport(moyenne), rapport(moindre(&rapports)))
-        };
-        let tous = rapports(None);
-        let derriere = tous.iter().filter(|x| **x < 1.0).count();
         let cases = AU_RESUME.map(case).join(" | ");
-        let Question { nom, scalaire, .. } = question;
-        let (sur, le_moindre) = (tous.len(), rapport(moindre(&tous)));
+        let tous = question.rapports(cellules, None);
+        let derriere = tous.iter().filter(|(x, _)| *x < 1.0).count();
+        let le_moindre = rapport(resumer(&tous).map_or(f64::NAN, |(_, moindre, _)| moindre));
+        let (Question { nom, scalaire, .. }, sur) = (question, tous.len());
         table.push(format!(
             "| {nom} | {scalaire} | {cases} | {derriere} of {sur}, least {le_moindre} |"
         ));
+    }
+    table.join("\n")
+}
+
+/// The plot in five rows: the geometric mean, the least, and where that is.
+pub(crate) fn vitesse(cellules: &[Cellule]) -> String {
+    let mut table = vec![
+        "| rays | one by one | worst | fastest of all ways | worst |".to_owned(),
+        "|---|--:|---|--:|---|".to_owned(),
+    ];
+    for (genre, nom) in [
+        (Genre::Tuiles, "camera, in tiles"),
+        (Genre::Miroirs, "mirrors"),
+        (Genre::Diffus, "diffuse light"),
+        (Genre::SansOrdre, "in no order"),
+        (Genre::Ombres, "shadows"),
+    ] {
+        let cases = DESSINEES.map(|q| match resumer(&q.rapports(cellules, Some(genre))) {
+            Some((moyenne, moindre, ou)) => {
+                let (moyenne, moindre) = (rapport(moyenne), rapport(moindre));
+                format!("{moyenne} | {moindre}: {} of {}", ou.famille.nom(), ou.n)
+            }
+            None => "– | –".to_owned(),
+        });
+        table.push(format!("| {nom} | {} |", cases.join(" | ")));
     }
     table.join("\n")
 }
@@ -171,14 +224,8 @@ pub(crate) fn graphique(cellules: &[Cellule]) -> Result<(), Box<dyn Error>> {
     surface.fill(&WHITE)?;
     let police = |cote: i32, couleur: RGBColor| ("sans-serif", cote).into_font().color(&couleur);
     let au_milieu = |style: TextStyle<'static>| style.pos(Pos::new(HPos::Center, VPos::Center));
-    let tous_seuls = Question {
-        nom: "one by one: the better of parry and Embree, over ours",
-        scalaire: "f32",
-        ici: SEUL,
-        autres: &[Camp::Parry, Camp::Embree],
-    };
-    let tous = Question { nom: "the best of all theirs over the best of ours", ..QUESTIONS[2] };
-    for (x, question) in [(GAUCHE, tous_seuls), (GAUCHE + colonnes * LARGE + ECART, tous)] {
+    let moities = [GAUCHE, GAUCHE + colonnes * LARGE + ECART];
+    for (x, question) in moities.into_iter().zip(DESSINEES) {
         let titre = (x + colonnes * LARGE / 2, 14);
         surface.draw(&Text::new(question.nom, titre, au_milieu(police(14, BLACK))))?;
         for (x, genre) in (x..).step_by(LARGE as usize).zip(Genre::TOUS) {
