@@ -25,7 +25,7 @@ use crate::hierarchie::construction::{Arbre, construire, mots};
 use crate::intersection::Touche;
 use crate::jugement::Certificat;
 use crate::liste::{Choix, Liste};
-use crate::lot::bloc::{BLOC, Bloc};
+use crate::lot::bloc::{BLOC, Bloc, Groupes};
 use crate::lot::demande::Demande;
 use crate::lot::{LongueursDifferentes, memes_longueurs, repondre};
 use crate::niveau::{meilleur_niveau, selon_le_niveau};
@@ -390,7 +390,8 @@ fn en_lot<R: Reel, D: Demande<R>>(
     }
     memes_longueurs(demandes.len(), reponses.len())?;
     selon_le_niveau!(niveau, simd => {
-        let mut bloc = Bloc::new(arbre.liste);
+        let mut groupes = Groupes::new_const();
+        let mut bloc = Bloc::new(arbre.liste, &mut groupes);
         for (demandes, reponses) in demandes.chunks(BLOC).zip(reponses.chunks_mut(BLOC)) {
             arbre.repondre_au_bloc(simd, &mut bloc, (demandes, reponses));
         }

@@ -16,7 +16,7 @@ use fearless_simd::Level;
 use crate::compile::compilees;
 use crate::intersection::Touche;
 use crate::liste::Liste;
-use crate::lot::bloc::{BLOC, Bloc};
+use crate::lot::bloc::{BLOC, Bloc, Groupes};
 use crate::lot::demande::Demande;
 use crate::niveau::{meilleur_niveau, selon_le_niveau};
 use crate::objet::ObjetRay;
@@ -145,7 +145,8 @@ pub(crate) fn repondre<R: Reel, D: Demande<R>>(
         return Ok(());
     }
     selon_le_niveau!(niveau, simd => {
-        let mut bloc = Bloc::new(liste);
+        let mut groupes = Groupes::new_const();
+        let mut bloc = Bloc::new(liste, &mut groupes);
         for (demandes, reponses) in demandes.chunks(BLOC).zip(reponses.chunks_mut(BLOC)) {
             bloc.charger(demandes);
             bloc.proposer_tous();

@@ -12,7 +12,7 @@ use crate::hierarchie::noeud::{VIDE, en_mot};
 use crate::hierarchie::repere::Repere;
 use crate::hierarchie::sonde::SondeDeBloc;
 use crate::liste::Liste;
-use crate::lot::bloc::Bloc;
+use crate::lot::bloc::{Bloc, Groupes};
 use crate::niveau::{meilleur_niveau, selon_le_niveau};
 use crate::objet::ObjetRay;
 use crate::rayon::Rayon;
@@ -73,7 +73,8 @@ impl Reglage {
 /// Whether the beam of these shadow rays, one to sixty-four, leaves out the box around this object. It
 /// ends at the lamps, unless one is infinitely far. No answer shows it.
 pub fn evite<R: Reel>(ombres: &[(Rayon<R>, R)], objet: &ObjetRay<R>) -> bool {
-    let mut bloc = Bloc::new(Liste::entiere(&[]));
+    let mut groupes = Groupes::new_const();
+    let mut bloc = Bloc::new(Liste::entiere(&[]), &mut groupes);
     bloc.charger(ombres);
     bloc.faisceau().is_some_and(|faisceau| {
         let mut repere = Repere::autour(slice::from_ref(objet));
@@ -96,7 +97,8 @@ pub fn evite<R: Reel>(ombres: &[(Rayon<R>, R)], objet: &ObjetRay<R>) -> bool {
 /// shows it.
 pub fn vont_au_bout<R: Reel>(hierarchie: &Hierarchie<'_, R>, rayons: &[Rayon<R>]) -> bool {
     let Hierarchie { arbre, niveau } = hierarchie;
-    let mut bloc = Bloc::new(arbre.liste);
+    let mut groupes = Groupes::new_const();
+    let mut bloc = Bloc::new(arbre.liste, &mut groupes);
     selon_le_niveau!(*niveau, simd => arbre.chercher_ensemble(simd, &mut bloc, rayons))
 }
 
