@@ -2,22 +2,14 @@
 //! other instructions; what no answer tells; and, under one roof for the test that holds them to their
 //! lemmas, the constants of the proofs in `docs/preuves.md` and the numbers of lemma 18.
 
-use core::slice;
-
 use fearless_simd::Level;
 
 use crate::hierarchie::Hierarchie;
 use crate::hierarchie::construction::Arbre;
-use crate::hierarchie::noeud::{VIDE, en_mot};
-use crate::hierarchie::repere::Repere;
-use crate::hierarchie::sonde::SondeDeBloc;
-use crate::liste::Liste;
 use crate::lot::bloc::{Bloc, Groupes};
 use crate::niveau::{meilleur_niveau, selon_le_niveau};
-use crate::objet::ObjetRay;
 use crate::rayon::Rayon;
 use crate::reel::Reel;
-use crate::vecteur::Vecteur;
 
 pub use crate::double::{BORNE_DOUBLE, Double, Intervalle, PERTE_DOUBLE, PRODUIT_DOUBLE};
 pub use crate::forme::{ARRONDI_HAUTEUR, PENCHE, PLANCHER, RETRAIT, VERS_LE_HAUT};
@@ -70,29 +62,6 @@ impl Reglage {
     }
 }
 
-/// Whether the beam of these shadow rays, one to sixty-four, leaves out the box around this object. It
-/// ends at the lamps, unless one is infinitely far. No answer shows it.
-pub fn evite<R: Reel>(ombres: &[(Rayon<R>, R)], objet: &ObjetRay<R>) -> bool {
-    let mut groupes = Groupes::new_const();
-    let mut bloc = Bloc::new(Liste::entiere(&[]), &mut groupes);
-    bloc.charger(ombres);
-    bloc.faisceau().is_some_and(|faisceau| {
-        let mut repere = Repere::autour(slice::from_ref(objet));
-        repere.jeu_maximal = 1.0;
-        let sonde = SondeDeBloc::new(&faisceau, repere);
-        let mut noeud = VIDE;
-        if let Some((c, h)) = objet.boite_englobante() {
-            let (bas, haut) = repere.boite_elargie((c, h), (Vecteur::NUL, h));
-            [noeud[0][0], noeud[1][0], noeud[2][0]] = bas.into();
-            [noeud[3][0], noeud[4][0], noeud[5][0]] = haut.into();
-        }
-        let plafond = repere.distance(bloc.le_plus_loin());
-        selon_le_niveau!(meilleur_niveau(), simd => {
-            sonde.as_ref().is_some_and(|sonde| sonde.traverse(simd, &noeud, plafond).0 == 0)
-        })
-    })
-}
-
 /// Whether these rays, one to sixty-four, come to the end of the tree of this hierarchy together. No answer
 /// shows it.
 pub fn vont_au_bout<R: Reel>(hierarchie: &Hierarchie<'_, R>, rayons: &[Rayon<R>]) -> bool {
@@ -105,16 +74,4 @@ pub fn vont_au_bout<R: Reel>(hierarchie: &Hierarchie<'_, R>, rayons: &[Rayon<R>]
 /// How many nodes the tree of this hierarchy has; 0 if it has none and asks its list.
 pub fn noeuds<R: Reel>(hierarchie: &Hierarchie<'_, R>) -> usize {
     hierarchie.arbre.noeuds.len()
-}
-
-/// This hierarchy as if none of its objects had a box; it needs a number for each.
-pub fn sans_boites<'a, R: Reel>(
-    hierarchie: Hierarchie<'a, R>,
-    indices: &'a mut [f32],
-) -> Hierarchie<'a, R> {
-    for (place, indice) in indices.iter_mut().zip(0..) {
-        *place = en_mot(indice);
-    }
-    let arbre = Arbre { noeuds: &[VIDE], feuilles: 1, sans_boite: indices, ..hierarchie.arbre };
-    Hierarchie { arbre, ..hierarchie }
 }

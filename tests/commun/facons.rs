@@ -1,10 +1,12 @@
 //! Every way to an answer, with every instruction set of the machine: the list in a batch, the hierarchy ray by
 //! ray and in a batch, before a limit and in order, shadows of both; each beside the list ray by ray.
 
-use lancer_rayon::pour_les_tests::{Reglage, noeuds, sans_boites};
+use std::sync::atomic::{AtomicU32, Ordering};
+
+use lancer_rayon::pour_les_tests::{Reglage, noeuds};
 use lancer_rayon::{
-    Hierarchie, Intersection, NoIntersection, ObjetRay, Rayon, SphereGeo, Texture, Touche, Vecteur,
-    est_certaine, est_occulte, premiere_intersection,
+    Hierarchie, Intersection, NoIntersection, ObjetRay, Rayon, Reel, SphereGeo, Texture, Touche,
+    Vecteur, est_occulte, premiere_intersection,
 };
 
 use crate::conversion::{Bits, Mots, mots};
@@ -87,21 +89,15 @@ pub fn comparer_dans<R: Bits>(hierarchie: &Hierarchie<'_, R>, rayons: &[Rayon<R>
     attendues.iter().flatten().count()
 }
 
-/// Asks these rays every question in every way of a hierarchy that knows no box of these objects.
-#[track_caller]
-pub fn comparer_sans_boites<R: Bits>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) {
-    let mut places = vec![0.0; Hierarchie::places(objets.len())];
-    let mut indices = vec![0.0; objets.len()];
-    let hierarchie = Hierarchie::new(objets, &mut places).unwrap();
-    let hierarchie = sans_boites(hierarchie, &mut indices);
-    let attendues = comparer_les_facons(rayons, hierarchie, |_| true);
-    let sauf = attendues.iter().flatten().next().unwrap().objet();
-    let pas_lui = |indice| indice != sauf;
-    comparer_les_facons(rayons, hierarchie.parmi(&pas_lui), pas_lui);
-    for (rayon, touche) in rayons.iter().zip(&attendues) {
-        let certaine = est_certaine(objets, rayon, touche);
-        assert_eq!(hierarchie.est_certaine(rayon, touche), certaine, "{rayon:?}: {touche:?}");
-    }
+/// How often this question asks for each object of this hierarchy. No answer shows it; a choice is told.
+pub fn demandes<R: Reel>(
+    hierarchie: &Hierarchie<'_, R>,
+    question: impl FnOnce(Hierarchie<'_, R>),
+) -> Vec<u32> {
+    let demandes: Vec<_> = hierarchie.objets().iter().map(|_| AtomicU32::new(0)).collect();
+    let compter = |indice: usize| demandes[indice].fetch_add(1, Ordering::Relaxed) < u32::MAX;
+    question(hierarchie.parmi(&compter));
+    demandes.into_iter().map(AtomicU32::into_inner).collect()
 }
 
 /// The answers of this hierarchy, of its list as a batch and ray by ray, and of shadows, beside those of the list of the

@@ -6,7 +6,7 @@
 use std::f64::consts::FRAC_PI_2;
 
 use commun::conversion::mots;
-use commun::facons::{UN_ARBRE, comparer, comparer_dans, comparer_sans_boites, voisin};
+use commun::facons::{UN_ARBRE, comparer, comparer_dans, voisin};
 use commun::regimes::{deux_puissance, direction, entre, signe};
 use commun::{Bits, arrondi, en_f32_et_f64, scenes};
 use fastrand::Rng;
@@ -719,15 +719,6 @@ fn des_demi_espaces_et_peu_d_autres<R: Bits>() {
     }
 }
 
-/// Built: a tree that takes spheres, boxes and half-spaces for objects without a box, as another unbounded shape would
-/// be. Held: the answers of the list. What a walk asks of half-spaces alone would be missed.
-fn nul_objet_sans_boite_n_est_oublie<R: Bits>() {
-    let mut alea = Rng::with_seed(9);
-    let mut objets = scenes::melange::<R>(205);
-    objets.extend([(); 3].map(|()| sol(&mut alea, 20.0)));
-    comparer_sans_boites(&objets, &scenes::rayons_camera::<R>(24, 16));
-}
-
 /// Built: as many half-spaces as need no node more, in exactly the places that are asked for, which start
 /// anywhere in a cache line. Held: the answers of the list; a place less would be missed.
 fn les_demi_espaces_ont_leur_place<R: Bits>() {
@@ -790,7 +781,6 @@ en_f32_et_f64!(des_sources_de_plus_en_plus_loin);
 en_f32_et_f64!(de_tout_petits_objets_parmi_des_grands);
 en_f32_et_f64!(les_places_pretees);
 en_f32_et_f64!(des_demi_espaces_et_peu_d_autres);
-en_f32_et_f64!(nul_objet_sans_boite_n_est_oublie);
 en_f32_et_f64!(les_demi_espaces_ont_leur_place);
 en_f32_et_f64!(des_geants_parmi_des_petits);
 en_f32_et_f64!(des_longueurs_differentes_sont_une_erreur_et_rien_n_est_ecrit);
