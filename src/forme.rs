@@ -55,6 +55,10 @@ pub(crate) trait Forme<R: Reel>: Copy {
     /// The distance at which the ray enters, +∞ if it does not; computed without a branch.
     fn t(&self, rayon: &Rayon<R>) -> R;
 
+    /// The distance at which the ray leaves, from inside or after it entered, +∞ if it never does;
+    /// computed without a branch.
+    fn t_sortie(&self, rayon: &Rayon<R>) -> R;
+
     /// Whether a point is in the shape or on its surface: then no ray from it enters.
     fn contient(&self, point: Vecteur<R>) -> bool;
 

@@ -2,7 +2,7 @@
 
 use crate::forme::{Boule, Forme, Hauteur};
 use crate::rayon::Rayon;
-use crate::reel::{Reel, simple};
+use crate::reel::{Reel, max, simple};
 use crate::refus::{ErreurGeo, coefficient, deplacement, point, taille};
 use crate::rotation::Rotation;
 use crate::texture::Texture;
@@ -223,6 +223,19 @@ impl<R: Reel> Forme<R> for SphereRay<R> {
         let (haut, bas) = if avant_a { (puissance, sa_ab) } else { (sa, d2) };
         let entre = (ab2 > R::ZERO) & (sa > R::ZERO) & (puissance > R::ZERO); // S5
         if entre { haut / bas } else { R::INFINI }
+    }
+
+    /// SA + AB where A lies ahead, else the power over SA − AB: neither subtracts anything.
+    ///
+    /// AB is at least the root of the power of a source inside: so the way out of a ray that starts
+    /// there is above 0 and at most 2r away, even within rounding of the surface.
+    #[inline(always)]
+    fn t_sortie(&self, rayon: &Rayon<R>) -> R {
+        let Termes { sa, puissance, ab2, d2, .. } = self.termes(rayon);
+        let (dedans, devant) = (puissance < R::ZERO, sa > R::ZERO);
+        let ab = max(ab2, -puissance * d2).sqrt(); // W1
+        let (haut, bas) = if devant { (sa + ab, d2) } else { (puissance, sa - ab) }; // W2
+        if dedans | (devant & (ab2 > R::ZERO)) { haut / bas } else { R::INFINI }
     }
 
     fn contient(&self, point: Vecteur<R>) -> bool {
