@@ -62,7 +62,7 @@ pub mod promesses {
     /// From how many u·|f| on a sphere is not lost.
     pub const PERDUE: f64 = 64.0;
     /// Distance at which a ray leaves a sphere, in u·κt (lemma 23).
-    pub const SORTIE_SPHERE: f64 = 5.1;
+    pub const SORTIE_SPHERE: f64 = 5.7;
     /// Distance to a half-space, in u·κt (lemma 4).
     pub const DISTANCE_PLAN: f64 = 4.1;
     /// What products that underflow add to it, in subnormals over |N·D| (lemma 4).

@@ -252,51 +252,72 @@ fn lemme_4_distance_d_un_demi_espace() {
     });
 }
 
+/// What a box needs where `tv`, of |f| and ρ, bounds the length that the ray goes along a normal, in u·κt.
+fn distance_d_une_boite(
+    u: f64,
+    [f, rho]: [Intervalle; 2],
+    tv: impl Fn(Intervalle, Intervalle) -> Intervalle,
+) -> Option<Intervalle> {
+    let t = (1.0 - f - rho).max(i(0.0));
+    // |f|, t and ρ are the sides of a triangle, or nearly.
+    let (rho_, t_) = (rho * plus(20.0, u), t * moins(D1, u));
+    if (f + rho).bas > 1.0 || f.bas > (rho_ + d(u) * t).haut || t_.bas > (f + rho_).haut {
+        return None;
+    }
+    let faces = [1.0, 2.0, 3.0].map(|k| {
+        let v = d(u) * plus(19.0, u) / i(k).racine();
+        let tv = tv(f, rho).min(t * (v + bandes::VITESSE * u));
+        let suite = (k - 1.0) * rapport(u) * plus(2.0 * rapport(u), u) * t * v;
+        gamma(2.0, u) * tv
+            + gamma(4.0, u) * plus(gamma(2.0, u), u) * n(u) * f
+            + vitesse(u) * t
+            + if k > 1.0 { suite } else { i(0.0) }
+    });
+    Some(faces[0].max(faces[1]).max(faces[2]))
+}
+
 #[test]
 fn lemme_4_distance_d_une_boite() {
     tenir_sur(
         promesses::DISTANCE_BOITE,
         |_| [zero_a_un(), zero_a_un()],
-        |u, [f, rho]| {
-            let t = (1.0 - f - rho).max(i(0.0));
-            // |f|, t and ρ are the sides of a triangle, or nearly.
-            let (rho_, t_) = (rho * plus(20.0, u), t * moins(D1, u));
-            if (f + rho).bas > 1.0 || f.bas > (rho_ + d(u) * t).haut || t_.bas > (f + rho_).haut {
-                return None;
-            }
-            let faces = [1.0, 2.0, 3.0].map(|k| {
-                let v = d(u) * plus(19.0, u) / i(k).racine();
-                let tv = (n(u) * f).min(t * (v + bandes::VITESSE * u));
-                let suite = (k - 1.0) * rapport(u) * plus(2.0 * rapport(u), u) * t * v;
-                gamma(2.0, u) * tv
-                    + gamma(4.0, u) * plus(gamma(2.0, u), u) * n(u) * f
-                    + vitesse(u) * t
-                    + if k > 1.0 { suite } else { i(0.0) }
-            });
-            Some(faces[0].max(faces[1]).max(faces[2]))
-        },
+        |u, x| distance_d_une_boite(u, x, |f, _| n(u) * f),
     );
 }
 
-/// What the sphere of radius 1 needs, in u·κt, where it is entered at the distance `t` and the cosine `c`; `x`
-/// tells how far z moves C across the ray, in u·f. None inside the band of `bande`·u(f + r).
-fn distance_d_une_sphere(u: f64, bande: f64, [t, c, x]: [Intervalle; 3]) -> Option<Intervalle> {
+/// A sphere of radius 1, moved by what S − C rounds, and what of it the computation is off by.
+struct Deplacee {
+    /// How far it is moved along the ray, and AB² by how much.
+    le_long: Intervalle,
+    ecart: Intervalle,
+    /// AB of the moved one.
+    ab: Intervalle,
+    /// How far its crossings are moved.
+    bouge: Intervalle,
+    f_: Intervalle,
+    /// By how much AB as computed may be less and more, before it is rounded, and what SA is off by.
+    dab: [Intervalle; 2],
+    dsa: Intervalle,
+}
+
+/// `c` is AB, `x` tells how far it is moved across the ray, in u·f; with `sa`, |SA|, −p may stand in for AB².
+/// None where AB may be lost.
+fn deplacee(
+    u: f64,
+    f: Intervalle,
+    c: Intervalle,
+    x: Intervalle,
+    sa: Option<Intervalle>,
+) -> Option<Deplacee> {
     let s = ((1.0 - c).max(i(0.0)) * (1.0 + c)).racine();
-    let p = t * (t + 2.0 * c);
-    let f = (p + 1.0).racine();
-    let large = bande * u * (f + 1.0);
-    if (c.carre() / (1.0 + s)).haut <= large.bas || (p / (f + 1.0)).haut <= large.bas {
-        return None;
-    }
-    let infini = Some(de_a(0.0, f64::INFINITY));
-    // 1: the sphere moves by z, in the plane of C and the ray and no longer than u·f.
+    // The sphere moves by z, in the plane of C and the ray and no longer than u·f.
     let z = u * f;
     let (le_long, travers) = (z * (1.0 - x.carre()).racine(), z * x);
     let w = c.carre();
     let ecart = 2.0 * s * travers + travers.carre();
     let w_ = w - ecart;
     if w_.bas <= 0.0 {
-        return infini;
+        return None;
     }
     let ab = w_.racine();
     let bouge = le_long + ecart.grandeur() / (c + ab);
@@ -310,23 +331,49 @@ fn distance_d_une_sphere(u: f64, bande: f64, [t, c, x]: [Intervalle; 3]) -> Opti
     let ac2 = et(gamma(3.0, u), et(i(1.0), i(1.0), u), u) * u * large_ac.carre()
         + g_ac * (2.0 * ac + g_ac);
     let dw = (g(5.0) + PERDU * u + ac2) * plus(1.0, u) + u * w_;
-    if (w_ - dw).bas <= 0.0 {
-        return infini;
+    // From within, AB² is no less than −p, which is AB² less SA².
+    let (moins_p, dp) = sa.map_or((i(0.0), i(0.0)), |sa| {
+        let moins_p = w_ - (sa + le_long).carre();
+        let p = moins_p.max(i(0.0));
+        (moins_p, (g(3.0) * (1.0 - p).max(i(0.0)) + u + PERDU * u) * plus(16.0, u) + g(5.0) * p)
+    });
+    let peu = (w_ - dw).max(moins_p - dp);
+    if peu.bas <= 0.0 {
+        return None;
     }
-    let dab = dw / (ab + (w_ - dw).racine());
+    let dab = [dw.min(w_ - peu) / (ab + peu.racine()), dw.max(dp) / (2.0 * ab)];
+    let dsa = g(3.0) * f_ + PERDU_LONGUEUR * u;
+    Some(Deplacee { le_long, ecart, ab, bouge, f_, dab, dsa })
+}
+
+/// What the sphere of radius 1 needs, in u·κt, where it is entered at the distance `t` and the cosine `c`; `x`
+/// tells how far z moves C across the ray, in u·f. None inside the band of `bande`·u(f + r).
+fn distance_d_une_sphere(u: f64, bande: f64, [t, c, x]: [Intervalle; 3]) -> Option<Intervalle> {
+    let s = ((1.0 - c).max(i(0.0)) * (1.0 + c)).racine();
+    let p = t * (t + 2.0 * c);
+    let f = (p + 1.0).racine();
+    let large = bande * u * (f + 1.0);
+    if (c.carre() / (1.0 + s)).haut <= large.bas || (p / (f + 1.0)).haut <= large.bas {
+        return None;
+    }
+    let infini = Some(de_a(0.0, f64::INFINITY));
+    let Some(Deplacee { le_long, ecart, ab, bouge, f_, dab, dsa }) = deplacee(u, f, c, x, None)
+    else {
+        return infini;
+    };
+    let (g, dab) = (|k| gamma(k, u) * u, dab[0].max(dab[1]));
     // SA − AB, without a cancellation.
     let t_ = (t + le_long * de_a(-1.0, 1.0) + ecart / (c + ab)).max(i(0.0));
     let q = t_ + 2.0 * ab;
     let p_ = t_ * q;
     let dp = (g(3.0) * f_.carre() + u + PERDU * u) * plus(1.0, u) + u * p_;
-    let dsa = g(3.0) * f_ + PERDU_LONGUEUR * u;
     let dq = (dsa + dab + u * (ab + dab)) * plus(1.0, u) + u * q;
     if (q - dq).bas <= 0.0 {
         return infini;
     }
-    // 2: p/s.
+    // p/s.
     let de_p_sur_q = (dp * plus(1.0, u) + u * p_ + t_ * dq) / (q - dq);
-    // 3: SA/D², if p·D² ≥ SA·q as computed. Exactly SA·s − p = AB·s; `passe` is what the two
+    // SA/D², if p·D² ≥ SA·q as computed. Exactly SA·s − p = AB·s; `passe` is what the two
     // products are off by, each of which may be lost.
     let m = t_ + ab;
     let passe = dp
@@ -879,4 +926,98 @@ fn lemme_22_coup_d_oeil() {
 fn lemme_21_etendue() {
     // The half-extents as computed, what the matrix is off by, two sums and the sums of the slack.
     tenir(ETENDUE, |u| (et(gamma(3.0, u), i(1.0), u) + 36.0 + 2.0) * plus(100.0, u));
+}
+
+/// What a ray needs, in u·κt, that leaves the sphere of radius 1 at the cosine `c`, where SA is `b`; `x` as for an
+/// entry. S is ahead of A by no more than rounding.
+fn sortie_apres_a(u: f64, bande: f64, [b, c, x]: [Intervalle; 3]) -> Option<Intervalle> {
+    let s = ((1.0 - c).max(i(0.0)) * (1.0 + c)).racine();
+    let f = (b.carre() + s.carre()).racine();
+    if (c.carre() / (1.0 + s)).haut <= (bande * u * (f + 1.0)).bas {
+        return None;
+    }
+    let Some(Deplacee { bouge, ab, dab, dsa, .. }) = deplacee(u, f, c, x, Some(b)) else {
+        return Some(de_a(0.0, f64::INFINITY));
+    };
+    let (q, dab) = (b + u * f + ab, dab[0].max(dab[1]));
+    let dq = (dsa + dab + u * (ab + dab)) * plus(1.0, u) + u * q;
+    // D² and the quotient. (Where the sign of SA is wrong, S is A to 4u.)
+    let erreur = dq * plus(16.0, u) + gamma(4.0, u) * u * q;
+    Some((bouge + erreur) * c / (u * (f + 1.0 + b + c)) * plus(2.0 * D1, u))
+}
+
+/// The same of a ray from within whose A lies behind S, t = `y`·`c` before the sphere.
+fn sortie_de_dedans(u: f64, bande: f64, [y, c, x]: [Intervalle; 3]) -> Option<Intervalle> {
+    let (t, p) = (y * c, y * (2.0 - y) * c.carre());
+    let f = (1.0 - p).racine();
+    if (p / (1.0 + f)).haut <= (bande * u * (f + 1.0)).bas {
+        return None;
+    }
+    let infini = Some(de_a(0.0, f64::INFINITY));
+    let sa = (1.0 - y).grandeur() * c;
+    let Some(Deplacee { bouge, ab, dab, dsa, f_, .. }) = deplacee(u, f, c, x, Some(sa)) else {
+        return infini;
+    };
+    let t_ = t + bouge;
+    let q = (1.0 - y) * c + ab - u * f;
+    let p_ = t_ * (q + 2.0 * u * f);
+    let dp = (gamma(3.0, u) * u * f_.carre() + u + PERDU * u) * plus(1.0, u) + u * p_;
+    // Of an AB that is too large s is too.
+    let [moins, plus_grand] = dab.map(|dab| {
+        let reste = (dsa + u * (ab + dab)) * plus(1.0, u) + u * (q + 2.0 * u * f);
+        (dab * plus(1.0, u), reste)
+    });
+    let (court, long) = (q - moins.0 - moins.1, q + plus_grand.0 - plus_grand.1);
+    if court.bas <= 0.0 {
+        return infini;
+    }
+    let erreur = |(dab, reste), s| (dp * plus(1.0, u) + u * p_ + t_ * (dab + reste)) / s;
+    let erreur = erreur(moins, court).max(erreur(plus_grand, long));
+    Some((bouge + erreur) * c / (u * (f + 1.0 + t)) * plus(2.0 * D1, u))
+}
+
+#[test]
+fn lemme_23_sortie_d_une_sphere() {
+    let k = promesses::SORTIE_SPHERE;
+    tenir(k, |u| {
+        let (cosinus, x) = (de_a(u.sqrt(), 1.0), de_a(-1.0, 1.0));
+        let devant = [de_a(u, 0.5 / u), cosinus, x];
+        // A sign of SA is wrong where S is A to 4u: c is √u at least.
+        let derriere = [de_a(u, 1.0 + 4.0 * u.sqrt()), cosinus, x];
+        portee(devant, k, |x| sortie_apres_a(u, bandes::SPHERE, x))
+            .max(portee(derriere, k, |x| sortie_de_dedans(u, bandes::SPHERE, x)))
+    });
+}
+
+#[test]
+fn lemme_23_sortie_d_une_boite() {
+    // As for an entry, but that tv may be ρ too.
+    tenir_sur(
+        promesses::DISTANCE_BOITE,
+        |_| [zero_a_un(), zero_a_un()],
+        |u, x| distance_d_une_boite(u, x, |f, rho| n(u) * f + rho),
+    );
+}
+
+#[test]
+fn lemme_23_normale() {
+    // y = f/r. S7 rounds f, t̂D and their sum; t is f + r at most, and y + c where the normal is leaned, with
+    // y ≥ 1 − c²/2 then; the quotient, and four roundings across D.
+    for u in U {
+        let domaine = [de_a(u, 1.0 / (promesses::PERDUE * u))];
+        let droite = portee(domaine, promesses::DIRECTION, |[y]| {
+            Some((2.0 * y + 3.0) / (1.0 + y) * plus(8.0, u))
+        });
+        // There c² is no more than what the distance, at most K·u·κt off, and N·D may be off by.
+        let domaine = [de_a(0.5, 1.0 / (promesses::PERDUE * u))];
+        let penchee = portee(domaine, promesses::DIRECTION, |[y]| {
+            let c2 = promesses::SORTIE_SPHERE * u * (2.0 + 2.0 * y) + 20.0 * u * (1.0 + y);
+            if (y + 0.5 * c2).haut < 1.0 {
+                return None;
+            }
+            let c = if y.haut < 4.0 { c2.racine() } else { i(1.0) };
+            Some((2.0 * y + c + 6.0) / (1.0 + y) * plus(8.0, u))
+        });
+        assert!(droite.max(penchee).haut <= promesses::DIRECTION);
+    }
 }
