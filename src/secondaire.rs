@@ -37,7 +37,7 @@ impl<R: Reel> Rayon<R> {
     /// knows nothing either: the ray may start inside that object, which it then does not see. Of
     /// rays aimed at the corner between two walls up to half go through; a ray out of a glass into
     /// the table that the glass stands on always starts inside the table. Where a ray leaves an
-    /// object it finds by the way back, from beyond the object: the recipe "Glass" in
+    /// object [`ObjetRay::sortie`](crate::ObjetRay::sortie) says; the recipe "Glass" in
     /// `docs/README.md` asks for both.
     ///
     /// `touche` is to be a hit of this very ray. With the hit of another ray the result is a valid
