@@ -545,8 +545,13 @@ fn lemmes_7_et_8_une_longueur_moindre_ne_suffit_pas() {
 }
 
 /// What |CP² − r²|, x² and y reach of a sphere of radius 1 with r ≥ 64u|f| + 16u⟨P, 1⟩, as parts of
-/// the limits beyond which it is lost. `k` is AC. None where the ray misses.
-fn sphere_non_perdue(u: f64, perdue: f64, [f, k]: [Intervalle; 2]) -> Option<Intervalle> {
+/// the limits beyond which it is lost; `sort`: where it is left. `k` is AC. None where the ray misses.
+fn sphere_non_perdue(
+    u: f64,
+    perdue: f64,
+    sort: bool,
+    [f, k]: [Intervalle; 2],
+) -> Option<Intervalle> {
     let a = u * f;
     let g = |k| gamma(k, u) * u;
     let g_ac = i(4.0 / 3.0).racine() * a + PERDU_LONGUEUR * u;
@@ -562,7 +567,12 @@ fn sphere_non_perdue(u: f64, perdue: f64, [f, k]: [Intervalle; 2]) -> Option<Int
     // τ (lemma 14).
     let dp = (g(3.0) * f.carre() + u + PERDU * u) * plus(1.0, u) + u * p;
     let dq = (g(3.0) * f + PERDU_LONGUEUR * u + u * beta) * plus(2.0, u) + u * (b + beta);
-    let e = (dw + dp * plus(1.0, u) + u * p + b * dq) / (b - dq);
+    let e = if sort {
+        // SA, the root, the sum, D² and the quotient.
+        dq + gamma(4.0, u) * u * (b + beta) * plus(8.0, u)
+    } else {
+        (dw + dp * plus(1.0, u) + u * p + b * dq) / (b - dq)
+    };
     // Where t̂ is SA/D², β is no more than e and 8u·f.
     let loin = (dw + 2.0 * beta * e + e.carre()).max(dw + (g(7.0) * f).carre());
     let pres = dw + (2.0 * beta * e).max((e + g(8.0) * f).carre());
@@ -582,7 +592,7 @@ fn sphere_non_perdue(u: f64, perdue: f64, [f, k]: [Intervalle; 2]) -> Option<Int
 fn lemme_7_marge_finie() {
     let perdue = promesses::PERDUE;
     let domaine = |u| [de_a(2.0, 1.0 / (perdue * u)), de_a(0.0, 1.05)];
-    tenir_sur(1.0, domaine, |u, x| sphere_non_perdue(u, perdue, x));
+    tenir_sur(1.0, domaine, |u, x| sphere_non_perdue(u, perdue, false, x));
 }
 
 #[test]
@@ -590,7 +600,7 @@ fn lemme_7_marge_finie() {
 fn lemme_7_plus_pres_une_sphere_se_perd() {
     let perdue = 0.9 * promesses::PERDUE;
     let domaine = [de_a(2.0, 1.0 / (perdue * U[0])), de_a(0.0, 1.05)];
-    let _ = portee(domaine, 1.0, |x| sphere_non_perdue(U[0], perdue, x));
+    let _ = portee(domaine, 1.0, |x| sphere_non_perdue(U[0], perdue, false, x));
 }
 
 #[test]
@@ -997,6 +1007,15 @@ fn lemme_23_sortie_d_une_boite() {
         |_| [zero_a_un(), zero_a_un()],
         |u, x| distance_d_une_boite(u, x, |f, rho| n(u) * f + rho),
     );
+}
+
+#[test]
+fn lemme_23_marge_finie() {
+    for u in U {
+        let domaine = [de_a(2.0, 1.0 / (promesses::PERDUE * u)), de_a(0.0, 1.05)];
+        let besoin = portee(domaine, 1.0, |x| sphere_non_perdue(u, promesses::PERDUE, true, x));
+        assert!(besoin.haut <= 1.0);
+    }
 }
 
 #[test]
