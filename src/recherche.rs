@@ -93,7 +93,8 @@ impl<R: Reel> ObjetRay<R> {
     /// ```
     /// use lancer_rayon::{NoIntersection, ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
     ///
-    /// let boule = ObjetRay::from(SphereGeo::new(Vecteur::new(0.0, 0.0, -5.0), 1.0, Texture(0))?);
+    /// let boule = SphereGeo::new(Vecteur::new(0.0, 0.0, -5.0), 1.0, Texture(0))?;
+    /// let boule: ObjetRay = boule.into();
     /// let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.0, 0.0, -1.0))?;
     /// let [entree, sortie] = [boule.intersection(&rayon)?, boule.sortie(&rayon)?];
     /// assert_eq!([entree.distance(), sortie.distance()], [4.0, 6.0]);
