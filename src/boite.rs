@@ -281,8 +281,16 @@ impl<R: Reel> Forme<R> for BoiteRay<R> {
     fn t(&self, rayon: &Rayon<R>) -> R {
         let (entree, _, sortie) = self.dalles(rayon);
         let entre = (entree.longueur > R::ZERO) & !entree.depasse(sortie);
-        // B5: the length is multiplied, not the quotient, which may be subnormal.
-        if entre { entree.longueur * echelle_vitesse() / entree.vitesse } else { R::INFINI }
+        if entre { entree.distance() } else { R::INFINI }
+    }
+
+    /// The first of the three exits, if it lies ahead and comes no sooner than the last of the three
+    /// entries.
+    #[inline(always)]
+    fn t_sortie(&self, rayon: &Rayon<R>) -> R {
+        let (entree, _, sortie) = self.dalles(rayon);
+        let sort = (sortie.longueur > R::ZERO) & !entree.depasse(sortie); // W4
+        if sort { sortie.distance() } else { R::INFINI }
     }
 
     fn contient(&self, point: Vecteur<R>) -> bool {
@@ -341,6 +349,12 @@ impl<R: Reel> Quotient<R> {
     fn depasse(self, autre: Self) -> bool {
         // B3
         self.longueur * autre.vitesse > autre.longueur * self.vitesse
+    }
+
+    #[inline(always)]
+    fn distance(self) -> R {
+        // B5: the length is multiplied, not the quotient, which may be subnormal.
+        self.longueur * echelle_vitesse() / self.vitesse
     }
 }
 

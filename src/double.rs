@@ -1,16 +1,16 @@
 //! Numbers of twice the length of an `f64`, each with a bound on its own error (`docs/preuves.md`,
-//! lemma 18).
+//! lemma 16).
 
 use crate::reel::Reel;
 use crate::vecteur::Vecteur;
 
-/// A product rounds by so many u² of itself (lemma 18).
+/// A product rounds by so many u² of itself (lemma 16).
 pub const PRODUIT_DOUBLE: f64 = 8.1;
 
-/// What a product loses below the normal numbers, in η (lemma 18).
+/// What a product loses below the normal numbers, in η (lemma 16).
 pub const PERTE_DOUBLE: f64 = 3.8;
 
-/// A bound grows by so many u of itself for its own rounding (lemma 18).
+/// A bound grows by so many u of itself for its own rounding (lemma 16).
 pub const BORNE_DOUBLE: f64 = 7.5;
 
 /// `haut` + `bas`, no farther than `erreur` from the number that it stands for; |bas| ≤ u·|haut|.

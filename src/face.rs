@@ -101,7 +101,7 @@ impl<R: Reel> BoiteRay<R> {
         let [x, y, z] = cosinus.map(R::abs);
         let axe = if x >= y && x >= z { 0 } else { 1 + usize::from(z > y) };
         let face = Face::TOUTES[if cosinus[axe] < R::ZERO { axe + 3 } else { axe }];
-        // Relative to the source: S + tD − C would lose what S and C have in common (lemma 14).
+        // Relative to the source: S + tD − C would lose what S and C have in common (lemma 6).
         let p = (rayon.source() - self.centre()) + rayon.direction() * touche.distance();
         let mut p = self.paires().map(|(n, l)| {
             // Of a hit on something else a NaN is possible, and becomes a limit as well.

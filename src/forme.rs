@@ -12,24 +12,24 @@ use crate::reel::{Reel, fois_u, fois_u_simple, max, min, puissance_de_deux};
 use crate::vecteur::Vecteur;
 
 /// The rounding of a height over a surface, in u·ℓ; and as much again is the rounding with which the
-/// next search sees that height (lemmas 7 and 8).
+/// next search sees that height (lemmas 8 and 9).
 pub const ARRONDI_HAUTEUR: f64 = 4.0;
 
 /// A margin is larger by so many u of itself: 6 for an N that is hardly unit, the others for the
-/// rounding of its last operations (lemma 7).
+/// rounding of its last operations (lemma 8).
 pub const VERS_LE_HAUT: f64 = 10.0;
 
 /// A margin is larger by this length, in `f32` and in `f64`: more than is lost below the normal
-/// numbers (lemma 7), and so much that no margin is a subnormal number, with which processors compute up
+/// numbers (lemma 8), and so much that no margin is a subnormal number, with which processors compute up
 /// to a hundred times as long. Nor is a start over a floor through O, unless a coordinate of its normal
 /// is below 2⁻²⁶ (`f64`: 2⁻¹²²) and not 0, as a turn of π by rounding leaves one in `f32`.
 pub const PLANCHER: (f64, f64) = (puissance_de_deux(-100), puissance_de_deux(-900));
 
-/// A normal that does not face the source is leaned towards it by so many u (lemma 6).
+/// A normal that does not face the source is leaned towards it by so many u (lemma 7).
 pub const PENCHE: f64 = 14.0;
 
 /// SC² is reduced by so many u of `f32` of itself, in both types, so that rounding hides no entry
-/// from the ball (lemma 11): the numbers of a scene in `f64` may be those of one in `f32`.
+/// from the ball (lemma 14): the numbers of a scene in `f64` may be those of one in `f32`.
 pub const RETRAIT: f64 = 130.0;
 
 /// A shape, ready for rays.
@@ -55,6 +55,10 @@ pub(crate) trait Forme<R: Reel>: Copy {
 
     /// The distance at which the ray enters, +∞ if it does not; computed without a branch.
     fn t(&self, rayon: &Rayon<R>) -> R;
+
+    /// The distance at which the ray leaves, from inside or after it entered, +∞ if it never does;
+    /// computed without a branch.
+    fn t_sortie(&self, rayon: &Rayon<R>) -> R;
 
     /// Whether a point is in the shape or on its surface: then no ray from it enters.
     fn contient(&self, point: Vecteur<R>) -> bool;
@@ -111,7 +115,7 @@ pub(crate) trait Forme<R: Reel>: Copy {
     }
 }
 
-/// A bound on the height of a point P over a surface with normal N (lemma 7).
+/// A bound on the height of a point P over a surface with normal N (lemma 8).
 pub(crate) struct Hauteur<R> {
     /// P lies no farther from the surface than b, in units of N.
     pub(crate) b: R,
@@ -146,7 +150,7 @@ impl<R: Reel> Boule<R> {
     /// Whether the ray comes near the ball.
     ///
     /// Never false for a ray that enters the shape, whatever rounding does (derivation in
-    /// `docs/preuves.md`, lemma 11). A ray whose source is in the ball passes even with C behind
+    /// `docs/preuves.md`, lemma 14). A ray whose source is in the ball passes even with C behind
     /// it.
     #[inline(always)]
     pub(crate) fn approchee(self, rayon: &Rayon<R>) -> bool {

@@ -24,14 +24,14 @@ use crate::reel::{Reel, fois_u, max};
 const NET: f64 = 1.0 / 64.0;
 
 /// The bound of [`ObjetRay::erreur`] grows by so many u of itself for its last operations (lemma
-/// 19).
+/// 17).
 pub const ERREUR_ARRONDIE: f64 = 16.1;
 
 impl<R: Reel> ObjetRay<R> {
     /// A bound on the error of [`touche.distance()`](Intersection::distance), in scene units: the
     /// ray enters this object no farther than that from there, for the numbers as they are stored.
     ///
-    /// It is proven (`docs/preuves.md`, lemma 19), at the edges of a box too and with the rounding
+    /// It is proven (`docs/preuves.md`, lemma 17), at the edges of a box too and with the rounding
     /// of its own computation. It is +∞ where the ray does not enter the object, and where numbers
     /// of twice the length of an `f64` cannot tell at t whether it does; it is never a NaN. It rests on t
     /// alone, not on how t was found: it is the error itself, as found with such numbers, and what D lacks
@@ -102,7 +102,7 @@ impl<R: Reel> ObjetRay<R> {
     #[doc(alias("is_certain", "is_robust"))]
     #[must_use]
     pub fn est_certain(&self, rayon: &Rayon<R>) -> bool {
-        // J8: no ray that enters an object passes the ball around it by (lemma 19).
+        // J8: no ray that enters an object passes the ball around it by (lemma 17).
         if !self.boule().approchee(rayon) {
             return true;
         }
@@ -245,7 +245,7 @@ impl<R: Reel> Epreuve<R> for Certificat<'_, R> {
 
     #[inline(always)]
     fn t(&self, rayon: &Rayon<R>, objet: &ObjetRay<R>, indice: usize, dans_sa_boite: bool) -> R {
-        // No ray that enters an object passes the ball around it by (lemma 19).
+        // No ray that enters an object passes the ball around it by (lemma 17).
         let proche = dans_sa_boite || objet.boule().approchee(rayon);
         if !proche || self.vient_apres(objet, indice) { R::INFINI } else { R::ZERO }
     }

@@ -33,7 +33,7 @@ pub(crate) use par_forme;
 /// A translation rounds each coordinate of the centre once; of a half-space d − N·v is off by u of
 /// d and 4.1u·Σ|N_i·v_i|. A turned centre C·M is off by 3.1u·Σ|C_i|, since no element of M exceeds
 /// 1 + 6u. Below the normal numbers both are off by 1.6 times the smallest number besides (lemma
-/// 9).
+/// 11).
 ///
 /// ```
 /// use core::f64::consts::PI;
@@ -270,7 +270,7 @@ impl<R: Reel> ObjetRay<R> {
     }
 }
 
-/// A box around an object is larger by so many u of the sum of its half-extents (lemma 21).
+/// A box around an object is larger by so many u of the sum of its half-extents (lemma 15).
 pub const ETENDUE: f64 = 44.0;
 
 /// The lowest and the highest corner of a box along the axes that holds all of these objects, save

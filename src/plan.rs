@@ -250,6 +250,15 @@ impl<R: Reel> Forme<R> for PlanRay<R> {
         if self.peut_entrer(rayon) { hauteur / descente } else { R::INFINI }
     }
 
+    /// t = (−d − N·S)/(N·D), for a ray that climbs from inside: the entry into the other half of
+    /// space.
+    #[inline(always)]
+    fn t_sortie(&self, rayon: &Rayon<R>) -> R {
+        let (hauteur, descente) = self.hauteur_et_descente(rayon);
+        // W3
+        if (descente < R::ZERO) & (hauteur < R::ZERO) { hauteur / descente } else { R::INFINI }
+    }
+
     fn contient(&self, point: Vecteur<R>) -> bool {
         self.normale.produit_scalaire(point) + self.distance <= R::ZERO
     }

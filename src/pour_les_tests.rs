@@ -1,6 +1,6 @@
 //! What tests and measurements need of this crate and its callers do not: the batch and the hierarchy with
 //! other instructions; what no answer tells; and, under one roof for the test that holds them to their
-//! lemmas, the constants of the proofs in `docs/preuves.md` and the numbers of lemma 18.
+//! lemmas, the constants of the proofs in `docs/preuves.md` and the numbers of lemma 16.
 
 use fearless_simd::Level;
 

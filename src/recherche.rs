@@ -2,11 +2,12 @@
 
 use core::slice;
 
-use crate::intersection::{NoIntersection, Rang, Touche};
+use crate::forme::Forme;
+use crate::intersection::{Intersection, NoIntersection, Rang, Touche};
 use crate::liste::Liste;
-use crate::objet::ObjetRay;
+use crate::objet::{ObjetRay, par_forme};
 use crate::rayon::Rayon;
-use crate::reel::Reel;
+use crate::reel::{Reel, max};
 
 /// The first object that the ray enters: its distance, its normal there, its texture and its index
 /// in the list (handout §4.1).
@@ -74,6 +75,58 @@ impl<R: Reel> ObjetRay<R> {
     #[doc(alias("intersect", "hit"))]
     pub fn intersection(&self, rayon: &Rayon<R>) -> Touche<R> {
         premiere_intersection(slice::from_ref(self), rayon)
+    }
+
+    /// Where the ray leaves this object: from inside, or after it entered.
+    ///
+    /// `distance` is that from the source of the ray, in scene units, and `normale` points outward: now
+    /// along the ray, D·N > 0. `marge` and [`Rayon::secondaire`] are those of any hit, with this very ray:
+    /// glass goes on from there outward, by Snell's law, or inward, mirrored. The way out is as exact as a
+    /// hit (`docs/precision.md`), and [`BoiteRay::lieu`](crate::BoiteRay::lieu) takes it as one. Only
+    /// [`reflechi`](Rayon::reflechi) and [`erreur`](Self::erreur) are of entries.
+    ///
+    /// **Each crossing is found once.** A ray that enters a sphere or a box leaves it, and never before it
+    /// enters; from inside it always leaves. A half-space that it enters it never leaves. From a source
+    /// exactly on the surface a ray leaves at the far side, or not at all: the source itself is no way out,
+    /// as it is no hit. A ray that `secondaire` sent inward leaves likewise, and one that it sent outward
+    /// does not.
+    ///
+    /// # Errors
+    /// [`NoIntersection`] if the ray passes the object by or starts beyond it; if it descends in a
+    /// half-space, or keeps its depth; or if the distance is too large for the type.
+    ///
+    /// ```
+    /// use lancer_rayon::{NoIntersection, ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
+    ///
+    /// let boule = SphereGeo::new(Vecteur::new(0.0, 0.0, -5.0), 1.0, Texture(0))?;
+    /// let boule: ObjetRay = boule.into();
+    /// let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.0, 0.0, -1.0))?;
+    /// let [entree, sortie] = [boule.intersection(&rayon)?, boule.sortie(&rayon)?];
+    /// assert_eq!([entree.distance(), sortie.distance()], [4.0, 6.0]);
+    /// assert_eq!(sortie.normale(), Vecteur::new(0.0, 0.0, -1.0));
+    ///
+    /// // Straight through: in, and out again.
+    /// let dedans = rayon.secondaire(&entree, rayon.direction())?;
+    /// let sortie = boule.sortie(&dedans)?;
+    /// assert!((sortie.distance() - 2.0).abs() < 1e-13);
+    /// let dehors = dedans.secondaire(&sortie, dedans.direction())?;
+    /// assert_eq!(boule.intersection(&dehors), Err(NoIntersection));
+    /// assert_eq!(boule.sortie(&dehors), Err(NoIntersection));
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    #[doc(alias("exit", "far_side", "leave"))]
+    pub fn sortie(&self, rayon: &Rayon<R>) -> Touche<R> {
+        // Turned back, the ray enters last, before its source, where it leaves first.
+        let retour = Rayon::sans_verifier(rayon.source(), -rayon.direction());
+        par_forme!(Self, self, forme => {
+            let (entree, sortie) = (forme.t(rayon), forme.t_sortie(rayon));
+            let t = if entree < R::INFINI { max(entree, sortie) } else { sortie }; // W5
+            if t == R::INFINI {
+                return Err(NoIntersection);
+            }
+            let contact = forme.conclure(&retour, -t); // W6
+            Ok(Intersection::new(t, contact, forme.texture(), Rang::de(0)))
+        })
     }
 }
 

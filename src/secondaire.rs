@@ -7,16 +7,16 @@ use crate::refus::{ErreurGeo, exiger};
 use crate::vecteur::Vecteur;
 
 /// A direction within so many u of the tangent plane is turned outward: no N·D rounds by more
-/// (lemma 8).
+/// (lemma 9).
 pub const TANGENT: f64 = 3.2;
 
-/// Such a direction is turned by so many u: N·D is then above 0, however it is rounded (lemma 8).
+/// Such a direction is turned by so many u: N·D is then above 0, however it is rounded (lemma 9).
 pub const REDRESSE: f64 = 12.0;
 
-/// By so many u of itself a margin grows for an N that is not exactly unit (lemma 8).
+/// By so many u of itself a margin grows for an N that is not exactly unit (lemma 9).
 pub const PAS_NORMAL: f64 = 20.0;
 
-/// The rounding of the moved point, in u·Σ|N_i·P_i| (lemma 8).
+/// The rounding of the moved point, in u·Σ|N_i·P_i| (lemma 9).
 pub const PAS_ARRONDI: f64 = 1.1;
 
 impl<R: Reel> Rayon<R> {
@@ -37,7 +37,7 @@ impl<R: Reel> Rayon<R> {
     /// knows nothing either: the ray may start inside that object, which it then does not see. Of
     /// rays aimed at the corner between two walls up to half go through; a ray out of a glass into
     /// the table that the glass stands on always starts inside the table. Where a ray leaves an
-    /// object it finds by the way back, from beyond the object: the recipe "Glass" in
+    /// object [`ObjetRay::sortie`](crate::ObjetRay::sortie) says; the recipe "Glass" in
     /// `docs/README.md` asks for both.
     ///
     /// `touche` is to be a hit of this very ray. With the hit of another ray the result is a valid
@@ -119,7 +119,7 @@ impl<R: Reel> Rayon<R> {
     /// point)`, whose error names what cannot be computed.
     ///
     /// From the start to the light the distance is good to 3.6u of itself and
-    /// [`MIN_POSITIF`](Reel::MIN_POSITIF), the direction to 4.6u, and N·L to 8u (lemma 9). Towards a
+    /// [`MIN_POSITIF`](Reel::MIN_POSITIF), the direction to 4.6u, and N·L to 8u (lemma 11). Towards a
     /// point of a lamp that is itself an object of the list, [leave the lamp
     /// out](crate::Hierarchie::sans).
     ///

@@ -2,7 +2,7 @@
 
 use crate::forme::{Boule, Forme, Hauteur};
 use crate::rayon::Rayon;
-use crate::reel::{Reel, simple};
+use crate::reel::{Reel, max, simple};
 use crate::refus::{ErreurGeo, coefficient, deplacement, point, taille};
 use crate::rotation::Rotation;
 use crate::texture::Texture;
@@ -182,14 +182,14 @@ impl<R: Reel> SphereRay<R> {
     }
 }
 
-/// A height is at most this times the difference of squares, over r (lemmas 7 and 8).
+/// A height is at most this times the difference of squares, over r (lemmas 8 and 9).
 pub const PAR_RAYON: f64 = 0.6;
 
-/// The length ℓ of a sphere, in r (lemmas 7 and 8).
+/// The length ℓ of a sphere, in r (lemmas 8 and 9).
 pub const LONGUEUR: f64 = 1.3;
 
 /// The limit of |CP² − r²|, in r². A sphere is lost in rounding beyond this limit, or either of the
-/// next two (lemma 7).
+/// next two (lemma 8).
 pub const PUISSANCE_PERDUE: f64 = 0.4;
 
 /// The limit of the square of what CP has across N, in r².
@@ -223,6 +223,19 @@ impl<R: Reel> Forme<R> for SphereRay<R> {
         let (haut, bas) = if avant_a { (puissance, sa_ab) } else { (sa, d2) };
         let entre = (ab2 > R::ZERO) & (sa > R::ZERO) & (puissance > R::ZERO); // S5
         if entre { haut / bas } else { R::INFINI }
+    }
+
+    /// SA + AB where A lies ahead, else the power over SA − AB: neither subtracts anything.
+    ///
+    /// AB is at least the root of the power of a source inside: so the way out of a ray that starts
+    /// there is above 0 and at most 2r away, even within rounding of the surface.
+    #[inline(always)]
+    fn t_sortie(&self, rayon: &Rayon<R>) -> R {
+        let Termes { sa, puissance, ab2, d2, .. } = self.termes(rayon);
+        let (dedans, devant) = (puissance < R::ZERO, sa > R::ZERO);
+        let ab = max(ab2, -puissance * d2).sqrt(); // W1
+        let (haut, bas) = if devant { (sa + ab, d2) } else { (puissance, sa - ab) }; // W2
+        if dedans | (devant & (ab2 > R::ZERO)) { haut / bas } else { R::INFINI }
     }
 
     fn contient(&self, point: Vecteur<R>) -> bool {

@@ -13,7 +13,7 @@ use std::time::Instant;
 
 use exemples::image;
 use exemples::scene::{Scene, tuiles};
-use exemples::verre::{avant_la_sortie, sortir};
+use exemples::verre::avant_la_sortie;
 use indicatif::ParallelProgressIterator;
 use lancer_rayon::{
     Hierarchie, Intersection, LongueursDifferentes, NoIntersection, ObjetRay, Rayon, Reel,
@@ -43,9 +43,8 @@ const REBONDS: usize = 8;
 /// be a bright dot.
 const PLAFOND: f64 = 1.6;
 
-/// The refractive index of glass, and a length that no thing of glass reaches.
+/// The refractive index of glass.
 const INDICE: f64 = 1.5;
-const VERRE: f64 = 2.0;
 
 fn main() -> ExitCode {
     let mut arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -175,10 +174,8 @@ impl<R: Reel> Chambre<'_, R> {
             let (mut suivants, mut ombres) = (Vec::new(), Vec::new());
             for (chemin, touche) in chemins.into_iter().zip(touches) {
                 if let Some(verre) = chemin.dans {
-                    // Shot back, 2 of a million rays miss the box that they left, in `f32`: they end.
-                    let loin = R::depuis_f64(VERRE);
-                    let sortie = sortir(&self.objets[verre], &chemin.rayon, loin);
-                    let Some(sortie) = sortie else { continue };
+                    // A ray that entered beside an edge may have stepped out again: it ends.
+                    let Ok(sortie) = self.objets[verre].sortie(&chemin.rayon) else { continue };
                     if !touche.is_ok_and(|t| avant_la_sortie(&chemin.rayon, &t, &sortie)) {
                         suivants.extend(chemin.dehors(&sortie, verre));
                         continue;
@@ -254,9 +251,9 @@ impl<R: Reel> Chambre<'_, R> {
 
 impl<R: Reel> Chemin<R> {
     /// How a path inside the object of this index goes on from where it leaves it, or is mirrored within.
-    fn dehors(&self, (retour, sortie): &(Rayon<R>, Intersection<R>), verre: usize) -> Option<Self> {
+    fn dehors(&self, sortie: &Intersection<R>, verre: usize) -> Option<Self> {
         let (vers, passe) = traverser(self.rayon.direction(), -sortie.normale(), INDICE);
-        let rayon = retour.secondaire(sortie, vers).ok()?;
+        let rayon = self.rayon.secondaire(sortie, vers).ok()?;
         Some(Self { rayon, dans: (!passe).then_some(verre), ..*self })
     }
 

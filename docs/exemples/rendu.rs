@@ -16,7 +16,7 @@ use std::time::Instant;
 
 use crate::image;
 use crate::scene::{Scene, tuiles};
-use crate::verre::{avant_la_sortie, sortir};
+use crate::verre::avant_la_sortie;
 use indicatif::ParallelProgressIterator;
 use lancer_rayon::{
     Hierarchie, Intersection, LongueursDifferentes, NoIntersection, ObjetRay, Rayon, Reel, Touche,
@@ -322,18 +322,16 @@ impl<R: Reel> Atelier<'_, R> {
     fn sortie(&self, trajet: &Trajet<R>, touche: &Touche<R>) -> Option<Trajet<R>> {
         let Trajet { rayon, oeil, part, quitte, dedans: true } = *trajet else { return None };
         let objet = &self.objets[quitte];
-        let [bas, haut] = objet.etendue()?;
-        let sortie = sortir(objet, &rayon, (haut - bas).longueur() * R::depuis_f64(2.0))?;
+        let sortie = objet.sortie(&rayon).ok()?;
         if touche.is_ok_and(|touche| avant_la_sortie(&rayon, &touche, &sortie)) {
             return None;
         }
-        let (retour, sortie) = sortie;
         let matiere = &PALETTE[sortie.texture().0 as usize % PALETTE.len()];
         let (d, n) = (rayon.direction(), -sortie.normale());
         // Beyond the critical angle the ray stays inside.
         let dehors = refractee(d, n, matiere.indice);
         let vers = dehors.unwrap_or(d - (n + n) * d.produit_scalaire(n));
-        let rayon = retour.secondaire(&sortie, vers).ok()?;
+        let rayon = rayon.secondaire(&sortie, vers).ok()?;
         Some(Trajet { rayon, oeil, part, quitte, dedans: dehors.is_none() })
     }
 

@@ -1,18 +1,6 @@
-//! Glass: where a ray inside an object leaves it, and whether it meets something else before.
+//! Glass: whether a ray inside it meets something else before it leaves.
 
-use lancer_rayon::{Intersection, ObjetRay, Rayon, Reel};
-
-/// Where a ray inside this object leaves it: the ray shot back from beyond the object, and its hit there. No two
-/// points of the object are `loin` apart.
-pub fn sortir<R: Reel>(
-    objet: &ObjetRay<R>,
-    dedans: &Rayon<R>,
-    loin: R,
-) -> Option<(Rayon<R>, Intersection<R>)> {
-    let retour = Rayon::new(dedans.point(loin), -dedans.direction()).ok()?;
-    let sortie = objet.intersection(&retour).ok()?;
-    Some((retour, sortie))
-}
+use lancer_rayon::{Intersection, Rayon, Reel};
 
 /// Whether what the ray inside touched comes before the way out, or has the glass standing on it.
 ///
@@ -22,10 +10,9 @@ pub fn sortir<R: Reel>(
 pub fn avant_la_sortie<R: Reel>(
     dedans: &Rayon<R>,
     touche: &Intersection<R>,
-    (retour, sortie): &(Rayon<R>, Intersection<R>),
+    sortie: &Intersection<R>,
 ) -> bool {
-    let apres = retour.secondaire(sortie, sortie.normale());
-    let avant = dedans.secondaire(touche, touche.normale());
-    let (Ok(apres), Ok(avant)) = (apres, avant) else { return false };
+    let hors_de = |surface: &Intersection<R>| dedans.secondaire(surface, surface.normale());
+    let (Ok(apres), Ok(avant)) = (hors_de(sortie), hors_de(touche)) else { return false };
     (avant.source() - apres.source()).produit_scalaire(touche.normale()) >= R::ZERO
 }

@@ -74,7 +74,7 @@ impl<R: Reel> Partage<R> {
         let morceaux = self.morceaux(objet, h);
         let k = R::depuis_f64(morceaux as f64);
         let pas = if morceaux > 1 { objet.demi_axe() / k } else { Vecteur::NUL };
-        // The slack is that of an object longer by R, since the roundings of slices are more (lemma 15).
+        // The slack is that of an object longer by R, since the roundings of slices are more (lemma 20).
         let retrait = grandeurs(pas) * (k - R::UN);
         for i in 0..morceaux {
             let decalage = pas * (R::depuis_f64((2 * i + 1) as f64) - k);

@@ -111,18 +111,18 @@ impl<R: Reel> Repere<R> {
 }
 
 /// The slack for the point of a hit, in u of the scene's type, per unit of distance from Z to an object or to the
-/// source of a ray (lemma 15).
+/// source of a ray (lemma 20).
 pub const JEU_DISTANCE: f64 = 37.0;
 
 /// The slack for the point of a hit, in u of `f32`, per unit of an object's half-extents: its normals may be unit to
-/// `f32` only (lemma 15).
+/// `f32` only (lemma 20).
 pub const JEU_LARGEUR: f64 = 67.0;
 
 /// The slack for the rounding to `f32`, in u of `f32`, per unit of distance from Z to a side of a box or to where a ray
-/// starts (lemmas 15 to 17).
+/// starts (lemmas 20 to 22).
 pub const JEU_F32: f64 = 7.5;
 
-/// More than is lost below the normal numbers (lemma 15).
+/// More than is lost below the normal numbers (lemma 20).
 pub(crate) const JEU_SOUS_NORMAL: f32 = 1.0 / (1_u128 << 100) as f32;
 
 /// The least and the greatest coordinates of these points.

@@ -10,7 +10,7 @@ use crate::reel::{Reel, fois_u, fois_u_simple, max, min, simple};
 use crate::seize::{Aligne, Colonne, Membres, SEIZE, au_plus};
 use crate::vecteur::Vecteur;
 
-/// A ray as the boxes see it, with its part of the slack (`docs/preuves.md`, lemmas 14 to 17).
+/// A ray as the boxes see it, with its part of the slack (`docs/preuves.md`, lemmas 6 and 20 to 22).
 pub(crate) struct Sonde<R> {
     axes: [Axe; 3],
     /// τ₀, how far along the ray the point is, in the frame of the tree, from which entries count.
@@ -96,15 +96,15 @@ impl<R: Reel> Sonde<R> {
 }
 
 /// The slack of a beam, in u of the scene's type, per unit of distance from Z to its sources and of their spread
-/// (lemma 17).
+/// (lemma 22).
 pub const JEU_FAISCEAU: f64 = 60.0;
 
-/// The slack of a side of a beam, in u of `f32`, per unit of its distance from Z (lemma 17).
+/// The slack of a side of a beam, in u of `f32`, per unit of its distance from Z (lemma 22).
 pub const JEU_FACE: f64 = 3.1;
 
 /// A beam as the boxes see it. For each of the five normals Π, an upper bound on Π·X over all hits
 /// X; for Ω, the Ω·X from which depths count. Both include the slack (`docs/preuves.md`, lemmas
-/// 14 to 17).
+/// 6 and 20 to 22).
 pub(crate) struct SondeDeBloc {
     faces: [(Vecteur<f32>, f32); 5],
     omega: Vecteur<f32>,

@@ -1,4 +1,4 @@
-//! A glance: when a ray enters an object, in plain `f64` (`docs/preuves.md`, lemma 22).
+//! A glance: when a ray enters an object, in plain `f64` (`docs/preuves.md`, lemma 18).
 //!
 //! The formulae are those of the shapes; lemmas 3 and 4 say how far their terms may be off. The
 //! numbers of an `f32` scene are the same in `f64`, and `f64` tells them apart with ease.
@@ -13,22 +13,22 @@ use crate::reel::{Reel, puissance_de_deux};
 use crate::sphere::{SphereRay, Termes};
 use crate::vecteur::Vecteur;
 
-/// |CP|² − r² and AB² decide beyond so many u of |f|² + r² (lemma 22).
+/// |CP|² − r² and AB² decide beyond so many u of |f|² + r² (lemma 18).
 pub const VUE_SPHERE: f64 = 19.0;
 
-/// What the distance to a sphere is off by, in u·(t + r)·r/AB (lemma 22).
+/// What the distance to a sphere is off by, in u·(t + r)·r/AB (lemma 18).
 pub const VUE_DISTANCE: f64 = 20.0;
 
-/// What the height over a half-space is off by, in u·⟨N, S⟩ (lemma 22).
+/// What the height over a half-space is off by, in u·⟨N, S⟩ (lemma 18).
 pub const VUE_HAUTEUR: f64 = 3.1;
 
-/// What a length of a box is off by, in u of the sums of |f_i| and of the half-lengths (lemma 22).
+/// What a length of a box is off by, in u of the sums of |f_i| and of the half-lengths (lemma 18).
 pub const VUE_LONGUEUR: f64 = 5.5;
 
-/// What a speed towards a flat face is off by, in u (lemma 22).
+/// What a speed towards a flat face is off by, in u (lemma 18).
 pub const VUE_VITESSE: f64 = 3.2;
 
-/// What a quotient and its factors round by, in u of itself (lemma 22).
+/// What a quotient and its factors round by, in u of itself (lemma 18).
 pub const VUE_QUOTIENT: f64 = 5.5;
 
 /// Entries of a ray.

@@ -1,5 +1,5 @@
 //! A closer look: whether and when a ray enters an object, in doubled numbers (`docs/preuves.md`,
-//! lemma 19). No formula is that of the search.
+//! lemma 17). No formula is that of the search.
 
 use crate::double::{Double, Intervalle, Triple, scalaire, triple};
 use crate::objet::ObjetRay;
@@ -9,7 +9,7 @@ use crate::sphere::SphereRay;
 use crate::vecteur::Vecteur;
 
 /// The bound of a `Jugement` grows by so many u of itself: what it is off by, and the growing
-/// (lemma 19).
+/// (lemma 17).
 pub const ECART_ARRONDI: f64 = 10.6;
 
 /// What exact numbers say of a ray, an object and a distance.

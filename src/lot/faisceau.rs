@@ -1,7 +1,7 @@
 //! The beam of a block: a pyramid that all its rays stay in, by which a hierarchy leaves objects out without
 //! asking every ray.
 //!
-//! No point of a ray lies outside, rounding included. The bounds are derived in `docs/preuves.md`, lemma 12, whose
+//! No point of a ray lies outside, rounding included. The bounds are derived in `docs/preuves.md`, lemma 19, whose
 //! letters are those of this file.
 
 use crate::epreuve::Epreuve;
@@ -11,17 +11,17 @@ use crate::reel::{Reel, fois_u, fois_u_simple, max, min};
 use crate::seize::{Colonne, SEIZE, le_plus_grand};
 use crate::vecteur::Vecteur;
 
-/// Ω is shorter than a direction by so many u of `f32` of itself: then Ω·D ≤ 1 (lemma 12).
+/// Ω is shorter than a direction by so many u of `f32` of itself: then Ω·D ≤ 1 (lemma 19).
 pub const COURT_OMEGA: f64 = 17.0;
 
-/// The normals Π are shorter than 1 by so many u (lemma 12).
+/// The normals Π are shorter than 1 by so many u (lemma 19).
 pub const COURT: f64 = 4.9;
 
-/// By so many u the slope ξ/μ is taken too large, above and below (lemma 12).
+/// By so many u the slope ξ/μ is taken too large, above and below (lemma 19).
 pub const PENTE: f64 = 7.5;
 
 /// By so many u of the spread of the origins and of the longest segment a bound w is too large
-/// (lemma 12).
+/// (lemma 19).
 pub const ORIGINES: f64 = 10.6;
 
 /// The steepest side of a beam of segments against Ω: any slope is right, these fit.

@@ -72,7 +72,7 @@ pub fn mesurer<R: Reel>(
 
 /// Whether an inward ray that left a box by the face `touche` may enter it again at `encore`: by
 /// another face, above whose plane it starts, as the search sees it, and no farther above than the
-/// hit may lie (lemma 14).
+/// hit may lie (lemma 6).
 pub fn au_bord<R: Reel>(
     objet: &ObjetRay<R>,
     rayon: &Rayon<R>,
@@ -95,7 +95,7 @@ pub fn au_bord<R: Reel>(
     -promesses::LIEU_F * u * du_depart < h && h <= permis
 }
 
-/// How far outside a box or a sphere the point `rayon.point(t)` of its hit may lie (lemma 14).
+/// How far outside a box or a sphere the point `rayon.point(t)` of its hit may lie (lemma 6).
 pub fn lieu_permis<R: Reel>(objet: &ObjetRay<R>, rayon: &Rayon<R>, t: R) -> f64 {
     let [s, p] = [rayon.source(), rayon.point(t)].map(Vecteur::vers_f64);
     let loin = |centre: Vecteur<R>| (s - centre.vers_f64()).longueur();
@@ -110,7 +110,7 @@ pub fn lieu_permis<R: Reel>(objet: &ObjetRay<R>, rayon: &Rayon<R>, t: R) -> f64 
     u::<R>() * (de_x + promesses::LIEU_P * p.longueur())
 }
 
-/// The radius from which on the margin of a sphere that is hit at `t` is finite (lemma 7).
+/// The radius from which on the margin of a sphere that is hit at `t` is finite (lemma 8).
 pub fn rayon_non_perdu<R: Reel>(sphere: &SphereRay<R>, rayon: &Rayon<R>, t: R) -> f64 {
     let [f, p] = [rayon.source() - sphere.centre(), rayon.point(t)].map(Vecteur::vers_f64);
     let p = p.x.abs() + p.y.abs() + p.z.abs();

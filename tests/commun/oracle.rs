@@ -7,7 +7,8 @@
 //!
 //! It shares no formula with the kernel: the sphere is the quadratic equation |S + tD − C|² = r²
 //! with its root b − √Δ, which rounding forbids the kernel; the box is clipped face by face, each
-//! an exact half-space; the half-space is N·(S + tD) + d = 0.
+//! an exact half-space; the half-space is N·(S + tD) + d = 0. The way out is the other root, or the first
+//! of the exits.
 
 use core::cmp::Ordering;
 use core::ops::{Add, Mul, Neg, Sub};
@@ -166,7 +167,16 @@ struct Droite {
     d: Point,
 }
 
-/// The true entry of a ray into an object, or the truth that there is none.
+/// What is asked for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Passage {
+    /// Where the ray enters from outside.
+    Entree,
+    /// Where it leaves, from inside or after it entered.
+    Sortie,
+}
+
+/// The true entry of a ray into an object, or its way out; or the truth that there is none.
 pub struct Verite {
     pub entree: Option<Entree>,
     /// The decision is closer than what the promise of the kernel covers.
@@ -192,7 +202,7 @@ enum Marge {
 pub struct Entree {
     /// The parameter t in S + tD.
     pub t: Exact,
-    /// The normal; beside an edge, those of all the faces entered within the band.
+    /// The outward normal; beside an edge, those of all the faces entered, or left, within the band.
     normales: Vec<Point>,
     /// κt = (|f| + r + t)/v, at a flat face over v − 3.1u: what an error of the distance is counted in, times u.
     pub kappa_t: f64,
@@ -337,17 +347,22 @@ pub fn norme_au_carre_moins_un<R: Reel>(v: Vecteur<R>) -> f64 {
     (&scalaire(&v, &v) - &Exact::de(1.0)).vers_f64()
 }
 
-/// The truth about one object and one ray.
+/// The truth about the entry of one ray into one object.
 pub fn verite<R: Reel>(objet: &ObjetRay<R>, rayon: &Rayon<R>) -> Verite {
+    verite_du(Passage::Entree, objet, rayon)
+}
+
+/// The truth about one object and one ray.
+pub fn verite_du<R: Reel>(passage: Passage, objet: &ObjetRay<R>, rayon: &Rayon<R>) -> Verite {
     let droite = Droite { s: point(rayon.source()), d: point(rayon.direction()) };
     match objet {
-        ObjetRay::Sphere(sphere) => verite_sphere(sphere, &droite),
-        ObjetRay::Plan(plan) => verite_plan(plan, &droite),
-        ObjetRay::Boite(boite) => verite_boite(boite, &droite),
+        ObjetRay::Sphere(sphere) => verite_sphere(passage, sphere, &droite),
+        ObjetRay::Plan(plan) => verite_plan(passage, plan, &droite),
+        ObjetRay::Boite(boite) => verite_boite(passage, boite, &droite),
     }
 }
 
-fn verite_sphere<R: Reel>(sphere: &SphereRay<R>, ray: &Droite) -> Verite {
+fn verite_sphere<R: Reel>(passage: Passage, sphere: &SphereRay<R>, ray: &Droite) -> Verite {
     let f = moins(&ray.s, &point(sphere.centre()));
     let r = Exact::de(sphere.rayon());
     // a·t² − 2b·t + c = 0.
@@ -363,29 +378,40 @@ fn verite_sphere<R: Reel>(sphere: &SphereRay<R>, ray: &Droite) -> Verite {
     let ac2 = (&(&a * &f2) - &(&b * &b)).sur(&a).vers_f64();
     let ac_r = -delta.sur(&a).vers_f64() / (ac2.sqrt() + r_);
     let seuil = bandes::SPHERE * u::<R>() * (f_ + r_);
-    let facteur = sc_r.abs().min(ac_r.abs().max(-b.vers_f64())) / seuil;
-
-    let touche = c.positif() && b.positif() && delta.positif();
+    let (facteur, touche) = match passage {
+        Passage::Entree => (
+            sc_r.abs().min(ac_r.abs().max(-b.vers_f64())),
+            c.positif() && b.positif() && delta.positif(),
+        ),
+        // The nearest point of the ray to C is A, or S with A behind.
+        Passage::Sortie if b.positif() => (ac_r.abs(), delta.positif()),
+        Passage::Sortie => (sc_r.abs(), (-&c).positif()),
+    };
+    let facteur = facteur / seuil;
     let entree = touche.then(|| {
-        // b − √Δ cancels all but c·a/2b of b.
+        // b − √Δ cancels all but c·a/2b of b, and b + √Δ with b below 0.
         let annule = (2 * b.exposant() - c.exposant() - a.exposant()).max(0);
         let racine = delta.racine(b.exposant() - annule - PRECISION - 8);
-        let t = (&b - &racine).sur(&a);
+        let t = match passage {
+            Passage::Entree => &b - &racine,
+            Passage::Sortie => &b + &racine,
+        };
+        let t = t.sur(&a);
         let cb: Point = core::array::from_fn(|i| &f[i] + &(&t * &ray.d[i]));
         let n = cb.each_ref().map(|x| x.sur(&r));
         let cosinus = delta.vers_f64().sqrt() / r_;
         let kappa_t = (f_ + r_ + t.vers_f64()) / cosinus;
-        let k = if perdue::<R>(r_, f_) {
-            promesses::DISTANCE_PERDUE
-        } else {
-            promesses::DISTANCE_SPHERE
+        let k = match passage {
+            Passage::Entree if perdue::<R>(r_, f_) => promesses::DISTANCE_PERDUE,
+            Passage::Entree => promesses::DISTANCE_SPHERE,
+            Passage::Sortie => promesses::SORTIE_SPHERE,
         };
         Entree { t, normales: vec![n], kappa_t, k, cosinus, f: f_, rayon_de_courbure: r_ }
     });
     Verite { entree, dans_la_marge: facteur <= 1.0, marge: Marge::Connue(facteur) }
 }
 
-fn verite_plan<R: Reel>(plan: &PlanRay<R>, ray: &Droite) -> Verite {
+fn verite_plan<R: Reel>(passage: Passage, plan: &PlanRay<R>, ray: &Droite) -> Verite {
     let n = point(plan.normale());
     let d = Exact::de(plan.distance());
     let hauteur = &scalaire(&n, &ray.s) + &d;
@@ -398,12 +424,16 @@ fn verite_plan<R: Reel>(plan: &PlanRay<R>, ray: &Droite) -> Verite {
     let cosinus = descente.vers_f64();
     let facteur =
         (hauteur.vers_f64().abs() / seuil).min(cosinus.abs() / (bandes::VITESSE * u::<R>()));
-    let entree = (hauteur.positif() && descente.positif()).then(|| {
-        let t = hauteur.sur(&descente);
+    let (devant, vite) = match passage {
+        Passage::Entree => (hauteur, descente),
+        Passage::Sortie => (-&hauteur, -&descente),
+    };
+    let entree = (devant.positif() && vite.positif()).then(|| {
+        let t = devant.sur(&vite);
         // C = −d·N.
         let f: Point = core::array::from_fn(|i| &ray.s[i] + &(&d * &n[i]));
         let f = longueur(&f);
-        let cosinus = sur::<R>(cosinus);
+        let cosinus = sur::<R>(cosinus.abs());
         let kappa_t = (f + d_ + t.vers_f64()) / cosinus;
         let k = promesses::DISTANCE_PLAN;
         Entree { t, normales: vec![n], kappa_t, k, cosinus, f, rayon_de_courbure: f64::INFINITY }
@@ -427,6 +457,8 @@ struct Produits {
     aa: [[f64; 3]; 3],
     /// Of an exit b and an entry a.
     ba: [[f64; 3]; 3],
+    /// Of the exits b and b.
+    bb: [[f64; 3]; 3],
     /// Of −a and a: turned the other way, the ray has its exit at −a.
     moins_aa: [[f64; 3]; 3],
     /// Of −b and b: and its entry at −b.
@@ -438,6 +470,7 @@ impl Produits {
         let mut tous = Self {
             aa: [[0.0; 3]; 3],
             ba: [[0.0; 3]; 3],
+            bb: [[0.0; 3]; 3],
             moins_aa: [[0.0; 3]; 3],
             moins_bb: [[0.0; 3]; 3],
         };
@@ -448,6 +481,8 @@ impl Produits {
             let (bv, vb) = (b_i * v_j, b_j * v_i);
             tous.aa[i][j] = (&av - &va).vers_f64();
             tous.aa[j][i] = -tous.aa[i][j];
+            tous.bb[i][j] = (&bv - &vb).vers_f64();
+            tous.bb[j][i] = -tous.bb[i][j];
             tous.ba[i][j] = (&bv - &va).vers_f64();
             tous.ba[j][i] = (&vb - &av).vers_f64();
             tous.moins_aa[i][j] = -(&av + &va).vers_f64();
@@ -462,6 +497,7 @@ impl Produits {
 /// What the band of a box is made of: lengths in a unit near |f| + ρ and cross products of them
 /// and the speeds, exact until they were rounded here.
 struct Decision {
+    passage: Passage,
     a: [f64; 3],
     b: [f64; 3],
     v: [f64; 3],
@@ -472,7 +508,7 @@ struct Decision {
 }
 
 impl Decision {
-    fn new(couples: &[Couple; 3], taille: f64, u: f64) -> Self {
+    fn new(passage: Passage, couples: &[Couple; 3], taille: f64, u: f64) -> Self {
         // A power of two near the size: then no product of a length and a speed leaves f64.
         let unite = ((taille.to_bits() >> 52) as isize - 1023).max(-1000);
         let reduit = |x: &Exact| Exact { m: x.m.clone(), e: x.e - unite };
@@ -480,6 +516,7 @@ impl Decision {
         let produits = Produits::new(&longueurs, couples);
         let taille = taille * f64::from(-unite as i32).exp2();
         Self {
+            passage,
             a: longueurs.each_ref().map(|[a, _]| a.vers_f64()),
             b: longueurs.each_ref().map(|[_, b]| b.vers_f64()),
             v: couples.each_ref().map(|c| c.v.vers_f64()),
@@ -514,7 +551,8 @@ impl Decision {
         let (alpha, beta) = (facteur * self.alpha, facteur * self.beta);
         let connu = self.v.map(|v| v > beta);
         let entre = (0..3).any(|i| connu[i] && self.a[i] > alpha);
-        entre
+        // A ray that leaves may start inside.
+        (entre || self.passage == Passage::Sortie)
             && (0..3).all(|j| {
                 let (b, produits) = self.sortie(j, connu[j]);
                 // Entries of another pair; those of the same one never come after its exit.
@@ -532,7 +570,8 @@ impl Decision {
         let (alpha, beta) = (facteur * self.alpha, facteur * self.beta);
         let connu = self.v.map(|v| v > beta);
         let derriere = (0..3).any(|j| connu[j] && self.b[j] < -alpha);
-        let entre = (0..3).any(|i| self.entree(i, connu[i]).0 > -alpha);
+        let entre =
+            self.passage == Passage::Sortie || (0..3).any(|i| self.entree(i, connu[i]).0 > -alpha);
         let trop_tard = |i: usize, j: usize| {
             let (a, produit) = self.entree(i, connu[i]);
             let permis = alpha * (self.v[i] + self.v[j]) + beta * (a + self.b[j]);
@@ -581,6 +620,24 @@ impl Decision {
         })
     }
 
+    /// Whether the ray may leave by this pair first: its exit, at the earliest, is no later than the
+    /// others at the latest.
+    fn peut_etre_la_premiere(&self, i: usize) -> bool {
+        let (alpha, beta) = (self.alpha, self.beta);
+        let (b, v) = (self.b[i], self.v[i]);
+        (0..3).all(|j| {
+            let (b_j, v_j) = (self.b[j], self.v[j]);
+            if i == j || v_j <= beta {
+                true
+            } else if v <= beta {
+                let (b, _) = self.sortie(i, false);
+                (b - alpha) / (v + beta) <= (b_j + alpha) / (v_j - beta)
+            } else {
+                self.produits.bb[i][j] <= alpha * (v + v_j) + beta * (b + b_j)
+            }
+        })
+    }
+
     /// The earliest that an entry can be.
     fn au_plus_tot(&self, j: usize) -> f64 {
         let connu = self.v[j] > self.beta;
@@ -596,7 +653,7 @@ impl Decision {
     }
 }
 
-fn verite_boite<R: Reel>(boite: &BoiteRay<R>, ray: &Droite) -> Verite {
+fn verite_boite<R: Reel>(passage: Passage, boite: &BoiteRay<R>, ray: &Droite) -> Verite {
     let f = moins(&ray.s, &point(boite.centre()));
     let f_ = longueur(&f);
     let demi_longueurs = boite.demi_longueurs();
@@ -621,26 +678,38 @@ fn verite_boite<R: Reel>(boite: &BoiteRay<R>, ray: &Droite) -> Verite {
     let derniere = derniere.expect("D is not 0");
     // Parallel to a pair and beside it; in the plane of a face it belongs to the box.
     let dehors = (0..3).any(|i| !vers(i) && (couples[i].a.positif() || (-&couples[i].b).positif()));
-    let touche = !dehors
-        && couples[derniere].a.positif()
-        && en_mouvement().all(|j| !apres(entree(derniere), sortie(j)));
+    let premiere = en_mouvement().reduce(|i, j| if apres(sortie(i), sortie(j)) { j } else { i });
+    let premiere = premiere.expect("D is not 0");
+    // The length at which the face is crossed that decides, and its pair.
+    let (longueur, axe) = match passage {
+        Passage::Entree => (&couples[derniere].a, derniere),
+        Passage::Sortie => (&couples[premiere].b, premiere),
+    };
+    let touche = !dehors && longueur.positif() && !apres(entree(derniere), sortie(premiere));
 
-    let decision = Box::new(Decision::new(&couples, f_ + rho, u::<R>()));
+    let decision = Box::new(Decision::new(passage, &couples, f_ + rho, u::<R>()));
     let dans_la_marge = !decision.surement(touche, 1.0);
     let entree = touche.then(|| {
-        let t = couples[derniere].a.sur(&couples[derniere].v);
+        let t = longueur.sur(&couples[axe].v);
         let mut normales = Vec::new();
         let mut cosinus = f64::INFINITY;
         for (i, couple) in couples.iter().enumerate() {
-            if i != derniere && !decision.peut_etre_la_derniere(i) {
+            let nommee = match passage {
+                Passage::Entree => decision.peut_etre_la_derniere(i),
+                Passage::Sortie => decision.peut_etre_la_premiere(i),
+            };
+            if i != axe && !nommee {
                 continue;
             }
             let v = decision.v[i];
             cosinus = cosinus.min(v);
-            normales.push(couple.normale.clone());
+            normales.push(match passage {
+                Passage::Entree => couple.normale.clone(),
+                Passage::Sortie => couple.normale.each_ref().map(|x| -x),
+            });
             if v <= decision.beta {
                 // Which way it goes rounding cannot tell.
-                normales.push(couple.normale.each_ref().map(|x| -x));
+                normales.extend([couple.normale.clone(), couple.normale.each_ref().map(|x| -x)]);
             }
         }
         let cosinus = sur::<R>(cosinus);

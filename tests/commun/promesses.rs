@@ -7,7 +7,9 @@ use lancer_rayon::{Intersection, ObjetRay, Rayon, Reel, Texture, Vecteur, premie
 
 use crate::arrondi;
 use crate::mesure::{absolu, absolu_fois, au_bord, lieu_permis, plus_grand, rayon_non_perdu};
-use crate::oracle::{ORACLE_ARRONDI, dehors, hauteur, norme_au_carre_moins_un, verite};
+use crate::oracle::{
+    ORACLE_ARRONDI, Passage, Verite, dehors, hauteur, norme_au_carre_moins_un, verite, verite_du,
+};
 use crate::regimes::Genre;
 use crate::tolerances::{promesses as permis, u};
 
@@ -62,11 +64,97 @@ pub fn toutes<R: Reel>() -> [Promesse<R>; 13] {
     ]
 }
 
+/// The same of the way out of an object.
+pub fn de_la_sortie<R: Reel>() -> [Promesse<R>; 8] {
+    const BORNES: &[Genre] = &[Genre::Sphere, Genre::Boite];
+    let promesse = |nom, genres, part| Promesse { nom, genres, part, aisance: [f64::INFINITY; 2] };
+    [
+        promesse("way out: distance", &Genre::TOUS, sortie::distance),
+        promesse("way out: decision", &Genre::TOUS, sortie::decision),
+        promesse("way out: length of the normal", &Genre::TOUS, sortie::longueur_de_la_normale),
+        promesse("way out: direction of the normal", &Genre::TOUS, sortie::direction_de_la_normale),
+        promesse("way out: the normal faces away", &Genre::TOUS, sortie::de_dos),
+        promesse("way out: margin", &Genre::TOUS, sortie::marge),
+        promesse("way out: where it lies", &[Genre::Boite], sortie::lieu),
+        promesse("way out: secondary ray", BORNES, sortie::secondaire),
+    ]
+}
+
+/// The promises of the way out.
+pub mod sortie {
+    use super::*;
+    use Passage::Sortie;
+
+    pub fn distance<R: Reel>(cas: &Essai<R>) -> f64 {
+        distance_du(Sortie, cas)
+    }
+
+    pub fn decision<R: Reel>(cas: &Essai<R>) -> f64 {
+        decision_du(Sortie, cas)
+    }
+
+    pub fn longueur_de_la_normale<R: Reel>(cas: &Essai<R>) -> f64 {
+        longueur_de_la_normale_du(Sortie, cas)
+    }
+
+    pub fn direction_de_la_normale<R: Reel>(cas: &Essai<R>) -> f64 {
+        direction_de_la_normale_du(Sortie, cas)
+    }
+
+    /// The normal faces along the ray; and no ray leaves before it enters, or enters and stays, except below a floor.
+    pub fn de_dos<R: Reel>(cas: &Essai<R>) -> f64 {
+        let (entree, sortie) = (touche(Passage::Entree, cas), touche(Sortie, cas));
+        let bornee = Genre::de(&cas.objets[0]) != Genre::Plan;
+        let en_ordre = match (entree, sortie) {
+            (Some(entree), Some(sortie)) => bornee && entree.distance() <= sortie.distance(),
+            (Some(_), None) => !bornee,
+            (None, _) => true,
+        };
+        let Some(sortie) = sortie else { return if en_ordre { RIEN } else { ROMPUE } };
+        let cosinus = sortie.normale().produit_scalaire(cas.rayon.direction());
+        let tenue = tenue(cosinus.vers_f64() / u::<R>());
+        if en_ordre && cosinus > R::ZERO { tenue } else { ROMPUE }
+    }
+
+    pub fn marge<R: Reel>(cas: &Essai<R>) -> f64 {
+        marge_du(Sortie, cas)
+    }
+
+    pub fn marge_infinie<R: Reel>(cas: &Essai<R>) -> f64 {
+        marge_infinie_du(Sortie, cas)
+    }
+
+    pub fn lieu<R: Reel>(cas: &Essai<R>) -> f64 {
+        lieu_du(Sortie, cas)
+    }
+
+    pub fn secondaire<R: Reel>(cas: &Essai<R>) -> f64 {
+        secondaire_du(Sortie, cas)
+    }
+}
+
+fn touche<R: Reel>(passage: Passage, cas: &Essai<R>) -> Option<Intersection<R>> {
+    let touche = match passage {
+        Passage::Entree => cas.objets[0].intersection(&cas.rayon),
+        Passage::Sortie => cas.objets[0].sortie(&cas.rayon),
+    };
+    touche.ok()
+}
+
+fn la_verite<R: Reel>(passage: Passage, cas: &Essai<R>) -> Verite {
+    verite_du(passage, &cas.objets[0], &cas.rayon)
+}
+
 /// The error of the distance, as a part of K·u·κt.
 pub fn distance<R: Reel>(cas: &Essai<R>) -> f64 {
+    distance_du(Passage::Entree, cas)
+}
+
+fn distance_du<R: Reel>(passage: Passage, cas: &Essai<R>) -> f64 {
     let objet = &cas.objets[0];
-    let Ok(touche) = objet.intersection(&cas.rayon) else { return RIEN };
-    let Some(entree) = verite(objet, &cas.rayon).entree else { return RIEN };
+    let Some(touche) = touche(passage, cas) else { return RIEN };
+    let verite = la_verite(passage, cas);
+    let Some(entree) = verite.entree else { return RIEN };
     let (relatif, absolu) = (entree.k * u::<R>() * entree.kappa_t, absolu(objet, &entree));
     // What underflow adds has a row of its own, or the one would hide what a search finds of the other.
     if relatif == f64::INFINITY || absolu > 1e-3 * relatif {
@@ -91,9 +179,12 @@ pub fn distance_pres_de_0<R: Reel>(cas: &Essai<R>) -> f64 {
 /// By how much the band would have to be wider to hold a wrong answer; a right one is the better
 /// the nearer it is to the decision.
 pub fn decision<R: Reel>(cas: &Essai<R>) -> f64 {
-    let objet = &cas.objets[0];
-    let verite = verite(objet, &cas.rayon);
-    let touche = objet.intersection(&cas.rayon).is_ok();
+    decision_du(Passage::Entree, cas)
+}
+
+fn decision_du<R: Reel>(passage: Passage, cas: &Essai<R>) -> f64 {
+    let verite = la_verite(passage, cas);
+    let touche = touche(passage, cas).is_some();
     let facteur = verite.facteur();
     let plus_grand = plus_grand::<R>();
     match verite.entree {
@@ -122,12 +213,12 @@ pub fn ordre<R: Reel>(cas: &Essai<R>) -> f64 {
     avance / (k * gagnant.kappa_t + absolu + k_autre * autre.kappa_t + absolu_autre)
 }
 
-fn touche<R: Reel>(cas: &Essai<R>) -> Option<Intersection<R>> {
-    cas.objets[0].intersection(&cas.rayon).ok()
+pub fn longueur_de_la_normale<R: Reel>(cas: &Essai<R>) -> f64 {
+    longueur_de_la_normale_du(Passage::Entree, cas)
 }
 
-pub fn longueur_de_la_normale<R: Reel>(cas: &Essai<R>) -> f64 {
-    let Some(touche) = touche(cas) else { return RIEN };
+fn longueur_de_la_normale_du<R: Reel>(passage: Passage, cas: &Essai<R>) -> f64 {
+    let Some(touche) = touche(passage, cas) else { return RIEN };
     let permis = match Genre::de(&cas.objets[0]) {
         Genre::Sphere => permis::UNITAIRE_SPHERE,
         Genre::Plan | Genre::Boite => permis::UNITAIRE_PLATE,
@@ -137,14 +228,22 @@ pub fn longueur_de_la_normale<R: Reel>(cas: &Essai<R>) -> f64 {
 }
 
 pub fn direction_de_la_normale<R: Reel>(cas: &Essai<R>) -> f64 {
-    let Some(entree) = verite(&cas.objets[0], &cas.rayon).entree else { return RIEN };
-    let Some(touche) = touche(cas) else { return RIEN };
+    direction_de_la_normale_du(Passage::Entree, cas)
+}
+
+fn direction_de_la_normale_du<R: Reel>(passage: Passage, cas: &Essai<R>) -> f64 {
+    let Some(entree) = la_verite(passage, cas).entree else { return RIEN };
+    let Some(touche) = touche(passage, cas) else { return RIEN };
     let permis = entree.direction_permise::<R>(entree.ecart(touche.distance()).abs());
     entree.ecart_de_normale(touche.normale()) / permis
 }
 
 pub fn marge<R: Reel>(cas: &Essai<R>) -> f64 {
-    let Some(touche) = touche(cas) else { return RIEN };
+    marge_du(Passage::Entree, cas)
+}
+
+fn marge_du<R: Reel>(passage: Passage, cas: &Essai<R>) -> f64 {
+    let Some(touche) = touche(passage, cas) else { return RIEN };
     let marge = touche.marge().vers_f64();
     if marge == f64::INFINITY {
         return RIEN;
@@ -153,9 +252,13 @@ pub fn marge<R: Reel>(cas: &Essai<R>) -> f64 {
     hauteur(&cas.objets[0], touche.normale(), p).abs() / marge
 }
 
-/// How far outside its object the point of a hit lies, as a part of what lemma 14 grants.
+/// How far outside its object the point of a hit lies, as a part of what lemma 6 grants.
 pub fn lieu<R: Reel>(cas: &Essai<R>) -> f64 {
-    let Some(touche) = touche(cas) else { return RIEN };
+    lieu_du(Passage::Entree, cas)
+}
+
+fn lieu_du<R: Reel>(passage: Passage, cas: &Essai<R>) -> f64 {
+    let Some(touche) = touche(passage, cas) else { return RIEN };
     let p = cas.rayon.point(touche.distance());
     dehors(&cas.objets[0], p) / lieu_permis(&cas.objets[0], &cas.rayon, touche.distance())
 }
@@ -163,8 +266,14 @@ pub fn lieu<R: Reel>(cas: &Essai<R>) -> f64 {
 /// How far P lies from a sphere that is nearly lost in its distance, as a part of what makes its
 /// margin infinite. P is hardly rounded there: that alone decides elsewhere.
 pub fn marge_infinie<R: Reel>(cas: &Essai<R>) -> f64 {
+    marge_infinie_du(Passage::Entree, cas)
+}
+
+fn marge_infinie_du<R: Reel>(passage: Passage, cas: &Essai<R>) -> f64 {
     let objet = &cas.objets[0];
-    let (Some(touche), ObjetRay::Sphere(sphere)) = (touche(cas), objet) else { return RIEN };
+    let (Some(touche), ObjetRay::Sphere(sphere)) = (touche(passage, cas), objet) else {
+        return RIEN;
+    };
     let (r, p) = (sphere.rayon().vers_f64(), cas.rayon.point(touche.distance()));
     let non_perdue = rayon_non_perdu(sphere, &cas.rayon, touche.distance());
     if r < 0.5 * non_perdue || u::<R>() * p.vers_f64().longueur() > r / 256.0 {
@@ -183,16 +292,26 @@ fn tenue(ecart: f64) -> f64 {
 }
 
 pub fn face_a_la_source<R: Reel>(cas: &Essai<R>) -> f64 {
-    let Some(touche) = touche(cas) else { return RIEN };
+    let Some(touche) = touche(Passage::Entree, cas) else { return RIEN };
     let cosinus = touche.normale().produit_scalaire(cas.rayon.direction());
     if cosinus < R::ZERO { tenue(-cosinus.vers_f64() / u::<R>()) } else { ROMPUE }
+}
+
+/// |f| and the size of the object, of this ray.
+fn grandeur<R: Reel>(objet: &ObjetRay<R>, rayon: &Rayon<R>) -> f64 {
+    let [bas, haut] = objet.etendue().unwrap_or([Vecteur::NUL; 2]).map(Vecteur::vers_f64);
+    (rayon.source().vers_f64() - bas).longueur() + (haut - bas).longueur()
 }
 
 /// A secondary ray touches what it leaves only inward at the edge of a box, starts no farther than promised, and
 /// goes where it was sent; the higher, the nearer to the tangent plane, to the surface and to an edge.
 pub fn secondaire<R: Reel>(cas: &Essai<R>) -> f64 {
+    secondaire_du(Passage::Entree, cas)
+}
+
+fn secondaire_du<R: Reel>(passage: Passage, cas: &Essai<R>) -> f64 {
     let objet = &cas.objets[0];
-    let Some(touche) = touche(cas) else { return RIEN };
+    let Some(touche) = touche(passage, cas) else { return RIEN };
     let n = touche.normale();
     let [x, y, z, h, penche] = cas.vers;
     let v = Vecteur::new(x, y, z);
@@ -205,6 +324,14 @@ pub fn secondaire<R: Reel>(cas: &Essai<R>) -> f64 {
     };
     let Ok(rayon) = cas.rayon.secondaire(&touche, vers) else { return RIEN };
     let dedans = rayon.direction().produit_scalaire(n) < R::ZERO;
+    // Nor does it leave what it has left; and what it goes on in it leaves, except beside an edge, where it may start
+    // on another face or beyond.
+    let bornee = Genre::de(objet) != Genre::Plan;
+    let au_fond =
+        || dehors(objet, rayon.source()) < -permis::LIEU_F * u::<R>() * grandeur(objet, &rayon);
+    if objet.sortie(&rayon).is_ok() != (dedans && bornee) && (!dedans || au_fond()) {
+        return ROMPUE;
+    }
     if let Ok(encore) = objet.intersection(&rayon)
         && !(dedans && au_bord(objet, &cas.rayon, &touche, rayon.source(), &encore))
     {
@@ -250,7 +377,7 @@ pub fn secondaire<R: Reel>(cas: &Essai<R>) -> f64 {
 /// The error of the distance, in scene units or in lengths of D if that is more, as a part of `erreur`, which is +∞
 /// where there is no entry. What the oracle itself may have rounded does not count.
 pub fn erreur<R: Reel>(cas: &Essai<R>) -> f64 {
-    let Some(touche) = touche(cas) else { return RIEN };
+    let Some(touche) = touche(Passage::Entree, cas) else { return RIEN };
     let borne = cas.objets[0].erreur(&cas.rayon, &touche).vers_f64();
     match verite(&cas.objets[0], &cas.rayon).entree {
         // In units in which neither is a subnormal.

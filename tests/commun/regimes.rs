@@ -392,3 +392,46 @@ fn presque_le_long_d_une_face<R: Reel>(alea: &mut Rng) -> Cas<R> {
     });
     lancer(objet, cible - d * (Vecteur::from(l).longueur() * deux_puissance(alea, -3.0, 3.0)), d)
 }
+
+/// This case as one of the way out: the ray as it is; or a ray from within, from any depth, towards the same, back or
+/// anywhere; or the one that goes on inward.
+pub fn vers_la_sortie<R: Reel>(Cas { objet, rayon }: Cas<R>, alea: &mut Rng) -> Cas<R> {
+    let dedans = |alea: &mut Rng| {
+        let (point, n) = match alea.u8(0..4) {
+            0 => return None,
+            1 => {
+                let touche = objet.intersection(&rayon).ok()?;
+                return rayon.secondaire(&touche, rayon.direction()).ok();
+            }
+            2 => {
+                // Between the two crossings; in a half-space as deep as it was high.
+                let t = objet.intersection(&rayon).ok()?.distance().vers_f64();
+                let fin =
+                    objet.sortie(&rayon).map_or(2.0 * t, |sortie| sortie.distance().vers_f64());
+                let (s, d) = (rayon.source().vers_f64(), rayon.direction().vers_f64());
+                (s + d * (t + alea.f64() * (fin - t)), -d)
+            }
+            _ => {
+                // Below the surface, by up to all of a ball.
+                let l = match &objet {
+                    ObjetRay::Sphere(sphere) => sphere.rayon().vers_f64(),
+                    ObjetRay::Plan(plan) => plan.distance().vers_f64().abs(),
+                    ObjetRay::Boite(boite) => {
+                        boite.demi_longueurs().into_iter().map(R::vers_f64).fold(f64::MAX, f64::min)
+                    }
+                };
+                let (point, n) = surface(alea, &objet, l);
+                (point - n * (l * deux_puissance(alea, -53.0, 0.0)), n)
+            }
+        };
+        let vers = match alea.u8(0..4) {
+            0 => rayon.direction().vers_f64(),
+            1 => n,
+            2 => travers(alea, n) + n * (signe(alea) * deux_puissance(alea, -40.0, 0.0)),
+            _ => direction(alea),
+        };
+        Rayon::new(lieu(point), arrondi(vers)).ok()
+    };
+    let rayon = dedans(alea).unwrap_or(rayon);
+    Cas { objet, rayon }
+}

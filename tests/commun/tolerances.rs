@@ -8,7 +8,7 @@ use lancer_rayon::Reel;
 pub const DISTANCE: f64 = 2.0 * promesses::DISTANCE_SPHERE;
 
 /// A vector turned by `Rotation::appliquer`, of its length: three products and two sums in each of three
-/// coordinates, √3·3.1u; and M·Mᵀ, which is I to 5.5u an element (lemma 10), stretches it by half of 3·5.5u.
+/// coordinates, √3·3.1u; and M·Mᵀ, which is I to 5.5u an element (lemma 13), stretches it by half of 3·5.5u.
 pub const TOURNE: f64 = 14.0;
 
 /// A vector moved or multiplied: one rounding, so u of the length of the result.
@@ -21,7 +21,7 @@ pub const NORMALE_UNITAIRE: f64 = promesses::UNITAIRE_PLATE + 3.0;
 /// of the distance moves it by.
 pub const NORMALE: f64 = promesses::DIRECTION;
 
-/// Every element of R·Rᵀ − I, for a polished matrix (lemma 10).
+/// Every element of R·Rᵀ − I, for a polished matrix (lemma 13).
 pub const ORTHONORMALE: f64 = 5.5;
 
 /// An element of a product of two rotations against the product in f64 of what they hold: one
@@ -61,6 +61,8 @@ pub mod promesses {
     pub const DISTANCE_PERDUE: f64 = 6.2;
     /// From how many u·|f| on a sphere is not lost.
     pub const PERDUE: f64 = 64.0;
+    /// Distance at which a ray leaves a sphere, in u·κt (lemma 10).
+    pub const SORTIE_SPHERE: f64 = 5.7;
     /// Distance to a half-space, in u·κt (lemma 4).
     pub const DISTANCE_PLAN: f64 = 4.1;
     /// What products that underflow add to it, in subnormals over |N·D| (lemma 4).
@@ -72,15 +74,15 @@ pub mod promesses {
     /// ||N| − 1| of a sphere, in u (lemma 1).
     pub const UNITAIRE_SPHERE: f64 = 3.6;
     /// How far above the plane of any face of a box the point P of its hit may lie, in u·|f|, u·t
-    /// and u·|P| (lemma 14).
+    /// and u·|P| (lemma 6).
     pub const LIEU_F: f64 = 4.1;
     pub const LIEU_T: f64 = 12.1;
     pub const LIEU_P: f64 = 1.1;
-    /// The coordinates of a hit along a face of a box, in u(|f| + t)/l (lemma 14).
+    /// The coordinates of a hit along a face of a box, in u(|f| + t)/l (lemma 6).
     pub const LIEU_FACE: f64 = 6.1;
-    /// How far outside a sphere the point S + tD of its hit may lie, in u(|f| + r) (lemma 14).
+    /// How far outside a sphere the point S + tD of its hit may lie, in u(|f| + r) (lemma 6).
     pub const LIEU_SPHERE: f64 = 13.0;
     /// The sine of the angle between the normal of a sphere and the true one, in u(1 + |f|/r), beside |Δt|·|D|/r
-    /// (lemma 6).
+    /// (lemma 7).
     pub const DIRECTION: f64 = 4.1;
 }

@@ -113,7 +113,7 @@ fn chaque_touche_est_dans_l_etendue() {
             objets.push(cas.objet);
             let [bas, haut] = [bas, haut].map(|v| <[f64; 3]>::from(v.vers_f64()));
             let (c, h) = (<[f64; 3]>::from(fond(&cas.objet)), demi_etendue(&cas.objet));
-            // What lemma 21 adds to the corners; 36u more is how far they may be from those of the solid.
+            // What lemma 15 adds to the corners; 36u more is how far they may be from those of the solid.
             let (des_demis, du_centre) =
                 (h.iter().sum::<f64>(), c.map(f64::abs).iter().sum::<f64>());
             let jeu = f64::from(f32::U) * (51.0 * des_demis + 3.1 * du_centre);

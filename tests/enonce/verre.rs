@@ -1,11 +1,14 @@
-//! Glass that stands on something: no light falls through between the two.
+//! Glass: light enters, leaves by Snell's law, and does not fall through between the glass and what it stands on.
 
+use commun::oracle::{Passage, verite_du};
 use commun::regimes::{direction, entre};
+use commun::tolerances::{promesses, u};
 use commun::{arrondi, en_f32_et_f64};
-use exemples::verre::{avant_la_sortie, sortir};
+use exemples::verre::avant_la_sortie;
 use fastrand::Rng;
 use lancer_rayon::{
-    BoiteGeo, Hierarchie, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture, Vecteur,
+    BoiteGeo, Hierarchie, NoIntersection, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo,
+    Texture, Vecteur,
 };
 
 /// Rays that leave a glass through its bottom, of each glass.
@@ -49,7 +52,6 @@ fn la_lumiere_trouve_la_table_sous_le_verre<R: Reel>() {
             let hierarchie = Hierarchie::new(&scene, &mut places).unwrap();
             let [bas, haut] = scene[1].etendue().unwrap();
             let milieu = ((bas + haut) / R::depuis_f64(2.0)).vers_f64();
-            let loin = (haut - bas).longueur() * R::depuis_f64(2.0);
             for _ in 0..200 {
                 let oeil = milieu + Vecteur::new(0.0, 1.0, 0.0) + direction(&mut alea) * 0.9;
                 let cible = milieu + direction(&mut alea) * (0.4 * alea.f64());
@@ -70,10 +72,10 @@ fn la_lumiere_trouve_la_table_sous_le_verre<R: Reel>() {
                 let Ok(dedans) = rayon.secondaire(&entree, vers) else { continue };
                 let touche =
                     hierarchie.parmi(&|objet| objet != 1).premiere_intersection(&dedans).ok();
-                let Some((retour, sortie)) = sortir(&scene[1], &dedans, loin) else { continue };
+                let Ok(sortie) = scene[1].sortie(&dedans) else { continue };
                 let n = sortie.normale().vers_f64();
-                let dehors = retour.secondaire(&sortie, dedans.direction()).unwrap();
-                let posee = touche.filter(|t| avant_la_sortie(&dedans, t, &(retour, sortie)));
+                let dehors = dedans.secondaire(&sortie, dedans.direction()).unwrap();
+                let posee = touche.filter(|t| avant_la_sortie(&dedans, t, &sortie));
                 let contexte = || format!("{scene:?} {dedans:?} {sortie:?}");
                 let dessous = n.y < if ronde { -0.999_999 } else { -0.5 };
                 let arrive = hierarchie.premiere_intersection(&dehors);
@@ -103,3 +105,180 @@ fn la_lumiere_trouve_la_table_sous_le_verre<R: Reel>() {
 }
 
 en_f32_et_f64!(la_lumiere_trouve_la_table_sous_le_verre);
+
+/// The direction behind a surface with this normal against the ray; none beyond the critical angle (Snell).
+fn refracte(d: Vecteur, n: Vecteur, rapport: f64) -> Option<Vecteur> {
+    let cosinus = -d.produit_scalaire(n);
+    let carre = 1.0 - rapport * rapport * (1.0 - cosinus * cosinus);
+    (carre > 0.0).then(|| d * rapport + n * (rapport * cosinus - carre.sqrt()))
+}
+
+/// A ball, and a slab that stands askew: light leaves a ball at the angle at which it entered, and a slab in the
+/// direction in which it came, after the way that the angles tell.
+fn la_lumiere_traverse_le_verre_comme_snell_le_dit<R: Reel>() {
+    let mut alea = Rng::with_seed(61);
+    // Some thirty roundings, where cosines and the way are above a third.
+    let permis = 1_000.0 * u::<R>();
+    for tour in 0..2_000 {
+        let (n, r) = (direction(&mut alea), entre(&mut alea, 0.5, 2.0));
+        let centre = arrondi(direction(&mut alea));
+        let objet: ObjetRay<R> = if tour % 2 == 0 {
+            SphereGeo::new(centre, R::depuis_f64(r), Texture(0)).unwrap().into()
+        } else {
+            let large = R::depuis_f64(50.0);
+            let cotes = Vecteur::new(large, R::depuis_f64(2.0 * r), large);
+            let angles =
+                Vecteur::new(entre(&mut alea, -3.0, 3.0), 0.0, entre(&mut alea, -3.0, 3.0));
+            let tour = Rotation::new(arrondi(angles)).unwrap();
+            BoiteGeo::new(centre, cotes, tour, Texture(0)).unwrap().into()
+        };
+        let n = match &objet {
+            ObjetRay::Boite(boite) => boite.normales()[1].vers_f64(),
+            ObjetRay::Sphere(_) | ObjetRay::Plan(_) => n,
+        };
+        let p = centre.vers_f64() + n * r;
+        let d = (direction(&mut alea) - n * 1.5).unitaire().unwrap();
+        let rayon = Rayon::new(arrondi(p - d * 3.0), arrondi(d)).unwrap();
+        let entree = objet.intersection(&rayon).unwrap();
+        let d = rayon.direction().vers_f64();
+        let vers = refracte(d, entree.normale().vers_f64(), 1.0 / 1.5).unwrap();
+        let dedans = rayon.secondaire(&entree, arrondi(vers)).unwrap();
+        assert_eq!(objet.intersection(&dedans), Err(NoIntersection));
+        let sortie = objet.sortie(&dedans).unwrap();
+        let (di, n) = (dedans.direction().vers_f64(), sortie.normale().vers_f64());
+        let biais = -di.produit_scalaire(entree.normale().vers_f64());
+        let chemin = if tour % 2 == 0 { 2.0 * r * biais } else { 2.0 * r / biais };
+        assert!((sortie.distance().vers_f64() - chemin).abs() < permis, "{rayon:?} {objet:?}");
+        let vers = refracte(di, -n, 1.5).unwrap();
+        let dehors = dedans.secondaire(&sortie, arrondi(vers)).unwrap();
+        let cosinus = [-d.produit_scalaire(entree.normale().vers_f64()), vers.produit_scalaire(n)];
+        assert!((cosinus[0] - cosinus[1]).abs() < permis, "{cosinus:?}");
+        assert!(tour % 2 == 0 || (vers - d).longueur() < permis, "{vers:?} {d:?}");
+        assert_eq!(objet.intersection(&dehors), Err(NoIntersection));
+        assert_eq!(objet.sortie(&dehors), Err(NoIntersection));
+    }
+}
+
+en_f32_et_f64!(la_lumiere_traverse_le_verre_comme_snell_le_dit);
+
+/// Shells, one within the other: a ray enters each and leaves each, in order, every crossing where exact arithmetic has
+/// it; and so does one that starts anew at each crossing.
+fn des_coquilles_sont_traversees_dans_l_ordre<R: Reel>() {
+    let mut alea = Rng::with_seed(62);
+    for tour in 0..500 {
+        let centre: Vecteur<R> = arrondi(direction(&mut alea) * 10.0);
+        let orientation = Rotation::new(arrondi(direction(&mut alea) * 3.0)).unwrap();
+        let coquilles: Vec<ObjetRay<R>> = (0..12)
+            .map(|i| {
+                let r = R::depuis_f64(4.0 * (-0.2 * f64::from(i)).exp2());
+                if tour % 2 == 0 {
+                    SphereGeo::new(centre, r, Texture(i)).unwrap().into()
+                } else {
+                    BoiteGeo::new(centre, Vecteur::new(r, r, r), orientation, Texture(i))
+                        .unwrap()
+                        .into()
+                }
+            })
+            .collect();
+        let d = direction(&mut alea);
+        let cible = centre.vers_f64() + direction(&mut alea) * 0.3;
+        let rayon = Rayon::new(arrondi(cible - d * 20.0), arrondi(d)).unwrap();
+        let entrees = coquilles.iter().map(|coquille| (Passage::Entree, coquille));
+        let sorties = coquilles.iter().rev().map(|coquille| (Passage::Sortie, coquille));
+        let ordre: Vec<_> = entrees.chain(sorties).collect();
+        let touche = |rayon: &Rayon<R>, (passage, objet): (Passage, &ObjetRay<R>)| match passage {
+            Passage::Entree => objet.intersection(rayon),
+            Passage::Sortie => objet.sortie(rayon),
+        };
+        let (mut avant, mut suite) = (R::ZERO, rayon);
+        for &(passage, objet) in &ordre {
+            let t = touche(&rayon, (passage, objet)).unwrap().distance();
+            let vrai = verite_du(passage, objet, &rayon).entree.unwrap();
+            assert!(vrai.ecart(t).abs() <= vrai.k * u::<R>() * vrai.kappa_t, "{objet:?} {rayon:?}");
+            assert!(t > avant, "{objet:?} {rayon:?}");
+            avant = t;
+            // The step from one to the next.
+            let ici = touche(&suite, (passage, objet)).unwrap();
+            suite = suite.secondaire(&ici, suite.direction()).unwrap();
+            assert_eq!(objet.intersection(&suite), Err(NoIntersection));
+            assert_eq!(objet.sortie(&suite).is_ok(), passage == Passage::Entree);
+        }
+    }
+}
+
+en_f32_et_f64!(des_coquilles_sont_traversees_dans_l_ordre);
+
+/// From exactly on the surface, and in the plane of a face: every number is exact. A ray leaves at the far side or not
+/// at all.
+fn de_la_surface_un_rayon_sort_en_face_ou_pas<R: Reel>() {
+    let v = |x: f64, y: f64, z: f64| arrondi::<R>(Vecteur::new(x, y, z));
+    let boule =
+        ObjetRay::from(SphereGeo::new(v(0.0, 0.0, 0.0), R::depuis_f64(5.0), Texture(0)).unwrap());
+    let boite = BoiteGeo::new(v(0.0, 0.0, 0.0), v(2.0, 4.0, 6.0), Rotation::IDENTITE, Texture(0));
+    let boite = ObjetRay::from(boite.unwrap());
+    let sol = ObjetRay::from(PlanGeo::new(Rotation::IDENTITE, R::ZERO, Texture(0)).unwrap());
+    let sortie = |objet: &ObjetRay<R>, de, vers| {
+        let sortie = objet.sortie(&Rayon::new(de, vers).unwrap()).ok()?;
+        assert_eq!(sortie.objet(), 0);
+        Some((sortie.distance().vers_f64(), <[f64; 3]>::from(sortie.normale().vers_f64())))
+    };
+    let (haut, bas) = (v(0.0, 1.0, 0.0), v(0.0, -1.0, 0.0));
+    let en_bas = Some((8.0, [0.6, -0.8, 0.0].map(|x| R::depuis_f64(x).vers_f64())));
+    assert_eq!(sortie(&boule, v(3.0, 4.0, 0.0), bas), en_bas);
+    assert_eq!(sortie(&boule, v(3.0, 4.0, 0.0), haut), None);
+    assert_eq!(sortie(&boule, v(5.0, 0.0, 0.0), haut), None); // a tangent
+    assert_eq!(sortie(&boule, v(5.0, -9.0, 0.0), haut), None); // and one from afar
+    assert_eq!(sortie(&boule, v(0.0, 0.0, 0.0), haut), Some((5.0, [0.0, 1.0, 0.0])));
+    assert_eq!(sortie(&boule, v(0.0, 4.0, 0.0), haut), Some((1.0, [0.0, 1.0, 0.0])));
+    assert_eq!(sortie(&boule, v(0.0, 9.0, 0.0), haut), None);
+
+    assert_eq!(sortie(&boite, v(0.5, 2.0, 0.0), bas), Some((4.0, [0.0, -1.0, 0.0])));
+    assert_eq!(sortie(&boite, v(0.5, 2.0, 0.0), haut), None);
+    assert_eq!(sortie(&boite, v(0.5, 1.5, 0.0), haut), Some((0.5, [0.0, 1.0, 0.0])));
+    // In the plane of a face, which belongs to the box; beside it; along an edge.
+    assert_eq!(sortie(&boite, v(1.0, 0.0, 0.0), haut), Some((2.0, [0.0, 1.0, 0.0])));
+    assert_eq!(sortie(&boite, v(1.0, -9.0, 3.0), haut), Some((11.0, [0.0, 1.0, 0.0])));
+    assert_eq!(sortie(&boite, v(1.5, 0.0, 0.0), haut), None);
+    // Through a corner the first pair gives the normal, as of an entry.
+    let coin = sortie(&boite, v(0.0, 1.0, 2.0), v(1.0, 1.0, 1.0));
+    assert_eq!(coin.unwrap().1, [1.0, 0.0, 0.0]);
+
+    let (monte, descend) = (v(0.0, 0.0, 1.0), v(0.0, 0.0, -1.0));
+    assert_eq!(sortie(&sol, v(0.0, 0.0, -3.0), monte), Some((3.0, [0.0, 0.0, 1.0])));
+    assert_eq!(sortie(&sol, v(0.0, 0.0, -3.0), descend), None);
+    assert_eq!(sortie(&sol, v(0.0, 0.0, -3.0), haut), None);
+    assert_eq!(sortie(&sol, v(0.0, 0.0, 0.0), monte), None);
+    assert_eq!(sortie(&sol, v(0.0, 0.0, 3.0), descend), None);
+    // Too far for the type.
+    let pente = Vecteur::new(R::UN, R::ZERO, R::MIN_POSITIF);
+    assert_eq!(sortie(&sol, v(0.0, 0.0, -3.0), pente), None);
+}
+
+en_f32_et_f64!(de_la_surface_un_rayon_sort_en_face_ou_pas);
+
+/// From within rounding of the surface and along it too: what is inside as computed leaves, and within two radii.
+fn d_une_boule_tout_rayon_sort_a_moins_de_deux_rayons<R: Reel>() {
+    let mut alea = Rng::with_seed(63);
+    let mut dedans = 0;
+    for _ in 0..200_000 {
+        let (n, r) = (direction(&mut alea), R::depuis_f64(entre(&mut alea, 0.5, 2.0)));
+        let boule = ObjetRay::from(SphereGeo::new(Vecteur::NUL, r, Texture(0)).unwrap());
+        let s: Vecteur<R> = arrondi(n * r.vers_f64());
+        let au_hasard = direction(&mut alea);
+        let tangente = au_hasard - n * au_hasard.produit_scalaire(n);
+        let penche = (-70.0 * alea.f64()).exp2();
+        let rayon =
+            Rayon::new(s, arrondi(tangente + n * if alea.bool() { penche } else { -penche }));
+        let sortie = boule.sortie(&rayon.unwrap());
+        if s.longueur_carree() < r * r {
+            let t = sortie.unwrap().distance();
+            // A root, and three roundings of SA and AB each.
+            let plus = 1.0 + promesses::DISTANCE_SPHERE * u::<R>();
+            assert!(t > R::ZERO && t.vers_f64() <= 2.0 * r.vers_f64() * plus, "{boule:?} {s:?}");
+            dedans += 1;
+        }
+    }
+    assert!(dedans > 40_000, "{dedans}");
+}
+
+en_f32_et_f64!(d_une_boule_tout_rayon_sort_a_moins_de_deux_rayons);

@@ -104,7 +104,7 @@ fn cache<'a, R: Reel>(
     let proches = objets.filter(|o| !o.est_certain(rayon) || o.intersection(rayon).is_ok());
     let entrees = proches.filter_map(|objet| verite(objet, rayon).entree);
     let premiere = entrees.map(|entree| entree.t.vers_f64()).fold(f64::INFINITY, f64::min);
-    // The distance is good to 3.6u (lemma 9), and rounds here.
+    // The distance is good to 3.6u (lemma 11), and rounds here.
     let jeu = 5.0 * R::U.vers_f64() * fin;
     ((premiere - fin).abs() > jeu).then_some(premiere < fin)
 }

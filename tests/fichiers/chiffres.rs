@@ -18,6 +18,7 @@ fn un_chiffre_d_une_promesse_a_une_valeur() {
     let rangees: &[(f64, &[&str])] = &[
         (promesses::DISTANCE_SPHERE, &["K = {} for a sphere", "K ≤ {}, and"]),
         (promesses::DISTANCE_PERDUE, &["{} where r < 64u|f|"]),
+        (promesses::SORTIE_SPHERE, &["K of a sphere {}, however", "K is {} for a sphere, however"]),
         (promesses::DISTANCE_PLAN, &["{} for a half-space, 5"]),
         (promesses::PLAN_ABSOLU, &["for a half-space {}η/(v"]),
         (promesses::DISTANCE_BOITE, &["{} for a box; for"]),

@@ -10,8 +10,10 @@
 
 use std::time::{Duration, Instant};
 
-use commun::promesses::{self, Essai, Part, RIEN};
-use commun::regimes::{Genre, deux_puissance, direction, entre, regimes, repere, signe};
+use commun::promesses::{self, Essai, Part, RIEN, sortie};
+use commun::regimes::{
+    Cas, Genre, deux_puissance, direction, entre, regimes, repere, signe, vers_la_sortie,
+};
 use commun::tolerances::u;
 use commun::{Bits, arrondi, empreinte};
 use fastrand::Rng;
@@ -521,6 +523,25 @@ fn boite<R: Bits>(alea: &mut Rng) -> Candidat<R> {
     un_objet(Genre::Boite, alea)
 }
 
+/// An object and a ray that may start within it.
+fn de_dedans<R: Bits>(genre: Genre, alea: &mut Rng) -> Candidat<R> {
+    let (objet, rayon) = depart(genre, alea);
+    let Cas { objet, rayon } = vers_la_sortie(Cas { objet, rayon }, alea);
+    Candidat::new(&[objet], &rayon, vers(alea))
+}
+
+fn dans_une_sphere<R: Bits>(alea: &mut Rng) -> Candidat<R> {
+    de_dedans(Genre::Sphere, alea)
+}
+
+fn dans_un_demi_espace<R: Bits>(alea: &mut Rng) -> Candidat<R> {
+    de_dedans(Genre::Plan, alea)
+}
+
+fn dans_une_boite<R: Bits>(alea: &mut Rng) -> Candidat<R> {
+    de_dedans(Genre::Boite, alea)
+}
+
 rangees! {
     distance_d_une_sphere: sphere, promesses::distance, 400_000;
     distance_d_un_demi_espace: demi_espace, promesses::distance, 400_000;
@@ -557,4 +578,21 @@ rangees! {
     face_a_la_source_d_une_sphere: sphere, promesses::face_a_la_source, 60_000;
     face_a_la_source_d_un_demi_espace: demi_espace, promesses::face_a_la_source, 60_000;
     face_a_la_source_d_une_boite: boite, promesses::face_a_la_source, 60_000;
+    sortie_d_une_sphere: dans_une_sphere, sortie::distance, 200_000;
+    sortie_d_un_demi_espace: dans_un_demi_espace, sortie::distance, 100_000;
+    sortie_d_une_boite: dans_une_boite, sortie::distance, 200_000;
+    decision_de_sortie_d_une_sphere: dans_une_sphere, sortie::decision, 60_000, true;
+    decision_de_sortie_d_un_demi_espace: dans_un_demi_espace, sortie::decision, 60_000, true;
+    decision_de_sortie_d_une_boite: dans_une_boite, sortie::decision, 100_000, true;
+    normale_de_sortie_d_une_sphere: dans_une_sphere, sortie::direction_de_la_normale, 60_000;
+    normale_de_sortie_d_une_boite: dans_une_boite, sortie::direction_de_la_normale, 60_000;
+    de_dos_a_la_sortie_d_une_sphere: dans_une_sphere, sortie::de_dos, 60_000;
+    de_dos_a_la_sortie_d_une_boite: dans_une_boite, sortie::de_dos, 60_000;
+    marge_de_sortie_d_une_sphere: dans_une_sphere, sortie::marge, 60_000;
+    marge_de_sortie_infinie_d_une_sphere: dans_une_sphere, sortie::marge_infinie, 60_000;
+    marge_de_sortie_d_une_boite: dans_une_boite, sortie::marge, 60_000;
+    lieu_d_une_sortie_d_une_boite: dans_une_boite, sortie::lieu, 60_000;
+    secondaire_de_sortie_d_une_sphere: dans_une_sphere, sortie::secondaire, 60_000;
+    secondaire_de_sortie_d_un_demi_espace: dans_un_demi_espace, sortie::secondaire, 60_000;
+    secondaire_de_sortie_d_une_boite: dans_une_boite, sortie::secondaire, 60_000;
 }

@@ -12,10 +12,10 @@
 //!   u)` stands for all of it, larger than what was counted by hand;
 //! - lemma 3: that two comparisons at most lie between an entry and an exit; lemma 4: that k speeds
 //!   of which all are v or more have v ≤ 1/√k;
-//! - lemma 7: that nearer than |f| = 2r no sphere is lost;
-//! - lemma 10: that a matrix made of sines and cosines, or of one direction, is orthonormal to 90u
+//! - lemma 8: that nearer than |f| = 2r no sphere is lost;
+//! - lemma 13: that a matrix made of sines and cosines, or of one direction, is orthonormal to 90u
 //!   before its Newton step;
-//! - lemma 16: that what is subnormal is less than the slack.
+//! - lemma 21: that what is subnormal is less than the slack.
 
 use crate::intervalle::{Intervalle, de_a, portee};
 use commun::tolerances::{ORTHONORMALE, bandes, promesses};
@@ -44,7 +44,7 @@ const PERDU: f64 = 3.0 / 64.0;
 /// (lemma 2).
 const PERDU_LONGUEUR: f64 = 1.0 / (1_u64 << 60) as f64;
 
-/// What lemma 14 grants the point of a hit, in u·|f| and in u·ρ.
+/// What lemma 6 grants the point of a hit, in u·|f| and in u·ρ.
 const TOUCHE_F: f64 = 27.0;
 const TOUCHE_RHO: f64 = 60.0;
 
@@ -252,51 +252,72 @@ fn lemme_4_distance_d_un_demi_espace() {
     });
 }
 
+/// What a box needs where `tv`, of |f| and ρ, bounds the length that the ray goes along a normal, in u·κt.
+fn distance_d_une_boite(
+    u: f64,
+    [f, rho]: [Intervalle; 2],
+    tv: impl Fn(Intervalle, Intervalle) -> Intervalle,
+) -> Option<Intervalle> {
+    let t = (1.0 - f - rho).max(i(0.0));
+    // |f|, t and ρ are the sides of a triangle, or nearly.
+    let (rho_, t_) = (rho * plus(20.0, u), t * moins(D1, u));
+    if (f + rho).bas > 1.0 || f.bas > (rho_ + d(u) * t).haut || t_.bas > (f + rho_).haut {
+        return None;
+    }
+    let faces = [1.0, 2.0, 3.0].map(|k| {
+        let v = d(u) * plus(19.0, u) / i(k).racine();
+        let tv = tv(f, rho).min(t * (v + bandes::VITESSE * u));
+        let suite = (k - 1.0) * rapport(u) * plus(2.0 * rapport(u), u) * t * v;
+        gamma(2.0, u) * tv
+            + gamma(4.0, u) * plus(gamma(2.0, u), u) * n(u) * f
+            + vitesse(u) * t
+            + if k > 1.0 { suite } else { i(0.0) }
+    });
+    Some(faces[0].max(faces[1]).max(faces[2]))
+}
+
 #[test]
 fn lemme_4_distance_d_une_boite() {
     tenir_sur(
         promesses::DISTANCE_BOITE,
         |_| [zero_a_un(), zero_a_un()],
-        |u, [f, rho]| {
-            let t = (1.0 - f - rho).max(i(0.0));
-            // |f|, t and ρ are the sides of a triangle, or nearly.
-            let (rho_, t_) = (rho * plus(20.0, u), t * moins(D1, u));
-            if (f + rho).bas > 1.0 || f.bas > (rho_ + d(u) * t).haut || t_.bas > (f + rho_).haut {
-                return None;
-            }
-            let faces = [1.0, 2.0, 3.0].map(|k| {
-                let v = d(u) * plus(19.0, u) / i(k).racine();
-                let tv = (n(u) * f).min(t * (v + bandes::VITESSE * u));
-                let suite = (k - 1.0) * rapport(u) * plus(2.0 * rapport(u), u) * t * v;
-                gamma(2.0, u) * tv
-                    + gamma(4.0, u) * plus(gamma(2.0, u), u) * n(u) * f
-                    + vitesse(u) * t
-                    + if k > 1.0 { suite } else { i(0.0) }
-            });
-            Some(faces[0].max(faces[1]).max(faces[2]))
-        },
+        |u, x| distance_d_une_boite(u, x, |f, _| n(u) * f),
     );
 }
 
-/// What the sphere of radius 1 needs, in u·κt, where it is entered at the distance `t` and the cosine `c`; `x`
-/// tells how far z moves C across the ray, in u·f. None inside the band of `bande`·u(f + r).
-fn distance_d_une_sphere(u: f64, bande: f64, [t, c, x]: [Intervalle; 3]) -> Option<Intervalle> {
+/// A sphere of radius 1, moved by what S − C rounds, and what of it the computation is off by.
+struct Deplacee {
+    /// How far it is moved along the ray, and AB² by how much.
+    le_long: Intervalle,
+    ecart: Intervalle,
+    /// AB of the moved one.
+    ab: Intervalle,
+    /// How far its crossings are moved.
+    bouge: Intervalle,
+    f_: Intervalle,
+    /// By how much AB as computed may be less and more, before it is rounded, and what SA is off by.
+    dab: [Intervalle; 2],
+    dsa: Intervalle,
+}
+
+/// `c` is AB, `x` tells how far it is moved across the ray, in u·f; with `sa`, |SA|, −p may stand in for AB².
+/// None where AB may be lost.
+fn deplacee(
+    u: f64,
+    f: Intervalle,
+    c: Intervalle,
+    x: Intervalle,
+    sa: Option<Intervalle>,
+) -> Option<Deplacee> {
     let s = ((1.0 - c).max(i(0.0)) * (1.0 + c)).racine();
-    let p = t * (t + 2.0 * c);
-    let f = (p + 1.0).racine();
-    let large = bande * u * (f + 1.0);
-    if (c.carre() / (1.0 + s)).haut <= large.bas || (p / (f + 1.0)).haut <= large.bas {
-        return None;
-    }
-    let infini = Some(de_a(0.0, f64::INFINITY));
-    // 1: the sphere moves by z, in the plane of C and the ray and no longer than u·f.
+    // The sphere moves by z, in the plane of C and the ray and no longer than u·f.
     let z = u * f;
     let (le_long, travers) = (z * (1.0 - x.carre()).racine(), z * x);
     let w = c.carre();
     let ecart = 2.0 * s * travers + travers.carre();
     let w_ = w - ecart;
     if w_.bas <= 0.0 {
-        return infini;
+        return None;
     }
     let ab = w_.racine();
     let bouge = le_long + ecart.grandeur() / (c + ab);
@@ -310,23 +331,49 @@ fn distance_d_une_sphere(u: f64, bande: f64, [t, c, x]: [Intervalle; 3]) -> Opti
     let ac2 = et(gamma(3.0, u), et(i(1.0), i(1.0), u), u) * u * large_ac.carre()
         + g_ac * (2.0 * ac + g_ac);
     let dw = (g(5.0) + PERDU * u + ac2) * plus(1.0, u) + u * w_;
-    if (w_ - dw).bas <= 0.0 {
-        return infini;
+    // From within, AB² is no less than −p, which is AB² less SA².
+    let (moins_p, dp) = sa.map_or((i(0.0), i(0.0)), |sa| {
+        let moins_p = w_ - (sa + le_long).carre();
+        let p = moins_p.max(i(0.0));
+        (moins_p, (g(3.0) * (1.0 - p).max(i(0.0)) + u + PERDU * u) * plus(16.0, u) + g(5.0) * p)
+    });
+    let peu = (w_ - dw).max(moins_p - dp);
+    if peu.bas <= 0.0 {
+        return None;
     }
-    let dab = dw / (ab + (w_ - dw).racine());
+    let dab = [dw.min(w_ - peu) / (ab + peu.racine()), dw.max(dp) / (2.0 * ab)];
+    let dsa = g(3.0) * f_ + PERDU_LONGUEUR * u;
+    Some(Deplacee { le_long, ecart, ab, bouge, f_, dab, dsa })
+}
+
+/// What the sphere of radius 1 needs, in u·κt, where it is entered at the distance `t` and the cosine `c`; `x`
+/// tells how far z moves C across the ray, in u·f. None inside the band of `bande`·u(f + r).
+fn distance_d_une_sphere(u: f64, bande: f64, [t, c, x]: [Intervalle; 3]) -> Option<Intervalle> {
+    let s = ((1.0 - c).max(i(0.0)) * (1.0 + c)).racine();
+    let p = t * (t + 2.0 * c);
+    let f = (p + 1.0).racine();
+    let large = bande * u * (f + 1.0);
+    if (c.carre() / (1.0 + s)).haut <= large.bas || (p / (f + 1.0)).haut <= large.bas {
+        return None;
+    }
+    let infini = Some(de_a(0.0, f64::INFINITY));
+    let Some(Deplacee { le_long, ecart, ab, bouge, f_, dab, dsa }) = deplacee(u, f, c, x, None)
+    else {
+        return infini;
+    };
+    let (g, dab) = (|k| gamma(k, u) * u, dab[0].max(dab[1]));
     // SA − AB, without a cancellation.
     let t_ = (t + le_long * de_a(-1.0, 1.0) + ecart / (c + ab)).max(i(0.0));
     let q = t_ + 2.0 * ab;
     let p_ = t_ * q;
     let dp = (g(3.0) * f_.carre() + u + PERDU * u) * plus(1.0, u) + u * p_;
-    let dsa = g(3.0) * f_ + PERDU_LONGUEUR * u;
     let dq = (dsa + dab + u * (ab + dab)) * plus(1.0, u) + u * q;
     if (q - dq).bas <= 0.0 {
         return infini;
     }
-    // 2: p/s.
+    // p/s.
     let de_p_sur_q = (dp * plus(1.0, u) + u * p_ + t_ * dq) / (q - dq);
-    // 3: SA/D², if p·D² ≥ SA·q as computed. Exactly SA·s − p = AB·s; `passe` is what the two
+    // SA/D², if p·D² ≥ SA·q as computed. Exactly SA·s − p = AB·s; `passe` is what the two
     // products are off by, each of which may be lost.
     let m = t_ + ab;
     let passe = dp
@@ -374,7 +421,7 @@ fn lemme_5_une_bande_plus_etroite_ne_suffit_pas() {
 }
 
 #[test]
-fn lemme_6_normale() {
+fn lemme_7_normale() {
     // y = f/r; the error of the distance is at most K·u·κt, with κt ≤ (1 + 2y)/c.
     let domaine = |u| [de_a(1.0, 1.0 / (promesses::PERDUE * u))];
     let k_kappa_t = |u: f64, y: Intervalle| promesses::DISTANCE_SPHERE * u * (1.0 + 2.0 * y);
@@ -418,7 +465,7 @@ fn marge_plate(u: f64) -> Intervalle {
 }
 
 #[test]
-fn lemme_7_marge_d_une_face() {
+fn lemme_8_marge_d_une_face() {
     tenir(VERS_LE_HAUT, |u| {
         // (1 + u)/(√(1 − 12u)·(1 − u)²) − 1.
         let n = racine(inverse(i(N2), u), u);
@@ -481,25 +528,30 @@ fn marges_d_une_sphere(u: f64, constantes: [f64; 2]) -> Intervalle {
 }
 
 #[test]
-fn lemmes_7_et_8_marge_d_une_sphere() {
+fn lemmes_8_et_9_marge_d_une_sphere() {
     tenir(1.0, |u| marges_d_une_sphere(u, [PAR_RAYON, LONGUEUR]));
 }
 
 #[test]
 #[should_panic(expected = "is more than 1")]
-fn lemmes_7_et_8_moins_par_rayon_ne_suffit_pas() {
+fn lemmes_8_et_9_moins_par_rayon_ne_suffit_pas() {
     let _ = marges_d_une_sphere(U[0], [0.9 * PAR_RAYON, LONGUEUR]);
 }
 
 #[test]
 #[should_panic(expected = "is more than 1")]
-fn lemmes_7_et_8_une_longueur_moindre_ne_suffit_pas() {
+fn lemmes_8_et_9_une_longueur_moindre_ne_suffit_pas() {
     let _ = marges_d_une_sphere(U[0], [PAR_RAYON, 0.9 * LONGUEUR]);
 }
 
 /// What |CP² − r²|, x² and y reach of a sphere of radius 1 with r ≥ 64u|f| + 16u⟨P, 1⟩, as parts of
-/// the limits beyond which it is lost. `k` is AC. None where the ray misses.
-fn sphere_non_perdue(u: f64, perdue: f64, [f, k]: [Intervalle; 2]) -> Option<Intervalle> {
+/// the limits beyond which it is lost; `sort`: where it is left. `k` is AC. None where the ray misses.
+fn sphere_non_perdue(
+    u: f64,
+    perdue: f64,
+    sort: bool,
+    [f, k]: [Intervalle; 2],
+) -> Option<Intervalle> {
     let a = u * f;
     let g = |k| gamma(k, u) * u;
     let g_ac = i(4.0 / 3.0).racine() * a + PERDU_LONGUEUR * u;
@@ -512,10 +564,15 @@ fn sphere_non_perdue(u: f64, perdue: f64, [f, k]: [Intervalle; 2]) -> Option<Int
     }
     let beta = (w + dw).max(i(0.0)).racine();
     let (b, p) = ((f.carre() - k.carre()).racine(), f.carre() - 1.0);
-    // τ (lemma 14).
+    // τ (lemma 6).
     let dp = (g(3.0) * f.carre() + u + PERDU * u) * plus(1.0, u) + u * p;
     let dq = (g(3.0) * f + PERDU_LONGUEUR * u + u * beta) * plus(2.0, u) + u * (b + beta);
-    let e = (dw + dp * plus(1.0, u) + u * p + b * dq) / (b - dq);
+    let e = if sort {
+        // SA, the root, the sum, D² and the quotient.
+        dq + gamma(4.0, u) * u * (b + beta) * plus(8.0, u)
+    } else {
+        (dw + dp * plus(1.0, u) + u * p + b * dq) / (b - dq)
+    };
     // Where t̂ is SA/D², β is no more than e and 8u·f.
     let loin = (dw + 2.0 * beta * e + e.carre()).max(dw + (g(7.0) * f).carre());
     let pres = dw + (2.0 * beta * e).max((e + g(8.0) * f).carre());
@@ -532,22 +589,22 @@ fn sphere_non_perdue(u: f64, perdue: f64, [f, k]: [Intervalle; 2]) -> Option<Int
 }
 
 #[test]
-fn lemme_7_marge_finie() {
+fn lemme_8_marge_finie() {
     let perdue = promesses::PERDUE;
     let domaine = |u| [de_a(2.0, 1.0 / (perdue * u)), de_a(0.0, 1.05)];
-    tenir_sur(1.0, domaine, |u, x| sphere_non_perdue(u, perdue, x));
+    tenir_sur(1.0, domaine, |u, x| sphere_non_perdue(u, perdue, false, x));
 }
 
 #[test]
 #[should_panic(expected = "is more than 1")]
-fn lemme_7_plus_pres_une_sphere_se_perd() {
+fn lemme_8_plus_pres_une_sphere_se_perd() {
     let perdue = 0.9 * promesses::PERDUE;
     let domaine = [de_a(2.0, 1.0 / (perdue * U[0])), de_a(0.0, 1.05)];
-    let _ = portee(domaine, 1.0, |x| sphere_non_perdue(U[0], perdue, x));
+    let _ = portee(domaine, 1.0, |x| sphere_non_perdue(U[0], perdue, false, x));
 }
 
 #[test]
-fn lemmes_7_et_8_un_pas_de_plat() {
+fn lemmes_8_et_9_un_pas_de_plat() {
     // What 2·`arrondi`·u·ℓ must pay, as an excess over what it is, in u: twice (1 + u)⁴ − 1, which
     // N·(P − C) as computed is off by, for the height of P and for the next search.
     let exces = |u: f64, arrondi: f64, pas: f64| {
@@ -584,13 +641,13 @@ fn lemmes_7_et_8_un_pas_de_plat() {
 }
 
 #[test]
-fn lemme_8_rayon_secondaire() {
+fn lemme_9_rayon_secondaire() {
     tenir(TANGENT, vitesse);
     tenir(REDRESSE, |u| (TANGENT + 2.0 * vitesse(u) + 2.0 * n(u) * d(u)) * plus(3.0 * N2, u));
 }
 
 #[test]
-fn lemme_9_lampe_et_transformations() {
+fn lemme_11_lampe_et_transformations() {
     tenir(3.6, |u| et(et(racine(gamma(3.0, u), u), i(1.0), u), i(1.0), u));
     let direction = |u: f64| et(normalise(u), i(1.0), u);
     tenir(4.6, direction);
@@ -600,7 +657,7 @@ fn lemme_9_lampe_et_transformations() {
 }
 
 #[test]
-fn lemme_10_rotations() {
+fn lemme_13_rotations() {
     let v = U[1];
     // What one Newton step leaves of |M·Mᵀ − I| = e.
     let pas = |e: Intervalle| 0.75 * e.carre() + 0.25 * e * e.carre();
@@ -632,8 +689,8 @@ fn boule(u: f64) -> Intervalle {
 }
 
 #[test]
-fn lemme_11_boule() {
-    // y = ρ/f; lemma 14 says where the point of a hit lies.
+fn lemme_14_boule() {
+    // y = ρ/f; lemma 6 says where the point of a hit lies.
     tenir_sur(
         RETRAIT,
         |_| [zero_a_un()],
@@ -661,7 +718,7 @@ fn lemme_11_boule() {
 }
 
 #[test]
-fn lemme_12_faisceau() {
+fn lemme_19_faisceau() {
     tenir(COURT_OMEGA, |u| et(et(i(D1), i(D1), u), i(1.0), u) * plus(2.0 * COURT_OMEGA, u));
     // The root of θ₃, its rounding, the quotient and the product.
     tenir(COURT, |u| et(normalise(u), i(1.0), u) * plus(2.0 * COURT, u));
@@ -697,7 +754,7 @@ fn lieu_le_long(u: f64) -> Intervalle {
 }
 
 #[test]
-fn lemme_14_lieu_d_une_touche() {
+fn lemme_6_lieu_d_une_touche() {
     // The box: along an axis √3·(4f + 11t) with t ≤ f + ρ, and 36ρ.
     let le_long = |u: f64| i(3.0).racine() * lieu_le_long(u) * plus(20.0, u);
     tenir(TOUCHE_F, |u| (i(3.0).racine() * gamma(4.0, u) * n(u) + le_long(u)) * plus(60.0, u));
@@ -753,7 +810,7 @@ fn hors_d_une_sphere(u: f64, y: Intervalle) -> Intervalle {
 }
 
 #[test]
-fn lemme_14_lieu_d_une_touche_de_sphere() {
+fn lemme_6_lieu_d_une_touche_de_sphere() {
     let domaine = |u: f64| [de_a(u * u, 1.0 + 4.0 * u)];
     tenir_sur(promesses::LIEU_SPHERE, domaine, |u, [y]| Some(hors_d_une_sphere(u, y)));
     for u in U {
@@ -774,7 +831,7 @@ fn lemme_14_lieu_d_une_touche_de_sphere() {
 }
 
 #[test]
-fn lemme_15_jeu() {
+fn lemme_20_jeu() {
     let v = U[0];
     // What a ray loses of the place of its source: (S − Z)σ; moved, a product, a sum of up to twice that, and the
     // distances that count from there.
@@ -800,7 +857,7 @@ fn coin(v: f64) -> Intervalle {
 }
 
 #[test]
-fn lemme_16_un_rayon() {
+fn lemme_21_un_rayon() {
     let v = U[0];
     for u in U {
         // Of a length G − Y_S: the difference, the inverse and the product; the ceiling.
@@ -813,7 +870,7 @@ fn lemme_16_un_rayon() {
 }
 
 #[test]
-fn lemme_17_bloc() {
+fn lemme_22_bloc() {
     let v = U[0];
     // Y₀, the scalar product and the sums; in u, for each unit of ψ.
     tenir(JEU_FAISCEAU, |u| (TOUCHE_F * i(3.0).racine() + 8.0) * plus(500.0, v) * plus(10.0, u));
@@ -824,7 +881,7 @@ fn lemme_17_bloc() {
 }
 
 #[test]
-fn lemme_18_nombres_doubles() {
+fn lemme_16_nombres_doubles() {
     tenir(PRODUIT_DOUBLE, |u| {
         // In u² of the product as computed: two low parts, their products with the high ones, the sum of these, the
         // sum with what the product of the high ones left.
@@ -839,7 +896,7 @@ fn lemme_18_nombres_doubles() {
 }
 
 #[test]
-fn lemme_19_erreur_et_certitude() {
+fn lemme_17_erreur_et_certitude() {
     tenir(ERREUR_ARRONDIE, |u| {
         // AB of −D²·p_A, D² to γ₃, and of 2XA²; then the sum with XA and the quotient by D².
         let ab = et(racine(et(gamma(3.0, u), gamma(2.0, u), u), u), i(1.0), u);
@@ -857,7 +914,7 @@ fn lemme_19_erreur_et_certitude() {
 }
 
 #[test]
-fn lemme_22_coup_d_oeil() {
+fn lemme_18_coup_d_oeil() {
     // In f64, of numbers that are unit to the rounding of f32 only.
     let (u, large) = (U[1], 1.0 + D1 * U[0]);
     let tenir = |constante: f64, besoin: Intervalle| {
@@ -884,7 +941,7 @@ fn lemme_22_coup_d_oeil() {
 }
 
 #[test]
-fn lemme_20_vers_une_touche() {
+fn lemme_12_vers_une_touche() {
     // Difference and quotient, the scalar product; as computed it exceeds what is tangent.
     tenir(1.9, |u| {
         (2.0 * plus(1.0, u) * n(u) + vitesse(u) * plus(8.0, u)) - TANGENT * moins(1.0, u)
@@ -892,7 +949,110 @@ fn lemme_20_vers_une_touche() {
 }
 
 #[test]
-fn lemme_21_etendue() {
+fn lemme_15_etendue() {
     // The half-extents as computed, what the matrix is off by, two sums and the sums of the slack.
     tenir(ETENDUE, |u| (et(gamma(3.0, u), i(1.0), u) + 36.0 + 2.0) * plus(100.0, u));
+}
+
+/// What a ray needs, in u·κt, that leaves the sphere of radius 1 at the cosine `c`, where SA is `b`; `x` as for an
+/// entry. S is ahead of A by no more than rounding.
+fn sortie_apres_a(u: f64, bande: f64, [b, c, x]: [Intervalle; 3]) -> Option<Intervalle> {
+    let s = ((1.0 - c).max(i(0.0)) * (1.0 + c)).racine();
+    let f = (b.carre() + s.carre()).racine();
+    if (c.carre() / (1.0 + s)).haut <= (bande * u * (f + 1.0)).bas {
+        return None;
+    }
+    let Some(Deplacee { bouge, ab, dab, dsa, .. }) = deplacee(u, f, c, x, Some(b)) else {
+        return Some(de_a(0.0, f64::INFINITY));
+    };
+    let (q, dab) = (b + u * f + ab, dab[0].max(dab[1]));
+    let dq = (dsa + dab + u * (ab + dab)) * plus(1.0, u) + u * q;
+    // D² and the quotient. (Where the sign of SA is wrong, S is A to 4u.)
+    let erreur = dq * plus(16.0, u) + gamma(4.0, u) * u * q;
+    Some((bouge + erreur) * c / (u * (f + 1.0 + b + c)) * plus(2.0 * D1, u))
+}
+
+/// The same of a ray from within whose A lies behind S, t = `y`·`c` before the sphere.
+fn sortie_de_dedans(u: f64, bande: f64, [y, c, x]: [Intervalle; 3]) -> Option<Intervalle> {
+    let (t, p) = (y * c, y * (2.0 - y) * c.carre());
+    let f = (1.0 - p).racine();
+    if (p / (1.0 + f)).haut <= (bande * u * (f + 1.0)).bas {
+        return None;
+    }
+    let infini = Some(de_a(0.0, f64::INFINITY));
+    let sa = (1.0 - y).grandeur() * c;
+    let Some(Deplacee { bouge, ab, dab, dsa, f_, .. }) = deplacee(u, f, c, x, Some(sa)) else {
+        return infini;
+    };
+    let t_ = t + bouge;
+    let q = (1.0 - y) * c + ab - u * f;
+    let p_ = t_ * (q + 2.0 * u * f);
+    let dp = (gamma(3.0, u) * u * f_.carre() + u + PERDU * u) * plus(1.0, u) + u * p_;
+    // Of an AB that is too large s is too.
+    let [moins, plus_grand] = dab.map(|dab| {
+        let reste = (dsa + u * (ab + dab)) * plus(1.0, u) + u * (q + 2.0 * u * f);
+        (dab * plus(1.0, u), reste)
+    });
+    let (court, long) = (q - moins.0 - moins.1, q + plus_grand.0 - plus_grand.1);
+    if court.bas <= 0.0 {
+        return infini;
+    }
+    let erreur = |(dab, reste), s| (dp * plus(1.0, u) + u * p_ + t_ * (dab + reste)) / s;
+    let erreur = erreur(moins, court).max(erreur(plus_grand, long));
+    Some((bouge + erreur) * c / (u * (f + 1.0 + t)) * plus(2.0 * D1, u))
+}
+
+#[test]
+fn lemme_10_sortie_d_une_sphere() {
+    let k = promesses::SORTIE_SPHERE;
+    tenir(k, |u| {
+        let (cosinus, x) = (de_a(u.sqrt(), 1.0), de_a(-1.0, 1.0));
+        let devant = [de_a(u, 0.5 / u), cosinus, x];
+        // A sign of SA is wrong where S is A to 4u: c is √u at least.
+        let derriere = [de_a(u, 1.0 + 4.0 * u.sqrt()), cosinus, x];
+        portee(devant, k, |x| sortie_apres_a(u, bandes::SPHERE, x))
+            .max(portee(derriere, k, |x| sortie_de_dedans(u, bandes::SPHERE, x)))
+    });
+}
+
+#[test]
+fn lemme_10_sortie_d_une_boite() {
+    // As for an entry, but that tv may be ρ too.
+    tenir_sur(
+        promesses::DISTANCE_BOITE,
+        |_| [zero_a_un(), zero_a_un()],
+        |u, x| distance_d_une_boite(u, x, |f, rho| n(u) * f + rho),
+    );
+}
+
+#[test]
+fn lemme_10_marge_finie() {
+    for u in U {
+        let domaine = [de_a(2.0, 1.0 / (promesses::PERDUE * u)), de_a(0.0, 1.05)];
+        let besoin = portee(domaine, 1.0, |x| sphere_non_perdue(u, promesses::PERDUE, true, x));
+        assert!(besoin.haut <= 1.0);
+    }
+}
+
+#[test]
+fn lemme_10_normale() {
+    // y = f/r. S7 rounds f, t̂D and their sum; t is f + r at most, and y + c where the normal is leaned, with
+    // y ≥ 1 − c²/2 then; the quotient, and four roundings across D.
+    for u in U {
+        let domaine = [de_a(u, 1.0 / (promesses::PERDUE * u))];
+        let droite = portee(domaine, promesses::DIRECTION, |[y]| {
+            Some((2.0 * y + 3.0) / (1.0 + y) * plus(8.0, u))
+        });
+        // There c² is no more than what the distance, at most K·u·κt off, and N·D may be off by.
+        let domaine = [de_a(0.5, 1.0 / (promesses::PERDUE * u))];
+        let penchee = portee(domaine, promesses::DIRECTION, |[y]| {
+            let c2 = promesses::SORTIE_SPHERE * u * (2.0 + 2.0 * y) + 20.0 * u * (1.0 + y);
+            if (y + 0.5 * c2).haut < 1.0 {
+                return None;
+            }
+            let c = if y.haut < 4.0 { c2.racine() } else { i(1.0) };
+            Some((2.0 * y + c + 6.0) / (1.0 + y) * plus(8.0, u))
+        });
+        assert!(droite.max(penchee).haut <= promesses::DIRECTION);
+    }
 }

@@ -5,8 +5,10 @@
 
 use commun::mesure::{absolu, au_bord, quantiles};
 use commun::oracle::{Entree, hauteur, verite};
-use commun::promesses::{Essai, Part, Promesse, RIEN, marge_infinie, secondaire, toutes};
-use commun::regimes::{Cas, Extreme, Genre, direction, regimes, repere};
+use commun::promesses::{
+    Essai, Part, Promesse, RIEN, de_la_sortie, marge_infinie, secondaire, toutes,
+};
+use commun::regimes::{Cas, Extreme, Genre, direction, regimes, repere, vers_la_sortie};
 use commun::tolerances::{ORTHONORMALE, u};
 use commun::{arrondi, en_f32_et_f64};
 use fastrand::Rng;
@@ -39,12 +41,18 @@ fn chaque_touche<R: Reel>(
 /// Each promise of the table in each regime of its shapes; and how loose those are that a program may ask.
 fn chaque_promesse_tient<R: Reel>() {
     for regime in regimes::<R>() {
-        let siennes = toutes::<R>().into_iter().filter(|p| p.genres.contains(&regime.genre));
-        for Promesse { nom, part, aisance, .. } in siennes {
+        let de_l_entree = toutes::<R>().into_iter().map(|promesse| (promesse, false));
+        let de_la_sortie = de_la_sortie::<R>().into_iter().map(|promesse| (promesse, true));
+        let siennes = de_l_entree.chain(de_la_sortie);
+        for (Promesse { nom, part, aisance, genres }, sort) in siennes {
+            if !genres.contains(&regime.genre) {
+                continue;
+            }
             let nom = format!("{nom}: {}", regime.nom);
             let (mut alea, mut jugees, mut aisances) = (Rng::with_seed(1), 0, Vec::new());
             for _ in 0..cas_par_regime() {
-                let Cas { objet, rayon } = (regime.cas)(&mut alea);
+                let cas = (regime.cas)(&mut alea);
+                let Cas { objet, rayon } = if sort { vers_la_sortie(cas, &mut alea) } else { cas };
                 let [x, y, z] = arrondi(direction(&mut alea)).into();
                 let essai = Essai { objets: vec![objet], rayon, vers: [x, y, z, R::ZERO, R::ZERO] };
                 let part = part(&essai);
@@ -273,7 +281,7 @@ en_f32_et_f64!(un_rayon_secondaire_ne_retouche_pas_l_objet_qu_il_quitte);
 
 /// From afar a hit beside an edge is off by much along the ray, of which the margin over its face
 /// knows nothing: an inward ray may start above another face by a thousand times 2(`marge()` + 4u|P|), which
-/// one might expect, though by no more than lemma 14 grants.
+/// one might expect, though by no more than lemma 6 grants.
 fn un_depart_vers_l_interieur_peut_etre_loin_au_dessus_d_une_autre_face<R: Reel>() {
     let v = |x, y, z| arrondi::<R>(Vecteur::new(x, y, z));
     let centre = v(-0.0077286684, 0.018294489, 0.19977821);
