@@ -121,7 +121,7 @@ impl<R: Reel> Rayon<R> {
     /// From the start to the light the distance is good to 3.6u of itself and
     /// [`MIN_POSITIF`](Reel::MIN_POSITIF), the direction to 4.6u, and N·L to 8u (lemma 11). Towards a
     /// point of a lamp that is itself an object of the list, [leave the lamp
-    /// out](crate::Hierarchie::sans).
+    /// out](crate::Hierarchie::parmi).
     ///
     /// ```
     /// use lancer_rayon::{ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
