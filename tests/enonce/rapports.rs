@@ -31,8 +31,8 @@ fn mur<R: Reel>(point: Vecteur, normale: Vecteur) -> ObjetRay<R> {
 /// A crossing: where, of which object, and whether the ray is inside it from there on.
 type Passage<R> = (R, usize, bool);
 
-/// Every surface that a ray crosses, in order, and the objects that it starts in: those that it leaves and does not enter,
-/// and half-spaces that it goes on down in.
+/// Every surface that a ray crosses, in order, and the objects that it starts in: those that it leaves and does not
+/// enter, and half-spaces that it never leaves.
 fn passages<R: Reel>(
     hierarchie: &Hierarchie<R>,
     rayon: &Rayon<R>,
@@ -218,9 +218,9 @@ fn par_une_arete_on_entre_une_fois<R: Reel>() {
 
 en_f32_et_f64!(par_une_arete_on_entre_une_fois);
 
-/// Layers that lie against each other, computed as one computes them, turned, and each in the tree: the ways through all
-/// of them are the way through one slab as thick as they are, with neither gap nor overlap beyond the two bounds. Who
-/// steps from each way out to the next layer loses layers.
+/// Thicknesses that do not add up. Layers that lie against each other, computed as one computes them, and turned: the
+/// ways through all of them are the way through one slab as thick as they are, with neither gap nor overlap beyond the
+/// bounds of both distances. Who steps from each way out to the next layer loses every other one.
 fn les_epaisseurs_de_couches_accolees_s_ajoutent<R: Reel>() {
     const COUCHES: usize = 30;
     let mut alea = Rng::with_seed(92);
@@ -277,7 +277,7 @@ fn les_epaisseurs_de_couches_accolees_s_ajoutent<R: Reel>() {
 
 en_f32_et_f64!(les_epaisseurs_de_couches_accolees_s_ajoutent);
 
-/// More objects along a ray than there are places: the nearest are kept, whichever were found first; and asked again among
+/// More objects along a ray than there are places: the nearest are kept, whichever were found first. Asked again among
 /// those that are left, page by page, all of them come, each once and in order, ties across two pages too.
 fn page_par_page_aucun_objet_ne_manque<R: Bits>() {
     let vitres = |i: usize| -> ObjetRay<R> {
@@ -374,8 +374,8 @@ fn une_couche_mince_n_est_pas_sautee<R: Reel>() {
 
 en_f32_et_f64!(une_couche_mince_n_est_pas_sautee);
 
-/// Distances that get worse towards the rim of a wide wall: before a wall along the axes, however wide, a hit is as right
-/// as before a small one, and lies at its height.
+/// Distances that get worse towards the rim of a wide wall. Before a wall along the axes, however wide, each is right to
+/// the rounding of one quotient.
 fn au_bord_d_un_grand_mur_on_est_aussi_juste<R: Reel>() {
     let mut alea = Rng::with_seed(94);
     let mut pire = 0.0_f64;
@@ -487,8 +487,8 @@ fn loin_de_l_origine_un_pas_avance<R: Reel>() {
 
 en_f32_et_f64!(loin_de_l_origine_un_pas_avance);
 
-/// A walk that is caught where several surfaces meet, or counts one of them twice: its steps off each surface may lead out
-/// of the other again. In order every object comes once; the walk by steps meets many twice there, but it ends.
+/// A walk that is caught where several surfaces meet, or counts one of them twice: a step off one surface may lead out of
+/// another again. In order every object comes once; a walk by steps meets some of them twice, but it ends.
 fn ou_des_surfaces_se_coupent_chacune_compte_une_fois<R: Reel>() {
     let mut alea = Rng::with_seed(96);
     let (mut deux_fois, mut plus_longue) = (0, 0);
