@@ -10,6 +10,7 @@ mod lampe;
 mod manipulations;
 mod motif;
 mod origine;
+mod rapports;
 mod reflet;
 mod rotation;
 mod sol;
