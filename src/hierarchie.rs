@@ -243,7 +243,7 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
     /// were filled: if all, there may be more.
     ///
     /// It is what asking every object alone and sorting gives, to the bit, also where two objects touch: to go on from
-    /// hit to hit with [`secondaire`](Rayon::secondaire) would lose objects there. Where a ray leaves an object,
+    /// hit to hit with [`secondaire`](Rayon::secondaire) would lose objects there, or meet some twice. Where a ray leaves an object,
     /// [`sortie`](ObjetRay::sortie) tells. An object in which the ray starts is not entered: such are those that
     /// [`contient`](ObjetRay::contient) is true of.
     ///
