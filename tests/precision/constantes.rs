@@ -1010,8 +1010,11 @@ fn lemme_10_sortie_d_une_sphere() {
         let devant = [de_a(u, 0.5 / u), cosinus, x];
         // A sign of SA is wrong where S is A to 4u: c is √u at least.
         let derriere = [de_a(u, 1.0 + 4.0 * u.sqrt()), cosinus, x];
-        portee(devant, k, |x| sortie_apres_a(u, bandes::SPHERE, x))
-            .max(portee(derriere, k, |x| sortie_de_dedans(u, bandes::SPHERE, x)))
+        // S may be A as well.
+        let en_a = [de_a(0.0, u), cosinus, x];
+        let apres = |domaine| portee(domaine, k, |x| sortie_apres_a(u, bandes::SPHERE, x));
+        let dedans = portee(derriere, k, |x| sortie_de_dedans(u, bandes::SPHERE, x));
+        apres(devant).max(apres(en_a)).max(dedans)
     });
 }
 
