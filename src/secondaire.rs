@@ -121,7 +121,7 @@ impl<R: Reel> Rayon<R> {
     /// From the start to the light the distance is good to 3.6u of itself and
     /// [`MIN_POSITIF`](Reel::MIN_POSITIF), the direction to 4.6u, and N·L to 8u (lemma 11). Towards a
     /// point of a lamp that is itself an object of the list, [leave the lamp
-    /// out](crate::Hierarchie::sans).
+    /// out](crate::Hierarchie::parmi).
     ///
     /// ```
     /// use lancer_rayon::{ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
@@ -197,7 +197,7 @@ impl<R: Reel> Rayon<R> {
     ///
     /// Both ends step off their surfaces, as for [`secondaire`](Self::secondaire), so that the ray
     /// never hits the object it leaves. The object it goes to is
-    /// [left out](crate::Hierarchie::sans), since no distance stops exactly before a surface: solids
+    /// [left out](crate::Hierarchie::parmi), since no distance stops exactly before a surface: solids
     /// are convex, and one that faces the ray hides no point of its own. `None` if either surface
     /// faces away from the other point, to the 3.2u of [`vers_lumiere`](Self::vers_lumiere), or
     /// where that cannot compute. With both hits exchanged the answer is the same distance and the
