@@ -89,7 +89,8 @@ impl<R: Reel> Intersection<R> {
         self.distance
     }
 
-    /// N, the unit outward normal of the object at the hit; it points against the ray (D·N < 0).
+    /// N, the unit outward normal of the object at the hit; it points against the ray (D·N < 0), and
+    /// where the ray leaves the object ([`sortie`](crate::ObjetRay::sortie)) along it.
     #[doc(alias = "normal")]
     pub fn normale(&self) -> Vecteur<R> {
         self.normale

@@ -87,9 +87,10 @@ impl<R: Reel> ObjetRay<R> {
     ///
     /// **Each crossing is found once.** A ray that enters a sphere or a box leaves it, and never before it
     /// enters; from inside it always leaves. A half-space that it enters it never leaves. From a source
-    /// exactly on the surface a ray leaves at the far side, or not at all: the source itself is no way out,
-    /// as it is no hit. A ray that `secondaire` sent inward leaves likewise, and one that it sent outward
-    /// does not.
+    /// on the surface a ray leaves at the far side, or not at all: the source itself is no way out, as it is
+    /// no hit. Inside and on the surface is what the search computes so: within rounding of a sphere a ray
+    /// may leave at once. A ray that `secondaire` sent inward leaves, except beside an edge of a box, and
+    /// one that it sent outward does not.
     ///
     /// # Errors
     /// [`NoIntersection`] if the ray passes the object by or starts beyond it; if it descends in a

@@ -75,7 +75,7 @@ pub fn de_la_sortie<R: Reel>() -> [Promesse<R>; 8] {
         promesse("way out: direction of the normal", &Genre::TOUS, sortie::direction_de_la_normale),
         promesse("way out: the normal faces away", &Genre::TOUS, sortie::de_dos),
         promesse("way out: margin", &Genre::TOUS, sortie::marge),
-        promesse("way out: where it lies", &[Genre::Boite], sortie::lieu),
+        promesse("way out: where it lies", BORNES, sortie::lieu),
         promesse("way out: secondary ray", BORNES, sortie::secondaire),
     ]
 }

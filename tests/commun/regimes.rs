@@ -10,7 +10,7 @@ use lancer_rayon::{
 
 use crate::conversion::arrondi;
 
-#[derive(Debug)]
+#[derive(Debug, Clone, Copy)]
 pub struct Cas<R> {
     pub objet: ObjetRay<R>,
     pub rayon: Rayon<R>,

@@ -591,6 +591,7 @@ rangees! {
     marge_de_sortie_d_une_sphere: dans_une_sphere, sortie::marge, 60_000;
     marge_de_sortie_infinie_d_une_sphere: dans_une_sphere, sortie::marge_infinie, 60_000;
     marge_de_sortie_d_une_boite: dans_une_boite, sortie::marge, 60_000;
+    lieu_d_une_sortie_d_une_sphere: dans_une_sphere, sortie::lieu, 60_000;
     lieu_d_une_sortie_d_une_boite: dans_une_boite, sortie::lieu, 60_000;
     secondaire_de_sortie_d_une_sphere: dans_une_sphere, sortie::secondaire, 60_000;
     secondaire_de_sortie_d_un_demi_espace: dans_un_demi_espace, sortie::secondaire, 60_000;

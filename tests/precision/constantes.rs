@@ -7,7 +7,7 @@
 //! domain, and what direction is kept, a decision (C13).
 //!
 //! Taken from the text, and not found here:
-//! - how many roundings a step of an algorithm has, and what each is relative to;
+//! - how many arrondings a step of an algorithm has, and what each is relative to;
 //! - what is of second order in u, where the text says "to O(u²)": one factor such as `plus(20.0,
 //!   u)` stands for all of it, larger than what was counted by hand;
 //! - lemma 3: that two comparisons at most lie between an entry and an exit; lemma 4: that k speeds
@@ -214,7 +214,7 @@ fn lemme_3_decisions() {
         |u, [f]| {
             let rho = 1.0 - f;
             let o = f * n(u);
-            // Two comparisons in a row, half of their rounding for each of the two lengths.
+            // Two comparisons in a row, half of their arronding for each of the two lengths.
             let compare = et(rapport(u), rapport(u), u) * 0.5;
             let longueur = rho + o * plus(gamma(4.0, u), u);
             Some(gamma(4.0, u) * o + et(i(1.0), compare, u) * longueur)
@@ -426,7 +426,7 @@ fn lemme_7_normale() {
     let domaine = |u| [de_a(1.0, 1.0 / (promesses::PERDUE * u))];
     let k_kappa_t = |u: f64, y: Intervalle| promesses::DISTANCE_SPHERE * u * (1.0 + 2.0 * y);
     // The part along D of a normal that does not face the source. t is no more than A to 9u·f, CB
-    // is off by 2u·f more, and c is no more than the errors of both and the rounding of N·D.
+    // is off by 2u·f more, and c is no more than the errors of both and the arronding of N·D.
     let part = |u: f64, y: Intervalle| {
         let c2 = k_kappa_t(u, y) + u * (2.0 * y + 9.0);
         (11.0 * y * u + 4.0 * u) / ((1.0 - c2).racine() - 4.0 * y * u)
@@ -668,7 +668,7 @@ fn lemme_13_rotations() {
         facteur + facteur * (1.0 + facteur) + 2.0 * 3.0 * gamma(3.0, v) * v * plus(8.0, v)
     };
     // I − M·Mᵀ is off by γ₃ of f64, and so is what is left; then the sum of the step. In f64 that
-    // is the last rounding, in f32 the elements round once more.
+    // is the last arronding, in f32 the elements round once more.
     let reste = |u: f64| (pas(compose(u)) + gamma(3.0, v) * v * plus(40.0, v)) / i(u);
     let elements = |u: f64| et(i(1.0), i(1.0), u) + if u > v { 2.0 * v / u } else { 0.0 };
     tenir(ORTHONORMALE, |u| et(reste(u), elements(u), u));
@@ -720,7 +720,7 @@ fn lemme_14_boule() {
 #[test]
 fn lemme_19_faisceau() {
     tenir(COURT_OMEGA, |u| et(et(i(D1), i(D1), u), i(1.0), u) * plus(2.0 * COURT_OMEGA, u));
-    // The root of θ₃, its rounding, the quotient and the product.
+    // The root of θ₃, its arronding, the quotient and the product.
     tenir(COURT, |u| et(normalise(u), i(1.0), u) * plus(2.0 * COURT, u));
     // (U − aΩ)·D and what rounds it, in u; above 0 it would not be below 0.
     let pente = |u: f64, l: f64, [e, mu]: [Intervalle; 2]| {
@@ -738,7 +738,7 @@ fn lemme_19_faisceau() {
         let [e, mu] = [1.0, 1.0].map(i);
         assert!(pente(u, 0.9 * PENTE, [e, mu]).bas > 0.0, "less would do");
     }
-    // Of Π·(S − S₀ + tD), five roundings of each term; the sum with this slack, and the slack itself. The largest
+    // Of Π·(S − S₀ + tD), five arrondings of each term; the sum with this slack, and the slack itself. The largest
     // coordinate is rounded once, and √3 of it bounds a length.
     tenir(ORIGINES, |u| {
         let tous = gamma(5.0, u) + 1.0 * plus(ORIGINES, u);
@@ -839,7 +839,7 @@ fn lemme_20_jeu() {
         let place = et(i(1.0), i(1.0), u);
         let deplacee = i(1.0) + 2.0 * i(1.0) + 2.0 * i(2.0);
         let deplacee = if u == v { i(0.0) } else { deplacee };
-        // An object: three roundings of its centre, and two for the distances.
+        // An object: three arrondings of its centre, and two for the distances.
         let objet = et(et(i(1.0), i(1.0), u), i(1.0), u) + 2.0;
         (TOUCHE_F + (place + deplacee).max(objet)) * plus(200.0, u)
     });
@@ -876,7 +876,7 @@ fn lemme_22_bloc() {
     tenir(JEU_FAISCEAU, |u| (TOUCHE_F * i(3.0).racine() + 8.0) * plus(500.0, v) * plus(10.0, u));
     // In u of f32: for each unit of a corner, which is rounded before; the depth and what it is compared with.
     tenir(JEU_F32, |_| (coin(v) + 1.0 + 2.0) * plus(20.0, v));
-    // For each unit of a bound: its rounding, the depth and what that is compared with.
+    // For each unit of a bound: its arronding, the depth and what that is compared with.
     tenir(JEU_FACE, |_| 3.0 * plus(20.0, v));
 }
 
@@ -901,7 +901,7 @@ fn lemme_17_erreur_et_certitude() {
         // AB of −D²·p_A, D² to γ₃, and of 2XA²; then the sum with XA and the quotient by D².
         let ab = et(racine(et(gamma(3.0, u), gamma(2.0, u), u), u), i(1.0), u);
         let ecart = et(ab, et(i(1.0), inverse(gamma(4.0, u), u), u), u);
-        // Times |D|, a root of a sum, and the sum with what D lacks, which has fewer roundings.
+        // Times |D|, a root of a sum, and the sum with what D lacks, which has fewer arrondings.
         let mesure =
             et(ecart, et(et(racine(gamma(3.0, u), u), i(1.0), u), inverse(gamma(2.0, u), u), u), u);
         // To the scalar, the product that makes it grow, two sums.
@@ -915,7 +915,7 @@ fn lemme_17_erreur_et_certitude() {
 
 #[test]
 fn lemme_18_coup_d_oeil() {
-    // In f64, of numbers that are unit to the rounding of f32 only.
+    // In f64, of numbers that are unit to the arronding of f32 only.
     let (u, large) = (U[1], 1.0 + D1 * U[0]);
     let tenir = |constante: f64, besoin: Intervalle| {
         assert!(
@@ -955,7 +955,7 @@ fn lemme_15_etendue() {
 }
 
 /// What a ray needs, in u·κt, that leaves the sphere of radius 1 at the cosine `c`, where SA is `b`; `x` as for an
-/// entry. S is ahead of A by no more than rounding.
+/// entry. S is ahead of A by no more than arronding.
 fn sortie_apres_a(u: f64, bande: f64, [b, c, x]: [Intervalle; 3]) -> Option<Intervalle> {
     let s = ((1.0 - c).max(i(0.0)) * (1.0 + c)).racine();
     let f = (b.carre() + s.carre()).racine();
@@ -1010,9 +1010,50 @@ fn lemme_10_sortie_d_une_sphere() {
         let devant = [de_a(u, 0.5 / u), cosinus, x];
         // A sign of SA is wrong where S is A to 4u: c is √u at least.
         let derriere = [de_a(u, 1.0 + 4.0 * u.sqrt()), cosinus, x];
-        portee(devant, k, |x| sortie_apres_a(u, bandes::SPHERE, x))
-            .max(portee(derriere, k, |x| sortie_de_dedans(u, bandes::SPHERE, x)))
+        // S may be A as well.
+        let en_a = [de_a(0.0, u), cosinus, x];
+        let apres = |domaine| portee(domaine, k, |x| sortie_apres_a(u, bandes::SPHERE, x));
+        let dedans = portee(derriere, k, |x| sortie_de_dedans(u, bandes::SPHERE, x));
+        apres(devant).max(apres(en_a)).max(dedans)
     });
+}
+
+/// How far from the surface the point lies outside a sphere where a ray leaves it, in u(f + r): of the larger of |f|
+/// and r, which is 1, and the smaller, `y`.
+fn sortie_hors_d_une_sphere(u: f64, dehors: bool, y: Intervalle) -> Intervalle {
+    let (f, r) = if dehors { (i(1.0), y) } else { (y, i(1.0)) };
+    // What AB² is off by; AC is |f| at most, or r as computed.
+    let g_ac = i(4.0 / 3.0).racine() * f + PERDU_LONGUEUR * r;
+    let k = if dehors { r * plus(10.0, u) + 3.0 * u } else { f };
+    let dw = (gamma(5.0, u) * (r.carre() + (k + g_ac * u).carre()) + r.carre()) * plus(8.0, u)
+        + g_ac * (2.0 * k + g_ac * u)
+        + PERDU * r.carre();
+    let hors = |carre: Intervalle| carre / ((r.carre() + carre * u).racine() + r);
+    // With A ahead: SA, the root, the sum, D² and the quotient; also what W5 may move.
+    let ab = (r.carre() + dw * u).racine();
+    let s = (gamma(3.0, u) * f + ab + gamma(5.0, u) * (f + ab)) * plus(8.0, u);
+    let devant = hors(dw) + s.max(gamma(9.0, u) * f);
+    // With A behind S is within, and t no more than r.
+    let derriere = if dehors {
+        i(0.0)
+    } else {
+        let dp = gamma(3.0, u) * f.carre() + (1.0 + PERDU) * r.carre() + r.carre();
+        let arrondi = 2.0 * r * (3.0 * f + r + 2.0 * r * plus(8.0, u));
+        hors((2.0 * dp + dw + arrondi) * plus(32.0 * u.sqrt() / u, u))
+    };
+    (devant.max(derriere) + f) / (f + r) * plus(100.0, u)
+}
+
+#[test]
+fn lemme_10_lieu_d_une_sphere() {
+    for u in U {
+        for dehors in [true, false] {
+            let besoin = portee([de_a(u * u, 1.0 + 4.0 * u)], promesses::LIEU_SPHERE, |[y]| {
+                Some(sortie_hors_d_une_sphere(u, dehors, y))
+            });
+            assert!(besoin.haut <= promesses::LIEU_SPHERE, "{besoin:?}");
+        }
+    }
 }
 
 #[test]
@@ -1037,7 +1078,7 @@ fn lemme_10_marge_finie() {
 #[test]
 fn lemme_10_normale() {
     // y = f/r. S7 rounds f, t̂D and their sum; t is f + r at most, and y + c where the normal is leaned, with
-    // y ≥ 1 − c²/2 then; the quotient, and four roundings across D.
+    // y ≥ 1 − c²/2 then; the quotient, and four arrondings across D.
     for u in U {
         let domaine = [de_a(u, 1.0 / (promesses::PERDUE * u))];
         let droite = portee(domaine, promesses::DIRECTION, |[y]| {
@@ -1047,7 +1088,7 @@ fn lemme_10_normale() {
         let domaine = [de_a(0.5, 1.0 / (promesses::PERDUE * u))];
         let penchee = portee(domaine, promesses::DIRECTION, |[y]| {
             let c2 = promesses::SORTIE_SPHERE * u * (2.0 + 2.0 * y) + 20.0 * u * (1.0 + y);
-            if (y + 0.5 * c2).haut < 1.0 {
+            if (y.carre() + c2).haut < 1.0 {
                 return None;
             }
             let c = if y.haut < 4.0 { c2.racine() } else { i(1.0) };
