@@ -270,7 +270,9 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
         distance_max: R,
         touches: &mut [Touche<R>],
     ) -> usize {
-        R::demander::<DansLOrdre>((self, Rangee::vide(self.objets(), rayon, distance_max, touches)))
+        let rangee = Rangee::vide(self.objets(), rayon, distance_max, touches);
+        R::demander::<DansLOrdre>((self, rangee));
+        touches.partition_point(Result::is_ok)
     }
 
     /// [`est_occulte`](fn@crate::est_occulte) of the list.
@@ -322,7 +324,7 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
 compilees! {
     Batir<'a, R>: (&'a [ObjetRay<R>], &'a mut [f32]) => Arbre<'a, R> = construire;
     Premiere<'a, R>: (&'a Hierarchie<'a, R>, &'a Rayon<R>, R) => Touche<R> = premiere;
-    DansLOrdre<'a, R>: (&'a Hierarchie<'a, R>, Rangee<'a, R>) => usize = dans_l_ordre;
+    DansLOrdre<'a, R>: (&'a Hierarchie<'a, R>, Rangee<'a, R>) => () = dans_l_ordre;
     Occulte<'a, R>: (&'a Hierarchie<'a, R>, &'a Rayon<R>, R) => bool = occulte;
     Certaine<'a, R>: (&'a Hierarchie<'a, R>, &'a Rayon<R>, &'a Touche<R>) => bool = certaine;
     Premieres<'a, R>: (&'a Hierarchie<'a, R>, &'a [Rayon<R>], &'a mut [Touche<R>])
@@ -348,10 +350,9 @@ fn premiere<R: Reel>(
 }
 
 /// [`Hierarchie::dans_l_ordre`].
-fn dans_l_ordre<R: Reel>((hierarchie, mut rangee): (&Hierarchie<'_, R>, Rangee<'_, R>)) -> usize {
+fn dans_l_ordre<R: Reel>((hierarchie, mut rangee): (&Hierarchie<'_, R>, Rangee<'_, R>)) {
     let Hierarchie { arbre, niveau } = hierarchie;
     selon_le_niveau!(*niveau, simd => arbre.parcourir(simd, rangee.rayon, &mut rangee));
-    rangee.nombre()
 }
 
 /// [`Hierarchie::est_occulte`].

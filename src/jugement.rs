@@ -175,7 +175,7 @@ fn certaine<R: Reel>((objets, rayon, reponse): (&[ObjetRay<R>], &Rayon<R>, &Touc
     let liste = Liste::entiere(objets);
     Certificat::new(liste, rayon, reponse).is_some_and(|certificat| {
         // Nothing that may come before.
-        !demander(&certificat, &mut Premier::avant(R::INFINI), liste.tous())
+        !demander(&certificat, &mut Premier::avant(R::INFINI), liste, 0..objets.len())
     })
 }
 

@@ -2,6 +2,7 @@
 
 use crate::epreuve::Epreuve;
 use crate::intersection::{NoIntersection, Rang, Touche};
+use crate::liste::Liste;
 use crate::objet::ObjetRay;
 use crate::rayon::Rayon;
 use crate::reel::Reel;
@@ -16,16 +17,18 @@ pub(crate) trait Retenus<R> {
     fn retenir(&mut self, t: R, indice: usize) -> bool;
 }
 
-/// Keeps what the ray enters of these objects, each after its index; if `UN_SUFFIT`, until something is kept. Tells
-/// whether something is that suffices.
+/// Keeps what the ray enters of the objects at these indices of the list, without those that its choice leaves out; if
+/// `UN_SUFFIT`, until something is kept. Tells whether something is that suffices.
 #[inline(always)]
-pub(crate) fn demander<'a, R: Reel, E: Epreuve<R>>(
+pub(crate) fn demander<R: Reel, E: Epreuve<R>>(
     epreuve: &E,
     retenus: &mut impl Retenus<R>,
-    objets: impl Iterator<Item = (usize, &'a ObjetRay<R>)>,
+    liste: Liste<'_, R>,
+    indices: impl Iterator<Item = usize>,
 ) -> bool {
     let copie = *epreuve.rayon();
-    for (indice, objet) in objets {
+    for indice in indices {
+        let Some(objet) = liste.objet(indice) else { continue };
         if retenus.retenir(epreuve.t(&copie, objet, indice, false), indice) && E::UN_SUFFIT {
             return true;
         }

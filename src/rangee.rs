@@ -27,11 +27,6 @@ impl<'a, R: Reel> Rangee<'a, R> {
         places.fill(Err(NoIntersection));
         Self { objets, rayon, limite, places }
     }
-
-    /// How many there are.
-    pub(crate) fn nombre(&self) -> usize {
-        self.places.partition_point(Result::is_ok)
-    }
 }
 
 /// As many as there are places.
@@ -56,8 +51,8 @@ impl<R: Reel> Retenus<R> for Rangee<'_, R> {
             return false;
         };
         // A box of which two pieces are asked comes twice.
-        let nouvelle = suivante.is_ok_and(|suivante| suivante.objet() != rang.indice());
-        if (nouvelle || suivante.is_err()) && t < self.limite {
+        let deja = suivante.is_ok_and(|suivante| suivante.objet() == rang.indice());
+        if !deja && t < self.limite {
             self.places[place..].rotate_right(1);
             self.places[place] = Ok(objet.conclure(self.rayon, t, rang));
             return true;
