@@ -30,11 +30,10 @@ use crate::lot::demande::Demande;
 use crate::lot::{LongueursDifferentes, memes_longueurs, repondre};
 use crate::niveau::{meilleur_niveau, selon_le_niveau};
 use crate::objet::ObjetRay;
-use crate::premier::Premier;
-use crate::rangee::Rangee;
 use crate::rayon::Rayon;
 use crate::recherche::{occulte_de, premiere_de};
 use crate::reel::Reel;
+use crate::retenus::{Premier, Rangee};
 
 /// A list of objects with a hierarchy of boxes around them: the answers of the list, to the bit, in
 /// a time that grows far more slowly than their number. Half-spaces are asked one by one as in a list.

@@ -8,8 +8,8 @@ use crate::hierarchie::noeud::indice_lu;
 use crate::hierarchie::pile::Pile;
 use crate::hierarchie::sonde::Sonde;
 use crate::liste::Liste;
-use crate::premier::{Retenus, demander};
 use crate::reel::Reel;
+use crate::retenus::{Retenus, demander};
 use crate::seize::{Aligne, Colonne, Membres, SEIZE, au_plus, prendre, prendre_le_moindre};
 
 impl<R: Reel> Arbre<'_, R> {

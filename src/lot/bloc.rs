@@ -11,9 +11,9 @@ use crate::lot::demande::Demande;
 use crate::lot::faisceau::Faisceau;
 use crate::lot::groupe::Groupe;
 use crate::objet::{ObjetRay, par_forme};
-use crate::premier::Premier;
 use crate::rayon::Rayon;
 use crate::reel::{Reel, max};
+use crate::retenus::Premier;
 use crate::seize::SEIZE;
 
 /// Rays of a block: a tile of 8 × 8 pixels.
