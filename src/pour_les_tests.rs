@@ -5,7 +5,6 @@
 use fearless_simd::Level;
 
 use crate::hierarchie::Hierarchie;
-use crate::hierarchie::construction::Arbre;
 use crate::lot::bloc::{Bloc, Groupes};
 use crate::niveau::{meilleur_niveau, selon_le_niveau};
 use crate::rayon::Rayon;
@@ -52,13 +51,6 @@ impl Reglage {
     pub fn hierarchie<R: Reel>(self, mut hierarchie: Hierarchie<'_, R>) -> Hierarchie<'_, R> {
         hierarchie.niveau = self.niveau;
         hierarchie
-    }
-
-    /// The same hierarchy with these instructions, and one without a tree that asks the same choice of its list.
-    pub fn facons<R: Reel>(self, hierarchie: Hierarchie<'_, R>) -> [Hierarchie<'_, R>; 2] {
-        let hierarchie = self.hierarchie(hierarchie);
-        let arbre = Arbre::sans_noeuds(hierarchie.arbre.liste);
-        [hierarchie, Hierarchie { arbre, ..hierarchie }]
     }
 }
 
