@@ -23,7 +23,9 @@
 //! [`vers_ray`](ObjetGeo::vers_ray); then ask [`premiere_intersection`] as often as the picture has
 //! pixels, or [`premieres_intersections`] for many pixels at once: the same bits, several times as
 //! fast. [`est_occulte`] tells whether anything blocks the way to a light. Over many objects build
-//! a [`Hierarchie`]: the same hits, sooner from ten spheres and boxes on; below ten it asks the list.
+//! a [`Hierarchie`]: the same hits, sooner from ten spheres and boxes on; below ten it asks the list. It also takes
+//! [a choice of objects](Hierarchie::parmi) and [a limit](Hierarchie::premiere_avant), and lists [all that a ray
+//! enters](Hierarchie::dans_l_ordre) in order. [`ObjetRay::sortie`] tells where a ray leaves.
 //!
 //! # Conventions
 //!
