@@ -38,7 +38,7 @@ impl Face {
     /// this face: to the right and up, as the face is seen from outside. So a text reads as it should
     /// on each of the six.
     ///
-    /// Up is y on the four sides. Of the top (`PlusY`) it is −z, and of the bottom +z: both have x to
+    /// Of the point times the half-lengths they are in scene units: a text keeps its shape. Up is y on the four sides. Of the top (`PlusY`) it is −z, and of the bottom +z: both have x to
     /// the right.
     ///
     /// ```

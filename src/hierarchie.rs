@@ -166,7 +166,8 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
     /// a list of these objects, to the bit, save that each keeps its index.
     ///
     /// Every question knows it, shadows, batches and certificates too. A choice among a choice takes what both take.
-    /// `prend` is called for few of the objects that a ray passes by, and for some more than once.
+    /// `prend` is called for few of the objects that a ray passes by, and for some more than once. It is a
+    /// variable of its own if the choice outlives a line, and may be shared by threads (`Sync`).
     ///
     /// - **A lamp of the list**, or the far end of [`vers_touche`](Rayon::vers_touche), does not
     ///   stand before itself.
@@ -238,11 +239,12 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
 
     /// The objects that the ray enters before this distance, as many as there are places, in order: the nearest first,
     /// of two at the same distance the earlier in the list. Places that are left over become misses. Tells how many
-    /// objects there are here.
+    /// were filled: if all, there may be more.
     ///
     /// It is what asking every object alone and sorting gives, to the bit, also where two objects touch: to go on from
     /// hit to hit with [`secondaire`](Rayon::secondaire) would lose objects there. Where a ray leaves an object,
-    /// [`sortie`](ObjetRay::sortie) tells. An object in which the ray starts is not entered.
+    /// [`sortie`](ObjetRay::sortie) tells. An object in which the ray starts is not entered: such are those that
+    /// [`contient`](ObjetRay::contient) is true of.
     ///
     /// ```
     /// use lancer_rayon::{Hierarchie, NoIntersection, ObjetRay, Rayon, SphereGeo, Texture, Vecteur};

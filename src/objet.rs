@@ -99,7 +99,8 @@ impl<R: Reel> ObjetGeo<R> {
     /// Far from O an `f32` holds few digits: near 4,200,000 the next number is 0.5 away. What is
     /// lost in storing no margin and no certificate sees, since all of them speak of the numbers as
     /// stored. So describe a scene in `f64`, take off an origin in its middle, and the same of the
-    /// rays ([`Rayon::vers_f32`]). `Vecteur::NUL` leaves the scene where it is.
+    /// rays ([`Rayon::vers_f32`]); a point of the scene is then the point found, `vers_f64`, and the origin.
+    /// `Vecteur::NUL` leaves the scene where it is.
     ///
     /// # Errors
     /// If [`translation`](Self::translation) by −`origine` refuses, or the constructor the numbers in
