@@ -22,7 +22,7 @@ use fearless_simd::Level;
 
 use crate::compile::compilees;
 use crate::hierarchie::construction::{Arbre, construire, mots};
-use crate::intersection::Touche;
+use crate::intersection::{NoIntersection, Touche};
 use crate::jugement::Certificat;
 use crate::liste::{Choix, Liste};
 use crate::lot::bloc::{BLOC, Bloc, Groupes};
@@ -30,11 +30,10 @@ use crate::lot::demande::Demande;
 use crate::lot::{LongueursDifferentes, memes_longueurs, repondre};
 use crate::niveau::{meilleur_niveau, selon_le_niveau};
 use crate::objet::ObjetRay;
-use crate::premier::Premier;
-use crate::rangee::Rangee;
 use crate::rayon::Rayon;
 use crate::recherche::{occulte_de, premiere_de};
 use crate::reel::Reel;
+use crate::retenus::{Premier, Rangee};
 
 /// A list of objects with a hierarchy of boxes around them: the answers of the list, to the bit, in
 /// a time that grows far more slowly than their number. Half-spaces are asked one by one as in a list.
@@ -206,7 +205,7 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
     /// [`premiere_intersection`](fn@crate::premiere_intersection) of the list.
     ///
     /// # Errors
-    /// [`NoIntersection`](crate::NoIntersection) if the ray enters no object.
+    /// [`NoIntersection`] if the ray enters no object.
     #[doc(alias("cast_ray", "closest_hit", "first_hit", "raycast"))]
     #[inline]
     pub fn premiere_intersection(&self, rayon: &Rayon<R>) -> Touche<R> {
@@ -218,7 +217,7 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
     /// the distance, the sooner.
     ///
     /// # Errors
-    /// [`NoIntersection`](crate::NoIntersection) if the ray enters no object before; none is before a NaN.
+    /// [`NoIntersection`] if the ray enters no object before; none is before a NaN.
     ///
     /// ```
     /// use lancer_rayon::{Hierarchie, NoIntersection, ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
@@ -272,7 +271,11 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
         distance_max: R,
         touches: &mut [Touche<R>],
     ) -> usize {
-        R::demander::<DansLOrdre>((self, Rangee::vide(self.objets(), rayon, distance_max, touches)))
+        touches.fill(Err(NoIntersection));
+        let objets = self.arbre.liste.objets;
+        let rangee = Rangee { objets, rayon, limite: distance_max, places: touches };
+        R::demander::<DansLOrdre>((self, rangee));
+        touches.partition_point(Result::is_ok)
     }
 
     /// [`est_occulte`](fn@crate::est_occulte) of the list.
@@ -324,7 +327,7 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
 compilees! {
     Batir<'a, R>: (&'a [ObjetRay<R>], &'a mut [f32]) => Arbre<'a, R> = construire;
     Premiere<'a, R>: (&'a Hierarchie<'a, R>, &'a Rayon<R>, R) => Touche<R> = premiere;
-    DansLOrdre<'a, R>: (&'a Hierarchie<'a, R>, Rangee<'a, R>) => usize = dans_l_ordre;
+    DansLOrdre<'a, R>: (&'a Hierarchie<'a, R>, Rangee<'a, R>) => () = dans_l_ordre;
     Occulte<'a, R>: (&'a Hierarchie<'a, R>, &'a Rayon<R>, R) => bool = occulte;
     Certaine<'a, R>: (&'a Hierarchie<'a, R>, &'a Rayon<R>, &'a Touche<R>) => bool = certaine;
     Premieres<'a, R>: (&'a Hierarchie<'a, R>, &'a [Rayon<R>], &'a mut [Touche<R>])
@@ -350,10 +353,9 @@ fn premiere<R: Reel>(
 }
 
 /// [`Hierarchie::dans_l_ordre`].
-fn dans_l_ordre<R: Reel>((hierarchie, mut rangee): (&Hierarchie<'_, R>, Rangee<'_, R>)) -> usize {
+fn dans_l_ordre<R: Reel>((hierarchie, mut rangee): (&Hierarchie<'_, R>, Rangee<'_, R>)) {
     let Hierarchie { arbre, niveau } = hierarchie;
     selon_le_niveau!(*niveau, simd => arbre.parcourir(simd, rangee.rayon, &mut rangee));
-    rangee.nombre()
 }
 
 /// [`Hierarchie::est_occulte`].

@@ -15,9 +15,9 @@ use crate::jugement::coup_d_oeil::coup_d_oeil;
 use crate::jugement::loupe::{Jugement, juger, loupe};
 use crate::liste::Liste;
 use crate::objet::ObjetRay;
-use crate::premier::{Premier, demander};
 use crate::rayon::Rayon;
 use crate::reel::{Reel, fois_u, max};
+use crate::retenus::{Premier, demander};
 
 /// A glance serves for [`ObjetRay::erreur`] where it leaves no more than this part of u·t open: then
 /// the bound is what doubled numbers would say.
@@ -175,7 +175,7 @@ fn certaine<R: Reel>((objets, rayon, reponse): (&[ObjetRay<R>], &Rayon<R>, &Touc
     let liste = Liste::entiere(objets);
     Certificat::new(liste, rayon, reponse).is_some_and(|certificat| {
         // Nothing that may come before.
-        !demander(&certificat, &mut Premier::avant(R::INFINI), liste.tous())
+        !demander(&certificat, &mut Premier::avant(R::INFINI), liste, 0..objets.len())
     })
 }
 

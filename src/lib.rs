@@ -105,7 +105,7 @@ extern crate std;
 // (`docs/conception.md`, "The floors").
 //
 //   seize · reel · compile, niveau · vecteur · texture, refus · rotation · rayon · double
-//   intersection · secondaire · forme · sphere, plan, boite · face, objet · liste, epreuve · premier · jugement, rangee
+//   intersection · secondaire · forme · sphere, plan, boite · face, objet · liste, epreuve · retenus · jugement
 //   recherche · lot · hierarchie · pour_les_tests
 mod boite;
 mod compile;
@@ -123,12 +123,11 @@ mod objet;
 mod plan;
 #[doc(hidden)]
 pub mod pour_les_tests;
-mod premier;
-mod rangee;
 mod rayon;
 mod recherche;
 mod reel;
 mod refus;
+mod retenus;
 mod rotation;
 mod secondaire;
 mod seize;

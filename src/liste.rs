@@ -43,14 +43,4 @@ impl<'a, R: Copy> Liste<'a, R> {
     pub(crate) fn objet(self, indice: usize) -> Option<&'a ObjetRay<R>> {
         if self.contient(indice) { self.objets.get(indice) } else { None }
     }
-
-    /// Every object, after its index.
-    #[inline(always)]
-    pub(crate) fn tous(self) -> impl Iterator<Item = (usize, &'a ObjetRay<R>)> {
-        let objets = self.objets.iter().enumerate();
-        objets.filter(
-            #[inline(always)]
-            move |(indice, _)| self.contient(*indice),
-        )
-    }
 }

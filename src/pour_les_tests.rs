@@ -5,7 +5,6 @@
 use fearless_simd::Level;
 
 use crate::hierarchie::Hierarchie;
-use crate::hierarchie::construction::Arbre;
 use crate::lot::bloc::{Bloc, Groupes};
 use crate::niveau::{meilleur_niveau, selon_le_niveau};
 use crate::rayon::Rayon;
@@ -53,13 +52,6 @@ impl Reglage {
         hierarchie.niveau = self.niveau;
         hierarchie
     }
-
-    /// The same hierarchy with these instructions, and one without a tree that asks the same choice of its list.
-    pub fn facons<R: Reel>(self, hierarchie: Hierarchie<'_, R>) -> [Hierarchie<'_, R>; 2] {
-        let hierarchie = self.hierarchie(hierarchie);
-        let arbre = Arbre::sans_noeuds(hierarchie.arbre.liste);
-        [hierarchie, Hierarchie { arbre, ..hierarchie }]
-    }
 }
 
 /// Whether these rays, one to sixty-four, come to the end of the tree of this hierarchy together. No answer
@@ -69,9 +61,4 @@ pub fn vont_au_bout<R: Reel>(hierarchie: &Hierarchie<'_, R>, rayons: &[Rayon<R>]
     let mut groupes = Groupes::new_const();
     let mut bloc = Bloc::new(arbre.liste, &mut groupes);
     selon_le_niveau!(*niveau, simd => arbre.chercher_ensemble(simd, &mut bloc, rayons))
-}
-
-/// How many nodes the tree of this hierarchy has; 0 if it has none and asks its list.
-pub fn noeuds<R: Reel>(hierarchie: &Hierarchie<'_, R>) -> usize {
-    hierarchie.arbre.noeuds.len()
 }

@@ -16,7 +16,7 @@ use crate::vecteur::Vecteur;
 /// assert_eq!(erreur.champ, "rayon");
 /// assert_eq!(erreur.valeur, -1.0);
 /// assert_eq!(erreur.attendu, "a number above 0");
-/// assert_eq!(erreur.to_string(), "rayon is -1, but must be a number above 0");
+/// assert_eq!(erreur.to_string(), "rayon is -1.0, but must be a number above 0");
 /// ```
 #[doc(alias = "error")]
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -34,14 +34,9 @@ pub struct ErreurGeo {
 
 impl fmt::Display for ErreurGeo {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        // The 136 digits of 2^450 would hide the sentence.
-        let grandeur = self.valeur.abs();
-        let lisible = grandeur == 0.0 || (1e-4..1e7).contains(&grandeur);
-        if lisible || !self.valeur.is_finite() {
-            write!(f, "{} is {}, but must be {}", self.champ, self.valeur, self.attendu)
-        } else {
-            write!(f, "{} is {:e}, but must be {}", self.champ, self.valeur, self.attendu)
-        }
+        // As `Debug` writes it, with an exponent: the 136 digits of 2^450 would hide the sentence.
+        let Self { champ, valeur, attendu } = self;
+        write!(f, "{champ} is {valeur:?}, but must be {attendu}")
     }
 }
 

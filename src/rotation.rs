@@ -251,10 +251,10 @@ fn defaut(m: Matrice) -> Matrice {
     core::array::from_fn(|i| core::array::from_fn(|j| IDENTITE[i][j] - carre[i][j]))
 }
 
-/// The largest element of |M·Mᵀ − I|; a NaN if one of them is a NaN.
+/// The largest element of |M·Mᵀ − I|. Of a finite M none on the diagonal is a NaN, and where another is,
+/// by an overflow, one on the diagonal is +∞.
 fn plus_grand_defaut(m: Matrice) -> f64 {
-    let plus_grand = |a: f64, b: f64| if b <= a || a.is_nan() { a } else { b };
-    defaut(m).into_iter().flatten().map(f64::abs).fold(0.0, plus_grand)
+    defaut(m).into_iter().flatten().map(f64::abs).fold(0.0, f64::max)
 }
 
 /// One Newton step towards the nearest orthonormal matrix: M + (I − M·Mᵀ)·M/2.

@@ -71,7 +71,7 @@ impl<R: Reel> Rayon<R> {
     ) -> Result<Self, ErreurGeo> {
         let direction = direction_unitaire(direction)?;
         let dedans = direction.produit_scalaire(touche.normale()) < fois_u(-TANGENT);
-        let direction = if dedans { direction } else { redressee(direction, touche.normale())? };
+        let direction = if dedans { direction } else { redressee(touche, direction)? };
         Ok(Self::sans_verifier(self.depart(touche, dedans)?, direction))
     }
 
@@ -104,7 +104,7 @@ impl<R: Reel> Rayon<R> {
         // N·D < 0 as computed: exactly it may be above by 3.1u, so that N·D′ is no less than −3.1u before
         // D′ is rounded, and than −5.1u after.
         let direction = direction_unitaire(d - (n + n) * d.produit_scalaire(n))?;
-        Ok(Self::sans_verifier(self.depart(touche, false)?, redressee(direction, n)?))
+        Ok(Self::sans_verifier(self.depart(touche, false)?, redressee(touche, direction)?))
     }
 
     /// The ray from the point of a hit to a light, and the distance of the light in scene units:
@@ -142,7 +142,7 @@ impl<R: Reel> Rayon<R> {
     pub fn vers_lumiere(&self, touche: &Intersection<R>, lumiere: Vecteur<R>) -> Option<(Self, R)> {
         let depart = self.depart(touche, false).ok()?; // L1
         let (distance, direction) = (lumiere - depart).longueur_et_unitaire()?; // L2
-        Self::vers_une_lampe(touche, depart, direction, distance)
+        fait_face(touche, direction).then(|| (Self::sans_verifier(depart, direction), distance))
     }
 
     /// The ray from the point of a hit to a light that is a direction and has no place, a sun, and
@@ -173,21 +173,9 @@ impl<R: Reel> Rayon<R> {
     #[inline]
     #[must_use]
     pub fn vers_soleil(&self, touche: &Intersection<R>, soleil: Vecteur<R>) -> Option<(Self, R)> {
-        let (depart, direction) =
-            (self.depart(touche, false).ok()?, direction_unitaire(soleil).ok()?);
-        Self::vers_une_lampe(touche, depart, direction, R::INFINI)
-    }
-
-    /// The shadow ray in this unit direction, with the distance of its light; `None` if the surface faces away.
-    #[inline(always)]
-    fn vers_une_lampe(
-        touche: &Intersection<R>,
-        depart: Vecteur<R>,
-        direction: Vecteur<R>,
-        distance: R,
-    ) -> Option<(Self, R)> {
-        let de_face = direction.produit_scalaire(touche.normale()) > fois_u(TANGENT); // L3
-        de_face.then(|| (Self::sans_verifier(depart, direction), distance))
+        let depart = self.depart(touche, false).ok()?;
+        let direction = direction_unitaire(soleil).ok()?;
+        fait_face(touche, direction).then(|| (Self::sans_verifier(depart, direction), R::INFINI))
     }
 
     /// The ray from this hit to another, `cible`, which the ray `autre` found, and the distance
@@ -235,8 +223,7 @@ impl<R: Reel> Rayon<R> {
         cible: &Intersection<R>,
     ) -> Option<(Self, R)> {
         let vers = self.vers_lumiere(touche, autre.depart(cible, false).ok()?)?;
-        let arrivee = -vers.0.direction().produit_scalaire(cible.normale());
-        (arrivee > fois_u(TANGENT)).then_some(vers)
+        fait_face(cible, -vers.0.direction()).then_some(vers)
     }
 
     /// The point of the hit, moved along the normal, outward or inward, past all rounding.
@@ -252,11 +239,18 @@ impl<R: Reel> Rayon<R> {
     }
 }
 
+/// Whether this unit direction leads away from the surface that was hit, by more than N·D can round.
+#[inline(always)]
+fn fait_face<R: Reel>(touche: &Intersection<R>, direction: Vecteur<R>) -> bool {
+    direction.produit_scalaire(touche.normale()) > fois_u(TANGENT) // L3
+}
+
 /// This direction, which no more than rounding leads inward, turned outward if it is within
 /// [`TANGENT`] of the tangent plane or below it.
 #[inline]
-fn redressee<R: Reel>(d: Vecteur<R>, n: Vecteur<R>) -> Result<Vecteur<R>, ErreurGeo> {
-    let rase = d.produit_scalaire(n) <= fois_u(TANGENT);
-    // M5
-    if rase { direction_unitaire(d + n * fois_u(REDRESSE)) } else { Ok(d) }
+fn redressee<R: Reel>(touche: &Intersection<R>, d: Vecteur<R>) -> Result<Vecteur<R>, ErreurGeo> {
+    if fait_face(touche, d) {
+        return Ok(d);
+    }
+    direction_unitaire(d + touche.normale() * fois_u(REDRESSE)) // M5
 }

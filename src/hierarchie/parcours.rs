@@ -8,8 +8,8 @@ use crate::hierarchie::noeud::indice_lu;
 use crate::hierarchie::pile::Pile;
 use crate::hierarchie::sonde::Sonde;
 use crate::liste::Liste;
-use crate::premier::{Retenus, demander};
 use crate::reel::Reel;
+use crate::retenus::{Retenus, demander};
 use crate::seize::{Aligne, Colonne, Membres, SEIZE, au_plus, prendre, prendre_le_moindre};
 
 impl<R: Reel> Arbre<'_, R> {
@@ -22,7 +22,7 @@ impl<R: Reel> Arbre<'_, R> {
         retenus: &mut impl Retenus<R>,
     ) {
         if self.noeuds.is_empty() {
-            demander(epreuve, retenus, self.liste.tous());
+            demander(epreuve, retenus, self.liste, 0..self.liste.objets.len());
         } else if !self.demander_aux_sans_boite(epreuve, retenus) {
             self.descendre(simd, epreuve, retenus);
         }
@@ -36,8 +36,7 @@ impl<R: Reel> Arbre<'_, R> {
         retenus: &mut impl Retenus<R>,
     ) -> bool {
         let indices = self.sans_boite.iter().map(|indice| indice_lu(*indice));
-        let objets = indices.filter_map(|indice| Some((indice, self.liste.objet(indice)?)));
-        demander(epreuve, retenus, objets)
+        demander(epreuve, retenus, self.liste, indices)
     }
 
     /// The same of the objects with a box: of each leaf that the ray may enter before the last that is kept, of all
@@ -52,7 +51,7 @@ impl<R: Reel> Arbre<'_, R> {
         // A copy, which stays in registers.
         let copie = *epreuve.rayon();
         let Some(sonde) = Sonde::new(&copie, self.repere) else {
-            demander(epreuve, retenus, self.liste.tous());
+            demander(epreuve, retenus, self.liste, 0..self.liste.objets.len());
             return;
         };
         let (mut pile, mut numero) = (Pile::vide(), self.noeuds.len() - 1);

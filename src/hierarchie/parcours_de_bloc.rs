@@ -9,8 +9,8 @@ use crate::hierarchie::sonde::{Sonde, SondeDeBloc};
 use crate::lot::bloc::Bloc;
 use crate::lot::demande::Demande;
 use crate::lot::faisceau::vont_ensemble;
-use crate::premier::Premier;
 use crate::reel::Reel;
+use crate::retenus::Premier;
 use crate::seize::{Aligne, SEIZE, prendre};
 
 /// Up to so many spheres and boxes for each number that a register holds, a block without a beam asks every

@@ -1,4 +1,4 @@
-//! A block of rays: what the search of a list and the walk of a tree ask of it.
+//! A block of rays, to which a list offers all of its objects and a tree those of the leaves that its beam crosses.
 
 use core::marker::PhantomData;
 
@@ -11,9 +11,9 @@ use crate::lot::demande::Demande;
 use crate::lot::faisceau::Faisceau;
 use crate::lot::groupe::Groupe;
 use crate::objet::{ObjetRay, par_forme};
-use crate::premier::Premier;
 use crate::rayon::Rayon;
 use crate::reel::{Reel, max};
+use crate::retenus::Premier;
 use crate::seize::SEIZE;
 
 /// Rays of a block: a tile of 8 × 8 pixels.

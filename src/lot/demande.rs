@@ -6,10 +6,10 @@ use crate::intersection::Touche;
 use crate::liste::Liste;
 use crate::lot::groupe::Groupe;
 use crate::objet::ObjetRay;
-use crate::premier::Premier;
 use crate::rayon::Rayon;
 use crate::recherche::{occulte_de, premiere_de};
 use crate::reel::{Reel, max};
+use crate::retenus::Premier;
 
 /// A question that may be asked for many rays at once.
 pub(crate) trait Demande<R: Reel>: Epreuve<R> + Copy {

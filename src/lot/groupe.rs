@@ -8,9 +8,9 @@
 use crate::forme::Forme;
 use crate::intersection::{Contact, Intersection, NoIntersection, Rang, Touche};
 use crate::objet::{ObjetRay, par_forme};
-use crate::premier::Premier;
 use crate::rayon::Rayon;
 use crate::reel::Reel;
+use crate::retenus::Premier;
 use crate::seize::{Colonne, SEIZE, le_plus_grand, prendre};
 use crate::vecteur::Vecteur;
 

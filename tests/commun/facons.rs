@@ -3,7 +3,7 @@
 
 use std::sync::atomic::{AtomicU32, Ordering};
 
-use lancer_rayon::pour_les_tests::{Reglage, noeuds};
+use lancer_rayon::pour_les_tests::Reglage;
 use lancer_rayon::{
     Hierarchie, Intersection, NoIntersection, ObjetRay, Rayon, Reel, SphereGeo, Texture, Touche,
     Vecteur, est_occulte, premiere_intersection,
@@ -77,7 +77,8 @@ pub fn comparer<R: Bits>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) -> usize {
 /// The same of this very hierarchy.
 #[track_caller]
 pub fn comparer_dans<R: Bits>(hierarchie: &Hierarchie<'_, R>, rayons: &[Rayon<R>]) -> usize {
-    let attendues = comparer_les_facons(rayons, *hierarchie, |_| true);
+    let facons = [*hierarchie, Hierarchie::de_liste(hierarchie.objets())];
+    let attendues = comparer_les_facons(rayons, facons, |_| true);
     // Another one each time, and now and then one that is not there.
     let sauf = rayons.len() % (hierarchie.objets().len() + 1);
     let sauf = attendues.iter().flatten().nth(sauf).map_or(sauf, |touche| touche.objet());
@@ -85,7 +86,9 @@ pub fn comparer_dans<R: Bits>(hierarchie: &Hierarchie<'_, R>, rayons: &[Rayon<R>
     // And no more than some of these, by no rule that a walk could follow.
     let plupart = |indice: usize| indice.wrapping_mul(0x9e37_79b9) >> 7 & 7 > 1;
     let les_deux = |indice| pas_lui(indice) && plupart(indice);
-    comparer_les_facons(rayons, hierarchie.parmi(&pas_lui).parmi(&plupart), les_deux);
+    let sauf_lui = facons.each_ref().map(|facon| facon.parmi(&pas_lui));
+    let facons = sauf_lui.each_ref().map(|facon| facon.parmi(&plupart));
+    comparer_les_facons(rayons, facons, les_deux);
     attendues.iter().flatten().count()
 }
 
@@ -100,24 +103,32 @@ pub fn demandes<R: Reel>(
     demandes.into_iter().map(AtomicU32::into_inner).collect()
 }
 
-/// The answers of this hierarchy, of its list as a batch and ray by ray, and of shadows, beside those of the list of the
-/// objects that it is to choose, which it returns.
+/// How many nodes the tree of this hierarchy has, as it says itself; 0 if it has none and asks its list.
+pub fn noeuds<R: Reel>(hierarchie: &Hierarchie<'_, R>) -> usize {
+    let texte = format!("{hierarchie:?}");
+    let (_, nombre) = texte.split_once("noeuds: ").expect("the number of nodes");
+    nombre.trim_end_matches(" }").parse().unwrap()
+}
+
+/// The answers of a hierarchy and of one without a tree, in a batch and ray by ray, and of shadows, beside those of the
+/// list of the objects that both are to choose, which it returns.
 #[track_caller]
 fn comparer_les_facons<R: Bits>(
     rayons: &[Rayon<R>],
-    hierarchie: Hierarchie<'_, R>,
+    facons: [Hierarchie<'_, R>; 2],
     prend: impl Fn(usize) -> bool,
 ) -> Vec<Touche<R>> {
-    let pris: Vec<_> = (0..hierarchie.objets().len()).filter(|indice| prend(*indice)).collect();
-    let restants: Vec<_> = pris.iter().map(|indice| hierarchie.objets()[*indice]).collect();
+    let objets = facons[0].objets();
+    let pris: Vec<_> = (0..objets.len()).filter(|indice| prend(*indice)).collect();
+    let restants: Vec<_> = pris.iter().map(|indice| objets[*indice]).collect();
     let attendues: Vec<_> = rayons.iter().map(|r| premiere_intersection(&restants, r)).collect();
-    let entiere = restants.len() == hierarchie.objets().len();
+    let entiere = restants.len() == objets.len();
     // That takes long: of a few rays.
     let quelques = (0..rayons.len()).step_by(1 + rayons.len() / 4);
     let ordres: Vec<_> = quelques.map(|i| (toutes(&rayons[i], &restants, &pris), i)).collect();
     let jeux: Vec<_> = Reglage::tous().collect();
     for (nom, reglage) in &jeux {
-        let [hierarchie, liste] = reglage.facons(hierarchie);
+        let [hierarchie, liste] = facons.map(|facon| reglage.hierarchie(facon));
         let exiger = |facon: &str, touches: &[Touche<R>]| {
             exiger(&format!("{nom}, {facon}"), rayons, touches, &attendues, &pris);
         };
@@ -135,12 +146,12 @@ fn comparer_les_facons<R: Bits>(
         hierarchie.premieres_intersections(rayons, &mut touches).unwrap();
         exiger("hierarchy, batch", &touches);
         demander("hierarchy", hierarchie);
-        // A single ray and a list know no instructions.
+        // A list asked ray by ray is asked alike with all instructions.
         if *nom == jeux[0].0 {
             demander("list", liste);
         }
     }
-    comparer_les_ombres(rayons, &attendues, &restants, hierarchie, entiere);
+    comparer_les_ombres(rayons, &attendues, &restants, facons, entiere);
     attendues
 }
 
@@ -196,7 +207,7 @@ fn comparer_les_ombres<R: Bits>(
     rayons: &[Rayon<R>],
     touches: &[Touche<R>],
     restants: &[ObjetRay<R>],
-    hierarchie: Hierarchie<'_, R>,
+    facons: [Hierarchie<'_, R>; 2],
     entiere: bool,
 ) {
     let etranges = [R::INFINI, R::depuis_f64(f64::NAN), R::ZERO, -R::UN, R::MIN_POSITIF];
@@ -232,7 +243,7 @@ fn comparer_les_ombres<R: Bits>(
         // Other instructions each time.
         let jeux: Vec<_> = Reglage::tous().collect();
         let (nom, reglage) = jeux[(lampe.bits() as usize).wrapping_add(paquet) % jeux.len()];
-        let [hierarchie, liste] = reglage.facons(hierarchie);
+        let [hierarchie, liste] = facons.map(|facon| reglage.hierarchie(facon));
         let (mut de_la_liste, mut de_l_arbre) = (contraires.clone(), contraires.clone());
         liste.sont_occultes(&ombres, &mut de_la_liste).unwrap();
         hierarchie.sont_occultes(&ombres, &mut de_l_arbre).unwrap();

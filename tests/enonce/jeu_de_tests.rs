@@ -469,8 +469,8 @@ fn c6() -> Partie {
             let p = plan_ray(demi_espace.homothetie(3.0).unwrap());
             format!("d {}, normal {}", p.distance(), vecteur(p.normale()))
         })
-        .ligne("k = 0, each of the three", refus("0"), chacun(0.0))
-        .ligne("k = −1, each of the three", refus("-1"), chacun(-1.0))
+        .ligne("k = 0, each of the three", refus("0.0"), chacun(0.0))
+        .ligne("k = −1, each of the three", refus("-1.0"), chacun(-1.0))
         .ligne("k = NaN, each of the three", refus("NaN"), chacun(f64::NAN))
         .ligne("k = ∞, each of the three", refus("inf"), chacun(f64::INFINITY))
 }
@@ -742,7 +742,7 @@ fn c13() -> Partie {
         )
         .ligne(
             "(0, 0, 0)",
-            "direction is 0, but must be a vector other than 0",
+            "direction is 0.0, but must be a vector other than 0",
             erreur(Rayon::new(O, O)),
         )
         .ligne("a NaN", "direction.z is NaN, but must be a finite number", {
@@ -773,8 +773,8 @@ fn c15() -> Partie {
             erreur(SphereGeo::new(Vecteur::new(0.0, 60_f32.exp2().next_up(), 0.0), 1.0, texture))
         })
         .ligne("a NaN", "rayon is NaN, but must be a number above 0", boule(0.0, f64::NAN))
-        .ligne("a radius of 0", "rayon is 0, but must be a number above 0", boule(0.0, 0.0))
-        .ligne("a negative height", "dimensions.y (hauteur) is -2, but must be a number above 0", {
+        .ligne("a radius of 0", "rayon is 0.0, but must be a number above 0", boule(0.0, 0.0))
+        .ligne("a negative height", "dimensions.y (hauteur) is -2.0, but must be a number above 0", {
             erreur(BoiteGeo::new(O, v(1.0, -2.0, 1.0), i, texture))
         })
         .ligne("an infinite d", "distance is -inf, but must be a number between -2^450 and 2^450", {
@@ -804,7 +804,7 @@ fn c15() -> Partie {
         .ligne("off by 2⁻¹⁹", "matrice: |M·Mᵀ - I| is 1.9073495423072018e-6, but must be at most 1e-6, as for a rotation", {
             erreur(Rotation::depuis_matrice(ecartee((-20.0_f64).exp2())))
         })
-        .ligne("a mirror", "matrice: determinant is -1, but must be above 0: a mirror is no rotation", {
+        .ligne("a mirror", "matrice: determinant is -1.0, but must be above 0: a mirror is no rotation", {
             erreur(Rotation::depuis_matrice([[-1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]))
         })
         .ligne("a NaN in a matrix", "matrice[1][2] is NaN, but must be a finite number", {

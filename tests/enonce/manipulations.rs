@@ -258,7 +258,7 @@ fn un_mur_passe_par_son_point<R: Reel>() {
         Ok(())
     });
     let refus = PlanGeo::par_un_point(Vecteur::NUL, Vecteur::<R>::NUL, Texture(0)).unwrap_err();
-    assert_eq!(refus.to_string(), "normale is 0, but must be a vector other than 0");
+    assert_eq!(refus.to_string(), "normale is 0.0, but must be a vector other than 0");
     for axe in [[R::UN, R::ZERO, R::ZERO], [R::ZERO, -R::UN, R::ZERO], [R::ZERO, R::ZERO, R::UN]] {
         let axe = Vecteur::from(axe);
         let mur = PlanGeo::par_un_point(axe, axe, Texture(0)).unwrap().vers_ray();

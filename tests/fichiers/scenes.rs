@@ -98,7 +98,7 @@ fn un_objet_refuse_dit_ou_et_pourquoi() {
     for (objet, attendu) in [
         (
             "Sphere(centre: (0, 0, 0), rayon: -1, texture: 0)",
-            "4:38: rayon is -1, but must be a number above 0",
+            "4:38: rayon is -1.0, but must be a number above 0",
         ),
         (
             "Sphere(rayon: NaN, centre: (0, 0, 0), texture: 0)",
@@ -110,7 +110,7 @@ fn un_objet_refuse_dit_ou_et_pourquoi() {
         ),
         (
             "Boite(dimensions: (1, 0, 1), centre: (0, 0, 0), rotation: (0, 0, 0), texture: 0)",
-            "4:31: dimensions.y (hauteur) is 0, but must be a number above 0",
+            "4:31: dimensions.y (hauteur) is 0.0, but must be a number above 0",
         ),
         (
             "Plan(distance: inf, rotation: (0, 0, 0), texture: 0)",
@@ -122,7 +122,7 @@ fn un_objet_refuse_dit_ou_et_pourquoi() {
         ),
         (
             "Plan(distance: 1, rotation: (0, 0, 0), texture: 0, transformations: [Homothetie(0)])",
-            "4:85: coefficient is 0, but must be a finite number above 0",
+            "4:85: coefficient is 0.0, but must be a finite number above 0",
         ),
         (
             "Sphere(centre: (0, 0, 0), rayon: 1, texture: 0, transformations: [\n\
@@ -150,7 +150,7 @@ fn une_camera_refusee_dit_ou_et_pourquoi() {
     for (camera, attendu) in [
         (
             "source: (0, 0, 0), regard: Point((0, 0, 0)), champ: 40",
-            "2:66: regard - source is 0, but must be a vector other than 0",
+            "2:66: regard - source is 0.0, but must be a vector other than 0",
         ),
         (
             "source: (0, 0, inf), regard: Rotation((0, 0, 0)), champ: 40",

@@ -40,7 +40,7 @@ fn ce_qui_n_est_pas_valide_est_refuse() {
     assert_eq!(sphere, SphereGeo::new(Vecteur::new(0.0, 1.0, 2.0), 3.0, Texture(4)).unwrap());
 
     let taille = "must be a number above 0";
-    let cas = [("-1", "rayon is -1"), ("0", "rayon is 0"), ("NaN", "rayon is NaN")];
+    let cas = [("-1", "rayon is -1.0"), ("0", "rayon is 0.0"), ("NaN", "rayon is NaN")];
     for (rayon, phrase) in cas {
         let texte = format!("(centre: (0, 0, 0), rayon: {rayon}, texture: (0))");
         refuse::<SphereGeo>(&texte, &format!("{phrase}, but {taille}"));

@@ -1,7 +1,8 @@
-//! What a search keeps of what a ray enters: the first object so far.
+//! What a search keeps of what a ray enters: the first object so far, or the first few in order.
 
 use crate::epreuve::Epreuve;
 use crate::intersection::{NoIntersection, Rang, Touche};
+use crate::liste::Liste;
 use crate::objet::ObjetRay;
 use crate::rayon::Rayon;
 use crate::reel::Reel;
@@ -16,16 +17,18 @@ pub(crate) trait Retenus<R> {
     fn retenir(&mut self, t: R, indice: usize) -> bool;
 }
 
-/// Keeps what the ray enters of these objects, each after its index; if `UN_SUFFIT`, until something is kept. Tells
-/// whether something is that suffices.
+/// Keeps what the ray enters of the objects at these indices of the list, without those that its choice leaves out; if
+/// `UN_SUFFIT`, until something is kept. Tells whether something is that suffices.
 #[inline(always)]
-pub(crate) fn demander<'a, R: Reel, E: Epreuve<R>>(
+pub(crate) fn demander<R: Reel, E: Epreuve<R>>(
     epreuve: &E,
     retenus: &mut impl Retenus<R>,
-    objets: impl Iterator<Item = (usize, &'a ObjetRay<R>)>,
+    liste: Liste<'_, R>,
+    indices: impl Iterator<Item = usize>,
 ) -> bool {
     let copie = *epreuve.rayon();
-    for (indice, objet) in objets {
+    for indice in indices {
+        let Some(objet) = liste.objet(indice) else { continue };
         if retenus.retenir(epreuve.t(&copie, objet, indice, false), indice) && E::UN_SUFFIT {
             return true;
         }
@@ -87,6 +90,48 @@ impl<R: Reel> Retenus<R> for Premier<R> {
         // times as long, where `precede` alone decides up to 1.12 in rooms, with a flag up to 1.5 (measured).
         if t < self.t || (t == self.t && trouve.precede(*self)) {
             *self = trouve;
+            return true;
+        }
+        false
+    }
+}
+
+/// The first objects along a ray so far, in order, in places that the caller lent.
+pub(crate) struct Rangee<'a, R> {
+    pub(crate) objets: &'a [ObjetRay<R>],
+    pub(crate) rayon: &'a Rayon<R>,
+    /// The distance before which an object is looked for.
+    pub(crate) limite: R,
+    /// Hits, then misses; before the search misses alone.
+    pub(crate) places: &'a mut [Touche<R>],
+}
+
+/// As many as there are places.
+impl<R: Reel> Retenus<R> for Rangee<'_, R> {
+    fn t(&self) -> R {
+        // Where there is no place nothing is kept.
+        self.places
+            .last()
+            .map_or(-R::INFINI, |place| place.map_or(self.limite, |derniere| derniere.distance()))
+    }
+
+    fn retenir(&mut self, t: R, indice: usize) -> bool {
+        let rang = Rang::de(indice);
+        let place = self.places.partition_point(|place| {
+            place.is_ok_and(|autre| {
+                let autre = Premier { t: autre.distance(), rang: Some(Rang::de(autre.objet())) };
+                autre.precede(Premier { t, rang: Some(rang) })
+            })
+        });
+        let (Some(suivante), Some(objet)) = (self.places.get(place), self.objets.get(indice))
+        else {
+            return false;
+        };
+        // A box of which two pieces are asked comes twice.
+        let deja = suivante.is_ok_and(|suivante| suivante.objet() == rang.indice());
+        if !deja && t < self.limite {
+            self.places[place..].rotate_right(1);
+            self.places[place] = Ok(objet.conclure(self.rayon, t, rang));
             return true;
         }
         false
