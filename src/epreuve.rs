@@ -6,7 +6,7 @@ use crate::reel::Reel;
 
 /// A ray and what is asked of it and of each object.
 pub(crate) trait Epreuve<R: Reel> {
-    /// Whether any object before the limit answers, or the first alone.
+    /// Whether any object before the limit is an answer; else the first alone is.
     const UN_SUFFIT: bool;
 
     fn rayon(&self) -> &Rayon<R>;

@@ -47,7 +47,7 @@ pub(crate) trait Forme<R: Reel>: Copy {
     }
 
     /// Whether the ray may enter: true wherever [`t`](Self::t) is finite, and cheap. A bounded
-    /// shape keeps this definition, on which the proof of culling rests.
+    /// shape keeps this definition, for which lemma 14 is proven.
     #[inline(always)]
     fn peut_entrer(&self, rayon: &Rayon<R>) -> bool {
         self.boule().approchee(rayon)

@@ -23,7 +23,7 @@ use fearless_simd::Level;
 
 use crate::compile::compilees;
 use crate::hierarchie::construction::{Arbre, construire, mots};
-use crate::intersection::Touche;
+use crate::intersection::{NoIntersection, Touche};
 use crate::jugement::Certificat;
 use crate::liste::{Choix, Liste};
 use crate::lot::LongueursDifferentes;
@@ -202,7 +202,7 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
     /// [`premiere_intersection`](fn@crate::premiere_intersection) of the list.
     ///
     /// # Errors
-    /// [`NoIntersection`](crate::NoIntersection) if the ray enters no object.
+    /// [`NoIntersection`] if the ray enters no object.
     #[doc(alias("cast_ray", "closest_hit", "first_hit", "raycast"))]
     #[inline]
     pub fn premiere_intersection(&self, rayon: &Rayon<R>) -> Touche<R> {
@@ -214,7 +214,7 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
     /// the distance, the sooner.
     ///
     /// # Errors
-    /// [`NoIntersection`](crate::NoIntersection) if the ray enters no object before; none is before a NaN.
+    /// [`NoIntersection`] if the ray enters no object before; none is before a NaN.
     ///
     /// ```
     /// use lancer_rayon::{Hierarchie, NoIntersection, ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
@@ -267,7 +267,9 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
         distance_max: R,
         touches: &mut [Touche<R>],
     ) -> usize {
-        let rangee = Rangee::vide(self.objets(), rayon, distance_max, touches);
+        touches.fill(Err(NoIntersection));
+        let objets = self.arbre.liste.objets;
+        let rangee = Rangee { objets, rayon, limite: distance_max, places: touches };
         R::demander::<DansLOrdre>((self, rangee));
         touches.partition_point(Result::is_ok)
     }

@@ -62,8 +62,3 @@ pub fn vont_au_bout<R: Reel>(hierarchie: &Hierarchie<'_, R>, rayons: &[Rayon<R>]
     let mut bloc = Bloc::new(arbre.liste, &mut groupes);
     selon_le_niveau!(*niveau, simd => arbre.chercher_ensemble(simd, &mut bloc, rayons))
 }
-
-/// How many nodes the tree of this hierarchy has; 0 if it has none and asks its list.
-pub fn noeuds<R: Reel>(hierarchie: &Hierarchie<'_, R>) -> usize {
-    hierarchie.arbre.noeuds.len()
-}

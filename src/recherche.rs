@@ -82,8 +82,8 @@ impl<R: Reel> ObjetRay<R> {
     /// `distance` is that from the source of the ray, in scene units, and `normale` points outward: now
     /// along the ray, D·N > 0. `marge` and [`Rayon::secondaire`] are those of any hit, with this very ray:
     /// glass goes on from there outward, by Snell's law, or inward, mirrored. The way out is as exact as a
-    /// hit (`docs/precision.md`), and [`BoiteRay::lieu`](crate::BoiteRay::lieu) takes it as one. Only
-    /// [`reflechi`](Rayon::reflechi) and [`erreur`](Self::erreur) are of entries.
+    /// hit (`docs/precision.md`), and [`BoiteRay::lieu`](crate::BoiteRay::lieu) takes it as one.
+    /// [`reflechi`](Rayon::reflechi) and [`erreur`](Self::erreur) are for entries alone.
     ///
     /// **Each crossing is found once.** A ray that enters a sphere or a box leaves it, and never before it
     /// enters; from inside it always leaves. A half-space that it enters it never leaves. From a source
@@ -116,7 +116,7 @@ impl<R: Reel> ObjetRay<R> {
     /// ```
     #[doc(alias("exit", "far_side", "leave"))]
     pub fn sortie(&self, rayon: &Rayon<R>) -> Touche<R> {
-        // Turned back, the ray enters last, before its source, where it leaves first.
+        // Turned back, the ray enters the object, at −t, where this one leaves it.
         let retour = Rayon::sans_verifier(rayon.source(), -rayon.direction());
         par_forme!(Self, self, forme => {
             let (entree, sortie) = (forme.t(rayon), forme.t_sortie(rayon));

@@ -98,25 +98,12 @@ impl<R: Reel> Retenus<R> for Premier<R> {
 
 /// The first objects along a ray so far, in order, in places that the caller lent.
 pub(crate) struct Rangee<'a, R> {
-    objets: &'a [ObjetRay<R>],
+    pub(crate) objets: &'a [ObjetRay<R>],
     pub(crate) rayon: &'a Rayon<R>,
     /// The distance before which an object is looked for.
-    limite: R,
-    /// Hits, then misses.
-    places: &'a mut [Touche<R>],
-}
-
-impl<'a, R: Reel> Rangee<'a, R> {
-    /// None so far.
-    pub(crate) fn vide(
-        objets: &'a [ObjetRay<R>],
-        rayon: &'a Rayon<R>,
-        limite: R,
-        places: &'a mut [Touche<R>],
-    ) -> Self {
-        places.fill(Err(NoIntersection));
-        Self { objets, rayon, limite, places }
-    }
+    pub(crate) limite: R,
+    /// Hits, then misses; before the search misses alone.
+    pub(crate) places: &'a mut [Touche<R>],
 }
 
 /// As many as there are places.

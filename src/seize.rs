@@ -1,5 +1,4 @@
-//! Sixteen numbers side by side: of the rays of a group, of the balls of a row, of the children of
-//! a node.
+//! Sixteen numbers side by side: of the rays of a group, of the children of a node.
 
 use fearless_simd::f32x16;
 use fearless_simd::prelude::*;

@@ -227,8 +227,8 @@ impl<R: Reel> Forme<R> for SphereRay<R> {
 
     /// SA + AB where A lies ahead, else the power over SA − AB: neither subtracts anything.
     ///
-    /// AB is at least the root of the power of a source inside: so the way out of a ray that starts
-    /// there is above 0 and at most 2r away, even within rounding of the surface.
+    /// Of a source inside, AB is taken no shorter than √(r² − SC²): so a ray that starts there has its way
+    /// out above 0 and at most 2r away, even within rounding of the surface.
     #[inline(always)]
     fn t_sortie(&self, rayon: &Rayon<R>) -> R {
         let Termes { sa, puissance, ab2, d2, .. } = self.termes(rayon);

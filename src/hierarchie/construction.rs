@@ -168,8 +168,8 @@ pub(crate) fn construire<'a, R: Reel>(
 /// From a slack of this times the width of a scene on, boxes tell no objects apart.
 const JEU_MAXIMAL: f32 = 1.0 / 8.0;
 
-/// Giants reach farther, in the mean, than this times the mean of the others and the side of a leaf, if all leaves were
-/// alike (`benches/README.md`, "Thresholds").
+/// Giants [reach](portee) farther, in the mean, than this times a sum: what the others reach in the mean, and the side
+/// that leaves would have if all were alike (`benches/README.md`, "Thresholds").
 const TAILLE_DES_GEANTS: f32 = 0.4;
 
 /// Puts the sixteen largest records first, and tells how many leaves they are: 1 if they are

@@ -8,8 +8,8 @@ use crate::objet::ObjetRay;
 use crate::reel::Reel;
 use crate::vecteur::Vecteur;
 
-/// So much surface a record more must save, in squares of the side of a leaf, if all leaves were alike among the many
-/// (`benches/README.md`, "Thresholds").
+/// So much surface one more record must save, in squares of the side that leaves would have if all were alike among
+/// the many (`benches/README.md`, "Thresholds").
 const PRIX_D_UNE_FICHE: f32 = 2e-3;
 
 /// Who gets the records for which there is room beyond one for each object.
@@ -18,9 +18,9 @@ pub(crate) struct Partage<R> {
     prix: f32,
     /// How many there still are.
     restent: usize,
-    /// How many an object gets of each that would save time.
+    /// What part of the records that would save time an object gets.
     part: f32,
-    /// What rounding down has left.
+    /// What the objects so far have not got because records are whole.
     du: f32,
 }
 

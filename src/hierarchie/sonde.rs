@@ -13,7 +13,7 @@ use crate::vecteur::Vecteur;
 /// A ray as the boxes see it, with its part of the slack (`docs/preuves.md`, lemmas 6 and 20 to 22).
 pub(crate) struct Sonde<R> {
     axes: [Axe; 3],
-    /// τ₀, how far along the ray the point is, in the frame of the tree, from which entries count.
+    /// τ₀: entries count from the point so far along the ray, in the frame of the tree.
     depart: R,
 }
 

@@ -1,4 +1,4 @@
-//! A block of rays: what the search of a list and the walk of a tree ask of it.
+//! A block of rays, to which a list offers all of its objects and a tree those of the leaves that its beam crosses.
 
 use core::marker::PhantomData;
 

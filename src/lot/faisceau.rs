@@ -44,8 +44,9 @@ pub(crate) struct Faisceau<R> {
 /// The least cosine between a ray of a beam and the one in the middle.
 const COSINUS_MINIMAL: f64 = 0.25;
 
-/// Whether at most eight of these rays, evenly spread, lie near enough to the one in the middle for a beam: rays in
-/// no order are refused before they are loaded. Of segments it says nothing.
+/// Whether at most eight of these rays, evenly spread, go near enough to the way of the one in the middle for a beam.
+/// So rays in no order are refused before a beam is made of them. Shadow rays are asked as well, although their
+/// segments may lie together where their directions do not.
 #[inline(always)]
 pub(crate) fn vont_ensemble<R: Reel>(epreuves: &[impl Epreuve<R>]) -> bool {
     let milieu = epreuves[epreuves.len() / 2].rayon().direction();

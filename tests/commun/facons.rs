@@ -3,7 +3,7 @@
 
 use std::sync::atomic::{AtomicU32, Ordering};
 
-use lancer_rayon::pour_les_tests::{Reglage, noeuds};
+use lancer_rayon::pour_les_tests::Reglage;
 use lancer_rayon::{
     Hierarchie, Intersection, NoIntersection, ObjetRay, Rayon, Reel, SphereGeo, Texture, Touche,
     Vecteur, est_occulte, premiere_intersection,
@@ -101,6 +101,13 @@ pub fn demandes<R: Reel>(
     let compter = |indice: usize| demandes[indice].fetch_add(1, Ordering::Relaxed) < u32::MAX;
     question(hierarchie.parmi(&compter));
     demandes.into_iter().map(AtomicU32::into_inner).collect()
+}
+
+/// How many nodes the tree of this hierarchy has, as it says itself; 0 if it has none and asks its list.
+pub fn noeuds<R: Reel>(hierarchie: &Hierarchie<'_, R>) -> usize {
+    let texte = format!("{hierarchie:?}");
+    let (_, nombre) = texte.split_once("noeuds: ").expect("the number of nodes");
+    nombre.trim_end_matches(" }").parse().unwrap()
 }
 
 /// The answers of a hierarchy and of one without a tree, in a batch and ray by ray, and of shadows, beside those of the

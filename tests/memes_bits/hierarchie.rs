@@ -6,11 +6,11 @@
 use std::f64::consts::FRAC_PI_2;
 
 use commun::conversion::mots;
-use commun::facons::{UN_ARBRE, comparer, comparer_dans, voisin};
+use commun::facons::{UN_ARBRE, comparer, comparer_dans, noeuds, voisin};
 use commun::regimes::{deux_puissance, direction, entre, signe};
 use commun::{Bits, arrondi, en_f32_et_f64, scenes};
 use fastrand::Rng;
-use lancer_rayon::pour_les_tests::{noeuds, vont_au_bout};
+use lancer_rayon::pour_les_tests::vont_au_bout;
 use lancer_rayon::{
     BoiteGeo, Hierarchie, LongueursDifferentes, NoIntersection, ObjetGeo, ObjetRay,
     PlacesInsuffisantes, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture, Vecteur, est_certaine,

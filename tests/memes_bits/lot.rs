@@ -6,12 +6,12 @@
 use std::collections::HashSet;
 
 use commun::conversion::mots;
-use commun::facons::{UN_ARBRE, comparer, demandes, voisin};
+use commun::facons::{UN_ARBRE, comparer, demandes, noeuds, voisin};
 use commun::regimes::{Cas, Extreme, deux_puissance, direction, entre, regimes, signe};
 use commun::tolerances::u;
 use commun::{Bits, arrondi, en_f32_et_f64, scenes};
 use fastrand::Rng;
-use lancer_rayon::pour_les_tests::{Reglage, noeuds};
+use lancer_rayon::pour_les_tests::Reglage;
 use lancer_rayon::{
     BoiteGeo, Hierarchie, LongueursDifferentes, NoIntersection, ObjetRay, Rayon, Reel, Rotation,
     SphereGeo, Texture, Touche, Vecteur, premiere_intersection, premieres_intersections,
