@@ -1,5 +1,5 @@
-//! A hierarchy of bounding boxes over a list: the questions of `recherche.rs` and `lot.rs` where
-//! there are many objects, with the same answers.
+//! A hierarchy of bounding boxes over a list: the questions of `recherche.rs` where there are
+//! many objects, with the same answers; and of a list or a hierarchy those of many rays at once.
 //!
 //! A leaf holds sixteen objects with a box, and a node of each floor above holds sixteen nodes
 //! (`hierarchie/noeud.rs`, `construction.rs`). A ray looks at the nodes that it crosses
@@ -18,6 +18,7 @@ pub(crate) mod sonde;
 
 use core::fmt;
 
+pub use construction::PlacesInsuffisantes;
 use fearless_simd::Level;
 
 use crate::compile::compilees;
@@ -25,15 +26,16 @@ use crate::hierarchie::construction::{Arbre, construire, mots};
 use crate::intersection::{NoIntersection, Touche};
 use crate::jugement::Certificat;
 use crate::liste::{Choix, Liste};
+use crate::lot::LongueursDifferentes;
 use crate::lot::bloc::{BLOC, Bloc, Groupes};
 use crate::lot::demande::Demande;
-use crate::lot::{LongueursDifferentes, memes_longueurs, repondre};
 use crate::niveau::{meilleur_niveau, selon_le_niveau};
 use crate::objet::ObjetRay;
 use crate::rayon::Rayon;
 use crate::recherche::{occulte_de, premiere_de};
 use crate::reel::Reel;
 use crate::retenus::{Premier, Rangee};
+use crate::seize::SEIZE;
 
 /// A list of objects with a hierarchy of boxes around them: the answers of the list, to the bit, in
 /// a time that grows far more slowly than their number. Half-spaces are asked one by one as in a list.
@@ -140,11 +142,7 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
         objets: &'a [ObjetRay<R>],
         places: &'a mut [f32],
     ) -> Result<Self, PlacesInsuffisantes> {
-        let necessaires = Hierarchie::places(objets.len());
-        if places.len() < necessaires {
-            return Err(PlacesInsuffisantes { places: places.len(), necessaires });
-        }
-        let arbre = R::demander::<Batir>((objets, places));
+        let arbre = R::demander::<Batir>((objets, places))?;
         Ok(Self { arbre, niveau: meilleur_niveau() })
     }
 
@@ -286,7 +284,7 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
         R::demander::<Occulte>((self, rayon, distance_max))
     }
 
-    /// [`premieres_intersections`](crate::premieres_intersections) of the list.
+    /// [`premieres_intersections`] of the list.
     ///
     /// Neighbours in `rayons` should be neighbours in the picture, in tiles of 8 × 8.
     ///
@@ -301,7 +299,7 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
         R::demander::<Premieres>((self, rayons, touches))
     }
 
-    /// [`sont_occultes`](crate::sont_occultes) of the list.
+    /// [`sont_occultes`] of the list.
     ///
     /// # Errors
     /// If `ombres` and `occultes` are not of the same length; nothing is written then.
@@ -324,8 +322,75 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
     }
 }
 
+/// The first object that each ray enters:
+/// [`premiere_intersection`](fn@crate::premiere_intersection) of every ray, to the bit, and several
+/// times as fast for the rays of a picture.
+///
+/// Every object is asked, of sixteen rays side by side: neighbours in `rayons` should be neighbours in the
+/// picture, since an object that sixteen rays in a row all pass by costs little. Pass 64 rays or more a call;
+/// from ten spheres and boxes on, use a [`Hierarchie`]. Nothing is allocated and no
+/// thread is started; the caller may give parts of a picture to several threads.
+///
+/// # Errors
+/// If `rayons` and `touches` are not of the same length; nothing is written then.
+///
+/// ```
+/// use lancer_rayon::{
+///     NoIntersection, ObjetRay, Rayon, SphereGeo, Texture, Vecteur, premieres_intersections,
+/// };
+///
+/// let boule = ObjetRay::from(SphereGeo::new(Vecteur::new(0.0, 0.0, -5.0), 1.0, Texture(0))?);
+/// let vers = |x| Rayon::new(Vecteur::NUL, Vecteur::new(x, 0.0, -1.0));
+/// let rayons = [vers(0.0)?, vers(0.1)?, vers(0.5)?];
+///
+/// let mut touches = [Err(NoIntersection); 3];
+/// premieres_intersections(&[boule], &rayons, &mut touches)?;
+/// assert_eq!(touches.map(|touche| touche.is_ok()), [true, true, false]);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+#[doc(alias("batch", "packet", "cast_rays"))]
+pub fn premieres_intersections<R: Reel>(
+    objets: &[ObjetRay<R>],
+    rayons: &[Rayon<R>],
+    touches: &mut [Touche<R>],
+) -> Result<(), LongueursDifferentes> {
+    Hierarchie::de_liste(objets).premieres_intersections(rayons, touches)
+}
+
+/// Whether anything stands before the lamp of each shadow ray: [`est_occulte`](fn@crate::est_occulte) of
+/// every ray and the distance of its lamp, to the bit, and sooner.
+///
+/// [`vers_lumiere`](Rayon::vers_lumiere) gives both. What [`premieres_intersections`] says of order and
+/// length of a call holds here; rays to one lamp, in the order of the picture, are neighbours. A ray
+/// from inside an object does not see that object.
+///
+/// # Errors
+/// If `ombres` and `occultes` are not of the same length; nothing is written then.
+///
+/// ```
+/// use lancer_rayon::{ObjetRay, Rayon, SphereGeo, Texture, Vecteur, sont_occultes};
+///
+/// let boule = ObjetRay::from(SphereGeo::new(Vecteur::new(0.0, 3.0, 0.0), 1.0, Texture(0))?);
+/// let vers_le_haut = |x| Rayon::new(Vecteur::new(x, 0.0, 0.0), Vecteur::new(0.0, 1.0, 0.0));
+/// let ombres = [(vers_le_haut(0.0)?, 9.0), (vers_le_haut(0.0)?, 2.0), (vers_le_haut(4.0)?, 9.0)];
+///
+/// let mut occultes = [false; 3];
+/// sont_occultes(&[boule], &ombres, &mut occultes)?;
+/// assert_eq!(occultes, [true, false, false]);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+#[doc(alias("any_hit", "occluded", "shadow", "batch"))]
+pub fn sont_occultes<R: Reel>(
+    objets: &[ObjetRay<R>],
+    ombres: &[(Rayon<R>, R)],
+    occultes: &mut [bool],
+) -> Result<(), LongueursDifferentes> {
+    Hierarchie::de_liste(objets).sont_occultes(ombres, occultes)
+}
+
 compilees! {
-    Batir<'a, R>: (&'a [ObjetRay<R>], &'a mut [f32]) => Arbre<'a, R> = construire;
+    Batir<'a, R>: (&'a [ObjetRay<R>], &'a mut [f32])
+        => Result<Arbre<'a, R>, PlacesInsuffisantes> = construire;
     Premiere<'a, R>: (&'a Hierarchie<'a, R>, &'a Rayon<R>, R) => Touche<R> = premiere;
     DansLOrdre<'a, R>: (&'a Hierarchie<'a, R>, Rangee<'a, R>) => () = dans_l_ordre;
     Occulte<'a, R>: (&'a Hierarchie<'a, R>, &'a Rayon<R>, R) => bool = occulte;
@@ -384,16 +449,26 @@ fn certaine<R: Reel>(
     })
 }
 
+/// Fewer rays than this ask a list faster one by one: half a group.
+const PEU_DE_RAYONS: usize = SEIZE / 2;
+
 /// [`Hierarchie::premieres_intersections`] and [`Hierarchie::sont_occultes`].
 fn en_lot<R: Reel, D: Demande<R>>(
     (hierarchie, demandes, reponses): (&Hierarchie<'_, R>, &[D], &mut [D::Reponse]),
 ) -> Result<(), LongueursDifferentes> {
-    let Hierarchie { arbre, niveau } = *hierarchie;
-    if arbre.noeuds.is_empty() {
-        return repondre(((niveau, arbre.liste), demandes, reponses));
+    let Hierarchie { arbre, niveau } = hierarchie;
+    if demandes.len() != reponses.len() {
+        return Err(LongueursDifferentes { rayons: demandes.len(), reponses: reponses.len() });
     }
-    memes_longueurs(demandes.len(), reponses.len())?;
-    selon_le_niveau!(niveau, simd => {
+    // In a longer list two objects share a rank.
+    let trop_longue = u32::try_from(arbre.liste.objets.len()).is_err();
+    if arbre.noeuds.is_empty() && (trop_longue || demandes.len() < PEU_DE_RAYONS) {
+        for (demande, reponse) in demandes.iter().zip(reponses) {
+            *reponse = demande.parmi(arbre.liste);
+        }
+        return Ok(());
+    }
+    selon_le_niveau!(*niveau, simd => {
         let mut groupes = Groupes::new_const();
         let mut bloc = Bloc::new(arbre.liste, &mut groupes);
         for (demandes, reponses) in demandes.chunks(BLOC).zip(reponses.chunks_mut(BLOC)) {
@@ -402,22 +477,3 @@ fn en_lot<R: Reel, D: Demande<R>>(
     });
     Ok(())
 }
-
-/// Fewer places were lent than the [hierarchy](Hierarchie) of so many objects needs.
-#[doc(alias = "buffer_too_small")]
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub struct PlacesInsuffisantes {
-    /// How many were lent.
-    pub places: usize,
-    /// How many it takes: [`Hierarchie::places`].
-    #[doc(alias = "required")]
-    pub necessaires: usize,
-}
-
-impl fmt::Display for PlacesInsuffisantes {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} places lent, but {} needed", self.places, self.necessaires)
-    }
-}
-
-impl core::error::Error for PlacesInsuffisantes {}

@@ -137,10 +137,10 @@ mod vecteur;
 
 pub use boite::{BoiteGeo, BoiteRay};
 pub use face::Face;
-pub use hierarchie::{Hierarchie, PlacesInsuffisantes};
+pub use hierarchie::{Hierarchie, PlacesInsuffisantes, premieres_intersections, sont_occultes};
 pub use intersection::{Intersection, NoIntersection, Touche};
 pub use jugement::est_certaine;
-pub use lot::{LongueursDifferentes, premieres_intersections, sont_occultes};
+pub use lot::LongueursDifferentes;
 pub use objet::{ObjetGeo, ObjetRay, etendue};
 pub use plan::{PlanGeo, PlanRay};
 pub use rayon::Rayon;

@@ -8,7 +8,7 @@
 //! those of a leaf are sixteen neighbours. Each leaf is then transposed into columns in place, and
 //! the nodes above follow, floor by floor.
 
-use core::mem;
+use core::{fmt, mem};
 
 use crate::hierarchie::morceaux::Partage;
 use crate::hierarchie::noeud::{COIN_ABSENT, FICHE, Fiche, LIMITE_INDICES, Noeud, VIDE, en_mot};
@@ -50,6 +50,25 @@ impl<'a, R: Reel> Arbre<'a, R> {
     }
 }
 
+/// Fewer places were lent than the [hierarchy](crate::Hierarchie) of so many objects needs.
+#[doc(alias = "buffer_too_small")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct PlacesInsuffisantes {
+    /// How many were lent.
+    pub places: usize,
+    /// How many it takes: [`places`](crate::Hierarchie::places).
+    #[doc(alias = "required")]
+    pub necessaires: usize,
+}
+
+impl fmt::Display for PlacesInsuffisantes {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} places lent, but {} needed", self.places, self.necessaires)
+    }
+}
+
+impl core::error::Error for PlacesInsuffisantes {}
+
 /// How many numbers the tree of so many objects may need, whichever of them have no box. One without needs one
 /// number, and less than its share of a leaf, except for the first fifteen.
 pub(crate) const fn mots(objets: usize) -> usize {
@@ -84,10 +103,14 @@ fn fiches_de_plus(objets: usize, places: usize) -> usize {
 /// The tree over these objects, in [so many numbers](mots) or more; one without nodes over few that have a box.
 pub(crate) fn construire<'a, R: Reel>(
     (objets, places): (&'a [ObjetRay<R>], &'a mut [f32]),
-) -> Arbre<'a, R> {
+) -> Result<Arbre<'a, R>, PlacesInsuffisantes> {
+    let necessaires = mots(objets.len());
+    if places.len() < necessaires {
+        return Err(PlacesInsuffisantes { places: places.len(), necessaires });
+    }
     let sans_noeuds = Arbre::sans_noeuds(Liste::entiere(objets));
-    if mots(objets.len()) == 0 {
-        return sans_noeuds;
+    if necessaires == 0 {
+        return Ok(sans_noeuds);
     }
     let restent = fiches_de_plus(objets.len(), places.len());
     let debut = places.as_ptr().align_offset(LIGNE).min(BOURRAGE);
@@ -109,7 +132,7 @@ pub(crate) fn construire<'a, R: Reel>(
     }
     let (places, sans_boite) = places.split_at_mut(fin);
     if objets.len() - sans_boite.len() < OBJETS_D_UN_ARBRE {
-        return sans_noeuds;
+        return Ok(sans_noeuds);
     }
     let (fiches, _) = places.as_chunks_mut();
     let geants = trier_les_geants(&mut fiches[..nombre], repere);
@@ -138,7 +161,8 @@ pub(crate) fn construire<'a, R: Reel>(
         etage = etage.end..suivant;
     }
     // The root is the last.
-    Arbre { noeuds: &noeuds[..=etage.start], feuilles, sans_boite, repere, ..sans_noeuds }
+    let noeuds = &noeuds[..=etage.start];
+    Ok(Arbre { noeuds, feuilles, sans_boite, repere, ..sans_noeuds })
 }
 
 /// From a slack of this times the width of a scene on, boxes tell no objects apart.

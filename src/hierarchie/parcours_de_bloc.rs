@@ -45,7 +45,7 @@ impl<R: Reel> Arbre<'_, R> {
         bloc: &mut Bloc<'_, R, D>,
         (demandes, reponses): (&[D], &mut [D::Reponse]),
     ) {
-        let en_bloc = demandes.len() >= RAYONS_D_UN_BLOC;
+        let en_bloc = self.noeuds.is_empty() || demandes.len() >= RAYONS_D_UN_BLOC;
         if en_bloc && self.chercher_ensemble(simd, bloc, demandes) {
             return bloc.ecrire(simd, reponses);
         }
@@ -85,9 +85,12 @@ impl<R: Reel> Arbre<'_, R> {
         demandes: &[D],
     ) -> bool {
         bloc.charger(demandes);
-        let faisceau = if vont_ensemble(demandes) { bloc.faisceau() } else { None };
+        let une_liste = self.noeuds.is_empty();
+        let en_faisceau = !une_liste && vont_ensemble(demandes);
+        let faisceau = if en_faisceau { bloc.faisceau() } else { None };
         let avec_boite = self.liste.objets.len() - self.sans_boite.len();
-        let peu_d_objets = avec_boite <= OBJETS_PAR_NOMBRE * nombres_par_registre::<R, S>();
+        let peu_d_objets =
+            une_liste || avec_boite <= OBJETS_PAR_NOMBRE * nombres_par_registre::<R, S>();
         let (sonde, boites_inutiles) = if let Some(faisceau) = faisceau {
             let sonde = SondeDeBloc::new(&faisceau, self.repere);
             let inutiles = sonde.is_none();
