@@ -16,6 +16,11 @@ fn cube<R: Reel>(centre: Vecteur<R>) -> ObjetRay<R> {
     BoiteGeo::new(centre, cotes, Rotation::IDENTITE, Texture(0)).unwrap().into()
 }
 
+/// A half-space at this height along z.
+fn sol_a(z: f64) -> ObjetRay {
+    PlanGeo::new(Rotation::IDENTITE, -z, Texture(0)).unwrap().into()
+}
+
 /// The indices of the objects of these hits.
 fn indices<R: Reel>(touches: &[Touche<R>]) -> Vec<usize> {
     touches.iter().flatten().map(Intersection::objet).collect()
@@ -74,6 +79,55 @@ fn un_choix_parmi_un_choix() {
         assert_eq!(premier(hierarchie.parmi(&un).parmi(&un)), Ok(0));
         assert_eq!(premier(hierarchie.parmi(&|_| false)), Err(NoIntersection));
         assert_eq!(premier(hierarchie), Ok(0));
+    }
+}
+
+/// Choices five deep, each of which leaves one object out: every question knows all of them, of a tree and of a list.
+#[test]
+fn chaque_question_connait_tous_les_choix() {
+    let mut scene = vec![sol_a(-60.0)];
+    scene.extend((0..20).map(|i| cube(v(0.0, 0.0, -2.0 * f64::from(i)))));
+    let rayon = Rayon::new(v(0.0, 0.0, 5.0), v(0.01, 0.007, -9.0)).unwrap();
+    let mut places = vec![0.0; Hierarchie::places(scene.len())];
+    for hierarchie in [Hierarchie::new(&scene, &mut places).unwrap(), Hierarchie::de_liste(&scene)]
+    {
+        let en_ordre = |parmi: Hierarchie| {
+            let mut touches = [Err(NoIntersection); 30];
+            parmi.dans_l_ordre(&rayon, f64::INFINITY, &mut touches);
+            indices(&touches)
+        };
+        let tous: Vec<_> = (1..=20).chain([0]).collect();
+        assert_eq!(en_ordre(hierarchie), tous);
+        let nues = tous
+            .iter()
+            .map(|&k| hierarchie.parmi(&move |objet| objet == k).premiere_intersection(&rayon));
+        let nues: Vec<_> = nues.collect();
+        // Five of them, in whatever order: the half-space among them, and the first two.
+        for exclus in [[1, 2, 0, 9, 20], [20, 0, 2, 1, 5], [0, 20, 19, 2, 1], [2, 9, 1, 20, 0]] {
+            let [a, b, c, d, e] = exclus.map(|k| move |objet| objet != k);
+            let (h1, reste) = (hierarchie.parmi(&a), |objet: &usize| !exclus.contains(objet));
+            let (h2, voulus) = (h1.parmi(&b), tous.iter().copied().filter(reste));
+            let h3 = h2.parmi(&c);
+            let h4 = h3.parmi(&d);
+            let (parmi, voulus) = (h4.parmi(&e), voulus.collect::<Vec<_>>());
+            assert_eq!(en_ordre(parmi), voulus);
+            let premiere = parmi.premiere_intersection(&rayon);
+            assert_eq!(premiere.map(|t| t.objet()), Ok(3));
+            let t = premiere.unwrap().distance();
+            assert!(parmi.est_occulte(&rayon, t.next_up()) && !parmi.est_occulte(&rayon, t));
+            let mut lot = [Err(NoIntersection); 70];
+            parmi.premieres_intersections(&[rayon; 70], &mut lot).unwrap();
+            assert_eq!(lot, [premiere; 70]);
+            let mut occultes = [true; 70];
+            parmi.sont_occultes(&[(rayon, t); 70], &mut occultes).unwrap();
+            assert_eq!(occultes, [false; 70]);
+            // The first of the choice is certain; what any of the five leaves out is no answer.
+            assert!(parmi.est_certaine(&rayon, &premiere));
+            for nue in &nues {
+                let lui = nue.unwrap().objet();
+                assert_eq!(parmi.est_certaine(&rayon, nue), lui == 3, "{lui}");
+            }
+        }
     }
 }
 

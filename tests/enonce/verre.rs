@@ -247,6 +247,8 @@ fn de_la_surface_un_rayon_sort_en_face_ou_pas<R: Reel>() {
     assert_eq!(sortie(&sol, v(0.0, 0.0, -3.0), monte), Some((3.0, [0.0, 0.0, 1.0])));
     assert_eq!(sortie(&sol, v(0.0, 0.0, -3.0), descend), None);
     assert_eq!(sortie(&sol, v(0.0, 0.0, -3.0), haut), None);
+    // Level, whatever the signs of its zeros.
+    assert_eq!(sortie(&sol, v(0.0, 0.0, -3.0), v(-1.0, -0.0, -0.0)), None);
     assert_eq!(sortie(&sol, v(0.0, 0.0, 0.0), monte), None);
     assert_eq!(sortie(&sol, v(0.0, 0.0, 3.0), descend), None);
     // Too far for the type.

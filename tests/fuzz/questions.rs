@@ -6,14 +6,17 @@
 
 #![no_main]
 
+use std::sync::atomic::{AtomicU32, Ordering};
+
 use lancer_rayon::{
     BoiteGeo, ErreurGeo, Hierarchie, Intersection, NoIntersection, ObjetGeo, ObjetRay,
     PlacesInsuffisantes, PlanGeo, Rayon, Rotation, SphereGeo, Texture, Vecteur, est_certaine,
-    est_occulte, etendue,
+    est_occulte, etendue, premiere_intersection,
 };
 use libfuzzer_sys::fuzz_target;
 
 use commun::Bits;
+use commun::conversion::{Mots, mots};
 use commun::facons::comparer;
 
 struct Octets<'a, R> {
@@ -99,6 +102,118 @@ fn secondaires<R: Bits>(objet: &ObjetRay<R>, rayon: &Rayon<R>, vers: Vecteur<R>)
     }
 }
 
+/// Where a ray leaves this object: once, never before it enters, with a normal along the ray; and on from there outward
+/// it neither enters nor leaves it again.
+fn sorties<R: Bits>(objet: &ObjetRay<R>, rayon: &Rayon<R>, vers: Vecteur<R>) {
+    let (entree, sortie) = (objet.intersection(rayon), objet.sortie(rayon));
+    let contexte = || format!("{objet:?} {rayon:?} {entree:?} {sortie:?}");
+    let borne = !matches!(objet, ObjetRay::Plan(_));
+    match (entree, sortie) {
+        (Ok(entree), Ok(sortie)) => {
+            assert!(borne && entree.distance() <= sortie.distance(), "{}", contexte());
+        }
+        (Ok(_), Err(_)) => assert!(!borne, "enters and stays: {}", contexte()),
+        (Err(_), Ok(_)) => assert!(objet.contient(rayon.source()), "{}", contexte()),
+        (Err(_), Err(_)) => {}
+    }
+    let Ok(sortie) = sortie else { return };
+    assert!(sortie.distance() > R::ZERO && sortie.distance() < R::INFINI, "{}", contexte());
+    let n = sortie.normale();
+    assert!(n.produit_scalaire(rayon.direction()) > R::ZERO, "{}", contexte());
+    assert!((n.vers_f64().longueur() - 1.0).abs() <= 8.0 * R::U.vers_f64(), "{}", contexte());
+    assert!(sortie.marge() >= R::ZERO, "{}", contexte());
+    // That is of entries; of a way out it says anything but a NaN.
+    assert!(objet.erreur(rayon, &sortie) >= R::ZERO, "{}", contexte());
+    if let ObjetRay::Boite(boite) = objet {
+        let (face, p) = boite.lieu(rayon, &sortie);
+        assert_eq!(boite.face(face).1, n, "{}", contexte());
+        assert!(<[R; 3]>::from(p).into_iter().all(|x| x.abs() <= R::UN), "{}", contexte());
+    }
+    for vers in [vers, -vers, n, -n, rayon.direction()] {
+        let Ok(suite) = rayon.secondaire(&sortie, vers) else { continue };
+        if suite.direction().produit_scalaire(n) > R::ZERO {
+            let encore = [objet.intersection(&suite), objet.sortie(&suite)];
+            assert_eq!(encore, [Err(NoIntersection); 2], "{} {suite:?}", contexte());
+        } else if let ObjetRay::Sphere(_) = objet {
+            assert_eq!(objet.intersection(&suite), Err(NoIntersection), "{} {suite:?}", contexte());
+            assert!(objet.sortie(&suite).is_ok(), "{} {suite:?}", contexte());
+        }
+    }
+}
+
+/// What two choices take, one among the other, in order before these limits, as many as so many places hold: beside
+/// each object asked alone. What they leave out is no answer of which to be certain.
+fn des_choix<R: Bits>(
+    hierarchie: &Hierarchie<'_, R>,
+    rayon: &Rayon<R>,
+    limites: &[R],
+    [un, deux, places]: [u8; 3],
+) {
+    let [un, deux] = [un, deux].map(|masque| move |indice: usize| masque >> (indice % 8) & 1 == 0);
+    let prend = |indice: usize| un(indice) && deux(indice);
+    let parmi = hierarchie.parmi(&un);
+    let parmi = parmi.parmi(&deux);
+    let touche = |(indice, objet): (usize, &ObjetRay<R>)| {
+        let touche = objet.intersection(rayon).ok().filter(|_| prend(indice))?;
+        Some((touche.distance(), Mots { objet: Some(indice), ..mots(&Ok(touche)) }))
+    };
+    let objets = hierarchie.objets();
+    let mut toutes: Vec<_> = objets.iter().enumerate().filter_map(touche).collect();
+    // Stable: of equal distances the earlier in the list.
+    toutes.sort_by(|(a, _), (b, _)| a.partial_cmp(b).unwrap());
+    let une = toutes.get(usize::from(places) % (toutes.len() + 1)).map(|(t, _)| *t);
+    for &limite in limites.iter().chain(&une).chain(&[R::INFINI]) {
+        let avant = toutes.iter().filter(|(t, _)| *t < limite);
+        let voulues: Vec<_> = avant.map(|(_, mots)| *mots).collect();
+        let contexte = || format!("before {limite:?}: {rayon:?} {objets:?}");
+        let premiere = voulues.first().copied().unwrap_or_else(|| mots::<R>(&Err(NoIntersection)));
+        assert_eq!(mots(&parmi.premiere_avant(rayon, limite)), premiere, "{}", contexte());
+        assert_eq!(parmi.est_occulte(rayon, limite), !voulues.is_empty(), "{}", contexte());
+        let mut touches = vec![Err(NoIntersection); usize::from(places) % 9];
+        let nombre = parmi.dans_l_ordre(rayon, limite, &mut touches);
+        let obtenues: Vec<_> = touches[..nombre].iter().map(mots).collect();
+        assert_eq!(obtenues, voulues[..voulues.len().min(touches.len())], "{}", contexte());
+        assert!(touches[nombre..].iter().all(Result::is_err), "{}", contexte());
+    }
+    let toute = hierarchie.premiere_intersection(rayon);
+    if toute.is_ok_and(|touche| !prend(touche.objet())) {
+        assert!(!parmi.est_certaine(rayon, &toute), "{rayon:?} {objets:?}");
+    }
+    let restants: Vec<_> =
+        objets.iter().enumerate().filter(|(i, _)| prend(*i)).map(|(_, objet)| *objet).collect();
+    let seule = premiere_intersection(&restants, rayon);
+    if est_certaine(&restants, rayon, &seule) {
+        let choisie = parmi.premiere_intersection(rayon);
+        assert!(parmi.est_certaine(rayon, &choisie), "{rayon:?} {objets:?}");
+    }
+}
+
+/// A choice that answers otherwise each time: every answer is still a hit of some object, in order.
+fn un_choix_inconstant<R: Bits>(hierarchie: &Hierarchie<'_, R>, rayons: &[Rayon<R>], graine: u8) {
+    let etat = AtomicU32::new(graine.into());
+    let inconstant = |_: usize| {
+        let suivant = etat.load(Ordering::Relaxed).wrapping_mul(747_796_405).wrapping_add(1);
+        etat.store(suivant, Ordering::Relaxed);
+        suivant >> 31 == 0
+    };
+    let parmi = hierarchie.parmi(&inconstant);
+    let mut lot = vec![Err(NoIntersection); rayons.len()];
+    parmi.premieres_intersections(rayons, &mut lot).unwrap();
+    for (rayon, touche) in rayons.iter().zip(lot) {
+        let mut touches = [Err(NoIntersection); 4];
+        let nombre = parmi.dans_l_ordre(rayon, R::INFINI, &mut touches);
+        let places: Vec<_> =
+            touches[..nombre].iter().flatten().map(|t| (t.distance(), t.objet())).collect();
+        assert!(places.len() == nombre && places.windows(2).all(|w| w[0] < w[1]));
+        let une = parmi.premiere_intersection(rayon);
+        let _ = (parmi.est_certaine(rayon, &une), parmi.est_occulte(rayon, R::INFINI));
+        for touche in touches.iter().chain(&[touche, une]).flatten() {
+            let seule = hierarchie.objets()[touche.objet()].intersection(rayon);
+            assert_eq!(mots(&seule).valeurs, mots(&Ok(*touche)).valeurs, "{rayon:?}");
+        }
+    }
+}
+
 /// What is asked after the fact: certain answers of two precisions agree, and so do two bounded distances; and
 /// from one hit to the next nothing of the object itself is in the way.
 fn apres_coup<R: Bits>(objet: &ObjetRay<R>, [rayon, autre]: [&Rayon<R>; 2]) {
@@ -154,6 +269,8 @@ fn trop_peu_de_places<R: Bits>(objets: &[ObjetRay<R>]) {
 }
 
 fn attaquer<R: Bits>(octets: &[u8]) -> Option<()> {
+    // Two choices, how many places for an order, and how many more for a tree.
+    let (&[un, deux, rangs, plus], octets) = octets.split_first_chunk()?;
     let mut octets = Octets { reste: octets, vus: vec![R::LIMITE, R::UN / R::LIMITE] };
     let (mut objets, mut rayons) = (Vec::<ObjetGeo<R>>::new(), Vec::<Rayon<R>>::new());
     let mut lire = || {
@@ -208,9 +325,10 @@ fn attaquer<R: Bits>(octets: &[u8]) -> Option<()> {
         assert!(bas.x <= haut.x && bas.y <= haut.y && bas.z <= haut.z);
     }
     let doubles: Vec<_> = objets.iter().map(|objet| objet.vers_f64()).collect();
-    // In the second long boxes are cut into pieces.
+    // In the second long boxes are cut into pieces, in the first perhaps some.
+    let necessaires = Hierarchie::places(objets.len());
     let [mut places, mut autres] =
-        [1, 6].map(|fois| vec![0.0; fois * Hierarchie::places(objets.len())]);
+        [necessaires + 28 * usize::from(plus), 6 * necessaires].map(|places| vec![0.0; places]);
     let hierarchie = Hierarchie::new(&objets, &mut places).unwrap();
     let en_double = Hierarchie::new(&doubles, &mut autres).unwrap();
     for (rayon, suivant) in rayons.iter().zip(rayons.iter().cycle().skip(1)) {
@@ -220,11 +338,16 @@ fn attaquer<R: Bits>(octets: &[u8]) -> Option<()> {
             assert_eq!(est_occulte(&objets, rayon, max), occulte);
         }
         certificats(&hierarchie, &en_double, rayon);
+        for hierarchie in [hierarchie, Hierarchie::de_liste(&objets)] {
+            des_choix(&hierarchie, rayon, &limites, [un, deux, rangs]);
+        }
         for objet in &objets {
             secondaires(objet, rayon, suivant.direction());
+            sorties(objet, rayon, suivant.direction());
             apres_coup(objet, [rayon, suivant]);
         }
     }
+    un_choix_inconstant(&hierarchie, &rayons, rangs);
     Some(())
 }
 

@@ -5,7 +5,9 @@
 use std::path::Path;
 
 use exemples::scene::Scene;
-use lancer_rayon::{ObjetGeo, Rayon, Reel, Vecteur, premiere_intersection};
+use lancer_rayon::{
+    Hierarchie, NoIntersection, ObjetGeo, Rayon, Reel, Vecteur, premiere_intersection,
+};
 use libfuzzer_sys::fuzz_target;
 use serde::de::DeserializeOwned;
 
@@ -16,8 +18,20 @@ fn lire<R: Reel + DeserializeOwned>(texte: &str) {
             for (x, y, z) in [(0, 0, -1), (1, 1, 1), (-3, 0, 2), (0, -7, 1)] {
                 let vers = [x, y, z].map(|x| R::depuis_f64(f64::from(x)));
                 let rayon = Rayon::new(Vecteur::NUL, vers.into()).unwrap();
-                if let Ok(touche) = premiere_intersection(&objets, &rayon) {
+                let premiere = premiere_intersection(&objets, &rayon);
+                if let Ok(touche) = premiere {
                     assert!(touche.distance() > R::ZERO && touche.distance() < R::INFINI);
+                }
+                // All along the ray; and of what it leaves, where.
+                let mut touches = vec![Err(NoIntersection); objets.len() + 1];
+                let liste = Hierarchie::de_liste(&objets);
+                let nombre = liste.dans_l_ordre(&rayon, R::INFINI, &mut touches);
+                assert_eq!(touches[0], premiere);
+                let entres = objets.iter().filter(|objet| objet.intersection(&rayon).is_ok());
+                assert_eq!(nombre, entres.count());
+                for sortie in objets.iter().flat_map(|objet| objet.sortie(&rayon)) {
+                    assert!(sortie.distance() > R::ZERO && sortie.distance() < R::INFINI);
+                    assert!(sortie.normale().produit_scalaire(rayon.direction()) > R::ZERO);
                 }
             }
         }

@@ -595,6 +595,30 @@ fn des_sources_de_plus_en_plus_loin<R: Bits>() {
     assert!(touches > 100 * cas(), "only {touches} hits");
 }
 
+/// Far from the many, where entries count from the point next to them: something close ahead of the source is before a
+/// limit, whether the ray comes or goes away.
+fn loin_de_tous_et_tout_pres_d_un_seul<R: Bits>() {
+    let mut alea = Rng::with_seed(34);
+    let mut touches = 0;
+    for tour in 0..cas() {
+        let ou = direction(&mut alea) * deux_puissance(&mut alea, 6.0, 24.0);
+        let taille = ou.longueur() * deux_puissance(&mut alea, -12.0, -4.0);
+        let mut objets: Vec<ObjetRay<R>> =
+            (0..40).map(|i| objet(&mut alea, direction(&mut Rng::with_seed(i)), 0.1, 0)).collect();
+        objets.push(objet(&mut alea, ou, taille, 1));
+        let sens = if tour % 2 == 0 { ou } else { -ou } / ou.longueur();
+        let rayons: Vec<_> = (0..64)
+            .map(|_| {
+                let d = sens + direction(&mut alea) * 0.1;
+                let s = ou - d * (3.0 * taille);
+                Rayon::new(arrondi(s), arrondi(d)).unwrap()
+            })
+            .collect();
+        touches += comparer(&objets, &rayons);
+    }
+    assert!(touches > 20 * cas(), "only {touches} hits");
+}
+
 /// Clusters so small beside the largest object that all their boxes have the same corners.
 fn de_tout_petits_objets_parmi_des_grands<R: Bits>() {
     let mut alea = Rng::with_seed(11);
@@ -778,6 +802,7 @@ en_f32_et_f64!(des_rayons_qui_frolent_les_boites);
 en_f32_et_f64!(des_touches_au_bord_de_leur_boite);
 en_f32_et_f64!(des_rayons_le_long_des_aretes);
 en_f32_et_f64!(des_sources_de_plus_en_plus_loin);
+en_f32_et_f64!(loin_de_tous_et_tout_pres_d_un_seul);
 en_f32_et_f64!(de_tout_petits_objets_parmi_des_grands);
 en_f32_et_f64!(les_places_pretees);
 en_f32_et_f64!(des_demi_espaces_et_peu_d_autres);

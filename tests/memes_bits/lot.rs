@@ -14,7 +14,8 @@ use fastrand::Rng;
 use lancer_rayon::pour_les_tests::Reglage;
 use lancer_rayon::{
     BoiteGeo, Hierarchie, LongueursDifferentes, NoIntersection, ObjetRay, Rayon, Reel, Rotation,
-    SphereGeo, Texture, Touche, Vecteur, premiere_intersection, premieres_intersections,
+    SphereGeo, Texture, Touche, Vecteur, est_occulte, premiere_intersection,
+    premieres_intersections,
 };
 
 fn axe_z<R: Reel>() -> Vecteur<R> {
@@ -96,6 +97,35 @@ fn une_image_dans_tout_ordre<R: Bits>() {
 }
 
 en_f32_et_f64!(une_image_dans_tout_ordre);
+
+/// The lamp of one ray of a block is nowhere, wherever that ray stands: the others see what stands before theirs, near and
+/// at infinity.
+fn une_lampe_nulle_part_ne_cache_rien_aux_autres<R: Bits>() {
+    let rayons = scenes::en_tuiles(&scenes::rayons_camera::<R>(32, 32), 32);
+    let scene = scenes::melange::<R>(300);
+    let mut places = vec![0.0; Hierarchie::places(scene.len())];
+    let hierarchie = Hierarchie::new(&scene, &mut places).unwrap();
+    let mut caches = 0;
+    for (i, bloc) in rayons.chunks(64).cycle().enumerate().take(256) {
+        for loin in [R::depuis_f64(30.0), R::INFINI] {
+            let mut ombres: Vec<_> = bloc.iter().map(|rayon| (*rayon, loin)).collect();
+            ombres[i % 64].1 = R::depuis_f64(f64::NAN);
+            let voulues: Vec<_> =
+                ombres.iter().map(|(r, max)| est_occulte(&scene, r, *max)).collect();
+            caches += voulues.iter().filter(|occulte| **occulte).count();
+            for (nom, reglage) in Reglage::tous() {
+                for hierarchie in reglage.facons(hierarchie) {
+                    let mut occultes: Vec<_> = voulues.iter().map(|occulte| !occulte).collect();
+                    hierarchie.sont_occultes(&ombres, &mut occultes).unwrap();
+                    assert_eq!(occultes, voulues, "{nom}, ray {}, up to {loin:?}", i % 64);
+                }
+            }
+        }
+    }
+    assert!(caches > 5_000, "{caches}");
+}
+
+en_f32_et_f64!(une_lampe_nulle_part_ne_cache_rien_aux_autres);
 
 /// All rays of a regime of the extremes against all its objects; then each ray against its own object, alone and
 /// with copies that make a tree, nine times over, since fewer rays do not go side by side.
