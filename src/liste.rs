@@ -1,5 +1,7 @@
 //! What a question is asked of: the objects of a list, or a choice of them.
 
+use core::iter;
+
 use crate::objet::ObjetRay;
 
 /// The objects of a list, or some of them. Each keeps its index in the list.
@@ -20,8 +22,8 @@ pub(crate) struct Choix<'a> {
 
 impl Choix<'_> {
     /// Whether this and all choices before take the object at this index.
-    pub(crate) fn contient(self, indice: usize) -> bool {
-        (self.prend)(indice) && self.parmi.is_none_or(|parmi| parmi.contient(indice))
+    pub(crate) fn contient(&self, indice: usize) -> bool {
+        iter::successors(Some(self), |choix| choix.parmi).all(|choix| (choix.prend)(indice))
     }
 }
 

@@ -130,7 +130,8 @@ impl<R: Reel> Retenus<R> for Rangee<'_, R> {
         // A box of which two pieces are asked comes twice.
         let deja = suivante.is_ok_and(|suivante| suivante.objet() == rang.indice());
         if !deja && t < self.limite {
-            self.places[place..].rotate_right(1);
+            let fin = self.places.len().min(1 + self.places.partition_point(Result::is_ok));
+            self.places[place..fin].rotate_right(1);
             self.places[place] = Ok(objet.conclure(self.rayon, t, rang));
             return true;
         }

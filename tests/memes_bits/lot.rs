@@ -114,9 +114,9 @@ fn une_lampe_nulle_part_ne_cache_rien_aux_autres<R: Bits>() {
                 ombres.iter().map(|(r, max)| est_occulte(&scene, r, *max)).collect();
             caches += voulues.iter().filter(|occulte| **occulte).count();
             for (nom, reglage) in Reglage::tous() {
-                for hierarchie in reglage.facons(hierarchie) {
+                for facon in [hierarchie, Hierarchie::de_liste(&scene)] {
                     let mut occultes: Vec<_> = voulues.iter().map(|occulte| !occulte).collect();
-                    hierarchie.sont_occultes(&ombres, &mut occultes).unwrap();
+                    reglage.hierarchie(facon).sont_occultes(&ombres, &mut occultes).unwrap();
                     assert_eq!(occultes, voulues, "{nom}, ray {}, up to {loin:?}", i % 64);
                 }
             }
