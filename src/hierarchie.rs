@@ -25,7 +25,7 @@ use crate::compile::compilees;
 use crate::hierarchie::construction::{Arbre, construire, mots};
 use crate::intersection::{NoIntersection, Touche};
 use crate::jugement::Certificat;
-use crate::liste::{Choix, Liste};
+use crate::liste::{Choix, Liste, Regle};
 use crate::lot::LongueursDifferentes;
 use crate::lot::bloc::{BLOC, Bloc, Groupes};
 use crate::lot::demande::Demande;
@@ -167,12 +167,8 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
     /// `prend` is called for few of the objects that a ray passes by, and for some more than once. It is a
     /// variable of its own if the choice outlives a line, and may be shared by threads (`Sync`).
     ///
-    /// - **A lamp of the list**, or the far end of [`vers_touche`](Rayon::vers_touche), does not
-    ///   stand before itself.
-    /// - **Panes** throw no shadow, a robot does not see itself, a plan shows one storey.
-    ///
-    /// A ray that leaves an object needs no choice: it never hits that object again
-    /// ([`secondaire`](Rayon::secondaire)).
+    /// Panes throw no shadow, a robot does not see itself, a plan shows one storey. To leave out one object is
+    /// [`sans`](Self::sans).
     ///
     /// ```
     /// use lancer_rayon::{Hierarchie, NoIntersection, ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
@@ -192,12 +188,45 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
     /// assert_eq!(autres.parmi(&pas_rouge).premiere_intersection(&rayon), Err(NoIntersection));
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
-    #[doc(alias("filter", "mask", "without", "except", "ignore", "exclude", "skip"))]
+    #[doc(alias("filter", "mask"))]
     #[inline]
     pub fn parmi<'b>(&'b self, prend: &'b (dyn Fn(usize) -> bool + Sync)) -> Hierarchie<'b, R> {
-        let mut parmi: Hierarchie<'b, R> = *self;
-        parmi.arbre.liste.choix = Some(Choix { prend, parmi: self.arbre.liste.choix.as_ref() });
-        parmi
+        self.choisir(Regle::Si(prend))
+    }
+
+    /// The same hierarchy without the object at this index: [`parmi`](Self::parmi) all others, sooner. After another
+    /// choice it takes what both take; an index beyond the list leaves out nothing.
+    ///
+    /// - **A lamp of the list**, or the far end of [`vers_touche`](Rayon::vers_touche), does not
+    ///   stand before itself.
+    /// - **A ray that leaves an object** never hits that object again
+    ///   ([`secondaire`](Rayon::secondaire)): the answer is the same, most often sooner
+    ///   (`docs/choisir.md`). Each call copies the hierarchy, some 150 bytes.
+    ///
+    /// ```
+    /// use lancer_rayon::{Hierarchie, NoIntersection, ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
+    ///
+    /// let boule = |z| SphereGeo::new(Vecteur::new(0.0, 0.0, z), 1.0, Texture(0));
+    /// let scene: [ObjetRay; 2] = [boule(-4.0)?.into(), boule(-9.0)?.into()];
+    /// let hierarchie = Hierarchie::de_liste(&scene);
+    ///
+    /// let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.0, 0.0, -1.0))?;
+    /// assert_eq!(hierarchie.sans(0).premiere_intersection(&rayon)?.distance(), 8.0);
+    /// assert_eq!(hierarchie.sans(0).sans(1).premiere_intersection(&rayon), Err(NoIntersection));
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    #[doc(alias("without", "except", "ignore", "exclude", "skip"))]
+    #[inline]
+    pub fn sans(&self, objet: usize) -> Hierarchie<'_, R> {
+        // No index that is stored in 32 bits is that of another.
+        self.choisir(Regle::Sans(objet.min(self.objets().len())))
+    }
+
+    #[inline(always)]
+    fn choisir<'b>(&'b self, regle: Regle<'b>) -> Hierarchie<'b, R> {
+        let mut choisie: Hierarchie<'b, R> = *self;
+        choisie.arbre.liste.choix = Some(Choix { regle, parmi: self.arbre.liste.choix.as_ref() });
+        choisie
     }
 
     /// [`premiere_intersection`](fn@crate::premiere_intersection) of the list.

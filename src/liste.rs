@@ -14,16 +14,27 @@ pub(crate) struct Liste<'a, R> {
 /// A choice of objects by their indices.
 #[derive(Clone, Copy)]
 pub(crate) struct Choix<'a> {
-    /// Whether it takes the object at this index.
-    pub(crate) prend: &'a (dyn Fn(usize) -> bool + Sync),
+    pub(crate) regle: Regle<'a>,
     /// The choice that this is made among.
     pub(crate) parmi: Option<&'a Self>,
+}
+
+/// What a choice takes.
+#[derive(Clone, Copy)]
+pub(crate) enum Regle<'a> {
+    /// All but the object at this index, what a ray leaves: by a predicate that takes 1.1 to 1.2 times as long (measured).
+    Sans(usize),
+    /// Those whose indices this is true of.
+    Si(&'a (dyn Fn(usize) -> bool + Sync)),
 }
 
 impl Choix<'_> {
     /// Whether this and all choices before take the object at this index.
     pub(crate) fn contient(&self, indice: usize) -> bool {
-        iter::successors(Some(self), |choix| choix.parmi).all(|choix| (choix.prend)(indice))
+        iter::successors(Some(self), |choix| choix.parmi).all(|choix| match choix.regle {
+            Regle::Sans(sauf) => indice != sauf,
+            Regle::Si(prend) => prend(indice),
+        })
     }
 }
 
@@ -38,6 +49,21 @@ impl<'a, R: Copy> Liste<'a, R> {
     #[inline(always)]
     pub(crate) fn contient(self, indice: usize) -> bool {
         self.choix.is_none_or(|choix| choix.contient(indice))
+    }
+
+    /// The index that the last choice leaves out, if it is of that kind.
+    #[inline(always)]
+    pub(crate) fn sauf(self) -> Option<usize> {
+        match self.choix?.regle {
+            Regle::Sans(sauf) => Some(sauf),
+            Regle::Si(_) => None,
+        }
+    }
+
+    /// Whether any choice is by a predicate, or there are several.
+    #[inline(always)]
+    pub(crate) fn par_predicat(self) -> bool {
+        self.choix.is_some_and(|choix| choix.parmi.is_some() || self.sauf().is_none())
     }
 
     /// The object at this index; none if the choice leaves it out.

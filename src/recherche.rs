@@ -55,8 +55,11 @@ pub(crate) fn premiere_de<R: Reel>(
     let mut premier = liste.objets.len();
     let mut t_premier = distance_max;
     for (indice, objet) in liste.objets.iter().enumerate() {
+        if liste.sauf() == Some(indice) {
+            continue;
+        }
         let t = objet.t_si_proche(&copie);
-        // The choice last: before it, a list of six without one takes up to 1.07 times as long (measured).
+        // A predicate last: before it, a list of six without a choice takes up to 1.07 times as long (measured).
         if t < t_premier && liste.contient(indice) {
             (premier, t_premier) = (indice, t);
         }
@@ -139,7 +142,7 @@ impl<R: Reel> ObjetRay<R> {
 /// all; nothing is before a NaN.
 ///
 /// **A lamp that is an object of the list** hides the points of its own surface: no distance is
-/// exact enough to stop just before it. [Leave it out](crate::Hierarchie::parmi); of a plain list
+/// exact enough to stop just before it. [Leave it out](crate::Hierarchie::sans); of a plain list
 /// [`Hierarchie::de_liste`](crate::Hierarchie::de_liste) takes such a choice.
 ///
 /// **From inside an object** that object is not seen, as by any ray: a point under a thing that
@@ -179,6 +182,9 @@ pub(crate) fn occulte_de<R: Reel>(liste: Liste<'_, R>, rayon: &Rayon<R>, distanc
     let copie = *rayon;
     // Not `any`, which the compiler left out of line: 4 to 8 ns a ray (measured).
     for (indice, objet) in liste.objets.iter().enumerate() {
+        if liste.sauf() == Some(indice) {
+            continue;
+        }
         let t = objet.t_si_proche(&copie);
         // The first comparison decides nothing; without it this takes 5 % longer (measured).
         if t < R::INFINI && t < distance_max && liste.contient(indice) {

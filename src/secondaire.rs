@@ -121,7 +121,7 @@ impl<R: Reel> Rayon<R> {
     /// From the start to the light the distance is good to 3.6u of itself and
     /// [`MIN_POSITIF`](Reel::MIN_POSITIF), the direction to 4.6u, and N·L to 8u (lemma 11). Towards a
     /// point of a lamp that is itself an object of the list, [leave the lamp
-    /// out](crate::Hierarchie::parmi).
+    /// out](crate::Hierarchie::sans).
     ///
     /// ```
     /// use lancer_rayon::{ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
@@ -180,12 +180,12 @@ impl<R: Reel> Rayon<R> {
 
     /// The ray from this hit to another, `cible`, which the ray `autre` found, and the distance
     /// between both: whether two points of surfaces see each other is
-    /// `!hierarchie.parmi(&|objet| objet != cible.objet()).est_occulte(&rayon, distance)`. (A hit of an object that was
+    /// `!hierarchie.sans(cible.objet()).est_occulte(&rayon, distance)`. (A hit of an object that was
     /// asked alone has index 0: name its index in the list.)
     ///
     /// Both ends step off their surfaces, as for [`secondaire`](Self::secondaire), so that the ray
     /// never hits the object it leaves. The object it goes to is
-    /// [left out](crate::Hierarchie::parmi), since no distance stops exactly before a surface: solids
+    /// [left out](crate::Hierarchie::sans), since no distance stops exactly before a surface: solids
     /// are convex, and one that faces the ray hides no point of its own. `None` if either surface
     /// faces away from the other point, to the 3.2u of [`vers_lumiere`](Self::vers_lumiere), or
     /// where that cannot compute. With both hits exchanged the answer is the same distance and the
@@ -208,7 +208,7 @@ impl<R: Reel> Rayon<R> {
     ///     let touche = |rayon| hierarchie.premiere_intersection(rayon).ok();
     ///     let (depart, cible) = (touche(a)?, touche(b)?);
     ///     let (rayon, distance) = a.vers_touche(&depart, b, &cible)?;
-    ///     Some(!hierarchie.parmi(&|objet| objet != cible.objet()).est_occulte(&rayon, distance))
+    ///     Some(!hierarchie.sans(cible.objet()).est_occulte(&rayon, distance))
     /// };
     /// assert_eq!(se_voient(&a, &b), Some(true));
     /// assert_eq!(se_voient(&c, &b), Some(false)); // the first ball stands between

@@ -603,21 +603,21 @@ pub struct Lances<R> {
     pub rayons: Vec<Rayon<R>>,
     /// The same rays with their lamps, if they are shadows.
     pub ombres: Vec<Lance<R>>,
-    /// Whether each leaves an object, as no ray of a camera does.
-    pub partent: bool,
+    /// The same rays with the object that each leaves; none of a camera.
+    pub partis: Vec<(Lance<R>, usize)>,
 }
 
-/// By so much those who might hit again what a ray leaves start ahead of it.
+/// By so much those who cannot leave out an object start ahead of it.
 pub const AVANCE: f64 = 0.001;
 
 impl<R: Reel> Lances<R> {
     fn de_camera(rayons: Vec<Rayon<R>>) -> Self {
-        Self { rayons, ombres: Vec::new(), partent: false }
+        Self { rayons, ombres: Vec::new(), partis: Vec::new() }
     }
 
     /// The same rays, started ahead of what they leave.
     pub fn en_avant(&self) -> Self {
-        let avance = R::depuis_f64(if self.partent { AVANCE } else { 0.0 });
+        let avance = if self.partis.is_empty() { R::ZERO } else { R::depuis_f64(AVANCE) };
         let avancer =
             |rayon: &Rayon<R>| Rayon::new(rayon.point(avance), rayon.direction()).expect(PERMIS);
         let ombres = self.ombres.iter().map(|(rayon, max)| (avancer(rayon), *max - avance));
@@ -685,18 +685,20 @@ impl Genre {
         let mut alea = Rng::with_seed(scene.graine + 1);
         let partis = tuiles.into_iter().filter_map(|rayon| {
             let touche = hierarchie.premiere_intersection(&rayon).ok()?;
-            if vers_la_lampe {
-                return rayon.vers_lumiere(&touche, scene.lampe);
-            }
-            Some((self.depuis(&rayon, &touche, &mut alea)?, R::INFINI))
+            let parti = if vers_la_lampe {
+                rayon.vers_lumiere(&touche, scene.lampe)?
+            } else {
+                (self.depuis(&rayon, &touche, &mut alea)?, R::INFINI)
+            };
+            Some((parti, touche.objet()))
         });
         let mut partis: Vec<_> = partis.collect();
         if matches!(self, Self::SansOrdre | Self::OmbresMelees) {
             Rng::with_seed(scene.graine + 2).shuffle(&mut partis);
         }
-        let rayons = partis.iter().map(|(rayon, _)| *rayon).collect();
-        let ombres = if vers_la_lampe { partis } else { Vec::new() };
-        Lances { rayons, ombres, partent: true }
+        let rayons = partis.iter().map(|((rayon, _), _)| *rayon).collect();
+        let ombres = partis.iter().filter(|_| vers_la_lampe).map(|(ombre, _)| *ombre);
+        Lances { rayons, ombres: ombres.collect(), partis }
     }
 
     /// The ray of this kind that leaves this hit, if it goes outward.

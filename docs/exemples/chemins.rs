@@ -200,7 +200,7 @@ impl<R: Reel> Chambre<'_, R> {
             // enough to stop just before it. Left out, it needs no epsilon.
             let (vers, lumieres): (Vec<_>, Vec<_>) = ombres.into_iter().unzip();
             let mut occultes = vec![false; vers.len()];
-            self.hierarchie.parmi(&|objet| objet != LAMPE).sont_occultes(&vers, &mut occultes)?;
+            self.hierarchie.sans(LAMPE).sont_occultes(&vers, &mut occultes)?;
             for ((numero, lumiere), occulte) in lumieres.into_iter().zip(occultes) {
                 if !occulte {
                     vues[numero] += lumiere;

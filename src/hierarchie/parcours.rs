@@ -4,13 +4,13 @@ use fearless_simd::Simd;
 
 use crate::epreuve::Epreuve;
 use crate::hierarchie::construction::Arbre;
-use crate::hierarchie::noeud::indice_lu;
+use crate::hierarchie::noeud::{en_mot, indice_lu};
 use crate::hierarchie::pile::Pile;
 use crate::hierarchie::sonde::Sonde;
 use crate::liste::Liste;
 use crate::reel::Reel;
 use crate::retenus::{Retenus, demander};
-use crate::seize::{Aligne, Colonne, Membres, SEIZE, au_plus, prendre, prendre_le_moindre};
+use crate::seize::{Aligne, Colonne, Membres, SEIZE, au_plus, egaux, prendre, prendre_le_moindre};
 
 impl<R: Reel> Arbre<'_, R> {
     /// Keeps what the ray enters; if `UN_SUFFIT`, until something is kept. A tree without nodes asks its list.
@@ -61,7 +61,10 @@ impl<R: Reel> Arbre<'_, R> {
             let (mut traverses, Aligne(entrees)) = sonde.traverse(simd, noeud, plafond);
             if numero < self.feuilles {
                 let [.., indices] = noeud;
-                if self.liste.choix.is_some() {
+                if let Some(sauf) = self.liste.sauf() {
+                    traverses &= !egaux(simd, indices, en_mot(sauf));
+                }
+                if self.liste.par_predicat() {
                     traverses = choisis(self.liste, traverses, indices);
                 }
                 // The nearest first, which most often cuts off the others; then in order.

@@ -82,13 +82,14 @@ pub fn comparer_dans<R: Bits>(hierarchie: &Hierarchie<'_, R>, rayons: &[Rayon<R>
     // Another one each time, and now and then one that is not there.
     let sauf = rayons.len() % (hierarchie.objets().len() + 1);
     let sauf = attendues.iter().flatten().nth(sauf).map_or(sauf, |touche| touche.objet());
-    let pas_lui = |indice| indice != sauf;
     // And no more than some of these, by no rule that a walk could follow.
     let plupart = |indice: usize| indice.wrapping_mul(0x9e37_79b9) >> 7 & 7 > 1;
-    let les_deux = |indice| pas_lui(indice) && plupart(indice);
-    let sauf_lui = facons.each_ref().map(|facon| facon.parmi(&pas_lui));
-    let facons = sauf_lui.each_ref().map(|facon| facon.parmi(&plupart));
-    comparer_les_facons(rayons, facons, les_deux);
+    // By turns one alone is left out, which has a way of its own.
+    let seul = sauf % 2 == 0;
+    let les_deux = |indice| indice != sauf && (seul || plupart(indice));
+    let sauf_lui = facons.each_ref().map(|facon| facon.sans(sauf));
+    let plupart = sauf_lui.each_ref().map(|facon| facon.parmi(&plupart));
+    comparer_les_facons(rayons, if seul { sauf_lui } else { plupart }, les_deux);
     attendues.iter().flatten().count()
 }
 

@@ -77,6 +77,15 @@ fn un_choix_parmi_un_choix() {
         assert_eq!(premier(hierarchie.parmi(&zero).parmi(&un)), Ok(2));
         assert_eq!(premier(hierarchie.parmi(&un).parmi(&zero)), Ok(2));
         assert_eq!(premier(hierarchie.parmi(&un).parmi(&un)), Ok(0));
+        assert_eq!(premier(hierarchie.sans(0)), Ok(1));
+        assert_eq!(premier(hierarchie.sans(0).sans(1)), Ok(2));
+        assert_eq!(premier(hierarchie.sans(1).sans(0)), Ok(2));
+        assert_eq!(premier(hierarchie.parmi(&zero).sans(1)), Ok(2));
+        assert_eq!(premier(hierarchie.sans(0).parmi(&un)), Ok(2));
+        assert_eq!(premier(hierarchie.sans(0).sans(usize::MAX)), Ok(1));
+        // Beyond the list, and with the lowest 32 bits of an index of it.
+        let au_dela = usize::MAX - usize::MAX % (usize::MAX >> (usize::BITS / 2)).wrapping_add(1);
+        assert_eq!([au_dela, usize::MAX].map(|k| premier(hierarchie.sans(k))), [Ok(0); 2]);
         assert_eq!(premier(hierarchie.parmi(&|_| false)), Err(NoIntersection));
         assert_eq!(premier(hierarchie), Ok(0));
     }

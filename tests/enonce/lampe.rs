@@ -101,10 +101,7 @@ fn un_point_voit_la_lampe_qui_lui_fait_face<R: Reel>() {
                     let mut places = vec![0.0; Hierarchie::places(objets.len())];
                     let hierarchie = Hierarchie::new(&objets, &mut places).unwrap();
                     let mut occultes = vec![false; ombres.len()];
-                    hierarchie
-                        .parmi(&|objet| objet != 0)
-                        .sont_occultes(&ombres, &mut occultes)
-                        .unwrap();
+                    hierarchie.sans(0).sont_occultes(&ombres, &mut occultes).unwrap();
                     for ((ombre, distance), occulte) in ombres.iter().zip(occultes) {
                         let attendu = est_occulte(&[ecran], ombre, *distance);
                         assert_eq!(occulte, attendu, "{objets:?} {ombre:?} {distance:?}");

@@ -70,8 +70,7 @@ fn la_lumiere_trouve_la_table_sous_le_verre<R: Reel>() {
                     rayon.direction() - entree.normale() * R::depuis_f64(0.5)
                 };
                 let Ok(dedans) = rayon.secondaire(&entree, vers) else { continue };
-                let touche =
-                    hierarchie.parmi(&|objet| objet != 1).premiere_intersection(&dedans).ok();
+                let touche = hierarchie.sans(1).premiere_intersection(&dedans).ok();
                 let Ok(sortie) = scene[1].sortie(&dedans) else { continue };
                 let n = sortie.normale().vers_f64();
                 let dehors = dedans.secondaire(&sortie, dedans.direction()).unwrap();

@@ -117,7 +117,7 @@ fn se_voient<R: Reel>(
     (b, cible): &Point<R>,
 ) -> Option<bool> {
     let (rayon, distance) = a.vers_touche(depart, b, cible)?;
-    let libre = !hierarchie.parmi(&|objet| objet != cible.objet()).est_occulte(&rayon, distance);
+    let libre = !hierarchie.sans(cible.objet()).est_occulte(&rayon, distance);
     let objets = hierarchie.objets();
     let (avant, apres) = (&objets[..cible.objet()], &objets[cible.objet() + 1..]);
     let coupee = est_occulte(avant, &rayon, distance) || est_occulte(apres, &rayon, distance);

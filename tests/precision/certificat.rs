@@ -47,7 +47,7 @@ fn juger<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> bool {
         assert!(par_l_arbre || !certaine, "less certain by the tree: {}", contexte());
         // What would be first without the first is wrong, and so is a miss.
         let Some(exact) = exact else { continue };
-        let suivante = hierarchie.parmi(&|indice| indice != exact).premiere_intersection(rayon);
+        let suivante = hierarchie.sans(exact).premiere_intersection(rayon);
         for fausse in [suivante, Err(NoIntersection)] {
             assert!(!est_certaine(objets, rayon, &fausse), "{fausse:?}: {}", contexte());
             assert!(!hierarchie.est_certaine(rayon, &fausse), "tree, {fausse:?}: {}", contexte());

@@ -80,9 +80,9 @@ fn courir<R: Scalaire>(
         let tolerance = |qui: &Concurrent<'_>| {
             let quads = famille == Famille::Cubes && qui.nom.contains("quads");
             match qui.camp {
-                Camp::Seul | Camp::Lot => 0.0,
+                Camp::Seul | Camp::Sans | Camp::Lot => 0.0,
                 _ if quads => TOLERANCE_DES_QUADS,
-                _ if !lances.partent => TOLERANCE,
+                _ if lances.partis.is_empty() => TOLERANCE,
                 _ => TOLERANCE_EN_AVANT,
             }
         };

@@ -39,9 +39,9 @@ impl Question {
     }
 }
 
-const SEUL: &[Camp] = &[Camp::Seul];
+const SEUL: &[Camp] = &[Camp::Seul, Camp::Sans];
 const LOT: &[Camp] = &[Camp::Lot];
-const TOUT: &[Camp] = &[Camp::Seul, Camp::Lot];
+const TOUT: &[Camp] = &[Camp::Seul, Camp::Sans, Camp::Lot];
 const AUTRES: &[Camp] = &[Camp::Parry, Camp::Embree, Camp::EmbreeSeize];
 
 /// The kinds of rays of which the summary has columns.
@@ -55,7 +55,7 @@ const AU_RESUME: [Genre; 6] = [
 ];
 
 /// Ours beside theirs, and beside ours in another way.
-const QUESTIONS: [Question; 7] = [
+const QUESTIONS: [Question; 9] = [
     Question { nom: "one by one: parry", scalaire: "f32", ici: SEUL, autres: &[Camp::Parry] },
     Question { nom: "one by one: Embree", scalaire: "f32", ici: SEUL, autres: &[Camp::Embree] },
     Question {
@@ -83,6 +83,8 @@ const QUESTIONS: [Question; 7] = [
         ici: LOT,
         autres: &[Camp::Seul],
     },
+    sans("f32"),
+    sans("f64"),
 ];
 
 /// Those of the two halves of the plot.
@@ -100,6 +102,12 @@ const DESSINEES: [Question; 2] = [
         autres: AUTRES,
     },
 ];
+
+/// What it gains to leave out what a ray leaves.
+const fn sans(scalaire: &'static str) -> Question {
+    let nom = "ours one by one, over the same without what the ray leaves";
+    Question { nom, scalaire, ici: &[Camp::Sans], autres: &[Camp::Seul] }
+}
 
 /// Nanoseconds in three digits or more; a dash for who did not run.
 pub(crate) fn nanosecondes(ns: f64) -> String {
