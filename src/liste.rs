@@ -60,12 +60,6 @@ impl<'a, R: Copy> Liste<'a, R> {
         }
     }
 
-    /// Whether any choice is by a predicate, or there are several.
-    #[inline(always)]
-    pub(crate) fn par_predicat(self) -> bool {
-        self.choix.is_some_and(|choix| choix.parmi.is_some() || self.sauf().is_none())
-    }
-
     /// The object at this index; none if the choice leaves it out.
     #[inline(always)]
     pub(crate) fn objet(self, indice: usize) -> Option<&'a ObjetRay<R>> {

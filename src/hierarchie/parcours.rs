@@ -5,9 +5,9 @@ use fearless_simd::Simd;
 use crate::epreuve::Epreuve;
 use crate::hierarchie::construction::Arbre;
 use crate::hierarchie::noeud::{en_mot, indice_lu};
-use crate::hierarchie::pile::Pile;
+use crate::hierarchie::pile::{Attentes, Pile};
 use crate::hierarchie::sonde::Sonde;
-use crate::liste::Liste;
+use crate::liste::{Choix, Regle};
 use crate::reel::Reel;
 use crate::retenus::{Retenus, demander};
 use crate::seize::{Aligne, Colonne, Membres, SEIZE, au_plus, egaux, prendre, prendre_le_moindre};
@@ -54,18 +54,20 @@ impl<R: Reel> Arbre<'_, R> {
             demander(epreuve, retenus, self.liste, 0..self.liste.objets.len());
             return;
         };
-        let (mut pile, mut numero) = (Pile::vide(), self.noeuds.len() - 1);
+        let mut attentes = Attentes::new();
+        let (mut pile, mut numero) = (Pile(&mut attentes), self.noeuds.len() - 1);
         // The largest entry that still matters, in the frame of the tree.
         let mut plafond = sonde.plafond(self.repere, retenus.t());
         while let Some(noeud) = self.noeuds.get(numero) {
             let (mut traverses, Aligne(entrees)) = sonde.traverse(simd, noeud, plafond);
             if numero < self.feuilles {
                 let [.., indices] = noeud;
-                if let Some(sauf) = self.liste.sauf() {
-                    traverses &= !egaux(simd, indices, en_mot(sauf));
-                }
-                if self.liste.par_predicat() {
-                    traverses = choisis(self.liste, traverses, indices);
+                if let Some(choix) = self.liste.choix {
+                    traverses = if let Choix { regle: Regle::Sans(sauf), parmi: None } = choix {
+                        traverses & !egaux(simd, indices, en_mot(sauf))
+                    } else {
+                        choisis(choix, traverses, indices)
+                    };
                 }
                 // The nearest first, which most often cuts off the others; then in order.
                 let mut suivant = if E::UN_SUFFIT {
@@ -100,10 +102,10 @@ impl<R: Reel> Arbre<'_, R> {
 /// Those of these children of a leaf that the choice takes. Out of line: a ray without a choice keeps its registers.
 #[cold]
 #[inline(never)]
-fn choisis<R: Reel>(liste: Liste<'_, R>, mut enfants: Membres, indices: &Colonne<f32>) -> Membres {
+fn choisis(choix: Choix<'_>, mut enfants: Membres, indices: &Colonne<f32>) -> Membres {
     let mut pris = 0;
     while let Some(enfant) = prendre(&mut enfants) {
-        pris |= Membres::from(liste.contient(indice_lu(indices[enfant]))) << enfant;
+        pris |= Membres::from(choix.contient(indice_lu(indices[enfant]))) << enfant;
     }
     pris
 }

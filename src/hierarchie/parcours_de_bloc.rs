@@ -4,7 +4,7 @@ use fearless_simd::prelude::*;
 
 use crate::hierarchie::construction::Arbre;
 use crate::hierarchie::noeud::{Noeud, indice_lu};
-use crate::hierarchie::pile::Pile;
+use crate::hierarchie::pile::{Attentes, Pile};
 use crate::hierarchie::sonde::{Sonde, SondeDeBloc};
 use crate::lot::bloc::Bloc;
 use crate::lot::demande::Demande;
@@ -121,7 +121,8 @@ impl<R: Reel> Arbre<'_, R> {
         sonde: &SondeDeBloc,
         bloc: &mut Bloc<'_, R, D>,
     ) -> bool {
-        let (mut pile, mut numero) = (Pile::vide(), self.noeuds.len() - 1);
+        let mut attentes = Attentes::new();
+        let (mut pile, mut numero) = (Pile(&mut attentes), self.noeuds.len() - 1);
         let mut plafond = self.repere.distance(bloc.le_plus_loin());
         while let Some(noeud) = self.noeuds.get(numero) {
             let (mut traverses, Aligne(profondeurs)) = sonde.traverse(simd, noeud, plafond);
