@@ -200,7 +200,7 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
     /// - **A lamp of the list**, or the far end of [`vers_touche`](Rayon::vers_touche), does not
     ///   stand before itself.
     /// - **A ray that leaves an object** never hits that object again
-    ///   ([`secondaire`](Rayon::secondaire)): the answer is the same, most often sooner
+    ///   ([`secondaire`](Rayon::secondaire)): the answer is the same, in `f32` most often sooner
     ///   (`docs/choisir.md`). Each call copies the hierarchy, some 150 bytes.
     ///
     /// ```
