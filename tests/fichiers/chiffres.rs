@@ -10,6 +10,8 @@ use std::path::Path;
 use commun::tolerances::{ORTHONORMALE, bandes, promesses};
 use lancer_rayon::pour_les_tests::*;
 
+use crate::dossiers::fichiers_sous;
+
 /// Secondary rays of the long run, in millions (`docs/precision.md`).
 const SECONDAIRES: f64 = 963.0;
 
@@ -86,17 +88,12 @@ fn trouver<'a>((ou, texte): &'a (String, String), phrase: &str) -> Vec<(&'a str,
 fn textes() -> Vec<(String, String)> {
     let racine = Path::new(env!("CARGO_MANIFEST_DIR"));
     let mut fichiers = vec![racine.join("README.md"), racine.join("CHANGELOG.md")];
-    let mut dossiers = vec![racine.join("src"), racine.join("docs")];
-    while let Some(dossier) = dossiers.pop() {
-        for entree in fs::read_dir(dossier).unwrap() {
-            let chemin = entree.unwrap().path();
-            if chemin.is_dir() {
-                dossiers.push(chemin);
-            } else if chemin.extension().is_some_and(|ext| ext == "rs" || ext == "md") {
-                fichiers.push(chemin);
-            }
-        }
-    }
+    fichiers.extend(
+        ["src", "docs"]
+            .into_iter()
+            .flat_map(fichiers_sous)
+            .filter(|chemin| chemin.extension().is_some_and(|ext| ext == "rs" || ext == "md")),
+    );
     let lire = |chemin: &Path| {
         let texte = fs::read_to_string(chemin).unwrap().replace("\\|", "|");
         let lignes = texte.lines().take_while(|ligne| !ligne.starts_with("## 0.2.0"));

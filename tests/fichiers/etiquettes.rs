@@ -4,6 +4,8 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
+use crate::dossiers::fichiers_sous;
+
 /// A capital letter and a digit.
 fn etiquettes(texte: &str) -> impl Iterator<Item = &str> {
     texte.split(|c: char| !c.is_alphanumeric()).filter(|mot| {
@@ -28,20 +30,12 @@ fn chaque_pas_des_preuves_est_une_fois_dans_le_code() {
         .map(|pas| (pas.to_owned(), Vec::new()))
         .collect();
     assert!(pas.len() > 40, "only {} steps", pas.len());
-    let mut dossiers = vec![racine.join("src")];
-    while let Some(dossier) = dossiers.pop() {
-        for entree in fs::read_dir(dossier).unwrap() {
-            let chemin = entree.unwrap().path();
-            if chemin.is_dir() {
-                dossiers.push(chemin);
-                continue;
-            }
-            for (numero, ligne) in fs::read_to_string(&chemin).unwrap().lines().enumerate() {
-                let Some((_, commentaire)) = ligne.split_once("//") else { continue };
-                for etiquette in etiquettes(commentaire) {
-                    if let Some(lieux) = pas.get_mut(etiquette) {
-                        lieux.push(format!("{}:{}", chemin.display(), numero + 1));
-                    }
+    for chemin in fichiers_sous("src") {
+        for (numero, ligne) in fs::read_to_string(&chemin).unwrap().lines().enumerate() {
+            let Some((_, commentaire)) = ligne.split_once("//") else { continue };
+            for etiquette in etiquettes(commentaire) {
+                if let Some(lieux) = pas.get_mut(etiquette) {
+                    lieux.push(format!("{}:{}", chemin.display(), numero + 1));
                 }
             }
         }

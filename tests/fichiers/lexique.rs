@@ -4,6 +4,8 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
+use crate::dossiers::fichiers_sous;
+
 /// Public names that are the same word in both languages.
 const MEMES: [&str; 8] = ["Rotation", "ZERO", "abs", "direction", "sqrt", "x", "y", "z"];
 
@@ -77,16 +79,8 @@ fn noter(source: &str, exportes: &[String], lexique: &mut Lexique) {
 fn lexique(racine: &Path) -> Lexique {
     let exportes = exportes(racine);
     let mut lexique = Lexique::new();
-    let mut dossiers = vec![racine.join("src")];
-    while let Some(dossier) = dossiers.pop() {
-        for entree in fs::read_dir(dossier).unwrap() {
-            let chemin = entree.unwrap().path();
-            if chemin.is_dir() {
-                dossiers.push(chemin);
-            } else {
-                noter(&fs::read_to_string(&chemin).unwrap(), &exportes, &mut lexique);
-            }
-        }
+    for chemin in fichiers_sous("src") {
+        noter(&fs::read_to_string(&chemin).unwrap(), &exportes, &mut lexique);
     }
     for nom in &exportes {
         assert!(lexique.contains_key(nom), "nowhere: {nom}");
