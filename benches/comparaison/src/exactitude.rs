@@ -44,7 +44,11 @@ pub(crate) fn documenter() -> Result<(), Box<dyn Error>> {
     courbes()
 }
 
-/// The largest K, and the wrong decisions in brackets, for each regime, type and variant.
+/// Below this K, without a wrong decision, whoever answers is as good as any other.
+const PAREILS: f64 = 4.0;
+
+/// The largest K, and the wrong decisions in brackets, for each type and variant, of the regimes that tell the
+/// variants apart.
 fn erreurs() -> String {
     let noms = repondants::<f32>().map(|(nom, _)| nom).join(" | ");
     let mut lignes = vec![
@@ -54,18 +58,24 @@ fn erreurs() -> String {
     for (simple, double) in regimes::<f32>().into_iter().zip(regimes::<f64>()) {
         let nom = simple.nom;
         println!("{nom}");
-        lignes.push(format!("| {nom} | {} | {} |", erreurs_de(&simple), erreurs_de(&double)));
+        let (simple, double) = (erreurs_de(&simple), erreurs_de(&double));
+        if simple.1 || double.1 {
+            lignes.push(format!("| {nom} | {} | {} |", simple.0, double.0));
+        }
     }
     lignes.join("\n")
 }
 
-fn erreurs_de<R: Parry>(regime: &Regime<R>) -> String {
+/// Those of a regime, and whether they tell the variants apart.
+fn erreurs_de<R: Parry>(regime: &Regime<R>) -> (String, bool) {
+    let mut distingue = false;
     let cases = repondants::<R>().map(|(_, repondre)| {
         let mut mesure = mesurer(regime, CAS, 1, repondre);
         let [.., pire] = quantiles(&mut mesure.k);
+        distingue |= mesure.fausses > 0 || pire >= PAREILS;
         format!("{}{}", lisible(pire), entre_crochets(mesure.fausses))
     });
-    cases.join(" | ")
+    (cases.join(" | "), distingue)
 }
 
 /// Nothing for 0.
@@ -94,7 +104,11 @@ fn bornes() -> String {
     for (simple, double) in regimes::<f32>().into_iter().zip(regimes::<f64>()) {
         let cases = [marges(&simple, &mut lances), jugement(&simple, &mut aisance)];
         let autres = [marges(&double, &mut lances), jugement(&double, &mut aisance)];
-        lignes.push(format!("| {} | {} | {} |", simple.nom, cases.join(" | "), autres.join(" | ")));
+        let cases = format!("{} | {}", cases.join(" | "), autres.join(" | "));
+        // Without brackets no margin is +∞ and no right answer uncertain.
+        if cases.contains('(') {
+            lignes.push(format!("| {} | {cases} |", simple.nom));
+        }
     }
     let millions = lances / 1_000_000;
     lignes.push(format!(
