@@ -82,9 +82,9 @@ fn besoins_ecrits() -> impl Iterator<Item = (f64, f64)> {
 fn lignes_des_besoins() -> impl Iterator<Item = [&'static str; 4]> {
     let page = include_str!("../../docs/preuves.md");
     let (_, table) = page.split_once("## Constants and needs").expect("the table");
-    let lignes = table.lines().skip_while(|ligne| !ligne.starts_with("|---")).skip(1);
+    let lignes = table.lines().skip_while(|ligne| !ligne.starts_with("lemma ")).skip(1);
     lignes.map_while(|ligne| {
-        let cases = ligne.strip_prefix("| ")?.strip_suffix(" |")?.split(" | ");
+        let cases = ligne.split("  ").map(str::trim).filter(|case| !case.is_empty());
         cases.collect::<Vec<_>>().try_into().ok()
     })
 }
