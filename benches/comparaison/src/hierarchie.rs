@@ -63,7 +63,7 @@ pub(crate) fn constructions() -> String {
             .to_owned(),
         format!("|---|--:|{}", "--:|".repeat(4)),
     ];
-    for n in [1000, 10_000, 100_000] {
+    for n in [1000, 100_000] {
         table.push(constructions_de::<f32>(n));
         table.push(constructions_de::<f64>(n));
     }

@@ -57,7 +57,6 @@ fn main() -> Result<(), Box<dyn Error>> {
     let a_ecrire = [
         ("README.md", "speed"),
         (BANCS, &resume),
-        (BANCS, "families"),
         (BANCS, "building"),
         (BANCS, "sets"),
         (BANCS, "certificates"),
@@ -73,7 +72,6 @@ fn main() -> Result<(), Box<dyn Error>> {
     let tables = [
         tables::vitesse(&cellules),
         tables::resume(&cellules),
-        tables::table(&cellules),
         hierarchie::constructions(),
         hierarchie::jeux_d_instructions()?,
         hierarchie::certificats()?,
@@ -83,7 +81,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     if ecrire {
         for ((ou, nom), table) in a_ecrire.iter().zip(&tables) {
-            page::remplacer(ou, nom, &page::datee(table))?;
+            // The page of the measurements has one date, below its first table.
+            let texte = if *ou == BANCS { table.clone() } else { page::datee(table) };
+            page::remplacer(ou, nom, &texte)?;
         }
         tables::graphique(&cellules)?;
         exactitude::documenter()?;

@@ -10,9 +10,6 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 use crate::cellules::Cellule;
 use crate::page;
 
-/// Of these numbers of objects the table has rows; the plot has them all.
-const AU_TABLEAU: [usize; 3] = [14, 30, 10_000];
-
 /// Whom a ratio compares.
 pub(crate) struct Question {
     nom: &'static str,
@@ -45,14 +42,8 @@ const TOUT: &[Camp] = &[Camp::Seul, Camp::Sans, Camp::Lot];
 const AUTRES: &[Camp] = &[Camp::Parry, Camp::Embree, Camp::EmbreeSeize];
 
 /// The kinds of rays of which the summary has columns.
-const AU_RESUME: [Genre; 6] = [
-    Genre::Tuiles,
-    Genre::Paralleles,
-    Genre::Miroirs,
-    Genre::Diffus,
-    Genre::SansOrdre,
-    Genre::Ombres,
-];
+const AU_RESUME: [Genre; 5] =
+    [Genre::Tuiles, Genre::Miroirs, Genre::Diffus, Genre::SansOrdre, Genre::Ombres];
 
 /// Ours beside theirs, and beside ours in another way.
 const QUESTIONS: [Question; 9] = [
@@ -65,7 +56,7 @@ const QUESTIONS: [Question; 9] = [
         autres: AUTRES,
     },
     Question {
-        nom: "ours one by one, over our batch",
+        nom: "one by one: ours, over our batch",
         scalaire: "f32",
         ici: LOT,
         autres: &[Camp::Seul],
@@ -78,7 +69,7 @@ const QUESTIONS: [Question; 9] = [
         autres: &[Camp::Parry],
     },
     Question {
-        nom: "ours one by one, over our batch",
+        nom: "one by one: ours, over our batch",
         scalaire: "f64",
         ici: LOT,
         autres: &[Camp::Seul],
@@ -105,7 +96,7 @@ const DESSINEES: [Question; 2] = [
 
 /// What it gains to leave out what a ray leaves.
 const fn sans(scalaire: &'static str) -> Question {
-    let nom = "ours one by one, over the same without what the ray leaves";
+    let nom = "one by one: ours, over ours with `sans`";
     Question { nom, scalaire, ici: &[Camp::Sans], autres: &[Camp::Seul] }
 }
 
@@ -134,7 +125,7 @@ fn resumer<'a>(rapports: &[(f64, &'a Cellule)]) -> Option<(f64, f64, &'a Cellule
 pub(crate) fn resume(cellules: &[Cellule]) -> String {
     let titres = AU_RESUME.map(Genre::nom).join(" | ");
     let mut table = vec![
-        format!("| the other / ours | scalar | {titres} | below 1 |"),
+        format!("| the other / ours | scalar | {titres} | below 1 (least) |"),
         format!("|---|---|{}---|", "--:|".repeat(AU_RESUME.len())),
     ];
     for question in &QUESTIONS {
@@ -147,9 +138,8 @@ pub(crate) fn resume(cellules: &[Cellule]) -> String {
         let derriere = tous.iter().filter(|(x, _)| *x < 1.0).count();
         let le_moindre = rapport(resumer(&tous).map_or(f64::NAN, |(_, moindre, _)| moindre));
         let (Question { nom, scalaire, .. }, sur) = (question, tous.len());
-        table.push(format!(
-            "| {nom} | {scalaire} | {cases} | {derriere} of {sur}, least {le_moindre} |"
-        ));
+        table
+            .push(format!("| {nom} | {scalaire} | {cases} | {derriere} of {sur} ({le_moindre}) |"));
     }
     table.join("\n")
 }
@@ -175,32 +165,6 @@ pub(crate) fn vitesse(cellules: &[Cellule]) -> String {
             None => "– | –".to_owned(),
         });
         table.push(format!("| {nom} | {} |", cases.join(" | ")));
-    }
-    table.join("\n")
-}
-
-/// What each family takes in `f32`, in tiles, and what the others take over that.
-pub(crate) fn table(cellules: &[Cellule]) -> String {
-    let mut table = vec![
-        "| family | N | one by one, ns | parry | Embree | in a batch, ns | parry | Embree ×16 |"
-            .to_owned(),
-        format!("|---|--:|{}", "--:|".repeat(6)),
-    ];
-    let simples = cellules.iter().filter(|c| c.scalaire == "f32" && AU_TABLEAU.contains(&c.n));
-    let simples: Vec<_> = simples.collect();
-    for scene in simples.chunks(Genre::TOUS.len()) {
-        let tuiles = scene.iter().find(|c| c.genre == Genre::Tuiles).expect("every kind was timed");
-        let mut cases = Vec::new();
-        for (ici, autres) in [
-            (SEUL, [&[Camp::Parry], &[Camp::Embree]]),
-            (LOT, [&[Camp::Parry], &[Camp::EmbreeSeize]]),
-        ] {
-            let ns = tuiles.ns(ici);
-            cases.push(nanosecondes(ns));
-            cases.extend(autres.map(|autres| rapport(tuiles.ns(autres) / ns)));
-        }
-        let Cellule { famille, n, .. } = tuiles;
-        table.push(format!("| {} | {n} | {} |", famille.nom(), cases.join(" | ")));
     }
     table.join("\n")
 }
