@@ -97,7 +97,7 @@ fn un_champ_inconnu_ou_absent_se_nomme() {
     assert!(erreur.unwrap_err().to_string().contains("unknown field `dir`"));
 }
 
-/// What docs/README.md says of a bare vector, the one value that may hold a NaN.
+/// A bare vector is the one value that may hold a NaN.
 #[test]
 fn un_nan_ecrit_en_json_n_est_pas_relu() {
     let texte = serde_json::to_string(&Vecteur::new(f64::NAN, 0.0, f64::INFINITY)).unwrap();

@@ -1,4 +1,4 @@
-//! The way from and to glam, which docs/README.md gives in two lines, held to what glam does.
+//! The way from and to glam, held to what glam does.
 
 use std::error::Error;
 

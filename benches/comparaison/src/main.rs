@@ -35,8 +35,7 @@ mod double {
 }
 
 /// What else is written than the tables of the cells, by page.
-const AUTRES: [(&str, &str); 5] = [
-    ("README.md", "picture"),
+const AUTRES: [(&str, &str); 4] = [
     ("docs/choisir.md", "variants"),
     ("docs/precision.md", "errors"),
     ("docs/precision.md", "bounds"),
