@@ -32,10 +32,8 @@ use crate::lot::demande::Demande;
 use crate::niveau::{meilleur_niveau, selon_le_niveau};
 use crate::objet::ObjetRay;
 use crate::rayon::Rayon;
-use crate::recherche::{occulte_de, premiere_de};
 use crate::reel::Reel;
 use crate::retenus::{Premier, Rangee};
-use crate::seize::SEIZE;
 
 /// A list of objects with a hierarchy of boxes around them: the answers of the list, to the bit, in
 /// a time that grows far more slowly than their number. Half-spaces are asked one by one as in a list.
@@ -194,14 +192,12 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
         self.choisir(Regle::Si(prend))
     }
 
-    /// The same hierarchy without the object at this index: [`parmi`](Self::parmi) all others, sooner. After another
+    /// The same hierarchy without the object at this index: [`parmi`](Self::parmi) all others. After another
     /// choice it takes what both take; an index beyond the list leaves out nothing.
     ///
-    /// - **A lamp of the list**, or the far end of [`vers_touche`](Rayon::vers_touche), does not
-    ///   stand before itself.
-    /// - **A ray that leaves an object** never hits that object again
-    ///   ([`secondaire`](Rayon::secondaire)): the answer is the same, in `f32` most often sooner
-    ///   (`docs/choisir.md`). Each call copies the hierarchy, some 150 bytes.
+    /// **A lamp of the list**, or the far end of [`vers_touche`](Rayon::vers_touche), does not stand before itself.
+    /// A ray that leaves an object needs no such choice: it never hits that object again
+    /// ([`secondaire`](Rayon::secondaire)). Each call copies the hierarchy, some 150 bytes.
     ///
     /// ```
     /// use lancer_rayon::{Hierarchie, NoIntersection, ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
@@ -351,72 +347,6 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
     }
 }
 
-/// The first object that each ray enters:
-/// [`premiere_intersection`](fn@crate::premiere_intersection) of every ray, to the bit, and several
-/// times as fast for the rays of a picture.
-///
-/// Every object is asked, of sixteen rays side by side: neighbours in `rayons` should be neighbours in the
-/// picture, since an object that sixteen rays in a row all pass by costs little. Pass 64 rays or more a call;
-/// from ten spheres and boxes on, use a [`Hierarchie`]. Nothing is allocated and no
-/// thread is started; the caller may give parts of a picture to several threads.
-///
-/// # Errors
-/// If `rayons` and `touches` are not of the same length; nothing is written then.
-///
-/// ```
-/// use lancer_rayon::{
-///     NoIntersection, ObjetRay, Rayon, SphereGeo, Texture, Vecteur, premieres_intersections,
-/// };
-///
-/// let boule = ObjetRay::from(SphereGeo::new(Vecteur::new(0.0, 0.0, -5.0), 1.0, Texture(0))?);
-/// let vers = |x| Rayon::new(Vecteur::NUL, Vecteur::new(x, 0.0, -1.0));
-/// let rayons = [vers(0.0)?, vers(0.1)?, vers(0.5)?];
-///
-/// let mut touches = [Err(NoIntersection); 3];
-/// premieres_intersections(&[boule], &rayons, &mut touches)?;
-/// assert_eq!(touches.map(|touche| touche.is_ok()), [true, true, false]);
-/// # Ok::<(), Box<dyn core::error::Error>>(())
-/// ```
-#[doc(alias("batch", "packet", "cast_rays"))]
-pub fn premieres_intersections<R: Reel>(
-    objets: &[ObjetRay<R>],
-    rayons: &[Rayon<R>],
-    touches: &mut [Touche<R>],
-) -> Result<(), LongueursDifferentes> {
-    Hierarchie::de_liste(objets).premieres_intersections(rayons, touches)
-}
-
-/// Whether anything stands before the lamp of each shadow ray: [`est_occulte`](fn@crate::est_occulte) of
-/// every ray and the distance of its lamp, to the bit, and sooner.
-///
-/// [`vers_lumiere`](Rayon::vers_lumiere) gives both. What [`premieres_intersections`] says of order and
-/// length of a call holds here; rays to one lamp, in the order of the picture, are neighbours. A ray
-/// from inside an object does not see that object.
-///
-/// # Errors
-/// If `ombres` and `occultes` are not of the same length; nothing is written then.
-///
-/// ```
-/// use lancer_rayon::{ObjetRay, Rayon, SphereGeo, Texture, Vecteur, sont_occultes};
-///
-/// let boule = ObjetRay::from(SphereGeo::new(Vecteur::new(0.0, 3.0, 0.0), 1.0, Texture(0))?);
-/// let vers_le_haut = |x| Rayon::new(Vecteur::new(x, 0.0, 0.0), Vecteur::new(0.0, 1.0, 0.0));
-/// let ombres = [(vers_le_haut(0.0)?, 9.0), (vers_le_haut(0.0)?, 2.0), (vers_le_haut(4.0)?, 9.0)];
-///
-/// let mut occultes = [false; 3];
-/// sont_occultes(&[boule], &ombres, &mut occultes)?;
-/// assert_eq!(occultes, [true, false, false]);
-/// # Ok::<(), Box<dyn core::error::Error>>(())
-/// ```
-#[doc(alias("any_hit", "occluded", "shadow", "batch"))]
-pub fn sont_occultes<R: Reel>(
-    objets: &[ObjetRay<R>],
-    ombres: &[(Rayon<R>, R)],
-    occultes: &mut [bool],
-) -> Result<(), LongueursDifferentes> {
-    Hierarchie::de_liste(objets).sont_occultes(ombres, occultes)
-}
-
 compilees! {
     Batir<'a, R>: (&'a [ObjetRay<R>], &'a mut [f32])
         => Result<Arbre<'a, R>, PlacesInsuffisantes> = construire;
@@ -431,38 +361,29 @@ compilees! {
 }
 
 /// [`Hierarchie::premiere_avant`]. As one function of any [`Demande`] this and [`occulte`]
-/// would take 1.4 times as long (measured). A list is asked by its own loop, which is right even of more objects than
-/// there are ranks.
+/// would take 1.4 times as long (measured).
 fn premiere<R: Reel>(
     (hierarchie, rayon, distance_max): (&Hierarchie<'_, R>, &Rayon<R>, R),
 ) -> Touche<R> {
     let Hierarchie { arbre, niveau } = hierarchie;
-    if arbre.noeuds.is_empty() {
-        return premiere_de(arbre.liste, rayon, distance_max);
-    }
     selon_le_niveau!(*niveau, simd => {
-        let mut premier = Premier::avant(distance_max);
-        arbre.parcourir(simd, rayon, &mut premier);
+        let premier = arbre.parcourir(simd, rayon, Premier::avant(distance_max));
         premier.touche(arbre.liste.objets, rayon)
     })
 }
 
 /// [`Hierarchie::dans_l_ordre`].
-fn dans_l_ordre<R: Reel>((hierarchie, mut rangee): (&Hierarchie<'_, R>, Rangee<'_, R>)) {
+fn dans_l_ordre<R: Reel>((hierarchie, rangee): (&Hierarchie<'_, R>, Rangee<'_, R>)) {
     let Hierarchie { arbre, niveau } = hierarchie;
-    selon_le_niveau!(*niveau, simd => arbre.parcourir(simd, rangee.rayon, &mut rangee));
+    selon_le_niveau!(*niveau, simd => arbre.parcourir(simd, rangee.rayon, rangee));
 }
 
 /// [`Hierarchie::est_occulte`].
 fn occulte<R: Reel>((hierarchie, rayon, distance_max): (&Hierarchie<'_, R>, &Rayon<R>, R)) -> bool {
     let Hierarchie { arbre, niveau } = hierarchie;
-    if arbre.noeuds.is_empty() {
-        return occulte_de(arbre.liste, rayon, distance_max);
-    }
     selon_le_niveau!(*niveau, simd => {
-        let mut premier = Premier::avant(distance_max);
-        arbre.parcourir(simd, &(*rayon, distance_max), &mut premier);
-        premier.rang.is_some()
+        let ombre = (*rayon, distance_max);
+        arbre.parcourir(simd, &ombre, Premier::avant(distance_max)).rang.is_some()
     })
 }
 
@@ -473,14 +394,9 @@ fn certaine<R: Reel>(
     let Hierarchie { arbre, niveau } = hierarchie;
     let Some(certificat) = Certificat::new(arbre.liste, rayon, reponse) else { return false };
     selon_le_niveau!(*niveau, simd => {
-        let mut premier = Premier::avant(certificat.limite());
-        arbre.parcourir(simd, &certificat, &mut premier);
-        premier.rang.is_none()
+        arbre.parcourir(simd, &certificat, Premier::avant(certificat.limite())).rang.is_none()
     })
 }
-
-/// Fewer rays than this ask a list faster one by one: half a group.
-const PEU_DE_RAYONS: usize = SEIZE / 2;
 
 /// [`Hierarchie::premieres_intersections`] and [`Hierarchie::sont_occultes`].
 fn en_lot<R: Reel, D: Demande<R>>(
@@ -489,14 +405,6 @@ fn en_lot<R: Reel, D: Demande<R>>(
     let Hierarchie { arbre, niveau } = hierarchie;
     if demandes.len() != reponses.len() {
         return Err(LongueursDifferentes { rayons: demandes.len(), reponses: reponses.len() });
-    }
-    // In a longer list two objects share a rank.
-    let trop_longue = u32::try_from(arbre.liste.objets.len()).is_err();
-    if arbre.noeuds.is_empty() && (trop_longue || demandes.len() < PEU_DE_RAYONS) {
-        for (demande, reponse) in demandes.iter().zip(reponses) {
-            *reponse = demande.parmi(arbre.liste);
-        }
-        return Ok(());
     }
     selon_le_niveau!(*niveau, simd => {
         let mut groupes = Groupes::new_const();

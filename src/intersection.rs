@@ -104,7 +104,7 @@ impl<R: Reel> Intersection<R> {
 
     /// The index of the object in the list that was asked; 0 for an object that was asked alone.
     ///
-    /// In a list of more than 2³² − 1 objects, those at the end share the index 2³² − 2.
+    /// A list has at most 2³² − 1 objects: of more, those beyond are taken for the last of these.
     #[doc(alias("index", "primitive_id"))]
     #[must_use]
     pub fn objet(&self) -> usize {

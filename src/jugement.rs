@@ -7,7 +7,6 @@
 pub(crate) mod coup_d_oeil;
 pub(crate) mod loupe;
 
-use crate::compile::compilees;
 use crate::double::{Double, Intervalle, scalaire, triple};
 use crate::epreuve::Epreuve;
 use crate::intersection::{Intersection, Touche};
@@ -17,7 +16,6 @@ use crate::liste::Liste;
 use crate::objet::ObjetRay;
 use crate::rayon::Rayon;
 use crate::reel::{Reel, fois_u, max};
-use crate::retenus::{Premier, demander};
 
 /// A glance serves for [`ObjetRay::erreur`] where it leaves no more than this part of u·t open: then
 /// the bound is what doubled numbers would say.
@@ -87,7 +85,8 @@ impl<R: Reel> ObjetRay<R> {
     /// It is never true of a wrong answer. It is false of a right one only within some 2⁻¹⁰⁰|S − C| of a
     /// face or 2⁻¹⁰⁰|S − C|²/r of the outline of a sphere, for boxes thinner than 2⁻¹⁰⁰|S − C|, of a
     /// direction within some 2⁻¹⁰⁰ of the plane of a turned face, where products leave the normal numbers
-    /// of `f64`, and of a hit whose distance the type can hardly hold. Of a list: [`est_certaine`].
+    /// of `f64`, and of a hit whose distance the type can hardly hold. Of a list:
+    /// [`est_certaine`](fn@crate::est_certaine).
     ///
     /// ```
     /// use lancer_rayon::{ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
@@ -122,61 +121,6 @@ fn entree(objet: &ObjetRay, rayon: &Rayon, plus_grand: f64) -> Intervalle {
 /// The largest number of a scalar.
 fn plus_grand<R: Reel>() -> f64 {
     R::selon(f32::MAX.into(), f64::MAX)
-}
-
-/// Whether an answer of [`premiere_intersection`](crate::premiere_intersection) of this list, a hit or
-/// a miss, is certain: whether exact arithmetic on the numbers as they are stored names the same
-/// object first, or none as well. (Which face of a box, at an edge, is not asked.)
-///
-/// It is never true of a wrong answer. It is false of a right one only where
-/// [`est_certain`](ObjetRay::est_certain) of some object would be, where no distance is promised, and of two
-/// entries nearer to each other than some 2⁻⁵⁰(κ + κ′)·t, twice what both distances are promised to in `f64`
-/// (`docs/precision.md`; κ is large where a ray grazes). Most often that is an exact tie, as where the sides
-/// of two boxes are flush. Of `reponse` only
-/// [`objet`](Intersection::objet) counts, whoever found it. The time is that of a ray or two;
-/// [`Hierarchie::est_certaine`](crate::Hierarchie::est_certaine) asks a tree.
-///
-/// In an answer that is not certain ask the same numbers in `f64`: [`ObjetRay::vers_f64`] of all
-/// objects, and [`Rayon::vers_f64`]. What is uncertain there as well is most often a tie.
-///
-/// ```
-/// use lancer_rayon::{ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
-/// use lancer_rayon::{est_certaine, premiere_intersection};
-///
-/// let boule = |z| SphereGeo::<f32>::new(Vecteur::new(0.0, 0.0, z), 1.0, Texture(0));
-/// let scene: [ObjetRay<f32>; 2] = [boule(-5.0)?.into(), boule(-5.000001)?.into()];
-/// let vers_le_fond = |x| Rayon::new(Vecteur::new(x, 0.0, 0.0), Vecteur::new(0.0, 0.0, -1.0));
-/// let certaine = |rayon| est_certaine(&scene, &rayon, &premiere_intersection(&scene, &rayon));
-/// assert!(certaine(vers_le_fond(0.3)?)); // the nearer one
-/// assert!(certaine(vers_le_fond(1.5)?)); // a miss
-///
-/// let deux_fois = [scene[0]; 2];
-/// let rayon = vers_le_fond(0.3)?;
-/// let touche = premiere_intersection(&deux_fois, &rayon);
-/// assert!(!est_certaine(&deux_fois, &rayon, &touche)); // a tie
-/// # Ok::<(), lancer_rayon::ErreurGeo>(())
-/// ```
-#[doc(alias("is_certain", "certify", "certificate"))]
-#[inline]
-#[must_use]
-pub fn est_certaine<R: Reel>(
-    objets: &[ObjetRay<R>],
-    rayon: &Rayon<R>,
-    reponse: &Touche<R>,
-) -> bool {
-    R::demander::<Certaine>((objets, rayon, reponse))
-}
-
-compilees! {
-    Certaine<'a, R>: (&'a [ObjetRay<R>], &'a Rayon<R>, &'a Touche<R>) => bool = certaine;
-}
-
-fn certaine<R: Reel>((objets, rayon, reponse): (&[ObjetRay<R>], &Rayon<R>, &Touche<R>)) -> bool {
-    let liste = Liste::entiere(objets);
-    Certificat::new(liste, rayon, reponse).is_some_and(|certificat| {
-        // Nothing that may come before.
-        !demander(&certificat, &mut Premier::avant(R::INFINI), liste, 0..objets.len())
-    })
 }
 
 /// An answer, of which every object is to be asked whether it comes later.

@@ -137,14 +137,15 @@ mod vecteur;
 
 pub use boite::{BoiteGeo, BoiteRay};
 pub use face::Face;
-pub use hierarchie::{Hierarchie, PlacesInsuffisantes, premieres_intersections, sont_occultes};
+pub use hierarchie::{Hierarchie, PlacesInsuffisantes};
 pub use intersection::{Intersection, NoIntersection, Touche};
-pub use jugement::est_certaine;
 pub use lot::LongueursDifferentes;
 pub use objet::{ObjetGeo, ObjetRay, etendue};
 pub use plan::{PlanGeo, PlanRay};
 pub use rayon::Rayon;
-pub use recherche::{est_occulte, premiere_intersection};
+pub use recherche::{
+    est_certaine, est_occulte, premiere_intersection, premieres_intersections, sont_occultes,
+};
 pub use reel::Reel;
 pub use refus::ErreurGeo;
 pub use rotation::Rotation;

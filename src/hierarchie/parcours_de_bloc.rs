@@ -20,6 +20,9 @@ const OBJETS_PAR_NOMBRE: usize = 6;
 /// Fewer rays than this are asked one by one: in no order eight together take up to twice as long.
 const RAYONS_D_UN_BLOC: usize = 12;
 
+/// The same of a list: half a group.
+const RAYONS_D_UNE_LISTE: usize = SEIZE / 2;
+
 /// A beam that crosses fewer children of a node than this is not too wide.
 const ENFANTS_CROISES: u32 = SEIZE as u32 / 2;
 
@@ -45,30 +48,23 @@ impl<R: Reel> Arbre<'_, R> {
         bloc: &mut Bloc<'_, R, D>,
         (demandes, reponses): (&[D], &mut [D::Reponse]),
     ) {
-        let en_bloc = self.noeuds.is_empty() || demandes.len() >= RAYONS_D_UN_BLOC;
+        let assez = if self.noeuds.is_empty() { RAYONS_D_UNE_LISTE } else { RAYONS_D_UN_BLOC };
+        let en_bloc = demandes.len() >= assez;
         if en_bloc && self.chercher_ensemble(simd, bloc, demandes) {
             return bloc.ecrire(simd, reponses);
         }
-        // What stands before the lamp of one ray often stands before that of the next.
-        let mut dernier = Premier::avant(R::INFINI);
         simd.vectorize(
             #[inline(always)]
             || {
                 for (i, (demande, reponse)) in demandes.iter().zip(reponses).enumerate() {
                     let (rayon, limite) = demande.lire();
-                    let mut premier = Premier::avant(limite);
-                    if en_bloc {
-                        premier = bloc.premier(i);
+                    let premier = if !en_bloc {
+                        self.parcourir(simd, demande, Premier::avant(limite))
+                    } else if D::UN_SUFFIT && bloc.premier(i).rang.is_some() {
+                        bloc.premier(i)
                     } else {
-                        self.demander_aux_sans_boite(demande, &mut premier);
-                    }
-                    if D::UN_SUFFIT && premier.rang.is_none() {
-                        premier = dernier.encore(self.liste.objets, &rayon, premier);
-                    }
-                    if !D::UN_SUFFIT || premier.rang.is_none() {
-                        self.descendre(simd, demande, &mut premier);
-                    }
-                    dernier = premier;
+                        self.descendre(simd, demande, bloc.premier(i))
+                    };
                     *reponse = D::reponse(premier, self.liste.objets, &rayon);
                 }
             },
@@ -85,19 +81,17 @@ impl<R: Reel> Arbre<'_, R> {
         demandes: &[D],
     ) -> bool {
         bloc.charger(demandes);
-        let une_liste = self.noeuds.is_empty();
-        let en_faisceau = !une_liste && vont_ensemble(demandes);
-        let faisceau = if en_faisceau { bloc.faisceau() } else { None };
+        if self.noeuds.is_empty() {
+            bloc.proposer_tous();
+            return true;
+        }
+        let faisceau = if vont_ensemble(demandes) { bloc.faisceau() } else { None };
         let avec_boite = self.liste.objets.len() - self.sans_boite.len();
-        let peu_d_objets =
-            une_liste || avec_boite <= OBJETS_PAR_NOMBRE * nombres_par_registre::<R, S>();
-        let (sonde, boites_inutiles) = if let Some(faisceau) = faisceau {
-            let sonde = SondeDeBloc::new(&faisceau, self.repere);
-            let inutiles = sonde.is_none();
-            (sonde, inutiles)
-        } else {
-            let rayon = demandes[0].rayon();
-            (None, peu_d_objets || Sonde::new(rayon, self.repere).is_none())
+        let peu_d_objets = avec_boite <= OBJETS_PAR_NOMBRE * nombres_par_registre::<R, S>();
+        let sonde = faisceau.map(|faisceau| SondeDeBloc::new(&faisceau, self.repere));
+        let boites_inutiles = match &sonde {
+            Some(sonde) => sonde.is_none(),
+            None => peu_d_objets || Sonde::new(demandes[0].rayon(), self.repere).is_none(),
         };
         if boites_inutiles {
             bloc.proposer_tous();
@@ -106,7 +100,7 @@ impl<R: Reel> Arbre<'_, R> {
         for &indice in self.sans_boite {
             bloc.proposer(indice_lu(indice));
         }
-        sonde.is_some_and(
+        sonde.flatten().is_some_and(
             #[inline(always)]
             |sonde| self.descendre_en_bloc(simd, &sonde, bloc),
         )

@@ -3,11 +3,9 @@
 
 use crate::epreuve::Epreuve;
 use crate::intersection::Touche;
-use crate::liste::Liste;
 use crate::lot::groupe::Groupe;
 use crate::objet::ObjetRay;
 use crate::rayon::Rayon;
-use crate::recherche::{occulte_de, premiere_de};
 use crate::reel::{Reel, max};
 use crate::retenus::Premier;
 
@@ -17,9 +15,6 @@ pub(crate) trait Demande<R: Reel>: Epreuve<R> + Copy {
 
     /// The ray, and the distance before which an object counts, 0 or more.
     fn lire(&self) -> (Rayon<R>, R);
-
-    /// The answer of the list, ray by ray.
-    fn parmi(&self, liste: Liste<'_, R>) -> Self::Reponse;
 
     /// The answer, once a search has found this.
     fn reponse(premier: Premier<R>, objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> Self::Reponse;
@@ -40,10 +35,6 @@ impl<R: Reel> Demande<R> for Rayon<R> {
         (*self, R::INFINI)
     }
 
-    fn parmi(&self, liste: Liste<'_, R>) -> Touche<R> {
-        premiere_de(liste, self, R::INFINI)
-    }
-
     #[inline(always)]
     fn reponse(premier: Premier<R>, objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> Touche<R> {
         premier.touche(objets, rayon)
@@ -62,10 +53,6 @@ impl<R: Reel> Demande<R> for (Rayon<R>, R) {
     fn lire(&self) -> (Rayon<R>, R) {
         // Nothing is before a NaN.
         (self.0, max(self.1, R::ZERO))
-    }
-
-    fn parmi(&self, liste: Liste<'_, R>) -> bool {
-        occulte_de(liste, &self.0, self.1)
     }
 
     #[inline(always)]
