@@ -11,8 +11,6 @@ pub const TROP: usize = 64;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Camp {
     Seul,
-    /// One by one, without the object that a ray leaves.
-    Sans,
     Lot,
     Parry,
     Embree,

@@ -603,21 +603,21 @@ pub struct Lances<R> {
     pub rayons: Vec<Rayon<R>>,
     /// The same rays with their lamps, if they are shadows.
     pub ombres: Vec<Lance<R>>,
-    /// The same rays with the object that each leaves; none of a camera.
-    pub partis: Vec<(Lance<R>, usize)>,
+    /// Whether they leave objects, and not a camera.
+    pub d_une_surface: bool,
 }
 
-/// By so much those who cannot leave out an object start ahead of it.
+/// By so much the others start ahead of what their rays leave.
 pub const AVANCE: f64 = 0.001;
 
 impl<R: Reel> Lances<R> {
     fn de_camera(rayons: Vec<Rayon<R>>) -> Self {
-        Self { rayons, ombres: Vec::new(), partis: Vec::new() }
+        Self { rayons, ombres: Vec::new(), d_une_surface: false }
     }
 
     /// The same rays, started ahead of what they leave.
     pub fn en_avant(&self) -> Self {
-        let avance = if self.partis.is_empty() { R::ZERO } else { R::depuis_f64(AVANCE) };
+        let avance = if self.d_une_surface { R::depuis_f64(AVANCE) } else { R::ZERO };
         let avancer =
             |rayon: &Rayon<R>| Rayon::new(rayon.point(avance), rayon.direction()).expect(PERMIS);
         let ombres = self.ombres.iter().map(|(rayon, max)| (avancer(rayon), *max - avance));
@@ -685,20 +685,18 @@ impl Genre {
         let mut alea = Rng::with_seed(scene.graine + 1);
         let partis = tuiles.into_iter().filter_map(|rayon| {
             let touche = hierarchie.premiere_intersection(&rayon).ok()?;
-            let parti = if vers_la_lampe {
-                rayon.vers_lumiere(&touche, scene.lampe)?
-            } else {
-                (self.depuis(&rayon, &touche, &mut alea)?, R::INFINI)
-            };
-            Some((parti, touche.objet()))
+            if vers_la_lampe {
+                return rayon.vers_lumiere(&touche, scene.lampe);
+            }
+            Some((self.depuis(&rayon, &touche, &mut alea)?, R::INFINI))
         });
         let mut partis: Vec<_> = partis.collect();
         if matches!(self, Self::SansOrdre | Self::OmbresMelees) {
             Rng::with_seed(scene.graine + 2).shuffle(&mut partis);
         }
-        let rayons = partis.iter().map(|((rayon, _), _)| *rayon).collect();
-        let ombres = partis.iter().filter(|_| vers_la_lampe).map(|(ombre, _)| *ombre);
-        Lances { rayons, ombres: ombres.collect(), partis }
+        let rayons = partis.iter().map(|(rayon, _)| *rayon).collect();
+        let ombres = if vers_la_lampe { partis } else { Vec::new() };
+        Lances { rayons, ombres, d_une_surface: true }
     }
 
     /// The ray of this kind that leaves this hit, if it goes outward.

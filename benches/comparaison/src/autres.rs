@@ -2,7 +2,7 @@
 
 use std::error::Error;
 
-use banc::concurrents::{Camp, Concurrent, Reponse, cachee, permises};
+use banc::concurrents::{Concurrent, Reponse, permises};
 use banc::familles::{AVANCE, Lance, Lances};
 use banc::nous;
 use commun::conversion::Bits;
@@ -81,28 +81,9 @@ pub(crate) fn tous<'a, R: Reel>(
     let permises = permises(hierarchie.objets().len());
     let nous = nous::concurrents(hierarchie, &lances.rayons, &lances.ombres).into_iter();
     let nous = nous.filter(|qui| permises.contains(&(qui.nom, qui.camp)));
-    let sans = sans(hierarchie, lances);
     let Lances { rayons, ombres, .. } = en_avant;
     let eux = mondes.iter().flat_map(|monde| monde.concurrents(rayons, ombres));
-    nous.chain(sans).chain(eux).collect()
-}
-
-/// We one by one, without the object that each ray leaves; nobody of rays of a camera.
-fn sans<'a, R: Reel>(h: Hierarchie<'a, R>, lances: &'a Lances<R>) -> Option<Concurrent<'a>> {
-    let Lances { ombres, partis, .. } = lances;
-    let sans = ("single, sans", Camp::Sans);
-    let concurrent = if ombres.is_empty() {
-        let premiere = move |((rayon, _), objet): &(Lance<R>, usize)| {
-            h.sans(*objet).premiere_intersection(rayon)
-        };
-        Concurrent::un_par_un(sans, partis, premiere, nous::dire)
-    } else {
-        let ombre = move |((rayon, max), objet): &(Lance<R>, usize)| {
-            h.sans(*objet).est_occulte(rayon, *max)
-        };
-        Concurrent::un_par_un(sans, partis, ombre, cachee)
-    };
-    (!partis.is_empty()).then_some(concurrent)
+    nous.chain(eux).collect()
 }
 
 /// Places for a hierarchy over these objects, and as many for the pieces of long boxes.

@@ -80,10 +80,10 @@ fn courir<R: Scalaire>(
         let tolerance = |qui: &Concurrent<'_>| {
             let quads = famille == Famille::Cubes && qui.nom.contains("quads");
             match qui.camp {
-                Camp::Seul | Camp::Sans | Camp::Lot => 0.0,
+                Camp::Seul | Camp::Lot => 0.0,
                 _ if quads => TOLERANCE_DES_QUADS,
-                _ if lances.partis.is_empty() => TOLERANCE,
-                _ => TOLERANCE_EN_AVANT,
+                _ if lances.d_une_surface => TOLERANCE_EN_AVANT,
+                _ => TOLERANCE,
             }
         };
         let juge = exiger_memes_bits(hierarchie, &lances.rayons, &lances.ombres)

@@ -35,7 +35,8 @@ mod double {
 }
 
 /// What else is written than the tables of the cells, by page.
-const AUTRES: [(&str, &str); 4] = [
+const AUTRES: [(&str, &str); 5] = [
+    ("README.md", "picture"),
     ("docs/choisir.md", "variants"),
     ("docs/precision.md", "errors"),
     ("docs/precision.md", "bounds"),

@@ -36,17 +36,17 @@ impl Question {
     }
 }
 
-const SEUL: &[Camp] = &[Camp::Seul, Camp::Sans];
+const SEUL: &[Camp] = &[Camp::Seul];
 const LOT: &[Camp] = &[Camp::Lot];
-const TOUT: &[Camp] = &[Camp::Seul, Camp::Sans, Camp::Lot];
+const TOUT: &[Camp] = &[Camp::Seul, Camp::Lot];
 const AUTRES: &[Camp] = &[Camp::Parry, Camp::Embree, Camp::EmbreeSeize];
 
 /// The kinds of rays of which the summary has columns.
 const AU_RESUME: [Genre; 5] =
     [Genre::Tuiles, Genre::Miroirs, Genre::Diffus, Genre::SansOrdre, Genre::Ombres];
 
-/// Ours beside theirs, and beside ours in another way.
-const QUESTIONS: [Question; 9] = [
+/// Ours beside theirs, and one by one beside our batch.
+const QUESTIONS: [Question; 7] = [
     Question { nom: "one by one: parry", scalaire: "f32", ici: SEUL, autres: &[Camp::Parry] },
     Question { nom: "one by one: Embree", scalaire: "f32", ici: SEUL, autres: &[Camp::Embree] },
     Question {
@@ -74,8 +74,6 @@ const QUESTIONS: [Question; 9] = [
         ici: LOT,
         autres: &[Camp::Seul],
     },
-    sans("f32"),
-    sans("f64"),
 ];
 
 /// Those of the two halves of the plot.
@@ -93,12 +91,6 @@ const DESSINEES: [Question; 2] = [
         autres: AUTRES,
     },
 ];
-
-/// What it gains to leave out what a ray leaves.
-const fn sans(scalaire: &'static str) -> Question {
-    let nom = "one by one: ours, over ours with `sans`";
-    Question { nom, scalaire, ici: &[Camp::Sans], autres: &[Camp::Seul] }
-}
 
 /// Nanoseconds in three digits or more; a dash for who did not run.
 pub(crate) fn nanosecondes(ns: f64) -> String {
