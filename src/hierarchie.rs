@@ -162,8 +162,9 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
     /// a list of these objects, to the bit, save that each keeps its index.
     ///
     /// Every question knows it, shadows, batches and certificates too. A choice among a choice takes what both take.
-    /// `prend` is called for few of the objects that a ray passes by, and for some more than once. It is a
-    /// variable of its own if the choice outlives a line, and may be shared by threads (`Sync`).
+    /// `prend` is called for few of the objects that a ray passes by, and for some more than once; a batch of a list calls
+    /// it for every object once for 64 rays. It is a variable of its own if the choice outlives a line, and may be
+    /// shared by threads (`Sync`).
     ///
     /// Panes throw no shadow, a robot does not see itself, a plan shows one storey. To leave out one object is
     /// [`sans`](Self::sans).
@@ -214,8 +215,7 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
     #[doc(alias("without", "except", "ignore", "exclude", "skip"))]
     #[inline]
     pub fn sans(&self, objet: usize) -> Hierarchie<'_, R> {
-        // No index that is stored in 32 bits is that of another.
-        self.choisir(Regle::Sans(objet.min(self.objets().len())))
+        self.choisir(Regle::Sans(objet))
     }
 
     #[inline(always)]

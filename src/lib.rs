@@ -106,7 +106,7 @@ extern crate std;
 //
 //   seize · reel · compile, niveau · vecteur · texture, refus · rotation · rayon · double
 //   intersection · secondaire · forme · sphere, plan, boite · face, objet · liste, epreuve · retenus · jugement
-//   recherche · lot · hierarchie · pour_les_tests
+//   lot · hierarchie · recherche · pour_les_tests
 mod boite;
 mod compile;
 mod double;

@@ -22,7 +22,7 @@ pub(crate) struct Choix<'a> {
 /// What a choice takes.
 #[derive(Clone, Copy)]
 pub(crate) enum Regle<'a> {
-    /// All but the object at this index, which a predicate would have to borrow.
+    /// All but the object at this index, kept here: a predicate is borrowed from the caller.
     Sans(usize),
     /// Those whose indices this is true of.
     Si(&'a (dyn Fn(usize) -> bool + Sync)),

@@ -120,8 +120,8 @@ impl<R: Reel> ObjetRay<R> {
 /// all; nothing is before a NaN.
 ///
 /// **A lamp that is an object of the list** hides the points of its own surface: no distance is
-/// exact enough to stop just before it. [Leave it out](crate::Hierarchie::sans); of a plain list
-/// [`Hierarchie::de_liste`](crate::Hierarchie::de_liste) takes such a choice.
+/// exact enough to stop just before it. [Leave it out](Hierarchie::sans); of a plain list
+/// [`Hierarchie::de_liste`] takes such a choice.
 ///
 /// **From inside an object** that object is not seen, as by any ray: a point under a thing that
 /// stands on the floor is not in its shadow. [`contient`](ObjetRay::contient) tells such points.
@@ -156,7 +156,7 @@ pub fn est_occulte<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>, distance_m
 }
 
 /// The first object that each ray enters:
-/// [`premiere_intersection`](fn@crate::premiere_intersection) of every ray, to the bit, and several
+/// [`premiere_intersection`] of every ray, to the bit, and several
 /// times as fast for the rays of a picture.
 ///
 /// Every object is asked, of sixteen rays side by side: neighbours in `rayons` should be neighbours in the
@@ -190,7 +190,7 @@ pub fn premieres_intersections<R: Reel>(
     Hierarchie::de_liste(objets).premieres_intersections(rayons, touches)
 }
 
-/// Whether anything stands before the lamp of each shadow ray: [`est_occulte`](fn@crate::est_occulte) of
+/// Whether anything stands before the lamp of each shadow ray: [`est_occulte`] of
 /// every ray and the distance of its lamp, to the bit, and sooner.
 ///
 /// [`vers_lumiere`](Rayon::vers_lumiere) gives both. What [`premieres_intersections`] says of order and
@@ -221,9 +221,9 @@ pub fn sont_occultes<R: Reel>(
     Hierarchie::de_liste(objets).sont_occultes(ombres, occultes)
 }
 
-/// Whether an answer of [`premiere_intersection`](crate::premiere_intersection) of this list, a hit or
-/// a miss, is certain: whether exact arithmetic on the numbers as they are stored names the same
-/// object first, or none as well. (Which face of a box, at an edge, is not asked.)
+/// Whether an answer of [`premiere_intersection`] of this list, a hit or a miss, is certain: whether exact
+/// arithmetic on the numbers as they are stored names the same object first, or none as well. (Which
+/// face of a box, at an edge, is not asked.)
 ///
 /// It is never true of a wrong answer. It is false of a right one only where
 /// [`est_certain`](ObjetRay::est_certain) of some object would be, where no distance is promised, and of two
@@ -231,7 +231,7 @@ pub fn sont_occultes<R: Reel>(
 /// (`docs/precision.md`; κ is large where a ray grazes). Most often that is an exact tie, as where the sides
 /// of two boxes are flush. Of `reponse` only
 /// [`objet`](Intersection::objet) counts, whoever found it. The time is that of a ray or two;
-/// [`Hierarchie::est_certaine`](crate::Hierarchie::est_certaine) asks a tree.
+/// [`Hierarchie::est_certaine`] asks a tree.
 ///
 /// In an answer that is not certain ask the same numbers in `f64`: [`ObjetRay::vers_f64`] of all
 /// objects, and [`Rayon::vers_f64`]. What is uncertain there as well is most often a tie.

@@ -39,8 +39,8 @@ fn nombres_par_registre<R: Reel, S: Simd>() -> usize {
 }
 
 impl<R: Reel> Arbre<'_, R> {
-    /// The answers to the rays of a block: together if their beam is narrow enough, else one by one, from what they
-    /// have found so far.
+    /// The answers to the rays of a block: together if they are enough, and in a tree their beam is narrow enough; else
+    /// one by one, from what they have found so far.
     #[inline(always)]
     pub(crate) fn repondre_au_bloc<S: Simd, D: Demande<R>>(
         &self,
