@@ -84,7 +84,7 @@ pub fn comparer_dans<R: Bits>(hierarchie: &Hierarchie<'_, R>, rayons: &[Rayon<R>
     let sauf = attendues.iter().flatten().nth(sauf).map_or(sauf, |touche| touche.objet());
     // And no more than some of these, by no rule that a walk could follow.
     let plupart = |indice: usize| indice.wrapping_mul(0x9e37_79b9) >> 7 & 7 > 1;
-    // By turns one alone is left out, which has a way of its own.
+    // By turns one alone is left out.
     let seul = sauf % 2 == 0;
     let les_deux = |indice| indice != sauf && (seul || plupart(indice));
     let sauf_lui = facons.each_ref().map(|facon| facon.sans(sauf));
@@ -127,8 +127,7 @@ fn comparer_les_facons<R: Bits>(
     // That takes long: of a few rays.
     let quelques = (0..rayons.len()).step_by(1 + rayons.len() / 4);
     let ordres: Vec<_> = quelques.map(|i| (toutes(&rayons[i], &restants, &pris), i)).collect();
-    let jeux: Vec<_> = Reglage::tous().collect();
-    for (nom, reglage) in &jeux {
+    for (nom, reglage) in Reglage::tous() {
         let [hierarchie, liste] = facons.map(|facon| reglage.hierarchie(facon));
         let exiger = |facon: &str, touches: &[Touche<R>]| {
             exiger(&format!("{nom}, {facon}"), rayons, touches, &attendues, &pris);
@@ -147,10 +146,7 @@ fn comparer_les_facons<R: Bits>(
         hierarchie.premieres_intersections(rayons, &mut touches).unwrap();
         exiger("hierarchy, batch", &touches);
         demander("hierarchy", hierarchie);
-        // A list asked ray by ray is asked alike with all instructions.
-        if *nom == jeux[0].0 {
-            demander("list", liste);
-        }
+        demander("list", liste);
     }
     comparer_les_ombres(rayons, &attendues, &restants, facons, entiere);
     attendues
