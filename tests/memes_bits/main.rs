@@ -5,3 +5,4 @@ mod deux;
 mod hierarchie;
 mod lot;
 mod souspassement;
+mod travail;

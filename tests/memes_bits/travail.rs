@@ -1,0 +1,120 @@
+//! What no answer shows: for which objects a question asks. It ends where it may, in a list and in a tree.
+
+use commun::facons::{demandes, noeuds};
+use commun::{arrondi, en_f32_et_f64};
+use lancer_rayon::{
+    Hierarchie, NoIntersection, ObjetRay, PlanGeo, Rayon, Reel, SphereGeo, Texture, Vecteur,
+};
+
+/// Balls in a row along the ray, which enters each, and as many beside it.
+const BOULES: usize = 40;
+
+fn v<R: Reel>(x: f64, y: f64, z: f64) -> Vecteur<R> {
+    arrondi(Vecteur::new(x, y, z))
+}
+
+/// A wall that the ray enters last; the row, the farthest first, entered at 2, 5, 8 and so on; then those beside it.
+fn scene<R: Reel>() -> Vec<ObjetRay<R>> {
+    let boule = |x, k: usize| {
+        let centre = v(x, 0.0, -3.0 * (k + 1) as f64);
+        ObjetRay::from(SphereGeo::new(centre, R::UN, Texture(0)).unwrap())
+    };
+    let mur = PlanGeo::par_un_point(v(0.0, 0.0, -1_000.0), v(0.0, 0.0, 1.0), Texture(1)).unwrap();
+    let mut objets = vec![mur.into()];
+    objets.extend((0..BOULES).rev().map(|k| boule(0.0, k)));
+    objets.extend((0..BOULES).map(|k| boule(10.0, k)));
+    objets
+}
+
+fn rayon<R: Reel>() -> Rayon<R> {
+    Rayon::new(Vecteur::NUL, v(0.0, 0.0, -1.0)).unwrap()
+}
+
+/// How often a question asks for the wall, for the balls of the row in all, and for those beside it.
+fn combien<R: Reel>(
+    hierarchie: &Hierarchie<'_, R>,
+    question: impl FnOnce(Hierarchie<'_, R>),
+) -> [u32; 3] {
+    let demandes = demandes(hierarchie, question);
+    let (rangee, a_cote) = demandes[1..].split_at(BOULES);
+    [demandes[0], rangee.iter().sum(), a_cote.iter().sum()]
+}
+
+/// A list asks a choice for what the ray enters alone, once; a shadow ends with the first before its lamp.
+fn une_liste_demande_ce_que_le_rayon_touche<R: Reel>() {
+    let (objets, rayon) = (scene::<R>(), rayon());
+    let liste = Hierarchie::de_liste(&objets);
+    let premiere = |h: Hierarchie<'_, R>| assert!(h.premiere_intersection(&rayon).is_ok());
+    assert_eq!(combien(&liste, premiere), [1, BOULES as u32, 0]);
+    let occulte =
+        |avant: f64| combien(&liste, |h| assert!(h.est_occulte(&rayon, R::depuis_f64(avant))));
+    assert_eq!(occulte(f64::INFINITY), [1, 0, 0]);
+    // Four stand before 12, of which the farthest comes first in the list.
+    assert_eq!(occulte(12.0), [1, BOULES as u32 - 3, 0]);
+    let touche = liste.premiere_intersection(&rayon);
+    // It is the answer; the others come later at a glance.
+    assert_eq!(combien(&liste, |h| assert!(h.est_certaine(&rayon, &touche))), [0, 1, 0]);
+}
+
+en_f32_et_f64!(une_liste_demande_ce_que_le_rayon_touche);
+
+/// A tree asks for what lies before the last that is kept or before the limit, and a shadow ends with the first.
+fn un_arbre_s_arrete_des_qu_il_peut<R: Reel>() {
+    let (objets, rayon) = (scene::<R>(), rayon());
+    let mut places = vec![0.0; Hierarchie::places(objets.len())];
+    let arbre = Hierarchie::new(&objets, &mut places).unwrap();
+    assert!(noeuds(&arbre) > 4);
+    let premiere = |h: Hierarchie<'_, R>| assert!(h.premiere_intersection(&rayon).is_ok());
+    let [_, rangee, a_cote] = combien(&arbre, premiere);
+    assert!((1..4).contains(&rangee) && a_cote == 0, "{rangee}, {a_cote}");
+    let occulte = |h: Hierarchie<'_, R>| assert!(h.est_occulte(&rayon, R::INFINI));
+    assert_eq!(combien(&arbre, occulte), [1, 0, 0]);
+    assert_eq!(combien(&arbre.sans(0), occulte), [1, 1, 0]);
+    let touche = arbre.premiere_intersection(&rayon);
+    let [_, rangee, _] = combien(&arbre, |h| assert!(h.est_certaine(&rayon, &touche)));
+    assert!(rangee < 5, "{rangee}");
+    // So many places before this limit, and how many balls at least and at most.
+    for (places, limite, bornes) in [
+        (3, f64::INFINITY, 3..17),
+        (99, 10.0, 3..5),
+        (0, f64::INFINITY, 0..1),
+        (99, f64::INFINITY, BOULES as u32..BOULES as u32 + 1),
+    ] {
+        let ordre = |h: Hierarchie<'_, R>| {
+            let mut touches = vec![Err(NoIntersection); places];
+            h.dans_l_ordre(&rayon, R::depuis_f64(limite), &mut touches);
+        };
+        let [_, rangee, a_cote] = combien(&arbre, ordre);
+        assert!(bornes.contains(&rangee) && a_cote == 0, "{places} before {limite}: {rangee}");
+    }
+}
+
+en_f32_et_f64!(un_arbre_s_arrete_des_qu_il_peut);
+
+/// Two rays of a call go one by one; sixty-four ask for an object together, those of a list for every object.
+fn peu_de_rayons_vont_un_par_un<R: Reel>() {
+    let (objets, rayon) = (scene::<R>(), rayon());
+    let mut places = vec![0.0; Hierarchie::places(objets.len())];
+    let arbre = Hierarchie::new(&objets, &mut places).unwrap();
+    for hierarchie in [arbre, Hierarchie::de_liste(&objets)] {
+        let demandes = |nombre: usize| {
+            let premieres = combien(&hierarchie, |h| {
+                let mut touches = vec![Err(NoIntersection); nombre];
+                h.premieres_intersections(&vec![rayon; nombre], &mut touches).unwrap();
+            });
+            let ombres = combien(&hierarchie, |h| {
+                let lampe = R::depuis_f64(50.0);
+                h.sont_occultes(&vec![(rayon, lampe); nombre], &mut vec![false; nombre]).unwrap();
+            });
+            [premieres, ombres]
+        };
+        let (un, deux, bloc) = (demandes(1), demandes(2), demandes(64));
+        assert_eq!(deux, un.map(|combien| combien.map(|n| 2 * n)));
+        let a_cote = if noeuds(&hierarchie) > 0 { 0 } else { BOULES as u32 };
+        for [mur, rangee, autres] in bloc {
+            assert!(mur == 1 && rangee <= BOULES as u32 && autres == a_cote, "{bloc:?}");
+        }
+    }
+}
+
+en_f32_et_f64!(peu_de_rayons_vont_un_par_un);
