@@ -201,21 +201,24 @@ fn parmi_beaucoup_d_objets<R: Bits>() {
 }
 
 /// What makes a batch fast, which no answer shows: the tiles of a picture walk together; rays in no order go apart,
-/// except among few objects, and in a heap, where each of them crosses every box.
+/// and those that go opposite ways, which have no beam; except among few objects, and in a heap, where each of them
+/// crosses every box.
 fn les_tuiles_vont_ensemble<R: Bits>() {
     let tuiles = scenes::en_tuiles(&scenes::rayons_camera::<R>(512, 512), 512);
     let mut melees = tuiles.clone();
     Rng::with_seed(12).shuffle(&mut melees);
+    let opposes = scenes::rayons_opposes::<R>(8);
     let combien = |objets: &[ObjetRay<R>]| {
         let mut places = vec![0.0; Hierarchie::places(objets.len())];
         let hierarchie = Hierarchie::new(objets, &mut places).unwrap();
-        [&tuiles, &melees].map(|rayons| combien_vont_au_bout(&hierarchie, rayons))
+        [&tuiles, &melees, &opposes].map(|rayons| combien_vont_au_bout(&hierarchie, rayons))
     };
-    let [ensemble, apart] = combien(&scenes::melange(10_000));
-    assert!(ensemble > 4_000 && apart == 0, "{ensemble}, {apart}");
-    assert_eq!(combien(&scenes::melange(UN_ARBRE + 1)), [4_096; 2]);
+    let [ensemble, apart, sans_faisceau] = combien(&scenes::melange(10_000));
+    assert!(ensemble > 4_000, "{ensemble}");
+    assert_eq!([apart, sans_faisceau], [0; 2]);
+    assert_eq!(combien(&scenes::melange(UN_ARBRE + 1)), [4_096, 4_096, 1]);
     let boule = SphereGeo::new(v(0.0, 2.0, 0.0), R::depuis_f64(4.0), Texture(0)).unwrap();
-    assert_eq!(combien(&[boule.into(); 1_000]), [4_096; 2]);
+    assert_eq!(combien(&[boule.into(); 1_000]), [4_096, 4_096, 1]);
 }
 
 /// Where one ray crosses many boxes a wide beam may too: rows among sticks that cross each other walk together, most of
