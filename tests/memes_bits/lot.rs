@@ -128,7 +128,7 @@ fn une_lampe_nulle_part_ne_cache_rien_aux_autres<R: Bits>() {
 en_f32_et_f64!(une_lampe_nulle_part_ne_cache_rien_aux_autres);
 
 /// All rays of a regime of the extremes against all its objects; then each ray against its own object, alone and
-/// with copies that make a tree, nine times over, since fewer rays do not go side by side.
+/// with copies that make a tree, twelve times over, since fewer rays do not go side by side in a tree.
 fn les_extremes<R: Bits>() {
     let mut alea = Rng::with_seed(2);
     for regime in regimes::<R>() {
@@ -137,10 +137,10 @@ fn les_extremes<R: Bits>() {
         let rayons: Vec<_> = cas.iter().map(|cas| cas.rayon).collect();
         comparer(&objets, &rayons);
         let seuls = cas.iter().map(|Cas { objet, rayon }| {
-            comparer(&[*objet; UN_ARBRE], &[*rayon; 9]);
-            comparer(&[*objet], &[*rayon; 9])
+            comparer(&[*objet; UN_ARBRE], &[*rayon; 12]);
+            comparer(&[*objet], &[*rayon; 12])
         });
-        assert!(seuls.sum::<usize>() > 9 * 10, "{}", regime.nom);
+        assert!(seuls.sum::<usize>() > 12 * 10, "{}", regime.nom);
     }
 }
 
