@@ -216,7 +216,13 @@ fn les_tuiles_vont_ensemble<R: Bits>() {
     let [ensemble, apart, sans_faisceau] = combien(&scenes::melange(10_000));
     assert!(ensemble > 4_000, "{ensemble}");
     assert_eq!([apart, sans_faisceau], [0; 2]);
-    assert_eq!(combien(&scenes::melange(UN_ARBRE + 1)), [4_096, 4_096, 1]);
+    let peu = scenes::melange(UN_ARBRE + 1);
+    assert_eq!(combien(&peu), [4_096, 4_096, 1]);
+    // Half-spaces are asked in any case, however many they are.
+    let mut alea = Rng::with_seed(13);
+    let avec = [peu, (0..100).map(|_| sol(&mut alea, 20.0)).collect()].concat();
+    let mut places = vec![0.0; Hierarchie::places(avec.len())];
+    assert!(vont_au_bout(&Hierarchie::new(&avec, &mut places).unwrap(), &opposes));
     let boule = SphereGeo::new(v(0.0, 2.0, 0.0), R::depuis_f64(4.0), Texture(0)).unwrap();
     assert_eq!(combien(&[boule.into(); 1_000]), [4_096, 4_096, 1]);
 }
