@@ -154,7 +154,7 @@ impl<'a, R: Reel> Certificat<'a, R> {
         certaine.then_some(Self { rayon, double, premier, fin: entree.haut })
     }
 
-    /// No object that the ray enters later than this is asked.
+    /// In a tree no object that the ray enters later than this is asked.
     pub(crate) fn limite(&self) -> R {
         // Before 0 nothing would be asked.
         max(R::depuis_f64(self.fin * (1.0 + 2.0 * R::U.vers_f64())), R::MIN_POSITIF)

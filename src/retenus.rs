@@ -30,7 +30,8 @@ pub(crate) fn demander<R: Reel, E: Epreuve<R>>(
     for indice in indices {
         let Some(objet) = liste.objets.get(indice) else { continue };
         let t = epreuve.t(&copie, objet, indice, false);
-        // The choice last: before, a list of six without one takes up to 1.07 times as long (measured).
+        // The first comparison decides nothing: without it every miss ties with none so far, and ranks are compared. The
+        // choice after it: before, a list of six without one takes up to 1.07 times as long (measured).
         if t < R::INFINI && liste.contient(indice) && retenus.retenir(t, indice) && E::UN_SUFFIT {
             return true;
         }
@@ -121,7 +122,7 @@ impl<R: Reel> Retenus<R> for Rangee<'_, R> {
         else {
             return false;
         };
-        // A box of which two pieces are asked comes twice.
+        // A box of which two pieces are asked comes twice, and a half-space where boxes tell no objects apart.
         let deja = suivante.is_ok_and(|suivante| suivante.objet() == rang.indice());
         if !deja && t < self.limite {
             let fin = self.places.len().min(1 + self.places.partition_point(Result::is_ok));

@@ -12,7 +12,8 @@ use crate::retenus::{Retenus, demander};
 use crate::seize::{Aligne, SEIZE, au_plus, prendre, prendre_le_moindre};
 
 impl<R: Reel> Arbre<'_, R> {
-    /// Keeps what the ray enters; if `UN_SUFFIT`, until something is kept. A tree without nodes asks its list.
+    /// Keeps what the ray enters, and gives it back; if `UN_SUFFIT`, until something is kept. A tree without nodes asks its
+    /// list.
     #[inline(always)]
     pub(crate) fn parcourir<S: Simd, E: Epreuve<R>, K: Retenus<R>>(
         &self,
@@ -31,8 +32,8 @@ impl<R: Reel> Arbre<'_, R> {
         self.descendre(simd, epreuve, retenus)
     }
 
-    /// The same of the objects with a box: of each leaf that the ray may enter before the last that is kept, of all
-    /// where boxes tell none apart.
+    /// The same of the objects with a box: of each leaf that the ray may enter before the last that is kept. Where boxes
+    /// tell none apart, of the whole list.
     #[inline(always)]
     pub(crate) fn descendre<S: Simd, E: Epreuve<R>, K: Retenus<R>>(
         &self,
