@@ -544,7 +544,8 @@ fn des_touches_au_bord_de_leur_boite<R: Bits>() {
     }
     println!("a hit lies up to {dehors:.1} u of its distance beyond the box");
     assert!(touches > 100 * cas(), "only {touches} hits");
-    assert!(R::U < R::depuis_f64(1e-10) || dehors > 1.5, "{dehors}");
+    // Beyond by more than the rounding of its distance; how far is found by chance, on 32 bits by another.
+    assert!(R::U < R::depuis_f64(1e-10) || dehors > 1.0, "{dehors}");
 }
 
 fn d_axe(alea: &mut Rng) -> Vecteur {
