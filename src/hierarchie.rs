@@ -76,7 +76,7 @@ use crate::retenus::{Premier, Rangee};
 pub struct Hierarchie<'a, R = f64> {
     /// Without nodes over few objects with a box and over too many objects: these are asked as a list.
     pub(crate) arbre: Arbre<'a, R>,
-    /// Detected once: for a single ray that would cost more than the ray.
+    /// Detected where it is made; tests set another.
     pub(crate) niveau: Level,
 }
 
@@ -309,7 +309,7 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
         R::demander::<Occulte>((self, rayon, distance_max))
     }
 
-    /// [`premieres_intersections`] of the list.
+    /// [`premieres_intersections`](fn@crate::premieres_intersections) of the list.
     ///
     /// Neighbours in `rayons` should be neighbours in the picture, in tiles of 8 × 8.
     ///
@@ -324,7 +324,7 @@ impl<'a, R: Reel> Hierarchie<'a, R> {
         R::demander::<Premieres>((self, rayons, touches))
     }
 
-    /// [`sont_occultes`] of the list.
+    /// [`sont_occultes`](fn@crate::sont_occultes) of the list.
     ///
     /// # Errors
     /// If `ombres` and `occultes` are not of the same length; nothing is written then.
