@@ -20,8 +20,8 @@ const OBJETS_PAR_NOMBRE: usize = 6;
 /// Fewer rays than this are asked one by one: in no order eight together take up to twice as long.
 const RAYONS_D_UN_BLOC: usize = 12;
 
-/// The same of a list: half a group.
-const RAYONS_D_UNE_LISTE: usize = SEIZE / 2;
+/// The same of a list.
+const RAYONS_D_UNE_LISTE: usize = 6;
 
 /// A beam that crosses fewer children of a node than this is not too wide.
 const ENFANTS_CROISES: u32 = SEIZE as u32 / 2;
