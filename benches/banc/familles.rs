@@ -603,21 +603,21 @@ pub struct Lances<R> {
     pub rayons: Vec<Rayon<R>>,
     /// The same rays with their lamps, if they are shadows.
     pub ombres: Vec<Lance<R>>,
-    /// Whether they leave objects, and not a camera.
-    pub d_une_surface: bool,
+    /// Whether each leaves an object, as no ray of a camera does.
+    pub partent: bool,
 }
 
-/// By so much the others start ahead of what their rays leave.
+/// By so much those who might hit again what a ray leaves start ahead of it.
 pub const AVANCE: f64 = 0.001;
 
 impl<R: Reel> Lances<R> {
     fn de_camera(rayons: Vec<Rayon<R>>) -> Self {
-        Self { rayons, ombres: Vec::new(), d_une_surface: false }
+        Self { rayons, ombres: Vec::new(), partent: false }
     }
 
     /// The same rays, started ahead of what they leave.
     pub fn en_avant(&self) -> Self {
-        let avance = if self.d_une_surface { R::depuis_f64(AVANCE) } else { R::ZERO };
+        let avance = R::depuis_f64(if self.partent { AVANCE } else { 0.0 });
         let avancer =
             |rayon: &Rayon<R>| Rayon::new(rayon.point(avance), rayon.direction()).expect(PERMIS);
         let ombres = self.ombres.iter().map(|(rayon, max)| (avancer(rayon), *max - avance));
@@ -696,7 +696,7 @@ impl Genre {
         }
         let rayons = partis.iter().map(|(rayon, _)| *rayon).collect();
         let ombres = if vers_la_lampe { partis } else { Vec::new() };
-        Lances { rayons, ombres, d_une_surface: true }
+        Lances { rayons, ombres, partent: true }
     }
 
     /// The ray of this kind that leaves this hit, if it goes outward.

@@ -82,8 +82,8 @@ fn courir<R: Scalaire>(
             match qui.camp {
                 Camp::Seul | Camp::Lot => 0.0,
                 _ if quads => TOLERANCE_DES_QUADS,
-                _ if lances.d_une_surface => TOLERANCE_EN_AVANT,
-                _ => TOLERANCE,
+                _ if !lances.partent => TOLERANCE,
+                _ => TOLERANCE_EN_AVANT,
             }
         };
         let juge = exiger_memes_bits(hierarchie, &lances.rayons, &lances.ombres)
