@@ -10,7 +10,7 @@ use commun::facons::{UN_ARBRE, comparer, comparer_dans, noeuds, voisin};
 use commun::regimes::{deux_puissance, direction, entre, signe};
 use commun::{Bits, arrondi, en_f32_et_f64, scenes};
 use fastrand::Rng;
-use lancer_rayon::pour_les_tests::vont_au_bout;
+use lancer_rayon::pour_les_tests::{Reglage, vont_au_bout};
 use lancer_rayon::{
     BoiteGeo, Hierarchie, LongueursDifferentes, NoIntersection, ObjetGeo, ObjetRay,
     PlacesInsuffisantes, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture, Vecteur, est_certaine,
@@ -241,10 +241,13 @@ fn un_large_faisceau_parmi_ce_que_chacun_traverse<R: Bits>() {
     let mut places = vec![0.0; Hierarchie::places(objets.len())];
     let hierarchie = Hierarchie::new(&objets, &mut places).unwrap();
     let rangs = scenes::rayons_camera::<R>(64, 64);
-    // If no ray were asked what it crosses, none; with registers of four numbers 22 in `f32`.
-    let au_bout = combien_vont_au_bout(&hierarchie, &rangs);
-    println!("of 64 rows {au_bout} come to the end");
-    assert!(au_bout > 16, "{au_bout}");
+    // If no ray were asked what it crosses, none.
+    for (nom, reglage) in Reglage::tous() {
+        let au_bout = combien_vont_au_bout(&reglage.hierarchie(hierarchie), &rangs);
+        println!("{nom}: of 64 rows {au_bout} come to the end");
+        let huit_nombres = nom == "AVX-512" || (nom == "AVX2" && size_of::<R>() == 4);
+        assert!(au_bout > if huit_nombres { 32 } else { 16 }, "{nom}: {au_bout}");
+    }
     assert!(comparer(&objets, &rangs[..512]) > 100);
 }
 
@@ -544,8 +547,9 @@ fn des_touches_au_bord_de_leur_boite<R: Bits>() {
     }
     println!("a hit lies up to {dehors:.1} u of its distance beyond the box");
     assert!(touches > 100 * cas(), "only {touches} hits");
-    // Beyond by more than the rounding of its distance; how far is found by chance, on 32 bits by another.
-    assert!(R::U < R::depuis_f64(1e-10) || dehors > 1.0, "{dehors}");
+    // The generator draws other rays where a `usize` has 32 bits.
+    let au_moins = if cfg!(target_pointer_width = "64") { 1.5 } else { 1.0 };
+    assert!(R::U < R::depuis_f64(1e-10) || dehors > au_moins, "{dehors}");
 }
 
 fn d_axe(alea: &mut Rng) -> Vecteur {
