@@ -1,6 +1,5 @@
 //! What is read and written: scene files, single values, pictures, pages.
 
-mod chiffres;
 mod dossiers;
 mod etiquettes;
 mod figures;
