@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Times two versions of this crate in one process, by turns, and prints new over old for every family of
 # scenes, kind of ray, scalar and number of objects; under two minutes. The checkout that one stands in is the
-# new version, with what is not committed yet; the old one is any revision that has `sont_occultes`.
+# new version, with what is not committed yet; the old one is any revision that has `sont_occultes`, with a `Monde`
+# or, up to 0.6.0, a `Hierarchie`. CARGO_TARGET_DIR says where to build, target/ unless said.
 #
 #   benches/ab.sh [--units OLD[:NEW]] REVISION [filters]
 #   benches/ab.sh HEAD
@@ -12,16 +13,16 @@
 # --release` of a user has it). Filters, each a list with commas:
 #   --family   city hall atoms stadium sticks beams sizes snowflake cubes room atelier mix shelves forest lattice
 #   --rays     tiles rows parallel mirrors rough diffuse "no order" shadows shuffled "shuf. shad."
-#   --way      list list-batch (both up to 64 objects), single batch (of the hierarchy)
+#   --way      list list-batch (both up to 64 objects), single batch (of the tree)
 #   --n        12,48,192,1000,10000 unless said; room and atelier have their own
 #   --scalar   f32,f64
 # and, each a single value:
-#   --set AVX-512 | AVX2 | SSE2   the instructions of the hierarchy; the best of the machine unless said
+#   --set AVX-512 | AVX2 | SSE2   the instructions of the tree; the best of the machine unless said
 #   --seed 1    of the scenes and of the rays that leave them
 #   --bands 8   how much of the picture, 1 to 50 bands of 4,800 rays
 #   --turns 4   of a round; the least time of 2 to 6 rounds counts, until their ratio stands
 #   --call 64   rays in a call of a batch, 4096 at most and unless said
-#   --places 2  lends the new version so many times Hierarchie::places(n); the old one always once
+#   --places OLD[:NEW]  how many times places(n) are lent; 2 unless said, so that long boxes are cut into pieces
 #   --ns        the time that is divided by as well, in ns a ray
 #   --over      the new version alone: its rays one by one over its batches
 # `!` marks a cell in which the two versions do not agree to the bit. A version beside itself stays within 5 %,
@@ -38,7 +39,8 @@ shift
 
 bancs=$(cd "$(dirname "$0")" && pwd)
 racine=$(git rev-parse --show-toplevel)
-ab=$racine/target/ab
+cible=${CARGO_TARGET_DIR:-$racine/target}
+ab=$cible/ab
 if [ "$revision" = . ]; then
   revision=$(git -C "$racine" stash create)
   revision=${revision:-HEAD}
@@ -60,6 +62,10 @@ if [ "$(cat "$ab/commit" 2>/dev/null)" != "$commit" ]; then
   echo "$commit" > "$ab/commit"
 fi
 
+# How the old version is asked: by nous_0_6.rs, or by nous.rs as the new one.
+page=
+[ ! -e "$ab/avant/src/hierarchie.rs" ] || page='"hierarchie"'
+
 cat > "$ab/programme/Cargo.toml" <<FIN
 [package]
 name = "ab"
@@ -69,6 +75,8 @@ edition = "2024"
 name = "ab"
 path = "$bancs/banc/ab.rs"
 [features]
+default = [$page]
+hierarchie = []
 seule = []
 [workspace]
 [dependencies]
@@ -82,6 +90,6 @@ serde = "1.0.229"
 FIN
 [ -e "$ab/programme/Cargo.lock" ] || cp "$racine/Cargo.lock" "$ab/programme/"
 
-cargo build --release --quiet --manifest-path "$ab/programme/Cargo.toml" --target-dir "$racine/target"
+cargo build --release --quiet --manifest-path "$ab/programme/Cargo.toml" --target-dir "$cible"
 echo "old: $(git -C "$racine" log -1 --format='%h %s' "$commit"); new: $racine; codegen units $unites"
-exec "$racine/target/release/ab" "$@"
+exec "$cible/release/ab" "$@"

@@ -1,4 +1,4 @@
-//! The first intersection and shadows, of a list and of a hierarchy, ray by ray and in a batch, beside annex A
+//! The first intersection and shadows, of a list and of a tree, ray by ray and in a batch, beside annex A
 //! of the handout to the letter.
 
 use std::hint::black_box;
@@ -11,8 +11,7 @@ use criterion::{
 };
 use exemples::scene::Scene;
 use lancer_rayon::{
-    Hierarchie, NoIntersection, ObjetRay, Rayon, Reel, Vecteur, est_occulte, premiere_intersection,
-    premieres_intersections,
+    Monde, NoIntersection, ObjetRay, Rayon, Reel, Vecteur, places, premiere_intersection,
 };
 use serde::de::DeserializeOwned;
 
@@ -28,15 +27,16 @@ fn mesurer<R: Reel + DeserializeOwned>(c: &mut Criterion) {
         .measurement_time(Duration::from_secs(2));
     let mut mesurer = |nom: &str, objets: &[ObjetRay<R>], rayons: &[Rayon<R>]| {
         let mut touches = vec![Err(NoIntersection); rayons.len()];
-        let mut places = vec![0.0; Hierarchie::places(objets.len())];
-        let hierarchie = Hierarchie::new(objets, &mut places).expect("as many places as it takes");
-        let ombres = ombres(&hierarchie, rayons);
+        let mut places = vec![0.0; places(objets.len())];
+        let monde = Monde::new(objets, &mut places).expect("as many places as it takes");
+        let liste = Monde::de_liste(objets);
+        let ombres = ombres(&monde, rayons);
         groupe.throughput(Throughput::Elements(rayons.len() as u64));
-        groupe.bench_function(BenchmarkId::new("hiérarchie", nom), |b| {
-            b.iter(|| lancer(rayons, |rayon| hierarchie.premiere_intersection(rayon)));
+        groupe.bench_function(BenchmarkId::new("arbre", nom), |b| {
+            b.iter(|| lancer(rayons, |rayon| monde.premiere_intersection(rayon)));
         });
-        groupe.bench_function(BenchmarkId::new("hiérarchie, lot", nom), |b| {
-            b.iter(|| hierarchie.premieres_intersections(rayons, black_box(&mut touches)));
+        groupe.bench_function(BenchmarkId::new("arbre, lot", nom), |b| {
+            b.iter(|| monde.premieres_intersections(rayons, black_box(&mut touches)));
         });
         if objets.len() <= LONGUE_LISTE {
             let litteraux: Vec<_> = objets.iter().map(litteral::Objet::from).collect();
@@ -44,7 +44,7 @@ fn mesurer<R: Reel + DeserializeOwned>(c: &mut Criterion) {
                 b.iter(|| lancer(rayons, |rayon| premiere_intersection(objets, rayon)));
             });
             groupe.bench_function(BenchmarkId::new("liste, lot", nom), |b| {
-                b.iter(|| premieres_intersections(objets, rayons, black_box(&mut touches)));
+                b.iter(|| liste.premieres_intersections(rayons, black_box(&mut touches)));
             });
             groupe.bench_function(BenchmarkId::new("annexe A", nom), |b| {
                 let premiere = |rayon: &_| litteral::premiere_intersection(&litteraux, rayon);
@@ -52,12 +52,12 @@ fn mesurer<R: Reel + DeserializeOwned>(c: &mut Criterion) {
             });
         }
         groupe.throughput(Throughput::Elements(ombres.len() as u64));
-        groupe.bench_function(BenchmarkId::new("hiérarchie, ombres", nom), |b| {
-            b.iter(|| lancer(&ombres, |(ombre, max)| hierarchie.est_occulte(ombre, *max)));
+        groupe.bench_function(BenchmarkId::new("arbre, ombres", nom), |b| {
+            b.iter(|| lancer(&ombres, |ombre| monde.est_occulte(ombre)));
         });
         if objets.len() <= LONGUE_LISTE {
             groupe.bench_function(BenchmarkId::new("liste, ombres", nom), |b| {
-                b.iter(|| lancer(&ombres, |(ombre, max)| est_occulte(objets, ombre, *max)));
+                b.iter(|| lancer(&ombres, |ombre| liste.est_occulte(ombre)));
             });
         }
     };
@@ -71,12 +71,12 @@ fn mesurer<R: Reel + DeserializeOwned>(c: &mut Criterion) {
     }
 }
 
-/// From what the rays touch to a lamp that it faces, and how far that is.
-fn ombres<R: Reel>(hierarchie: &Hierarchie<'_, R>, rayons: &[Rayon<R>]) -> Vec<(Rayon<R>, R)> {
+/// From what the rays touch to a lamp that it faces.
+fn ombres<R: Reel>(monde: &Monde<'_, R>, rayons: &[Rayon<R>]) -> Vec<Rayon<R>> {
     let lampe = Vecteur::depuis_f64(Vecteur::new(-2.6, 7.2, 5.2));
     let ombre = |rayon: &Rayon<R>| {
-        let touche = hierarchie.premiere_intersection(rayon).ok()?;
-        rayon.vers_lumiere(&touche, lampe)
+        let touche = monde.premiere_intersection(rayon).ok()?;
+        touche.vers_lumiere(lampe).ok()
     };
     rayons.iter().filter_map(ombre).collect()
 }

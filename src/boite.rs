@@ -1,8 +1,8 @@
 //! The box (handout §2.2, §3 and annex A.3).
 
 use crate::forme::{Boule, Forme};
+use crate::nombre::{Nombre, puissance_de_deux};
 use crate::rayon::Rayon;
-use crate::reel::{Reel, puissance_de_deux};
 use crate::refus::{ErreurGeo, coefficient, deplacement, point, taille};
 use crate::rotation::Rotation;
 use crate::texture::Texture;
@@ -36,7 +36,7 @@ use crate::vecteur::Vecteur;
 #[doc(alias("box", "cuboid", "obb"))]
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "serde", serde(bound(serialize = "R: Reel + serde::Serialize")))]
+#[cfg_attr(feature = "serde", serde(bound(serialize = "R: Nombre + serde::Serialize")))]
 #[must_use]
 pub struct BoiteGeo<R = f64> {
     centre: Vecteur<R>,
@@ -45,7 +45,7 @@ pub struct BoiteGeo<R = f64> {
     texture: Texture,
 }
 
-impl<R: Reel> BoiteGeo<R> {
+impl<R: Nombre> BoiteGeo<R> {
     /// C, the centre.
     #[doc(alias = "center")]
     pub fn centre(&self) -> Vecteur<R> {
@@ -178,7 +178,7 @@ pub struct BoiteRay<R = f64> {
     texture: Texture,
 }
 
-impl<R: Reel> BoiteRay<R> {
+impl<R: Nombre> BoiteRay<R> {
     /// C, the centre.
     #[doc(alias = "center")]
     pub fn centre(&self) -> Vecteur<R> {
@@ -257,7 +257,7 @@ impl<R: Reel> BoiteRay<R> {
     }
 }
 
-impl<R: Reel> Forme<R> for BoiteRay<R> {
+impl<R: Nombre> Forme<R> for BoiteRay<R> {
     /// Its radius is half a diagonal of the box.
     #[inline(always)]
     fn boule(&self) -> Boule<R> {
@@ -321,7 +321,7 @@ impl<R: Reel> Forme<R> for BoiteRay<R> {
 /// A power of two that multiplies speeds, so that no product of a length of a box and a speed
 /// towards its faces leaves the range of the type (`docs/preuves.md`, lemma 2).
 #[inline(always)]
-pub(crate) fn echelle_vitesse<R: Reel>() -> R {
+pub(crate) fn echelle_vitesse<R: Nombre>() -> R {
     R::depuis_f64(R::selon(puissance_de_deux(62), puissance_de_deux(568)))
 }
 
@@ -338,7 +338,7 @@ pub(crate) struct Quotient<R> {
     pub(crate) vitesse: R,
 }
 
-impl<R: Reel> Quotient<R> {
+impl<R: Nombre> Quotient<R> {
     #[inline(always)]
     fn depasse(self, autre: Self) -> bool {
         // B3
@@ -352,6 +352,6 @@ impl<R: Reel> Quotient<R> {
     }
 }
 
-crate::refus::lu_par_new! {
-    BoiteGeo { centre: Vecteur<R>, dimensions: Vecteur<R>, rotation: Rotation<R> = default, texture: Texture }
+crate::refus::lu_par! {
+    BoiteGeo::new { centre: Vecteur<R>, dimensions: Vecteur<R>, rotation: Rotation<R> = default, texture: Texture }
 }

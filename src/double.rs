@@ -1,7 +1,7 @@
 //! Numbers of twice the length of an `f64`, each with a bound on its own error (`docs/preuves.md`,
 //! lemma 16).
 
-use crate::reel::Reel;
+use crate::nombre::Nombre;
 use crate::vecteur::Vecteur;
 
 /// A product rounds by so many u² of itself (lemma 16).

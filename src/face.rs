@@ -2,8 +2,8 @@
 
 use crate::boite::BoiteRay;
 use crate::intersection::Intersection;
+use crate::nombre::{Nombre, max, min};
 use crate::rayon::Rayon;
-use crate::reel::{Reel, max, min};
 use crate::vecteur::Vecteur;
 
 /// A face of a box, by the side to which it looked before the box was turned: `PlusY` was its top.
@@ -51,7 +51,7 @@ impl Face {
     /// ```
     #[doc(alias("uv", "texture_coordinates"))]
     #[must_use]
-    pub fn le_long<R: Reel>(self, p: Vecteur<R>) -> [R; 2] {
+    pub fn le_long<R: Nombre>(self, p: Vecteur<R>) -> [R; 2] {
         match self {
             Self::PlusX => [-p.z, p.y],
             Self::PlusY => [p.x, -p.z],
@@ -63,7 +63,7 @@ impl Face {
     }
 }
 
-impl<R: Reel> BoiteRay<R> {
+impl<R: Nombre> BoiteRay<R> {
     /// Of a hit on this box: the face, and the point in the box's own axes, from −1 to 1 between
     /// opposite faces. Across the face the coordinate is exactly 1 or −1; the two along it are
     /// [`Face::le_long`].

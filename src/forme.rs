@@ -7,15 +7,15 @@
 //! side by side.
 
 use crate::intersection::Contact;
+use crate::nombre::{Nombre, fois_u, fois_u_simple, max, min, puissance_de_deux};
 use crate::rayon::Rayon;
-use crate::reel::{Reel, fois_u, fois_u_simple, max, min, puissance_de_deux};
 use crate::vecteur::Vecteur;
 
 /// The rounding of a height over a surface, in u·ℓ; and as much again is the rounding with which the
 /// next search sees that height (lemmas 8 and 9).
 pub const ARRONDI_HAUTEUR: f64 = 4.0;
 
-/// A margin is larger by so many u of itself: 6 for an N that is hardly unit, the others for the
+/// How much larger a margin is made, in u of itself: 6 for an N that is hardly unit, the others for the
 /// rounding of its last operations (lemma 8).
 pub const VERS_LE_HAUT: f64 = 10.0;
 
@@ -25,15 +25,15 @@ pub const VERS_LE_HAUT: f64 = 10.0;
 /// is below 2⁻²⁶ (`f64`: 2⁻¹²²) and not 0, as a turn of π by rounding leaves one in `f32`.
 pub const PLANCHER: (f64, f64) = (puissance_de_deux(-100), puissance_de_deux(-900));
 
-/// A normal that does not face the source is leaned towards it by so many u (lemma 7).
+/// How far a normal that does not face the source is leaned towards it, in u (lemma 7).
 pub const PENCHE: f64 = 14.0;
 
-/// SC² is reduced by so many u of `f32` of itself, in both types, so that rounding hides no entry
+/// How much SC² is reduced, in u of `f32` of itself and in both types, so that rounding hides no entry
 /// from the ball (lemma 14): the numbers of a scene in `f64` may be those of one in `f32`.
 pub const RETRAIT: f64 = 130.0;
 
 /// A shape, ready for rays.
-pub(crate) trait Forme<R: Reel>: Copy {
+pub(crate) trait Forme<R: Nombre>: Copy {
     /// A ball around all of the shape; [`Boule::INFINIE`] if it is unbounded.
     fn boule(&self) -> Boule<R>;
 
@@ -111,7 +111,7 @@ pub(crate) trait Forme<R: Reel>: Copy {
         // M4. A NaN comes from an overflow.
         let marge =
             marge + marge * fois_u(VERS_LE_HAUT) + R::depuis_f64(R::selon(PLANCHER.0, PLANCHER.1));
-        Contact { normale, marge: min(marge, R::INFINI) }
+        Contact { normale, marge: min(marge, R::INFINI), point: p }
     }
 }
 
@@ -129,7 +129,7 @@ pub(crate) struct Hauteur<R> {
 /// then the part of N across D, leaned towards the source by more than N·D can round. Where nothing
 /// is left of N, −D faces the source.
 #[cold]
-fn vers_la_source<R: Reel>(n: Vecteur<R>, d: Vecteur<R>) -> Vecteur<R> {
+fn vers_la_source<R: Nombre>(n: Vecteur<R>, d: Vecteur<R>) -> Vecteur<R> {
     let unitaire = d / d.longueur(); // S8
     let travers = (n - unitaire * n.produit_scalaire(unitaire)).unitaire();
     let penchee = travers.and_then(|n| (n - unitaire * fois_u(PENCHE)).unitaire());
@@ -143,7 +143,7 @@ pub(crate) struct Boule<R> {
     pub(crate) r2: R,
 }
 
-impl<R: Reel> Boule<R> {
+impl<R: Nombre> Boule<R> {
     /// The ball around an unbounded shape; its centre is O.
     pub(crate) const INFINIE: Self = Self { centre: Vecteur::NUL, r2: R::INFINI };
 

@@ -3,13 +3,15 @@
 use core::fmt;
 use core::num::NonZero;
 
-use crate::reel::Reel;
+use crate::nombre::Nombre;
 use crate::texture::Texture;
 use crate::vecteur::Vecteur;
 
 /// Where a ray first touches an object: what the handout asks for in §2.3.
 ///
-/// Only a search makes one, so that its values always fit together.
+/// Only a search makes one, so that its values always fit together. It knows its point, so that the next ray starts
+/// from it alone: [`secondaire`](Self::secondaire), [`reflechi`](Self::reflechi),
+/// [`vers_lumiere`](Self::vers_lumiere), [`vers_soleil`](Self::vers_soleil), [`vers_touche`](Self::vers_touche).
 ///
 /// ```
 /// use lancer_rayon::{PlanGeo, Rayon, Rotation, Texture, Vecteur, premiere_intersection};
@@ -19,9 +21,9 @@ use crate::vecteur::Vecteur;
 /// let touche = premiere_intersection(&[fond.into()], &rayon)?;
 ///
 /// assert_eq!((touche.distance(), touche.normale()), (2.5, Vecteur::new(0.0, 0.0, 1.0)));
-/// assert_eq!((touche.texture(), touche.objet()), (Texture(7), 0));
-/// let point = rayon.point(touche.distance());
-/// assert!((point - Vecteur::new(1.5, 0.0, -2.0)).longueur() < 1e-15);
+/// assert_eq!((touche.texture(), touche.indice()), (Texture(7), 0));
+/// assert_eq!(touche.point(), rayon.point(touche.distance()));
+/// assert!((touche.point() - Vecteur::new(1.5, 0.0, -2.0)).longueur() < 1e-15);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[doc(alias("hit", "HitRecord"))]
@@ -31,28 +33,35 @@ pub struct Intersection<R = f64> {
     distance: R,
     normale: Vecteur<R>,
     marge: R,
+    point: Vecteur<R>,
     texture: Texture,
-    objet: Rang,
+    rang: Rang,
 }
 
 /// A hit or a miss: the answer to every question for the first object.
 #[doc(alias = "hit_or_miss")]
-pub type Touche<R = f64> = Result<Intersection<R>, NoIntersection>;
+pub type Reponse<R = f64> = Result<Intersection<R>, NoIntersection>;
 
-// `Rang` is never 0, so the compiler marks a miss by rank 0, and `Touche` is no larger than
+// `Rang` is never 0, so the compiler marks a miss by rank 0, and `Reponse` is no larger than
 // `Intersection`.
-const _: () = assert!(size_of::<Touche<f64>>() == 48 && size_of::<Touche<f32>>() == 28);
+const _: () = assert!(size_of::<Reponse<f64>>() == 72 && size_of::<Reponse<f32>>() == 40);
 
-/// The number of an object in a list, counted from 1; objects from number 2³² on share the rank 2³²
-/// − 1.
+/// The number of an object in a list, counted from 1. A list holds at most 2³² − 1 objects, which
+/// [`exiger_des_rangs`] sees to.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Rang(NonZero<u32>);
 
-/// As [`Intersection::objet`] says it.
+/// As [`Intersection::indice`] says it.
 impl fmt::Debug for Rang {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.indice().fmt(f)
     }
+}
+
+/// Refuses a list with more objects than there are ranks.
+#[inline(always)]
+pub(crate) fn exiger_des_rangs(objets: usize) {
+    assert!(objets as u64 <= u32::MAX.into(), "a list has at most 4294967295 objects");
 }
 
 impl Rang {
@@ -75,10 +84,17 @@ impl Rang {
     }
 }
 
-impl<R: Reel> Intersection<R> {
+impl<R: Nombre> Intersection<R> {
     #[inline(always)]
-    pub(crate) fn new(distance: R, contact: Contact<R>, texture: Texture, objet: Rang) -> Self {
-        Self { distance, normale: contact.normale, marge: contact.marge, texture, objet }
+    pub(crate) fn new(distance: R, contact: Contact<R>, texture: Texture, rang: Rang) -> Self {
+        let Contact { normale, marge, point } = contact;
+        Self { distance, normale, marge, point, texture, rang }
+    }
+
+    /// A hit of which no more than this is known so far.
+    pub(crate) fn a_conclure(distance: R, rang: Rang) -> Self {
+        let contact = Contact { normale: Vecteur::NUL, marge: R::ZERO, point: Vecteur::NUL };
+        Self::new(distance, contact, Texture(0), rang)
     }
 
     /// t, finite and above 0: the object is touched at S + tD. As D is unit only to rounding, that
@@ -96,6 +112,12 @@ impl<R: Reel> Intersection<R> {
         self.normale
     }
 
+    /// P = S + tD, the point of the hit as computed: `rayon.point(distance)`.
+    #[doc(alias("position", "location"))]
+    pub fn point(&self) -> Vecteur<R> {
+        self.point
+    }
+
     /// The texture of the object.
     #[doc(alias = "material")]
     pub fn texture(&self) -> Texture {
@@ -104,14 +126,15 @@ impl<R: Reel> Intersection<R> {
 
     /// The index of the object in the list that was asked; 0 for an object that was asked alone.
     ///
-    /// A list has at most 2³² − 1 objects: of more, those beyond are taken for the last of these.
-    #[doc(alias("index", "primitive_id"))]
+    /// [`ObjetRay::intersection`](crate::ObjetRay::intersection) and [`sortie`](crate::ObjetRay::sortie) ask an object
+    /// alone: keep its index beside their answers.
+    #[doc(alias("index", "primitive_id", "object"))]
     #[must_use]
-    pub fn objet(&self) -> usize {
-        self.objet.indice()
+    pub fn indice(&self) -> usize {
+        self.rang.indice()
     }
 
-    /// How far at most the point `rayon.point(distance)`, as computed, lies from the surface
+    /// How far at most [`point`](Self::point), as computed, lies from the surface
     /// along the normal; in scene units.
     ///
     /// It is a proven bound (derived in `docs/preuves.md`), most often a few times the error
@@ -141,6 +164,7 @@ impl<R: Reel> Intersection<R> {
 pub(crate) struct Contact<R> {
     pub(crate) normale: Vecteur<R>,
     pub(crate) marge: R,
+    pub(crate) point: Vecteur<R>,
 }
 
 /// The ray touches nothing: the exception `No_intersection` of the handout's §4.1.

@@ -4,28 +4,26 @@
 //! Nearly every ray is clear at a glance (`jugement/coup_d_oeil.rs`); what that leaves open is judged
 //! in doubled numbers (`jugement/loupe.rs`).
 
+pub(crate) mod certificat;
 pub(crate) mod coup_d_oeil;
 pub(crate) mod loupe;
 
 use crate::double::{Double, Intervalle, scalaire, triple};
-use crate::epreuve::Epreuve;
-use crate::intersection::{Intersection, Touche};
+use crate::intersection::Intersection;
 use crate::jugement::coup_d_oeil::coup_d_oeil;
 use crate::jugement::loupe::{Jugement, juger, loupe};
-use crate::liste::Liste;
+use crate::nombre::{Nombre, fois_u};
 use crate::objet::ObjetRay;
 use crate::rayon::Rayon;
-use crate::reel::{Reel, fois_u, max};
 
 /// A glance serves for [`ObjetRay::erreur`] where it leaves no more than this part of u·t open: then
 /// the bound is what doubled numbers would say.
 const NET: f64 = 1.0 / 64.0;
 
-/// The bound of [`ObjetRay::erreur`] grows by so many u of itself for its last operations (lemma
-/// 17).
+/// How much the bound of [`ObjetRay::erreur`] grows for its last operations, in u of itself (lemma 17).
 pub const ERREUR_ARRONDIE: f64 = 16.1;
 
-impl<R: Reel> ObjetRay<R> {
+impl<R: Nombre> ObjetRay<R> {
     /// A bound on the error of [`touche.distance()`](Intersection::distance), in scene units: the
     /// ray enters this object no farther than that from there, for the numbers as they are stored.
     ///
@@ -85,8 +83,8 @@ impl<R: Reel> ObjetRay<R> {
     /// It is never true of a wrong answer. It is false of a right one only within some 2⁻¹⁰⁰|S − C| of a
     /// face or 2⁻¹⁰⁰|S − C|²/r of the outline of a sphere, for boxes thinner than 2⁻¹⁰⁰|S − C|, of a
     /// direction within some 2⁻¹⁰⁰ of the plane of a turned face, where products leave the normal numbers
-    /// of `f64`, and of a hit whose distance the type can hardly hold. Of a list:
-    /// [`est_certaine`](fn@crate::est_certaine).
+    /// of `f64`, of a hit whose distance the type can hardly hold, and of an entry within rounding of the end of the ray. For a list:
+    /// [`Monde::certifie`](crate::Monde::certifie).
     ///
     /// ```
     /// use lancer_rayon::{ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
@@ -105,8 +103,9 @@ impl<R: Reel> ObjetRay<R> {
         if !self.boule().approchee(rayon) {
             return true;
         }
-        let (touche, plus_grand) = (self.t(rayon) < R::INFINI, plus_grand::<R>());
-        entree(&self.en_double(), &rayon.vers_f64(), plus_grand).touche(plus_grand) == Some(touche)
+        let (touche, plus_grand) = (self.t(rayon) < rayon.fin(), plus_grand::<R>());
+        let (objet, rayon) = (self.en_double(), rayon.vers_f64());
+        entree(&objet, &rayon, plus_grand).touche(rayon.fin(), plus_grand) == Some(touche)
     }
 }
 
@@ -115,82 +114,10 @@ impl<R: Reel> ObjetRay<R> {
 #[inline(always)]
 fn entree(objet: &ObjetRay, rayon: &Rayon, plus_grand: f64) -> Intervalle {
     let vue = coup_d_oeil(objet, rayon);
-    if vue.touche(plus_grand).is_some() { vue } else { loupe(objet, rayon) }
+    if vue.touche(rayon.fin(), plus_grand).is_some() { vue } else { loupe(objet, rayon) }
 }
 
 /// The largest number of a scalar.
-fn plus_grand<R: Reel>() -> f64 {
+fn plus_grand<R: Nombre>() -> f64 {
     R::selon(f32::MAX.into(), f64::MAX)
-}
-
-/// An answer, of which every object is to be asked whether it comes later.
-pub(crate) struct Certificat<'a, R> {
-    rayon: &'a Rayon<R>,
-    double: Rayon,
-    /// The first object and its index; `None` of a miss.
-    premier: Option<(&'a ObjetRay<R>, usize)>,
-    /// The ray has entered the first object by then; of a miss, the largest number there is.
-    fin: f64,
-}
-
-impl<'a, R: Reel> Certificat<'a, R> {
-    /// `None` if it is not certain that the ray enters the first object, or if that is left out: what is
-    /// left out is no answer.
-    #[inline(always)]
-    pub(crate) fn new(
-        liste: Liste<'a, R>,
-        rayon: &'a Rayon<R>,
-        reponse: &Touche<R>,
-    ) -> Option<Self> {
-        let (double, plus_grand) = (rayon.vers_f64(), plus_grand::<R>());
-        let Ok(touche) = reponse else {
-            return Some(Self { rayon, double, premier: None, fin: f64::MAX });
-        };
-        let indice = touche.objet();
-        let premier = liste.objet(indice)?;
-        let entree = entree(&premier.en_double(), &double, plus_grand);
-        let certaine = entree.touche(plus_grand) == Some(true);
-        let premier = Some((premier, indice));
-        certaine.then_some(Self { rayon, double, premier, fin: entree.haut })
-    }
-
-    /// In a tree no object that the ray enters later than this is asked.
-    pub(crate) fn limite(&self) -> R {
-        // Before 0 nothing would be asked.
-        max(R::depuis_f64(self.fin * (1.0 + 2.0 * R::U.vers_f64())), R::MIN_POSITIF)
-    }
-
-    /// Whether the ray certainly never enters the object at this index, or later than the first; or it
-    /// is the first.
-    #[inline(always)]
-    fn vient_apres(&self, objet: &ObjetRay<R>, indice: usize) -> bool {
-        // G5
-        self.premier.is_some_and(|(_, premier)| premier == indice)
-            || coup_d_oeil(&objet.en_double(), &self.double).bas > self.fin
-            || self.vient_apres_a_la_loupe(objet)
-    }
-
-    #[cold]
-    fn vient_apres_a_la_loupe(&self, objet: &ObjetRay<R>) -> bool {
-        let a_la_loupe = |objet: &ObjetRay<R>| loupe(&objet.en_double(), &self.double);
-        let premier = self.premier.map(|(premier, _)| a_la_loupe(premier).haut);
-        a_la_loupe(objet).bas > premier.unwrap_or(f64::INFINI).min(self.fin)
-    }
-}
-
-/// That an object may come before the first.
-impl<R: Reel> Epreuve<R> for Certificat<'_, R> {
-    const UN_SUFFIT: bool = true;
-
-    #[inline(always)]
-    fn rayon(&self) -> &Rayon<R> {
-        self.rayon
-    }
-
-    #[inline(always)]
-    fn t(&self, rayon: &Rayon<R>, objet: &ObjetRay<R>, indice: usize, dans_sa_boite: bool) -> R {
-        // No ray that enters an object passes the ball around it by (lemma 17).
-        let proche = dans_sa_boite || objet.boule().approchee(rayon);
-        if !proche || self.vient_apres(objet, indice) { R::INFINI } else { R::ZERO }
-    }
 }

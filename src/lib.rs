@@ -21,11 +21,12 @@
 //! Describe with [`SphereGeo`], [`PlanGeo`] and [`BoiteGeo`]; move with [`ObjetGeo::translation`],
 //! [`rotation`](ObjetGeo::rotation) and [`homothetie`](ObjetGeo::homothetie); convert once with
 //! [`vers_ray`](ObjetGeo::vers_ray); then ask [`premiere_intersection`] as often as the picture has
-//! pixels, or [`premieres_intersections`] for many pixels at once: the same bits, several times as
-//! fast. [`est_occulte`] tells whether anything blocks the way to a light. Over many objects build
-//! a [`Hierarchie`]: the same hits, sooner from ten spheres and boxes on; below ten it asks the list. It also takes
-//! [a choice of objects](Hierarchie::parmi) and [a limit](Hierarchie::premiere_avant), and lists [all that a ray
-//! enters](Hierarchie::dans_l_ordre) in order. [`ObjetRay::sortie`] tells where a ray leaves.
+//! pixels. For everything else there is a [`Monde`], a list that is asked: many rays at once
+//! ([`premieres_intersections`](Monde::premieres_intersections), the same bits, several times as fast), whether
+//! anything blocks the way to a light ([`est_occulte`](Monde::est_occulte)), [all that a ray
+//! enters](Monde::dans_l_ordre), [who holds a point](Monde::contient), of [any choice of the
+//! objects](Monde::parmi). Over ten objects or more it has a tree, and answers sooner. A ray may have
+//! [an end](Rayon::jusqu_a). [`ObjetRay::sortie`] tells where a ray leaves.
 //!
 //! # Conventions
 //!
@@ -74,23 +75,23 @@
 //! and name the field. A question to an object or a list never panics, and no hit holds a NaN.
 //! ([`Vecteur`] is a bare triple: what is built from it checks.)
 //!
-//! **A hit knows its object and its error**: [`Intersection::objet`] is the index in the list,
-//! [`Intersection::marge`] bounds how far the point is from the surface, and [`Rayon::secondaire`]
+//! **A hit knows its object and its error**: [`Intersection::indice`] is the index in the list,
+//! [`Intersection::marge`] bounds how far the point is from the surface, and [`Intersection::secondaire`]
 //! starts a shadow, reflection or refraction ray that never hits the object it leaves, except
 //! inward within rounding of a box edge. [`BoiteRay::lieu`] says which face of a box was hit, and where.
-//! [`est_certaine`] tells whether the first object is that of exact arithmetic.
+//! [`Monde::certifie`] tells whether the first object is that of exact arithmetic.
 //!
 //! # `f32` or `f64`
 //!
 //! Every type takes the scalar as a parameter, `f64` unless named: `Vecteur<f32>`. Everything is
 //! computed in that type. Take `f32` for speed and memory, in batches above all, and `f64` for
 //! distances to some 10⁻¹⁴ (`docs/choisir.md`); what is promised is the same, in units of each
-//! type's rounding (`docs/precision.md`). Of a scene far from O take an origin off first:
+//! type's rounding (`docs/precision.md`). Far from O take an origin off the scene first:
 //! [`ObjetGeo::vers_f32`].
 //!
 //! # Features
 //!
-//! `std` (default) brings the hardware square root; batches and [`Hierarchie`] then choose the best
+//! `std` (default) brings the hardware square root; a [`Monde`] then chooses the best
 //! instruction set of the machine at run time. Without `std` the crate needs `core` alone, uses the
 //! instruction set that it is compiled for, and gives the same bits (of subnormal numbers too, unless
 //! they are switched off in the thread). `serde` reads and writes
@@ -104,50 +105,52 @@ extern crate std;
 // The floors, from the ground up: a file imports only from floors below its own
 // (`docs/conception.md`, "The floors").
 //
-//   seize · reel · compile, niveau · vecteur · texture, refus · rotation · rayon · double
-//   intersection · secondaire · forme · sphere, plan, boite · face, objet · liste, epreuve · retenus · jugement
-//   lot · hierarchie · recherche · pour_les_tests
+//   colonne · nombre · choix, niveau · vecteur · texture, refus · rotation · rayon · double
+//   intersection · secondaire · forme · sphere, plan, boite · face, objet · question · liste
+//   recherche, visite, jugement · lot · arbre · reponses · monde · pour_les_tests
+mod arbre;
 mod boite;
-mod compile;
+mod choix;
+mod colonne;
 mod double;
-mod epreuve;
 mod face;
 mod forme;
-mod hierarchie;
 mod intersection;
 mod jugement;
 mod liste;
 mod lot;
+mod monde;
 mod niveau;
+mod nombre;
 mod objet;
 mod plan;
 #[doc(hidden)]
 pub mod pour_les_tests;
+mod question;
 mod rayon;
 mod recherche;
-mod reel;
 mod refus;
-mod retenus;
+mod reponses;
 mod rotation;
 mod secondaire;
-mod seize;
 mod sphere;
 mod texture;
 mod vecteur;
+mod visite;
 
+pub use arbre::PlacesInsuffisantes;
 pub use boite::{BoiteGeo, BoiteRay};
+pub use choix::{Choix, Parmi, Sans, Tous};
 pub use face::Face;
-pub use hierarchie::{Hierarchie, PlacesInsuffisantes};
-pub use intersection::{Intersection, NoIntersection, Touche};
-pub use lot::LongueursDifferentes;
-pub use objet::{ObjetGeo, ObjetRay, etendue};
+pub use intersection::{Intersection, NoIntersection, Reponse};
+pub use monde::{Monde, places};
+pub use nombre::Nombre;
+pub use objet::{Etendue, ObjetGeo, ObjetRay};
 pub use plan::{PlanGeo, PlanRay};
 pub use rayon::Rayon;
-pub use recherche::{
-    est_certaine, est_occulte, premiere_intersection, premieres_intersections, sont_occultes,
-};
-pub use reel::Reel;
-pub use refus::ErreurGeo;
+pub use recherche::premiere_intersection;
+pub use refus::{ErreurGeo, LongueursDifferentes};
+pub use reponses::Reel;
 pub use rotation::Rotation;
 pub use sphere::{SphereGeo, SphereRay};
 pub use texture::Texture;

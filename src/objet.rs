@@ -3,9 +3,9 @@
 use crate::boite::{BoiteGeo, BoiteRay};
 use crate::forme::{Boule, Forme};
 use crate::intersection::{Intersection, Rang};
+use crate::nombre::{Nombre, fois_u, max, min};
 use crate::plan::{PlanGeo, PlanRay};
 use crate::rayon::Rayon;
-use crate::reel::{Reel, fois_u, max, min};
 use crate::refus::ErreurGeo;
 use crate::rotation::Rotation;
 use crate::sphere::{SphereGeo, SphereRay};
@@ -50,8 +50,8 @@ pub(crate) use par_forme;
 #[doc(alias("shape", "Objet_geo"))]
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(bound(serialize = "R: Reel + serde::Serialize")))]
-#[cfg_attr(feature = "serde", serde(bound(deserialize = "R: Reel + serde::Deserialize<'de>")))]
+#[cfg_attr(feature = "serde", serde(bound(serialize = "R: Nombre + serde::Serialize")))]
+#[cfg_attr(feature = "serde", serde(bound(deserialize = "R: Nombre + serde::Deserialize<'de>")))]
 #[must_use]
 pub enum ObjetGeo<R = f64> {
     /// A sphere.
@@ -64,7 +64,7 @@ pub enum ObjetGeo<R = f64> {
     Boite(BoiteGeo<R>),
 }
 
-impl<R: Reel> ObjetGeo<R> {
+impl<R: Nombre> ObjetGeo<R> {
     /// The object moved by `v` (handout §2.3).
     ///
     /// # Errors
@@ -165,7 +165,7 @@ pub enum ObjetRay<R = f64> {
 // Fifteen numbers, a texture and a tag: all of them pass through the cache for every ray.
 const _: () = assert!(size_of::<ObjetRay<f64>>() <= 136);
 
-impl<R: Reel> ObjetRay<R> {
+impl<R: Nombre> ObjetRay<R> {
     /// The distance at which the ray enters this object, +∞ if it does not.
     #[inline(always)]
     pub(crate) fn t(&self, rayon: &Rayon<R>) -> R {
@@ -238,20 +238,19 @@ impl<R: Reel> ObjetRay<R> {
         par_forme!(Self, self, forme => forme.contient(point))
     }
 
-    /// The lowest and the highest corner of a box along the axes that holds all of this object;
-    /// `None` for what is unbounded, a half-space.
+    /// A box along the axes that holds all of this object; `None` for what is unbounded, a half-space.
     ///
     /// All of it with the rounding, except of an object that [`vers_f64`](Self::vers_f64) gave: the corners
     /// lie up to 87u of the sum of its half-extents and 3.1u of the sum of the coordinates of its centre
-    /// beyond it. Of a list: [`etendue`].
+    /// beyond it. That of a list is [`Monde::etendue`](crate::Monde::etendue).
     #[doc(alias("bounding_box", "aabb", "bounds"))]
     #[must_use]
-    pub fn etendue(&self) -> Option<[Vecteur<R>; 2]> {
+    pub fn etendue(&self) -> Option<Etendue<R>> {
         let (c, h) = self.boite_englobante()?;
         // E1
         let jeu = h.norme_1() * fois_u(ETENDUE) + c.norme_1() * fois_u(2.0);
         let h = h + Vecteur::new(jeu, jeu, jeu);
-        Some([c - h, c + h])
+        Some(Etendue { bas: c - h, haut: c + h })
     }
 
     /// A ball around this object.
@@ -271,29 +270,28 @@ impl<R: Reel> ObjetRay<R> {
     }
 }
 
-/// A box around an object is larger by so many u of the sum of its half-extents (lemma 15).
+/// How much larger the box around an object is made, in u of the sum of its half-extents (lemma 15).
 pub const ETENDUE: f64 = 44.0;
 
-/// The lowest and the highest corner of a box along the axes that holds all of these objects, save
-/// the half-spaces, which no box holds; `None` if there are no others.
-///
-/// ```
-/// use lancer_rayon::{PlanGeo, Rotation, SphereGeo, Texture, Vecteur, etendue};
-///
-/// let boule = |x| SphereGeo::new(Vecteur::new(x, 0.0, 0.0), 1.0, Texture(0));
-/// let mur = PlanGeo::new(Rotation::IDENTITE, 0.0, Texture(0))?;
-/// let [bas, haut] = etendue(&[boule(3.0)?.into(), mur.into(), boule(-5.0)?.into()]).unwrap();
-/// assert!((bas - Vecteur::new(-6.0, -1.0, -1.0)).longueur() < 1e-13);
-/// assert!((haut - Vecteur::new(4.0, 1.0, 1.0)).longueur() < 1e-13);
-/// # Ok::<(), lancer_rayon::ErreurGeo>(())
-/// ```
+/// A box along the axes around an object or a list: its lowest and its highest corner.
 #[doc(alias("bounding_box", "aabb", "bounds"))]
-#[must_use]
-pub fn etendue<R: Reel>(objets: &[ObjetRay<R>]) -> Option<[Vecteur<R>; 2]> {
-    objets.iter().filter_map(ObjetRay::etendue).reduce(|[a, b], [c, d]| {
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Etendue<R = f64> {
+    /// The corner with the least coordinates.
+    #[doc(alias = "min")]
+    pub bas: Vecteur<R>,
+    /// The corner with the greatest coordinates.
+    #[doc(alias = "max")]
+    pub haut: Vecteur<R>,
+}
+
+impl<R: Nombre> Etendue<R> {
+    /// The smallest box that holds both.
+    pub(crate) fn avec(self, autre: Self) -> Self {
+        let (Self { bas: a, haut: b }, Self { bas: c, haut: d }) = (self, autre);
         let bas = Vecteur::new(min(a.x, c.x), min(a.y, c.y), min(a.z, c.z));
-        [bas, Vecteur::new(max(b.x, d.x), max(b.y, d.y), max(b.z, d.z))]
-    })
+        Self { bas, haut: Vecteur::new(max(b.x, d.x), max(b.y, d.y), max(b.z, d.z)) }
+    }
 }
 
 /// The conversions of each shape: `XGeo` and `XRay` into the enums `ObjetGeo` and `ObjetRay`, and
@@ -312,13 +310,13 @@ macro_rules! conversions {
             }
         }
 
-        impl<R: Reel> From<$geo<R>> for $ray<R> {
+        impl<R: Nombre> From<$geo<R>> for $ray<R> {
             fn from(forme: $geo<R>) -> Self {
                 forme.vers_ray()
             }
         }
 
-        impl<R: Reel> From<$geo<R>> for ObjetRay<R> {
+        impl<R: Nombre> From<$geo<R>> for ObjetRay<R> {
             fn from(forme: $geo<R>) -> Self {
                 Self::$forme(forme.vers_ray())
             }
@@ -332,7 +330,7 @@ conversions! {
     Boite, BoiteGeo, BoiteRay;
 }
 
-impl<R: Reel> From<ObjetGeo<R>> for ObjetRay<R> {
+impl<R: Nombre> From<ObjetGeo<R>> for ObjetRay<R> {
     fn from(objet: ObjetGeo<R>) -> Self {
         objet.vers_ray()
     }

@@ -1,8 +1,8 @@
 //! The plane, which is a solid half-space (handout §2.2, §3 and annex A.1).
 
 use crate::forme::{Boule, Forme};
+use crate::nombre::{Nombre, simple};
 use crate::rayon::Rayon;
-use crate::reel::{Reel, simple};
 use crate::refus::{ErreurGeo, coefficient, coordonnee, deplacement, fini, point, refus_nul};
 use crate::rotation::Rotation;
 use crate::texture::Texture;
@@ -31,7 +31,7 @@ use crate::vecteur::Vecteur;
 #[doc(alias("plane", "half-space"))]
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "serde", serde(bound(serialize = "R: Reel + serde::Serialize")))]
+#[cfg_attr(feature = "serde", serde(bound(serialize = "R: Nombre + serde::Serialize")))]
 #[must_use]
 pub struct PlanGeo<R = f64> {
     rotation: Rotation<R>,
@@ -39,7 +39,7 @@ pub struct PlanGeo<R = f64> {
     texture: Texture,
 }
 
-impl<R: Reel> PlanGeo<R> {
+impl<R: Nombre> PlanGeo<R> {
     /// The half-space of this rotation and this relative distance to the origin.
     ///
     /// # Errors
@@ -188,7 +188,7 @@ pub struct PlanRay<R = f64> {
     texture: Texture,
 }
 
-impl<R: Reel> PlanRay<R> {
+impl<R: Nombre> PlanRay<R> {
     /// N, the unit normal, outward.
     #[doc(alias = "normal")]
     pub fn normale(&self) -> Vecteur<R> {
@@ -224,7 +224,7 @@ impl<R: Reel> PlanRay<R> {
     }
 }
 
-impl<R: Reel> Forme<R> for PlanRay<R> {
+impl<R: Nombre> Forme<R> for PlanRay<R> {
     #[inline(always)]
     fn boule(&self) -> Boule<R> {
         Boule::INFINIE
@@ -269,6 +269,6 @@ impl<R: Reel> Forme<R> for PlanRay<R> {
     }
 }
 
-crate::refus::lu_par_new! {
-    PlanGeo { rotation: Rotation<R> = default, distance: R, texture: Texture }
+crate::refus::lu_par! {
+    PlanGeo::new { rotation: Rotation<R> = default, distance: R, texture: Texture }
 }

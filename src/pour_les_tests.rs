@@ -1,19 +1,21 @@
-//! What tests and measurements need of this crate and its callers do not: the batch and the hierarchy with
+//! What tests and measurements need of this crate and its callers do not: the answers with
 //! other instructions; what no answer tells; and, under one roof for the test that holds them to their
 //! lemmas, the constants of the proofs in `docs/preuves.md` and the numbers of lemma 16.
 
 use fearless_simd::Level;
 
-use crate::hierarchie::Hierarchie;
 use crate::lot::bloc::{Bloc, Groupes};
+use crate::monde::Monde;
 use crate::niveau::{meilleur_niveau, selon_le_niveau};
+use crate::nombre::Nombre;
+use crate::question::Premier;
 use crate::rayon::Rayon;
-use crate::reel::Reel;
+use crate::reponses::{Reel, Vue};
 
+pub use crate::arbre::repere::{JEU_DISTANCE, JEU_F32, JEU_LARGEUR};
+pub use crate::arbre::sonde::{JEU_FACE, JEU_FAISCEAU};
 pub use crate::double::{BORNE_DOUBLE, Double, Intervalle, PERTE_DOUBLE, PRODUIT_DOUBLE};
 pub use crate::forme::{ARRONDI_HAUTEUR, PENCHE, PLANCHER, RETRAIT, VERS_LE_HAUT};
-pub use crate::hierarchie::repere::{JEU_DISTANCE, JEU_F32, JEU_LARGEUR};
-pub use crate::hierarchie::sonde::{JEU_FACE, JEU_FAISCEAU};
 pub use crate::jugement::ERREUR_ARRONDIE;
 pub use crate::jugement::coup_d_oeil::{
     VUE_DISTANCE, VUE_HAUTEUR, VUE_LONGUEUR, VUE_QUOTIENT, VUE_SPHERE, VUE_VITESSE, coup_d_oeil,
@@ -47,18 +49,17 @@ impl Reglage {
         niveaux.into_iter().filter_map(|(nom, niveau)| Some((nom, Self { niveau: niveau? })))
     }
 
-    /// The same hierarchy with these instructions.
-    pub fn hierarchie<R: Reel>(self, mut hierarchie: Hierarchie<'_, R>) -> Hierarchie<'_, R> {
-        hierarchie.niveau = self.niveau;
-        hierarchie
+    /// The same objects, asked with these instructions.
+    pub fn monde<R: Nombre, C>(self, mut monde: Monde<'_, R, C>) -> Monde<'_, R, C> {
+        monde.niveau = self.niveau;
+        monde
     }
 }
 
-/// Whether these rays, one to sixty-four, come to the end of the tree of this hierarchy together. No answer
-/// shows it.
-pub fn vont_au_bout<R: Reel>(hierarchie: &Hierarchie<'_, R>, rayons: &[Rayon<R>]) -> bool {
-    let Hierarchie { arbre, niveau } = hierarchie;
+/// Whether these rays, one to sixty-four, come to the end of the tree together. No answer shows it.
+pub fn vont_au_bout<R: Reel>(monde: &Monde<'_, R>, rayons: &[Rayon<R>]) -> bool {
+    let Vue { liste, arbre, niveau } = monde.vue();
     let mut groupes = Groupes::new_const();
-    let mut bloc = Bloc::new(arbre.liste, &mut groupes);
-    selon_le_niveau!(*niveau, simd => arbre.chercher_ensemble(simd, &mut bloc, rayons))
+    let mut bloc = Bloc::<R, Premier<R>>::new(&mut groupes);
+    selon_le_niveau!(niveau, simd => arbre.chercher_ensemble(simd, liste, &mut bloc, rayons))
 }

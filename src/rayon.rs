@@ -1,11 +1,16 @@
-//! Rays of light (handout §4.1 and annex A): a source and a unit direction.
+//! Rays of light (handout §4.1 and annex A): a source, a unit direction and an end.
 
-use crate::reel::{Reel, fois_u};
-use crate::refus::{ErreurGeo, fini, point, refus_nul};
+use crate::nombre::{Nombre, fois_u, simple};
+use crate::refus::{ErreurGeo, exiger, fini, point, refus_nul};
 use crate::vecteur::Vecteur;
 
-/// A ray: the points R(t) = S + t·D, t ≥ 0, from the source S along the unit vector D
+/// A ray: the points R(t) = S + t·D, 0 ≤ t < [`fin`](Self::fin), from the source S along the unit vector D
 /// (handout, annex A).
+///
+/// [`new`](Self::new) makes a ray without an end. One with an end touches what it enters before that distance and
+/// nothing else, whatever is asked of it: a first hit, a shadow, a way out, a certificate, alone or in a batch.
+/// [`jusqu_a`](Self::jusqu_a) sets the end, [`entre`](Self::entre) takes two points, and
+/// [`vers_lumiere`](crate::Intersection::vers_lumiere) ends at a lamp.
 ///
 /// ```
 /// use lancer_rayon::{Rayon, Vecteur};
@@ -13,19 +18,22 @@ use crate::vecteur::Vecteur;
 /// let rayon = Rayon::new(Vecteur::new(0.0, 1.0, 0.0), Vecteur::new(0.0, 0.0, -8.0))?;
 /// assert_eq!(rayon.direction(), Vecteur::new(0.0, 0.0, -1.0));
 /// assert_eq!(rayon.point(3.0), Vecteur::new(0.0, 1.0, -3.0));
+/// assert_eq!((rayon.fin(), rayon.jusqu_a(9.0)?.fin()), (f64::INFINITY, 9.0));
 /// # Ok::<(), lancer_rayon::ErreurGeo>(())
 /// ```
 #[doc(alias = "ray")]
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "serde", serde(bound(serialize = "R: Reel + serde::Serialize")))]
+#[cfg_attr(feature = "serde", serde(bound(serialize = "R: Nombre + serde::Serialize")))]
 #[must_use]
 pub struct Rayon<R = f64> {
     source: Vecteur<R>,
     direction: Vecteur<R>,
+    #[cfg_attr(feature = "serde", serde(serialize_with = "fin_en_option"))]
+    fin: R,
 }
 
-impl<R: Reel> Rayon<R> {
+impl<R: Nombre> Rayon<R> {
     /// The ray from `source` in this direction, which may have any length: it is brought to
     /// length 1. A direction that is already unit to rounding is kept bit for bit.
     ///
@@ -33,13 +41,74 @@ impl<R: Reel> Rayon<R> {
     /// If a coordinate of the source is beyond ±2⁴⁵⁰ (`f64`) or ±2⁶⁰ (`f32`), or if the direction
     /// is zero or not finite.
     pub fn new(source: Vecteur<R>, direction: Vecteur<R>) -> Result<Self, ErreurGeo> {
-        Ok(Self { source: source_valide(source)?, direction: direction_unitaire(direction)? })
+        let source = point(["source.x", "source.y", "source.z"], source)?;
+        Ok(Self::sans_fin(source, direction_unitaire(DIRECTION, direction)?))
     }
 
-    /// The ray of a source and a direction that were checked before.
+    /// The ray from one point to another, which ends there: a line of sight between two points in the air, a step of a
+    /// particle. From a point of a surface [`vers_lumiere`](crate::Intersection::vers_lumiere) and
+    /// [`vers_touche`](crate::Intersection::vers_touche) start beside the surface.
+    ///
+    /// The direction and the end are those of `arrivee − depart` as computed, so that the ray may end a rounding before
+    /// `arrivee` or after it. Asked from the other end, a line that grazes an object may be answered otherwise.
+    ///
+    /// # Errors
+    /// If a coordinate of `depart` is beyond the limits of [`new`](Self::new), if one of `arrivee` is not finite, or if
+    /// both are the same point.
+    ///
+    /// ```
+    /// use lancer_rayon::{Rayon, Vecteur};
+    ///
+    /// let [p, q] = [Vecteur::new(1.0, 0.0, 0.0), Vecteur::new(1.0, 3.0, 4.0)];
+    /// let rayon = Rayon::entre(p, q)?;
+    /// assert_eq!((rayon.source(), rayon.fin()), (p, 5.0));
+    /// assert_eq!(Rayon::entre(p, p).unwrap_err().champ, "arrivee - depart");
+    /// # Ok::<(), lancer_rayon::ErreurGeo>(())
+    /// ```
+    #[doc(alias("between", "segment", "line_of_sight"))]
+    pub fn entre(depart: Vecteur<R>, arrivee: Vecteur<R>) -> Result<Self, ErreurGeo> {
+        let depart = point(["depart.x", "depart.y", "depart.z"], depart)?;
+        let arrivee = fini(["arrivee.x", "arrivee.y", "arrivee.z"], arrivee)?;
+        let trajet = (arrivee - depart).longueur_et_unitaire();
+        let (fin, direction) = trajet.ok_or_else(|| refus_nul("arrivee - depart"))?;
+        Ok(Self { fin, ..Self::sans_fin(depart, direction) })
+    }
+
+    /// The same ray with this end: it touches what it enters at a distance t < `fin`. At 0 it touches nothing.
+    ///
+    /// The nearer the end, the sooner the answer. An object at `fin` itself is not touched.
+    ///
+    /// # Errors
+    /// If `fin` is below 0 or a NaN. +∞ is a ray without an end.
+    ///
+    /// ```
+    /// use lancer_rayon::{NoIntersection, Rayon, SphereGeo, Texture, Vecteur, premiere_intersection};
+    ///
+    /// let boule = SphereGeo::new(Vecteur::new(0.0, 0.0, -4.0), 1.0, Texture(0))?;
+    /// let scene = [boule.into()];
+    /// let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.0, 0.0, -1.0))?;
+    /// assert_eq!(premiere_intersection(&scene, &rayon.jusqu_a(3.0)?), Err(NoIntersection)); // at 3, not before
+    /// assert_eq!(premiere_intersection(&scene, &rayon.jusqu_a(3.5)?)?.distance(), 3.0);
+    /// assert_eq!(rayon.jusqu_a(f64::NAN).unwrap_err().champ, "fin");
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    #[doc(alias("max_distance", "t_max", "tfar", "range", "until"))]
+    #[inline]
+    pub fn jusqu_a(self, fin: R) -> Result<Self, ErreurGeo> {
+        let fin = exiger(fin >= R::ZERO, "fin", fin, "0 or more, +∞ for a ray without an end")?;
+        Ok(Self { fin, ..self })
+    }
+
+    /// The ray without an end of a source and a direction that were checked before.
     #[inline(always)]
-    pub(crate) fn sans_verifier(source: Vecteur<R>, direction: Vecteur<R>) -> Self {
-        Self { source, direction }
+    pub(crate) fn sans_fin(source: Vecteur<R>, direction: Vecteur<R>) -> Self {
+        Self { source, direction, fin: R::INFINI }
+    }
+
+    /// The same ray with an end that was checked before.
+    #[inline(always)]
+    pub(crate) fn finissant(self, fin: R) -> Self {
+        Self { fin, ..self }
     }
 
     /// S, where the ray starts.
@@ -55,6 +124,14 @@ impl<R: Reel> Rayon<R> {
         self.direction
     }
 
+    /// The distance before which the ray touches objects, 0 or more; +∞ if it has no end.
+    #[doc(alias("max_distance", "t_max", "tfar", "end"))]
+    #[inline(always)]
+    #[must_use]
+    pub fn fin(&self) -> R {
+        self.fin
+    }
+
     /// R(t) = S + t·D, the point at this distance from the source, in scene units. At +∞ a
     /// coordinate may be NaN.
     #[doc(alias = "at")]
@@ -64,11 +141,11 @@ impl<R: Reel> Rayon<R> {
     }
 
     /// The same ray in `f32`, seen from an origin that is taken off before anything is rounded: the
-    /// ray for objects that [`ObjetGeo::vers_f32`](crate::ObjetGeo::vers_f32) gave with this origin.
+    /// ray for objects that [`ObjetGeo::vers_f32`](crate::ObjetGeo::vers_f32) gave with this origin. Its end is rounded
+    /// as well.
     ///
     /// # Errors
-    /// If the source in `f32` is outside the limits of [`new`](Self::new), as with an `origine` that is
-    /// not finite.
+    /// If `origine` is not finite, or the source in `f32` outside the limits of [`new`](Self::new).
     ///
     /// ```
     /// use lancer_rayon::{Rayon, Vecteur};
@@ -81,7 +158,9 @@ impl<R: Reel> Rayon<R> {
     /// ```
     #[doc(alias("to_f32", "narrow", "floating_origin"))]
     pub fn vers_f32(self, origine: Vecteur<R>) -> Result<Rayon<f32>, ErreurGeo> {
-        Rayon::new((self.source - origine).vers_f32(), self.direction.vers_f32())
+        let origine = fini(["origine.x", "origine.y", "origine.z"], origine)?;
+        let rayon = Rayon::new((self.source - origine).vers_f32(), self.direction.vers_f32())?;
+        Ok(rayon.finissant(simple(self.fin)))
     }
 
     /// The same ray in `f64`, exactly: to judge an answer in `f32` by one in `f64`.
@@ -100,30 +179,44 @@ impl<R: Reel> Rayon<R> {
     /// ```
     #[doc(alias("to_f64", "widen"))]
     pub fn vers_f64(self) -> Rayon {
-        Rayon { source: self.source.vers_f64(), direction: self.direction.vers_f64() }
+        let (source, direction) = (self.source.vers_f64(), self.direction.vers_f64());
+        Rayon { source, direction, fin: self.fin.vers_f64() }
+    }
+
+    /// The ray that was written: `fin` is none where there is no end, which not every format can say as a number.
+    #[cfg(feature = "serde")]
+    fn lire(source: Vecteur<R>, direction: Vecteur<R>, fin: Option<R>) -> Result<Self, ErreurGeo> {
+        Self::new(source, direction)?.jusqu_a(fin.unwrap_or(R::INFINI))
     }
 }
 
-/// This source; refused if it is outside the limits of a scene.
-#[inline]
-pub(crate) fn source_valide<R: Reel>(source: Vecteur<R>) -> Result<Vecteur<R>, ErreurGeo> {
-    point(["source.x", "source.y", "source.z"], source)
+#[cfg(feature = "serde")]
+fn fin_en_option<R: Nombre + serde::Serialize, S: serde::Serializer>(
+    fin: &R,
+    vers: S,
+) -> Result<S::Ok, S::Error> {
+    serde::Serialize::serialize(&Some(fin).filter(|fin| **fin < R::INFINI), vers)
 }
 
-/// A direction with |D·D − 1| within so many u is kept: an ordinary normalisation leaves 10 (lemma
-/// 1).
+/// A direction is kept if |D·D − 1| is at most this, in units of u: an ordinary normalisation leaves 10 (lemma 1).
 pub const DEJA_UNITAIRE: f64 = 12.0;
 
-/// This direction brought to length 1; refused if it is zero or not finite.
+/// The names of a direction and of its coordinates.
+pub(crate) const DIRECTION: [&str; 4] = ["direction", "direction.x", "direction.y", "direction.z"];
+
+/// This direction brought to length 1; refused by one of these names if it is zero or not finite.
 #[inline]
-pub(crate) fn direction_unitaire<R: Reel>(direction: Vecteur<R>) -> Result<Vecteur<R>, ErreurGeo> {
-    let direction = fini(["direction.x", "direction.y", "direction.z"], direction)?;
+pub(crate) fn direction_unitaire<R: Nombre>(
+    [champ, x, y, z]: [&'static str; 4],
+    direction: Vecteur<R>,
+) -> Result<Vecteur<R>, ErreurGeo> {
     if (direction.longueur_carree() - R::UN).abs() <= fois_u(DEJA_UNITAIRE) {
         return Ok(direction);
     }
-    direction.unitaire().ok_or_else(|| refus_nul("direction"))
+    let direction = fini([x, y, z], direction)?;
+    direction.unitaire().ok_or_else(|| refus_nul(champ))
 }
 
-crate::refus::lu_par_new! {
-    Rayon { source: Vecteur<R>, direction: Vecteur<R> }
+crate::refus::lu_par! {
+    Rayon::lire { source: Vecteur<R>, direction: Vecteur<R>, fin: Option<R> = default }
 }

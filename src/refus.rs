@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use crate::reel::Reel;
+use crate::nombre::Nombre;
 use crate::vecteur::Vecteur;
 
 /// A number outside the accepted range, with the field it was given for.
@@ -42,13 +42,42 @@ impl fmt::Display for ErreurGeo {
 
 impl core::error::Error for ErreurGeo {}
 
+/// There are more or fewer places for answers than rays.
+///
+/// ```
+/// use lancer_rayon::{LongueursDifferentes, Monde, NoIntersection, Rayon};
+///
+/// let rayons: [Rayon; 0] = [];
+/// let mut touches = [Err(NoIntersection); 3];
+/// let refus = Monde::de_liste(&[]).premieres_intersections(&rayons, &mut touches);
+/// assert_eq!(refus, Err(LongueursDifferentes { rayons: 0, reponses: 3 }));
+/// ```
+#[doc(alias = "length_mismatch")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct LongueursDifferentes {
+    /// How many rays.
+    #[doc(alias = "rays")]
+    pub rayons: usize,
+    /// Places for how many answers.
+    #[doc(alias = "answers")]
+    pub reponses: usize,
+}
+
+impl fmt::Display for LongueursDifferentes {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} rays, but places for {} answers", self.rayons, self.reponses)
+    }
+}
+
+impl core::error::Error for LongueursDifferentes {}
+
 /// The refusal of a vector that is 0.
 pub(crate) fn refus_nul(champ: &'static str) -> ErreurGeo {
     ErreurGeo { champ, valeur: 0.0, attendu: "a vector other than 0" }
 }
 
 /// Refuses `valeur` with its name unless `accepte`.
-pub(crate) fn exiger<R: Reel>(
+pub(crate) fn exiger<R: Nombre>(
     accepte: bool,
     champ: &'static str,
     valeur: R,
@@ -63,7 +92,7 @@ pub(crate) fn exiger<R: Reel>(
 }
 
 /// A coordinate, or the relative distance of a half-space.
-pub(crate) fn coordonnee<R: Reel>(champ: &'static str, x: R) -> Result<R, ErreurGeo> {
+pub(crate) fn coordonnee<R: Nombre>(champ: &'static str, x: R) -> Result<R, ErreurGeo> {
     let attendu = R::selon("a number between -2^60 and 2^60", "a number between -2^450 and 2^450");
     exiger(x.abs() <= R::LIMITE, champ, x, attendu)
 }
@@ -72,55 +101,55 @@ pub(crate) fn coordonnee<R: Reel>(champ: &'static str, x: R) -> Result<R, Erreur
 type Champs = [&'static str; 3];
 
 /// A point, whose three coordinates have these names.
-pub(crate) fn point<R: Reel>(champs: Champs, p: Vecteur<R>) -> Result<Vecteur<R>, ErreurGeo> {
+pub(crate) fn point<R: Nombre>(champs: Champs, p: Vecteur<R>) -> Result<Vecteur<R>, ErreurGeo> {
     let [x, y, z] = champs;
     Ok(Vecteur::new(coordonnee(x, p.x)?, coordonnee(y, p.y)?, coordonnee(z, p.z)?))
 }
 
 /// A radius or one of the three dimensions of a box.
-pub(crate) fn taille<R: Reel>(champ: &'static str, x: R) -> Result<R, ErreurGeo> {
+pub(crate) fn taille<R: Nombre>(champ: &'static str, x: R) -> Result<R, ErreurGeo> {
     exiger(x > R::ZERO, champ, x, "a number above 0")?;
     let attendu = R::selon("a number between 2^-60 and 2^60", "a number between 2^-450 and 2^450");
     exiger(x >= R::UN / R::LIMITE && x <= R::LIMITE, champ, x, attendu)
 }
 
 /// The coefficient of a homothety.
-pub(crate) fn coefficient<R: Reel>(k: R) -> Result<R, ErreurGeo> {
+pub(crate) fn coefficient<R: Nombre>(k: R) -> Result<R, ErreurGeo> {
     exiger(k > R::ZERO && k < R::INFINI, "coefficient", k, "a finite number above 0")
 }
 
 /// The vector of a translation.
-pub(crate) fn deplacement<R: Reel>(v: Vecteur<R>) -> Result<Vecteur<R>, ErreurGeo> {
+pub(crate) fn deplacement<R: Nombre>(v: Vecteur<R>) -> Result<Vecteur<R>, ErreurGeo> {
     fini(["translation.x", "translation.y", "translation.z"], v)
 }
 
 /// A vector each of whose coordinates is finite.
-pub(crate) fn fini<R: Reel>(champs: Champs, v: Vecteur<R>) -> Result<Vecteur<R>, ErreurGeo> {
+pub(crate) fn fini<R: Nombre>(champs: Champs, v: Vecteur<R>) -> Result<Vecteur<R>, ErreurGeo> {
     for (champ, x) in champs.into_iter().zip([v.x, v.y, v.z]) {
         exiger(x.abs() < R::INFINI, champ, x, "a finite number")?;
     }
     Ok(v)
 }
 
-/// `lu_par_new! { T { champ: type, … } }`: with the feature `serde` a T is read as these fields, by
+/// `lu_par! { T::new { champ: type, … } }`: with the feature `serde` a T is read as these fields, by
 /// name or in order, no others, and `T::new` checks them. A field with `= default` may be left out.
-macro_rules! lu_par_new {
-    ($type:ident { $($champ:ident: $du_type:ty $(= $defaut:ident)?),* }) => {
+macro_rules! lu_par {
+    ($type:ident::$par:ident { $($champ:ident: $du_type:ty $(= $defaut:ident)?),* }) => {
         #[cfg(feature = "serde")]
-        impl<'de, R: Reel + serde::Deserialize<'de>> serde::Deserialize<'de> for $type<R> {
+        impl<'de, R: Nombre + serde::Deserialize<'de>> serde::Deserialize<'de> for $type<R> {
             fn deserialize<D: serde::Deserializer<'de>>(lecteur: D) -> Result<Self, D::Error> {
                 // What is read, under the name that formats and their errors give it.
                 #[derive(serde::Deserialize)]
                 #[serde(deny_unknown_fields)]
-                #[serde(bound(deserialize = "R: Reel + serde::Deserialize<'de>"))]
+                #[serde(bound(deserialize = "R: Nombre + serde::Deserialize<'de>"))]
                 struct $type<R> {
                     $($(#[serde($defaut)])? $champ: $du_type),*
                 }
 
                 let $type { $($champ),* } = $type::deserialize(lecteur)?;
-                Self::new($($champ),*).map_err(serde::de::Error::custom)
+                Self::$par($($champ),*).map_err(serde::de::Error::custom)
             }
         }
     };
 }
-pub(crate) use lu_par_new;
+pub(crate) use lu_par;

@@ -2,7 +2,7 @@
 
 use core::f64::consts::FRAC_PI_2;
 
-use crate::reel::{Reel, simple};
+use crate::nombre::{Nombre, simple};
 use crate::refus::{ErreurGeo, exiger, fini};
 use crate::vecteur::Vecteur;
 
@@ -28,8 +28,8 @@ use crate::vecteur::Vecteur;
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(try_from = "[[R; 3]; 3]", into = "[[R; 3]; 3]"))]
-#[cfg_attr(feature = "serde", serde(bound(serialize = "R: Reel + serde::Serialize")))]
-#[cfg_attr(feature = "serde", serde(bound(deserialize = "R: Reel + serde::Deserialize<'de>")))]
+#[cfg_attr(feature = "serde", serde(bound(serialize = "R: Nombre + serde::Serialize")))]
+#[cfg_attr(feature = "serde", serde(bound(deserialize = "R: Nombre + serde::Deserialize<'de>")))]
 #[must_use]
 pub struct Rotation<R = f64> {
     matrice: [[R; 3]; 3],
@@ -48,7 +48,7 @@ const ANGLES: [&str; 3] = ["vecteur_rotation.x", "vecteur_rotation.y", "vecteur_
 /// The cosine and the sine of k quarter turns.
 const QUARTS: [(f64, f64); 5] = [(1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0), (1.0, 0.0)];
 
-impl<R: Reel> Rotation<R> {
+impl<R: Nombre> Rotation<R> {
     /// The rotation that changes nothing.
     #[doc(alias = "identity")]
     pub const IDENTITE: Self = Self {
@@ -205,14 +205,14 @@ impl<R: Reel> Rotation<R> {
     }
 }
 
-impl<R: Reel> Default for Rotation<R> {
+impl<R: Nombre> Default for Rotation<R> {
     /// The identity.
     fn default() -> Self {
         Self::IDENTITE
     }
 }
 
-impl<R: Reel> TryFrom<[[R; 3]; 3]> for Rotation<R> {
+impl<R: Nombre> TryFrom<[[R; 3]; 3]> for Rotation<R> {
     type Error = ErreurGeo;
     fn try_from(matrice: [[R; 3]; 3]) -> Result<Self, ErreurGeo> {
         Self::depuis_matrice(matrice)
@@ -227,7 +227,7 @@ impl<R> From<Rotation<R>> for [[R; 3]; 3] {
 
 /// The cosine and sine of an angle; exact at the float nearest to k quarter turns, |k| ≤ 4, so that
 /// a scene turned by quarter turns stays aligned with the axes.
-fn cos_sin<R: Reel>(angle: R) -> (f64, f64) {
+fn cos_sin<R: Nombre>(angle: R) -> (f64, f64) {
     for (k, (cos, sin)) in QUARTS.into_iter().enumerate() {
         if angle.abs() == R::depuis_f64(k as f64 * FRAC_PI_2) {
             return (cos, if angle < R::ZERO { -sin } else { sin });

@@ -1,8 +1,8 @@
 //! The sphere (handout §2.2, §3 and annex A.2).
 
 use crate::forme::{Boule, Forme, Hauteur};
+use crate::nombre::{Nombre, max, simple};
 use crate::rayon::Rayon;
-use crate::reel::{Reel, max, simple};
 use crate::refus::{ErreurGeo, coefficient, deplacement, point, taille};
 use crate::rotation::Rotation;
 use crate::texture::Texture;
@@ -28,7 +28,7 @@ use crate::vecteur::Vecteur;
 #[doc(alias = "ball")]
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "serde", serde(bound(serialize = "R: Reel + serde::Serialize")))]
+#[cfg_attr(feature = "serde", serde(bound(serialize = "R: Nombre + serde::Serialize")))]
 #[must_use]
 pub struct SphereGeo<R = f64> {
     centre: Vecteur<R>,
@@ -36,7 +36,7 @@ pub struct SphereGeo<R = f64> {
     texture: Texture,
 }
 
-impl<R: Reel> SphereGeo<R> {
+impl<R: Nombre> SphereGeo<R> {
     /// C, the centre.
     #[doc(alias = "center")]
     pub fn centre(&self) -> Vecteur<R> {
@@ -146,7 +146,7 @@ pub(crate) struct Termes<R> {
     pub(crate) d2: R,
 }
 
-impl<R: Reel> SphereRay<R> {
+impl<R: Nombre> SphereRay<R> {
     /// C, the centre.
     #[doc(alias = "center")]
     pub fn centre(&self) -> Vecteur<R> {
@@ -198,7 +198,7 @@ pub const TRAVERS_PERDU: f64 = 0.0625;
 /// The limit of the rounding of P, in r.
 pub const ARRONDI_PERDU: f64 = 0.0625;
 
-impl<R: Reel> Forme<R> for SphereRay<R> {
+impl<R: Nombre> Forme<R> for SphereRay<R> {
     #[inline(always)]
     fn boule(&self) -> Boule<R> {
         Boule { centre: self.centre, r2: self.r * self.r }
@@ -278,6 +278,6 @@ impl<R: Reel> Forme<R> for SphereRay<R> {
     }
 }
 
-crate::refus::lu_par_new! {
-    SphereGeo { centre: Vecteur<R>, rayon: R, texture: Texture }
+crate::refus::lu_par! {
+    SphereGeo::new { centre: Vecteur<R>, rayon: R, texture: Texture }
 }

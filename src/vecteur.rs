@@ -4,7 +4,7 @@ use core::borrow::Borrow;
 use core::iter::Sum;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
-use crate::reel::{Reel, puissance_de_deux, simple};
+use crate::nombre::{Nombre, puissance_de_deux, simple};
 
 /// A vector, or a point seen from the origin O: x to the right, y up, z towards the viewer
 /// (handout §2.1).
@@ -32,7 +32,7 @@ use crate::reel::{Reel, puissance_de_deux, simple};
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(from = "[R; 3]", into = "[R; 3]"))]
-#[cfg_attr(feature = "serde", serde(bound(serialize = "R: Reel + serde::Serialize")))]
+#[cfg_attr(feature = "serde", serde(bound(serialize = "R: Nombre + serde::Serialize")))]
 #[must_use]
 pub struct Vecteur<R = f64> {
     /// To the right.
@@ -43,7 +43,7 @@ pub struct Vecteur<R = f64> {
     pub z: R,
 }
 
-impl<R: Reel> Vecteur<R> {
+impl<R: Nombre> Vecteur<R> {
     /// (0, 0, 0): the origin O.
     #[doc(alias = "zero")]
     pub const NUL: Self = Self::new(R::ZERO, R::ZERO, R::ZERO);
@@ -198,7 +198,7 @@ impl<R> From<Vecteur<R>> for [R; 3] {
 macro_rules! operateurs {
     ($($binaire:ident::$f:ident, $affectation:ident::$g:ident,
        |$v:ident, $autre:ident: $type:ty| $resultat:expr;)*) => {$(
-        impl<R: Reel> $binaire<$type> for Vecteur<R> {
+        impl<R: Nombre> $binaire<$type> for Vecteur<R> {
             type Output = Self;
             #[inline(always)]
             fn $f(self, $autre: $type) -> Self {
@@ -207,7 +207,7 @@ macro_rules! operateurs {
             }
         }
 
-        impl<R: Reel> $affectation<$type> for Vecteur<R> {
+        impl<R: Nombre> $affectation<$type> for Vecteur<R> {
             #[inline(always)]
             fn $g(&mut self, autre: $type) {
                 *self = self.$f(autre);
@@ -238,7 +238,7 @@ macro_rules! nombre_fois_vecteur {
 
 nombre_fois_vecteur! { f32 f64 }
 
-impl<R: Reel> Neg for Vecteur<R> {
+impl<R: Nombre> Neg for Vecteur<R> {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
@@ -247,7 +247,7 @@ impl<R: Reel> Neg for Vecteur<R> {
 }
 
 /// Of vectors, or of references to them.
-impl<R: Reel, V: Borrow<Self>> Sum<V> for Vecteur<R> {
+impl<R: Nombre, V: Borrow<Self>> Sum<V> for Vecteur<R> {
     fn sum<I: Iterator<Item = V>>(vecteurs: I) -> Self {
         vecteurs.fold(Self::NUL, |somme, v| somme + *v.borrow())
     }

@@ -10,9 +10,8 @@ use commun::scenes::{melange, rayons_camera};
 use commun::{arrondi, en_f32_et_f64};
 use lancer_rayon::pour_les_tests::Reglage;
 use lancer_rayon::{
-    BoiteGeo, ErreurGeo, Hierarchie, NoIntersection, ObjetGeo, ObjetRay, PlanGeo, Rayon, Reel,
-    Rotation, SphereGeo, Texture, Vecteur, est_occulte, etendue, premiere_intersection,
-    premieres_intersections, sont_occultes,
+    BoiteGeo, ErreurGeo, Monde, NoIntersection, ObjetGeo, ObjetRay, PlanGeo, Rayon, Reel, Rotation,
+    SphereGeo, Texture, Vecteur, places, premiere_intersection,
 };
 
 #[track_caller]
@@ -49,23 +48,21 @@ fn aucune_question_n_alloue<R: Reel>() {
     assert!(sans_allocation("an error", refus).is_err());
 
     let [objet, autre, _] = objets.unwrap();
-    let [bas, haut] = sans_allocation("etendue", || etendue(&[objet])).unwrap();
-    let rayon = Rayon::new(Vecteur::NUL, bas + haut).unwrap();
+    let seul = [objet];
+    let etendue = sans_allocation("etendue", || Monde::de_liste(&seul).etendue()).unwrap();
+    let rayon = Rayon::new(Vecteur::NUL, etendue.bas + etendue.haut).unwrap();
     let touche = objet.intersection(&rayon).unwrap();
     sans_allocation("erreur", || objet.erreur(&rayon, &touche));
     sans_allocation("est_certain", || autre.est_certain(&rayon));
-    sans_allocation("vers_touche", || rayon.vers_touche(&touche, &rayon, &touche));
+    let refus = sans_allocation("vers_touche", || touche.vers_touche(&touche));
+    assert!(refus.is_err());
 
     let scene = melange::<R>(300);
     let rayons = rayons_camera::<R>(40, 40);
     let mut touches = vec![Err(NoIntersection); rayons.len()];
-    sans_allocation("premieres_intersections", || {
-        premieres_intersections(&scene, &rayons, &mut touches)
-    })
-    .unwrap();
     for (nom, reglage) in Reglage::tous() {
         sans_allocation(nom, || {
-            let liste = reglage.hierarchie(Hierarchie::de_liste(&scene));
+            let liste = reglage.monde(Monde::de_liste(&scene));
             liste.premieres_intersections(&rayons, &mut touches)
         })
         .unwrap();
@@ -75,32 +72,41 @@ fn aucune_question_n_alloue<R: Reel>() {
     let dimensions = arrondi(Vecteur::new(0.1, 9.0, 0.1));
     let poutre = BoiteGeo::new(Vecteur::NUL, dimensions, tour, Texture(4)).unwrap();
     let scene = [scene, vec![poutre.into(); 20]].concat();
-    let mut places = vec![0.0; 2 * Hierarchie::places(scene.len())];
+    let mut places = vec![0.0; 2 * places(scene.len())];
     let hierarchie =
-        sans_allocation("a hierarchy", || Hierarchie::new(&scene, &mut places)).unwrap();
+        sans_allocation("a hierarchy", || Monde::en_morceaux(&scene, &mut places)).unwrap();
     for (nom, reglage) in Reglage::tous() {
-        let hierarchie = reglage.hierarchie(hierarchie);
+        let hierarchie = reglage.monde(hierarchie);
         sans_allocation(nom, || hierarchie.premieres_intersections(&rayons, &mut touches)).unwrap();
         for rayon in &rayons {
             let questions = || {
                 let touche = hierarchie.premiere_intersection(black_box(rayon));
                 let mut premieres = [Err(NoIntersection); 3];
-                let autres = hierarchie.parmi(&|objet| objet % 3 > 0);
-                let nombre = autres.dans_l_ordre(rayon, R::INFINI, &mut premieres);
+                let autres = hierarchie.parmi(|indice| indice % 3 > 0);
+                let nombre = autres.dans_l_ordre(rayon, &mut premieres);
+                let court = rayon.jusqu_a(R::UN).unwrap();
+                let mut entrees = 0;
+                hierarchie.visiter(rayon, |_, _| {
+                    entrees += 1;
+                    R::INFINI
+                });
+                hierarchie.contenants(rayon.source(), |_| entrees += 1);
                 (
                     touche.is_ok(),
-                    autres.premiere_avant(rayon, R::UN).is_ok(),
+                    autres.premiere_intersection(&court).is_ok(),
+                    hierarchie.certifie(rayon, &touche),
                     nombre,
-                    hierarchie.est_occulte(rayon, R::UN),
+                    entrees,
+                    hierarchie.est_occulte(&court),
                 )
             };
             sans_allocation(nom, questions);
         }
     }
-    let ombres: Vec<_> = rayons.iter().map(|rayon| (*rayon, R::UN)).collect();
+    let ombres: Vec<_> = rayons.iter().map(|rayon| rayon.jusqu_a(R::UN).unwrap()).collect();
     let mut occultes = vec![false; ombres.len()];
     sans_allocation("sont_occultes", || {
-        sont_occultes(&scene, &ombres, &mut occultes)?;
+        Monde::de_liste(&scene).sont_occultes(&ombres, &mut occultes)?;
         hierarchie.sont_occultes(&ombres, &mut occultes)
     })
     .unwrap();
@@ -109,11 +115,10 @@ fn aucune_question_n_alloue<R: Reel>() {
             premiere_intersection(&scene, black_box(rayon))
         });
         assert_eq!(seule, *touche);
-        sans_allocation("est_occulte", || est_occulte(&scene, black_box(rayon), R::LIMITE));
         let Ok(touche) = touche else { continue };
         let secondaire = sans_allocation("secondaire", || {
             let vers = Rayon::new(rayon.source(), touche.normale())?;
-            rayon.secondaire(touche, vers.direction())
+            touche.secondaire(vers.direction())
         });
         assert!(secondaire.is_ok());
     }

@@ -4,11 +4,10 @@
 use std::error::Error;
 
 use banc::concurrents::{Concurrent, FACONS, permises};
-use banc::familles::{Famille, Genre, Lances};
+use banc::familles::{Famille, Genre};
 use banc::horloge::{MORCEAU, moindres};
 use banc::nous;
-use lancer_rayon::pour_les_tests::Reglage;
-use lancer_rayon::{Hierarchie, ObjetRay, Rayon, Reel};
+use lancer_rayon::{ObjetRay, Rayon, Reel};
 use serde::de::DeserializeOwned;
 
 #[path = "."]
@@ -18,6 +17,10 @@ mod ancienne {
     pub use banc::concurrents;
     #[cfg(feature = "seule")]
     pub use lancer_rayon as version;
+    #[cfg(any(feature = "seule", not(feature = "hierarchie")))]
+    pub mod nous;
+    #[cfg(all(feature = "hierarchie", not(feature = "seule")))]
+    #[path = "nous_0_6.rs"]
     pub mod nous;
 }
 use ancienne::version as avant;
@@ -38,7 +41,8 @@ struct Choix {
     bandes: usize,
     tours: usize,
     appel: usize,
-    places: usize,
+    /// How many times what a tree needs is lent to the old version, and to the new.
+    places: [usize; 2],
     temps: bool,
     sur: bool,
 }
@@ -56,7 +60,7 @@ impl Choix {
             bandes: 8,
             tours: 4,
             appel: MORCEAU,
-            places: 2,
+            places: [2; 2],
             temps: false,
             sur: false,
         };
@@ -83,7 +87,13 @@ impl Choix {
                 "--seed" => choix.graine = valeurs.parse()?,
                 "--bands" => choix.bandes = valeurs.parse()?,
                 "--turns" => choix.tours = valeurs.parse()?,
-                "--places" => choix.places = valeurs.parse::<usize>()?.max(1),
+                "--places" => {
+                    let (ancien, nouveau) = valeurs.split_once(':').unwrap_or((&valeurs, &valeurs));
+                    choix.places = [ancien.parse()?, nouveau.parse()?];
+                    if choix.places.contains(&0) {
+                        return Err("--places 1 is the least that a tree needs".into());
+                    }
+                }
                 "--call" => choix.appel = valeurs.parse::<usize>()?.clamp(1, MORCEAU),
                 _ => return Err(format!("no option {option}; benches/ab.sh --help").into()),
             }
@@ -180,37 +190,27 @@ fn mesurer<R: Reel + avant::Reel + DeserializeOwned>(
 ) -> Result<(), Box<dyn Error>> {
     let scene = famille.scene::<R>(n, choix.graine);
     let anciens: Vec<_> = scene.objets.iter().map(ancien).collect();
-    let [mut places, mut anciennes] =
-        [choix.places * Hierarchie::places(n), avant::Hierarchie::places(n)]
-            .map(|places| vec![0.0; places]);
-    let mut hierarchie = Hierarchie::new(&scene.objets, &mut places)?;
-    let mut ancienne = avant::Hierarchie::new(&anciens, &mut anciennes)?;
-    if let Some((_, reglage)) = Reglage::tous().find(|(nom, _)| choix.jeu == *nom) {
-        hierarchie = reglage.hierarchie(hierarchie);
-    }
-    if let Some((_, reglage)) =
-        avant::pour_les_tests::Reglage::tous().find(|(nom, _)| choix.jeu == *nom)
-    {
-        ancienne = reglage.hierarchie(ancienne);
-    }
+    let mut ancienne_memoire = ancienne::nous::memoire(choix.places[0], n);
+    let mut memoire = nous::memoire(choix.places[1], n);
+    let ancien_monde = ancienne::nous::monde(&anciens, &mut ancienne_memoire, &choix.jeu);
+    let monde = nous::monde(&scene.objets, &mut memoire, &choix.jeu);
     let permises = permises(n).iter().map(|(nom, _)| *nom).filter(|nom| choix.facons.contains(nom));
     let mut lignes: Vec<_> = permises.map(|nom| (nom, String::new())).collect();
     for &genre in &choix.genres {
-        let Lances { rayons, ombres, .. } = genre.rayons(&hierarchie, &scene, choix.bandes);
-        let ancien = |rayon: &Rayon<R>| {
-            let [s, d] = [rayon.source(), rayon.direction()].map(<[R; 3]>::from);
-            avant::Rayon::new(s.into(), d.into()).expect("a ray within the limits")
-        };
-        let anciens: Vec<_> = rayons.iter().map(ancien).collect();
-        let anciennes: Vec<_> = ombres.iter().map(|(rayon, max)| (ancien(rayon), *max)).collect();
-        let nouveaux = nous::concurrents(hierarchie, &rayons, &ombres);
+        // Made once; each version gets the same numbers.
+        let lances = genre.rayons(&monde, &scene, choix.bandes);
+        let nombres =
+            |rayon: &Rayon<R>| (rayon.source().into(), rayon.direction().into(), rayon.fin());
+        let anciens_rayons = ancienne::nous::rayons(lances.iter().map(nombres));
+        let rayons = nous::rayons(lances.iter().map(nombres));
+        let nouveaux = nous::concurrents(monde, &rayons, genre.ombres());
         let temoins = if choix.sur {
             // Beside each batch its rays one by one, in the same memory: over a second copy of a million objects they
             // take up to 1.12 of the time.
-            let [liste, en_lot, un_par_un, lot] = nous::concurrents(hierarchie, &rayons, &ombres);
+            let [liste, en_lot, un_par_un, lot] = nous::concurrents(monde, &rayons, genre.ombres());
             [en_lot, liste, lot, un_par_un]
         } else {
-            ancienne::nous::concurrents(ancienne, &anciens, &anciennes)
+            ancienne::nous::concurrents(ancien_monde, &anciens_rayons, genre.ombres())
         };
         let attendues = nouveaux[2].reponses();
         for (avant, apres) in temoins.into_iter().zip(nouveaux) {

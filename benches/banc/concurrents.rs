@@ -18,7 +18,7 @@ pub enum Camp {
     Annexe,
 }
 
-/// Our four ways: the list one by one and in a batch, the hierarchy one by one and in a batch.
+/// Our four ways: the list one by one and in a batch, the tree one by one and in a batch.
 pub const FACONS: [(&str, Camp); 4] =
     [("list", Camp::Seul), ("list-batch", Camp::Lot), ("single", Camp::Seul), ("batch", Camp::Lot)];
 

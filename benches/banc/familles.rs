@@ -5,8 +5,8 @@ use std::path::Path;
 
 use fastrand::Rng;
 use lancer_rayon::{
-    BoiteGeo, Hierarchie, Intersection, ObjetGeo, ObjetRay, PlanGeo, Rayon, Reel, Rotation,
-    SphereGeo, Texture, Vecteur,
+    BoiteGeo, Intersection, Monde, ObjetGeo, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo,
+    Texture, Vecteur,
 };
 use serde::de::DeserializeOwned;
 
@@ -595,36 +595,8 @@ pub enum Genre {
     OmbresMelees,
 }
 
-/// A ray, and how far the lamp is that it goes to.
-pub type Lance<R> = (Rayon<R>, R);
-
-/// The rays of one kind in one scene.
-pub struct Lances<R> {
-    pub rayons: Vec<Rayon<R>>,
-    /// The same rays with their lamps, if they are shadows.
-    pub ombres: Vec<Lance<R>>,
-    /// Whether each leaves an object, as no ray of a camera does.
-    pub partent: bool,
-}
-
 /// By so much those who might hit again what a ray leaves start ahead of it.
 pub const AVANCE: f64 = 0.001;
-
-impl<R: Reel> Lances<R> {
-    fn de_camera(rayons: Vec<Rayon<R>>) -> Self {
-        Self { rayons, ombres: Vec::new(), partent: false }
-    }
-
-    /// The same rays, started ahead of what they leave.
-    pub fn en_avant(&self) -> Self {
-        let avance = R::depuis_f64(if self.partent { AVANCE } else { 0.0 });
-        let avancer =
-            |rayon: &Rayon<R>| Rayon::new(rayon.point(avance), rayon.direction()).expect(PERMIS);
-        let ombres = self.ombres.iter().map(|(rayon, max)| (avancer(rayon), *max - avance));
-        let ombres = ombres.collect();
-        Self { ombres, ..Self::de_camera(self.rayons.iter().map(avancer).collect()) }
-    }
-}
 
 impl Genre {
     pub const TOUS: [Self; 10] = [
@@ -655,13 +627,23 @@ impl Genre {
         }
     }
 
+    /// Whether of each ray is asked whether it is a shadow: it ends at the lamp. No other ray has an end.
+    pub fn ombres(self) -> bool {
+        matches!(self, Self::Ombres | Self::OmbresMelees)
+    }
+
+    /// Whether each ray leaves an object, as no ray of a camera does.
+    pub fn partent(self) -> bool {
+        !matches!(self, Self::Tuiles | Self::Rangees | Self::Paralleles | Self::Melees)
+    }
+
     /// The rays of this kind from `bandes` of the picture's bands of eight rows, evenly spaced.
     pub fn rayons<R: Reel>(
         self,
-        hierarchie: &Hierarchie<'_, R>,
+        monde: &Monde<'_, R>,
         scene: &Scene<R>,
         bandes: usize,
-    ) -> Lances<R> {
+    ) -> Vec<Rayon<R>> {
         let image = if self == Self::Paralleles {
             &sans_perspective(scene.pas, |_| EN_BAS)
         } else {
@@ -672,31 +654,32 @@ impl Genre {
         let choisies = choisies.flat_map(|i| &image[8 * largeur * i..8 * largeur * (i + 1)]);
         let rangees: Vec<_> = choisies.copied().collect();
         if self == Self::Rangees {
-            return Lances::de_camera(rangees);
+            return rangees;
         }
-        let mut tuiles = en_tuiles(&rangees, largeur);
-        if self == Self::Melees {
-            Rng::with_seed(scene.graine + 2).shuffle(&mut tuiles);
+        let mut rayons = en_tuiles(&rangees, largeur);
+        if self.partent() {
+            let mut alea = Rng::with_seed(scene.graine + 1);
+            let parti = |rayon: &Rayon<R>| {
+                let touche = monde.premiere_intersection(rayon).ok()?;
+                self.depuis(rayon, &touche, scene.lampe, &mut alea)
+            };
+            rayons = rayons.iter().filter_map(parti).collect();
         }
-        if matches!(self, Self::Tuiles | Self::Paralleles | Self::Melees) {
-            return Lances::de_camera(tuiles);
+        if matches!(self, Self::SansOrdre | Self::Melees | Self::OmbresMelees) {
+            Rng::with_seed(scene.graine + 2).shuffle(&mut rayons);
         }
-        let vers_la_lampe = matches!(self, Self::Ombres | Self::OmbresMelees);
-        let mut alea = Rng::with_seed(scene.graine + 1);
-        let partis = tuiles.into_iter().filter_map(|rayon| {
-            let touche = hierarchie.premiere_intersection(&rayon).ok()?;
-            if vers_la_lampe {
-                return rayon.vers_lumiere(&touche, scene.lampe);
-            }
-            Some((self.depuis(&rayon, &touche, &mut alea)?, R::INFINI))
-        });
-        let mut partis: Vec<_> = partis.collect();
-        if matches!(self, Self::SansOrdre | Self::OmbresMelees) {
-            Rng::with_seed(scene.graine + 2).shuffle(&mut partis);
-        }
-        let rayons = partis.iter().map(|(rayon, _)| *rayon).collect();
-        let ombres = if vers_la_lampe { partis } else { Vec::new() };
-        Lances { rayons, ombres, partent: true }
+        rayons
+    }
+
+    /// The same rays, started ahead of what they leave.
+    pub fn en_avant<R: Reel>(self, rayons: &[Rayon<R>]) -> Vec<Rayon<R>> {
+        let avance = R::depuis_f64(if self.partent() { AVANCE } else { 0.0 });
+        let avancer = |rayon: &Rayon<R>| {
+            let fin = rayon.fin() - avance;
+            let fin = if fin > R::ZERO { fin } else { R::ZERO };
+            Rayon::new(rayon.point(avance), rayon.direction())?.jusqu_a(fin)
+        };
+        rayons.iter().map(|rayon| avancer(rayon).expect(PERMIS)).collect()
     }
 
     /// The ray of this kind that leaves this hit, if it goes outward.
@@ -704,13 +687,14 @@ impl Genre {
         self,
         rayon: &Rayon<R>,
         touche: &Intersection<R>,
+        lampe: Vecteur<R>,
         alea: &mut Rng,
     ) -> Option<Rayon<R>> {
         let (d, n) = (rayon.direction().vers_f64(), touche.normale().vers_f64());
         let reflet = d - n * (2.0 * d.produit_scalaire(n));
         let vers = match self {
             Self::Tuiles | Self::Rangees | Self::Paralleles | Self::Melees => return None,
-            Self::Ombres | Self::OmbresMelees => return None,
+            Self::Ombres | Self::OmbresMelees => return touche.vers_lumiere(lampe).ok(),
             Self::Miroirs => reflet,
             Self::Rugueux => reflet + direction(alea) * 0.05,
             Self::Diffus => n + direction(alea),
@@ -719,7 +703,7 @@ impl Genre {
                 vers * vers.produit_scalaire(n).signum()
             }
         };
-        let parti = rayon.secondaire(touche, arrondi(vers)).ok()?;
+        let parti = touche.secondaire(arrondi(vers)).ok()?;
         (vers.produit_scalaire(n) > 0.0).then_some(parti)
     }
 }

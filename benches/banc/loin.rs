@@ -4,10 +4,10 @@
 
 use std::error::Error;
 
-use banc::familles::{AuLoin, GRAINE_DES_PAGES, Genre, Lances, Scene};
+use banc::familles::{AuLoin, GRAINE_DES_PAGES, Genre, Scene};
 use banc::horloge::{MORCEAU, moindres};
 use banc::nous;
-use lancer_rayon::{Hierarchie, Reel};
+use lancer_rayon::Reel;
 use serde::de::DeserializeOwned;
 
 const CAS: [(AuLoin, &[f64]); 5] = [
@@ -56,15 +56,14 @@ fn rapports<R: Reel + DeserializeOwned>(
     Ok(sommes.map(f64::exp))
 }
 
-/// Nanoseconds a ray of the hierarchy, one by one and in a batch; first that the list agrees.
+/// Nanoseconds a ray of the tree, one by one and in a batch; first that the list agrees.
 fn temps<R: Reel>(scene: &Scene<R>, genre: Genre) -> Result<[f64; 2], Box<dyn Error>> {
-    let mut places = vec![0.0; Hierarchie::places(scene.objets.len())];
-    let hierarchie = Hierarchie::new(&scene.objets, &mut places)?;
-    let Lances { rayons, ombres, .. } = genre.rayons(&hierarchie, scene, 1);
-    let (quelques, quelques_ombres) =
-        (&rayons[..rayons.len().min(400)], &ombres[..ombres.len().min(400)]);
-    let [liste, ..] = nous::concurrents(hierarchie, quelques, quelques_ombres);
-    let [_, _, mut seul, mut lot] = nous::concurrents(hierarchie, &rayons, &ombres);
+    let mut places = nous::memoire(1, scene.objets.len());
+    let monde = nous::monde(&scene.objets, &mut places, "");
+    let rayons = genre.rayons(&monde, scene, 1);
+    let quelques = &rayons[..rayons.len().min(400)];
+    let [liste, ..] = nous::concurrents(monde, quelques, genre.ombres());
+    let [_, _, mut seul, mut lot] = nous::concurrents(monde, &rayons, genre.ombres());
     if seul.reponses() != lot.reponses()
         || liste.reponses()[..] != seul.reponses()[..quelques.len()]
     {

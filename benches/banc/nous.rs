@@ -1,51 +1,85 @@
-//! A version of this crate, asked in its four ways. Whoever compiles this page says which: `super::version`.
+//! A version of this crate, asked in its four ways. Whoever compiles this page says which: `super::version`, any that
+//! has a `Monde`. `nous_0_6.rs` is the same page for the versions before, which had a `Hierarchie`.
 
-use super::concurrents::{Concurrent, FACONS, Reponse, cachee};
+use super::concurrents::{self, Concurrent, FACONS, cachee};
+use super::version::pour_les_tests::Reglage;
 use super::version::{
-    Hierarchie, NoIntersection, Rayon, Reel, Touche, est_occulte, premiere_intersection,
-    premieres_intersections, sont_occultes,
+    self, Monde, NoIntersection, ObjetRay, Rayon, Reel, Reponse, premiere_intersection,
 };
 
-/// All four, about the first hits of these rays, or about these shadows if there are any.
+/// The rays of this version.
+pub type Rayons<R> = Vec<Rayon<R>>;
+
+/// These sources, unit directions and ends.
+pub fn rayons<R: Reel>(nombres: impl Iterator<Item = ([R; 3], [R; 3], R)>) -> Rayons<R> {
+    let rayon = |(source, direction, fin): ([R; 3], [R; 3], R)| {
+        Rayon::new(source.into(), direction.into()).and_then(|rayon| rayon.jusqu_a(fin))
+    };
+    nombres.map(|nombres| rayon(nombres).expect("a ray within the limits")).collect()
+}
+
+/// So many times the numbers that a tree over `n` objects needs.
+pub fn memoire(fois: usize, n: usize) -> Vec<f32> {
+    vec![0.0; fois * version::places(n)]
+}
+
+/// These objects with a tree, asked with the instructions of this name, or else with the best of the machine. Long boxes
+/// are cut if more is lent than need be.
+pub fn monde<'a, R: Reel>(
+    objets: &'a [ObjetRay<R>],
+    places: &'a mut [f32],
+    jeu: &str,
+) -> Monde<'a, R> {
+    let monde = if places.len() > version::places(objets.len()) {
+        Monde::en_morceaux(objets, places)
+    } else {
+        Monde::new(objets, places)
+    };
+    let monde = monde.expect("as many places as it takes");
+    let reglage = Reglage::tous().find(|(nom, _)| *nom == jeu);
+    reglage.map_or(monde, |(_, reglage)| reglage.monde(monde))
+}
+
+/// All four, about the first hits of these rays, or about whether they are shadows.
 pub fn concurrents<'a, R: Reel>(
-    h: Hierarchie<'a, R>,
+    monde: Monde<'a, R>,
     rayons: &'a [Rayon<R>],
-    ombres: &'a [(Rayon<R>, R)],
+    ombres: bool,
 ) -> [Concurrent<'a>; 4] {
     const COMPLET: &str = "as many answers as rays";
-    let (objets, [a, b, c, d]) = (h.objets(), FACONS);
-    if ombres.is_empty() {
-        let rien = Err(NoIntersection);
-        let liste = |rayons: &[_], touches: &mut [_]| {
-            premieres_intersections(objets, rayons, touches).expect(COMPLET);
+    let [a, b, c, d] = FACONS;
+    let objets = monde.objets();
+    let liste = Monde::de_liste(objets);
+    if ombres {
+        let en_lot = |monde: Monde<'a, R>| {
+            move |rayons: &[_], caches: &mut [_]| {
+                monde.sont_occultes(rayons, caches).expect(COMPLET);
+            }
         };
-        let arbre = move |rayons: &[_], touches: &mut [_]| {
-            h.premieres_intersections(rayons, touches).expect(COMPLET);
+        [
+            Concurrent::un_par_un(a, rayons, move |rayon| liste.est_occulte(rayon), cachee),
+            Concurrent::en_lot(b, rayons, false, en_lot(liste), cachee),
+            Concurrent::un_par_un(c, rayons, move |rayon| monde.est_occulte(rayon), cachee),
+            Concurrent::en_lot(d, rayons, false, en_lot(monde), cachee),
+        ]
+    } else {
+        let rien = Err(NoIntersection);
+        let en_lot = |monde: Monde<'a, R>| {
+            move |rayons: &[_], touches: &mut [_]| {
+                monde.premieres_intersections(rayons, touches).expect(COMPLET);
+            }
         };
         [
             Concurrent::un_par_un(a, rayons, |rayon| premiere_intersection(objets, rayon), dire),
-            Concurrent::en_lot(b, rayons, rien, liste, dire),
-            Concurrent::un_par_un(c, rayons, move |rayon| h.premiere_intersection(rayon), dire),
-            Concurrent::en_lot(d, rayons, rien, arbre, dire),
-        ]
-    } else {
-        let liste = |ombres: &[_], caches: &mut [_]| {
-            sont_occultes(objets, ombres, caches).expect(COMPLET);
-        };
-        let arbre = move |ombres: &[_], caches: &mut [_]| {
-            h.sont_occultes(ombres, caches).expect(COMPLET);
-        };
-        [
-            Concurrent::un_par_un(a, ombres, |(r, max)| est_occulte(objets, r, *max), cachee),
-            Concurrent::en_lot(b, ombres, false, liste, cachee),
-            Concurrent::un_par_un(c, ombres, move |(r, max)| h.est_occulte(r, *max), cachee),
-            Concurrent::en_lot(d, ombres, false, arbre, cachee),
+            Concurrent::en_lot(b, rayons, rien, en_lot(liste), dire),
+            Concurrent::un_par_un(c, rayons, move |rayon| monde.premiere_intersection(rayon), dire),
+            Concurrent::en_lot(d, rayons, rien, en_lot(monde), dire),
         ]
     }
 }
 
 /// This answer in the words of all.
-pub fn dire<R: Reel>(touche: Touche<R>) -> Reponse {
+pub fn dire<R: Reel>(touche: Reponse<R>) -> concurrents::Reponse {
     let touche = touche.ok()?;
     let n = touche.normale();
     let nombres = [touche.distance(), n.x, n.y, n.z, touche.marge()];

@@ -13,7 +13,7 @@ use exemples::scene::{Scene, tuiles};
 use exemples::surete::Jugement;
 use exemples::{image, surete};
 use lancer_rayon::{
-    Hierarchie, LongueursDifferentes, NoIntersection, ObjetGeo, ObjetRay, Rayon, Reel, Touche,
+    LongueursDifferentes, Monde, NoIntersection, ObjetGeo, ObjetRay, Rayon, Reel, Reponse, places,
     premiere_intersection,
 };
 
@@ -73,10 +73,10 @@ fn apercu(chemin: &str, image: &str) -> Result<(), Box<dyn Error>> {
 /// The ways to ask for the rays of a picture.
 const FACONS: [&str; 3] = ["list", "hierarchy", "batch of the hierarchy"];
 
-type Facon<'a, R> = &'a dyn Fn(&mut [Touche<R>]) -> Result<(), LongueursDifferentes>;
+type Facon<'a, R> = &'a dyn Fn(&mut [Reponse<R>]) -> Result<(), LongueursDifferentes>;
 
 /// What every ray touches, and the nanoseconds per ray of each of `FACONS`.
-type Mesure<R> = (Vec<Touche<R>>, [f64; 3]);
+type Mesure<R> = (Vec<Reponse<R>>, [f64; 3]);
 
 /// Asks for a picture so wide in three passes, the best of which counts: the machine has other work.
 fn lancer<R: Reel>(
@@ -87,8 +87,8 @@ fn lancer<R: Reel>(
     let ordre = tuiles(rayons.len(), largeur as usize);
     let tuiles: Vec<_> = ordre.iter().map(|&i| rayons[i]).collect();
     // Twice as many, in case a scene has long boxes that stand askew.
-    let mut places = vec![0.0; 2 * Hierarchie::places(objets.len())];
-    let hierarchie = Hierarchie::new(objets, &mut places)?;
+    let mut places = vec![0.0; 2 * places(objets.len())];
+    let hierarchie = Monde::new(objets, &mut places)?;
     let facons: [Facon<'_, R>; 3] = [
         &|touches| {
             for (touche, rayon) in touches.iter_mut().zip(&tuiles) {
@@ -129,8 +129,8 @@ fn lancer<R: Reel>(
 /// How far the answers in `f32` are from those in `f64`.
 fn comparer(
     sortie: &mut impl Write,
-    touches: &[Touche],
-    simples: &[Touche<f32>],
+    touches: &[Reponse],
+    simples: &[Reponse<f32>],
 ) -> io::Result<()> {
     let mut autres = 0;
     let (mut distances, mut angles) = (vec![], vec![]);
@@ -181,7 +181,7 @@ fn peindre(
     chemin: &str,
     (largeur, hauteur): (u32, u32),
     rayons: &[Rayon],
-    touches: &[Touche],
+    touches: &[Reponse],
     jugements: &[Jugement],
 ) -> Result<(), Box<dyn Error>> {
     let mut logs: Vec<f64> = touches.iter().flatten().map(|t| t.distance().ln()).collect();

@@ -16,8 +16,8 @@ use exemples::scene::{Scene, tuiles};
 use exemples::verre::avant_la_sortie;
 use indicatif::ParallelProgressIterator;
 use lancer_rayon::{
-    Hierarchie, Intersection, LongueursDifferentes, NoIntersection, ObjetRay, Rayon, Reel,
-    SphereRay, Touche, Vecteur,
+    Intersection, LongueursDifferentes, Monde, NoIntersection, ObjetRay, Rayon, Reel, Reponse,
+    SphereRay, Vecteur, places,
 };
 use rayon::prelude::*;
 use serde::de::DeserializeOwned;
@@ -74,8 +74,8 @@ fn rendre<R: Reel + DeserializeOwned>(
     let Some(ObjetRay::Sphere(lampe)) = objets.get(LAMPE) else {
         return Err(format!("{chemin}: the first object is not a sphere, the lamp").into());
     };
-    let mut places = vec![0.0; Hierarchie::places(objets.len())];
-    let hierarchie = Hierarchie::new(&objets, &mut places)?;
+    let mut places = vec![0.0; places(objets.len())];
+    let hierarchie = Monde::new(&objets, &mut places)?;
     let grain = R::depuis_f64(1.0 / f64::from(camera.image.1));
     let chambre = Chambre { objets: &objets, lampe, hierarchie, grain, rayons };
 
@@ -135,15 +135,12 @@ const PALETTE: [Matiere; 12] = [
 struct Chambre<'a, R> {
     objets: &'a [ObjetRay<R>],
     lampe: &'a SphereRay<R>,
-    hierarchie: Hierarchie<'a, R>,
+    hierarchie: Monde<'a, R>,
     /// The size of a pixel, one unit before the eye.
     grain: R,
     /// Paths a pixel.
     rayons: usize,
 }
-
-/// A ray to a lamp, and how far it is.
-type Ombre<R> = (Rayon<R>, R);
 
 /// A path on its way: what it finds counts in this part, for this path of the wave.
 struct Chemin<R> {
@@ -176,7 +173,7 @@ impl<R: Reel> Chambre<'_, R> {
                 if let Some(verre) = chemin.dans {
                     // A ray that entered beside an edge may have stepped out again: it ends.
                     let Ok(sortie) = self.objets[verre].sortie(&chemin.rayon) else { continue };
-                    if !touche.is_ok_and(|t| avant_la_sortie(&chemin.rayon, &t, &sortie)) {
+                    if !touche.is_ok_and(|t| avant_la_sortie(&t, &sortie)) {
                         suivants.extend(chemin.dehors(&sortie, verre));
                         continue;
                     }
@@ -185,7 +182,7 @@ impl<R: Reel> Chambre<'_, R> {
                     vues[chemin.numero] += produit(chemin.part, SOIR);
                     continue;
                 };
-                if touche.objet() == LAMPE {
+                if touche.indice() == LAMPE {
                     if chemin.franc {
                         vues[chemin.numero] += produit(chemin.part, LUEUR);
                     }
@@ -218,7 +215,7 @@ impl<R: Reel> Chambre<'_, R> {
     fn lancer(
         &self,
         rayons: impl Iterator<Item = Rayon<R>>,
-    ) -> Result<Vec<Touche<R>>, LongueursDifferentes> {
+    ) -> Result<Vec<Reponse<R>>, LongueursDifferentes> {
         let rayons: Vec<_> = rayons.collect();
         let mut touches = vec![Err(NoIntersection); rayons.len()];
         self.hierarchie.premieres_intersections(&rayons, &mut touches)?;
@@ -232,20 +229,20 @@ impl<R: Reel> Chambre<'_, R> {
         chemin: &Chemin<R>,
         touche: &Intersection<R>,
         part: Couleur,
-    ) -> Option<(Ombre<R>, (usize, Couleur))> {
+    ) -> Option<(Rayon<R>, (usize, Couleur))> {
         let (centre, rayon) = (self.lampe.centre(), self.lampe.rayon());
-        let axe = (chemin.rayon.point(touche.distance()) - centre).unitaire()?;
+        let axe = (touche.point() - centre).unitaire()?;
         // The normal of the lamp there, more often near the axis, by the cosine: nearly as the light goes.
         let n = (axe + au_hasard()).unitaire()?;
-        let (ombre, distance) = chemin.rayon.vers_lumiere(touche, centre + n * rayon)?;
-        let l = ombre.direction();
+        let ombre = touche.vers_lumiere(centre + n * rayon).ok()?;
+        let (l, distance) = (ombre.direction(), ombre.fin());
         // Below 0 near the rim, where the lamp hides this point of itself.
         let de_face = -l.produit_scalaire(n);
         // The π of the chance of this point, per area, is also that of a matt surface: none is left.
         let poids = de_face / n.produit_scalaire(axe) * l.produit_scalaire(touche.normale());
         let poids = (poids * rayon * rayon / (distance * distance)).vers_f64();
         let lumiere = produit(part, LUEUR) * poids;
-        (de_face > R::ZERO).then_some(((ombre, distance), (chemin.numero, lumiere)))
+        (de_face > R::ZERO).then_some((ombre, (chemin.numero, lumiere)))
     }
 }
 
@@ -253,7 +250,7 @@ impl<R: Reel> Chemin<R> {
     /// How a path inside the object of this index goes on from where it leaves it, or is mirrored within.
     fn dehors(&self, sortie: &Intersection<R>, verre: usize) -> Option<Self> {
         let (vers, passe) = traverser(self.rayon.direction(), -sortie.normale(), INDICE);
-        let rayon = self.rayon.secondaire(sortie, vers).ok()?;
+        let rayon = sortie.secondaire(vers).ok()?;
         Some(Self { rayon, dans: (!passe).then_some(verre), ..*self })
     }
 
@@ -261,19 +258,19 @@ impl<R: Reel> Chemin<R> {
     fn rebond(&self, touche: &Intersection<R>) -> Option<Self> {
         let (d, n) = (self.rayon.direction(), touche.normale());
         let (genre, couleurs) = PALETTE[touche.texture().0 as usize % PALETTE.len()];
-        let p = self.rayon.point(touche.distance());
+        let p = touche.point();
         let case = (p.x.vers_f64().floor() + p.z.vers_f64().floor()) as i64;
         let teinte = produit(self.part, couleurs[(case & 1) as usize]);
         let (passe, entre) = traverser(d, n, 1.0 / INDICE);
-        let vers = |direction| self.rayon.secondaire(touche, direction);
+        let vers = |direction| touche.secondaire(direction);
         let (rayon, part, franc) = match genre {
-            Genre::Miroir => (self.rayon.reflechi(touche), teinte, true),
+            Genre::Miroir => (touche.reflechi(self.rayon.direction()), teinte, true),
             Genre::Verre => (vers(passe), teinte, true),
             Genre::Verni if !entre => (vers(passe), self.part, true),
             // As often in each direction as the cosine there is large, so that no cosine is left to count.
             Genre::Verni | Genre::Mat => (vers(n + au_hasard()), teinte, false),
         };
-        let dans = (entre && matches!(genre, Genre::Verre)).then(|| touche.objet());
+        let dans = (entre && matches!(genre, Genre::Verre)).then(|| touche.indice());
         Some(Self { rayon: rayon.ok()?, numero: self.numero, part, franc, dans })
     }
 }

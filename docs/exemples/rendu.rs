@@ -19,8 +19,8 @@ use crate::scene::{Scene, tuiles};
 use crate::verre::avant_la_sortie;
 use indicatif::ParallelProgressIterator;
 use lancer_rayon::{
-    Hierarchie, Intersection, LongueursDifferentes, NoIntersection, ObjetRay, Rayon, Reel, Touche,
-    Vecteur,
+    Intersection, LongueursDifferentes, Monde, NoIntersection, ObjetRay, Rayon, Reel, Reponse,
+    Vecteur, places,
 };
 use rayon::prelude::*;
 use serde::de::DeserializeOwned;
@@ -118,8 +118,8 @@ pub fn octets<R: Reel + DeserializeOwned>(
     let par_ligne = (finesse * finesse * largeur) as usize;
     let rayons = &rayons[lignes.start as usize * par_ligne..lignes.end as usize * par_ligne];
     let objets: Vec<_> = objets.into_iter().map(ObjetRay::from).collect();
-    let mut places = vec![0.0; Hierarchie::places(objets.len())];
-    let hierarchie = Hierarchie::new(&objets, &mut places)?;
+    let mut places = vec![0.0; places(objets.len())];
+    let hierarchie = Monde::new(&objets, &mut places)?;
     let atelier = Atelier { objets: &objets, hierarchie, lampes: lampes() };
     let couleurs = atelier.prendre(rayons, camera.image.0, finesse, ensemble)?;
     let octet = |x: f64| (255.0 * x.powf(1.0 / 2.2)).round() as u8;
@@ -193,7 +193,7 @@ fn lampes<R: Reel>() -> Vec<Lampe<R>> {
 
 struct Atelier<'a, R> {
     objets: &'a [ObjetRay<R>],
-    hierarchie: Hierarchie<'a, R>,
+    hierarchie: Monde<'a, R>,
     lampes: Vec<Lampe<R>>,
 }
 
@@ -273,7 +273,7 @@ impl<R: Reel> Atelier<'_, R> {
     }
 
     /// The first object that each of these rays touches.
-    fn lancer(&self, rayons: Vec<Rayon<R>>) -> Result<Vec<Touche<R>>, LongueursDifferentes> {
+    fn lancer(&self, rayons: Vec<Rayon<R>>) -> Result<Vec<Reponse<R>>, LongueursDifferentes> {
         let mut touches = vec![Err(NoIntersection); rayons.len()];
         self.hierarchie.premieres_intersections(&rayons, &mut touches)?;
         Ok(touches)
@@ -288,9 +288,9 @@ impl<R: Reel> Atelier<'_, R> {
         let Trajet { rayon, oeil, part, .. } = trajet;
         let (d, n) = (rayon.direction(), touche.normale());
         let face = d.produit_scalaire(n);
-        let reflechi = rayon.reflechi(&touche).ok();
+        let reflechi = touche.reflechi(rayon.direction()).ok();
         let matiere = &PALETTE[touche.texture().0 as usize % PALETTE.len()];
-        let couleur = matiere.couleur(rayon.point(touche.distance()), n, touche.distance());
+        let couleur = matiere.couleur(touche.point(), n, touche.distance());
         let dedans = matiere.indice > 0.0;
         // Schlick's approximation of Fresnel's formula.
         let rasant = (1.0 + face.vers_f64()).max(0.0).powi(5);
@@ -301,12 +301,12 @@ impl<R: Reel> Atelier<'_, R> {
         };
         let (secondaire, suit, reste) = if dedans {
             let vers = refractee(d, n, 1.0 / matiere.indice);
-            (vers.and_then(|vers| rayon.secondaire(&touche, vers).ok()), couleur, 0.0)
+            (vers.and_then(|vers| touche.secondaire(vers).ok()), couleur, 0.0)
         } else {
             let suit = Vecteur::new(reflet, reflet, reflet);
             (reflechi.filter(|_| reflet > 0.0), suit, 1.0 - reflet)
         };
-        let quitte = touche.objet();
+        let quitte = touche.indice();
         let suivant = secondaire.map(|rayon| Trajet {
             rayon,
             oeil: *oeil,
@@ -319,11 +319,11 @@ impl<R: Reel> Atelier<'_, R> {
     }
 
     /// Where a ray inside glass leaves it, unless it touches something else before.
-    fn sortie(&self, trajet: &Trajet<R>, touche: &Touche<R>) -> Option<Trajet<R>> {
+    fn sortie(&self, trajet: &Trajet<R>, touche: &Reponse<R>) -> Option<Trajet<R>> {
         let Trajet { rayon, oeil, part, quitte, dedans: true } = *trajet else { return None };
         let objet = &self.objets[quitte];
         let sortie = objet.sortie(&rayon).ok()?;
-        if touche.is_ok_and(|touche| avant_la_sortie(&rayon, &touche, &sortie)) {
+        if touche.is_ok_and(|touche| avant_la_sortie(&touche, &sortie)) {
             return None;
         }
         let matiere = &PALETTE[sortie.texture().0 as usize % PALETTE.len()];
@@ -331,7 +331,7 @@ impl<R: Reel> Atelier<'_, R> {
         // Beyond the critical angle the ray stays inside.
         let dehors = refractee(d, n, matiere.indice);
         let vers = dehors.unwrap_or(d - (n + n) * d.produit_scalaire(n));
-        let rayon = rayon.secondaire(&sortie, vers).ok()?;
+        let rayon = sortie.secondaire(vers).ok()?;
         Some(Trajet { rayon, oeil, part, quitte, dedans: dehors.is_none() })
     }
 
@@ -342,14 +342,12 @@ impl<R: Reel> Atelier<'_, R> {
         surfaces: &[Surface<'_, R>],
         vues: &mut [Couleur],
     ) -> Result<(), LongueursDifferentes> {
-        let vers = |surface: &Surface<'_, R>| {
-            surface.trajet.rayon.vers_lumiere(&surface.touche, lampe.position)
-        };
-        let vers = surfaces.iter().filter_map(|s| Some((s, vers(s)?)));
+        let vers = |surface: &Surface<'_, R>| surface.touche.vers_lumiere(lampe.position);
+        let vers = surfaces.iter().filter_map(|s| Some((s, vers(s).ok()?)));
         let (eclairees, ombres): (Vec<_>, Vec<_>) = vers.unzip();
         let mut occultes = vec![false; ombres.len()];
         self.hierarchie.sont_occultes(&ombres, &mut occultes)?;
-        for ((surface, (ombre, _)), occulte) in eclairees.into_iter().zip(ombres).zip(occultes) {
+        for ((surface, ombre), occulte) in eclairees.into_iter().zip(ombres).zip(occultes) {
             if occulte {
                 continue;
             }

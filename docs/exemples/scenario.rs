@@ -26,8 +26,8 @@ struct Lampe {
 pub fn image(scenario: &str) -> Result<String, Box<dyn Error>> {
     let Scenario { ambiante, lampes, couleurs, scene } = ron::from_str(scenario)?;
     let objets: Vec<ObjetRay> = scene.objets.iter().map(|objet| objet.vers_ray()).collect();
-    let mut places = vec![0.0; Hierarchie::places(objets.len())];
-    let monde = Hierarchie::new(&objets, &mut places)?;
+    let mut places = vec![0.0; places(objets.len())];
+    let monde = Monde::new(&objets, &mut places)?;
 
     let (largeur, hauteur) = scene.camera.image;
     let mut image = format!("P3 {largeur} {hauteur} 255\n");
@@ -36,9 +36,8 @@ pub fn image(scenario: &str) -> Result<String, Box<dyn Error>> {
         if let Ok(touche) = monde.premiere_intersection(&rayon) {
             let mut lumiere = ambiante;
             for lampe in &lampes {
-                let vers = rayon.vers_lumiere(&touche, lampe.position);
-                let libre = vers.filter(|(ombre, loin)| !monde.est_occulte(ombre, *loin));
-                if let Some((ombre, _)) = libre {
+                let Ok(ombre) = touche.vers_lumiere(lampe.position) else { continue };
+                if !monde.est_occulte(&ombre) {
                     lumiere += lampe.eclat * ombre.direction().produit_scalaire(touche.normale());
                 }
             }

@@ -1,11 +1,11 @@
 //! Which answers of a picture are certain: those of exact arithmetic on the numbers as stored.
 
-use lancer_rayon::{Hierarchie, NoIntersection, ObjetRay, PlacesInsuffisantes, Rayon};
+use lancer_rayon::{Monde, NoIntersection, ObjetRay, PlacesInsuffisantes, Rayon, places};
 
 /// What `f64` says, on the same numbers, of an answer in `f32`, and what `f32` itself said before.
 #[derive(Clone, Copy, Debug)]
 pub struct Jugement {
-    /// Whether `Hierarchie::est_certaine` says so.
+    /// Whether `Monde::certifie` says so.
     pub certaine: bool,
     /// Whether the answer in `f64` is another object, or none, or a distance farther off than `erreur`.
     pub autre: bool,
@@ -19,22 +19,21 @@ pub fn juger(
     rayons: &[Rayon<f32>],
 ) -> Result<Vec<Jugement>, PlacesInsuffisantes> {
     let doubles: Vec<_> = objets.iter().map(|objet| objet.vers_f64()).collect();
-    let [mut places, mut places_doubles] =
-        [(); 2].map(|()| vec![0.0; Hierarchie::places(objets.len())]);
-    let simple = Hierarchie::new(objets, &mut places)?;
-    let double = Hierarchie::new(&doubles, &mut places_doubles)?;
+    let [mut places, mut places_doubles] = [(); 2].map(|()| vec![0.0; places(objets.len())]);
+    let simple = Monde::new(objets, &mut places)?;
+    let double = Monde::new(&doubles, &mut places_doubles)?;
     let jugement = |rayon: &Rayon<f32>| {
         let touche = simple.premiere_intersection(rayon);
         let (autre, ecart) = match (touche, double.premiere_intersection(&rayon.vers_f64())) {
             (Err(NoIntersection), Err(NoIntersection)) => (false, None),
-            (Ok(a), Ok(b)) if a.objet() == b.objet() => {
+            (Ok(a), Ok(b)) if a.indice() == b.indice() => {
                 let ecart = (f64::from(a.distance()) - b.distance()).abs();
-                let erreur = objets[a.objet()].erreur(rayon, &a);
+                let erreur = objets[a.indice()].erreur(rayon, &a);
                 (ecart > f64::from(erreur), Some(ecart / b.distance()))
             }
             (Ok(_), Ok(_) | Err(NoIntersection)) | (Err(NoIntersection), Ok(_)) => (true, None),
         };
-        Jugement { certaine: simple.est_certaine(rayon, &touche), autre, ecart }
+        Jugement { certaine: simple.certifie(rayon, &touche), autre, ecart }
     };
     Ok(rayons.iter().map(jugement).collect())
 }

@@ -6,10 +6,10 @@
 use crate::boite::{BoiteRay, Quotient, echelle_vitesse};
 use crate::double::Intervalle;
 use crate::forme::Forme;
+use crate::nombre::{Nombre, puissance_de_deux};
 use crate::objet::ObjetRay;
 use crate::plan::PlanRay;
 use crate::rayon::Rayon;
-use crate::reel::{Reel, puissance_de_deux};
 use crate::sphere::{SphereRay, Termes};
 use crate::vecteur::Vecteur;
 
@@ -39,13 +39,13 @@ impl Intervalle {
     /// Whether it enters is unknown, and when.
     pub(crate) const INCONNU: Self = Self { bas: 0.0, haut: f64::INFINI };
 
-    /// Whether the ray enters, if that is certain, and if so at a distance that is at most the largest
+    /// Whether the ray enters before its end, if that is certain, and if so at a distance that is at most the largest
     /// number of a type: an entry beyond it is no hit there, and one in a wider type (C7).
     #[inline(always)]
-    pub(crate) fn touche(self, plus_grand: f64) -> Option<bool> {
+    pub(crate) fn touche(self, fin: f64, plus_grand: f64) -> Option<bool> {
         // G4
-        let touche = self.haut <= plus_grand;
-        (touche || self.bas == f64::INFINI).then_some(touche)
+        let touche = self.haut < fin && self.haut <= plus_grand;
+        (touche || self.bas >= fin).then_some(touche)
     }
 }
 

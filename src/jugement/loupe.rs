@@ -2,9 +2,9 @@
 //! lemma 17). No formula is that of the search.
 
 use crate::double::{Double, Intervalle, Triple, scalaire, triple};
+use crate::nombre::Nombre;
 use crate::objet::ObjetRay;
 use crate::rayon::Rayon;
-use crate::reel::Reel;
 use crate::sphere::SphereRay;
 use crate::vecteur::Vecteur;
 

@@ -5,77 +5,102 @@ use core::marker::PhantomData;
 use arrayvec::ArrayVec;
 use fearless_simd::Simd;
 
-use crate::intersection::Rang;
+use crate::intersection::{Rang, Reponse};
 use crate::liste::Liste;
-use crate::lot::demande::Demande;
 use crate::lot::faisceau::Faisceau;
-use crate::lot::groupe::Groupe;
+use crate::lot::groupe::{Groupe, VOIES};
+use crate::nombre::{Nombre, max};
 use crate::objet::{ObjetRay, par_forme};
+use crate::question::{Ombre, Premier, Question};
 use crate::rayon::Rayon;
-use crate::reel::{Reel, max};
-use crate::retenus::Premier;
-use crate::seize::SEIZE;
 
 /// Rays of a block: a tile of 8 × 8 pixels.
-pub(crate) const BLOC: usize = 4 * SEIZE;
+pub(crate) const BLOC: usize = 4 * VOIES;
+
+/// Fewer rays than this are asked of a list one by one (`benches/README.md`, "Thresholds").
+const RAYONS_D_UNE_LISTE: usize = 6;
 
 /// The memory of a block, which grows no larger than a call needs: to set up all of it costs as much as some rays. It
 /// stands outside of the block, which would take up to 1.15 times as long with it inside (calls of 16, measured).
-pub(crate) type Groupes<R> = ArrayVec<Groupe<R>, { BLOC / SEIZE }>;
+pub(crate) type Groupes<R> = ArrayVec<Groupe<R>, { BLOC / VOIES }>;
+
+/// A question that the rays of a block ask side by side: each keeps a first object so far.
+pub(crate) trait EnLot<R: Nombre>: Question<R> + From<Premier<R>> {
+    /// The answers of a group.
+    fn repondre_ensemble(
+        groupe: &Groupe<R>,
+        objets: &[ObjetRay<R>],
+        reponses: &mut [Self::Reponse],
+    );
+}
+
+impl<R: Nombre> EnLot<R> for Premier<R> {
+    #[inline(always)]
+    fn repondre_ensemble(groupe: &Groupe<R>, objets: &[ObjetRay<R>], touches: &mut [Reponse<R>]) {
+        groupe.ecrire(objets, touches);
+    }
+}
+
+impl<R: Nombre> EnLot<R> for Ombre<R> {
+    #[inline(always)]
+    fn repondre_ensemble(groupe: &Groupe<R>, _: &[ObjetRay<R>], occultes: &mut [bool]) {
+        for (voie, occulte) in occultes.iter_mut().enumerate() {
+            *occulte = groupe.premier(voie).rang.is_some();
+        }
+    }
+}
 
 /// At most 64 rays with the first object of each so far.
-pub(crate) struct Bloc<'a, R, D> {
-    liste: Liste<'a, R>,
+pub(crate) struct Bloc<'a, R, Q> {
     /// How many rays are here, without what stands in for missing ones.
     nombre: usize,
     groupes: &'a mut Groupes<R>,
-    demande: PhantomData<D>,
+    question: PhantomData<Q>,
 }
 
-impl<'a, R: Reel, D: Demande<R>> Bloc<'a, R, D> {
+impl<'a, R: Nombre, Q: EnLot<R>> Bloc<'a, R, Q> {
     #[inline(always)]
-    pub(crate) fn new(liste: Liste<'a, R>, groupes: &'a mut Groupes<R>) -> Self {
-        Self { liste, nombre: 0, groupes, demande: PhantomData }
+    pub(crate) fn new(groupes: &'a mut Groupes<R>) -> Self {
+        Self { nombre: 0, groupes, question: PhantomData }
     }
 
     /// Puts these rays here, with no object so far.
     #[inline(always)]
-    pub(crate) fn charger(&mut self, demandes: &[D]) {
-        self.nombre = demandes.len();
-        for (i, demandes) in demandes.chunks(SEIZE).enumerate() {
+    pub(crate) fn charger(&mut self, rayons: &[Rayon<R>]) {
+        self.nombre = rayons.len();
+        for (i, rayons) in rayons.chunks(VOIES).enumerate() {
             if i == self.groupes.len() {
                 self.groupes.push(Groupe::VIDE);
             }
-            self.groupes[i].charger(demandes, D::lire);
+            self.groupes[i].charger(rayons);
         }
     }
 
     /// The groups that hold rays.
     #[inline(always)]
     pub(crate) fn groupes(&self) -> &[Groupe<R>] {
-        &self.groupes[..self.nombre.div_ceil(SEIZE)]
+        &self.groupes[..self.nombre.div_ceil(VOIES)]
     }
 
     #[inline(always)]
     fn rayon(&self, i: usize) -> Rayon<R> {
-        self.groupes[i / SEIZE].rayon(i % SEIZE)
+        self.groupes[i / VOIES].rayon(i % VOIES)
     }
 
-    /// So many of these rays, evenly spread from the first to the last.
+    /// This many of these rays, two or more, evenly spread from the first to the last.
     #[inline(always)]
-    pub(crate) fn temoins(&self, combien: usize) -> impl Iterator<Item = Rayon<R>> {
+    pub(crate) fn rayons_epars(&self, combien: usize) -> impl Iterator<Item = Rayon<R>> {
         (0..combien).map(
             #[inline(always)]
             move |i| self.rayon(i * (self.nombre - 1) / (combien - 1)),
         )
     }
 
-    /// The beam of these rays, up to their limits if they have some; `None` if they go too far apart for
-    /// one.
+    /// The beam of these rays, up to their limits if all have one; `None` if they go too far apart for one.
     #[inline(always)]
     pub(crate) fn faisceau(&self) -> Option<Faisceau<R>> {
         let reperes = [0, 7, self.nombre / 2].map(|i| self.rayon(i));
-        if D::UN_SUFFIT && self.le_plus_loin() <= R::LIMITE {
+        if self.le_plus_loin() <= R::LIMITE {
             return Some(Faisceau::de_segments(self.groupes(), reperes));
         }
         Faisceau::de_rayons(self.groupes(), reperes)
@@ -87,22 +112,22 @@ impl<'a, R: Reel, D: Demande<R>> Bloc<'a, R, D> {
     /// The shape is copied: nothing that is written to a group can overlap it, so that the compiler
     /// need not read it again for every ray.
     #[inline(always)]
-    pub(crate) fn proposer(&mut self, indice: usize) {
-        let Some(objet) = self.liste.objet(indice) else { return };
+    pub(crate) fn proposer(&mut self, liste: Liste<'_, R>, indice: usize) {
+        let Some(objet) = liste.objet(indice) else { return };
         let (rang, groupes) = (Rang::de(indice), self.groupes().len());
         par_forme!(ObjetRay, objet, forme => {
             let forme = *forme;
             for groupe in &mut self.groupes[..groupes] {
-                groupe.proposer(&forme, rang, D::UN_SUFFIT);
+                groupe.proposer(&forme, rang, Q::UN_SUFFIT);
             }
         });
     }
 
     /// [`proposer`](Self::proposer) of every object of the list.
     #[inline(always)]
-    pub(crate) fn proposer_tous(&mut self) {
-        for indice in 0..self.liste.objets.len() {
-            self.proposer(indice);
+    pub(crate) fn interroger(&mut self, liste: Liste<'_, R>) {
+        for indice in 0..liste.objets.len() {
+            self.proposer(liste, indice);
         }
     }
 
@@ -119,18 +144,47 @@ impl<'a, R: Reel, D: Demande<R>> Bloc<'a, R, D> {
     /// The first object so far of one of its rays.
     #[inline(always)]
     pub(crate) fn premier(&self, i: usize) -> Premier<R> {
-        self.groupes[i / SEIZE].premier(i % SEIZE)
+        self.groupes[i / VOIES].premier(i % VOIES)
     }
 
-    /// Writes the answers; a function of the instruction set, which list and hierarchy share.
+    /// Writes the answers; a function of the instruction set, which list and tree share.
     #[inline(always)]
-    pub(crate) fn ecrire<S: Simd>(&self, simd: S, reponses: &mut [D::Reponse]) {
-        let objets = self.liste.objets;
+    pub(crate) fn repondre<S: Simd>(
+        &self,
+        simd: S,
+        liste: Liste<'_, R>,
+        reponses: &mut [Q::Reponse],
+    ) {
         simd.vectorize(
             #[inline(always)]
             || {
-                for (groupe, reponses) in self.groupes.iter().zip(reponses.chunks_mut(SEIZE)) {
-                    D::reponses_du_groupe(groupe, objets, reponses);
+                for (groupe, reponses) in self.groupes.iter().zip(reponses.chunks_mut(VOIES)) {
+                    Q::repondre_ensemble(groupe, liste.objets, reponses);
+                }
+            },
+        );
+    }
+
+    /// The answers of a list to the rays of a block: together if they are enough, else one by one.
+    #[inline(always)]
+    pub(crate) fn repondre_de_la_liste<S: Simd>(
+        &mut self,
+        simd: S,
+        liste: Liste<'_, R>,
+        (rayons, reponses): (&[Rayon<R>], &mut [Q::Reponse]),
+    ) {
+        if rayons.len() >= RAYONS_D_UNE_LISTE {
+            self.charger(rayons);
+            self.interroger(liste);
+            return self.repondre(simd, liste, reponses);
+        }
+        simd.vectorize(
+            #[inline(always)]
+            || {
+                for (rayon, reponse) in rayons.iter().zip(reponses) {
+                    let mut question = Q::from(Premier::avant(rayon.fin()));
+                    liste.interroger(rayon, &mut question);
+                    *reponse = question.repondre(rayon, liste.objets);
                 }
             },
         );

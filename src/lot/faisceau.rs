@@ -4,11 +4,10 @@
 //! No point of a ray lies outside, rounding included. The bounds are derived in `docs/preuves.md`, lemma 19, whose
 //! letters are those of this file.
 
-use crate::epreuve::Epreuve;
-use crate::lot::groupe::Groupe;
+use crate::colonne::{Colonne, le_plus_grand};
+use crate::lot::groupe::{Groupe, VOIES};
+use crate::nombre::{Nombre, fois_u, fois_u_simple, max, min};
 use crate::rayon::Rayon;
-use crate::reel::{Reel, fois_u, fois_u_simple, max, min};
-use crate::seize::{Colonne, SEIZE, le_plus_grand};
 use crate::vecteur::Vecteur;
 
 /// Ω is shorter than a direction by so many u of `f32` of itself: then Ω·D ≤ 1 (lemma 19).
@@ -48,12 +47,11 @@ const COSINUS_MINIMAL: f64 = 0.25;
 /// So rays in no order are refused before a beam is made of them. Shadow rays are asked as well, although their
 /// segments may lie together where their directions do not.
 #[inline(always)]
-pub(crate) fn vont_ensemble<R: Reel>(epreuves: &[impl Epreuve<R>]) -> bool {
-    let milieu = epreuves[epreuves.len() / 2].rayon().direction();
-    let mut quelques = epreuves.iter().step_by(epreuves.len() / 8 + 1);
-    quelques.all(|epreuve| {
-        epreuve.rayon().direction().produit_scalaire(milieu) > R::depuis_f64(COSINUS_MINIMAL)
-    })
+pub(crate) fn vont_ensemble<R: Nombre>(rayons: &[Rayon<R>]) -> bool {
+    let milieu = rayons[rayons.len() / 2].direction();
+    let mut quelques = rayons.iter().step_by(rayons.len() / 8 + 1);
+    quelques
+        .all(|rayon| rayon.direction().produit_scalaire(milieu) > R::depuis_f64(COSINUS_MINIMAL))
 }
 
 /// What a beam is built around: a reference origin S₀, a reference direction Ω, and U and V across Ω.
@@ -61,7 +59,7 @@ pub(crate) fn vont_ensemble<R: Reel>(epreuves: &[impl Epreuve<R>]) -> bool {
 /// S₀ and Ω come from the ray in the middle. U points from the first ray to the eighth, along a row
 /// of pixels: any U is right, this one fits closely.
 #[inline(always)]
-fn axes<R: Reel>([depart, huitieme, milieu]: [Rayon<R>; 3]) -> [Vecteur<R>; 4] {
+fn axes<R: Nombre>([depart, huitieme, milieu]: [Rayon<R>; 3]) -> [Vecteur<R>; 4] {
     let omega = milieu.direction() * (R::UN - fois_u_simple(COURT_OMEGA));
     // F1
     let cote = huitieme.direction() - depart.direction();
@@ -71,7 +69,7 @@ fn axes<R: Reel>([depart, huitieme, milieu]: [Rayon<R>; 3]) -> [Vecteur<R>; 4] {
     [milieu.source(), omega, u, omega.produit_vectoriel(u)]
 }
 
-impl<R: Reel> Faisceau<R> {
+impl<R: Nombre> Faisceau<R> {
     /// The beam of the rays of these groups; three of them, the first, the eighth and the one in the
     /// middle, say where it goes. `None` if they go too far apart for one.
     #[inline(always)]
@@ -172,14 +170,14 @@ impl<R: Reel> Faisceau<R> {
 ///
 /// Each has sixteen maxima, one a lane: a single running maximum cannot be vectorised.
 #[inline(always)]
-fn maxima<R: Reel, const N: usize>(
+fn maxima<R: Nombre, const N: usize>(
     depart: R,
     groupes: &[Groupe<R>],
     nombres: impl Fn(Rayon<R>, R) -> [R; N],
 ) -> [R; N] {
-    let mut colonnes: [Colonne<R>; N] = [[depart; SEIZE]; N];
+    let mut colonnes: [Colonne<R>; N] = [[depart; VOIES]; N];
     for groupe in groupes {
-        for voie in 0..SEIZE {
+        for voie in 0..VOIES {
             let nombres = nombres(groupe.rayon(voie), groupe.premier(voie).t);
             for (colonne, nombre) in colonnes.iter_mut().zip(nombres) {
                 colonne[voie] = max(colonne[voie], nombre);
@@ -191,19 +189,19 @@ fn maxima<R: Reel, const N: usize>(
 
 /// How far along Π the farther end of a segment is.
 #[inline(always)]
-fn plus_loin_le_long<R: Reel>(pi: Vecteur<R>, s: Vecteur<R>, l: Vecteur<R>) -> R {
+fn plus_loin_le_long<R: Nombre>(pi: Vecteur<R>, s: Vecteur<R>, l: Vecteur<R>) -> R {
     max(pi.produit_scalaire(s), pi.produit_scalaire(l))
 }
 
 #[inline(always)]
-fn plus_grande_coordonnee<R: Reel>(v: Vecteur<R>) -> R {
+fn plus_grande_coordonnee<R: Nombre>(v: Vecteur<R>) -> R {
     max(max(v.x.abs(), v.y.abs()), v.z.abs())
 }
 
 /// The unit vector of what `v` has across Ω; `None` if `v` lies along Ω, where what rounding leaves
 /// does too.
 #[inline(always)]
-fn en_travers<R: Reel>(v: Vecteur<R>, omega: Vecteur<R>) -> Option<Vecteur<R>> {
+fn en_travers<R: Nombre>(v: Vecteur<R>, omega: Vecteur<R>) -> Option<Vecteur<R>> {
     let travers = (v - omega * v.produit_scalaire(omega)).unitaire()?;
     (travers.produit_scalaire(omega).abs() < R::depuis_f64(0.5)).then_some(travers)
 }

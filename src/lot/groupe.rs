@@ -5,14 +5,17 @@
 //! ray gets the bits that it gets alone. What the loops call, closures too, is `inline(always)`: a
 //! function that is not inlined would be compiled for the baseline instruction set.
 
+use crate::colonne::{Colonne, LARGEUR, le_plus_grand, prendre};
 use crate::forme::Forme;
-use crate::intersection::{Contact, Intersection, NoIntersection, Rang, Touche};
+use crate::intersection::{Contact, Intersection, NoIntersection, Rang, Reponse};
+use crate::nombre::Nombre;
 use crate::objet::{ObjetRay, par_forme};
+use crate::question::Premier;
 use crate::rayon::Rayon;
-use crate::reel::Reel;
-use crate::retenus::Premier;
-use crate::seize::{Colonne, SEIZE, le_plus_grand, prendre};
 use crate::vecteur::Vecteur;
+
+/// The rays of a group: a column has one number of each.
+pub(crate) const VOIES: usize = LARGEUR;
 
 /// With fewer rays than this on one object, hits are concluded one by one: 5 % faster for rays in
 /// no order among 12 objects, and as fast for tiles (measured).
@@ -28,36 +31,34 @@ pub(crate) struct Groupe<R> {
     rangs: Colonne<Option<Rang>>,
 }
 
-impl<R: Reel> Groupe<R> {
+impl<R: Nombre> Groupe<R> {
     pub(crate) const VIDE: Self = Self {
-        s: [[R::ZERO; SEIZE]; 3],
-        d: [[R::ZERO; SEIZE]; 3],
-        t: [R::INFINI; SEIZE],
-        rangs: [None; SEIZE],
+        s: [[R::ZERO; VOIES]; 3],
+        d: [[R::ZERO; VOIES]; 3],
+        t: [R::INFINI; VOIES],
+        rangs: [None; VOIES],
     };
 
-    /// Puts what is asked here, at most sixteen, with no object so far; the last stands in for those that
-    /// are missing. `lire` tells a ray, and the distance before which an object counts.
+    /// Puts these rays here, at most sixteen, with no object so far; the last stands in for those that are missing.
     #[inline(always)]
-    pub(crate) fn charger<D: Copy>(&mut self, demandes: &[D], lire: impl Fn(&D) -> (Rayon<R>, R)) {
-        if let Some(demandes) = demandes.first_chunk() {
-            self.copier(demandes, lire);
-        } else if let Some(derniere) = demandes.last() {
-            let mut completes = [*derniere; SEIZE];
-            completes[..demandes.len()].copy_from_slice(demandes);
-            self.copier(&completes, lire);
+    pub(crate) fn charger(&mut self, rayons: &[Rayon<R>]) {
+        if let Some(rayons) = rayons.first_chunk() {
+            self.copier(rayons);
+        } else if let Some(dernier) = rayons.last() {
+            let mut complets = [*dernier; VOIES];
+            complets[..rayons.len()].copy_from_slice(rayons);
+            self.copier(&complets);
         }
     }
 
     #[inline(always)]
-    fn copier<D>(&mut self, demandes: &[D; SEIZE], lire: impl Fn(&D) -> (Rayon<R>, R)) {
-        self.rangs = [None; SEIZE];
-        for (voie, demande) in demandes.iter().enumerate() {
-            let (rayon, limite) = lire(demande);
+    fn copier(&mut self, rayons: &[Rayon<R>; VOIES]) {
+        self.rangs = [None; VOIES];
+        for (voie, rayon) in rayons.iter().enumerate() {
             let (s, d) = (rayon.source(), rayon.direction());
             [self.s[0][voie], self.s[1][voie], self.s[2][voie]] = s.into();
             [self.d[0][voie], self.d[1][voie], self.d[2][voie]] = d.into();
-            self.t[voie] = limite;
+            self.t[voie] = rayon.fin();
         }
     }
 
@@ -66,7 +67,7 @@ impl<R: Reel> Groupe<R> {
     pub(crate) fn rayon(&self, voie: usize) -> Rayon<R> {
         let ([sx, sy, sz], [dx, dy, dz]) = (&self.s, &self.d);
         let s = Vecteur::new(sx[voie], sy[voie], sz[voie]);
-        Rayon::sans_verifier(s, Vecteur::new(dx[voie], dy[voie], dz[voie]))
+        Rayon::sans_fin(s, Vecteur::new(dx[voie], dy[voie], dz[voie]))
     }
 
     /// The first object of one ray so far.
@@ -88,7 +89,7 @@ impl<R: Reel> Groupe<R> {
     #[inline(always)]
     pub(crate) fn proposer(&mut self, forme: &impl Forme<R>, rang: Rang, un_suffit: bool) {
         let mut pres = false;
-        for voie in 0..SEIZE {
+        for voie in 0..VOIES {
             pres |= forme.peut_entrer(&self.rayon(voie));
         }
         // Roots and quotients only if one ray at least may enter.
@@ -97,7 +98,7 @@ impl<R: Reel> Groupe<R> {
         }
         // Computed for all and kept for some, in a loop of its own: a branch would not be
         // vectorised.
-        let mut t = [R::INFINI; SEIZE];
+        let mut t = [R::INFINI; VOIES];
         for (voie, t) in t.iter_mut().enumerate() {
             *t = forme.t(&self.rayon(voie));
         }
@@ -113,7 +114,7 @@ impl<R: Reel> Groupe<R> {
     /// Writes the answers of these rays: for each object that is the first of some ray, the hits of
     /// all its rays.
     #[inline(always)]
-    pub(crate) fn ecrire(&self, objets: &[ObjetRay<R>], touches: &mut [Touche<R>]) {
+    pub(crate) fn ecrire(&self, objets: &[ObjetRay<R>], touches: &mut [Reponse<R>]) {
         let mut contacts = Contacts::VIDES;
         let mut restent = 0;
         for (voie, touche) in touches.iter_mut().enumerate() {
@@ -125,7 +126,7 @@ impl<R: Reel> Groupe<R> {
             let Some(rang) = self.rangs[voie] else { return };
             let Some(objet) = objets.get(rang.indice()) else { return };
             let mut siens = 0;
-            for voie in 0..SEIZE {
+            for voie in 0..VOIES {
                 siens |= u32::from(self.rangs[voie] == Some(rang)) << voie;
             }
             // Without those that stand in for missing rays, which have no answer.
@@ -141,7 +142,7 @@ impl<R: Reel> Groupe<R> {
                 // Built in its place: to copy a hit just built would stall until its fields are
                 // stored.
                 touches[voie] = Ok(if cote_a_cote && contacts.de_face[voie] {
-                    Intersection::new(t, contacts.de(voie), texture, rang)
+                    Intersection::new(t, contacts.de(voie, self), texture, rang)
                 } else {
                     objet.conclure(&self.rayon(voie), t, rang)
                 });
@@ -158,24 +159,26 @@ struct Contacts<R> {
     de_face: Colonne<bool>,
 }
 
-impl<R: Reel> Contacts<R> {
+impl<R: Nombre> Contacts<R> {
     const VIDES: Self =
-        Self { normale: [[R::ZERO; SEIZE]; 3], marge: [R::ZERO; SEIZE], de_face: [false; SEIZE] };
+        Self { normale: [[R::ZERO; VOIES]; 3], marge: [R::ZERO; VOIES], de_face: [false; VOIES] };
 
     #[inline(always)]
     fn calculer(&mut self, groupe: &Groupe<R>, forme: impl Forme<R>) {
         let Self { normale: [nx, ny, nz], marge, de_face } = self;
-        for voie in 0..SEIZE {
+        for voie in 0..VOIES {
             let (contact, face) = forme.contact(&groupe.rayon(voie), groupe.t[voie]);
             [nx[voie], ny[voie], nz[voie]] = contact.normale.into();
             (marge[voie], de_face[voie]) = (contact.marge, face);
         }
     }
 
-    /// The hit of one ray.
+    /// The hit of one ray of this group.
     #[inline(always)]
-    fn de(&self, voie: usize) -> Contact<R> {
+    fn de(&self, voie: usize, groupe: &Groupe<R>) -> Contact<R> {
         let Self { normale: [nx, ny, nz], marge, de_face: _ } = self;
-        Contact { normale: Vecteur::new(nx[voie], ny[voie], nz[voie]), marge: marge[voie] }
+        let normale = Vecteur::new(nx[voie], ny[voie], nz[voie]);
+        let point = groupe.rayon(voie).point(groupe.t[voie]);
+        Contact { normale, marge: marge[voie], point }
     }
 }

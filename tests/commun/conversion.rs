@@ -1,6 +1,6 @@
 //! Between the type of a scene, f64 and bits.
 
-use lancer_rayon::{Reel, Touche, Vecteur};
+use lancer_rayon::{Reel, Reponse, Vecteur};
 
 /// [`Vecteur::depuis_f64`] under a shorter name.
 pub fn arrondi<R: Reel>(v: Vecteur) -> Vecteur<R> {
@@ -35,15 +35,16 @@ impl Bits for f64 {
 /// Every bit of a hit or a miss.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Mots {
-    /// Distance, normal, margin and texture. A miss has bits that would be NaNs, and no hit has those.
-    pub valeurs: [u64; 6],
+    /// Distance, normal, margin, point and texture. A miss has bits that would be NaNs, and no hit has those.
+    pub valeurs: [u64; 9],
     /// The index of the object.
     pub objet: Option<usize>,
 }
 
-pub fn mots<R: Bits>(touche: &Touche<R>) -> Mots {
-    let Ok(t) = touche else { return Mots { valeurs: [u64::MAX; 6], objet: None } };
-    let (n, texture) = (t.normale(), t.texture().0.into());
+pub fn mots<R: Bits>(touche: &Reponse<R>) -> Mots {
+    let Ok(t) = touche else { return Mots { valeurs: [u64::MAX; 9], objet: None } };
+    let (n, p, texture) = (t.normale(), t.point(), t.texture().0.into());
     let [d, x, y, z, marge] = [t.distance(), n.x, n.y, n.z, t.marge()].map(R::bits);
-    Mots { valeurs: [d, x, y, z, marge, texture], objet: Some(t.objet()) }
+    let [px, py, pz] = [p.x, p.y, p.z].map(R::bits);
+    Mots { valeurs: [d, x, y, z, marge, px, py, pz, texture], objet: Some(t.indice()) }
 }

@@ -1,12 +1,13 @@
-//! Every way to an answer, with every instruction set of the machine: the list in a batch, the hierarchy ray by
-//! ray and in a batch, before a limit and in order, shadows of both; each beside the list ray by ray.
+//! Every way to an answer, with every instruction set of the machine: the list in a batch, the tree ray by
+//! ray and in a batch, before an end, in order and by a visit, shadows of both; each beside the list ray by ray. And who
+//! holds the sources and the points of hits.
 
 use std::sync::atomic::{AtomicU32, Ordering};
 
 use lancer_rayon::pour_les_tests::Reglage;
 use lancer_rayon::{
-    Hierarchie, Intersection, NoIntersection, ObjetRay, Rayon, Reel, SphereGeo, Texture, Touche,
-    Vecteur, est_occulte, premiere_intersection,
+    Choix, Intersection, Monde, NoIntersection, ObjetRay, Parmi, Rayon, Reel, Reponse, SphereGeo,
+    Texture, Tous, Vecteur, places, premiere_intersection,
 };
 
 use crate::conversion::{Bits, Mots, mots};
@@ -24,8 +25,13 @@ pub fn voisin<R: Bits>(x: R, de: i64) -> R {
     R::depuis_bits((x.bits() << unite).wrapping_add_signed(de << unite))
 }
 
+/// The same of an end, if that is one.
+fn fin_voisine<R: Bits>(fin: R, de: i64) -> R {
+    Some(voisin(fin, de)).filter(|autre| *autre >= R::ZERO).unwrap_or(fin)
+}
+
 /// A hit that no ray has, so that a place which a batch leaves out shows.
-fn absurde<R: Bits>() -> Touche<R> {
+fn absurde<R: Bits>() -> Reponse<R> {
     let z = Vecteur::new(R::ZERO, R::ZERO, R::UN);
     let boule: ObjetRay<R> = SphereGeo::new(Vecteur::NUL, R::UN, Texture(u32::MAX)).unwrap().into();
     boule.intersection(&Rayon::new(z * R::LIMITE, -z).unwrap())
@@ -37,8 +43,8 @@ fn absurde<R: Bits>() -> Touche<R> {
 pub fn exiger<R: Bits>(
     facon: &str,
     rayons: &[Rayon<R>],
-    obtenues: &[Touche<R>],
-    attendues: &[Touche<R>],
+    obtenues: &[Reponse<R>],
+    attendues: &[Reponse<R>],
     pris: &[usize],
 ) {
     for ((rayon, obtenue), attendue) in rayons.iter().zip(obtenues).zip(attendues) {
@@ -60,9 +66,9 @@ pub fn exiger<R: Bits>(
 pub fn comparer<R: Bits>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) -> usize {
     let n = objets.len();
     // What the memory held before must not show through. In the larger one long boxes are cut into pieces.
-    let mut memoires = [1, 6].map(|fois| vec![f32::NAN; fois * Hierarchie::places(n)]);
-    let [hierarchie, en_morceaux] =
-        memoires.each_mut().map(|places| Hierarchie::new(objets, places).unwrap());
+    let [mut memoire, mut grande] = [1, 6].map(|fois| vec![f32::NAN; fois * places(n)]);
+    let hierarchie = Monde::new(objets, &mut memoire).unwrap();
+    let en_morceaux = Monde::en_morceaux(objets, &mut grande).unwrap();
     let touches = comparer_dans(&hierarchie, rayons);
     // Else it is the same tree.
     if noeuds(&en_morceaux) > noeuds(&hierarchie) {
@@ -76,49 +82,55 @@ pub fn comparer<R: Bits>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) -> usize {
 
 /// The same of this very hierarchy.
 #[track_caller]
-pub fn comparer_dans<R: Bits>(hierarchie: &Hierarchie<'_, R>, rayons: &[Rayon<R>]) -> usize {
-    let facons = [*hierarchie, Hierarchie::de_liste(hierarchie.objets())];
+pub fn comparer_dans<R: Bits>(hierarchie: &Monde<'_, R>, rayons: &[Rayon<R>]) -> usize {
+    let facons = [*hierarchie, Monde::de_liste(hierarchie.objets())];
     let attendues = comparer_les_facons(rayons, facons, |_| true);
     // Another one each time, and now and then one that is not there.
     let sauf = rayons.len() % (hierarchie.objets().len() + 1);
-    let sauf = attendues.iter().flatten().nth(sauf).map_or(sauf, |touche| touche.objet());
+    let sauf = attendues.iter().flatten().nth(sauf).map_or(sauf, |touche| touche.indice());
     // And no more than some of these, by no rule that a walk could follow.
     let plupart = |indice: usize| indice.wrapping_mul(0x9e37_79b9) >> 7 & 7 > 1;
     // By turns one alone is left out.
     let seul = sauf % 2 == 0;
     let les_deux = |indice| indice != sauf && (seul || plupart(indice));
-    let sauf_lui = facons.each_ref().map(|facon| facon.sans(sauf));
-    let plupart = sauf_lui.each_ref().map(|facon| facon.parmi(&plupart));
-    comparer_les_facons(rayons, if seul { sauf_lui } else { plupart }, les_deux);
+    let sauf_lui = facons.map(|facon| facon.sans(sauf));
+    if seul {
+        comparer_les_facons(rayons, sauf_lui, les_deux);
+    } else {
+        comparer_les_facons(rayons, sauf_lui.map(|facon| facon.parmi(&plupart)), les_deux);
+    }
     attendues.iter().flatten().count()
 }
 
-/// How often this question asks for each object of this hierarchy. No answer shows it; a choice is told.
+/// A choice that counts what it is asked.
+pub type Compteur<'a> = Parmi<Tous, &'a (dyn Fn(usize) -> bool + Sync)>;
+
+/// How often this question asks for each object. No answer shows it; a choice is told.
 pub fn demandes<R: Reel>(
-    hierarchie: &Hierarchie<'_, R>,
-    question: impl FnOnce(Hierarchie<'_, R>),
+    hierarchie: &Monde<'_, R>,
+    question: impl FnOnce(Monde<'_, R, Compteur<'_>>),
 ) -> Vec<u32> {
     let demandes: Vec<_> = hierarchie.objets().iter().map(|_| AtomicU32::new(0)).collect();
     let compter = |indice: usize| demandes[indice].fetch_add(1, Ordering::Relaxed) < u32::MAX;
-    question(hierarchie.parmi(&compter));
+    question(hierarchie.parmi(&compter as &(dyn Fn(usize) -> bool + Sync)));
     demandes.into_iter().map(AtomicU32::into_inner).collect()
 }
 
 /// How many nodes the tree of this hierarchy has, as it says itself; 0 if it has none and asks its list.
-pub fn noeuds<R: Reel>(hierarchie: &Hierarchie<'_, R>) -> usize {
+pub fn noeuds<R: Reel>(hierarchie: &Monde<'_, R>) -> usize {
     let texte = format!("{hierarchie:?}");
     let (_, nombre) = texte.split_once("noeuds: ").expect("the number of nodes");
-    nombre.trim_end_matches(" }").parse().unwrap()
+    nombre.trim_end_matches(", .. }").parse().unwrap()
 }
 
 /// The answers of a hierarchy and of one without a tree, in a batch and ray by ray, and of shadows, beside those of the
 /// list of the objects that both are to choose, which it returns.
 #[track_caller]
-fn comparer_les_facons<R: Bits>(
+fn comparer_les_facons<R: Bits, C: Choix + Copy>(
     rayons: &[Rayon<R>],
-    facons: [Hierarchie<'_, R>; 2],
+    facons: [Monde<'_, R, C>; 2],
     prend: impl Fn(usize) -> bool,
-) -> Vec<Touche<R>> {
+) -> Vec<Reponse<R>> {
     let objets = facons[0].objets();
     let pris: Vec<_> = (0..objets.len()).filter(|indice| prend(*indice)).collect();
     let restants: Vec<_> = pris.iter().map(|indice| objets[*indice]).collect();
@@ -128,15 +140,17 @@ fn comparer_les_facons<R: Bits>(
     let quelques = (0..rayons.len()).step_by(1 + rayons.len() / 4);
     let ordres: Vec<_> = quelques.map(|i| (toutes(&rayons[i], &restants, &pris), i)).collect();
     for (nom, reglage) in Reglage::tous() {
-        let [hierarchie, liste] = facons.map(|facon| reglage.hierarchie(facon));
-        let exiger = |facon: &str, touches: &[Touche<R>]| {
+        let [hierarchie, liste] = facons.map(|facon| reglage.monde(facon));
+        let exiger = |facon: &str, touches: &[Reponse<R>]| {
             exiger(&format!("{nom}, {facon}"), rayons, touches, &attendues, &pris);
         };
-        let demander = |facon, hierarchie: Hierarchie<'_, R>| {
+        let demander = |facon, hierarchie: Monde<'_, R, C>| {
             let seule = |rayon| hierarchie.premiere_intersection(rayon);
             exiger(facon, &rayons.iter().map(seule).collect::<Vec<_>>());
             for (toutes, i) in &ordres {
                 comparer_l_ordre(facon, &rayons[*i], hierarchie, toutes, *i);
+                comparer_la_visite(facon, &rayons[*i], hierarchie, toutes);
+                comparer_les_contenants(facon, &rayons[*i], hierarchie, &attendues[*i], &prend);
             }
         };
         let mut touches = vec![absurde(); rayons.len()];
@@ -170,26 +184,27 @@ fn toutes<R: Bits>(
 
 /// The first objects before limits that matter, as many as fit in some places, beside all of them.
 #[track_caller]
-fn comparer_l_ordre<R: Bits>(
+fn comparer_l_ordre<R: Bits, C: Choix>(
     facon: &str,
     rayon: &Rayon<R>,
-    hierarchie: Hierarchie<'_, R>,
+    hierarchie: Monde<'_, R, C>,
     toutes: &[(Intersection<R>, Mots)],
     i: usize,
 ) {
     let une = toutes.get(i % (toutes.len() + 1)).map_or(R::INFINI, |(touche, _)| touche.distance());
-    let limites = [une, R::INFINI, voisin(une, 1), -R::UN, R::depuis_f64(f64::NAN)];
+    let limites = [une, R::INFINI, fin_voisine(une, 1), R::ZERO, R::MIN_POSITIF];
     let places = [toutes.len() + 1, 1 + i % 4, i % 2];
     for (limite, places) in
-        [(R::INFINI, places[0]), (limites[i % 5], places[i % 3]), (voisin(une, 1), places[1])]
+        [(R::INFINI, places[0]), (limites[i % 5], places[i % 3]), (fin_voisine(une, 1), places[1])]
     {
         let avant = toutes.iter().filter(|(touche, _)| touche.distance() < limite);
         let voulues: Vec<_> = avant.map(|(_, mots)| *mots).collect();
         let premiere = voulues.first().copied().unwrap_or_else(|| mots::<R>(&Err(NoIntersection)));
-        let trouvee = hierarchie.premiere_avant(rayon, limite);
+        let rayon = rayon.jusqu_a(limite).unwrap();
+        let trouvee = hierarchie.premiere_intersection(&rayon);
         assert_eq!(mots(&trouvee), premiere, "{facon}, before {limite:?}: {rayon:?}");
         let mut touches = vec![absurde(); places];
-        let nombre = hierarchie.dans_l_ordre(rayon, limite, &mut touches);
+        let nombre = hierarchie.dans_l_ordre(&rayon, &mut touches);
         let obtenues: Vec<_> = touches[..nombre].iter().map(mots).collect();
         let voulues = &voulues[..voulues.len().min(places)];
         assert_eq!(obtenues, voulues, "{facon}, {places} places before {limite:?}: {rayon:?}");
@@ -197,55 +212,112 @@ fn comparer_l_ordre<R: Bits>(
     }
 }
 
+/// A visit shows each of these objects once; and it ends where it is told to.
+#[track_caller]
+fn comparer_la_visite<R: Bits, C: Choix>(
+    facon: &str,
+    rayon: &Rayon<R>,
+    monde: Monde<'_, R, C>,
+    toutes: &[(Intersection<R>, Mots)],
+) {
+    let visiter = |voir: &mut dyn FnMut(usize, R) -> R| {
+        let mut vus = vec![];
+        monde.visiter(rayon, |indice, t| {
+            vus.push((indice, t.bits()));
+            voir(indice, t)
+        });
+        vus.sort_unstable();
+        vus
+    };
+    let mut voulus: Vec<_> =
+        toutes.iter().map(|(t, mots)| (mots.objet.unwrap(), t.distance().bits())).collect();
+    voulus.sort_unstable();
+    assert_eq!(visiter(&mut |_, _| R::INFINI), voulus, "{facon}: {rayon:?}");
+    let mut premiere = R::INFINI;
+    visiter(&mut |_, t| {
+        assert!(t < premiere, "{facon}: {rayon:?}, {t} after {premiere}");
+        premiere = t;
+        t
+    });
+    let voulue = toutes.first().map_or(R::INFINI, |(touche, _)| touche.distance());
+    assert_eq!(premiere.bits(), voulue.bits(), "{facon}: {rayon:?}");
+    assert!(visiter(&mut |_, _| R::ZERO).len() <= 1, "{facon}: {rayon:?}");
+}
+
+/// Who holds the source of this ray and the point of its first hit: those that say so themselves, each once.
+#[track_caller]
+fn comparer_les_contenants<R: Bits, C: Choix>(
+    facon: &str,
+    rayon: &Rayon<R>,
+    monde: Monde<'_, R, C>,
+    touche: &Reponse<R>,
+    prend: &impl Fn(usize) -> bool,
+) {
+    for point in [Some(rayon.source()), touche.ok().map(|touche| touche.point())] {
+        let Some(point) = point else { continue };
+        let tient =
+            |(indice, objet): &(usize, &ObjetRay<R>)| prend(*indice) && objet.contient(point);
+        let voulus = monde.objets().iter().enumerate().filter(tient);
+        let voulus: Vec<_> = voulus.map(|(indice, _)| indice).collect();
+        let mut vus = vec![];
+        monde.contenants(point, |indice| vus.push(indice));
+        vus.sort_unstable();
+        assert_eq!(vus, voulus, "{facon}: {point:?}");
+        assert_eq!(monde.contient(point), !voulus.is_empty(), "{facon}: {point:?}");
+    }
+}
+
 /// The same of shadow rays whose lamps are at their first hits, beside them and farther, of some that no segment
 /// reaches, and of a sun. A ray that hits nothing has the lamp of the ray before it.
 #[track_caller]
-fn comparer_les_ombres<R: Bits>(
+fn comparer_les_ombres<R: Bits, C: Choix + Copy>(
     rayons: &[Rayon<R>],
-    touches: &[Touche<R>],
+    touches: &[Reponse<R>],
     restants: &[ObjetRay<R>],
-    facons: [Hierarchie<'_, R>; 2],
+    facons: [Monde<'_, R, C>; 2],
     entiere: bool,
 ) {
-    let etranges = [R::INFINI, R::depuis_f64(f64::NAN), R::ZERO, -R::UN, R::MIN_POSITIF];
+    let etranges = [R::INFINI, R::ZERO, -R::ZERO, R::MIN_POSITIF];
     // What is left out changes nothing of what limits are.
     for paquet in if entiere { 0..6 } else { 1..2 } {
         let mut lampe = R::UN;
-        let limite = |(i, touche): (usize, &Touche<R>)| {
+        let limite = |(i, touche): (usize, &Reponse<R>)| {
             lampe = touche.map_or(lampe, |touche| touche.distance());
             match paquet {
                 0 => lampe,
-                1 => voisin(lampe, 1),
+                1 => fin_voisine(lampe, 1),
                 2 => lampe * R::depuis_f64(1.0 + (i % 9) as f64),
                 3 if i % 50 == 0 => etranges[i / 50 % etranges.len()],
-                3 => voisin(lampe, 1),
-                4 => voisin(lampe, i as i64 % 5 - 2),
+                3 => fin_voisine(lampe, 1),
+                4 => fin_voisine(lampe, i as i64 % 5 - 2),
                 _ => R::INFINI,
             }
         };
         let limites = touches.iter().enumerate().map(limite);
-        let ombres: Vec<_> = rayons.iter().copied().zip(limites).collect();
-        let cachee = |(touche, (_, max)): (&Touche<R>, &(Rayon<R>, R))| {
-            touche.is_ok_and(|touche| touche.distance() < *max)
+        let ombres: Vec<_> =
+            rayons.iter().zip(limites).map(|(rayon, fin)| rayon.jusqu_a(fin).unwrap()).collect();
+        let cachee = |(touche, ombre): (&Reponse<R>, &Rayon<R>)| {
+            touche.is_ok_and(|touche| touche.distance() < ombre.fin())
         };
         let voulues: Vec<_> = touches.iter().zip(&ombres).map(cachee).collect();
         // Ray by ray where limits are hard: that takes longest.
         let seules = !entiere || paquet == 3 || paquet == 4;
         let une_par_une = if seules { &ombres[..] } else { &[] };
-        for ((rayon, max), voulue) in une_par_une.iter().zip(&voulues) {
-            assert_eq!(est_occulte(restants, rayon, *max), *voulue, "{rayon:?} before {max:?}");
+        let la_liste = Monde::de_liste(restants);
+        for (ombre, voulue) in une_par_une.iter().zip(&voulues) {
+            assert_eq!(la_liste.est_occulte(ombre), *voulue, "{ombre:?}");
         }
         // The contrary, so that a place which is left out shows.
         let contraires: Vec<_> = voulues.iter().map(|occulte| !occulte).collect();
         // Other instructions each time.
         let jeux: Vec<_> = Reglage::tous().collect();
         let (nom, reglage) = jeux[(lampe.bits() as usize).wrapping_add(paquet) % jeux.len()];
-        let [hierarchie, liste] = facons.map(|facon| reglage.hierarchie(facon));
+        let [hierarchie, liste] = facons.map(|facon| reglage.monde(facon));
         let (mut de_la_liste, mut de_l_arbre) = (contraires.clone(), contraires.clone());
         liste.sont_occultes(&ombres, &mut de_la_liste).unwrap();
         hierarchie.sont_occultes(&ombres, &mut de_l_arbre).unwrap();
         let n = restants.len();
-        let exiger = |facon: &str, ombre: &(Rayon<R>, R), occulte: bool, voulue: bool| {
+        let exiger = |facon: &str, ombre: &Rayon<R>, occulte: bool, voulue: bool| {
             let scalaire = std::any::type_name::<R>();
             assert_eq!(occulte, voulue, "{facon}, {nom}, {scalaire}, {n} objects: {ombre:?}");
         };
@@ -255,9 +327,19 @@ fn comparer_les_ombres<R: Bits>(
             exiger("shadows of a hierarchy", ombre, arbre, *voulue);
         }
         for (ombre, voulue) in une_par_une.iter().zip(&voulues) {
-            let occulte = hierarchie.est_occulte(&ombre.0, ombre.1);
-            exiger("a shadow of a hierarchy", ombre, occulte, *voulue);
-            exiger("a shadow", ombre, liste.est_occulte(&ombre.0, ombre.1), *voulue);
+            exiger("a shadow of a hierarchy", ombre, hierarchie.est_occulte(ombre), *voulue);
+            exiger("a shadow", ombre, liste.est_occulte(ombre), *voulue);
+        }
+        // The first hits of the same rays: each has one before its end, or none.
+        for monde in [hierarchie, liste] {
+            let mut avant = vec![absurde(); ombres.len()];
+            monde.premieres_intersections(&ombres, &mut avant).unwrap();
+            for (((touche, avant), voulue), ombre) in
+                touches.iter().zip(&avant).zip(&voulues).zip(&ombres)
+            {
+                let attendue = mots(&if *voulue { *touche } else { Err(NoIntersection) });
+                assert_eq!(mots(avant).valeurs, attendue.valeurs, "{nom}: {ombre:?}");
+            }
         }
     }
 }

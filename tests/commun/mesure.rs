@@ -9,7 +9,7 @@ use crate::regimes::Regime;
 use crate::tolerances::{promesses, u};
 
 /// What an implementation answers: distance and normal.
-pub type Reponse<R> = Option<(R, Vecteur<R>)>;
+pub type Mesuree<R> = Option<(R, Vecteur<R>)>;
 
 /// Counts and errors of one regime.
 #[derive(Debug, Default)]
@@ -52,7 +52,7 @@ pub fn mesurer<R: Reel>(
     regime: &Regime<R>,
     cas: u32,
     graine: u64,
-    repondre: impl Fn(&ObjetRay<R>, &Rayon<R>) -> Reponse<R>,
+    repondre: impl Fn(&ObjetRay<R>, &Rayon<R>) -> Mesuree<R>,
 ) -> Mesure {
     let mut alea = Rng::with_seed(graine);
     let mut mesure = Mesure::default();

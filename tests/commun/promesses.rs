@@ -3,7 +3,9 @@
 //! pages (`benches/comparaison`) all ask these.
 
 use lancer_rayon::pour_les_tests::{self, PUISSANCE_PERDUE};
-use lancer_rayon::{Intersection, ObjetRay, Rayon, Reel, Texture, Vecteur, premiere_intersection};
+use lancer_rayon::{
+    Intersection, Nombre, ObjetRay, Rayon, Reel, Texture, Vecteur, premiere_intersection,
+};
 
 use crate::arrondi;
 use crate::mesure::{absolu, absolu_fois, au_bord, lieu_permis, plus_grand, rayon_non_perdu};
@@ -299,7 +301,8 @@ pub fn face_a_la_source<R: Reel>(cas: &Essai<R>) -> f64 {
 
 /// |f| and the size of the object, of this ray.
 fn grandeur<R: Reel>(objet: &ObjetRay<R>, rayon: &Rayon<R>) -> f64 {
-    let [bas, haut] = objet.etendue().unwrap_or([Vecteur::NUL; 2]).map(Vecteur::vers_f64);
+    let (bas, haut) =
+        objet.etendue().map_or_else(Default::default, |e| (e.bas.vers_f64(), e.haut.vers_f64()));
     (rayon.source().vers_f64() - bas).longueur() + (haut - bas).longueur()
 }
 
@@ -322,7 +325,7 @@ fn secondaire_du<R: Reel>(passage: Passage, cas: &Essai<R>) -> f64 {
     } else {
         v
     };
-    let Ok(rayon) = cas.rayon.secondaire(&touche, vers) else { return RIEN };
+    let Ok(rayon) = touche.secondaire(vers) else { return RIEN };
     let dedans = rayon.direction().produit_scalaire(n) < R::ZERO;
     // Nor does it leave what it has left; and what it goes on in it leaves, except beside an edge, where it may start
     // on another face or beyond.

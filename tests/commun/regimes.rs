@@ -401,7 +401,7 @@ pub fn vers_la_sortie<R: Reel>(Cas { objet, rayon }: Cas<R>, alea: &mut Rng) -> 
             0 => return None,
             1 => {
                 let touche = objet.intersection(&rayon).ok()?;
-                return rayon.secondaire(&touche, rayon.direction()).ok();
+                return touche.secondaire(rayon.direction()).ok();
             }
             2 => {
                 // Between the two crossings; in a half-space as deep as it was high.

@@ -1,10 +1,15 @@
-//! A choice of objects, all objects along a ray, and a first hit before a distance, as programs use them.
+//! A choice of objects, all objects along a ray, and a first hit before an end, as programs use them.
 
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::thread;
+
+use commun::facons::noeuds;
 use commun::scenes::{melange, rayons_camera};
 use commun::{arrondi, en_f32_et_f64};
+use lancer_rayon::pour_les_tests::Reglage;
 use lancer_rayon::{
-    BoiteGeo, Hierarchie, Intersection, NoIntersection, ObjetRay, PlanGeo, Rayon, Reel, Rotation,
-    SphereGeo, Texture, Touche, Vecteur, premiere_intersection,
+    BoiteGeo, Choix, Intersection, Monde, NoIntersection, ObjetRay, PlanGeo, Rayon, Reel, Reponse,
+    Rotation, SphereGeo, Texture, Vecteur, places, premiere_intersection,
 };
 
 fn v<R: Reel>(x: f64, y: f64, z: f64) -> Vecteur<R> {
@@ -22,8 +27,8 @@ fn sol_a(z: f64) -> ObjetRay {
 }
 
 /// The indices of the objects of these hits.
-fn indices<R: Reel>(touches: &[Touche<R>]) -> Vec<usize> {
-    touches.iter().flatten().map(Intersection::objet).collect()
+fn indices<R: Reel>(touches: &[Reponse<R>]) -> Vec<usize> {
+    touches.iter().flatten().map(Intersection::indice).collect()
 }
 
 /// A robot of three parts scans the room around it, and sees no part of its own; beside scans of a list without them.
@@ -35,24 +40,23 @@ fn un_robot_ne_se_voit_pas<R: Reel>() {
     ];
     let piece = melange::<R>(60);
     let scene = [&robot[..], &piece].concat();
-    let mut places = vec![0.0; Hierarchie::places(scene.len())];
-    let hierarchie = Hierarchie::new(&scene, &mut places).unwrap();
-    let dehors = |objet| objet >= robot.len();
-    let vue = hierarchie.parmi(&dehors);
+    let mut places = vec![0.0; places(scene.len())];
+    let monde = Monde::new(&scene, &mut places).unwrap();
+    let vue = monde.parmi(|indice| indice >= robot.len());
     let mut caches = 0;
     for i in 0..4_000 {
         let a = f64::from(i) * 0.37;
         let d = v(a.cos(), (f64::from(i) * 0.011).sin(), a.sin());
         // From within its own head, and from beside it.
         let rayon = Rayon::new(v(0.0, if i % 2 == 0 { 1.2 } else { 2.5 }, 0.0), d).unwrap();
-        let voulue = premiere_intersection(&piece, &rayon).map(|t| (t.distance(), t.objet() + 3));
+        let voulue = premiere_intersection(&piece, &rayon).map(|t| (t.distance(), t.indice() + 3));
         let vu = vue.premiere_intersection(&rayon);
-        assert_eq!(vu.map(|t| (t.distance(), t.objet())), voulue);
-        assert_eq!(vue.est_occulte(&rayon, R::INFINI), voulue.is_ok());
+        assert_eq!(vu.map(|t| (t.distance(), t.indice())), voulue);
+        assert_eq!(vue.est_occulte(&rayon), voulue.is_ok());
         // What is left out is no answer, of which to be certain.
-        let nue = hierarchie.premiere_intersection(&rayon);
-        if nue.is_ok_and(|t| t.objet() < 3) {
-            assert!(!vue.est_certaine(&rayon, &nue));
+        let nue = monde.premiere_intersection(&rayon);
+        if nue.is_ok_and(|t| t.indice() < 3) {
+            assert!(!vue.certifie(&rayon, &nue));
             caches += 1;
         }
     }
@@ -66,28 +70,34 @@ en_f32_et_f64!(un_robot_ne_se_voit_pas);
 fn un_choix_parmi_un_choix() {
     let scene: Vec<ObjetRay> = (0..40).map(|i| cube(v(0.0, 0.0, -2.0 * f64::from(i)))).collect();
     let rayon = Rayon::new(v(0.0, 0.0, 5.0), v(0.1, 0.07, -9.0)).unwrap();
-    let mut places = vec![0.0; Hierarchie::places(scene.len())];
-    for hierarchie in [Hierarchie::new(&scene, &mut places).unwrap(), Hierarchie::de_liste(&scene)]
-    {
-        let sans = |k: usize| move |objet| objet != k;
+    let mut places = vec![0.0; places(scene.len())];
+    for monde in [Monde::new(&scene, &mut places).unwrap(), Monde::de_liste(&scene)] {
+        let sans = |k: usize| move |indice| indice != k;
         let [un, zero] = [sans(1), sans(0)];
-        let premier = |h: Hierarchie| h.premiere_intersection(&rayon).map(|t| t.objet());
-        assert_eq!(premier(hierarchie.parmi(&zero)), Ok(1));
-        assert_eq!(premier(hierarchie.parmi(&un)), Ok(0));
-        assert_eq!(premier(hierarchie.parmi(&zero).parmi(&un)), Ok(2));
-        assert_eq!(premier(hierarchie.parmi(&un).parmi(&zero)), Ok(2));
-        assert_eq!(premier(hierarchie.parmi(&un).parmi(&un)), Ok(0));
-        assert_eq!(premier(hierarchie.sans(0)), Ok(1));
-        assert_eq!(premier(hierarchie.sans(0).sans(1)), Ok(2));
-        assert_eq!(premier(hierarchie.sans(1).sans(0)), Ok(2));
-        assert_eq!(premier(hierarchie.parmi(&zero).sans(1)), Ok(2));
-        assert_eq!(premier(hierarchie.sans(0).parmi(&un)), Ok(2));
-        assert_eq!(premier(hierarchie.sans(0).sans(usize::MAX)), Ok(1));
+        fn premier<C: Choix>(
+            monde: Monde<'_, f64, C>,
+            rayon: &Rayon,
+        ) -> Result<usize, NoIntersection> {
+            monde.premiere_intersection(rayon).map(|touche| touche.indice())
+        }
+        assert_eq!(premier(monde.parmi(zero), &rayon), Ok(1));
+        assert_eq!(premier(monde.parmi(un), &rayon), Ok(0));
+        assert_eq!(premier(monde.parmi(zero).parmi(un), &rayon), Ok(2));
+        assert_eq!(premier(monde.parmi(un).parmi(zero), &rayon), Ok(2));
+        assert_eq!(premier(monde.parmi(un).parmi(un), &rayon), Ok(0));
+        // A predicate that is borrowed serves as well.
+        assert_eq!(premier(monde.parmi(&un).parmi(&zero), &rayon), Ok(2));
+        assert_eq!(premier(monde.sans(0), &rayon), Ok(1));
+        assert_eq!(premier(monde.sans(0).sans(1), &rayon), Ok(2));
+        assert_eq!(premier(monde.sans(1).sans(0), &rayon), Ok(2));
+        assert_eq!(premier(monde.parmi(zero).sans(1), &rayon), Ok(2));
+        assert_eq!(premier(monde.sans(0).parmi(un), &rayon), Ok(2));
+        assert_eq!(premier(monde.sans(0).sans(usize::MAX), &rayon), Ok(1));
         // Beyond the list, and with the lowest 32 bits of an index of it.
         let au_dela = usize::MAX - usize::MAX % (usize::MAX >> (usize::BITS / 2)).wrapping_add(1);
-        assert_eq!([au_dela, usize::MAX].map(|k| premier(hierarchie.sans(k))), [Ok(0); 2]);
-        assert_eq!(premier(hierarchie.parmi(&|_| false)), Err(NoIntersection));
-        assert_eq!(premier(hierarchie), Ok(0));
+        assert_eq!([au_dela, usize::MAX].map(|k| premier(monde.sans(k), &rayon)), [Ok(0); 2]);
+        assert_eq!(premier(monde.parmi(|_| false), &rayon), Err(NoIntersection));
+        assert_eq!(premier(monde, &rayon), Ok(0));
     }
 }
 
@@ -97,45 +107,60 @@ fn chaque_question_connait_tous_les_choix() {
     let mut scene = vec![sol_a(-60.0)];
     scene.extend((0..20).map(|i| cube(v(0.0, 0.0, -2.0 * f64::from(i)))));
     let rayon = Rayon::new(v(0.0, 0.0, 5.0), v(0.01, 0.007, -9.0)).unwrap();
-    let mut places = vec![0.0; Hierarchie::places(scene.len())];
-    for hierarchie in [Hierarchie::new(&scene, &mut places).unwrap(), Hierarchie::de_liste(&scene)]
-    {
-        let en_ordre = |parmi: Hierarchie| {
+    let mut places = vec![0.0; places(scene.len())];
+    for monde in [Monde::new(&scene, &mut places).unwrap(), Monde::de_liste(&scene)] {
+        fn en_ordre<C: Choix>(parmi: &Monde<'_, f64, C>, rayon: &Rayon) -> Vec<usize> {
             let mut touches = [Err(NoIntersection); 30];
-            parmi.dans_l_ordre(&rayon, f64::INFINITY, &mut touches);
+            parmi.dans_l_ordre(rayon, &mut touches);
             indices(&touches)
-        };
+        }
         let tous: Vec<_> = (1..=20).chain([0]).collect();
-        assert_eq!(en_ordre(hierarchie), tous);
-        let nues = tous
-            .iter()
-            .map(|&k| hierarchie.parmi(&move |objet| objet == k).premiere_intersection(&rayon));
-        let nues: Vec<_> = nues.collect();
+        assert_eq!(en_ordre(&monde, &rayon), tous);
+        let nue = |&k: &usize| monde.parmi(|indice| indice == k).premiere_intersection(&rayon);
+        let nues: Vec<_> = tous.iter().map(nue).collect();
         // Five of them, in whatever order: the half-space among them, and the first two.
         for exclus in [[1, 2, 0, 9, 20], [20, 0, 2, 1, 5], [0, 20, 19, 2, 1], [2, 9, 1, 20, 0]] {
-            let [a, b, c, d, e] = exclus.map(|k| move |objet| objet != k);
-            let (h1, reste) = (hierarchie.parmi(&a), |objet: &usize| !exclus.contains(objet));
-            let (h2, voulus) = (h1.parmi(&b), tous.iter().copied().filter(reste));
-            let h3 = h2.parmi(&c);
-            let h4 = h3.parmi(&d);
-            let (parmi, voulus) = (h4.parmi(&e), voulus.collect::<Vec<_>>());
-            assert_eq!(en_ordre(parmi), voulus);
+            let [a, b, c, d, e] = exclus.map(|k| move |indice| indice != k);
+            let parmi = monde.parmi(a).parmi(b).parmi(c).parmi(d).parmi(e);
+            let reste = tous.iter().copied().filter(|indice| !exclus.contains(indice));
+            let voulus: Vec<_> = reste.collect();
+            assert_eq!(en_ordre(&parmi, &rayon), voulus);
+            let mut vus = vec![];
+            parmi.visiter(&rayon, |indice, _| {
+                vus.push(indice);
+                f64::INFINITY
+            });
+            vus.sort_unstable();
+            assert!(vus.iter().all(|indice| voulus.contains(indice)) && vus.len() == voulus.len());
             let premiere = parmi.premiere_intersection(&rayon);
-            assert_eq!(premiere.map(|t| t.objet()), Ok(3));
+            assert_eq!(premiere.map(|t| t.indice()), Ok(3));
             let t = premiere.unwrap().distance();
-            assert!(parmi.est_occulte(&rayon, t.next_up()) && !parmi.est_occulte(&rayon, t));
+            let [juste, apres] = [t, t.next_up()].map(|fin| rayon.jusqu_a(fin).unwrap());
+            assert!(parmi.est_occulte(&apres) && !parmi.est_occulte(&juste));
             let mut lot = [Err(NoIntersection); 70];
             parmi.premieres_intersections(&[rayon; 70], &mut lot).unwrap();
             assert_eq!(lot, [premiere; 70]);
             let mut occultes = [true; 70];
-            parmi.sont_occultes(&[(rayon, t); 70], &mut occultes).unwrap();
+            parmi.sont_occultes(&[juste; 70], &mut occultes).unwrap();
             assert_eq!(occultes, [false; 70]);
             // The first of the choice is certain; what any of the five leaves out is no answer.
-            assert!(parmi.est_certaine(&rayon, &premiere));
+            assert!(parmi.certifie(&rayon, &premiere));
             for nue in &nues {
-                let lui = nue.unwrap().objet();
-                assert_eq!(parmi.est_certaine(&rayon, nue), lui == 3, "{lui}");
+                let lui = nue.unwrap().indice();
+                assert_eq!(parmi.certifie(&rayon, nue), lui == 3, "{lui}");
             }
+            // Each holds its own middle.
+            for k in 1..=20 {
+                let milieu = v(0.0, 0.0, -2.0 * (k - 1) as f64);
+                let mut lesquels = vec![];
+                parmi.contenants(milieu, |indice| lesquels.push(indice));
+                let voulu = if exclus.contains(&k) { vec![] } else { vec![k] };
+                assert_eq!((parmi.contient(milieu), &lesquels), (!voulu.is_empty(), &voulu));
+            }
+            let cubes = |indice: &&usize| **indice != 0;
+            let restants = voulus.iter().filter(cubes).map(|indice| scene[*indice]);
+            let restants: Vec<_> = restants.collect();
+            assert_eq!(parmi.etendue(), Monde::de_liste(&restants).etendue());
         }
     }
 }
@@ -143,13 +168,13 @@ fn chaque_question_connait_tous_les_choix() {
 /// Flush cubes, of which a ray along the seams touches two at a time. In order all of them are there; whoever goes on
 /// from hit to hit with `secondaire` loses some.
 fn un_rayon_dans_les_joints_ne_perd_aucun_cube<R: Reel>() {
-    let mut scene = Vec::new();
+    let mut scene: Vec<ObjetRay<R>> = Vec::new();
     for (x, y, z) in (0..216).map(|i| (i % 6, i / 6 % 6, i / 36)) {
         let place = |i: i32| f64::from(i) + 0.5;
         scene.push(cube(v(place(x), place(y), place(z))));
     }
-    let mut places = vec![0.0; Hierarchie::places(scene.len())];
-    let hierarchie = Hierarchie::new(&scene, &mut places).unwrap();
+    let mut places = vec![0.0; places(scene.len())];
+    let monde = Monde::new(&scene, &mut places).unwrap();
     let mut perdus = 0;
     for i in 0..6 {
         // Into the seams between two layers, exactly: y + z stays whole.
@@ -163,14 +188,14 @@ fn un_rayon_dans_les_joints_ne_perd_aucun_cube<R: Reel>() {
         attendus.sort_by(|a, b| a.partial_cmp(b).unwrap());
         let attendus: Vec<_> = attendus.into_iter().map(|(_, indice)| indice).collect();
         let mut touches = vec![Err(NoIntersection); scene.len()];
-        let nombre = hierarchie.dans_l_ordre(&rayon, R::INFINI, &mut touches);
+        let nombre = monde.dans_l_ordre(&rayon, &mut touches);
         assert_eq!(indices(&touches[..nombre]), attendus, "{rayon:?}");
         assert!(touches[..nombre].iter().flatten().all(|touche| touche.marge() < R::INFINI));
         let mut pas_a_pas = Vec::new();
         let mut suite = rayon;
-        while let Ok(touche) = hierarchie.premiere_intersection(&suite) {
-            pas_a_pas.push(touche.objet());
-            suite = suite.secondaire(&touche, suite.direction()).unwrap();
+        while let Ok(touche) = monde.premiere_intersection(&suite) {
+            pas_a_pas.push(touche.indice());
+            suite = touche.secondaire(suite.direction()).unwrap();
         }
         perdus += attendus.len() - pas_a_pas.len();
     }
@@ -179,25 +204,24 @@ fn un_rayon_dans_les_joints_ne_perd_aucun_cube<R: Reel>() {
 
 en_f32_et_f64!(un_rayon_dans_les_joints_ne_perd_aucun_cube);
 
-/// The recipe of two hierarchies, one of what stays and one of what moves, beside one list of both. Some of what moves
+/// The recipe of two worlds, one of what stays and one of what moves, beside one list of both. Some of what moves
 /// stands where something of what stays does: then what stays is the first.
-fn deux_hierarchies_repondent_comme_une_liste<R: Reel>() {
+fn deux_mondes_repondent_comme_une_liste<R: Reel>() {
     let tout = melange::<R>(300);
     let fixes = &tout[..200];
     let mobiles = [&tout[200..], &tout[..40]].concat();
-    let (mut a, mut b) =
-        (vec![0.0; Hierarchie::places(200)], vec![0.0; Hierarchie::places(mobiles.len())]);
-    let fixe = Hierarchie::new(fixes, &mut a).unwrap();
-    let mobile = Hierarchie::new(&mobiles, &mut b).unwrap();
+    let (mut a, mut b) = (vec![0.0; places(200)], vec![0.0; places(mobiles.len())]);
+    let fixe = Monde::new(fixes, &mut a).unwrap();
+    let mobile = Monde::new(&mobiles, &mut b).unwrap();
     let ensemble = [fixes, &mobiles].concat();
     let (mut de_mobile, mut ex_aequo) = (0, 0);
     for rayon in rayons_camera::<R>(60, 40) {
         let de_fixe = fixe.premiere_intersection(&rayon);
         let avant = de_fixe.map_or(R::INFINI, |touche| touche.distance());
-        let plus_pres = mobile.premiere_avant(&rayon, avant);
-        let apres = |touche: Intersection<R>| (fixes.len() + touche.objet(), touche.distance());
-        let trouvee = plus_pres.map(apres).or(de_fixe.map(|t| (t.objet(), t.distance())));
-        let voulue = premiere_intersection(&ensemble, &rayon).map(|t| (t.objet(), t.distance()));
+        let plus_pres = mobile.premiere_intersection(&rayon.jusqu_a(avant).unwrap());
+        let apres = |touche: Intersection<R>| (fixes.len() + touche.indice(), touche.distance());
+        let trouvee = plus_pres.map(apres).or(de_fixe.map(|t| (t.indice(), t.distance())));
+        let voulue = premiere_intersection(&ensemble, &rayon).map(|t| (t.indice(), t.distance()));
         assert_eq!(trouvee, voulue, "{rayon:?}");
         de_mobile += u32::from(plus_pres.is_ok());
         let egale = mobile.premiere_intersection(&rayon).is_ok_and(|t| t.distance() == avant);
@@ -206,7 +230,7 @@ fn deux_hierarchies_repondent_comme_une_liste<R: Reel>() {
     assert!(de_mobile > 20 && ex_aequo > 20, "{de_mobile} of what moves, {ex_aequo} at one place");
 }
 
-en_f32_et_f64!(deux_hierarchies_repondent_comme_une_liste);
+en_f32_et_f64!(deux_mondes_repondent_comme_une_liste);
 
 /// A half-space and a sky of shells: every one that the ray enters, in order; those around its source it does not enter.
 fn des_coques_dans_l_ordre<R: Reel>() {
@@ -218,8 +242,8 @@ fn des_coques_dans_l_ordre<R: Reel>() {
         [mur.into(), coque(10.0, 1.0), coque(0.0, 50.0), coque(10.0, 3.0), coque(10.0, 2.0)];
     let rayon = Rayon::new(Vecteur::NUL, v(1.0, 0.0, 0.0)).unwrap();
     let mut touches = [Err(NoIntersection); 5];
-    let hierarchie = Hierarchie::de_liste(&scene);
-    assert_eq!(hierarchie.dans_l_ordre(&rayon, R::INFINI, &mut touches), 4);
+    let monde = Monde::de_liste(&scene);
+    assert_eq!(monde.dans_l_ordre(&rayon, &mut touches), 4);
     assert_eq!(indices(&touches), [3, 4, 1, 0]);
     let distances: Vec<_> = touches.iter().flatten().map(|t| t.distance().vers_f64()).collect();
     assert_eq!(distances, [7.0, 8.0, 9.0, 20.0]);
@@ -227,3 +251,158 @@ fn des_coques_dans_l_ordre<R: Reel>() {
 }
 
 en_f32_et_f64!(des_coques_dans_l_ordre);
+
+/// What a program keeps of a world for its shadows.
+struct Ombres<'a, C> {
+    monde: Monde<'a, f64, C>,
+    demandes: usize,
+}
+
+impl<C: Choix> Ombres<'_, C> {
+    fn claire(&mut self, rayon: &Rayon) -> bool {
+        self.demandes += 1;
+        !self.monde.est_occulte(rayon)
+    }
+}
+
+/// The world without its first objects.
+fn sans_les_premiers<'a, C: Choix + Copy + 'a>(
+    monde: Monde<'a, f64, C>,
+    combien: usize,
+) -> Monde<'a, f64, impl Choix + Copy + 'a> {
+    monde.parmi(move |indice| indice >= combien)
+}
+
+/// A choice that owns what it needs, and so is no copy.
+fn parmi_ceux_ci(monde: Monde<'_>, indices: Vec<usize>) -> Monde<'_, f64, impl Choix + use<'_>> {
+    monde.parmi(move |indice| indices.contains(&indice))
+}
+
+/// Choices are stored in a variable and in a struct, returned by functions, chosen among again, copied if what they
+/// hold is, and shared by threads; the world that they came from is as it was.
+#[test]
+fn un_choix_est_une_valeur() {
+    let scene: Vec<ObjetRay> = (0..40).map(|i| cube(v(0.0, 0.0, -2.0 * f64::from(i)))).collect();
+    let rayon = Rayon::new(v(0.0, 0.0, 5.0), v(0.01, 0.007, -9.0)).unwrap();
+    let mut places = vec![0.0; places(scene.len())];
+    for monde in [Monde::new(&scene, &mut places).unwrap(), Monde::de_liste(&scene)] {
+        let bouts = |indice: usize| {
+            let touche = scene[indice].intersection(&rayon).unwrap();
+            [touche.distance(), touche.distance().next_up()].map(|fin| rayon.jusqu_a(fin).unwrap())
+        };
+        let x = monde.sans(1).sans(2);
+        let y = x.sans(0);
+        assert_eq!(x.premiere_intersection(&rayon).unwrap().indice(), 0);
+        assert_eq!(y.premiere_intersection(&rayon).unwrap().indice(), 3);
+        assert_eq!(monde.premiere_intersection(&rayon).unwrap().indice(), 0);
+
+        let mut ombres = Ombres { monde: y, demandes: 0 };
+        let [juste, apres] = bouts(3);
+        assert!(ombres.claire(&juste) && !ombres.claire(&apres));
+        assert_eq!(ombres.demandes, 2);
+
+        let reste = sans_les_premiers(x, 10);
+        let encore = sans_les_premiers(reste, 12);
+        assert_eq!(reste.premiere_intersection(&rayon).unwrap().indice(), 10);
+        assert_eq!(encore.premiere_intersection(&rayon).unwrap().indice(), 12);
+        let memes = [reste; 2].map(|copie| Ombres { monde: copie, demandes: 0 });
+        let [juste, apres] = bouts(10);
+        for mut ombres in memes {
+            assert!(ombres.claire(&juste) && !ombres.claire(&apres));
+        }
+
+        let quelques = parmi_ceux_ci(monde, vec![30, 7, 22, 99]);
+        let mut touches = [Err(NoIntersection); 4];
+        assert_eq!(quelques.dans_l_ordre(&rayon, &mut touches), 3);
+        assert_eq!(indices(&touches), [7, 22, 30]);
+        let moins = quelques.sans(7);
+        assert_eq!(moins.premiere_intersection(&rayon).unwrap().indice(), 22);
+
+        // By two threads, one and the same; and one that moves into a thread.
+        let comptees = AtomicUsize::new(0);
+        let comptes = moins.parmi(|_| comptees.fetch_add(1, Ordering::Relaxed) < usize::MAX);
+        thread::scope(|fils| {
+            let partage = || comptes.premiere_intersection(&rayon).unwrap().indice();
+            let deux = [fils.spawn(partage), fils.spawn(partage)];
+            assert_eq!(deux.map(|fil| fil.join().unwrap()), [22; 2]);
+            let seul = fils.spawn(move || encore.premiere_intersection(&rayon).unwrap().indice());
+            assert_eq!(seul.join().unwrap(), 12);
+        });
+        assert!(comptees.into_inner() >= 2);
+    }
+}
+
+/// Every question there is, to a choice that would panic if it were asked for an index beyond the list: lists as long as
+/// the nodes of a tree and longer, long boxes in pieces, every instruction set. An answer of a longer list is no answer
+/// here, and neither is it certain.
+fn un_predicat_n_est_jamais_interroge_au_dela_de_la_liste<R: Reel>() {
+    let longue = melange::<R>(300);
+    let poutres = |i: usize| {
+        let tour = Rotation::new(v(0.5, 0.3 + i as f64, 0.4)).unwrap();
+        let cotes = v(0.1, 9.0, 0.1);
+        BoiteGeo::new(v(i as f64 % 7.0 - 3.0, 2.0, -9.0), cotes, tour, Texture(0)).unwrap().into()
+    };
+    let poutres: Vec<ObjetRay<R>> = (0..100).map(poutres).collect();
+    let rayons = rayons_camera::<R>(24, 16);
+    let au_dela: Vec<_> = rayons.iter().map(|r| premiere_intersection(&longue, r)).collect();
+    let (mut etrangeres, mut en_morceaux) = (0, 0);
+    for objets in [0, 1, 2, 9, 10, 15, 16, 17, 31, 33, 100, 255, 257]
+        .map(|n| &longue[..n])
+        .into_iter()
+        .chain([&poutres[..], &poutres[..37]])
+    {
+        let n = objets.len();
+        let [mut petite, mut grande] = [1, 3].map(|fois| vec![0.0; fois * places(n)]);
+        let arbre = Monde::new(objets, &mut petite).unwrap();
+        let coupe = Monde::en_morceaux(objets, &mut grande).unwrap();
+        en_morceaux += usize::from(noeuds(&coupe) > noeuds(&arbre));
+        let demandes = AtomicUsize::new(0);
+        let prend = |indice: usize| {
+            assert!(indice < n, "asked for {indice} of {n}");
+            demandes.fetch_add(1, Ordering::Relaxed);
+            indice % 3 != 1
+        };
+        for monde in [arbre, coupe, Monde::de_liste(objets)] {
+            for (_, reglage) in Reglage::tous() {
+                let monde = reglage.monde(monde).parmi(prend);
+                let mut touches = vec![Err(NoIntersection); rayons.len()];
+                monde.premieres_intersections(&rayons, &mut touches).unwrap();
+                let mut occultes = vec![false; rayons.len()];
+                monde.sont_occultes(&rayons, &mut occultes).unwrap();
+                for (i, rayon) in rayons.iter().enumerate() {
+                    assert_eq!(monde.premiere_intersection(rayon), touches[i]);
+                    assert_eq!(monde.est_occulte(rayon), occultes[i]);
+                    let mut rangee = [Err(NoIntersection); 3];
+                    let nombre = monde.dans_l_ordre(rayon, &mut rangee);
+                    assert_eq!((nombre > 0, rangee[0]), (occultes[i], touches[i]));
+                    let mut vus = 0;
+                    monde.visiter(rayon, |indice, _| {
+                        assert!(indice < n && indice % 3 != 1);
+                        vus += 1;
+                        R::INFINI
+                    });
+                    assert!(vus >= nombre);
+                    if let Ok(touche) = touches[i] {
+                        let mut dedans = 0;
+                        monde.contenants(touche.point(), |indice| {
+                            assert!(indice < n && indice % 3 != 1);
+                            dedans += 1;
+                        });
+                        assert_eq!(monde.contient(touche.point()), dedans > 0);
+                    }
+                    let _: bool = monde.certifie(rayon, &touches[i]);
+                    let _: bool = monde.certifie(rayon, &Err(NoIntersection));
+                    if au_dela[i].is_ok_and(|touche| touche.indice() >= n) {
+                        assert!(!monde.certifie(rayon, &au_dela[i]), "{n}: {:?}", au_dela[i]);
+                        etrangeres += 1;
+                    }
+                }
+                let _ = monde.etendue();
+            }
+        }
+        assert!(n == 0 || demandes.into_inner() > n, "{n} objects, and hardly a question");
+    }
+    assert!(etrangeres > 1_000 && en_morceaux > 0, "{etrangeres} {en_morceaux}");
+}
+
+en_f32_et_f64!(un_predicat_n_est_jamais_interroge_au_dela_de_la_liste);

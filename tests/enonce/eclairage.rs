@@ -5,8 +5,7 @@ use commun::scenes::rayons_camera;
 use commun::tolerances::u;
 use commun::{arrondi, en_f32_et_f64};
 use lancer_rayon::{
-    BoiteGeo, Intersection, ObjetRay, Rayon, Reel, Rotation, SphereGeo, Texture, Vecteur,
-    est_occulte,
+    BoiteGeo, Intersection, Monde, ObjetRay, Rayon, Reel, Rotation, SphereGeo, Texture, Vecteur,
 };
 
 const LAMPES: [Vecteur; 4] = [
@@ -35,15 +34,10 @@ fn objets<R: Reel>(centre: Vecteur, echelle: f64) -> [ObjetRay<R>; 2] {
 }
 
 /// Whether nothing is between this hit and the lamp, as a renderer asks.
-fn voit<R: Reel>(
-    objet: &ObjetRay<R>,
-    rayon: &Rayon<R>,
-    touche: &Intersection<R>,
-    lampe: Vecteur<R>,
-) -> bool {
-    let vers = lampe - rayon.point(touche.distance());
-    let ombre = rayon.secondaire(touche, vers).unwrap();
-    !est_occulte(&[*objet], &ombre, (lampe - ombre.source()).longueur())
+fn voit<R: Reel>(objet: &ObjetRay<R>, touche: &Intersection<R>, lampe: Vecteur<R>) -> bool {
+    let ombre = touche.secondaire(lampe - touche.point()).unwrap();
+    let ombre = ombre.jusqu_a((lampe - ombre.source()).longueur()).unwrap();
+    !Monde::de_liste(&[*objet]).est_occulte(&ombre)
 }
 
 /// The first assertion needs no threshold: `secondaire` promises that an outward ray never hits its own
@@ -67,7 +61,7 @@ fn eclaire_ce_qui_fait_face<R: Reel>() {
         for (rayon, objet) in rayons.flat_map(|rayon| objets.map(|objet| (rayon, objet))) {
             let Ok(touche) = objet.intersection(&rayon) else { continue };
             let (d, n) = (rayon.direction().vers_f64(), touche.normale().vers_f64());
-            let point = rayon.point(touche.distance());
+            let point = touche.point();
             let rasante = point.vers_f64() + (d - n * d.produit_scalaire(n)) * echelle;
             for lampe in LAMPES.map(|lampe| lampe * echelle + centre).into_iter().chain([rasante]) {
                 let loin = (lampe - centre).longueur() + centre.longueur();
@@ -76,10 +70,11 @@ fn eclaire_ce_qui_fait_face<R: Reel>() {
                 let Ok(depuis) = Rayon::new(lampe, point - lampe) else { continue };
                 let cosinus = -depuis.direction().produit_scalaire(touche.normale()).vers_f64();
                 let contexte = || format!("{objet:?} {rayon:?} {lampe:?}: {cosinus}");
-                assert!(voit(&objet, &rayon, &touche, lampe), "its own shadow: {}", contexte());
-                let vers = rayon.vers_lumiere(&touche, lampe);
-                if let Some((ombre, distance)) = vers {
-                    assert!(!est_occulte(&[objet], &ombre, distance), "{}", contexte());
+                assert!(voit(&objet, &touche, lampe), "its own shadow: {}", contexte());
+                let vers = touche.vers_lumiere(lampe);
+                if let Ok(ombre) = vers {
+                    let distance = ombre.fin();
+                    assert!(!Monde::de_liste(&[objet]).est_occulte(&ombre), "{}", contexte());
                     let ecart = (ombre.point(distance) - lampe).longueur().vers_f64();
                     // A rounding of the distance, six of the direction, two of the point.
                     let permis = 9.0 * u::<R>() * (distance + ombre.source().longueur()).vers_f64();
@@ -92,7 +87,7 @@ fn eclaire_ce_qui_fait_face<R: Reel>() {
                 let vue = objet.intersection(&depuis).map_err(|_| contexte()).unwrap();
                 let ecart = (vue.normale().vers_f64() - n).longueur();
                 assert_eq!(ecart < seuil, cosinus > 0.0, "{ecart}, {}", contexte());
-                assert_eq!(vers.is_some(), cosinus > 0.0, "{}", contexte());
+                assert_eq!(vers.is_ok(), cosinus > 0.0, "{}", contexte());
                 *(if cosinus > 0.0 { &mut clairs } else { &mut sombres }) += 1;
             }
         }

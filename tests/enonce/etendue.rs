@@ -5,8 +5,8 @@ use commun::en_f32_et_f64;
 use commun::regimes::{Extreme, direction, entre, regimes};
 use fastrand::Rng;
 use lancer_rayon::{
-    BoiteGeo, NoIntersection, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture,
-    Vecteur, etendue,
+    BoiteGeo, Etendue, Monde, NoIntersection, Nombre, ObjetRay, PlanGeo, Rayon, Reel, Rotation,
+    SphereGeo, Texture, Vecteur,
 };
 
 /// The centre of an object, or a point deep in it.
@@ -31,7 +31,7 @@ fn un_point_contenu_ne_voit_pas_l_objet<R: Reel>() {
             let (fond, source) = (fond(&cas.objet), cas.rayon.source().vers_f64());
             // Near the surface, from either side: the point of a hit and some roundings beside it.
             let ou = match cas.objet.intersection(&cas.rayon) {
-                Ok(touche) => cas.rayon.point(touche.distance()).vers_f64(),
+                Ok(touche) => touche.point().vers_f64(),
                 Err(NoIntersection) => fond + (source - fond) * alea.f64(),
             };
             let peu = entre(&mut alea, -8.0, 8.0) * R::U.vers_f64();
@@ -106,7 +106,7 @@ fn chaque_touche_est_dans_l_etendue() {
     for regime in regimes::<f32>() {
         for _ in 0..300 {
             let cas = (regime.cas)(&mut alea);
-            let Some([bas, haut]) = cas.objet.etendue() else {
+            let Some(Etendue { bas, haut }) = cas.objet.etendue() else {
                 assert!(matches!(cas.objet, ObjetRay::Plan(_)));
                 continue;
             };
@@ -124,7 +124,7 @@ fn chaque_touche_est_dans_l_etendue() {
             let rayon = cas.rayon.vers_f64();
             let Ok(touche) = cas.objet.vers_f64().intersection(&rayon) else { continue };
             let s = <[f64; 3]>::from(rayon.source());
-            let ici = <[f64; 3]>::from(rayon.point(touche.distance()));
+            let ici = <[f64; 3]>::from(touche.point());
             for i in 0..3 {
                 let arrondi = 1e-14 * (s[i].abs() + touche.distance());
                 assert!(bas[i] <= ici[i] + arrondi && ici[i] <= haut[i] + arrondi, "{cas:?}");
@@ -133,10 +133,10 @@ fn chaque_touche_est_dans_l_etendue() {
         }
     }
     assert!(juges > 1_000, "{juges}");
-    let [bas, haut] = etendue(&objets).unwrap();
-    for [b, h] in objets.iter().filter_map(ObjetRay::etendue) {
+    let Etendue { bas, haut } = Monde::de_liste(&objets).etendue().unwrap();
+    for Etendue { bas: b, haut: h } in objets.iter().filter_map(ObjetRay::etendue) {
         assert!(bas.x <= b.x && bas.y <= b.y && bas.z <= b.z);
         assert!(haut.x >= h.x && haut.y >= h.y && haut.z >= h.z);
     }
-    assert_eq!(etendue::<f64>(&[]), None);
+    assert_eq!(Monde::<f64>::de_liste(&[]).etendue(), None);
 }

@@ -6,7 +6,7 @@ use commun::strategies::{Plante, direction, plante, scene};
 use commun::tolerances::{ARRONDI, DISTANCE, NORMALE, u};
 use commun::{Bits, arrondi, en_f32_et_f64, est_une_entree, pour_tout};
 use lancer_rayon::{
-    NoIntersection, ObjetGeo, ObjetRay, Rayon, Reel, Vecteur, est_occulte, premiere_intersection,
+    Monde, NoIntersection, ObjetGeo, ObjetRay, Rayon, Reel, Vecteur, premiere_intersection,
 };
 use proptest::prelude::*;
 use proptest::test_runner::TestCaseResult;
@@ -109,11 +109,11 @@ fn la_premiere_est_la_plus_proche_et_a_egalite_la_premiere_de_la_liste<R: Bits>(
             .filter_map(|(i, touche)| Some((i, touche.ok()?)))
             .reduce(|a, b| if b.1.distance() < a.1.distance() { b } else { a });
         let obtenue = premiere_intersection(&objets, &rayon);
-        prop_assert_eq!(obtenue.map(|touche| touche.objet()).ok(), attendue.map(|(i, _)| i));
+        prop_assert_eq!(obtenue.map(|touche| touche.indice()).ok(), attendue.map(|(i, _)| i));
         if let (Ok(touche), Some((_, attendue))) = (obtenue, attendue) {
             let [valeurs, attendues] = [touche, attendue].map(|t| mots(&Ok(t)).valeurs);
             prop_assert_eq!(valeurs, attendues);
-            prop_assert_eq!(attendue.objet(), 0);
+            prop_assert_eq!(attendue.indice(), 0);
             est_une_entree(&rayon, &touche)?;
         }
         Ok(())
@@ -138,8 +138,8 @@ fn un_objet_convexe_n_est_touche_que_d_un_cote<R: Reel>() {
 
 en_f32_et_f64!(un_objet_convexe_n_est_touche_que_d_un_cote);
 
-/// `est_occulte` beside its definition, at the limits that matter: each distance and its neighbours,
-/// the ends of the type, and numbers that are no distance.
+/// `est_occulte` beside its definition, at the ends that matter: each distance and its neighbours, and the ends of the
+/// type. Numbers that are no distance are no end of a ray.
 fn occultation<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> TestCaseResult {
     let touches: Vec<_> = objets.iter().filter_map(|o| o.intersection(rayon).ok()).collect();
     let deux_u = R::U + R::U;
@@ -148,10 +148,21 @@ fn occultation<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> TestCaseRes
     });
     let [zero, un, infini] = [R::ZERO, R::UN, R::INFINI];
     let autres = [zero, -zero, un, -un, R::MIN_POSITIF, infini, -infini, R::depuis_f64(f64::NAN)];
+    let monde = Monde::de_liste(objets);
     for max in voisines.chain(autres) {
+        let ombre = match rayon.jusqu_a(max) {
+            Ok(ombre) => ombre,
+            Err(erreur) => {
+                prop_assert!(max < zero || max.vers_f64().is_nan(), "{} is a distance", max);
+                prop_assert_eq!(erreur.champ, "fin");
+                continue;
+            }
+        };
+        prop_assert!(max >= zero, "{} is no distance", max);
         let attendu =
             objets.iter().any(|o| o.intersection(rayon).is_ok_and(|i| i.distance() < max));
-        prop_assert_eq!(est_occulte(objets, rayon, max), attendu, "before {}", max);
+        prop_assert_eq!(monde.est_occulte(&ombre), attendu, "before {}", max);
+        prop_assert!(max > zero || !attendu, "something before 0");
     }
     Ok(())
 }

@@ -13,7 +13,7 @@ use commun::litteral;
 use exemples::scene::Scene;
 use lancer_rayon::{
     BoiteGeo, BoiteRay, ErreurGeo, Face, NoIntersection, ObjetGeo, ObjetRay, PlanGeo, PlanRay,
-    Rayon, Reel, Rotation, SphereGeo, SphereRay, Texture, Touche, Vecteur, premiere_intersection,
+    Rayon, Reel, Reponse, Rotation, SphereGeo, SphereRay, Texture, Vecteur, premiere_intersection,
 };
 use serde::de::DeserializeOwned;
 
@@ -81,7 +81,7 @@ fn environ(x: f64) -> String {
     format!("{:.6}", x + 0.0)
 }
 
-fn touche<R: Reel>(touche: Touche<R>) -> String {
+fn touche<R: Reel>(touche: Reponse<R>) -> String {
     match touche {
         Ok(touche) => {
             let (distance, normale) = (nombre(touche.distance()), vecteur(touche.normale()));
@@ -95,7 +95,7 @@ fn touche<R: Reel>(touche: Touche<R>) -> String {
     }
 }
 
-fn environ_touche(touche: Touche) -> String {
+fn environ_touche(touche: Reponse) -> String {
     let Ok(touche) = touche else { return "none".into() };
     let normale = <[f64; 3]>::from(touche.normale()).map(environ).join(", ");
     format!("distance {}, normal ({normale})", environ(touche.distance()))
@@ -851,13 +851,13 @@ fn scene_entiere() -> Partie {
     let (objets_f32, rayons_f32) = atelier::<f32>();
     let mut vus = vec![0; objets.len()];
     for touche in rayons.iter().filter_map(|rayon| premiere_intersection(&objets, rayon).ok()) {
-        vus[touche.objet()] += 1;
+        vus[touche.indice()] += 1;
     }
     // Objects by their place in the file, from 0.
     let pixel = |x: usize, y: usize| {
         let touche = premiere_intersection(&objets, &rayons[600 * y + x]);
         touche.map_or("none".into(), |touche| {
-            format!("object {}, distance {}", touche.objet(), environ(touche.distance()))
+            format!("object {}, distance {}", touche.indice(), environ(touche.distance()))
         })
     };
     Partie::new("A whole scene: the 600 × 400 rays of docs/scenes/atelier.ron")

@@ -6,8 +6,7 @@ use commun::tolerances::u;
 use commun::{arrondi, en_f32_et_f64};
 use fastrand::Rng;
 use lancer_rayon::{
-    BoiteGeo, Hierarchie, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture, Vecteur,
-    est_occulte,
+    BoiteGeo, Monde, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture, Vecteur, places,
 };
 
 /// A point of a lamp, and its outward normal there.
@@ -83,28 +82,27 @@ fn un_point_voit_la_lampe_qui_lui_fait_face<R: Reel>() {
                     let vers = arrondi::<R>(direction(&mut alea) * 0.8) - oeil;
                     let Ok(rayon) = Rayon::new(oeil, vers) else { continue };
                     let Ok(touche) = recepteur.intersection(&rayon) else { continue };
-                    let p = rayon.point(touche.distance()).vers_f64();
+                    let p = touche.point().vers_f64();
                     let (q, n) = lumineux(&lampe, p, &mut alea);
-                    let vers = rayon.vers_lumiere(&touche, arrondi(q));
-                    let vers = vers.filter(|(ombre, _)| {
-                        ombre.direction().produit_scalaire(arrondi(n)) < R::ZERO
-                    });
-                    let Some((ombre, distance)) = vers else { continue };
-                    caches += u32::from(est_occulte(&[lampe], &ombre, distance));
+                    let Ok(ombre) = touche.vers_lumiere(arrondi(q)) else { continue };
+                    if ombre.direction().produit_scalaire(arrondi(n)) >= R::ZERO {
+                        continue;
+                    }
+                    caches += u32::from(Monde::de_liste(&[lampe]).est_occulte(&ombre));
                     vus[forme] += 1;
-                    ombres.push((ombre, distance));
+                    ombres.push(ombre);
                 }
                 // As a list, and among copies of what hides nothing that make it a tree.
                 for copies in [1, 126] {
                     let mut objets = vec![lampe, ecran];
                     objets.extend([recepteur].repeat(copies));
-                    let mut places = vec![0.0; Hierarchie::places(objets.len())];
-                    let hierarchie = Hierarchie::new(&objets, &mut places).unwrap();
+                    let mut places = vec![0.0; places(objets.len())];
+                    let monde = Monde::new(&objets, &mut places).unwrap();
                     let mut occultes = vec![false; ombres.len()];
-                    hierarchie.sans(0).sont_occultes(&ombres, &mut occultes).unwrap();
-                    for ((ombre, distance), occulte) in ombres.iter().zip(occultes) {
-                        let attendu = est_occulte(&[ecran], ombre, *distance);
-                        assert_eq!(occulte, attendu, "{objets:?} {ombre:?} {distance:?}");
+                    monde.sans(0).sont_occultes(&ombres, &mut occultes).unwrap();
+                    for (ombre, occulte) in ombres.iter().zip(occultes) {
+                        let attendu = Monde::de_liste(&[ecran]).est_occulte(ombre);
+                        assert_eq!(occulte, attendu, "{objets:?} {ombre:?}");
                         derriere += u32::from(occulte);
                     }
                 }
@@ -131,13 +129,13 @@ fn la_distance_et_la_direction_d_une_lampe_sont_bornees<R: Reel>() {
         let Ok(touche) = boule.intersection(&rayon) else { continue };
         let loin = entre(&mut alea, -12.0, 12.0).exp2();
         let lampe = arrondi::<R>(n + (n + direction(&mut alea)) * loin);
-        let Some((ombre, distance)) = rayon.vers_lumiere(&touche, lampe) else { continue };
+        let Ok(ombre) = touche.vers_lumiere(lampe) else { continue };
         let (s, l) = (<[R; 3]>::from(ombre.source()), <[R; 3]>::from(lampe));
         let v: [Exact; 3] = core::array::from_fn(|i| &Exact::de(l[i]) - &Exact::de(s[i]));
         let carre = &(&(&v[0] * &v[0]) + &(&v[1] * &v[1])) + &(&v[2] * &v[2]);
         let longueur = carre.vers_f64().sqrt();
         // d² − |V|², exactly, over 2|V|.
-        let d = Exact::de(distance);
+        let d = Exact::de(ombre.fin());
         let ecart = (&(&d * &d) - &carre).vers_f64() / (2.0 * longueur);
         let permis = 3.6 * u::<R>() * longueur + R::MIN_POSITIF.vers_f64();
         assert!(ecart.abs() <= permis, "{ecart:e} of {longueur}: {ombre:?}");

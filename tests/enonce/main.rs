@@ -4,6 +4,7 @@ mod choix;
 mod differentiel;
 mod eclairage;
 mod etendue;
+mod fin;
 mod intersection;
 mod jeu_de_tests;
 mod lampe;

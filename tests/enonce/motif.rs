@@ -8,8 +8,8 @@ use commun::tolerances::{promesses, u};
 use commun::{arrondi, en_f32_et_f64};
 use fastrand::Rng;
 use lancer_rayon::{
-    BoiteGeo, BoiteRay, Face, Intersection, ObjetRay, PlanGeo, Rayon, Reel, Rotation, Texture,
-    Vecteur,
+    BoiteGeo, BoiteRay, Face, Intersection, Nombre, ObjetRay, PlanGeo, Rayon, Reel, Rotation,
+    Texture, Vecteur,
 };
 
 fn exacts<R: Reel>(v: Vecteur<R>) -> [Exact; 3] {
@@ -111,7 +111,7 @@ fn le_lieu_d_une_touche_d_ailleurs_est_un_point_de_la_boite() {
         let Ok(touche) = ObjetRay::from(sol).intersection(&rayon) else { continue };
         let (_, p) = boite.lieu(&rayon, &touche);
         assert!(<[f32; 3]>::from(p).into_iter().all(|x| x.abs() <= 1.0), "{p:?}");
-        perdus += u32::from(rayon.point(touche.distance()).x == f32::INFINITY);
+        perdus += u32::from(touche.point().x == f32::INFINITY);
     }
     assert!(perdus > 0);
 }
@@ -163,7 +163,7 @@ fn un_damier_sur_une_boite_tournee_n_a_pas_de_taches<R: Reel>() {
             let attendu = impair(exactes);
             let obtenu = impair(<[R; 3]>::from(p).map(|x| x.vers_f64() * CASES));
             assert_eq!(obtenu, attendu, "{p:?} {exactes:?}");
-            let depuis = rayon.point(touche.distance()) - boite.centre();
+            let depuis = touche.point() - boite.centre();
             let (n, demi) = (boite.normales(), boite.demi_longueurs());
             let point = [0, 1, 2].map(|i| (depuis.produit_scalaire(n[i]) / demi[i]).vers_f64());
             naifs += u32::from(impair(point.map(|x| x * CASES)) != attendu);
@@ -199,7 +199,7 @@ fn un_damier_de_l_espace_sur_un_sol_n_a_pas_de_taches<R: Reel>() {
             let Ok(touche) = objet.intersection(&rayon) else { continue };
             let verite = verite(&objet, &rayon);
             let Some(entree) = verite.entree.filter(|_| !verite.dans_la_marge) else { continue };
-            let p = rayon.point(touche.distance());
+            let p = touche.point();
             let le_long = [x.produit_scalaire(p), y.produit_scalaire(p), -sol.distance()];
             let scene = x * le_long[0] + y * le_long[1] + n * le_long[2];
 

@@ -4,8 +4,8 @@ use commun::oracle::Exact;
 use commun::regimes::{direction, entre};
 use fastrand::Rng;
 use lancer_rayon::{
-    BoiteGeo, ErreurGeo, Hierarchie, ObjetGeo, ObjetRay, PlanGeo, Rayon, Rotation, SphereGeo,
-    Texture, Vecteur,
+    BoiteGeo, ErreurGeo, Monde, ObjetGeo, ObjetRay, PlanGeo, Rayon, Rotation, SphereGeo, Texture,
+    Vecteur, places,
 };
 
 /// As surveyors have it: metres east of a meridian and north of the equator.
@@ -41,18 +41,17 @@ fn autres(objets: &[ObjetGeo], rayons: &[Rayon], origine: Vecteur) -> Result<[u3
     let simples = objets.iter().map(|objet| Ok(objet.vers_f32(origine)?.vers_ray()));
     let simples = simples.collect::<Result<Vec<ObjetRay<f32>>, ErreurGeo>>()?;
     let objets: Vec<_> = objets.iter().map(|objet| objet.vers_ray()).collect();
-    let mut places = [(); 2].map(|()| vec![0.0; Hierarchie::places(objets.len())]);
+    let mut places = [(); 2].map(|()| vec![0.0; places(objets.len())]);
     let [a, b] = &mut places;
-    let (double, simple) =
-        (Hierarchie::new(&objets, a).unwrap(), Hierarchie::new(&simples, b).unwrap());
+    let (double, simple) = (Monde::new(&objets, a).unwrap(), Monde::new(&simples, b).unwrap());
     let mut comptes = [0; 2];
     for rayon in rayons {
         let la = double.premiere_intersection(rayon);
         let rayon = rayon.vers_f32(origine)?;
         let ici = simple.premiere_intersection(&rayon);
-        if ici.map(|touche| touche.objet()) != la.map(|touche| touche.objet()) {
+        if ici.map(|touche| touche.indice()) != la.map(|touche| touche.indice()) {
             comptes[0] += 1;
-            comptes[1] += u32::from(simple.est_certaine(&rayon, &ici));
+            comptes[1] += u32::from(simple.certifie(&rayon, &ici));
         } else if let (Ok(ici), Ok(la)) = (ici, la)
             && origine == ORIGINE
             // κ of the rounding of the scene, and far from an outline.
@@ -149,5 +148,5 @@ fn un_refus_nomme_le_champ() {
     assert_eq!(plan.vers_f32(-loin).unwrap().distance(), 0.0);
     let rayon = Rayon::new(loin, loin).unwrap();
     assert_eq!(rayon.vers_f32(nul).unwrap_err().champ, "source.z");
-    assert!(rayon.vers_f32(infinie).unwrap_err().champ.starts_with("source."));
+    assert_eq!(rayon.vers_f32(infinie).unwrap_err().champ, "origine.y");
 }

@@ -7,8 +7,8 @@ use commun::tolerances::{promesses, u};
 use commun::{Bits, arrondi, en_f32_et_f64};
 use fastrand::Rng;
 use lancer_rayon::{
-    BoiteGeo, Hierarchie, NoIntersection, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo,
-    Texture, Touche, Vecteur, est_certaine, premiere_intersection,
+    BoiteGeo, Monde, NoIntersection, ObjetRay, PlanGeo, Rayon, Reel, Reponse, Rotation, SphereGeo,
+    Texture, Vecteur, places, premiere_intersection,
 };
 
 fn v<R: Reel>(x: f64, y: f64, z: f64) -> Vecteur<R> {
@@ -33,15 +33,12 @@ type Passage<R> = (R, usize, bool);
 
 /// Every surface that a ray crosses, in order, and the objects that it starts in: those that it leaves and does not
 /// enter, and half-spaces that it never leaves.
-fn passages<R: Reel>(
-    hierarchie: &Hierarchie<R>,
-    rayon: &Rayon<R>,
-) -> (Vec<usize>, Vec<Passage<R>>) {
-    let objets = hierarchie.objets();
+fn passages<R: Reel>(monde: &Monde<R>, rayon: &Rayon<R>) -> (Vec<usize>, Vec<Passage<R>>) {
+    let objets = monde.objets();
     let mut entrees = vec![Err(NoIntersection); objets.len()];
-    let nombre = hierarchie.dans_l_ordre(rayon, R::INFINI, &mut entrees);
+    let nombre = monde.dans_l_ordre(rayon, &mut entrees);
     let mut passages: Vec<_> =
-        entrees[..nombre].iter().flatten().map(|t| (t.distance(), t.objet(), true)).collect();
+        entrees[..nombre].iter().flatten().map(|t| (t.distance(), t.indice(), true)).collect();
     let mut depart = Vec::new();
     for (indice, objet) in objets.iter().enumerate() {
         let (entree, sortie) = (objet.intersection(rayon), objet.sortie(rayon));
@@ -82,8 +79,8 @@ fn une_marche_sait_dans_quoi_elle_est<R: Reel>() {
                 _ => objets[alea.usize(..objets.len())],
             });
         }
-        let mut places = vec![0.0; Hierarchie::places(objets.len())];
-        let hierarchie = Hierarchie::new(&objets, &mut places).unwrap();
+        let mut places = vec![0.0; places(objets.len())];
+        let monde = Monde::new(&objets, &mut places).unwrap();
         for essai in 0..40 {
             let loin = if tour % 3 == 0 { 1.0 } else { 8.0 };
             let mut source: Vecteur<R> = arrondi(direction(&mut alea) * (loin * alea.f64()));
@@ -93,10 +90,10 @@ fn une_marche_sait_dans_quoi_elle_est<R: Reel>() {
                     premiere_intersection(&objets, &Rayon::new(source, vers).unwrap())
             {
                 // As near to a surface as it can be stored.
-                source = Rayon::new(source, vers).unwrap().point(touche.distance());
+                source = touche.point();
             }
             let rayon = Rayon::new(source, arrondi(direction(&mut alea))).unwrap();
-            let (depart, passages) = passages(&hierarchie, &rayon);
+            let (depart, passages) = passages(&monde, &rayon);
             let mut presents = vec![0_i32; objets.len()];
             for &indice in &depart {
                 presents[indice] += 1;
@@ -144,11 +141,11 @@ fn des_surfaces_confondues_sont_toutes_traversees<R: Bits>() {
         let uns: [ObjetRay<R>; 2] =
             [boule(centre, 0.7), boite(centre, Vecteur::new(1.0, 0.3, 2.0), angles)];
         let objets: Vec<_> = (0..24).map(|i| uns[i % 2]).collect();
-        let mut places = vec![0.0; Hierarchie::places(objets.len())];
-        let hierarchie = Hierarchie::new(&objets, &mut places).unwrap();
+        let mut places = vec![0.0; places(objets.len())];
+        let monde = Monde::new(&objets, &mut places).unwrap();
         let (s, cible) = (direction(&mut alea) * 5.0, centre + direction(&mut alea) * 0.1);
         let rayon = Rayon::new(arrondi(s), arrondi(cible - s)).unwrap();
-        let (depart, passages) = passages(&hierarchie, &rayon);
+        let (depart, passages) = passages(&monde, &rayon);
         assert!(depart.is_empty());
         assert_eq!(passages.len(), 48, "{rayon:?}");
         // Four places, each of twelve at once.
@@ -165,11 +162,11 @@ fn des_surfaces_confondues_sont_toutes_traversees<R: Bits>() {
         boule(Vecteur::NUL, 5.0),
         boite(Vecteur::new(3.0, 0.0, 0.0), Vecteur::new(2.0, 8.0, 6.0), Vecteur::NUL),
     ];
-    let hierarchie = Hierarchie::de_liste(&lentille);
+    let monde = Monde::de_liste(&lentille);
     let rayon = Rayon::new(v(3.0, 0.0, 0.0), v(0.0, 1.0, 0.0)).unwrap();
     let quatre = R::depuis_f64(4.0);
     let voulus = [0, 1, 2].map(|i| (quatre, i, false)).to_vec();
-    assert_eq!(passages(&hierarchie, &rayon), (vec![0, 1, 2], voulus));
+    assert_eq!(passages(&monde, &rayon), (vec![0, 1, 2], voulus));
 }
 
 en_f32_et_f64!(des_surfaces_confondues_sont_toutes_traversees);
@@ -237,18 +234,18 @@ fn les_epaisseurs_de_couches_accolees_s_ajoutent<R: Reel>() {
             (0..COUCHES).map(|k| couche(epaisseur * k as f64, epaisseur)).collect();
         let haut = epaisseur * COUCHES as f64;
         let tout = couche((haut - epaisseur) / 2.0, haut);
-        let mut places = vec![0.0; 2 * Hierarchie::places(COUCHES)];
-        let hierarchie = Hierarchie::new(&objets, &mut places).unwrap();
+        let mut places = vec![0.0; 2 * places(COUCHES)];
+        let monde = Monde::en_morceaux(&objets, &mut places).unwrap();
         let s = x * entre(&mut alea, -2.0, 2.0) - n * 3.0;
         let d = n + x * entre(&mut alea, -0.3, 0.3) + y * entre(&mut alea, -0.3, 0.3);
         let rayon = Rayon::new(arrondi(s), arrondi(d)).unwrap();
         // Three bounds of κ·t, with 50 for |f| + ρ + t and 0.9 for the speed.
         let permis = 3.0 * promesses::DISTANCE_BOITE * u::<R>() * 50.0 / 0.9;
         let mut touches = vec![Err(NoIntersection); COUCHES];
-        assert_eq!(hierarchie.dans_l_ordre(&rayon, R::INFINI, &mut touches), COUCHES);
+        assert_eq!(monde.dans_l_ordre(&rayon, &mut touches), COUCHES);
         let (mut somme, mut fin) = (0.0, None);
         for (k, entree) in touches.iter().flatten().enumerate() {
-            assert_eq!(entree.objet(), k, "{rayon:?}");
+            assert_eq!(entree.indice(), k, "{rayon:?}");
             let (t, sortie) = (entree.distance().vers_f64(), objets[k].sortie(&rayon).unwrap());
             let joint = t - fin.unwrap_or(t);
             assert!(joint.abs() <= permis, "{joint:e} before layer {k}: {rayon:?}");
@@ -263,11 +260,11 @@ fn les_epaisseurs_de_couches_accolees_s_ajoutent<R: Reel>() {
         assert!((somme - voulue).abs() <= permis * COUCHES as f64, "{somme} for {voulue}");
         // Step by step.
         let (mut suite, mut vues) = (rayon, 0);
-        while let Ok(entree) = hierarchie.premiere_intersection(&suite) {
+        while let Ok(entree) = monde.premiere_intersection(&suite) {
             vues += 1;
-            let dedans = suite.secondaire(&entree, suite.direction()).unwrap();
-            let sortie = objets[entree.objet()].sortie(&dedans).unwrap();
-            suite = dedans.secondaire(&sortie, dedans.direction()).unwrap();
+            let dedans = entree.secondaire(suite.direction()).unwrap();
+            let sortie = objets[entree.indice()].sortie(&dedans).unwrap();
+            suite = sortie.secondaire(dedans.direction()).unwrap();
         }
         perdues += COUCHES - vues;
     }
@@ -289,22 +286,22 @@ fn page_par_page_aucun_objet_ne_manque<R: Bits>() {
         }
     };
     let scene: Vec<ObjetRay<R>> = (0..97).map(vitres).collect();
-    let mut places = vec![0.0; Hierarchie::places(scene.len())];
-    let arbre = Hierarchie::new(&scene, &mut places).unwrap();
-    for hierarchie in [arbre, Hierarchie::de_liste(&scene)] {
+    let mut places = vec![0.0; places(scene.len())];
+    let arbre = Monde::new(&scene, &mut places).unwrap();
+    for monde in [arbre, Monde::de_liste(&scene)] {
         for pas in [1, 3, 8] {
             let rayon = Rayon::new(v(0.5, 0.25, 20.0), v(0.01, 0.02, -1.0)).unwrap();
-            let bits = |t: &Touche<R>| t.map(|t| (t.distance().bits(), t.objet())).unwrap();
+            let bits = |t: &Reponse<R>| t.map(|t| (t.distance().bits(), t.indice())).unwrap();
             let mut tous = vec![Err(NoIntersection); scene.len()];
-            let nombre = hierarchie.dans_l_ordre(&rayon, R::INFINI, &mut tous);
+            let nombre = monde.dans_l_ordre(&rayon, &mut tous);
             assert_eq!(nombre, scene.len());
             let ex_aequo = tous.windows(2).filter(|deux| bits(&deux[0]).0 == bits(&deux[1]).0);
             assert!(ex_aequo.count() > 20);
             let mut lus: Vec<(u64, usize)> = Vec::new();
             loop {
-                let pas_lu = |objet| lus.iter().all(|(_, lu)| *lu != objet);
+                let non_lus = monde.parmi(|indice| lus.iter().all(|(_, lu)| *lu != indice));
                 let mut page = vec![Err(NoIntersection); pas];
-                let nombre = hierarchie.parmi(&pas_lu).dans_l_ordre(&rayon, R::INFINI, &mut page);
+                let nombre = non_lus.dans_l_ordre(&rayon, &mut page);
                 if nombre == 0 {
                     break;
                 }
@@ -341,30 +338,30 @@ fn une_couche_mince_n_est_pas_sautee<R: Reel>() {
             }
         };
         let scene = [objet(epaisseur), objet(0.0)];
-        let hierarchie = Hierarchie::de_liste(&scene);
+        let monde = Monde::de_liste(&scene);
         let cible = centre + direction(&mut alea) * 0.2;
         let rayon = Rayon::new(arrondi(s), arrondi(cible - s)).unwrap();
-        let dehors = hierarchie.premiere_intersection(&rayon).unwrap();
-        assert_eq!(dehors.objet(), 0, "{scene:?} {rayon:?}");
+        let dehors = monde.premiere_intersection(&rayon).unwrap();
+        assert_eq!(dehors.indice(), 0, "{scene:?} {rayon:?}");
         // Steeply, lest it go far in the coat, past the next edge of a box.
         if dehors.normale().produit_scalaire(rayon.direction()).vers_f64() > -0.5 {
             continue;
         }
-        let dans_la_couche = rayon.secondaire(&dehors, rayon.direction()).unwrap();
-        let coeur = hierarchie.premiere_intersection(&dans_la_couche);
+        let dans_la_couche = dehors.secondaire(rayon.direction()).unwrap();
+        let coeur = monde.premiere_intersection(&dans_la_couche);
         let Ok(coeur) = coeur else { panic!("jumped over: {scene:?} {rayon:?}") };
-        if coeur.objet() == 0 {
+        if coeur.indice() == 0 {
             // Inward beside an edge of a box, which the page excepts.
             aux_aretes += 1;
             continue;
         }
         // And out again.
-        let dedans = dans_la_couche.secondaire(&coeur, dans_la_couche.direction()).unwrap();
+        let dedans = coeur.secondaire(dans_la_couche.direction()).unwrap();
         let du_coeur = scene[1].sortie(&dedans).unwrap();
         if du_coeur.normale().produit_scalaire(rayon.direction()).vers_f64() < 0.5 {
             continue;
         }
-        let dans_la_couche = dedans.secondaire(&du_coeur, dedans.direction()).unwrap();
+        let dans_la_couche = du_coeur.secondaire(dedans.direction()).unwrap();
         assert!(scene[0].sortie(&dans_la_couche).is_ok(), "{scene:?} {rayon:?}");
         plus_mince = plus_mince.min(epaisseur / (grandeur * u::<R>()));
     }
@@ -402,28 +399,27 @@ en_f32_et_f64!(au_bord_d_un_grand_mur_on_est_aussi_juste);
 /// the way out of what the ray starts in are never called certain, nor do they get a bound as if they were entries.
 fn une_autre_reponse_n_est_pas_certifiee<R: Reel>() {
     let scene = melange::<R>(120);
-    let mut places = vec![0.0; Hierarchie::places(scene.len())];
-    let hierarchie = Hierarchie::new(&scene, &mut places).unwrap();
+    let mut places = vec![0.0; places(scene.len())];
+    let monde = Monde::new(&scene, &mut places).unwrap();
     let [mut premieres, mut secondes, mut cordes, mut sorties] = [0; 4];
     for rayon in rayons_camera::<R>(60, 40) {
         let mut deux = [Err(NoIntersection); 2];
-        hierarchie.dans_l_ordre(&rayon, R::INFINI, &mut deux);
-        let certaine = |reponse: &Touche<R>| {
-            let reponses =
-                [est_certaine(&scene, &rayon, reponse), hierarchie.est_certaine(&rayon, reponse)];
-            reponses.contains(&true)
+        monde.dans_l_ordre(&rayon, &mut deux);
+        let certaine = |reponse: &Reponse<R>| {
+            let mondes = [monde, Monde::de_liste(&scene)];
+            mondes.iter().any(|monde| monde.certifie(&rayon, reponse))
         };
         let [Ok(premiere), seconde] = deux else { continue };
         premieres += u32::from(certaine(&deux[0]));
-        let coupee = hierarchie.premiere_avant(&rayon, premiere.distance());
+        let coupee = monde.premiere_intersection(&rayon.jusqu_a(premiere.distance()).unwrap());
         assert_eq!(coupee, Err(NoIntersection));
         assert!(!certaine(&coupee), "{rayon:?}");
         if seconde.is_ok_and(|t| t.distance() > premiere.distance()) {
             assert!(!certaine(&seconde), "{rayon:?}");
             secondes += 1;
         }
-        let objet = scene[premiere.objet()];
-        let dedans = rayon.secondaire(&premiere, rayon.direction());
+        let objet = scene[premiere.indice()];
+        let dedans = premiere.secondaire(rayon.direction());
         for rayon in [Some(rayon), dedans.ok()].into_iter().flatten() {
             let Ok(sortie) = objet.sortie(&rayon) else { continue };
             let erreur = |touche| objet.erreur(&rayon, touche).vers_f64();
@@ -436,7 +432,7 @@ fn une_autre_reponse_n_est_pas_certifiee<R: Reel>() {
                 }
                 Err(NoIntersection) => {
                     assert_eq!(erreur(&sortie), f64::INFINITY, "{objet:?} {rayon:?}");
-                    assert!(!est_certaine(&[objet], &rayon, &Ok(sortie)));
+                    assert!(!Monde::de_liste(&[objet]).certifie(&rayon, &Ok(sortie)));
                     sorties += 1;
                 }
             }
@@ -472,14 +468,14 @@ fn loin_de_l_origine_un_pas_avance<R: Reel>() {
                 BoiteGeo::new(centre, cotes, face, Texture(0)).unwrap().into()
             })
             .collect();
-        let mut places = vec![0.0; Hierarchie::places(scene.len())];
-        let hierarchie = Hierarchie::new(&scene, &mut places).unwrap();
+        let mut places = vec![0.0; places(scene.len())];
+        let monde = Monde::new(&scene, &mut places).unwrap();
         let rayon = Rayon::new(arrondi(ici - axe * pas), arrondi(axe)).unwrap();
         let (mut suite, mut vus) = (rayon, Vec::new());
-        while let Ok(touche) = hierarchie.premiere_intersection(&suite) {
-            assert!(!vus.contains(&touche.objet()), "{vus:?} again: {suite:?}");
-            vus.push(touche.objet());
-            suite = suite.secondaire(&touche, suite.direction()).unwrap();
+        while let Ok(touche) = monde.premiere_intersection(&suite) {
+            assert!(!vus.contains(&touche.indice()), "{vus:?} again: {suite:?}");
+            vus.push(touche.indice());
+            suite = touche.secondaire(suite.direction()).unwrap();
         }
         assert!(vus.iter().copied().eq(0..40), "{vus:?}: {rayon:?}");
     }
@@ -504,20 +500,20 @@ fn ou_des_surfaces_se_coupent_chacune_compte_une_fois<R: Reel>() {
             if alea.bool() { mur(p, normale) } else { boule(p - normale * rayon, rayon) }
         };
         let objets: Vec<_> = (0..n).map(surface).collect();
-        let hierarchie = Hierarchie::de_liste(&objets);
+        let monde = Monde::de_liste(&objets);
         let rayon = Rayon::new(arrondi(p - d * 3.0), arrondi(d)).unwrap();
         let entres = objets.iter().filter(|objet| objet.intersection(&rayon).is_ok()).count();
         let mut touches = vec![Err(NoIntersection); 2 * n];
-        let nombre = hierarchie.dans_l_ordre(&rayon, R::INFINI, &mut touches);
-        let mut vus: Vec<_> = touches[..nombre].iter().flatten().map(|t| t.objet()).collect();
+        let nombre = monde.dans_l_ordre(&rayon, &mut touches);
+        let mut vus: Vec<_> = touches[..nombre].iter().flatten().map(|t| t.indice()).collect();
         vus.sort_unstable();
         vus.dedup();
         assert_eq!((nombre, vus.len()), (entres, entres), "{objets:?} {rayon:?}");
         let (mut suite, mut pas) = (rayon, Vec::new());
-        while let Ok(touche) = hierarchie.premiere_intersection(&suite) {
-            pas.push(touche.objet());
+        while let Ok(touche) = monde.premiere_intersection(&suite) {
+            pas.push(touche.indice());
             assert!(pas.len() < 50, "caught: {pas:?} {objets:?} {rayon:?}");
-            suite = suite.secondaire(&touche, suite.direction()).unwrap();
+            suite = touche.secondaire(suite.direction()).unwrap();
         }
         plus_longue = plus_longue.max(pas.len());
         pas.sort_unstable();
@@ -541,11 +537,11 @@ fn un_lot_au_dessus_d_un_joint_voit_la_dalle<R: Reel>() {
     scene.extend(
         (0..60).map(|i| boule(Vecteur::new(f64::from(i % 8) + 9.0, 1.0, f64::from(i)), 0.3)),
     );
-    let mut places = vec![0.0; Hierarchie::places(scene.len())];
-    let arbre = Hierarchie::new(&scene, &mut places).unwrap();
+    let mut places = vec![0.0; places(scene.len())];
+    let arbre = Monde::new(&scene, &mut places).unwrap();
     let mut sur_les_deux = [0; 2];
     for h in [4.0, 1.0, 0.01, 1e-4] {
-        for hierarchie in [arbre, Hierarchie::de_liste(&scene)] {
+        for monde in [arbre, Monde::de_liste(&scene)] {
             let rayons: Vec<Rayon<R>> = (0..640)
                 .map(|_| {
                     let s = v(h * entre(&mut alea, -0.5, 0.5), h, h * alea.f64());
@@ -554,20 +550,21 @@ fn un_lot_au_dessus_d_un_joint_voit_la_dalle<R: Reel>() {
                 })
                 .collect();
             let mut touches = vec![Err(NoIntersection); rayons.len()];
-            hierarchie.premieres_intersections(&rayons, &mut touches).unwrap();
+            monde.premieres_intersections(&rayons, &mut touches).unwrap();
             for (rayon, touche) in rayons.iter().zip(&touches) {
                 let touche = touche.unwrap();
-                assert!(touche.objet() < 2, "{touche:?} {rayon:?}");
-                sur_les_deux[touche.objet()] += 1;
+                assert!(touche.indice() < 2, "{touche:?} {rayon:?}");
+                sur_les_deux[touche.indice()] += 1;
                 let (s, d) = (rayon.source().vers_f64(), rayon.direction().vers_f64());
                 // The promised bound, with 60 for |f| + ρ + t and 0.8 for the speed.
                 let permis = promesses::DISTANCE_BOITE * u::<R>() * 60.0 / 0.8;
                 assert!((touche.distance().vers_f64() + s.y / d.y).abs() <= permis, "{rayon:?}");
             }
             // And what is under the slabs is hidden from all of them.
-            let ombres: Vec<_> = rayons.iter().map(|rayon| (*rayon, R::depuis_f64(4.6))).collect();
+            let ombre = |rayon: &Rayon<R>| rayon.jusqu_a(R::depuis_f64(4.6)).unwrap();
+            let ombres: Vec<_> = rayons.iter().map(ombre).collect();
             let mut occultes = vec![false; ombres.len()];
-            hierarchie.sont_occultes(&ombres, &mut occultes).unwrap();
+            monde.sont_occultes(&ombres, &mut occultes).unwrap();
             assert!(!occultes.contains(&false), "from {h}");
         }
     }

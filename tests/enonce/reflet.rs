@@ -1,4 +1,4 @@
-//! The two rays of a hit that every renderer sends: the mirrored one, and the one to a sun.
+//! The two rays of a hit that every renderer sends: the mirrored one, outside and inside, and the one to a sun.
 
 use commun::oracle::Exact;
 use commun::regimes::{direction, regimes};
@@ -6,16 +6,16 @@ use commun::tolerances::u;
 use commun::{Bits, arrondi, en_f32_et_f64};
 use fastrand::Rng;
 use lancer_rayon::pour_les_tests::{REDRESSE, TANGENT};
-use lancer_rayon::{NoIntersection, Rayon, Reel, Vecteur, est_occulte};
+use lancer_rayon::{Monde, NoIntersection, ObjetRay, Rayon, Reel, Vecteur};
 
 fn scalaire<R: Reel>(a: Vecteur<R>, b: Vecteur<R>) -> f64 {
     let terme = |a, b| &Exact::de(a) * &Exact::de(b);
     (&(&terme(a.x, b.x) + &terme(a.y, b.y)) + &terme(a.z, b.z)).vers_f64()
 }
 
-fn bits<R: Bits>(rayon: &Rayon<R>) -> [u64; 6] {
+fn bits<R: Bits>(rayon: &Rayon<R>) -> [u64; 7] {
     let (s, d) = (rayon.source(), rayon.direction());
-    [s.x, s.y, s.z, d.x, d.y, d.z].map(R::bits)
+    [s.x, s.y, s.z, d.x, d.y, d.z, rayon.fin()].map(R::bits)
 }
 
 /// Of every shape in every regime: the mirrored ray never goes inward and never meets its object again, starts where
@@ -30,8 +30,8 @@ fn un_reflet_ne_revient_pas<R: Bits>() {
             let (objet, rayon) = (cas.objet, cas.rayon);
             let Ok(touche) = objet.intersection(&rayon) else { continue };
             let (d, n) = (rayon.direction(), touche.normale());
-            let droit = rayon.secondaire(&touche, n);
-            let reflet = match rayon.reflechi(&touche) {
+            let droit = touche.secondaire(n);
+            let reflet = match touche.reflechi(rayon.direction()) {
                 Ok(reflet) => reflet,
                 Err(erreur) => {
                     assert_eq!(droit.unwrap_err().champ, erreur.champ, "{objet:?} {rayon:?}");
@@ -47,7 +47,7 @@ fn un_reflet_ne_revient_pas<R: Bits>() {
             let attendue = d.vers_f64() - n.vers_f64() * (2.0 * scalaire(d, n));
             let ecart = (reflet.direction().vers_f64() - attendue).longueur();
             assert!(ecart <= (16.0 + 8.0 + 2.0 * REDRESSE) * u::<R>(), "{ecart:e}");
-            let naif = rayon.secondaire(&touche, d - (n + n) * d.produit_scalaire(n)).unwrap();
+            let naif = touche.secondaire(d - (n + n) * d.produit_scalaire(n)).unwrap();
             assert_eq!(bits(&naif), bits(&reflet));
             rasants += u32::from(-d.produit_scalaire(n).vers_f64() <= TANGENT * u::<R>());
             reflets += 1;
@@ -58,6 +58,77 @@ fn un_reflet_ne_revient_pas<R: Bits>() {
 }
 
 en_f32_et_f64!(un_reflet_ne_revient_pas);
+
+/// From a way out a mirror sends the ray back in: where it does not graze, the mirrored ray goes inward, starts inside the
+/// object, which it does not see, and leaves it again, a half-space alone excepted. Beside an edge of a box, and in a box
+/// no thicker than the step, the start may lie beyond another face.
+fn de_la_sortie_un_reflet_rentre<R: Bits>() {
+    let mut alea = Rng::with_seed(77);
+    let [mut rentres, mut aux_aretes, mut minces, mut refus, mut rasants] = [0; 5];
+    for regime in regimes::<R>() {
+        for _ in 0..2_000 {
+            let cas = (regime.cas)(&mut alea);
+            let (objet, rayon) = (cas.objet, cas.rayon);
+            let Ok(sortie) = objet.sortie(&rayon) else { continue };
+            let (d, n) = (rayon.direction(), sortie.normale());
+            let le_long = d.produit_scalaire(n);
+            assert!(le_long > R::ZERO, "{objet:?} {rayon:?}");
+            let reflet = match sortie.reflechi(d) {
+                Ok(reflet) => reflet,
+                Err(erreur) => {
+                    assert_eq!(sortie.secondaire(-n).unwrap_err().champ, erreur.champ);
+                    refus += 1;
+                    continue;
+                }
+            };
+            assert_eq!(reflet.fin(), R::INFINI);
+            let attendue = d.vers_f64() - n.vers_f64() * (2.0 * scalaire(d, n));
+            let ecart = (reflet.direction().vers_f64() - attendue).longueur();
+            assert!(ecart <= (16.0 + 8.0 + 2.0 * REDRESSE) * u::<R>(), "{ecart:e}");
+            // Within rounding of the tangent plane a direction counts as outward.
+            if le_long.vers_f64() <= (TANGENT + 8.0) * u::<R>() {
+                rasants += 1;
+                continue;
+            }
+            assert!(scalaire(n, reflet.direction()) < 0.0, "{objet:?} {rayon:?}");
+            assert_eq!(reflet.source(), sortie.secondaire(-n).unwrap().source());
+            let dedans = objet.contient(reflet.source());
+            let ressort = match objet {
+                // Downward it never leaves.
+                ObjetRay::Plan(_) => objet.sortie(&reflet) == Err(NoIntersection),
+                ObjetRay::Sphere(_) | ObjetRay::Boite(_) => objet.sortie(&reflet).is_ok(),
+            };
+            let revu = objet.intersection(&reflet).is_ok();
+            if dedans && ressort && !revu {
+                rentres += 1;
+                continue;
+            }
+            let ObjetRay::Boite(boite) = objet else {
+                panic!("{dedans} {ressort} {revu}: {objet:?} {rayon:?}");
+            };
+            let pas = (reflet.source() - sortie.point()).longueur().vers_f64();
+            let f = (rayon.source() - boite.centre()).longueur() + boite.centre().longueur();
+            let pres = pas + 16.0 * u::<R>() * (f + sortie.distance()).vers_f64();
+            let (face, p) = boite.lieu(&rayon, &sortie);
+            let (p, l) = (<[R; 3]>::from(p), boite.demi_longueurs().map(R::vers_f64));
+            let axe = face as usize % 3;
+            if l[axe] <= pres {
+                minces += 1;
+                continue;
+            }
+            let mut autres = (0..3).filter(|i| *i != axe);
+            let a_l_arete = autres.any(|i| l[i] * (1.0 - p[i].abs().vers_f64()) <= pres);
+            assert!(a_l_arete, "{dedans} {ressort} {revu}: {boite:?} {rayon:?}");
+            aux_aretes += 1;
+        }
+    }
+    println!(
+        "{rentres} inward, {aux_aretes} beside an edge, {minces} in thin boxes, {rasants} grazing, {refus} refused"
+    );
+    assert!(rentres > 10_000 && aux_aretes < rentres / 10 && rasants > 10);
+}
+
+en_f32_et_f64!(de_la_sortie_un_reflet_rentre);
 
 /// A sun shines on the side of a convex object that faces it, to 3.2u, and nowhere else: then nothing of the object is
 /// in the way at any distance, and the ray is that of `secondaire`.
@@ -76,20 +147,23 @@ fn le_soleil_eclaire_ce_qui_lui_fait_face<R: Bits>() {
                 let soleil = arrondi::<R>(soleil);
                 let Ok(vers) = Rayon::new(Vecteur::NUL, soleil) else { continue };
                 let de_face = vers.direction().produit_scalaire(n).vers_f64() > TANGENT * u::<R>();
-                let secondaire = rayon.secondaire(&touche, soleil);
+                let secondaire = touche.secondaire(soleil);
                 refus += u32::from(secondaire.is_err());
-                let ombre = rayon.vers_soleil(&touche, soleil);
-                assert_eq!(ombre.is_some(), de_face && secondaire.is_ok());
-                let Some((ombre, distance)) = ombre else {
+                let ombre = touche.vers_soleil(soleil);
+                assert_eq!(ombre.is_ok(), de_face && secondaire.is_ok());
+                if let (Err(erreur), Ok(_)) = (&ombre, &secondaire) {
+                    assert_eq!(erreur.champ, "soleil");
+                }
+                let Ok(ombre) = ombre else {
                     sombres += 1;
                     continue;
                 };
-                assert!(distance == R::INFINI && bits(&ombre) == bits(&secondaire.unwrap()));
-                assert!(!est_occulte(&[objet], &ombre, distance), "{objet:?} {rayon:?}");
+                assert!(ombre.fin() == R::INFINI && bits(&ombre) == bits(&secondaire.unwrap()));
+                assert!(!Monde::de_liste(&[objet]).est_occulte(&ombre), "{objet:?} {rayon:?}");
                 clairs += 1;
             }
             for nulle in [Vecteur::NUL, arrondi(Vecteur::new(f64::NAN, 0.0, 1.0))] {
-                assert_eq!(rayon.vers_soleil(&touche, nulle), None);
+                assert!(touche.vers_soleil(nulle).is_err());
             }
         }
     }

@@ -5,7 +5,7 @@ use commun::strategies::{rotation, vecteur, vecteur_rotation};
 use commun::tolerances::{ORTHONORMALE, PRODUIT, TOURNE, ecart_rotation, u};
 use commun::{Bits, en_f32_et_f64, pour_tout};
 use lancer_rayon::pour_les_tests::DEJA_ORTHONORMALE;
-use lancer_rayon::{Reel, Rotation, Vecteur};
+use lancer_rayon::{Nombre, Reel, Rotation, Vecteur};
 use proptest::prelude::*;
 
 type Matrice = [[f64; 3]; 3];

@@ -6,8 +6,7 @@ use commun::scenes::rayons_camera;
 use commun::{arrondi, en_f32_et_f64};
 use fastrand::Rng;
 use lancer_rayon::{
-    BoiteGeo, Hierarchie, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture, Vecteur,
-    est_occulte,
+    BoiteGeo, Monde, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture, Vecteur, places,
 };
 
 /// Points along each side of the floor.
@@ -40,17 +39,14 @@ fn scene<R: Reel>(dalle: bool) -> Vec<ObjetRay<R>> {
 
 /// The recipe of the documents: of each point whether the lamp shines on it, and whether it would without the
 /// question what the start lies in.
-fn eclaire<R: Reel>(
-    hierarchie: &Hierarchie<'_, R>,
-    point: Vecteur<R>,
-    lampe: Vecteur<R>,
-) -> [bool; 2] {
+fn eclaire<R: Reel>(monde: &Monde<'_, R>, point: Vecteur<R>, lampe: Vecteur<R>) -> [bool; 2] {
     let haut = Vecteur::new(R::ZERO, R::UN, R::ZERO);
     let rayon = Rayon::new(point + haut, -haut).unwrap();
-    let touche = hierarchie.objets()[0].intersection(&rayon).unwrap();
-    let (ombre, distance) = rayon.vers_lumiere(&touche, lampe).unwrap();
-    let dessous = hierarchie.objets().iter().any(|objet| objet.contient(ombre.source()));
-    let libre = !hierarchie.est_occulte(&ombre, distance);
+    let touche = monde.objets()[0].intersection(&rayon).unwrap();
+    let ombre = touche.vers_lumiere(lampe).unwrap();
+    let dessous = monde.contient(ombre.source());
+    assert_eq!(dessous, monde.objets().iter().any(|objet| objet.contient(ombre.source())));
+    let libre = !monde.est_occulte(&ombre);
     [!dessous && libre, libre]
 }
 
@@ -77,15 +73,15 @@ fn sous<R: Reel>(objets: &[ObjetRay<R>], [x, z]: [f64; 2]) -> f64 {
 fn sous_un_objet_il_fait_sombre<R: Reel>() {
     for dalle in [false, true] {
         let objets = scene::<R>(dalle);
-        let mut places = vec![0.0; Hierarchie::places(objets.len())];
-        let hierarchie = Hierarchie::new(&objets, &mut places).unwrap();
+        let mut places = vec![0.0; places(objets.len())];
+        let monde = Monde::new(&objets, &mut places).unwrap();
         let lampe = arrondi(Vecteur::new(-6.0, 9.0, 4.0));
         let (mut sombres, mut naifs, mut clairs) = (0, 0, 0);
         for i in 0..GRILLE * GRILLE {
             let ou =
                 [i % GRILLE, i / GRILLE].map(|k| f64::from(k) * 18.0 / f64::from(GRILLE) - 9.0);
             let point = arrondi(Vecteur::new(ou[0], 0.0, ou[1]));
-            let [clair, naif] = eclaire(&hierarchie, point, lampe);
+            let [clair, naif] = eclaire(&monde, point, lampe);
             // Of a side of a thing rounding decides.
             let dessous = sous(&objets, ou);
             if dessous > 1e-5 {
@@ -109,8 +105,12 @@ en_f32_et_f64!(sous_un_objet_il_fait_sombre);
 fn un_capteur_au_ras_du_sol_voit_la_lampe<R: Reel>() {
     let sol = &scene::<R>(false)[..1];
     let voit = |de: Vecteur<R>, vers: Vecteur<R>| {
-        let rayon = Rayon::new(de, vers - de).unwrap();
-        !est_occulte(sol, &rayon, (vers - de).longueur())
+        let rayon = Rayon::entre(de, vers).unwrap();
+        assert_eq!(
+            rayon,
+            Rayon::new(de, vers - de).unwrap().jusqu_a((vers - de).longueur()).unwrap()
+        );
+        !Monde::de_liste(sol).est_occulte(&rayon)
     };
     let mut alea = Rng::with_seed(62);
     let mut depuis_la_lampe = 0;
@@ -149,20 +149,19 @@ fn au_sol_rien_n_est_sous_normal<R: Reel>() {
         }
         let mur = PlanGeo::par_un_point(Vecteur::NUL, x + y, Texture(2)).unwrap();
         for scene in [objets.clone(), vec![objets[0], mur.into()]] {
-            let mut places = vec![0.0; Hierarchie::places(scene.len())];
-            let hierarchie = Hierarchie::new(&scene, &mut places).unwrap();
+            let mut places = vec![0.0; places(scene.len())];
+            let monde = Monde::new(&scene, &mut places).unwrap();
             for rayon in rayons_camera::<R>(60, 40) {
-                let Ok(touche) = hierarchie.premiere_intersection(&rayon) else { continue };
+                let Ok(touche) = monde.premiere_intersection(&rayon) else { continue };
                 let (d, n) = (rayon.direction(), touche.normale());
                 let reflet = d - n * (d.produit_scalaire(n) * R::depuis_f64(2.0));
-                let reflet = rayon.secondaire(&touche, reflet).unwrap();
+                let reflet = touche.secondaire(reflet).unwrap();
                 let mut nombres = vec![touche.marge(), touche.distance()];
                 nombres.extend(<[R; 3]>::from(reflet.source()));
-                nombres
-                    .extend(hierarchie.premiere_intersection(&reflet).ok().map(|t| t.distance()));
-                if let Some((ombre, distance)) = rayon.vers_lumiere(&touche, lampe) {
+                nombres.extend(monde.premiere_intersection(&reflet).ok().map(|t| t.distance()));
+                if let Ok(ombre) = touche.vers_lumiere(lampe) {
                     nombres.extend(<[R; 3]>::from(ombre.direction()));
-                    nombres.push(distance);
+                    nombres.push(ombre.fin());
                 }
                 assert!(!nombres.iter().copied().any(sous_normal), "{nombres:?} {rayon:?}");
                 vus += 1;
@@ -184,8 +183,8 @@ fn au_sol_tourne_un_depart_est_sous_normal<R: Reel>() {
         let source = Vecteur::new(R::ZERO, -R::UN, R::ZERO);
         let rayon = Rayon::new(source, -source).unwrap();
         let touche = ObjetRay::from(sol).intersection(&rayon).unwrap();
-        assert_eq!((rayon.point(touche.distance()), touche.normale()), (Vecteur::NUL, n));
-        let depart = rayon.secondaire(&touche, n).unwrap().source();
+        assert_eq!((touche.point(), touche.normale()), (Vecteur::NUL, n));
+        let depart = touche.secondaire(n).unwrap().source();
         assert!(!sous_normal(touche.marge()));
         assert_eq!(<[R; 3]>::from(depart).into_iter().any(sous_normal), attendu, "{depart:?}");
     }

@@ -19,7 +19,7 @@ fn refusee<R: Reel>(erreur: ErreurGeo) -> TestCaseResult {
         "centre" | "source" | "distance" => valeur.abs() <= limite,
         "rayon" | "dimensions" => (limite.recip()..=limite).contains(&valeur),
         "coefficient" => valeur > 0.0 && valeur < f64::INFINITY,
-        "vecteur_rotation" | "translation" | "matrice" => valeur.is_finite(),
+        "vecteur_rotation" | "translation" | "matrice" | "origine" => valeur.is_finite(),
         "direction" => valeur != 0.0 && valeur.is_finite(),
         "matrice:" if champ.ends_with('|') => valeur <= ecart_rotation::<R>(),
         "matrice:" => valeur > 0.0,
@@ -80,15 +80,15 @@ fn touche_valide<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> TestCaseR
             prop_assert!(p[face as usize % 3].abs() == R::UN);
         }
     }
-    if let Some((ombre, distance)) = rayon.vers_soleil(&touche, rayon.source()) {
-        prop_assert!(tient(ombre.source()) && distance == R::INFINI);
+    if let Ok(ombre) = touche.vers_soleil(rayon.source()) {
+        prop_assert!(tient(ombre.source()) && ombre.fin() == R::INFINI);
     }
-    match rayon.reflechi(&touche) {
+    match touche.reflechi(rayon.direction()) {
         Ok(reflet) => prop_assert!(tient(reflet.source())),
         Err(erreur) => prop_assert!(erreur.champ == "marge" || erreur.champ.starts_with("source")),
     }
-    if let Some((_, distance)) = rayon.vers_touche(&touche, rayon, &touche) {
-        prop_assert!(distance > R::ZERO);
+    if let Ok(vers) = touche.vers_touche(&touche) {
+        prop_assert!(vers.fin() > R::ZERO);
     }
     est_une_entree(rayon, &touche)
 }

@@ -1,7 +1,7 @@
 //! Vectors, also where the squares of their coordinates leave the range of the type.
 
 use commun::{arrondi, en_f32_et_f64};
-use lancer_rayon::{ObjetRay, Rayon, Reel, SphereGeo, Texture, Vecteur};
+use lancer_rayon::{Nombre, ObjetRay, Rayon, Reel, SphereGeo, Texture, Vecteur};
 
 /// 3² + 4² + 12² = 13².
 const COTES: Vecteur = Vecteur::new(3.0, -4.0, 12.0);
@@ -39,8 +39,8 @@ fn la_distance_d_une_lampe_est_exacte_aux_bornes<R: Reel>() {
         let rayon = Rayon::new(source, Vecteur::new(zero, zero, -R::UN)).unwrap();
         let touche = boule.intersection(&rayon).unwrap();
         let lampe = Vecteur::new(zero, zero, hauteur);
-        let (ombre, distance) = rayon.vers_lumiere(&touche, lampe).unwrap();
-        assert_eq!(distance, hauteur - ombre.source().z, "{r} {hauteur}");
+        let ombre = touche.vers_lumiere(lampe).unwrap();
+        assert_eq!(ombre.fin(), hauteur - ombre.source().z, "{r} {hauteur}");
         assert_eq!(ombre.direction(), Vecteur::new(zero, zero, R::UN));
     }
 }

@@ -7,8 +7,8 @@ use commun::{arrondi, en_f32_et_f64};
 use exemples::verre::avant_la_sortie;
 use fastrand::Rng;
 use lancer_rayon::{
-    BoiteGeo, Hierarchie, NoIntersection, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo,
-    Texture, Vecteur,
+    BoiteGeo, Etendue, Monde, NoIntersection, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo,
+    Texture, Vecteur, places,
 };
 
 /// Rays that leave a glass through its bottom, of each glass.
@@ -48,40 +48,40 @@ fn la_lumiere_trouve_la_table_sous_le_verre<R: Reel>() {
         let (mut par_dessous, mut naifs, mut par_un_cote) = (0, 0, 0);
         while par_dessous < RAYONS {
             let scene = sur_une_table::<R>(ronde, &mut alea);
-            let mut places = vec![0.0; Hierarchie::places(scene.len())];
-            let hierarchie = Hierarchie::new(&scene, &mut places).unwrap();
-            let [bas, haut] = scene[1].etendue().unwrap();
+            let mut places = vec![0.0; places(scene.len())];
+            let monde = Monde::new(&scene, &mut places).unwrap();
+            let Etendue { bas, haut } = scene[1].etendue().unwrap();
             let milieu = ((bas + haut) / R::depuis_f64(2.0)).vers_f64();
             for _ in 0..200 {
                 let oeil = milieu + Vecteur::new(0.0, 1.0, 0.0) + direction(&mut alea) * 0.9;
                 let cible = milieu + direction(&mut alea) * (0.4 * alea.f64());
                 let rayon = Rayon::new(arrondi(oeil), arrondi(cible - oeil)).unwrap();
-                let Some(entree) = hierarchie.premiere_intersection(&rayon).ok() else { continue };
-                if entree.objet() != 1 {
+                let Some(entree) = monde.premiere_intersection(&rayon).ok() else { continue };
+                if entree.indice() != 1 {
                     continue;
                 }
                 // To the bottom, of a ball next to where it touches the table; or bent, as glass does.
                 let bas = Vecteur::new(milieu.x, bas.y.vers_f64(), milieu.z);
                 let fin = alea.f64() * if ronde { 1e-6 } else { 0.1 };
-                let p = rayon.point(entree.distance()).vers_f64();
+                let p = entree.point().vers_f64();
                 let vers = if alea.bool() {
                     arrondi(bas + direction(&mut alea) * fin - p)
                 } else {
                     rayon.direction() - entree.normale() * R::depuis_f64(0.5)
                 };
-                let Ok(dedans) = rayon.secondaire(&entree, vers) else { continue };
-                let touche = hierarchie.sans(1).premiere_intersection(&dedans).ok();
+                let Ok(dedans) = entree.secondaire(vers) else { continue };
+                let touche = monde.sans(1).premiere_intersection(&dedans).ok();
                 let Ok(sortie) = scene[1].sortie(&dedans) else { continue };
                 let n = sortie.normale().vers_f64();
-                let dehors = dedans.secondaire(&sortie, dedans.direction()).unwrap();
-                let posee = touche.filter(|t| avant_la_sortie(&dedans, t, &sortie));
+                let dehors = sortie.secondaire(dedans.direction()).unwrap();
+                let posee = touche.filter(|t| avant_la_sortie(t, &sortie));
                 let contexte = || format!("{scene:?} {dedans:?} {sortie:?}");
                 let dessous = n.y < if ronde { -0.999_999 } else { -0.5 };
-                let arrive = hierarchie.premiere_intersection(&dehors);
+                let arrive = monde.premiere_intersection(&dehors);
                 let arrive = posee.or(arrive.ok());
                 if dessous {
                     // It lands there, whether the light goes straight in or crosses what air is left.
-                    assert_eq!(arrive.map(|t| t.objet()), Some(0), "through: {}", contexte());
+                    assert_eq!(arrive.map(|t| t.indice()), Some(0), "through: {}", contexte());
                     assert!(ronde || posee.is_some(), "air under a box: {}", contexte());
                     naifs += u32::from(scene[0].contient(dehors.source()));
                     par_dessous += 1;
@@ -89,7 +89,7 @@ fn la_lumiere_trouve_la_table_sous_le_verre<R: Reel>() {
                     assert!(posee.is_none(), "not out through a side: {}", contexte());
                     // Downward it lands beside the glass, upward nowhere: the slab is wide enough.
                     let descend = dedans.direction().y < R::ZERO;
-                    assert!(arrive.is_none_or(|t| descend && t.objet() == 0), "{}", contexte());
+                    assert!(arrive.is_none_or(|t| descend && t.indice() == 0), "{}", contexte());
                     par_un_cote += 1;
                 }
             }
@@ -141,7 +141,7 @@ fn la_lumiere_traverse_le_verre_comme_snell_le_dit<R: Reel>() {
         let entree = objet.intersection(&rayon).unwrap();
         let d = rayon.direction().vers_f64();
         let vers = refracte(d, entree.normale().vers_f64(), 1.0 / 1.5).unwrap();
-        let dedans = rayon.secondaire(&entree, arrondi(vers)).unwrap();
+        let dedans = entree.secondaire(arrondi(vers)).unwrap();
         assert_eq!(objet.intersection(&dedans), Err(NoIntersection));
         let sortie = objet.sortie(&dedans).unwrap();
         let (di, n) = (dedans.direction().vers_f64(), sortie.normale().vers_f64());
@@ -149,7 +149,7 @@ fn la_lumiere_traverse_le_verre_comme_snell_le_dit<R: Reel>() {
         let chemin = if tour % 2 == 0 { 2.0 * r * biais } else { 2.0 * r / biais };
         assert!((sortie.distance().vers_f64() - chemin).abs() < permis, "{rayon:?} {objet:?}");
         let vers = refracte(di, -n, 1.5).unwrap();
-        let dehors = dedans.secondaire(&sortie, arrondi(vers)).unwrap();
+        let dehors = sortie.secondaire(arrondi(vers)).unwrap();
         let cosinus = [-d.produit_scalaire(entree.normale().vers_f64()), vers.produit_scalaire(n)];
         assert!((cosinus[0] - cosinus[1]).abs() < permis, "{cosinus:?}");
         assert!(tour % 2 == 0 || (vers - d).longueur() < permis, "{vers:?} {d:?}");
@@ -198,7 +198,7 @@ fn des_coquilles_sont_traversees_dans_l_ordre<R: Reel>() {
             avant = t;
             // The step from one to the next.
             let ici = touche(&suite, (passage, objet)).unwrap();
-            suite = suite.secondaire(&ici, suite.direction()).unwrap();
+            suite = ici.secondaire(suite.direction()).unwrap();
             assert_eq!(objet.intersection(&suite), Err(NoIntersection));
             assert_eq!(objet.sortie(&suite).is_ok(), passage == Passage::Entree);
         }
@@ -218,7 +218,7 @@ fn de_la_surface_un_rayon_sort_en_face_ou_pas<R: Reel>() {
     let sol = ObjetRay::from(PlanGeo::new(Rotation::IDENTITE, R::ZERO, Texture(0)).unwrap());
     let sortie = |objet: &ObjetRay<R>, de, vers| {
         let sortie = objet.sortie(&Rayon::new(de, vers).unwrap()).ok()?;
-        assert_eq!(sortie.objet(), 0);
+        assert_eq!(sortie.indice(), 0);
         Some((sortie.distance().vers_f64(), <[f64; 3]>::from(sortie.normale().vers_f64())))
     };
     let (haut, bas) = (v(0.0, 1.0, 0.0), v(0.0, -1.0, 0.0));

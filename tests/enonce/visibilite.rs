@@ -8,13 +8,10 @@ use commun::{arrondi, en_f32_et_f64};
 use exemples::scene::Scene;
 use fastrand::Rng;
 use lancer_rayon::{
-    BoiteGeo, Hierarchie, Intersection, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo,
-    Texture, Vecteur, est_occulte, premiere_intersection,
+    BoiteGeo, Intersection, Monde, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture,
+    Vecteur, places, premiere_intersection,
 };
 use serde::de::DeserializeOwned;
-
-/// A point of a surface, by the ray that found it.
-type Point<R> = (Rayon<R>, Intersection<R>);
 
 /// Pairs of points in each scene.
 const PAIRES: u32 = 20_000;
@@ -47,7 +44,7 @@ fn atelier<R: Reel + DeserializeOwned>() -> Vec<ObjetRay<R>> {
 }
 
 /// A point that is seen from somewhere above a scene of this extent.
-fn point<R: Reel>(objets: &[ObjetRay<R>], etendue: f64, alea: &mut Rng) -> Point<R> {
+fn point<R: Reel>(objets: &[ObjetRay<R>], etendue: f64, alea: &mut Rng) -> Intersection<R> {
     loop {
         let mut lieu = |haut: f64| {
             let v = direction(alea) * etendue;
@@ -61,45 +58,45 @@ fn point<R: Reel>(objets: &[ObjetRay<R>], etendue: f64, alea: &mut Rng) -> Point
         let rayon = Rayon::new(arrondi(de), arrondi(vers - de)).unwrap();
         let touche = premiere_intersection(objets, &rayon).ok();
         if let Some(touche) = touche.filter(|t| t.distance().vers_f64() < 4.0 * etendue) {
-            return (rayon, touche);
+            return touche;
         }
     }
 }
 
 /// A sensor this high on the wall of a house.
-fn capteur<R: Reel>(objets: &[ObjetRay<R>], haut: f64, alea: &mut Rng) -> Point<R> {
+fn capteur<R: Reel>(objets: &[ObjetRay<R>], haut: f64, alea: &mut Rng) -> Intersection<R> {
     loop {
         let de = Vecteur::new(entre(alea, -110.0, 110.0), haut, entre(alea, -110.0, 110.0));
         let vers = direction(alea);
         let rayon = Rayon::new(arrondi(de), arrondi(Vecteur::new(vers.x, 0.0, vers.z))).unwrap();
         if let Ok(touche) = premiere_intersection(objets, &rayon) {
-            return (rayon, touche);
+            return touche;
         }
     }
 }
 
 /// A point of the ground under the open sky, no farther than some streets from here.
-fn du_sol<R: Reel>(objets: &[ObjetRay<R>], ici: Vecteur, alea: &mut Rng) -> Point<R> {
+fn du_sol<R: Reel>(objets: &[ObjetRay<R>], ici: Vecteur, alea: &mut Rng) -> Intersection<R> {
     loop {
         let de = ici + Vecteur::new(entre(alea, -60.0, 60.0), 90.0, entre(alea, -60.0, 60.0));
         let bas = Vecteur::new(0.0, -1.0, 0.0);
         let rayon = Rayon::new(arrondi(de), arrondi(bas)).unwrap();
         match premiere_intersection(objets, &rayon) {
-            Ok(touche) if touche.objet() == 0 => return (rayon, touche),
+            Ok(touche) if touche.indice() == 0 => return touche,
             Ok(_) | Err(_) => {}
         }
     }
 }
 
-/// Whether the ray enters one of these objects before this distance, exactly; `None` if that is nearer than the
-/// distance is known.
+/// Whether the ray enters one of these objects before its end, exactly; `None` if that is nearer than the
+/// end is known.
 fn cache<'a, R: Reel>(
     objets: impl Iterator<Item = &'a ObjetRay<R>>,
     rayon: &Rayon<R>,
-    distance: R,
 ) -> Option<bool> {
     let longueur = rayon.vers_f64().direction().longueur();
-    let fin = distance.vers_f64() / longueur;
+    let fin = rayon.fin().vers_f64() / longueur;
+    let rayon = &rayon.jusqu_a(R::INFINI).unwrap();
     // Those that are certainly passed by need no exact numbers.
     let proches = objets.filter(|o| !o.est_certain(rayon) || o.intersection(rayon).is_ok());
     let entrees = proches.filter_map(|objet| verite(objet, rayon).entree);
@@ -112,45 +109,53 @@ fn cache<'a, R: Reel>(
 /// What the recipe of the documents says of two points, and whether that is right: the same both ways, and of a list
 /// cut in two.
 fn se_voient<R: Reel>(
-    hierarchie: &Hierarchie<'_, R>,
-    (a, depart): &Point<R>,
-    (b, cible): &Point<R>,
+    monde: &Monde<'_, R>,
+    depart: &Intersection<R>,
+    cible: &Intersection<R>,
 ) -> Option<bool> {
-    let (rayon, distance) = a.vers_touche(depart, b, cible)?;
-    let libre = !hierarchie.sans(cible.objet()).est_occulte(&rayon, distance);
-    let objets = hierarchie.objets();
-    let (avant, apres) = (&objets[..cible.objet()], &objets[cible.objet() + 1..]);
-    let coupee = est_occulte(avant, &rayon, distance) || est_occulte(apres, &rayon, distance);
+    let rayon = match depart.vers_touche(cible) {
+        Ok(rayon) => rayon,
+        Err(erreur) => {
+            assert!(["lumiere", "cible"].contains(&erreur.champ), "{erreur}");
+            return None;
+        }
+    };
+    let libre = !monde.sans(cible.indice()).est_occulte(&rayon);
+    let objets = monde.objets();
+    let (avant, apres) = (&objets[..cible.indice()], &objets[cible.indice() + 1..]);
+    let coupee = [avant, apres].iter().any(|part| Monde::de_liste(part).est_occulte(&rayon));
     assert_eq!(libre, !coupee);
     // The object that the ray leaves never stands in its way; nor would that to which it goes, exactly.
-    let depart = objets[depart.objet()];
-    assert!(depart.intersection(&rayon).is_err(), "hidden by its own start: {depart:?} {rayon:?}");
+    let depart = objets[depart.indice()];
+    assert!(
+        depart.intersection(&rayon.jusqu_a(R::INFINI).unwrap()).is_err(),
+        "hidden by its own start: {depart:?} {rayon:?}"
+    );
     let autres = avant.iter().chain(apres).filter(|objet| **objet != depart);
-    let exacte = cache(autres, &rayon, distance);
+    let exacte = cache(autres, &rayon);
     assert!(exacte.is_none_or(|cache| cache != libre), "{libre}, but {exacte:?}: {rayon:?}");
     Some(libre)
 }
 
 fn deux_points_se_voient_si_rien_n_est_entre_eux<R: Reel + DeserializeOwned>() {
     for (nom, objets, etendue) in [("city", ville::<R>(), 120.0), ("atelier", atelier(), 6.0)] {
-        let mut places = vec![0.0; Hierarchie::places(objets.len())];
-        let hierarchie = Hierarchie::new(&objets, &mut places).unwrap();
+        let mut places = vec![0.0; places(objets.len())];
+        let monde = Monde::new(&objets, &mut places).unwrap();
         let mut alea = Rng::with_seed(39);
         let (mut vus, mut caches, mut dos) = (0, 0, 0);
         let mut naifs = [0; 2];
-        let mut juger = |a: Point<R>, b: Point<R>| {
-            let [p, q] = [&a, &b].map(|(rayon, touche)| rayon.point(touche.distance()));
+        let mut juger = |a: Intersection<R>, b: Intersection<R>| {
+            let [p, q] = [a, b].map(|touche| touche.point());
             // What one writes at first.
-            let obvie = Rayon::new(p, q - p).unwrap();
-            let obvie = !est_occulte(&objets, &obvie, (q - p).longueur());
-            let libre = se_voient(&hierarchie, &a, &b);
-            assert_eq!(se_voient(&hierarchie, &b, &a), libre, "{nom}: one way: {a:?} {b:?}");
+            let obvie = !Monde::de_liste(&objets).est_occulte(&Rayon::entre(p, q).unwrap());
+            let libre = se_voient(&monde, &a, &b);
+            assert_eq!(se_voient(&monde, &b, &a), libre, "{nom}: one way: {a:?} {b:?}");
             match libre {
                 None => {
                     let v = q - p;
                     let penche =
                         |n: Vecteur<R>| n.produit_scalaire(v).vers_f64() / v.longueur().vers_f64();
-                    let face = penche(a.1.normale()).min(-penche(b.1.normale()));
+                    let face = penche(a.normale()).min(-penche(b.normale()));
                     assert!(face < 1e-4, "{nom}: both face, and no ray: {a:?} {b:?}");
                     dos += 1;
                 }
@@ -168,7 +173,7 @@ fn deux_points_se_voient_si_rien_n_est_entre_eux<R: Reel + DeserializeOwned>() {
         for &haut in hauteurs {
             let paire = |_| {
                 let mur = capteur(&objets, haut, &mut alea);
-                let ici = mur.0.point(mur.1.distance()).vers_f64();
+                let ici = mur.point().vers_f64();
                 juger(du_sol(&objets, ici, &mut alea), mur)
             };
             let reponses: Vec<_> = (0..CAPTEURS).filter_map(paire).collect();
@@ -189,12 +194,12 @@ en_f32_et_f64!(deux_points_se_voient_si_rien_n_est_entre_eux);
 /// What the recipe says of two points, of a list.
 fn voit<R: Reel>(
     objets: &[ObjetRay<R>],
-    (a, depart): &Point<R>,
-    (b, cible): &Point<R>,
+    depart: &Intersection<R>,
+    cible: &Intersection<R>,
 ) -> Option<(Rayon<R>, bool)> {
-    let (rayon, distance) = a.vers_touche(depart, b, cible)?;
-    let (avant, apres) = (&objets[..cible.objet()], &objets[cible.objet() + 1..]);
-    let cache = est_occulte(avant, &rayon, distance) || est_occulte(apres, &rayon, distance);
+    let rayon = depart.vers_touche(cible).ok()?;
+    let (avant, apres) = (&objets[..cible.indice()], &objets[cible.indice() + 1..]);
+    let cache = [avant, apres].iter().any(|part| Monde::de_liste(part).est_occulte(&rayon));
     Some((rayon, !cache))
 }
 
@@ -224,12 +229,12 @@ fn a_un_joint_ou_au_ras_d_un_tiers_l_ordre_compte<R: Reel>() {
         }
         let vers = |ou: Vecteur, de: Vecteur| {
             let rayon = Rayon::new(arrondi(de), arrondi(ou - de)).unwrap();
-            (rayon, premiere_intersection(&objets, &rayon).unwrap())
+            premiere_intersection(&objets, &rayon).unwrap()
         };
         let a = vers(au_pied, au_pied + n * entre(&mut alea, 0.1, 1.0) + haut);
         let b = vers(lustre + le_long * entre(&mut alea, -0.2, 0.2), n * 2.0 + haut * 0.5);
         if !joint {
-            let [p, q] = [&a, &b].map(|(rayon, t)| rayon.point(t.distance()).vers_f64());
+            let [p, q] = [a, b].map(|touche| touche.point().vers_f64());
             let travers = (q - p).produit_vectoriel(direction(&mut alea)).unitaire().unwrap();
             let r = entre(&mut alea, 0.01, 0.1);
             objets.push(boule((p + q) * 0.5 + travers * r, r));
@@ -243,7 +248,7 @@ fn a_un_joint_ou_au_ras_d_un_tiers_l_ordre_compte<R: Reel>() {
             memes += 1;
         } else if joint {
             // The wall at a point of the ground, the ground at one of the wall.
-            let tiers = objets[2 - a.1.objet()];
+            let tiers = objets[2 - a.indice()];
             let hauteur = dehors(&tiers, aller.source());
             assert!(hauteur < 16.0 * R::U.vers_f64(), "clear of its neighbour: {a:?} {b:?}");
             au_joint += 1;

@@ -32,18 +32,23 @@ fn noter(source: &str, exportes: &[String], lexique: &mut Lexique) {
     let mut alias: Vec<String> = Vec::new();
     // The item around a line, if it is exported: its first word.
     let mut autour = None;
+    let mut cachee = false;
     for ligne in source.lines() {
         let nue = ligne.trim_start();
         if nue.starts_with("#[doc(alias") {
             // Every other piece stands between quotes.
             alias.extend(nue.split('"').skip(1).step_by(2).map(|mot| mot.replace('_', " ")));
             continue;
+        } else if nue.starts_with("#[doc(hidden)]") {
+            cachee = true;
+            continue;
         } else if nue.starts_with("#[") || nue.starts_with("//") || nue.is_empty() {
             continue;
         }
         let dehors = nue.len() == ligne.len();
         let publique = nue.strip_prefix("pub ");
-        let suite = publique.unwrap_or(nue).trim_start_matches("const fn ");
+        let suite = publique.unwrap_or(nue);
+        let suite = suite.strip_prefix("const ").filter(|s| s.starts_with("fn ")).unwrap_or(suite);
         let sorte = mots(suite).next().unwrap_or_default();
         let declare = ["fn", "struct", "enum", "trait", "type", "const"].contains(&sorte);
         let nom = if declare { mots(suite).nth(1) } else { mots(suite).next() };
@@ -69,10 +74,11 @@ fn noter(source: &str, exportes: &[String], lexique: &mut Lexique) {
                     _ => autour.is_some() && publique.is_some(),
                 }
         };
-        if est_publique {
+        if est_publique && !cachee {
             lexique.entry(nom.to_owned()).or_default().append(&mut alias);
         }
         alias.clear();
+        cachee = false;
     }
 }
 

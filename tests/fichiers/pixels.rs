@@ -12,7 +12,7 @@ const SCENES: [&str; 5] = ["atelier", "soir", "foule", "flocon", "extremes"];
 
 /// Between two neighbours that see different objects, the two rays side by side at which the answer changes.
 fn au_bord(objets: &[ObjetRay<f32>], [mut a, mut b]: [Rayon<f32>; 2]) -> Option<[Rayon<f32>; 2]> {
-    let vu = |rayon: &Rayon<f32>| premiere_intersection(objets, rayon).ok().map(|t| t.objet());
+    let vu = |rayon: &Rayon<f32>| premiere_intersection(objets, rayon).ok().map(|t| t.indice());
     let ici = vu(&a);
     if ici == vu(&b) {
         return None;

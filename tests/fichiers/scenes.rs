@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use commun::en_f32_et_f64;
 use exemples::scene::Scene;
 use lancer_rayon::{
-    ObjetGeo, ObjetRay, Rayon, Reel, SphereGeo, Texture, Touche, Vecteur, premiere_intersection,
+    ObjetGeo, ObjetRay, Rayon, Reel, Reponse, SphereGeo, Texture, Vecteur, premiere_intersection,
 };
 use serde::de::DeserializeOwned;
 
@@ -18,7 +18,7 @@ fn fichiers() -> Vec<PathBuf> {
 }
 
 /// What every pixel of the picture sees.
-fn image<R: Reel>(scene: &Scene<R>) -> Vec<Touche<R>> {
+fn image<R: Reel>(scene: &Scene<R>) -> Vec<Reponse<R>> {
     let objets: Vec<_> = scene.objets.iter().copied().map(ObjetRay::from).collect();
     let rayons = scene.camera.rayons().unwrap();
     rayons.iter().map(|rayon| premiere_intersection(&objets, rayon)).collect()
@@ -26,10 +26,10 @@ fn image<R: Reel>(scene: &Scene<R>) -> Vec<Touche<R>> {
 
 /// The picture shows each object: nobody would miss a lost one that the picture does not show. In the
 /// snowflake the spheres hide each other.
-fn chaque_objet_se_voit<R: Reel>(chemin: &Path, scene: &Scene<R>, touches: &[Touche<R>]) {
+fn chaque_objet_se_voit<R: Reel>(chemin: &Path, scene: &Scene<R>, touches: &[Reponse<R>]) {
     let mut pixels = vec![0; scene.objets.len()];
     for touche in touches.iter().flatten() {
-        pixels[touche.objet()] += 1;
+        pixels[touche.indice()] += 1;
     }
     let caches = pixels.iter().filter(|pixels| **pixels < 4).count();
     let permis = if chemin.ends_with("flocon.ron") { scene.objets.len() * 2 / 3 } else { 0 };
@@ -62,7 +62,7 @@ fn f32_et_f64_voient_tous_les_objets_et_la_meme_image() {
         let mut autres = 0;
         for paire in doubles.iter().zip(&simples) {
             match paire {
-                (Ok(a), Ok(b)) if a.objet() == b.objet() => {
+                (Ok(a), Ok(b)) if a.indice() == b.indice() => {
                     let ecart = (f64::from(b.distance()) / a.distance() - 1.0).abs();
                     assert!(ecart < ECART_F32_F64, "{}: {a:?} and {b:?}", chemin.display());
                 }

@@ -1,5 +1,6 @@
 //! Raw bytes made into objects, transformations and rays: every value is refused or valid, and every
-//! answer to every ray is what it must be, alone, in a batch and in a hierarchy.
+//! answer to every ray and every point is what it must be, alone, in a batch and with a tree, of all objects and of a
+//! choice of them.
 //!
 //! Numbers are raw bits, or one that came before or its neighbour, without which nothing would ever
 //! coincide.
@@ -9,9 +10,8 @@
 use std::sync::atomic::{AtomicU32, Ordering};
 
 use lancer_rayon::{
-    BoiteGeo, ErreurGeo, Hierarchie, Intersection, NoIntersection, ObjetGeo, ObjetRay,
-    PlacesInsuffisantes, PlanGeo, Rayon, Rotation, SphereGeo, Texture, Vecteur, est_certaine,
-    est_occulte, etendue, premiere_intersection,
+    BoiteGeo, Choix, ErreurGeo, Etendue, Intersection, Monde, NoIntersection, ObjetGeo, ObjetRay,
+    PlacesInsuffisantes, PlanGeo, Rayon, Reponse, Rotation, SphereGeo, Texture, Vecteur, places,
 };
 use libfuzzer_sys::fuzz_target;
 
@@ -84,16 +84,17 @@ fn secondaires<R: Bits>(objet: &ObjetRay<R>, rayon: &Rayon<R>, vers: Vecteur<R>)
     let Ok(touche) = objet.intersection(rayon) else { return };
     verifier(rayon, &touche);
     for vers in [vers, -vers, touche.normale(), -rayon.direction()] {
-        let Ok(secondaire) = rayon.secondaire(&touche, vers) else { continue };
+        let Ok(secondaire) = touche.secondaire(vers) else { continue };
         if secondaire.direction().produit_scalaire(touche.normale()) > R::ZERO {
             assert_eq!(objet.intersection(&secondaire), Err(NoIntersection), "{objet:?} {rayon:?}");
         }
     }
-    if let Ok(reflet) = rayon.reflechi(&touche) {
+    if let Ok(reflet) = touche.reflechi(rayon.direction()) {
         assert_eq!(objet.intersection(&reflet), Err(NoIntersection), "{objet:?} {rayon:?}");
     }
-    if let Some((ombre, loin)) = rayon.vers_soleil(&touche, vers) {
-        assert!(!est_occulte(std::slice::from_ref(objet), &ombre, loin), "{objet:?} {rayon:?}");
+    let ombres = [touche.vers_soleil(vers), touche.vers_lumiere(vers)];
+    for ombre in ombres.into_iter().flatten() {
+        assert_eq!(objet.intersection(&ombre), Err(NoIntersection), "{objet:?} {ombre:?}");
     }
     if let ObjetRay::Boite(boite) = objet {
         let (face, p) = boite.lieu(rayon, &touche);
@@ -130,7 +131,7 @@ fn sorties<R: Bits>(objet: &ObjetRay<R>, rayon: &Rayon<R>, vers: Vecteur<R>) {
         assert!(<[R; 3]>::from(p).into_iter().all(|x| x.abs() <= R::UN), "{}", contexte());
     }
     for vers in [vers, -vers, n, -n, rayon.direction()] {
-        let Ok(suite) = rayon.secondaire(&sortie, vers) else { continue };
+        let Ok(suite) = sortie.secondaire(vers) else { continue };
         if suite.direction().produit_scalaire(n) > R::ZERO {
             let encore = [objet.intersection(&suite), objet.sortie(&suite)];
             assert_eq!(encore, [Err(NoIntersection); 2], "{} {suite:?}", contexte());
@@ -141,74 +142,206 @@ fn sorties<R: Bits>(objet: &ObjetRay<R>, rayon: &Rayon<R>, vers: Vecteur<R>) {
     }
 }
 
-/// What two choices take, one among the other, in order before these limits, as many as so many places hold: beside
-/// each object asked alone. What they leave out is no answer of which to be certain.
-fn des_choix<R: Bits>(
-    hierarchie: &Hierarchie<'_, R>,
-    rayon: &Rayon<R>,
-    limites: &[R],
-    [un, deux, places]: [u8; 3],
-) {
+/// A choice that is kept for all questions, and the indices of what it is to take.
+struct Choisis<'a, R, C> {
+    monde: Monde<'a, R, C>,
+    pris: Vec<usize>,
+}
+
+/// Of these objects what two choices take, and not the one between them.
+fn choisir<R: Bits>(
+    monde: Monde<'_, R>,
+    [un, sauf, deux]: [u8; 3],
+) -> Choisis<'_, R, impl Choix + Copy> {
     let [un, deux] = [un, deux].map(|masque| move |indice: usize| masque >> (indice % 8) & 1 == 0);
-    let prend = |indice: usize| un(indice) && deux(indice);
-    let parmi = hierarchie.parmi(&un);
-    let parmi = parmi.parmi(&deux);
-    let touche = |(indice, objet): (usize, &ObjetRay<R>)| {
-        let touche = objet.intersection(rayon).ok().filter(|_| prend(indice))?;
-        Some((touche.distance(), Mots { objet: Some(indice), ..mots(&Ok(touche)) }))
-    };
-    let objets = hierarchie.objets();
-    let mut toutes: Vec<_> = objets.iter().enumerate().filter_map(touche).collect();
-    // Stable: of equal distances the earlier in the list.
-    toutes.sort_by(|(a, _), (b, _)| a.partial_cmp(b).unwrap());
-    let une = toutes.get(usize::from(places) % (toutes.len() + 1)).map(|(t, _)| *t);
-    for &limite in limites.iter().chain(&une).chain(&[R::INFINI]) {
-        let avant = toutes.iter().filter(|(t, _)| *t < limite);
-        let voulues: Vec<_> = avant.map(|(_, mots)| *mots).collect();
-        let contexte = || format!("before {limite:?}: {rayon:?} {objets:?}");
-        let premiere = voulues.first().copied().unwrap_or_else(|| mots::<R>(&Err(NoIntersection)));
-        assert_eq!(mots(&parmi.premiere_avant(rayon, limite)), premiere, "{}", contexte());
-        assert_eq!(parmi.est_occulte(rayon, limite), !voulues.is_empty(), "{}", contexte());
+    let sauf = usize::from(sauf);
+    let pris = (0..monde.objets().len()).filter(|i| un(*i) && *i != sauf && deux(*i)).collect();
+    Choisis { monde: monde.parmi(un).sans(sauf).parmi(deux), pris }
+}
+
+/// A hit of an object that was asked alone, with its index: its distance, and its bits.
+type Vue<R> = (R, Mots);
+
+impl<R: Bits, C: Choix + Copy> Choisis<'_, R, C> {
+    /// Beside each object asked alone; as many places for what comes in order as `places` says.
+    fn interroger(&self, rayons: &[Rayon<R>], limites: &[R], points: &[Vecteur<R>], places: u8) {
+        let toutes: Vec<_> = rayons.iter().map(|rayon| self.toutes(rayon)).collect();
+        for (rayon, toutes) in rayons.iter().zip(&toutes) {
+            let une = toutes.get(usize::from(places) % (toutes.len() + 1)).map(|(t, _)| *t);
+            for &limite in limites.iter().chain(&une).chain(&[R::INFINI]) {
+                let fini = rayon.jusqu_a(limite);
+                assert_eq!(fini.is_ok(), limite >= R::ZERO, "{limite:?}");
+                let Ok(fini) = fini else { continue };
+                let avant = toutes.iter().copied().filter(|(t, _)| *t < limite);
+                self.un_rayon(&fini, &avant.collect::<Vec<_>>(), places);
+                self.visites(&fini, toutes, limites);
+            }
+            self.certificat(rayon);
+            self.points(rayon.source());
+            for (t, _) in toutes {
+                self.points(rayon.point(*t));
+            }
+        }
+        for (i, limite) in limites.iter().enumerate() {
+            self.en_lot(rayons, &toutes, &limites[i..], *limite);
+        }
+        points.iter().for_each(|point| self.points(*point));
+    }
+
+    /// All hits of what was chosen, each object asked alone, in order.
+    fn toutes(&self, rayon: &Rayon<R>) -> Vec<Vue<R>> {
+        let touche = |indice: &usize| {
+            let touche = self.monde.objets()[*indice].intersection(rayon).ok()?;
+            Some((touche.distance(), Mots { objet: Some(*indice), ..mots(&Ok(touche)) }))
+        };
+        let mut toutes: Vec<_> = self.pris.iter().filter_map(touche).collect();
+        // Stable: of equal distances the earlier in the list.
+        toutes.sort_by(|(a, _), (b, _)| a.partial_cmp(b).unwrap());
+        toutes
+    }
+
+    /// The first hit, the shadow, and what comes in order, of a ray that enters these objects before its end.
+    fn un_rayon(&self, rayon: &Rayon<R>, avant: &[Vue<R>], places: u8) {
+        let contexte = || format!("{rayon:?} {:?} of {:?}", self.pris, self.monde.objets());
+        let voulues: Vec<_> = avant.iter().map(|(_, mots)| *mots).collect();
+        let premiere = self.monde.premiere_intersection(rayon);
+        assert_eq!(mots(&premiere), premiers_mots::<R>(avant), "{}", contexte());
+        assert_eq!(self.monde.est_occulte(rayon), !avant.is_empty(), "{}", contexte());
         let mut touches = vec![Err(NoIntersection); usize::from(places) % 9];
-        let nombre = parmi.dans_l_ordre(rayon, limite, &mut touches);
+        let nombre = self.monde.dans_l_ordre(rayon, &mut touches);
         let obtenues: Vec<_> = touches[..nombre].iter().map(mots).collect();
         assert_eq!(obtenues, voulues[..voulues.len().min(touches.len())], "{}", contexte());
         assert!(touches[nombre..].iter().all(Result::is_err), "{}", contexte());
     }
-    let toute = hierarchie.premiere_intersection(rayon);
-    if toute.is_ok_and(|touche| !prend(touche.objet())) {
-        assert!(!parmi.est_certaine(rayon, &toute), "{rayon:?} {objets:?}");
+
+    /// Visits that go on, that come nearer with every object, and that end where raw numbers say: each shows what lies
+    /// before its end then, and nothing twice.
+    fn visites(&self, rayon: &Rayon<R>, toutes: &[Vue<R>], fins: &[R]) {
+        let contexte = || format!("{rayon:?} {:?} of {:?}", self.pris, self.monde.objets());
+        let visiter = |prochaine: &mut dyn FnMut(R) -> R| {
+            let (mut fin, mut vus) = (rayon.fin(), Vec::new());
+            self.monde.visiter(rayon, |indice, t| {
+                assert!(t < fin, "{t} is not before {fin}: {}", contexte());
+                vus.push((indice, t.bits()));
+                let suivante = prochaine(t);
+                // A NaN leaves the end where it is.
+                fin = if suivante < fin { suivante } else { fin };
+                suivante
+            });
+            vus.sort_unstable();
+            assert!(vus.windows(2).all(|w| w[0].0 != w[1].0), "twice: {}", contexte());
+            (vus, fin)
+        };
+        let avant = |fin: R| {
+            let avant = toutes.iter().filter(move |(t, _)| *t < fin);
+            let mut avant: Vec<_> =
+                avant.filter_map(|(t, mots)| Some((mots.objet?, t.bits()))).collect();
+            avant.sort_unstable();
+            avant
+        };
+        let toutes_avant = avant(rayon.fin());
+        assert_eq!(visiter(&mut |_| R::INFINI).0, toutes_avant, "{}", contexte());
+        let premiere = toutes.first().map_or(R::INFINI, |(t, _)| *t);
+        let fin = if premiere < rayon.fin() { premiere } else { rayon.fin() };
+        assert_eq!(visiter(&mut |t| t).1.bits(), fin.bits(), "{}", contexte());
+        assert!(visiter(&mut |_| R::ZERO).0.len() <= 1, "{}", contexte());
+        let mut suivantes = fins.iter().copied().cycle();
+        let (vus, fin) = visiter(&mut |_| suivantes.next().unwrap_or(R::INFINI));
+        // All that lies before the last end was shown, and none that no object alone knows.
+        assert!(avant(fin).iter().all(|vu| vus.contains(vu)), "{}", contexte());
+        assert!(vus.iter().all(|vu| toutes_avant.contains(vu)), "{}", contexte());
     }
-    let restants: Vec<_> =
-        objets.iter().enumerate().filter(|(i, _)| prend(*i)).map(|(_, objet)| *objet).collect();
-    let seule = premiere_intersection(&restants, rayon);
-    if est_certaine(&restants, rayon, &seule) {
-        let choisie = parmi.premiere_intersection(rayon);
-        assert!(parmi.est_certaine(rayon, &choisie), "{rayon:?} {objets:?}");
+
+    /// First hits and shadows of all rays at once, each with an end of its own: by turns one of these, its nth hit, the
+    /// number beside it, and none.
+    fn en_lot(&self, rayons: &[Rayon<R>], toutes: &[Vec<Vue<R>>], limites: &[R], sinon: R) {
+        let finir = |(i, (rayon, toutes)): (usize, (&Rayon<R>, &Vec<Vue<R>>))| {
+            let t = toutes.get(i % (toutes.len() + 1)).map_or(sinon, |(t, _)| *t);
+            let fin = match i % 4 {
+                0 => limites[i / 4 % limites.len()],
+                1 => t,
+                2 => t * (R::UN + R::U + R::U),
+                _ => R::INFINI,
+            };
+            rayon.jusqu_a(fin).unwrap_or(*rayon)
+        };
+        let finis: Vec<_> = rayons.iter().zip(toutes).enumerate().map(finir).collect();
+        let mut touches: Vec<Reponse<R>> = vec![Err(NoIntersection); finis.len()];
+        let mut occultes = vec![true; finis.len()];
+        self.monde.premieres_intersections(&finis, &mut touches).unwrap();
+        self.monde.sont_occultes(&finis, &mut occultes).unwrap();
+        let obtenues = touches.iter().zip(occultes);
+        for ((rayon, toutes), (touche, occulte)) in finis.iter().zip(toutes).zip(obtenues) {
+            let contexte = || format!("{rayon:?} {:?} of {:?}", self.pris, self.monde.objets());
+            let avant = &toutes[..toutes.partition_point(|(t, _)| *t < rayon.fin())];
+            assert_eq!(mots(touche), premiers_mots::<R>(avant), "{}", contexte());
+            assert_eq!(occulte, !avant.is_empty(), "{}", contexte());
+        }
+    }
+
+    /// What the choice leaves out is no answer of which to be certain; and what a list of what it takes is certain of is
+    /// certain.
+    fn certificat(&self, rayon: &Rayon<R>) {
+        let objets = self.monde.objets();
+        let toute = Monde::de_liste(objets).premiere_intersection(rayon);
+        if toute.is_ok_and(|touche| !self.pris.contains(&touche.indice())) {
+            assert!(!self.monde.certifie(rayon, &toute), "{rayon:?} {objets:?}");
+        }
+        let restants: Vec<_> = self.pris.iter().map(|indice| objets[*indice]).collect();
+        let restants = Monde::de_liste(&restants);
+        if restants.certifie(rayon, &restants.premiere_intersection(rayon)) {
+            let choisie = self.monde.premiere_intersection(rayon);
+            assert!(self.monde.certifie(rayon, &choisie), "{rayon:?} {objets:?}");
+        }
+    }
+
+    /// Who holds this point: those that say so themselves, each once.
+    fn points(&self, point: Vecteur<R>) {
+        let objets = self.monde.objets();
+        let voulus = self.pris.iter().copied().filter(|indice| objets[*indice].contient(point));
+        let voulus: Vec<_> = voulus.collect();
+        let mut vus = Vec::new();
+        self.monde.contenants(point, |indice| vus.push(indice));
+        vus.sort_unstable();
+        assert_eq!(vus, voulus, "{point:?} {:?} of {objets:?}", self.pris);
+        assert_eq!(self.monde.contient(point), !voulus.is_empty(), "{point:?} {objets:?}");
     }
 }
 
+/// The first of these hits, or a miss.
+fn premiers_mots<R: Bits>(toutes: &[Vue<R>]) -> Mots {
+    toutes.first().map_or_else(|| mots::<R>(&Err(NoIntersection)), |(_, mots)| *mots)
+}
+
 /// A choice that answers otherwise each time: every answer is still a hit of some object, in order.
-fn un_choix_inconstant<R: Bits>(hierarchie: &Hierarchie<'_, R>, rayons: &[Rayon<R>], graine: u8) {
+fn un_choix_inconstant<R: Bits>(monde: Monde<'_, R>, rayons: &[Rayon<R>], graine: u8) {
     let etat = AtomicU32::new(graine.into());
-    let inconstant = |_: usize| {
+    let parmi = monde.parmi(|_| {
         let suivant = etat.load(Ordering::Relaxed).wrapping_mul(747_796_405).wrapping_add(1);
         etat.store(suivant, Ordering::Relaxed);
         suivant >> 31 == 0
-    };
-    let parmi = hierarchie.parmi(&inconstant);
+    });
     let mut lot = vec![Err(NoIntersection); rayons.len()];
     parmi.premieres_intersections(rayons, &mut lot).unwrap();
     for (rayon, touche) in rayons.iter().zip(lot) {
         let mut touches = [Err(NoIntersection); 4];
-        let nombre = parmi.dans_l_ordre(rayon, R::INFINI, &mut touches);
+        let nombre = parmi.dans_l_ordre(rayon, &mut touches);
         let places: Vec<_> =
-            touches[..nombre].iter().flatten().map(|t| (t.distance(), t.objet())).collect();
+            touches[..nombre].iter().flatten().map(|t| (t.distance(), t.indice())).collect();
         assert!(places.len() == nombre && places.windows(2).all(|w| w[0] < w[1]));
+        let mut vus = Vec::new();
+        parmi.visiter(rayon, |indice, _| {
+            vus.push(indice);
+            R::INFINI
+        });
+        parmi.contenants(rayon.source(), |indice| {
+            assert!(monde.objets()[indice].contient(rayon.source()), "{rayon:?}");
+        });
+        assert!(vus.iter().all(|indice| monde.objets()[*indice].intersection(rayon).is_ok()));
         let une = parmi.premiere_intersection(rayon);
-        let _ = (parmi.est_certaine(rayon, &une), parmi.est_occulte(rayon, R::INFINI));
+        let _ = (parmi.certifie(rayon, &une), parmi.est_occulte(rayon));
         for touche in touches.iter().chain(&[touche, une]).flatten() {
-            let seule = hierarchie.objets()[touche.objet()].intersection(rayon);
+            let seule = monde.objets()[touche.indice()].intersection(rayon);
             assert_eq!(mots(&seule).valeurs, mots(&Ok(*touche)).valeurs, "{rayon:?}");
         }
     }
@@ -234,48 +367,64 @@ fn apres_coup<R: Bits>(objet: &ObjetRay<R>, [rayon, autre]: [&Rayon<R>; 2]) {
         assert!(ecart <= permis, "{ecart:e} > {permis:e}: {objet:?} {rayon:?}");
     }
     if let Ok(cible) = objet.intersection(autre)
-        && let Some((vers, avant)) = rayon.vers_touche(&touche, autre, &cible)
+        && let Ok(vers) = touche.vers_touche(&cible)
     {
-        assert!(!est_occulte(std::slice::from_ref(objet), &vers, avant), "{objet:?} {vers:?}");
+        assert_eq!(objet.intersection(&vers), Err(NoIntersection), "{objet:?} {vers:?}");
+        // The other way the same line, exactly.
+        let retour = cible.vers_touche(&touche).unwrap();
+        assert_eq!((retour.fin(), retour.direction()), (vers.fin(), -vers.direction()));
     }
 }
 
 /// Certain answers of two precisions name the same object, or none, of a list and of a tree.
-fn certificats<R: Bits>(
-    hierarchie: &Hierarchie<'_, R>,
-    en_double: &Hierarchie<'_>,
-    rayon: &Rayon<R>,
-) {
-    let (touche, double) = (hierarchie.premiere_intersection(rayon), rayon.vers_f64());
+fn certificats<R: Bits>(monde: Monde<'_, R>, en_double: Monde<'_>, rayon: &Rayon<R>) {
+    let (touche, double) = (monde.premiere_intersection(rayon), rayon.vers_f64());
     let la = en_double.premiere_intersection(&double);
-    let sure = est_certaine(hierarchie.objets(), rayon, &touche)
-        || hierarchie.est_certaine(rayon, &touche);
-    let sure_la =
-        est_certaine(en_double.objets(), &double, &la) || en_double.est_certaine(&double, &la);
-    if sure && sure_la {
-        let [ici, la] = [touche.ok().map(|t| t.objet()), la.ok().map(|t| t.objet())];
-        assert_eq!(ici, la, "{:?} {rayon:?}", hierarchie.objets());
+    let [sure, sure_par_la_liste] =
+        [monde, Monde::de_liste(monde.objets())].map(|monde| monde.certifie(rayon, &touche));
+    let [sure_la, sure_la_par_la_liste] =
+        [en_double, Monde::de_liste(en_double.objets())].map(|monde| monde.certifie(&double, &la));
+    if (sure || sure_par_la_liste) && (sure_la || sure_la_par_la_liste) {
+        let [ici, la] = [touche.ok().map(|t| t.indice()), la.ok().map(|t| t.indice())];
+        assert_eq!(ici, la, "{:?} {rayon:?}", monde.objets());
     }
 }
 
 /// Places that are one too few are refused.
 fn trop_peu_de_places<R: Bits>(objets: &[ObjetRay<R>]) {
-    let necessaires = Hierarchie::places(objets.len());
+    let necessaires = places(objets.len());
     if let Some(places) = necessaires.checked_sub(1) {
         let mut pretees = vec![0.0; places];
-        let refus = Hierarchie::new(objets, &mut pretees).unwrap_err();
-        assert_eq!(refus, PlacesInsuffisantes { places, necessaires });
+        let refus = [
+            Monde::new(objets, &mut pretees).err(),
+            Monde::en_morceaux(objets, &mut pretees).err(),
+        ];
+        assert_eq!(refus, [Some(PlacesInsuffisantes { places, necessaires }); 2]);
+    }
+}
+
+/// The box around a list is that around its boxes, and there is none where no object has one.
+fn etendues<R: Bits>(objets: &[ObjetRay<R>]) {
+    let etendue = Monde::de_liste(objets).etendue();
+    let celles = objets.iter().filter_map(ObjetRay::etendue);
+    assert_eq!(etendue.is_some(), celles.clone().next().is_some(), "{objets:?}");
+    let Some(Etendue { bas, haut }) = etendue else { return };
+    let dedans = |a: Vecteur<R>, b: Vecteur<R>| a.x <= b.x && a.y <= b.y && a.z <= b.z;
+    for celle in celles {
+        let dans = dedans(bas, celle.bas) && dedans(celle.haut, haut);
+        assert!(dans && dedans(celle.bas, celle.haut), "{objets:?}");
     }
 }
 
 fn attaquer<R: Bits>(octets: &[u8]) -> Option<()> {
-    // Two choices, how many places for an order, and how many more for a tree.
-    let (&[un, deux, rangs, plus], octets) = octets.split_first_chunk()?;
+    // Two choices and what is left out between them, how many places for an order, and how many more for a tree.
+    let (&[un, sauf, deux, rangs, plus], octets) = octets.split_first_chunk()?;
     let mut octets = Octets { reste: octets, vus: vec![R::LIMITE, R::UN / R::LIMITE] };
     let (mut objets, mut rayons) = (Vec::<ObjetGeo<R>>::new(), Vec::<Rayon<R>>::new());
+    let (mut limites, mut points) = (Vec::<R>::new(), Vec::<Vecteur<R>>::new());
     let mut lire = || {
         loop {
-            match octets.octet()? % 7 {
+            match octets.octet()? % 9 {
                 0 => objets.extend(octets.objet(Texture(objets.len() as u32))?),
                 1 => {
                     let (v, k) = (octets.vecteur()?, octets.reel()?);
@@ -288,7 +437,10 @@ fn attaquer<R: Bits>(octets: &[u8]) -> Option<()> {
                 3 => {
                     // Towards an object: a random ray hardly ever touches one.
                     let (de, vers) = (octets.vecteur()?, octets.vecteur()?);
-                    rayons.extend(Rayon::new(de, vers - de));
+                    let Ok(rayon) = Rayon::entre(de, vers) else { continue };
+                    assert!(rayon.fin() > R::ZERO && rayon.fin() < R::INFINI, "{rayon:?}");
+                    limites.push(rayon.fin());
+                    rayons.extend(rayon.jusqu_a(R::INFINI));
                 }
                 6 => {
                     // A row of them: few bytes make few objects.
@@ -297,6 +449,8 @@ fn attaquer<R: Bits>(octets: &[u8]) -> Option<()> {
                     let ecart = |i| v * R::depuis_f64(f64::from(i));
                     objets.extend((1..=n).filter_map(|i| modele.translation(ecart(i)).ok()));
                 }
+                7 => points.push(octets.vecteur()?),
+                8 => limites.push(octets.reel()?),
                 genre => {
                     let Some(rayon) = rayons.last() else { continue };
                     let k = u32::from(octets.octet()?) % 130;
@@ -318,36 +472,34 @@ fn attaquer<R: Bits>(octets: &[u8]) -> Option<()> {
     debug_assert!(fini.is_none());
 
     let objets: Vec<_> = objets.into_iter().map(ObjetGeo::vers_ray).collect();
-    let limites: Vec<_> = octets.vus.iter().copied().take(4).collect();
+    // Each costs as much as all rays.
+    limites.extend(octets.vus.iter().copied().take(2));
+    limites.truncate(4);
     comparer(&objets, &rayons);
     trop_peu_de_places(&objets);
-    if let Some([bas, haut]) = etendue(&objets) {
-        assert!(bas.x <= haut.x && bas.y <= haut.y && bas.z <= haut.z);
-    }
+    etendues(&objets);
     let doubles: Vec<_> = objets.iter().map(|objet| objet.vers_f64()).collect();
     // In the second long boxes are cut into pieces, in the first perhaps some.
-    let necessaires = Hierarchie::places(objets.len());
-    let [mut places, mut autres] =
+    let necessaires = places(objets.len());
+    let [mut memoire, mut autre] =
         [necessaires + 28 * usize::from(plus), 6 * necessaires].map(|places| vec![0.0; places]);
-    let hierarchie = Hierarchie::new(&objets, &mut places).unwrap();
-    let en_double = Hierarchie::new(&doubles, &mut autres).unwrap();
+    let monde = Monde::en_morceaux(&objets, &mut memoire).unwrap();
+    let en_double = Monde::en_morceaux(&doubles, &mut autre).unwrap();
     for (rayon, suivant) in rayons.iter().zip(rayons.iter().cycle().skip(1)) {
-        for &max in &limites {
-            let occulte =
-                objets.iter().any(|o| o.intersection(rayon).is_ok_and(|i| i.distance() < max));
-            assert_eq!(est_occulte(&objets, rayon, max), occulte);
-        }
-        certificats(&hierarchie, &en_double, rayon);
-        for hierarchie in [hierarchie, Hierarchie::de_liste(&objets)] {
-            des_choix(&hierarchie, rayon, &limites, [un, deux, rangs]);
-        }
+        certificats(monde, en_double, rayon);
         for objet in &objets {
             secondaires(objet, rayon, suivant.direction());
             sorties(objet, rayon, suivant.direction());
             apres_coup(objet, [rayon, suivant]);
         }
     }
-    un_choix_inconstant(&hierarchie, &rayons, rangs);
+    for monde in [monde, Monde::de_liste(&objets)] {
+        let choisis = choisir(monde, [un, sauf, deux]);
+        choisis.interroger(&rayons, &limites, &points, rangs);
+        let tous = Choisis { monde, pris: (0..objets.len()).collect() };
+        tous.interroger(&rayons, &limites, &points, rangs);
+    }
+    un_choix_inconstant(monde, &rayons, rangs);
     Some(())
 }
 

@@ -5,9 +5,7 @@
 use std::path::Path;
 
 use exemples::scene::Scene;
-use lancer_rayon::{
-    Hierarchie, NoIntersection, ObjetGeo, Rayon, Reel, Vecteur, premiere_intersection,
-};
+use lancer_rayon::{Monde, NoIntersection, ObjetGeo, Rayon, Reel, Vecteur, premiere_intersection};
 use libfuzzer_sys::fuzz_target;
 use serde::de::DeserializeOwned;
 
@@ -24,8 +22,8 @@ fn lire<R: Reel + DeserializeOwned>(texte: &str) {
                 }
                 // All along the ray; and of what it leaves, where.
                 let mut touches = vec![Err(NoIntersection); objets.len() + 1];
-                let liste = Hierarchie::de_liste(&objets);
-                let nombre = liste.dans_l_ordre(&rayon, R::INFINI, &mut touches);
+                let liste = Monde::de_liste(&objets);
+                let nombre = liste.dans_l_ordre(&rayon, &mut touches);
                 assert_eq!(touches[0], premiere);
                 let entres = objets.iter().filter(|objet| objet.intersection(&rayon).is_ok());
                 assert_eq!(nombre, entres.count());

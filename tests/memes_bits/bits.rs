@@ -14,13 +14,18 @@ use exemples::scene::Scene;
 use fastrand::Rng;
 use lancer_rayon::pour_les_tests::Reglage;
 use lancer_rayon::{
-    BoiteGeo, Hierarchie, NoIntersection, ObjetRay, PlanGeo, Rayon, Rotation, SphereGeo, Texture,
-    Touche, Vecteur, est_occulte, premiere_intersection,
+    BoiteGeo, Monde, NoIntersection, ObjetRay, PlanGeo, Rayon, Reponse, Rotation, SphereGeo,
+    Texture, Vecteur, places, premiere_intersection,
 };
 use serde::de::DeserializeOwned;
 
-fn empreinte_de<R: Bits>(touches: &[Touche<R>]) -> u64 {
-    empreinte(touches.iter().flat_map(|t| mots(t).valeurs).flat_map(u64::to_le_bytes))
+fn empreinte_de<R: Bits>(touches: &[Reponse<R>]) -> u64 {
+    // Without the point, which the distance and the ray determine.
+    let valeurs = |touche| {
+        let [d, x, y, z, marge, .., texture] = mots(touche).valeurs;
+        [d, x, y, z, marge, texture]
+    };
+    empreinte(touches.iter().flat_map(valeurs).flat_map(u64::to_le_bytes))
 }
 
 fn memes_bits<R: Bits + DeserializeOwned>(nom: &str, attendue: u64) {
@@ -33,12 +38,12 @@ fn memes_bits<R: Bits + DeserializeOwned>(nom: &str, attendue: u64) {
     assert_eq!(obtenue, attendue, "{nom}, {}: {obtenue:#018x}", std::any::type_name::<R>());
     for (jeu, reglage) in Reglage::tous() {
         let mut touches = vec![Err(NoIntersection); rayons.len()];
-        let liste = reglage.hierarchie(Hierarchie::de_liste(&objets));
+        let liste = reglage.monde(Monde::de_liste(&objets));
         liste.premieres_intersections(&rayons, &mut touches).unwrap();
         exiger(&format!("{nom}, {jeu}"), &rayons, &touches, &seules, &tous);
     }
-    let mut places = vec![0.0; Hierarchie::places(objets.len())];
-    let hierarchie = Hierarchie::new(&objets, &mut places).unwrap();
+    let mut places = vec![0.0; places(objets.len())];
+    let hierarchie = Monde::new(&objets, &mut places).unwrap();
     let touches: Vec<_> = rayons.iter().map(|r| hierarchie.premiere_intersection(r)).collect();
     exiger(&format!("{nom}, hierarchy"), &rayons, &touches, &seules, &tous);
 }
@@ -76,17 +81,13 @@ fn au_hasard<R: Bits>(attendue: u64) {
             let premiers: Vec<_> =
                 rayons.iter().map(|r| premiere_intersection(&objets, r)).collect();
             comparer(&objets, &rayons);
-            let suite = |(rayon, touche): (&Rayon<R>, &Touche<R>)| {
+            let suite = |(rayon, touche): (&Rayon<R>, &Reponse<R>)| {
                 let touche = touche.ok()?;
-                let secondaire = rayon.secondaire(&touche, rayon.source()).ok()?;
-                let (ombre, loin) = rayon.vers_lumiere(&touche, secondaire.source() * R::U)?;
-                let occulte = est_occulte(&objets, &ombre, loin);
-                let ombre = if occulte {
-                    premiere_intersection(&objets, &ombre)
-                } else {
-                    Err(NoIntersection)
-                };
-                Some([premiere_intersection(&objets, &secondaire), ombre])
+                let secondaire = touche.secondaire(rayon.source()).ok()?;
+                let ombre = touche.vers_lumiere(secondaire.source() * R::U).ok()?;
+                let occulte = Monde::de_liste(&objets).est_occulte(&ombre);
+                let ombre = ombre.jusqu_a(if occulte { R::INFINI } else { R::ZERO }).unwrap();
+                Some([secondaire, ombre].map(|rayon| premiere_intersection(&objets, &rayon)))
             };
             touches.extend(rayons.iter().zip(&premiers).filter_map(suite).flatten());
             touches.extend(premiers.iter().copied());

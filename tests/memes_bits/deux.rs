@@ -3,17 +3,17 @@
 use commun::conversion::mots;
 use commun::scenes::{melange, rayons_camera};
 use commun::{Bits, en_f32_et_f64};
-use lancer_rayon::{Hierarchie, NoIntersection, premiere_intersection};
+use lancer_rayon::{Monde, NoIntersection, places, premiere_intersection};
 
 fn deux_hierarchies_repondent_comme_une_liste<R: Bits>() {
     let fixes = melange::<R>(200);
     // Every third again: hits at the same distance in both.
     let mobiles: Vec<_> = fixes.iter().step_by(3).copied().chain(melange(60)).collect();
     let tous: Vec<_> = fixes.iter().chain(&mobiles).copied().collect();
-    let places = |n| vec![0.0; Hierarchie::places(n)];
+    let places = |n| vec![0.0; places(n)];
     let (mut a, mut b) = (places(fixes.len()), places(mobiles.len()));
-    let fixe = Hierarchie::new(&fixes, &mut a).unwrap();
-    let mobile = Hierarchie::new(&mobiles, &mut b).unwrap();
+    let fixe = Monde::new(&fixes, &mut a).unwrap();
+    let mobile = Monde::new(&mobiles, &mut b).unwrap();
     let (mut de_fixe, mut de_mobile, mut egales) = (0, 0, 0);
     for rayon in rayons_camera::<R>(60, 40) {
         let (t, u) = (fixe.premiere_intersection(&rayon), mobile.premiere_intersection(&rayon));

@@ -12,16 +12,16 @@ use commun::{Bits, arrondi, en_f32_et_f64, scenes};
 use fastrand::Rng;
 use lancer_rayon::pour_les_tests::{Reglage, vont_au_bout};
 use lancer_rayon::{
-    BoiteGeo, Hierarchie, LongueursDifferentes, NoIntersection, ObjetGeo, ObjetRay,
-    PlacesInsuffisantes, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture, Vecteur, est_certaine,
-    premiere_intersection, sont_occultes,
+    BoiteGeo, LongueursDifferentes, Monde, NoIntersection, Nombre, ObjetGeo, ObjetRay,
+    PlacesInsuffisantes, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture, Vecteur, places,
+    premiere_intersection,
 };
 
 // Threads share it.
 const _: () = {
     const fn partage<T: Copy + Send + Sync>() {}
-    partage::<Hierarchie<'_, f32>>();
-    partage::<Hierarchie<'_, f64>>();
+    partage::<Monde<'_, f32>>();
+    partage::<Monde<'_, f64>>();
 };
 
 fn cas() -> usize {
@@ -168,8 +168,8 @@ fn des_objets_tous_egaux<R: Bits>() {
     let objet = ObjetRay::from(boule);
     for n in [61_440, 100_000] {
         let objets = vec![objet; n];
-        let mut places = vec![0.0; Hierarchie::places(objets.len())];
-        let hierarchie = Hierarchie::new(&objets, &mut places).unwrap();
+        let mut places = vec![0.0; places(objets.len())];
+        let hierarchie = Monde::new(&objets, &mut places).unwrap();
         let mut touches = vec![Err(NoIntersection); 256];
         hierarchie.premieres_intersections(&rayons, &mut touches).unwrap();
         for (rayon, touche) in rayons.iter().zip(&touches) {
@@ -181,7 +181,7 @@ fn des_objets_tous_egaux<R: Bits>() {
 }
 
 /// How many blocks of these rays come to the end of a tree together.
-fn combien_vont_au_bout<R: Bits>(hierarchie: &Hierarchie<'_, R>, rayons: &[Rayon<R>]) -> usize {
+fn combien_vont_au_bout<R: Bits>(hierarchie: &Monde<'_, R>, rayons: &[Rayon<R>]) -> usize {
     rayons.chunks(64).filter(|bloc| vont_au_bout(hierarchie, bloc)).count()
 }
 
@@ -189,8 +189,8 @@ fn combien_vont_au_bout<R: Bits>(hierarchie: &Hierarchie<'_, R>, rayons: &[Rayon
 /// up, and one of a larger, of which it comes to the end.
 fn parmi_beaucoup_d_objets<R: Bits>() {
     let objets = scenes::melange::<R>(70_000);
-    let mut places = vec![0.0; Hierarchie::places(70_000)];
-    let hierarchie = Hierarchie::new(&objets, &mut places).unwrap();
+    let mut places = vec![0.0; places(70_000)];
+    let hierarchie = Monde::new(&objets, &mut places).unwrap();
     assert!(noeuds(&hierarchie) >= 4_096);
     for cote in [8, 256] {
         let rayons = scenes::en_tuiles(&scenes::rayons_camera::<R>(cote, cote), cote);
@@ -209,8 +209,8 @@ fn les_tuiles_vont_ensemble<R: Bits>() {
     Rng::with_seed(12).shuffle(&mut melees);
     let opposes = scenes::rayons_opposes::<R>(8);
     let combien = |objets: &[ObjetRay<R>]| {
-        let mut places = vec![0.0; Hierarchie::places(objets.len())];
-        let hierarchie = Hierarchie::new(objets, &mut places).unwrap();
+        let mut places = vec![0.0; places(objets.len())];
+        let hierarchie = Monde::new(objets, &mut places).unwrap();
         [&tuiles, &melees, &opposes].map(|rayons| combien_vont_au_bout(&hierarchie, rayons))
     };
     let [ensemble, apart, sans_faisceau] = combien(&scenes::melange(10_000));
@@ -221,8 +221,8 @@ fn les_tuiles_vont_ensemble<R: Bits>() {
     // Half-spaces are asked in any case, however many they are.
     let mut alea = Rng::with_seed(13);
     let avec = [peu, (0..100).map(|_| sol(&mut alea, 20.0)).collect()].concat();
-    let mut places = vec![0.0; Hierarchie::places(avec.len())];
-    assert!(vont_au_bout(&Hierarchie::new(&avec, &mut places).unwrap(), &opposes));
+    let mut places = vec![0.0; places(avec.len())];
+    assert!(vont_au_bout(&Monde::new(&avec, &mut places).unwrap(), &opposes));
     let boule = SphereGeo::new(v(0.0, 2.0, 0.0), R::depuis_f64(4.0), Texture(0)).unwrap();
     assert_eq!(combien(&[boule.into(); 1_000]), [4_096, 4_096, 1]);
 }
@@ -238,12 +238,12 @@ fn un_large_faisceau_parmi_ce_que_chacun_traverse<R: Bits>() {
         BoiteGeo::new(arrondi(ou), v(0.03, 3.0, 0.03), rotation, Texture(i)).unwrap().into()
     };
     let objets: Vec<ObjetRay<R>> = (0..1_000).map(baton).collect();
-    let mut places = vec![0.0; Hierarchie::places(objets.len())];
-    let hierarchie = Hierarchie::new(&objets, &mut places).unwrap();
+    let mut places = vec![0.0; places(objets.len())];
+    let hierarchie = Monde::new(&objets, &mut places).unwrap();
     let rangs = scenes::rayons_camera::<R>(64, 64);
     // If no ray were asked what it crosses, none.
     for (nom, reglage) in Reglage::tous() {
-        let au_bout = combien_vont_au_bout(&reglage.hierarchie(hierarchie), &rangs);
+        let au_bout = combien_vont_au_bout(&reglage.monde(hierarchie), &rangs);
         println!("{nom}: of 64 rows {au_bout} come to the end");
         let huit_nombres = nom == "AVX-512" || (nom == "AVX2" && size_of::<R>() == 4);
         assert!(au_bout > if huit_nombres { 32 } else { 16 }, "{nom}: {au_bout}");
@@ -255,7 +255,7 @@ fn un_large_faisceau_parmi_ce_que_chacun_traverse<R: Bits>() {
 fn arbre<R: Reel>(objets: &[ObjetRay<R>], places: &mut [f32]) -> Vec<[[u32; 16]; 7]> {
     // Nodes start on a cache line.
     let debut = places.as_ptr().align_offset(64);
-    let combien = noeuds(&Hierarchie::new(objets, places).unwrap());
+    let combien = noeuds(&Monde::en_morceaux(objets, places).unwrap());
     let (colonnes, _) = places[debut..].as_chunks::<16>();
     let (noeuds, _) = colonnes.as_chunks::<7>();
     noeuds[..combien].iter().map(|noeud| noeud.map(|colonne| colonne.map(f32::to_bits))).collect()
@@ -264,9 +264,10 @@ fn arbre<R: Reel>(objets: &[ObjetRay<R>], places: &mut [f32]) -> Vec<[[u32; 16];
 /// The index of each record in the first leaves of a tree.
 fn indices(feuilles: &[[[u32; 16]; 7]]) -> impl Iterator<Item = usize> {
     let fiches = feuilles.iter().flat_map(|[bas, .., indices]| bas.iter().zip(indices));
+    // The sign of an index says that its object is in several pieces.
     // A child that is missing has its lower corner far away.
     let fiches = fiches.filter(|(bas, _)| f32::from_bits(**bas) < 2.0);
-    fiches.map(|(_, indice)| *indice as usize)
+    fiches.map(|(_, indice)| (*indice & 0x7fff_ffff) as usize)
 }
 
 /// Long boxes that stand askew about the origin, each like no other.
@@ -298,7 +299,7 @@ fn des_places_de_plus<R: Bits>() {
         trapus.push(poutre.unwrap().into());
     }
     for n in [UN_ARBRE, 100, trapus.len()] {
-        let (objets, necessaires) = (&trapus[trapus.len() - n..], Hierarchie::places(n));
+        let (objets, necessaires) = (&trapus[trapus.len() - n..], places(n));
         let [juste, ample] = [1, 9].map(|k| arbre(objets, &mut vec![f32::NAN; k * necessaires]));
         assert!(juste == ample, "{n}");
     }
@@ -314,7 +315,7 @@ fn des_places_de_plus<R: Bits>() {
         if n == 100 {
             objets.extend(demi_espaces);
         }
-        let necessaires = Hierarchie::places(objets.len());
+        let necessaires = places(objets.len());
         let seul = arbre(&objets, &mut vec![f32::NAN; necessaires]);
         let mut plus_grand = seul.len();
         for plus in (0..4 * necessaires + 500).step_by(necessaires / 12 + 1) {
@@ -324,7 +325,7 @@ fn des_places_de_plus<R: Bits>() {
             // Less than a leaf is not enough.
             assert!(plus >= 16 * 7 || noeuds == seul, "{n}, {plus} more");
             plus_grand = plus_grand.max(noeuds.len());
-            let hierarchie = Hierarchie::new(&objets, places).unwrap();
+            let hierarchie = Monde::en_morceaux(&objets, places).unwrap();
             for rayon in &rayons[..16] {
                 let attendue = mots(&premiere_intersection(&objets, rayon));
                 assert_eq!(mots(&hierarchie.premiere_intersection(rayon)), attendue);
@@ -334,7 +335,7 @@ fn des_places_de_plus<R: Bits>() {
     }
     // Where there is too little room, it is for all: not for the first of the list.
     let objets = poutres::<R>(&mut alea, 1_000);
-    let noeuds = arbre(&objets, &mut vec![f32::NAN; 2 * Hierarchie::places(1_000)]);
+    let noeuds = arbre(&objets, &mut vec![f32::NAN; 2 * places(1_000)]);
     let feuilles = noeuds.len() * 15 / 16;
     let premiers = indices(&noeuds[..feuilles]).filter(|indice| *indice < 500).count();
     assert!((900..1_100).contains(&premiers) && feuilles >= 120, "{premiers} of {feuilles} leaves");
@@ -360,12 +361,12 @@ fn aux_coutures_des_morceaux<R: Bits>() {
             let boule = SphereGeo::new(ou, R::depuis_f64(0.01), Texture(1)).unwrap();
             objets.push(boule.into());
         }
-        let mut places = vec![f32::NAN; Hierarchie::places(200)];
+        let mut places = vec![f32::NAN; places(200)];
         // All but the root are leaves.
         let noeuds = arbre(&objets, &mut places);
         let tranches = indices(&noeuds[..noeuds.len() - 1]).filter(|indice| *indice == 0).count();
         coutures += tranches.saturating_sub(1);
-        let hierarchie = Hierarchie::new(&objets, &mut places).unwrap();
+        let hierarchie = Monde::en_morceaux(&objets, &mut places).unwrap();
         let poutre = poutre.vers_ray();
         let [n, long, m] = poutre.normales().map(Vecteur::vers_f64);
         let [a, b, c] = poutre.demi_longueurs().map(R::vers_f64);
@@ -394,8 +395,8 @@ fn aux_coutures_des_morceaux<R: Bits>() {
         touches += comparer_dans(&hierarchie, &rayons);
         for rayon in &rayons[..64] {
             let touche = premiere_intersection(&objets, rayon);
-            let certaine = est_certaine(&objets, rayon, &touche);
-            assert!(hierarchie.est_certaine(rayon, &touche) || !certaine, "{rayon:?}");
+            let certaine = Monde::de_liste(&objets).certifie(rayon, &touche);
+            assert!(hierarchie.certifie(rayon, &touche) || !certaine, "{rayon:?}");
             certaines += usize::from(certaine);
         }
     }
@@ -517,8 +518,8 @@ fn des_touches_au_bord_de_leur_boite<R: Bits>() {
             objet(&mut alea, ou, 0.01, i)
         }));
         // Every other time long boxes are cut into pieces.
-        let mut places = vec![0.0; [1, 6][tour % 2] * Hierarchie::places(objets.len())];
-        let hierarchie = Hierarchie::new(&objets, &mut places).unwrap();
+        let mut places = vec![0.0; [1, 6][tour % 2] * places(objets.len())];
+        let hierarchie = Monde::en_morceaux(&objets, &mut places).unwrap();
         let mut rayons = Vec::new();
         for _ in 0..64 {
             let loin = R::U.vers_f64() * (f + milieu.longueur());
@@ -535,7 +536,7 @@ fn des_touches_au_bord_de_leur_boite<R: Bits>() {
             assert_eq!(mots(&obtenue), mots(&attendue), "{seul:?}, {rayon:?}");
             assert_eq!(mots(&en_lot), mots(&attendue), "in a batch: {seul:?}, {rayon:?}");
             let Ok(touche) = attendue else { continue };
-            if touche.objet() > 0 {
+            if touche.indice() > 0 {
                 continue;
             }
             touches += 1;
@@ -687,8 +688,8 @@ fn des_geants_parmi_des_petits<R: Bits>() {
         }
         let rayons = gerbe(&mut alea, &objets, 10.0);
         touches += comparer(&objets, &rayons);
-        let mut places = vec![0.0; Hierarchie::places(objets.len())];
-        let hierarchie = Hierarchie::new(&objets, &mut places).unwrap();
+        let mut places = vec![0.0; places(objets.len())];
+        let hierarchie = Monde::new(&objets, &mut places).unwrap();
         // The leaves, that of the giants among them, and what stands above. Without giants 272 objects have 17 + 2 + 1.
         let voulus = match (grands, petits) {
             (16, 240) => 16 + 1,
@@ -705,17 +706,17 @@ fn des_geants_parmi_des_petits<R: Bits>() {
 
 fn les_places_pretees<R: Bits>() {
     // The last number of objects that gets a tree, and the first that does not, on 32-bit machines too.
-    assert!(Hierarchie::places(0x7f7f_ffff) > 0 && Hierarchie::places(0x7f80_0000) == 0);
+    assert!(places(0x7f7f_ffff) > 0 && places(0x7f80_0000) == 0);
     for n in [0, 1, UN_ARBRE - 1, UN_ARBRE, 256, 257, 1_000] {
         let scene = scenes::melange::<R>(n);
         let rayons = scenes::rayons_camera::<R>(9, 9);
-        let necessaires = Hierarchie::places(n);
+        let necessaires = places(n);
         // 7.5 an object; the rest is nodes that are not full, one a floor, and one above the giants.
         assert!(necessaires <= 8 * n + 400, "{n}: {necessaires}");
         assert_eq!(necessaires > 0, n >= UN_ARBRE);
         for pretees in [0, necessaires / 2, necessaires.saturating_sub(1)] {
             let mut places = vec![0.0; pretees];
-            let erreur = Hierarchie::new(&scene, &mut places).err();
+            let erreur = Monde::new(&scene, &mut places).err();
             let refus = PlacesInsuffisantes { places: pretees, necessaires };
             assert_eq!(erreur, (pretees < necessaires).then_some(refus));
             let phrase = format!("{pretees} places lent, but {necessaires} needed");
@@ -723,10 +724,10 @@ fn les_places_pretees<R: Bits>() {
         }
         for pretees in [necessaires, necessaires + 1, 2 * necessaires + 100] {
             let mut places = vec![f32::INFINITY; pretees];
-            let hierarchie = Hierarchie::new(&scene, &mut places).unwrap();
+            let hierarchie = Monde::new(&scene, &mut places).unwrap();
             // One line, however many objects there are.
             let en_clair = format!("{hierarchie:?}");
-            assert!(en_clair.starts_with(&format!("Hierarchie {{ objets: {n}, noeuds: ")));
+            assert!(en_clair.starts_with(&format!("Monde {{ objets: {n}, noeuds: ")));
             assert!(en_clair.len() < 60, "{en_clair}");
             let copie = hierarchie;
             for rayon in &rayons {
@@ -750,8 +751,8 @@ fn des_demi_espaces_et_peu_d_autres<R: Bits>() {
             }
             assert!(comparer(&objets, &rayons) > 0);
             // Without a tree a comparison is of the list with itself.
-            let mut places = vec![0.0; Hierarchie::places(n)];
-            let hierarchie = Hierarchie::new(&objets, &mut places).unwrap();
+            let mut places = vec![0.0; places(n)];
+            let hierarchie = Monde::new(&objets, &mut places).unwrap();
             assert_eq!(noeuds(&hierarchie) > 0, bornes == UN_ARBRE);
         }
     }
@@ -768,11 +769,11 @@ fn les_demi_espaces_ont_leur_place<R: Bits>() {
         let mut objets = scenes::melange::<R>(bornes + 1);
         objets.extend((0..demi_espaces).map(|_| sol::<R>(&mut alea, 20.0)));
         let objets = &objets[1..];
-        let necessaires = Hierarchie::places(objets.len());
+        let necessaires = places(objets.len());
         let mut places = vec![0.0; necessaires + 16];
         for debut in 0..16 {
             let places = &mut places[debut..debut + necessaires];
-            let hierarchie = Hierarchie::new(objets, places).unwrap();
+            let hierarchie = Monde::new(objets, places).unwrap();
             assert_eq!(noeuds(&hierarchie) > 0, bornes >= UN_ARBRE);
             for rayon in &rayons {
                 let attendue = mots(&premiere_intersection(objets, rayon));
@@ -784,9 +785,8 @@ fn les_demi_espaces_ont_leur_place<R: Bits>() {
 
 fn des_longueurs_differentes_sont_une_erreur_et_rien_n_est_ecrit<R: Bits>() {
     let (scene, rayons) = (scenes::melange::<R>(300), scenes::rayons_camera(20, 10));
-    let ombres: Vec<_> = rayons.iter().map(|rayon| (*rayon, R::INFINI)).collect();
-    let mut places = vec![0.0; Hierarchie::places(scene.len())];
-    let hierarchie = Hierarchie::new(&scene, &mut places).unwrap();
+    let mut places = vec![0.0; places(scene.len())];
+    let hierarchie = Monde::new(&scene, &mut places).unwrap();
     let avant = hierarchie.premiere_intersection(&rayons[105]);
     assert!(avant.is_ok());
     for longueur in [0, 199, 201] {
@@ -796,8 +796,8 @@ fn des_longueurs_differentes_sont_une_erreur_et_rien_n_est_ecrit<R: Bits>() {
         assert_eq!(touches, vec![avant; longueur]);
         for vraie in [true, false] {
             let mut occultes = [vec![vraie; longueur], vec![vraie; longueur]];
-            assert_eq!(hierarchie.sont_occultes(&ombres, &mut occultes[0]), attendue);
-            assert_eq!(sont_occultes(&scene, &ombres, &mut occultes[1]), attendue);
+            assert_eq!(hierarchie.sont_occultes(&rayons, &mut occultes[0]), attendue);
+            assert_eq!(Monde::de_liste(&scene).sont_occultes(&rayons, &mut occultes[1]), attendue);
             assert_eq!(occultes.concat(), vec![vraie; 2 * longueur]);
         }
     }

@@ -13,9 +13,8 @@ use commun::{Bits, arrondi, en_f32_et_f64, scenes};
 use fastrand::Rng;
 use lancer_rayon::pour_les_tests::Reglage;
 use lancer_rayon::{
-    BoiteGeo, Hierarchie, LongueursDifferentes, NoIntersection, ObjetRay, Rayon, Reel, Rotation,
-    SphereGeo, Texture, Touche, Vecteur, est_occulte, premiere_intersection,
-    premieres_intersections,
+    BoiteGeo, LongueursDifferentes, Monde, NoIntersection, ObjetRay, Rayon, Reel, Reponse,
+    Rotation, SphereGeo, Texture, Vecteur, places, premiere_intersection,
 };
 
 fn axe_z<R: Reel>() -> Vecteur<R> {
@@ -54,7 +53,8 @@ fn des_longueurs_differentes_sont_une_erreur_et_rien_n_est_ecrit() {
     assert!(avant.is_ok());
     for longueur in [0, 1, 99, 101] {
         let mut touches = vec![avant; longueur];
-        let erreur = premieres_intersections(&scene, &rayons, &mut touches).unwrap_err();
+        let erreur =
+            Monde::de_liste(&scene).premieres_intersections(&rayons, &mut touches).unwrap_err();
         assert_eq!(erreur, LongueursDifferentes { rayons: 100, reponses: longueur });
         assert_eq!(erreur.to_string(), format!("100 rays, but places for {longueur} answers"));
         assert_eq!(touches, vec![avant; longueur]);
@@ -103,20 +103,21 @@ en_f32_et_f64!(une_image_dans_tout_ordre);
 fn une_lampe_nulle_part_ne_cache_rien_aux_autres<R: Bits>() {
     let rayons = scenes::en_tuiles(&scenes::rayons_camera::<R>(32, 32), 32);
     let scene = scenes::melange::<R>(300);
-    let mut places = vec![0.0; Hierarchie::places(scene.len())];
-    let hierarchie = Hierarchie::new(&scene, &mut places).unwrap();
+    let mut places = vec![0.0; places(scene.len())];
+    let hierarchie = Monde::new(&scene, &mut places).unwrap();
     let mut caches = 0;
     for (i, bloc) in rayons.chunks(64).cycle().enumerate().take(256) {
         for loin in [R::depuis_f64(30.0), R::INFINI] {
-            let mut ombres: Vec<_> = bloc.iter().map(|rayon| (*rayon, loin)).collect();
-            ombres[i % 64].1 = R::depuis_f64(f64::NAN);
-            let voulues: Vec<_> =
-                ombres.iter().map(|(r, max)| est_occulte(&scene, r, *max)).collect();
+            let jusqu_a = |rayon: &Rayon<R>, fin| rayon.jusqu_a(fin).unwrap();
+            let mut ombres: Vec<_> = bloc.iter().map(|rayon| jusqu_a(rayon, loin)).collect();
+            ombres[i % 64] = jusqu_a(&bloc[i % 64], R::ZERO);
+            let liste = Monde::de_liste(&scene);
+            let voulues: Vec<_> = ombres.iter().map(|ombre| liste.est_occulte(ombre)).collect();
             caches += voulues.iter().filter(|occulte| **occulte).count();
             for (nom, reglage) in Reglage::tous() {
-                for facon in [hierarchie, Hierarchie::de_liste(&scene)] {
+                for facon in [hierarchie, Monde::de_liste(&scene)] {
                     let mut occultes: Vec<_> = voulues.iter().map(|occulte| !occulte).collect();
-                    reglage.hierarchie(facon).sont_occultes(&ombres, &mut occultes).unwrap();
+                    reglage.monde(facon).sont_occultes(&ombres, &mut occultes).unwrap();
                     assert_eq!(occultes, voulues, "{nom}, ray {}, up to {loin:?}", i % 64);
                 }
             }
@@ -318,8 +319,8 @@ fn un_demi_milliard_de_rayons<R: Bits>() {
     for tour in 0..122_071 {
         let n = [5, 12, 100, 400][tour % 4];
         let scene = scenes::melange::<R>(n);
-        let mut places = vec![0.0; Hierarchie::places(n)];
-        let hierarchie = Hierarchie::new(&scene, &mut places).unwrap();
+        let mut places = vec![0.0; places(n)];
+        let hierarchie = Monde::new(&scene, &mut places).unwrap();
         rayons.clear();
         while rayons.len() < touches.len() {
             let cible = Vecteur::new(0.0, 3.0, -6.0) + direction(&mut alea) * 6.0;
@@ -334,15 +335,16 @@ fn un_demi_milliard_de_rayons<R: Bits>() {
         hierarchie.premieres_intersections(&rayons, &mut touches).unwrap();
         assert!(touches.iter().map(mots).eq(attendues.iter().map(mots)), "{n} objects");
         // A lamp at the hit, one number farther, or anywhere.
-        let lampe = |touche: &Touche<R>| {
+        let lampe = |touche: &Reponse<R>| {
             let t = touche.map_or(R::UN, |touche| touche.distance());
             [t, voisin(t, 1), t * R::depuis_f64(4.0 * alea.f64())][alea.usize(0..3)]
         };
         let limites: Vec<_> = attendues.iter().map(lampe).collect();
-        let ombres: Vec<_> = rayons.iter().copied().zip(limites).collect();
+        let ombres: Vec<_> =
+            rayons.iter().zip(limites).map(|(rayon, fin)| rayon.jusqu_a(fin).unwrap()).collect();
         hierarchie.sont_occultes(&ombres, &mut occultes).unwrap();
-        let avant = |(touche, (_, max)): (&Touche<R>, &(Rayon<R>, R))| {
-            touche.is_ok_and(|touche| touche.distance() < *max)
+        let avant = |(touche, ombre): (&Reponse<R>, &Rayon<R>)| {
+            touche.is_ok_and(|touche| touche.distance() < ombre.fin())
         };
         assert!(
             attendues.iter().zip(&ombres).map(avant).eq(occultes.iter().copied()),
@@ -357,19 +359,18 @@ en_f32_et_f64!(
 );
 
 /// Whether a block of these shadow rays never asks for this ball, among as many others, behind them, as make a tree.
-fn evite<R: Reel>(ombres: &[(Rayon<R>, R)], boule: ObjetRay<R>) -> bool {
-    let (rayon, _) = ombres[0];
+fn evite<R: Reel>(ombres: &[Rayon<R>], boule: ObjetRay<R>) -> bool {
     let derriere = |i: usize| {
-        let centre = rayon.point(R::depuis_f64(-90.0 - 3.0 * i as f64));
+        let centre = ombres[0].point(R::depuis_f64(-90.0 - 3.0 * i as f64));
         SphereGeo::new(centre, R::UN, Texture(1)).unwrap().into()
     };
     let objets: Vec<_> = (1..UN_ARBRE).map(derriere).chain([boule]).collect();
-    let mut places = vec![0.0; Hierarchie::places(objets.len())];
-    let hierarchie = Hierarchie::new(&objets, &mut places).unwrap();
+    let mut places = vec![0.0; places(objets.len())];
+    let hierarchie = Monde::new(&objets, &mut places).unwrap();
     assert!(noeuds(&hierarchie) > 0);
     let mut occultes = vec![false; ombres.len()];
-    let en_lot = |parmi: Hierarchie<'_, R>| parmi.sont_occultes(ombres, &mut occultes).unwrap();
-    demandes(&hierarchie, en_lot)[UN_ARBRE - 1] == 0
+    let en_lot = demandes(&hierarchie, |parmi| parmi.sont_occultes(ombres, &mut occultes).unwrap());
+    en_lot[UN_ARBRE - 1] == 0
 }
 
 /// No answer tells whether a beam leaves anything out; this does.
@@ -383,7 +384,7 @@ fn des_rayons_paralleles_evitent_une_boule_a_cote<R: Reel>() {
         let v = d.produit_vectoriel(u);
         // The corners of a tile.
         let sources = [Vecteur::NUL, u, v, u + v];
-        let rayons = sources.map(|source| (Rayon::new(source, d).unwrap(), R::INFINI)).repeat(4);
+        let rayons = sources.map(|source| Rayon::new(source, d).unwrap()).repeat(4);
         for cote in [Vecteur::NUL, u, -u, v, -v, -d] {
             let centre = d * R::depuis_f64(7.0) + cote * R::depuis_f64(10.0);
             let boule = SphereGeo::new(centre, R::UN, Texture(0)).unwrap().into();
@@ -400,12 +401,7 @@ fn des_segments_vers_une_lampe_evitent_une_boule_a_cote<R: Reel>() {
     let v = |x, y, z| Vecteur::from([x, y, z].map(R::depuis_f64));
     let lampe = v(0.0, 10.0, 0.0);
     let sources = (0..64).map(|i| v(f64::from(i % 8) - 3.5, 0.0, f64::from(i / 8) - 3.5));
-    let ombres: Vec<_> = sources
-        .map(|source| {
-            let vers = lampe - source;
-            (Rayon::new(source, vers).unwrap(), vers.longueur())
-        })
-        .collect();
+    let ombres: Vec<_> = sources.map(|source| Rayon::entre(source, lampe).unwrap()).collect();
     // Beside a corner of the sources, among them, half-way beside and within, and beside the lamp, where the
     // rays themselves go on and part.
     for (centre, a_cote) in [

@@ -6,8 +6,8 @@ use commun::regimes::{direction, repere};
 use commun::{Bits, arrondi, en_f32_et_f64};
 use fastrand::Rng;
 use lancer_rayon::{
-    BoiteGeo, Intersection, ObjetRay, PlanGeo, Rayon, Reel, Rotation, Texture, Vecteur,
-    est_occulte, premieres_intersections,
+    BoiteGeo, Intersection, Monde, Nombre, ObjetRay, PlanGeo, Rayon, Reel, Rotation, Texture,
+    Vecteur,
 };
 
 /// Numbers given by their bits.
@@ -28,10 +28,12 @@ fn juger<R: Reel>(objet: &ObjetRay<R>, rayon: &Rayon<R>) -> Option<Intersection<
     let attendu = verite(objet, rayon).entree;
     let obtenu = objet.intersection(rayon);
     assert_eq!(obtenu.is_ok(), attendu.is_some(), "{objet:?} {rayon:?}: {obtenu:?}");
-    assert_eq!(est_occulte(&[*objet], rayon, R::INFINI), attendu.is_some(), "{rayon:?}");
+    let seul = [*objet];
+    let liste = Monde::de_liste(&seul);
+    assert_eq!(liste.est_occulte(rayon), attendu.is_some(), "{rayon:?}");
     let mut lot = [obtenu; 9];
     lot.fill(Err(lancer_rayon::NoIntersection));
-    premieres_intersections(&[*objet], &[*rayon; 9], &mut lot).unwrap();
+    liste.premieres_intersections(&[*rayon; 9], &mut lot).unwrap();
     assert_eq!(lot, [obtenu; 9], "{objet:?} {rayon:?}");
     obtenu.ok()
 }
@@ -40,7 +42,7 @@ fn juger<R: Reel>(objet: &ObjetRay<R>, rayon: &Rayon<R>) -> Option<Intersection<
 fn quitter<R: Reel>(objet: &ObjetRay<R>, rayon: &Rayon<R>, vers: Vecteur<R>) {
     // Within rounding of an edge it need not be the true answer.
     let touche = objet.intersection(rayon).unwrap();
-    let sortant = rayon.secondaire(&touche, vers).unwrap();
+    let sortant = touche.secondaire(vers).unwrap();
     assert!(juger(objet, &sortant).is_none(), "{objet:?} left by {sortant:?}");
 }
 

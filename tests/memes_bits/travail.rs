@@ -1,9 +1,9 @@
 //! What no answer shows: for which objects a question asks. It ends where it may, in a list and in a tree.
 
-use commun::facons::{demandes, noeuds};
+use commun::facons::{Compteur, demandes, noeuds};
 use commun::{arrondi, en_f32_et_f64};
 use lancer_rayon::{
-    Hierarchie, NoIntersection, ObjetRay, PlanGeo, Rayon, Reel, SphereGeo, Texture, Vecteur,
+    Monde, NoIntersection, ObjetRay, PlanGeo, Rayon, Reel, SphereGeo, Texture, Vecteur, places,
 };
 
 /// Balls in a row along the ray, which enters each, and as many beside it.
@@ -32,8 +32,8 @@ fn rayon<R: Reel>() -> Rayon<R> {
 
 /// How often a question asks for the wall, for the balls of the row in all, and for those beside it.
 fn combien<R: Reel>(
-    hierarchie: &Hierarchie<'_, R>,
-    question: impl FnOnce(Hierarchie<'_, R>),
+    hierarchie: &Monde<'_, R>,
+    question: impl FnOnce(Monde<'_, R, Compteur<'_>>),
 ) -> [u32; 3] {
     let demandes = demandes(hierarchie, question);
     let (rangee, a_cote) = demandes[1..].split_at(BOULES);
@@ -43,17 +43,19 @@ fn combien<R: Reel>(
 /// A list asks a choice for what the ray enters alone, once; a shadow ends with the first before its lamp.
 fn une_liste_demande_ce_que_le_rayon_touche<R: Reel>() {
     let (objets, rayon) = (scene::<R>(), rayon());
-    let liste = Hierarchie::de_liste(&objets);
-    let premiere = |h: Hierarchie<'_, R>| assert!(h.premiere_intersection(&rayon).is_ok());
+    let liste = Monde::de_liste(&objets);
+    let premiere = |h: Monde<'_, R, Compteur<'_>>| assert!(h.premiere_intersection(&rayon).is_ok());
     assert_eq!(combien(&liste, premiere), [1, BOULES as u32, 0]);
-    let occulte =
-        |avant: f64| combien(&liste, |h| assert!(h.est_occulte(&rayon, R::depuis_f64(avant))));
+    let occulte = |avant: f64| {
+        let ombre = rayon.jusqu_a(R::depuis_f64(avant)).unwrap();
+        combien(&liste, |h| assert!(h.est_occulte(&ombre)))
+    };
     assert_eq!(occulte(f64::INFINITY), [1, 0, 0]);
     // Four stand before 12, of which the farthest comes first in the list.
     assert_eq!(occulte(12.0), [1, BOULES as u32 - 3, 0]);
     let touche = liste.premiere_intersection(&rayon);
     // It is the answer; the others come later at a glance.
-    assert_eq!(combien(&liste, |h| assert!(h.est_certaine(&rayon, &touche))), [0, 1, 0]);
+    assert_eq!(combien(&liste, |h| assert!(h.certifie(&rayon, &touche))), [0, 1, 0]);
 }
 
 en_f32_et_f64!(une_liste_demande_ce_que_le_rayon_touche);
@@ -61,17 +63,18 @@ en_f32_et_f64!(une_liste_demande_ce_que_le_rayon_touche);
 /// A tree asks for what lies before the last that is kept or before the limit, and a shadow ends with the first.
 fn un_arbre_s_arrete_des_qu_il_peut<R: Reel>() {
     let (objets, rayon) = (scene::<R>(), rayon());
-    let mut places = vec![0.0; Hierarchie::places(objets.len())];
-    let arbre = Hierarchie::new(&objets, &mut places).unwrap();
+    let mut places = vec![0.0; places(objets.len())];
+    let arbre = Monde::new(&objets, &mut places).unwrap();
     assert!(noeuds(&arbre) > 4);
-    let premiere = |h: Hierarchie<'_, R>| assert!(h.premiere_intersection(&rayon).is_ok());
+    let premiere = |h: Monde<'_, R, Compteur<'_>>| assert!(h.premiere_intersection(&rayon).is_ok());
     let [_, rangee, a_cote] = combien(&arbre, premiere);
     assert!((1..4).contains(&rangee) && a_cote == 0, "{rangee}, {a_cote}");
-    let occulte = |h: Hierarchie<'_, R>| assert!(h.est_occulte(&rayon, R::INFINI));
+    let occulte = |h: Monde<'_, R, Compteur<'_>>| assert!(h.est_occulte(&rayon));
     assert_eq!(combien(&arbre, occulte), [1, 0, 0]);
-    assert_eq!(combien(&arbre.sans(0), occulte), [1, 1, 0]);
+    let sans_le_mur = |h: Monde<'_, R, Compteur<'_>>| assert!(h.sans(0).est_occulte(&rayon));
+    assert_eq!(combien(&arbre, sans_le_mur), [0, 1, 0]);
     let touche = arbre.premiere_intersection(&rayon);
-    let [_, rangee, _] = combien(&arbre, |h| assert!(h.est_certaine(&rayon, &touche)));
+    let [_, rangee, _] = combien(&arbre, |h| assert!(h.certifie(&rayon, &touche)));
     assert!(rangee < 5, "{rangee}");
     // So many places before this limit, and how many balls at least and at most.
     for (places, limite, bornes) in [
@@ -80,9 +83,9 @@ fn un_arbre_s_arrete_des_qu_il_peut<R: Reel>() {
         (0, f64::INFINITY, 0..1),
         (99, f64::INFINITY, BOULES as u32..BOULES as u32 + 1),
     ] {
-        let ordre = |h: Hierarchie<'_, R>| {
+        let ordre = |h: Monde<'_, R, Compteur<'_>>| {
             let mut touches = vec![Err(NoIntersection); places];
-            h.dans_l_ordre(&rayon, R::depuis_f64(limite), &mut touches);
+            h.dans_l_ordre(&rayon.jusqu_a(R::depuis_f64(limite)).unwrap(), &mut touches);
         };
         let [_, rangee, a_cote] = combien(&arbre, ordre);
         assert!(bornes.contains(&rangee) && a_cote == 0, "{places} before {limite}: {rangee}");
@@ -94,17 +97,17 @@ en_f32_et_f64!(un_arbre_s_arrete_des_qu_il_peut);
 /// Two rays of a call go one by one; sixty-four ask for an object together, those of a list for every object.
 fn peu_de_rayons_vont_un_par_un<R: Reel>() {
     let (objets, rayon) = (scene::<R>(), rayon());
-    let mut places = vec![0.0; Hierarchie::places(objets.len())];
-    let arbre = Hierarchie::new(&objets, &mut places).unwrap();
-    for hierarchie in [arbre, Hierarchie::de_liste(&objets)] {
+    let mut places = vec![0.0; places(objets.len())];
+    let arbre = Monde::new(&objets, &mut places).unwrap();
+    for hierarchie in [arbre, Monde::de_liste(&objets)] {
         let demandes = |nombre: usize| {
             let premieres = combien(&hierarchie, |h| {
                 let mut touches = vec![Err(NoIntersection); nombre];
                 h.premieres_intersections(&vec![rayon; nombre], &mut touches).unwrap();
             });
             let ombres = combien(&hierarchie, |h| {
-                let lampe = R::depuis_f64(50.0);
-                h.sont_occultes(&vec![(rayon, lampe); nombre], &mut vec![false; nombre]).unwrap();
+                let ombre = rayon.jusqu_a(R::depuis_f64(50.0)).unwrap();
+                h.sont_occultes(&vec![ombre; nombre], &mut vec![false; nombre]).unwrap();
             });
             [premieres, ombres]
         };

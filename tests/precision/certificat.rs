@@ -9,8 +9,8 @@ use commun::regimes::{Cas, direction, entre, regimes};
 use commun::{arrondi, en_f32_et_f64};
 use fastrand::Rng;
 use lancer_rayon::{
-    BoiteGeo, Hierarchie, NoIntersection, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo,
-    Texture, Vecteur, est_certaine, premiere_intersection,
+    BoiteGeo, Monde, NoIntersection, Nombre, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo,
+    Texture, Vecteur, places, premiere_intersection,
 };
 
 /// The first object of a list in exact arithmetic; of two at one distance the earlier. None beyond the largest number.
@@ -33,15 +33,16 @@ fn premier_exact<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> Option<us
 /// into pieces, and two answers that are wrong; whether it is certain.
 fn juger<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> bool {
     let touche = premiere_intersection(objets, rayon);
-    let mut memoires = [1, 6].map(|fois| vec![0.0; fois * Hierarchie::places(objets.len())]);
-    let hierarchies = memoires.each_mut().map(|places| Hierarchie::new(objets, places).unwrap());
+    let mut memoires = [1, 6].map(|fois| vec![0.0; fois * places(objets.len())]);
+    let [memoire, grande] = memoires.each_mut();
+    let hierarchies = [Monde::new(objets, memoire), Monde::en_morceaux(objets, grande)];
     let exact = premier_exact(objets, rayon);
-    let certaine = est_certaine(objets, rayon, &touche);
+    let certaine = Monde::de_liste(objets).certifie(rayon, &touche);
     let contexte = || format!("{touche:?}, but {exact:?}: {objets:?} {rayon:?}");
-    let dite = touche.ok().map(|touche| touche.objet());
+    let dite = touche.ok().map(|touche| touche.indice());
     assert!(!certaine || dite == exact, "{}", contexte());
-    for hierarchie in hierarchies {
-        let par_l_arbre = hierarchie.est_certaine(rayon, &touche);
+    for hierarchie in hierarchies.map(Result::unwrap) {
+        let par_l_arbre = hierarchie.certifie(rayon, &touche);
         assert!(!par_l_arbre || dite == exact, "by the tree: {}", contexte());
         // The tree leaves out what the list must look at.
         assert!(par_l_arbre || !certaine, "less certain by the tree: {}", contexte());
@@ -49,8 +50,12 @@ fn juger<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> bool {
         let Some(exact) = exact else { continue };
         let suivante = hierarchie.sans(exact).premiere_intersection(rayon);
         for fausse in [suivante, Err(NoIntersection)] {
-            assert!(!est_certaine(objets, rayon, &fausse), "{fausse:?}: {}", contexte());
-            assert!(!hierarchie.est_certaine(rayon, &fausse), "tree, {fausse:?}: {}", contexte());
+            assert!(
+                !Monde::de_liste(objets).certifie(rayon, &fausse),
+                "{fausse:?}: {}",
+                contexte()
+            );
+            assert!(!hierarchie.certifie(rayon, &fausse), "tree, {fausse:?}: {}", contexte());
         }
     }
     certaine
@@ -193,16 +198,16 @@ fn sans_un_objet_il_n_est_pas_certain() {
             ObjetRay::from(SphereGeo::new(centre, 1.0, Texture(0)).unwrap())
         };
         let objets: Vec<_> = (0..n).map(boule).collect();
-        let mut places = vec![0.0; Hierarchie::places(objets.len())];
-        let hierarchie = Hierarchie::new(&objets, &mut places).unwrap();
+        let mut places = vec![0.0; places(objets.len())];
+        let hierarchie = Monde::new(&objets, &mut places).unwrap();
         let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.0, 0.0, -1.0)).unwrap();
-        let pas_elle = |indice| indice != 0;
-        let autres = hierarchie.parmi(&pas_elle);
-        let [premiere, suivante] = [hierarchie, autres].map(|h| h.premiere_intersection(&rayon));
-        assert!(hierarchie.est_certaine(&rayon, &premiere));
-        assert!(!autres.est_certaine(&rayon, &premiere));
-        assert!(autres.est_certaine(&rayon, &suivante));
-        assert!(!hierarchie.est_certaine(&rayon, &suivante));
+        let autres = hierarchie.parmi(|indice| indice != 0);
+        let premiere = hierarchie.premiere_intersection(&rayon);
+        let suivante = autres.premiere_intersection(&rayon);
+        assert!(hierarchie.certifie(&rayon, &premiere));
+        assert!(!autres.certifie(&rayon, &premiere));
+        assert!(autres.certifie(&rayon, &suivante));
+        assert!(!hierarchie.certifie(&rayon, &suivante));
     }
 }
 
@@ -225,12 +230,12 @@ fn deux_entrees_pres_l_une_de_l_autre_ne_sont_pas_sures() {
             }
             let [Some(une), Some(autre)] = verites.map(|verite| verite.entree) else { continue };
             let touche = premiere_intersection(&objets, &rayon);
-            let juste = premier_exact(&objets, &rayon) == touche.ok().map(|touche| touche.objet());
+            let juste = premier_exact(&objets, &rayon) == touche.ok().map(|touche| touche.indice());
             let ecart = une.ecart_de(&autre).abs();
             if !juste || ecart == 0.0 {
                 continue;
             }
-            if est_certaine(&objets, &rayon, &touche) {
+            if Monde::de_liste(&objets).certifie(&rayon, &touche) {
                 sures += 1;
                 continue;
             }

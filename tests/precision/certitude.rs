@@ -8,8 +8,8 @@ use commun::promesses::{Essai, erreur, est_certain};
 use commun::regimes::{Cas, Extreme, direction, entre, regimes};
 use fastrand::Rng;
 use lancer_rayon::{
-    BoiteGeo, ErreurGeo, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture, Vecteur,
-    est_certaine, premiere_intersection,
+    BoiteGeo, ErreurGeo, Monde, Nombre, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo,
+    Texture, Vecteur, premiere_intersection,
 };
 
 /// An answer is right or not called certain, and nothing bounds the distance of what is not entered.
@@ -213,8 +213,8 @@ fn une_reponse_juste_qui_n_est_plus_sure() {
         let (s, d) = (Vecteur::new(0.0, 0.0, 1.0), Vecteur::new(0.0, 0.0, -1.0));
         let rayon = Rayon::new(s, d).unwrap();
         let touche = premiere_intersection(&cubes, &rayon);
-        assert_eq!(touche.map(|touche| touche.objet()), Ok(0));
-        assert_eq!(est_certaine(&cubes, &rayon, &touche), certaine, "{k}");
+        assert_eq!(touche.map(|touche| touche.indice()), Ok(0));
+        assert_eq!(Monde::de_liste(&cubes).certifie(&rayon, &touche), certaine, "{k}");
     }
 }
 

@@ -13,8 +13,8 @@ use commun::{arrondi, en_f32_et_f64};
 use fastrand::Rng;
 use lancer_rayon::pour_les_tests::{ARRONDI_PERDU, PENCHE, PUISSANCE_PERDUE, TRAVERS_PERDU};
 use lancer_rayon::{
-    Intersection, NoIntersection, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture,
-    Vecteur,
+    Intersection, NoIntersection, Nombre, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo,
+    Texture, Vecteur,
 };
 
 /// Cases of each regime, and of each construction that hits often.

@@ -19,7 +19,7 @@
 
 use crate::intervalle::{Intervalle, de_a, portee};
 use commun::tolerances::{ORTHONORMALE, bandes, promesses};
-use lancer_rayon::Reel;
+use lancer_rayon::Nombre;
 use lancer_rayon::pour_les_tests::*;
 
 /// u of `f32` and of `f64`.

@@ -14,8 +14,8 @@ use commun::{arrondi, en_f32_et_f64};
 use fastrand::Rng;
 use lancer_rayon::pour_les_tests::TANGENT;
 use lancer_rayon::{
-    BoiteGeo, Intersection, NoIntersection, ObjetGeo, ObjetRay, PlanGeo, Rayon, Reel, Rotation,
-    SphereGeo, Texture, Vecteur, premiere_intersection,
+    BoiteGeo, Intersection, NoIntersection, Nombre, ObjetGeo, ObjetRay, PlanGeo, Rayon, Reel,
+    Rotation, SphereGeo, Texture, Vecteur, premiere_intersection,
 };
 
 fn cas_par_regime() -> u32 {
@@ -234,7 +234,7 @@ fn la_marge_d_un_point_hors_du_type_est_infinie() {
     let touche = mur.vers_ray().intersection(&rayon).unwrap();
     assert_eq!(rayon.point(touche.distance()).x, f32::INFINITY);
     assert_eq!(touche.marge(), f32::INFINITY);
-    assert_eq!(rayon.secondaire(&touche, touche.normale()).unwrap_err().champ, "marge");
+    assert_eq!(touche.secondaire(touche.normale()).unwrap_err().champ, "marge");
 }
 
 /// Directions from a surface of normal `n`: any, straight in and out, along the tangent plane to
@@ -302,7 +302,7 @@ fn un_depart_vers_l_interieur_peut_etre_loin_au_dessus_d_une_autre_face<R: Reel>
     let boite = ObjetRay::from(boite);
     let encore = |rayon: &Rayon<R>, vers| {
         let touche = boite.intersection(rayon).ok()?;
-        let dedans = rayon.secondaire(&touche, vers).ok()?;
+        let dedans = touche.secondaire(vers).ok()?;
         let encore = boite.intersection(&dedans).ok()?;
         assert!(au_bord(&boite, rayon, &touche, dedans.source(), &encore), "{rayon:?} {dedans:?}");
         let p = rayon.point(touche.distance()).vers_f64().longueur();
@@ -336,7 +336,7 @@ fn un_rayon_secondaire_invalide_est_refuse() {
     let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.0, 0.0, -1.0)).unwrap();
     let touche = ObjetRay::from(boule).intersection(&rayon).unwrap();
     let n = touche.normale();
-    let refus = |d| rayon.secondaire(&touche, d).unwrap_err().champ;
+    let refus = |d| touche.secondaire(d).unwrap_err().champ;
     assert_eq!(refus(Vecteur::NUL), "direction");
     assert_eq!(refus(n * f64::NAN), "direction.x");
 }
@@ -347,14 +347,14 @@ fn la_limite_du_plan_tangent_est_tangente<R: Reel>() {
     let sol = ObjetRay::from(PlanGeo::new(Rotation::IDENTITE, R::ZERO, Texture(0)).unwrap());
     let rayon = Rayon::new(v(R::ZERO, R::UN), v(R::ZERO, -R::UN)).unwrap();
     let touche = sol.intersection(&rayon).unwrap();
-    let part = |z| rayon.secondaire(&touche, v(R::UN, z)).unwrap();
+    let part = |z| touche.secondaire(v(R::UN, z)).unwrap();
     let limite = R::depuis_f64(TANGENT) * R::U;
     let dessus = limite + limite * R::U * R::depuis_f64(2.0);
     assert!(part(-dessus).source().z < R::ZERO && part(dessus).direction().z == dessus);
     for z in [-limite, limite] {
         assert!(part(z).source().z > R::ZERO && part(z).direction().z > dessus);
     }
-    let eclaire = |z| rayon.vers_lumiere(&touche, part(R::UN).source() + v(R::UN, z)).is_some();
+    let eclaire = |z| touche.vers_lumiere(part(R::UN).source() + v(R::UN, z)).is_ok();
     assert!(eclaire(dessus) && !eclaire(limite));
 }
 

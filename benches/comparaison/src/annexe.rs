@@ -2,11 +2,10 @@
 //! it.
 
 use banc::concurrents::{Camp, Concurrent, TROP};
-use banc::familles::Lance;
 use commun::litteral::{self, Forme, Objet};
 use lancer_rayon::{ObjetRay, Rayon, Reel};
 
-use crate::autres::{Monde, Vu, dire};
+use crate::autres::{Rival, Vu, dire};
 
 type Dynamique<R> = Box<dyn Fn(&Rayon<R>) -> Option<Vu<R>>>;
 
@@ -46,13 +45,9 @@ fn premiere<R: Reel>(objets: &[Dynamique<R>], rayon: &Rayon<R>) -> Option<Vu<R>>
     premiere
 }
 
-impl<R: Reel> Monde<R> for Annexe<R> {
-    fn concurrents<'a>(
-        &'a self,
-        rayons: &'a [Rayon<R>],
-        ombres: &'a [Lance<R>],
-    ) -> Vec<Concurrent<'a>> {
-        if self.objets.len() > TROP || !ombres.is_empty() {
+impl<R: Reel> Rival<R> for Annexe<R> {
+    fn concurrents<'a>(&'a self, rayons: &'a [Rayon<R>], ombres: bool) -> Vec<Concurrent<'a>> {
+        if self.objets.len() > TROP || ombres {
             return Vec::new();
         }
         let enumeres = |rayon: &_| litteral::premiere_intersection(&self.objets, rayon);

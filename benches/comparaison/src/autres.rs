@@ -3,22 +3,18 @@
 use std::error::Error;
 
 use banc::concurrents::{Concurrent, Reponse, permises};
-use banc::familles::{AVANCE, Lance, Lances};
+use banc::familles::{AVANCE, Genre};
 use banc::nous;
 use commun::conversion::Bits;
-use lancer_rayon::{Hierarchie, ObjetRay, Rayon, Reel, Texture, Vecteur};
+use lancer_rayon::{Monde, ObjetRay, PlacesInsuffisantes, Rayon, Reel, Texture, Vecteur, places};
 use serde::de::DeserializeOwned;
 
 use crate::annexe::Annexe;
 
 /// A scene as someone wants it.
-pub(crate) trait Monde<R> {
-    /// Who answers about these rays, or about these shadows if there are any.
-    fn concurrents<'a>(
-        &'a self,
-        rayons: &'a [Rayon<R>],
-        ombres: &'a [Lance<R>],
-    ) -> Vec<Concurrent<'a>>;
+pub(crate) trait Rival<R> {
+    /// Who answers about the first hits of these rays, or about whether they are shadows.
+    fn concurrents<'a>(&'a self, rayons: &'a [Rayon<R>], ombres: bool) -> Vec<Concurrent<'a>>;
 }
 
 /// Distance, normal, texture: an answer of others.
@@ -35,7 +31,7 @@ pub(crate) trait Parry: Reel {
     /// What builds its trees.
     const ARBRES: [fn(&[ObjetRay<Self>]); 2];
 
-    fn monde(objets: &[ObjetRay<Self>]) -> Box<dyn Monde<Self>>;
+    fn rival(objets: &[ObjetRay<Self>]) -> Box<dyn Rival<Self>>;
     /// The hit of one object.
     fn touche(objet: &ObjetRay<Self>, rayon: &Rayon<Self>) -> Option<Vu<Self>>;
 }
@@ -45,7 +41,7 @@ pub(crate) trait Scalaire: Parry + Bits + DeserializeOwned {
     const NOM: &'static str;
 
     /// Embree computes in `f32`.
-    fn embree(_: &[ObjetRay<Self>]) -> Vec<Box<dyn Monde<Self>>> {
+    fn embree(_: &[ObjetRay<Self>]) -> Vec<Box<dyn Rival<Self>>> {
         Vec::new()
     }
 }
@@ -54,8 +50,8 @@ impl Scalaire for f32 {
     const NOM: &'static str = "f32";
 
     #[cfg(feature = "embree")]
-    fn embree(objets: &[ObjetRay<Self>]) -> Vec<Box<dyn Monde<Self>>> {
-        crate::embree::mondes(objets)
+    fn embree(objets: &[ObjetRay<Self>]) -> Vec<Box<dyn Rival<Self>>> {
+        crate::embree::rivaux(objets)
     }
 }
 
@@ -64,59 +60,62 @@ impl Scalaire for f64 {
 }
 
 /// The scene as each of the others wants it.
-pub(crate) fn mondes<R: Scalaire>(objets: &[ObjetRay<R>]) -> Vec<Box<dyn Monde<R>>> {
-    let mut mondes = R::embree(objets);
-    mondes.push(R::monde(objets));
-    mondes.push(Box::new(Annexe::new(objets)));
-    mondes
+pub(crate) fn rivaux<R: Scalaire>(objets: &[ObjetRay<R>]) -> Vec<Box<dyn Rival<R>>> {
+    let mut rivaux = R::embree(objets);
+    rivaux.push(R::rival(objets));
+    rivaux.push(Box::new(Annexe::new(objets)));
+    rivaux
 }
 
 /// We and all others, who start ahead of what a ray leaves; who looks at all objects for every ray, only where they are few.
 pub(crate) fn tous<'a, R: Reel>(
-    hierarchie: Hierarchie<'a, R>,
-    mondes: &'a [Box<dyn Monde<R>>],
-    lances: &'a Lances<R>,
-    en_avant: &'a Lances<R>,
+    monde: Monde<'a, R>,
+    rivaux: &'a [Box<dyn Rival<R>>],
+    rayons: &'a [Rayon<R>],
+    en_avant: &'a [Rayon<R>],
+    genre: Genre,
 ) -> Vec<Concurrent<'a>> {
-    let permises = permises(hierarchie.objets().len());
-    let nous = nous::concurrents(hierarchie, &lances.rayons, &lances.ombres).into_iter();
+    let permises = permises(monde.objets().len());
+    let nous = nous::concurrents(monde, rayons, genre.ombres()).into_iter();
     let nous = nous.filter(|qui| permises.contains(&(qui.nom, qui.camp)));
-    let Lances { rayons, ombres, .. } = en_avant;
-    let eux = mondes.iter().flat_map(|monde| monde.concurrents(rayons, ombres));
+    let eux = rivaux.iter().flat_map(|rival| rival.concurrents(en_avant, genre.ombres()));
     nous.chain(eux).collect()
 }
 
-/// Places for a hierarchy over these objects, and as many for the pieces of long boxes.
-pub(crate) fn places<R: Reel>(objets: &[ObjetRay<R>]) -> Vec<f32> {
-    vec![0.0; 2 * Hierarchie::places(objets.len())]
+/// These objects with a tree, in `memoire`, which becomes twice what the tree needs: the rest is for the pieces of long
+/// boxes.
+pub(crate) fn en_morceaux<'a, R: Reel>(
+    objets: &'a [ObjetRay<R>],
+    memoire: &'a mut Vec<f32>,
+) -> Result<Monde<'a, R>, PlacesInsuffisantes> {
+    memoire.resize(2 * places(objets.len()), 0.0);
+    Monde::en_morceaux(objets, memoire)
 }
 
-/// An error unless list, hierarchy and both of their batches have the same bits for these rays and for shadows
-/// along them. A long list is asked about a part of them.
+/// An error unless list, tree and both of their batches have the same bits for these rays, and whether they are shadows
+/// is as their first hits say. A long list is asked about a part of them.
 pub(crate) fn exiger_memes_bits<R: Scalaire>(
-    hierarchie: Hierarchie<'_, R>,
+    monde: Monde<'_, R>,
     rayons: &[Rayon<R>],
-    ombres: &[Lance<R>],
 ) -> Result<(), Box<dyn Error>> {
     const TUILE: usize = 64;
-    let pas = (hierarchie.objets().len() / 500).max(1);
+    let pas = (monde.objets().len() / 500).max(1);
     let rayons: Vec<_> = rayons.chunks(TUILE).step_by(pas).flatten().copied().collect();
-    let ombres: Vec<_> = if ombres.is_empty() {
-        rayons.iter().map(|rayon| (*rayon, R::INFINI)).collect()
-    } else {
-        ombres.chunks(TUILE).step_by(pas).flatten().copied().collect()
+    let touches = nous::concurrents(monde, &rayons, false).map(|qui| qui.reponses());
+    let caches = nous::concurrents(monde, &rayons, true).map(|qui| qui.reponses());
+    // And the first hits before an end are those of the rays without it.
+    let sans_fin = |rayon: &Rayon<R>| rayon.jusqu_a(R::INFINI);
+    let sans_fin: Vec<_> = rayons.iter().map(sans_fin).collect::<Result<_, _>>()?;
+    let [toutes, ..] = nous::concurrents(monde, &sans_fin, false).map(|qui| qui.reponses());
+    let avant = |(touche, rayon): (&Reponse, &Rayon<R>)| {
+        touche.filter(|touche| distance(*touche) < rayon.fin().vers_f64())
     };
-    let touches = nous::concurrents(hierarchie, &rayons, &[]).map(|qui| qui.reponses());
-    let caches = nous::concurrents(hierarchie, &rayons, &ombres).map(|qui| qui.reponses());
-    let cachee = |(touche, (_, max)): (&Reponse, &Lance<R>)| {
-        touche.is_some_and(|touche| distance(touche) < max.vers_f64())
-    };
-    let attendues = touches[0].iter().zip(&ombres).map(cachee);
     if touches.iter().any(|autres| *autres != touches[0])
         || caches.iter().any(|autres| *autres != caches[0])
-        || !attendues.eq(caches[0].iter().map(Option::is_some))
+        || !toutes.iter().zip(&rayons).map(avant).eq(touches[0].iter().copied())
+        || !touches[0].iter().map(Option::is_some).eq(caches[0].iter().map(Option::is_some))
     {
-        return Err("list, hierarchy and batches differ".into());
+        return Err("list, tree and batches differ".into());
     }
     Ok(())
 }
@@ -128,7 +127,7 @@ pub(crate) fn exiger_accord(
     tolerance: impl Fn(&Concurrent<'_>) -> f64,
 ) -> Result<(), Box<dyn Error>> {
     let seule = concurrents.iter().find(|qui| qui.nom == "single");
-    let ici = seule.ok_or("the hierarchy always competes")?.reponses();
+    let ici = seule.ok_or("the tree always competes")?.reponses();
     for qui in concurrents {
         let reponses = qui.reponses();
         let autre = |(a, b): &(&Reponse, &Reponse)| match (a, b) {

@@ -4,9 +4,8 @@ use std::error::Error;
 
 use banc::concurrents::{Camp, Concurrent, temps};
 use banc::familles::{Famille, GRAINE_DES_PAGES, Genre};
-use lancer_rayon::Hierarchie;
 
-use crate::autres::{Scalaire, exiger_accord, exiger_memes_bits, mondes, places, tous};
+use crate::autres::{Scalaire, en_morceaux, exiger_accord, exiger_memes_bits, rivaux, tous};
 
 const NOMBRES: [usize; 5] = [12, 48, 192, 1000, 10_000];
 
@@ -54,7 +53,7 @@ pub(crate) fn mesurer() -> Result<Vec<Cellule>, Box<dyn Error>> {
     Ok(cellules)
 }
 
-/// The cells of a scene; or that in each list, hierarchy and batches agree to the bit, and the others but for
+/// The cells of a scene; or that in each list, tree and batches agree to the bit, and the others but for
 /// rounding.
 fn courir<R: Scalaire>(
     famille: Famille,
@@ -63,13 +62,13 @@ fn courir<R: Scalaire>(
     cellules: &mut Vec<Cellule>,
 ) -> Result<(), Box<dyn Error>> {
     let scene = famille.scene::<R>(n, GRAINE_DES_PAGES);
-    let mut places = places(&scene.objets);
-    let hierarchie = Hierarchie::new(&scene.objets, &mut places)?;
-    let mondes = mondes(&scene.objets);
+    let mut memoire = Vec::new();
+    let monde = en_morceaux(&scene.objets, &mut memoire)?;
+    let rivaux = rivaux(&scene.objets);
     for genre in Genre::TOUS {
-        let lances = genre.rayons(&hierarchie, &scene, BANDES);
-        let en_avant = lances.en_avant();
-        let mut concurrents = tous(hierarchie, &mondes, &lances, &en_avant);
+        let rayons = genre.rayons(&monde, &scene, BANDES);
+        let en_avant = genre.en_avant(&rayons);
+        let mut concurrents = tous(monde, &rivaux, &rayons, &en_avant, genre);
         if chronometrer {
             concurrents.retain(|qui| qui.camp != Camp::Annexe);
             let ns = temps(&mut concurrents);
@@ -82,12 +81,12 @@ fn courir<R: Scalaire>(
             match qui.camp {
                 Camp::Seul | Camp::Lot => 0.0,
                 _ if quads => TOLERANCE_DES_QUADS,
-                _ if !lances.partent => TOLERANCE,
+                _ if !genre.partent() => TOLERANCE,
                 _ => TOLERANCE_EN_AVANT,
             }
         };
-        let juge = exiger_memes_bits(hierarchie, &lances.rayons, &lances.ombres)
-            .and_then(|()| exiger_accord(&concurrents, tolerance));
+        let juge =
+            exiger_memes_bits(monde, &rayons).and_then(|()| exiger_accord(&concurrents, tolerance));
         let ou = format!("{} {n} {} {}", famille.nom(), R::NOM, genre.nom());
         juge.map_err(|erreur| format!("{ou}: {erreur}"))?;
     }

@@ -5,12 +5,12 @@ use std::error::Error;
 use banc::concurrents::{Camp, Reponse, temps};
 use banc::familles::{Famille, Genre};
 use fastrand::Rng;
-use lancer_rayon::{
-    Hierarchie, NoIntersection, ObjetRay, Rayon, premiere_intersection, premieres_intersections,
-};
+use lancer_rayon::{Monde, NoIntersection, ObjetRay, Rayon, premiere_intersection};
 use plotters::prelude::*;
 
-use crate::autres::{Scalaire, distance, exiger_accord, exiger_memes_bits, mondes, places, tous};
+use crate::autres::{
+    Scalaire, distance, en_morceaux, exiger_accord, exiger_memes_bits, rivaux, tous,
+};
 use crate::exactitude::{self, COULEURS, repondants};
 use crate::page;
 use crate::tables::nanosecondes;
@@ -115,7 +115,7 @@ fn image(variantes: &[Variante]) -> String {
     let mut lignes =
         vec!["| 240,000 rays, ms | f32 | f64 |".to_owned(), "|---|--:|--:|".to_owned()];
     let noms =
-        [("list", "list"), ("batch", "batch of a `Hierarchie`"), ("annex A", "annex A as printed")];
+        [("list", "list"), ("batch", "batch of a `Monde`"), ("annex A", "annex A as printed")];
     for (nom, texte) in noms {
         let ms = ["f32", "f64"].map(|scalaire| {
             let celle = variantes.iter().find(|v| v.nom == nom && v.scalaire == scalaire);
@@ -145,14 +145,13 @@ fn millisecondes(ns: f64) -> String {
 /// Beside the truth of the scene in `f64` as well, if that is another one.
 fn mesures<R: Scalaire>(doubles: Option<&[Verite]>) -> Result<Mesuree, Box<dyn Error>> {
     let scene = Famille::Atelier.scene::<R>(0, GRAINE);
-    let mut places = places(&scene.objets);
-    let hierarchie = Hierarchie::new(&scene.objets, &mut places)?;
-    let mondes = mondes(&scene.objets);
+    let mut memoire = Vec::new();
+    let monde = en_morceaux(&scene.objets, &mut memoire)?;
+    let rivaux = rivaux(&scene.objets);
     // The whole picture, in tiles.
-    let lances = Genre::Tuiles.rayons(&hierarchie, &scene, 50);
-    let rayons = &lances.rayons;
-    let mut concurrents = tous(hierarchie, &mondes, &lances, &lances);
-    exiger_memes_bits(hierarchie, rayons, &[])?;
+    let rayons = Genre::Tuiles.rayons(&monde, &scene, 50);
+    let mut concurrents = tous(monde, &rivaux, &rayons, &rayons, Genre::Tuiles);
+    exiger_memes_bits(monde, &rayons)?;
     exiger_accord(&concurrents, |_| 3e4 * R::U.vers_f64())?;
     let ns = temps(&mut concurrents);
     let ns: Vec<_> = concurrents.iter().map(|qui| (qui.nom, qui.camp)).zip(ns).collect();
@@ -205,7 +204,7 @@ fn exiger_exact_aux_extremes<R: Scalaire>() -> Result<(), Box<dyn Error>> {
             let cas = (regime.cas)(&mut alea);
             // Several of the same: fewer would not go side by side.
             let (objets, mut touches) = ([cas.objet], [Err(NoIntersection); 9]);
-            premieres_intersections(&objets, &[cas.rayon; 9], &mut touches)?;
+            Monde::de_liste(&objets).premieres_intersections(&[cas.rayon; 9], &mut touches)?;
             if touches != [premiere_intersection(&objets, &cas.rayon); 9] {
                 return Err("the batch differs from its rays one by one".into());
             }

@@ -7,7 +7,6 @@ use std::sync::Arc;
 use std::thread;
 
 use banc::concurrents::{Camp, Concurrent, cachee};
-use banc::familles::Lance;
 use embree3::{
     Bounds, BufferUsage, Device, Format, GeometryKind, Hit, Hit16, INVALID_ID, IntersectContext,
     IntersectFunctionNArgs, OccludedFunctionNArgs, QuadMeshBuilder, Ray, Ray16, RayHit, RayHit16,
@@ -15,12 +14,12 @@ use embree3::{
 };
 use lancer_rayon::{BoiteRay, ObjetRay, PlanRay, Rayon, Texture};
 
-use crate::autres::{Monde, Vu, dire};
+use crate::autres::{Rival, Vu, dire};
 
 const SEIZE: usize = 16;
 
 /// With quads, and with one's own boxes.
-pub(crate) fn mondes(objets: &[ObjetRay<f32>]) -> Vec<Box<dyn Monde<f32>>> {
+pub(crate) fn rivaux(objets: &[ObjetRay<f32>]) -> Vec<Box<dyn Rival<f32>>> {
     let noms = [
         ["Embree, quads", "Embree ×16, quads, coherent", "Embree ×16, quads"],
         ["Embree, own boxes", "Embree ×16, own boxes, coherent", "Embree ×16, own boxes"],
@@ -38,18 +37,14 @@ pub(crate) fn mondes(objets: &[ObjetRay<f32>]) -> Vec<Box<dyn Monde<f32>>> {
 }
 
 /// Singly, or in packets that expect coherent rays or not.
-impl Monde<f32> for Foule {
-    fn concurrents<'a>(
-        &'a self,
-        rayons: &'a [Rayon<f32>],
-        ombres: &'a [Lance<f32>],
-    ) -> Vec<Concurrent<'a>> {
+impl Rival<f32> for Foule {
+    fn concurrents<'a>(&'a self, rayons: &'a [Rayon<f32>], ombres: bool) -> Vec<Concurrent<'a>> {
         let [seul, coherents, quelconques] = self.noms;
         let seul = (seul, Camp::Embree);
-        let mut concurrents = vec![if ombres.is_empty() {
-            Concurrent::un_par_un(seul, rayons, |rayon| self.premiere(rayon), dire)
+        let mut concurrents = vec![if ombres {
+            Concurrent::un_par_un(seul, rayons, |rayon| self.occulte(rayon), cachee)
         } else {
-            Concurrent::un_par_un(seul, ombres, |ombre| self.occulte(ombre), cachee)
+            Concurrent::un_par_un(seul, rayons, |rayon| self.premiere(rayon), dire)
         }];
         for (nom, contexte) in [
             (coherents, IntersectContext::coherent as fn() -> IntersectContext),
@@ -61,15 +56,15 @@ impl Monde<f32> for Foule {
                     self.premieres(&mut contexte(), rayons, vus);
                 }
             };
-            let occultes = move |ombres: &[Lance<f32>], caches: &mut [bool]| {
-                for (ombres, caches) in ombres.chunks(SEIZE).zip(caches.chunks_mut(SEIZE)) {
-                    self.occultes(&mut contexte(), ombres, caches);
+            let occultes = move |rayons: &[Rayon<f32>], caches: &mut [bool]| {
+                for (rayons, caches) in rayons.chunks(SEIZE).zip(caches.chunks_mut(SEIZE)) {
+                    self.occultes(&mut contexte(), rayons, caches);
                 }
             };
-            concurrents.push(if ombres.is_empty() {
-                Concurrent::en_lot(seize, rayons, None, premieres, dire)
+            concurrents.push(if ombres {
+                Concurrent::en_lot(seize, rayons, false, occultes, cachee)
             } else {
-                Concurrent::en_lot(seize, ombres, false, occultes, cachee)
+                Concurrent::en_lot(seize, rayons, None, premieres, dire)
             });
         }
         concurrents
@@ -156,11 +151,12 @@ impl Foule {
         self.vu(ray.tfar, hit.normal(), hit.geomID, hit.primID, plan.map(|(plan, _)| plan))
     }
 
-    fn occulte(&self, (rayon, max): &Lance<f32>) -> bool {
-        self.plans.iter().any(|plan| entree_du_plan(plan, rayon) < *max)
+    fn occulte(&self, rayon: &Rayon<f32>) -> bool {
+        let fin = rayon.fin();
+        self.plans.iter().any(|plan| entree_du_plan(plan, rayon) < fin)
             || self
                 .scene
-                .occluded(&mut IntersectContext::incoherent(), &mut vers_embree(rayon, *max))
+                .occluded(&mut IntersectContext::incoherent(), &mut vers_embree(rayon, fin))
     }
 
     fn premieres(
@@ -179,7 +175,7 @@ impl Foule {
                 }
             }
         }
-        let mut seize = RayHit16 { ray: paquet(rayons.iter(), loin), hit: Hit16::new() };
+        let mut seize = RayHit16 { ray: paquet(rayons, loin), hit: Hit16::new() };
         self.scene.intersect16(contexte, &mut seize, &actifs(rayons.len()));
         let RayHit16 { ray, hit } = seize;
         for (i, vu) in vus.iter_mut().enumerate() {
@@ -191,18 +187,18 @@ impl Foule {
     fn occultes(
         &self,
         contexte: &mut IntersectContext,
-        ombres: &[Lance<f32>],
+        rayons: &[Rayon<f32>],
         caches: &mut [bool],
     ) {
-        let loin = array::from_fn(|i| ombres.get(i).map_or(0.0, |(_, max)| *max));
-        let mut seize = paquet(ombres.iter().map(|(rayon, _)| rayon), loin);
-        self.scene.occluded16(contexte, &mut seize, &actifs(ombres.len()));
+        let loin = array::from_fn(|i| rayons.get(i).map_or(0.0, Rayon::fin));
+        let mut seize = paquet(rayons, loin);
+        self.scene.occluded16(contexte, &mut seize, &actifs(rayons.len()));
         for (cache, t) in caches.iter_mut().zip(seize.tfar) {
             *cache = t == f32::NEG_INFINITY;
         }
         for plan in &self.plans {
-            for ((rayon, max), cache) in ombres.iter().zip(&mut *caches) {
-                *cache |= entree_du_plan(plan, rayon) < *max;
+            for (rayon, cache) in rayons.iter().zip(&mut *caches) {
+                *cache |= entree_du_plan(plan, rayon) < rayon.fin();
             }
         }
     }
@@ -233,9 +229,9 @@ fn vers_embree(rayon: &Rayon<f32>, loin: f32) -> Ray {
     Ray::segment(rayon.source().into(), rayon.direction().into(), 0.0, loin)
 }
 
-fn paquet<'a>(rayons: impl Iterator<Item = &'a Rayon<f32>>, loin: [f32; SEIZE]) -> Ray16 {
+fn paquet(rayons: &[Rayon<f32>], loin: [f32; SEIZE]) -> Ray16 {
     let mut seize = Ray16 { tfar: loin, ..Ray16::empty() };
-    for (i, rayon) in rayons.enumerate() {
+    for (i, rayon) in rayons.iter().enumerate() {
         [seize.org_x[i], seize.org_y[i], seize.org_z[i]] = rayon.source().into();
         [seize.dir_x[i], seize.dir_y[i], seize.dir_z[i]] = rayon.direction().into();
     }

@@ -10,7 +10,7 @@ use crate::autres::Parry;
 use crate::page;
 use commun::conversion::arrondi;
 use commun::litteral;
-use commun::mesure::{Reponse, mesurer, plus_grand, quantiles};
+use commun::mesure::{Mesuree, mesurer, plus_grand, quantiles};
 use commun::oracle::verite;
 use commun::promesses::{Essai, RIEN, erreur, marge, secondaire};
 use commun::regimes::{Cas, Regime, direction, regimes};
@@ -19,7 +19,7 @@ use commun::regimes::{Cas, Regime, direction, regimes};
 const CAS: u32 = 100_000;
 
 /// What answers, by name.
-pub(crate) type Repondant<R> = (&'static str, fn(&ObjetRay<R>, &Rayon<R>) -> Reponse<R>);
+pub(crate) type Repondant<R> = (&'static str, fn(&ObjetRay<R>, &Rayon<R>) -> Mesuree<R>);
 
 pub(crate) fn repondants<R: Parry>() -> [Repondant<R>; 3] {
     [
@@ -174,7 +174,7 @@ fn jugement<R: Reel>(regime: &Regime<R>, aisance: &mut f64) -> String {
 
 /// The error of the distance over the radius against the distance in radii, for a sphere that is
 /// aimed at well inside its outline.
-fn courbe<R: Parry>(repondre: fn(&ObjetRay<R>, &Rayon<R>) -> Reponse<R>) -> Vec<(f64, f64)> {
+fn courbe<R: Parry>(repondre: fn(&ObjetRay<R>, &Rayon<R>) -> Mesuree<R>) -> Vec<(f64, f64)> {
     let decades = if R::U.vers_f64() > f64::EPSILON { 7 } else { 15 };
     let point = |dixieme: i32| {
         let loin = 10_f64.powf(f64::from(dixieme) / 4.0);

@@ -1,4 +1,4 @@
-//! The hierarchy alone: over the even mix what the instruction set does to a batch, and what it takes to build; over
+//! The tree alone: over the even mix what the instruction set does to a batch, and what it takes to build; over
 //! all families what a certificate takes.
 
 use std::error::Error;
@@ -11,9 +11,9 @@ use banc::horloge::{TOURS, moindres};
 use banc::nous;
 use commun::scenes::{en_tuiles, melange, rayons_camera};
 use lancer_rayon::pour_les_tests::Reglage;
-use lancer_rayon::{Hierarchie, Rayon, Reel, Touche};
+use lancer_rayon::{Monde, Rayon, Reel, Reponse, places};
 
-use crate::autres::{Parry, Scalaire, places};
+use crate::autres::{Parry, Scalaire, en_morceaux};
 use crate::tables::nanosecondes;
 
 /// The rays of a picture, in tiles.
@@ -41,12 +41,12 @@ pub(crate) fn jeux_d_instructions() -> Result<String, Box<dyn Error>> {
 /// Nanoseconds per ray of each set.
 fn jeux_de<R: Reel>(n: usize) -> Result<Vec<f64>, Box<dyn Error>> {
     let (objets, rayons) = (melange(n), image::<R>());
-    let mut places = places(&objets);
-    let hierarchie = Hierarchie::new(&objets, &mut places)?;
-    let [liste, ..] = nous::concurrents(hierarchie, &rayons, &[]);
+    let mut memoire = Vec::new();
+    let monde = en_morceaux(&objets, &mut memoire)?;
+    let [liste, ..] = nous::concurrents(monde, &rayons, false);
     let attendues = liste.reponses();
     let en_lot = |(_, jeu): (_, Reglage)| {
-        let [.., lot] = nous::concurrents(jeu.hierarchie(hierarchie), &rayons, &[]);
+        let [.., lot] = nous::concurrents(jeu.monde(monde), &rayons, false);
         lot
     };
     let mut lots: Vec<_> = Reglage::tous().map(en_lot).collect();
@@ -59,7 +59,7 @@ fn jeux_de<R: Reel>(n: usize) -> Result<Vec<f64>, Box<dyn Error>> {
 /// What a tree costs to build, in time and in memory beside the objects.
 pub(crate) fn constructions() -> String {
     let mut table = vec![
-        "| scalar | N | hierarchy, ns per object | bytes per object | parry's Bvh, ns | obvhs, ns |"
+        "| scalar | N | tree, ns per object | bytes per object | parry's Bvh, ns | obvhs, ns |"
             .to_owned(),
         format!("|---|--:|{}", "--:|".repeat(4)),
     ];
@@ -73,12 +73,12 @@ pub(crate) fn constructions() -> String {
 fn constructions_de<R: Parry>(n: usize) -> String {
     let objets = melange::<R>(n);
     // Nothing is long: what must be lent is enough.
-    let mut places = vec![0.0; Hierarchie::places(n)];
+    let mut places = vec![0.0; places(n)];
     let octets = size_of_val(&places[..]) as f64 / n as f64;
     let ns = moindres(TOURS, 3, |qui| {
         let debut = Instant::now();
         match qui {
-            0 => assert!(black_box(Hierarchie::new(&objets, &mut places)).is_ok()),
+            0 => assert!(black_box(Monde::new(&objets, &mut places)).is_ok()),
             _ => R::ARBRES[qui - 1](&objets),
         }
         debut.elapsed().as_nanos() as f64 / n as f64
@@ -123,18 +123,18 @@ fn certificats_parmi<R: Scalaire>(noms: &str, n: usize) -> Result<String, Box<dy
 
 fn certificat_de<R: Scalaire>(famille: Famille, n: usize) -> Result<f64, Box<dyn Error>> {
     let scene = famille.scene::<R>(n, GRAINE_DES_PAGES);
-    let mut places = places(&scene.objets);
-    let hierarchie = Hierarchie::new(&scene.objets, &mut places)?;
-    let rayons = Genre::Tuiles.rayons(&hierarchie, &scene, 4).rayons;
-    let vues: Vec<(Rayon<R>, Touche<R>)> =
-        rayons.iter().map(|rayon| (*rayon, hierarchie.premiere_intersection(rayon))).collect();
+    let mut memoire = Vec::new();
+    let monde = en_morceaux(&scene.objets, &mut memoire)?;
+    let rayons = Genre::Tuiles.rayons(&monde, &scene, 4);
+    let vues: Vec<(Rayon<R>, Reponse<R>)> =
+        rayons.iter().map(|rayon| (*rayon, monde.premiere_intersection(rayon))).collect();
     let ns = moindres(TOURS, 2, |quoi| {
         let debut = Instant::now();
         for (rayon, touche) in black_box(&vues) {
             black_box(if quoi == 0 {
-                hierarchie.premiere_intersection(rayon).is_ok()
+                monde.premiere_intersection(rayon).is_ok()
             } else {
-                hierarchie.est_certaine(rayon, touche)
+                monde.certifie(rayon, touche)
             });
         }
         debut.elapsed().as_nanos() as f64

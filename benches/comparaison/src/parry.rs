@@ -7,7 +7,6 @@
 use std::hint::black_box;
 
 use banc::concurrents::{Camp, Concurrent, TROP, cachee};
-use banc::familles::Lance;
 use lancer_rayon::{ObjetRay, Rayon, Texture, Vecteur};
 use obvhs::BvhBuildParams;
 use obvhs::aabb::Aabb as BoiteObvhs;
@@ -20,7 +19,7 @@ use super::version::math::{Mat3, Pose, Real, Rotation, Vector};
 use super::version::partitioning::{Bvh, BvhBuildStrategy, BvhNode};
 use super::version::query::{Ray, RayCast};
 use super::version::shape::{Ball, Cuboid, HalfSpace};
-use crate::autres::{Monde, Parry, Vu, dire};
+use crate::autres::{Parry, Rival, Vu, dire};
 
 /// A shape and where it is, as an enum: parry's `SharedShape` would cost it an indirect call per
 /// object, and a `Pose` for every shape a rotation of the ray where there is nothing to turn.
@@ -112,7 +111,7 @@ impl Parry for Real {
     const ARBRES: [fn(&[ObjetRay<Self>]); 2] =
         [|objets| drop(black_box(bvh(objets))), |objets| drop(black_box(obvhs(objets)))];
 
-    fn monde(objets: &[ObjetRay<Self>]) -> Box<dyn Monde<Self>> {
+    fn rival(objets: &[ObjetRay<Self>]) -> Box<dyn Rival<Self>> {
         Box::new(Tous(objets.iter().map(Objet::from).collect(), bvh(objets), obvhs(objets)))
     }
 
@@ -121,27 +120,23 @@ impl Parry for Real {
     }
 }
 
-impl Monde<Real> for Tous {
-    fn concurrents<'a>(
-        &'a self,
-        rayons: &'a [Rayon<Real>],
-        ombres: &'a [Lance<Real>],
-    ) -> Vec<Concurrent<'a>> {
+impl Rival<Real> for Tous {
+    fn concurrents<'a>(&'a self, rayons: &'a [Rayon<Real>], ombres: bool) -> Vec<Concurrent<'a>> {
         let Self(liste, bvh, obvhs) = self;
         let [boucle, arbre, huit] =
             ["parry, loop", "parry, Bvh", "parry in obvhs"].map(|nom| (nom, Camp::Parry));
-        let mut concurrents = if ombres.is_empty() {
+        let mut concurrents = if ombres {
+            let dans_l_arbre = |r: &Rayon<_>| ombre_dans_l_arbre(bvh, &ray(r), r.fin());
+            let dans_la_liste = |r: &Rayon<_>| ombre_dans_la_liste(liste, &ray(r), r.fin());
+            vec![
+                Concurrent::un_par_un(arbre, rayons, dans_l_arbre, cachee),
+                Concurrent::un_par_un(boucle, rayons, dans_la_liste, cachee),
+            ]
+        } else {
             vec![
                 Concurrent::un_par_un(huit, rayons, |r| dans_obvhs(obvhs, &ray(r)), dire),
                 Concurrent::un_par_un(arbre, rayons, |r| dans_l_arbre(bvh, &ray(r)), dire),
                 Concurrent::un_par_un(boucle, rayons, |r| dans_la_liste(liste, &ray(r)), dire),
-            ]
-        } else {
-            let dans_l_arbre = |(r, max): &Lance<_>| ombre_dans_l_arbre(bvh, &ray(r), *max);
-            let dans_la_liste = |(r, max): &Lance<_>| ombre_dans_la_liste(liste, &ray(r), *max);
-            vec![
-                Concurrent::un_par_un(arbre, ombres, dans_l_arbre, cachee),
-                Concurrent::un_par_un(boucle, ombres, dans_la_liste, cachee),
             ]
         };
         if liste.len() > TROP {

@@ -10,13 +10,13 @@
 
 use core::{fmt, mem};
 
-use crate::hierarchie::morceaux::Partage;
-use crate::hierarchie::noeud::{COIN_ABSENT, FICHE, Fiche, LIMITE_INDICES, Noeud, VIDE, en_mot};
-use crate::hierarchie::repere::{Repere, extremes};
-use crate::liste::Liste;
+use crate::arbre::morceaux::Partage;
+use crate::arbre::noeud::{
+    COIN_ABSENT, ENFANTS, FICHE, Fiche, LIMITE_INDICES, Noeud, VIDE, en_mot, en_mot_d_un_morceau,
+};
+use crate::arbre::repere::{Repere, extremes};
+use crate::nombre::{Nombre, max, min, simple};
 use crate::objet::ObjetRay;
-use crate::reel::{Reel, max, min, simple};
-use crate::seize::SEIZE;
 use crate::vecteur::Vecteur;
 
 /// Over fewer objects with a box than this no tree is made: the list is as fast
@@ -32,8 +32,7 @@ const BOURRAGE: usize = LIGNE / size_of::<f32>() - 1;
 
 /// A tree over a list of objects.
 #[derive(Clone, Copy)]
-pub(crate) struct Arbre<'a, R> {
-    pub(crate) liste: Liste<'a, R>,
+pub struct Arbre<'a, R> {
     /// The leaves, then the floors above, the root last; none over a list that is as fast.
     pub(crate) noeuds: &'a [Noeud],
     /// How many nodes are leaves.
@@ -43,20 +42,19 @@ pub(crate) struct Arbre<'a, R> {
     pub(crate) repere: Repere<R>,
 }
 
-impl<'a, R: Reel> Arbre<'a, R> {
-    /// A list that is asked as a list.
-    pub(crate) fn sans_noeuds(liste: Liste<'a, R>) -> Self {
-        Self { liste, noeuds: &[], feuilles: 0, sans_boite: &[], repere: Repere::QUELCONQUE }
-    }
+impl<R: Nombre> Arbre<'_, R> {
+    /// That of a list which is asked as a list.
+    pub(crate) const SANS_NOEUDS: Self =
+        Self { noeuds: &[], feuilles: 0, sans_boite: &[], repere: Repere::QUELCONQUE };
 }
 
-/// Fewer places were lent than the [hierarchy](crate::Hierarchie) of so many objects needs.
+/// Fewer places were lent than the [`Monde`](crate::Monde) over this many objects needs.
 #[doc(alias = "buffer_too_small")]
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct PlacesInsuffisantes {
     /// How many were lent.
     pub places: usize,
-    /// How many it takes: [`places`](crate::Hierarchie::places).
+    /// How many it takes: [`places`](crate::places).
     #[doc(alias = "required")]
     pub necessaires: usize,
 }
@@ -75,10 +73,10 @@ pub(crate) const fn mots(objets: usize) -> usize {
     if objets < OBJETS_D_UN_ARBRE || objets as u64 >= LIMITE_INDICES {
         return 0;
     }
-    let mut etage = objets.div_ceil(SEIZE);
+    let mut etage = objets.div_ceil(ENFANTS);
     let mut total = etage;
     while etage > 1 {
-        etage = etage.div_ceil(SEIZE);
+        etage = etage.div_ceil(ENFANTS);
         total += etage;
     }
     // Where the root is full another stands above it and the giants.
@@ -86,74 +84,76 @@ pub(crate) const fn mots(objets: usize) -> usize {
         total += 1;
     }
     // Where this saturates, on a 32-bit machine, it is more than there is memory.
-    total.saturating_mul(FICHE * SEIZE).saturating_add(SEIZE - 1 + BOURRAGE)
+    total.saturating_mul(FICHE * ENFANTS).saturating_add(ENFANTS - 1 + BOURRAGE)
 }
 
 /// How many records there is room for in so many numbers, beyond the leaves that these objects fill with one each.
 fn fiches_de_plus(objets: usize, places: usize) -> usize {
-    const FEUILLE: usize = FICHE * SEIZE;
-    let feuilles = objets.div_ceil(SEIZE);
-    let le_plus = (LIMITE_INDICES as usize / SEIZE - 1).saturating_sub(feuilles);
+    const FEUILLE: usize = FICHE * ENFANTS;
+    let feuilles = objets.div_ceil(ENFANTS);
+    let le_plus = (LIMITE_INDICES as usize / ENFANTS - 1).saturating_sub(feuilles);
     let plus = (places.saturating_sub(mots(objets)) / FEUILLE).min(le_plus);
     // The nodes above these leaves take the place of some.
-    let trop = mots((feuilles + plus) * SEIZE).saturating_sub(places).div_ceil(FEUILLE);
-    plus.saturating_sub(trop) * SEIZE
+    let trop = mots((feuilles + plus) * ENFANTS).saturating_sub(places).div_ceil(FEUILLE);
+    plus.saturating_sub(trop) * ENFANTS
 }
 
-/// The tree over these objects, in [so many numbers](mots) or more; one without nodes over few that have a box.
-pub(crate) fn construire<'a, R: Reel>(
-    (objets, places): (&'a [ObjetRay<R>], &'a mut [f32]),
+/// The tree over these objects, in as many numbers as [`mots`] says or more; one without nodes over few that have a
+/// box. `decouper` says whether the numbers beyond pay for pieces of long boxes.
+pub(crate) fn construire<'a, R: Nombre>(
+    objets: &[ObjetRay<R>],
+    places: &'a mut [f32],
+    decouper: bool,
 ) -> Result<Arbre<'a, R>, PlacesInsuffisantes> {
     let necessaires = mots(objets.len());
     if places.len() < necessaires {
         return Err(PlacesInsuffisantes { places: places.len(), necessaires });
     }
-    let sans_noeuds = Arbre::sans_noeuds(Liste::entiere(objets));
     if necessaires == 0 {
-        return Ok(sans_noeuds);
+        return Ok(Arbre::SANS_NOEUDS);
     }
-    let restent = fiches_de_plus(objets.len(), places.len());
+    let restent = if decouper { fiches_de_plus(objets.len(), places.len()) } else { 0 };
     let debut = places.as_ptr().align_offset(LIGNE).min(BOURRAGE);
     let places = &mut places[debut..];
     let mut repere = Repere::autour(objets);
     let mut partage = Partage::new(objets, repere, restent);
     let (mut nombre, mut fin) = (0, places.len());
     for (indice, objet) in objets.iter().enumerate() {
-        let indice = en_mot(indice);
         let (fiches, _) = places.as_chunks_mut();
-        let a_une_boite = partage.decouper(objet, |(bas, haut)| {
-            fiches[nombre] = [bas.x, bas.y, bas.z, haut.x, haut.y, haut.z, indice];
+        let a_une_boite = partage.decouper(objet, |(bas, haut), en_morceaux| {
+            let mot = if en_morceaux { en_mot_d_un_morceau(indice) } else { en_mot(indice) };
+            fiches[nombre] = [bas.x, bas.y, bas.z, haut.x, haut.y, haut.z, mot];
             nombre += 1;
         });
         if !a_une_boite {
             fin -= 1;
-            places[fin] = indice;
+            places[fin] = en_mot(indice);
         }
     }
     let (places, sans_boite) = places.split_at_mut(fin);
     if objets.len() - sans_boite.len() < OBJETS_D_UN_ARBRE {
-        return Ok(sans_noeuds);
+        return Ok(Arbre::SANS_NOEUDS);
     }
     let (fiches, _) = places.as_chunks_mut();
     let geants = trier_les_geants(&mut fiches[..nombre], repere);
-    let autres = &mut fiches[geants * SEIZE..nombre];
+    let autres = &mut fiches[geants * ENFANTS..nombre];
     let [bas, haut] = extremes(autres.iter().map(double_centre));
     repere.jeu_maximal = JEU_MAXIMAL * 0.5 * (haut - bas).norme_1();
     trier(autres);
 
     let (noeuds, _) = places.as_chunks_mut().0.as_chunks_mut();
-    let feuilles = nombre.div_ceil(SEIZE);
+    let feuilles = nombre.div_ceil(ENFANTS);
     for (numero, feuille) in noeuds[..feuilles].iter_mut().enumerate() {
-        en_colonnes(feuille, nombre - numero * SEIZE);
+        en_colonnes(feuille, nombre - numero * ENFANTS);
     }
     // The floor whose nodes have none above them yet, and the leaves of giants, which the root takes along.
     let (mut etage, mut a_part) = (geants..feuilles, geants);
     while etage.len() + a_part > 1 {
         let mut suivant = etage.end;
-        for debut in etage.clone().step_by(SEIZE) {
+        for debut in etage.clone().step_by(ENFANTS) {
             let (dessous, dessus) = noeuds.split_at_mut(suivant);
-            let enfants = debut..etage.end.min(debut + SEIZE);
-            let la_racine = enfants.len() == etage.len() && enfants.len() + a_part <= SEIZE;
+            let enfants = debut..etage.end.min(debut + ENFANTS);
+            let la_racine = enfants.len() == etage.len() && enfants.len() + a_part <= ENFANTS;
             let geants = if la_racine { 0..mem::take(&mut a_part) } else { 0..0 };
             dessus[0] = parent(dessous, geants.chain(enfants));
             suivant += 1;
@@ -162,7 +162,7 @@ pub(crate) fn construire<'a, R: Reel>(
     }
     // The root is the last.
     let noeuds = &noeuds[..=etage.start];
-    Ok(Arbre { noeuds, feuilles, sans_boite, repere, ..sans_noeuds })
+    Ok(Arbre { noeuds, feuilles, sans_boite, repere })
 }
 
 /// From a slack of this times the width of a scene on, boxes tell no objects apart.
@@ -175,15 +175,15 @@ const TAILLE_DES_GEANTS: f32 = 0.4;
 /// Puts the sixteen largest records first, and tells how many leaves they are: 1 if they are
 /// giants, else 0. Giants are floors and walls whose centres say little of where they are, a sky, a ball for a ground;
 /// a sun is one for being far, whatever its size.
-fn trier_les_geants<R: Reel>(fiches: &mut [Fiche], repere: Repere<R>) -> usize {
-    if fiches.len() <= SEIZE {
+fn trier_les_geants<R: Nombre>(fiches: &mut [Fiche], repere: Repere<R>) -> usize {
+    if fiches.len() <= ENFANTS {
         return 0;
     }
     let (cote, loin) = (repere.cote_d_une_feuille(fiches.len()), simple(repere.loin));
     let portee = |fiche: &Fiche| portee(fiche, loin);
     let moyenne = |fiches: &[Fiche]| fiches.iter().map(portee).sum::<f32>() / fiches.len() as f32;
-    let _ = fiches.select_nth_unstable_by(SEIZE, |a, b| portee(b).total_cmp(&portee(a)));
-    let (grands, petits) = fiches.split_at(SEIZE);
+    let _ = fiches.select_nth_unstable_by(ENFANTS, |a, b| portee(b).total_cmp(&portee(a)));
+    let (grands, petits) = fiches.split_at(ENFANTS);
     usize::from(moyenne(grands) > TAILLE_DES_GEANTS * (moyenne(petits) + cote))
 }
 
@@ -198,10 +198,10 @@ fn portee(fiche @ &[x0, y0, z0, x1, y1, z1, _]: &Fiche, loin: f32) -> f32 {
 /// The recursion is at most 32 deep, four calls for each of eight floors: four halvings separate at
 /// most sixteen blocks of 16^k records.
 fn trier(fiches: &mut [Fiche]) {
-    if fiches.len() <= SEIZE {
+    if fiches.len() <= ENFANTS {
         return;
     }
-    let pas = SEIZE.pow((fiches.len() - 1).ilog(SEIZE));
+    let pas = ENFANTS.pow((fiches.len() - 1).ilog(ENFANTS));
     let coupe = fiches.len().div_ceil(pas) / 2 * pas;
     let [bas, haut] = extremes(fiches.iter().map(double_centre));
     let etendue: [f32; 3] = (haut - bas).into();

@@ -2,9 +2,9 @@
 
 use core::cmp::Ordering;
 
+use crate::arbre::noeud::ENFANTS;
+use crate::nombre::{Nombre, fois_u, fois_u_simple, max, min, simple};
 use crate::objet::ObjetRay;
-use crate::reel::{Reel, fois_u, fois_u_simple, max, min, simple};
-use crate::seize::SEIZE;
 use crate::vecteur::Vecteur;
 
 /// The frame of the tree, in which `f32` holds any scene: a point X of the scene stands at (X −
@@ -27,7 +27,7 @@ const LARGEURS: f64 = 4.0;
 /// At most so many objects, evenly spread over the list, tell where the many are.
 const TEMOINS: usize = 31;
 
-impl<R: Reel> Repere<R> {
+impl<R: Nombre> Repere<R> {
     /// The frame of a tree without nodes.
     pub(crate) const QUELCONQUE: Self =
         Self { milieu: Vecteur::NUL, echelle: R::UN, loin: R::ZERO, jeu_maximal: 0.0 };
@@ -93,7 +93,7 @@ impl<R: Reel> Repere<R> {
 
     /// The side of a leaf in this frame, if all leaves of so many records were alike among the many.
     pub(crate) fn cote_d_une_feuille(self, fiches: usize) -> f32 {
-        simple(self.loin) / (LARGEURS as f32 * libm::cbrtf(fiches as f32 / SEIZE as f32))
+        simple(self.loin) / (LARGEURS as f32 * libm::cbrtf(fiches as f32 / ENFANTS as f32))
     }
 
     /// A length times σ.
@@ -126,7 +126,7 @@ pub const JEU_F32: f64 = 7.5;
 pub(crate) const JEU_SOUS_NORMAL: f32 = 1.0 / (1_u128 << 100) as f32;
 
 /// The least and the greatest coordinates of these points.
-pub(crate) fn extremes<R: Reel>(points: impl Iterator<Item = [R; 3]>) -> [Vecteur<R>; 2] {
+pub(crate) fn extremes<R: Nombre>(points: impl Iterator<Item = [R; 3]>) -> [Vecteur<R>; 2] {
     // Farther than any corner of a box.
     let loin = R::LIMITE * R::LIMITE;
     let [mut bas, mut haut] = [[loin; 3], [-loin; 3]];

@@ -1,11 +1,14 @@
 //! The nodes of a tree: sixteen children side by side, in the numbers that the caller lends.
 
-use crate::seize::{Colonne, SEIZE};
+use crate::colonne::{Colonne, LARGEUR};
+
+/// Children of a node: a column has one number of each.
+pub(crate) const ENFANTS: usize = LARGEUR;
 
 /// Numbers of a record: the lower corner, the upper corner, the index.
 pub(crate) const FICHE: usize = 7;
 
-/// Of so many objects or more no tree is made: this index would have the bits of +∞ in `f32`.
+/// No tree is made of this many objects or more: this index would have the bits of +∞ in `f32`.
 pub(crate) const LIMITE_INDICES: u64 = 0x7f80_0000;
 
 /// Floors of the largest tree: 16⁸ is more than [`LIMITE_INDICES`].
@@ -26,8 +29,8 @@ pub(crate) type Noeud = [Colonne<f32>; FICHE];
 /// A node without children: each box is turned inside out, its lower corner beyond everything and
 /// its upper corner below. A ray would leave it before it enters it.
 pub(crate) const VIDE: Noeud = {
-    let (bas, haut) = ([COIN_ABSENT; SEIZE], [-COIN_ABSENT; SEIZE]);
-    [bas, bas, bas, haut, haut, haut, [0.0; SEIZE]]
+    let (bas, haut) = ([COIN_ABSENT; ENFANTS], [-COIN_ABSENT; ENFANTS]);
+    [bas, bas, bas, haut, haut, haut, [0.0; ENFANTS]]
 };
 
 /// An index below 2³¹ − 2²³, stored in a column of `f32` as the number with the same bits, which is
@@ -36,8 +39,19 @@ pub(crate) fn en_mot(indice: usize) -> f32 {
     f32::from_bits(indice as u32)
 }
 
-/// The index that is stored [so](en_mot).
+/// The same of an object in several pieces: the sign, which no index needs, says so.
+pub(crate) fn en_mot_d_un_morceau(indice: usize) -> f32 {
+    -en_mot(indice)
+}
+
+/// Whether a [stored](en_mot) index is that of an object in several pieces.
+#[inline(always)]
+pub(crate) fn est_un_morceau(mot: f32) -> bool {
+    mot.is_sign_negative()
+}
+
+/// The index that is [stored](en_mot) here.
 #[inline(always)]
 pub(crate) fn indice_lu(mot: f32) -> usize {
-    mot.to_bits() as usize
+    mot.abs().to_bits() as usize
 }

@@ -1,10 +1,10 @@
-//! The scalar of the crate: `f32` or `f64`, and nothing else.
+//! The arithmetic of the scalar, which is `f32` or `f64` and nothing else.
 
 use core::fmt::{Debug, Display};
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 mod scelle {
-    /// What only this crate needs of a scalar; and what keeps [`Reel`](super::Reel) to the two
+    /// What only this crate needs of a scalar; and what keeps [`Nombre`](super::Nombre) to the two
     /// types whose rounding the crate's bounds rest on.
     pub trait Scelle: Sized {
         /// Of two constants the one for this type.
@@ -12,51 +12,27 @@ mod scelle {
         fn selon<T>(en_f32: T, en_f64: T) -> T {
             if size_of::<Self>() == size_of::<f32>() { en_f32 } else { en_f64 }
         }
-
-        /// The answer to this question, compiled in this crate (`compile.rs`).
-        fn demander<Q: super::Question>(de: Q::De<'_, Self>) -> Q::Reponse<'_, Self>
-        where
-            Self: super::Reel;
     }
 }
 
 use scelle::Scelle;
 
-/// A question whose answer this crate compiles, once for each scalar, as
-/// [`compilees!`](crate::compile::compilees) writes it. Generic code would be compiled again by
-/// every crate that calls it.
-pub trait Question {
-    type De<'a, R: Reel>;
-    type Reponse<'a, R: Reel>;
-    fn en_f32(de: Self::De<'_, f32>) -> Self::Reponse<'_, f32>;
-    fn en_f64(de: Self::De<'_, f64>) -> Self::Reponse<'_, f64>;
-}
-
-/// The scalar type: `f32` or `f64`. Sealed.
+/// The arithmetic of the scalar: what [`Reel`](crate::Reel) can compute. Sealed.
 ///
-/// Every operation it offers is correctly rounded, so that a query gives the same bits on every
-/// machine with IEEE arithmetic; the x87 of an i586 rounds differently. Fused multiply-add is
-/// absent on purpose: not every machine has it.
+/// Every operation is correctly rounded, so that a query gives the same bits on every machine with IEEE arithmetic;
+/// the x87 of an i586 rounds differently. Fused multiply-add is absent on purpose: not every machine has it.
 ///
 /// ```
-/// use lancer_rayon::{Reel, Vecteur};
-///
-/// /// In either type, and with its own rounding.
-/// fn moyenne<R: Reel>(a: Vecteur<R>, b: Vecteur<R>) -> Vecteur<R> {
-///     (a + b) / (R::UN + R::UN)
-/// }
-///
-/// let milieu = moyenne(Vecteur::NUL, Vecteur::<f32>::new(1.0, 2.0, 3.0));
-/// assert_eq!(milieu, Vecteur::new(0.5, 1.0, 1.5));
+/// use lancer_rayon::Nombre;
 ///
 /// assert_eq!(f64::U, f64::EPSILON / 2.0);
 /// assert_eq!(f64::LIMITE, 2.0_f64.powi(450));
 /// assert_eq!(f64::MIN_POSITIF, 5e-324);
 /// assert_eq!((f32::INFINI.vers_f64(), f32::depuis_f64(0.1)), (f64::INFINITY, 0.1));
-/// assert_eq!((Reel::sqrt(9.0), Reel::abs(-3.0), f64::ZERO), (3.0, 3.0, 0.0));
+/// assert_eq!((Nombre::sqrt(9.0), Nombre::abs(-3.0), f64::ZERO), (3.0, 3.0, 0.0));
 /// ```
-#[doc(alias("float", "scalar"))]
-pub trait Reel:
+#[doc(alias("float", "arithmetic"))]
+pub trait Nombre:
     Scelle
     + Copy
     + Debug
@@ -103,22 +79,22 @@ pub trait Reel:
     fn depuis_f64(x: f64) -> Self;
 }
 
-/// `n` times u.
+/// n·u.
 #[inline(always)]
-pub(crate) fn fois_u<R: Reel>(n: f64) -> R {
+pub(crate) fn fois_u<R: Nombre>(n: f64) -> R {
     R::depuis_f64(n) * R::U
 }
 
-/// `n` times u of `f32`, in either type: enough for the numbers of an `f32` scene in `f64`, whose
+/// n·u of `f32`, in either type: enough for the numbers of an `f32` scene in `f64`, whose
 /// directions and normals are unit to that only.
 #[inline(always)]
-pub(crate) fn fois_u_simple<R: Reel>(n: f64) -> R {
+pub(crate) fn fois_u_simple<R: Nombre>(n: f64) -> R {
     R::depuis_f64(n * f64::from(f32::U))
 }
 
 /// The nearest number of `f32`; ±∞ beyond them all.
 #[inline(always)]
-pub(crate) fn simple<R: Reel>(x: R) -> f32 {
+pub(crate) fn simple<R: Nombre>(x: R) -> f32 {
     x.vers_f64() as f32
 }
 
@@ -129,28 +105,22 @@ pub(crate) const fn puissance_de_deux(k: i32) -> f64 {
 
 /// The larger of two numbers; b if one of them is a NaN.
 #[inline(always)]
-pub(crate) fn max<R: Reel>(a: R, b: R) -> R {
+pub(crate) fn max<R: Nombre>(a: R, b: R) -> R {
     if a > b { a } else { b }
 }
 
 /// The smaller of two numbers; b if one of them is a NaN.
 #[inline(always)]
-pub(crate) fn min<R: Reel>(a: R, b: R) -> R {
+pub(crate) fn min<R: Nombre>(a: R, b: R) -> R {
     if a < b { a } else { b }
 }
 
-/// What the two scalars say alike, for one with this limit, this root from `libm` and these answers
-/// to a [`Question`].
-macro_rules! reel {
-    ($reel:ident, $limite:expr, $racine:path, $reponse:ident) => {
-        impl Scelle for $reel {
-            #[inline]
-            fn demander<Q: Question>(de: Q::De<'_, Self>) -> Q::Reponse<'_, Self> {
-                Q::$reponse(de)
-            }
-        }
+/// What the two scalars say alike, for one with this limit and this root from `libm`.
+macro_rules! nombre {
+    ($nombre:ident, $limite:expr, $racine:path) => {
+        impl Scelle for $nombre {}
 
-        impl Reel for $reel {
+        impl Nombre for $nombre {
             const ZERO: Self = 0.0;
             const UN: Self = 1.0;
             const INFINI: Self = Self::INFINITY;
@@ -184,5 +154,5 @@ macro_rules! reel {
     };
 }
 
-reel! { f32, puissance_de_deux(60) as f32, libm::sqrtf, en_f32 }
-reel! { f64, puissance_de_deux(450), libm::sqrt, en_f64 }
+nombre! { f32, puissance_de_deux(60) as f32, libm::sqrtf }
+nombre! { f64, puissance_de_deux(450), libm::sqrt }

@@ -2,12 +2,12 @@
 
 use fearless_simd::Simd;
 
-use crate::hierarchie::noeud::Noeud;
-use crate::hierarchie::repere::{JEU_DISTANCE, JEU_F32, JEU_SOUS_NORMAL, Repere};
+use crate::arbre::noeud::{ENFANTS, Noeud};
+use crate::arbre::repere::{JEU_DISTANCE, JEU_F32, JEU_SOUS_NORMAL, Repere};
+use crate::colonne::{Aligne, Colonne, Membres, au_plus};
 use crate::lot::faisceau::Faisceau;
+use crate::nombre::{Nombre, fois_u, fois_u_simple, max, min, simple};
 use crate::rayon::Rayon;
-use crate::reel::{Reel, fois_u, fois_u_simple, max, min, simple};
-use crate::seize::{Aligne, Colonne, Membres, SEIZE, au_plus};
 use crate::vecteur::Vecteur;
 
 /// A ray as the boxes see it, with its part of the slack (`docs/preuves.md`, lemmas 6 and 20 to 22).
@@ -30,7 +30,7 @@ struct Axe {
     vers_lointain: f32,
 }
 
-impl<R: Reel> Sonde<R> {
+impl<R: Nombre> Sonde<R> {
     /// The probe of this ray; `None` if its slack is so large that boxes tell no objects apart.
     #[inline(always)]
     pub(crate) fn new(rayon: &Rayon<R>, repere: Repere<R>) -> Option<Self> {
@@ -79,8 +79,8 @@ impl<R: Reel> Sonde<R> {
         let ([x, y, z], source) = (self.axes, simple(-self.depart));
         let (px, py, pz) = (&noeud[x.proche], &noeud[y.proche], &noeud[z.proche]);
         let (lx, ly, lz) = (&noeud[x.lointain], &noeud[y.lointain], &noeud[z.lointain]);
-        let (mut entrees, mut sorties) = ([0.0; SEIZE], [plafond; SEIZE]);
-        for i in 0..SEIZE {
+        let (mut entrees, mut sorties) = ([0.0; ENFANTS], [plafond; ENFANTS]);
+        for i in 0..ENFANTS {
             // T4. 0·∞ is a NaN, which leaves the number so far.
             let mut entree = source;
             entree = max((px[i] - x.vers_proche) * x.inverse, entree);
@@ -114,7 +114,7 @@ pub(crate) struct SondeDeBloc {
 impl SondeDeBloc {
     /// The probe of this beam; `None` if its slack is so large that boxes tell no objects apart.
     #[inline(always)]
-    pub(crate) fn new<R: Reel>(faisceau: &Faisceau<R>, repere: Repere<R>) -> Option<Self> {
+    pub(crate) fn new<R: Nombre>(faisceau: &Faisceau<R>, repere: Repere<R>) -> Option<Self> {
         let s0 = repere.point(faisceau.s0);
         let loin = faisceau.etalement * R::depuis_f64(4.0) + faisceau.portee;
         let loin = s0.norme_1() + repere.longueur(loin);
@@ -141,21 +141,21 @@ impl SondeDeBloc {
         noeud: &Noeud,
         plafond: f32,
     ) -> (Membres, Aligne<Colonne<f32>>) {
-        let (mut dehors, mut profondeurs) = ([-f32::INFINI; SEIZE], [0.0; SEIZE]);
+        let (mut dehors, mut profondeurs) = ([-f32::INFINI; ENFANTS], [0.0; ENFANTS]);
         for (pi, limite) in self.faces {
             let (x, y, z) = au_plus_pres(noeud, pi);
-            for i in 0..SEIZE {
+            for i in 0..ENFANTS {
                 let h = pi.produit_scalaire(Vecteur::new(x[i], y[i], z[i])) - limite;
                 dehors[i] = max(dehors[i], h);
             }
         }
         let (x, y, z) = au_plus_pres(noeud, self.omega);
-        for i in 0..SEIZE {
+        for i in 0..ENFANTS {
             let h = self.omega.produit_scalaire(Vecteur::new(x[i], y[i], z[i])) - self.depart;
             profondeurs[i] = max(h, 0.0);
         }
-        let pas_dehors = au_plus(simd, &dehors, &[0.0; SEIZE]);
-        let avant = au_plus(simd, &profondeurs, &[plafond; SEIZE]);
+        let pas_dehors = au_plus(simd, &dehors, &[0.0; ENFANTS]);
+        let avant = au_plus(simd, &profondeurs, &[plafond; ENFANTS]);
         (pas_dehors & avant, Aligne(profondeurs))
     }
 }

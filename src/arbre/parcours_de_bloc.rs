@@ -1,71 +1,68 @@
-//! The rays of a block in the tree: together through the nodes that their beam crosses, as long as that is narrow.
+//! The rays of a block in a tree: together through the nodes that their beam crosses, as long as that is narrow.
 
 use fearless_simd::prelude::*;
 
-use crate::hierarchie::construction::Arbre;
-use crate::hierarchie::noeud::{Noeud, indice_lu};
-use crate::hierarchie::pile::{Attentes, Pile};
-use crate::hierarchie::sonde::{Sonde, SondeDeBloc};
-use crate::lot::bloc::Bloc;
-use crate::lot::demande::Demande;
+use crate::arbre::construction::Arbre;
+use crate::arbre::noeud::{ENFANTS, Noeud, indice_lu};
+use crate::arbre::pile::{Attentes, Pile};
+use crate::arbre::sonde::{Sonde, SondeDeBloc};
+use crate::colonne::prendre;
+use crate::liste::Liste;
+use crate::lot::bloc::{Bloc, EnLot};
 use crate::lot::faisceau::vont_ensemble;
-use crate::reel::Reel;
-use crate::retenus::Premier;
-use crate::seize::{Aligne, SEIZE, prendre};
+use crate::nombre::Nombre;
+use crate::question::Premier;
+use crate::rayon::Rayon;
 
-/// Up to so many spheres and boxes for each number that a register holds, a block without a beam asks every
-/// object of all its rays (`benches/README.md`, "Thresholds", as for what follows).
+/// A block without a beam asks every object of all its rays if there are no more than this many spheres and boxes for
+/// each number that a register holds (`benches/README.md`, "Thresholds", as for what follows).
 const OBJETS_PAR_NOMBRE: usize = 6;
 
 /// Fewer rays than this are asked one by one: in no order eight together take up to twice as long.
 const RAYONS_D_UN_BLOC: usize = 12;
 
-/// The same of a list.
-const RAYONS_D_UNE_LISTE: usize = 6;
-
 /// A beam that crosses fewer children of a node than this is not too wide.
-const ENFANTS_CROISES: u32 = SEIZE as u32 / 2;
+const ENFANTS_CROISES: u32 = ENFANTS as u32 / 2;
 
 /// How many rays of a block tell whether its beam is too wide: the more numbers a register holds, the less it costs
 /// to ask an object of all rays, and the wider a beam may be.
-const fn temoins(nombres_par_registre: usize) -> usize {
+const fn rayons_temoins(nombres_par_registre: usize) -> usize {
     2 + nombres_par_registre / 8
 }
 
 /// How many numbers of this type a register of these instructions holds.
 #[inline(always)]
-fn nombres_par_registre<R: Reel, S: Simd>() -> usize {
+fn nombres_par_registre<R: Nombre, S: Simd>() -> usize {
     R::selon(S::f32s::LEN, S::f64s::LEN)
 }
 
-impl<R: Reel> Arbre<'_, R> {
-    /// The answers to the rays of a block: together if they are enough, and in a tree their beam is narrow enough; else
-    /// one by one, from what they have found so far.
+impl<R: Nombre> Arbre<'_, R> {
+    /// The answers to the rays of a block: together if they are enough and their beam is narrow enough; else one by
+    /// one, from what they have found so far.
     #[inline(always)]
-    pub(crate) fn repondre_au_bloc<S: Simd, D: Demande<R>>(
+    pub(crate) fn repondre_au_bloc<S: Simd, Q: EnLot<R>>(
         &self,
         simd: S,
-        bloc: &mut Bloc<'_, R, D>,
-        (demandes, reponses): (&[D], &mut [D::Reponse]),
+        liste: Liste<'_, R>,
+        bloc: &mut Bloc<'_, R, Q>,
+        (rayons, reponses): (&[Rayon<R>], &mut [Q::Reponse]),
     ) {
-        let assez = if self.noeuds.is_empty() { RAYONS_D_UNE_LISTE } else { RAYONS_D_UN_BLOC };
-        let en_bloc = demandes.len() >= assez;
-        if en_bloc && self.chercher_ensemble(simd, bloc, demandes) {
-            return bloc.ecrire(simd, reponses);
+        let en_bloc = rayons.len() >= RAYONS_D_UN_BLOC;
+        if en_bloc && self.chercher_ensemble(simd, liste, bloc, rayons) {
+            return bloc.repondre(simd, liste, reponses);
         }
         simd.vectorize(
             #[inline(always)]
             || {
-                for (i, (demande, reponse)) in demandes.iter().zip(reponses).enumerate() {
-                    let (rayon, limite) = demande.lire();
-                    let premier = if !en_bloc {
-                        self.parcourir(simd, demande, Premier::avant(limite))
-                    } else if D::UN_SUFFIT && bloc.premier(i).rang.is_some() {
-                        bloc.premier(i)
+                for (i, (rayon, reponse)) in rayons.iter().zip(reponses).enumerate() {
+                    let question = if !en_bloc {
+                        self.parcourir(simd, liste, rayon, Premier::avant(rayon.fin()).into())
+                    } else if Q::UN_SUFFIT && bloc.premier(i).rang.is_some() {
+                        bloc.premier(i).into()
                     } else {
-                        self.descendre(simd, demande, bloc.premier(i))
+                        self.descendre(simd, liste, rayon, bloc.premier(i).into())
                     };
-                    *reponse = D::reponse(premier, self.liste.objets, &rayon);
+                    *reponse = Q::repondre(question, rayon, liste.objets);
                 }
             },
         );
@@ -74,60 +71,58 @@ impl<R: Reel> Arbre<'_, R> {
     /// Loads a block with these rays and looks for the first object of each. Tells whether it came to the end; else
     /// it has asked the objects without a box and some with one.
     #[inline(always)]
-    pub(crate) fn chercher_ensemble<S: Simd, D: Demande<R>>(
+    pub(crate) fn chercher_ensemble<S: Simd, Q: EnLot<R>>(
         &self,
         simd: S,
-        bloc: &mut Bloc<'_, R, D>,
-        demandes: &[D],
+        liste: Liste<'_, R>,
+        bloc: &mut Bloc<'_, R, Q>,
+        rayons: &[Rayon<R>],
     ) -> bool {
-        bloc.charger(demandes);
-        if self.noeuds.is_empty() {
-            bloc.proposer_tous();
-            return true;
-        }
-        let faisceau = if vont_ensemble(demandes) { bloc.faisceau() } else { None };
-        let avec_boite = self.liste.objets.len() - self.sans_boite.len();
+        bloc.charger(rayons);
+        let faisceau = if vont_ensemble(rayons) { bloc.faisceau() } else { None };
+        let avec_boite = liste.objets.len() - self.sans_boite.len();
         let peu_d_objets = avec_boite <= OBJETS_PAR_NOMBRE * nombres_par_registre::<R, S>();
         let sonde = faisceau.map(|faisceau| SondeDeBloc::new(&faisceau, self.repere));
         let boites_inutiles = match &sonde {
             Some(sonde) => sonde.is_none(),
-            None => peu_d_objets || Sonde::new(demandes[0].rayon(), self.repere).is_none(),
+            None => peu_d_objets || Sonde::new(&rayons[0], self.repere).is_none(),
         };
         if boites_inutiles {
-            bloc.proposer_tous();
+            bloc.interroger(liste);
             return true;
         }
         for &indice in self.sans_boite {
-            bloc.proposer(indice_lu(indice));
+            bloc.proposer(liste, indice_lu(indice));
         }
         sonde.flatten().is_some_and(
             #[inline(always)]
-            |sonde| self.descendre_en_bloc(simd, &sonde, bloc),
+            |sonde| self.descendre_en_bloc(simd, liste, &sonde, bloc),
         )
     }
 
     /// Finds the first object with a box of each ray of a block, in the nodes that its beam crosses. Tells whether it
     /// came to the end; it gives up where its beam is too wide.
     #[inline(always)]
-    fn descendre_en_bloc<S: Simd, D: Demande<R>>(
+    fn descendre_en_bloc<S: Simd, Q: EnLot<R>>(
         &self,
         simd: S,
+        liste: Liste<'_, R>,
         sonde: &SondeDeBloc,
-        bloc: &mut Bloc<'_, R, D>,
+        bloc: &mut Bloc<'_, R, Q>,
     ) -> bool {
         let mut attentes = Attentes::new();
         let (mut pile, mut numero) = (Pile(&mut attentes), self.noeuds.len() - 1);
         let mut plafond = self.repere.distance(bloc.le_plus_loin());
         while let Some(noeud) = self.noeuds.get(numero) {
-            let (mut traverses, Aligne(profondeurs)) = sonde.traverse(simd, noeud, plafond);
+            let (mut traverses, profondeurs) = sonde.traverse(simd, noeud, plafond);
             if numero < self.feuilles {
                 if traverses > 0 {
                     let [.., indices] = noeud;
                     while let Some(enfant) = prendre(&mut traverses) {
-                        bloc.proposer(indice_lu(indices[enfant]));
+                        bloc.proposer(liste, indice_lu(indices[enfant]));
                     }
                     let loin = bloc.le_plus_loin();
-                    if D::UN_SUFFIT && loin == R::ZERO {
+                    if Q::UN_SUFFIT && loin == R::ZERO {
                         break;
                     }
                     plafond = self.repere.distance(loin);
@@ -139,7 +134,7 @@ impl<R: Reel> Arbre<'_, R> {
                 {
                     return false;
                 }
-                if let Some(proche) = pile.garder(traverses, &profondeurs, noeud) {
+                if let Some(proche) = pile.garder(traverses, &profondeurs.0, noeud) {
                     numero = proche;
                     continue;
                 }
@@ -150,20 +145,20 @@ impl<R: Reel> Arbre<'_, R> {
         true
     }
 
-    /// How many children of this node [some rays](temoins) of the block cross in all.
+    /// How many children of this node [some rays](rayons_temoins) of the block cross in all.
     #[cold]
     #[inline(never)]
-    fn croises_par_les_temoins<S: Simd, D: Demande<R>>(
+    fn croises_par_les_temoins<S: Simd, Q: EnLot<R>>(
         &self,
         simd: S,
-        bloc: &Bloc<'_, R, D>,
+        bloc: &Bloc<'_, R, Q>,
         noeud: &Noeud,
     ) -> u32 {
         let (mut croises, loin) = (0, bloc.le_plus_loin());
         simd.vectorize(
             #[inline(always)]
             || {
-                for rayon in bloc.temoins(temoins(nombres_par_registre::<R, S>())) {
+                for rayon in bloc.rayons_epars(rayons_temoins(nombres_par_registre::<R, S>())) {
                     let Some(sonde) = Sonde::new(&rayon, self.repere) else { continue };
                     let plafond = sonde.plafond(self.repere, loin);
                     croises += sonde.traverse(simd, noeud, plafond).0.count_ones();

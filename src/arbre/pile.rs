@@ -2,12 +2,12 @@
 
 use arrayvec::ArrayVec;
 
-use crate::hierarchie::noeud::{ETAGES, Noeud, indice_lu};
-use crate::seize::{Colonne, Membres, SEIZE, prendre, prendre_le_moindre};
+use crate::arbre::noeud::{ENFANTS, ETAGES, Noeud, indice_lu};
+use crate::colonne::{Colonne, Membres, prendre, prendre_le_moindre};
 
 /// Of each node above the leaves a walk visits one child at once and leaves at most fifteen. It is done with these before it
 /// visits another node of that floor.
-const PLACES: usize = (SEIZE - 1) * (ETAGES - 1);
+const PLACES: usize = (ENFANTS - 1) * (ETAGES - 1);
 
 /// Nodes to look at later, each with the distance at which the ray enters it.
 pub(crate) type Attentes = ArrayVec<(f32, u32), PLACES>;

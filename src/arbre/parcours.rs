@@ -1,0 +1,99 @@
+//! One ray in a tree: the walk through the nodes that it crosses.
+
+use fearless_simd::Simd;
+
+use crate::arbre::construction::Arbre;
+use crate::arbre::noeud::{ENFANTS, est_un_morceau, indice_lu};
+use crate::arbre::pile::{Attentes, Pile};
+use crate::arbre::sonde::Sonde;
+use crate::colonne::{au_plus, prendre, prendre_le_moindre};
+use crate::liste::Liste;
+use crate::nombre::Nombre;
+use crate::question::Question;
+use crate::rayon::Rayon;
+
+impl<R: Nombre> Arbre<'_, R> {
+    /// Asks the objects of this list that may count, and gives the question back: first those without a box, then
+    /// those in the leaves that the ray may enter before the limit. Where boxes tell no objects apart, the whole list.
+    #[inline(always)]
+    pub(crate) fn parcourir<S: Simd, Q: Question<R>>(
+        &self,
+        simd: S,
+        liste: Liste<'_, R>,
+        rayon: &Rayon<R>,
+        mut question: Q,
+    ) -> Q {
+        let sans_boite = self.sans_boite.iter().map(|indice| indice_lu(*indice));
+        if liste.interroger_parmi(rayon, &mut question, sans_boite) {
+            return question;
+        }
+        self.descendre(simd, liste, rayon, question)
+    }
+
+    /// The same of the objects with a box.
+    #[inline(always)]
+    pub(crate) fn descendre<S: Simd, Q: Question<R>>(
+        &self,
+        simd: S,
+        liste: Liste<'_, R>,
+        rayon: &Rayon<R>,
+        mut question: Q,
+    ) -> Q {
+        // A copy, which stays in registers.
+        let copie = *rayon;
+        let Some(sonde) = Sonde::new(&copie, self.repere) else {
+            self.interroger_les_boites(liste, rayon, &mut question);
+            return question;
+        };
+        let mut attentes = Attentes::new();
+        let (mut pile, mut numero) = (Pile(&mut attentes), self.noeuds.len() - 1);
+        // The largest entry that still matters, in the frame of the tree.
+        let mut plafond = sonde.plafond(self.repere, question.limite());
+        while let Some(noeud) = self.noeuds.get(numero) {
+            let (mut traverses, entrees) = sonde.traverse(simd, noeud, plafond);
+            if numero < self.feuilles {
+                let [.., indices] = noeud;
+                // The nearest first, which most often cuts off the others; then in order.
+                let mut suivant = if Q::UN_SUFFIT {
+                    prendre(&mut traverses)
+                } else {
+                    prendre_le_moindre(&mut traverses, &entrees.0)
+                };
+                while let Some(enfant) = suivant {
+                    let (mot, indice) = (indices[enfant], indice_lu(indices[enfant]));
+                    if let Some(objet) = liste.objet(indice)
+                        && let Some(vu) = question.voir(&copie, objet, indice, true)
+                        && question.retenir(vu, indice, est_un_morceau(mot))
+                    {
+                        if Q::UN_SUFFIT {
+                            return question;
+                        }
+                        plafond = sonde.plafond(self.repere, question.limite());
+                        traverses &= au_plus(simd, &entrees.0, &[plafond; ENFANTS]);
+                    }
+                    suivant = prendre(&mut traverses);
+                }
+            } else if let Some(proche) = pile.garder(traverses, &entrees.0, noeud) {
+                numero = proche;
+                continue;
+            }
+            let Some(suivant) = pile.prendre(plafond) else { break };
+            numero = suivant;
+        }
+        question
+    }
+
+    /// Asks all objects that have a box, those whose index is not among the others.
+    #[cold]
+    fn interroger_les_boites<Q: Question<R>>(
+        &self,
+        liste: Liste<'_, R>,
+        rayon: &Rayon<R>,
+        question: &mut Q,
+    ) {
+        // They stand with the last first.
+        let mut autres = self.sans_boite.iter().rev().map(|indice| indice_lu(*indice)).peekable();
+        let avec = (0..liste.objets.len()).filter(|indice| autres.next_if_eq(indice).is_none());
+        liste.interroger_parmi(rayon, question, avec);
+    }
+}

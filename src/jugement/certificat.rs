@@ -1,0 +1,87 @@
+//! Whether an answer is certain: every object is asked whether it comes later than the first.
+
+use crate::intersection::Reponse;
+use crate::jugement::coup_d_oeil::coup_d_oeil;
+use crate::jugement::loupe::loupe;
+use crate::jugement::{entree, plus_grand};
+use crate::liste::Liste;
+use crate::nombre::{Nombre, max};
+use crate::objet::ObjetRay;
+use crate::question::Question;
+use crate::rayon::Rayon;
+
+/// An answer, and whether some object may come before it.
+pub(crate) struct Certificat<'a, R> {
+    double: Rayon,
+    /// The first object and its index; `None` of a miss.
+    premier: Option<(&'a ObjetRay<R>, usize)>,
+    /// The ray has entered the first object by then; of a miss, the largest number before the end of the ray.
+    dernier: f64,
+    doute: bool,
+}
+
+impl<'a, R: Nombre> Certificat<'a, R> {
+    /// `None` if it is not certain that the ray enters the first object before its end, or if that is not one of the
+    /// list or is left out: what is left out is no answer.
+    #[inline(always)]
+    pub(crate) fn new(liste: Liste<'a, R>, rayon: &Rayon<R>, reponse: &Reponse<R>) -> Option<Self> {
+        let double = rayon.vers_f64();
+        let Ok(touche) = reponse else {
+            let dernier = double.fin().next_down();
+            return Some(Self { double, premier: None, dernier, doute: false });
+        };
+        let premier = liste.objet(touche.indice())?;
+        let entree = entree(&premier.en_double(), &double, plus_grand::<R>());
+        let certaine = entree.touche(double.fin(), plus_grand::<R>()) == Some(true);
+        let premier = Some((premier, touche.indice()));
+        certaine.then_some(Self { double, premier, dernier: entree.haut, doute: false })
+    }
+
+    /// Whether the ray certainly never enters the object at this index, or later than the first; or it
+    /// is the first.
+    #[inline(always)]
+    fn vient_apres(&self, objet: &ObjetRay<R>, indice: usize) -> bool {
+        // G5
+        self.premier.is_some_and(|(_, premier)| premier == indice)
+            || coup_d_oeil(&objet.en_double(), &self.double).bas > self.dernier
+            || self.vient_apres_a_la_loupe(objet)
+    }
+
+    #[cold]
+    fn vient_apres_a_la_loupe(&self, objet: &ObjetRay<R>) -> bool {
+        let a_la_loupe = |objet: &ObjetRay<R>| loupe(&objet.en_double(), &self.double);
+        let premier = self.premier.map(|(premier, _)| a_la_loupe(premier).haut);
+        a_la_loupe(objet).bas > premier.unwrap_or(f64::INFINI).min(self.dernier)
+    }
+}
+
+impl<R: Nombre> Question<R> for Certificat<'_, R> {
+    const UN_SUFFIT: bool = true;
+    type Vu = ();
+    type Reponse = bool;
+
+    #[inline(always)]
+    fn limite(&self) -> R {
+        // Above 0, before which nothing would be asked.
+        max(R::depuis_f64(self.dernier * (1.0 + 2.0 * R::U.vers_f64())), R::MIN_POSITIF)
+    }
+
+    /// Sees an object that may come before the first.
+    #[inline(always)]
+    fn voir(&self, rayon: &Rayon<R>, objet: &ObjetRay<R>, i: usize, boite: bool) -> Option<()> {
+        // No ray that enters an object passes the ball around it by (lemma 17).
+        let proche = boite || objet.boule().approchee(rayon);
+        (proche && !self.vient_apres(objet, i)).then_some(())
+    }
+
+    #[inline(always)]
+    fn retenir(&mut self, (): (), _: usize, _: bool) -> bool {
+        self.doute = true;
+        true
+    }
+
+    #[inline(always)]
+    fn repondre(self, _: &Rayon<R>, _: &[ObjetRay<R>]) -> bool {
+        !self.doute
+    }
+}

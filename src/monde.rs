@@ -1,0 +1,526 @@
+//! What is asked: a list of objects, with a tree or without, all of it or a choice.
+
+use core::fmt;
+
+use fearless_simd::Level;
+
+use crate::arbre::construction::{Arbre, PlacesInsuffisantes, mots};
+use crate::choix::{Choix, Parmi, Sans, Tous};
+use crate::intersection::{Reponse, exiger_des_rangs};
+use crate::liste::Liste;
+use crate::niveau::meilleur_niveau;
+use crate::nombre::Nombre;
+use crate::objet::{Etendue, ObjetRay};
+use crate::rayon::Rayon;
+use crate::refus::LongueursDifferentes;
+use crate::reponses::{Reel, Vue};
+use crate::vecteur::Vecteur;
+
+/// A list of objects that rays ask: alone or in batches, as a list or with a tree of boxes, all of it or a choice.
+///
+/// [`new`](Self::new) builds a tree, in numbers that the caller lends: the answers are those of the list, to the bit,
+/// in a time that grows far more slowly than the number of objects. [`de_liste`](Self::de_liste) builds nothing and
+/// asks every object. Both answer every question.
+///
+/// A `Monde` borrows the list, which keeps its order, and the numbers; it is `Copy`, and threads may share it. After a
+/// change of the list, make it anew. No question allocates or panics.
+///
+/// **In a tree** half-spaces are asked one by one as in a list.
+/// Objects whose boxes all overlap are a heap: a batch asks them as its list does, a single ray takes
+/// up to twice as long as its list.
+/// Boxes are rounded to some 10⁻⁶ of their distance from the middle of the many, in `f32` also of that of the
+/// source. Objects closer together than that are all tested: fine detail far from most objects costs time, and
+/// never accuracy. A sun, a sky, a ball for a ground cost little (`benches/README.md`).
+///
+/// ```
+/// use lancer_rayon::{
+///     Monde, NoIntersection, ObjetRay, Rayon, SphereGeo, Texture, Vecteur, places, premiere_intersection,
+/// };
+///
+/// let boule = |x| SphereGeo::new(Vecteur::new(f64::from(x), 0.0, -5.0), 0.4, Texture(x));
+/// let objets = (0..1_000).map(|x| boule(x).map(ObjetRay::from)).collect::<Result<Vec<_>, _>>()?;
+///
+/// let mut memoire = vec![0.0; places(objets.len())];
+/// let monde = Monde::new(&objets, &mut memoire)?;
+///
+/// let rayon = Rayon::new(Vecteur::new(700.0, 0.0, 0.0), Vecteur::new(0.0, 0.0, -1.0))?;
+/// let touche = monde.premiere_intersection(&rayon)?;
+/// assert_eq!((touche.indice(), touche.distance()), (700, 4.6));
+/// assert_eq!(Ok(touche), premiere_intersection(&objets, &rayon));
+/// assert!(monde.est_occulte(&rayon.jusqu_a(5.0)?) && !monde.est_occulte(&rayon.jusqu_a(4.0)?));
+///
+/// let mut touches = [Err(NoIntersection); 2];
+/// monde.premieres_intersections(&[rayon; 2], &mut touches)?;
+/// assert_eq!(touches, [Ok(touche); 2]);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+#[doc(alias("world", "scene", "bvh", "acceleration_structure", "tree", "index"))]
+#[derive(Clone, Copy)]
+#[must_use]
+pub struct Monde<'a, R = f64, C = Tous> {
+    objets: &'a [ObjetRay<R>],
+    /// Without nodes over few objects with a box and over too many objects: these are asked as a list.
+    arbre: Arbre<'a, R>,
+    /// Detected where the value is made; tests set another.
+    pub(crate) niveau: Level,
+    choix: C,
+}
+
+impl<R: Nombre, C> fmt::Debug for Monde<'_, R, C> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Monde")
+            .field("objets", &self.objets.len())
+            .field("noeuds", &self.arbre.noeuds.len())
+            .finish_non_exhaustive()
+    }
+}
+
+/// How many numbers [`Monde::new`] needs for this many objects, in either type: 7.5 an object, 30
+/// bytes, where there are many.
+///
+/// They are scratch memory: what they hold before does not matter, and after the last question neither. It is 0 for
+/// fewer than 10 objects, and for 2³¹ − 2²³ or more: these are asked as a list, as is any list with fewer than 10
+/// spheres and boxes.
+#[doc(alias("capacity", "memory"))]
+#[must_use]
+pub const fn places(nombre_d_objets: usize) -> usize {
+    mots(nombre_d_objets)
+}
+
+impl<'a, R: Reel> Monde<'a, R> {
+    /// This list with a tree, in the numbers lent, whose values do not matter.
+    ///
+    /// It takes some 0.1 to 0.2 µs an object (`benches/README.md`). An array on the stack serves as
+    /// well as a `Vec`; numbers beyond [`places`] are left alone.
+    ///
+    /// # Errors
+    /// If fewer numbers are lent than [`places`] says.
+    ///
+    /// # Panics
+    /// If the list has more than 2³² − 1 objects, some 300 GB.
+    ///
+    /// ```
+    /// use lancer_rayon::{Monde, ObjetRay, SphereGeo, Texture, Vecteur, places};
+    ///
+    /// let boule = ObjetRay::from(SphereGeo::new(Vecteur::NUL, 1.0_f32, Texture(0))?);
+    /// let mut memoire = [0.0; places(20)];
+    /// assert!(Monde::new(&[boule; 20], &mut memoire).is_ok());
+    ///
+    /// let refus = Monde::new(&[boule; 200], &mut memoire).unwrap_err();
+    /// assert_eq!(refus.to_string(), "478 places lent, but 1710 needed");
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    #[doc(alias = "build")]
+    pub fn new(
+        objets: &'a [ObjetRay<R>],
+        places: &'a mut [f32],
+    ) -> Result<Self, PlacesInsuffisantes> {
+        Ok(Self { arbre: R::arbre(objets, places, false)?, ..Self::de_liste(objets) })
+    }
+
+    /// The same with a tree in which **long boxes that stand askew**, poles, planks and beams, are cut into pieces, of
+    /// which each takes up less room than the whole. What is lent beyond [`places`] pays for the pieces.
+    ///
+    /// In twice the places a ray among 10,000 such boxes takes about half of the
+    /// time; where nothing is long the tree is the same. No answer depends on it.
+    ///
+    /// # Errors
+    /// If fewer numbers are lent than [`places`] says.
+    ///
+    /// # Panics
+    /// As [`new`](Self::new).
+    ///
+    /// ```
+    /// use lancer_rayon::{BoiteGeo, Monde, ObjetRay, Rotation, Texture, Vecteur, places};
+    ///
+    /// let tour = Rotation::new(Vecteur::new(0.5, 0.3, 0.4))?;
+    /// let perche = |x| BoiteGeo::new(Vecteur::new(x, 0.0, 0.0), Vecteur::new(0.1, 9.0, 0.1), tour, Texture(0));
+    /// let perches = (0..200).map(|i| perche(i as f32).map(ObjetRay::from)).collect::<Result<Vec<_>, _>>()?;
+    /// let mut memoire = vec![0.0; 2 * places(perches.len())];
+    /// assert!(Monde::en_morceaux(&perches, &mut memoire).is_ok());
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    #[doc(alias("split", "spatial_splits"))]
+    pub fn en_morceaux(
+        objets: &'a [ObjetRay<R>],
+        places: &'a mut [f32],
+    ) -> Result<Self, PlacesInsuffisantes> {
+        Ok(Self { arbre: R::arbre(objets, places, true)?, ..Self::de_liste(objets) })
+    }
+
+    /// This list as it is: every object is asked, nothing is built and no places are needed.
+    ///
+    /// Below ten spheres and boxes it is as fast as a tree.
+    ///
+    /// # Panics
+    /// If the list has more than 2³² − 1 objects, some 300 GB.
+    #[doc(alias("from_slice", "brute_force"))]
+    pub fn de_liste(objets: &'a [ObjetRay<R>]) -> Self {
+        exiger_des_rangs(objets.len());
+        Self { objets, arbre: Arbre::SANS_NOEUDS, niveau: meilleur_niveau(), choix: Tous }
+    }
+}
+
+impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
+    /// As questions take it.
+    #[inline]
+    pub(crate) fn vue(&self) -> Vue<'_, R> {
+        let liste = Liste { objets: self.objets, choix: self.choix.regle() };
+        Vue { liste, arbre: &self.arbre, niveau: self.niveau }
+    }
+
+    #[inline]
+    fn avec_choix<D>(self, choisir: impl FnOnce(C) -> D) -> Monde<'a, R, D> {
+        let Self { objets, arbre, niveau, choix } = self;
+        Monde { objets, arbre, niveau, choix: choisir(choix) }
+    }
+
+    /// The list, whatever the choice takes of it.
+    #[doc(alias("objects", "primitives"))]
+    pub fn objets(&self) -> &'a [ObjetRay<R>] {
+        self.objets
+    }
+
+    /// The objects that `prend` takes, by their indices in the list: the answers are those of
+    /// a list of these objects, to the bit, save that each keeps its index.
+    ///
+    /// Every question knows the choice, shadows, batches and certificates too, and the choice is a value like any
+    /// other. A choice among a choice takes what both take. `prend` is asked for indices of the list alone. It is called
+    /// for few of the objects that a ray passes by, and for some more than once; a batch of a list calls
+    /// it for every object once for 64 rays.
+    ///
+    /// Panes throw no shadow, a robot does not see itself, a plan shows one storey. To leave out one object is
+    /// [`sans`](Self::sans). For fewer than some hundredth of a large list build a `Monde` of these: a ray walks the
+    /// whole tree, whatever the choice takes.
+    ///
+    /// ```
+    /// use lancer_rayon::*;
+    ///
+    /// let boule = |z, texture| SphereGeo::new(Vecteur::new(0.0, 0.0, z), 1.0, Texture(texture));
+    /// let objets: Vec<ObjetRay> = vec![boule(-4.0, 0)?.into(), boule(-9.0, 7)?.into()];
+    /// let monde = Monde::de_liste(&objets);
+    ///
+    /// let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.0, 0.0, -1.0))?;
+    /// let autres = monde.parmi(|indice| indice != 0);
+    /// let touche = autres.premiere_intersection(&rayon)?;
+    /// assert_eq!((touche.indice(), touche.distance()), (1, 8.0));
+    ///
+    /// // By any property; and here nothing is left.
+    /// let aucune = autres.parmi(|indice| objets[indice].texture() != Texture(7));
+    /// assert_eq!(aucune.premiere_intersection(&rayon), Err(NoIntersection));
+    ///
+    /// // Returned from a function, and kept in a struct.
+    /// fn opaques<'a>(monde: Monde<'a>, verre: &'a [bool]) -> Monde<'a, f64, impl Choix + Copy + 'a> {
+    ///     monde.parmi(|indice| !verre[indice])
+    /// }
+    /// struct Lumiere<'a, C> {
+    ///     ombres: Monde<'a, f64, C>,
+    /// }
+    /// let lumiere = Lumiere { ombres: opaques(monde, &[true, false]) };
+    /// assert!(!lumiere.ombres.est_occulte(&rayon.jusqu_a(5.0)?));
+    ///
+    /// // Shared by threads.
+    /// std::thread::scope(|fils| {
+    ///     for _ in 0..2 {
+    ///         fils.spawn(|| assert!(lumiere.ombres.est_occulte(&rayon)));
+    ///     }
+    /// });
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    #[doc(alias("filter", "mask"))]
+    #[inline]
+    pub fn parmi<F: Fn(usize) -> bool + Sync>(self, prend: F) -> Monde<'a, R, Parmi<C, F>> {
+        self.avec_choix(|parmi| Parmi { parmi, prend })
+    }
+
+    /// The objects without the one at this index. After another
+    /// choice it takes what both take; an index beyond the list leaves out nothing.
+    ///
+    /// **A lamp of the list**, or the far end of [`vers_touche`](crate::Intersection::vers_touche), does not stand before
+    /// itself. A ray that leaves an object needs no such choice: it never hits that object again
+    /// ([`secondaire`](crate::Intersection::secondaire)).
+    ///
+    /// ```
+    /// use lancer_rayon::{Monde, NoIntersection, ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
+    ///
+    /// let boule = |z| SphereGeo::new(Vecteur::new(0.0, 0.0, z), 1.0, Texture(0));
+    /// let objets: [ObjetRay; 2] = [boule(-4.0)?.into(), boule(-9.0)?.into()];
+    /// let monde = Monde::de_liste(&objets);
+    ///
+    /// let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.0, 0.0, -1.0))?;
+    /// assert_eq!(monde.sans(0).premiere_intersection(&rayon)?.distance(), 8.0);
+    /// let rien = monde.sans(0).sans(1);
+    /// assert_eq!(rien.premiere_intersection(&rayon), Err(NoIntersection));
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    #[doc(alias("without", "except", "ignore", "exclude", "skip"))]
+    #[inline]
+    pub fn sans(self, indice: usize) -> Monde<'a, R, Sans<C>> {
+        self.avec_choix(|parmi| Sans { parmi, sauf: indice })
+    }
+
+    /// The first object that the ray enters before its end: what
+    /// [`premiere_intersection`](fn@crate::premiere_intersection) says of the list.
+    ///
+    /// # Errors
+    /// [`NoIntersection`](crate::NoIntersection) if the ray enters no object before its end.
+    #[doc(alias("cast_ray", "closest_hit", "first_hit", "raycast"))]
+    #[inline]
+    pub fn premiere_intersection(&self, rayon: &Rayon<R>) -> Reponse<R> {
+        R::premiere(self.vue(), rayon)
+    }
+
+    /// The first object that each ray enters:
+    /// [`premiere_intersection`](Self::premiere_intersection) of every ray, to the bit, and several
+    /// times as fast for the rays of a picture.
+    ///
+    /// Neighbours in `rayons` should be neighbours in the picture, in tiles of 8 × 8. Pass 64 rays or more a call.
+    /// Nothing is allocated and no thread is started; the caller may give parts of a picture to several threads.
+    ///
+    /// # Errors
+    /// If `rayons` and `touches` are not of the same length; nothing is written then.
+    ///
+    /// ```
+    /// use lancer_rayon::{Monde, NoIntersection, ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
+    ///
+    /// let boule = ObjetRay::from(SphereGeo::new(Vecteur::new(0.0, 0.0, -5.0), 1.0, Texture(0))?);
+    /// let vers = |x| Rayon::new(Vecteur::NUL, Vecteur::new(x, 0.0, -1.0));
+    /// let rayons = [vers(0.0)?, vers(0.1)?, vers(0.0)?.jusqu_a(3.0)?];
+    ///
+    /// let mut touches = [Err(NoIntersection); 3];
+    /// Monde::de_liste(&[boule]).premieres_intersections(&rayons, &mut touches)?;
+    /// assert_eq!(touches.map(|touche| touche.is_ok()), [true, true, false]);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    #[doc(alias("batch", "packet", "cast_rays", "lidar"))]
+    pub fn premieres_intersections(
+        &self,
+        rayons: &[Rayon<R>],
+        touches: &mut [Reponse<R>],
+    ) -> Result<(), LongueursDifferentes> {
+        R::premieres(self.vue(), rayons, touches)
+    }
+
+    /// Whether anything stands before the end of the ray, the light that it goes to:
+    /// the shadow of the handout's later parts.
+    ///
+    /// It is `premiere_intersection(rayon).is_ok()`, and sooner: it ends with the first object found. The rays come from
+    /// [`vers_lumiere`](crate::Intersection::vers_lumiere), [`vers_soleil`](crate::Intersection::vers_soleil) and
+    /// [`Rayon::entre`]. With a [`secondaire`](crate::Intersection::secondaire) of one's own, measure the end from its
+    /// source, and test N·L > 0 first: towards a lamp behind the surface the ray starts inside the object, which then
+    /// casts no shadow.
+    ///
+    /// **A lamp that is an object of the list** hides the points of its own surface: no distance is
+    /// exact enough to stop just before it. [Leave it out](Self::sans).
+    ///
+    /// **From inside an object** that object is not seen, as by any ray: a point under a thing that
+    /// stands on the floor is not in its shadow. [`contient`](Self::contient) tells such points.
+    ///
+    /// ```
+    /// use lancer_rayon::{Monde, Rayon, SphereGeo, Texture, Vecteur};
+    ///
+    /// let boule = |y, r, texture| SphereGeo::new(Vecteur::new(0.0, y, -5.0), r, Texture(texture));
+    /// let objets = [boule(0.0, 1.0, 0)?.into(), boule(4.0, 0.5, 1)?.into()];
+    /// let monde = Monde::de_liste(&objets);
+    /// let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.0, 0.6, -5.0))?;
+    /// let touche = monde.premiere_intersection(&rayon)?;
+    /// let eclaire = |lampe| touche.vers_lumiere(lampe).is_ok_and(|ombre| !monde.est_occulte(&ombre));
+    /// assert!(eclaire(Vecteur::new(0.0, 3.0, -2.0)));
+    /// assert!(!eclaire(Vecteur::new(0.0, 9.0, -5.2))); // behind the small ball
+    /// assert!(!eclaire(Vecteur::new(0.0, 0.0, -9.0))); // behind the surface
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    #[doc(alias("any_hit", "occluded", "shadow"))]
+    #[inline]
+    #[must_use]
+    pub fn est_occulte(&self, rayon: &Rayon<R>) -> bool {
+        R::occulte(self.vue(), rayon)
+    }
+
+    /// Whether anything stands before the end of each ray: [`est_occulte`](Self::est_occulte) of
+    /// every ray, to the bit, and sooner.
+    ///
+    /// What [`premieres_intersections`](Self::premieres_intersections) says of order and
+    /// length of a call holds here; rays to one lamp, in the order of the picture, are neighbours.
+    ///
+    /// # Errors
+    /// If `rayons` and `occultes` are not of the same length; nothing is written then.
+    ///
+    /// ```
+    /// use lancer_rayon::{Monde, ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
+    ///
+    /// let boule = ObjetRay::from(SphereGeo::new(Vecteur::new(0.0, 3.0, 0.0), 1.0, Texture(0))?);
+    /// let vers_le_haut = |x, y| Rayon::entre(Vecteur::new(x, 0.0, 0.0), Vecteur::new(x, y, 0.0));
+    /// let ombres = [vers_le_haut(0.0, 9.0)?, vers_le_haut(0.0, 2.0)?, vers_le_haut(4.0, 9.0)?];
+    ///
+    /// let mut occultes = [false; 3];
+    /// Monde::de_liste(&[boule]).sont_occultes(&ombres, &mut occultes)?;
+    /// assert_eq!(occultes, [true, false, false]);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    #[doc(alias("any_hit", "occluded", "shadow", "batch"))]
+    pub fn sont_occultes(
+        &self,
+        rayons: &[Rayon<R>],
+        occultes: &mut [bool],
+    ) -> Result<(), LongueursDifferentes> {
+        R::occultes(self.vue(), rayons, occultes)
+    }
+
+    /// The objects that the ray enters before its end, as many as there are places, in order: the nearest first,
+    /// of two at the same distance the earlier in the list. Places that are left over become misses. Tells how many
+    /// were filled: if all, there may be more.
+    ///
+    /// It is what asking every object alone and sorting gives, to the bit, also where two objects touch: to go on from
+    /// hit to hit with [`secondaire`](crate::Intersection::secondaire) would lose objects there, or meet some twice.
+    /// Where a ray leaves an object, [`sortie`](ObjetRay::sortie) tells. An object in which the ray starts is not
+    /// entered: such are the [`contenants`](Self::contenants) of its source.
+    ///
+    /// ```
+    /// use lancer_rayon::{Monde, NoIntersection, ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
+    ///
+    /// let boule = |z| SphereGeo::new(Vecteur::new(0.0, 0.0, z), 1.0, Texture(0));
+    /// let objets: [ObjetRay; 3] = [boule(-9.0)?.into(), boule(-4.0)?.into(), boule(-4.5)?.into()];
+    /// let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.0, 0.0, -1.0))?;
+    ///
+    /// let mut touches = [Err(NoIntersection); 4];
+    /// let monde = Monde::de_liste(&objets);
+    /// assert_eq!(monde.dans_l_ordre(&rayon, &mut touches), 3);
+    /// let indices = touches.iter().flatten().map(|touche| touche.indice());
+    /// assert!(indices.eq([1, 2, 0]));
+    ///
+    /// // The first two alone; and those before 3.2.
+    /// assert_eq!(monde.dans_l_ordre(&rayon, &mut touches[..2]), 2);
+    /// assert_eq!(monde.dans_l_ordre(&rayon.jusqu_a(3.2)?, &mut touches), 1);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    #[doc(alias("all_hits", "multi_hit", "k_nearest", "in_order", "transparency", "picking"))]
+    pub fn dans_l_ordre(&self, rayon: &Rayon<R>, touches: &mut [Reponse<R>]) -> usize {
+        R::dans_l_ordre(self.vue(), rayon, touches)
+    }
+
+    /// Shows `voir` the index of every object that the ray enters before its end, and the distance, each once and in no
+    /// order. `voir` returns the end of the ray from then on: +∞ leaves it where it is, a distance draws it nearer, 0
+    /// ends the visit.
+    ///
+    /// For what no other question asks: to count, to weigh, to find the first object by a rule of one's own. What
+    /// `voir` does not need is never computed; [`ObjetRay::intersection`] of the object has the rest of a hit.
+    ///
+    /// ```
+    /// use lancer_rayon::{Monde, ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
+    ///
+    /// let boule = |z, texture| SphereGeo::new(Vecteur::new(0.0, 0.0, z), 1.0, Texture(texture));
+    /// let objets: [ObjetRay; 3] = [boule(-9.0, 1)?.into(), boule(-4.0, 2)?.into(), boule(-20.0, 2)?.into()];
+    /// let monde = Monde::de_liste(&objets);
+    /// let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.0, 0.0, -1.0))?;
+    ///
+    /// let mut nombre = 0;
+    /// monde.visiter(&rayon, |_, _| {
+    ///     nombre += 1;
+    ///     f64::INFINITY
+    /// });
+    /// assert_eq!(nombre, 3);
+    ///
+    /// // The first with the texture 1: what comes later need not be shown.
+    /// let mut premier = None;
+    /// monde.visiter(&rayon, |indice, t| {
+    ///     if objets[indice].texture() != Texture(1) {
+    ///         return f64::INFINITY;
+    ///     }
+    ///     premier = Some(indice);
+    ///     t
+    /// });
+    /// assert_eq!(premier, Some(0));
+    /// # Ok::<(), lancer_rayon::ErreurGeo>(())
+    /// ```
+    #[doc(alias("any_hit", "visitor", "for_each_hit", "count"))]
+    pub fn visiter(&self, rayon: &Rayon<R>, mut voir: impl FnMut(usize, R) -> R) {
+        R::visiter(self.vue(), rayon, &mut voir);
+    }
+
+    /// Whether some object [`contient`](ObjetRay::contient) this point, or has it on its surface: say for a camera that
+    /// may stand inside something.
+    ///
+    /// ```
+    /// use lancer_rayon::{Monde, ObjetRay, SphereGeo, Texture, Vecteur};
+    ///
+    /// let boule = |x| SphereGeo::new(Vecteur::new(x, 0.0, 0.0), 2.0, Texture(0));
+    /// let objets: [ObjetRay; 2] = [boule(0.0)?.into(), boule(3.0)?.into()];
+    /// let monde = Monde::de_liste(&objets);
+    /// let milieu = Vecteur::new(1.5, 0.0, 0.0);
+    /// assert!(monde.contient(milieu) && !monde.contient(milieu * 9.0));
+    ///
+    /// let mut lesquels = vec![];
+    /// monde.contenants(milieu, |indice| lesquels.push(indice));
+    /// assert_eq!(lesquels, [0, 1]);
+    /// # Ok::<(), lancer_rayon::ErreurGeo>(())
+    /// ```
+    #[doc(alias("contains", "inside", "point_query"))]
+    #[must_use]
+    pub fn contient(&self, point: Vecteur<R>) -> bool {
+        R::contient(self.vue(), point)
+    }
+
+    /// Shows `voir` the index of every object that [`contient`](ObjetRay::contient) this point, each once and in no
+    /// order: where a ray starts inside glass, in which glass.
+    #[doc(alias("contains", "inside", "point_query"))]
+    pub fn contenants(&self, point: Vecteur<R>, mut voir: impl FnMut(usize)) {
+        R::contenants(self.vue(), point, &mut voir);
+    }
+
+    /// Whether an answer of [`premiere_intersection`](Self::premiere_intersection), a hit or a miss, is certain: whether
+    /// exact arithmetic on the numbers as they are stored names the same object first, or none as well. (Which
+    /// face of a box, at an edge, is not asked.)
+    ///
+    /// It is never true of a wrong answer. It is false of a right one only where
+    /// [`est_certain`](ObjetRay::est_certain) of some object would be, where no distance is promised, and of two
+    /// entries nearer to each other than some 2⁻⁵⁰(κ + κ′)·t, twice what both distances are promised to in `f64`
+    /// (`docs/precision.md`; κ is large where a ray grazes). Most often that is an exact tie, as where the sides
+    /// of two boxes are flush. Of `reponse` only
+    /// [`indice`](crate::Intersection::indice) counts, whoever found it. The time is that of a ray or two, with a tree
+    /// in the mean 1.0 to 1.3 of that of the ray; and a tree certifies some right answers more, since what lies later by
+    /// its box is not asked.
+    ///
+    /// Where an answer is not certain ask the same numbers in `f64`: [`ObjetRay::vers_f64`] of all
+    /// objects, and [`Rayon::vers_f64`]. What is uncertain there as well is most often a tie.
+    ///
+    /// ```
+    /// use lancer_rayon::{Monde, ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
+    ///
+    /// let boule = |z| SphereGeo::<f32>::new(Vecteur::new(0.0, 0.0, z), 1.0, Texture(0));
+    /// let objets: [ObjetRay<f32>; 2] = [boule(-5.0)?.into(), boule(-5.000001)?.into()];
+    /// let vers_le_fond = |x| Rayon::new(Vecteur::new(x, 0.0, 0.0), Vecteur::new(0.0, 0.0, -1.0));
+    /// let certaine = |monde: Monde<'_, f32>, rayon| monde.certifie(&rayon, &monde.premiere_intersection(&rayon));
+    /// assert!(certaine(Monde::de_liste(&objets), vers_le_fond(0.3)?)); // the nearer one
+    /// assert!(certaine(Monde::de_liste(&objets), vers_le_fond(1.5)?)); // a miss
+    /// assert!(!certaine(Monde::de_liste(&[objets[0]; 2]), vers_le_fond(0.3)?)); // a tie
+    /// # Ok::<(), lancer_rayon::ErreurGeo>(())
+    /// ```
+    #[doc(alias("is_certain", "certify", "certificate"))]
+    #[must_use]
+    pub fn certifie(&self, rayon: &Rayon<R>, reponse: &Reponse<R>) -> bool {
+        R::certifie(self.vue(), rayon, reponse)
+    }
+
+    /// A box along the axes that holds all of these objects, save the half-spaces, which no box holds; `None` if there
+    /// are no others.
+    ///
+    /// ```
+    /// use lancer_rayon::{Etendue, Monde, PlanGeo, Rotation, SphereGeo, Texture, Vecteur};
+    ///
+    /// let boule = |x| SphereGeo::new(Vecteur::new(x, 0.0, 0.0), 1.0, Texture(0));
+    /// let mur = PlanGeo::new(Rotation::IDENTITE, 0.0, Texture(0))?;
+    /// let objets = [boule(3.0)?.into(), mur.into(), boule(-5.0)?.into()];
+    /// let Etendue { bas, haut } = Monde::de_liste(&objets).etendue().unwrap();
+    /// assert!((bas - Vecteur::new(-6.0, -1.0, -1.0)).longueur() < 1e-13);
+    /// assert!((haut - Vecteur::new(4.0, 1.0, 1.0)).longueur() < 1e-13);
+    /// # Ok::<(), lancer_rayon::ErreurGeo>(())
+    /// ```
+    #[doc(alias("bounding_box", "aabb", "bounds"))]
+    #[must_use]
+    pub fn etendue(&self) -> Option<Etendue<R>> {
+        let liste = self.vue().liste;
+        let objets = (0..self.objets.len()).filter_map(|indice| liste.objet(indice));
+        objets.filter_map(ObjetRay::etendue).reduce(Etendue::avec)
+    }
+}

@@ -1,0 +1,182 @@
+//! The answers to the questions of a [`Monde`](crate::Monde), compiled in this crate for either scalar: generic code
+//! would be compiled again by every crate that calls it, and as slowly as that crate is.
+
+use fearless_simd::Level;
+
+use crate::arbre::construction::{Arbre, PlacesInsuffisantes, construire};
+use crate::intersection::Reponse;
+use crate::jugement::certificat::Certificat;
+use crate::liste::Liste;
+use crate::lot::bloc::{BLOC, Bloc, EnLot, Groupes};
+use crate::niveau::selon_le_niveau;
+use crate::nombre::Nombre;
+use crate::objet::ObjetRay;
+use crate::question::{Ombre, Premier, Question};
+use crate::rayon::Rayon;
+use crate::refus::LongueursDifferentes;
+use crate::vecteur::Vecteur;
+use crate::visite::{Contenance, Contenants, Montrer, Rangee, Visite};
+
+/// What is asked: the objects, their tree, which has no nodes if they are asked as a list, and the instructions.
+#[derive(Clone, Copy)]
+pub struct Vue<'a, R> {
+    pub(crate) liste: Liste<'a, R>,
+    pub(crate) arbre: &'a Arbre<'a, R>,
+    pub(crate) niveau: Level,
+}
+
+/// One ray asks this question.
+#[inline(always)]
+fn demander<R: Nombre, Q: Question<R>>(
+    vue: Vue<'_, R>,
+    rayon: &Rayon<R>,
+    mut question: Q,
+) -> Q::Reponse {
+    let Vue { liste, arbre, niveau } = vue;
+    selon_le_niveau!(niveau, simd => {
+        if arbre.noeuds.is_empty() {
+            liste.interroger(rayon, &mut question);
+        } else {
+            question = arbre.parcourir(simd, liste, rayon, question);
+        }
+        question.repondre(rayon, liste.objets)
+    })
+}
+
+/// Many rays ask this question.
+#[inline(always)]
+fn demander_en_lot<R: Nombre, Q: EnLot<R>>(
+    vue: Vue<'_, R>,
+    rayons: &[Rayon<R>],
+    reponses: &mut [Q::Reponse],
+) -> Result<(), LongueursDifferentes> {
+    if rayons.len() != reponses.len() {
+        return Err(LongueursDifferentes { rayons: rayons.len(), reponses: reponses.len() });
+    }
+    let Vue { liste, arbre, niveau } = vue;
+    selon_le_niveau!(niveau, simd => {
+        let mut groupes = Groupes::new_const();
+        let mut bloc = Bloc::<R, Q>::new(&mut groupes);
+        for (rayons, reponses) in rayons.chunks(BLOC).zip(reponses.chunks_mut(BLOC)) {
+            if arbre.noeuds.is_empty() {
+                bloc.repondre_de_la_liste(simd, liste, (rayons, reponses));
+            } else {
+                arbre.repondre_au_bloc(simd, liste, &mut bloc, (rayons, reponses));
+            }
+        }
+    });
+    Ok(())
+}
+
+/// The scalar type: `f32` or `f64`. Sealed.
+///
+/// Code that is generic over the scalar says `R: Reel`. It computes with what [`Nombre`] offers; what this trait
+/// adds are the answers of a [`Monde`](crate::Monde), which are compiled in this crate.
+///
+/// ```
+/// use lancer_rayon::{Reel, Vecteur};
+///
+/// /// In either type, and with its own rounding.
+/// fn moyenne<R: Reel>(a: Vecteur<R>, b: Vecteur<R>) -> Vecteur<R> {
+///     (a + b) / (R::UN + R::UN)
+/// }
+///
+/// let milieu = moyenne(Vecteur::NUL, Vecteur::<f32>::new(1.0, 2.0, 3.0));
+/// assert_eq!(milieu, Vecteur::new(0.5, 1.0, 1.5));
+/// ```
+#[doc(alias("float", "scalar"))]
+pub trait Reel: Nombre + Repond {}
+
+impl Reel for f32 {}
+impl Reel for f64 {}
+
+/// `reponses! { fn …(…) -> … { … } … }`: the trait [`Repond`] of these functions, and their bodies compiled for `f32`
+/// and for `f64`, which are `Self` in them.
+macro_rules! reponses {
+    ($(fn $nom:ident$(<$vie:lifetime>)?($($de:ident: $type:ty),* $(,)?) -> $reponse:ty $corps:block)*) => {
+        /// The answers in one scalar.
+        pub trait Repond: Sized {
+            $(fn $nom$(<$vie>)?($($de: $type),*) -> $reponse;)*
+        }
+        reponses! { dans f32 $(fn $nom$(<$vie>)?($($de: $type),*) -> $reponse $corps)* }
+        reponses! { dans f64 $(fn $nom$(<$vie>)?($($de: $type),*) -> $reponse $corps)* }
+    };
+    (dans $reel:ident $($fonctions:item)*) => {
+        impl Repond for $reel {
+            $($fonctions)*
+        }
+    };
+}
+
+reponses! {
+    fn arbre<'a>(objets: &'a [ObjetRay<Self>], places: &'a mut [f32], decouper: bool)
+        -> Result<Arbre<'a, Self>, PlacesInsuffisantes>
+    {
+        construire(objets, places, decouper)
+    }
+
+    fn premiere(vue: Vue<'_, Self>, rayon: &Rayon<Self>) -> Reponse<Self> {
+        demander(vue, rayon, Premier::avant(rayon.fin()))
+    }
+
+    fn premieres(vue: Vue<'_, Self>, rayons: &[Rayon<Self>], touches: &mut [Reponse<Self>])
+        -> Result<(), LongueursDifferentes>
+    {
+        demander_en_lot::<_, Premier<_>>(vue, rayons, touches)
+    }
+
+    fn occulte(vue: Vue<'_, Self>, rayon: &Rayon<Self>) -> bool {
+        demander(vue, rayon, Ombre::from(Premier::avant(rayon.fin())))
+    }
+
+    fn occultes(vue: Vue<'_, Self>, rayons: &[Rayon<Self>], occultes: &mut [bool])
+        -> Result<(), LongueursDifferentes>
+    {
+        demander_en_lot::<_, Ombre<_>>(vue, rayons, occultes)
+    }
+
+    fn certifie(vue: Vue<'_, Self>, rayon: &Rayon<Self>, reponse: &Reponse<Self>) -> bool {
+        let certificat = Certificat::new(vue.liste, rayon, reponse);
+        certificat.is_some_and(|certificat| demander(vue, rayon, certificat))
+    }
+
+    fn visiter(vue: Vue<'_, Self>, rayon: &Rayon<Self>, montrer: Montrer<'_, Self>) -> () {
+        let mut visite = Visite::new(rayon.fin(), montrer);
+        loop {
+            visite = demander(vue, rayon, visite);
+            if !visite.montrer_ce_qui_attend() {
+                return;
+            }
+        }
+    }
+
+    fn dans_l_ordre(vue: Vue<'_, Self>, rayon: &Rayon<Self>, touches: &mut [Reponse<Self>]) -> usize {
+        let mut rangee = Rangee::new(touches);
+        Self::visiter(vue, rayon, &mut |indice, t| rangee.placer(indice, t));
+        rangee.conclure(rayon, vue.liste.objets)
+    }
+
+    fn contient(vue: Vue<'_, Self>, point: Vecteur<Self>) -> bool {
+        demander(vue, &du_point(point), Contenance(false))
+    }
+
+    fn contenants(vue: Vue<'_, Self>, point: Vecteur<Self>, montrer: &mut dyn FnMut(usize)) -> () {
+        let rayon = du_point(point);
+        let montrer: Montrer<'_, Self> = &mut |indice, _| {
+            montrer(indice);
+            Self::INFINI
+        };
+        let mut contenants = Contenants(Visite::new(Self::INFINI, montrer));
+        loop {
+            contenants = demander(vue, &rayon, contenants);
+            if !contenants.0.montrer_ce_qui_attend() {
+                return;
+            }
+        }
+    }
+}
+
+/// A ray from this point, which need not be finite, in no direction that matters.
+fn du_point<R: Nombre>(point: Vecteur<R>) -> Rayon<R> {
+    Rayon::sans_fin(point, Vecteur::new(R::ZERO, R::ZERO, R::UN))
+}

@@ -1,0 +1,376 @@
+//! Rays with an end: every question stops there, and a hit beyond it is no answer.
+
+use commun::conversion::{Mots, mots};
+use commun::facons::voisin;
+use commun::oracle::{Exact, verite};
+use commun::regimes::{direction, entre, regimes};
+use commun::scenes::{melange, rayons_camera};
+use commun::{Bits, arrondi, en_f32_et_f64};
+use fastrand::Rng;
+use lancer_rayon::{
+    Monde, NoIntersection, ObjetRay, PlanGeo, Rayon, Reel, Reponse, SphereGeo, Texture, Vecteur,
+    places, premiere_intersection,
+};
+
+fn v<R: Reel>(x: f64, y: f64, z: f64) -> Vecteur<R> {
+    arrondi(Vecteur::new(x, y, z))
+}
+
+fn jusqu_a<R: Reel>(rayon: &Rayon<R>, fin: R) -> Rayon<R> {
+    rayon.jusqu_a(fin).unwrap()
+}
+
+/// This answer if it lies before that end, else a miss.
+fn avant<R: Reel>(reponse: Reponse<R>, fin: R) -> Reponse<R> {
+    reponse
+        .and_then(|touche| if touche.distance() < fin { Ok(touche) } else { Err(NoIntersection) })
+}
+
+/// The ends that matter of a ray with these hits: each distance and the numbers beside it, half of it, and the ends of
+/// the type.
+fn fins<R: Bits>(touches: &[Reponse<R>]) -> Vec<R> {
+    let autour = touches.iter().flatten().flat_map(|touche| {
+        let t = touche.distance();
+        [voisin(t, -1), t, voisin(t, 1), t * R::depuis_f64(0.5)]
+    });
+    autour.chain([R::ZERO, -R::ZERO, R::MIN_POSITIF, R::UN, R::INFINI]).collect()
+}
+
+/// What a ray with an end is told is what the ray without one is told, as far as the end, to the bit: by a tree and by
+/// the list, alone and in batches of rays with many ends, of all objects and of a choice.
+fn toute_question_s_arrete_a_la_fin<R: Bits>() {
+    let objets = melange::<R>(90);
+    let mut memoire = vec![0.0; 2 * places(objets.len())];
+    let arbre = Monde::en_morceaux(&objets, &mut memoire).unwrap();
+    let (mut coupees, mut gardees, mut sorties) = (0, 0, 0);
+    let choisir = |indice: usize| indice % 4 != 3;
+    let mondes = [arbre, Monde::de_liste(&objets)].map(|monde| monde.parmi(choisir));
+    let bits = |touches: &[Reponse<R>]| touches.iter().map(mots).collect::<Vec<Mots>>();
+    for sans_fin in rayons_camera::<R>(24, 16) {
+        let mut toutes = vec![Err(NoIntersection); objets.len()];
+        let nombre = mondes[1].dans_l_ordre(&sans_fin, &mut toutes);
+        let fins = fins(&toutes[..nombre]);
+        let rayons: Vec<_> = fins.iter().map(|fin| jusqu_a(&sans_fin, *fin)).collect();
+        let voulues: Vec<_> = fins.iter().map(|fin| avant(toutes[0], *fin)).collect();
+        for monde in mondes {
+            let mut premieres = vec![toutes[0]; rayons.len()];
+            monde.premieres_intersections(&rayons, &mut premieres).unwrap();
+            assert_eq!(bits(&premieres), bits(&voulues), "{sans_fin:?}");
+            let mut occultes: Vec<_> = voulues.iter().map(Result::is_err).collect();
+            monde.sont_occultes(&rayons, &mut occultes).unwrap();
+            for (i, (rayon, fin)) in rayons.iter().zip(&fins).enumerate() {
+                let voulue = mots(&voulues[i]);
+                assert_eq!(mots(&monde.premiere_intersection(rayon)), voulue, "{rayon:?}");
+                let occulte = monde.est_occulte(rayon);
+                assert_eq!([occulte, occultes[i]], [voulues[i].is_ok(); 2], "{rayon:?}");
+                let debut = toutes[..nombre].iter().filter(|t| avant(**t, *fin).is_ok());
+                let debut: Vec<_> = debut.copied().collect();
+                let mut rangee = vec![toutes[0]; nombre + 1];
+                assert_eq!(monde.dans_l_ordre(rayon, &mut rangee), debut.len(), "{rayon:?}");
+                assert_eq!(bits(&rangee[..debut.len()]), bits(&debut), "{rayon:?}");
+                assert!(rangee[debut.len()..].iter().all(Result::is_err), "{rayon:?}");
+                let mut vus = vec![];
+                monde.visiter(rayon, |indice, t| {
+                    vus.push((indice, t.bits()));
+                    R::INFINI
+                });
+                let mut voulus: Vec<_> =
+                    debut.iter().flatten().map(|t| (t.indice(), t.distance().bits())).collect();
+                vus.sort_unstable();
+                voulus.sort_unstable();
+                assert_eq!(vus, voulus, "{rayon:?}");
+                coupees += usize::from(debut.len() < nombre);
+                gardees += usize::from(!debut.is_empty());
+            }
+        }
+        for objet in &objets {
+            let (entree, sortie) = (objet.intersection(&sans_fin), objet.sortie(&sans_fin));
+            for fin in self::fins(&[entree, sortie]) {
+                let rayon = jusqu_a(&sans_fin, fin);
+                assert_eq!(mots(&objet.intersection(&rayon)), mots(&avant(entree, fin)));
+                assert_eq!(mots(&objet.sortie(&rayon)), mots(&avant(sortie, fin)), "{rayon:?}");
+                sorties += usize::from(avant(sortie, fin).is_ok());
+            }
+        }
+    }
+    println!("{coupees} cut off, {gardees} kept, {sorties} ways out before an end");
+    assert!(coupees > 1_000 && gardees > 1_000 && sorties > 500);
+}
+
+en_f32_et_f64!(toute_question_s_arrete_a_la_fin);
+
+/// A way out beyond the end of the ray is none, from within an object and through it; of every shape in every regime.
+fn une_sortie_apres_la_fin_n_en_est_pas_une<R: Bits>() {
+    let mut alea = Rng::with_seed(101);
+    let [mut sorties, mut de_dedans] = [0; 2];
+    for regime in regimes::<R>() {
+        for _ in 0..400 {
+            let cas = (regime.cas)(&mut alea);
+            let dedans = cas.objet.intersection(&cas.rayon);
+            let dedans = dedans
+                .and_then(|t| t.secondaire(cas.rayon.direction()).map_err(|_| NoIntersection));
+            for sans_fin in [Ok(cas.rayon), dedans].into_iter().flatten() {
+                let (entree, sortie) =
+                    (cas.objet.intersection(&sans_fin), cas.objet.sortie(&sans_fin));
+                for fin in fins(&[entree, sortie]) {
+                    let rayon = jusqu_a(&sans_fin, fin);
+                    let contexte = || format!("{:?} {rayon:?}", cas.objet);
+                    let [avant_entree, avant_sortie] = [entree, sortie].map(|t| avant(t, fin));
+                    assert_eq!(
+                        mots(&cas.objet.intersection(&rayon)),
+                        mots(&avant_entree),
+                        "{}",
+                        contexte()
+                    );
+                    assert_eq!(
+                        mots(&cas.objet.sortie(&rayon)),
+                        mots(&avant_sortie),
+                        "{}",
+                        contexte()
+                    );
+                }
+                sorties += u32::from(sortie.is_ok());
+                de_dedans += u32::from(sortie.is_ok() && entree.is_err());
+            }
+        }
+    }
+    assert!(sorties > 3_000 && de_dedans > 1_000, "{sorties} {de_dedans}");
+}
+
+en_f32_et_f64!(une_sortie_apres_la_fin_n_en_est_pas_une);
+
+/// Whether exact arithmetic names this object first, before the end of the ray.
+fn est_vraie<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>, reponse: &Reponse<R>) -> bool {
+    let entrees = objets.iter().map(|objet| verite(objet, rayon).entree.map(|entree| entree.t));
+    let avant_la_fin = |t: &Exact| rayon.fin() == R::INFINI || *t < Exact::de(rayon.fin());
+    let entrees = entrees.enumerate().filter_map(|(i, t)| Some((i, t.filter(avant_la_fin)?)));
+    let premiere = entrees.reduce(|a, b| if b.1 < a.1 { b } else { a });
+    premiere.map(|(indice, _)| indice) == reponse.ok().map(|touche| touche.indice())
+}
+
+/// A certificate speaks of the ray as far as its end: a hit before it and a miss before everything are certain, what lies
+/// beyond the end is no answer, and none is certain that exact arithmetic does not give, however near to a hit the ray
+/// ends. Away from all hits the answer of every ray is certain whose answer without an end is.
+fn un_certificat_s_arrete_a_la_fin<R: Bits>() {
+    let objets = melange::<R>(40);
+    let mut memoire = vec![0.0; places(objets.len())];
+    let mondes = [Monde::new(&objets, &mut memoire).unwrap(), Monde::de_liste(&objets)];
+    let [mut coups, mut rates, mut doutes] = [0; 3];
+    for sans_fin in rayons_camera::<R>(18, 12) {
+        let mut toutes = vec![Err(NoIntersection); objets.len()];
+        let nombre = mondes[1].dans_l_ordre(&sans_fin, &mut toutes);
+        let premiere = toutes[0];
+        for (i, fin) in fins(&toutes[..nombre.min(2)]).into_iter().enumerate() {
+            let rayon = jusqu_a(&sans_fin, fin);
+            let ici = mondes[1].premiere_intersection(&rayon);
+            // Those beside a distance come first, four by four.
+            let pres = i < 4 * nombre.min(2) && i % 4 < 3;
+            for monde in mondes {
+                let certaine = monde.certifie(&rayon, &ici);
+                assert!(!certaine || est_vraie(&objets, &rayon, &ici), "{ici:?} {rayon:?}");
+                if !pres && ici.is_ok() && monde.certifie(&sans_fin, &premiere) {
+                    assert!(certaine, "{ici:?} {rayon:?}");
+                }
+                if ici.is_err() && premiere.is_ok() {
+                    // The first of the ray without an end comes too late, save within its rounding;
+                    // and the miss is none of that ray.
+                    let tardive = monde.certifie(&rayon, &premiere);
+                    assert!(!tardive || est_vraie(&objets, &rayon, &premiere), "{rayon:?}");
+                    assert!(!monde.certifie(&sans_fin, &ici), "{sans_fin:?}");
+                    assert!(pres || (certaine && !tardive), "{premiere:?} {rayon:?}");
+                }
+                if let Ok(seconde) = toutes[1]
+                    && seconde.distance() > premiere.unwrap().distance()
+                {
+                    assert!(!monde.certifie(&rayon, &Ok(seconde)), "{seconde:?} {rayon:?}");
+                }
+                match certaine {
+                    true if ici.is_ok() => coups += 1,
+                    true => rates += 1,
+                    false => doutes += 1,
+                }
+            }
+            for objet in &objets {
+                if objet.est_certain(&rayon) {
+                    let seul = objet.intersection(&rayon);
+                    assert!(
+                        est_vraie(core::slice::from_ref(objet), &rayon, &seul),
+                        "{objet:?} {rayon:?}"
+                    );
+                }
+            }
+        }
+    }
+    println!("{coups} hits and {rates} misses certain, {doutes} in doubt");
+    assert!(coups > 500 && rates > 500 && doutes > 100);
+}
+
+en_f32_et_f64!(un_certificat_s_arrete_a_la_fin);
+
+/// NaN and what is below 0 are no end, and the refusal names `fin`. From 0 on every number is one, and replaces the one
+/// before; at 0 nothing is asked.
+fn une_fin_est_une_distance<R: Bits>() {
+    let rayon = Rayon::<R>::new(v(0.0, 0.0, 5.0), v(0.1, 0.2, -3.0)).unwrap();
+    assert_eq!(rayon.fin(), R::INFINI);
+    let nan = R::depuis_f64(f64::NAN);
+    for refusee in [nan, -nan, -R::UN, -R::MIN_POSITIF, -R::LIMITE, -R::INFINI] {
+        let erreur = rayon.jusqu_a(refusee).unwrap_err();
+        assert_eq!(erreur.champ, "fin");
+        let valeur = refusee.vers_f64();
+        assert!(erreur.valeur == valeur || (erreur.valeur.is_nan() && valeur.is_nan()));
+    }
+    let admises = [R::ZERO, -R::ZERO, R::MIN_POSITIF, R::UN, R::LIMITE, R::INFINI];
+    for fin in admises {
+        let court = jusqu_a(&rayon, fin);
+        assert_eq!((court.source(), court.direction()), (rayon.source(), rayon.direction()));
+        assert_eq!(court.fin(), fin);
+        // Nearer, farther and none at all again.
+        for autre in admises {
+            assert_eq!(jusqu_a(&court, autre), jusqu_a(&rayon, autre));
+            assert_eq!(court == jusqu_a(&rayon, autre), fin == autre);
+        }
+        assert_eq!(court == rayon, fin == R::INFINI);
+        assert_eq!(court.point(R::UN), rayon.point(R::UN));
+        // In the other type and back: of an `f32` nothing is lost.
+        assert_eq!(court.vers_f64().fin(), fin.vers_f64());
+        let simple = court.vers_f32(Vecteur::NUL).unwrap();
+        assert_eq!(simple.fin(), fin.vers_f64() as f32);
+    }
+    let objets = melange::<R>(60);
+    let mut memoire = vec![0.0; places(objets.len())];
+    for monde in [Monde::new(&objets, &mut memoire).unwrap(), Monde::de_liste(&objets)] {
+        for zero in [R::ZERO, -R::ZERO] {
+            let rayons = rayons_camera::<R>(16, 12);
+            let rien: Vec<_> = rayons.iter().map(|rayon| jusqu_a(rayon, zero)).collect();
+            let mut touches: Vec<_> =
+                rayons.iter().map(|rayon| monde.premiere_intersection(rayon)).collect();
+            assert!(touches.iter().flatten().count() > 100);
+            monde.premieres_intersections(&rien, &mut touches).unwrap();
+            assert!(touches.iter().all(|touche| *touche == Err(NoIntersection)));
+            let mut occultes = vec![true; rien.len()];
+            monde.sont_occultes(&rien, &mut occultes).unwrap();
+            assert!(!occultes.contains(&true));
+            for rayon in &rien {
+                assert_eq!(premiere_intersection(&objets, rayon), Err(NoIntersection));
+                assert_eq!(monde.premiere_intersection(rayon), Err(NoIntersection));
+                assert!(!monde.est_occulte(rayon));
+                assert_eq!(monde.dans_l_ordre(rayon, &mut [Err(NoIntersection); 2]), 0);
+                monde.visiter(rayon, |indice, t| panic!("{indice} at {t}"));
+                assert!(monde.certifie(rayon, &Err(NoIntersection)), "{rayon:?}");
+                for objet in &objets {
+                    assert_eq!(objet.intersection(rayon), Err(NoIntersection));
+                    assert_eq!(objet.sortie(rayon), Err(NoIntersection));
+                }
+            }
+        }
+    }
+}
+
+en_f32_et_f64!(une_fin_est_une_distance);
+
+/// The ray between two points is that of their difference, and ends as far away as they are from each other; what stands
+/// between is met, and what stands beyond is not. No ray joins a point with itself.
+fn un_rayon_entre_deux_points_finit_au_second<R: Bits>() {
+    let mut alea = Rng::with_seed(102);
+    let (mut libres, mut caches) = (0, 0);
+    for _ in 0..2_000 {
+        let [p, q] = [(); 2].map(|()| direction(&mut alea) * entre(&mut alea, 0.5, 20.0));
+        let [p, q] = [p, q].map(arrondi::<R>);
+        let rayon = Rayon::entre(p, q).unwrap();
+        let voulu = Rayon::new(p, q - p).unwrap();
+        assert_eq!(rayon, jusqu_a(&voulu, (q - p).longueur()));
+        assert_eq!(rayon.source(), p);
+        let ecart = (rayon.point(rayon.fin()) - q).longueur();
+        assert!(ecart.vers_f64() <= 16.0 * R::U.vers_f64() * 60.0, "{ecart} {rayon:?}");
+        // A wall across the line, at some part of it, and a ball at the other side of its end.
+        let part = entre(&mut alea, 0.1, 1.9);
+        let la = arrondi(p.vers_f64() + (q - p).vers_f64() * part);
+        let mur = PlanGeo::par_un_point(la, p - q, Texture(0)).unwrap();
+        let occulte = Monde::de_liste(&[mur.into()]).est_occulte(&rayon);
+        if (part - 1.0).abs() > 1e-3 {
+            assert_eq!(occulte, part < 1.0, "{part}: {rayon:?}");
+            *(if occulte { &mut caches } else { &mut libres }) += 1;
+        }
+    }
+    assert!(libres > 500 && caches > 500);
+
+    let p = v::<R>(1.0, 2.0, 3.0);
+    assert_eq!(Rayon::entre(p, p).unwrap_err().champ, "arrivee - depart");
+    let loin = v::<R>(0.0, 1.0, 0.0) * (R::LIMITE + R::LIMITE);
+    assert_eq!(Rayon::entre(loin, p).unwrap_err().champ, "depart.y");
+    assert!(Rayon::entre(p, loin).is_ok());
+    let [nulle_part, a_l_infini] = [f64::NAN, f64::INFINITY].map(|z| v::<R>(0.0, 0.0, z));
+    for ailleurs in [nulle_part, a_l_infini] {
+        assert_eq!(Rayon::entre(ailleurs, p).unwrap_err().champ, "depart.z");
+        assert_eq!(Rayon::entre(p, ailleurs).unwrap_err().champ, "arrivee.z");
+    }
+}
+
+en_f32_et_f64!(un_rayon_entre_deux_points_finit_au_second);
+
+/// The ray that goes on from a hit has no end of the ray that came: only one to a light or to another hit ends, there.
+fn une_suite_n_herite_pas_de_la_fin<R: Bits>() {
+    let boule: ObjetRay<R> = SphereGeo::new(v(0.0, 0.0, -5.0), R::UN, Texture(0)).unwrap().into();
+    let rayon = Rayon::new(Vecteur::NUL, v(0.1, 0.05, -1.0)).unwrap();
+    let touche = boule.intersection(&rayon).unwrap();
+    let court = jusqu_a(&rayon, touche.distance() + touche.distance() * R::depuis_f64(0.125));
+    let la_meme = boule.intersection(&court).unwrap();
+    assert_eq!(mots(&Ok(la_meme)), mots(&Ok(touche)));
+    let d = court.direction();
+    let suites = [
+        la_meme.secondaire(d),
+        la_meme.secondaire(-d),
+        la_meme.reflechi(d),
+        la_meme.vers_soleil(touche.normale()),
+    ];
+    for suite in suites {
+        assert_eq!(suite.unwrap().fin(), R::INFINI);
+    }
+    let lampe = v(0.0, 3.0, 1.0);
+    let ombre = la_meme.vers_lumiere(lampe).unwrap();
+    assert_eq!(ombre, Rayon::entre(ombre.source(), lampe).unwrap());
+}
+
+en_f32_et_f64!(une_suite_n_herite_pas_de_la_fin);
+
+/// A hit knows its point, however it was found, and whether it is an entry or a way out; of every shape in every regime.
+fn une_touche_connait_son_point<R: Bits>() {
+    let mut alea = Rng::with_seed(103);
+    let bits = |p: Vecteur<R>| [p.x, p.y, p.z].map(R::bits);
+    let exiger = |rayon: &Rayon<R>, reponse: &Reponse<R>| {
+        let Ok(touche) = reponse else { return 0 };
+        assert_eq!(
+            bits(touche.point()),
+            bits(rayon.point(touche.distance())),
+            "{touche:?} {rayon:?}"
+        );
+        1
+    };
+    let mut connus = 0;
+    for regime in regimes::<R>() {
+        for _ in 0..1_000 {
+            let cas = (regime.cas)(&mut alea);
+            connus += exiger(&cas.rayon, &cas.objet.intersection(&cas.rayon));
+            connus += exiger(&cas.rayon, &cas.objet.sortie(&cas.rayon));
+        }
+    }
+    assert!(connus > 15_000, "{connus}");
+    let objets = melange::<R>(120);
+    let mut memoire = vec![0.0; places(objets.len())];
+    let rayons = rayons_camera::<R>(40, 30);
+    for monde in [Monde::new(&objets, &mut memoire).unwrap(), Monde::de_liste(&objets)] {
+        let mut touches = vec![Err(NoIntersection); rayons.len()];
+        monde.premieres_intersections(&rayons, &mut touches).unwrap();
+        let mut connus = [0; 3];
+        for (rayon, touche) in rayons.iter().zip(&touches) {
+            connus[0] += exiger(rayon, touche);
+            connus[1] += exiger(rayon, &monde.premiere_intersection(rayon));
+            let mut toutes = [Err(NoIntersection); 4];
+            monde.dans_l_ordre(rayon, &mut toutes);
+            connus[2] += toutes.iter().map(|touche| exiger(rayon, touche)).sum::<u32>();
+        }
+        assert!(connus[0] > 500 && connus[0] == connus[1] && connus[2] > connus[1], "{connus:?}");
+    }
+}
+
+en_f32_et_f64!(une_touche_connait_son_point);
