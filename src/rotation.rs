@@ -43,6 +43,10 @@ const IDENTITE: Matrice = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 /// A matrix that is orthonormal to so many u is kept by [`Rotation::depuis_matrice`] (lemma 1).
 pub const DEJA_ORTHONORMALE: f64 = 8.0;
 
+/// How far M·Mᵀ may be from I for [`Rotation::depuis_matrice`] to take M: room for a rotation that is
+/// written with four decimals, be they rounded or cut off (lemma 13).
+const ECART: f64 = 1e-3;
+
 const ANGLES: [&str; 3] = ["vecteur_rotation.x", "vecteur_rotation.y", "vecteur_rotation.z"];
 
 /// The cosine and the sine of k quarter turns.
@@ -101,12 +105,25 @@ impl<R: Reel> Rotation<R> {
     /// gave, which comes back bit for bit.
     ///
     /// A matrix that is orthonormal to 8u, by its rows and by its columns, is kept; any other is
-    /// replaced by the nearest rotation.
+    /// replaced by the nearest rotation. So four decimals are enough, in either type.
     ///
     /// # Errors
-    /// If an element of M is not finite, if one of M·Mᵀ − I exceeds 1e-6 (`f64`) or 1e-3 (`f32`),
-    /// or if M is a mirror (determinant below 0).
-    #[doc(alias = "from_matrix")]
+    /// If an element of M is not finite, if one of M·Mᵀ − I exceeds 1e-3, or if M is a mirror
+    /// (determinant below 0).
+    ///
+    /// ```
+    /// use lancer_rayon::{Rotation, Vecteur};
+    ///
+    /// let ecrite = [[0.8660, -0.5, 0.0], [0.5, 0.8660, 0.0], [0.0, 0.0, 1.0]];
+    /// let r = Rotation::depuis_matrice(ecrite)?;
+    /// assert!((r.axes()[0].longueur() - 1.0).abs() < 1e-15);
+    /// assert!((r.matrice()[0][0] - 0.75_f64.sqrt()).abs() < 1e-4);
+    ///
+    /// let agrandie = ecrite.map(|ligne| ligne.map(|x| 1.01 * x));
+    /// assert_eq!(Rotation::depuis_matrice(agrandie).unwrap_err().champ, "matrice: |M·Mᵀ - I|");
+    /// # Ok::<(), lancer_rayon::ErreurGeo>(())
+    /// ```
+    #[doc(alias("from_matrix", "from_mat3", "from_rows"))]
     pub fn depuis_matrice(matrice: [[R; 3]; 3]) -> Result<Self, ErreurGeo> {
         const CHAMPS: [[&str; 3]; 3] = [
             ["matrice[0][0]", "matrice[0][1]", "matrice[0][2]"],
@@ -118,12 +135,8 @@ impl<R: Reel> Rotation<R> {
         }
         let mut m = matrice.map(|ligne| ligne.map(R::vers_f64));
         let lignes = plus_grand_defaut(m);
-        // Room for numbers written with seven decimals, or four in `f32`.
-        let (limite, attendu) = R::selon(
-            (1e-3, "at most 1e-3, as for a rotation"),
-            (1e-6, "at most 1e-6, as for a rotation"),
-        );
-        exiger(lignes <= limite, "matrice: |M·Mᵀ - I|", lignes, attendu)?;
+        let attendu = "at most 1e-3, as for a rotation";
+        exiger(lignes <= ECART, "matrice: |M·Mᵀ - I|", lignes, attendu)?;
         let [x, y, z] = m.map(Vecteur::from);
         let determinant = x.produit_vectoriel(y).produit_scalaire(z);
         let attendu = "above 0: a mirror is no rotation";

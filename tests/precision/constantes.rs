@@ -18,7 +18,7 @@
 //! - lemma 21: that what is subnormal is less than the slack.
 
 use crate::intervalle::{Intervalle, de_a, portee};
-use commun::tolerances::{ORTHONORMALE, bandes, promesses};
+use commun::tolerances::{ECART_ROTATION, ORTHONORMALE, bandes, promesses};
 use lancer_rayon::Reel;
 use lancer_rayon::pour_les_tests::*;
 
@@ -674,8 +674,8 @@ fn lemme_13_rotations() {
     tenir(ORTHONORMALE, |u| et(reste(u), elements(u), u));
     // The columns: the eigenvalues are the same.
     tenir(N2, |u| et(3.0 * reste(u), elements(u), u));
-    // From an element of 1e-3, three steps.
-    let mut e = 3.0 * i(1.01e-3);
+    // From an element at the limit, three steps.
+    let mut e = 3.0 * i(1.01 * ECART_ROTATION);
     for _ in 0..3 {
         e = pas(e) + 3.0 * gamma(4.0, v) * v;
     }
