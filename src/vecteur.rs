@@ -192,32 +192,32 @@ impl<R: Reel> Vecteur<R> {
     }
 }
 
-impl<R> From<[R; 3]> for Vecteur<R> {
-    #[inline(always)]
-    fn from([x, y, z]: [R; 3]) -> Self {
-        Self { x, y, z }
-    }
-}
+/// Between a vector and what else has three coordinates: its type, and how it is taken apart and made.
+macro_rules! trois_coordonnees {
+    (|$x:ident, $y:ident, $z:ident| $($(#[$doc:meta])* $type:ty => { $($forme:tt)+ })+) => {$(
+        $(#[$doc])*
+        impl<R> From<$type> for Vecteur<R> {
+            #[inline(always)]
+            fn from($($forme)+: $type) -> Self {
+                Self { x: $x, y: $y, z: $z }
+            }
+        }
 
-impl<R> From<Vecteur<R>> for [R; 3] {
-    #[inline(always)]
-    fn from(v: Vecteur<R>) -> Self {
-        [v.x, v.y, v.z]
-    }
+        $(#[$doc])*
+        impl<R> From<Vecteur<R>> for $type {
+            #[inline(always)]
+            fn from(Vecteur { x: $x, y: $y, z: $z }: Vecteur<R>) -> Self {
+                $($forme)+
+            }
+        }
+    )+};
 }
+#[cfg(feature = "mint")]
+pub(crate) use trois_coordonnees;
 
-impl<R> From<(R, R, R)> for Vecteur<R> {
-    #[inline(always)]
-    fn from((x, y, z): (R, R, R)) -> Self {
-        Self { x, y, z }
-    }
-}
-
-impl<R> From<Vecteur<R>> for (R, R, R) {
-    #[inline(always)]
-    fn from(v: Vecteur<R>) -> Self {
-        (v.x, v.y, v.z)
-    }
+trois_coordonnees! { |x, y, z|
+    [R; 3] => { [x, y, z] }
+    (R, R, R) => { (x, y, z) }
 }
 
 /// Operators between two vectors, or a vector and a number, and those that assign: `+` with `+=`.

@@ -497,3 +497,37 @@ fn un_refus_nomme_le_nombre() {
         assert_eq!(essai.unwrap_err().to_string(), phrase);
     }
 }
+
+/// A column that a matrix of `mint` multiplies from the left turns as a vector here, and what is read back
+/// has the same bits.
+#[cfg(feature = "mint")]
+fn par_mint_tout_tourne_de_meme<R: Bits>() {
+    use mint::{ColumnMatrix3, Quaternion, RowMatrix3};
+
+    pour_tout((rotation::<R>(), vecteur::<R>(1e3)), |(r, v)| {
+        let (colonnes, lignes) = (ColumnMatrix3::from(r), RowMatrix3::from(r));
+        let [x, y, z] = [colonnes.x, colonnes.y, colonnes.z].map(Vecteur::from);
+        prop_assert_eq!(x * v.x + y * v.y + z * v.z, r.appliquer(v));
+        let lignes_fois_v =
+            [lignes.x, lignes.y, lignes.z].map(|ligne| Vecteur::from(ligne).produit_scalaire(v));
+        prop_assert_eq!(Vecteur::from(lignes_fois_v), r.appliquer(v));
+        prop_assert_eq!(Rotation::try_from(colonnes).map(bits), Ok(bits(r)));
+        prop_assert_eq!(Rotation::try_from(lignes).map(bits), Ok(bits(r)));
+
+        let q = [v.x, v.y, v.z, R::UN];
+        let par_mint = Rotation::try_from(Quaternion { v: v.into(), s: R::UN });
+        prop_assert_eq!(par_mint, Rotation::depuis_quaternion(q));
+        Ok(())
+    });
+    let champ = |m: [[R; 3]; 3]| Rotation::try_from(RowMatrix3::from(m)).unwrap_err().champ;
+    let mut m = Rotation::IDENTITE.matrice();
+    m[0][2] = R::INFINI;
+    assert_eq!(champ(m), "matrice[2][0]");
+    m[0][2] = R::UN;
+    assert_eq!(champ(m), "matrice: |M·Mᵀ - I|");
+    let nul = Quaternion { v: Vecteur::<R>::NUL.into(), s: R::ZERO };
+    assert_eq!(Rotation::try_from(nul).unwrap_err().champ, "quaternion");
+}
+
+#[cfg(feature = "mint")]
+en_f32_et_f64!(par_mint_tout_tourne_de_meme);
