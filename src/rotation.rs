@@ -117,7 +117,7 @@ impl<R: Reel> Rotation<R> {
     /// ```
     /// use lancer_rayon::{Rotation, Vecteur};
     ///
-    /// let ecrite = [[0.8660, -0.5, 0.0], [0.5, 0.8660, 0.0], [0.0, 0.0, 1.0]];
+    /// let ecrite = [[0.8660_f64, -0.5, 0.0], [0.5, 0.8660, 0.0], [0.0, 0.0, 1.0]];
     /// let r = Rotation::depuis_matrice(ecrite)?;
     /// assert!((r.axes()[0].longueur() - 1.0).abs() < 1e-15);
     /// assert!((r.matrice()[0][0] - 0.75_f64.sqrt()).abs() < 1e-4);
@@ -235,11 +235,11 @@ impl<R: Reel> Rotation<R> {
     /// ```
     /// use lancer_rayon::{Rotation, Vecteur};
     ///
-    /// let r = Rotation::entre(Vecteur::X, Vecteur::Y * 3.0)?;
+    /// let r: Rotation = Rotation::entre(Vecteur::X, Vecteur::Y * 3.0)?;
     /// assert_eq!(r.appliquer(Vecteur::X), Vecteur::Y);
     /// assert_eq!(r.appliquer(Vecteur::Z), Vecteur::Z);
     ///
-    /// let demi_tour = Rotation::entre(Vecteur::Z, -Vecteur::Z)?;
+    /// let demi_tour: Rotation = Rotation::entre(Vecteur::Z, -Vecteur::Z)?;
     /// assert_eq!(demi_tour.axes(), [-Vecteur::X, Vecteur::Y, -Vecteur::Z]);
     /// # Ok::<(), lancer_rayon::ErreurGeo>(())
     /// ```
@@ -277,7 +277,7 @@ impl<R: Reel> Rotation<R> {
     /// let r = Rotation::regard(cible - camera, Vecteur::Y)?;
     /// assert_eq!(r.axes(), [-Vecteur::Z, Vecteur::Y, Vecteur::X]);
     ///
-    /// let erreur = Rotation::regard(Vecteur::Y, -Vecteur::Y).unwrap_err();
+    /// let erreur = Rotation::<f64>::regard(Vecteur::Y, -Vecteur::Y).unwrap_err();
     /// assert_eq!(erreur.champ, "haut: sine of its angle with direction");
     /// # Ok::<(), lancer_rayon::ErreurGeo>(())
     /// ```
