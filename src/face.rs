@@ -1,5 +1,7 @@
 //! The six faces of a box, and where on one of them a hit lies: what a pattern is made of.
 
+use core::fmt;
+
 use crate::boite::BoiteRay;
 use crate::intersection::Intersection;
 use crate::nombre::{Nombre, max, min};
@@ -10,9 +12,17 @@ use crate::vecteur::Vecteur;
 ///
 /// The first three are the faces of the handout (§3), in the order of
 /// [`normales`](BoiteRay::normales); the last three are the opposite ones, in the same order.
-/// `face as usize` is the index in [`TOUTES`](Self::TOUTES), and in any other array of six.
+/// `face as usize` is the index in [`TOUTES`](Self::TOUTES), and in any other array of six. Displayed,
+/// a face is its sign and its axis; `serde` writes the name of the variant.
+///
+/// ```
+/// use lancer_rayon::Face;
+///
+/// assert_eq!(Face::TOUTES.map(|face| face.to_string()), ["+x", "+y", "+z", "-x", "-y", "-z"]);
+/// ```
 #[doc(alias("side", "top", "bottom", "left", "right", "front", "back"))]
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Face {
     /// It looked towards +x, to the right.
     PlusX,
@@ -60,6 +70,13 @@ impl Face {
             Self::MoinsY => [p.x, p.z],
             Self::MoinsZ => [-p.x, p.y],
         }
+    }
+}
+
+impl fmt::Display for Face {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        // With the width that is asked for, if one is.
+        f.pad(["+x", "+y", "+z", "-x", "-y", "-z"][*self as usize])
     }
 }
 

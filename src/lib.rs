@@ -95,8 +95,9 @@
 //! instruction set of the machine at run time. Without `std` the crate needs `core` alone, uses the
 //! instruction set that it is compiled for, and gives the same bits (of subnormal numbers too, unless
 //! they are switched off in the thread). `serde` reads and writes
-//! `Vecteur`, `Rotation`, `Texture`, `Rayon` and the describing types, through the same checks as
-//! their constructors. Nothing allocates, nothing is `unsafe`.
+//! `Vecteur`, `Rotation`, `Texture`, `Face`, `Rayon` and the describing types, through the same checks as
+//! their constructors. `mint` converts [`Vecteur`] and [`Rotation`] from and to its types, and so those of
+//! glam or nalgebra. Nothing allocates, nothing is `unsafe`.
 #![no_std]
 
 #[cfg(feature = "std")]
@@ -105,7 +106,7 @@ extern crate std;
 // The floors, from the ground up: a file imports only from floors below its own
 // (`docs/conception.md`, "The floors").
 //
-//   colonne · nombre · choix, niveau · vecteur · texture, refus · rotation · rayon · double
+//   colonne · nombre · choix, niveau · vecteur · texture, refus · rotation · echange, rayon · double
 //   intersection · secondaire · forme · sphere, plan, boite · face, objet · question · liste
 //   recherche, visite, jugement · lot · arbre · reponses · monde · pour_les_tests
 mod arbre;
@@ -113,6 +114,8 @@ mod boite;
 mod choix;
 mod colonne;
 mod double;
+#[cfg(feature = "mint")]
+mod echange;
 mod face;
 mod forme;
 mod intersection;

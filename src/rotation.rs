@@ -3,7 +3,7 @@
 use core::f64::consts::FRAC_PI_2;
 
 use crate::nombre::{Nombre, simple};
-use crate::refus::{ErreurGeo, exiger, fini};
+use crate::refus::{ErreurGeo, exiger, fini, refus_nul};
 use crate::vecteur::Vecteur;
 
 /// A rotation about the origin O, held as its matrix M: a vector V, written as a row, becomes
@@ -42,6 +42,13 @@ const IDENTITE: Matrice = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
 /// A matrix that is orthonormal to so many u is kept by [`Rotation::depuis_matrice`] (lemma 1).
 pub const DEJA_ORTHONORMALE: f64 = 8.0;
+
+/// How far M·Mᵀ may be from I for [`Rotation::depuis_matrice`] to take M: room for a rotation that is
+/// written with four decimals, be they rounded or cut off (lemma 13).
+const ECART: f64 = 1e-3;
+
+/// Two directions are parallel if the sine of their angle is so many u at most (lemma 13).
+const PARALLELES: f64 = 16.0;
 
 const ANGLES: [&str; 3] = ["vecteur_rotation.x", "vecteur_rotation.y", "vecteur_rotation.z"];
 
@@ -101,12 +108,25 @@ impl<R: Nombre> Rotation<R> {
     /// gave, which comes back bit for bit.
     ///
     /// A matrix that is orthonormal to 8u, by its rows and by its columns, is kept; any other is
-    /// replaced by the nearest rotation.
+    /// replaced by the nearest rotation. So four decimals are enough, in either type.
     ///
     /// # Errors
-    /// If an element of M is not finite, if one of M·Mᵀ − I exceeds 1e-6 (`f64`) or 1e-3 (`f32`),
-    /// or if M is a mirror (determinant below 0).
-    #[doc(alias = "from_matrix")]
+    /// If an element of M is not finite, if one of M·Mᵀ − I exceeds 1e-3, or if M is a mirror
+    /// (determinant below 0).
+    ///
+    /// ```
+    /// use lancer_rayon::{Rotation, Vecteur};
+    ///
+    /// let ecrite = [[0.8660_f64, -0.5, 0.0], [0.5, 0.8660, 0.0], [0.0, 0.0, 1.0]];
+    /// let r = Rotation::depuis_matrice(ecrite)?;
+    /// assert!((r.axes()[0].longueur() - 1.0).abs() < 1e-15);
+    /// assert!((r.matrice()[0][0] - 0.75_f64.sqrt()).abs() < 1e-4);
+    ///
+    /// let agrandie = ecrite.map(|ligne| ligne.map(|x| 1.01 * x));
+    /// assert_eq!(Rotation::depuis_matrice(agrandie).unwrap_err().champ, "matrice: |M·Mᵀ - I|");
+    /// # Ok::<(), lancer_rayon::ErreurGeo>(())
+    /// ```
+    #[doc(alias("from_matrix", "from_mat3", "from_rows"))]
     pub fn depuis_matrice(matrice: [[R; 3]; 3]) -> Result<Self, ErreurGeo> {
         const CHAMPS: [[&str; 3]; 3] = [
             ["matrice[0][0]", "matrice[0][1]", "matrice[0][2]"],
@@ -118,12 +138,8 @@ impl<R: Nombre> Rotation<R> {
         }
         let mut m = matrice.map(|ligne| ligne.map(R::vers_f64));
         let lignes = plus_grand_defaut(m);
-        // Room for numbers written with seven decimals, or four in `f32`.
-        let (limite, attendu) = R::selon(
-            (1e-3, "at most 1e-3, as for a rotation"),
-            (1e-6, "at most 1e-6, as for a rotation"),
-        );
-        exiger(lignes <= limite, "matrice: |M·Mᵀ - I|", lignes, attendu)?;
+        let attendu = "at most 1e-3, as for a rotation";
+        exiger(lignes <= ECART, "matrice: |M·Mᵀ - I|", lignes, attendu)?;
         let [x, y, z] = m.map(Vecteur::from);
         let determinant = x.produit_vectoriel(y).produit_scalaire(z);
         let attendu = "above 0: a mirror is no rotation";
@@ -139,12 +155,148 @@ impl<R: Nombre> Rotation<R> {
         Ok(Self::arrondie(m))
     }
 
+    /// The rotation by this angle about this axis, of any length, in the sense of [`new`](Self::new):
+    /// about x by α it is `new((α, 0, 0))`, and quarter turns about the three axes are exact. Each
+    /// element is off by its rounding and 30u of `f64` at most.
+    ///
+    /// The right-hand rule, which `from_axis_angle` of other crates follows, turns by −α, or about the
+    /// opposite axis.
+    ///
+    /// # Errors
+    /// If the axis is zero, or if a number is not finite.
+    ///
+    /// ```
+    /// use core::f64::consts::FRAC_PI_2;
+    /// use lancer_rayon::{Rotation, Vecteur};
+    ///
+    /// let r = Rotation::autour_de(Vecteur::Z * 2.0, FRAC_PI_2)?;
+    /// assert_eq!(r, Rotation::new(Vecteur::new(0.0, 0.0, FRAC_PI_2))?);
+    /// assert_eq!(r.appliquer(Vecteur::X), -Vecteur::Y);
+    ///
+    /// let main_droite = Rotation::autour_de(Vecteur::Z, -FRAC_PI_2)?;
+    /// assert_eq!(main_droite.appliquer(Vecteur::X), Vecteur::Y);
+    /// # Ok::<(), lancer_rayon::ErreurGeo>(())
+    /// ```
+    #[doc(alias("axis_angle", "from_axis_angle", "from_scaled_axis"))]
+    pub fn autour_de(axe: Vecteur<R>, angle: R) -> Result<Self, ErreurGeo> {
+        let n = unite(["axe", "axe.x", "axe.y", "axe.z"], axe)?;
+        let angle = exiger(angle.abs() < R::INFINI, "angle", angle, "a finite number")?;
+        let (cos, sin) = cos_sin(angle);
+        Ok(Self::arrondie(polie(tour(cos, 1.0 - cos, n, n * -sin))))
+    }
+
+    /// The rotation of the quaternion q = \[x, y, z, w\], w being its real part: a vector V becomes
+    /// q·V·q⁻¹, so that (sin(α/2)·N, cos(α/2)) turns by α about the unit vector N by the right-hand
+    /// rule. Of q and −q it is the same, and any length will do. Each element is off
+    /// by its rounding and 30u of `f64` at most.
+    ///
+    /// This is what `q * v` is in glam and in nalgebra, and the order is that of `q.to_array()` in glam
+    /// and of `q.coords` in nalgebra.
+    ///
+    /// # Errors
+    /// If a number is not finite, or if all four are zero.
+    ///
+    /// ```
+    /// use core::f64::consts::FRAC_1_SQRT_2;
+    /// use lancer_rayon::{Rotation, Vecteur};
+    ///
+    /// let quart_autour_de_z = Rotation::depuis_quaternion([0.0, 0.0, FRAC_1_SQRT_2, FRAC_1_SQRT_2])?;
+    /// assert_eq!(quart_autour_de_z.appliquer(Vecteur::X), Vecteur::Y);
+    /// assert_eq!(quart_autour_de_z, Rotation::depuis_quaternion([0.0, 0.0, -7.0, -7.0])?);
+    /// assert_eq!(Rotation::depuis_quaternion([0.0; 4]).unwrap_err().champ, "quaternion");
+    /// # Ok::<(), lancer_rayon::ErreurGeo>(())
+    /// ```
+    #[doc(alias("from_quat", "from_quaternion", "from_xyzw"))]
+    pub fn depuis_quaternion(quaternion: [R; 4]) -> Result<Self, ErreurGeo> {
+        let champs = ["quaternion.x", "quaternion.y", "quaternion.z", "quaternion.w"];
+        for (champ, nombre) in champs.into_iter().zip(quaternion) {
+            exiger(nombre.abs() < R::INFINI, champ, nombre, "a finite number")?;
+        }
+        let q = quaternion.map(R::vers_f64);
+        let grand = q.into_iter().map(f64::abs).fold(0.0, f64::max);
+        exiger(grand > 0.0, "quaternion", grand, "other than 0")?;
+        let [x, y, z, w] = q.map(|nombre| nombre / grand);
+        let v = Vecteur::new(x, y, z);
+        let (v2, w2) = (v.longueur_carree(), w * w);
+        let m = tour((w2 - v2) / (w2 + v2), 2.0 / (w2 + v2), v, v * (2.0 * w / (w2 + v2)));
+        Ok(Self::arrondie(polie(m)))
+    }
+
+    /// The shortest turn that takes the direction `de` to the direction `vers`, both of any length:
+    /// `appliquer(de)` has the direction of `vers` to 60u.
+    ///
+    /// Many half turns join opposite directions. This one is about the axis at a right angle to both and
+    /// to whichever of x and y lies farther from `vers`, to x if both are as far. It is taken, instead
+    /// of an axis that rounding would choose, where the sine of the angle between is 16u or less.
+    ///
+    /// # Errors
+    /// If a direction is zero or not finite.
+    ///
+    /// ```
+    /// use lancer_rayon::{Rotation, Vecteur};
+    ///
+    /// let r: Rotation = Rotation::entre(Vecteur::X, Vecteur::Y * 3.0)?;
+    /// assert_eq!(r.appliquer(Vecteur::X), Vecteur::Y);
+    /// assert_eq!(r.appliquer(Vecteur::Z), Vecteur::Z);
+    ///
+    /// let demi_tour: Rotation = Rotation::entre(Vecteur::Z, -Vecteur::Z)?;
+    /// assert_eq!(demi_tour.axes(), [-Vecteur::X, Vecteur::Y, -Vecteur::Z]);
+    /// # Ok::<(), lancer_rayon::ErreurGeo>(())
+    /// ```
+    #[doc(alias("from_rotation_arc", "rotation_between", "shortest_arc"))]
+    pub fn entre(de: Vecteur<R>, vers: Vecteur<R>) -> Result<Self, ErreurGeo> {
+        let a = unite(["de", "de.x", "de.y", "de.z"], de)?;
+        let b = unite(["vers", "vers.x", "vers.y", "vers.z"], vers)?;
+        if a.produit_scalaire(b) >= 0.0 {
+            return Ok(Self::arrondie(polie(arc(a, b))));
+        }
+        // Short of a half turn the axis is known to u over the sine, but must be at a right angle to b
+        // to u: first the short way to −b, then half a turn about it.
+        let k = a.produit_vectoriel(b);
+        let k = if k.longueur() > PARALLELES * R::U.vers_f64() { k } else { a_cote(b) };
+        let axe = b.produit_vectoriel(au_dessus(b, k));
+        let demi_tour = tour(-1.0, 2.0, axe, Vecteur::NUL);
+        Ok(Self::arrondie(polie(produit(arc(a, -b), demi_tour))))
+    }
+
+    /// How a camera is turned that looks along `direction` and holds `haut` upright: −z, along which it
+    /// looks at first, becomes `direction`, y the vector nearest to `haut` that is at a right angle to
+    /// it, and x what is then on the right. Both may have any length. `direction` is met to 15u, and x
+    /// is at a right angle to `haut` to 20u.
+    ///
+    /// The inverse is what `look_to` of other crates has: from the scene to the camera.
+    ///
+    /// # Errors
+    /// If a vector is zero or not finite, or if the sine of the angle between both is 16u or less: up is
+    /// then nowhere.
+    ///
+    /// ```
+    /// use lancer_rayon::{Rotation, Vecteur};
+    ///
+    /// let (camera, cible) = (Vecteur::new(5.0, 1.0, 0.0), Vecteur::new(0.0, 1.0, 0.0));
+    /// let r = Rotation::regard(cible - camera, Vecteur::Y)?;
+    /// assert_eq!(r.axes(), [-Vecteur::Z, Vecteur::Y, Vecteur::X]);
+    ///
+    /// let erreur = Rotation::<f64>::regard(Vecteur::Y, -Vecteur::Y).unwrap_err();
+    /// assert_eq!(erreur.champ, "haut: sine of its angle with direction");
+    /// # Ok::<(), lancer_rayon::ErreurGeo>(())
+    /// ```
+    #[doc(alias("look_at", "look_to", "camera"))]
+    pub fn regard(direction: Vecteur<R>, haut: Vecteur<R>) -> Result<Self, ErreurGeo> {
+        let champs = ["direction", "direction.x", "direction.y", "direction.z"];
+        let d = unite(champs, direction)?;
+        let k = d.produit_vectoriel(unite(["haut", "haut.x", "haut.y", "haut.z"], haut)?);
+        let (sinus, champ) = (k.longueur(), "haut: sine of its angle with direction");
+        let attendu = "above 16u: parallel to direction it says nothing";
+        exiger(sinus > PARALLELES * R::U.vers_f64(), champ, sinus, attendu)?;
+        let y = au_dessus(d, k);
+        Ok(Self::arrondie(polie([d.produit_vectoriel(y), y, -d].map(<[f64; 3]>::from))))
+    }
+
     /// A rotation that takes z to this direction; none for a vector that is zero or not finite.
     pub(crate) fn de_z_vers(direction: Vecteur<R>) -> Option<Self> {
         let z = direction.vers_f64().unitaire()?;
-        // Of x and y the axis that lies farther from it.
-        let axe = usize::from(z.x.abs() > z.y.abs());
-        let x = Vecteur::from(IDENTITE[axe]).produit_vectoriel(z).unitaire()?;
+        let x = a_cote(z).unitaire()?;
         Some(Self::arrondie(polie([x, z.produit_vectoriel(x), z].map(<[f64; 3]>::from))))
     }
 
@@ -235,6 +387,40 @@ fn cos_sin<R: Nombre>(angle: R) -> (f64, f64) {
     }
     let angle = angle.vers_f64();
     (libm::cos(angle), libm::sin(angle))
+}
+
+/// A direction as a unit vector; refused by its name, or that of a coordinate, if it is zero or not finite.
+fn unite<R: Nombre>(
+    [nom, x, y, z]: [&'static str; 4],
+    v: Vecteur<R>,
+) -> Result<Vecteur, ErreurGeo> {
+    fini([x, y, z], v)?.vers_f64().unitaire().ok_or_else(|| refus_nul(nom))
+}
+
+/// A vector at a right angle to this unit vector and to whichever of x and y lies farther from it; no
+/// shorter than √½.
+fn a_cote(v: Vecteur) -> Vecteur {
+    let axe = if v.x.abs() > v.y.abs() { Vecteur::Y } else { Vecteur::X };
+    axe.produit_vectoriel(v)
+}
+
+/// The unit vector at a right angle to the unit vector d and to k, along k ∧ d. k may be as short as
+/// `PARALLELES` u: this is at a right angle to d all the same.
+fn au_dessus(d: Vecteur, k: Vecteur) -> Vecteur {
+    let y = k.produit_vectoriel(d);
+    y / y.longueur()
+}
+
+/// The matrix of the turn V ↦ a·V + b·(v·V)·v + e ∧ V: its rows are what the axes become.
+fn tour(a: f64, b: f64, v: Vecteur, e: Vecteur) -> Matrice {
+    let axes = [(Vecteur::X, v.x), (Vecteur::Y, v.y), (Vecteur::Z, v.z)];
+    axes.map(|(axe, v_i)| (axe * a + v * (b * v_i) + e.produit_vectoriel(axe)).into())
+}
+
+/// The shortest turn from a unit vector to another, at most a right angle away.
+fn arc(de: Vecteur, vers: Vecteur) -> Matrice {
+    let (cos, k) = (de.produit_scalaire(vers), de.produit_vectoriel(vers));
+    tour(cos, 1.0 / (1.0 + cos), k, k)
 }
 
 fn transposee<T: Copy>(m: [[T; 3]; 3]) -> [[T; 3]; 3] {

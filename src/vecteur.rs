@@ -26,7 +26,8 @@ use crate::nombre::{Nombre, puissance_de_deux, simple};
 ///
 /// assert_eq!(Vecteur::from([1.0, 2.0, 2.0]), v);
 /// let [x, y, z]: [f64; 3] = v.into();
-/// assert_eq!((x, y, z), (v.x, v.y, v.z));
+/// assert_eq!((x, y, z), v.into());
+/// assert_eq!(Vecteur::from((x, y, z)), Vecteur::X * x + Vecteur::Y * y + Vecteur::Z * z);
 /// ```
 #[doc(alias("vector", "point"))]
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -47,6 +48,18 @@ impl<R: Nombre> Vecteur<R> {
     /// (0, 0, 0): the origin O.
     #[doc(alias = "zero")]
     pub const NUL: Self = Self::new(R::ZERO, R::ZERO, R::ZERO);
+
+    /// (1, 0, 0): to the right.
+    #[doc(alias("x_axis", "unit_x"))]
+    pub const X: Self = Self::new(R::UN, R::ZERO, R::ZERO);
+
+    /// (0, 1, 0): up.
+    #[doc(alias("y_axis", "unit_y", "up"))]
+    pub const Y: Self = Self::new(R::ZERO, R::UN, R::ZERO);
+
+    /// (0, 0, 1): towards the viewer.
+    #[doc(alias("z_axis", "unit_z"))]
+    pub const Z: Self = Self::new(R::ZERO, R::ZERO, R::UN);
 
     /// The vector of these three coordinates.
     #[inline(always)]
@@ -126,8 +139,7 @@ impl<R: Nombre> Vecteur<R> {
     ///
     /// ```
     /// # use lancer_rayon::Vecteur;
-    /// let (x, y) = (Vecteur::new(1.0, 0.0, 0.0), Vecteur::new(0.0, 1.0, 0.0));
-    /// assert_eq!(x.produit_vectoriel(y), Vecteur::new(0.0, 0.0, 1.0));
+    /// assert_eq!(Vecteur::<f64>::X.produit_vectoriel(Vecteur::Y), Vecteur::Z);
     /// ```
     #[doc(alias("cross", "cross_product"))]
     #[inline(always)]
@@ -180,18 +192,32 @@ impl<R: Nombre> Vecteur<R> {
     }
 }
 
-impl<R> From<[R; 3]> for Vecteur<R> {
-    #[inline(always)]
-    fn from([x, y, z]: [R; 3]) -> Self {
-        Self { x, y, z }
-    }
-}
+/// Between a vector and what else has three coordinates: its type, and how it is taken apart and made.
+macro_rules! trois_coordonnees {
+    (|$x:ident, $y:ident, $z:ident| $($(#[$doc:meta])* $type:ty => { $($forme:tt)+ })+) => {$(
+        $(#[$doc])*
+        impl<R> From<$type> for Vecteur<R> {
+            #[inline(always)]
+            fn from($($forme)+: $type) -> Self {
+                Self { x: $x, y: $y, z: $z }
+            }
+        }
 
-impl<R> From<Vecteur<R>> for [R; 3] {
-    #[inline(always)]
-    fn from(v: Vecteur<R>) -> Self {
-        [v.x, v.y, v.z]
-    }
+        $(#[$doc])*
+        impl<R> From<Vecteur<R>> for $type {
+            #[inline(always)]
+            fn from(Vecteur { x: $x, y: $y, z: $z }: Vecteur<R>) -> Self {
+                $($forme)+
+            }
+        }
+    )+};
+}
+#[cfg(feature = "mint")]
+pub(crate) use trois_coordonnees;
+
+trois_coordonnees! { |x, y, z|
+    [R; 3] => { [x, y, z] }
+    (R, R, R) => { (x, y, z) }
 }
 
 /// Operators between two vectors, or a vector and a number, and those that assign: `+` with `+=`.

@@ -29,9 +29,7 @@ pub const ORTHONORMALE: f64 = 5.5;
 pub const PRODUIT: f64 = 18.0;
 
 /// How far M·Mᵀ may be from I for `depuis_matrice` to take M (C15).
-pub fn ecart_rotation<R: Reel>() -> f64 {
-    if u::<R>() > f64::EPSILON { 1e-3 } else { 1e-6 }
-}
+pub const ECART_ROTATION: f64 = 1e-3;
 
 /// u in f64.
 pub fn u<R: Reel>() -> f64 {

@@ -1,7 +1,7 @@
 //! Whatever bits go in, invalid values cannot be constructed, and every query on valid ones ends.
 
 use commun::strategies::{quelconque, vecteur_quelconque};
-use commun::tolerances::{ORTHONORMALE, ecart_rotation, u};
+use commun::tolerances::{ECART_ROTATION, ORTHONORMALE, u};
 use commun::{Bits, en_f32_et_f64, est_une_entree, pour_tout};
 use lancer_rayon::{
     BoiteGeo, ErreurGeo, Face, ObjetGeo, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo,
@@ -21,7 +21,7 @@ fn refusee<R: Reel>(erreur: ErreurGeo) -> TestCaseResult {
         "coefficient" => valeur > 0.0 && valeur < f64::INFINITY,
         "vecteur_rotation" | "translation" | "matrice" | "origine" => valeur.is_finite(),
         "direction" => valeur != 0.0 && valeur.is_finite(),
-        "matrice:" if champ.ends_with('|') => valeur <= ecart_rotation::<R>(),
+        "matrice:" if champ.ends_with('|') => valeur <= ECART_ROTATION,
         "matrice:" => valeur > 0.0,
         autre => return Err(TestCaseError::fail(format!("unknown field {autre}"))),
     };

@@ -62,6 +62,23 @@ fn un_operateur_sur_place_est_l_operateur<R: Reel>() {
     assert_eq!((4.0 * COTES, 4.0_f32 * arrondi(COTES)), (COTES * 4.0, arrondi(COTES * 4.0)));
 }
 
+/// Arrays, triples and, with the feature, the types of `mint` hold the same coordinates in the same order.
+fn les_coordonnees_restent_a_leur_place<R: Reel>() {
+    let v = arrondi::<R>(COTES);
+    assert_eq!(v, Vecteur::X * v.x + Vecteur::Y * v.y + Vecteur::Z * v.z);
+    let (triple, tableau): ((R, R, R), [R; 3]) = (v.into(), v.into());
+    assert_eq!((triple, tableau), ((v.x, v.y, v.z), [v.x, v.y, v.z]));
+    assert_eq!([Vecteur::from(triple), Vecteur::from(tableau)], [v; 2]);
+    #[cfg(feature = "mint")]
+    {
+        let (vecteur, point): (mint::Vector3<R>, mint::Point3<R>) = (v.into(), v.into());
+        assert_eq!((vecteur.x, vecteur.y, vecteur.z), triple);
+        assert_eq!((point.x, point.y, point.z), triple);
+        assert_eq!([Vecteur::from(vecteur), Vecteur::from(point)], [v; 2]);
+    }
+}
+
 en_f32_et_f64!(la_longueur_est_exacte_d_un_bout_a_l_autre);
 en_f32_et_f64!(la_distance_d_une_lampe_est_exacte_aux_bornes);
 en_f32_et_f64!(un_operateur_sur_place_est_l_operateur);
+en_f32_et_f64!(les_coordonnees_restent_a_leur_place);

@@ -3,7 +3,7 @@
 use commun::strategies::{objet, plante, rotation};
 use commun::{en_f32_et_f64, pour_tout};
 use lancer_rayon::{
-    BoiteGeo, ObjetGeo, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture, Vecteur,
+    BoiteGeo, Face, ObjetGeo, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture, Vecteur,
 };
 use proptest::prelude::*;
 use serde::de::DeserializeOwned;
@@ -95,6 +95,16 @@ fn un_champ_inconnu_ou_absent_se_nomme() {
     refuse::<Rayon>("(source: (0, 0, 0), direction: (0, 0, 1), longueur: 1)", "longueur");
     let erreur = serde_json::from_str::<Rayon>(r#"{"source": [0, 0, 0], "dir": [0, 0, 1]}"#);
     assert!(erreur.unwrap_err().to_string().contains("unknown field `dir`"));
+}
+
+/// A face is the name of its variant, also as the key of a map; another name is refused.
+#[test]
+fn une_face_s_ecrit_par_son_nom() {
+    assert_eq!(relu(&Face::TOUTES), [Face::TOUTES; 2]);
+    assert_eq!(ron::to_string(&Face::MoinsZ).unwrap(), "MoinsZ");
+    assert_eq!(serde_json::to_string(&Face::PlusX).unwrap(), "\"PlusX\"");
+    refuse::<Face>("PlusW", "PlusW");
+    assert_eq!(format!("{:>4}|{:<3}|{}", Face::PlusY, Face::MoinsX, Face::MoinsZ), "  +y|-x |-z");
 }
 
 /// A bare vector is the one value that may hold a NaN.

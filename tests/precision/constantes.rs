@@ -14,11 +14,11 @@
 //!   of which all are v or more have v ≤ 1/√k;
 //! - lemma 8: that nearer than |f| = 2r no sphere is lost;
 //! - lemma 13: that a matrix made of sines and cosines, or of one direction, is orthonormal to 90u
-//!   before its Newton step;
+//!   before its Newton step, and of a quaternion or several directions to 200u;
 //! - lemma 21: that what is subnormal is less than the slack.
 
 use crate::intervalle::{Intervalle, de_a, portee};
-use commun::tolerances::{ORTHONORMALE, bandes, promesses};
+use commun::tolerances::{ECART_ROTATION, ORTHONORMALE, bandes, promesses};
 use lancer_rayon::Nombre;
 use lancer_rayon::pour_les_tests::*;
 
@@ -664,8 +664,12 @@ fn lemme_13_rotations() {
     // Elements of 12u and products off by γ₃ of f64, as norms, which are at most three times the
     // largest element.
     let compose = |u: f64| {
+        // What is made of a quaternion or of directions, in f64 for either type.
+        let fait = 200.0 * i(v);
         let facteur = 3.0 * N2 * i(u);
-        facteur + facteur * (1.0 + facteur) + 2.0 * 3.0 * gamma(3.0, v) * v * plus(8.0, v)
+        let produit =
+            facteur + facteur * (1.0 + facteur) + 2.0 * 3.0 * gamma(3.0, v) * v * plus(8.0, v);
+        produit.max(fait)
     };
     // I − M·Mᵀ is off by γ₃ of f64, and so is what is left; then the sum of the step. In f64 that
     // is the last arronding, in f32 the elements round once more.
@@ -674,8 +678,8 @@ fn lemme_13_rotations() {
     tenir(ORTHONORMALE, |u| et(reste(u), elements(u), u));
     // The columns: the eigenvalues are the same.
     tenir(N2, |u| et(3.0 * reste(u), elements(u), u));
-    // From an element of 1e-3, three steps.
-    let mut e = 3.0 * i(1.01e-3);
+    // From an element at the limit, three steps.
+    let mut e = 3.0 * i(1.01 * ECART_ROTATION);
     for _ in 0..3 {
         e = pas(e) + 3.0 * gamma(4.0, v) * v;
     }
