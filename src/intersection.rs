@@ -34,6 +34,7 @@ pub struct Intersection<R = f64> {
     normale: Vecteur<R>,
     marge: R,
     point: Vecteur<R>,
+    su: R,
     texture: Texture,
     rang: Rang,
 }
@@ -44,7 +45,7 @@ pub type Reponse<R = f64> = Result<Intersection<R>, NoIntersection>;
 
 // `Rang` is never 0, so the compiler marks a miss by rank 0, and `Reponse` is no larger than
 // `Intersection`.
-const _: () = assert!(size_of::<Reponse<f64>>() == 72 && size_of::<Reponse<f32>>() == 40);
+const _: () = assert!(size_of::<Reponse<f64>>() == 80 && size_of::<Reponse<f32>>() == 44);
 
 /// The number of an object in a list, counted from 1. A list holds at most 2³² − 1 objects, which
 /// [`exiger_des_rangs`] sees to.
@@ -86,19 +87,26 @@ impl Rang {
 
 impl<R: Nombre> Intersection<R> {
     #[inline(always)]
-    pub(crate) fn new(distance: R, contact: Contact<R>, texture: Texture, rang: Rang) -> Self {
+    pub(crate) fn new(
+        distance: R,
+        contact: Contact<R>,
+        su: R,
+        texture: Texture,
+        rang: Rang,
+    ) -> Self {
         let Contact { normale, marge, point } = contact;
-        Self { distance, normale, marge, point, texture, rang }
+        Self { distance, normale, marge, point, su, texture, rang }
     }
 
     /// A hit of which no more than this is known so far.
     pub(crate) fn a_conclure(distance: R, rang: Rang) -> Self {
-        let contact = Contact { normale: Vecteur::NUL, marge: R::ZERO, point: Vecteur::NUL };
-        Self::new(distance, contact, Texture(0), rang)
+        let (normale, point) = (Vecteur::NUL, Vecteur::NUL);
+        let contact = Contact { normale, marge: R::ZERO, point };
+        Self::new(distance, contact, R::ZERO, Texture(0), rang)
     }
 
-    /// t, finite and above 0: the object is touched at S + tD. As D is unit only to rounding, that
-    /// is the distance in scene units to 7.6u.
+    /// t, finite and 0 or more: the object is touched at S + tD. As D is unit only to rounding, that
+    /// is the distance in scene units to 7.6u. It is 0 where the ray touches [at once](crate::Rayon::flou).
     #[doc(alias = "t")]
     #[must_use]
     pub fn distance(&self) -> R {
@@ -116,6 +124,12 @@ impl<R: Nombre> Intersection<R> {
     #[doc(alias("position", "location"))]
     pub fn point(&self) -> Vecteur<R> {
         self.point
+    }
+
+    /// What the ray knew of its source; of a way out, what a ray in its place outside would know.
+    #[inline(always)]
+    pub(crate) fn su(&self) -> R {
+        self.su
     }
 
     /// The texture of the object.

@@ -4,7 +4,7 @@
 use crate::choix::Choix;
 use crate::nombre::Nombre;
 use crate::objet::ObjetRay;
-use crate::question::Question;
+use crate::question::{Abord, Question};
 use crate::rayon::Rayon;
 
 /// The objects that are asked: a list, and which of it a choice takes. Each keeps its index in the list.
@@ -41,11 +41,37 @@ impl<'a, R: Nombre> Liste<'a, R> {
         question: &mut Q,
         indices: impl Iterator<Item = usize>,
     ) -> bool {
+        if rayon.flou() > R::ZERO {
+            self.interroger_a_part(rayon, question, indices)
+        } else {
+            self.interroger_ceux(rayon, question, indices, Abord::Inconnu)
+        }
+    }
+
+    /// The same for a ray that has a δ above 0.
+    #[inline(always)]
+    fn interroger_a_part<Q: Question<R>>(
+        &self,
+        rayon: &Rayon<R>,
+        question: &mut Q,
+        indices: impl Iterator<Item = usize>,
+    ) -> bool {
+        self.interroger_ceux(rayon, question, indices, Abord::InconnuFlou)
+    }
+
+    #[inline(always)]
+    fn interroger_ceux<Q: Question<R>>(
+        &self,
+        rayon: &Rayon<R>,
+        question: &mut Q,
+        indices: impl Iterator<Item = usize>,
+        abord: Abord,
+    ) -> bool {
         // A copy, which stays in registers.
         let copie = *rayon;
         for indice in indices {
             let Some(objet) = self.objets.get(indice) else { continue };
-            let Some(vu) = question.voir(&copie, objet, indice, false) else { continue };
+            let Some(vu) = question.voir(&copie, objet, indice, abord) else { continue };
             // The choice after the object: before it, a list of six without a choice takes up to 1.07 times as long
             // (measured).
             if self.prend(indice) && question.retenir(vu, indice, false) && Q::UN_SUFFIT {

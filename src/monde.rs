@@ -313,8 +313,8 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// **A lamp that is an object of the list** hides the points of its own surface: no distance is
     /// exact enough to stop just before it. [Leave it out](Self::sans).
     ///
-    /// **From inside an object** that object is not seen, as by any ray: a point under a thing that
-    /// stands on the floor is not in its shadow. [`contient`](Self::contient) tells such points.
+    /// **From deep inside an object** that object is not seen, as by any ray: a point of the floor under a ball that is
+    /// sunk in it is not in its shadow. [`contient`](Self::contient) tells such points.
     ///
     /// ```
     /// use lancer_rayon::{Monde, Rayon, SphereGeo, Texture, Vecteur};
@@ -371,8 +371,7 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// of two at the same distance the earlier in the list. Places that are left over become misses. Tells how many
     /// were filled: if all, there may be more.
     ///
-    /// It is what asking every object alone and sorting gives, to the bit, also where two objects touch: to go on from
-    /// hit to hit with [`secondaire`](crate::Intersection::secondaire) would lose objects there, or meet some twice.
+    /// It is what asking every object alone and sorting gives, to the bit, also where two objects touch.
     /// Where a ray leaves an object, [`sortie`](ObjetRay::sortie) tells. An object in which the ray starts is not
     /// entered: such are the [`contenants`](Self::contenants) of its source.
     ///

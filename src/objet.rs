@@ -180,11 +180,34 @@ impl<R: Nombre> ObjetRay<R> {
         })
     }
 
+    /// The same for a ray that has a δ above 0, and may touch this object at once, at distance 0.
+    #[inline(always)]
+    pub(crate) fn t_touche_si_proche(&self, rayon: &Rayon<R>) -> R {
+        par_forme!(Self, self, forme => {
+            if forme.peut_toucher(rayon) { forme.t_touche(rayon) } else { R::INFINI }
+        })
+    }
+
+    /// The distance at which the ray touches this object, 0 if at once.
+    pub(crate) fn t_touche(&self, rayon: &Rayon<R>) -> R {
+        let de_dedans = rayon.flou() > R::ZERO && self.contient(rayon.source());
+        if de_dedans { self.t_de_dedans(rayon) } else { self.t(rayon) }
+    }
+
+    /// 0 if the ray, which has a δ above 0, touches this object at once, else +∞.
+    #[cold]
+    #[inline(never)]
+    pub(crate) fn t_de_dedans(&self, rayon: &Rayon<R>) -> R {
+        par_forme!(Self, self, forme => {
+            if forme.contient(rayon.source()) { forme.t_de_dedans(rayon) } else { R::INFINI }
+        })
+    }
+
     /// The hit that the search found at distance `t`, on this object, which has this rank.
     #[inline(always)]
     pub(crate) fn conclure(&self, rayon: &Rayon<R>, t: R, rang: Rang) -> Intersection<R> {
         par_forme!(Self, self, forme => {
-            Intersection::new(t, forme.conclure(rayon, t), forme.texture(), rang)
+            Intersection::new(t, forme.conclure(rayon, t), rayon.su(), forme.texture(), rang)
         })
     }
 

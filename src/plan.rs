@@ -242,12 +242,25 @@ impl<R: Nombre> Forme<R> for PlanRay<R> {
         (descente > R::ZERO) & (hauteur > R::ZERO) // H2
     }
 
+    #[inline(always)]
+    fn peut_toucher(&self, rayon: &Rayon<R>) -> bool {
+        let (hauteur, descente) = self.hauteur_et_descente(rayon);
+        (descente > R::ZERO) & (hauteur > -rayon.flou())
+    }
+
     /// t = (−d − N·S)/(N·D).
     #[inline(always)]
-    fn t(&self, rayon: &Rayon<R>) -> R {
+    fn t_et_dedans(&self, rayon: &Rayon<R>) -> (R, bool) {
         let (hauteur, descente) = self.hauteur_et_descente(rayon);
         // H3
-        if self.peut_entrer(rayon) { hauteur / descente } else { R::INFINI }
+        let t = if self.peut_entrer(rayon) { hauteur / descente } else { R::INFINI };
+        (t, hauteur <= R::ZERO)
+    }
+
+    #[inline(always)]
+    fn des_le_depart(&self, rayon: &Rayon<R>) -> bool {
+        let (hauteur, _) = self.hauteur_et_descente(rayon);
+        (hauteur <= R::ZERO) & self.peut_toucher(rayon) // D2
     }
 
     /// t = (−d − N·S)/(N·D), for a ray that climbs from inside: the entry into the other half of
@@ -259,6 +272,7 @@ impl<R: Nombre> Forme<R> for PlanRay<R> {
         if (descente < R::ZERO) & (hauteur < R::ZERO) { hauteur / descente } else { R::INFINI }
     }
 
+    #[inline(always)]
     fn contient(&self, point: Vecteur<R>) -> bool {
         self.normale.produit_scalaire(point) + self.distance <= R::ZERO
     }

@@ -15,7 +15,7 @@ use crate::reponses::{Reel, Vue};
 pub use crate::arbre::repere::{JEU_DISTANCE, JEU_F32, JEU_LARGEUR};
 pub use crate::arbre::sonde::{JEU_FACE, JEU_FAISCEAU};
 pub use crate::double::{BORNE_DOUBLE, Double, Intervalle, PERTE_DOUBLE, PRODUIT_DOUBLE};
-pub use crate::forme::{ARRONDI_HAUTEUR, PENCHE, PLANCHER, RETRAIT, VERS_LE_HAUT};
+pub use crate::forme::{ARRONDI_HAUTEUR, FLOU_PROPRE, PENCHE, PLANCHER, RETRAIT, VERS_LE_HAUT};
 pub use crate::jugement::ERREUR_ARRONDIE;
 pub use crate::jugement::coup_d_oeil::{
     VUE_DISTANCE, VUE_HAUTEUR, VUE_LONGUEUR, VUE_QUOTIENT, VUE_SPHERE, VUE_VITESSE, coup_d_oeil,
@@ -25,7 +25,9 @@ pub use crate::lot::faisceau::{COURT, COURT_OMEGA, ORIGINES, PENTE};
 pub use crate::objet::ETENDUE;
 pub use crate::rayon::DEJA_UNITAIRE;
 pub use crate::rotation::DEJA_ORTHONORMALE;
-pub use crate::secondaire::{PAS_ARRONDI, PAS_NORMAL, REDRESSE, TANGENT};
+pub use crate::secondaire::{
+    FLOU_DISTANCE, FLOU_POINT, PAS_ARRONDI, PAS_NORMAL, REDRESSE, TANGENT,
+};
 pub use crate::sphere::{ARRONDI_PERDU, LONGUEUR, PAR_RAYON, PUISSANCE_PERDUE, TRAVERS_PERDU};
 
 /// Which instructions are taken: no answer depends on it.

@@ -22,14 +22,13 @@ pub(crate) trait Question<R: Nombre> {
     /// No object that the ray enters farther than this counts.
     fn limite(&self) -> R;
 
-    /// Asks the object at this index of the list; `None` if it does not count. `dans_sa_boite` says that the ray
-    /// crosses the box of the object: the ball, which such a ray seldom passes by, is then not worth asking.
+    /// Asks the object at this index of the list; `None` if it does not count.
     fn voir(
         &self,
         rayon: &Rayon<R>,
         objet: &ObjetRay<R>,
         indice: usize,
-        dans_sa_boite: bool,
+        abord: Abord,
     ) -> Option<Self::Vu>;
 
     /// Keeps the object at this index if it comes before the last that is kept; tells whether. `en_morceaux` says that
@@ -40,18 +39,31 @@ pub(crate) trait Question<R: Nombre> {
     fn repondre(self, rayon: &Rayon<R>, objets: &[ObjetRay<R>]) -> Self::Reponse;
 }
 
-/// Where the ray enters the object; `None`, or +∞, which comes before nothing, if it does not.
+/// What is known of an object before it is asked.
+#[derive(Clone, Copy)]
+pub(crate) enum Abord {
+    /// Nothing: a list asks it.
+    Inconnu,
+    /// The same of a ray that has a δ above 0.
+    InconnuFlou,
+    /// The ray crosses its box, first at `entree`: its ball, which such a ray seldom passes by, is not worth asking. Up
+    /// to `jusqu_ici` the box may hold the source of a ray that has a δ above 0.
+    DansSaBoite { entree: f32, jusqu_ici: f32 },
+}
+
+/// Where the ray touches the object; `None`, or +∞, which comes before nothing, if it does not.
 #[inline(always)]
-pub(crate) fn entree<R: Nombre>(
-    rayon: &Rayon<R>,
-    objet: &ObjetRay<R>,
-    dans_sa_boite: bool,
-) -> Option<R> {
-    if dans_sa_boite {
-        return Some(objet.t(rayon));
+pub(crate) fn entree<R: Nombre>(rayon: &Rayon<R>, objet: &ObjetRay<R>, abord: Abord) -> Option<R> {
+    match abord {
+        // The comparison decides nothing: without it every miss ties with none so far, and ranks are compared.
+        Abord::Inconnu => Some(objet.t_si_proche(rayon)).filter(|t| *t < R::INFINI),
+        Abord::InconnuFlou => Some(objet.t_touche_si_proche(rayon)).filter(|t| *t < R::INFINI),
+        Abord::DansSaBoite { entree, jusqu_ici } => {
+            let t = objet.t(rayon);
+            let de_dedans = t == R::INFINI && entree <= jusqu_ici;
+            Some(if de_dedans { objet.t_de_dedans(rayon) } else { t })
+        }
     }
-    // The comparison decides nothing: without it every miss ties with none so far, and ranks are compared.
-    Some(objet.t_si_proche(rayon)).filter(|t| *t < R::INFINI)
 }
 
 /// Which object the ray enters first.
@@ -89,8 +101,8 @@ impl<R: Nombre> Question<R> for Premier<R> {
     }
 
     #[inline(always)]
-    fn voir(&self, rayon: &Rayon<R>, objet: &ObjetRay<R>, _: usize, boite: bool) -> Option<R> {
-        entree(rayon, objet, boite)
+    fn voir(&self, rayon: &Rayon<R>, objet: &ObjetRay<R>, _: usize, abord: Abord) -> Option<R> {
+        entree(rayon, objet, abord)
     }
 
     #[inline(always)]
@@ -134,8 +146,8 @@ impl<R: Nombre> Question<R> for Ombre<R> {
     }
 
     #[inline(always)]
-    fn voir(&self, rayon: &Rayon<R>, objet: &ObjetRay<R>, _: usize, boite: bool) -> Option<R> {
-        entree(rayon, objet, boite)
+    fn voir(&self, rayon: &Rayon<R>, objet: &ObjetRay<R>, _: usize, abord: Abord) -> Option<R> {
+        entree(rayon, objet, abord)
     }
 
     #[inline(always)]

@@ -1,6 +1,6 @@
 //! Rays of light (handout §4.1 and annex A): a source, a unit direction and an end.
 
-use crate::nombre::{Nombre, fois_u, simple};
+use crate::nombre::{Nombre, fois_u, max, simple};
 use crate::refus::{ErreurGeo, exiger, fini, point, refus_nul};
 use crate::vecteur::Vecteur;
 
@@ -31,6 +31,10 @@ pub struct Rayon<R = f64> {
     direction: Vecteur<R>,
     #[cfg_attr(feature = "serde", serde(serialize_with = "fin_en_option"))]
     fin: R,
+    /// If 0 or more, δ: no object holds the source by more than δ and its own rounding. If below 0, the ray is inside
+    /// that many objects. (M7)
+    #[cfg_attr(feature = "serde", serde(serialize_with = "flou_en_option"))]
+    flou: R,
 }
 
 impl<R: Nombre> Rayon<R> {
@@ -99,10 +103,72 @@ impl<R: Nombre> Rayon<R> {
         Ok(Self { fin, ..self })
     }
 
-    /// The ray without an end of a source and a direction that were checked before.
+    /// The same ray, of whose source is known that it lies on a surface, or in a seam of several, to this δ: a particle
+    /// that is born on a wall, a probe that stands on a floor.
+    ///
+    /// An object that holds the source by no more than δ, and into which the ray goes, is touched at once, at distance 0.
+    /// Without this word the ray starts inside that object and does not see it. A ray that
+    /// [starts from a hit](crate::Intersection::secondaire) knows its δ.
+    ///
+    /// # Errors
+    /// If `flou` is not finite or below 0.
+    ///
+    /// ```
+    /// use lancer_rayon::{NoIntersection, ObjetRay, PlanGeo, Rayon, Texture, Vecteur};
+    ///
+    /// let sol = ObjetRay::from(PlanGeo::par_un_point(Vecteur::NUL, Vecteur::new(0.0, 1.0, 0.0), Texture(0))?);
+    /// // On the floor as somebody else computed it.
+    /// let rayon = Rayon::new(Vecteur::new(4.0, -1e-12, 0.0), Vecteur::new(0.0, -1.0, 0.0))?;
+    /// assert_eq!(sol.intersection(&rayon), Err(NoIntersection));
+    /// assert_eq!(sol.intersection(&rayon.avec_flou(1e-9)?)?.distance(), 0.0);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    #[doc(alias("tolerance", "on_surface", "blur"))]
+    pub fn avec_flou(self, flou: R) -> Result<Self, ErreurGeo> {
+        let accepte = flou >= R::ZERO && flou < R::INFINI;
+        Ok(Self { flou: exiger(accepte, "flou", flou, "a finite number, 0 or more")?, ..self })
+    }
+
+    /// The same ray, of which is known that it starts inside something: in mist, in water, in glass. It sees as a ray
+    /// from [`new`](Self::new) does, and so do the rays that start from its hits until they are out again: none
+    /// of them touches at once the mist that stands flush on a floor.
+    ///
+    /// ```
+    /// use lancer_rayon::{Monde, PlanGeo, Rayon, SphereGeo, Texture, Vecteur};
+    ///
+    /// let haut = Vecteur::new(0.0, 1.0, 0.0);
+    /// let sol = PlanGeo::par_un_point(Vecteur::NUL, haut, Texture(0))?;
+    /// let brume = SphereGeo::new(Vecteur::NUL, 9.0, Texture(1))?;
+    /// let objets = [sol.into(), brume.into()];
+    /// let monde = Monde::de_liste(&objets);
+    ///
+    /// let oeil = Rayon::new(Vecteur::new(0.0, 1.0, 0.0), Vecteur::new(3.0, -1.0, 0.0))?.dedans();
+    /// let touche = monde.premiere_intersection(&oeil)?;
+    /// assert_eq!(touche.indice(), 0);
+    /// assert!(monde.premiere_intersection(&touche.reflechi(oeil.direction())?).is_err());
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    #[doc(alias("inside", "medium"))]
+    pub fn dedans(self) -> Self {
+        Self { flou: -R::UN, ..self }
+    }
+
+    /// The ray without an end of a source and a direction that were checked before, of which no more is known.
     #[inline(always)]
     pub(crate) fn sans_fin(source: Vecteur<R>, direction: Vecteur<R>) -> Self {
-        Self { source, direction, fin: R::INFINI }
+        Self { source, direction, fin: R::INFINI, flou: R::ZERO }
+    }
+
+    /// The same ray with what is known of its source: δ, or below 0 inside how many objects it is.
+    #[inline(always)]
+    pub(crate) fn sachant(self, flou: R) -> Self {
+        Self { flou, ..self }
+    }
+
+    /// What [`sachant`](Self::sachant) said.
+    #[inline(always)]
+    pub(crate) fn su(&self) -> R {
+        self.flou
     }
 
     /// The same ray with an end that was checked before.
@@ -132,6 +198,16 @@ impl<R: Nombre> Rayon<R> {
         self.fin
     }
 
+    /// δ, how exactly the ray knows its source, in scene units: an object that holds the source by no more than δ and its
+    /// own rounding, and into which the ray goes, is touched at once. 0 of a ray from [`new`](Self::new), which takes
+    /// its source as it stands, and of one that is [inside](Self::dedans) something.
+    #[doc(alias("tolerance", "blur"))]
+    #[inline(always)]
+    #[must_use]
+    pub fn flou(&self) -> R {
+        max(self.flou, R::ZERO)
+    }
+
     /// R(t) = S + t·D, the point at this distance from the source, in scene units. At +∞ a
     /// coordinate may be NaN.
     #[doc(alias = "at")]
@@ -141,8 +217,8 @@ impl<R: Nombre> Rayon<R> {
     }
 
     /// The same ray in `f32`, seen from an origin that is taken off before anything is rounded: the
-    /// ray for objects that [`ObjetGeo::vers_f32`](crate::ObjetGeo::vers_f32) gave with this origin. Its end is rounded
-    /// as well.
+    /// ray for objects that [`ObjetGeo::vers_f32`](crate::ObjetGeo::vers_f32) gave with this origin. Its end and its δ are
+    /// rounded as well.
     ///
     /// # Errors
     /// If `origine` is not finite, or the source in `f32` outside the limits of [`new`](Self::new).
@@ -160,7 +236,7 @@ impl<R: Nombre> Rayon<R> {
     pub fn vers_f32(self, origine: Vecteur<R>) -> Result<Rayon<f32>, ErreurGeo> {
         let origine = fini(["origine.x", "origine.y", "origine.z"], origine)?;
         let rayon = Rayon::new((self.source - origine).vers_f32(), self.direction.vers_f32())?;
-        Ok(rayon.finissant(simple(self.fin)))
+        Ok(rayon.finissant(simple(self.fin)).sachant(simple(self.flou)))
     }
 
     /// The same ray in `f64`, exactly: to judge an answer in `f32` by one in `f64`.
@@ -180,13 +256,22 @@ impl<R: Nombre> Rayon<R> {
     #[doc(alias("to_f64", "widen"))]
     pub fn vers_f64(self) -> Rayon {
         let (source, direction) = (self.source.vers_f64(), self.direction.vers_f64());
-        Rayon { source, direction, fin: self.fin.vers_f64() }
+        Rayon { source, direction, fin: self.fin.vers_f64(), flou: self.flou.vers_f64() }
     }
 
-    /// The ray that was written: `fin` is none where there is no end, which not every format can say as a number.
+    /// The ray that was written: `fin` is none where there is no end, which not every format can say as a number, and
+    /// `flou` where nothing is known of the source.
     #[cfg(feature = "serde")]
-    fn lire(source: Vecteur<R>, direction: Vecteur<R>, fin: Option<R>) -> Result<Self, ErreurGeo> {
-        Self::new(source, direction)?.jusqu_a(fin.unwrap_or(R::INFINI))
+    fn lire(
+        source: Vecteur<R>,
+        direction: Vecteur<R>,
+        fin: Option<R>,
+        flou: Option<R>,
+    ) -> Result<Self, ErreurGeo> {
+        let rayon = Self::new(source, direction)?.jusqu_a(fin.unwrap_or(R::INFINI))?;
+        let flou = flou.unwrap_or(R::ZERO);
+        exiger(flou.abs() < R::INFINI, "flou", flou, "a finite number")?;
+        Ok(rayon.sachant(flou))
     }
 }
 
@@ -196,6 +281,14 @@ fn fin_en_option<R: Nombre + serde::Serialize, S: serde::Serializer>(
     vers: S,
 ) -> Result<S::Ok, S::Error> {
     serde::Serialize::serialize(&Some(fin).filter(|fin| **fin < R::INFINI), vers)
+}
+
+#[cfg(feature = "serde")]
+fn flou_en_option<R: Nombre + serde::Serialize, S: serde::Serializer>(
+    flou: &R,
+    vers: S,
+) -> Result<S::Ok, S::Error> {
+    serde::Serialize::serialize(&Some(flou).filter(|flou| **flou != R::ZERO), vers)
 }
 
 /// A direction is kept if |D·D − 1| is at most this, in units of u: an ordinary normalisation leaves 10 (lemma 1).
@@ -218,5 +311,5 @@ pub(crate) fn direction_unitaire<R: Nombre>(
 }
 
 crate::refus::lu_par! {
-    Rayon::lire { source: Vecteur<R>, direction: Vecteur<R>, fin: Option<R> = default }
+    Rayon::lire { source: Vecteur<R>, direction: Vecteur<R>, fin: Option<R> = default, flou: Option<R> = default }
 }

@@ -16,7 +16,7 @@ use crate::rayon::Rayon;
 /// Every other question, many rays at once and many objects are for a [`Monde`](crate::Monde).
 ///
 /// A hit is an entry. An object that contains the source, or whose surface does, is not touched
-/// (handout §2.3); the others still count. Of two objects at the same distance the earlier in the
+/// (handout §2.3), unless by no more than the ray [knows its source](Rayon::flou); the others still count. Of two objects at the same distance the earlier in the
 /// list is the first. All of this holds for distances as computed in R: within the bounds of
 /// `docs/precision.md` the exact answer may be another.
 ///
@@ -104,6 +104,9 @@ impl<R: Nombre> ObjetRay<R> {
     pub fn sortie(&self, rayon: &Rayon<R>) -> Reponse<R> {
         // Turned back, the ray enters the object, at −t, where this one leaves it.
         let retour = Rayon::sans_fin(rayon.source(), -rayon.direction());
+        // M7: beyond, the ray is inside one object fewer, or outside.
+        let su = rayon.su();
+        let retour = retour.sachant(if su < -R::UN { su + R::UN } else { max(su, R::ZERO) });
         par_forme!(Self, self, forme => {
             let (entree, sortie) = (forme.t(rayon), forme.t_sortie(rayon));
             let t = if entree < R::INFINI { max(entree, sortie) } else { sortie }; // W5
@@ -111,7 +114,7 @@ impl<R: Nombre> ObjetRay<R> {
                 return Err(NoIntersection);
             }
             let contact = forme.conclure(&retour, -t); // W6
-            Ok(Intersection::new(t, contact, forme.texture(), Rang::de(0)))
+            Ok(Intersection::new(t, contact, retour.su(), forme.texture(), Rang::de(0)))
         })
     }
 }

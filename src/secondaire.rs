@@ -1,7 +1,7 @@
 //! The rays that start from a hit: mirrors, glass, shadows, lines of sight (handout, later parts).
 
 use crate::intersection::Intersection;
-use crate::nombre::{Nombre, fois_u};
+use crate::nombre::{Nombre, fois_u, min};
 use crate::rayon::{DIRECTION, Rayon, direction_unitaire};
 use crate::refus::{ErreurGeo, exiger, fini, point, refus_nul};
 use crate::vecteur::Vecteur;
@@ -18,6 +18,25 @@ pub const PAS_NORMAL: f64 = 20.0;
 /// The rounding of the moved point, in units of u·Σ|N_i·P_i| (lemma 9).
 pub const PAS_ARRONDI: f64 = 1.1;
 
+/// How much deeper than δ a hit may lie in another object, in u of the distance (lemma 23).
+pub const FLOU_DISTANCE: f64 = 16.0;
+
+/// The same in u of Σ|P_i|.
+pub const FLOU_POINT: f64 = 8.1;
+
+/// Where a ray starts, and what it knows of that.
+struct Depart<R> {
+    source: Vecteur<R>,
+    su: R,
+}
+
+impl<R: Nombre> Depart<R> {
+    #[inline(always)]
+    fn vers(self, direction: Vecteur<R>) -> Rayon<R> {
+        Rayon::sans_fin(self.source, direction).sachant(self.su)
+    }
+}
+
 impl<R: Nombre> Intersection<R> {
     /// A ray that starts at this hit and never hits the object it leaves, with one exception (below): for a direction
     /// outward, D·N > 0, and for transparency, inward. Mirrors have [`reflechi`](Self::reflechi), shadows
@@ -30,13 +49,14 @@ impl<R: Nombre> Intersection<R> {
     /// turned outward by 12u. There is no epsilon to choose, and nothing farther than that step is
     /// jumped over. The ray has no end.
     ///
-    /// Within rounding of a box edge an inward ray may touch the other face of that edge, of which
-    /// the hit knows nothing. **Of a second object** that the hit lies within rounding of, the hit
-    /// knows nothing either: the ray may start inside that object, which it then does not see. Of
-    /// rays aimed at the corner between two walls up to half go through; a ray out of a glass into
-    /// the table that the glass stands on always starts inside the table. Where a ray leaves an
-    /// object [`ObjetRay::sortie`](crate::ObjetRay::sortie) says; the recipe "Glass" in
-    /// `docs/README.md` asks for both.
+    /// **In the corner of a second object** the start may lie inside that object by rounding. A ray outward knows
+    /// [how exactly it knows its start](Rayon::flou), and touches such an object at once, at distance 0, if it goes in: so
+    /// no ray leaves a closed room, and light out of a glass finds the table under it. A ray inward is
+    /// [inside something](Rayon::dedans), and so are those that start from its hits until they are out again: they see
+    /// what they enter, and nothing else.
+    ///
+    /// **The exception**: within rounding of a box edge, or in a box no thicker than the step, an inward ray may start
+    /// outside, and touch the other face of that edge.
     ///
     /// # Errors
     /// If the direction is zero or not finite, if `marge` is +∞, or if the start lies beyond the
@@ -63,7 +83,7 @@ impl<R: Nombre> Intersection<R> {
         let direction = direction_unitaire(DIRECTION, direction)?;
         let dedans = direction.produit_scalaire(self.normale()) < fois_u(-TANGENT);
         let direction = if dedans { direction } else { self.redressee(direction)? };
-        Ok(Rayon::sans_fin(self.depart(dedans)?, direction))
+        Ok(self.depart(dedans)?.vers(direction))
     }
 
     /// The ray that a mirror sends on from this hit, for a ray that comes in this direction D: a
@@ -99,7 +119,7 @@ impl<R: Nombre> Intersection<R> {
         }
         // N·D ≤ 0 as computed: exactly it may be above by 3.1u, so that N·D′ is no less than −3.1u before
         // D′ is rounded, and than −5.1u after.
-        Ok(Rayon::sans_fin(self.depart(false)?, self.redressee(direction)?))
+        Ok(self.depart(false)?.vers(self.redressee(direction)?))
     }
 
     /// The ray from this hit to a light, which ends there: ask [`Monde::est_occulte`](crate::Monde::est_occulte)
@@ -135,10 +155,10 @@ impl<R: Nombre> Intersection<R> {
     pub fn vers_lumiere(&self, lumiere: Vecteur<R>) -> Result<Rayon<R>, ErreurGeo> {
         let depart = self.depart(false)?; // L1
         let lumiere = fini(["lumiere.x", "lumiere.y", "lumiere.z"], lumiere)?;
-        let trajet = (lumiere - depart).longueur_et_unitaire(); // L2
+        let trajet = (lumiere - depart.source).longueur_et_unitaire(); // L2
         let (distance, direction) = trajet.ok_or_else(|| refus_nul("lumiere - depart"))?;
         self.exiger_de_face("lumiere", direction)?;
-        Ok(Rayon::sans_fin(depart, direction).finissant(distance))
+        Ok(depart.vers(direction).finissant(distance))
     }
 
     /// The ray without an end from this hit to a light that is a direction and has no place, a sun: ask
@@ -173,7 +193,7 @@ impl<R: Nombre> Intersection<R> {
         let champs = ["soleil", "soleil.x", "soleil.y", "soleil.z"];
         let (depart, direction) = (self.depart(false)?, direction_unitaire(champs, soleil)?);
         self.exiger_de_face("soleil", direction)?;
-        Ok(Rayon::sans_fin(depart, direction))
+        Ok(depart.vers(direction))
     }
 
     /// The ray from this hit to another, which ends there. Whether two points of surfaces see each other is
@@ -213,21 +233,33 @@ impl<R: Nombre> Intersection<R> {
     /// ```
     #[doc(alias("line_of_sight", "visibility", "segment"))]
     pub fn vers_touche(&self, cible: &Self) -> Result<Rayon<R>, ErreurGeo> {
-        let vers = self.vers_lumiere(cible.depart(false)?)?;
+        let vers = self.vers_lumiere(cible.depart(false)?.source)?;
         cible.exiger_de_face("cible", -vers.direction())?;
         Ok(vers)
     }
 
     /// The point of the hit, moved along the normal, outward or inward, past all rounding.
     #[inline(always)]
-    fn depart(&self, dedans: bool) -> Result<Vecteur<R>, ErreurGeo> {
+    fn depart(&self, dedans: bool) -> Result<Depart<R>, ErreurGeo> {
         let attendu = "finite: a sphere lost in rounding, or a point out of range, has no side";
         exiger(self.marge() < R::INFINI, "marge", self.marge(), attendu)?;
         let (p, n) = (self.point(), self.normale());
         let pas = self.marge() * (R::UN + fois_u(PAS_NORMAL));
         let pas = pas + n.somme_des_grandeurs(p) * fois_u(PAS_ARRONDI);
         // M6
-        point(["source.x", "source.y", "source.z"], p + n * if dedans { -pas } else { pas })
+        let source = p + n * if dedans { -pas } else { pas };
+        let source = point(["source.x", "source.y", "source.z"], source)?;
+        // M7
+        let su = self.su();
+        let su = if dedans {
+            min(su, R::ZERO) - R::UN
+        } else if su < R::ZERO {
+            su
+        } else {
+            let t = self.distance();
+            su + pas + (t * fois_u(FLOU_DISTANCE) + p.norme_1() * fois_u(FLOU_POINT))
+        };
+        Ok(Depart { source, su })
     }
 
     /// Whether this unit direction leads away from the surface, by more than N·D can round.

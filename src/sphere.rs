@@ -1,7 +1,7 @@
 //! The sphere (handout §2.2, §3 and annex A.2).
 
-use crate::forme::{Boule, Forme, Hauteur};
-use crate::nombre::{Nombre, max, simple};
+use crate::forme::{Boule, FLOU_PROPRE, Forme, Hauteur};
+use crate::nombre::{Nombre, fois_u, max, simple};
 use crate::rayon::Rayon;
 use crate::refus::{ErreurGeo, coefficient, deplacement, point, taille};
 use crate::rotation::Rotation;
@@ -216,13 +216,22 @@ impl<R: Nombre> Forme<R> for SphereRay<R> {
     /// rounding. SA − AB is written as power/(SA + AB), which subtracts nothing; and B is never
     /// past A, even where the ray grazes so closely that AB is all rounding.
     #[inline(always)]
-    fn t(&self, rayon: &Rayon<R>) -> R {
+    fn t_et_dedans(&self, rayon: &Rayon<R>) -> (R, bool) {
         let Termes { sa, puissance, ab2, d2, .. } = self.termes(rayon);
         let sa_ab = sa + ab2.sqrt(); // S6
         let avant_a = puissance * d2 < sa * sa_ab;
         let (haut, bas) = if avant_a { (puissance, sa_ab) } else { (sa, d2) };
         let entre = (ab2 > R::ZERO) & (sa > R::ZERO) & (puissance > R::ZERO); // S5
-        if entre { haut / bas } else { R::INFINI }
+        (if entre { haut / bas } else { R::INFINI }, puissance <= R::ZERO)
+    }
+
+    #[inline(always)]
+    fn des_le_depart(&self, rayon: &Rayon<R>) -> bool {
+        let Termes { sa, puissance, ab2, .. } = self.termes(rayon);
+        let profond = rayon.flou() + self.r * fois_u(FLOU_PROPRE);
+        // D1: at a depth h the power is −(2r − h)h.
+        let pres = puissance > -(self.r + self.r) * profond;
+        (puissance <= R::ZERO) & pres & (sa > R::ZERO) & (ab2 > R::ZERO)
     }
 
     /// SA + AB where A lies ahead, else the power over SA − AB: neither subtracts anything.
@@ -238,6 +247,7 @@ impl<R: Nombre> Forme<R> for SphereRay<R> {
         if dedans | (devant & (ab2 > R::ZERO)) { haut / bas } else { R::INFINI }
     }
 
+    #[inline(always)]
     fn contient(&self, point: Vecteur<R>) -> bool {
         (self.centre - point).longueur_carree() <= self.r * self.r
     }

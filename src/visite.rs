@@ -6,7 +6,7 @@ use arrayvec::ArrayVec;
 use crate::intersection::{Intersection, NoIntersection, Rang, Reponse};
 use crate::nombre::{Nombre, fois_u, max, min};
 use crate::objet::ObjetRay;
-use crate::question::{Premier, Question, entree};
+use crate::question::{Abord, Premier, Question, entree};
 use crate::rayon::Rayon;
 
 /// How many objects in several pieces wait until a walk is done. If it meets more, another walk follows, so that any
@@ -59,8 +59,8 @@ impl<R: Nombre> Question<R> for Visite<'_, R> {
     }
 
     #[inline(always)]
-    fn voir(&self, rayon: &Rayon<R>, objet: &ObjetRay<R>, _: usize, boite: bool) -> Option<R> {
-        entree(rayon, objet, boite).filter(|t| *t < self.fin)
+    fn voir(&self, rayon: &Rayon<R>, objet: &ObjetRay<R>, _: usize, abord: Abord) -> Option<R> {
+        entree(rayon, objet, abord).filter(|t| *t < self.fin)
     }
 
     fn retenir(&mut self, t: R, indice: usize, en_morceaux: bool) -> bool {
@@ -107,7 +107,7 @@ impl<R: Nombre> Question<R> for Contenants<'_, R> {
     }
 
     #[inline(always)]
-    fn voir(&self, rayon: &Rayon<R>, objet: &ObjetRay<R>, _: usize, _: bool) -> Option<R> {
+    fn voir(&self, rayon: &Rayon<R>, objet: &ObjetRay<R>, _: usize, _: Abord) -> Option<R> {
         objet.contient(rayon.source()).then_some(R::ZERO)
     }
 
@@ -133,7 +133,7 @@ impl<R: Nombre> Question<R> for Contenance {
     }
 
     #[inline(always)]
-    fn voir(&self, rayon: &Rayon<R>, objet: &ObjetRay<R>, _: usize, _: bool) -> Option<()> {
+    fn voir(&self, rayon: &Rayon<R>, objet: &ObjetRay<R>, _: usize, _: Abord) -> Option<()> {
         objet.contient(rayon.source()).then_some(())
     }
 

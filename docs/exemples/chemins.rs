@@ -13,7 +13,6 @@ use std::time::Instant;
 
 use exemples::image;
 use exemples::scene::{Scene, tuiles};
-use exemples::verre::avant_la_sortie;
 use indicatif::ParallelProgressIterator;
 use lancer_rayon::{
     Intersection, LongueursDifferentes, Monde, NoIntersection, ObjetRay, Rayon, Reel, Reponse,
@@ -173,7 +172,7 @@ impl<R: Reel> Chambre<'_, R> {
                 if let Some(verre) = chemin.dans {
                     // A ray that entered beside an edge may have stepped out again: it ends.
                     let Ok(sortie) = self.objets[verre].sortie(&chemin.rayon) else { continue };
-                    if !touche.is_ok_and(|t| avant_la_sortie(&t, &sortie)) {
+                    if !touche.is_ok_and(|t| t.distance() < sortie.distance()) {
                         suivants.extend(chemin.dehors(&sortie, verre));
                         continue;
                     }

@@ -1,5 +1,5 @@
-//! What the programs of this folder share, and the tests and benches with them: `scene.rs`, `surete.rs` and
-//! `verre.rs` stand alone, and may be taken as they are.
+//! What the programs of this folder share, and the tests and benches with them: `scene.rs` and
+//! `surete.rs` stand alone, and may be taken as they are.
 
 pub mod figures;
 pub mod image;
@@ -7,4 +7,3 @@ pub mod rendu;
 pub mod scenario;
 pub mod scene;
 pub mod surete;
-pub mod verre;

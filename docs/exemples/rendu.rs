@@ -16,7 +16,6 @@ use std::time::Instant;
 
 use crate::image;
 use crate::scene::{Scene, tuiles};
-use crate::verre::avant_la_sortie;
 use indicatif::ParallelProgressIterator;
 use lancer_rayon::{
     Intersection, LongueursDifferentes, Monde, NoIntersection, ObjetRay, Rayon, Reel, Reponse,
@@ -323,7 +322,7 @@ impl<R: Reel> Atelier<'_, R> {
         let Trajet { rayon, oeil, part, quitte, dedans: true } = *trajet else { return None };
         let objet = &self.objets[quitte];
         let sortie = objet.sortie(&rayon).ok()?;
-        if touche.is_ok_and(|touche| avant_la_sortie(&touche, &sortie)) {
+        if touche.is_ok_and(|touche| touche.distance() < sortie.distance()) {
             return None;
         }
         let matiere = &PALETTE[sortie.texture().0 as usize % PALETTE.len()];

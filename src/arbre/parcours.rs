@@ -9,7 +9,7 @@ use crate::arbre::sonde::Sonde;
 use crate::colonne::{au_plus, prendre, prendre_le_moindre};
 use crate::liste::Liste;
 use crate::nombre::Nombre;
-use crate::question::Question;
+use crate::question::{Abord, Question};
 use crate::rayon::Rayon;
 
 impl<R: Nombre> Arbre<'_, R> {
@@ -45,6 +45,8 @@ impl<R: Nombre> Arbre<'_, R> {
             self.interroger_les_boites(liste, rayon, &mut question);
             return question;
         };
+        let flou = copie.flou() > R::ZERO;
+        let jusqu_ici = if flou { sonde.entree_de_la_source() } else { -f32::INFINI };
         let mut attentes = Attentes::new();
         let (mut pile, mut numero) = (Pile(&mut attentes), self.noeuds.len() - 1);
         // The largest entry that still matters, in the frame of the tree.
@@ -61,8 +63,9 @@ impl<R: Nombre> Arbre<'_, R> {
                 };
                 while let Some(enfant) = suivant {
                     let (mot, indice) = (indices[enfant], indice_lu(indices[enfant]));
+                    let abord = Abord::DansSaBoite { entree: entrees.0[enfant], jusqu_ici };
                     if let Some(objet) = liste.objet(indice)
-                        && let Some(vu) = question.voir(&copie, objet, indice, true)
+                        && let Some(vu) = question.voir(&copie, objet, indice, abord)
                         && question.retenir(vu, indice, est_un_morceau(mot))
                     {
                         if Q::UN_SUFFIT {

@@ -92,7 +92,7 @@ impl<R: Nombre> Arbre<'_, R> {
             return true;
         }
         for &indice in self.sans_boite {
-            bloc.proposer(liste, indice_lu(indice));
+            bloc.proposer(liste, indice_lu(indice), true);
         }
         sonde.flatten().is_some_and(
             #[inline(always)]
@@ -119,7 +119,8 @@ impl<R: Nombre> Arbre<'_, R> {
                 if traverses > 0 {
                     let [.., indices] = noeud;
                     while let Some(enfant) = prendre(&mut traverses) {
-                        bloc.proposer(liste, indice_lu(indices[enfant]));
+                        let source = profondeurs.0[enfant] == 0.0;
+                        bloc.proposer(liste, indice_lu(indices[enfant]), source);
                     }
                     let loin = bloc.le_plus_loin();
                     if Q::UN_SUFFIT && loin == R::ZERO {

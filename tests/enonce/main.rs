@@ -1,5 +1,6 @@
 //! What the handout asks: its formulae, conventions and manipulations, list by list.
 
+mod chambre;
 mod choix;
 mod differentiel;
 mod eclairage;

@@ -1,4 +1,4 @@
-//! The certificate of a scene: where `est_certaine` says yes, exact arithmetic names the same object first, or none.
+//! The certificate of a scene: where `certifie` says yes, exact arithmetic names the same object first, or none.
 //!
 //! `LANCER_RAYON_CAS` sets how many scenes of each kind are judged (300 unless set).
 

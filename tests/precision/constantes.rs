@@ -953,6 +953,22 @@ fn lemme_12_vers_une_touche() {
 }
 
 #[test]
+fn lemme_23_chambres_fermees() {
+    // In units of t: what a length of a box is off by, a speed, two decisions of an exit and its quotient, and P.
+    tenir(FLOU_DISTANCE, |u| (et(gamma(3.0, u), i(1.0), u) + 3.0 + 7.0 + 1.0) * plus(40.0, u));
+    // In units of ⟨P, 1⟩: the height over a half-space, at the hit and at the next start; P, and the start.
+    tenir(FLOU_POINT, |u| (2.0 * gamma(3.0, u) + 2.0) * plus(20.0, u));
+    // In units of r, for a source nearer to the centre than 2r: the power of the hit, with what AB², p and s are off
+    // by, as a height; C′; the power at the next start.
+    tenir(FLOU_PROPRE, |u| {
+        let f = i(2.0);
+        let (ab2, p) = (10.0 + 2.4 * f, 3.0 * f.carre() + 1.0);
+        let puissance = (3.0 * ab2 + 2.0 * p + 2.0 * (f.carre() - 1.0)) / 2.0;
+        (puissance + f + 3.0) * plus(60.0, u)
+    });
+}
+
+#[test]
 fn lemme_15_etendue() {
     // The half-extents as computed, what the matrix is off by, two sums and the sums of the slack.
     tenir(ETENDUE, |u| (et(gamma(3.0, u), i(1.0), u) + 36.0 + 2.0) * plus(100.0, u));

@@ -1,0 +1,198 @@
+//! No ray leaves a closed room (lemma 23): paths whose every bounce is aimed at a seam, and shadows of lamps beyond the
+//! walls, in rooms of half-spaces and of boxes that overlap, straight and turned, with furniture that stands flush.
+
+use commun::facons::comparer;
+use commun::oracle::dehors;
+use commun::regimes::{deux_puissance, direction};
+use commun::tolerances::u;
+use commun::{Bits, arrondi, cas, en_f32_et_f64};
+use fastrand::Rng;
+use lancer_rayon::pour_les_tests::{FLOU_DISTANCE, FLOU_POINT, FLOU_PROPRE};
+use lancer_rayon::{
+    BoiteGeo, Intersection, Monde, NoIntersection, ObjetGeo, ObjetRay, PlanGeo, Rayon, Reel,
+    Rotation, SphereGeo, Texture, Vecteur, places,
+};
+
+/// Walls, then furniture; and points of the seams between them, towards which rays are sent.
+struct Chambre<R> {
+    objets: Vec<ObjetRay<R>>,
+    /// Segments in which two surfaces meet.
+    coutures: Vec<[Vecteur; 2]>,
+    tour: Rotation,
+    milieu: Vecteur,
+}
+
+fn v(x: f64, y: f64, z: f64) -> Vecteur {
+    Vecteur::new(x, y, z)
+}
+
+impl<R: Reel> Chambre<R> {
+    /// The inside is a cube of side 2 about O, turned and then moved.
+    fn new(alea: &mut Rng) -> Self {
+        let angles = direction(alea) * if alea.bool() { 0.0 } else { 3.0 };
+        let tour = Rotation::new(angles).unwrap();
+        let loin = [0.0, 1.0, 100.0][alea.usize(0..3)];
+        let milieu = direction(alea) * loin;
+        let mut chambre = Self { objets: vec![], coutures: vec![], tour, milieu };
+        let de_boites = alea.bool();
+        for axe in 0..3 {
+            for cote in [-1.0, 1.0] {
+                let mut n = [0.0; 3];
+                n[axe] = cote;
+                if de_boites {
+                    // Each reaches beyond its corners, some by hardly more than a long path knows its place.
+                    let peu = (4096.0 * u::<R>() * loin).max(1e-3);
+                    let depasse = [0.2, peu][alea.usize(0..2)];
+                    let mut cotes = [2.0 + 2.0 * depasse; 3];
+                    cotes[axe] = 0.4;
+                    chambre.boite(Vecteur::from(n) * 1.2, cotes.into());
+                } else {
+                    let (p, n) = (chambre.place(Vecteur::from(n)), tour.appliquer(n.into()));
+                    let mur = PlanGeo::par_un_point(arrondi(p), arrondi(-n), Texture(0));
+                    chambre.objets.push(mur.unwrap().into());
+                }
+            }
+        }
+        // The twelve edges of the cube.
+        for axe in 0..3 {
+            for (a, b) in [(-1.0, -1.0), (-1.0, 1.0), (1.0, -1.0), (1.0, 1.0)] {
+                let bout = |c: f64| {
+                    let mut p = [c; 3];
+                    (p[(axe + 1) % 3], p[(axe + 2) % 3]) = (a, b);
+                    Vecteur::from(p)
+                };
+                chambre.couture(bout(-1.0), bout(1.0));
+            }
+        }
+        chambre.meubler(alea);
+        chambre
+    }
+
+    /// Chests on the floor, against a wall and on each other, and balls that lie on the floor.
+    fn meubler(&mut self, alea: &mut Rng) {
+        for _ in 0..alea.usize(1..4) {
+            let [l, h, p] = [(); 3].map(|()| 0.1 + 0.5 * alea.f64());
+            let (x, z) = (1.6 * alea.f64() - 0.8, if alea.bool() { p / 2.0 - 1.0 } else { 0.3 });
+            self.boite(v(x, h / 2.0 - 1.0, z), v(l, h, p));
+            self.boite(v(x, 1.5 * h - 1.0, z), v(l / 2.0, h, p / 2.0));
+            for y in [-1.0, h - 1.0] {
+                let [a, b, c, d] = [(-l, -p), (l, -p), (l, p), (-l, p)]
+                    .map(|(dx, dz)| v(x + dx / 2.0, y, z + dz / 2.0));
+                for [a, b] in [[a, b], [b, c], [c, d], [d, a]] {
+                    self.couture(a, b);
+                }
+            }
+        }
+        let r = 0.05 + 0.2 * alea.f64();
+        let c = v(0.5 * alea.f64(), r - 1.0, 0.6);
+        let boule = SphereGeo::new(arrondi(self.place(c)), R::depuis_f64(r), Texture(2));
+        self.objets.push(boule.unwrap().into());
+        self.couture(c - v(0.0, r, 0.0), c - v(1e-6, r, 0.0));
+    }
+
+    fn boite(&mut self, c: Vecteur, cotes: Vecteur) {
+        let tour = Rotation::depuis_matrice(self.tour.matrice().map(|l| l.map(R::depuis_f64)));
+        let boite =
+            BoiteGeo::new(arrondi(self.place(c)), arrondi(cotes), tour.unwrap(), Texture(1));
+        self.objets.push(ObjetGeo::from(boite.unwrap()).vers_ray());
+    }
+
+    fn place(&self, p: Vecteur) -> Vecteur {
+        self.tour.appliquer(p) + self.milieu
+    }
+
+    fn couture(&mut self, a: Vecteur, b: Vecteur) {
+        self.coutures.push([self.place(a), self.place(b)]);
+    }
+
+    /// A point of a seam, most often beside it.
+    fn cible(&self, alea: &mut Rng) -> Vecteur {
+        let [a, b] = self.coutures[alea.usize(..self.coutures.len())];
+        let p = a + (b - a) * alea.f64();
+        if alea.u8(0..4) == 0 { p } else { p + direction(alea) * deux_puissance(alea, -54.0, -8.0) }
+    }
+
+    /// How deep a point lies in the object that holds it deepest, beyond δ and the rounding of the object, in u.
+    fn exces(&self, point: Vecteur<R>, flou: R) -> f64 {
+        let profond = |objet: &ObjetRay<R>| {
+            let propre = match objet {
+                ObjetRay::Sphere(sphere) => sphere.rayon().vers_f64(),
+                ObjetRay::Plan(_) => 0.0,
+                ObjetRay::Boite(boite) => boite.demi_longueurs().map(R::vers_f64).iter().sum(),
+            };
+            -dehors(objet, point) - flou.vers_f64() - FLOU_PROPRE * u::<R>() * propre
+        };
+        self.objets.iter().map(profond).fold(f64::MIN, f64::max) / u::<R>()
+    }
+}
+
+fn norme_1<R: Reel>(p: Vecteur<R>) -> f64 {
+    <[f64; 3]>::from(p.vers_f64()).iter().map(|x| x.abs()).sum()
+}
+
+/// The next ray of a path, towards a seam if that is outward, else mirrored.
+fn rebond<R: Reel>(
+    chambre: &Chambre<R>,
+    alea: &mut Rng,
+    touche: &Intersection<R>,
+) -> Option<Rayon<R>> {
+    let vers = arrondi::<R>(chambre.cible(alea) - touche.point().vers_f64());
+    let n = touche.normale();
+    let le_long = vers.produit_scalaire(n);
+    let vers = if le_long < R::ZERO { vers - (n + n) * le_long } else { vers };
+    touche.secondaire(vers).ok()
+}
+
+fn aucun_chemin_ne_quitte_une_chambre<R: Bits>() {
+    let mut alea = Rng::with_seed(23);
+    let (mut rebonds, mut d_emblee, mut ombres) = (0, 0, 0);
+    for _ in 0..cas(200).max(20) / 10 {
+        let chambre = Chambre::<R>::new(&mut alea);
+        let mut memoire = vec![0.0; places(chambre.objets.len())];
+        let arbre = Monde::new(&chambre.objets, &mut memoire).unwrap();
+        let liste = Monde::de_liste(&chambre.objets);
+        let mut rayons = vec![];
+        for _ in 0..40 {
+            let point = chambre.place(direction(&mut alea) * 0.9);
+            let point = arrondi::<R>(point);
+            if liste.contient(point) {
+                continue;
+            }
+            let vers = arrondi::<R>(chambre.cible(&mut alea)) - point;
+            let mut rayon = Rayon::new(point, vers).unwrap();
+            for _ in 0..16 {
+                let premiere = arbre.premiere_intersection(&rayon);
+                let Ok(touche) = premiere else {
+                    panic!("{:?} left {:?}", rayon, chambre.objets);
+                };
+                d_emblee += usize::from(touche.distance() == R::ZERO);
+                let exces = chambre.exces(touche.point(), rayon.flou());
+                // P has its own rounding, which the next δ has.
+                assert!(
+                    exces
+                        <= FLOU_DISTANCE * touche.distance().vers_f64()
+                            + FLOU_POINT * norme_1(touche.point()),
+                    "{exces} u: {rayon:?} {:?}",
+                    chambre.objets
+                );
+                rebonds += 1;
+                rayons.push(rayon);
+                let lampe = chambre.milieu + direction(&mut alea) * (4.0 + 9.0 * alea.f64());
+                if let Ok(ombre) = touche.vers_lumiere(arrondi(lampe)) {
+                    assert!(arbre.est_occulte(&ombre), "{ombre:?} {:?}", chambre.objets);
+                    assert!(liste.est_occulte(&ombre), "{ombre:?} {:?}", chambre.objets);
+                    ombres += 1;
+                }
+                let Some(suivant) = rebond(&chambre, &mut alea, &touche) else { break };
+                // It never touches what it left.
+                let quitte = chambre.objets[touche.indice()];
+                assert_eq!(quitte.intersection(&suivant), Err(NoIntersection), "{suivant:?}");
+                rayon = suivant;
+            }
+        }
+        let _ = comparer(&chambre.objets, &rayons[..rayons.len().min(128)]);
+    }
+    assert!(rebonds > 1_000 && ombres > 500 && d_emblee > 20, "{rebonds} {ombres} {d_emblee}");
+}
+
+en_f32_et_f64!(aucun_chemin_ne_quitte_une_chambre);
