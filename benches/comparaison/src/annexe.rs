@@ -6,7 +6,7 @@ use banc::familles::Lance;
 use commun::litteral::{self, Forme, Objet};
 use lancer_rayon::{ObjetRay, Rayon, Reel};
 
-use crate::autres::{Monde, Vu, dire};
+use crate::monde::{Monde, Vu, dire};
 
 type Dynamique<R> = Box<dyn Fn(&Rayon<R>) -> Option<Vu<R>>>;
 

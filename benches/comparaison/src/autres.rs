@@ -6,39 +6,11 @@ use banc::concurrents::{Concurrent, Reponse, permises};
 use banc::familles::{AVANCE, Lance, Lances};
 use banc::nous;
 use commun::conversion::Bits;
-use lancer_rayon::{Hierarchie, ObjetRay, Rayon, Reel, Texture, Vecteur};
+use lancer_rayon::{Hierarchie, ObjetRay, Rayon, Reel};
 use serde::de::DeserializeOwned;
 
 use crate::annexe::Annexe;
-
-/// A scene as someone wants it.
-pub(crate) trait Monde<R> {
-    /// Who answers about these rays, or about these shadows if there are any.
-    fn concurrents<'a>(
-        &'a self,
-        rayons: &'a [Rayon<R>],
-        ombres: &'a [Lance<R>],
-    ) -> Vec<Concurrent<'a>>;
-}
-
-/// Distance, normal, texture: an answer of others.
-pub(crate) type Vu<R> = (R, Vecteur<R>, Texture);
-
-pub(crate) fn dire<R: Reel>(vu: Option<Vu<R>>) -> Reponse {
-    vu.map(|(t, n, texture)| {
-        ([t, n.x, n.y, n.z, R::ZERO].map(|x| x.vers_f64().to_bits()), texture.0)
-    })
-}
-
-/// The scalar that one of parry's two crates is made for.
-pub(crate) trait Parry: Reel {
-    /// What builds its trees.
-    const ARBRES: [fn(&[ObjetRay<Self>]); 2];
-
-    fn monde(objets: &[ObjetRay<Self>]) -> Box<dyn Monde<Self>>;
-    /// The hit of one object.
-    fn touche(objet: &ObjetRay<Self>, rayon: &Rayon<Self>) -> Option<Vu<Self>>;
-}
+use crate::monde::{Monde, Parry};
 
 /// A scalar, with what there is for it alone.
 pub(crate) trait Scalaire: Parry + Bits + DeserializeOwned {

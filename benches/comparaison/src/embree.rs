@@ -15,7 +15,7 @@ use embree3::{
 };
 use lancer_rayon::{BoiteRay, ObjetRay, PlanRay, Rayon, Texture};
 
-use crate::autres::{Monde, Vu, dire};
+use crate::monde::{Monde, Vu, dire};
 
 const SEIZE: usize = 16;
 

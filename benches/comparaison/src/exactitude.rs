@@ -6,7 +6,7 @@ use fastrand::Rng;
 use lancer_rayon::{ObjetGeo, ObjetRay, Rayon, Reel, SphereGeo, Texture, premiere_intersection};
 use plotters::prelude::*;
 
-use crate::autres::Parry;
+use crate::monde::Parry;
 use crate::page;
 use commun::conversion::arrondi;
 use commun::litteral;

@@ -13,7 +13,8 @@ use commun::scenes::{en_tuiles, melange, rayons_camera};
 use lancer_rayon::pour_les_tests::Reglage;
 use lancer_rayon::{Hierarchie, Rayon, Reel, Touche};
 
-use crate::autres::{Parry, Scalaire, places};
+use crate::autres::{Scalaire, places};
+use crate::monde::Parry;
 use crate::tables::nanosecondes;
 
 /// The rays of a picture, in tiles.

@@ -14,6 +14,7 @@ mod embree;
 mod exactitude;
 mod glam;
 mod hierarchie;
+mod monde;
 mod page;
 mod tables;
 
