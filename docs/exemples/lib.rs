@@ -1,6 +1,8 @@
 //! What the programs of this folder share, and the tests and benches with them: `scene.rs`, `surete.rs` and
 //! `verre.rs` stand alone, and may be taken as they are.
 
+#![allow(missing_docs, reason = "not published: what a name does not say has a comment")]
+
 pub mod figures;
 pub mod image;
 pub mod rendu;

@@ -1,6 +1,8 @@
 //! What the test files share: how a property is run, where its values come from, how much rounding it
 //! may see, and what every hit is.
 
+#![allow(missing_docs, reason = "not published: what a name does not say has a comment")]
+
 pub mod conversion;
 pub mod facons;
 pub mod litteral;
