@@ -3,9 +3,7 @@
 
 #![allow(missing_docs, reason = "not published: what a name does not say has a comment")]
 
-pub mod figures;
 pub mod image;
-pub mod rendu;
 pub mod scenario;
 pub mod scene;
 pub mod surete;

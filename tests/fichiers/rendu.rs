@@ -1,10 +1,15 @@
 //! The picture of the renderer is the same, byte for byte, however many rays go together and in however
 //! many bands it is made.
 
+#[path = "../../docs/exemples/rendu.rs"]
+#[expect(dead_code, reason = "of the program all but what its `main` calls")]
+mod programme;
+
 use commun::en_f32_et_f64;
-use exemples::rendu::{Bande, ENSEMBLE, octets};
 use lancer_rayon::Reel;
 use serde::de::DeserializeOwned;
+
+use self::programme::{Bande, ENSEMBLE, octets};
 
 fn un_rayon_a_la_fois_donne_la_meme_image<R: Reel + DeserializeOwned>() {
     for scene in ["docs/scenes/atelier.ron", "docs/scenes/flocon.ron"] {
