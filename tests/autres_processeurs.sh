@@ -80,8 +80,8 @@ fi
 rm -rf "$racine"/{essai,vendor}
 mkdir -p "$racine"/{essai,.cargo}
 cp -r Cargo.toml Cargo.lock docs src tests "$racine/essai"
-sed -i -E '/^(allocation-counter = |criterion = |(indicatif|png|rayon)\.workspace)/d; /^\[\[bench\]\]/,/^$/d
-  s/^members = .*/members = []/' "$racine/essai/Cargo.toml"
+sed -i -E '/^(allocation-counter = |(indicatif|png|rayon)\.workspace)/d; s/^members = .*/members = []/' \
+  "$racine/essai/Cargo.toml"
 (cd "$racine" && : > .cargo/config.toml &&
   cargo vendor --manifest-path essai/Cargo.toml vendor > .cargo/config.toml 2> "$dossier/vendor.log") ||
   rater "cargo cannot get the crates, see $dossier/vendor.log"
