@@ -10,8 +10,7 @@
 # Compilers, standard libraries and emulators are those of Debian unstable, unpacked into that folder
 # (some 5 GB) and run there by chroot: nothing is installed and nothing written elsewhere, except the
 # crates that cargo adds to its own cache. It takes an amd64 Debian, and root or user namespaces.
-# CARGO_BUILD_JOBS is passed on, LANCER_RAYON_CAS is not: with fewer cases than usual some tests find
-# too few hits. Takes an hour or more, and is no part of CI.
+# CARGO_BUILD_JOBS is passed on, LANCER_RAYON_CAS is not. Takes an hour or more, and is no part of CI.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
