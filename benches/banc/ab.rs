@@ -11,6 +11,7 @@ use lancer_rayon::{ObjetRay, Rayon, Reel};
 use serde::de::DeserializeOwned;
 
 #[path = "."]
+#[allow(unreachable_pub, reason = "`nous` is a module of the library too, public there")]
 mod ancienne {
     #[cfg(not(feature = "seule"))]
     pub use avant as version;

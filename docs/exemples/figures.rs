@@ -14,12 +14,11 @@ use lancer_rayon::{
 };
 
 /// Where the figures stand.
-pub const DOSSIER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../images");
+const DOSSIER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../images");
 
 type Resultat<T> = Result<T, Box<dyn Error>>;
 
-/// Writes them.
-pub fn ecrire() -> Resultat<()> {
+fn main() -> Resultat<()> {
     for (nom, svg) in figures()? {
         std::fs::write(format!("{DOSSIER}/{nom}"), svg)?;
     }
@@ -27,7 +26,7 @@ pub fn ecrire() -> Resultat<()> {
 }
 
 /// Each figure with the name of its file.
-pub fn figures() -> Resultat<[(&'static str, String); 4]> {
+pub(crate) fn figures() -> Resultat<[(&'static str, String); 4]> {
     Ok([
         ("rotations.svg", rotations()?),
         ("demi-espace.svg", demi_espace()?),

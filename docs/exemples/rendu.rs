@@ -14,8 +14,8 @@ use std::path::Path;
 use std::process::ExitCode;
 use std::time::Instant;
 
-use crate::image;
-use crate::scene::{Scene, tuiles};
+use exemples::image;
+use exemples::scene::{Scene, tuiles};
 use indicatif::ParallelProgressIterator;
 use lancer_rayon::{
     Intersection, LongueursDifferentes, Monde, NoIntersection, ObjetRay, Rayon, Reel, Reponse,
@@ -37,10 +37,9 @@ const FINESSE: u32 = 2;
 const NIVEAUX: u32 = 6;
 
 /// Rays of the eye that go together, the work of one thread at a time.
-pub const ENSEMBLE: usize = 4096;
+pub(crate) const ENSEMBLE: usize = 4096;
 
-/// What the command line asks for.
-pub fn programme() -> ExitCode {
+fn main() -> ExitCode {
     let mut arguments: Vec<String> = std::env::args().skip(1).collect();
     let avant = arguments.len();
     arguments.retain(|argument| argument != "--f32");
@@ -60,9 +59,9 @@ pub fn programme() -> ExitCode {
 
 /// One of so many bands of a picture, from the top; counted from 1.
 #[derive(Clone, Copy)]
-pub struct Bande {
-    pub numero: u32,
-    pub nombre: u32,
+pub(crate) struct Bande {
+    pub(crate) numero: u32,
+    pub(crate) nombre: u32,
 }
 
 impl Bande {
@@ -100,10 +99,10 @@ fn rendre<R: Reel + DeserializeOwned>(
 }
 
 /// Width and height; red, green and blue of each pixel, row by row from the top left.
-pub type Image = ((u32, u32), Vec<u8>);
+pub(crate) type Image = ((u32, u32), Vec<u8>);
 
 /// The picture of a scene file; so many rays across a pixel, and so many together.
-pub fn octets<R: Reel + DeserializeOwned>(
+pub(crate) fn octets<R: Reel + DeserializeOwned>(
     chemin: &str,
     finesse: u32,
     ensemble: usize,

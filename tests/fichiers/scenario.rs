@@ -27,14 +27,14 @@ fn le_programme_de_la_page_est_celui_des_exemples() {
 /// All that `scene.rs` and the program need, in the versions with which they are compiled here.
 #[test]
 fn les_dependances_de_la_page_sont_celles_des_exemples() {
-    let exemples = fs::read_to_string("docs/exemples/Cargo.toml").unwrap();
+    let espace = fs::read_to_string("Cargo.toml").unwrap();
     let page = page();
     let (_, dependances) =
         bloc(&page, "toml", "[package]\n").split_once("[dependencies]\n").unwrap();
     let [noyau, autres @ ..] = &*dependances.lines().collect::<Vec<_>>() else { panic!("none") };
     assert_eq!(*noyau, r#"lancer-rayon = { path = "../lancer-rayon", features = ["serde"] }"#);
     for ligne in autres {
-        assert!(exemples.lines().any(|autre| autre == *ligne), "{ligne}");
+        assert!(espace.lines().any(|autre| autre == *ligne), "{ligne}");
     }
     for source in ["scene", "scenario"] {
         let source = fs::read_to_string(format!("docs/exemples/{source}.rs")).unwrap();

@@ -1,7 +1,7 @@
 //! Batches: every number of rays, every order, and what a beam leaves out of a tree.
 //!
-//! `LANCER_RAYON_CAS` sets how many bundles of rays a test makes (200 unless set):
-//! `LANCER_RAYON_CAS=100000 cargo test --release --all-features --test memes_bits lot`
+//! `LANCER_RAYON_CAS` makes each random test so many times as long:
+//! `LANCER_RAYON_CAS=2000 cargo test --release --all-features --test memes_bits lot`
 
 use std::collections::HashSet;
 
@@ -25,7 +25,7 @@ fn axe_z<R: Reel>() -> Vecteur<R> {
 const AIGUILLE: f64 = 1e-5;
 
 fn cas() -> usize {
-    commun::cas(200) as usize
+    commun::cas(50) as usize
 }
 
 #[test]
@@ -83,7 +83,7 @@ en_f32_et_f64!(un_bloc_de_rayons_opposes);
 
 /// Pictures in rows, in tiles of 8 × 8 and in no order: no objects, some, and many.
 fn une_image_dans_tout_ordre<R: Bits>() {
-    let (largeur, hauteur) = (96, 64);
+    let (largeur, hauteur) = (96, 16 * commun::cas(1).min(4) as usize);
     let rangees = scenes::rayons_camera::<R>(largeur, hauteur);
     let tuiles = scenes::en_tuiles(&rangees, largeur);
     let mut melanges = rangees.clone();
@@ -133,7 +133,8 @@ en_f32_et_f64!(une_lampe_nulle_part_ne_cache_rien_aux_autres);
 fn les_extremes<R: Bits>() {
     let mut alea = Rng::with_seed(2);
     for regime in regimes::<R>() {
-        let cas: Vec<_> = (0..cas().min(3_000)).map(|_| (regime.cas)(&mut alea)).collect();
+        let combien = cas().min(3_000);
+        let cas: Vec<_> = (0..combien).map(|_| (regime.cas)(&mut alea)).collect();
         let objets: Vec<_> = cas.iter().map(|cas| cas.objet).collect();
         let rayons: Vec<_> = cas.iter().map(|cas| cas.rayon).collect();
         comparer(&objets, &rayons);
@@ -141,7 +142,7 @@ fn les_extremes<R: Bits>() {
             comparer(&[*objet; UN_ARBRE], &[*rayon; 12]);
             comparer(&[*objet], &[*rayon; 12])
         });
-        assert!(seuls.sum::<usize>() > 12 * 10, "{}", regime.nom);
+        assert!(seuls.sum::<usize>() > 12 * combien / 20, "{}", regime.nom);
     }
 }
 
@@ -236,7 +237,8 @@ fn coin_vers<R: Reel>(alea: &mut Rng, cible: Vecteur) -> Rotation<R> {
 /// Bundles from needles to fans too wide for a beam, of one source and of many, with objects that rays
 /// at the rim of the bundle graze.
 ///
-/// Four times the usual number: a beam without any of its margins in u loses so few hits.
+/// Four times the usual number. A beam without any of its margins in u is found by the sources in `hierarchie.rs` that
+/// lie farther and farther away; none was lost here.
 fn le_faisceau_ne_perd_aucune_touche<R: Bits>() {
     let mut alea = Rng::with_seed(3);
     let mut touches = 0;

@@ -406,6 +406,7 @@ fn grimper<R: Bits>(
     assez: u32,
     decide: bool,
 ) {
+    let assez = commun::cas(assez / 4);
     let duree = std::env::var("LANCER_RAYON_ADVERSAIRE")
         .ok()
         .map(|s| Duration::from_secs_f64(s.parse().expect("a number of seconds")));
@@ -484,8 +485,8 @@ fn grimper<R: Bits>(
     assert!(v <= 1.0, "{nom}: {v} of what is promised: {ou}");
 }
 
-/// A climb of so many evaluations for each row of the table in each type, unless it is told how long
-/// to last; some look for the point where an answer changes.
+/// A climb of a quarter of so many evaluations, times `LANCER_RAYON_CAS`, for each row of the table in each type,
+/// unless it is told how long to last; some look for the point where an answer changes.
 macro_rules! rangees {
     ($($nom:ident: $depart:ident, $part:path, $assez:literal $(, $decide:literal)?;)*) => {
         rangees! { en_f32, f32: $($nom: $depart, $part, $assez, false $(|| $decide)?;)* }

@@ -1,6 +1,6 @@
 //! The certificate of a scene: where `certifie` says yes, exact arithmetic names the same object first, or none.
 //!
-//! `LANCER_RAYON_CAS` sets how many scenes of each kind are judged (300 unless set).
+//! `LANCER_RAYON_CAS` is how many times 300 scenes of each kind are judged (1 unless set).
 
 use std::cmp::Ordering;
 

@@ -5,7 +5,7 @@ use banc::concurrents::{Camp, Concurrent, TROP};
 use commun::litteral::{self, Forme, Objet};
 use lancer_rayon::{ObjetRay, Rayon, Reel};
 
-use crate::autres::{Rival, Vu, dire};
+use crate::rival::{Rival, Vu, dire};
 
 type Dynamique<R> = Box<dyn Fn(&Rayon<R>) -> Option<Vu<R>>>;
 

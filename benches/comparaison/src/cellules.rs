@@ -82,7 +82,7 @@ fn courir<R: Scalaire>(
                 Camp::Seul | Camp::Lot => 0.0,
                 _ if quads => TOLERANCE_DES_QUADS,
                 _ if !genre.partent() => TOLERANCE,
-                _ => TOLERANCE_EN_AVANT,
+                Camp::Parry | Camp::Embree | Camp::EmbreeSeize | Camp::Annexe => TOLERANCE_EN_AVANT,
             }
         };
         let juge =

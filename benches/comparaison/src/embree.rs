@@ -14,7 +14,7 @@ use embree3::{
 };
 use lancer_rayon::{BoiteRay, ObjetRay, PlanRay, Rayon, Texture};
 
-use crate::autres::{Rival, Vu, dire};
+use crate::rival::{Rival, Vu, dire};
 
 const SEIZE: usize = 16;
 

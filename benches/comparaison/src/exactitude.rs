@@ -6,8 +6,8 @@ use fastrand::Rng;
 use lancer_rayon::{ObjetGeo, ObjetRay, Rayon, Reel, SphereGeo, Texture, premiere_intersection};
 use plotters::prelude::*;
 
-use crate::autres::Parry;
 use crate::page;
+use crate::rival::Parry;
 use commun::conversion::arrondi;
 use commun::litteral;
 use commun::mesure::{Mesuree, mesurer, plus_grand, quantiles};

@@ -13,7 +13,8 @@ use commun::scenes::{en_tuiles, melange, rayons_camera};
 use lancer_rayon::pour_les_tests::Reglage;
 use lancer_rayon::{Monde, Rayon, Reel, Reponse, places};
 
-use crate::autres::{Parry, Scalaire, en_morceaux};
+use crate::autres::{Scalaire, en_morceaux};
+use crate::rival::Parry;
 use crate::tables::nanosecondes;
 
 /// The rays of a picture, in tiles.

@@ -15,6 +15,7 @@ mod exactitude;
 mod glam;
 mod hierarchie;
 mod page;
+mod rival;
 mod tables;
 
 use std::error::Error;

@@ -19,7 +19,7 @@ use super::version::math::{Mat3, Pose, Real, Rotation, Vector};
 use super::version::partitioning::{Bvh, BvhBuildStrategy, BvhNode};
 use super::version::query::{Ray, RayCast};
 use super::version::shape::{Ball, Cuboid, HalfSpace};
-use crate::autres::{Parry, Rival, Vu, dire};
+use crate::rival::{Parry, Rival, Vu, dire};
 
 /// A shape and where it is, as an enum: parry's `SharedShape` would cost it an indirect call per
 /// object, and a `Pose` for every shape a rotation of the ray where there is nothing to turn.

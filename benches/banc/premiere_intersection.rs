@@ -62,7 +62,8 @@ fn mesurer<R: Reel + DeserializeOwned>(c: &mut Criterion) {
         }
     };
 
-    let atelier: Scene<R> = Scene::lire(Path::new("docs/scenes/atelier.ron")).unwrap();
+    let chemin = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/scenes/atelier.ron");
+    let atelier: Scene<R> = Scene::lire(&chemin).unwrap();
     let objets: Vec<_> = atelier.objets.iter().map(|objet| objet.vers_ray()).collect();
     mesurer("atelier", &objets, &scenes::en_tuiles(&atelier.camera.rayons().unwrap(), 600));
     let rayons = scenes::en_tuiles(&scenes::rayons_camera(600, 400), 600);

@@ -1,5 +1,0 @@
-//! The renderer of `../rendu.rs`.
-
-fn main() -> std::process::ExitCode {
-    exemples::rendu::programme()
-}
