@@ -32,7 +32,7 @@ pub struct Rayon<R = f64> {
     #[cfg_attr(feature = "serde", serde(serialize_with = "fin_en_option"))]
     fin: R,
     /// If 0 or more, δ: no object holds the source by more than δ and its own rounding. If below 0, the ray is inside
-    /// that many objects. (M7)
+    /// that many objects.
     #[cfg_attr(feature = "serde", serde(serialize_with = "flou_en_option"))]
     flou: R,
 }

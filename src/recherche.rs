@@ -104,7 +104,7 @@ impl<R: Nombre> ObjetRay<R> {
     pub fn sortie(&self, rayon: &Rayon<R>) -> Reponse<R> {
         // Turned back, the ray enters the object, at −t, where this one leaves it.
         let retour = Rayon::sans_fin(rayon.source(), -rayon.direction());
-        // M7: beyond, the ray is inside one object fewer, or outside.
+        // Beyond, the ray is inside one object fewer, or outside.
         let su = rayon.su();
         let retour = retour.sachant(if su < -R::UN { su + R::UN } else { max(su, R::ZERO) });
         par_forme!(Self, self, forme => {
