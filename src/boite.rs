@@ -3,7 +3,7 @@
 use crate::forme::{Boule, FLOU_PROPRE, Forme};
 use crate::nombre::{Nombre, fois_u, puissance_de_deux};
 use crate::rayon::Rayon;
-use crate::refus::{ErreurGeo, coefficient, deplacement, point, taille};
+use crate::refus::{self, ErreurGeo, coefficient, deplacement, point, taille};
 use crate::rotation::Rotation;
 use crate::texture::Texture;
 use crate::vecteur::Vecteur;
@@ -125,10 +125,11 @@ impl<R: Nombre> BoiteGeo<R> {
     /// [`ObjetGeo::vers_f32`](crate::ObjetGeo::vers_f32).
     ///
     /// # Errors
-    /// If [`translation`](Self::translation) by −`origine` refuses, or [`new`](Self::new) the numbers in
-    /// `f32`.
+    /// If `origine` is not finite, [`translation`](Self::translation) by −`origine` refuses, or [`new`](Self::new) the
+    /// numbers in `f32`.
     pub fn vers_f32(self, origine: Vecteur<R>) -> Result<BoiteGeo<f32>, ErreurGeo> {
-        let Self { centre, dimensions, rotation, texture } = self.translation(-origine)?;
+        let Self { centre, dimensions, rotation, texture } =
+            self.translation(-refus::origine(origine)?)?;
         BoiteGeo::new(centre.vers_f32(), dimensions.vers_f32(), rotation.vers_f32(), texture)
     }
 
@@ -235,7 +236,7 @@ impl<R: Nombre> BoiteRay<R> {
         (Quotient { longueur: -(l + o), vitesse }, Quotient { longueur: l - o, vitesse })
     }
 
-    /// Of the three pairs of faces the last entry, by which of them it is, and the first exit.
+    /// The last entry of the three pairs of faces, by which pair it is, and the first exit.
     ///
     /// One pair has a speed of 0.5 or more, and with it an entry and an exit nearer than `loin`.
     #[inline(always)]
@@ -270,7 +271,7 @@ impl<R: Nombre> BoiteRay<R> {
         (if n.produit_scalaire(rayon.direction()) > R::ZERO { -n } else { n }, l)
     }
 
-    /// Of the faces that the ray goes in by the one that the source is nearest to, and how high the source is over it.
+    /// How high the source is over the nearest of the faces that the ray goes in by, and across which axis that is.
     #[inline(always)]
     fn face_de_depart(&self, rayon: &Rayon<R>) -> (R, usize) {
         let (mut hauteur, mut face) = (-R::INFINI, 0);
@@ -373,7 +374,7 @@ pub(crate) fn echelle_vitesse<R: Nombre>() -> R {
 /// Two quotients are compared by cross-multiplication, since one division costs more than the two
 /// products. A ray parallel to a pair of faces then needs no case of its own: beside the pair its
 /// entry is +∞ or its exit −∞, and in the plane of a face 0/0 is neither above nor below anything.
-/// Of +∞ and −∞ neither is above the other: a ray beside two pairs has an entry at +∞.
+/// Neither of +∞ and −∞ is above the other: a ray beside two pairs has an entry at +∞.
 #[derive(Clone, Copy)]
 pub(crate) struct Quotient<R> {
     pub(crate) longueur: R,

@@ -4,13 +4,13 @@
 use crate::nombre::Nombre;
 use crate::vecteur::Vecteur;
 
-/// A product rounds by so many u² of itself (lemma 16).
+/// What a product rounds by, in u² of itself (lemma 16).
 pub const PRODUIT_DOUBLE: f64 = 8.1;
 
 /// What a product loses below the normal numbers, in η (lemma 16).
 pub const PERTE_DOUBLE: f64 = 3.8;
 
-/// A bound grows by so many u of itself for its own rounding (lemma 16).
+/// How much a bound grows for its own rounding, in u of itself (lemma 16).
 pub const BORNE_DOUBLE: f64 = 7.5;
 
 /// `haut` + `bas`, no farther than `erreur` from the number that it stands for; |bas| ≤ u·|haut|.

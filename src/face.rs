@@ -44,12 +44,12 @@ impl Face {
     pub const TOUTES: [Self; 6] =
         [Self::PlusX, Self::PlusY, Self::PlusZ, Self::MoinsX, Self::MoinsY, Self::MoinsZ];
 
-    /// Of a point in the box's own axes, as [`BoiteRay::lieu`] gives it, the two coordinates along
+    /// The two coordinates of a point in the box's own axes, as [`BoiteRay::lieu`] gives it, along
     /// this face: to the right and up, as the face is seen from outside. So a text reads as it should
     /// on each of the six.
     ///
-    /// Of the point times the half-lengths they are in scene units: a text keeps its shape. Up is y on the four sides. Of the top (`PlusY`) it is −z, and of the bottom +z: both have x to
-    /// the right.
+    /// Take them of the point times the half-lengths, in scene units, and a text keeps its shape. Up is y on the four
+    /// sides, −z on the top (`PlusY`) and +z on the bottom, which both have x to the right.
     ///
     /// ```
     /// use lancer_rayon::{Face, Vecteur};
@@ -81,7 +81,7 @@ impl fmt::Display for Face {
 }
 
 impl<R: Nombre> BoiteRay<R> {
-    /// Of a hit on this box: the face, and the point in the box's own axes, from −1 to 1 between
+    /// Where a hit on this box lies: the face, and the point in the box's own axes, from −1 to 1 between
     /// opposite faces. Across the face the coordinate is exactly 1 or −1; the two along it are
     /// [`Face::le_long`].
     ///
@@ -121,7 +121,7 @@ impl<R: Nombre> BoiteRay<R> {
         // Relative to the source: S + tD − C would lose what S and C have in common (lemma 6).
         let p = (rayon.source() - self.centre()) + rayon.direction() * touche.distance();
         let mut p = self.paires().map(|(n, l)| {
-            // Of a hit on something else a NaN is possible, and becomes a limit as well.
+            // From a hit on something else a NaN is possible, and becomes a limit as well.
             max(min(p.produit_scalaire(n) / l, R::UN), -R::UN)
         });
         p[axe] = if cosinus[axe] < R::ZERO { -R::UN } else { R::UN };

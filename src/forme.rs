@@ -102,7 +102,7 @@ pub(crate) trait Forme<R: Nombre>: Copy {
     /// brought N·D to 0 or above, [`vers_la_source`] replaces it.
     fn plan_tangent(&self, rayon: &Rayon<R>, t: R) -> (Vecteur<R>, R);
 
-    /// The same of a shape that the ray touches at once.
+    /// What [`plan_tangent`](Self::plan_tangent) says, for a shape that the ray touches at once.
     fn plan_de_depart(&self, rayon: &Rayon<R>) -> (Vecteur<R>, R) {
         self.plan_tangent(rayon, R::ZERO)
     }

@@ -4,6 +4,10 @@ use core::fmt;
 use core::num::NonZero;
 
 use crate::nombre::Nombre;
+#[cfg(feature = "serde")]
+use crate::nombre::fois_u;
+#[cfg(feature = "serde")]
+use crate::refus::{ErreurGeo, exiger};
 use crate::texture::Texture;
 use crate::vecteur::Vecteur;
 
@@ -28,15 +32,61 @@ use crate::vecteur::Vecteur;
 /// ```
 #[doc(alias("hit", "HitRecord"))]
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(bound(serialize = "R: Nombre + serde::Serialize")))]
 #[must_use]
 pub struct Intersection<R = f64> {
     distance: R,
     normale: Vecteur<R>,
+    #[cfg_attr(feature = "serde", serde(serialize_with = "marge_en_option"))]
     marge: R,
     point: Vecteur<R>,
     su: R,
     texture: Texture,
+    #[cfg_attr(feature = "serde", serde(rename = "indice"))]
     rang: Rang,
+}
+
+/// What is written can be read again, so that a simulation goes on to the bit. What is read is no hit of any ray if
+/// somebody else wrote it: no more is checked than that no question goes wrong with it.
+#[cfg(feature = "serde")]
+impl<R: Nombre> Intersection<R> {
+    fn lire(
+        distance: R,
+        normale: Vecteur<R>,
+        marge: Option<R>,
+        point: Vecteur<R>,
+        su: R,
+        texture: Texture,
+        indice: u32,
+    ) -> Result<Self, ErreurGeo> {
+        let positif = |champ, x: R| exiger(x >= R::ZERO, champ, x, "a number, 0 or more");
+        exiger(distance < R::INFINI, "distance", distance, "finite")?;
+        let (distance, marge) = (positif("distance", distance)?, marge.unwrap_or(R::INFINI));
+        let contact = Contact { normale, marge: positif("marge", marge)?, point };
+        let longueur = normale.longueur();
+        let unitaire = (longueur - R::UN).abs() <= fois_u(32.0);
+        exiger(unitaire, "normale: length", longueur, "1, to rounding")?;
+        let nombre = point.x + point.y + point.z;
+        exiger(nombre == nombre, "point", nombre, "a point without a NaN")?;
+        exiger(su.abs() < R::INFINI, "su", su, "a finite number")?;
+        exiger(indice < u32::MAX, "indice", R::ZERO, "below 2^32 - 1")?;
+        Ok(Self::new(distance, contact, su, texture, Rang::de(indice as usize)))
+    }
+}
+
+#[cfg(feature = "serde")]
+fn marge_en_option<R: Nombre + serde::Serialize, S: serde::Serializer>(
+    marge: &R,
+    vers: S,
+) -> Result<S::Ok, S::Error> {
+    serde::Serialize::serialize(&Some(marge).filter(|marge| **marge < R::INFINI), vers)
+}
+
+crate::refus::lu_par! {
+    Intersection::lire {
+        distance: R, normale: Vecteur<R>, marge: Option<R>, point: Vecteur<R>, su: R, texture: Texture, indice: u32
+    }
 }
 
 /// A hit or a miss: the answer to every question for the first object.
@@ -51,6 +101,13 @@ const _: () = assert!(size_of::<Reponse<f64>>() == 80 && size_of::<Reponse<f32>>
 /// [`exiger_des_rangs`] sees to.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Rang(NonZero<u32>);
+
+#[cfg(feature = "serde")]
+impl serde::Serialize for Rang {
+    fn serialize<S: serde::Serializer>(&self, vers: S) -> Result<S::Ok, S::Error> {
+        vers.serialize_u32(self.0.get() - 1)
+    }
+}
 
 /// As [`Intersection::indice`] says it.
 impl fmt::Debug for Rang {

@@ -59,7 +59,7 @@ impl<R: Nombre> ObjetRay<R> {
     pub fn erreur(&self, rayon: &Rayon<R>, touche: &Intersection<R>) -> R {
         let t = touche.distance();
         let (objet, rayon, en_f64) = (self.en_double(), rayon.vers_f64(), t.vers_f64());
-        // Of a distance in `f64` a glance never leaves so little open.
+        // A glance never leaves so little of a distance in `f64` open.
         let en_simple = R::selon(true, false);
         let vue = if en_simple { coup_d_oeil(&objet, &rayon) } else { Intervalle::INCONNU };
         let ecart = if vue.haut - vue.bas <= en_f64 * (R::U.vers_f64() * NET) {

@@ -7,7 +7,7 @@ mod scelle {
     /// What only this crate needs of a scalar; and what keeps [`Nombre`](super::Nombre) to the two
     /// types whose rounding the crate's bounds rest on.
     pub trait Scelle: Sized {
-        /// Of two constants the one for this type.
+        /// The one of two constants that is for this type.
         #[inline(always)]
         fn selon<T>(en_f32: T, en_f64: T) -> T {
             if size_of::<Self>() == size_of::<f32>() { en_f32 } else { en_f64 }

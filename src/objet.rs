@@ -103,8 +103,8 @@ impl<R: Nombre> ObjetGeo<R> {
     /// `Vecteur::NUL` leaves the scene where it is.
     ///
     /// # Errors
-    /// If [`translation`](Self::translation) by −`origine` refuses, or the constructor the numbers in
-    /// `f32`: the error names the field.
+    /// If `origine` is not finite, [`translation`](Self::translation) by −`origine` refuses, or the constructor the
+    /// numbers in `f32`: the error names the field.
     ///
     /// ```
     /// use lancer_rayon::{ObjetGeo, ObjetRay, SphereGeo, Texture, Vecteur};

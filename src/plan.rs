@@ -3,7 +3,7 @@
 use crate::forme::{Boule, Forme};
 use crate::nombre::{Nombre, simple};
 use crate::rayon::Rayon;
-use crate::refus::{ErreurGeo, coefficient, coordonnee, deplacement, fini, point, refus_nul};
+use crate::refus::{self, ErreurGeo, coefficient, coordonnee, deplacement, fini, point, refus_nul};
 use crate::rotation::Rotation;
 use crate::texture::Texture;
 use crate::vecteur::Vecteur;
@@ -95,6 +95,9 @@ impl<R: Nombre> PlanGeo<R> {
     /// The half-space whose surface passes through this point, with this outward normal of any
     /// length: a wall.
     ///
+    /// How its pattern is turned about the normal is not yours to say: [`orientation`](Self::orientation) tells. As one
+    /// sees any half-space from outside, the first of its axes points to the right where the second points up.
+    ///
     /// # Errors
     /// If a coordinate of the point, or the distance to the origin, is beyond the limits of
     /// [`new`](Self::new), or if the normal is zero or not finite.
@@ -152,10 +155,10 @@ impl<R: Nombre> PlanGeo<R> {
     /// rounded: see [`ObjetGeo::vers_f32`](crate::ObjetGeo::vers_f32).
     ///
     /// # Errors
-    /// If [`translation`](Self::translation) by −`origine` refuses, or [`new`](Self::new) the numbers in
-    /// `f32`.
+    /// If `origine` is not finite, [`translation`](Self::translation) by −`origine` refuses, or [`new`](Self::new) the
+    /// numbers in `f32`.
     pub fn vers_f32(self, origine: Vecteur<R>) -> Result<PlanGeo<f32>, ErreurGeo> {
-        let Self { rotation, distance, texture } = self.translation(-origine)?;
+        let Self { rotation, distance, texture } = self.translation(-refus::origine(origine)?)?;
         PlanGeo::new(rotation.vers_f32(), simple(distance), texture)
     }
 

@@ -44,7 +44,7 @@ pub(crate) trait Question<R: Nombre> {
 pub(crate) enum Abord {
     /// Nothing: a list asks it.
     Inconnu,
-    /// The same of a ray that has a δ above 0.
+    /// Nothing, and the ray has a δ above 0.
     InconnuFlou,
     /// The ray crosses its box, first at `entree`: its ball, which such a ray seldom passes by, is not worth asking. Up
     /// to `jusqu_ici` the box may hold the source of a ray that has a δ above 0.

@@ -1,7 +1,7 @@
 //! Rays of light (handout §4.1 and annex A): a source, a unit direction and an end.
 
 use crate::nombre::{Nombre, fois_u, max, simple};
-use crate::refus::{ErreurGeo, exiger, fini, point, refus_nul};
+use crate::refus::{self, ErreurGeo, exiger, fini, point, refus_nul};
 use crate::vecteur::Vecteur;
 
 /// A ray: the points R(t) = S + t·D, 0 ≤ t < [`fin`](Self::fin), from the source S along the unit vector D
@@ -234,7 +234,7 @@ impl<R: Nombre> Rayon<R> {
     /// ```
     #[doc(alias("to_f32", "narrow", "floating_origin"))]
     pub fn vers_f32(self, origine: Vecteur<R>) -> Result<Rayon<f32>, ErreurGeo> {
-        let origine = fini(["origine.x", "origine.y", "origine.z"], origine)?;
+        let origine = refus::origine(origine)?;
         let rayon = Rayon::new((self.source - origine).vers_f32(), self.direction.vers_f32())?;
         Ok(rayon.finissant(simple(self.fin)).sachant(simple(self.flou)))
     }

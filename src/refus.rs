@@ -123,6 +123,11 @@ pub(crate) fn deplacement<R: Nombre>(v: Vecteur<R>) -> Result<Vecteur<R>, Erreur
     fini(["translation.x", "translation.y", "translation.z"], v)
 }
 
+/// The origin that a conversion to `f32` takes off.
+pub(crate) fn origine<R: Nombre>(origine: Vecteur<R>) -> Result<Vecteur<R>, ErreurGeo> {
+    fini(["origine.x", "origine.y", "origine.z"], origine)
+}
+
 /// A vector each of whose coordinates is finite.
 pub(crate) fn fini<R: Nombre>(champs: Champs, v: Vecteur<R>) -> Result<Vecteur<R>, ErreurGeo> {
     for (champ, x) in champs.into_iter().zip([v.x, v.y, v.z]) {

@@ -143,7 +143,7 @@ reponses! {
     fn visiter(vue: Vue<'_, Self>, rayon: &Rayon<Self>, montrer: Montrer<'_, Self>) -> () {
         let mut visite = Visite::new(rayon.fin(), montrer);
         loop {
-            visite = demander(vue, rayon, visite);
+            demander(vue, rayon, &mut visite);
             if !visite.montrer_ce_qui_attend() {
                 return;
             }
@@ -166,10 +166,10 @@ reponses! {
             montrer(indice);
             Self::INFINI
         };
-        let mut contenants = Contenants(Visite::new(Self::INFINI, montrer));
+        let mut visite = Visite::new(Self::INFINI, montrer);
         loop {
-            contenants = demander(vue, &rayon, contenants);
-            if !contenants.0.montrer_ce_qui_attend() {
+            demander(vue, &rayon, Contenants(&mut visite));
+            if !visite.montrer_ce_qui_attend() {
                 return;
             }
         }

@@ -40,14 +40,14 @@ type Matrice = [[f64; 3]; 3];
 
 const IDENTITE: Matrice = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
-/// A matrix that is orthonormal to so many u is kept by [`Rotation::depuis_matrice`] (lemma 1).
+/// How orthonormal a matrix is that [`Rotation::depuis_matrice`] keeps, in u (lemma 1).
 pub const DEJA_ORTHONORMALE: f64 = 8.0;
 
 /// How far M·Mᵀ may be from I for [`Rotation::depuis_matrice`] to take M: room for a rotation that is
 /// written with four decimals, be they rounded or cut off (lemma 13).
 const ECART: f64 = 1e-3;
 
-/// Two directions are parallel if the sine of their angle is so many u at most (lemma 13).
+/// The largest sine of the angle between two directions that are parallel, in u (lemma 13).
 const PARALLELES: f64 = 16.0;
 
 const ANGLES: [&str; 3] = ["vecteur_rotation.x", "vecteur_rotation.y", "vecteur_rotation.z"];

@@ -3,7 +3,7 @@
 use crate::forme::{Boule, FLOU_PROPRE, Forme, Hauteur};
 use crate::nombre::{Nombre, fois_u, max, simple};
 use crate::rayon::Rayon;
-use crate::refus::{ErreurGeo, coefficient, deplacement, point, taille};
+use crate::refus::{self, ErreurGeo, coefficient, deplacement, point, taille};
 use crate::rotation::Rotation;
 use crate::texture::Texture;
 use crate::vecteur::Vecteur;
@@ -100,10 +100,10 @@ impl<R: Nombre> SphereGeo<R> {
     /// [`ObjetGeo::vers_f32`](crate::ObjetGeo::vers_f32).
     ///
     /// # Errors
-    /// If [`translation`](Self::translation) by −`origine` refuses, or [`new`](Self::new) the numbers in
-    /// `f32`.
+    /// If `origine` is not finite, [`translation`](Self::translation) by −`origine` refuses, or [`new`](Self::new) the
+    /// numbers in `f32`.
     pub fn vers_f32(self, origine: Vecteur<R>) -> Result<SphereGeo<f32>, ErreurGeo> {
-        let Self { centre, rayon, texture } = self.translation(-origine)?;
+        let Self { centre, rayon, texture } = self.translation(-refus::origine(origine)?)?;
         SphereGeo::new(centre.vers_f32(), simple(rayon), texture)
     }
 
@@ -236,7 +236,7 @@ impl<R: Nombre> Forme<R> for SphereRay<R> {
 
     /// SA + AB where A lies ahead, else the power over SA − AB: neither subtracts anything.
     ///
-    /// Of a source inside, AB is taken no shorter than √(r² − SC²): so a ray that starts there has its way
+    /// For a source inside, AB is taken no shorter than √(r² − SC²): so a ray that starts there has its way
     /// out above 0 and at most 2r away, even within rounding of the surface.
     #[inline(always)]
     fn t_sortie(&self, rayon: &Rayon<R>) -> R {

@@ -272,7 +272,7 @@ impl<R: Nombre> Neg for Vecteur<R> {
     }
 }
 
-/// Of vectors, or of references to them.
+/// The sum of vectors, or of references to them.
 impl<R: Nombre, V: Borrow<Self>> Sum<V> for Vecteur<R> {
     fn sum<I: Iterator<Item = V>>(vecteurs: I) -> Self {
         vecteurs.fold(Self::NUL, |somme, v| somme + *v.borrow())

@@ -35,12 +35,14 @@ impl<'a, R: Nombre> Visite<'a, R> {
 
     /// To be called after each walk: shows what waited. Tells whether another walk is to follow.
     pub(crate) fn montrer_ce_qui_attend(&mut self) -> bool {
-        for Premier { t, rang } in self.en_morceaux.take() {
+        for i in 0..self.en_morceaux.len() {
+            let Premier { t, rang } = self.en_morceaux[i];
             self.deja = rang;
             if let Some(rang) = rang.filter(|_| t < self.fin) {
                 self.montrer(t, rang.indice());
             }
         }
+        self.en_morceaux.clear();
         core::mem::take(&mut self.encore)
     }
 
@@ -49,10 +51,10 @@ impl<'a, R: Nombre> Visite<'a, R> {
     }
 }
 
-impl<R: Nombre> Question<R> for Visite<'_, R> {
+impl<R: Nombre> Question<R> for &mut Visite<'_, R> {
     const UN_SUFFIT: bool = false;
     type Vu = R;
-    type Reponse = Self;
+    type Reponse = ();
 
     fn limite(&self) -> R {
         self.fin
@@ -88,19 +90,17 @@ impl<R: Nombre> Question<R> for Visite<'_, R> {
         false
     }
 
-    fn repondre(self, _: &Rayon<R>, _: &[ObjetRay<R>]) -> Self {
-        self
-    }
+    fn repondre(self, _: &Rayon<R>, _: &[ObjetRay<R>]) {}
 }
 
 /// Shows the objects that hold the source of the ray, in no order, each once. A ray up to distance 0 crosses the boxes
 /// that hold its source.
-pub(crate) struct Contenants<'a, R>(pub(crate) Visite<'a, R>);
+pub(crate) struct Contenants<'v, 'a, R>(pub(crate) &'v mut Visite<'a, R>);
 
-impl<R: Nombre> Question<R> for Contenants<'_, R> {
+impl<R: Nombre> Question<R> for Contenants<'_, '_, R> {
     const UN_SUFFIT: bool = false;
     type Vu = R;
-    type Reponse = Self;
+    type Reponse = ();
 
     fn limite(&self) -> R {
         R::ZERO
@@ -115,9 +115,7 @@ impl<R: Nombre> Question<R> for Contenants<'_, R> {
         self.0.retenir(t, indice, en_morceaux)
     }
 
-    fn repondre(self, _: &Rayon<R>, _: &[ObjetRay<R>]) -> Self {
-        self
-    }
+    fn repondre(self, _: &Rayon<R>, _: &[ObjetRay<R>]) {}
 }
 
 /// Whether some object holds the source of the ray.

@@ -67,7 +67,7 @@ impl fmt::Display for PlacesInsuffisantes {
 
 impl core::error::Error for PlacesInsuffisantes {}
 
-/// How many numbers the tree of so many objects may need, whichever of them have no box. One without needs one
+/// How many numbers the tree of this many objects may need, whichever of them have no box. One without needs one
 /// number, and less than its share of a leaf, except for the first fifteen.
 pub(crate) const fn mots(objets: usize) -> usize {
     if objets < OBJETS_D_UN_ARBRE || objets as u64 >= LIMITE_INDICES {
@@ -87,7 +87,7 @@ pub(crate) const fn mots(objets: usize) -> usize {
     total.saturating_mul(FICHE * ENFANTS).saturating_add(ENFANTS - 1 + BOURRAGE)
 }
 
-/// How many records there is room for in so many numbers, beyond the leaves that these objects fill with one each.
+/// How many records there is room for in this many numbers, beyond the leaves that these objects fill with one each.
 fn fiches_de_plus(objets: usize, places: usize) -> usize {
     const FEUILLE: usize = FICHE * ENFANTS;
     let feuilles = objets.div_ceil(ENFANTS);

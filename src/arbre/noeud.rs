@@ -39,7 +39,7 @@ pub(crate) fn en_mot(indice: usize) -> f32 {
     f32::from_bits(indice as u32)
 }
 
-/// The same of an object in several pieces: the sign, which no index needs, says so.
+/// An index, stored [so](en_mot), of an object in several pieces: the sign, which no index needs, says so.
 pub(crate) fn en_mot_d_un_morceau(indice: usize) -> f32 {
     -en_mot(indice)
 }

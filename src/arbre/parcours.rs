@@ -30,7 +30,7 @@ impl<R: Nombre> Arbre<'_, R> {
         self.descendre(simd, liste, rayon, question)
     }
 
-    /// The same of the objects with a box.
+    /// Asks the objects with a box alone, and gives the question back.
     #[inline(always)]
     pub(crate) fn descendre<S: Simd, Q: Question<R>>(
         &self,

@@ -5,7 +5,7 @@ use arrayvec::ArrayVec;
 use crate::arbre::noeud::{ENFANTS, ETAGES, Noeud, indice_lu};
 use crate::colonne::{Colonne, Membres, prendre, prendre_le_moindre};
 
-/// Of each node above the leaves a walk visits one child at once and leaves at most fifteen. It is done with these before it
+/// A walk visits one child of each node above the leaves at once and leaves at most fifteen. It is done with these before it
 /// visits another node of that floor.
 const PLACES: usize = (ENFANTS - 1) * (ETAGES - 1);
 

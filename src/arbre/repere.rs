@@ -21,10 +21,10 @@ pub(crate) struct Repere<R> {
     pub(crate) jeu_maximal: f32,
 }
 
-/// What is farther from Z than so many times the width of the many is far from them.
+/// From what distance from Z on something is far from the many, in widths of the many.
 const LARGEURS: f64 = 4.0;
 
-/// At most so many objects, evenly spread over the list, tell where the many are.
+/// How many objects at most, evenly spread over the list, tell where the many are.
 const TEMOINS: usize = 31;
 
 impl<R: Nombre> Repere<R> {
@@ -91,7 +91,7 @@ impl<R: Nombre> Repere<R> {
         ((c - demi).vers_f32(), (c + demi).vers_f32())
     }
 
-    /// The side of a leaf in this frame, if all leaves of so many records were alike among the many.
+    /// The side of a leaf in this frame, if all leaves of this many records were alike among the many.
     pub(crate) fn cote_d_une_feuille(self, fiches: usize) -> f32 {
         simple(self.loin) / (LARGEURS as f32 * libm::cbrtf(fiches as f32 / ENFANTS as f32))
     }

@@ -13,7 +13,7 @@ use crate::rayon::Rayon;
 use crate::sphere::{SphereRay, Termes};
 use crate::vecteur::Vecteur;
 
-/// |CP|² − r² and AB² decide beyond so many u of |f|² + r² (lemma 18).
+/// From what size on |CP|² − r² and AB² decide, in u of |f|² + r² (lemma 18).
 pub const VUE_SPHERE: f64 = 19.0;
 
 /// What the distance to a sphere is off by, in u·(t + r)·r/AB (lemma 18).

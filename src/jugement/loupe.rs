@@ -8,7 +8,7 @@ use crate::rayon::Rayon;
 use crate::sphere::SphereRay;
 use crate::vecteur::Vecteur;
 
-/// The bound of a `Jugement` grows by so many u of itself: what it is off by, and the growing
+/// How much the bound of a `Jugement` grows, in u of itself: what it is off by, and the growing
 /// (lemma 17).
 pub const ECART_ARRONDI: f64 = 10.6;
 

@@ -10,17 +10,16 @@ use crate::nombre::{Nombre, fois_u, fois_u_simple, max, min};
 use crate::rayon::Rayon;
 use crate::vecteur::Vecteur;
 
-/// Ω is shorter than a direction by so many u of `f32` of itself: then Ω·D ≤ 1 (lemma 19).
+/// How much shorter Ω is than a direction, in u of `f32` of itself: then Ω·D ≤ 1 (lemma 19).
 pub const COURT_OMEGA: f64 = 17.0;
 
-/// The normals Π are shorter than 1 by so many u (lemma 19).
+/// How much shorter than 1 the normals Π are, in u (lemma 19).
 pub const COURT: f64 = 4.9;
 
-/// By so many u the slope ξ/μ is taken too large, above and below (lemma 19).
+/// How much too large the slope ξ/μ is taken, above and below, in u (lemma 19).
 pub const PENTE: f64 = 7.5;
 
-/// By so many u of the spread of the origins and of the longest segment a bound w is too large
-/// (lemma 19).
+/// How much too large a bound w is taken, in u of the spread of the origins and of the longest segment (lemma 19).
 pub const ORIGINES: f64 = 10.6;
 
 /// The steepest side of a beam of segments against Ω: any slope is right, these fit.

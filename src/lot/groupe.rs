@@ -95,7 +95,7 @@ impl<R: Nombre> Groupe<R> {
     /// For each ray that enters the object of this shape and rank before its first so far: makes it
     /// its first. If one suffices, the ray is done: before distance 0 it looks for no other.
     ///
-    /// Of two objects at the same distance the one of lower rank is the first. `flou` says that some ray has a δ above 0
+    /// The one of lower rank is the first of two objects at the same distance. `flou` says that some ray has a δ above 0
     /// and may start in the object.
     #[inline(always)]
     pub(crate) fn proposer(

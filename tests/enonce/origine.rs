@@ -139,7 +139,7 @@ fn un_refus_nomme_le_champ() {
     assert_eq!(champ(boule(nul, 1e20).vers_f32(nul)), "rayon");
     assert_eq!(champ(boule(nul, 1e-60).vers_f32(nul)), "rayon");
     let infinie = Vecteur::new(0.0, f64::INFINITY, 0.0);
-    assert_eq!(champ(boule(nul, 1.0).vers_f32(infinie)), "translation.y");
+    assert_eq!(champ(boule(nul, 1.0).vers_f32(infinie)), "origine.y");
     let cotes = Vecteur::new(1.0, 1e-30, 1.0);
     let boite = BoiteGeo::new(nul, cotes, Rotation::IDENTITE, Texture(0)).unwrap();
     assert_eq!(boite.vers_f32(nul).unwrap_err().champ, "dimensions.y (hauteur)");

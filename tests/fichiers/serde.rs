@@ -3,7 +3,8 @@
 use commun::strategies::{objet, plante, rotation};
 use commun::{en_f32_et_f64, pour_tout};
 use lancer_rayon::{
-    BoiteGeo, Face, ObjetGeo, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture, Vecteur,
+    BoiteGeo, Face, Intersection, ObjetGeo, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo,
+    Texture, Vecteur,
 };
 use proptest::prelude::*;
 use serde::de::DeserializeOwned;
@@ -26,6 +27,34 @@ fn ce_qui_est_ecrit_est_relu_bit_pour_bit<R: Reel + Serialize + for<'de> Deseria
 }
 
 en_f32_et_f64!(ce_qui_est_ecrit_est_relu_bit_pour_bit);
+
+/// A ray with an end, one that knows its start, one that is inside something, and hits: a simulation that is read again
+/// goes on to the bit.
+fn une_simulation_reprise_va_du_meme_pas<R: Reel + Serialize + for<'de> Deserialize<'de>>() {
+    let v = |x, y, z| Vecteur::<R>::depuis_f64(Vecteur::new(x, y, z));
+    let sol = ObjetRay::from(
+        PlanGeo::par_un_point(v(0.1, 0.0, 0.0), v(0.1, 1.0, 0.3), Texture(7)).unwrap(),
+    );
+    let rayon = Rayon::new(v(0.3, 4.0, 0.1), v(0.3, -1.0, 0.7)).unwrap();
+    let touche = sol.intersection(&rayon).unwrap();
+    let suite = touche.reflechi(rayon.direction()).unwrap();
+    assert!(suite.flou() > R::ZERO);
+    let dedans = touche.secondaire(rayon.direction()).unwrap();
+    for rayon in [rayon.jusqu_a(R::depuis_f64(9.1)).unwrap(), suite, dedans, rayon.dedans()] {
+        assert_eq!(relu(&rayon), [rayon; 2]);
+    }
+    for relue in relu(&touche) {
+        assert_eq!(relue, touche);
+        assert_eq!(relue.reflechi(rayon.direction()), Ok(suite));
+    }
+    let perdue = SphereGeo::new(v(0.0, 0.0, 0.0), R::UN / R::LIMITE, Texture(0)).unwrap();
+    let loin = Rayon::new(v(0.0, 0.0, 1.0), v(0.0, 0.0, -1.0)).unwrap();
+    if let Ok(touche) = ObjetRay::from(perdue).intersection(&loin) {
+        assert_eq!(relu(&touche), [touche; 2]);
+    }
+}
+
+en_f32_et_f64!(une_simulation_reprise_va_du_meme_pas);
 
 /// The text is refused, and the message holds the sentence of the constructor.
 fn refuse<T: DeserializeOwned>(texte: &str, phrase: &str) {
@@ -66,6 +95,21 @@ fn ce_qui_n_est_pas_valide_est_refuse() {
     refuse::<Rotation>("((1, 0, 0), (0, 1, 0), (0, 0, -1))", "matrice: determinant is -1");
     refuse::<Rayon>("(source: (0, 0, 0), direction: (0, 0, 0))", "direction is 0");
     refuse::<Rayon>("(source: (1e200, 0, 0), direction: (0, 0, 1))", "source.x is ");
+    let rayon = |suite| format!("(source: (0, 0, 0), direction: (0, 0, 1), {suite})");
+    refuse::<Rayon>(&rayon("fin: Some(-1)"), "fin is -1.0");
+    refuse::<Rayon>(&rayon("flou: Some(inf)"), "flou is inf");
+    let touche = |distance, x, marge, indice| {
+        format!(
+            "(distance: {distance}, normale: ({x}, 0, 0), marge: {marge}, point: (0, 0, 0), su: 0, \
+             texture: (0), indice: {indice})"
+        )
+    };
+    assert!(ron::from_str::<Intersection>(&touche("1", "1", "None", "3")).is_ok());
+    refuse::<Intersection>(&touche("-1", "1", "None", "3"), "distance is -1.0");
+    refuse::<Intersection>(&touche("inf", "1", "None", "3"), "distance is inf");
+    refuse::<Intersection>(&touche("1", "2", "None", "3"), "normale: length is 2.0");
+    refuse::<Intersection>(&touche("1", "1", "Some(NaN)", "3"), "marge is NaN");
+    refuse::<Intersection>(&touche("1", "1", "None", "4294967295"), "indice");
 }
 
 /// A box or a half-space whose rotation is left out is not turned.
