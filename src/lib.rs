@@ -56,7 +56,9 @@
 //! ```
 //!
 //! **A hit is an entry** from outside, at a distance t > 0, against the normal (D·N < 0). An object
-//! is not hit from inside or from its surface, and a ray tangent to a sphere misses.
+//! is not hit from inside or from its surface, and a ray tangent to a sphere misses. A ray that starts from a hit knows
+//! [how exactly it knows its start](Rayon::flou), and touches at once, at t = 0, what holds the start by no more and
+//! what it goes into: so no ray leaves a closed room.
 //!
 //! ```
 //! # use lancer_rayon::*;
@@ -94,7 +96,7 @@
 //! `std` (default) brings the hardware square root; a [`Monde`] then chooses the best
 //! instruction set of the machine at run time. Without `std` the crate needs `core` alone, uses the
 //! instruction set that it is compiled for, and gives the same bits (of subnormal numbers too, unless
-//! they are switched off in the thread). `serde` reads and writes
+//! they are switched off in the thread). `serde` reads and writes hits,
 //! `Vecteur`, `Rotation`, `Texture`, `Face`, `Rayon` and the describing types, through the same checks as
 //! their constructors. `mint` converts [`Vecteur`] and [`Rotation`] from and to its types, and so those of
 //! glam or nalgebra. Nothing allocates, nothing is `unsafe`.
