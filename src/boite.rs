@@ -1,5 +1,6 @@
 //! The box (handout §2.2, §3 and annex A.3).
 
+use crate::dalle::{Quotient, echelle_vitesse};
 use crate::forme::{Boule, FLOU_PROPRE, Forme};
 use crate::nombre::{Nombre, fois_u, puissance_de_deux};
 use crate::rayon::Rayon;
@@ -326,9 +327,8 @@ impl<R: Nombre> Forme<R> for BoiteRay<R> {
         // D3: a ray that leaves by a face as near, or goes along it, is nowhere deeper than that.
         for axe in 0..3 {
             let (e, s) = self.dalle(axe, rayon);
-            let (entre, au_moins) =
-                (e.vitesse > R::ZERO, if axe == face { -hauteur } else { profond });
-            touche &= (s.longueur >= au_moins) & (entre | (-e.longueur >= au_moins));
+            let loin = if axe == face { -hauteur } else { profond };
+            touche &= (s.longueur >= loin) & ((e.vitesse > R::ZERO) | (-e.longueur >= loin));
         }
         touche
     }
@@ -344,9 +344,9 @@ impl<R: Nombre> Forme<R> for BoiteRay<R> {
 
     #[inline(always)]
     fn contient(&self, point: Vecteur<R>) -> bool {
-        let ([a, b, c], cp) = (self.paires(), point - self.centre);
-        let entre = |(n, l): (Vecteur<R>, R)| cp.produit_scalaire(n).abs() <= l;
-        entre(a) & entre(b) & entre(c)
+        let cp = point - self.centre;
+        // Without a branch.
+        self.paires().into_iter().fold(true, |d, (n, l)| d & (cp.produit_scalaire(n).abs() <= l))
     }
 
     #[inline(always)]
@@ -358,40 +358,6 @@ impl<R: Nombre> Forme<R> for BoiteRay<R> {
     fn plan_de_depart(&self, rayon: &Rayon<R>) -> (Vecteur<R>, R) {
         let (_, axe) = self.face_de_depart(rayon);
         self.face_vers(rayon, axe)
-    }
-}
-
-/// A power of two that multiplies speeds, so that no product of a length of a box and a speed
-/// towards its faces leaves the range of the type (`docs/preuves.md`, lemma 2).
-#[inline(always)]
-pub(crate) fn echelle_vitesse<R: Nombre>() -> R {
-    R::depuis_f64(R::selon(puissance_de_deux(62), puissance_de_deux(568)))
-}
-
-/// The distance to a face as a length over a speed of 0 or more, not divided yet. The speed is
-/// multiplied by [`echelle_vitesse`], so that no product below is subnormal.
-///
-/// Two quotients are compared by cross-multiplication, since one division costs more than the two
-/// products. A ray parallel to a pair of faces then needs no case of its own: beside the pair its
-/// entry is +∞ or its exit −∞, and in the plane of a face 0/0 is neither above nor below anything.
-/// Neither of +∞ and −∞ is above the other: a ray beside two pairs has an entry at +∞.
-#[derive(Clone, Copy)]
-pub(crate) struct Quotient<R> {
-    pub(crate) longueur: R,
-    pub(crate) vitesse: R,
-}
-
-impl<R: Nombre> Quotient<R> {
-    #[inline(always)]
-    fn depasse(self, autre: Self) -> bool {
-        // B3
-        self.longueur * autre.vitesse > autre.longueur * self.vitesse
-    }
-
-    #[inline(always)]
-    fn distance(self) -> R {
-        // B5: the length is multiplied, not the quotient, which may be subnormal.
-        self.longueur * echelle_vitesse() / self.vitesse
     }
 }
 

@@ -67,8 +67,9 @@ impl<R: Nombre> Intersection<R> {
         let longueur = normale.longueur();
         let unitaire = (longueur - R::UN).abs() <= fois_u(32.0);
         exiger(unitaire, "normale: length", longueur, "1, to rounding")?;
-        let nombre = point.x + point.y + point.z;
-        exiger(nombre == nombre, "point", nombre, "a point without a NaN")?;
+        for x in <[R; 3]>::from(point) {
+            exiger(x.abs() >= R::ZERO, "point", x, "a number")?;
+        }
         exiger(su.abs() < R::INFINI, "su", su, "a finite number")?;
         exiger(indice < u32::MAX, "indice", R::ZERO, "below 2^32 - 1")?;
         Ok(Self::new(distance, contact, su, texture, Rang::de(indice as usize)))

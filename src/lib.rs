@@ -109,12 +109,13 @@ extern crate std;
 // (`docs/conception.md`, "The floors").
 //
 //   colonne · nombre · choix, niveau · vecteur · texture, refus · rotation · echange, rayon · double
-//   intersection · secondaire · forme · sphere, plan, boite · face, objet · question · liste
+//   dalle · intersection · secondaire · forme · sphere, plan, boite · face, objet · question · liste
 //   recherche, visite, jugement · lot · arbre · reponses · monde · pour_les_tests
 mod arbre;
 mod boite;
 mod choix;
 mod colonne;
+mod dalle;
 mod double;
 #[cfg(feature = "mint")]
 mod echange;

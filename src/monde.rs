@@ -267,7 +267,7 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     #[doc(alias("cast_ray", "closest_hit", "first_hit", "raycast"))]
     #[inline]
     pub fn premiere_intersection(&self, rayon: &Rayon<R>) -> Reponse<R> {
-        R::premiere(self.vue(), rayon)
+        R::premiere(&self.vue(), rayon)
     }
 
     /// The first object that each ray enters:
@@ -298,7 +298,7 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
         rayons: &[Rayon<R>],
         touches: &mut [Reponse<R>],
     ) -> Result<(), LongueursDifferentes> {
-        R::premieres(self.vue(), rayons, touches)
+        R::premieres(&self.vue(), rayons, touches)
     }
 
     /// Whether anything stands before the end of the ray, the light that it goes to:
@@ -334,7 +334,7 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     #[inline]
     #[must_use]
     pub fn est_occulte(&self, rayon: &Rayon<R>) -> bool {
-        R::occulte(self.vue(), rayon)
+        R::occulte(&self.vue(), rayon)
     }
 
     /// Whether anything stands before the end of each ray: [`est_occulte`](Self::est_occulte) of
@@ -364,7 +364,7 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
         rayons: &[Rayon<R>],
         occultes: &mut [bool],
     ) -> Result<(), LongueursDifferentes> {
-        R::occultes(self.vue(), rayons, occultes)
+        R::occultes(&self.vue(), rayons, occultes)
     }
 
     /// The objects that the ray enters before its end, as many as there are places, in order: the nearest first,
@@ -395,7 +395,7 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// ```
     #[doc(alias("all_hits", "multi_hit", "k_nearest", "in_order", "transparency", "picking"))]
     pub fn dans_l_ordre(&self, rayon: &Rayon<R>, touches: &mut [Reponse<R>]) -> usize {
-        R::dans_l_ordre(self.vue(), rayon, touches)
+        R::dans_l_ordre(&self.vue(), rayon, touches)
     }
 
     /// Shows `voir` the index of every object that the ray enters before its end, and the distance, each once and in no
@@ -434,7 +434,7 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// ```
     #[doc(alias("any_hit", "visitor", "for_each_hit", "count"))]
     pub fn visiter(&self, rayon: &Rayon<R>, mut voir: impl FnMut(usize, R) -> R) {
-        R::visiter(self.vue(), rayon, &mut voir);
+        R::visiter(&self.vue(), rayon, &mut voir);
     }
 
     /// Whether some object [`contient`](ObjetRay::contient) this point, or has it on its surface: say for a camera that
@@ -457,14 +457,14 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     #[doc(alias("contains", "inside", "point_query"))]
     #[must_use]
     pub fn contient(&self, point: Vecteur<R>) -> bool {
-        R::contient(self.vue(), point)
+        R::contient(&self.vue(), point)
     }
 
     /// Shows `voir` the index of every object that [`contient`](ObjetRay::contient) this point, each once and in no
     /// order: where a ray starts inside glass, in which glass.
     #[doc(alias("contains", "inside", "point_query"))]
     pub fn contenants(&self, point: Vecteur<R>, mut voir: impl FnMut(usize)) {
-        R::contenants(self.vue(), point, &mut voir);
+        R::contenants(&self.vue(), point, &mut voir);
     }
 
     /// Whether an answer of [`premiere_intersection`](Self::premiere_intersection), a hit or a miss, is certain: whether
@@ -498,7 +498,7 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     #[doc(alias("is_certain", "certify", "certificate"))]
     #[must_use]
     pub fn certifie(&self, rayon: &Rayon<R>, reponse: &Reponse<R>) -> bool {
-        R::certifie(self.vue(), rayon, reponse)
+        R::certifie(&self.vue(), rayon, reponse)
     }
 
     /// A box along the axes that holds all of these objects, save the half-spaces, which no box holds; `None` if there

@@ -63,5 +63,5 @@ pub fn vont_au_bout<R: Reel>(monde: &Monde<'_, R>, rayons: &[Rayon<R>]) -> bool 
     let Vue { liste, arbre, niveau } = monde.vue();
     let mut groupes = Groupes::new_const();
     let mut bloc = Bloc::<R, Premier<R>>::new(&mut groupes);
-    selon_le_niveau!(niveau, simd => arbre.chercher_ensemble(simd, liste, &mut bloc, rayons))
+    selon_le_niveau!(niveau, simd => arbre.chercher_ensemble(simd, &liste, &mut bloc, rayons))
 }

@@ -19,7 +19,7 @@ impl<R: Nombre> Arbre<'_, R> {
     pub(crate) fn parcourir<S: Simd, Q: Question<R>>(
         &self,
         simd: S,
-        liste: Liste<'_, R>,
+        liste: &Liste<'_, R>,
         rayon: &Rayon<R>,
         mut question: Q,
     ) -> Q {
@@ -35,7 +35,7 @@ impl<R: Nombre> Arbre<'_, R> {
     pub(crate) fn descendre<S: Simd, Q: Question<R>>(
         &self,
         simd: S,
-        liste: Liste<'_, R>,
+        liste: &Liste<'_, R>,
         rayon: &Rayon<R>,
         mut question: Q,
     ) -> Q {
@@ -90,7 +90,7 @@ impl<R: Nombre> Arbre<'_, R> {
     #[cold]
     fn interroger_les_boites<Q: Question<R>>(
         &self,
-        liste: Liste<'_, R>,
+        liste: &Liste<'_, R>,
         rayon: &Rayon<R>,
         question: &mut Q,
     ) {

@@ -43,7 +43,7 @@ impl<R: Nombre> Arbre<'_, R> {
     pub(crate) fn repondre_au_bloc<S: Simd, Q: EnLot<R>>(
         &self,
         simd: S,
-        liste: Liste<'_, R>,
+        liste: &Liste<'_, R>,
         bloc: &mut Bloc<'_, R, Q>,
         (rayons, reponses): (&[Rayon<R>], &mut [Q::Reponse]),
     ) {
@@ -74,7 +74,7 @@ impl<R: Nombre> Arbre<'_, R> {
     pub(crate) fn chercher_ensemble<S: Simd, Q: EnLot<R>>(
         &self,
         simd: S,
-        liste: Liste<'_, R>,
+        liste: &Liste<'_, R>,
         bloc: &mut Bloc<'_, R, Q>,
         rayons: &[Rayon<R>],
     ) -> bool {
@@ -106,7 +106,7 @@ impl<R: Nombre> Arbre<'_, R> {
     fn descendre_en_bloc<S: Simd, Q: EnLot<R>>(
         &self,
         simd: S,
-        liste: Liste<'_, R>,
+        liste: &Liste<'_, R>,
         sonde: &SondeDeBloc,
         bloc: &mut Bloc<'_, R, Q>,
     ) -> bool {

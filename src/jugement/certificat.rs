@@ -24,7 +24,11 @@ impl<'a, R: Nombre> Certificat<'a, R> {
     /// `None` if it is not certain that the ray enters the first object before its end, or if that is not one of the
     /// list or is left out: what is left out is no answer.
     #[inline(always)]
-    pub(crate) fn new(liste: Liste<'a, R>, rayon: &Rayon<R>, reponse: &Reponse<R>) -> Option<Self> {
+    pub(crate) fn new(
+        liste: &Liste<'a, R>,
+        rayon: &Rayon<R>,
+        reponse: &Reponse<R>,
+    ) -> Option<Self> {
         let double = rayon.vers_f64();
         let Ok(touche) = reponse else {
             let dernier = double.fin().next_down();

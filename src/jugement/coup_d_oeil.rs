@@ -3,7 +3,8 @@
 //! The formulae are those of the shapes; lemmas 3 and 4 say how far their terms may be off. The
 //! numbers of an `f32` scene are the same in `f64`, and `f64` tells them apart with ease.
 
-use crate::boite::{BoiteRay, Quotient, echelle_vitesse};
+use crate::boite::BoiteRay;
+use crate::dalle::{Quotient, echelle_vitesse};
 use crate::double::Intervalle;
 use crate::forme::Forme;
 use crate::nombre::{Nombre, puissance_de_deux};

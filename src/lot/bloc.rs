@@ -116,7 +116,7 @@ impl<'a, R: Nombre, Q: EnLot<R>> Bloc<'a, R, Q> {
     /// The shape is copied: nothing that is written to a group can overlap it, so that the compiler
     /// need not read it again for every ray.
     #[inline(always)]
-    pub(crate) fn proposer(&mut self, liste: Liste<'_, R>, indice: usize, source: bool) {
+    pub(crate) fn proposer(&mut self, liste: &Liste<'_, R>, indice: usize, source: bool) {
         let Some(objet) = liste.objet(indice) else { return };
         let (rang, groupes, flou) = (Rang::de(indice), self.groupes().len(), self.flou && source);
         par_forme!(ObjetRay, objet, forme => {
@@ -129,7 +129,7 @@ impl<'a, R: Nombre, Q: EnLot<R>> Bloc<'a, R, Q> {
 
     /// [`proposer`](Self::proposer) of every object of the list.
     #[inline(always)]
-    pub(crate) fn interroger(&mut self, liste: Liste<'_, R>) {
+    pub(crate) fn interroger(&mut self, liste: &Liste<'_, R>) {
         for indice in 0..liste.objets.len() {
             self.proposer(liste, indice, true);
         }
@@ -156,7 +156,7 @@ impl<'a, R: Nombre, Q: EnLot<R>> Bloc<'a, R, Q> {
     pub(crate) fn repondre<S: Simd>(
         &self,
         simd: S,
-        liste: Liste<'_, R>,
+        liste: &Liste<'_, R>,
         reponses: &mut [Q::Reponse],
     ) {
         simd.vectorize(
@@ -174,7 +174,7 @@ impl<'a, R: Nombre, Q: EnLot<R>> Bloc<'a, R, Q> {
     pub(crate) fn repondre_de_la_liste<S: Simd>(
         &mut self,
         simd: S,
-        liste: Liste<'_, R>,
+        liste: &Liste<'_, R>,
         (rayons, reponses): (&[Rayon<R>], &mut [Q::Reponse]),
     ) {
         if rayons.len() >= RAYONS_D_UNE_LISTE {

@@ -106,12 +106,13 @@ impl<R: Nombre> Groupe<R> {
         flou: bool,
     ) {
         let mut pres = false;
-        for voie in 0..VOIES {
-            pres |= forme.peut_entrer(&self.rayon(voie));
-        }
         if flou {
             for voie in 0..VOIES {
                 pres |= forme.peut_toucher(&self.rayon(voie));
+            }
+        } else {
+            for voie in 0..VOIES {
+                pres |= forme.peut_entrer(&self.rayon(voie));
             }
         }
         // Roots and quotients only if one ray at least may enter.
