@@ -196,3 +196,89 @@ fn aucun_chemin_ne_quitte_une_chambre<R: Bits>() {
 }
 
 en_f32_et_f64!(aucun_chemin_ne_quitte_une_chambre);
+
+/// A pillar that stands on a globe a million times as large: rays that leave the pillar beside the seam, downward, all
+/// find the globe, of which the type knows its place to some parts of its radius.
+fn un_pilier_sur_un_globe_ne_laisse_rien_passer<R: Reel>() {
+    let mut alea = Rng::with_seed(24);
+    let r = R::depuis_f64;
+    let (mut suites, mut d_emblee) = (0, 0);
+    for _ in 0..cas(2_000) {
+        let rayon_du_globe = deux_puissance(&mut alea, 10.0, 20.0);
+        // The pole that the pillar stands on is anywhere.
+        let pole = direction(&mut alea);
+        let [x, y, z] = Rotation::<f64>::entre(Vecteur::Y, pole).unwrap().axes();
+        let globe = SphereGeo::new(arrondi(-pole * rayon_du_globe), r(rayon_du_globe), Texture(0));
+        let tour = Rotation::depuis_matrice([x, y, z].map(|a| <[f64; 3]>::from(a).map(r))).unwrap();
+        let pilier =
+            BoiteGeo::new(arrondi(pole * 0.9), arrondi(v(0.5, 2.0, 0.5)), tour, Texture(1));
+        let objets: [ObjetRay<R>; 2] = [globe.unwrap().into(), pilier.unwrap().into()];
+        let monde = Monde::de_liste(&objets);
+        for _ in 0..8 {
+            // Beside the seam, by what the type knows of the place of the globe.
+            let haut = (rayon_du_globe * u::<R>() * deux_puissance(&mut alea, -3.0, 12.0)).min(0.5);
+            let cote = 0.4 * alea.f64() - 0.2;
+            let creux = (0.0625 + cote * cote) / (2.0 * rayon_du_globe);
+            let pied = x * 0.25 + z * cote + y * (haut - creux);
+            let oeil = pied + x * 2.0 + y * 0.5;
+            let rayon = Rayon::new(arrondi(oeil), arrondi(pied - oeil)).unwrap();
+            let Ok(touche) = monde.premiere_intersection(&rayon) else { continue };
+            if touche.indice() != 1 {
+                continue;
+            }
+            let vers = x * alea.f64() - y * (0.05 + alea.f64()) + z * (alea.f64() - 0.5);
+            let suite = touche.secondaire(arrondi(vers)).unwrap();
+            let sol = monde.premiere_intersection(&suite);
+            assert_eq!(sol.map(|touche| touche.indice()), Ok(0), "{objets:?} {rayon:?}");
+            d_emblee += usize::from(sol.unwrap().distance() == R::ZERO);
+            suites += 1;
+        }
+    }
+    println!("{suites} rays, {d_emblee} at once");
+    assert!(suites > 500 && d_emblee > 10, "{suites} {d_emblee}");
+}
+
+en_f32_et_f64!(un_pilier_sur_un_globe_ne_laisse_rien_passer);
+
+/// Built: a source within δ of an edge of a box, inside, and in a plate thinner than δ. Held: a ray that goes in touches
+/// at once, by the nearer face; one that leaves by a face as near does not, and from farther in none does.
+fn un_coin_que_le_rayon_quitte_n_est_pas_touche<R: Reel>() {
+    let eps = 64.0 * u::<R>();
+    let boite = |c, cotes| -> ObjetRay<R> {
+        BoiteGeo::new(arrondi(c), arrondi(cotes), Rotation::IDENTITE, Texture(0)).unwrap().into()
+    };
+    let cube = boite(v(0.0, 0.0, 0.0), v(1.0, 1.0, 1.0));
+    let touche = |objet: &ObjetRay<R>, de: Vecteur, vers: Vecteur| {
+        let rayon = Rayon::new(arrondi(de), arrondi(vers)).unwrap();
+        assert_eq!(objet.intersection(&rayon), Err(NoIntersection));
+        let rayon = rayon.avec_flou(R::depuis_f64(32.0 * eps)).unwrap();
+        let touche = objet.intersection(&rayon).ok()?;
+        assert_eq!(touche.distance(), R::ZERO);
+        Some(<[f64; 3]>::from(touche.normale().vers_f64()))
+    };
+    // Beside the lower edge on the right: 2 eps from the right side, 1 above the bottom.
+    let coin = v(0.5 - 2.0 * eps, -0.5 + eps, 0.1);
+    assert_eq!(touche(&cube, coin, v(-1.0, 1.0, 0.0)), Some([0.0, -1.0, 0.0]));
+    assert_eq!(touche(&cube, coin, v(-1.0, -1.0, 0.0)), None); // out through the bottom
+    assert_eq!(touche(&cube, coin, v(1.0, 1.0, 0.0)), None); // out through the side
+    assert_eq!(touche(&cube, coin, v(0.0, 1.0, 0.0)), None); // along the side
+    assert_eq!(touche(&cube, coin, v(0.0, 0.0, 1.0)), None); // along the edge
+    // In the middle of the bottom, and deeper than δ and the rounding of the box.
+    assert_eq!(touche(&cube, v(0.1, -0.5 + eps, 0.1), v(1.0, 1.0, 0.0)), Some([0.0, -1.0, 0.0]));
+    assert_eq!(touche(&cube, v(0.1, -0.5 + 64.0 * eps, 0.1), v(1.0, 1.0, 0.0)), None);
+    // A plate across y, nearer to its bottom than to its top, and the other way round.
+    let plaque = boite(v(0.0, 0.0, 0.0), v(1.0, 8.0 * eps, 1.0));
+    assert_eq!(touche(&plaque, v(0.1, -eps, 0.1), v(0.1, 1.0, 0.0)), Some([0.0, -1.0, 0.0]));
+    assert_eq!(touche(&plaque, v(0.1, eps, 0.1), v(0.1, 1.0, 0.0)), None);
+    // A ball, and a half-space.
+    let boule = ObjetRay::from(SphereGeo::new(Vecteur::NUL, R::UN, Texture(0)).unwrap());
+    assert_eq!(touche(&boule, v(0.0, -1.0 + eps, 0.0), v(0.0, 1.0, 0.0)), Some([0.0, -1.0, 0.0]));
+    assert_eq!(touche(&boule, v(0.0, -1.0 + eps, 0.0), v(0.0, -1.0, 0.0)), None);
+    assert_eq!(touche(&boule, v(0.0, -1.0 + 64.0 * eps, 0.0), v(0.0, 1.0, 0.0)), None);
+    let sol = ObjetRay::from(PlanGeo::new(Rotation::IDENTITE, R::ZERO, Texture(0)).unwrap());
+    assert_eq!(touche(&sol, v(0.0, 0.0, -eps), v(0.0, 1.0, -1.0)), Some([0.0, 0.0, 1.0]));
+    assert_eq!(touche(&sol, v(0.0, 0.0, -eps), v(0.0, 1.0, 0.0)), None);
+    assert_eq!(touche(&sol, v(0.0, 0.0, -40.0 * eps), v(0.0, 1.0, -1.0)), None);
+}
+
+en_f32_et_f64!(un_coin_que_le_rayon_quitte_n_est_pas_touche);
