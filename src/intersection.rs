@@ -38,7 +38,7 @@ use crate::vecteur::Vecteur;
 pub struct Intersection<R = f64> {
     distance: R,
     normale: Vecteur<R>,
-    #[cfg_attr(feature = "serde", serde(serialize_with = "marge_en_option"))]
+    #[cfg_attr(feature = "serde", serde(serialize_with = "crate::refus::fini_ou_rien"))]
     marge: R,
     point: Vecteur<R>,
     su: R,
@@ -74,14 +74,6 @@ impl<R: Nombre> Intersection<R> {
         exiger(indice < u32::MAX, "indice", R::ZERO, "below 2^32 - 1")?;
         Ok(Self::new(distance, contact, su, texture, Rang::de(indice as usize)))
     }
-}
-
-#[cfg(feature = "serde")]
-fn marge_en_option<R: Nombre + serde::Serialize, S: serde::Serializer>(
-    marge: &R,
-    vers: S,
-) -> Result<S::Ok, S::Error> {
-    serde::Serialize::serialize(&Some(marge).filter(|marge| **marge < R::INFINI), vers)
 }
 
 crate::refus::lu_par! {

@@ -29,7 +29,7 @@ use crate::vecteur::Vecteur;
 pub struct Rayon<R = f64> {
     source: Vecteur<R>,
     direction: Vecteur<R>,
-    #[cfg_attr(feature = "serde", serde(serialize_with = "fin_en_option"))]
+    #[cfg_attr(feature = "serde", serde(serialize_with = "crate::refus::fini_ou_rien"))]
     fin: R,
     /// If 0 or more, δ: no object holds the source by more than δ and its own rounding. If below 0, the ray is inside
     /// that many objects.
@@ -273,14 +273,6 @@ impl<R: Nombre> Rayon<R> {
         exiger(flou.abs() < R::INFINI, "flou", flou, "a finite number")?;
         Ok(rayon.sachant(flou))
     }
-}
-
-#[cfg(feature = "serde")]
-fn fin_en_option<R: Nombre + serde::Serialize, S: serde::Serializer>(
-    fin: &R,
-    vers: S,
-) -> Result<S::Ok, S::Error> {
-    serde::Serialize::serialize(&Some(fin).filter(|fin| **fin < R::INFINI), vers)
 }
 
 #[cfg(feature = "serde")]

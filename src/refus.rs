@@ -136,6 +136,15 @@ pub(crate) fn fini<R: Nombre>(champs: Champs, v: Vecteur<R>) -> Result<Vecteur<R
     Ok(v)
 }
 
+/// Writes a number, and nothing in the place of +∞, which not every format can say.
+#[cfg(feature = "serde")]
+pub(crate) fn fini_ou_rien<R: Nombre + serde::Serialize, S: serde::Serializer>(
+    x: &R,
+    vers: S,
+) -> Result<S::Ok, S::Error> {
+    serde::Serialize::serialize(&Some(x).filter(|x| **x < R::INFINI), vers)
+}
+
 /// `lu_par! { T::new { champ: type, … } }`: with the feature `serde` a T is read as these fields, by
 /// name or in order, no others, and `T::new` checks them. A field with `= default` may be left out.
 macro_rules! lu_par {
