@@ -71,7 +71,7 @@ impl<R: Nombre> Intersection<R> {
             exiger(x.abs() >= R::ZERO, "point", x, "a number")?;
         }
         exiger(su.abs() < R::INFINI, "su", su, "a finite number")?;
-        exiger(indice < u32::MAX, "indice", R::ZERO, "below 2^32 - 1")?;
+        exiger(indice < u32::MAX, "indice", R::depuis_f64(indice.into()), "below 2^32 - 1")?;
         Ok(Self::new(distance, contact, su, texture, Rang::de(indice as usize)))
     }
 }

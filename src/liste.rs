@@ -42,21 +42,10 @@ impl<'a, R: Nombre> Liste<'a, R> {
         indices: impl Iterator<Item = usize>,
     ) -> bool {
         if rayon.flou() > R::ZERO {
-            self.interroger_a_part(rayon, question, indices)
+            self.interroger_ceux(rayon, question, indices, Abord::InconnuFlou)
         } else {
             self.interroger_ceux(rayon, question, indices, Abord::Inconnu)
         }
-    }
-
-    /// The same for a ray that has a δ above 0.
-    #[inline(always)]
-    fn interroger_a_part<Q: Question<R>>(
-        &self,
-        rayon: &Rayon<R>,
-        question: &mut Q,
-        indices: impl Iterator<Item = usize>,
-    ) -> bool {
-        self.interroger_ceux(rayon, question, indices, Abord::InconnuFlou)
     }
 
     #[inline(always)]

@@ -153,9 +153,7 @@ impl<R: Nombre> Groupe<R> {
         }
         for (voie, t) in t.iter_mut().enumerate() {
             let rayon = self.rayon(voie);
-            let d_emblee = (rayon.flou() > R::ZERO)
-                & forme.contient(rayon.source())
-                & forme.des_le_depart(&rayon);
+            let d_emblee = (rayon.flou() > R::ZERO) & forme.des_le_depart(&rayon);
             *t = if d_emblee { R::ZERO } else { *t };
         }
     }
