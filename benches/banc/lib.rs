@@ -1,7 +1,9 @@
-//! What is measured (`familles`), who competes (`concurrents`, of which we are `nous`), and the clock.
+//! What is measured (`familles`), who competes (`concurrents`, of which we are `nous`), the clock, and what stands beside
+//! a measured row (`circonstances`).
 
 #![allow(missing_docs, reason = "not published: what a name does not say has a comment")]
 
+pub mod circonstances;
 pub mod concurrents;
 pub mod familles;
 pub mod horloge;

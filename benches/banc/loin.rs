@@ -1,9 +1,10 @@
 //! What a sun, a sky, a ball for a ground, a second town and a camera far away cost: a city of one kilometre with it,
-//! over the same city without. `cargo run --release -p banc --bin loin` prints the table of `benches/README.md`, in a
-//! minute: one by one, in a batch. A seed may be named.
+//! over the same city without. `cargo run --release -p banc --bin loin` prints
+//! `benches/mesures/lointains.csv`, in a minute. A seed may be named.
 
 use std::error::Error;
 
+use banc::circonstances::Circonstances;
 use banc::familles::{AuLoin, GRAINE_DES_PAGES, Genre, Scene};
 use banc::horloge::{MORCEAU, moindres};
 use banc::nous;
@@ -26,14 +27,15 @@ const GENRES: [Genre; 3] = [Genre::Tuiles, Genre::Diffus, Genre::Ombres];
 
 fn main() -> Result<(), Box<dyn Error>> {
     let graine = std::env::args().nth(1).map_or(Ok(GRAINE_DES_PAGES), |graine| graine.parse())?;
-    println!("| with | metres | f32, {N} | f64, {N} |");
-    println!("|---|--:|--:|--:|");
+    let circonstances = Circonstances::presentes().colonnes();
+    let titres = Circonstances::TITRES;
+    println!("with,metres,objects,f32_single,f32_batch,f64_single,f64_batch,{titres}");
     for (quoi, distances) in CAS {
         for &metres in distances {
             let mesures =
                 [rapports::<f32>(quoi, metres, graine)?, rapports::<f64>(quoi, metres, graine)?];
-            let cases = mesures.map(|[seul, lot]| format!("{seul:.2}, {lot:.2}")).join(" | ");
-            println!("| {} | {metres:.1e} | {cases} |", quoi.nom());
+            let cases = mesures.map(|[seul, lot]| format!("{seul:.2},{lot:.2}")).join(",");
+            println!("{},{metres:.1e},{N},{cases},{circonstances}", quoi.nom());
         }
     }
     Ok(())

@@ -85,9 +85,8 @@ pub(crate) fn documenter() -> Result<(), Box<dyn Error>> {
     let simples = mesures::<f32>(Some(&doubles.verites))?;
     let variantes: Vec<_> = simples.variantes.iter().chain(&doubles.variantes).cloned().collect();
     page::remplacer("docs/choisir.md", "variants", &page::datee(&table(&variantes)))?;
-    page::remplacer("README.md", "picture", &page::datee(&image(&variantes)))?;
     let facons = facons(&simples.temps, &doubles.temps);
-    page::remplacer("benches/README.md", "ways", &page::datee(&facons))?;
+    page::csv("facons", &facons)?;
     graphique(&variantes)
 }
 
@@ -110,31 +109,16 @@ fn table(variantes: &[Variante]) -> String {
     lignes.join("\n")
 }
 
-/// What the handout asks for: the time of its picture.
-fn image(variantes: &[Variante]) -> String {
-    let mut lignes =
-        vec!["| 240,000 rays, ms | f32 | f64 |".to_owned(), "|---|--:|--:|".to_owned()];
-    let noms =
-        [("list", "list"), ("batch", "batch of a `Monde`"), ("annex A", "annex A as printed")];
-    for (nom, texte) in noms {
-        let ms = ["f32", "f64"].map(|scalaire| {
-            let celle = variantes.iter().find(|v| v.nom == nom && v.scalaire == scalaire);
-            celle.map_or("–".into(), |v| millisecondes(v.ns))
-        });
-        lignes.push(format!("| {texte} | {} |", ms.join(" | ")));
-    }
-    lignes.join("\n")
-}
-
 /// Every way to ask for the picture, in nanoseconds a ray.
-fn facons(simples: &[(&str, f64)], doubles: &[(&str, f64)]) -> String {
-    let mut lignes = vec!["| way | f32 | f64 |".to_owned(), "|---|--:|--:|".to_owned()];
+fn facons(simples: &[(&str, f64)], doubles: &[(&str, f64)]) -> Vec<String> {
+    let mut lignes = vec!["way,f32_ns_per_ray,f64_ns_per_ray".to_owned()];
     for (nom, ns) in simples {
         let double = doubles.iter().find(|(autre, _)| autre == nom);
         let double = double.map_or(f64::NAN, |(_, ns)| *ns);
-        lignes.push(format!("| {nom} | {} | {} |", nanosecondes(*ns), nanosecondes(double)));
+        // A name may hold a comma.
+        lignes.push(format!("\"{nom}\",{},{}", nanosecondes(*ns), nanosecondes(double)));
     }
-    lignes.join("\n")
+    lignes
 }
 
 /// Of the 240,000 rays, from the nanoseconds of one.

@@ -22,21 +22,18 @@ fn image<R: Reel>() -> Vec<Rayon<R>> {
     en_tuiles(&rayons_camera(600, 400), 600)
 }
 
-/// The table of the instruction sets.
-pub(crate) fn jeux_d_instructions() -> Result<String, Box<dyn Error>> {
+/// A batch in tiles with each instruction set, in nanoseconds a ray.
+pub(crate) fn jeux_d_instructions() -> Result<Vec<String>, Box<dyn Error>> {
     const TAILLES: [usize; 3] = [12, 192, 1000];
-    let titre = |scalaire| TAILLES.map(|n| format!("{scalaire}, N = {n}")).join(" | ");
-    let mut table = vec![
-        format!("| instructions | {} | {} |", titre("f32"), titre("f64")),
-        format!("|---|{}", "--:|".repeat(2 * TAILLES.len())),
-    ];
+    let titre = |scalaire| TAILLES.map(|n| format!("{scalaire}_{n}_ns")).join(",");
+    let mut table = vec![format!("instructions,{},{}", titre("f32"), titre("f64"))];
     let colonnes = TAILLES.map(jeux_de::<f32>).into_iter().chain(TAILLES.map(jeux_de::<f64>));
     let colonnes: Vec<_> = colonnes.collect::<Result<_, _>>()?;
     for (i, (nom, _)) in Reglage::tous().enumerate() {
         let temps: Vec<_> = colonnes.iter().map(|temps| nanosecondes(temps[i])).collect();
-        table.push(format!("| {nom} | {} |", temps.join(" | ")));
+        table.push(format!("{nom},{}", temps.join(",")));
     }
-    Ok(table.join("\n"))
+    Ok(table)
 }
 
 /// Nanoseconds per ray of each set.
@@ -58,17 +55,14 @@ fn jeux_de<R: Reel>(n: usize) -> Result<Vec<f64>, Box<dyn Error>> {
 }
 
 /// What a tree costs to build, in time and in memory beside the objects.
-pub(crate) fn constructions() -> String {
-    let mut table = vec![
-        "| scalar | N | tree, ns per object | bytes per object | parry's Bvh, ns | obvhs, ns |"
-            .to_owned(),
-        format!("|---|--:|{}", "--:|".repeat(4)),
-    ];
+pub(crate) fn constructions() -> Vec<String> {
+    let titres = "tree_ns_per_object,tree_bytes_per_object,parry_ns_per_object,obvhs_ns_per_object";
+    let mut table = vec![format!("scalar,objects,{titres}")];
     for n in [1000, 100_000] {
         table.push(constructions_de::<f32>(n));
         table.push(constructions_de::<f64>(n));
     }
-    table.join("\n")
+    table
 }
 
 fn constructions_de<R: Parry>(n: usize) -> String {
@@ -86,20 +80,18 @@ fn constructions_de<R: Parry>(n: usize) -> String {
     });
     let [ici, parry, obvhs] = [0, 1, 2].map(|qui| nanosecondes(ns[qui]));
     let scalaire = std::any::type_name::<R>();
-    format!("| {scalaire} | {n} | {ici} | {octets:.0} | {parry} | {obvhs} |")
+    format!("{scalaire},{n},{ici},{octets:.0},{parry},{obvhs}")
 }
 
 /// One by one, in tiles: the time of a certificate over that of its ray.
-pub(crate) fn certificats() -> Result<String, Box<dyn Error>> {
-    let mut table = vec![
-        "| scalar | objects | geometric mean | least | highest |".to_owned(),
-        "|---|--:|--:|---|---|".to_owned(),
-    ];
+pub(crate) fn certificats() -> Result<Vec<String>, Box<dyn Error>> {
+    let titres = "scalar,objects,geometric_mean,least,least_family,highest,highest_family";
+    let mut table = vec![titres.to_owned()];
     for (noms, n) in [("12 to 30", 12), ("10000", 10_000)] {
         table.push(certificats_parmi::<f32>(noms, n)?);
         table.push(certificats_parmi::<f64>(noms, n)?);
     }
-    Ok(table.join("\n"))
+    Ok(table)
 }
 
 fn certificats_parmi<R: Scalaire>(noms: &str, n: usize) -> Result<String, Box<dyn Error>> {
@@ -116,10 +108,7 @@ fn certificats_parmi<R: Scalaire>(noms: &str, n: usize) -> Result<String, Box<dy
     };
     let [(moindre, ou), (plus_haut, la)] = [moindre, plus_haut];
     let moyenne = moyenne.exp();
-    Ok(format!(
-        "| {} | {noms} | {moyenne:.2} | {moindre:.2}: {ou} | {plus_haut:.2}: {la} |",
-        R::NOM
-    ))
+    Ok(format!("{},{noms},{moyenne:.2},{moindre:.2},{ou},{plus_haut:.2},{la}", R::NOM))
 }
 
 fn certificat_de<R: Scalaire>(famille: Famille, n: usize) -> Result<f64, Box<dyn Error>> {

@@ -1,9 +1,9 @@
 //! lancer-rayon beside annex A of the handout to the letter, beside parry, beside parry's shapes in the tree of
 //! obvhs and beside Embree, with the same objects and the same rays.
 //!
-//! `cargo run --release -p comparaison` prints the times, in five minutes; with `documents` it measures errors
-//! as well, and writes the tables and plots of `README.md`, `docs/choisir.md`, `docs/precision.md` and
-//! `benches/README.md`. `--features embree` takes Embree 3.13 along (`apt-get install libembree-dev`).
+//! `cargo run --release -p comparaison` prints the times, in nine minutes; with `documents` it measures errors
+//! as well, and writes the tables and plots of `docs/choisir.md`, `docs/precision.md` and `benches/README.md`, and five
+//! files of `benches/mesures`. `--features embree` takes Embree 3.13 along (`apt-get install libembree-dev`).
 
 mod annexe;
 mod autres;
@@ -35,16 +35,12 @@ mod double {
     mod parry;
 }
 
-/// What else is written than the tables of the cells, by page.
-const AUTRES: [(&str, &str); 5] = [
-    ("README.md", "picture"),
+/// What is written into pages beside the table of the cells.
+const AUTRES: [(&str, &str); 3] = [
     ("docs/choisir.md", "variants"),
     ("docs/precision.md", "errors"),
     ("docs/precision.md", "bounds"),
-    (BANCS, "ways"),
 ];
-
-const BANCS: &str = "benches/README.md";
 
 fn main() -> Result<(), Box<dyn Error>> {
     let ecrire = match std::env::args().nth(1).as_deref() {
@@ -55,36 +51,30 @@ fn main() -> Result<(), Box<dyn Error>> {
     // Another machine, another table.
     let (instructions, _) = Reglage::tous().next().ok_or("no instructions")?;
     let resume = format!("summary, {instructions}");
-    let a_ecrire = [
-        ("README.md", "speed"),
-        (BANCS, &resume),
-        (BANCS, "building"),
-        (BANCS, "sets"),
-        (BANCS, "certificates"),
-    ];
+    let banc = ("benches/README.md", &*resume);
     if ecrire {
         // Fails now, not after all the measuring.
-        for (ou, nom) in a_ecrire.into_iter().chain(AUTRES) {
+        for (ou, nom) in AUTRES.into_iter().chain([banc]) {
             page::autour(ou, nom)?;
         }
     }
     glam::verifier()?;
     let cellules = cellules::mesurer()?;
-    let tables = [
-        tables::vitesse(&cellules),
-        tables::resume(&cellules),
-        hierarchie::constructions(),
-        hierarchie::jeux_d_instructions()?,
-        hierarchie::certificats()?,
+    let table = tables::resume(&cellules);
+    println!("\n{resume}\n\n{table}");
+    let fichiers = [
+        ("vitesse", tables::vitesse(&cellules)),
+        ("construction", hierarchie::constructions()),
+        ("instructions", hierarchie::jeux_d_instructions()?),
+        ("certificats", hierarchie::certificats()?),
     ];
-    for ((_, nom), table) in a_ecrire.iter().zip(&tables) {
-        println!("\n{nom}\n\n{table}");
+    for (nom, lignes) in &fichiers {
+        println!("\n{nom}\n\n{}", lignes.join("\n"));
     }
     if ecrire {
-        for ((ou, nom), table) in a_ecrire.iter().zip(&tables) {
-            // The page of the measurements has one date, below its first table.
-            let texte = if *ou == BANCS { table.clone() } else { page::datee(table) };
-            page::remplacer(ou, nom, &texte)?;
+        page::remplacer(banc.0, banc.1, &page::datee(&table))?;
+        for (nom, lignes) in &fichiers {
+            page::csv(nom, lignes)?;
         }
         tables::graphique(&cellules)?;
         exactitude::documenter()?;

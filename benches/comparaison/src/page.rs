@@ -1,8 +1,9 @@
-//! The parts of a page that a program writes, between two comments that stay.
+//! The parts of a page that a program writes, between two comments that stay, and the files of figures beside the pages.
 
-use std::io;
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::{io, iter};
+
+use banc::circonstances::Circonstances;
 
 /// A path below the root of the repository.
 pub(crate) fn chemin(relatif: &str) -> PathBuf {
@@ -27,15 +28,15 @@ pub(crate) fn autour(page: &str, nom: &str) -> io::Result<[String; 2]> {
 
 /// The text, with the machine, the compiler and the day that it was measured on.
 pub(crate) fn datee(texte: &str) -> String {
-    let sortie = |programme: &str, arguments: &[&str]| {
-        let sortie = Command::new(programme).args(arguments).output().ok()?;
-        Some(String::from_utf8_lossy(&sortie.stdout).trim().to_owned())
-    };
-    let cpu = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
-    let cpu = cpu.lines().find_map(|ligne| ligne.strip_prefix("model name"));
-    let cpu = cpu.map_or("an unknown processor", |nom| nom.trim_start_matches(['\t', ' ', ':']));
-    let rustc = sortie("rustc", &["--version"]).unwrap_or_default();
-    let rustc = rustc.split(" (").next().unwrap_or_default();
-    let jour = sortie("date", &["+%Y-%m-%d"]).unwrap_or_default();
-    format!("{texte}\n\n{jour}, {cpu}, {rustc}, `comparaison documents`.")
+    let Circonstances { jour, processeur, compilateur, .. } = Circonstances::presentes();
+    format!("{texte}\n\n{jour}, {processeur}, {compilateur}, `comparaison documents`.")
+}
+
+/// Writes `benches/mesures/nom.csv`. The first line names the columns.
+pub(crate) fn csv(nom: &str, lignes: &[String]) -> io::Result<()> {
+    let circonstances = Circonstances::presentes().colonnes();
+    let suites = iter::once(Circonstances::TITRES).chain(iter::repeat(&*circonstances));
+    let lignes = lignes.iter().zip(suites);
+    let texte: String = lignes.map(|(ligne, suite)| format!("{ligne},{suite}\n")).collect();
+    std::fs::write(chemin(&format!("benches/mesures/{nom}.csv")), texte)
 }

@@ -1,4 +1,4 @@
-//! What is printed of the cells: ours beside all others, in two tables and a plot.
+//! What is written of the cells: ours beside all others, in a table, a file and a plot.
 
 use std::error::Error;
 
@@ -92,10 +92,10 @@ const DESSINEES: [Question; 2] = [
     },
 ];
 
-/// Nanoseconds in three digits or more; a dash for who did not run.
+/// Nanoseconds in three digits or more; nothing for who did not run.
 pub(crate) fn nanosecondes(ns: f64) -> String {
     match ns {
-        _ if ns.is_nan() => "–".into(),
+        _ if ns.is_nan() => String::new(),
         _ if ns < 100.0 => format!("{ns:.1}"),
         _ => format!("{ns:.0}"),
     }
@@ -137,11 +137,10 @@ pub(crate) fn resume(cellules: &[Cellule]) -> String {
 }
 
 /// The plot in five rows: the geometric mean, the least, and where that is.
-pub(crate) fn vitesse(cellules: &[Cellule]) -> String {
-    let mut table = vec![
-        "| rays | one by one | worst | fastest of all ways | worst |".to_owned(),
-        "|---|--:|---|--:|---|".to_owned(),
-    ];
+pub(crate) fn vitesse(cellules: &[Cellule]) -> Vec<String> {
+    let titres =
+        "rays,single_mean,single_least,single_where,fastest_mean,fastest_least,fastest_where";
+    let mut table = vec![titres.to_owned()];
     for (genre, nom) in [
         (Genre::Tuiles, "camera, in tiles"),
         (Genre::Miroirs, "mirrors"),
@@ -152,13 +151,14 @@ pub(crate) fn vitesse(cellules: &[Cellule]) -> String {
         let cases = DESSINEES.map(|q| match resumer(&q.rapports(cellules, Some(genre))) {
             Some((moyenne, moindre, ou)) => {
                 let (moyenne, moindre) = (rapport(moyenne), rapport(moindre));
-                format!("{moyenne} | {moindre}: {} of {}", ou.famille.nom(), ou.n)
+                format!("{moyenne},{moindre},{} of {}", ou.famille.nom(), ou.n)
             }
-            None => "– | –".to_owned(),
+            None => ",,".to_owned(),
         });
-        table.push(format!("| {nom} | {} |", cases.join(" | ")));
+        // A name may hold a comma.
+        table.push(format!("\"{nom}\",{}", cases.join(",")));
     }
-    table.join("\n")
+    table
 }
 
 /// Every cell in `f32`, blue where we are ahead and red where we are behind.
