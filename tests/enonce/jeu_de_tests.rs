@@ -296,7 +296,7 @@ fn c1() -> Partie {
             "(1, 3, -2)",
             vecteur(tour(FRAC_PI_2, 0.0, 0.0).appliquer(w)),
         )
-        .ligne("the same at α = 30°", "(1.000000, 3.232051, 1.598076)", {
+        .aussi("the same at α = 30°", "(1.000000, 3.232051, 1.598076)", {
             let t = tour(PI / 6.0, 0.0, 0.0).appliquer(w);
             format!("({}, {}, {})", environ(t.x), environ(t.y), environ(t.z))
         })
@@ -354,7 +354,7 @@ fn c2() -> Partie {
         .aussi("four quarter turns about x, y and z change nothing", [IDENTITE; 3].join(" "), {
             liste([x, y, z], |r| matrice(r.puis(r).puis(r).puis(r).matrice()))
         })
-        .ligne("any finite angle: 10⁶ turns and a quarter", "(1.000000, 3.000000, -2.000000)", {
+        .aussi("any finite angle: 10⁶ turns and a quarter", "(1.000000, 3.000000, -2.000000)", {
             let t = tour(1e6 * 2.0 * PI + q, 0.0, 0.0).appliquer(w);
             format!("({}, {}, {})", environ(t.x), environ(t.y), environ(t.z))
         })
@@ -724,7 +724,7 @@ fn c13() -> Partie {
     Partie::new("C13: any direction that has one; distances are in scene units")
         .aussi("(0, 0, −8)", "(0, 0, -1)", direction(v(0.0, 0.0, -8.0)))
         .ligne("(3, 0, −4)", "(0.6, 0, -0.8)", direction(v(3.0, 0.0, -4.0)))
-        .ligne("the smallest subnormal", "(1, 0, 0)", direction(v(petit, 0.0, 0.0)))
+        .aussi("the smallest subnormal", "(1, 0, 0)", direction(v(petit, 0.0, 0.0)))
         .aussi("the largest float", "(0, -1, 0)", direction(v(0.0, -f64::MAX, 0.0)))
         .aussi("the largest float in each coordinate", "0.577350", {
             environ(rayon(O, v(f64::MAX, f64::MAX, f64::MAX)).direction().x)
@@ -918,8 +918,8 @@ parties! {
 fn la_page_est_a_jour() {
     let chemin = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/jeu-de-tests.md");
     let mut page = String::from(
-        "# Jeu de tests\n\nThe test set that the handout asks for in §4.3.3. Each row has what it tries and its result,\n\
-         expected and obtained alike. `tests/enonce/jeu_de_tests.rs` checks these rows and others, and writes the page:\n\n\
+        "# Jeu de tests\n\nThe handout asks for this test set in §4.3.3. Each row shows what is tried, and the result that is expected and\n\
+         obtained. `tests/enonce/jeu_de_tests.rs` checks these rows and others, and writes the page:\n\n\
          ```sh\nLANCER_RAYON_ECRIRE=1 cargo test --all-features --test enonce\n```\n",
     );
     for partie in PARTIES {
