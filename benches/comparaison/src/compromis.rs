@@ -171,9 +171,7 @@ fn mesures<R: Scalaire>(doubles: Option<&[Verite]>) -> Result<Mesuree, Box<dyn E
         noms.into_iter().zip(camps).zip(repondants).zip(reponses).map(variante).collect();
     exiger_exact_aux_extremes::<R>()?;
     // The same bits in less time.
-    for (nom, ns) in
-        [("hierarchy", ns_de(Camp::Seul, "single")), ("batch", ns_de(Camp::Lot, "batch"))]
-    {
+    for (nom, ns) in [("tree", ns_de(Camp::Seul, "single")), ("batch", ns_de(Camp::Lot, "batch"))] {
         variantes.push(Variante { nom, ns, ..variantes[0].clone() });
     }
     let temps = ns.into_iter().map(|((nom, _), ns)| (nom, ns)).collect();
