@@ -20,10 +20,10 @@ use crate::objet::ObjetRay;
 use crate::vecteur::Vecteur;
 
 /// Over fewer objects with a box than this no tree is made: the list is as fast
-/// (`benches/README.md`, "Thresholds").
+/// (`benches/seuils.md`, "Thresholds").
 const OBJETS_D_UN_ARBRE: usize = 10;
 
-/// Bytes of a cache line: nodes start on one (`benches/README.md`, "Thresholds").
+/// Bytes of a cache line: nodes start on one (`benches/seuils.md`, "Thresholds").
 const LIGNE: usize = 64;
 
 /// The most `f32` that are skipped at the start of what the caller lends, so that nodes start on a
@@ -169,7 +169,7 @@ pub(crate) fn construire<'a, R: Nombre>(
 const JEU_MAXIMAL: f32 = 1.0 / 8.0;
 
 /// Giants [reach](portee) farther, in the mean, than this times a sum: what the others reach in the mean, and the side
-/// that leaves would have if all were alike (`benches/README.md`, "Thresholds").
+/// that leaves would have if all were alike (`benches/seuils.md`, "Thresholds").
 const TAILLE_DES_GEANTS: f32 = 0.4;
 
 /// Puts the sixteen largest records first, and tells how many leaves they are: 1 if they are

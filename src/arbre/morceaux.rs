@@ -9,7 +9,7 @@ use crate::objet::ObjetRay;
 use crate::vecteur::Vecteur;
 
 /// So much surface one more record must save, in squares of the side that leaves would have if all were alike among
-/// the many (`benches/README.md`, "Thresholds").
+/// the many (`benches/seuils.md`, "Thresholds").
 const PRIX_D_UNE_FICHE: f32 = 2e-3;
 
 /// Who gets the records for which there is room beyond one for each object.

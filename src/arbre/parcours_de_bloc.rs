@@ -1,9 +1,11 @@
 //! The rays of a block in a tree: together through the nodes that their beam crosses, as long as that is narrow.
 
+use core::mem;
+
 use fearless_simd::prelude::*;
 
 use crate::arbre::construction::Arbre;
-use crate::arbre::noeud::{ENFANTS, Noeud, indice_lu};
+use crate::arbre::noeud::{ENFANTS, FICHE, Noeud, VIDE, indice_lu};
 use crate::arbre::pile::{Attentes, Pile};
 use crate::arbre::sonde::{Sonde, SondeDeBloc};
 use crate::colonne::prendre;
@@ -14,9 +16,11 @@ use crate::nombre::Nombre;
 use crate::question::Premier;
 use crate::rayon::Rayon;
 
-/// A block without a beam asks every object of all its rays if there are no more than this many spheres and boxes for
-/// each number that a register holds (`benches/README.md`, "Thresholds", as for what follows).
+/// A block without a beam asks every object of all its rays if there are no more spheres and boxes for each number that
+/// a register holds than this, and than this part of the boxes that a ray crosses (`benches/seuils.md`, "Thresholds",
+/// as for what follows).
 const OBJETS_PAR_NOMBRE: usize = 6;
+const PART_DES_CROISES: f32 = 0.5;
 
 /// Fewer rays than this are asked one by one: in no order eight together take up to twice as long.
 const RAYONS_D_UN_BLOC: usize = 12;
@@ -48,15 +52,21 @@ impl<R: Nombre> Arbre<'_, R> {
         (rayons, reponses): (&[Rayon<R>], &mut [Q::Reponse]),
     ) {
         let en_bloc = rayons.len() >= RAYONS_D_UN_BLOC;
-        if en_bloc && self.chercher_ensemble(simd, liste, bloc, rayons) {
-            return bloc.repondre(simd, liste, reponses);
+        let ensemble = en_bloc && self.chercher_ensemble(simd, liste, bloc, rayons);
+        if ensemble {
+            bloc.repondre(simd, liste, reponses);
+            if !bloc.a_des_egares() {
+                return;
+            }
         }
         simd.vectorize(
             #[inline(always)]
             || {
                 for (i, (rayon, reponse)) in rayons.iter().zip(reponses).enumerate() {
-                    let question = if !en_bloc {
+                    let question = if !en_bloc || bloc.est_egare(i) {
                         self.parcourir(simd, liste, rayon, Premier::avant(rayon.fin()).into())
+                    } else if ensemble {
+                        continue;
                     } else if Q::UN_SUFFIT && bloc.premier(i).rang.is_some() {
                         bloc.premier(i).into()
                     } else {
@@ -79,25 +89,37 @@ impl<R: Nombre> Arbre<'_, R> {
         rayons: &[Rayon<R>],
     ) -> bool {
         bloc.charger(rayons);
-        let faisceau = if vont_ensemble(rayons) { bloc.faisceau() } else { None };
-        let avec_boite = liste.objets.len() - self.sans_boite.len();
-        let peu_d_objets = avec_boite <= OBJETS_PAR_NOMBRE * nombres_par_registre::<R, S>();
-        let sonde = faisceau.map(|faisceau| SondeDeBloc::new(&faisceau, self.repere));
-        let boites_inutiles = match &sonde {
-            Some(sonde) => sonde.is_none(),
-            None => peu_d_objets || Sonde::new(&rayons[0], self.repere).is_none(),
-        };
-        if boites_inutiles {
+        let (mut vont_ensemble, mut sans_boite) = (vont_ensemble(rayons), self.sans_boite);
+        loop {
+            let faisceau = if vont_ensemble { bloc.faisceau() } else { None };
+            if let Some(faisceau) = &faisceau {
+                let Some(sonde) = SondeDeBloc::new(faisceau, self.repere) else {
+                    bloc.interroger(liste);
+                    return true;
+                };
+                for &indice in mem::take(&mut sans_boite) {
+                    bloc.proposer(liste, indice_lu(indice), true);
+                }
+                if self.descendre_en_bloc(simd, liste, &sonde, bloc) {
+                    return true;
+                }
+            }
+            // Once more without those that stray, if there are some.
+            vont_ensemble = !bloc.a_des_egares() && bloc.ecarter_les_egares(simd);
+            if !vont_ensemble {
+                break;
+            }
+        }
+        let la_liste = Sonde::new(&rayons[0], self.repere).is_none()
+            || self.mieux_vaut_la_liste(simd, liste, bloc);
+        if la_liste {
             bloc.interroger(liste);
-            return true;
+        } else {
+            for &indice in sans_boite {
+                bloc.proposer(liste, indice_lu(indice), true);
+            }
         }
-        for &indice in self.sans_boite {
-            bloc.proposer(liste, indice_lu(indice), true);
-        }
-        sonde.flatten().is_some_and(
-            #[inline(always)]
-            |sonde| self.descendre_en_bloc(simd, liste, &sonde, bloc),
-        )
+        la_liste
     }
 
     /// Finds the first object with a box of each ray of a block, in the nodes that its beam crosses. Tells whether it
@@ -144,6 +166,40 @@ impl<R: Nombre> Arbre<'_, R> {
             numero = suivant;
         }
         true
+    }
+
+    /// Whether rays side by side ask every object in less time than one by one in the tree: if there are few objects, or
+    /// a heap, of which a ray crosses a good part.
+    #[inline(always)]
+    fn mieux_vaut_la_liste<S: Simd, Q: EnLot<R>>(
+        &self,
+        simd: S,
+        liste: &Liste<'_, R>,
+        bloc: &Bloc<'_, R, Q>,
+    ) -> bool {
+        let avec_boite = liste.objets.len() - self.sans_boite.len();
+        let nombres = nombres_par_registre::<R, S>();
+        let de_trop = avec_boite.saturating_sub(OBJETS_PAR_NOMBRE * nombres) as f32;
+        // A ray that one object suffices asks few of those that it crosses.
+        let croises = || if Q::UN_SUFFIT { 0.0 } else { self.part_des_croises(simd, bloc) };
+        de_trop == 0.0
+            || de_trop <= croises() * avec_boite as f32 * PART_DES_CROISES * nombres as f32
+    }
+
+    /// About what part of all boxes a ray of this block crosses. One child of each of sixteen leaves is the sample.
+    #[cold]
+    #[inline(never)]
+    fn part_des_croises<S: Simd, Q: EnLot<R>>(&self, simd: S, bloc: &Bloc<'_, R, Q>) -> f32 {
+        let mut echantillon = VIDE;
+        for enfant in 0..ENFANTS {
+            let feuille = &self.noeuds[enfant * self.feuilles / ENFANTS];
+            for mot in 0..FICHE {
+                echantillon[mot][enfant] = feuille[mot][enfant];
+            }
+        }
+        let croises = self.croises_par_les_temoins(simd, bloc, &echantillon);
+        let rayons = rayons_temoins(nombres_par_registre::<R, S>());
+        croises as f32 / (rayons * ENFANTS) as f32
     }
 
     /// How many children of this node [some rays](rayons_temoins) of the block cross in all.

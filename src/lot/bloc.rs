@@ -7,7 +7,7 @@ use fearless_simd::Simd;
 
 use crate::intersection::{Rang, Reponse};
 use crate::liste::Liste;
-use crate::lot::faisceau::Faisceau;
+use crate::lot::faisceau::{Faisceau, egares};
 use crate::lot::groupe::{Groupe, VOIES};
 use crate::nombre::{Nombre, max};
 use crate::objet::{ObjetRay, par_forme};
@@ -17,7 +17,7 @@ use crate::rayon::Rayon;
 /// Rays of a block: a tile of 8 × 8 pixels.
 pub(crate) const BLOC: usize = 4 * VOIES;
 
-/// Fewer rays than this are asked of a list one by one (`benches/README.md`, "Thresholds").
+/// Fewer rays than this are asked of a list one by one (`benches/seuils.md`, "Thresholds").
 const RAYONS_D_UNE_LISTE: usize = 6;
 
 /// The memory of a block, which grows no larger than a call needs: to set up all of it costs as much as some rays. It
@@ -56,6 +56,8 @@ pub(crate) struct Bloc<'a, R, Q> {
     nombre: usize,
     /// Whether some ray has a δ above 0.
     flou: bool,
+    /// The rays in whose place others stand, one bit for each.
+    egares: u64,
     groupes: &'a mut Groupes<R>,
     question: PhantomData<Q>,
 }
@@ -63,14 +65,13 @@ pub(crate) struct Bloc<'a, R, Q> {
 impl<'a, R: Nombre, Q: EnLot<R>> Bloc<'a, R, Q> {
     #[inline(always)]
     pub(crate) fn new(groupes: &'a mut Groupes<R>) -> Self {
-        Self { nombre: 0, flou: false, groupes, question: PhantomData }
+        Self { nombre: 0, flou: false, egares: 0, groupes, question: PhantomData }
     }
 
     /// Puts these rays here, with no object so far.
     #[inline(always)]
     pub(crate) fn charger(&mut self, rayons: &[Rayon<R>]) {
-        self.nombre = rayons.len();
-        self.flou = false;
+        (self.nombre, self.flou, self.egares) = (rayons.len(), false, 0);
         for (i, rayons) in rayons.chunks(VOIES).enumerate() {
             if i == self.groupes.len() {
                 self.groupes.push(Groupe::VIDE);
@@ -108,6 +109,45 @@ impl<'a, R: Nombre, Q: EnLot<R>> Bloc<'a, R, Q> {
             return Some(Faisceau::de_segments(self.groupes(), reperes));
         }
         Faisceau::de_rayons(self.groupes(), reperes)
+    }
+
+    /// Lays aside the rays that [stray](egares) until none does: one that does not stands in for them. Tells whether there
+    /// are some.
+    #[cold]
+    #[inline(never)]
+    pub(crate) fn ecarter_les_egares<S: Simd>(&mut self, simd: S) -> bool {
+        simd.vectorize(
+            #[inline(always)]
+            || {
+                let (deja, places) = (self.egares, self.groupes().len() * VOIES);
+                loop {
+                    let mut egares = egares(self.groupes());
+                    let autre = egares.trailing_ones() as usize;
+                    if egares == 0 || autre >= places {
+                        return self.egares > deja;
+                    }
+                    self.egares |= egares;
+                    let (rayon, premier) = (self.rayon(autre), self.premier(autre));
+                    while egares > 0 {
+                        let i = egares.trailing_zeros() as usize;
+                        self.groupes[i / VOIES].remplacer(i % VOIES, &rayon, premier);
+                        egares &= egares - 1;
+                    }
+                }
+            },
+        )
+    }
+
+    /// Whether this ray was laid aside, so that its first object is not here.
+    #[inline(always)]
+    pub(crate) fn est_egare(&self, i: usize) -> bool {
+        self.egares >> i & 1 == 1
+    }
+
+    /// Whether some ray was.
+    #[inline(always)]
+    pub(crate) fn a_des_egares(&self) -> bool {
+        self.egares > 0
     }
 
     /// For each ray that enters the object at this index of the list before its first so far: makes

@@ -53,6 +53,45 @@ pub(crate) fn vont_ensemble<R: Nombre>(rayons: &[Rayon<R>]) -> bool {
         .all(|rayon| rayon.direction().produit_scalaire(milieu) > R::depuis_f64(COSINUS_MINIMAL))
 }
 
+/// A ray strays if its direction is this many times as far from that of all rays together as theirs are in the mean,
+/// counted as 1 − cos: at most one of eight can (`benches/seuils.md`, "Thresholds").
+const FOIS_LA_MOYENNE: f64 = 8.0;
+
+/// That mean counts as no less than this, which is more than rounding makes of parallel rays.
+const MOYENNE_MINIMALE: f64 = 1.0 / 1024.0;
+
+/// Which rays of these groups stray from the way of the others, one bit for each.
+#[inline(always)]
+pub(crate) fn egares<R: Nombre>(groupes: &[Groupe<R>]) -> u64 {
+    let mut sommes = [[R::ZERO; VOIES]; 3];
+    for groupe in groupes {
+        for voie in 0..VOIES {
+            let d: [R; 3] = groupe.rayon(voie).direction().into();
+            for axe in 0..3 {
+                sommes[axe][voie] = sommes[axe][voie] + d[axe];
+            }
+        }
+    }
+    // The mean of the cosines to the sum is its length over the number of rays.
+    let somme =
+        Vecteur::from(sommes.map(|colonne| colonne.into_iter().fold(R::ZERO, |a, b| a + b)));
+    let longueur = somme.longueur();
+    let moyenne = R::UN - longueur / R::depuis_f64((groupes.len() * VOIES) as f64);
+    let moyenne = max(moyenne, R::depuis_f64(MOYENNE_MINIMALE));
+    let moindre = R::UN - moyenne * R::depuis_f64(FOIS_LA_MOYENNE);
+    let mut egares = 0;
+    // Below −1 no ray strays.
+    if moindre > -R::UN {
+        for (i, groupe) in groupes.iter().enumerate() {
+            for voie in 0..VOIES {
+                let cosinus = groupe.rayon(voie).direction().produit_scalaire(somme);
+                egares |= u64::from(cosinus < longueur * moindre) << (i * VOIES + voie);
+            }
+        }
+    }
+    egares
+}
+
 /// What a beam is built around: a reference origin S₀, a reference direction Ω, and U and V across Ω.
 ///
 /// S₀ and Ω come from the ray in the middle. U points from the first ray to the eighth, along a row

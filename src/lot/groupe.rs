@@ -58,12 +58,23 @@ impl<R: Nombre> Groupe<R> {
     fn copier(&mut self, rayons: &[Rayon<R>; VOIES]) {
         self.rangs = [None; VOIES];
         for (voie, rayon) in rayons.iter().enumerate() {
-            let (s, d) = (rayon.source(), rayon.direction());
-            [self.s[0][voie], self.s[1][voie], self.s[2][voie]] = s.into();
-            [self.d[0][voie], self.d[1][voie], self.d[2][voie]] = d.into();
-            self.su[voie] = rayon.su();
+            self.placer(voie, rayon);
             self.t[voie] = rayon.fin();
         }
+    }
+
+    #[inline(always)]
+    fn placer(&mut self, voie: usize, rayon: &Rayon<R>) {
+        let (s, d) = (rayon.source(), rayon.direction());
+        [self.s[0][voie], self.s[1][voie], self.s[2][voie]] = s.into();
+        [self.d[0][voie], self.d[1][voie], self.d[2][voie]] = d.into();
+        self.su[voie] = rayon.su();
+    }
+
+    /// Puts another ray in this lane, with its first object so far.
+    pub(crate) fn remplacer(&mut self, voie: usize, rayon: &Rayon<R>, premier: Premier<R>) {
+        self.placer(voie, rayon);
+        (self.t[voie], self.rangs[voie]) = (premier.t, premier.rang);
     }
 
     /// The ray of one lane.
