@@ -20,7 +20,7 @@ use crate::rayon::Rayon;
 /// a register holds than this, and than this part of the boxes that a ray crosses (`benches/seuils.md`, "Thresholds",
 /// as for what follows).
 const OBJETS_PAR_NOMBRE: usize = 6;
-const PART_DES_CROISES: f32 = 0.5;
+const PART_DES_CROISES: f32 = 0.75;
 
 /// Fewer rays than this are asked one by one: in no order eight together take up to twice as long.
 const RAYONS_D_UN_BLOC: usize = 12;
