@@ -1,5 +1,7 @@
 //! Sixteen numbers side by side: the lanes of a group of rays, the children of a node.
 
+use core::ops::Add;
+
 use fearless_simd::f32x16;
 use fearless_simd::prelude::*;
 
@@ -48,11 +50,22 @@ pub(crate) fn au_plus<S: Simd>(simd: S, a: &Colonne<f32>, b: &Colonne<f32>) -> M
 
 /// The largest of sixteen numbers.
 #[inline(always)]
-pub(crate) fn le_plus_grand<R: Copy + PartialOrd>(mut x: Colonne<R>) -> R {
+pub(crate) fn le_plus_grand<R: Copy + PartialOrd>(x: Colonne<R>) -> R {
+    reduire(x, |a, b| if a > b { a } else { b })
+}
+
+/// The sum of sixteen numbers.
+#[inline(always)]
+pub(crate) fn somme<R: Copy + Add<Output = R>>(x: Colonne<R>) -> R {
+    reduire(x, |a, b| a + b)
+}
+
+#[inline(always)]
+fn reduire<R: Copy>(mut x: Colonne<R>, deux: impl Fn(R, R) -> R) -> R {
     let mut moitie = LARGEUR / 2;
     while moitie > 0 {
         for i in 0..moitie {
-            x[i] = if x[i] > x[i + moitie] { x[i] } else { x[i + moitie] };
+            x[i] = deux(x[i], x[i + moitie]);
         }
         moitie /= 2;
     }

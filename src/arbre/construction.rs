@@ -15,6 +15,7 @@ use crate::arbre::noeud::{
     COIN_ABSENT, ENFANTS, FICHE, Fiche, LIMITE_INDICES, Noeud, VIDE, en_mot, en_mot_d_un_morceau,
 };
 use crate::arbre::repere::{Repere, extremes};
+use crate::colonne::somme;
 use crate::nombre::{Nombre, max, min, simple};
 use crate::objet::ObjetRay;
 use crate::vecteur::Vecteur;
@@ -39,13 +40,20 @@ pub struct Arbre<'a, R> {
     pub(crate) feuilles: usize,
     /// The [stored](en_mot) indices of those without a box, the last first.
     pub(crate) sans_boite: &'a [f32],
+    /// About what part of the boxes a line that crosses one of them crosses.
+    pub(crate) part_des_croises: f32,
     pub(crate) repere: Repere<R>,
 }
 
 impl<R: Nombre> Arbre<'_, R> {
     /// That of a list which is asked as a list.
-    pub(crate) const SANS_NOEUDS: Self =
-        Self { noeuds: &[], feuilles: 0, sans_boite: &[], repere: Repere::QUELCONQUE };
+    pub(crate) const SANS_NOEUDS: Self = Self {
+        noeuds: &[],
+        feuilles: 0,
+        sans_boite: &[],
+        part_des_croises: 0.0,
+        repere: Repere::QUELCONQUE,
+    };
 }
 
 /// Fewer places were lent than the [`Monde`](crate::Monde) over this many objects needs.
@@ -140,6 +148,9 @@ pub(crate) fn construire<'a, R: Nombre>(
     let [bas, haut] = extremes(autres.iter().map(double_centre));
     repere.jeu_maximal = JEU_MAXIMAL * 0.5 * (haut - bas).norme_1();
     trier(autres);
+    // Among few a block asks all anyway.
+    let nombreux = nombre > 3 * ENFANTS;
+    let part_des_croises = if nombreux { part_des_croises(&fiches[..nombre]) } else { 0.0 };
 
     let (noeuds, _) = places.as_chunks_mut().0.as_chunks_mut();
     let feuilles = nombre.div_ceil(ENFANTS);
@@ -162,7 +173,7 @@ pub(crate) fn construire<'a, R: Nombre>(
     }
     // The root is the last.
     let noeuds = &noeuds[..=etage.start];
-    Ok(Arbre { noeuds, feuilles, sans_boite, repere })
+    Ok(Arbre { noeuds, feuilles, sans_boite, part_des_croises, repere })
 }
 
 /// From a slack of this times the width of a scene on, boxes tell no objects apart.
@@ -211,6 +222,33 @@ fn trier(fiches: &mut [Fiche]) {
     let (avant, apres) = fiches.split_at_mut(coupe);
     trier(avant);
     trier(apres);
+}
+
+/// What part of these boxes a line that crosses one of them crosses, in the mean over sixteen that are spread evenly: a
+/// random line through A crosses a box within A with the chance of that box's surface over A's.
+fn part_des_croises(fiches: &[Fiche]) -> f32 {
+    let temoins = || fiches.iter().step_by(fiches.len().div_ceil(ENFANTS));
+    let mut noeud = VIDE;
+    for (enfant, fiche) in temoins().enumerate() {
+        for mot in 0..FICHE {
+            noeud[mot][enfant] = fiche[mot];
+        }
+    }
+    let [x0, y0, z0, x1, y1, z1, _] = &noeud;
+    let surface = |x: f32, y: f32, z: f32| x * y + y * z + z * x;
+    let part = |a: &Fiche| {
+        let mut communes = [0.0; ENFANTS];
+        for (i, commune) in communes.iter_mut().enumerate() {
+            let x = max(min(a[3], x1[i]) - max(a[0], x0[i]), 0.0);
+            let y = max(min(a[4], y1[i]) - max(a[1], y0[i]), 0.0);
+            let z = max(min(a[5], z1[i]) - max(a[2], z0[i]), 0.0);
+            *commune = surface(x, y, z);
+        }
+        // Both may be lost below the numbers of `f32`.
+        somme(communes) / max(surface(a[3] - a[0], a[4] - a[1], a[5] - a[2]), f32::MIN_POSITIVE)
+    };
+    let paires = temoins().len() * temoins().len();
+    temoins().map(part).sum::<f32>() / paires as f32
 }
 
 /// Twice the centre of a box.

@@ -5,13 +5,13 @@ use core::mem;
 use fearless_simd::prelude::*;
 
 use crate::arbre::construction::Arbre;
-use crate::arbre::noeud::{ENFANTS, FICHE, Noeud, VIDE, indice_lu};
+use crate::arbre::noeud::{ENFANTS, Noeud, indice_lu};
 use crate::arbre::pile::{Attentes, Pile};
 use crate::arbre::sonde::{Sonde, SondeDeBloc};
-use crate::colonne::prendre;
+use crate::colonne::{au_plus, prendre};
 use crate::liste::Liste;
 use crate::lot::bloc::{Bloc, EnLot};
-use crate::lot::faisceau::vont_ensemble;
+use crate::lot::faisceau::vont_ailleurs;
 use crate::nombre::Nombre;
 use crate::question::Premier;
 use crate::rayon::Rayon;
@@ -20,7 +20,10 @@ use crate::rayon::Rayon;
 /// a register holds than this, and than this part of the boxes that a ray crosses (`benches/seuils.md`, "Thresholds",
 /// as for what follows).
 const OBJETS_PAR_NOMBRE: usize = 6;
-const PART_DES_CROISES: f32 = 0.75;
+const PART_DES_CROISES: f32 = 0.6;
+
+/// If more rays than this of some eight [go elsewhere](vont_ailleurs), it is not that a few stray.
+const AILLEURS: usize = 1;
 
 /// Fewer rays than this are asked one by one: in no order eight together take up to twice as long.
 const RAYONS_D_UN_BLOC: usize = 12;
@@ -89,7 +92,8 @@ impl<R: Nombre> Arbre<'_, R> {
         rayons: &[Rayon<R>],
     ) -> bool {
         bloc.charger(rayons);
-        let (mut vont_ensemble, mut sans_boite) = (vont_ensemble(rayons), self.sans_boite);
+        let (ailleurs, mut sans_boite) = (vont_ailleurs(rayons), self.sans_boite);
+        let mut vont_ensemble = ailleurs == 0;
         loop {
             let faisceau = if vont_ensemble { bloc.faisceau() } else { None };
             if let Some(faisceau) = &faisceau {
@@ -105,7 +109,8 @@ impl<R: Nombre> Arbre<'_, R> {
                 }
             }
             // Once more without those that stray, if there are some.
-            vont_ensemble = !bloc.a_des_egares() && bloc.ecarter_les_egares(simd);
+            vont_ensemble =
+                ailleurs <= AILLEURS && !bloc.a_des_egares() && bloc.ecarter_les_egares(simd);
             if !vont_ensemble {
                 break;
             }
@@ -181,25 +186,20 @@ impl<R: Nombre> Arbre<'_, R> {
         let nombres = nombres_par_registre::<R, S>();
         let de_trop = avec_boite.saturating_sub(OBJETS_PAR_NOMBRE * nombres) as f32;
         // A ray that one object suffices asks few of those that it crosses.
-        let croises = || if Q::UN_SUFFIT { 0.0 } else { self.part_des_croises(simd, bloc) };
+        let croises = if Q::UN_SUFFIT { 0.0 } else { self.part_des_croises * avec_boite as f32 };
+        let en_moins = croises * PART_DES_CROISES * nombres as f32;
+        // Of the rays that meet the heap.
         de_trop == 0.0
-            || de_trop <= croises() * avec_boite as f32 * PART_DES_CROISES * nombres as f32
+            || de_trop <= en_moins && de_trop <= en_moins * self.part_qui_entre(simd, bloc)
     }
 
-    /// About what part of all boxes a ray of this block crosses. One child of each of sixteen leaves is the sample.
-    #[cold]
-    #[inline(never)]
-    fn part_des_croises<S: Simd, Q: EnLot<R>>(&self, simd: S, bloc: &Bloc<'_, R, Q>) -> f32 {
-        let mut echantillon = VIDE;
-        for enfant in 0..ENFANTS {
-            let feuille = &self.noeuds[enfant * self.feuilles / ENFANTS];
-            for mot in 0..FICHE {
-                echantillon[mot][enfant] = feuille[mot][enfant];
-            }
-        }
-        let croises = self.croises_par_les_temoins(simd, bloc, &echantillon);
+    /// What part of the children of the root a ray of this block crosses, about.
+    fn part_qui_entre<S: Simd, Q: EnLot<R>>(&self, simd: S, bloc: &Bloc<'_, R, Q>) -> f32 {
+        let Some(racine) = self.noeuds.last() else { return 0.0 };
+        let croises = self.croises_par_les_temoins(simd, bloc, racine);
+        let enfants = au_plus(simd, &racine[0], &racine[3]).count_ones();
         let rayons = rayons_temoins(nombres_par_registre::<R, S>());
-        croises as f32 / (rayons * ENFANTS) as f32
+        croises as f32 / (rayons as u32 * enfants) as f32
     }
 
     /// How many children of this node [some rays](rayons_temoins) of the block cross in all.

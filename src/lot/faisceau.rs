@@ -4,7 +4,7 @@
 //! No point of a ray lies outside, rounding included. The bounds are derived in `docs/preuves.md`, lemma 19, whose
 //! letters are those of this file.
 
-use crate::colonne::{Colonne, le_plus_grand};
+use crate::colonne::{Colonne, le_plus_grand, somme};
 use crate::lot::groupe::{Groupe, VOIES};
 use crate::nombre::{Nombre, fois_u, fois_u_simple, max, min};
 use crate::rayon::Rayon;
@@ -42,15 +42,15 @@ pub(crate) struct Faisceau<R> {
 /// The least cosine between a ray of a beam and the one in the middle.
 const COSINUS_MINIMAL: f64 = 0.25;
 
-/// Whether at most eight of these rays, evenly spread, go near enough to the way of the one in the middle for a beam.
+/// How many of at most eight of these rays, evenly spread, go too far from the way of the one in the middle for a beam.
 /// So rays in no order are refused before a beam is made of them. Shadow rays are asked as well, although their
 /// segments may lie together where their directions do not.
 #[inline(always)]
-pub(crate) fn vont_ensemble<R: Nombre>(rayons: &[Rayon<R>]) -> bool {
+pub(crate) fn vont_ailleurs<R: Nombre>(rayons: &[Rayon<R>]) -> usize {
     let milieu = rayons[rayons.len() / 2].direction();
-    let mut quelques = rayons.iter().step_by(rayons.len() / 8 + 1);
-    quelques
-        .all(|rayon| rayon.direction().produit_scalaire(milieu) > R::depuis_f64(COSINUS_MINIMAL))
+    let quelques = rayons.iter().step_by(rayons.len() / 8 + 1);
+    let minimal = R::depuis_f64(COSINUS_MINIMAL);
+    quelques.filter(|rayon| rayon.direction().produit_scalaire(milieu) <= minimal).count()
 }
 
 /// A ray strays if its direction is this many times as far from that of all rays together as theirs are in the mean,
@@ -65,16 +65,14 @@ const MOYENNE_MINIMALE: f64 = 1.0 / 1024.0;
 pub(crate) fn egares<R: Nombre>(groupes: &[Groupe<R>]) -> u64 {
     let mut sommes = [[R::ZERO; VOIES]; 3];
     for groupe in groupes {
-        for voie in 0..VOIES {
-            let d: [R; 3] = groupe.rayon(voie).direction().into();
-            for axe in 0..3 {
-                sommes[axe][voie] = sommes[axe][voie] + d[axe];
+        for (sommes, directions) in sommes.iter_mut().zip(groupe.directions()) {
+            for voie in 0..VOIES {
+                sommes[voie] = sommes[voie] + directions[voie];
             }
         }
     }
     // The mean of the cosines to the sum is its length over the number of rays.
-    let somme =
-        Vecteur::from(sommes.map(|colonne| colonne.into_iter().fold(R::ZERO, |a, b| a + b)));
+    let somme = Vecteur::from(sommes.map(somme));
     let longueur = somme.longueur();
     let moyenne = R::UN - longueur / R::depuis_f64((groupes.len() * VOIES) as f64);
     let moyenne = max(moyenne, R::depuis_f64(MOYENNE_MINIMALE));

@@ -85,6 +85,12 @@ impl<R: Nombre> Groupe<R> {
         Rayon::sans_fin(s, Vecteur::new(dx[voie], dy[voie], dz[voie])).sachant(self.su[voie])
     }
 
+    /// The coordinates of the directions.
+    #[inline(always)]
+    pub(crate) fn directions(&self) -> &[Colonne<R>; 3] {
+        &self.d
+    }
+
     /// Whether some ray has a δ above 0.
     #[inline(always)]
     pub(crate) fn est_flou(&self) -> bool {
