@@ -67,8 +67,8 @@ impl<R: Nombre> ObjetRay<R> {
     /// `distance` is that from the source of the ray, in scene units, and `normale` points outward: now
     /// along the ray, D·N > 0. `marge` and [`secondaire`](Intersection::secondaire) are those of any hit:
     /// glass goes on from there outward, by Snell's law, or inward, [mirrored](Intersection::reflechi). The way out is as
-    /// exact as a hit (`docs/precision.md`), and [`BoiteRay::lieu`](crate::BoiteRay::lieu) takes it as one.
-    /// [`erreur`](Self::erreur) is for entries alone.
+    /// exact as a hit (`docs/precision.md`), and [`BoiteRay::lieu`](crate::BoiteRay::lieu) and
+    /// [`erreur`](Self::erreur) take it as one.
     ///
     /// **Each crossing is found once.** A ray that enters a sphere or a box leaves it, and never before it
     /// enters; from inside it always leaves. A half-space that it enters it never leaves. From a source

@@ -67,9 +67,11 @@ pub fn toutes<R: Reel>() -> [Promesse<R>; 13] {
 }
 
 /// The same of the way out of an object.
-pub fn de_la_sortie<R: Reel>() -> [Promesse<R>; 8] {
+pub fn de_la_sortie<R: Reel>() -> [Promesse<R>; 9] {
     const BORNES: &[Genre] = &[Genre::Sphere, Genre::Boite];
-    let promesse = |nom, genres, part| Promesse { nom, genres, part, aisance: [f64::INFINITY; 2] };
+    let quelconque = [f64::INFINITY; 2];
+    let promesse = |nom, genres, part| Promesse { nom, genres, part, aisance: quelconque };
+    let erreur = promesse("way out: erreur", &Genre::TOUS, sortie::erreur as Part<R>);
     [
         promesse("way out: distance", &Genre::TOUS, sortie::distance),
         promesse("way out: decision", &Genre::TOUS, sortie::decision),
@@ -79,6 +81,7 @@ pub fn de_la_sortie<R: Reel>() -> [Promesse<R>; 8] {
         promesse("way out: margin", &Genre::TOUS, sortie::marge),
         promesse("way out: where it lies", BORNES, sortie::lieu),
         promesse("way out: secondary ray", BORNES, sortie::secondaire),
+        Promesse { aisance: [1.5; 2], ..erreur },
     ]
 }
 
@@ -132,6 +135,10 @@ pub mod sortie {
 
     pub fn secondaire<R: Reel>(cas: &Essai<R>) -> f64 {
         secondaire_du(Sortie, cas)
+    }
+
+    pub fn erreur<R: Reel>(cas: &Essai<R>) -> f64 {
+        erreur_du(Sortie, cas)
     }
 }
 
@@ -378,11 +385,15 @@ fn secondaire_du<R: Reel>(passage: Passage, cas: &Essai<R>) -> f64 {
 }
 
 /// The error of the distance, in scene units or in lengths of D if that is more, as a part of `erreur`, which is +∞
-/// where there is no entry. What the oracle itself may have rounded does not count.
+/// where there is no entry, or no way out. What the oracle itself may have rounded does not count.
 pub fn erreur<R: Reel>(cas: &Essai<R>) -> f64 {
-    let Some(touche) = touche(Passage::Entree, cas) else { return RIEN };
+    erreur_du(Passage::Entree, cas)
+}
+
+fn erreur_du<R: Reel>(passage: Passage, cas: &Essai<R>) -> f64 {
+    let Some(touche) = touche(passage, cas) else { return RIEN };
     let borne = cas.objets[0].erreur(&cas.rayon, &touche).vers_f64();
-    match verite(&cas.objets[0], &cas.rayon).entree {
+    match la_verite(passage, cas).entree {
         // In units in which neither is a subnormal.
         Some(entree) => {
             let echelle = if borne < 1e-200 { 200_f64.exp2() } else { 1.0 };

@@ -597,4 +597,7 @@ rangees! {
     secondaire_de_sortie_d_une_sphere: dans_une_sphere, sortie::secondaire, 60_000;
     secondaire_de_sortie_d_un_demi_espace: dans_un_demi_espace, sortie::secondaire, 60_000;
     secondaire_de_sortie_d_une_boite: dans_une_boite, sortie::secondaire, 60_000;
+    erreur_de_sortie_d_une_sphere: dans_une_sphere, sortie::erreur, 60_000;
+    erreur_de_sortie_d_un_demi_espace: dans_un_demi_espace, sortie::erreur, 60_000;
+    erreur_de_sortie_d_une_boite: dans_une_boite, sortie::erreur, 60_000;
 }

@@ -4,7 +4,7 @@
 //! `LANCER_RAYON_CAS=1000 cargo test --release --all-features --test precision promesses`
 
 use commun::mesure::{absolu, au_bord, quantiles};
-use commun::oracle::{Entree, hauteur, verite};
+use commun::oracle::{Entree, Passage, hauteur, verite, verite_du};
 use commun::promesses::{
     Essai, Part, Promesse, RIEN, de_la_sortie, marge_infinie, secondaire, toutes,
 };
@@ -74,6 +74,33 @@ fn chaque_promesse_tient<R: Reel>() {
 }
 
 en_f32_et_f64!(chaque_promesse_tient);
+
+/// Where a way out is promised to be off by less than a quarter of its distance, `erreur` is a number: of thin plates,
+/// beside edges and where the ray grazes.
+fn l_erreur_d_une_sortie_est_un_nombre<R: Reel>() {
+    for regime in regimes::<R>() {
+        // There products leave the normal numbers of `f64`.
+        if regime.extreme == Extreme::Bornes {
+            continue;
+        }
+        let (mut alea, mut jugees) = (Rng::with_seed(3), 0);
+        for _ in 0..cas_par_regime() {
+            let cas = vers_la_sortie((regime.cas)(&mut alea), &mut alea);
+            let Ok(sortie) = cas.objet.sortie(&cas.rayon) else { continue };
+            let verite = verite_du(Passage::Sortie, &cas.objet, &cas.rayon);
+            let Some(entree) = verite.entree.filter(|_| !verite.dans_la_marge) else { continue };
+            let permis = entree.k * u::<R>() * entree.kappa_t + absolu(&cas.objet, &entree);
+            if permis < 0.25 * entree.t.vers_f64() {
+                let erreur = cas.objet.erreur(&cas.rayon, &sortie);
+                assert!(erreur < R::INFINI, "{}: {cas:?} {sortie:?}", regime.nom);
+                jugees += 1;
+            }
+        }
+        assert!(jugees > cas_par_regime() / 100, "{}: {jugees} judged only", regime.nom);
+    }
+}
+
+en_f32_et_f64!(l_erreur_d_une_sortie_est_un_nombre);
 
 /// What `docs/preuves.md` grants the numbers of an `f32` scene in `f64`, which are unit to the rounding of `f32` only:
 /// all except what rests on the length of the normal of a flat face.
