@@ -10,7 +10,8 @@ use lancer_rayon::{
 use crate::arrondi;
 use crate::mesure::{absolu, absolu_fois, au_bord, lieu_permis, plus_grand, rayon_non_perdu};
 use crate::oracle::{
-    ORACLE_ARRONDI, Passage, Verite, dehors, hauteur, norme_au_carre_moins_un, verite, verite_du,
+    ORACLE_ARRONDI, Passage, Verite, dehors, ecart_du_cosinus, ecart_du_miroir, hauteur,
+    norme_au_carre_moins_un, verite, verite_du,
 };
 use crate::regimes::Genre;
 use crate::tolerances::{promesses as permis, u};
@@ -382,6 +383,32 @@ fn secondaire_du<R: Reel>(passage: Passage, cas: &Essai<R>) -> f64 {
             .fold(f64::INFINITY, f64::min),
     };
     0.5 * tenue(haut + cosinus) + 0.4 * tenue(bord)
+}
+
+/// How far a reflected direction is from that of an exact mirror.
+pub fn reflechi<R: Reel>(cas: &Essai<R>) -> f64 {
+    let (objet, d) = (&cas.objets[0], cas.rayon.direction());
+    let Ok(touche) = objet.intersection(&cas.rayon) else { return RIEN };
+    let Ok(reflet) = touche.reflechi(d) else { return RIEN };
+    let n = touche.normale();
+    let du_miroir = match Genre::de(objet) {
+        Genre::Sphere => permis::REFLECHI_SPHERE,
+        Genre::Plan | Genre::Boite => permis::REFLECHI_PLAT,
+    };
+    // What is turned outward is above its plane by less than 20u.
+    let rase = n.produit_scalaire(reflet.direction()).vers_f64() < 20.0 * u::<R>();
+    let permis = du_miroir + if rase { permis::REFLECHI_REDRESSE } else { 0.0 };
+    ecart_du_miroir(d, n, reflet.direction()) / (permis * u::<R>())
+}
+
+/// How far N·L is from the cosine of a sun in the direction in which the object is left.
+pub fn soleil<R: Reel>(cas: &Essai<R>) -> f64 {
+    let Ok(touche) = cas.objets[0].intersection(&cas.rayon) else { return RIEN };
+    let [x, y, z, ..] = cas.vers;
+    let (n, soleil) = (touche.normale(), Vecteur::new(x, y, z));
+    let Ok(ombre) = touche.vers_soleil(soleil) else { return RIEN };
+    let cosinus = n.produit_scalaire(ombre.direction());
+    ecart_du_cosinus(n, soleil, cosinus).abs() / (permis::SOLEIL * u::<R>())
 }
 
 /// The error of the distance, in scene units or in lengths of D if that is more, as a part of `erreur`, which is +∞

@@ -12,7 +12,7 @@ use std::time::{Duration, Instant};
 
 use commun::promesses::{self, Essai, Part, RIEN, sortie};
 use commun::regimes::{
-    Cas, Genre, deux_puissance, direction, entre, regimes, repere, signe, vers_la_sortie,
+    self, Cas, Genre, deux_puissance, direction, entre, regimes, repere, signe, vers_la_sortie,
 };
 use commun::tolerances::u;
 use commun::{Bits, arrondi, empreinte};
@@ -508,6 +508,13 @@ fn demi_espace<R: Bits>(alea: &mut Rng) -> Candidat<R> {
     un_objet(Genre::Plan, alea)
 }
 
+/// A mirror that is hardest, left in its own normal's direction.
+fn miroir<R: Bits>(alea: &mut Rng) -> Candidat<R> {
+    let Cas { objet, rayon } = regimes::miroir(alea);
+    let [x, y, z] = rayon.source().into();
+    Candidat::new(&[objet], &rayon, [x, y, z, R::ZERO, R::ZERO])
+}
+
 /// Through the origin or a few subnormals beside it, as the source is.
 fn demi_espace_pres_de_0<R: Bits>(alea: &mut Rng) -> Candidat<R> {
     let petit = |alea: &mut Rng| {
@@ -576,6 +583,10 @@ rangees! {
     secondaire_d_une_sphere: sphere, promesses::secondaire, 100_000;
     secondaire_d_un_demi_espace: demi_espace, promesses::secondaire, 100_000;
     secondaire_d_une_boite: boite, promesses::secondaire, 100_000;
+    reflechi_d_une_sphere: sphere, promesses::reflechi, 60_000;
+    reflechi_d_un_demi_espace: miroir, promesses::reflechi, 60_000;
+    soleil_d_une_sphere: sphere, promesses::soleil, 60_000;
+    soleil_d_un_demi_espace: miroir, promesses::soleil, 60_000;
     face_a_la_source_d_une_sphere: sphere, promesses::face_a_la_source, 60_000;
     face_a_la_source_d_un_demi_espace: demi_espace, promesses::face_a_la_source, 60_000;
     face_a_la_source_d_une_boite: boite, promesses::face_a_la_source, 60_000;

@@ -6,9 +6,9 @@
 use commun::mesure::{absolu, au_bord, quantiles};
 use commun::oracle::{Entree, Passage, hauteur, verite, verite_du};
 use commun::promesses::{
-    Essai, Part, Promesse, RIEN, de_la_sortie, marge_infinie, secondaire, toutes,
+    Essai, Part, Promesse, RIEN, de_la_sortie, marge_infinie, reflechi, secondaire, soleil, toutes,
 };
-use commun::regimes::{Cas, Extreme, Genre, direction, regimes, repere, vers_la_sortie};
+use commun::regimes::{Cas, Extreme, Genre, direction, miroir, regimes, repere, vers_la_sortie};
 use commun::tolerances::{ORTHONORMALE, u};
 use commun::{arrondi, en_f32_et_f64};
 use fastrand::Rng;
@@ -101,6 +101,26 @@ fn l_erreur_d_une_sortie_est_un_nombre<R: Reel>() {
 }
 
 en_f32_et_f64!(l_erreur_d_une_sortie_est_un_nombre);
+
+/// Mirrors and suns where the bounds are nearly reached: a normal and directions that are kept though their lengths
+/// are off by almost all that is allowed, at the angle that is worst.
+fn un_reflet_et_un_cosinus_atteignent_presque_leur_borne<R: Reel>() {
+    let u = u::<R>();
+    let mut alea = Rng::with_seed(8);
+    let (mut reflet, mut cosinus) = (0.0_f64, 0.0_f64);
+    for _ in 0..20 * cas_par_regime() {
+        let Cas { objet, rayon } = miroir(&mut alea);
+        let n = rayon.source().vers_f64();
+        let [x, y, z] = arrondi(n * (1.0 + 5.0 * u)).into();
+        let essai = Essai { objets: vec![objet], rayon, vers: [x, y, z, R::ZERO, R::ZERO] };
+        let parts = [reflechi(&essai), soleil(&essai)];
+        assert!(parts.iter().all(|part| *part <= 1.0), "{parts:?} {essai:?}");
+        (reflet, cosinus) = (reflet.max(parts[0]), cosinus.max(parts[1]));
+    }
+    assert!(reflet > 0.5 && cosinus > 0.6, "{reflet} {cosinus}");
+}
+
+en_f32_et_f64!(un_reflet_et_un_cosinus_atteignent_presque_leur_borne);
 
 /// What `docs/preuves.md` grants the numbers of an `f32` scene in `f64`, which are unit to the rounding of `f32` only:
 /// all except what rests on the length of the normal of a flat face.
