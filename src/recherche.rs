@@ -74,8 +74,8 @@ impl<R: Nombre> ObjetRay<R> {
     /// enters; from inside it always leaves. A half-space that it enters it never leaves. From a source
     /// on the surface a ray leaves at the far side, or not at all: the source itself is no way out, as it is
     /// no hit. Inside and on the surface is what the search computes so: within rounding of a sphere a ray
-    /// may leave at once. A ray that `secondaire` sent inward leaves, except beside an edge of a box, and
-    /// one that it sent outward does not.
+    /// may leave at once. A ray that `secondaire` sent into a sphere or a box leaves, except
+    /// beside an edge and in a box no thicker than the step; one that it sent outward does not.
     ///
     /// # Errors
     /// [`NoIntersection`] if the ray ends before it leaves, passes the object by or starts beyond it; if it descends in a

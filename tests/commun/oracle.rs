@@ -359,6 +359,30 @@ pub fn ecart_du_cosinus<R: Reel>(n: Vecteur<R>, v: Vecteur<R>, cosinus: R) -> f6
     (&Exact::de(cosinus) - &exact).vers_f64()
 }
 
+/// How far, in scene units, these coordinates in a box, from −1 to 1, lie from those of S + tD, which end at ±1.
+pub fn ecarts_du_lieu<R: Reel>(
+    boite: &BoiteRay<R>,
+    rayon: &Rayon<R>,
+    t: R,
+    lieu: Vecteur<R>,
+) -> [f64; 3] {
+    let f = moins(&point(rayon.source()), &point(boite.centre()));
+    let (t, d, lieu) = (Exact::de(t), point(rayon.direction()), point(lieu));
+    let cx: Point = core::array::from_fn(|i| &f[i] + &(&t * &d[i]));
+    core::array::from_fn(|i| {
+        let l = Exact::de(boite.demi_longueurs()[i]);
+        let exacte = scalaire(&point(boite.normales()[i]), &cx);
+        let exacte = if exacte > l {
+            l.clone()
+        } else if exacte < -&l {
+            -&l
+        } else {
+            exacte
+        };
+        (&(&lieu[i] * &l) - &exacte).vers_f64()
+    })
+}
+
 /// |V|² − 1.
 pub fn norme_au_carre_moins_un<R: Reel>(v: Vecteur<R>) -> f64 {
     let v = point(v);

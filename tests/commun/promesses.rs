@@ -10,8 +10,8 @@ use lancer_rayon::{
 use crate::arrondi;
 use crate::mesure::{absolu, absolu_fois, au_bord, lieu_permis, plus_grand, rayon_non_perdu};
 use crate::oracle::{
-    ORACLE_ARRONDI, Passage, Verite, dehors, ecart_du_cosinus, ecart_du_miroir, hauteur,
-    norme_au_carre_moins_un, verite, verite_du,
+    ORACLE_ARRONDI, Passage, Verite, dehors, ecart_du_cosinus, ecart_du_miroir, ecarts_du_lieu,
+    hauteur, norme_au_carre_moins_un, verite, verite_du,
 };
 use crate::regimes::Genre;
 use crate::tolerances::{promesses as permis, u};
@@ -271,6 +271,20 @@ fn lieu_du<R: Reel>(passage: Passage, cas: &Essai<R>) -> f64 {
     let Some(touche) = touche(passage, cas) else { return RIEN };
     let p = cas.rayon.point(touche.distance());
     dehors(&cas.objets[0], p) / lieu_permis(&cas.objets[0], &cas.rayon, touche.distance())
+}
+
+/// How far the coordinates of a hit along its face are off.
+pub fn lieu_sur_la_face<R: Reel>(cas: &Essai<R>) -> f64 {
+    let (Some(touche), ObjetRay::Boite(boite)) = (touche(Passage::Entree, cas), cas.objets[0])
+    else {
+        return RIEN;
+    };
+    let (t, (face, p)) = (touche.distance(), boite.lieu(&cas.rayon, &touche));
+    let f = (cas.rayon.source().vers_f64() - boite.centre().vers_f64()).longueur();
+    let ecarts = ecarts_du_lieu(&boite, &cas.rayon, t, p).into_iter().enumerate();
+    let le_long = ecarts.filter(|(axe, _)| *axe != face as usize % 3);
+    let pire = le_long.map(|(_, ecart)| ecart.abs()).fold(0.0, f64::max);
+    pire / (permis::LIEU_FACE * u::<R>() * (f + t.vers_f64()))
 }
 
 /// How far P lies from a sphere that is nearly lost in its distance, as a part of what makes its

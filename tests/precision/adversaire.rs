@@ -580,6 +580,7 @@ rangees! {
     marge_d_une_boite: boite, promesses::marge, 60_000;
     lieu_d_une_touche_d_une_sphere: sphere, promesses::lieu, 60_000;
     lieu_d_une_touche_d_une_boite: boite, promesses::lieu, 60_000;
+    lieu_sur_la_face_d_une_boite: boite, promesses::lieu_sur_la_face, 60_000;
     secondaire_d_une_sphere: sphere, promesses::secondaire, 100_000;
     secondaire_d_un_demi_espace: demi_espace, promesses::secondaire, 100_000;
     secondaire_d_une_boite: boite, promesses::secondaire, 100_000;

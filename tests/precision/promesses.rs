@@ -377,6 +377,39 @@ fn un_depart_vers_l_interieur_peut_etre_loin_au_dessus_d_une_autre_face<R: Reel>
 
 en_f32_et_f64!(un_depart_vers_l_interieur_peut_etre_loin_au_dessus_d_une_autre_face);
 
+/// Far from O a plate may be no thicker than the step: of rays sent inward, amid its face, some start beyond it and never
+/// leave. Of a cube each leaves; of a half-space none does.
+#[test]
+fn ce_qui_est_plus_mince_que_le_pas_n_a_pas_de_sortie() {
+    let r = Rotation::new(Vecteur::new(0.3_f32, 0.4, 0.0)).unwrap();
+    let centre = Vecteur::new(0.0, 0.0, -3_000.0);
+    let boite = |epaisseur| {
+        ObjetRay::from(
+            BoiteGeo::new(centre, Vecteur::new(2.0, 2.0, epaisseur), r, Texture(0)).unwrap(),
+        )
+    };
+    let mur = PlanGeo::new(r, 3_000.0, Texture(0)).unwrap();
+    let n = Vecteur::from(r.matrice()[2]);
+    let mut alea = Rng::with_seed(22);
+    let [mut dans_la_plaque, mut dans_le_cube, mut dans_le_mur, mut lances] = [0; 4];
+    for _ in 0..cas_par_regime() {
+        let vers = arrondi(centre.vers_f64() + direction(&mut alea) * 0.25);
+        let rayon = Rayon::new(Vecteur::NUL, vers).unwrap();
+        let mut sort = |objet: ObjetRay<f32>| {
+            let Ok(touche) = objet.intersection(&rayon) else { return 0 };
+            assert!(touche.normale() == n);
+            let dedans = touche.secondaire(rayon.direction()).unwrap();
+            lances += 1;
+            u32::from(objet.sortie(&dedans).is_ok())
+        };
+        dans_la_plaque += sort(boite(0.0002));
+        dans_le_cube += sort(boite(2.0));
+        dans_le_mur += sort(mur.into());
+    }
+    assert!(lances == 3 * cas_par_regime() && dans_le_cube == cas_par_regime());
+    assert!(dans_le_mur == 0 && dans_la_plaque < cas_par_regime(), "{dans_la_plaque}");
+}
+
 #[test]
 fn un_rayon_secondaire_invalide_est_refuse() {
     let boule = SphereGeo::new(Vecteur::new(0.0, 0.0, -5.0), 1.0, Texture(0)).unwrap();
