@@ -25,15 +25,15 @@ pub const ERREUR_ARRONDIE: f64 = 16.1;
 
 impl<R: Nombre> ObjetRay<R> {
     /// A bound on the error of [`touche.distance()`](Intersection::distance), in scene units: the
-    /// ray enters this object, or at a [way out](Self::sortie) leaves it, no farther than that from there, for the numbers
-    /// as they are stored.
+    /// ray enters this object, or at a [way out](Self::sortie) leaves it, no farther than that from there, for the
+    /// numbers as they are stored.
     ///
     /// It is proven (`docs/preuves.md`, lemma 17), at the edges of a box too and with the rounding
     /// of its own computation. It is +∞ where the ray does not enter or leave the object, where numbers
-    /// of twice the length of an `f64` cannot tell at t whether it does, and at a way out that is off by half of t or more;
-    /// it is never a NaN. It rests on t alone, not on how t was found: it is the error itself, as found with such
-    /// numbers, and what D lacks to length 1 over that distance; in the median less than 1.1 times the error. Ask it of the
-    /// object that was hit, with the ray of the hit. It takes many times as long as the hit; whoever does not ask
+    /// of twice the length of an `f64` cannot tell at t whether it does, and at a way out that is off by half of t or
+    /// more; it is never a NaN. It rests on t alone, not on how t was found: it is the error itself, as found with such
+    /// numbers, and what D lacks to length 1 over that distance; in the median less than 1.1 times the error. Ask it of
+    /// the object that was hit, with the ray of the hit. It takes many times as long as the hit; whoever does not ask
     /// pays nothing.
     ///
     /// The same bound holds of t in lengths of D: no less than |t − t′|, where the ray crosses the surface at S +
