@@ -11,7 +11,7 @@ pub(crate) mod loupe;
 use crate::double::{Double, Intervalle, scalaire, triple};
 use crate::intersection::Intersection;
 use crate::jugement::coup_d_oeil::coup_d_oeil;
-use crate::jugement::loupe::{Jugement, juger, loupe};
+use crate::jugement::loupe::{Jugement, juger, juger_sortie, loupe};
 use crate::nombre::{Nombre, fois_u};
 use crate::objet::ObjetRay;
 use crate::rayon::Rayon;
@@ -25,17 +25,18 @@ pub const ERREUR_ARRONDIE: f64 = 16.1;
 
 impl<R: Nombre> ObjetRay<R> {
     /// A bound on the error of [`touche.distance()`](Intersection::distance), in scene units: the
-    /// ray enters this object no farther than that from there, for the numbers as they are stored.
+    /// ray enters this object, or at a [way out](Self::sortie) leaves it, no farther than that from there, for the
+    /// numbers as they are stored.
     ///
     /// It is proven (`docs/preuves.md`, lemma 17), at the edges of a box too and with the rounding
-    /// of its own computation. It is +∞ where the ray does not enter the object, and where numbers
-    /// of twice the length of an `f64` cannot tell at t whether it does; it is never a NaN. It rests on t
-    /// alone, not on how t was found: it is the error itself, as found with such numbers, and what D lacks
-    /// to length 1 over that distance; in the median less than 1.1 times the error. Ask it of the object
-    /// that was hit, with the ray of the hit. It takes many times as long as the hit; whoever does not ask
+    /// of its own computation. It is +∞ where the ray does not enter or leave the object, where numbers
+    /// of twice the length of an `f64` cannot tell at t whether it does, and at a way out that is off by half of t or
+    /// more; it is never a NaN. It rests on t alone, not on how t was found: it is the error itself, as found with such
+    /// numbers, and what D lacks to length 1 over that distance; in the median less than 1.1 times the error. Ask it of
+    /// the object that was hit, with the ray of the hit. It takes many times as long as the hit; whoever does not ask
     /// pays nothing.
     ///
-    /// The same bound holds of t in lengths of D: no less than |t − t′|, where the ray enters at S +
+    /// The same bound holds of t in lengths of D: no less than |t − t′|, where the ray crosses the surface at S +
     /// t′D. After [`Rayon::vers_f64`] D is unit to the rounding of `f32` only, and the bound covers
     /// that; for digits in scene units make D unit again, by [`Rayon::new`] of the same source and
     /// direction.
@@ -57,15 +58,17 @@ impl<R: Nombre> ObjetRay<R> {
     #[doc(alias("error_bound", "distance_error"))]
     #[must_use]
     pub fn erreur(&self, rayon: &Rayon<R>, touche: &Intersection<R>) -> R {
+        let sort = touche.normale().produit_scalaire(rayon.direction()) > R::ZERO;
         let t = touche.distance();
         let (objet, rayon, en_f64) = (self.en_double(), rayon.vers_f64(), t.vers_f64());
-        // A glance never leaves so little of a distance in `f64` open.
-        let en_simple = R::selon(true, false);
-        let vue = if en_simple { coup_d_oeil(&objet, &rayon) } else { Intervalle::INCONNU };
+        // A glance is for entries, and never leaves so little of a distance in `f64` open.
+        let rapide = R::selon(true, false) && !sort;
+        let vue = if rapide { coup_d_oeil(&objet, &rayon) } else { Intervalle::INCONNU };
         let ecart = if vue.haut - vue.bas <= en_f64 * (R::U.vers_f64() * NET) {
             (vue.haut - en_f64).max(en_f64 - vue.bas)
         } else {
-            let Jugement { entre, ecart } = juger(&objet, &rayon, en_f64);
+            let selon = if sort { juger_sortie } else { juger };
+            let Jugement { entre, ecart } = selon(&objet, &rayon, en_f64);
             if entre == Some(true) { ecart } else { f64::INFINI }
         };
         // J7: t counts in lengths of D.

@@ -474,8 +474,8 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// It is never true of a wrong answer. It is false of a right one only where
     /// [`est_certain`](ObjetRay::est_certain) of some object would be, where no distance is promised, and of two
     /// entries nearer to each other than some 2⁻⁵⁰(κ + κ′)·t, twice what both distances are promised to in `f64`
-    /// (`docs/precision.md`; κ is large where a ray grazes). Most often that is an exact tie, as where the sides
-    /// of two boxes are flush. Of `reponse` only
+    /// (`docs/precision.md`; κ is large where a ray grazes), or among numbers below the normal ones. Most often that is
+    /// an exact tie, as where the sides of two boxes are flush. Of `reponse` only
     /// [`indice`](crate::Intersection::indice) counts, whoever found it. The time is that of a ray or two, with a tree
     /// in the mean 1.0 to 1.3 of that of the ray; and a tree certifies some right answers more, since what lies later by
     /// its box is not asked.

@@ -67,15 +67,15 @@ impl<R: Nombre> ObjetRay<R> {
     /// `distance` is that from the source of the ray, in scene units, and `normale` points outward: now
     /// along the ray, D·N > 0. `marge` and [`secondaire`](Intersection::secondaire) are those of any hit:
     /// glass goes on from there outward, by Snell's law, or inward, [mirrored](Intersection::reflechi). The way out is as
-    /// exact as a hit (`docs/precision.md`), and [`BoiteRay::lieu`](crate::BoiteRay::lieu) takes it as one.
-    /// [`erreur`](Self::erreur) is for entries alone.
+    /// exact as a hit (`docs/precision.md`), and [`BoiteRay::lieu`](crate::BoiteRay::lieu) and
+    /// [`erreur`](Self::erreur) take it as one.
     ///
     /// **Each crossing is found once.** A ray that enters a sphere or a box leaves it, and never before it
     /// enters; from inside it always leaves. A half-space that it enters it never leaves. From a source
     /// on the surface a ray leaves at the far side, or not at all: the source itself is no way out, as it is
     /// no hit. Inside and on the surface is what the search computes so: within rounding of a sphere a ray
-    /// may leave at once. A ray that `secondaire` sent inward leaves, except beside an edge of a box, and
-    /// one that it sent outward does not.
+    /// may leave at once. A ray that `secondaire` sent into a sphere or a box leaves, except
+    /// beside an edge and in a box no thicker than the step; one that it sent outward does not.
     ///
     /// # Errors
     /// [`NoIntersection`] if the ray ends before it leaves, passes the object by or starts beyond it; if it descends in a

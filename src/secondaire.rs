@@ -91,7 +91,8 @@ impl<R: Nombre> Intersection<R> {
     ///
     /// From a [way out](crate::ObjetRay::sortie), where D·N > 0, the mirrored ray goes inward: what glass does with
     /// light that it does not let out. Where the ray grazes, rounding may turn the mirrored direction below the
-    /// surface; it is then turned outward, as one of the tangent plane is.
+    /// surface; it is then turned outward, as one of the tangent plane is. Otherwise the direction is within an angle
+    /// of 20u of that of an exact mirror at N (lemma 9).
     ///
     /// # Errors
     /// As [`secondaire`](Self::secondaire): if the direction is zero or not finite, if `marge` is +∞, or if the start
@@ -165,8 +166,8 @@ impl<R: Nombre> Intersection<R> {
     /// [`Monde::est_occulte`](crate::Monde::est_occulte) whether anything stands before it.
     ///
     /// `soleil` is the direction to the light, of any length. What the surface receives goes
-    /// with N·L, the cosine: `touche.normale().produit_scalaire(ombre.direction())`. A half-space beyond which the sun
-    /// stands hides it: a room of half-spaces has no windows.
+    /// with N·L, the cosine, to 10.7u: `touche.normale().produit_scalaire(ombre.direction())`. A half-space beyond
+    /// which the sun stands hides it: a room of half-spaces has no windows.
     ///
     /// # Errors
     /// If the surface faces away, N·L ≤ 3.2u with L that direction as a unit vector. Also if `soleil` is zero or not

@@ -38,14 +38,29 @@ pub(crate) fn loupe(objet: &ObjetRay, rayon: &Rayon) -> Intervalle {
 
 /// What exact numbers say of a ray and a distance; of a miss the distance is +∞.
 pub(crate) fn juger(objet: &ObjetRay, rayon: &Rayon, t: f64) -> Jugement {
+    juger_depuis(objet, rayon, [0.0, t])
+}
+
+/// The same of a distance at which the ray leaves: there the ray enters that is turned back, as far beyond.
+pub(crate) fn juger_sortie(objet: &ObjetRay, rayon: &Rayon, t: f64) -> Jugement {
+    // J9
+    let retour = Rayon::sans_fin(rayon.source(), -rayon.direction());
+    let Jugement { entre, ecart } = juger_depuis(objet, &retour, [-2.0 * t, -t]);
+    Jugement { entre: entre.filter(|_| ecart < 0.5 * t), ecart }
+}
+
+/// Where a ray starts, and a point of it: two distances along it.
+type Lieux = [f64; 2];
+
+fn juger_depuis(objet: &ObjetRay, rayon: &Rayon, lieux: Lieux) -> Jugement {
     match objet {
-        ObjetRay::Sphere(sphere) => juger_sphere(sphere, rayon, t),
+        ObjetRay::Sphere(sphere) => juger_sphere(sphere, rayon, lieux),
         ObjetRay::Plan(plan) => {
-            juger_faces((Vecteur::NUL, 1, &[(plan.normale(), -plan.distance())]), rayon, t)
+            juger_faces((Vecteur::NUL, 1, &[(plan.normale(), -plan.distance())]), rayon, lieux)
         }
         ObjetRay::Boite(boite) => {
             let ([u, v, w], [a, b, c]) = (boite.normales(), boite.demi_longueurs());
-            juger_faces((boite.centre(), 2, &[(u, a), (v, b), (w, c)]), rayon, t)
+            juger_faces((boite.centre(), 2, &[(u, a), (v, b), (w, c)]), rayon, lieux)
         }
     }
 }
@@ -55,23 +70,24 @@ pub(crate) fn juger(objet: &ObjetRay, rayon: &Rayon, t: f64) -> Jugement {
 type Faces<'a> = (Vecteur, usize, &'a [(Vecteur, f64)]);
 
 /// What exact numbers say of a ray, a distance and the solid inside all of these faces.
-fn juger_faces(faces: Faces<'_>, rayon: &Rayon, t: f64) -> Jugement {
+fn juger_faces(faces: Faces<'_>, rayon: &Rayon, [depart, t]: Lieux) -> Jugement {
+    let a = |t| juger_faces_a(faces, rayon, [depart, t]);
     if t < f64::INFINI {
-        return juger_faces_a(faces, rayon, t).0;
+        return a(t).0;
     }
     // A miss is judged where the ray is nearest to the centre; and where it leaves, if that leaves it
     // open by an exit and an entry at about one place, beside an edge.
     let pres = (faces.0 - rayon.source()).produit_scalaire(rayon.direction());
-    let (jugement, sortie) = juger_faces_a(faces, rayon, pres);
+    let (jugement, sortie) = a(pres);
     if jugement.entre.is_some() {
         return jugement;
     }
-    juger_faces_a(faces, rayon, pres + sortie).0
+    a(pres + sortie).0
 }
 
 /// The same for any distance; and how long after it the ray leaves the solid, about.
-fn juger_faces_a((c, cotes, axes): Faces<'_>, rayon: &Rayon, t: f64) -> (Jugement, f64) {
-    let [depart, point] = [0.0, t].map(|t| depuis(c, rayon, t));
+fn juger_faces_a((c, cotes, axes): Faces<'_>, rayon: &Rayon, lieux: Lieux) -> (Jugement, f64) {
+    let [depart, point] = lieux.map(|t| depuis(c, rayon, t));
     let direction = triple(rayon.direction());
     // How long the ray has been inside the last face that it entered, and will be inside the first
     // that it leaves.
@@ -132,7 +148,7 @@ fn depuis(centre: Vecteur, rayon: &Rayon, t: f64) -> Triple {
 }
 
 /// What exact numbers say of a ray, a sphere and a distance.
-fn juger_sphere(sphere: &SphereRay, rayon: &Rayon, t: f64) -> Jugement {
+fn juger_sphere(sphere: &SphereRay, rayon: &Rayon, [depart, t]: Lieux) -> Jugement {
     // p_X and XA, at the point X of the ray at this distance (J5).
     let r2 = Double::de(sphere.rayon()).fois(Double::de(-sphere.rayon()));
     let en = |t| {
@@ -142,7 +158,7 @@ fn juger_sphere(sphere: &SphereRay, rayon: &Rayon, t: f64) -> Jugement {
     };
     let d2 = rayon.direction().longueur_carree();
     let a = (sphere.centre() - rayon.source()).produit_scalaire(rayon.direction()) / d2;
-    let ((p_s, xa_s), (p_a, xa_a), (p, xa)) = (en(0.0), en(a), en(t));
+    let ((p_s, xa_s), (p_a, xa_a), (p, xa)) = (en(depart), en(a), en(t));
     // AB²·D² is D²(r² − PC²) + PA², of which hardly anything is left at A: twice for rounding, and
     // no square may be lost.
     let xa_a = xa_a.grandeur();

@@ -341,6 +341,48 @@ pub fn dehors<R: Reel>(objet: &ObjetRay<R>, p: Vecteur<R>) -> f64 {
     }
 }
 
+/// The sine of the angle between this direction and what a mirror of normal N makes of D.
+pub fn ecart_du_miroir<R: Reel>(d: Vecteur<R>, normale: Vecteur<R>, reflet: Vecteur<R>) -> f64 {
+    let [d, n, reflet] = [d, normale, reflet].map(point);
+    // D − 2(D·N)N/N², times N².
+    let (n2, le_long) = (scalaire(&n, &n), scalaire(&d, &n));
+    let double = &le_long + &le_long;
+    let miroir: Point = core::array::from_fn(|i| &(&n2 * &d[i]) - &(&double * &n[i]));
+    longueur(&vectoriel(&miroir, &reflet)) / (longueur(&miroir) * longueur(&reflet))
+}
+
+/// How far `cosinus` lies from N·V/|V|.
+pub fn ecart_du_cosinus<R: Reel>(n: Vecteur<R>, v: Vecteur<R>, cosinus: R) -> f64 {
+    let [n, v] = [n, v].map(point);
+    let v2 = scalaire(&v, &v);
+    let exact = scalaire(&n, &v).sur(&v2.racine(v2.exposant() / 2 - PRECISION));
+    (&Exact::de(cosinus) - &exact).vers_f64()
+}
+
+/// How far, in scene units, these coordinates in a box, from −1 to 1, lie from those of S + tD, which end at ±1.
+pub fn ecarts_du_lieu<R: Reel>(
+    boite: &BoiteRay<R>,
+    rayon: &Rayon<R>,
+    t: R,
+    lieu: Vecteur<R>,
+) -> [f64; 3] {
+    let f = moins(&point(rayon.source()), &point(boite.centre()));
+    let (t, d, lieu) = (Exact::de(t), point(rayon.direction()), point(lieu));
+    let cx: Point = core::array::from_fn(|i| &f[i] + &(&t * &d[i]));
+    core::array::from_fn(|i| {
+        let l = Exact::de(boite.demi_longueurs()[i]);
+        let exacte = scalaire(&point(boite.normales()[i]), &cx);
+        let exacte = if exacte > l {
+            l.clone()
+        } else if exacte < -&l {
+            -&l
+        } else {
+            exacte
+        };
+        (&(&lieu[i] * &l) - &exacte).vers_f64()
+    })
+}
+
 /// |V|² − 1.
 pub fn norme_au_carre_moins_un<R: Reel>(v: Vecteur<R>) -> f64 {
     let v = point(v);

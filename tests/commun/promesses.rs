@@ -10,7 +10,8 @@ use lancer_rayon::{
 use crate::arrondi;
 use crate::mesure::{absolu, absolu_fois, au_bord, lieu_permis, plus_grand, rayon_non_perdu};
 use crate::oracle::{
-    ORACLE_ARRONDI, Passage, Verite, dehors, hauteur, norme_au_carre_moins_un, verite, verite_du,
+    ORACLE_ARRONDI, Passage, Verite, dehors, ecart_du_cosinus, ecart_du_miroir, ecarts_du_lieu,
+    hauteur, norme_au_carre_moins_un, verite, verite_du,
 };
 use crate::regimes::Genre;
 use crate::tolerances::{promesses as permis, u};
@@ -67,9 +68,11 @@ pub fn toutes<R: Reel>() -> [Promesse<R>; 13] {
 }
 
 /// The same of the way out of an object.
-pub fn de_la_sortie<R: Reel>() -> [Promesse<R>; 8] {
+pub fn de_la_sortie<R: Reel>() -> [Promesse<R>; 9] {
     const BORNES: &[Genre] = &[Genre::Sphere, Genre::Boite];
-    let promesse = |nom, genres, part| Promesse { nom, genres, part, aisance: [f64::INFINITY; 2] };
+    let quelconque = [f64::INFINITY; 2];
+    let promesse = |nom, genres, part| Promesse { nom, genres, part, aisance: quelconque };
+    let erreur = promesse("way out: erreur", &Genre::TOUS, sortie::erreur as Part<R>);
     [
         promesse("way out: distance", &Genre::TOUS, sortie::distance),
         promesse("way out: decision", &Genre::TOUS, sortie::decision),
@@ -79,6 +82,7 @@ pub fn de_la_sortie<R: Reel>() -> [Promesse<R>; 8] {
         promesse("way out: margin", &Genre::TOUS, sortie::marge),
         promesse("way out: where it lies", BORNES, sortie::lieu),
         promesse("way out: secondary ray", BORNES, sortie::secondaire),
+        Promesse { aisance: [1.5; 2], ..erreur },
     ]
 }
 
@@ -132,6 +136,10 @@ pub mod sortie {
 
     pub fn secondaire<R: Reel>(cas: &Essai<R>) -> f64 {
         secondaire_du(Sortie, cas)
+    }
+
+    pub fn erreur<R: Reel>(cas: &Essai<R>) -> f64 {
+        erreur_du(Sortie, cas)
     }
 }
 
@@ -265,6 +273,20 @@ fn lieu_du<R: Reel>(passage: Passage, cas: &Essai<R>) -> f64 {
     dehors(&cas.objets[0], p) / lieu_permis(&cas.objets[0], &cas.rayon, touche.distance())
 }
 
+/// How far the coordinates of a hit along its face are off.
+pub fn lieu_sur_la_face<R: Reel>(cas: &Essai<R>) -> f64 {
+    let (Some(touche), ObjetRay::Boite(boite)) = (touche(Passage::Entree, cas), cas.objets[0])
+    else {
+        return RIEN;
+    };
+    let (t, (face, p)) = (touche.distance(), boite.lieu(&cas.rayon, &touche));
+    let f = (cas.rayon.source().vers_f64() - boite.centre().vers_f64()).longueur();
+    let ecarts = ecarts_du_lieu(&boite, &cas.rayon, t, p).into_iter().enumerate();
+    let le_long = ecarts.filter(|(axe, _)| *axe != face as usize % 3);
+    let pire = le_long.map(|(_, ecart)| ecart.abs()).fold(0.0, f64::max);
+    pire / (permis::LIEU_FACE * u::<R>() * (f + t.vers_f64()))
+}
+
 /// How far P lies from a sphere that is nearly lost in its distance, as a part of what makes its
 /// margin infinite. P is hardly rounded there: that alone decides elsewhere.
 pub fn marge_infinie<R: Reel>(cas: &Essai<R>) -> f64 {
@@ -377,12 +399,42 @@ fn secondaire_du<R: Reel>(passage: Passage, cas: &Essai<R>) -> f64 {
     0.5 * tenue(haut + cosinus) + 0.4 * tenue(bord)
 }
 
+/// How far a reflected direction is from that of an exact mirror.
+pub fn reflechi<R: Reel>(cas: &Essai<R>) -> f64 {
+    let (objet, d) = (&cas.objets[0], cas.rayon.direction());
+    let Ok(touche) = objet.intersection(&cas.rayon) else { return RIEN };
+    let Ok(reflet) = touche.reflechi(d) else { return RIEN };
+    let n = touche.normale();
+    let du_miroir = match Genre::de(objet) {
+        Genre::Sphere => permis::REFLECHI_SPHERE,
+        Genre::Plan | Genre::Boite => permis::REFLECHI_PLAT,
+    };
+    // What is turned outward is above its plane by less than 20u.
+    let rase = n.produit_scalaire(reflet.direction()).vers_f64() < 20.0 * u::<R>();
+    let permis = du_miroir + if rase { permis::REFLECHI_REDRESSE } else { 0.0 };
+    ecart_du_miroir(d, n, reflet.direction()) / (permis * u::<R>())
+}
+
+/// How far N·L is from the cosine of a sun in the direction in which the object is left.
+pub fn soleil<R: Reel>(cas: &Essai<R>) -> f64 {
+    let Ok(touche) = cas.objets[0].intersection(&cas.rayon) else { return RIEN };
+    let [x, y, z, ..] = cas.vers;
+    let (n, soleil) = (touche.normale(), Vecteur::new(x, y, z));
+    let Ok(ombre) = touche.vers_soleil(soleil) else { return RIEN };
+    let cosinus = n.produit_scalaire(ombre.direction());
+    ecart_du_cosinus(n, soleil, cosinus).abs() / (permis::SOLEIL * u::<R>())
+}
+
 /// The error of the distance, in scene units or in lengths of D if that is more, as a part of `erreur`, which is +∞
-/// where there is no entry. What the oracle itself may have rounded does not count.
+/// where there is no entry, or no way out. What the oracle itself may have rounded does not count.
 pub fn erreur<R: Reel>(cas: &Essai<R>) -> f64 {
-    let Some(touche) = touche(Passage::Entree, cas) else { return RIEN };
+    erreur_du(Passage::Entree, cas)
+}
+
+fn erreur_du<R: Reel>(passage: Passage, cas: &Essai<R>) -> f64 {
+    let Some(touche) = touche(passage, cas) else { return RIEN };
     let borne = cas.objets[0].erreur(&cas.rayon, &touche).vers_f64();
-    match verite(&cas.objets[0], &cas.rayon).entree {
+    match la_verite(passage, cas).entree {
         // In units in which neither is a subnormal.
         Some(entree) => {
             let echelle = if borne < 1e-200 { 200_f64.exp2() } else { 1.0 };

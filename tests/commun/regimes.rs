@@ -125,6 +125,18 @@ pub fn repere<R: Reel>(normale: Vecteur<R>) -> [[R; 3]; 3] {
     [arrondi(x).into(), arrondi(y).into(), normale.into()]
 }
 
+/// A mirror of which |N|² − 1 is nearly 8u, what is kept, unless rounding adds so much that its matrix is polished; and
+/// a ray from the end of N, whose |D| is nearly 5u off, at the angle at which that turns its image most.
+pub fn miroir<R: Reel>(alea: &mut Rng) -> Cas<R> {
+    let (n, u) = (direction(alea), R::U.vers_f64());
+    let k = 1.0 + 3.9 * u;
+    let m = repere::<f64>(n).map(|ligne| <[R; 3]>::from(arrondi(Vecteur::from(ligne) * k)));
+    let plan = PlanGeo::new(Rotation::depuis_matrice(m).unwrap(), R::ZERO, Texture(0)).unwrap();
+    let d = travers(alea, n) * 0.743 - n * 0.669;
+    let rayon = Rayon::new(arrondi(n), arrondi(d * (1.0 + 5.0 * u))).unwrap();
+    Cas { objet: ObjetGeo::from(plan).vers_ray(), rayon }
+}
+
 /// At a right angle to `d`.
 fn travers(alea: &mut Rng, d: Vecteur) -> Vecteur {
     loop {

@@ -83,4 +83,12 @@ pub mod promesses {
     /// The sine of the angle between the normal of a sphere and the true one, in u(1 + |f|/r), beside |Δt|·|D|/r
     /// (lemma 7).
     pub const DIRECTION: f64 = 4.1;
+    /// The sine of the angle between a reflected direction and that of an exact mirror at the N of the hit, of a flat
+    /// face and of a sphere, in u (lemma 9).
+    pub const REFLECHI_PLAT: f64 = 20.0;
+    pub const REFLECHI_SPHERE: f64 = 15.1;
+    /// What is added where it is turned outward, in u: `REDRESSE`, the sum and the quotient (lemma 9).
+    pub const REFLECHI_REDRESSE: f64 = 14.0;
+    /// N·L towards a sun, in u (lemma 11).
+    pub const SOLEIL: f64 = 10.7;
 }

@@ -1,7 +1,7 @@
 //! Patterns: which face of a box a hit lies on and where, and along which axes a half-space is measured. Every
 //! colour is that of exact arithmetic, except within rounding of a line of the pattern.
 
-use commun::oracle::{Exact, verite};
+use commun::oracle::{Exact, ecarts_du_lieu, verite};
 use commun::regimes::{Genre, direction, entre, regimes};
 use commun::scenes::rayons_camera;
 use commun::tolerances::{promesses, u};
@@ -55,22 +55,11 @@ fn juger_le_lieu<R: Reel>(boite: &BoiteRay<R>, rayon: &Rayon<R>, touche: &Inters
     let t = touche.distance();
     let f = (rayon.source() - boite.centre()).longueur().vers_f64();
     let permis = promesses::LIEU_FACE * u::<R>() * (f + t.vers_f64());
-    let mut pire = 0.0_f64;
-    let exactes = dans_la_boite(boite, rayon, &Exact::de(t));
-    for (i, exacte) in exactes.into_iter().enumerate().filter(|(i, _)| *i != axe) {
-        assert!(p[i] >= -R::UN && p[i] <= R::UN, "{p:?}");
-        let l = Exact::de(boite.demi_longueurs()[i]);
-        let exacte = if exacte > l {
-            l.clone()
-        } else if exacte < -&l {
-            -&l
-        } else {
-            exacte
-        };
-        let ecart = (&(&Exact::de(p[i]) * &l) - &exacte).vers_f64().abs();
-        assert!(ecart <= permis, "{ecart:e} > {permis:e}: {boite:?} {rayon:?}");
-        pire = pire.max(ecart / permis);
-    }
+    assert!(p.into_iter().all(|x| x >= -R::UN && x <= R::UN), "{p:?}");
+    let ecarts = ecarts_du_lieu(boite, rayon, t, p.into());
+    let le_long = ecarts.into_iter().enumerate().filter(|(i, _)| *i != axe);
+    let pire = le_long.map(|(_, ecart)| ecart.abs() / permis).fold(0.0, f64::max);
+    assert!(pire <= 1.0, "{pire}: {boite:?} {rayon:?}");
     pire
 }
 

@@ -12,7 +12,7 @@ use std::time::{Duration, Instant};
 
 use commun::promesses::{self, Essai, Part, RIEN, sortie};
 use commun::regimes::{
-    Cas, Genre, deux_puissance, direction, entre, regimes, repere, signe, vers_la_sortie,
+    self, Cas, Genre, deux_puissance, direction, entre, regimes, repere, signe, vers_la_sortie,
 };
 use commun::tolerances::u;
 use commun::{Bits, arrondi, empreinte};
@@ -508,6 +508,13 @@ fn demi_espace<R: Bits>(alea: &mut Rng) -> Candidat<R> {
     un_objet(Genre::Plan, alea)
 }
 
+/// A mirror that is hardest, left in its own normal's direction.
+fn miroir<R: Bits>(alea: &mut Rng) -> Candidat<R> {
+    let Cas { objet, rayon } = regimes::miroir(alea);
+    let [x, y, z] = rayon.source().into();
+    Candidat::new(&[objet], &rayon, [x, y, z, R::ZERO, R::ZERO])
+}
+
 /// Through the origin or a few subnormals beside it, as the source is.
 fn demi_espace_pres_de_0<R: Bits>(alea: &mut Rng) -> Candidat<R> {
     let petit = |alea: &mut Rng| {
@@ -573,9 +580,14 @@ rangees! {
     marge_d_une_boite: boite, promesses::marge, 60_000;
     lieu_d_une_touche_d_une_sphere: sphere, promesses::lieu, 60_000;
     lieu_d_une_touche_d_une_boite: boite, promesses::lieu, 60_000;
+    lieu_sur_la_face_d_une_boite: boite, promesses::lieu_sur_la_face, 60_000;
     secondaire_d_une_sphere: sphere, promesses::secondaire, 100_000;
     secondaire_d_un_demi_espace: demi_espace, promesses::secondaire, 100_000;
     secondaire_d_une_boite: boite, promesses::secondaire, 100_000;
+    reflechi_d_une_sphere: sphere, promesses::reflechi, 60_000;
+    reflechi_d_un_demi_espace: miroir, promesses::reflechi, 60_000;
+    soleil_d_une_sphere: sphere, promesses::soleil, 60_000;
+    soleil_d_un_demi_espace: miroir, promesses::soleil, 60_000;
     face_a_la_source_d_une_sphere: sphere, promesses::face_a_la_source, 60_000;
     face_a_la_source_d_un_demi_espace: demi_espace, promesses::face_a_la_source, 60_000;
     face_a_la_source_d_une_boite: boite, promesses::face_a_la_source, 60_000;
@@ -597,4 +609,7 @@ rangees! {
     secondaire_de_sortie_d_une_sphere: dans_une_sphere, sortie::secondaire, 60_000;
     secondaire_de_sortie_d_un_demi_espace: dans_un_demi_espace, sortie::secondaire, 60_000;
     secondaire_de_sortie_d_une_boite: dans_une_boite, sortie::secondaire, 60_000;
+    erreur_de_sortie_d_une_sphere: dans_une_sphere, sortie::erreur, 60_000;
+    erreur_de_sortie_d_un_demi_espace: dans_un_demi_espace, sortie::erreur, 60_000;
+    erreur_de_sortie_d_une_boite: dans_une_boite, sortie::erreur, 60_000;
 }

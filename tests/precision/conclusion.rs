@@ -201,6 +201,30 @@ fn la_marge_d_une_sphere_de_42_u_f_peut_etre_infinie() {
     assert!(touche.marge() == f32::INFINI && f64::from(r) > 42.0 * u::<f32>() * f, "{touche:?}");
 }
 
+/// From the exact centre, where |f| is 0, r = 16u⟨P, 1⟩ is at the limit: the sum as computed decides, not the exact one.
+#[test]
+fn au_centre_la_somme_calculee_decide() {
+    fn somme<R: Reel>(p: Vecteur<R>) -> R {
+        p.x.abs() + p.y.abs() + p.z.abs()
+    }
+    let mut alea = Rng::with_seed(14);
+    let [mut infinies, mut malgre_la_somme_exacte] = [0; 2];
+    for _ in 0..20 * CAS {
+        let centre = arrondi::<f32>(direction(&mut alea));
+        let r = 16.0 * f32::U * (somme(centre) + f32::U * f32::from(alea.i8(-8..=8)));
+        let rayon = Rayon::new(centre, arrondi(direction(&mut alea))).unwrap();
+        let sortie = sphere(centre, r).sortie(&rayon).unwrap();
+        let p = sortie.point();
+        let calculee = 16.0 * f32::U * somme(p);
+        let exacte = 16.0 * f64::from(f32::U) * somme(p.vers_f64());
+        let infinie = sortie.marge() == f32::INFINI;
+        assert!(!infinie || r < calculee, "{centre:?} {r} {rayon:?}");
+        infinies += u32::from(infinie);
+        malgre_la_somme_exacte += u32::from(infinie && f64::from(r) >= exacte);
+    }
+    assert!(infinies > CAS && malgre_la_somme_exacte > 0, "{infinies} {malgre_la_somme_exacte}");
+}
+
 fn la_marge_d_une_sphere_de_64_u_f_est_finie<R: Reel>() {
     let (mut finies, mut infinies) = (0, 0);
     chaque_touche::<R>(Genre::Sphere, |Cas { objet, rayon }, touche| {

@@ -647,7 +647,25 @@ fn lemme_9_rayon_secondaire() {
 }
 
 #[test]
+fn lemme_9_reflechi() {
+    // c is the cosine of the angle of incidence; N·D rounds by γ₃, and N² is off from 1 by `n2`.
+    let besoin = |n2: f64| {
+        move |u: f64, [c]: [Intervalle; 1]| {
+            let s = ((1.0 - c).max(i(0.0)) * (1.0 + c)).racine();
+            let le_long = 2.0 * gamma(3.0, u) + 2.0 * n2 * c;
+            Some((s * le_long + 2.0 * c + 2.0) * plus(60.0, u))
+        }
+    };
+    tenir_sur(promesses::REFLECHI_PLAT, |_| [zero_a_un()], besoin(N2));
+    tenir_sur(promesses::REFLECHI_SPHERE, |_| [zero_a_un()], besoin(2.0 * N1));
+    // M5: the lean, its sum and its quotient.
+    tenir(promesses::REFLECHI_REDRESSE, |_| i(REDRESSE + 2.0));
+}
+
+#[test]
 fn lemme_11_lampe_et_transformations() {
+    // A sun as it stands is off by more than one that is made unit.
+    tenir(promesses::SOLEIL, |u| et(i(D1), gamma(3.0, u), u) * n(u));
     tenir(3.6, |u| et(et(racine(gamma(3.0, u), u), i(1.0), u), i(1.0), u));
     let direction = |u: f64| et(normalise(u), i(1.0), u);
     tenir(4.6, direction);

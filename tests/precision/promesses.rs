@@ -4,11 +4,11 @@
 //! `LANCER_RAYON_CAS=1000 cargo test --release --all-features --test precision promesses`
 
 use commun::mesure::{absolu, au_bord, quantiles};
-use commun::oracle::{Entree, hauteur, verite};
+use commun::oracle::{Entree, Passage, hauteur, verite, verite_du};
 use commun::promesses::{
-    Essai, Part, Promesse, RIEN, de_la_sortie, marge_infinie, secondaire, toutes,
+    Essai, Part, Promesse, RIEN, de_la_sortie, marge_infinie, reflechi, secondaire, soleil, toutes,
 };
-use commun::regimes::{Cas, Extreme, Genre, direction, regimes, repere, vers_la_sortie};
+use commun::regimes::{Cas, Extreme, Genre, direction, miroir, regimes, repere, vers_la_sortie};
 use commun::tolerances::{ORTHONORMALE, u};
 use commun::{arrondi, en_f32_et_f64};
 use fastrand::Rng;
@@ -74,6 +74,53 @@ fn chaque_promesse_tient<R: Reel>() {
 }
 
 en_f32_et_f64!(chaque_promesse_tient);
+
+/// Where a way out is promised to be off by less than a quarter of its distance, `erreur` is a number: of thin plates,
+/// beside edges and where the ray grazes.
+fn l_erreur_d_une_sortie_est_un_nombre<R: Reel>() {
+    for regime in regimes::<R>() {
+        // There products leave the normal numbers of `f64`.
+        if regime.extreme == Extreme::Bornes {
+            continue;
+        }
+        let (mut alea, mut jugees) = (Rng::with_seed(3), 0);
+        for _ in 0..cas_par_regime() {
+            let cas = vers_la_sortie((regime.cas)(&mut alea), &mut alea);
+            let Ok(sortie) = cas.objet.sortie(&cas.rayon) else { continue };
+            let verite = verite_du(Passage::Sortie, &cas.objet, &cas.rayon);
+            let Some(entree) = verite.entree.filter(|_| !verite.dans_la_marge) else { continue };
+            let permis = entree.k * u::<R>() * entree.kappa_t + absolu(&cas.objet, &entree);
+            if permis < 0.25 * entree.t.vers_f64() {
+                let erreur = cas.objet.erreur(&cas.rayon, &sortie);
+                assert!(erreur < R::INFINI, "{}: {cas:?} {sortie:?}", regime.nom);
+                jugees += 1;
+            }
+        }
+        assert!(jugees > cas_par_regime() / 100, "{}: {jugees} judged only", regime.nom);
+    }
+}
+
+en_f32_et_f64!(l_erreur_d_une_sortie_est_un_nombre);
+
+/// Mirrors and suns where the bounds are nearly reached: a normal and directions that are kept though their lengths
+/// are off by almost all that is allowed, at the angle that is worst.
+fn un_reflet_et_un_cosinus_atteignent_presque_leur_borne<R: Reel>() {
+    let u = u::<R>();
+    let mut alea = Rng::with_seed(8);
+    let (mut reflet, mut cosinus) = (0.0_f64, 0.0_f64);
+    for _ in 0..20 * cas_par_regime() {
+        let Cas { objet, rayon } = miroir(&mut alea);
+        let n = rayon.source().vers_f64();
+        let [x, y, z] = arrondi(n * (1.0 + 5.0 * u)).into();
+        let essai = Essai { objets: vec![objet], rayon, vers: [x, y, z, R::ZERO, R::ZERO] };
+        let parts = [reflechi(&essai), soleil(&essai)];
+        assert!(parts.iter().all(|part| *part <= 1.0), "{parts:?} {essai:?}");
+        (reflet, cosinus) = (reflet.max(parts[0]), cosinus.max(parts[1]));
+    }
+    assert!(reflet > 0.5 && cosinus > 0.6, "{reflet} {cosinus}");
+}
+
+en_f32_et_f64!(un_reflet_et_un_cosinus_atteignent_presque_leur_borne);
 
 /// What `docs/preuves.md` grants the numbers of an `f32` scene in `f64`, which are unit to the rounding of `f32` only:
 /// all except what rests on the length of the normal of a flat face.
@@ -329,6 +376,39 @@ fn un_depart_vers_l_interieur_peut_etre_loin_au_dessus_d_une_autre_face<R: Reel>
 }
 
 en_f32_et_f64!(un_depart_vers_l_interieur_peut_etre_loin_au_dessus_d_une_autre_face);
+
+/// Far from O a plate may be no thicker than the step: of rays sent inward, amid its face, some start beyond it and never
+/// leave. Of a cube each leaves; of a half-space none does.
+#[test]
+fn ce_qui_est_plus_mince_que_le_pas_n_a_pas_de_sortie() {
+    let r = Rotation::new(Vecteur::new(0.3_f32, 0.4, 0.0)).unwrap();
+    let centre = Vecteur::new(0.0, 0.0, -3_000.0);
+    let boite = |epaisseur| {
+        ObjetRay::from(
+            BoiteGeo::new(centre, Vecteur::new(2.0, 2.0, epaisseur), r, Texture(0)).unwrap(),
+        )
+    };
+    let mur = PlanGeo::new(r, 3_000.0, Texture(0)).unwrap();
+    let n = Vecteur::from(r.matrice()[2]);
+    let mut alea = Rng::with_seed(22);
+    let [mut dans_la_plaque, mut dans_le_cube, mut dans_le_mur, mut lances] = [0; 4];
+    for _ in 0..cas_par_regime() {
+        let vers = arrondi(centre.vers_f64() + direction(&mut alea) * 0.25);
+        let rayon = Rayon::new(Vecteur::NUL, vers).unwrap();
+        let mut sort = |objet: ObjetRay<f32>| {
+            let Ok(touche) = objet.intersection(&rayon) else { return 0 };
+            assert!(touche.normale() == n);
+            let dedans = touche.secondaire(rayon.direction()).unwrap();
+            lances += 1;
+            u32::from(objet.sortie(&dedans).is_ok())
+        };
+        dans_la_plaque += sort(boite(0.0002));
+        dans_le_cube += sort(boite(2.0));
+        dans_le_mur += sort(mur.into());
+    }
+    assert!(lances == 3 * cas_par_regime() && dans_le_cube == cas_par_regime());
+    assert!(dans_le_mur == 0 && dans_la_plaque < cas_par_regime(), "{dans_la_plaque}");
+}
 
 #[test]
 fn un_rayon_secondaire_invalide_est_refuse() {
