@@ -67,7 +67,7 @@ en_f32_et_f64!(un_robot_ne_se_voit_pas);
 
 /// A choice among a choice takes what both take, in whatever order, and undoes neither.
 #[test]
-fn un_choix_parmi_un_choix() {
+fn un_choix_parmi_un_choix_prend_ce_que_les_deux_prennent() {
     let scene: Vec<ObjetRay> = (0..40).map(|i| cube(v(0.0, 0.0, -2.0 * f64::from(i)))).collect();
     let rayon = Rayon::new(v(0.0, 0.0, 5.0), v(0.1, 0.07, -9.0)).unwrap();
     let mut places = vec![0.0; places(scene.len())];
@@ -233,7 +233,7 @@ fn deux_mondes_repondent_comme_une_liste<R: Reel>() {
 en_f32_et_f64!(deux_mondes_repondent_comme_une_liste);
 
 /// A half-space and a sky of shells: every one that the ray enters, in order; those around its source it does not enter.
-fn des_coques_dans_l_ordre<R: Reel>() {
+fn des_coques_viennent_dans_l_ordre<R: Reel>() {
     let coque = |x: f64, r: f64| {
         SphereGeo::new(v(x, 0.0, 0.0), R::depuis_f64(r), Texture(0)).unwrap().into()
     };
@@ -250,7 +250,7 @@ fn des_coques_dans_l_ordre<R: Reel>() {
     assert_eq!(touches[4], Err(NoIntersection));
 }
 
-en_f32_et_f64!(des_coques_dans_l_ordre);
+en_f32_et_f64!(des_coques_viennent_dans_l_ordre);
 
 /// What a program keeps of a world for its shadows.
 struct Ombres<'a, C> {

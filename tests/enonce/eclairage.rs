@@ -48,7 +48,7 @@ fn voit<R: Reel>(objet: &ObjetRay<R>, touche: &Intersection<R>, lampe: Vecteur<R
 /// if N·L > 0, and elsewhere if N·L < 0. P is off the surface by h, a few u of its coordinates, so that
 /// an oblique ray hits h/(r·cos) beside P, in radii. The normals differ by as much, and by about the
 /// cosine on the other side: the two are told apart where cos² is far above h/r.
-fn eclaire_ce_qui_fait_face<R: Reel>() {
+fn une_lampe_eclaire_ce_qui_lui_fait_face<R: Reel>() {
     let (mut clairs, mut sombres, mut rasants) = (0, 0, 0);
     for (echelle, loin) in [1e-3, 1.0, 1e4].into_iter().flat_map(|e| [(e, 0.0), (e, 1e3)]) {
         let decalage = Vecteur::new(0.6, -0.7, 0.4) * (loin * echelle);
@@ -96,4 +96,4 @@ fn eclaire_ce_qui_fait_face<R: Reel>() {
     assert!(clairs.min(sombres) > 10_000 && rasants > 2_000);
 }
 
-en_f32_et_f64!(eclaire_ce_qui_fait_face);
+en_f32_et_f64!(une_lampe_eclaire_ce_qui_lui_fait_face);

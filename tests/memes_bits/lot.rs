@@ -74,15 +74,15 @@ fn toute_longueur_convient<R: Bits>() {
 en_f32_et_f64!(toute_longueur_convient);
 
 /// A block whose rays go opposite ways has no beam, among more objects than it asks then.
-fn un_bloc_de_rayons_opposes<R: Bits>() {
+fn des_rayons_opposes_repondent_comme_un_par_un<R: Bits>() {
     let rayons = scenes::rayons_opposes::<R>(8);
     assert!(comparer(&scenes::melange(300), &rayons) > 10);
 }
 
-en_f32_et_f64!(un_bloc_de_rayons_opposes);
+en_f32_et_f64!(des_rayons_opposes_repondent_comme_un_par_un);
 
 /// Pictures in rows, in tiles of 8 × 8 and in no order: no objects, some, and many.
-fn une_image_dans_tout_ordre<R: Bits>() {
+fn l_ordre_des_rayons_ne_change_aucune_reponse<R: Bits>() {
     let (largeur, hauteur) = (96, 16 * commun::cas(1).min(4) as usize);
     let rangees = scenes::rayons_camera::<R>(largeur, hauteur);
     let tuiles = scenes::en_tuiles(&rangees, largeur);
@@ -96,7 +96,7 @@ fn une_image_dans_tout_ordre<R: Bits>() {
     }
 }
 
-en_f32_et_f64!(une_image_dans_tout_ordre);
+en_f32_et_f64!(l_ordre_des_rayons_ne_change_aucune_reponse);
 
 /// The lamp of one ray of a block is nowhere, wherever that ray stands: the others see what stands before theirs, near and
 /// at infinity.
@@ -130,7 +130,7 @@ en_f32_et_f64!(une_lampe_nulle_part_ne_cache_rien_aux_autres);
 
 /// All rays of a regime of the extremes against all its objects; then each ray against its own object, alone and
 /// with copies that make a tree, twelve times over, since fewer rays do not go side by side in a tree.
-fn les_extremes<R: Bits>() {
+fn aux_extremes_un_lot_repond_comme_un_par_un<R: Bits>() {
     let mut alea = Rng::with_seed(2);
     for regime in regimes::<R>() {
         let combien = cas().min(3_000);
@@ -146,7 +146,7 @@ fn les_extremes<R: Bits>() {
     }
 }
 
-en_f32_et_f64!(les_extremes);
+en_f32_et_f64!(aux_extremes_un_lot_repond_comme_un_par_un);
 
 /// A block of 64 rays around the ray from `s` along `d`, which go apart by about `ouverture` in
 /// direction and `etendue` in place.
@@ -262,7 +262,7 @@ fn le_faisceau_ne_perd_aucune_touche<R: Bits>() {
 en_f32_et_f64!(le_faisceau_ne_perd_aucune_touche);
 
 /// Needles at objects so large, small or far that squares lie at the ends of the type.
-fn aux_bornes_du_type<R: Bits>() {
+fn aux_bornes_du_type_un_lot_repond_comme_un_par_un<R: Bits>() {
     let mut alea = Rng::with_seed(4);
     for regime in regimes::<R>() {
         if regime.extreme != Extreme::Bornes {
@@ -287,12 +287,12 @@ fn aux_bornes_du_type<R: Bits>() {
     }
 }
 
-en_f32_et_f64!(aux_bornes_du_type);
+en_f32_et_f64!(aux_bornes_du_type_un_lot_repond_comme_un_par_un);
 
 /// Built: 63 equal rays, so that no row gives the beam an axis; the x axis takes its place, and is M
 /// except for some u. Held: the one ray along M keeps its spheres, although the whole block goes to one
 /// side of the axis. The proof of the beam needs a bound e of 0 or more.
-fn un_bloc_d_un_seul_cote_de_son_axe<R: Bits>() {
+fn un_bloc_d_un_seul_cote_de_son_axe_ne_perd_aucune_touche<R: Bits>() {
     for k in [-6.0_f64, -4.0, -2.0, -1.0, 1.0, 2.0, 4.0, 6.0] {
         for theta in [0.3_f64, 0.6, 0.9, 1.1, 1.3] {
             let ecarte = Vecteur::new(f64::cos(theta), -f64::sin(theta) * k.signum(), 0.0);
@@ -309,12 +309,12 @@ fn un_bloc_d_un_seul_cote_de_son_axe<R: Bits>() {
     }
 }
 
-en_f32_et_f64!(un_bloc_d_un_seul_cote_de_son_axe);
+en_f32_et_f64!(un_bloc_d_un_seul_cote_de_son_axe_ne_perd_aucune_touche);
 
 /// Half a billion rays of each type and as many shadows, 64 bundles a scene, as a renderer uses the batch, of a list and of a
 /// tree:
 /// `cargo test --release --all-features --test memes_bits lot -- --ignored`, about four minutes.
-fn un_demi_milliard_de_rayons<R: Bits>() {
+fn un_demi_milliard_de_rayons_repondent_comme_un_par_un<R: Bits>() {
     let mut alea = Rng::with_seed(6);
     let (mut rayons, mut touches) = (Vec::new(), vec![Err(NoIntersection); 64 * 64]);
     let (mut attendues, mut occultes) = (touches.clone(), vec![false; touches.len()]);
@@ -357,7 +357,7 @@ fn un_demi_milliard_de_rayons<R: Bits>() {
 
 en_f32_et_f64!(
     #[ignore = "takes minutes"]
-    un_demi_milliard_de_rayons
+    un_demi_milliard_de_rayons_repondent_comme_un_par_un
 );
 
 /// Whether a block of these shadow rays never asks for this ball, among as many others, behind them, as make a tree.

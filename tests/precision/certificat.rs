@@ -86,7 +86,7 @@ fn presque<R: Reel>(objet: &ObjetRay<R>, alea: &mut Rng) -> ObjetRay<R> {
 }
 
 /// The hard cases of each shape, with twins in front and behind, which enter at nearly one distance.
-fn des_jumeaux<R: Reel>() {
+fn parmi_des_jumeaux_rien_de_faux_n_est_certifie<R: Reel>() {
     let mut alea = Rng::with_seed(70);
     let (mut certaines, mut incertaines) = (0, 0);
     for regime in regimes::<R>() {
@@ -108,7 +108,7 @@ fn des_jumeaux<R: Reel>() {
 }
 
 /// Cubes side by side, and rays along axes and in the planes of their sides, straight and almost so.
-fn des_cubes<R: Reel>() {
+fn parmi_des_cubes_accoles_rien_de_faux_n_est_certifie<R: Reel>() {
     let mut alea = Rng::with_seed(71);
     let mut certaines = 0;
     for _ in 0..commun::cas(300) {
@@ -138,7 +138,7 @@ fn des_cubes<R: Reel>() {
 }
 
 /// A heap of things on a floor at 0, most of its rays clear.
-fn un_tas<R: Reel>() {
+fn dans_un_tas_tout_rayon_clair_est_certifie<R: Reel>() {
     let mut alea = Rng::with_seed(72);
     let haut = arrondi(Vecteur::new(0.0, 1.0, 0.0));
     let mut objets: Vec<ObjetRay<R>> =
@@ -164,9 +164,9 @@ fn un_tas<R: Reel>() {
     assert_eq!(certaines, commun::cas(300));
 }
 
-en_f32_et_f64!(des_jumeaux);
-en_f32_et_f64!(des_cubes);
-en_f32_et_f64!(un_tas);
+en_f32_et_f64!(parmi_des_jumeaux_rien_de_faux_n_est_certifie);
+en_f32_et_f64!(parmi_des_cubes_accoles_rien_de_faux_n_est_certifie);
+en_f32_et_f64!(dans_un_tas_tout_rayon_clair_est_certifie);
 
 /// Two half-spaces through O, and a source a few subnormals from it: before a limit of 0 the tree would ask nobody.
 #[test]
@@ -191,7 +191,7 @@ fn une_limite_n_est_jamais_0() {
 
 /// An object that is left out is no answer.
 #[test]
-fn sans_un_objet_il_n_est_pas_certain() {
+fn un_objet_laisse_de_cote_n_est_pas_certifie() {
     for n in [3, 20] {
         let boule = |i: u8| {
             let centre = Vecteur::new(0.0, 0.0, -5.0 - 3.0 * f64::from(i));
@@ -214,7 +214,7 @@ fn sans_un_objet_il_n_est_pas_certain() {
 /// Two entries are told apart beyond twice the errors of both distances in `f64`, and 3u of each. Where the ray grazes, that
 /// is far more than some 2⁻⁵⁰ of t.
 #[test]
-fn deux_entrees_pres_l_une_de_l_autre_ne_sont_pas_sures() {
+fn au_dela_de_deux_erreurs_deux_entrees_sont_distinguees() {
     let u = f64::U;
     let mut alea = Rng::with_seed(73);
     let (mut sures, mut loin_de_2_50, mut pire) = (0, 0, 0.0_f64);

@@ -183,7 +183,7 @@ fn au_dela_d_une_face_un_manque_est_sur() {
 
 /// Where the documents say that a right answer may be uncertain, and just beside.
 #[test]
-fn une_reponse_juste_qui_n_est_plus_sure() {
+fn une_reponse_juste_n_est_incertaine_qu_ou_on_le_dit() {
     // A plate 2⁻⁶⁰ thick.
     let deux = |k: f32| k.exp2();
     let cotes = Vecteur::new(deux(60.0), deux(60.0), deux(-60.0));

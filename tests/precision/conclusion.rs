@@ -275,7 +275,7 @@ fn la_marge_est_selon_la_longueur_de_la_normale<R: Reel>() {
 en_f32_et_f64!(la_marge_est_selon_la_longueur_de_la_normale);
 
 /// Built: the regimes of half-spaces. Held: t is A.1's, bit for bit.
-fn un_demi_espace_est_l_annexe<R: Reel>() {
+fn un_demi_espace_suit_l_annexe<R: Reel>() {
     let mut juges = 0;
     chaque_touche::<R>(Genre::Plan, |Cas { objet, rayon }, touche| {
         let ObjetRay::Plan(plan) = objet else { unreachable!("a regime of half-spaces") };
@@ -286,4 +286,4 @@ fn un_demi_espace_est_l_annexe<R: Reel>() {
     assert!(juges > CAS);
 }
 
-en_f32_et_f64!(un_demi_espace_est_l_annexe);
+en_f32_et_f64!(un_demi_espace_suit_l_annexe);
