@@ -6,6 +6,7 @@
 use std::f64::consts::FRAC_PI_2;
 
 use commun::conversion::mots;
+use commun::fabrique::{boite_droite, sphere, v};
 use commun::facons::{UN_ARBRE, comparer, comparer_dans, noeuds, voisin};
 use commun::regimes::{deux_puissance, direction, entre, signe};
 use commun::{Bits, arrondi, en_f32_et_f64, scenes};
@@ -26,10 +27,6 @@ const _: () = {
 
 fn cas() -> usize {
     commun::cas(15) as usize
-}
-
-fn v<R: Reel>(x: f64, y: f64, z: f64) -> Vecteur<R> {
-    arrondi(Vecteur::new(x, y, z))
 }
 
 /// An object of this size here.
@@ -164,8 +161,7 @@ fn parmi_des_objets_egaux_le_premier_de_la_liste_est_touche<R: Bits>() {
         assert!(comparer(&objets, &rayons) > 20);
     }
     // A ray enters every box of the tree: as many nodes wait as ever can, in the small pile and the large.
-    let boule = SphereGeo::new(v(0.0, 1.0, -4.0), R::UN, Texture(0)).unwrap();
-    let objet = ObjetRay::from(boule);
+    let objet = sphere(v(0.0, 1.0, -4.0), R::UN);
     for n in [61_440, 100_000] {
         let objets = vec![objet; n];
         let mut places = vec![0.0; places(objets.len())];
@@ -223,8 +219,8 @@ fn les_tuiles_vont_ensemble<R: Bits>() {
     let avec = [peu, (0..100).map(|_| sol(&mut alea, 20.0)).collect()].concat();
     let mut places = vec![0.0; places(avec.len())];
     assert!(vont_au_bout(&Monde::new(&avec, &mut places).unwrap(), &opposes));
-    let boule = SphereGeo::new(v(0.0, 2.0, 0.0), R::depuis_f64(4.0), Texture(0)).unwrap();
-    assert_eq!(combien(&[boule.into(); 1_000]), [4_096, 4_096, 1]);
+    let boule = sphere(v(0.0, 2.0, 0.0), R::depuis_f64(4.0));
+    assert_eq!(combien(&[boule; 1_000]), [4_096, 4_096, 1]);
 }
 
 /// Where one ray crosses many boxes a wide beam may too: rows among sticks that cross each other walk together, the more
@@ -358,8 +354,7 @@ fn aux_coutures_des_morceaux_aucune_touche_n_est_perdue<R: Bits>() {
         let mut objets: Vec<ObjetRay<R>> = vec![poutre.into(); 1 + tour % 2];
         while objets.len() < 60 {
             let ou = arrondi(lieu + direction(&mut alea) * 0.5);
-            let boule = SphereGeo::new(ou, R::depuis_f64(0.01), Texture(1)).unwrap();
-            objets.push(boule.into());
+            objets.push(sphere(ou, R::depuis_f64(0.01)));
         }
         let mut places = vec![f32::NAN; places(200)];
         // All but the root are leaves.
@@ -566,8 +561,7 @@ fn le_long_d_une_arete_une_ombre_est_celle_de_la_liste<R: Bits>() {
     let mut touches = 0;
     for _ in 0..100 * cas() {
         let [x, y] = [(); 2].map(|()| entre(&mut alea, 0.05, 0.15));
-        let boite = BoiteGeo::new(v(x, y, 0.0), v(1.0, 1.0, 4.0), Rotation::IDENTITE, Texture(0));
-        let objets = [ObjetRay::<R>::from(boite.unwrap()); UN_ARBRE];
+        let objets = [boite_droite::<R>(v(x, y, 0.0), v(1.0, 1.0, 4.0)); UN_ARBRE];
         let ObjetRay::Boite(boite) = objets[0] else { unreachable!("made as a box") };
         let c = boite.centre();
         let demi = R::depuis_f64(0.5);
@@ -678,9 +672,8 @@ fn les_geants_ont_leur_feuille_sous_la_racine<R: Bits>() {
             .collect();
         for i in 0..grands {
             let y = -12.0 + f64::from(i) * 24.0 / f64::from(grands);
-            let dalle = [30.0, 0.05, 30.0].map(R::depuis_f64).into();
-            let dalle = BoiteGeo::new(v(0.0, y, 0.0), dalle, Rotation::IDENTITE, Texture(1));
-            objets.insert(alea.usize(..=objets.len()), dalle.unwrap().into());
+            let dalle = boite_droite(v(0.0, y, 0.0), v(30.0, 0.05, 30.0));
+            objets.insert(alea.usize(..=objets.len()), dalle);
         }
         if petits == 4_065 {
             // As many numbers beside the nodes as there are places for.

@@ -6,6 +6,7 @@
 use std::collections::HashSet;
 
 use commun::conversion::mots;
+use commun::fabrique::{sphere, v};
 use commun::facons::{UN_ARBRE, comparer, demandes, noeuds, voisin};
 use commun::regimes::{Cas, Extreme, deux_puissance, direction, entre, regimes, signe};
 use commun::tolerances::u;
@@ -16,10 +17,6 @@ use lancer_rayon::{
     BoiteGeo, LongueursDifferentes, Monde, NoIntersection, ObjetRay, Rayon, Reel, Reponse,
     Rotation, SphereGeo, Texture, Vecteur, places, premiere_intersection,
 };
-
-fn axe_z<R: Reel>() -> Vecteur<R> {
-    Vecteur::new(R::ZERO, R::ZERO, R::UN)
-}
 
 /// Half the angle of a needle: far beyond rounding in both types, and narrow enough for a beam.
 const AIGUILLE: f64 = 1e-5;
@@ -176,7 +173,7 @@ fn gerbe<R: Reel>(
             _ => direction(alea) * (etendue * alea.f64()),
         };
         let source = arrondi(s + decalage);
-        Rayon::new(source, arrondi(vers)).or_else(|_| Rayon::new(source, axe_z()))
+        Rayon::new(source, arrondi(vers)).or_else(|_| Rayon::new(source, Vecteur::Z))
     };
     (0..64).map(rayon).collect::<Result<_, _>>().unwrap()
 }
@@ -299,11 +296,8 @@ fn un_bloc_d_un_seul_cote_de_son_axe_ne_perd_aucune_touche<R: Bits>() {
             let mut rayons = [Rayon::new(Vecteur::NUL, arrondi(ecarte)).unwrap(); 64];
             let milieu = Vecteur::new(1.0, 8.0 * R::U.vers_f64() * k, 0.0);
             rayons[32] = Rayon::new(Vecteur::NUL, arrondi(milieu)).unwrap();
-            let boule = |x| {
-                let centre = arrondi(Vecteur::new(x, 0.0, 0.0));
-                ObjetRay::from(SphereGeo::new(centre, R::depuis_f64(0.4), Texture(0)).unwrap())
-            };
-            let objets: Vec<ObjetRay<R>> = (10..22).map(|x| boule(f64::from(x))).collect();
+            let boule = |x| sphere(v(f64::from(x), 0.0, 0.0), R::depuis_f64(0.4));
+            let objets: Vec<ObjetRay<R>> = (10..22).map(boule).collect();
             assert_eq!(comparer(&objets, &rayons), 1);
         }
     }
@@ -364,7 +358,7 @@ en_f32_et_f64!(
 fn evite<R: Reel>(ombres: &[Rayon<R>], boule: ObjetRay<R>) -> bool {
     let derriere = |i: usize| {
         let centre = ombres[0].point(R::depuis_f64(-90.0 - 3.0 * i as f64));
-        SphereGeo::new(centre, R::UN, Texture(1)).unwrap().into()
+        sphere(centre, R::UN)
     };
     let objets: Vec<_> = (1..UN_ARBRE).map(derriere).chain([boule]).collect();
     let mut places = vec![0.0; places(objets.len())];
@@ -377,7 +371,7 @@ fn evite<R: Reel>(ombres: &[Rayon<R>], boule: ObjetRay<R>) -> bool {
 
 /// No answer tells whether a beam leaves anything out; this does.
 fn des_rayons_paralleles_evitent_une_boule_a_cote<R: Reel>() {
-    let axes = [axe_z::<R>(), Vecteur::new(R::UN, R::ZERO, R::ZERO)];
+    let axes = [Vecteur::<R>::Z, Vecteur::X];
     for k in 0..27_u8 {
         let axe = |i: u8| R::depuis_f64(f64::from(k / i % 3) - 1.0);
         let Some(d) = Vecteur::new(axe(1), axe(3), axe(9)).unitaire() else { continue };
@@ -389,7 +383,7 @@ fn des_rayons_paralleles_evitent_une_boule_a_cote<R: Reel>() {
         let rayons = sources.map(|source| Rayon::new(source, d).unwrap()).repeat(4);
         for cote in [Vecteur::NUL, u, -u, v, -v, -d] {
             let centre = d * R::depuis_f64(7.0) + cote * R::depuis_f64(10.0);
-            let boule = SphereGeo::new(centre, R::UN, Texture(0)).unwrap().into();
+            let boule = sphere(centre, R::UN);
             let a_cote = cote != Vecteur::NUL;
             assert_eq!(evite(&rayons, boule), a_cote, "along {d:?}, {centre:?}");
         }
@@ -400,7 +394,6 @@ en_f32_et_f64!(des_rayons_paralleles_evitent_une_boule_a_cote);
 
 /// No answer tells what a beam of segments leaves out; this does. Its sides touch the sources and the lamp.
 fn des_segments_vers_une_lampe_evitent_une_boule_a_cote<R: Reel>() {
-    let v = |x, y, z| Vecteur::from([x, y, z].map(R::depuis_f64));
     let lampe = v(0.0, 10.0, 0.0);
     let sources = (0..64).map(|i| v(f64::from(i % 8) - 3.5, 0.0, f64::from(i / 8) - 3.5));
     let ombres: Vec<_> = sources.map(|source| Rayon::entre(source, lampe).unwrap()).collect();
@@ -415,8 +408,7 @@ fn des_segments_vers_une_lampe_evitent_une_boule_a_cote<R: Reel>() {
         ([0.0, 9.5, 0.5], false),
         ([0.0, -5.0, 0.0], true),
     ] {
-        let centre = Vecteur::from(centre.map(R::depuis_f64));
-        let boule = SphereGeo::new(centre, R::depuis_f64(0.75), Texture(0)).unwrap().into();
+        let boule = sphere(Vecteur::from(centre.map(R::depuis_f64)), R::depuis_f64(0.75));
         assert_eq!(evite(&ombres, boule), a_cote, "{centre:?}");
     }
 }

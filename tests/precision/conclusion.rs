@@ -4,6 +4,7 @@
 //! Each test names what it builds, then what must hold; it counts the hits that it judged, so that a
 //! construction that builds nothing is red.
 
+use commun::fabrique::sphere;
 use commun::litteral;
 use commun::mesure::rayon_non_perdu;
 use commun::oracle::Exact;
@@ -13,8 +14,8 @@ use commun::{arrondi, en_f32_et_f64};
 use fastrand::Rng;
 use lancer_rayon::pour_les_tests::{ARRONDI_PERDU, PENCHE, PUISSANCE_PERDUE, TRAVERS_PERDU};
 use lancer_rayon::{
-    Intersection, NoIntersection, Nombre, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo,
-    Texture, Vecteur,
+    Intersection, NoIntersection, Nombre, ObjetRay, PlanGeo, Rayon, Reel, Rotation, Texture,
+    Vecteur,
 };
 
 /// Cases of each regime, and of each construction that hits often.
@@ -30,10 +31,6 @@ fn chaque_touche<R: Reel>(genre: Genre, mut juger: impl FnMut(&Cas<R>, &Intersec
             }
         }
     }
-}
-
-fn sphere<R: Reel>(centre: Vecteur<R>, rayon: R) -> ObjetRay<R> {
-    SphereGeo::new(centre, rayon, Texture(0)).unwrap().into()
 }
 
 // The normal of a sphere.
