@@ -9,8 +9,8 @@ use crate::rotation::Rotation;
 use crate::texture::Texture;
 use crate::vecteur::Vecteur;
 
-/// A box as one describes it: its centre, its width, height and depth (along x, y and z before
-/// it is turned) and the rotation that turns it about its centre (handout §2.2).
+/// The description of a box: its centre, its width, height and depth (along x, y and z before it is
+/// turned) and the rotation that turns it about its centre (handout §2.2).
 ///
 /// ```
 /// use core::f64::consts::FRAC_PI_2;
@@ -122,12 +122,12 @@ impl<R: Nombre> BoiteGeo<R> {
         Self::new(self.centre, self.dimensions * coefficient(k)?, self.rotation, self.texture)
     }
 
-    /// The same box in `f32`, seen from an origin that is taken off before anything is rounded: see
-    /// [`ObjetGeo::vers_f32`](crate::ObjetGeo::vers_f32).
+    /// The same box in `f32`, seen from an origin that is subtracted before anything is rounded:
+    /// see [`ObjetGeo::vers_f32`](crate::ObjetGeo::vers_f32).
     ///
     /// # Errors
-    /// If `origine` is not finite, [`translation`](Self::translation) by −`origine` refuses, or [`new`](Self::new) the
-    /// numbers in `f32`.
+    /// If `origine` is not finite, or if [`translation`](Self::translation) by −`origine` or
+    /// [`new`](Self::new) with the numbers in `f32` fails.
     pub fn vers_f32(self, origine: Vecteur<R>) -> Result<BoiteGeo<f32>, ErreurGeo> {
         let Self { centre, dimensions, rotation, texture } =
             self.translation(-refus::origine(origine)?)?;
@@ -146,8 +146,8 @@ impl<R: Nombre> BoiteGeo<R> {
     }
 }
 
-/// A box ready for rays (handout §3). The three faces are those that looked towards +x, +y and
-/// +z before the box was turned; each array is in that order.
+/// A box ready for rays (handout §3). The three faces are those that looked towards +x, +y and +z
+/// before the box was turned; each array is in that order.
 ///
 /// The handout stores 36 numbers. The centre, the three normals and the three half-lengths
 /// determine the rest, and are all that an intersection reads.
@@ -222,22 +222,22 @@ impl<R: Nombre> BoiteRay<R> {
     /// The entry and the exit of the ray between one pair of faces.
     ///
     /// C is the origin, and the axis points the way the ray goes. The speed is multiplied by
-    /// [`echelle_vitesse`]; in `f32`, whose range does not hold every product of a length and a speed, it is
-    /// rounded to a multiple of 2⁻¹⁰² before: only a speed below 2⁻⁷⁹ changes.
+    /// [`echelle_vitesse`]; in `f32`, whose range does not hold every product of a length and a
+    /// speed, it is rounded to a multiple of 2⁻¹⁰² before: only a speed below 2⁻⁷⁹ changes.
     #[inline(always)]
     pub(crate) fn dalle(&self, axe: usize, rayon: &Rayon<R>) -> (Quotient<R>, Quotient<R>) {
         let (n, l) = (self.normales[axe], self.demi_longueurs[axe]);
         let o = (rayon.source() - self.centre).produit_scalaire(n);
         let vitesse = rayon.direction().produit_scalaire(n);
         let o = if vitesse < R::ZERO { -o } else { o }; // B1
-        // Down to where the spacing of numbers is 2⁻¹⁴⁹, and up again. With a floor, by minimum and
-        // maximum, a ray alone takes up to 1.3 times as long among boxes (measured).
+        // The speed is scaled down to where numbers are 2⁻¹⁴⁹ apart, and up again. With a floor by
+        // minimum and maximum a single ray takes up to 1.3 times as long among boxes (measured).
         let descente = R::depuis_f64(R::selon(puissance_de_deux(-47), 1.0));
         let vitesse = vitesse.abs() * descente * (echelle_vitesse::<R>() / descente); // B2
         (Quotient { longueur: -(l + o), vitesse }, Quotient { longueur: l - o, vitesse })
     }
 
-    /// The last entry of the three pairs of faces, by which pair it is, and the first exit.
+    /// The last entry into the three pairs of faces, which pair that is, and the first exit.
     ///
     /// One pair has a speed of 0.5 or more, and with it an entry and an exit nearer than `loin`.
     #[inline(always)]
@@ -262,8 +262,8 @@ impl<R: Nombre> BoiteRay<R> {
     #[inline(always)]
     fn face_vers(&self, rayon: &Rayon<R>, axe: usize) -> (Vecteur<R>, R) {
         let [x, y, z] = self.paires();
-        // No index, so that rays side by side may choose differently; and once, since to carry the
-        // pair through the loop would cost a batch 2 to 4 % (measured).
+        // A match and no index, so that rays side by side may choose differently. It comes after
+        // the loop, since carrying the pair through it would cost a batch 2 to 4 % (measured).
         let (n, l) = match axe {
             0 => x,
             1 => y,
@@ -272,7 +272,8 @@ impl<R: Nombre> BoiteRay<R> {
         (if n.produit_scalaire(rayon.direction()) > R::ZERO { -n } else { n }, l)
     }
 
-    /// How high the source is over the nearest of the faces that the ray goes in by, and across which axis that is.
+    /// How high the source is over the nearest of the faces that the ray goes in by, and across
+    /// which axis that face lies.
     #[inline(always)]
     fn face_de_depart(&self, rayon: &Rayon<R>) -> (R, usize) {
         let (mut hauteur, mut face) = (-R::INFINI, 0);
@@ -287,7 +288,7 @@ impl<R: Nombre> BoiteRay<R> {
 }
 
 impl<R: Nombre> Forme<R> for BoiteRay<R> {
-    /// Its radius is half a diagonal of the box.
+    /// The ball whose radius is half a diagonal of the box.
     #[inline(always)]
     fn boule(&self) -> Boule<R> {
         let r2 = Vecteur::from(self.demi_longueurs).longueur_carree();
@@ -301,7 +302,7 @@ impl<R: Nombre> Forme<R> for BoiteRay<R> {
         Some((self.centre, Vecteur::new(h(u.x, v.x, w.x), h(u.y, v.y, w.y), h(u.z, v.z, w.z))))
     }
 
-    /// The longest, as a vector.
+    /// Half of the longest axis, as a vector.
     fn demi_axe(&self) -> Vecteur<R> {
         let [u, v, w] = self.paires();
         let plus_long = |a: (Vecteur<R>, R), b: (Vecteur<R>, R)| if b.1 > a.1 { b } else { a };
@@ -333,8 +334,8 @@ impl<R: Nombre> Forme<R> for BoiteRay<R> {
         touche
     }
 
-    /// The first of the three exits, if it lies ahead and comes no sooner than the last of the three
-    /// entries.
+    /// The first of the three exits, if it lies ahead and comes no sooner than the last of the
+    /// three entries.
     #[inline(always)]
     fn t_sortie(&self, rayon: &Rayon<R>) -> R {
         let (entree, _, sortie) = self.dalles(rayon);
@@ -345,7 +346,7 @@ impl<R: Nombre> Forme<R> for BoiteRay<R> {
     #[inline(always)]
     fn contient(&self, point: Vecteur<R>) -> bool {
         let cp = point - self.centre;
-        // Without a branch.
+        // `&` takes no branch.
         self.paires().into_iter().fold(true, |d, (n, l)| d & (cp.produit_scalaire(n).abs() <= l))
     }
 

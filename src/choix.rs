@@ -1,16 +1,19 @@
-//! A choice of objects by their indices: what a [`Monde`](crate::Monde) is asked about, and what it leaves out.
+//! A choice of objects by their indices: what a [`Monde`](crate::Monde) is asked about, and what it
+//! leaves out.
 
 /// Which objects of a list a question is about.
 ///
-/// [`Monde::sans`](crate::Monde::sans) and [`Monde::parmi`](crate::Monde::parmi) make one. A choice is a value: it is
-/// stored, returned and shared by threads like any other, and it is `Copy` if what it holds is. The trait is sealed.
+/// [`Monde::sans`](crate::Monde::sans) and [`Monde::parmi`](crate::Monde::parmi) make one. A choice
+/// is a value: it is stored, returned and shared by threads like any other, and it is `Copy` if
+/// what it holds is. The trait is sealed.
 #[doc(alias("filter", "mask"))]
 pub trait Choix: Sync + scelle::Scelle {
     /// Whether the object at this index is one of them.
     #[doc(hidden)]
     fn prend(&self, indice: usize) -> bool;
 
-    /// The choice as a walk takes it, which is compiled once for all choices; `None` if it takes every object.
+    /// The choice as a walk takes it, which is compiled once for all choices; `None` if it takes
+    /// every object.
     #[doc(hidden)]
     fn regle(&self) -> Option<&dyn Choix>;
 }
@@ -32,7 +35,8 @@ pub struct Sans<C> {
     pub(crate) sauf: usize,
 }
 
-/// The objects of another choice that a predicate takes: what [`Monde::parmi`](crate::Monde::parmi) makes.
+/// The objects of another choice that a predicate takes: what [`Monde::parmi`](crate::Monde::parmi)
+/// makes.
 #[doc(alias("among", "filter"))]
 #[derive(Debug, Clone, Copy)]
 pub struct Parmi<C, F> {

@@ -5,14 +5,15 @@ use core::ops::Add;
 use fearless_simd::f32x16;
 use fearless_simd::prelude::*;
 
-/// The numbers of a column. The compiler would unroll loops of eight before it could vectorise them.
+/// How many numbers a column has. The compiler would unroll loops of eight before it could
+/// vectorise them.
 pub(crate) const LARGEUR: usize = 16;
 
 /// Sixteen numbers side by side.
 pub(crate) type Colonne<R> = [R; LARGEUR];
 
-/// A value at the start of a cache line: a column that lies across two takes longer to write and to
-/// read back. Kept whole: taken apart by a pattern it moves to an unaligned place of the stack.
+/// A value at the start of a cache line, since a column across two lines takes longer to write and
+/// to read back. A pattern that takes it apart would move it to an unaligned place of the stack.
 #[repr(align(64))]
 pub(crate) struct Aligne<T>(pub(crate) T);
 
@@ -41,7 +42,8 @@ pub(crate) fn prendre_le_moindre(membres: &mut Membres, nombres: &Colonne<f32>) 
     Some(moindre)
 }
 
-/// The places i where `a[i] <= b[i]`. From a comparison to a mask the compiler does not vectorise by itself.
+/// The places i where `a[i] <= b[i]`. The compiler does not vectorise the step from a comparison to
+/// a mask by itself.
 #[inline(always)]
 pub(crate) fn au_plus<S: Simd>(simd: S, a: &Colonne<f32>, b: &Colonne<f32>) -> Membres {
     let (a, b) = (f32x16::simd_from(simd, *a), f32x16::simd_from(simd, *b));

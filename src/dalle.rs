@@ -1,5 +1,5 @@
-//! The distances to the two faces across one axis of a box, as quotients that are compared before one is divided
-//! (handout, annex A.3).
+//! The distances to the two faces across one axis of a box, as quotients that are compared before
+//! one is divided (handout, annex A.3).
 
 use crate::nombre::{Nombre, puissance_de_deux};
 

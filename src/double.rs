@@ -16,11 +16,11 @@ pub const BORNE_DOUBLE: f64 = 7.5;
 /// `haut` + `bas`, no farther than `erreur` from the number that it stands for; |bas| ≤ u·|haut|.
 #[derive(Debug, Clone, Copy)]
 pub struct Double {
-    /// The number to `f64`.
+    /// The number rounded to `f64`.
     pub haut: f64,
-    /// What is left of it.
+    /// What the rounding leaves over.
     pub bas: f64,
-    /// The bound.
+    /// The bound on the error.
     pub erreur: f64,
 }
 
@@ -32,7 +32,7 @@ fn somme(x: f64, y: f64) -> (f64, f64) {
 }
 
 impl Double {
-    /// This very number.
+    /// This number, exactly.
     pub fn de(x: f64) -> Self {
         Self { haut: x, bas: 0.0, erreur: 0.0 }
     }
@@ -59,7 +59,7 @@ impl Double {
     /// The product.
     pub fn fois(self, autre: Self) -> Self {
         let p = self.haut * autre.haut;
-        // No machine instruction where there is none: the same bits everywhere.
+        // `libm` computes it without `std` too, and where the machine has no such instruction.
         let r = libm::fma(self.haut, autre.haut, -p);
         let n = r + (self.haut * autre.bas + self.bas * autre.haut);
         let (x, y) = (self.haut.abs(), autre.haut.abs());
@@ -79,7 +79,8 @@ impl Double {
         self.erreur == 0.0 && self.bas == 0.0
     }
 
-    /// Where the number lies, rounded outward; in no more than itself if it is an `f64` exactly.
+    /// The interval in which the number lies, rounded outward; only itself if it is an `f64`
+    /// exactly.
     pub fn bornes(self) -> Intervalle {
         if self.est_un_f64() {
             return Intervalle { bas: self.haut, haut: self.haut };
@@ -90,12 +91,12 @@ impl Double {
     }
 }
 
-/// All numbers between two.
+/// All numbers from one bound to another.
 #[derive(Debug, Clone, Copy)]
 pub struct Intervalle {
-    /// None is below.
+    /// The lower bound.
     pub bas: f64,
-    /// None is above.
+    /// The upper bound.
     pub haut: f64,
 }
 
@@ -105,21 +106,21 @@ impl Intervalle {
         self.haut.max(-self.bas)
     }
 
-    /// Over all speeds between two, rounded outward.
+    /// These numbers over all speeds from `lent` to `vite`, rounded outward.
     pub(crate) fn sur(self, lent: f64, vite: f64) -> Self {
         let (de_bas, de_haut) =
             (if self.bas > 0.0 { vite } else { lent }, if self.haut > 0.0 { lent } else { vite });
         Self { bas: (self.bas / de_bas).next_down(), haut: (self.haut / de_haut).next_up() }
     }
 
-    /// The lesser of two numbers, one of either.
+    /// The lesser of two numbers, one from each interval.
     #[inline(always)]
     pub(crate) fn moindre(self, autre: Self) -> Self {
         Self { bas: self.bas.min(autre.bas), haut: self.haut.min(autre.haut) }
     }
 }
 
-/// A vector of such numbers.
+/// A vector of doubled numbers.
 pub(crate) type Triple = [Double; 3];
 
 pub(crate) fn triple(v: Vecteur) -> Triple {

@@ -1,7 +1,8 @@
-//! From and to the types of `mint`, through which glam, nalgebra and others exchange their own.
+//! Conversions from and to the types of `mint`, through which glam, nalgebra and others exchange
+//! their own.
 //!
-//! A matrix of `mint` multiplies a column from the left; that is how glam and nalgebra read it. A rotation has
-//! there the transposed matrix Mᵀ: it turns alike.
+//! A matrix of `mint` multiplies a column from the left; that is how glam and nalgebra read it.
+//! There a rotation has the transposed matrix Mᵀ, which turns vectors alike.
 
 use mint::{ColumnMatrix3, Point3, Quaternion, RowMatrix3, Vector3};
 
@@ -82,8 +83,8 @@ impl<R: Nombre> TryFrom<ColumnMatrix3<R>> for Rotation<R> {
     }
 }
 
-/// The rotation that turns as this matrix turns a column, as [`Rotation::depuis_matrice`] takes it. An
-/// element that is refused is named by its place in M: `matrice[i][j]` is in column i, row j.
+/// The rotation that turns as this matrix turns a column, as [`Rotation::depuis_matrice`] takes it.
+/// An element that is refused is named by its place in M: `matrice[i][j]` is in column i, row j.
 ///
 /// ```
 /// use lancer_rayon::{Rotation, Vecteur};

@@ -1,4 +1,4 @@
-//! The six faces of a box, and where on one of them a hit lies: what a pattern is made of.
+//! The six faces of a box, and where on one of them a hit lies, from which patterns are made.
 
 use core::fmt;
 
@@ -12,8 +12,8 @@ use crate::vecteur::Vecteur;
 ///
 /// The first three are the faces of the handout (§3), in the order of
 /// [`normales`](BoiteRay::normales); the last three are the opposite ones, in the same order.
-/// `face as usize` is the index in [`TOUTES`](Self::TOUTES), and in any other array of six. Displayed,
-/// a face is its sign and its axis; `serde` writes the name of the variant.
+/// `face as usize` is the index in [`TOUTES`](Self::TOUTES), and in any other array of six.
+/// Displayed, a face is its sign and its axis; `serde` writes the name of the variant.
 ///
 /// ```
 /// use lancer_rayon::Face;
@@ -24,31 +24,31 @@ use crate::vecteur::Vecteur;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Face {
-    /// It looked towards +x, to the right.
+    /// The face that looked towards +x, to the right.
     PlusX,
-    /// It looked towards +y, up.
+    /// The face that looked towards +y, up.
     PlusY,
-    /// It looked towards +z, at the viewer.
+    /// The face that looked towards +z, at the viewer.
     PlusZ,
-    /// It looked towards −x, to the left.
+    /// The face that looked towards −x, to the left.
     MoinsX,
-    /// It looked towards −y, down.
+    /// The face that looked towards −y, down.
     MoinsY,
-    /// It looked towards −z, away from the viewer.
+    /// The face that looked towards −z, away from the viewer.
     MoinsZ,
 }
 
 impl Face {
-    /// All six.
+    /// All six faces.
     #[doc(alias = "all")]
     pub const TOUTES: [Self; 6] =
         [Self::PlusX, Self::PlusY, Self::PlusZ, Self::MoinsX, Self::MoinsY, Self::MoinsZ];
 
     /// The two coordinates of a point in the box's own axes, as [`BoiteRay::lieu`] gives it, along
-    /// this face: to the right and up, as the face is seen from outside. So a text reads as it should
-    /// on each of the six.
+    /// this face: to the right and up, as the face is seen from outside. Text therefore reads as it
+    /// should on each of the six.
     ///
-    /// Take them of the point times the half-lengths, in scene units, and a text keeps its shape. Up is y on the four
+    /// Multiply the point by the half-lengths first, and text keeps its shape. Up is y on the four
     /// sides, −z on the top (`PlusY`) and +z on the bottom, which both have x to the right.
     ///
     /// ```
@@ -75,27 +75,27 @@ impl Face {
 
 impl fmt::Display for Face {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        // With the width that is asked for, if one is.
+        // `pad` keeps to a width.
         f.pad(["+x", "+y", "+z", "-x", "-y", "-z"][*self as usize])
     }
 }
 
 impl<R: Nombre> BoiteRay<R> {
-    /// Where a hit on this box lies: the face, and the point in the box's own axes, from −1 to 1 between
-    /// opposite faces. Across the face the coordinate is exactly 1 or −1; the two along it are
-    /// [`Face::le_long`].
+    /// Where a hit on this box lies: the face, and the point in the box's own axes, from −1 to 1
+    /// between opposite faces. Across the face the coordinate is exactly 1 or −1; the two along it
+    /// are [`Face::le_long`].
     ///
-    /// So a pattern never speckles: neither one of the whole space, since the coordinate across does
-    /// not waver about a limit of it, nor one of the face, since no coordinate leaves [−1, 1] or is a
-    /// NaN. Times [`demi_longueurs`](Self::demi_longueurs) the point is in scene units, from the
+    /// A pattern therefore never speckles. The coordinate across the face does not waver about the
+    /// edge of a cell of a pattern in space, and no coordinate leaves [−1, 1] or is a NaN.
+    /// Multiplied by [`demi_longueurs`](Self::demi_longueurs) the point is in scene units from the
     /// centre. The point turns, moves and grows with the box.
     ///
     /// The face is that of [`touche.normale()`](Intersection::normale), at an edge as well. The
-    /// coordinates along it are those of S + tD, t the distance as reported, to 6.1u(|S − C| + t)
-    /// over the half-length; so a small box far from O has a steady pattern too. Beyond ±1, by
-    /// rounding beside an edge, they are ±1.
+    /// coordinates along it are those of S + tD, with t the distance as reported, to 6.1u(|S − C| +
+    /// t) over the half-length, so that the pattern of a small box far from O is steady too. Where
+    /// rounding beside an edge would take them beyond ±1 they are ±1.
     ///
-    /// `touche` is to be a hit of this very ray on this box. Of any other hit the answer is some face
+    /// `touche` must be a hit of this ray on this box. For any other hit the answer is some face
     /// and some point of it.
     ///
     /// ```
@@ -121,15 +121,16 @@ impl<R: Nombre> BoiteRay<R> {
         // Relative to the source: S + tD − C would lose what S and C have in common (lemma 6).
         let p = (rayon.source() - self.centre()) + rayon.direction() * touche.distance();
         let mut p = self.paires().map(|(n, l)| {
-            // From a hit on something else a NaN is possible, and becomes a limit as well.
+            // A hit on something else may give a NaN, which becomes a limit as well.
             max(min(p.produit_scalaire(n) / l, R::UN), -R::UN)
         });
         p[axe] = if cosinus[axe] < R::ZERO { -R::UN } else { R::UN };
         (face, p.into())
     }
 
-    /// C ± l_i·N_i and ±N_i, the centre of a face and its outward unit normal N: Cf_i or Co_i of the
-    /// handout (§3). Its df_i or do_i, the relative distance of the plane of the face, is −N·(C ± l_i·N_i).
+    /// C ± l_i·N_i and ±N_i, the centre of a face and its outward unit normal N: Cf_i or Co_i of
+    /// the handout (§3). Its df_i or do_i, the relative distance of the plane of the face, is −N·(C
+    /// ± l_i·N_i).
     #[doc(alias("face_center", "face_normal"))]
     pub fn face(&self, face: Face) -> (Vecteur<R>, Vecteur<R>) {
         let (n, l) = self.paires()[face as usize % 3];

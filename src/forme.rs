@@ -1,39 +1,38 @@
-//! The trait of the three shapes, what they have in common of a hit, and the ball that rejects most
-//! rays with neither a division nor a root.
+//! The trait of the three shapes, the part of a hit that they share, and the ball that rejects most
+//! rays without a division or a root.
 //!
 //! A ray meets a shape in three steps. [`Forme::peut_entrer`] is cheap and rejects most rays;
 //! [`Forme::t`] finds where the ray enters; [`Forme::conclure`] computes normal and margin, once,
-//! for the first object of a ray. All of it is in the scalar of the scene, for one ray and for rays
-//! side by side.
+//! for the first object of a ray.
 
 use crate::intersection::Contact;
 use crate::nombre::{Nombre, fois_u, fois_u_simple, max, min, puissance_de_deux};
 use crate::rayon::Rayon;
 use crate::vecteur::Vecteur;
 
-/// The rounding of a height over a surface, in u·ℓ; and as much again is the rounding with which the
-/// next search sees that height (lemmas 8 and 9).
+/// The rounding of a height over a surface, in u·ℓ; the next search sees that height with as much
+/// rounding again (lemmas 8 and 9).
 pub const ARRONDI_HAUTEUR: f64 = 4.0;
 
-/// How much larger a margin is made, in u of itself: 6 for an N that is hardly unit, the others for the
-/// rounding of its last operations (lemma 8).
+/// How much larger a margin is made, in u of itself: 6 for an N that is not exactly unit, the
+/// others for the rounding of the last operations (lemma 8).
 pub const VERS_LE_HAUT: f64 = 10.0;
 
-/// A margin is larger by this length, in `f32` and in `f64`: more than is lost below the normal
-/// numbers (lemma 8), and so much that no margin is a subnormal number, with which processors compute up
-/// to a hundred times as long. Nor is a start over a floor through O, unless a coordinate of its normal
-/// is below 2⁻²⁶ (`f64`: 2⁻¹²²) and not 0, as a turn of π by rounding leaves one in `f32`.
+/// A length added to every margin, in `f32` and in `f64`. It is more than is lost below the normal
+/// numbers (lemma 8), and no margin is subnormal, with which processors take up to a hundred times
+/// as long. The start over a floor through O is normal too, unless a coordinate of its normal is
+/// below 2⁻²⁶ (`f64`: 2⁻¹²²) and not 0, as a turn of π leaves one by rounding in `f32`.
 pub const PLANCHER: (f64, f64) = (puissance_de_deux(-100), puissance_de_deux(-900));
 
 /// How far a normal that does not face the source is leaned towards it, in u (lemma 7).
 pub const PENCHE: f64 = 14.0;
 
-/// How much SC² is reduced, in u of `f32` of itself and in both types, so that rounding hides no entry
-/// from the ball (lemma 14): the numbers of a scene in `f64` may be those of one in `f32`.
+/// How much SC² is reduced, in u of `f32` of itself and in both types, so that rounding hides no
+/// entry from the ball (lemma 14): the numbers of a scene in `f64` may be those of one in `f32`.
 pub const RETRAIT: f64 = 130.0;
 
-/// How much deeper than δ a start may lie in a sphere or in a box, in u of the radius or of the sum of the half-lengths
-/// (lemma 23).
+/// How much deeper than δ a start may lie in a sphere or in a box, in u of the radius or of the sum
+/// of the half-lengths (lemma 23).
 pub const FLOU_PROPRE: f64 = 44.0;
 
 /// A shape, ready for rays.
@@ -45,7 +44,8 @@ pub(crate) trait Forme<R: Nombre>: Copy {
     /// it is unbounded.
     fn boite_englobante(&self) -> Option<(Vecteur<R>, Vecteur<R>)>;
 
-    /// Half of the axis across which a [tree](crate::Monde) may cut the shape into slices; 0 if it has none.
+    /// Half of the axis across which a [tree](crate::Monde) may cut the shape into slices; 0 if it
+    /// has none.
     fn demi_axe(&self) -> Vecteur<R> {
         Vecteur::NUL
     }
@@ -57,14 +57,15 @@ pub(crate) trait Forme<R: Nombre>: Copy {
         self.boule().approchee(rayon)
     }
 
-    /// Whether the ray may enter, or touch at once: true wherever [`t_touche`](Self::t_touche) is finite.
+    /// Whether the ray may enter, or touch at once: true wherever [`t_touche`](Self::t_touche) is
+    /// finite.
     #[inline(always)]
     fn peut_toucher(&self, rayon: &Rayon<R>) -> bool {
         self.peut_entrer(rayon)
     }
 
-    /// The distance at which the ray enters, +∞ if it does not, and whether its source is in the shape or on its
-    /// surface; computed without a branch.
+    /// The distance at which the ray enters, +∞ if it does not, and whether its source is in the
+    /// shape or on its surface; computed without a branch.
     fn t_et_dedans(&self, rayon: &Rayon<R>) -> (R, bool);
 
     /// The distance at which the ray enters, +∞ if it does not.
@@ -86,8 +87,9 @@ pub(crate) trait Forme<R: Nombre>: Copy {
         if self.des_le_depart(rayon) { R::ZERO } else { R::INFINI }
     }
 
-    /// Whether the ray starts in this shape by no more than its δ, which is above 0, and the rounding of the shape, and
-    /// goes in: then it touches the shape at once (lemma 23). Computed without a branch.
+    /// Whether the ray starts in this shape by no more than its δ, which is above 0, and the
+    /// rounding of the shape, and goes in: then it touches the shape at once (lemma 23). Computed
+    /// without a branch.
     fn des_le_depart(&self, rayon: &Rayon<R>) -> bool;
 
     /// The distance at which the ray leaves, from inside or after it entered, +∞ if it never does;
@@ -124,8 +126,9 @@ pub(crate) trait Forme<R: Nombre>: Copy {
         if de_face { contact } else { self.contact_rare(rayon, t) }
     }
 
-    /// The same where the ray touches at once, or with a normal that is leaned towards the source. In `conclure`
-    /// itself, before the margin, the call would cost a ray alone up to 40 % (measured).
+    /// The contact of a ray that touches at once, or whose normal is leaned towards the source. As
+    /// a call within `conclure`, before the margin, it would cost a single ray up to 40 %
+    /// (measured).
     #[cold]
     fn contact_rare(&self, rayon: &Rayon<R>, t: R) -> Contact<R> {
         let (n, du_centre) =
@@ -135,8 +138,8 @@ pub(crate) trait Forme<R: Nombre>: Copy {
         self.contact_en(rayon, t, n, du_centre)
     }
 
-    /// The normal as it is and the margin, without a branch; and whether that is all: the ray does not touch at once,
-    /// and the normal faces the source.
+    /// The contact with the normal as it is, without a branch; and whether that is right: the ray
+    /// does not touch at once, and the normal faces the source.
     #[inline(always)]
     fn contact(&self, rayon: &Rayon<R>, t: R) -> (Contact<R>, bool) {
         let (n, du_centre) = self.plan_tangent(rayon, t);

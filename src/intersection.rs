@@ -13,9 +13,10 @@ use crate::vecteur::Vecteur;
 
 /// Where a ray first touches an object: what the handout asks for in §2.3.
 ///
-/// Only a search makes one, so that its values always fit together. It knows its point, so that the next ray starts
-/// from it alone: [`secondaire`](Self::secondaire), [`reflechi`](Self::reflechi),
-/// [`vers_lumiere`](Self::vers_lumiere), [`vers_soleil`](Self::vers_soleil), [`vers_touche`](Self::vers_touche).
+/// Only a search makes one, so that its values always fit together. It knows its point, so that the
+/// next ray needs nothing else to start from: [`secondaire`](Self::secondaire),
+/// [`reflechi`](Self::reflechi), [`vers_lumiere`](Self::vers_lumiere),
+/// [`vers_soleil`](Self::vers_soleil), [`vers_touche`](Self::vers_touche).
 ///
 /// ```
 /// use lancer_rayon::{PlanGeo, Rayon, Rotation, Texture, Vecteur, premiere_intersection};
@@ -47,8 +48,9 @@ pub struct Intersection<R = f64> {
     rang: Rang,
 }
 
-/// What is written can be read again, so that a simulation goes on to the bit. What is read is no hit of any ray if
-/// somebody else wrote it: no more is checked than that no question goes wrong with it.
+/// A hit that was written can be read again, so that a simulation goes on to the bit. One that
+/// somebody else wrote may be no hit of any ray: only what would make a question go wrong is
+/// refused.
 #[cfg(feature = "serde")]
 impl<R: Nombre> Intersection<R> {
     fn lire(
@@ -102,7 +104,7 @@ impl serde::Serialize for Rang {
     }
 }
 
-/// As [`Intersection::indice`] says it.
+/// Shown as [`Intersection::indice`] gives it.
 impl fmt::Debug for Rang {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.indice().fmt(f)
@@ -122,7 +124,7 @@ impl Rang {
         Self(NonZero::<u32>::MIN.saturating_add(u32::try_from(indice).unwrap_or(u32::MAX)))
     }
 
-    /// Its place in the order of ranks; 0 of none, before any other.
+    /// Its place in the order of ranks; 0 for none, which comes before any other.
     #[inline(always)]
     pub(crate) fn ordre(rang: Option<Self>) -> u32 {
         rang.map_or(0, |Self(nombre)| nombre.get())
@@ -148,23 +150,24 @@ impl<R: Nombre> Intersection<R> {
         Self { distance, normale, marge, point, su, texture, rang }
     }
 
-    /// A hit of which no more than this is known so far.
+    /// A hit of which only the distance and the object are known so far.
     pub(crate) fn a_conclure(distance: R, rang: Rang) -> Self {
         let (normale, point) = (Vecteur::NUL, Vecteur::NUL);
         let contact = Contact { normale, marge: R::ZERO, point };
         Self::new(distance, contact, R::ZERO, Texture(0), rang)
     }
 
-    /// t, finite and 0 or more: the object is touched at S + tD. As D is unit only to rounding, that
-    /// is the distance in scene units to 7.6u. It is 0 where the ray touches [at once](crate::Rayon::flou).
+    /// t, finite and 0 or more: the object is touched at S + tD. As D is unit only to rounding,
+    /// that is the distance in scene units to 7.6u. It is 0 where the ray touches [at
+    /// once](crate::Rayon::flou).
     #[doc(alias = "t")]
     #[must_use]
     pub fn distance(&self) -> R {
         self.distance
     }
 
-    /// N, the unit outward normal of the object at the hit; it points against the ray (D·N < 0), and
-    /// where the ray leaves the object ([`sortie`](crate::ObjetRay::sortie)) along it.
+    /// N, the unit outward normal of the object at the hit; it points against the ray (D·N < 0),
+    /// and where the ray leaves the object ([`sortie`](crate::ObjetRay::sortie)) along it.
     #[doc(alias = "normal")]
     pub fn normale(&self) -> Vecteur<R> {
         self.normale
@@ -176,7 +179,7 @@ impl<R: Nombre> Intersection<R> {
         self.point
     }
 
-    /// What the ray knew of its source; of a way out, what a ray in its place outside would know.
+    /// What the ray knew of its source; for a way out, what a ray outside would know in its place.
     #[inline(always)]
     pub(crate) fn su(&self) -> R {
         self.su
@@ -190,21 +193,22 @@ impl<R: Nombre> Intersection<R> {
 
     /// The index of the object in the list that was asked; 0 for an object that was asked alone.
     ///
-    /// [`ObjetRay::intersection`](crate::ObjetRay::intersection) and [`sortie`](crate::ObjetRay::sortie) ask an object
-    /// alone: keep its index beside their answers.
+    /// [`ObjetRay::intersection`](crate::ObjetRay::intersection) and
+    /// [`sortie`](crate::ObjetRay::sortie) ask an object alone: keep its index beside their
+    /// answers.
     #[doc(alias("index", "primitive_id", "object"))]
     #[must_use]
     pub fn indice(&self) -> usize {
         self.rang.indice()
     }
 
-    /// How far at most [`point`](Self::point), as computed, lies from the surface
-    /// along the normal; in scene units.
+    /// How far at most [`point`](Self::point), as computed, lies from the surface along the normal;
+    /// in scene units.
     ///
     /// It is a proven bound (derived in `docs/preuves.md`), most often a few times the error
     /// itself, and never a NaN. It is +∞ where the point is beyond the range of the type, and for a
     /// sphere that is lost in rounding: always with a radius below a = 16u·(|x| + |y| + |z|) of the
-    /// point, as that sum is computed, never with one of 64u·|f| + a or more, |f| the distance of the source from the
+    /// point, as that sum is computed, never with one of 64u·|f| + a or more, with |f| the distance of the source from the
     /// centre. For a box the surface is the plane of the face that was touched.
     ///
     /// ```

@@ -1,8 +1,8 @@
-//! What is judged after the fact: how far a distance is off, and whether an answer is certain, that
-//! of exact arithmetic on the numbers as they are stored.
+//! What is judged after the fact: how far a distance is off, and whether an answer is certainly
+//! that of exact arithmetic on the numbers as they are stored.
 //!
-//! Nearly every ray is clear at a glance (`jugement/coup_d_oeil.rs`); what that leaves open is judged
-//! in doubled numbers (`jugement/loupe.rs`).
+//! Nearly every ray is clear at a glance (`jugement/coup_d_oeil.rs`); what that leaves open is
+//! judged in doubled numbers (`jugement/loupe.rs`).
 
 pub(crate) mod certificat;
 pub(crate) mod coup_d_oeil;
@@ -16,11 +16,12 @@ use crate::nombre::{Nombre, fois_u};
 use crate::objet::ObjetRay;
 use crate::rayon::Rayon;
 
-/// A glance serves for [`ObjetRay::erreur`] where it leaves no more than this part of u·t open: then
-/// the bound is what doubled numbers would say.
+/// A glance serves for [`ObjetRay::erreur`] where it leaves no more than this part of u·t open:
+/// then the bound is what doubled numbers would say.
 const NET: f64 = 1.0 / 64.0;
 
-/// How much the bound of [`ObjetRay::erreur`] grows for its last operations, in u of itself (lemma 17).
+/// How much the bound of [`ObjetRay::erreur`] grows for its last operations, in u of itself (lemma
+/// 17).
 pub const ERREUR_ARRONDIE: f64 = 16.1;
 
 impl<R: Nombre> ObjetRay<R> {
@@ -29,17 +30,18 @@ impl<R: Nombre> ObjetRay<R> {
     /// numbers as they are stored.
     ///
     /// It is proven (`docs/preuves.md`, lemma 17), at the edges of a box too and with the rounding
-    /// of its own computation. It is +∞ where the ray does not enter or leave the object, where numbers
-    /// of twice the length of an `f64` cannot tell at t whether it does, and at a way out that is off by half of t or
-    /// more; it is never a NaN. It rests on t alone, not on how t was found: it is the error itself, as found with such
-    /// numbers, and what D lacks to length 1 over that distance; in the median less than 1.1 times the error. Ask it of
-    /// the object that was hit, with the ray of the hit. It takes many times as long as the hit; whoever does not ask
-    /// pays nothing.
+    /// of its own computation. It is +∞ where the ray does not enter or leave the object, where
+    /// numbers of twice the length of an `f64` cannot tell at t whether it does, and at a way out
+    /// that is off by half of t or more; it is never a NaN. It rests on t alone, not on how t was
+    /// found: it is the error itself, as found with such numbers, and what D lacks to length 1 over
+    /// that distance. In the median it is less than 1.1 times the error. Ask the object that was
+    /// hit, with the ray of the hit. The bound takes many times as long as the hit, and costs
+    /// nothing unless it is asked for.
     ///
-    /// The same bound holds of t in lengths of D: no less than |t − t′|, where the ray crosses the surface at S +
-    /// t′D. After [`Rayon::vers_f64`] D is unit to the rounding of `f32` only, and the bound covers
-    /// that; for digits in scene units make D unit again, by [`Rayon::new`] of the same source and
-    /// direction.
+    /// The same bound holds for t in lengths of D: it is no less than |t − t′|, where the ray
+    /// crosses the surface at S + t′D. After [`Rayon::vers_f64`] D is unit to the rounding of `f32`
+    /// only, and the bound covers that; for digits in scene units make D unit again, by
+    /// [`Rayon::new`] of the same source and direction.
     ///
     /// ```
     /// use lancer_rayon::{ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
@@ -80,14 +82,15 @@ impl<R: Nombre> ObjetRay<R> {
         erreur + erreur * fois_u(ERREUR_ARRONDIE) + (R::MIN_POSITIF + R::MIN_POSITIF)
     }
 
-    /// Whether the answer of [`intersection`](Self::intersection), a hit or a miss, is certain: that
-    /// of exact arithmetic on the numbers as they are stored.
+    /// Whether the answer of [`intersection`](Self::intersection), a hit or a miss, is certainly
+    /// that of exact arithmetic on the numbers as they are stored.
     ///
-    /// It is never true of a wrong answer. It is false of a right one only within some 2⁻¹⁰⁰|S − C| of a
-    /// face or 2⁻¹⁰⁰|S − C|²/r of the outline of a sphere, for boxes thinner than 2⁻¹⁰⁰|S − C|, of a
-    /// direction within some 2⁻¹⁰⁰ of the plane of a turned face, where products leave the normal numbers
-    /// of `f64`, of a hit whose distance the type can hardly hold, and of an entry within rounding of the end of the ray. For a list:
-    /// [`Monde::certifie`](crate::Monde::certifie).
+    /// It is never true of a wrong answer. It is false of a right one only within some 2⁻¹⁰⁰|S − C|
+    /// of a face or 2⁻¹⁰⁰|S − C|²/r of the outline of a sphere, for boxes thinner than 2⁻¹⁰⁰|S −
+    /// C|, for directions within some 2⁻¹⁰⁰ of the plane of a turned face, where products leave the
+    /// normal numbers of `f64`, for hits whose distance the type can hardly hold, and for entries
+    /// within rounding of the end of the ray. [`Monde::certifie`](crate::Monde::certifie) judges a
+    /// list.
     ///
     /// ```
     /// use lancer_rayon::{ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
@@ -112,8 +115,8 @@ impl<R: Nombre> ObjetRay<R> {
     }
 }
 
-/// When the ray enters, at a glance, or in doubled numbers if that leaves hit or miss open in a type
-/// of this largest number.
+/// When the ray enters, at a glance, or in doubled numbers if that leaves hit or miss open in a
+/// type of this largest number.
 #[inline(always)]
 fn entree(objet: &ObjetRay, rayon: &Rayon, plus_grand: f64) -> Intervalle {
     let vue = coup_d_oeil(objet, rayon);

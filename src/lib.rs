@@ -1,6 +1,6 @@
 //! The geometry kernel of a raytracer: given a ray and a list of spheres, half-spaces and rotated
-//! boxes, the object that the ray touches **first**, with its distance, its unit normal and its
-//! texture.
+//! boxes, it finds the object that the ray touches **first**, with its distance, its unit normal
+//! and its texture.
 //!
 //! ```
 //! use lancer_rayon::*;
@@ -21,12 +21,13 @@
 //! Describe with [`SphereGeo`], [`PlanGeo`] and [`BoiteGeo`]; move with [`ObjetGeo::translation`],
 //! [`rotation`](ObjetGeo::rotation) and [`homothetie`](ObjetGeo::homothetie); convert once with
 //! [`vers_ray`](ObjetGeo::vers_ray); then ask [`premiere_intersection`] as often as the picture has
-//! pixels. For everything else there is a [`Monde`], a list that is asked: many rays at once
-//! ([`premieres_intersections`](Monde::premieres_intersections), the same bits, several times as fast), whether
-//! anything blocks the way to a light ([`est_occulte`](Monde::est_occulte)), [all that a ray
-//! enters](Monde::dans_l_ordre), [who holds a point](Monde::contient), of [any choice of the
-//! objects](Monde::parmi). Over ten objects or more it has a tree, and answers sooner. A ray may have
-//! [an end](Rayon::jusqu_a). [`ObjetRay::sortie`] tells where a ray leaves.
+//! pixels. For everything else there is a [`Monde`], which answers for a list: many rays at once
+//! ([`premieres_intersections`](Monde::premieres_intersections), the same bits, several times as
+//! fast), whether anything blocks the way to a light ([`est_occulte`](Monde::est_occulte)), [all
+//! that a ray enters](Monde::dans_l_ordre), [what holds a point](Monde::contient). It can be asked
+//! about [any choice of the objects](Monde::parmi). With ten objects or more it builds a tree and
+//! answers sooner. A ray may have [an end](Rayon::jusqu_a). [`ObjetRay::sortie`] tells where a ray
+//! leaves.
 //!
 //! # Conventions
 //!
@@ -44,7 +45,8 @@
 //! # Ok::<(), ErreurGeo>(())
 //! ```
 //!
-//! **A half-space** is solid: the points where N·X ≤ −d. d < 0 if it contains the origin.
+//! **A half-space** is solid: it consists of the points where N·X ≤ −d, with d < 0 if it contains
+//! the origin.
 //!
 //! ```
 //! # use lancer_rayon::*;
@@ -56,9 +58,10 @@
 //! ```
 //!
 //! **A hit is an entry** from outside, at a distance t > 0, against the normal (D·N < 0). An object
-//! is not hit from inside or from its surface, and a ray tangent to a sphere misses. A ray that starts from a hit knows
-//! [how exactly it knows its start](Rayon::flou), and touches at once, at t = 0, what holds the start by no more and
-//! what it goes into: so no ray leaves a closed room.
+//! is not hit from inside or from its surface, and a ray tangent to a sphere misses. A ray that
+//! starts from a hit carries [a bound δ on the error of its start](Rayon::flou). An object that
+//! holds the start by no more than δ, and that the ray goes into, is hit at once, at t = 0, so that
+//! no ray leaves a closed room.
 //!
 //! ```
 //! # use lancer_rayon::*;
@@ -70,36 +73,37 @@
 //! ```
 //!
 //! **Objects turn about the origin** and grow about their own centre. **At equal distance** the
-//! earlier in the list is touched.
+//! object that is earlier in the list is hit.
 //!
 //! **Invalid values cannot be constructed.** Constructors and transformations refuse what is not
 //! finite, a coordinate beyond ±2⁴⁵⁰ (±2⁶⁰ for `f32`) and a size outside 2⁻⁴⁵⁰ … 2⁴⁵⁰ (2⁻⁶⁰ … 2⁶⁰),
 //! and name the field. A question to an object or a list never panics, and no hit holds a NaN.
-//! ([`Vecteur`] is a bare triple: what is built from it checks.)
+//! ([`Vecteur`] is a bare triple; the types built from it check it.)
 //!
 //! **A hit knows its object and its error**: [`Intersection::indice`] is the index in the list,
-//! [`Intersection::marge`] bounds how far the point is from the surface, and [`Intersection::secondaire`]
-//! starts a shadow, reflection or refraction ray that never hits the object it leaves, except
-//! inward within rounding of a box edge. [`BoiteRay::lieu`] says which face of a box was hit, and where.
-//! [`Monde::certifie`] tells whether the first object is that of exact arithmetic.
+//! [`Intersection::marge`] bounds how far the point is from the surface, and
+//! [`Intersection::secondaire`] starts a shadow, reflection or refraction ray that never hits the
+//! object it leaves, except inward within rounding of a box edge. [`BoiteRay::lieu`] says which
+//! face of a box was hit, and where. [`Monde::certifie`] tells whether the first object is that of
+//! exact arithmetic.
 //!
 //! # `f32` or `f64`
 //!
 //! Every type takes the scalar as a parameter, `f64` unless named: `Vecteur<f32>`. Everything is
 //! computed in that type. Take `f32` for speed and memory, in batches above all, and `f64` for
 //! distances to some 10⁻¹⁴ (`docs/choisir.md`); what is promised is the same, in units of each
-//! type's rounding (`docs/precision.md`). Far from O take an origin off the scene first:
+//! type's rounding (`docs/precision.md`). Far from O subtract an origin from the scene first:
 //! [`ObjetGeo::vers_f32`].
 //!
 //! # Features
 //!
-//! `std` (default) brings the hardware square root; a [`Monde`] then chooses the best
-//! instruction set of the machine at run time. Without `std` the crate needs `core` alone, uses the
-//! instruction set that it is compiled for, and gives the same bits (of subnormal numbers too, unless
-//! they are switched off in the thread). `serde` reads and writes hits,
-//! `Vecteur`, `Rotation`, `Texture`, `Face`, `Rayon` and the describing types, through the same checks as
-//! their constructors. `mint` converts [`Vecteur`] and [`Rotation`] from and to its types, and so those of
-//! glam or nalgebra. Nothing allocates, nothing is `unsafe`.
+//! `std` (default) brings the hardware square root; a [`Monde`] then chooses the best instruction
+//! set of the machine at run time. Without `std` the crate needs `core` alone, uses the instruction
+//! set that it is compiled for, and gives the same bits (for subnormal numbers too, unless the
+//! thread flushes them to zero). `serde` reads and writes hits, `Vecteur`, `Rotation`, `Texture`,
+//! `Face`, `Rayon` and the describing types, through the same checks as their constructors. `mint`
+//! converts [`Vecteur`] and [`Rotation`] from and to its types, and through these those of glam or
+//! nalgebra. Nothing allocates, nothing is `unsafe`.
 #![no_std]
 
 #[cfg(feature = "std")]
@@ -108,9 +112,10 @@ extern crate std;
 // The floors, from the ground up: a file imports only from floors below its own
 // (`docs/conception.md`, "The floors").
 //
-//   colonne · nombre · choix, niveau · vecteur · texture, refus · rotation · echange, rayon · double
-//   dalle · intersection · secondaire · forme · sphere, plan, boite · face, objet · question · liste
-//   recherche, visite, jugement · lot · arbre · reponses · monde · pour_les_tests
+//   colonne · nombre · choix, niveau · vecteur · texture, refus · rotation · echange, rayon
+//   double · dalle · intersection · secondaire · forme · sphere, plan, boite · face, objet
+//   question · liste · recherche, visite, jugement · lot · arbre · reponses · monde
+//   pour_les_tests
 mod arbre;
 mod boite;
 mod choix;
@@ -162,7 +167,7 @@ pub use sphere::{SphereGeo, SphereRay};
 pub use texture::Texture;
 pub use vecteur::Vecteur;
 
-/// The examples of the README and of the recipes, kept true.
+/// Runs the examples of the README and of the recipes.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 #[doc = include_str!("../docs/README.md")]

@@ -1,4 +1,4 @@
-//! What is asked: a list of objects, with a tree or without, all of it or a choice.
+//! The world that rays ask: a list of objects, with or without a tree, all of it or a choice.
 
 use core::fmt;
 
@@ -16,25 +16,27 @@ use crate::refus::LongueursDifferentes;
 use crate::reponses::{Reel, Vue};
 use crate::vecteur::Vecteur;
 
-/// A list of objects that rays ask: alone or in batches, as a list or with a tree of boxes, all of it or a choice.
+/// A list of objects that rays ask one by one or in batches, with or without a tree of boxes, all
+/// of it or a choice.
 ///
-/// [`new`](Self::new) builds a tree, in numbers that the caller lends: the answers are those of the list, to the bit,
-/// in a time that grows far more slowly than the number of objects. [`de_liste`](Self::de_liste) builds nothing and
-/// asks every object. Both answer every question.
+/// [`new`](Self::new) builds a tree, in numbers that the caller lends: the answers are those of the
+/// list, to the bit, in a time that grows far more slowly than the number of objects.
+/// [`de_liste`](Self::de_liste) builds nothing and asks every object. Both answer every question.
 ///
-/// A `Monde` borrows the list, which keeps its order, and the numbers; it is `Copy`, and threads may share it. After a
-/// change of the list, make it anew. No question allocates or panics.
+/// A `Monde` borrows the list, which keeps its order, and the numbers; it is `Copy`, and threads
+/// may share it. Make a new one after a change of the list. No question allocates or panics.
 ///
-/// **In a tree** half-spaces are asked one by one as in a list.
-/// Objects whose boxes all overlap are a heap: a batch asks them as its list does, a single ray takes
-/// up to twice as long as its list.
-/// Boxes are rounded to some 10⁻⁶ of their distance from the middle of the many, in `f32` also of that of the
-/// source. Objects closer together than that are all tested: fine detail far from most objects costs time, and
-/// never accuracy. A sun, a sky, a ball for a ground cost little (`benches/README.md`).
+/// **In a tree** half-spaces are asked one by one, as in a list. Where the boxes of all objects
+/// overlap, a batch asks the objects as a list does, and a single ray takes up to twice as long as
+/// with a list. Boxes are rounded to some 10⁻⁶ of their distance from the middle of most objects,
+/// in `f32` also of the distance of the source. Objects closer together than that are all tested:
+/// fine detail far from most objects costs time, and never accuracy. A sun, a sky or a ball for a
+/// ground costs little (`benches/README.md`).
 ///
 /// ```
 /// use lancer_rayon::{
-///     Monde, NoIntersection, ObjetRay, Rayon, SphereGeo, Texture, Vecteur, places, premiere_intersection,
+///     Monde, NoIntersection, ObjetRay, Rayon, SphereGeo, Texture, Vecteur, places,
+///     premiere_intersection,
 /// };
 ///
 /// let boule = |x| SphereGeo::new(Vecteur::new(f64::from(x), 0.0, -5.0), 0.4, Texture(x));
@@ -59,9 +61,10 @@ use crate::vecteur::Vecteur;
 #[must_use]
 pub struct Monde<'a, R = f64, C = Tous> {
     objets: &'a [ObjetRay<R>],
-    /// Without nodes over few objects with a box and over too many objects: these are asked as a list.
+    /// It has no nodes over few objects with a box or over too many objects, which are asked as a
+    /// list.
     arbre: Arbre<'a, R>,
-    /// Detected where the value is made; tests set another.
+    /// Detected when the value is made; tests set another.
     pub(crate) niveau: Level,
     choix: C,
 }
@@ -78,9 +81,9 @@ impl<R: Nombre, C> fmt::Debug for Monde<'_, R, C> {
 /// How many numbers [`Monde::new`] needs for this many objects, in either type: 7.5 an object, 30
 /// bytes, where there are many.
 ///
-/// They are scratch memory: what they hold before does not matter, and after the last question neither. It is 0 for
-/// fewer than 10 objects, and for 2³¹ − 2²³ or more: these are asked as a list, as is any list with fewer than 10
-/// spheres and boxes.
+/// The numbers are scratch memory, free again after the last question. The count is 0 for fewer
+/// than 10 objects, and for 2³¹ − 2²³ or more: these are asked as a list, as is any list with fewer
+/// than 10 spheres and boxes.
 #[doc(alias("capacity", "memory"))]
 #[must_use]
 pub const fn places(nombre_d_objets: usize) -> usize {
@@ -88,10 +91,10 @@ pub const fn places(nombre_d_objets: usize) -> usize {
 }
 
 impl<'a, R: Reel> Monde<'a, R> {
-    /// This list with a tree, in the numbers lent, whose values do not matter.
+    /// Builds a tree over this list, in the numbers lent, whose values do not matter.
     ///
-    /// It takes some 0.1 to 0.2 µs an object (`benches/README.md`). An array on the stack serves as
-    /// well as a `Vec`; numbers beyond [`places`] are left alone.
+    /// Building takes some 0.1 to 0.2 µs an object (`benches/README.md`). Numbers beyond [`places`]
+    /// are left alone.
     ///
     /// # Errors
     /// If fewer numbers are lent than [`places`] says.
@@ -118,11 +121,12 @@ impl<'a, R: Reel> Monde<'a, R> {
         Ok(Self { arbre: R::arbre(objets, places, false)?, ..Self::de_liste(objets) })
     }
 
-    /// The same with a tree in which **long boxes that stand askew**, poles, planks and beams, are cut into pieces, of
-    /// which each takes up less room than the whole. What is lent beyond [`places`] pays for the pieces.
+    /// Builds a tree in which **long boxes that stand askew**, such as poles, planks and beams, are
+    /// cut into pieces. Each piece takes up less room than the whole, and the numbers lent beyond
+    /// [`places`] pay for the pieces.
     ///
-    /// In twice the places a ray among 10,000 such boxes takes about half of the
-    /// time; where nothing is long the tree is the same. No answer depends on it.
+    /// With twice the places a ray among 10,000 such boxes takes about half of the time; where
+    /// nothing is long the tree is that of [`new`](Self::new). No answer depends on the pieces.
     ///
     /// # Errors
     /// If fewer numbers are lent than [`places`] says.
@@ -134,8 +138,10 @@ impl<'a, R: Reel> Monde<'a, R> {
     /// use lancer_rayon::{BoiteGeo, Monde, ObjetRay, Rotation, Texture, Vecteur, places};
     ///
     /// let tour = Rotation::new(Vecteur::new(0.5, 0.3, 0.4))?;
-    /// let perche = |x| BoiteGeo::new(Vecteur::new(x, 0.0, 0.0), Vecteur::new(0.1, 9.0, 0.1), tour, Texture(0));
-    /// let perches = (0..200).map(|i| perche(i as f32).map(ObjetRay::from)).collect::<Result<Vec<_>, _>>()?;
+    /// let cotes = Vecteur::new(0.1, 9.0, 0.1);
+    /// let perche = |x| BoiteGeo::new(Vecteur::new(x, 0.0, 0.0), cotes, tour, Texture(0));
+    /// let perches = (0..200).map(|i| perche(i as f32).map(ObjetRay::from));
+    /// let perches = perches.collect::<Result<Vec<_>, _>>()?;
     /// let mut memoire = vec![0.0; 2 * places(perches.len())];
     /// assert!(Monde::en_morceaux(&perches, &mut memoire).is_ok());
     /// # Ok::<(), Box<dyn core::error::Error>>(())
@@ -148,9 +154,9 @@ impl<'a, R: Reel> Monde<'a, R> {
         Ok(Self { arbre: R::arbre(objets, places, true)?, ..Self::de_liste(objets) })
     }
 
-    /// This list as it is: every object is asked, nothing is built and no places are needed.
+    /// Takes this list as it is: every object is asked, nothing is built and no places are needed.
     ///
-    /// Below ten spheres and boxes it is as fast as a tree.
+    /// With fewer than ten spheres and boxes it is as fast as a tree.
     ///
     /// # Panics
     /// If the list has more than 2³² − 1 objects, some 300 GB.
@@ -162,7 +168,7 @@ impl<'a, R: Reel> Monde<'a, R> {
 }
 
 impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
-    /// As questions take it.
+    /// The world as questions take it.
     #[inline]
     pub(crate) fn vue(&self) -> Vue<'_, R> {
         let liste = Liste { objets: self.objets, choix: self.choix.regle() };
@@ -181,17 +187,17 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
         self.objets
     }
 
-    /// The objects that `prend` takes, by their indices in the list: the answers are those of
-    /// a list of these objects, to the bit, save that each keeps its index.
+    /// The objects that `prend` takes, by their indices in the list: the answers are those of a
+    /// list of these objects, to the bit, save that each keeps its index.
     ///
-    /// Every question knows the choice, shadows, batches and certificates too, and the choice is a value like any
-    /// other. A choice among a choice takes what both take. `prend` is asked for indices of the list alone. It is called
-    /// for few of the objects that a ray passes by, and for some more than once; a batch of a list calls
-    /// it for every object once for 64 rays.
+    /// Every question keeps to the choice, shadows, batches and certificates too. A choice among a
+    /// choice takes what both take. `prend` is only called with indices of the list. It is called
+    /// for few of the objects that a ray passes by, and for some more than once; a batch of a list
+    /// calls it for every object once for 64 rays.
     ///
-    /// Panes throw no shadow, a robot does not see itself, a plan shows one storey. To leave out one object is
-    /// [`sans`](Self::sans). For fewer than some hundredth of a large list build a `Monde` of these: a ray walks the
-    /// whole tree, whatever the choice takes.
+    /// To leave out one object there is [`sans`](Self::sans). For less than about a hundredth of a
+    /// large list build a `Monde` of those objects: a ray walks the whole tree, whatever the choice
+    /// takes.
     ///
     /// ```
     /// use lancer_rayon::*;
@@ -205,11 +211,11 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// let touche = autres.premiere_intersection(&rayon)?;
     /// assert_eq!((touche.indice(), touche.distance()), (1, 8.0));
     ///
-    /// // By any property; and here nothing is left.
+    /// // A choice by any property; here nothing is left.
     /// let aucune = autres.parmi(|indice| objets[indice].texture() != Texture(7));
     /// assert_eq!(aucune.premiere_intersection(&rayon), Err(NoIntersection));
     ///
-    /// // Returned from a function, and kept in a struct.
+    /// // A choice can be returned from a function, and kept in a struct.
     /// fn opaques<'a>(monde: Monde<'a>, verre: &'a [bool]) -> Monde<'a, f64, impl Choix + Copy + 'a> {
     ///     monde.parmi(|indice| !verre[indice])
     /// }
@@ -219,7 +225,7 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// let lumiere = Lumiere { ombres: opaques(monde, &[true, false]) };
     /// assert!(!lumiere.ombres.est_occulte(&rayon.jusqu_a(5.0)?));
     ///
-    /// // Shared by threads.
+    /// // Threads may share it.
     /// std::thread::scope(|fils| {
     ///     for _ in 0..2 {
     ///         fils.spawn(|| assert!(lumiere.ombres.est_occulte(&rayon)));
@@ -233,11 +239,12 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
         self.avec_choix(|parmi| Parmi { parmi, prend })
     }
 
-    /// The objects without the one at this index. After another
-    /// choice it takes what both take; an index beyond the list leaves out nothing.
+    /// The objects except the one at this index. After another choice it takes what both take; an
+    /// index beyond the list leaves out nothing.
     ///
-    /// **A lamp of the list**, or the far end of [`vers_touche`](crate::Intersection::vers_touche), does not stand before
-    /// itself. A ray that leaves an object needs no such choice: it never hits that object again
+    /// Leave out **a lamp of the list**, or the object at the far end of
+    /// [`vers_touche`](crate::Intersection::vers_touche), so that it does not stand before itself.
+    /// A ray that leaves an object needs no such choice: it never hits that object again
     /// ([`secondaire`](crate::Intersection::secondaire)).
     ///
     /// ```
@@ -274,8 +281,9 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// [`premiere_intersection`](Self::premiere_intersection) of every ray, to the bit, and several
     /// times as fast for the rays of a picture.
     ///
-    /// Neighbours in `rayons` should be neighbours in the picture, in tiles of 8 × 8. Pass 64 rays or more a call.
-    /// Nothing is allocated and no thread is started; the caller may give parts of a picture to several threads.
+    /// Neighbours in `rayons` should be neighbours in the picture, in tiles of 8 × 8. Pass 64 rays
+    /// or more per call. Nothing is allocated and no thread is started; the caller may give parts
+    /// of a picture to several threads.
     ///
     /// # Errors
     /// If `rayons` and `touches` are not of the same length; nothing is written then.
@@ -301,20 +309,22 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
         R::premieres(&self.vue(), rayons, touches)
     }
 
-    /// Whether anything stands before the end of the ray, the light that it goes to:
-    /// the shadow of the handout's later parts.
+    /// Whether anything stands before the end of the ray, where the light is: the shadow of the
+    /// handout's later parts.
     ///
-    /// It is `premiere_intersection(rayon).is_ok()`, and sooner: it ends with the first object found. The rays come from
-    /// [`vers_lumiere`](crate::Intersection::vers_lumiere), [`vers_soleil`](crate::Intersection::vers_soleil) and
-    /// [`Rayon::entre`]. With a [`secondaire`](crate::Intersection::secondaire) of one's own, measure the end from its
-    /// source, and test N·L > 0 first: towards a lamp behind the surface the ray starts inside the object, which then
-    /// casts no shadow.
+    /// It is `premiere_intersection(rayon).is_ok()`, but answers sooner: it stops at the first
+    /// object found. The rays come from [`vers_lumiere`](crate::Intersection::vers_lumiere),
+    /// [`vers_soleil`](crate::Intersection::vers_soleil) and [`Rayon::entre`]. With a
+    /// [`secondaire`](crate::Intersection::secondaire) of one's own, measure the end from its
+    /// source, and test N·L > 0 first: towards a lamp behind the surface the ray starts inside the
+    /// object, which then casts no shadow.
     ///
     /// **A lamp that is an object of the list** hides the points of its own surface: no distance is
     /// exact enough to stop just before it. [Leave it out](Self::sans).
     ///
-    /// **From deep inside an object** that object is not seen, as by any ray: a point of the floor under a ball that is
-    /// sunk in it is not in its shadow. [`contient`](Self::contient) tells such points.
+    /// **From deep inside an object** a shadow ray does not see that object, as no ray does: a
+    /// point of the floor under a ball that is sunk into the floor is not in the shadow of the
+    /// ball. [`contient`](Self::contient) tells such points.
     ///
     /// ```
     /// use lancer_rayon::{Monde, Rayon, SphereGeo, Texture, Vecteur};
@@ -340,8 +350,8 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// Whether anything stands before the end of each ray: [`est_occulte`](Self::est_occulte) of
     /// every ray, to the bit, and sooner.
     ///
-    /// What [`premieres_intersections`](Self::premieres_intersections) says of order and
-    /// length of a call holds here; rays to one lamp, in the order of the picture, are neighbours.
+    /// What [`premieres_intersections`](Self::premieres_intersections) says of the order and number
+    /// of rays holds here; rays to one lamp, in the order of the picture, are neighbours.
     ///
     /// # Errors
     /// If `rayons` and `occultes` are not of the same length; nothing is written then.
@@ -367,13 +377,14 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
         R::occultes(&self.vue(), rayons, occultes)
     }
 
-    /// The objects that the ray enters before its end, as many as there are places, in order: the nearest first,
-    /// of two at the same distance the earlier in the list. Places that are left over become misses. Tells how many
-    /// were filled: if all, there may be more.
+    /// Writes the objects that the ray enters before its end, the nearest first; of two at the same
+    /// distance the earlier in the list comes first. Places that are left over become misses. It
+    /// returns how many were filled: if all were, there may be more.
     ///
-    /// It is what asking every object alone and sorting gives, to the bit, also where two objects touch.
-    /// Where a ray leaves an object, [`sortie`](ObjetRay::sortie) tells. An object in which the ray starts is not
-    /// entered: such are the [`contenants`](Self::contenants) of its source.
+    /// The result is, to the bit, that of asking every object alone and sorting, also where two
+    /// objects touch. [`sortie`](ObjetRay::sortie) tells where a ray leaves an object. An object in
+    /// which the ray starts is not entered; [`contenants`](Self::contenants) of its source shows
+    /// those.
     ///
     /// ```
     /// use lancer_rayon::{Monde, NoIntersection, ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
@@ -398,18 +409,20 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
         R::dans_l_ordre(&self.vue(), rayon, touches)
     }
 
-    /// Shows `voir` the index of every object that the ray enters before its end, and the distance, each once and in no
-    /// order. `voir` returns the end of the ray from then on: +∞ leaves it where it is, a distance draws it nearer, 0
-    /// ends the visit.
+    /// Shows `voir` the index of every object that the ray enters before its end, and the distance,
+    /// each once and in no order. `voir` returns the end of the ray from then on: +∞ leaves it
+    /// where it is, a distance draws it nearer, 0 ends the visit.
     ///
-    /// For what no other question asks: to count, to weigh, to find the first object by a rule of one's own. What
-    /// `voir` does not need is never computed; [`ObjetRay::intersection`] of the object has the rest of a hit.
+    /// It serves what no other question asks: to count, to weigh, to find the first object by a
+    /// rule of your own. What `voir` does not need is never computed; [`ObjetRay::intersection`] of
+    /// the object has the rest of a hit.
     ///
     /// ```
     /// use lancer_rayon::{Monde, ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
     ///
     /// let boule = |z, texture| SphereGeo::new(Vecteur::new(0.0, 0.0, z), 1.0, Texture(texture));
-    /// let objets: [ObjetRay; 3] = [boule(-9.0, 1)?.into(), boule(-4.0, 2)?.into(), boule(-20.0, 2)?.into()];
+    /// let objets: [ObjetRay; 3] =
+    ///     [boule(-9.0, 1)?.into(), boule(-4.0, 2)?.into(), boule(-20.0, 2)?.into()];
     /// let monde = Monde::de_liste(&objets);
     /// let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.0, 0.0, -1.0))?;
     ///
@@ -437,8 +450,7 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
         R::visiter(&self.vue(), rayon, &mut voir);
     }
 
-    /// Whether some object [`contient`](ObjetRay::contient) this point, or has it on its surface: say for a camera that
-    /// may stand inside something.
+    /// Whether some object [`contient`](ObjetRay::contient) this point, or has it on its surface.
     ///
     /// ```
     /// use lancer_rayon::{Monde, ObjetRay, SphereGeo, Texture, Vecteur};
@@ -460,25 +472,26 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
         R::contient(&self.vue(), point)
     }
 
-    /// Shows `voir` the index of every object that [`contient`](ObjetRay::contient) this point, each once and in no
-    /// order: where a ray starts inside glass, in which glass.
+    /// Shows `voir` the index of every object that [`contient`](ObjetRay::contient) this point,
+    /// each once and in no order.
     #[doc(alias("contains", "inside", "point_query"))]
     pub fn contenants(&self, point: Vecteur<R>, mut voir: impl FnMut(usize)) {
         R::contenants(&self.vue(), point, &mut voir);
     }
 
-    /// Whether an answer of [`premiere_intersection`](Self::premiere_intersection), a hit or a miss, is certain: whether
-    /// exact arithmetic on the numbers as they are stored names the same object first, or none as well. (Which
-    /// face of a box, at an edge, is not asked.)
+    /// Whether an answer of [`premiere_intersection`](Self::premiere_intersection), a hit or a
+    /// miss, is certain: whether exact arithmetic on the numbers as they are stored names the same
+    /// object first, or none as well. (It does not ask which face of a box was hit at an edge.)
     ///
     /// It is never true of a wrong answer. It is false of a right one only where
-    /// [`est_certain`](ObjetRay::est_certain) of some object would be, where no distance is promised, and of two
-    /// entries nearer to each other than some 2⁻⁵⁰(κ + κ′)·t, twice what both distances are promised to in `f64`
-    /// (`docs/precision.md`; κ is large where a ray grazes), or among numbers below the normal ones. Most often that is
-    /// an exact tie, as where the sides of two boxes are flush. Of `reponse` only
-    /// [`indice`](crate::Intersection::indice) counts, whoever found it. The time is that of a ray or two, with a tree
-    /// in the mean 1.0 to 1.3 of that of the ray; and a tree certifies some right answers more, since what lies later by
-    /// its box is not asked.
+    /// [`est_certain`](ObjetRay::est_certain) of some object would be, where no distance is
+    /// promised, where two entries are nearer to each other than some 2⁻⁵⁰(κ + κ′)·t, twice what
+    /// both distances are promised to in `f64` (`docs/precision.md`; κ is large where a ray grazes),
+    /// and among numbers below the normal ones. Most often that is an exact tie, as where the sides
+    /// of two boxes are flush. Only the [`indice`](crate::Intersection::indice) of `reponse` counts,
+    /// whoever found it. It takes the time of a ray or two, with a tree 1.0 to 1.3 times that of the
+    /// ray on average. A tree certifies a few more right answers, since it does not ask what comes
+    /// later by its box.
     ///
     /// Where an answer is not certain ask the same numbers in `f64`: [`ObjetRay::vers_f64`] of all
     /// objects, and [`Rayon::vers_f64`]. What is uncertain there as well is most often a tie.
@@ -489,7 +502,9 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// let boule = |z| SphereGeo::<f32>::new(Vecteur::new(0.0, 0.0, z), 1.0, Texture(0));
     /// let objets: [ObjetRay<f32>; 2] = [boule(-5.0)?.into(), boule(-5.000001)?.into()];
     /// let vers_le_fond = |x| Rayon::new(Vecteur::new(x, 0.0, 0.0), Vecteur::new(0.0, 0.0, -1.0));
-    /// let certaine = |monde: Monde<'_, f32>, rayon| monde.certifie(&rayon, &monde.premiere_intersection(&rayon));
+    /// let certaine = |monde: Monde<'_, f32>, rayon| {
+    ///     monde.certifie(&rayon, &monde.premiere_intersection(&rayon))
+    /// };
     /// assert!(certaine(Monde::de_liste(&objets), vers_le_fond(0.3)?)); // the nearer one
     /// assert!(certaine(Monde::de_liste(&objets), vers_le_fond(1.5)?)); // a miss
     /// assert!(!certaine(Monde::de_liste(&[objets[0]; 2]), vers_le_fond(0.3)?)); // a tie
@@ -501,8 +516,8 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
         R::certifie(&self.vue(), rayon, reponse)
     }
 
-    /// A box along the axes that holds all of these objects, save the half-spaces, which no box holds; `None` if there
-    /// are no others.
+    /// A box along the axes that holds all of these objects, save the half-spaces, which no box
+    /// holds; `None` if there are no others.
     ///
     /// ```
     /// use lancer_rayon::{Etendue, Monde, PlanGeo, Rotation, SphereGeo, Texture, Vecteur};

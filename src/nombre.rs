@@ -7,7 +7,7 @@ mod scelle {
     /// What only this crate needs of a scalar; and what keeps [`Nombre`](super::Nombre) to the two
     /// types whose rounding the crate's bounds rest on.
     pub trait Scelle: Sized {
-        /// The one of two constants that is for this type.
+        /// The constant for this type, of these two.
         #[inline(always)]
         fn selon<T>(en_f32: T, en_f64: T) -> T {
             if size_of::<Self>() == size_of::<f32>() { en_f32 } else { en_f64 }
@@ -19,8 +19,9 @@ use scelle::Scelle;
 
 /// The arithmetic of the scalar: what [`Reel`](crate::Reel) can compute. Sealed.
 ///
-/// Every operation is correctly rounded, so that a query gives the same bits on every machine with IEEE arithmetic;
-/// the x87 of an i586 rounds differently. Fused multiply-add is absent on purpose: not every machine has it.
+/// Every operation is correctly rounded, so that a query gives the same bits on every machine with
+/// IEEE arithmetic; the x87 of an i586 rounds differently. Fused multiply-add is absent on purpose:
+/// not every machine has it.
 ///
 /// ```
 /// use lancer_rayon::Nombre;
@@ -86,13 +87,13 @@ pub(crate) fn fois_u<R: Nombre>(n: f64) -> R {
 }
 
 /// n·u of `f32`, in either type: enough for the numbers of an `f32` scene in `f64`, whose
-/// directions and normals are unit to that only.
+/// directions and normals are only unit to that.
 #[inline(always)]
 pub(crate) fn fois_u_simple<R: Nombre>(n: f64) -> R {
     R::depuis_f64(n * f64::from(f32::U))
 }
 
-/// The nearest number of `f32`; ±∞ beyond them all.
+/// The nearest `f32`, which is ±∞ beyond the largest.
 #[inline(always)]
 pub(crate) fn simple<R: Nombre>(x: R) -> f32 {
     x.vers_f64() as f32
@@ -115,7 +116,7 @@ pub(crate) fn min<R: Nombre>(a: R, b: R) -> R {
     if a < b { a } else { b }
 }
 
-/// What the two scalars say alike, for one with this limit and this root from `libm`.
+/// Implements [`Nombre`] for a scalar with this limit and this root from `libm`.
 macro_rules! nombre {
     ($nombre:ident, $limite:expr, $racine:path) => {
         impl Scelle for $nombre {}

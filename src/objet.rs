@@ -12,11 +12,11 @@ use crate::sphere::{SphereGeo, SphereRay};
 use crate::texture::Texture;
 use crate::vecteur::Vecteur;
 
-/// `par_forme!(ObjetRay, objet, forme => expression)`: the expression for the shape in `objet`: how
-/// all of the crate chooses between shapes, except where it judges (`jugement/`).
+/// `par_forme!(ObjetRay, objet, forme => expression)` is the expression for the shape in `objet`.
+/// All of the crate chooses between shapes in this way, except where it judges (`jugement/`).
 ///
-/// Each arm has a type of its own for `forme`, which no closure could have. Whoever asks a shape
-/// about many rays matches once for all of them in this way.
+/// Each arm has a type of its own for `forme`, which no closure could have. One match can serve
+/// many rays.
 macro_rules! par_forme {
     ($enum:ident, $objet:expr, $forme:ident => $expression:expr) => {
         match $objet {
@@ -28,12 +28,12 @@ macro_rules! par_forme {
 }
 pub(crate) use par_forme;
 
-/// An object as one describes and moves it (`Objet_geo` in the handout).
+/// An object as it is described and moved (`Objet_geo` in the handout).
 ///
-/// A translation rounds each coordinate of the centre once; of a half-space d − N·v is off by u of
-/// d and 4.1u·Σ|N_i·v_i|. A turned centre C·M is off by 3.1u·Σ|C_i|, since no element of M exceeds
-/// 1 + 6u. Below the normal numbers both are off by 1.6 times the smallest number besides (lemma
-/// 11).
+/// A translation rounds each coordinate of the centre once; the distance d − N·v of a half-space is
+/// off by u of d and 4.1u·Σ|N_i·v_i|. A turned centre C·M is off by 3.1u·Σ|C_i|, since no element
+/// of M exceeds 1 + 6u. Below the normal numbers both are off by 1.6 times the smallest number
+/// besides (lemma 11).
 ///
 /// ```
 /// use core::f64::consts::PI;
@@ -83,8 +83,8 @@ impl<R: Nombre> ObjetGeo<R> {
         par_forme!(Self, self, forme => Ok(forme.rotation(r)?.into()))
     }
 
-    /// The object with its dimensions multiplied by `k`, its centre where it was; a half-space
-    /// has none and stays as it is (handout §2.3).
+    /// The object with its dimensions multiplied by `k`, its centre where it was; a half-space has
+    /// none and stays as it is (handout §2.3).
     ///
     /// # Errors
     /// If `k` is not finite and above 0, or a dimension leaves the limits of the constructor.
@@ -93,18 +93,18 @@ impl<R: Nombre> ObjetGeo<R> {
         par_forme!(Self, self, forme => Ok(forme.homothetie(k)?.into()))
     }
 
-    /// The same object in `f32`, seen from an origin that is taken off in the type of the object,
+    /// The same object in `f32`, seen from an origin that is subtracted in the type of the object,
     /// before anything is rounded to `f32`: the object moved by −`origine`.
     ///
-    /// Far from O an `f32` holds few digits: near 4,200,000 the next number is 0.5 away. What is
-    /// lost in storing no margin and no certificate sees, since all of them speak of the numbers as
-    /// stored. So describe a scene in `f64`, take off an origin in its middle, and the same of the
-    /// rays ([`Rayon::vers_f32`]); a point of the scene is then the point found, `vers_f64`, and the origin.
-    /// `Vecteur::NUL` leaves the scene where it is.
+    /// Far from O an `f32` holds few digits: near 4,200,000 the next number is 0.5 away. No margin
+    /// and no certificate sees what is lost in storing, since all of them speak of the numbers as
+    /// stored. So describe a scene in `f64`, and subtract an origin in its middle from the objects
+    /// and from the rays ([`Rayon::vers_f32`]). To return to the scene, add that origin to the
+    /// point found, `vers_f64`. `Vecteur::NUL` leaves the scene where it is.
     ///
     /// # Errors
-    /// If `origine` is not finite, [`translation`](Self::translation) by −`origine` refuses, or the constructor the
-    /// numbers in `f32`: the error names the field.
+    /// If `origine` is not finite, or if [`translation`](Self::translation) by −`origine` or the
+    /// constructor with the numbers in `f32` fails; the error names the field.
     ///
     /// ```
     /// use lancer_rayon::{ObjetGeo, ObjetRay, SphereGeo, Texture, Vecteur};
@@ -172,7 +172,7 @@ impl<R: Nombre> ObjetRay<R> {
         par_forme!(Self, self, forme => forme.t(rayon))
     }
 
-    /// The same, sooner for a ray that passes this object by.
+    /// [`t`](Self::t), sooner for a ray that passes this object by.
     #[inline(always)]
     pub(crate) fn t_si_proche(&self, rayon: &Rayon<R>) -> R {
         par_forme!(Self, self, forme => {
@@ -180,7 +180,8 @@ impl<R: Nombre> ObjetRay<R> {
         })
     }
 
-    /// The same for a ray that has a δ above 0, and may touch this object at once, at distance 0.
+    /// [`t_touche`](Self::t_touche), sooner for a ray that has a δ above 0 and passes this object
+    /// by.
     #[inline(always)]
     pub(crate) fn t_touche_si_proche(&self, rayon: &Rayon<R>) -> R {
         par_forme!(Self, self, forme => {
@@ -220,8 +221,9 @@ impl<R: Nombre> ObjetRay<R> {
 
     /// The same object in `f64`, exactly: every number that is stored, and no other.
     ///
-    /// With [`Rayon::vers_f64`] anybody can judge `f32` by `f64` on a scene of their own. Directions are unit
-    /// to the rounding of `f32` only, and `marge`, `secondaire`, `vers_touche` and `etendue` promise nothing.
+    /// With [`Rayon::vers_f64`] anybody can judge `f32` by `f64` on a scene of their own.
+    /// Directions are unit to the rounding of `f32` only, and `marge`, `secondaire`, `vers_touche`
+    /// and `etendue` promise nothing.
     ///
     /// ```
     /// use lancer_rayon::{ObjetRay, SphereGeo, Texture, Vecteur};
@@ -236,7 +238,8 @@ impl<R: Nombre> ObjetRay<R> {
         self.en_double()
     }
 
-    /// The same by reference: a certificate, which converts many, takes 0.97 of the time (measured).
+    /// [`vers_f64`](Self::vers_f64) by reference: a certificate, which converts many objects, takes
+    /// 0.97 of the time (measured).
     pub(crate) fn en_double(&self) -> ObjetRay {
         par_forme!(Self, self, forme => forme.vers_f64().into())
     }
@@ -251,7 +254,7 @@ impl<R: Nombre> ObjetRay<R> {
     /// let le_long = |x| boule.contient(Vecteur::new(x, 0.0, 0.0));
     /// assert_eq!([1.0, 2.0, 3.0, f64::NAN].map(le_long), [true, true, false, false]);
     ///
-    /// // Of a list, say for a camera that may stand inside something:
+    /// // For a list:
     /// assert!([boule].iter().any(|objet| objet.contient(Vecteur::NUL)));
     /// # Ok::<(), lancer_rayon::ErreurGeo>(())
     /// ```
@@ -261,11 +264,13 @@ impl<R: Nombre> ObjetRay<R> {
         par_forme!(Self, self, forme => forme.contient(point))
     }
 
-    /// A box along the axes that holds all of this object; `None` for what is unbounded, a half-space.
+    /// A box along the axes that holds all of this object; `None` for what is unbounded, a
+    /// half-space.
     ///
-    /// All of it with the rounding, except of an object that [`vers_f64`](Self::vers_f64) gave: the corners
-    /// lie up to 87u of the sum of its half-extents and 3.1u of the sum of the coordinates of its centre
-    /// beyond it. That of a list is [`Monde::etendue`](crate::Monde::etendue).
+    /// Rounding is allowed for, except for an object that [`vers_f64`](Self::vers_f64) gave. The
+    /// corners lie beyond the object by up to 87u of the sum of its half-extents and 3.1u of the
+    /// sum of the coordinates of its centre. [`Monde::etendue`](crate::Monde::etendue) is the box
+    /// of a list.
     #[doc(alias("bounding_box", "aabb", "bounds"))]
     #[must_use]
     pub fn etendue(&self) -> Option<Etendue<R>> {
@@ -293,7 +298,8 @@ impl<R: Nombre> ObjetRay<R> {
     }
 }
 
-/// How much larger the box around an object is made, in u of the sum of its half-extents (lemma 15).
+/// How much larger the box around an object is made, in u of the sum of its half-extents (lemma
+/// 15).
 pub const ETENDUE: f64 = 44.0;
 
 /// A box along the axes around an object or a list: its lowest and its highest corner.

@@ -8,9 +8,9 @@ use crate::rotation::Rotation;
 use crate::texture::Texture;
 use crate::vecteur::Vecteur;
 
-/// A half-space as one describes it: the points z ≤ 0 turned by a rotation, then moved to lie
-/// at a relative distance d from the origin O (handout §2.2). d < 0 if the half-space contains
-/// O, d > 0 if not.
+/// The description of a half-space: the points z ≤ 0 turned by a rotation, then moved to lie at a
+/// relative distance d from the origin O (handout §2.2). The distance is below 0 if the half-space
+/// contains O, and above 0 if not.
 ///
 /// ```
 /// use core::f64::consts::FRAC_PI_2;
@@ -48,13 +48,14 @@ impl<R: Nombre> PlanGeo<R> {
         Ok(Self { rotation, distance: coordonnee("distance", distance)?, texture })
     }
 
-    /// The rotation that laid z ≤ 0 down as this half-space; [`rotation`](Self::rotation) turns it on.
+    /// The rotation that laid z ≤ 0 down as this half-space; [`rotation`](Self::rotation) turns it
+    /// on.
     ///
     /// Its [`axes`](Rotation::axes) are the two unit axes x and y, in the surface, and N. Measured
-    /// along x and y, a pattern turns with its half-space. They come from here and not from N alone:
-    /// N does not change when a floor is turned about it, and no choice of axes by N is without a
-    /// jump somewhere. In the third axis the surface lies at −d exactly, which the point of a hit
-    /// reaches only to rounding: a pattern in three dimensions takes −d.
+    /// along x and y, a pattern turns with its half-space. They come from here and not from N
+    /// alone, which does not change when a floor is turned about it. In the third axis the surface
+    /// lies at −d exactly, which the point of a hit reaches only to rounding: a pattern in three
+    /// dimensions takes −d.
     ///
     /// ```
     /// use core::f64::consts::FRAC_PI_2;
@@ -95,8 +96,9 @@ impl<R: Nombre> PlanGeo<R> {
     /// The half-space whose surface passes through this point, with this outward normal of any
     /// length: a wall.
     ///
-    /// How its pattern is turned about the normal is not yours to say: [`orientation`](Self::orientation) tells. As one
-    /// sees any half-space from outside, the first of its axes points to the right where the second points up.
+    /// You cannot choose how its pattern is turned about the normal;
+    /// [`orientation`](Self::orientation) tells. Seen from outside, the first axis of any
+    /// half-space points to the right where the second points up.
     ///
     /// # Errors
     /// If a coordinate of the point, or the distance to the origin, is beyond the limits of
@@ -151,12 +153,12 @@ impl<R: Nombre> PlanGeo<R> {
         Ok(self)
     }
 
-    /// The same half-space in `f32`, seen from an origin that is taken off before anything is
+    /// The same half-space in `f32`, seen from an origin that is subtracted before anything is
     /// rounded: see [`ObjetGeo::vers_f32`](crate::ObjetGeo::vers_f32).
     ///
     /// # Errors
-    /// If `origine` is not finite, [`translation`](Self::translation) by −`origine` refuses, or [`new`](Self::new) the
-    /// numbers in `f32`.
+    /// If `origine` is not finite, or if [`translation`](Self::translation) by −`origine` or
+    /// [`new`](Self::new) with the numbers in `f32` fails.
     pub fn vers_f32(self, origine: Vecteur<R>) -> Result<PlanGeo<f32>, ErreurGeo> {
         let Self { rotation, distance, texture } = self.translation(-refus::origine(origine)?)?;
         PlanGeo::new(rotation.vers_f32(), simple(distance), texture)
@@ -170,8 +172,8 @@ impl<R: Nombre> PlanGeo<R> {
     }
 }
 
-/// A half-space ready for rays: its outward unit normal N and its relative distance d
-/// (handout §3). Its points are those where N·X ≤ −d.
+/// A half-space ready for rays: its outward unit normal N and its relative distance d (handout §3).
+/// Its points are those where N·X ≤ −d.
 ///
 /// ```
 /// use lancer_rayon::{PlanGeo, Rotation, Texture, Vecteur};
@@ -237,8 +239,8 @@ impl<R: Nombre> Forme<R> for PlanRay<R> {
         None
     }
 
-    /// Whether the ray enters the half-space: S outside, N·D < 0. No threshold: a ray that
-    /// descends at all arrives, unless its distance overflows.
+    /// Whether the ray enters the half-space: S is outside, and N·D < 0. There is no threshold: a
+    /// ray that descends at all arrives, unless its distance overflows.
     #[inline(always)]
     fn peut_entrer(&self, rayon: &Rayon<R>) -> bool {
         let (hauteur, descente) = self.hauteur_et_descente(rayon);

@@ -1,6 +1,6 @@
-//! What tests and measurements need of this crate and its callers do not: the answers with
-//! other instructions; what no answer tells; and, under one roof for the test that holds them to their
-//! lemmas, the constants of the proofs in `docs/preuves.md` and the numbers of lemma 16.
+//! What tests and measurements need of this crate and its callers do not: the answers with other
+//! instructions, what no answer tells, the constants of the proofs in `docs/preuves.md`, which a
+//! test compares with their lemmas, and the numbers of lemma 16.
 
 use fearless_simd::Level;
 
@@ -30,7 +30,7 @@ pub use crate::secondaire::{
 };
 pub use crate::sphere::{ARRONDI_PERDU, LONGUEUR, PAR_RAYON, PUISSANCE_PERDUE, TRAVERS_PERDU};
 
-/// Which instructions are taken: no answer depends on it.
+/// The instructions to use; no answer depends on them.
 #[derive(Debug, Clone, Copy)]
 pub struct Reglage {
     niveau: Level,

@@ -1,17 +1,17 @@
-//! What is asked of a ray. Every question is one trait, and every walk asks any of them: a list (`liste.rs`), a tree
-//! (`arbre/parcours.rs`) and, for those that are [`EnLot`](crate::lot::bloc::EnLot), a block of rays (`lot/bloc.rs`).
+//! The questions that a ray asks. They have one trait, so that every walk can ask any of them: a
+//! list (`liste.rs`), a tree (`arbre/parcours.rs`) and, for those that are
+//! [`EnLot`](crate::lot::bloc::EnLot), a block of rays (`lot/bloc.rs`).
 //!
-//! The questions: [`Premier`] and [`Ombre`] stand here, which object is first and whether any is;
-//! [`Certificat`](crate::jugement::certificat::Certificat), whether an answer is certain;
-//! [`Visite`](crate::visite::Visite), all that the ray enters, and
-//! [`Contenants`](crate::visite::Contenants), all that hold its source.
+//! [`Premier`] asks which object is first, and [`Ombre`] whether there is any. The others are
+//! [`Certificat`](crate::jugement::certificat::Certificat), [`Visite`](crate::visite::Visite) and
+//! [`Contenants`](crate::visite::Contenants).
 
 use crate::intersection::{NoIntersection, Rang, Reponse};
 use crate::nombre::Nombre;
 use crate::objet::ObjetRay;
 use crate::rayon::Rayon;
 
-/// A question to a ray: what it asks of an object, what it keeps, and its answer.
+/// A question: what it asks of an object, what it keeps, and its answer.
 pub(crate) trait Question<R: Nombre> {
     /// Whether the first object that is kept settles the answer.
     const UN_SUFFIT: bool;
@@ -31,8 +31,9 @@ pub(crate) trait Question<R: Nombre> {
         abord: Abord,
     ) -> Option<Self::Vu>;
 
-    /// Keeps the object at this index if it comes before the last that is kept; tells whether. `en_morceaux` says that
-    /// a tree holds the object in several pieces, so that a walk may come to it again.
+    /// Keeps the object at this index if it comes before the last that is kept; returns whether it
+    /// did. `en_morceaux` says that a tree holds the object in several pieces, so that a walk may
+    /// come to it again.
     fn retenir(&mut self, vu: Self::Vu, indice: usize, en_morceaux: bool) -> bool;
 
     /// The answer for this ray among these objects.
@@ -42,12 +43,13 @@ pub(crate) trait Question<R: Nombre> {
 /// What is known of an object before it is asked.
 #[derive(Clone, Copy)]
 pub(crate) enum Abord {
-    /// Nothing: a list asks it.
+    /// Nothing is known: a list asks it.
     Inconnu,
-    /// Nothing, and the ray has a δ above 0.
+    /// Nothing is known, and the ray has a δ above 0.
     InconnuFlou,
-    /// The ray crosses its box, first at `entree`: its ball, which such a ray seldom passes by, is not worth asking. Up
-    /// to `jusqu_ici` the box may hold the source of a ray that has a δ above 0.
+    /// The ray crosses the box of the object, first at `entree`. Its ball is not worth asking,
+    /// since such a ray seldom passes it by. Up to `jusqu_ici` the box may hold the source of a ray
+    /// that has a δ above 0.
     DansSaBoite { entree: f32, jusqu_ici: f32 },
 }
 
@@ -55,7 +57,8 @@ pub(crate) enum Abord {
 #[inline(always)]
 pub(crate) fn entree<R: Nombre>(rayon: &Rayon<R>, objet: &ObjetRay<R>, abord: Abord) -> Option<R> {
     match abord {
-        // The comparison decides nothing: without it every miss ties with none so far, and ranks are compared.
+        // The comparison decides nothing, but without it every miss would tie with none so far, and
+        // ranks would be compared.
         Abord::Inconnu => Some(objet.t_si_proche(rayon)).filter(|t| *t < R::INFINI),
         Abord::InconnuFlou => Some(objet.t_touche_si_proche(rayon)).filter(|t| *t < R::INFINI),
         Abord::DansSaBoite { entree, jusqu_ici } => {
@@ -75,14 +78,14 @@ pub(crate) struct Premier<R> {
 }
 
 impl<R: Nombre> Premier<R> {
-    /// None so far, and only one nearer than `t` will do.
+    /// There is none so far, and only one nearer than `t` will do.
     #[inline(always)]
     pub(crate) fn avant(t: R) -> Self {
         Self { t, rang: None }
     }
 
-    /// Whether this comes before another: nearer, or as near and earlier in the list. Without a branch, for
-    /// sixteen side by side.
+    /// Whether this comes before another: nearer, or as near and earlier in the list. Without a
+    /// branch, for sixteen side by side.
     #[inline(always)]
     pub(crate) fn precede(self, autre: Self) -> bool {
         let [rang, son_rang] = [self, autre].map(|premier| Rang::ordre(premier.rang));
@@ -108,8 +111,9 @@ impl<R: Nombre> Question<R> for Premier<R> {
     #[inline(always)]
     fn retenir(&mut self, t: R, indice: usize, _: bool) -> bool {
         let trouve = Self { t, rang: Some(Rang::de(indice)) };
-        // Ties, which are rare, behind a branch, and two returns: without that branch a ray alone takes up to 1.16
-        // times as long, where `precede` alone decides up to 1.12 in rooms, with a flag up to 1.5 (measured).
+        // Ties, which are rare, stand behind a branch, and there are two returns. A single ray
+        // takes up to 1.16 times as long without that branch, up to 1.12 times in rooms where
+        // `precede` alone decides, and up to 1.5 times with a flag (measured).
         if t < self.t || (t == self.t && trouve.precede(*self)) {
             *self = trouve;
             return true;

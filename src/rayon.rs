@@ -4,12 +4,12 @@ use crate::nombre::{Nombre, fois_u, max, simple};
 use crate::refus::{self, ErreurGeo, exiger, fini, point, refus_nul};
 use crate::vecteur::Vecteur;
 
-/// A ray: the points R(t) = S + t·D, 0 ≤ t < [`fin`](Self::fin), from the source S along the unit vector D
-/// (handout, annex A).
+/// A ray: the points R(t) = S + t·D, 0 ≤ t < [`fin`](Self::fin), from the source S along the unit
+/// vector D (handout, annex A).
 ///
-/// [`new`](Self::new) makes a ray without an end. One with an end touches what it enters before that distance and
-/// nothing else, whatever is asked of it: a first hit, a shadow, a way out, a certificate, alone or in a batch.
-/// [`jusqu_a`](Self::jusqu_a) sets the end, [`entre`](Self::entre) takes two points, and
+/// [`new`](Self::new) makes a ray without an end. One with an end touches what it enters before
+/// that distance and nothing else, whatever is asked of it. [`jusqu_a`](Self::jusqu_a) sets the
+/// end, [`entre`](Self::entre) takes two points, and
 /// [`vers_lumiere`](crate::Intersection::vers_lumiere) ends at a lamp.
 ///
 /// ```
@@ -31,15 +31,15 @@ pub struct Rayon<R = f64> {
     direction: Vecteur<R>,
     #[cfg_attr(feature = "serde", serde(serialize_with = "crate::refus::fini_ou_rien"))]
     fin: R,
-    /// If 0 or more, δ: no object holds the source by more than δ and its own rounding. If below 0, the ray is inside
-    /// that many objects.
+    /// From 0 on this is δ: no object holds the source by more than δ and its own rounding. Below 0
+    /// the ray is inside −`flou` objects.
     #[cfg_attr(feature = "serde", serde(serialize_with = "flou_en_option"))]
     flou: R,
 }
 
 impl<R: Nombre> Rayon<R> {
-    /// The ray from `source` in this direction, which may have any length: it is brought to
-    /// length 1. A direction that is already unit to rounding is kept bit for bit.
+    /// The ray from `source` in this direction, which may have any length: it is made unit. A
+    /// direction that is already unit to rounding is kept bit for bit.
     ///
     /// # Errors
     /// If a coordinate of the source is beyond ±2⁴⁵⁰ (`f64`) or ±2⁶⁰ (`f32`), or if the direction
@@ -49,16 +49,18 @@ impl<R: Nombre> Rayon<R> {
         Ok(Self::sans_fin(source, direction_unitaire(DIRECTION, direction)?))
     }
 
-    /// The ray from one point to another, which ends there: a line of sight between two points in the air, a step of a
-    /// particle. From a point of a surface [`vers_lumiere`](crate::Intersection::vers_lumiere) and
+    /// The ray from one point to another, which ends there: a line of sight between two points in
+    /// the air, a step of a particle. From a point of a surface
+    /// [`vers_lumiere`](crate::Intersection::vers_lumiere) and
     /// [`vers_touche`](crate::Intersection::vers_touche) start beside the surface.
     ///
-    /// The direction and the end are those of `arrivee − depart` as computed, so that the ray may end a rounding before
-    /// `arrivee` or after it. Asked from the other end, a line that grazes an object may be answered otherwise.
+    /// The direction and the end are those of `arrivee − depart` as computed, so that the ray may
+    /// end a rounding before `arrivee` or after it. Asked from the other end, a line that grazes an
+    /// object may be answered otherwise.
     ///
     /// # Errors
-    /// If a coordinate of `depart` is beyond the limits of [`new`](Self::new), if one of `arrivee` is not finite, or if
-    /// both are the same point.
+    /// If a coordinate of `depart` is beyond the limits of [`new`](Self::new), if one of `arrivee`
+    /// is not finite, or if both are the same point.
     ///
     /// ```
     /// use lancer_rayon::{Rayon, Vecteur};
@@ -78,9 +80,10 @@ impl<R: Nombre> Rayon<R> {
         Ok(Self { fin, ..Self::sans_fin(depart, direction) })
     }
 
-    /// The same ray with this end: it touches what it enters at a distance t < `fin`. At 0 it touches nothing.
+    /// The same ray with this end: it touches what it enters at a distance t < `fin`. At 0 it
+    /// touches nothing.
     ///
-    /// The nearer the end, the sooner the answer. An object at `fin` itself is not touched.
+    /// An object at `fin` itself is not touched.
     ///
     /// # Errors
     /// If `fin` is below 0 or a NaN. +∞ is a ray without an end.
@@ -91,7 +94,7 @@ impl<R: Nombre> Rayon<R> {
     /// let boule = SphereGeo::new(Vecteur::new(0.0, 0.0, -4.0), 1.0, Texture(0))?;
     /// let scene = [boule.into()];
     /// let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.0, 0.0, -1.0))?;
-    /// assert_eq!(premiere_intersection(&scene, &rayon.jusqu_a(3.0)?), Err(NoIntersection)); // at 3, not before
+    /// assert_eq!(premiere_intersection(&scene, &rayon.jusqu_a(3.0)?), Err(NoIntersection));
     /// assert_eq!(premiere_intersection(&scene, &rayon.jusqu_a(3.5)?)?.distance(), 3.0);
     /// assert_eq!(rayon.jusqu_a(f64::NAN).unwrap_err().champ, "fin");
     /// # Ok::<(), Box<dyn core::error::Error>>(())
@@ -103,12 +106,12 @@ impl<R: Nombre> Rayon<R> {
         Ok(Self { fin, ..self })
     }
 
-    /// The same ray, of whose source is known that it lies on a surface, or in a seam of several, to this δ: a particle
-    /// that is born on a wall, a probe that stands on a floor.
+    /// The same ray with a source that is known to lie on a surface, or in a seam of several, to
+    /// within this δ: for a particle that is born on a wall, or a probe that stands on a floor.
     ///
-    /// An object that holds the source by no more than δ, and into which the ray goes, is touched at once, at distance 0.
-    /// Without this word the ray starts inside that object and does not see it. A ray that
-    /// [starts from a hit](crate::Intersection::secondaire) knows its δ.
+    /// An object that holds the source by no more than δ, and into which the ray goes, is touched
+    /// at once, at distance 0. Without δ the ray starts inside that object and does not see it. A
+    /// ray that [starts from a hit](crate::Intersection::secondaire) knows its δ.
     ///
     /// # Errors
     /// If `flou` is not finite or below 0.
@@ -116,7 +119,7 @@ impl<R: Nombre> Rayon<R> {
     /// ```
     /// use lancer_rayon::{NoIntersection, ObjetRay, PlanGeo, Rayon, Texture, Vecteur};
     ///
-    /// let sol = ObjetRay::from(PlanGeo::par_un_point(Vecteur::NUL, Vecteur::new(0.0, 1.0, 0.0), Texture(0))?);
+    /// let sol = ObjetRay::from(PlanGeo::par_un_point(Vecteur::NUL, Vecteur::Y, Texture(0))?);
     /// // On the floor as somebody else computed it.
     /// let rayon = Rayon::new(Vecteur::new(4.0, -1e-12, 0.0), Vecteur::new(0.0, -1.0, 0.0))?;
     /// assert_eq!(sol.intersection(&rayon), Err(NoIntersection));
@@ -129,9 +132,9 @@ impl<R: Nombre> Rayon<R> {
         Ok(Self { flou: exiger(accepte, "flou", flou, "a finite number, 0 or more")?, ..self })
     }
 
-    /// The same ray, of which is known that it starts inside something: in mist, in water, in glass. It sees as a ray
-    /// from [`new`](Self::new) does, and so do the rays that start from its hits until they are out again: none
-    /// of them touches at once the mist that stands flush on a floor.
+    /// The same ray, known to start inside something such as mist, water or glass. It sees what a
+    /// ray from [`new`](Self::new) does, and so do the rays that start from its hits until they are
+    /// out again: none of them touches at once the mist that stands flush on a floor.
     ///
     /// ```
     /// use lancer_rayon::{Monde, PlanGeo, Rayon, SphereGeo, Texture, Vecteur};
@@ -153,13 +156,15 @@ impl<R: Nombre> Rayon<R> {
         Self { flou: -R::UN, ..self }
     }
 
-    /// The ray without an end of a source and a direction that were checked before, of which no more is known.
+    /// The ray without an end from a source and in a direction that were checked before, with δ =
+    /// 0.
     #[inline(always)]
     pub(crate) fn sans_fin(source: Vecteur<R>, direction: Vecteur<R>) -> Self {
         Self { source, direction, fin: R::INFINI, flou: R::ZERO }
     }
 
-    /// The same ray with what is known of its source: δ, or below 0 inside how many objects it is.
+    /// The same ray with what is known of its source: δ, or below 0 the number of objects that it
+    /// is inside.
     #[inline(always)]
     pub(crate) fn sachant(self, flou: R) -> Self {
         Self { flou, ..self }
@@ -198,9 +203,10 @@ impl<R: Nombre> Rayon<R> {
         self.fin
     }
 
-    /// δ, how exactly the ray knows its source, in scene units: an object that holds the source by no more than δ and its
-    /// own rounding, and into which the ray goes, is touched at once. 0 of a ray from [`new`](Self::new), which takes
-    /// its source as it stands, and of one that is [inside](Self::dedans) something.
+    /// δ, how exactly the ray knows its source, in scene units: an object that holds the source by
+    /// no more than δ and its own rounding, and into which the ray goes, is touched at once. It is
+    /// 0 for a ray from [`new`](Self::new), which takes its source as it stands, and for one that
+    /// is [inside](Self::dedans) something.
     #[doc(alias("tolerance", "blur"))]
     #[inline(always)]
     #[must_use]
@@ -216,12 +222,13 @@ impl<R: Nombre> Rayon<R> {
         self.source + self.direction * distance // M1
     }
 
-    /// The same ray in `f32`, seen from an origin that is taken off before anything is rounded: the
-    /// ray for objects that [`ObjetGeo::vers_f32`](crate::ObjetGeo::vers_f32) gave with this origin. Its end and its δ are
-    /// rounded as well.
+    /// The same ray in `f32`, seen from an origin that is subtracted before anything is rounded:
+    /// the ray for objects that [`ObjetGeo::vers_f32`](crate::ObjetGeo::vers_f32) gave with this
+    /// origin. Its end and its δ are rounded as well.
     ///
     /// # Errors
-    /// If `origine` is not finite, or the source in `f32` outside the limits of [`new`](Self::new).
+    /// If `origine` is not finite, or the source in `f32` is outside the limits of
+    /// [`new`](Self::new).
     ///
     /// ```
     /// use lancer_rayon::{Rayon, Vecteur};
@@ -243,8 +250,8 @@ impl<R: Nombre> Rayon<R> {
     ///
     /// The direction is not made unit again. That of an `f32` stays unit to the rounding of `f32`,
     /// and distances along it are in units of its length, in both types alike. Batches and
-    /// hierarchies answer it as a list does, since what they leave out presumes no more. Margins and
-    /// secondary rays of its hits are not promised.
+    /// hierarchies answer it as a list does, since what they leave out presumes no more. Margins
+    /// and secondary rays of its hits are not promised.
     ///
     /// ```
     /// use lancer_rayon::{Rayon, Vecteur};
@@ -259,8 +266,8 @@ impl<R: Nombre> Rayon<R> {
         Rayon { source, direction, fin: self.fin.vers_f64(), flou: self.flou.vers_f64() }
     }
 
-    /// The ray that was written: `fin` is none where there is no end, which not every format can say as a number, and
-    /// `flou` where nothing is known of the source.
+    /// The ray that was written: `fin` is none where there is no end, which not every format can
+    /// say as a number, and `flou` where nothing is known of the source.
     #[cfg(feature = "serde")]
     fn lire(
         source: Vecteur<R>,
@@ -283,7 +290,8 @@ fn flou_en_option<R: Nombre + serde::Serialize, S: serde::Serializer>(
     serde::Serialize::serialize(&Some(flou).filter(|flou| **flou != R::ZERO), vers)
 }
 
-/// A direction is kept if |D·D − 1| is at most this, in units of u: an ordinary normalisation leaves 10 (lemma 1).
+/// A direction is kept if |D·D − 1| is at most this, in units of u: an ordinary normalisation
+/// leaves 10 (lemma 1).
 pub const DEJA_UNITAIRE: f64 = 12.0;
 
 /// The names of a direction and of its coordinates.

@@ -15,10 +15,11 @@ use crate::rayon::Rayon;
 ///
 /// Every other question, many rays at once and many objects are for a [`Monde`](crate::Monde).
 ///
-/// A hit is an entry. An object that contains the source, or whose surface does, is not touched
-/// (handout §2.3), unless by no more than the ray [knows its source](Rayon::flou); the others still count. Of two objects at the same distance the earlier in the
-/// list is the first. All of this holds for distances as computed in R: within the bounds of
-/// `docs/precision.md` the exact answer may be another.
+/// A hit is an entry. An object that holds the source, inside or on its surface, is not touched
+/// (handout §2.3), unless it holds it by no more than [the δ of the ray](Rayon::flou); the others
+/// still count. At the same distance the earlier in the list is the first. All of this holds for
+/// distances as computed in R: within the bounds of `docs/precision.md` the exact answer may be
+/// another.
 ///
 /// # Errors
 /// [`NoIntersection`] if the ray enters no object before its end.
@@ -55,8 +56,8 @@ impl<R: Nombre> ObjetRay<R> {
     /// object alone.
     ///
     /// # Errors
-    /// [`NoIntersection`] if the ray ends before the object, passes it by, is tangent to it, or starts inside it or
-    /// on its surface.
+    /// [`NoIntersection`] if the ray ends before the object, passes it by, is tangent to it, or
+    /// starts inside it or on its surface.
     #[doc(alias("intersect", "hit"))]
     pub fn intersection(&self, rayon: &Rayon<R>) -> Reponse<R> {
         premiere_intersection(slice::from_ref(self), rayon)
@@ -64,22 +65,24 @@ impl<R: Nombre> ObjetRay<R> {
 
     /// Where the ray leaves this object: from inside, or after it entered.
     ///
-    /// `distance` is that from the source of the ray, in scene units, and `normale` points outward: now
-    /// along the ray, D·N > 0. `marge` and [`secondaire`](Intersection::secondaire) are those of any hit:
-    /// glass goes on from there outward, by Snell's law, or inward, [mirrored](Intersection::reflechi). The way out is as
-    /// exact as a hit (`docs/precision.md`), and [`BoiteRay::lieu`](crate::BoiteRay::lieu) and
-    /// [`erreur`](Self::erreur) take it as one.
+    /// `distance` is that from the source of the ray, in scene units, and `normale` points outward:
+    /// now along the ray, D·N > 0. `marge` and [`secondaire`](Intersection::secondaire) are those
+    /// of any hit: light in glass goes on from there outward, by Snell's law, or inward,
+    /// [mirrored](Intersection::reflechi). The way out is as exact as a hit (`docs/precision.md`),
+    /// and [`BoiteRay::lieu`](crate::BoiteRay::lieu) and [`erreur`](Self::erreur) take it as one.
     ///
-    /// **Each crossing is found once.** A ray that enters a sphere or a box leaves it, and never before it
-    /// enters; from inside it always leaves. A half-space that it enters it never leaves. From a source
-    /// on the surface a ray leaves at the far side, or not at all: the source itself is no way out, as it is
-    /// no hit. Inside and on the surface is what the search computes so: within rounding of a sphere a ray
-    /// may leave at once. A ray that `secondaire` sent into a sphere or a box leaves, except
-    /// beside an edge and in a box no thicker than the step; one that it sent outward does not.
+    /// **Each crossing is found once.** A ray that enters a sphere or a box leaves it, and never
+    /// before it enters; from inside it always leaves. A half-space that it enters it never leaves.
+    /// From a source on the surface a ray leaves at the far side, or not at all: the source itself
+    /// is no way out, as it is no hit. The search decides what is inside and what is on the
+    /// surface: within rounding of a sphere a ray may leave at once. A ray that `secondaire` sent
+    /// into a sphere or a box leaves, except beside an edge and in a box no thicker than the step;
+    /// one that it sent outward does not.
     ///
     /// # Errors
-    /// [`NoIntersection`] if the ray ends before it leaves, passes the object by or starts beyond it; if it descends in a
-    /// half-space, or keeps its depth; or if the distance is too large for the type.
+    /// [`NoIntersection`] if the ray ends before it leaves, passes the object by or starts beyond
+    /// it; if it descends in a half-space, or keeps its depth; or if the distance is too large for
+    /// the type.
     ///
     /// ```
     /// use lancer_rayon::{NoIntersection, ObjetRay, Rayon, SphereGeo, Texture, Vecteur};

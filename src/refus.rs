@@ -21,7 +21,7 @@ use crate::vecteur::Vecteur;
 #[doc(alias = "error")]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ErreurGeo {
-    /// The field or argument, for instance `"centre.x"`, or what was computed of it.
+    /// The field or argument, for instance `"centre.x"`, or what was computed from it.
     #[doc(alias = "field")]
     pub champ: &'static str,
     /// The value that the field would have had; an `f32` is converted exactly.
@@ -55,10 +55,10 @@ impl core::error::Error for ErreurGeo {}
 #[doc(alias = "length_mismatch")]
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct LongueursDifferentes {
-    /// How many rays.
+    /// How many rays there are.
     #[doc(alias = "rays")]
     pub rayons: usize,
-    /// Places for how many answers.
+    /// How many answers there are places for.
     #[doc(alias = "answers")]
     pub reponses: usize,
 }
@@ -123,7 +123,7 @@ pub(crate) fn deplacement<R: Nombre>(v: Vecteur<R>) -> Result<Vecteur<R>, Erreur
     fini(["translation.x", "translation.y", "translation.z"], v)
 }
 
-/// The origin that a conversion to `f32` takes off.
+/// The origin that a conversion to `f32` subtracts.
 pub(crate) fn origine<R: Nombre>(origine: Vecteur<R>) -> Result<Vecteur<R>, ErreurGeo> {
     fini(["origine.x", "origine.y", "origine.z"], origine)
 }
@@ -136,7 +136,7 @@ pub(crate) fn fini<R: Nombre>(champs: Champs, v: Vecteur<R>) -> Result<Vecteur<R
     Ok(v)
 }
 
-/// Writes a number, and nothing in the place of +∞, which not every format can say.
+/// Writes a number, or nothing in the place of +∞, which not every format can write.
 #[cfg(feature = "serde")]
 pub(crate) fn fini_ou_rien<R: Nombre + serde::Serialize, S: serde::Serializer>(
     x: &R,
@@ -145,8 +145,9 @@ pub(crate) fn fini_ou_rien<R: Nombre + serde::Serialize, S: serde::Serializer>(
     serde::Serialize::serialize(&Some(x).filter(|x| **x < R::INFINI), vers)
 }
 
-/// `lu_par! { T::new { champ: type, … } }`: with the feature `serde` a T is read as these fields, by
-/// name or in order, no others, and `T::new` checks them. A field with `= default` may be left out.
+/// `lu_par! { T::new { champ: type, … } }`: with the feature `serde` a T is read as these fields
+/// and no others, by name or in order, and `T::new` checks them. A field with `= default` may be
+/// left out.
 macro_rules! lu_par {
     ($type:ident::$par:ident { $($champ:ident: $du_type:ty $(= $defaut:ident)?),* }) => {
         #[cfg(feature = "serde")]

@@ -1,5 +1,6 @@
-//! The answers to the questions of a [`Monde`](crate::Monde), compiled in this crate for either scalar: generic code
-//! would be compiled again by every crate that calls it, and as slowly as that crate is.
+//! The answers to the questions of a [`Monde`](crate::Monde), compiled in this crate for either
+//! scalar: generic code would be compiled again by every crate that calls it, and as slowly as that
+//! crate is.
 
 use fearless_simd::Level;
 
@@ -17,17 +18,18 @@ use crate::refus::LongueursDifferentes;
 use crate::vecteur::Vecteur;
 use crate::visite::{Contenance, Contenants, Montrer, Rangee, Visite};
 
-/// What is asked: the objects, their tree, which has no nodes if they are asked as a list, and the instructions.
+/// What a question is asked of: the objects, their tree, which has no nodes if they are asked as a
+/// list, and the instructions.
 ///
-/// It is passed by reference: to copy what was just written piece by piece stalls until the pieces are stored, up to 1.2
-/// of the time of a ray among few objects (measured).
+/// It is passed by reference: a copy of what was just written piece by piece stalls until the
+/// pieces are stored, and a ray among few objects takes up to 1.2 times as long (measured).
 pub struct Vue<'a, R> {
     pub(crate) liste: Liste<'a, R>,
     pub(crate) arbre: &'a Arbre<'a, R>,
     pub(crate) niveau: Level,
 }
 
-/// One ray asks this question.
+/// Asks this question for one ray.
 #[inline(always)]
 fn demander<R: Nombre, Q: Question<R>>(
     vue: &Vue<'_, R>,
@@ -45,7 +47,7 @@ fn demander<R: Nombre, Q: Question<R>>(
     })
 }
 
-/// Many rays ask this question.
+/// Asks this question for many rays.
 #[inline(always)]
 fn demander_en_lot<R: Nombre, Q: EnLot<R>>(
     vue: &Vue<'_, R>,
@@ -72,8 +74,9 @@ fn demander_en_lot<R: Nombre, Q: EnLot<R>>(
 
 /// The scalar type: `f32` or `f64`. Sealed.
 ///
-/// Code that is generic over the scalar says `R: Reel`. It computes with what [`Nombre`] offers; what this trait
-/// adds are the answers of a [`Monde`](crate::Monde), which are compiled in this crate.
+/// Code that is generic over the scalar says `R: Reel`. It computes with what [`Nombre`] offers;
+/// what this trait adds are the answers of a [`Monde`](crate::Monde), which are compiled in this
+/// crate.
 ///
 /// ```
 /// use lancer_rayon::{Reel, Vecteur};
@@ -92,8 +95,8 @@ pub trait Reel: Nombre + Repond {}
 impl Reel for f32 {}
 impl Reel for f64 {}
 
-/// `reponses! { fn …(…) -> … { … } … }`: the trait [`Repond`] of these functions, and their bodies compiled for `f32`
-/// and for `f64`, which are `Self` in them.
+/// `reponses! { fn …(…) -> … { … } … }`: the trait [`Repond`] of these functions, and their bodies
+/// compiled for `f32` and for `f64`, which are `Self` in them.
 macro_rules! reponses {
     ($(fn $nom:ident$(<$vie:lifetime>)?($($de:ident: $type:ty),* $(,)?) -> $reponse:ty $corps:block)*) => {
         /// The answers in one scalar.
@@ -178,7 +181,7 @@ reponses! {
     }
 }
 
-/// A ray from this point, which need not be finite, in no direction that matters.
+/// A ray from this point, which need not be finite; its direction does not matter.
 fn du_point<R: Nombre>(point: Vecteur<R>) -> Rayon<R> {
     Rayon::sans_fin(point, Vecteur::new(R::ZERO, R::ZERO, R::UN))
 }

@@ -6,8 +6,8 @@ use crate::nombre::{Nombre, simple};
 use crate::refus::{ErreurGeo, exiger, fini, refus_nul};
 use crate::vecteur::Vecteur;
 
-/// A rotation about the origin O, held as its matrix M: a vector V, written as a row, becomes
-/// V·M (handout §2.1).
+/// A rotation about the origin O, held as its matrix M: a vector V, written as a row, becomes V·M
+/// (handout §2.1).
 ///
 /// However it was made, M is orthonormal to rounding: |M·Mᵀ − I| stays within 5.5u after any number
 /// of compositions, and within 12u for an inverse and for a matrix that
@@ -17,7 +17,8 @@ use crate::vecteur::Vecteur;
 /// use core::f64::consts::FRAC_PI_2;
 /// use lancer_rayon::{Rotation, Vecteur};
 ///
-/// // The worked example of §2.1: α about x sends (x, y, z) to (x, y cos α + z sin α, −y sin α + z cos α).
+/// // The worked example of §2.1: α about x sends (x, y, z) to
+/// // (x, y cos α + z sin α, −y sin α + z cos α).
 /// let quart = Rotation::new(Vecteur::new(FRAC_PI_2, 0.0, 0.0))?;
 /// assert_eq!(quart.appliquer(Vecteur::new(1.0, 2.0, 3.0)), Vecteur::new(1.0, 3.0, -2.0));
 ///
@@ -43,8 +44,8 @@ const IDENTITE: Matrice = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 /// How orthonormal a matrix is that [`Rotation::depuis_matrice`] keeps, in u (lemma 1).
 pub const DEJA_ORTHONORMALE: f64 = 8.0;
 
-/// How far M·Mᵀ may be from I for [`Rotation::depuis_matrice`] to take M: room for a rotation that is
-/// written with four decimals, be they rounded or cut off (lemma 13).
+/// How far M·Mᵀ may be from I for [`Rotation::depuis_matrice`] to take M: room for a rotation that
+/// is written with four decimals, be they rounded or cut off (lemma 13).
 const ECART: f64 = 1e-3;
 
 /// The largest sine of the angle between two directions that are parallel, in u (lemma 13).
@@ -65,8 +66,8 @@ impl<R: Nombre> Rotation<R> {
     /// The rotation of a vecteur-rotation (handout §2.1): by r_x about the x axis, then r_y about
     /// y, then r_z about z, the axes staying where they are; M = M_x·M_y·M_z, angles in radians.
     ///
-    /// The sense is that of the formula and of the worked example of §2.1: to an eye that looks
-    /// the way the axis points, counter-clockwise. An angle that is the float nearest to k·π/2,
+    /// The sense is that of the formula and of the worked example of §2.1: to an eye that looks the
+    /// way the axis points, counter-clockwise. An angle that is the float nearest to k·π/2,
     /// |k| ≤ 4, as `90.0_f64.to_radians()` is, turns exactly. For the right-hand rule see
     /// [`main_droite`](Self::main_droite).
     ///
@@ -104,8 +105,8 @@ impl<R: Nombre> Rotation<R> {
         Self::new(-fini(ANGLES, vecteur_rotation)?)
     }
 
-    /// The rotation of matrix M, rows first, for instance one that [`matrice`](Self::matrice)
-    /// gave, which comes back bit for bit.
+    /// The rotation of matrix M, rows first, for instance one that [`matrice`](Self::matrice) gave,
+    /// which comes back bit for bit.
     ///
     /// A matrix that is orthonormal to 8u, by its rows and by its columns, is kept; any other is
     /// replaced by the nearest rotation. So four decimals are enough, in either type.
@@ -155,12 +156,12 @@ impl<R: Nombre> Rotation<R> {
         Ok(Self::arrondie(m))
     }
 
-    /// The rotation by this angle about this axis, of any length, in the sense of [`new`](Self::new):
-    /// about x by α it is `new((α, 0, 0))`, and quarter turns about the three axes are exact. Each
-    /// element is off by its rounding and 30u of `f64` at most.
+    /// The rotation by this angle about this axis, of any length, in the sense of
+    /// [`new`](Self::new): about x by α it is `new((α, 0, 0))`, and quarter turns about the three
+    /// axes are exact. Each element is off by its rounding and 30u of `f64` at most.
     ///
-    /// The right-hand rule, which `from_axis_angle` of other crates follows, turns by −α, or about the
-    /// opposite axis.
+    /// The right-hand rule, which `from_axis_angle` of other crates follows, turns by −α, or about
+    /// the opposite axis.
     ///
     /// # Errors
     /// If the axis is zero, or if a number is not finite.
@@ -187,11 +188,11 @@ impl<R: Nombre> Rotation<R> {
 
     /// The rotation of the quaternion q = \[x, y, z, w\], w being its real part: a vector V becomes
     /// q·V·q⁻¹, so that (sin(α/2)·N, cos(α/2)) turns by α about the unit vector N by the right-hand
-    /// rule. Of q and −q it is the same, and any length will do. Each element is off
-    /// by its rounding and 30u of `f64` at most.
+    /// rule. q and −q give the same rotation, and any length will do. Each element is off by its
+    /// rounding and 30u of `f64` at most.
     ///
-    /// This is what `q * v` is in glam and in nalgebra, and the order is that of `q.to_array()` in glam
-    /// and of `q.coords` in nalgebra.
+    /// This is what `q * v` is in glam and in nalgebra, and the order is that of `q.to_array()` in
+    /// glam and of `q.coords` in nalgebra.
     ///
     /// # Errors
     /// If a number is not finite, or if all four are zero.
@@ -225,9 +226,10 @@ impl<R: Nombre> Rotation<R> {
     /// The shortest turn that takes the direction `de` to the direction `vers`, both of any length:
     /// `appliquer(de)` has the direction of `vers` to 60u.
     ///
-    /// Many half turns join opposite directions. This one is about the axis at a right angle to both and
-    /// to whichever of x and y lies farther from `vers`, to x if both are as far. It is taken, instead
-    /// of an axis that rounding would choose, where the sine of the angle between is 16u or less.
+    /// Many half turns join opposite directions. This one is about the axis at a right angle to
+    /// both and to whichever of x and y lies farther from `vers`, to x if both are as far. It is
+    /// taken, instead of an axis that rounding would choose, where the sine of the angle between is
+    /// 16u or less.
     ///
     /// # Errors
     /// If a direction is zero or not finite.
@@ -250,8 +252,8 @@ impl<R: Nombre> Rotation<R> {
         if a.produit_scalaire(b) >= 0.0 {
             return Ok(Self::arrondie(polie(arc(a, b))));
         }
-        // Short of a half turn the axis is known to u over the sine, but must be at a right angle to b
-        // to u: first the short way to −b, then half a turn about it.
+        // Short of a half turn the axis is known to u over the sine, but must be at a right angle
+        // to b to u: first the short way to −b, then half a turn about it.
         let k = a.produit_vectoriel(b);
         let k = if k.longueur() > PARALLELES * R::U.vers_f64() { k } else { a_cote(b) };
         let axe = b.produit_vectoriel(au_dessus(b, k));
@@ -259,16 +261,16 @@ impl<R: Nombre> Rotation<R> {
         Ok(Self::arrondie(polie(produit(arc(a, -b), demi_tour))))
     }
 
-    /// How a camera is turned that looks along `direction` and holds `haut` upright: −z, along which it
-    /// looks at first, becomes `direction`, y the vector nearest to `haut` that is at a right angle to
-    /// it, and x what is then on the right. Both may have any length. `direction` is met to 15u, and x
-    /// is at a right angle to `haut` to 20u.
+    /// The rotation of a camera that looks along `direction` and holds `haut` upright: −z, along
+    /// which it looks at first, becomes `direction`, y becomes the vector nearest to `haut` that is
+    /// at a right angle to it, and x what is then on the right. Both may have any length.
+    /// `direction` is met to 15u, and x is at a right angle to `haut` to 20u.
     ///
     /// The inverse is what `look_to` of other crates has: from the scene to the camera.
     ///
     /// # Errors
-    /// If a vector is zero or not finite, or if the sine of the angle between both is 16u or less: up is
-    /// then nowhere.
+    /// If a vector is zero or not finite, or if the sine of the angle between both is 16u or less,
+    /// where there is no up.
     ///
     /// ```
     /// use lancer_rayon::{Rotation, Vecteur};
@@ -293,7 +295,7 @@ impl<R: Nombre> Rotation<R> {
         Ok(Self::arrondie(polie([d.produit_vectoriel(y), y, -d].map(<[f64; 3]>::from))))
     }
 
-    /// A rotation that takes z to this direction; none for a vector that is zero or not finite.
+    /// A rotation that takes z to this direction; `None` for a vector that is zero or not finite.
     pub(crate) fn de_z_vers(direction: Vecteur<R>) -> Option<Self> {
         let z = direction.vers_f64().unitaire()?;
         let x = a_cote(z).unitaire()?;
@@ -340,8 +342,8 @@ impl<R: Nombre> Rotation<R> {
 
     /// The rows of M: what the axes x, y and z become.
     ///
-    /// Those of a half-space, by [`PlanGeo::orientation`](crate::PlanGeo::orientation), are two unit
-    /// vectors in its surface and its normal.
+    /// Those of a half-space, by [`PlanGeo::orientation`](crate::PlanGeo::orientation), are two
+    /// unit vectors in its surface and its normal.
     #[doc(alias("rows", "basis"))]
     pub fn axes(self) -> [Vecteur<R>; 3] {
         self.matrice.map(Vecteur::from)
@@ -389,7 +391,8 @@ fn cos_sin<R: Nombre>(angle: R) -> (f64, f64) {
     (libm::cos(angle), libm::sin(angle))
 }
 
-/// A direction as a unit vector; refused by its name, or that of a coordinate, if it is zero or not finite.
+/// A direction as a unit vector; refused by its name, or that of a coordinate, if it is zero or not
+/// finite.
 fn unite<R: Nombre>(
     [nom, x, y, z]: [&'static str; 4],
     v: Vecteur<R>,
@@ -397,15 +400,15 @@ fn unite<R: Nombre>(
     fini([x, y, z], v)?.vers_f64().unitaire().ok_or_else(|| refus_nul(nom))
 }
 
-/// A vector at a right angle to this unit vector and to whichever of x and y lies farther from it; no
-/// shorter than √½.
+/// A vector at a right angle to this unit vector and to whichever of x and y lies farther from it;
+/// no shorter than √½.
 fn a_cote(v: Vecteur) -> Vecteur {
     let axe = if v.x.abs() > v.y.abs() { Vecteur::Y } else { Vecteur::X };
     axe.produit_vectoriel(v)
 }
 
-/// The unit vector at a right angle to the unit vector d and to k, along k ∧ d. k may be as short as
-/// `PARALLELES` u: this is at a right angle to d all the same.
+/// The unit vector at a right angle to the unit vector d and to k, along k ∧ d. k may be as short
+/// as `PARALLELES` u: this is at a right angle to d all the same.
 fn au_dessus(d: Vecteur, k: Vecteur) -> Vecteur {
     let y = k.produit_vectoriel(d);
     y / y.longueur()
@@ -437,16 +440,16 @@ fn defaut(m: Matrice) -> Matrice {
     core::array::from_fn(|i| core::array::from_fn(|j| IDENTITE[i][j] - carre[i][j]))
 }
 
-/// The largest element of |M·Mᵀ − I|. Of a finite M none on the diagonal is a NaN, and where another is,
-/// by an overflow, one on the diagonal is +∞.
+/// The largest element of |M·Mᵀ − I|. For a finite M none on the diagonal is a NaN; where overflow
+/// makes another a NaN, one on the diagonal is +∞.
 fn plus_grand_defaut(m: Matrice) -> f64 {
     defaut(m).into_iter().flatten().map(f64::abs).fold(0.0, f64::max)
 }
 
 /// One Newton step towards the nearest orthonormal matrix: M + (I − M·Mᵀ)·M/2.
 ///
-/// A product of rotations is off by a rounding or two; without the step, composing a million
-/// of them adds a million roundings up.
+/// A product of rotations is off by a rounding or two; without the step, composing a million of
+/// them would add up a million roundings.
 fn polie(m: Matrice) -> Matrice {
     let correction = produit(defaut(m), m);
     core::array::from_fn(|i| core::array::from_fn(|j| m[i][j] + correction[i][j] / 2.0))

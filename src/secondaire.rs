@@ -6,7 +6,8 @@ use crate::rayon::{DIRECTION, Rayon, direction_unitaire};
 use crate::refus::{ErreurGeo, exiger, fini, point, refus_nul};
 use crate::vecteur::Vecteur;
 
-/// A direction is turned outward if it lies within this of the tangent plane, in u: no N·D rounds by more (lemma 9).
+/// A direction is turned outward if it lies within this of the tangent plane, in u: no N·D rounds
+/// by more (lemma 9).
 pub const TANGENT: f64 = 3.2;
 
 /// How far such a direction is turned, in u: N·D is then above 0, however it is rounded (lemma 9).
@@ -21,10 +22,10 @@ pub const PAS_ARRONDI: f64 = 1.1;
 /// How much deeper than δ a hit may lie in another object, in u of the distance (lemma 23).
 pub const FLOU_DISTANCE: f64 = 16.0;
 
-/// The same in u of Σ|P_i|.
+/// How much deeper than that a hit may lie, in u of Σ|P_i| (lemma 23).
 pub const FLOU_POINT: f64 = 8.1;
 
-/// Where a ray starts, and what it knows of that.
+/// Where a ray starts, and what it knows of its source.
 struct Depart<R> {
     source: Vecteur<R>,
     su: R,
@@ -38,25 +39,26 @@ impl<R: Nombre> Depart<R> {
 }
 
 impl<R: Nombre> Intersection<R> {
-    /// A ray that starts at this hit and never hits the object it leaves, with one exception (below): for a direction
-    /// outward, D·N > 0, and for transparency, inward. Mirrors have [`reflechi`](Self::reflechi), shadows
-    /// [`vers_lumiere`](Self::vers_lumiere) and [`vers_soleil`](Self::vers_soleil).
+    /// A ray that starts at this hit and never hits the object it leaves, with one exception
+    /// (below). The direction may lead outward, D·N > 0, or inward for transparency. Mirrors have
+    /// [`reflechi`](Self::reflechi), shadows [`vers_lumiere`](Self::vers_lumiere) and
+    /// [`vers_soleil`](Self::vers_soleil).
     ///
-    /// The source is the [`point`](Self::point) of the hit, moved along the normal to the side to which the
-    /// direction leads, by [`marge`](Self::marge) and the rounding of the moved point,
+    /// The source is the [`point`](Self::point) of the hit, moved along the normal to the side to
+    /// which the direction leads, by [`marge`](Self::marge) and the rounding of the moved point,
     /// 1.1u·Σ|N_i·P_i|. From outside, a ray that leaves the object does not meet it again; from
     /// inside, the object is not seen at all. A direction within 3.2u of the tangent plane is
-    /// turned outward by 12u. There is no epsilon to choose, and nothing farther than that step is
-    /// jumped over. The ray has no end.
+    /// turned outward by 12u. There is no epsilon to choose. The ray has no end.
     ///
-    /// **In the corner of a second object** the start may lie inside that object by rounding. A ray outward knows
-    /// [how exactly it knows its start](Rayon::flou), and touches such an object at once, at distance 0, if it goes in: so
-    /// no ray leaves a closed room, and light out of a glass finds the table under it. A ray inward is
-    /// [inside something](Rayon::dedans), and so are those that start from its hits until they are out again: they see
-    /// what they enter, and nothing else.
+    /// **In the corner of a second object** the start may lie inside that object by rounding. A ray
+    /// outward carries [a bound on the error of its start](Rayon::flou), and touches such an object
+    /// at once, at distance 0, if it goes in, so that no ray leaves a closed room and light out of
+    /// a glass finds the table under it. A ray inward is [inside something](Rayon::dedans), and so
+    /// are those that start from its hits until they are out again: they see what they enter, and
+    /// nothing else.
     ///
-    /// **The exception**: within rounding of a box edge, or in a box no thicker than the step, an inward ray may start
-    /// outside, and touch the other face of that edge.
+    /// **The exception**: within rounding of a box edge, or in a box no thicker than the step, an
+    /// inward ray may start outside, and touch the other face of that edge.
     ///
     /// # Errors
     /// If the direction is zero or not finite, if `marge` is +∞, or if the start lies beyond the
@@ -86,17 +88,18 @@ impl<R: Nombre> Intersection<R> {
         Ok(self.depart(dedans)?.vers(direction))
     }
 
-    /// The ray that a mirror sends on from this hit, for a ray that comes in this direction D: a
-    /// [`secondaire`](Self::secondaire) in the direction D − 2(D·N)N, which never hits the object again.
+    /// The ray that a mirror sends on, for a ray that comes in the direction D: a
+    /// [`secondaire`](Self::secondaire) in the direction D − 2(D·N)N, which never hits the object
+    /// again.
     ///
-    /// From a [way out](crate::ObjetRay::sortie), where D·N > 0, the mirrored ray goes inward: what glass does with
-    /// light that it does not let out. Where the ray grazes, rounding may turn the mirrored direction below the
-    /// surface; it is then turned outward, as one of the tangent plane is. Otherwise the direction is within an angle
-    /// of 20u of that of an exact mirror at N (lemma 9).
+    /// From a [way out](crate::ObjetRay::sortie), where D·N > 0, the mirrored ray goes inward, as
+    /// in glass that does not let light out. Where the ray grazes, rounding may turn the mirrored
+    /// direction below the surface; it is then turned outward, as one of the tangent plane is.
+    /// Otherwise the direction is within an angle of 20u of that of an exact mirror at N (lemma 9).
     ///
     /// # Errors
-    /// As [`secondaire`](Self::secondaire): if the direction is zero or not finite, if `marge` is +∞, or if the start
-    /// lies beyond the limits of a source.
+    /// As [`secondaire`](Self::secondaire): if the direction is zero or not finite, if `marge` is
+    /// +∞, or if the start lies beyond the limits of a source.
     ///
     /// ```
     /// use lancer_rayon::{ObjetRay, PlanGeo, Rayon, Texture, Vecteur};
@@ -118,25 +121,26 @@ impl<R: Nombre> Intersection<R> {
         if le_long > R::ZERO {
             return self.secondaire(direction);
         }
-        // N·D ≤ 0 as computed: exactly it may be above by 3.1u, so that N·D′ is no less than −3.1u before
-        // D′ is rounded, and than −5.1u after.
+        // N·D ≤ 0 as computed: exactly it may be above by 3.1u, so that N·D′ is no less than −3.1u
+        // before D′ is rounded, and than −5.1u after.
         Ok(self.depart(false)?.vers(self.redressee(direction)?))
     }
 
-    /// The ray from this hit to a light, which ends there: ask [`Monde::est_occulte`](crate::Monde::est_occulte)
-    /// whether anything stands before the light.
+    /// The ray from this hit to a light, which ends there: ask
+    /// [`Monde::est_occulte`](crate::Monde::est_occulte) whether anything stands before the light.
     ///
-    /// The ray is a [`secondaire`](Self::secondaire) and never hits the object it leaves.
-    /// From the start to the light the end is good to 3.6u of itself and
-    /// [`MIN_POSITIF`](Nombre::MIN_POSITIF), the direction to 4.6u, and N·L to 8u (lemma 11). Towards a
-    /// point of a lamp that is itself an object of the list, [leave the lamp
+    /// The ray is a [`secondaire`](Self::secondaire) and never hits the object it leaves. From the
+    /// start to the light the end is good to 3.6u of itself and
+    /// [`MIN_POSITIF`](Nombre::MIN_POSITIF), the direction to 4.6u, and N·L to 8u (lemma 11).
+    /// Towards a point of a lamp that is itself an object of the list, [leave the lamp
     /// out](crate::Monde::sans).
     ///
     /// # Errors
-    /// If the surface faces away, N·L ≤ 3.2u with L the unit direction from the start of the ray to the light: the error
-    /// names `lumiere` and gives N·L. Also if `lumiere` is not finite or is the start itself, or where
-    /// [`secondaire`](Self::secondaire) would fail. Either way no light of this point is to be added, and a
-    /// renderer need not tell the cases apart: `if let Ok(ombre) = touche.vers_lumiere(lampe)`.
+    /// If the surface faces away, N·L ≤ 3.2u with L the unit direction from the start of the ray to
+    /// the light: the error names `lumiere` and gives N·L. Also if `lumiere` is not finite or is
+    /// the start itself, or where [`secondaire`](Self::secondaire) would fail. Either way the lamp
+    /// adds no light to this point, and a renderer need not tell the cases apart:
+    /// `if let Ok(ombre) = touche.vers_lumiere(lampe)`.
     ///
     /// ```
     /// use lancer_rayon::{ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
@@ -162,16 +166,18 @@ impl<R: Nombre> Intersection<R> {
         Ok(depart.vers(direction).finissant(distance))
     }
 
-    /// The ray without an end from this hit to a light that is a direction and has no place, a sun: ask
-    /// [`Monde::est_occulte`](crate::Monde::est_occulte) whether anything stands before it.
+    /// The ray without an end from this hit towards a sun, a light that has a direction and no
+    /// place: ask [`Monde::est_occulte`](crate::Monde::est_occulte) whether anything stands before
+    /// it.
     ///
-    /// `soleil` is the direction to the light, of any length. What the surface receives goes
-    /// with N·L, the cosine, to 10.7u: `touche.normale().produit_scalaire(ombre.direction())`. A half-space beyond
-    /// which the sun stands hides it: a room of half-spaces has no windows.
+    /// `soleil` is the direction to the light, of any length. The light that the surface receives
+    /// is proportional to N·L, the cosine: `touche.normale().produit_scalaire(ombre.direction())`,
+    /// good to 10.7u. A half-space beyond which the sun stands hides it: a room of half-spaces has
+    /// no windows.
     ///
     /// # Errors
-    /// If the surface faces away, N·L ≤ 3.2u with L that direction as a unit vector. Also if `soleil` is zero or not
-    /// finite, or where [`secondaire`](Self::secondaire) would fail.
+    /// If the surface faces away, N·L ≤ 3.2u with L that direction as a unit vector. Also if
+    /// `soleil` is zero or not finite, or where [`secondaire`](Self::secondaire) would fail.
     ///
     /// ```
     /// use lancer_rayon::{Monde, ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
@@ -197,20 +203,22 @@ impl<R: Nombre> Intersection<R> {
         Ok(depart.vers(direction))
     }
 
-    /// The ray from this hit to another, which ends there. Whether two points of surfaces see each other is
-    /// `!monde.sans(cible.indice()).est_occulte(&rayon)`. (A hit of an object that was
+    /// The ray from this hit to another, which ends there. Whether two points of surfaces see each
+    /// other is `!monde.sans(cible.indice()).est_occulte(&rayon)`. (A hit of an object that was
     /// asked alone has index 0: name its index in the list.)
     ///
     /// Both ends step off their surfaces, as for [`secondaire`](Self::secondaire), so that the ray
-    /// never hits the object it leaves. The object it goes to is
-    /// [left out](crate::Monde::sans), since no distance stops exactly before a surface: solids
-    /// are convex, and one that faces the ray hides no point of its own. With both hits exchanged the answer is the same
-    /// distance and the opposite direction, exactly, or an error again; what stands between is the same both ways, but
-    /// within rounding of a third object that the line grazes or one hit lies against.
+    /// never hits the object it leaves. The object it goes to is [left out](crate::Monde::sans),
+    /// since no distance stops exactly before a surface: solids are convex, and one that faces the
+    /// ray hides no point of its own. With both hits exchanged the answer is the same distance and
+    /// the opposite direction, exactly, or an error again; what stands between is the same both
+    /// ways, except within rounding of a third object that the line grazes or that one hit lies
+    /// against.
     ///
     /// # Errors
-    /// If either surface faces away from the other point, to the 3.2u of [`vers_lumiere`](Self::vers_lumiere): the
-    /// error names `lumiere` or `cible`. Also where that cannot compute.
+    /// If either surface faces away from the other point, to the 3.2u of
+    /// [`vers_lumiere`](Self::vers_lumiere): the error names `lumiere` or `cible`. Also where that
+    /// fails otherwise.
     ///
     /// ```
     /// use lancer_rayon::{ErreurGeo, Intersection, Monde, PlanGeo, Rayon, SphereGeo, Texture, Vecteur};
@@ -281,7 +289,7 @@ impl<R: Nombre> Intersection<R> {
         Ok(())
     }
 
-    /// This direction, which no more than rounding leads inward, turned outward if it is within
+    /// This direction, which leads inward by no more than rounding, turned outward if it is within
     /// [`TANGENT`] of the tangent plane or below it.
     #[inline]
     fn redressee(&self, d: Vecteur<R>) -> Result<Vecteur<R>, ErreurGeo> {

@@ -8,7 +8,7 @@ use crate::rotation::Rotation;
 use crate::texture::Texture;
 use crate::vecteur::Vecteur;
 
-/// A sphere as one describes it: its centre and its radius (handout §2.2).
+/// The description of a sphere: its centre and its radius (handout §2.2).
 ///
 /// ```
 /// use core::f64::consts::PI;
@@ -96,12 +96,12 @@ impl<R: Nombre> SphereGeo<R> {
         Self::new(self.centre, self.rayon * coefficient(k)?, self.texture)
     }
 
-    /// The same sphere in `f32`, seen from an origin that is taken off before anything is rounded: see
-    /// [`ObjetGeo::vers_f32`](crate::ObjetGeo::vers_f32).
+    /// The same sphere in `f32`, seen from an origin that is subtracted before anything is rounded:
+    /// see [`ObjetGeo::vers_f32`](crate::ObjetGeo::vers_f32).
     ///
     /// # Errors
-    /// If `origine` is not finite, [`translation`](Self::translation) by −`origine` refuses, or [`new`](Self::new) the
-    /// numbers in `f32`.
+    /// If `origine` is not finite, or if [`translation`](Self::translation) by −`origine` or
+    /// [`new`](Self::new) with the numbers in `f32` fails.
     pub fn vers_f32(self, origine: Vecteur<R>) -> Result<SphereGeo<f32>, ErreurGeo> {
         let Self { centre, rayon, texture } = self.translation(-refus::origine(origine)?)?;
         SphereGeo::new(centre.vers_f32(), simple(rayon), texture)
@@ -192,7 +192,7 @@ pub const LONGUEUR: f64 = 1.3;
 /// next two (lemma 8).
 pub const PUISSANCE_PERDUE: f64 = 0.4;
 
-/// The limit of the square of what CP has across N, in r².
+/// The limit of the square of the part of CP across N, in r².
 pub const TRAVERS_PERDU: f64 = 0.0625;
 
 /// The limit of the rounding of P, in r.
@@ -236,8 +236,8 @@ impl<R: Nombre> Forme<R> for SphereRay<R> {
 
     /// SA + AB where A lies ahead, else the power over SA − AB: neither subtracts anything.
     ///
-    /// For a source inside, AB is taken no shorter than √(r² − SC²): so a ray that starts there has its way
-    /// out above 0 and at most 2r away, even within rounding of the surface.
+    /// For a source inside, AB is taken no shorter than √(r² − SC²), so that the way out of a ray
+    /// that starts there is above 0 and at most 2r away, even within rounding of the surface.
     #[inline(always)]
     fn t_sortie(&self, rayon: &Rayon<R>) -> R {
         let Termes { sa, puissance, ab2, d2, .. } = self.termes(rayon);
@@ -252,7 +252,7 @@ impl<R: Nombre> Forme<R> for SphereRay<R> {
         (self.centre - point).longueur_carree() <= self.r * self.r
     }
 
-    /// CB/|CB|; where CB is lost, 0.
+    /// CB/|CB|, or 0 where CB is lost.
     #[inline(always)]
     fn plan_tangent(&self, rayon: &Rayon<R>, t: R) -> (Vecteur<R>, R) {
         // S7, relative to the source: S + tD − C would lose what S and C have in common.
@@ -276,8 +276,8 @@ impl<R: Nombre> Forme<R> for SphereRay<R> {
         let le_long = n.produit_scalaire(cp);
         let travers2 = (cp - n * le_long).longueur_carree();
         let arrondi = p.norme_1() * R::U;
-        // The sphere is no larger than the rounding of its distance or of its place, or the
-        // point came out on its far side.
+        // The sphere is no larger than the rounding of its distance or of its place, or the point
+        // came out on its far side.
         let perdue = (puissance > nombre(PUISSANCE_PERDUE) * r2)
             | (travers2 > nombre(TRAVERS_PERDU) * r2)
             | (arrondi > nombre(ARRONDI_PERDU) * r)

@@ -2,8 +2,8 @@
 
 /// What an object is made of, as a number that this crate carries and never reads.
 ///
-/// The handout leaves textures to a later part; that part gives the number a meaning, an index
-/// into its own list of materials for instance.
+/// The handout leaves textures to a later part; that part gives the number a meaning, an index into
+/// its own list of materials for instance.
 ///
 /// ```
 /// use lancer_rayon::{ObjetGeo, SphereGeo, Texture, Vecteur};

@@ -6,12 +6,13 @@ use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAss
 
 use crate::nombre::{Nombre, puissance_de_deux, simple};
 
-/// A vector, or a point seen from the origin O: x to the right, y up, z towards the viewer
-/// (handout §2.1).
+/// A vector, or a point seen from the origin O: x to the right, y up, z towards the viewer (handout
+/// §2.1).
 ///
-/// A bare triple: any number may stand in it. What builds on it (a ray, an object) checks. In
-/// generic code the compiler may ask for the type of an operand: `let v: Vecteur<R> = …`; and
-/// `k * v` is there `v * k`, since only the two scalars themselves can be multiplied from the left.
+/// It is a bare triple: any number may stand in it, and what is built on it (a ray, an object)
+/// checks. In generic code the compiler may ask for the type of an operand,
+/// `let v: Vecteur<R> = …`, and `k * v` must be written `v * k`, since only `f32` and `f64`
+/// themselves can stand on the left.
 ///
 /// ```
 /// use lancer_rayon::Vecteur;
@@ -36,11 +37,11 @@ use crate::nombre::{Nombre, puissance_de_deux, simple};
 #[cfg_attr(feature = "serde", serde(bound(serialize = "R: Nombre + serde::Serialize")))]
 #[must_use]
 pub struct Vecteur<R = f64> {
-    /// To the right.
+    /// The coordinate to the right.
     pub x: R,
-    /// Up.
+    /// The coordinate up.
     pub y: R,
-    /// Towards the viewer.
+    /// The coordinate towards the viewer.
     pub z: R,
 }
 
@@ -83,8 +84,7 @@ impl<R: Nombre> Vecteur<R> {
         self.produit_scalaire(self)
     }
 
-    /// The length ‖V‖ (handout, annex A): of any vector, even where its square would leave the
-    /// range of the type.
+    /// The length ‖V‖ (handout, annex A), even where its square would leave the range of the type.
     #[doc(alias("length", "norm"))]
     #[inline]
     #[must_use]
@@ -120,8 +120,8 @@ impl<R: Nombre> Vecteur<R> {
     /// size; others are scaled so that the square of the length neither overflows nor loses bits.
     #[inline]
     fn mis_a_l_echelle(self) -> (Self, R) {
-        // Times this the smallest length, 2⁻¹⁴⁹ or 2⁻¹⁰⁷⁴, is 2⁻⁴⁹ or 2⁻⁴⁷⁴; the largest over this
-        // is 2²⁸ or 2⁴²⁴.
+        // Multiplied by this the smallest length, 2⁻¹⁴⁹ or 2⁻¹⁰⁷⁴, is 2⁻⁴⁹ or 2⁻⁴⁷⁴; divided by it
+        // the largest is 2²⁸ or 2⁴²⁴.
         let grande = R::depuis_f64(R::selon(puissance_de_deux(100), puissance_de_deux(600)));
         let carre = self.longueur_carree();
         // In a sum above 1/`grande`, a square that loses bits weighs nothing.
@@ -192,7 +192,8 @@ impl<R: Nombre> Vecteur<R> {
     }
 }
 
-/// Between a vector and what else has three coordinates: its type, and how it is taken apart and made.
+/// Converts between a vector and another type of three coordinates, by the expression that takes
+/// that type apart and makes it.
 macro_rules! trois_coordonnees {
     (|$x:ident, $y:ident, $z:ident| $($(#[$doc:meta])* $type:ty => { $($forme:tt)+ })+) => {$(
         $(#[$doc])*

@@ -1,5 +1,5 @@
-//! All that a ray enters, and all that hold a point: each object is shown once. In order, in places that the caller
-//! lends.
+//! All objects that a ray enters, or all that hold a point, each shown once; and the first of them
+//! in order, in places that the caller lends.
 
 use arrayvec::ArrayVec;
 
@@ -9,20 +9,22 @@ use crate::objet::ObjetRay;
 use crate::question::{Abord, Premier, Question, entree};
 use crate::rayon::Rayon;
 
-/// How many objects in several pieces wait until a walk is done. If it meets more, another walk follows, so that any
-/// number will do; a ray seldom enters one.
+/// How many objects in several pieces wait until a walk is done. If it meets more, another walk
+/// follows, so that any number will do; a ray seldom enters one.
 const EN_MORCEAUX: usize = 16;
 
-/// What is shown of each object: its index and where the ray enters it. It returns the end of the ray from then on.
+/// Takes the index of an object and where the ray enters it, and returns the end of the ray from
+/// then on.
 pub(crate) type Montrer<'a, R> = &'a mut dyn FnMut(usize, R) -> R;
 
 /// Shows the objects that a ray enters before its end, in no order, each once.
 pub(crate) struct Visite<'a, R> {
     montrer: Montrer<'a, R>,
     fin: R,
-    /// Objects in several pieces, which a walk may meet several times: those of the lowest ranks, in order.
+    /// Objects in several pieces, which a walk may meet several times: those of the lowest ranks,
+    /// in order.
     en_morceaux: ArrayVec<Premier<R>, EN_MORCEAUX>,
-    /// There were more of them.
+    /// Whether there were more of them.
     encore: bool,
     /// All objects up to this rank have been shown, and all that are in one piece.
     deja: Option<Rang>,
@@ -33,7 +35,7 @@ impl<'a, R: Nombre> Visite<'a, R> {
         Self { montrer, fin, en_morceaux: ArrayVec::new_const(), encore: false, deja: None }
     }
 
-    /// To be called after each walk: shows what waited. Tells whether another walk is to follow.
+    /// Shows what waited; to be called after each walk. Returns whether another walk is to follow.
     pub(crate) fn montrer_ce_qui_attend(&mut self) -> bool {
         for i in 0..self.en_morceaux.len() {
             let Premier { t, rang } = self.en_morceaux[i];
@@ -93,8 +95,8 @@ impl<R: Nombre> Question<R> for &mut Visite<'_, R> {
     fn repondre(self, _: &Rayon<R>, _: &[ObjetRay<R>]) {}
 }
 
-/// Shows the objects that hold the source of the ray, in no order, each once. A ray up to distance 0 crosses the boxes
-/// that hold its source.
+/// Shows the objects that hold the source of the ray, in no order, each once. A ray up to distance
+/// 0 crosses the boxes that hold its source.
 pub(crate) struct Contenants<'v, 'a, R>(pub(crate) &'v mut Visite<'a, R>);
 
 impl<R: Nombre> Question<R> for Contenants<'_, '_, R> {
@@ -145,8 +147,8 @@ impl<R: Nombre> Question<R> for Contenance {
     }
 }
 
-/// The first objects that are shown, as many as there are places. While there is room they stand as they come; then
-/// the places are a heap, the last of them in front.
+/// The first of the objects that are shown, at most one for each place. While there is room they
+/// stand as they come; then the places are a heap with the last of them in front.
 pub(crate) struct Rangee<'a, R> {
     places: &'a mut [Reponse<R>],
     nombre: usize,
@@ -158,7 +160,7 @@ impl<'a, R: Nombre> Rangee<'a, R> {
         Self { places, nombre: 0 }
     }
 
-    /// Takes in the object at this index, entered at `t`; the end of the ray from then on.
+    /// Takes in the object at this index, entered at `t`; returns the end of the ray from then on.
     pub(crate) fn placer(&mut self, indice: usize, t: R) -> R {
         let trouve = Premier { t, rang: Some(Rang::de(indice)) };
         if let Some(place) = self.places.get_mut(self.nombre) {
@@ -175,7 +177,8 @@ impl<'a, R: Nombre> Rangee<'a, R> {
             *derniere = Ok(Intersection::a_conclure(trouve.t, Rang::de(indice)));
             self.descendre();
         }
-        // A little after the last: an object as far and earlier in the list comes before it. Without a place, nowhere.
+        // A little after the last, since an object as far away and earlier in the list comes before
+        // it; −∞ without a place.
         let derniere = self.places.first().map_or(-R::INFINI, |derniere| cle(derniere).t);
         derniere + max(derniere * fois_u(2.0), R::MIN_POSITIF)
     }
@@ -200,7 +203,8 @@ impl<'a, R: Nombre> Rangee<'a, R> {
         }
     }
 
-    /// Puts the places in order and computes what was left open of each hit; how many there are.
+    /// Puts the places in order and computes what was left open of each hit; returns how many there
+    /// are.
     pub(crate) fn conclure(self, rayon: &Rayon<R>, objets: &[ObjetRay<R>]) -> usize {
         trier(self.places);
         for touche in &mut self.places[..self.nombre] {
@@ -211,7 +215,7 @@ impl<'a, R: Nombre> Rangee<'a, R> {
     }
 }
 
-/// What places are ordered by: a hit by distance and rank, a miss after all hits.
+/// The key by which places are ordered: a hit by distance and rank, a miss after all hits.
 fn cle<R: Nombre>(reponse: &Reponse<R>) -> Premier<R> {
     match reponse {
         Ok(touche) => Premier { t: touche.distance(), rang: Some(Rang::de(touche.indice())) },

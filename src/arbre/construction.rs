@@ -2,8 +2,8 @@
 //!
 //! All boxes are numbers of `f32`, relative to the scene ([`Repere`]), whatever the scalar.
 //!
-//! Each object is first a record of seven numbers: its box and its index; a long box that stands askew is some
-//! records, one for each of its pieces (`morceaux.rs`). Median cuts at multiples
+//! Each object is first a record of seven numbers: its box and its index; a long box that stands
+//! askew has several records, one for each of its pieces (`morceaux.rs`). Median cuts at multiples
 //! of 16^k, each along the axis on which the centres lie farthest apart, sort the records until
 //! those of a leaf are sixteen neighbours. Each leaf is then transposed into columns in place, and
 //! the nodes above follow, floor by floor.
@@ -20,7 +20,7 @@ use crate::nombre::{Nombre, max, min, simple};
 use crate::objet::ObjetRay;
 use crate::vecteur::Vecteur;
 
-/// Over fewer objects with a box than this no tree is made: the list is as fast
+/// No tree is made over fewer objects with a box than this, since the list is as fast
 /// (`benches/seuils.md`, "Thresholds").
 const OBJETS_D_UN_ARBRE: usize = 10;
 
@@ -38,7 +38,7 @@ pub struct Arbre<'a, R> {
     pub(crate) noeuds: &'a [Noeud],
     /// How many nodes are leaves.
     pub(crate) feuilles: usize,
-    /// The [stored](en_mot) indices of those without a box, the last first.
+    /// The [stored](en_mot) indices of the objects without a box, the last first.
     pub(crate) sans_boite: &'a [f32],
     /// About what part of the boxes a line that crosses one of them crosses.
     pub(crate) part_des_croises: f32,
@@ -46,7 +46,7 @@ pub struct Arbre<'a, R> {
 }
 
 impl<R: Nombre> Arbre<'_, R> {
-    /// That of a list which is asked as a list.
+    /// The tree of a list that is asked as a list.
     pub(crate) const SANS_NOEUDS: Self = Self {
         noeuds: &[],
         feuilles: 0,
@@ -60,9 +60,9 @@ impl<R: Nombre> Arbre<'_, R> {
 #[doc(alias = "buffer_too_small")]
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct PlacesInsuffisantes {
-    /// How many were lent.
+    /// How many places were lent.
     pub places: usize,
-    /// How many it takes: [`places`](crate::places).
+    /// How many places are needed: [`places`](crate::places).
     #[doc(alias = "required")]
     pub necessaires: usize,
 }
@@ -75,8 +75,9 @@ impl fmt::Display for PlacesInsuffisantes {
 
 impl core::error::Error for PlacesInsuffisantes {}
 
-/// How many numbers the tree of this many objects may need, whichever of them have no box. One without needs one
-/// number, and less than its share of a leaf, except for the first fifteen.
+/// How many numbers the tree of this many objects may need, whichever of them have no box. An
+/// object without a box needs one number, less than its share of a leaf, except for the first
+/// fifteen.
 pub(crate) const fn mots(objets: usize) -> usize {
     if objets < OBJETS_D_UN_ARBRE || objets as u64 >= LIMITE_INDICES {
         return 0;
@@ -87,7 +88,7 @@ pub(crate) const fn mots(objets: usize) -> usize {
         etage = etage.div_ceil(ENFANTS);
         total += etage;
     }
-    // Where the root is full another stands above it and the giants.
+    // If the root is full, another stands above it and the giants.
     if total > 1 {
         total += 1;
     }
@@ -95,7 +96,8 @@ pub(crate) const fn mots(objets: usize) -> usize {
     total.saturating_mul(FICHE * ENFANTS).saturating_add(ENFANTS - 1 + BOURRAGE)
 }
 
-/// How many records there is room for in this many numbers, beyond the leaves that these objects fill with one each.
+/// How many records there is room for in this many numbers, beyond the leaves that these objects
+/// fill with one each.
 fn fiches_de_plus(objets: usize, places: usize) -> usize {
     const FEUILLE: usize = FICHE * ENFANTS;
     let feuilles = objets.div_ceil(ENFANTS);
@@ -106,8 +108,8 @@ fn fiches_de_plus(objets: usize, places: usize) -> usize {
     plus.saturating_sub(trop) * ENFANTS
 }
 
-/// The tree over these objects, in as many numbers as [`mots`] says or more; one without nodes over few that have a
-/// box. `decouper` says whether the numbers beyond pay for pieces of long boxes.
+/// The tree over these objects, in as many numbers as [`mots`] says or more; one without nodes over
+/// few that have a box. `decouper` says whether the numbers beyond pay for pieces of long boxes.
 pub(crate) fn construire<'a, R: Nombre>(
     objets: &[ObjetRay<R>],
     places: &'a mut [f32],
@@ -157,7 +159,8 @@ pub(crate) fn construire<'a, R: Nombre>(
     for (numero, feuille) in noeuds[..feuilles].iter_mut().enumerate() {
         en_colonnes(feuille, nombre - numero * ENFANTS);
     }
-    // The floor whose nodes have none above them yet, and the leaves of giants, which the root takes along.
+    // The floor whose nodes have none above them yet, and the leaves of giants, which the root
+    // takes along.
     let (mut etage, mut a_part) = (geants..feuilles, geants);
     while etage.len() + a_part > 1 {
         let mut suivant = etage.end;
@@ -176,16 +179,16 @@ pub(crate) fn construire<'a, R: Nombre>(
     Ok(Arbre { noeuds, feuilles, sans_boite, part_des_croises, repere })
 }
 
-/// From a slack of this times the width of a scene on, boxes tell no objects apart.
+/// With a slack of this part of the width of a scene or more, boxes tell no objects apart.
 const JEU_MAXIMAL: f32 = 1.0 / 8.0;
 
-/// Giants [reach](portee) farther, in the mean, than this times a sum: what the others reach in the mean, and the side
-/// that leaves would have if all were alike (`benches/seuils.md`, "Thresholds").
+/// Giants [reach](portee) farther on average than this times what the others reach on average plus
+/// the side that leaves would have if all were alike (`benches/seuils.md`, "Thresholds").
 const TAILLE_DES_GEANTS: f32 = 0.4;
 
 /// Puts the sixteen largest records first, and tells how many leaves they are: 1 if they are
-/// giants, else 0. Giants are floors and walls whose centres say little of where they are, a sky, a ball for a ground;
-/// a sun is one for being far, whatever its size.
+/// giants, else 0. Giants are floors and walls, whose centres say little of where they are, a sky,
+/// or a ball for a ground; a sun is one because it is far away.
 fn trier_les_geants<R: Nombre>(fiches: &mut [Fiche], repere: Repere<R>) -> usize {
     if fiches.len() <= ENFANTS {
         return 0;
@@ -269,7 +272,7 @@ fn en_colonnes(feuille: &mut Noeud, nombre: usize) {
     *feuille = noeud;
 }
 
-/// The node over those of these nodes that have these numbers, at most sixteen.
+/// The node over the nodes with these numbers, at most sixteen.
 fn parent(noeuds: &[Noeud], enfants: impl Iterator<Item = usize>) -> Noeud {
     let mut noeud = VIDE;
     for (enfant, numero) in enfants.enumerate() {

@@ -1,31 +1,32 @@
-//! The boxes of an object in the tree: one, or of a long box that stands askew one for each of some slices.
+//! The boxes of an object in the tree: one, or for a long box that stands askew one for each of
+//! several slices.
 //!
-//! The box along the axes of such an object is nearly all air, those of its slices have less. All records carry the
-//! index of the object. A walk may ask it twice and finds the same t.
+//! The box along the axes of such an object is nearly all air; those of its slices have less. All
+//! records carry the index of the object. A walk may ask it twice and finds the same t.
 
 use crate::arbre::repere::Repere;
 use crate::nombre::Nombre;
 use crate::objet::ObjetRay;
 use crate::vecteur::Vecteur;
 
-/// So much surface one more record must save, in squares of the side that leaves would have if all were alike among
-/// the many (`benches/seuils.md`, "Thresholds").
+/// How much surface one more record must save, in squares of the side that leaves would have if all
+/// were alike among the many (`benches/seuils.md`, "Thresholds").
 const PRIX_D_UNE_FICHE: f32 = 2e-3;
 
-/// Who gets the records for which there is room beyond one for each object.
+/// Shares out the records for which there is room beyond one for each object.
 pub(crate) struct Partage<R> {
     repere: Repere<R>,
     prix: f32,
-    /// How many there still are.
+    /// How many records are left.
     restent: usize,
-    /// What part of the records that would save time an object gets.
+    /// The part that an object gets of the records that would save time.
     part: f32,
-    /// What the objects so far have not got because records are whole.
+    /// The part of a record that the objects so far have not got, since records are whole.
     du: f32,
 }
 
 impl<R: Nombre> Partage<R> {
-    /// So many records for these objects.
+    /// Shares this many records among these objects.
     pub(crate) fn new(objets: &[ObjetRay<R>], repere: Repere<R>, restent: usize) -> Self {
         let mut partage = Self { repere, prix: 0.0, restent, part: 0.0, du: 0.0 };
         if restent > 0 {
@@ -38,8 +39,8 @@ impl<R: Nombre> Partage<R> {
         partage
     }
 
-    /// How many pieces more than one save time: 0, or at least 1. The boxes of k pieces have the surface a/k + b + ck,
-    /// and cost k times the price: the least is at k² = a/(c + price).
+    /// How many pieces more than one save time: 0, or at least 1. The boxes of k pieces have the
+    /// surface a/k + b + ck, and cost k times the price: the least is at k² = a/(c + price).
     fn de_plus(&self, objet: &ObjetRay<R>, h: Vecteur<R>) -> f32 {
         let axe = grandeurs(objet.demi_axe());
         let [a, c] = [axe, h - axe].map(|h| {
@@ -62,9 +63,9 @@ impl<R: Nombre> Partage<R> {
         1 + plus
     }
 
-    /// Hands over the boxes of the next object of the list, in the frame of the tree, and whether they are several; tells
-    /// whether it has one. (As an
-    /// iterator building took 1.17 of the time.)
+    /// Passes on the boxes of the next object of the list, in the frame of the tree, and whether
+    /// they are several; returns whether it has one. (With an iterator building took 1.17 times as
+    /// long.)
     #[inline(always)]
     pub(crate) fn decouper(
         &mut self,
@@ -75,7 +76,8 @@ impl<R: Nombre> Partage<R> {
         let morceaux = self.morceaux(objet, h);
         let k = R::depuis_f64(morceaux as f64);
         let pas = if morceaux > 1 { objet.demi_axe() / k } else { Vecteur::NUL };
-        // The slack is that of an object longer by R, since the roundings of slices are more (lemma 20).
+        // The slack is that of an object longer by R, since the roundings of slices are more (lemma
+        // 20).
         let retrait = grandeurs(pas) * (k - R::UN);
         for i in 0..morceaux {
             let decalage = pas * (R::depuis_f64((2 * i + 1) as f64) - k);
@@ -86,7 +88,7 @@ impl<R: Nombre> Partage<R> {
     }
 }
 
-/// The sizes of its coordinates.
+/// The absolute values of its coordinates.
 fn grandeurs<R: Nombre>(v: Vecteur<R>) -> Vecteur<R> {
     Vecteur::new(v.x.abs(), v.y.abs(), v.z.abs())
 }

@@ -20,8 +20,8 @@ pub(crate) const COIN_ABSENT: f32 = (1_u128 << 120) as f32;
 /// The box and the index of an object.
 pub(crate) type Fiche = [f32; FICHE];
 
-/// Sixteen children: the lower corners of their boxes, the upper corners, and the indices of the objects in a
-/// leaf, above the leaves the numbers of the nodes.
+/// Sixteen children: the lower corners of their boxes, the upper corners, and the indices of the
+/// objects in a leaf, above the leaves the numbers of the nodes.
 ///
 /// A child that is missing has a box turned inside out ([`VIDE`]), which nothing enters.
 pub(crate) type Noeud = [Colonne<f32>; FICHE];
@@ -39,7 +39,8 @@ pub(crate) fn en_mot(indice: usize) -> f32 {
     f32::from_bits(indice as u32)
 }
 
-/// An index, stored [so](en_mot), of an object in several pieces: the sign, which no index needs, says so.
+/// The index of an object in several pieces, [stored](en_mot) with a minus sign, which no index
+/// needs.
 pub(crate) fn en_mot_d_un_morceau(indice: usize) -> f32 {
     -en_mot(indice)
 }

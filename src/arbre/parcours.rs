@@ -13,8 +13,9 @@ use crate::question::{Abord, Question};
 use crate::rayon::Rayon;
 
 impl<R: Nombre> Arbre<'_, R> {
-    /// Asks the objects of this list that may count, and gives the question back: first those without a box, then
-    /// those in the leaves that the ray may enter before the limit. Where boxes tell no objects apart, the whole list.
+    /// Asks the objects of this list that may count, and gives the question back: first those
+    /// without a box, then those in the leaves that the ray may enter before the limit. Where boxes
+    /// tell no objects apart, it asks the whole list.
     #[inline(always)]
     pub(crate) fn parcourir<S: Simd, Q: Question<R>>(
         &self,
@@ -86,7 +87,7 @@ impl<R: Nombre> Arbre<'_, R> {
         question
     }
 
-    /// Asks all objects that have a box, those whose index is not among the others.
+    /// Asks all objects that have a box: those whose index is not among those without one.
     #[cold]
     fn interroger_les_boites<Q: Question<R>>(
         &self,
@@ -94,7 +95,7 @@ impl<R: Nombre> Arbre<'_, R> {
         rayon: &Rayon<R>,
         question: &mut Q,
     ) {
-        // They stand with the last first.
+        // Those without a box stand with the last first.
         let mut autres = self.sans_boite.iter().rev().map(|indice| indice_lu(*indice)).peekable();
         let avec = (0..liste.objets.len()).filter(|indice| autres.next_if_eq(indice).is_none());
         liste.interroger_parmi(rayon, question, avec);

@@ -1,4 +1,5 @@
-//! The rays of a block in a tree: together through the nodes that their beam crosses, as long as that is narrow.
+//! The rays of a block in a tree: together through the nodes that their beam crosses, as long as
+//! that is narrow.
 
 use core::mem;
 
@@ -16,23 +17,23 @@ use crate::nombre::Nombre;
 use crate::question::Premier;
 use crate::rayon::Rayon;
 
-/// A block without a beam asks every object of all its rays if there are no more spheres and boxes for each number that
-/// a register holds than this, and than this part of the boxes that a ray crosses (`benches/seuils.md`, "Thresholds",
-/// as for what follows).
+/// A block without a beam asks every object for all its rays if there are at most this many spheres
+/// and boxes for each number that a register holds, beyond this part of the boxes that a ray crosses
+/// (`benches/seuils.md`, "Thresholds", as for what follows).
 const OBJETS_PAR_NOMBRE: usize = 6;
 const PART_DES_CROISES: f32 = 0.6;
 
 /// If more rays than this of some eight [go elsewhere](vont_ailleurs), it is not that a few stray.
 const AILLEURS: usize = 1;
 
-/// Fewer rays than this are asked one by one: in no order eight together take up to twice as long.
+/// Fewer rays than this are asked one by one: eight in no order take up to twice as long together.
 const RAYONS_D_UN_BLOC: usize = 12;
 
 /// A beam that crosses fewer children of a node than this is not too wide.
 const ENFANTS_CROISES: u32 = ENFANTS as u32 / 2;
 
-/// How many rays of a block tell whether its beam is too wide: the more numbers a register holds, the less it costs
-/// to ask an object of all rays, and the wider a beam may be.
+/// How many rays of a block tell whether its beam is too wide. The more numbers a register holds,
+/// the less it costs to ask an object for all rays, and the wider a beam may be.
 const fn rayons_temoins(nombres_par_registre: usize) -> usize {
     2 + nombres_par_registre / 8
 }
@@ -44,8 +45,8 @@ fn nombres_par_registre<R: Nombre, S: Simd>() -> usize {
 }
 
 impl<R: Nombre> Arbre<'_, R> {
-    /// The answers to the rays of a block: together if they are enough and their beam is narrow enough; else one by
-    /// one, from what they have found so far.
+    /// The answers to the rays of a block: together if they are enough and their beam is narrow
+    /// enough; else one by one, from what they have found so far.
     #[inline(always)]
     pub(crate) fn repondre_au_bloc<S: Simd, Q: EnLot<R>>(
         &self,
@@ -81,8 +82,8 @@ impl<R: Nombre> Arbre<'_, R> {
         );
     }
 
-    /// Loads a block with these rays and looks for the first object of each. Tells whether it came to the end; else
-    /// it has asked the objects without a box and some with one.
+    /// Loads a block with these rays and looks for the first object of each. Tells whether it came
+    /// to the end; else it has asked the objects without a box and some with one.
     #[inline(always)]
     pub(crate) fn chercher_ensemble<S: Simd, Q: EnLot<R>>(
         &self,
@@ -127,8 +128,8 @@ impl<R: Nombre> Arbre<'_, R> {
         la_liste
     }
 
-    /// Finds the first object with a box of each ray of a block, in the nodes that its beam crosses. Tells whether it
-    /// came to the end; it gives up where its beam is too wide.
+    /// Finds the first object with a box of each ray of a block, in the nodes that its beam
+    /// crosses. Tells whether it came to the end; it gives up where its beam is too wide.
     #[inline(always)]
     fn descendre_en_bloc<S: Simd, Q: EnLot<R>>(
         &self,

@@ -5,14 +5,15 @@ use arrayvec::ArrayVec;
 use crate::arbre::noeud::{ENFANTS, ETAGES, Noeud, indice_lu};
 use crate::colonne::{Colonne, Membres, prendre, prendre_le_moindre};
 
-/// A walk visits one child of each node above the leaves at once and leaves at most fifteen. It is done with these before it
-/// visits another node of that floor.
+/// A walk visits one child of each node above the leaves at once and leaves at most fifteen. It is
+/// done with these before it visits another node of that floor.
 const PLACES: usize = (ENFANTS - 1) * (ETAGES - 1);
 
 /// Nodes to look at later, each with the distance at which the ray enters it.
 pub(crate) type Attentes = ArrayVec<(f32, u32), PLACES>;
 
-/// What a walk does with them. They stand outside of it: inside, a ray takes 1.04 of the time (measured).
+/// The nodes that wait, as a walk uses them. They stand outside of it: with them inside a ray takes
+/// 1.04 times as long (measured).
 pub(crate) struct Pile<'a>(pub(crate) &'a mut Attentes);
 
 impl Pile<'_> {

@@ -17,11 +17,11 @@ pub(crate) struct Repere<R> {
     echelle: R,
     /// What is farther from Z than this is far from the many.
     pub(crate) loin: R,
-    /// From this slack on boxes tell no objects apart.
+    /// With this slack or more, boxes tell no objects apart.
     pub(crate) jeu_maximal: f32,
 }
 
-/// From what distance from Z on something is far from the many, in widths of the many.
+/// The distance from Z beyond which something is far from the many, in widths of the many.
 const LARGEURS: f64 = 4.0;
 
 /// How many objects at most, evenly spread over the list, tell where the many are.
@@ -34,7 +34,7 @@ impl<R: Nombre> Repere<R> {
 
     /// The frame of these objects. The many are the inner three quarters.
     pub(crate) fn autour(objets: &[ObjetRay<R>]) -> Self {
-        // Odd, so that of things that stand in the list by turns all kinds are seen.
+        // Odd, so that all kinds are seen of objects that stand in the list by turns.
         let pas = objets.len().div_ceil(TEMOINS) | 1;
         let (mut temoins, mut nombre) = ([[R::ZERO; TEMOINS]; 3], 0);
         let (mut vus, mut plus_large) = (0, R::ZERO);
@@ -72,8 +72,9 @@ impl<R: Nombre> Repere<R> {
         (x - self.milieu) * self.echelle
     }
 
-    /// The box around a slice of an object, with the part of the slack that an object of centre `c` and half-extents
-    /// `h` has: the centre of the slice is `decalage` away from `c`, its half-extents are `demi`.
+    /// The box around a slice of an object, with the part of the slack that an object of centre `c`
+    /// and half-extents `h` has: the centre of the slice is `decalage` away from `c`, its
+    /// half-extents are `demi`.
     pub(crate) fn boite_elargie(
         self,
         (c, h): (Vecteur<R>, Vecteur<R>),
@@ -91,7 +92,8 @@ impl<R: Nombre> Repere<R> {
         ((c - demi).vers_f32(), (c + demi).vers_f32())
     }
 
-    /// The side of a leaf in this frame, if all leaves of this many records were alike among the many.
+    /// The side of a leaf in this frame, if all leaves of this many records were alike among the
+    /// many.
     pub(crate) fn cote_d_une_feuille(self, fiches: usize) -> f32 {
         simple(self.loin) / (LARGEURS as f32 * libm::cbrtf(fiches as f32 / ENFANTS as f32))
     }
@@ -110,16 +112,16 @@ impl<R: Nombre> Repere<R> {
     }
 }
 
-/// The slack for the point of a hit, in u of the scene's type, per unit of distance from Z to an object or to the
-/// source of a ray (lemma 20).
+/// The slack for the point of a hit, in u of the scene's type, per unit of distance from Z to an
+/// object or to the source of a ray (lemma 20).
 pub const JEU_DISTANCE: f64 = 37.0;
 
-/// The slack for the point of a hit, in u of `f32`, per unit of an object's half-extents: its normals may be unit to
-/// `f32` only (lemma 20).
+/// The slack for the point of a hit, in u of `f32`, per unit of an object's half-extents: its
+/// normals may be unit to `f32` only (lemma 20).
 pub const JEU_LARGEUR: f64 = 67.0;
 
-/// The slack for the rounding to `f32`, in u of `f32`, per unit of distance from Z to a side of a box or to where a ray
-/// starts (lemmas 20 to 22).
+/// The slack for the rounding to `f32`, in u of `f32`, per unit of distance from Z to a side of a
+/// box or to where a ray starts (lemmas 20 to 22).
 pub const JEU_F32: f64 = 7.5;
 
 /// More than is lost below the normal numbers (lemma 20).

@@ -10,14 +10,15 @@ use crate::nombre::{Nombre, fois_u, fois_u_simple, max, min, simple};
 use crate::rayon::Rayon;
 use crate::vecteur::Vecteur;
 
-/// A ray as the boxes see it, with its part of the slack (`docs/preuves.md`, lemmas 6 and 20 to 22).
+/// A ray as the boxes see it, with its part of the slack (`docs/preuves.md`, lemmas 6 and 20 to
+/// 22).
 pub(crate) struct Sonde<R> {
     axes: [Axe; 3],
     /// τ₀: entries count from the point so far along the ray, in the frame of the tree.
     depart: R,
 }
 
-/// One axis of it.
+/// One axis of a probe.
 #[derive(Clone, Copy)]
 struct Axe {
     /// The columns of a node in which the nearer sides of its boxes stand, and the farther ones.
@@ -36,8 +37,8 @@ impl<R: Nombre> Sonde<R> {
     pub(crate) fn new(rayon: &Rayon<R>, repere: Repere<R>) -> Option<Self> {
         let (y, d) = (repere.point(rayon.source()), rayon.direction());
         let loin = y.norme_1();
-        // T3. Of a source far away entries count from the point next to Z. In `f32` that point is off by as much as a
-        // hit: the source serves.
+        // T3. For a source far away entries count from the point next to Z. In `f32` that point is
+        // off by as much as a hit, and the source serves.
         let depart = if R::selon(false, true) && loin > repere.loin {
             -y.produit_scalaire(d)
         } else {
@@ -101,16 +102,16 @@ impl<R: Nombre> Sonde<R> {
     }
 }
 
-/// The slack of a beam, in u of the scene's type, per unit of distance from Z to its sources and of their spread
-/// (lemma 22).
+/// The slack of a beam, in u of the scene's type, per unit of distance from Z to its sources and of
+/// their spread (lemma 22).
 pub const JEU_FAISCEAU: f64 = 60.0;
 
 /// The slack of a side of a beam, in u of `f32`, per unit of its distance from Z (lemma 22).
 pub const JEU_FACE: f64 = 3.1;
 
 /// A beam as the boxes see it. For each of the five normals Π, an upper bound on Π·X over all hits
-/// X; for Ω, the Ω·X from which depths count. Both include the slack (`docs/preuves.md`, lemmas
-/// 6 and 20 to 22).
+/// X; for Ω, the Ω·X from which depths count. Both include the slack (`docs/preuves.md`, lemmas 6
+/// and 20 to 22).
 pub(crate) struct SondeDeBloc {
     faces: [(Vecteur<f32>, f32); 5],
     omega: Vecteur<f32>,
@@ -138,8 +139,8 @@ impl SondeDeBloc {
         })
     }
 
-    /// Which children some ray may enter no later than `plafond`, and a distance before
-    /// which none does.
+    /// Which children some ray may enter no later than `plafond`, and a distance before which none
+    /// does.
     #[inline(always)]
     pub(crate) fn traverse<S: Simd>(
         &self,

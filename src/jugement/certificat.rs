@@ -13,16 +13,17 @@ use crate::rayon::Rayon;
 /// An answer, and whether some object may come before it.
 pub(crate) struct Certificat<'a, R> {
     double: Rayon,
-    /// The first object and its index; `None` of a miss.
+    /// The first object and its index; `None` for a miss.
     premier: Option<(&'a ObjetRay<R>, usize)>,
-    /// The ray has entered the first object by then; of a miss, the largest number before the end of the ray.
+    /// The distance by which the ray has entered the first object; for a miss, the largest number
+    /// before the end of the ray.
     dernier: f64,
     doute: bool,
 }
 
 impl<'a, R: Nombre> Certificat<'a, R> {
-    /// `None` if it is not certain that the ray enters the first object before its end, or if that is not one of the
-    /// list or is left out: what is left out is no answer.
+    /// `None` if it is not certain that the ray enters the first object before its end, or if that
+    /// object is not in the list or is left out, and so is no answer.
     #[inline(always)]
     pub(crate) fn new(
         liste: &Liste<'a, R>,
@@ -41,8 +42,8 @@ impl<'a, R: Nombre> Certificat<'a, R> {
         certaine.then_some(Self { double, premier, dernier: entree.haut, doute: false })
     }
 
-    /// Whether the ray certainly never enters the object at this index, or later than the first; or it
-    /// is the first.
+    /// Whether the object at this index is the first, or the ray certainly enters it later than the
+    /// first or never.
     #[inline(always)]
     fn vient_apres(&self, objet: &ObjetRay<R>, indice: usize) -> bool {
         // G5
@@ -66,7 +67,7 @@ impl<R: Nombre> Question<R> for Certificat<'_, R> {
 
     #[inline(always)]
     fn limite(&self) -> R {
-        // Above 0, before which nothing would be asked.
+        // Above 0, since nothing would be asked before 0.
         max(R::depuis_f64(self.dernier * (1.0 + 2.0 * R::U.vers_f64())), R::MIN_POSITIF)
     }
 

@@ -32,16 +32,17 @@ pub const VUE_VITESSE: f64 = 3.2;
 /// What a quotient and its factors round by, in u of itself (lemma 18).
 pub const VUE_QUOTIENT: f64 = 5.5;
 
-/// Entries of a ray.
+/// What an interval says of the entry of a ray.
 impl Intervalle {
     /// The ray never enters.
     pub(crate) const JAMAIS: Self = Self { bas: f64::INFINI, haut: f64::INFINI };
 
-    /// Whether it enters is unknown, and when.
+    /// Whether and when the ray enters is unknown.
     pub(crate) const INCONNU: Self = Self { bas: 0.0, haut: f64::INFINI };
 
-    /// Whether the ray enters before its end, if that is certain, and if so at a distance that is at most the largest
-    /// number of a type: an entry beyond it is no hit there, and one in a wider type (C7).
+    /// Whether the ray enters before its end, if that is certain, and if so at a distance that is
+    /// at most the largest number of a type: an entry beyond it is no hit there, and one in a wider
+    /// type (C7).
     #[inline(always)]
     pub(crate) fn touche(self, fin: f64, plus_grand: f64) -> Option<bool> {
         // G4
@@ -50,8 +51,8 @@ impl Intervalle {
     }
 }
 
-/// If the ray enters the object, then between these distances; the later one is +∞ unless it
-/// certainly enters, and the earlier one if it never does.
+/// The distances between which the ray enters the object, if it does. The later one is +∞ unless it
+/// certainly enters, and the earlier one if it certainly never does.
 #[inline(always)]
 pub fn coup_d_oeil(objet: &ObjetRay, rayon: &Rayon) -> Intervalle {
     match objet {
@@ -84,7 +85,7 @@ fn de_plan(plan: &PlanRay, rayon: &Rayon) -> Intervalle {
     let (hauteur, descente) = plan.hauteur_et_descente(rayon);
     let poids = plan.normale().somme_des_grandeurs(rayon.source());
     let jeu = poids * (VUE_HAUTEUR * f64::U) + 4.0 * f64::MIN_POSITIF;
-    // A ray that is exactly parallel is so at a glance.
+    // An exactly parallel ray is seen to be so.
     let jeu_v = plan.normale().somme_des_grandeurs(rayon.direction()) * (VUE_VITESSE * f64::U);
     let jeu_v = jeu_v + 4.0 * f64::MIN_POSITIF;
     let (lente, vite) = (descente - jeu_v, descente + jeu_v);
@@ -120,7 +121,7 @@ fn de_boite(boite: &BoiteRay, rayon: &Rayon) -> Intervalle {
             let lent = 1.0 / (vitesse - VUE_VITESSE * f64::U);
             (autour(e, jeu, lent, vite), autour(s, jeu, lent, vite))
         } else {
-            // Which way the ray goes is unknown; it comes to neither face sooner than so.
+            // Which way the ray goes is unknown; it comes to neither face sooner than this.
             let sous = s.min(-e);
             let loin = (sous.abs() - jeu) * vite * AVANT;
             let partout = Intervalle { bas: -f64::INFINI, haut: f64::INFINI };

@@ -20,8 +20,8 @@ pub(crate) struct Jugement {
     pub(crate) ecart: f64,
 }
 
-/// If the ray enters the object, then between these distances; the later one is +∞ unless it
-/// certainly enters, and the earlier one if it never does.
+/// The distances between which the ray enters the object, if it does. The later one is +∞ unless it
+/// certainly enters, and the earlier one if it certainly never does.
 pub(crate) fn loupe(objet: &ObjetRay, rayon: &Rayon) -> Intervalle {
     let t = objet.t(rayon);
     let Jugement { entre, ecart } = juger(objet, rayon, t);
@@ -36,7 +36,7 @@ pub(crate) fn loupe(objet: &ObjetRay, rayon: &Rayon) -> Intervalle {
     }
 }
 
-/// What exact numbers say of a ray and a distance; of a miss the distance is +∞.
+/// What exact numbers say of a ray and a distance; for a miss the distance is +∞.
 pub(crate) fn juger(objet: &ObjetRay, rayon: &Rayon, t: f64) -> Jugement {
     juger_depuis(objet, rayon, [0.0, t])
 }
@@ -65,8 +65,8 @@ fn juger_depuis(objet: &ObjetRay, rayon: &Rayon, lieux: Lieux) -> Jugement {
     }
 }
 
-/// The centre c of a solid; how many faces stand across each axis, one or two; of each axis a unit vector,
-/// and how far along it from c its face stands. The second stands as far the other way.
+/// The centre c of a solid; how many faces stand across each axis, one or two; and for each axis a
+/// unit vector and how far along it from c its face stands. The second stands as far the other way.
 type Faces<'a> = (Vecteur, usize, &'a [(Vecteur, f64)]);
 
 /// What exact numbers say of a ray, a distance and the solid inside all of these faces.
@@ -75,8 +75,8 @@ fn juger_faces(faces: Faces<'_>, rayon: &Rayon, [depart, t]: Lieux) -> Jugement 
     if t < f64::INFINI {
         return a(t).0;
     }
-    // A miss is judged where the ray is nearest to the centre; and where it leaves, if that leaves it
-    // open by an exit and an entry at about one place, beside an edge.
+    // A miss is judged where the ray is nearest to the centre; and where it leaves, if that leaves
+    // it open by an exit and an entry at about one place, beside an edge.
     let pres = (faces.0 - rayon.source()).produit_scalaire(rayon.direction());
     let (jugement, sortie) = a(pres);
     if jugement.entre.is_some() {
@@ -85,7 +85,7 @@ fn juger_faces(faces: Faces<'_>, rayon: &Rayon, [depart, t]: Lieux) -> Jugement 
     a(pres + sortie).0
 }
 
-/// The same for any distance; and how long after it the ray leaves the solid, about.
+/// [`juger_faces`] at any distance, and about how long after it the ray leaves the solid.
 fn juger_faces_a((c, cotes, axes): Faces<'_>, rayon: &Rayon, lieux: Lieux) -> (Jugement, f64) {
     let [depart, point] = lieux.map(|t| depuis(c, rayon, t));
     let direction = triple(rayon.direction());
@@ -116,11 +116,12 @@ fn juger_faces_a((c, cotes, axes): Faces<'_>, rayon: &Rayon, lieux: Lieux) -> (J
             // Nearly parallel: whether the ray comes nearer to the face or leaves it is unknown.
             let loin = sous_point.sur(vite, vite);
             if sous_depart.bas >= 0.0 && sous_point.bas > 0.0 {
-                // For so long it has been under the face, and will be.
+                // It has been under the face for so long at least, and will be.
                 entree.bas = entree.bas.min(loin.bas);
                 sortie.bas = sortie.bas.min(loin.bas);
             } else {
-                // It never enters, or not for so long; or else the other faces may still exclude an entry.
+                // It never enters, or not for so long; or else the other faces may still exclude an
+                // entry.
                 let au_dessus = sous_depart.haut < 0.0 && sous_point.haut < 0.0;
                 let tard = if au_dessus { loin.haut } else { f64::INFINI };
                 entree = Intervalle { bas: -f64::INFINI, haut: entree.haut.min(tard) };

@@ -1,4 +1,5 @@
-//! A block of rays, to which a list offers all of its objects and a tree those of the leaves that its beam crosses.
+//! A block of rays, to which a list offers all of its objects and a tree those of the leaves that
+//! its beam crosses.
 
 use core::marker::PhantomData;
 
@@ -20,13 +21,14 @@ pub(crate) const BLOC: usize = 4 * VOIES;
 /// Fewer rays than this are asked of a list one by one (`benches/seuils.md`, "Thresholds").
 const RAYONS_D_UNE_LISTE: usize = 6;
 
-/// The memory of a block, which grows no larger than a call needs: to set up all of it costs as much as some rays. It
-/// stands outside of the block, which would take up to 1.15 times as long with it inside (calls of 16, measured).
+/// The memory of a block, which grows no larger than a call needs: since setting up all of it costs
+/// as much as some rays. It stands outside of the block, which would take up to 1.15 times as long
+/// with it inside (calls of 16, measured).
 pub(crate) type Groupes<R> = ArrayVec<Groupe<R>, { BLOC / VOIES }>;
 
 /// A question that the rays of a block ask side by side: each keeps a first object so far.
 pub(crate) trait EnLot<R: Nombre>: Question<R> + From<Premier<R>> {
-    /// The answers of a group.
+    /// Writes the answers of a group.
     fn repondre_ensemble(
         groupe: &Groupe<R>,
         objets: &[ObjetRay<R>],
@@ -52,7 +54,7 @@ impl<R: Nombre> EnLot<R> for Ombre<R> {
 
 /// At most 64 rays with the first object of each so far.
 pub(crate) struct Bloc<'a, R, Q> {
-    /// How many rays are here, without what stands in for missing ones.
+    /// How many rays are here, not counting what stands in for missing ones.
     nombre: usize,
     /// Whether some ray has a δ above 0.
     flou: bool,
@@ -68,7 +70,7 @@ impl<'a, R: Nombre, Q: EnLot<R>> Bloc<'a, R, Q> {
         Self { nombre: 0, flou: false, egares: 0, groupes, question: PhantomData }
     }
 
-    /// Puts these rays here, with no object so far.
+    /// Loads these rays, with no object so far.
     #[inline(always)]
     pub(crate) fn charger(&mut self, rayons: &[Rayon<R>]) {
         (self.nombre, self.flou, self.egares) = (rayons.len(), false, 0);
@@ -101,7 +103,8 @@ impl<'a, R: Nombre, Q: EnLot<R>> Bloc<'a, R, Q> {
         )
     }
 
-    /// The beam of these rays, up to their limits if all have one; `None` if they go too far apart for one.
+    /// The beam of these rays, up to their limits if all have one; `None` if they go too far apart
+    /// for one.
     #[inline(always)]
     pub(crate) fn faisceau(&self) -> Option<Faisceau<R>> {
         let reperes = [0, 7, self.nombre / 2].map(|i| self.rayon(i));
@@ -150,8 +153,8 @@ impl<'a, R: Nombre, Q: EnLot<R>> Bloc<'a, R, Q> {
         self.egares > 0
     }
 
-    /// For each ray that enters the object at this index of the list before its first so far: makes
-    /// it its first. `source` says that the object may hold the source of one.
+    /// Makes the object at this index of the list the first of each ray that enters it before its
+    /// first so far. `source` says that it may hold the source of a ray.
     ///
     /// The shape is copied: nothing that is written to a group can overlap it, so that the compiler
     /// need not read it again for every ray.
@@ -167,7 +170,7 @@ impl<'a, R: Nombre, Q: EnLot<R>> Bloc<'a, R, Q> {
         });
     }
 
-    /// [`proposer`](Self::proposer) of every object of the list.
+    /// Calls [`proposer`](Self::proposer) with every object of the list.
     #[inline(always)]
     pub(crate) fn interroger(&mut self, liste: &Liste<'_, R>) {
         for indice in 0..liste.objets.len() {
@@ -191,7 +194,7 @@ impl<'a, R: Nombre, Q: EnLot<R>> Bloc<'a, R, Q> {
         self.groupes[i / VOIES].premier(i % VOIES)
     }
 
-    /// Writes the answers; a function of the instruction set, which list and tree share.
+    /// Writes the answers. It is compiled for each instruction set, and list and tree share it.
     #[inline(always)]
     pub(crate) fn repondre<S: Simd>(
         &self,
@@ -209,7 +212,8 @@ impl<'a, R: Nombre, Q: EnLot<R>> Bloc<'a, R, Q> {
         );
     }
 
-    /// The answers of a list to the rays of a block: together if they are enough, else one by one.
+    /// Writes the answers of a list to the rays of a block: together if they are enough, else one
+    /// by one.
     #[inline(always)]
     pub(crate) fn repondre_de_la_liste<S: Simd>(
         &mut self,

@@ -1,8 +1,8 @@
-//! The beam of a block: a pyramid that all its rays stay in, by which a hierarchy leaves objects out without
-//! asking every ray.
+//! The beam of a block: a pyramid that all its rays stay in, by which a hierarchy leaves objects
+//! out without asking every ray.
 //!
-//! No point of a ray lies outside, rounding included. The bounds are derived in `docs/preuves.md`, lemma 19, whose
-//! letters are those of this file.
+//! No point of a ray lies outside, rounding included. The bounds are derived in `docs/preuves.md`,
+//! lemma 19, whose letters are those of this file.
 
 use crate::colonne::{Colonne, le_plus_grand, somme};
 use crate::lot::groupe::{Groupe, VOIES};
@@ -19,15 +19,16 @@ pub const COURT: f64 = 4.9;
 /// How much too large the slope ξ/μ is taken, above and below, in u (lemma 19).
 pub const PENTE: f64 = 7.5;
 
-/// How much too large a bound w is taken, in u of the spread of the origins and of the longest segment (lemma 19).
+/// How much too large a bound w is taken, in u of the spread of the origins and of the longest
+/// segment (lemma 19).
 pub const ORIGINES: f64 = 10.6;
 
-/// The steepest side of a beam of segments against Ω: any slope is right, these fit.
+/// The steepest slope of a side of a beam of segments against Ω. Any limit is right; this one fits.
 const PENTE_DES_SEGMENTS: f64 = 4.0;
 
 /// A pyramid that the rays of a block stay in: four sides, then a back. Each of these planes has an
-/// outward normal Π and a bound w on Π·(X − S₀) over the points X of all rays, or of the part of each
-/// that counts.
+/// outward normal Π and a bound w on Π·(X − S₀) over the points X of all rays, or of the part of
+/// each that counts.
 pub(crate) struct Faisceau<R> {
     pub(crate) s0: Vecteur<R>,
     pub(crate) faces: [(Vecteur<R>, R); 5],
@@ -42,9 +43,9 @@ pub(crate) struct Faisceau<R> {
 /// The least cosine between a ray of a beam and the one in the middle.
 const COSINUS_MINIMAL: f64 = 0.25;
 
-/// How many of at most eight of these rays, evenly spread, go too far from the way of the one in the middle for a beam.
-/// So rays in no order are refused before a beam is made of them. Shadow rays are asked as well, although their
-/// segments may lie together where their directions do not.
+/// How many of at most eight of these rays, evenly spread, go too far from the way of the one in the
+/// middle for a beam. Rays in no order are refused here, before a beam is made of them. Shadow rays
+/// are tested as well, although their segments may lie together where their directions do not.
 #[inline(always)]
 pub(crate) fn vont_ailleurs<R: Nombre>(rayons: &[Rayon<R>]) -> usize {
     let milieu = rayons[rayons.len() / 2].direction();
@@ -90,10 +91,11 @@ pub(crate) fn egares<R: Nombre>(groupes: &[Groupe<R>]) -> u64 {
     egares
 }
 
-/// What a beam is built around: a reference origin S₀, a reference direction Ω, and U and V across Ω.
+/// What a beam is built around: a reference origin S₀, a reference direction Ω, and U and V across
+/// Ω.
 ///
 /// S₀ and Ω come from the ray in the middle. U points from the first ray to the eighth, along a row
-/// of pixels: any U is right, this one fits closely.
+/// of pixels: any U is right, and this one fits closely.
 #[inline(always)]
 fn axes<R: Nombre>([depart, huitieme, milieu]: [Rayon<R>; 3]) -> [Vecteur<R>; 4] {
     let omega = milieu.direction() * (R::UN - fois_u_simple(COURT_OMEGA));
@@ -106,8 +108,8 @@ fn axes<R: Nombre>([depart, huitieme, milieu]: [Rayon<R>; 3]) -> [Vecteur<R>; 4]
 }
 
 impl<R: Nombre> Faisceau<R> {
-    /// The beam of the rays of these groups; three of them, the first, the eighth and the one in the
-    /// middle, say where it goes. `None` if they go too far apart for one.
+    /// The beam of the rays of these groups; three of them, the first, the eighth and the one in
+    /// the middle, say where it goes. `None` if they go too far apart for one.
     #[inline(always)]
     pub(crate) fn de_rayons(groupes: &[Groupe<R>], reperes: [Rayon<R>; 3]) -> Option<Self> {
         let axes @ [s0, omega, u, v] = axes(reperes);
@@ -131,8 +133,8 @@ impl<R: Nombre> Faisceau<R> {
         Some(Self::de_pentes(groupes, axes, pentes, etalement, None))
     }
 
-    /// The beam of the segments from the sources of these rays to the limits of their first objects:
-    /// from surfaces to lamps. Its sides touch both ends.
+    /// The beam of the segments from the sources of these rays to the limits of their first
+    /// objects: from surfaces to lamps. Its sides touch both ends.
     #[inline(always)]
     pub(crate) fn de_segments(groupes: &[Groupe<R>], reperes: [Rayon<R>; 3]) -> Self {
         let axes @ [s0, omega, u, v] = axes(reperes);
@@ -155,8 +157,8 @@ impl<R: Nombre> Faisceau<R> {
         Self::de_pentes(groupes, axes, pentes, etalement, Some(portee))
     }
 
-    /// The beam whose sides lean from U, −U, V and −V by these slopes against Ω, around segments
-    /// of lengths up to `portee`, or without one around rays that no side faces.
+    /// The beam whose sides lean from U, −U, V and −V by these slopes against Ω, around segments of
+    /// lengths up to `portee`, or without one around rays that no side faces.
     #[inline(always)]
     fn de_pentes(
         groupes: &[Groupe<R>],
@@ -204,7 +206,7 @@ impl<R: Nombre> Faisceau<R> {
 /// The largest of each of these numbers over the rays of these groups and the limits of their first
 /// objects, or `depart` if that is larger. A caller whose ray in the middle gives a 0 passes 0.
 ///
-/// Each has sixteen maxima, one a lane: a single running maximum cannot be vectorised.
+/// Each has sixteen maxima, one per lane, since a single running maximum cannot be vectorised.
 #[inline(always)]
 fn maxima<R: Nombre, const N: usize>(
     depart: R,

@@ -27,7 +27,7 @@ const COTE_A_COTE: u32 = 3;
 pub(crate) struct Groupe<R> {
     s: [Colonne<R>; 3],
     d: [Colonne<R>; 3],
-    /// What each knows of its source.
+    /// What each ray knows of its source.
     su: Colonne<R>,
     t: Colonne<R>,
     rangs: Colonne<Option<Rang>>,
@@ -42,7 +42,8 @@ impl<R: Nombre> Groupe<R> {
         rangs: [None; VOIES],
     };
 
-    /// Puts these rays here, at most sixteen, with no object so far; the last stands in for those that are missing.
+    /// Loads these rays, at most sixteen, with no object so far; the last stands in for those that
+    /// are missing.
     #[inline(always)]
     pub(crate) fn charger(&mut self, rayons: &[Rayon<R>]) {
         if let Some(rayons) = rayons.first_chunk() {
@@ -109,11 +110,11 @@ impl<R: Nombre> Groupe<R> {
         le_plus_grand(self.t)
     }
 
-    /// For each ray that enters the object of this shape and rank before its first so far: makes it
-    /// its first. If one suffices, the ray is done: before distance 0 it looks for no other.
+    /// Makes the object of this shape and rank the first of each ray that enters it before its
+    /// first so far. If one suffices, that ray is done: it looks for no other before distance 0.
     ///
-    /// The one of lower rank is the first of two objects at the same distance. `flou` says that some ray has a δ above 0
-    /// and may start in the object.
+    /// At the same distance the object of lower rank is the first. `flou` says that some ray has a
+    /// δ above 0 and may start in the object.
     #[inline(always)]
     pub(crate) fn proposer(
         &mut self,
@@ -132,12 +133,12 @@ impl<R: Nombre> Groupe<R> {
                 pres |= forme.peut_entrer(&self.rayon(voie));
             }
         }
-        // Roots and quotients only if one ray at least may enter.
+        // Roots and quotients are computed only if at least one ray may enter.
         if !pres {
             return;
         }
-        // Computed for all and kept for some, in a loop of its own: a branch would not be
-        // vectorised.
+        // They are computed for all lanes and kept for some, in a loop of its own: a branch would
+        // not be vectorised.
         let mut t = [R::INFINI; VOIES];
         if flou {
             self.toucher(forme, &mut t);
@@ -193,7 +194,7 @@ impl<R: Nombre> Groupe<R> {
             for voie in 0..VOIES {
                 siens |= u32::from(self.rangs[voie] == Some(rang)) << voie;
             }
-            // Without those that stand in for missing rays, which have no answer.
+            // What stands in for missing rays has no answer.
             siens &= valides;
             restent &= !siens;
             let cote_a_cote = siens.count_ones() >= COTE_A_COTE;
@@ -203,8 +204,8 @@ impl<R: Nombre> Groupe<R> {
             let texture = objet.texture();
             while let Some(voie) = prendre(&mut siens) {
                 let t = self.t[voie];
-                // Built in its place: to copy a hit just built would stall until its fields are
-                // stored.
+                // The hit is built in its place: copying one just built would stall until its
+                // fields are stored.
                 touches[voie] = Ok(if cote_a_cote && contacts.de_face[voie] {
                     Intersection::new(t, contacts.de(voie, self), self.su[voie], texture, rang)
                 } else {

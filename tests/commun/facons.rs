@@ -12,7 +12,7 @@ use lancer_rayon::{
 
 use crate::conversion::{Bits, Mots, mots};
 
-/// The fewest objects that get a tree; `les_places_pretees` holds it.
+/// The fewest objects that get a tree; `places_dit_combien_de_places_suffisent` holds it.
 pub const UN_ARBRE: usize = 10;
 
 /// So many that a node has sixteen children, of which the beam of 64 rays may cross too many, and that no block

@@ -4,6 +4,7 @@
 #![allow(missing_docs, reason = "not published: what a name does not say has a comment")]
 
 pub mod conversion;
+pub mod fabrique;
 pub mod facons;
 pub mod litteral;
 pub mod mesure;

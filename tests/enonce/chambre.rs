@@ -1,6 +1,7 @@
 //! No ray leaves a closed room (lemma 23): paths whose every bounce is aimed at a seam, and shadows of lamps beyond the
 //! walls, in rooms of half-spaces and of boxes that overlap, straight and turned, with furniture that stands flush.
 
+use commun::fabrique::{boite, boite_droite, mur, sphere, v};
 use commun::facons::comparer;
 use commun::oracle::dehors;
 use commun::regimes::{deux_puissance, direction};
@@ -9,8 +10,8 @@ use commun::{Bits, arrondi, cas, en_f32_et_f64};
 use fastrand::Rng;
 use lancer_rayon::pour_les_tests::{FLOU_DISTANCE, FLOU_POINT, FLOU_PROPRE};
 use lancer_rayon::{
-    BoiteGeo, Intersection, Monde, NoIntersection, ObjetGeo, ObjetRay, PlanGeo, Rayon, Reel,
-    Rotation, SphereGeo, Texture, Vecteur, places,
+    Intersection, Monde, NoIntersection, ObjetRay, PlanGeo, Rayon, Reel, Rotation, Texture,
+    Vecteur, places,
 };
 
 /// Walls, then furniture; and points of the seams between them, towards which rays are sent.
@@ -20,10 +21,6 @@ struct Chambre<R> {
     coutures: Vec<[Vecteur; 2]>,
     tour: Rotation,
     milieu: Vecteur,
-}
-
-fn v(x: f64, y: f64, z: f64) -> Vecteur {
-    Vecteur::new(x, y, z)
 }
 
 impl<R: Reel> Chambre<R> {
@@ -48,8 +45,7 @@ impl<R: Reel> Chambre<R> {
                     chambre.boite(Vecteur::from(n) * 1.2, cotes.into());
                 } else {
                     let (p, n) = (chambre.place(Vecteur::from(n)), tour.appliquer(n.into()));
-                    let mur = PlanGeo::par_un_point(arrondi(p), arrondi(-n), Texture(0));
-                    chambre.objets.push(mur.unwrap().into());
+                    chambre.objets.push(mur(arrondi(p), arrondi(-n)));
                 }
             }
         }
@@ -85,16 +81,13 @@ impl<R: Reel> Chambre<R> {
         }
         let r = 0.05 + 0.2 * alea.f64();
         let c = v(0.5 * alea.f64(), r - 1.0, 0.6);
-        let boule = SphereGeo::new(arrondi(self.place(c)), R::depuis_f64(r), Texture(2));
-        self.objets.push(boule.unwrap().into());
+        self.objets.push(sphere(arrondi(self.place(c)), R::depuis_f64(r)));
         self.couture(c - v(0.0, r, 0.0), c - v(1e-6, r, 0.0));
     }
 
     fn boite(&mut self, c: Vecteur, cotes: Vecteur) {
         let tour = Rotation::depuis_matrice(self.tour.matrice().map(|l| l.map(R::depuis_f64)));
-        let boite =
-            BoiteGeo::new(arrondi(self.place(c)), arrondi(cotes), tour.unwrap(), Texture(1));
-        self.objets.push(ObjetGeo::from(boite.unwrap()).vers_ray());
+        self.objets.push(boite(arrondi(self.place(c)), arrondi(cotes), tour.unwrap()));
     }
 
     fn place(&self, p: Vecteur) -> Vecteur {
@@ -208,11 +201,9 @@ fn un_pilier_sur_un_globe_ne_laisse_rien_passer<R: Reel>() {
         // The pole that the pillar stands on is anywhere.
         let pole = direction(&mut alea);
         let [x, y, z] = Rotation::<f64>::entre(Vecteur::Y, pole).unwrap().axes();
-        let globe = SphereGeo::new(arrondi(-pole * rayon_du_globe), r(rayon_du_globe), Texture(0));
+        let globe = sphere(arrondi(-pole * rayon_du_globe), r(rayon_du_globe));
         let tour = Rotation::depuis_matrice([x, y, z].map(|a| <[f64; 3]>::from(a).map(r))).unwrap();
-        let pilier =
-            BoiteGeo::new(arrondi(pole * 0.9), arrondi(v(0.5, 2.0, 0.5)), tour, Texture(1));
-        let objets: [ObjetRay<R>; 2] = [globe.unwrap().into(), pilier.unwrap().into()];
+        let objets = [globe, boite(arrondi(pole * 0.9), v(0.5, 2.0, 0.5), tour)];
         let monde = Monde::de_liste(&objets);
         for _ in 0..8 {
             // Beside the seam, by what the type knows of the place of the globe.
@@ -244,10 +235,7 @@ en_f32_et_f64!(un_pilier_sur_un_globe_ne_laisse_rien_passer);
 /// at once, by the nearer face; one that leaves by a face as near does not, and from farther in none does.
 fn un_coin_que_le_rayon_quitte_n_est_pas_touche<R: Reel>() {
     let eps = 64.0 * u::<R>();
-    let boite = |c, cotes| -> ObjetRay<R> {
-        BoiteGeo::new(arrondi(c), arrondi(cotes), Rotation::IDENTITE, Texture(0)).unwrap().into()
-    };
-    let cube = boite(v(0.0, 0.0, 0.0), v(1.0, 1.0, 1.0));
+    let cube = boite_droite(Vecteur::NUL, v(1.0, 1.0, 1.0));
     let touche = |objet: &ObjetRay<R>, de: Vecteur, vers: Vecteur| {
         let rayon = Rayon::new(arrondi(de), arrondi(vers)).unwrap();
         assert_eq!(objet.intersection(&rayon), Err(NoIntersection));
@@ -267,11 +255,11 @@ fn un_coin_que_le_rayon_quitte_n_est_pas_touche<R: Reel>() {
     assert_eq!(touche(&cube, v(0.1, -0.5 + eps, 0.1), v(1.0, 1.0, 0.0)), Some([0.0, -1.0, 0.0]));
     assert_eq!(touche(&cube, v(0.1, -0.5 + 64.0 * eps, 0.1), v(1.0, 1.0, 0.0)), None);
     // A plate across y, nearer to its bottom than to its top, and the other way round.
-    let plaque = boite(v(0.0, 0.0, 0.0), v(1.0, 8.0 * eps, 1.0));
+    let plaque = boite_droite(Vecteur::NUL, v(1.0, 8.0 * eps, 1.0));
     assert_eq!(touche(&plaque, v(0.1, -eps, 0.1), v(0.1, 1.0, 0.0)), Some([0.0, -1.0, 0.0]));
     assert_eq!(touche(&plaque, v(0.1, eps, 0.1), v(0.1, 1.0, 0.0)), None);
     // A ball, and a half-space.
-    let boule = ObjetRay::from(SphereGeo::new(Vecteur::NUL, R::UN, Texture(0)).unwrap());
+    let boule = sphere(Vecteur::NUL, R::UN);
     assert_eq!(touche(&boule, v(0.0, -1.0 + eps, 0.0), v(0.0, 1.0, 0.0)), Some([0.0, -1.0, 0.0]));
     assert_eq!(touche(&boule, v(0.0, -1.0 + eps, 0.0), v(0.0, -1.0, 0.0)), None);
     assert_eq!(touche(&boule, v(0.0, -1.0 + 64.0 * eps, 0.0), v(0.0, 1.0, 0.0)), None);

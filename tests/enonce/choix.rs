@@ -3,22 +3,18 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 
+use commun::en_f32_et_f64;
+use commun::fabrique::{boite, boite_droite, mur, sphere, v};
 use commun::facons::noeuds;
 use commun::scenes::{melange, rayons_camera};
-use commun::{arrondi, en_f32_et_f64};
 use lancer_rayon::pour_les_tests::Reglage;
 use lancer_rayon::{
-    BoiteGeo, Choix, Intersection, Monde, NoIntersection, ObjetRay, PlanGeo, Rayon, Reel, Reponse,
-    Rotation, SphereGeo, Texture, Vecteur, places, premiere_intersection,
+    Choix, Intersection, Monde, NoIntersection, ObjetRay, PlanGeo, Rayon, Reel, Reponse, Rotation,
+    Texture, Vecteur, places, premiere_intersection,
 };
 
-fn v<R: Reel>(x: f64, y: f64, z: f64) -> Vecteur<R> {
-    arrondi(Vecteur::new(x, y, z))
-}
-
 fn cube<R: Reel>(centre: Vecteur<R>) -> ObjetRay<R> {
-    let cotes = Vecteur::new(R::UN, R::UN, R::UN);
-    BoiteGeo::new(centre, cotes, Rotation::IDENTITE, Texture(0)).unwrap().into()
+    boite_droite(centre, v(1.0, 1.0, 1.0))
 }
 
 /// A half-space at this height along z.
@@ -35,7 +31,7 @@ fn indices<R: Reel>(touches: &[Reponse<R>]) -> Vec<usize> {
 fn un_robot_ne_se_voit_pas<R: Reel>() {
     let robot: [ObjetRay<R>; 3] = [
         cube(v(0.0, 0.5, 0.0)),
-        SphereGeo::new(v(0.0, 1.3, 0.0), R::depuis_f64(0.4), Texture(1)).unwrap().into(),
+        sphere(v(0.0, 1.3, 0.0), R::depuis_f64(0.4)),
         cube(v(0.9, 0.5, 0.0)),
     ];
     let piece = melange::<R>(60);
@@ -67,7 +63,7 @@ en_f32_et_f64!(un_robot_ne_se_voit_pas);
 
 /// A choice among a choice takes what both take, in whatever order, and undoes neither.
 #[test]
-fn un_choix_parmi_un_choix() {
+fn un_choix_parmi_un_choix_prend_ce_que_les_deux_prennent() {
     let scene: Vec<ObjetRay> = (0..40).map(|i| cube(v(0.0, 0.0, -2.0 * f64::from(i)))).collect();
     let rayon = Rayon::new(v(0.0, 0.0, 5.0), v(0.1, 0.07, -9.0)).unwrap();
     let mut places = vec![0.0; places(scene.len())];
@@ -233,13 +229,11 @@ fn deux_mondes_repondent_comme_une_liste<R: Reel>() {
 en_f32_et_f64!(deux_mondes_repondent_comme_une_liste);
 
 /// A half-space and a sky of shells: every one that the ray enters, in order; those around its source it does not enter.
-fn des_coques_dans_l_ordre<R: Reel>() {
-    let coque = |x: f64, r: f64| {
-        SphereGeo::new(v(x, 0.0, 0.0), R::depuis_f64(r), Texture(0)).unwrap().into()
-    };
-    let mur = PlanGeo::par_un_point(v(20.0, 0.0, 0.0), v(-1.0, 0.0, 0.0), Texture(1)).unwrap();
+fn des_coques_viennent_dans_l_ordre<R: Reel>() {
+    let coque = |x: f64, r: f64| sphere(v(x, 0.0, 0.0), R::depuis_f64(r));
+    let mur = mur(v(20.0, 0.0, 0.0), v(-1.0, 0.0, 0.0));
     let scene: [ObjetRay<R>; 5] =
-        [mur.into(), coque(10.0, 1.0), coque(0.0, 50.0), coque(10.0, 3.0), coque(10.0, 2.0)];
+        [mur, coque(10.0, 1.0), coque(0.0, 50.0), coque(10.0, 3.0), coque(10.0, 2.0)];
     let rayon = Rayon::new(Vecteur::NUL, v(1.0, 0.0, 0.0)).unwrap();
     let mut touches = [Err(NoIntersection); 5];
     let monde = Monde::de_liste(&scene);
@@ -250,7 +244,7 @@ fn des_coques_dans_l_ordre<R: Reel>() {
     assert_eq!(touches[4], Err(NoIntersection));
 }
 
-en_f32_et_f64!(des_coques_dans_l_ordre);
+en_f32_et_f64!(des_coques_viennent_dans_l_ordre);
 
 /// What a program keeps of a world for its shadows.
 struct Ombres<'a, C> {
@@ -340,7 +334,7 @@ fn un_predicat_n_est_jamais_interroge_au_dela_de_la_liste<R: Reel>() {
     let poutres = |i: usize| {
         let tour = Rotation::new(v(0.5, 0.3 + i as f64, 0.4)).unwrap();
         let cotes = v(0.1, 9.0, 0.1);
-        BoiteGeo::new(v(i as f64 % 7.0 - 3.0, 2.0, -9.0), cotes, tour, Texture(0)).unwrap().into()
+        boite(v(i as f64 % 7.0 - 3.0, 2.0, -9.0), cotes, tour)
     };
     let poutres: Vec<ObjetRay<R>> = (0..100).map(poutres).collect();
     let rayons = rayons_camera::<R>(24, 16);

@@ -1,12 +1,11 @@
 //! What a renderer rests on: a lamp lights a convex object on its own exactly where the object faces the
 //! lamp.
 
+use commun::fabrique::{boite, sphere};
 use commun::scenes::rayons_camera;
 use commun::tolerances::u;
 use commun::{arrondi, en_f32_et_f64};
-use lancer_rayon::{
-    BoiteGeo, Intersection, Monde, ObjetRay, Rayon, Reel, Rotation, SphereGeo, Texture, Vecteur,
-};
+use lancer_rayon::{Intersection, Monde, ObjetRay, Rayon, Reel, Rotation, Vecteur};
 
 const LAMPES: [Vecteur; 4] = [
     Vecteur::new(2.0, 3.0, 4.0),
@@ -25,12 +24,10 @@ const RECUL: f64 = 8.0;
 
 /// A ball and a turned box, about as large as `echelle`.
 fn objets<R: Reel>(centre: Vecteur, echelle: f64) -> [ObjetRay<R>; 2] {
-    let rayon = R::depuis_f64(echelle);
-    let boule = SphereGeo::new(arrondi(centre), rayon, Texture(0)).unwrap();
     let tour = Rotation::new(arrondi(Vecteur::new(0.4, 0.7, 0.2))).unwrap();
     let cotes = arrondi(Vecteur::new(1.5, 1.1, 1.3) * echelle);
-    let boite = BoiteGeo::new(arrondi(centre), cotes, tour, Texture(1)).unwrap();
-    [boule.into(), boite.into()]
+    let boule = sphere(arrondi(centre), R::depuis_f64(echelle));
+    [boule, boite(arrondi(centre), cotes, tour)]
 }
 
 /// Whether nothing is between this hit and the lamp, as a renderer asks.
@@ -48,7 +45,7 @@ fn voit<R: Reel>(objet: &ObjetRay<R>, touche: &Intersection<R>, lampe: Vecteur<R
 /// if N·L > 0, and elsewhere if N·L < 0. P is off the surface by h, a few u of its coordinates, so that
 /// an oblique ray hits h/(r·cos) beside P, in radii. The normals differ by as much, and by about the
 /// cosine on the other side: the two are told apart where cos² is far above h/r.
-fn eclaire_ce_qui_fait_face<R: Reel>() {
+fn une_lampe_eclaire_ce_qui_lui_fait_face<R: Reel>() {
     let (mut clairs, mut sombres, mut rasants) = (0, 0, 0);
     for (echelle, loin) in [1e-3, 1.0, 1e4].into_iter().flat_map(|e| [(e, 0.0), (e, 1e3)]) {
         let decalage = Vecteur::new(0.6, -0.7, 0.4) * (loin * echelle);
@@ -96,4 +93,4 @@ fn eclaire_ce_qui_fait_face<R: Reel>() {
     assert!(clairs.min(sombres) > 10_000 && rasants > 2_000);
 }
 
-en_f32_et_f64!(eclaire_ce_qui_fait_face);
+en_f32_et_f64!(une_lampe_eclaire_ce_qui_lui_fait_face);

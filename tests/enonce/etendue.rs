@@ -2,12 +2,10 @@
 
 use commun::arrondi;
 use commun::en_f32_et_f64;
+use commun::fabrique::{boite_droite, mur, sphere};
 use commun::regimes::{Extreme, direction, entre, regimes};
 use fastrand::Rng;
-use lancer_rayon::{
-    BoiteGeo, Etendue, Monde, NoIntersection, Nombre, ObjetRay, PlanGeo, Rayon, Reel, Rotation,
-    SphereGeo, Texture, Vecteur,
-};
+use lancer_rayon::{Etendue, Monde, NoIntersection, Nombre, ObjetRay, Rayon, Reel, Vecteur};
 
 /// The centre of an object, or a point deep in it.
 fn fond<R: Reel>(objet: &ObjetRay<R>) -> Vecteur {
@@ -69,11 +67,8 @@ en_f32_et_f64!(un_point_contenu_ne_voit_pas_l_objet);
 /// The surface belongs to an object, and the next number beyond it does not.
 fn la_surface_est_dans_l_objet<R: Reel>() {
     let (cotes, un) = (arrondi(Vecteur::new(2.0, 2.0, 2.0)), Vecteur::new(R::UN, R::ZERO, R::ZERO));
-    let objets: [ObjetRay<R>; 3] = [
-        SphereGeo::new(Vecteur::NUL, R::UN, Texture(0)).unwrap().into(),
-        PlanGeo::par_un_point(un, un, Texture(0)).unwrap().into(),
-        BoiteGeo::new(Vecteur::NUL, cotes, Rotation::IDENTITE, Texture(0)).unwrap().into(),
-    ];
+    let objets: [ObjetRay<R>; 3] =
+        [sphere(Vecteur::NUL, R::UN), mur(un, un), boite_droite(Vecteur::NUL, cotes)];
     for objet in objets {
         assert!(objet.contient(un), "{objet:?}");
         assert!(!objet.contient(un * (R::UN + (R::U + R::U))), "{objet:?}");

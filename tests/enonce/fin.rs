@@ -1,6 +1,7 @@
 //! Rays with an end: every question stops there, and a hit beyond it is no answer.
 
 use commun::conversion::{Mots, mots};
+use commun::fabrique::{mur, sphere, v};
 use commun::facons::voisin;
 use commun::oracle::{Exact, verite};
 use commun::regimes::{direction, entre, regimes};
@@ -8,13 +9,8 @@ use commun::scenes::{melange, rayons_camera};
 use commun::{Bits, arrondi, en_f32_et_f64};
 use fastrand::Rng;
 use lancer_rayon::{
-    Monde, NoIntersection, ObjetRay, PlanGeo, Rayon, Reel, Reponse, SphereGeo, Texture, Vecteur,
-    places, premiere_intersection,
+    Monde, NoIntersection, ObjetRay, Rayon, Reel, Reponse, Vecteur, places, premiere_intersection,
 };
-
-fn v<R: Reel>(x: f64, y: f64, z: f64) -> Vecteur<R> {
-    arrondi(Vecteur::new(x, y, z))
-}
 
 fn jusqu_a<R: Reel>(rayon: &Rayon<R>, fin: R) -> Rayon<R> {
     rayon.jusqu_a(fin).unwrap()
@@ -285,8 +281,7 @@ fn un_rayon_entre_deux_points_finit_au_second<R: Bits>() {
         // A wall across the line, at some part of it, and a ball at the other side of its end.
         let part = entre(&mut alea, 0.1, 1.9);
         let la = arrondi(p.vers_f64() + (q - p).vers_f64() * part);
-        let mur = PlanGeo::par_un_point(la, p - q, Texture(0)).unwrap();
-        let occulte = Monde::de_liste(&[mur.into()]).est_occulte(&rayon);
+        let occulte = Monde::de_liste(&[mur(la, p - q)]).est_occulte(&rayon);
         if (part - 1.0).abs() > 1e-3 {
             assert_eq!(occulte, part < 1.0, "{part}: {rayon:?}");
             *(if occulte { &mut caches } else { &mut libres }) += 1;
@@ -310,7 +305,7 @@ en_f32_et_f64!(un_rayon_entre_deux_points_finit_au_second);
 
 /// The ray that goes on from a hit has no end of the ray that came: only one to a light or to another hit ends, there.
 fn une_suite_n_herite_pas_de_la_fin<R: Bits>() {
-    let boule: ObjetRay<R> = SphereGeo::new(v(0.0, 0.0, -5.0), R::UN, Texture(0)).unwrap().into();
+    let boule: ObjetRay<R> = sphere(v(0.0, 0.0, -5.0), R::UN);
     let rayon = Rayon::new(Vecteur::NUL, v(0.1, 0.05, -1.0)).unwrap();
     let touche = boule.intersection(&rayon).unwrap();
     let court = jusqu_a(&rayon, touche.distance() + touche.distance() * R::depuis_f64(0.125));

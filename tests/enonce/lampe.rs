@@ -1,13 +1,12 @@
 //! A lamp that is an object of the list is left out: no distance is exact enough to stop just before it.
 
+use commun::fabrique::{boite, mur, sphere};
 use commun::oracle::Exact;
 use commun::regimes::{direction, entre, signe};
 use commun::tolerances::u;
 use commun::{arrondi, en_f32_et_f64};
 use fastrand::Rng;
-use lancer_rayon::{
-    BoiteGeo, Monde, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture, Vecteur, places,
-};
+use lancer_rayon::{Monde, ObjetRay, Rayon, Reel, Rotation, Vecteur, places};
 
 /// A point of a lamp, and its outward normal there.
 type Lumineux = (Vecteur, Vecteur);
@@ -49,12 +48,10 @@ fn lumineux<R: Reel>(lampe: &ObjetRay<R>, s: Vecteur, alea: &mut Rng) -> Lumineu
 fn lampes<R: Reel>(alea: &mut Rng) -> [ObjetRay<R>; 3] {
     let mut place = || arrondi::<R>(direction(alea) * entre(alea, 4.0, 12.0));
     let (centre, dimensions) = (place(), arrondi(Vecteur::new(1.5, 0.1, 0.7)));
-    let boule = SphereGeo::new(place(), R::depuis_f64(0.8), Texture(1)).unwrap();
-    let mur = place();
-    let plan = PlanGeo::par_un_point(mur, -mur, Texture(1)).unwrap();
-    let tour = Rotation::new(place()).unwrap();
-    let boite = BoiteGeo::new(centre, dimensions, tour, Texture(1)).unwrap();
-    [boule.into(), plan.into(), boite.into()]
+    let boule = sphere(place(), R::depuis_f64(0.8));
+    let point = place();
+    let plan = mur(point, -point);
+    [boule, plan, boite(centre, dimensions, Rotation::new(place()).unwrap())]
 }
 
 /// The ball or the box at the origin stands before the lamp where the lamp's own face turns away or N·L ≤ 0,
@@ -67,15 +64,12 @@ fn un_point_voit_la_lampe_qui_lui_fait_face<R: Reel>() {
     for _ in 0..40 {
         let tour = Rotation::new(arrondi::<R>(direction(&mut alea))).unwrap();
         let cotes = arrondi(Vecteur::new(2.0, 1.0, 1.5));
-        let recepteurs: [ObjetRay<R>; 2] = [
-            SphereGeo::new(Vecteur::NUL, R::UN, Texture(0)).unwrap().into(),
-            BoiteGeo::new(Vecteur::NUL, cotes, tour, Texture(0)).unwrap().into(),
-        ];
+        let recepteurs: [ObjetRay<R>; 2] =
+            [sphere(Vecteur::NUL, R::UN), boite(Vecteur::NUL, cotes, tour)];
         for (forme, lampe) in lampes::<R>(&mut alea).into_iter().enumerate() {
             for recepteur in recepteurs {
                 let centre = arrondi(direction(&mut alea) * entre(&mut alea, 2.0, 3.5));
-                let ecran = SphereGeo::new(centre, R::depuis_f64(0.9), Texture(2)).unwrap();
-                let ecran = ObjetRay::from(ecran);
+                let ecran = sphere(centre, R::depuis_f64(0.9));
                 let mut ombres = Vec::new();
                 for _ in 0..200 {
                     let oeil = arrondi(direction(&mut alea) * 3.0);
@@ -121,7 +115,7 @@ en_f32_et_f64!(un_point_voit_la_lampe_qui_lui_fait_face);
 /// `docs/precision.md`.
 fn la_distance_et_la_direction_d_une_lampe_sont_bornees<R: Reel>() {
     let mut alea = Rng::with_seed(20);
-    let boule: ObjetRay<R> = SphereGeo::new(Vecteur::NUL, R::UN, Texture(0)).unwrap().into();
+    let boule: ObjetRay<R> = sphere(Vecteur::NUL, R::UN);
     let mut juges = 0;
     for _ in 0..5_000 {
         let n = direction(&mut alea);

@@ -1,6 +1,7 @@
 //! Patterns: which face of a box a hit lies on and where, and along which axes a half-space is measured. Every
 //! colour is that of exact arithmetic, except within rounding of a line of the pattern.
 
+use commun::fabrique::mur;
 use commun::oracle::{Exact, ecarts_du_lieu, verite};
 use commun::regimes::{Genre, direction, entre, regimes};
 use commun::scenes::rayons_camera;
@@ -96,8 +97,7 @@ fn le_lieu_d_une_touche_d_ailleurs_est_un_point_de_la_boite() {
     for k in 0..16 {
         let pente = f32::from_bits((haut / f32::MAX).to_bits() - k);
         let n = Vecteur::new(-pente, 1.0, 0.0);
-        let sol = PlanGeo::par_un_point(Vecteur::NUL, n, Texture(0)).unwrap();
-        let Ok(touche) = ObjetRay::from(sol).intersection(&rayon) else { continue };
+        let Ok(touche) = mur(Vecteur::NUL, n).intersection(&rayon) else { continue };
         let (_, p) = boite.lieu(&rayon, &touche);
         assert!(<[f32; 3]>::from(p).into_iter().all(|x| x.abs() <= 1.0), "{p:?}");
         perdus += u32::from(touche.point().x == f32::INFINITY);

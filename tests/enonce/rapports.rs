@@ -1,5 +1,6 @@
 //! Faults that users of other ray casters report, each rebuilt from spheres, half-spaces and boxes.
 
+use commun::fabrique::{boite, boite_droite, mur, sphere, v};
 use commun::oracle::dehors;
 use commun::regimes::{direction, entre, repere};
 use commun::scenes::{melange, rayons_camera};
@@ -7,26 +8,9 @@ use commun::tolerances::{promesses, u};
 use commun::{Bits, arrondi, en_f32_et_f64};
 use fastrand::Rng;
 use lancer_rayon::{
-    BoiteGeo, Monde, NoIntersection, ObjetRay, PlanGeo, Rayon, Reel, Reponse, Rotation, SphereGeo,
-    Texture, Vecteur, places, premiere_intersection,
+    Monde, NoIntersection, ObjetRay, Rayon, Reel, Reponse, Rotation, Vecteur, places,
+    premiere_intersection,
 };
-
-fn v<R: Reel>(x: f64, y: f64, z: f64) -> Vecteur<R> {
-    arrondi(Vecteur::new(x, y, z))
-}
-
-fn boule<R: Reel>(centre: Vecteur, rayon: f64) -> ObjetRay<R> {
-    SphereGeo::new(arrondi(centre), R::depuis_f64(rayon), Texture(0)).unwrap().into()
-}
-
-fn boite<R: Reel>(centre: Vecteur, cotes: Vecteur, angles: Vecteur) -> ObjetRay<R> {
-    let tour = Rotation::new(arrondi(angles)).unwrap();
-    BoiteGeo::new(arrondi(centre), arrondi(cotes), tour, Texture(0)).unwrap().into()
-}
-
-fn mur<R: Reel>(point: Vecteur, normale: Vecteur) -> ObjetRay<R> {
-    PlanGeo::par_un_point(arrondi(point), arrondi(normale), Texture(0)).unwrap().into()
-}
 
 /// A crossing: where, of which object, and whether the ray is inside it from there on.
 type Passage<R> = (R, usize, bool);
@@ -70,11 +54,12 @@ fn une_marche_sait_dans_quoi_elle_est<R: Reel>() {
         for i in 0..16 {
             let (centre, taille) = (direction(&mut alea) * 2.0, entre(&mut alea, 0.2, 3.0));
             objets.push(match i % 4 {
-                0 => boule(centre, taille),
-                1 => mur(centre * 1.5, centre),
+                0 => sphere(arrondi(centre), R::depuis_f64(taille)),
+                1 => mur(arrondi(centre * 1.5), arrondi(centre)),
                 2 => {
-                    let cotes = Vecteur::new(taille, entre(&mut alea, 0.1, 4.0), 1.0);
-                    boite(centre, cotes, direction(&mut alea) * 3.0)
+                    let cotes = v(taille, entre(&mut alea, 0.1, 4.0), 1.0);
+                    let tour = Rotation::new(arrondi(direction(&mut alea) * 3.0)).unwrap();
+                    boite(arrondi(centre), cotes, tour)
                 }
                 _ => objets[alea.usize(..objets.len())],
             });
@@ -137,9 +122,12 @@ en_f32_et_f64!(une_marche_sait_dans_quoi_elle_est);
 fn des_surfaces_confondues_sont_toutes_traversees<R: Bits>() {
     let mut alea = Rng::with_seed(91);
     for _ in 0..300 {
-        let (centre, angles) = (direction(&mut alea), direction(&mut alea) * 3.0);
-        let uns: [ObjetRay<R>; 2] =
-            [boule(centre, 0.7), boite(centre, Vecteur::new(1.0, 0.3, 2.0), angles)];
+        let centre = direction(&mut alea);
+        let tour = Rotation::new(arrondi(direction(&mut alea) * 3.0)).unwrap();
+        let uns: [ObjetRay<R>; 2] = [
+            sphere(arrondi(centre), R::depuis_f64(0.7)),
+            boite(arrondi(centre), v(1.0, 0.3, 2.0), tour),
+        ];
         let objets: Vec<_> = (0..24).map(|i| uns[i % 2]).collect();
         let mut places = vec![0.0; places(objets.len())];
         let monde = Monde::new(&objets, &mut places).unwrap();
@@ -158,9 +146,9 @@ fn des_surfaces_confondues_sont_toutes_traversees<R: Bits>() {
     }
     // A lens: the ray leaves a ball and a half-space at (3, 4, 0), every number of it exact.
     let lentille = [
-        mur::<R>(Vecteur::new(0.0, 4.0, 0.0), Vecteur::new(0.0, 1.0, 0.0)),
-        boule(Vecteur::NUL, 5.0),
-        boite(Vecteur::new(3.0, 0.0, 0.0), Vecteur::new(2.0, 8.0, 6.0), Vecteur::NUL),
+        mur::<R>(v(0.0, 4.0, 0.0), v(0.0, 1.0, 0.0)),
+        sphere(Vecteur::NUL, R::depuis_f64(5.0)),
+        boite_droite(v(3.0, 0.0, 0.0), v(2.0, 8.0, 6.0)),
     ];
     let monde = Monde::de_liste(&lentille);
     let rayon = Rayon::new(v(3.0, 0.0, 0.0), v(0.0, 1.0, 0.0)).unwrap();
@@ -174,8 +162,7 @@ en_f32_et_f64!(des_surfaces_confondues_sont_toutes_traversees);
 /// More crossings than a solid has: a ray through an edge or a corner of a cube meets two or three of its faces there,
 /// and enters once and leaves once all the same; also where it has no more than that edge of it.
 fn par_une_arete_on_entre_une_fois<R: Reel>() {
-    let cube: ObjetRay<R> =
-        boite(Vecteur::new(1.0, 2.0, 3.0), Vecteur::new(2.0, 2.0, 2.0), Vecteur::NUL);
+    let cube: ObjetRay<R> = boite_droite(v(1.0, 2.0, 3.0), v(2.0, 2.0, 2.0));
     let proche = |t: R, vrai: f64| (t.vers_f64() - vrai).abs() <= 8.0 * u::<R>() * vrai;
     let mut aretes = 0;
     for i in (0..27).filter(|i| *i != 13) {
@@ -228,7 +215,7 @@ fn les_epaisseurs_de_couches_accolees_s_ajoutent<R: Reel>() {
         let [x, y, n] = tour.axes().map(Vecteur::vers_f64);
         let couche = |milieu: f64, epaisseur: f64| -> ObjetRay<R> {
             let cotes = v(40.0, 40.0, epaisseur);
-            BoiteGeo::new(arrondi(n * milieu), cotes, tour, Texture(0)).unwrap().into()
+            boite(arrondi(n * milieu), cotes, tour)
         };
         let objets: Vec<_> =
             (0..COUCHES).map(|k| couche(epaisseur * k as f64, epaisseur)).collect();
@@ -280,8 +267,8 @@ fn page_par_page_aucun_objet_ne_manque<R: Bits>() {
         // Two at each place, far and near in no order, among balls that hold all of them.
         let z = -((i * 37 % 97 / 2) as f64);
         match i % 8 {
-            7 => boule(Vecteur::new(0.0, 0.0, -25.0), 30.0 + z / 8.0),
-            _ => boite(Vecteur::new(0.0, 0.0, z), Vecteur::new(9.0, 9.0, 0.125), Vecteur::NUL),
+            7 => sphere(v(0.0, 0.0, -25.0), R::depuis_f64(30.0 + z / 8.0)),
+            _ => boite_droite(v(0.0, 0.0, z), v(9.0, 9.0, 0.125)),
         }
     };
     let scene: Vec<ObjetRay<R>> = (0..97).map(vitres).collect();
@@ -330,10 +317,11 @@ fn une_couche_mince_n_est_pas_sautee<R: Reel>() {
         let angles = direction(&mut alea) * 3.0;
         let objet = |plus: f64| -> ObjetRay<R> {
             if tour % 2 == 0 {
-                boule(centre, 1.0 + plus)
+                sphere(arrondi(centre), R::depuis_f64(1.0 + plus))
             } else {
                 let c = 2.0 * plus;
-                boite(centre, Vecteur::new(1.0 + c, 1.5 + c, 0.5 + c), angles)
+                let cotes = v(1.0 + c, 1.5 + c, 0.5 + c);
+                boite(arrondi(centre), cotes, Rotation::new(arrondi(angles)).unwrap())
             }
         };
         let scene = [objet(epaisseur), objet(0.0)];
@@ -376,8 +364,8 @@ fn au_bord_d_un_grand_mur_on_est_aussi_juste<R: Reel>() {
     let mut alea = Rng::with_seed(94);
     let mut pire = 0.0_f64;
     for large in [1.0, 1e3, 1e5, 1e7] {
-        let cotes = Vecteur::new(2.0 * large, 2.0 * large, 2.0);
-        let mur: [ObjetRay<R>; 1] = [boite(Vecteur::new(0.0, 0.0, 51.0), cotes, Vecteur::NUL)];
+        let cotes = v(2.0 * large, 2.0 * large, 2.0);
+        let mur: [ObjetRay<R>; 1] = [boite_droite(v(0.0, 0.0, 51.0), cotes)];
         for _ in 0..20_000 {
             let [x, y] = [0; 2].map(|_| large * entre(&mut alea, -0.9, 0.9));
             let pente = 0.05_f64.min(0.001 * large) * direction(&mut alea).x;
@@ -452,13 +440,12 @@ fn loin_de_l_origine_un_pas_avance<R: Reel>() {
         let face = Rotation::depuis_matrice(repere(arrondi::<R>(axe))).unwrap();
         let scene: Vec<ObjetRay<R>> = (0..40)
             .map(|k| {
-                let centre = ici + axe * (pas * f64::from(k));
+                let centre = arrondi(ici + axe * (pas * f64::from(k)));
                 let cote = pas * 0.3;
                 if k % 2 == 0 {
-                    return boule(centre, cote);
+                    return sphere(centre, R::depuis_f64(cote));
                 }
-                let (centre, cotes) = (arrondi(centre), v(cote, cote, cote));
-                BoiteGeo::new(centre, cotes, face, Texture(0)).unwrap().into()
+                boite(centre, v(cote, cote, cote), face)
             })
             .collect();
         let mut places = vec![0.0; places(scene.len())];
@@ -490,7 +477,10 @@ fn ou_des_surfaces_se_coupent_chacune_compte_une_fois<R: Reel>() {
             let travers = normale - d * normale.produit_scalaire(d);
             normale = (travers - d * (penche * alea.f64())).unitaire().unwrap();
             let rayon = entre(&mut alea, 0.1, 30.0);
-            if alea.bool() { mur(p, normale) } else { boule(p - normale * rayon, rayon) }
+            if alea.bool() {
+                return mur(arrondi(p), arrondi(normale));
+            }
+            sphere(arrondi(p - normale * rayon), R::depuis_f64(rayon))
         };
         let objets: Vec<_> = (0..n).map(surface).collect();
         let monde = Monde::de_liste(&objets);
@@ -522,14 +512,12 @@ en_f32_et_f64!(ou_des_surfaces_se_coupent_chacune_compte_une_fois);
 /// below: all of them end on the floor, at its height, whichever slab it is.
 fn un_lot_au_dessus_d_un_joint_voit_la_dalle<R: Reel>() {
     let mut alea = Rng::with_seed(97);
-    let dalle = |x: f64, y: f64| -> ObjetRay<R> {
-        boite(Vecteur::new(x, y, 0.0), Vecteur::new(40.0, 0.125, 40.0), Vecteur::NUL)
-    };
+    let dalle =
+        |x: f64, y: f64| -> ObjetRay<R> { boite_droite(v(x, y, 0.0), v(40.0, 0.125, 40.0)) };
     // Two slabs that end at x = 0, a floor below, and furniture beside.
     let mut scene = vec![dalle(-20.0, -0.0625), dalle(20.0, -0.0625), dalle(0.0, -5.0)];
-    scene.extend(
-        (0..60).map(|i| boule(Vecteur::new(f64::from(i % 8) + 9.0, 1.0, f64::from(i)), 0.3)),
-    );
+    let boule = |i| sphere(v(f64::from(i % 8) + 9.0, 1.0, f64::from(i)), R::depuis_f64(0.3));
+    scene.extend((0..60).map(boule));
     let mut places = vec![0.0; places(scene.len())];
     let arbre = Monde::new(&scene, &mut places).unwrap();
     let mut sur_les_deux = [0; 2];

@@ -210,7 +210,7 @@ fn une_matrice_en_decimales_est_acceptee<R: Reel>() {
 en_f32_et_f64!(une_matrice_en_decimales_est_acceptee);
 
 /// Six decimals of an Euler rotation: in f64 such a matrix was refused when seven were asked for.
-fn six_decimales_d_une_autre_bibliotheque<R: Reel>() {
+fn six_decimales_d_une_autre_bibliotheque_suffisent<R: Reel>() {
     let ecrite = [
         [0.871272, -0.105057, 0.479426],
         [0.350845, 0.816395, -0.458701],
@@ -223,7 +223,7 @@ fn six_decimales_d_une_autre_bibliotheque<R: Reel>() {
     }
 }
 
-en_f32_et_f64!(six_decimales_d_une_autre_bibliotheque);
+en_f32_et_f64!(six_decimales_d_une_autre_bibliotheque_suffisent);
 
 /// The steps reach the promise from as far as the limit, whatever the direction of the fault.
 fn le_polissage_atteint_la_promesse_depuis_la_limite<R: Reel>() {

@@ -1,13 +1,12 @@
 //! A floor at y = 0, what every scene begins with: its points under things are dark, and nothing that starts there is a
 //! subnormal number, which a turned floor may give.
 
+use commun::fabrique::{boite, boite_droite, mur, sphere, v};
 use commun::regimes::entre;
 use commun::scenes::rayons_camera;
 use commun::{arrondi, en_f32_et_f64};
 use fastrand::Rng;
-use lancer_rayon::{
-    BoiteGeo, Monde, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture, Vecteur, places,
-};
+use lancer_rayon::{Monde, ObjetRay, Rayon, Reel, Rotation, Vecteur, places};
 
 /// Points along each side of the floor.
 const GRILLE: u32 = 200;
@@ -15,23 +14,21 @@ const GRILLE: u32 = 200;
 /// A floor, as a half-space or the top of a slab, with things that stand on it.
 fn scene<R: Reel>(dalle: bool) -> Vec<ObjetRay<R>> {
     let mut alea = Rng::with_seed(61);
-    let v = |x, y, z| arrondi(Vecteur::new(x, y, z));
     let sol = if dalle {
-        let (c, cotes) = (v(0.0, -0.25, 0.0), v(20.0, 0.5, 20.0));
-        BoiteGeo::new(c, cotes, Rotation::IDENTITE, Texture(0)).unwrap().into()
+        boite_droite(v(0.0, -0.25, 0.0), v(20.0, 0.5, 20.0))
     } else {
-        PlanGeo::par_un_point(Vecteur::NUL, v(0.0, 1.0, 0.0), Texture(0)).unwrap().into()
+        mur(Vecteur::NUL, v(0.0, 1.0, 0.0))
     };
     let mut objets = vec![sol];
     for i in 1..40 {
         let (x, z) = (entre(&mut alea, -9.0, 9.0), entre(&mut alea, -9.0, 9.0));
         let haut = entre(&mut alea, 0.1, 1.5);
         objets.push(if i % 2 == 0 {
-            SphereGeo::new(v(x, 0.3 * haut, z), R::depuis_f64(haut), Texture(1)).unwrap().into()
+            sphere(v(x, 0.3 * haut, z), R::depuis_f64(haut))
         } else {
             let tour = Rotation::new(v(0.0, entre(&mut alea, 0.0, 1.5), 0.0)).unwrap();
             let cotes = v(entre(&mut alea, 0.3, 2.0), haut, entre(&mut alea, 0.3, 2.0));
-            BoiteGeo::new(v(x, haut / 2.0, z), cotes, tour, Texture(1)).unwrap().into()
+            boite(v(x, haut / 2.0, z), cotes, tour)
         });
     }
     objets
@@ -141,14 +138,12 @@ fn au_sol_rien_n_est_sous_normal<R: Reel>() {
     let mut vus = 0;
     for dalle in [false, true] {
         let mut objets = scene::<R>(dalle);
-        let [x, y]: [Vecteur<R>; 2] = [[1.0, 0.0, 0.0], [0.0, 0.0, 1.0]].map(|n| arrondi(n.into()));
+        let [x, y] = [Vecteur::<R>::X, Vecteur::Z];
         for n in [x, y] {
-            objets.push(
-                PlanGeo::par_un_point(n * R::depuis_f64(-9.0), n, Texture(2)).unwrap().into(),
-            );
+            objets.push(mur(n * R::depuis_f64(-9.0), n));
         }
-        let mur = PlanGeo::par_un_point(Vecteur::NUL, x + y, Texture(2)).unwrap();
-        for scene in [objets.clone(), vec![objets[0], mur.into()]] {
+        let penche = mur(Vecteur::NUL, x + y);
+        for scene in [objets.clone(), vec![objets[0], penche]] {
             let mut places = vec![0.0; places(scene.len())];
             let monde = Monde::new(&scene, &mut places).unwrap();
             for rayon in rayons_camera::<R>(60, 40) {
@@ -178,11 +173,11 @@ en_f32_et_f64!(au_sol_rien_n_est_sous_normal);
 fn au_sol_tourne_un_depart_est_sous_normal<R: Reel>() {
     let peu = if size_of::<R>() == 4 { -27.0_f64 } else { -123.0 };
     for (pente, attendu) in [(peu.exp2(), true), ((peu + 2.0).exp2(), false), (0.0, false)] {
-        let n = arrondi::<R>(Vecteur::new(-pente, -1.0, 0.0));
-        let sol = PlanGeo::par_un_point(Vecteur::NUL, n, Texture(0)).unwrap();
+        let n = v(-pente, -1.0, 0.0);
+        let sol: ObjetRay<R> = mur(Vecteur::NUL, n);
         let source = Vecteur::new(R::ZERO, -R::UN, R::ZERO);
         let rayon = Rayon::new(source, -source).unwrap();
-        let touche = ObjetRay::from(sol).intersection(&rayon).unwrap();
+        let touche = sol.intersection(&rayon).unwrap();
         assert_eq!((touche.point(), touche.normale()), (Vecteur::NUL, n));
         let depart = touche.secondaire(n).unwrap().source();
         assert!(!sous_normal(touche.marge()));

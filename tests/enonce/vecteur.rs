@@ -1,7 +1,8 @@
 //! Vectors, also where the squares of their coordinates leave the range of the type.
 
+use commun::fabrique::sphere;
 use commun::{arrondi, en_f32_et_f64};
-use lancer_rayon::{Nombre, ObjetRay, Rayon, Reel, SphereGeo, Texture, Vecteur};
+use lancer_rayon::{Nombre, ObjetRay, Rayon, Reel, Vecteur};
 
 /// 3² + 4² + 12² = 13².
 const COTES: Vecteur = Vecteur::new(3.0, -4.0, 12.0);
@@ -34,7 +35,7 @@ fn la_distance_d_une_lampe_est_exacte_aux_bornes<R: Reel>() {
         (R::LIMITE / R::depuis_f64(64.0), R::LIMITE * R::LIMITE / R::depuis_f64(16.0)),
     ] {
         let zero = R::ZERO;
-        let boule: ObjetRay<R> = SphereGeo::new(Vecteur::NUL, r, Texture(0)).unwrap().into();
+        let boule: ObjetRay<R> = sphere(Vecteur::NUL, r);
         let source = Vecteur::new(zero, zero, r * R::depuis_f64(4.0));
         let rayon = Rayon::new(source, Vecteur::new(zero, zero, -R::UN)).unwrap();
         let touche = boule.intersection(&rayon).unwrap();

@@ -1,5 +1,6 @@
 //! Glass: light enters, leaves by Snell's law, and finds what the glass stands on.
 
+use commun::fabrique::{boite, boite_droite, mur, sphere, v};
 use commun::oracle::{Passage, verite_du};
 use commun::regimes::{direction, entre};
 use commun::tolerances::{promesses, u};
@@ -23,11 +24,11 @@ fn sur_une_table<R: Reel>(ronde: bool, alea: &mut Rng) -> [ObjetRay<R>; 2] {
     let table = if alea.bool() {
         let ou = Vecteur::new(R::ZERO, plateau, R::ZERO);
         let haut = Vecteur::new(R::ZERO, R::UN, R::ZERO);
-        PlanGeo::par_un_point(ou, haut, Texture(0)).unwrap().into()
+        mur(ou, haut)
     } else {
         let centre = Vecteur::new(R::ZERO, plateau - epaisseur / deux, R::ZERO);
         let cotes = Vecteur::new(nombre(8.0), epaisseur, nombre(8.0));
-        BoiteGeo::new(centre, cotes, Rotation::IDENTITE, Texture(0)).unwrap().into()
+        boite_droite(centre, cotes)
     };
     let centre = Vecteur::new(nombre(0.3), plateau + haut / deux, nombre(-0.2));
     let verre = if ronde {
@@ -120,14 +121,14 @@ fn la_lumiere_traverse_le_verre_comme_snell_le_dit<R: Reel>() {
         let (n, r) = (direction(&mut alea), entre(&mut alea, 0.5, 2.0));
         let centre = arrondi(direction(&mut alea));
         let objet: ObjetRay<R> = if tour % 2 == 0 {
-            SphereGeo::new(centre, R::depuis_f64(r), Texture(0)).unwrap().into()
+            sphere(centre, R::depuis_f64(r))
         } else {
             let large = R::depuis_f64(50.0);
             let cotes = Vecteur::new(large, R::depuis_f64(2.0 * r), large);
             let angles =
                 Vecteur::new(entre(&mut alea, -3.0, 3.0), 0.0, entre(&mut alea, -3.0, 3.0));
             let tour = Rotation::new(arrondi(angles)).unwrap();
-            BoiteGeo::new(centre, cotes, tour, Texture(0)).unwrap().into()
+            boite(centre, cotes, tour)
         };
         let n = match &objet {
             ObjetRay::Boite(boite) => boite.normales()[1].vers_f64(),
@@ -208,11 +209,8 @@ en_f32_et_f64!(des_coquilles_sont_traversees_dans_l_ordre);
 /// From exactly on the surface, and in the plane of a face: every number is exact. A ray leaves at the far side or not
 /// at all.
 fn de_la_surface_un_rayon_sort_en_face_ou_pas<R: Reel>() {
-    let v = |x: f64, y: f64, z: f64| arrondi::<R>(Vecteur::new(x, y, z));
-    let boule =
-        ObjetRay::from(SphereGeo::new(v(0.0, 0.0, 0.0), R::depuis_f64(5.0), Texture(0)).unwrap());
-    let boite = BoiteGeo::new(v(0.0, 0.0, 0.0), v(2.0, 4.0, 6.0), Rotation::IDENTITE, Texture(0));
-    let boite = ObjetRay::from(boite.unwrap());
+    let boule = sphere(Vecteur::NUL, R::depuis_f64(5.0));
+    let boite = boite_droite(Vecteur::NUL, v(2.0, 4.0, 6.0));
     let sol = ObjetRay::from(PlanGeo::new(Rotation::IDENTITE, R::ZERO, Texture(0)).unwrap());
     let sortie = |objet: &ObjetRay<R>, de, vers| {
         let sortie = objet.sortie(&Rayon::new(de, vers).unwrap()).ok()?;
@@ -261,7 +259,7 @@ fn d_une_boule_tout_rayon_sort_a_moins_de_deux_rayons<R: Reel>() {
     let mut dedans = 0;
     for _ in 0..200_000 {
         let (n, r) = (direction(&mut alea), R::depuis_f64(entre(&mut alea, 0.5, 2.0)));
-        let boule = ObjetRay::from(SphereGeo::new(Vecteur::NUL, r, Texture(0)).unwrap());
+        let boule = sphere(Vecteur::NUL, r);
         let s: Vecteur<R> = arrondi(n * r.vers_f64());
         let au_hasard = direction(&mut alea);
         let tangente = au_hasard - n * au_hasard.produit_scalaire(n);

@@ -2,14 +2,15 @@
 
 use std::path::Path;
 
+use commun::fabrique::{boite, mur, sphere};
 use commun::oracle::{dehors, verite};
 use commun::regimes::{direction, entre};
 use commun::{arrondi, en_f32_et_f64};
 use exemples::scene::Scene;
 use fastrand::Rng;
 use lancer_rayon::{
-    BoiteGeo, Intersection, Monde, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture,
-    Vecteur, places, premiere_intersection,
+    BoiteGeo, Intersection, Monde, ObjetRay, Rayon, Reel, Rotation, Texture, Vecteur, places,
+    premiere_intersection,
 };
 use serde::de::DeserializeOwned;
 
@@ -24,8 +25,7 @@ const HAUTEURS: [f64; 3] = [0.01, 0.002, 0.001];
 fn ville<R: Reel>() -> Vec<ObjetRay<R>> {
     let mut alea = Rng::with_seed(40);
     let haut = arrondi(Vecteur::new(0.0, 1.0, 0.0));
-    let mut objets: Vec<ObjetRay<R>> =
-        vec![PlanGeo::par_un_point(Vecteur::NUL, haut, Texture(0)).unwrap().into()];
+    let mut objets: Vec<ObjetRay<R>> = vec![mur(Vecteur::NUL, haut)];
     for (i, j) in (-6..6).flat_map(|i| (-6..6).map(move |j| (i, j))) {
         let [x, z] = [i, j].map(|k| 20.0 * f64::from(k) + entre(&mut alea, -2.0, 2.0));
         let h = entre(&mut alea, 4.0, 30.0);
@@ -33,7 +33,7 @@ fn ville<R: Reel>() -> Vec<ObjetRay<R>> {
         let lacet = if alea.bool() { 0.0 } else { entre(&mut alea, -0.5, 0.5) };
         let tour = Rotation::new(arrondi(Vecteur::new(0.0, lacet, 0.0))).unwrap();
         let centre = arrondi(Vecteur::new(x, h / 2.0, z));
-        objets.push(BoiteGeo::new(centre, arrondi(dimensions), tour, Texture(1)).unwrap().into());
+        objets.push(boite(centre, arrondi(dimensions), tour));
     }
     objets
 }
@@ -209,11 +209,8 @@ fn voit<R: Reel>(
 fn a_un_joint_ou_au_ras_d_un_tiers_l_ordre_compte<R: Reel>() {
     let mut alea = Rng::with_seed(41);
     let haut = Vecteur::new(0.0, 1.0, 0.0);
-    let sol: ObjetRay<R> =
-        PlanGeo::par_un_point(Vecteur::NUL, arrondi(haut), Texture(0)).unwrap().into();
-    let boule = |c: Vecteur, r: f64| -> ObjetRay<R> {
-        SphereGeo::new(arrondi(c), R::depuis_f64(r), Texture(1)).unwrap().into()
-    };
+    let sol: ObjetRay<R> = mur(Vecteur::NUL, arrondi(haut));
+    let boule = |c: Vecteur, r: f64| sphere(arrondi(c), R::depuis_f64(r));
     let [mut au_joint, mut au_ras, mut memes] = [0; 3];
     for i in 0..PAIRES {
         let tour = Rotation::new(arrondi(haut * entre(&mut alea, -3.0, 3.0))).unwrap();

@@ -116,9 +116,9 @@ macro_rules! empreintes {
 }
 
 empreintes! {
-    l_atelier: memes_bits("atelier"), 0xd6c4_f65f_9759_d4d1, 0xd649_a018_fcb1_a80f;
-    la_foule: memes_bits("foule"), 0xd16a_0994_1539_1f3d, 0x33d3_315a_e3b3_5b3c;
-    les_extremes: memes_bits("extremes"), 0x92e6_b8f7_e481_9bf4, 0x3c29_77be_5589_1f89;
-    le_flocon: memes_bits("flocon"), 0x0c98_8132_db38_33da, 0x3bc4_4b6d_7d6c_f757;
-    des_rayons_au_hasard: au_hasard(), 0x7689_72fb_186e_249f, 0xe39b_159c_729d_7ad6;
+    l_atelier_garde_ses_bits: memes_bits("atelier"), 0xd6c4_f65f_9759_d4d1, 0xd649_a018_fcb1_a80f;
+    la_foule_garde_ses_bits: memes_bits("foule"), 0xd16a_0994_1539_1f3d, 0x33d3_315a_e3b3_5b3c;
+    les_extremes_gardent_leurs_bits: memes_bits("extremes"), 0x92e6_b8f7_e481_9bf4, 0x3c29_77be_5589_1f89;
+    le_flocon_garde_ses_bits: memes_bits("flocon"), 0x0c98_8132_db38_33da, 0x3bc4_4b6d_7d6c_f757;
+    des_rayons_au_hasard_gardent_leurs_bits: au_hasard(), 0x7689_72fb_186e_249f, 0xe39b_159c_729d_7ad6;
 }

@@ -6,6 +6,7 @@
 use std::f64::consts::FRAC_PI_2;
 
 use commun::conversion::mots;
+use commun::fabrique::{boite_droite, sphere, v};
 use commun::facons::{UN_ARBRE, comparer, comparer_dans, noeuds, voisin};
 use commun::regimes::{deux_puissance, direction, entre, signe};
 use commun::{Bits, arrondi, en_f32_et_f64, scenes};
@@ -26,10 +27,6 @@ const _: () = {
 
 fn cas() -> usize {
     commun::cas(15) as usize
-}
-
-fn v<R: Reel>(x: f64, y: f64, z: f64) -> Vecteur<R> {
-    arrondi(Vecteur::new(x, y, z))
 }
 
 /// An object of this size here.
@@ -85,7 +82,7 @@ fn gerbe<R: Reel>(alea: &mut Rng, objets: &[ObjetRay<R>], l: f64) -> Vec<Rayon<R
 
 /// Objects of one size and of many, near and far, in a cloud, on a plane, in a line and all about one
 /// point; some of them twice, some half-spaces.
-fn des_scenes_au_hasard<R: Bits>() {
+fn un_arbre_d_objets_au_hasard_repond_comme_la_liste<R: Bits>() {
     let mut alea = Rng::with_seed(2);
     let mut touches = 0;
     for tour in 0..cas() {
@@ -118,7 +115,7 @@ fn des_scenes_au_hasard<R: Bits>() {
 
 /// Boxes and spheres side by side, and beams along the axes and diagonals over nodes that are partly filled: in
 /// faces, through edges and beside, with components that are ±0 and subnormal.
-fn des_grilles_et_des_rayons_le_long_des_axes<R: Bits>() {
+fn le_long_des_axes_un_arbre_repond_comme_la_liste<R: Bits>() {
     let mut alea = Rng::with_seed(3);
     for (n, decalage) in [(2, 0.0), (3, 0.3), (4, 100.3), (5, -7.7), (7, 0.1)] {
         let mut objets = Vec::new();
@@ -155,7 +152,7 @@ fn des_grilles_et_des_rayons_le_long_des_axes<R: Bits>() {
 }
 
 /// Ties: the first of the list, wherever it stands in the tree.
-fn des_objets_tous_egaux<R: Bits>() {
+fn parmi_des_objets_egaux_le_premier_de_la_liste_est_touche<R: Bits>() {
     let rayons = scenes::en_tuiles(&scenes::rayons_camera::<R>(16, 16), 16);
     for n in [UN_ARBRE, 100, 300, 5_000] {
         let mut objets = scenes::melange::<R>(40)[1..6].repeat(n / 5 + 1);
@@ -164,8 +161,7 @@ fn des_objets_tous_egaux<R: Bits>() {
         assert!(comparer(&objets, &rayons) > 20);
     }
     // A ray enters every box of the tree: as many nodes wait as ever can, in the small pile and the large.
-    let boule = SphereGeo::new(v(0.0, 1.0, -4.0), R::UN, Texture(0)).unwrap();
-    let objet = ObjetRay::from(boule);
+    let objet = sphere(v(0.0, 1.0, -4.0), R::UN);
     for n in [61_440, 100_000] {
         let objets = vec![objet; n];
         let mut places = vec![0.0; places(objets.len())];
@@ -187,7 +183,7 @@ fn combien_vont_au_bout<R: Bits>(hierarchie: &Monde<'_, R>, rayons: &[Rayon<R>])
 
 /// A tree of so many nodes that a walk needs the large pile: a tile that is a whole picture, of which the beam gives
 /// up, and one of a larger, of which it comes to the end.
-fn parmi_beaucoup_d_objets<R: Bits>() {
+fn un_tres_grand_arbre_repond_comme_la_liste<R: Bits>() {
     let objets = scenes::melange::<R>(70_000);
     let mut places = vec![0.0; places(70_000)];
     let hierarchie = Monde::new(&objets, &mut places).unwrap();
@@ -223,13 +219,13 @@ fn les_tuiles_vont_ensemble<R: Bits>() {
     let avec = [peu, (0..100).map(|_| sol(&mut alea, 20.0)).collect()].concat();
     let mut places = vec![0.0; places(avec.len())];
     assert!(vont_au_bout(&Monde::new(&avec, &mut places).unwrap(), &opposes));
-    let boule = SphereGeo::new(v(0.0, 2.0, 0.0), R::depuis_f64(4.0), Texture(0)).unwrap();
-    assert_eq!(combien(&[boule.into(); 1_000]), [4_096, 4_096, 1]);
+    let boule = sphere(v(0.0, 2.0, 0.0), R::depuis_f64(4.0));
+    assert_eq!(combien(&[boule; 1_000]), [4_096, 4_096, 1]);
 }
 
 /// Where one ray crosses many boxes a wide beam may too: rows among sticks that cross each other walk together, the more
 /// of them, the more numbers a register holds.
-fn un_large_faisceau_parmi_ce_que_chacun_traverse<R: Bits>() {
+fn parmi_des_batons_croises_un_large_faisceau_va_au_bout<R: Bits>() {
     let mut alea = Rng::with_seed(3);
     let baton = |i| {
         let ou = direction(&mut alea) * (5.0 * alea.f64().cbrt());
@@ -286,7 +282,7 @@ fn poutres<R: Reel>(alea: &mut Rng, n: usize) -> Vec<ObjetRay<R>> {
 
 /// What is lent beyond the places that are needed is spent on long boxes that stand askew, on all alike, and on nothing
 /// else. Any number of places will do.
-fn des_places_de_plus<R: Bits>() {
+fn les_places_de_plus_vont_aux_boites_longues<R: Bits>() {
     let mut alea = Rng::with_seed(31);
     // Nothing long, or long along the axes.
     let mut trapus = scenes::melange::<R>(500);
@@ -345,7 +341,7 @@ fn des_places_de_plus<R: Bits>() {
 /// four to ten. Rays at the planes between the slices to the last bits, most of them at the edges of the box: from all
 /// sides, near and so far away that rounding moves the hit, and along the box. Held: the answers of the list, of shadows
 /// up to the very hit as well. A gap between two slices would be seen.
-fn aux_coutures_des_morceaux<R: Bits>() {
+fn aux_coutures_des_morceaux_aucune_touche_n_est_perdue<R: Bits>() {
     let mut alea = Rng::with_seed(32);
     let bits = -R::U.vers_f64().log2();
     let (mut touches, mut certaines, mut coutures) = (0, 0, 0);
@@ -358,8 +354,7 @@ fn aux_coutures_des_morceaux<R: Bits>() {
         let mut objets: Vec<ObjetRay<R>> = vec![poutre.into(); 1 + tour % 2];
         while objets.len() < 60 {
             let ou = arrondi(lieu + direction(&mut alea) * 0.5);
-            let boule = SphereGeo::new(ou, R::depuis_f64(0.01), Texture(1)).unwrap();
-            objets.push(boule.into());
+            objets.push(sphere(ou, R::depuis_f64(0.01)));
         }
         let mut places = vec![f32::NAN; places(200)];
         // All but the root are leaves.
@@ -407,7 +402,7 @@ fn aux_coutures_des_morceaux<R: Bits>() {
 
 /// Long boxes anyhow, once and three times, and rays of all kinds: the first of a tie, whichever piece it is found by;
 /// and one of them left out.
-fn parmi_des_poutres<R: Bits>() {
+fn des_poutres_en_morceaux_repondent_comme_la_liste<R: Bits>() {
     let mut alea = Rng::with_seed(33);
     let mut touches = 0;
     for n in [UN_ARBRE, 40, 300] {
@@ -426,7 +421,7 @@ fn parmi_des_poutres<R: Bits>() {
 
 /// Objects that rays graze to the last bits, where rounding decides: one of them and its copies, or
 /// several about one point; small ones from afar, the origin near or far.
-fn des_rayons_qui_frolent_les_boites<R: Bits>() {
+fn un_objet_frole_repond_comme_dans_la_liste<R: Bits>() {
     let mut alea = Rng::with_seed(8);
     let mut touches = 0;
     let bits = -R::U.vers_f64().log2();
@@ -483,7 +478,7 @@ fn des_rayons_qui_frolent_les_boites<R: Bits>() {
 /// Built: one object that a ray passes across an axis, at its farthest point along that axis, within rounding of the
 /// distance; either the object, or the source, or both far from the many. Held: a hit that lies beyond the box of the
 /// object is not lost. In `f32` some lie so; in `f64` the box itself is rounded.
-fn des_touches_au_bord_de_leur_boite<R: Bits>() {
+fn une_touche_au_bord_de_sa_boite_n_est_pas_perdue<R: Bits>() {
     let mut alea = Rng::with_seed(24);
     let (mut touches, mut dehors) = (0, 0.0_f64);
     for tour in 0..160 * cas() {
@@ -561,13 +556,12 @@ fn d_axe(alea: &mut Rng) -> Vecteur {
 
 /// Boxes along whose edge a ray runs, within rounding of two faces: a shadow is cut off no earlier than the
 /// list sees it.
-fn des_rayons_le_long_des_aretes<R: Bits>() {
+fn le_long_d_une_arete_une_ombre_est_celle_de_la_liste<R: Bits>() {
     let mut alea = Rng::with_seed(9);
     let mut touches = 0;
     for _ in 0..100 * cas() {
         let [x, y] = [(); 2].map(|()| entre(&mut alea, 0.05, 0.15));
-        let boite = BoiteGeo::new(v(x, y, 0.0), v(1.0, 1.0, 4.0), Rotation::IDENTITE, Texture(0));
-        let objets = [ObjetRay::<R>::from(boite.unwrap()); UN_ARBRE];
+        let objets = [boite_droite::<R>(v(x, y, 0.0), v(1.0, 1.0, 4.0)); UN_ARBRE];
         let ObjetRay::Boite(boite) = objets[0] else { unreachable!("made as a box") };
         let c = boite.centre();
         let demi = R::depuis_f64(0.5);
@@ -581,7 +575,7 @@ fn des_rayons_le_long_des_aretes<R: Bits>() {
 
 /// Sources up to the limit away from objects of any size: farther and farther, until the boxes of the tree can
 /// no longer be told apart.
-fn des_sources_de_plus_en_plus_loin<R: Bits>() {
+fn de_toute_distance_un_arbre_repond_comme_la_liste<R: Bits>() {
     let mut alea = Rng::with_seed(10);
     let limite = R::LIMITE.vers_f64().log2();
     let mut touches = 0;
@@ -612,7 +606,7 @@ fn des_sources_de_plus_en_plus_loin<R: Bits>() {
 
 /// Far from the many, where entries count from the point next to them: something close ahead of the source is before a
 /// limit, whether the ray comes or goes away.
-fn loin_de_tous_et_tout_pres_d_un_seul<R: Bits>() {
+fn loin_de_tous_l_objet_tout_proche_est_touche<R: Bits>() {
     let mut alea = Rng::with_seed(34);
     let mut touches = 0;
     for tour in 0..cas() {
@@ -635,7 +629,7 @@ fn loin_de_tous_et_tout_pres_d_un_seul<R: Bits>() {
 }
 
 /// Clusters so small beside the largest object that all their boxes have the same corners.
-fn de_tout_petits_objets_parmi_des_grands<R: Bits>() {
+fn des_objets_minuscules_repondent_comme_dans_la_liste<R: Bits>() {
     let mut alea = Rng::with_seed(11);
     let limite = R::LIMITE.vers_f64().log2();
     let mut touches = 0;
@@ -658,7 +652,7 @@ fn de_tout_petits_objets_parmi_des_grands<R: Bits>() {
 
 /// Built: slabs that cover the scene, more and fewer than a leaf holds, among small objects. Held: the answers of
 /// the list; and that sixteen of them have a leaf under the root, or where it is full under another above it.
-fn des_geants_parmi_des_petits<R: Bits>() {
+fn les_geants_ont_leur_feuille_sous_la_racine<R: Bits>() {
     let mut alea = Rng::with_seed(23);
     let mut touches = 0;
     for (grands, petits) in [
@@ -678,9 +672,8 @@ fn des_geants_parmi_des_petits<R: Bits>() {
             .collect();
         for i in 0..grands {
             let y = -12.0 + f64::from(i) * 24.0 / f64::from(grands);
-            let dalle = [30.0, 0.05, 30.0].map(R::depuis_f64).into();
-            let dalle = BoiteGeo::new(v(0.0, y, 0.0), dalle, Rotation::IDENTITE, Texture(1));
-            objets.insert(alea.usize(..=objets.len()), dalle.unwrap().into());
+            let dalle = boite_droite(v(0.0, y, 0.0), v(30.0, 0.05, 30.0));
+            objets.insert(alea.usize(..=objets.len()), dalle);
         }
         if petits == 4_065 {
             // As many numbers beside the nodes as there are places for.
@@ -704,7 +697,7 @@ fn des_geants_parmi_des_petits<R: Bits>() {
     assert!(touches > 100, "only {touches} hits");
 }
 
-fn les_places_pretees<R: Bits>() {
+fn places_dit_combien_de_places_suffisent<R: Bits>() {
     // The last number of objects that gets a tree, and the first that does not, on 32-bit machines too.
     assert!(places(0x7f7f_ffff) > 0 && places(0x7f80_0000) == 0);
     for n in [0, 1, UN_ARBRE - 1, UN_ARBRE, 256, 257, 1_000] {
@@ -738,7 +731,7 @@ fn les_places_pretees<R: Bits>() {
     }
 }
 
-fn des_demi_espaces_et_peu_d_autres<R: Bits>() {
+fn moins_de_dix_objets_bornes_restent_une_liste<R: Bits>() {
     let mut alea = Rng::with_seed(7);
     let rayons = scenes::rayons_camera::<R>(20, 20);
     for n in [UN_ARBRE, 100, 300] {
@@ -804,22 +797,22 @@ fn des_longueurs_differentes_sont_une_erreur_et_rien_n_est_ecrit<R: Bits>() {
 }
 
 en_f32_et_f64!(les_tuiles_vont_ensemble);
-en_f32_et_f64!(un_large_faisceau_parmi_ce_que_chacun_traverse);
-en_f32_et_f64!(des_scenes_au_hasard);
-en_f32_et_f64!(des_grilles_et_des_rayons_le_long_des_axes);
-en_f32_et_f64!(des_objets_tous_egaux);
-en_f32_et_f64!(parmi_beaucoup_d_objets);
-en_f32_et_f64!(des_places_de_plus);
-en_f32_et_f64!(aux_coutures_des_morceaux);
-en_f32_et_f64!(parmi_des_poutres);
-en_f32_et_f64!(des_rayons_qui_frolent_les_boites);
-en_f32_et_f64!(des_touches_au_bord_de_leur_boite);
-en_f32_et_f64!(des_rayons_le_long_des_aretes);
-en_f32_et_f64!(des_sources_de_plus_en_plus_loin);
-en_f32_et_f64!(loin_de_tous_et_tout_pres_d_un_seul);
-en_f32_et_f64!(de_tout_petits_objets_parmi_des_grands);
-en_f32_et_f64!(les_places_pretees);
-en_f32_et_f64!(des_demi_espaces_et_peu_d_autres);
+en_f32_et_f64!(parmi_des_batons_croises_un_large_faisceau_va_au_bout);
+en_f32_et_f64!(un_arbre_d_objets_au_hasard_repond_comme_la_liste);
+en_f32_et_f64!(le_long_des_axes_un_arbre_repond_comme_la_liste);
+en_f32_et_f64!(parmi_des_objets_egaux_le_premier_de_la_liste_est_touche);
+en_f32_et_f64!(un_tres_grand_arbre_repond_comme_la_liste);
+en_f32_et_f64!(les_places_de_plus_vont_aux_boites_longues);
+en_f32_et_f64!(aux_coutures_des_morceaux_aucune_touche_n_est_perdue);
+en_f32_et_f64!(des_poutres_en_morceaux_repondent_comme_la_liste);
+en_f32_et_f64!(un_objet_frole_repond_comme_dans_la_liste);
+en_f32_et_f64!(une_touche_au_bord_de_sa_boite_n_est_pas_perdue);
+en_f32_et_f64!(le_long_d_une_arete_une_ombre_est_celle_de_la_liste);
+en_f32_et_f64!(de_toute_distance_un_arbre_repond_comme_la_liste);
+en_f32_et_f64!(loin_de_tous_l_objet_tout_proche_est_touche);
+en_f32_et_f64!(des_objets_minuscules_repondent_comme_dans_la_liste);
+en_f32_et_f64!(places_dit_combien_de_places_suffisent);
+en_f32_et_f64!(moins_de_dix_objets_bornes_restent_une_liste);
 en_f32_et_f64!(les_demi_espaces_ont_leur_place);
-en_f32_et_f64!(des_geants_parmi_des_petits);
+en_f32_et_f64!(les_geants_ont_leur_feuille_sous_la_racine);
 en_f32_et_f64!(des_longueurs_differentes_sont_une_erreur_et_rien_n_est_ecrit);

@@ -6,6 +6,7 @@
 use std::collections::HashSet;
 
 use commun::conversion::mots;
+use commun::fabrique::{sphere, v};
 use commun::facons::{UN_ARBRE, comparer, demandes, noeuds, voisin};
 use commun::regimes::{Cas, Extreme, deux_puissance, direction, entre, regimes, signe};
 use commun::tolerances::u;
@@ -16,10 +17,6 @@ use lancer_rayon::{
     BoiteGeo, LongueursDifferentes, Monde, NoIntersection, ObjetRay, Rayon, Reel, Reponse,
     Rotation, SphereGeo, Texture, Vecteur, places, premiere_intersection,
 };
-
-fn axe_z<R: Reel>() -> Vecteur<R> {
-    Vecteur::new(R::ZERO, R::ZERO, R::UN)
-}
 
 /// Half the angle of a needle: far beyond rounding in both types, and narrow enough for a beam.
 const AIGUILLE: f64 = 1e-5;
@@ -74,15 +71,15 @@ fn toute_longueur_convient<R: Bits>() {
 en_f32_et_f64!(toute_longueur_convient);
 
 /// A block whose rays go opposite ways has no beam, among more objects than it asks then.
-fn un_bloc_de_rayons_opposes<R: Bits>() {
+fn des_rayons_opposes_repondent_comme_un_par_un<R: Bits>() {
     let rayons = scenes::rayons_opposes::<R>(8);
     assert!(comparer(&scenes::melange(300), &rayons) > 10);
 }
 
-en_f32_et_f64!(un_bloc_de_rayons_opposes);
+en_f32_et_f64!(des_rayons_opposes_repondent_comme_un_par_un);
 
 /// Pictures in rows, in tiles of 8 × 8 and in no order: no objects, some, and many.
-fn une_image_dans_tout_ordre<R: Bits>() {
+fn l_ordre_des_rayons_ne_change_aucune_reponse<R: Bits>() {
     let (largeur, hauteur) = (96, 16 * commun::cas(1).min(4) as usize);
     let rangees = scenes::rayons_camera::<R>(largeur, hauteur);
     let tuiles = scenes::en_tuiles(&rangees, largeur);
@@ -96,7 +93,7 @@ fn une_image_dans_tout_ordre<R: Bits>() {
     }
 }
 
-en_f32_et_f64!(une_image_dans_tout_ordre);
+en_f32_et_f64!(l_ordre_des_rayons_ne_change_aucune_reponse);
 
 /// The lamp of one ray of a block is nowhere, wherever that ray stands: the others see what stands before theirs, near and
 /// at infinity.
@@ -130,7 +127,7 @@ en_f32_et_f64!(une_lampe_nulle_part_ne_cache_rien_aux_autres);
 
 /// All rays of a regime of the extremes against all its objects; then each ray against its own object, alone and
 /// with copies that make a tree, twelve times over, since fewer rays do not go side by side in a tree.
-fn les_extremes<R: Bits>() {
+fn aux_extremes_un_lot_repond_comme_un_par_un<R: Bits>() {
     let mut alea = Rng::with_seed(2);
     for regime in regimes::<R>() {
         let combien = cas().min(3_000);
@@ -146,7 +143,7 @@ fn les_extremes<R: Bits>() {
     }
 }
 
-en_f32_et_f64!(les_extremes);
+en_f32_et_f64!(aux_extremes_un_lot_repond_comme_un_par_un);
 
 /// A block of 64 rays around the ray from `s` along `d`, which go apart by about `ouverture` in
 /// direction and `etendue` in place.
@@ -176,7 +173,7 @@ fn gerbe<R: Reel>(
             _ => direction(alea) * (etendue * alea.f64()),
         };
         let source = arrondi(s + decalage);
-        Rayon::new(source, arrondi(vers)).or_else(|_| Rayon::new(source, axe_z()))
+        Rayon::new(source, arrondi(vers)).or_else(|_| Rayon::new(source, Vecteur::Z))
     };
     (0..64).map(rayon).collect::<Result<_, _>>().unwrap()
 }
@@ -262,7 +259,7 @@ fn le_faisceau_ne_perd_aucune_touche<R: Bits>() {
 en_f32_et_f64!(le_faisceau_ne_perd_aucune_touche);
 
 /// Needles at objects so large, small or far that squares lie at the ends of the type.
-fn aux_bornes_du_type<R: Bits>() {
+fn aux_bornes_du_type_un_lot_repond_comme_un_par_un<R: Bits>() {
     let mut alea = Rng::with_seed(4);
     for regime in regimes::<R>() {
         if regime.extreme != Extreme::Bornes {
@@ -287,34 +284,31 @@ fn aux_bornes_du_type<R: Bits>() {
     }
 }
 
-en_f32_et_f64!(aux_bornes_du_type);
+en_f32_et_f64!(aux_bornes_du_type_un_lot_repond_comme_un_par_un);
 
 /// Built: 63 equal rays, so that no row gives the beam an axis; the x axis takes its place, and is M
 /// except for some u. Held: the one ray along M keeps its spheres, although the whole block goes to one
 /// side of the axis. The proof of the beam needs a bound e of 0 or more.
-fn un_bloc_d_un_seul_cote_de_son_axe<R: Bits>() {
+fn un_bloc_d_un_seul_cote_de_son_axe_ne_perd_aucune_touche<R: Bits>() {
     for k in [-6.0_f64, -4.0, -2.0, -1.0, 1.0, 2.0, 4.0, 6.0] {
         for theta in [0.3_f64, 0.6, 0.9, 1.1, 1.3] {
             let ecarte = Vecteur::new(f64::cos(theta), -f64::sin(theta) * k.signum(), 0.0);
             let mut rayons = [Rayon::new(Vecteur::NUL, arrondi(ecarte)).unwrap(); 64];
             let milieu = Vecteur::new(1.0, 8.0 * R::U.vers_f64() * k, 0.0);
             rayons[32] = Rayon::new(Vecteur::NUL, arrondi(milieu)).unwrap();
-            let boule = |x| {
-                let centre = arrondi(Vecteur::new(x, 0.0, 0.0));
-                ObjetRay::from(SphereGeo::new(centre, R::depuis_f64(0.4), Texture(0)).unwrap())
-            };
-            let objets: Vec<ObjetRay<R>> = (10..22).map(|x| boule(f64::from(x))).collect();
+            let boule = |x| sphere(v(f64::from(x), 0.0, 0.0), R::depuis_f64(0.4));
+            let objets: Vec<ObjetRay<R>> = (10..22).map(boule).collect();
             assert_eq!(comparer(&objets, &rayons), 1);
         }
     }
 }
 
-en_f32_et_f64!(un_bloc_d_un_seul_cote_de_son_axe);
+en_f32_et_f64!(un_bloc_d_un_seul_cote_de_son_axe_ne_perd_aucune_touche);
 
 /// Half a billion rays of each type and as many shadows, 64 bundles a scene, as a renderer uses the batch, of a list and of a
 /// tree:
 /// `cargo test --release --all-features --test memes_bits lot -- --ignored`, about four minutes.
-fn un_demi_milliard_de_rayons<R: Bits>() {
+fn un_demi_milliard_de_rayons_repondent_comme_un_par_un<R: Bits>() {
     let mut alea = Rng::with_seed(6);
     let (mut rayons, mut touches) = (Vec::new(), vec![Err(NoIntersection); 64 * 64]);
     let (mut attendues, mut occultes) = (touches.clone(), vec![false; touches.len()]);
@@ -357,14 +351,14 @@ fn un_demi_milliard_de_rayons<R: Bits>() {
 
 en_f32_et_f64!(
     #[ignore = "takes minutes"]
-    un_demi_milliard_de_rayons
+    un_demi_milliard_de_rayons_repondent_comme_un_par_un
 );
 
 /// Whether a block of these shadow rays never asks for this ball, among as many others, behind them, as make a tree.
 fn evite<R: Reel>(ombres: &[Rayon<R>], boule: ObjetRay<R>) -> bool {
     let derriere = |i: usize| {
         let centre = ombres[0].point(R::depuis_f64(-90.0 - 3.0 * i as f64));
-        SphereGeo::new(centre, R::UN, Texture(1)).unwrap().into()
+        sphere(centre, R::UN)
     };
     let objets: Vec<_> = (1..UN_ARBRE).map(derriere).chain([boule]).collect();
     let mut places = vec![0.0; places(objets.len())];
@@ -377,7 +371,7 @@ fn evite<R: Reel>(ombres: &[Rayon<R>], boule: ObjetRay<R>) -> bool {
 
 /// No answer tells whether a beam leaves anything out; this does.
 fn des_rayons_paralleles_evitent_une_boule_a_cote<R: Reel>() {
-    let axes = [axe_z::<R>(), Vecteur::new(R::UN, R::ZERO, R::ZERO)];
+    let axes = [Vecteur::<R>::Z, Vecteur::X];
     for k in 0..27_u8 {
         let axe = |i: u8| R::depuis_f64(f64::from(k / i % 3) - 1.0);
         let Some(d) = Vecteur::new(axe(1), axe(3), axe(9)).unitaire() else { continue };
@@ -389,7 +383,7 @@ fn des_rayons_paralleles_evitent_une_boule_a_cote<R: Reel>() {
         let rayons = sources.map(|source| Rayon::new(source, d).unwrap()).repeat(4);
         for cote in [Vecteur::NUL, u, -u, v, -v, -d] {
             let centre = d * R::depuis_f64(7.0) + cote * R::depuis_f64(10.0);
-            let boule = SphereGeo::new(centre, R::UN, Texture(0)).unwrap().into();
+            let boule = sphere(centre, R::UN);
             let a_cote = cote != Vecteur::NUL;
             assert_eq!(evite(&rayons, boule), a_cote, "along {d:?}, {centre:?}");
         }
@@ -400,7 +394,6 @@ en_f32_et_f64!(des_rayons_paralleles_evitent_une_boule_a_cote);
 
 /// No answer tells what a beam of segments leaves out; this does. Its sides touch the sources and the lamp.
 fn des_segments_vers_une_lampe_evitent_une_boule_a_cote<R: Reel>() {
-    let v = |x, y, z| Vecteur::from([x, y, z].map(R::depuis_f64));
     let lampe = v(0.0, 10.0, 0.0);
     let sources = (0..64).map(|i| v(f64::from(i % 8) - 3.5, 0.0, f64::from(i / 8) - 3.5));
     let ombres: Vec<_> = sources.map(|source| Rayon::entre(source, lampe).unwrap()).collect();
@@ -415,8 +408,7 @@ fn des_segments_vers_une_lampe_evitent_une_boule_a_cote<R: Reel>() {
         ([0.0, 9.5, 0.5], false),
         ([0.0, -5.0, 0.0], true),
     ] {
-        let centre = Vecteur::from(centre.map(R::depuis_f64));
-        let boule = SphereGeo::new(centre, R::depuis_f64(0.75), Texture(0)).unwrap().into();
+        let boule = sphere(Vecteur::from(centre.map(R::depuis_f64)), R::depuis_f64(0.75));
         assert_eq!(evite(&ombres, boule), a_cote, "{centre:?}");
     }
 }

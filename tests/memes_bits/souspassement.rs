@@ -1,13 +1,13 @@
 //! Rays almost parallel to a face, down to the smallest number of the type, and boxes at both ends of
 //! the range: no product that leaves the range decides anything.
 
+use commun::fabrique::{boite, boite_droite};
 use commun::oracle::verite;
 use commun::regimes::{direction, repere};
 use commun::{Bits, arrondi, en_f32_et_f64};
 use fastrand::Rng;
 use lancer_rayon::{
-    BoiteGeo, Intersection, Monde, Nombre, ObjetRay, PlanGeo, Rayon, Reel, Rotation, Texture,
-    Vecteur,
+    Intersection, Monde, Nombre, ObjetRay, PlanGeo, Rayon, Reel, Rotation, Texture, Vecteur,
 };
 
 /// Numbers given by their bits.
@@ -17,10 +17,9 @@ fn mots<R: Bits>(bits: [u64; 3]) -> Vecteur<R> {
     bits.map(|mot| R::depuis_bits(mot << decalage)).into()
 }
 
-fn boite<R: Reel>(centre: Vecteur<R>, demi_longueurs: Vecteur<R>) -> ObjetRay<R> {
-    let boite =
-        BoiteGeo::new(centre, demi_longueurs * (R::UN + R::UN), Rotation::IDENTITE, Texture(0));
-    ObjetRay::from(boite.unwrap())
+/// A box along the axes by its half-lengths.
+fn demie<R: Reel>(centre: Vecteur<R>, demi_longueurs: Vecteur<R>) -> ObjetRay<R> {
+    boite_droite(centre, demi_longueurs * (R::UN + R::UN))
 }
 
 /// The exact answer, alone and nine side by side.
@@ -58,7 +57,7 @@ fn un_rayon_qui_quitte_une_face_ne_la_retouche_pas_f32() {
     let d = mots([0xbf16_310c, 0x3f2e_5499, 0xbee0_6313]);
     for (echelle, petit) in [(0, -140), (-50, -85), (-50, -149), (0, -149), (40, -149), (0, -100)] {
         let k = puissance(echelle);
-        let objet = boite(c * k, l * k);
+        let objet = demie(c * k, l * k);
         let petit = puissance(petit);
         quitter(&objet, &Rayon::new(s * k, d).unwrap(), Vecteur::new(petit, petit, 1.0));
     }
@@ -72,7 +71,7 @@ fn un_rayon_qui_quitte_une_face_ne_la_retouche_pas_f64() {
     let d = mots([0xbfe4_1f35_39a0_b98c, 0x3fe2_0aa6_334f_0f7b, 0xbfe1_2292_09f7_8fdd]);
     for (echelle, petit) in [(0, -1074), (-440, -1074), (440, -1074), (-440, -640), (0, -1000)] {
         let k = puissance(echelle);
-        let objet = boite(c * k, l * k);
+        let objet = demie(c * k, l * k);
         let petit = puissance(petit);
         quitter(&objet, &Rayon::new(s * k, d).unwrap(), Vecteur::new(petit, petit, 1.0));
     }
@@ -86,7 +85,7 @@ fn une_pente_decide_telle_qu_elle_est<R: Reel>() {
     let plus_petite = -R::LIMITE.vers_f64().log2() as i32 - 11;
     for pente in (plus_petite..=-30).map(|k| f64::from(k).exp2()) {
         let haut = 1024.0 * pente;
-        let objet = boite(v(0.0, -haut), arrondi(Vecteur::new(1.0, haut, 1.0)));
+        let objet = demie(v(0.0, -haut), arrondi(Vecteur::new(1.0, haut, 1.0)));
         let de = |hauteur| {
             juger(&objet, &Rayon::new(v(-1024.0, hauteur), v(1.0, -pente)).unwrap())
                 .map(|touche| (touche.distance().vers_f64(), touche.normale()))
@@ -105,7 +104,7 @@ fn un_rayon_qui_quitte_une_arete_ne_retouche_pas_la_boite() {
     let m = Rotation::depuis_matrice(normales).unwrap();
     let dimensions = Vecteur::new(0.499_999_9, 0.5, 1.0) * 2.0;
     let c = Vecteur::new(-0.0, -2.999_999_5, 3.0);
-    let objet = ObjetRay::from(BoiteGeo::new(c, dimensions, m, Texture(0)).unwrap());
+    let objet = boite(c, dimensions, m);
     let d = mots::<f32>([0xbf50_0fe5, 0xbead_6292, 0x3ef2_bd36]);
     let rayon = Rayon::new(mots([0x40e0_0000, 0, 0]), d).unwrap();
     quitter(&objet, &rayon, mots([0, 3, 0xbfc0_0000]));
@@ -115,7 +114,7 @@ fn un_rayon_qui_quitte_une_arete_ne_retouche_pas_la_boite() {
 fn a_cote<R: Reel>() {
     let n = |x: f64| R::depuis_f64(x);
     let dehors = n(-1.0 - 2.0 * R::U.vers_f64());
-    let cube = boite(Vecteur::NUL, Vecteur::new(R::UN, R::UN, R::UN));
+    let cube = demie(Vecteur::NUL, Vecteur::new(R::UN, R::UN, R::UN));
     for x in [0.0, 0.4, 1.4] {
         let s = Vecteur::new(n(x), dehors, n(-5.0));
         let rayon = Rayon::new(s, Vecteur::new(R::ZERO, R::MIN_POSITIF, R::UN)).unwrap();
@@ -134,7 +133,7 @@ fn un_rayon_a_cote_de_la_boite_manque() {
 fn petite_boite<R: Reel>(dernier: i32) {
     let bits = R::LIMITE.vers_f64().log2() as i32;
     let k = puissance(-bits);
-    let cube = boite(Vecteur::NUL, Vecteur::new(R::UN, R::UN, R::UN) * (k / (R::UN + R::UN)));
+    let cube = demie(Vecteur::NUL, Vecteur::new(R::UN, R::UN, R::UN) * (k / (R::UN + R::UN)));
     let mut touches = 0;
     for (e, vitesse) in (0..).map(|e| (e, puissance::<R>(-e))).take_while(|&(_, v)| v > R::ZERO) {
         for (x, y, z) in [
@@ -173,7 +172,7 @@ fn la_plus_petite_boite_est_juste_a_toute_vitesse() {
 /// slowly slides along the face.
 #[test]
 fn une_vitesse_de_f32_est_un_multiple_de_2_puissance_moins_102() {
-    let cube = boite(Vecteur::NUL, Vecteur::new(1.0_f32, 1.0, 1.0));
+    let cube = demie(Vecteur::NUL, Vecteur::new(1.0_f32, 1.0, 1.0));
     let touche = |vitesse| {
         let rayon = Rayon::new(Vecteur::new(0.5, 1.0, -5.0), Vecteur::new(0.0, vitesse, 1.0));
         cube.intersection(&rayon.unwrap()).is_ok()
@@ -186,7 +185,7 @@ fn une_vitesse_de_f32_est_un_multiple_de_2_puissance_moins_102() {
 fn une_boite_a_l_autre_bout_est_touchee<R: Reel>() {
     let bout = R::LIMITE * R::depuis_f64(0.75);
     let objet =
-        boite(Vecteur::new(bout, bout, bout), Vecteur::new(bout, bout, bout) * R::depuis_f64(0.25));
+        demie(Vecteur::new(bout, bout, bout), Vecteur::new(bout, bout, bout) * R::depuis_f64(0.25));
     for k in 0..8_u8 {
         let vers = |bit: u8| if k & bit == 0 { -bout } else { bout };
         let source = Vecteur::new(vers(1), vers(2), vers(4));

@@ -1,26 +1,17 @@
 //! What no answer shows: for which objects a question asks. It ends where it may, in a list and in a tree.
 
+use commun::en_f32_et_f64;
+use commun::fabrique::{mur, sphere, v};
 use commun::facons::{Compteur, demandes, noeuds};
-use commun::{arrondi, en_f32_et_f64};
-use lancer_rayon::{
-    Monde, NoIntersection, ObjetRay, PlanGeo, Rayon, Reel, SphereGeo, Texture, Vecteur, places,
-};
+use lancer_rayon::{Monde, NoIntersection, ObjetRay, Rayon, Reel, Vecteur, places};
 
 /// Balls in a row along the ray, which enters each, and as many beside it.
 const BOULES: usize = 40;
 
-fn v<R: Reel>(x: f64, y: f64, z: f64) -> Vecteur<R> {
-    arrondi(Vecteur::new(x, y, z))
-}
-
 /// A wall that the ray enters last; the row, the farthest first, entered at 2, 5, 8 and so on; then those beside it.
 fn scene<R: Reel>() -> Vec<ObjetRay<R>> {
-    let boule = |x, k: usize| {
-        let centre = v(x, 0.0, -3.0 * (k + 1) as f64);
-        ObjetRay::from(SphereGeo::new(centre, R::UN, Texture(0)).unwrap())
-    };
-    let mur = PlanGeo::par_un_point(v(0.0, 0.0, -1_000.0), v(0.0, 0.0, 1.0), Texture(1)).unwrap();
-    let mut objets = vec![mur.into()];
+    let boule = |x, k: usize| sphere(v(x, 0.0, -3.0 * (k + 1) as f64), R::UN);
+    let mut objets = vec![mur(v(0.0, 0.0, -1_000.0), v(0.0, 0.0, 1.0))];
     objets.extend((0..BOULES).rev().map(|k| boule(0.0, k)));
     objets.extend((0..BOULES).map(|k| boule(10.0, k)));
     objets

@@ -4,6 +4,7 @@
 
 use std::cmp::Ordering;
 
+use commun::fabrique::{mur, sphere};
 use commun::oracle::{Exact, verite};
 use commun::regimes::{Cas, direction, entre, regimes};
 use commun::{arrondi, en_f32_et_f64};
@@ -86,7 +87,7 @@ fn presque<R: Reel>(objet: &ObjetRay<R>, alea: &mut Rng) -> ObjetRay<R> {
 }
 
 /// The hard cases of each shape, with twins in front and behind, which enter at nearly one distance.
-fn des_jumeaux<R: Reel>() {
+fn parmi_des_jumeaux_rien_de_faux_n_est_certifie<R: Reel>() {
     let mut alea = Rng::with_seed(70);
     let (mut certaines, mut incertaines) = (0, 0);
     for regime in regimes::<R>() {
@@ -108,7 +109,7 @@ fn des_jumeaux<R: Reel>() {
 }
 
 /// Cubes side by side, and rays along axes and in the planes of their sides, straight and almost so.
-fn des_cubes<R: Reel>() {
+fn parmi_des_cubes_accoles_rien_de_faux_n_est_certifie<R: Reel>() {
     let mut alea = Rng::with_seed(71);
     let mut certaines = 0;
     for _ in 0..commun::cas(300) {
@@ -138,11 +139,10 @@ fn des_cubes<R: Reel>() {
 }
 
 /// A heap of things on a floor at 0, most of its rays clear.
-fn un_tas<R: Reel>() {
+fn dans_un_tas_tout_rayon_clair_est_certifie<R: Reel>() {
     let mut alea = Rng::with_seed(72);
     let haut = arrondi(Vecteur::new(0.0, 1.0, 0.0));
-    let mut objets: Vec<ObjetRay<R>> =
-        vec![PlanGeo::par_un_point(Vecteur::NUL, haut, Texture(0)).unwrap().into()];
+    let mut objets: Vec<ObjetRay<R>> = vec![mur(Vecteur::NUL, haut)];
     for i in 1..40 {
         let ou = arrondi(direction(&mut alea) * 3.0 + Vecteur::new(0.0, 2.0, 0.0));
         let r = R::depuis_f64(entre(&mut alea, 0.1, 1.0));
@@ -164,24 +164,21 @@ fn un_tas<R: Reel>() {
     assert_eq!(certaines, commun::cas(300));
 }
 
-en_f32_et_f64!(des_jumeaux);
-en_f32_et_f64!(des_cubes);
-en_f32_et_f64!(un_tas);
+en_f32_et_f64!(parmi_des_jumeaux_rien_de_faux_n_est_certifie);
+en_f32_et_f64!(parmi_des_cubes_accoles_rien_de_faux_n_est_certifie);
+en_f32_et_f64!(dans_un_tas_tout_rayon_clair_est_certifie);
 
 /// Two half-spaces through O, and a source a few subnormals from it: before a limit of 0 the tree would ask nobody.
 #[test]
 fn une_limite_n_est_jamais_0() {
-    let plan = |x: f32, y, z| {
-        let n = Vecteur::new(x, y, z);
-        ObjetRay::from(PlanGeo::par_un_point(Vecteur::NUL, n, Texture(0)).unwrap())
-    };
+    let plan = |x: f32, y, z| mur(Vecteur::NUL, Vecteur::new(x, y, z));
     let mut objets = vec![
         plan(0.31017277, -0.28852975, -0.90583855),
         plan(0.47415906, -0.83682054, -0.27368703),
     ];
     for i in 0..20_u8 {
         let centre = Vecteur::new(100.0 + f32::from(i), 0.0, 0.0);
-        objets.push(SphereGeo::new(centre, 0.1, Texture(1)).unwrap().into());
+        objets.push(sphere(centre, 0.1));
     }
     let source = Vecteur::new(-4.0, -2.0, -1.0) * f32::MIN_POSITIF;
     let rayon = Rayon::new(source, Vecteur::new(-0.5240927, 0.34185442, 0.78003997)).unwrap();
@@ -191,12 +188,9 @@ fn une_limite_n_est_jamais_0() {
 
 /// An object that is left out is no answer.
 #[test]
-fn sans_un_objet_il_n_est_pas_certain() {
+fn un_objet_laisse_de_cote_n_est_pas_certifie() {
     for n in [3, 20] {
-        let boule = |i: u8| {
-            let centre = Vecteur::new(0.0, 0.0, -5.0 - 3.0 * f64::from(i));
-            ObjetRay::from(SphereGeo::new(centre, 1.0, Texture(0)).unwrap())
-        };
+        let boule = |i: u8| sphere(Vecteur::Z * (-5.0 - 3.0 * f64::from(i)), 1.0);
         let objets: Vec<_> = (0..n).map(boule).collect();
         let mut places = vec![0.0; places(objets.len())];
         let hierarchie = Monde::new(&objets, &mut places).unwrap();
@@ -214,7 +208,7 @@ fn sans_un_objet_il_n_est_pas_certain() {
 /// Two entries are told apart beyond twice the errors of both distances in `f64`, and 3u of each. Where the ray grazes, that
 /// is far more than some 2⁻⁵⁰ of t.
 #[test]
-fn deux_entrees_pres_l_une_de_l_autre_ne_sont_pas_sures() {
+fn au_dela_de_deux_erreurs_deux_entrees_sont_distinguees() {
     let u = f64::U;
     let mut alea = Rng::with_seed(73);
     let (mut sures, mut loin_de_2_50, mut pire) = (0, 0, 0.0_f64);

@@ -1,8 +1,8 @@
 //! `erreur` and `est_certain` where doubled numbers themselves end (`docs/preuves.md`, lemmas 16 and 17): numbers of
 //! few bits from one end of the range to the other, exactly on a surface, in the plane of a face or a little beside.
 
-use commun::conversion::arrondi;
 use commun::en_f32_et_f64;
+use commun::fabrique::{boite, boite_droite, mur, sphere, v};
 use commun::oracle::{norme_au_carre_moins_un, verite};
 use commun::promesses::{Essai, erreur, est_certain};
 use commun::regimes::{Cas, Extreme, direction, entre, regimes};
@@ -23,9 +23,9 @@ fn juger<R: Reel>(objet: ObjetRay<R>, rayon: Rayon<R>) {
 /// |CP| is half a subnormal short of r: a hit.
 #[test]
 fn un_facteur_qui_a_une_part_basse_n_est_pas_exact() {
-    let boule = SphereGeo::new(Vecteur::new(0.0, f64::MIN_POSITIF, 0.0), 0.5, Texture(0)).unwrap();
+    let boule = sphere(Vecteur::new(0.0, f64::MIN_POSITIF, 0.0), 0.5);
     let rayon = Rayon::new(Vecteur::new(-5.0, 0.5, 0.0), Vecteur::new(1.0, 0.0, 0.0)).unwrap();
-    juger(boule.into(), rayon);
+    juger(boule, rayon);
 }
 
 /// The ray is parallel to a face, and half a subnormal outside: a miss.
@@ -33,18 +33,18 @@ fn un_facteur_qui_a_une_part_basse_n_est_pas_exact() {
 fn un_rayon_a_cote_d_une_face_ne_la_longe_pas() {
     let m = [[0.28, 0.96, 0.0], [-0.96, 0.28, 0.0], [0.0, 0.0, 1.0]];
     let (c, cotes) = (Vecteur::new(-f64::MIN_POSITIF, 0.0, 0.0), Vecteur::new(0.56, 4.0, 2.0));
-    let boite = BoiteGeo::new(c, cotes, Rotation::depuis_matrice(m).unwrap(), Texture(0)).unwrap();
+    let boite = boite(c, cotes, Rotation::depuis_matrice(m).unwrap());
     let rayon = Rayon::new(Vecteur::new(1.0, 0.0, 5.0), Vecteur::new(0.0, 0.0, -1.0)).unwrap();
-    juger(boite.into(), rayon);
+    juger(boite, rayon);
 }
 
 /// A is on the sphere exactly, and w = 2⁻⁵⁴⁰ there, whose square is below all numbers: a hit.
 #[test]
 fn un_carre_perdu_n_est_pas_nul() {
     let [r, loin, peu, pente] = [-440.0, -300.0, -400.0, -100.0].map(f64::exp2);
-    let boule = SphereGeo::new(Vecteur::NUL, r, Texture(0)).unwrap();
+    let boule = sphere(Vecteur::NUL, r);
     let d = Vecteur::new(1.0, 0.0, pente);
-    juger(boule.into(), Rayon::new(Vecteur::new(-loin, 0.0, r - peu), d).unwrap());
+    juger(boule, Rayon::new(Vecteur::new(-loin, 0.0, r - peu), d).unwrap());
 }
 
 /// A distance that rounds to +∞ is a miss (C7), and the search answers the largest number.
@@ -157,8 +157,7 @@ en_f32_et_f64!(une_reponse_juste_est_sure);
 #[test]
 fn dans_le_plan_d_une_face_une_reponse_est_sure() {
     let cotes = Vecteur::new(2.0, 2.0, 2.0);
-    let boite = BoiteGeo::new(Vecteur::NUL, cotes, Rotation::IDENTITE, Texture(0)).unwrap();
-    let boite = ObjetRay::from(boite);
+    let boite = boite_droite(Vecteur::NUL, cotes);
     for (y, t) in [(1.0, Some(4.0)), (1.0_f64.next_up(), None), (-1.0, Some(4.0))] {
         let x = Vecteur::new(1.0, 0.0, 0.0);
         let rayon = Rayon::new(Vecteur::new(-5.0, y, 0.0), x).unwrap();
@@ -173,22 +172,21 @@ fn au_dela_d_une_face_un_manque_est_sur() {
     for k in [-30.0, -45.0, -60.0, -100.0] {
         let [loin, haut, pente] = [-110.0, -64.0, k].map(f32::exp2);
         let (c, cotes) = (Vecteur::new(loin, 0.0, haut), Vecteur::new(2.0, 2.0, 2.0));
-        let boite = BoiteGeo::new(c, cotes, Rotation::IDENTITE, Texture(0)).unwrap();
+        let boite = boite_droite(c, cotes);
         let d = Vecteur::new(-pente, 0.0, -1.0);
         let rayon = Rayon::new(Vecteur::new(1.0, 0.0, -1.0), d).unwrap();
-        assert!(ObjetRay::from(boite).est_certain(&rayon), "{k}");
-        juger(boite.into(), rayon);
+        assert!(boite.est_certain(&rayon), "{k}");
+        juger(boite, rayon);
     }
 }
 
 /// Where the documents say that a right answer may be uncertain, and just beside.
 #[test]
-fn une_reponse_juste_qui_n_est_plus_sure() {
+fn une_reponse_juste_n_est_incertaine_qu_ou_on_le_dit() {
     // A plate 2⁻⁶⁰ thick.
     let deux = |k: f32| k.exp2();
     let cotes = Vecteur::new(deux(60.0), deux(60.0), deux(-60.0));
-    let plaque = BoiteGeo::new(Vecteur::NUL, cotes, Rotation::IDENTITE, Texture(0)).unwrap();
-    let plaque = ObjetRay::from(plaque);
+    let plaque = boite_droite(Vecteur::NUL, cotes);
     for (k, sure) in [(38.0, true), (45.0, false)] {
         let (s, d) = (Vecteur::new(0.0, 0.0, deux(k)), Vecteur::new(0.1, 0.05, -1.0));
         let rayon = Rayon::new(s, d).unwrap();
@@ -198,7 +196,7 @@ fn une_reponse_juste_qui_n_est_plus_sure() {
     // A sphere 2⁻³⁸ times as large as far: past its outline by 2⁻⁶⁹, and farther.
     let b = f32::from_bits;
     let c = Vecteur::new(b(0x3f39_7e2d), b(0x37fc_5035), b(0x3f30_6eb2));
-    let boule = ObjetRay::from(SphereGeo::new(c, deux(-38.0), Texture(0)).unwrap());
+    let boule = sphere(c, deux(-38.0));
     for (y, sure) in [(0x37fc_5033, false), (0x37fc_5034, true)] {
         let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(c.x, b(y), c.z)).unwrap();
         assert_eq!(boule.est_certain(&rayon), sure, "{y:x}");
@@ -207,7 +205,7 @@ fn une_reponse_juste_qui_n_est_plus_sure() {
     for (k, certaine) in [(-50.0, true), (-54.0, false)] {
         let cube = |z| {
             let (c, cotes) = (Vecteur::new(0.0, 0.0, z), Vecteur::new(1.0, 1.0, 1.0));
-            ObjetRay::from(BoiteGeo::new(c, cotes, Rotation::IDENTITE, Texture(0)).unwrap())
+            boite_droite(c, cotes)
         };
         let cubes = [cube(0.0), cube(-deux(k))];
         let (s, d) = (Vecteur::new(0.0, 0.0, 1.0), Vecteur::new(0.0, 0.0, -1.0));
@@ -231,7 +229,7 @@ fn presque_le_long_d_un_sol_tourne_une_reponse_juste_n_est_pas_sure() {
     ]
     .map(f64::from_bits);
     let n = Vecteur::new(a, b, 0.0);
-    let sol = ObjetRay::from(PlanGeo::par_un_point(Vecteur::NUL, n, Texture(0)).unwrap());
+    let sol = mur(Vecteur::NUL, n);
     let rayon = Rayon::new(n, Vecteur::new(x, y, z)).unwrap();
     assert!(verite(&sol, &rayon).entree.is_none() && sol.intersection(&rayon).is_err());
     assert!(!sol.est_certain(&rayon));
@@ -239,7 +237,7 @@ fn presque_le_long_d_un_sol_tourne_une_reponse_juste_n_est_pas_sure() {
     let plus_raide = Rayon::new(n, Vecteur::new(x, y - 1e-14, z)).unwrap();
     assert!(sol.est_certain(&plus_raide));
     let haut = Vecteur::new(0.0, 1.0, 0.0);
-    let plat = ObjetRay::from(PlanGeo::par_un_point(Vecteur::NUL, haut, Texture(0)).unwrap());
+    let plat = mur(Vecteur::NUL, haut);
     for pente in [0.0, (-106_f64).exp2(), -(-106_f64).exp2()] {
         assert!(plat.est_certain(&Rayon::new(haut, Vecteur::new(1.0, pente, 0.0)).unwrap()));
     }
@@ -250,14 +248,12 @@ fn dans_le_plan_d_une_face_un_contact_est_sur<R: Reel>() {
     let mut alea = Rng::with_seed(56);
     let mut touches = 0;
     for _ in 0..1_000 {
-        let vecteur = |x, y, z| arrondi::<R>(Vecteur::new(x, y, z));
-        let centre = vecteur(entre(&mut alea, -1.0, 1.0), 0.5, entre(&mut alea, -1.0, 1.0));
-        let cotes = vecteur(2.0, 2.0, 3.0);
-        let boite = BoiteGeo::new(centre, cotes, Rotation::IDENTITE, Texture(0)).unwrap();
-        let boite = ObjetRay::from(boite);
+        let centre = v(entre(&mut alea, -1.0, 1.0), 0.5, entre(&mut alea, -1.0, 1.0));
+        let cotes = v(2.0, 2.0, 3.0);
+        let boite: ObjetRay<R> = boite_droite(centre, cotes);
         for y in [-0.5, 1.5] {
-            let source = vecteur(-5.0, y, 0.0);
-            let vers = vecteur(1.0, 0.0, entre(&mut alea, -0.3, 0.3));
+            let source = v(-5.0, y, 0.0);
+            let vers = v(1.0, 0.0, entre(&mut alea, -0.3, 0.3));
             let rayon = Rayon::new(source, vers).unwrap();
             let Ok(touche) = boite.intersection(&rayon) else { continue };
             assert!(boite.est_certain(&rayon), "{boite:?} {rayon:?}");

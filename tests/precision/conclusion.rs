@@ -4,6 +4,7 @@
 //! Each test names what it builds, then what must hold; it counts the hits that it judged, so that a
 //! construction that builds nothing is red.
 
+use commun::fabrique::sphere;
 use commun::litteral;
 use commun::mesure::rayon_non_perdu;
 use commun::oracle::Exact;
@@ -13,8 +14,8 @@ use commun::{arrondi, en_f32_et_f64};
 use fastrand::Rng;
 use lancer_rayon::pour_les_tests::{ARRONDI_PERDU, PENCHE, PUISSANCE_PERDUE, TRAVERS_PERDU};
 use lancer_rayon::{
-    Intersection, NoIntersection, Nombre, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo,
-    Texture, Vecteur,
+    Intersection, NoIntersection, Nombre, ObjetRay, PlanGeo, Rayon, Reel, Rotation, Texture,
+    Vecteur,
 };
 
 /// Cases of each regime, and of each construction that hits often.
@@ -30,10 +31,6 @@ fn chaque_touche<R: Reel>(genre: Genre, mut juger: impl FnMut(&Cas<R>, &Intersec
             }
         }
     }
-}
-
-fn sphere<R: Reel>(centre: Vecteur<R>, rayon: R) -> ObjetRay<R> {
-    SphereGeo::new(centre, rayon, Texture(0)).unwrap().into()
 }
 
 // The normal of a sphere.
@@ -299,7 +296,7 @@ fn la_marge_est_selon_la_longueur_de_la_normale<R: Reel>() {
 en_f32_et_f64!(la_marge_est_selon_la_longueur_de_la_normale);
 
 /// Built: the regimes of half-spaces. Held: t is A.1's, bit for bit.
-fn un_demi_espace_est_l_annexe<R: Reel>() {
+fn un_demi_espace_suit_l_annexe<R: Reel>() {
     let mut juges = 0;
     chaque_touche::<R>(Genre::Plan, |Cas { objet, rayon }, touche| {
         let ObjetRay::Plan(plan) = objet else { unreachable!("a regime of half-spaces") };
@@ -310,4 +307,4 @@ fn un_demi_espace_est_l_annexe<R: Reel>() {
     assert!(juges > CAS);
 }
 
-en_f32_et_f64!(un_demi_espace_est_l_annexe);
+en_f32_et_f64!(un_demi_espace_suit_l_annexe);

@@ -160,7 +160,7 @@ fn normalise(u: f64) -> Intervalle {
 }
 
 #[test]
-fn lemme_1_vecteurs_unitaires() {
+fn lemme_1_les_bornes_des_vecteurs_unitaires_suffisent() {
     // CB of a sphere is not scaled: of CB², r²/2 at least, three products may be lost.
     tenir(N1, |u| et(normalise(u), PERDU * plus(8.0, u), u));
     for u in U {
@@ -203,7 +203,7 @@ fn autour_de_ac() -> Intervalle {
 }
 
 #[test]
-fn lemme_3_decisions() {
+fn lemme_3_les_bandes_suffisent() {
     tenir(bandes::PLAN, |u| gamma(3.0, u));
     tenir(bandes::PLAN_ABSOLUE, |u| 1.5 * plus(gamma(2.0, u), u));
     // And 2⁻⁷⁸ for speeds that are rounded.
@@ -232,7 +232,7 @@ fn lemme_3_decisions() {
 }
 
 #[test]
-fn lemme_4_distance_d_un_demi_espace() {
+fn lemme_4_la_borne_d_un_demi_espace_suffit() {
     tenir_sur(
         promesses::DISTANCE_PLAN,
         |_| [zero_a_un(), zero_a_un()],
@@ -277,7 +277,7 @@ fn distance_d_une_boite(
 }
 
 #[test]
-fn lemme_4_distance_d_une_boite() {
+fn lemme_4_la_borne_d_une_boite_suffit() {
     tenir_sur(
         promesses::DISTANCE_BOITE,
         |_| [zero_a_un(), zero_a_un()],
@@ -398,7 +398,7 @@ fn rayons(u: f64) -> [Intervalle; 3] {
 }
 
 #[test]
-fn lemme_5_distance_d_une_sphere() {
+fn lemme_5_la_borne_d_une_sphere_suffit() {
     tenir_sur(promesses::DISTANCE_SPHERE, rayons, |u, x @ [t, ..]| {
         let perdue = t.bas > 1.0 / (promesses::PERDUE * u);
         if perdue { None } else { distance_d_une_sphere(u, bandes::SPHERE, x) }
@@ -406,7 +406,7 @@ fn lemme_5_distance_d_une_sphere() {
 }
 
 #[test]
-fn lemme_5_distance_d_une_sphere_perdue() {
+fn lemme_5_la_borne_d_une_sphere_perdue_suffit() {
     tenir_sur(promesses::DISTANCE_PERDUE, rayons, |u, x| {
         distance_d_une_sphere(u, bandes::SPHERE, x)
     });
@@ -421,7 +421,7 @@ fn lemme_5_une_bande_plus_etroite_ne_suffit_pas() {
 }
 
 #[test]
-fn lemme_7_normale() {
+fn lemme_7_les_bornes_d_une_normale_suffisent() {
     // y = f/r; the error of the distance is at most K·u·κt, with κt ≤ (1 + 2y)/c.
     let domaine = |u| [de_a(1.0, 1.0 / (promesses::PERDUE * u))];
     let k_kappa_t = |u: f64, y: Intervalle| promesses::DISTANCE_SPHERE * u * (1.0 + 2.0 * y);
@@ -465,7 +465,7 @@ fn marge_plate(u: f64) -> Intervalle {
 }
 
 #[test]
-fn lemme_8_marge_d_une_face() {
+fn lemme_8_la_marge_d_une_face_suffit() {
     tenir(VERS_LE_HAUT, |u| {
         // (1 + u)/(√(1 − 12u)·(1 − u)²) − 1.
         let n = racine(inverse(i(N2), u), u);
@@ -528,7 +528,7 @@ fn marges_d_une_sphere(u: f64, constantes: [f64; 2]) -> Intervalle {
 }
 
 #[test]
-fn lemmes_8_et_9_marge_d_une_sphere() {
+fn lemmes_8_et_9_la_marge_d_une_sphere_suffit() {
     tenir(1.0, |u| marges_d_une_sphere(u, [PAR_RAYON, LONGUEUR]));
 }
 
@@ -589,7 +589,7 @@ fn sphere_non_perdue(
 }
 
 #[test]
-fn lemme_8_marge_finie() {
+fn lemme_8_la_marge_d_une_sphere_non_perdue_est_finie() {
     let perdue = promesses::PERDUE;
     let domaine = |u| [de_a(2.0, 1.0 / (perdue * u)), de_a(0.0, 1.05)];
     tenir_sur(1.0, domaine, |u, x| sphere_non_perdue(u, perdue, false, x));
@@ -604,7 +604,7 @@ fn lemme_8_plus_pres_une_sphere_se_perd() {
 }
 
 #[test]
-fn lemmes_8_et_9_un_pas_de_plat() {
+fn lemmes_8_et_9_le_pas_depuis_une_face_suffit() {
     // What 2·`arrondi`·u·ℓ must pay, as an excess over what it is, in u: twice (1 + u)⁴ − 1, which
     // N·(P − C) as computed is off by, for the height of P and for the next search.
     let exces = |u: f64, arrondi: f64, pas: f64| {
@@ -641,13 +641,13 @@ fn lemmes_8_et_9_un_pas_de_plat() {
 }
 
 #[test]
-fn lemme_9_rayon_secondaire() {
+fn lemme_9_un_rayon_redresse_sort() {
     tenir(TANGENT, vitesse);
     tenir(REDRESSE, |u| (TANGENT + 2.0 * vitesse(u) + 2.0 * n(u) * d(u)) * plus(3.0 * N2, u));
 }
 
 #[test]
-fn lemme_9_reflechi() {
+fn lemme_9_la_borne_d_un_reflet_suffit() {
     // c is the cosine of the angle of incidence; N·D rounds by γ₃, and N² is off from 1 by `n2`.
     let besoin = |n2: f64| {
         move |u: f64, [c]: [Intervalle; 1]| {
@@ -663,7 +663,7 @@ fn lemme_9_reflechi() {
 }
 
 #[test]
-fn lemme_11_lampe_et_transformations() {
+fn lemme_11_les_bornes_d_une_lampe_et_des_transformations_suffisent() {
     // A sun as it stands is off by more than one that is made unit.
     tenir(promesses::SOLEIL, |u| et(i(D1), gamma(3.0, u), u) * n(u));
     tenir(3.6, |u| et(et(racine(gamma(3.0, u), u), i(1.0), u), i(1.0), u));
@@ -675,7 +675,7 @@ fn lemme_11_lampe_et_transformations() {
 }
 
 #[test]
-fn lemme_13_rotations() {
+fn lemme_13_une_rotation_reste_orthonormale() {
     let v = U[1];
     // What one Newton step leaves of |M·Mᵀ − I| = e.
     let pas = |e: Intervalle| 0.75 * e.carre() + 0.25 * e * e.carre();
@@ -711,7 +711,7 @@ fn boule(u: f64) -> Intervalle {
 }
 
 #[test]
-fn lemme_14_boule() {
+fn lemme_14_la_boule_ne_cache_aucune_entree() {
     // y = ρ/f; lemma 6 says where the point of a hit lies.
     tenir_sur(
         RETRAIT,
@@ -740,7 +740,7 @@ fn lemme_14_boule() {
 }
 
 #[test]
-fn lemme_19_faisceau() {
+fn lemme_19_le_faisceau_tient_ses_rayons() {
     tenir(COURT_OMEGA, |u| et(et(i(D1), i(D1), u), i(1.0), u) * plus(2.0 * COURT_OMEGA, u));
     // The root of θ₃, its arronding, the quotient and the product.
     tenir(COURT, |u| et(normalise(u), i(1.0), u) * plus(2.0 * COURT, u));
@@ -776,7 +776,7 @@ fn lieu_le_long(u: f64) -> Intervalle {
 }
 
 #[test]
-fn lemme_6_lieu_d_une_touche() {
+fn lemme_6_la_borne_du_lieu_d_une_touche_suffit() {
     // The box: along an axis √3·(4f + 11t) with t ≤ f + ρ, and 36ρ.
     let le_long = |u: f64| i(3.0).racine() * lieu_le_long(u) * plus(20.0, u);
     tenir(TOUCHE_F, |u| (i(3.0).racine() * gamma(4.0, u) * n(u) + le_long(u)) * plus(60.0, u));
@@ -832,7 +832,7 @@ fn hors_d_une_sphere(u: f64, y: Intervalle) -> Intervalle {
 }
 
 #[test]
-fn lemme_6_lieu_d_une_touche_de_sphere() {
+fn lemme_6_la_borne_du_lieu_sur_une_sphere_suffit() {
     let domaine = |u: f64| [de_a(u * u, 1.0 + 4.0 * u)];
     tenir_sur(promesses::LIEU_SPHERE, domaine, |u, [y]| Some(hors_d_une_sphere(u, y)));
     for u in U {
@@ -853,7 +853,7 @@ fn lemme_6_lieu_d_une_touche_de_sphere() {
 }
 
 #[test]
-fn lemme_20_jeu() {
+fn lemme_20_le_jeu_d_un_objet_suffit() {
     let v = U[0];
     // What a ray loses of the place of its source: (S − Z)σ; moved, a product, a sum of up to twice that, and the
     // distances that count from there.
@@ -879,7 +879,7 @@ fn coin(v: f64) -> Intervalle {
 }
 
 #[test]
-fn lemme_21_un_rayon() {
+fn lemme_21_le_jeu_d_un_rayon_suffit() {
     let v = U[0];
     for u in U {
         // Of a length G − Y_S: the difference, the inverse and the product; the ceiling.
@@ -892,7 +892,7 @@ fn lemme_21_un_rayon() {
 }
 
 #[test]
-fn lemme_22_bloc() {
+fn lemme_22_le_jeu_d_un_bloc_suffit() {
     let v = U[0];
     // Y₀, the scalar product and the sums; in u, for each unit of ψ.
     tenir(JEU_FAISCEAU, |u| (TOUCHE_F * i(3.0).racine() + 8.0) * plus(500.0, v) * plus(10.0, u));
@@ -903,7 +903,7 @@ fn lemme_22_bloc() {
 }
 
 #[test]
-fn lemme_16_nombres_doubles() {
+fn lemme_16_les_bornes_des_nombres_doubles_suffisent() {
     tenir(PRODUIT_DOUBLE, |u| {
         // In u² of the product as computed: two low parts, their products with the high ones, the sum of these, the
         // sum with what the product of the high ones left.
@@ -918,7 +918,7 @@ fn lemme_16_nombres_doubles() {
 }
 
 #[test]
-fn lemme_17_erreur_et_certitude() {
+fn lemme_17_les_bornes_de_l_erreur_suffisent() {
     tenir(ERREUR_ARRONDIE, |u| {
         // AB of −D²·p_A, D² to γ₃, and of 2XA²; then the sum with XA and the quotient by D².
         let ab = et(racine(et(gamma(3.0, u), gamma(2.0, u), u), u), i(1.0), u);
@@ -936,7 +936,7 @@ fn lemme_17_erreur_et_certitude() {
 }
 
 #[test]
-fn lemme_18_coup_d_oeil() {
+fn lemme_18_les_bornes_du_coup_d_oeil_suffisent() {
     // In f64, of numbers that are unit to the arronding of f32 only.
     let (u, large) = (U[1], 1.0 + D1 * U[0]);
     let tenir = |constante: f64, besoin: Intervalle| {
@@ -963,7 +963,7 @@ fn lemme_18_coup_d_oeil() {
 }
 
 #[test]
-fn lemme_12_vers_une_touche() {
+fn lemme_12_la_borne_vers_une_touche_suffit() {
     // Difference and quotient, the scalar product; as computed it exceeds what is tangent.
     tenir(1.9, |u| {
         (2.0 * plus(1.0, u) * n(u) + vitesse(u) * plus(8.0, u)) - TANGENT * moins(1.0, u)
@@ -971,7 +971,7 @@ fn lemme_12_vers_une_touche() {
 }
 
 #[test]
-fn lemme_23_chambres_fermees() {
+fn lemme_23_le_flou_permis_suffit() {
     // In units of t: what a length of a box is off by, a speed, two decisions of an exit and its quotient, and P.
     tenir(FLOU_DISTANCE, |u| (et(gamma(3.0, u), i(1.0), u) + 3.0 + 7.0 + 1.0) * plus(40.0, u));
     // In units of ⟨P, 1⟩: the height over a half-space, at the hit and at the next start; P, and the start.
@@ -987,7 +987,7 @@ fn lemme_23_chambres_fermees() {
 }
 
 #[test]
-fn lemme_15_etendue() {
+fn lemme_15_l_etendue_tient_tout_l_objet() {
     // The half-extents as computed, what the matrix is off by, two sums and the sums of the slack.
     tenir(ETENDUE, |u| (et(gamma(3.0, u), i(1.0), u) + 36.0 + 2.0) * plus(100.0, u));
 }
@@ -1041,7 +1041,7 @@ fn sortie_de_dedans(u: f64, bande: f64, [y, c, x]: [Intervalle; 3]) -> Option<In
 }
 
 #[test]
-fn lemme_10_sortie_d_une_sphere() {
+fn lemme_10_la_borne_de_sortie_d_une_sphere_suffit() {
     let k = promesses::SORTIE_SPHERE;
     tenir(k, |u| {
         let (cosinus, x) = (de_a(u.sqrt(), 1.0), de_a(-1.0, 1.0));
@@ -1083,7 +1083,7 @@ fn sortie_hors_d_une_sphere(u: f64, dehors: bool, y: Intervalle) -> Intervalle {
 }
 
 #[test]
-fn lemme_10_lieu_d_une_sphere() {
+fn lemme_10_la_borne_du_lieu_sur_une_sphere_suffit() {
     for u in U {
         for dehors in [true, false] {
             let besoin = portee([de_a(u * u, 1.0 + 4.0 * u)], promesses::LIEU_SPHERE, |[y]| {
@@ -1095,7 +1095,7 @@ fn lemme_10_lieu_d_une_sphere() {
 }
 
 #[test]
-fn lemme_10_sortie_d_une_boite() {
+fn lemme_10_la_borne_de_sortie_d_une_boite_suffit() {
     // As for an entry, but that tv may be ρ too.
     tenir_sur(
         promesses::DISTANCE_BOITE,
@@ -1105,7 +1105,7 @@ fn lemme_10_sortie_d_une_boite() {
 }
 
 #[test]
-fn lemme_10_marge_finie() {
+fn lemme_10_la_marge_est_finie() {
     for u in U {
         let domaine = [de_a(2.0, 1.0 / (promesses::PERDUE * u)), de_a(0.0, 1.05)];
         let besoin = portee(domaine, 1.0, |x| sphere_non_perdue(u, promesses::PERDUE, true, x));
@@ -1114,7 +1114,7 @@ fn lemme_10_marge_finie() {
 }
 
 #[test]
-fn lemme_10_normale() {
+fn lemme_10_les_bornes_d_une_normale_suffisent() {
     // y = f/r. S7 rounds f, t̂D and their sum; t is f + r at most, and y + c where the normal is leaned, with
     // y ≥ 1 − c²/2 then; the quotient, and four arrondings across D.
     for u in U {

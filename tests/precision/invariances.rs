@@ -1,5 +1,6 @@
 //! A hit changes as it should when its scene is scaled, mirrored, turned onto other axes or moved.
 
+use commun::fabrique::{boite_droite, sphere};
 use commun::oracle::verite;
 use commun::regimes::direction;
 use commun::tolerances::{promesses, u};
@@ -56,12 +57,10 @@ fn ni_signe_ni_axe_n_est_privilegie<R: Reel>() {
         let lancer = |transforme: &dyn Fn([f64; 3]) -> [f64; 3]| {
             let v = |v: Vecteur| arrondi::<R>(transforme(v.into()).into());
             let dimensions = transforme(l).map(f64::abs);
-            let boite =
-                BoiteGeo::new(v(c), arrondi(dimensions.into()), Rotation::IDENTITE, Texture(0));
-            let boule = SphereGeo::new(v(c), R::depuis_f64(r), Texture(0)).unwrap();
+            let boite = boite_droite(v(c), arrondi(dimensions.into()));
+            let boule = sphere(v(c), R::depuis_f64(r));
             let rayon = Rayon::new(v(s), v(d)).unwrap();
-            [ObjetGeo::from(boite.unwrap()), boule.into()].map(|objet| {
-                let objet = objet.vers_ray();
+            [boite, boule].map(|objet| {
                 let touche = objet.intersection(&rayon).ok();
                 let kappa_t = verite(&objet, &rayon).entree.map_or(f64::INFINITY, |e| e.kappa_t);
                 touche.map(|t| {

@@ -1,7 +1,8 @@
 //! The oracle itself, where a quotient of however many bits would decide wrongly.
 
+use commun::fabrique::boite_droite;
 use commun::oracle::verite;
-use lancer_rayon::{BoiteGeo, ObjetRay, Rayon, Rotation, Texture, Vecteur};
+use lancer_rayon::{Rayon, Vecteur};
 
 /// A box of 2⁴⁴⁰ by an edge of which the ray passes at 2⁻⁴⁰⁰: entry and exit agree in 839 bits.
 #[test]
@@ -13,8 +14,7 @@ fn une_arete_est_decidee_a_2_puissance_moins_839_pres() {
     let dimensions = Vecteur::new(1.0, 1.0, 1.0) * deux(440.0);
     for (x, touchee) in [(deux(-400.0), false), (0.0, true), (-deux(-400.0), true)] {
         let c = Vecteur::new(x, 0.0, 0.0);
-        let boite = BoiteGeo::new(c, dimensions, Rotation::IDENTITE, Texture(0)).unwrap();
-        let verite = verite(&ObjetRay::from(boite), &rayon);
+        let verite = verite(&boite_droite(c, dimensions), &rayon);
         assert_eq!(verite.entree.is_some(), touchee, "{x:e}");
         assert!(verite.dans_la_marge);
     }

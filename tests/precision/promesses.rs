@@ -3,6 +3,7 @@
 //! `LANCER_RAYON_CAS` is how many thousand cases each regime runs (1 unless set):
 //! `LANCER_RAYON_CAS=1000 cargo test --release --all-features --test precision promesses`
 
+use commun::fabrique::{boite_droite, sphere, v};
 use commun::mesure::{absolu, au_bord, quantiles};
 use commun::oracle::{Entree, Passage, hauteur, verite, verite_du};
 use commun::promesses::{
@@ -168,10 +169,7 @@ fn une_tangente_exacte_manque<R: Reel>() {
             Vecteur::new(R::ZERO, R::ZERO, -R::UN),
         );
         let rayon = rayon.unwrap();
-        let boule = |rayon: f64| {
-            let centre = Vecteur::new(R::ZERO, R::ZERO, -r(64.0));
-            ObjetRay::from(SphereGeo::new(centre, r(rayon), Texture(0)).unwrap())
-        };
+        let boule = |rayon: f64| sphere(Vecteur::Z * -r(64.0), r(rayon));
         assert_eq!(boule(5.0).intersection(&rayon), Err(NoIntersection));
         let plus_grande = boule(5.0 * (1.0 + 2.0 * u::<R>()));
         let touche = plus_grande.intersection(&rayon).unwrap();
@@ -342,11 +340,9 @@ en_f32_et_f64!(un_rayon_secondaire_ne_retouche_pas_l_objet_qu_il_quitte);
 /// knows nothing: an inward ray may start above another face by a thousand times 2(`marge()` + 4u|P|), which
 /// one might expect, though by no more than lemma 6 grants.
 fn un_depart_vers_l_interieur_peut_etre_loin_au_dessus_d_une_autre_face<R: Reel>() {
-    let v = |x, y, z| arrondi::<R>(Vecteur::new(x, y, z));
     let centre = v(-0.0077286684, 0.018294489, 0.19977821);
     let dimensions = v(1.0, 2.0 * 0.57481515, 2.0 * 0.7004555);
-    let boite = BoiteGeo::new(centre, dimensions, Rotation::IDENTITE, Texture(0)).unwrap();
-    let boite = ObjetRay::from(boite);
+    let boite: ObjetRay<R> = boite_droite(centre, dimensions);
     let encore = |rayon: &Rayon<R>, vers| {
         let touche = boite.intersection(rayon).ok()?;
         let dedans = touche.secondaire(vers).ok()?;
@@ -412,9 +408,9 @@ fn ce_qui_est_plus_mince_que_le_pas_n_a_pas_de_sortie() {
 
 #[test]
 fn un_rayon_secondaire_invalide_est_refuse() {
-    let boule = SphereGeo::new(Vecteur::new(0.0, 0.0, -5.0), 1.0, Texture(0)).unwrap();
+    let boule = sphere(Vecteur::new(0.0, 0.0, -5.0), 1.0);
     let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.0, 0.0, -1.0)).unwrap();
-    let touche = ObjetRay::from(boule).intersection(&rayon).unwrap();
+    let touche = boule.intersection(&rayon).unwrap();
     let n = touche.normale();
     let refus = |d| touche.secondaire(d).unwrap_err().champ;
     assert_eq!(refus(Vecteur::NUL), "direction");
