@@ -126,7 +126,7 @@ pub(crate) fn construire<'a, R: Nombre>(
     let debut = places.as_ptr().align_offset(LIGNE).min(BOURRAGE);
     let places = &mut places[debut..];
     let mut repere = Repere::autour(objets);
-    let mut partage = Partage::new(objets, repere, restent);
+    let mut partage = Partage::new(objets, repere, restent, places);
     let (mut nombre, mut fin) = (0, places.len());
     for (indice, objet) in objets.iter().enumerate() {
         let (fiches, _) = places.as_chunks_mut();

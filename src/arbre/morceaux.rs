@@ -26,11 +26,16 @@ pub(crate) struct Partage<R> {
 }
 
 impl<R: Nombre> Partage<R> {
-    /// Shares this many records among these objects.
-    pub(crate) fn new(objets: &[ObjetRay<R>], repere: Repere<R>, restent: usize) -> Self {
+    /// Shares this many records among these objects. `nombres` is room for a number of each.
+    pub(crate) fn new(
+        objets: &[ObjetRay<R>],
+        repere: Repere<R>,
+        restent: usize,
+        nombres: &mut [f32],
+    ) -> Self {
         let mut partage = Self { repere, prix: 0.0, restent, part: 0.0, du: 0.0 };
         if restent > 0 {
-            let cote = repere.cote_d_une_feuille(objets.len());
+            let cote = repere.cote_sans_hasard(objets, nombres);
             partage.prix = PRIX_D_UNE_FICHE * cote * cote;
             let avec_boite = objets.iter().filter_map(|o| Some((o, o.boite_englobante()?.1)));
             let somme: f32 = avec_boite.map(|(objet, h)| partage.de_plus(objet, h)).sum();

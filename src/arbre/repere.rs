@@ -95,7 +95,29 @@ impl<R: Nombre> Repere<R> {
     /// The side of a leaf in this frame, if all leaves of this many records were alike among the
     /// many.
     pub(crate) fn cote_d_une_feuille(self, fiches: usize) -> f32 {
-        simple(self.loin) / (LARGEURS as f32 * libm::cbrtf(fiches as f32 / ENFANTS as f32))
+        cote_d_une_feuille(simple(self.loin) / LARGEURS as f32, fiches)
+    }
+
+    /// The same side, told by the centres of all of these objects, whose order does not count.
+    /// `centres` is room for a number of each.
+    pub(crate) fn cote_sans_hasard(self, objets: &[ObjetRay<R>], centres: &mut [f32]) -> f32 {
+        let mut largeur = 0.0;
+        for axe in 0..3 {
+            let mut nombre = 0;
+            for (c, _) in objets.iter().filter_map(ObjetRay::boite_englobante) {
+                centres[nombre] = simple(<[R; 3]>::from(self.point(c))[axe]);
+                nombre += 1;
+            }
+            let centres = &mut centres[..nombre];
+            for (huitiemes, signe) in [(7, 1.0), (1, -1.0)] {
+                if nombre > 0 {
+                    let place = huitiemes * nombre / 8;
+                    let (_, centre, _) = centres.select_nth_unstable_by(place, f32::total_cmp);
+                    largeur += signe * *centre;
+                }
+            }
+        }
+        cote_d_une_feuille(largeur, objets.len())
     }
 
     /// A length times σ.
@@ -110,6 +132,11 @@ impl<R: Nombre> Repere<R> {
     pub(crate) fn distance(self, t: R) -> f32 {
         simple(self.longueur(t))
     }
+}
+
+/// The side of a leaf, if all leaves of this many records were alike in a space of this width.
+fn cote_d_une_feuille(largeur: f32, fiches: usize) -> f32 {
+    largeur / libm::cbrtf(fiches as f32 / ENFANTS as f32)
 }
 
 /// The slack for the point of a hit, in u of the scene's type, per unit of distance from Z to an

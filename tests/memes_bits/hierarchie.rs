@@ -221,6 +221,52 @@ fn les_tuiles_vont_ensemble<R: Bits>() {
     assert!(vont_au_bout(&Monde::new(&avec, &mut places).unwrap(), &opposes));
     let boule = sphere(v(0.0, 2.0, 0.0), R::depuis_f64(4.0));
     assert_eq!(combien(&[boule; 1_000]), [4_096, 4_096, 1]);
+    // Neither need the balls be equal; but far apart they are no heap.
+    let tas = |ecart: f64| {
+        let mut alea = Rng::with_seed(14);
+        let boules = (0..1_000).map(|_| {
+            let ou = direction(&mut alea) * (ecart * alea.f64().cbrt());
+            sphere(arrondi(ou), R::depuis_f64(entre(&mut alea, 4.0, 8.0)))
+        });
+        boules.collect::<Vec<_>>()
+    };
+    let vers_partout = (0..6_400).map(|_| {
+        let [ou, vers] = [(); 2].map(|()| arrondi(direction(&mut alea)));
+        Rayon::new(ou, vers).unwrap()
+    });
+    let vers_partout: Vec<_> = vers_partout.collect();
+    for (ecart, attendus) in [(0.01, 100), (200.0, 0)] {
+        let (objets, mut memoire) = (tas(ecart), vec![0.0; 9_000]);
+        let hierarchie = Monde::new(&objets, &mut memoire).unwrap();
+        assert_eq!(combien_vont_au_bout(&hierarchie, &vers_partout), attendus, "{ecart}");
+    }
+}
+
+/// A few rays that stray do not cost the others of their block their beam, wherever they stand and
+/// go, and have the answers of the list. Where half of them stray nobody does.
+fn un_rayon_egare_n_ote_pas_le_faisceau_aux_autres<R: Bits>() {
+    let objets = scenes::melange::<R>(10_000);
+    let mut places = vec![0.0; places(objets.len())];
+    let hierarchie = Monde::new(&objets, &mut places).unwrap();
+    let tuiles = scenes::en_tuiles(&scenes::rayons_camera::<R>(512, 512), 512);
+    let mut alea = Rng::with_seed(15);
+    for (egares, au_moins) in [(1, 230), (4, 200), (32, 0)] {
+        let mut au_bout = 0;
+        for bloc in tuiles.chunks(64).step_by(16) {
+            let mut bloc = bloc.to_vec();
+            for i in 0..egares {
+                let voie = (64 / egares * i + alea.usize(0..64 / egares)) % 64;
+                let ou = arrondi(direction(&mut alea) * 30.0);
+                bloc[voie] = Rayon::new(ou, arrondi(direction(&mut alea))).unwrap();
+            }
+            au_bout += usize::from(vont_au_bout(&hierarchie, &bloc));
+            if au_bout % 8 == 1 {
+                comparer_dans(&hierarchie, &bloc[..64 - alea.usize(0..40)]);
+            }
+        }
+        println!("{egares} of 64 rays stray: {au_bout} of 256 blocks keep a beam");
+        assert!(au_bout >= au_moins && (egares < 32 || au_bout == 0), "{egares}: {au_bout}");
+    }
 }
 
 /// Where one ray crosses many boxes a wide beam may too: rows among sticks that cross each other walk together, the more
@@ -278,6 +324,30 @@ fn poutres<R: Reel>(alea: &mut Rng, n: usize) -> Vec<ObjetRay<R>> {
         BoiteGeo::new(arrondi(ou), arrondi(dimensions.into()), tour, texture).unwrap().into()
     };
     (0..n).map(poutre).collect()
+}
+
+/// Whether sticks in the midst of a wide town are worth a cut depends on both, and not on the order
+/// of the list.
+fn l_ordre_de_la_liste_ne_decide_pas_de_la_coupe<R: Bits>() {
+    let mut alea = Rng::with_seed(17);
+    let batons = poutres::<R>(&mut alea, 400);
+    let mut coupes = 0;
+    for maisons in [40, 80, 120, 160, 200] {
+        let mut objets = batons.clone();
+        for _ in 0..maisons {
+            let ou = direction(&mut alea) * (2_000.0 * alea.f64());
+            objets.push(sphere(arrondi(ou), R::UN));
+        }
+        let mut memoire = vec![0.0; 2 * places(objets.len())];
+        let juste = noeuds(&Monde::new(&objets, &mut memoire).unwrap());
+        let nombres = [(); 12].map(|()| {
+            alea.shuffle(&mut objets);
+            noeuds(&Monde::en_morceaux(&objets, &mut memoire).unwrap())
+        });
+        assert!(nombres.iter().all(|nombre| *nombre == nombres[0]), "{maisons}: {nombres:?}");
+        coupes += usize::from(nombres[0] > juste);
+    }
+    assert!((1..5).contains(&coupes), "{coupes} of 5 are cut");
 }
 
 /// What is lent beyond the places that are needed is spent on long boxes that stand askew, on all alike, and on nothing
@@ -804,6 +874,8 @@ en_f32_et_f64!(parmi_des_objets_egaux_le_premier_de_la_liste_est_touche);
 en_f32_et_f64!(un_tres_grand_arbre_repond_comme_la_liste);
 en_f32_et_f64!(les_places_de_plus_vont_aux_boites_longues);
 en_f32_et_f64!(aux_coutures_des_morceaux_aucune_touche_n_est_perdue);
+en_f32_et_f64!(un_rayon_egare_n_ote_pas_le_faisceau_aux_autres);
+en_f32_et_f64!(l_ordre_de_la_liste_ne_decide_pas_de_la_coupe);
 en_f32_et_f64!(des_poutres_en_morceaux_repondent_comme_la_liste);
 en_f32_et_f64!(un_objet_frole_repond_comme_dans_la_liste);
 en_f32_et_f64!(une_touche_au_bord_de_sa_boite_n_est_pas_perdue);
