@@ -26,9 +26,9 @@ use crate::vecteur::Vecteur;
 /// A `Monde` borrows the list, which keeps its order, and the numbers; it is `Copy`, and threads
 /// may share it. Make a new one after a change of the list. No question allocates or panics.
 ///
-/// **In a tree** half-spaces are asked one by one, as in a list. Where the boxes of all objects
-/// overlap, a batch asks the objects as a list does, and a single ray takes up to twice as long as
-/// with a list. Boxes are rounded to some 10⁻⁶ of their distance from the middle of most objects,
+/// **In a tree** half-spaces are asked one by one, as in a list. In a heap, where a ray crosses most
+/// boxes, a batch asks the objects as a list does. A single ray there takes up to twice as long as
+/// with a list, and up to six times where it starts inside all objects. Boxes are rounded to some 10⁻⁶ of their distance from the middle of most objects,
 /// in `f32` also of the distance of the source. Objects closer together than that are all tested:
 /// fine detail far from most objects costs time, and never accuracy. A sun, a sky or a ball for a
 /// ground costs little (`benches/README.md`).
