@@ -248,6 +248,7 @@ pub(crate) struct Contact<R> {
 /// ```
 #[doc(alias("No_intersection", "miss"))]
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct NoIntersection;
 
 impl fmt::Display for NoIntersection {

@@ -55,8 +55,9 @@ impl<R: Nombre> Rayon<R> {
     /// [`vers_touche`](crate::Intersection::vers_touche) start beside the surface.
     ///
     /// The direction and the end are those of `arrivee − depart` as computed, so that the ray may
-    /// end a rounding before `arrivee` or after it. Asked from the other end, a line that grazes an
-    /// object may be answered otherwise.
+    /// end a rounding before `arrivee` or after it, and has no end if that is farther away than any
+    /// number of the type. Asked from the other end, a line that grazes an object may be answered
+    /// otherwise.
     ///
     /// # Errors
     /// If a coordinate of `depart` is beyond the limits of [`new`](Self::new), if one of `arrivee`
@@ -224,7 +225,7 @@ impl<R: Nombre> Rayon<R> {
 
     /// The same ray in `f32`, seen from an origin that is subtracted before anything is rounded:
     /// the ray for objects that [`ObjetGeo::vers_f32`](crate::ObjetGeo::vers_f32) gave with this
-    /// origin. Its end and its δ are rounded as well.
+    /// origin. Its end is rounded as well, and its δ upward.
     ///
     /// # Errors
     /// If `origine` is not finite, or the source in `f32` is outside the limits of
@@ -243,7 +244,9 @@ impl<R: Nombre> Rayon<R> {
     pub fn vers_f32(self, origine: Vecteur<R>) -> Result<Rayon<f32>, ErreurGeo> {
         let origine = refus::origine(origine)?;
         let rayon = Rayon::new((self.source - origine).vers_f32(), self.direction.vers_f32())?;
-        Ok(rayon.finissant(simple(self.fin)).sachant(simple(self.flou)))
+        let flou = simple(self.flou).clamp(f32::MIN, f32::MAX);
+        let flou = if flou > 0.0 { flou.next_up().min(f32::MAX) } else { flou };
+        Ok(rayon.finissant(simple(self.fin)).sachant(flou))
     }
 
     /// The same ray in `f64`, exactly: to judge an answer in `f32` by one in `f64`.

@@ -38,6 +38,48 @@ impl<R: Nombre> Depart<R> {
     }
 }
 
+/// How much less exactly than its source a ray knows its point P at distance t (lemma 23).
+#[inline(always)]
+fn flou_du_point<R: Nombre>(t: R, p: Vecteur<R>) -> R {
+    t * fois_u(FLOU_DISTANCE) + p.norme_1() * fois_u(FLOU_POINT)
+}
+
+/// A ray that turns in mid-air.
+impl<R: Nombre> Rayon<R> {
+    /// The ray without an end that goes on from the [`point`](Self::point) at this distance in
+    /// another direction: a particle that is scattered in mid-air, or whose step has ended.
+    ///
+    /// It knows its start as a ray from a hit does, so that a step that ends within rounding of a
+    /// wall, or behind it, does not leave the room. That holds as long as this ray touches nothing
+    /// before `distance`. A ray that is [inside](Self::dedans) something stays so.
+    ///
+    /// # Errors
+    /// If `distance` is below 0 or not finite, if the direction is zero or not finite, or if the
+    /// point lies beyond the limits of [`new`](Self::new).
+    ///
+    /// ```
+    /// use lancer_rayon::{NoIntersection, ObjetRay, PlanGeo, Rayon, Texture, Vecteur};
+    ///
+    /// let bas = Vecteur::new(0.0, -1.0, 0.0);
+    /// let sol = ObjetRay::from(PlanGeo::par_un_point(Vecteur::NUL, -bas, Texture(0))?);
+    /// let rayon = Rayon::new(Vecteur::new(0.0, 0.3, 0.0), Vecteur::new(1.0, -1.0, 0.0))?;
+    ///
+    /// // A step as long as the way to the floor ends on the floor, or in it.
+    /// let pas = sol.intersection(&rayon)?.distance();
+    /// assert_eq!(sol.intersection(&rayon.jusqu_a(pas)?), Err(NoIntersection));
+    /// assert!(sol.intersection(&rayon.bifurque(pas, bas)?)?.distance() < 1e-15);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    #[doc(alias("scatter", "turn_at", "advance", "step"))]
+    pub fn bifurque(&self, distance: R, direction: Vecteur<R>) -> Result<Self, ErreurGeo> {
+        let accepte = distance >= R::ZERO && distance < R::INFINI;
+        let t = exiger(accepte, "distance", distance, "a finite number, 0 or more")?;
+        let p = self.point(t);
+        let su = if self.su() < R::ZERO { self.su() } else { self.su() + flou_du_point(t, p) };
+        Ok(Self::new(p, direction)?.sachant(su))
+    }
+}
+
 impl<R: Nombre> Intersection<R> {
     /// A ray that starts at this hit and never hits the object it leaves, with one exception
     /// (below). The direction may lead outward, D·N > 0, or inward for transparency. Mirrors have
@@ -265,8 +307,7 @@ impl<R: Nombre> Intersection<R> {
         } else if su < R::ZERO {
             su
         } else {
-            let t = self.distance();
-            su + pas + (t * fois_u(FLOU_DISTANCE) + p.norme_1() * fois_u(FLOU_POINT))
+            su + pas + flou_du_point(self.distance(), p)
         };
         Ok(Depart { source, su })
     }

@@ -190,6 +190,47 @@ fn aucun_chemin_ne_quitte_une_chambre<R: Bits>() {
 
 en_f32_et_f64!(aucun_chemin_ne_quitte_une_chambre);
 
+/// A flight that ends in mid-air, or within rounding of a wall, goes on from there and stays in the
+/// room. From the same points without what the ray knows of them some leave it.
+fn aucun_pas_ne_quitte_une_chambre<R: Bits>() {
+    let mut alea = Rng::with_seed(29);
+    let (mut pas, mut dehors_sans_flou) = (0, 0);
+    for _ in 0..cas(20) {
+        let chambre = Chambre::<R>::new(&mut alea);
+        let mut memoire = vec![0.0; places(chambre.objets.len())];
+        let monde = Monde::new(&chambre.objets, &mut memoire).unwrap();
+        for _ in 0..40 {
+            let point = arrondi::<R>(chambre.place(direction(&mut alea) * 0.9));
+            if monde.contient(point) {
+                continue;
+            }
+            let vers = arrondi::<R>(chambre.cible(&mut alea)) - point;
+            let mut rayon = Rayon::new(point, vers).unwrap();
+            for _ in 0..16 {
+                let touche = monde.premiere_intersection(&rayon);
+                let Ok(touche) = touche else { panic!("{rayon:?} left {:?}", chambre.objets) };
+                let t = touche.distance();
+                let part = [0.5, 1.0 - 4.0 * u::<R>(), 1.0][alea.usize(0..3)];
+                let fin = t * R::depuis_f64(part);
+                assert!(!monde.est_occulte(&rayon.jusqu_a(fin).unwrap()), "{rayon:?}");
+                let vers = if alea.bool() {
+                    arrondi::<R>(chambre.cible(&mut alea)) - rayon.point(fin)
+                } else {
+                    arrondi(direction(&mut alea))
+                };
+                let Ok(suivant) = rayon.bifurque(fin, vers) else { break };
+                let oublieux = Rayon::new(suivant.source(), vers).unwrap();
+                dehors_sans_flou += usize::from(monde.premiere_intersection(&oublieux).is_err());
+                pas += 1;
+                rayon = suivant;
+            }
+        }
+    }
+    assert!(pas > 1_000 && dehors_sans_flou > 20, "{pas} {dehors_sans_flou}");
+}
+
+en_f32_et_f64!(aucun_pas_ne_quitte_une_chambre);
+
 /// A pillar that stands on a globe a million times as large: rays that leave the pillar beside the seam, downward, all
 /// find the globe, of which the type knows its place to some parts of its radius.
 fn un_pilier_sur_un_globe_ne_laisse_rien_passer<R: Reel>() {
