@@ -23,11 +23,12 @@
 //! [`vers_ray`](ObjetGeo::vers_ray); then ask [`premiere_intersection`] as often as the picture has
 //! pixels. For everything else there is a [`Monde`], which answers for a list: many rays at once
 //! ([`premieres_intersections`](Monde::premieres_intersections), the same bits, several times as
-//! fast), whether anything blocks the way to a light ([`est_occulte`](Monde::est_occulte)), [all
-//! that a ray enters](Monde::dans_l_ordre), [what holds a point](Monde::contient). It can be asked
-//! about [any choice of the objects](Monde::parmi). With ten objects or more it builds a tree and
-//! answers sooner. A ray may have [an end](Rayon::jusqu_a). [`ObjetRay::sortie`] tells where a ray
-//! leaves.
+//! fast for the rays of a camera), whether anything blocks the way to a light
+//! ([`est_occulte`](Monde::est_occulte)), [all that a ray enters](Monde::dans_l_ordre), [what holds
+//! a point](Monde::contient). It can be asked about [any choice of the objects](Monde::parmi). From
+//! ten spheres and boxes on [`Monde::new`] builds a tree, so that the time grows far more slowly
+//! than the number of objects. A ray may have [an end](Rayon::jusqu_a). [`ObjetRay::sortie`] tells
+//! where a ray leaves.
 //!
 //! # Conventions
 //!
@@ -61,7 +62,7 @@
 //! is not hit from inside or from its surface, and a ray tangent to a sphere misses. A ray that
 //! starts from a hit carries [a bound δ on the error of its start](Rayon::flou). An object that
 //! holds the start by no more than δ, and that the ray goes into, is hit at once, at t = 0, so that
-//! no ray leaves a closed room.
+//! no ray leaves a closed room whose walls overlap by more than δ.
 //!
 //! ```
 //! # use lancer_rayon::*;
@@ -77,15 +78,16 @@
 //!
 //! **Invalid values cannot be constructed.** Constructors and transformations refuse what is not
 //! finite, a coordinate beyond ±2⁴⁵⁰ (±2⁶⁰ for `f32`) and a size outside 2⁻⁴⁵⁰ … 2⁴⁵⁰ (2⁻⁶⁰ … 2⁶⁰),
-//! and name the field. A question to an object or a list never panics, and no hit holds a NaN.
-//! ([`Vecteur`] is a bare triple; the types built from it check it.)
+//! and name the field. No question panics, except that a list of more than 2³² − 1 objects is
+//! refused by a panic, and no hit holds a NaN. ([`Vecteur`] is a bare triple; the types built from
+//! it check it.)
 //!
 //! **A hit knows its object and its error**: [`Intersection::indice`] is the index in the list,
 //! [`Intersection::marge`] bounds how far the point is from the surface, and
 //! [`Intersection::secondaire`] starts a shadow, reflection or refraction ray that never hits the
-//! object it leaves, except inward within rounding of a box edge. [`BoiteRay::lieu`] says which
-//! face of a box was hit, and where. [`Monde::certifie`] tells whether the first object is that of
-//! exact arithmetic.
+//! object it leaves, except inward within rounding of a box edge or in a box no thicker than the
+//! step. [`BoiteRay::lieu`] says which face of a box was hit, and where. [`Monde::certifie`] tells
+//! whether the first object is that of exact arithmetic.
 //!
 //! # `f32` or `f64`
 //!
@@ -100,11 +102,11 @@
 //! `std` (default) brings the hardware square root; a [`Monde`] then chooses the best instruction
 //! set of the machine at run time. Without `std` the crate needs `core` alone, uses the instruction
 //! set that it is compiled for, and gives the same bits (for subnormal numbers too, unless the
-//! thread flushes them to zero). `serde` reads and writes hits, `Vecteur`, `Rotation`, `Texture`,
-//! `Face`, `Rayon` and the describing types, through the same checks as their constructors. `mint`
-//! converts [`Vecteur`] and [`Rotation`] from and to its types, and through these those of glam or
-//! nalgebra. Nothing allocates, nothing is `unsafe`.
-#![no_std]
+//! thread flushes them to zero). `serde` reads and writes hits and misses, `Vecteur`, `Rotation`,
+//! `Texture`, `Face`, `Rayon` and the describing types, through the same checks as their
+//! constructors. `mint` converts [`Vecteur`] and [`Rotation`] from and to its types, and through
+//! these those of glam or nalgebra. The crate allocates nothing and contains no `unsafe`.
+//! #![no_std]
 
 #[cfg(feature = "std")]
 extern crate std;
