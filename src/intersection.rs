@@ -208,8 +208,9 @@ impl<R: Nombre> Intersection<R> {
     /// It is a proven bound (derived in `docs/preuves.md`), most often a few times the error
     /// itself, and never a NaN. It is +∞ where the point is beyond the range of the type, and for a
     /// sphere that is lost in rounding: always with a radius below a = 16u·(|x| + |y| + |z|) of the
-    /// point, as that sum is computed, never with one of 64u·|f| + a or more, with |f| the distance of the source from the
-    /// centre. For a box the surface is the plane of the face that was touched.
+    /// point, as that sum is computed, never with one of 64u·|f| + a or more, with |f| the distance
+    /// of the source from the centre. For a box the surface is the plane of the face that was
+    /// touched.
     ///
     /// ```
     /// use lancer_rayon::{ObjetRay, Rayon, SphereGeo, Texture, Vecteur};

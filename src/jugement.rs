@@ -26,8 +26,8 @@ pub const ERREUR_ARRONDIE: f64 = 16.1;
 
 impl<R: Nombre> ObjetRay<R> {
     /// A bound on the error of [`touche.distance()`](Intersection::distance), in scene units: the
-    /// ray enters this object, or at a [way out](Self::sortie) leaves it, no farther than that from there, for the
-    /// numbers as they are stored.
+    /// true entry, or at a [way out](Self::sortie) the true exit, is no farther than that from it,
+    /// for the numbers as they are stored.
     ///
     /// It is proven (`docs/preuves.md`, lemma 17), at the edges of a box too and with the rounding
     /// of its own computation. It is +∞ where the ray does not enter or leave the object, where

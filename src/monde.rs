@@ -26,12 +26,13 @@ use crate::vecteur::Vecteur;
 /// A `Monde` borrows the list, which keeps its order, and the numbers; it is `Copy`, and threads
 /// may share it. Make a new one after a change of the list. No question allocates or panics.
 ///
-/// **In a tree** half-spaces are asked one by one, as in a list. In a heap, where a ray crosses most
-/// boxes, a batch asks the objects as a list does. A single ray there takes up to twice as long as
-/// with a list, and up to six times where it starts inside all objects. Boxes are rounded to some 10⁻⁶ of their distance from the middle of most objects,
-/// in `f32` also of the distance of the source. Objects closer together than that are all tested:
-/// fine detail far from most objects costs time, and never accuracy. A sun, a sky or a ball for a
-/// ground costs little (`benches/README.md`).
+/// **In a tree** half-spaces are asked one by one, as in a list. In a heap, where a ray crosses
+/// most boxes, a batch asks the objects as a list does. A single ray there takes up to twice as
+/// long as with a list, and up to six times where it starts inside all objects. Boxes are rounded
+/// to some 10⁻⁶ of their distance from the middle of most objects, in `f32` also of the distance of
+/// the source. Objects closer together than that are all tested: fine detail far from most objects
+/// costs time, and never accuracy. A sun, a sky or a ball for a ground costs little
+/// (`benches/README.md`).
 ///
 /// ```
 /// use lancer_rayon::{
@@ -486,12 +487,12 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// It is never true of a wrong answer. It is false of a right one only where
     /// [`est_certain`](ObjetRay::est_certain) of some object would be, where no distance is
     /// promised, where two entries are nearer to each other than some 2⁻⁵⁰(κ + κ′)·t, twice what
-    /// both distances are promised to in `f64` (`docs/precision.md`; κ is large where a ray grazes),
-    /// and among numbers below the normal ones. Most often that is an exact tie, as where the sides
-    /// of two boxes are flush. Only the [`indice`](crate::Intersection::indice) of `reponse` counts,
-    /// whoever found it. It takes the time of a ray or two, with a tree 1.0 to 1.3 times that of the
-    /// ray on average. A tree certifies a few more right answers, since it does not ask what comes
-    /// later by its box.
+    /// both distances are promised to in `f64` (`docs/precision.md`; κ is large where a ray
+    /// grazes), and among numbers below the normal ones. Most often that is an exact tie, as where
+    /// the sides of two boxes are flush. Only the [`indice`](crate::Intersection::indice) of
+    /// `reponse` counts, whoever found it. It takes the time of a ray or two, with a tree 1.0 to
+    /// 1.3 times that of the ray on average. A tree certifies a few more right answers, since it
+    /// does not ask what comes later by its box.
     ///
     /// Where an answer is not certain ask the same numbers in `f64`: [`ObjetRay::vers_f64`] of all
     /// objects, and [`Rayon::vers_f64`]. What is uncertain there as well is most often a tie.

@@ -227,8 +227,9 @@ fn trier(fiches: &mut [Fiche]) {
     trier(apres);
 }
 
-/// What part of these boxes a line that crosses one of them crosses, in the mean over sixteen that are spread evenly: a
-/// random line through A crosses a box within A with the chance of that box's surface over A's.
+/// What part of these boxes a line that crosses one of them crosses, in the mean over sixteen that
+/// are spread evenly: a random line through A crosses a box within A with the chance of that box's
+/// surface over A's.
 fn part_des_croises(fiches: &[Fiche]) -> f32 {
     let temoins = || fiches.iter().step_by(fiches.len().div_ceil(ENFANTS));
     let mut noeud = VIDE;

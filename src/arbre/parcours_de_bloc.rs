@@ -18,8 +18,8 @@ use crate::question::Premier;
 use crate::rayon::Rayon;
 
 /// A block without a beam asks every object for all its rays if there are at most this many spheres
-/// and boxes for each number that a register holds, beyond this part of the boxes that a ray crosses
-/// (`benches/seuils.md`, "Thresholds", as for what follows).
+/// and boxes for each number that a register holds, beyond this part of the boxes that a ray
+/// crosses (`benches/seuils.md`, "Thresholds", as for what follows).
 const OBJETS_PAR_NOMBRE: usize = 6;
 const PART_DES_CROISES: f32 = 0.6;
 
@@ -174,8 +174,8 @@ impl<R: Nombre> Arbre<'_, R> {
         true
     }
 
-    /// Whether rays side by side ask every object in less time than one by one in the tree: if there are few objects, or
-    /// a heap, of which a ray crosses a good part.
+    /// Whether rays side by side ask every object in less time than one by one in the tree: if
+    /// there are few objects, or a heap, of which a ray crosses a good part.
     #[inline(always)]
     fn mieux_vaut_la_liste<S: Simd, Q: EnLot<R>>(
         &self,

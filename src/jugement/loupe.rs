@@ -41,7 +41,8 @@ pub(crate) fn juger(objet: &ObjetRay, rayon: &Rayon, t: f64) -> Jugement {
     juger_depuis(objet, rayon, [0.0, t])
 }
 
-/// The same of a distance at which the ray leaves: there the ray enters that is turned back, as far beyond.
+/// What exact numbers say of a way out at this distance: the ray that comes back, from as far
+/// beyond, enters there.
 pub(crate) fn juger_sortie(objet: &ObjetRay, rayon: &Rayon, t: f64) -> Jugement {
     // J9
     let retour = Rayon::sans_fin(rayon.source(), -rayon.direction());

@@ -114,8 +114,8 @@ impl<'a, R: Nombre, Q: EnLot<R>> Bloc<'a, R, Q> {
         Faisceau::de_rayons(self.groupes(), reperes)
     }
 
-    /// Lays aside the rays that [stray](egares) until none does: one that does not stands in for them. Tells whether there
-    /// are some.
+    /// Lays aside the rays that [stray](egares) until none does: one that does not stands in for
+    /// them. Tells whether there are some.
     #[cold]
     #[inline(never)]
     pub(crate) fn ecarter_les_egares<S: Simd>(&mut self, simd: S) -> bool {

@@ -43,9 +43,9 @@ pub(crate) struct Faisceau<R> {
 /// The least cosine between a ray of a beam and the one in the middle.
 const COSINUS_MINIMAL: f64 = 0.25;
 
-/// How many of at most eight of these rays, evenly spread, go too far from the way of the one in the
-/// middle for a beam. Rays in no order are refused here, before a beam is made of them. Shadow rays
-/// are tested as well, although their segments may lie together where their directions do not.
+/// How many of at most eight of these rays, evenly spread, go too far from the way of the one in
+/// the middle for a beam. Rays in no order are refused here, before a beam is made of them. Shadow
+/// rays are tested as well, although their segments may lie together where their directions do not.
 #[inline(always)]
 pub(crate) fn vont_ailleurs<R: Nombre>(rayons: &[Rayon<R>]) -> usize {
     let milieu = rayons[rayons.len() / 2].direction();
@@ -54,8 +54,9 @@ pub(crate) fn vont_ailleurs<R: Nombre>(rayons: &[Rayon<R>]) -> usize {
     quelques.filter(|rayon| rayon.direction().produit_scalaire(milieu) <= minimal).count()
 }
 
-/// A ray strays if its direction is this many times as far from that of all rays together as theirs are in the mean,
-/// counted as 1 − cos: at most one of eight can (`benches/seuils.md`, "Thresholds").
+/// A ray strays if its direction is this many times as far from that of all rays together as theirs
+/// are in the mean, counted as 1 − cos: at most one of eight can (`benches/seuils.md`,
+/// "Thresholds").
 const FOIS_LA_MOYENNE: f64 = 8.0;
 
 /// That mean counts as no less than this, which is more than rounding makes of parallel rays.
