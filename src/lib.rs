@@ -106,7 +106,7 @@
 //! `Texture`, `Face`, `Rayon` and the describing types, through the same checks as their
 //! constructors. `mint` converts [`Vecteur`] and [`Rotation`] from and to its types, and through
 //! these those of glam or nalgebra. The crate allocates nothing and contains no `unsafe`.
-//! #![no_std]
+#![no_std]
 
 #[cfg(feature = "std")]
 extern crate std;

@@ -290,7 +290,7 @@ fn annexe_a3() -> Partie {
 fn c1() -> Partie {
     let w = v(1.0, 2.0, 3.0);
     let angles = v(0.3, -0.7, 1.1);
-    Partie::new("C1: the sense of a rotation is that of the formula V·M")
+    Partie::new("C1: the sense of a rotation is that of the formula V·M, for V = (1, 2, 3)")
         .ligne(
             "§2.1's example, α = 90° about x: (x, y cos α + z sin α, −y sin α + z cos α)",
             "(1, 3, -2)",
@@ -334,7 +334,7 @@ fn c2() -> Partie {
     let q = FRAC_PI_2;
     let w = v(1.0, 2.0, 3.0);
     let (x, y, z) = (tour(q, 0.0, 0.0), tour(0.0, q, 0.0), tour(0.0, 0.0, q));
-    Partie::new("C2: about x, then y, then z; quarter turns are exact")
+    Partie::new("C2: about x, then y, then z, for V = (1, 2, 3); quarter turns are exact")
         .ligne("x first, then y", "(2, 3, 1)", vecteur(tour(q, q, 0.0).appliquer(w)))
         .ligne("y first, then x: another rotation", "(-3, 1, -2)", vecteur(y.puis(x).appliquer(w)))
         .aussi(
@@ -545,8 +545,10 @@ fn c8() -> Partie {
         )
         .ligne(
             "f32, 1000 radii away, 0.999 beside the centre: SB = 1000 − 0.04470989",
-            "Ok(999.95526)",
-            format!("{:?}", loin.vers_ray().intersection(&presque).map(|t| t.distance())),
+            "distance 999.95526",
+            loin.vers_ray()
+                .intersection(&presque)
+                .map_or_else(|rien| rien.to_string(), |t| format!("distance {}", t.distance())),
         )
         .ligne(
             "the same ray by A.2's SC² − SA², which is 1000001 − 1000000 there",
