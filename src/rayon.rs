@@ -245,7 +245,7 @@ impl<R: Nombre> Rayon<R> {
         let origine = refus::origine(origine)?;
         let rayon = Rayon::new((self.source - origine).vers_f32(), self.direction.vers_f32())?;
         let flou = simple(self.flou).clamp(f32::MIN, f32::MAX);
-        let flou = if flou > 0.0 { flou.next_up().min(f32::MAX) } else { flou };
+        let flou = if self.flou > R::ZERO { flou.next_up().min(f32::MAX) } else { flou };
         Ok(rayon.finissant(simple(self.fin)).sachant(flou))
     }
 

@@ -150,3 +150,15 @@ fn un_refus_nomme_le_champ() {
     assert_eq!(rayon.vers_f32(nul).unwrap_err().champ, "source.z");
     assert_eq!(rayon.vers_f32(infinie).unwrap_err().champ, "origine.y");
 }
+
+/// What a ray knows of its source it knows no more exactly in `f32`, and always by a number.
+#[test]
+fn un_flou_ne_devient_ni_plus_petit_ni_infini() {
+    let rayon = Rayon::new(Vecteur::NUL, Vecteur::X).unwrap();
+    for flou in [1e-300, 0.1, 1.0 / 3.0, 7e30, 1e300] {
+        let simple = rayon.avec_flou(flou).unwrap().vers_f32(Vecteur::NUL).unwrap().flou();
+        assert!(simple > 0.0 && simple < f32::INFINITY, "{flou}: {simple}");
+        assert!(f64::from(simple) >= flou || simple == f32::MAX, "{flou}: {simple}");
+    }
+    assert_eq!(rayon.vers_f32(Vecteur::NUL).unwrap().flou(), 0.0);
+}

@@ -151,6 +151,18 @@ fn une_face_s_ecrit_par_son_nom() {
     assert_eq!(format!("{:>4}|{:<3}|{}", Face::PlusY, Face::MoinsX, Face::MoinsZ), "  +y|-x |-z");
 }
 
+/// A whole batch of answers can be saved, misses too.
+#[test]
+fn une_reponse_manquee_est_relue() {
+    let boule = ObjetRay::from(SphereGeo::new(Vecteur::NUL, 1.0, Texture(3)).unwrap());
+    let reponses = [4.0, -4.0].map(|z| {
+        let rayon = Rayon::new(Vecteur::new(0.0, 0.0, z), Vecteur::new(0.0, 0.0, -1.0)).unwrap();
+        boule.intersection(&rayon)
+    });
+    assert!(reponses[0].is_ok() && reponses[1].is_err());
+    assert_eq!(relu(&reponses), [reponses; 2]);
+}
+
 /// A bare vector is the one value that may hold a NaN.
 #[test]
 fn un_nan_ecrit_en_json_n_est_pas_relu() {
