@@ -157,7 +157,8 @@ pub(crate) fn construire<'a, R: Nombre>(
     let (noeuds, _) = places.as_chunks_mut().0.as_chunks_mut();
     let feuilles = nombre.div_ceil(ENFANTS);
     for (numero, feuille) in noeuds[..feuilles].iter_mut().enumerate() {
-        en_colonnes(feuille, nombre - numero * ENFANTS);
+        let (fiches, _) = feuille.as_flattened().as_chunks();
+        *feuille = en_colonnes(fiches.iter().take(nombre - numero * ENFANTS));
     }
     // The floor whose nodes have none above them yet, and the leaves of giants, which the root
     // takes along.
@@ -232,13 +233,7 @@ fn trier(fiches: &mut [Fiche]) {
 /// surface over A's.
 fn part_des_croises(fiches: &[Fiche]) -> f32 {
     let temoins = || fiches.iter().step_by(fiches.len().div_ceil(ENFANTS));
-    let mut noeud = VIDE;
-    for (enfant, fiche) in temoins().enumerate() {
-        for mot in 0..FICHE {
-            noeud[mot][enfant] = fiche[mot];
-        }
-    }
-    let [x0, y0, z0, x1, y1, z1, _] = &noeud;
+    let [x0, y0, z0, x1, y1, z1, _] = &en_colonnes(temoins());
     let surface = |x: f32, y: f32, z: f32| x * y + y * z + z * x;
     let part = |a: &Fiche| {
         let mut communes = [0.0; ENFANTS];
@@ -261,16 +256,15 @@ fn double_centre(&[x0, y0, z0, x1, y1, z1, _]: &Fiche) -> [f32; 3] {
     [x0 + x1, y0 + y1, z0 + z1]
 }
 
-/// Transposes sixteen records into columns, in place; only the first `nombre` are records.
-fn en_colonnes(feuille: &mut Noeud, nombre: usize) {
+/// These records, sixteen at most, as columns.
+fn en_colonnes<'a>(fiches: impl Iterator<Item = &'a Fiche>) -> Noeud {
     let mut noeud = VIDE;
-    let (fiches, _) = feuille.as_flattened().as_chunks::<FICHE>();
-    for (enfant, fiche) in fiches.iter().enumerate().take(nombre) {
+    for (enfant, fiche) in fiches.enumerate() {
         for mot in 0..FICHE {
             noeud[mot][enfant] = fiche[mot];
         }
     }
-    *feuille = noeud;
+    noeud
 }
 
 /// The node over the nodes with these numbers, at most sixteen.

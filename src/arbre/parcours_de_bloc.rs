@@ -116,8 +116,8 @@ impl<R: Nombre> Arbre<'_, R> {
                 break;
             }
         }
-        let la_liste = Sonde::new(&rayons[0], self.repere).is_none()
-            || self.mieux_vaut_la_liste(simd, liste, bloc);
+        let la_liste = self.mieux_vaut_la_liste(simd, liste, bloc)
+            || Sonde::new(&rayons[0], self.repere).is_none();
         if la_liste {
             bloc.interroger(liste);
         } else {

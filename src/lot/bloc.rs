@@ -124,17 +124,15 @@ impl<'a, R: Nombre, Q: EnLot<R>> Bloc<'a, R, Q> {
             || {
                 let (deja, places) = (self.egares, self.groupes().len() * VOIES);
                 loop {
-                    let mut egares = egares(self.groupes());
+                    let egares = egares(self.groupes());
                     let autre = egares.trailing_ones() as usize;
                     if egares == 0 || autre >= places {
                         return self.egares > deja;
                     }
                     self.egares |= egares;
                     let (rayon, premier) = (self.rayon(autre), self.premier(autre));
-                    while egares > 0 {
-                        let i = egares.trailing_zeros() as usize;
+                    for i in (0..places).filter(|i| egares >> i & 1 == 1) {
                         self.groupes[i / VOIES].remplacer(i % VOIES, &rayon, premier);
-                        egares &= egares - 1;
                     }
                 }
             },

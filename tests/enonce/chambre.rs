@@ -98,6 +98,13 @@ impl<R: Reel> Chambre<R> {
         self.coutures.push([self.place(a), self.place(b)]);
     }
 
+    /// A ray from somewhere in the air towards a seam; `None` if an object holds that place.
+    fn depart(&self, alea: &mut Rng, monde: &Monde<'_, R>) -> Option<Rayon<R>> {
+        let point = arrondi::<R>(self.place(direction(alea) * 0.9));
+        let libre = !monde.contient(point);
+        libre.then(|| Rayon::new(point, arrondi::<R>(self.cible(alea)) - point).unwrap())
+    }
+
     /// A point of a seam, most often beside it.
     fn cible(&self, alea: &mut Rng) -> Vecteur {
         let [a, b] = self.coutures[alea.usize(..self.coutures.len())];
@@ -146,13 +153,7 @@ fn aucun_chemin_ne_quitte_une_chambre<R: Bits>() {
         let liste = Monde::de_liste(&chambre.objets);
         let mut rayons = vec![];
         for _ in 0..40 {
-            let point = chambre.place(direction(&mut alea) * 0.9);
-            let point = arrondi::<R>(point);
-            if liste.contient(point) {
-                continue;
-            }
-            let vers = arrondi::<R>(chambre.cible(&mut alea)) - point;
-            let mut rayon = Rayon::new(point, vers).unwrap();
+            let Some(mut rayon) = chambre.depart(&mut alea, &liste) else { continue };
             for _ in 0..16 {
                 let premiere = arbre.premiere_intersection(&rayon);
                 let Ok(touche) = premiere else {
@@ -200,12 +201,7 @@ fn aucun_pas_ne_quitte_une_chambre<R: Bits>() {
         let mut memoire = vec![0.0; places(chambre.objets.len())];
         let monde = Monde::new(&chambre.objets, &mut memoire).unwrap();
         for _ in 0..40 {
-            let point = arrondi::<R>(chambre.place(direction(&mut alea) * 0.9));
-            if monde.contient(point) {
-                continue;
-            }
-            let vers = arrondi::<R>(chambre.cible(&mut alea)) - point;
-            let mut rayon = Rayon::new(point, vers).unwrap();
+            let Some(mut rayon) = chambre.depart(&mut alea, &monde) else { continue };
             for _ in 0..16 {
                 let touche = monde.premiere_intersection(&rayon);
                 let Ok(touche) = touche else { panic!("{rayon:?} left {:?}", chambre.objets) };
