@@ -78,13 +78,13 @@ pub(crate) trait Forme<R: Nombre>: Copy {
     #[inline(always)]
     fn t_touche(&self, rayon: &Rayon<R>) -> R {
         let (t, dedans) = self.t_et_dedans(rayon);
-        if dedans { self.t_de_dedans(rayon) } else { t }
+        if dedans { self.t_de_dedans(*rayon) } else { t }
     }
 
     /// 0 if the ray, which starts inside, touches at once, else +∞.
     #[cold]
-    fn t_de_dedans(&self, rayon: &Rayon<R>) -> R {
-        if self.des_le_depart(rayon) { R::ZERO } else { R::INFINI }
+    fn t_de_dedans(&self, rayon: Rayon<R>) -> R {
+        if self.des_le_depart(&rayon) { R::ZERO } else { R::INFINI }
     }
 
     /// Whether the ray starts in this shape by no more than its δ, which is above 0, and the

@@ -62,9 +62,7 @@ pub(crate) fn entree<R: Nombre>(rayon: &Rayon<R>, objet: &ObjetRay<R>, abord: Ab
         Abord::Inconnu => Some(objet.t_si_proche(rayon)).filter(|t| *t < R::INFINI),
         Abord::InconnuFlou => Some(objet.t_touche_si_proche(rayon)).filter(|t| *t < R::INFINI),
         Abord::DansSaBoite { entree, jusqu_ici } => {
-            let t = objet.t(rayon);
-            let de_dedans = t == R::INFINI && entree <= jusqu_ici;
-            Some(if de_dedans { objet.t_de_dedans(rayon) } else { t })
+            Some(if entree <= jusqu_ici { objet.t_touche(*rayon) } else { objet.t(rayon) })
         }
     }
 }
@@ -125,7 +123,7 @@ impl<R: Nombre> Question<R> for Premier<R> {
     fn repondre(self, rayon: &Rayon<R>, objets: &[ObjetRay<R>]) -> Reponse<R> {
         let rang = self.rang.ok_or(NoIntersection)?;
         let objet = objets.get(rang.indice()).ok_or(NoIntersection)?;
-        Ok(objet.conclure(rayon, self.t, rang))
+        objet.conclure(rayon, self.t, rang)
     }
 }
 

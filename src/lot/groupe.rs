@@ -204,13 +204,14 @@ impl<R: Nombre> Groupe<R> {
             let texture = objet.texture();
             while let Some(voie) = prendre(&mut siens) {
                 let t = self.t[voie];
-                // The hit is built in its place: copying one just built would stall until its
-                // fields are stored.
-                touches[voie] = Ok(if cote_a_cote && contacts.de_face[voie] {
-                    Intersection::new(t, contacts.de(voie, self), self.su[voie], texture, rang)
+                // Each arm builds the hit in its place: copying one just built would stall until
+                // its fields are stored.
+                if cote_a_cote && contacts.de_face[voie] {
+                    let contact = contacts.de(voie, self);
+                    touches[voie] = Ok(Intersection::new(t, contact, self.su[voie], texture, rang));
                 } else {
-                    objet.conclure(&self.rayon(voie), t, rang)
-                });
+                    touches[voie] = objet.conclure(&self.rayon(voie), t, rang);
+                }
             }
         }
     }
