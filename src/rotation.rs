@@ -86,7 +86,8 @@ impl<R: Nombre> Rotation<R> {
     }
 
     /// The rotation of a vecteur-rotation by the right-hand rule, the thumb along the axis:
-    /// `Rotation::new(-r)` with the three turns still in the order x, y, z.
+    /// `Rotation::new(-r)` with the three turns still in the order x, y, z. In glam it is
+    /// `from_euler(EulerRot::ZYX, z, y, x)`, in nalgebra `from_euler_angles(x, y, z)`.
     ///
     /// # Errors
     /// If an angle is not finite.
