@@ -14,9 +14,9 @@ use crate::vecteur::Vecteur;
 /// Where a ray first touches an object: what the handout asks for in §2.3.
 ///
 /// Only a search makes one, so that its values always fit together. It knows its point, so that the
-/// next ray needs nothing else to start from: [`secondaire`](Self::secondaire),
+/// next ray needs nothing else to start from: see [`secondaire`](Self::secondaire),
 /// [`reflechi`](Self::reflechi), [`vers_lumiere`](Self::vers_lumiere),
-/// [`vers_soleil`](Self::vers_soleil), [`vers_touche`](Self::vers_touche).
+/// [`vers_soleil`](Self::vers_soleil) and [`vers_touche`](Self::vers_touche).
 ///
 /// ```
 /// use lancer_rayon::{PlanGeo, Rayon, Rotation, Texture, Vecteur, premiere_intersection};
@@ -157,8 +157,8 @@ impl<R: Nombre> Intersection<R> {
         Self::new(distance, contact, R::ZERO, Texture(0), rang)
     }
 
-    /// t, finite and 0 or more: the object is touched at S + tD. As D is unit only to rounding,
-    /// that is the distance in scene units to 7.6u. It is 0 where the ray touches [at
+    /// t, finite and 0 or more: the object is touched at S + tD. Since D is unit only to rounding,
+    /// t is the distance in scene units to a relative 7.6u. It is 0 if the ray touches [at
     /// once](crate::Rayon::flou).
     #[doc(alias = "t")]
     #[must_use]
@@ -166,8 +166,8 @@ impl<R: Nombre> Intersection<R> {
         self.distance
     }
 
-    /// N, the unit outward normal of the object at the hit; it points against the ray (D·N < 0),
-    /// and where the ray leaves the object ([`sortie`](crate::ObjetRay::sortie)) along it.
+    /// N, the unit outward normal of the object at the hit. It points against the ray (D·N < 0), or
+    /// along it where the ray leaves the object ([`sortie`](crate::ObjetRay::sortie)).
     #[doc(alias = "normal")]
     pub fn normale(&self) -> Vecteur<R> {
         self.normale
@@ -202,15 +202,16 @@ impl<R: Nombre> Intersection<R> {
         self.rang.indice()
     }
 
-    /// How far at most [`point`](Self::point), as computed, lies from the surface along the normal;
-    /// in scene units.
+    /// A bound on how far [`point`](Self::point), as computed, lies from the surface along the
+    /// normal, in scene units.
     ///
-    /// It is a proven bound (derived in `docs/preuves.md`), most often a few times the error
-    /// itself, and never a NaN. It is +∞ where the point is beyond the range of the type, and for a
-    /// sphere that is lost in rounding: always with a radius below a = 16u·(|x| + |y| + |z|) of the
-    /// point, as that sum is computed, never with one of 64u·|f| + a or more, with |f| the distance
-    /// of the source from the centre. For a box the surface is the plane of the face that was
-    /// touched.
+    /// The bound is proven (`docs/preuves.md`, lemma 8), most often a few times the error itself,
+    /// and never a NaN. For a box the surface is the plane of the face that was touched.
+    ///
+    /// It is +∞ where the point is beyond the range of the type, and for a sphere that is lost in
+    /// rounding. Let a = 16u·(|x| + |y| + |z|) of the point, as that sum is computed, and |f| the
+    /// distance of the source from the centre. A sphere with a radius below a is always lost, and
+    /// one with a radius of 64u·|f| + a or more never.
     ///
     /// ```
     /// use lancer_rayon::{ObjetRay, Rayon, SphereGeo, Texture, Vecteur};

@@ -29,14 +29,15 @@ impl<R: Nombre> ObjetRay<R> {
     /// true entry, or at a [way out](Self::sortie) the true exit, is no farther than that from it,
     /// for the numbers as they are stored.
     ///
-    /// It is proven (`docs/preuves.md`, lemma 17), at the edges of a box too and with the rounding
-    /// of its own computation. It is +∞ where the ray does not enter or leave the object, where
-    /// numbers of twice the length of an `f64` cannot tell at t whether it does, for a hit at once,
-    /// at t = 0, and at a way out that is off by half of t or more; it is never a NaN. It rests on
-    /// t alone, not on how t was found: it is the error itself, as found with such numbers, and
-    /// what D lacks to length 1 over that distance. In the median it is less than 1.1 times the
-    /// error. Ask the object that was hit, with the ray of the hit. The bound takes many times as
-    /// long as the hit, and costs nothing unless it is asked for.
+    /// The bound is proven (`docs/preuves.md`, lemma 17), also at the edges of a box, and includes
+    /// the rounding of its own computation. Ask the object that was hit, with the ray of the hit.
+    /// The bound rests on t alone, not on how t was found: it is the error itself, as found with
+    /// numbers of twice the length of an `f64`, and what D lacks to length 1 over that distance. In
+    /// the median it is less than 1.1 times the error. It takes many times as long as the hit.
+    ///
+    /// It is never a NaN. It is +∞ where the ray does not enter or leave the object, where the
+    /// doubled numbers cannot tell at t whether it does, for a hit at once, at t = 0, and at a way
+    /// out that is off by half of t or more.
     ///
     /// The same bound holds for t in lengths of D: it is no less than |t − t′|, where the ray
     /// crosses the surface at S + t′D. After [`Rayon::vers_f64`] D is unit to the rounding of `f32`

@@ -1,6 +1,7 @@
 //! The geometry kernel of a raytracer: given a ray and a list of spheres, half-spaces and rotated
 //! boxes, it finds the object that the ray touches **first**, with its distance, its unit normal
-//! and its texture.
+//! and its texture. The names and the formulae are those of the *handout*, the French text of a
+//! course project; a search finds each public name by English words.
 //!
 //! ```
 //! use lancer_rayon::*;
@@ -18,17 +19,20 @@
 //!
 //! # The way through
 //!
-//! Describe with [`SphereGeo`], [`PlanGeo`] and [`BoiteGeo`]; move with [`ObjetGeo::translation`],
-//! [`rotation`](ObjetGeo::rotation) and [`homothetie`](ObjetGeo::homothetie); convert once with
-//! [`vers_ray`](ObjetGeo::vers_ray); then ask [`premiere_intersection`] as often as the picture has
-//! pixels. For everything else there is a [`Monde`], which answers for a list: many rays at once
-//! ([`premieres_intersections`](Monde::premieres_intersections), the same bits, several times as
-//! fast for the rays of a camera), whether anything blocks the way to a light
-//! ([`est_occulte`](Monde::est_occulte)), [all that a ray enters](Monde::dans_l_ordre), [what holds
-//! a point](Monde::contient). It can be asked about [any choice of the objects](Monde::parmi). From
-//! ten spheres and boxes on [`Monde::new`] builds a tree, so that the time grows far more slowly
-//! than the number of objects. A ray may have [an end](Rayon::jusqu_a). [`ObjetRay::sortie`] tells
-//! where a ray leaves.
+//! Describe objects with [`SphereGeo`], [`PlanGeo`] and [`BoiteGeo`]. Move them with
+//! [`ObjetGeo::translation`], [`rotation`](ObjetGeo::rotation) and
+//! [`homothetie`](ObjetGeo::homothetie), and convert them once with
+//! [`vers_ray`](ObjetGeo::vers_ray). Then ask [`premiere_intersection`] for each ray.
+//!
+//! For everything else there is a [`Monde`] over the list of objects. From ten spheres and boxes on
+//! [`Monde::new`] builds a tree, so that the time of a ray grows far more slowly than the number of
+//! objects. A `Monde` answers many rays at once
+//! ([`premieres_intersections`](Monde::premieres_intersections), with the same bits, and several
+//! times as fast for the rays of a camera). It tells whether anything blocks the way to a light
+//! ([`est_occulte`](Monde::est_occulte)), [all that a ray enters](Monde::dans_l_ordre) and [whether
+//! a point is in an object](Monde::contient), for all objects or [any choice of
+//! them](Monde::parmi). A ray may have [an end](Rayon::jusqu_a). [`ObjetRay::sortie`] tells where a
+//! ray leaves an object.
 //!
 //! # Conventions
 //!
@@ -60,9 +64,9 @@
 //!
 //! **A hit is an entry** from outside, at a distance t > 0, against the normal (D·N < 0). An object
 //! is not hit from inside or from its surface, and a ray tangent to a sphere misses. A ray that
-//! starts from a hit carries [a bound δ on the error of its start](Rayon::flou). An object that
-//! holds the start by no more than δ, and that the ray goes into, is hit at once, at t = 0, so that
-//! no ray leaves a closed room whose walls overlap by more than δ.
+//! starts from a hit carries [a bound δ on the error of its start](Rayon::flou). If the start lies
+//! in an object no deeper than δ and the ray goes further in, it hits that object at t = 0.
+//! Therefore no ray leaves a closed room whose walls overlap by more than δ.
 //!
 //! ```
 //! # use lancer_rayon::*;
@@ -93,9 +97,11 @@
 //!
 //! Every type takes the scalar as a parameter, `f64` unless named: `Vecteur<f32>`. Everything is
 //! computed in that type. Take `f32` for speed and memory, in batches above all, and `f64` for
-//! distances to some 10⁻¹⁴ (`docs/choisir.md`); what is promised is the same, in units of each
-//! type's rounding (`docs/precision.md`). Far from O subtract an origin from the scene first:
-//! [`ObjetGeo::vers_f32`].
+//! distances to some 10⁻¹⁴ (`docs/choisir.md`). Far from the origin O subtract an origin from the
+//! scene first: [`ObjetGeo::vers_f32`].
+//!
+//! Errors are bounded in both types alike, in units of u, half a unit in the last place of 1: [2⁻²⁴
+//! or 2⁻⁵³](Nombre::U) (`docs/precision.md`).
 //!
 //! # Features
 //!

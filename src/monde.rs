@@ -16,23 +16,23 @@ use crate::refus::LongueursDifferentes;
 use crate::reponses::{Reel, Vue};
 use crate::vecteur::Vecteur;
 
-/// A list of objects that rays ask one by one or in batches, with or without a tree of boxes, all
-/// of it or a choice.
+/// What rays ask, one by one or in batches: a list of objects, or a choice of them, with or without
+/// a tree of bounding boxes.
 ///
-/// [`new`](Self::new) builds a tree, in numbers that the caller lends: the answers are those of the
-/// list, to the bit, in a time that grows far more slowly than the number of objects.
-/// [`de_liste`](Self::de_liste) builds nothing and asks every object. Both answer every question.
+/// [`new`](Self::new) builds a tree in memory that the caller lends. Its answers are those of the
+/// list, to the bit, and their time grows far more slowly than the number of objects.
+/// [`de_liste`](Self::de_liste) builds nothing and tests every object. Both answer every question.
 ///
-/// A `Monde` borrows the list, which keeps its order, and the numbers; it is `Copy`, and threads
-/// may share it. Make a new one after a change of the list. No question allocates or panics.
+/// A `Monde` borrows the list, whose order it keeps, and the memory. It is `Copy`, and threads may
+/// share it. Make a new one after the list has changed. No question allocates or panics.
 ///
-/// **In a tree** half-spaces are asked one by one, as in a list. In a heap, where a ray crosses
-/// most boxes, a batch asks the objects as a list does. A single ray there takes up to twice as
-/// long as with a list, and up to six times where it starts inside all objects. Boxes are rounded
-/// to some 10⁻⁶ of their distance from the middle of most objects, in `f32` also of the distance of
-/// the source. Objects closer together than that are all tested: fine detail far from most objects
-/// costs time, and never accuracy. A sun, a sky or a ball for a ground costs little
-/// (`benches/README.md`).
+/// **What makes a tree slow.** Half-spaces are tested one by one, as in a list. Where a ray crosses
+/// most boxes, as in a heap, a batch tests the objects as a list does, but a single ray takes up to
+/// about twice as long as with a list, and up to five times if it starts inside all objects. Boxes
+/// are rounded to some 10⁻⁶ of their distance from the middle of most objects, and in `f32` also of
+/// the distance of the source. Objects closer together than that are all tested: fine detail far
+/// from most objects costs time, but never accuracy. A sun, a sky or a ball for a ground costs
+/// little (`benches/README.md`).
 ///
 /// ```
 /// use lancer_rayon::{
@@ -79,12 +79,12 @@ impl<R: Nombre, C> fmt::Debug for Monde<'_, R, C> {
     }
 }
 
-/// How many numbers [`Monde::new`] needs for this many objects, in either type: 7.5 an object, 30
-/// bytes, where there are many.
+/// How many numbers [`Monde::new`] needs to be lent for this many objects, in either scalar: where
+/// there are many objects, 7.5 for each, which is 30 bytes.
 ///
 /// The numbers are scratch memory, free again after the last question. The count is 0 for fewer
-/// than 10 objects, and for 2³¹ − 2²³ or more: these are asked as a list, as is any list with fewer
-/// than 10 spheres and boxes.
+/// than 10 objects, and for 2³¹ − 2²³ or more. Those get no tree and are asked as a list, as is any
+/// list with fewer than 10 spheres and boxes.
 #[doc(alias("capacity", "memory"))]
 #[must_use]
 pub const fn places(nombre_d_objets: usize) -> usize {
@@ -92,7 +92,7 @@ pub const fn places(nombre_d_objets: usize) -> usize {
 }
 
 impl<'a, R: Reel> Monde<'a, R> {
-    /// Builds a tree over this list, in the numbers lent, whose values do not matter.
+    /// Builds a tree over this list, in the numbers that are lent, whose values do not matter.
     ///
     /// Building takes some 0.1 to 0.2 µs an object (`benches/README.md`). Numbers beyond [`places`]
     /// are left alone.
@@ -155,7 +155,7 @@ impl<'a, R: Reel> Monde<'a, R> {
         Ok(Self { arbre: R::arbre(objets, places, true)?, ..Self::de_liste(objets) })
     }
 
-    /// Takes this list as it is: every object is asked, nothing is built and no places are needed.
+    /// Takes this list as it is: nothing is built, no memory is needed, and every object is tested.
     ///
     /// With fewer than ten spheres and boxes it is as fast as a tree.
     ///
@@ -188,17 +188,17 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
         self.objets
     }
 
-    /// The objects that `prend` takes, by their indices in the list: the answers are those of a
-    /// list of these objects, to the bit, save that each keeps its index.
+    /// The same world with only those objects whose index `prend` takes. The answers are those of a
+    /// list of these objects, to the bit, except that each object keeps its index.
     ///
-    /// Every question keeps to the choice, shadows, batches and certificates too. A choice among a
-    /// choice takes what both take. `prend` is only called with indices of the list. It is called
-    /// for few of the objects that a ray passes by, and for some more than once; a batch of a list
-    /// calls it for every object once for 64 rays.
+    /// The choice holds for every question, including shadows, batches and certificates. A choice
+    /// from a choice takes what both take. `prend` is called only with indices of the list: for few
+    /// of the objects that a ray passes by, and for some more than once. A batch of a list calls it
+    /// once for every object and 64 rays.
     ///
-    /// To leave out one object there is [`sans`](Self::sans). For less than about a hundredth of a
-    /// large list build a `Monde` of those objects: a ray walks the whole tree, whatever the choice
-    /// takes.
+    /// To leave out one object there is [`sans`](Self::sans). To keep less than about a hundredth
+    /// of a large list, build a `Monde` of those objects: a ray walks the whole tree, whatever the
+    /// choice takes.
     ///
     /// ```
     /// use lancer_rayon::*;
@@ -240,8 +240,8 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
         self.avec_choix(|parmi| Parmi { parmi, prend })
     }
 
-    /// The objects except the one at this index. After another choice it takes what both take; an
-    /// index beyond the list leaves out nothing.
+    /// The same world without the object at this index. After another choice it takes what both
+    /// take; an index beyond the list leaves out nothing.
     ///
     /// Leave out **a lamp of the list**, or the object at the far end of
     /// [`vers_touche`](crate::Intersection::vers_touche), so that it does not stand before itself.
@@ -313,18 +313,18 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// Whether anything stands before the end of the ray, where the light is: the shadow of the
     /// handout's later parts.
     ///
-    /// It is `premiere_intersection(rayon).is_ok()`, but answers sooner: it stops at the first
-    /// object found. The rays come from [`vers_lumiere`](crate::Intersection::vers_lumiere),
-    /// [`vers_soleil`](crate::Intersection::vers_soleil) and [`Rayon::entre`]. With a
-    /// [`secondaire`](crate::Intersection::secondaire) of one's own, measure the end from its
-    /// source, and test N·L > 0 first: towards a lamp behind the surface the ray starts inside the
-    /// object, which then casts no shadow.
+    /// It is `premiere_intersection(rayon).is_ok()`, but sooner: it stops at any object found. Rays
+    /// come from [`vers_lumiere`](crate::Intersection::vers_lumiere),
+    /// [`vers_soleil`](crate::Intersection::vers_soleil) or [`Rayon::entre`]. If you make the ray
+    /// by [`secondaire`](crate::Intersection::secondaire) instead, measure its end from its source,
+    /// and test N·L > 0 first: towards a lamp behind the surface the ray starts inside the object,
+    /// which then casts no shadow.
     ///
     /// **A lamp that is an object of the list** hides the points of its own surface: no distance is
     /// exact enough to stop just before it. [Leave it out](Self::sans).
     ///
     /// **From deep inside an object** a shadow ray does not see that object, as no ray does: a
-    /// point of the floor under a ball that is sunk into the floor is not in the shadow of the
+    /// point of the floor inside a ball that is sunk into the floor is not in the shadow of the
     /// ball. [`contient`](Self::contient) tells such points.
     ///
     /// ```
@@ -348,11 +348,12 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
         R::occulte(&self.vue(), rayon)
     }
 
-    /// Whether anything stands before the end of each ray: [`est_occulte`](Self::est_occulte) of
-    /// every ray, to the bit, and sooner.
+    /// Whether anything stands before the end of each ray: the answers of
+    /// [`est_occulte`](Self::est_occulte) for every ray, sooner.
     ///
-    /// What [`premieres_intersections`](Self::premieres_intersections) says of the order and number
-    /// of rays holds here; rays to one lamp, in the order of the picture, are neighbours.
+    /// The advice of [`premieres_intersections`](Self::premieres_intersections) on the order and
+    /// number of rays holds here too. Rays to one lamp, in the order of the picture, are
+    /// neighbours.
     ///
     /// # Errors
     /// If `rayons` and `occultes` are not of the same length; nothing is written then.
@@ -410,13 +411,13 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
         R::dans_l_ordre(&self.vue(), rayon, touches)
     }
 
-    /// Shows `voir` the index of every object that the ray enters before its end, and the distance,
-    /// each once and in no order. `voir` returns the end of the ray from then on: +∞ leaves it
-    /// where it is, a distance draws it nearer, 0 ends the visit.
+    /// Calls `voir` once for every object that the ray enters before its end, in no order, with the
+    /// index of the object and the distance. `voir` returns the end of the ray from then on: +∞
+    /// leaves it where it is, a distance draws it nearer, 0 ends the visit.
     ///
-    /// It serves what no other question asks: to count, to weigh, to find the first object by a
-    /// rule of your own. What `voir` does not need is never computed; [`ObjetRay::intersection`] of
-    /// the object has the rest of a hit.
+    /// It serves what no other question asks: to count objects, to weigh them, or to find the first
+    /// by a rule of your own. Only the distance is computed; [`ObjetRay::intersection`] of the
+    /// object has the rest of the hit.
     ///
     /// ```
     /// use lancer_rayon::{Monde, ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
@@ -451,7 +452,7 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
         R::visiter(&self.vue(), rayon, &mut voir);
     }
 
-    /// Whether some object [`contient`](ObjetRay::contient) this point, or has it on its surface.
+    /// Whether this point is in some object or on its surface, as [`ObjetRay::contient`] says.
     ///
     /// ```
     /// use lancer_rayon::{Monde, ObjetRay, SphereGeo, Texture, Vecteur};
@@ -473,8 +474,8 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
         R::contient(&self.vue(), point)
     }
 
-    /// Shows `voir` the index of every object that [`contient`](ObjetRay::contient) this point,
-    /// each once and in no order.
+    /// Calls `voir` once, in no order, with the index of every object that
+    /// [contains](ObjetRay::contient) this point.
     #[doc(alias("contains", "inside", "point_query"))]
     pub fn contenants(&self, point: Vecteur<R>, mut voir: impl FnMut(usize)) {
         R::contenants(&self.vue(), point, &mut voir);
@@ -482,20 +483,22 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
 
     /// Whether an answer of [`premiere_intersection`](Self::premiere_intersection), a hit or a
     /// miss, is certain: whether exact arithmetic on the numbers as they are stored names the same
-    /// object first, or none as well. (It does not ask which face of a box was hit at an edge.)
+    /// object first, or none as well. (Which face of a box was hit at an edge is not certified.)
     ///
     /// It is never true of a wrong answer. It is false of a right one only where
-    /// [`est_certain`](ObjetRay::est_certain) of some object would be, where no distance is
-    /// promised, where two entries are nearer to each other than some 2⁻⁵⁰(κ + κ′)·t, twice what
-    /// both distances are promised to in `f64` (`docs/precision.md`; κ is large where a ray
-    /// grazes), and among numbers below the normal ones. Most often that is an exact tie, as where
-    /// the sides of two boxes are flush. Only the [`indice`](crate::Intersection::indice) of
-    /// `reponse` counts, whoever found it. It takes the time of a ray or two, with a tree 1.0 to
-    /// 1.3 times that of the ray on average. A tree certifies a few more right answers, since it
-    /// does not ask what comes later by its box.
+    /// [`est_certain`](ObjetRay::est_certain) of some object would be false, where no distance is
+    /// promised, where two entries are nearer to each other than some 2⁻⁵⁰(κ + κ′)·t, and among
+    /// numbers below the normal ones. (κ is large where a ray grazes; the gap is twice the sum of
+    /// the errors that `docs/precision.md` promises in `f64`.) Most often a right answer that is
+    /// not certified is an exact tie, as where the sides of two boxes are flush. A tree certifies a
+    /// few more right answers than a list, since it skips objects whose boxes come later.
     ///
-    /// Where an answer is not certain ask the same numbers in `f64`: [`ObjetRay::vers_f64`] of all
-    /// objects, and [`Rayon::vers_f64`]. What is uncertain there as well is most often a tie.
+    /// Only the [`indice`](crate::Intersection::indice) of `reponse` counts, so that an answer
+    /// found elsewhere can be judged. With a tree a certificate takes 1.0 to 1.2 times as long as
+    /// the ray on average, and at most about twice as long.
+    ///
+    /// If an answer of `f32` is not certain, ask the same numbers in `f64`: [`ObjetRay::vers_f64`]
+    /// of all objects, and [`Rayon::vers_f64`].
     ///
     /// ```
     /// use lancer_rayon::{Monde, ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
@@ -517,7 +520,7 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
         R::certifie(&self.vue(), rayon, reponse)
     }
 
-    /// A box along the axes that holds all of these objects, save the half-spaces, which no box
+    /// A box along the axes that holds all of these objects except the half-spaces, which no box
     /// holds; `None` if there are no others.
     ///
     /// ```

@@ -30,10 +30,10 @@ pub(crate) use par_forme;
 
 /// An object as it is described and moved (`Objet_geo` in the handout).
 ///
-/// A translation rounds each coordinate of the centre once; the distance d − N·v of a half-space is
-/// off by u of d and 4.1u·Σ|N_i·v_i|. A turned centre C·M is off by 3.1u·Σ|C_i|, since no element
-/// of M exceeds 1 + 6u. Below the normal numbers both are off by 1.6 times the smallest number
-/// besides (lemma 11).
+/// A translation rounds each coordinate of the centre once. The distance d − N·v of a moved
+/// half-space is off by at most u·|d| + 4.1u·Σ|N_i·v_i|, and a turned centre C·M by at most
+/// 3.1u·Σ|C_i|, with u half a unit in the last place of 1. Both may be off by 1.6 times the
+/// smallest number more, for products below the normal numbers (`docs/preuves.md`, lemma 11).
 ///
 /// ```
 /// use core::f64::consts::PI;
@@ -83,8 +83,8 @@ impl<R: Nombre> ObjetGeo<R> {
         par_forme!(Self, self, forme => Ok(forme.rotation(r)?.into()))
     }
 
-    /// The object with its dimensions multiplied by `k`, its centre where it was; a half-space has
-    /// none and stays as it is (handout §2.3).
+    /// The object with its dimensions multiplied by `k`, about its own centre; a half-space has no
+    /// dimensions and stays as it is (handout §2.3).
     ///
     /// # Errors
     /// If `k` is not finite and above 0, or a dimension leaves the limits of the constructor.
@@ -93,14 +93,13 @@ impl<R: Nombre> ObjetGeo<R> {
         par_forme!(Self, self, forme => Ok(forme.homothetie(k)?.into()))
     }
 
-    /// The same object in `f32`, seen from an origin that is subtracted in the type of the object,
-    /// before anything is rounded to `f32`: the object moved by −`origine`.
+    /// The same object in `f32`, moved by −`origine` before anything is rounded to `f32`.
     ///
     /// Far from O an `f32` holds few digits: near 4,200,000 the next number is 0.5 away. No margin
     /// and no certificate sees what is lost in storing, since all of them speak of the numbers as
     /// stored. So describe a scene in `f64`, and subtract an origin in its middle from the objects
-    /// and from the rays ([`Rayon::vers_f32`]). To return to the scene, add that origin to the
-    /// point found, `vers_f64`. `Vecteur::NUL` leaves the scene where it is.
+    /// and from the rays ([`Rayon::vers_f32`]). To return to the scene, convert the point of a hit
+    /// by `vers_f64` and add that origin. `Vecteur::NUL` leaves the scene where it is.
     ///
     /// # Errors
     /// If `origine` is not finite, or if [`translation`](Self::translation) by −`origine` or the
@@ -232,9 +231,9 @@ impl<R: Nombre> ObjetRay<R> {
 
     /// The same object in `f64`, exactly: every number that is stored, and no other.
     ///
-    /// With [`Rayon::vers_f64`] anybody can judge `f32` by `f64` on a scene of their own.
-    /// Directions are unit to the rounding of `f32` only, and `marge`, `secondaire`, `vers_touche`
-    /// and `etendue` promise nothing.
+    /// With [`Rayon::vers_f64`] it serves to check answers of `f32` against those of `f64`.
+    /// Directions and normals are unit only to the rounding of `f32`, so that `marge`,
+    /// `secondaire`, `reflechi`, `vers_touche` and `etendue` promise nothing.
     ///
     /// ```
     /// use lancer_rayon::{ObjetRay, SphereGeo, Texture, Vecteur};
@@ -255,8 +254,9 @@ impl<R: Nombre> ObjetRay<R> {
         par_forme!(Self, self, forme => forme.vers_f64().into())
     }
 
-    /// Whether a point is in this object or on its surface, by the numbers that a ray from that
-    /// point would be told by: no such ray touches the object.
+    /// Whether a point is in this object or on its surface. The test computes what a search
+    /// computes, so that no ray from such a point touches the object (unless the ray has a
+    /// [δ](Rayon::flou)).
     ///
     /// ```
     /// use lancer_rayon::{ObjetRay, SphereGeo, Texture, Vecteur};
@@ -275,8 +275,8 @@ impl<R: Nombre> ObjetRay<R> {
         par_forme!(Self, self, forme => forme.contient(point))
     }
 
-    /// A box along the axes that holds all of this object; `None` for what is unbounded, a
-    /// half-space.
+    /// A box along the axes that holds all of this object; `None` for a half-space, which is
+    /// unbounded.
     ///
     /// Rounding is allowed for, except for an object that [`vers_f64`](Self::vers_f64) gave. The
     /// corners lie beyond the object by up to 87u of the sum of its half-extents and 3.1u of the

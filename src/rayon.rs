@@ -7,9 +7,9 @@ use crate::vecteur::Vecteur;
 /// A ray: the points R(t) = S + t·D, 0 ≤ t < [`fin`](Self::fin), from the source S along the unit
 /// vector D (handout, annex A).
 ///
-/// [`new`](Self::new) makes a ray without an end. One with an end touches what it enters before
-/// that distance and nothing else, whatever is asked of it. [`jusqu_a`](Self::jusqu_a) sets the
-/// end, [`entre`](Self::entre) takes two points, and
+/// [`new`](Self::new) makes a ray without an end. A ray with an end touches only what it enters
+/// before that distance, whatever the question. [`jusqu_a`](Self::jusqu_a) sets the end,
+/// [`entre`](Self::entre) goes from one point to another, and
 /// [`vers_lumiere`](crate::Intersection::vers_lumiere) ends at a lamp.
 ///
 /// ```
@@ -50,14 +50,13 @@ impl<R: Nombre> Rayon<R> {
     }
 
     /// The ray from one point to another, which ends there: a line of sight between two points in
-    /// the air, a step of a particle. From a point of a surface
-    /// [`vers_lumiere`](crate::Intersection::vers_lumiere) and
-    /// [`vers_touche`](crate::Intersection::vers_touche) start beside the surface.
+    /// the air, or a step of a particle. From a point of a surface use
+    /// [`vers_lumiere`](crate::Intersection::vers_lumiere) or
+    /// [`vers_touche`](crate::Intersection::vers_touche), which start beside the surface.
     ///
     /// The direction and the end are those of `arrivee − depart` as computed, so that the ray may
-    /// end a rounding before `arrivee` or after it, and has no end if that is farther away than any
-    /// number of the type. Asked from the other end, a line that grazes an object may be answered
-    /// otherwise.
+    /// end a rounding before or after `arrivee`. It has no end if the distance is too large for the
+    /// type. A line that grazes an object may be answered differently from its other end.
     ///
     /// # Errors
     /// If a coordinate of `depart` is beyond the limits of [`new`](Self::new), if one of `arrivee`
@@ -81,10 +80,8 @@ impl<R: Nombre> Rayon<R> {
         Ok(Self { fin, ..Self::sans_fin(depart, direction) })
     }
 
-    /// The same ray with this end: it touches what it enters at a distance t < `fin`. At 0 it
-    /// touches nothing.
-    ///
-    /// An object at `fin` itself is not touched.
+    /// The same ray with this end: it touches what it enters at a distance t < `fin`, but nothing at
+    /// `fin` itself. A ray that ends at 0 touches nothing.
     ///
     /// # Errors
     /// If `fin` is below 0 or a NaN. +∞ is a ray without an end.
@@ -107,12 +104,12 @@ impl<R: Nombre> Rayon<R> {
         Ok(Self { fin, ..self })
     }
 
-    /// The same ray with a source that is known to lie on a surface, or in a seam of several, to
-    /// within this δ: for a particle that is born on a wall, or a probe that stands on a floor.
+    /// The same ray with a source that is known to lie on a surface, or in a seam of several, only
+    /// to within this δ: for a particle that is born on a wall, or a probe that stands on a floor.
     ///
-    /// An object that holds the source by no more than δ, and into which the ray goes, is touched
-    /// at once, at distance 0. Without δ the ray starts inside that object and does not see it. A
-    /// ray that [starts from a hit](crate::Intersection::secondaire) knows its δ.
+    /// If the source lies in an object no deeper than δ and the ray goes further in, it touches
+    /// that object at once, at distance 0. Without δ the ray starts inside that object and does not
+    /// see it. A ray that [starts from a hit](crate::Intersection::secondaire) knows its δ.
     ///
     /// # Errors
     /// If `flou` is not finite or below 0.
@@ -133,9 +130,10 @@ impl<R: Nombre> Rayon<R> {
         Ok(Self { flou: exiger(accepte, "flou", flou, "a finite number, 0 or more")?, ..self })
     }
 
-    /// The same ray, known to start inside something such as mist, water or glass. It sees what a
-    /// ray from [`new`](Self::new) does, and so do the rays that start from its hits until they are
-    /// out again: none of them touches at once the mist that stands flush on a floor.
+    /// The same ray, known to start inside something such as mist, water or glass. It has no δ and
+    /// sees what a ray from [`new`](Self::new) does, and so do the rays that start from its hits
+    /// until they are out again. Where mist stands flush on a floor, a ray that bounces off the
+    /// floor would otherwise touch the mist at once.
     ///
     /// ```
     /// use lancer_rayon::{Monde, PlanGeo, Rayon, SphereGeo, Texture, Vecteur};
@@ -204,10 +202,10 @@ impl<R: Nombre> Rayon<R> {
         self.fin
     }
 
-    /// δ, how exactly the ray knows its source, in scene units: an object that holds the source by
-    /// no more than δ and its own rounding, and into which the ray goes, is touched at once. It is
-    /// 0 for a ray from [`new`](Self::new), which takes its source as it stands, and for one that
-    /// is [inside](Self::dedans) something.
+    /// δ, how exactly the ray knows its source, in scene units: if the source lies in an object no
+    /// deeper than δ and the rounding of that object, and the ray goes further in, it touches the
+    /// object at once. δ is 0 for a ray from [`new`](Self::new), which takes its source as it
+    /// stands, and for one that is [inside](Self::dedans) something.
     #[doc(alias("tolerance", "blur"))]
     #[inline(always)]
     #[must_use]
@@ -251,10 +249,9 @@ impl<R: Nombre> Rayon<R> {
 
     /// The same ray in `f64`, exactly: to judge an answer in `f32` by one in `f64`.
     ///
-    /// The direction is not made unit again. That of an `f32` stays unit to the rounding of `f32`,
-    /// and distances along it are in units of its length, in both types alike. Batches and
-    /// hierarchies answer it as a list does, since what they leave out presumes no more. Margins
-    /// and secondary rays of its hits are not promised.
+    /// The direction is not made unit again: that of an `f32` ray is unit only to the rounding of
+    /// `f32`, and distances are in units of its length, in both types alike. Batches and trees
+    /// answer this ray as a list does. Margins and secondary rays of its hits are not promised.
     ///
     /// ```
     /// use lancer_rayon::{Rayon, Vecteur};

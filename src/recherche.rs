@@ -13,13 +13,14 @@ use crate::rayon::Rayon;
 /// The first object that the ray enters: its distance, its normal there, its texture and its index
 /// in the list (handout §4.1).
 ///
-/// Every other question, many rays at once and many objects are for a [`Monde`](crate::Monde).
+/// For every other question, for many rays at once and for many objects there is
+/// [`Monde`](crate::Monde).
 ///
 /// A hit is an entry. An object that holds the source, inside or on its surface, is not touched
-/// (handout §2.3), unless it holds it by no more than [the δ of the ray](Rayon::flou); the others
-/// still count. At the same distance the earlier in the list is the first. All of this holds for
-/// distances as computed in R: within the bounds of `docs/precision.md` the exact answer may be
-/// another.
+/// (handout §2.3), unless the source lies in it no deeper than [the δ of the ray](Rayon::flou);
+/// other objects still count. At the same distance the earlier in the list is the first. All of
+/// this holds for distances as computed in R: within the bounds of `docs/precision.md` the exact
+/// answer may differ.
 ///
 /// # Errors
 /// [`NoIntersection`] if the ray enters no object before its end.
@@ -71,13 +72,13 @@ impl<R: Nombre> ObjetRay<R> {
     /// [mirrored](Intersection::reflechi). The way out is as exact as a hit (`docs/precision.md`),
     /// and [`BoiteRay::lieu`](crate::BoiteRay::lieu) and [`erreur`](Self::erreur) take it as one.
     ///
-    /// **Each crossing is found once.** A ray that enters a sphere or a box leaves it, and never
-    /// before it enters; from inside it always leaves. A half-space that it enters it never leaves.
-    /// From a source on the surface a ray leaves at the far side, or not at all: the source itself
-    /// is no way out, as it is no hit. The search decides what is inside and what is on the
-    /// surface: within rounding of a sphere a ray may leave at once. A ray that `secondaire` sent
-    /// into a sphere or a box leaves, except beside an edge and in a box no thicker than the step;
-    /// one that it sent outward does not.
+    /// **Each crossing is found once.** A ray that enters a sphere or a box leaves it, never before
+    /// it enters, and a ray from inside always leaves. A ray that enters a half-space never leaves
+    /// it. From a source on the surface a ray leaves at the far side, or not at all: the source
+    /// itself is no way out, as it is no hit. What is inside and what is on the surface is decided
+    /// as computed: within rounding of a sphere a ray may leave at once. A ray that `secondaire`
+    /// sent into a sphere or a box leaves, except beside an edge and in a box no thicker than the
+    /// step; a ray that it sent outward does not.
     ///
     /// # Errors
     /// [`NoIntersection`] if the ray ends before it leaves, passes the object by or starts beyond

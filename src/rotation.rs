@@ -66,9 +66,9 @@ impl<R: Nombre> Rotation<R> {
     /// The rotation of a vecteur-rotation (handout §2.1): by r_x about the x axis, then r_y about
     /// y, then r_z about z, the axes staying where they are; M = M_x·M_y·M_z, angles in radians.
     ///
-    /// The sense is that of the formula and of the worked example of §2.1: to an eye that looks the
-    /// way the axis points, counter-clockwise. An angle that is the float nearest to k·π/2,
-    /// |k| ≤ 4, as `90.0_f64.to_radians()` is, turns exactly. For the right-hand rule see
+    /// The sense is that of the formula and of the worked example of §2.1: counter-clockwise for an
+    /// eye that looks along the axis. An angle that is the float nearest to k·π/2, |k| ≤ 4, as
+    /// `90.0_f64.to_radians()` is, turns exactly. For the right-hand rule see
     /// [`main_droite`](Self::main_droite).
     ///
     /// # Errors
@@ -86,7 +86,8 @@ impl<R: Nombre> Rotation<R> {
     }
 
     /// The rotation of a vecteur-rotation by the right-hand rule, the thumb along the axis:
-    /// `Rotation::new(-r)` with the three turns still in the order x, y, z.
+    /// `Rotation::new(-r)` with the three turns still in the order x, y, z. In glam it is
+    /// `from_euler(EulerRot::ZYX, z, y, x)`, in nalgebra `from_euler_angles(x, y, z)`.
     ///
     /// # Errors
     /// If an angle is not finite.
@@ -105,11 +106,11 @@ impl<R: Nombre> Rotation<R> {
         Self::new(-fini(ANGLES, vecteur_rotation)?)
     }
 
-    /// The rotation of matrix M, rows first, for instance one that [`matrice`](Self::matrice) gave,
-    /// which comes back bit for bit.
+    /// The rotation of a matrix M, given row by row. One that [`matrice`](Self::matrice) gave comes
+    /// back bit for bit.
     ///
-    /// A matrix that is orthonormal to 8u, by its rows and by its columns, is kept; any other is
-    /// replaced by the nearest rotation. So four decimals are enough, in either type.
+    /// A matrix whose rows and columns are orthonormal to 8u is kept; any other is replaced by the
+    /// nearest rotation, so that four decimals are enough in either type.
     ///
     /// # Errors
     /// If an element of M is not finite, if one of M·Mᵀ − I exceeds 1e-3, or if M is a mirror
@@ -156,9 +157,9 @@ impl<R: Nombre> Rotation<R> {
         Ok(Self::arrondie(m))
     }
 
-    /// The rotation by this angle about this axis, of any length, in the sense of
+    /// The rotation by this angle about this axis, which may have any length, in the sense of
     /// [`new`](Self::new): about x by α it is `new((α, 0, 0))`, and quarter turns about the three
-    /// axes are exact. Each element is off by its rounding and 30u of `f64` at most.
+    /// axes are exact. Each element is off by at most its rounding and 30u of `f64`.
     ///
     /// The right-hand rule, which `from_axis_angle` of other crates follows, turns by −α, or about
     /// the opposite axis.
@@ -226,10 +227,9 @@ impl<R: Nombre> Rotation<R> {
     /// The shortest turn that takes the direction `de` to the direction `vers`, both of any length:
     /// `appliquer(de)` has the direction of `vers` to 60u.
     ///
-    /// Many half turns join opposite directions. This one is about the axis at a right angle to
-    /// both and to whichever of x and y lies farther from `vers`, to x if both are as far. It is
-    /// taken, instead of an axis that rounding would choose, where the sine of the angle between is
-    /// 16u or less.
+    /// Many half turns join opposite directions. Where the sine of the angle between `de` and
+    /// −`vers` is 16u or less, rounding would choose the axis. The axis is then at a right angle to
+    /// `vers` and to whichever of x and y lies farther from `vers` (x if both are equally far).
     ///
     /// # Errors
     /// If a direction is zero or not finite.
@@ -261,16 +261,16 @@ impl<R: Nombre> Rotation<R> {
         Ok(Self::arrondie(polie(produit(arc(a, -b), demi_tour))))
     }
 
-    /// The rotation of a camera that looks along `direction` and holds `haut` upright: −z, along
-    /// which it looks at first, becomes `direction`, y becomes the vector nearest to `haut` that is
-    /// at a right angle to it, and x what is then on the right. Both may have any length.
-    /// `direction` is met to 15u, and x is at a right angle to `haut` to 20u.
+    /// The rotation of a camera that looks along `direction` and holds `haut` upright. It takes −z,
+    /// along which an unturned camera looks, to `direction`, y to the vector nearest to `haut` at a
+    /// right angle to `direction`, and x to what is then on the right. Both vectors may have any
+    /// length. `direction` is met to 15u, and x is at a right angle to `haut` to 20u.
     ///
-    /// The inverse is what `look_to` of other crates has: from the scene to the camera.
+    /// Its inverse, from the scene to the camera, is what `look_to` of other crates gives.
     ///
     /// # Errors
-    /// If a vector is zero or not finite, or if the sine of the angle between both is 16u or less,
-    /// where there is no up.
+    /// If a vector is zero or not finite, or if the sine of the angle between them is 16u or less,
+    /// since `haut` then names no upward side.
     ///
     /// ```
     /// use lancer_rayon::{Rotation, Vecteur};

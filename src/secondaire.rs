@@ -46,12 +46,13 @@ fn flou_du_point<R: Nombre>(t: R, p: Vecteur<R>) -> R {
 
 /// A ray that turns in mid-air.
 impl<R: Nombre> Rayon<R> {
-    /// The ray without an end that goes on from the [`point`](Self::point) at this distance in
-    /// another direction: a particle that is scattered in mid-air, or whose step has ended.
+    /// A ray without an end that goes on from the [`point`](Self::point) at this distance in
+    /// another direction: for a particle that is scattered in mid-air, or whose step has ended.
     ///
-    /// It knows its start as a ray from a hit does, so that a step that ends within rounding of a
-    /// wall, or behind it, does not leave the room. That holds as long as this ray touches nothing
-    /// before `distance`. A ray that is [inside](Self::dedans) something stays so.
+    /// The new ray carries [δ](Self::flou) as a ray from a hit does, so that a particle whose step
+    /// ends within rounding of a wall, or just behind it, does not leave the room. That holds if
+    /// this ray touches nothing before `distance`. A ray that is [inside](Self::dedans) something
+    /// stays so.
     ///
     /// # Errors
     /// If `distance` is below 0 or not finite, if the direction is zero or not finite, or if the
@@ -82,22 +83,22 @@ impl<R: Nombre> Rayon<R> {
 
 impl<R: Nombre> Intersection<R> {
     /// A ray that starts at this hit and never hits the object it leaves, with one exception
-    /// (below). The direction may lead outward, D·N > 0, or inward for transparency. Mirrors have
-    /// [`reflechi`](Self::reflechi), shadows [`vers_lumiere`](Self::vers_lumiere) and
+    /// (below). The direction may lead outward, D·N > 0, or inward for transparency. For mirrors
+    /// there is [`reflechi`](Self::reflechi), for shadows [`vers_lumiere`](Self::vers_lumiere) and
     /// [`vers_soleil`](Self::vers_soleil).
     ///
     /// The source is the [`point`](Self::point) of the hit, moved along the normal to the side to
     /// which the direction leads, by [`marge`](Self::marge) and the rounding of the moved point,
-    /// 1.1u·Σ|N_i·P_i|. From outside, a ray that leaves the object does not meet it again; from
-    /// inside, the object is not seen at all. A direction within 3.2u of the tangent plane is
-    /// turned outward by 12u. There is no epsilon to choose. The ray has no end.
+    /// 1.1u·Σ|N_i·P_i|. There is no epsilon to choose. An outward ray does not meet the object
+    /// again, and an inward ray, which starts inside, does not see it. A direction within 3.2u of
+    /// the tangent plane is turned outward by 12u. The ray has no end.
     ///
-    /// **In the corner of a second object** the start may lie inside that object by rounding. A ray
-    /// outward carries [a bound on the error of its start](Rayon::flou), and touches such an object
-    /// at once, at distance 0, if it goes in, so that no ray leaves a closed room and light out of
-    /// a glass finds the table under it. A ray inward is [inside something](Rayon::dedans), and so
-    /// are those that start from its hits until they are out again: they see what they enter, and
-    /// nothing else.
+    /// **In the corner of a second object** the start may lie inside that object by rounding. An
+    /// outward ray carries [a bound on the error of its start](Rayon::flou), and touches such an
+    /// object at once, at distance 0, if it goes further in. So no ray leaves a closed room, and
+    /// light out of a glass finds the table under it. An inward ray is [inside
+    /// something](Rayon::dedans), and so are the rays that start from its hits until they are out
+    /// again: such rays touch only what they enter from outside.
     ///
     /// **The exception**: within rounding of a box edge, or in a box no thicker than the step, an
     /// inward ray may start outside, and touch the other face of that edge.
@@ -130,14 +131,15 @@ impl<R: Nombre> Intersection<R> {
         Ok(self.depart(dedans)?.vers(direction))
     }
 
-    /// The ray that a mirror sends on, for a ray that comes in the direction D: a
+    /// The ray that a mirror sends on when a ray arrives in the direction D: a
     /// [`secondaire`](Self::secondaire) in the direction D − 2(D·N)N, which never hits the object
     /// again.
     ///
     /// From a [way out](crate::ObjetRay::sortie), where D·N > 0, the mirrored ray goes inward, as
     /// in glass that does not let light out. Where the ray grazes, rounding may turn the mirrored
-    /// direction below the surface; it is then turned outward, as one of the tangent plane is.
-    /// Otherwise the direction is within an angle of 20u of that of an exact mirror at N (lemma 9).
+    /// direction below the surface, and the direction is then turned outward, as one in the tangent
+    /// plane is. Otherwise it is within an angle of 20u of that of an exact mirror at N
+    /// (`docs/preuves.md`, lemma 9).
     ///
     /// # Errors
     /// As [`secondaire`](Self::secondaire): if the direction is zero or not finite, if `marge` is
@@ -171,11 +173,10 @@ impl<R: Nombre> Intersection<R> {
     /// The ray from this hit to a light, which ends there: ask
     /// [`Monde::est_occulte`](crate::Monde::est_occulte) whether anything stands before the light.
     ///
-    /// The ray is a [`secondaire`](Self::secondaire) and never hits the object it leaves. From the
-    /// start to the light the end is good to 3.6u of itself and
-    /// [`MIN_POSITIF`](Nombre::MIN_POSITIF), the direction to 4.6u, and N·L to 8u (lemma 11).
-    /// Towards a point of a lamp that is itself an object of the list, [leave the lamp
-    /// out](crate::Monde::sans).
+    /// The ray is a [`secondaire`](Self::secondaire) and never hits the object it leaves. Its end,
+    /// the distance from its start to the light, is off by at most 3.6u of itself and
+    /// [`MIN_POSITIF`](Nombre::MIN_POSITIF); the direction is good to 4.6u, and N·L to 8u. If the
+    /// lamp is itself an object of the list, [leave it out](crate::Monde::sans).
     ///
     /// # Errors
     /// If the surface faces away, N·L ≤ 3.2u with L the unit direction from the start of the ray to
@@ -250,12 +251,12 @@ impl<R: Nombre> Intersection<R> {
     /// asked alone has index 0: name its index in the list.)
     ///
     /// Both ends step off their surfaces, as for [`secondaire`](Self::secondaire), so that the ray
-    /// never hits the object it leaves. The object it goes to is [left out](crate::Monde::sans),
-    /// since no distance stops exactly before a surface: solids are convex, and one that faces the
-    /// ray hides no point of its own. With both hits exchanged the answer is the same distance and
-    /// the opposite direction, exactly, or an error again; what stands between is the same both
-    /// ways, except within rounding of a third object that the line grazes or that one hit lies
-    /// against.
+    /// never hits the object it leaves. Leave out the object it goes to
+    /// ([`sans`](crate::Monde::sans)), since no distance stops exactly before a surface; a convex
+    /// solid whose surface faces the ray hides none of its own points. With both hits exchanged the
+    /// ray has the same length and the opposite direction, exactly, or is an error again. What
+    /// stands between is the same both ways, except within rounding of a third object that the line
+    /// grazes or that one hit lies against.
     ///
     /// # Errors
     /// If either surface faces away from the other point, to the 3.2u of
