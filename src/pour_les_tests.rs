@@ -23,11 +23,9 @@ pub use crate::jugement::coup_d_oeil::{
 pub use crate::jugement::loupe::ECART_ARRONDI;
 pub use crate::lot::faisceau::{COURT, COURT_OMEGA, ORIGINES, PENTE};
 pub use crate::objet::ETENDUE;
-pub use crate::rayon::DEJA_UNITAIRE;
+pub use crate::rayon::{DEJA_UNITAIRE, FLOU_DISTANCE, FLOU_POINT};
 pub use crate::rotation::DEJA_ORTHONORMALE;
-pub use crate::secondaire::{
-    FLOU_DISTANCE, FLOU_POINT, PAS_ARRONDI, PAS_NORMAL, REDRESSE, TANGENT,
-};
+pub use crate::secondaire::{PAS_ARRONDI, PAS_NORMAL, REDRESSE, TANGENT};
 pub use crate::sphere::{ARRONDI_PERDU, LONGUEUR, PAR_RAYON, PUISSANCE_PERDUE, TRAVERS_PERDU};
 
 /// The instructions to use; no answer depends on them.

@@ -223,7 +223,12 @@ impl<R: Nombre> Rayon<R> {
 
     /// The same ray in `f32`, seen from an origin that is subtracted before anything is rounded:
     /// the ray for objects that [`ObjetGeo::vers_f32`](crate::ObjetGeo::vers_f32) gave with this
-    /// origin. Its end is rounded as well, and its δ upward.
+    /// origin. Its end is rounded as well.
+    ///
+    /// A δ above 0 grows by 8.1u·Σ|S_i| in the first type and in `f32`, which is more than the source
+    /// and the surfaces beside it are rounded by. A ray that starts from a hit thus stays in a closed
+    /// room that is converted with it. One from [`new`](Self::new) may start inside a wall that it
+    /// stood against: [`contient`](crate::ObjetRay::contient) tells.
     ///
     /// # Errors
     /// If `origine` is not finite, or the source in `f32` is outside the limits of
@@ -242,8 +247,14 @@ impl<R: Nombre> Rayon<R> {
     pub fn vers_f32(self, origine: Vecteur<R>) -> Result<Rayon<f32>, ErreurGeo> {
         let origine = refus::origine(origine)?;
         let rayon = Rayon::new((self.source - origine).vers_f32(), self.direction.vers_f32())?;
-        let flou = simple(self.flou).clamp(f32::MIN, f32::MAX);
-        let flou = if self.flou > R::ZERO { flou.next_up().min(f32::MAX) } else { flou };
+        let flou = if self.flou > R::ZERO {
+            // Lemma 23; the last is more than is lost below the normal numbers.
+            let flou = simple(self.flou + flou_du_point(R::ZERO, self.source));
+            let flou = flou + flou_du_point(0.0, rayon.source) + 8.0 * f32::MIN_POSITIF;
+            flou.next_up().min(f32::MAX)
+        } else {
+            simple(self.flou).max(f32::MIN)
+        };
         Ok(rayon.finissant(simple(self.fin)).sachant(flou))
     }
 
@@ -288,6 +299,18 @@ fn flou_en_option<R: Nombre + serde::Serialize, S: serde::Serializer>(
     vers: S,
 ) -> Result<S::Ok, S::Error> {
     serde::Serialize::serialize(&Some(flou).filter(|flou| **flou != R::ZERO), vers)
+}
+
+/// How much deeper than δ a hit may lie in another object, in u of the distance (lemma 23).
+pub const FLOU_DISTANCE: f64 = 16.0;
+
+/// How much deeper than that a hit may lie, in u of Σ|P_i| (lemma 23).
+pub const FLOU_POINT: f64 = 8.1;
+
+/// How much less exactly than its source a ray knows its point P at distance t (lemma 23).
+#[inline(always)]
+pub(crate) fn flou_du_point<R: Nombre>(t: R, p: Vecteur<R>) -> R {
+    t * fois_u(FLOU_DISTANCE) + p.norme_1() * fois_u(FLOU_POINT)
 }
 
 /// A direction is kept if |D·D − 1| is at most this, in units of u: an ordinary normalisation

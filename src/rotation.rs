@@ -159,7 +159,8 @@ impl<R: Nombre> Rotation<R> {
 
     /// The rotation by this angle about this axis, which may have any length, in the sense of
     /// [`new`](Self::new): about x by α it is `new((α, 0, 0))`, and quarter turns about the three
-    /// axes are exact. Each element is off by at most its rounding and 30u of `f64`.
+    /// axes are exact. Each element is off by at most its rounding and 30u of `f64`, where a float
+    /// that [`new`](Self::new) takes for quarter turns stands for these.
     ///
     /// The right-hand rule, which `from_axis_angle` of other crates follows, turns by −α, or about
     /// the opposite axis.

@@ -1,8 +1,9 @@
 //! The rays that start from a hit: mirrors, glass, shadows, lines of sight (handout, later parts).
 
+use crate::forme::PLANCHER;
 use crate::intersection::Intersection;
 use crate::nombre::{Nombre, fois_u, min};
-use crate::rayon::{DIRECTION, Rayon, direction_unitaire};
+use crate::rayon::{DIRECTION, Rayon, direction_unitaire, flou_du_point};
 use crate::refus::{ErreurGeo, exiger, fini, point, refus_nul};
 use crate::vecteur::Vecteur;
 
@@ -19,12 +20,6 @@ pub const PAS_NORMAL: f64 = 20.0;
 /// The rounding of the moved point, in units of u·Σ|N_i·P_i| (lemma 9).
 pub const PAS_ARRONDI: f64 = 1.1;
 
-/// How much deeper than δ a hit may lie in another object, in u of the distance (lemma 23).
-pub const FLOU_DISTANCE: f64 = 16.0;
-
-/// How much deeper than that a hit may lie, in u of Σ|P_i| (lemma 23).
-pub const FLOU_POINT: f64 = 8.1;
-
 /// Where a ray starts, and what it knows of its source.
 struct Depart<R> {
     source: Vecteur<R>,
@@ -36,12 +31,6 @@ impl<R: Nombre> Depart<R> {
     fn vers(self, direction: Vecteur<R>) -> Rayon<R> {
         Rayon::sans_fin(self.source, direction).sachant(self.su)
     }
-}
-
-/// How much less exactly than its source a ray knows its point P at distance t (lemma 23).
-#[inline(always)]
-fn flou_du_point<R: Nombre>(t: R, p: Vecteur<R>) -> R {
-    t * fois_u(FLOU_DISTANCE) + p.norme_1() * fois_u(FLOU_POINT)
 }
 
 /// A ray that turns in mid-air.
@@ -76,7 +65,10 @@ impl<R: Nombre> Rayon<R> {
         let accepte = distance >= R::ZERO && distance < R::INFINI;
         let t = exiger(accepte, "distance", distance, "a finite number, 0 or more")?;
         let p = self.point(t);
-        let su = if self.su() < R::ZERO { self.su() } else { self.su() + flou_du_point(t, p) };
+        // No step pays for what is lost below the normal numbers.
+        let perdu = R::depuis_f64(R::selon(PLANCHER.0, PLANCHER.1));
+        let de_plus = flou_du_point(t, p) + perdu;
+        let su = if self.su() < R::ZERO { self.su() } else { self.su() + de_plus };
         Ok(Self::new(p, direction)?.sachant(su))
     }
 }

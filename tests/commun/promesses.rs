@@ -425,6 +425,33 @@ pub fn soleil<R: Reel>(cas: &Essai<R>) -> f64 {
     ecart_du_cosinus(n, soleil, cosinus).abs() / (permis::SOLEIL * u::<R>())
 }
 
+/// The least δ with which a ray that turns where it enters touches the object at once, as a part of the δ that it has; 0
+/// where that place is outside.
+pub fn virage<R: Reel>(cas: &Essai<R>) -> f64 {
+    let objet = &cas.objets[0];
+    let Ok(touche) = objet.intersection(&cas.rayon) else { return RIEN };
+    let suite = cas.rayon.bifurque(touche.distance(), cas.rayon.direction());
+    let Ok(suite) = suite else { return RIEN };
+    if !objet.contient(suite.source()) {
+        return 0.0;
+    }
+    let suffit = |part: f64| {
+        let rayon = suite.avec_flou(R::depuis_f64(part * suite.flou().vers_f64()));
+        let touche = rayon.ok().and_then(|rayon| objet.intersection(&rayon).ok());
+        touche.is_some_and(|touche| touche.distance() == R::ZERO)
+    };
+    if !suffit(1.0) {
+        // A ray that passes the object by, or leaves it by a face as near, need not touch it.
+        return if [1.25, 2.0, 1024.0].into_iter().any(suffit) { ROMPUE } else { RIEN };
+    }
+    let (mut trop_peu, mut assez) = (0.0, 1.0);
+    for _ in 0..16 {
+        let milieu = (trop_peu + assez) / 2.0;
+        if suffit(milieu) { assez = milieu } else { trop_peu = milieu }
+    }
+    assez
+}
+
 /// The error of the distance, in scene units or in lengths of D if that is more, as a part of `erreur`, which is +∞
 /// where there is no entry, or no way out. What the oracle itself may have rounded does not count.
 pub fn erreur<R: Reel>(cas: &Essai<R>) -> f64 {

@@ -227,6 +227,25 @@ fn aucun_pas_ne_quitte_une_chambre<R: Bits>() {
 
 en_f32_et_f64!(aucun_pas_ne_quitte_une_chambre);
 
+/// A turn at a wall through O, among numbers so small that 16u·t is lost: the ray finds the wall all the same.
+fn un_virage_pres_de_l_origine_trouve_le_mur<R: Reel>() {
+    let mut alea = Rng::with_seed(31);
+    let mut virages = 0;
+    for _ in 0..cas(2_000) {
+        let mur = mur(Vecteur::NUL, arrondi::<R>(direction(&mut alea)));
+        let petit = R::MIN_POSITIF * R::depuis_f64(deux_puissance(&mut alea, 1.0, 24.0));
+        let source = arrondi::<R>(direction(&mut alea)) * petit;
+        let rayon = Rayon::new(source, arrondi(direction(&mut alea))).unwrap();
+        let Ok(touche) = mur.intersection(&rayon) else { continue };
+        let suite = rayon.bifurque(touche.distance(), -touche.normale()).unwrap();
+        assert!(mur.intersection(&suite).is_ok(), "{mur:?} {rayon:?} {suite:?}");
+        virages += 1;
+    }
+    assert!(virages > 100, "{virages}");
+}
+
+en_f32_et_f64!(un_virage_pres_de_l_origine_trouve_le_mur);
+
 /// A pillar that stands on a globe a million times as large: rays that leave the pillar beside the seam, downward, all
 /// find the globe, of which the type knows its place to some parts of its radius.
 fn un_pilier_sur_un_globe_ne_laisse_rien_passer<R: Reel>() {

@@ -531,6 +531,31 @@ fn boite<R: Bits>(alea: &mut Rng) -> Candidat<R> {
     un_objet(Genre::Boite, alea)
 }
 
+/// A ball or a box so large that its place is known less exactly than a source beside it, near O.
+fn de_pres<R: Bits>(ronde: bool, alea: &mut Rng) -> Candidat<R> {
+    let l = R::depuis_f64(deux_puissance(alea, 4.0, 20.0));
+    let tour = tour::<R>(alea);
+    let n = Vecteur::from(tour.matrice()[1]);
+    let objet: ObjetGeo<R> = if ronde {
+        SphereGeo::new(-n * l, l, Texture(0)).unwrap().into()
+    } else {
+        let cotes = Vecteur::new(l + l, l + l, l + l);
+        BoiteGeo::new(-n * l, cotes, tour, Texture(0)).unwrap().into()
+    };
+    let haut = R::depuis_f64(deux_puissance(alea, -12.0, 4.0));
+    let vers = arrondi::<R>(direction(alea)) - n;
+    let rayon = Rayon::new(n * haut, vers).unwrap();
+    Candidat::new(&[objet.vers_ray()], &rayon, [R::ZERO; 5])
+}
+
+fn globe<R: Bits>(alea: &mut Rng) -> Candidat<R> {
+    de_pres(true, alea)
+}
+
+fn grande_boite<R: Bits>(alea: &mut Rng) -> Candidat<R> {
+    de_pres(false, alea)
+}
+
 /// An object and a ray that may start within it.
 fn de_dedans<R: Bits>(genre: Genre, alea: &mut Rng) -> Candidat<R> {
     let (objet, rayon) = depart(genre, alea);
@@ -588,6 +613,11 @@ rangees! {
     reflechi_d_un_demi_espace: miroir, promesses::reflechi, 60_000;
     soleil_d_une_sphere: sphere, promesses::soleil, 60_000;
     soleil_d_un_demi_espace: miroir, promesses::soleil, 60_000;
+    virage_d_une_sphere: sphere, promesses::virage, 60_000;
+    virage_d_un_demi_espace: demi_espace, promesses::virage, 60_000;
+    virage_d_une_boite: boite, promesses::virage, 60_000;
+    virage_sur_un_globe: globe, promesses::virage, 60_000;
+    virage_sur_une_grande_boite: grande_boite, promesses::virage, 60_000;
     face_a_la_source_d_une_sphere: sphere, promesses::face_a_la_source, 60_000;
     face_a_la_source_d_un_demi_espace: demi_espace, promesses::face_a_la_source, 60_000;
     face_a_la_source_d_une_boite: boite, promesses::face_a_la_source, 60_000;
