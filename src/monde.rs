@@ -411,8 +411,9 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     }
 
     /// Shows `voir` the index of every object that the ray enters before its end, and the distance,
-    /// each once and in no order. `voir` returns the end of the ray from then on: +∞ leaves it
-    /// where it is, a distance draws it nearer, 0 ends the visit.
+    /// each once and in no order. `voir` returns the end of the ray from then on: a distance draws
+    /// it nearer, one beyond the end so far leaves it where it is, as do +∞ and a NaN. 0 ends the
+    /// visit, and so does any number below 0, which in other libraries may mean to go on.
     ///
     /// It serves what no other question asks: to count, to weigh, to find the first object by a
     /// rule of your own. What `voir` does not need is never computed; [`ObjetRay::intersection`] of
