@@ -18,6 +18,10 @@ use crate::vecteur::Vecteur;
 /// [`reflechi`](Self::reflechi), [`vers_lumiere`](Self::vers_lumiere),
 /// [`vers_soleil`](Self::vers_soleil) and [`vers_touche`](Self::vers_touche).
 ///
+/// With the feature `serde` a hit that was written is read again, to the bit. JSON, which has no ±∞,
+/// does not give back a hit whose point is beyond the range of the type; no ray starts from such a
+/// hit either.
+///
 /// ```
 /// use lancer_rayon::{PlanGeo, Rayon, Rotation, Texture, Vecteur, premiere_intersection};
 ///

@@ -412,8 +412,9 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     }
 
     /// Calls `voir` once for every object that the ray enters before its end, in no order, with the
-    /// index of the object and the distance. `voir` returns the end of the ray from then on: +∞
-    /// leaves it where it is, a distance draws it nearer, 0 ends the visit.
+    /// index of the object and the distance. `voir` returns the end of the ray from then on: a
+    /// distance draws it nearer, one beyond the end so far leaves it where it is, as do +∞ and a
+    /// NaN. 0 or a number below ends the visit.
     ///
     /// It serves what no other question asks: to count objects, to weigh them, or to find the first
     /// by a rule of your own. Only the distance is computed; [`ObjetRay::intersection`] of the

@@ -35,6 +35,11 @@ pub(crate) use par_forme;
 /// 3.1u·Σ|C_i|, with u half a unit in the last place of 1. Both may be off by 1.6 times the
 /// smallest number more, for products below the normal numbers (`docs/preuves.md`, lemma 11).
 ///
+/// **The errors of many moves add up**, and those of one turn that is taken again and again all go
+/// the same way: in `f32` a centre that is turned 100,000 times by 0.1° comes 0.25 % nearer to O.
+/// For each picture of an animation turn the object that was described first, by one rotation that
+/// was composed ([`Rotation::puis`]) and so stays orthonormal.
+///
 /// ```
 /// use core::f64::consts::PI;
 /// use lancer_rayon::{ObjetGeo, ObjetRay, Rotation, SphereGeo, Texture, Vecteur};

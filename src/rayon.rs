@@ -1,6 +1,6 @@
 //! Rays of light (handout §4.1 and annex A): a source, a unit direction and an end.
 
-use crate::nombre::{Nombre, fois_u, max, simple};
+use crate::nombre::{Nombre, fois_u, max, min, simple};
 use crate::refus::{self, ErreurGeo, exiger, fini, point, refus_nul};
 use crate::vecteur::Vecteur;
 
@@ -55,8 +55,9 @@ impl<R: Nombre> Rayon<R> {
     /// [`vers_touche`](crate::Intersection::vers_touche), which start beside the surface.
     ///
     /// The direction and the end are those of `arrivee − depart` as computed, so that the ray may
-    /// end a rounding before or after `arrivee`. It has no end if the distance is too large for the
-    /// type. A line that grazes an object may be answered differently from its other end.
+    /// end before `arrivee`, after it or beside it, by at most 8.2u of the distance and
+    /// [`MIN_POSITIF`](Nombre::MIN_POSITIF) (lemma 11). It has no end if the distance is too large
+    /// for the type. A line that grazes an object may be answered differently from its other end.
     ///
     /// # Errors
     /// If a coordinate of `depart` is beyond the limits of [`new`](Self::new), if one of `arrivee`
@@ -135,6 +136,11 @@ impl<R: Nombre> Rayon<R> {
     /// until they are out again. Where mist stands flush on a floor, a ray that bounces off the
     /// floor would otherwise touch the mist at once.
     ///
+    /// Calls add up. A ray that starts inside several objects, as from a lamp in a bulb in mist, is
+    /// inside each of them: call it once for each object that
+    /// [`contenants`](crate::Monde::contenants) shows. With one call too few the ray counts as
+    /// outside once it has left the bulb, and may touch the mist at once.
+    ///
     /// ```
     /// use lancer_rayon::{Monde, PlanGeo, Rayon, SphereGeo, Texture, Vecteur};
     ///
@@ -152,7 +158,7 @@ impl<R: Nombre> Rayon<R> {
     /// ```
     #[doc(alias("inside", "medium"))]
     pub fn dedans(self) -> Self {
-        Self { flou: -R::UN, ..self }
+        Self { flou: min(self.flou, R::ZERO) - R::UN, ..self }
     }
 
     /// The ray without an end from a source and in a direction that were checked before, with δ =

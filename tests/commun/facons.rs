@@ -241,7 +241,11 @@ fn comparer_la_visite<R: Bits, C: Choix>(
     });
     let voulue = toutes.first().map_or(R::INFINI, |(touche, _)| touche.distance());
     assert_eq!(premiere.bits(), voulue.bits(), "{facon}: {rayon:?}");
-    assert!(visiter(&mut |_, _| R::ZERO).len() <= 1, "{facon}: {rayon:?}");
+    for nul in [R::ZERO, -R::UN] {
+        assert!(visiter(&mut |_, _| nul).len() <= 1, "{facon}: {rayon:?}");
+    }
+    // A NaN is no end.
+    assert_eq!(visiter(&mut |_, _| R::depuis_f64(f64::NAN)), voulus, "{facon}: {rayon:?}");
 }
 
 /// Who holds the source of this ray and the point of its first hit: those that say so themselves, each once.

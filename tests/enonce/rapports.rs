@@ -8,8 +8,8 @@ use commun::tolerances::{promesses, u};
 use commun::{Bits, arrondi, en_f32_et_f64};
 use fastrand::Rng;
 use lancer_rayon::{
-    Monde, NoIntersection, ObjetRay, Rayon, Reel, Reponse, Rotation, Vecteur, places,
-    premiere_intersection,
+    BoiteGeo, Monde, NoIntersection, ObjetRay, Rayon, Reel, Reponse, Rotation, Texture, Vecteur,
+    places, premiere_intersection,
 };
 
 /// A crossing: where, of which object, and whether the ray is inside it from there on.
@@ -553,3 +553,94 @@ fn un_lot_au_dessus_d_un_joint_voit_la_dalle<R: Reel>() {
 }
 
 en_f32_et_f64!(un_lot_au_dessus_d_un_joint_voit_la_dalle);
+
+/// A surface that light meets and never crossed: a lamp in bulbs in mist shines on the floor on which the mist stands
+/// flush, and the light that the floor sends back meets the mist. A ray that says of each solid that it starts inside it
+/// leaves them one by one and is in the mist after the floor; with one word too few most meet the mist.
+fn qui_part_de_plusieurs_objets_les_quitte_un_par_un<R: Reel>() {
+    let mut alea = Rng::with_seed(98);
+    let mut fantomes = 0;
+    for tour in 0..4_000 {
+        let axes = Rotation::<R>::new(arrondi(direction(&mut alea) * 3.0)).unwrap();
+        let [x, y, z] = axes.axes().map(Vecteur::vers_f64);
+        let pied = arrondi::<R>(direction(&mut alea) * 3.0).vers_f64();
+        let lampe = arrondi::<R>(pied + y * 2.0);
+        let cube = |cote| boite(lampe, v(cote, cote, cote), axes);
+        let boule = |rayon| sphere(lampe, R::depuis_f64(rayon));
+        let sol = mur(arrondi(pied), arrondi(y));
+        // The mist reaches down to the floor, and each bulb lies in the next.
+        let brume = boite(lampe, v(8.0, 4.0, 8.0), axes);
+        let ampoules = [boule(0.3), cube(1.0), boule(1.0)];
+        let ampoules = &ampoules[..tour % 4];
+        let mut scene = vec![sol, brume];
+        scene.extend(ampoules);
+        let monde = Monde::de_liste(&scene);
+        let mut autour = 0;
+        monde.contenants(lampe, |_| autour += 1);
+        assert_eq!(autour, 1 + ampoules.len());
+
+        let vers = x * entre(&mut alea, -1.0, 1.0) + z * entre(&mut alea, -1.0, 1.0) - y;
+        let du_sol = |fois: usize| {
+            let rayon = Rayon::new(lampe, arrondi(vers)).unwrap();
+            let mut rayon = (0..fois).fold(rayon, |rayon, _| rayon.dedans());
+            for ampoule in ampoules {
+                rayon = ampoule.sortie(&rayon).unwrap().secondaire(rayon.direction()).unwrap();
+            }
+            let touche = monde.premiere_intersection(&rayon).unwrap();
+            assert_eq!(touche.indice(), 0, "{scene:?} {rayon:?}");
+            touche.reflechi(rayon.direction()).unwrap()
+        };
+        let reflet = du_sol(autour);
+        assert_ne!(monde.premiere_intersection(&reflet).map(|t| t.indice()), Ok(1), "{reflet:?}");
+        // It is in the mist, and out of everything beyond it.
+        assert_eq!(reflet.flou(), R::ZERO);
+        let dehors = brume.sortie(&reflet).unwrap().secondaire(reflet.direction()).unwrap();
+        assert!(dehors.flou() > R::ZERO, "{dehors:?}");
+        let mal_dit = monde.premiere_intersection(&du_sol(autour - 1));
+        fantomes += u32::from(mal_dit.is_ok_and(|t| t.indice() == 1));
+    }
+    println!("{fantomes} would meet the mist");
+    assert!(fantomes > 2_000);
+}
+
+en_f32_et_f64!(qui_part_de_plusieurs_objets_les_quitte_un_par_un);
+
+/// A planet that drifts from its orbit, since it is turned on from each picture to the next: as fast as the documents
+/// say. Turned once from where it was described, by the rotation that grew, it stays as far away as it was, shows O the
+/// same face and is met there.
+fn une_orbite_composee_ne_derive_pas<R: Reel>() {
+    const IMAGES: usize = 100_000;
+    let decrite =
+        BoiteGeo::<R>::new(v(10.0, 0.0, 0.0), v(2.0, 2.0, 2.0), Rotation::IDENTITE, Texture(0))
+            .unwrap();
+    let eloignement = |boite: BoiteGeo<R>| boite.centre().vers_f64().longueur() / 10.0 - 1.0;
+    let pas = Rotation::new(v(0.0, 0.1_f64.to_radians(), 0.0)).unwrap();
+    let (mut pas_a_pas, mut composee) = (decrite, Rotation::IDENTITE);
+    let mut pire = 0.0_f64;
+    for image in 1..=IMAGES {
+        pas_a_pas = pas_a_pas.rotation(pas).unwrap();
+        composee = composee.puis(pas);
+        if image % 100 > 0 {
+            continue;
+        }
+        let boite = decrite.rotation(composee).unwrap();
+        pire = pire.max(eloignement(boite).abs() / u::<R>());
+        let rayon = Rayon::new(Vecteur::NUL, boite.centre()).unwrap();
+        let touche = ObjetRay::from(boite).intersection(&rayon).unwrap();
+        assert_eq!(touche.normale(), -boite.orientation().axes()[0], "{boite:?}");
+        // The bound of the distance, with 21 for |f| + ρ + t, and ten times that of the centre.
+        let permis = (promesses::DISTANCE_BOITE * 21.0 + 10.0 * 15.0) * u::<R>();
+        assert!((touche.distance().vers_f64() - 9.0).abs() <= permis, "{image}: {touche:?}");
+    }
+    let derive = eloignement(pas_a_pas);
+    println!("{pire} u composed, {derive:e} step by step");
+    // M·Mᵀ is I to 5.5u an element, by which a length changes by 8.3u; C·M rounds to 3.1u, and the length here to 3.5u.
+    assert!(pire <= 15.0, "{pire}");
+    assert!(derive.abs() > 1_000.0 * u::<R>(), "{derive:e}");
+    if u::<R>() > 1e-10 {
+        // The figure of the documents.
+        assert!((derive + 0.0025).abs() < 0.0001, "{derive:e}");
+    }
+}
+
+en_f32_et_f64!(une_orbite_composee_ne_derive_pas);

@@ -163,6 +163,22 @@ fn une_reponse_manquee_est_relue() {
     assert_eq!(relu(&reponses), [reponses; 2]);
 }
 
+/// A hit whose point is beyond the type, of which JSON makes nothing: the documents say so. No ray starts from it.
+#[test]
+fn une_touche_hors_du_type_n_est_pas_relue_de_json() {
+    let sol = ObjetRay::from(PlanGeo::new(Rotation::IDENTITE, 0.0, Texture(0)).unwrap());
+    // t is the largest number, and D is longer than 1 by two roundings.
+    let haut = 2.0_f64.powi(424) * (1.0 - f64::EPSILON / 2.0);
+    let d = Vecteur::new(1.0 + 2.0 * f64::EPSILON, 0.0, -(2.0_f64.powi(-600)));
+    let rayon = Rayon::new(Vecteur::new(0.0, 0.0, haut), d).unwrap();
+    let touche = sol.intersection(&rayon).unwrap();
+    assert_eq!((touche.distance(), touche.point().x), (f64::MAX, f64::INFINITY));
+    assert!(touche.secondaire(Vecteur::Z).is_err());
+    assert_eq!(ron::from_str(&ron::to_string(&touche).unwrap()), Ok(touche));
+    let json = serde_json::to_string(&touche).unwrap();
+    assert!(serde_json::from_str::<Intersection>(&json).is_err(), "{json}");
+}
+
 /// A bare vector is the one value that may hold a NaN.
 #[test]
 fn un_nan_ecrit_en_json_n_est_pas_relu() {
