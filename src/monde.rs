@@ -495,7 +495,7 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// few more right answers than a list, since it skips objects whose boxes come later.
     ///
     /// Only the [`indice`](crate::Intersection::indice) of `reponse` counts, so that an answer
-    /// found elsewhere can be judged. With a tree a certificate takes 1.0 to 1.2 times as long as
+    /// found elsewhere can be judged. With a tree a certificate takes 1.0 to 1.4 times as long as
     /// the ray on average, and at most about twice as long.
     ///
     /// If an answer of `f32` is not certain, ask the same numbers in `f64`: [`ObjetRay::vers_f64`]
