@@ -53,18 +53,23 @@ pub(crate) enum Abord {
     DansSaBoite { entree: f32, jusqu_ici: f32 },
 }
 
-/// Where the ray touches the object; `None`, or +∞, which comes before nothing, if it does not.
+/// Where the ray touches the object; `None` if it does not.
 #[inline(always)]
 pub(crate) fn entree<R: Nombre>(rayon: &Rayon<R>, objet: &ObjetRay<R>, abord: Abord) -> Option<R> {
-    match abord {
-        // The comparison decides nothing, but without it every miss would tie with none so far, and
-        // ranks would be compared.
-        Abord::Inconnu => Some(objet.t_si_proche(rayon)).filter(|t| *t < R::INFINI),
-        Abord::InconnuFlou => Some(objet.t_touche_si_proche(rayon)).filter(|t| *t < R::INFINI),
+    let t = match abord {
+        Abord::Inconnu => objet.t_si_proche(rayon),
+        Abord::InconnuFlou => objet.t_touche_si_proche(rayon),
         Abord::DansSaBoite { entree, jusqu_ici } => {
-            Some(if entree <= jusqu_ici { objet.t_touche(*rayon) } else { objet.t(rayon) })
+            if entree <= jusqu_ici {
+                objet.t_touche(*rayon)
+            } else {
+                objet.t(rayon)
+            }
         }
-    }
+    };
+    // The comparison decides nothing, but without it every miss would tie with none so far, and
+    // ranks would be compared.
+    Some(t).filter(|t| *t < R::INFINI)
 }
 
 /// Which object the ray enters first.
