@@ -88,10 +88,9 @@ impl<'a, R: Bits> Octets<'a, R> {
             }
             9 | 10 => {
                 // From a place of an object towards another, or in any direction.
-                let (de, vers) = (self.lieu(&lu.objets)?.0, self.lieu(&lu.objets)?.0);
-                let vers = if self.octet()? % 4 == 0 { self.vecteur()? } else { vers - de };
-                if let Ok(rayon) = Rayon::new(de, vers) {
-                    let (rayon, dedans) = self.sachant(rayon)?;
+                let (de, vers) = (self.lieu(&lu.objets)?, self.lieu(&lu.objets)?.0);
+                let vers = if self.octet()? % 4 == 0 { self.vecteur()? } else { vers - de.0 };
+                if let Some((rayon, dedans)) = self.depart(de, vers)? {
                     lu.rayons.push(rayon);
                     let pas = self.chemin(&lu.objets)?;
                     lu.chemins.push((rayon, dedans, pas));
@@ -218,15 +217,25 @@ impl<'a, R: Bits> Octets<'a, R> {
         })
     }
 
-    /// This ray with an end, with a δ, or inside something; and inside how many objects that is.
-    fn sachant(&mut self, rayon: Rayon<R>) -> Option<(Rayon<R>, usize)> {
-        Some(match self.octet()? % 8 {
-            0 => (rayon.dedans(), 1),
-            1 => (rayon.jusqu_a(self.reel()?).unwrap_or(rayon), 0),
-            2 | 3 => (rayon.avec_flou(self.reel()?).unwrap_or(rayon), 0),
-            4 => (rayon.avec_flou(R::U).unwrap_or(rayon), 0),
-            _ => (rayon, 0),
-        })
+    /// A ray from this place: with an end, with a δ and some halves of it below the surface, or inside something; and
+    /// inside how many objects it is known to be.
+    fn depart(
+        &mut self,
+        (place, n): (Vecteur<R>, Vecteur<R>),
+        vers: Vecteur<R>,
+    ) -> Option<Option<(Rayon<R>, usize)>> {
+        let genre = self.octet()? % 8;
+        let flou = if genre < 4 { R::abs(self.reel()?) } else { R::U };
+        let moities = if genre < 2 { self.octet()? % 8 } else { 0 };
+        let place = place - n * (flou * R::depuis_f64(f64::from(moities) / 2.0));
+        let rayon = Rayon::new(place, vers);
+        let sachant = match genre {
+            0..=2 | 4 => rayon.and_then(|rayon| rayon.avec_flou(flou)),
+            3 => rayon.and_then(|rayon| rayon.jusqu_a(flou)),
+            5 => rayon.map(Rayon::dedans),
+            _ => rayon,
+        };
+        Some(sachant.ok().map(|rayon| (rayon, usize::from(genre == 5))))
     }
 
     /// Up to seven steps, each in any direction, or towards a place of an object.
