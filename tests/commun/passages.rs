@@ -53,12 +53,12 @@ pub fn exiger_les_passages<R: Bits>(objet: &ObjetRay<R>, rayon: &Rayon<R>, vers:
         (Err(_), Ok(_)) => assert!(objet.contient(rayon.source()), "{}", contexte()),
         (Err(_), Err(_)) => {}
     }
-    if let Ok(fini) =
-        entree.or(sortie).and_then(|t| rayon.jusqu_a(t.distance()).map_err(|_| NoIntersection))
-    {
-        // What lies at the end itself is not touched.
-        assert_eq!(objet.intersection(&fini), Err(NoIntersection), "{}", contexte());
-    }
+    // What lies at the end itself is not touched, and no way out.
+    let jusque_la = |passage: &Intersection<R>| rayon.jusqu_a(passage.distance()).unwrap();
+    let encore = entree.is_ok_and(|t| objet.intersection(&jusque_la(&t)).is_ok())
+        || sortie.is_ok_and(|t| objet.sortie(&jusque_la(&t)).is_ok());
+    assert!(!encore, "{}", contexte());
+    exiger_qu_il_ne_s_enfonce_pas(objet, rayon);
     for passage in [entree, sortie].into_iter().flatten() {
         exiger_un_passage(objet, rayon, &passage);
         let (n, d) = (passage.normale(), rayon.direction());
@@ -77,6 +77,24 @@ pub fn exiger_les_passages<R: Bits>(objet: &ObjetRay<R>, rayon: &Rayon<R>, vers:
         for suite in libres.into_iter().chain(lampes).chain([reflet]).flatten() {
             exiger_une_suite(objet, rayon, &passage, &suite);
         }
+    }
+}
+
+/// Lemma 23: an object that holds the start of a ray by no more than δ and o_B, and that the ray does not touch at once,
+/// is nowhere deeper around it than the next start may be; tried amid the way through it.
+fn exiger_qu_il_ne_s_enfonce_pas<R: Bits>(objet: &ObjetRay<R>, rayon: &Rayon<R>) {
+    let (rayon, source) = (rayon.jusqu_a(R::INFINI).unwrap(), rayon.source());
+    let flou = rayon.flou().vers_f64();
+    if flou > 0.0
+        && objet.contient(source)
+        && profondeur(objet, source) <= flou
+        && objet.intersection(&rayon).is_err()
+    {
+        let au_milieu = |t: Intersection<R>| t.distance() / (R::UN + R::UN);
+        let t = objet.sortie(&rayon).map_or(rayon.flou(), au_milieu);
+        let p = rayon.point(t);
+        let (profond, permis) = (profondeur(objet, p), flou + flou_du_point(t, p));
+        assert!(profond <= permis, "{profond:e} > {permis:e}: {objet:?} {rayon:?}");
     }
 }
 

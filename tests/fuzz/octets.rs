@@ -225,8 +225,15 @@ impl<'a, R: Bits> Octets<'a, R> {
         vers: Vecteur<R>,
     ) -> Option<Option<(Rayon<R>, usize)>> {
         let genre = self.octet()? % 8;
-        let flou = if genre < 4 { R::abs(self.reel()?) } else { R::U };
-        let moities = if genre < 2 { self.octet()? % 8 } else { 0 };
+        let (flou, moities) = match genre {
+            0 | 1 => {
+                // Of a size that suits the objects.
+                let (part, moities) = (self.octet()? % 32, self.octet()? % 8);
+                (vers.longueur() * R::depuis_f64((-f64::from(part)).exp2()), moities)
+            }
+            2 | 3 => (R::abs(self.reel()?), 0),
+            _ => (R::U, 0),
+        };
         let place = place - n * (flou * R::depuis_f64(f64::from(moities) / 2.0));
         let rayon = Rayon::new(place, vers);
         let sachant = match genre {

@@ -66,7 +66,7 @@ fn changer_de_precision<R: Bits>(objet: ObjetGeo<R>, rayon: &Rayon<R>, origine: 
 fn attaquer<R: Bits + Serialize + DeserializeOwned>(octets: &[u8]) -> Option<()> {
     // Two choices and what is left out between them, how many places for an order, and how many more for a tree.
     let (&[un, sauf, deux, rangs, plus], octets) = octets.split_first_chunk()?;
-    let Lecture { objets: decrits, mut rayons, chemins, limites, points } =
+    let Lecture { objets: decrits, rayons: droits, chemins, limites, points } =
         Octets::<R>::new(octets).lire();
     let objets: Vec<_> = decrits.iter().map(|objet| objet.vers_ray()).collect();
     let doubles: Vec<_> = objets.iter().map(|objet| objet.vers_f64()).collect();
@@ -76,9 +76,8 @@ fn attaquer<R: Bits + Serialize + DeserializeOwned>(octets: &[u8]) -> Option<()>
         [necessaires + 28 * usize::from(plus), 6 * necessaires].map(|places| vec![0.0; places]);
     let monde = Monde::en_morceaux(&objets, &mut memoire).unwrap();
     let en_double = Monde::en_morceaux(&doubles, &mut autre).unwrap();
-    for (depart, dedans, pas) in chemins {
-        rayons.extend(suivre(monde, depart, dedans, &pas));
-    }
+    let chemins = chemins.iter().flat_map(|(de, dedans, pas)| suivre(monde, *de, *dedans, pas));
+    let mut rayons: Vec<_> = chemins.chain(droits).collect();
     rayons.truncate(ENSEMBLE / objets.len().max(16));
     let sans_fin: Vec<_> = rayons.iter().map(|r| r.jusqu_a(R::INFINI).unwrap()).collect();
     comparer(&objets, &sans_fin);

@@ -1,4 +1,6 @@
 //! Text through the scene loader, and what comes out of it asked by some rays and paths; and written and read again.
+//!
+//! It finds little unless it starts from scenes: give it `docs/scenes` as a second folder, after that of its own corpus.
 
 #![no_main]
 
@@ -21,7 +23,7 @@ use crate::relire::relire;
 /// So many objects are asked.
 const OBJETS: usize = 40;
 
-/// A mirror, glass, a ray upward, a turn in mid-air.
+/// A mirror, into glass and out of it, a turn in mid-air, towards a lamp.
 fn pas<R: Bits>(v: Vecteur<R>) -> [Pas<R>; 5] {
     let suites =
         [Suite::Reflechi, Suite::ToutDroit, Suite::ToutDroit, Suite::Bifurque, Suite::Lumiere];
