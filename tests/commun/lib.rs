@@ -3,12 +3,15 @@
 
 #![allow(missing_docs, reason = "not published: what a name does not say has a comment")]
 
+pub mod chemins;
+pub mod choisis;
 pub mod conversion;
 pub mod fabrique;
 pub mod facons;
 pub mod litteral;
 pub mod mesure;
 pub mod oracle;
+pub mod passages;
 pub mod promesses;
 pub mod regimes;
 pub mod scenes;

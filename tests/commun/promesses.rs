@@ -86,6 +86,19 @@ pub fn de_la_sortie<R: Reel>() -> [Promesse<R>; 9] {
     ]
 }
 
+/// No promise is broken by this ray, taken without its δ and its end, and by what starts from its hit towards `vers`.
+pub fn exiger<R: Reel>(objet: &ObjetRay<R>, rayon: &Rayon<R>, vers: Vecteur<R>) {
+    let rayon = Rayon::new(rayon.source(), rayon.direction()).unwrap();
+    let [x, y, z] = vers.into();
+    let essai = Essai { objets: vec![*objet], rayon, vers: [x, y, z, R::ZERO, R::ZERO] };
+    for Promesse { nom, genres, part, .. } in toutes().into_iter().chain(de_la_sortie()) {
+        if genres.contains(&Genre::de(objet)) {
+            let part = part(&essai);
+            assert!(part <= 1.0, "{nom}: {part} of what is promised, {essai:?}");
+        }
+    }
+}
+
 /// The promises of the way out.
 pub mod sortie {
     use super::*;

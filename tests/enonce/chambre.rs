@@ -3,12 +3,11 @@
 
 use commun::fabrique::{boite, boite_droite, mur, sphere, v};
 use commun::facons::comparer;
-use commun::oracle::dehors;
+use commun::passages::{flou_du_point, profondeur};
 use commun::regimes::{deux_puissance, direction};
 use commun::tolerances::u;
 use commun::{Bits, arrondi, cas, en_f32_et_f64};
 use fastrand::Rng;
-use lancer_rayon::pour_les_tests::{FLOU_DISTANCE, FLOU_POINT, FLOU_PROPRE};
 use lancer_rayon::{
     Intersection, Monde, NoIntersection, ObjetRay, PlanGeo, Rayon, Reel, Rotation, Texture,
     Vecteur, places,
@@ -112,22 +111,11 @@ impl<R: Reel> Chambre<R> {
         if alea.u8(0..4) == 0 { p } else { p + direction(alea) * deux_puissance(alea, -54.0, -8.0) }
     }
 
-    /// How deep a point lies in the object that holds it deepest, beyond δ and the rounding of the object, in u.
+    /// How deep a point lies in the object that holds it deepest, beyond δ and the rounding of the object.
     fn exces(&self, point: Vecteur<R>, flou: R) -> f64 {
-        let profond = |objet: &ObjetRay<R>| {
-            let propre = match objet {
-                ObjetRay::Sphere(sphere) => sphere.rayon().vers_f64(),
-                ObjetRay::Plan(_) => 0.0,
-                ObjetRay::Boite(boite) => boite.demi_longueurs().map(R::vers_f64).iter().sum(),
-            };
-            -dehors(objet, point) - flou.vers_f64() - FLOU_PROPRE * u::<R>() * propre
-        };
-        self.objets.iter().map(profond).fold(f64::MIN, f64::max) / u::<R>()
+        let profond = |objet| profondeur(objet, point) - flou.vers_f64();
+        self.objets.iter().map(profond).fold(f64::MIN, f64::max)
     }
-}
-
-fn norme_1<R: Reel>(p: Vecteur<R>) -> f64 {
-    <[f64; 3]>::from(p.vers_f64()).iter().map(|x| x.abs()).sum()
 }
 
 /// The next ray of a path, towards a seam if that is outward, else mirrored.
@@ -162,13 +150,8 @@ fn aucun_chemin_ne_quitte_une_chambre<R: Bits>() {
                 d_emblee += usize::from(touche.distance() == R::ZERO);
                 let exces = chambre.exces(touche.point(), rayon.flou());
                 // P has its own rounding, which the next δ has.
-                assert!(
-                    exces
-                        <= FLOU_DISTANCE * touche.distance().vers_f64()
-                            + FLOU_POINT * norme_1(touche.point()),
-                    "{exces} u: {rayon:?} {:?}",
-                    chambre.objets
-                );
+                let permis = flou_du_point(touche.distance(), touche.point());
+                assert!(exces <= permis, "{exces:e}: {rayon:?} {:?}", chambre.objets);
                 rebonds += 1;
                 rayons.push(rayon);
                 let lampe = chambre.milieu + direction(&mut alea) * (4.0 + 9.0 * alea.f64());

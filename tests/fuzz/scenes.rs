@@ -1,39 +1,59 @@
-//! Text through the scene loader, and what comes out of it asked with some rays.
+//! Text through the scene loader, and what comes out of it asked by some rays and paths; and written and read again.
+//!
+//! It finds little unless it starts from scenes: give it `docs/scenes` as a second folder, after that of its own corpus.
 
 #![no_main]
 
+mod relire;
+
 use std::path::Path;
 
+use commun::Bits;
+use commun::chemins::{Pas, Suite, suivre};
+use commun::choisis::{Choisis, choisir};
+use commun::passages::exiger_les_passages;
 use exemples::scene::Scene;
-use lancer_rayon::{Monde, NoIntersection, ObjetGeo, Rayon, Reel, Vecteur, premiere_intersection};
+use lancer_rayon::{Monde, ObjetGeo, Rayon, Vecteur, places};
 use libfuzzer_sys::fuzz_target;
+use serde::Serialize;
 use serde::de::DeserializeOwned;
 
-fn lire<R: Reel + DeserializeOwned>(texte: &str) {
-    match Scene::<R>::depuis_texte(Path::new("scene.ron"), texte) {
-        Ok(scene) => {
-            let objets: Vec<_> = scene.objets.into_iter().map(ObjetGeo::vers_ray).collect();
-            for (x, y, z) in [(0, 0, -1), (1, 1, 1), (-3, 0, 2), (0, -7, 1)] {
-                let vers = [x, y, z].map(|x| R::depuis_f64(f64::from(x)));
-                let rayon = Rayon::new(Vecteur::NUL, vers.into()).unwrap();
-                let premiere = premiere_intersection(&objets, &rayon);
-                if let Ok(touche) = premiere {
-                    assert!(touche.distance() > R::ZERO && touche.distance() < R::INFINI);
-                }
-                // All along the ray; and of what it leaves, where.
-                let mut touches = vec![Err(NoIntersection); objets.len() + 1];
-                let liste = Monde::de_liste(&objets);
-                let nombre = liste.dans_l_ordre(&rayon, &mut touches);
-                assert_eq!(touches[0], premiere);
-                let entres = objets.iter().filter(|objet| objet.intersection(&rayon).is_ok());
-                assert_eq!(nombre, entres.count());
-                for sortie in objets.iter().flat_map(|objet| objet.sortie(&rayon)) {
-                    assert!(sortie.distance() > R::ZERO && sortie.distance() < R::INFINI);
-                    assert!(sortie.normale().produit_scalaire(rayon.direction()) > R::ZERO);
-                }
-            }
-        }
-        Err(erreur) => assert!(!erreur.to_string().is_empty()),
+use crate::relire::relire;
+
+/// So many objects are asked.
+const OBJETS: usize = 40;
+
+/// A mirror, into glass and out of it, a turn in mid-air, towards a lamp.
+fn pas<R: Bits>(v: Vecteur<R>) -> [Pas<R>; 5] {
+    let suites =
+        [Suite::Reflechi, Suite::ToutDroit, Suite::ToutDroit, Suite::Bifurque, Suite::Lumiere];
+    suites.map(|suite| Pas { suite, vers: v, vise: false, distance: R::UN })
+}
+
+fn lire<R: Bits + Serialize + DeserializeOwned>(texte: &str) {
+    let scene = match Scene::<R>::depuis_texte(Path::new("scene.ron"), texte) {
+        Ok(scene) => scene,
+        Err(erreur) => return assert!(!erreur.to_string().is_empty()),
+    };
+    let decrits: Vec<ObjetGeo<R>> = scene.objets.into_iter().take(OBJETS).collect();
+    relire(&decrits);
+    let objets: Vec<_> = decrits.iter().map(|objet| objet.vers_ray()).collect();
+    let mut memoire = vec![0.0; places(objets.len())];
+    let arbre = Monde::new(&objets, &mut memoire).unwrap();
+    let mut rayons = vec![];
+    for (x, y, z) in [(0, 0, -1), (1, 1, 1), (-3, 0, 2), (0, -7, 1)] {
+        let vers = Vecteur::from([x, y, z].map(|x| R::depuis_f64(f64::from(x))));
+        let rayon = Rayon::new(Vecteur::NUL, vers).unwrap();
+        rayons.extend(suivre(arbre, rayon, 0, &pas(vers)));
+        objets.iter().for_each(|objet| exiger_les_passages(objet, &rayon, vers));
+    }
+    relire(&rayons);
+    for monde in [arbre, Monde::de_liste(&objets)] {
+        let touches: Vec<_> = rayons.iter().map(|r| monde.premiere_intersection(r)).collect();
+        relire(&touches);
+        let tous = Choisis { monde, pris: (0..objets.len()).collect() };
+        tous.interroger(&rayons, &[R::UN], &[Vecteur::NUL], 3);
+        choisir(monde, [0b0101_0000, 1, 0]).interroger(&rayons, &[R::UN], &[], 1);
     }
 }
 

@@ -1,0 +1,201 @@
+//! Paths of several bounces: mirrors, glass, lamps, suns, other hits and turns in mid-air, one after another; and what each
+//! ray of a path knows of its start.
+
+use lancer_rayon::{Intersection, Monde, Rayon, Reel, Vecteur};
+
+use crate::conversion::{Bits, mots};
+use crate::passages::{
+    coordonnees, exiger_le_retour, exiger_un_passage, exiger_une_suite, flou_du_point, profondeur,
+};
+use crate::tolerances::u;
+
+/// How a path goes on.
+#[derive(Debug, Clone, Copy)]
+pub enum Suite {
+    Reflechi,
+    Secondaire,
+    /// A secondary ray in the direction of the one that came: into glass, and out of it.
+    ToutDroit,
+    Soleil,
+    Lumiere,
+    /// To the hit before.
+    Touche,
+    /// In mid-air, or where the ray enters something.
+    Bifurque,
+}
+
+/// One step of a path.
+#[derive(Debug, Clone, Copy)]
+pub struct Pas<R> {
+    pub suite: Suite,
+    /// A direction; or a point, if `vise`.
+    pub vers: Vecteur<R>,
+    pub vise: bool,
+    /// How far a ray goes that turns in mid-air.
+    pub distance: R,
+}
+
+/// Where a path has come to.
+struct Marcheur<'a, R> {
+    monde: Monde<'a, R>,
+    rayon: Rayon<R>,
+    /// How many objects the ray is known to be inside.
+    dedans: usize,
+    /// The objects that it went into and has not left.
+    verres: Vec<usize>,
+    avant: Option<Intersection<R>>,
+}
+
+/// The rays of this path, the first of which is known to be inside `dedans` objects. Each step is what the documentation
+/// says.
+pub fn suivre<R: Bits>(
+    monde: Monde<'_, R>,
+    depart: Rayon<R>,
+    dedans: usize,
+    pas: &[Pas<R>],
+) -> Vec<Rayon<R>> {
+    let mut marcheur = Marcheur { monde, rayon: depart, dedans, verres: vec![], avant: None };
+    let mut rayons = vec![depart];
+    for pas in pas {
+        let Some(suivant) = marcheur.avancer(pas) else { break };
+        rayons.push(suivant);
+    }
+    rayons
+}
+
+impl<R: Bits> Marcheur<'_, R> {
+    fn avancer(&mut self, pas: &Pas<R>) -> Option<Rayon<R>> {
+        let rayon = self.rayon;
+        let entree = self.monde.premiere_intersection(&rayon);
+        if rayon.flou() == R::ZERO {
+            // What it is inside changes nothing: it sees what a ray from `new` does (`Rayon::dedans`), and `new` keeps a
+            // direction that is unit (C13).
+            let neuf =
+                Rayon::new(rayon.source(), rayon.direction()).and_then(|r| r.jusqu_a(rayon.fin()));
+            let neuve = self.monde.premiere_intersection(&neuf.unwrap());
+            assert_eq!(mots(&entree), mots(&neuve), "{rayon:?} of {:?}", self.monde.objets());
+        }
+        let entree = entree.ok().map(|touche| (touche.indice(), touche));
+        // As the recipe for glass: whatever comes first, a thing within or the way out.
+        let verre = self.verres.last().copied();
+        let sortie = verre.and_then(|i| Some((i, self.monde.objets()[i].sortie(&rayon).ok()?)));
+        let passage = match (entree, sortie) {
+            (Some(entree), Some(sortie)) if sortie.1.distance() > entree.1.distance() => {
+                Some(entree)
+            }
+            (entree, sortie) => sortie.or(entree),
+        };
+        let libre = passage.map_or(rayon.fin(), |(_, touche)| touche.distance());
+        let t = Some(R::abs(pas.distance)).filter(|t| *t < libre).unwrap_or(libre);
+        let au_sec = verre.is_none() && self.au_sec(&rayon);
+        if au_sec {
+            let (t, p) = entree.map_or((t, rayon.point(t)), |(_, e)| (e.distance(), e.point()));
+            self.exiger_qu_il_ne_s_enfonce_pas(p, au_plus(&rayon, t, p));
+        }
+        let suite = if let Suite::Bifurque = pas.suite {
+            let p = rayon.point(t);
+            let suite = rayon.bifurque(t, if pas.vise { pas.vers - p } else { pas.vers }).ok()?;
+            assert_eq!(coordonnees(suite.source()), coordonnees(p), "{t}: {rayon:?}");
+            self.exiger_ce_qu_il_sait(&suite, self.dedans, [au_plus(&rayon, t, p); 2]);
+            suite
+        } else {
+            let (indice, touche) = passage?;
+            let suite = self.suite_d_un_passage(pas, &touche)?;
+            self.passer(indice, &touche, &suite);
+            suite
+        };
+        if au_sec && suite.flou() > R::ZERO {
+            self.exiger_qu_il_ne_s_enfonce_pas(suite.source(), suite.flou().vers_f64());
+        }
+        self.rayon = suite;
+        Some(suite)
+    }
+
+    fn suite_d_un_passage(&self, pas: &Pas<R>, touche: &Intersection<R>) -> Option<Rayon<R>> {
+        let vers = if pas.vise { pas.vers - touche.point() } else { pas.vers };
+        match pas.suite {
+            Suite::Reflechi => touche.reflechi(self.rayon.direction()).ok(),
+            Suite::ToutDroit => touche.secondaire(self.rayon.direction()).ok(),
+            Suite::Soleil => touche.vers_soleil(vers).ok(),
+            Suite::Lumiere => touche.vers_lumiere(pas.vers).ok(),
+            Suite::Touche => exiger_le_retour(touche, &self.avant?),
+            Suite::Secondaire | Suite::Bifurque => touche.secondaire(vers).ok(),
+        }
+    }
+
+    /// What a ray that starts where the path enters or leaves an object is, and what it knows.
+    fn passer(&mut self, indice: usize, touche: &Intersection<R>, suite: &Rayon<R>) {
+        let (objet, rayon) = (&self.monde.objets()[indice], self.rayon);
+        exiger_un_passage(objet, &rayon, touche);
+        exiger_une_suite(objet, &rayon, touche, suite);
+        let n = touche.normale();
+        let sort = n.produit_scalaire(rayon.direction()) > R::ZERO;
+        let entre = n.produit_scalaire(suite.direction()) < R::ZERO;
+        // Beyond a way out it is inside one object fewer, or outside.
+        let dehors = self.dedans - usize::from(sort);
+        let de_loin = if sort { 0.0 } else { rayon.flou().vers_f64() };
+        let [p, s] = [touche.point(), n].map(Vecteur::vers_f64);
+        let poids = (s.x * p.x).abs() + (s.y * p.y).abs() + (s.z * p.z).abs();
+        // The step off the surface: `marge`, and at most 26.1u of it and 1.1u of the weights.
+        let pas = touche.marge().vers_f64();
+        let pas = [pas, pas + u::<R>() * (26.1 * pas + 1.1 * poids)];
+        let sans_pas = de_loin + flou_du_point(touche.distance(), touche.point());
+        self.exiger_ce_qu_il_sait(
+            suite,
+            dehors + usize::from(entre),
+            pas.map(|pas| sans_pas + pas),
+        );
+        if sort {
+            self.verres.pop();
+        }
+        if entre {
+            self.verres.push(indice);
+        }
+        self.dedans = dehors + usize::from(entre);
+        self.avant = Some(*touche);
+    }
+
+    /// δ, between these bounds outside of all that the path went into, and 0 inside ("Closed rooms").
+    fn exiger_ce_qu_il_sait(&self, suite: &Rayon<R>, dedans: usize, [bas, haut]: [f64; 2]) {
+        let flou = suite.flou().vers_f64();
+        if dedans > 0 {
+            assert_eq!(flou, 0.0, "inside {dedans} objects: {suite:?} after {:?}", self.rayon);
+            return;
+        }
+        // Eight roundings here, and fewer than that in the crate, where two products may be subnormal.
+        let (arrondi, eta) = (16.0 * u::<R>(), 4.0 * R::MIN_POSITIF.vers_f64());
+        let permis = bas * (1.0 - arrondi) - eta..=haut * (1.0 + arrondi) + eta;
+        assert!(
+            permis.contains(&flou),
+            "{flou:e} not in {permis:?}: {suite:?} after {:?}",
+            self.rayon
+        );
+    }
+
+    /// Whether the source lies no deeper in any object than the ray knows: what lemma 23 starts from.
+    fn au_sec(&self, rayon: &Rayon<R>) -> bool {
+        let (source, flou) = (rayon.source(), rayon.flou());
+        let mut tenants = self.monde.objets().iter().filter(|objet| objet.contient(source));
+        tenants.all(|objet| flou > R::ZERO && profondeur(objet, source) <= flou.vers_f64())
+    }
+
+    /// Lemma 23: no point of a path outside lies deeper in any object than this and the rounding of the object.
+    fn exiger_qu_il_ne_s_enfonce_pas(&self, point: Vecteur<R>, permis: f64) {
+        if permis == f64::INFINITY {
+            return; // The point need not be one.
+        }
+        for objet in self.monde.objets().iter().filter(|objet| objet.contient(point)) {
+            let profond = profondeur(objet, point);
+            assert!(
+                profond <= permis,
+                "{profond:e} > {permis:e}: {point:?} {objet:?} {:?}",
+                self.rayon
+            );
+        }
+    }
+}
+
+/// How deep the point of a ray at distance t may lie in an object: δ, 16ut and 8.1u‖P‖₁.
+fn au_plus<R: Reel>(rayon: &Rayon<R>, t: R, p: Vecteur<R>) -> f64 {
+    rayon.flou().vers_f64() + flou_du_point(t, p)
+}

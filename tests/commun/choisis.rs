@@ -1,0 +1,280 @@
+//! Every question of a choice of objects, at any end and with any number of places, beside each object asked alone.
+
+use std::sync::atomic::{AtomicU32, Ordering};
+
+use lancer_rayon::{Choix, Etendue, Monde, NoIntersection, Rayon, Reponse, Vecteur};
+
+use crate::conversion::{Bits, Mots, mots};
+
+/// A choice that is kept for all questions, and the indices of what it is to take.
+pub struct Choisis<'a, R, C> {
+    pub monde: Monde<'a, R, C>,
+    pub pris: Vec<usize>,
+}
+
+/// Of these objects what two choices take, and neither of the two that another byte leaves out before and between.
+pub fn choisir<R: Bits>(
+    monde: Monde<'_, R>,
+    [un, sauf, deux]: [u8; 3],
+) -> Choisis<'_, R, impl Choix + Copy> {
+    let [un, deux] = [un, deux].map(|masque| move |indice: usize| masque >> (indice % 8) & 1 == 0);
+    let [a, b] = [sauf % 16, sauf / 16].map(usize::from);
+    let prend = |i: &usize| un(*i) && *i != a && *i != b && deux(*i);
+    let pris = (0..monde.objets().len()).filter(prend).collect();
+    let sans_un = monde.sans(a).parmi(un);
+    Choisis { monde: sans_un.sans(b).parmi(deux), pris }
+}
+
+/// A hit of an object that was asked alone, with its index: its distance, and its bits.
+type Vue<R> = (R, Mots);
+
+impl<R: Bits, C: Choix + Copy> Choisis<'_, R, C> {
+    /// Each ray is asked at its own end, at one of its hits and at one of these limits, with as many places for what
+    /// comes in order as `places` says.
+    pub fn interroger(
+        &self,
+        rayons: &[Rayon<R>],
+        limites: &[R],
+        points: &[Vecteur<R>],
+        places: u8,
+    ) {
+        let sans_fin = |rayon: &Rayon<R>| rayon.jusqu_a(R::INFINI).unwrap();
+        let toutes: Vec<_> = rayons.iter().map(|rayon| self.toutes(&sans_fin(rayon))).collect();
+        for (i, (rayon, toutes)) in rayons.iter().zip(&toutes).enumerate() {
+            let une = toutes.get(usize::from(places) % (toutes.len() + 1)).map(|(t, _)| *t);
+            let limite = limites.get(i % limites.len().max(1)).copied();
+            for fin in une.into_iter().chain(limite).chain([rayon.fin()]) {
+                let fini = rayon.jusqu_a(fin);
+                assert_eq!(fini.is_ok(), fin >= R::ZERO, "{fin:?}");
+                let Ok(fini) = fini else { continue };
+                self.un_rayon(&fini, avant(toutes, fin), places);
+            }
+            self.visites(rayon, toutes, limites);
+            self.certificat(rayon, toutes);
+            let premiere = toutes.first().map(|(t, _)| rayon.point(*t));
+            [rayon.source()].into_iter().chain(premiere).for_each(|point| self.points(point));
+        }
+        self.en_lot(rayons, &toutes, &[]);
+        self.en_lot(rayons, &toutes, limites);
+        points.iter().for_each(|point| self.points(*point));
+        self.etendue();
+    }
+
+    /// All hits of what was chosen, each object asked alone, in order.
+    fn toutes(&self, rayon: &Rayon<R>) -> Vec<Vue<R>> {
+        let touche = |indice: &usize| {
+            let touche = self.monde.objets()[*indice].intersection(rayon).ok()?;
+            Some((touche.distance(), Mots { objet: Some(*indice), ..mots(&Ok(touche)) }))
+        };
+        let mut toutes: Vec<_> = self.pris.iter().filter_map(touche).collect();
+        // Stable: of equal distances the earlier in the list.
+        toutes.sort_by(|(a, _), (b, _)| a.partial_cmp(b).unwrap());
+        toutes
+    }
+
+    /// What an assertion says of the objects.
+    fn objets(&self) -> String {
+        format!("{:?} of {:?}", self.pris, self.monde.objets())
+    }
+
+    /// The first hit, the shadow, and what comes in order, of a ray that enters these objects before its end.
+    fn un_rayon(&self, rayon: &Rayon<R>, avant: &[Vue<R>], places: u8) {
+        let contexte = || format!("{rayon:?} {}", self.objets());
+        let voulues: Vec<_> = avant.iter().map(|(_, mots)| *mots).collect();
+        let premiere = self.monde.premiere_intersection(rayon);
+        assert_eq!(mots(&premiere), premiers_mots::<R>(avant), "{}", contexte());
+        assert_eq!(self.monde.est_occulte(rayon), !avant.is_empty(), "{}", contexte());
+        let mut touches = vec![Err(NoIntersection); usize::from(places) % 9];
+        let nombre = self.monde.dans_l_ordre(rayon, &mut touches);
+        let obtenues: Vec<_> = touches[..nombre].iter().map(mots).collect();
+        assert_eq!(obtenues, voulues[..voulues.len().min(touches.len())], "{}", contexte());
+        assert!(touches[nombre..].iter().all(Result::is_err), "{}", contexte());
+    }
+
+    /// Visits that go on, that come nearer with every object, that end where raw numbers say, and that look for one
+    /// texture: each shows what lies before its end then, and nothing twice.
+    fn visites(&self, rayon: &Rayon<R>, toutes: &[Vue<R>], fins: &[R]) {
+        let contexte = || format!("{rayon:?} {}", self.objets());
+        let visiter = |prochaine: &mut dyn FnMut(usize, R) -> R| {
+            let (mut fin, mut vus) = (rayon.fin(), Vec::new());
+            self.monde.visiter(rayon, |indice, t| {
+                assert!(t < fin, "{t} is not before {fin}: {}", contexte());
+                vus.push((indice, t.bits()));
+                let suivante = prochaine(indice, t);
+                // A NaN leaves the end where it is.
+                fin = if suivante < fin { suivante } else { fin };
+                suivante
+            });
+            vus.sort_unstable();
+            assert!(vus.windows(2).all(|w| w[0].0 != w[1].0), "twice: {}", contexte());
+            (vus, fin)
+        };
+        let vues_avant = |fin: R| {
+            let vues = avant(toutes, fin).iter();
+            let mut vues: Vec<_> = vues.filter_map(|(t, m)| Some((m.objet?, t.bits()))).collect();
+            vues.sort_unstable();
+            vues
+        };
+        let toutes_avant = vues_avant(rayon.fin());
+        assert_eq!(visiter(&mut |_, _| R::INFINI).0, toutes_avant, "{}", contexte());
+        // A question of one's own: the first object of a texture, which is also the first of a choice.
+        let objets = self.monde.objets();
+        let derniere = toutes.last().and_then(|(_, mots)| mots.objet);
+        let texture = derniere.map(|indice| objets[indice].texture());
+        let de_texture = |indice: usize| Some(objets[indice].texture()) == texture;
+        let (_, fin) = visiter(&mut |indice, t| if de_texture(indice) { t } else { R::INFINI });
+        let premiere = self.monde.parmi(de_texture).premiere_intersection(rayon);
+        let voulue = premiere.map_or(rayon.fin(), |touche| touche.distance());
+        assert_eq!(fin.bits(), voulue.bits(), "{}", contexte());
+        assert!(visiter(&mut |_, _| R::ZERO).0.len() <= 1, "{}", contexte());
+        let mut suivantes = fins.iter().copied().cycle();
+        let (vus, fin) = visiter(&mut |_, _| suivantes.next().unwrap_or(R::INFINI));
+        // All that lies before the last end was shown, and none that no object alone knows.
+        assert!(vues_avant(fin).iter().all(|vu| vus.contains(vu)), "{}", contexte());
+        assert!(vus.iter().all(|vu| toutes_avant.contains(vu)), "{}", contexte());
+    }
+
+    /// First hits and shadows of all rays at once: each with its own end, or else by turns with one of these limits, with
+    /// its nth hit, with the number beside it, and with none.
+    fn en_lot(&self, rayons: &[Rayon<R>], toutes: &[Vec<Vue<R>>], limites: &[R]) {
+        let finir = |(i, (rayon, toutes)): (usize, (&Rayon<R>, &Vec<Vue<R>>))| {
+            if limites.is_empty() {
+                return *rayon;
+            }
+            let limite = limites[i / 4 % limites.len()];
+            let t = toutes.get(i % (toutes.len() + 1)).map_or(limite, |(t, _)| *t);
+            let fin = match i % 4 {
+                0 => limite,
+                1 => t,
+                2 => t * (R::UN + R::U + R::U),
+                _ => R::INFINI,
+            };
+            rayon.jusqu_a(fin).unwrap_or(*rayon)
+        };
+        let finis: Vec<_> = rayons.iter().zip(toutes).enumerate().map(finir).collect();
+        let mut touches: Vec<Reponse<R>> = vec![Err(NoIntersection); finis.len()];
+        let mut occultes = vec![true; finis.len()];
+        self.monde.premieres_intersections(&finis, &mut touches).unwrap();
+        self.monde.sont_occultes(&finis, &mut occultes).unwrap();
+        let obtenues = touches.iter().zip(occultes);
+        for ((rayon, toutes), (touche, occulte)) in finis.iter().zip(toutes).zip(obtenues) {
+            let avant = avant(toutes, rayon.fin());
+            assert_eq!(mots(touche), premiers_mots::<R>(avant), "{rayon:?} {}", self.objets());
+            assert_eq!(occulte, !avant.is_empty(), "{rayon:?} {}", self.objets());
+        }
+    }
+
+    /// What the choice leaves out is no answer of which to be certain, nor are two answers certain; and what a list of
+    /// what it takes is certain of is certain.
+    fn certificat(&self, rayon: &Rayon<R>, toutes: &[Vue<R>]) {
+        let objets = self.monde.objets();
+        let toute = Monde::de_liste(objets).premiere_intersection(rayon);
+        if toute.is_ok_and(|touche| !self.pris.contains(&touche.indice())) {
+            assert!(!self.monde.certifie(rayon, &toute), "{rayon:?} {}", self.objets());
+        }
+        // The answer itself, a miss, and what comes second.
+        let premiere = self.monde.premiere_intersection(rayon);
+        let sure = self.monde.certifie(rayon, &premiere);
+        let seconde = toutes.get(1).and_then(|(_, mots)| mots.objet).map(|indice| {
+            let autre = self.monde.parmi(move |i| i == indice);
+            autre.premiere_intersection(rayon)
+        });
+        for autre in [Some(Err(NoIntersection)), seconde].into_iter().flatten() {
+            let la_meme = autre.map(|t| t.indice()) == premiere.map(|t| t.indice());
+            let fausse = sure && !la_meme && self.monde.certifie(rayon, &autre);
+            assert!(!fausse, "{premiere:?} and {autre:?}: {rayon:?} {}", self.objets());
+        }
+        let restants: Vec<_> = self.pris.iter().map(|indice| objets[*indice]).collect();
+        let restants = Monde::de_liste(&restants);
+        let la = restants.premiere_intersection(rayon);
+        assert!(sure || !restants.certifie(rayon, &la), "{rayon:?} {}", self.objets());
+    }
+
+    /// Who holds this point: those that say so themselves, each once.
+    fn points(&self, point: Vecteur<R>) {
+        let objets = self.monde.objets();
+        let voulus = self.pris.iter().copied().filter(|indice| objets[*indice].contient(point));
+        let voulus: Vec<_> = voulus.collect();
+        let mut vus = Vec::new();
+        self.monde.contenants(point, |indice| vus.push(indice));
+        vus.sort_unstable();
+        assert_eq!(vus, voulus, "{point:?} {}", self.objets());
+        assert_eq!(self.monde.contient(point), !voulus.is_empty(), "{point:?} {}", self.objets());
+    }
+
+    /// The box around a choice is that around its boxes, and there is none where no object has one.
+    fn etendue(&self) {
+        let siennes = self.pris.iter().filter_map(|indice| self.monde.objets()[*indice].etendue());
+        let coins = siennes.clone().map(|Etendue { bas, haut }| [bas, haut].map(<[R; 3]>::from));
+        let voulue = coins.reduce(|[bas, haut], [b, h]| {
+            let bout = |i: usize| if b[i] < bas[i] { b[i] } else { bas[i] };
+            let autre = |i: usize| if h[i] > haut[i] { h[i] } else { haut[i] };
+            [[0, 1, 2].map(bout), [0, 1, 2].map(autre)]
+        });
+        let obtenue = self.monde.etendue().map(|e| [e.bas, e.haut].map(<[R; 3]>::from));
+        assert_eq!(obtenue, voulue, "{}", self.objets());
+    }
+}
+
+/// Of these hits, which are in order, those before an end.
+fn avant<R: PartialOrd>(toutes: &[Vue<R>], fin: R) -> &[Vue<R>] {
+    &toutes[..toutes.partition_point(|(t, _)| *t < fin)]
+}
+
+/// The first of these hits, or a miss.
+fn premiers_mots<R: Bits>(toutes: &[Vue<R>]) -> Mots {
+    toutes.first().map_or_else(|| mots::<R>(&Err(NoIntersection)), |(_, mots)| *mots)
+}
+
+/// A choice that answers otherwise each time: every answer is still a hit of some object, in order.
+pub fn un_choix_inconstant<R: Bits>(monde: Monde<'_, R>, rayons: &[Rayon<R>], graine: u8) {
+    let etat = AtomicU32::new(graine.into());
+    let parmi = monde.parmi(|_| {
+        let suivant = etat.load(Ordering::Relaxed).wrapping_mul(747_796_405).wrapping_add(1);
+        etat.store(suivant, Ordering::Relaxed);
+        suivant >> 31 == 0
+    });
+    let seule = |indice: usize, rayon: &Rayon<R>| monde.objets()[indice].intersection(rayon);
+    let mut lot = vec![Err(NoIntersection); rayons.len()];
+    parmi.premieres_intersections(rayons, &mut lot).unwrap();
+    for (rayon, touche) in rayons.iter().zip(lot) {
+        let mut touches = [Err(NoIntersection); 4];
+        let nombre = parmi.dans_l_ordre(rayon, &mut touches);
+        let places: Vec<_> =
+            touches[..nombre].iter().flatten().map(|t| (t.distance(), t.indice())).collect();
+        assert!(places.len() == nombre && places.windows(2).all(|w| w[0] < w[1]));
+        parmi.visiter(rayon, |indice, _| {
+            assert!(seule(indice, rayon).is_ok(), "{rayon:?}");
+            R::INFINI
+        });
+        parmi.contenants(rayon.source(), |indice| {
+            assert!(monde.objets()[indice].contient(rayon.source()), "{rayon:?}");
+        });
+        let une = parmi.premiere_intersection(rayon);
+        let _ = (parmi.certifie(rayon, &une), parmi.est_occulte(rayon));
+        for touche in touches.iter().chain(&[touche, une]).flatten() {
+            let seule = seule(touche.indice(), rayon);
+            assert_eq!(mots(&seule).valeurs, mots(&Ok(*touche)).valeurs, "{rayon:?}");
+        }
+    }
+}
+
+/// Certain answers of two precisions name the same object, or none, of a list and of a tree; and what `vers_f64` gives
+/// is answered by a tree as by a list (`Rayon::vers_f64`).
+pub fn exiger_les_certificats<R: Bits>(
+    monde: Monde<'_, R>,
+    en_double: Monde<'_>,
+    rayon: &Rayon<R>,
+) {
+    let (touche, double) = (monde.premiere_intersection(rayon), rayon.vers_f64());
+    let la = en_double.premiere_intersection(&double);
+    let liste = Monde::de_liste(en_double.objets());
+    let contexte = || format!("{:?} {rayon:?}", monde.objets());
+    assert_eq!(mots(&la), mots(&liste.premiere_intersection(&double)), "{}", contexte());
+    let ici = [monde, Monde::de_liste(monde.objets())].map(|m| m.certifie(rayon, &touche));
+    let la_bas = [en_double, liste].map(|monde| monde.certifie(&double, &la));
+    if ici.contains(&true) && la_bas.contains(&true) {
+        let [ici, la] = [touche.ok().map(|t| t.indice()), la.ok().map(|t| t.indice())];
+        assert_eq!(ici, la, "{}", contexte());
+    }
+}

@@ -1,0 +1,196 @@
+//! What every hit, every way out and every ray that starts from one must be, whatever the numbers: the promises of
+//! `docs/precision.md` and of the documentation that need no exact answer beside them.
+
+use lancer_rayon::pour_les_tests::{FLOU_DISTANCE, FLOU_POINT, FLOU_PROPRE};
+use lancer_rayon::{Intersection, NoIntersection, ObjetRay, Rayon, Reel, Vecteur};
+
+use crate::conversion::Bits;
+use crate::mesure::au_bord;
+use crate::oracle::dehors;
+use crate::tolerances::{NORMALE_UNITAIRE, bandes, u};
+
+/// How deep a point lies in an object beyond the object's own rounding o_B (lemma 23).
+pub fn profondeur<R: Reel>(objet: &ObjetRay<R>, point: Vecteur<R>) -> f64 {
+    -dehors(objet, point) - flou_propre(objet)
+}
+
+/// How much less exactly a path knows its point P at distance t than the source of the ray: 16ut and 8.1u‖P‖₁ (lemma 23).
+pub fn flou_du_point<R: Reel>(t: R, p: Vecteur<R>) -> f64 {
+    let [x, y, z] = <[f64; 3]>::from(p.vers_f64()).map(f64::abs);
+    u::<R>() * (FLOU_DISTANCE * t.vers_f64() + FLOU_POINT * (x + y + z))
+}
+
+/// o_B of lemma 23.
+fn flou_propre<R: Reel>(objet: &ObjetRay<R>) -> f64 {
+    let taille = match objet {
+        ObjetRay::Sphere(sphere) => sphere.rayon().vers_f64(),
+        ObjetRay::Plan(_) => 0.0,
+        ObjetRay::Boite(boite) => boite.demi_longueurs().map(R::vers_f64).iter().sum(),
+    };
+    FLOU_PROPRE * u::<R>() * taille
+}
+
+/// How far off a height over a half-space is as computed (lemma 3); that of the others is in o_B.
+fn arrondi_d_une_hauteur<R: Reel>(objet: &ObjetRay<R>, point: Vecteur<R>) -> f64 {
+    let ObjetRay::Plan(plan) = objet else { return 0.0 };
+    let (n, p) = (plan.normale().vers_f64(), point.vers_f64());
+    let poids = (n.x * p.x).abs() + (n.y * p.y).abs() + (n.z * p.z).abs();
+    bandes::PLAN * u::<R>() * poids + bandes::PLAN_ABSOLUE * R::MIN_POSITIF.vers_f64()
+}
+
+/// Asks this object where the ray enters and leaves it, and whether the rays that start there meet it again; one of
+/// them goes towards `vers`.
+pub fn exiger_les_passages<R: Bits>(objet: &ObjetRay<R>, rayon: &Rayon<R>, vers: Vecteur<R>) {
+    let (entree, sortie) = (objet.intersection(rayon), objet.sortie(rayon));
+    let contexte = || format!("{objet:?} {rayon:?} {entree:?} {sortie:?}");
+    let borne = !matches!(objet, ObjetRay::Plan(_));
+    match (entree, sortie) {
+        (Ok(entree), Ok(sortie)) => {
+            assert!(borne && entree.distance() <= sortie.distance(), "{}", contexte());
+        }
+        // "A ray that enters a sphere or a box leaves it", unless it ends before; a half-space never.
+        (Ok(_), Err(_)) => assert!(!borne || rayon.fin() < R::INFINI, "{}", contexte()),
+        (Err(_), Ok(_)) => assert!(objet.contient(rayon.source()), "{}", contexte()),
+        (Err(_), Err(_)) => {}
+    }
+    // What lies at the end itself is not touched, and no way out.
+    let jusque_la = |passage: &Intersection<R>| rayon.jusqu_a(passage.distance()).unwrap();
+    let encore = entree.is_ok_and(|t| objet.intersection(&jusque_la(&t)).is_ok())
+        || sortie.is_ok_and(|t| objet.sortie(&jusque_la(&t)).is_ok());
+    assert!(!encore, "{}", contexte());
+    exiger_qu_il_ne_s_enfonce_pas(objet, rayon);
+    for passage in [entree, sortie].into_iter().flatten() {
+        exiger_un_passage(objet, rayon, &passage);
+        let (n, d) = (passage.normale(), rayon.direction());
+        let libres = [vers, -vers, n, -n, d, -d].map(|vers| passage.secondaire(vers));
+        let lampes = [passage.vers_soleil(vers), passage.vers_lumiere(vers)];
+        let (reflet, le_long) = (passage.reflechi(d), n.produit_scalaire(d));
+        let monte = |suite: &Rayon<R>| suite.direction().produit_scalaire(n);
+        // A lamp is above the tangent plane by more than 3.2u.
+        assert!(lampes.iter().flatten().all(|l| monte(l) > R::U + R::U + R::U), "{}", contexte());
+        // A mirror goes out where the ray comes in, and in where it goes out unless it grazes: 20u of lemma 9 and 3.2u.
+        let rase = le_long.vers_f64() < 32.0 * u::<R>();
+        let du_bon_cote = |r: &Rayon<R>| {
+            if le_long < R::ZERO { monte(r) > R::ZERO } else { rase || monte(r) < R::ZERO }
+        };
+        assert!(reflet.iter().all(du_bon_cote), "{}", contexte());
+        for suite in libres.into_iter().chain(lampes).chain([reflet]).flatten() {
+            exiger_une_suite(objet, rayon, &passage, &suite);
+        }
+    }
+}
+
+/// Lemma 23: an object that holds the start of a ray by no more than δ and o_B, and that the ray does not touch at once,
+/// is nowhere deeper around it than the next start may be; tried amid the way through it.
+fn exiger_qu_il_ne_s_enfonce_pas<R: Bits>(objet: &ObjetRay<R>, rayon: &Rayon<R>) {
+    let (rayon, source) = (rayon.jusqu_a(R::INFINI).unwrap(), rayon.source());
+    let flou = rayon.flou().vers_f64();
+    if flou > 0.0
+        && objet.contient(source)
+        && profondeur(objet, source) <= flou
+        && objet.intersection(&rayon).is_err()
+    {
+        let au_milieu = |t: Intersection<R>| t.distance() / (R::UN + R::UN);
+        let t = objet.sortie(&rayon).map_or(rayon.flou(), au_milieu);
+        let p = rayon.point(t);
+        let (profond, permis) = (profondeur(objet, p), flou + flou_du_point(t, p));
+        assert!(profond <= permis, "{profond:e} > {permis:e}: {objet:?} {rayon:?}");
+    }
+}
+
+/// A hit of this ray on this object, or its way out: the two differ by the side to which N points.
+pub fn exiger_un_passage<R: Bits>(
+    objet: &ObjetRay<R>,
+    rayon: &Rayon<R>,
+    passage: &Intersection<R>,
+) {
+    let contexte = || format!("{objet:?} {rayon:?} {passage:?}");
+    let (t, n) = (passage.distance(), passage.normale());
+    let entre = n.produit_scalaire(rayon.direction()) < R::ZERO;
+    assert!(entre || n.produit_scalaire(rayon.direction()) > R::ZERO, "{}", contexte());
+    assert!(t >= R::ZERO && t < rayon.fin(), "{}", contexte());
+    let ecart = (n.vers_f64().longueur() - 1.0).abs();
+    assert!(ecart <= NORMALE_UNITAIRE * u::<R>(), "|N| is off by {ecart:e}: {}", contexte());
+    assert_eq!(coordonnees(passage.point()), coordonnees(rayon.point(t)), "{}", contexte());
+    assert!(passage.marge() >= R::ZERO, "{}", contexte());
+    assert!(objet.erreur(rayon, passage) > R::ZERO, "{}", contexte());
+    if entre {
+        // `contient`: a ray from such a point touches the object at once or not at all, and at once only if it has a δ.
+        assert_eq!(t == R::ZERO, objet.contient(rayon.source()), "{}", contexte());
+    } else {
+        assert!(t > R::ZERO, "the source is no way out: {}", contexte());
+    }
+    if t == R::ZERO {
+        let (flou, source) = (rayon.flou(), rayon.source());
+        // Lemma 23: it holds the start by no more than 2(δ+o_B), as computed.
+        let permis =
+            2.0 * flou.vers_f64() + flou_propre(objet) + arrondi_d_une_hauteur(objet, source);
+        assert!(flou > R::ZERO && profondeur(objet, source) <= permis, "{}", contexte());
+    }
+    if let ObjetRay::Boite(boite) = objet {
+        let (face, p) = boite.lieu(rayon, passage);
+        assert_eq!(boite.face(face).1, n, "{}", contexte());
+        assert!(<[R; 3]>::from(p).into_iter().all(|x| x.abs() <= R::UN), "{}", contexte());
+    }
+}
+
+/// A ray that starts where another enters this object or leaves it: outward it meets the object no more, and inward
+/// only beside an edge of a box (lemma 9); from within a sphere it leaves.
+pub fn exiger_une_suite<R: Bits>(
+    objet: &ObjetRay<R>,
+    rayon: &Rayon<R>,
+    passage: &Intersection<R>,
+    suite: &Rayon<R>,
+) {
+    let contexte = || format!("{objet:?} {rayon:?} {passage:?} {suite:?}");
+    let (entree, sortie) = (objet.intersection(suite), objet.sortie(suite));
+    if suite.direction().produit_scalaire(passage.normale()) > R::ZERO {
+        assert_eq!([entree, sortie], [Err(NoIntersection); 2], "{}", contexte());
+        return;
+    }
+    // It is inside: it starts without a δ, and has no end.
+    assert!(suite.flou() == R::ZERO && suite.fin() == R::INFINI, "{}", contexte());
+    match objet {
+        ObjetRay::Sphere(_) => assert!(entree.is_err() && sortie.is_ok(), "{}", contexte()),
+        ObjetRay::Plan(_) => assert!(entree.is_err(), "{}", contexte()),
+        ObjetRay::Boite(_) => {
+            let a_cote = |encore| au_bord(objet, rayon, passage, suite.source(), &encore);
+            assert!(entree.is_err() || entree.is_ok_and(a_cote), "{}", contexte());
+        }
+    }
+}
+
+/// What is asked after the fact: certain answers of two precisions agree, and so do two bounded distances; and
+/// from one hit to the next nothing of the object itself is in the way.
+pub fn exiger_apres_coup<R: Bits>(objet: &ObjetRay<R>, [rayon, autre]: [&Rayon<R>; 2]) {
+    let (double, en_double) = (objet.vers_f64(), rayon.vers_f64());
+    let (touche, la) = (objet.intersection(rayon), double.intersection(&en_double));
+    if objet.est_certain(rayon) && double.est_certain(&en_double) {
+        assert_eq!(touche.is_ok(), la.is_ok(), "{objet:?} {rayon:?}");
+    }
+    let Ok(touche) = touche else { return };
+    if let Ok(la) = la {
+        let erreurs = objet.erreur(rayon, &touche).vers_f64() + double.erreur(&en_double, &la);
+        let permis = erreurs * (1.0 + 4.0 * f64::EPSILON);
+        let ecart = (touche.distance().vers_f64() - la.distance()).abs();
+        assert!(ecart <= permis, "{ecart:e} > {permis:e}: {objet:?} {rayon:?}");
+    }
+    let Ok(cible) = objet.intersection(autre) else { return };
+    if let Some(vers) = exiger_le_retour(&touche, &cible) {
+        assert_eq!(objet.intersection(&vers), Err(NoIntersection), "{objet:?} {vers:?}");
+    }
+}
+
+/// The ray from one hit to another: with both exchanged it is the same line, exactly, or an error again (lemma 12).
+pub fn exiger_le_retour<R: Bits>(de: &Intersection<R>, a: &Intersection<R>) -> Option<Rayon<R>> {
+    let (aller, retour) = (de.vers_touche(a), a.vers_touche(de));
+    assert_eq!(aller.is_ok(), retour.is_ok(), "{de:?} {a:?}");
+    let (aller, retour) = (aller.ok()?, retour.ok()?);
+    assert_eq!((retour.fin(), retour.direction()), (aller.fin(), -aller.direction()));
+    Some(aller)
+}
+
+/// The bits of three coordinates.
+pub fn coordonnees<R: Bits>(p: Vecteur<R>) -> [u64; 3] {
+    <[R; 3]>::from(p).map(R::bits)
+}
