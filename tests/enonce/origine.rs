@@ -165,6 +165,18 @@ fn un_flou_ne_devient_ni_plus_petit_ni_infini() {
     assert_eq!(rayon.vers_f32(Vecteur::NUL).unwrap().flou(), 0.0);
 }
 
+/// Far from O a source is on its surface to the rounding of `f64` there, and this stays so when the origin comes to it and
+/// `f32` has no rounding of its own to add.
+#[test]
+fn un_flou_loin_de_o_vaut_pres_de_l_origine() {
+    let loin = Vecteur::new(4.2e6, 0.0, 5e5);
+    let rayon = Rayon::new(loin, Vecteur::X).unwrap().avec_flou(1e-12).unwrap();
+    let simple = rayon.vers_f32(loin).unwrap();
+    assert_eq!(simple.source(), Vecteur::NUL);
+    // Each coordinate may be off by half a unit in its last place.
+    assert!(f64::from(simple.flou()) > 1e-12 + 4.7e6 * f64::EPSILON / 2.0, "{simple:?}");
+}
+
 /// The room is a cube of side 2 about `milieu`, of half-spaces or of boxes that reach beyond its corners.
 fn chambre(milieu: Vecteur, tour: Rotation, de_boites: bool) -> Result<Vec<ObjetGeo>, ErreurGeo> {
     let mut murs = vec![];

@@ -605,6 +605,37 @@ fn qui_part_de_plusieurs_objets_les_quitte_un_par_un<R: Reel>() {
 
 en_f32_et_f64!(qui_part_de_plusieurs_objets_les_quitte_un_par_un);
 
+/// A bounce in glass that forgets the glass: what a ray knows of its source follows it into a ball and the ball within,
+/// through bounces and turns, and out again. Inside it has no δ, however large the δ that it came with and the rounding
+/// there; outside none is lost.
+fn dedans_un_rayon_n_a_pas_de_flou_et_dehors_il_le_garde<R: Reel>() {
+    // In the larger scene the rounding of one bounce is longer than 1.
+    for echelle in [1.0, 1.0 / u::<R>()] {
+        let long = |x| R::depuis_f64(x * echelle);
+        let [grande, petite] = [4.0, 1.0].map(|rayon| sphere(Vecteur::NUL, long(rayon)));
+        let (d, travers, flou) = (v(0.0, 0.0, -1.0), v(1.0, 0.0, 0.0), long(3.0));
+        let de = |z| Rayon::new(v(0.0, 0.0, z * echelle), d).unwrap().avec_flou(flou).unwrap();
+        let touche = grande.intersection(&de(10.0)).unwrap();
+        let verre = touche.secondaire(d).unwrap();
+        let bord = petite.intersection(&verre).unwrap();
+        let bulle = bord.secondaire(d).unwrap();
+        let retour = petite.sortie(&bulle).unwrap().secondaire(d).unwrap();
+        let miroir = bord.reflechi(d).unwrap();
+        let virage = verre.bifurque(long(1.0), travers).unwrap();
+        let dedans = [verre, miroir, virage, bulle, retour, de(0.0).dedans()];
+        assert_eq!(dedans.map(|rayon| rayon.flou()), [R::ZERO; 6]);
+        assert!(grande.sortie(&retour).unwrap().secondaire(d).unwrap().flou() > R::ZERO);
+        let dehors = [
+            touche.reflechi(d).unwrap(),
+            de(10.0).bifurque(long(1.0), travers).unwrap(),
+            grande.sortie(&de(0.0)).unwrap().secondaire(d).unwrap(),
+        ];
+        assert!(dehors.iter().all(|rayon| rayon.flou() > flou), "{dehors:?}");
+    }
+}
+
+en_f32_et_f64!(dedans_un_rayon_n_a_pas_de_flou_et_dehors_il_le_garde);
+
 /// A planet that drifts from its orbit, since it is turned on from each picture to the next: as fast as the documents
 /// say. Turned once from where it was described, by the rotation that grew, it stays as far away as it was, shows O the
 /// same face and is met there.
