@@ -481,6 +481,11 @@ fn des_poutres_en_morceaux_repondent_comme_la_liste<R: Bits>() {
     for n in [UN_ARBRE, 40, 300] {
         for copies in [1, 3] {
             let mut objets = poutres::<R>(&mut alea, n.div_ceil(copies)).repeat(copies);
+            // Balls are in one piece, and shown in the first of several walks alone.
+            for _ in 0..n / 10 {
+                let ou = arrondi(direction(&mut alea) * (4.0 * alea.f64()));
+                objets.push(sphere(ou, R::UN));
+            }
             alea.shuffle(&mut objets);
             let mut rayons = Vec::new();
             for _ in 0..3 {
