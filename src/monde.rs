@@ -28,11 +28,10 @@ use crate::vecteur::Vecteur;
 ///
 /// **What makes a tree slow.** Half-spaces are tested one by one, as in a list. Where a ray crosses
 /// most boxes, as in a heap, a batch tests the objects as a list does, but a single ray takes up to
-/// about twice as long as with a list, and up to five times if it starts inside all objects. Boxes
-/// are rounded to some 10⁻⁶ of their distance from the middle of most objects, and in `f32` also of
-/// the distance of the source. Objects closer together than that are all tested: fine detail far
-/// from most objects costs time, but never accuracy. A sun, a sky or a ball for a ground costs
-/// little (`benches/README.md`).
+/// 1.5 times as long as with a list. Boxes are rounded to some 10⁻⁶ of their distance from the
+/// middle of most objects, and in `f32` also of the distance of the source. Objects closer together
+/// than that are all tested: fine detail far from most objects costs time, but never accuracy. A
+/// sun, a sky or a ball for a ground costs little (`benches/README.md`).
 ///
 /// ```
 /// use lancer_rayon::{
