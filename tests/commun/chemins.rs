@@ -5,7 +5,8 @@ use lancer_rayon::{Intersection, Monde, Rayon, Reel, Vecteur};
 
 use crate::conversion::{Bits, mots};
 use crate::passages::{
-    coordonnees, exiger_le_retour, exiger_un_passage, exiger_une_suite, flou_du_point, profondeur,
+    coordonnees, est_a_fleur, exiger_le_retour, exiger_un_passage, exiger_une_suite, flou_du_point,
+    profondeur,
 };
 use crate::tolerances::u;
 
@@ -174,9 +175,8 @@ impl<R: Bits> Marcheur<'_, R> {
 
     /// Whether the source lies no deeper in any object than the ray knows: what lemma 23 starts from.
     fn au_sec(&self, rayon: &Rayon<R>) -> bool {
-        let (source, flou) = (rayon.source(), rayon.flou());
-        let mut tenants = self.monde.objets().iter().filter(|objet| objet.contient(source));
-        tenants.all(|objet| flou > R::ZERO && profondeur(objet, source) <= flou.vers_f64())
+        let mut tenants = self.monde.objets().iter().filter(|o| o.contient(rayon.source()));
+        tenants.all(|objet| est_a_fleur(objet, rayon))
     }
 
     /// Lemma 23: no point of a path outside lies deeper in any object than this and the rounding of the object.

@@ -80,14 +80,19 @@ pub fn exiger_les_passages<R: Bits>(objet: &ObjetRay<R>, rayon: &Rayon<R>, vers:
     }
 }
 
+/// Whether this object, which holds the source of the ray, holds it by no more than δ and o_B however that is rounded.
+pub fn est_a_fleur<R: Reel>(objet: &ObjetRay<R>, rayon: &Rayon<R>) -> bool {
+    let (source, flou) = (rayon.source(), rayon.flou().vers_f64());
+    flou > 0.0 && profondeur(objet, source) + arrondi_d_une_hauteur(objet, source) <= flou
+}
+
 /// Lemma 23: an object that holds the start of a ray by no more than δ and o_B, and that the ray does not touch at once,
 /// is nowhere deeper around it than the next start may be; tried amid the way through it.
 fn exiger_qu_il_ne_s_enfonce_pas<R: Bits>(objet: &ObjetRay<R>, rayon: &Rayon<R>) {
-    let (rayon, source) = (rayon.jusqu_a(R::INFINI).unwrap(), rayon.source());
+    let rayon = rayon.jusqu_a(R::INFINI).unwrap();
     let flou = rayon.flou().vers_f64();
-    if flou > 0.0
-        && objet.contient(source)
-        && profondeur(objet, source) <= flou
+    if objet.contient(rayon.source())
+        && est_a_fleur(objet, &rayon)
         && objet.intersection(&rayon).is_err()
     {
         let au_milieu = |t: Intersection<R>| t.distance() / (R::UN + R::UN);

@@ -226,19 +226,20 @@ impl<'a, R: Bits> Octets<'a, R> {
     ) -> Option<Option<(Rayon<R>, usize)>> {
         let genre = self.octet()? % 8;
         let (flou, moities) = match genre {
-            0 | 1 => {
-                // Of a size that suits the objects.
-                let (part, moities) = (self.octet()? % 32, self.octet()? % 8);
+            0..=2 => {
+                // Of a size that suits the objects; on the surface, less deep than δ, as deep, and too deep.
+                let part = self.octet()? % 32;
+                let moities = [0, 1, 2, 5][usize::from(self.octet()? % 4)];
                 (vers.longueur() * R::depuis_f64((-f64::from(part)).exp2()), moities)
             }
-            2 | 3 => (R::abs(self.reel()?), 0),
+            3 | 4 => (R::abs(self.reel()?), 0),
             _ => (R::U, 0),
         };
         let place = place - n * (flou * R::depuis_f64(f64::from(moities) / 2.0));
         let rayon = Rayon::new(place, vers);
         let sachant = match genre {
-            0..=2 | 4 => rayon.and_then(|rayon| rayon.avec_flou(flou)),
-            3 => rayon.and_then(|rayon| rayon.jusqu_a(flou)),
+            0..=3 => rayon.and_then(|rayon| rayon.avec_flou(flou)),
+            4 => rayon.and_then(|rayon| rayon.jusqu_a(flou)),
             5 => rayon.map(Rayon::dedans),
             _ => rayon,
         };

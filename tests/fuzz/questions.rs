@@ -26,7 +26,7 @@ use crate::relire::relire;
 
 /// So many pairs of a ray and an object are judged by exact integers, so many asked alone, and so many in every way.
 const EXACTS: usize = 3;
-const SEULS: usize = 256;
+const SEULS: usize = 128;
 const ENSEMBLE: usize = 4096;
 
 /// Places that are one too few are refused.
