@@ -24,6 +24,12 @@ pub const VERS_LE_HAUT: f64 = 10.0;
 /// below 2⁻²⁶ (`f64`: 2⁻¹²²) and not 0, as a turn of π leaves one by rounding in `f32`.
 pub const PLANCHER: (f64, f64) = (puissance_de_deux(-100), puissance_de_deux(-900));
 
+/// [`PLANCHER`] of this type.
+#[inline(always)]
+pub(crate) fn plancher<R: Nombre>() -> R {
+    R::depuis_f64(R::selon(PLANCHER.0, PLANCHER.1))
+}
+
 /// How far a normal that does not face the source is leaned towards it, in u (lemma 7).
 pub const PENCHE: f64 = 14.0;
 
@@ -156,8 +162,7 @@ pub(crate) trait Forme<R: Nombre>: Copy {
         let Hauteur { b, l } = self.hauteur(p, normale, du_centre);
         let marge = b + l * fois_u(2.0 * ARRONDI_HAUTEUR);
         // M4. A NaN comes from an overflow.
-        let marge =
-            marge + marge * fois_u(VERS_LE_HAUT) + R::depuis_f64(R::selon(PLANCHER.0, PLANCHER.1));
+        let marge = marge + marge * fois_u(VERS_LE_HAUT) + plancher();
         Contact { normale, marge: min(marge, R::INFINI), point: p }
     }
 }

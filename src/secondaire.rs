@@ -1,6 +1,6 @@
 //! The rays that start from a hit: mirrors, glass, shadows, lines of sight (handout, later parts).
 
-use crate::forme::PLANCHER;
+use crate::forme::plancher;
 use crate::intersection::Intersection;
 use crate::nombre::{Nombre, fois_u, min};
 use crate::rayon::{DIRECTION, Rayon, direction_unitaire, flou_du_point};
@@ -66,8 +66,7 @@ impl<R: Nombre> Rayon<R> {
         let t = exiger(accepte, "distance", distance, "a finite number, 0 or more")?;
         let p = self.point(t);
         // No step pays for what is lost below the normal numbers.
-        let perdu = R::depuis_f64(R::selon(PLANCHER.0, PLANCHER.1));
-        let de_plus = flou_du_point(t, p) + perdu;
+        let de_plus = flou_du_point(t, p) + plancher();
         let su = if self.su() < R::ZERO { self.su() } else { self.su() + de_plus };
         Ok(Self::new(p, direction)?.sachant(su))
     }

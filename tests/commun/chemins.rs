@@ -4,6 +4,7 @@
 use lancer_rayon::{Intersection, Monde, Rayon, Reel, Vecteur};
 
 use crate::conversion::{Bits, mots};
+use crate::mesure::poids;
 use crate::passages::{
     coordonnees, est_a_fleur, exiger_le_retour, exiger_un_passage, exiger_une_suite, flou_du_point,
     profondeur,
@@ -135,8 +136,7 @@ impl<R: Bits> Marcheur<'_, R> {
         // Beyond a way out it is inside one object fewer, or outside.
         let dehors = self.dedans - usize::from(sort);
         let de_loin = if sort { 0.0 } else { rayon.flou().vers_f64() };
-        let [p, s] = [touche.point(), n].map(Vecteur::vers_f64);
-        let poids = (s.x * p.x).abs() + (s.y * p.y).abs() + (s.z * p.z).abs();
+        let poids = poids(n.vers_f64(), touche.point().vers_f64());
         // The step off the surface: `marge`, and at most 26.1u of it and 1.1u of the weights.
         let pas = touche.marge().vers_f64();
         let pas = [pas, pas + u::<R>() * (26.1 * pas + 1.1 * poids)];

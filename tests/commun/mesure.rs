@@ -110,6 +110,11 @@ pub fn lieu_permis<R: Reel>(objet: &ObjetRay<R>, rayon: &Rayon<R>, t: R) -> f64 
     u::<R>() * (de_x + promesses::LIEU_P * p.longueur())
 }
 
+/// ⟨N, P⟩, the weights of a scalar product, by which its rounding is measured.
+pub fn poids(n: Vecteur, p: Vecteur) -> f64 {
+    (n.x * p.x).abs() + (n.y * p.y).abs() + (n.z * p.z).abs()
+}
+
 /// The radius from which on the margin of a sphere that is hit at `t` is finite (lemma 8).
 pub fn rayon_non_perdu<R: Reel>(sphere: &SphereRay<R>, rayon: &Rayon<R>, t: R) -> f64 {
     let [f, p] = [rayon.source() - sphere.centre(), rayon.point(t)].map(Vecteur::vers_f64);

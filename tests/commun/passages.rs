@@ -5,7 +5,7 @@ use lancer_rayon::pour_les_tests::{FLOU_DISTANCE, FLOU_POINT, FLOU_PROPRE};
 use lancer_rayon::{Intersection, NoIntersection, ObjetRay, Rayon, Reel, Vecteur};
 
 use crate::conversion::Bits;
-use crate::mesure::au_bord;
+use crate::mesure::{au_bord, poids};
 use crate::oracle::dehors;
 use crate::tolerances::{NORMALE_UNITAIRE, bandes, u};
 
@@ -33,8 +33,7 @@ fn flou_propre<R: Reel>(objet: &ObjetRay<R>) -> f64 {
 /// How far off a height over a half-space is as computed (lemma 3); that of the others is in o_B.
 fn arrondi_d_une_hauteur<R: Reel>(objet: &ObjetRay<R>, point: Vecteur<R>) -> f64 {
     let ObjetRay::Plan(plan) = objet else { return 0.0 };
-    let (n, p) = (plan.normale().vers_f64(), point.vers_f64());
-    let poids = (n.x * p.x).abs() + (n.y * p.y).abs() + (n.z * p.z).abs();
+    let poids = poids(plan.normale().vers_f64(), point.vers_f64());
     bandes::PLAN * u::<R>() * poids + bandes::PLAN_ABSOLUE * R::MIN_POSITIF.vers_f64()
 }
 

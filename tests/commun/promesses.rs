@@ -8,7 +8,9 @@ use lancer_rayon::{
 };
 
 use crate::arrondi;
-use crate::mesure::{absolu, absolu_fois, au_bord, lieu_permis, plus_grand, rayon_non_perdu};
+use crate::mesure::{
+    absolu, absolu_fois, au_bord, lieu_permis, plus_grand, poids, rayon_non_perdu,
+};
 use crate::oracle::{
     ORACLE_ARRONDI, Passage, Verite, dehors, ecart_du_cosinus, ecart_du_miroir, ecarts_du_lieu,
     hauteur, norme_au_carre_moins_un, verite, verite_du,
@@ -382,9 +384,8 @@ fn secondaire_du<R: Reel>(passage: Passage, cas: &Essai<R>) -> f64 {
     // The step is the margin and 20u of it (`PAS_NORMAL`), and 1.1u of the weights (`PAS_ARRONDI`), along an N
     // up to 6u too long, 26.1u in all; the start rounds in each coordinate, |P| among them, and products underflow.
     let p = cas.rayon.point(touche.distance()).vers_f64();
-    let poids = (n.x * p.x).abs() + (n.y * p.y).abs() + (n.z * p.z).abs();
     let permis = touche.marge().vers_f64() * (1.0 + 32.0 * u::<R>())
-        + 2.0 * u::<R>() * (poids + p.longueur())
+        + 2.0 * u::<R>() * (poids(n, p) + p.longueur())
         + 8.0 * R::MIN_POSITIF.vers_f64();
     if tournee > 1.0 || (depart - p).longueur() > permis {
         return ROMPUE;

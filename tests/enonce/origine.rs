@@ -2,9 +2,10 @@
 
 use commun::cas;
 use commun::oracle::{Exact, dehors};
+use commun::passages::flou_du_point;
 use commun::regimes::{deux_puissance, direction, entre};
 use fastrand::Rng;
-use lancer_rayon::pour_les_tests::{FLOU_DISTANCE, FLOU_POINT, FLOU_PROPRE};
+use lancer_rayon::pour_les_tests::FLOU_PROPRE;
 use lancer_rayon::{
     BoiteGeo, ErreurGeo, Monde, ObjetGeo, ObjetRay, PlanGeo, Rayon, Rotation, SphereGeo, Texture,
     Vecteur, places,
@@ -214,11 +215,10 @@ fn une_chambre_convertie_reste_close() {
         // How much deeper a hit lies in some wall than lemma 23 grants.
         let exces = |rayon: &Rayon<f32>| {
             let Ok(touche) = simple.premiere_intersection(rayon) else { return f64::INFINITY };
-            let [x, y, z] = <[f64; 3]>::from(touche.point().vers_f64()).map(f64::abs);
-            let t = f64::from(touche.distance());
-            let de_plus = FLOU_DISTANCE * t + FLOU_POINT * (x + y + z) + FLOU_PROPRE * 2.6;
+            let de_plus =
+                flou_du_point(touche.distance(), touche.point()) + u * (FLOU_PROPRE * 2.6);
             let profond = simples.iter().map(|mur| -dehors(mur, touche.point()));
-            profond.fold(0.0, f64::max) - 2.0 * (f64::from(rayon.flou()) + u * de_plus)
+            profond.fold(0.0, f64::max) - 2.0 * (f64::from(rayon.flou()) + de_plus)
         };
         for _ in 0..100 {
             let peu = deux_puissance(&mut alea, -30.0, -10.0);
