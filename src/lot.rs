@@ -6,5 +6,4 @@
 //! `arbre/parcours_de_bloc.rs`).
 
 pub(crate) mod bloc;
-pub(crate) mod faisceau;
 pub(crate) mod groupe;

@@ -4,16 +4,17 @@
 
 use fearless_simd::Level;
 
+use crate::arbre::sonde::Sonde;
+use crate::colonne::LARGEUR;
 use crate::lot::bloc::{Bloc, Groupes};
+use crate::lot::groupe::VOIES;
 use crate::monde::Monde;
 use crate::niveau::{meilleur_niveau, selon_le_niveau};
 use crate::nombre::Nombre;
-use crate::question::Premier;
 use crate::rayon::Rayon;
 use crate::reponses::{Reel, Vue};
 
 pub use crate::arbre::repere::{JEU_DISTANCE, JEU_F32, JEU_LARGEUR};
-pub use crate::arbre::sonde::{JEU_FACE, JEU_FAISCEAU};
 pub use crate::double::{BORNE_DOUBLE, Double, Intervalle, PERTE_DOUBLE, PRODUIT_DOUBLE};
 pub use crate::forme::{ARRONDI_HAUTEUR, FLOU_PROPRE, PENCHE, PLANCHER, RETRAIT, VERS_LE_HAUT};
 pub use crate::jugement::ERREUR_ARRONDIE;
@@ -21,7 +22,6 @@ pub use crate::jugement::coup_d_oeil::{
     VUE_DISTANCE, VUE_HAUTEUR, VUE_LONGUEUR, VUE_QUOTIENT, VUE_SPHERE, VUE_VITESSE, coup_d_oeil,
 };
 pub use crate::jugement::loupe::ECART_ARRONDI;
-pub use crate::lot::faisceau::{COURT, COURT_OMEGA, ORIGINES, PENTE};
 pub use crate::objet::ETENDUE;
 pub use crate::rayon::{DEJA_UNITAIRE, FLOU_DISTANCE, FLOU_POINT};
 pub use crate::rotation::DEJA_ORTHONORMALE;
@@ -56,10 +56,48 @@ impl Reglage {
     }
 }
 
-/// Whether these rays, one to sixty-four, come to the end of the tree together. No answer shows it.
-pub fn vont_au_bout<R: Reel>(monde: &Monde<'_, R>, rayons: &[Rayon<R>]) -> bool {
+/// How many groups of sixteen of these rays, one to sixty-four, come to the end of the tree
+/// together. No answer shows it.
+pub fn groupes_au_bout<R: Reel>(monde: &Monde<'_, R>, rayons: &[Rayon<R>]) -> usize {
     let Vue { liste, arbre, niveau } = monde.vue();
     let mut groupes = Groupes::new_const();
-    let mut bloc = Bloc::<R, Premier<R>>::new(&mut groupes);
-    selon_le_niveau!(niveau, simd => arbre.chercher_ensemble(simd, &liste, &mut bloc, rayons))
+    let bloc = &mut Bloc::new(&mut groupes, false);
+    let restent: Option<u32> =
+        selon_le_niveau!(niveau, simd => arbre.chercher_ensemble(simd, &liste, bloc, rayons));
+    restent.map_or(0, |restent| rayons.len().div_ceil(VOIES) - restent.count_ones() as usize)
+}
+
+/// What a probe says of the children of a node: those that a ray may enter before a distance, one
+/// bit for each, and where.
+pub type Sondage = (u32, [f32; LARGEUR]);
+
+/// What the probe of these rays, one to sixty-four, and those of each of them alone say of each
+/// node of a tree, for hits up to `t`; entries count from the same point. `None` if boxes tell no
+/// objects apart.
+pub fn sonder<R: Reel>(
+    monde: &Monde<'_, R>,
+    rayons: &[Rayon<R>],
+    t: R,
+    mut voir: impl FnMut(Sondage, Sondage),
+) -> Option<()> {
+    let Vue { arbre, niveau, .. } = monde.vue();
+    let repere = arbre.repere;
+    let mut groupes = Groupes::new_const();
+    let mut tous = Bloc::new(&mut groupes, false);
+    tous.charger(rayons);
+    fearless_simd::dispatch!(niveau, simd => {
+        let depart = Sonde::depart_commun(tous.groupes(), repere);
+        let sonde = Sonde::de_groupes(simd, tous.groupes(), depart, repere).0?;
+        for rayon in rayons {
+            let la_sienne = Sonde::d_un_rayon(rayon, depart, repere)?;
+            for noeud in arbre.noeuds {
+                let [de_tous, de_lui] = [&sonde, &la_sienne].map(|sonde| {
+                    let (enfants, entrees) = sonde.traverse(simd, noeud, sonde.plafond(repere, t));
+                    (enfants, entrees.0)
+                });
+                voir(de_tous, de_lui);
+            }
+        }
+        Some(())
+    })
 }

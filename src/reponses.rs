@@ -2,13 +2,15 @@
 //! scalar: generic code would be compiled again by every crate that calls it, and as slowly as that
 //! crate is.
 
-use fearless_simd::Level;
+use fearless_simd::{Level, Simd};
 
 use crate::arbre::construction::{Arbre, PlacesInsuffisantes, construire};
+use crate::arbre::parcours_de_bloc::RAYONS_D_UN_BLOC;
 use crate::intersection::Reponse;
 use crate::jugement::certificat::Certificat;
 use crate::liste::Liste;
 use crate::lot::bloc::{BLOC, Bloc, EnLot, Groupes};
+use crate::lot::groupe::VOIES;
 use crate::niveau::selon_le_niveau;
 use crate::nombre::Nombre;
 use crate::objet::ObjetRay;
@@ -34,18 +36,37 @@ pub struct Vue<'a, R> {
 fn demander<R: Nombre, Q: Question<R>>(
     vue: &Vue<'_, R>,
     rayon: &Rayon<R>,
+    question: Q,
+) -> Q::Reponse {
+    let sans_boite = vue.arbre.sans_boite;
+    selon_le_niveau!(vue.niveau, simd => demander_avec(simd, vue, rayon, sans_boite, question))
+}
+
+/// Asks this question for one ray: of a list, or of a tree and these objects without a box.
+#[inline(always)]
+fn demander_avec<S: Simd, R: Nombre, Q: Question<R>>(
+    simd: S,
+    vue: &Vue<'_, R>,
+    rayon: &Rayon<R>,
+    sans_boite: &[f32],
     mut question: Q,
 ) -> Q::Reponse {
-    let Vue { liste, arbre, niveau } = vue;
-    selon_le_niveau!(*niveau, simd => {
-        if arbre.noeuds.is_empty() {
-            liste.interroger(rayon, &mut question);
-        } else {
-            question = arbre.parcourir(simd, liste, rayon, question);
-        }
-        question.repondre(rayon, liste.objets)
-    })
+    simd.vectorize(
+        #[inline(always)]
+        || {
+            let Vue { liste, arbre, .. } = vue;
+            if arbre.noeuds.is_empty() {
+                liste.interroger(rayon, &mut question);
+            } else {
+                question = arbre.parcourir(simd, liste, rayon, sans_boite, question);
+            }
+            question.repondre(rayon, liste.objets)
+        },
+    )
 }
+
+/// Fewer rays than this are asked of a list one by one (`benches/seuils.md`, "Thresholds").
+const RAYONS_D_UNE_LISTE: usize = 6;
 
 /// Asks this question for many rays.
 #[inline(always)]
@@ -57,19 +78,59 @@ fn demander_en_lot<R: Nombre, Q: EnLot<R>>(
     if rayons.len() != reponses.len() {
         return Err(LongueursDifferentes { rayons: rayons.len(), reponses: reponses.len() });
     }
-    let Vue { liste, arbre, niveau } = vue;
-    selon_le_niveau!(*niveau, simd => {
-        let mut groupes = Groupes::new_const();
-        let mut bloc = Bloc::<R, Q>::new(&mut groupes);
+    let mut groupes = Groupes::new_const();
+    let mut bloc = Bloc::new(&mut groupes, Q::UN_SUFFIT);
+    selon_le_niveau!(vue.niveau, simd => {
         for (rayons, reponses) in rayons.chunks(BLOC).zip(reponses.chunks_mut(BLOC)) {
-            if arbre.noeuds.is_empty() {
-                bloc.repondre_de_la_liste(simd, liste, (rayons, reponses));
-            } else {
-                arbre.repondre_au_bloc(simd, liste, &mut bloc, (rayons, reponses));
-            }
+            demander_au_bloc::<_, _, Q>(simd, vue, &mut bloc, (rayons, reponses));
         }
     });
     Ok(())
+}
+
+/// Asks this question for the rays of a block: of those together that find their first objects
+/// together, and of the others one by one, from what they have found so far.
+#[inline(always)]
+fn demander_au_bloc<S: Simd, R: Nombre, Q: EnLot<R>>(
+    simd: S,
+    vue: &Vue<'_, R>,
+    bloc: &mut Bloc<'_, R>,
+    (rayons, reponses): (&[Rayon<R>], &mut [Q::Reponse]),
+) {
+    let Vue { liste, arbre, .. } = vue;
+    // The groups whose rays go on one by one; `None` if they have asked nothing.
+    let restent = if arbre.noeuds.is_empty() {
+        (rayons.len() >= RAYONS_D_UNE_LISTE).then(|| {
+            bloc.charger(rayons);
+            bloc.interroger(simd, liste, 0..liste.objets.len());
+            0
+        })
+    } else if rayons.len() >= RAYONS_D_UN_BLOC {
+        arbre.chercher_ensemble(simd, liste, bloc, rayons)
+    } else {
+        None
+    };
+    if let Some(restent) = restent {
+        let groupes = rayons.len().div_ceil(VOIES);
+        if restent.count_ones() < groupes as u32 {
+            bloc.repondre::<_, Q>(simd, liste, (rayons, reponses));
+        }
+        if restent == 0 {
+            return;
+        }
+    }
+    for (i, (rayon, reponse)) in rayons.iter().zip(reponses).enumerate() {
+        let (premier, sans_boite) = match restent {
+            Some(groupes) if groupes >> (i / VOIES) & 1 == 0 => continue,
+            Some(_) => (bloc.premier(i), &[][..]),
+            None => (Premier::avant(rayon.fin()), arbre.sans_boite),
+        };
+        *reponse = if Q::UN_SUFFIT && premier.rang.is_some() {
+            Q::from(premier).repondre(rayon, liste.objets)
+        } else {
+            demander_avec(simd, vue, rayon, sans_boite, Q::from(premier))
+        };
+    }
 }
 
 /// The scalar type: `f32` or `f64`. Sealed.

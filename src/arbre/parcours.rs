@@ -13,33 +13,22 @@ use crate::question::{Abord, Question};
 use crate::rayon::Rayon;
 
 impl<R: Nombre> Arbre<'_, R> {
-    /// Asks the objects of this list that may count, and gives the question back: first those
-    /// without a box, then those in the leaves that the ray may enter before the limit. Where boxes
-    /// tell no objects apart, it asks the whole list.
+    /// Asks the objects of this list that may count, and gives the question back: first those of
+    /// these stored indices, which have no box, then those in the leaves that the ray may enter
+    /// before the limit. Where boxes tell no objects apart, it asks the whole list.
     #[inline(always)]
     pub(crate) fn parcourir<S: Simd, Q: Question<R>>(
         &self,
         simd: S,
         liste: &Liste<'_, R>,
         rayon: &Rayon<R>,
+        sans_boite: &[f32],
         mut question: Q,
     ) -> Q {
-        let sans_boite = self.sans_boite.iter().map(|indice| indice_lu(*indice));
+        let sans_boite = sans_boite.iter().map(|mot| indice_lu(*mot));
         if liste.interroger_parmi(rayon, &mut question, sans_boite) {
             return question;
         }
-        self.descendre(simd, liste, rayon, question)
-    }
-
-    /// Asks the objects with a box alone, and gives the question back.
-    #[inline(always)]
-    pub(crate) fn descendre<S: Simd, Q: Question<R>>(
-        &self,
-        simd: S,
-        liste: &Liste<'_, R>,
-        rayon: &Rayon<R>,
-        mut question: Q,
-    ) -> Q {
         // A copy, which stays in registers.
         let copie = *rayon;
         let Some(sonde) = Sonde::new(&copie, self.repere) else {

@@ -66,6 +66,12 @@ impl<R: Nombre> Repere<R> {
         Self { milieu: milieu.into(), echelle, loin, jeu_maximal: 0.0 }
     }
 
+    /// Z.
+    #[inline(always)]
+    pub(crate) fn milieu(self) -> Vecteur<R> {
+        self.milieu
+    }
+
     /// (X − Z)·σ.
     #[inline(always)]
     pub(crate) fn point(self, x: Vecteur<R>) -> Vecteur<R> {

@@ -1,65 +1,126 @@
-//! What looks at the boxes of a node: the probe of a ray and the probe of a beam.
+//! The probe: a ray, or many that go about the same way, as the boxes of a node see them.
+//!
+//! Along each axis no ray of a probe is higher than s⁺ + τd⁺, its upper edge, and none lower than
+//! s⁻ + τd⁻, its lower edge. A box is left out where the upper edge has not come up to its lower
+//! side, or the lower edge not down to its upper side. The edges of a single ray coincide.
+//!
+//! Rounding is monotone, so that a probe of many rays leaves no box out that the probe of one of
+//! them enters (`docs/preuves.md`, lemmas 19 to 21).
 
-use fearless_simd::Simd;
+use fearless_simd::f32x16;
+use fearless_simd::prelude::*;
 
-use crate::arbre::noeud::{ENFANTS, Noeud};
+use crate::arbre::noeud::Noeud;
 use crate::arbre::repere::{JEU_DISTANCE, JEU_F32, JEU_SOUS_NORMAL, Repere};
-use crate::colonne::{Aligne, Colonne, Membres, au_plus};
-use crate::lot::faisceau::Faisceau;
+use crate::colonne::{Aligne, Colonne, Membres};
+use crate::lot::groupe::{Groupe, VOIES};
 use crate::nombre::{Nombre, fois_u, fois_u_simple, max, min, simple};
 use crate::rayon::Rayon;
-use crate::vecteur::Vecteur;
 
-/// A ray as the boxes see it, with its part of the slack (`docs/preuves.md`, lemmas 6 and 20 to
-/// 22).
 pub(crate) struct Sonde<R> {
     axes: [Axe; 3],
-    /// τ₀: entries count from the point so far along the ray, in the frame of the tree.
+    /// τ₀: entries count from the point so far along a ray, in the frame of the tree.
     depart: R,
 }
 
-/// One axis of a probe.
+/// The largest and the least coordinate along an axis, of some rays: where entries count from, and
+/// the direction.
+#[derive(Clone, Copy)]
+struct Bornes {
+    s: [f32; 2],
+    d: [f32; 2],
+}
+
+/// One axis of a probe: the edge that comes to a box first if all rays go the same way, and the
+/// other edge.
 #[derive(Clone, Copy)]
 struct Axe {
-    /// The columns of a node in which the nearer sides of its boxes stand, and the farther ones.
+    /// The columns of a node in which the sides stand that the edges come to.
     proche: usize,
     lointain: usize,
-    /// 1/D.
-    inverse: f32,
-    /// Where entries count from, with the slack: for the nearer side of a box and for the farther.
+    /// Where entries count from, with the slack, and 1/D.
     vers_proche: f32,
+    inverse_proche: f32,
     vers_lointain: f32,
+    inverse_lointain: f32,
+    /// Whether the other edge enters too: some rays rise, and others do not.
+    partage: bool,
 }
+
+/// So far before Z a ray is before all boxes, which lie within 1 of Z, slack included.
+const AVANT_LES_BOITES: f64 = 2.0;
 
 impl<R: Nombre> Sonde<R> {
     /// The probe of this ray; `None` if its slack is so large that boxes tell no objects apart.
     #[inline(always)]
     pub(crate) fn new(rayon: &Rayon<R>, repere: Repere<R>) -> Option<Self> {
         let (y, d) = (repere.point(rayon.source()), rayon.direction());
-        let loin = y.norme_1();
         // T3. For a source far away entries count from the point next to Z. In `f32` that point is
         // off by as much as a hit, and the source serves.
-        let depart = if R::selon(false, true) && loin > repere.loin {
-            -y.produit_scalaire(d)
-        } else {
-            R::ZERO
-        };
-        let s = if depart == R::ZERO { y } else { y + d * depart };
-        let jeu = loin * fois_u(JEU_DISTANCE) + s.norme_1() * fois_u_simple(JEU_F32);
-        let (s, jeu) = (s.vers_f32(), simple(jeu) + JEU_SOUS_NORMAL);
-        let axe = |axe: usize, s: f32, d: R| {
-            // The sign of 1/D is that of D, of −0 too, and is known before the quotient.
-            let d32 = simple(d);
-            let jeu = jeu.copysign(d32);
-            Axe {
-                proche: colonne(axe, d32),
-                lointain: colonne(axe, -d32),
-                inverse: simple(R::UN / d),
-                vers_proche: s + jeu,
-                vers_lointain: s - jeu,
+        let loin = R::selon(false, true) && y.norme_1() > repere.loin;
+        let depart = if loin { -y.produit_scalaire(d) } else { R::ZERO };
+        Self::d_un_rayon(rayon, depart, repere)
+    }
+
+    /// The probe of this ray for this τ₀.
+    #[inline(always)]
+    pub(crate) fn d_un_rayon(rayon: &Rayon<R>, depart: R, repere: Repere<R>) -> Option<Self> {
+        let (y, d) = (repere.point(rayon.source()), rayon.direction());
+        let s = if R::selon(false, true) { y + d * depart } else { y };
+        let bornes = |s: R, d: R| Bornes { s: [simple(s); 2], d: [simple(d); 2] };
+        Self::entre_bords(depart, [bornes(s.x, d.x), bornes(s.y, d.y), bornes(s.z, d.z)], repere)
+    }
+
+    /// τ₀ of the rays of these groups (T3): where all of them are before all boxes, or else 0, where
+    /// they start. No ray is between the edges before that.
+    #[inline(always)]
+    pub(crate) fn depart_commun(groupes: &[Groupe<R>], repere: Repere<R>) -> R {
+        let avant_z =
+            |rayon: Rayon<R>| -repere.point(rayon.source()).produit_scalaire(rayon.direction());
+        let avant = R::depuis_f64(AVANT_LES_BOITES);
+        if R::selon(true, false) || avant_z(groupes[0].rayon(0)) <= avant {
+            return R::ZERO;
+        }
+        let mut moindres = [R::INFINI; VOIES];
+        for groupe in groupes {
+            for (voie, moindre) in moindres.iter_mut().enumerate() {
+                *moindre = min(avant_z(groupe.rayon(voie)), *moindre);
             }
+        }
+        max(moindres.into_iter().fold(R::INFINI, min) - avant, R::ZERO)
+    }
+
+    /// The probe of the rays of these groups for this τ₀, and [how wide](Bornes::largeur) it is.
+    #[inline(always)]
+    pub(crate) fn de_groupes<S: Simd>(
+        simd: S,
+        groupes: &[Groupe<R>],
+        depart: R,
+        repere: Repere<R>,
+    ) -> (Option<Self>, f32) {
+        let [x, y, z] = repere.milieu().into();
+        let bornes = [
+            Bornes::le_long::<0, _, _>(simd, groupes, (x, repere), depart),
+            Bornes::le_long::<1, _, _>(simd, groupes, (y, repere), depart),
+            Bornes::le_long::<2, _, _>(simd, groupes, (z, repere), depart),
+        ];
+        let largeur = bornes.iter().map(|bornes| bornes.largeur()).sum();
+        (Self::entre_bords(depart, bornes, repere), largeur)
+    }
+
+    /// The probe between these edges, with its part of the slack.
+    #[inline(always)]
+    fn entre_bords(depart: R, [x, y, z]: [Bornes; 3], repere: Repere<R>) -> Option<Self> {
+        let norme = x.le_plus_loin() + y.le_plus_loin() + z.le_plus_loin();
+        let distance = simple(fois_u::<R>(JEU_DISTANCE));
+        let jeu = norme * (distance + simple(fois_u_simple::<R>(JEU_F32))) + JEU_SOUS_NORMAL;
+        // T3. The sources are farther away by no more than √3τ₀.
+        let jeu = if R::selon(false, true) {
+            jeu + simple(depart.abs()) * (1.75 * distance)
+        } else {
+            jeu
         };
-        let axes = [axe(0, s.x, d.x), axe(1, s.y, d.y), axe(2, s.z, d.z)];
+        let axes = [x.axe(0, jeu), y.axe(1, jeu), z.axe(2, jeu)];
         (jeu < repere.jeu_maximal).then_some(Self { axes, depart })
     }
 
@@ -69,74 +130,10 @@ impl<R: Nombre> Sonde<R> {
         simple(repere.longueur(t) - self.depart)
     }
 
-    /// The entry of a box that may hold the source; that of any other box is larger.
+    /// The entry of a box that may hold a source; that of any other box is larger.
     #[inline(always)]
     pub(crate) fn entree_de_la_source(&self) -> f32 {
         simple(-self.depart)
-    }
-
-    /// Which children the ray may enter no later than `plafond`, and where.
-    #[inline(always)]
-    pub(crate) fn traverse<S: Simd>(
-        &self,
-        simd: S,
-        noeud: &Noeud,
-        plafond: f32,
-    ) -> (Membres, Aligne<Colonne<f32>>) {
-        let ([x, y, z], source) = (self.axes, self.entree_de_la_source());
-        let (px, py, pz) = (&noeud[x.proche], &noeud[y.proche], &noeud[z.proche]);
-        let (lx, ly, lz) = (&noeud[x.lointain], &noeud[y.lointain], &noeud[z.lointain]);
-        let (mut entrees, mut sorties) = ([0.0; ENFANTS], [plafond; ENFANTS]);
-        for i in 0..ENFANTS {
-            // T4. 0·∞ is a NaN, which leaves the number so far.
-            let mut entree = source;
-            entree = max((px[i] - x.vers_proche) * x.inverse, entree);
-            entree = max((py[i] - y.vers_proche) * y.inverse, entree);
-            entrees[i] = max((pz[i] - z.vers_proche) * z.inverse, entree);
-            let mut sortie = plafond;
-            sortie = min((lx[i] - x.vers_lointain) * x.inverse, sortie);
-            sortie = min((ly[i] - y.vers_lointain) * y.inverse, sortie);
-            sorties[i] = min((lz[i] - z.vers_lointain) * z.inverse, sortie);
-        }
-        (au_plus(simd, &entrees, &sorties), Aligne(entrees))
-    }
-}
-
-/// The slack of a beam, in u of the scene's type, per unit of distance from Z to its sources and of
-/// their spread (lemma 22).
-pub const JEU_FAISCEAU: f64 = 60.0;
-
-/// The slack of a side of a beam, in u of `f32`, per unit of its distance from Z (lemma 22).
-pub const JEU_FACE: f64 = 3.1;
-
-/// A beam as the boxes see it. For each of the five normals Π, an upper bound on Π·X over all hits
-/// X; for Ω, the Ω·X from which depths count. Both include the slack (`docs/preuves.md`, lemmas 6
-/// and 20 to 22).
-pub(crate) struct SondeDeBloc {
-    faces: [(Vecteur<f32>, f32); 5],
-    omega: Vecteur<f32>,
-    depart: f32,
-}
-
-impl SondeDeBloc {
-    /// The probe of this beam; `None` if its slack is so large that boxes tell no objects apart.
-    #[inline(always)]
-    pub(crate) fn new<R: Nombre>(faisceau: &Faisceau<R>, repere: Repere<R>) -> Option<Self> {
-        let s0 = repere.point(faisceau.s0);
-        let loin = faisceau.etalement * R::depuis_f64(4.0) + faisceau.portee;
-        let loin = s0.norme_1() + repere.longueur(loin);
-        let jeu = loin * fois_u(JEU_FAISCEAU) + R::depuis_f64(JEU_SOUS_NORMAL.into());
-        let limite = |pi: Vecteur<R>, w: R| {
-            let loin = pi.produit_scalaire(s0) + repere.longueur(w);
-            simple(loin + (loin.abs() * fois_u_simple(JEU_FACE) + jeu))
-        };
-        // T5
-        let (omega, w) = faisceau.axe;
-        (simple(jeu) < repere.jeu_maximal).then_some(Self {
-            faces: faisceau.faces.map(|(pi, w)| (pi.vers_f32(), limite(pi, w))),
-            omega: omega.vers_f32(),
-            depart: limite(omega, w),
-        })
     }
 
     /// Which children some ray may enter no later than `plafond`, and a distance before which none
@@ -148,33 +145,95 @@ impl SondeDeBloc {
         noeud: &Noeud,
         plafond: f32,
     ) -> (Membres, Aligne<Colonne<f32>>) {
-        let (mut dehors, mut profondeurs) = ([-f32::INFINI; ENFANTS], [0.0; ENFANTS]);
-        for (pi, limite) in self.faces {
-            let (x, y, z) = au_plus_pres(noeud, pi);
-            for i in 0..ENFANTS {
-                let h = pi.produit_scalaire(Vecteur::new(x[i], y[i], z[i])) - limite;
-                dehors[i] = max(dehors[i], h);
+        let colonne = |i: usize| f32x16::simd_from(simd, noeud[i]);
+        let uni = |x: f32| f32x16::splat(simd, x);
+        let (mut entrees, mut sorties) = (uni(self.entree_de_la_source()), uni(plafond));
+        for axe in self.axes {
+            let une = (colonne(axe.proche) - uni(axe.vers_proche)) * uni(axe.inverse_proche);
+            let autre =
+                (colonne(axe.lointain) - uni(axe.vers_lointain)) * uni(axe.inverse_lointain);
+            entrees = une.max(entrees);
+            if axe.partage {
+                entrees = autre.max(entrees);
+            } else {
+                sorties = autre.min(sorties);
             }
         }
-        let (x, y, z) = au_plus_pres(noeud, self.omega);
-        for i in 0..ENFANTS {
-            let h = self.omega.produit_scalaire(Vecteur::new(x[i], y[i], z[i])) - self.depart;
-            profondeurs[i] = max(h, 0.0);
-        }
-        let pas_dehors = au_plus(simd, &dehors, &[0.0; ENFANTS]);
-        let avant = au_plus(simd, &profondeurs, &[plafond; ENFANTS]);
-        (pas_dehors & avant, Aligne(profondeurs))
+        (entrees.simd_le(sorties).to_bitmask() as u32, Aligne(entrees.into()))
     }
 }
 
-/// The columns of the corners that lie lowest along Π: by the sign, without a branch.
-#[inline(always)]
-fn au_plus_pres(noeud: &Noeud, pi: Vecteur<f32>) -> (&Colonne<f32>, &Colonne<f32>, &Colonne<f32>) {
-    (&noeud[colonne(0, pi.x)], &noeud[colonne(1, pi.y)], &noeud[colonne(2, pi.z)])
+impl Bornes {
+    /// Those of the rays of these groups along an axis.
+    #[inline(always)]
+    fn le_long<const AXE: usize, S: Simd, R: Nombre>(
+        simd: S,
+        groupes: &[Groupe<R>],
+        (milieu, repere): (R, Repere<R>),
+        depart: R,
+    ) -> Self {
+        let colonne = |x: Colonne<f32>| f32x16::simd_from(simd, x);
+        let [haut, bas] = [f32::NEG_INFINITY, f32::INFINITY].map(|x| colonne([x; VOIES]));
+        let ([mut s1, mut d1], [mut s0, mut d0]) = ([haut; 2], [bas; 2]);
+        for groupe in groupes {
+            let (sources, directions) = (&groupe.sources()[AXE], &groupe.directions()[AXE]);
+            let (mut s, mut d) = ([0.0; VOIES], [0.0; VOIES]);
+            for voie in 0..VOIES {
+                let y = repere.longueur(sources[voie] - milieu);
+                let ici = if R::selon(false, true) { y + directions[voie] * depart } else { y };
+                (s[voie], d[voie]) = (simple(ici), simple(directions[voie]));
+            }
+            let (s, d) = (colonne(s), colonne(d));
+            (s1, s0, d1, d0) = (s1.max(s), s0.min(s), d1.max(d), d0.min(d));
+        }
+        // Without a −0, whose quotient has the sign of a ray that falls.
+        let d = [d1.reduce_max() + 0.0, d0.reduce_min() + 0.0];
+        Self { s: [s1.reduce_max(), s0.reduce_min()], d }
+    }
+
+    /// The largest |s|.
+    #[inline(always)]
+    fn le_plus_loin(self) -> f32 {
+        let [haut, bas] = self.s;
+        max(haut.abs(), bas.abs())
+    }
+
+    /// How far apart the edges are at a distance of 1.
+    #[inline(always)]
+    fn largeur(self) -> f32 {
+        let Self { s: [s1, s0], d: [d1, d0] } = self;
+        (s1 - s0) + (d1 - d0)
+    }
+
+    /// The edges along this axis, each moved outward by the slack; without a branch for one ray,
+    /// whose edges are the same numbers.
+    #[inline(always)]
+    fn axe(self, axe: usize, jeu: f32) -> Axe {
+        let Self { s: [s1, s0], d: [d1, d0] } = self;
+        // Where all rays fall, the lower edge comes to the upper side first.
+        let tombent = d1 < 0.0;
+        let [proche, lointain] = if tombent { [(s0, d0), (s1, d1)] } else { [(s1, d1), (s0, d0)] };
+        let jeu = jeu.copysign(d1);
+        let inverse = |d: f32| 1.0 / (d + IMMOBILE.copysign(d));
+        Axe {
+            proche: colonne(axe, d1),
+            lointain: colonne(axe, -d1),
+            vers_proche: proche.0 + jeu,
+            inverse_proche: inverse(proche.1),
+            vers_lointain: lointain.0 - jeu,
+            inverse_lointain: inverse(lointain.1),
+            partage: !tombent && d0 < 0.0,
+        }
+    }
 }
 
-/// The column of the sides that something of this sign along this axis comes to first.
+/// The column of the sides that what goes this way along this axis comes to first, by the sign bit:
+/// so the compiler sees that a node has the column.
 #[inline(always)]
-fn colonne(axe: usize, signe: f32) -> usize {
-    axe + 3 * (signe.to_bits() >> 31) as usize
+fn colonne(axe: usize, d: f32) -> usize {
+    axe + 3 * (d.to_bits() >> 31) as usize
 }
+
+/// What is added to |D|: a ray that moves along an axis by no more stays where it is, as boxes see
+/// it, and no quotient is infinite, so that 0·∞ makes no NaN (T4).
+const IMMOBILE: f32 = 1.0 / (1_u128 << 120) as f32;

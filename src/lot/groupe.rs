@@ -27,8 +27,8 @@ const COTE_A_COTE: u32 = 3;
 pub(crate) struct Groupe<R> {
     s: [Colonne<R>; 3],
     d: [Colonne<R>; 3],
-    /// What each ray knows of its source.
-    su: Colonne<R>,
+    /// The δ of each ray, where some ray of the block has one above 0.
+    flous: Colonne<R>,
     t: Colonne<R>,
     rangs: Colonne<Option<Rang>>,
 }
@@ -37,53 +37,58 @@ impl<R: Nombre> Groupe<R> {
     pub(crate) const VIDE: Self = Self {
         s: [[R::ZERO; VOIES]; 3],
         d: [[R::ZERO; VOIES]; 3],
-        su: [R::ZERO; VOIES],
+        flous: [R::ZERO; VOIES],
         t: [R::INFINI; VOIES],
         rangs: [None; VOIES],
     };
 
     /// Loads these rays, at most sixteen, with no object so far; the last stands in for those that
-    /// are missing.
+    /// are missing. `flou` says that some ray has a δ above 0.
     #[inline(always)]
-    pub(crate) fn charger(&mut self, rayons: &[Rayon<R>]) {
+    pub(crate) fn charger(&mut self, rayons: &[Rayon<R>], flou: bool) {
         if let Some(rayons) = rayons.first_chunk() {
-            self.copier(rayons);
+            self.copier(rayons, flou);
         } else if let Some(dernier) = rayons.last() {
             let mut complets = [*dernier; VOIES];
             complets[..rayons.len()].copy_from_slice(rayons);
-            self.copier(&complets);
+            self.copier(&complets, flou);
         }
     }
 
     #[inline(always)]
-    fn copier(&mut self, rayons: &[Rayon<R>; VOIES]) {
+    fn copier(&mut self, rayons: &[Rayon<R>; VOIES], flou: bool) {
         self.rangs = [None; VOIES];
         for (voie, rayon) in rayons.iter().enumerate() {
-            self.placer(voie, rayon);
+            let (s, d) = (rayon.source(), rayon.direction());
+            [self.s[0][voie], self.s[1][voie], self.s[2][voie]] = s.into();
+            [self.d[0][voie], self.d[1][voie], self.d[2][voie]] = d.into();
             self.t[voie] = rayon.fin();
+        }
+        if flou {
+            for (voie, rayon) in rayons.iter().enumerate() {
+                self.flous[voie] = rayon.flou();
+            }
         }
     }
 
-    #[inline(always)]
-    fn placer(&mut self, voie: usize, rayon: &Rayon<R>) {
-        let (s, d) = (rayon.source(), rayon.direction());
-        [self.s[0][voie], self.s[1][voie], self.s[2][voie]] = s.into();
-        [self.d[0][voie], self.d[1][voie], self.d[2][voie]] = d.into();
-        self.su[voie] = rayon.su();
-    }
-
-    /// Puts another ray in this lane, with its first object so far.
-    pub(crate) fn remplacer(&mut self, voie: usize, rayon: &Rayon<R>, premier: Premier<R>) {
-        self.placer(voie, rayon);
-        (self.t[voie], self.rangs[voie]) = (premier.t, premier.rang);
-    }
-
-    /// The ray of one lane.
+    /// The ray of one lane, without its end and its δ.
     #[inline(always)]
     pub(crate) fn rayon(&self, voie: usize) -> Rayon<R> {
         let ([sx, sy, sz], [dx, dy, dz]) = (&self.s, &self.d);
         let s = Vecteur::new(sx[voie], sy[voie], sz[voie]);
-        Rayon::sans_fin(s, Vecteur::new(dx[voie], dy[voie], dz[voie])).sachant(self.su[voie])
+        Rayon::sans_fin(s, Vecteur::new(dx[voie], dy[voie], dz[voie]))
+    }
+
+    /// The ray of one lane with its δ, in a block of which some ray has one.
+    #[inline(always)]
+    fn rayon_flou(&self, voie: usize) -> Rayon<R> {
+        self.rayon(voie).sachant(self.flous[voie])
+    }
+
+    /// The coordinates of the sources.
+    #[inline(always)]
+    pub(crate) fn sources(&self) -> &[Colonne<R>; 3] {
+        &self.s
     }
 
     /// The coordinates of the directions.
@@ -92,41 +97,36 @@ impl<R: Nombre> Groupe<R> {
         &self.d
     }
 
-    /// Whether some ray has a δ above 0.
-    #[inline(always)]
-    pub(crate) fn est_flou(&self) -> bool {
-        le_plus_grand(self.su) > R::ZERO
-    }
-
     /// The first object of one ray so far.
     #[inline(always)]
     pub(crate) fn premier(&self, voie: usize) -> Premier<R> {
         Premier { t: self.t[voie], rang: self.rangs[voie] }
     }
 
-    /// The largest distance of a first object so far.
+    /// The largest distance before which a ray looks for an object; 0 if all are done, each at its
+    /// first object where that suffices.
     #[inline(always)]
-    pub(crate) fn le_plus_loin(&self) -> R {
-        le_plus_grand(self.t)
+    pub(crate) fn le_plus_loin(&self, un_suffit: bool) -> R {
+        let mut t = self.t;
+        if un_suffit {
+            for (t, rang) in t.iter_mut().zip(self.rangs) {
+                *t = if rang.is_some() { R::ZERO } else { *t };
+            }
+        }
+        le_plus_grand(t)
     }
 
     /// Makes the object of this shape and rank the first of each ray that enters it before its
-    /// first so far. If one suffices, that ray is done: it looks for no other before distance 0.
+    /// first so far.
     ///
     /// At the same distance the object of lower rank is the first. `flou` says that some ray has a
     /// δ above 0 and may start in the object.
     #[inline(always)]
-    pub(crate) fn proposer(
-        &mut self,
-        forme: &impl Forme<R>,
-        rang: Rang,
-        un_suffit: bool,
-        flou: bool,
-    ) {
+    pub(crate) fn proposer(&mut self, forme: &impl Forme<R>, rang: Rang, flou: bool) {
         let mut pres = false;
         if flou {
             for voie in 0..VOIES {
-                pres |= forme.peut_toucher(&self.rayon(voie));
+                pres |= forme.peut_toucher(&self.rayon_flou(voie));
             }
         } else {
             for voie in 0..VOIES {
@@ -150,7 +150,6 @@ impl<R: Nombre> Groupe<R> {
         for (voie, &t) in t.iter().enumerate() {
             let (trouve, premier) = (Premier { t, rang: Some(rang) }, self.premier(voie));
             let precede = trouve.precede(premier);
-            let t = if un_suffit { R::ZERO } else { t };
             self.t[voie] = if precede { t } else { premier.t };
             self.rangs[voie] = if precede { trouve.rang } else { premier.rang };
         }
@@ -161,7 +160,7 @@ impl<R: Nombre> Groupe<R> {
     fn toucher(&self, forme: &impl Forme<R>, t: &mut Colonne<R>) {
         let mut dedans = false;
         for (voie, t) in t.iter_mut().enumerate() {
-            let rayon = self.rayon(voie);
+            let rayon = self.rayon_flou(voie);
             let (entree, source) = forme.t_et_dedans(&rayon);
             *t = entree;
             dedans |= source & (rayon.flou() > R::ZERO);
@@ -170,16 +169,21 @@ impl<R: Nombre> Groupe<R> {
             return;
         }
         for (voie, t) in t.iter_mut().enumerate() {
-            let rayon = self.rayon(voie);
+            let rayon = self.rayon_flou(voie);
             let d_emblee = (rayon.flou() > R::ZERO) & forme.des_le_depart(&rayon);
             *t = if d_emblee { R::ZERO } else { *t };
         }
     }
 
-    /// Writes the answers of these rays: for each object that is the first of some ray, the hits of
-    /// all its rays.
+    /// Writes the answers of these rays, which it holds: for each object that is the first of some
+    /// ray, the hits of all its rays.
     #[inline(always)]
-    pub(crate) fn ecrire(&self, objets: &[ObjetRay<R>], touches: &mut [Reponse<R>]) {
+    pub(crate) fn ecrire(
+        &self,
+        objets: &[ObjetRay<R>],
+        rayons: &[Rayon<R>],
+        touches: &mut [Reponse<R>],
+    ) {
         let mut contacts = Contacts::VIDES;
         let mut restent = 0;
         for (voie, touche) in touches.iter_mut().enumerate() {
@@ -203,14 +207,14 @@ impl<R: Nombre> Groupe<R> {
             }
             let texture = objet.texture();
             while let Some(voie) = prendre(&mut siens) {
-                let t = self.t[voie];
+                let (rayon, t) = (&rayons[voie], self.t[voie]);
                 // Each arm builds the hit in its place: copying one just built would stall until
                 // its fields are stored.
                 if cote_a_cote && contacts.de_face[voie] {
-                    let contact = contacts.de(voie, self);
-                    touches[voie] = Ok(Intersection::new(t, contact, self.su[voie], texture, rang));
+                    let contact = contacts.de(voie);
+                    touches[voie] = Ok(Intersection::new(t, contact, rayon.su(), texture, rang));
                 } else {
-                    touches[voie] = objet.conclure(&self.rayon(voie), t, rang);
+                    touches[voie] = objet.conclure(rayon, t, rang);
                 }
             }
         }
@@ -222,29 +226,34 @@ impl<R: Nombre> Groupe<R> {
 struct Contacts<R> {
     normale: [Colonne<R>; 3],
     marge: Colonne<R>,
+    point: [Colonne<R>; 3],
     de_face: Colonne<bool>,
 }
 
 impl<R: Nombre> Contacts<R> {
-    const VIDES: Self =
-        Self { normale: [[R::ZERO; VOIES]; 3], marge: [R::ZERO; VOIES], de_face: [false; VOIES] };
+    const VIDES: Self = Self {
+        normale: [[R::ZERO; VOIES]; 3],
+        marge: [R::ZERO; VOIES],
+        point: [[R::ZERO; VOIES]; 3],
+        de_face: [false; VOIES],
+    };
 
     #[inline(always)]
     fn calculer(&mut self, groupe: &Groupe<R>, forme: impl Forme<R>) {
-        let Self { normale: [nx, ny, nz], marge, de_face } = self;
+        let Self { normale: [nx, ny, nz], marge, point: [px, py, pz], de_face } = self;
         for voie in 0..VOIES {
             let (contact, face) = forme.contact(&groupe.rayon(voie), groupe.t[voie]);
             [nx[voie], ny[voie], nz[voie]] = contact.normale.into();
+            [px[voie], py[voie], pz[voie]] = contact.point.into();
             (marge[voie], de_face[voie]) = (contact.marge, face);
         }
     }
 
-    /// The hit of one ray of this group.
+    /// The hit of one ray.
     #[inline(always)]
-    fn de(&self, voie: usize, groupe: &Groupe<R>) -> Contact<R> {
-        let Self { normale: [nx, ny, nz], marge, de_face: _ } = self;
-        let normale = Vecteur::new(nx[voie], ny[voie], nz[voie]);
-        let point = groupe.rayon(voie).point(groupe.t[voie]);
-        Contact { normale, marge: marge[voie], point }
+    fn de(&self, voie: usize) -> Contact<R> {
+        let vecteur = |[x, y, z]: &[Colonne<R>; 3]| Vecteur::new(x[voie], y[voie], z[voie]);
+        let (normale, point) = (vecteur(&self.normale), vecteur(&self.point));
+        Contact { normale, marge: self.marge[voie], point }
     }
 }

@@ -369,7 +369,7 @@ fn evite<R: Reel>(ombres: &[Rayon<R>], boule: ObjetRay<R>) -> bool {
     en_lot[UN_ARBRE - 1] == 0
 }
 
-/// No answer tells whether a beam leaves anything out; this does.
+/// No answer tells whether a probe leaves anything out; this does.
 fn des_rayons_paralleles_evitent_une_boule_a_cote<R: Reel>() {
     let axes = [Vecteur::<R>::Z, Vecteur::X];
     for k in 0..27_u8 {
@@ -392,20 +392,22 @@ fn des_rayons_paralleles_evitent_une_boule_a_cote<R: Reel>() {
 
 en_f32_et_f64!(des_rayons_paralleles_evitent_une_boule_a_cote);
 
-/// No answer tells what a beam of segments leaves out; this does. Its sides touch the sources and the lamp.
+/// The same of rays to a lamp. The probe does not see that they come together, but that they end.
 fn des_segments_vers_une_lampe_evitent_une_boule_a_cote<R: Reel>() {
     let lampe = v(0.0, 10.0, 0.0);
     let sources = (0..64).map(|i| v(f64::from(i % 8) - 3.5, 0.0, f64::from(i / 8) - 3.5));
     let ombres: Vec<_> = sources.map(|source| Rayon::entre(source, lampe).unwrap()).collect();
-    // Beside a corner of the sources, among them, half-way beside and within, and beside the lamp, where the
-    // rays themselves go on and part.
+    // Beside a corner of the sources, among them, half-way beside and within, beside the lamp by more and by less than
+    // the sources are apart, and beyond the lamp.
     for (centre, a_cote) in [
         ([6.0, 0.5, 6.0], true),
         ([3.0, 0.5, 3.0], false),
         ([9.0, 5.0, 0.0], true),
         ([1.5, 5.0, 0.0], false),
-        ([0.0, 9.5, 3.0], true),
+        ([0.0, 9.5, 8.0], true),
+        ([0.0, 9.5, 3.0], false),
         ([0.0, 9.5, 0.5], false),
+        ([0.0, 14.0, 0.0], true),
         ([0.0, -5.0, 0.0], true),
     ] {
         let boule = sphere(Vecteur::from(centre.map(R::depuis_f64)), R::depuis_f64(0.75));

@@ -4,5 +4,6 @@ mod bits;
 mod deux;
 mod hierarchie;
 mod lot;
+mod sonde;
 mod souspassement;
 mod travail;
