@@ -4,7 +4,7 @@
 //! (`arbre/noeud.rs`, `construction.rs`). A ray looks at the nodes that it crosses (`parcours.rs`),
 //! a block of rays at those that its beam crosses (`parcours_de_bloc.rs`), each through its probe
 //! (`sonde.rs`). Objects without a box are always asked. What may be left out is derived in
-//! `docs/preuves.md`, lemmas 6 and 20 to 22.
+//! `docs/preuves.md`, lemmas 6 and 19 to 21.
 
 pub(crate) mod construction;
 mod morceaux;

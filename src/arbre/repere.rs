@@ -154,7 +154,7 @@ pub const JEU_DISTANCE: f64 = 37.0;
 pub const JEU_LARGEUR: f64 = 67.0;
 
 /// The slack for the rounding to `f32`, in u of `f32`, per unit of distance from Z to a side of a
-/// box or to where a ray starts (lemmas 20 to 22).
+/// box or to where a ray starts (lemmas 20 and 21).
 pub const JEU_F32: f64 = 7.5;
 
 /// More than is lost below the normal numbers (lemma 20).

@@ -55,7 +55,7 @@ impl<R: Nombre> Sonde<R> {
     #[inline(always)]
     pub(crate) fn new(rayon: &Rayon<R>, repere: Repere<R>) -> Option<Self> {
         let (y, d) = (repere.point(rayon.source()), rayon.direction());
-        // T3. For a source far away entries count from the point next to Z. In `f32` that point is
+        // For a source far away entries count from the point next to Z. In `f32` that point is
         // off by as much as a hit, and the source serves.
         let loin = R::selon(false, true) && y.norme_1() > repere.loin;
         let depart = if loin { -y.produit_scalaire(d) } else { R::ZERO };
@@ -71,7 +71,7 @@ impl<R: Nombre> Sonde<R> {
         Self::entre_bords(depart, [bornes(s.x, d.x), bornes(s.y, d.y), bornes(s.z, d.z)], repere)
     }
 
-    /// τ₀ of the rays of these groups (T3): where all of them are before all boxes, or else 0, where
+    /// τ₀ of the rays of these groups: where all of them are before all boxes, or else 0, where
     /// they start. No ray is between the edges before that.
     #[inline(always)]
     pub(crate) fn depart_commun(groupes: &[Groupe<R>], repere: Repere<R>) -> R {
@@ -149,6 +149,7 @@ impl<R: Nombre> Sonde<R> {
         let uni = |x: f32| f32x16::splat(simd, x);
         let (mut entrees, mut sorties) = (uni(self.entree_de_la_source()), uni(plafond));
         for axe in self.axes {
+            // T4
             let une = (colonne(axe.proche) - uni(axe.vers_proche)) * uni(axe.inverse_proche);
             let autre =
                 (colonne(axe.lointain) - uni(axe.vers_lointain)) * uni(axe.inverse_lointain);
@@ -235,5 +236,5 @@ fn colonne(axe: usize, d: f32) -> usize {
 }
 
 /// What is added to |D|: a ray that moves along an axis by no more stays where it is, as boxes see
-/// it, and no quotient is infinite, so that 0·∞ makes no NaN (T4).
+/// it, and no quotient is infinite, so that 0·∞ makes no NaN.
 const IMMOBILE: f32 = 1.0 / (1_u128 << 120) as f32;
