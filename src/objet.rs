@@ -238,7 +238,7 @@ impl<R: Nombre> ObjetRay<R> {
     ///
     /// With [`Rayon::vers_f64`] it serves to check answers of `f32` against those of `f64`.
     /// Directions and normals are unit only to the rounding of `f32`, so that `marge`,
-    /// `secondaire`, `reflechi`, `vers_touche` and `etendue` promise nothing.
+    /// `secondaire`, `reflechi`, `refracte`, `vers_touche` and `etendue` promise nothing.
     ///
     /// ```
     /// use lancer_rayon::{ObjetRay, SphereGeo, Texture, Vecteur};
