@@ -227,7 +227,7 @@ impl<R: Nombre> Intersection<R> {
     /// assert!(touche.marge() < 1e-14);
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
-    #[doc(alias("error_bound", "margin"))]
+    #[doc(alias("error_bound", "margin", "epsilon"))]
     #[must_use]
     pub fn marge(&self) -> R {
         self.marge

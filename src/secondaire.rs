@@ -114,6 +114,7 @@ impl<R: Nombre> Intersection<R> {
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
     #[doc(alias("spawn_ray", "secondary_ray", "shadow_ray", "reflection", "refraction"))]
+    #[doc(alias("epsilon", "bias", "tnear"))]
     #[inline]
     pub fn secondaire(&self, direction: Vecteur<R>) -> Result<Rayon<R>, ErreurGeo> {
         let direction = direction_unitaire(DIRECTION, direction)?;
@@ -178,7 +179,7 @@ impl<R: Nombre> Intersection<R> {
     /// ```
     /// use lancer_rayon::{ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
     ///
-    /// let boule = ObjetRay::from(SphereGeo::new(Vecteur::NUL, 1.0, Texture(0))?);
+    /// let boule: ObjetRay = SphereGeo::new(Vecteur::NUL, 1.0, Texture(0))?.into();
     /// let rayon = Rayon::new(Vecteur::new(0.8, 0.0, 5.0), -Vecteur::Z)?; // sin α = 0.8
     /// let dedans = boule.intersection(&rayon)?.refracte(rayon.direction(), 1.0 / 1.5)?;
     /// let sortie = boule.sortie(&dedans)?;
@@ -254,7 +255,8 @@ impl<R: Nombre> Intersection<R> {
     /// `soleil` is the direction to the light, of any length. The light that the surface receives
     /// is proportional to N·L, the cosine: `touche.normale().produit_scalaire(ombre.direction())`,
     /// good to 10.7u. A half-space beyond which the sun stands hides it: a room of half-spaces has
-    /// no windows.
+    /// no windows. A sensor on a wall, which no ray found, is a [way
+    /// out](crate::ObjetRay::sortie).
     ///
     /// # Errors
     /// If the surface faces away, N·L ≤ 3.2u with L that direction as a unit vector. Also if
@@ -286,7 +288,8 @@ impl<R: Nombre> Intersection<R> {
 
     /// The ray from this hit to another, which ends there. Whether two points of surfaces see each
     /// other is `!monde.sans(cible.indice()).est_occulte(&rayon)`. (A hit of an object that was
-    /// asked alone has index 0: name its index in the list.)
+    /// asked alone has index 0: name its index in the list. A point that you choose on a surface is a
+    /// [way out](crate::ObjetRay::sortie).)
     ///
     /// Both ends step off their surfaces, as for [`secondaire`](Self::secondaire), so that the ray
     /// never hits the object it leaves. Leave out the object it goes to

@@ -4,6 +4,7 @@
 use std::f64::consts::PI;
 
 use commun::fabrique::{boite, boite_droite, mur, sphere, v};
+use commun::oracle::hauteur;
 use commun::regimes::{direction, entre};
 use commun::tolerances::u;
 use commun::{arrondi, en_f32_et_f64};
@@ -13,7 +14,7 @@ use exemples::recettes::milieux::{Lumiere, Milieu};
 use exemples::recettes::particule::Particule;
 use exemples::recettes::verre::{Suite, dans_le_verre};
 use fastrand::Rng;
-use lancer_rayon::{Monde, ObjetRay, Rayon, Reel, Rotation, Vecteur, places};
+use lancer_rayon::{Face, Monde, ObjetRay, Rayon, Reel, Rotation, Vecteur, places};
 
 /// Places on the wall of a house against which a taller one stands flush: no sun comes there. On the other wall every
 /// sun that the wall faces does. Turned houses anywhere, whose walls as stored overlap or leave a crack, by rounding.
@@ -40,6 +41,14 @@ fn un_mur_mitoyen_est_a_l_ombre<R: Reel>() {
                 let Ok(ombre) = capteur.vers_soleil(soleil) else { continue };
                 assert_eq!(monde.est_occulte(&ombre), cache, "{objets:?} {ombre:?}");
                 let naif = Rayon::new(capteur.point(), soleil).unwrap();
+                // C + l·N rounds by u of the product and of the sum, and N is unit to 6.1u.
+                let face = if cache { Face::PlusX } else { Face::MoinsX };
+                let (milieu, _) = boite.face(face);
+                let flou = 10.0 * u::<R>() * (centre.longueur().vers_f64() + l / 2.0);
+                assert!(hauteur(&maison, n, milieu).abs() <= flou);
+                let du_milieu = Rayon::new(milieu, soleil).unwrap();
+                let du_milieu = du_milieu.avec_flou(R::depuis_f64(flou)).unwrap();
+                assert!(!cache || monde.est_occulte(&du_milieu), "{objets:?} {du_milieu:?}");
                 naifs += u32::from(cache && !monde.est_occulte(&naif));
                 if cache { caches += 1 } else { clairs += 1 }
             }
