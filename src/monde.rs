@@ -245,7 +245,8 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// Leave out **a lamp of the list**, or the object at the far end of
     /// [`vers_touche`](crate::Intersection::vers_touche), so that it does not stand before itself.
     /// A ray that leaves an object needs no such choice: it never hits that object again
-    /// ([`secondaire`](crate::Intersection::secondaire)).
+    /// ([`secondaire`](crate::Intersection::secondaire)). Each call makes another type: for a list
+    /// that grows at run time take [`parmi`](Self::parmi).
     ///
     /// ```
     /// use lancer_rayon::{Monde, NoIntersection, ObjetRay, Rayon, SphereGeo, Texture, Vecteur};

@@ -178,6 +178,49 @@ fn une_particule_reste_ou_le_depliage_la_met<R: Reel>() {
 
 en_f32_et_f64!(une_particule_reste_ou_le_depliage_la_met);
 
+/// What the page says of `f32` in a large room.
+#[test]
+fn dans_une_salle_de_cent_kilometres_le_flou_atteint_huit_decimetres() {
+    let mut alea = Rng::with_seed(96);
+    let loin = 1e5_f32;
+    let axes = [Vecteur::X, Vecteur::Y, Vecteur::Z];
+    let murs = axes.iter().flat_map(|&n| [mur(Vecteur::NUL, n), mur(n * loin, -n)]);
+    let murs: Vec<ObjetRay<f32>> = murs.collect();
+    let (mut somme, rayons) = (0.0, 1_000_u16);
+    for _ in 0..rayons {
+        let mut rayon = Rayon::new(v(5e4, 5e4, 5e4), arrondi(direction(&mut alea))).unwrap();
+        for _ in 0..5 {
+            let touche = Monde::de_liste(&murs).premiere_intersection(&rayon).unwrap();
+            rayon = touche.reflechi(rayon.direction()).unwrap();
+        }
+        somme += rayon.flou() / f32::from(rayons);
+    }
+    println!("{somme} metres");
+    assert!((0.7..0.9).contains(&somme), "{somme}");
+}
+
+/// What the page says of light mirrored within a ball: the cosine is that of the first time, but for the steps inward.
+#[test]
+fn les_reflets_dans_une_boule_derivent_du_pas() {
+    let boule = sphere::<f32>(Vecteur::NUL, 1.0);
+    let cosinus = |de_nouveau: bool| {
+        let d = v(-0.1, 0.99_f64.sqrt(), 0.0);
+        let mut rayon = Rayon::new(v(0.999_999, 0.0, 0.0), d).unwrap().dedans();
+        for _ in 0..10_000 {
+            let sortie = boule.sortie(&rayon).unwrap();
+            rayon = sortie.reflechi(rayon.direction()).unwrap();
+            if de_nouveau {
+                rayon = Rayon::new(sortie.point(), rayon.direction()).unwrap().dedans();
+            }
+        }
+        let sortie = boule.sortie(&rayon).unwrap();
+        sortie.normale().produit_scalaire(rayon.direction())
+    };
+    println!("{} and {}", cosinus(false), cosinus(true));
+    assert!((0.14..0.17).contains(&cosinus(false)), "{}", cosinus(false));
+    assert!((cosinus(true) - 0.1).abs() < 0.002, "{}", cosinus(true));
+}
+
 /// Of a convex body lit evenly from all around, the mean way through is 4V/S, whether it scatters much, little or not at
 /// all (Blanco and Fournier 2003).
 #[test]
