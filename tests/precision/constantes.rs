@@ -12,8 +12,8 @@
 //!   u)` stands for all of it, larger than what was counted by hand;
 //! - lemma 3: that two comparisons at most lie between an entry and an exit; lemma 4: that k speeds
 //!   of which all are v or more have v ≤ 1/√k;
-//! - lemma 9: that M5 turns no refracted ray by more than the bound has to spare;
 //! - lemma 8: that nearer than |f| = 2r no sphere is lost;
+//! - lemma 9: that M5 turns no refracted ray by more than the bound has to spare;
 //! - lemma 13: that a matrix made of sines and cosines, or of one direction, is orthonormal to 90u
 //!   before its Newton step, and of a quaternion or several directions to 200u;
 //! - lemma 21: that what is subnormal is less than the slack.
