@@ -12,6 +12,7 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 use exemples::image;
+use exemples::recettes::verre::{Suite, dans_le_verre};
 use exemples::scene::{Scene, tuiles};
 use indicatif::ParallelProgressIterator;
 use lancer_rayon::{
@@ -76,7 +77,7 @@ fn rendre<R: Reel + DeserializeOwned>(
     let mut places = vec![0.0; places(objets.len())];
     let hierarchie = Monde::new(&objets, &mut places)?;
     let grain = R::depuis_f64(1.0 / f64::from(camera.image.1));
-    let chambre = Chambre { objets: &objets, lampe, hierarchie, grain, rayons };
+    let chambre = Chambre { lampe, hierarchie, grain, rayons };
 
     let oeil = camera.rayons()?;
     let ordre = tuiles(oeil.len(), camera.image.0 as usize);
@@ -132,7 +133,6 @@ const PALETTE: [Matiere; 12] = [
 ];
 
 struct Chambre<'a, R> {
-    objets: &'a [ObjetRay<R>],
     lampe: &'a SphereRay<R>,
     hierarchie: Monde<'a, R>,
     /// The size of a pixel, one unit before the eye.
@@ -166,18 +166,23 @@ impl<R: Reel> Chambre<'_, R> {
         let mut chemins: Vec<_> = (0..nombre).map(chemin).collect();
         let mut vues = vec![Vecteur::NUL; nombre];
         for _ in 0..REBONDS {
-            let touches = self.lancer(chemins.iter().map(|chemin| chemin.rayon))?;
+            let dans_l_air = chemins.iter().filter(|chemin| chemin.dans.is_none());
+            let mut touches = self.lancer(dans_l_air.map(|chemin| chemin.rayon))?.into_iter();
             let (mut suivants, mut ombres) = (Vec::new(), Vec::new());
-            for (chemin, touche) in chemins.into_iter().zip(touches) {
-                if let Some(verre) = chemin.dans {
-                    // A ray that entered beside an edge may have stepped out again: it ends.
-                    let Ok(sortie) = self.objets[verre].sortie(&chemin.rayon) else { continue };
-                    if !touche.is_ok_and(|t| t.distance() < sortie.distance()) {
-                        suivants.extend(chemin.dehors(&sortie, verre));
-                        continue;
-                    }
-                }
-                let Ok(touche) = touche else {
+            for chemin in chemins {
+                let touche = match chemin.dans {
+                    None => touches.next().and_then(Result::ok),
+                    Some(verre) => match dans_le_verre(&self.hierarchie, verre, &chemin.rayon) {
+                        Ok(Suite::Touche(touche)) => Some(touche),
+                        Ok(Suite::Sortie(sortie)) => {
+                            suivants.extend(chemin.dehors(&sortie, verre));
+                            continue;
+                        }
+                        // A ray that entered beside an edge may have stepped out again: it ends.
+                        Err(_) => continue,
+                    },
+                };
+                let Some(touche) = touche else {
                     vues[chemin.numero] += produit(chemin.part, SOIR);
                     continue;
                 };
@@ -268,7 +273,9 @@ impl<R: Reel> Chemin<R> {
             Genre::Verni | Genre::Mat => (touche.secondaire(n + au_hasard()).ok(), teinte, false),
         };
         let dans = (entre && matches!(genre, Genre::Verre)).then(|| touche.indice());
-        Some(Self { rayon: rayon?, numero: self.numero, part, franc, dans })
+        // From within glass no shadow ray is straight: the path finds the lamp by chance.
+        let franc = franc || self.dans.is_some();
+        Some(Self { rayon: rayon?, numero: self.numero, part, franc, dans: dans.or(self.dans) })
     }
 }
 
