@@ -193,8 +193,9 @@ impl<R: Nombre> BoiteRay<R> {
         self.normales
     }
 
-    /// l_i, half the distance between each face and the opposite one.
-    #[doc(alias("half_extents", "half_lengths"))]
+    /// l_i, half the distance between each face and the opposite one. The corners are C ± l₁N₁ ±
+    /// l₂N₂ ± l₃N₃.
+    #[doc(alias("half_extents", "half_lengths", "corner", "vertex"))]
     #[must_use]
     pub fn demi_longueurs(&self) -> [R; 3] {
         self.demi_longueurs

@@ -95,6 +95,9 @@ impl<R: Nombre> BoiteRay<R> {
     /// t) over the half-length, so that the pattern of a small box far from O is steady too. Where
     /// rounding beside an edge would take them beyond ±1 they are ±1.
     ///
+    /// The other way round, a place on a face makes a hit by [`sortie`](crate::ObjetRay::sortie)
+    /// from within along the normal of [`face`](Self::face).
+    ///
     /// `touche` must be a hit of this ray on this box. For any other hit the answer is some face
     /// and some point of it.
     ///
@@ -111,7 +114,7 @@ impl<R: Nombre> BoiteRay<R> {
     /// assert_eq!(face.le_long(p), [0.5, -0.5]);
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
-    #[doc(alias("uv", "texture_coordinates", "which_face", "local_point"))]
+    #[doc(alias("uv", "texture_coordinates", "which_face", "local_point", "sensor", "anchor"))]
     pub fn lieu(&self, rayon: &Rayon<R>, touche: &Intersection<R>) -> (Face, Vecteur<R>) {
         // The normal of a hit is that of a face, or leans from it by some u: one cosine is near ±1.
         let cosinus = self.normales().map(|n| n.produit_scalaire(touche.normale()));

@@ -15,8 +15,9 @@ use crate::vecteur::Vecteur;
 ///
 /// Only a search makes one, so that its values always fit together. It knows its point, so that the
 /// next ray needs nothing else to start from: see [`secondaire`](Self::secondaire),
-/// [`reflechi`](Self::reflechi), [`vers_lumiere`](Self::vers_lumiere),
-/// [`vers_soleil`](Self::vers_soleil) and [`vers_touche`](Self::vers_touche).
+/// [`reflechi`](Self::reflechi), [`refracte`](Self::refracte),
+/// [`vers_lumiere`](Self::vers_lumiere), [`vers_soleil`](Self::vers_soleil) and
+/// [`vers_touche`](Self::vers_touche).
 ///
 /// With the feature `serde` a hit that was written is read again, to the bit. JSON, which has no ±∞,
 /// does not give back a hit whose point is beyond the range of the type; no ray starts from such a
@@ -226,7 +227,7 @@ impl<R: Nombre> Intersection<R> {
     /// assert!(touche.marge() < 1e-14);
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
-    #[doc(alias("error_bound", "margin"))]
+    #[doc(alias("error_bound", "margin", "epsilon"))]
     #[must_use]
     pub fn marge(&self) -> R {
         self.marge

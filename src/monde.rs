@@ -245,7 +245,8 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// Leave out **a lamp of the list**, or the object at the far end of
     /// [`vers_touche`](crate::Intersection::vers_touche), so that it does not stand before itself.
     /// A ray that leaves an object needs no such choice: it never hits that object again
-    /// ([`secondaire`](crate::Intersection::secondaire)).
+    /// ([`secondaire`](crate::Intersection::secondaire)). Each call makes another type: for a list
+    /// that grows at run time take [`parmi`](Self::parmi).
     ///
     /// ```
     /// use lancer_rayon::{Monde, NoIntersection, ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
@@ -281,8 +282,8 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// [`premiere_intersection`](Self::premiere_intersection) of every ray, to the bit, and several
     /// times as fast for the rays of a picture.
     ///
-    /// Neighbours in `rayons` should be neighbours in the picture, in tiles of 8 × 8. Pass 64 rays
-    /// or more per call. Nothing is allocated and no thread is started; the caller may give parts
+    /// Neighbours in `rayons` should start and point alike: those of a picture in tiles of 8 × 8
+    /// (`docs/choisir.md`, "The order in a batch"). Pass 64 rays or more per call. Nothing is allocated and no thread is started; the caller may give parts
     /// of a picture to several threads.
     ///
     /// # Errors

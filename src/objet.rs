@@ -74,7 +74,7 @@ impl<R: Nombre> ObjetGeo<R> {
     ///
     /// # Errors
     /// If the moved object lies outside the limits of its constructor.
-    #[doc(alias("translate", "move"))]
+    #[doc(alias("translate", "move", "transform"))]
     pub fn translation(self, v: Vecteur<R>) -> Result<Self, ErreurGeo> {
         par_forme!(Self, self, forme => Ok(forme.translation(v)?.into()))
     }
@@ -83,7 +83,7 @@ impl<R: Nombre> ObjetGeo<R> {
     ///
     /// # Errors
     /// If the turned object lies outside the limits of its constructor.
-    #[doc(alias("rotate", "turn"))]
+    #[doc(alias("rotate", "turn", "transform"))]
     pub fn rotation(self, r: Rotation<R>) -> Result<Self, ErreurGeo> {
         par_forme!(Self, self, forme => Ok(forme.rotation(r)?.into()))
     }
@@ -93,7 +93,7 @@ impl<R: Nombre> ObjetGeo<R> {
     ///
     /// # Errors
     /// If `k` is not finite and above 0, or a dimension leaves the limits of the constructor.
-    #[doc(alias = "scale")]
+    #[doc(alias("scale", "transform"))]
     pub fn homothetie(self, k: R) -> Result<Self, ErreurGeo> {
         par_forme!(Self, self, forme => Ok(forme.homothetie(k)?.into()))
     }
@@ -238,7 +238,7 @@ impl<R: Nombre> ObjetRay<R> {
     ///
     /// With [`Rayon::vers_f64`] it serves to check answers of `f32` against those of `f64`.
     /// Directions and normals are unit only to the rounding of `f32`, so that `marge`,
-    /// `secondaire`, `reflechi`, `vers_touche` and `etendue` promise nothing.
+    /// `secondaire`, `reflechi`, `refracte`, `vers_touche` and `etendue` promise nothing.
     ///
     /// ```
     /// use lancer_rayon::{ObjetRay, SphereGeo, Texture, Vecteur};
@@ -323,10 +323,10 @@ pub const ETENDUE: f64 = 44.0;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Etendue<R = f64> {
     /// The corner with the least coordinates.
-    #[doc(alias = "min")]
+    #[doc(alias("min", "corner"))]
     pub bas: Vecteur<R>,
     /// The corner with the greatest coordinates.
-    #[doc(alias = "max")]
+    #[doc(alias("max", "corner"))]
     pub haut: Vecteur<R>,
 }
 

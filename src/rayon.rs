@@ -98,7 +98,7 @@ impl<R: Nombre> Rayon<R> {
     /// assert_eq!(rayon.jusqu_a(f64::NAN).unwrap_err().champ, "fin");
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
-    #[doc(alias("max_distance", "t_max", "tfar", "range", "until"))]
+    #[doc(alias("max_distance", "t_max", "tmax", "tfar", "range", "until"))]
     #[inline]
     pub fn jusqu_a(self, fin: R) -> Result<Self, ErreurGeo> {
         let fin = exiger(fin >= R::ZERO, "fin", fin, "0 or more, +∞ for a ray without an end")?;
@@ -110,7 +110,9 @@ impl<R: Nombre> Rayon<R> {
     ///
     /// If the source lies in an object no deeper than δ and the ray goes further in, it touches
     /// that object at once, at distance 0. Without δ the ray starts inside that object and does not
-    /// see it. A ray that [starts from a hit](crate::Intersection::secondaire) knows its δ.
+    /// see it. A ray that [starts from a hit](crate::Intersection::secondaire) knows its δ, as does
+    /// one from [a place of your own](crate::ObjetRay::sortie). A point C + l·N as computed, the
+    /// middle of a face, lies within 10u(|C| + l) of the face.
     ///
     /// # Errors
     /// If `flou` is not finite or below 0.
@@ -156,7 +158,7 @@ impl<R: Nombre> Rayon<R> {
     /// assert!(monde.premiere_intersection(&touche.reflechi(oeil.direction())?).is_err());
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
-    #[doc(alias("inside", "medium"))]
+    #[doc(alias("inside", "medium", "fog"))]
     pub fn dedans(self) -> Self {
         Self { flou: min(self.flou, R::ZERO) - R::UN, ..self }
     }
@@ -201,7 +203,7 @@ impl<R: Nombre> Rayon<R> {
     }
 
     /// The distance before which the ray touches objects, 0 or more; +∞ if it has no end.
-    #[doc(alias("max_distance", "t_max", "tfar", "end"))]
+    #[doc(alias("max_distance", "t_max", "tmax", "tfar", "end"))]
     #[inline(always)]
     #[must_use]
     pub fn fin(&self) -> R {

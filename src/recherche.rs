@@ -80,6 +80,11 @@ impl<R: Nombre> ObjetRay<R> {
     /// sent into a sphere or a box leaves, except beside an edge and in a box no thicker than the
     /// step; a ray that it sent outward does not.
     ///
+    /// **A place of one's own**, such as a sensor on a wall, a window or a point of a lamp, is where
+    /// a ray from within leaves the object along the normal. That is a hit of this object alone,
+    /// whatever stands flush with it: `vers_soleil`, `vers_lumiere` and `vers_touche` start there as
+    /// from any other.
+    ///
     /// # Errors
     /// [`NoIntersection`] if the ray ends before it leaves, passes the object by or starts beyond
     /// it; if it descends in a half-space, or keeps its depth; or if the distance is too large for
@@ -102,9 +107,14 @@ impl<R: Nombre> ObjetRay<R> {
     /// let dehors = sortie.secondaire(dedans.direction())?;
     /// assert_eq!(boule.intersection(&dehors), Err(NoIntersection));
     /// assert_eq!(boule.sortie(&dehors), Err(NoIntersection));
+    ///
+    /// // A sensor on the side that the sun shines on.
+    /// let capteur = boule.sortie(&Rayon::new(Vecteur::new(0.0, 0.0, -5.0), Vecteur::Y)?)?;
+    /// assert_eq!(capteur.normale(), Vecteur::Y);
+    /// assert!(capteur.vers_soleil(Vecteur::new(1.0, 2.0, 0.0)).is_ok());
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
-    #[doc(alias("exit", "far_side", "leave"))]
+    #[doc(alias("exit", "far_side", "leave", "sensor", "sample", "anchor"))]
     pub fn sortie(&self, rayon: &Rayon<R>) -> Reponse<R> {
         // Turned back, the ray enters the object, at −t, where this one leaves it.
         let retour = Rayon::sans_fin(rayon.source(), -rayon.direction());

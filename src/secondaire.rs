@@ -75,8 +75,8 @@ impl<R: Nombre> Rayon<R> {
 impl<R: Nombre> Intersection<R> {
     /// A ray that starts at this hit and never hits the object it leaves, with one exception
     /// (below). The direction may lead outward, D·N > 0, or inward for transparency. For mirrors
-    /// there is [`reflechi`](Self::reflechi), for shadows [`vers_lumiere`](Self::vers_lumiere) and
-    /// [`vers_soleil`](Self::vers_soleil).
+    /// there is [`reflechi`](Self::reflechi), for glass [`refracte`](Self::refracte), for shadows
+    /// [`vers_lumiere`](Self::vers_lumiere) and [`vers_soleil`](Self::vers_soleil).
     ///
     /// The source is the [`point`](Self::point) of the hit, moved along the normal to the side to
     /// which the direction leads, by [`marge`](Self::marge) and the rounding of the moved point,
@@ -114,12 +114,11 @@ impl<R: Nombre> Intersection<R> {
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
     #[doc(alias("spawn_ray", "secondary_ray", "shadow_ray", "reflection", "refraction"))]
+    #[doc(alias("epsilon", "bias", "tnear"))]
     #[inline]
     pub fn secondaire(&self, direction: Vecteur<R>) -> Result<Rayon<R>, ErreurGeo> {
         let direction = direction_unitaire(DIRECTION, direction)?;
-        let dedans = direction.produit_scalaire(self.normale()) < fois_u(-TANGENT);
-        let direction = if dedans { direction } else { self.redressee(direction)? };
-        Ok(self.depart(dedans)?.vers(direction))
+        self.suite(direction.produit_scalaire(self.normale()) < fois_u(-TANGENT), direction)
     }
 
     /// The ray that a mirror sends on when a ray arrives in the direction D: a
@@ -158,7 +157,56 @@ impl<R: Nombre> Intersection<R> {
         }
         // N·D ≤ 0 as computed: exactly it may be above by 3.1u, so that N·D′ is no less than −3.1u
         // before D′ is rounded, and than −5.1u after.
-        Ok(self.depart(false)?.vers(self.redressee(direction)?))
+        self.suite(false, direction)
+    }
+
+    /// The ray that light in the direction D becomes behind the surface, by Snell's law: a
+    /// [`secondaire`](Self::secondaire) that goes inward from a hit, and outward from a [way
+    /// out](crate::ObjetRay::sortie).
+    ///
+    /// `rapport` is η, the index of refraction of what the light comes from over that of what it
+    /// goes into: 1/1.5 where it enters glass from air, 1.5 where it leaves. From the ray,
+    /// |N·D| is the cosine behind the surface, which Fresnel's formula asks for. Up to η = 1,000
+    /// the direction is within an angle of sine 9.2u(1 + η)/c of the exact one at N, with c the
+    /// exact cosine (`docs/preuves.md`, lemma 9).
+    ///
+    /// # Errors
+    /// **Total reflection**: the error names `refraction`, and gives the square of the cosine
+    /// behind the surface, 0 or less. Also if `rapport` is not finite or not above 0, or where
+    /// [`secondaire`](Self::secondaire) would fail. As [`reflechi`](Self::reflechi) fails there
+    /// too, `touche.refracte(d, rapport).or_else(|_| touche.reflechi(d))` is where the light goes.
+    ///
+    /// ```
+    /// use lancer_rayon::{ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
+    ///
+    /// let boule: ObjetRay = SphereGeo::new(Vecteur::NUL, 1.0, Texture(0))?.into();
+    /// let rayon = Rayon::new(Vecteur::new(0.8, 0.0, 5.0), -Vecteur::Z)?; // sin α = 0.8
+    /// let dedans = boule.intersection(&rayon)?.refracte(rayon.direction(), 1.0 / 1.5)?;
+    /// let sortie = boule.sortie(&dedans)?;
+    /// let dehors = sortie.refracte(dedans.direction(), 1.5)?;
+    /// assert!((dehors.direction().produit_scalaire(sortie.normale()) - 0.6).abs() < 1e-14);
+    ///
+    /// // From within, as sin α = 0.8 is more than 1/1.5, no light leaves.
+    /// let dedans = Rayon::new(Vecteur::new(0.8, 0.0, 0.0), -Vecteur::Z)?;
+    /// let sortie = boule.sortie(&dedans)?;
+    /// let totale = sortie.refracte(dedans.direction(), 1.5).unwrap_err();
+    /// assert_eq!(totale.champ, "refraction");
+    /// assert!((totale.valeur - (1.0 - 1.2 * 1.2)).abs() < 1e-14);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    #[doc(alias("refract", "refraction", "snell", "transmit", "ior", "glass"))]
+    pub fn refracte(&self, direction: Vecteur<R>, rapport: R) -> Result<Rayon<R>, ErreurGeo> {
+        let accepte = rapport > R::ZERO && rapport < R::INFINI;
+        exiger(accepte, "rapport", rapport, "a finite number above 0")?;
+        let (d, n) = (direction_unitaire(DIRECTION, direction)?, self.normale());
+        let le_long = d.produit_scalaire(n);
+        let travers = (d - n * le_long) * rapport;
+        let carre = d.longueur_carree() - travers.longueur_carree();
+        let attendu = "above 0, as a squared cosine: all light is mirrored (total reflection)";
+        let droit = n * exiger(carre > R::ZERO, "refraction", carre, attendu)?.sqrt();
+        let dedans = le_long <= R::ZERO;
+        let direction = if dedans { travers - droit } else { travers + droit }; // M8
+        self.suite(dedans, direction_unitaire(DIRECTION, direction)?)
     }
 
     /// The ray from this hit to a light, which ends there: ask
@@ -207,7 +255,8 @@ impl<R: Nombre> Intersection<R> {
     /// `soleil` is the direction to the light, of any length. The light that the surface receives
     /// is proportional to N·L, the cosine: `touche.normale().produit_scalaire(ombre.direction())`,
     /// good to 10.7u. A half-space beyond which the sun stands hides it: a room of half-spaces has
-    /// no windows.
+    /// no windows. A sensor on a wall, which no ray found, is a [way
+    /// out](crate::ObjetRay::sortie).
     ///
     /// # Errors
     /// If the surface faces away, N·L ≤ 3.2u with L that direction as a unit vector. Also if
@@ -239,7 +288,8 @@ impl<R: Nombre> Intersection<R> {
 
     /// The ray from this hit to another, which ends there. Whether two points of surfaces see each
     /// other is `!monde.sans(cible.indice()).est_occulte(&rayon)`. (A hit of an object that was
-    /// asked alone has index 0: name its index in the list.)
+    /// asked alone has index 0: name its index in the list. A point that you choose on a surface is a
+    /// [way out](crate::ObjetRay::sortie).)
     ///
     /// Both ends step off their surfaces, as for [`secondaire`](Self::secondaire), so that the ray
     /// never hits the object it leaves. Leave out the object it goes to
@@ -302,6 +352,13 @@ impl<R: Nombre> Intersection<R> {
             su + pas + flou_du_point(self.distance(), p)
         };
         Ok(Depart { source, su })
+    }
+
+    /// The ray from that side in this unit direction.
+    #[inline(always)]
+    fn suite(&self, dedans: bool, direction: Vecteur<R>) -> Result<Rayon<R>, ErreurGeo> {
+        let direction = if dedans { direction } else { self.redressee(direction)? };
+        Ok(self.depart(dedans)?.vers(direction))
     }
 
     /// Whether this unit direction leads away from the surface, by more than N·D can round.

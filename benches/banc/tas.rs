@@ -1,5 +1,5 @@
-//! Scenes and orders of rays that other people had: what a heap costs over its list, a ray that strays
-//! over its tile without it, and hemispheres point by point over direction by direction.
+//! Scenes that other people had: what a heap costs over its list, a ray that strays
+//! over its tile without it.
 //! `cargo run --release -p banc --bin tas` prints `benches/mesures/tas.csv`, in a minute. A seed may
 //! be named.
 
@@ -59,19 +59,6 @@ fn rapports<R: Reel>(n: usize, graine: u64) -> Result<Rapports, Box<dyn Error>> 
         rapports
             .push((format!("{egares} of 64 stray: over none"), temps(&objets, &rayons)?[3] / sans));
     }
-    let directions = [(); APPEL].map(|()| arrondi(direction(&mut alea) + Vecteur::Y));
-    let point = |i: usize| arrondi(Vecteur::new((i % 8) as f64, 40.0, (i / 8) as f64) * 0.05);
-    let [par_point, par_direction] = [true, false].map(|par_point| {
-        let rayon = |i: usize| {
-            let (a, b) = (i / APPEL, i % APPEL);
-            let (p, d) = if par_point { (a, b) } else { (b, a) };
-            Rayon::new(point(p), directions[d])
-        };
-        (0..APPEL * APPEL).map(rayon).collect::<Result<Vec<_>, _>>()
-    });
-    let cas = "hemispheres: point by point over direction by direction";
-    let rapport = temps(&objets, &par_point?)?[3] / temps(&objets, &par_direction?)?[3];
-    rapports.push((cas.to_owned(), rapport));
     Ok(rapports)
 }
 

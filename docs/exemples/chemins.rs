@@ -12,6 +12,7 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 use exemples::image;
+use exemples::recettes::verre::{Suite, dans_le_verre};
 use exemples::scene::{Scene, tuiles};
 use indicatif::ParallelProgressIterator;
 use lancer_rayon::{
@@ -76,7 +77,7 @@ fn rendre<R: Reel + DeserializeOwned>(
     let mut places = vec![0.0; places(objets.len())];
     let hierarchie = Monde::new(&objets, &mut places)?;
     let grain = R::depuis_f64(1.0 / f64::from(camera.image.1));
-    let chambre = Chambre { objets: &objets, lampe, hierarchie, grain, rayons };
+    let chambre = Chambre { lampe, hierarchie, grain, rayons };
 
     let oeil = camera.rayons()?;
     let ordre = tuiles(oeil.len(), camera.image.0 as usize);
@@ -132,7 +133,6 @@ const PALETTE: [Matiere; 12] = [
 ];
 
 struct Chambre<'a, R> {
-    objets: &'a [ObjetRay<R>],
     lampe: &'a SphereRay<R>,
     hierarchie: Monde<'a, R>,
     /// The size of a pixel, one unit before the eye.
@@ -166,18 +166,23 @@ impl<R: Reel> Chambre<'_, R> {
         let mut chemins: Vec<_> = (0..nombre).map(chemin).collect();
         let mut vues = vec![Vecteur::NUL; nombre];
         for _ in 0..REBONDS {
-            let touches = self.lancer(chemins.iter().map(|chemin| chemin.rayon))?;
+            let dans_l_air = chemins.iter().filter(|chemin| chemin.dans.is_none());
+            let mut touches = self.lancer(dans_l_air.map(|chemin| chemin.rayon))?.into_iter();
             let (mut suivants, mut ombres) = (Vec::new(), Vec::new());
-            for (chemin, touche) in chemins.into_iter().zip(touches) {
-                if let Some(verre) = chemin.dans {
-                    // A ray that entered beside an edge may have stepped out again: it ends.
-                    let Ok(sortie) = self.objets[verre].sortie(&chemin.rayon) else { continue };
-                    if !touche.is_ok_and(|t| t.distance() < sortie.distance()) {
-                        suivants.extend(chemin.dehors(&sortie, verre));
-                        continue;
-                    }
-                }
-                let Ok(touche) = touche else {
+            for chemin in chemins {
+                let touche = match chemin.dans {
+                    None => touches.next().and_then(Result::ok),
+                    Some(verre) => match dans_le_verre(&self.hierarchie, verre, &chemin.rayon) {
+                        Ok(Suite::Touche(touche)) => Some(touche),
+                        Ok(Suite::Sortie(sortie)) => {
+                            suivants.extend(chemin.dehors(&sortie, verre));
+                            continue;
+                        }
+                        // A ray that entered beside an edge may have stepped out again: it ends.
+                        Err(_) => continue,
+                    },
+                };
+                let Some(touche) = touche else {
                     vues[chemin.numero] += produit(chemin.part, SOIR);
                     continue;
                 };
@@ -248,9 +253,8 @@ impl<R: Reel> Chambre<'_, R> {
 impl<R: Reel> Chemin<R> {
     /// How a path inside the object of this index goes on from where it leaves it, or is mirrored within.
     fn dehors(&self, sortie: &Intersection<R>, verre: usize) -> Option<Self> {
-        let (vers, passe) = traverser(self.rayon.direction(), -sortie.normale(), INDICE);
-        let rayon = sortie.secondaire(vers).ok()?;
-        Some(Self { rayon, dans: (!passe).then_some(verre), ..*self })
+        let (rayon, passe) = traverser(sortie, self.rayon.direction(), INDICE);
+        Some(Self { rayon: rayon?, dans: (!passe).then_some(verre), ..*self })
     }
 
     /// How a path goes on from a surface that is not the lamp.
@@ -260,35 +264,37 @@ impl<R: Reel> Chemin<R> {
         let p = touche.point();
         let case = (p.x.vers_f64().floor() + p.z.vers_f64().floor()) as i64;
         let teinte = produit(self.part, couleurs[(case & 1) as usize]);
-        let (passe, entre) = traverser(d, n, 1.0 / INDICE);
-        let vers = |direction| touche.secondaire(direction);
+        let (passe, entre) = traverser(touche, d, 1.0 / INDICE);
         let (rayon, part, franc) = match genre {
-            Genre::Miroir => (touche.reflechi(self.rayon.direction()), teinte, true),
-            Genre::Verre => (vers(passe), teinte, true),
-            Genre::Verni if !entre => (vers(passe), self.part, true),
+            Genre::Miroir => (touche.reflechi(d).ok(), teinte, true),
+            Genre::Verre => (passe, teinte, true),
+            Genre::Verni if !entre => (passe, self.part, true),
             // As often in each direction as the cosine there is large, so that no cosine is left to count.
-            Genre::Verni | Genre::Mat => (vers(n + au_hasard()), teinte, false),
+            Genre::Verni | Genre::Mat => (touche.secondaire(n + au_hasard()).ok(), teinte, false),
         };
         let dans = (entre && matches!(genre, Genre::Verre)).then(|| touche.indice());
-        Some(Self { rayon: rayon.ok()?, numero: self.numero, part, franc, dans })
+        // From within glass no shadow ray is straight: the path finds the lamp by chance.
+        let franc = franc || self.dans.is_some();
+        Some(Self { rayon: rayon?, numero: self.numero, part, franc, dans: dans.or(self.dans) })
     }
 }
 
-/// Where light goes on from a face of glass with the normal `n` against it, and whether it passes (Snell)
-/// or is mirrored, by chance. `rapport` is the index that it comes from over the one that it comes to.
-fn traverser<R: Reel>(d: Vecteur<R>, n: Vecteur<R>, rapport: f64) -> (Vecteur<R>, bool) {
-    let (rapport, cosinus) = (R::depuis_f64(rapport), -d.produit_scalaire(n));
-    let carre = R::UN - rapport * rapport * (R::UN - cosinus * cosinus);
-    if carre > R::ZERO {
-        let derriere = carre.sqrt();
+/// Where light goes on from a face of glass, and whether it passes (Snell) or is mirrored, by chance. `rapport` is the
+/// index that it comes from over the one that it comes to.
+fn traverser<R: Reel>(
+    touche: &Intersection<R>,
+    d: Vecteur<R>,
+    rapport: f64,
+) -> (Option<Rayon<R>>, bool) {
+    let cosinus = |d: Vecteur<R>| d.produit_scalaire(touche.normale()).vers_f64().abs();
+    if let Ok(passe) = touche.refracte(d, R::depuis_f64(rapport)) {
         // Schlick's approximation of Fresnel's formula, which takes the larger angle, that of the air.
-        let rasant = 1.0 - cosinus.vers_f64().min(derriere.vers_f64());
+        let rasant = 1.0 - cosinus(d).min(cosinus(passe.direction()));
         if fastrand::f64() > 0.04 + 0.96 * rasant.powi(5) {
-            return (d * rapport + n * (rapport * cosinus - derriere), true);
+            return (Some(passe), true);
         }
     }
-    // All of it beyond the critical angle.
-    (d + (n + n) * cosinus, false)
+    (touche.reflechi(d).ok(), false)
 }
 
 /// A point of the unit sphere, all alike.

@@ -298,8 +298,7 @@ impl<R: Reel> Atelier<'_, R> {
             0.0
         };
         let (secondaire, suit, reste) = if dedans {
-            let vers = refractee(d, n, 1.0 / matiere.indice);
-            (vers.and_then(|vers| touche.secondaire(vers).ok()), couleur, 0.0)
+            (touche.refracte(d, R::depuis_f64(1.0 / matiere.indice)).ok(), couleur, 0.0)
         } else {
             let suit = Vecteur::new(reflet, reflet, reflet);
             (reflechi.filter(|_| reflet > 0.0), suit, 1.0 - reflet)
@@ -325,12 +324,12 @@ impl<R: Reel> Atelier<'_, R> {
             return None;
         }
         let matiere = &PALETTE[sortie.texture().0 as usize % PALETTE.len()];
-        let (d, n) = (rayon.direction(), -sortie.normale());
+        let d = rayon.direction();
+        let dehors = sortie.refracte(d, R::depuis_f64(matiere.indice));
         // Beyond the critical angle the ray stays inside.
-        let dehors = refractee(d, n, matiere.indice);
-        let vers = dehors.unwrap_or(d - (n + n) * d.produit_scalaire(n));
-        let rayon = sortie.secondaire(vers).ok()?;
-        Some(Trajet { rayon, oeil, part, quitte, dedans: dehors.is_none() })
+        let dedans = dehors.is_err();
+        let rayon = dehors.or_else(|_| sortie.reflechi(d)).ok()?;
+        Some(Trajet { rayon, oeil, part, quitte, dedans })
     }
 
     /// Adds the light of one lamp to what is seen of these surfaces, except where something blocks it.
@@ -371,14 +370,6 @@ struct Surface<'t, R> {
     /// In the part in which it is seen.
     couleur: Couleur,
     eclat: f64,
-}
-
-/// The direction of a ray behind a surface that it meets against the normal `n`, where light is so many
-/// times slower; none beyond the critical angle (Snell).
-fn refractee<R: Reel>(d: Vecteur<R>, n: Vecteur<R>, rapport: f64) -> Option<Vecteur<R>> {
-    let (rapport, cosinus) = (R::depuis_f64(rapport), -d.produit_scalaire(n));
-    let carre = R::UN - rapport * rapport * (R::UN - cosinus * cosinus);
-    (carre > R::ZERO).then(|| d * rapport + n * (rapport * cosinus - carre.sqrt()))
 }
 
 impl Matiere {

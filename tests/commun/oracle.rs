@@ -351,6 +351,39 @@ pub fn ecart_du_miroir<R: Reel>(d: Vecteur<R>, normale: Vecteur<R>, reflet: Vect
     longueur(&vectoriel(&miroir, &reflet)) / (longueur(&miroir) * longueur(&reflet))
 }
 
+/// What Snell's law at a surface of normal N makes of light in the direction D, `rapport` being the index that it comes
+/// from over the one that it comes to: the square of the cosine behind the surface, and where that is above 0 the sine
+/// of the angle between `suite` and the direction there, on this side.
+pub fn ecart_de_snell<R: Reel>(
+    d: Vecteur<R>,
+    normale: Vecteur<R>,
+    rapport: R,
+    passage: Passage,
+    suite: Option<Vecteur<R>>,
+) -> (f64, Option<f64>) {
+    let ([d, n], eta) = ([d, normale].map(point), Exact::de(rapport));
+    let (n2, d2, le_long) = (scalaire(&n, &n), scalaire(&d, &d), scalaire(&d, &n));
+    // The part of D along the surface, times ηN²; and N²·D² times the squared cosine, by Pythagoras.
+    let travers: Point = core::array::from_fn(|i| &eta * &(&(&n2 * &d[i]) - &(&le_long * &n[i])));
+    let plein = &n2 * &d2;
+    let sinus2 = &(&eta * &eta) * &(&plein - &(&le_long * &le_long));
+    let carre = &plein - &sinus2;
+    let cosinus2 = carre.sur(&plein).vers_f64();
+    if !carre.positif() {
+        return (cosinus2, None);
+    }
+    let droit = carre.racine(carre.exposant() / 2 - PRECISION);
+    let droit = match passage {
+        Passage::Entree => -&droit,
+        Passage::Sortie => droit,
+    };
+    let vraie: Point = core::array::from_fn(|i| &travers[i] + &(&droit * &n[i]));
+    let ecart = suite
+        .map(point)
+        .map(|suite| longueur(&vectoriel(&vraie, &suite)) / (longueur(&vraie) * longueur(&suite)));
+    (cosinus2, ecart)
+}
+
 /// How far `cosinus` lies from N·V/|V|.
 pub fn ecart_du_cosinus<R: Reel>(n: Vecteur<R>, v: Vecteur<R>, cosinus: R) -> f64 {
     let [n, v] = [n, v].map(point);

@@ -73,7 +73,18 @@ pub fn exiger_les_passages<R: Bits>(objet: &ObjetRay<R>, rayon: &Rayon<R>, vers:
             if le_long < R::ZERO { monte(r) > R::ZERO } else { rase || monte(r) < R::ZERO }
         };
         assert!(reflet.iter().all(du_bon_cote), "{}", contexte());
-        for suite in libres.into_iter().chain(lampes).chain([reflet]).flatten() {
+        // Light passes to the other side, or is named as all mirrored.
+        let verres = [0.6, 1.5].map(|rapport| passage.refracte(d, R::depuis_f64(rapport)));
+        for verre in &verres {
+            match verre {
+                Ok(verre) => assert!(monte(verre) * le_long > R::ZERO, "{verre:?} {}", contexte()),
+                Err(_) if reflet.is_err() => {}
+                Err(erreur) => {
+                    assert!(erreur.champ == "refraction" && erreur.valeur <= 0.0, "{}", contexte());
+                }
+            }
+        }
+        for suite in libres.into_iter().chain(lampes).chain(verres).chain([reflet]).flatten() {
             exiger_une_suite(objet, rayon, &passage, &suite);
         }
     }

@@ -12,8 +12,8 @@ use crate::mesure::{
     absolu, absolu_fois, au_bord, lieu_permis, plus_grand, poids, rayon_non_perdu,
 };
 use crate::oracle::{
-    ORACLE_ARRONDI, Passage, Verite, dehors, ecart_du_cosinus, ecart_du_miroir, ecarts_du_lieu,
-    hauteur, norme_au_carre_moins_un, verite, verite_du,
+    ORACLE_ARRONDI, Passage, Verite, dehors, ecart_de_snell, ecart_du_cosinus, ecart_du_miroir,
+    ecarts_du_lieu, hauteur, norme_au_carre_moins_un, verite, verite_du,
 };
 use crate::regimes::Genre;
 use crate::tolerances::{promesses as permis, u};
@@ -428,6 +428,38 @@ pub fn reflechi<R: Reel>(cas: &Essai<R>) -> f64 {
     let permis = du_miroir + if rase { permis::REFLECHI_REDRESSE } else { 0.0 };
     ecart_du_miroir(d, n, reflet.direction()) / (permis * u::<R>())
 }
+
+/// How far a refracted direction is from that of Snell's law, at a hit and at a way out; whether light passes is judged
+/// by how near the decision is. `vers` begins with the ratio of the indices.
+pub fn refracte<R: Reel>(cas: &Essai<R>) -> f64 {
+    let (d, rapport) = (cas.rayon.direction(), cas.vers[0]);
+    let eta = rapport.vers_f64();
+    if !(eta > 0.0 && eta <= RAPPORT_PERMIS) {
+        return RIEN;
+    }
+    let part = |passage| {
+        let Some(touche) = touche(passage, cas) else { return RIEN };
+        let n = touche.normale();
+        let suite = touche.refracte(d, rapport);
+        let passe = match &suite {
+            Ok(suite) => Some(suite.direction()),
+            Err(erreur) if erreur.champ == "refraction" => None,
+            Err(_) => return RIEN,
+        };
+        let (cosinus2, ecart) = ecart_de_snell(d, n, rapport, passage, passe);
+        let u = u::<R>() * (1.0 + eta);
+        match (passe, ecart) {
+            (Some(_), Some(ecart)) => ecart * cosinus2.sqrt() / (permis::REFRACTE * u),
+            (None, _) if cosinus2 <= 0.0 => RIEN,
+            // Decided otherwise than exactly.
+            (Some(_), None) | (None, _) => cosinus2.abs() / (permis::REFRACTE_TOTALE * u),
+        }
+    };
+    [Passage::Entree, Passage::Sortie].map(part).into_iter().fold(RIEN, f64::max)
+}
+
+/// The largest ratio of two indices of which the direction behind is promised.
+const RAPPORT_PERMIS: f64 = 1_000.0;
 
 /// How far N·L is from the cosine of a sun in the direction in which the object is left.
 pub fn soleil<R: Reel>(cas: &Essai<R>) -> f64 {

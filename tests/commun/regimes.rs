@@ -128,11 +128,16 @@ pub fn repere<R: Reel>(normale: Vecteur<R>) -> [[R; 3]; 3] {
 /// A mirror of which |N|² − 1 is nearly 8u, what is kept, unless rounding adds so much that its matrix is polished; and
 /// a ray from the end of N, whose |D| is nearly 5u off, at the angle at which that turns its image most.
 pub fn miroir<R: Reel>(alea: &mut Rng) -> Cas<R> {
+    miroir_sous(0.743, alea)
+}
+
+/// The same at the angle of incidence of this sine.
+pub fn miroir_sous<R: Reel>(sinus: f64, alea: &mut Rng) -> Cas<R> {
     let (n, u) = (direction(alea), R::U.vers_f64());
     let k = 1.0 + 3.9 * u;
     let m = repere::<f64>(n).map(|ligne| <[R; 3]>::from(arrondi(Vecteur::from(ligne) * k)));
     let plan = PlanGeo::new(Rotation::depuis_matrice(m).unwrap(), R::ZERO, Texture(0)).unwrap();
-    let d = travers(alea, n) * 0.743 - n * 0.669;
+    let d = travers(alea, n) * sinus - n * (1.0 - sinus * sinus).sqrt();
     let rayon = Rayon::new(arrondi(n), arrondi(d * (1.0 + 5.0 * u))).unwrap();
     Cas { objet: ObjetGeo::from(plan).vers_ray(), rayon }
 }

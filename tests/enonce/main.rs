@@ -13,6 +13,7 @@ mod manipulations;
 mod motif;
 mod origine;
 mod rapports;
+mod recettes;
 mod reflet;
 mod rotation;
 mod sol;

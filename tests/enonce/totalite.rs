@@ -87,6 +87,16 @@ fn touche_valide<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> TestCaseR
         Ok(reflet) => prop_assert!(tient(reflet.source())),
         Err(erreur) => prop_assert!(erreur.champ == "marge" || erreur.champ.starts_with("source")),
     }
+    for rapport in [rayon.source().x, R::UN / R::LIMITE, R::LIMITE, R::MIN_POSITIF, R::INFINI] {
+        match touche.refracte(rayon.direction(), rapport) {
+            Ok(verre) => prop_assert!(tient(verre.source()), "{:?}", verre),
+            Err(erreur) => {
+                let dites = ["marge", "rapport", "refraction"];
+                let dite = dites.contains(&erreur.champ) || erreur.champ.starts_with("source");
+                prop_assert!(dite, "{:?}", erreur);
+            }
+        }
+    }
     if let Ok(vers) = touche.vers_touche(&touche) {
         prop_assert!(vers.fin() > R::ZERO);
     }

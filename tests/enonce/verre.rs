@@ -104,13 +104,6 @@ fn la_lumiere_trouve_la_table_sous_le_verre<R: Reel>() {
 
 en_f32_et_f64!(la_lumiere_trouve_la_table_sous_le_verre);
 
-/// The direction behind a surface with this normal against the ray; none beyond the critical angle (Snell).
-fn refracte(d: Vecteur, n: Vecteur, rapport: f64) -> Option<Vecteur> {
-    let cosinus = -d.produit_scalaire(n);
-    let carre = 1.0 - rapport * rapport * (1.0 - cosinus * cosinus);
-    (carre > 0.0).then(|| d * rapport + n * (rapport * cosinus - carre.sqrt()))
-}
-
 /// A ball, and a slab that stands askew: light leaves a ball at the angle at which it entered, and a slab in the
 /// direction in which it came, after the way that the angles tell.
 fn la_lumiere_traverse_le_verre_comme_snell_le_dit<R: Reel>() {
@@ -139,16 +132,15 @@ fn la_lumiere_traverse_le_verre_comme_snell_le_dit<R: Reel>() {
         let rayon = Rayon::new(arrondi(p - d * 3.0), arrondi(d)).unwrap();
         let entree = objet.intersection(&rayon).unwrap();
         let d = rayon.direction().vers_f64();
-        let vers = refracte(d, entree.normale().vers_f64(), 1.0 / 1.5).unwrap();
-        let dedans = entree.secondaire(arrondi(vers)).unwrap();
+        let dedans = entree.refracte(rayon.direction(), R::depuis_f64(1.0 / 1.5)).unwrap();
         assert_eq!(objet.intersection(&dedans), Err(NoIntersection));
         let sortie = objet.sortie(&dedans).unwrap();
         let (di, n) = (dedans.direction().vers_f64(), sortie.normale().vers_f64());
         let biais = -di.produit_scalaire(entree.normale().vers_f64());
         let chemin = if tour % 2 == 0 { 2.0 * r * biais } else { 2.0 * r / biais };
         assert!((sortie.distance().vers_f64() - chemin).abs() < permis, "{rayon:?} {objet:?}");
-        let vers = refracte(di, -n, 1.5).unwrap();
-        let dehors = sortie.secondaire(arrondi(vers)).unwrap();
+        let dehors = sortie.refracte(dedans.direction(), R::depuis_f64(1.5)).unwrap();
+        let vers = dehors.direction().vers_f64();
         let cosinus = [-d.produit_scalaire(entree.normale().vers_f64()), vers.produit_scalaire(n)];
         assert!((cosinus[0] - cosinus[1]).abs() < permis, "{cosinus:?}");
         assert!(tour % 2 == 0 || (vers - d).longueur() < permis, "{vers:?} {d:?}");

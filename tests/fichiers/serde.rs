@@ -1,5 +1,7 @@
 //! Reading a value goes through the same checks as making it, and loses no bit.
 
+use std::fs;
+
 use commun::strategies::{objet, plante, rotation};
 use commun::{en_f32_et_f64, pour_tout};
 use lancer_rayon::{
@@ -55,6 +57,26 @@ fn une_simulation_reprise_va_du_meme_pas<R: Reel + Serialize + for<'de> Deserial
 }
 
 en_f32_et_f64!(une_simulation_reprise_va_du_meme_pas);
+
+/// The lines that `docs/README.md` shows are what is written, and are read again: of an object, a ray and a hit.
+#[test]
+fn la_page_montre_ce_qui_est_ecrit() {
+    let objet = ObjetGeo::from(SphereGeo::new(Vecteur::Y * 0.5, 1.5, Texture(2)).unwrap());
+    let bas = Vecteur::new(0.0, -1.0, 0.0);
+    let rayon = Rayon::new(Vecteur::Y * 4.0, bas).unwrap().jusqu_a(9.0).unwrap();
+    let touche = objet.vers_ray().intersection(&rayon).unwrap();
+    fn ligne<T: Serialize + DeserializeOwned>(valeur: &T) -> [String; 2] {
+        [serde_json::to_string(valeur).unwrap(), ron::to_string(valeur).unwrap()]
+    }
+    let lignes = [ligne(&objet), ligne(&rayon), ligne(&touche)];
+    let page = fs::read_to_string("docs/README.md").unwrap();
+    let (_, section) = page.split_once("\n### Saved\n").expect("the section");
+    for (langue, de) in [("json", 0), ("ron", 1)] {
+        let (_, bloc) = section.split_once(&format!("```{langue}\n")).expect("a block");
+        let (bloc, _) = bloc.split_once("```").expect("the end of a block");
+        assert!(bloc.lines().eq(lignes.iter().map(|ligne| &ligne[de])), "{lignes:#?}");
+    }
+}
 
 /// The text is refused, and the message holds the sentence of the constructor.
 fn refuse<T: DeserializeOwned>(texte: &str, phrase: &str) {

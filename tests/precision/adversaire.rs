@@ -515,6 +515,38 @@ fn miroir<R: Bits>(alea: &mut Rng) -> Candidat<R> {
     Candidat::new(&[objet], &rayon, [x, y, z, R::ZERO, R::ZERO])
 }
 
+/// Glass of an index that is near the limit of total reflection for this ray, of glass or air, or any.
+fn de_verre<R: Bits>(objet: ObjetRay<R>, rayon: Rayon<R>, alea: &mut Rng) -> Candidat<R> {
+    let passage = if alea.bool() { objet.intersection(&rayon) } else { objet.sortie(&rayon) };
+    let limite = passage.ok().and_then(|passage| {
+        let (n, d) = (passage.normale().vers_f64(), rayon.direction().vers_f64());
+        let sinus = n.produit_vectoriel(d).longueur();
+        (sinus > 1e-3).then(|| sinus.recip() * (1.0 - deux_puissance(alea, -54.0, -1.0)))
+    });
+    let rapport = match (limite, alea.u8(0..4)) {
+        (Some(limite), 0..2) => limite,
+        (_, 2) => entre(alea, 0.3, 3.0),
+        (_, _) => deux_puissance(alea, -9.0, 9.0),
+    };
+    Candidat::new(&[objet], &rayon, [R::depuis_f64(rapport), R::ZERO, R::ZERO, R::ZERO, R::ZERO])
+}
+
+fn boule_de_verre<R: Bits>(alea: &mut Rng) -> Candidat<R> {
+    let (objet, rayon) = depart(Genre::Sphere, alea);
+    let Cas { objet, rayon } =
+        if alea.bool() { vers_la_sortie(Cas { objet, rayon }, alea) } else { Cas { objet, rayon } };
+    de_verre(objet, rayon, alea)
+}
+
+fn vitre<R: Bits>(alea: &mut Rng) -> Candidat<R> {
+    let Cas { objet, rayon } =
+        regimes::miroir_sous(deux_puissance(alea, -9.0, 0.0).min(0.999), alea);
+    // From above it is hit, from below it is left.
+    let rayon =
+        if alea.bool() { rayon } else { Rayon::new(-rayon.source(), -rayon.direction()).unwrap() };
+    de_verre(objet, rayon, alea)
+}
+
 /// Through the origin or a few subnormals beside it, as the source is.
 fn demi_espace_pres_de_0<R: Bits>(alea: &mut Rng) -> Candidat<R> {
     let petit = |alea: &mut Rng| {
@@ -611,6 +643,8 @@ rangees! {
     secondaire_d_une_boite: boite, promesses::secondaire, 100_000;
     reflechi_d_une_sphere: sphere, promesses::reflechi, 60_000;
     reflechi_d_un_demi_espace: miroir, promesses::reflechi, 60_000;
+    refracte_d_une_sphere: boule_de_verre, promesses::refracte, 100_000;
+    refracte_d_un_demi_espace: vitre, promesses::refracte, 100_000;
     soleil_d_une_sphere: sphere, promesses::soleil, 60_000;
     soleil_d_un_demi_espace: miroir, promesses::soleil, 60_000;
     virage_d_une_sphere: sphere, promesses::virage, 60_000;

@@ -13,6 +13,7 @@
 //! - lemma 3: that two comparisons at most lie between an entry and an exit; lemma 4: that k speeds
 //!   of which all are v or more have v ≤ 1/√k;
 //! - lemma 8: that nearer than |f| = 2r no sphere is lost;
+//! - lemma 9: that M5 turns no refracted ray by more than the bound has to spare;
 //! - lemma 13: that a matrix made of sines and cosines, or of one direction, is orthonormal to 90u
 //!   before its Newton step, and of a quaternion or several directions to 200u;
 //! - lemma 21: that what is subnormal is less than the slack.
@@ -660,6 +661,49 @@ fn lemme_9_la_borne_d_un_reflet_suffit() {
     tenir_sur(promesses::REFLECHI_SPHERE, |_| [zero_a_un()], besoin(2.0 * N1));
     // M5: the lean, its sum and its quotient.
     tenir(promesses::REFLECHI_REDRESSE, |_| i(REDRESSE + 2.0));
+}
+
+/// The largest ratio of two indices that lemma 9 speaks of.
+const RAPPORT: f64 = 1_000.0;
+
+/// Of a ratio η of indices and the cosine c′ behind the surface: what T of M8 is off by along the surface and across
+/// it, and k, in u. None where no light comes to c′.
+fn refraction(u: f64, eta: Intervalle, c_: Intervalle) -> Option<[Intervalle; 3]> {
+    let s_ = ((1.0 - c_).max(i(0.0)) * (1.0 + c_)).racine();
+    if s_.bas > eta.haut {
+        return None;
+    }
+    let s = if eta.bas > 0.0 { (s_ / eta).min(i(1.0)) } else { zero_a_un() };
+    let c = ((1.0 - s).max(i(0.0)) * (1.0 + s)).racine();
+    // The product with N, the difference and the product with η round; N·D does so, and N² is not 1.
+    let le_long = eta * (c + s) + s_;
+    let travers = le_long + eta * (gamma(3.0, u) + N2 * c);
+    let perdu = (le_long.carre() + travers.carre()) * u;
+    let k = gamma(3.0, u) * (1.0 + s_.carre()) + 2.0 * s_ * le_long + perdu + c_.carre();
+    Some([le_long, travers, k].map(|erreur| erreur * plus(60.0, u)))
+}
+
+#[test]
+fn lemme_9_la_borne_d_une_refraction_suffit() {
+    let domaine = |u: f64| [de_a(0.0, RAPPORT), de_a(u, 1.0)];
+    tenir_sur(promesses::REFRACTE, domaine, |u, [eta, c_]| {
+        let [le_long, travers, k] = refraction(u, eta, c_)?;
+        let s_ = ((1.0 - c_).max(i(0.0)) * (1.0 + c_)).racine();
+        // √k, which is c′, times c′.
+        let racine = k * c_ / (c_ + (c_.carre() - k * u).max(i(0.0)).racine());
+        // Root, length of N, product; the product, the difference and the quotient in any direction.
+        let droit = travers + c_ * (1.0 + promesses::UNITAIRE_PLATE);
+        let angle = c_ * (c_ * le_long + s_ * droit + c_ + 2.0) + s_ * racine;
+        Some(angle * plus(60.0, u) / (1.0 + eta))
+    });
+    tenir_sur(
+        promesses::REFRACTE_TOTALE,
+        |_| [de_a(1.0, RAPPORT)],
+        |u, [eta]| {
+            let [.., k] = refraction(u, eta, i(0.0))?;
+            Some(k / (1.0 + eta))
+        },
+    );
 }
 
 #[test]

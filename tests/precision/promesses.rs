@@ -7,9 +7,13 @@ use commun::fabrique::{boite_droite, sphere, v};
 use commun::mesure::{absolu, au_bord, quantiles};
 use commun::oracle::{Entree, Passage, hauteur, verite, verite_du};
 use commun::promesses::{
-    Essai, Part, Promesse, RIEN, de_la_sortie, marge_infinie, reflechi, secondaire, soleil, toutes,
+    Essai, Part, Promesse, RIEN, de_la_sortie, marge_infinie, reflechi, refracte, secondaire,
+    soleil, toutes,
 };
-use commun::regimes::{Cas, Extreme, Genre, direction, miroir, regimes, repere, vers_la_sortie};
+use commun::regimes::{
+    Cas, Extreme, Genre, deux_puissance, direction, entre, miroir, miroir_sous, regimes, repere,
+    signe, vers_la_sortie,
+};
 use commun::tolerances::{ORTHONORMALE, u};
 use commun::{arrondi, en_f32_et_f64};
 use fastrand::Rng;
@@ -122,6 +126,44 @@ fn un_reflet_et_un_cosinus_atteignent_presque_leur_borne<R: Reel>() {
 }
 
 en_f32_et_f64!(un_reflet_et_un_cosinus_atteignent_presque_leur_borne);
+
+/// Light that enters and leaves glass of every index, in every regime and where the numbers are worst: as Snell's law
+/// says, and mirrored where that is exact, outside the band of the decision. Of light that grazes behind the surface the
+/// bound is nearly reached.
+fn une_refraction_est_celle_de_snell<R: Reel>() {
+    let mut alea = Rng::with_seed(9);
+    let (mut pire, mut jugees) = (0.0_f64, 0);
+    let mut juger = |Cas { objet, rayon }: Cas<R>, alea: &mut Rng| {
+        let Ok(touche) = objet.intersection(&rayon).or_else(|_| objet.sortie(&rayon)) else {
+            return;
+        };
+        let (n, d) = (touche.normale().vers_f64(), rayon.direction().vers_f64());
+        let limite = 1.0 / n.produit_vectoriel(d).longueur();
+        let peu = 1.0 + deux_puissance(alea, -54.0, -4.0) * signe(alea);
+        for rapport in [limite * peu, limite * alea.f64(), entre(alea, 0.3, 3.0)] {
+            let vers = [R::depuis_f64(rapport), R::ZERO, R::ZERO, R::ZERO, R::ZERO];
+            let essai = Essai { objets: vec![objet], rayon, vers };
+            let part = refracte(&essai);
+            assert!(part <= 1.0, "{part} {essai:?}");
+            (pire, jugees) = (pire.max(part), jugees + u32::from(part > RIEN));
+        }
+    };
+    for regime in regimes::<R>() {
+        for _ in 0..cas_par_regime() {
+            let cas = (regime.cas)(&mut alea);
+            juger(cas, &mut alea);
+            juger(vers_la_sortie(cas, &mut alea), &mut alea);
+        }
+    }
+    for _ in 0..20 * cas_par_regime() {
+        let sinus = deux_puissance(&mut alea, -9.0, -0.1);
+        juger(miroir_sous(sinus, &mut alea), &mut alea);
+    }
+    println!("{jugees} judged, {pire} of the bound");
+    assert!(jugees > 60 * cas_par_regime() && pire > 0.4, "{jugees} {pire}");
+}
+
+en_f32_et_f64!(une_refraction_est_celle_de_snell);
 
 /// What `docs/preuves.md` grants the numbers of an `f32` scene in `f64`, which are unit to the rounding of `f32` only:
 /// all except what rests on the length of the normal of a flat face.

@@ -1,0 +1,39 @@
+//! A particle in a closed room, in steps of any length, some of which end on a wall; for as long as one likes.
+
+use lancer_rayon::{ErreurGeo, Monde, Rayon, Reel};
+
+/// After so many bounces the particle starts again.
+const REBONDS: u32 = 100;
+
+pub struct Particule<R> {
+    pub rayon: Rayon<R>,
+    rebonds: u32,
+}
+
+impl<R: Reel> Particule<R> {
+    pub fn new(rayon: Rayon<R>) -> Self {
+        Self { rayon, rebonds: 0 }
+    }
+
+    /// Goes this far, mirrored by every wall on the way.
+    pub fn avancer(&mut self, monde: &Monde<'_, R>, mut pas: R) -> Result<(), ErreurGeo> {
+        let deux = R::UN + R::UN;
+        while let Ok(touche) = monde.premiere_intersection(&self.rayon.jusqu_a(pas)?) {
+            let direction = self.rayon.direction();
+            // A bounce starts in a seam, and so does a step that ends on a wall: only a point amid the way between two
+            // walls, in no object, may stand for what is known of a start.
+            let milieu = self.rayon.point(touche.distance() / deux);
+            if self.rebonds >= REBONDS && touche.distance() > R::ZERO && !monde.contient(milieu) {
+                (self.rayon, self.rebonds) = (Rayon::new(milieu, direction)?, 0);
+                pas = pas - touche.distance() / deux;
+                continue;
+            }
+            self.rayon = touche.reflechi(direction)?;
+            self.rebonds += 1;
+            pas = pas - touche.distance();
+        }
+        // In mid-air, or on a wall that the ray does not reach: the next step touches it at once.
+        self.rayon = self.rayon.bifurque(pas, self.rayon.direction())?;
+        Ok(())
+    }
+}

@@ -1,0 +1,355 @@
+//! The recipes of `docs/README.md`, each against a closed form: a place of one's own, glass on a table, a particle in a
+//! room, a scattering medium, a lens of two balls, media one within the other.
+
+use std::f64::consts::PI;
+
+use commun::fabrique::{boite, boite_droite, mur, sphere, v};
+use commun::oracle::hauteur;
+use commun::regimes::{direction, entre};
+use commun::tolerances::u;
+use commun::{arrondi, en_f32_et_f64};
+use exemples::recettes::brume::chemin;
+use exemples::recettes::lentille::traverser;
+use exemples::recettes::milieux::{Lumiere, Milieu};
+use exemples::recettes::particule::Particule;
+use exemples::recettes::verre::{Suite, dans_le_verre};
+use fastrand::Rng;
+use lancer_rayon::{Face, Monde, ObjetRay, Rayon, Reel, Rotation, Vecteur, places};
+
+/// Places on the wall of a house against which a taller one stands flush: no sun comes there. On the other wall every
+/// sun that the wall faces does. Turned houses anywhere, whose walls as stored overlap or leave a crack, by rounding.
+fn un_mur_mitoyen_est_a_l_ombre<R: Reel>() {
+    let mut alea = Rng::with_seed(91);
+    let (mut caches, mut clairs, mut naifs) = (0, 0, 0);
+    for _ in 0..200 {
+        let tour = Rotation::new(v(0.0, entre(&mut alea, -3.0, 3.0), 0.0)).unwrap();
+        let [l, h, p] = [(); 3].map(|()| entre(&mut alea, 4.0, 20.0));
+        let centre = v::<R>(entre(&mut alea, -90.0, 90.0), h / 2.0, entre(&mut alea, -90.0, 90.0));
+        let maison = boite(centre, v(l, h, p), tour);
+        let voisin = centre + tour.appliquer(v(l, h / 2.0, 0.0));
+        let objets = [maison, boite(voisin, v(l, 2.0 * h, 1.5 * p), tour)];
+        let ObjetRay::Boite(boite) = maison else { unreachable!() };
+        let monde = Monde::de_liste(&objets);
+        let [x, y, z] = boite.normales();
+        for _ in 0..50 {
+            let part = |alea: &mut Rng, l: f64| R::depuis_f64(entre(alea, -0.49, 0.49) * l);
+            let dedans = boite.centre() + y * part(&mut alea, h) + z * part(&mut alea, p);
+            let soleil = direction(&mut alea);
+            let soleil = arrondi::<R>(Vecteur::new(soleil.x, soleil.y.abs(), soleil.z));
+            for (n, cache) in [(x, true), (-x, false)] {
+                let capteur = maison.sortie(&Rayon::new(dedans, n).unwrap()).unwrap();
+                let Ok(ombre) = capteur.vers_soleil(soleil) else { continue };
+                assert_eq!(monde.est_occulte(&ombre), cache, "{objets:?} {ombre:?}");
+                let naif = Rayon::new(capteur.point(), soleil).unwrap();
+                // C + l·N rounds by u of the product and of the sum, and N is unit to 6.1u.
+                let face = if cache { Face::PlusX } else { Face::MoinsX };
+                let (milieu, _) = boite.face(face);
+                let flou = 10.0 * u::<R>() * (centre.longueur().vers_f64() + l / 2.0);
+                assert!(hauteur(&maison, n, milieu).abs() <= flou);
+                let du_milieu = Rayon::new(milieu, soleil).unwrap();
+                let du_milieu = du_milieu.avec_flou(R::depuis_f64(flou)).unwrap();
+                assert!(!cache || monde.est_occulte(&du_milieu), "{objets:?} {du_milieu:?}");
+                naifs += u32::from(cache && !monde.est_occulte(&naif));
+                if cache { caches += 1 } else { clairs += 1 }
+            }
+        }
+    }
+    println!("{caches} hidden, of which {naifs} lit without what the hit knows; {clairs} lit");
+    assert!(caches > 4_000 && clairs > 4_000 && naifs > caches / 5);
+}
+
+en_f32_et_f64!(un_mur_mitoyen_est_a_l_ombre);
+
+/// Heights of all kinds: of few digits, of many, halves, far up, and small.
+fn hauteurs(alea: &mut Rng) -> [f64; 2] {
+    let decimale = |alea: &mut Rng| f64::from(alea.u32(1..300)) / 100.0;
+    let haut = if alea.bool() { decimale(alea) } else { entre(alea, 0.01, 3.0) };
+    let plateau = match alea.u8(0..6) {
+        0 => 0.0,
+        1 => decimale(alea),
+        2 => f64::from(alea.i32(-8..8)) / 8.0,
+        3 => entre(alea, -1.0, 1.0),
+        4 => entre(alea, 10.0, 30.0),
+        _ => -decimale(alea),
+    };
+    [plateau, haut]
+}
+
+/// A pane of glass flush on a mirror, at a hundred heights: light comes back out of the top beside where it went in, by
+/// 2h·tan β, and a lamp above lights what lies under the glass. By rounding alone the mirror comes before the way out, or
+/// after it: that changes nothing.
+fn sous_un_verre_pose_la_lumiere_trouve_la_table<R: Reel>() {
+    let (mut alea, mut avant, mut apres) = (Rng::with_seed(92), 0, 0);
+    for numero in 0..100 {
+        let [plateau, haut] = hauteurs(&mut alea).map(R::depuis_f64);
+        let deux = R::depuis_f64(2.0);
+        let table = if numero % 2 == 0 {
+            mur(Vecteur::Y * plateau, Vecteur::Y)
+        } else {
+            boite_droite(Vecteur::Y * (plateau - R::depuis_f64(0.035)), v(900.0, 0.07, 900.0))
+        };
+        let cotes = Vecteur::new(R::depuis_f64(80.0), haut, R::depuis_f64(80.0));
+        let objets = [table, boite_droite(Vecteur::Y * (plateau + haut / deux), cotes)];
+        let mut memoire = vec![0.0; places(2)];
+        let monde = Monde::new(&objets, &mut memoire).unwrap();
+        for _ in 0..100 {
+            let d = (direction(&mut alea) - Vecteur::Y * 1.5).unitaire().unwrap();
+            let oeil = Vecteur::Y * (plateau.vers_f64() + haut.vers_f64() + 2.0);
+            let rayon = Rayon::<R>::new(arrondi(oeil), arrondi(d)).unwrap();
+            let entree = monde.premiere_intersection(&rayon).unwrap();
+            assert_eq!(entree.indice(), 1);
+            let dedans = entree.refracte(rayon.direction(), R::depuis_f64(1.0 / 1.5)).unwrap();
+            let Ok(Suite::Touche(touche)) = dans_le_verre(&monde, 1, &dedans) else {
+                panic!("the table is missed: {objets:?} {dedans:?}");
+            };
+            assert_eq!(touche.indice(), 0);
+            let sortie = objets[1].sortie(&dedans).unwrap().distance();
+            let est_avant = monde.sans(1).est_occulte(&dedans.jusqu_a(sortie).unwrap());
+            (avant, apres) = (avant + u32::from(est_avant), apres + u32::from(!est_avant));
+            let lampe = touche.vers_lumiere(arrondi(oeil * 3.0 + Vecteur::Y * 99.0)).unwrap();
+            assert!(!monde.sans(1).est_occulte(&lampe), "{objets:?} {lampe:?}");
+            let reflet = touche.reflechi(dedans.direction()).unwrap();
+            let Ok(Suite::Sortie(sortie)) = dans_le_verre(&monde, 1, &reflet) else {
+                panic!("no way out: {objets:?} {reflet:?}");
+            };
+            let dehors = sortie.refracte(reflet.direction(), R::depuis_f64(1.5)).unwrap();
+            let miroir = Vecteur::new(d.x, -d.y, d.z);
+            // Some thirty roundings of lengths below a hundred, under cosines above a fifth.
+            let permis = 1_000.0 * u::<R>() * (1.0 + oeil.longueur());
+            assert!((dehors.direction().vers_f64() - miroir).longueur() < permis);
+            let sinus = d.produit_vectoriel(Vecteur::Y) / 1.5;
+            let tangente = sinus / (1.0 - sinus.longueur_carree()).sqrt();
+            let attendu = tangente.produit_vectoriel(Vecteur::Y) * (-2.0 * haut.vers_f64());
+            let parcouru = (sortie.point() - entree.point()).vers_f64();
+            assert!((parcouru - attendu).longueur() < permis, "{parcouru:?} {attendu:?}");
+        }
+    }
+    println!("the table before the way out {avant} times, after it {apres} times");
+    assert!(avant > 1_000 && apres > 1_000, "{avant} {apres}");
+}
+
+en_f32_et_f64!(sous_un_verre_pose_la_lumiere_trouve_la_table);
+
+/// In a cube a particle is, by mirroring the cube instead of the way, where a straight line would be; one step in three
+/// ends on a wall. Thousands of bounces later none has left, and none knows its place less well than after a hundred.
+fn une_particule_reste_ou_le_depliage_la_met<R: Reel>() {
+    let mut alea = Rng::with_seed(93);
+    let axes = [Vecteur::X, Vecteur::Y, Vecteur::Z];
+    let murs = axes.iter().flat_map(|&n| [mur(Vecteur::NUL, n), mur(n, -n)]);
+    let murs: Vec<ObjetRay<R>> = murs.collect();
+    let monde = Monde::de_liste(&murs);
+    let (mut au_mur, mut pire) = (0, 0.0_f64);
+    for _ in 0..40 {
+        let depart = v::<R>(entre(&mut alea, 0.1, 0.9), entre(&mut alea, 0.1, 0.9), 0.5);
+        let rayon = Rayon::new(depart, arrondi(direction(&mut alea))).unwrap();
+        let (s, d) = (depart.vers_f64(), rayon.direction().vers_f64());
+        let (mut particule, mut chemin, mut pas_faits) = (Particule::new(rayon), 0.0, 0.0);
+        while chemin < 1_000.0 {
+            let pas = match (alea.u8(0..3), monde.premiere_intersection(&particule.rayon)) {
+                (0, Ok(mur)) if mur.distance() > R::ZERO => {
+                    au_mur += 1;
+                    mur.distance()
+                }
+                _ => R::depuis_f64(2.0 * alea.f64()),
+            };
+            particule.avancer(&monde, pas).unwrap();
+            (chemin, pas_faits) = (chemin + pas.vers_f64(), pas_faits + 1.0);
+            // A bounce turns D by 20u, on so long a way, and some fifty roundings move it; there are no more than
+            // three bounces for two units of length. So do steps, which round as well.
+            let permis =
+                u::<R>() * (20.0 * 1.5 * chemin * chemin + 50.0 * (1.5 * chemin + pas_faits + 1.0));
+            let tout_droit = s + d * chemin;
+            let depliee = |x: f64| (x - 2.0 * (x / 2.0).round()).abs();
+            let attendue = Vecteur::from(<[f64; 3]>::from(tout_droit).map(depliee));
+            let ecart = (particule.rayon.source().vers_f64() - attendue).longueur();
+            assert!(ecart <= permis.min(2.0), "{ecart:e} > {permis:e} after {chemin}");
+            pire = pire.max(ecart / permis);
+            for x in <[R; 3]>::from(particule.rayon.source()).map(R::vers_f64) {
+                assert!((-1e-3..1.0 + 1e-3).contains(&x), "{x} left after {chemin}");
+            }
+            // Each bounce and step adds less than 16u·√3, 8.1u·3 and a step of the start.
+            let connu = (100.0 + 400.0) * 60.0 * u::<R>();
+            assert!(particule.rayon.flou().vers_f64() <= connu);
+        }
+    }
+    println!("{au_mur} steps end on a wall; {pire} of what is allowed");
+    assert!(au_mur > 1_000);
+}
+
+en_f32_et_f64!(une_particule_reste_ou_le_depliage_la_met);
+
+/// What the page says of `f32` in a large room.
+#[test]
+fn dans_une_salle_de_cent_kilometres_le_flou_atteint_huit_decimetres() {
+    let mut alea = Rng::with_seed(96);
+    let loin = 1e5_f32;
+    let axes = [Vecteur::X, Vecteur::Y, Vecteur::Z];
+    let murs = axes.iter().flat_map(|&n| [mur(Vecteur::NUL, n), mur(n * loin, -n)]);
+    let murs: Vec<ObjetRay<f32>> = murs.collect();
+    let (mut somme, rayons) = (0.0, 1_000_u16);
+    for _ in 0..rayons {
+        let mut rayon = Rayon::new(v(5e4, 5e4, 5e4), arrondi(direction(&mut alea))).unwrap();
+        for _ in 0..5 {
+            let touche = Monde::de_liste(&murs).premiere_intersection(&rayon).unwrap();
+            rayon = touche.reflechi(rayon.direction()).unwrap();
+        }
+        somme += rayon.flou() / f32::from(rayons);
+    }
+    println!("{somme} metres");
+    assert!((0.7..0.9).contains(&somme), "{somme}");
+}
+
+/// What the page says of light mirrored within a ball: the cosine is that of the first time, but for the steps inward.
+#[test]
+fn les_reflets_dans_une_boule_derivent_du_pas() {
+    let boule = sphere::<f32>(Vecteur::NUL, 1.0);
+    let cosinus = |de_nouveau: bool| {
+        let d = v(-0.1, 0.99_f64.sqrt(), 0.0);
+        let mut rayon = Rayon::new(v(0.999_999, 0.0, 0.0), d).unwrap().dedans();
+        for _ in 0..10_000 {
+            let sortie = boule.sortie(&rayon).unwrap();
+            rayon = sortie.reflechi(rayon.direction()).unwrap();
+            if de_nouveau {
+                rayon = Rayon::new(sortie.point(), rayon.direction()).unwrap().dedans();
+            }
+        }
+        let sortie = boule.sortie(&rayon).unwrap();
+        sortie.normale().produit_scalaire(rayon.direction())
+    };
+    println!("{} and {}", cosinus(false), cosinus(true));
+    assert!((0.14..0.17).contains(&cosinus(false)), "{}", cosinus(false));
+    assert!((cosinus(true) - 0.1).abs() < 0.002, "{}", cosinus(true));
+}
+
+/// Of a convex body lit evenly from all around, the mean way through is 4V/S, whether it scatters much, little or not at
+/// all (Blanco and Fournier 2003).
+#[test]
+fn le_chemin_moyen_dans_une_brume_est_de_quatre_v_sur_s() {
+    const MARCHES: u32 = 40_000;
+    let mut alea = Rng::with_seed(94);
+    let tour = Rotation::new(v(0.3, 0.4, 0.5)).unwrap();
+    let cube = boite(v(1.0, 2.0, 3.0), v(2.0, 2.0, 2.0), tour);
+    let boule = sphere(v(1.0, 2.0, 3.0), 1.0);
+    for (milieu, attendu) in [(cube, 4.0 * 8.0 / 24.0), (boule, 4.0 / 3.0)] {
+        for pas_moyen in [0.1, 0.7, 5.0] {
+            let (mut somme, mut carres, mut nombre) = (0.0, 0.0, 0_u32);
+            while nombre < MARCHES {
+                // Parallel light from everywhere: a wide beam on a ball around the body.
+                let d = direction(&mut alea);
+                let au_hasard = direction(&mut alea);
+                let travers = au_hasard.produit_vectoriel(d).unitaire().unwrap();
+                let s = v(1.0, 2.0, 3.0) - d * 9.0 + travers * (1.8 * alea.f64().sqrt());
+                let Ok(entree) = milieu.intersection(&Rayon::new(s, d).unwrap()) else { continue };
+                let dedans = entree.secondaire(d).unwrap();
+                let chemin = chemin(&milieu, dedans, pas_moyen, || alea.f64()).unwrap();
+                (somme, carres, nombre) = (somme + chemin, carres + chemin * chemin, nombre + 1);
+            }
+            let n = f64::from(MARCHES);
+            let (moyenne, erreur) =
+                (somme / n, (carres / n - (somme / n).powi(2)).sqrt() / n.sqrt());
+            println!("{moyenne} ± {erreur} of {attendu} with steps of {pas_moyen}");
+            assert!((moyenne - attendu).abs() < 4.0 * erreur, "{moyenne} ± {erreur}, {attendu}");
+        }
+        // A step that ended on the surface, and goes out: no way is left.
+        for _ in 0..1_000 {
+            let rayon = Rayon::new(v(1.0, 2.0, 3.0), direction(&mut alea)).unwrap();
+            let a_la_face =
+                rayon.bifurque(milieu.sortie(&rayon).unwrap().distance(), rayon.direction());
+            let reste = chemin(&milieu, a_la_face.unwrap(), 1e9, || 0.5).unwrap();
+            assert!(reste < 1e-14, "{reste}");
+        }
+    }
+}
+
+/// The paraxial focus of a thick lens, and the rays beside it by the trigonometric trace of Conrady.
+#[test]
+fn une_lentille_de_deux_boules_a_son_foyer() {
+    let (r, epaisseur, n) = (10.0, 1.2, 1.5);
+    let balles = [1.0, -1.0].map(|cote| sphere(Vecteur::X * (cote * (r - epaisseur / 2.0)), r));
+    // Where a ray parallel to the axis, so high above it, crosses the axis, from the last vertex on.
+    let traverse = |h: f64| {
+        let rayon = Rayon::new(Vecteur::new(-30.0, h, 0.0), Vecteur::X).unwrap();
+        let dehors = traverser(&balles, &rayon, n).unwrap().unwrap();
+        let (p, d) = (dehors.source(), dehors.direction());
+        p.x - d.x * p.y / d.y - epaisseur / 2.0
+    };
+    let f = n * r * r / ((n - 1.0) * (2.0 * n * r - (n - 1.0) * epaisseur));
+    let paraxial = f * (1.0 - (n - 1.0) * epaisseur / (n * r));
+    // Aberration is of the order of h², and rounding of u/h.
+    assert!((traverse(1e-4) - paraxial).abs() < 1e-8, "{} {paraxial}", traverse(1e-4));
+    for h in [0.1, 0.5, 1.0, 2.0, 3.0] {
+        let sin_i = h / r;
+        let sin_i2 = sin_i / n;
+        let u1 = sin_i.asin() - sin_i2.asin();
+        let l1 = r + r * sin_i2 / u1.sin() - epaisseur;
+        let sin_j = (l1 + r) / -r * u1.sin();
+        let sin_j2 = n * sin_j;
+        let u2 = u1 + sin_j.asin() - sin_j2.asin();
+        let attendu = -r - r * sin_j2 / u2.sin();
+        assert!((traverse(h) - attendu).abs() < 1e-12 / h, "{h}: {} {attendu}", traverse(h));
+    }
+    // The edge of the lens is where the balls cross.
+    let bord = (r * r - (r - epaisseur / 2.0_f64).powi(2)).sqrt();
+    let passe = |h| {
+        let rayon = Rayon::new(Vecteur::new(-30.0, h, 0.0), Vecteur::X).unwrap();
+        traverser(&balles, &rayon, n).unwrap().is_some()
+    };
+    assert!(passe(bord - 1e-3) && !passe(bord + 1e-3));
+}
+
+/// Goes on until nothing is ahead, or for so many faces.
+fn au_bout(monde: &Monde<'_>, milieux: &[Milieu], mut lumiere: Lumiere) -> Lumiere {
+    for _ in 0..40 {
+        if !lumiere.avancer(monde, milieux).unwrap() {
+            break;
+        }
+    }
+    lumiere
+}
+
+/// Ice in water on a plate of glass, the water reaching into the glass: by priority each height has one medium, and light
+/// goes down through all as through panes. Balls one in another bend light as Bouguer's law says. Beyond the critical
+/// angle light stays in the water.
+#[test]
+fn des_milieux_l_un_dans_l_autre_plient_la_lumiere_par_priorite() {
+    let mut alea = Rng::with_seed(95);
+    let couche = |bas: f64, haut: f64| {
+        boite_droite(v(0.0, (bas + haut) / 2.0, 0.0), v(900.0, haut - bas, 900.0))
+    };
+    let milieu = |priorite, indice| Milieu { priorite, indice };
+    let couches = [couche(0.9, 3.0), couche(0.0, 1.0), couche(1.5, 2.5)];
+    let milieux = [milieu(1, 1.33), milieu(2, 1.5), milieu(3, 1.31)];
+    let monde = Monde::de_liste(&couches);
+    for _ in 0..1_000 {
+        let d = (direction(&mut alea) - Vecteur::Y * 1.2).unitaire().unwrap();
+        let rayon = Rayon::new(Vecteur::Y * 5.0, d).unwrap();
+        let dehors = au_bout(&monde, &milieux, Lumiere { rayon, dans: vec![] });
+        assert_eq!(dehors.dans, []);
+        let (s, d) = (dehors.rayon.source(), dehors.rayon.direction());
+        assert!((d - rayon.direction()).longueur() < 1e-13);
+        let sinus = (d.x * d.x + d.z * d.z).sqrt();
+        let tangente = |n: f64| sinus / n / (1.0 - (sinus / n).powi(2)).sqrt();
+        let attendu = 2.0 * tangente(1.0) + tangente(1.33) + tangente(1.31) + tangente(1.5);
+        assert!(((s.x * s.x + s.z * s.z).sqrt() - attendu).abs() < 1e-12, "{attendu} {s:?}");
+    }
+    // From the water upward at 60°, beyond 48.8°: it comes back down, and is in the water still.
+    let rayon = Rayon::new(Vecteur::Y * 2.8, v(0.75_f64.sqrt(), 0.5, 0.0)).unwrap();
+    let mut lumiere = Lumiere { rayon, dans: vec![0] };
+    assert!(lumiere.avancer(&monde, &milieux).unwrap());
+    assert!(lumiere.dans == [0] && (lumiere.rayon.direction().y + 0.5).abs() < 1e-14);
+
+    let balles = [sphere(Vecteur::NUL, 2.0), sphere(Vecteur::NUL, 1.0)];
+    let milieux = [milieu(1, 1.2), milieu(2, 1.6)];
+    let monde = Monde::de_liste(&balles);
+    for _ in 0..1_000 {
+        let b = entre(&mut alea, 0.01, 1.15);
+        let rayon = Rayon::new(Vecteur::new(-9.0, b, 0.0), Vecteur::X).unwrap();
+        let dehors = au_bout(&monde, &milieux, Lumiere { rayon, dans: vec![] });
+        // n·r·sin θ is b all the way.
+        let dedans = if b < 1.2 { (b / 1.2).asin() - (b / 1.6).asin() } else { 0.0 };
+        let deviation = 2.0 * ((b / 2.0).asin() - (b / 2.4).asin() + dedans);
+        let d = dehors.rayon.direction();
+        let angle = (-d.y).atan2(d.x);
+        assert!((angle - deviation).abs() < 1e-12 && deviation < PI, "{b}: {angle} {deviation}");
+    }
+}
