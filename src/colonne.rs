@@ -20,6 +20,9 @@ pub(crate) struct Aligne<T>(pub(crate) T);
 /// A set of places of a column, one bit for each place.
 pub(crate) type Membres = u32;
 
+/// All places.
+pub(crate) const TOUS: Membres = (1 << LARGEUR) - 1;
+
 /// Takes out the first of these places.
 #[inline(always)]
 pub(crate) fn prendre(membres: &mut Membres) -> Option<usize> {
@@ -72,4 +75,10 @@ fn reduire<R: Copy>(mut x: Colonne<R>, deux: impl Fn(R, R) -> R) -> R {
         moitie /= 2;
     }
     x[0]
+}
+
+/// The index that a number of a column [stores](crate::arbre::noeud::en_mot).
+#[inline(always)]
+pub(crate) fn indice_lu(mot: f32) -> usize {
+    mot.abs().to_bits() as usize
 }

@@ -80,11 +80,14 @@ fn demander_en_lot<R: Nombre, Q: EnLot<R>>(
     }
     let mut groupes = Groupes::new_const();
     let mut bloc = Bloc::new(&mut groupes, Q::UN_SUFFIT);
-    selon_le_niveau!(vue.niveau, simd => {
-        for (rayons, reponses) in rayons.chunks(BLOC).zip(reponses.chunks_mut(BLOC)) {
-            demander_au_bloc::<_, _, Q>(simd, vue, &mut bloc, (rayons, reponses));
-        }
-    });
+    selon_le_niveau!(vue.niveau, simd => simd.vectorize(
+        #[inline(always)]
+        || {
+            for (rayons, reponses) in rayons.chunks(BLOC).zip(reponses.chunks_mut(BLOC)) {
+                demander_au_bloc::<_, _, Q>(simd, vue, &mut bloc, (rayons, reponses));
+            }
+        },
+    ));
     Ok(())
 }
 
@@ -102,7 +105,7 @@ fn demander_au_bloc<S: Simd, R: Nombre, Q: EnLot<R>>(
     let restent = if arbre.noeuds.is_empty() {
         (rayons.len() >= RAYONS_D_UNE_LISTE).then(|| {
             bloc.charger(rayons);
-            bloc.interroger(simd, liste, 0..liste.objets.len());
+            bloc.interroger(simd, liste);
             0
         })
     } else if rayons.len() >= RAYONS_D_UN_BLOC {

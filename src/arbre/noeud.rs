@@ -50,9 +50,3 @@ pub(crate) fn en_mot_d_un_morceau(indice: usize) -> f32 {
 pub(crate) fn est_un_morceau(mot: f32) -> bool {
     mot.is_sign_negative()
 }
-
-/// The index that is [stored](en_mot) here.
-#[inline(always)]
-pub(crate) fn indice_lu(mot: f32) -> usize {
-    mot.abs().to_bits() as usize
-}

@@ -3,10 +3,10 @@
 use fearless_simd::Simd;
 
 use crate::arbre::construction::Arbre;
-use crate::arbre::noeud::{ENFANTS, est_un_morceau, indice_lu};
+use crate::arbre::noeud::{ENFANTS, est_un_morceau};
 use crate::arbre::pile::{Attentes, Pile};
 use crate::arbre::sonde::Sonde;
-use crate::colonne::{au_plus, prendre, prendre_le_moindre};
+use crate::colonne::{au_plus, indice_lu, prendre, prendre_le_moindre};
 use crate::liste::Liste;
 use crate::nombre::Nombre;
 use crate::question::{Abord, Question};

@@ -4,10 +4,10 @@
 use fearless_simd::prelude::*;
 
 use crate::arbre::construction::Arbre;
-use crate::arbre::noeud::{ENFANTS, Noeud, indice_lu};
+use crate::arbre::noeud::{ENFANTS, Noeud};
 use crate::arbre::pile::{Attentes, Pile};
 use crate::arbre::sonde::Sonde;
-use crate::colonne::{au_plus, prendre};
+use crate::colonne::au_plus;
 use crate::liste::Liste;
 use crate::lot::bloc::{Bloc, Offre};
 use crate::lot::groupe::VOIES;
@@ -83,10 +83,10 @@ impl<R: Nombre> Arbre<'_, R> {
                 }
                 bloc.charger(rayons);
                 if la_liste {
-                    bloc.interroger(simd, liste, 0..liste.objets.len());
+                    bloc.interroger(simd, liste);
                     return Some(0);
                 }
-                bloc.interroger(simd, liste, self.sans_boite.iter().map(|mot| indice_lu(*mot)));
+                bloc.interroger_ceux(simd, liste, self.sans_boite);
                 let groupes = bloc.groupes().len();
                 let mut largeur = f32::INFINITY;
                 if ailleurs == 0 {
@@ -107,7 +107,7 @@ impl<R: Nombre> Arbre<'_, R> {
                 }
                 bloc.demander_a(0..groupes);
                 if restent > 0 && self.mieux_vaut_la_liste(simd, liste, bloc, rayons) {
-                    bloc.interroger(simd, liste, 0..liste.objets.len());
+                    bloc.interroger(simd, liste);
                     return Some(0);
                 }
                 Some(restent)
@@ -137,18 +137,15 @@ impl<R: Nombre> Arbre<'_, R> {
         let mut attentes = Attentes::new();
         let (mut pile, mut numero) = (Pile(&mut attentes), self.noeuds.len() - 1);
         let mut plafond = sonde.plafond(self.repere, bloc.le_plus_loin());
-        let mut offre = Offre::new();
         while let Some(noeud) = self.noeuds.get(numero) {
-            let (mut traverses, entrees) = sonde.traverse(simd, noeud, plafond);
+            let (traverses, entrees) = sonde.traverse(simd, noeud, plafond);
             if numero < self.feuilles {
                 if traverses > 0 {
-                    let [.., indices] = noeud;
-                    offre.clear();
-                    while let Some(enfant) = prendre(&mut traverses) {
-                        let source = entrees.0[enfant] <= sonde.entree_de_la_source();
-                        offre.push((indice_lu(indices[enfant]) as u32, source));
-                    }
-                    bloc.proposer(simd, liste, &offre);
+                    let [.., mots] = noeud;
+                    let source = [sonde.entree_de_la_source(); ENFANTS];
+                    let sources = au_plus(simd, &entrees.0, &source);
+                    let offre = Offre { mots, debut: 0, membres: traverses, sources };
+                    bloc.proposer(simd, liste, offre);
                     let loin = bloc.le_plus_loin();
                     if bloc.un_suffit() && loin == R::ZERO {
                         break;

@@ -66,7 +66,7 @@ impl<R: Nombre> Sonde<R> {
     #[inline(always)]
     pub(crate) fn d_un_rayon(rayon: &Rayon<R>, depart: R, repere: Repere<R>) -> Option<Self> {
         let (y, d) = (repere.point(rayon.source()), rayon.direction());
-        let s = if R::selon(false, true) { y + d * depart } else { y };
+        let s = if depart == R::ZERO { y } else { y + d * depart };
         let bornes = |s: R, d: R| Bornes { s: [simple(s); 2], d: [simple(d); 2] };
         Self::entre_bords(depart, [bornes(s.x, d.x), bornes(s.y, d.y), bornes(s.z, d.z)], repere)
     }

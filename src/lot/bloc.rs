@@ -6,7 +6,7 @@ use core::ops::Range;
 use arrayvec::ArrayVec;
 use fearless_simd::Simd;
 
-use crate::colonne::LARGEUR;
+use crate::colonne::{LARGEUR, Membres, TOUS, indice_lu, prendre};
 use crate::intersection::{Rang, Reponse};
 use crate::liste::Liste;
 use crate::lot::groupe::{Groupe, VOIES};
@@ -23,8 +23,15 @@ pub(crate) const BLOC: usize = 4 * VOIES;
 /// with it inside (calls of 16, measured).
 pub(crate) type Groupes<R> = ArrayVec<Groupe<R>, { BLOC / VOIES }>;
 
-/// Some objects of a list, by index, each with whether it may hold the source of a ray.
-pub(crate) type Offre = ArrayVec<(u32, bool), LARGEUR>;
+/// Some of sixteen objects of a list.
+pub(crate) struct Offre<'a> {
+    /// Their indices, [stored](indice_lu); if there are none, the objects from `debut` on.
+    pub(crate) mots: &'a [f32],
+    pub(crate) debut: usize,
+    /// Which of the sixteen are offered, and which may hold the source of a ray.
+    pub(crate) membres: Membres,
+    pub(crate) sources: Membres,
+}
 
 /// A question that the rays of a block ask side by side: each keeps a first object so far.
 pub(crate) trait EnLot<R: Nombre>: Question<R> + From<Premier<R>> {
@@ -118,15 +125,17 @@ impl<'a, R: Nombre> Bloc<'a, R> {
     /// object (measured). A shape is copied: nothing that is written to a group can overlap it, so
     /// that the compiler need not read it again for every ray.
     #[inline(always)]
-    pub(crate) fn proposer<S: Simd>(&mut self, simd: S, liste: &Liste<'_, R>, offre: &Offre) {
+    pub(crate) fn proposer<S: Simd>(&mut self, simd: S, liste: &Liste<'_, R>, offre: Offre<'_>) {
         simd.vectorize(
             #[inline(always)]
             || {
+                let Offre { mots, debut, mut membres, sources } = offre;
                 let flou = self.flou;
                 let groupes = &mut self.groupes[self.demandes.clone()];
-                for &(indice, source) in offre {
-                    let Some(objet) = liste.objet(indice as usize) else { continue };
-                    let rang = Rang::de(indice as usize);
+                while let Some(membre) = prendre(&mut membres) {
+                    let indice = mots.get(membre).map_or(debut + membre, |mot| indice_lu(*mot));
+                    let Some(objet) = liste.objet(indice) else { continue };
+                    let (rang, source) = (Rang::de(indice), sources >> membre & 1 == 1);
                     par_forme!(ObjetRay, objet, forme => {
                         let forme = *forme;
                         for groupe in groupes.iter_mut() {
@@ -138,22 +147,20 @@ impl<'a, R: Nombre> Bloc<'a, R> {
         );
     }
 
-    /// Offers the objects at these indices, each of which may hold the source of a ray.
+    /// Offers all objects of the list.
     #[inline(always)]
-    pub(crate) fn interroger<S: Simd>(
-        &mut self,
-        simd: S,
-        liste: &Liste<'_, R>,
-        indices: impl Iterator<Item = usize>,
-    ) {
-        let mut offre = Offre::new();
-        let mut indices = indices.peekable();
-        while let Some(indice) = indices.next() {
-            offre.push((indice as u32, true));
-            if offre.is_full() || indices.peek().is_none() {
-                self.proposer(simd, liste, &offre);
-                offre.clear();
-            }
+    pub(crate) fn interroger<S: Simd>(&mut self, simd: S, liste: &Liste<'_, R>) {
+        for debut in (0..liste.objets.len()).step_by(LARGEUR) {
+            self.proposer(simd, liste, Offre { mots: &[], debut, membres: TOUS, sources: TOUS });
+        }
+    }
+
+    /// Offers the objects of these [stored](indice_lu) indices, of which any may hold a source.
+    #[inline(always)]
+    pub(crate) fn interroger_ceux<S: Simd>(&mut self, simd: S, liste: &Liste<'_, R>, mots: &[f32]) {
+        for mots in mots.chunks(LARGEUR) {
+            let membres = TOUS >> (LARGEUR - mots.len());
+            self.proposer(simd, liste, Offre { mots, debut: 0, membres, sources: TOUS });
         }
     }
 
