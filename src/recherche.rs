@@ -5,7 +5,7 @@ use core::slice;
 use crate::forme::Forme;
 use crate::intersection::{Intersection, NoIntersection, Rang, Reponse, exiger_des_rangs};
 use crate::liste::Liste;
-use crate::nombre::{Nombre, max};
+use crate::nombre::{Nombre, max, min};
 use crate::objet::{ObjetRay, par_forme};
 use crate::question::{Premier, Question};
 use crate::rayon::Rayon;
@@ -108,17 +108,18 @@ impl<R: Nombre> ObjetRay<R> {
     pub fn sortie(&self, rayon: &Rayon<R>) -> Reponse<R> {
         // Turned back, the ray enters the object, at −t, where this one leaves it.
         let retour = Rayon::sans_fin(rayon.source(), -rayon.direction());
-        // Beyond, the ray is inside one object fewer, or outside.
-        let su = rayon.su();
-        let retour = retour.sachant(if su < -R::UN { su + R::UN } else { max(su, R::ZERO) });
         par_forme!(Self, self, forme => {
             let (entree, sortie) = (forme.t(rayon), forme.t_sortie(rayon));
             let t = if entree < R::INFINI { max(entree, sortie) } else { sortie }; // W5
             if t >= rayon.fin() {
                 return Err(NoIntersection);
             }
+            // Beyond, a ray from inside is inside one object fewer, or outside; one that passes
+            // through is inside as many as before.
+            let su = rayon.su();
+            let su = if entree < R::INFINI { su } else { min(su + R::UN, max(su, R::ZERO)) };
             let contact = forme.conclure(&retour, -t); // W6
-            Ok(Intersection::new(t, contact, retour.su(), forme.texture(), Rang::de(0)))
+            Ok(Intersection::new(t, contact, su, forme.texture(), Rang::de(0)))
         })
     }
 }
