@@ -254,10 +254,9 @@ impl<R: Nombre> Rayon<R> {
         let origine = refus::origine(origine)?;
         let rayon = Rayon::new((self.source - origine).vers_f32(), self.direction.vers_f32())?;
         let flou = if self.flou > R::ZERO {
-            // Lemma 23; the last is more than is lost below the normal numbers.
-            let flou = simple(self.flou + flou_du_point(R::ZERO, self.source));
-            let flou = flou + flou_du_point(0.0, rayon.source) + 8.0 * f32::MIN_POSITIF;
-            flou.next_up().min(f32::MAX)
+            let ici = simple(flou_suivant(self.flou, R::ZERO, R::ZERO, self.source)).min(f32::MAX);
+            // The step is more than is lost below the normal numbers.
+            flou_suivant(ici, 8.0 * f32::MIN_POSITIF, 0.0, rayon.source)
         } else {
             simple(self.flou).max(f32::MIN)
         };
@@ -313,10 +312,18 @@ pub const FLOU_DISTANCE: f64 = 16.0;
 /// How much deeper than that a hit may lie, in u of Σ|P_i| (lemma 23).
 pub const FLOU_POINT: f64 = 8.1;
 
-/// How much less exactly than its source a ray knows its point P at distance t (lemma 23).
+/// How much larger δ is made, in u of itself: for its own roundings, those where it is compared, and
+/// a step along an N that is not exactly unit (lemma 23).
+pub const FLOU_RELATIF: f64 = 15.0;
+
+/// The δ of a ray that starts a step `pas` away from the point P at distance t of one with this δ
+/// (lemma 23). It is finite, as this δ and the others are.
 #[inline(always)]
-pub(crate) fn flou_du_point<R: Nombre>(t: R, p: Vecteur<R>) -> R {
-    t * fois_u(FLOU_DISTANCE) + p.norme_1() * fois_u(FLOU_POINT)
+pub(crate) fn flou_suivant<R: Nombre>(flou: R, pas: R, t: R, p: Vecteur<R>) -> R {
+    // M7
+    let de_plus = t * fois_u(FLOU_DISTANCE) + p.norme_1() * fois_u(FLOU_POINT);
+    let suivant = (flou + pas + de_plus) * (R::UN + fois_u(FLOU_RELATIF));
+    if suivant < R::INFINI { suivant } else { flou }
 }
 
 /// A direction is kept if |D·D − 1| is at most this, in units of u: an ordinary normalisation

@@ -3,7 +3,7 @@
 use crate::forme::plancher;
 use crate::intersection::Intersection;
 use crate::nombre::{Nombre, fois_u, min};
-use crate::rayon::{DIRECTION, Rayon, direction_unitaire, flou_du_point};
+use crate::rayon::{DIRECTION, Rayon, direction_unitaire, flou_suivant};
 use crate::refus::{ErreurGeo, exiger, fini, point, refus_nul};
 use crate::vecteur::Vecteur;
 
@@ -65,9 +65,9 @@ impl<R: Nombre> Rayon<R> {
         let accepte = distance >= R::ZERO && distance < R::INFINI;
         let t = exiger(accepte, "distance", distance, "a finite number, 0 or more")?;
         let p = self.point(t);
-        // No step pays for what is lost below the normal numbers.
-        let de_plus = flou_du_point(t, p) + plancher();
-        let su = if self.su() < R::ZERO { self.su() } else { self.su() + de_plus };
+        let su = self.su();
+        // In place of a step, what is lost below the normal numbers.
+        let su = if su < R::ZERO { su } else { flou_suivant(su, plancher(), t, p) };
         Ok(Self::new(p, direction)?.sachant(su))
     }
 }
@@ -292,14 +292,13 @@ impl<R: Nombre> Intersection<R> {
         // M6
         let source = p + n * if dedans { -pas } else { pas };
         let source = point(["source.x", "source.y", "source.z"], source)?;
-        // M7
         let su = self.su();
         let su = if dedans {
             min(su, R::ZERO) - R::UN
         } else if su < R::ZERO {
             su
         } else {
-            su + pas + flou_du_point(self.distance(), p)
+            flou_suivant(su, pas, self.distance(), p)
         };
         Ok(Depart { source, su })
     }
