@@ -307,7 +307,7 @@ fn flou_en_option<R: Nombre + serde::Serialize, S: serde::Serializer>(
 }
 
 /// How much deeper than δ a hit may lie in another object, in u of the distance (lemma 23).
-pub const FLOU_DISTANCE: f64 = 16.0;
+pub const FLOU_DISTANCE: f64 = 15.0;
 
 /// How much deeper than that a hit may lie, in u of Σ|P_i| (lemma 23).
 pub const FLOU_POINT: f64 = 8.1;

@@ -15,6 +15,7 @@ use crate::oracle::{
     ORACLE_ARRONDI, Passage, Verite, dehors, ecart_du_cosinus, ecart_du_miroir, ecarts_du_lieu,
     hauteur, norme_au_carre_moins_un, verite, verite_du,
 };
+use crate::passages::{flou_du_point, flou_propre};
 use crate::regimes::Genre;
 use crate::tolerances::{promesses as permis, u};
 
@@ -464,6 +465,32 @@ pub fn virage<R: Reel>(cas: &Essai<R>) -> f64 {
         if suffit(milieu) { assez = milieu } else { trop_peu = milieu }
     }
     assez
+}
+
+/// How deep a ray is, on its way through an object that it does not touch, beyond what it knows of its place, as a part
+/// of o_B; in a half-space, which has none, as a part of that knowledge (lemma 23). The ray turns where another enters the
+/// object, towards where that is left.
+pub fn enfoncement<R: Reel>(cas: &Essai<R>) -> f64 {
+    let (objet, [x, y, z, ..]) = (&cas.objets[0], cas.vers);
+    let Ok(touche) = objet.intersection(&cas.rayon) else { return RIEN };
+    let Ok(suite) = cas.rayon.bifurque(touche.distance(), Vecteur::new(x, y, z)) else {
+        return RIEN;
+    };
+    if objet.intersection(&suite).is_ok() {
+        return RIEN;
+    }
+    let loin = objet.sortie(&suite).map_or(suite.flou(), |sortie| sortie.distance());
+    let part = |k: f64| {
+        let t = R::depuis_f64(k * loin.vers_f64());
+        let p = suite.point(t);
+        let su = suite.flou().vers_f64() * (1.0 + 2.0 * u::<R>()) + flou_du_point(t, p);
+        let profond = -dehors(objet, p);
+        match objet {
+            ObjetRay::Plan(_) => profond / su,
+            ObjetRay::Sphere(_) | ObjetRay::Boite(_) => (profond - su) / flou_propre(objet),
+        }
+    };
+    [0.0, 0.25, 0.5, 0.75].map(part).into_iter().fold(RIEN, f64::max)
 }
 
 /// The error of the distance, in scene units or in lengths of D if that is more, as a part of `erreur`, which is +∞
