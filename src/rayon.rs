@@ -108,9 +108,10 @@ impl<R: Nombre> Rayon<R> {
     /// The same ray with a source that is known to lie on a surface, or in a seam of several, only
     /// to within this δ: for a particle that is born on a wall, or a probe that stands on a floor.
     ///
-    /// If the source lies in an object no deeper than δ and the ray goes further in, it touches
-    /// that object at once, at distance 0. Without δ the ray starts inside that object and does not
-    /// see it. A ray that [starts from a hit](crate::Intersection::secondaire) knows its δ.
+    /// If the source lies in an object less deep than δ and the ray goes further in, it touches that
+    /// object at once, at distance 0; [`flou`](Self::flou) says exactly when. Without δ the ray
+    /// starts inside that object and does not see it. A ray that [starts from a
+    /// hit](crate::Intersection::secondaire) knows its δ.
     ///
     /// # Errors
     /// If `flou` is not finite or below 0.
@@ -140,6 +141,11 @@ impl<R: Nombre> Rayon<R> {
     /// inside each of them: call it once for each object that
     /// [`contenants`](crate::Monde::contenants) shows. With one call too few the ray counts as
     /// outside once it has left the bulb, and may touch the mist at once.
+    ///
+    /// **Rays inside something promise no closed room**, since they carry no δ. Where mist stands
+    /// flush with turned walls, some bounces in a seam leave the room. For a room without leaks keep
+    /// the mist out of what its rays ask, by [`sans`](crate::Monde::sans), do not call this, and ask
+    /// the mist alone where a ray enters it and leaves it.
     ///
     /// ```
     /// use lancer_rayon::{Monde, PlanGeo, Rayon, SphereGeo, Texture, Vecteur};
@@ -208,10 +214,20 @@ impl<R: Nombre> Rayon<R> {
         self.fin
     }
 
-    /// δ, how exactly the ray knows its source, in scene units: if the source lies in an object no
-    /// deeper than δ and the rounding of that object, and the ray goes further in, it touches the
-    /// object at once. δ is 0 for a ray from [`new`](Self::new), which takes its source as it
-    /// stands, and for one that is [inside](Self::dedans) something.
+    /// δ, how exactly the ray knows its source, in scene units. If the source lies in an object less
+    /// deep than δ + o and the ray goes further in, it touches the object at once. The rounding o of
+    /// the object is 44u of the radius of a sphere or of the sum of the half-lengths of a box, and 0
+    /// for a half-space. Where δ is 0, nothing is touched at once.
+    ///
+    /// - A source exactly δ + o deep, as computed, is too deep.
+    /// - A sphere may be touched at once from up to twice as deep.
+    /// - A box is not touched where the source is nearer to the opposite face, as in the far half of
+    ///   a plate thinner than δ, or less than δ and 22u of the half-lengths from a face across
+    ///   another axis that the ray leaves by or goes along.
+    ///
+    /// δ is 0 for a ray from [`new`](Self::new), which takes its source as it stands, and for one
+    /// that is [inside](Self::dedans) something. It is finite, and grows with each bounce
+    /// (`docs/precision.md`, "Closed rooms").
     #[doc(alias("tolerance", "blur"))]
     #[inline(always)]
     #[must_use]

@@ -17,8 +17,8 @@ use crate::rayon::Rayon;
 /// [`Monde`](crate::Monde).
 ///
 /// A hit is an entry. An object that holds the source, inside or on its surface, is not touched
-/// (handout §2.3), unless the source lies in it no deeper than [the δ of the ray](Rayon::flou);
-/// other objects still count. At the same distance the earlier in the list is the first. All of
+/// (handout §2.3), unless the source lies in it by little more than [the δ of the
+/// ray](Rayon::flou); other objects still count. At the same distance the earlier in the list is the first. All of
 /// this holds for distances as computed in R: within the bounds of `docs/precision.md` the exact
 /// answer may differ.
 ///
@@ -77,8 +77,8 @@ impl<R: Nombre> ObjetRay<R> {
     /// it. From a source on the surface a ray leaves at the far side, or not at all: the source
     /// itself is no way out, as it is no hit. What is inside and what is on the surface is decided
     /// as computed: within rounding of a sphere a ray may leave at once. A ray that `secondaire`
-    /// sent into a sphere or a box leaves, except beside an edge and in a box no thicker than the
-    /// step; a ray that it sent outward does not.
+    /// sent into a sphere or a box leaves, except beside an edge and in a box no thicker than twice
+    /// the step; a ray that it sent outward does not.
     ///
     /// # Errors
     /// [`NoIntersection`] if the ray ends before it leaves, passes the object by or starts beyond
