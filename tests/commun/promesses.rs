@@ -493,6 +493,55 @@ pub fn enfoncement<R: Reel>(cas: &Essai<R>) -> f64 {
     [0.0, 0.25, 0.5, 0.75].map(part).into_iter().fold(RIEN, f64::max)
 }
 
+/// How deep a ray from outside comes into an object up to where it enters, or anywhere if it misses it, as a part of what
+/// the proof of lemma 23 grants its point as computed.
+pub fn effleurement<R: Reel>(cas: &Essai<R>) -> f64 {
+    let (objet, rayon) = (&cas.objets[0], &cas.rayon);
+    if objet.contient(rayon.source()) {
+        return RIEN;
+    }
+    let (s, d) = (rayon.source().vers_f64(), rayon.direction().vers_f64());
+    // Where it is deepest, about.
+    let instants = match (objet.intersection(rayon), objet) {
+        (Ok(touche), _) => [touche.distance().vers_f64(); 3],
+        (Err(_), ObjetRay::Sphere(boule)) => {
+            [(boule.centre().vers_f64() - s).produit_scalaire(d) / d.longueur_carree(); 3]
+        }
+        (Err(_), ObjetRay::Plan(_)) => [1.0, 1e3, 1e6].map(|k| k * s.longueur()),
+        (Err(_), ObjetRay::Boite(boite)) => {
+            let (mut entree, mut sortie) = (0.0_f64, f64::INFINITY);
+            for (n, l) in boite.normales().into_iter().zip(boite.demi_longueurs()) {
+                let n = n.vers_f64();
+                let o = n.produit_scalaire(s - boite.centre().vers_f64());
+                let v = n.produit_scalaire(d);
+                let bord = l.vers_f64() * v.signum();
+                entree = entree.max((-bord - o) / v);
+                sortie = sortie.min((bord - o) / v);
+            }
+            [entree, sortie, (entree + sortie) / 2.0]
+        }
+    };
+    let part = |t: f64| {
+        let t = R::depuis_f64(t);
+        if !(t >= R::ZERO && t < R::INFINI) {
+            return RIEN;
+        }
+        let p = rayon.point(t);
+        let [x, y, z] = <[f64; 3]>::from(p.vers_f64()).map(f64::abs);
+        let (t, norme) = (t.vers_f64(), x + y + z);
+        let permis = match objet {
+            ObjetRay::Sphere(boule) => 40.2 * boule.rayon().vers_f64() + 13.9 * t + norme,
+            ObjetRay::Plan(plan) => 4.0 * poids(plan.normale().vers_f64(), p.vers_f64()) + 9.0 * t,
+            ObjetRay::Boite(boite) => {
+                let l = Vecteur::from(boite.demi_longueurs().map(R::vers_f64));
+                4.0 * l.longueur() + 10.1 * t + norme
+            }
+        };
+        -dehors(objet, p) / (u::<R>() * permis + 8.0 * R::MIN_POSITIF.vers_f64())
+    };
+    instants.map(part).into_iter().fold(RIEN, f64::max)
+}
+
 /// The error of the distance, in scene units or in lengths of D if that is more, as a part of `erreur`, which is +∞
 /// where there is no entry, or no way out. What the oracle itself may have rounded does not count.
 pub fn erreur<R: Reel>(cas: &Essai<R>) -> f64 {

@@ -3,6 +3,7 @@
 
 use commun::fabrique::{boite, boite_droite, mur, sphere, v};
 use commun::facons::comparer;
+use commun::oracle::Exact;
 use commun::passages::{flou_du_point, flou_propre, profondeur};
 use commun::regimes::{deux_puissance, direction};
 use commun::tolerances::u;
@@ -506,3 +507,23 @@ fn une_chambre_de_dix_metres_perd_peu_a_chaque_rebond<R: Reel>() {
 }
 
 en_f32_et_f64!(une_chambre_de_dix_metres_perd_peu_a_chaque_rebond);
+
+/// A δ pays for its own roundings and those with which D1 to D3 see it, however large it is beside the way and the place.
+fn un_flou_ne_perd_rien<R: Reel>() {
+    let mut alea = Rng::with_seed(15);
+    let nombre = |x: R, k: f64| &Exact::de(x) * &Exact::de(1.0 + k * u::<R>());
+    for _ in 0..cas(2_000) {
+        let mut petit = || R::depuis_f64(deux_puissance(&mut alea, -80.0, 20.0));
+        let (flou, t, x) = (petit(), petit(), petit());
+        let rayon = Rayon::new(v(0.0, 0.0, 0.0), v(0.0, 0.0, 1.0)).unwrap();
+        let rayon = Rayon::new(Vecteur::new(x, -x, R::ZERO), rayon.direction()).unwrap();
+        let suite = rayon.avec_flou(flou).unwrap().bifurque(t, v(1.0, 0.0, 0.0)).unwrap();
+        let p = suite.source();
+        let de_plus = flou_du_point(t, p) * (1.0 - 1e-12);
+        let perdu = &nombre(flou, 2.0) + &Exact::de(de_plus);
+        let reste = &nombre(suite.flou(), -3.0) - &perdu;
+        assert!(reste.positif(), "{flou:?} {t:?} {x:?} {suite:?}");
+    }
+}
+
+en_f32_et_f64!(un_flou_ne_perd_rien);

@@ -635,6 +635,9 @@ rangees! {
     virage_d_une_boite: boite, promesses::virage, 60_000;
     virage_sur_un_globe: globe, promesses::virage, 60_000;
     virage_sur_une_grande_boite: grande_boite, promesses::virage, 60_000;
+    effleurement_d_une_sphere: sphere, promesses::effleurement, 60_000, true;
+    effleurement_d_un_demi_espace: demi_espace, promesses::effleurement, 60_000;
+    effleurement_d_une_boite: boite, promesses::effleurement, 100_000, true;
     enfoncement_dans_une_sphere: sphere, promesses::enfoncement, 60_000;
     enfoncement_dans_un_demi_espace: demi_espace, promesses::enfoncement, 60_000;
     enfoncement_le_long_d_une_face: le_long_d_une_face, promesses::enfoncement, 200_000;
