@@ -982,7 +982,7 @@ fn lemme_23_le_flou_permis_suffit() {
         (de_f + de_t + 1.0) * plus(60.0, u)
     });
     // Less for a box: a length, a speed, the quotient or comparison at an entry and an exit, and P.
-    assert!(4.0 + 3.1 + 2.0 + 1.0 < 0.9 * FLOU_DISTANCE);
+    const { assert!(4.0 + 3.1 + 2.0 + 1.0 < 0.9 * FLOU_DISTANCE) };
     // In units of ⟨P, 1⟩: the height over a half-space, at the hit and at the next start; P, and the start.
     tenir(FLOU_POINT, |u| (2.0 * gamma(3.0, u) + 2.0) * plus(20.0, u));
     // In units of r, for a source nearer to the centre than 2r: the power of the hit, with what AB², p and s are off
@@ -996,7 +996,7 @@ fn lemme_23_le_flou_permis_suffit() {
     // In units of Σl: what a start is off by as it is asked, what D3 sees as deep as that once more, and a box that is
     // left by the face as near across the same axis; the next start sees it with 4u more. And what no more than
     // rounding put under a face, as the next start sees it, is as near.
-    assert!(FLOU_A_COTE + 3.0 * 4.1 < FLOU_PROPRE && FLOU_A_COTE > 2.0 * 4.1);
+    const { assert!(FLOU_A_COTE + 3.0 * 4.1 < FLOU_PROPRE && FLOU_A_COTE > 2.0 * 4.1) };
     // In units of δ and of the step: N and its product, the sum with P; the three roundings of δ; and three of D1.
     tenir(FLOU_RELATIF, |u| {
         (promesses::UNITAIRE_PLATE + 2.0 + gamma(3.0, u) + gamma(3.0, u)) * plus(60.0, u)
