@@ -494,7 +494,7 @@ pub fn enfoncement<R: Reel>(cas: &Essai<R>) -> f64 {
 }
 
 /// How deep a ray from outside comes into an object up to where it enters, or anywhere if it misses it, as a part of what
-/// the proof of lemma 23 grants its point as computed.
+/// the proof of lemma 23 grants S+tD; with what that is rounded by in `f64`.
 pub fn effleurement<R: Reel>(cas: &Essai<R>) -> f64 {
     let (objet, rayon) = (&cas.objets[0], &cas.rayon);
     if objet.contient(rayon.source()) {
@@ -522,22 +522,21 @@ pub fn effleurement<R: Reel>(cas: &Essai<R>) -> f64 {
         }
     };
     let part = |t: f64| {
-        let t = R::depuis_f64(t);
-        if !(t >= R::ZERO && t < R::INFINI) {
+        if !(t >= 0.0 && t < R::INFINI.vers_f64()) {
             return RIEN;
         }
-        let p = rayon.point(t);
-        let [x, y, z] = <[f64; 3]>::from(p.vers_f64()).map(f64::abs);
-        let (t, norme) = (t.vers_f64(), x + y + z);
+        let p = s + d * t;
+        let [x, y, z] = <[f64; 3]>::from(p).map(f64::abs);
         let permis = match objet {
-            ObjetRay::Sphere(boule) => 40.2 * boule.rayon().vers_f64() + 13.9 * t + norme,
-            ObjetRay::Plan(plan) => 4.0 * poids(plan.normale().vers_f64(), p.vers_f64()) + 9.0 * t,
+            ObjetRay::Sphere(boule) => 40.2 * boule.rayon().vers_f64() + 12.9 * t,
+            ObjetRay::Plan(plan) => 3.0 * poids(plan.normale().vers_f64(), p) + 8.0 * t,
             ObjetRay::Boite(boite) => {
                 let l = Vecteur::from(boite.demi_longueurs().map(R::vers_f64));
-                4.0 * l.longueur() + 10.1 * t + norme
+                4.0 * l.longueur() + 9.1 * t
             }
         };
-        -dehors(objet, p) / (u::<R>() * permis + 8.0 * R::MIN_POSITIF.vers_f64())
+        let permis = u::<R>() * permis + f64::U * (x + y + z + t);
+        -dehors(&objet.vers_f64(), p) / (permis + 8.0 * R::MIN_POSITIF.vers_f64())
     };
     instants.map(part).into_iter().fold(RIEN, f64::max)
 }

@@ -211,6 +211,47 @@ fn aucun_pas_ne_quitte_une_chambre<R: Bits>() {
 
 en_f32_et_f64!(aucun_pas_ne_quitte_une_chambre);
 
+/// A chain that `vers_f64` widens on its way, with its room: its start may lie as deep as `f32` lets it, and some do not
+/// touch what they touched at once. With a δ that is larger by the o of `f32` no chain leaves.
+#[test]
+fn une_chaine_elargie_reste_si_son_flou_est_plus_grand() {
+    let mut alea = Rng::with_seed(64);
+    let (mut d_emblee, mut oublies, mut rebonds) = (0, 0, 0);
+    for _ in 0..cas(20) {
+        let etroite = Chambre::<f32>::new(&mut alea);
+        let objets = etroite.objets.iter().map(|objet| objet.vers_f64()).collect();
+        let (coutures, tour, milieu) = (etroite.coutures.clone(), etroite.tour, etroite.milieu);
+        let large = Chambre { objets, coutures, tour, milieu };
+        let monde = Monde::de_liste(&etroite.objets);
+        let propre = etroite.objets.iter().map(flou_propre).fold(0.0, f64::max);
+        for _ in 0..200 {
+            let Some(mut rayon) = etroite.depart(&mut alea, &monde) else { continue };
+            for _ in 0..8 {
+                let touche = monde.premiere_intersection(&rayon).unwrap();
+                let mut suite = rayon.vers_f64();
+                if touche.distance() == 0.0 {
+                    d_emblee += 1;
+                    let la = large.objets[touche.indice()].intersection(&suite);
+                    oublies += u32::from(la.map(|t| t.distance()) != Ok(0.0));
+                }
+                if suite.flou() > 0.0 {
+                    suite = suite.avec_flou(suite.flou() + propre).unwrap();
+                }
+                for _ in 0..4 {
+                    let touche = Monde::de_liste(&large.objets).premiere_intersection(&suite);
+                    let Ok(touche) = touche else { panic!("{suite:?} left {:?}", large.objets) };
+                    let Some(suivant) = rebond(&large, &mut alea, &touche) else { break };
+                    (rebonds, suite) = (rebonds + 1, suivant);
+                }
+                let Some(suivant) = rebond(&etroite, &mut alea, &touche) else { break };
+                rayon = suivant;
+            }
+        }
+    }
+    println!("{oublies} of {d_emblee} at once are not, {rebonds} bounces");
+    assert!(oublies > 10 && rebonds > 1_000, "{oublies} of {d_emblee}, {rebonds}");
+}
+
 /// A turn at a wall through O, among numbers so small that 15u·t is lost: the ray finds the wall all the same.
 fn un_virage_pres_de_l_origine_trouve_le_mur<R: Reel>() {
     let mut alea = Rng::with_seed(31);
