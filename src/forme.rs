@@ -156,7 +156,7 @@ pub(crate) trait Forme<R: Nombre>: Copy {
         if !d_emblee {
             return contact;
         }
-        // M4. Where a box stands flush on a mirror, the nearest face may be the hidden one. The
+        // Where a box stands flush on a mirror, the nearest face may be the hidden one. The
         // mirror would send the ray back to where it was, and so on without end. Two steps of this
         // length, off the hidden face and off the mirror, leave any other face nearer.
         let recul = self.recul(rayon) + contact.point.norme_1() * fois_u(RECUL);

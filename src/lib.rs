@@ -91,8 +91,8 @@
 //! **A hit knows its object and its error**: [`Intersection::indice`] is the index in the list,
 //! [`Intersection::marge`] bounds how far the point is from the surface, and
 //! [`Intersection::secondaire`] starts a shadow, reflection or refraction ray that never hits the
-//! object it leaves, except inward within rounding of a box edge or in a box no thicker than
-//! twice the step. [`BoiteRay::lieu`] says which face of a box was hit, and where. [`Monde::certifie`] tells
+//! object it leaves, except inward within rounding of a box edge or in a box no thicker than twice
+//! the step. [`BoiteRay::lieu`] says which face of a box was hit, and where. [`Monde::certifie`] tells
 //! whether the first object is that of exact arithmetic.
 //!
 //! # `f32` or `f64`
