@@ -2,7 +2,7 @@
 
 use crate::dalle::{Quotient, echelle_vitesse};
 use crate::forme::{Boule, FLOU_PROPRE, Forme};
-use crate::nombre::{Nombre, fois_u, puissance_de_deux};
+use crate::nombre::{Nombre, fois_u, max, puissance_de_deux};
 use crate::rayon::Rayon;
 use crate::refus::{self, ErreurGeo, coefficient, deplacement, point, taille};
 use crate::rotation::Rotation;
@@ -286,7 +286,19 @@ impl<R: Nombre> BoiteRay<R> {
         }
         (hauteur, face)
     }
+
+    /// The δ of the ray and so many u of the sum of the half-lengths.
+    #[inline(always)]
+    fn profond(&self, rayon: &Rayon<R>, propre: f64) -> R {
+        let [a, b, c] = self.demi_longueurs;
+        rayon.flou() + (a + b + c) * fois_u(propre)
+    }
 }
+
+/// How much deeper than δ, in u of the sum of the half-lengths, a start may lie under a face of a
+/// box that the ray leaves by, or goes along: then it does not touch the box at once. It is less
+/// than [`FLOU_PROPRE`], since the next search sees that depth with the rounding of both (lemma 23).
+pub const FLOU_A_COTE: f64 = 22.0;
 
 impl<R: Nombre> Forme<R> for BoiteRay<R> {
     /// The ball whose radius is half a diagonal of the box.
@@ -323,13 +335,13 @@ impl<R: Nombre> Forme<R> for BoiteRay<R> {
 
     #[inline(always)]
     fn des_le_depart(&self, rayon: &Rayon<R>) -> bool {
-        let ([a, b, c], (hauteur, face)) = (self.demi_longueurs, self.face_de_depart(rayon));
-        let profond = rayon.flou() + (a + b + c) * fois_u(FLOU_PROPRE);
-        let mut touche = (hauteur <= R::ZERO) & (hauteur > -profond);
+        let (hauteur, face) = self.face_de_depart(rayon);
+        let mut touche = (hauteur <= R::ZERO) & (hauteur > -self.profond(rayon, FLOU_PROPRE));
         // D3: a ray that leaves by a face as near, or goes along it, is nowhere deeper than that.
+        let a_cote = self.profond(rayon, FLOU_A_COTE);
         for axe in 0..3 {
             let (e, s) = self.dalle(axe, rayon);
-            let loin = if axe == face { -hauteur } else { profond };
+            let loin = if axe == face { -hauteur } else { a_cote };
             touche &= (s.longueur >= loin) & ((e.vitesse > R::ZERO) | (-e.longueur >= loin));
         }
         touche
@@ -360,6 +372,13 @@ impl<R: Nombre> Forme<R> for BoiteRay<R> {
     fn plan_de_depart(&self, rayon: &Rayon<R>) -> (Vecteur<R>, R) {
         let (_, axe) = self.face_de_depart(rayon);
         self.face_vers(rayon, axe)
+    }
+
+    fn recul(&self, rayon: &Rayon<R>) -> R {
+        let entrees = [0, 1, 2].map(|axe| self.dalle(axe, rayon).0);
+        let profonds = entrees.map(|e| if e.vitesse > R::ZERO { -e.longueur } else { R::ZERO });
+        let profond = self.profond(rayon, FLOU_PROPRE);
+        profonds.into_iter().filter(|p| *p < profond).fold(R::ZERO, max)
     }
 }
 

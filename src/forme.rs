@@ -41,6 +41,10 @@ pub const RETRAIT: f64 = 130.0;
 /// of the half-lengths (lemma 23).
 pub const FLOU_PROPRE: f64 = 44.0;
 
+/// How much larger the margin of a hit at once is made, in u of Σ|P_i|: more than flush faces lie
+/// apart as they are stored. No proof needs it.
+const RECUL: f64 = 8.0;
+
 /// A shape, ready for rays.
 pub(crate) trait Forme<R: Nombre>: Copy {
     /// A ball around all of the shape; [`Boule::INFINIE`] if it is unbounded.
@@ -115,6 +119,12 @@ pub(crate) trait Forme<R: Nombre>: Copy {
         self.plan_tangent(rayon, R::ZERO)
     }
 
+    /// How deep the source of a ray that touches at once lies under the farthest of the flat faces
+    /// by which it may have come in; 0 if the shape has none.
+    fn recul(&self, _: &Rayon<R>) -> R {
+        R::ZERO
+    }
+
     /// How high the point P of a hit may lie over the surface there, for what
     /// [`plan_tangent`](Self::plan_tangent) said of it. This definition is that of a flat face.
     #[inline(always)]
@@ -137,11 +147,20 @@ pub(crate) trait Forme<R: Nombre>: Copy {
     /// (measured).
     #[cold]
     fn contact_rare(&self, rayon: &Rayon<R>, t: R) -> Contact<R> {
+        let d_emblee = t == R::ZERO;
         let (n, du_centre) =
-            if t == R::ZERO { self.plan_de_depart(rayon) } else { self.plan_tangent(rayon, t) };
+            if d_emblee { self.plan_de_depart(rayon) } else { self.plan_tangent(rayon, t) };
         let d = rayon.direction();
         let n = if n.produit_scalaire(d) < R::ZERO { n } else { vers_la_source(n, d) };
-        self.contact_en(rayon, t, n, du_centre)
+        let contact = self.contact_en(rayon, t, n, du_centre);
+        if !d_emblee {
+            return contact;
+        }
+        // Where a box stands flush on a mirror, the nearest face may be the hidden one. The
+        // mirror would send the ray back to where it was, and so on without end. Two steps of this
+        // length, off the hidden face and off the mirror, leave any other face nearer.
+        let recul = self.recul(rayon) + contact.point.norme_1() * fois_u(RECUL);
+        Contact { marge: contact.marge + recul, ..contact }
     }
 
     /// The contact with the normal as it is, without a branch; and whether that is right: the ray

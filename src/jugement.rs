@@ -36,8 +36,8 @@ impl<R: Nombre> ObjetRay<R> {
     /// the median it is less than 1.1 times the error. It takes many times as long as the hit.
     ///
     /// It is never a NaN. It is +∞ where the ray does not enter or leave the object, where the
-    /// doubled numbers cannot tell at t whether it does, for a hit at once, at t = 0, and at a way
-    /// out that is off by half of t or more.
+    /// doubled numbers cannot tell at t whether it does, for a hit at once, at t = 0, unless exact
+    /// arithmetic has the source outside, and at a way out that is off by half of t or more.
     ///
     /// The same bound holds for t in lengths of D: it is no less than |t − t′|, where the ray
     /// crosses the surface at S + t′D. After [`Rayon::vers_f64`] D is unit to the rounding of `f32`

@@ -65,8 +65,10 @@
 //! **A hit is an entry** from outside, at a distance t > 0, against the normal (D·N < 0). An object
 //! is not hit from inside or from its surface, and a ray tangent to a sphere misses. A ray that
 //! starts from a hit carries [a bound δ on the error of its start](Rayon::flou). If the start lies
-//! in an object no deeper than δ and the ray goes further in, it hits that object at t = 0.
-//! Therefore no ray leaves a closed room whose walls overlap by more than δ.
+//! in an object less deep than δ and o, the rounding of that object, and the ray goes further in,
+//! it hits that object at t = 0. Therefore no ray leaves a closed room whose walls reach into each
+//! other by more than 2(δ + o). (o is 44u of a radius or of the sum of half-lengths: 0.03 mm in
+//! `f32` for a wall of 10 m.)
 //!
 //! ```
 //! # use lancer_rayon::*;
@@ -89,8 +91,8 @@
 //! **A hit knows its object and its error**: [`Intersection::indice`] is the index in the list,
 //! [`Intersection::marge`] bounds how far the point is from the surface, and
 //! [`Intersection::secondaire`] starts a shadow, reflection or refraction ray that never hits the
-//! object it leaves, except inward within rounding of a box edge or in a box no thicker than the
-//! step. [`BoiteRay::lieu`] says which face of a box was hit, and where. [`Monde::certifie`] tells
+//! object it leaves, except inward within rounding of a box edge or in a box no thicker than twice
+//! the step. [`BoiteRay::lieu`] says which face of a box was hit, and where. [`Monde::certifie`] tells
 //! whether the first object is that of exact arithmetic.
 //!
 //! # `f32` or `f64`

@@ -286,6 +286,11 @@ impl<R: Nombre> Forme<R> for PlanRay<R> {
     fn plan_tangent(&self, _: &Rayon<R>, _: R) -> (Vecteur<R>, R) {
         (self.normale, -self.distance)
     }
+
+    fn recul(&self, rayon: &Rayon<R>) -> R {
+        let (hauteur, _) = self.hauteur_et_descente(rayon);
+        -hauteur
+    }
 }
 
 crate::refus::lu_par! {

@@ -15,6 +15,7 @@ use crate::rayon::Rayon;
 use crate::reponses::{Reel, Vue};
 
 pub use crate::arbre::repere::{JEU_DISTANCE, JEU_F32, JEU_LARGEUR};
+pub use crate::boite::FLOU_A_COTE;
 pub use crate::double::{BORNE_DOUBLE, Double, Intervalle, PERTE_DOUBLE, PRODUIT_DOUBLE};
 pub use crate::forme::{ARRONDI_HAUTEUR, FLOU_PROPRE, PENCHE, PLANCHER, RETRAIT, VERS_LE_HAUT};
 pub use crate::jugement::ERREUR_ARRONDIE;
@@ -23,7 +24,7 @@ pub use crate::jugement::coup_d_oeil::{
 };
 pub use crate::jugement::loupe::ECART_ARRONDI;
 pub use crate::objet::ETENDUE;
-pub use crate::rayon::{DEJA_UNITAIRE, FLOU_DISTANCE, FLOU_POINT};
+pub use crate::rayon::{DEJA_UNITAIRE, FLOU_DISTANCE, FLOU_POINT, FLOU_RELATIF};
 pub use crate::rotation::DEJA_ORTHONORMALE;
 pub use crate::secondaire::{PAS_ARRONDI, PAS_NORMAL, REDRESSE, TANGENT};
 pub use crate::sphere::{ARRONDI_PERDU, LONGUEUR, PAR_RAYON, PUISSANCE_PERDUE, TRAVERS_PERDU};

@@ -108,11 +108,12 @@ impl<R: Nombre> Rayon<R> {
     /// The same ray with a source that is known to lie on a surface, or in a seam of several, only
     /// to within this δ: for a particle that is born on a wall, or a probe that stands on a floor.
     ///
-    /// If the source lies in an object no deeper than δ and the ray goes further in, it touches
-    /// that object at once, at distance 0. Without δ the ray starts inside that object and does not
-    /// see it. A ray that [starts from a hit](crate::Intersection::secondaire) knows its δ, as does
-    /// one from [a place of your own](crate::ObjetRay::sortie). A point C + l·N as computed, the
-    /// middle of a face, lies within 10u(|C| + l) of the face.
+    /// If the source lies in an object less deep than δ and the ray goes further in, it touches that
+    /// object at once, at distance 0; [`flou`](Self::flou) says exactly when. Without δ the ray
+    /// starts inside that object and does not see it. A ray that [starts from a
+    /// hit](crate::Intersection::secondaire) knows its δ, as does one from [a place of your
+    /// own](crate::ObjetRay::sortie). A point C + l·N as computed, the middle of a face, lies within
+    /// 10u(|C| + l) of the face.
     ///
     /// # Errors
     /// If `flou` is not finite or below 0.
@@ -142,6 +143,11 @@ impl<R: Nombre> Rayon<R> {
     /// inside each of them: call it once for each object that
     /// [`contenants`](crate::Monde::contenants) shows. With one call too few the ray counts as
     /// outside once it has left the bulb, and may touch the mist at once.
+    ///
+    /// **Rays inside something promise no closed room**, since they carry no δ. Where mist stands
+    /// flush with turned walls, some bounces in a seam leave the room. For a room without leaks keep
+    /// the mist out of what its rays ask, by [`sans`](crate::Monde::sans), do not call this, and ask
+    /// the mist alone where a ray enters it and leaves it.
     ///
     /// ```
     /// use lancer_rayon::{Monde, PlanGeo, Rayon, SphereGeo, Texture, Vecteur};
@@ -210,10 +216,20 @@ impl<R: Nombre> Rayon<R> {
         self.fin
     }
 
-    /// δ, how exactly the ray knows its source, in scene units: if the source lies in an object no
-    /// deeper than δ and the rounding of that object, and the ray goes further in, it touches the
-    /// object at once. δ is 0 for a ray from [`new`](Self::new), which takes its source as it
-    /// stands, and for one that is [inside](Self::dedans) something.
+    /// δ, how exactly the ray knows its source, in scene units. If the source lies in an object less
+    /// deep than δ + o and the ray goes further in, it touches the object at once. The rounding o of
+    /// the object is 44u of the radius of a sphere or of the sum of the half-lengths of a box, and 0
+    /// for a half-space. Where δ is 0, nothing is touched at once.
+    ///
+    /// - A source exactly δ + o deep, as computed, is too deep.
+    /// - A sphere may be touched at once from up to twice as deep.
+    /// - A box is not touched where the source is nearer to the opposite face, as in the far half of
+    ///   a plate thinner than δ, or less than δ and 22u of the half-lengths from a face across
+    ///   another axis that the ray leaves by or goes along.
+    ///
+    /// δ is 0 for a ray from [`new`](Self::new), which takes its source as it stands, and for one
+    /// that is [inside](Self::dedans) something. It is finite, and grows with each bounce
+    /// (`docs/precision.md`, "Closed rooms").
     #[doc(alias("tolerance", "blur"))]
     #[inline(always)]
     #[must_use]
@@ -256,10 +272,9 @@ impl<R: Nombre> Rayon<R> {
         let origine = refus::origine(origine)?;
         let rayon = Rayon::new((self.source - origine).vers_f32(), self.direction.vers_f32())?;
         let flou = if self.flou > R::ZERO {
-            // Lemma 23; the last is more than is lost below the normal numbers.
-            let flou = simple(self.flou + flou_du_point(R::ZERO, self.source));
-            let flou = flou + flou_du_point(0.0, rayon.source) + 8.0 * f32::MIN_POSITIF;
-            flou.next_up().min(f32::MAX)
+            let ici = simple(flou_suivant(self.flou, R::ZERO, R::ZERO, self.source)).min(f32::MAX);
+            // The step is more than is lost below the normal numbers.
+            flou_suivant(ici, 8.0 * f32::MIN_POSITIF, 0.0, rayon.source)
         } else {
             simple(self.flou).max(f32::MIN)
         };
@@ -310,15 +325,23 @@ fn flou_en_option<R: Nombre + serde::Serialize, S: serde::Serializer>(
 }
 
 /// How much deeper than δ a hit may lie in another object, in u of the distance (lemma 23).
-pub const FLOU_DISTANCE: f64 = 16.0;
+pub const FLOU_DISTANCE: f64 = 15.0;
 
 /// How much deeper than that a hit may lie, in u of Σ|P_i| (lemma 23).
 pub const FLOU_POINT: f64 = 8.1;
 
-/// How much less exactly than its source a ray knows its point P at distance t (lemma 23).
+/// How much larger δ is made, in u of itself: for its own roundings, those where it is compared, and
+/// a step along an N that is not exactly unit (lemma 23).
+pub const FLOU_RELATIF: f64 = 15.0;
+
+/// The δ of a ray that starts a step `pas` away from the point P at distance t of one with this δ
+/// (lemma 23). It is finite, as this δ and the others are.
 #[inline(always)]
-pub(crate) fn flou_du_point<R: Nombre>(t: R, p: Vecteur<R>) -> R {
-    t * fois_u(FLOU_DISTANCE) + p.norme_1() * fois_u(FLOU_POINT)
+pub(crate) fn flou_suivant<R: Nombre>(flou: R, pas: R, t: R, p: Vecteur<R>) -> R {
+    // M7
+    let de_plus = t * fois_u(FLOU_DISTANCE) + p.norme_1() * fois_u(FLOU_POINT);
+    let suivant = (flou + pas + de_plus) * (R::UN + fois_u(FLOU_RELATIF));
+    if suivant < R::INFINI { suivant } else { flou }
 }
 
 /// A direction is kept if |D·D − 1| is at most this, in units of u: an ordinary normalisation

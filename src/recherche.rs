@@ -5,7 +5,7 @@ use core::slice;
 use crate::forme::Forme;
 use crate::intersection::{Intersection, NoIntersection, Rang, Reponse, exiger_des_rangs};
 use crate::liste::Liste;
-use crate::nombre::{Nombre, max};
+use crate::nombre::{Nombre, max, min};
 use crate::objet::{ObjetRay, par_forme};
 use crate::question::{Premier, Question};
 use crate::rayon::Rayon;
@@ -17,8 +17,8 @@ use crate::rayon::Rayon;
 /// [`Monde`](crate::Monde).
 ///
 /// A hit is an entry. An object that holds the source, inside or on its surface, is not touched
-/// (handout §2.3), unless the source lies in it no deeper than [the δ of the ray](Rayon::flou);
-/// other objects still count. At the same distance the earlier in the list is the first. All of
+/// (handout §2.3), unless the source lies in it by little more than [the δ of the
+/// ray](Rayon::flou); other objects still count. At the same distance the earlier in the list is the first. All of
 /// this holds for distances as computed in R: within the bounds of `docs/precision.md` the exact
 /// answer may differ.
 ///
@@ -77,8 +77,8 @@ impl<R: Nombre> ObjetRay<R> {
     /// it. From a source on the surface a ray leaves at the far side, or not at all: the source
     /// itself is no way out, as it is no hit. What is inside and what is on the surface is decided
     /// as computed: within rounding of a sphere a ray may leave at once. A ray that `secondaire`
-    /// sent into a sphere or a box leaves, except beside an edge and in a box no thicker than the
-    /// step; a ray that it sent outward does not.
+    /// sent into a sphere or a box leaves, except beside an edge and in a box no thicker than twice
+    /// the step; a ray that it sent outward does not.
     ///
     /// **A place of one's own**, such as a sensor on a wall, a window or a point of a lamp, is where
     /// a ray from within leaves the object along the normal. That is a hit of this object alone,
@@ -118,17 +118,18 @@ impl<R: Nombre> ObjetRay<R> {
     pub fn sortie(&self, rayon: &Rayon<R>) -> Reponse<R> {
         // Turned back, the ray enters the object, at −t, where this one leaves it.
         let retour = Rayon::sans_fin(rayon.source(), -rayon.direction());
-        // Beyond, the ray is inside one object fewer, or outside.
-        let su = rayon.su();
-        let retour = retour.sachant(if su < -R::UN { su + R::UN } else { max(su, R::ZERO) });
         par_forme!(Self, self, forme => {
             let (entree, sortie) = (forme.t(rayon), forme.t_sortie(rayon));
             let t = if entree < R::INFINI { max(entree, sortie) } else { sortie }; // W5
             if t >= rayon.fin() {
                 return Err(NoIntersection);
             }
+            // Beyond, a ray from inside is inside one object fewer, or outside; one that passes
+            // through is inside as many as before.
+            let su = rayon.su();
+            let su = if entree < R::INFINI { su } else { min(su + R::UN, max(su, R::ZERO)) };
             let contact = forme.conclure(&retour, -t); // W6
-            Ok(Intersection::new(t, contact, retour.su(), forme.texture(), Rang::de(0)))
+            Ok(Intersection::new(t, contact, su, forme.texture(), Rang::de(0)))
         })
     }
 }

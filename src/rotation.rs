@@ -109,8 +109,8 @@ impl<R: Nombre> Rotation<R> {
     /// The rotation of a matrix M, given row by row. One that [`matrice`](Self::matrice) gave comes
     /// back bit for bit.
     ///
-    /// A matrix whose rows and columns are orthonormal to 8u is kept; any other is replaced by the
-    /// nearest rotation, so that four decimals are enough in either type.
+    /// A matrix whose rows and columns are orthonormal to 8u, as computed in `f64`, is kept; any
+    /// other is replaced by the nearest rotation, so that four decimals are enough in either type.
     ///
     /// # Errors
     /// If an element of M is not finite, if one of M·Mᵀ − I exceeds 1e-3, or if M is a mirror

@@ -3,7 +3,7 @@
 use crate::forme::plancher;
 use crate::intersection::Intersection;
 use crate::nombre::{Nombre, fois_u, min};
-use crate::rayon::{DIRECTION, Rayon, direction_unitaire, flou_du_point};
+use crate::rayon::{DIRECTION, Rayon, direction_unitaire, flou_suivant};
 use crate::refus::{ErreurGeo, exiger, fini, point, refus_nul};
 use crate::vecteur::Vecteur;
 
@@ -39,7 +39,8 @@ impl<R: Nombre> Rayon<R> {
     /// another direction: for a particle that is scattered in mid-air, or whose step has ended.
     ///
     /// The new ray carries [δ](Self::flou) as a ray from a hit does, so that a particle whose step
-    /// ends within rounding of a wall, or just behind it, does not leave the room. That holds if
+    /// ends within rounding of a wall, or just behind it, does not leave the room: one whose walls
+    /// reach into each other by more than 2(δ + o), with o of [`flou`](Self::flou). That holds if
     /// this ray touches nothing before `distance`. A ray that is [inside](Self::dedans) something
     /// stays so.
     ///
@@ -65,9 +66,9 @@ impl<R: Nombre> Rayon<R> {
         let accepte = distance >= R::ZERO && distance < R::INFINI;
         let t = exiger(accepte, "distance", distance, "a finite number, 0 or more")?;
         let p = self.point(t);
-        // No step pays for what is lost below the normal numbers.
-        let de_plus = flou_du_point(t, p) + plancher();
-        let su = if self.su() < R::ZERO { self.su() } else { self.su() + de_plus };
+        let su = self.su();
+        // In place of a step, what is lost below the normal numbers.
+        let su = if su < R::ZERO { su } else { flou_suivant(su, plancher(), t, p) };
         Ok(Self::new(p, direction)?.sachant(su))
     }
 }
@@ -86,12 +87,13 @@ impl<R: Nombre> Intersection<R> {
     ///
     /// **In the corner of a second object** the start may lie inside that object by rounding. An
     /// outward ray carries [a bound on the error of its start](Rayon::flou), and touches such an
-    /// object at once, at distance 0, if it goes further in. So no ray leaves a closed room, and
-    /// light out of a glass finds the table under it. An inward ray is [inside
+    /// object at once, at distance 0, if it goes further in. So no ray leaves a closed room whose
+    /// walls reach into each other by more than 2(δ + o), with o of [`flou`](Rayon::flou), and light
+    /// out of a glass finds the table under it. An inward ray is [inside
     /// something](Rayon::dedans), and so are the rays that start from its hits until they are out
     /// again: such rays touch only what they enter from outside.
     ///
-    /// **The exception**: within rounding of a box edge, or in a box no thicker than the step, an
+    /// **The exception**: within rounding of a box edge, or in a box no thicker than twice the step, an
     /// inward ray may start outside, and touch the other face of that edge.
     ///
     /// # Errors
@@ -342,14 +344,13 @@ impl<R: Nombre> Intersection<R> {
         // M6
         let source = p + n * if dedans { -pas } else { pas };
         let source = point(["source.x", "source.y", "source.z"], source)?;
-        // M7
         let su = self.su();
         let su = if dedans {
             min(su, R::ZERO) - R::UN
         } else if su < R::ZERO {
             su
         } else {
-            su + pas + flou_du_point(self.distance(), p)
+            flou_suivant(su, pas, self.distance(), p)
         };
         Ok(Depart { source, su })
     }

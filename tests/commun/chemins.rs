@@ -195,7 +195,7 @@ impl<R: Bits> Marcheur<'_, R> {
     }
 }
 
-/// How deep the point of a ray at distance t may lie in an object: δ, 16ut and 8.1u‖P‖₁.
+/// How deep the point of a ray at distance t may lie in an object: δ, 15ut and 8.1u‖P‖₁.
 fn au_plus<R: Reel>(rayon: &Rayon<R>, t: R, p: Vecteur<R>) -> f64 {
     rayon.flou().vers_f64() + flou_du_point(t, p)
 }

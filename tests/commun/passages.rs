@@ -14,14 +14,14 @@ pub fn profondeur<R: Reel>(objet: &ObjetRay<R>, point: Vecteur<R>) -> f64 {
     -dehors(objet, point) - flou_propre(objet)
 }
 
-/// How much less exactly a path knows its point P at distance t than the source of the ray: 16ut and 8.1u‖P‖₁ (lemma 23).
+/// How much less exactly a path knows its point P at distance t than the source of the ray: 15ut and 8.1u‖P‖₁ (lemma 23).
 pub fn flou_du_point<R: Reel>(t: R, p: Vecteur<R>) -> f64 {
     let [x, y, z] = <[f64; 3]>::from(p.vers_f64()).map(f64::abs);
     u::<R>() * (FLOU_DISTANCE * t.vers_f64() + FLOU_POINT * (x + y + z))
 }
 
 /// o_B of lemma 23.
-fn flou_propre<R: Reel>(objet: &ObjetRay<R>) -> f64 {
+pub fn flou_propre<R: Reel>(objet: &ObjetRay<R>) -> f64 {
     let taille = match objet {
         ObjetRay::Sphere(sphere) => sphere.rayon().vers_f64(),
         ObjetRay::Plan(_) => 0.0,

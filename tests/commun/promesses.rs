@@ -15,6 +15,7 @@ use crate::oracle::{
     ORACLE_ARRONDI, Passage, Verite, dehors, ecart_de_snell, ecart_du_cosinus, ecart_du_miroir,
     ecarts_du_lieu, hauteur, norme_au_carre_moins_un, verite, verite_du,
 };
+use crate::passages::{flou_du_point, flou_propre};
 use crate::regimes::Genre;
 use crate::tolerances::{promesses as permis, u};
 
@@ -496,6 +497,80 @@ pub fn virage<R: Reel>(cas: &Essai<R>) -> f64 {
         if suffit(milieu) { assez = milieu } else { trop_peu = milieu }
     }
     assez
+}
+
+/// How deep a ray is, on its way through an object that it does not touch, beyond what it knows of its place, as a part
+/// of o_B; in a half-space, which has none, as a part of that knowledge (lemma 23). The ray turns where another enters the
+/// object, towards where that is left.
+pub fn enfoncement<R: Reel>(cas: &Essai<R>) -> f64 {
+    let (objet, [x, y, z, ..]) = (&cas.objets[0], cas.vers);
+    let Ok(touche) = objet.intersection(&cas.rayon) else { return RIEN };
+    let Ok(suite) = cas.rayon.bifurque(touche.distance(), Vecteur::new(x, y, z)) else {
+        return RIEN;
+    };
+    if objet.intersection(&suite).is_ok() {
+        return RIEN;
+    }
+    let loin = objet.sortie(&suite).map_or(suite.flou(), |sortie| sortie.distance());
+    let part = |k: f64| {
+        let t = R::depuis_f64(k * loin.vers_f64());
+        let p = suite.point(t);
+        let su = suite.flou().vers_f64() * (1.0 + 2.0 * u::<R>()) + flou_du_point(t, p);
+        let profond = -dehors(objet, p);
+        match objet {
+            ObjetRay::Plan(_) => profond / su,
+            ObjetRay::Sphere(_) | ObjetRay::Boite(_) => (profond - su) / flou_propre(objet),
+        }
+    };
+    [0.0, 0.25, 0.5, 0.75].map(part).into_iter().fold(RIEN, f64::max)
+}
+
+/// How deep a ray from outside comes into an object up to where it enters, or anywhere if it misses it, as a part of what
+/// the proof of lemma 23 grants S+tD; with what that is rounded by in `f64`.
+pub fn effleurement<R: Reel>(cas: &Essai<R>) -> f64 {
+    let (objet, rayon) = (&cas.objets[0], &cas.rayon);
+    if objet.contient(rayon.source()) {
+        return RIEN;
+    }
+    let (s, d) = (rayon.source().vers_f64(), rayon.direction().vers_f64());
+    // Where it is deepest, about.
+    let instants = match (objet.intersection(rayon), objet) {
+        (Ok(touche), _) => [touche.distance().vers_f64(); 3],
+        (Err(_), ObjetRay::Sphere(boule)) => {
+            [(boule.centre().vers_f64() - s).produit_scalaire(d) / d.longueur_carree(); 3]
+        }
+        (Err(_), ObjetRay::Plan(_)) => [1.0, 1e3, 1e6].map(|k| k * s.longueur()),
+        (Err(_), ObjetRay::Boite(boite)) => {
+            let (mut entree, mut sortie) = (0.0_f64, f64::INFINITY);
+            for (n, l) in boite.normales().into_iter().zip(boite.demi_longueurs()) {
+                let n = n.vers_f64();
+                let o = n.produit_scalaire(s - boite.centre().vers_f64());
+                let v = n.produit_scalaire(d);
+                let bord = l.vers_f64() * v.signum();
+                entree = entree.max((-bord - o) / v);
+                sortie = sortie.min((bord - o) / v);
+            }
+            [entree, sortie, (entree + sortie) / 2.0]
+        }
+    };
+    let part = |t: f64| {
+        if !(t >= 0.0 && t < R::INFINI.vers_f64()) {
+            return RIEN;
+        }
+        let p = s + d * t;
+        let [x, y, z] = <[f64; 3]>::from(p).map(f64::abs);
+        let permis = match objet {
+            ObjetRay::Sphere(boule) => 40.2 * boule.rayon().vers_f64() + 12.9 * t,
+            ObjetRay::Plan(plan) => 3.0 * poids(plan.normale().vers_f64(), p) + 8.0 * t,
+            ObjetRay::Boite(boite) => {
+                let l = Vecteur::from(boite.demi_longueurs().map(R::vers_f64));
+                4.0 * l.longueur() + 9.1 * t
+            }
+        };
+        let permis = u::<R>() * permis + f64::U * (x + y + z + t);
+        -dehors(&objet.vers_f64(), p) / (permis + 8.0 * R::MIN_POSITIF.vers_f64())
+    };
+    instants.map(part).into_iter().fold(RIEN, f64::max)
 }
 
 /// The error of the distance, in scene units or in lengths of D if that is more, as a part of `erreur`, which is +∞

@@ -3,7 +3,8 @@
 
 use commun::fabrique::{boite, boite_droite, mur, sphere, v};
 use commun::facons::comparer;
-use commun::passages::{flou_du_point, profondeur};
+use commun::oracle::Exact;
+use commun::passages::{flou_du_point, flou_propre, profondeur};
 use commun::regimes::{deux_puissance, direction};
 use commun::tolerances::u;
 use commun::{Bits, arrondi, cas, en_f32_et_f64};
@@ -210,7 +211,48 @@ fn aucun_pas_ne_quitte_une_chambre<R: Bits>() {
 
 en_f32_et_f64!(aucun_pas_ne_quitte_une_chambre);
 
-/// A turn at a wall through O, among numbers so small that 16u·t is lost: the ray finds the wall all the same.
+/// A chain that `vers_f64` widens on its way, with its room: its start may lie as deep as `f32` lets it, and some do not
+/// touch what they touched at once. With a δ that is larger by the o of `f32` no chain leaves.
+#[test]
+fn une_chaine_elargie_reste_si_son_flou_est_plus_grand() {
+    let mut alea = Rng::with_seed(64);
+    let (mut d_emblee, mut oublies, mut rebonds) = (0, 0, 0);
+    for _ in 0..cas(20) {
+        let etroite = Chambre::<f32>::new(&mut alea);
+        let objets = etroite.objets.iter().map(|objet| objet.vers_f64()).collect();
+        let (coutures, tour, milieu) = (etroite.coutures.clone(), etroite.tour, etroite.milieu);
+        let large = Chambre { objets, coutures, tour, milieu };
+        let monde = Monde::de_liste(&etroite.objets);
+        let propre = etroite.objets.iter().map(flou_propre).fold(0.0, f64::max);
+        for _ in 0..200 {
+            let Some(mut rayon) = etroite.depart(&mut alea, &monde) else { continue };
+            for _ in 0..8 {
+                let touche = monde.premiere_intersection(&rayon).unwrap();
+                let mut suite = rayon.vers_f64();
+                if touche.distance() == 0.0 {
+                    d_emblee += 1;
+                    let la = large.objets[touche.indice()].intersection(&suite);
+                    oublies += u32::from(la.map(|t| t.distance()) != Ok(0.0));
+                }
+                if suite.flou() > 0.0 {
+                    suite = suite.avec_flou(suite.flou() + propre).unwrap();
+                }
+                for _ in 0..4 {
+                    let touche = Monde::de_liste(&large.objets).premiere_intersection(&suite);
+                    let Ok(touche) = touche else { panic!("{suite:?} left {:?}", large.objets) };
+                    let Some(suivant) = rebond(&large, &mut alea, &touche) else { break };
+                    (rebonds, suite) = (rebonds + 1, suivant);
+                }
+                let Some(suivant) = rebond(&etroite, &mut alea, &touche) else { break };
+                rayon = suivant;
+            }
+        }
+    }
+    println!("{oublies} of {d_emblee} at once are not, {rebonds} bounces");
+    assert!(oublies > 10 && rebonds > 1_000, "{oublies} of {d_emblee}, {rebonds}");
+}
+
+/// A turn at a wall through O, among numbers so small that 15u·t is lost: the ray finds the wall all the same.
 fn un_virage_pres_de_l_origine_trouve_le_mur<R: Reel>() {
     let mut alea = Rng::with_seed(31);
     let mut virages = 0;
@@ -309,3 +351,242 @@ fn un_coin_que_le_rayon_quitte_n_est_pas_touche<R: Reel>() {
 }
 
 en_f32_et_f64!(un_coin_que_le_rayon_quitte_n_est_pas_touche);
+
+/// A box under whose face a ray goes along, less deep than the δ of the ray and the rounding of the box, and a floor that
+/// rises over that face by a little less: there the walls overlap by 1.1 to 1.3 times the bound of one of them, and before
+/// a face had to be nearer to spare its box, both rays left.
+#[test]
+fn un_rayon_le_long_d_une_face_n_en_sort_pas() {
+    let suite = |objets: &[ObjetRay], source| {
+        let monde = Monde::de_liste(objets);
+        let rayon = Rayon::new(source, v(-1.0, 0.0, 0.0)).unwrap();
+        let touche = monde.premiere_intersection(&rayon).unwrap();
+        assert_eq!(touche.indice(), 0);
+        let suite = rayon.bifurque(touche.distance(), rayon.direction()).unwrap();
+        monde.premiere_intersection(&suite)
+    };
+    let haut = v(0.0, 1.0, 0.0);
+    let grande = boite_droite(v(-1000.0, 1000.0, 0.0), v(2000.0, 2000.0, 2000.0));
+    let sol = |y| mur(v(0.0, y, 0.0), haut);
+    // 44u·Σl is 1.46e-11, half of it 7.3e-12.
+    let source = v(1.0, 1.25e-11, 0.0);
+    assert_eq!(suite(&[grande, sol(1e-11)], source).map(|t| t.distance()), Ok(0.0));
+    // Where the face is as near as that, the ray goes along outside of the box: a floor that overlaps by less leaks.
+    let source = v(1.0, 7e-12, 0.0);
+    assert_eq!(suite(&[grande, sol(6e-12)], source), Err(NoIntersection));
+
+    // In `f32`, a face that looks askew: the overlap is 133u, and 44u·Σl are 132u.
+    let tour = Rotation::new(Vecteur::new(0.810_820_16_f32, 0.0, 0.0)).unwrap();
+    let centre = Vecteur::new(-1.0_f32, 0.751_325_67, -0.665_526_6);
+    let couche = |[x, y, z]: [Vecteur<f32>; 3]| [z, x, y].map(<[f32; 3]>::from);
+    let couche = Rotation::depuis_matrice(couche(tour.axes())).unwrap();
+    let sol = PlanGeo::new(couche, -7.901_905e-6, Texture(0)).unwrap();
+    let objets = [boite(centre, v(2.0, 2.0, 2.0), tour), sol.into()];
+    let source = Vecteur::new(2.384_185_8e-7_f32, 5.443_655_5e-6, -5.727_715_2e-6);
+    let rayon = Rayon::new(source, v(-1.0, 0.0, 0.0)).unwrap();
+    let monde = Monde::de_liste(&objets);
+    let touche = monde.premiere_intersection(&rayon).unwrap();
+    let suite = rayon.bifurque(touche.distance(), rayon.direction()).unwrap();
+    assert!(!objets[1].contient(suite.source()), "the ray goes along over the floor");
+    assert_eq!(monde.premiere_intersection(&suite).map(|t| t.distance()), Ok(0.0));
+}
+
+/// Mirrors that stand flush on mirrors, and rays at the foot: a ray that starts beside the seam, in the box by rounding,
+/// may be told the face that the floor hides, and the floor would send it back. Each comes out of the seam after a few hits.
+fn aucun_pied_de_miroir_ne_garde_un_rayon<R: Reel>() {
+    let mut alea = Rng::with_seed(90);
+    let (mut caches, mut en_suite) = (0, 0);
+    for scene in 0..cas(48) {
+        let angles = direction(&mut alea) * if scene % 2 == 0 { 0.0 } else { 3.0 };
+        let tour = Rotation::<R>::new(arrondi(angles)).unwrap();
+        let [x, y, z] = tour.axes().map(|axe| axe.vers_f64());
+        let milieu = if scene % 4 < 2 { y * 0.1 } else { direction(&mut alea) * 10.0 };
+        let place = |a, b, c| milieu + x * a + y * b + z * c;
+        let l = if scene % 3 == 0 { 1.0 } else { 0.3 };
+        let cube = |a| boite(arrondi(place(a, l / 2.0, 0.0)), v(l, l, l), tour);
+        let sol = if alea.bool() {
+            mur(arrondi(milieu), tour.axes()[1])
+        } else {
+            boite(arrondi(place(0.0, -l / 2.0, 0.0)), v(8.0, l, 8.0), tour)
+        };
+        // Alone, or with a neighbour that hides another face.
+        let objets = [sol, cube(0.0), cube(if alea.bool() { l } else { 4.0 * l })];
+        let monde = Monde::de_liste(&objets);
+        for _ in 0..200 {
+            let pied = place(-l / 2.0, 0.0, l * (0.9 * alea.f64() - 0.45));
+            let oeil = place(-l / 2.0 - 0.1 - alea.f64(), 0.1 + alea.f64(), alea.f64() - 0.5);
+            let mut rayon = Rayon::new(arrondi(oeil), arrondi(pied - oeil)).unwrap();
+            let mut d_emblee = 0;
+            while let Ok(touche) = monde.premiere_intersection(&rayon) {
+                d_emblee = if touche.distance() == R::ZERO { d_emblee + 1 } else { 0 };
+                assert!(d_emblee < 64, "{rayon:?} {objets:?}");
+                en_suite = en_suite.max(d_emblee);
+                let dessous = touche.normale().vers_f64().produit_scalaire(y) < -0.9;
+                caches += usize::from(d_emblee > 0 && dessous && touche.indice() > 0);
+                rayon = touche.reflechi(rayon.direction()).unwrap();
+            }
+        }
+    }
+    println!("{caches} hidden faces, at most {en_suite} hits at once in a row");
+    assert!(caches > 50 && (3..10).contains(&en_suite), "{caches} {en_suite}");
+}
+
+en_f32_et_f64!(aucun_pied_de_miroir_ne_garde_un_rayon);
+
+/// Boxes whose corners are points of a grid and half-spaces through it, all flush and all mirrors, and rays towards points
+/// and lines of the grid or beside them: no ray stays in a seam, unless δ is no longer small beside the solids. With
+/// `LANCER_RAYON_CAS=100` there are 29 million rays in either type.
+fn aucun_solide_a_fleur_ne_garde_un_rayon<R: Reel>() {
+    let (mut rayons, mut au_bout, mut d_emblee, mut en_suite) = (0, 0, 0, 0);
+    for graine in 0..cas(2_000) {
+        let mut alea = Rng::with_seed(graine.into());
+        let pas = [1.0, 0.1, 1.0 / 3.0, 0.7][alea.usize(0..4)];
+        let angles = direction(&mut alea) * [0.0, 3.0, 3.0][alea.usize(0..3)];
+        let tour = Rotation::<R>::new(arrondi(angles)).unwrap();
+        let [x, y, z] = tour.axes().map(|axe| axe.vers_f64());
+        let milieu = direction(&mut alea) * [0.0, 0.0, 1.0, 100.0][alea.usize(0..4)];
+        let place = |[a, b, c]: [f64; 3]| arrondi::<R>(milieu + (x * a + y * b + z * c) * pas);
+        let murs = alea.usize(0..4);
+        let mut objets: Vec<_> =
+            tour.axes()[..murs].iter().map(|&n| mur(place([0.0; 3]), n)).collect();
+        for _ in 0..alea.usize(1..5) {
+            let [bas, cotes] = [0, 1].map(|de| [(); 3].map(|()| f64::from(alea.i32(de..3))));
+            let centre = core::array::from_fn(|i| bas[i] + cotes[i] / 2.0);
+            objets.push(boite(place(centre), arrondi(Vecteur::from(cotes) * pas), tour));
+        }
+        alea.shuffle(&mut objets);
+        let monde = Monde::de_liste(&objets);
+        for _ in 0..200 {
+            let mut cible = [(); 3].map(|()| f64::from(alea.i32(0..5)));
+            cible[alea.usize(0..3)] += if alea.bool() { alea.f64() } else { 0.0 };
+            let peu = if alea.bool() { 0.0 } else { deux_puissance(&mut alea, -56.0, 0.0) };
+            let cible = place((Vecteur::from(cible) + direction(&mut alea) * peu).into());
+            let source = place([(); 3].map(|()| 8.0 * alea.f64() - 1.5));
+            let Ok(mut rayon) = Rayon::new(source, cible - source) else { continue };
+            if monde.contient(source) {
+                continue;
+            }
+            rayons += 1;
+            let mut ici = 0;
+            for _ in 0..1_000 {
+                let Ok(touche) = monde.premiere_intersection(&rayon) else {
+                    au_bout += 1;
+                    break;
+                };
+                ici = if touche.distance() == R::ZERO { ici + 1 } else { 0 };
+                if rayon.flou().vers_f64() > pas / 64.0 {
+                    break;
+                }
+                assert!(ici < 64, "{rayon:?} {objets:?}");
+                (d_emblee, en_suite) = (d_emblee + u32::from(ici > 0), en_suite.max(ici));
+                let Ok(suite) = touche.reflechi(rayon.direction()) else { break };
+                rayon = suite;
+            }
+        }
+    }
+    println!("{rayons} rays, {au_bout} end, {d_emblee} at once, {en_suite} in a row at most");
+    assert!(au_bout > 9 * rayons / 10 && d_emblee > rayons / 500 && en_suite > 3);
+}
+
+en_f32_et_f64!(aucun_solide_a_fleur_ne_garde_un_rayon);
+
+/// What the pages say of a ball: at the point where it touches a mirror a ray may stay, since its hits there do not move it.
+#[test]
+fn au_contact_d_une_boule_un_rayon_peut_rester() {
+    let boule = v(0.6190252699772706, 0.3467097000736147, 0.4040628239161553);
+    let tour = Rotation::depuis_matrice([
+        [0.24874570450755454, 0.5478593218332496, 0.7987338342460849],
+        [0.7631309755904152, -0.6186860750985684, 0.1867047256326144],
+        [0.5964534253262878, 0.5630965316529134, -0.5719839223763182],
+    ]);
+    let tiers = 1.0 / 3.0;
+    let coffre = |centre, l| boite(centre, v(2.0 * tiers, 2.0 * tiers, l), tour.unwrap());
+    let objets = [
+        sphere(boule, tiers),
+        coffre(v(1.0283703494831662, -0.15959710526758308, 0.6238632947339513), tiers),
+        coffre(v(1.0448640188683627, -0.24836745726984735, 0.2622880295892033), 2.0 * tiers),
+    ];
+    let source = v(0.8734022618407384, 0.14048100837410202, 0.4662977324603403);
+    let d = v(0.30202890598447596, 0.09757520018823561, -0.9482919488522759);
+    let mut rayon = Rayon::new(source, d).unwrap().avec_flou(1.1476832079184187e-12).unwrap();
+    for _ in 0..1_000 {
+        let touche = Monde::de_liste(&objets).premiere_intersection(&rayon).unwrap();
+        assert_eq!(touche.distance(), 0.0);
+        rayon = touche.reflechi(rayon.direction()).unwrap();
+    }
+    assert!(rayon.flou() < 1e-10);
+}
+
+/// What the pages say of a room of 10 m about O, in millimetres of `f32`: δ grows by up to 0.035 a bounce, and o is 0.03.
+fn une_chambre_de_dix_metres_perd_peu_a_chaque_rebond<R: Reel>() {
+    const FLOU_PAR_REBOND: f64 = 0.035e-3;
+    const PROPRE: f64 = 0.03e-3;
+    let mut alea = Rng::with_seed(10);
+    let en_f32 = u::<f32>() / u::<R>();
+    let mut pire = 0.0_f64;
+    for scene in 0..cas(20) {
+        let tour = Rotation::<R>::new(arrondi(direction(&mut alea) * 3.0)).unwrap();
+        let axes = tour.axes();
+        let mut objets = vec![];
+        for axe in 0..3 {
+            for n in [axes[axe], -axes[axe]] {
+                let loin = |d| n * R::depuis_f64(d);
+                let mut cotes = [10.2; 3];
+                cotes[axe] = 0.2;
+                objets.push(if scene % 2 == 0 {
+                    boite(loin(5.1), arrondi(cotes.into()), tour)
+                } else {
+                    mur(loin(5.0), -n)
+                });
+            }
+        }
+        for objet in &objets {
+            assert!(flou_propre(objet) * en_f32 <= PROPRE);
+        }
+        let monde = Monde::de_liste(&objets);
+        for _ in 0..20 {
+            let mut rayon = Rayon::new(Vecteur::NUL, arrondi(direction(&mut alea))).unwrap();
+            for rebond in 1..=140 {
+                let touche = monde.premiere_intersection(&rayon).unwrap();
+                let ailleurs = direction(&mut alea) * 5.0;
+                // Into the farthest corner, or anywhere.
+                let coin = axes.into_iter().fold(Vecteur::NUL, |coin, axe| {
+                    let loin = axe.produit_scalaire(touche.point()) < R::ZERO;
+                    coin + axe.vers_f64() * if loin { 4.99 } else { -4.99 }
+                });
+                let cible = if alea.bool() { coin } else { ailleurs };
+                let suite = touche.secondaire(arrondi::<R>(cible) - touche.point());
+                rayon = suite.or_else(|_| touche.secondaire(touche.normale())).unwrap();
+                let par_rebond = rayon.flou().vers_f64() * en_f32 / f64::from(rebond);
+                assert!(par_rebond <= FLOU_PAR_REBOND, "{par_rebond:e}");
+                pire = pire.max(par_rebond);
+            }
+        }
+    }
+    assert!(pire > FLOU_PAR_REBOND / 2.0, "{pire:e}");
+    let rebonds = |depasse: f64| ((depasse / 2.0 - PROPRE) / FLOU_PAR_REBOND) as u32;
+    assert_eq!([rebonds(1e-3), rebonds(1e-2)], [13, 142]);
+    assert!((0.5e-3 / FLOU_PAR_REBOND) * (u::<f32>() / u::<f64>()) > 7e9);
+}
+
+en_f32_et_f64!(une_chambre_de_dix_metres_perd_peu_a_chaque_rebond);
+
+/// A δ pays for its own roundings and those with which D1 to D3 see it, however large it is beside the way and the place.
+fn un_flou_ne_perd_rien<R: Reel>() {
+    let mut alea = Rng::with_seed(15);
+    let nombre = |x: R, k: f64| &Exact::de(x) * &Exact::de(1.0 + k * u::<R>());
+    for _ in 0..cas(2_000) {
+        let mut petit = || R::depuis_f64(deux_puissance(&mut alea, -80.0, 20.0));
+        let (flou, t, x) = (petit(), petit(), petit());
+        let rayon = Rayon::new(v(0.0, 0.0, 0.0), v(0.0, 0.0, 1.0)).unwrap();
+        let rayon = Rayon::new(Vecteur::new(x, -x, R::ZERO), rayon.direction()).unwrap();
+        let suite = rayon.avec_flou(flou).unwrap().bifurque(t, v(1.0, 0.0, 0.0)).unwrap();
+        let p = suite.source();
+        let de_plus = flou_du_point(t, p) * (1.0 - 1e-12);
+        let perdu = &nombre(flou, 2.0) + &Exact::de(de_plus);
+        let reste = &nombre(suite.flou(), -3.0) - &perdu;
+        assert!(reste.positif(), "{flou:?} {t:?} {x:?} {suite:?}");
+    }
+}
+
+en_f32_et_f64!(un_flou_ne_perd_rien);

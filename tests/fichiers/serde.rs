@@ -78,6 +78,26 @@ fn la_page_montre_ce_qui_est_ecrit() {
     }
 }
 
+/// However large a δ and a distance somebody writes, the next δ is a number, and so is read again.
+fn un_flou_reste_fini<R: Reel + Serialize + for<'de> Deserialize<'de>>() {
+    let plus_grand = R::depuis_f64(if size_of::<R>() == 4 { f32::MAX.into() } else { f64::MAX });
+    let texte = format!(
+        r#"{{"distance": {plus_grand}, "normale": [0, 1, 0], "marge": 1, "point": [0, 0, 0],
+             "su": {plus_grand}, "texture": 0, "indice": 0}}"#
+    );
+    let touche: Intersection<R> = serde_json::from_str(&texte).unwrap();
+    let suite = touche.secondaire(touche.normale()).unwrap();
+    let virage = suite.bifurque(R::ZERO, suite.direction()).unwrap();
+    for rayon in [suite, virage] {
+        assert!(rayon.flou() >= plus_grand, "{rayon:?}");
+        assert_eq!(relu(&rayon), [rayon; 2]);
+        let simple = rayon.vers_f32(Vecteur::NUL).unwrap();
+        assert_eq!(simple.flou(), f32::MAX);
+    }
+}
+
+en_f32_et_f64!(un_flou_reste_fini);
+
 /// The text is refused, and the message holds the sentence of the constructor.
 fn refuse<T: DeserializeOwned>(texte: &str, phrase: &str) {
     let Err(erreur) = ron::from_str::<T>(texte) else { panic!("accepted: {texte}") };

@@ -588,6 +588,23 @@ fn grande_boite<R: Bits>(alea: &mut Rng) -> Candidat<R> {
     de_pres(false, alea)
 }
 
+/// A box with an edge through O, a ray that enters beside it, less deep under the other face than two roundings of the
+/// box or so, and goes on along that face.
+fn le_long_d_une_face<R: Bits>(alea: &mut Rng) -> Candidat<R> {
+    let tour = tour::<R>(alea);
+    let [x, y, z] = tour.matrice().map(Vecteur::from);
+    let [a, b, c] = [(); 3].map(|()| R::depuis_f64(deux_puissance(alea, -3.0, 3.0)));
+    let cotes = Vecteur::new(a + a, b + b, c + c);
+    let boite = BoiteGeo::new(y * b - x * a, cotes, tour, Texture(0)).unwrap();
+    let sous = R::depuis_f64(u::<R>() * entre(alea, 0.0, 96.0)) * (a + b + c);
+    let devant = R::depuis_f64(deux_puissance(alea, -24.0, 0.0));
+    let source = x * devant + y * sous + z * peu_de_bits(alea);
+    let rayon = Rayon::new(source, -x).unwrap();
+    let penche = y * R::depuis_f64(u::<R>() * entre(alea, -4.0, 4.0));
+    let [x, y, z] = (penche - x).into();
+    Candidat::new(&[ObjetGeo::from(boite).vers_ray()], &rayon, [x, y, z, R::ZERO, R::ZERO])
+}
+
 /// An object and a ray that may start within it.
 fn de_dedans<R: Bits>(genre: Genre, alea: &mut Rng) -> Candidat<R> {
     let (objet, rayon) = depart(genre, alea);
@@ -652,6 +669,12 @@ rangees! {
     virage_d_une_boite: boite, promesses::virage, 60_000;
     virage_sur_un_globe: globe, promesses::virage, 60_000;
     virage_sur_une_grande_boite: grande_boite, promesses::virage, 60_000;
+    effleurement_d_une_sphere: sphere, promesses::effleurement, 60_000, true;
+    effleurement_d_un_demi_espace: demi_espace, promesses::effleurement, 60_000;
+    effleurement_d_une_boite: boite, promesses::effleurement, 100_000, true;
+    enfoncement_dans_une_sphere: sphere, promesses::enfoncement, 60_000;
+    enfoncement_dans_un_demi_espace: demi_espace, promesses::enfoncement, 60_000;
+    enfoncement_le_long_d_une_face: le_long_d_une_face, promesses::enfoncement, 200_000;
     face_a_la_source_d_une_sphere: sphere, promesses::face_a_la_source, 60_000;
     face_a_la_source_d_un_demi_espace: demi_espace, promesses::face_a_la_source, 60_000;
     face_a_la_source_d_une_boite: boite, promesses::face_a_la_source, 60_000;

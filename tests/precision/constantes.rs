@@ -970,8 +970,17 @@ fn lemme_12_la_borne_vers_une_touche_suffit() {
 
 #[test]
 fn lemme_23_le_flou_permis_suffit() {
-    // In units of t: what a length of a box is off by, a speed, two decisions of an exit and its quotient, and P.
-    tenir(FLOU_DISTANCE, |u| (et(gamma(3.0, u), i(1.0), u) + 3.0 + 7.0 + 1.0) * plus(40.0, u));
+    // In units of t: what the depth in a sphere of r ≤ |f|/2 is off by, for AB², p, p/s and the terms with t in χ/s, of
+    // which β/s ≤ 1/√3; C′ and P. |f| is at most t+r. What is in units of r is less than nearer to the sphere.
+    tenir(FLOU_DISTANCE, |u| {
+        let s = i(0.75).racine();
+        let de_f = 2.4 + 3.0 / s + 1.0;
+        let de_t = 1.0 + 3.0 / s + 1.0 / i(3.0).racine() + 1.0;
+        assert!((10.0 + (11.0 / 2.0 + 2.4) / s + de_f + 3.0).haut < FLOU_PROPRE);
+        (de_f + de_t + 1.0) * plus(60.0, u)
+    });
+    // Less for a box: a length, a speed, the quotient or comparison at an entry and an exit, and P.
+    const { assert!(4.0 + 3.1 + 2.0 + 1.0 < 0.9 * FLOU_DISTANCE) };
     // In units of ⟨P, 1⟩: the height over a half-space, at the hit and at the next start; P, and the start.
     tenir(FLOU_POINT, |u| (2.0 * gamma(3.0, u) + 2.0) * plus(20.0, u));
     // In units of r, for a source nearer to the centre than 2r: the power of the hit, with what AB², p and s are off
@@ -981,6 +990,14 @@ fn lemme_23_le_flou_permis_suffit() {
         let (ab2, p) = (10.0 + 2.4 * f, 3.0 * f.carre() + 1.0);
         let puissance = (3.0 * ab2 + 2.0 * p + 2.0 * (f.carre() - 1.0)) / 2.0;
         (puissance + f + 3.0) * plus(60.0, u)
+    });
+    // In units of Σl: what a start is off by as it is asked, what D3 sees as deep as that once more, and a box that is
+    // left by the face as near across the same axis; the next start sees it with 4u more. And what no more than
+    // rounding put under a face, as the next start sees it, is as near.
+    const { assert!(FLOU_A_COTE + 3.0 * 4.1 < FLOU_PROPRE && FLOU_A_COTE > 2.0 * 4.1) };
+    // In units of δ and of the step: N and its product, the sum with P; the three roundings of δ; and three of D1.
+    tenir(FLOU_RELATIF, |u| {
+        (promesses::UNITAIRE_PLATE + 2.0 + gamma(3.0, u) + gamma(3.0, u)) * plus(60.0, u)
     });
 }
 
