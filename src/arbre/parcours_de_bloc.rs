@@ -76,25 +76,29 @@ impl<R: Nombre> Arbre<'_, R> {
             #[inline(always)]
             || {
                 let ailleurs = vont_ailleurs(rayons);
-                let ensemble = ailleurs <= AILLEURS;
-                let la_liste = !ensemble && self.mieux_vaut_la_liste(simd, liste, bloc, rayons);
-                if !ensemble && !la_liste {
-                    return None;
-                }
-                bloc.charger(rayons);
-                if la_liste {
-                    bloc.interroger(simd, liste);
-                    return Some(0);
-                }
-                bloc.interroger_ceux(simd, liste, self.sans_boite);
-                let groupes = bloc.groupes().len();
                 let mut largeur = f32::INFINITY;
                 if ailleurs == 0 {
+                    bloc.charger(rayons);
+                    bloc.interroger_ceux(simd, liste, self.sans_boite);
                     let (sonde, de_tous) = self.sonder(simd, bloc);
                     if self.descendre_en_bloc(simd, liste, sonde, (bloc, rayons)) {
                         return Some(0);
                     }
                     largeur = PLUS_ETROIT * de_tous;
+                }
+                if self.mieux_vaut_la_liste(simd, liste, bloc, rayons) {
+                    if ailleurs > 0 {
+                        bloc.charger(rayons);
+                    }
+                    bloc.interroger(simd, liste);
+                    return Some(0);
+                }
+                if ailleurs > AILLEURS {
+                    return None;
+                }
+                if ailleurs > 0 {
+                    bloc.charger(rayons);
+                    bloc.interroger_ceux(simd, liste, self.sans_boite);
                 }
                 let mut restent = 0;
                 for (i, rayons) in rayons.chunks(VOIES).enumerate() {
@@ -104,11 +108,6 @@ impl<R: Nombre> Arbre<'_, R> {
                     if !self.descendre_en_bloc(simd, liste, sonde, (bloc, rayons)) {
                         restent |= 1 << i;
                     }
-                }
-                bloc.demander_a(0..groupes);
-                if restent > 0 && self.mieux_vaut_la_liste(simd, liste, bloc, rayons) {
-                    bloc.interroger(simd, liste);
-                    return Some(0);
                 }
                 Some(restent)
             },

@@ -92,7 +92,7 @@ impl<'a, R: Nombre> Bloc<'a, R> {
     #[inline(always)]
     pub(crate) fn charger(&mut self, rayons: &[Rayon<R>]) {
         self.demander_a(0..rayons.len().div_ceil(VOIES));
-        self.flou = rayons.iter().fold(R::ZERO, |flou, rayon| max(rayon.su(), flou)) > R::ZERO;
+        self.flou = rayons.iter().any(|rayon| rayon.su() > R::ZERO);
         for (i, rayons) in rayons.chunks(VOIES).enumerate() {
             if i == self.groupes.len() {
                 self.groupes.push(Groupe::VIDE);
