@@ -84,11 +84,11 @@ pub(crate) trait Forme<R: Nombre>: Copy {
         self.t_et_dedans(rayon).0
     }
 
-    /// [`t`](Self::t), or 0 if the ray, which has a δ above 0, touches the shape at once.
+    /// [`t`](Self::t), or 0 if the ray touches the shape at once.
     #[inline(always)]
     fn t_touche(&self, rayon: &Rayon<R>) -> R {
         let (t, dedans) = self.t_et_dedans(rayon);
-        if dedans { self.t_de_dedans(*rayon) } else { t }
+        if dedans && rayon.flou() > R::ZERO { self.t_de_dedans(*rayon) } else { t }
     }
 
     /// 0 if the ray, which starts inside, touches at once, else +∞.

@@ -110,7 +110,7 @@ impl<R: Nombre> ObjetRay<R> {
         if !self.boule().approchee(rayon) {
             return true;
         }
-        let (touche, plus_grand) = (self.t_touche(*rayon) < rayon.fin(), plus_grand::<R>());
+        let (touche, plus_grand) = (self.t_touche(rayon) < rayon.fin(), plus_grand::<R>());
         let (objet, rayon) = (self.en_double(), rayon.vers_f64());
         entree(&objet, &rayon, plus_grand).touche(rayon.fin(), plus_grand) == Some(touche)
     }

@@ -193,14 +193,10 @@ impl<R: Nombre> ObjetRay<R> {
         })
     }
 
-    /// The distance at which the ray touches this object, 0 if at once. It takes a copy: a ray that
-    /// is lent to a call lies in memory, and a walk takes up to 1.2 times as long (measured).
-    #[cold]
-    #[inline(never)]
-    pub(crate) fn t_touche(&self, rayon: Rayon<R>) -> R {
-        par_forme!(Self, self, forme => {
-            if rayon.flou() > R::ZERO { forme.t_touche(&rayon) } else { forme.t(&rayon) }
-        })
+    /// The distance at which the ray, which has a δ above 0, touches this object, 0 if at once.
+    #[inline(always)]
+    pub(crate) fn t_touche(&self, rayon: &Rayon<R>) -> R {
+        par_forme!(Self, self, forme => forme.t_touche(rayon))
     }
 
     /// The hit that the search found at distance `t`, on this object, which has this rank.

@@ -61,7 +61,7 @@ pub(crate) fn entree<R: Nombre>(rayon: &Rayon<R>, objet: &ObjetRay<R>, abord: Ab
         Abord::InconnuFlou => objet.t_touche_si_proche(rayon),
         Abord::DansSaBoite { entree, jusqu_ici } => {
             if entree <= jusqu_ici {
-                objet.t_touche(*rayon)
+                objet.t_touche(rayon)
             } else {
                 objet.t(rayon)
             }
