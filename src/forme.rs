@@ -60,18 +60,11 @@ pub(crate) trait Forme<R: Nombre>: Copy {
         Vecteur::NUL
     }
 
-    /// Whether the ray may enter: true wherever [`t`](Self::t) is finite, and cheap. A bounded
-    /// shape keeps this definition, for which lemma 14 is proven.
+    /// Whether the ray may enter, or touch at once: true wherever [`t_touche`](Self::t_touche) is
+    /// finite, and cheap. A bounded shape keeps this definition, for which lemma 14 is proven.
     #[inline(always)]
     fn peut_entrer(&self, rayon: &Rayon<R>) -> bool {
         self.boule().approchee(rayon)
-    }
-
-    /// Whether the ray may enter, or touch at once: true wherever [`t_touche`](Self::t_touche) is
-    /// finite.
-    #[inline(always)]
-    fn peut_toucher(&self, rayon: &Rayon<R>) -> bool {
-        self.peut_entrer(rayon)
     }
 
     /// The distance at which the ray enters, +∞ if it does not, and whether its source is in the

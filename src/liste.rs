@@ -43,26 +43,11 @@ impl<'a, R: Nombre> Liste<'a, R> {
         question: &mut Q,
         indices: impl Iterator<Item = usize>,
     ) -> bool {
-        if rayon.flou() > R::ZERO {
-            self.interroger_ceux(rayon, question, indices, Abord::InconnuFlou)
-        } else {
-            self.interroger_ceux(rayon, question, indices, Abord::Inconnu)
-        }
-    }
-
-    #[inline(always)]
-    fn interroger_ceux<Q: Question<R>>(
-        &self,
-        rayon: &Rayon<R>,
-        question: &mut Q,
-        indices: impl Iterator<Item = usize>,
-        abord: Abord,
-    ) -> bool {
         // A copy, which stays in registers.
         let copie = *rayon;
         for indice in indices {
             let Some(objet) = self.objets.get(indice) else { continue };
-            let Some(vu) = question.voir(&copie, objet, indice, abord) else { continue };
+            let Some(vu) = question.voir(&copie, objet, indice, Abord::Inconnu) else { continue };
             // The choice is asked after the object: asked before it, a list of six without a choice
             // takes up to 1.07 times as long (measured).
             if self.prend(indice) && question.retenir(vu, indice, false) && Q::UN_SUFFIT {

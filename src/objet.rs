@@ -176,24 +176,15 @@ impl<R: Nombre> ObjetRay<R> {
         par_forme!(Self, self, forme => forme.t(rayon))
     }
 
-    /// [`t`](Self::t), sooner for a ray that passes this object by.
+    /// [`t_touche`](Self::t_touche), sooner for a ray that passes this object by.
     #[inline(always)]
     pub(crate) fn t_si_proche(&self, rayon: &Rayon<R>) -> R {
         par_forme!(Self, self, forme => {
-            if forme.peut_entrer(rayon) { forme.t(rayon) } else { R::INFINI }
+            if forme.peut_entrer(rayon) { forme.t_touche(rayon) } else { R::INFINI }
         })
     }
 
-    /// [`t_touche`](Self::t_touche), sooner for a ray that has a δ above 0 and passes this object
-    /// by.
-    #[inline(always)]
-    pub(crate) fn t_touche_si_proche(&self, rayon: &Rayon<R>) -> R {
-        par_forme!(Self, self, forme => {
-            if forme.peut_toucher(rayon) { forme.t_touche(rayon) } else { R::INFINI }
-        })
-    }
-
-    /// The distance at which the ray, which has a δ above 0, touches this object, 0 if at once.
+    /// The distance at which the ray touches this object, 0 if at once.
     #[inline(always)]
     pub(crate) fn t_touche(&self, rayon: &Rayon<R>) -> R {
         par_forme!(Self, self, forme => forme.t_touche(rayon))

@@ -244,12 +244,6 @@ impl<R: Nombre> Forme<R> for PlanRay<R> {
     #[inline(always)]
     fn peut_entrer(&self, rayon: &Rayon<R>) -> bool {
         let (hauteur, descente) = self.hauteur_et_descente(rayon);
-        (descente > R::ZERO) & (hauteur > R::ZERO) // H2
-    }
-
-    #[inline(always)]
-    fn peut_toucher(&self, rayon: &Rayon<R>) -> bool {
-        let (hauteur, descente) = self.hauteur_et_descente(rayon);
         (descente > R::ZERO) & (hauteur > -rayon.flou())
     }
 
@@ -257,15 +251,15 @@ impl<R: Nombre> Forme<R> for PlanRay<R> {
     #[inline(always)]
     fn t_et_dedans(&self, rayon: &Rayon<R>) -> (R, bool) {
         let (hauteur, descente) = self.hauteur_et_descente(rayon);
-        // H3
-        let t = if self.peut_entrer(rayon) { hauteur / descente } else { R::INFINI };
+        let entre = (descente > R::ZERO) & (hauteur > R::ZERO); // H2
+        let t = if entre { hauteur / descente } else { R::INFINI }; // H3
         (t, hauteur <= R::ZERO)
     }
 
     #[inline(always)]
     fn des_le_depart(&self, rayon: &Rayon<R>) -> bool {
         let (hauteur, _) = self.hauteur_et_descente(rayon);
-        (hauteur <= R::ZERO) & self.peut_toucher(rayon) // D2
+        (hauteur <= R::ZERO) & self.peut_entrer(rayon) // D2
     }
 
     /// t = (−d − N·S)/(N·D), for a ray that climbs from inside: the entry into the other half of

@@ -45,8 +45,6 @@ pub(crate) trait Question<R: Nombre> {
 pub(crate) enum Abord {
     /// Nothing is known: a list asks it.
     Inconnu,
-    /// Nothing is known, and the ray has a δ above 0.
-    InconnuFlou,
     /// The ray crosses the box of the object, first at `entree`. Its ball is not worth asking,
     /// since such a ray seldom passes it by. Up to `jusqu_ici` the box may hold the source of a ray
     /// that has a δ above 0.
@@ -58,7 +56,6 @@ pub(crate) enum Abord {
 pub(crate) fn entree<R: Nombre>(rayon: &Rayon<R>, objet: &ObjetRay<R>, abord: Abord) -> Option<R> {
     let t = match abord {
         Abord::Inconnu => objet.t_si_proche(rayon),
-        Abord::InconnuFlou => objet.t_touche_si_proche(rayon),
         Abord::DansSaBoite { entree, jusqu_ici } => {
             if entree <= jusqu_ici {
                 objet.t_touche(rayon)

@@ -76,7 +76,7 @@ impl<R: Nombre> Question<R> for Certificat<'_, R> {
     fn voir(&self, rayon: &Rayon<R>, objet: &ObjetRay<R>, i: usize, abord: Abord) -> Option<()> {
         let proche = match abord {
             // No ray that enters an object passes the ball around it by (lemma 17).
-            Abord::Inconnu | Abord::InconnuFlou => objet.boule().approchee(rayon),
+            Abord::Inconnu => objet.boule().approchee(rayon),
             Abord::DansSaBoite { .. } => true,
         };
         (proche && !self.vient_apres(objet, i)).then_some(())

@@ -126,7 +126,7 @@ impl<R: Nombre> Groupe<R> {
         let mut pres = false;
         if flou {
             for voie in 0..VOIES {
-                pres |= forme.peut_toucher(&self.rayon_flou(voie));
+                pres |= forme.peut_entrer(&self.rayon_flou(voie));
             }
         } else {
             for voie in 0..VOIES {
