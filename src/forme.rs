@@ -80,8 +80,12 @@ pub(crate) trait Forme<R: Nombre>: Copy {
     /// [`t`](Self::t), or 0 if the ray touches the shape at once.
     #[inline(always)]
     fn t_touche(&self, rayon: &Rayon<R>) -> R {
+        // Without a δ nobody asks what holds the source.
+        if rayon.flou() == R::ZERO {
+            return self.t(rayon);
+        }
         let (t, dedans) = self.t_et_dedans(rayon);
-        if dedans && rayon.flou() > R::ZERO { self.t_de_dedans(*rayon) } else { t }
+        if dedans { self.t_de_dedans(*rayon) } else { t }
     }
 
     /// 0 if the ray, which starts inside, touches at once, else +∞.
