@@ -2,7 +2,7 @@
 
 use crate::dalle::{Quotient, echelle_vitesse};
 use crate::forme::{Boule, FLOU_PROPRE, Forme};
-use crate::nombre::{Nombre, fois_u, max, puissance_de_deux};
+use crate::nombre::{Nombre, fois_u, max, puissance_de_deux, selon};
 use crate::rayon::Rayon;
 use crate::refus::{self, ErreurGeo, coefficient, deplacement, point, taille};
 use crate::rotation::Rotation;
@@ -233,7 +233,7 @@ impl<R: Nombre> BoiteRay<R> {
         let o = if vitesse < R::ZERO { -o } else { o }; // B1
         // The speed is scaled down to where numbers are 2⁻¹⁴⁹ apart, and up again. With a floor by
         // minimum and maximum a single ray takes up to 1.3 times as long among boxes (measured).
-        let descente = R::depuis_f64(R::selon(puissance_de_deux(-47), 1.0));
+        let descente = R::depuis_f64(selon::<R, _>(puissance_de_deux(-47), 1.0));
         let vitesse = vitesse.abs() * descente * (echelle_vitesse::<R>() / descente); // B2
         (Quotient { longueur: -(l + o), vitesse }, Quotient { longueur: l - o, vitesse })
     }
@@ -383,5 +383,7 @@ impl<R: Nombre> Forme<R> for BoiteRay<R> {
 }
 
 crate::refus::lu_par! {
-    BoiteGeo::new { centre: Vecteur<R>, dimensions: Vecteur<R>, rotation: Rotation<R> = default, texture: Texture }
+    BoiteGeo {
+        centre: Vecteur<R>, dimensions: Vecteur<R>, rotation: Rotation<R> = default, texture: Texture
+    } => Self::new(centre, dimensions, rotation, texture)
 }

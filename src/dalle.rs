@@ -1,13 +1,13 @@
 //! The distances to the two faces across one axis of a box, as quotients that are compared before
 //! one is divided (handout, annex A.3).
 
-use crate::nombre::{Nombre, puissance_de_deux};
+use crate::nombre::{Nombre, puissance_de_deux, selon};
 
 /// A power of two that multiplies speeds, so that no product of a length of a box and a speed
 /// towards its faces leaves the range of the type (`docs/preuves.md`, lemma 2).
 #[inline(always)]
 pub(crate) fn echelle_vitesse<R: Nombre>() -> R {
-    R::depuis_f64(R::selon(puissance_de_deux(62), puissance_de_deux(568)))
+    R::depuis_f64(selon::<R, _>(puissance_de_deux(62), puissance_de_deux(568)))
 }
 
 /// The distance to a face as a length over a speed of 0 or more, not divided yet. The speed is

@@ -6,7 +6,7 @@
 //! for the first object of a ray.
 
 use crate::intersection::Contact;
-use crate::nombre::{Nombre, fois_u, fois_u_simple, max, min, puissance_de_deux};
+use crate::nombre::{Nombre, fois_u, fois_u_simple, max, min, puissance_de_deux, selon};
 use crate::rayon::Rayon;
 use crate::vecteur::Vecteur;
 
@@ -27,7 +27,7 @@ pub const PLANCHER: (f64, f64) = (puissance_de_deux(-100), puissance_de_deux(-90
 /// [`PLANCHER`] of this type.
 #[inline(always)]
 pub(crate) fn plancher<R: Nombre>() -> R {
-    R::depuis_f64(R::selon(PLANCHER.0, PLANCHER.1))
+    R::depuis_f64(selon::<R, _>(PLANCHER.0, PLANCHER.1))
 }
 
 /// How far a normal that does not face the source is leaned towards it, in u (lemma 7).

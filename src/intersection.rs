@@ -7,6 +7,8 @@ use crate::nombre::Nombre;
 #[cfg(feature = "serde")]
 use crate::nombre::fois_u;
 #[cfg(feature = "serde")]
+use crate::rayon::{su_ecrit, su_lu};
+#[cfg(feature = "serde")]
 use crate::refus::{ErreurGeo, exiger};
 use crate::texture::Texture;
 use crate::vecteur::Vecteur;
@@ -38,18 +40,14 @@ use crate::vecteur::Vecteur;
 /// ```
 #[doc(alias("hit", "HitRecord"))]
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "serde", serde(bound(serialize = "R: Nombre + serde::Serialize")))]
 #[must_use]
 pub struct Intersection<R = f64> {
     distance: R,
     normale: Vecteur<R>,
-    #[cfg_attr(feature = "serde", serde(serialize_with = "crate::refus::fini_ou_rien"))]
     marge: R,
     point: Vecteur<R>,
     su: R,
     texture: Texture,
-    #[cfg_attr(feature = "serde", serde(rename = "indice"))]
     rang: Rang,
 }
 
@@ -63,7 +61,7 @@ impl<R: Nombre> Intersection<R> {
         normale: Vecteur<R>,
         marge: Option<R>,
         point: Vecteur<R>,
-        su: R,
+        (flou, dedans): (R, u64),
         texture: Texture,
         indice: u32,
     ) -> Result<Self, ErreurGeo> {
@@ -77,16 +75,32 @@ impl<R: Nombre> Intersection<R> {
         for x in <[R; 3]>::from(point) {
             exiger(x.abs() >= R::ZERO, "point", x, "a number")?;
         }
-        exiger(su.abs() < R::INFINI, "su", su, "a finite number")?;
+        let su = su_lu(flou, dedans)?;
         exiger(indice < u32::MAX, "indice", R::depuis_f64(indice.into()), "below 2^32 - 1")?;
         Ok(Self::new(distance, contact, su, texture, Rang::de(indice as usize)))
+    }
+
+    /// The fields that are written: `marge` is none where it is +∞.
+    #[expect(clippy::type_complexity, reason = "a list of fields, each used once")]
+    fn ecrire(&self) -> (R, Vecteur<R>, Option<R>, Vecteur<R>, R, Texture, u32, u64) {
+        let Self { distance, normale, marge, point, su, texture, rang } = *self;
+        let (marge, (flou, dedans)) = (Some(marge).filter(|m| *m < R::INFINI), su_ecrit(su));
+        (distance, normale, marge, point, flou, texture, rang.indice() as u32, dedans)
     }
 }
 
 crate::refus::lu_par! {
-    Intersection::lire {
-        distance: R, normale: Vecteur<R>, marge: Option<R>, point: Vecteur<R>, su: R, texture: Texture, indice: u32
-    }
+    ecrit_par ecrire;
+    Intersection {
+        distance: R,
+        normale: Vecteur<R>,
+        marge: Option<R>,
+        point: Vecteur<R>,
+        flou alias "su": R,
+        texture: Texture,
+        indice: u32,
+        dedans: u64 = default,
+    } => Self::lire(distance, normale, marge, point, (flou, dedans), texture, indice)
 }
 
 /// A hit or a miss: the answer to every question for the first object.
@@ -101,13 +115,6 @@ const _: () = assert!(size_of::<Reponse<f64>>() == 80 && size_of::<Reponse<f32>>
 /// [`exiger_des_rangs`] sees to.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Rang(NonZero<u32>);
-
-#[cfg(feature = "serde")]
-impl serde::Serialize for Rang {
-    fn serialize<S: serde::Serializer>(&self, vers: S) -> Result<S::Ok, S::Error> {
-        vers.serialize_u32(self.0.get() - 1)
-    }
-}
 
 /// Shown as [`Intersection::indice`] gives it.
 impl fmt::Debug for Rang {

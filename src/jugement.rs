@@ -12,7 +12,7 @@ use crate::double::{Double, Intervalle, scalaire, triple};
 use crate::intersection::Intersection;
 use crate::jugement::coup_d_oeil::coup_d_oeil;
 use crate::jugement::loupe::{Jugement, juger, juger_sortie, loupe};
-use crate::nombre::{Nombre, fois_u};
+use crate::nombre::{Nombre, fois_u, selon};
 use crate::objet::ObjetRay;
 use crate::rayon::Rayon;
 
@@ -40,7 +40,7 @@ impl<R: Nombre> ObjetRay<R> {
     /// arithmetic has the source outside, and at a way out that is off by half of t or more.
     ///
     /// The same bound holds for t in lengths of D: it is no less than |t − t′|, where the ray
-    /// crosses the surface at S + t′D. After [`Rayon::vers_f64`] D is unit to the rounding of `f32`
+    /// crosses the surface at S + t′D. After [`Rayon::temoin_f64`] D is unit to the rounding of `f32`
     /// only, and the bound covers that; for digits in scene units make D unit again, by
     /// [`Rayon::new`] of the same source and direction.
     ///
@@ -53,7 +53,7 @@ impl<R: Nombre> ObjetRay<R> {
     /// let touche = boule.intersection(&rayon)?;
     ///
     /// let erreur = boule.erreur(&rayon, &touche);
-    /// let exacte = boule.vers_f64().intersection(&rayon.vers_f64())?.distance();
+    /// let exacte = boule.temoin_f64().intersection(&rayon.temoin_f64())?.distance();
     /// assert!((f64::from(touche.distance()) - exacte).abs() <= erreur.into());
     /// assert!(erreur < 2e-6);
     /// # Ok::<(), Box<dyn core::error::Error>>(())
@@ -63,9 +63,9 @@ impl<R: Nombre> ObjetRay<R> {
     pub fn erreur(&self, rayon: &Rayon<R>, touche: &Intersection<R>) -> R {
         let sort = touche.normale().produit_scalaire(rayon.direction()) > R::ZERO;
         let t = touche.distance();
-        let (objet, rayon, en_f64) = (self.en_double(), rayon.vers_f64(), t.vers_f64());
+        let (objet, rayon, en_f64) = (self.temoin_f64(), rayon.temoin_f64(), t.vers_f64());
         // A glance is for entries, and never leaves so little of a distance in `f64` open.
-        let rapide = R::selon(true, false) && !sort;
+        let rapide = selon::<R, _>(true, false) && !sort;
         let vue = if rapide { coup_d_oeil(&objet, &rayon) } else { Intervalle::INCONNU };
         let ecart = if vue.haut - vue.bas <= en_f64 * (R::U.vers_f64() * NET) {
             (vue.haut - en_f64).max(en_f64 - vue.bas)
@@ -111,20 +111,20 @@ impl<R: Nombre> ObjetRay<R> {
             return true;
         }
         let (touche, plus_grand) = (self.t_touche(*rayon) < rayon.fin(), plus_grand::<R>());
-        let (objet, rayon) = (self.en_double(), rayon.vers_f64());
-        entree(&objet, &rayon, plus_grand).touche(rayon.fin(), plus_grand) == Some(touche)
+        let (objet, rayon) = (self.temoin_f64(), rayon.temoin_f64());
+        quand_entre(&objet, &rayon, plus_grand).touche(rayon.fin(), plus_grand) == Some(touche)
     }
 }
 
 /// When the ray enters, at a glance, or in doubled numbers if that leaves hit or miss open in a
 /// type of this largest number.
 #[inline(always)]
-fn entree(objet: &ObjetRay, rayon: &Rayon, plus_grand: f64) -> Intervalle {
+fn quand_entre(objet: &ObjetRay, rayon: &Rayon, plus_grand: f64) -> Intervalle {
     let vue = coup_d_oeil(objet, rayon);
     if vue.touche(rayon.fin(), plus_grand).is_some() { vue } else { loupe(objet, rayon) }
 }
 
 /// The largest number of a scalar.
 fn plus_grand<R: Nombre>() -> f64 {
-    R::selon(f32::MAX.into(), f64::MAX)
+    selon::<R, _>(f32::MAX.into(), f64::MAX)
 }

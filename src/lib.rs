@@ -92,8 +92,18 @@
 //! [`Intersection::marge`] bounds how far the point is from the surface, and
 //! [`Intersection::secondaire`] starts a shadow, reflection or refraction ray that never hits the
 //! object it leaves, except inward within rounding of a box edge or in a box no thicker than twice
-//! the step. [`BoiteRay::lieu`] says which face of a box was hit, and where. [`Monde::certifie`] tells
-//! whether the first object is that of exact arithmetic.
+//! the step. [`BoiteRay::lieu`] says which face of a box was hit, and where.
+//!
+//! Four functions tell how far an answer is to be trusted:
+//!
+//! | ask | about | it says | it costs |
+//! |---|---|---|---|
+//! | [`touche.marge()`](Intersection::marge) | the **point** of a hit | how far it lies from the surface at most, along the normal | nothing: each hit has it |
+//! | [`objet.erreur(&rayon, &touche)`](ObjetRay::erreur) | the **distance** of a hit or a way out | how far it is off at most, along the ray | many times a hit |
+//! | [`objet.est_certain(&rayon)`](ObjetRay::est_certain) | **hit or miss** of one object | whether that is certainly what exact arithmetic says | a few times a hit |
+//! | [`monde.certifie(&rayon, &reponse)`](Monde::certifie) | **which object** of a list is first, or that none is | whether that is certainly what exact arithmetic says | 1.0 to 1.4 rays on average |
+//!
+//! All of them speak of the numbers as they are stored.
 //!
 //! # `f32` or `f64`
 //!

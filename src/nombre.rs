@@ -4,15 +4,8 @@ use core::fmt::{Debug, Display};
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 mod scelle {
-    /// What only this crate needs of a scalar; and what keeps [`Nombre`](super::Nombre) to the two
-    /// types whose rounding the crate's bounds rest on.
-    pub trait Scelle: Sized {
-        /// The constant for this type, of these two.
-        #[inline(always)]
-        fn selon<T>(en_f32: T, en_f64: T) -> T {
-            if size_of::<Self>() == size_of::<f32>() { en_f32 } else { en_f64 }
-        }
-    }
+    /// Keeps [`Nombre`](super::Nombre) to the two types on whose rounding the crate's bounds rest.
+    pub trait Scelle {}
 }
 
 use scelle::Scelle;
@@ -78,6 +71,12 @@ pub trait Nombre:
     /// The nearest number of this type.
     #[doc(alias = "from_f64")]
     fn depuis_f64(x: f64) -> Self;
+}
+
+/// The constant for this scalar, of one for `f32` and one for `f64`.
+#[inline(always)]
+pub(crate) fn selon<R: Nombre, T>(en_f32: T, en_f64: T) -> T {
+    if size_of::<R>() == size_of::<f32>() { en_f32 } else { en_f64 }
 }
 
 /// n·u.

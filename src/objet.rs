@@ -236,26 +236,21 @@ impl<R: Nombre> ObjetRay<R> {
 
     /// The same object in `f64`, exactly: every number that is stored, and no other.
     ///
-    /// With [`Rayon::vers_f64`] it serves to check answers of `f32` against those of `f64`.
-    /// Directions and normals are unit only to the rounding of `f32`, so that `marge`,
-    /// `secondaire`, `reflechi`, `refracte`, `vers_touche` and `etendue` promise nothing.
+    /// It is a witness: with [`Rayon::temoin_f64`] it tells what the answers of `f32` would be in
+    /// `f64`, and serves for nothing else. Directions and normals are unit only to the rounding of
+    /// `f32`, so that `marge`, `secondaire`, `reflechi`, `refracte`, `vers_touche` and `etendue`
+    /// promise nothing. For an object in `f64` describe it in `f64`.
     ///
     /// ```
     /// use lancer_rayon::{ObjetRay, SphereGeo, Texture, Vecteur};
     ///
     /// let boule = SphereGeo::<f32>::new(Vecteur::new(0.1, 0.2, 0.3), 0.7, Texture(0))?;
-    /// let ObjetRay::Sphere(boule) = ObjetRay::from(boule).vers_f64() else { panic!("a sphere") };
+    /// let ObjetRay::Sphere(boule) = ObjetRay::from(boule).temoin_f64() else { panic!("a sphere") };
     /// assert_eq!((boule.centre().x, boule.rayon()), (0.1_f32.into(), 0.7_f32.into()));
     /// # Ok::<(), lancer_rayon::ErreurGeo>(())
     /// ```
-    #[doc(alias("to_f64", "widen"))]
-    pub fn vers_f64(self) -> ObjetRay {
-        self.en_double()
-    }
-
-    /// [`vers_f64`](Self::vers_f64) by reference: a certificate, which converts many objects, takes
-    /// 0.97 of the time (measured).
-    pub(crate) fn en_double(&self) -> ObjetRay {
+    #[doc(alias("to_f64", "widen", "witness"))]
+    pub fn temoin_f64(&self) -> ObjetRay {
         par_forme!(Self, self, forme => forme.vers_f64().into())
     }
 
@@ -283,7 +278,8 @@ impl<R: Nombre> ObjetRay<R> {
     /// A box along the axes that holds all of this object; `None` for a half-space, which is
     /// unbounded.
     ///
-    /// Rounding is allowed for, except for an object that [`vers_f64`](Self::vers_f64) gave. The
+    /// Rounding is allowed for, except for an object that [`temoin_f64`](Self::temoin_f64)
+    /// gave. The
     /// corners lie beyond the object by up to 87u of the sum of its half-extents and 3.1u of the
     /// sum of the coordinates of its centre. [`Monde::etendue`](crate::Monde::etendue) is the box
     /// of a list.

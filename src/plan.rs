@@ -294,5 +294,6 @@ impl<R: Nombre> Forme<R> for PlanRay<R> {
 }
 
 crate::refus::lu_par! {
-    PlanGeo::new { rotation: Rotation<R> = default, distance: R, texture: Texture }
+    PlanGeo { rotation: Rotation<R> = default, distance: R, texture: Texture }
+    => Self::new(rotation, distance, texture)
 }

@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use crate::nombre::Nombre;
+use crate::nombre::{Nombre, selon};
 use crate::vecteur::Vecteur;
 
 /// A number outside the accepted range, with the field it was given for.
@@ -93,7 +93,8 @@ pub(crate) fn exiger<R: Nombre>(
 
 /// A coordinate, or the relative distance of a half-space.
 pub(crate) fn coordonnee<R: Nombre>(champ: &'static str, x: R) -> Result<R, ErreurGeo> {
-    let attendu = R::selon("a number between -2^60 and 2^60", "a number between -2^450 and 2^450");
+    let attendu =
+        selon::<R, _>("a number between -2^60 and 2^60", "a number between -2^450 and 2^450");
     exiger(x.abs() <= R::LIMITE, champ, x, attendu)
 }
 
@@ -109,7 +110,8 @@ pub(crate) fn point<R: Nombre>(champs: Champs, p: Vecteur<R>) -> Result<Vecteur<
 /// A radius or one of the three dimensions of a box.
 pub(crate) fn taille<R: Nombre>(champ: &'static str, x: R) -> Result<R, ErreurGeo> {
     exiger(x > R::ZERO, champ, x, "a number above 0")?;
-    let attendu = R::selon("a number between 2^-60 and 2^60", "a number between 2^-450 and 2^450");
+    let attendu =
+        selon::<R, _>("a number between 2^-60 and 2^60", "a number between 2^-450 and 2^450");
     exiger(x >= R::UN / R::LIMITE && x <= R::LIMITE, champ, x, attendu)
 }
 
@@ -136,20 +138,38 @@ pub(crate) fn fini<R: Nombre>(champs: Champs, v: Vecteur<R>) -> Result<Vecteur<R
     Ok(v)
 }
 
-/// Writes a number, or nothing in the place of +∞, which not every format can write.
-#[cfg(feature = "serde")]
-pub(crate) fn fini_ou_rien<R: Nombre + serde::Serialize, S: serde::Serializer>(
-    x: &R,
-    vers: S,
-) -> Result<S::Ok, S::Error> {
-    serde::Serialize::serialize(&Some(x).filter(|x| **x < R::INFINI), vers)
-}
-
-/// `lu_par! { T::new { champ: type, … } }`: with the feature `serde` a T is read as these fields
-/// and no others, by name or in order, and `T::new` checks them. A field with `= default` may be
-/// left out.
+/// `lu_par! { T { champ: type, … } => expression }`: with the feature `serde` a T is read as these
+/// fields and no others, by name or in order, and the expression checks them. A field with `=
+/// default` may be left out. After `ecrit_par fonction;` a T is written as these fields too, which
+/// the function returns in order.
 macro_rules! lu_par {
-    ($type:ident::$par:ident { $($champ:ident: $du_type:ty $(= $defaut:ident)?),* }) => {
+    (
+        ecrit_par $ecrire:ident;
+        $type:ident { $($champ:ident $(alias $autre:literal)?: $du_type:ty $(= $defaut:ident)?),* $(,)? }
+        => $lu:expr
+    ) => {
+        $crate::refus::lu_par! {
+            $type { $($champ $(alias $autre)?: $du_type $(= $defaut)?),* } => $lu
+        }
+
+        #[cfg(feature = "serde")]
+        impl<R: Nombre + serde::Serialize> serde::Serialize for $type<R> {
+            fn serialize<S: serde::Serializer>(&self, vers: S) -> Result<S::Ok, S::Error> {
+                #[derive(serde::Serialize)]
+                #[serde(bound(serialize = "R: Nombre + serde::Serialize"))]
+                struct $type<R> {
+                    $($champ: $du_type),*
+                }
+
+                let ($($champ),*) = self.$ecrire();
+                $type { $($champ),* }.serialize(vers)
+            }
+        }
+    };
+    (
+        $type:ident { $($champ:ident $(alias $autre:literal)?: $du_type:ty $(= $defaut:ident)?),* $(,)? }
+        => $lu:expr
+    ) => {
         #[cfg(feature = "serde")]
         impl<'de, R: Nombre + serde::Deserialize<'de>> serde::Deserialize<'de> for $type<R> {
             fn deserialize<D: serde::Deserializer<'de>>(lecteur: D) -> Result<Self, D::Error> {
@@ -158,11 +178,11 @@ macro_rules! lu_par {
                 #[serde(deny_unknown_fields)]
                 #[serde(bound(deserialize = "R: Nombre + serde::Deserialize<'de>"))]
                 struct $type<R> {
-                    $($(#[serde($defaut)])? $champ: $du_type),*
+                    $($(#[serde(alias = $autre)])? $(#[serde($defaut)])? $champ: $du_type),*
                 }
 
                 let $type { $($champ),* } = $type::deserialize(lecteur)?;
-                Self::$par($($champ),*).map_err(serde::de::Error::custom)
+                $lu.map_err(serde::de::Error::custom)
             }
         }
     };

@@ -2,6 +2,9 @@
 //! scalar: generic code would be compiled again by every crate that calls it, and as slowly as that
 //! crate is.
 
+use core::marker::PhantomData;
+use core::ops::ControlFlow::Continue;
+
 use fearless_simd::{Level, Simd};
 
 use crate::arbre::construction::{Arbre, PlacesInsuffisantes, construire};
@@ -154,62 +157,80 @@ fn demander_au_bloc<S: Simd, R: Nombre, Q: EnLot<R>>(
 /// assert_eq!(milieu, Vecteur::new(0.5, 1.0, 1.5));
 /// ```
 #[doc(alias("float", "scalar"))]
-pub trait Reel: Nombre + Repond {}
+pub trait Reel: Nombre + Repondant {}
 
 impl Reel for f32 {}
 impl Reel for f64 {}
 
+/// Where the answers in this scalar stand. Were they functions of [`Reel`] itself, a caller could
+/// not use a function of the same name of a trait of their own (E0034).
+pub trait Repondant: Sized {
+    type ReponsesDeLancerRayon: Repond<R = Self>;
+}
+
+/// The answers in this scalar, as functions.
+pub(crate) type Reponses<R> = <R as Repondant>::ReponsesDeLancerRayon;
+
+/// What has them.
+pub struct Compilees<R>(PhantomData<R>);
+
 /// `reponses! { fn …(…) -> … { … } … }`: the trait [`Repond`] of these functions, and their bodies
-/// compiled for `f32` and for `f64`, which are `Self` in them.
+/// compiled for `f32` and for `f64`, which are `Self::R` in them.
 macro_rules! reponses {
     ($(fn $nom:ident$(<$vie:lifetime>)?($($de:ident: $type:ty),* $(,)?) -> $reponse:ty $corps:block)*) => {
         /// The answers in one scalar.
-        pub trait Repond: Sized {
+        pub trait Repond {
+            type R: Nombre;
             $(fn $nom$(<$vie>)?($($de: $type),*) -> $reponse;)*
         }
         reponses! { dans f32 $(fn $nom$(<$vie>)?($($de: $type),*) -> $reponse $corps)* }
         reponses! { dans f64 $(fn $nom$(<$vie>)?($($de: $type),*) -> $reponse $corps)* }
     };
     (dans $reel:ident $($fonctions:item)*) => {
-        impl Repond for $reel {
+        impl Repondant for $reel {
+            type ReponsesDeLancerRayon = Compilees<Self>;
+        }
+
+        impl Repond for Compilees<$reel> {
+            type R = $reel;
             $($fonctions)*
         }
     };
 }
 
 reponses! {
-    fn arbre<'a>(objets: &'a [ObjetRay<Self>], places: &'a mut [f32], decouper: bool)
-        -> Result<Arbre<'a, Self>, PlacesInsuffisantes>
+    fn arbre<'a>(objets: &'a [ObjetRay<Self::R>], places: &'a mut [f32], decouper: bool)
+        -> Result<Arbre<'a, Self::R>, PlacesInsuffisantes>
     {
         construire(objets, places, decouper)
     }
 
-    fn premiere(vue: &Vue<'_, Self>, rayon: &Rayon<Self>) -> Reponse<Self> {
+    fn premiere(vue: &Vue<'_, Self::R>, rayon: &Rayon<Self::R>) -> Reponse<Self::R> {
         demander(vue, rayon, Premier::avant(rayon.fin()))
     }
 
-    fn premieres(vue: &Vue<'_, Self>, rayons: &[Rayon<Self>], touches: &mut [Reponse<Self>])
+    fn premieres(vue: &Vue<'_, Self::R>, rayons: &[Rayon<Self::R>], touches: &mut [Reponse<Self::R>])
         -> Result<(), LongueursDifferentes>
     {
         demander_en_lot::<_, Premier<_>>(vue, rayons, touches)
     }
 
-    fn occulte(vue: &Vue<'_, Self>, rayon: &Rayon<Self>) -> bool {
+    fn occulte(vue: &Vue<'_, Self::R>, rayon: &Rayon<Self::R>) -> bool {
         demander(vue, rayon, Ombre::from(Premier::avant(rayon.fin())))
     }
 
-    fn occultes(vue: &Vue<'_, Self>, rayons: &[Rayon<Self>], occultes: &mut [bool])
+    fn occultes(vue: &Vue<'_, Self::R>, rayons: &[Rayon<Self::R>], occultes: &mut [bool])
         -> Result<(), LongueursDifferentes>
     {
         demander_en_lot::<_, Ombre<_>>(vue, rayons, occultes)
     }
 
-    fn certifie(vue: &Vue<'_, Self>, rayon: &Rayon<Self>, reponse: &Reponse<Self>) -> bool {
+    fn certifie(vue: &Vue<'_, Self::R>, rayon: &Rayon<Self::R>, reponse: &Reponse<Self::R>) -> bool {
         let certificat = Certificat::new(&vue.liste, rayon, reponse);
         certificat.is_some_and(|certificat| demander(vue, rayon, certificat))
     }
 
-    fn visiter(vue: &Vue<'_, Self>, rayon: &Rayon<Self>, montrer: Montrer<'_, Self>) -> () {
+    fn visiter(vue: &Vue<'_, Self::R>, rayon: &Rayon<Self::R>, montrer: Montrer<'_, Self::R>) -> () {
         let mut visite = Visite::new(rayon.fin(), montrer);
         loop {
             demander(vue, rayon, &mut visite);
@@ -219,23 +240,23 @@ reponses! {
         }
     }
 
-    fn dans_l_ordre(vue: &Vue<'_, Self>, rayon: &Rayon<Self>, touches: &mut [Reponse<Self>]) -> usize {
+    fn dans_l_ordre(vue: &Vue<'_, Self::R>, rayon: &Rayon<Self::R>, touches: &mut [Reponse<Self::R>]) -> usize {
         let mut rangee = Rangee::new(touches);
         Self::visiter(vue, rayon, &mut |indice, t| rangee.placer(indice, t));
         rangee.conclure(rayon, vue.liste.objets)
     }
 
-    fn contient(vue: &Vue<'_, Self>, point: Vecteur<Self>) -> bool {
+    fn contient(vue: &Vue<'_, Self::R>, point: Vecteur<Self::R>) -> bool {
         demander(vue, &du_point(point), Contenance(false))
     }
 
-    fn contenants(vue: &Vue<'_, Self>, point: Vecteur<Self>, montrer: &mut dyn FnMut(usize)) -> () {
+    fn contenants(vue: &Vue<'_, Self::R>, point: Vecteur<Self::R>, montrer: &mut dyn FnMut(usize)) -> () {
         let rayon = du_point(point);
-        let montrer: Montrer<'_, Self> = &mut |indice, _| {
+        let montrer: Montrer<'_, Self::R> = &mut |indice, _| {
             montrer(indice);
-            Self::INFINI
+            Continue(Self::R::INFINI)
         };
-        let mut visite = Visite::new(Self::INFINI, montrer);
+        let mut visite = Visite::new(Self::R::INFINI, montrer);
         loop {
             demander(vue, &rayon, Contenants(&mut visite));
             if !visite.montrer_ce_qui_attend() {

@@ -2,8 +2,8 @@
 
 use crate::forme::plancher;
 use crate::intersection::Intersection;
-use crate::nombre::{Nombre, fois_u, min};
-use crate::rayon::{DIRECTION, Rayon, direction_unitaire, flou_suivant};
+use crate::nombre::{Nombre, fois_u};
+use crate::rayon::{DIRECTION, Rayon, direction_unitaire, flou_suivant, su_dedans};
 use crate::refus::{ErreurGeo, exiger, fini, point, refus_nul};
 use crate::vecteur::Vecteur;
 
@@ -346,7 +346,7 @@ impl<R: Nombre> Intersection<R> {
         let source = point(["source.x", "source.y", "source.z"], source)?;
         let su = self.su();
         let su = if dedans {
-            min(su, R::ZERO) - R::UN
+            su_dedans(su)
         } else if su < R::ZERO {
             su
         } else {

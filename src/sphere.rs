@@ -289,5 +289,5 @@ impl<R: Nombre> Forme<R> for SphereRay<R> {
 }
 
 crate::refus::lu_par! {
-    SphereGeo::new { centre: Vecteur<R>, rayon: R, texture: Texture }
+    SphereGeo { centre: Vecteur<R>, rayon: R, texture: Texture } => Self::new(centre, rayon, texture)
 }

@@ -4,7 +4,7 @@ use core::borrow::Borrow;
 use core::iter::Sum;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
-use crate::nombre::{Nombre, puissance_de_deux, simple};
+use crate::nombre::{Nombre, puissance_de_deux, selon, simple};
 
 /// A vector, or a point seen from the origin O: x to the right, y up, z towards the viewer (handout
 /// §2.1).
@@ -122,7 +122,7 @@ impl<R: Nombre> Vecteur<R> {
     fn mis_a_l_echelle(self) -> (Self, R) {
         // Multiplied by this the smallest length, 2⁻¹⁴⁹ or 2⁻¹⁰⁷⁴, is 2⁻⁴⁹ or 2⁻⁴⁷⁴; divided by it
         // the largest is 2²⁸ or 2⁴²⁴.
-        let grande = R::depuis_f64(R::selon(puissance_de_deux(100), puissance_de_deux(600)));
+        let grande = R::depuis_f64(selon::<R, _>(puissance_de_deux(100), puissance_de_deux(600)));
         let carre = self.longueur_carree();
         // In a sum above 1/`grande`, a square that loses bits weighs nothing.
         let echelle = if carre == R::INFINI {

@@ -1,6 +1,8 @@
 //! All objects that a ray enters, or all that hold a point, each shown once; and the first of them
 //! in order, in places that the caller lends.
 
+use core::ops::ControlFlow::{self, Break, Continue};
+
 use arrayvec::ArrayVec;
 
 use crate::intersection::{Intersection, NoIntersection, Rang, Reponse};
@@ -13,9 +15,9 @@ use crate::rayon::Rayon;
 /// follows, so that any number will do; a ray seldom enters one.
 const EN_MORCEAUX: usize = 16;
 
-/// Takes the index of an object and where the ray enters it, and returns the end of the ray from
-/// then on.
-pub(crate) type Montrer<'a, R> = &'a mut dyn FnMut(usize, R) -> R;
+/// Takes the index of an object and where the ray enters it, and says whether to go on, up to which
+/// end of the ray.
+pub(crate) type Montrer<'a, R> = &'a mut dyn FnMut(usize, R) -> ControlFlow<(), R>;
 
 /// Shows the objects that a ray enters before its end, in no order, each once.
 pub(crate) struct Visite<'a, R> {
@@ -49,7 +51,10 @@ impl<'a, R: Nombre> Visite<'a, R> {
     }
 
     fn montrer(&mut self, t: R, indice: usize) {
-        self.fin = min((self.montrer)(indice, t), self.fin);
+        self.fin = match (self.montrer)(indice, t) {
+            Continue(fin) => min(fin, self.fin),
+            Break(()) => R::ZERO,
+        };
     }
 }
 
@@ -161,13 +166,13 @@ impl<'a, R: Nombre> Rangee<'a, R> {
     }
 
     /// Takes in the object at this index, entered at `t`; returns the end of the ray from then on.
-    pub(crate) fn placer(&mut self, indice: usize, t: R) -> R {
+    pub(crate) fn placer(&mut self, indice: usize, t: R) -> ControlFlow<(), R> {
         let trouve = Premier { t, rang: Some(Rang::de(indice)) };
         if let Some(place) = self.places.get_mut(self.nombre) {
             *place = Ok(Intersection::a_conclure(trouve.t, Rang::de(indice)));
             self.nombre += 1;
             if self.nombre < self.places.len() {
-                return R::INFINI;
+                return Continue(R::INFINI);
             }
             trier(self.places);
             self.places.reverse();
@@ -177,10 +182,12 @@ impl<'a, R: Nombre> Rangee<'a, R> {
             *derniere = Ok(Intersection::a_conclure(trouve.t, Rang::de(indice)));
             self.descendre();
         }
+        let Some(derniere) = self.places.first().map(|derniere| cle(derniere).t) else {
+            return Break(());
+        };
         // A little after the last, since an object as far away and earlier in the list comes before
-        // it; −∞ without a place.
-        let derniere = self.places.first().map_or(-R::INFINI, |derniere| cle(derniere).t);
-        derniere + max(derniere * fois_u(2.0), R::MIN_POSITIF)
+        // it.
+        Continue(derniere + max(derniere * fois_u(2.0), R::MIN_POSITIF))
     }
 
     /// Brings the first place of the heap to where it belongs.

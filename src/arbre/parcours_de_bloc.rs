@@ -11,7 +11,7 @@ use crate::colonne::au_plus;
 use crate::liste::Liste;
 use crate::lot::bloc::{Bloc, Offre};
 use crate::lot::groupe::VOIES;
-use crate::nombre::Nombre;
+use crate::nombre::{Nombre, selon};
 use crate::rayon::Rayon;
 
 /// Rays that do not stay together ask every object side by side if there are at most this many
@@ -46,7 +46,7 @@ const fn combien_de_temoins(nombres_par_registre: usize) -> usize {
 /// How many numbers of this type a register of these instructions holds.
 #[inline(always)]
 fn nombres_par_registre<R: Nombre, S: Simd>() -> usize {
-    R::selon(S::f32s::LEN, S::f64s::LEN)
+    selon::<R, _>(S::f32s::LEN, S::f64s::LEN)
 }
 
 /// How many of at most eight of these rays, evenly spread, go elsewhere than the one in the middle.

@@ -14,7 +14,7 @@ use crate::arbre::noeud::Noeud;
 use crate::arbre::repere::{JEU_DISTANCE, JEU_F32, JEU_SOUS_NORMAL, Repere};
 use crate::colonne::{Aligne, Colonne, Membres};
 use crate::lot::groupe::{Groupe, VOIES};
-use crate::nombre::{Nombre, fois_u, fois_u_simple, max, min, simple};
+use crate::nombre::{Nombre, fois_u, fois_u_simple, max, min, selon, simple};
 use crate::rayon::Rayon;
 
 pub(crate) struct Sonde<R> {
@@ -57,7 +57,7 @@ impl<R: Nombre> Sonde<R> {
         let (y, d) = (repere.point(rayon.source()), rayon.direction());
         // For a source far away entries count from the point next to Z. In `f32` that point is
         // off by as much as a hit, and the source serves.
-        let loin = R::selon(false, true) && y.norme_1() > repere.loin;
+        let loin = selon::<R, _>(false, true) && y.norme_1() > repere.loin;
         let depart = if loin { -y.produit_scalaire(d) } else { R::ZERO };
         Self::d_un_rayon(rayon, depart, repere)
     }
@@ -78,7 +78,7 @@ impl<R: Nombre> Sonde<R> {
         let avant_z =
             |rayon: Rayon<R>| -repere.point(rayon.source()).produit_scalaire(rayon.direction());
         let avant = R::depuis_f64(AVANT_LES_BOITES);
-        if R::selon(true, false) || avant_z(groupes[0].rayon(0)) <= avant {
+        if selon::<R, _>(true, false) || avant_z(groupes[0].rayon(0)) <= avant {
             return R::ZERO;
         }
         let mut moindres = [R::INFINI; VOIES];
@@ -115,7 +115,7 @@ impl<R: Nombre> Sonde<R> {
         let distance = simple(fois_u::<R>(JEU_DISTANCE));
         let jeu = norme * (distance + simple(fois_u_simple::<R>(JEU_F32))) + JEU_SOUS_NORMAL;
         // T3. The sources are farther away by no more than √3τ₀.
-        let jeu = if R::selon(false, true) {
+        let jeu = if selon::<R, _>(false, true) {
             jeu + simple(depart.abs()) * (1.75 * distance)
         } else {
             jeu
@@ -181,7 +181,8 @@ impl Bornes {
             let (mut s, mut d) = ([0.0; VOIES], [0.0; VOIES]);
             for voie in 0..VOIES {
                 let y = repere.longueur(sources[voie] - milieu);
-                let ici = if R::selon(false, true) { y + directions[voie] * depart } else { y };
+                let ici =
+                    if selon::<R, _>(false, true) { y + directions[voie] * depart } else { y };
                 (s[voie], d[voie]) = (simple(ici), simple(directions[voie]));
             }
             let (s, d) = (colonne(s), colonne(d));

@@ -3,7 +3,7 @@
 use crate::intersection::Reponse;
 use crate::jugement::coup_d_oeil::coup_d_oeil;
 use crate::jugement::loupe::loupe;
-use crate::jugement::{entree, plus_grand};
+use crate::jugement::{plus_grand, quand_entre};
 use crate::liste::Liste;
 use crate::nombre::{Nombre, max};
 use crate::objet::ObjetRay;
@@ -12,7 +12,7 @@ use crate::rayon::Rayon;
 
 /// An answer, and whether some object may come before it.
 pub(crate) struct Certificat<'a, R> {
-    double: Rayon,
+    temoin: Rayon,
     /// The first object and its index; `None` for a miss.
     premier: Option<(&'a ObjetRay<R>, usize)>,
     /// The distance by which the ray has entered the first object; for a miss, the largest number
@@ -30,16 +30,16 @@ impl<'a, R: Nombre> Certificat<'a, R> {
         rayon: &Rayon<R>,
         reponse: &Reponse<R>,
     ) -> Option<Self> {
-        let double = rayon.vers_f64();
+        let temoin = rayon.temoin_f64();
         let Ok(touche) = reponse else {
-            let dernier = double.fin().next_down();
-            return Some(Self { double, premier: None, dernier, doute: false });
+            let dernier = temoin.fin().next_down();
+            return Some(Self { temoin, premier: None, dernier, doute: false });
         };
         let premier = liste.objet(touche.indice())?;
-        let entree = entree(&premier.en_double(), &double, plus_grand::<R>());
-        let certaine = entree.touche(double.fin(), plus_grand::<R>()) == Some(true);
+        let entree = quand_entre(&premier.temoin_f64(), &temoin, plus_grand::<R>());
+        let certaine = entree.touche(temoin.fin(), plus_grand::<R>()) == Some(true);
         let premier = Some((premier, touche.indice()));
-        certaine.then_some(Self { double, premier, dernier: entree.haut, doute: false })
+        certaine.then_some(Self { temoin, premier, dernier: entree.haut, doute: false })
     }
 
     /// Whether the object at this index is the first, or the ray certainly enters it later than the
@@ -48,13 +48,13 @@ impl<'a, R: Nombre> Certificat<'a, R> {
     fn vient_apres(&self, objet: &ObjetRay<R>, indice: usize) -> bool {
         // G5
         self.premier.is_some_and(|(_, premier)| premier == indice)
-            || coup_d_oeil(&objet.en_double(), &self.double).bas > self.dernier
+            || coup_d_oeil(&objet.temoin_f64(), &self.temoin).bas > self.dernier
             || self.vient_apres_a_la_loupe(objet)
     }
 
     #[cold]
     fn vient_apres_a_la_loupe(&self, objet: &ObjetRay<R>) -> bool {
-        let a_la_loupe = |objet: &ObjetRay<R>| loupe(&objet.en_double(), &self.double);
+        let a_la_loupe = |objet: &ObjetRay<R>| loupe(&objet.temoin_f64(), &self.temoin);
         let premier = self.premier.map(|(premier, _)| a_la_loupe(premier).haut);
         a_la_loupe(objet).bas > premier.unwrap_or(f64::INFINI).min(self.dernier)
     }
