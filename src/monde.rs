@@ -1,21 +1,23 @@
 //! The world that rays ask: a list of objects, with or without a tree, all of it or a choice.
 
+pub(crate) mod reponses;
+
 use core::fmt;
 use core::ops::ControlFlow;
 
 use fearless_simd::Level;
 
+use crate::algebre::nombre::Nombre;
+use crate::algebre::refus::LongueursDifferentes;
+use crate::algebre::vecteur::Vecteur;
 use crate::arbre::construction::{Arbre, PlacesInsuffisantes, mots};
-use crate::choix::{Choix, Parmi, Sans, Tous};
-use crate::intersection::{Reponse, exiger_des_rangs};
-use crate::liste::Liste;
-use crate::niveau::meilleur_niveau;
-use crate::nombre::Nombre;
+use crate::cote_a_cote::niveau::meilleur_niveau;
+use crate::monde::reponses::{Reel, Repond, Reponses, Vue};
 use crate::objet::{Etendue, ObjetRay};
+use crate::question::choix::{Choix, Parmi, Sans, Tous};
+use crate::question::liste::Liste;
 use crate::rayon::Rayon;
-use crate::refus::LongueursDifferentes;
-use crate::reponses::{Reel, Repond, Reponses, Vue};
-use crate::vecteur::Vecteur;
+use crate::rayon::intersection::{Reponse, exiger_des_rangs};
 
 /// What rays ask, one by one or in batches: a list of objects, or a choice of them, with or without
 /// a tree of bounding boxes.

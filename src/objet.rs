@@ -1,19 +1,29 @@
 //! The two enums of the handout's §4.1, and the choice between shapes.
+//!
+//! What an [`ObjetRay`] can do stands here, where a ray enters and leaves it in `objet/seul.rs`, and
+//! how exact the answers are in `question/jugement.rs`.
 
-use crate::boite::{BoiteGeo, BoiteRay};
-use crate::forme::{Boule, Forme};
-use crate::intersection::{Intersection, Rang, Reponse};
-use crate::nombre::{Nombre, fois_u, max, min};
-use crate::plan::{PlanGeo, PlanRay};
+pub(crate) mod boite;
+pub(crate) mod forme;
+pub(crate) mod plan;
+mod seul;
+pub(crate) mod sphere;
+
+use crate::algebre::nombre::{Nombre, fois_u, max, min};
+use crate::algebre::refus::ErreurGeo;
+use crate::algebre::rotation::Rotation;
+use crate::algebre::vecteur::Vecteur;
+use crate::objet::boite::{BoiteGeo, BoiteRay};
+use crate::objet::forme::{Boule, Forme};
+use crate::objet::plan::{PlanGeo, PlanRay};
+use crate::objet::sphere::{SphereGeo, SphereRay};
 use crate::rayon::Rayon;
-use crate::refus::ErreurGeo;
-use crate::rotation::Rotation;
-use crate::sphere::{SphereGeo, SphereRay};
+use crate::rayon::intersection::{Intersection, Rang, Reponse};
 use crate::texture::Texture;
-use crate::vecteur::Vecteur;
 
 /// `par_forme!(ObjetRay, objet, forme => expression)` is the expression for the shape in `objet`.
-/// All of the crate chooses between shapes in this way, except where it judges (`jugement/`).
+/// All of the crate chooses between shapes in this way, except where it judges
+/// (`question/jugement/`).
 ///
 /// Each arm has a type of its own for `forme`, which no closure could have. One match can serve
 /// many rays.

@@ -1,15 +1,21 @@
 //! The questions that a ray asks. They have one trait, so that every walk can ask any of them: a
 //! list (`liste.rs`), a tree (`arbre/parcours.rs`) and, for those that are
-//! [`EnLot`](crate::lot::bloc::EnLot), a block of rays (`lot/bloc.rs`).
+//! [`EnLot`](crate::cote_a_cote::bloc::EnLot), a block of rays (`cote_a_cote/bloc.rs`).
 //!
 //! [`Premier`] asks which object is first, and [`Ombre`] whether there is any. The others are
-//! [`Certificat`](crate::jugement::certificat::Certificat), [`Visite`](crate::visite::Visite) and
-//! [`Contenants`](crate::visite::Contenants).
+//! [`Certificat`](crate::question::jugement::certificat::Certificat), [`Visite`](crate::question::visite::Visite) and
+//! [`Contenants`](crate::question::visite::Contenants).
 
-use crate::intersection::{NoIntersection, Rang, Reponse};
-use crate::nombre::Nombre;
+pub(crate) mod choix;
+pub(crate) mod jugement;
+pub(crate) mod liste;
+pub(crate) mod recherche;
+pub(crate) mod visite;
+
+use crate::algebre::nombre::Nombre;
 use crate::objet::ObjetRay;
 use crate::rayon::Rayon;
+use crate::rayon::intersection::{NoIntersection, Rang, Reponse};
 
 /// A question: what it asks of an object, what it keeps, and its answer.
 pub(crate) trait Question<R: Nombre> {

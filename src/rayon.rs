@@ -1,8 +1,11 @@
 //! Rays of light (handout §4.1 and annex A): a source, a unit direction and an end.
 
-use crate::nombre::{Nombre, fois_u, max, min, simple};
-use crate::refus::{self, ErreurGeo, exiger, fini, point, refus_nul};
-use crate::vecteur::Vecteur;
+pub(crate) mod intersection;
+pub(crate) mod secondaire;
+
+use crate::algebre::nombre::{Nombre, fois_u, max, min, simple};
+use crate::algebre::refus::{self, ErreurGeo, exiger, fini, point, refus_nul};
+use crate::algebre::vecteur::Vecteur;
 
 /// A ray: the points R(t) = S + t·D, 0 ≤ t < [`fin`](Self::fin), from the source S along the unit
 /// vector D (handout, annex A).
@@ -381,7 +384,7 @@ pub(crate) fn direction_unitaire<R: Nombre>(
     direction.unitaire().ok_or_else(|| refus_nul(champ))
 }
 
-crate::refus::lu_par! {
+crate::algebre::refus::lu_par! {
     ecrit_par ecrire;
     Rayon {
         source: Vecteur<R>,

@@ -10,15 +10,15 @@
 
 use core::{fmt, mem};
 
+use crate::algebre::nombre::{Nombre, max, min, simple};
+use crate::algebre::vecteur::Vecteur;
 use crate::arbre::morceaux::Partage;
 use crate::arbre::noeud::{
     COIN_ABSENT, ENFANTS, FICHE, Fiche, LIMITE_INDICES, Noeud, VIDE, en_mot, en_mot_d_un_morceau,
 };
 use crate::arbre::repere::{Repere, extremes};
-use crate::colonne::somme;
-use crate::nombre::{Nombre, max, min, simple};
+use crate::cote_a_cote::colonne::somme;
 use crate::objet::ObjetRay;
-use crate::vecteur::Vecteur;
 
 /// No tree is made over fewer objects with a box than this, since the list is as fast
 /// (`benches/seuils.md`, "Thresholds").

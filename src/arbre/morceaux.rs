@@ -4,10 +4,10 @@
 //! The box along the axes of such an object is nearly all air; those of its slices have less. All
 //! records carry the index of the object. A walk may ask it twice and finds the same t.
 
+use crate::algebre::nombre::Nombre;
+use crate::algebre::vecteur::Vecteur;
 use crate::arbre::repere::Repere;
-use crate::nombre::Nombre;
 use crate::objet::ObjetRay;
-use crate::vecteur::Vecteur;
 
 /// How much surface one more record must save, in squares of the side that leaves would have if all
 /// were alike among the many (`benches/seuils.md`, "Thresholds").

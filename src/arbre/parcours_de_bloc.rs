@@ -3,15 +3,15 @@
 
 use fearless_simd::prelude::*;
 
+use crate::algebre::nombre::{Nombre, selon};
 use crate::arbre::construction::Arbre;
 use crate::arbre::noeud::{ENFANTS, Noeud};
 use crate::arbre::pile::{Attentes, Pile};
 use crate::arbre::sonde::Sonde;
-use crate::colonne::au_plus;
-use crate::liste::Liste;
-use crate::lot::bloc::{Bloc, Offre};
-use crate::lot::groupe::VOIES;
-use crate::nombre::{Nombre, selon};
+use crate::cote_a_cote::bloc::{Bloc, Offre};
+use crate::cote_a_cote::colonne::au_plus;
+use crate::cote_a_cote::groupe::VOIES;
+use crate::question::liste::Liste;
 use crate::rayon::Rayon;
 
 /// Rays that do not stay together ask every object side by side if there are at most this many

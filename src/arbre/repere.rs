@@ -2,10 +2,10 @@
 
 use core::cmp::Ordering;
 
+use crate::algebre::nombre::{Nombre, fois_u, fois_u_simple, max, min, simple};
+use crate::algebre::vecteur::Vecteur;
 use crate::arbre::noeud::ENFANTS;
-use crate::nombre::{Nombre, fois_u, fois_u_simple, max, min, simple};
 use crate::objet::ObjetRay;
-use crate::vecteur::Vecteur;
 
 /// The frame of the tree, in which `f32` holds any scene: a point X of the scene stands at (X −
 /// Z)·σ. No coordinate of a box is beyond ±1, except for rounding and slack.
