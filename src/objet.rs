@@ -215,8 +215,9 @@ impl<R: Nombre> ObjetRay<R> {
 
     /// The hit that the search found at distance `t`, on this object, which has this rank.
     ///
-    /// What is rare ends in a call that makes the whole answer. As one of two contacts it would
-    /// take both through memory, and a single ray up to 1.2 times as long (measured).
+    /// The rare case is a call that returns a whole answer. Were it to return a contact, the common
+    /// case would pass its contact through memory as well, and a single ray would take up to 1.2
+    /// times as long (measured).
     #[inline(always)]
     pub(crate) fn conclure(&self, rayon: &Rayon<R>, t: R, rang: Rang) -> Reponse<R> {
         par_forme!(Self, self, forme => {

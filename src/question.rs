@@ -73,8 +73,8 @@ pub(crate) fn entree<R: Nombre>(rayon: &Rayon<R>, objet: &ObjetRay<R>, abord: Ab
             }
         }
     };
-    // The comparison decides nothing, but without it every miss would tie with none so far, and
-    // ranks would be compared.
+    // No answer depends on this comparison. Without it every miss, at +∞, would tie with having
+    // found nothing, and ranks would be compared.
     Some(t).filter(|t| *t < R::INFINI)
 }
 
@@ -87,7 +87,7 @@ pub(crate) struct Premier<R> {
 }
 
 impl<R: Nombre> Premier<R> {
-    /// There is none so far, and only one nearer than `t` will do.
+    /// No object so far; the first must be nearer than `t`.
     #[inline(always)]
     pub(crate) fn avant(t: R) -> Self {
         Self { t, rang: None }
@@ -120,9 +120,9 @@ impl<R: Nombre> Question<R> for Premier<R> {
     #[inline(always)]
     fn retenir(&mut self, t: R, indice: usize, _: bool) -> bool {
         let trouve = Self { t, rang: Some(Rang::de(indice)) };
-        // Ties, which are rare, stand behind a branch, and there are two returns. A single ray
-        // takes up to 1.16 times as long without that branch, up to 1.12 times in rooms where
-        // `precede` alone decides, and up to 1.5 times with a flag (measured).
+        // Ties are rare and have a branch of their own, and each outcome its own return. A single
+        // ray takes up to 1.16 times as long without that branch, up to 1.12 times in rooms if
+        // `precede` alone decides, and up to 1.5 times if a flag holds the outcome (measured).
         if t < self.t || (t == self.t && trouve.precede(*self)) {
             *self = trouve;
             return true;

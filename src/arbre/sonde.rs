@@ -43,11 +43,12 @@ struct Axe {
     inverse_proche: f32,
     vers_lointain: f32,
     inverse_lointain: f32,
-    /// Whether the other edge enters too: some rays rise, and others do not.
+    /// Whether some rays rise along the axis and others do not. Then a box may be entered by either
+    /// side, and neither edge tells where rays leave it.
     partage: bool,
 }
 
-/// So far before Z a ray is before all boxes, which lie within 1 of Z, slack included.
+/// A ray that is this far before Z is before all boxes, which lie within 1 of Z with their slack.
 const AVANT_LES_BOITES: f64 = 2.0;
 
 impl<R: Nombre> Sonde<R> {
@@ -71,8 +72,8 @@ impl<R: Nombre> Sonde<R> {
         Self::entre_bords(depart, [bornes(s.x, d.x), bornes(s.y, d.y), bornes(s.z, d.z)], repere)
     }
 
-    /// τ₀ of the rays of these groups: where all of them are before all boxes, or else 0, where
-    /// they start. No ray is between the edges before that.
+    /// τ₀ of the rays of these groups: a distance at which all of them are still before all boxes,
+    /// or else 0, where they start. From there on every ray lies between the edges.
     #[inline(always)]
     pub(crate) fn depart_commun(groupes: &[Groupe<R>], repere: Repere<R>) -> R {
         let avant_z =
@@ -229,13 +230,13 @@ impl Bornes {
     }
 }
 
-/// The column of the sides that what goes this way along this axis comes to first, by the sign bit:
-/// so the compiler sees that a node has the column.
+/// The column of those sides of the boxes that a ray in this direction along the axis comes to
+/// first. It is computed from the sign bit, which shows the compiler that the index is in range.
 #[inline(always)]
 fn colonne(axe: usize, d: f32) -> usize {
     axe + 3 * (d.to_bits() >> 31) as usize
 }
 
-/// What is added to |D|: a ray that moves along an axis by no more stays where it is, as boxes see
-/// it, and no quotient is infinite, so that 0·∞ makes no NaN.
+/// What is added to |D|, so that no quotient is infinite and 0·∞ makes no NaN. A ray that moves
+/// along an axis by less than this stays in place along it, as boxes see it.
 const IMMOBILE: f32 = 1.0 / (1_u128 << 120) as f32;

@@ -137,8 +137,8 @@ impl<R: Nombre> Groupe<R> {
         if !pres {
             return;
         }
-        // They are computed for all lanes and kept for some, in a loop of its own: a branch would
-        // not be vectorised.
+        // All lanes compute a distance, and a second loop keeps those that come first: with a
+        // branch for each lane neither loop would be vectorised.
         let mut t = [R::INFINI; VOIES];
         if flou {
             self.toucher(forme, &mut t);

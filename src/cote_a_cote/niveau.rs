@@ -12,9 +12,10 @@ pub(crate) fn meilleur_niveau() -> Level {
 /// [`vectorize`](fearless_simd::Simd::vectorize) compiles for the instruction set of the token
 /// `simd`, once for all who call it; the level chooses the token.
 ///
-/// It is `dispatch!` of `fearless_simd`, except on x86: without SSE4.2, which gains some 5 % over
-/// SSE2 and would add a third to what is compiled; and the call with SSE2, which a function of the
-/// baseline could inline, is apart, so that nobody else pays for its frame.
+/// It is `dispatch!` of `fearless_simd`, except on x86, in two points. SSE4.2 is left out, since it
+/// gains some 5 % over SSE2 and would add a third to what is compiled. The call with SSE2 goes
+/// through [`a_part`]: the caller, which is compiled for SSE2 itself, would otherwise inline it and
+/// reserve stack for it, whichever arm is taken.
 macro_rules! selon_le_niveau {
     ($niveau:expr, $simd:ident => $appel:expr) => {{
         #[cfg(all(any(target_arch = "x86", target_arch = "x86_64"), target_feature = "sse2"))]

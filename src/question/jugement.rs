@@ -16,8 +16,8 @@ use crate::question::jugement::loupe::{Jugement, juger, juger_sortie, loupe};
 use crate::rayon::Rayon;
 use crate::rayon::intersection::Intersection;
 
-/// A glance serves for [`ObjetRay::erreur`] where it leaves no more than this part of u·t open:
-/// then the bound is what doubled numbers would say.
+/// [`ObjetRay::erreur`] trusts a glance that leaves no more than this part of u·t open: doubled
+/// numbers would give about the same bound.
 const NET: f64 = 1.0 / 64.0;
 
 /// How much the bound of [`ObjetRay::erreur`] grows for its last operations, in u of itself (lemma

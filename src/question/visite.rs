@@ -11,8 +11,8 @@ use crate::question::{Abord, Premier, Question, entree};
 use crate::rayon::Rayon;
 use crate::rayon::intersection::{Intersection, NoIntersection, Rang, Reponse};
 
-/// How many objects in several pieces wait until a walk is done. If it meets more, another walk
-/// follows, so that any number will do; a ray seldom enters one.
+/// How many objects in several pieces wait until a walk is done. If the walk meets more, another
+/// follows. Any number would do, since a ray seldom enters even one such object.
 const EN_MORCEAUX: usize = 16;
 
 /// Takes the index of an object and where the ray enters it, and says whether to go on, up to which
@@ -185,8 +185,8 @@ impl<'a, R: Nombre> Rangee<'a, R> {
         let Some(derniere) = self.places.first().map(|derniere| cle(derniere).t) else {
             return Break(());
         };
-        // A little after the last, since an object as far away and earlier in the list comes before
-        // it.
+        // The end is a little beyond the last, since an object at the same distance that is earlier
+        // in the list comes before it.
         Continue(derniere + max(derniere * fois_u(2.0), R::MIN_POSITIF))
     }
 

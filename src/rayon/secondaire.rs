@@ -66,7 +66,8 @@ impl<R: Nombre> Rayon<R> {
         let t = exiger(accepte, "distance", distance, "a finite number, 0 or more")?;
         let p = self.point(t);
         let su = self.su();
-        // In place of a step, what is lost below the normal numbers.
+        // The ray takes no step off a surface. The floor of margins covers what is lost below the
+        // normal numbers.
         let su = if su < R::ZERO { su } else { flou_suivant(su, plancher(), t, p) };
         Ok(Self::new(p, direction)?.sachant(su))
     }

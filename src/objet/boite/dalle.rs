@@ -52,8 +52,9 @@ pub(crate) fn dalle<R: Nombre>(
 ) -> (Quotient<R>, Quotient<R>) {
     let (o, vitesse) = (cs.produit_scalaire(n), d.produit_scalaire(n));
     let o = if vitesse < R::ZERO { -o } else { o }; // B1
-    // The speed is scaled down to where numbers are 2⁻¹⁴⁹ apart, and up again. With a floor by
-    // minimum and maximum a single ray takes up to 1.3 times as long among boxes (measured).
+    // The speed is rounded because it is scaled down to where numbers of `f32` are 2⁻¹⁴⁹ apart, and
+    // up again. With a floor by minimum and maximum in its place a single ray takes up to 1.3 times
+    // as long among boxes (measured).
     let descente = R::depuis_f64(selon::<R, _>(puissance_de_deux(-47), 1.0));
     let vitesse = vitesse.abs() * descente * (echelle_vitesse::<R>() / descente); // B2
     (Quotient { longueur: -(l + o), vitesse }, Quotient { longueur: l - o, vitesse })

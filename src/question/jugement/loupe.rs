@@ -76,8 +76,9 @@ fn juger_faces(faces: Faces<'_>, rayon: &Rayon, [depart, t]: Lieux) -> Jugement 
     if t < f64::INFINI {
         return a(t).0;
     }
-    // A miss is judged where the ray is nearest to the centre; and where it leaves, if that leaves
-    // it open by an exit and an entry at about one place, beside an edge.
+    // A miss is judged where the ray is nearest to the centre. Beside an edge, where the ray leaves
+    // one face at about the place where it enters another, that may decide nothing, and the miss is
+    // judged where the ray leaves.
     let pres = (faces.0 - rayon.source()).produit_scalaire(rayon.direction());
     let (jugement, sortie) = a(pres);
     if jugement.entre.is_some() {
@@ -121,8 +122,9 @@ fn juger_faces_a((c, cotes, axes): Faces<'_>, rayon: &Rayon, lieux: Lieux) -> (J
                 entree.bas = entree.bas.min(loin.bas);
                 sortie.bas = sortie.bas.min(loin.bas);
             } else {
-                // It never enters, or not for so long; or else the other faces may still exclude an
-                // entry.
+                // If the ray is above the face at both places, it comes under the face no sooner
+                // than this, if ever. Otherwise this face decides nothing, though another may still
+                // exclude an entry.
                 let au_dessus = sous_depart.haut < 0.0 && sous_point.haut < 0.0;
                 let tard = if au_dessus { loin.haut } else { f64::INFINI };
                 entree = Intervalle { bas: -f64::INFINI, haut: entree.haut.min(tard) };
@@ -161,8 +163,8 @@ fn juger_sphere(sphere: &SphereRay, rayon: &Rayon, [depart, t]: Lieux) -> Jugeme
     let d2 = rayon.direction().longueur_carree();
     let a = (sphere.centre() - rayon.source()).produit_scalaire(rayon.direction()) / d2;
     let ((p_s, xa_s), (p_a, xa_a), (p, xa)) = (en(depart), en(a), en(t));
-    // AB²·D² is D²(r² − PC²) + PA², of which hardly anything is left at A: twice for rounding, and
-    // no square may be lost.
+    // AB²·D² is D²(r² − PC²) + PA² at any point P of the line. At A as computed PA is all rounding:
+    // its square is taken twice, so that it is a bound, and never as 0 unless PA is.
     let xa_a = xa_a.grandeur();
     let reste = 2.0 * xa_a * xa_a + if xa_a > 0.0 { f64::MIN_POSITIF } else { 0.0 };
     let ab2 = Intervalle { bas: -p_a.haut * d2, haut: reste - p_a.bas * d2 };
