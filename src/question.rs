@@ -4,7 +4,7 @@
 //!
 //! [`Premier`] asks which object is first, and [`Ombre`] whether there is any. The others are
 //! [`Certificat`](crate::question::jugement::certificat::Certificat), [`Visite`](crate::question::visite::Visite) and
-//! [`Contenants`](crate::question::visite::Contenants).
+//! [`Contenance`](crate::question::visite::Contenance).
 
 pub(crate) mod choix;
 pub(crate) mod jugement;

@@ -4,7 +4,7 @@ pub(crate) mod intersection;
 pub(crate) mod secondaire;
 
 use crate::algebre::nombre::{Nombre, fois_u, max, min, simple};
-use crate::algebre::refus::{self, ErreurGeo, exiger, fini, point, refus_nul};
+use crate::algebre::refus::{self, ErreurGeo, ecrit_par, exiger, fini, lu_par, point, refus_nul};
 use crate::algebre::vecteur::Vecteur;
 
 /// A ray: the points R(t) = S + t·D, 0 ≤ t < [`fin`](Self::fin), from the source S along the unit
@@ -300,15 +300,6 @@ impl<R: Nombre> Rayon<R> {
         Rayon { source, direction, fin: self.fin.vers_f64(), su: self.su.vers_f64() }
     }
 
-    /// The fields that are written: `fin` is none where there is no end, which not every format can
-    /// say as a number, and `flou` where δ is 0.
-    #[cfg(feature = "serde")]
-    fn ecrire(&self) -> (Vecteur<R>, Vecteur<R>, Option<R>, Option<R>, u64) {
-        let (flou, dedans) = su_ecrit(self.su);
-        let fin = Some(self.fin).filter(|fin| *fin < R::INFINI);
-        (self.source, self.direction, fin, Some(flou).filter(|flou| *flou != R::ZERO), dedans)
-    }
-
     #[cfg(feature = "serde")]
     fn lire(
         source: Vecteur<R>,
@@ -327,17 +318,19 @@ pub(crate) fn su_dedans<R: Nombre>(su: R) -> R {
     min(su, R::ZERO) - R::UN
 }
 
-/// δ and the number of objects that a ray is inside, one of which is 0.
+/// The number of objects that a ray is inside which knows this of its source.
 #[cfg(feature = "serde")]
-pub(crate) fn su_ecrit<R: Nombre>(su: R) -> (R, u64) {
-    if su < R::ZERO { (R::ZERO, (-su).vers_f64() as u64) } else { (su, 0) }
+pub(crate) fn combien_dedans<R: Nombre>(su: R) -> u64 {
+    // A number below 0 becomes 0.
+    (-su).vers_f64() as u64
 }
 
-/// What [`su_ecrit`] wrote. Version 0.7.0 wrote the number of objects as a `flou` below 0.
+/// What is known of a source, from δ and the number of objects that the ray is inside, one of which
+/// is 0. Version 0.7.0 wrote that number as a `flou` below 0.
 #[cfg(feature = "serde")]
 pub(crate) fn su_lu<R: Nombre>(flou: R, dedans: u64) -> Result<R, ErreurGeo> {
     let en_0_7 = dedans == 0 && flou < R::ZERO;
-    let dedans = if en_0_7 { (-flou).vers_f64() as u64 } else { dedans };
+    let dedans = if en_0_7 { combien_dedans(flou) } else { dedans };
     let su = if dedans > 0 || en_0_7 { R::depuis_f64(-(dedans as f64)) } else { flou };
     let accepte = flou == R::ZERO || (su == flou && flou.abs() < R::INFINI);
     exiger(accepte, "flou", flou, "a finite number, and 0 for a ray inside something")?;
@@ -384,8 +377,19 @@ pub(crate) fn direction_unitaire<R: Nombre>(
     direction.unitaire().ok_or_else(|| refus_nul(champ))
 }
 
-crate::algebre::refus::lu_par! {
-    ecrit_par ecrire;
+// `fin` is none where there is no end, which not every format can say as a number, and `flou` where
+// δ is 0.
+ecrit_par! {
+    Rayon |Rayon { source, direction, fin, su }| {
+        source: source,
+        direction: direction,
+        fin: Some(fin).filter(|fin| *fin < R::INFINI),
+        flou: Some(su).filter(|su| *su > R::ZERO),
+        dedans: combien_dedans(su),
+    }
+}
+
+lu_par! {
     Rayon {
         source: Vecteur<R>,
         direction: Vecteur<R>,

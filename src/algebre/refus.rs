@@ -140,32 +140,8 @@ pub(crate) fn fini<R: Nombre>(champs: Champs, v: Vecteur<R>) -> Result<Vecteur<R
 
 /// `lu_par! { T { champ: type, … } => expression }`: with the feature `serde` a T is read as these
 /// fields and no others, by name or in order, and the expression checks them. A field with `=
-/// default` may be left out. After `ecrit_par fonction;` a T is written as these fields too, which
-/// the function returns in order.
+/// default` may be left out, and one with `alias` has another name too.
 macro_rules! lu_par {
-    (
-        ecrit_par $ecrire:ident;
-        $type:ident { $($champ:ident $(alias $autre:literal)?: $du_type:ty $(= $defaut:ident)?),* $(,)? }
-        => $lu:expr
-    ) => {
-        $crate::algebre::refus::lu_par! {
-            $type { $($champ $(alias $autre)?: $du_type $(= $defaut)?),* } => $lu
-        }
-
-        #[cfg(feature = "serde")]
-        impl<R: Nombre + serde::Serialize> serde::Serialize for $type<R> {
-            fn serialize<S: serde::Serializer>(&self, vers: S) -> Result<S::Ok, S::Error> {
-                #[derive(serde::Serialize)]
-                #[serde(bound(serialize = "R: Nombre + serde::Serialize"))]
-                struct $type<R> {
-                    $($champ: $du_type),*
-                }
-
-                let ($($champ),*) = self.$ecrire();
-                $type { $($champ),* }.serialize(vers)
-            }
-        }
-    };
     (
         $type:ident { $($champ:ident $(alias $autre:literal)?: $du_type:ty $(= $defaut:ident)?),* $(,)? }
         => $lu:expr
@@ -188,3 +164,23 @@ macro_rules! lu_par {
     };
 }
 pub(crate) use lu_par;
+
+/// `ecrit_par! { T |valeur| { champ: expression, … } }`: with the feature `serde` a T is written as
+/// these fields, in this order.
+macro_rules! ecrit_par {
+    ($type:ident |$de:pat_param| { $($champ:ident: $valeur:expr),* $(,)? }) => {
+        #[cfg(feature = "serde")]
+        impl<R: Nombre + serde::Serialize> serde::Serialize for $type<R> {
+            fn serialize<S: serde::Serializer>(&self, vers: S) -> Result<S::Ok, S::Error> {
+                use serde::ser::SerializeStruct;
+
+                let $de = *self;
+                let combien = [$(stringify!($champ)),*].len();
+                let mut lignes = vers.serialize_struct(stringify!($type), combien)?;
+                $(lignes.serialize_field(stringify!($champ), &$valeur)?;)*
+                lignes.end()
+            }
+        }
+    };
+}
+pub(crate) use ecrit_par;

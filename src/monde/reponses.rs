@@ -18,7 +18,7 @@ use crate::cote_a_cote::niveau::selon_le_niveau;
 use crate::objet::ObjetRay;
 use crate::question::jugement::certificat::Certificat;
 use crate::question::liste::Liste;
-use crate::question::visite::{Contenance, Contenants, Montrer, Rangee, Visite};
+use crate::question::visite::{Contenance, Montrer, Rangee, Visite};
 use crate::question::{Ombre, Premier, Question};
 use crate::rayon::Rayon;
 use crate::rayon::intersection::Reponse;
@@ -66,6 +66,21 @@ fn demander_avec<S: Simd, R: Nombre, Q: Question<R>>(
             question.repondre(rayon, liste.objets)
         },
     )
+}
+
+/// Visits objects until all have been shown.
+#[inline(always)]
+fn visiter<R: Nombre, const D_UN_POINT: bool>(
+    vue: &Vue<'_, R>,
+    rayon: &Rayon<R>,
+    mut visite: Visite<'_, R, D_UN_POINT>,
+) {
+    loop {
+        demander(vue, rayon, &mut visite);
+        if !visite.montrer_ce_qui_attend() {
+            return;
+        }
+    }
 }
 
 /// Fewer rays than this are asked of a list one by one (`benches/seuils.md`, "Thresholds").
@@ -231,13 +246,7 @@ reponses! {
     }
 
     fn visiter(vue: &Vue<'_, Self::R>, rayon: &Rayon<Self::R>, montrer: Montrer<'_, Self::R>) -> () {
-        let mut visite = Visite::new(rayon.fin(), montrer);
-        loop {
-            demander(vue, rayon, &mut visite);
-            if !visite.montrer_ce_qui_attend() {
-                return;
-            }
-        }
+        visiter::<_, false>(vue, rayon, Visite::new(rayon.fin(), montrer));
     }
 
     fn dans_l_ordre(vue: &Vue<'_, Self::R>, rayon: &Rayon<Self::R>, touches: &mut [Reponse<Self::R>]) -> usize {
@@ -251,18 +260,11 @@ reponses! {
     }
 
     fn contenants(vue: &Vue<'_, Self::R>, point: Vecteur<Self::R>, montrer: &mut dyn FnMut(usize)) -> () {
-        let rayon = du_point(point);
         let montrer: Montrer<'_, Self::R> = &mut |indice, _| {
             montrer(indice);
             Continue(Self::R::INFINI)
         };
-        let mut visite = Visite::new(Self::R::INFINI, montrer);
-        loop {
-            demander(vue, &rayon, Contenants(&mut visite));
-            if !visite.montrer_ce_qui_attend() {
-                return;
-            }
-        }
+        visiter::<_, true>(vue, &du_point(point), Visite::new(Self::R::INFINI, montrer));
     }
 }
 

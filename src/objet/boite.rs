@@ -357,7 +357,7 @@ impl<R: Nombre> Forme<R> for BoiteRay<R> {
     }
 }
 
-crate::algebre::refus::lu_par! {
+refus::lu_par! {
     BoiteGeo {
         centre: Vecteur<R>, dimensions: Vecteur<R>, rotation: Rotation<R> = default, texture: Texture
     } => Self::new(centre, dimensions, rotation, texture)

@@ -295,7 +295,7 @@ impl<R: Nombre> Forme<R> for PlanRay<R> {
     }
 }
 
-crate::algebre::refus::lu_par! {
+refus::lu_par! {
     PlanGeo { rotation: Rotation<R> = default, distance: R, texture: Texture }
     => Self::new(rotation, distance, texture)
 }

@@ -288,6 +288,6 @@ impl<R: Nombre> Forme<R> for SphereRay<R> {
     }
 }
 
-crate::algebre::refus::lu_par! {
+refus::lu_par! {
     SphereGeo { centre: Vecteur<R>, rayon: R, texture: Texture } => Self::new(centre, rayon, texture)
 }

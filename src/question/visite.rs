@@ -19,8 +19,9 @@ const EN_MORCEAUX: usize = 16;
 /// end of the ray.
 pub(crate) type Montrer<'a, R> = &'a mut dyn FnMut(usize, R) -> ControlFlow<(), R>;
 
-/// Shows the objects that a ray enters before its end, in no order, each once.
-pub(crate) struct Visite<'a, R> {
+/// Shows the objects that a ray enters before its end, in no order, each once; or if `D_UN_POINT`
+/// those that hold its source.
+pub(crate) struct Visite<'a, R, const D_UN_POINT: bool> {
     montrer: Montrer<'a, R>,
     fin: R,
     /// Objects in several pieces, which a walk may meet several times: those of the lowest ranks,
@@ -32,7 +33,7 @@ pub(crate) struct Visite<'a, R> {
     deja: Option<Rang>,
 }
 
-impl<'a, R: Nombre> Visite<'a, R> {
+impl<'a, R: Nombre, const D_UN_POINT: bool> Visite<'a, R, D_UN_POINT> {
     pub(crate) fn new(fin: R, montrer: Montrer<'a, R>) -> Self {
         Self { montrer, fin, en_morceaux: ArrayVec::new_const(), encore: false, deja: None }
     }
@@ -58,17 +59,21 @@ impl<'a, R: Nombre> Visite<'a, R> {
     }
 }
 
-impl<R: Nombre> Question<R> for &mut Visite<'_, R> {
+impl<R: Nombre, const D_UN_POINT: bool> Question<R> for &mut Visite<'_, R, D_UN_POINT> {
     const UN_SUFFIT: bool = false;
     type Vu = R;
     type Reponse = ();
 
     fn limite(&self) -> R {
-        self.fin
+        // A ray up to distance 0 crosses the boxes that hold its source.
+        if D_UN_POINT { R::ZERO } else { self.fin }
     }
 
     #[inline(always)]
     fn voir(&self, rayon: &Rayon<R>, objet: &ObjetRay<R>, _: usize, abord: Abord) -> Option<R> {
+        if D_UN_POINT {
+            return objet.contient(rayon.source()).then_some(R::ZERO);
+        }
         entree(rayon, objet, abord).filter(|t| *t < self.fin)
     }
 
@@ -95,31 +100,6 @@ impl<R: Nombre> Question<R> for &mut Visite<'_, R> {
         }
         self.en_morceaux.insert(place, Premier { t, rang });
         false
-    }
-
-    fn repondre(self, _: &Rayon<R>, _: &[ObjetRay<R>]) {}
-}
-
-/// Shows the objects that hold the source of the ray, in no order, each once. A ray up to distance
-/// 0 crosses the boxes that hold its source.
-pub(crate) struct Contenants<'v, 'a, R>(pub(crate) &'v mut Visite<'a, R>);
-
-impl<R: Nombre> Question<R> for Contenants<'_, '_, R> {
-    const UN_SUFFIT: bool = false;
-    type Vu = R;
-    type Reponse = ();
-
-    fn limite(&self) -> R {
-        R::ZERO
-    }
-
-    #[inline(always)]
-    fn voir(&self, rayon: &Rayon<R>, objet: &ObjetRay<R>, _: usize, _: Abord) -> Option<R> {
-        objet.contient(rayon.source()).then_some(R::ZERO)
-    }
-
-    fn retenir(&mut self, t: R, indice: usize, en_morceaux: bool) -> bool {
-        self.0.retenir(t, indice, en_morceaux)
     }
 
     fn repondre(self, _: &Rayon<R>, _: &[ObjetRay<R>]) {}

@@ -5,12 +5,13 @@ use core::num::NonZero;
 
 use crate::algebre::nombre::Nombre;
 #[cfg(feature = "serde")]
-use crate::algebre::nombre::fois_u;
+use crate::algebre::nombre::{fois_u, max};
 #[cfg(feature = "serde")]
 use crate::algebre::refus::{ErreurGeo, exiger};
+use crate::algebre::refus::{ecrit_par, lu_par};
 use crate::algebre::vecteur::Vecteur;
 #[cfg(feature = "serde")]
-use crate::rayon::{su_ecrit, su_lu};
+use crate::rayon::{combien_dedans, su_lu};
 use crate::texture::Texture;
 
 /// Where a ray first touches an object: what the handout asks for in §2.3.
@@ -79,18 +80,23 @@ impl<R: Nombre> Intersection<R> {
         exiger(indice < u32::MAX, "indice", R::depuis_f64(indice.into()), "below 2^32 - 1")?;
         Ok(Self::new(distance, contact, su, texture, Rang::de(indice as usize)))
     }
+}
 
-    /// The fields that are written: `marge` is none where it is +∞.
-    #[expect(clippy::type_complexity, reason = "a list of fields, each used once")]
-    fn ecrire(&self) -> (R, Vecteur<R>, Option<R>, Vecteur<R>, R, Texture, u32, u64) {
-        let Self { distance, normale, marge, point, su, texture, rang } = *self;
-        let (marge, (flou, dedans)) = (Some(marge).filter(|m| *m < R::INFINI), su_ecrit(su));
-        (distance, normale, marge, point, flou, texture, rang.indice() as u32, dedans)
+// `marge` is none where it is +∞.
+ecrit_par! {
+    Intersection |Intersection { distance, normale, marge, point, su, texture, rang }| {
+        distance: distance,
+        normale: normale,
+        marge: Some(marge).filter(|marge| *marge < R::INFINI),
+        point: point,
+        flou: max(su, R::ZERO),
+        texture: texture,
+        indice: rang.indice() as u32,
+        dedans: combien_dedans(su),
     }
 }
 
-crate::algebre::refus::lu_par! {
-    ecrit_par ecrire;
+lu_par! {
     Intersection {
         distance: R,
         normale: Vecteur<R>,

@@ -19,19 +19,6 @@ pub const PAS_NORMAL: f64 = 20.0;
 /// The rounding of the moved point, in units of u·Σ|N_i·P_i| (lemma 9).
 pub const PAS_ARRONDI: f64 = 1.1;
 
-/// Where a ray starts, and what it knows of its source.
-struct Depart<R> {
-    source: Vecteur<R>,
-    su: R,
-}
-
-impl<R: Nombre> Depart<R> {
-    #[inline(always)]
-    fn vers(self, direction: Vecteur<R>) -> Rayon<R> {
-        Rayon::sans_fin(self.source, direction).sachant(self.su)
-    }
-}
-
 /// A ray that turns in mid-air.
 impl<R: Nombre> Rayon<R> {
     /// A ray without an end that goes on from the [`point`](Self::point) at this distance in
@@ -242,12 +229,12 @@ impl<R: Nombre> Intersection<R> {
     #[doc(alias("shadow_ray", "light", "lamp"))]
     #[inline]
     pub fn vers_lumiere(&self, lumiere: Vecteur<R>) -> Result<Rayon<R>, ErreurGeo> {
-        let depart = self.depart(false)?; // L1
+        let (depart, su) = self.depart(false)?; // L1
         let lumiere = fini(["lumiere.x", "lumiere.y", "lumiere.z"], lumiere)?;
-        let trajet = (lumiere - depart.source).longueur_et_unitaire(); // L2
+        let trajet = (lumiere - depart).longueur_et_unitaire(); // L2
         let (distance, direction) = trajet.ok_or_else(|| refus_nul("lumiere - depart"))?;
         self.exiger_de_face("lumiere", direction)?;
-        Ok(depart.vers(direction).finissant(distance))
+        Ok(Rayon::sans_fin(depart, direction).sachant(su).finissant(distance))
     }
 
     /// The ray without an end from this hit towards a sun, a light that has a direction and no
@@ -283,9 +270,9 @@ impl<R: Nombre> Intersection<R> {
     #[inline]
     pub fn vers_soleil(&self, soleil: Vecteur<R>) -> Result<Rayon<R>, ErreurGeo> {
         let champs = ["soleil", "soleil.x", "soleil.y", "soleil.z"];
-        let (depart, direction) = (self.depart(false)?, direction_unitaire(champs, soleil)?);
+        let ((depart, su), direction) = (self.depart(false)?, direction_unitaire(champs, soleil)?);
         self.exiger_de_face("soleil", direction)?;
-        Ok(depart.vers(direction))
+        Ok(Rayon::sans_fin(depart, direction).sachant(su))
     }
 
     /// The ray from this hit to another, which ends there. Whether two points of surfaces see each
@@ -328,14 +315,15 @@ impl<R: Nombre> Intersection<R> {
     /// ```
     #[doc(alias("line_of_sight", "visibility", "segment"))]
     pub fn vers_touche(&self, cible: &Self) -> Result<Rayon<R>, ErreurGeo> {
-        let vers = self.vers_lumiere(cible.depart(false)?.source)?;
+        let vers = self.vers_lumiere(cible.depart(false)?.0)?;
         cible.exiger_de_face("cible", -vers.direction())?;
         Ok(vers)
     }
 
-    /// The point of the hit, moved along the normal, outward or inward, past all rounding.
+    /// The point of the hit, moved along the normal, outward or inward, past all rounding; and what
+    /// a ray from there knows of its source.
     #[inline(always)]
-    fn depart(&self, dedans: bool) -> Result<Depart<R>, ErreurGeo> {
+    fn depart(&self, dedans: bool) -> Result<(Vecteur<R>, R), ErreurGeo> {
         let attendu = "finite: a sphere lost in rounding, or a point out of range, has no side";
         exiger(self.marge() < R::INFINI, "marge", self.marge(), attendu)?;
         let (p, n) = (self.point(), self.normale());
@@ -352,14 +340,15 @@ impl<R: Nombre> Intersection<R> {
         } else {
             flou_suivant(su, pas, self.distance(), p)
         };
-        Ok(Depart { source, su })
+        Ok((source, su))
     }
 
     /// The ray from that side in this unit direction.
     #[inline(always)]
     fn suite(&self, dedans: bool, direction: Vecteur<R>) -> Result<Rayon<R>, ErreurGeo> {
         let direction = if dedans { direction } else { self.redressee(direction)? };
-        Ok(self.depart(dedans)?.vers(direction))
+        let (depart, su) = self.depart(dedans)?;
+        Ok(Rayon::sans_fin(depart, direction).sachant(su))
     }
 
     /// Whether this unit direction leads away from the surface, by more than N·D can round.
