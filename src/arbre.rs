@@ -1,9 +1,9 @@
 //! A tree of bounding boxes over a list, with the answers of the list, to the bit.
 //!
 //! A leaf holds sixteen objects with a box, and a node of each floor above holds sixteen nodes
-//! (`arbre/noeud.rs`, `construction.rs`). A ray looks at the nodes that it crosses (`parcours.rs`),
-//! a block of rays at those that its beam crosses (`parcours_de_bloc.rs`), each through its probe
-//! (`sonde.rs`). Objects without a box are always asked. What may be left out is derived in
+//! (`noeud.rs`, `construction.rs`). A ray looks at the nodes that it may enter (`parcours.rs`),
+//! a block of rays at those that some ray of it may enter (`parcours_de_bloc.rs`), as their probe
+//! tells (`sonde.rs`). Objects without a box are always asked. What may be left out is derived in
 //! `docs/preuves.md`, lemmas 6 and 19 to 21.
 
 pub(crate) mod construction;
@@ -14,5 +14,3 @@ pub(crate) mod parcours_de_bloc;
 mod pile;
 pub(crate) mod repere;
 pub(crate) mod sonde;
-
-pub use construction::PlacesInsuffisantes;

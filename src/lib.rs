@@ -92,8 +92,18 @@
 //! [`Intersection::marge`] bounds how far the point is from the surface, and
 //! [`Intersection::secondaire`] starts a shadow, reflection or refraction ray that never hits the
 //! object it leaves, except inward within rounding of a box edge or in a box no thicker than twice
-//! the step. [`BoiteRay::lieu`] says which face of a box was hit, and where. [`Monde::certifie`] tells
-//! whether the first object is that of exact arithmetic.
+//! the step. [`BoiteRay::lieu`] says which face of a box was hit, and where.
+//!
+//! Four functions tell how far an answer is to be trusted:
+//!
+//! | ask | about | it says | it costs |
+//! |---|---|---|---|
+//! | [`touche.marge()`](Intersection::marge) | the **point** of a hit | how far it lies from the surface at most, along the normal | nothing: each hit has it |
+//! | [`objet.erreur(&rayon, &touche)`](ObjetRay::erreur) | the **distance** of a hit or a way out | how far it is off at most, along the ray | many times a hit |
+//! | [`objet.est_certain(&rayon)`](ObjetRay::est_certain) | **hit or miss** of one object | whether that is certainly what exact arithmetic says | a few times a hit |
+//! | [`monde.certifie(&rayon, &reponse)`](Monde::certifie) | **which object** of a list is first, or that none is | whether that is certainly what exact arithmetic says | 1.0 to 1.4 rays on average |
+//!
+//! All of them speak of the numbers as they are stored.
 //!
 //! # `f32` or `f64`
 //!
@@ -119,63 +129,34 @@
 #[cfg(feature = "std")]
 extern crate std;
 
-// The floors, from the ground up: a file imports only from floors below its own
-// (`docs/conception.md`, "The floors").
-//
-//   colonne · nombre · choix, niveau · vecteur · texture, refus · rotation · echange, rayon
-//   double · dalle · intersection · secondaire · forme · sphere, plan, boite · face, objet
-//   question · liste · recherche, visite, jugement · lot · arbre · reponses · monde
-//   pour_les_tests
+mod algebre;
 mod arbre;
-mod boite;
-mod choix;
-mod colonne;
-mod dalle;
-mod double;
-#[cfg(feature = "mint")]
-mod echange;
-mod face;
-mod forme;
-mod intersection;
-mod jugement;
-mod liste;
-mod lot;
+mod cote_a_cote;
 mod monde;
-mod niveau;
-mod nombre;
 mod objet;
-mod plan;
 #[doc(hidden)]
 pub mod pour_les_tests;
 mod question;
 mod rayon;
-mod recherche;
-mod refus;
-mod reponses;
-mod rotation;
-mod secondaire;
-mod sphere;
 mod texture;
-mod vecteur;
-mod visite;
 
-pub use arbre::PlacesInsuffisantes;
-pub use boite::{BoiteGeo, BoiteRay};
-pub use choix::{Choix, Parmi, Sans, Tous};
-pub use face::Face;
-pub use intersection::{Intersection, NoIntersection, Reponse};
+pub use algebre::nombre::Nombre;
+pub use algebre::refus::{ErreurGeo, LongueursDifferentes};
+pub use algebre::rotation::Rotation;
+pub use algebre::vecteur::Vecteur;
+pub use arbre::construction::PlacesInsuffisantes;
+pub use monde::reponses::Reel;
 pub use monde::{Monde, places};
-pub use nombre::Nombre;
+pub use objet::boite::face::Face;
+pub use objet::boite::{BoiteGeo, BoiteRay};
+pub use objet::plan::{PlanGeo, PlanRay};
+pub use objet::sphere::{SphereGeo, SphereRay};
 pub use objet::{Etendue, ObjetGeo, ObjetRay};
-pub use plan::{PlanGeo, PlanRay};
+pub use question::choix::{Choix, Parmi, Sans, Tous};
+pub use question::recherche::premiere_intersection;
 pub use rayon::Rayon;
-pub use recherche::premiere_intersection;
-pub use refus::{ErreurGeo, LongueursDifferentes};
-pub use reponses::Reel;
-pub use rotation::Rotation;
-pub use sphere::{SphereGeo, SphereRay};
+pub use rayon::intersection::{Intersection, NoIntersection, Reponse};
 pub use texture::Texture;
-pub use vecteur::Vecteur;
 
 /// Runs the examples of the README and of the recipes.
 #[cfg(doctest)]

@@ -1,20 +1,23 @@
 //! The world that rays ask: a list of objects, with or without a tree, all of it or a choice.
 
+pub(crate) mod reponses;
+
 use core::fmt;
+use core::ops::ControlFlow;
 
 use fearless_simd::Level;
 
+use crate::algebre::nombre::Nombre;
+use crate::algebre::refus::LongueursDifferentes;
+use crate::algebre::vecteur::Vecteur;
 use crate::arbre::construction::{Arbre, PlacesInsuffisantes, mots};
-use crate::choix::{Choix, Parmi, Sans, Tous};
-use crate::intersection::{Reponse, exiger_des_rangs};
-use crate::liste::Liste;
-use crate::niveau::meilleur_niveau;
-use crate::nombre::Nombre;
+use crate::cote_a_cote::niveau::meilleur_niveau;
+use crate::monde::reponses::{Reel, Repond, Reponses, Vue};
 use crate::objet::{Etendue, ObjetRay};
+use crate::question::choix::{Choix, Parmi, Sans, Tous};
+use crate::question::liste::Liste;
 use crate::rayon::Rayon;
-use crate::refus::LongueursDifferentes;
-use crate::reponses::{Reel, Vue};
-use crate::vecteur::Vecteur;
+use crate::rayon::intersection::{Reponse, exiger_des_rangs};
 
 /// What rays ask, one by one or in batches: a list of objects, or a choice of them, with or without
 /// a tree of bounding boxes.
@@ -118,7 +121,7 @@ impl<'a, R: Reel> Monde<'a, R> {
         objets: &'a [ObjetRay<R>],
         places: &'a mut [f32],
     ) -> Result<Self, PlacesInsuffisantes> {
-        Ok(Self { arbre: R::arbre(objets, places, false)?, ..Self::de_liste(objets) })
+        Ok(Self { arbre: Reponses::<R>::arbre(objets, places, false)?, ..Self::de_liste(objets) })
     }
 
     /// Builds a tree in which **long boxes that stand askew**, such as poles, planks and beams, are
@@ -151,7 +154,7 @@ impl<'a, R: Reel> Monde<'a, R> {
         objets: &'a [ObjetRay<R>],
         places: &'a mut [f32],
     ) -> Result<Self, PlacesInsuffisantes> {
-        Ok(Self { arbre: R::arbre(objets, places, true)?, ..Self::de_liste(objets) })
+        Ok(Self { arbre: Reponses::<R>::arbre(objets, places, true)?, ..Self::de_liste(objets) })
     }
 
     /// Takes this list as it is: nothing is built, no memory is needed, and every object is tested.
@@ -275,7 +278,7 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     #[doc(alias("cast_ray", "closest_hit", "first_hit", "raycast"))]
     #[inline]
     pub fn premiere_intersection(&self, rayon: &Rayon<R>) -> Reponse<R> {
-        R::premiere(&self.vue(), rayon)
+        Reponses::<R>::premiere(&self.vue(), rayon)
     }
 
     /// The first object that each ray enters:
@@ -307,7 +310,7 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
         rayons: &[Rayon<R>],
         touches: &mut [Reponse<R>],
     ) -> Result<(), LongueursDifferentes> {
-        R::premieres(&self.vue(), rayons, touches)
+        Reponses::<R>::premieres(&self.vue(), rayons, touches)
     }
 
     /// Whether anything stands before the end of the ray, where the light is: the shadow of the
@@ -345,7 +348,7 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     #[inline]
     #[must_use]
     pub fn est_occulte(&self, rayon: &Rayon<R>) -> bool {
-        R::occulte(&self.vue(), rayon)
+        Reponses::<R>::occulte(&self.vue(), rayon)
     }
 
     /// Whether anything stands before the end of each ray: the answers of
@@ -376,7 +379,7 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
         rayons: &[Rayon<R>],
         occultes: &mut [bool],
     ) -> Result<(), LongueursDifferentes> {
-        R::occultes(&self.vue(), rayons, occultes)
+        Reponses::<R>::occultes(&self.vue(), rayons, occultes)
     }
 
     /// Writes the objects that the ray enters before its end, the nearest first; of two at the same
@@ -408,19 +411,23 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// ```
     #[doc(alias("all_hits", "multi_hit", "k_nearest", "in_order", "transparency", "picking"))]
     pub fn dans_l_ordre(&self, rayon: &Rayon<R>, touches: &mut [Reponse<R>]) -> usize {
-        R::dans_l_ordre(&self.vue(), rayon, touches)
+        Reponses::<R>::dans_l_ordre(&self.vue(), rayon, touches)
     }
 
     /// Calls `voir` once for every object that the ray enters before its end, in no order, with the
-    /// index of the object and the distance. `voir` returns the end of the ray from then on: a
-    /// distance draws it nearer, one beyond the end so far leaves it where it is, as do +∞ and a
-    /// NaN. 0 or a number below ends the visit.
+    /// index of the object and the distance.
+    ///
+    /// `voir` returns `Break(())` to stop, or `Continue(fin)` to go on with a ray that ends at `fin`
+    /// from then on. `Continue(t)` thus goes on to nearer objects alone, and
+    /// `Continue(rayon.fin())` to all others. The end never moves away again: a `fin` beyond the end
+    /// so far, or a NaN, leaves it where it is.
     ///
     /// It serves what no other question asks: to count objects, to weigh them, or to find the first
     /// by a rule of your own. Only the distance is computed; [`ObjetRay::intersection`] of the
     /// object has the rest of the hit.
     ///
     /// ```
+    /// use core::ops::ControlFlow::{Break, Continue};
     /// use lancer_rayon::{Monde, ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
     ///
     /// let boule = |z, texture| SphereGeo::new(Vecteur::new(0.0, 0.0, z), 1.0, Texture(texture));
@@ -432,25 +439,33 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// let mut nombre = 0;
     /// monde.visiter(&rayon, |_, _| {
     ///     nombre += 1;
-    ///     f64::INFINITY
+    ///     Continue(rayon.fin())
     /// });
     /// assert_eq!(nombre, 3);
     ///
-    /// // The first with the texture 1: what comes later need not be shown.
+    /// // The first with the texture 2: what comes later need not be shown.
     /// let mut premier = None;
     /// monde.visiter(&rayon, |indice, t| {
-    ///     if objets[indice].texture() != Texture(1) {
-    ///         return f64::INFINITY;
+    ///     if objets[indice].texture() != Texture(2) {
+    ///         return Continue(rayon.fin());
     ///     }
     ///     premier = Some(indice);
-    ///     t
+    ///     Continue(t)
     /// });
-    /// assert_eq!(premier, Some(0));
+    /// assert_eq!(premier, Some(1));
+    ///
+    /// // Whether there are two: the third need not be shown.
+    /// let mut encore = 2;
+    /// monde.visiter(&rayon, |_, _| {
+    ///     encore -= 1;
+    ///     if encore == 0 { Break(()) } else { Continue(rayon.fin()) }
+    /// });
+    /// assert_eq!(encore, 0);
     /// # Ok::<(), lancer_rayon::ErreurGeo>(())
     /// ```
     #[doc(alias("any_hit", "visitor", "for_each_hit", "count"))]
-    pub fn visiter(&self, rayon: &Rayon<R>, mut voir: impl FnMut(usize, R) -> R) {
-        R::visiter(&self.vue(), rayon, &mut voir);
+    pub fn visiter(&self, rayon: &Rayon<R>, mut voir: impl FnMut(usize, R) -> ControlFlow<(), R>) {
+        Reponses::<R>::visiter(&self.vue(), rayon, &mut voir);
     }
 
     /// Whether this point is in some object or on its surface, as [`ObjetRay::contient`] says.
@@ -472,14 +487,14 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     #[doc(alias("contains", "inside", "point_query"))]
     #[must_use]
     pub fn contient(&self, point: Vecteur<R>) -> bool {
-        R::contient(&self.vue(), point)
+        Reponses::<R>::contient(&self.vue(), point)
     }
 
     /// Calls `voir` once, in no order, with the index of every object that
     /// [contains](ObjetRay::contient) this point.
     #[doc(alias("contains", "inside", "point_query"))]
     pub fn contenants(&self, point: Vecteur<R>, mut voir: impl FnMut(usize)) {
-        R::contenants(&self.vue(), point, &mut voir);
+        Reponses::<R>::contenants(&self.vue(), point, &mut voir);
     }
 
     /// Whether an answer of [`premiere_intersection`](Self::premiere_intersection), a hit or a
@@ -498,8 +513,8 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// found elsewhere can be judged. With a tree a certificate takes 1.0 to 1.4 times as long as
     /// the ray on average, and at most about twice as long.
     ///
-    /// If an answer of `f32` is not certain, ask the same numbers in `f64`: [`ObjetRay::vers_f64`]
-    /// of all objects, and [`Rayon::vers_f64`].
+    /// If an answer of `f32` is not certain, ask the same numbers in `f64`: [`ObjetRay::temoin_f64`]
+    /// of all objects, and [`Rayon::temoin_f64`].
     ///
     /// ```
     /// use lancer_rayon::{Monde, ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
@@ -518,7 +533,7 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     #[doc(alias("is_certain", "certify", "certificate"))]
     #[must_use]
     pub fn certifie(&self, rayon: &Rayon<R>, reponse: &Reponse<R>) -> bool {
-        R::certifie(&self.vue(), rayon, reponse)
+        Reponses::<R>::certifie(&self.vue(), rayon, reponse)
     }
 
     /// A box along the axes that holds all of these objects except the half-spaces, which no box

@@ -1,19 +1,29 @@
 //! The two enums of the handout's §4.1, and the choice between shapes.
+//!
+//! What an [`ObjetRay`] can do stands here, where a ray enters and leaves it in `objet/seul.rs`, and
+//! how exact the answers are in `question/jugement.rs`.
 
-use crate::boite::{BoiteGeo, BoiteRay};
-use crate::forme::{Boule, Forme};
-use crate::intersection::{Intersection, Rang, Reponse};
-use crate::nombre::{Nombre, fois_u, max, min};
-use crate::plan::{PlanGeo, PlanRay};
+pub(crate) mod boite;
+pub(crate) mod forme;
+pub(crate) mod plan;
+mod seul;
+pub(crate) mod sphere;
+
+use crate::algebre::nombre::{Nombre, fois_u, max, min};
+use crate::algebre::refus::ErreurGeo;
+use crate::algebre::rotation::Rotation;
+use crate::algebre::vecteur::Vecteur;
+use crate::objet::boite::{BoiteGeo, BoiteRay};
+use crate::objet::forme::{Boule, Forme};
+use crate::objet::plan::{PlanGeo, PlanRay};
+use crate::objet::sphere::{SphereGeo, SphereRay};
 use crate::rayon::Rayon;
-use crate::refus::ErreurGeo;
-use crate::rotation::Rotation;
-use crate::sphere::{SphereGeo, SphereRay};
+use crate::rayon::intersection::{Intersection, Rang, Reponse};
 use crate::texture::Texture;
-use crate::vecteur::Vecteur;
 
 /// `par_forme!(ObjetRay, objet, forme => expression)` is the expression for the shape in `objet`.
-/// All of the crate chooses between shapes in this way, except where it judges (`jugement/`).
+/// All of the crate chooses between shapes in this way, except where it judges
+/// (`question/jugement/`).
 ///
 /// Each arm has a type of its own for `forme`, which no closure could have. One match can serve
 /// many rays.
@@ -192,8 +202,9 @@ impl<R: Nombre> ObjetRay<R> {
 
     /// The hit that the search found at distance `t`, on this object, which has this rank.
     ///
-    /// What is rare ends in a call that makes the whole answer. As one of two contacts it would
-    /// take both through memory, and a single ray up to 1.2 times as long (measured).
+    /// The rare case is a call that returns a whole answer. Were it to return a contact, the common
+    /// case would pass its contact through memory as well, and a single ray would take up to 1.2
+    /// times as long (measured).
     #[inline(always)]
     pub(crate) fn conclure(&self, rayon: &Rayon<R>, t: R, rang: Rang) -> Reponse<R> {
         par_forme!(Self, self, forme => {
@@ -223,26 +234,21 @@ impl<R: Nombre> ObjetRay<R> {
 
     /// The same object in `f64`, exactly: every number that is stored, and no other.
     ///
-    /// With [`Rayon::vers_f64`] it serves to check answers of `f32` against those of `f64`.
-    /// Directions and normals are unit only to the rounding of `f32`, so that `marge`,
-    /// `secondaire`, `reflechi`, `refracte`, `vers_touche` and `etendue` promise nothing.
+    /// It is a witness: with [`Rayon::temoin_f64`] it tells what the answers of `f32` would be in
+    /// `f64`, and serves for nothing else. Directions and normals are unit only to the rounding of
+    /// `f32`, so that `marge`, `secondaire`, `reflechi`, `refracte`, `vers_touche` and `etendue`
+    /// promise nothing. For an object in `f64` describe it in `f64`.
     ///
     /// ```
     /// use lancer_rayon::{ObjetRay, SphereGeo, Texture, Vecteur};
     ///
     /// let boule = SphereGeo::<f32>::new(Vecteur::new(0.1, 0.2, 0.3), 0.7, Texture(0))?;
-    /// let ObjetRay::Sphere(boule) = ObjetRay::from(boule).vers_f64() else { panic!("a sphere") };
+    /// let ObjetRay::Sphere(boule) = ObjetRay::from(boule).temoin_f64() else { panic!("a sphere") };
     /// assert_eq!((boule.centre().x, boule.rayon()), (0.1_f32.into(), 0.7_f32.into()));
     /// # Ok::<(), lancer_rayon::ErreurGeo>(())
     /// ```
-    #[doc(alias("to_f64", "widen"))]
-    pub fn vers_f64(self) -> ObjetRay {
-        self.en_double()
-    }
-
-    /// [`vers_f64`](Self::vers_f64) by reference: a certificate, which converts many objects, takes
-    /// 0.97 of the time (measured).
-    pub(crate) fn en_double(&self) -> ObjetRay {
+    #[doc(alias("to_f64", "widen", "witness"))]
+    pub fn temoin_f64(&self) -> ObjetRay {
         par_forme!(Self, self, forme => forme.vers_f64().into())
     }
 
@@ -270,7 +276,8 @@ impl<R: Nombre> ObjetRay<R> {
     /// A box along the axes that holds all of this object; `None` for a half-space, which is
     /// unbounded.
     ///
-    /// Rounding is allowed for, except for an object that [`vers_f64`](Self::vers_f64) gave. The
+    /// Rounding is allowed for, except for an object that [`temoin_f64`](Self::temoin_f64)
+    /// gave. The
     /// corners lie beyond the object by up to 87u of the sum of its half-extents and 3.1u of the
     /// sum of the coordinates of its centre. [`Monde::etendue`](crate::Monde::etendue) is the box
     /// of a list.

@@ -4,30 +4,33 @@
 
 use fearless_simd::Level;
 
+use crate::algebre::nombre::Nombre;
 use crate::arbre::sonde::Sonde;
-use crate::colonne::LARGEUR;
-use crate::lot::bloc::{Bloc, Groupes};
-use crate::lot::groupe::VOIES;
+use crate::cote_a_cote::bloc::{Bloc, Groupes};
+use crate::cote_a_cote::colonne::LARGEUR;
+use crate::cote_a_cote::groupe::VOIES;
+use crate::cote_a_cote::niveau::{meilleur_niveau, selon_le_niveau};
 use crate::monde::Monde;
-use crate::niveau::{meilleur_niveau, selon_le_niveau};
-use crate::nombre::Nombre;
+use crate::monde::reponses::{Reel, Vue};
 use crate::rayon::Rayon;
-use crate::reponses::{Reel, Vue};
 
+pub use crate::algebre::double::{BORNE_DOUBLE, Double, Intervalle, PERTE_DOUBLE, PRODUIT_DOUBLE};
+pub use crate::algebre::nombre::PLANCHER;
+pub use crate::algebre::rotation::DEJA_ORTHONORMALE;
 pub use crate::arbre::repere::{JEU_DISTANCE, JEU_F32, JEU_LARGEUR};
-pub use crate::boite::FLOU_A_COTE;
-pub use crate::double::{BORNE_DOUBLE, Double, Intervalle, PERTE_DOUBLE, PRODUIT_DOUBLE};
-pub use crate::forme::{ARRONDI_HAUTEUR, FLOU_PROPRE, PENCHE, PLANCHER, RETRAIT, VERS_LE_HAUT};
-pub use crate::jugement::ERREUR_ARRONDIE;
-pub use crate::jugement::coup_d_oeil::{
+pub use crate::objet::ETENDUE;
+pub use crate::objet::boite::FLOU_A_COTE;
+pub use crate::objet::forme::{ARRONDI_HAUTEUR, FLOU_PROPRE, PENCHE, RETRAIT, VERS_LE_HAUT};
+pub use crate::objet::sphere::{
+    ARRONDI_PERDU, LONGUEUR, PAR_RAYON, PUISSANCE_PERDUE, TRAVERS_PERDU,
+};
+pub use crate::question::jugement::ERREUR_ARRONDIE;
+pub use crate::question::jugement::coup_d_oeil::{
     VUE_DISTANCE, VUE_HAUTEUR, VUE_LONGUEUR, VUE_QUOTIENT, VUE_SPHERE, VUE_VITESSE, coup_d_oeil,
 };
-pub use crate::jugement::loupe::ECART_ARRONDI;
-pub use crate::objet::ETENDUE;
+pub use crate::question::jugement::loupe::ECART_ARRONDI;
+pub use crate::rayon::secondaire::{PAS_ARRONDI, PAS_NORMAL, REDRESSE, TANGENT};
 pub use crate::rayon::{DEJA_UNITAIRE, FLOU_DISTANCE, FLOU_POINT, FLOU_RELATIF};
-pub use crate::rotation::DEJA_ORTHONORMALE;
-pub use crate::secondaire::{PAS_ARRONDI, PAS_NORMAL, REDRESSE, TANGENT};
-pub use crate::sphere::{ARRONDI_PERDU, LONGUEUR, PAR_RAYON, PUISSANCE_PERDUE, TRAVERS_PERDU};
 
 /// The instructions to use; no answer depends on them.
 #[derive(Debug, Clone, Copy)]

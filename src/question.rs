@@ -1,15 +1,21 @@
 //! The questions that a ray asks. They have one trait, so that every walk can ask any of them: a
 //! list (`liste.rs`), a tree (`arbre/parcours.rs`) and, for those that are
-//! [`EnLot`](crate::lot::bloc::EnLot), a block of rays (`lot/bloc.rs`).
+//! [`EnLot`](crate::cote_a_cote::bloc::EnLot), a block of rays (`cote_a_cote/bloc.rs`).
 //!
 //! [`Premier`] asks which object is first, and [`Ombre`] whether there is any. The others are
-//! [`Certificat`](crate::jugement::certificat::Certificat), [`Visite`](crate::visite::Visite) and
-//! [`Contenants`](crate::visite::Contenants).
+//! [`Certificat`](crate::question::jugement::certificat::Certificat), [`Visite`](crate::question::visite::Visite) and
+//! [`Contenance`](crate::question::visite::Contenance).
 
-use crate::intersection::{NoIntersection, Rang, Reponse};
-use crate::nombre::Nombre;
+pub(crate) mod choix;
+pub(crate) mod jugement;
+pub(crate) mod liste;
+pub(crate) mod recherche;
+pub(crate) mod visite;
+
+use crate::algebre::nombre::Nombre;
 use crate::objet::ObjetRay;
 use crate::rayon::Rayon;
+use crate::rayon::intersection::{NoIntersection, Rang, Reponse};
 
 /// A question: what it asks of an object, what it keeps, and its answer.
 pub(crate) trait Question<R: Nombre> {
@@ -64,8 +70,8 @@ pub(crate) fn entree<R: Nombre>(rayon: &Rayon<R>, objet: &ObjetRay<R>, abord: Ab
             }
         }
     };
-    // The comparison decides nothing, but without it every miss would tie with none so far, and
-    // ranks would be compared.
+    // No answer depends on this comparison. Without it every miss, at +∞, would tie with having
+    // found nothing, and ranks would be compared.
     Some(t).filter(|t| *t < R::INFINI)
 }
 
@@ -78,7 +84,7 @@ pub(crate) struct Premier<R> {
 }
 
 impl<R: Nombre> Premier<R> {
-    /// There is none so far, and only one nearer than `t` will do.
+    /// No object so far; the first must be nearer than `t`.
     #[inline(always)]
     pub(crate) fn avant(t: R) -> Self {
         Self { t, rang: None }
@@ -111,9 +117,9 @@ impl<R: Nombre> Question<R> for Premier<R> {
     #[inline(always)]
     fn retenir(&mut self, t: R, indice: usize, _: bool) -> bool {
         let trouve = Self { t, rang: Some(Rang::de(indice)) };
-        // Ties, which are rare, stand behind a branch, and there are two returns. A single ray
-        // takes up to 1.16 times as long without that branch, up to 1.12 times in rooms where
-        // `precede` alone decides, and up to 1.5 times with a flag (measured).
+        // Ties are rare and have a branch of their own, and each outcome its own return. A single
+        // ray takes up to 1.16 times as long without that branch, up to 1.12 times in rooms if
+        // `precede` alone decides, and up to 1.5 times if a flag holds the outcome (measured).
         if t < self.t || (t == self.t && trouve.precede(*self)) {
             *self = trouve;
             return true;

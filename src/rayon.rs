@@ -1,8 +1,11 @@
 //! Rays of light (handout §4.1 and annex A): a source, a unit direction and an end.
 
-use crate::nombre::{Nombre, fois_u, max, min, simple};
-use crate::refus::{self, ErreurGeo, exiger, fini, point, refus_nul};
-use crate::vecteur::Vecteur;
+pub(crate) mod intersection;
+pub(crate) mod secondaire;
+
+use crate::algebre::nombre::{Nombre, fois_u, max, min, simple};
+use crate::algebre::refus::{self, ErreurGeo, ecrit_par, exiger, fini, lu_par, point, refus_nul};
+use crate::algebre::vecteur::Vecteur;
 
 /// A ray: the points R(t) = S + t·D, 0 ≤ t < [`fin`](Self::fin), from the source S along the unit
 /// vector D (handout, annex A).
@@ -23,18 +26,14 @@ use crate::vecteur::Vecteur;
 /// ```
 #[doc(alias = "ray")]
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "serde", serde(bound(serialize = "R: Nombre + serde::Serialize")))]
 #[must_use]
 pub struct Rayon<R = f64> {
     source: Vecteur<R>,
     direction: Vecteur<R>,
-    #[cfg_attr(feature = "serde", serde(serialize_with = "crate::refus::fini_ou_rien"))]
     fin: R,
-    /// From 0 on this is δ: no object holds the source by more than δ and its own rounding. Below 0
-    /// the ray is inside −`flou` objects.
-    #[cfg_attr(feature = "serde", serde(serialize_with = "flou_en_option"))]
-    flou: R,
+    /// What is known of the source: δ, which is called `flou`, or below 0 minus the number of
+    /// objects that the ray is inside.
+    su: R,
 }
 
 impl<R: Nombre> Rayon<R> {
@@ -131,7 +130,7 @@ impl<R: Nombre> Rayon<R> {
     #[doc(alias("tolerance", "on_surface", "blur"))]
     pub fn avec_flou(self, flou: R) -> Result<Self, ErreurGeo> {
         let accepte = flou >= R::ZERO && flou < R::INFINI;
-        Ok(Self { flou: exiger(accepte, "flou", flou, "a finite number, 0 or more")?, ..self })
+        Ok(Self { su: exiger(accepte, "flou", flou, "a finite number, 0 or more")?, ..self })
     }
 
     /// The same ray, known to start inside something such as mist, water or glass. It has no δ and
@@ -166,27 +165,27 @@ impl<R: Nombre> Rayon<R> {
     /// ```
     #[doc(alias("inside", "medium", "fog"))]
     pub fn dedans(self) -> Self {
-        Self { flou: min(self.flou, R::ZERO) - R::UN, ..self }
+        Self { su: su_dedans(self.su), ..self }
     }
 
     /// The ray without an end from a source and in a direction that were checked before, with δ =
     /// 0.
     #[inline(always)]
     pub(crate) fn sans_fin(source: Vecteur<R>, direction: Vecteur<R>) -> Self {
-        Self { source, direction, fin: R::INFINI, flou: R::ZERO }
+        Self { source, direction, fin: R::INFINI, su: R::ZERO }
     }
 
-    /// The same ray with what is known of its source: δ, or below 0 the number of objects that it
-    /// is inside.
+    /// The same ray with this [`su`](Self::su).
     #[inline(always)]
-    pub(crate) fn sachant(self, flou: R) -> Self {
-        Self { flou, ..self }
+    pub(crate) fn sachant(self, su: R) -> Self {
+        Self { su, ..self }
     }
 
-    /// What [`sachant`](Self::sachant) said.
+    /// What is known of the source: δ, or below 0 minus the number of objects that the ray is
+    /// inside.
     #[inline(always)]
     pub(crate) fn su(&self) -> R {
-        self.flou
+        self.su
     }
 
     /// The same ray with an end that was checked before.
@@ -234,7 +233,7 @@ impl<R: Nombre> Rayon<R> {
     #[inline(always)]
     #[must_use]
     pub fn flou(&self) -> R {
-        max(self.flou, R::ZERO)
+        max(self.su, R::ZERO)
     }
 
     /// R(t) = S + t·D, the point at this distance from the source, in scene units. At +∞ a
@@ -271,17 +270,18 @@ impl<R: Nombre> Rayon<R> {
     pub fn vers_f32(self, origine: Vecteur<R>) -> Result<Rayon<f32>, ErreurGeo> {
         let origine = refus::origine(origine)?;
         let rayon = Rayon::new((self.source - origine).vers_f32(), self.direction.vers_f32())?;
-        let flou = if self.flou > R::ZERO {
-            let ici = simple(flou_suivant(self.flou, R::ZERO, R::ZERO, self.source)).min(f32::MAX);
+        let su = if self.su > R::ZERO {
+            let ici = simple(flou_suivant(self.su, R::ZERO, R::ZERO, self.source)).min(f32::MAX);
             // The step is more than is lost below the normal numbers.
             flou_suivant(ici, 8.0 * f32::MIN_POSITIF, 0.0, rayon.source)
         } else {
-            simple(self.flou).max(f32::MIN)
+            simple(self.su).max(f32::MIN)
         };
-        Ok(rayon.finissant(simple(self.fin)).sachant(flou))
+        Ok(rayon.finissant(simple(self.fin)).sachant(su))
     }
 
-    /// The same ray in `f64`, exactly: to judge an answer in `f32` by one in `f64`.
+    /// The same ray in `f64`, exactly: a witness, which tells what an answer in `f32` would be in
+    /// `f64`, and serves for nothing else ([`ObjetRay::temoin_f64`](crate::ObjetRay::temoin_f64)).
     ///
     /// The direction is not made unit again: that of an `f32` ray is unit only to the rounding of
     /// `f32`, and distances are in units of its length, in both types alike. Batches and trees
@@ -291,37 +291,50 @@ impl<R: Nombre> Rayon<R> {
     /// use lancer_rayon::{Rayon, Vecteur};
     ///
     /// let rayon = Rayon::<f32>::new(Vecteur::NUL, Vecteur::new(1.0, 2.0, 3.0))?;
-    /// assert_eq!(rayon.vers_f64().direction(), rayon.direction().vers_f64());
+    /// assert_eq!(rayon.temoin_f64().direction(), rayon.direction().vers_f64());
     /// # Ok::<(), lancer_rayon::ErreurGeo>(())
     /// ```
-    #[doc(alias("to_f64", "widen"))]
-    pub fn vers_f64(self) -> Rayon {
+    #[doc(alias("to_f64", "widen", "witness"))]
+    pub fn temoin_f64(&self) -> Rayon {
         let (source, direction) = (self.source.vers_f64(), self.direction.vers_f64());
-        Rayon { source, direction, fin: self.fin.vers_f64(), flou: self.flou.vers_f64() }
+        Rayon { source, direction, fin: self.fin.vers_f64(), su: self.su.vers_f64() }
     }
 
-    /// The ray that was written: `fin` is none where there is no end, which not every format can
-    /// say as a number, and `flou` where nothing is known of the source.
     #[cfg(feature = "serde")]
     fn lire(
         source: Vecteur<R>,
         direction: Vecteur<R>,
         fin: Option<R>,
-        flou: Option<R>,
+        (flou, dedans): (Option<R>, u64),
     ) -> Result<Self, ErreurGeo> {
         let rayon = Self::new(source, direction)?.jusqu_a(fin.unwrap_or(R::INFINI))?;
-        let flou = flou.unwrap_or(R::ZERO);
-        exiger(flou.abs() < R::INFINI, "flou", flou, "a finite number")?;
-        Ok(rayon.sachant(flou))
+        Ok(rayon.sachant(su_lu(flou.unwrap_or(R::ZERO), dedans)?))
     }
 }
 
+/// What a ray knows of its source that is inside one object more.
+#[inline(always)]
+pub(crate) fn su_dedans<R: Nombre>(su: R) -> R {
+    min(su, R::ZERO) - R::UN
+}
+
+/// The number of objects that a ray is inside which knows this of its source.
 #[cfg(feature = "serde")]
-fn flou_en_option<R: Nombre + serde::Serialize, S: serde::Serializer>(
-    flou: &R,
-    vers: S,
-) -> Result<S::Ok, S::Error> {
-    serde::Serialize::serialize(&Some(flou).filter(|flou| **flou != R::ZERO), vers)
+pub(crate) fn combien_dedans<R: Nombre>(su: R) -> u64 {
+    // A number below 0 becomes 0.
+    (-su).vers_f64() as u64
+}
+
+/// What is known of a source, from δ and the number of objects that the ray is inside, one of which
+/// is 0. Version 0.7.0 wrote that number as a `flou` below 0.
+#[cfg(feature = "serde")]
+pub(crate) fn su_lu<R: Nombre>(flou: R, dedans: u64) -> Result<R, ErreurGeo> {
+    let en_0_7 = dedans == 0 && flou < R::ZERO;
+    let dedans = if en_0_7 { combien_dedans(flou) } else { dedans };
+    let su = if dedans > 0 || en_0_7 { R::depuis_f64(-(dedans as f64)) } else { flou };
+    let accepte = flou == R::ZERO || (su == flou && flou.abs() < R::INFINI);
+    exiger(accepte, "flou", flou, "a finite number, and 0 for a ray inside something")?;
+    Ok(su)
 }
 
 /// How much deeper than δ a hit may lie in another object, in u of the distance (lemma 23).
@@ -364,6 +377,24 @@ pub(crate) fn direction_unitaire<R: Nombre>(
     direction.unitaire().ok_or_else(|| refus_nul(champ))
 }
 
-crate::refus::lu_par! {
-    Rayon::lire { source: Vecteur<R>, direction: Vecteur<R>, fin: Option<R> = default, flou: Option<R> = default }
+// `fin` is none where there is no end, which not every format can say as a number, and `flou` where
+// δ is 0.
+ecrit_par! {
+    Rayon |Rayon { source, direction, fin, su }| {
+        source: source,
+        direction: direction,
+        fin: Some(fin).filter(|fin| *fin < R::INFINI),
+        flou: Some(su).filter(|su| *su > R::ZERO),
+        dedans: combien_dedans(su),
+    }
+}
+
+lu_par! {
+    Rayon {
+        source: Vecteur<R>,
+        direction: Vecteur<R>,
+        fin: Option<R> = default,
+        flou: Option<R> = default,
+        dedans: u64 = default,
+    } => Self::lire(source, direction, fin, (flou, dedans))
 }

@@ -4,6 +4,7 @@
 //! crates that it calls as well.
 
 use std::hint::black_box;
+use std::ops::ControlFlow::Continue;
 
 use allocation_counter::measure;
 use commun::scenes::{melange, rayons_camera};
@@ -88,7 +89,7 @@ fn aucune_question_n_alloue<R: Reel>() {
                 let mut entrees = 0;
                 hierarchie.visiter(rayon, |_, _| {
                     entrees += 1;
-                    R::INFINI
+                    Continue(rayon.fin())
                 });
                 hierarchie.contenants(rayon.source(), |_| entrees += 1);
                 (

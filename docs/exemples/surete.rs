@@ -18,13 +18,13 @@ pub fn juger(
     objets: &[ObjetRay<f32>],
     rayons: &[Rayon<f32>],
 ) -> Result<Vec<Jugement>, PlacesInsuffisantes> {
-    let doubles: Vec<_> = objets.iter().map(|objet| objet.vers_f64()).collect();
+    let doubles: Vec<_> = objets.iter().map(|objet| objet.temoin_f64()).collect();
     let [mut places, mut places_doubles] = [(); 2].map(|()| vec![0.0; places(objets.len())]);
     let simple = Monde::new(objets, &mut places)?;
     let double = Monde::new(&doubles, &mut places_doubles)?;
     let jugement = |rayon: &Rayon<f32>| {
         let touche = simple.premiere_intersection(rayon);
-        let (autre, ecart) = match (touche, double.premiere_intersection(&rayon.vers_f64())) {
+        let (autre, ecart) = match (touche, double.premiere_intersection(&rayon.temoin_f64())) {
             (Err(NoIntersection), Err(NoIntersection)) => (false, None),
             (Ok(a), Ok(b)) if a.indice() == b.indice() => {
                 let ecart = (f64::from(a.distance()) - b.distance()).abs();

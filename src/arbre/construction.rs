@@ -10,15 +10,15 @@
 
 use core::{fmt, mem};
 
+use crate::algebre::nombre::{Nombre, max, min, simple};
+use crate::algebre::vecteur::Vecteur;
 use crate::arbre::morceaux::Partage;
 use crate::arbre::noeud::{
     COIN_ABSENT, ENFANTS, FICHE, Fiche, LIMITE_INDICES, Noeud, VIDE, en_mot, en_mot_d_un_morceau,
 };
 use crate::arbre::repere::{Repere, extremes};
-use crate::colonne::somme;
-use crate::nombre::{Nombre, max, min, simple};
+use crate::cote_a_cote::colonne::somme;
 use crate::objet::ObjetRay;
-use crate::vecteur::Vecteur;
 
 /// No tree is made over fewer objects with a box than this, since the list is as fast
 /// (`benches/seuils.md`, "Thresholds").
@@ -150,7 +150,7 @@ pub(crate) fn construire<'a, R: Nombre>(
     let [bas, haut] = extremes(autres.iter().map(double_centre));
     repere.jeu_maximal = JEU_MAXIMAL * 0.5 * (haut - bas).norme_1();
     trier(autres);
-    // Among few a block asks all anyway.
+    // Where there are few objects a block asks all of them, whatever this part is.
     let nombreux = nombre > 3 * ENFANTS;
     let part_des_croises = if nombreux { part_des_croises(&fiches[..nombre]) } else { 0.0 };
 
@@ -183,8 +183,9 @@ pub(crate) fn construire<'a, R: Nombre>(
 /// With a slack of this part of the width of a scene or more, boxes tell no objects apart.
 const JEU_MAXIMAL: f32 = 1.0 / 8.0;
 
-/// Giants [reach](portee) farther on average than this times what the others reach on average plus
-/// the side that leaves would have if all were alike (`benches/seuils.md`, "Thresholds").
+/// The sixteen largest objects are giants if their mean [reach](portee) is more than this part of a
+/// sum: the mean reach of the others and [the side of a leaf](Repere::cote_d_une_feuille)
+/// (`benches/seuils.md`, "Thresholds").
 const TAILLE_DES_GEANTS: f32 = 0.4;
 
 /// Puts the sixteen largest records first, and tells how many leaves they are: 1 if they are
@@ -243,7 +244,7 @@ fn part_des_croises(fiches: &[Fiche]) -> f32 {
             let z = max(min(a[5], z1[i]) - max(a[2], z0[i]), 0.0);
             *commune = surface(x, y, z);
         }
-        // Both may be lost below the numbers of `f32`.
+        // Both surfaces may underflow to 0.
         somme(communes) / max(surface(a[3] - a[0], a[4] - a[1], a[5] - a[2]), f32::MIN_POSITIVE)
     };
     let paires = temoins().len() * temoins().len();

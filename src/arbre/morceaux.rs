@@ -4,13 +4,13 @@
 //! The box along the axes of such an object is nearly all air; those of its slices have less. All
 //! records carry the index of the object. A walk may ask it twice and finds the same t.
 
+use crate::algebre::nombre::Nombre;
+use crate::algebre::vecteur::Vecteur;
 use crate::arbre::repere::Repere;
-use crate::nombre::Nombre;
 use crate::objet::ObjetRay;
-use crate::vecteur::Vecteur;
 
-/// How much surface one more record must save, in squares of the side that leaves would have if all
-/// were alike among the many (`benches/seuils.md`, "Thresholds").
+/// How much surface one more record must save. The unit is the square of [the side of a
+/// leaf](Repere::cote_sans_hasard) (`benches/seuils.md`, "Thresholds").
 const PRIX_D_UNE_FICHE: f32 = 2e-3;
 
 /// Shares out the records for which there is room beyond one for each object.
@@ -21,7 +21,8 @@ pub(crate) struct Partage<R> {
     restent: usize,
     /// The part that an object gets of the records that would save time.
     part: f32,
-    /// The part of a record that the objects so far have not got, since records are whole.
+    /// What rounding has left over: an object gets whole records, and the fraction that it lost
+    /// counts for the objects after it.
     du: f32,
 }
 
@@ -81,8 +82,8 @@ impl<R: Nombre> Partage<R> {
         let morceaux = self.morceaux(objet, h);
         let k = R::depuis_f64(morceaux as f64);
         let pas = if morceaux > 1 { objet.demi_axe() / k } else { Vecteur::NUL };
-        // The slack is that of an object longer by R, since the roundings of slices are more (lemma
-        // 20).
+        // Slices round more than a whole object does. Their slack is that of an object whose
+        // half-extents are larger by `retrait` (lemma 20).
         let retrait = grandeurs(pas) * (k - R::UN);
         for i in 0..morceaux {
             let decalage = pas * (R::depuis_f64((2 * i + 1) as f64) - k);

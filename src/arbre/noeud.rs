@@ -1,6 +1,6 @@
 //! The nodes of a tree: sixteen children side by side, in the numbers that the caller lends.
 
-use crate::colonne::{Colonne, LARGEUR};
+use crate::cote_a_cote::colonne::{Colonne, LARGEUR};
 
 /// Children of a node: a column has one number of each.
 pub(crate) const ENFANTS: usize = LARGEUR;

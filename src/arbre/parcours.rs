@@ -2,13 +2,13 @@
 
 use fearless_simd::Simd;
 
+use crate::algebre::nombre::Nombre;
 use crate::arbre::construction::Arbre;
 use crate::arbre::noeud::{ENFANTS, est_un_morceau};
 use crate::arbre::pile::{Attentes, Pile};
 use crate::arbre::sonde::Sonde;
-use crate::colonne::{au_plus, indice_lu, prendre, prendre_le_moindre};
-use crate::liste::Liste;
-use crate::nombre::Nombre;
+use crate::cote_a_cote::colonne::{au_plus, indice_lu, prendre, prendre_le_moindre};
+use crate::question::liste::Liste;
 use crate::question::{Abord, Question};
 use crate::rayon::Rayon;
 

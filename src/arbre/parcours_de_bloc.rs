@@ -3,21 +3,24 @@
 
 use fearless_simd::prelude::*;
 
+use crate::algebre::nombre::{Nombre, selon};
 use crate::arbre::construction::Arbre;
 use crate::arbre::noeud::{ENFANTS, Noeud};
 use crate::arbre::pile::{Attentes, Pile};
 use crate::arbre::sonde::Sonde;
-use crate::colonne::au_plus;
-use crate::liste::Liste;
-use crate::lot::bloc::{Bloc, Offre};
-use crate::lot::groupe::VOIES;
-use crate::nombre::Nombre;
+use crate::cote_a_cote::bloc::{Bloc, Offre};
+use crate::cote_a_cote::colonne::au_plus;
+use crate::cote_a_cote::groupe::VOIES;
+use crate::question::liste::Liste;
 use crate::rayon::Rayon;
 
-/// Rays that do not stay together ask every object side by side if there are at most this many
-/// spheres and boxes for each number that a register holds, beyond this part of the boxes that a
-/// ray crosses (`benches/seuils.md`, "Thresholds", as for what follows).
+/// Rays that do not stay together ask the whole list side by side if it is short: at most this many
+/// spheres and boxes for each number that a register holds (`benches/seuils.md`, "Thresholds", as
+/// for what follows).
 const OBJETS_PAR_NOMBRE: usize = 6;
+
+/// In a heap a longer list will do: longer by this part of the boxes that a ray crosses, for each
+/// number that a register holds.
 const PART_DES_CROISES: f32 = 0.6;
 
 /// Fewer rays than this are asked one by one: eight in no order take up to twice as long together.
@@ -46,7 +49,7 @@ const fn combien_de_temoins(nombres_par_registre: usize) -> usize {
 /// How many numbers of this type a register of these instructions holds.
 #[inline(always)]
 fn nombres_par_registre<R: Nombre, S: Simd>() -> usize {
-    R::selon(S::f32s::LEN, S::f64s::LEN)
+    selon::<R, _>(S::f32s::LEN, S::f64s::LEN)
 }
 
 /// How many of at most eight of these rays, evenly spread, go elsewhere than the one in the middle.
@@ -170,9 +173,9 @@ impl<R: Nombre> Arbre<'_, R> {
         true
     }
 
-    /// Whether rays side by side ask every object in less time than one by one in the tree: if
-    /// there are few objects, or a heap, of which a ray crosses a good part; or if boxes tell no
-    /// objects apart.
+    /// Whether it takes less time to ask all objects for these rays side by side than to send the
+    /// rays through the tree one by one. It does if there are few objects, in a heap, most of whose
+    /// boxes a ray crosses, and where boxes tell no objects apart.
     #[inline(always)]
     fn mieux_vaut_la_liste<S: Simd>(
         &self,

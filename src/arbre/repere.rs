@@ -2,16 +2,17 @@
 
 use core::cmp::Ordering;
 
+use crate::algebre::nombre::{Nombre, fois_u, fois_u_simple, max, min, simple};
+use crate::algebre::vecteur::Vecteur;
 use crate::arbre::noeud::ENFANTS;
-use crate::nombre::{Nombre, fois_u, fois_u_simple, max, min, simple};
 use crate::objet::ObjetRay;
-use crate::vecteur::Vecteur;
 
 /// The frame of the tree, in which `f32` holds any scene: a point X of the scene stands at (X −
 /// Z)·σ. No coordinate of a box is beyond ±1, except for rounding and slack.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Repere<R> {
-    /// Z, amid the many: a number of `f32` is exact relative to its distance from there.
+    /// Z, a point amid most of the objects, the *many*. A side of a box is rounded in proportion to
+    /// its distance from Z.
     milieu: Vecteur<R>,
     /// σ, what lengths are multiplied by.
     echelle: R,
@@ -32,9 +33,10 @@ impl<R: Nombre> Repere<R> {
     pub(crate) const QUELCONQUE: Self =
         Self { milieu: Vecteur::NUL, echelle: R::UN, loin: R::ZERO, jeu_maximal: 0.0 };
 
-    /// The frame of these objects. The many are the inner three quarters.
+    /// The frame of these objects. Along each axis the inner three quarters of them are the many.
     pub(crate) fn autour(objets: &[ObjetRay<R>]) -> Self {
-        // Odd, so that all kinds are seen of objects that stand in the list by turns.
+        // The step is odd, so that it meets every kind of object where two or four kinds take turns
+        // in the list.
         let pas = objets.len().div_ceil(TEMOINS) | 1;
         let (mut temoins, mut nombre) = ([[R::ZERO; TEMOINS]; 3], 0);
         let (mut vus, mut plus_large) = (0, R::ZERO);

@@ -10,11 +10,11 @@
 use fearless_simd::f32x16;
 use fearless_simd::prelude::*;
 
+use crate::algebre::nombre::{Nombre, fois_u, fois_u_simple, max, min, selon, simple};
 use crate::arbre::noeud::Noeud;
 use crate::arbre::repere::{JEU_DISTANCE, JEU_F32, JEU_SOUS_NORMAL, Repere};
-use crate::colonne::{Aligne, Colonne, Membres};
-use crate::lot::groupe::{Groupe, VOIES};
-use crate::nombre::{Nombre, fois_u, fois_u_simple, max, min, simple};
+use crate::cote_a_cote::colonne::{Aligne, Colonne, Membres};
+use crate::cote_a_cote::groupe::{Groupe, VOIES};
 use crate::rayon::Rayon;
 
 pub(crate) struct Sonde<R> {
@@ -43,11 +43,12 @@ struct Axe {
     inverse_proche: f32,
     vers_lointain: f32,
     inverse_lointain: f32,
-    /// Whether the other edge enters too: some rays rise, and others do not.
+    /// Whether some rays rise along the axis and others do not. Then a box may be entered by either
+    /// side, and neither edge tells where rays leave it.
     partage: bool,
 }
 
-/// So far before Z a ray is before all boxes, which lie within 1 of Z, slack included.
+/// A ray that is this far before Z is before all boxes, which lie within 1 of Z with their slack.
 const AVANT_LES_BOITES: f64 = 2.0;
 
 impl<R: Nombre> Sonde<R> {
@@ -57,7 +58,7 @@ impl<R: Nombre> Sonde<R> {
         let (y, d) = (repere.point(rayon.source()), rayon.direction());
         // For a source far away entries count from the point next to Z. In `f32` that point is
         // off by as much as a hit, and the source serves.
-        let loin = R::selon(false, true) && y.norme_1() > repere.loin;
+        let loin = selon::<R, _>(false, true) && y.norme_1() > repere.loin;
         let depart = if loin { -y.produit_scalaire(d) } else { R::ZERO };
         Self::d_un_rayon(rayon, depart, repere)
     }
@@ -71,14 +72,14 @@ impl<R: Nombre> Sonde<R> {
         Self::entre_bords(depart, [bornes(s.x, d.x), bornes(s.y, d.y), bornes(s.z, d.z)], repere)
     }
 
-    /// τ₀ of the rays of these groups: where all of them are before all boxes, or else 0, where
-    /// they start. No ray is between the edges before that.
+    /// τ₀ of the rays of these groups: a distance at which all of them are still before all boxes,
+    /// or else 0, where they start. From there on every ray lies between the edges.
     #[inline(always)]
     pub(crate) fn depart_commun(groupes: &[Groupe<R>], repere: Repere<R>) -> R {
         let avant_z =
             |rayon: Rayon<R>| -repere.point(rayon.source()).produit_scalaire(rayon.direction());
         let avant = R::depuis_f64(AVANT_LES_BOITES);
-        if R::selon(true, false) || avant_z(groupes[0].rayon(0)) <= avant {
+        if selon::<R, _>(true, false) || avant_z(groupes[0].rayon(0)) <= avant {
             return R::ZERO;
         }
         let mut moindres = [R::INFINI; VOIES];
@@ -115,7 +116,7 @@ impl<R: Nombre> Sonde<R> {
         let distance = simple(fois_u::<R>(JEU_DISTANCE));
         let jeu = norme * (distance + simple(fois_u_simple::<R>(JEU_F32))) + JEU_SOUS_NORMAL;
         // T3. The sources are farther away by no more than √3τ₀.
-        let jeu = if R::selon(false, true) {
+        let jeu = if selon::<R, _>(false, true) {
             jeu + simple(depart.abs()) * (1.75 * distance)
         } else {
             jeu
@@ -181,7 +182,8 @@ impl Bornes {
             let (mut s, mut d) = ([0.0; VOIES], [0.0; VOIES]);
             for voie in 0..VOIES {
                 let y = repere.longueur(sources[voie] - milieu);
-                let ici = if R::selon(false, true) { y + directions[voie] * depart } else { y };
+                let ici =
+                    if selon::<R, _>(false, true) { y + directions[voie] * depart } else { y };
                 (s[voie], d[voie]) = (simple(ici), simple(directions[voie]));
             }
             let (s, d) = (colonne(s), colonne(d));
@@ -228,13 +230,13 @@ impl Bornes {
     }
 }
 
-/// The column of the sides that what goes this way along this axis comes to first, by the sign bit:
-/// so the compiler sees that a node has the column.
+/// The column of those sides of the boxes that a ray in this direction along the axis comes to
+/// first. It is computed from the sign bit, which shows the compiler that the index is in range.
 #[inline(always)]
 fn colonne(axe: usize, d: f32) -> usize {
     axe + 3 * (d.to_bits() >> 31) as usize
 }
 
-/// What is added to |D|: a ray that moves along an axis by no more stays where it is, as boxes see
-/// it, and no quotient is infinite, so that 0·∞ makes no NaN.
+/// What is added to |D|, so that no quotient is infinite and 0·∞ makes no NaN. A ray that moves
+/// along an axis by less than this stays in place along it, as boxes see it.
 const IMMOBILE: f32 = 1.0 / (1_u128 << 120) as f32;

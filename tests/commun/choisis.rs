@@ -1,5 +1,6 @@
 //! Every question of a choice of objects, at any end and with any number of places, beside each object asked alone.
 
+use std::ops::ControlFlow::Continue;
 use std::sync::atomic::{AtomicU32, Ordering};
 
 use lancer_rayon::{Choix, Etendue, Monde, NoIntersection, Rayon, Reponse, Vecteur};
@@ -103,7 +104,7 @@ impl<R: Bits, C: Choix + Copy> Choisis<'_, R, C> {
                 let suivante = prochaine(indice, t);
                 // A NaN leaves the end where it is.
                 fin = if suivante < fin { suivante } else { fin };
-                suivante
+                Continue(suivante)
             });
             vus.sort_unstable();
             assert!(vus.windows(2).all(|w| w[0].0 != w[1].0), "twice: {}", contexte());
@@ -245,7 +246,7 @@ pub fn un_choix_inconstant<R: Bits>(monde: Monde<'_, R>, rayons: &[Rayon<R>], gr
         assert!(places.len() == nombre && places.windows(2).all(|w| w[0] < w[1]));
         parmi.visiter(rayon, |indice, _| {
             assert!(seule(indice, rayon).is_ok(), "{rayon:?}");
-            R::INFINI
+            Continue(rayon.fin())
         });
         parmi.contenants(rayon.source(), |indice| {
             assert!(monde.objets()[indice].contient(rayon.source()), "{rayon:?}");
@@ -266,7 +267,7 @@ pub fn exiger_les_certificats<R: Bits>(
     en_double: Monde<'_>,
     rayon: &Rayon<R>,
 ) {
-    let (touche, double) = (monde.premiere_intersection(rayon), rayon.vers_f64());
+    let (touche, double) = (monde.premiere_intersection(rayon), rayon.temoin_f64());
     let la = en_double.premiere_intersection(&double);
     let liste = Monde::de_liste(en_double.objets());
     let contexte = || format!("{:?} {rayon:?}", monde.objets());

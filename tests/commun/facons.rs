@@ -2,6 +2,7 @@
 //! ray and in a batch, before an end, in order and by a visit, shadows of both; each beside the list ray by ray. And who
 //! holds the sources and the points of hits.
 
+use std::ops::ControlFlow::{self, Break, Continue};
 use std::sync::atomic::{AtomicU32, Ordering};
 
 use lancer_rayon::pour_les_tests::Reglage;
@@ -220,7 +221,7 @@ fn comparer_la_visite<R: Bits, C: Choix>(
     monde: Monde<'_, R, C>,
     toutes: &[(Intersection<R>, Mots)],
 ) {
-    let visiter = |voir: &mut dyn FnMut(usize, R) -> R| {
+    let visiter = |voir: &mut dyn FnMut(usize, R) -> ControlFlow<(), R>| {
         let mut vus = vec![];
         monde.visiter(rayon, |indice, t| {
             vus.push((indice, t.bits()));
@@ -232,20 +233,24 @@ fn comparer_la_visite<R: Bits, C: Choix>(
     let mut voulus: Vec<_> =
         toutes.iter().map(|(t, mots)| (mots.objet.unwrap(), t.distance().bits())).collect();
     voulus.sort_unstable();
-    assert_eq!(visiter(&mut |_, _| R::INFINI), voulus, "{facon}: {rayon:?}");
+    assert_eq!(visiter(&mut |_, _| Continue(rayon.fin())), voulus, "{facon}: {rayon:?}");
     let mut premiere = R::INFINI;
     visiter(&mut |_, t| {
         assert!(t < premiere, "{facon}: {rayon:?}, {t} after {premiere}");
         premiere = t;
-        t
+        Continue(t)
     });
     let voulue = toutes.first().map_or(R::INFINI, |(touche, _)| touche.distance());
     assert_eq!(premiere.bits(), voulue.bits(), "{facon}: {rayon:?}");
-    for nul in [R::ZERO, -R::UN] {
-        assert!(visiter(&mut |_, _| nul).len() <= 1, "{facon}: {rayon:?}");
+    for fini in [Break(()), Continue(R::ZERO), Continue(-R::UN)] {
+        assert!(visiter(&mut |_, _| fini).len() <= 1, "{facon}: {rayon:?}");
     }
     // A NaN is no end.
-    assert_eq!(visiter(&mut |_, _| R::depuis_f64(f64::NAN)), voulus, "{facon}: {rayon:?}");
+    assert_eq!(
+        visiter(&mut |_, _| Continue(R::depuis_f64(f64::NAN))),
+        voulus,
+        "{facon}: {rayon:?}"
+    );
 }
 
 /// Who holds the source of this ray and the point of its first hit: those that say so themselves, each once.

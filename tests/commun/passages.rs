@@ -178,7 +178,7 @@ pub fn exiger_une_suite<R: Bits>(
 /// What is asked after the fact: certain answers of two precisions agree, and so do two bounded distances; and
 /// from one hit to the next nothing of the object itself is in the way.
 pub fn exiger_apres_coup<R: Bits>(objet: &ObjetRay<R>, [rayon, autre]: [&Rayon<R>; 2]) {
-    let (double, en_double) = (objet.vers_f64(), rayon.vers_f64());
+    let (double, en_double) = (objet.temoin_f64(), rayon.temoin_f64());
     let (touche, la) = (objet.intersection(rayon), double.intersection(&en_double));
     if objet.est_certain(rayon) && double.est_certain(&en_double) {
         assert_eq!(touche.is_ok(), la.is_ok(), "{objet:?} {rayon:?}");

@@ -568,7 +568,7 @@ pub fn effleurement<R: Reel>(cas: &Essai<R>) -> f64 {
             }
         };
         let permis = u::<R>() * permis + f64::U * (x + y + z + t);
-        -dehors(&objet.vers_f64(), p) / (permis + 8.0 * R::MIN_POSITIF.vers_f64())
+        -dehors(&objet.temoin_f64(), p) / (permis + 8.0 * R::MIN_POSITIF.vers_f64())
     };
     instants.map(part).into_iter().fold(RIEN, f64::max)
 }
@@ -615,7 +615,7 @@ pub fn est_certain<R: Reel>(cas: &Essai<R>) -> f64 {
 
 /// A glance that leaves the true entry out is the end; else it is the better, the nearer that is to an end, in u of it.
 pub fn coup_d_oeil<R: Reel>(cas: &Essai<R>) -> f64 {
-    let (objet, rayon) = (cas.objets[0].vers_f64(), cas.rayon.vers_f64());
+    let (objet, rayon) = (cas.objets[0].temoin_f64(), cas.rayon.temoin_f64());
     let vue = pour_les_tests::coup_d_oeil(&objet, &rayon);
     // Beyond the largest number there is no hit.
     let entree = verite(&objet, &rayon).entree.filter(|entree| entree.ecart(f64::MAX) >= 0.0);

@@ -219,7 +219,7 @@ fn une_chaine_elargie_reste_si_son_flou_est_plus_grand() {
     let (mut d_emblee, mut oublies, mut rebonds) = (0, 0, 0);
     for _ in 0..cas(20) {
         let etroite = Chambre::<f32>::new(&mut alea);
-        let objets = etroite.objets.iter().map(|objet| objet.vers_f64()).collect();
+        let objets = etroite.objets.iter().map(|objet| objet.temoin_f64()).collect();
         let (coutures, tour, milieu) = (etroite.coutures.clone(), etroite.tour, etroite.milieu);
         let large = Chambre { objets, coutures, tour, milieu };
         let monde = Monde::de_liste(&etroite.objets);
@@ -228,7 +228,7 @@ fn une_chaine_elargie_reste_si_son_flou_est_plus_grand() {
             let Some(mut rayon) = etroite.depart(&mut alea, &monde) else { continue };
             for _ in 0..8 {
                 let touche = monde.premiere_intersection(&rayon).unwrap();
-                let mut suite = rayon.vers_f64();
+                let mut suite = rayon.temoin_f64();
                 if touche.distance() == 0.0 {
                     d_emblee += 1;
                     let la = large.objets[touche.indice()].intersection(&suite);

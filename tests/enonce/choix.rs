@@ -1,5 +1,6 @@
 //! A choice of objects, all objects along a ray, and a first hit before an end, as programs use them.
 
+use std::ops::ControlFlow::Continue;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 
@@ -124,7 +125,7 @@ fn chaque_question_connait_tous_les_choix() {
             let mut vus = vec![];
             parmi.visiter(&rayon, |indice, _| {
                 vus.push(indice);
-                f64::INFINITY
+                Continue(rayon.fin())
             });
             vus.sort_unstable();
             assert!(vus.iter().all(|indice| voulus.contains(indice)) && vus.len() == voulus.len());
@@ -373,7 +374,7 @@ fn un_predicat_n_est_jamais_interroge_au_dela_de_la_liste<R: Reel>() {
                     monde.visiter(rayon, |indice, _| {
                         assert!(indice < n && indice % 3 != 1);
                         vus += 1;
-                        R::INFINI
+                        Continue(rayon.fin())
                     });
                     assert!(vus >= nombre);
                     if let Ok(touche) = touches[i] {

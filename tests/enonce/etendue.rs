@@ -116,8 +116,8 @@ fn chaque_touche_est_dans_l_etendue() {
                 assert!(bas[i] >= c[i] - h[i] - jeu && haut[i] <= c[i] + h[i] + jeu, "{cas:?}");
             }
             // As exact as an f64 is.
-            let rayon = cas.rayon.vers_f64();
-            let Ok(touche) = cas.objet.vers_f64().intersection(&rayon) else { continue };
+            let rayon = cas.rayon.temoin_f64();
+            let Ok(touche) = cas.objet.temoin_f64().intersection(&rayon) else { continue };
             let s = <[f64; 3]>::from(rayon.source());
             let ici = <[f64; 3]>::from(touche.point());
             for i in 0..3 {

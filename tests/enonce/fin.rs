@@ -11,6 +11,7 @@ use fastrand::Rng;
 use lancer_rayon::{
     Monde, NoIntersection, ObjetRay, Rayon, Reel, Reponse, Vecteur, places, premiere_intersection,
 };
+use std::ops::ControlFlow::Continue;
 
 fn jusqu_a<R: Reel>(rayon: &Rayon<R>, fin: R) -> Rayon<R> {
     rayon.jusqu_a(fin).unwrap()
@@ -68,7 +69,7 @@ fn toute_question_s_arrete_a_la_fin<R: Bits>() {
                 let mut vus = vec![];
                 monde.visiter(rayon, |indice, t| {
                     vus.push((indice, t.bits()));
-                    R::INFINI
+                    Continue(rayon.fin())
                 });
                 let mut voulus: Vec<_> =
                     debut.iter().flatten().map(|t| (t.indice(), t.distance().bits())).collect();
@@ -228,7 +229,7 @@ fn une_fin_est_une_distance<R: Bits>() {
         assert_eq!(court == rayon, fin == R::INFINI);
         assert_eq!(court.point(R::UN), rayon.point(R::UN));
         // In the other type and back: of an `f32` nothing is lost.
-        assert_eq!(court.vers_f64().fin(), fin.vers_f64());
+        assert_eq!(court.temoin_f64().fin(), fin.vers_f64());
         let simple = court.vers_f32(Vecteur::NUL).unwrap();
         assert_eq!(simple.fin(), fin.vers_f64() as f32);
     }

@@ -95,7 +95,7 @@ fn une_marche_sait_dans_quoi_elle_est<R: Reel>() {
                     let milieu = (t.vers_f64() + avant.vers_f64()) / 2.0;
                     let p = rayon.source().vers_f64() + rayon.direction().vers_f64() * milieu;
                     for (i, objet) in objets.iter().enumerate() {
-                        let hors = dehors(&objet.vers_f64(), p);
+                        let hors = dehors(&objet.temoin_f64(), p);
                         if hors.abs() > 1e4 * u::<R>() {
                             let contexte = || format!("{i}, at {milieu}: {objet:?} {rayon:?}");
                             assert_eq!(presents[i], i32::from(hors < 0.0), "{}", contexte());
@@ -675,3 +675,38 @@ fn une_orbite_composee_ne_derive_pas<R: Reel>() {
 }
 
 en_f32_et_f64!(une_orbite_composee_ne_derive_pas);
+
+/// A trait of one's own, with functions called as those that the crate keeps to itself.
+trait AMoi: Sized {
+    fn arbre() -> Self;
+    fn premiere() -> Self;
+    fn contient() -> Self;
+    fn selon() -> Self;
+}
+
+impl AMoi for f64 {
+    fn arbre() -> Self {
+        1.0
+    }
+
+    fn premiere() -> Self {
+        2.0
+    }
+
+    fn contient() -> Self {
+        3.0
+    }
+
+    fn selon() -> Self {
+        4.0
+    }
+}
+
+/// `Reel` brings no function that hides those of another trait, which the compiler would refuse (E0034).
+#[test]
+fn reel_ne_cache_rien_d_un_autre_trait() {
+    fn toutes<R: Reel + AMoi>() -> [R; 4] {
+        [R::arbre(), R::premiere(), R::contient(), R::selon()]
+    }
+    assert_eq!(toutes::<f64>(), [1.0, 2.0, 3.0, 4.0]);
+}

@@ -94,7 +94,7 @@ fn cache<'a, R: Reel>(
     objets: impl Iterator<Item = &'a ObjetRay<R>>,
     rayon: &Rayon<R>,
 ) -> Option<bool> {
-    let longueur = rayon.vers_f64().direction().longueur();
+    let longueur = rayon.temoin_f64().direction().longueur();
     let fin = rayon.fin().vers_f64() / longueur;
     let rayon = &rayon.jusqu_a(R::INFINI).unwrap();
     // Those that are certainly passed by need no exact numbers.

@@ -19,7 +19,8 @@ type Lexique = BTreeMap<String, Vec<String>>;
 fn exportes(racine: &Path) -> Vec<String> {
     let lib = fs::read_to_string(racine.join("src/lib.rs")).unwrap();
     let lignes = lib.lines().filter_map(|ligne| ligne.strip_prefix("pub use "));
-    lignes.flat_map(|ligne| mots(ligne).skip(1).map(str::to_owned).collect::<Vec<_>>()).collect()
+    let noms = lignes.filter_map(|ligne| ligne.rsplit_once("::"));
+    noms.flat_map(|(_, noms)| mots(noms).map(str::to_owned).collect::<Vec<_>>()).collect()
 }
 
 fn mots(texte: &str) -> impl Iterator<Item = &str> {

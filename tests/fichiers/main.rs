@@ -1,6 +1,7 @@
 //! What is read and written: scene files, single values, pictures, pages.
 
 mod dossiers;
+mod etages;
 mod etiquettes;
 mod figures;
 mod lexique;

@@ -78,12 +78,43 @@ fn la_page_montre_ce_qui_est_ecrit() {
     }
 }
 
+/// Version 0.7.0 wrote one number in the place of `flou` and `dedans`, minus the count below 0, and called that of a hit
+/// `su`. What has both is refused, and so is a count that is not whole.
+#[test]
+fn ce_que_la_version_0_7_0_a_ecrit_est_relu() {
+    let suite = |flou: &str| {
+        format!(r#"{{"source":[0,4,0],"direction":[0,-1,0],"fin":null,"flou":{flou}}}"#)
+    };
+    let lu = |flou: &str| serde_json::from_str::<Rayon>(&suite(flou));
+    let rayon = Rayon::new(Vecteur::Y * 4.0, Vecteur::new(0.0, -1.0, 0.0)).unwrap();
+    let (flou, dedans) = (rayon.avec_flou(1e-9).unwrap(), rayon.dedans().dedans());
+    let lus = ["null", "1e-9", "-2.0"].map(|flou| lu(flou).unwrap());
+    assert_eq!(lus, [rayon, flou, dedans]);
+    let en_ordre = "[[0,4,0],[0,-1,0],null,-2.0,0]";
+    assert_eq!(serde_json::from_str::<Rayon>(en_ordre).unwrap(), dedans);
+    assert!(serde_json::to_string(&dedans).unwrap().ends_with(r#""flou":null,"dedans":2}"#));
+
+    let sol = ObjetRay::from(PlanGeo::par_un_point(Vecteur::NUL, Vecteur::Y, Texture(2)).unwrap());
+    for (rayon, su) in [(rayon, "0.0"), (flou, "1e-9"), (dedans, "-2.0")] {
+        let touche = sol.intersection(&rayon).unwrap();
+        let texte = serde_json::to_string(&touche).unwrap();
+        let (avant, _) = texte.split_once(r#""flou":"#).unwrap();
+        let ancien = format!(r#"{avant}"su":{su},"texture":2,"indice":0}}"#);
+        assert_eq!(serde_json::from_str::<Intersection>(&ancien).unwrap(), touche);
+    }
+
+    for faux in ["-0.5", "1e-9, \"dedans\": 1", "-1, \"dedans\": 2"] {
+        let erreur = lu(faux).unwrap_err().to_string();
+        assert!(erreur.contains("flou is "), "{faux}: {erreur}");
+    }
+}
+
 /// However large a δ and a distance somebody writes, the next δ is a number, and so is read again.
 fn un_flou_reste_fini<R: Reel + Serialize + for<'de> Deserialize<'de>>() {
     let plus_grand = R::depuis_f64(if size_of::<R>() == 4 { f32::MAX.into() } else { f64::MAX });
     let texte = format!(
         r#"{{"distance": {plus_grand}, "normale": [0, 1, 0], "marge": 1, "point": [0, 0, 0],
-             "su": {plus_grand}, "texture": 0, "indice": 0}}"#
+             "flou": {plus_grand}, "texture": 0, "indice": 0}}"#
     );
     let touche: Intersection<R> = serde_json::from_str(&texte).unwrap();
     let suite = touche.secondaire(touche.normale()).unwrap();
@@ -142,7 +173,7 @@ fn ce_qui_n_est_pas_valide_est_refuse() {
     refuse::<Rayon>(&rayon("flou: Some(inf)"), "flou is inf");
     let touche = |distance, x, marge, indice| {
         format!(
-            "(distance: {distance}, normale: ({x}, 0, 0), marge: {marge}, point: (0, 0, 0), su: 0, \
+            "(distance: {distance}, normale: ({x}, 0, 0), marge: {marge}, point: (0, 0, 0), flou: 0, \
              texture: (0), indice: {indice})"
         )
     };

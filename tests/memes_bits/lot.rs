@@ -249,8 +249,8 @@ fn le_faisceau_ne_perd_aucune_touche<R: Bits>() {
         touches += comparer(&objets, &rayons);
         // The numbers of f32 in f64: D and N are unit to the rounding of f32 only.
         if u::<R>() > f64::EPSILON {
-            let en_f64: Vec<_> = objets.iter().map(|objet| objet.vers_f64()).collect();
-            comparer(&en_f64, &rayons.iter().map(|rayon| rayon.vers_f64()).collect::<Vec<_>>());
+            let en_f64: Vec<_> = objets.iter().map(|objet| objet.temoin_f64()).collect();
+            comparer(&en_f64, &rayons.iter().map(|rayon| rayon.temoin_f64()).collect::<Vec<_>>());
         }
     }
     assert!(touches > 40 * cas(), "only {touches} hits");

@@ -188,7 +188,7 @@ fn les_promesses_tiennent_de_nombres_elargis() {
             let sort = vers_la_sortie(cas, &mut alea);
             let [x, y, z] = direction(&mut alea).into();
             let essais = [cas, sort].map(|Cas { objet, rayon }| {
-                let (objets, rayon) = (vec![objet.vers_f64()], rayon.vers_f64());
+                let (objets, rayon) = (vec![objet.temoin_f64()], rayon.temoin_f64());
                 Essai { objets, rayon, vers: [x, y, z, 0.0, 0.0] }
             });
             for (Promesse { nom, part, .. }, sort) in &siennes {

@@ -1,0 +1,132 @@
+//! Numbers of twice the length of an `f64`, each with a bound on its own error (`docs/preuves.md`,
+//! lemma 16).
+
+use crate::algebre::nombre::Nombre;
+use crate::algebre::vecteur::Vecteur;
+
+/// What a product rounds by, in u² of itself (lemma 16).
+pub const PRODUIT_DOUBLE: f64 = 8.1;
+
+/// What a product loses below the normal numbers, in η (lemma 16).
+pub const PERTE_DOUBLE: f64 = 3.8;
+
+/// How much a bound grows for its own rounding, in u of itself (lemma 16).
+pub const BORNE_DOUBLE: f64 = 7.5;
+
+/// `haut` + `bas`, no farther than `erreur` from the number that it stands for; |bas| ≤ u·|haut|.
+#[derive(Debug, Clone, Copy)]
+pub struct Double {
+    /// The number rounded to `f64`.
+    pub haut: f64,
+    /// What the rounding leaves over.
+    pub bas: f64,
+    /// The bound on the error.
+    pub erreur: f64,
+}
+
+/// s + r = x + y exactly, with s their sum as computed.
+fn somme(x: f64, y: f64) -> (f64, f64) {
+    let s = x + y;
+    let de_y = s - x;
+    (s, (x - (s - de_y)) + (y - de_y))
+}
+
+impl Double {
+    /// This number, exactly.
+    pub fn de(x: f64) -> Self {
+        Self { haut: x, bas: 0.0, erreur: 0.0 }
+    }
+
+    /// A result and its bound, both as computed.
+    fn arrondi(haut: f64, bas: f64, erreur: f64) -> Self {
+        let (haut, bas) = somme(haut, bas);
+        Self { haut, bas, erreur: erreur * (1.0 + BORNE_DOUBLE * f64::U) }
+    }
+
+    /// The sum.
+    pub fn plus(self, autre: Self) -> Self {
+        let (s, r) = somme(self.haut, autre.haut);
+        let m = self.bas + autre.bas;
+        let n = r + m;
+        Self::arrondi(s, n, self.erreur + autre.erreur + (m.abs() + n.abs()) * f64::U)
+    }
+
+    /// −x.
+    pub(crate) fn oppose(self) -> Self {
+        Self { haut: -self.haut, bas: -self.bas, ..self }
+    }
+
+    /// The product.
+    pub fn fois(self, autre: Self) -> Self {
+        let p = self.haut * autre.haut;
+        // `libm` computes it without `std` too, and where the machine has no such instruction.
+        let r = libm::fma(self.haut, autre.haut, -p);
+        let n = r + (self.haut * autre.bas + self.bas * autre.haut);
+        let (x, y) = (self.haut.abs(), autre.haut.abs());
+        let erreur = x * autre.erreur + y * self.erreur + self.erreur * autre.erreur;
+        // What is exact stays so: a ray may be parallel to a face, or start in its plane.
+        let (exact, autre_exact) = (self.est_un_f64(), autre.est_un_f64());
+        let nul = (exact && x == 0.0) || (autre_exact && y == 0.0);
+        if nul || (exact && autre_exact && r == 0.0 && p.abs() > 1e-270) {
+            return Self::de(p);
+        }
+        let arrondi = PRODUIT_DOUBLE * f64::U * f64::U * p.abs();
+        Self::arrondi(p, n, erreur + arrondi + PERTE_DOUBLE * f64::MIN_POSITIF)
+    }
+
+    /// Whether the number is exactly `haut`.
+    fn est_un_f64(self) -> bool {
+        self.erreur == 0.0 && self.bas == 0.0
+    }
+
+    /// The interval in which the number lies, rounded outward; only itself if it is an `f64`
+    /// exactly.
+    pub fn bornes(self) -> Intervalle {
+        if self.est_un_f64() {
+            return Intervalle { bas: self.haut, haut: self.haut };
+        }
+        let (bas, haut) =
+            ((self.bas - self.erreur).next_down(), (self.bas + self.erreur).next_up());
+        Intervalle { bas: (self.haut + bas).next_down(), haut: (self.haut + haut).next_up() }
+    }
+}
+
+/// All numbers from one bound to another.
+#[derive(Debug, Clone, Copy)]
+pub struct Intervalle {
+    /// The lower bound.
+    pub bas: f64,
+    /// The upper bound.
+    pub haut: f64,
+}
+
+impl Intervalle {
+    /// The largest of their absolute values.
+    pub(crate) fn grandeur(self) -> f64 {
+        self.haut.max(-self.bas)
+    }
+
+    /// These numbers over all speeds from `lent` to `vite`, rounded outward.
+    pub(crate) fn sur(self, lent: f64, vite: f64) -> Self {
+        let (de_bas, de_haut) =
+            (if self.bas > 0.0 { vite } else { lent }, if self.haut > 0.0 { lent } else { vite });
+        Self { bas: (self.bas / de_bas).next_down(), haut: (self.haut / de_haut).next_up() }
+    }
+
+    /// The lesser of two numbers, one from each interval.
+    #[inline(always)]
+    pub(crate) fn moindre(self, autre: Self) -> Self {
+        Self { bas: self.bas.min(autre.bas), haut: self.haut.min(autre.haut) }
+    }
+}
+
+/// A vector of doubled numbers.
+pub(crate) type Triple = [Double; 3];
+
+pub(crate) fn triple(v: Vecteur) -> Triple {
+    <[f64; 3]>::from(v).map(Double::de)
+}
+
+pub(crate) fn scalaire([a, b, c]: Triple, [x, y, z]: Triple) -> Double {
+    a.fois(x).plus(b.fois(y)).plus(c.fois(z))
+}

@@ -1,0 +1,186 @@
+//! The error of constructors and transformations, and the checks that return it.
+
+use core::fmt;
+
+use crate::algebre::nombre::{Nombre, selon};
+use crate::algebre::vecteur::Vecteur;
+
+/// A number outside the accepted range, with the field it was given for.
+///
+/// Constructors and transformations of rays, rotations and objects return it.
+///
+/// ```
+/// use lancer_rayon::{SphereGeo, Texture, Vecteur};
+///
+/// let erreur = SphereGeo::new(Vecteur::NUL, -1.0, Texture(0)).unwrap_err();
+/// assert_eq!(erreur.champ, "rayon");
+/// assert_eq!(erreur.valeur, -1.0);
+/// assert_eq!(erreur.attendu, "a number above 0");
+/// assert_eq!(erreur.to_string(), "rayon is -1.0, but must be a number above 0");
+/// ```
+#[doc(alias = "error")]
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ErreurGeo {
+    /// The field or argument, for instance `"centre.x"`, or what was computed from it.
+    #[doc(alias = "field")]
+    pub champ: &'static str,
+    /// The value that the field would have had; an `f32` is converted exactly.
+    #[doc(alias = "value")]
+    pub valeur: f64,
+    /// What would have been accepted, as the end of the sentence "it must be …".
+    #[doc(alias = "expected")]
+    pub attendu: &'static str,
+}
+
+impl fmt::Display for ErreurGeo {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        // As `Debug` writes it, with an exponent: the 136 digits of 2^450 would hide the sentence.
+        let Self { champ, valeur, attendu } = self;
+        write!(f, "{champ} is {valeur:?}, but must be {attendu}")
+    }
+}
+
+impl core::error::Error for ErreurGeo {}
+
+/// There are more or fewer places for answers than rays.
+///
+/// ```
+/// use lancer_rayon::{LongueursDifferentes, Monde, NoIntersection, Rayon};
+///
+/// let rayons: [Rayon; 0] = [];
+/// let mut touches = [Err(NoIntersection); 3];
+/// let refus = Monde::de_liste(&[]).premieres_intersections(&rayons, &mut touches);
+/// assert_eq!(refus, Err(LongueursDifferentes { rayons: 0, reponses: 3 }));
+/// ```
+#[doc(alias = "length_mismatch")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct LongueursDifferentes {
+    /// How many rays there are.
+    #[doc(alias = "rays")]
+    pub rayons: usize,
+    /// How many answers there are places for.
+    #[doc(alias = "answers")]
+    pub reponses: usize,
+}
+
+impl fmt::Display for LongueursDifferentes {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} rays, but places for {} answers", self.rayons, self.reponses)
+    }
+}
+
+impl core::error::Error for LongueursDifferentes {}
+
+/// The refusal of a vector that is 0.
+pub(crate) fn refus_nul(champ: &'static str) -> ErreurGeo {
+    ErreurGeo { champ, valeur: 0.0, attendu: "a vector other than 0" }
+}
+
+/// Refuses `valeur` with its name unless `accepte`.
+pub(crate) fn exiger<R: Nombre>(
+    accepte: bool,
+    champ: &'static str,
+    valeur: R,
+    attendu: &'static str,
+) -> Result<R, ErreurGeo> {
+    if accepte {
+        return Ok(valeur);
+    }
+    let valeur = valeur.vers_f64();
+    // The bits of a computed NaN differ between processors.
+    Err(ErreurGeo { champ, valeur: if valeur.is_nan() { f64::NAN } else { valeur }, attendu })
+}
+
+/// A coordinate, or the relative distance of a half-space.
+pub(crate) fn coordonnee<R: Nombre>(champ: &'static str, x: R) -> Result<R, ErreurGeo> {
+    let attendu =
+        selon::<R, _>("a number between -2^60 and 2^60", "a number between -2^450 and 2^450");
+    exiger(x.abs() <= R::LIMITE, champ, x, attendu)
+}
+
+/// The names of three coordinates.
+type Champs = [&'static str; 3];
+
+/// A point, whose three coordinates have these names.
+pub(crate) fn point<R: Nombre>(champs: Champs, p: Vecteur<R>) -> Result<Vecteur<R>, ErreurGeo> {
+    let [x, y, z] = champs;
+    Ok(Vecteur::new(coordonnee(x, p.x)?, coordonnee(y, p.y)?, coordonnee(z, p.z)?))
+}
+
+/// A radius or one of the three dimensions of a box.
+pub(crate) fn taille<R: Nombre>(champ: &'static str, x: R) -> Result<R, ErreurGeo> {
+    exiger(x > R::ZERO, champ, x, "a number above 0")?;
+    let attendu =
+        selon::<R, _>("a number between 2^-60 and 2^60", "a number between 2^-450 and 2^450");
+    exiger(x >= R::UN / R::LIMITE && x <= R::LIMITE, champ, x, attendu)
+}
+
+/// The coefficient of a homothety.
+pub(crate) fn coefficient<R: Nombre>(k: R) -> Result<R, ErreurGeo> {
+    exiger(k > R::ZERO && k < R::INFINI, "coefficient", k, "a finite number above 0")
+}
+
+/// The vector of a translation.
+pub(crate) fn deplacement<R: Nombre>(v: Vecteur<R>) -> Result<Vecteur<R>, ErreurGeo> {
+    fini(["translation.x", "translation.y", "translation.z"], v)
+}
+
+/// The origin that a conversion to `f32` subtracts.
+pub(crate) fn origine<R: Nombre>(origine: Vecteur<R>) -> Result<Vecteur<R>, ErreurGeo> {
+    fini(["origine.x", "origine.y", "origine.z"], origine)
+}
+
+/// A vector each of whose coordinates is finite.
+pub(crate) fn fini<R: Nombre>(champs: Champs, v: Vecteur<R>) -> Result<Vecteur<R>, ErreurGeo> {
+    for (champ, x) in champs.into_iter().zip([v.x, v.y, v.z]) {
+        exiger(x.abs() < R::INFINI, champ, x, "a finite number")?;
+    }
+    Ok(v)
+}
+
+/// `lu_par! { T { champ: type, … } => expression }`: with the feature `serde` a T is read as these
+/// fields and no others, by name or in order, and the expression checks them. A field with `=
+/// default` may be left out, and one with `alias` has another name too.
+macro_rules! lu_par {
+    (
+        $type:ident { $($champ:ident $(alias $autre:literal)?: $du_type:ty $(= $defaut:ident)?),* $(,)? }
+        => $lu:expr
+    ) => {
+        #[cfg(feature = "serde")]
+        impl<'de, R: Nombre + serde::Deserialize<'de>> serde::Deserialize<'de> for $type<R> {
+            fn deserialize<D: serde::Deserializer<'de>>(lecteur: D) -> Result<Self, D::Error> {
+                // What is read, under the name that formats and their errors give it.
+                #[derive(serde::Deserialize)]
+                #[serde(deny_unknown_fields)]
+                #[serde(bound(deserialize = "R: Nombre + serde::Deserialize<'de>"))]
+                struct $type<R> {
+                    $($(#[serde(alias = $autre)])? $(#[serde($defaut)])? $champ: $du_type),*
+                }
+
+                let $type { $($champ),* } = $type::deserialize(lecteur)?;
+                $lu.map_err(serde::de::Error::custom)
+            }
+        }
+    };
+}
+pub(crate) use lu_par;
+
+/// `ecrit_par! { T |valeur| { champ: expression, … } }`: with the feature `serde` a T is written as
+/// these fields, in this order.
+macro_rules! ecrit_par {
+    ($type:ident |$de:pat_param| { $($champ:ident: $valeur:expr),* $(,)? }) => {
+        #[cfg(feature = "serde")]
+        impl<R: Nombre + serde::Serialize> serde::Serialize for $type<R> {
+            fn serialize<S: serde::Serializer>(&self, vers: S) -> Result<S::Ok, S::Error> {
+                use serde::ser::SerializeStruct;
+
+                let $de = *self;
+                let combien = [$(stringify!($champ)),*].len();
+                let mut lignes = vers.serialize_struct(stringify!($type), combien)?;
+                $(lignes.serialize_field(stringify!($champ), &$valeur)?;)*
+                lignes.end()
+            }
+        }
+    };
+}
+pub(crate) use ecrit_par;

@@ -1,0 +1,220 @@
+//! The trait of the three shapes, the part of a hit that they share, and the ball that rejects most
+//! rays without a division or a root.
+//!
+//! A ray meets a shape in three steps. [`Forme::peut_entrer`] is cheap and rejects most rays;
+//! [`Forme::t`] finds where the ray enters; [`Forme::conclure`] computes normal and margin, once,
+//! for the first object of a ray.
+
+use crate::algebre::nombre::{Nombre, fois_u, fois_u_simple, max, min, plancher};
+use crate::algebre::vecteur::Vecteur;
+use crate::rayon::Rayon;
+use crate::rayon::intersection::Contact;
+
+/// The rounding of a height over a surface, in u·ℓ; the next search sees that height with as much
+/// rounding again (lemmas 8 and 9).
+pub const ARRONDI_HAUTEUR: f64 = 4.0;
+
+/// How much larger a margin is made, in u of itself: 6 for an N that is not exactly unit, the
+/// others for the rounding of the last operations (lemma 8).
+pub const VERS_LE_HAUT: f64 = 10.0;
+
+/// How far a normal that does not face the source is leaned towards it, in u (lemma 7).
+pub const PENCHE: f64 = 14.0;
+
+/// How much SC² is reduced, in u of `f32` of itself and in both types, so that rounding hides no
+/// entry from the ball (lemma 14): the numbers of a scene in `f64` may be those of one in `f32`.
+pub const RETRAIT: f64 = 130.0;
+
+/// How much deeper than δ a start may lie in a sphere or in a box, in u of the radius or of the sum
+/// of the half-lengths (lemma 23).
+pub const FLOU_PROPRE: f64 = 44.0;
+
+/// How much larger the margin of a hit at once is made, in u of Σ|P_i|: more than flush faces lie
+/// apart as they are stored. No proof needs it.
+const RECUL: f64 = 8.0;
+
+/// A shape, ready for rays.
+pub(crate) trait Forme<R: Nombre>: Copy {
+    /// A ball around all of the shape; [`Boule::INFINIE`] if it is unbounded.
+    fn boule(&self) -> Boule<R>;
+
+    /// The centre of the shape and its half-extents along the axes, each to 4u of itself; `None` if
+    /// it is unbounded.
+    fn boite_englobante(&self) -> Option<(Vecteur<R>, Vecteur<R>)>;
+
+    /// Half of the axis across which a [tree](crate::Monde) may cut the shape into slices; 0 if it
+    /// has none.
+    fn demi_axe(&self) -> Vecteur<R> {
+        Vecteur::NUL
+    }
+
+    /// Whether the ray may enter, or touch at once: true wherever [`t_touche`](Self::t_touche) is
+    /// finite, and cheap. A bounded shape keeps this definition, for which lemma 14 is proven.
+    #[inline(always)]
+    fn peut_entrer(&self, rayon: &Rayon<R>) -> bool {
+        self.boule().approchee(rayon)
+    }
+
+    /// The distance at which the ray enters, +∞ if it does not, and whether its source is in the
+    /// shape or on its surface; computed without a branch.
+    fn t_et_dedans(&self, rayon: &Rayon<R>) -> (R, bool);
+
+    /// The distance at which the ray enters, +∞ if it does not.
+    #[inline(always)]
+    fn t(&self, rayon: &Rayon<R>) -> R {
+        self.t_et_dedans(rayon).0
+    }
+
+    /// [`t`](Self::t), or 0 if the ray touches the shape at once.
+    #[inline(always)]
+    fn t_touche(&self, rayon: &Rayon<R>) -> R {
+        // Without a δ nobody asks what holds the source.
+        if rayon.flou() == R::ZERO {
+            return self.t(rayon);
+        }
+        let (t, dedans) = self.t_et_dedans(rayon);
+        if dedans { self.t_de_dedans(*rayon) } else { t }
+    }
+
+    /// 0 if the ray, which starts inside, touches at once, else +∞.
+    #[cold]
+    fn t_de_dedans(&self, rayon: Rayon<R>) -> R {
+        if self.des_le_depart(&rayon) { R::ZERO } else { R::INFINI }
+    }
+
+    /// Whether the ray starts in this shape by no more than its δ, which is above 0, and the
+    /// rounding of the shape, and goes in: then it touches the shape at once (lemma 23). Computed
+    /// without a branch.
+    fn des_le_depart(&self, rayon: &Rayon<R>) -> bool;
+
+    /// The distance at which the ray leaves, from inside or after it entered, +∞ if it never does;
+    /// computed without a branch.
+    fn t_sortie(&self, rayon: &Rayon<R>) -> R;
+
+    /// Whether a point is in the shape or on its surface: then no ray from it enters.
+    fn contient(&self, point: Vecteur<R>) -> bool;
+
+    /// The unit outward normal N of the entry at distance `t`, and how far along N the surface lies
+    /// there from the centre of the ball; computed without a branch. Where rounding has lost N or
+    /// brought N·D to 0 or above, [`vers_la_source`] replaces it.
+    fn plan_tangent(&self, rayon: &Rayon<R>, t: R) -> (Vecteur<R>, R);
+
+    /// What [`plan_tangent`](Self::plan_tangent) says, for a shape that the ray touches at once.
+    fn plan_de_depart(&self, rayon: &Rayon<R>) -> (Vecteur<R>, R) {
+        self.plan_tangent(rayon, R::ZERO)
+    }
+
+    /// How deep the source of a ray that touches at once lies under the farthest of the flat faces
+    /// by which it may have come in; 0 if the shape has none.
+    fn recul(&self, _: &Rayon<R>) -> R {
+        R::ZERO
+    }
+
+    /// How high the point P of a hit may lie over the surface there, for what
+    /// [`plan_tangent`](Self::plan_tangent) said of it. This definition is that of a flat face.
+    #[inline(always)]
+    fn hauteur(&self, p: Vecteur<R>, n: Vecteur<R>, du_centre: R) -> Hauteur<R> {
+        // M2: the centre of a half-space is O.
+        let cp = p - self.boule().centre;
+        let hauteur = n.produit_scalaire(cp) - du_centre;
+        Hauteur { b: hauteur.abs(), l: n.somme_des_grandeurs(cp) }
+    }
+
+    /// Normal and margin of the entry at distance `t`.
+    #[inline(always)]
+    fn conclure(&self, rayon: &Rayon<R>, t: R) -> Contact<R> {
+        let (contact, de_face) = self.contact(rayon, t);
+        if de_face { contact } else { self.contact_rare(rayon, t) }
+    }
+
+    /// The contact of a ray that touches at once, or whose normal is leaned towards the source. It
+    /// computes the margin again: a call for the normal alone, before the margin, would make a
+    /// single ray take up to 1.4 times as long (measured).
+    #[cold]
+    fn contact_rare(&self, rayon: &Rayon<R>, t: R) -> Contact<R> {
+        let d_emblee = t == R::ZERO;
+        let (n, du_centre) =
+            if d_emblee { self.plan_de_depart(rayon) } else { self.plan_tangent(rayon, t) };
+        let d = rayon.direction();
+        let n = if n.produit_scalaire(d) < R::ZERO { n } else { vers_la_source(n, d) };
+        let contact = self.contact_en(rayon, t, n, du_centre);
+        if !d_emblee {
+            return contact;
+        }
+        // Where a box stands flush on a mirror, the nearest face may be the hidden one. The
+        // mirror would send the ray back to where it was, and so on without end. Two steps of this
+        // length, off the hidden face and off the mirror, leave any other face nearer.
+        let recul = self.recul(rayon) + contact.point.norme_1() * fois_u(RECUL);
+        Contact { marge: contact.marge + recul, ..contact }
+    }
+
+    /// The contact with the normal as it is, without a branch; and whether that is right: the ray
+    /// does not touch at once, and the normal faces the source.
+    #[inline(always)]
+    fn contact(&self, rayon: &Rayon<R>, t: R) -> (Contact<R>, bool) {
+        let (n, du_centre) = self.plan_tangent(rayon, t);
+        let de_face = (n.produit_scalaire(rayon.direction()) < R::ZERO) & (t != R::ZERO);
+        (self.contact_en(rayon, t, n, du_centre), de_face)
+    }
+
+    /// The contact at this distance, with this normal. Its margin, the bound of
+    /// [`marge`](crate::Intersection::marge), is that of the very point that the caller will
+    /// compute.
+    #[inline(always)]
+    fn contact_en(&self, rayon: &Rayon<R>, t: R, normale: Vecteur<R>, du_centre: R) -> Contact<R> {
+        let p = rayon.point(t);
+        let Hauteur { b, l } = self.hauteur(p, normale, du_centre);
+        let marge = b + l * fois_u(2.0 * ARRONDI_HAUTEUR);
+        // M4. A NaN comes from an overflow.
+        let marge = marge + marge * fois_u(VERS_LE_HAUT) + plancher();
+        Contact { normale, marge: min(marge, R::INFINI), point: p }
+    }
+}
+
+/// A bound on the height of a point P over a surface with normal N (lemma 8).
+pub(crate) struct Hauteur<R> {
+    /// P lies no farther from the surface than b, in units of N.
+    pub(crate) b: R,
+    /// ℓ: 8u·ℓ bounds the rounding of b and that of a search for a ray that starts at P.
+    pub(crate) l: R,
+}
+
+/// The unit normal nearest to N that faces the source of a ray of direction D.
+///
+/// Where a ray only grazes, rounding can leave N at a right angle to D or past it. The normal is
+/// then the part of N across D, leaned towards the source by more than N·D can round. Where nothing
+/// is left of N, −D faces the source.
+#[cold]
+fn vers_la_source<R: Nombre>(n: Vecteur<R>, d: Vecteur<R>) -> Vecteur<R> {
+    let unitaire = d / d.longueur(); // S8
+    let travers = (n - unitaire * n.produit_scalaire(unitaire)).unitaire();
+    let penchee = travers.and_then(|n| (n - unitaire * fois_u(PENCHE)).unitaire());
+    penchee.filter(|n| n.produit_scalaire(d) < R::ZERO).unwrap_or(-unitaire)
+}
+
+/// A ball: its centre C and the square of its radius.
+#[derive(Clone, Copy)]
+pub(crate) struct Boule<R> {
+    pub(crate) centre: Vecteur<R>,
+    pub(crate) r2: R,
+}
+
+impl<R: Nombre> Boule<R> {
+    /// The ball around an unbounded shape; its centre is O.
+    pub(crate) const INFINIE: Self = Self { centre: Vecteur::NUL, r2: R::INFINI };
+
+    /// Whether the ray comes near the ball.
+    ///
+    /// Never false for a ray that enters the shape, whatever rounding does (derivation in
+    /// `docs/preuves.md`, lemma 14). A ray whose source is in the ball passes even with C behind
+    /// it.
+    #[inline(always)]
+    pub(crate) fn approchee(self, rayon: &Rayon<R>) -> bool {
+        let sc = self.centre - rayon.source();
+        let sa = sc.produit_scalaire(rayon.direction());
+        // C behind the source is no nearer than the source.
+        let sa = max(sa, R::ZERO); // O1
+        // One comparison (O2), which the compiler cannot split into two branches.
+        sc.longueur_carree() * (R::UN - fois_u_simple(RETRAIT)) - sa * sa <= self.r2
+    }
+}

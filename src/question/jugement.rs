@@ -1,0 +1,130 @@
+//! What is judged after the fact: how far a distance is off, and whether an answer is certainly
+//! that of exact arithmetic on the numbers as they are stored.
+//!
+//! Nearly every ray is clear at a glance (`coup_d_oeil.rs`); what that leaves open is
+//! judged in doubled numbers (`loupe.rs`).
+
+pub(crate) mod certificat;
+pub(crate) mod coup_d_oeil;
+pub(crate) mod loupe;
+
+use crate::algebre::double::{Double, Intervalle, scalaire, triple};
+use crate::algebre::nombre::{Nombre, fois_u, selon};
+use crate::objet::ObjetRay;
+use crate::question::jugement::coup_d_oeil::coup_d_oeil;
+use crate::question::jugement::loupe::{Jugement, juger, juger_sortie, loupe};
+use crate::rayon::Rayon;
+use crate::rayon::intersection::Intersection;
+
+/// [`ObjetRay::erreur`] trusts a glance that leaves no more than this part of u·t open: doubled
+/// numbers would give about the same bound.
+const NET: f64 = 1.0 / 64.0;
+
+/// How much the bound of [`ObjetRay::erreur`] grows for its last operations, in u of itself (lemma
+/// 17).
+pub const ERREUR_ARRONDIE: f64 = 16.1;
+
+impl<R: Nombre> ObjetRay<R> {
+    /// A bound on the error of [`touche.distance()`](Intersection::distance), in scene units: the
+    /// true entry, or at a [way out](Self::sortie) the true exit, is no farther than that from it,
+    /// for the numbers as they are stored.
+    ///
+    /// The bound is proven (`docs/preuves.md`, lemma 17), also at the edges of a box, and includes
+    /// the rounding of its own computation. Ask the object that was hit, with the ray of the hit.
+    /// The bound rests on t alone, not on how t was found: it is the error itself, as found with
+    /// numbers of twice the length of an `f64`, and what D lacks to length 1 over that distance. In
+    /// the median it is less than 1.1 times the error. It takes many times as long as the hit.
+    ///
+    /// It is never a NaN. It is +∞ where the ray does not enter or leave the object, where the
+    /// doubled numbers cannot tell at t whether it does, for a hit at once, at t = 0, unless exact
+    /// arithmetic has the source outside, and at a way out that is off by half of t or more.
+    ///
+    /// The same bound holds for t in lengths of D: it is no less than |t − t′|, where the ray
+    /// crosses the surface at S + t′D. After [`Rayon::temoin_f64`] D is unit to the rounding of `f32`
+    /// only, and the bound covers that; for digits in scene units make D unit again, by
+    /// [`Rayon::new`] of the same source and direction.
+    ///
+    /// ```
+    /// use lancer_rayon::{ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
+    ///
+    /// let boule = SphereGeo::<f32>::new(Vecteur::new(0.0, 0.0, -5.0), 1.0, Texture(0))?;
+    /// let boule = ObjetRay::from(boule);
+    /// let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.1, 0.05, -1.0))?;
+    /// let touche = boule.intersection(&rayon)?;
+    ///
+    /// let erreur = boule.erreur(&rayon, &touche);
+    /// let exacte = boule.temoin_f64().intersection(&rayon.temoin_f64())?.distance();
+    /// assert!((f64::from(touche.distance()) - exacte).abs() <= erreur.into());
+    /// assert!(erreur < 2e-6);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    #[doc(alias("error_bound", "distance_error"))]
+    #[must_use]
+    pub fn erreur(&self, rayon: &Rayon<R>, touche: &Intersection<R>) -> R {
+        let sort = touche.normale().produit_scalaire(rayon.direction()) > R::ZERO;
+        let t = touche.distance();
+        let (objet, rayon, en_f64) = (self.temoin_f64(), rayon.temoin_f64(), t.vers_f64());
+        // A glance is for entries, and never leaves so little of a distance in `f64` open.
+        let rapide = selon::<R, _>(true, false) && !sort;
+        let vue = if rapide { coup_d_oeil(&objet, &rayon) } else { Intervalle::INCONNU };
+        let ecart = if vue.haut - vue.bas <= en_f64 * (R::U.vers_f64() * NET) {
+            (vue.haut - en_f64).max(en_f64 - vue.bas)
+        } else {
+            let selon = if sort { juger_sortie } else { juger };
+            let Jugement { entre, ecart } = selon(&objet, &rayon, en_f64);
+            if entre == Some(true) { ecart } else { f64::INFINI }
+        };
+        // J7: t counts in lengths of D.
+        let d = rayon.direction();
+        let exces = scalaire(triple(d), triple(d)).plus(Double::de(-1.0)).bornes().grandeur();
+        let longueur = d.longueur();
+        let de_d = en_f64 * (exces / (1.0 + longueur));
+        let erreur = R::depuis_f64(ecart * longueur.max(1.0) + de_d);
+        erreur + erreur * fois_u(ERREUR_ARRONDIE) + (R::MIN_POSITIF + R::MIN_POSITIF)
+    }
+
+    /// Whether the answer of [`intersection`](Self::intersection), a hit or a miss, is certainly
+    /// that of exact arithmetic on the numbers as they are stored.
+    ///
+    /// It is never true of a wrong answer. It is false of a right one only within some 2⁻¹⁰⁰|S − C|
+    /// of a face or 2⁻¹⁰⁰|S − C|²/r of the outline of a sphere, for boxes thinner than 2⁻¹⁰⁰|S −
+    /// C|, for directions within some 2⁻¹⁰⁰ of the plane of a turned face, where products leave the
+    /// normal numbers of `f64`, for hits whose distance the type can hardly hold, and for entries
+    /// within rounding of the end of the ray. [`Monde::certifie`](crate::Monde::certifie) judges a
+    /// list.
+    ///
+    /// ```
+    /// use lancer_rayon::{ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
+    ///
+    /// let boule = ObjetRay::from(SphereGeo::new(Vecteur::new(0.0, 0.0, -5.0), 1.0, Texture(0))?);
+    /// let vers_le_fond = |x| Rayon::new(Vecteur::new(x, 0.0, 0.0), Vecteur::new(0.0, 0.0, -1.0));
+    /// assert!(boule.est_certain(&vers_le_fond(0.5)?)); // a hit
+    /// assert!(boule.est_certain(&vers_le_fond(1.5)?)); // a miss
+    /// assert!(boule.est_certain(&vers_le_fond(1.0)?)); // a tangent, exactly
+    /// # Ok::<(), lancer_rayon::ErreurGeo>(())
+    /// ```
+    #[doc(alias("is_certain", "is_robust"))]
+    #[must_use]
+    pub fn est_certain(&self, rayon: &Rayon<R>) -> bool {
+        // J8: no ray that enters an object passes the ball around it by (lemma 17).
+        if !self.boule().approchee(rayon) {
+            return true;
+        }
+        let (touche, plus_grand) = (self.t_touche(rayon) < rayon.fin(), plus_grand::<R>());
+        let (objet, rayon) = (self.temoin_f64(), rayon.temoin_f64());
+        quand_entre(&objet, &rayon, plus_grand).touche(rayon.fin(), plus_grand) == Some(touche)
+    }
+}
+
+/// When the ray enters, at a glance, or in doubled numbers if that leaves hit or miss open in a
+/// type of this largest number.
+#[inline(always)]
+fn quand_entre(objet: &ObjetRay, rayon: &Rayon, plus_grand: f64) -> Intervalle {
+    let vue = coup_d_oeil(objet, rayon);
+    if vue.touche(rayon.fin(), plus_grand).is_some() { vue } else { loupe(objet, rayon) }
+}
+
+/// The largest number of a scalar.
+fn plus_grand<R: Nombre>() -> f64 {
+    selon::<R, _>(f32::MAX.into(), f64::MAX)
+}

@@ -1,0 +1,95 @@
+//! Whether an answer is certain: every object is asked whether it comes later than the first.
+
+use crate::algebre::nombre::{Nombre, max};
+use crate::objet::ObjetRay;
+use crate::question::jugement::coup_d_oeil::coup_d_oeil;
+use crate::question::jugement::loupe::loupe;
+use crate::question::jugement::{plus_grand, quand_entre};
+use crate::question::liste::Liste;
+use crate::question::{Abord, Question};
+use crate::rayon::Rayon;
+use crate::rayon::intersection::Reponse;
+
+/// An answer, and whether some object may come before it.
+pub(crate) struct Certificat<'a, R> {
+    temoin: Rayon,
+    /// The first object and its index; `None` for a miss.
+    premier: Option<(&'a ObjetRay<R>, usize)>,
+    /// The distance by which the ray has entered the first object; for a miss, the largest number
+    /// before the end of the ray.
+    dernier: f64,
+    doute: bool,
+}
+
+impl<'a, R: Nombre> Certificat<'a, R> {
+    /// `None` if it is not certain that the ray enters the first object before its end, or if that
+    /// object is not in the list or is left out, and so is no answer.
+    #[inline(always)]
+    pub(crate) fn new(
+        liste: &Liste<'a, R>,
+        rayon: &Rayon<R>,
+        reponse: &Reponse<R>,
+    ) -> Option<Self> {
+        let temoin = rayon.temoin_f64();
+        let Ok(touche) = reponse else {
+            let dernier = temoin.fin().next_down();
+            return Some(Self { temoin, premier: None, dernier, doute: false });
+        };
+        let premier = liste.objet(touche.indice())?;
+        let entree = quand_entre(&premier.temoin_f64(), &temoin, plus_grand::<R>());
+        let certaine = entree.touche(temoin.fin(), plus_grand::<R>()) == Some(true);
+        let premier = Some((premier, touche.indice()));
+        certaine.then_some(Self { temoin, premier, dernier: entree.haut, doute: false })
+    }
+
+    /// Whether the object at this index is the first, or the ray certainly enters it later than the
+    /// first or never.
+    #[inline(always)]
+    fn vient_apres(&self, objet: &ObjetRay<R>, indice: usize) -> bool {
+        // G5
+        self.premier.is_some_and(|(_, premier)| premier == indice)
+            || coup_d_oeil(&objet.temoin_f64(), &self.temoin).bas > self.dernier
+            || self.vient_apres_a_la_loupe(objet)
+    }
+
+    #[cold]
+    fn vient_apres_a_la_loupe(&self, objet: &ObjetRay<R>) -> bool {
+        let a_la_loupe = |objet: &ObjetRay<R>| loupe(&objet.temoin_f64(), &self.temoin);
+        let premier = self.premier.map(|(premier, _)| a_la_loupe(premier).haut);
+        a_la_loupe(objet).bas > premier.unwrap_or(f64::INFINI).min(self.dernier)
+    }
+}
+
+impl<R: Nombre> Question<R> for Certificat<'_, R> {
+    const UN_SUFFIT: bool = true;
+    type Vu = ();
+    type Reponse = bool;
+
+    #[inline(always)]
+    fn limite(&self) -> R {
+        // Above 0, since nothing would be asked before 0.
+        max(R::depuis_f64(self.dernier * (1.0 + 2.0 * R::U.vers_f64())), R::MIN_POSITIF)
+    }
+
+    /// Sees an object that may come before the first.
+    #[inline(always)]
+    fn voir(&self, rayon: &Rayon<R>, objet: &ObjetRay<R>, i: usize, abord: Abord) -> Option<()> {
+        let proche = match abord {
+            // No ray that enters an object passes the ball around it by (lemma 17).
+            Abord::Inconnu => objet.boule().approchee(rayon),
+            Abord::DansSaBoite { .. } => true,
+        };
+        (proche && !self.vient_apres(objet, i)).then_some(())
+    }
+
+    #[inline(always)]
+    fn retenir(&mut self, (): (), _: usize, _: bool) -> bool {
+        self.doute = true;
+        true
+    }
+
+    #[inline(always)]
+    fn repondre(self, _: &Rayon<R>, _: &[ObjetRay<R>]) -> bool {
+        !self.doute
+    }
+}

@@ -1,0 +1,381 @@
+//! The rays that start from a hit: mirrors, glass, shadows, lines of sight (handout, later parts).
+
+use crate::algebre::nombre::{Nombre, fois_u, plancher};
+use crate::algebre::refus::{ErreurGeo, exiger, fini, point, refus_nul};
+use crate::algebre::vecteur::Vecteur;
+use crate::rayon::intersection::Intersection;
+use crate::rayon::{DIRECTION, Rayon, direction_unitaire, flou_suivant, su_dedans};
+
+/// A direction is turned outward if it lies within this of the tangent plane, in u: no N·D rounds
+/// by more (lemma 9).
+pub const TANGENT: f64 = 3.2;
+
+/// How far such a direction is turned, in u: N·D is then above 0, however it is rounded (lemma 9).
+pub const REDRESSE: f64 = 12.0;
+
+/// How much a margin grows for an N that is not exactly unit, in u of itself (lemma 9).
+pub const PAS_NORMAL: f64 = 20.0;
+
+/// The rounding of the moved point, in units of u·Σ|N_i·P_i| (lemma 9).
+pub const PAS_ARRONDI: f64 = 1.1;
+
+/// A ray that turns in mid-air.
+impl<R: Nombre> Rayon<R> {
+    /// A ray without an end that goes on from the [`point`](Self::point) at this distance in
+    /// another direction: for a particle that is scattered in mid-air, or whose step has ended.
+    ///
+    /// The new ray carries [δ](Self::flou) as a ray from a hit does, so that a particle whose step
+    /// ends within rounding of a wall, or just behind it, does not leave the room: one whose walls
+    /// reach into each other by more than 2(δ + o), with o of [`flou`](Self::flou). That holds if
+    /// this ray touches nothing before `distance`. A ray that is [inside](Self::dedans) something
+    /// stays so.
+    ///
+    /// # Errors
+    /// If `distance` is below 0 or not finite, if the direction is zero or not finite, or if the
+    /// point lies beyond the limits of [`new`](Self::new).
+    ///
+    /// ```
+    /// use lancer_rayon::{NoIntersection, ObjetRay, PlanGeo, Rayon, Texture, Vecteur};
+    ///
+    /// let bas = Vecteur::new(0.0, -1.0, 0.0);
+    /// let sol = ObjetRay::from(PlanGeo::par_un_point(Vecteur::NUL, -bas, Texture(0))?);
+    /// let rayon = Rayon::new(Vecteur::new(0.0, 0.3, 0.0), Vecteur::new(1.0, -1.0, 0.0))?;
+    ///
+    /// // A step as long as the way to the floor ends on the floor, or in it.
+    /// let pas = sol.intersection(&rayon)?.distance();
+    /// assert_eq!(sol.intersection(&rayon.jusqu_a(pas)?), Err(NoIntersection));
+    /// assert!(sol.intersection(&rayon.bifurque(pas, bas)?)?.distance() < 1e-15);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    #[doc(alias("scatter", "turn_at", "advance", "step"))]
+    pub fn bifurque(&self, distance: R, direction: Vecteur<R>) -> Result<Self, ErreurGeo> {
+        let accepte = distance >= R::ZERO && distance < R::INFINI;
+        let t = exiger(accepte, "distance", distance, "a finite number, 0 or more")?;
+        let p = self.point(t);
+        let su = self.su();
+        // The ray takes no step off a surface. The floor of margins covers what is lost below the
+        // normal numbers.
+        let su = if su < R::ZERO { su } else { flou_suivant(su, plancher(), t, p) };
+        Ok(Self::new(p, direction)?.sachant(su))
+    }
+}
+
+impl<R: Nombre> Intersection<R> {
+    /// A ray that starts at this hit and never hits the object it leaves, with one exception
+    /// (below). The direction may lead outward, D·N > 0, or inward for transparency. For mirrors
+    /// there is [`reflechi`](Self::reflechi), for glass [`refracte`](Self::refracte), for shadows
+    /// [`vers_lumiere`](Self::vers_lumiere) and [`vers_soleil`](Self::vers_soleil).
+    ///
+    /// The source is the [`point`](Self::point) of the hit, moved along the normal to the side to
+    /// which the direction leads, by [`marge`](Self::marge) and the rounding of the moved point,
+    /// 1.1u·Σ|N_i·P_i|. There is no epsilon to choose. An outward ray does not meet the object
+    /// again, and an inward ray, which starts inside, does not see it. A direction within 3.2u of
+    /// the tangent plane is turned outward by 12u. The ray has no end.
+    ///
+    /// **In the corner of a second object** the start may lie inside that object by rounding. An
+    /// outward ray carries [a bound on the error of its start](Rayon::flou), and touches such an
+    /// object at once, at distance 0, if it goes further in. So no ray leaves a closed room whose
+    /// walls reach into each other by more than 2(δ + o), with o of [`flou`](Rayon::flou), and light
+    /// out of a glass finds the table under it. An inward ray is [inside
+    /// something](Rayon::dedans), and so are the rays that start from its hits until they are out
+    /// again: such rays touch only what they enter from outside.
+    ///
+    /// **The exception**: within rounding of a box edge, or in a box no thicker than twice the step, an
+    /// inward ray may start outside, and touch the other face of that edge.
+    ///
+    /// # Errors
+    /// If the direction is zero or not finite, if `marge` is +∞, or if the start lies beyond the
+    /// limits of a source, as for [`Rayon::new`].
+    ///
+    /// ```
+    /// use lancer_rayon::{NoIntersection, ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
+    ///
+    /// let boule = SphereGeo::new(Vecteur::new(0.1, 0.2, -5.0), 1.7, Texture(0))?;
+    /// let boule = ObjetRay::from(boule);
+    /// let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.1, 0.05, -1.0))?;
+    /// let touche = boule.intersection(&rayon)?;
+    ///
+    /// // Back along the normal, and straight on, as through glass.
+    /// for direction in [touche.normale(), rayon.direction()] {
+    ///     let suite = touche.secondaire(direction)?;
+    ///     assert_eq!(boule.intersection(&suite), Err(NoIntersection));
+    /// }
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    #[doc(alias("spawn_ray", "secondary_ray", "shadow_ray", "reflection", "refraction"))]
+    #[doc(alias("epsilon", "bias", "tnear"))]
+    #[inline]
+    pub fn secondaire(&self, direction: Vecteur<R>) -> Result<Rayon<R>, ErreurGeo> {
+        let direction = direction_unitaire(DIRECTION, direction)?;
+        self.suite(direction.produit_scalaire(self.normale()) < fois_u(-TANGENT), direction)
+    }
+
+    /// The ray that a mirror sends on when a ray arrives in the direction D: a
+    /// [`secondaire`](Self::secondaire) in the direction D − 2(D·N)N, which never hits the object
+    /// again.
+    ///
+    /// From a [way out](crate::ObjetRay::sortie), where D·N > 0, the mirrored ray goes inward, as
+    /// in glass that does not let light out. Where the ray grazes, rounding may turn the mirrored
+    /// direction below the surface, and the direction is then turned outward, as one in the tangent
+    /// plane is. Otherwise it is within an angle of 20u of that of an exact mirror at N
+    /// (`docs/preuves.md`, lemma 9).
+    ///
+    /// # Errors
+    /// As [`secondaire`](Self::secondaire): if the direction is zero or not finite, if `marge` is
+    /// +∞, or if the start lies beyond the limits of a source.
+    ///
+    /// ```
+    /// use lancer_rayon::{ObjetRay, PlanGeo, Rayon, Texture, Vecteur};
+    ///
+    /// let haut = Vecteur::new(0.0, 1.0, 0.0);
+    /// let sol = ObjetRay::from(PlanGeo::par_un_point(Vecteur::NUL, haut, Texture(0))?);
+    /// let rayon = Rayon::new(Vecteur::new(0.0, 4.0, 0.0), Vecteur::new(3.0, -4.0, 0.0))?;
+    /// let reflet = sol.intersection(&rayon)?.reflechi(rayon.direction())?;
+    /// assert!((reflet.direction() - Vecteur::new(0.6, 0.8, 0.0)).longueur() < 1e-15);
+    /// assert!((reflet.source() - Vecteur::new(3.0, 0.0, 0.0)).longueur() < 1e-14);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    #[doc(alias("reflect", "reflection", "mirror"))]
+    #[inline]
+    pub fn reflechi(&self, direction: Vecteur<R>) -> Result<Rayon<R>, ErreurGeo> {
+        let (d, n) = (direction_unitaire(DIRECTION, direction)?, self.normale());
+        let le_long = d.produit_scalaire(n);
+        let direction = direction_unitaire(DIRECTION, d - (n + n) * le_long)?;
+        if le_long > R::ZERO {
+            return self.secondaire(direction);
+        }
+        // N·D ≤ 0 as computed: exactly it may be above by 3.1u, so that N·D′ is no less than −3.1u
+        // before D′ is rounded, and than −5.1u after.
+        self.suite(false, direction)
+    }
+
+    /// The ray that light in the direction D becomes behind the surface, by Snell's law: a
+    /// [`secondaire`](Self::secondaire) that goes inward from a hit, and outward from a [way
+    /// out](crate::ObjetRay::sortie).
+    ///
+    /// `rapport` is η, the index of refraction of what the light comes from over that of what it
+    /// goes into: 1/1.5 where it enters glass from air, 1.5 where it leaves. From the ray,
+    /// |N·D| is the cosine behind the surface, which Fresnel's formula asks for. Up to η = 1,000
+    /// the direction is within an angle of sine 9.2u(1 + η)/c of the exact one at N, with c the
+    /// exact cosine (`docs/preuves.md`, lemma 9).
+    ///
+    /// # Errors
+    /// **Total reflection**: the error names `refraction`, and gives the square of the cosine
+    /// behind the surface, 0 or less. Also if `rapport` is not finite or not above 0, or where
+    /// [`secondaire`](Self::secondaire) would fail. As [`reflechi`](Self::reflechi) fails there
+    /// too, `touche.refracte(d, rapport).or_else(|_| touche.reflechi(d))` is where the light goes.
+    ///
+    /// ```
+    /// use lancer_rayon::{ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
+    ///
+    /// let boule: ObjetRay = SphereGeo::new(Vecteur::NUL, 1.0, Texture(0))?.into();
+    /// let rayon = Rayon::new(Vecteur::new(0.8, 0.0, 5.0), -Vecteur::Z)?; // sin α = 0.8
+    /// let dedans = boule.intersection(&rayon)?.refracte(rayon.direction(), 1.0 / 1.5)?;
+    /// let sortie = boule.sortie(&dedans)?;
+    /// let dehors = sortie.refracte(dedans.direction(), 1.5)?;
+    /// assert!((dehors.direction().produit_scalaire(sortie.normale()) - 0.6).abs() < 1e-14);
+    ///
+    /// // From within, as sin α = 0.8 is more than 1/1.5, no light leaves.
+    /// let dedans = Rayon::new(Vecteur::new(0.8, 0.0, 0.0), -Vecteur::Z)?;
+    /// let sortie = boule.sortie(&dedans)?;
+    /// let totale = sortie.refracte(dedans.direction(), 1.5).unwrap_err();
+    /// assert_eq!(totale.champ, "refraction");
+    /// assert!((totale.valeur - (1.0 - 1.2 * 1.2)).abs() < 1e-14);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    #[doc(alias("refract", "refraction", "snell", "transmit", "ior", "glass"))]
+    pub fn refracte(&self, direction: Vecteur<R>, rapport: R) -> Result<Rayon<R>, ErreurGeo> {
+        let accepte = rapport > R::ZERO && rapport < R::INFINI;
+        exiger(accepte, "rapport", rapport, "a finite number above 0")?;
+        let (d, n) = (direction_unitaire(DIRECTION, direction)?, self.normale());
+        let le_long = d.produit_scalaire(n);
+        let travers = (d - n * le_long) * rapport;
+        let carre = d.longueur_carree() - travers.longueur_carree();
+        let attendu = "above 0, as a squared cosine: all light is mirrored (total reflection)";
+        let droit = n * exiger(carre > R::ZERO, "refraction", carre, attendu)?.sqrt();
+        let dedans = le_long <= R::ZERO;
+        let direction = if dedans { travers - droit } else { travers + droit }; // M8
+        self.suite(dedans, direction_unitaire(DIRECTION, direction)?)
+    }
+
+    /// The ray from this hit to a light, which ends there: ask
+    /// [`Monde::est_occulte`](crate::Monde::est_occulte) whether anything stands before the light.
+    ///
+    /// The ray is a [`secondaire`](Self::secondaire) and never hits the object it leaves. Its end,
+    /// the distance from its start to the light, is off by at most 3.6u of itself and
+    /// [`MIN_POSITIF`](Nombre::MIN_POSITIF); the direction is good to 4.6u, and N·L to 8u. If the
+    /// lamp is itself an object of the list, [leave it out](crate::Monde::sans).
+    ///
+    /// # Errors
+    /// If the surface faces away, N·L ≤ 3.2u with L the unit direction from the start of the ray to
+    /// the light: the error names `lumiere` and gives N·L. Also if `lumiere` is not finite or is
+    /// the start itself, or where [`secondaire`](Self::secondaire) would fail. Either way the lamp
+    /// adds no light to this point, and a renderer need not tell the cases apart:
+    /// `if let Ok(ombre) = touche.vers_lumiere(lampe)`.
+    ///
+    /// ```
+    /// use lancer_rayon::{ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
+    ///
+    /// let boule = SphereGeo::new(Vecteur::new(0.0, 0.0, -5.0), 1.0, Texture(0))?;
+    /// let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.0, 0.0, -1.0))?;
+    /// let touche = ObjetRay::from(boule).intersection(&rayon)?;
+    ///
+    /// let vers = |z| touche.vers_lumiere(Vecteur::new(3.0, 0.0, z));
+    /// let ombre: Rayon = vers(0.0)?;
+    /// assert!((ombre.fin() - 5.0).abs() < 1e-13);
+    /// assert_eq!(vers(-9.0).unwrap_err().champ, "lumiere"); // behind the surface
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    #[doc(alias("shadow_ray", "light", "lamp"))]
+    #[inline]
+    pub fn vers_lumiere(&self, lumiere: Vecteur<R>) -> Result<Rayon<R>, ErreurGeo> {
+        let (depart, su) = self.depart(false)?; // L1
+        let lumiere = fini(["lumiere.x", "lumiere.y", "lumiere.z"], lumiere)?;
+        let trajet = (lumiere - depart).longueur_et_unitaire(); // L2
+        let (distance, direction) = trajet.ok_or_else(|| refus_nul("lumiere - depart"))?;
+        self.exiger_de_face("lumiere", direction)?;
+        Ok(Rayon::sans_fin(depart, direction).sachant(su).finissant(distance))
+    }
+
+    /// The ray without an end from this hit towards a sun, a light that has a direction and no
+    /// place: ask [`Monde::est_occulte`](crate::Monde::est_occulte) whether anything stands before
+    /// it.
+    ///
+    /// `soleil` is the direction to the light, of any length. The light that the surface receives
+    /// is proportional to N·L, the cosine: `touche.normale().produit_scalaire(ombre.direction())`,
+    /// good to 10.7u. A half-space beyond which the sun stands hides it: a room of half-spaces has
+    /// no windows. A sensor on a wall, which no ray found, is a [way
+    /// out](crate::ObjetRay::sortie).
+    ///
+    /// # Errors
+    /// If the surface faces away, N·L ≤ 3.2u with L that direction as a unit vector. Also if
+    /// `soleil` is zero or not finite, or where [`secondaire`](Self::secondaire) would fail.
+    ///
+    /// ```
+    /// use lancer_rayon::{Monde, ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
+    ///
+    /// let boule = SphereGeo::new(Vecteur::new(0.0, 0.0, -5.0), 1.0, Texture(0))?;
+    /// let objets = [ObjetRay::from(boule)];
+    /// let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.0, 0.0, -1.0))?;
+    /// let touche = objets[0].intersection(&rayon)?;
+    ///
+    /// let vers = |z| touche.vers_soleil(Vecteur::new(3.0, 0.0, z));
+    /// let ombre: Rayon = vers(4.0)?;
+    /// assert_eq!((ombre.direction().x, ombre.fin()), (0.6, f64::INFINITY));
+    /// assert!(!Monde::de_liste(&objets).est_occulte(&ombre));
+    /// assert_eq!(vers(-4.0).unwrap_err().champ, "soleil"); // behind the surface
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    #[doc(alias("sun", "directional_light", "shadow_ray"))]
+    #[inline]
+    pub fn vers_soleil(&self, soleil: Vecteur<R>) -> Result<Rayon<R>, ErreurGeo> {
+        let champs = ["soleil", "soleil.x", "soleil.y", "soleil.z"];
+        let ((depart, su), direction) = (self.depart(false)?, direction_unitaire(champs, soleil)?);
+        self.exiger_de_face("soleil", direction)?;
+        Ok(Rayon::sans_fin(depart, direction).sachant(su))
+    }
+
+    /// The ray from this hit to another, which ends there. Whether two points of surfaces see each
+    /// other is `!monde.sans(cible.indice()).est_occulte(&rayon)`. (A hit of an object that was
+    /// asked alone has index 0: name its index in the list. A point that you choose on a surface is a
+    /// [way out](crate::ObjetRay::sortie).)
+    ///
+    /// Both ends step off their surfaces, as for [`secondaire`](Self::secondaire), so that the ray
+    /// never hits the object it leaves. Leave out the object it goes to
+    /// ([`sans`](crate::Monde::sans)), since no distance stops exactly before a surface; a convex
+    /// solid whose surface faces the ray hides none of its own points. With both hits exchanged the
+    /// ray has the same length and the opposite direction, exactly, or is an error again. What
+    /// stands between is the same both ways, except within rounding of a third object that the line
+    /// grazes or that one hit lies against.
+    ///
+    /// # Errors
+    /// If either surface faces away from the other point, to the 3.2u of
+    /// [`vers_lumiere`](Self::vers_lumiere): the error names `lumiere` or `cible`. Also where that
+    /// fails otherwise.
+    ///
+    /// ```
+    /// use lancer_rayon::{ErreurGeo, Intersection, Monde, PlanGeo, Rayon, SphereGeo, Texture, Vecteur};
+    ///
+    /// let haut = Vecteur::new(0.0, 1.0, 0.0);
+    /// let sol = PlanGeo::par_un_point(Vecteur::NUL, haut, Texture(0))?;
+    /// let boule = |x| SphereGeo::new(Vecteur::new(x, 1.0, 0.0), 1.0, Texture(1));
+    /// let objets = [sol.into(), boule(0.0)?.into(), boule(6.0)?.into()];
+    /// let monde = Monde::de_liste(&objets);
+    ///
+    /// let vers = |x, y| Rayon::new(Vecteur::new(3.0, 8.0, 0.0), Vecteur::new(x, y, 0.0));
+    /// let touche = |x, y| vers(x, y).ok().and_then(|rayon| monde.premiere_intersection(&rayon).ok());
+    /// let [a, b, c] = [(-0.5, -8.0), (2.2, -7.0), (-5.0, -8.0)].map(|(x, y)| touche(x, y).unwrap());
+    /// let se_voient = |a: Intersection, b: Intersection| {
+    ///     let rayon = a.vers_touche(&b)?;
+    ///     Ok::<_, ErreurGeo>(!monde.sans(b.indice()).est_occulte(&rayon))
+    /// };
+    /// assert!(se_voient(a, b)?);
+    /// assert!(!se_voient(c, b)?); // the first ball stands between
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    #[doc(alias("line_of_sight", "visibility", "segment"))]
+    pub fn vers_touche(&self, cible: &Self) -> Result<Rayon<R>, ErreurGeo> {
+        let vers = self.vers_lumiere(cible.depart(false)?.0)?;
+        cible.exiger_de_face("cible", -vers.direction())?;
+        Ok(vers)
+    }
+
+    /// The point of the hit, moved along the normal, outward or inward, past all rounding; and what
+    /// a ray from there knows of its source.
+    #[inline(always)]
+    fn depart(&self, dedans: bool) -> Result<(Vecteur<R>, R), ErreurGeo> {
+        let attendu = "finite: a sphere lost in rounding, or a point out of range, has no side";
+        exiger(self.marge() < R::INFINI, "marge", self.marge(), attendu)?;
+        let (p, n) = (self.point(), self.normale());
+        let pas = self.marge() * (R::UN + fois_u(PAS_NORMAL));
+        let pas = pas + n.somme_des_grandeurs(p) * fois_u(PAS_ARRONDI);
+        // M6
+        let source = p + n * if dedans { -pas } else { pas };
+        let source = point(["source.x", "source.y", "source.z"], source)?;
+        let su = self.su();
+        let su = if dedans {
+            su_dedans(su)
+        } else if su < R::ZERO {
+            su
+        } else {
+            flou_suivant(su, pas, self.distance(), p)
+        };
+        Ok((source, su))
+    }
+
+    /// The ray from that side in this unit direction.
+    #[inline(always)]
+    fn suite(&self, dedans: bool, direction: Vecteur<R>) -> Result<Rayon<R>, ErreurGeo> {
+        let direction = if dedans { direction } else { self.redressee(direction)? };
+        let (depart, su) = self.depart(dedans)?;
+        Ok(Rayon::sans_fin(depart, direction).sachant(su))
+    }
+
+    /// Whether this unit direction leads away from the surface, by more than N·D can round.
+    #[inline(always)]
+    fn fait_face(&self, direction: Vecteur<R>) -> bool {
+        direction.produit_scalaire(self.normale()) > fois_u(TANGENT) // L3
+    }
+
+    #[inline(always)]
+    fn exiger_de_face(&self, champ: &'static str, l: Vecteur<R>) -> Result<(), ErreurGeo> {
+        let cosinus = l.produit_scalaire(self.normale());
+        exiger(
+            self.fait_face(l),
+            champ,
+            cosinus,
+            "on the side that the surface faces: N·L > 3.2u",
+        )?;
+        Ok(())
+    }
+
+    /// This direction, which leads inward by no more than rounding, turned outward if it is within
+    /// [`TANGENT`] of the tangent plane or below it.
+    #[inline]
+    fn redressee(&self, d: Vecteur<R>) -> Result<Vecteur<R>, ErreurGeo> {
+        if self.fait_face(d) {
+            return Ok(d);
+        }
+        direction_unitaire(DIRECTION, d + self.normale() * fois_u(REDRESSE)) // M5
+    }
+}
