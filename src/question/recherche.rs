@@ -20,7 +20,7 @@ use crate::rayon::intersection::{Reponse, exiger_des_rangs};
 /// answer may differ.
 ///
 /// # Errors
-/// [`NoIntersection`] if the ray enters no object before its end.
+/// [`NoIntersection`](crate::NoIntersection) if the ray enters no object before its end.
 ///
 /// # Panics
 /// If the list has more than 2³² − 1 objects, some 300 GB.
