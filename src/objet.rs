@@ -249,7 +249,7 @@ impl<R: Nombre> ObjetRay<R> {
     /// ```
     #[doc(alias("to_f64", "widen", "witness"))]
     pub fn temoin_f64(&self) -> ObjetRay {
-        par_forme!(Self, self, forme => forme.vers_f64().into())
+        par_forme!(Self, self, forme => forme.temoin_f64().into())
     }
 
     /// Whether a point is in this object or on its surface. The test computes what a search

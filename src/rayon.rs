@@ -130,7 +130,9 @@ impl<R: Nombre> Rayon<R> {
     #[doc(alias("tolerance", "on_surface", "blur"))]
     pub fn avec_flou(self, flou: R) -> Result<Self, ErreurGeo> {
         let accepte = flou >= R::ZERO && flou < R::INFINI;
-        Ok(Self { su: exiger(accepte, "flou", flou, "a finite number, 0 or more")?, ..self })
+        let flou = exiger(accepte, "flou", flou, "a finite number, 0 or more")?;
+        // A −0 would be read again as 0.
+        Ok(Self { su: max(flou, R::ZERO), ..self })
     }
 
     /// The same ray, known to start inside something such as mist, water or glass. It has no δ and

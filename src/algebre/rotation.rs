@@ -253,8 +253,9 @@ impl<R: Nombre> Rotation<R> {
         if a.produit_scalaire(b) >= 0.0 {
             return Ok(Self::arrondie(polie(arc(a, b))));
         }
-        // Short of a half turn the axis is known to u over the sine, but must be at a right angle
-        // to b to u: first the short way to −b, then half a turn about it.
+        // Near a half turn the axis is known only to u over the sine of the angle, though it must
+        // be at a right angle to b to u. So this composes two turns: the short one to −b, and a
+        // half turn about an axis at a right angle to b.
         let k = a.produit_vectoriel(b);
         let k = if k.longueur() > PARALLELES * R::U.vers_f64() { k } else { a_cote(b) };
         let axe = b.produit_vectoriel(au_dessus(b, k));

@@ -40,7 +40,7 @@ pub struct Arbre<'a, R> {
     pub(crate) feuilles: usize,
     /// The [stored](en_mot) indices of the objects without a box, the last first.
     pub(crate) sans_boite: &'a [f32],
-    /// About what part of the boxes a line that crosses one of them crosses.
+    /// About what part of all boxes a line crosses, if it crosses one.
     pub(crate) part_des_croises: f32,
     pub(crate) repere: Repere<R>,
 }

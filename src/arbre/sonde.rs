@@ -19,7 +19,8 @@ use crate::rayon::Rayon;
 
 pub(crate) struct Sonde<R> {
     axes: [Axe; 3],
-    /// τ₀: entries count from the point so far along a ray, in the frame of the tree.
+    /// τ₀: entries are counted from the point at this distance along a ray, in the frame of the
+    /// tree.
     depart: R,
 }
 
@@ -56,8 +57,8 @@ impl<R: Nombre> Sonde<R> {
     #[inline(always)]
     pub(crate) fn new(rayon: &Rayon<R>, repere: Repere<R>) -> Option<Self> {
         let (y, d) = (repere.point(rayon.source()), rayon.direction());
-        // For a source far away entries count from the point next to Z. In `f32` that point is
-        // off by as much as a hit, and the source serves.
+        // Entries of a ray from far away are counted from its point nearest to Z. In `f32` that
+        // point would be off by as much as a hit, so that they are counted from the source.
         let loin = selon::<R, _>(false, true) && y.norme_1() > repere.loin;
         let depart = if loin { -y.produit_scalaire(d) } else { R::ZERO };
         Self::d_un_rayon(rayon, depart, repere)
@@ -189,7 +190,7 @@ impl Bornes {
             let (s, d) = (colonne(s), colonne(d));
             (s1, s0, d1, d0) = (s1.max(s), s0.min(s), d1.max(d), d0.min(d));
         }
-        // Without a −0, whose quotient has the sign of a ray that falls.
+        // Adding 0 makes 0 of −0, whose sign would be that of a ray that falls.
         let d = [d1.reduce_max() + 0.0, d0.reduce_min() + 0.0];
         Self { s: [s1.reduce_max(), s0.reduce_min()], d }
     }

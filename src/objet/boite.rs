@@ -209,7 +209,7 @@ impl<R: Nombre> BoiteRay<R> {
     }
 
     /// The same numbers in `f64`.
-    pub(crate) fn vers_f64(self) -> BoiteRay {
+    pub(crate) fn temoin_f64(self) -> BoiteRay {
         let (centre, normales) = (self.centre.vers_f64(), self.normales.map(Vecteur::vers_f64));
         let demi_longueurs = self.demi_longueurs.map(R::vers_f64);
         BoiteRay { centre, normales, demi_longueurs, texture: self.texture }

@@ -216,7 +216,7 @@ impl<R: Nombre> PlanRay<R> {
     }
 
     /// The same numbers in `f64`.
-    pub(crate) fn vers_f64(self) -> PlanRay {
+    pub(crate) fn temoin_f64(self) -> PlanRay {
         let (normale, distance) = (self.normale.vers_f64(), self.distance.vers_f64());
         PlanRay { normale, distance, texture: self.texture }
     }

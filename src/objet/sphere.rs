@@ -177,7 +177,7 @@ impl<R: Nombre> SphereRay<R> {
     }
 
     /// The same numbers in `f64`.
-    pub(crate) fn vers_f64(self) -> SphereRay {
+    pub(crate) fn temoin_f64(self) -> SphereRay {
         SphereRay { centre: self.centre.vers_f64(), r: self.r.vers_f64(), texture: self.texture }
     }
 }

@@ -45,7 +45,7 @@ fn trop_peu_de_places<R: Bits>(objets: &[ObjetRay<R>]) {
 /// An object and a ray in the other precision: as they are in `f64`; from there back again, and from here to `f32`, with
 /// a δ that is no smaller.
 fn changer_de_precision<R: Bits>(objet: ObjetGeo<R>, rayon: &Rayon<R>, origine: Vecteur<R>) {
-    let double = rayon.vers_f64();
+    let double = rayon.temoin_f64();
     assert_eq!(double.source(), rayon.source().vers_f64());
     assert_eq!([double.fin(), double.flou()], [rayon.fin(), rayon.flou()].map(R::vers_f64));
     for simple in [double.vers_f32(Vecteur::NUL), rayon.vers_f32(origine)].into_iter().flatten() {
@@ -55,10 +55,10 @@ fn changer_de_precision<R: Bits>(objet: ObjetGeo<R>, rayon: &Rayon<R>, origine: 
         assert!(la >= flou || simple.flou() == f32::MAX, "{rayon:?}");
     }
     if size_of::<R>() == 4 {
-        let [ici, la] = [rayon.vers_f64(), rayon.vers_f32(Vecteur::NUL).unwrap().vers_f64()];
+        let [ici, la] = [rayon.temoin_f64(), rayon.vers_f32(Vecteur::NUL).unwrap().temoin_f64()];
         assert_eq!((ici.source(), ici.direction()), (la.source(), la.direction()));
-        let la = objet.vers_f32(Vecteur::NUL).unwrap().vers_ray().vers_f64();
-        assert_eq!(la, objet.vers_ray().vers_f64());
+        let la = objet.vers_f32(Vecteur::NUL).unwrap().vers_ray().temoin_f64();
+        assert_eq!(la, objet.vers_ray().temoin_f64());
     }
     let _ = objet.vers_f32(origine);
 }
@@ -69,7 +69,7 @@ fn attaquer<R: Bits + Serialize + DeserializeOwned>(octets: &[u8]) -> Option<()>
     let Lecture { objets: decrits, rayons: droits, chemins, limites, points } =
         Octets::<R>::new(octets).lire();
     let objets: Vec<_> = decrits.iter().map(|objet| objet.vers_ray()).collect();
-    let doubles: Vec<_> = objets.iter().map(|objet| objet.vers_f64()).collect();
+    let doubles: Vec<_> = objets.iter().map(|objet| objet.temoin_f64()).collect();
     // In the second long boxes are cut into pieces, in the first perhaps some.
     let necessaires = places(objets.len());
     let [mut memoire, mut autre] =
