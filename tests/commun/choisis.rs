@@ -92,9 +92,12 @@ impl<R: Bits, C: Choix + Copy> Choisis<'_, R, C> {
         rayons.iter().map(toutes).collect()
     }
 
-    /// What an assertion says of the objects.
+    /// What an assertion says of the objects, unless they are many.
     fn objets(&self) -> String {
-        format!("{:?} of {:?}", self.pris, self.monde.objets())
+        match self.monde.objets() {
+            objets if objets.len() < 20 => format!("{:?} of {objets:?}", self.pris),
+            objets => format!("{} of {} objects", self.pris.len(), objets.len()),
+        }
     }
 
     /// The first hit, the shadow, and what comes in order, of a ray that enters these objects before its end.

@@ -165,7 +165,8 @@ impl<T, F: Fn(&mut Hasard) -> T> Cas<'_, F> {
 
 impl<T: Debug, F: Fn(&mut Hasard) -> T> Debug for Cas<'_, F> {
     fn fmt(&self, f: &mut Formatter<'_>) -> Ecrit {
-        self.faire().fmt(f)
+        // In one line, however it is asked.
+        write!(f, "{:?}", self.faire())
     }
 }
 

@@ -32,13 +32,14 @@ fn cas() -> usize {
 /// An object of this size here.
 fn objet<R: Reel>(alea: &mut Hasard, centre: Vecteur, taille: f64, i: usize) -> ObjetRay<R> {
     let texture = Texture(i as u32);
-    if alea.bool() {
+    // What is simpler is drawn by a smaller word.
+    if !alea.bool() {
         return SphereGeo::new(arrondi(centre), R::depuis_f64(taille), texture).unwrap().into();
     }
     let angles = if alea.bool() {
-        [(); 3].map(|()| f64::from(alea.i8(-2..=2)) * FRAC_PI_2)
-    } else {
         [(); 3].map(|()| entre(alea, -4.0, 4.0))
+    } else {
+        [(); 3].map(|()| f64::from(alea.i8(-2..=2)) * FRAC_PI_2)
     };
     let dimensions = [(); 3].map(|()| taille * deux_puissance(alea, -3.0, 1.0));
     let rotation = Rotation::new(arrondi(angles.into())).unwrap();
