@@ -655,7 +655,7 @@ fn de_toute_distance_un_arbre_repond_comme_la_liste<R: Bits>() {
 /// Far from the many, where entries count from the point next to them: something close ahead of the source is before a
 /// limit, whether the ray comes or goes away.
 fn loin_de_tous_l_objet_tout_proche_est_touche<R: Bits>() {
-    let touches = comme_la_liste::<R>(cas(), |alea| {
+    let touches = comme_la_liste::<R>(2 * cas(), |alea| {
         let ou = direction(alea) * deux_puissance(alea, 6.0, 24.0);
         let taille = ou.longueur() * deux_puissance(alea, -12.0, -4.0);
         let mut objets = alea.liste(40, |alea, _| {
