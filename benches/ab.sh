@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Times two versions of this crate in one process, by turns, and prints new over old for every family of
 # scenes, kind of ray, scalar and number of objects; under two minutes. The checkout that one stands in is the
-# new version, with what is not committed yet; the old one is any revision that has `sont_occultes`, with a `Monde`
-# or, up to 0.6.0, a `Hierarchie`. CARGO_TARGET_DIR says where to build, target/ unless said.
+# new version, with what is not committed yet; the old one is any revision from 0.7.0 on. CARGO_TARGET_DIR says where to
+# build, target/ unless said.
 #
 #   benches/ab.sh [--units OLD[:NEW]] REVISION [filters]
 #   benches/ab.sh HEAD
@@ -56,15 +56,8 @@ if [ "$(cat "$ab/commit" 2>/dev/null)" != "$commit" ]; then
   git -C "$racine" archive "$commit" | tar -xm -C "$ab/avant"
   # Two packages of one name need two versions.
   sed -i '0,/^version = .*/s//version = "0.0.0-avant"/' "$ab/avant/Cargo.toml"
-  # Before 0.5.0 what measurements need stood elsewhere.
-  grep -q 'pub mod pour_les_tests' "$ab/avant/src/lib.rs" ||
-    echo '#[doc(hidden)] pub mod pour_les_tests { pub use crate::Reglage; }' >> "$ab/avant/src/lib.rs"
   echo "$commit" > "$ab/commit"
 fi
-
-# How the old version is asked: by nous_0_6.rs, or by nous.rs as the new one.
-page=
-[ ! -e "$ab/avant/src/hierarchie.rs" ] || page='"hierarchie"'
 
 cat > "$ab/programme/Cargo.toml" <<FIN
 [package]
@@ -75,8 +68,6 @@ edition = "2024"
 name = "ab"
 path = "$bancs/banc/ab.rs"
 [features]
-default = [$page]
-hierarchie = []
 seule = []
 [workspace]
 [dependencies]

@@ -74,31 +74,30 @@ fn aucune_question_n_alloue<R: Reel>() {
     let poutre = BoiteGeo::new(Vecteur::NUL, dimensions, tour, Texture(4)).unwrap();
     let scene = [scene, vec![poutre.into(); 20]].concat();
     let mut places = vec![0.0; 2 * places(scene.len())];
-    let hierarchie =
-        sans_allocation("a hierarchy", || Monde::en_morceaux(&scene, &mut places)).unwrap();
+    let monde = sans_allocation("a tree", || Monde::en_morceaux(&scene, &mut places)).unwrap();
     for (nom, reglage) in Reglage::tous() {
-        let hierarchie = reglage.monde(hierarchie);
-        sans_allocation(nom, || hierarchie.premieres_intersections(&rayons, &mut touches)).unwrap();
+        let monde = reglage.monde(monde);
+        sans_allocation(nom, || monde.premieres_intersections(&rayons, &mut touches)).unwrap();
         for rayon in &rayons {
             let questions = || {
-                let touche = hierarchie.premiere_intersection(black_box(rayon));
+                let touche = monde.premiere_intersection(black_box(rayon));
                 let mut premieres = [Err(NoIntersection); 3];
-                let autres = hierarchie.parmi(|indice| indice % 3 > 0);
+                let autres = monde.parmi(|indice| indice % 3 > 0);
                 let nombre = autres.dans_l_ordre(rayon, &mut premieres);
                 let court = rayon.jusqu_a(R::UN).unwrap();
                 let mut entrees = 0;
-                hierarchie.visiter(rayon, |_, _| {
+                monde.visiter(rayon, |_, _| {
                     entrees += 1;
                     Continue(rayon.fin())
                 });
-                hierarchie.contenants(rayon.source(), |_| entrees += 1);
+                monde.contenants(rayon.source(), |_| entrees += 1);
                 (
                     touche.is_ok(),
                     autres.premiere_intersection(&court).is_ok(),
-                    hierarchie.certifie(rayon, &touche),
+                    monde.certifie(rayon, &touche),
                     nombre,
                     entrees,
-                    hierarchie.est_occulte(&court),
+                    monde.est_occulte(&court),
                 )
             };
             sans_allocation(nom, questions);
@@ -108,7 +107,7 @@ fn aucune_question_n_alloue<R: Reel>() {
     let mut occultes = vec![false; ombres.len()];
     sans_allocation("sont_occultes", || {
         Monde::de_liste(&scene).sont_occultes(&ombres, &mut occultes)?;
-        hierarchie.sont_occultes(&ombres, &mut occultes)
+        monde.sont_occultes(&ombres, &mut occultes)
     })
     .unwrap();
     for (rayon, touche) in rayons.iter().zip(&touches) {

@@ -18,10 +18,6 @@ mod ancienne {
     pub use banc::concurrents;
     #[cfg(feature = "seule")]
     pub use lancer_rayon as version;
-    #[cfg(any(feature = "seule", not(feature = "hierarchie")))]
-    pub mod nous;
-    #[cfg(all(feature = "hierarchie", not(feature = "seule")))]
-    #[path = "nous_0_6.rs"]
     pub mod nous;
 }
 use ancienne::version as avant;

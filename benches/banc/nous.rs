@@ -1,5 +1,5 @@
-//! A version of this crate, asked in its four ways. Whoever compiles this page says which: `super::version`, any that
-//! has a `Monde`. `nous_0_6.rs` is the same page for the versions before, which had a `Hierarchie`.
+//! A version of this crate, asked in its four ways. Whoever compiles this page says which: `super::version`, any from
+//! 0.7.0 on.
 
 use super::concurrents::{self, Concurrent, FACONS, cachee};
 use super::version::pour_les_tests::Reglage;

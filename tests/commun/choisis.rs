@@ -1,11 +1,11 @@
 //! Every question of a choice of objects, at any end and with any number of places, beside each object asked alone.
 
-use std::ops::ControlFlow::Continue;
+use std::ops::ControlFlow::{Break, Continue};
 use std::sync::atomic::{AtomicU32, Ordering};
 
 use lancer_rayon::{Choix, Etendue, Monde, NoIntersection, Rayon, Reponse, Vecteur};
 
-use crate::conversion::{Bits, Mots, mots};
+use crate::conversion::{Bits, Mots, mots, voisin};
 
 /// A choice that is kept for all questions, and the indices of what it is to take.
 pub struct Choisis<'a, R, C> {
@@ -27,7 +27,7 @@ pub fn choisir<R: Bits>(
 }
 
 /// A hit of an object that was asked alone, with its index: its distance, and its bits.
-type Vue<R> = (R, Mots);
+pub type Vue<R> = (R, Mots);
 
 impl<R: Bits, C: Choix + Copy> Choisis<'_, R, C> {
     /// Each ray is asked at its own end, at one of its hits and at one of these limits, with as many places for what
@@ -39,21 +39,10 @@ impl<R: Bits, C: Choix + Copy> Choisis<'_, R, C> {
         points: &[Vecteur<R>],
         places: u8,
     ) {
-        let sans_fin = |rayon: &Rayon<R>| rayon.jusqu_a(R::INFINI).unwrap();
-        let toutes: Vec<_> = rayons.iter().map(|rayon| self.toutes(&sans_fin(rayon))).collect();
-        for (i, (rayon, toutes)) in rayons.iter().zip(&toutes).enumerate() {
-            let une = toutes.get(usize::from(places) % (toutes.len() + 1)).map(|(t, _)| *t);
-            let limite = limites.get(i % limites.len().max(1)).copied();
-            for fin in une.into_iter().chain(limite).chain([rayon.fin()]) {
-                let fini = rayon.jusqu_a(fin);
-                assert_eq!(fini.is_ok(), fin >= R::ZERO, "{fin:?}");
-                let Ok(fini) = fini else { continue };
-                self.un_rayon(&fini, avant(toutes, fin), places);
-            }
-            self.visites(rayon, toutes, limites);
+        let toutes = self.toutes(rayons);
+        self.un_par_un(rayons, &toutes, limites, places);
+        for (rayon, toutes) in rayons.iter().zip(&toutes) {
             self.certificat(rayon, toutes);
-            let premiere = toutes.first().map(|(t, _)| rayon.point(*t));
-            [rayon.source()].into_iter().chain(premiere).for_each(|point| self.points(point));
         }
         self.en_lot(rayons, &toutes, &[]);
         self.en_lot(rayons, &toutes, limites);
@@ -61,31 +50,65 @@ impl<R: Bits, C: Choix + Copy> Choisis<'_, R, C> {
         self.etendue();
     }
 
-    /// All hits of what was chosen, each object asked alone, in order.
-    fn toutes(&self, rayon: &Rayon<R>) -> Vec<Vue<R>> {
-        let touche = |indice: &usize| {
-            let touche = self.monde.objets()[*indice].intersection(rayon).ok()?;
-            Some((touche.distance(), Mots { objet: Some(*indice), ..mots(&Ok(touche)) }))
-        };
-        let mut toutes: Vec<_> = self.pris.iter().filter_map(touche).collect();
-        // Stable: of equal distances the earlier in the list.
-        toutes.sort_by(|(a, _), (b, _)| a.partial_cmp(b).unwrap());
-        toutes
+    /// The same of each ray alone, with all its hits, without certificates.
+    pub fn un_par_un(
+        &self,
+        rayons: &[Rayon<R>],
+        toutes: &[Vec<Vue<R>>],
+        limites: &[R],
+        places: u8,
+    ) {
+        for (i, (rayon, toutes)) in rayons.iter().zip(toutes).enumerate() {
+            let une = toutes.get(usize::from(places) % (toutes.len() + 1)).map(|(t, _)| *t);
+            let limite = limites.get(i % limites.len().max(1)).copied();
+            let voisine = une.map(|t| voisin(t, 1));
+            for (k, fin) in [Some(rayon.fin()), une, voisine, limite].into_iter().enumerate() {
+                let Some(fin) = fin else { continue };
+                let fini = rayon.jusqu_a(fin);
+                assert_eq!(fini.is_ok(), fin >= R::ZERO, "{fin:?}");
+                let Ok(fini) = fini else { continue };
+                // All of them have a place, or some.
+                let places = if k == 0 { toutes.len() + 1 } else { (usize::from(places) + k) % 9 };
+                self.un_rayon(&fini, avant(toutes, fin), places);
+            }
+            self.visites(rayon, toutes, limites);
+            let premiere = toutes.first().map(|(t, _)| rayon.point(*t));
+            [rayon.source()].into_iter().chain(premiere).for_each(|point| self.points(point));
+        }
     }
 
-    /// What an assertion says of the objects.
+    /// All hits of what was chosen, each object asked alone, in order, of each ray without its end.
+    pub fn toutes(&self, rayons: &[Rayon<R>]) -> Vec<Vec<Vue<R>>> {
+        let toutes = |rayon: &Rayon<R>| {
+            let rayon = rayon.jusqu_a(R::INFINI).unwrap();
+            let touche = |indice: &usize| {
+                let touche = self.monde.objets()[*indice].intersection(&rayon).ok()?;
+                Some((touche.distance(), Mots { objet: Some(*indice), ..mots(&Ok(touche)) }))
+            };
+            let mut toutes: Vec<_> = self.pris.iter().filter_map(touche).collect();
+            // Stable: of equal distances the earlier in the list.
+            toutes.sort_by(|(a, _), (b, _)| a.partial_cmp(b).unwrap());
+            toutes
+        };
+        rayons.iter().map(toutes).collect()
+    }
+
+    /// What an assertion says of the objects, unless they are many.
     fn objets(&self) -> String {
-        format!("{:?} of {:?}", self.pris, self.monde.objets())
+        match self.monde.objets() {
+            objets if objets.len() < 20 => format!("{:?} of {objets:?}", self.pris),
+            objets => format!("{} of {} objects", self.pris.len(), objets.len()),
+        }
     }
 
     /// The first hit, the shadow, and what comes in order, of a ray that enters these objects before its end.
-    fn un_rayon(&self, rayon: &Rayon<R>, avant: &[Vue<R>], places: u8) {
+    fn un_rayon(&self, rayon: &Rayon<R>, avant: &[Vue<R>], places: usize) {
         let contexte = || format!("{rayon:?} {}", self.objets());
         let voulues: Vec<_> = avant.iter().map(|(_, mots)| *mots).collect();
         let premiere = self.monde.premiere_intersection(rayon);
         assert_eq!(mots(&premiere), premiers_mots::<R>(avant), "{}", contexte());
         assert_eq!(self.monde.est_occulte(rayon), !avant.is_empty(), "{}", contexte());
-        let mut touches = vec![Err(NoIntersection); usize::from(places) % 9];
+        let mut touches = vec![Err(NoIntersection); places];
         let nombre = self.monde.dans_l_ordre(rayon, &mut touches);
         let obtenues: Vec<_> = touches[..nombre].iter().map(mots).collect();
         assert_eq!(obtenues, voulues[..voulues.len().min(touches.len())], "{}", contexte());
@@ -117,7 +140,12 @@ impl<R: Bits, C: Choix + Copy> Choisis<'_, R, C> {
             vues
         };
         let toutes_avant = vues_avant(rayon.fin());
-        assert_eq!(visiter(&mut |_, _| R::INFINI).0, toutes_avant, "{}", contexte());
+        // A NaN is no end.
+        for sans_fin in [R::INFINI, R::depuis_f64(f64::NAN)] {
+            assert_eq!(visiter(&mut |_, _| sans_fin).0, toutes_avant, "{}", contexte());
+        }
+        let premiere = avant(toutes, rayon.fin()).first().map_or(rayon.fin(), |(t, _)| *t);
+        assert_eq!(visiter(&mut |_, t| t).1.bits(), premiere.bits(), "{}", contexte());
         // A question of one's own: the first object of a texture, which is also the first of a choice.
         let objets = self.monde.objets();
         let derniere = toutes.last().and_then(|(_, mots)| mots.objet);
@@ -127,7 +155,15 @@ impl<R: Bits, C: Choix + Copy> Choisis<'_, R, C> {
         let premiere = self.monde.parmi(de_texture).premiere_intersection(rayon);
         let voulue = premiere.map_or(rayon.fin(), |touche| touche.distance());
         assert_eq!(fin.bits(), voulue.bits(), "{}", contexte());
-        assert!(visiter(&mut |_, _| R::ZERO).0.len() <= 1, "{}", contexte());
+        for nul in [R::ZERO, -R::UN] {
+            assert!(visiter(&mut |_, _| nul).0.len() <= 1, "{}", contexte());
+        }
+        let mut vus = 0;
+        self.monde.visiter(rayon, |_, _| {
+            vus += 1;
+            Break(())
+        });
+        assert_eq!(vus, toutes_avant.len().min(1), "{}", contexte());
         let mut suivantes = fins.iter().copied().cycle();
         let (vus, fin) = visiter(&mut |_, _| suivantes.next().unwrap_or(R::INFINI));
         // All that lies before the last end was shown, and none that no object alone knows.

@@ -48,3 +48,9 @@ pub fn mots<R: Bits>(touche: &Reponse<R>) -> Mots {
     let [px, py, pz] = [p.x, p.y, p.z].map(R::bits);
     Mots { valeurs: [d, x, y, z, marge, px, py, pz, texture], objet: Some(t.indice()) }
 }
+
+/// The number so many units in the last place away.
+pub fn voisin<R: Bits>(x: R, de: i64) -> R {
+    let unite = if size_of::<R>() == 4 { 32 } else { 0 };
+    R::depuis_bits((x.bits() << unite).wrapping_add_signed(de << unite))
+}

@@ -1,6 +1,8 @@
 //! Objects in one word, without a texture of their own. What a constructor refuses panics.
 
-use lancer_rayon::{BoiteGeo, ObjetRay, PlanGeo, Reel, Rotation, SphereGeo, Texture, Vecteur};
+use lancer_rayon::{
+    BoiteGeo, Monde, ObjetRay, PlanGeo, Reel, Rotation, SphereGeo, Texture, Vecteur, places,
+};
 
 use crate::conversion::arrondi;
 
@@ -25,4 +27,9 @@ pub fn boite<R: Reel>(centre: Vecteur<R>, cotes: Vecteur<R>, tour: Rotation<R>) 
 /// A box along the axes.
 pub fn boite_droite<R: Reel>(centre: Vecteur<R>, cotes: Vecteur<R>) -> ObjetRay<R> {
     boite(centre, cotes, Rotation::IDENTITE)
+}
+
+/// These objects with a tree. Its places are lent for good.
+pub fn avec_arbre<R: Reel>(objets: &[ObjetRay<R>]) -> Monde<'_, R> {
+    Monde::new(objets, vec![0.0; places(objets.len())].leak()).unwrap()
 }

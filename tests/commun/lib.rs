@@ -8,6 +8,7 @@ pub mod choisis;
 pub mod conversion;
 pub mod fabrique;
 pub mod facons;
+pub mod hasard;
 pub mod litteral;
 pub mod mesure;
 pub mod oracle;

@@ -3,12 +3,12 @@
 
 use core::f64::consts::{FRAC_PI_2, TAU};
 
-use fastrand::Rng;
 use lancer_rayon::{
     BoiteGeo, ObjetGeo, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture, Vecteur,
 };
 
 use crate::conversion::arrondi;
+use crate::hasard::Tirage;
 
 #[derive(Debug, Clone, Copy)]
 pub struct Cas<R> {
@@ -55,7 +55,7 @@ pub struct Regime<R> {
     pub genre: Genre,
     pub extreme: Extreme,
     pub nom: &'static str,
-    pub cas: fn(&mut Rng) -> Cas<R>,
+    pub cas: fn(&mut dyn Tirage) -> Cas<R>,
 }
 
 pub fn regimes<R: Reel>() -> [Regime<R>; 19] {
@@ -88,25 +88,25 @@ pub fn regimes<R: Reel>() -> [Regime<R>; 19] {
 }
 
 /// An object of about this size with its centre (for a half-space, a point of it) here.
-type Forme<R> = fn(&mut Rng, Vecteur, f64) -> ObjetGeo<R>;
+type Forme<R> = fn(&mut dyn Tirage, Vecteur, f64) -> ObjetGeo<R>;
 
-pub fn entre(alea: &mut Rng, min: f64, max: f64) -> f64 {
+pub fn entre(alea: &mut dyn Tirage, min: f64, max: f64) -> f64 {
     min + (max - min) * alea.f64()
 }
 
 /// 2^x, with x anywhere between the two.
-pub fn deux_puissance(alea: &mut Rng, min: f64, max: f64) -> f64 {
+pub fn deux_puissance(alea: &mut dyn Tirage, min: f64, max: f64) -> f64 {
     entre(alea, min, max).exp2()
 }
 
-pub fn direction(alea: &mut Rng) -> Vecteur {
+pub fn direction(alea: &mut dyn Tirage) -> Vecteur {
     let (z, a) = (entre(alea, -1.0, 1.0), entre(alea, 0.0, TAU));
     let r = (1.0 - z * z).sqrt();
     Vecteur::new(r * a.cos(), r * a.sin(), z)
 }
 
 /// 1 or −1.
-pub fn signe(alea: &mut Rng) -> f64 {
+pub fn signe(alea: &mut dyn Tirage) -> f64 {
     f64::from(1 - 2 * i8::from(alea.bool()))
 }
 
@@ -127,12 +127,12 @@ pub fn repere<R: Reel>(normale: Vecteur<R>) -> [[R; 3]; 3] {
 
 /// A mirror of which |N|² − 1 is nearly 8u, what is kept, unless rounding adds so much that its matrix is polished; and
 /// a ray from the end of N, whose |D| is nearly 5u off, at the angle at which that turns its image most.
-pub fn miroir<R: Reel>(alea: &mut Rng) -> Cas<R> {
+pub fn miroir<R: Reel>(alea: &mut dyn Tirage) -> Cas<R> {
     miroir_sous(0.743, alea)
 }
 
 /// The same at the angle of incidence of this sine.
-pub fn miroir_sous<R: Reel>(sinus: f64, alea: &mut Rng) -> Cas<R> {
+pub fn miroir_sous<R: Reel>(sinus: f64, alea: &mut dyn Tirage) -> Cas<R> {
     let (n, u) = (direction(alea), R::U.vers_f64());
     let k = 1.0 + 3.9 * u;
     let m = repere::<f64>(n).map(|ligne| <[R; 3]>::from(arrondi(Vecteur::from(ligne) * k)));
@@ -143,7 +143,7 @@ pub fn miroir_sous<R: Reel>(sinus: f64, alea: &mut Rng) -> Cas<R> {
 }
 
 /// At a right angle to `d`.
-fn travers(alea: &mut Rng, d: Vecteur) -> Vecteur {
+fn travers(alea: &mut dyn Tirage, d: Vecteur) -> Vecteur {
     loop {
         let v = direction(alea);
         let v = v - d * v.produit_scalaire(d);
@@ -153,7 +153,7 @@ fn travers(alea: &mut Rng, d: Vecteur) -> Vecteur {
     }
 }
 
-fn rotation<R: Reel>(alea: &mut Rng) -> Rotation<R> {
+fn rotation<R: Reel>(alea: &mut dyn Tirage) -> Rotation<R> {
     let quarts = alea.bool();
     let angles = [(); 3].map(|()| {
         let angle =
@@ -178,18 +178,18 @@ fn taille<R: Reel>(x: f64) -> R {
     R::depuis_f64(x.clamp(limite.recip(), limite))
 }
 
-fn boule<R: Reel>(_: &mut Rng, centre: Vecteur, r: f64) -> ObjetGeo<R> {
+fn boule<R: Reel>(_: &mut dyn Tirage, centre: Vecteur, r: f64) -> ObjetGeo<R> {
     SphereGeo::new(lieu(centre), taille(r), Texture(0)).unwrap().into()
 }
 
-fn demi_espace<R: Reel>(alea: &mut Rng, en: Vecteur, _: f64) -> ObjetGeo<R> {
+fn demi_espace<R: Reel>(alea: &mut dyn Tirage, en: Vecteur, _: f64) -> ObjetGeo<R> {
     let r = rotation(alea);
     let n = Vecteur::from(r.matrice()[2]).vers_f64();
     PlanGeo::new(r, borne(-n.produit_scalaire(en)), Texture(0)).unwrap().into()
 }
 
 /// One box in two is up to 10^12 times as long as thick.
-fn boite<R: Reel>(alea: &mut Rng, centre: Vecteur, l: f64) -> ObjetGeo<R> {
+fn boite<R: Reel>(alea: &mut dyn Tirage, centre: Vecteur, l: f64) -> ObjetGeo<R> {
     let allonge = if alea.bool() { -40.0 } else { -2.0 };
     let dimensions = [(); 3].map(|()| taille(l * deux_puissance(alea, allonge, 0.0)));
     BoiteGeo::new(lieu(centre), dimensions.into(), rotation(alea), Texture(0)).unwrap().into()
@@ -203,7 +203,7 @@ fn lancer<R: Reel>(objet: ObjetGeo<R>, de: Vecteur, vers: Vecteur) -> Cas<R> {
 }
 
 /// Any scale, from a few sizes away, at and a little beside the object.
-fn ordinaire<R: Reel>(alea: &mut Rng, forme: Forme<R>) -> Cas<R> {
+fn ordinaire<R: Reel>(alea: &mut dyn Tirage, forme: Forme<R>) -> Cas<R> {
     let l = deux_puissance(alea, -20.0, 20.0);
     let centre = direction(alea) * (l * deux_puissance(alea, -3.0, 4.0));
     let objet = forme(alea, centre, l);
@@ -213,7 +213,7 @@ fn ordinaire<R: Reel>(alea: &mut Rng, forme: Forme<R>) -> Cas<R> {
 }
 
 /// Up to 4·10^6 (f32) or 2·10^15 (f64) sizes away, where S − C is not representable.
-fn loin<R: Reel>(alea: &mut Rng, forme: Forme<R>) -> Cas<R> {
+fn loin<R: Reel>(alea: &mut dyn Tirage, forme: Forme<R>) -> Cas<R> {
     let l = deux_puissance(alea, -10.0, 10.0);
     let bits = -R::U.vers_f64().log2();
     let distance = l * deux_puissance(alea, 0.0, bits - 2.0);
@@ -225,7 +225,7 @@ fn loin<R: Reel>(alea: &mut Rng, forme: Forme<R>) -> Cas<R> {
 }
 
 /// The object and the source close together, where few coordinates are left between them.
-fn loin_de_l_origine<R: Reel>(alea: &mut Rng, forme: Forme<R>) -> Cas<R> {
+fn loin_de_l_origine<R: Reel>(alea: &mut dyn Tirage, forme: Forme<R>) -> Cas<R> {
     let l = deux_puissance(alea, -10.0, 10.0);
     let bits = -R::U.vers_f64().log2();
     let centre = direction(alea) * (l * deux_puissance(alea, 0.0, bits - 1.0));
@@ -236,7 +236,7 @@ fn loin_de_l_origine<R: Reel>(alea: &mut Rng, forme: Forme<R>) -> Cas<R> {
 }
 
 /// At r(1 ± 2^−k) from the centre, to the last bit and beyond.
-fn sphere_rasante<R: Reel>(alea: &mut Rng) -> Cas<R> {
+fn sphere_rasante<R: Reel>(alea: &mut dyn Tirage) -> Cas<R> {
     let r = deux_puissance(alea, -10.0, 10.0);
     let centre = direction(alea) * (r * deux_puissance(alea, -3.0, 8.0));
     let d = direction(alea);
@@ -247,7 +247,11 @@ fn sphere_rasante<R: Reel>(alea: &mut Rng) -> Cas<R> {
 }
 
 /// A point of the surface and the normal there; of a half-space `etendue` away from the foot of O.
-fn surface<R: Reel>(alea: &mut Rng, objet: &ObjetRay<R>, etendue: f64) -> (Vecteur, Vecteur) {
+fn surface<R: Reel>(
+    alea: &mut dyn Tirage,
+    objet: &ObjetRay<R>,
+    etendue: f64,
+) -> (Vecteur, Vecteur) {
     match objet {
         ObjetRay::Sphere(sphere) => {
             let n = direction(alea);
@@ -272,7 +276,7 @@ fn surface<R: Reel>(alea: &mut Rng, objet: &ObjetRay<R>, etendue: f64) -> (Vecte
 }
 
 /// From a relative height of 10^−16 … 1 above the surface: going in, along and out.
-fn au_ras<R: Reel>(alea: &mut Rng, forme: Forme<R>) -> Cas<R> {
+fn au_ras<R: Reel>(alea: &mut dyn Tirage, forme: Forme<R>) -> Cas<R> {
     let l = deux_puissance(alea, -10.0, 10.0);
     let centre = direction(alea) * (l * deux_puissance(alea, -3.0, 8.0));
     let objet = forme(alea, centre, l);
@@ -284,7 +288,7 @@ fn au_ras<R: Reel>(alea: &mut Rng, forme: Forme<R>) -> Cas<R> {
 }
 
 /// The object about the origin and the source exactly on, or k ulp above or below, its surface.
-fn a_quelques_ulp<R: Reel>(alea: &mut Rng, forme: Forme<R>) -> Cas<R> {
+fn a_quelques_ulp<R: Reel>(alea: &mut dyn Tirage, forme: Forme<R>) -> Cas<R> {
     let l = deux_puissance(alea, -10.0, 10.0);
     let objet = forme(alea, Vecteur::NUL, l);
     let (point, n) = surface(alea, &objet.vers_ray(), l);
@@ -301,9 +305,9 @@ fn a_quelques_ulp<R: Reel>(alea: &mut Rng, forme: Forme<R>) -> Cas<R> {
 }
 
 /// Sizes and coordinates over the whole range that a scene can hold, its two ends often.
-fn bornes<R: Reel>(alea: &mut Rng, forme: Forme<R>) -> Cas<R> {
+fn bornes<R: Reel>(alea: &mut dyn Tirage, forme: Forme<R>) -> Cas<R> {
     let bits = R::LIMITE.vers_f64().log2();
-    let echelle = |alea: &mut Rng| match alea.u8(0..4) {
+    let echelle = |alea: &mut dyn Tirage| match alea.u8(0..4) {
         0 => bits.exp2(),
         1 => (-bits).exp2(),
         _ => deux_puissance(alea, -bits, bits),
@@ -318,7 +322,7 @@ fn bornes<R: Reel>(alea: &mut Rng, forme: Forme<R>) -> Cas<R> {
 }
 
 /// N·D = ±0, subnormal, ±2^−k; from near and from 10^15 along the plane.
-fn plan_rasant<R: Reel>(alea: &mut Rng) -> Cas<R> {
+fn plan_rasant<R: Reel>(alea: &mut dyn Tirage) -> Cas<R> {
     let l = deux_puissance(alea, -10.0, 10.0);
     let centre = direction(alea) * (l * deux_puissance(alea, -3.0, 8.0));
     let objet = demi_espace::<R>(alea, centre, l);
@@ -336,7 +340,7 @@ fn plan_rasant<R: Reel>(alea: &mut Rng) -> Cas<R> {
 }
 
 /// Through an edge or a corner all of whose faces look at the source, and k ulp beside it.
-fn aretes<R: Reel>(alea: &mut Rng) -> Cas<R> {
+fn aretes<R: Reel>(alea: &mut dyn Tirage) -> Cas<R> {
     let l = deux_puissance(alea, -10.0, 10.0);
     let centre = direction(alea) * (l * deux_puissance(alea, -3.0, 8.0));
     let objet = boite(alea, centre, l);
@@ -361,7 +365,7 @@ fn aretes<R: Reel>(alea: &mut Rng) -> Cas<R> {
 }
 
 /// D·N = ±0 in the plane of a face, k ulp beside it, and away from it.
-fn le_long_d_une_face<R: Reel>(alea: &mut Rng) -> Cas<R> {
+fn le_long_d_une_face<R: Reel>(alea: &mut dyn Tirage) -> Cas<R> {
     let l = [(); 3].map(|()| deux_puissance(alea, -10.0, 10.0));
     let centre = direction(alea) * deux_puissance(alea, -10.0, 10.0);
     let dimensions = Vecteur::from(l.map(taille::<R>));
@@ -388,7 +392,7 @@ fn le_long_d_une_face<R: Reel>(alea: &mut Rng) -> Cas<R> {
 
 /// D·N within ±2⁻⁶⁰ … 2⁻²⁰ of 0 for a turned box, towards the edge where the ray enters beside
 /// or through that face.
-fn presque_le_long_d_une_face<R: Reel>(alea: &mut Rng) -> Cas<R> {
+fn presque_le_long_d_une_face<R: Reel>(alea: &mut dyn Tirage) -> Cas<R> {
     let l = deux_puissance(alea, -10.0, 10.0);
     let centre = direction(alea) * (l * deux_puissance(alea, -3.0, 4.0));
     let objet = boite::<R>(alea, centre, l);
@@ -412,8 +416,8 @@ fn presque_le_long_d_une_face<R: Reel>(alea: &mut Rng) -> Cas<R> {
 
 /// This case as one of the way out: the ray as it is; or a ray from within, from any depth, towards the same, back or
 /// anywhere; or the one that goes on inward.
-pub fn vers_la_sortie<R: Reel>(Cas { objet, rayon }: Cas<R>, alea: &mut Rng) -> Cas<R> {
-    let dedans = |alea: &mut Rng| {
+pub fn vers_la_sortie<R: Reel>(Cas { objet, rayon }: Cas<R>, alea: &mut dyn Tirage) -> Cas<R> {
+    let dedans = |alea: &mut dyn Tirage| {
         let (point, n) = match alea.u8(0..4) {
             0 => return None,
             1 => {

@@ -1,13 +1,14 @@
 //! A choice of objects, all objects along a ray, and a first hit before an end, as programs use them.
 
-use std::ops::ControlFlow::Continue;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 
-use commun::en_f32_et_f64;
-use commun::fabrique::{boite, boite_droite, mur, sphere, v};
+use commun::choisis::Choisis;
+use commun::conversion::mots;
+use commun::fabrique::{avec_arbre, boite, boite_droite, mur, sphere, v};
 use commun::facons::noeuds;
 use commun::scenes::{melange, rayons_camera};
+use commun::{Bits, en_f32_et_f64};
 use lancer_rayon::pour_les_tests::Reglage;
 use lancer_rayon::{
     Choix, Intersection, Monde, NoIntersection, ObjetRay, PlanGeo, Rayon, Reel, Reponse, Rotation,
@@ -37,8 +38,7 @@ fn un_robot_ne_se_voit_pas<R: Reel>() {
     ];
     let piece = melange::<R>(60);
     let scene = [&robot[..], &piece].concat();
-    let mut places = vec![0.0; places(scene.len())];
-    let monde = Monde::new(&scene, &mut places).unwrap();
+    let monde = avec_arbre(&scene);
     let vue = monde.parmi(|indice| indice >= robot.len());
     let mut caches = 0;
     for i in 0..4_000 {
@@ -67,8 +67,7 @@ en_f32_et_f64!(un_robot_ne_se_voit_pas);
 fn un_choix_parmi_un_choix_prend_ce_que_les_deux_prennent() {
     let scene: Vec<ObjetRay> = (0..40).map(|i| cube(v(0.0, 0.0, -2.0 * f64::from(i)))).collect();
     let rayon = Rayon::new(v(0.0, 0.0, 5.0), v(0.1, 0.07, -9.0)).unwrap();
-    let mut places = vec![0.0; places(scene.len())];
-    for monde in [Monde::new(&scene, &mut places).unwrap(), Monde::de_liste(&scene)] {
+    for monde in [avec_arbre(&scene), Monde::de_liste(&scene)] {
         let sans = |k: usize| move |indice| indice != k;
         let [un, zero] = [sans(1), sans(0)];
         fn premier<C: Choix>(
@@ -104,8 +103,7 @@ fn chaque_question_connait_tous_les_choix() {
     let mut scene = vec![sol_a(-60.0)];
     scene.extend((0..20).map(|i| cube(v(0.0, 0.0, -2.0 * f64::from(i)))));
     let rayon = Rayon::new(v(0.0, 0.0, 5.0), v(0.01, 0.007, -9.0)).unwrap();
-    let mut places = vec![0.0; places(scene.len())];
-    for monde in [Monde::new(&scene, &mut places).unwrap(), Monde::de_liste(&scene)] {
+    for monde in [avec_arbre(&scene), Monde::de_liste(&scene)] {
         fn en_ordre<C: Choix>(parmi: &Monde<'_, f64, C>, rayon: &Rayon) -> Vec<usize> {
             let mut touches = [Err(NoIntersection); 30];
             parmi.dans_l_ordre(rayon, &mut touches);
@@ -120,44 +118,19 @@ fn chaque_question_connait_tous_les_choix() {
             let [a, b, c, d, e] = exclus.map(|k| move |indice| indice != k);
             let parmi = monde.parmi(a).parmi(b).parmi(c).parmi(d).parmi(e);
             let reste = tous.iter().copied().filter(|indice| !exclus.contains(indice));
-            let voulus: Vec<_> = reste.collect();
-            assert_eq!(en_ordre(&parmi, &rayon), voulus);
-            let mut vus = vec![];
-            parmi.visiter(&rayon, |indice, _| {
-                vus.push(indice);
-                Continue(rayon.fin())
-            });
-            vus.sort_unstable();
-            assert!(vus.iter().all(|indice| voulus.contains(indice)) && vus.len() == voulus.len());
+            let mut voulus: Vec<_> = reste.collect();
+            voulus.sort_unstable();
             let premiere = parmi.premiere_intersection(&rayon);
-            assert_eq!(premiere.map(|t| t.indice()), Ok(3));
             let t = premiere.unwrap().distance();
-            let [juste, apres] = [t, t.next_up()].map(|fin| rayon.jusqu_a(fin).unwrap());
-            assert!(parmi.est_occulte(&apres) && !parmi.est_occulte(&juste));
-            let mut lot = [Err(NoIntersection); 70];
-            parmi.premieres_intersections(&[rayon; 70], &mut lot).unwrap();
-            assert_eq!(lot, [premiere; 70]);
-            let mut occultes = [true; 70];
-            parmi.sont_occultes(&[juste; 70], &mut occultes).unwrap();
-            assert_eq!(occultes, [false; 70]);
+            let milieux: Vec<_> = (0..20).map(|k| v(0.0, 0.0, -2.0 * f64::from(k))).collect();
+            let choisis = Choisis { monde: parmi, pris: voulus };
+            choisis.interroger(&[rayon; 70], &[t, t.next_up()], &milieux, 7);
             // The first of the choice is certain; what any of the five leaves out is no answer.
             assert!(parmi.certifie(&rayon, &premiere));
             for nue in &nues {
                 let lui = nue.unwrap().indice();
                 assert_eq!(parmi.certifie(&rayon, nue), lui == 3, "{lui}");
             }
-            // Each holds its own middle.
-            for k in 1..=20 {
-                let milieu = v(0.0, 0.0, -2.0 * (k - 1) as f64);
-                let mut lesquels = vec![];
-                parmi.contenants(milieu, |indice| lesquels.push(indice));
-                let voulu = if exclus.contains(&k) { vec![] } else { vec![k] };
-                assert_eq!((parmi.contient(milieu), &lesquels), (!voulu.is_empty(), &voulu));
-            }
-            let cubes = |indice: &&usize| **indice != 0;
-            let restants = voulus.iter().filter(cubes).map(|indice| scene[*indice]);
-            let restants: Vec<_> = restants.collect();
-            assert_eq!(parmi.etendue(), Monde::de_liste(&restants).etendue());
         }
     }
 }
@@ -170,8 +143,7 @@ fn un_rayon_dans_les_joints_ne_perd_aucun_cube<R: Reel>() {
         let place = |i: i32| f64::from(i) + 0.5;
         scene.push(cube(v(place(x), place(y), place(z))));
     }
-    let mut places = vec![0.0; places(scene.len())];
-    let monde = Monde::new(&scene, &mut places).unwrap();
+    let monde = avec_arbre(&scene);
     let mut perdus = 0;
     for i in 0..6 {
         // Into the seams between two layers, exactly: y + z stays whole.
@@ -203,7 +175,7 @@ en_f32_et_f64!(un_rayon_dans_les_joints_ne_perd_aucun_cube);
 
 /// The recipe of two worlds, one of what stays and one of what moves, beside one list of both. Some of what moves
 /// stands where something of what stays does: then what stays is the first.
-fn deux_mondes_repondent_comme_une_liste<R: Reel>() {
+fn deux_mondes_repondent_comme_une_liste<R: Bits>() {
     let tout = melange::<R>(300);
     let fixes = &tout[..200];
     let mobiles = [&tout[200..], &tout[..40]].concat();
@@ -216,10 +188,11 @@ fn deux_mondes_repondent_comme_une_liste<R: Reel>() {
         let de_fixe = fixe.premiere_intersection(&rayon);
         let avant = de_fixe.map_or(R::INFINI, |touche| touche.distance());
         let plus_pres = mobile.premiere_intersection(&rayon.jusqu_a(avant).unwrap());
-        let apres = |touche: Intersection<R>| (fixes.len() + touche.indice(), touche.distance());
-        let trouvee = plus_pres.map(apres).or(de_fixe.map(|t| (t.indice(), t.distance())));
-        let voulue = premiere_intersection(&ensemble, &rayon).map(|t| (t.indice(), t.distance()));
-        assert_eq!(trouvee, voulue, "{rayon:?}");
+        let decalage = if plus_pres.is_ok() { fixes.len() } else { 0 };
+        let trouvee = mots(&plus_pres.or(de_fixe));
+        let voulue = mots(&premiere_intersection(&ensemble, &rayon));
+        assert_eq!(trouvee.valeurs, voulue.valeurs, "{rayon:?}");
+        assert_eq!(trouvee.objet.map(|i| i + decalage), voulue.objet, "{rayon:?}");
         de_mobile += u32::from(plus_pres.is_ok());
         let egale = mobile.premiere_intersection(&rayon).is_ok_and(|t| t.distance() == avant);
         ex_aequo += u32::from(egale);
@@ -279,8 +252,7 @@ fn parmi_ceux_ci(monde: Monde<'_>, indices: Vec<usize>) -> Monde<'_, f64, impl C
 fn un_choix_est_une_valeur() {
     let scene: Vec<ObjetRay> = (0..40).map(|i| cube(v(0.0, 0.0, -2.0 * f64::from(i)))).collect();
     let rayon = Rayon::new(v(0.0, 0.0, 5.0), v(0.01, 0.007, -9.0)).unwrap();
-    let mut places = vec![0.0; places(scene.len())];
-    for monde in [Monde::new(&scene, &mut places).unwrap(), Monde::de_liste(&scene)] {
+    for monde in [avec_arbre(&scene), Monde::de_liste(&scene)] {
         let bouts = |indice: usize| {
             let touche = scene[indice].intersection(&rayon).unwrap();
             [touche.distance(), touche.distance().next_up()].map(|fin| rayon.jusqu_a(fin).unwrap())
@@ -330,7 +302,7 @@ fn un_choix_est_une_valeur() {
 /// Every question there is, to a choice that would panic if it were asked for an index beyond the list: lists as long as
 /// the nodes of a tree and longer, long boxes in pieces, every instruction set. An answer of a longer list is no answer
 /// here, and neither is it certain.
-fn un_predicat_n_est_jamais_interroge_au_dela_de_la_liste<R: Reel>() {
+fn un_predicat_n_est_jamais_interroge_au_dela_de_la_liste<R: Bits>() {
     let longue = melange::<R>(300);
     let poutres = |i: usize| {
         let tour = Rotation::new(v(0.5, 0.3 + i as f64, 0.4)).unwrap();
@@ -338,7 +310,7 @@ fn un_predicat_n_est_jamais_interroge_au_dela_de_la_liste<R: Reel>() {
         boite(v(i as f64 % 7.0 - 3.0, 2.0, -9.0), cotes, tour)
     };
     let poutres: Vec<ObjetRay<R>> = (0..100).map(poutres).collect();
-    let rayons = rayons_camera::<R>(24, 16);
+    let rayons = rayons_camera::<R>(15, 10);
     let au_dela: Vec<_> = rayons.iter().map(|r| premiere_intersection(&longue, r)).collect();
     let (mut etrangeres, mut en_morceaux) = (0, 0);
     for objets in [0, 1, 2, 9, 10, 15, 16, 17, 31, 33, 100, 255, 257]
@@ -360,39 +332,14 @@ fn un_predicat_n_est_jamais_interroge_au_dela_de_la_liste<R: Reel>() {
         for monde in [arbre, coupe, Monde::de_liste(objets)] {
             for (_, reglage) in Reglage::tous() {
                 let monde = reglage.monde(monde).parmi(prend);
-                let mut touches = vec![Err(NoIntersection); rayons.len()];
-                monde.premieres_intersections(&rayons, &mut touches).unwrap();
-                let mut occultes = vec![false; rayons.len()];
-                monde.sont_occultes(&rayons, &mut occultes).unwrap();
-                for (i, rayon) in rayons.iter().enumerate() {
-                    assert_eq!(monde.premiere_intersection(rayon), touches[i]);
-                    assert_eq!(monde.est_occulte(rayon), occultes[i]);
-                    let mut rangee = [Err(NoIntersection); 3];
-                    let nombre = monde.dans_l_ordre(rayon, &mut rangee);
-                    assert_eq!((nombre > 0, rangee[0]), (occultes[i], touches[i]));
-                    let mut vus = 0;
-                    monde.visiter(rayon, |indice, _| {
-                        assert!(indice < n && indice % 3 != 1);
-                        vus += 1;
-                        Continue(rayon.fin())
-                    });
-                    assert!(vus >= nombre);
-                    if let Ok(touche) = touches[i] {
-                        let mut dedans = 0;
-                        monde.contenants(touche.point(), |indice| {
-                            assert!(indice < n && indice % 3 != 1);
-                            dedans += 1;
-                        });
-                        assert_eq!(monde.contient(touche.point()), dedans > 0);
-                    }
-                    let _: bool = monde.certifie(rayon, &touches[i]);
-                    let _: bool = monde.certifie(rayon, &Err(NoIntersection));
-                    if au_dela[i].is_ok_and(|touche| touche.indice() >= n) {
-                        assert!(!monde.certifie(rayon, &au_dela[i]), "{n}: {:?}", au_dela[i]);
+                let pris = (0..n).filter(|indice| indice % 3 != 1).collect();
+                Choisis { monde, pris }.interroger(&rayons, &[], &[], n as u8);
+                for (rayon, au_dela) in rayons.iter().zip(&au_dela) {
+                    if au_dela.is_ok_and(|touche| touche.indice() >= n) {
+                        assert!(!monde.certifie(rayon, au_dela), "{n}: {au_dela:?}");
                         etrangeres += 1;
                     }
                 }
-                let _ = monde.etendue();
             }
         }
         assert!(n == 0 || demandes.into_inner() > n, "{n} objects, and hardly a question");

@@ -3,8 +3,8 @@
 use commun::arrondi;
 use commun::en_f32_et_f64;
 use commun::fabrique::{boite_droite, mur, sphere};
+use commun::hasard::{Hasard, Tirage, pour_chaque};
 use commun::regimes::{Extreme, direction, entre, regimes};
-use fastrand::Rng;
 use lancer_rayon::{Etendue, Monde, NoIntersection, Nombre, ObjetRay, Rayon, Reel, Vecteur};
 
 /// The centre of an object, or a point deep in it.
@@ -21,43 +21,37 @@ fn fond<R: Reel>(objet: &ObjetRay<R>) -> Vecteur {
 /// No ray from a point that is in an object touches it, to the last bit; from any other the ray to the middle of an
 /// ordinary sphere or half-space does.
 fn un_point_contenu_ne_voit_pas_l_objet<R: Reel>() {
-    let mut alea = Rng::with_seed(41);
     let (mut dedans, mut dehors) = (0, 0);
     for regime in regimes::<R>() {
-        for _ in 0..200 {
-            let cas = (regime.cas)(&mut alea);
+        let faire = |alea: &mut Hasard| {
+            let cas = (regime.cas)(alea);
             let (fond, source) = (fond(&cas.objet), cas.rayon.source().vers_f64());
             // Near the surface, from either side: the point of a hit and some roundings beside it.
             let ou = match cas.objet.intersection(&cas.rayon) {
                 Ok(touche) => touche.point().vers_f64(),
                 Err(NoIntersection) => fond + (source - fond) * alea.f64(),
             };
-            let peu = entre(&mut alea, -8.0, 8.0) * R::U.vers_f64();
-            for point in [ou, ou + (ou - fond) * peu, fond, source] {
-                let point = arrondi::<R>(point);
-                let vers_le_fond = arrondi::<R>(fond - point.vers_f64());
-                let mut directions: Vec<Vecteur<R>> =
-                    (0..10).map(|_| arrondi(direction(&mut alea))).collect();
-                directions.push(vers_le_fond);
-                let contient = cas.objet.contient(point);
-                let large =
-                    !matches!(cas.objet, ObjetRay::Boite(_)) && regime.extreme == Extreme::Aucun;
-                for direction in directions {
-                    let Ok(rayon) = Rayon::new(point, direction) else { continue };
-                    let touche = cas.objet.intersection(&rayon);
-                    assert!(
-                        !contient || touche == Err(NoIntersection),
-                        "{:?} {rayon:?}",
-                        cas.objet
-                    );
-                    if !contient && direction == vers_le_fond && large {
-                        assert!(touche.is_ok(), "{:?} {rayon:?}", cas.objet);
+            let peu = entre(alea, -8.0, 8.0) * R::U.vers_f64();
+            let directions = alea.liste(10, |alea, _| arrondi(direction(alea)));
+            (cas.objet, [ou, ou + (ou - fond) * peu, fond, source].map(arrondi::<R>), directions)
+        };
+        pour_chaque(200, faire, |(objet, points, directions)| {
+            let large = !matches!(objet, ObjetRay::Boite(_)) && regime.extreme == Extreme::Aucun;
+            for point in points {
+                let vers_le_fond = arrondi::<R>(fond(&objet) - point.vers_f64());
+                let contient = objet.contient(point);
+                for direction in directions.iter().chain([&vers_le_fond]) {
+                    let Ok(rayon) = Rayon::new(point, *direction) else { continue };
+                    let touche = objet.intersection(&rayon);
+                    assert!(!contient || touche == Err(NoIntersection), "{objet:?} {rayon:?}");
+                    if !contient && *direction == vers_le_fond && large {
+                        assert!(touche.is_ok(), "{objet:?} {rayon:?}");
                     }
                 }
                 dedans += u32::from(contient);
                 dehors += u32::from(!contient);
             }
-        }
+        });
     }
     assert!(dedans > 3_000 && dehors > 3_000, "{dedans} {dehors}");
 }
@@ -96,36 +90,38 @@ fn demi_etendue(objet: &ObjetRay<f32>) -> [f64; 3] {
 /// Each hit lies in the box around its object, and in that around the list; no box is larger than promised.
 #[test]
 fn chaque_touche_est_dans_l_etendue() {
-    let mut alea = Rng::with_seed(42);
     let (mut juges, mut objets) = (0, Vec::new());
     for regime in regimes::<f32>() {
-        for _ in 0..300 {
-            let cas = (regime.cas)(&mut alea);
-            let Some(Etendue { bas, haut }) = cas.objet.etendue() else {
-                assert!(matches!(cas.objet, ObjetRay::Plan(_)));
-                continue;
-            };
-            objets.push(cas.objet);
-            let [bas, haut] = [bas, haut].map(|v| <[f64; 3]>::from(v.vers_f64()));
-            let (c, h) = (<[f64; 3]>::from(fond(&cas.objet)), demi_etendue(&cas.objet));
-            // What lemma 15 adds to the corners; 36u more is how far they may be from those of the solid.
-            let (des_demis, du_centre) =
-                (h.iter().sum::<f64>(), c.map(f64::abs).iter().sum::<f64>());
-            let jeu = f64::from(f32::U) * (51.0 * des_demis + 3.1 * du_centre);
-            for i in 0..3 {
-                assert!(bas[i] >= c[i] - h[i] - jeu && haut[i] <= c[i] + h[i] + jeu, "{cas:?}");
-            }
-            // As exact as an f64 is.
-            let rayon = cas.rayon.temoin_f64();
-            let Ok(touche) = cas.objet.temoin_f64().intersection(&rayon) else { continue };
-            let s = <[f64; 3]>::from(rayon.source());
-            let ici = <[f64; 3]>::from(touche.point());
-            for i in 0..3 {
-                let arrondi = 1e-14 * (s[i].abs() + touche.distance());
-                assert!(bas[i] <= ici[i] + arrondi && ici[i] <= haut[i] + arrondi, "{cas:?}");
-            }
-            juges += 1;
-        }
+        pour_chaque(
+            300,
+            |alea| (regime.cas)(alea),
+            |cas| {
+                let Some(Etendue { bas, haut }) = cas.objet.etendue() else {
+                    assert!(matches!(cas.objet, ObjetRay::Plan(_)));
+                    return;
+                };
+                objets.push(cas.objet);
+                let [bas, haut] = [bas, haut].map(|v| <[f64; 3]>::from(v.vers_f64()));
+                let (c, h) = (<[f64; 3]>::from(fond(&cas.objet)), demi_etendue(&cas.objet));
+                // What lemma 15 adds to the corners; 36u more is how far they may be from those of the solid.
+                let (des_demis, du_centre) =
+                    (h.iter().sum::<f64>(), c.map(f64::abs).iter().sum::<f64>());
+                let jeu = f64::from(f32::U) * (51.0 * des_demis + 3.1 * du_centre);
+                for i in 0..3 {
+                    assert!(bas[i] >= c[i] - h[i] - jeu && haut[i] <= c[i] + h[i] + jeu, "{cas:?}");
+                }
+                // As exact as an f64 is.
+                let rayon = cas.rayon.temoin_f64();
+                let Ok(touche) = cas.objet.temoin_f64().intersection(&rayon) else { return };
+                let s = <[f64; 3]>::from(rayon.source());
+                let ici = <[f64; 3]>::from(touche.point());
+                for i in 0..3 {
+                    let arrondi = 1e-14 * (s[i].abs() + touche.distance());
+                    assert!(bas[i] <= ici[i] + arrondi && ici[i] <= haut[i] + arrondi, "{cas:?}");
+                }
+                juges += 1;
+            },
+        );
     }
     assert!(juges > 1_000, "{juges}");
     let Etendue { bas, haut } = Monde::de_liste(&objets).etendue().unwrap();

@@ -1,17 +1,16 @@
 //! Rays with an end: every question stops there, and a hit beyond it is no answer.
 
-use commun::conversion::{Mots, mots};
-use commun::fabrique::{mur, sphere, v};
-use commun::facons::voisin;
+use commun::choisis::choisir;
+use commun::conversion::{mots, voisin};
+use commun::fabrique::{avec_arbre, mur, sphere, v};
+use commun::hasard::{Hasard, pour_chaque};
 use commun::oracle::{Exact, verite};
-use commun::regimes::{direction, entre, regimes};
+use commun::regimes::{Cas, direction, entre, regimes};
 use commun::scenes::{melange, rayons_camera};
 use commun::{Bits, arrondi, en_f32_et_f64};
-use fastrand::Rng;
 use lancer_rayon::{
     Monde, NoIntersection, ObjetRay, Rayon, Reel, Reponse, Vecteur, places, premiere_intersection,
 };
-use std::ops::ControlFlow::Continue;
 
 fn jusqu_a<R: Reel>(rayon: &Rayon<R>, fin: R) -> Rayon<R> {
     rayon.jusqu_a(fin).unwrap()
@@ -39,98 +38,44 @@ fn toute_question_s_arrete_a_la_fin<R: Bits>() {
     let objets = melange::<R>(90);
     let mut memoire = vec![0.0; 2 * places(objets.len())];
     let arbre = Monde::en_morceaux(&objets, &mut memoire).unwrap();
-    let (mut coupees, mut gardees, mut sorties) = (0, 0, 0);
-    let choisir = |indice: usize| indice % 4 != 3;
-    let mondes = [arbre, Monde::de_liste(&objets)].map(|monde| monde.parmi(choisir));
-    let bits = |touches: &[Reponse<R>]| touches.iter().map(mots).collect::<Vec<Mots>>();
-    for sans_fin in rayons_camera::<R>(24, 16) {
-        let mut toutes = vec![Err(NoIntersection); objets.len()];
-        let nombre = mondes[1].dans_l_ordre(&sans_fin, &mut toutes);
-        let fins = fins(&toutes[..nombre]);
-        let rayons: Vec<_> = fins.iter().map(|fin| jusqu_a(&sans_fin, *fin)).collect();
-        let voulues: Vec<_> = fins.iter().map(|fin| avant(toutes[0], *fin)).collect();
-        for monde in mondes {
-            let mut premieres = vec![toutes[0]; rayons.len()];
-            monde.premieres_intersections(&rayons, &mut premieres).unwrap();
-            assert_eq!(bits(&premieres), bits(&voulues), "{sans_fin:?}");
-            let mut occultes: Vec<_> = voulues.iter().map(Result::is_err).collect();
-            monde.sont_occultes(&rayons, &mut occultes).unwrap();
-            for (i, (rayon, fin)) in rayons.iter().zip(&fins).enumerate() {
-                let voulue = mots(&voulues[i]);
-                assert_eq!(mots(&monde.premiere_intersection(rayon)), voulue, "{rayon:?}");
-                let occulte = monde.est_occulte(rayon);
-                assert_eq!([occulte, occultes[i]], [voulues[i].is_ok(); 2], "{rayon:?}");
-                let debut = toutes[..nombre].iter().filter(|t| avant(**t, *fin).is_ok());
-                let debut: Vec<_> = debut.copied().collect();
-                let mut rangee = vec![toutes[0]; nombre + 1];
-                assert_eq!(monde.dans_l_ordre(rayon, &mut rangee), debut.len(), "{rayon:?}");
-                assert_eq!(bits(&rangee[..debut.len()]), bits(&debut), "{rayon:?}");
-                assert!(rangee[debut.len()..].iter().all(Result::is_err), "{rayon:?}");
-                let mut vus = vec![];
-                monde.visiter(rayon, |indice, t| {
-                    vus.push((indice, t.bits()));
-                    Continue(rayon.fin())
-                });
-                let mut voulus: Vec<_> =
-                    debut.iter().flatten().map(|t| (t.indice(), t.distance().bits())).collect();
-                vus.sort_unstable();
-                voulus.sort_unstable();
-                assert_eq!(vus, voulus, "{rayon:?}");
-                coupees += usize::from(debut.len() < nombre);
-                gardees += usize::from(!debut.is_empty());
-            }
-        }
-        for objet in &objets {
-            let (entree, sortie) = (objet.intersection(&sans_fin), objet.sortie(&sans_fin));
-            for fin in self::fins(&[entree, sortie]) {
-                let rayon = jusqu_a(&sans_fin, fin);
-                assert_eq!(mots(&objet.intersection(&rayon)), mots(&avant(entree, fin)));
-                assert_eq!(mots(&objet.sortie(&rayon)), mots(&avant(sortie, fin)), "{rayon:?}");
-                sorties += usize::from(avant(sortie, fin).is_ok());
-            }
+    for monde in [arbre, Monde::de_liste(&objets)] {
+        let choisis = choisir(monde, [0b1000_1000, u8::MAX, 0]);
+        for sans_fin in rayons_camera::<R>(24, 16) {
+            let mut toutes = [Err(NoIntersection); 4];
+            choisis.monde.dans_l_ordre(&sans_fin, &mut toutes);
+            let fins = fins(&toutes);
+            let rayons: Vec<_> = fins.iter().map(|fin| jusqu_a(&sans_fin, *fin)).collect();
+            choisis.interroger(&rayons, &[], &[], 0);
         }
     }
-    println!("{coupees} cut off, {gardees} kept, {sorties} ways out before an end");
-    assert!(coupees > 1_000 && gardees > 1_000 && sorties > 500);
 }
 
 en_f32_et_f64!(toute_question_s_arrete_a_la_fin);
 
 /// A way out beyond the end of the ray is none, from within an object and through it; of every shape in every regime.
 fn une_sortie_apres_la_fin_n_en_est_pas_une<R: Bits>() {
-    let mut alea = Rng::with_seed(101);
     let [mut sorties, mut de_dedans] = [0; 2];
-    for regime in regimes::<R>() {
-        for _ in 0..400 {
-            let cas = (regime.cas)(&mut alea);
-            let dedans = cas.objet.intersection(&cas.rayon);
-            let dedans = dedans
-                .and_then(|t| t.secondaire(cas.rayon.direction()).map_err(|_| NoIntersection));
-            for sans_fin in [Ok(cas.rayon), dedans].into_iter().flatten() {
-                let (entree, sortie) =
-                    (cas.objet.intersection(&sans_fin), cas.objet.sortie(&sans_fin));
-                for fin in fins(&[entree, sortie]) {
-                    let rayon = jusqu_a(&sans_fin, fin);
-                    let contexte = || format!("{:?} {rayon:?}", cas.objet);
-                    let [avant_entree, avant_sortie] = [entree, sortie].map(|t| avant(t, fin));
-                    assert_eq!(
-                        mots(&cas.objet.intersection(&rayon)),
-                        mots(&avant_entree),
-                        "{}",
-                        contexte()
-                    );
-                    assert_eq!(
-                        mots(&cas.objet.sortie(&rayon)),
-                        mots(&avant_sortie),
-                        "{}",
-                        contexte()
-                    );
-                }
-                sorties += u32::from(sortie.is_ok());
-                de_dedans += u32::from(sortie.is_ok() && entree.is_err());
+    let mut juger = |Cas { objet, rayon }: Cas<R>| {
+        let dedans = objet.intersection(&rayon);
+        let dedans = dedans.ok().and_then(|t| t.secondaire(rayon.direction()).ok());
+        for sans_fin in [Some(rayon), dedans].into_iter().flatten() {
+            let [entree, sortie] = [objet.intersection(&sans_fin), objet.sortie(&sans_fin)];
+            for fin in fins(&[entree, sortie]) {
+                let rayon = jusqu_a(&sans_fin, fin);
+                let obtenues = [objet.intersection(&rayon), objet.sortie(&rayon)];
+                let voulues = [entree, sortie].map(|t| mots(&avant(t, fin)));
+                assert_eq!(obtenues.map(|t| mots(&t)), voulues, "{objet:?} {rayon:?}");
             }
+            sorties += u32::from(sortie.is_ok());
+            de_dedans += u32::from(sortie.is_ok() && entree.is_err());
         }
+    };
+    for regime in regimes::<R>() {
+        pour_chaque(400, |alea| (regime.cas)(alea), &mut juger);
     }
+    let rayons = rayons_camera(12, 8);
+    let cas = |objet| rayons.iter().map(move |rayon| Cas { objet, rayon: *rayon });
+    melange::<R>(90).into_iter().flat_map(cas).for_each(juger);
     assert!(sorties > 3_000 && de_dedans > 1_000, "{sorties} {de_dedans}");
 }
 
@@ -150,8 +95,7 @@ fn est_vraie<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>, reponse: &Repons
 /// ends. Away from all hits the answer of every ray is certain whose answer without an end is.
 fn un_certificat_s_arrete_a_la_fin<R: Bits>() {
     let objets = melange::<R>(40);
-    let mut memoire = vec![0.0; places(objets.len())];
-    let mondes = [Monde::new(&objets, &mut memoire).unwrap(), Monde::de_liste(&objets)];
+    let mondes = [avec_arbre(&objets), Monde::de_liste(&objets)];
     let [mut coups, mut rates, mut doutes] = [0; 3];
     for sans_fin in rayons_camera::<R>(18, 12) {
         let mut toutes = vec![Err(NoIntersection); objets.len()];
@@ -234,8 +178,7 @@ fn une_fin_est_une_distance<R: Bits>() {
         assert_eq!(simple.fin(), fin.vers_f64() as f32);
     }
     let objets = melange::<R>(60);
-    let mut memoire = vec![0.0; places(objets.len())];
-    for monde in [Monde::new(&objets, &mut memoire).unwrap(), Monde::de_liste(&objets)] {
+    for monde in [avec_arbre(&objets), Monde::de_liste(&objets)] {
         for zero in [R::ZERO, -R::ZERO] {
             let rayons = rayons_camera::<R>(16, 12);
             let rien: Vec<_> = rayons.iter().map(|rayon| jusqu_a(rayon, zero)).collect();
@@ -268,12 +211,14 @@ en_f32_et_f64!(une_fin_est_une_distance);
 /// The ray between two points is that of their difference, and ends as far away as they are from each other; what stands
 /// between is met, and what stands beyond is not. No ray joins a point with itself.
 fn un_rayon_entre_deux_points_finit_au_second<R: Bits>() {
-    let mut alea = Rng::with_seed(102);
     let (mut libres, mut caches) = (0, 0);
-    for tour in 0..2_000 {
-        let [p, q] = [(); 2].map(|()| direction(&mut alea) * entre(&mut alea, 0.5, 20.0));
+    let faire = |alea: &mut Hasard| {
+        let [p, q] = [(); 2].map(|()| direction(alea) * entre(alea, 0.5, 20.0));
         // From close by, and from some thousand times as far away as the point is from O.
-        let [p, q] = [p * [1.0, 1e4][tour % 2], q].map(arrondi::<R>);
+        let p = p * [1.0, 1e4][alea.tour % 2];
+        (arrondi::<R>(p), arrondi::<R>(q), entre(alea, 0.1, 1.9))
+    };
+    pour_chaque(2_000, faire, |(p, q, part)| {
         let rayon = Rayon::entre(p, q).unwrap();
         let voulu = Rayon::new(p, q - p).unwrap();
         assert_eq!(rayon, jusqu_a(&voulu, (q - p).longueur()));
@@ -287,14 +232,13 @@ fn un_rayon_entre_deux_points_finit_au_second<R: Bits>() {
         let permis = 8.2 * R::U.vers_f64() * (q.vers_f64() - p.vers_f64()).longueur();
         assert!(Vecteur::from(ecart).longueur() <= permis, "{ecart:?} {rayon:?}");
         // A wall across the line, at some part of it, and a ball at the other side of its end.
-        let part = entre(&mut alea, 0.1, 1.9);
         let la = arrondi(p.vers_f64() + (q - p).vers_f64() * part);
         let occulte = Monde::de_liste(&[mur(la, p - q)]).est_occulte(&rayon);
         if (part - 1.0).abs() > 1e-3 {
             assert_eq!(occulte, part < 1.0, "{part}: {rayon:?}");
             *(if occulte { &mut caches } else { &mut libres }) += 1;
         }
-    }
+    });
     assert!(libres > 500 && caches > 500);
 
     let p = v::<R>(1.0, 2.0, 3.0);
@@ -339,7 +283,6 @@ en_f32_et_f64!(une_suite_n_herite_pas_de_la_fin);
 
 /// A hit knows its point, however it was found, and whether it is an entry or a way out; of every shape in every regime.
 fn une_touche_connait_son_point<R: Bits>() {
-    let mut alea = Rng::with_seed(103);
     let bits = |p: Vecteur<R>| [p.x, p.y, p.z].map(R::bits);
     let exiger = |rayon: &Rayon<R>, reponse: &Reponse<R>| {
         let Ok(touche) = reponse else { return 0 };
@@ -352,11 +295,14 @@ fn une_touche_connait_son_point<R: Bits>() {
     };
     let mut connus = 0;
     for regime in regimes::<R>() {
-        for _ in 0..1_000 {
-            let cas = (regime.cas)(&mut alea);
-            connus += exiger(&cas.rayon, &cas.objet.intersection(&cas.rayon));
-            connus += exiger(&cas.rayon, &cas.objet.sortie(&cas.rayon));
-        }
+        pour_chaque(
+            1_000,
+            |alea| (regime.cas)(alea),
+            |cas| {
+                connus += exiger(&cas.rayon, &cas.objet.intersection(&cas.rayon));
+                connus += exiger(&cas.rayon, &cas.objet.sortie(&cas.rayon));
+            },
+        );
     }
     assert!(connus > 15_000, "{connus}");
     let objets = melange::<R>(120);

@@ -1,6 +1,8 @@
 //! What holds of every hit, on random objects and rays.
 
-use commun::conversion::mots;
+use commun::choisis::Choisis;
+use commun::conversion::{mots, voisin};
+use commun::hasard::{Hasard, pour_chaque};
 use commun::regimes::regimes;
 use commun::strategies::{Plante, direction, plante, scene};
 use commun::tolerances::{ARRONDI, DISTANCE, NORMALE, u};
@@ -9,7 +11,6 @@ use lancer_rayon::{
     Monde, NoIntersection, ObjetGeo, ObjetRay, Rayon, Reel, Vecteur, premiere_intersection,
 };
 use proptest::prelude::*;
-use proptest::test_runner::TestCaseResult;
 
 /// The shortest chord looked for, in sizes of the object: some fifty roundings of an f32 there.
 const CORDE_MIN: f64 = 1e-4;
@@ -138,48 +139,29 @@ fn un_objet_convexe_n_est_touche_que_d_un_cote<R: Reel>() {
 
 en_f32_et_f64!(un_objet_convexe_n_est_touche_que_d_un_cote);
 
-/// `est_occulte` beside its definition, at the ends that matter: each distance and its neighbours, and the ends of the
-/// type. Numbers that are no distance are no end of a ray.
-fn occultation<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> TestCaseResult {
-    let touches: Vec<_> = objets.iter().filter_map(|o| o.intersection(rayon).ok()).collect();
-    let deux_u = R::U + R::U;
-    let voisines = touches.iter().flat_map(|touche| {
-        [R::UN - deux_u, R::UN, R::UN + deux_u].map(|facteur| touche.distance() * facteur)
-    });
-    let [zero, un, infini] = [R::ZERO, R::UN, R::INFINI];
-    let autres = [zero, -zero, un, -un, R::MIN_POSITIF, infini, -infini, R::depuis_f64(f64::NAN)];
-    let monde = Monde::de_liste(objets);
-    for max in voisines.chain(autres) {
-        let ombre = match rayon.jusqu_a(max) {
-            Ok(ombre) => ombre,
-            Err(erreur) => {
-                prop_assert!(max < zero || max.vers_f64().is_nan(), "{} is a distance", max);
-                prop_assert_eq!(erreur.champ, "fin");
-                continue;
-            }
-        };
-        prop_assert!(max >= zero, "{} is no distance", max);
-        let attendu =
-            objets.iter().any(|o| o.intersection(rayon).is_ok_and(|i| i.distance() < max));
-        prop_assert_eq!(monde.est_occulte(&ombre), attendu, "before {}", max);
-        prop_assert!(max > zero || !attendu, "something before 0");
-    }
-    Ok(())
-}
-
-fn est_occulte_est_ce_que_dit_sa_definition<R: Reel>() {
+/// Every question at the ends that matter: each distance and its neighbours, and the ends of the type; numbers that are
+/// no distance are no end of a ray.
+fn une_liste_repond_ce_que_dit_sa_definition<R: Bits>() {
+    let juger = |objets: Vec<ObjetRay<R>>, rayon: Rayon<R>| {
+        let touches = objets.iter().filter_map(|o| o.intersection(&rayon).ok());
+        let voisines =
+            touches.flat_map(|touche| [-1, 0, 1].map(|de| voisin(touche.distance(), de)));
+        let [zero, un, infini] = [R::ZERO, R::UN, R::INFINI];
+        let autres =
+            [zero, -zero, un, -un, R::MIN_POSITIF, infini, -infini, R::depuis_f64(f64::NAN)];
+        let limites: Vec<_> = voisines.chain(autres).collect();
+        let tous = Choisis { monde: Monde::de_liste(&objets), pris: (0..objets.len()).collect() };
+        let rayons = vec![rayon; limites.len()];
+        tous.un_par_un(&rayons, &tous.toutes(&rayons), &limites, objets.len() as u8);
+    };
     pour_tout(scene::<R>(), |(geo, rayon)| {
-        let objets: Vec<_> = geo.into_iter().map(ObjetGeo::vers_ray).collect();
-        occultation(&objets, &rayon)
+        juger(geo.into_iter().map(ObjetGeo::vers_ray).collect(), rayon);
+        Ok(())
     });
-    let mut alea = fastrand::Rng::with_seed(5);
     for regime in regimes::<R>() {
-        for _ in 0..300 {
-            let cas: Vec<_> = (0..3).map(|_| (regime.cas)(&mut alea)).collect();
-            let objets: Vec<_> = cas.iter().map(|cas| cas.objet).collect();
-            occultation(&objets, &cas[0].rayon).unwrap();
-        }
+        let faire = |alea: &mut Hasard| [(); 3].map(|()| (regime.cas)(alea));
+        pour_chaque(300, faire, |cas| juger(cas.map(|cas| cas.objet).to_vec(), cas[0].rayon));
     }
 }
 
-en_f32_et_f64!(est_occulte_est_ce_que_dit_sa_definition);
+en_f32_et_f64!(une_liste_repond_ce_que_dit_sa_definition);

@@ -2,6 +2,7 @@
 //! colour is that of exact arithmetic, except within rounding of a line of the pattern.
 
 use commun::fabrique::mur;
+use commun::hasard::pour_chaque;
 use commun::oracle::{Exact, ecarts_du_lieu, verite};
 use commun::regimes::{Genre, direction, entre, regimes};
 use commun::scenes::rayons_camera;
@@ -66,17 +67,19 @@ fn juger_le_lieu<R: Reel>(boite: &BoiteRay<R>, rayon: &Rayon<R>, touche: &Inters
 
 /// Of every kind of box and ray, those at edges and at the ends of the range among them.
 fn le_lieu_est_sur_la_face_de_la_normale<R: Reel>() {
-    let mut alea = Rng::with_seed(70);
     let mut faces = [0; 6];
     let mut pire = 0.0_f64;
     for regime in regimes::<R>().into_iter().filter(|regime| regime.genre == Genre::Boite) {
-        for _ in 0..4_000 {
-            let cas = (regime.cas)(&mut alea);
-            let ObjetRay::Boite(boite) = cas.objet else { panic!("a box") };
-            let Ok(touche) = cas.objet.intersection(&cas.rayon) else { continue };
-            pire = pire.max(juger_le_lieu(&boite, &cas.rayon, &touche));
-            faces[boite.lieu(&cas.rayon, &touche).0 as usize] += 1;
-        }
+        pour_chaque(
+            4_000,
+            |alea| (regime.cas)(alea),
+            |cas| {
+                let ObjetRay::Boite(boite) = cas.objet else { panic!("a box") };
+                let Ok(touche) = cas.objet.intersection(&cas.rayon) else { return };
+                pire = pire.max(juger_le_lieu(&boite, &cas.rayon, &touche));
+                faces[boite.lieu(&cas.rayon, &touche).0 as usize] += 1;
+            },
+        );
     }
     println!("hits on each face: {faces:?}; {pire} of the bound needed");
     assert!(faces.iter().all(|n| *n > 500), "{faces:?}");

@@ -1,12 +1,12 @@
 //! A floor at y = 0, what every scene begins with: its points under things are dark, and nothing that starts there is a
 //! subnormal number, which a turned floor may give.
 
-use commun::fabrique::{boite, boite_droite, mur, sphere, v};
+use commun::fabrique::{avec_arbre, boite, boite_droite, mur, sphere, v};
 use commun::regimes::entre;
 use commun::scenes::rayons_camera;
 use commun::{arrondi, en_f32_et_f64};
 use fastrand::Rng;
-use lancer_rayon::{Monde, ObjetRay, Rayon, Reel, Rotation, Vecteur, places};
+use lancer_rayon::{Monde, ObjetRay, Rayon, Reel, Rotation, Vecteur};
 
 /// Points along each side of the floor.
 const GRILLE: u32 = 200;
@@ -70,8 +70,7 @@ fn sous<R: Reel>(objets: &[ObjetRay<R>], [x, z]: [f64; 2]) -> f64 {
 fn sous_un_objet_il_fait_sombre<R: Reel>() {
     for dalle in [false, true] {
         let objets = scene::<R>(dalle);
-        let mut places = vec![0.0; places(objets.len())];
-        let monde = Monde::new(&objets, &mut places).unwrap();
+        let monde = avec_arbre(&objets);
         let lampe = arrondi(Vecteur::new(-6.0, 9.0, 4.0));
         let (mut sombres, mut naifs, mut clairs) = (0, 0, 0);
         for i in 0..GRILLE * GRILLE {
@@ -144,8 +143,7 @@ fn au_sol_rien_n_est_sous_normal<R: Reel>() {
         }
         let penche = mur(Vecteur::NUL, x + y);
         for scene in [objets.clone(), vec![objets[0], penche]] {
-            let mut places = vec![0.0; places(scene.len())];
-            let monde = Monde::new(&scene, &mut places).unwrap();
+            let monde = avec_arbre(&scene);
             for rayon in rayons_camera::<R>(60, 40) {
                 let Ok(touche) = monde.premiere_intersection(&rayon) else { continue };
                 let (d, n) = (rayon.direction(), touche.normale());

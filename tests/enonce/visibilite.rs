@@ -2,14 +2,14 @@
 
 use std::path::Path;
 
-use commun::fabrique::{boite, mur, sphere};
+use commun::fabrique::{avec_arbre, boite, mur, sphere};
 use commun::oracle::{dehors, verite};
 use commun::regimes::{direction, entre};
 use commun::{arrondi, en_f32_et_f64};
 use exemples::scene::Scene;
 use fastrand::Rng;
 use lancer_rayon::{
-    BoiteGeo, Intersection, Monde, ObjetRay, Rayon, Reel, Rotation, Texture, Vecteur, places,
+    BoiteGeo, Intersection, Monde, ObjetRay, Rayon, Reel, Rotation, Texture, Vecteur,
     premiere_intersection,
 };
 use serde::de::DeserializeOwned;
@@ -139,8 +139,7 @@ fn se_voient<R: Reel>(
 
 fn deux_points_se_voient_si_rien_n_est_entre_eux<R: Reel + DeserializeOwned>() {
     for (nom, objets, etendue) in [("city", ville::<R>(), 120.0), ("atelier", atelier(), 6.0)] {
-        let mut places = vec![0.0; places(objets.len())];
-        let monde = Monde::new(&objets, &mut places).unwrap();
+        let monde = avec_arbre(&objets);
         let mut alea = Rng::with_seed(39);
         let (mut vus, mut caches, mut dos) = (0, 0, 0);
         let mut naifs = [0; 2];

@@ -15,82 +15,72 @@ const SUR_LA_PAGE: usize = 32;
 /// Each public name, with its English words.
 type Lexique = BTreeMap<String, Vec<String>>;
 
-/// The types and functions that `src/lib.rs` makes public.
-fn exportes(racine: &Path) -> Vec<String> {
-    let lib = fs::read_to_string(racine.join("src/lib.rs")).unwrap();
-    let lignes = lib.lines().filter_map(|ligne| ligne.strip_prefix("pub use "));
-    let noms = lignes.filter_map(|ligne| ligne.rsplit_once("::"));
-    noms.flat_map(|(_, noms)| mots(noms).map(str::to_owned).collect::<Vec<_>>()).collect()
+fn mots(texte: &str) -> Vec<&str> {
+    let mots = texte.split(|c: char| !c.is_alphanumeric() && c != '_');
+    mots.filter(|mot| !mot.is_empty()).collect()
 }
 
-fn mots(texte: &str) -> impl Iterator<Item = &str> {
-    texte.split(|c: char| !c.is_alphanumeric() && c != '_').filter(|mot| !mot.is_empty())
-}
-
-/// Adds what this source has of public names: the exported items, and what stands in them with `pub`, in a
-/// trait without, in an enum if it has an alias: the faces of a box are found by their enum.
-fn noter(source: &str, exportes: &[String], lexique: &mut Lexique) {
-    let mut alias: Vec<String> = Vec::new();
-    // The item around a line, if it is exported: its first word.
-    let mut autour = None;
-    let mut cachee = false;
+/// Adds what this source of exported items has of public names: these, what has `pub` in it, and what stands in a public
+/// trait, or in a public enum with an alias. (`pub` within the crate is `pub(crate)`, as `unreachable_pub` wants it.)
+fn noter(source: &str, exportes: &[&str], lexique: &mut Lexique) {
+    // An item begins a line, after its attributes and comments.
+    let (mut attributs, mut autour) = (String::new(), "");
     for ligne in source.lines() {
         let nue = ligne.trim_start();
-        if nue.starts_with("#[doc(alias") {
-            // Every other piece stands between quotes.
-            alias.extend(nue.split('"').skip(1).step_by(2).map(|mot| mot.replace('_', " ")));
-            continue;
-        } else if nue.starts_with("#[doc(hidden)]") {
-            cachee = true;
-            continue;
-        } else if nue.starts_with("#[") || nue.starts_with("//") || nue.is_empty() {
+        if nue.starts_with("#[") || nue.starts_with("//") {
+            attributs += nue;
             continue;
         }
-        let dehors = nue.len() == ligne.len();
+        // An empty line, or the end of an item or of its head.
+        if nue.is_empty() || ligne.starts_with(['}', '{', ')', 'w']) {
+            continue;
+        }
+        let (retrait, attributs) = (ligne.len() - nue.len(), std::mem::take(&mut attributs));
+        // Every other piece stands between quotes.
+        let alias =
+            attributs.split("#[doc(alias").skip(1).filter_map(|suite| suite.split(']').next());
+        let alias = alias.flat_map(|alias| alias.split('"').skip(1).step_by(2));
+        let alias: Vec<_> = alias.map(|mot| mot.replace('_', " ")).collect();
         let publique = nue.strip_prefix("pub ");
-        let suite = publique.unwrap_or(nue);
-        let suite = suite.strip_prefix("const ").filter(|s| s.starts_with("fn ")).unwrap_or(suite);
-        let sorte = mots(suite).next().unwrap_or_default();
-        let declare = ["fn", "struct", "enum", "trait", "type", "const"].contains(&sorte);
-        let nom = if declare { mots(suite).nth(1) } else { mots(suite).next() };
-        let nom = nom.unwrap_or_default();
-        let exporte = |nom: &str| exportes.iter().any(|autre| autre == nom);
-        let est_publique = if dehors {
-            if sorte == "impl" {
-                // After the parameters, as in `impl<R: Reel> Rayon<R> {`.
-                let parametres = nue.strip_prefix("impl<").and_then(|suite| suite.split_once("> "));
-                let type_seul = parametres.map_or(&nue[sorte.len()..], |(_, suite)| suite);
-                let de = mots(type_seul).next().unwrap_or_default();
-                autour = (exporte(de) && !nue.contains(" for ")).then_some("impl");
-            } else if nue != "}" && !nue.starts_with(['{', ')', 'w']) {
-                autour = (publique.is_some() && exporte(nom)).then_some(sorte);
+        let mots = mots(publique.unwrap_or(nue).trim_start_matches("const fn "));
+        let sortes = ["fn", "struct", "enum", "trait", "type", "const"];
+        let sorte = sortes.into_iter().find(|sorte| mots.first() == Some(sorte));
+        let nom = mots.get(usize::from(sorte.is_some())).copied().unwrap_or_default();
+        let est_publique = if retrait == 0 {
+            // The type of an `impl<R: Reel> Rayon<R> {`, but of no trait.
+            let de = nue.strip_prefix("impl").filter(|_| !nue.contains(" for "));
+            let de = de.map(|suite| self::mots(suite.split_once("> ").map_or(suite, |(_, de)| de)));
+            let exporte = publique.is_some() && exportes.contains(&nom);
+            autour = sorte.filter(|_| exporte).unwrap_or_default();
+            if de.is_some_and(|de| de.first().is_some_and(|de| exportes.contains(de))) {
+                autour = "impl";
             }
-            publique.is_some() && declare && exporte(nom)
+            exporte
         } else {
-            ligne.starts_with("    ")
-                && !ligne.starts_with("     ")
-                && match autour {
-                    Some("trait") => declare,
-                    Some("enum") => !alias.is_empty(),
-                    _ => autour.is_some() && publique.is_some(),
-                }
+            let dedans = match autour {
+                "trait" => sorte.is_some(),
+                "enum" => !alias.is_empty(),
+                _ => publique.is_some() && !autour.is_empty(),
+            };
+            retrait == 4 && dedans
         };
-        if est_publique && !cachee {
-            lexique.entry(nom.to_owned()).or_default().append(&mut alias);
+        if est_publique && !attributs.contains("#[doc(hidden)]") {
+            lexique.entry(nom.to_owned()).or_default().extend(alias);
         }
-        alias.clear();
-        cachee = false;
     }
 }
 
 fn lexique(racine: &Path) -> Lexique {
-    let exportes = exportes(racine);
+    let lib = fs::read_to_string(racine.join("src/lib.rs")).unwrap();
+    let exportes = lib.split("\npub use ").skip(1).filter_map(|suite| suite.split(';').next());
+    let exportes = exportes.filter_map(|chemin| chemin.rsplit_once("::"));
+    let exportes: Vec<_> = exportes.flat_map(|(_, noms)| mots(noms)).collect();
     let mut lexique = Lexique::new();
     for chemin in fichiers_sous("src") {
         noter(&fs::read_to_string(&chemin).unwrap(), &exportes, &mut lexique);
     }
     for nom in &exportes {
-        assert!(lexique.contains_key(nom), "nowhere: {nom}");
+        assert!(lexique.contains_key(*nom), "nowhere: {nom}");
     }
     lexique
 }

@@ -9,7 +9,7 @@ use lancer_rayon::{
 
 use commun::Bits;
 use commun::chemins::{Pas, Suite};
-use commun::facons::voisin;
+use commun::conversion::voisin;
 
 /// How many there are at most, so that an input takes milliseconds.
 const OBJETS: usize = 200;

@@ -1,5 +1,5 @@
 //! The same bits everywhere: a hash of the hits and misses of the 240,000 rays of each scene, and of
-//! random rays with all that a kernel makes of them, ray by ray, in a batch and in a hierarchy, with each
+//! random rays with all that a kernel makes of them, ray by ray, in a batch and in a tree, with each
 //! instruction set of the machine.
 //!
 //! A change of a formula changes a hash, and the failed assertion prints the new one. Read
@@ -8,6 +8,7 @@
 use std::path::Path;
 
 use commun::conversion::mots;
+use commun::fabrique::avec_arbre;
 use commun::facons::{comparer, exiger};
 use commun::{Bits, arrondi, empreinte};
 use exemples::scene::Scene;
@@ -15,7 +16,7 @@ use fastrand::Rng;
 use lancer_rayon::pour_les_tests::Reglage;
 use lancer_rayon::{
     BoiteGeo, Monde, NoIntersection, ObjetRay, PlanGeo, Rayon, Reponse, Rotation, SphereGeo,
-    Texture, Vecteur, places, premiere_intersection,
+    Texture, Vecteur, premiere_intersection,
 };
 use serde::de::DeserializeOwned;
 
@@ -42,10 +43,9 @@ fn memes_bits<R: Bits + DeserializeOwned>(nom: &str, attendue: u64) {
         liste.premieres_intersections(&rayons, &mut touches).unwrap();
         exiger(&format!("{nom}, {jeu}"), &rayons, &touches, &seules, &tous);
     }
-    let mut places = vec![0.0; places(objets.len())];
-    let hierarchie = Monde::new(&objets, &mut places).unwrap();
-    let touches: Vec<_> = rayons.iter().map(|r| hierarchie.premiere_intersection(r)).collect();
-    exiger(&format!("{nom}, hierarchy"), &rayons, &touches, &seules, &tous);
+    let monde = avec_arbre(&objets);
+    let touches: Vec<_> = rayons.iter().map(|r| monde.premiere_intersection(r)).collect();
+    exiger(&format!("{nom}, tree"), &rayons, &touches, &seules, &tous);
 }
 
 /// Scenes and rays from sums, products and quotients of random numbers alone, which are the same on every

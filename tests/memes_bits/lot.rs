@@ -6,16 +6,17 @@
 use std::collections::HashSet;
 
 use commun::conversion::mots;
-use commun::fabrique::{sphere, v};
-use commun::facons::{UN_ARBRE, comparer, demandes, noeuds, voisin};
+use commun::conversion::voisin;
+use commun::fabrique::{avec_arbre, sphere, v};
+use commun::facons::{UN_ARBRE, comparer, demandes, noeuds};
+use commun::hasard::{Hasard, Tirage, pour_chaque};
 use commun::regimes::{Cas, Extreme, deux_puissance, direction, entre, regimes, signe};
 use commun::tolerances::u;
 use commun::{Bits, arrondi, en_f32_et_f64, scenes};
-use fastrand::Rng;
 use lancer_rayon::pour_les_tests::Reglage;
 use lancer_rayon::{
-    BoiteGeo, LongueursDifferentes, Monde, NoIntersection, ObjetRay, Rayon, Reel, Reponse,
-    Rotation, SphereGeo, Texture, Vecteur, places, premiere_intersection,
+    BoiteGeo, Monde, NoIntersection, ObjetRay, Rayon, Reel, Reponse, Rotation, SphereGeo, Texture,
+    Vecteur, places,
 };
 
 /// Half the angle of a needle: far beyond rounding in both types, and narrow enough for a beam.
@@ -40,22 +41,6 @@ fn chaque_jeu_d_instructions_de_la_machine_est_essaye() {
     }
     let uns = Reglage::tous().map(|(_, reglage)| format!("{reglage:?}"));
     assert_eq!(uns.collect::<HashSet<_>>().len(), noms.len(), "two settings are the same");
-}
-
-#[test]
-fn des_longueurs_differentes_sont_une_erreur_et_rien_n_est_ecrit() {
-    let scene = scenes::melange::<f64>(12);
-    let rayons = scenes::rayons_camera(10, 10);
-    let avant = premiere_intersection(&scene, &rayons[55]);
-    assert!(avant.is_ok());
-    for longueur in [0, 1, 99, 101] {
-        let mut touches = vec![avant; longueur];
-        let erreur =
-            Monde::de_liste(&scene).premieres_intersections(&rayons, &mut touches).unwrap_err();
-        assert_eq!(erreur, LongueursDifferentes { rayons: 100, reponses: longueur });
-        assert_eq!(erreur.to_string(), format!("100 rays, but places for {longueur} answers"));
-        assert_eq!(touches, vec![avant; longueur]);
-    }
 }
 
 /// From no ray to two blocks of 64 and one more, with few objects and with enough for a tree.
@@ -84,7 +69,7 @@ fn l_ordre_des_rayons_ne_change_aucune_reponse<R: Bits>() {
     let rangees = scenes::rayons_camera::<R>(largeur, hauteur);
     let tuiles = scenes::en_tuiles(&rangees, largeur);
     let mut melanges = rangees.clone();
-    Rng::with_seed(1).shuffle(&mut melanges);
+    Hasard::de_graine(1).melanger(&mut melanges);
     for n in [0, 1, 2, 5, 8, 9, 10, 17, 33, 63, 64, 65, 130, 131, 256, 257, 1_000, 3_000] {
         let scene = scenes::melange(n);
         let touches = [&rangees, &tuiles, &melanges].map(|rayons| comparer(&scene, rayons));
@@ -100,8 +85,7 @@ en_f32_et_f64!(l_ordre_des_rayons_ne_change_aucune_reponse);
 fn une_lampe_nulle_part_ne_cache_rien_aux_autres<R: Bits>() {
     let rayons = scenes::en_tuiles(&scenes::rayons_camera::<R>(32, 32), 32);
     let scene = scenes::melange::<R>(300);
-    let mut places = vec![0.0; places(scene.len())];
-    let hierarchie = Monde::new(&scene, &mut places).unwrap();
+    let monde = avec_arbre(&scene);
     let mut caches = 0;
     for (i, bloc) in rayons.chunks(64).cycle().enumerate().take(256) {
         for loin in [R::depuis_f64(30.0), R::INFINI] {
@@ -112,7 +96,7 @@ fn une_lampe_nulle_part_ne_cache_rien_aux_autres<R: Bits>() {
             let voulues: Vec<_> = ombres.iter().map(|ombre| liste.est_occulte(ombre)).collect();
             caches += voulues.iter().filter(|occulte| **occulte).count();
             for (nom, reglage) in Reglage::tous() {
-                for facon in [hierarchie, Monde::de_liste(&scene)] {
+                for facon in [monde, Monde::de_liste(&scene)] {
                     let mut occultes: Vec<_> = voulues.iter().map(|occulte| !occulte).collect();
                     reglage.monde(facon).sont_occultes(&ombres, &mut occultes).unwrap();
                     assert_eq!(occultes, voulues, "{nom}, ray {}, up to {loin:?}", i % 64);
@@ -128,18 +112,20 @@ en_f32_et_f64!(une_lampe_nulle_part_ne_cache_rien_aux_autres);
 /// All rays of a regime of the extremes against all its objects; then each ray against its own object, alone and
 /// with copies that make a tree, twelve times over, since fewer rays do not go side by side in a tree.
 fn aux_extremes_un_lot_repond_comme_un_par_un<R: Bits>() {
-    let mut alea = Rng::with_seed(2);
     for regime in regimes::<R>() {
         let combien = cas().min(3_000);
-        let cas: Vec<_> = (0..combien).map(|_| (regime.cas)(&mut alea)).collect();
-        let objets: Vec<_> = cas.iter().map(|cas| cas.objet).collect();
-        let rayons: Vec<_> = cas.iter().map(|cas| cas.rayon).collect();
-        comparer(&objets, &rayons);
-        let seuls = cas.iter().map(|Cas { objet, rayon }| {
-            comparer(&[*objet; UN_ARBRE], &[*rayon; 12]);
-            comparer(&[*objet], &[*rayon; 12])
+        let mut touches = 0;
+        let faire = |alea: &mut Hasard| alea.liste(combien, |alea, _| (regime.cas)(alea));
+        pour_chaque(1, faire, |cas| {
+            let objets: Vec<_> = cas.iter().map(|cas| cas.objet).collect();
+            let rayons: Vec<_> = cas.iter().map(|cas| cas.rayon).collect();
+            comparer(&objets, &rayons);
+            for Cas { objet, rayon } in cas {
+                comparer(&[objet; UN_ARBRE], &[rayon; 12]);
+                touches += comparer(&[objet], &[rayon; 12]);
+            }
         });
-        assert!(seuls.sum::<usize>() > 12 * combien / 20, "{}", regime.nom);
+        assert!(touches > 12 * combien / 20, "{}", regime.nom);
     }
 }
 
@@ -152,7 +138,7 @@ en_f32_et_f64!(aux_extremes_un_lot_repond_comme_un_par_un);
 /// as they are, with every other ray turned back, or all beside the middle ray of the block, on one
 /// side of it. A beam must hold every one of them, or there must be none.
 fn gerbe<R: Reel>(
-    alea: &mut Rng,
+    alea: &mut Hasard,
     (s, d): (Vecteur, Vecteur),
     ouverture: f64,
     etendue: f64,
@@ -160,10 +146,10 @@ fn gerbe<R: Reel>(
     let [axe_a, axe_b] = [direction(alea), direction(alea)];
     let genre = alea.u8(0..6);
     let cote = direction(alea) * etendue;
-    let rayon = |i: u32| {
+    alea.liste(64, |alea, i| {
         let (a, b) = match genre {
-            0 | 1 => (f64::from(i % 8) / 4.0 - 1.0, f64::from(i / 8) / 4.0 - 1.0),
-            2 => (f64::from(i) / 32.0 - 1.0, 0.0),
+            0 | 1 => ((i % 8) as f64 / 4.0 - 1.0, (i / 8) as f64 / 4.0 - 1.0),
+            2 => (i as f64 / 32.0 - 1.0, 0.0),
             _ => (entre(alea, -1.0, 1.0), entre(alea, -1.0, 1.0)),
         };
         let vers = d + (axe_a * a + axe_b * b) * ouverture;
@@ -173,16 +159,15 @@ fn gerbe<R: Reel>(
             _ => direction(alea) * (etendue * alea.f64()),
         };
         let source = arrondi(s + decalage);
-        Rayon::new(source, arrondi(vers)).or_else(|_| Rayon::new(source, Vecteur::Z))
-    };
-    (0..64).map(rayon).collect::<Result<_, _>>().unwrap()
+        Rayon::new(source, arrondi(vers)).or_else(|_| Rayon::new(source, Vecteur::Z)).unwrap()
+    })
 }
 
 /// An object whose ball, of radius `l`, one of the rays grazes.
 ///
 /// Half of them are spheres. The others are cubes with a corner at the point of the ball that the ray
 /// grazes: a cube has nothing of its ball except its corners.
-fn frole<R: Reel>(alea: &mut Rng, rayons: &[Rayon<R>], texture: Texture) -> ObjetRay<R> {
+fn frole<R: Reel>(alea: &mut Hasard, rayons: &[Rayon<R>], texture: Texture) -> ObjetRay<R> {
     let l = deux_puissance(alea, -12.0, 4.0);
     let (centre, vers_le_rayon) = boule_frolee(alea, rayons, l);
     if alea.bool() {
@@ -200,7 +185,7 @@ fn frole<R: Reel>(alea: &mut Rng, rayons: &[Rayon<R>], texture: Texture) -> Obje
 /// left in the distance. The ray is one of the block or, as often, the eighth, at the end of the row
 /// along which a beam has its sides; half of the balls lie in the plane of that row, where the sides
 /// are closest to the rays.
-fn boule_frolee<R: Reel>(alea: &mut Rng, rayons: &[Rayon<R>], l: f64) -> (Vecteur<R>, Vecteur) {
+fn boule_frolee<R: Reel>(alea: &mut Hasard, rayons: &[Rayon<R>], l: f64) -> (Vecteur<R>, Vecteur) {
     let rayon = &rayons[if alea.bool() { alea.usize(0..rayons.len()) } else { 7 }];
     let (s, d) = (rayon.source().vers_f64(), rayon.direction().vers_f64());
     let bits = -R::U.vers_f64().log2();
@@ -220,7 +205,7 @@ fn boule_frolee<R: Reel>(alea: &mut Rng, rayons: &[Rayon<R>], l: f64) -> (Vecteu
 }
 
 /// A random rotation of a cube, followed by a half-turn that takes its corner (1, 1, 1) to `cible`.
-fn coin_vers<R: Reel>(alea: &mut Rng, cible: Vecteur) -> Rotation<R> {
+fn coin_vers<R: Reel>(alea: &mut Hasard, cible: Vecteur) -> Rotation<R> {
     let rotation = Rotation::<R>::new(arrondi(direction(alea) * 7.0)).unwrap();
     let axes = rotation.matrice().map(|ligne| Vecteur::from(ligne).vers_f64());
     let coin = (axes[0] + axes[1] + axes[2]) / 3.0_f64.sqrt();
@@ -234,25 +219,26 @@ fn coin_vers<R: Reel>(alea: &mut Rng, cible: Vecteur) -> Rotation<R> {
 /// Bundles from needles to fans too wide for a beam, of one source and of many, with objects that rays
 /// at the rim of the bundle graze.
 ///
-/// Four times the usual number. A beam without any of its margins in u is found by the sources in `hierarchie.rs` that
+/// Four times the usual number. A beam without any of its margins in u is found by the sources in `arbre.rs` that
 /// lie farther and farther away; none was lost here.
 fn le_faisceau_ne_perd_aucune_touche<R: Bits>() {
-    let mut alea = Rng::with_seed(3);
+    let faire = |alea: &mut Hasard| {
+        let loin = if alea.bool() { 0.0 } else { deux_puissance(alea, -10.0, 16.0) };
+        let axe = (direction(alea) * loin, direction(alea));
+        let ouverture = deux_puissance(alea, -40.0, 3.0);
+        let etendue = if alea.bool() { 0.0 } else { deux_puissance(alea, -40.0, 6.0) };
+        let rayons = gerbe::<R>(alea, axe, ouverture, etendue);
+        (alea.liste(70, |alea, i| frole(alea, &rayons, Texture(i as u32))), rayons)
+    };
     let mut touches = 0;
-    for _ in 0..4 * cas() {
-        let loin = if alea.bool() { 0.0 } else { deux_puissance(&mut alea, -10.0, 16.0) };
-        let axe = (direction(&mut alea) * loin, direction(&mut alea));
-        let ouverture = deux_puissance(&mut alea, -40.0, 3.0);
-        let etendue = if alea.bool() { 0.0 } else { deux_puissance(&mut alea, -40.0, 6.0) };
-        let rayons = gerbe::<R>(&mut alea, axe, ouverture, etendue);
-        let objets: Vec<_> = (0..70).map(|i| frole(&mut alea, &rayons, Texture(i))).collect();
+    pour_chaque(4 * cas() as u32, faire, |(objets, rayons)| {
         touches += comparer(&objets, &rayons);
         // The numbers of f32 in f64: D and N are unit to the rounding of f32 only.
         if u::<R>() > f64::EPSILON {
             let en_f64: Vec<_> = objets.iter().map(|objet| objet.temoin_f64()).collect();
             comparer(&en_f64, &rayons.iter().map(|rayon| rayon.temoin_f64()).collect::<Vec<_>>());
         }
-    }
+    });
     assert!(touches > 40 * cas(), "only {touches} hits");
 }
 
@@ -260,26 +246,24 @@ en_f32_et_f64!(le_faisceau_ne_perd_aucune_touche);
 
 /// Needles at objects so large, small or far that squares lie at the ends of the type.
 fn aux_bornes_du_type_un_lot_repond_comme_un_par_un<R: Bits>() {
-    let mut alea = Rng::with_seed(4);
-    for regime in regimes::<R>() {
-        if regime.extreme != Extreme::Bornes {
-            continue;
-        }
-        let mut touches = 0;
-        for _ in 0..cas() / 10 {
-            let cas: Vec<_> = (0..20).map(|_| (regime.cas)(&mut alea)).collect();
-            let objets: Vec<_> = cas.iter().map(|cas| cas.objet).collect();
+    for regime in regimes::<R>().into_iter().filter(|regime| regime.extreme == Extreme::Bornes) {
+        let faire = |alea: &mut Hasard| {
             // A needle around each ray: the rays of the cases together have no beam.
-            for Cas { rayon, .. } in &cas {
+            alea.liste(20, |alea, _| {
+                let Cas { objet, rayon } = (regime.cas)(alea);
                 let d = rayon.direction().vers_f64();
-                let ecarter = |_| {
-                    let vers = d + direction(&mut alea) * AIGUILLE;
+                let aiguille = alea.liste(64, |alea, _| {
+                    let vers = d + direction(alea) * AIGUILLE;
                     Rayon::new(rayon.source(), arrondi(vers)).unwrap()
-                };
-                let rayons: Vec<_> = (0..64).map(ecarter).collect();
-                touches += comparer(&objets, &rayons);
-            }
-        }
+                });
+                (objet, aiguille)
+            })
+        };
+        let mut touches = 0;
+        pour_chaque(cas() as u32 / 10, faire, |cas| {
+            let objets: Vec<_> = cas.iter().map(|(objet, _)| *objet).collect();
+            touches += cas.iter().map(|(_, rayons)| comparer(&objets, rayons)).sum::<usize>();
+        });
         assert!(touches > 100, "{}: {touches} hits", regime.nom);
     }
 }
@@ -309,26 +293,27 @@ en_f32_et_f64!(un_bloc_d_un_seul_cote_de_son_axe_ne_perd_aucune_touche);
 /// tree:
 /// `cargo test --release --all-features --test memes_bits lot -- --ignored`, about four minutes.
 fn un_demi_milliard_de_rayons_repondent_comme_un_par_un<R: Bits>() {
-    let mut alea = Rng::with_seed(6);
     let (mut rayons, mut touches) = (Vec::new(), vec![Err(NoIntersection); 64 * 64]);
     let (mut attendues, mut occultes) = (touches.clone(), vec![false; touches.len()]);
     for tour in 0..122_071 {
+        let alea = &mut Hasard::de_graine(tour);
+        let tour = tour as usize;
         let n = [5, 12, 100, 400][tour % 4];
         let scene = scenes::melange::<R>(n);
         let mut places = vec![0.0; places(n)];
-        let hierarchie = Monde::new(&scene, &mut places).unwrap();
+        let monde = Monde::new(&scene, &mut places).unwrap();
         rayons.clear();
         while rayons.len() < touches.len() {
-            let cible = Vecteur::new(0.0, 3.0, -6.0) + direction(&mut alea) * 6.0;
-            let de = Vecteur::new(0.0, 2.0, 6.0) + direction(&mut alea) * (4.0 * alea.f64());
-            let ouverture = deux_puissance(&mut alea, -20.0, 1.0);
-            let etendue = if alea.bool() { 0.0 } else { deux_puissance(&mut alea, -20.0, 1.0) };
-            rayons.extend(gerbe(&mut alea, (de, cible - de), ouverture, etendue));
+            let cible = Vecteur::new(0.0, 3.0, -6.0) + direction(alea) * 6.0;
+            let de = Vecteur::new(0.0, 2.0, 6.0) + direction(alea) * (4.0 * alea.f64());
+            let ouverture = deux_puissance(alea, -20.0, 1.0);
+            let etendue = if alea.bool() { 0.0 } else { deux_puissance(alea, -20.0, 1.0) };
+            rayons.extend(gerbe(alea, (de, cible - de), ouverture, etendue));
         }
         for (rayon, attendue) in rayons.iter().zip(&mut attendues) {
-            *attendue = hierarchie.premiere_intersection(rayon);
+            *attendue = monde.premiere_intersection(rayon);
         }
-        hierarchie.premieres_intersections(&rayons, &mut touches).unwrap();
+        monde.premieres_intersections(&rayons, &mut touches).unwrap();
         assert!(touches.iter().map(mots).eq(attendues.iter().map(mots)), "{n} objects");
         // A lamp at the hit, one number farther, or anywhere.
         let lampe = |touche: &Reponse<R>| {
@@ -338,7 +323,7 @@ fn un_demi_milliard_de_rayons_repondent_comme_un_par_un<R: Bits>() {
         let limites: Vec<_> = attendues.iter().map(lampe).collect();
         let ombres: Vec<_> =
             rayons.iter().zip(limites).map(|(rayon, fin)| rayon.jusqu_a(fin).unwrap()).collect();
-        hierarchie.sont_occultes(&ombres, &mut occultes).unwrap();
+        monde.sont_occultes(&ombres, &mut occultes).unwrap();
         let avant = |(touche, ombre): (&Reponse<R>, &Rayon<R>)| {
             touche.is_ok_and(|touche| touche.distance() < ombre.fin())
         };
@@ -361,11 +346,10 @@ fn evite<R: Reel>(ombres: &[Rayon<R>], boule: ObjetRay<R>) -> bool {
         sphere(centre, R::UN)
     };
     let objets: Vec<_> = (1..UN_ARBRE).map(derriere).chain([boule]).collect();
-    let mut places = vec![0.0; places(objets.len())];
-    let hierarchie = Monde::new(&objets, &mut places).unwrap();
-    assert!(noeuds(&hierarchie) > 0);
+    let monde = avec_arbre(&objets);
+    assert!(noeuds(&monde) > 0);
     let mut occultes = vec![false; ombres.len()];
-    let en_lot = demandes(&hierarchie, |parmi| parmi.sont_occultes(ombres, &mut occultes).unwrap());
+    let en_lot = demandes(&monde, |parmi| parmi.sont_occultes(ombres, &mut occultes).unwrap());
     en_lot[UN_ARBRE - 1] == 0
 }
 

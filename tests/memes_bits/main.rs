@@ -1,8 +1,7 @@
-//! The same bits from every way to an answer: alone, in a batch, in a hierarchy, with every instruction set.
+//! The same bits from every way to an answer: alone, in a batch, in a tree, with every instruction set.
 
+mod arbre;
 mod bits;
-mod deux;
-mod hierarchie;
 mod lot;
 mod sonde;
 mod souspassement;

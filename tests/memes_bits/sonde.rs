@@ -1,14 +1,15 @@
 //! Lemma 19 of `docs/preuves.md`: the probe of many rays enters every box that the probe of one of them enters, and no
 //! later.
 
+use commun::fabrique::avec_arbre;
+use commun::hasard::{Hasard, Tirage, pour_chaque};
 use commun::regimes::{deux_puissance, direction, entre, signe};
 use commun::{Bits, arrondi, en_f32_et_f64, scenes};
-use fastrand::Rng;
 use lancer_rayon::pour_les_tests::{Reglage, sonder};
-use lancer_rayon::{Monde, Rayon, Vecteur, places};
+use lancer_rayon::{Rayon, Vecteur};
 
 /// A number of a direction: ±0, hardly more, or any.
-fn pente(alea: &mut Rng) -> f64 {
+fn pente(alea: &mut Hasard) -> f64 {
     match alea.u8(0..6) {
         0 => 0.0,
         1 => -0.0,
@@ -19,39 +20,35 @@ fn pente(alea: &mut Rng) -> f64 {
 
 /// Up to 64 rays from about one place: near, amid the objects or far away; parallel, apart by any angle, or with signs of
 /// their own.
-fn gerbe<R: Bits>(alea: &mut Rng) -> Vec<Rayon<R>> {
+fn gerbe<R: Bits>(alea: &mut Hasard) -> Vec<Rayon<R>> {
     let loin = if alea.bool() { 5.0 } else { deux_puissance(alea, 0.0, 40.0) };
     let ou = direction(alea) * loin;
     let vers = if alea.bool() { -ou } else { [(); 3].map(|()| pente(alea)).into() };
     let vers = vers.unitaire().unwrap_or(Vecteur::Y);
     let [etendue, ouverture] = [-40.0, -30.0].map(|bas| deux_puissance(alea, bas, 3.0));
     let (genre, combien) = (alea.u8(0..4), [1, 12, 16, 40, 64][alea.usize(0..5)]);
-    let rayon = |_| {
+    alea.liste(combien, |alea, _| {
         let ou = ou + [(); 3].map(|()| entre(alea, -etendue, etendue)).into();
         let vers = match genre {
             0 => vers,
             1 => Vecteur::from([(); 3].map(|()| pente(alea))),
             _ => vers + [(); 3].map(|()| entre(alea, -ouverture, ouverture)).into(),
         };
-        Rayon::new(arrondi(ou), arrondi(vers)).or_else(|_| Rayon::new(arrondi(ou), Vecteur::X))
-    };
-    (0..combien).map(rayon).collect::<Result<_, _>>().unwrap()
+        let rayon = Rayon::new(arrondi(ou), arrondi(vers));
+        rayon.or_else(|_| Rayon::new(arrondi(ou), Vecteur::X)).unwrap()
+    })
 }
 
 fn la_sonde_de_plusieurs_rayons_entre_ou_l_un_d_eux_entre<R: Bits>() {
     let objets = scenes::melange::<R>(400);
-    let mut places = vec![0.0; places(objets.len())];
-    let monde = Monde::new(&objets, &mut places).unwrap();
-    let mut alea = Rng::with_seed(19);
+    let monde = avec_arbre(&objets);
     let (mut sondes, mut entrees, mut dehors) = (0, 0, 0_u32);
-    for _ in 0..commun::cas(2_000) {
-        let rayons = gerbe::<R>(&mut alea);
-        let t = if alea.bool() {
-            R::INFINI
-        } else {
-            R::depuis_f64(deux_puissance(&mut alea, -3.0, 41.0))
-        };
-        for (nom, reglage) in Reglage::tous() {
+    let faire = |alea: &mut Hasard| {
+        let t = if alea.bool() { f64::INFINITY } else { deux_puissance(alea, -3.0, 41.0) };
+        (gerbe::<R>(alea), R::depuis_f64(t))
+    };
+    pour_chaque(commun::cas(2_000), faire, |(rayons, t)| {
+        for (nom, reglage) in Reglage::tous().filter(|_| !rayons.is_empty()) {
             let mut contre = |(de_tous, ou): (u32, [f32; 16]),
                               (d_un, le_sien): (u32, [f32; 16])| {
                 assert_eq!(d_un & !de_tous, 0, "{nom}: {rayons:?} leave out a child of {d_un:b}");
@@ -63,7 +60,7 @@ fn la_sonde_de_plusieurs_rayons_entre_ou_l_un_d_eux_entre<R: Bits>() {
             };
             sondes += u32::from(sonder(&reglage.monde(monde), &rayons, t, &mut contre).is_some());
         }
-    }
+    });
     println!("{sondes} probes, {entrees} children entered by a ray, {dehors} left out by all");
     assert!(sondes > commun::cas(1_000) && entrees > sondes && dehors > entrees);
 }

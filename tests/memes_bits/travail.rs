@@ -1,9 +1,9 @@
 //! What no answer shows: for which objects a question asks. It ends where it may, in a list and in a tree.
 
 use commun::en_f32_et_f64;
-use commun::fabrique::{mur, sphere, v};
+use commun::fabrique::{avec_arbre, mur, sphere, v};
 use commun::facons::{Compteur, demandes, noeuds};
-use lancer_rayon::{Monde, NoIntersection, ObjetRay, Rayon, Reel, Vecteur, places};
+use lancer_rayon::{Monde, NoIntersection, ObjetRay, Rayon, Reel, Vecteur};
 
 /// Balls in a row along the ray, which enters each, and as many beside it.
 const BOULES: usize = 40;
@@ -23,10 +23,10 @@ fn rayon<R: Reel>() -> Rayon<R> {
 
 /// How often a question asks for the wall, for the balls of the row in all, and for those beside it.
 fn combien<R: Reel>(
-    hierarchie: &Monde<'_, R>,
+    monde: &Monde<'_, R>,
     question: impl FnOnce(Monde<'_, R, Compteur<'_>>),
 ) -> [u32; 3] {
-    let demandes = demandes(hierarchie, question);
+    let demandes = demandes(monde, question);
     let (rangee, a_cote) = demandes[1..].split_at(BOULES);
     [demandes[0], rangee.iter().sum(), a_cote.iter().sum()]
 }
@@ -54,8 +54,7 @@ en_f32_et_f64!(une_liste_demande_ce_que_le_rayon_touche);
 /// A tree asks for what lies before the last that is kept or before the limit, and a shadow ends with the first.
 fn un_arbre_s_arrete_des_qu_il_peut<R: Reel>() {
     let (objets, rayon) = (scene::<R>(), rayon());
-    let mut places = vec![0.0; places(objets.len())];
-    let arbre = Monde::new(&objets, &mut places).unwrap();
+    let arbre = avec_arbre(&objets);
     assert!(noeuds(&arbre) > 4);
     let premiere = |h: Monde<'_, R, Compteur<'_>>| assert!(h.premiere_intersection(&rayon).is_ok());
     let [_, rangee, a_cote] = combien(&arbre, premiere);
@@ -88,15 +87,14 @@ en_f32_et_f64!(un_arbre_s_arrete_des_qu_il_peut);
 /// Two rays of a call go one by one; sixty-four ask for an object together, those of a list for every object.
 fn peu_de_rayons_vont_un_par_un<R: Reel>() {
     let (objets, rayon) = (scene::<R>(), rayon());
-    let mut places = vec![0.0; places(objets.len())];
-    let arbre = Monde::new(&objets, &mut places).unwrap();
-    for hierarchie in [arbre, Monde::de_liste(&objets)] {
+    let arbre = avec_arbre(&objets);
+    for monde in [arbre, Monde::de_liste(&objets)] {
         let demandes = |nombre: usize| {
-            let premieres = combien(&hierarchie, |h| {
+            let premieres = combien(&monde, |h| {
                 let mut touches = vec![Err(NoIntersection); nombre];
                 h.premieres_intersections(&vec![rayon; nombre], &mut touches).unwrap();
             });
-            let ombres = combien(&hierarchie, |h| {
+            let ombres = combien(&monde, |h| {
                 let ombre = rayon.jusqu_a(R::depuis_f64(50.0)).unwrap();
                 h.sont_occultes(&vec![ombre; nombre], &mut vec![false; nombre]).unwrap();
             });
@@ -104,7 +102,7 @@ fn peu_de_rayons_vont_un_par_un<R: Reel>() {
         };
         let (un, deux, bloc) = (demandes(1), demandes(2), demandes(64));
         assert_eq!(deux, un.map(|combien| combien.map(|n| 2 * n)));
-        let a_cote = if noeuds(&hierarchie) > 0 { 0 } else { BOULES as u32 };
+        let a_cote = if noeuds(&monde) > 0 { 0 } else { BOULES as u32 };
         for [mur, rangee, autres] in bloc {
             assert!(mur == 1 && rangee <= BOULES as u32 && autres == a_cote, "{bloc:?}");
         }

@@ -4,11 +4,11 @@
 
 use std::cmp::Ordering;
 
-use commun::fabrique::{mur, sphere};
+use commun::fabrique::{avec_arbre, boite, boite_droite, mur, sphere, v};
+use commun::hasard::{Hasard, Tirage, pour_chaque};
 use commun::oracle::{Exact, verite};
 use commun::regimes::{Cas, direction, entre, regimes};
 use commun::{arrondi, en_f32_et_f64};
-use fastrand::Rng;
 use lancer_rayon::{
     BoiteGeo, Monde, NoIntersection, Nombre, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo,
     Texture, Vecteur, places, premiere_intersection,
@@ -30,40 +30,40 @@ fn premier_exact<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> Option<us
     premier.map(|(i, _)| i)
 }
 
-/// Judges the answer of a list to a ray, by itself and by two hierarchies of it, of which the second has long boxes cut
+/// Judges the answer of a list to a ray, by itself and by two trees of it, of which the second has long boxes cut
 /// into pieces, and two answers that are wrong; whether it is certain.
 fn juger<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> bool {
     let touche = premiere_intersection(objets, rayon);
     let mut memoires = [1, 6].map(|fois| vec![0.0; fois * places(objets.len())]);
     let [memoire, grande] = memoires.each_mut();
-    let hierarchies = [Monde::new(objets, memoire), Monde::en_morceaux(objets, grande)];
+    let mondes = [Monde::new(objets, memoire), Monde::en_morceaux(objets, grande)];
     let exact = premier_exact(objets, rayon);
     let certaine = Monde::de_liste(objets).certifie(rayon, &touche);
     let contexte = || format!("{touche:?}, but {exact:?}: {objets:?} {rayon:?}");
     let dite = touche.ok().map(|touche| touche.indice());
     assert!(!certaine || dite == exact, "{}", contexte());
-    for hierarchie in hierarchies.map(Result::unwrap) {
-        let par_l_arbre = hierarchie.certifie(rayon, &touche);
+    for monde in mondes.map(Result::unwrap) {
+        let par_l_arbre = monde.certifie(rayon, &touche);
         assert!(!par_l_arbre || dite == exact, "by the tree: {}", contexte());
         // The tree leaves out what the list must look at.
         assert!(par_l_arbre || !certaine, "less certain by the tree: {}", contexte());
         // What would be first without the first is wrong, and so is a miss.
         let Some(exact) = exact else { continue };
-        let suivante = hierarchie.sans(exact).premiere_intersection(rayon);
+        let suivante = monde.sans(exact).premiere_intersection(rayon);
         for fausse in [suivante, Err(NoIntersection)] {
             assert!(
                 !Monde::de_liste(objets).certifie(rayon, &fausse),
                 "{fausse:?}: {}",
                 contexte()
             );
-            assert!(!hierarchie.certifie(rayon, &fausse), "tree, {fausse:?}: {}", contexte());
+            assert!(!monde.certifie(rayon, &fausse), "tree, {fausse:?}: {}", contexte());
         }
     }
     certaine
 }
 
 /// An object with another number, moved by a few units in the last place or by nothing.
-fn presque<R: Reel>(objet: &ObjetRay<R>, alea: &mut Rng) -> ObjetRay<R> {
+fn presque<R: Reel>(objet: &ObjetRay<R>, alea: &mut Hasard) -> ObjetRay<R> {
     let mut peu = |x: R| {
         let k = if alea.bool() { 0.0 } else { f64::from(alea.i8(-3..=3)) };
         R::depuis_f64(x.vers_f64() * (1.0 + k * 2.0 * R::U.vers_f64()))
@@ -88,80 +88,72 @@ fn presque<R: Reel>(objet: &ObjetRay<R>, alea: &mut Rng) -> ObjetRay<R> {
 
 /// The hard cases of each shape, with twins in front and behind, which enter at nearly one distance.
 fn parmi_des_jumeaux_rien_de_faux_n_est_certifie<R: Reel>() {
-    let mut alea = Rng::with_seed(70);
-    let (mut certaines, mut incertaines) = (0, 0);
+    let mut combien = [0; 2];
     for regime in regimes::<R>() {
-        for _ in 0..commun::cas(300) / 4 {
-            let Cas { objet, rayon } = (regime.cas)(&mut alea);
-            let mut objets = vec![objet];
+        let faire = |alea: &mut Hasard| {
+            let Cas { objet, rayon } = (regime.cas)(alea);
             // Some with enough for a tree.
-            for _ in 0..[1, 3, 12][alea.usize(..3)] {
-                objets.push(presque(&objet, &mut alea));
-            }
-            alea.shuffle(&mut objets);
-            let certaine = juger(&objets, &rayon);
-            certaines += u32::from(certaine);
-            incertaines += u32::from(!certaine);
-        }
+            let n = [1, 3, 12][alea.usize(0..3)];
+            let mut objets = alea.liste(n, |alea, _| presque(&objet, alea));
+            objets.push(objet);
+            alea.melanger(&mut objets);
+            (objets, rayon)
+        };
+        pour_chaque(commun::cas(300) / 4, faire, |(objets, rayon)| {
+            combien[usize::from(juger(&objets, &rayon))] += 1;
+        });
     }
+    let [incertaines, certaines] = combien;
     println!("{certaines} certain, {incertaines} not");
     assert!(certaines > incertaines / 10 && incertaines > certaines / 10);
 }
 
 /// Cubes side by side, and rays along axes and in the planes of their sides, straight and almost so.
 fn parmi_des_cubes_accoles_rien_de_faux_n_est_certifie<R: Reel>() {
-    let mut alea = Rng::with_seed(71);
-    let mut certaines = 0;
-    for _ in 0..commun::cas(300) {
-        let cote = [1.0, 0.5, 0.1, 0.3][alea.usize(..4)];
-        let mut objets: Vec<ObjetRay<R>> = Vec::new();
-        for i in 0..27_u32 {
-            if alea.u8(..4) == 0 {
-                continue;
-            }
-            let [x, y, z] = [i % 3, i / 3 % 3, i / 9].map(|k| f64::from(k) * cote);
-            let (centre, cotes) = (Vecteur::new(x, y, z), Vecteur::new(cote, cote, cote));
-            let boite =
-                BoiteGeo::new(arrondi(centre), arrondi(cotes), Rotation::IDENTITE, Texture(i));
-            objets.push(boite.unwrap().into());
-        }
-        let grille = |alea: &mut Rng| f64::from(alea.i8(-2..=6)) * 0.5 * cote;
-        let source = Vecteur::new(grille(&mut alea), grille(&mut alea), 5.0 * cote);
-        let pente = |alea: &mut Rng| {
-            [0.0, 0.0, 1e-9, -1e-17, 1e-300, 0.25, entre(alea, -0.3, 0.3)][alea.usize(..7)]
+    let faire = |alea: &mut Hasard| {
+        let cote = *alea.choix(&[1.0, 0.5, 0.1, 0.3]);
+        let objets = alea.liste(27, |alea, _| {
+            let [x, y, z] = [(); 3].map(|()| f64::from(alea.u8(0..3)) * cote);
+            boite_droite(v(x, y, z), v(cote, cote, cote))
+        });
+        let grille = |alea: &mut Hasard| f64::from(alea.i8(-2..=6)) * 0.5 * cote;
+        let source = v(grille(alea), grille(alea), 5.0 * cote);
+        let pente = |alea: &mut Hasard| {
+            let quelconque = entre(alea, -0.3, 0.3);
+            *alea.choix(&[0.0, 0.0, 1e-9, -1e-17, 1e-300, 0.25, quelconque])
         };
-        let vers = Vecteur::new(pente(&mut alea), pente(&mut alea), -1.0);
-        let rayon = Rayon::new(arrondi(source), arrondi(vers)).unwrap();
+        let vers = v(pente(alea), pente(alea), -1.0);
+        (objets, Rayon::<R>::new(source, vers).unwrap())
+    };
+    let mut certaines = 0;
+    pour_chaque(commun::cas(300), faire, |(objets, rayon)| {
         certaines += u32::from(juger(&objets, &rayon));
-    }
+    });
     println!("{certaines} certain");
     assert!(certaines > commun::cas(300) / 4);
 }
 
 /// A heap of things on a floor at 0, most of its rays clear.
 fn dans_un_tas_tout_rayon_clair_est_certifie<R: Reel>() {
-    let mut alea = Rng::with_seed(72);
-    let haut = arrondi(Vecteur::new(0.0, 1.0, 0.0));
-    let mut objets: Vec<ObjetRay<R>> = vec![mur(Vecteur::NUL, haut)];
-    for i in 1..40 {
-        let ou = arrondi(direction(&mut alea) * 3.0 + Vecteur::new(0.0, 2.0, 0.0));
-        let r = R::depuis_f64(entre(&mut alea, 0.1, 1.0));
-        objets.push(if i % 2 == 0 {
-            SphereGeo::new(ou, r, Texture(i)).unwrap().into()
-        } else {
-            let tour = Rotation::new(arrondi(direction(&mut alea) * 3.0)).unwrap();
-            BoiteGeo::new(ou, Vecteur::new(r, r, r + r), tour, Texture(i)).unwrap().into()
+    let faire = |alea: &mut Hasard| {
+        let objets = alea.liste(40, |alea, i| {
+            let ou = arrondi(direction(alea) * 3.0 + Vecteur::new(0.0, 2.0, 0.0));
+            let r = R::depuis_f64(entre(alea, 0.1, 1.0));
+            match i {
+                0 => mur(Vecteur::NUL, Vecteur::Y),
+                _ if i % 2 == 0 => sphere(ou, r),
+                _ => {
+                    let tour = Rotation::new(arrondi(direction(alea) * 3.0)).unwrap();
+                    boite(ou, Vecteur::new(r, r, r + r), tour)
+                }
+            }
         });
-    }
-    let mut certaines = 0;
-    for _ in 0..commun::cas(300) {
-        let source = direction(&mut alea) * 9.0 + Vecteur::new(0.0, 9.0, 0.0);
-        let vers = direction(&mut alea) * 3.0 + Vecteur::new(0.0, 2.0, 0.0) - source;
-        let rayon = Rayon::new(arrondi(source), arrondi(vers)).unwrap();
-        certaines += u32::from(juger(&objets, &rayon));
-    }
+        let source = direction(alea) * 9.0 + Vecteur::new(0.0, 9.0, 0.0);
+        let vers = direction(alea) * 3.0 + Vecteur::new(0.0, 2.0, 0.0) - source;
+        (objets, Rayon::new(arrondi(source), arrondi(vers)).unwrap())
+    };
     // None of these is near to any decision.
-    assert_eq!(certaines, commun::cas(300));
+    pour_chaque(commun::cas(300), faire, |(objets, rayon)| assert!(juger(&objets, &rayon)));
 }
 
 en_f32_et_f64!(parmi_des_jumeaux_rien_de_faux_n_est_certifie);
@@ -192,16 +184,15 @@ fn un_objet_laisse_de_cote_n_est_pas_certifie() {
     for n in [3, 20] {
         let boule = |i: u8| sphere(Vecteur::Z * (-5.0 - 3.0 * f64::from(i)), 1.0);
         let objets: Vec<_> = (0..n).map(boule).collect();
-        let mut places = vec![0.0; places(objets.len())];
-        let hierarchie = Monde::new(&objets, &mut places).unwrap();
+        let monde = avec_arbre(&objets);
         let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.0, 0.0, -1.0)).unwrap();
-        let autres = hierarchie.parmi(|indice| indice != 0);
-        let premiere = hierarchie.premiere_intersection(&rayon);
+        let autres = monde.parmi(|indice| indice != 0);
+        let premiere = monde.premiere_intersection(&rayon);
         let suivante = autres.premiere_intersection(&rayon);
-        assert!(hierarchie.certifie(&rayon, &premiere));
+        assert!(monde.certifie(&rayon, &premiere));
         assert!(!autres.certifie(&rayon, &premiere));
         assert!(autres.certifie(&rayon, &suivante));
-        assert!(!hierarchie.certifie(&rayon, &suivante));
+        assert!(!monde.certifie(&rayon, &suivante));
     }
 }
 
@@ -210,28 +201,29 @@ fn un_objet_laisse_de_cote_n_est_pas_certifie() {
 #[test]
 fn au_dela_de_deux_erreurs_deux_entrees_sont_distinguees() {
     let u = f64::U;
-    let mut alea = Rng::with_seed(73);
     let (mut sures, mut loin_de_2_50, mut pire) = (0, 0, 0.0_f64);
     for regime in regimes::<f64>() {
-        for _ in 0..10 * commun::cas(300) {
-            let Cas { objet, rayon } = (regime.cas)(&mut alea);
-            let objets = [objet, presque(&objet, &mut alea)];
+        let faire = |alea: &mut Hasard| {
+            let Cas { objet, rayon } = (regime.cas)(alea);
+            ([objet, presque(&objet, alea)], rayon)
+        };
+        pour_chaque(10 * commun::cas(300), faire, |(objets, rayon)| {
             let verites = objets.each_ref().map(|objet| verite(objet, &rayon));
             // Where each object is certain, and each distance promised.
             let de_bande = verites.iter().any(|verite| verite.dans_la_marge);
             if de_bande || !objets.iter().all(|objet| objet.est_certain(&rayon)) {
-                continue;
+                return;
             }
-            let [Some(une), Some(autre)] = verites.map(|verite| verite.entree) else { continue };
+            let [Some(une), Some(autre)] = verites.map(|verite| verite.entree) else { return };
             let touche = premiere_intersection(&objets, &rayon);
             let juste = premier_exact(&objets, &rayon) == touche.ok().map(|touche| touche.indice());
             let ecart = une.ecart_de(&autre).abs();
             if !juste || ecart == 0.0 {
-                continue;
+                return;
             }
             if Monde::de_liste(&objets).certifie(&rayon, &touche) {
                 sures += 1;
-                continue;
+                return;
             }
             // An end of J8 lies beyond the entry by twice the error, and by the roundings of t.
             let [t, t_autre] = [&une, &autre].map(|entree| entree.t.vers_f64());
@@ -242,7 +234,7 @@ fn au_dela_de_deux_erreurs_deux_entrees_sont_distinguees() {
             assert!(ecart <= permis, "{ecart:e} > {permis:e}: {objets:?} {rayon:?}");
             pire = pire.max(ecart / (u * (une.kappa_t + autre.kappa_t)));
             loin_de_2_50 += u32::from(ecart > 1000.0 * (-50_f64).exp2() * t);
-        }
+        });
     }
     println!(
         "{sures} certain; {loin_de_2_50} not, a thousand times 2⁻⁵⁰ of t apart; at most {pire}·2⁻⁵³(κ + κ′)t"

@@ -3,10 +3,10 @@
 
 use commun::en_f32_et_f64;
 use commun::fabrique::{boite, boite_droite, mur, sphere, v};
+use commun::hasard::{Hasard, Tirage, pour_chaque};
 use commun::oracle::{norme_au_carre_moins_un, verite};
 use commun::promesses::{Essai, erreur, est_certain};
 use commun::regimes::{Cas, Extreme, direction, entre, regimes};
-use fastrand::Rng;
 use lancer_rayon::{
     BoiteGeo, ErreurGeo, Monde, Nombre, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo,
     Texture, Vecteur, premiere_intersection,
@@ -81,24 +81,23 @@ fn une_distance_a_peine_trop_grande_n_est_pas_sure() {
 /// A ray that passes a turned box by beside an edge, some 2⁻⁵⁰ to 2⁻⁹⁰ of its distance: exactly a miss, and certain.
 #[test]
 fn un_manque_a_cote_d_une_arete_est_sur() {
-    let mut alea = Rng::with_seed(55);
     let mut manques = 0;
-    for _ in 0..20_000 {
-        let tour = Rotation::new(direction(&mut alea) * 3.0).unwrap();
+    let faire = |alea: &mut Hasard| {
+        let tour = Rotation::new(direction(alea) * 3.0).unwrap();
         let cotes = Vecteur::new(2.0, 1.0, 3.0);
-        let boite =
-            BoiteGeo::new(direction(&mut alea), cotes, tour, Texture(0)).unwrap().vers_ray();
+        let boite = BoiteGeo::new(direction(alea), cotes, tour, Texture(0)).unwrap().vers_ray();
         let ([u, v, w], [a, b, c]) = (boite.normales(), boite.demi_longueurs());
-        let arete = boite.centre() + u * a + v * b + w * (c * entre(&mut alea, -0.9, 0.9));
-        let source = arete + u * entre(&mut alea, -3.0, -0.1) + v * entre(&mut alea, 0.1, 3.0);
-        let a_cote = arete + (u + v) * entre(&mut alea, -90.0, -48.0).exp2();
-        let rayon = Rayon::new(source, a_cote - source).unwrap();
-        let boite = ObjetRay::from(boite);
+        let arete = boite.centre() + u * a + v * b + w * (c * entre(alea, -0.9, 0.9));
+        let source = arete + u * entre(alea, -3.0, -0.1) + v * entre(alea, 0.1, 3.0);
+        let a_cote = arete + (u + v) * entre(alea, -90.0, -48.0).exp2();
+        (ObjetRay::from(boite), Rayon::new(source, a_cote - source).unwrap())
+    };
+    pour_chaque(20_000, faire, |(boite, rayon)| {
         if verite(&boite, &rayon).entree.is_none() && boite.intersection(&rayon).is_err() {
             assert!(boite.est_certain(&rayon), "{boite:?} {rayon:?}");
             manques += 1;
         }
-    }
+    });
     assert!(manques > 1_000, "{manques}");
 }
 
@@ -106,46 +105,48 @@ fn un_manque_a_cote_d_une_arete_est_sur() {
 /// through the middle, and past the box.
 #[test]
 fn le_long_d_une_face_tournee_une_reponse_est_sure() {
-    let mut alea = Rng::with_seed(52);
-    for _ in 0..1_000 {
-        let rotation = Rotation::new(Vecteur::new(0.0, entre(&mut alea, -3.0, 3.0), 0.0)).unwrap();
+    let faire = |alea: &mut Hasard| (entre(alea, -3.0, 3.0), entre(alea, -0.9, 0.9));
+    pour_chaque(1_000, faire, |(angle, a_cote)| {
+        let rotation = Rotation::new(Vecteur::new(0.0, angle, 0.0)).unwrap();
         let cotes = Vecteur::new(2.0, 2.0, 2.0);
         let boite = BoiteGeo::new(Vecteur::NUL, cotes, rotation, Texture(0)).unwrap().vers_ray();
         let [u, v, w] = boite.normales();
         let boite = ObjetRay::from(boite);
         let vers_le_fond = |source| Rayon::new(source, -w).unwrap();
-        let rayon = vers_le_fond(w * 5.0 + u * entre(&mut alea, -0.9, 0.9));
+        let rayon = vers_le_fond(w * 5.0 + u * a_cote);
         let touche = boite.intersection(&rayon).unwrap();
         assert!(boite.est_certain(&rayon) && boite.erreur(&rayon, &touche) < 1e-14, "{rayon:?}");
         for cote in [u, v] {
             assert!(boite.est_certain(&vers_le_fond(w * 5.0 + cote * 1.2)), "{rayon:?}");
         }
-    }
+    });
 }
 
 /// Of ordinary rays every right answer is sure, and `erreur` is what it says: the error itself, what D lacks to length
 /// 1 and a rounding of t.
 fn une_reponse_juste_est_sure<R: Reel>() {
-    let mut alea = Rng::with_seed(54);
     let (mut touches, mut pire) = (0, 0.0_f64);
     for regime in regimes::<R>().into_iter().filter(|regime| regime.extreme == Extreme::Aucun) {
-        for _ in 0..300 {
-            let Cas { objet, rayon, .. } = (regime.cas)(&mut alea);
-            let (touche, entree) = (objet.intersection(&rayon), verite(&objet, &rayon).entree);
-            assert_eq!(
-                objet.est_certain(&rayon),
-                touche.is_ok() == entree.is_some(),
-                "{objet:?} {rayon:?}"
-            );
-            if let (Ok(touche), Some(entree)) = (touche, entree) {
-                let t = touche.distance();
-                let d = norme_au_carre_moins_un(rayon.direction()) / 2.0;
-                let de_d = t.vers_f64() * d.abs();
-                let attendue = entree.ecart(t).abs() + de_d + (t * R::U).vers_f64();
-                pire = pire.max(objet.erreur(&rayon, &touche).vers_f64() / attendue);
-                touches += 1;
-            }
-        }
+        pour_chaque(
+            300,
+            |alea| (regime.cas)(alea),
+            |Cas { objet, rayon }| {
+                let (touche, entree) = (objet.intersection(&rayon), verite(&objet, &rayon).entree);
+                assert_eq!(
+                    objet.est_certain(&rayon),
+                    touche.is_ok() == entree.is_some(),
+                    "{objet:?} {rayon:?}"
+                );
+                if let (Ok(touche), Some(entree)) = (touche, entree) {
+                    let t = touche.distance();
+                    let d = norme_au_carre_moins_un(rayon.direction()) / 2.0;
+                    let de_d = t.vers_f64() * d.abs();
+                    let attendue = entree.ecart(t).abs() + de_d + (t * R::U).vers_f64();
+                    pire = pire.max(objet.erreur(&rayon, &touche).vers_f64() / attendue);
+                    touches += 1;
+                }
+            },
+        );
     }
     // In `f32` a glance may leave a sixty-fourth of u·t open; what rounds besides is some 27u.
     assert!(touches > 300 && pire < 1.0 + 1.0 / 60.0, "{touches} {pire}");
@@ -245,45 +246,46 @@ fn presque_le_long_d_un_sol_tourne_une_reponse_juste_n_est_pas_sure() {
 
 /// The same where nothing but N·D is exact: of a right hit the answer is sure, and its distance bounded.
 fn dans_le_plan_d_une_face_un_contact_est_sur<R: Reel>() {
-    let mut alea = Rng::with_seed(56);
     let mut touches = 0;
-    for _ in 0..1_000 {
-        let centre = v(entre(&mut alea, -1.0, 1.0), 0.5, entre(&mut alea, -1.0, 1.0));
-        let cotes = v(2.0, 2.0, 3.0);
-        let boite: ObjetRay<R> = boite_droite(centre, cotes);
-        for y in [-0.5, 1.5] {
-            let source = v(-5.0, y, 0.0);
-            let vers = v(1.0, 0.0, entre(&mut alea, -0.3, 0.3));
-            let rayon = Rayon::new(source, vers).unwrap();
+    let faire = |alea: &mut Hasard| {
+        let centre = v(entre(alea, -1.0, 1.0), 0.5, entre(alea, -1.0, 1.0));
+        (centre, [-0.5, 1.5].map(|y| (y, entre(alea, -0.3, 0.3))))
+    };
+    pour_chaque(1_000, faire, |(centre, rayons)| {
+        let boite: ObjetRay<R> = boite_droite(centre, v(2.0, 2.0, 3.0));
+        for (y, pente) in rayons {
+            let rayon = Rayon::new(v(-5.0, y, 0.0), v(1.0, 0.0, pente)).unwrap();
             let Ok(touche) = boite.intersection(&rayon) else { continue };
             assert!(boite.est_certain(&rayon), "{boite:?} {rayon:?}");
             assert!(boite.erreur(&rayon, &touche) < R::U * R::depuis_f64(64.0), "{rayon:?}");
             touches += 1;
         }
-    }
+    });
     assert!(touches > 1_000, "{touches}");
 }
 
 en_f32_et_f64!(dans_le_plan_d_une_face_un_contact_est_sur);
 
 /// A number of few bits: 0, a power of two, or one with a far smaller one beside it.
-fn creux<R: Reel>(alea: &mut Rng) -> R {
+fn creux<R: Reel>(alea: &mut Hasard) -> R {
     let fond = R::MIN_POSITIF.vers_f64().log2() as i32;
-    let k = if alea.bool() { alea.i32(-8..=8) } else { alea.i32(fond..-fond / 3) };
-    let ecart = if alea.bool() { 60 } else { -fond };
-    let plus_bas = (k - alea.i32(1..=ecart)).max(fond);
+    let mut dans =
+        |debut: i32, fin: i32| debut + alea.usize(0..debut.abs_diff(fin) as usize) as i32;
+    let k = if dans(0, 2) == 1 { dans(-8, 9) } else { dans(fond, -fond / 3) };
+    let ecart = if dans(0, 2) == 1 { 60 } else { -fond };
+    let plus_bas = (k - dans(1, ecart + 1)).max(fond);
     let [a, b] = [k, plus_bas].map(|k| f64::from(k).exp2());
-    let x = [0.0, a, a, a + b, a - b][alea.usize(..5)];
+    let x = *alea.choix(&[0.0, a, a, a + b, a - b]);
     R::depuis_f64(if alea.bool() { x } else { -x })
 }
 
-fn triple<R: Reel>(alea: &mut Rng) -> Vecteur<R> {
+fn triple<R: Reel>(alea: &mut Hasard) -> Vecteur<R> {
     Vecteur::new(creux(alea), creux(alea), creux(alea))
 }
 
 /// An object and a ray of such numbers: along an axis of the object more often than not, and from a place that is
 /// on its surface, or beside, at some distance along the ray.
-fn essai<R: Reel>(alea: &mut Rng) -> Result<(ObjetRay<R>, Rayon<R>), ErreurGeo> {
+fn essai<R: Reel>(alea: &mut Hasard) -> Result<(ObjetRay<R>, Rayon<R>), ErreurGeo> {
     let (peu, e) = (creux::<R>(alea), entre(alea, 0.0, 6.0));
     let m = [
         [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(|l| l.map(R::depuis_f64)),
@@ -291,28 +293,28 @@ fn essai<R: Reel>(alea: &mut Rng) -> Result<(ObjetRay<R>, Rayon<R>), ErreurGeo> 
         [[e.cos(), 0.0, -e.sin()], [0.0, 1.0, 0.0], [e.sin(), 0.0, e.cos()]]
             .map(|l| l.map(R::depuis_f64)),
         [[R::UN, -peu, R::ZERO], [peu, R::UN, R::ZERO], [R::ZERO, R::ZERO, R::UN]],
-    ][alea.usize(..4)];
+    ][alea.usize(0..4)];
     let rotation = Rotation::depuis_matrice(m)?;
     let axes = m.map(Vecteur::from);
-    let d = match alea.u8(..4) {
+    let d = match alea.u8(0..4) {
         0 => triple(alea),
         1 => Vecteur::new(R::UN, creux(alea), creux(alea)),
-        _ => axes[alea.usize(..3)],
+        _ => axes[alea.usize(0..3)],
     };
     let d = if alea.bool() { d } else { -d };
     // Or the smallest number beside O, which the surface is then around.
     let mut moindre = [R::ZERO; 3];
-    moindre[alea.usize(..3)] = if alea.bool() { R::MIN_POSITIF } else { -R::MIN_POSITIF };
+    moindre[alea.usize(0..3)] = if alea.bool() { R::MIN_POSITIF } else { -R::MIN_POSITIF };
     let quelconque = triple(alea);
     let (centre, autour) =
         [(Vecteur::NUL, Vecteur::NUL), (moindre.into(), Vecteur::NUL), (quelconque, quelconque)]
-            [alea.usize(..3)];
+            [alea.usize(0..3)];
     let [a, b, c] = <[R; 3]>::from(triple::<R>(alea)).map(R::abs);
-    let cote = |alea: &mut Rng, l: R| [l, -l, creux(alea)][alea.usize(..3)];
+    let cote = |alea: &mut Hasard, l: R| [l, -l, creux(alea)][alea.usize(0..3)];
     let bord = axes[0] * cote(alea, a) + axes[1] * cote(alea, b) + axes[2] * cote(alea, c);
-    let (objet, bord) = match alea.u8(..3) {
+    let (objet, bord) = match alea.u8(0..3) {
         0 => {
-            let bord = axes[alea.usize(..3)] * a;
+            let bord = axes[alea.usize(0..3)] * a;
             (SphereGeo::new(centre, a, Texture(0))?.into(), autour + bord)
         }
         1 => (PlanGeo::new(rotation, a, Texture(0))?.into(), axes[2] * -a + axes[0] * b),
@@ -321,20 +323,20 @@ fn essai<R: Reel>(alea: &mut Rng) -> Result<(ObjetRay<R>, Rayon<R>), ErreurGeo> 
             (BoiteGeo::new(centre, cotes, rotation, Texture(0))?.into(), autour + bord)
         }
     };
-    let source = if alea.u8(..4) > 0 { bord - d * creux::<R>(alea).abs() } else { triple(alea) };
+    let source = if alea.u8(0..4) > 0 { bord - d * creux::<R>(alea).abs() } else { triple(alea) };
     Ok((objet, Rayon::new(source, d)?))
 }
 
 fn rien_de_faux_n_est_sur<R: Reel>() {
-    let mut alea = Rng::with_seed(52);
     let [mut surs, mut incertains] = [0; 2];
-    while surs < commun::cas(20_000) {
-        let Ok((objet, rayon)) = essai::<R>(&mut alea) else { continue };
+    pour_chaque(commun::cas(40_000), essai::<R>, |essai| {
+        let Ok((objet, rayon)) = essai else { return };
         juger(objet, rayon);
         let sur = objet.est_certain(&rayon);
         surs += u32::from(sur);
         incertains += u32::from(!sur);
-    }
+    });
+    assert!(surs > commun::cas(15_000) && incertains > surs / 100, "{incertains} of {surs}");
     assert!(incertains > surs / 100, "{incertains} of {surs}");
 }
 

@@ -5,13 +5,13 @@
 //! construction that builds nothing is red.
 
 use commun::fabrique::sphere;
+use commun::hasard::{Hasard, Tirage, pour_chaque};
 use commun::litteral;
 use commun::mesure::rayon_non_perdu;
 use commun::oracle::Exact;
 use commun::regimes::{Cas, Genre, deux_puissance, direction, entre, regimes};
 use commun::tolerances::{promesses, u};
 use commun::{arrondi, en_f32_et_f64};
-use fastrand::Rng;
 use lancer_rayon::pour_les_tests::{ARRONDI_PERDU, PENCHE, PUISSANCE_PERDUE, TRAVERS_PERDU};
 use lancer_rayon::{
     Intersection, NoIntersection, Nombre, ObjetRay, PlanGeo, Rayon, Reel, Rotation, Texture,
@@ -23,13 +23,16 @@ const CAS: u32 = 2_000;
 
 /// Passes on every hit of the regimes of a shape.
 fn chaque_touche<R: Reel>(genre: Genre, mut juger: impl FnMut(&Cas<R>, &Intersection<R>)) {
-    let mut alea = Rng::with_seed(9);
     for regime in regimes::<R>().into_iter().filter(|regime| regime.genre == genre) {
-        for cas in (0..CAS).map(|_| (regime.cas)(&mut alea)) {
-            if let Ok(touche) = cas.objet.intersection(&cas.rayon) {
-                juger(&cas, &touche);
-            }
-        }
+        pour_chaque(
+            CAS,
+            |alea| (regime.cas)(alea),
+            |cas| {
+                if let Ok(touche) = cas.objet.intersection(&cas.rayon) {
+                    juger(&cas, &touche);
+                }
+            },
+        );
     }
 }
 
@@ -66,12 +69,14 @@ en_f32_et_f64!(la_normale_d_une_sphere_est_celle_du_point);
 /// Built: a sphere as small as the rounding of its distance, so that CB may point away from the
 /// source. Held: N is then what CB has across the ray, leaned towards the source.
 fn la_normale_d_une_sphere_perdue_est_en_travers_du_rayon<R: Reel>() {
-    let (mut alea, mut penchees) = (Rng::with_seed(17), 0);
-    for _ in 0..20 * CAS {
-        let rayon = Rayon::new(Vecteur::NUL, arrondi::<R>(direction(&mut alea))).unwrap();
-        let (d, loin) = (rayon.direction(), R::depuis_f64(1.0 + alea.f64()));
+    let mut penchees = 0;
+    let faire =
+        |alea: &mut Hasard| (arrondi::<R>(direction(alea)), R::depuis_f64(1.0 + alea.f64()));
+    pour_chaque(20 * CAS, faire, |(d, loin)| {
+        let rayon = Rayon::new(Vecteur::NUL, d).unwrap();
+        let d = rayon.direction();
         let centre = d * loin;
-        let Ok(touche) = sphere(centre, loin * R::U).intersection(&rayon) else { continue };
+        let Ok(touche) = sphere(centre, loin * R::U).intersection(&rayon) else { return };
         // Exact in f64 for f32.
         let cb = (d * touche.distance() - centre).vers_f64();
         let d = d.vers_f64();
@@ -83,7 +88,7 @@ fn la_normale_d_une_sphere_perdue_est_en_travers_du_rayon<R: Reel>() {
             assert!(ecart <= (PENCHE + 4.0) * u::<R>(), "off by {ecart:e}: {centre:?} {rayon:?}");
             penchees += 1;
         }
-    }
+    });
     assert!(penchees > 20, "{penchees} leaned");
 }
 
@@ -92,23 +97,21 @@ en_f32_et_f64!(la_normale_d_une_sphere_perdue_est_en_travers_du_rayon);
 /// Built: a sphere so small and far that nothing is left of CB, and |D|² just within the 12u up to
 /// which D is kept. Held: N is −D made unit, to the 3.6u of the promise, which −D itself exceeds.
 fn la_normale_d_une_sphere_perdue_est_unitaire<R: Reel>() {
-    let (mut alea, mut perdues) = (Rng::with_seed(11), 0);
+    let mut perdues = 0;
     let long = R::UN + R::depuis_f64(6.0 * u::<R>());
     let axes = [[long, R::ZERO, R::ZERO], [R::ZERO, -long, R::ZERO]].map(Vecteur::from);
-    for d in (0..CAS).flat_map(|_| axes) {
+    let faire = |alea: &mut Hasard| (axes[alea.tour % 2], R::depuis_f64(1.0 + alea.f64()));
+    pour_chaque(2 * CAS, faire, |(d, loin)| {
         let rayon = Rayon::new(Vecteur::NUL, d).unwrap();
         assert_eq!(rayon.direction(), d);
-        let objet = sphere(d * R::depuis_f64(1.0 + alea.f64()), R::U * R::U);
-        let Ok(touche) = objet.intersection(&rayon) else { continue };
+        let Ok(touche) = sphere(d * loin, R::U * R::U).intersection(&rayon) else { return };
         let n = touche.normale();
         let ecart = (n.vers_f64().longueur() - 1.0).abs();
-        assert!(
-            ecart <= promesses::UNITAIRE_SPHERE * u::<R>(),
-            "|N| is off by {ecart:e}: {rayon:?}"
-        );
+        let permis = promesses::UNITAIRE_SPHERE * u::<R>();
+        assert!(ecart <= permis, "|N| is off by {ecart:e}: {rayon:?}");
         assert!(n.produit_scalaire(d) < R::ZERO, "{n:?} {rayon:?}");
         perdues += 1;
-    }
+    });
     assert!(perdues > CAS / 4, "{perdues} hits");
 }
 
@@ -119,15 +122,15 @@ en_f32_et_f64!(la_normale_d_une_sphere_perdue_est_unitaire);
 /// Built: C level with the source, and |SC| within 3 units in the last place of r, so that rounding
 /// sees S outside and the ray enter. Held: a miss.
 fn sc_a_angle_droit_de_d_manque<R: Reel>() {
-    let mut alea = Rng::with_seed(10);
-    for _ in 0..CAS {
+    let faire = |alea: &mut Hasard| {
         let sc = arrondi::<R>(Vecteur::new(0.0, 1.0 + alea.f64(), alea.f64()));
         let mut presque_un = || R::depuis_f64(1.0 + f64::from(alea.i8(-3..=3)) * 2.0 * u::<R>());
         let objet = sphere(sc, sc.longueur() * presque_un());
-        let vers = Vecteur::new(presque_un(), R::ZERO, R::ZERO);
-        let rayon = Rayon::new(Vecteur::NUL, vers).unwrap();
+        (objet, Rayon::new(Vecteur::NUL, Vecteur::new(presque_un(), R::ZERO, R::ZERO)).unwrap())
+    };
+    pour_chaque(CAS, faire, |(objet, rayon)| {
         assert_eq!(objet.intersection(&rayon), Err(NoIntersection));
-    }
+    });
 }
 
 en_f32_et_f64!(sc_a_angle_droit_de_d_manque);
@@ -147,14 +150,15 @@ en_f32_et_f64!(une_sphere_est_touchee_avant_a);
 /// Built: a unit sphere from 2^-8/u to 4/u away, about the origin, where P is hardly rounded, or as far
 /// from the origin. Held: `marge()` is +∞ exactly where `docs/precision.md` puts it.
 fn une_sphere_perdue_a_une_marge_infinie<R: Reel>() {
-    let (mut alea, mut finies, mut opposes, mut infinies) = (Rng::with_seed(12), 0, 0, [0; 3]);
-    for _ in 0..20 * CAS {
-        let (d, loin) = (direction(&mut alea), deux_puissance(&mut alea, -8.0, 2.0) / u::<R>());
-        let centre = direction(&mut alea) * if alea.bool() { alea.f64() } else { loin };
-        let source = arrondi(centre - d * loin + direction(&mut alea) * alea.f64());
-        let centre = arrondi::<R>(centre);
-        let Ok(rayon) = Rayon::new(source, arrondi(d)) else { continue };
-        let Ok(touche) = sphere(centre, R::UN).intersection(&rayon) else { continue };
+    let (mut finies, mut opposes, mut infinies) = (0, 0, [0; 3]);
+    let faire = |alea: &mut Hasard| {
+        let (d, loin) = (direction(alea), deux_puissance(alea, -8.0, 2.0) / u::<R>());
+        let centre = direction(alea) * if alea.bool() { alea.f64() } else { loin };
+        let source = arrondi(centre - d * loin + direction(alea) * alea.f64());
+        (arrondi::<R>(centre), Rayon::new(source, arrondi(d)).unwrap())
+    };
+    pour_chaque(20 * CAS, faire, |(centre, rayon)| {
+        let Ok(touche) = sphere(centre, R::UN).intersection(&rayon) else { return };
         let (p, n) = (rayon.point(touche.distance()).vers_f64(), touche.normale().vers_f64());
         let cp = p - centre.vers_f64();
         let le_long = n.produit_scalaire(cp);
@@ -167,7 +171,7 @@ fn une_sphere_perdue_a_une_marge_infinie<R: Reel>() {
         ];
         // Nearer to 1 the rounding of the kernel decides: of |CP|² − r², some 8u of r², and of q, 2u of r.
         if rapports.iter().any(|rapport| (rapport - 1.0).abs() < 64.0 * u::<R>()) {
-            continue;
+            return;
         }
         let perdue = rapports.map(|rapport| rapport > 1.0);
         let attendue = perdue.contains(&true) || le_long <= 0.0;
@@ -177,7 +181,7 @@ fn une_sphere_perdue_a_une_marge_infinie<R: Reel>() {
         for (raison, infinies) in infinies.iter_mut().enumerate() {
             *infinies += u32::from(perdue == [0, 1, 2].map(|autre| autre == raison));
         }
-    }
+    });
     // Each of the three reasons must also have been the only one; the point on the far side never is.
     assert!(finies > CAS && infinies.iter().all(|n| *n > 10), "{finies}, {infinies:?}");
     assert!(opposes > 10, "only {opposes} on the far side");
@@ -204,12 +208,13 @@ fn au_centre_la_somme_calculee_decide() {
     fn somme<R: Reel>(p: Vecteur<R>) -> R {
         p.x.abs() + p.y.abs() + p.z.abs()
     }
-    let mut alea = Rng::with_seed(14);
-    let [mut infinies, mut malgre_la_somme_exacte] = [0; 2];
-    for _ in 0..20 * CAS {
-        let centre = arrondi::<f32>(direction(&mut alea));
+    let faire = |alea: &mut Hasard| {
+        let centre = arrondi::<f32>(direction(alea));
         let r = 16.0 * f32::U * (somme(centre) + f32::U * f32::from(alea.i8(-8..=8)));
-        let rayon = Rayon::new(centre, arrondi(direction(&mut alea))).unwrap();
+        (centre, r, Rayon::new(centre, arrondi(direction(alea))).unwrap())
+    };
+    let [mut infinies, mut malgre_la_somme_exacte] = [0; 2];
+    pour_chaque(20 * CAS, faire, |(centre, r, rayon)| {
         let sortie = sphere(centre, r).sortie(&rayon).unwrap();
         let p = sortie.point();
         let calculee = 16.0 * f32::U * somme(p);
@@ -218,7 +223,7 @@ fn au_centre_la_somme_calculee_decide() {
         assert!(!infinie || r < calculee, "{centre:?} {r} {rayon:?}");
         infinies += u32::from(infinie);
         malgre_la_somme_exacte += u32::from(infinie && f64::from(r) >= exacte);
-    }
+    });
     assert!(infinies > CAS && malgre_la_somme_exacte > 0, "{infinies} {malgre_la_somme_exacte}");
 }
 
@@ -258,20 +263,20 @@ en_f32_et_f64!(un_point_du_cote_oppose_a_une_marge_infinie);
 /// the normal is unit.
 #[test]
 fn la_normale_d_une_sphere_dont_cb2_se_perd_est_unitaire() {
-    let mut alea = Rng::with_seed(18);
+    let tres_peu = |alea: &mut Hasard| entre(alea, -1.0, 1.0) * (-530_f64).exp2();
+    let faire = |alea: &mut Hasard| {
+        let d = Vecteur::new(tres_peu(alea), -1.0, tres_peu(alea));
+        let source = Vecteur::new(tres_peu(alea), 1.0 + alea.f64(), tres_peu(alea));
+        Rayon::new(source, d).unwrap()
+    };
     let mut perdues = 0;
-    for _ in 0..CAS {
-        let tres_peu = |alea: &mut Rng| entre(alea, -1.0, 1.0) * (-530_f64).exp2();
-        let d = Vecteur::new(tres_peu(&mut alea), -1.0, tres_peu(&mut alea));
-        let source = Vecteur::new(tres_peu(&mut alea), 1.0 + alea.f64(), tres_peu(&mut alea));
-        let rayon = Rayon::new(source, d).unwrap();
-        let Ok(touche) = sphere(Vecteur::NUL, (-430_f64).exp2()).intersection(&rayon) else {
-            continue;
-        };
+    pour_chaque(CAS, faire, |rayon| {
+        let boule = sphere(Vecteur::NUL, (-430_f64).exp2());
+        let Ok(touche) = boule.intersection(&rayon) else { return };
         let ecart = (touche.normale().longueur() - 1.0).abs();
         assert!(ecart <= 8.0 * f64::U, "{ecart:e}: {rayon:?}");
         perdues += 1;
-    }
+    });
     assert!(perdues > CAS / 4, "{perdues} hits");
 }
 

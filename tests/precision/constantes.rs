@@ -7,7 +7,7 @@
 //! domain, and what direction is kept, a decision (C13).
 //!
 //! Taken from the text, and not found here:
-//! - how many arrondings a step of an algorithm has, and what each is relative to;
+//! - how often a step of an algorithm rounds, and what each is relative to;
 //! - what is of second order in u, where the text says "to O(u²)": one factor such as `plus(20.0,
 //!   u)` stands for all of it, larger than what was counted by hand;
 //! - lemma 3: that two comparisons at most lie between an entry and an exit; lemma 4: that k speeds
@@ -215,7 +215,7 @@ fn lemme_3_les_bandes_suffisent() {
         |u, [f]| {
             let rho = 1.0 - f;
             let o = f * n(u);
-            // Two comparisons in a row, half of their arronding for each of the two lengths.
+            // Two comparisons in a row, half of their rounding errors for each of the two lengths.
             let compare = et(rapport(u), rapport(u), u) * 0.5;
             let longueur = rho + o * plus(gamma(4.0, u), u);
             Some(gamma(4.0, u) * o + et(i(1.0), compare, u) * longueur)
@@ -427,7 +427,7 @@ fn lemme_7_les_bornes_d_une_normale_suffisent() {
     let domaine = |u| [de_a(1.0, 1.0 / (promesses::PERDUE * u))];
     let k_kappa_t = |u: f64, y: Intervalle| promesses::DISTANCE_SPHERE * u * (1.0 + 2.0 * y);
     // The part along D of a normal that does not face the source. t is no more than A to 9u·f, CB
-    // is off by 2u·f more, and c is no more than the errors of both and the arronding of N·D.
+    // is off by 2u·f more, and c is no more than the errors of both and the rounding error of N·D.
     let part = |u: f64, y: Intervalle| {
         let c2 = k_kappa_t(u, y) + u * (2.0 * y + 9.0);
         (11.0 * y * u + 4.0 * u) / ((1.0 - c2).racine() - 4.0 * y * u)
@@ -734,7 +734,7 @@ fn lemme_13_une_rotation_reste_orthonormale() {
         produit.max(fait)
     };
     // I − M·Mᵀ is off by γ₃ of f64, and so is what is left; then the sum of the step. In f64 that
-    // is the last arronding, in f32 the elements round once more.
+    // is the last rounding, in f32 the elements round once more.
     let reste = |u: f64| (pas(compose(u)) + gamma(3.0, v) * v * plus(40.0, v)) / i(u);
     let elements = |u: f64| et(i(1.0), i(1.0), u) + if u > v { 2.0 * v / u } else { 0.0 };
     tenir(ORTHONORMALE, |u| et(reste(u), elements(u), u));
@@ -876,7 +876,7 @@ fn lemme_20_le_jeu_d_un_objet_suffit() {
         let place = et(i(1.0), i(1.0), u);
         let deplacee = i(1.0) + 2.0 * i(1.0) + 2.0 * i(2.0);
         let deplacee = if u == v { i(0.0) } else { deplacee };
-        // An object: three arrondings of its centre, and two for the distances.
+        // An object: three rounding errors of its centre, and two for the distances.
         let objet = et(et(i(1.0), i(1.0), u), i(1.0), u) + 2.0;
         (TOUCHE_F + (place + deplacee).max(objet)) * plus(200.0, u)
     });
@@ -921,7 +921,7 @@ fn lemme_17_les_bornes_de_l_erreur_suffisent() {
         // AB of −D²·p_A, D² to γ₃, and of 2XA²; then the sum with XA and the quotient by D².
         let ab = et(racine(et(gamma(3.0, u), gamma(2.0, u), u), u), i(1.0), u);
         let ecart = et(ab, et(i(1.0), inverse(gamma(4.0, u), u), u), u);
-        // Times |D|, a root of a sum, and the sum with what D lacks, which has fewer arrondings.
+        // Times |D|, a root of a sum, and the sum with what D lacks, which rounds less often.
         let mesure =
             et(ecart, et(et(racine(gamma(3.0, u), u), i(1.0), u), inverse(gamma(2.0, u), u), u), u);
         // To the scalar, the product that makes it grow, two sums.
@@ -935,7 +935,7 @@ fn lemme_17_les_bornes_de_l_erreur_suffisent() {
 
 #[test]
 fn lemme_18_les_bornes_du_coup_d_oeil_suffisent() {
-    // In f64, of numbers that are unit to the arronding of f32 only.
+    // In f64, of numbers that are unit to the rounding of f32 only.
     let (u, large) = (U[1], 1.0 + D1 * U[0]);
     let tenir = |constante: f64, besoin: Intervalle| {
         assert!(
@@ -1008,7 +1008,7 @@ fn lemme_15_l_etendue_tient_tout_l_objet() {
 }
 
 /// What a ray needs, in u·κt, that leaves the sphere of radius 1 at the cosine `c`, where SA is `b`; `x` as for an
-/// entry. S is ahead of A by no more than arronding.
+/// entry. S is ahead of A by no more than rounding errors.
 fn sortie_apres_a(u: f64, bande: f64, [b, c, x]: [Intervalle; 3]) -> Option<Intervalle> {
     let s = ((1.0 - c).max(i(0.0)) * (1.0 + c)).racine();
     let f = (b.carre() + s.carre()).racine();
@@ -1131,7 +1131,7 @@ fn lemme_10_la_marge_est_finie() {
 #[test]
 fn lemme_10_les_bornes_d_une_normale_suffisent() {
     // y = f/r. S7 rounds f, t̂D and their sum; t is f + r at most, and y + c where the normal is leaned, with
-    // y ≥ 1 − c²/2 then; the quotient, and four arrondings across D.
+    // y ≥ 1 − c²/2 then; the quotient, and four rounding errors across D.
     for u in U {
         let domaine = [de_a(u, 1.0 / (promesses::PERDUE * u))];
         let droite = portee(domaine, promesses::DIRECTION, |[y]| {

@@ -1,11 +1,11 @@
 //! A hit changes as it should when its scene is scaled, mirrored, turned onto other axes or moved.
 
 use commun::fabrique::{boite_droite, sphere};
+use commun::hasard::{Hasard, Tirage, pour_chaque};
 use commun::oracle::verite;
 use commun::regimes::direction;
 use commun::tolerances::{promesses, u};
 use commun::{arrondi, en_f32_et_f64};
-use fastrand::Rng;
 use lancer_rayon::{
     BoiteGeo, Intersection, ObjetGeo, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture, Vecteur,
 };
@@ -16,12 +16,14 @@ const CAS: u32 = 1_000;
 /// the exponent of the distance, over the whole range that a scene can hold.
 fn une_puissance_de_deux_ne_change_aucun_bit<R: Reel>() {
     let bits = R::LIMITE.vers_f64().log2();
-    let mut alea = Rng::with_seed(3);
-    for _ in 0..CAS {
-        let (centre, d) = (direction(&mut alea) * 4.0, direction(&mut alea));
-        let (rayon, dimensions) = (0.5 + alea.f64(), direction(&mut alea));
-        let m = Rotation::new(arrondi(direction(&mut alea) * 3.0)).unwrap();
-        let source = centre - d * (3.0 * alea.f64() + 2.0) + direction(&mut alea) * 0.7;
+    let faire = |alea: &mut Hasard| {
+        let (centre, d) = (direction(alea) * 4.0, direction(alea));
+        let (rayon, dimensions) = (0.5 + alea.f64(), direction(alea));
+        let m = Rotation::new(arrondi::<R>(direction(alea) * 3.0)).unwrap();
+        let source = centre - d * (3.0 * alea.f64() + 2.0) + direction(alea) * 0.7;
+        (centre, d, rayon, dimensions, m, source)
+    };
+    pour_chaque(CAS, faire, |(centre, d, rayon, dimensions, m, source)| {
         let texture = Texture(0);
         let touche = |k: R| {
             let c = arrondi(centre) * k;
@@ -40,7 +42,7 @@ fn une_puissance_de_deux_ne_change_aucun_bit<R: Reel>() {
         for exposant in [-bits + 4.0, -bits / 2.0, -1.0, 7.0, bits - 4.0] {
             assert_eq!(touche(R::depuis_f64(exposant.exp2())), attendu, "2^{exposant}");
         }
-    }
+    });
 }
 
 en_f32_et_f64!(une_puissance_de_deux_ne_change_aucun_bit);
@@ -48,12 +50,13 @@ en_f32_et_f64!(une_puissance_de_deux_ne_change_aucun_bit);
 /// An axis-aligned scene seen in a mirror, or with its axes exchanged, gives the same distance
 /// to the bound, and for the mirror to the bit: no sign is privileged.
 fn ni_signe_ni_axe_n_est_privilegie<R: Reel>() {
-    let mut alea = Rng::with_seed(4);
     let mut touches = 0;
-    for _ in 0..CAS {
-        let (c, d) = (direction(&mut alea) * 4.0, direction(&mut alea));
-        let s = c - d * 5.0 + direction(&mut alea) * 0.5;
-        let (l, r) = ([(); 3].map(|()| 0.5 + alea.f64()), 0.5 + alea.f64());
+    let faire = |alea: &mut Hasard| {
+        let (c, d) = (direction(alea) * 4.0, direction(alea));
+        let s = c - d * 5.0 + direction(alea) * 0.5;
+        (c, d, s, [(); 3].map(|()| 0.5 + alea.f64()), 0.5 + alea.f64())
+    };
+    pour_chaque(CAS, faire, |(c, d, s, l, r)| {
         let lancer = |transforme: &dyn Fn([f64; 3]) -> [f64; 3]| {
             let v = |v: Vecteur| arrondi::<R>(transforme(v.into()).into());
             let dimensions = transforme(l).map(f64::abs);
@@ -81,7 +84,7 @@ fn ni_signe_ni_axe_n_est_privilegie<R: Reel>() {
                 assert!((t_p - t).abs() <= 2.0 * promesses::DISTANCE_SPHERE * u::<R>() * kappa_t);
             }
         }
-    }
+    });
     assert!(touches > CAS / 2);
 }
 
@@ -89,14 +92,15 @@ en_f32_et_f64!(ni_signe_ni_axe_n_est_privilegie);
 
 /// Translation by a power of two that rounds nothing away changes no bit.
 fn une_translation_exacte_ne_change_aucun_bit<R: Reel>() {
-    let mut alea = Rng::with_seed(5);
-    let grille = |alea: &mut Rng, n: i32| R::depuis_f64(f64::from(alea.i32(-n..=n)) / 16.0);
+    let grille = |alea: &mut Hasard| R::depuis_f64((alea.usize(0..129) as f64 - 64.0) / 16.0);
+    let faire = |alea: &mut Hasard| {
+        let [c, s, cible] = [(); 3].map(|()| Vecteur::from([(); 3].map(|()| grille(alea))));
+        (c, Rayon::new(s, cible - s))
+    };
     let mut touches = 0;
-    for _ in 0..CAS {
-        let mut point =
-            || Vecteur::new(grille(&mut alea, 64), grille(&mut alea, 64), grille(&mut alea, 64));
-        let (c, s, cible) = (point(), point(), point());
-        let Ok(rayon) = Rayon::new(s, cible - s) else { continue };
+    pour_chaque(CAS, faire, |(c, rayon)| {
+        let Ok(rayon) = rayon else { return };
+        let s = rayon.source();
         let v = Vecteur::new(R::depuis_f64(1024.0), R::depuis_f64(-2048.0), R::depuis_f64(512.0));
         let ailleurs = Rayon::new(s + v, rayon.direction()).unwrap();
         let deux = R::UN + R::UN;
@@ -112,7 +116,7 @@ fn une_translation_exacte_ne_change_aucun_bit<R: Reel>() {
             assert_eq!(ici, la);
             touches += u32::from(ici.is_ok());
         }
-    }
+    });
     assert!(touches > CAS / 20);
 }
 

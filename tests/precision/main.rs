@@ -6,6 +6,7 @@ mod certitude;
 mod conclusion;
 mod constantes;
 mod doubles;
+mod hasard;
 mod intervalle;
 mod invariances;
 mod oracle;

@@ -4,6 +4,7 @@
 //! `LANCER_RAYON_CAS=1000 cargo test --release --all-features --test precision promesses`
 
 use commun::fabrique::{boite_droite, sphere, v};
+use commun::hasard::Tirage;
 use commun::mesure::{absolu, au_bord, quantiles};
 use commun::oracle::{Entree, Passage, hauteur, verite, verite_du};
 use commun::promesses::{
@@ -29,7 +30,7 @@ fn cas_par_regime() -> u32 {
 
 /// The hits of a regime, and the randomness for what follows them.
 fn chaque_touche<R: Reel>(
-    cas: fn(&mut Rng) -> Cas<R>,
+    cas: fn(&mut dyn Tirage) -> Cas<R>,
     mut suite: impl FnMut(&Cas<R>, &Intersection<R>, &mut Rng),
 ) {
     let mut alea = Rng::with_seed(2);

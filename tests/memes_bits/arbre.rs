@@ -1,4 +1,4 @@
-//! The hierarchy: every bit of what the list answers, ray by ray, in a batch and for shadows, with every
+//! The tree: every bit of what the list answers, ray by ray, in a batch and for shadows, with every
 //! instruction set of the machine.
 //!
 //! `LANCER_RAYON_CAS` makes each random test so many times as long.
@@ -6,16 +6,16 @@
 use std::f64::consts::FRAC_PI_2;
 
 use commun::conversion::mots;
-use commun::fabrique::{boite_droite, sphere, v};
-use commun::facons::{UN_ARBRE, comparer, comparer_dans, noeuds, voisin};
+use commun::conversion::voisin;
+use commun::fabrique::{avec_arbre, boite_droite, sphere, v};
+use commun::facons::{UN_ARBRE, comparer, comparer_dans, noeuds};
+use commun::hasard::{Hasard, Tirage, pour_chaque};
 use commun::regimes::{deux_puissance, direction, entre, signe};
 use commun::{Bits, arrondi, en_f32_et_f64, scenes};
-use fastrand::Rng;
 use lancer_rayon::pour_les_tests::{Reglage, groupes_au_bout};
 use lancer_rayon::{
-    BoiteGeo, LongueursDifferentes, Monde, NoIntersection, Nombre, ObjetGeo, ObjetRay,
-    PlacesInsuffisantes, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture, Vecteur, places,
-    premiere_intersection,
+    BoiteGeo, LongueursDifferentes, Monde, NoIntersection, Nombre, ObjetRay, PlacesInsuffisantes,
+    PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture, Vecteur, places, premiere_intersection,
 };
 
 // Threads share it.
@@ -30,41 +30,52 @@ fn cas() -> usize {
 }
 
 /// An object of this size here.
-fn objet<R: Reel>(alea: &mut Rng, centre: Vecteur, taille: f64, i: usize) -> ObjetRay<R> {
+fn objet<R: Reel>(alea: &mut Hasard, centre: Vecteur, taille: f64, i: usize) -> ObjetRay<R> {
     let texture = Texture(i as u32);
-    if alea.bool() {
+    // What is simpler is drawn by a smaller word.
+    if !alea.bool() {
         return SphereGeo::new(arrondi(centre), R::depuis_f64(taille), texture).unwrap().into();
     }
     let angles = if alea.bool() {
-        [(); 3].map(|()| f64::from(alea.i8(-2..=2)) * FRAC_PI_2)
-    } else {
         [(); 3].map(|()| entre(alea, -4.0, 4.0))
+    } else {
+        [(); 3].map(|()| f64::from(alea.i8(-2..=2)) * FRAC_PI_2)
     };
     let dimensions = [(); 3].map(|()| taille * deux_puissance(alea, -3.0, 1.0));
     let rotation = Rotation::new(arrondi(angles.into())).unwrap();
     BoiteGeo::new(arrondi(centre), arrondi(dimensions.into()), rotation, texture).unwrap().into()
 }
 
+/// Objects and rays.
+type Scene<R> = (Vec<ObjetRay<R>>, Vec<Rayon<R>>);
+
+/// Of so many scenes a tree answers as the list; how many rays touch something.
+#[track_caller]
+fn comme_la_liste<R: Bits>(combien: usize, faire: impl Fn(&mut Hasard) -> Scene<R>) -> usize {
+    let mut touches = 0;
+    pour_chaque(combien as u32, faire, |(objets, rayons)| touches += comparer(&objets, &rayons));
+    touches
+}
+
 /// A half-space through about this point.
-fn sol<R: Reel>(alea: &mut Rng, distance: f64) -> ObjetRay<R> {
+fn sol<R: Reel>(alea: &mut Hasard, distance: f64) -> ObjetRay<R> {
     let rotation = Rotation::new(arrondi(direction(alea) * 7.0)).unwrap();
     PlanGeo::new(rotation, R::depuis_f64(distance), Texture(9)).unwrap().into()
 }
 
 /// Blocks of 64 rays at these objects, from needles to everywhere, some along axes.
-fn gerbe<R: Reel>(alea: &mut Rng, objets: &[ObjetRay<R>], l: f64) -> Vec<Rayon<R>> {
-    let centre = |alea: &mut Rng| match alea.choice(objets) {
-        Some(ObjetRay::Sphere(sphere)) => sphere.centre().vers_f64(),
-        Some(ObjetRay::Boite(boite)) => boite.centre().vers_f64(),
-        Some(ObjetRay::Plan(_)) | None => Vecteur::NUL,
+fn gerbe<R: Reel>(alea: &mut Hasard, objets: &[ObjetRay<R>], l: f64) -> Vec<Rayon<R>> {
+    let centre = |alea: &mut Hasard| match alea.choix(objets) {
+        ObjetRay::Sphere(sphere) => sphere.centre().vers_f64(),
+        ObjetRay::Boite(boite) => boite.centre().vers_f64(),
+        ObjetRay::Plan(_) => Vecteur::NUL,
     };
     let cible = centre(alea);
     let de = cible + direction(alea) * (l * deux_puissance(alea, -6.0, 6.0));
     let (ouverture, etendue) =
         (deux_puissance(alea, -30.0, 2.0), l * deux_puissance(alea, -30.0, 2.0));
     let genre = alea.u8(0..6);
-    let mut rayons = Vec::new();
-    while rayons.len() < 64 {
+    let rayons = alea.liste(64, |alea, _| {
         let s = de + direction(alea) * etendue;
         let vers = (cible - de).unitaire().unwrap() + direction(alea) * ouverture;
         let mut d: [f64; 3] = vers.into();
@@ -75,79 +86,74 @@ fn gerbe<R: Reel>(alea: &mut Rng, objets: &[ObjetRay<R>], l: f64) -> Vec<Rayon<R
             3 => d = (centre(alea) - s).into(),
             _ => {}
         }
-        rayons.extend(Rayon::new(arrondi(s), arrondi(d.into())));
-    }
-    rayons
+        Rayon::new(arrondi(s), arrondi(d.into()))
+    });
+    rayons.into_iter().flatten().collect()
 }
 
 /// Objects of one size and of many, near and far, in a cloud, on a plane, in a line and all about one
 /// point; some of them twice, some half-spaces.
 fn un_arbre_d_objets_au_hasard_repond_comme_la_liste<R: Bits>() {
-    let mut alea = Rng::with_seed(2);
-    let mut touches = 0;
-    for tour in 0..cas() {
-        let n = [UN_ARBRE, 20, 40, 70, 100, 200, 400, 900][tour % 8] + alea.usize(0..9);
-        let (l, loin) =
-            (deux_puissance(&mut alea, -8.0, 8.0), deux_puissance(&mut alea, -6.0, 12.0));
-        let lieu = if alea.bool() { Vecteur::NUL } else { direction(&mut alea) * (l * loin) };
-        let etendue = l * deux_puissance(&mut alea, -2.0, 6.0);
+    let touches = comme_la_liste::<R>(cas(), |alea| {
+        let n = [UN_ARBRE, 20, 40, 70, 100, 200, 400, 900][alea.tour % 8] + alea.usize(0..9);
+        let (l, loin) = (deux_puissance(alea, -8.0, 8.0), deux_puissance(alea, -6.0, 12.0));
+        let lieu = if alea.bool() { Vecteur::NUL } else { direction(alea) * (l * loin) };
+        let etendue = l * deux_puissance(alea, -2.0, 6.0);
         let aplati = [(); 3].map(|()| if alea.u8(0..3) == 0 { 0.0 } else { 1.0 });
         let minces = alea.bool();
-        let mut objets: Vec<ObjetRay<R>> = Vec::new();
-        for i in 0..n {
-            let [x, y, z]: [f64; 3] = (direction(&mut alea) * (etendue * alea.f64())).into();
+        let mut objets = alea.liste(n, |alea, i| {
+            let [x, y, z]: [f64; 3] = (direction(alea) * (etendue * alea.f64())).into();
             let ou = lieu + Vecteur::new(x * aplati[0], y * aplati[1], z * aplati[2]);
-            let taille = if minces { l } else { l * deux_puissance(&mut alea, -12.0, 2.0) };
-            objets.push(match alea.u8(0..40) {
-                0 => sol(&mut alea, lieu.longueur() + etendue),
-                1..6 if i > 0 => objets[alea.usize(0..i)],
-                _ => objet(&mut alea, ou, taille, i),
-            });
+            let taille = if minces { l } else { l * deux_puissance(alea, -12.0, 2.0) };
+            match alea.u8(0..40) {
+                0 => sol(alea, lieu.longueur() + etendue),
+                _ => objet(alea, ou, taille, i),
+            }
+        });
+        for _ in 0..objets.len() / 8 {
+            let i = alea.usize(0..objets.len());
+            objets[i] = *alea.choix(&objets);
         }
-        let mut rayons = Vec::new();
-        for _ in 0..3 {
-            rayons.extend(gerbe(&mut alea, &objets, l));
-        }
-        touches += comparer(&objets, &rayons);
-    }
+        let gerbes = [(); 3].map(|()| gerbe(alea, &objets, l));
+        (objets, gerbes.concat())
+    });
     assert!(touches > 20 * cas(), "only {touches} hits");
 }
 
 /// Boxes and spheres side by side, and beams along the axes and diagonals over nodes that are partly filled: in
 /// faces, through edges and beside, with components that are ±0 and subnormal.
 fn le_long_des_axes_un_arbre_repond_comme_la_liste<R: Bits>() {
-    let mut alea = Rng::with_seed(3);
     for (n, decalage) in [(2, 0.0), (3, 0.3), (4, 100.3), (5, -7.7), (7, 0.1)] {
-        let mut objets = Vec::new();
-        for i in 0..n * n * n {
-            let [x, y, z] = [i % n, i / n % n, i / n / n].map(|k| k as f64 + decalage);
-            let texture = Texture(i as u32);
-            objets.push(ObjetRay::from(if alea.bool() {
-                ObjetGeo::from(SphereGeo::new(v(x, y, z), R::depuis_f64(0.5), texture).unwrap())
-            } else {
-                let unite = v(1.0, 1.0, 1.0);
-                BoiteGeo::new(v(x, y, z), unite, Rotation::IDENTITE, texture).unwrap().into()
-            }));
-        }
-        let mut rayons = Vec::new();
-        for _ in 0..cas() {
-            let axe = alea.usize(0..3);
-            let sens = signe(&mut alea);
-            let pres = [-0.0, 0.0, 1e-320, -1e-40, 1e-20, -1e-7][alea.usize(0..6)];
-            let demi = f64::from(alea.u8(0..2)) / 2.0;
-            for k in 0..64 {
-                let [a, b] = [k % 8, k / 8].map(|i| f64::from(i) * 0.5 + demi - 1.0 + decalage);
-                let depart = decalage - sens * 3.0 * n as f64;
-                let (mut s, mut d) = ([a, b, a], [pres, -pres, pres]);
-                (s[axe], d[axe]) = (depart, sens);
-                (s[(axe + 1) % 3], s[(axe + 2) % 3]) = (a, b);
-                rayons.push(Rayon::new(arrondi(s.into()), arrondi(d.into())).unwrap());
-                let d = [(); 3].map(|()| signe(&mut alea));
-                rayons.push(Rayon::new(arrondi(s.into()), arrondi(d.into())).unwrap());
-            }
-        }
-        let touches = comparer(&objets, &rayons);
-        assert!(touches > rayons.len() / 20, "{n}: only {touches} hits");
+        let touches = comme_la_liste::<R>(1, |alea| {
+            let objets = alea.liste(n * n * n, |alea, i| {
+                let [x, y, z] = [i % n, i / n % n, i / n / n].map(|k| k as f64 + decalage);
+                let ou = v(x, y, z);
+                if alea.bool() {
+                    sphere(ou, R::depuis_f64(0.5))
+                } else {
+                    boite_droite(ou, v(1.0, 1.0, 1.0))
+                }
+            });
+            let rayons = alea.liste(cas(), |alea, _| {
+                let axe = alea.usize(0..3);
+                let sens = signe(alea);
+                let pres = *alea.choix(&[-0.0, 0.0, 1e-320, -1e-40, 1e-20, -1e-7]);
+                let demi = f64::from(alea.u8(0..2)) / 2.0;
+                let deux = alea.liste(64, |alea, k| {
+                    let [a, b] = [k % 8, k / 8].map(|i| i as f64 * 0.5 + demi - 1.0 + decalage);
+                    let depart = decalage - sens * 3.0 * n as f64;
+                    let (mut s, mut d) = ([a, b, a], [pres, -pres, pres]);
+                    (s[axe], d[axe]) = (depart, sens);
+                    (s[(axe + 1) % 3], s[(axe + 2) % 3]) = (a, b);
+                    let s = arrondi(s.into());
+                    [d, [(); 3].map(|()| signe(alea))]
+                        .map(|d| Rayon::new(s, arrondi(d.into())).unwrap())
+                });
+                deux.concat()
+            });
+            (objets, rayons.concat())
+        });
+        assert!(touches > 128 * cas() / 20, "{n}: only {touches} hits");
     }
 }
 
@@ -157,28 +163,27 @@ fn parmi_des_objets_egaux_le_premier_de_la_liste_est_touche<R: Bits>() {
     for n in [UN_ARBRE, 100, 300, 5_000] {
         let mut objets = scenes::melange::<R>(40)[1..6].repeat(n / 5 + 1);
         objets.truncate(n);
-        Rng::with_seed(4).shuffle(&mut objets);
+        Hasard::de_graine(4).melanger(&mut objets);
         assert!(comparer(&objets, &rayons) > 20);
     }
     // A ray enters every box of the tree: as many nodes wait as ever can, in the small pile and the large.
     let objet = sphere(v(0.0, 1.0, -4.0), R::UN);
     for n in [61_440, 100_000] {
         let objets = vec![objet; n];
-        let mut places = vec![0.0; places(objets.len())];
-        let hierarchie = Monde::new(&objets, &mut places).unwrap();
+        let monde = avec_arbre(&objets);
         let mut touches = vec![Err(NoIntersection); 256];
-        hierarchie.premieres_intersections(&rayons, &mut touches).unwrap();
+        monde.premieres_intersections(&rayons, &mut touches).unwrap();
         for (rayon, touche) in rayons.iter().zip(&touches) {
             assert_eq!(mots(touche), mots(&objet.intersection(rayon)));
-            assert_eq!(mots(&hierarchie.premiere_intersection(rayon)), mots(touche));
+            assert_eq!(mots(&monde.premiere_intersection(rayon)), mots(touche));
         }
         assert!(touches.iter().flatten().count() > 5);
     }
 }
 
 /// How many groups of sixteen of these rays come to the end of a tree together.
-fn combien_vont_au_bout<R: Bits>(hierarchie: &Monde<'_, R>, rayons: &[Rayon<R>]) -> usize {
-    rayons.chunks(64).map(|bloc| groupes_au_bout(hierarchie, bloc)).sum()
+fn combien_vont_au_bout<R: Bits>(monde: &Monde<'_, R>, rayons: &[Rayon<R>]) -> usize {
+    rayons.chunks(64).map(|bloc| groupes_au_bout(monde, bloc)).sum()
 }
 
 /// A tree of so many nodes that a walk needs the large pile: a tile that is a whole picture, of which the beam gives
@@ -186,12 +191,12 @@ fn combien_vont_au_bout<R: Bits>(hierarchie: &Monde<'_, R>, rayons: &[Rayon<R>])
 fn un_tres_grand_arbre_repond_comme_la_liste<R: Bits>() {
     let objets = scenes::melange::<R>(70_000);
     let mut places = vec![0.0; places(70_000)];
-    let hierarchie = Monde::new(&objets, &mut places).unwrap();
-    assert!(noeuds(&hierarchie) >= 4_096);
+    let monde = Monde::new(&objets, &mut places).unwrap();
+    assert!(noeuds(&monde) >= 4_096);
     for cote in [8, 256] {
         let rayons = scenes::en_tuiles(&scenes::rayons_camera::<R>(cote, cote), cote);
         let bloc = &rayons[rayons.len() / 128 * 64..][..64];
-        assert_eq!(groupes_au_bout(&hierarchie, bloc), if cote > 8 { 4 } else { 0 });
+        assert_eq!(groupes_au_bout(&monde, bloc), if cote > 8 { 4 } else { 0 });
         assert!(comparer(&objets, bloc) > 2);
     }
 }
@@ -202,12 +207,11 @@ fn un_tres_grand_arbre_repond_comme_la_liste<R: Bits>() {
 fn les_tuiles_vont_ensemble<R: Bits>() {
     let tuiles = scenes::en_tuiles(&scenes::rayons_camera::<R>(512, 512), 512);
     let mut melees = tuiles.clone();
-    Rng::with_seed(12).shuffle(&mut melees);
+    Hasard::de_graine(12).melanger(&mut melees);
     let opposes = scenes::rayons_opposes::<R>(8);
     let combien = |objets: &[ObjetRay<R>]| {
-        let mut places = vec![0.0; places(objets.len())];
-        let hierarchie = Monde::new(objets, &mut places).unwrap();
-        [&tuiles, &melees, &opposes].map(|rayons| combien_vont_au_bout(&hierarchie, rayons))
+        let monde = avec_arbre(objets);
+        [&tuiles, &melees, &opposes].map(|rayons| combien_vont_au_bout(&monde, rayons))
     };
     let [ensemble, apart, sans_faisceau] = combien(&scenes::melange(10_000));
     println!("of 16,384 groups {ensemble} come to the end in tiles, {apart} in no order");
@@ -216,7 +220,7 @@ fn les_tuiles_vont_ensemble<R: Bits>() {
     let peu = scenes::melange(UN_ARBRE + 1);
     assert_eq!(combien(&peu), [16_384, 16_384, 4]);
     // Half-spaces are asked in any case, however many they are.
-    let mut alea = Rng::with_seed(13);
+    let mut alea = Hasard::de_graine(13);
     let avec = [peu, (0..100).map(|_| sol(&mut alea, 20.0)).collect()].concat();
     let mut places = vec![0.0; places(avec.len())];
     assert_eq!(groupes_au_bout(&Monde::new(&avec, &mut places).unwrap(), &opposes), 4);
@@ -224,7 +228,7 @@ fn les_tuiles_vont_ensemble<R: Bits>() {
     assert_eq!(combien(&[boule; 1_000]), [16_384, 16_384, 4]);
     // Neither need the balls be equal; but far apart they are no heap.
     let tas = |ecart: f64| {
-        let mut alea = Rng::with_seed(14);
+        let mut alea = Hasard::de_graine(14);
         let boules = (0..1_000).map(|_| {
             let ou = direction(&mut alea) * (ecart * alea.f64().cbrt());
             sphere(arrondi(ou), R::depuis_f64(entre(&mut alea, 4.0, 8.0)))
@@ -238,8 +242,8 @@ fn les_tuiles_vont_ensemble<R: Bits>() {
     let vers_partout: Vec<_> = vers_partout.collect();
     for (ecart, attendus) in [(0.01, 400), (200.0, 0)] {
         let (objets, mut memoire) = (tas(ecart), vec![0.0; 9_000]);
-        let hierarchie = Monde::new(&objets, &mut memoire).unwrap();
-        assert_eq!(combien_vont_au_bout(&hierarchie, &vers_partout), attendus, "{ecart}");
+        let monde = Monde::new(&objets, &mut memoire).unwrap();
+        assert_eq!(combien_vont_au_bout(&monde, &vers_partout), attendus, "{ecart}");
     }
 }
 
@@ -248,10 +252,9 @@ fn les_tuiles_vont_ensemble<R: Bits>() {
 /// with others.
 fn un_rayon_egare_n_arrete_que_son_groupe<R: Bits>() {
     let objets = scenes::melange::<R>(10_000);
-    let mut places = vec![0.0; places(objets.len())];
-    let hierarchie = Monde::new(&objets, &mut places).unwrap();
+    let monde = avec_arbre(&objets);
     let tuiles = scenes::en_tuiles(&scenes::rayons_camera::<R>(512, 512), 512);
-    let mut alea = Rng::with_seed(15);
+    let mut alea = Hasard::de_graine(15);
     for (egares, au_moins) in [(1, 700), (4, 0), (32, 0)] {
         let mut au_bout = 0;
         for bloc in tuiles.chunks(64).step_by(16) {
@@ -261,9 +264,9 @@ fn un_rayon_egare_n_arrete_que_son_groupe<R: Bits>() {
                 let ou = arrondi(direction(&mut alea) * 30.0);
                 bloc[voie] = Rayon::new(ou, arrondi(direction(&mut alea))).unwrap();
             }
-            au_bout += groupes_au_bout(&hierarchie, &bloc);
+            au_bout += groupes_au_bout(&monde, &bloc);
             if au_bout % 8 == 1 {
-                comparer_dans(&hierarchie, &bloc[..64 - alea.usize(0..40)]);
+                comparer_dans(&monde, &bloc[..64 - alea.usize(0..40)]);
             }
         }
         println!("{egares} of 64 rays stray: {au_bout} of 1,024 groups come to the end");
@@ -274,7 +277,7 @@ fn un_rayon_egare_n_arrete_que_son_groupe<R: Bits>() {
 /// Where one ray crosses many boxes a wide beam may too: rows among sticks that cross each other walk together, the more
 /// of them, the more numbers a register holds.
 fn parmi_des_batons_croises_un_large_faisceau_va_au_bout<R: Bits>() {
-    let mut alea = Rng::with_seed(3);
+    let mut alea = Hasard::de_graine(3);
     let baton = |i| {
         let ou = direction(&mut alea) * (5.0 * alea.f64().cbrt());
         let angles = [(); 3].map(|()| entre(&mut alea, -4.0, 4.0));
@@ -282,12 +285,11 @@ fn parmi_des_batons_croises_un_large_faisceau_va_au_bout<R: Bits>() {
         BoiteGeo::new(arrondi(ou), v(0.03, 3.0, 0.03), rotation, Texture(i)).unwrap().into()
     };
     let objets: Vec<ObjetRay<R>> = (0..1_000).map(baton).collect();
-    let mut places = vec![0.0; places(objets.len())];
-    let hierarchie = Monde::new(&objets, &mut places).unwrap();
+    let monde = avec_arbre(&objets);
     let rangs = scenes::rayons_camera::<R>(64, 64);
     // If no ray were asked what it crosses, none.
     for (nom, reglage) in Reglage::tous() {
-        let au_bout = combien_vont_au_bout(&reglage.monde(hierarchie), &rangs);
+        let au_bout = combien_vont_au_bout(&reglage.monde(monde), &rangs);
         println!("{nom}: of 64 rows {au_bout} come to the end");
         let huit_nombres = nom == "AVX-512" || (nom == "AVX2" && size_of::<R>() == 4);
         assert!(au_bout > if huit_nombres { 32 } else { 16 }, "{nom}: {au_bout}");
@@ -315,8 +317,8 @@ fn indices(feuilles: &[[[u32; 16]; 7]]) -> impl Iterator<Item = usize> {
 }
 
 /// Long boxes that stand askew about the origin, each like no other.
-fn poutres<R: Reel>(alea: &mut Rng, n: usize) -> Vec<ObjetRay<R>> {
-    let poutre = |i| {
+fn poutres<R: Reel>(alea: &mut Hasard, n: usize) -> Vec<ObjetRay<R>> {
+    alea.liste(n, |alea, i| {
         let long = deux_puissance(alea, 2.0, 4.0);
         let mut dimensions = [(); 3].map(|()| long * deux_puissance(alea, -8.0, -4.0));
         dimensions[alea.usize(0..3)] = long;
@@ -324,14 +326,13 @@ fn poutres<R: Reel>(alea: &mut Rng, n: usize) -> Vec<ObjetRay<R>> {
         let tour = Rotation::new(arrondi(direction(alea) * 7.0)).unwrap();
         let texture = Texture(i as u32);
         BoiteGeo::new(arrondi(ou), arrondi(dimensions.into()), tour, texture).unwrap().into()
-    };
-    (0..n).map(poutre).collect()
+    })
 }
 
 /// Whether sticks in the midst of a wide town are worth a cut depends on both, and not on the order
 /// of the list.
 fn l_ordre_de_la_liste_ne_decide_pas_de_la_coupe<R: Bits>() {
-    let mut alea = Rng::with_seed(17);
+    let mut alea = Hasard::de_graine(17);
     let batons = poutres::<R>(&mut alea, 400);
     let mut coupes = 0;
     for maisons in [40, 80, 120, 160, 200] {
@@ -343,7 +344,7 @@ fn l_ordre_de_la_liste_ne_decide_pas_de_la_coupe<R: Bits>() {
         let mut memoire = vec![0.0; 2 * places(objets.len())];
         let juste = noeuds(&Monde::new(&objets, &mut memoire).unwrap());
         let nombres = [(); 12].map(|()| {
-            alea.shuffle(&mut objets);
+            alea.melanger(&mut objets);
             noeuds(&Monde::en_morceaux(&objets, &mut memoire).unwrap())
         });
         // Sums of the wishes for pieces round by their order, and a piece more may fill a leaf.
@@ -358,7 +359,7 @@ fn l_ordre_de_la_liste_ne_decide_pas_de_la_coupe<R: Bits>() {
 /// What is lent beyond the places that are needed is spent on long boxes that stand askew, on all alike, and on nothing
 /// else. Any number of places will do.
 fn les_places_de_plus_vont_aux_boites_longues<R: Bits>() {
-    let mut alea = Rng::with_seed(31);
+    let mut alea = Hasard::de_graine(31);
     // Nothing long, or long along the axes.
     let mut trapus = scenes::melange::<R>(500);
     for (i, axe) in (0..40).zip([0, 1, 2].into_iter().cycle()) {
@@ -396,10 +397,10 @@ fn les_places_de_plus_vont_aux_boites_longues<R: Bits>() {
             // Less than a leaf is not enough.
             assert!(plus >= 16 * 7 || noeuds == seul, "{n}, {plus} more");
             plus_grand = plus_grand.max(noeuds.len());
-            let hierarchie = Monde::en_morceaux(&objets, places).unwrap();
+            let monde = Monde::en_morceaux(&objets, places).unwrap();
             for rayon in &rayons[..16] {
                 let attendue = mots(&premiere_intersection(&objets, rayon));
-                assert_eq!(mots(&hierarchie.premiere_intersection(rayon)), attendue);
+                assert_eq!(mots(&monde.premiere_intersection(rayon)), attendue);
             }
         }
         assert!(plus_grand > seul.len(), "{n}: {}, {plus_grand}", seul.len());
@@ -417,59 +418,58 @@ fn les_places_de_plus_vont_aux_boites_longues<R: Bits>() {
 /// sides, near and so far away that rounding moves the hit, and along the box. Held: the answers of the list, of shadows
 /// up to the very hit as well. A gap between two slices would be seen.
 fn aux_coutures_des_morceaux_aucune_touche_n_est_perdue<R: Bits>() {
-    let mut alea = Rng::with_seed(32);
     let bits = -R::U.vers_f64().log2();
-    let (mut touches, mut certaines, mut coutures) = (0, 0, 0);
-    for tour in 0..cas() {
-        let lieu = direction(&mut alea) * [0.0, 0.0, 100.0][tour % 3];
-        let mince = deux_puissance(&mut alea, -9.0, -4.0);
-        let dimensions = v(mince, 4.0, mince * deux_puissance(&mut alea, -2.0, 2.0));
-        let rotation = Rotation::new(arrondi(direction(&mut alea) * 7.0)).unwrap();
+    // How many slices the tree has of the first of these objects: all its nodes but the root are leaves.
+    let tranches = |objets: &[ObjetRay<R>]| {
+        let noeuds = arbre(objets, &mut vec![f32::NAN; places(200)]);
+        indices(&noeuds[..noeuds.len().saturating_sub(1)]).filter(|indice| *indice == 0).count()
+    };
+    let faire = |alea: &mut Hasard| {
+        let lieu = direction(alea) * [0.0, 0.0, 100.0][alea.tour % 3];
+        let mince = deux_puissance(alea, -9.0, -4.0);
+        let dimensions = v(mince, 4.0, mince * deux_puissance(alea, -2.0, 2.0));
+        let rotation = Rotation::new(arrondi(direction(alea) * 7.0)).unwrap();
         let poutre = BoiteGeo::new(arrondi(lieu), dimensions, rotation, Texture(0)).unwrap();
-        let mut objets: Vec<ObjetRay<R>> = vec![poutre.into(); 1 + tour % 2];
-        while objets.len() < 60 {
-            let ou = arrondi(lieu + direction(&mut alea) * 0.5);
-            objets.push(sphere(ou, R::depuis_f64(0.01)));
-        }
-        let mut places = vec![f32::NAN; places(200)];
-        // All but the root are leaves.
-        let noeuds = arbre(&objets, &mut places);
-        let tranches = indices(&noeuds[..noeuds.len() - 1]).filter(|indice| *indice == 0).count();
-        coutures += tranches.saturating_sub(1);
-        let hierarchie = Monde::en_morceaux(&objets, &mut places).unwrap();
-        let poutre = poutre.vers_ray();
+        let mut objets: Vec<ObjetRay<R>> = vec![poutre.into(); 1 + alea.tour % 2];
+        objets.extend(alea.liste(60 - objets.len(), |alea, _| {
+            sphere(arrondi(lieu + direction(alea) * 0.5), R::depuis_f64(0.01))
+        }));
+        let (tranches, poutre) = (tranches(&objets).max(1), poutre.vers_ray());
         let [n, long, m] = poutre.normales().map(Vecteur::vers_f64);
         let [a, b, c] = poutre.demi_longueurs().map(R::vers_f64);
-        let mut rayons = Vec::new();
-        while rayons.len() < 8 * 64 {
-            let j = alea.usize(0..=tranches);
-            let couture = 2.0 * j as f64 / tranches as f64 - 1.0;
-            let peu = 1.0 + entre(&mut alea, -4.0, 4.0) * R::U.vers_f64();
-            let bord = |alea: &mut Rng| {
-                if alea.u8(0..4) > 0 { signe(alea) } else { entre(alea, -1.0, 1.0) }
-            };
-            let bords = n * (a * bord(&mut alea)) + m * (c * bord(&mut alea));
+        let rayons = alea.liste(8 * 64, |alea, _| {
+            let couture = 2.0 * alea.usize(0..tranches + 1) as f64 / tranches as f64 - 1.0;
+            let peu = 1.0 + entre(alea, -4.0, 4.0) * R::U.vers_f64();
+            let mut bord = || if alea.u8(0..4) > 0 { signe(alea) } else { entre(alea, -1.0, 1.0) };
+            let bords = n * (a * bord()) + m * (c * bord());
             let cible = poutre.centre().vers_f64() + bords * peu + long * (b * couture * peu);
             let (d, loin) = match alea.u8(0..4) {
                 // Along the box.
                 0 => {
-                    let travers = direction(&mut alea) * deux_puissance(&mut alea, -bits, -4.0);
-                    (long * signe(&mut alea) + travers, 5.0)
+                    let travers = direction(alea) * deux_puissance(alea, -bits, -4.0);
+                    (long * signe(alea) + travers, 5.0)
                 }
-                1 => (direction(&mut alea), deux_puissance(&mut alea, 3.0, bits - 4.0)),
-                _ => (direction(&mut alea), deux_puissance(&mut alea, -6.0, 2.0)),
+                1 => (direction(alea), deux_puissance(alea, 3.0, bits - 4.0)),
+                _ => (direction(alea), deux_puissance(alea, -6.0, 2.0)),
             };
             let d = d.unitaire().unwrap();
-            rayons.push(Rayon::new(arrondi(cible - d * loin), arrondi(d)).unwrap());
-        }
-        touches += comparer_dans(&hierarchie, &rayons);
-        for rayon in &rayons[..64] {
+            Rayon::new(arrondi(cible - d * loin), arrondi(d)).unwrap()
+        });
+        (objets, rayons)
+    };
+    let (mut touches, mut certaines, mut coutures) = (0, 0, 0);
+    pour_chaque(cas() as u32, faire, |(objets, rayons)| {
+        coutures += tranches(&objets).saturating_sub(1);
+        let mut places = vec![f32::NAN; places(200)];
+        let monde = Monde::en_morceaux(&objets, &mut places).unwrap();
+        touches += comparer_dans(&monde, &rayons);
+        for rayon in rayons.iter().take(64) {
             let touche = premiere_intersection(&objets, rayon);
             let certaine = Monde::de_liste(&objets).certifie(rayon, &touche);
-            assert!(hierarchie.certifie(rayon, &touche) || !certaine, "{rayon:?}");
+            assert!(monde.certifie(rayon, &touche) || !certaine, "{rayon:?}");
             certaines += usize::from(certaine);
         }
-    }
+    });
     let combien = format!("{touches} hits, {certaines} certain, {coutures} seams");
     println!("{combien}");
     assert!(touches > 200 * cas() && certaines > 10 * cas() && coutures > 3 * cas(), "{combien}");
@@ -478,60 +478,45 @@ fn aux_coutures_des_morceaux_aucune_touche_n_est_perdue<R: Bits>() {
 /// Long boxes anyhow, once and three times, and rays of all kinds: the first of a tie, whichever piece it is found by;
 /// and one of them left out.
 fn des_poutres_en_morceaux_repondent_comme_la_liste<R: Bits>() {
-    let mut alea = Rng::with_seed(33);
-    let mut touches = 0;
-    for n in [UN_ARBRE, 40, 300] {
-        for copies in [1, 3] {
-            let mut objets = poutres::<R>(&mut alea, n.div_ceil(copies)).repeat(copies);
+    let touches =
+        comme_la_liste::<R>(6, |alea| {
+            let (n, copies) = ([UN_ARBRE, 40, 300][alea.tour % 3], [1, 3][alea.tour / 3]);
+            let mut objets = poutres::<R>(alea, n.div_ceil(copies)).repeat(copies);
             // Balls are in one piece, and shown in the first of several walks alone.
-            for _ in 0..n / 10 {
-                let ou = arrondi(direction(&mut alea) * (4.0 * alea.f64()));
-                objets.push(sphere(ou, R::UN));
-            }
-            alea.shuffle(&mut objets);
-            let mut rayons = Vec::new();
-            for _ in 0..3 {
-                rayons.extend(gerbe(&mut alea, &objets, 4.0));
-            }
-            touches += comparer(&objets, &rayons);
-        }
-    }
+            objets.extend(alea.liste(n / 10, |alea, _| {
+                sphere(arrondi(direction(alea) * (4.0 * alea.f64())), R::UN)
+            }));
+            alea.melanger(&mut objets);
+            let gerbes = [(); 3].map(|()| gerbe(alea, &objets, 4.0));
+            (objets, gerbes.concat())
+        });
     assert!(touches > 100, "only {touches} hits");
 }
 
 /// Objects that rays graze to the last bits, where rounding decides: one of them and its copies, or
 /// several about one point; small ones from afar, the origin near or far.
 fn un_objet_frole_repond_comme_dans_la_liste<R: Bits>() {
-    let mut alea = Rng::with_seed(8);
-    let mut touches = 0;
     let bits = -R::U.vers_f64().log2();
-    for _ in 0..20 * cas() {
-        let f = deux_puissance(&mut alea, 0.0, bits - 2.0);
-        let lieu = if alea.bool() { Vecteur::NUL } else { direction(&mut alea) * f };
-        let mut objets: Vec<ObjetRay<R>> = Vec::new();
+    let touches = comme_la_liste::<R>(20 * cas(), |alea| {
+        let f = deux_puissance(alea, 0.0, bits - 2.0);
+        let lieu = if alea.bool() { Vecteur::NUL } else { direction(alea) * f };
         let copies = alea.bool();
         // On both sides of the origin, with the sources between them.
         let autour = !copies && alea.bool();
-        while objets.len() < UN_ARBRE {
-            let lieu = if autour && objets.len() % 2 == 1 { -lieu } else { lieu };
-            let ou = lieu + direction(&mut alea) * if copies { 0.0 } else { 3.0 };
-            let premier = objets.first().copied().filter(|_| copies);
-            objets.push(premier.unwrap_or_else(|| objet(&mut alea, ou, 1.0, objets.len())));
+        let mut objets: Vec<ObjetRay<R>> = alea.liste(UN_ARBRE, |alea, i| {
+            let lieu = if autour && i % 2 == 1 { -lieu } else { lieu };
+            let ou = lieu + direction(alea) * if copies { 0.0 } else { 3.0 };
+            objet(alea, ou, 1.0, i)
+        });
+        if copies {
+            objets = [objets[0]; UN_ARBRE].to_vec();
         }
-        let mut rayons = Vec::new();
-        let axe = alea.usize(0..3);
-        let d = if alea.bool() {
-            direction(&mut alea)
-        } else {
-            let mut d = [0.0; 3];
-            d[axe] = signe(&mut alea);
-            d.into()
-        };
-        while rayons.len() < 64 {
+        let d = if alea.bool() { direction(alea) } else { d_axe(alea) };
+        let rayons = alea.liste(64, |alea, _| {
             // A point of the outline as seen along D: of a sphere, or a corner or edge of a box.
-            let (c, bord) = match *alea.choice(&objets).unwrap() {
+            let (c, bord) = match alea.choix(&objets) {
                 ObjetRay::Sphere(sphere) => {
-                    let v = if alea.bool() { direction(&mut alea) } else { d_axe(&mut alea) };
+                    let v = if alea.bool() { direction(alea) } else { d_axe(alea) };
                     let travers = (v - d * v.produit_scalaire(d)).unitaire();
                     let r = sphere.rayon().vers_f64();
                     (sphere.centre().vers_f64(), travers.unwrap_or(Vecteur::NUL) * r)
@@ -539,19 +524,19 @@ fn un_objet_frole_repond_comme_dans_la_liste<R: Bits>() {
                 ObjetRay::Boite(boite) => {
                     let l = boite.demi_longueurs().map(R::vers_f64);
                     let coin = boite.normales().into_iter().zip(l).map(|(n, l)| {
-                        n.vers_f64() * (l * if alea.bool() { signe(&mut alea) } else { alea.f64() })
+                        n.vers_f64() * (l * if alea.bool() { signe(alea) } else { alea.f64() })
                     });
                     (boite.centre().vers_f64(), coin.fold(Vecteur::NUL, |a, b| a + b))
                 }
                 ObjetRay::Plan(_) => unreachable!("no half-space was made"),
             };
             let d = c.unitaire().filter(|_| autour).unwrap_or(d);
-            let ecart = 1.0 + entre(&mut alea, -8.0, 8.0) * R::U.vers_f64() * f.max(1.0);
+            let ecart = 1.0 + entre(alea, -8.0, 8.0) * R::U.vers_f64() * f.max(1.0);
             let s = c + bord * ecart - d * if autour { c.longueur() } else { f };
-            rayons.push(Rayon::new(arrondi(s), arrondi(d)).unwrap());
-        }
-        touches += comparer(&objets, &rayons);
-    }
+            Rayon::new(arrondi(s), arrondi(d)).unwrap()
+        });
+        (objets, rayons)
+    });
     assert!(touches > 50 * cas(), "only {touches} hits");
 }
 
@@ -559,20 +544,15 @@ fn un_objet_frole_repond_comme_dans_la_liste<R: Bits>() {
 /// distance; either the object, or the source, or both far from the many. Held: a hit that lies beyond the box of the
 /// object is not lost. In `f32` some lie so; in `f64` the box itself is rounded.
 fn une_touche_au_bord_de_sa_boite_n_est_pas_perdue<R: Bits>() {
-    let mut alea = Rng::with_seed(24);
-    let (mut touches, mut dehors) = (0, 0.0_f64);
-    for tour in 0..160 * cas() {
-        // In `f64` so far away that what a hit is off by is more than what a box is rounded by.
-        let bits = -R::U.vers_f64().log2() - 4.0;
-        let [f, loin] = [(); 2].map(|()| deux_puissance(&mut alea, 0.0, bits));
-        let milieu = direction(&mut alea) * if tour % 3 == 0 { 0.0 } else { loin };
-        let b = alea.usize(0..3);
-        let mut e = [0.0; 3];
-        e[b] = signe(&mut alea);
-        let e = Vecteur::from(e);
-        let d = direction(&mut alea);
+    // In `f64` so far away that what a hit is off by is more than what a box is rounded by.
+    let bits = -R::U.vers_f64().log2() - 4.0;
+    let faire = |alea: &mut Hasard| {
+        let [f, loin] = [(); 2].map(|()| deux_puissance(alea, 0.0, bits));
+        let milieu = direction(alea) * if alea.tour.is_multiple_of(3) { 0.0 } else { loin };
+        let e = d_axe(alea);
+        let d = direction(alea);
         let d = (d - e * d.produit_scalaire(e)).unitaire().unwrap();
-        let seul = objet::<R>(&mut alea, milieu, 1.0, 0);
+        let seul = objet::<R>(alea, milieu, 1.0, 0);
         let (c, bord) = match seul {
             ObjetRay::Sphere(sphere) => (sphere.centre(), e * sphere.rayon().vers_f64()),
             ObjetRay::Boite(boite) => {
@@ -585,50 +565,49 @@ fn une_touche_au_bord_de_sa_boite_n_est_pas_perdue<R: Bits>() {
             }
             ObjetRay::Plan(_) => unreachable!("no half-space was made"),
         };
-        let c = c.vers_f64();
+        let au_bord = c.vers_f64() + bord;
         // The many about the origin, all on one side, so that the box of the one is not that of a neighbour.
         let mut objets = vec![seul];
-        objets.extend((0..40).map(|i| {
-            let ou = direction(&mut alea) * 0.4 - e * 3.0;
-            objet(&mut alea, ou, 0.01, i)
+        objets.extend(alea.liste(40, |alea, i| {
+            let ou = direction(alea) * 0.4 - e * 3.0;
+            objet(alea, ou, 0.01, i)
         }));
-        // Every other time long boxes are cut into pieces.
-        let mut places = vec![0.0; [1, 6][tour % 2] * places(objets.len())];
-        let hierarchie = Monde::en_morceaux(&objets, &mut places).unwrap();
-        let mut rayons = Vec::new();
-        for _ in 0..64 {
-            let loin = R::U.vers_f64() * (f + milieu.longueur());
+        let u = R::U.vers_f64() * (f + milieu.longueur());
+        let rayons = alea.liste(64, |alea, _| {
             let large = f64::from(f32::U) * (1.0 + milieu.longueur());
-            let ecart = entre(&mut alea, -8.0, 8.0) * if alea.bool() { loin } else { large };
-            let s = c + bord + e * ecart - d * f;
-            rayons.extend(Rayon::new(arrondi(s), arrondi(d)));
-        }
+            let ecart = entre(alea, -8.0, 8.0) * if alea.bool() { u } else { large };
+            Rayon::new(arrondi(au_bord + e * ecart - d * f), arrondi(d))
+        });
+        let rayons: Vec<_> = rayons.into_iter().flatten().collect();
+        // Every other time long boxes are cut into pieces.
+        (objets, rayons, [1, 6][alea.tour % 2], (au_bord, e / u))
+    };
+    let (mut touches, mut dehors) = (0, 0.0_f64);
+    pour_chaque(160 * cas() as u32, faire, |(objets, rayons, fois, (au_bord, e))| {
+        let mut places = vec![0.0; fois * places(objets.len())];
+        let monde = Monde::en_morceaux(&objets, &mut places).unwrap();
         let mut lot = vec![Err(NoIntersection); rayons.len()];
-        hierarchie.premieres_intersections(&rayons, &mut lot).unwrap();
+        monde.premieres_intersections(&rayons, &mut lot).unwrap();
         for (rayon, en_lot) in rayons.iter().zip(lot) {
             let attendue = premiere_intersection(&objets, rayon);
-            let obtenue = hierarchie.premiere_intersection(rayon);
-            assert_eq!(mots(&obtenue), mots(&attendue), "{seul:?}, {rayon:?}");
-            assert_eq!(mots(&en_lot), mots(&attendue), "in a batch: {seul:?}, {rayon:?}");
-            let Ok(touche) = attendue else { continue };
-            if touche.indice() > 0 {
+            let obtenue = monde.premiere_intersection(rayon);
+            assert_eq!(mots(&obtenue), mots(&attendue), "{:?}, {rayon:?}", objets[0]);
+            assert_eq!(mots(&en_lot), mots(&attendue), "in a batch: {:?}, {rayon:?}", objets[0]);
+            let Some(touche) = attendue.ok().filter(|touche| touche.indice() == 0) else {
                 continue;
-            }
+            };
             touches += 1;
             let x = rayon.source().vers_f64()
                 + rayon.direction().vers_f64() * touche.distance().vers_f64();
-            let au_dela = (x - c - bord).produit_scalaire(e);
-            dehors = dehors.max(au_dela / (R::U.vers_f64() * (f + milieu.longueur())));
+            dehors = dehors.max((x - au_bord).produit_scalaire(e));
         }
-    }
+    });
     println!("a hit lies up to {dehors:.1} u of its distance beyond the box");
     assert!(touches > 400 * cas(), "only {touches} hits");
-    // The generator draws other rays where a `usize` has 32 bits.
-    let au_moins = if cfg!(target_pointer_width = "64") { 1.5 } else { 1.0 };
-    assert!(R::U < R::depuis_f64(1e-10) || dehors > au_moins, "{dehors}");
+    assert!(R::U < R::depuis_f64(1e-10) || dehors > 1.0, "{dehors}");
 }
 
-fn d_axe(alea: &mut Rng) -> Vecteur {
+fn d_axe(alea: &mut Hasard) -> Vecteur {
     let mut d = [0.0; 3];
     d[alea.usize(0..3)] = signe(alea);
     d.into()
@@ -637,143 +616,122 @@ fn d_axe(alea: &mut Rng) -> Vecteur {
 /// Boxes along whose edge a ray runs, within rounding of two faces: a shadow is cut off no earlier than the
 /// list sees it.
 fn le_long_d_une_arete_une_ombre_est_celle_de_la_liste<R: Bits>() {
-    let mut alea = Rng::with_seed(9);
-    let mut touches = 0;
-    for _ in 0..100 * cas() {
-        let [x, y] = [(); 2].map(|()| entre(&mut alea, 0.05, 0.15));
+    let touches = comme_la_liste::<R>(100 * cas(), |alea| {
+        let [x, y] = [(); 2].map(|()| entre(alea, 0.05, 0.15));
         let objets = [boite_droite::<R>(v(x, y, 0.0), v(1.0, 1.0, 4.0)); UN_ARBRE];
         let ObjetRay::Boite(boite) = objets[0] else { unreachable!("made as a box") };
         let c = boite.centre();
         let demi = R::depuis_f64(0.5);
-        let [sx, sy] = [c.x - demi, c.y - demi].map(|x| voisin(x, alea.i64(-2..=2)));
+        let [sx, sy] = [c.x - demi, c.y - demi].map(|x| voisin(x, alea.i8(-2..=2).into()));
         let s = Vecteur::new(sx, sy, -R::depuis_f64(7.0));
         let d = v(alea.f64() * 0.3 * R::U.vers_f64(), 0.0, 1.0);
-        touches += comparer(&objets, &[Rayon::new(s, d).unwrap()]);
-    }
+        (objets.to_vec(), vec![Rayon::new(s, d).unwrap()])
+    });
     assert!(touches > 20 * cas(), "only {touches} hits");
 }
 
 /// Sources up to the limit away from objects of any size: farther and farther, until the boxes of the tree can
 /// no longer be told apart.
 fn de_toute_distance_un_arbre_repond_comme_la_liste<R: Bits>() {
-    let mut alea = Rng::with_seed(10);
     let limite = R::LIMITE.vers_f64().log2();
-    let mut touches = 0;
-    for n in [UN_ARBRE, 40, 300] {
-        for unite in [8.0 - limite, -20.0, 0.0].map(f64::exp2) {
-            let autour = |alea: &mut Rng| direction(alea) * (4.0 * unite * alea.f64());
-            let objets: Vec<ObjetRay<R>> = (0..n)
-                .map(|i| {
-                    let ou = autour(&mut alea);
-                    objet(&mut alea, ou, 0.5 * unite, i)
-                })
-                .collect();
-            for _ in 0..cas() {
-                let loin = deux_puissance(&mut alea, unite.log2() + 3.0, limite - 1.0);
-                let axe = d_axe(&mut alea);
-                let rayons: Vec<_> = (0..64)
-                    .map(|_| {
-                        let s = autour(&mut alea) - axe * loin;
-                        Rayon::new(arrondi(s), arrondi(axe)).unwrap()
-                    })
-                    .collect();
-                touches += comparer(&objets, &rayons);
-            }
-        }
-    }
+    let touches = comme_la_liste::<R>(9 * cas(), |alea| {
+        let n = [UN_ARBRE, 40, 300][alea.tour % 3];
+        let unite = [8.0 - limite, -20.0, 0.0][alea.tour / 3 % 3].exp2();
+        let autour = |alea: &mut Hasard| direction(alea) * (4.0 * unite * alea.f64());
+        let objets = alea.liste(n, |alea, i| {
+            let ou = autour(alea);
+            objet(alea, ou, 0.5 * unite, i)
+        });
+        let loin = deux_puissance(alea, unite.log2() + 3.0, limite - 1.0);
+        let axe = d_axe(alea);
+        let rayons = alea.liste(64, |alea, _| {
+            Rayon::new(arrondi(autour(alea) - axe * loin), arrondi(axe)).unwrap()
+        });
+        (objets, rayons)
+    });
     assert!(touches > 100 * cas(), "only {touches} hits");
 }
 
 /// Far from the many, where entries count from the point next to them: something close ahead of the source is before a
 /// limit, whether the ray comes or goes away.
 fn loin_de_tous_l_objet_tout_proche_est_touche<R: Bits>() {
-    let mut alea = Rng::with_seed(34);
-    let mut touches = 0;
-    for tour in 0..cas() {
-        let ou = direction(&mut alea) * deux_puissance(&mut alea, 6.0, 24.0);
-        let taille = ou.longueur() * deux_puissance(&mut alea, -12.0, -4.0);
-        let mut objets: Vec<ObjetRay<R>> =
-            (0..40).map(|i| objet(&mut alea, direction(&mut Rng::with_seed(i)), 0.1, 0)).collect();
-        objets.push(objet(&mut alea, ou, taille, 1));
-        let sens = if tour % 2 == 0 { ou } else { -ou } / ou.longueur();
-        let rayons: Vec<_> = (0..64)
-            .map(|_| {
-                let d = sens + direction(&mut alea) * 0.1;
-                let s = ou - d * (3.0 * taille);
-                Rayon::new(arrondi(s), arrondi(d)).unwrap()
-            })
-            .collect();
-        touches += comparer(&objets, &rayons);
-    }
+    let touches = comme_la_liste::<R>(2 * cas(), |alea| {
+        let ou = direction(alea) * deux_puissance(alea, 6.0, 24.0);
+        let taille = ou.longueur() * deux_puissance(alea, -12.0, -4.0);
+        let mut objets = alea.liste(40, |alea, _| {
+            let ou = direction(alea);
+            objet(alea, ou, 0.1, 0)
+        });
+        objets.push(objet(alea, ou, taille, 1));
+        let sens = if alea.tour.is_multiple_of(2) { ou } else { -ou } / ou.longueur();
+        let rayons = alea.liste(64, |alea, _| {
+            let d = sens + direction(alea) * 0.1;
+            Rayon::new(arrondi(ou - d * (3.0 * taille)), arrondi(d)).unwrap()
+        });
+        (objets, rayons)
+    });
     assert!(touches > 20 * cas(), "only {touches} hits");
 }
 
 /// Clusters so small beside the largest object that all their boxes have the same corners.
 fn des_objets_minuscules_repondent_comme_dans_la_liste<R: Bits>() {
-    let mut alea = Rng::with_seed(11);
     let limite = R::LIMITE.vers_f64().log2();
-    let mut touches = 0;
-    for _ in 0..3 * cas() {
-        let petit = deux_puissance(&mut alea, 8.0 - limite, -10.0);
-        let ou = if alea.bool() { Vecteur::NUL } else { direction(&mut alea) * (petit * 1e4) };
-        let mut objets: Vec<ObjetRay<R>> = (0..UN_ARBRE + alea.usize(0..60))
-            .map(|i| {
-                let ou = ou + direction(&mut alea) * (4.0 * petit * alea.f64());
-                objet(&mut alea, ou, petit * 0.5, i)
-            })
-            .collect();
-        let grand = deux_puissance(&mut alea, 0.0, limite - 3.0);
-        objets.push(objet(&mut alea, Vecteur::new(3.0 * grand, 0.0, 0.0), grand, 0));
-        let rayons = gerbe(&mut alea, &objets, petit);
-        touches += comparer(&objets, &rayons);
-    }
+    let touches = comme_la_liste::<R>(3 * cas(), |alea| {
+        let petit = deux_puissance(alea, 8.0 - limite, -10.0);
+        let ou = if alea.bool() { Vecteur::NUL } else { direction(alea) * (petit * 1e4) };
+        let n = UN_ARBRE + alea.usize(0..60);
+        let mut objets = alea.liste(n, |alea, i| {
+            let ou = ou + direction(alea) * (4.0 * petit * alea.f64());
+            objet(alea, ou, petit * 0.5, i)
+        });
+        let grand = deux_puissance(alea, 0.0, limite - 3.0);
+        objets.push(objet(alea, Vecteur::new(3.0 * grand, 0.0, 0.0), grand, 0));
+        let rayons = gerbe(alea, &objets, petit);
+        (objets, rayons)
+    });
     assert!(touches > 10 * cas(), "only {touches} hits");
 }
 
 /// Built: slabs that cover the scene, more and fewer than a leaf holds, among small objects. Held: the answers of
 /// the list; and that sixteen of them have a leaf under the root, or where it is full under another above it.
 fn les_geants_ont_leur_feuille_sous_la_racine<R: Bits>() {
-    let mut alea = Rng::with_seed(23);
-    let mut touches = 0;
-    for (grands, petits) in [
-        (16, 256),
-        (16, 240),
-        (16, 1),
-        (16, 8),
-        (5, 256),
-        (0, 272),
-        (40, 232),
-        (17, 600),
-        (16, 4_000),
-        (16, 4_065),
-    ] {
-        let mut objets: Vec<_> = (0..petits)
-            .map(|i| objet::<R>(&mut alea, direction(&mut Rng::with_seed(i)) * 10.0, 0.1, 0))
-            .collect();
+    // How many giants and others, and the leaves, that of the giants among them, and what stands above.
+    let nombres = [
+        (16, 256, Some(17 + 1 + 1)),
+        (16, 240, Some(16 + 1)),
+        (16, 1, None),
+        (16, 8, None),
+        (5, 256, None),
+        (0, 272, Some(17 + 2 + 1)),
+        (40, 232, Some(17 + 1 + 1)),
+        (17, 600, None),
+        (16, 4_000, Some(251 + 16 + 1 + 1)),
+        (16, 4_065, Some(256 + 16 + 1 + 1)),
+    ];
+    let faire = |alea: &mut Hasard| {
+        let (grands, petits, voulus) = nombres[alea.tour];
+        let mut objets = alea.liste(petits, |alea, _| {
+            let ou = direction(alea) * 10.0;
+            objet::<R>(alea, ou, 0.1, 0)
+        });
         for i in 0..grands {
             let y = -12.0 + f64::from(i) * 24.0 / f64::from(grands);
             let dalle = boite_droite(v(0.0, y, 0.0), v(30.0, 0.05, 30.0));
-            objets.insert(alea.usize(..=objets.len()), dalle);
+            objets.insert(alea.usize(0..objets.len() + 1), dalle);
         }
         if petits == 4_065 {
             // As many numbers beside the nodes as there are places for.
-            objets.extend((0..15).map(|_| sol::<R>(&mut alea, 20.0)));
+            objets.extend([(); 15].map(|()| sol::<R>(alea, 20.0)));
         }
-        let rayons = gerbe(&mut alea, &objets, 10.0);
+        let rayons = gerbe(alea, &objets, 10.0);
+        (objets, rayons, voulus)
+    };
+    let mut touches = 0;
+    pour_chaque(nombres.len() as u32, faire, |(objets, rayons, voulus)| {
         touches += comparer(&objets, &rayons);
-        let mut places = vec![0.0; places(objets.len())];
-        let hierarchie = Monde::new(&objets, &mut places).unwrap();
-        // The leaves, that of the giants among them, and what stands above. Without giants 272 objects have 17 + 2 + 1.
-        let voulus = match (grands, petits) {
-            (16, 240) => 16 + 1,
-            (16, 256) | (40, 232) => 17 + 1 + 1,
-            (0, 272) => 17 + 2 + 1,
-            (16, 4_000) => 251 + 16 + 1 + 1,
-            (16, 4_065) => 256 + 16 + 1 + 1,
-            _ => continue,
-        };
-        assert_eq!(noeuds(&hierarchie), voulus, "{grands} giants, {petits}");
-    }
+        let monde = avec_arbre(&objets);
+        assert!(voulus.is_none_or(|voulus| noeuds(&monde) == voulus), "{monde:?}");
+    });
     assert!(touches > 100, "only {touches} hits");
 }
 
@@ -797,12 +755,12 @@ fn places_dit_combien_de_places_suffisent<R: Bits>() {
         }
         for pretees in [necessaires, necessaires + 1, 2 * necessaires + 100] {
             let mut places = vec![f32::INFINITY; pretees];
-            let hierarchie = Monde::new(&scene, &mut places).unwrap();
+            let monde = Monde::new(&scene, &mut places).unwrap();
             // One line, however many objects there are.
-            let en_clair = format!("{hierarchie:?}");
+            let en_clair = format!("{monde:?}");
             assert!(en_clair.starts_with(&format!("Monde {{ objets: {n}, noeuds: ")));
             assert!(en_clair.len() < 60, "{en_clair}");
-            let copie = hierarchie;
+            let copie = monde;
             for rayon in &rayons {
                 let attendue = mots(&premiere_intersection(&scene, rayon));
                 assert_eq!(mots(&copie.premiere_intersection(rayon)), attendue);
@@ -812,7 +770,7 @@ fn places_dit_combien_de_places_suffisent<R: Bits>() {
 }
 
 fn moins_de_dix_objets_bornes_restent_une_liste<R: Bits>() {
-    let mut alea = Rng::with_seed(7);
+    let mut alea = Hasard::de_graine(7);
     let rayons = scenes::rayons_camera::<R>(20, 20);
     for n in [UN_ARBRE, 100, 300] {
         // None bounded, one, and as many as get no tree and a tree.
@@ -825,8 +783,8 @@ fn moins_de_dix_objets_bornes_restent_une_liste<R: Bits>() {
             assert!(comparer(&objets, &rayons) > 0);
             // Without a tree a comparison is of the list with itself.
             let mut places = vec![0.0; places(n)];
-            let hierarchie = Monde::new(&objets, &mut places).unwrap();
-            assert_eq!(noeuds(&hierarchie) > 0, bornes == UN_ARBRE);
+            let monde = Monde::new(&objets, &mut places).unwrap();
+            assert_eq!(noeuds(&monde) > 0, bornes == UN_ARBRE);
         }
     }
 }
@@ -834,7 +792,7 @@ fn moins_de_dix_objets_bornes_restent_une_liste<R: Bits>() {
 /// Built: as many half-spaces as need no node more, in exactly the places that are asked for, which start
 /// anywhere in a cache line. Held: the answers of the list; a place less would be missed.
 fn les_demi_espaces_ont_leur_place<R: Bits>() {
-    let mut alea = Rng::with_seed(8);
+    let mut alea = Hasard::de_graine(8);
     let rayons = scenes::rayons_camera::<R>(6, 6);
     for (bornes, demi_espaces) in
         [(UN_ARBRE, 16 - UN_ARBRE), (17, 15), (1, 15), (241, 15), (257, 15), (20, 60)]
@@ -846,11 +804,11 @@ fn les_demi_espaces_ont_leur_place<R: Bits>() {
         let mut places = vec![0.0; necessaires + 16];
         for debut in 0..16 {
             let places = &mut places[debut..debut + necessaires];
-            let hierarchie = Monde::new(objets, places).unwrap();
-            assert_eq!(noeuds(&hierarchie) > 0, bornes >= UN_ARBRE);
+            let monde = Monde::new(objets, places).unwrap();
+            assert_eq!(noeuds(&monde) > 0, bornes >= UN_ARBRE);
             for rayon in &rayons {
                 let attendue = mots(&premiere_intersection(objets, rayon));
-                assert_eq!(mots(&hierarchie.premiere_intersection(rayon)), attendue);
+                assert_eq!(mots(&monde.premiere_intersection(rayon)), attendue);
             }
         }
     }
@@ -858,20 +816,20 @@ fn les_demi_espaces_ont_leur_place<R: Bits>() {
 
 fn des_longueurs_differentes_sont_une_erreur_et_rien_n_est_ecrit<R: Bits>() {
     let (scene, rayons) = (scenes::melange::<R>(300), scenes::rayons_camera(20, 10));
-    let mut places = vec![0.0; places(scene.len())];
-    let hierarchie = Monde::new(&scene, &mut places).unwrap();
-    let avant = hierarchie.premiere_intersection(&rayons[105]);
-    assert!(avant.is_ok());
-    for longueur in [0, 199, 201] {
-        let attendue = Err(LongueursDifferentes { rayons: 200, reponses: longueur });
-        let mut touches = vec![avant; longueur];
-        assert_eq!(hierarchie.premieres_intersections(&rayons, &mut touches), attendue);
-        assert_eq!(touches, vec![avant; longueur]);
-        for vraie in [true, false] {
-            let mut occultes = [vec![vraie; longueur], vec![vraie; longueur]];
-            assert_eq!(hierarchie.sont_occultes(&rayons, &mut occultes[0]), attendue);
-            assert_eq!(Monde::de_liste(&scene).sont_occultes(&rayons, &mut occultes[1]), attendue);
-            assert_eq!(occultes.concat(), vec![vraie; 2 * longueur]);
+    for monde in [avec_arbre(&scene), Monde::de_liste(&scene)] {
+        let avant = monde.premiere_intersection(&rayons[105]);
+        assert!(avant.is_ok());
+        for longueur in [0, 1, 199, 201] {
+            let erreur = LongueursDifferentes { rayons: 200, reponses: longueur };
+            assert_eq!(erreur.to_string(), format!("200 rays, but places for {longueur} answers"));
+            let mut touches = vec![avant; longueur];
+            assert_eq!(monde.premieres_intersections(&rayons, &mut touches), Err(erreur));
+            assert_eq!(touches, vec![avant; longueur]);
+            for vraie in [true, false] {
+                let mut occultes = vec![vraie; longueur];
+                assert_eq!(monde.sont_occultes(&rayons, &mut occultes), Err(erreur));
+                assert_eq!(occultes, vec![vraie; longueur]);
+            }
         }
     }
 }
