@@ -225,13 +225,17 @@ impl<R: Nombre> BoiteRay<R> {
     /// The entry and the exit of the ray between one pair of faces.
     #[inline(always)]
     pub(crate) fn dalle(&self, axe: usize, rayon: &Rayon<R>) -> (Quotient<R>, Quotient<R>) {
-        dalle(self.paires()[axe], rayon.source() - self.centre, rayon.direction())
+        let paire = (self.normales[axe], self.demi_longueurs[axe]);
+        dalle(paire, rayon.source() - self.centre, rayon.direction())
     }
 
     /// The last entry into the three pairs of faces, which pair that is, and the first exit.
     #[inline(always)]
     fn dalles(&self, rayon: &Rayon<R>) -> (Quotient<R>, usize, Quotient<R>) {
-        dalles([self.dalle(0, rayon), self.dalle(1, rayon), self.dalle(2, rayon)])
+        dalles(
+            #[inline(always)]
+            |axe| self.dalle(axe, rayon),
+        )
     }
 
     /// The face across this axis that the ray comes to first: its normal and its distance from C.
@@ -280,8 +284,7 @@ impl<R: Nombre> Forme<R> for BoiteRay<R> {
     /// The ball whose radius is half a diagonal of the box.
     #[inline(always)]
     fn boule(&self) -> Boule<R> {
-        let r2 = Vecteur::from(self.demi_longueurs).longueur_carree();
-        Boule { centre: self.centre, r2 }
+        Boule { centre: self.centre, r2: Vecteur::from(self.demi_longueurs).longueur_carree() }
     }
 
     /// Σ|N_i|·l_i along each axis.
@@ -352,13 +355,11 @@ impl<R: Nombre> Forme<R> for BoiteRay<R> {
     fn recul(&self, rayon: &Rayon<R>) -> R {
         let entrees = [0, 1, 2].map(|axe| self.dalle(axe, rayon).0);
         let profonds = entrees.map(|e| if e.vitesse > R::ZERO { -e.longueur } else { R::ZERO });
-        let profond = self.profond(rayon, FLOU_PROPRE);
-        profonds.into_iter().filter(|p| *p < profond).fold(R::ZERO, max)
+        profonds.into_iter().filter(|p| *p < self.profond(rayon, FLOU_PROPRE)).fold(R::ZERO, max)
     }
 }
 
 refus::lu_par! {
-    BoiteGeo {
-        centre: Vecteur<R>, dimensions: Vecteur<R>, rotation: Rotation<R> = default, texture: Texture
-    } => Self::new(centre, dimensions, rotation, texture)
+    BoiteGeo { centre: Vecteur<R>, dimensions: Vecteur<R>, rotation: Rotation<R> = default, texture: Texture }
+    => Self::new(centre, dimensions, rotation, texture)
 }

@@ -65,13 +65,14 @@ pub(crate) fn dalle<R: Nombre>(
 /// One pair has a speed of 0.5 or more, and with it an entry and an exit nearer than `loin`.
 #[inline(always)]
 pub(crate) fn dalles<R: Nombre>(
-    dalles: [(Quotient<R>, Quotient<R>); 3],
+    dalle: impl Fn(usize) -> (Quotient<R>, Quotient<R>),
 ) -> (Quotient<R>, usize, Quotient<R>) {
     let (loin, vitesse) = (R::LIMITE * R::depuis_f64(8.0), echelle_vitesse());
     let mut entree = Quotient { longueur: -loin, vitesse };
     let mut sortie = Quotient { longueur: loin, vitesse };
     let mut axe_d_entree = 0; // B4
-    for (axe, (e, s)) in dalles.into_iter().enumerate() {
+    for axe in 0..3 {
+        let (e, s) = dalle(axe);
         if e.depasse(entree) {
             (entree, axe_d_entree) = (e, axe);
         }
