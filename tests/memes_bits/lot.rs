@@ -1,4 +1,4 @@
-//! Batches: every number of rays, every order, and what a beam leaves out of a tree.
+//! Batches: every number of rays, every order, and what the probe of a block leaves out of a tree.
 //!
 //! `LANCER_RAYON_CAS` makes each random test so many times as long:
 //! `LANCER_RAYON_CAS=2000 cargo test --release --all-features --test memes_bits lot`
@@ -19,7 +19,7 @@ use lancer_rayon::{
     Vecteur, places,
 };
 
-/// Half the angle of a needle: far beyond rounding in both types, and narrow enough for a beam.
+/// Half the angle of a needle: far beyond rounding in both types, and narrow enough to walk together.
 const AIGUILLE: f64 = 1e-5;
 
 fn cas() -> usize {
@@ -55,7 +55,7 @@ fn toute_longueur_convient<R: Bits>() {
 
 en_f32_et_f64!(toute_longueur_convient);
 
-/// A block whose rays go opposite ways has no beam, among more objects than it asks then.
+/// A block whose rays go opposite ways does not walk together, among more objects than it asks then.
 fn des_rayons_opposes_repondent_comme_un_par_un<R: Bits>() {
     let rayons = scenes::rayons_opposes::<R>(8);
     assert!(comparer(&scenes::melange(300), &rayons) > 10);
@@ -136,7 +136,7 @@ en_f32_et_f64!(aux_extremes_un_lot_repond_comme_un_par_un);
 ///
 /// A sixth of the blocks is a row and a third a tile, as a picture has them. The others are scattered:
 /// as they are, with every other ray turned back, or all beside the middle ray of the block, on one
-/// side of it. A beam must hold every one of them, or there must be none.
+/// side of it. A probe must hold every one of them.
 fn gerbe<R: Reel>(
     alea: &mut Hasard,
     (s, d): (Vecteur, Vecteur),
@@ -183,7 +183,7 @@ fn frole<R: Reel>(alea: &mut Hasard, rayons: &[Rayon<R>], texture: Texture) -> O
 ///
 /// The ball lies ahead of the source, one in six behind it, and so far that up to two bits of `l` are
 /// left in the distance. The ray is one of the block or, as often, the eighth, at the end of the row
-/// along which a beam has its sides; half of the balls lie in the plane of that row, where the sides
+/// of a tile; half of the balls lie in the plane of that row, where the sides
 /// are closest to the rays.
 fn boule_frolee<R: Reel>(alea: &mut Hasard, rayons: &[Rayon<R>], l: f64) -> (Vecteur<R>, Vecteur) {
     let rayon = &rayons[if alea.bool() { alea.usize(0..rayons.len()) } else { 7 }];
@@ -216,12 +216,12 @@ fn coin_vers<R: Reel>(alea: &mut Hasard, cible: Vecteur) -> Rotation<R> {
     Rotation::depuis_matrice(lignes).unwrap_or(rotation)
 }
 
-/// Bundles from needles to fans too wide for a beam, of one source and of many, with objects that rays
+/// Bundles from needles to fans too wide to walk together, of one source and of many, with objects that rays
 /// at the rim of the bundle graze.
 ///
-/// Four times the usual number. A beam without any of its margins in u is found by the sources in `arbre.rs` that
+/// Four times the usual number. A probe without any of its slack is found by the sources in `arbre.rs` that
 /// lie farther and farther away; none was lost here.
-fn le_faisceau_ne_perd_aucune_touche<R: Bits>() {
+fn la_sonde_ne_perd_aucune_touche<R: Bits>() {
     let faire = |alea: &mut Hasard| {
         let loin = if alea.bool() { 0.0 } else { deux_puissance(alea, -10.0, 16.0) };
         let axe = (direction(alea) * loin, direction(alea));
@@ -242,13 +242,13 @@ fn le_faisceau_ne_perd_aucune_touche<R: Bits>() {
     assert!(touches > 40 * cas(), "only {touches} hits");
 }
 
-en_f32_et_f64!(le_faisceau_ne_perd_aucune_touche);
+en_f32_et_f64!(la_sonde_ne_perd_aucune_touche);
 
 /// Needles at objects so large, small or far that squares lie at the ends of the type.
 fn aux_bornes_du_type_un_lot_repond_comme_un_par_un<R: Bits>() {
     for regime in regimes::<R>().into_iter().filter(|regime| regime.extreme == Extreme::Bornes) {
         let faire = |alea: &mut Hasard| {
-            // A needle around each ray: the rays of the cases together have no beam.
+            // A needle around each ray: the rays of the cases do not walk together.
             alea.liste(20, |alea, _| {
                 let Cas { objet, rayon } = (regime.cas)(alea);
                 let d = rayon.direction().vers_f64();
@@ -270,9 +270,9 @@ fn aux_bornes_du_type_un_lot_repond_comme_un_par_un<R: Bits>() {
 
 en_f32_et_f64!(aux_bornes_du_type_un_lot_repond_comme_un_par_un);
 
-/// Built: 63 equal rays, so that no row gives the beam an axis; the x axis takes its place, and is M
+/// Built: 63 equal rays, so that no row gives an axis; the x axis takes its place, and is M
 /// except for some u. Held: the one ray along M keeps its spheres, although the whole block goes to one
-/// side of the axis. The proof of the beam needs a bound e of 0 or more.
+/// side of the axis. A pyramid around the block, as there was once, needed a bound of 0 or more.
 fn un_bloc_d_un_seul_cote_de_son_axe_ne_perd_aucune_touche<R: Bits>() {
     for k in [-6.0_f64, -4.0, -2.0, -1.0, 1.0, 2.0, 4.0, 6.0] {
         for theta in [0.3_f64, 0.6, 0.9, 1.1, 1.3] {
