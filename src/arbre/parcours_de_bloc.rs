@@ -35,7 +35,7 @@ const AILLEURS: usize = 1;
 
 /// Sixteen rays are tried alone where their probe is at most this many times as wide as that of
 /// their block.
-const PLUS_ETROIT: f32 = 0.75;
+const PLUS_ETROIT: f32 = 0.6;
 
 /// A probe that enters fewer children of a node than this is not too wide.
 const ENFANTS_CROISES: u32 = ENFANTS as u32 / 2;
