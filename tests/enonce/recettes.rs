@@ -46,6 +46,10 @@ fn un_mur_mitoyen_est_a_l_ombre<R: Reel>() {
             for (face, cache) in [(Face::PlusX, true), (Face::MoinsX, false)] {
                 let (milieu, n) = boite.face(face);
                 let capteur = capteur(boite, face, milieu + vers).unwrap();
+                // Some roundings of numbers below 200, and nowhere near the size of the wall.
+                assert!(
+                    (capteur.point() - milieu - vers).longueur().vers_f64() < 4_000.0 * u::<R>()
+                );
                 let Ok(ombre) = capteur.vers_soleil(soleil) else { continue };
                 assert_eq!(monde.est_occulte(&ombre), cache, "{objets:?} {ombre:?}");
                 let naif = Rayon::new(capteur.point(), soleil).unwrap();
