@@ -117,10 +117,9 @@ impl<R: Nombre> Rayon<R> {
     /// own](crate::ObjetRay::sortie). A point C + l·N as computed, the middle of a face, lies within
     /// 14u(|C| + l) of the face.
     ///
-    /// A ray that was [inside](Self::dedans) something no longer is, even if this δ is 0.
-    ///
     /// # Errors
-    /// If `flou` is not finite or below 0.
+    /// If `flou` is not finite or below 0, or above 0 for a ray that is [inside](Self::dedans)
+    /// something, which has no δ.
     ///
     /// ```
     /// use lancer_rayon::{NoIntersection, ObjetRay, PlanGeo, Rayon, Texture, Vecteur};
@@ -134,10 +133,11 @@ impl<R: Nombre> Rayon<R> {
     /// ```
     #[doc(alias("tolerance", "on_surface", "blur"))]
     pub fn avec_flou(self, flou: R) -> Result<Self, ErreurGeo> {
-        let accepte = flou >= R::ZERO && flou < R::INFINI;
-        let flou = exiger(accepte, "flou", flou, "a finite number, 0 or more")?;
+        let dedans = self.su < R::ZERO;
+        let accepte = flou >= R::ZERO && flou < if dedans { R::MIN_POSITIF } else { R::INFINI };
+        exiger(accepte, "flou", flou, "finite and 0 or more; 0 inside something")?;
         // A −0 would be read again as 0.
-        Ok(Self { su: max(flou, R::ZERO), ..self })
+        Ok(Self { su: if dedans { self.su } else { max(flou, R::ZERO) }, ..self })
     }
 
     /// The same ray, known to start inside something such as mist, water or glass. It has no δ and

@@ -30,7 +30,7 @@ use crate::texture::Texture;
 /// assert_eq!(plus_haut.vers_ray().distance(), -1.0);
 /// # Ok::<(), lancer_rayon::ErreurGeo>(())
 /// ```
-#[doc(alias("plane", "half-space"))]
+#[doc(alias("plane", "half_space"))]
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(bound(serialize = "R: Nombre + serde::Serialize")))]
@@ -186,7 +186,7 @@ impl<R: Nombre> PlanGeo<R> {
 /// assert_eq!((n, d, fond.texture()), (Vecteur::new(0.0, 0.0, 1.0), 2.0, Texture(7)));
 /// # Ok::<(), lancer_rayon::ErreurGeo>(())
 /// ```
-#[doc(alias("plane", "half-space"))]
+#[doc(alias("plane", "half_space"))]
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[must_use]
 pub struct PlanRay<R = f64> {

@@ -629,6 +629,9 @@ fn dedans_un_rayon_n_a_pas_de_flou_et_dehors_il_le_garde<R: Reel>() {
         let virage = verre.bifurque(long(1.0), travers).unwrap();
         let dedans = [verre, miroir, virage, bulle, retour, de(0.0).dedans()];
         assert_eq!(dedans.map(|rayon| rayon.flou()), [R::ZERO; 6]);
+        // Whoever gives such a ray a δ would make it forget what it is inside.
+        assert!(dedans.iter().all(|rayon| rayon.avec_flou(R::ZERO) == Ok(*rayon)));
+        assert!(dedans.iter().all(|rayon| rayon.avec_flou(flou).unwrap_err().champ == "flou"));
         assert!(grande.sortie(&retour).unwrap().secondaire(d).unwrap().flou() > R::ZERO);
         let dehors = [
             touche.reflechi(d).unwrap(),
