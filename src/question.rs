@@ -25,8 +25,8 @@ pub(crate) trait Question<R: Nombre> {
     /// No object that the ray enters farther than this counts.
     fn limite(&self) -> R;
 
-    /// Asks the object at this index of the list; `None` if it does not count. Only a question for
-    /// distances tells one here.
+    /// Asks the object at this index of the list: the distance at which it counts, or any number if
+    /// the question is not for distances; `None` if it does not count.
     fn voir(&self, rayon: &Rayon<R>, objet: &ObjetRay<R>, indice: usize, abord: Abord)
     -> Option<R>;
 

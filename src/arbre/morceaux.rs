@@ -7,14 +7,14 @@
 
 use crate::algebre::nombre::{Nombre, min, simple};
 use crate::algebre::vecteur::Vecteur;
-use crate::arbre::noeud::{ENFANTS, Fiche};
+use crate::arbre::noeud::Fiche;
 use crate::arbre::repere::Repere;
 use crate::objet::ObjetRay;
 use crate::rayon::Rayon;
 
-/// How much surface one more record must save. The unit is that of an object of the mean size, over
-/// the square of how many leaves stand along a side of the scene (`benches/seuils.md`, "Thresholds").
-const PRIX_D_UNE_FICHE: f32 = 2.0;
+/// How much surface one more record must save, where that of an object of the mean size is 1
+/// (`benches/seuils.md`, "Thresholds").
+const PRIX_D_UNE_FICHE: f32 = 0.03;
 
 /// Half of the least width of a slice in the frame of the tree (lemma 21).
 const DEMI_TRANCHE_MINIMALE: f32 = 1.0 / 65_536.0;
@@ -39,10 +39,9 @@ impl Coupe {
         restent: usize,
     ) -> Self {
         let boites = objets.iter().filter_map(ObjetRay::boite_englobante);
-        // The mean of the roots, in which a sky or a sun counts for little.
+        // A mean of roots, in which a sky or a ball for a ground counts for little.
         let tailles: f32 = boites.map(|(_, h)| repere.surface(h).sqrt()).sum();
-        let nombre = objets.len() as f32;
-        let taille = tailles / (nombre * libm::cbrtf(nombre / ENFANTS as f32));
+        let taille = tailles / objets.len() as f32;
         let mut coupe = Self { prix: PRIX_D_UNE_FICHE * taille * taille, part: 0.0 };
         let souhaits: f32 = objets.iter().map(|objet| coupe.souhait(repere, objet)).sum();
         coupe.part = if souhaits > 0.0 { min(restent as f32 / souhaits, 1.0) } else { 0.0 };

@@ -43,6 +43,7 @@ fn demander<R: Nombre, Q: Question<R>, T>(
     selon_le_niveau!(vue.niveau, simd => demander_avec(simd, vue, rayon, question, repondre))
 }
 
+/// Asks this question for one ray with these instructions: alone, or left over by a block.
 #[inline(always)]
 fn demander_avec<S: Simd, R: Nombre, Q: Question<R>, T>(
     simd: S,
@@ -64,8 +65,8 @@ fn demander_avec<S: Simd, R: Nombre, Q: Question<R>, T>(
     )
 }
 
-/// Makes a hit of a first object. It is a closure, since the call of a function that is passed on
-/// would not be inlined, and the function be compiled for the baseline instructions.
+/// Makes a hit of a first object. It is a closure, since a function that is passed on is not
+/// inlined, and would be compiled for the baseline instructions.
 fn une_touche<R: Nombre>() -> impl Fn(Premier<R>, &Rayon<R>, &[ObjetRay<R>]) -> Reponse<R> + Copy {
     #[inline(always)]
     |premier, rayon, objets| premier.conclure(rayon, objets)
@@ -94,7 +95,7 @@ fn demander_en_lot<R: Nombre, T, const OMBRE: bool>(
         return Err(LongueursDifferentes { rayons: rayons.len(), reponses: reponses.len() });
     }
     let &Vue { liste, arbre, niveau } = vue;
-    // Rays that a block leaves have asked the objects without a box.
+    // The rays that a block leaves have asked the objects without a box.
     let sans = Arbre { sans_boite: &[], ..*arbre };
     let reste = Vue { liste, arbre: &sans, niveau };
     let mut groupes = Groupes::new_const();
