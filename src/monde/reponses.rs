@@ -116,7 +116,7 @@ fn demander_en_lot<R: Nombre, T, const OMBRE: bool>(
                 };
                 let par_groupe = rayons.chunks(VOIES).zip(reponses.chunks_mut(VOIES));
                 for (i, (rayons, reponses)) in par_groupe.enumerate() {
-                    if restent.is_some_and(|groupes| groupes >> i & 1 == 0) {
+                    if restent.unwrap_or(u32::MAX) >> i & 1 == 0 {
                         ecrire(bloc.groupe(i), liste.objets, rayons, reponses);
                         continue;
                     }
