@@ -3,7 +3,7 @@
 pub(crate) mod reponses;
 
 use core::fmt;
-use core::ops::ControlFlow;
+use core::ops::ControlFlow::{self, Continue};
 
 use fearless_simd::Level;
 
@@ -174,7 +174,7 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// The world as questions take it.
     #[inline]
     pub(crate) fn vue(&self) -> Vue<'_, R> {
-        let liste = Liste { objets: self.objets, choix: self.choix.regle() };
+        let liste = Liste { objets: self.objets, choix: self.choix.regle_des_parcours() };
         Vue { liste, arbre: &self.arbre, niveau: self.niveau }
     }
 
@@ -495,7 +495,10 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// [contains](ObjetRay::contient) this point.
     #[doc(alias("contains", "inside", "point_query"))]
     pub fn contenants(&self, point: Vecteur<R>, mut voir: impl FnMut(usize)) {
-        Reponses::<R>::contenants(&self.vue(), point, &mut voir);
+        Reponses::<R>::contenants(&self.vue(), point, &mut |indice, _| {
+            voir(indice);
+            Continue(R::INFINI)
+        });
     }
 
     /// Whether an answer of [`premiere_intersection`](Self::premiere_intersection), a hit or a

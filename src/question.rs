@@ -1,10 +1,10 @@
 //! The questions that a ray asks. They have one trait, so that every walk can ask any of them: a
-//! list (`liste.rs`), a tree (`arbre/parcours.rs`) and, for those that are
-//! [`EnLot`](crate::cote_a_cote::bloc::EnLot), a block of rays (`cote_a_cote/bloc.rs`).
+//! list (`liste.rs`) and a tree (`arbre/parcours.rs`).
 //!
-//! [`Premier`] asks which object is first, and [`Ombre`] whether there is any. The others are
-//! [`Certificat`](crate::question::jugement::certificat::Certificat), [`Visite`](crate::question::visite::Visite) and
-//! [`Contenance`](crate::question::visite::Contenance).
+//! [`Premier`] asks which object is first, or whether there is any; many rays ask it side by side
+//! (`cote_a_cote/bloc.rs`). The others are
+//! [`Certificat`](crate::question::jugement::certificat::Certificat) and
+//! [`Visite`](crate::question::visite::Visite).
 
 pub(crate) mod choix;
 pub(crate) mod jugement;
@@ -17,33 +17,24 @@ use crate::objet::ObjetRay;
 use crate::rayon::Rayon;
 use crate::rayon::intersection::{NoIntersection, Rang, Reponse};
 
-/// A question: what it asks of an object, what it keeps, and its answer.
+/// A question: which objects count, and what is kept of them. Whoever asks makes the answer of that.
 pub(crate) trait Question<R: Nombre> {
     /// Whether the first object that is kept settles the answer.
     const UN_SUFFIT: bool;
-    /// What the question learns of an object that may count.
-    type Vu;
-    type Reponse;
 
     /// No object that the ray enters farther than this counts.
     fn limite(&self) -> R;
 
-    /// Asks the object at this index of the list; `None` if it does not count.
-    fn voir(
-        &self,
-        rayon: &Rayon<R>,
-        objet: &ObjetRay<R>,
-        indice: usize,
-        abord: Abord,
-    ) -> Option<Self::Vu>;
+    /// Asks the object at this index of the list: the distance at which it counts, or any number if
+    /// the question is not for distances; `None` if it does not count.
+    fn voir(&self, rayon: &Rayon<R>, objet: &ObjetRay<R>, indice: usize, abord: Abord)
+    -> Option<R>;
 
-    /// Keeps the object at this index if it comes before the last that is kept; returns whether it
-    /// did. `en_morceaux` says that a tree holds the object in several pieces, so that a walk may
-    /// come to it again.
-    fn retenir(&mut self, vu: Self::Vu, indice: usize, en_morceaux: bool) -> bool;
-
-    /// The answer for this ray among these objects.
-    fn repondre(self, rayon: &Rayon<R>, objets: &[ObjetRay<R>]) -> Self::Reponse;
+    /// Keeps the object at this index, seen at distance `t`, if it comes before the last that is
+    /// kept; returns whether it did. A tree may hold an object in several pieces, so that a walk
+    /// comes to it again: `ici` tells of a distance whether the ray is there in the piece that the
+    /// walk has come to, which is true of one piece alone.
+    fn retenir(&mut self, t: R, indice: usize, ici: impl FnOnce(R) -> bool) -> bool;
 }
 
 /// What is known of an object before it is asked.
@@ -75,15 +66,15 @@ pub(crate) fn entree<R: Nombre>(rayon: &Rayon<R>, objet: &ObjetRay<R>, abord: Ab
     Some(t).filter(|t| *t < R::INFINI)
 }
 
-/// Which object the ray enters first.
+/// Which object the ray enters first; if it is an `OMBRE`, a shadow, any object before its end.
 #[derive(Clone, Copy)]
-pub(crate) struct Premier<R> {
+pub(crate) struct Premier<R, const OMBRE: bool = false> {
     /// The distance of the first object so far; while there is none, the end of the ray.
     pub(crate) t: R,
     pub(crate) rang: Option<Rang>,
 }
 
-impl<R: Nombre> Premier<R> {
+impl<R: Nombre, const OMBRE: bool> Premier<R, OMBRE> {
     /// No object so far; the first must be nearer than `t`.
     #[inline(always)]
     pub(crate) fn avant(t: R) -> Self {
@@ -99,10 +90,18 @@ impl<R: Nombre> Premier<R> {
     }
 }
 
-impl<R: Nombre> Question<R> for Premier<R> {
-    const UN_SUFFIT: bool = false;
-    type Vu = R;
-    type Reponse = Reponse<R>;
+impl<R: Nombre> Premier<R> {
+    /// The hit on this object of the list.
+    #[inline(always)]
+    pub(crate) fn conclure(self, rayon: &Rayon<R>, objets: &[ObjetRay<R>]) -> Reponse<R> {
+        let rang = self.rang.ok_or(NoIntersection)?;
+        let objet = objets.get(rang.indice()).ok_or(NoIntersection)?;
+        objet.conclure(rayon, self.t, rang)
+    }
+}
+
+impl<R: Nombre, const OMBRE: bool> Question<R> for Premier<R, OMBRE> {
+    const UN_SUFFIT: bool = OMBRE;
 
     #[inline(always)]
     fn limite(&self) -> R {
@@ -115,7 +114,7 @@ impl<R: Nombre> Question<R> for Premier<R> {
     }
 
     #[inline(always)]
-    fn retenir(&mut self, t: R, indice: usize, _: bool) -> bool {
+    fn retenir(&mut self, t: R, indice: usize, _: impl FnOnce(R) -> bool) -> bool {
         let trouve = Self { t, rang: Some(Rang::de(indice)) };
         // Ties are rare and have a branch of their own, and each outcome its own return. A single
         // ray takes up to 1.16 times as long without that branch, up to 1.12 times in rooms if
@@ -125,48 +124,5 @@ impl<R: Nombre> Question<R> for Premier<R> {
             return true;
         }
         false
-    }
-
-    #[inline(always)]
-    fn repondre(self, rayon: &Rayon<R>, objets: &[ObjetRay<R>]) -> Reponse<R> {
-        let rang = self.rang.ok_or(NoIntersection)?;
-        let objet = objets.get(rang.indice()).ok_or(NoIntersection)?;
-        objet.conclure(rayon, self.t, rang)
-    }
-}
-
-/// Whether anything stands before the end of the ray: a shadow. It keeps what a first hit keeps.
-pub(crate) struct Ombre<R>(Premier<R>);
-
-impl<R: Nombre> From<Premier<R>> for Ombre<R> {
-    #[inline(always)]
-    fn from(premier: Premier<R>) -> Self {
-        Self(premier)
-    }
-}
-
-impl<R: Nombre> Question<R> for Ombre<R> {
-    const UN_SUFFIT: bool = true;
-    type Vu = R;
-    type Reponse = bool;
-
-    #[inline(always)]
-    fn limite(&self) -> R {
-        self.0.t
-    }
-
-    #[inline(always)]
-    fn voir(&self, rayon: &Rayon<R>, objet: &ObjetRay<R>, _: usize, abord: Abord) -> Option<R> {
-        entree(rayon, objet, abord)
-    }
-
-    #[inline(always)]
-    fn retenir(&mut self, t: R, indice: usize, en_morceaux: bool) -> bool {
-        self.0.retenir(t, indice, en_morceaux)
-    }
-
-    #[inline(always)]
-    fn repondre(self, _: &Rayon<R>, _: &[ObjetRay<R>]) -> bool {
-        self.0.rang.is_some()
     }
 }

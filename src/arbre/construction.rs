@@ -12,11 +12,11 @@ use core::{fmt, mem};
 
 use crate::algebre::nombre::{Nombre, max, min, simple};
 use crate::algebre::vecteur::Vecteur;
-use crate::arbre::morceaux::Partage;
+use crate::arbre::morceaux::{Coupe, decouper};
 use crate::arbre::noeud::{
-    COIN_ABSENT, ENFANTS, FICHE, Fiche, LIMITE_INDICES, Noeud, VIDE, en_mot, en_mot_d_un_morceau,
+    COIN_ABSENT, ENFANTS, FICHE, Fiche, LIMITE_INDICES, Noeud, VIDE, en_mot,
 };
-use crate::arbre::repere::{Repere, extremes};
+use crate::arbre::repere::{Repere, double_centre, extremes};
 use crate::cote_a_cote::colonne::somme;
 use crate::objet::ObjetRay;
 
@@ -43,6 +43,7 @@ pub struct Arbre<'a, R> {
     /// About what part of all boxes a line crosses, if it crosses one.
     pub(crate) part_des_croises: f32,
     pub(crate) repere: Repere<R>,
+    pub(crate) coupe: Coupe,
 }
 
 impl<R: Nombre> Arbre<'_, R> {
@@ -53,6 +54,7 @@ impl<R: Nombre> Arbre<'_, R> {
         sans_boite: &[],
         part_des_croises: 0.0,
         repere: Repere::QUELCONQUE,
+        coupe: Coupe::AUCUNE,
     };
 }
 
@@ -96,24 +98,26 @@ pub(crate) const fn mots(objets: usize) -> usize {
     total.saturating_mul(FICHE * ENFANTS).saturating_add(ENFANTS - 1 + BOURRAGE)
 }
 
-/// How many records there is room for in this many numbers, beyond the leaves that these objects
-/// fill with one each.
+/// How many records there is room for in this many numbers, beyond one for each of these objects.
 fn fiches_de_plus(objets: usize, places: usize) -> usize {
-    const FEUILLE: usize = FICHE * ENFANTS;
-    let feuilles = objets.div_ceil(ENFANTS);
-    let le_plus = (LIMITE_INDICES as usize / ENFANTS - 1).saturating_sub(feuilles);
-    let plus = (places.saturating_sub(mots(objets)) / FEUILLE).min(le_plus);
-    // The nodes above these leaves take the place of some.
-    let trop = mots((feuilles + plus) * ENFANTS).saturating_sub(places).div_ceil(FEUILLE);
-    plus.saturating_sub(trop) * ENFANTS
+    let le_plus = LIMITE_INDICES as usize - 1 - objets;
+    let mut plus = (places.saturating_sub(mots(objets)) / FICHE).min(le_plus);
+    loop {
+        // The nodes above the leaves take the place of some.
+        let trop = mots(objets + plus).saturating_sub(places);
+        if trop == 0 {
+            return plus;
+        }
+        plus = plus.saturating_sub(trop.div_ceil(FICHE));
+    }
 }
 
 /// The tree over these objects, in as many numbers as [`mots`] says or more; one without nodes over
-/// few that have a box. `decouper` says whether the numbers beyond pay for pieces of long boxes.
+/// few that have a box. `en_morceaux` says whether the numbers beyond pay for pieces of long boxes.
 pub(crate) fn construire<'a, R: Nombre>(
     objets: &[ObjetRay<R>],
     places: &'a mut [f32],
-    decouper: bool,
+    en_morceaux: bool,
 ) -> Result<Arbre<'a, R>, PlacesInsuffisantes> {
     let necessaires = mots(objets.len());
     if places.len() < necessaires {
@@ -122,17 +126,18 @@ pub(crate) fn construire<'a, R: Nombre>(
     if necessaires == 0 {
         return Ok(Arbre::SANS_NOEUDS);
     }
-    let restent = if decouper { fiches_de_plus(objets.len(), places.len()) } else { 0 };
+    let plus = if en_morceaux { fiches_de_plus(objets.len(), places.len()) } else { 0 };
     let debut = places.as_ptr().align_offset(LIGNE).min(BOURRAGE);
     let places = &mut places[debut..];
     let mut repere = Repere::autour(objets);
-    let mut partage = Partage::new(objets, repere, restent, places);
+    let coupe = if plus > 0 { Coupe::new(objets, repere, plus) } else { Coupe::AUCUNE };
     let (mut nombre, mut fin) = (0, places.len());
     for (indice, objet) in objets.iter().enumerate() {
         let (fiches, _) = places.as_chunks_mut();
-        let a_une_boite = partage.decouper(objet, |(bas, haut), en_morceaux| {
-            let mot = if en_morceaux { en_mot_d_un_morceau(indice) } else { en_mot(indice) };
-            fiches[nombre] = [bas.x, bas.y, bas.z, haut.x, haut.y, haut.z, mot];
+        let quoi = (indice, objet);
+        let morceaux = if coupe.part > 0.0 { coupe.morceaux(repere, quoi) } else { 1 };
+        let a_une_boite = decouper(objet, morceaux, repere, |(bas, haut)| {
+            fiches[nombre] = [bas.x, bas.y, bas.z, haut.x, haut.y, haut.z, en_mot(indice)];
             nombre += 1;
         });
         if !a_une_boite {
@@ -177,7 +182,7 @@ pub(crate) fn construire<'a, R: Nombre>(
     }
     // The root is the last.
     let noeuds = &noeuds[..=etage.start];
-    Ok(Arbre { noeuds, feuilles, sans_boite, part_des_croises, repere })
+    Ok(Arbre { noeuds, feuilles, sans_boite, part_des_croises, repere, coupe })
 }
 
 /// With a slack of this part of the width of a scene or more, boxes tell no objects apart.
@@ -249,12 +254,6 @@ fn part_des_croises(fiches: &[Fiche]) -> f32 {
     };
     let paires = temoins().len() * temoins().len();
     temoins().map(part).sum::<f32>() / paires as f32
-}
-
-/// Twice the centre of a box.
-#[inline(always)]
-fn double_centre(&[x0, y0, z0, x1, y1, z1, _]: &Fiche) -> [f32; 3] {
-    [x0 + x1, y0 + y1, z0 + z1]
 }
 
 /// These records, sixteen at most, as columns.

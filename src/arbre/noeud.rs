@@ -38,15 +38,3 @@ pub(crate) const VIDE: Noeud = {
 pub(crate) fn en_mot(indice: usize) -> f32 {
     f32::from_bits(indice as u32)
 }
-
-/// The index of an object in several pieces, [stored](en_mot) with a minus sign, which no index
-/// needs.
-pub(crate) fn en_mot_d_un_morceau(indice: usize) -> f32 {
-    -en_mot(indice)
-}
-
-/// Whether a [stored](en_mot) index is that of an object in several pieces.
-#[inline(always)]
-pub(crate) fn est_un_morceau(mot: f32) -> bool {
-    mot.is_sign_negative()
-}

@@ -4,7 +4,7 @@ use fearless_simd::Simd;
 
 use crate::algebre::nombre::Nombre;
 use crate::arbre::construction::Arbre;
-use crate::arbre::noeud::{ENFANTS, est_un_morceau};
+use crate::arbre::noeud::ENFANTS;
 use crate::arbre::pile::{Attentes, Pile};
 use crate::arbre::sonde::Sonde;
 use crate::cote_a_cote::colonne::{au_plus, indice_lu, prendre, prendre_le_moindre};
@@ -13,19 +13,18 @@ use crate::question::{Abord, Question};
 use crate::rayon::Rayon;
 
 impl<R: Nombre> Arbre<'_, R> {
-    /// Asks the objects of this list that may count, and gives the question back: first those of
-    /// these stored indices, which have no box, then those in the leaves that the ray may enter
-    /// before the limit. Where boxes tell no objects apart, it asks the whole list.
+    /// Asks the objects of this list that may count, and gives the question back: first those without
+    /// a box, then those in the leaves that the ray may enter before the limit. Where boxes tell no
+    /// objects apart, it asks the whole list.
     #[inline(always)]
     pub(crate) fn parcourir<S: Simd, Q: Question<R>>(
         &self,
         simd: S,
         liste: &Liste<'_, R>,
         rayon: &Rayon<R>,
-        sans_boite: &[f32],
         mut question: Q,
     ) -> Q {
-        let sans_boite = sans_boite.iter().map(|mot| indice_lu(*mot));
+        let sans_boite = self.sans_boite.iter().map(|mot| indice_lu(*mot));
         if liste.interroger_parmi(rayon, &mut question, sans_boite) {
             return question;
         }
@@ -52,11 +51,16 @@ impl<R: Nombre> Arbre<'_, R> {
                     prendre_le_moindre(&mut traverses, &entrees.0)
                 };
                 while let Some(enfant) = suivant {
-                    let (mot, indice) = (indices[enfant], indice_lu(indices[enfant]));
+                    let indice = indice_lu(indices[enfant]);
                     let abord = Abord::DansSaBoite { entree: entrees.0[enfant], jusqu_ici };
                     if let Some(objet) = liste.objet(indice)
-                        && let Some(vu) = question.voir(&copie, objet, indice, abord)
-                        && question.retenir(vu, indice, est_un_morceau(mot))
+                        && let Some(t) = question.voir(&copie, objet, indice, abord)
+                        && question.retenir(t, indice, |t| {
+                            self.coupe.part == 0.0 || {
+                                let fiche = noeud.map(|colonne| colonne[enfant]);
+                                self.coupe.est_ici(self.repere, (indice, objet), fiche, &copie, t)
+                            }
+                        })
                     {
                         if Q::UN_SUFFIT {
                             return question;

@@ -24,7 +24,7 @@ const OBJETS_PAR_NOMBRE: usize = 6;
 const PART_DES_CROISES: f32 = 0.6;
 
 /// Fewer rays than this are asked one by one: eight in no order take up to twice as long together.
-pub(crate) const RAYONS_D_UN_BLOC: usize = 12;
+const RAYONS_D_UN_BLOC: usize = 12;
 
 /// A ray goes elsewhere if the cosine between it and the ray in the middle is no more than this.
 const COSINUS_MINIMAL: f64 = 0.25;
@@ -78,6 +78,9 @@ impl<R: Nombre> Arbre<'_, R> {
         simd.vectorize(
             #[inline(always)]
             || {
+                if rayons.len() < RAYONS_D_UN_BLOC {
+                    return None;
+                }
                 let (ailleurs, un_suffit) = (vont_ailleurs(rayons), bloc.un_suffit());
                 let vaut_la_liste = || self.mieux_vaut_la_liste(simd, liste, un_suffit, rayons);
                 let mut en_liste = ailleurs > 0 && vaut_la_liste();

@@ -2,9 +2,11 @@
 
 use core::cmp::Ordering;
 
+use arrayvec::ArrayVec;
+
 use crate::algebre::nombre::{Nombre, fois_u, fois_u_simple, max, min, simple};
 use crate::algebre::vecteur::Vecteur;
-use crate::arbre::noeud::ENFANTS;
+use crate::arbre::noeud::{ENFANTS, Fiche};
 use crate::objet::ObjetRay;
 
 /// The frame of the tree, in which `f32` holds any scene: a point X of the scene stands at (X −
@@ -13,7 +15,7 @@ use crate::objet::ObjetRay;
 pub(crate) struct Repere<R> {
     /// Z, a point amid most of the objects, the *many*. A side of a box is rounded in proportion to
     /// its distance from Z.
-    milieu: Vecteur<R>,
+    pub(crate) milieu: Vecteur<R>,
     /// σ, what lengths are multiplied by.
     echelle: R,
     /// What is farther from Z than this is far from the many.
@@ -38,40 +40,29 @@ impl<R: Nombre> Repere<R> {
         // The step is odd, so that it meets every kind of object where two or four kinds take turns
         // in the list.
         let pas = objets.len().div_ceil(TEMOINS) | 1;
-        let (mut temoins, mut nombre) = ([[R::ZERO; TEMOINS]; 3], 0);
-        let (mut vus, mut plus_large) = (0, R::ZERO);
-        let centres = objets.iter().filter_map(|objet| {
-            let (c, h) = objet.boite_englobante()?;
-            let c: [R; 3] = c.into();
+        let (mut temoins, mut plus_large) = (ArrayVec::<[R; 3], TEMOINS>::new(), R::ZERO);
+        let boites = objets.iter().filter_map(ObjetRay::boite_englobante);
+        let [bas, haut] = extremes(boites.enumerate().map(|(i, (c, h))| {
+            let c = c.into();
             plus_large = max(plus_large, h.norme_1());
-            if vus == nombre * pas {
-                for axe in 0..3 {
-                    temoins[axe][nombre] = c[axe];
-                }
-                nombre += 1;
+            if i == temoins.len() * pas {
+                temoins.push(c);
             }
-            vus += 1;
-            Some(c)
-        });
-        let [bas, haut] = extremes(centres);
+            c
+        }));
         // T1. In the worst case Z is the last centre.
         let echelle = R::UN / ((haut - bas).norme_1() + plus_large * R::depuis_f64(2.0));
         let mut largeur = R::ZERO;
-        let milieu = temoins.map(|mut temoins| {
-            let temoins = &mut temoins[..nombre];
-            temoins.sort_unstable_by(|a, b| a.partial_cmp(b).unwrap_or(Ordering::Equal));
-            let place = |huitiemes| temoins.get(huitiemes * nombre / 8).copied().unwrap_or(R::ZERO);
+        let milieu = [0, 1, 2].map(|axe| {
+            temoins.sort_unstable_by(|a, b| a[axe].partial_cmp(&b[axe]).unwrap_or(Ordering::Equal));
+            let place = |huitiemes: usize| {
+                temoins.get(huitiemes * temoins.len() / 8).map_or(R::ZERO, |c| c[axe])
+            };
             largeur = largeur + (place(7) - place(1));
             place(4)
         });
         let loin = largeur * echelle * R::depuis_f64(LARGEURS);
         Self { milieu: milieu.into(), echelle, loin, jeu_maximal: 0.0 }
-    }
-
-    /// Z.
-    #[inline(always)]
-    pub(crate) fn milieu(self) -> Vecteur<R> {
-        self.milieu
     }
 
     /// (X − Z)·σ.
@@ -100,32 +91,23 @@ impl<R: Nombre> Repere<R> {
         ((c - demi).vers_f32(), (c + demi).vers_f32())
     }
 
+    /// The way in the scene from `c` to the middle of the box of this record.
+    pub(crate) fn vers_le_milieu(self, fiche: &Fiche, c: Vecteur<R>) -> Vecteur<R> {
+        let milieu = double_centre(fiche).map(|x| R::depuis_f64(0.5 * f64::from(x)));
+        (Vecteur::from(milieu) - self.point(c)) / self.echelle
+    }
+
     /// The side of a leaf in this frame, if all leaves of this many records were alike among the
     /// many.
     pub(crate) fn cote_d_une_feuille(self, fiches: usize) -> f32 {
-        cote_d_une_feuille(simple(self.loin) / LARGEURS as f32, fiches)
+        let largeur = simple(self.loin) / LARGEURS as f32;
+        largeur / libm::cbrtf(fiches as f32 / ENFANTS as f32)
     }
 
-    /// The same side, told by the centres of all of these objects, whose order does not count.
-    /// `centres` is room for a number of each.
-    pub(crate) fn cote_sans_hasard(self, objets: &[ObjetRay<R>], centres: &mut [f32]) -> f32 {
-        let mut largeur = 0.0;
-        for axe in 0..3 {
-            let mut nombre = 0;
-            for (c, _) in objets.iter().filter_map(ObjetRay::boite_englobante) {
-                centres[nombre] = simple(<[R; 3]>::from(self.point(c))[axe]);
-                nombre += 1;
-            }
-            let centres = &mut centres[..nombre];
-            for (huitiemes, signe) in [(7, 1.0), (1, -1.0)] {
-                if nombre > 0 {
-                    let place = huitiemes * nombre / 8;
-                    let (_, centre, _) = centres.select_nth_unstable_by(place, f32::total_cmp);
-                    largeur += signe * *centre;
-                }
-            }
-        }
-        cote_d_une_feuille(largeur, objets.len())
+    /// An eighth of the surface of a box with half-extents of these sizes, times σ².
+    pub(crate) fn surface(self, h: Vecteur<R>) -> f32 {
+        let [x, y, z] = <[R; 3]>::from(h).map(|l| self.distance(l));
+        x * y + y * z + z * x
     }
 
     /// A length times σ.
@@ -142,11 +124,6 @@ impl<R: Nombre> Repere<R> {
     }
 }
 
-/// The side of a leaf, if all leaves of this many records were alike in a space of this width.
-fn cote_d_une_feuille(largeur: f32, fiches: usize) -> f32 {
-    largeur / libm::cbrtf(fiches as f32 / ENFANTS as f32)
-}
-
 /// The slack for the point of a hit, in u of the scene's type, per unit of distance from Z to an
 /// object or to the source of a ray (lemma 20).
 pub const JEU_DISTANCE: f64 = 37.0;
@@ -161,6 +138,12 @@ pub const JEU_F32: f64 = 7.5;
 
 /// More than is lost below the normal numbers (lemma 20).
 pub(crate) const JEU_SOUS_NORMAL: f32 = 1.0 / (1_u128 << 100) as f32;
+
+/// Twice the centre of a box.
+#[inline(always)]
+pub(crate) fn double_centre(&[x0, y0, z0, x1, y1, z1, _]: &Fiche) -> [f32; 3] {
+    [x0 + x1, y0 + y1, z0 + z1]
+}
 
 /// The least and the greatest coordinates of these points.
 pub(crate) fn extremes<R: Nombre>(points: impl Iterator<Item = [R; 3]>) -> [Vecteur<R>; 2] {

@@ -108,7 +108,7 @@ impl<R: Nombre> Sonde<R> {
         depart: R,
         repere: Repere<R>,
     ) -> (Option<Self>, f32) {
-        let [x, y, z] = repere.milieu().into();
+        let [x, y, z] = repere.milieu.into();
         let bornes = [
             Bornes::le_long::<0, _, _>(simd, groupes, (x, repere), depart),
             Bornes::le_long::<1, _, _>(simd, groupes, (y, repere), depart),

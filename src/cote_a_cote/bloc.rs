@@ -11,9 +11,8 @@ use crate::cote_a_cote::colonne::{LARGEUR, Membres, TOUS, indice_lu, prendre};
 use crate::cote_a_cote::groupe::{Groupe, VOIES};
 use crate::objet::{ObjetRay, par_forme};
 use crate::question::liste::Liste;
-use crate::question::{Ombre, Premier, Question};
 use crate::rayon::Rayon;
-use crate::rayon::intersection::{Rang, Reponse};
+use crate::rayon::intersection::Rang;
 
 /// Rays of a block: a tile of 8 × 8 pixels.
 pub(crate) const BLOC: usize = 4 * VOIES;
@@ -31,43 +30,6 @@ pub(crate) struct Offre<'a> {
     /// Which of the sixteen are offered, and which may hold the source of a ray.
     pub(crate) membres: Membres,
     pub(crate) sources: Membres,
-}
-
-/// A question that the rays of a block ask side by side: each keeps a first object so far.
-pub(crate) trait EnLot<R: Nombre>: Question<R> + From<Premier<R>> {
-    /// Writes the answers of a group to these rays, which it holds.
-    fn repondre_ensemble(
-        groupe: &Groupe<R>,
-        objets: &[ObjetRay<R>],
-        rayons: &[Rayon<R>],
-        reponses: &mut [Self::Reponse],
-    );
-}
-
-impl<R: Nombre> EnLot<R> for Premier<R> {
-    #[inline(always)]
-    fn repondre_ensemble(
-        groupe: &Groupe<R>,
-        objets: &[ObjetRay<R>],
-        rayons: &[Rayon<R>],
-        touches: &mut [Reponse<R>],
-    ) {
-        groupe.ecrire(objets, rayons, touches);
-    }
-}
-
-impl<R: Nombre> EnLot<R> for Ombre<R> {
-    #[inline(always)]
-    fn repondre_ensemble(
-        groupe: &Groupe<R>,
-        _: &[ObjetRay<R>],
-        _: &[Rayon<R>],
-        occultes: &mut [bool],
-    ) {
-        for (voie, occulte) in occultes.iter_mut().enumerate() {
-            *occulte = groupe.premier(voie).rang.is_some();
-        }
-    }
 }
 
 /// At most 64 rays with the first object of each so far. It does not know which question they ask,
@@ -174,28 +136,9 @@ impl<'a, R: Nombre> Bloc<'a, R> {
         loin
     }
 
-    /// The first object so far of one of its rays.
+    /// One of the groups, which was loaded.
     #[inline(always)]
-    pub(crate) fn premier(&self, i: usize) -> Premier<R> {
-        self.groupes[i / VOIES].premier(i % VOIES)
-    }
-
-    /// Writes the answers to these rays, which were loaded.
-    #[inline(always)]
-    pub(crate) fn repondre<S: Simd, Q: EnLot<R>>(
-        &self,
-        simd: S,
-        liste: &Liste<'_, R>,
-        (rayons, reponses): (&[Rayon<R>], &mut [Q::Reponse]),
-    ) {
-        simd.vectorize(
-            #[inline(always)]
-            || {
-                let par_groupe = rayons.chunks(VOIES).zip(reponses.chunks_mut(VOIES));
-                for (groupe, (rayons, reponses)) in self.groupes.iter().zip(par_groupe) {
-                    Q::repondre_ensemble(groupe, liste.objets, rayons, reponses);
-                }
-            },
-        );
+    pub(crate) fn groupe(&self, i: usize) -> &Groupe<R> {
+        &self.groupes[i]
     }
 }

@@ -96,7 +96,7 @@ impl<R: Nombre> Groupe<R> {
 
     /// The first object of one ray so far.
     #[inline(always)]
-    pub(crate) fn premier(&self, voie: usize) -> Premier<R> {
+    pub(crate) fn premier<const OMBRE: bool>(&self, voie: usize) -> Premier<R, OMBRE> {
         Premier { t: self.t[voie], rang: self.rangs[voie] }
     }
 
@@ -106,7 +106,7 @@ impl<R: Nombre> Groupe<R> {
     pub(crate) fn le_plus_loin(&self, un_suffit: bool) -> R {
         let mut t = self.t;
         if un_suffit {
-            for (t, rang) in t.iter_mut().zip(self.rangs) {
+            for (t, rang) in t.iter_mut().zip(&self.rangs) {
                 *t = if rang.is_some() { R::ZERO } else { *t };
             }
         }
@@ -145,7 +145,7 @@ impl<R: Nombre> Groupe<R> {
             }
         }
         for (voie, &t) in t.iter().enumerate() {
-            let (trouve, premier) = (Premier { t, rang: Some(rang) }, self.premier(voie));
+            let (trouve, premier) = (Premier::<_> { t, rang: Some(rang) }, self.premier(voie));
             let precede = trouve.precede(premier);
             self.t[voie] = if precede { t } else { premier.t };
             self.rangs[voie] = if precede { trouve.rang } else { premier.rang };
@@ -169,6 +169,14 @@ impl<R: Nombre> Groupe<R> {
             let rayon = self.rayon_flou(voie);
             let d_emblee = (rayon.flou() > R::ZERO) & forme.des_le_depart(&rayon);
             *t = if d_emblee { R::ZERO } else { *t };
+        }
+    }
+
+    /// Writes whether each of its rays has an object.
+    #[inline(always)]
+    pub(crate) fn dire_les_ombres(&self, occultes: &mut [bool]) {
+        for (occulte, rang) in occultes.iter_mut().zip(&self.rangs) {
+            *occulte = rang.is_some();
         }
     }
 

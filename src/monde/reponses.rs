@@ -2,8 +2,7 @@
 //! scalar: generic code would be compiled again by every crate that calls it, and as slowly as that
 //! crate is.
 
-use core::marker::PhantomData;
-use core::ops::ControlFlow::Continue;
+use core::ops::ControlFlow::Break;
 
 use fearless_simd::{Level, Simd};
 
@@ -11,15 +10,14 @@ use crate::algebre::nombre::Nombre;
 use crate::algebre::refus::LongueursDifferentes;
 use crate::algebre::vecteur::Vecteur;
 use crate::arbre::construction::{Arbre, PlacesInsuffisantes, construire};
-use crate::arbre::parcours_de_bloc::RAYONS_D_UN_BLOC;
-use crate::cote_a_cote::bloc::{BLOC, Bloc, EnLot, Groupes};
-use crate::cote_a_cote::groupe::VOIES;
+use crate::cote_a_cote::bloc::{BLOC, Bloc, Groupes};
+use crate::cote_a_cote::groupe::{Groupe, VOIES};
 use crate::cote_a_cote::niveau::selon_le_niveau;
 use crate::objet::ObjetRay;
 use crate::question::jugement::certificat::Certificat;
 use crate::question::liste::Liste;
-use crate::question::visite::{Contenance, Montrer, Rangee, Visite};
-use crate::question::{Ombre, Premier, Question};
+use crate::question::visite::{Montrer, Rangee, Visite};
+use crate::question::{Premier, Question};
 use crate::rayon::Rayon;
 use crate::rayon::intersection::Reponse;
 
@@ -34,124 +32,110 @@ pub struct Vue<'a, R> {
     pub(crate) niveau: Level,
 }
 
-/// Asks this question for one ray.
+/// Asks this question for one ray; `repondre` makes the answer of it.
 #[inline(always)]
-fn demander<R: Nombre, Q: Question<R>>(
+fn demander<R: Nombre, Q: Question<R>, T>(
     vue: &Vue<'_, R>,
     rayon: &Rayon<R>,
     question: Q,
-) -> Q::Reponse {
-    let sans_boite = vue.arbre.sans_boite;
-    selon_le_niveau!(vue.niveau, simd => demander_avec(simd, vue, rayon, sans_boite, question))
+    repondre: impl Fn(Q, &Rayon<R>, &[ObjetRay<R>]) -> T,
+) -> T {
+    selon_le_niveau!(vue.niveau, simd => demander_avec(simd, vue, rayon, question, repondre))
 }
 
-/// Asks this question for one ray: of a list, or of a tree and these objects without a box.
+/// Asks this question for one ray with these instructions: alone, or left over by a block.
 #[inline(always)]
-fn demander_avec<S: Simd, R: Nombre, Q: Question<R>>(
+fn demander_avec<S: Simd, R: Nombre, Q: Question<R>, T>(
     simd: S,
-    vue: &Vue<'_, R>,
+    Vue { liste, arbre, .. }: &Vue<'_, R>,
     rayon: &Rayon<R>,
-    sans_boite: &[f32],
     mut question: Q,
-) -> Q::Reponse {
+    repondre: impl Fn(Q, &Rayon<R>, &[ObjetRay<R>]) -> T,
+) -> T {
     simd.vectorize(
         #[inline(always)]
         || {
-            let Vue { liste, arbre, .. } = vue;
             if arbre.noeuds.is_empty() {
                 liste.interroger(rayon, &mut question);
             } else {
-                question = arbre.parcourir(simd, liste, rayon, sans_boite, question);
+                question = arbre.parcourir(simd, liste, rayon, question);
             }
-            question.repondre(rayon, liste.objets)
+            repondre(question, rayon, liste.objets)
         },
     )
 }
 
-/// Visits objects until all have been shown.
-#[inline(always)]
-fn visiter<R: Nombre, const D_UN_POINT: bool>(
-    vue: &Vue<'_, R>,
-    rayon: &Rayon<R>,
-    mut visite: Visite<'_, R, D_UN_POINT>,
-) {
-    loop {
-        demander(vue, rayon, &mut visite);
-        if !visite.montrer_ce_qui_attend() {
-            return;
-        }
-    }
+/// Makes a hit of a first object. It is a closure, since a function that is passed on is not
+/// inlined, and would be compiled for the baseline instructions.
+fn une_touche<R: Nombre>() -> impl Fn(Premier<R>, &Rayon<R>, &[ObjetRay<R>]) -> Reponse<R> + Copy {
+    #[inline(always)]
+    |premier, rayon, objets| premier.conclure(rayon, objets)
+}
+
+/// Makes a shadow of a first object.
+fn une_ombre<R: Nombre>() -> impl Fn(Premier<R, true>, &Rayon<R>, &[ObjetRay<R>]) -> bool + Copy {
+    #[inline(always)]
+    |premier, _, _| premier.rang.is_some()
 }
 
 /// Fewer rays than this are asked of a list one by one (`benches/seuils.md`, "Thresholds").
 const RAYONS_D_UNE_LISTE: usize = 6;
 
-/// Asks this question for many rays.
+/// Asks for the first objects of many rays: of the rays of a block side by side as long as they
+/// stay together, and of the others one by one, from what they have found so far. `repondre` makes
+/// the answer of one ray, `ecrire` writes those of a group.
 #[inline(always)]
-fn demander_en_lot<R: Nombre, Q: EnLot<R>>(
+fn demander_en_lot<R: Nombre, T, const OMBRE: bool>(
     vue: &Vue<'_, R>,
-    rayons: &[Rayon<R>],
-    reponses: &mut [Q::Reponse],
+    (rayons, reponses): (&[Rayon<R>], &mut [T]),
+    repondre: impl Fn(Premier<R, OMBRE>, &Rayon<R>, &[ObjetRay<R>]) -> T + Copy,
+    ecrire: impl Fn(&Groupe<R>, &[ObjetRay<R>], &[Rayon<R>], &mut [T]) + Copy,
 ) -> Result<(), LongueursDifferentes> {
     if rayons.len() != reponses.len() {
         return Err(LongueursDifferentes { rayons: rayons.len(), reponses: reponses.len() });
     }
+    let &Vue { liste, arbre, niveau } = vue;
+    // The rays that a block leaves have asked the objects without a box.
+    let sans = Arbre { sans_boite: &[], ..*arbre };
+    let reste = Vue { liste, arbre: &sans, niveau };
     let mut groupes = Groupes::new_const();
-    let mut bloc = Bloc::new(&mut groupes, Q::UN_SUFFIT);
-    selon_le_niveau!(vue.niveau, simd => simd.vectorize(
+    let mut bloc = Bloc::new(&mut groupes, OMBRE);
+    selon_le_niveau!(niveau, simd => simd.vectorize(
         #[inline(always)]
         || {
             for (rayons, reponses) in rayons.chunks(BLOC).zip(reponses.chunks_mut(BLOC)) {
-                demander_au_bloc::<_, _, Q>(simd, vue, &mut bloc, (rayons, reponses));
+                // The groups whose rays go on one by one; `None` if they have asked nothing.
+                let restent = if !arbre.noeuds.is_empty() {
+                    arbre.chercher_ensemble(simd, &liste, &mut bloc, rayons)
+                } else if rayons.len() >= RAYONS_D_UNE_LISTE {
+                    bloc.charger(rayons);
+                    bloc.interroger(simd, &liste);
+                    Some(0)
+                } else {
+                    None
+                };
+                let par_groupe = rayons.chunks(VOIES).zip(reponses.chunks_mut(VOIES));
+                for (i, (rayons, reponses)) in par_groupe.enumerate() {
+                    if restent.unwrap_or(u32::MAX) >> i & 1 == 0 {
+                        ecrire(bloc.groupe(i), liste.objets, rayons, reponses);
+                        continue;
+                    }
+                    for (voie, (rayon, reponse)) in rayons.iter().zip(reponses).enumerate() {
+                        let (vue, premier) = match restent {
+                            Some(_) => (&reste, bloc.groupe(i).premier(voie)),
+                            None => (vue, Premier::avant(rayon.fin())),
+                        };
+                        *reponse = if OMBRE && premier.rang.is_some() {
+                            repondre(premier, rayon, liste.objets)
+                        } else {
+                            demander_avec(simd, vue, rayon, premier, repondre)
+                        };
+                    }
+                }
             }
         },
     ));
     Ok(())
-}
-
-/// Asks this question for the rays of a block: of those together that find their first objects
-/// together, and of the others one by one, from what they have found so far.
-#[inline(always)]
-fn demander_au_bloc<S: Simd, R: Nombre, Q: EnLot<R>>(
-    simd: S,
-    vue: &Vue<'_, R>,
-    bloc: &mut Bloc<'_, R>,
-    (rayons, reponses): (&[Rayon<R>], &mut [Q::Reponse]),
-) {
-    let Vue { liste, arbre, .. } = vue;
-    // The groups whose rays go on one by one; `None` if they have asked nothing.
-    let restent = if arbre.noeuds.is_empty() {
-        (rayons.len() >= RAYONS_D_UNE_LISTE).then(|| {
-            bloc.charger(rayons);
-            bloc.interroger(simd, liste);
-            0
-        })
-    } else if rayons.len() >= RAYONS_D_UN_BLOC {
-        arbre.chercher_ensemble(simd, liste, bloc, rayons)
-    } else {
-        None
-    };
-    if let Some(restent) = restent {
-        let groupes = rayons.len().div_ceil(VOIES);
-        if restent.count_ones() < groupes as u32 {
-            bloc.repondre::<_, Q>(simd, liste, (rayons, reponses));
-        }
-        if restent == 0 {
-            return;
-        }
-    }
-    for (i, (rayon, reponse)) in rayons.iter().zip(reponses).enumerate() {
-        let (premier, sans_boite) = match restent {
-            Some(groupes) if groupes >> (i / VOIES) & 1 == 0 => continue,
-            Some(_) => (bloc.premier(i), &[][..]),
-            None => (Premier::avant(rayon.fin()), arbre.sans_boite),
-        };
-        *reponse = if Q::UN_SUFFIT && premier.rang.is_some() {
-            Q::from(premier).repondre(rayon, liste.objets)
-        } else {
-            demander_avec(simd, vue, rayon, sans_boite, Q::from(premier))
-        };
-    }
 }
 
 /// The scalar type: `f32` or `f64`. Sealed.
@@ -180,91 +164,103 @@ impl Reel for f64 {}
 /// Where the answers in this scalar stand. Were they functions of [`Reel`] itself, a caller could
 /// not use a function of the same name of a trait of their own (E0034).
 pub trait Repondant: Sized {
-    type ReponsesDeLancerRayon: Repond<R = Self>;
+    type ReponsesDeLancerRayon: Repond<Self>;
 }
 
 /// The answers in this scalar, as functions.
 pub(crate) type Reponses<R> = <R as Repondant>::ReponsesDeLancerRayon;
 
-/// What has them.
-pub struct Compilees<R>(PhantomData<R>);
+/// What has them, in either scalar.
+pub struct Compilees;
 
 /// `reponses! { fn …(…) -> … { … } … }`: the trait [`Repond`] of these functions, and their bodies
-/// compiled for `f32` and for `f64`, which are `Self::R` in them.
+/// compiled for `f32` and for `f64`, which are `R` in them.
 macro_rules! reponses {
     ($(fn $nom:ident$(<$vie:lifetime>)?($($de:ident: $type:ty),* $(,)?) -> $reponse:ty $corps:block)*) => {
         /// The answers in one scalar.
-        pub trait Repond {
-            type R: Nombre;
+        pub trait Repond<R> {
             $(fn $nom$(<$vie>)?($($de: $type),*) -> $reponse;)*
         }
         reponses! { dans f32 $(fn $nom$(<$vie>)?($($de: $type),*) -> $reponse $corps)* }
         reponses! { dans f64 $(fn $nom$(<$vie>)?($($de: $type),*) -> $reponse $corps)* }
     };
     (dans $reel:ident $($fonctions:item)*) => {
-        impl Repondant for $reel {
-            type ReponsesDeLancerRayon = Compilees<Self>;
-        }
-
-        impl Repond for Compilees<$reel> {
+        const _: () = {
             type R = $reel;
-            $($fonctions)*
-        }
+
+            impl Repondant for R {
+                type ReponsesDeLancerRayon = Compilees;
+            }
+
+            impl Repond<R> for Compilees {
+                $($fonctions)*
+            }
+        };
     };
 }
 
 reponses! {
-    fn arbre<'a>(objets: &'a [ObjetRay<Self::R>], places: &'a mut [f32], decouper: bool)
-        -> Result<Arbre<'a, Self::R>, PlacesInsuffisantes>
+    fn arbre<'a>(objets: &'a [ObjetRay<R>], places: &'a mut [f32], decouper: bool)
+        -> Result<Arbre<'a, R>, PlacesInsuffisantes>
     {
         construire(objets, places, decouper)
     }
 
-    fn premiere(vue: &Vue<'_, Self::R>, rayon: &Rayon<Self::R>) -> Reponse<Self::R> {
-        demander(vue, rayon, Premier::avant(rayon.fin()))
+    fn premiere(vue: &Vue<'_, R>, rayon: &Rayon<R>) -> Reponse<R> {
+        demander(vue, rayon, Premier::avant(rayon.fin()), une_touche())
     }
 
-    fn premieres(vue: &Vue<'_, Self::R>, rayons: &[Rayon<Self::R>], touches: &mut [Reponse<Self::R>])
+    fn premieres(vue: &Vue<'_, R>, rayons: &[Rayon<R>], touches: &mut [Reponse<R>])
         -> Result<(), LongueursDifferentes>
     {
-        demander_en_lot::<_, Premier<_>>(vue, rayons, touches)
+        demander_en_lot(
+            vue,
+            (rayons, touches),
+            une_touche(),
+            #[inline(always)]
+            |groupe, objets, rayons, touches| groupe.ecrire(objets, rayons, touches),
+        )
     }
 
-    fn occulte(vue: &Vue<'_, Self::R>, rayon: &Rayon<Self::R>) -> bool {
-        demander(vue, rayon, Ombre::from(Premier::avant(rayon.fin())))
+    fn occulte(vue: &Vue<'_, R>, rayon: &Rayon<R>) -> bool {
+        demander(vue, rayon, Premier::avant(rayon.fin()), une_ombre())
     }
 
-    fn occultes(vue: &Vue<'_, Self::R>, rayons: &[Rayon<Self::R>], occultes: &mut [bool])
+    fn occultes(vue: &Vue<'_, R>, rayons: &[Rayon<R>], occultes: &mut [bool])
         -> Result<(), LongueursDifferentes>
     {
-        demander_en_lot::<_, Ombre<_>>(vue, rayons, occultes)
+        demander_en_lot(
+            vue,
+            (rayons, occultes),
+            une_ombre(),
+            #[inline(always)]
+            |groupe, _, _, occultes| groupe.dire_les_ombres(occultes),
+        )
     }
 
-    fn certifie(vue: &Vue<'_, Self::R>, rayon: &Rayon<Self::R>, reponse: &Reponse<Self::R>) -> bool {
+    fn certifie(vue: &Vue<'_, R>, rayon: &Rayon<R>, reponse: &Reponse<R>) -> bool {
         let certificat = Certificat::new(&vue.liste, rayon, reponse);
-        certificat.is_some_and(|certificat| demander(vue, rayon, certificat))
+        certificat.is_some_and(|certificat| demander(vue, rayon, certificat, |q, _, _| !q.doute))
     }
 
-    fn visiter(vue: &Vue<'_, Self::R>, rayon: &Rayon<Self::R>, montrer: Montrer<'_, Self::R>) -> () {
-        visiter::<_, false>(vue, rayon, Visite::new(rayon.fin(), montrer));
+    fn visiter(vue: &Vue<'_, R>, rayon: &Rayon<R>, montrer: Montrer<'_, R>) -> () {
+        demander(vue, rayon, Visite::<_, _, false> { fin: rayon.fin(), montrer }, |_, _, _| ());
     }
 
-    fn dans_l_ordre(vue: &Vue<'_, Self::R>, rayon: &Rayon<Self::R>, touches: &mut [Reponse<Self::R>]) -> usize {
+    fn dans_l_ordre(vue: &Vue<'_, R>, rayon: &Rayon<R>, touches: &mut [Reponse<R>]) -> usize {
         let mut rangee = Rangee::new(touches);
         Self::visiter(vue, rayon, &mut |indice, t| rangee.placer(indice, t));
         rangee.conclure(rayon, vue.liste.objets)
     }
 
-    fn contient(vue: &Vue<'_, Self::R>, point: Vecteur<Self::R>) -> bool {
-        demander(vue, &du_point(point), Contenance(false))
+    fn contient(vue: &Vue<'_, R>, point: Vecteur<R>) -> bool {
+        let visite = Visite::<_, _, true> { fin: R::INFINI, montrer: |_, _| Break(()) };
+        demander(vue, &du_point(point), visite, |visite, _, _| visite.fin <= R::ZERO)
     }
 
-    fn contenants(vue: &Vue<'_, Self::R>, point: Vecteur<Self::R>, montrer: &mut dyn FnMut(usize)) -> () {
-        let montrer: Montrer<'_, Self::R> = &mut |indice, _| {
-            montrer(indice);
-            Continue(Self::R::INFINI)
-        };
-        visiter::<_, true>(vue, &du_point(point), Visite::new(Self::R::INFINI, montrer));
+    fn contenants(vue: &Vue<'_, R>, point: Vecteur<R>, montrer: Montrer<'_, R>) -> () {
+        let visite = Visite::<_, _, true> { fin: R::INFINI, montrer };
+        demander(vue, &du_point(point), visite, |_, _, _| ());
     }
 }
 

@@ -7,19 +7,25 @@
 /// is a value: it is stored, returned and shared by threads like any other, and it is `Copy` if
 /// what it holds is. The trait is sealed.
 #[doc(alias("filter", "mask"))]
-pub trait Choix: Sync + scelle::Scelle {
+pub trait Choix: Regle {}
+
+impl<C: Regle> Choix for C {}
+
+/// What a choice takes. Nobody can name this trait outside of the crate, and its functions have
+/// names that no trait of a caller has: else the caller could not use theirs for a choice (E0034).
+pub trait Regle: Sync {
     /// Whether the object at this index is one of them.
-    #[doc(hidden)]
-    fn prend(&self, indice: usize) -> bool;
+    fn prend_cet_indice(&self, indice: usize) -> bool;
 
     /// The choice as a walk takes it, which is compiled once for all choices; `None` if it takes
     /// every object.
-    #[doc(hidden)]
-    fn regle(&self) -> Option<&dyn Choix>;
-}
-
-mod scelle {
-    pub trait Scelle {}
+    #[inline]
+    fn regle_des_parcours(&self) -> Option<&dyn Regle>
+    where
+        Self: Sized,
+    {
+        Some(self)
+    }
 }
 
 /// All objects of a list.
@@ -44,42 +50,28 @@ pub struct Parmi<C, F> {
     pub(crate) prend: F,
 }
 
-impl scelle::Scelle for Tous {}
-impl<C> scelle::Scelle for Sans<C> {}
-impl<C, F> scelle::Scelle for Parmi<C, F> {}
-
-impl Choix for Tous {
+impl Regle for Tous {
     #[inline]
-    fn prend(&self, _: usize) -> bool {
+    fn prend_cet_indice(&self, _: usize) -> bool {
         true
     }
 
     #[inline]
-    fn regle(&self) -> Option<&dyn Choix> {
+    fn regle_des_parcours(&self) -> Option<&dyn Regle> {
         None
     }
 }
 
-impl<C: Choix> Choix for Sans<C> {
+impl<C: Choix> Regle for Sans<C> {
     #[inline]
-    fn prend(&self, indice: usize) -> bool {
-        indice != self.sauf && self.parmi.prend(indice)
-    }
-
-    #[inline]
-    fn regle(&self) -> Option<&dyn Choix> {
-        Some(self)
+    fn prend_cet_indice(&self, indice: usize) -> bool {
+        indice != self.sauf && self.parmi.prend_cet_indice(indice)
     }
 }
 
-impl<C: Choix, F: Fn(usize) -> bool + Sync> Choix for Parmi<C, F> {
+impl<C: Choix, F: Fn(usize) -> bool + Sync> Regle for Parmi<C, F> {
     #[inline]
-    fn prend(&self, indice: usize) -> bool {
-        self.parmi.prend(indice) && (self.prend)(indice)
-    }
-
-    #[inline]
-    fn regle(&self) -> Option<&dyn Choix> {
-        Some(self)
+    fn prend_cet_indice(&self, indice: usize) -> bool {
+        self.parmi.prend_cet_indice(indice) && (self.prend)(indice)
     }
 }

@@ -2,8 +2,8 @@
 
 use crate::algebre::nombre::Nombre;
 use crate::objet::ObjetRay;
+use crate::question::Premier;
 use crate::question::liste::Liste;
-use crate::question::{Premier, Question};
 use crate::rayon::Rayon;
 use crate::rayon::intersection::{Reponse, exiger_des_rangs};
 
@@ -44,7 +44,7 @@ use crate::rayon::intersection::{Reponse, exiger_des_rangs};
 #[inline]
 pub fn premiere_intersection<R: Nombre>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> Reponse<R> {
     exiger_des_rangs(objets.len());
-    let mut premier = Premier::avant(rayon.fin());
+    let mut premier = Premier::<_>::avant(rayon.fin());
     Liste { objets, choix: None }.interroger(rayon, &mut premier);
-    premier.repondre(rayon, objets)
+    premier.conclure(rayon, objets)
 }

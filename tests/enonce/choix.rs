@@ -13,7 +13,7 @@ use exemples::recettes::deux_mondes;
 use lancer_rayon::pour_les_tests::Reglage;
 use lancer_rayon::{
     Choix, Intersection, Monde, NoIntersection, ObjetRay, PlanGeo, Rayon, Reel, Reponse, Rotation,
-    Texture, Vecteur, places, premiere_intersection,
+    Texture, Tous, Vecteur, places, premiere_intersection,
 };
 
 fn cube<R: Reel>(centre: Vecteur<R>) -> ObjetRay<R> {
@@ -346,3 +346,28 @@ fn un_predicat_n_est_jamais_interroge_au_dela_de_la_liste<R: Bits>() {
 }
 
 en_f32_et_f64!(un_predicat_n_est_jamais_interroge_au_dela_de_la_liste);
+
+/// A trait of a user's own, with functions of names that one would give those of a choice. The compiler would refuse to
+/// call them if `Choix` had functions of these names (E0034).
+trait Filtre {
+    fn prend(&self, indice: usize) -> bool;
+    fn regle(&self) -> &str;
+}
+
+impl<C: Choix> Filtre for C {
+    fn prend(&self, indice: usize) -> bool {
+        indice > 1
+    }
+
+    fn regle(&self) -> &str {
+        "beyond 1"
+    }
+}
+
+#[test]
+fn un_trait_a_soi_a_les_noms_qu_il_veut() {
+    fn demande<C: Choix + Filtre>(choix: &C) -> ([bool; 3], &str) {
+        ([0, 1, 2].map(|indice| choix.prend(indice)), choix.regle())
+    }
+    assert_eq!(demande(&Tous), ([false, false, true], "beyond 1"));
+}

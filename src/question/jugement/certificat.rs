@@ -18,7 +18,7 @@ pub(crate) struct Certificat<'a, R> {
     /// The distance by which the ray has entered the first object; for a miss, the largest number
     /// before the end of the ray.
     dernier: f64,
-    doute: bool,
+    pub(crate) doute: bool,
 }
 
 impl<'a, R: Nombre> Certificat<'a, R> {
@@ -62,8 +62,6 @@ impl<'a, R: Nombre> Certificat<'a, R> {
 
 impl<R: Nombre> Question<R> for Certificat<'_, R> {
     const UN_SUFFIT: bool = true;
-    type Vu = ();
-    type Reponse = bool;
 
     #[inline(always)]
     fn limite(&self) -> R {
@@ -73,23 +71,18 @@ impl<R: Nombre> Question<R> for Certificat<'_, R> {
 
     /// Sees an object that may come before the first.
     #[inline(always)]
-    fn voir(&self, rayon: &Rayon<R>, objet: &ObjetRay<R>, i: usize, abord: Abord) -> Option<()> {
+    fn voir(&self, rayon: &Rayon<R>, objet: &ObjetRay<R>, i: usize, abord: Abord) -> Option<R> {
         let proche = match abord {
             // No ray that enters an object passes the ball around it by (lemma 17).
             Abord::Inconnu => objet.boule().approchee(rayon),
             Abord::DansSaBoite { .. } => true,
         };
-        (proche && !self.vient_apres(objet, i)).then_some(())
+        (proche && !self.vient_apres(objet, i)).then_some(R::ZERO)
     }
 
     #[inline(always)]
-    fn retenir(&mut self, (): (), _: usize, _: bool) -> bool {
+    fn retenir(&mut self, _: R, _: usize, _: impl FnOnce(R) -> bool) -> bool {
         self.doute = true;
         true
-    }
-
-    #[inline(always)]
-    fn repondre(self, _: &Rayon<R>, _: &[ObjetRay<R>]) -> bool {
-        !self.doute
     }
 }
