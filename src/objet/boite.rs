@@ -215,18 +215,22 @@ impl<R: Nombre> BoiteRay<R> {
         BoiteRay { centre, normales, demi_longueurs, texture: self.texture }
     }
 
-    /// N_i and l_i of each pair of faces.
+    /// N_i and l_i of a pair of faces.
     #[inline(always)]
-    pub(crate) fn paires(&self) -> [(Vecteur<R>, R); 3] {
-        let ([u, v, w], [a, b, c]) = (self.normales, self.demi_longueurs);
-        [(u, a), (v, b), (w, c)]
+    pub(crate) fn paire(&self, axe: usize) -> (Vecteur<R>, R) {
+        (self.normales[axe], self.demi_longueurs[axe])
+    }
+
+    /// Those of all three.
+    #[inline(always)]
+    fn paires(&self) -> [(Vecteur<R>, R); 3] {
+        [self.paire(0), self.paire(1), self.paire(2)]
     }
 
     /// The entry and the exit of the ray between one pair of faces.
     #[inline(always)]
     pub(crate) fn dalle(&self, axe: usize, rayon: &Rayon<R>) -> (Quotient<R>, Quotient<R>) {
-        let paire = (self.normales[axe], self.demi_longueurs[axe]);
-        dalle(paire, rayon.source() - self.centre, rayon.direction())
+        dalle(self.paire(axe), rayon.source() - self.centre, rayon.direction())
     }
 
     /// The last entry into the three pairs of faces, which pair that is, and the first exit.

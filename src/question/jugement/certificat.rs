@@ -1,10 +1,8 @@
 //! Whether an answer is certain: every object is asked whether it comes later than the first.
 
-use crate::algebre::nombre::{Nombre, max};
+use crate::algebre::nombre::{Nombre, max, selon};
 use crate::objet::ObjetRay;
-use crate::question::jugement::coup_d_oeil::coup_d_oeil;
-use crate::question::jugement::loupe::loupe;
-use crate::question::jugement::{plus_grand, quand_entre};
+use crate::question::jugement::juge::{coup_d_oeil, loupe};
 use crate::question::liste::Liste;
 use crate::question::{Abord, Question};
 use crate::rayon::Rayon;
@@ -36,10 +34,14 @@ impl<'a, R: Nombre> Certificat<'a, R> {
             return Some(Self { temoin, premier: None, dernier, doute: false });
         };
         let premier = liste.objet(touche.indice())?;
-        let entree = quand_entre(&premier.temoin_f64(), &temoin, plus_grand::<R>());
-        let certaine = entree.touche(temoin.fin(), plus_grand::<R>()) == Some(true);
+        let objet = premier.temoin_f64();
+        // G4: an entry beyond the largest number of the type is no hit (C7).
+        let plus_grand = selon::<R, _>(f32::MAX.into(), f64::MAX);
+        let certaine = |entree: f64| entree < temoin.fin() && entree <= plus_grand;
+        let dernier = Some(coup_d_oeil(&objet, &temoin).haut).filter(|entree| certaine(*entree));
+        let dernier = dernier.unwrap_or_else(|| loupe(&objet, &temoin).haut);
         let premier = Some((premier, touche.indice()));
-        certaine.then_some(Self { temoin, premier, dernier: entree.haut, doute: false })
+        certaine(dernier).then_some(Self { temoin, premier, dernier, doute: false })
     }
 
     /// Whether the object at this index is the first, or the ray certainly enters it later than the

@@ -1,0 +1,213 @@
+//! The judge: whether and when a ray enters an object, within bounds. Its formulae are not those of the
+//! search, and are the same for plain `f64` and for doubled numbers (`docs/preuves.md`, lemmas 17 and
+//! 18).
+
+use crate::algebre::double::{Intervalle, Triple};
+use crate::algebre::nombre::{Nombre, max, min};
+use crate::algebre::vecteur::Vecteur;
+use crate::objet::ObjetRay;
+use crate::objet::sphere::SphereRay;
+use crate::question::jugement::point::{Apercu, Point};
+use crate::rayon::Rayon;
+
+/// How much the bound of a [`Jugement`] grows, in u of itself: what it is off by, and the growing
+/// (lemma 17).
+pub const ECART_ARRONDI: f64 = 10.6;
+
+/// Where a ray starts, and a point of it: two distances along it.
+type Lieux = [f64; 2];
+
+/// What a judge says of a ray, an object and a point of the ray.
+pub(crate) struct Jugement {
+    /// Whether the ray enters the object, if that is certain.
+    entre: Option<bool>,
+    /// If it enters, how much farther than the point, to 8.6u of `f64`; below 0 if it enters before.
+    reste: Intervalle,
+    /// How much farther than the point it leaves, at most.
+    sortie: f64,
+}
+
+impl Jugement {
+    const JAMAIS: Self = Self {
+        entre: Some(false),
+        reste: Intervalle { bas: f64::INFINI, haut: f64::INFINI },
+        sortie: f64::INFINI,
+    };
+
+    /// How far the entry is from the point at most; +∞ unless the ray certainly enters.
+    pub(crate) fn ecart(self) -> f64 {
+        if self.entre == Some(true) { self.reste.grandeur() } else { f64::INFINI }
+    }
+
+    /// The distances between which the ray enters, if the point is at `t`. The later one is +∞ unless
+    /// it certainly enters, and the earlier one if it certainly never does.
+    #[inline(always)]
+    fn entree(self, t: f64) -> Intervalle {
+        if self.entre == Some(false) {
+            return Self::JAMAIS.reste;
+        }
+        let jeu = |x: f64| x.abs() * (ECART_ARRONDI * f64::U) + f64::MIN_POSITIF;
+        let Intervalle { bas, haut } = self.reste;
+        let bas = (t + (bas - jeu(bas))) * (1.0 - 2.0 * f64::U);
+        let haut = (t + (haut + jeu(haut))) * (1.0 + 2.0 * f64::U);
+        Intervalle { bas, haut: if self.entre.is_some() { haut } else { f64::INFINI } }
+    }
+}
+
+/// When the ray enters the object, at a glance.
+#[inline(always)]
+pub fn coup_d_oeil(objet: &ObjetRay, rayon: &Rayon) -> Intervalle {
+    juger_avec::<Apercu>(objet, rayon, [0.0; 2]).entree(0.0)
+}
+
+/// When the ray enters the object, at a closer look.
+pub(crate) fn loupe(objet: &ObjetRay, rayon: &Rayon) -> Intervalle {
+    let t = objet.t(rayon);
+    if t < f64::INFINI {
+        return juger(objet, rayon, [0.0, t]).entree(t);
+    }
+    // A miss is judged where the ray is nearest to the centre. Beside an edge, where the ray leaves
+    // one face at about the place where it enters another, that may decide nothing, and the miss is
+    // judged where the ray leaves.
+    let pres = (objet.boule().centre - rayon.source()).produit_scalaire(rayon.direction());
+    let pres = max(pres, 0.0);
+    let jugement = juger(objet, rayon, [0.0, pres]);
+    let sortie = pres + jugement.sortie;
+    if jugement.entre.is_some() || sortie == f64::INFINI {
+        return jugement.entree(pres);
+    }
+    juger(objet, rayon, [0.0, sortie]).entree(sortie)
+}
+
+/// Judges a ray and a point of it, in doubled numbers.
+pub(crate) fn juger(objet: &ObjetRay, rayon: &Rayon, lieux: Lieux) -> Jugement {
+    juger_avec::<Triple>(objet, rayon, lieux)
+}
+
+#[inline(always)]
+fn juger_avec<P: Point>(objet: &ObjetRay, rayon: &Rayon, lieux: Lieux) -> Jugement {
+    match objet {
+        ObjetRay::Sphere(sphere) => juger_sphere::<P>(sphere, rayon, lieux),
+        ObjetRay::Plan(plan) => {
+            let face = |_| (plan.normale(), -plan.distance());
+            juger_faces::<P, 1, 1>(Vecteur::NUL, face, rayon, lieux)
+        }
+        ObjetRay::Boite(boite) => {
+            juger_faces::<P, 3, 2>(boite.centre(), |axe| boite.paire(axe), rayon, lieux)
+        }
+    }
+}
+
+/// Judges the solid inside all faces: so many across each of so many axes, one or two. `face` has for
+/// each axis a unit vector and how far along it from the centre c its face stands; the second stands
+/// as far the other way.
+#[inline(always)]
+fn juger_faces<P: Point, const AXES: usize, const PAR_AXE: usize>(
+    c: Vecteur,
+    face: impl Fn(usize) -> (Vecteur, f64),
+    rayon: &Rayon,
+    lieux: Lieux,
+) -> Jugement {
+    let [depart, point] = lieux.map(|t| P::depuis(c, rayon, t));
+    let mut sejour = Sejour::PARTOUT;
+    // J1
+    for axe in 0..AXES {
+        let (n, l) = face(axe);
+        let [[d, d_oppose], [p, p_oppose]] = [depart, point].map(|x| x.hauteurs(n, l));
+        let vitesse = P::vitesse(n, rayon.direction());
+        let jamais = sejour.borner(d, p, vitesse.oppose());
+        if jamais || (PAR_AXE > 1 && sejour.borner(d_oppose, p_oppose, vitesse)) {
+            return Jugement::JAMAIS;
+        }
+    }
+    let Sejour { entree, sortie, dehors, dedans } = sejour;
+    // J4. An entry beyond the largest number is none (C7).
+    let touche = dehors && entree.haut < sortie.bas;
+    let manque = dedans || entree.bas > sortie.haut || entree.bas == f64::INFINI;
+    Jugement { entre: (touche || manque).then_some(touche), reste: entree, sortie: sortie.haut }
+}
+
+/// How long a ray is inside all faces so far.
+struct Sejour {
+    /// When it enters by the last face, counted from the point.
+    entree: Intervalle,
+    /// When it leaves by the first.
+    sortie: Intervalle,
+    /// Whether the ray certainly starts above a face by which it enters.
+    dehors: bool,
+    /// Whether it certainly starts above none.
+    dedans: bool,
+}
+
+impl Sejour {
+    const PARTOUT: Self = Self {
+        entree: Intervalle { bas: -f64::INFINI, haut: -f64::INFINI },
+        sortie: Intervalle { bas: f64::INFINI, haut: f64::INFINI },
+        dehors: false,
+        dedans: true,
+    };
+
+    /// Takes in a face, from the heights of the start and of the point over it and the speed at which
+    /// the ray descends; returns whether that excludes an entry.
+    #[inline(always)]
+    fn borner(&mut self, depart: Intervalle, point: Intervalle, descente: Intervalle) -> bool {
+        let Self { entree, sortie, dehors, dedans } = self;
+        if descente.bas > 0.0 {
+            // J2. Quotients are rounded, and compared by < alone.
+            *entree = entree.plus_grand(point.sur(descente));
+            *dehors |= depart.bas > 0.0;
+            *dedans &= depart.haut <= 0.0;
+        } else if depart.bas > 0.0 && descente.haut <= 0.0 {
+            // J3. Above a face that the ray does not come nearer to.
+            return true;
+        } else if descente.haut < 0.0 {
+            *sortie = sortie.moindre(point.oppose().sur(descente.oppose()));
+        } else if depart.haut <= 0.0 && point.haut <= 0.0 {
+            // Parallel, or nearly so. The ray has been under the face for so long at least, and
+            // will be. In the plane of the face, exactly, 0/0 excludes nothing.
+            let loin = point.haut / descente.grandeur();
+            (entree.haut, sortie.bas) = (max(loin, entree.haut), min(-loin, sortie.bas));
+        } else {
+            // It comes under the face no sooner than this, if ever, or nothing is known. Another
+            // face may still exclude an entry.
+            if depart.bas > 0.0 && point.bas > 0.0 {
+                entree.bas = max(point.bas / descente.grandeur(), entree.bas);
+            }
+            entree.haut = f64::INFINI;
+            *dedans = false;
+        }
+        false
+    }
+}
+
+/// Judges a sphere.
+#[inline(always)]
+fn juger_sphere<P: Point>(sphere: &SphereRay, rayon: &Rayon, [depart, t]: Lieux) -> Jugement {
+    // p_X and XA, at the point X of the ray at this distance (J5).
+    let d = rayon.direction();
+    let en = |t| {
+        let x = P::depuis(sphere.centre(), rayon, t);
+        let [_, xa] = x.hauteurs(d, 0.0);
+        (x.puissance(sphere.rayon()), xa)
+    };
+    let (d2, (p_s, sa)) = (d.longueur_carree(), en(depart));
+    let (p_a, xa_a) = en(depart + sa.haut / d2);
+    // AB²·D² is D²(r² − PC²) + PA² at any point P of the line. At A as computed PA is all rounding:
+    // its square is taken twice, so that it is a bound, and never as 0 unless PA is.
+    let xa_a = xa_a.grandeur();
+    let reste = 2.0 * xa_a * xa_a + if xa_a > 0.0 { f64::MIN_POSITIF } else { 0.0 };
+    let ab2 = Intervalle { bas: -p_a.haut * d2, haut: reste - p_a.bas * d2 };
+    // J6
+    let moindre = p_s.moindre(sa).moindre(ab2);
+    if moindre.haut <= 0.0 {
+        return Jugement::JAMAIS;
+    }
+    let (p, xa) = en(t);
+    let [ab_bas, ab_haut] = [ab2.bas, ab2.haut].map(|x| max(x, 0.0).sqrt());
+    let reste = if xa.bas > 0.0 {
+        p.sur(Intervalle { bas: xa.bas + ab_bas, haut: xa.haut + ab_haut })
+    } else {
+        Intervalle::autour(0.0, (ab_haut + xa.grandeur()) / d2)
+    };
+    Jugement { entre: (moindre.bas > 0.0).then_some(true), reste, sortie: f64::INFINI }
+}
