@@ -83,7 +83,7 @@ impl Double {
     /// exactly.
     pub fn bornes(self) -> Intervalle {
         if self.est_un_f64() {
-            return Intervalle { bas: self.haut, haut: self.haut };
+            return Intervalle::de(self.haut);
         }
         let (bas, haut) =
             ((self.bas - self.erreur).next_down(), (self.bas + self.erreur).next_up());
@@ -101,6 +101,11 @@ pub struct Intervalle {
 }
 
 impl Intervalle {
+    /// This number alone.
+    pub(crate) const fn de(x: f64) -> Self {
+        Self { bas: x, haut: x }
+    }
+
     /// All numbers within `ecart` of this one.
     #[inline(always)]
     pub(crate) fn autour(x: f64, ecart: f64) -> Self {

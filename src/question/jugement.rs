@@ -13,10 +13,10 @@ use core::slice::from_ref;
 use crate::algebre::double::{Double, scalaire, triple};
 use crate::algebre::nombre::{Nombre, fois_u, selon};
 use crate::objet::ObjetRay;
-use crate::question::Question;
 use crate::question::jugement::certificat::Certificat;
 use crate::question::jugement::juge::{coup_d_oeil, juger};
 use crate::question::liste::Liste;
+use crate::question::{Abord, Question};
 use crate::rayon::Rayon;
 use crate::rayon::intersection::Intersection;
 
@@ -77,10 +77,10 @@ impl<R: Nombre> ObjetRay<R> {
         } else if sort {
             // J9: the ray that comes back, from as far beyond, enters there.
             let retour = Rayon::sans_fin(rayon.source(), -rayon.direction());
-            let ecart = juger(&objet, &retour, [-2.0 * en_f64, -en_f64]).ecart();
+            let ecart = juger(&objet, &retour, [-2.0 * en_f64, -en_f64]).0.grandeur();
             if ecart < 0.5 * en_f64 { ecart } else { f64::INFINI }
         } else {
-            juger(&objet, &rayon, [0.0, en_f64]).ecart()
+            juger(&objet, &rayon, [0.0, en_f64]).0.grandeur()
         };
         // J7: t counts in lengths of D.
         let d = rayon.direction();
@@ -114,11 +114,8 @@ impl<R: Nombre> ObjetRay<R> {
     #[doc(alias("is_certain", "is_robust"))]
     #[must_use]
     pub fn est_certain(&self, rayon: &Rayon<R>) -> bool {
-        let (objets, reponse) = (from_ref(self), self.intersection(rayon));
-        let liste = Liste { objets, choix: None };
-        Certificat::new(&liste, rayon, &reponse).is_some_and(|mut certificat| {
-            liste.interroger(rayon, &mut certificat);
-            certificat.repondre(rayon, objets)
-        })
+        let liste = Liste { objets: from_ref(self), choix: None };
+        Certificat::new(&liste, rayon, &self.intersection(rayon))
+            .is_some_and(|certificat| certificat.voir(rayon, self, 0, Abord::Inconnu).is_none())
     }
 }

@@ -947,10 +947,10 @@ fn lemme_18_les_bornes_du_coup_d_oeil_suffisent() {
     tenir(VUE_POINT, gamma(7.0, u) * large * large * plus(8.0, u));
     tenir(VUE_LONGUEUR, gamma(2.0, u) * plus(8.0, u));
     tenir(VUE_VITESSE, gamma(4.0, u) * large * large);
-    // The square of X as computed, the difference and its bound; r² is off by less.
-    tenir(VUE_PUISSANCE, gamma(5.0, u) * plus(8.0, u));
-    // The square of the point is off by what its coordinates are, of which a height has less than half.
-    assert!((gamma(2.0, u) * large).haut < VUE_POINT);
+    // The square of X as computed, the difference and its bound, and 16 for the point; r² is off by less.
+    tenir(VUE_PUISSANCE, (16.0 + gamma(5.0, u)) * plus(16.0, u));
+    // The point itself is off by less than its heights.
+    assert!((gamma(2.0, u) * large * plus(8.0, u)).haut < VUE_POINT);
 }
 
 #[test]

@@ -35,7 +35,7 @@ impl<'a, R: Nombre> Certificat<'a, R> {
         };
         let premier = liste.objet(touche.indice())?;
         let objet = premier.temoin_f64();
-        // G4: an entry beyond the largest number of the type is no hit (C7).
+        // G3: an entry beyond the largest number of the type is no hit (C7).
         let plus_grand = selon::<R, _>(f32::MAX.into(), f64::MAX);
         let certaine = |entree: f64| entree < temoin.fin() && entree <= plus_grand;
         let dernier = Some(coup_d_oeil(&objet, &temoin).haut).filter(|entree| certaine(*entree));
@@ -48,7 +48,7 @@ impl<'a, R: Nombre> Certificat<'a, R> {
     /// first or never.
     #[inline(always)]
     fn vient_apres(&self, objet: &ObjetRay<R>, indice: usize) -> bool {
-        // G5
+        // G4
         self.premier.is_some_and(|(_, premier)| premier == indice)
             || coup_d_oeil(&objet.temoin_f64(), &self.temoin).bas > self.dernier
             || self.vient_apres_a_la_loupe(objet)

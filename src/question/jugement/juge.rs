@@ -10,82 +10,56 @@ use crate::objet::sphere::SphereRay;
 use crate::question::jugement::point::{Apercu, Point};
 use crate::rayon::Rayon;
 
-/// How much the bound of a [`Jugement`] grows, in u of itself: what it is off by, and the growing
-/// (lemma 17).
+/// How much a bound of [`juger`] grows, in u of itself: what it is off by, and the growing (lemma 17).
 pub const ECART_ARRONDI: f64 = 10.6;
 
 /// Where a ray starts, and a point of it: two distances along it.
 type Lieux = [f64; 2];
 
-/// What a judge says of a ray, an object and a point of the ray.
-pub(crate) struct Jugement {
-    /// Whether the ray enters the object, if that is certain.
-    entre: Option<bool>,
-    /// If it enters, how much farther than the point, to 8.6u of `f64`; below 0 if it enters before.
-    reste: Intervalle,
-    /// How much farther than the point it leaves, at most.
-    sortie: f64,
-}
-
-impl Jugement {
-    const JAMAIS: Self = Self {
-        entre: Some(false),
-        reste: Intervalle { bas: f64::INFINI, haut: f64::INFINI },
-        sortie: f64::INFINI,
-    };
-
-    /// How far the entry is from the point at most; +∞ unless the ray certainly enters.
-    pub(crate) fn ecart(self) -> f64 {
-        if self.entre == Some(true) { self.reste.grandeur() } else { f64::INFINI }
-    }
-
-    /// The distances between which the ray enters, if the point is at `t`. The later one is +∞ unless
-    /// it certainly enters, and the earlier one if it certainly never does.
-    #[inline(always)]
-    fn entree(self, t: f64) -> Intervalle {
-        if self.entre == Some(false) {
-            return Self::JAMAIS.reste;
-        }
-        let jeu = |x: f64| x.abs() * (ECART_ARRONDI * f64::U) + f64::MIN_POSITIF;
-        let Intervalle { bas, haut } = self.reste;
-        let bas = (t + (bas - jeu(bas))) * (1.0 - 2.0 * f64::U);
-        let haut = (t + (haut + jeu(haut))) * (1.0 + 2.0 * f64::U);
-        Intervalle { bas, haut: if self.entre.is_some() { haut } else { f64::INFINI } }
-    }
-}
-
-/// When the ray enters the object, at a glance.
+/// The distances between which the ray enters the object, if it does, at a glance. The later one is +∞
+/// unless it certainly enters, and the earlier one if it certainly never does.
 #[inline(always)]
 pub fn coup_d_oeil(objet: &ObjetRay, rayon: &Rayon) -> Intervalle {
-    juger_avec::<Apercu>(objet, rayon, [0.0; 2]).entree(0.0)
+    apres(0.0, juger_avec::<Apercu>(objet, rayon, [0.0; 2]).0)
 }
 
-/// When the ray enters the object, at a closer look.
+/// The same at a closer look.
 pub(crate) fn loupe(objet: &ObjetRay, rayon: &Rayon) -> Intervalle {
+    let en = |t: f64| {
+        let (reste, sortie) = juger(objet, rayon, [0.0, t]);
+        (apres(t, reste), t + sortie)
+    };
     let t = objet.t(rayon);
     if t < f64::INFINI {
-        return juger(objet, rayon, [0.0, t]).entree(t);
+        return en(t).0;
     }
     // A miss is judged where the ray is nearest to the centre. Beside an edge, where the ray leaves
     // one face at about the place where it enters another, that may decide nothing, and the miss is
     // judged where the ray leaves.
     let pres = (objet.boule().centre - rayon.source()).produit_scalaire(rayon.direction());
-    let pres = max(pres, 0.0);
-    let jugement = juger(objet, rayon, [0.0, pres]);
-    let sortie = pres + jugement.sortie;
-    if jugement.entre.is_some() || sortie == f64::INFINI {
-        return jugement.entree(pres);
-    }
-    juger(objet, rayon, [0.0, sortie]).entree(sortie)
+    let (entree, sortie) = en(max(pres, 0.0));
+    let decide = entree.haut < f64::INFINI || entree.bas == f64::INFINI;
+    if decide || sortie == f64::INFINI { entree } else { en(sortie).0 }
 }
 
-/// Judges a ray and a point of it, in doubled numbers.
-pub(crate) fn juger(objet: &ObjetRay, rayon: &Rayon, lieux: Lieux) -> Jugement {
+/// These numbers, counted from t, rounded outward.
+#[inline(always)]
+fn apres(t: f64, Intervalle { bas, haut }: Intervalle) -> Intervalle {
+    // J8
+    let [moins, plus] = [-1.0, 1.0].map(|signe| 1.0 + signe * (ECART_ARRONDI * f64::U));
+    let bas = bas * if bas > 0.0 { moins } else { plus } - f64::MIN_POSITIF;
+    let haut = haut * if haut > 0.0 { plus } else { moins } + f64::MIN_POSITIF;
+    Intervalle { bas: (t + bas) * (1.0 - 2.0 * f64::U), haut: (t + haut) * (1.0 + 2.0 * f64::U) }
+}
+
+/// How much farther than a point the ray enters the object, if it does, and leaves it at the most, in
+/// doubled numbers. The bounds of the entry are those of [`coup_d_oeil`], to 8.6u of `f64`.
+pub(crate) fn juger(objet: &ObjetRay, rayon: &Rayon, lieux: Lieux) -> (Intervalle, f64) {
     juger_avec::<Triple>(objet, rayon, lieux)
 }
 
 #[inline(always)]
-fn juger_avec<P: Point>(objet: &ObjetRay, rayon: &Rayon, lieux: Lieux) -> Jugement {
+fn juger_avec<P: Point>(objet: &ObjetRay, rayon: &Rayon, lieux: Lieux) -> (Intervalle, f64) {
     match objet {
         ObjetRay::Sphere(sphere) => juger_sphere::<P>(sphere, rayon, lieux),
         ObjetRay::Plan(plan) => {
@@ -106,57 +80,54 @@ fn juger_faces<P: Point, const AXES: usize, const PAR_AXE: usize>(
     c: Vecteur,
     face: impl Fn(usize) -> (Vecteur, f64),
     rayon: &Rayon,
-    lieux: Lieux,
-) -> Jugement {
-    let [depart, point] = lieux.map(|t| P::depuis(c, rayon, t));
-    let mut sejour = Sejour::PARTOUT;
+    [depart, t]: Lieux,
+) -> (Intervalle, f64) {
+    let (depart, point) = (P::depuis(c, rayon, depart), P::depuis(c, rayon, t));
+    let jamais = Intervalle::de(f64::INFINI);
+    let toujours = Intervalle::de(-f64::INFINI);
+    let mut sejour = Sejour { dessus: toujours, entree: toujours, sortie: jamais };
     // J1
     for axe in 0..AXES {
         let (n, l) = face(axe);
-        let [[d, d_oppose], [p, p_oppose]] = [depart, point].map(|x| x.hauteurs(n, l));
+        let ([d, d_oppose], [p, p_oppose]) = (depart.hauteurs(n, l), point.hauteurs(n, l));
         let vitesse = P::vitesse(n, rayon.direction());
-        let jamais = sejour.borner(d, p, vitesse.oppose());
-        if jamais || (PAR_AXE > 1 && sejour.borner(d_oppose, p_oppose, vitesse)) {
-            return Jugement::JAMAIS;
+        let exclu = sejour.borner(d, p, vitesse.oppose());
+        if exclu || (PAR_AXE > 1 && sejour.borner(d_oppose, p_oppose, vitesse)) {
+            return (jamais, f64::INFINI);
         }
     }
-    let Sejour { entree, sortie, dehors, dedans } = sejour;
-    // J4. An entry beyond the largest number is none (C7).
-    let touche = dehors && entree.haut < sortie.bas;
-    let manque = dedans || entree.bas > sortie.haut || entree.bas == f64::INFINI;
-    Jugement { entre: (touche || manque).then_some(touche), reste: entree, sortie: sortie.haut }
+    let Sejour { dessus, entree, sortie } = sejour;
+    // J4
+    let entre = if dessus.haut <= 0.0 || entree.bas > sortie.haut {
+        jamais
+    } else if dessus.bas > 0.0 && entree.haut < sortie.bas {
+        entree
+    } else {
+        Intervalle { haut: f64::INFINI, ..entree }
+    };
+    (entre, sortie.haut)
 }
 
 /// How long a ray is inside all faces so far.
 struct Sejour {
-    /// When it enters by the last face, counted from the point.
+    /// How high it starts over the highest of those by which it enters.
+    dessus: Intervalle,
+    /// When it enters by the last, counted from the point.
     entree: Intervalle,
     /// When it leaves by the first.
     sortie: Intervalle,
-    /// Whether the ray certainly starts above a face by which it enters.
-    dehors: bool,
-    /// Whether it certainly starts above none.
-    dedans: bool,
 }
 
 impl Sejour {
-    const PARTOUT: Self = Self {
-        entree: Intervalle { bas: -f64::INFINI, haut: -f64::INFINI },
-        sortie: Intervalle { bas: f64::INFINI, haut: f64::INFINI },
-        dehors: false,
-        dedans: true,
-    };
-
     /// Takes in a face, from the heights of the start and of the point over it and the speed at which
     /// the ray descends; returns whether that excludes an entry.
     #[inline(always)]
     fn borner(&mut self, depart: Intervalle, point: Intervalle, descente: Intervalle) -> bool {
-        let Self { entree, sortie, dehors, dedans } = self;
+        let Self { dessus, entree, sortie } = self;
         if descente.bas > 0.0 {
             // J2. Quotients are rounded, and compared by < alone.
             *entree = entree.plus_grand(point.sur(descente));
-            *dehors |= depart.bas > 0.0;
-            *dedans &= depart.haut <= 0.0;
+            *dessus = dessus.plus_grand(depart);
         } else if depart.bas > 0.0 && descente.haut <= 0.0 {
             // J3. Above a face that the ray does not come nearer to.
             return true;
@@ -173,8 +144,7 @@ impl Sejour {
             if depart.bas > 0.0 && point.bas > 0.0 {
                 entree.bas = max(point.bas / descente.grandeur(), entree.bas);
             }
-            entree.haut = f64::INFINI;
-            *dedans = false;
+            (dessus.haut, entree.haut) = (f64::INFINI, f64::INFINI);
         }
         false
     }
@@ -182,7 +152,11 @@ impl Sejour {
 
 /// Judges a sphere.
 #[inline(always)]
-fn juger_sphere<P: Point>(sphere: &SphereRay, rayon: &Rayon, [depart, t]: Lieux) -> Jugement {
+fn juger_sphere<P: Point>(
+    sphere: &SphereRay,
+    rayon: &Rayon,
+    [depart, t]: Lieux,
+) -> (Intervalle, f64) {
     // p_X and XA, at the point X of the ray at this distance (J5).
     let d = rayon.direction();
     let en = |t| {
@@ -200,7 +174,7 @@ fn juger_sphere<P: Point>(sphere: &SphereRay, rayon: &Rayon, [depart, t]: Lieux)
     // J6
     let moindre = p_s.moindre(sa).moindre(ab2);
     if moindre.haut <= 0.0 {
-        return Jugement::JAMAIS;
+        return (Intervalle::de(f64::INFINI), f64::INFINI);
     }
     let (p, xa) = en(t);
     let [ab_bas, ab_haut] = [ab2.bas, ab2.haut].map(|x| max(x, 0.0).sqrt());
@@ -209,5 +183,6 @@ fn juger_sphere<P: Point>(sphere: &SphereRay, rayon: &Rayon, [depart, t]: Lieux)
     } else {
         Intervalle::autour(0.0, (ab_haut + xa.grandeur()) / d2)
     };
-    Jugement { entre: (moindre.bas > 0.0).then_some(true), reste, sortie: f64::INFINI }
+    let haut = if moindre.bas > 0.0 { reste.haut } else { f64::INFINI };
+    (Intervalle { haut, ..reste }, f64::INFINI)
 }

@@ -16,7 +16,7 @@ pub const VUE_LONGUEUR: f64 = 2.1;
 pub const VUE_VITESSE: f64 = 4.1;
 
 /// What the power of a point as stored is off by at a glance, in u of both squares (lemma 18).
-pub const VUE_PUISSANCE: f64 = 5.1;
+pub const VUE_PUISSANCE: f64 = 21.1;
 
 /// A point X, seen from the centre C of an object.
 pub(crate) trait Point: Copy {
@@ -47,11 +47,12 @@ impl Point for Apercu {
         let f = rayon.source() - centre;
         // The smallest normal number pays for lost products.
         let jeu = (f.norme_1() + t.abs()) * (VUE_POINT * f64::U) + f64::MIN_POSITIVE;
-        Self { cx: f + rayon.direction() * t, jeu }
+        Self { cx: if t == 0.0 { f } else { f + rayon.direction() * t }, jeu }
     }
 
     #[inline(always)]
     fn hauteurs(self, n: Vecteur, l: f64) -> [Intervalle; 2] {
+        // G1
         let (x, jeu) = (n.produit_scalaire(self.cx), self.jeu + l.abs() * (VUE_LONGUEUR * f64::U));
         [x - l, -x - l].map(|hauteur| Intervalle::autour(hauteur, jeu))
     }
@@ -64,7 +65,9 @@ impl Point for Apercu {
     #[inline(always)]
     fn puissance(self, r: f64) -> Intervalle {
         let (x2, r2) = (self.cx.longueur_carree(), r * r);
-        let jeu = (2.0 * x2.sqrt() + self.jeu) * self.jeu + (x2 + r2) * (VUE_PUISSANCE * f64::U);
+        // G2: X off by ε moves its square by 2ε|X|, at most 16u|X|² and ε²/16u.
+        let jeu =
+            (x2 + r2) * (VUE_PUISSANCE * f64::U) + self.jeu * self.jeu * (1.0 / 16.0 / f64::U);
         Intervalle::autour(x2 - r2, jeu)
     }
 }
