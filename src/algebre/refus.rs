@@ -117,7 +117,17 @@ pub(crate) fn taille<R: Nombre>(champ: &'static str, x: R) -> Result<R, ErreurGe
 
 /// The coefficient of a homothety.
 pub(crate) fn coefficient<R: Nombre>(k: R) -> Result<R, ErreurGeo> {
-    exiger(k > R::ZERO && k < R::INFINI, "coefficient", k, "a finite number above 0")
+    positif("coefficient", k)
+}
+
+/// A finite number above 0.
+pub(crate) fn positif<R: Nombre>(champ: &'static str, x: R) -> Result<R, ErreurGeo> {
+    exiger(x > R::ZERO && x < R::INFINI, champ, x, "a finite number above 0")
+}
+
+/// A length that may be 0.
+pub(crate) fn positif_ou_nul<R: Nombre>(champ: &'static str, x: R) -> Result<R, ErreurGeo> {
+    exiger(x >= R::ZERO && x < R::INFINI, champ, x, "a finite number, 0 or more")
 }
 
 /// The vector of a translation.

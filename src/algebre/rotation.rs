@@ -39,8 +39,6 @@ pub struct Rotation<R = f64> {
 /// A matrix in the type in which rotations are made; they are rounded once, at the end.
 type Matrice = [[f64; 3]; 3];
 
-const IDENTITE: Matrice = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-
 /// How orthonormal a matrix is that [`Rotation::depuis_matrice`] keeps, in u (lemma 1).
 pub const DEJA_ORTHONORMALE: f64 = 8.0;
 
@@ -438,8 +436,8 @@ fn produit(m: Matrice, n: Matrice) -> Matrice {
 
 /// I − M·Mᵀ.
 fn defaut(m: Matrice) -> Matrice {
-    let carre = produit(m, transposee(m));
-    core::array::from_fn(|i| core::array::from_fn(|j| IDENTITE[i][j] - carre[i][j]))
+    let (un, carre) = (Rotation::<f64>::IDENTITE.matrice, produit(m, transposee(m)));
+    core::array::from_fn(|i| core::array::from_fn(|j| un[i][j] - carre[i][j]))
 }
 
 /// The largest element of |M·Mᵀ − I|. For a finite M none on the diagonal is a NaN; where overflow

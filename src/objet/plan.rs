@@ -284,8 +284,7 @@ impl<R: Nombre> Forme<R> for PlanRay<R> {
     }
 
     fn recul(&self, rayon: &Rayon<R>) -> R {
-        let (hauteur, _) = self.hauteur_et_descente(rayon);
-        -hauteur
+        -self.hauteur_et_descente(rayon).0
     }
 }
 
