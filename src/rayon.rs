@@ -5,7 +5,7 @@ pub(crate) mod secondaire;
 
 use crate::algebre::nombre::{Nombre, fois_u, max, min, simple};
 use crate::algebre::refus::{
-    self, ErreurGeo, ecrit_par, exiger, fini, lu_par, point, positif_ou_nul, refus_nul,
+    self, ErreurGeo, ecrit_par, exiger, fini, lu_par, point, positif_ou_nul, refus_nul, unitaire,
 };
 use crate::algebre::vecteur::Vecteur;
 
@@ -356,14 +356,13 @@ pub(crate) const DIRECTION: [&str; 4] = ["direction", "direction.x", "direction.
 /// This direction brought to length 1; refused by one of these names if it is zero or not finite.
 #[inline]
 pub(crate) fn direction_unitaire<R: Nombre>(
-    [champ, x, y, z]: [&'static str; 4],
+    champs: [&'static str; 4],
     direction: Vecteur<R>,
 ) -> Result<Vecteur<R>, ErreurGeo> {
     if (direction.longueur_carree() - R::UN).abs() <= fois_u(DEJA_UNITAIRE) {
         return Ok(direction);
     }
-    let direction = fini([x, y, z], direction)?;
-    direction.unitaire().ok_or_else(|| refus_nul(champ))
+    unitaire(champs, direction)
 }
 
 // `fin` is none where there is no end, which not every format can say as a number, and `flou` where

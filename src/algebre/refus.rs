@@ -142,10 +142,27 @@ pub(crate) fn origine<R: Nombre>(origine: Vecteur<R>) -> Result<Vecteur<R>, Erre
 
 /// A vector each of whose coordinates is finite.
 pub(crate) fn fini<R: Nombre>(champs: Champs, v: Vecteur<R>) -> Result<Vecteur<R>, ErreurGeo> {
-    for (champ, x) in champs.into_iter().zip([v.x, v.y, v.z]) {
+    finis(champs, v.into()).map(Vecteur::from)
+}
+
+/// Numbers each of which is finite.
+pub(crate) fn finis<R: Nombre, const N: usize>(
+    champs: [&'static str; N],
+    nombres: [R; N],
+) -> Result<[R; N], ErreurGeo> {
+    for (champ, x) in champs.into_iter().zip(nombres) {
         exiger(x.abs() < R::INFINI, champ, x, "a finite number")?;
     }
-    Ok(v)
+    Ok(nombres)
+}
+
+/// A direction as a unit vector; refused by its name, or that of a coordinate, if it is zero or not
+/// finite.
+pub(crate) fn unitaire<R: Nombre>(
+    [nom, x, y, z]: [&'static str; 4],
+    v: Vecteur<R>,
+) -> Result<Vecteur<R>, ErreurGeo> {
+    fini([x, y, z], v)?.unitaire().ok_or_else(|| refus_nul(nom))
 }
 
 /// `lu_par! { T { champ: type, … } => expression }`: with the feature `serde` a T is read as these

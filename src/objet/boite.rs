@@ -236,10 +236,7 @@ impl<R: Nombre> BoiteRay<R> {
     /// The last entry into the three pairs of faces, which pair that is, and the first exit.
     #[inline(always)]
     fn dalles(&self, rayon: &Rayon<R>) -> (Quotient<R>, usize, Quotient<R>) {
-        dalles(
-            #[inline(always)]
-            |axe| self.dalle(axe, rayon),
-        )
+        dalles(self.paires(), rayon.source() - self.centre, rayon.direction())
     }
 
     /// The face across this axis that the ray comes to first: its normal and its distance from C.
