@@ -384,7 +384,8 @@ lu_par! {
         fin: Option<R> = default,
         flou: Option<R> = default,
         dedans: u64 = default,
-    } => Self::new(source, direction)
-        .and_then(|rayon| rayon.jusqu_a(fin.unwrap_or(R::INFINI)))
-        .and_then(|rayon| Ok(rayon.sachant(su_lu(flou.unwrap_or(R::ZERO), dedans)?)))
+    } => {
+        let rayon = Self::new(source, direction)?.jusqu_a(fin.unwrap_or(R::INFINI))?;
+        Ok(rayon.sachant(su_lu(flou.unwrap_or(R::ZERO), dedans)?))
+    }
 }

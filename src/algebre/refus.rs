@@ -166,7 +166,7 @@ pub(crate) fn unitaire<R: Nombre>(
 }
 
 /// `lu_par! { T { champ: type, … } => expression }`: with the feature `serde` a T is read as these
-/// fields and no others, by name or in order, and the expression checks them. A field with `=
+/// fields and no others, by name or in order, and the expression checks them or is an [`ErreurGeo`]. A field with `=
 /// default` may be left out, and one with `alias` has another name too.
 macro_rules! lu_par {
     (
@@ -185,7 +185,8 @@ macro_rules! lu_par {
                 }
 
                 let $type { $($champ),* } = $type::deserialize(lecteur)?;
-                $lu.map_err(serde::de::Error::custom)
+                let lire = || -> Result<Self, $crate::algebre::refus::ErreurGeo> { $lu };
+                lire().map_err(serde::de::Error::custom)
             }
         }
     };

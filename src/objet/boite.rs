@@ -337,6 +337,7 @@ impl<R: Nombre> Forme<R> for BoiteRay<R> {
         if sort { sortie.distance() } else { R::INFINI }
     }
 
+    /// False for a NaN, which would hide in the comparisons of quotients.
     #[inline(always)]
     fn contient(&self, point: Vecteur<R>) -> bool {
         let cp = point - self.centre;
@@ -349,14 +350,11 @@ impl<R: Nombre> Forme<R> for BoiteRay<R> {
         self.face_vers(rayon, self.dalles(rayon).1)
     }
 
-    fn plan_de_depart(&self, rayon: &Rayon<R>) -> (Vecteur<R>, R) {
-        self.face_vers(rayon, self.face_de_depart(rayon).1)
-    }
-
-    fn recul(&self, rayon: &Rayon<R>) -> R {
+    fn plan_de_depart(&self, rayon: &Rayon<R>) -> ((Vecteur<R>, R), R) {
         let entrees = [0, 1, 2].map(|axe| self.dalle(axe, rayon).0);
         let profonds = entrees.map(|e| if e.vitesse > R::ZERO { -e.longueur } else { R::ZERO });
-        profonds.into_iter().filter(|p| *p < self.profond(rayon, FLOU_PROPRE)).fold(R::ZERO, max)
+        let pres = profonds.into_iter().filter(|p| *p < self.profond(rayon, FLOU_PROPRE));
+        (self.face_vers(rayon, self.face_de_depart(rayon).1), pres.fold(R::ZERO, max))
     }
 }
 

@@ -274,17 +274,12 @@ impl<R: Nombre> Forme<R> for PlanRay<R> {
     }
 
     #[inline(always)]
-    fn contient(&self, point: Vecteur<R>) -> bool {
-        self.normale.produit_scalaire(point) + self.distance <= R::ZERO
-    }
-
-    #[inline(always)]
     fn plan_tangent(&self, _: &Rayon<R>, _: R) -> (Vecteur<R>, R) {
         (self.normale, -self.distance)
     }
 
-    fn recul(&self, rayon: &Rayon<R>) -> R {
-        -self.hauteur_et_descente(rayon).0
+    fn plan_de_depart(&self, rayon: &Rayon<R>) -> ((Vecteur<R>, R), R) {
+        (self.plan_tangent(rayon, R::ZERO), -self.hauteur_et_descente(rayon).0)
     }
 }
 

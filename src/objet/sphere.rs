@@ -245,11 +245,6 @@ impl<R: Nombre> Forme<R> for SphereRay<R> {
         if dedans | (devant & (ab2 > R::ZERO)) { haut / bas } else { R::INFINI }
     }
 
-    #[inline(always)]
-    fn contient(&self, point: Vecteur<R>) -> bool {
-        (self.centre - point).longueur_carree() <= self.r * self.r
-    }
-
     /// CB/|CB|, or 0 where CB is lost.
     #[inline(always)]
     fn plan_tangent(&self, rayon: &Rayon<R>, t: R) -> (Vecteur<R>, R) {

@@ -74,8 +74,8 @@ pub(crate) fn dalles<R: Nombre>(
     let mut entree = Quotient { longueur: -loin, vitesse };
     let mut sortie = Quotient { longueur: loin, vitesse };
     let mut axe_d_entree = 0; // B4
-    for axe in 0..3 {
-        let (e, s) = dalle(paires[axe], cs, d);
+    for (axe, paire) in paires.into_iter().enumerate() {
+        let (e, s) = dalle(paire, cs, d);
         if e.depasse(entree) {
             (entree, axe_d_entree) = (e, axe);
         }

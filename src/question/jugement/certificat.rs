@@ -44,16 +44,7 @@ impl<'a, R: Nombre> Certificat<'a, R> {
         certaine(dernier).then_some(Self { temoin, premier, dernier, doute: false })
     }
 
-    /// Whether the object at this index is the first, or the ray certainly enters it later than the
-    /// first or never.
-    #[inline(always)]
-    fn vient_apres(&self, objet: &ObjetRay<R>, indice: usize) -> bool {
-        // G4
-        self.premier.is_some_and(|(_, premier)| premier == indice)
-            || coup_d_oeil(&objet.temoin_f64(), &self.temoin).bas > self.dernier
-            || self.vient_apres_a_la_loupe(objet)
-    }
-
+    /// Whether the ray certainly enters this object later than the first or never, at a closer look.
     #[cold]
     fn vient_apres_a_la_loupe(&self, objet: &ObjetRay<R>) -> bool {
         let a_la_loupe = |objet: &ObjetRay<R>| loupe(&objet.temoin_f64(), &self.temoin);
@@ -76,12 +67,17 @@ impl<R: Nombre> Question<R> for Certificat<'_, R> {
     /// Sees an object that may come before the first.
     #[inline(always)]
     fn voir(&self, rayon: &Rayon<R>, objet: &ObjetRay<R>, i: usize, abord: Abord) -> Option<()> {
-        let proche = match abord {
+        let passe = match abord {
             // No ray that enters an object passes the ball around it by (lemma 17).
-            Abord::Inconnu => objet.boule().approchee(rayon),
-            Abord::DansSaBoite { .. } => true,
+            Abord::Inconnu => !objet.boule().approchee(rayon),
+            Abord::DansSaBoite { .. } => false,
         };
-        (proche && !self.vient_apres(objet, i)).then_some(())
+        // G4
+        let vient_apres = passe
+            || self.premier.is_some_and(|(_, premier)| premier == i)
+            || coup_d_oeil(&objet.temoin_f64(), &self.temoin).bas > self.dernier
+            || self.vient_apres_a_la_loupe(objet);
+        (!vient_apres).then_some(())
     }
 
     #[inline(always)]
