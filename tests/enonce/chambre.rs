@@ -11,7 +11,7 @@ use commun::{Bits, arrondi, cas, en_f32_et_f64};
 use fastrand::Rng;
 use lancer_rayon::{
     Intersection, Monde, NoIntersection, ObjetRay, PlanGeo, Rayon, Reel, Rotation, Texture,
-    Vecteur, places,
+    Vecteur, places, premiere_intersection,
 };
 
 /// Walls, then furniture; and points of the seams between them, towards which rays are sent.
@@ -390,6 +390,35 @@ fn un_rayon_le_long_d_une_face_n_en_sort_pas() {
     assert!(!objets[1].contient(suite.source()), "the ray goes along over the floor");
     assert_eq!(monde.premiere_intersection(&suite).map(|t| t.distance()), Ok(0.0));
 }
+
+/// The δ that two walls are to reach into each other by is that of the next ray. One from far away has none, and passes
+/// between walls that reach by four times their o; it loses on its way what a ray that started there would know it lost.
+fn un_rayon_venu_de_loin_perd_son_chemin<R: Reel>() {
+    let mut alea = Rng::with_seed(47);
+    let (u, mut passent) = (u::<R>(), [0; 2]);
+    for _ in 0..cas(500) {
+        let tour = Rotation::<R>::new(arrondi(direction(&mut alea) * 3.0)).unwrap();
+        let [x, y, z] = tour.axes().map(|axe| axe.vers_f64());
+        let mut entre = |large: f64| large * (2.0 * alea.f64() - 1.0);
+        // Straight at the seam, so that no ray meets a side within it.
+        let source = arrondi::<R>(z * 1000.0 + y * entre(100.0) + x * entre(1e5 * u));
+        let coffre = |c| boite(arrondi(x * c), v(1.0, 1.0, 0.2), tour);
+        let propre = flou_propre(&coffre(0.0));
+        let flou = flou_du_point(R::depuis_f64(1010.0), v(0.5, 0.5, 0.5));
+        for (large, passent) in [4.0 * propre, 2.0 * (flou + propre)].into_iter().zip(&mut passent)
+        {
+            let murs = [0.5 - large / 2.0, large / 2.0 - 0.5].map(coffre);
+            for _ in 0..8 {
+                let cible = z * 0.1 + y * entre(0.3) + x * entre(large);
+                let rayon = Rayon::new(source, arrondi::<R>(cible) - source).unwrap();
+                *passent += u32::from(premiere_intersection(&murs, &rayon).is_err());
+            }
+        }
+    }
+    assert!(passent[0] > 20 && passent[1] == 0, "{passent:?}");
+}
+
+en_f32_et_f64!(un_rayon_venu_de_loin_perd_son_chemin);
 
 /// Mirrors that stand flush on mirrors, and rays at the foot: a ray that starts beside the seam, in the box by rounding,
 /// may be told the face that the floor hides, and the floor would send it back. Each comes out of the seam after a few hits.
