@@ -10,7 +10,7 @@ use crate::objet::sphere::SphereRay;
 use crate::question::jugement::point::{Apercu, Point};
 use crate::rayon::Rayon;
 
-/// How much a bound of [`juger`] grows, in u of itself: what it is off by, and the growing (lemma 17).
+/// How much a bound of `juger` grows, in u of itself: what it is off by, and the growing (lemma 17).
 pub const ECART_ARRONDI: f64 = 10.6;
 
 /// Where a ray starts, and a point of it: two distances along it.
