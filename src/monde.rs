@@ -507,11 +507,10 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     ///
     /// It is never true of a wrong answer. It is false of a right one only where
     /// [`est_certain`](ObjetRay::est_certain) of some object would be false, where no distance is
-    /// promised, where two entries are nearer to each other than some 2⁻⁵⁰(κ + κ′)·t, and among
-    /// numbers below the normal ones. (κ is large where a ray grazes; the gap is twice the sum of
-    /// the errors that `docs/precision.md` promises in `f64`.) Most often a right answer that is
-    /// not certified is an exact tie, as where the sides of two boxes are flush. A tree certifies a
-    /// few more right answers than a list, since it skips objects whose boxes come later.
+    /// promised, where two entries are nearer to each other than some 2⁻⁵⁰ of their distance, and
+    /// among numbers below the normal ones. Most often a right answer that is not certified is an
+    /// exact tie, as where the sides of two boxes are flush. A tree certifies a few more right
+    /// answers than a list, since it skips objects whose boxes come later.
     ///
     /// Only the [`indice`](crate::Intersection::indice) of `reponse` counts, so that an answer
     /// found elsewhere can be judged. With a tree a certificate takes 1.0 to 1.4 times as long as

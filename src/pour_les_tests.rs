@@ -25,10 +25,8 @@ pub use crate::objet::sphere::{
     ARRONDI_PERDU, LONGUEUR, PAR_RAYON, PUISSANCE_PERDUE, TRAVERS_PERDU,
 };
 pub use crate::question::jugement::ERREUR_ARRONDIE;
-pub use crate::question::jugement::coup_d_oeil::{
-    VUE_DISTANCE, VUE_HAUTEUR, VUE_LONGUEUR, VUE_QUOTIENT, VUE_SPHERE, VUE_VITESSE, coup_d_oeil,
-};
-pub use crate::question::jugement::loupe::ECART_ARRONDI;
+pub use crate::question::jugement::juge::{ECART_ARRONDI, coup_d_oeil};
+pub use crate::question::jugement::point::{VUE_LONGUEUR, VUE_POINT, VUE_PUISSANCE, VUE_VITESSE};
 pub use crate::rayon::secondaire::{PAS_ARRONDI, PAS_NORMAL, REDRESSE, TANGENT};
 pub use crate::rayon::{DEJA_UNITAIRE, FLOU_DISTANCE, FLOU_POINT, FLOU_RELATIF};
 

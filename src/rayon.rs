@@ -4,7 +4,9 @@ pub(crate) mod intersection;
 pub(crate) mod secondaire;
 
 use crate::algebre::nombre::{Nombre, fois_u, max, min, simple};
-use crate::algebre::refus::{self, ErreurGeo, ecrit_par, exiger, fini, lu_par, point, refus_nul};
+use crate::algebre::refus::{
+    self, ErreurGeo, ecrit_par, exiger, fini, lu_par, point, positif_ou_nul, refus_nul, unitaire,
+};
 use crate::algebre::vecteur::Vecteur;
 
 /// A ray: the points R(t) = S + t·D, 0 ≤ t < [`fin`](Self::fin), from the source S along the unit
@@ -133,11 +135,13 @@ impl<R: Nombre> Rayon<R> {
     /// ```
     #[doc(alias("tolerance", "on_surface", "blur"))]
     pub fn avec_flou(self, flou: R) -> Result<Self, ErreurGeo> {
-        let dedans = self.su < R::ZERO;
-        let accepte = flou >= R::ZERO && flou < if dedans { R::MIN_POSITIF } else { R::INFINI };
-        exiger(accepte, "flou", flou, "finite and 0 or more; 0 inside something")?;
+        let flou = positif_ou_nul("flou", flou)?;
+        if self.su < R::ZERO {
+            exiger(flou == R::ZERO, "flou", flou, "0 for a ray that is inside something")?;
+            return Ok(self);
+        }
         // A −0 would be read again as 0.
-        Ok(Self { su: if dedans { self.su } else { max(flou, R::ZERO) }, ..self })
+        Ok(Self { su: max(flou, R::ZERO), ..self })
     }
 
     /// The same ray, known to start inside something such as mist, water or glass. It has no δ and
@@ -193,12 +197,6 @@ impl<R: Nombre> Rayon<R> {
     #[inline(always)]
     pub(crate) fn su(&self) -> R {
         self.su
-    }
-
-    /// The same ray with an end that was checked before.
-    #[inline(always)]
-    pub(crate) fn finissant(self, fin: R) -> Self {
-        Self { fin, ..self }
     }
 
     /// S, where the ray starts.
@@ -278,13 +276,13 @@ impl<R: Nombre> Rayon<R> {
         let origine = refus::origine(origine)?;
         let rayon = Rayon::new((self.source - origine).vers_f32(), self.direction.vers_f32())?;
         let su = if self.su > R::ZERO {
-            let ici = simple(flou_suivant(self.su, R::ZERO, R::ZERO, self.source)).min(f32::MAX);
+            let ici = simple(su_suivant(self.su, R::ZERO, R::ZERO, self.source)).min(f32::MAX);
             // The step is more than is lost below the normal numbers.
-            flou_suivant(ici, 8.0 * f32::MIN_POSITIF, 0.0, rayon.source)
+            su_suivant(ici, 8.0 * f32::MIN_POSITIF, 0.0, rayon.source)
         } else {
             simple(self.su).max(f32::MIN)
         };
-        Ok(rayon.finissant(simple(self.fin)).sachant(su))
+        Ok(Rayon { fin: simple(self.fin), su, ..rayon })
     }
 
     /// The same ray in `f64`, exactly: a witness, which tells what an answer in `f32` would be in
@@ -305,17 +303,6 @@ impl<R: Nombre> Rayon<R> {
     pub fn temoin_f64(&self) -> Rayon {
         let (source, direction) = (self.source.vers_f64(), self.direction.vers_f64());
         Rayon { source, direction, fin: self.fin.vers_f64(), su: self.su.vers_f64() }
-    }
-
-    #[cfg(feature = "serde")]
-    fn lire(
-        source: Vecteur<R>,
-        direction: Vecteur<R>,
-        fin: Option<R>,
-        (flou, dedans): (Option<R>, u64),
-    ) -> Result<Self, ErreurGeo> {
-        let rayon = Self::new(source, direction)?.jusqu_a(fin.unwrap_or(R::INFINI))?;
-        Ok(rayon.sachant(su_lu(flou.unwrap_or(R::ZERO), dedans)?))
     }
 }
 
@@ -354,14 +341,18 @@ pub const FLOU_POINT: f64 = 8.1;
 /// a step along an N that is not exactly unit (lemma 23).
 pub const FLOU_RELATIF: f64 = 16.0;
 
-/// The δ of a ray that starts a step `pas` away from the point P at distance t of one with this δ
-/// (lemma 23). It is finite, as this δ and the others are.
+/// What a ray knows of its source that starts a step `pas` away from the point P at distance t of one
+/// that knows this of its own. Inside something it stays so; else it has a δ (lemma 23), which is
+/// finite, as this δ and the others are.
 #[inline(always)]
-pub(crate) fn flou_suivant<R: Nombre>(flou: R, pas: R, t: R, p: Vecteur<R>) -> R {
+pub(crate) fn su_suivant<R: Nombre>(su: R, pas: R, t: R, p: Vecteur<R>) -> R {
+    if su < R::ZERO {
+        return su;
+    }
     // M7
     let de_plus = t * fois_u(FLOU_DISTANCE) + p.norme_1() * fois_u(FLOU_POINT);
-    let suivant = (flou + pas + de_plus) * (R::UN + fois_u(FLOU_RELATIF));
-    if suivant < R::INFINI { suivant } else { flou }
+    let suivant = (su + pas + de_plus) * (R::UN + fois_u(FLOU_RELATIF));
+    if suivant < R::INFINI { suivant } else { su }
 }
 
 /// A direction is kept if |D·D − 1| is at most this, in units of u: an ordinary normalisation
@@ -374,14 +365,13 @@ pub(crate) const DIRECTION: [&str; 4] = ["direction", "direction.x", "direction.
 /// This direction brought to length 1; refused by one of these names if it is zero or not finite.
 #[inline]
 pub(crate) fn direction_unitaire<R: Nombre>(
-    [champ, x, y, z]: [&'static str; 4],
+    champs: [&'static str; 4],
     direction: Vecteur<R>,
 ) -> Result<Vecteur<R>, ErreurGeo> {
     if (direction.longueur_carree() - R::UN).abs() <= fois_u(DEJA_UNITAIRE) {
         return Ok(direction);
     }
-    let direction = fini([x, y, z], direction)?;
-    direction.unitaire().ok_or_else(|| refus_nul(champ))
+    unitaire(champs, direction)
 }
 
 // `fin` is none where there is no end, which not every format can say as a number, and `flou` where
@@ -403,5 +393,8 @@ lu_par! {
         fin: Option<R> = default,
         flou: Option<R> = default,
         dedans: u64 = default,
-    } => Self::lire(source, direction, fin, (flou, dedans))
+    } => {
+        let rayon = Self::new(source, direction)?.jusqu_a(fin.unwrap_or(R::INFINI))?;
+        Ok(rayon.sachant(su_lu(flou.unwrap_or(R::ZERO), dedans)?))
+    }
 }

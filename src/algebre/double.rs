@@ -1,7 +1,7 @@
 //! Numbers of twice the length of an `f64`, each with a bound on its own error (`docs/preuves.md`,
 //! lemma 16).
 
-use crate::algebre::nombre::Nombre;
+use crate::algebre::nombre::{Nombre, max, min};
 use crate::algebre::vecteur::Vecteur;
 
 /// What a product rounds by, in u² of itself (lemma 16).
@@ -83,7 +83,7 @@ impl Double {
     /// exactly.
     pub fn bornes(self) -> Intervalle {
         if self.est_un_f64() {
-            return Intervalle { bas: self.haut, haut: self.haut };
+            return Intervalle::de(self.haut);
         }
         let (bas, haut) =
             ((self.bas - self.erreur).next_down(), (self.bas + self.erreur).next_up());
@@ -101,22 +101,47 @@ pub struct Intervalle {
 }
 
 impl Intervalle {
-    /// The largest of their absolute values.
-    pub(crate) fn grandeur(self) -> f64 {
-        self.haut.max(-self.bas)
+    /// This number alone.
+    pub(crate) const fn de(x: f64) -> Self {
+        Self { bas: x, haut: x }
     }
 
-    /// These numbers over all speeds from `lent` to `vite`, rounded outward.
-    pub(crate) fn sur(self, lent: f64, vite: f64) -> Self {
-        let (de_bas, de_haut) =
-            (if self.bas > 0.0 { vite } else { lent }, if self.haut > 0.0 { lent } else { vite });
-        Self { bas: (self.bas / de_bas).next_down(), haut: (self.haut / de_haut).next_up() }
+    /// All numbers within `ecart` of this one.
+    #[inline(always)]
+    pub(crate) fn autour(x: f64, ecart: f64) -> Self {
+        Self { bas: x - ecart, haut: x + ecart }
+    }
+
+    /// Their opposites.
+    #[inline(always)]
+    pub(crate) fn oppose(self) -> Self {
+        Self { bas: -self.haut, haut: -self.bas }
+    }
+
+    /// The largest of their absolute values.
+    #[inline(always)]
+    pub(crate) fn grandeur(self) -> f64 {
+        max(self.haut.abs(), self.bas.abs())
     }
 
     /// The lesser of two numbers, one from each interval.
     #[inline(always)]
     pub(crate) fn moindre(self, autre: Self) -> Self {
-        Self { bas: self.bas.min(autre.bas), haut: self.haut.min(autre.haut) }
+        Self { bas: min(self.bas, autre.bas), haut: min(self.haut, autre.haut) }
+    }
+
+    /// The greater of two numbers, one from each interval.
+    #[inline(always)]
+    pub(crate) fn plus_grand(self, autre: Self) -> Self {
+        Self { bas: max(self.bas, autre.bas), haut: max(self.haut, autre.haut) }
+    }
+
+    /// The bounds of these numbers over numbers above 0, rounded.
+    #[inline(always)]
+    pub(crate) fn sur(self, autre: Self) -> Self {
+        let de_bas = if self.bas > 0.0 { autre.haut } else { autre.bas };
+        let de_haut = if self.haut > 0.0 { autre.bas } else { autre.haut };
+        Self { bas: self.bas / de_bas, haut: self.haut / de_haut }
     }
 }
 

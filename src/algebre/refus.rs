@@ -117,7 +117,17 @@ pub(crate) fn taille<R: Nombre>(champ: &'static str, x: R) -> Result<R, ErreurGe
 
 /// The coefficient of a homothety.
 pub(crate) fn coefficient<R: Nombre>(k: R) -> Result<R, ErreurGeo> {
-    exiger(k > R::ZERO && k < R::INFINI, "coefficient", k, "a finite number above 0")
+    positif("coefficient", k)
+}
+
+/// A finite number above 0.
+pub(crate) fn positif<R: Nombre>(champ: &'static str, x: R) -> Result<R, ErreurGeo> {
+    exiger(x > R::ZERO && x < R::INFINI, champ, x, "a finite number above 0")
+}
+
+/// A length that may be 0.
+pub(crate) fn positif_ou_nul<R: Nombre>(champ: &'static str, x: R) -> Result<R, ErreurGeo> {
+    exiger(x >= R::ZERO && x < R::INFINI, champ, x, "a finite number, 0 or more")
 }
 
 /// The vector of a translation.
@@ -132,14 +142,31 @@ pub(crate) fn origine<R: Nombre>(origine: Vecteur<R>) -> Result<Vecteur<R>, Erre
 
 /// A vector each of whose coordinates is finite.
 pub(crate) fn fini<R: Nombre>(champs: Champs, v: Vecteur<R>) -> Result<Vecteur<R>, ErreurGeo> {
-    for (champ, x) in champs.into_iter().zip([v.x, v.y, v.z]) {
+    finis(champs, v.into()).map(Vecteur::from)
+}
+
+/// Numbers each of which is finite.
+pub(crate) fn finis<R: Nombre, const N: usize>(
+    champs: [&'static str; N],
+    nombres: [R; N],
+) -> Result<[R; N], ErreurGeo> {
+    for (champ, x) in champs.into_iter().zip(nombres) {
         exiger(x.abs() < R::INFINI, champ, x, "a finite number")?;
     }
-    Ok(v)
+    Ok(nombres)
+}
+
+/// A direction as a unit vector; refused by its name, or that of a coordinate, if it is zero or not
+/// finite.
+pub(crate) fn unitaire<R: Nombre>(
+    [nom, x, y, z]: [&'static str; 4],
+    v: Vecteur<R>,
+) -> Result<Vecteur<R>, ErreurGeo> {
+    fini([x, y, z], v)?.unitaire().ok_or_else(|| refus_nul(nom))
 }
 
 /// `lu_par! { T { champ: type, … } => expression }`: with the feature `serde` a T is read as these
-/// fields and no others, by name or in order, and the expression checks them. A field with `=
+/// fields and no others, by name or in order, and the expression checks them or is an [`ErreurGeo`]. A field with `=
 /// default` may be left out, and one with `alias` has another name too.
 macro_rules! lu_par {
     (
@@ -158,7 +185,8 @@ macro_rules! lu_par {
                 }
 
                 let $type { $($champ),* } = $type::deserialize(lecteur)?;
-                $lu.map_err(serde::de::Error::custom)
+                let lire = || -> Result<Self, $crate::algebre::refus::ErreurGeo> { $lu };
+                lire().map_err(serde::de::Error::custom)
             }
         }
     };

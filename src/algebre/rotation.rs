@@ -3,7 +3,7 @@
 use core::f64::consts::FRAC_PI_2;
 
 use crate::algebre::nombre::{Nombre, simple};
-use crate::algebre::refus::{ErreurGeo, exiger, fini, refus_nul};
+use crate::algebre::refus::{ErreurGeo, exiger, fini, finis, unitaire};
 use crate::algebre::vecteur::Vecteur;
 
 /// A rotation about the origin O, held as its matrix M: a vector V, written as a row, becomes V·M
@@ -38,8 +38,6 @@ pub struct Rotation<R = f64> {
 
 /// A matrix in the type in which rotations are made; they are rounded once, at the end.
 type Matrice = [[f64; 3]; 3];
-
-const IDENTITE: Matrice = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
 /// How orthonormal a matrix is that [`Rotation::depuis_matrice`] keeps, in u (lemma 1).
 pub const DEJA_ORTHONORMALE: f64 = 8.0;
@@ -136,7 +134,7 @@ impl<R: Nombre> Rotation<R> {
             ["matrice[2][0]", "matrice[2][1]", "matrice[2][2]"],
         ];
         for (champs, ligne) in CHAMPS.into_iter().zip(matrice) {
-            let _: Vecteur<R> = fini(champs, ligne.into())?;
+            finis(champs, ligne)?;
         }
         let mut m = matrice.map(|ligne| ligne.map(R::vers_f64));
         let lignes = plus_grand_defaut(m);
@@ -182,7 +180,7 @@ impl<R: Nombre> Rotation<R> {
     /// ```
     #[doc(alias("axis_angle", "from_axis_angle", "from_scaled_axis"))]
     pub fn autour_de(axe: Vecteur<R>, angle: R) -> Result<Self, ErreurGeo> {
-        let n = unite(["axe", "axe.x", "axe.y", "axe.z"], axe)?;
+        let n = unitaire(["axe", "axe.x", "axe.y", "axe.z"], axe.vers_f64())?;
         let angle = exiger(angle.abs() < R::INFINI, "angle", angle, "a finite number")?;
         let (cos, sin) = cos_sin(angle);
         Ok(Self::arrondie(polie(tour(cos, 1.0 - cos, n, n * -sin))))
@@ -212,10 +210,7 @@ impl<R: Nombre> Rotation<R> {
     #[doc(alias("from_quat", "from_quaternion", "from_xyzw"))]
     pub fn depuis_quaternion(quaternion: [R; 4]) -> Result<Self, ErreurGeo> {
         let champs = ["quaternion.x", "quaternion.y", "quaternion.z", "quaternion.w"];
-        for (champ, nombre) in champs.into_iter().zip(quaternion) {
-            exiger(nombre.abs() < R::INFINI, champ, nombre, "a finite number")?;
-        }
-        let q = quaternion.map(R::vers_f64);
+        let q = finis(champs, quaternion)?.map(R::vers_f64);
         let grand = q.into_iter().map(f64::abs).fold(0.0, f64::max);
         exiger(grand > 0.0, "quaternion", grand, "other than 0")?;
         let [x, y, z, w] = q.map(|nombre| nombre / grand);
@@ -248,8 +243,8 @@ impl<R: Nombre> Rotation<R> {
     /// ```
     #[doc(alias("from_rotation_arc", "rotation_between", "shortest_arc"))]
     pub fn entre(de: Vecteur<R>, vers: Vecteur<R>) -> Result<Self, ErreurGeo> {
-        let a = unite(["de", "de.x", "de.y", "de.z"], de)?;
-        let b = unite(["vers", "vers.x", "vers.y", "vers.z"], vers)?;
+        let a = unitaire(["de", "de.x", "de.y", "de.z"], de.vers_f64())?;
+        let b = unitaire(["vers", "vers.x", "vers.y", "vers.z"], vers.vers_f64())?;
         if a.produit_scalaire(b) >= 0.0 {
             return Ok(Self::arrondie(polie(arc(a, b))));
         }
@@ -288,8 +283,9 @@ impl<R: Nombre> Rotation<R> {
     #[doc(alias("look_at", "look_to", "camera"))]
     pub fn regard(direction: Vecteur<R>, haut: Vecteur<R>) -> Result<Self, ErreurGeo> {
         let champs = ["direction", "direction.x", "direction.y", "direction.z"];
-        let d = unite(champs, direction)?;
-        let k = d.produit_vectoriel(unite(["haut", "haut.x", "haut.y", "haut.z"], haut)?);
+        let d = unitaire(champs, direction.vers_f64())?;
+        let k =
+            d.produit_vectoriel(unitaire(["haut", "haut.x", "haut.y", "haut.z"], haut.vers_f64())?);
         let (sinus, champ) = (k.longueur(), "haut: sine of its angle with direction");
         let attendu = "above 16u: parallel to direction it says nothing";
         exiger(sinus > PARALLELES * R::U.vers_f64(), champ, sinus, attendu)?;
@@ -297,11 +293,11 @@ impl<R: Nombre> Rotation<R> {
         Ok(Self::arrondie(polie([d.produit_vectoriel(y), y, -d].map(<[f64; 3]>::from))))
     }
 
-    /// A rotation that takes z to this direction; `None` for a vector that is zero or not finite.
-    pub(crate) fn de_z_vers(direction: Vecteur<R>) -> Option<Self> {
-        let z = direction.vers_f64().unitaire()?;
-        let x = a_cote(z).unitaire()?;
-        Some(Self::arrondie(polie([x, z.produit_vectoriel(x), z].map(<[f64; 3]>::from))))
+    /// A rotation that takes z to this unit vector.
+    pub(crate) fn de_z_vers(z: Vecteur) -> Self {
+        let x = a_cote(z);
+        let x = x / x.longueur();
+        Self::arrondie(polie([x, z.produit_vectoriel(x), z].map(<[f64; 3]>::from)))
     }
 
     /// V·M, the vector V turned.
@@ -393,15 +389,6 @@ fn cos_sin<R: Nombre>(angle: R) -> (f64, f64) {
     (libm::cos(angle), libm::sin(angle))
 }
 
-/// A direction as a unit vector; refused by its name, or that of a coordinate, if it is zero or not
-/// finite.
-fn unite<R: Nombre>(
-    [nom, x, y, z]: [&'static str; 4],
-    v: Vecteur<R>,
-) -> Result<Vecteur, ErreurGeo> {
-    fini([x, y, z], v)?.vers_f64().unitaire().ok_or_else(|| refus_nul(nom))
-}
-
 /// A vector at a right angle to this unit vector and to whichever of x and y lies farther from it;
 /// no shorter than √½.
 fn a_cote(v: Vecteur) -> Vecteur {
@@ -438,8 +425,8 @@ fn produit(m: Matrice, n: Matrice) -> Matrice {
 
 /// I − M·Mᵀ.
 fn defaut(m: Matrice) -> Matrice {
-    let carre = produit(m, transposee(m));
-    core::array::from_fn(|i| core::array::from_fn(|j| IDENTITE[i][j] - carre[i][j]))
+    let (un, carre) = (Rotation::<f64>::IDENTITE.matrice, produit(m, transposee(m)));
+    core::array::from_fn(|i| core::array::from_fn(|j| un[i][j] - carre[i][j]))
 }
 
 /// The largest element of |M·Mᵀ − I|. For a finite M none on the diagonal is a NaN; where overflow

@@ -215,27 +215,28 @@ impl<R: Nombre> BoiteRay<R> {
         BoiteRay { centre, normales, demi_longueurs, texture: self.texture }
     }
 
-    /// N_i and l_i of each pair of faces.
+    /// N_i and l_i of a pair of faces.
     #[inline(always)]
-    pub(crate) fn paires(&self) -> [(Vecteur<R>, R); 3] {
-        let ([u, v, w], [a, b, c]) = (self.normales, self.demi_longueurs);
-        [(u, a), (v, b), (w, c)]
+    pub(crate) fn paire(&self, axe: usize) -> (Vecteur<R>, R) {
+        (self.normales[axe], self.demi_longueurs[axe])
+    }
+
+    /// Those of all three.
+    #[inline(always)]
+    fn paires(&self) -> [(Vecteur<R>, R); 3] {
+        [self.paire(0), self.paire(1), self.paire(2)]
     }
 
     /// The entry and the exit of the ray between one pair of faces.
     #[inline(always)]
     pub(crate) fn dalle(&self, axe: usize, rayon: &Rayon<R>) -> (Quotient<R>, Quotient<R>) {
-        let paire = (self.normales[axe], self.demi_longueurs[axe]);
-        dalle(paire, rayon.source() - self.centre, rayon.direction())
+        dalle(self.paire(axe), rayon.source() - self.centre, rayon.direction())
     }
 
     /// The last entry into the three pairs of faces, which pair that is, and the first exit.
     #[inline(always)]
     fn dalles(&self, rayon: &Rayon<R>) -> (Quotient<R>, usize, Quotient<R>) {
-        dalles(
-            #[inline(always)]
-            |axe| self.dalle(axe, rayon),
-        )
+        dalles(self.paires(), rayon.source() - self.centre, rayon.direction())
     }
 
     /// The face across this axis that the ray comes to first: its normal and its distance from C.
@@ -336,6 +337,7 @@ impl<R: Nombre> Forme<R> for BoiteRay<R> {
         if sort { sortie.distance() } else { R::INFINI }
     }
 
+    /// False for a NaN, which would hide in the comparisons of quotients.
     #[inline(always)]
     fn contient(&self, point: Vecteur<R>) -> bool {
         let cp = point - self.centre;
@@ -348,14 +350,11 @@ impl<R: Nombre> Forme<R> for BoiteRay<R> {
         self.face_vers(rayon, self.dalles(rayon).1)
     }
 
-    fn plan_de_depart(&self, rayon: &Rayon<R>) -> (Vecteur<R>, R) {
-        self.face_vers(rayon, self.face_de_depart(rayon).1)
-    }
-
-    fn recul(&self, rayon: &Rayon<R>) -> R {
+    fn plan_de_depart(&self, rayon: &Rayon<R>) -> ((Vecteur<R>, R), R) {
         let entrees = [0, 1, 2].map(|axe| self.dalle(axe, rayon).0);
         let profonds = entrees.map(|e| if e.vitesse > R::ZERO { -e.longueur } else { R::ZERO });
-        profonds.into_iter().filter(|p| *p < self.profond(rayon, FLOU_PROPRE)).fold(R::ZERO, max)
+        let pres = profonds.into_iter().filter(|p| *p < self.profond(rayon, FLOU_PROPRE));
+        (self.face_vers(rayon, self.face_de_depart(rayon).1), pres.fold(R::ZERO, max))
     }
 }
 

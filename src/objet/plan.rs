@@ -2,7 +2,7 @@
 
 use crate::algebre::nombre::{Nombre, simple};
 use crate::algebre::refus::{
-    self, ErreurGeo, coefficient, coordonnee, deplacement, fini, point, refus_nul,
+    self, ErreurGeo, coefficient, coordonnee, deplacement, point, unitaire,
 };
 use crate::algebre::rotation::Rotation;
 use crate::algebre::vecteur::Vecteur;
@@ -121,8 +121,8 @@ impl<R: Nombre> PlanGeo<R> {
         texture: Texture,
     ) -> Result<Self, ErreurGeo> {
         let p = point(["point.x", "point.y", "point.z"], p)?;
-        let normale = fini(["normale.x", "normale.y", "normale.z"], normale)?;
-        let rotation = Rotation::de_z_vers(normale).ok_or_else(|| refus_nul("normale"))?;
+        let champs = ["normale", "normale.x", "normale.y", "normale.z"];
+        let rotation = Rotation::de_z_vers(unitaire(champs, normale.vers_f64())?);
         Self::new(rotation, -rotation.axes()[2].produit_scalaire(p), texture)
     }
 
@@ -274,18 +274,12 @@ impl<R: Nombre> Forme<R> for PlanRay<R> {
     }
 
     #[inline(always)]
-    fn contient(&self, point: Vecteur<R>) -> bool {
-        self.normale.produit_scalaire(point) + self.distance <= R::ZERO
-    }
-
-    #[inline(always)]
     fn plan_tangent(&self, _: &Rayon<R>, _: R) -> (Vecteur<R>, R) {
         (self.normale, -self.distance)
     }
 
-    fn recul(&self, rayon: &Rayon<R>) -> R {
-        let (hauteur, _) = self.hauteur_et_descente(rayon);
-        -hauteur
+    fn plan_de_depart(&self, rayon: &Rayon<R>) -> ((Vecteur<R>, R), R) {
+        (self.plan_tangent(rayon, R::ZERO), -self.hauteur_et_descente(rayon).0)
     }
 }
 

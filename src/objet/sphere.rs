@@ -134,16 +134,14 @@ pub struct SphereRay<R = f64> {
 }
 
 /// What an entry into a sphere is computed from, with D·D where the handout has 1.
-pub(crate) struct Termes<R> {
+struct Termes<R> {
     /// SC·D.
-    pub(crate) sa: R,
+    sa: R,
     /// The power of S, SC² − r².
-    pub(crate) puissance: R,
+    puissance: R,
     /// AB²·D².
-    pub(crate) ab2: R,
-    pub(crate) sc2: R,
-    pub(crate) r2: R,
-    pub(crate) d2: R,
+    ab2: R,
+    d2: R,
 }
 
 impl<R: Nombre> SphereRay<R> {
@@ -167,13 +165,13 @@ impl<R: Nombre> SphereRay<R> {
 
     /// What an entry is computed from.
     #[inline(always)]
-    pub(crate) fn termes(&self, rayon: &Rayon<R>) -> Termes<R> {
+    fn termes(&self, rayon: &Rayon<R>) -> Termes<R> {
         let (sc, d) = (self.centre - rayon.source(), rayon.direction());
-        let (r2, d2, sc2) = (self.r * self.r, d.longueur_carree(), sc.longueur_carree()); // S1
+        let (r2, d2) = (self.r * self.r, d.longueur_carree()); // S1
         let sa = sc.produit_scalaire(d); // S2
-        let puissance = sc2 - r2; // S3
+        let puissance = sc.longueur_carree() - r2; // S3
         let ab2 = r2 * d2 - sc.produit_vectoriel(d).longueur_carree(); // S4
-        Termes { sa, puissance, ab2, sc2, r2, d2 }
+        Termes { sa, puissance, ab2, d2 }
     }
 
     /// The same numbers in `f64`.
@@ -245,11 +243,6 @@ impl<R: Nombre> Forme<R> for SphereRay<R> {
         let ab = max(ab2, -puissance * d2).sqrt(); // W1
         let (haut, bas) = if devant { (sa + ab, d2) } else { (puissance, sa - ab) }; // W2
         if dedans | (devant & (ab2 > R::ZERO)) { haut / bas } else { R::INFINI }
-    }
-
-    #[inline(always)]
-    fn contient(&self, point: Vecteur<R>) -> bool {
-        (self.centre - point).longueur_carree() <= self.r * self.r
     }
 
     /// CB/|CB|, or 0 where CB is lost.

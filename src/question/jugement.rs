@@ -1,18 +1,22 @@
 //! What is judged after the fact: how far a distance is off, and whether an answer is certainly
 //! that of exact arithmetic on the numbers as they are stored.
 //!
-//! Nearly every ray is clear at a glance (`coup_d_oeil.rs`); what that leaves open is
-//! judged in doubled numbers (`loupe.rs`).
+//! There is one judge (`juge.rs`). At a glance, in plain `f64`, nearly every ray is clear; what that
+//! leaves open is judged again in doubled numbers.
 
 pub(crate) mod certificat;
-pub(crate) mod coup_d_oeil;
-pub(crate) mod loupe;
+pub(crate) mod juge;
+pub(crate) mod point;
 
-use crate::algebre::double::{Double, Intervalle, scalaire, triple};
+use core::slice::from_ref;
+
+use crate::algebre::double::{Double, scalaire, triple};
 use crate::algebre::nombre::{Nombre, fois_u, selon};
 use crate::objet::ObjetRay;
-use crate::question::jugement::coup_d_oeil::coup_d_oeil;
-use crate::question::jugement::loupe::{Jugement, juger, juger_sortie, loupe};
+use crate::question::jugement::certificat::Certificat;
+use crate::question::jugement::juge::{coup_d_oeil, juger};
+use crate::question::liste::Liste;
+use crate::question::{Abord, Question};
 use crate::rayon::Rayon;
 use crate::rayon::intersection::Intersection;
 
@@ -66,13 +70,17 @@ impl<R: Nombre> ObjetRay<R> {
         let (objet, rayon, en_f64) = (self.temoin_f64(), rayon.temoin_f64(), t.vers_f64());
         // A glance is for entries, and never leaves so little of a distance in `f64` open.
         let rapide = selon::<R, _>(true, false) && !sort;
-        let vue = if rapide { coup_d_oeil(&objet, &rayon) } else { Intervalle::INCONNU };
-        let ecart = if vue.haut - vue.bas <= en_f64 * (R::U.vers_f64() * NET) {
+        let vue = rapide.then(|| coup_d_oeil(&objet, &rayon));
+        let nette = vue.filter(|vue| vue.haut - vue.bas <= en_f64 * (R::U.vers_f64() * NET));
+        let ecart = if let Some(vue) = nette {
             (vue.haut - en_f64).max(en_f64 - vue.bas)
+        } else if sort {
+            // J9: the ray that comes back, from as far beyond, enters there.
+            let retour = Rayon::sans_fin(rayon.source(), -rayon.direction());
+            let ecart = juger(&objet, &retour, [-2.0 * en_f64, -en_f64]).0.grandeur();
+            if ecart < 0.5 * en_f64 { ecart } else { f64::INFINI }
         } else {
-            let selon = if sort { juger_sortie } else { juger };
-            let Jugement { entre, ecart } = selon(&objet, &rayon, en_f64);
-            if entre == Some(true) { ecart } else { f64::INFINI }
+            juger(&objet, &rayon, [0.0, en_f64]).0.grandeur()
         };
         // J7: t counts in lengths of D.
         let d = rayon.direction();
@@ -106,25 +114,8 @@ impl<R: Nombre> ObjetRay<R> {
     #[doc(alias("is_certain", "is_robust"))]
     #[must_use]
     pub fn est_certain(&self, rayon: &Rayon<R>) -> bool {
-        // J8: no ray that enters an object passes the ball around it by (lemma 17).
-        if !self.boule().approchee(rayon) {
-            return true;
-        }
-        let (touche, plus_grand) = (self.t_touche(rayon) < rayon.fin(), plus_grand::<R>());
-        let (objet, rayon) = (self.temoin_f64(), rayon.temoin_f64());
-        quand_entre(&objet, &rayon, plus_grand).touche(rayon.fin(), plus_grand) == Some(touche)
+        let liste = Liste { objets: from_ref(self), choix: None };
+        Certificat::new(&liste, rayon, &self.intersection(rayon))
+            .is_some_and(|certificat| certificat.voir(rayon, self, 0, Abord::Inconnu).is_none())
     }
-}
-
-/// When the ray enters, at a glance, or in doubled numbers if that leaves hit or miss open in a
-/// type of this largest number.
-#[inline(always)]
-fn quand_entre(objet: &ObjetRay, rayon: &Rayon, plus_grand: f64) -> Intervalle {
-    let vue = coup_d_oeil(objet, rayon);
-    if vue.touche(rayon.fin(), plus_grand).is_some() { vue } else { loupe(objet, rayon) }
-}
-
-/// The largest number of a scalar.
-fn plus_grand<R: Nombre>() -> f64 {
-    selon::<R, _>(f32::MAX.into(), f64::MAX)
 }

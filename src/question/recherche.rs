@@ -1,4 +1,4 @@
-//! The question of the handout (§4.1). An object is asked alone in `objet/seul.rs`.
+//! The question of the handout (§4.1). An object is asked alone in `objet.rs`.
 
 use crate::algebre::nombre::Nombre;
 use crate::objet::ObjetRay;

@@ -7,7 +7,7 @@ use crate::algebre::nombre::Nombre;
 #[cfg(feature = "serde")]
 use crate::algebre::nombre::{fois_u, max};
 #[cfg(feature = "serde")]
-use crate::algebre::refus::{ErreurGeo, exiger};
+use crate::algebre::refus::exiger;
 use crate::algebre::refus::{ecrit_par, lu_par};
 use crate::algebre::vecteur::Vecteur;
 #[cfg(feature = "serde")]
@@ -52,36 +52,6 @@ pub struct Intersection<R = f64> {
     rang: Rang,
 }
 
-/// A hit that was written can be read again, so that a simulation goes on to the bit. One that
-/// somebody else wrote may be no hit of any ray: only what would make a question go wrong is
-/// refused.
-#[cfg(feature = "serde")]
-impl<R: Nombre> Intersection<R> {
-    fn lire(
-        distance: R,
-        normale: Vecteur<R>,
-        marge: Option<R>,
-        point: Vecteur<R>,
-        (flou, dedans): (R, u64),
-        texture: Texture,
-        indice: u32,
-    ) -> Result<Self, ErreurGeo> {
-        let positif = |champ, x: R| exiger(x >= R::ZERO, champ, x, "a number, 0 or more");
-        exiger(distance < R::INFINI, "distance", distance, "finite")?;
-        let (distance, marge) = (positif("distance", distance)?, marge.unwrap_or(R::INFINI));
-        let contact = Contact { normale, marge: positif("marge", marge)?, point };
-        let longueur = normale.longueur();
-        let unitaire = (longueur - R::UN).abs() <= fois_u(32.0);
-        exiger(unitaire, "normale: length", longueur, "1, to rounding")?;
-        for x in <[R; 3]>::from(point) {
-            exiger(x.abs() >= R::ZERO, "point", x, "a number")?;
-        }
-        let su = su_lu(flou, dedans)?;
-        exiger(indice < u32::MAX, "indice", R::depuis_f64(indice.into()), "below 2^32 - 1")?;
-        Ok(Self::new(distance, contact, su, texture, Rang::de(indice as usize)))
-    }
-}
-
 // `marge` is none where it is +∞.
 ecrit_par! {
     Intersection |Intersection { distance, normale, marge, point, su, texture, rang }| {
@@ -96,6 +66,8 @@ ecrit_par! {
     }
 }
 
+// A hit that was written can be read again, so that a simulation goes on to the bit. One that somebody
+// else wrote may be no hit of any ray: only what would make a question go wrong is refused.
 lu_par! {
     Intersection {
         distance: R,
@@ -106,7 +78,21 @@ lu_par! {
         texture: Texture,
         indice: u32,
         dedans: u64 = default,
-    } => Self::lire(distance, normale, marge, point, (flou, dedans), texture, indice)
+    } => {
+        let positif = |champ, x: R| exiger(x >= R::ZERO, champ, x, "a number, 0 or more");
+        exiger(distance < R::INFINI, "distance", distance, "finite")?;
+        let (distance, marge) = (positif("distance", distance)?, marge.unwrap_or(R::INFINI));
+        let contact = Contact { normale, marge: positif("marge", marge)?, point };
+        let longueur = normale.longueur();
+        let unitaire = (longueur - R::UN).abs() <= fois_u(32.0);
+        exiger(unitaire, "normale: length", longueur, "1, to rounding")?;
+        for x in <[R; 3]>::from(point) {
+            exiger(x.abs() >= R::ZERO, "point", x, "a number")?;
+        }
+        let su = su_lu(flou, dedans)?;
+        exiger(indice < u32::MAX, "indice", R::depuis_f64(indice.into()), "below 2^32 - 1")?;
+        Ok(Self::new(distance, contact, su, texture, Rang::de(indice as usize)))
+    }
 }
 
 /// A hit or a miss: the answer to every question for the first object.

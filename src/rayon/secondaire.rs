@@ -1,10 +1,10 @@
 //! The rays that start from a hit: mirrors, glass, shadows, lines of sight (handout, later parts).
 
 use crate::algebre::nombre::{Nombre, fois_u, plancher};
-use crate::algebre::refus::{ErreurGeo, exiger, fini, point, refus_nul};
+use crate::algebre::refus::{ErreurGeo, exiger, fini, point, positif, positif_ou_nul, refus_nul};
 use crate::algebre::vecteur::Vecteur;
 use crate::rayon::intersection::Intersection;
-use crate::rayon::{DIRECTION, Rayon, direction_unitaire, flou_suivant, su_dedans};
+use crate::rayon::{DIRECTION, Rayon, direction_unitaire, su_dedans, su_suivant};
 
 /// A direction is turned outward if it lies within this of the tangent plane, in u: no N·D rounds
 /// by more (lemma 9).
@@ -49,14 +49,11 @@ impl<R: Nombre> Rayon<R> {
     /// ```
     #[doc(alias("scatter", "turn_at", "advance", "step"))]
     pub fn bifurque(&self, distance: R, direction: Vecteur<R>) -> Result<Self, ErreurGeo> {
-        let accepte = distance >= R::ZERO && distance < R::INFINI;
-        let t = exiger(accepte, "distance", distance, "a finite number, 0 or more")?;
+        let t = positif_ou_nul("distance", distance)?;
         let p = self.point(t);
-        let su = self.su();
         // The ray takes no step off a surface. The floor of margins covers what is lost below the
         // normal numbers.
-        let su = if su < R::ZERO { su } else { flou_suivant(su, plancher(), t, p) };
-        Ok(Self::new(p, direction)?.sachant(su))
+        Ok(Self::new(p, direction)?.sachant(su_suivant(self.su, plancher(), t, p)))
     }
 }
 
@@ -188,8 +185,7 @@ impl<R: Nombre> Intersection<R> {
     /// ```
     #[doc(alias("refract", "refraction", "snell", "transmit", "ior", "glass"))]
     pub fn refracte(&self, direction: Vecteur<R>, rapport: R) -> Result<Rayon<R>, ErreurGeo> {
-        let accepte = rapport > R::ZERO && rapport < R::INFINI;
-        exiger(accepte, "rapport", rapport, "a finite number above 0")?;
+        let rapport = positif("rapport", rapport)?;
         let (d, n) = (direction_unitaire(DIRECTION, direction)?, self.normale());
         let le_long = d.produit_scalaire(n);
         let travers = (d - n * le_long) * rapport;
@@ -232,12 +228,12 @@ impl<R: Nombre> Intersection<R> {
     #[doc(alias("shadow_ray", "light", "lamp"))]
     #[inline]
     pub fn vers_lumiere(&self, lumiere: Vecteur<R>) -> Result<Rayon<R>, ErreurGeo> {
-        let (depart, su) = self.depart(false)?; // L1
+        let depart = self.depart(false)?; // L1
         let lumiere = fini(["lumiere.x", "lumiere.y", "lumiere.z"], lumiere)?;
-        let trajet = (lumiere - depart).longueur_et_unitaire(); // L2
-        let (distance, direction) = trajet.ok_or_else(|| refus_nul("lumiere - depart"))?;
+        let trajet = (lumiere - depart.source).longueur_et_unitaire(); // L2
+        let (fin, direction) = trajet.ok_or_else(|| refus_nul("lumiere - depart"))?;
         self.exiger_de_face("lumiere", direction)?;
-        Ok(Rayon::sans_fin(depart, direction).sachant(su).finissant(distance))
+        Ok(Rayon { direction, fin, ..depart })
     }
 
     /// The ray without an end from this hit towards a sun, a light that has a direction and no
@@ -273,9 +269,9 @@ impl<R: Nombre> Intersection<R> {
     #[inline]
     pub fn vers_soleil(&self, soleil: Vecteur<R>) -> Result<Rayon<R>, ErreurGeo> {
         let champs = ["soleil", "soleil.x", "soleil.y", "soleil.z"];
-        let ((depart, su), direction) = (self.depart(false)?, direction_unitaire(champs, soleil)?);
+        let (depart, direction) = (self.depart(false)?, direction_unitaire(champs, soleil)?);
         self.exiger_de_face("soleil", direction)?;
-        Ok(Rayon::sans_fin(depart, direction).sachant(su))
+        Ok(Rayon { direction, ..depart })
     }
 
     /// The ray from this hit to another, which ends there. Whether two points of surfaces see each
@@ -318,15 +314,15 @@ impl<R: Nombre> Intersection<R> {
     /// ```
     #[doc(alias("line_of_sight", "visibility", "segment"))]
     pub fn vers_touche(&self, cible: &Self) -> Result<Rayon<R>, ErreurGeo> {
-        let vers = self.vers_lumiere(cible.depart(false)?.0)?;
+        let vers = self.vers_lumiere(cible.depart(false)?.source)?;
         cible.exiger_de_face("cible", -vers.direction())?;
         Ok(vers)
     }
 
-    /// The point of the hit, moved along the normal, outward or inward, past all rounding; and what
-    /// a ray from there knows of its source.
+    /// The ray along the normal from the point of the hit, moved along the normal, outward or inward,
+    /// past all rounding.
     #[inline(always)]
-    fn depart(&self, dedans: bool) -> Result<(Vecteur<R>, R), ErreurGeo> {
+    fn depart(&self, dedans: bool) -> Result<Rayon<R>, ErreurGeo> {
         let attendu = "finite: a sphere lost in rounding, or a point out of range, has no side";
         exiger(self.marge() < R::INFINI, "marge", self.marge(), attendu)?;
         let (p, n) = (self.point(), self.normale());
@@ -336,22 +332,15 @@ impl<R: Nombre> Intersection<R> {
         let source = p + n * if dedans { -pas } else { pas };
         let source = point(["source.x", "source.y", "source.z"], source)?;
         let su = self.su();
-        let su = if dedans {
-            su_dedans(su)
-        } else if su < R::ZERO {
-            su
-        } else {
-            flou_suivant(su, pas, self.distance(), p)
-        };
-        Ok((source, su))
+        let su = if dedans { su_dedans(su) } else { su_suivant(su, pas, self.distance(), p) };
+        Ok(Rayon::sans_fin(source, n).sachant(su))
     }
 
     /// The ray from that side in this unit direction.
     #[inline(always)]
     fn suite(&self, dedans: bool, direction: Vecteur<R>) -> Result<Rayon<R>, ErreurGeo> {
         let direction = if dedans { direction } else { self.redressee(direction)? };
-        let (depart, su) = self.depart(dedans)?;
-        Ok(Rayon::sans_fin(depart, direction).sachant(su))
+        Ok(Rayon { direction, ..self.depart(dedans)? })
     }
 
     /// Whether this unit direction leads away from the surface, by more than N·D can round.
@@ -363,12 +352,8 @@ impl<R: Nombre> Intersection<R> {
     #[inline(always)]
     fn exiger_de_face(&self, champ: &'static str, l: Vecteur<R>) -> Result<(), ErreurGeo> {
         let cosinus = l.produit_scalaire(self.normale());
-        exiger(
-            self.fait_face(l),
-            champ,
-            cosinus,
-            "on the side that the surface faces: N·L > 3.2u",
-        )?;
+        let attendu = "on the side that the surface faces: N·L > 3.2u";
+        exiger(self.fait_face(l), champ, cosinus, attendu)?;
         Ok(())
     }
 

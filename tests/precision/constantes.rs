@@ -943,21 +943,14 @@ fn lemme_18_les_bornes_du_coup_d_oeil_suffisent() {
             "{constante}: {besoin:?}"
         );
     };
-    // With |f|² + r² = 1: what AB² as computed is off by, AC ≤ |f|; p is off by less.
-    let ab2 = 2.0 * (1.0 + 2.0 / i(3.0).racine()) + 5.0;
-    assert!(ab2.bas > 5.0 + 1.0 + 1.0 + 1.0);
-    // Beyond the band of lemma 5: 4u(|f| + r)(AC + r) ≤ 8u.
-    tenir(VUE_SPHERE, (2.0 * bandes::SPHERE + ab2) * large * large);
-    // K·(|f| + r + t) ≤ 2K(t + r), over a true AB that is less than computed; and t ± the rest rounds.
-    let moins_d_ab = (1.0 - ab2 / VUE_SPHERE).racine();
-    let k = 2.0 * promesses::DISTANCE_PERDUE * large / moins_d_ab;
-    tenir(VUE_DISTANCE, (k + 1.0) * plus(20.0, u));
-    // γ₃ each; of a length γ₄ of |f|, and u of l ± o.
-    tenir(VUE_HAUTEUR, gamma(3.0, u) * plus(4.0, u));
-    tenir(VUE_VITESSE, gamma(3.0, u) * large * large);
-    tenir(VUE_LONGUEUR, (gamma(4.0, u) + 1.0) * large * plus(8.0, u));
-    // The sum with the slack, the speed with its own, the inverse or the quotient, two products.
-    tenir(VUE_QUOTIENT, gamma(5.0, u) * plus(VUE_QUOTIENT, u));
+    // Two roundings of the point, three of the product, two of the height and its bound.
+    tenir(VUE_POINT, gamma(7.0, u) * large * large * plus(8.0, u));
+    tenir(VUE_LONGUEUR, gamma(2.0, u) * plus(8.0, u));
+    tenir(VUE_VITESSE, gamma(4.0, u) * large * large);
+    // The square of X as computed, the difference and its bound, and 16 for the point; r² is off by less.
+    tenir(VUE_PUISSANCE, (16.0 + gamma(5.0, u)) * plus(16.0, u));
+    // The point itself is off by less than its heights.
+    assert!((gamma(2.0, u) * large * plus(8.0, u)).haut < VUE_POINT);
 }
 
 #[test]

@@ -60,19 +60,22 @@ pub(crate) fn dalle<R: Nombre>(
     (Quotient { longueur: -(l + o), vitesse }, Quotient { longueur: l - o, vitesse })
 }
 
-/// The last entry into three pairs of faces, which pair that is, and the first exit.
+/// The last entry into three pairs of faces, which pair that is, and the first exit, as [`dalle`] has
+/// them.
 ///
 /// One pair has a speed of 0.5 or more, and with it an entry and an exit nearer than `loin`.
 #[inline(always)]
 pub(crate) fn dalles<R: Nombre>(
-    dalle: impl Fn(usize) -> (Quotient<R>, Quotient<R>),
+    paires: [(Vecteur<R>, R); 3],
+    cs: Vecteur<R>,
+    d: Vecteur<R>,
 ) -> (Quotient<R>, usize, Quotient<R>) {
     let (loin, vitesse) = (R::LIMITE * R::depuis_f64(8.0), echelle_vitesse());
     let mut entree = Quotient { longueur: -loin, vitesse };
     let mut sortie = Quotient { longueur: loin, vitesse };
     let mut axe_d_entree = 0; // B4
-    for axe in 0..3 {
-        let (e, s) = dalle(axe);
+    for (axe, paire) in paires.into_iter().enumerate() {
+        let (e, s) = dalle(paire, cs, d);
         if e.depasse(entree) {
             (entree, axe_d_entree) = (e, axe);
         }

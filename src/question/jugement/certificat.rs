@@ -1,10 +1,8 @@
 //! Whether an answer is certain: every object is asked whether it comes later than the first.
 
-use crate::algebre::nombre::{Nombre, max};
+use crate::algebre::nombre::{Nombre, max, selon};
 use crate::objet::ObjetRay;
-use crate::question::jugement::coup_d_oeil::coup_d_oeil;
-use crate::question::jugement::loupe::loupe;
-use crate::question::jugement::{plus_grand, quand_entre};
+use crate::question::jugement::juge::{coup_d_oeil, loupe};
 use crate::question::liste::Liste;
 use crate::question::{Abord, Question};
 use crate::rayon::Rayon;
@@ -36,22 +34,17 @@ impl<'a, R: Nombre> Certificat<'a, R> {
             return Some(Self { temoin, premier: None, dernier, doute: false });
         };
         let premier = liste.objet(touche.indice())?;
-        let entree = quand_entre(&premier.temoin_f64(), &temoin, plus_grand::<R>());
-        let certaine = entree.touche(temoin.fin(), plus_grand::<R>()) == Some(true);
+        let objet = premier.temoin_f64();
+        // G3: an entry beyond the largest number of the type is no hit (C7).
+        let plus_grand = selon::<R, _>(f32::MAX.into(), f64::MAX);
+        let certaine = |entree: f64| entree < temoin.fin() && entree <= plus_grand;
+        let dernier = Some(coup_d_oeil(&objet, &temoin).haut).filter(|entree| certaine(*entree));
+        let dernier = dernier.unwrap_or_else(|| loupe(&objet, &temoin).haut);
         let premier = Some((premier, touche.indice()));
-        certaine.then_some(Self { temoin, premier, dernier: entree.haut, doute: false })
+        certaine(dernier).then_some(Self { temoin, premier, dernier, doute: false })
     }
 
-    /// Whether the object at this index is the first, or the ray certainly enters it later than the
-    /// first or never.
-    #[inline(always)]
-    fn vient_apres(&self, objet: &ObjetRay<R>, indice: usize) -> bool {
-        // G5
-        self.premier.is_some_and(|(_, premier)| premier == indice)
-            || coup_d_oeil(&objet.temoin_f64(), &self.temoin).bas > self.dernier
-            || self.vient_apres_a_la_loupe(objet)
-    }
-
+    /// Whether the ray certainly enters this object later than the first or never, at a closer look.
     #[cold]
     fn vient_apres_a_la_loupe(&self, objet: &ObjetRay<R>) -> bool {
         let a_la_loupe = |objet: &ObjetRay<R>| loupe(&objet.temoin_f64(), &self.temoin);
@@ -72,12 +65,17 @@ impl<R: Nombre> Question<R> for Certificat<'_, R> {
     /// Sees an object that may come before the first.
     #[inline(always)]
     fn voir(&self, rayon: &Rayon<R>, objet: &ObjetRay<R>, i: usize, abord: Abord) -> Option<R> {
-        let proche = match abord {
+        let passe = match abord {
             // No ray that enters an object passes the ball around it by (lemma 17).
-            Abord::Inconnu => objet.boule().approchee(rayon),
-            Abord::DansSaBoite { .. } => true,
+            Abord::Inconnu => !objet.boule().approchee(rayon),
+            Abord::DansSaBoite { .. } => false,
         };
-        (proche && !self.vient_apres(objet, i)).then_some(R::ZERO)
+        // G4
+        let vient_apres = passe
+            || self.premier.is_some_and(|(_, premier)| premier == i)
+            || coup_d_oeil(&objet.temoin_f64(), &self.temoin).bas > self.dernier
+            || self.vient_apres_a_la_loupe(objet);
+        (!vient_apres).then_some(R::ZERO)
     }
 
     #[inline(always)]
