@@ -456,3 +456,28 @@ pub fn vers_la_sortie<R: Reel>(Cas { objet, rayon }: Cas<R>, alea: &mut dyn Tira
     let rayon = dedans(alea).unwrap_or(rayon);
     Cas { objet, rayon }
 }
+
+/// The object with another texture, moved or grown by a few units in the last place or by nothing.
+pub fn presque<R: Reel>(
+    objet: &ObjetRay<R>,
+    texture: Texture,
+    alea: &mut dyn Tirage,
+) -> ObjetRay<R> {
+    let mut peu = |x: R| {
+        let k = if alea.bool() { 0.0 } else { f64::from(alea.i8(-3..=3)) };
+        R::depuis_f64(x.vers_f64() * (1.0 + k * 2.0 * R::U.vers_f64()))
+    };
+    let autre = match objet {
+        ObjetRay::Sphere(s) => SphereGeo::new(s.centre(), peu(s.rayon()), texture).map(Into::into),
+        ObjetRay::Plan(p) => Rotation::depuis_matrice(repere(p.normale()))
+            .and_then(|tour| PlanGeo::new(tour, peu(p.distance()), texture))
+            .map(Into::into),
+        ObjetRay::Boite(b) => {
+            let rotation = Rotation::depuis_matrice(b.normales().map(<[R; 3]>::from)).unwrap();
+            let [a, c, d] = b.demi_longueurs().map(|l| l + l);
+            let centre = Vecteur::new(peu(b.centre().x), b.centre().y, b.centre().z);
+            BoiteGeo::new(centre, Vecteur::new(peu(a), c, d), rotation, texture).map(Into::into)
+        }
+    };
+    autre.unwrap_or(*objet)
+}

@@ -2,16 +2,14 @@
 //! colour is that of exact arithmetic, except within rounding of a line of the pattern.
 
 use commun::fabrique::mur;
-use commun::hasard::pour_chaque;
-use commun::oracle::{Exact, ecarts_du_lieu, verite};
-use commun::regimes::{Genre, direction, entre, regimes};
+use commun::oracle::{Exact, verite};
+use commun::regimes::{direction, entre};
 use commun::scenes::rayons_camera;
-use commun::tolerances::{promesses, u};
+use commun::tolerances::u;
 use commun::{arrondi, en_f32_et_f64};
 use fastrand::Rng;
 use lancer_rayon::{
-    BoiteGeo, BoiteRay, Face, Intersection, Nombre, ObjetRay, PlanGeo, Rayon, Reel, Rotation,
-    Texture, Vecteur,
+    BoiteGeo, BoiteRay, Face, Nombre, ObjetRay, PlanGeo, Rayon, Reel, Rotation, Texture, Vecteur,
 };
 
 fn exacts<R: Reel>(v: Vecteur<R>) -> [Exact; 3] {
@@ -35,57 +33,16 @@ fn dans_la_boite<R: Reel>(boite: &BoiteRay<R>, rayon: &Rayon<R>, t: &Exact) -> [
     boite.normales().map(|n| scalaire(&exacts(n), &depuis))
 }
 
-/// What `lieu` promises of one hit: the face of the normal, ±1 across it exactly, and along it the coordinates of
-/// S + tD, t as reported, limited to ±1. The part of the bound that was needed.
-fn juger_le_lieu<R: Reel>(boite: &BoiteRay<R>, rayon: &Rayon<R>, touche: &Intersection<R>) -> f64 {
-    let (face, p) = boite.lieu(rayon, touche);
-    let (n, p) = (boite.face(face).1, <[R; 3]>::from(p));
-    assert_eq!(n, touche.normale(), "{boite:?} {rayon:?}");
-    let (axe, un) = (face as usize % 3, if (face as usize) < 3 { R::UN } else { -R::UN });
-    assert!(p[axe] == un && Face::TOUTES[face as usize] == face);
-    // To the right and up along the face: the area is turned outward.
-    let [droite, haut] = [0, 1].map(|k| {
-        let axes = [0, 1, 2].map(|i| {
-            let unite = Vecteur::from([0, 1, 2].map(|j| if i == j { R::UN } else { R::ZERO }));
-            face.le_long(unite)[k]
-        });
-        Vecteur::from(axes)
-    });
-    let dehors = Vecteur::from([0, 1, 2].map(|i| if i == axe { un } else { R::ZERO }));
-    assert_eq!(droite.produit_vectoriel(haut), dehors);
-
-    let t = touche.distance();
-    let f = (rayon.source() - boite.centre()).longueur().vers_f64();
-    let permis = promesses::LIEU_FACE * u::<R>() * (f + t.vers_f64());
-    assert!(p.into_iter().all(|x| x >= -R::UN && x <= R::UN), "{p:?}");
-    let ecarts = ecarts_du_lieu(boite, rayon, t, p.into());
-    let le_long = ecarts.into_iter().enumerate().filter(|(i, _)| *i != axe);
-    let pire = le_long.map(|(_, ecart)| ecart.abs() / permis).fold(0.0, f64::max);
-    assert!(pire <= 1.0, "{pire}: {boite:?} {rayon:?}");
-    pire
-}
-
-/// Of every kind of box and ray, those at edges and at the ends of the range among them.
-fn le_lieu_est_sur_la_face_de_la_normale<R: Reel>() {
-    let mut faces = [0; 6];
-    let mut pire = 0.0_f64;
-    for regime in regimes::<R>().into_iter().filter(|regime| regime.genre == Genre::Boite) {
-        pour_chaque(
-            4_000,
-            |alea| (regime.cas)(alea),
-            |cas| {
-                let ObjetRay::Boite(boite) = cas.objet else { panic!("a box") };
-                let Ok(touche) = cas.objet.intersection(&cas.rayon) else { return };
-                pire = pire.max(juger_le_lieu(&boite, &cas.rayon, &touche));
-                faces[boite.lieu(&cas.rayon, &touche).0 as usize] += 1;
-            },
-        );
+/// To the right and up along each face: the area is turned outward.
+#[test]
+fn le_long_d_une_face_on_va_a_droite_et_en_haut() {
+    let axes: [Vecteur; 3] = [Vecteur::X, Vecteur::Y, Vecteur::Z];
+    for (i, face) in Face::TOUTES.into_iter().enumerate() {
+        let [droite, haut] = [0, 1].map(|k| Vecteur::from(axes.map(|axe| face.le_long(axe)[k])));
+        let dehors = if i < 3 { axes[i] } else { -axes[i - 3] };
+        assert_eq!((face as usize, droite.produit_vectoriel(haut)), (i, dehors));
     }
-    println!("hits on each face: {faces:?}; {pire} of the bound needed");
-    assert!(faces.iter().all(|n| *n > 500), "{faces:?}");
 }
-
-en_f32_et_f64!(le_lieu_est_sur_la_face_de_la_normale);
 
 /// Of a hit on something else, so far away that its point is beyond every number: a point of the box all the same.
 #[test]

@@ -4,14 +4,14 @@
 
 use std::cmp::Ordering;
 
-use commun::fabrique::{avec_arbre, boite, boite_droite, mur, sphere, v};
+use commun::fabrique::{boite, boite_droite, mur, sphere, v};
 use commun::hasard::{Hasard, Tirage, pour_chaque};
 use commun::oracle::{Exact, verite};
-use commun::regimes::{Cas, direction, entre, regimes};
+use commun::regimes::{Cas, direction, entre, presque, regimes};
 use commun::{arrondi, en_f32_et_f64};
 use lancer_rayon::{
-    BoiteGeo, Monde, NoIntersection, Nombre, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo,
-    Texture, Vecteur, places, premiere_intersection,
+    Monde, NoIntersection, Nombre, ObjetRay, Rayon, Reel, Rotation, Texture, Vecteur, places,
+    premiere_intersection,
 };
 
 /// The first object of a list in exact arithmetic; of two at one distance the earlier. None beyond the largest number.
@@ -62,30 +62,6 @@ fn juger<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> bool {
     certaine
 }
 
-/// An object with another number, moved by a few units in the last place or by nothing.
-fn presque<R: Reel>(objet: &ObjetRay<R>, alea: &mut Hasard) -> ObjetRay<R> {
-    let mut peu = |x: R| {
-        let k = if alea.bool() { 0.0 } else { f64::from(alea.i8(-3..=3)) };
-        R::depuis_f64(x.vers_f64() * (1.0 + k * 2.0 * R::U.vers_f64()))
-    };
-    let texture = Texture(1);
-    let autre = match objet {
-        ObjetRay::Sphere(s) => SphereGeo::new(s.centre(), peu(s.rayon()), texture).map(Into::into),
-        ObjetRay::Plan(p) => {
-            let ou = p.normale() * -p.distance();
-            PlanGeo::par_un_point(Vecteur::new(peu(ou.x), ou.y, ou.z), p.normale(), texture)
-                .map(Into::into)
-        }
-        ObjetRay::Boite(b) => {
-            let rotation = Rotation::depuis_matrice(b.normales().map(<[R; 3]>::from)).unwrap();
-            let [a, c, d] = b.demi_longueurs().map(|l| l + l);
-            let centre = Vecteur::new(peu(b.centre().x), b.centre().y, b.centre().z);
-            BoiteGeo::new(centre, Vecteur::new(peu(a), c, d), rotation, texture).map(Into::into)
-        }
-    };
-    autre.unwrap_or(*objet)
-}
-
 /// The hard cases of each shape, with twins in front and behind, which enter at nearly one distance.
 fn parmi_des_jumeaux_rien_de_faux_n_est_certifie<R: Reel>() {
     let mut combien = [0; 2];
@@ -94,7 +70,7 @@ fn parmi_des_jumeaux_rien_de_faux_n_est_certifie<R: Reel>() {
             let Cas { objet, rayon } = (regime.cas)(alea);
             // Some with enough for a tree.
             let n = [1, 3, 12][alea.usize(0..3)];
-            let mut objets = alea.liste(n, |alea, _| presque(&objet, alea));
+            let mut objets = alea.liste(n, |alea, _| presque(&objet, Texture(1), alea));
             objets.push(objet);
             alea.melanger(&mut objets);
             (objets, rayon)
@@ -178,24 +154,6 @@ fn une_limite_n_est_jamais_0() {
     assert!(!juger(&objets, &rayon));
 }
 
-/// An object that is left out is no answer.
-#[test]
-fn un_objet_laisse_de_cote_n_est_pas_certifie() {
-    for n in [3, 20] {
-        let boule = |i: u8| sphere(Vecteur::Z * (-5.0 - 3.0 * f64::from(i)), 1.0);
-        let objets: Vec<_> = (0..n).map(boule).collect();
-        let monde = avec_arbre(&objets);
-        let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.0, 0.0, -1.0)).unwrap();
-        let autres = monde.parmi(|indice| indice != 0);
-        let premiere = monde.premiere_intersection(&rayon);
-        let suivante = autres.premiere_intersection(&rayon);
-        assert!(monde.certifie(&rayon, &premiere));
-        assert!(!autres.certifie(&rayon, &premiere));
-        assert!(autres.certifie(&rayon, &suivante));
-        assert!(!monde.certifie(&rayon, &suivante));
-    }
-}
-
 /// Two entries are told apart beyond twice the errors of both distances in `f64`, and 3u of each. Where the ray grazes, that
 /// is far more than some 2⁻⁵⁰ of t.
 #[test]
@@ -205,7 +163,7 @@ fn au_dela_de_deux_erreurs_deux_entrees_sont_distinguees() {
     for regime in regimes::<f64>() {
         let faire = |alea: &mut Hasard| {
             let Cas { objet, rayon } = (regime.cas)(alea);
-            ([objet, presque(&objet, alea)], rayon)
+            ([objet, presque(&objet, Texture(1), alea)], rayon)
         };
         pour_chaque(10 * commun::cas(300), faire, |(objets, rayon)| {
             let verites = objets.each_ref().map(|objet| verite(objet, &rayon));

@@ -4,7 +4,7 @@
 use commun::en_f32_et_f64;
 use commun::fabrique::{boite, boite_droite, mur, sphere, v};
 use commun::hasard::{Hasard, Tirage, pour_chaque};
-use commun::oracle::{norme_au_carre_moins_un, verite};
+use commun::oracle::{Passage, norme_au_carre_moins_un, verite};
 use commun::promesses::{Essai, erreur, est_certain};
 use commun::regimes::{Cas, Extreme, direction, entre, regimes};
 use lancer_rayon::{
@@ -15,7 +15,8 @@ use lancer_rayon::{
 /// An answer is right or not called certain, and nothing bounds the distance of what is not entered.
 #[track_caller]
 fn juger<R: Reel>(objet: ObjetRay<R>, rayon: Rayon<R>) {
-    let essai = Essai { objets: vec![objet], rayon, vers: [R::ZERO; 5] };
+    let (passage, vers) = (Passage::Entree, [R::ZERO; 5]);
+    let essai = Essai { objets: vec![objet], rayon, passage, vers };
     let parts = [est_certain(&essai), erreur(&essai)];
     assert!(parts.iter().all(|part| *part <= 1.0), "{parts:?} {essai:?}");
 }
