@@ -4,7 +4,9 @@ use commun::oracle::Exact;
 use commun::strategies::{Plante, objet, plante, reel, rotation, vecteur};
 use commun::tolerances::{ARRONDI, DISTANCE, NORMALE, PRODUIT, TOURNE, u};
 use commun::{en_f32_et_f64, pour_tout};
-use lancer_rayon::{ObjetGeo, ObjetRay, PlanGeo, Rayon, Reel, Rotation, Texture, Vecteur};
+use lancer_rayon::{
+    BoiteGeo, ObjetGeo, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture, Vecteur,
+};
 use proptest::prelude::*;
 use proptest::test_runner::TestCaseResult;
 
@@ -33,7 +35,7 @@ fn accompagner<R: Reel>(
     // The normals before and after have one error each.
     let tolerance = 2.0 * (NORMALE + TOURNE) * u::<R>() + 2.0 * courbure;
     prop_assert!(ecart <= tolerance, "normal off by {ecart:e}, {tolerance:e} allowed");
-    let texture = p.parametres.texture();
+    let texture = p.objet.vers_ray().texture();
     prop_assert_eq!((avant.texture(), apres.texture()), (texture, texture));
     Ok(())
 }
@@ -64,12 +66,28 @@ fn deplacer_la_scene_et_le_rayon_garde_la_distance<R: Reel>() {
 
 en_f32_et_f64!(deplacer_la_scene_et_le_rayon_garde_la_distance);
 
+/// The object with every length multiplied by k, its distance to O as well.
+fn agrandi<R: Reel>(objet: ObjetGeo<R>, k: R) -> ObjetGeo<R> {
+    match objet {
+        ObjetGeo::Sphere(s) => {
+            SphereGeo::new(s.centre() * k, s.rayon() * k, s.texture()).unwrap().into()
+        }
+        ObjetGeo::Plan(p) => {
+            PlanGeo::new(p.orientation(), p.distance() * k, p.texture()).unwrap().into()
+        }
+        ObjetGeo::Boite(b) => {
+            let (c, l) = (b.centre() * k, b.dimensions() * k);
+            BoiteGeo::new(c, l, b.orientation(), b.texture()).unwrap().into()
+        }
+    }
+}
+
 fn agrandir_la_scene_multiplie_la_distance<R: Reel>() {
     pour_tout((plante::<R>(), reel(0.01, 100.0)), |(p, k)| {
         let rayon = Rayon::new(p.rayon.source() * k, p.rayon.direction()).unwrap();
         // The source, the centre and the size are multiplied.
         let bruit = 3.0 * ARRONDI;
-        accompagner(p, p.parametres.agrandi(k), rayon, k.vers_f64(), |n| n, bruit)
+        accompagner(p, agrandi(p.objet, k), rayon, k.vers_f64(), |n| n, bruit)
     });
 }
 

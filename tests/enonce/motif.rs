@@ -2,12 +2,12 @@
 //! colour is that of exact arithmetic, except within rounding of a line of the pattern.
 
 use commun::fabrique::mur;
+use commun::hasard::{Hasard, pour_chaque};
 use commun::oracle::{Exact, verite};
 use commun::regimes::{direction, entre};
 use commun::scenes::rayons_camera;
 use commun::tolerances::u;
 use commun::{arrondi, en_f32_et_f64};
-use fastrand::Rng;
 use lancer_rayon::{
     BoiteGeo, BoiteRay, Face, Nombre, ObjetRay, PlanGeo, Rayon, Reel, Rotation, Texture, Vecteur,
 };
@@ -79,15 +79,16 @@ fn sur_une_ligne(case: f64, pres: f64) -> bool {
 /// point of the hit itself it speckles.
 fn un_damier_sur_une_boite_tournee_n_a_pas_de_taches<R: Reel>() {
     const CASES: f64 = 4.0;
-    let mut alea = Rng::with_seed(71);
     let [mut justes, mut naifs, mut lignes] = [0; 3];
-    for loin in [0.0, 0.0, 30.0, 300.0] {
-        let tour = Rotation::new(arrondi::<R>(direction(&mut alea) * 3.0)).unwrap();
-        let ailleurs = direction(&mut alea) * loin;
-        let cotes = [(); 3].map(|()| entre(&mut alea, 2.0, 4.0));
+    let faire = |alea: &mut Hasard| {
+        let tour = Rotation::new(arrondi::<R>(direction(alea) * 3.0)).unwrap();
+        let ailleurs = direction(alea) * [0.0, 0.0, 30.0, 300.0][alea.tour];
+        let cotes = [(); 3].map(|()| entre(alea, 2.0, 4.0));
         let centre = arrondi(ailleurs + Vecteur::new(0.0, 1.0, 0.0));
         let boite = BoiteGeo::new(centre, arrondi(cotes.into()), tour, Texture(0)).unwrap();
-        let boite = boite.vers_ray();
+        (boite.vers_ray(), ailleurs)
+    };
+    pour_chaque(4, faire, |(boite, ailleurs)| {
         for rayon in rayons_camera::<R>(120, 80) {
             let source = arrondi(rayon.source().vers_f64() + ailleurs);
             let rayon = Rayon::new(source, rayon.direction()).unwrap();
@@ -118,7 +119,7 @@ fn un_damier_sur_une_boite_tournee_n_a_pas_de_taches<R: Reel>() {
             naifs += u32::from(impair(point.map(|x| x * CASES)) != attendu);
             justes += 1;
         }
-    }
+    });
     println!("{justes} exact, {lignes} on a line, {naifs} wrong by the point");
     assert!(justes > 5_000 && lignes < justes / 50 && naifs > justes / 10);
 }
@@ -129,7 +130,6 @@ en_f32_et_f64!(un_damier_sur_une_boite_tournee_n_a_pas_de_taches);
 /// axes of its rotation, −d across, and the same point back in the axes of the scene.
 fn un_damier_de_l_espace_sur_un_sol_n_a_pas_de_taches<R: Reel>() {
     let quart = core::f64::consts::FRAC_PI_2;
-    let mut alea = Rng::with_seed(72);
     let couche = Rotation::new(arrondi::<R>(Vecteur::new(quart, 0.0, 0.0))).unwrap();
     let [mut justes, mut naifs, mut lignes] = [0; 3];
     for (hauteur, lacet) in [(0.0, 0.0), (0.0, 0.4), (-1.0, 0.0), (0.3, 0.0), (1.0, 0.7)] {
@@ -140,14 +140,15 @@ fn un_damier_de_l_espace_sur_un_sol_n_a_pas_de_taches<R: Reel>() {
         assert_eq!(axes[2], sol.vers_ray().normale());
         let [x, y, n] = axes;
         let objet = ObjetRay::from(sol);
-        for _ in 0..4_000 {
-            let haut = Vecteur::new(0.0, entre(&mut alea, 1.5, 6.0), 0.0);
-            let vers = Vecteur::new(entre(&mut alea, -2.0, 2.0), -1.0, entre(&mut alea, -2.0, 2.0));
-            let rayon = Rayon::new(arrondi(haut + direction(&mut alea) * 0.3), arrondi(vers));
-            let rayon = rayon.unwrap();
-            let Ok(touche) = objet.intersection(&rayon) else { continue };
+        let faire = |alea: &mut Hasard| {
+            let haut = Vecteur::new(0.0, entre(alea, 1.5, 6.0), 0.0);
+            let vers = Vecteur::new(entre(alea, -2.0, 2.0), -1.0, entre(alea, -2.0, 2.0));
+            Rayon::new(arrondi(haut + direction(alea) * 0.3), arrondi(vers)).unwrap()
+        };
+        pour_chaque(4_000, faire, |rayon| {
+            let Ok(touche) = objet.intersection(&rayon) else { return };
             let verite = verite(&objet, &rayon);
-            let Some(entree) = verite.entree.filter(|_| !verite.dans_la_marge) else { continue };
+            let Some(entree) = verite.entree.filter(|_| !verite.dans_la_marge) else { return };
             let p = touche.point();
             let le_long = [x.produit_scalaire(p), y.produit_scalaire(p), -sol.distance()];
             let scene = x * le_long[0] + y * le_long[1] + n * le_long[2];
@@ -178,7 +179,7 @@ fn un_damier_de_l_espace_sur_un_sol_n_a_pas_de_taches<R: Reel>() {
                 naifs += u32::from(a_travers == 1 && impair(point) != juste);
                 justes += 1;
             }
-        }
+        });
     }
     println!("{justes} exact, {lignes} on a line, {naifs} wrong by the point");
     assert!(justes > 20_000 && lignes < justes / 50 && naifs > 500);

@@ -3,40 +3,20 @@
 
 use commun::fabrique::avec_arbre;
 use commun::hasard::{Hasard, Tirage, pour_chaque};
-use commun::regimes::{deux_puissance, direction, entre, signe};
-use commun::{Bits, arrondi, en_f32_et_f64, scenes};
+use commun::regimes::{deux_puissance, direction, gerbe};
+use commun::{Bits, en_f32_et_f64, scenes};
+use lancer_rayon::Rayon;
 use lancer_rayon::pour_les_tests::{Reglage, sonder};
-use lancer_rayon::{Rayon, Vecteur};
 
-/// A number of a direction: ±0, hardly more, or any.
-fn pente(alea: &mut Hasard) -> f64 {
-    match alea.u8(0..6) {
-        0 => 0.0,
-        1 => -0.0,
-        2 => signe(alea) * deux_puissance(alea, -160.0, -20.0),
-        _ => entre(alea, -1.0, 1.0),
-    }
-}
-
-/// Up to 64 rays from about one place: near, amid the objects or far away; parallel, apart by any angle, or with signs of
-/// their own.
-fn gerbe<R: Bits>(alea: &mut Hasard) -> Vec<Rayon<R>> {
+/// Rays from about one place: near, amid the objects or far away.
+fn rayons<R: Bits>(alea: &mut Hasard) -> Vec<Rayon<R>> {
     let loin = if alea.bool() { 5.0 } else { deux_puissance(alea, 0.0, 40.0) };
     let ou = direction(alea) * loin;
-    let vers = if alea.bool() { -ou } else { [(); 3].map(|()| pente(alea)).into() };
-    let vers = vers.unitaire().unwrap_or(Vecteur::Y);
-    let [etendue, ouverture] = [-40.0, -30.0].map(|bas| deux_puissance(alea, bas, 3.0));
-    let (genre, combien) = (alea.u8(0..4), [1, 12, 16, 40, 64][alea.usize(0..5)]);
-    alea.liste(combien, |alea, _| {
-        let ou = ou + [(); 3].map(|()| entre(alea, -etendue, etendue)).into();
-        let vers = match genre {
-            0 => vers,
-            1 => Vecteur::from([(); 3].map(|()| pente(alea))),
-            _ => vers + [(); 3].map(|()| entre(alea, -ouverture, ouverture)).into(),
-        };
-        let rayon = Rayon::new(arrondi(ou), arrondi(vers));
-        rayon.or_else(|_| Rayon::new(arrondi(ou), Vecteur::X)).unwrap()
-    })
+    let vers = if alea.bool() { -ou } else { direction(alea) };
+    let ecarts = [-30.0, -40.0].map(|bas| deux_puissance(alea, bas, 3.0));
+    let mut rayons = gerbe(alea, (ou, vers.unitaire().unwrap()), ecarts);
+    rayons.truncate(*alea.choix(&[1, 12, 16, 40, 64]));
+    rayons
 }
 
 fn la_sonde_de_plusieurs_rayons_entre_ou_l_un_d_eux_entre<R: Bits>() {
@@ -45,7 +25,7 @@ fn la_sonde_de_plusieurs_rayons_entre_ou_l_un_d_eux_entre<R: Bits>() {
     let (mut sondes, mut entrees, mut dehors) = (0, 0, 0_u32);
     let faire = |alea: &mut Hasard| {
         let t = if alea.bool() { f64::INFINITY } else { deux_puissance(alea, -3.0, 41.0) };
-        (gerbe::<R>(alea), R::depuis_f64(t))
+        (rayons::<R>(alea), R::depuis_f64(t))
     };
     pour_chaque(commun::cas(2_000), faire, |(rayons, t)| {
         for (nom, reglage) in Reglage::tous().filter(|_| !rayons.is_empty()) {

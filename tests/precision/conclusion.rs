@@ -7,7 +7,6 @@
 use commun::fabrique::sphere;
 use commun::hasard::{Hasard, Tirage, pour_chaque};
 use commun::litteral;
-use commun::mesure::rayon_non_perdu;
 use commun::oracle::Exact;
 use commun::regimes::{Cas, Genre, deux_puissance, direction, entre, regimes};
 use commun::tolerances::{promesses, u};
@@ -189,8 +188,8 @@ fn une_sphere_perdue_a_une_marge_infinie<R: Reel>() {
 
 en_f32_et_f64!(une_sphere_perdue_a_une_marge_infinie);
 
-/// Built: from 4·10⁶ away a sphere about O with r = 42u|f|, which was found, and the regimes of
-/// spheres. Held: the margin of the first is +∞, and none is where r ≥ 64u|f| + 16u⟨P, 1⟩.
+/// Built: from 4·10⁶ away a sphere about O with r = 42u|f|, which was found. Held: its margin is +∞. (That none is where
+/// r ≥ 64u|f| + 16u⟨P, 1⟩ is a promise, `marge_infinie`.)
 #[test]
 fn la_marge_d_une_sphere_de_42_u_f_peut_etre_infinie() {
     let r = 10.810261_f32;
@@ -226,22 +225,6 @@ fn au_centre_la_somme_calculee_decide() {
     });
     assert!(infinies > CAS && malgre_la_somme_exacte > 0, "{infinies} {malgre_la_somme_exacte}");
 }
-
-fn la_marge_d_une_sphere_de_64_u_f_est_finie<R: Reel>() {
-    let (mut finies, mut infinies) = (0, 0);
-    chaque_touche::<R>(Genre::Sphere, |Cas { objet, rayon }, touche| {
-        let ObjetRay::Sphere(sphere) = objet else { unreachable!("a regime of spheres") };
-        if sphere.rayon().vers_f64() >= rayon_non_perdu(sphere, rayon, touche.distance()) {
-            assert!(touche.marge() < R::INFINI, "{objet:?} {rayon:?}");
-            finies += 1;
-        } else {
-            infinies += u32::from(touche.marge() == R::INFINI);
-        }
-    });
-    assert!(finies > CAS && infinies > CAS / 20, "{finies}, {infinies}");
-}
-
-en_f32_et_f64!(la_marge_d_une_sphere_de_64_u_f_est_finie);
 
 /// Built: a sphere on the ray whose far side is O, smaller than the rounding of its distance, so that P
 /// is O. Held: the margin is +∞, although P lies on the sphere.
