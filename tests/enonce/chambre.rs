@@ -180,7 +180,6 @@ fn aucun_chemin_ne_quitte_une_chambre<R: Bits>() {
         }
         let _ = comparer(&chambre.objets, &rayons[..rayons.len().min(128)]);
     });
-    println!("{pas} {ombres} {d_emblee} {dehors_sans_flou}");
     assert!(pas > 3_000 && ombres > 500 && d_emblee > 20 && dehors_sans_flou > 20);
 }
 
@@ -223,7 +222,6 @@ fn une_chaine_elargie_reste_si_son_flou_est_plus_grand() {
             }
         }
     });
-    println!("{oublies} of {d_emblee} at once are not, {rebonds} bounces");
     assert!(oublies > 10 && rebonds > 1_000, "{oublies} of {d_emblee}, {rebonds}");
 }
 
@@ -283,7 +281,6 @@ fn un_pilier_sur_un_globe_ne_laisse_rien_passer<R: Reel>() {
             }
         }
     });
-    println!("{suites} rays, {d_emblee} at once");
     assert!(suites > 500 && d_emblee > 10, "{suites} {d_emblee}");
 }
 
@@ -421,7 +418,6 @@ fn aucun_solide_a_fleur_ne_garde_un_rayon<R: Reel>() {
             }
         }
     });
-    println!("{rayons} rays, {au_bout} end, {d_emblee} at once, {en_suite} in a row at most");
     assert!(au_bout > 9 * rayons / 10 && d_emblee > rayons / 500 && en_suite > 3);
 }
 

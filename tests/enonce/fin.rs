@@ -105,7 +105,6 @@ fn un_certificat_s_arrete_a_la_fin<R: Bits>() {
             }
         }
     }
-    println!("{coups} hits and {rates} misses certain, {doutes} in doubt");
     assert!(coups > 500 && rates > 500 && doutes > 100);
 }
 

@@ -3,10 +3,11 @@
 use commun::choisis::Choisis;
 use commun::conversion::voisin;
 use commun::hasard::{Hasard, pour_chaque};
+use commun::passages::exiger_un_passage;
 use commun::regimes::regimes;
 use commun::strategies::{plante, scene};
 use commun::tolerances::{ARRONDI, DISTANCE, NORMALE, u};
-use commun::{Bits, en_f32_et_f64, est_une_entree, pour_tout};
+use commun::{Bits, en_f32_et_f64, pour_tout};
 use lancer_rayon::{Monde, ObjetGeo, ObjetRay, Rayon, Reel, Vecteur};
 use proptest::prelude::*;
 
@@ -38,11 +39,11 @@ fn point<R: Reel>(rayon: &Rayon<R>, t: f64) -> Vecteur {
     rayon.source().vers_f64() + rayon.direction().vers_f64() * t
 }
 
-fn un_point_plante_est_touche<R: Reel>() {
+fn un_point_plante_est_touche<R: Bits>() {
     pour_tout(plante::<R>(), |p| {
         let objet = p.objet.vers_ray();
         let touche = objet.intersection(&p.rayon).unwrap();
-        est_une_entree(&p.rayon, &touche)?;
+        exiger_un_passage(&objet, &p.rayon, &touche);
 
         // The rounding of S and D takes the stored ray past the planted point.
         let tolerance = (DISTANCE + 3.0 * ARRONDI) * p.kappa_t();

@@ -120,7 +120,6 @@ fn un_damier_sur_une_boite_tournee_n_a_pas_de_taches<R: Reel>() {
             justes += 1;
         }
     });
-    println!("{justes} exact, {lignes} on a line, {naifs} wrong by the point");
     assert!(justes > 5_000 && lignes < justes / 50 && naifs > justes / 10);
 }
 
@@ -181,7 +180,6 @@ fn un_damier_de_l_espace_sur_un_sol_n_a_pas_de_taches<R: Reel>() {
             }
         });
     }
-    println!("{justes} exact, {lignes} on a line, {naifs} wrong by the point");
     assert!(justes > 20_000 && lignes < justes / 50 && naifs > 500);
 }
 

@@ -43,7 +43,6 @@ fn chaque_passage_est_ce_qu_il_doit_etre<R: Bits>() {
             exiger_les_passages(&objet, &rayon, Vecteur::NUL);
         });
     }
-    println!("{entrees} hits, {d_emblee} at once, {sorties} ways out");
     assert!(entrees > 10_000 && sorties > 10_000 && d_emblee > 500);
 }
 

@@ -113,7 +113,6 @@ fn une_marche_sait_dans_quoi_elle_est<R: Reel>() {
             }
         }
     });
-    println!("{dedans} of {lieux} inside, {au_depart} from the start on");
     assert!(dedans > 50_000 && lieux > 2 * dedans && au_depart > 10_000);
 }
 
@@ -139,7 +138,6 @@ fn au_bord_d_un_grand_mur_on_est_aussi_juste<R: Reel>() {
             assert!(pire <= 3.0, "{pire}");
         });
     }
-    println!("{pire} u");
 }
 
 en_f32_et_f64!(au_bord_d_un_grand_mur_on_est_aussi_juste);
@@ -205,7 +203,6 @@ fn qui_part_de_plusieurs_objets_les_quitte_un_par_un<R: Reel>() {
         assert!(dehors.flou() > R::ZERO, "{dehors:?}");
         fantomes += u32::from(rentre(&du_sol(autour - 1)));
     });
-    println!("{fantomes} would meet the mist, {rentres} do");
     assert!(fantomes > 2_000, "{fantomes}");
 }
 
@@ -239,7 +236,6 @@ fn une_orbite_composee_ne_derive_pas<R: Reel>() {
         assert!((touche.distance().vers_f64() - 9.0).abs() <= permis, "{image}: {touche:?}");
     }
     let derive = eloignement(pas_a_pas);
-    println!("{pire} u composed, {derive:e} step by step");
     // M·Mᵀ is I to 5.5u an element, by which a length changes by 8.3u; C·M rounds to 3.1u, and the length here to 3.5u.
     assert!(pire <= 15.0, "{pire}");
     assert!(derive.abs() > 1_000.0 * u::<R>(), "{derive:e}");

@@ -60,7 +60,6 @@ fn un_mur_mitoyen_est_a_l_ombre<R: Reel>() {
             }
         }
     });
-    println!("{caches} hidden, of which {naifs} lit without what the hit knows; {clairs} lit");
     assert!(caches > 4_000 && clairs > 4_000 && naifs > caches / 5);
 }
 
@@ -134,7 +133,6 @@ fn sous_un_verre_pose_la_lumiere_trouve_la_table<R: Reel>() {
             assert!((parcouru - attendu).longueur() < permis, "{parcouru:?} {attendu:?}");
         }
     });
-    println!("the table before the way out {avant} times, after it {apres} times");
     assert!(avant > 1_000 && apres > 1_000, "{avant} {apres}");
 }
 
@@ -187,7 +185,6 @@ fn une_particule_reste_ou_le_depliage_la_met<R: Reel>() {
             assert!(particule.rayon.flou().vers_f64() <= connu);
         }
     });
-    println!("{au_mur} steps end on a wall; {pire} of what is allowed");
     assert!(au_mur > 1_000);
 }
 
@@ -209,7 +206,6 @@ fn dans_une_salle_de_cent_kilometres_le_flou_atteint_huit_decimetres() {
         }
         somme += rayon.flou() / rayons as f32;
     });
-    println!("{somme} metres");
     assert!((0.7..0.9).contains(&somme), "{somme}");
 }
 
@@ -230,7 +226,6 @@ fn les_reflets_dans_une_boule_derivent_du_pas() {
         let sortie = boule.sortie(&rayon).unwrap();
         sortie.normale().produit_scalaire(rayon.direction())
     };
-    println!("{} and {}", cosinus(false), cosinus(true));
     assert!((0.14..0.17).contains(&cosinus(false)), "{}", cosinus(false));
     assert!((cosinus(true) - 0.1).abs() < 0.002, "{}", cosinus(true));
 }

@@ -114,7 +114,6 @@ fn un_capteur_au_ras_du_sol_voit_la_lampe<R: Reel>() {
         assert!(voit(capteur, lampe));
         depuis_la_lampe += u32::from(voit(lampe, capteur));
     });
-    println!("from the lamp {depuis_la_lampe} of {tous}");
     assert!((tous / 2..tous - tous / 100).contains(&depuis_la_lampe));
 }
 

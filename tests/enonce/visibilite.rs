@@ -131,7 +131,6 @@ fn deux_points_se_voient_si_rien_n_est_entre_eux<R: Reel>() {
         let obvie = Rayon::entre(a.point(), b.point()).unwrap();
         naifs += u32::from(libre && Monde::de_liste(&objets).est_occulte(&obvie));
     });
-    println!("{vus} seen, {caches} hidden, {dos} turned away, at first {naifs} wrongly hidden");
     assert!(vus > PAIRES / 20 && caches > PAIRES / 20 && dos > 100);
     assert!(naifs > vus / 10, "the obvious hides {naifs} of {vus} only");
 }
@@ -190,7 +189,6 @@ fn a_un_joint_ou_au_ras_d_un_tiers_l_ordre_compte<R: Reel>() {
             au_ras += 1;
         }
     });
-    println!("{au_joint} at seams, {au_ras} beside a ball, {memes} alike");
     assert!(au_joint > 10 && au_ras > 10 && memes > PAIRES / 4);
 }
 

@@ -201,7 +201,6 @@ fn les_tuiles_vont_ensemble<R: Bits>() {
         [&tuiles, &melees, &opposes].map(|rayons| combien_vont_au_bout(&monde, rayons))
     };
     let [ensemble, apart, opposes_ensemble] = combien(&scenes::melange(10_000));
-    println!("of 16,384 groups {ensemble} come to the end in tiles, {apart} in no order");
     assert!(ensemble > 16_000, "{ensemble}");
     assert_eq!([apart, opposes_ensemble], [0; 2]);
     let peu = scenes::melange(UN_ARBRE + 1);
@@ -460,7 +459,6 @@ fn aux_coutures_des_morceaux_aucune_touche_n_est_perdue<R: Bits>() {
         }
     });
     let combien = format!("{touches} hits, {certaines} certain, {coutures} seams");
-    println!("{combien}");
     assert!(touches > 200 * cas() && certaines > 10 * cas() && coutures > 3 * cas(), "{combien}");
 }
 
@@ -544,7 +542,6 @@ fn une_touche_au_bord_de_sa_boite_n_est_pas_perdue<R: Bits>() {
             dehors = dehors.max((x - au_bord).produit_scalaire(e));
         }
     });
-    println!("a hit lies up to {dehors:.1} u of its distance beyond the box");
     assert!(touches > 400 * cas(), "only {touches} hits");
     assert!(R::U < R::depuis_f64(1e-10) || dehors > 1.0, "{dehors}");
 }

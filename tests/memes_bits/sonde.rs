@@ -41,7 +41,6 @@ fn la_sonde_de_plusieurs_rayons_entre_ou_l_un_d_eux_entre<R: Bits>() {
             sondes += u32::from(sonder(&reglage.monde(monde), &rayons, t, &mut contre).is_some());
         }
     });
-    println!("{sondes} probes, {entrees} children entered by a ray, {dehors} left out by all");
     assert!(sondes > commun::cas(1_000) && entrees > sondes && dehors > entrees);
 }
 

@@ -80,7 +80,6 @@ fn parmi_des_jumeaux_rien_de_faux_n_est_certifie<R: Reel>() {
         });
     }
     let [incertaines, certaines] = combien;
-    println!("{certaines} certain, {incertaines} not");
     assert!(certaines > incertaines / 10 && incertaines > certaines / 10);
 }
 
@@ -105,7 +104,6 @@ fn parmi_des_cubes_accoles_rien_de_faux_n_est_certifie<R: Reel>() {
     pour_chaque(commun::cas(300), faire, |(objets, rayon)| {
         certaines += u32::from(juger(&objets, &rayon));
     });
-    println!("{certaines} certain");
     assert!(certaines > commun::cas(300) / 4);
 }
 
@@ -194,8 +192,5 @@ fn au_dela_de_deux_erreurs_deux_entrees_sont_distinguees() {
             loin_de_2_50 += u32::from(ecart > 1000.0 * (-50_f64).exp2() * t);
         });
     }
-    println!(
-        "{sures} certain; {loin_de_2_50} not, a thousand times 2⁻⁵⁰ of t apart; at most {pire}·2⁻⁵³(κ + κ′)t"
-    );
     assert!(sures > 1_000 && loin_de_2_50 > 100 && pire > 1.0, "{sures} {loin_de_2_50} {pire}");
 }

@@ -77,7 +77,7 @@ fn un_manque_a_cote_d_une_arete_est_sur() {
     };
     pour_chaque(20_000, faire, |(boite, rayon)| {
         if verite(&boite, &rayon).entree.is_none() && boite.intersection(&rayon).is_err() {
-            assert!(boite.est_certain(&rayon), "{boite:?} {rayon:?}");
+            assert!(boite.est_certain(&rayon));
             manques += 1;
         }
     });
@@ -98,9 +98,9 @@ fn le_long_d_une_face_tournee_une_reponse_est_sure() {
         let vers_le_fond = |source| Rayon::new(source, -w).unwrap();
         let rayon = vers_le_fond(w * 5.0 + u * a_cote);
         let touche = boite.intersection(&rayon).unwrap();
-        assert!(boite.est_certain(&rayon) && boite.erreur(&rayon, &touche) < 1e-14, "{rayon:?}");
+        assert!(boite.est_certain(&rayon) && boite.erreur(&rayon, &touche) < 1e-14);
         for cote in [u, v] {
-            assert!(boite.est_certain(&vers_le_fond(w * 5.0 + cote * 1.2)), "{rayon:?}");
+            assert!(boite.est_certain(&vers_le_fond(w * 5.0 + cote * 1.2)));
         }
     });
 }
@@ -115,11 +115,7 @@ fn une_reponse_juste_est_sure<R: Reel>() {
             |alea| (regime.cas)(alea),
             |Cas { objet, rayon }| {
                 let (touche, entree) = (objet.intersection(&rayon), verite(&objet, &rayon).entree);
-                assert_eq!(
-                    objet.est_certain(&rayon),
-                    touche.is_ok() == entree.is_some(),
-                    "{objet:?} {rayon:?}"
-                );
+                assert_eq!(objet.est_certain(&rayon), touche.is_ok() == entree.is_some());
                 if let (Ok(touche), Some(entree)) = (touche, entree) {
                     let t = touche.distance();
                     let d = norme_au_carre_moins_un(rayon.direction()) / 2.0;
@@ -239,8 +235,8 @@ fn dans_le_plan_d_une_face_un_contact_est_sur<R: Reel>() {
         for (y, pente) in rayons {
             let rayon = Rayon::new(v(-5.0, y, 0.0), v(1.0, 0.0, pente)).unwrap();
             let Ok(touche) = boite.intersection(&rayon) else { continue };
-            assert!(boite.est_certain(&rayon), "{boite:?} {rayon:?}");
-            assert!(boite.erreur(&rayon, &touche) < R::U * R::depuis_f64(64.0), "{rayon:?}");
+            assert!(boite.est_certain(&rayon));
+            assert!(boite.erreur(&rayon, &touche) < R::U * R::depuis_f64(64.0));
             touches += 1;
         }
     });
