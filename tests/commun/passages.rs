@@ -120,10 +120,11 @@ fn exiger_les_lampes<R: Bits>(passage: Intersection<R>, vers: Vecteur<R>) {
     );
     assert!(ombre.is_err() || ombre == passage.secondaire(vers), "{passage:?} {vers:?}");
     let Ok(depart) = droit else { return };
-    let segment = Rayon::entre(depart.source(), vers).and_then(|r| r.avec_flou(depart.flou()));
-    let ombre = passage.vers_lumiere(vers);
-    let voulue = segment.ok().filter(|segment| de_face(segment.direction()));
-    assert_eq!(ombre.ok(), voulue, "{passage:?} {vers:?}");
+    let voulue = Rayon::entre(depart.source(), vers).ok().filter(|r| de_face(r.direction()));
+    let ce_qu_il_est = |r: Rayon<R>| (r.source(), r.direction(), r.fin());
+    let ombre = passage.vers_lumiere(vers).ok();
+    assert_eq!(ombre.map(ce_qu_il_est), voulue.map(ce_qu_il_est), "{passage:?} {vers:?}");
+    assert!(ombre.is_none_or(|r| r.flou() == depart.flou()), "{passage:?} {vers:?}");
 }
 
 /// Whether this object, which holds the source of the ray, holds it by no more than δ and o_B however that is rounded.

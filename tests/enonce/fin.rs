@@ -2,13 +2,13 @@
 
 use commun::choisis::choisir;
 use commun::conversion::voisin;
-use commun::fabrique::{avec_arbre, mur, v};
+use commun::fabrique::{mur, v};
 use commun::hasard::{Hasard, pour_chaque};
-use commun::oracle::{Exact, verite};
+use commun::oracle::Exact;
 use commun::regimes::{direction, entre};
 use commun::scenes::{melange, rayons_camera};
 use commun::{Bits, arrondi, en_f32_et_f64};
-use lancer_rayon::{Monde, NoIntersection, ObjetRay, Rayon, Reel, Reponse, Vecteur, places};
+use lancer_rayon::{Monde, NoIntersection, Rayon, Reel, Reponse, Vecteur, places};
 
 fn jusqu_a<R: Reel>(rayon: &Rayon<R>, fin: R) -> Rayon<R> {
     rayon.jusqu_a(fin).unwrap()
@@ -43,72 +43,6 @@ fn toute_question_s_arrete_a_la_fin<R: Bits>() {
 }
 
 en_f32_et_f64!(toute_question_s_arrete_a_la_fin);
-
-/// Whether exact arithmetic names this object first, before the end of the ray.
-fn est_vraie<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>, reponse: &Reponse<R>) -> bool {
-    let entrees = objets.iter().map(|objet| verite(objet, rayon).entree.map(|entree| entree.t));
-    let avant_la_fin = |t: &Exact| rayon.fin() == R::INFINI || *t < Exact::de(rayon.fin());
-    let entrees = entrees.enumerate().filter_map(|(i, t)| Some((i, t.filter(avant_la_fin)?)));
-    let premiere = entrees.reduce(|a, b| if b.1 < a.1 { b } else { a });
-    premiere.map(|(indice, _)| indice) == reponse.ok().map(|touche| touche.indice())
-}
-
-/// A certificate speaks of the ray as far as its end: a hit before it and a miss before everything are certain, what lies
-/// beyond the end is no answer, and none is certain that exact arithmetic does not give, however near to a hit the ray
-/// ends. Away from all hits the answer of every ray is certain whose answer without an end is.
-fn un_certificat_s_arrete_a_la_fin<R: Bits>() {
-    let objets = melange::<R>(40);
-    let mondes = [avec_arbre(&objets), Monde::de_liste(&objets)];
-    let [mut coups, mut rates, mut doutes] = [0; 3];
-    for sans_fin in rayons_camera::<R>(18, 12) {
-        let mut toutes = vec![Err(NoIntersection); objets.len()];
-        let nombre = mondes[1].dans_l_ordre(&sans_fin, &mut toutes);
-        let premiere = toutes[0];
-        for (i, fin) in fins(&toutes[..nombre.min(2)]).into_iter().enumerate() {
-            let rayon = jusqu_a(&sans_fin, fin);
-            let ici = mondes[1].premiere_intersection(&rayon);
-            // Those beside a distance come first, four by four.
-            let pres = i < 4 * nombre.min(2) && i % 4 < 3;
-            for monde in mondes {
-                let certaine = monde.certifie(&rayon, &ici);
-                assert!(!certaine || est_vraie(&objets, &rayon, &ici), "{ici:?} {rayon:?}");
-                if !pres && ici.is_ok() && monde.certifie(&sans_fin, &premiere) {
-                    assert!(certaine, "{ici:?} {rayon:?}");
-                }
-                if ici.is_err() && premiere.is_ok() {
-                    // The first of the ray without an end comes too late, save within its rounding;
-                    // and the miss is none of that ray.
-                    let tardive = monde.certifie(&rayon, &premiere);
-                    assert!(!tardive || est_vraie(&objets, &rayon, &premiere), "{rayon:?}");
-                    assert!(!monde.certifie(&sans_fin, &ici), "{sans_fin:?}");
-                    assert!(pres || (certaine && !tardive), "{premiere:?} {rayon:?}");
-                }
-                if let Ok(seconde) = toutes[1]
-                    && seconde.distance() > premiere.unwrap().distance()
-                {
-                    assert!(!monde.certifie(&rayon, &Ok(seconde)), "{seconde:?} {rayon:?}");
-                }
-                match certaine {
-                    true if ici.is_ok() => coups += 1,
-                    true => rates += 1,
-                    false => doutes += 1,
-                }
-            }
-            for objet in &objets {
-                if objet.est_certain(&rayon) {
-                    let seul = objet.intersection(&rayon);
-                    assert!(
-                        est_vraie(core::slice::from_ref(objet), &rayon, &seul),
-                        "{objet:?} {rayon:?}"
-                    );
-                }
-            }
-        }
-    }
-    assert!(coups > 500 && rates > 500 && doutes > 100);
-}
-
-en_f32_et_f64!(un_certificat_s_arrete_a_la_fin);
 
 /// NaN and what is below 0 are no end, and the refusal names `fin`. From 0 on every number is one, and replaces the one
 /// before; at 0 nothing is asked.

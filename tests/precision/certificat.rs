@@ -4,20 +4,22 @@
 
 use std::cmp::Ordering;
 
+use commun::conversion::voisin;
 use commun::fabrique::{boite, boite_droite, mur, sphere, v};
 use commun::hasard::{Hasard, Tirage, pour_chaque};
 use commun::oracle::{Exact, verite};
 use commun::regimes::{Cas, direction, entre, presque, regimes};
-use commun::{arrondi, en_f32_et_f64};
+use commun::{Bits, arrondi, en_f32_et_f64};
 use lancer_rayon::{
     Monde, NoIntersection, Nombre, ObjetRay, Rayon, Reel, Rotation, Texture, Vecteur, places,
     premiere_intersection,
 };
 
-/// The first object of a list in exact arithmetic; of two at one distance the earlier. None beyond the largest number.
+/// The first object of a list in exact arithmetic; of two at one distance the earlier. None at the end of the ray or
+/// beyond, nor beyond the largest number.
 fn premier_exact<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> Option<usize> {
     let plus_grand = if size_of::<R>() == 4 { f32::MAX.into() } else { f64::MAX };
-    let plus_grand = Exact::de(plus_grand);
+    let plus_grand = Exact::de(rayon.fin().vers_f64().min(plus_grand));
     let mut premier: Option<(usize, Exact)> = None;
     for (i, objet) in objets.iter().enumerate() {
         let Some(entree) = verite(objet, rayon).entree else { continue };
@@ -31,8 +33,30 @@ fn premier_exact<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> Option<us
 }
 
 /// Judges the answer of a list to a ray, by itself and by two trees of it, of which the second has long boxes cut
-/// into pieces, and two answers that are wrong; whether it is certain.
-fn juger<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> bool {
+/// into pieces, and two answers that are wrong; whether it is certain. The same of the ray with an end at its first two hits
+/// and beside them, where no answer is certain but by exact arithmetic, and between, where all are that were.
+fn juger<R: Bits>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> bool {
+    let certaine = juger_jusqu_a_la_fin(objets, rayon);
+    let mut deux = [Err(NoIntersection); 2];
+    Monde::de_liste(objets).dans_l_ordre(rayon, &mut deux);
+    for t in deux.iter().flatten().map(|touche| touche.distance()) {
+        for fin in [t, voisin(t, -1), voisin(t, 1)] {
+            juger_jusqu_a_la_fin(objets, &rayon.jusqu_a(fin).unwrap());
+        }
+    }
+    if let (true, [Ok(une), Ok(autre)]) = (certaine, deux) {
+        let [une, autre] = [une, autre].map(|touche| touche.distance());
+        // Before the first, and between two that are well apart.
+        let avant = rayon.jusqu_a(une * R::depuis_f64(0.5)).unwrap();
+        assert!(une == R::ZERO || juger_jusqu_a_la_fin(objets, &avant), "{objets:?} {avant:?}");
+        let entre = rayon.jusqu_a((une + autre) * R::depuis_f64(0.5)).unwrap();
+        let separes = autre > une * R::depuis_f64(1.1);
+        assert!(!separes || juger_jusqu_a_la_fin(objets, &entre), "{objets:?} {entre:?}");
+    }
+    certaine
+}
+
+fn juger_jusqu_a_la_fin<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> bool {
     let touche = premiere_intersection(objets, rayon);
     let mut memoires = [1, 6].map(|fois| vec![0.0; fois * places(objets.len())]);
     let [memoire, grande] = memoires.each_mut();
@@ -42,6 +66,10 @@ fn juger<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> bool {
     let contexte = || format!("{touche:?}, but {exact:?}: {objets:?} {rayon:?}");
     let dite = touche.ok().map(|touche| touche.indice());
     assert!(!certaine || dite == exact, "{}", contexte());
+    for objet in objets.iter().filter(|objet| objet.est_certain(rayon)) {
+        let seul = premier_exact(core::slice::from_ref(objet), rayon);
+        assert_eq!(seul.is_some(), objet.intersection(rayon).is_ok(), "{objet:?} {rayon:?}");
+    }
     for monde in mondes.map(Result::unwrap) {
         let par_l_arbre = monde.certifie(rayon, &touche);
         assert!(!par_l_arbre || dite == exact, "by the tree: {}", contexte());
@@ -63,7 +91,7 @@ fn juger<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> bool {
 }
 
 /// The hard cases of each shape, with twins in front and behind, which enter at nearly one distance.
-fn parmi_des_jumeaux_rien_de_faux_n_est_certifie<R: Reel>() {
+fn parmi_des_jumeaux_rien_de_faux_n_est_certifie<R: Bits>() {
     let mut combien = [0; 2];
     for regime in regimes::<R>() {
         let faire = |alea: &mut Hasard| {
@@ -84,7 +112,7 @@ fn parmi_des_jumeaux_rien_de_faux_n_est_certifie<R: Reel>() {
 }
 
 /// Cubes side by side, and rays along axes and in the planes of their sides, straight and almost so.
-fn parmi_des_cubes_accoles_rien_de_faux_n_est_certifie<R: Reel>() {
+fn parmi_des_cubes_accoles_rien_de_faux_n_est_certifie<R: Bits>() {
     let faire = |alea: &mut Hasard| {
         let cote = *alea.choix(&[1.0, 0.5, 0.1, 0.3]);
         let objets = alea.liste(27, |alea, _| {
@@ -108,7 +136,7 @@ fn parmi_des_cubes_accoles_rien_de_faux_n_est_certifie<R: Reel>() {
 }
 
 /// A heap of things on a floor at 0, most of its rays clear.
-fn dans_un_tas_tout_rayon_clair_est_certifie<R: Reel>() {
+fn dans_un_tas_tout_rayon_clair_est_certifie<R: Bits>() {
     let faire = |alea: &mut Hasard| {
         let objets = alea.liste(40, |alea, i| {
             let ou = arrondi(direction(alea) * 3.0 + Vecteur::new(0.0, 2.0, 0.0));
