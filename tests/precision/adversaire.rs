@@ -16,7 +16,8 @@ use commun::promesses::{
     reflechi, refracte, soleil, toutes, virage,
 };
 use commun::regimes::{
-    self, Cas, Genre, deux_puissance, direction, entre, regimes, repere, signe, vers_la_sortie,
+    self, Cas, Genre, deux_puissance, direction, entre, presque, regimes, repere, signe,
+    vers_la_sortie,
 };
 use commun::tolerances::u;
 use commun::{Bits, arrondi, empreinte, en_f32_et_f64};
@@ -371,39 +372,25 @@ fn deux_objets<R: Bits>(alea: &mut Rng) -> Candidat<R> {
     loop {
         let (objet, rayon) = depart::<R>(Genre::TOUS[alea.usize(0..3)], alea);
         let Ok(touche) = objet.intersection(&rayon) else { continue };
-        let t = touche.distance().vers_f64();
-        let d = rayon.direction().vers_f64();
-        let p = rayon.source().vers_f64() + d * t;
-        let limite = R::LIMITE.vers_f64();
-        let borne = |x: f64| R::depuis_f64(x.clamp(-limite, limite));
-        let taille = |x: f64| R::depuis_f64(x.clamp(limite.recip(), limite));
-        let lieu = |v: Vecteur| Vecteur::new(borne(v.x), borne(v.y), borne(v.z));
-        let n = direction(alea);
-        let n = if n.produit_scalaire(d) < 0.0 { n } else { -n };
-        let l = (t + p.longueur()) * deux_puissance(alea, -8.0, 2.0);
-        let autre: Option<ObjetGeo<R>> = match alea.u8(0..5) {
-            0 => SphereGeo::new(lieu(p - n * l), taille(l), Texture(0)).ok().map(Into::into),
-            1 => Rotation::depuis_matrice(repere(arrondi(n)))
-                .ok()
-                .and_then(|r| PlanGeo::new(r, borne(-n.produit_scalaire(p)), Texture(0)).ok())
-                .map(Into::into),
+        let (p, n, texture) = (touche.point(), arrondi::<R>(direction(alea)), Texture(1));
+        let n = if n.produit_scalaire(rayon.direction()) < R::ZERO { n } else { -n };
+        let l = (touche.distance() + p.longueur()) * R::depuis_f64(deux_puissance(alea, -8.0, 2.0));
+        let autre: Option<ObjetGeo<R>> = match alea.u8(0..4) {
+            0 => SphereGeo::new(p - n * l, l, texture).ok().map(Into::into),
+            1 => PlanGeo::par_un_point(p, n, texture).ok().map(Into::into),
             2 => {
-                let r = tour::<R>(alea);
-                let axe = Vecteur::from(r.matrice()[alea.usize(0..3)]).vers_f64();
-                let axe = if axe.produit_scalaire(d) < 0.0 { axe } else { -axe };
-                let cube = Vecteur::new(taille(l), taille(l), taille(l));
-                let c = lieu(p - axe * (0.5 * l));
-                BoiteGeo::new(c, cube, r, Texture(0)).ok().map(Into::into)
+                let tour = tour::<R>(alea);
+                let axe = tour.axes()[alea.usize(0..3)];
+                let axe =
+                    if axe.produit_scalaire(rayon.direction()) < R::ZERO { axe } else { -axe };
+                let centre = p - axe * (l * R::depuis_f64(0.5));
+                BoiteGeo::new(centre, Vecteur::new(l, l, l), tour, texture).ok().map(Into::into)
             }
             _ => None,
         };
-        let autre = autre.map_or(objet, ObjetGeo::vers_ray);
+        let autre = autre.map_or_else(|| presque(&objet, texture, alea), ObjetGeo::vers_ray);
         let objets = if alea.bool() { [objet, autre] } else { [autre, objet] };
-        let mut candidat = Candidat::new(&objets, &rayon, [R::ZERO; 5]);
-        if alea.bool() {
-            candidat.bouger(alea);
-        }
-        return candidat;
+        return Candidat::new(&objets, &rayon, [R::ZERO; 5]);
     }
 }
 

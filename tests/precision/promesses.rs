@@ -11,8 +11,8 @@ use commun::promesses::{
     Essai, Part, Promesse, RIEN, marge_infinie, ordre, reflechi, refracte, soleil, toutes,
 };
 use commun::regimes::{
-    Cas, Extreme, Genre, Regime, deux_puissance, direction, miroir, miroir_sous, presque, regimes,
-    signe, vers_la_sortie,
+    Cas, Extreme, Genre, Regime, deux_puissance, direction, entre, miroir, miroir_sous, presque,
+    regimes, signe, vers_la_sortie,
 };
 use commun::tolerances::{ORTHONORMALE, u};
 use commun::{arrondi, en_f32_et_f64};
@@ -159,7 +159,7 @@ fn un_reflet_un_cosinus_et_une_refraction_atteignent_presque_leur_borne<R: Reel>
         assert!(parts.iter().all(|part| *part <= 1.0), "{parts:?}");
         pires = [0, 1, 2].map(|i| pires[i].max(parts[i]));
     });
-    assert!(pires[0] > 0.5 && pires[1] > 0.6 && pires[2] > 0.4, "{pires:?}");
+    assert!(pires[0] > 0.5 && pires[1] > 0.6 && pires[2] > 0.25, "{pires:?}");
 }
 
 en_f32_et_f64!(un_reflet_un_cosinus_et_une_refraction_atteignent_presque_leur_borne);
@@ -167,7 +167,7 @@ en_f32_et_f64!(un_reflet_un_cosinus_et_une_refraction_atteignent_presque_leur_bo
 /// Light that enters and leaves glass near the angle of total reflection, in every regime: as Snell's law says, and
 /// mirrored where that is exact, outside the band of the decision.
 fn une_refraction_est_celle_de_snell<R: Reel>() {
-    let mut jugees = 0;
+    let (mut jugees, mut pire) = (0, 0.0_f64);
     for (regime, passage) in
         regimes::<R>().iter().flat_map(|regime| Passage::TOUS.map(|p| (regime, p)))
     {
@@ -179,17 +179,18 @@ fn une_refraction_est_celle_de_snell<R: Reel>() {
                 1.0 / n.produit_vectoriel(d).longueur()
             });
             let peu = 1.0 + deux_puissance(alea, -54.0, -4.0) * signe(alea);
-            essai.vers[0] =
-                R::depuis_f64(*alea.choix(&[limite * peu, limite * 0.7, 0.3, 1.0 / 1.5, 3.0]));
+            let ailleurs = [limite * alea.f64(), entre(alea, 0.3, 3.0)];
+            let rapport = *alea.choix(&[limite * peu, limite * peu, ailleurs[0], ailleurs[1]]);
+            essai.vers[0] = R::depuis_f64(rapport);
             essai
         };
         pour_chaque(cas_par_regime(), faire, |essai| {
             let part = refracte(&essai);
             assert!(part <= 1.0, "{part}");
-            jugees += u32::from(part > RIEN);
+            (jugees, pire) = (jugees + u32::from(part > RIEN), pire.max(part));
         });
     }
-    assert!(jugees > 10 * cas_par_regime(), "{jugees} judged");
+    assert!(jugees > 10 * cas_par_regime() && pire > 0.3, "{jugees} judged, {pire}");
 }
 
 en_f32_et_f64!(une_refraction_est_celle_de_snell);
