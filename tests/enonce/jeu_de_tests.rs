@@ -215,7 +215,7 @@ fn annexe_a3() -> Partie {
         "|CfI·N| = 2.5 > l: the plane of the face, but beside it" => "no intersection",
             lancer(marche, &devant(2.5, 0.0, 0.0));
         "a cube turned by 45° about y: its edge is at 5 − √2, here 0.25 beside it" =>
-            "distance 3.835786437626905, normal (0.7071067811865475, 0, 0.7071067811865476)",
+            "distance 3.835786437626905, normal (0.7071067811865476, 0, 0.7071067811865475)",
             lancer(incline, &devant(0.25, 0.0, 0.0));
         "behind the source" => "no intersection", lancer(marche, &rayon(O, v(0.0, 0.0, 1.0)));
     }
@@ -371,7 +371,7 @@ fn c8() -> Partie {
             "distance 4.999999985098839, normal (0.9999999999999999, 0, 0.000000014901161193847656)",
             lancer(boule, &devant(1.0_f64.next_down(), 0.0, 0.0));
         "f32, 1000 radii away, 0.999 beside the centre: SB = 1000 − 0.04470989" =>
-            "distance 999.95526, normal (0, 0.999, 0.044709)", lancer(loin, &presque);
+            "distance 999.95526, normal (0, 0.9989987, 0.04473871)", lancer(loin, &presque);
         "the same ray by A.2's SC² − SA², which is 1000001 − 1000000 there" => "no intersection",
             litteralement(&[loin.vers_ray()], &presque);
     }
