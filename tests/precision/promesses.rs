@@ -146,7 +146,11 @@ fn un_reflet_un_cosinus_et_une_refraction_atteignent_presque_leur_borne<R: Reel>
         let [x, y, z] = arrondi(n * (1.0 + 5.0 * u::<R>())).into();
         let sinus = deux_puissance(alea, -9.0, -0.1);
         let vitre = miroir_sous::<R>(sinus, alea);
-        let rapport = R::depuis_f64((1.0 - deux_puissance(alea, -54.0, -4.0)) / sinus);
+        // Light that all but grazes behind the surface.
+        let touche = vitre.objet.intersection(&vitre.rayon).unwrap();
+        let (n, d) = (touche.normale().vers_f64(), vitre.rayon.direction().vers_f64());
+        let limite = 1.0 / n.produit_vectoriel(d).longueur();
+        let rapport = R::depuis_f64(limite * (1.0 - deux_puissance(alea, -54.0, -4.0)));
         [(objet, rayon, [x, y, z]), (vitre.objet, vitre.rayon, [rapport, R::ZERO, R::ZERO])].map(
             |(objet, rayon, [x, y, z])| {
                 let vers = [x, y, z, R::ZERO, R::ZERO];
@@ -159,7 +163,7 @@ fn un_reflet_un_cosinus_et_une_refraction_atteignent_presque_leur_borne<R: Reel>
         assert!(parts.iter().all(|part| *part <= 1.0), "{parts:?}");
         pires = [0, 1, 2].map(|i| pires[i].max(parts[i]));
     });
-    assert!(pires[0] > 0.5 && pires[1] > 0.6 && pires[2] > 0.25, "{pires:?}");
+    assert!(pires[0] > 0.5 && pires[1] > 0.6 && pires[2] > 0.35, "{pires:?}");
 }
 
 en_f32_et_f64!(un_reflet_un_cosinus_et_une_refraction_atteignent_presque_leur_borne);
@@ -167,7 +171,7 @@ en_f32_et_f64!(un_reflet_un_cosinus_et_une_refraction_atteignent_presque_leur_bo
 /// Light that enters and leaves glass near the angle of total reflection, in every regime: as Snell's law says, and
 /// mirrored where that is exact, outside the band of the decision.
 fn une_refraction_est_celle_de_snell<R: Reel>() {
-    let (mut jugees, mut pire) = (0, 0.0_f64);
+    let mut jugees = 0;
     for (regime, passage) in
         regimes::<R>().iter().flat_map(|regime| Passage::TOUS.map(|p| (regime, p)))
     {
@@ -187,10 +191,10 @@ fn une_refraction_est_celle_de_snell<R: Reel>() {
         pour_chaque(cas_par_regime(), faire, |essai| {
             let part = refracte(&essai);
             assert!(part <= 1.0, "{part}");
-            (jugees, pire) = (jugees + u32::from(part > RIEN), pire.max(part));
+            jugees += u32::from(part > RIEN);
         });
     }
-    assert!(jugees > 10 * cas_par_regime() && pire > 0.3, "{jugees} judged, {pire}");
+    assert!(jugees > 10 * cas_par_regime(), "{jugees} judged");
 }
 
 en_f32_et_f64!(une_refraction_est_celle_de_snell);
