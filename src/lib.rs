@@ -158,8 +158,7 @@ pub use rayon::Rayon;
 pub use rayon::intersection::{Intersection, NoIntersection, Reponse};
 pub use texture::Texture;
 
-/// Runs the examples of the README and of the recipes.
+/// Runs the example of the README.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
-#[doc = include_str!("../docs/README.md")]
 struct Readme;

@@ -196,8 +196,9 @@ fn mesurer<R: Reel + avant::Reel + DeserializeOwned>(
     for &genre in &choix.genres {
         // Made once; each version gets the same numbers.
         let lances = genre.rayons(&monde, &scene, choix.bandes);
-        let nombres =
-            |rayon: &Rayon<R>| (rayon.source().into(), rayon.direction().into(), rayon.fin());
+        let nombres = |rayon: &Rayon<R>| {
+            ([rayon.source().into(), rayon.direction().into()], [rayon.fin(), rayon.flou()])
+        };
         let anciens_rayons = ancienne::nous::rayons(lances.iter().map(nombres));
         let rayons = nous::rayons(lances.iter().map(nombres));
         let nouveaux = nous::concurrents(monde, &rayons, genre.ombres());

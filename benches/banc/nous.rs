@@ -10,10 +10,10 @@ use super::version::{
 /// The rays of this version.
 pub type Rayons<R> = Vec<Rayon<R>>;
 
-/// These sources, unit directions and ends.
-pub fn rayons<R: Reel>(nombres: impl Iterator<Item = ([R; 3], [R; 3], R)>) -> Rayons<R> {
-    let rayon = |(source, direction, fin): ([R; 3], [R; 3], R)| {
-        Rayon::new(source.into(), direction.into()).and_then(|rayon| rayon.jusqu_a(fin))
+/// These sources, unit directions, ends and δ.
+pub fn rayons<R: Reel>(nombres: impl Iterator<Item = ([[R; 3]; 2], [R; 2])>) -> Rayons<R> {
+    let rayon = |([source, direction], [fin, flou]): ([[R; 3]; 2], [R; 2])| {
+        Rayon::new(source.into(), direction.into())?.jusqu_a(fin)?.avec_flou(flou)
     };
     nombres.map(|nombres| rayon(nombres).expect("a ray within the limits")).collect()
 }

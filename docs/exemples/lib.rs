@@ -6,6 +6,5 @@
 pub mod image;
 #[path = "../recettes/mod.rs"]
 pub mod recettes;
-pub mod scenario;
 pub mod scene;
 pub mod surete;

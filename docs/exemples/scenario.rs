@@ -1,10 +1,13 @@
-//! From a file to a lit picture, in as few lines as may be: the program at the head of `docs/README.md`, where a
-//! student copies it, and `tests/fichiers/scenario.rs` runs it.
+//! From a file to a lit picture, in as few lines as may be: a student copies this program, `scene.rs` and
+//! `scenario.ron` into a package of their own (`docs/README.md`). `tests/fichiers/scenario.rs` runs it.
+
+#[allow(dead_code, unreachable_pub)] // This program does not use all of it.
+mod scene;
 
 use std::error::Error;
 
-use crate::scene::Scene;
 use lancer_rayon::*;
+use scene::Scene;
 
 /// What the handout calls a scenario: a scene as `scene.rs` reads it, its colours and its light.
 #[derive(serde::Deserialize)]
@@ -23,7 +26,7 @@ struct Lampe {
 }
 
 /// The picture of this scenario, as the text of a PPM file.
-pub fn image(scenario: &str) -> Result<String, Box<dyn Error>> {
+pub(crate) fn image(scenario: &str) -> Result<String, Box<dyn Error>> {
     let Scenario { ambiante, lampes, couleurs, scene } = ron::from_str(scenario)?;
     let objets: Vec<ObjetRay> = scene.objets.iter().map(|objet| objet.vers_ray()).collect();
     let mut places = vec![0.0; places(objets.len())];
@@ -51,7 +54,7 @@ pub fn image(scenario: &str) -> Result<String, Box<dyn Error>> {
     Ok(image)
 }
 
-pub fn main() -> Result<(), Box<dyn Error>> {
+fn main() -> Result<(), Box<dyn Error>> {
     let scenario = std::fs::read_to_string("scenario.ron")?;
     Ok(std::fs::write("image.ppm", image(&scenario)?)?)
 }

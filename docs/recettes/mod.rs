@@ -1,7 +1,14 @@
-//! The programs of the recipes of `docs/README.md` that are longer than a few lines. Each stands alone, and
-//! `tests/enonce/recettes.rs` checks it against a closed form.
+//! The programs of the recipes of `docs/README.md` and `docs/choisir.md`. Each stands alone. `tests/enonce` runs them,
+//! most against a closed form, and `tests/fichiers/programmes.rs` holds what the pages show to these files.
 
+pub mod animation;
+pub mod atlas;
+pub mod au_loin;
 pub mod brume;
+pub mod caches;
+pub mod capteur;
+pub mod damier;
+pub mod deux_mondes;
 pub mod lentille;
 pub mod milieux;
 pub mod particule;

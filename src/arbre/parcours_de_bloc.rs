@@ -35,7 +35,7 @@ const AILLEURS: usize = 1;
 
 /// Sixteen rays are tried alone where their probe is at most this many times as wide as that of
 /// their block.
-const PLUS_ETROIT: f32 = 0.75;
+const PLUS_ETROIT: f32 = 0.6;
 
 /// A probe that enters fewer children of a node than this is not too wide.
 const ENFANTS_CROISES: u32 = ENFANTS as u32 / 2;
@@ -78,30 +78,28 @@ impl<R: Nombre> Arbre<'_, R> {
         simd.vectorize(
             #[inline(always)]
             || {
-                let ailleurs = vont_ailleurs(rayons);
+                let (ailleurs, un_suffit) = (vont_ailleurs(rayons), bloc.un_suffit());
+                let vaut_la_liste = || self.mieux_vaut_la_liste(simd, liste, un_suffit, rayons);
+                let mut en_liste = ailleurs > 0 && vaut_la_liste();
+                if ailleurs > AILLEURS && !en_liste {
+                    return None;
+                }
+                bloc.charger(rayons);
+                if !en_liste {
+                    bloc.interroger_ceux(simd, liste, self.sans_boite);
+                }
                 let mut largeur = f32::INFINITY;
                 if ailleurs == 0 {
-                    bloc.charger(rayons);
-                    bloc.interroger_ceux(simd, liste, self.sans_boite);
                     let (sonde, de_tous) = self.sonder(simd, bloc);
                     if self.descendre_en_bloc(simd, liste, sonde, (bloc, rayons)) {
                         return Some(0);
                     }
                     largeur = PLUS_ETROIT * de_tous;
+                    en_liste = vaut_la_liste();
                 }
-                if self.mieux_vaut_la_liste(simd, liste, bloc, rayons) {
-                    if ailleurs > 0 {
-                        bloc.charger(rayons);
-                    }
+                if en_liste {
                     bloc.interroger(simd, liste);
                     return Some(0);
-                }
-                if ailleurs > AILLEURS {
-                    return None;
-                }
-                if ailleurs > 0 {
-                    bloc.charger(rayons);
-                    bloc.interroger_ceux(simd, liste, self.sans_boite);
                 }
                 let mut restent = 0;
                 for (i, rayons) in rayons.chunks(VOIES).enumerate() {
@@ -176,20 +174,18 @@ impl<R: Nombre> Arbre<'_, R> {
     /// Whether it takes less time to ask all objects for these rays side by side than to send the
     /// rays through the tree one by one. It does if there are few objects, in a heap, most of whose
     /// boxes a ray crosses, and where boxes tell no objects apart.
-    #[inline(always)]
     fn mieux_vaut_la_liste<S: Simd>(
         &self,
         simd: S,
         liste: &Liste<'_, R>,
-        bloc: &Bloc<'_, R>,
+        un_suffit: bool,
         rayons: &[Rayon<R>],
     ) -> bool {
         let avec_boite = liste.objets.len() - self.sans_boite.len();
         let nombres = nombres_par_registre::<R, S>();
         let de_trop = avec_boite.saturating_sub(OBJETS_PAR_NOMBRE * nombres) as f32;
         // A shadow ray asks few of the objects that it crosses.
-        let croises =
-            if bloc.un_suffit() { 0.0 } else { self.part_des_croises * avec_boite as f32 };
+        let croises = if un_suffit { 0.0 } else { self.part_des_croises * avec_boite as f32 };
         let en_moins = croises * PART_DES_CROISES * nombres as f32;
         // Only rays that meet the heap count.
         de_trop == 0.0

@@ -52,6 +52,11 @@ struct Axe {
 /// A ray that is this far before Z is before all boxes, which lie within 1 of Z with their slack.
 const AVANT_LES_BOITES: f64 = 2.0;
 
+/// √3 and a little more: no unit vector has a larger sum of coordinates.
+const RACINE_DE_TROIS: f32 = 1.75;
+
+const _: () = assert!(RACINE_DE_TROIS * RACINE_DE_TROIS > 3.0);
+
 impl<R: Nombre> Sonde<R> {
     /// The probe of this ray; `None` if its slack is so large that boxes tell no objects apart.
     #[inline(always)]
@@ -118,7 +123,7 @@ impl<R: Nombre> Sonde<R> {
         let jeu = norme * (distance + simple(fois_u_simple::<R>(JEU_F32))) + JEU_SOUS_NORMAL;
         // T3. The sources are farther away by no more than √3τ₀.
         let jeu = if selon::<R, _>(false, true) {
-            jeu + simple(depart.abs()) * (1.75 * distance)
+            jeu + simple(depart.abs()) * (RACINE_DE_TROIS * distance)
         } else {
             jeu
         };

@@ -92,12 +92,12 @@ impl<'a, R: Nombre> Bloc<'a, R> {
     #[inline(always)]
     pub(crate) fn charger(&mut self, rayons: &[Rayon<R>]) {
         self.demander_a(0..rayons.len().div_ceil(VOIES));
-        self.flou = rayons.iter().any(|rayon| rayon.su() > R::ZERO);
+        self.flou = false;
         for (i, rayons) in rayons.chunks(VOIES).enumerate() {
             if i == self.groupes.len() {
                 self.groupes.push(Groupe::VIDE);
             }
-            self.groupes[i].charger(rayons, self.flou);
+            self.flou |= self.groupes[i].charger(rayons);
         }
     }
 

@@ -27,7 +27,7 @@ const COTE_A_COTE: u32 = 3;
 pub(crate) struct Groupe<R> {
     s: [Colonne<R>; 3],
     d: [Colonne<R>; 3],
-    /// The δ of each ray, where some ray of the block has one above 0.
+    /// The δ of each ray.
     flous: Colonne<R>,
     t: Colonne<R>,
     rangs: Colonne<Option<Rang>>,
@@ -43,31 +43,28 @@ impl<R: Nombre> Groupe<R> {
     };
 
     /// Loads these rays, at most sixteen, with no object so far; the last stands in for those that
-    /// are missing. `flou` says that some ray has a δ above 0.
+    /// are missing. Returns whether some ray has a δ above 0.
     #[inline(always)]
-    pub(crate) fn charger(&mut self, rayons: &[Rayon<R>], flou: bool) {
+    pub(crate) fn charger(&mut self, rayons: &[Rayon<R>]) -> bool {
         if let Some(rayons) = rayons.first_chunk() {
-            self.copier(rayons, flou);
+            self.copier(rayons);
         } else if let Some(dernier) = rayons.last() {
             let mut complets = [*dernier; VOIES];
             complets[..rayons.len()].copy_from_slice(rayons);
-            self.copier(&complets, flou);
+            self.copier(&complets);
         }
+        le_plus_grand(self.flous) > R::ZERO
     }
 
     #[inline(always)]
-    fn copier(&mut self, rayons: &[Rayon<R>; VOIES], flou: bool) {
+    fn copier(&mut self, rayons: &[Rayon<R>; VOIES]) {
         self.rangs = [None; VOIES];
         for (voie, rayon) in rayons.iter().enumerate() {
             let (s, d) = (rayon.source(), rayon.direction());
             [self.s[0][voie], self.s[1][voie], self.s[2][voie]] = s.into();
             [self.d[0][voie], self.d[1][voie], self.d[2][voie]] = d.into();
             self.t[voie] = rayon.fin();
-        }
-        if flou {
-            for (voie, rayon) in rayons.iter().enumerate() {
-                self.flous[voie] = rayon.flou();
-            }
+            self.flous[voie] = rayon.flou();
         }
     }
 
@@ -184,6 +181,7 @@ impl<R: Nombre> Groupe<R> {
         rayons: &[Rayon<R>],
         touches: &mut [Reponse<R>],
     ) {
+        let rayons = &rayons[..touches.len()];
         let mut contacts = Contacts::VIDES;
         let mut restent = 0;
         for (voie, touche) in touches.iter_mut().enumerate() {

@@ -9,6 +9,7 @@ use commun::fabrique::{avec_arbre, boite, boite_droite, v};
 use commun::facons::noeuds;
 use commun::scenes::{melange, rayons_camera};
 use commun::{Bits, en_f32_et_f64};
+use exemples::recettes::deux_mondes;
 use lancer_rayon::pour_les_tests::Reglage;
 use lancer_rayon::{
     Choix, Intersection, Monde, NoIntersection, ObjetRay, PlanGeo, Rayon, Reel, Reponse, Rotation,
@@ -145,17 +146,14 @@ fn deux_mondes_repondent_comme_une_liste<R: Bits>() {
     let ensemble = [fixes, &mobiles].concat();
     let (mut de_mobile, mut ex_aequo) = (0, 0);
     for rayon in rayons_camera::<R>(60, 40) {
-        let de_fixe = fixe.premiere_intersection(&rayon);
-        let avant = de_fixe.map_or(R::INFINI, |touche| touche.distance());
-        let plus_pres = mobile.premiere_intersection(&rayon.jusqu_a(avant).unwrap());
-        let decalage = if plus_pres.is_ok() { fixes.len() } else { 0 };
-        let trouvee = mots(&plus_pres.or(de_fixe));
+        let trouvee = deux_mondes::premiere(&fixe, &mobile, &rayon);
+        let reponse = trouvee.map(|(_, touche)| touche).ok_or(NoIntersection);
         let voulue = mots(&premiere_intersection(&ensemble, &rayon));
-        assert_eq!(trouvee.valeurs, voulue.valeurs, "{rayon:?}");
-        assert_eq!(trouvee.objet.map(|i| i + decalage), voulue.objet, "{rayon:?}");
-        de_mobile += u32::from(plus_pres.is_ok());
-        let egale = mobile.premiere_intersection(&rayon).is_ok_and(|t| t.distance() == avant);
-        ex_aequo += u32::from(egale);
+        assert_eq!(mots(&reponse).valeurs, voulue.valeurs, "{rayon:?}");
+        assert_eq!(trouvee.map(|(indice, _)| indice), voulue.objet, "{rayon:?}");
+        de_mobile += u32::from(trouvee.is_some_and(|(indice, _)| indice >= fixes.len()));
+        let [a, b] = [&fixe, &mobile].map(|monde| monde.premiere_intersection(&rayon).ok());
+        ex_aequo += u32::from(a.zip(b).is_some_and(|(a, b)| a.distance() == b.distance()));
     }
     assert!(de_mobile > 20 && ex_aequo > 20, "{de_mobile} of what moves, {ex_aequo} at one place");
 }

@@ -1,5 +1,6 @@
-//! The recipes of `docs/README.md`, each against a closed form: a place of one's own, glass on a table, a particle in a
-//! room, a scattering medium, a lens of two balls, media one within the other.
+//! The recipes of `docs/README.md` and `docs/choisir.md`, most against a closed form: a place of one's own, patterns, a
+//! tree in a program, hidden objects, a scene far away, glass on a table, a particle in a room, a scattering medium, a
+//! lens of two balls, media one within the other. (Two worlds are in `choix.rs`.)
 
 use std::f64::consts::PI;
 
@@ -9,13 +10,19 @@ use commun::oracle::hauteur;
 use commun::regimes::{direction, entre};
 use commun::tolerances::u;
 use commun::{arrondi, en_f32_et_f64};
+use exemples::recettes::animation::Animation;
 use exemples::recettes::brume::chemin;
+use exemples::recettes::capteur::capteur;
 use exemples::recettes::lentille::traverser;
 use exemples::recettes::milieux::{Lumiere, Milieu};
 use exemples::recettes::particule::Particule;
 use exemples::recettes::verre::{Suite, dans_le_verre};
+use exemples::recettes::{atlas, au_loin, caches, damier};
 use fastrand::Rng;
-use lancer_rayon::{Face, Monde, ObjetRay, Rayon, Reel, Rotation, Vecteur, places};
+use lancer_rayon::{
+    BoiteGeo, Face, Monde, NoIntersection, ObjetGeo, ObjetRay, Rayon, Reel, Rotation, SphereGeo,
+    Texture, Vecteur, places, premiere_intersection,
+};
 
 /// Places on the wall of a house against which a taller one stands flush: no sun comes there. On the other wall every
 /// sun that the wall faces does. Turned houses anywhere, whose walls as stored overlap or leave a crack, by rounding.
@@ -28,28 +35,30 @@ fn un_mur_mitoyen_est_a_l_ombre<R: Reel>() {
         let maison = boite(centre, v(l, h, p), tour);
         let voisin = centre + tour.appliquer(v(l, h / 2.0, 0.0));
         let objets = [maison, boite(voisin, v(l, 2.0 * h, 1.5 * p), tour)];
-        let [x, y, z] = tour.axes();
+        let [_, y, z] = tour.axes();
         let lieux = alea.liste(50, |alea, _| {
             let [y, z] =
                 [(y, h), (z, p)].map(|(n, l)| n * R::depuis_f64(entre(alea, -0.49, 0.49) * l));
             let soleil = direction(alea);
-            let soleil = arrondi::<R>(Vecteur::new(soleil.x, soleil.y.abs(), soleil.z));
-            (centre + y + z, soleil)
+            (y + z, arrondi::<R>(Vecteur::new(soleil.x, soleil.y.abs(), soleil.z)))
         });
-        (objets, x, lieux)
+        (objets, lieux)
     };
-    pour_chaque(200, faire, |(objets, x, lieux)| {
+    pour_chaque(200, faire, |(objets, lieux)| {
         let [maison @ ObjetRay::Boite(boite), _] = objets else { unreachable!("made as a box") };
         let monde = Monde::de_liste(&objets);
-        for (dedans, soleil) in lieux {
-            for (n, cache) in [(x, true), (-x, false)] {
-                let capteur = maison.sortie(&Rayon::new(dedans, n).unwrap()).unwrap();
+        for (vers, soleil) in lieux {
+            for (face, cache) in [(Face::PlusX, true), (Face::MoinsX, false)] {
+                let (milieu, n) = boite.face(face);
+                let capteur = capteur(boite, face, milieu + vers).unwrap();
+                // Some roundings of numbers below 200, and nowhere near the size of the wall.
+                let ecart = (capteur.point() - milieu - vers).longueur().vers_f64();
+                assert!(ecart < 4_000.0 * u::<R>(), "{ecart:e}");
                 let Ok(ombre) = capteur.vers_soleil(soleil) else { continue };
                 assert_eq!(monde.est_occulte(&ombre), cache, "{ombre:?}");
                 let naif = Rayon::new(capteur.point(), soleil).unwrap();
                 // C + l·N rounds by u of the product and of the sum, and N is unit to 6.1u.
-                let face = if cache { Face::PlusX } else { Face::MoinsX };
-                let ((milieu, _), [l, ..]) = (boite.face(face), boite.demi_longueurs());
+                let [l, ..] = boite.demi_longueurs();
                 let flou = 10.0 * u::<R>() * (boite.centre().longueur() + l).vers_f64();
                 assert!(hauteur(&maison, n, milieu).abs() <= flou);
                 let du_milieu = Rayon::new(milieu, soleil).unwrap();
@@ -64,6 +73,72 @@ fn un_mur_mitoyen_est_a_l_ombre<R: Reel>() {
 }
 
 en_f32_et_f64!(un_mur_mitoyen_est_a_l_ombre);
+
+/// The pattern of a turned box is that of the box before it was turned, and so is the map of a ball.
+#[test]
+fn un_motif_tourne_avec_son_objet() {
+    let tour = Rotation::new(v(0.4, -1.1, 2.5)).unwrap();
+    let boite = BoiteGeo::new(v(3.0, 1.0, -2.0), v(2.0, 2.0, 4.0), tour, Texture(0)).unwrap();
+    let boite = boite.vers_ray();
+    for (lieu, sombre) in [([0.2, 0.3], false), ([0.7, 0.3], true), ([-0.2, 0.3], true)] {
+        let d = tour.appliquer(-Vecteur::Z);
+        let source = boite.centre() + tour.appliquer(v(lieu[0], lieu[1], 9.0));
+        let rayon = Rayon::new(source, d).unwrap();
+        // The face lies at z = 2, in cell 4.
+        let touche = ObjetRay::from(boite).intersection(&rayon).unwrap();
+        assert_eq!(damier::sombre(&boite, &rayon, &touche, 0.5), sombre, "{lieu:?}");
+    }
+    let boule = sphere(v(1.0, 2.0, 3.0), 1.0);
+    for (d, attendue) in
+        [(v(0.3, 0.2, 1.0), [4, 1]), (v(0.1, 5.0, 0.3), [4, 0]), (v(-0.2, -0.3, -1.0), [0, 2])]
+    {
+        let d = tour.appliquer(d);
+        let touche = boule.intersection(&Rayon::new(v(1.0, 2.0, 3.0) + d * 3.0, -d).unwrap());
+        assert_eq!(atlas::case(&touche.unwrap(), tour, [8, 4]), attendue);
+    }
+}
+
+/// Pictures of more and of fewer objects, one after another: each is that of its list.
+#[test]
+fn chaque_image_est_celle_de_ses_objets() {
+    let boule = |x: f64| ObjetGeo::from(SphereGeo::new(v(x, 0.0, 0.0), 0.4, Texture(0)).unwrap());
+    let mut animation = Animation::default();
+    for image in [3, 40, 0, 12] {
+        let decrits: Vec<_> = (0..image).map(|i| boule(f64::from(i))).collect();
+        let objets: Vec<_> = decrits.iter().map(|objet| objet.vers_ray()).collect();
+        let rayons =
+            [0.0, 2.1, 11.0, 30.0].map(|x| Rayon::new(v(x, 0.0, 9.0), -Vecteur::Z).unwrap());
+        let mut touches = [Err(NoIntersection); 4];
+        animation.placer(&decrits);
+        animation.image(&rayons, &mut touches).unwrap();
+        assert_eq!(touches, rayons.map(|rayon| premiere_intersection(&objets, &rayon)), "{image}");
+    }
+}
+
+/// Objects hidden one by one show the next; what a caller left out never shows.
+#[test]
+fn ce_qu_on_cache_montre_le_suivant() {
+    let objets = [-9.0, -4.0, 2.0, -6.0].map(|z| sphere(v(0.0, 0.0, z), 1.0));
+    let rayon = Rayon::new(Vecteur::NUL, -Vecteur::Z).unwrap();
+    assert_eq!(caches::un_par_un(Monde::de_liste(&objets), &rayon), [1, 3, 0]);
+}
+
+/// A kilometre from the origin of a map, a place is known to some micrometres where the scene in `f32` knows it to a tenth
+/// of a metre.
+#[test]
+fn au_loin_un_lieu_se_trouve_pres_d_une_origine() {
+    let origine = v(500_000.0, 0.0, 4_200_000.0);
+    let boule = SphereGeo::new(origine + v(1.3, 2.1, -4.7), 0.7, Texture(0)).unwrap();
+    let objets = [ObjetGeo::from(boule)];
+    let rayon = Rayon::new(origine + v(0.3, 0.1, 5.0), v(1.1, 1.9, -10.0)).unwrap();
+    let attendu = premiere_intersection(&[objets[0].vers_ray()], &rayon).unwrap().point();
+    let trouve = |origine| {
+        let scene = au_loin::scene(&objets, origine).unwrap();
+        au_loin::lieu(&scene, rayon, origine).unwrap_or(Vecteur::NUL)
+    };
+    assert!((trouve(origine) - attendu).longueur() < 1e-5, "{:?} {attendu:?}", trouve(origine));
+    assert!((trouve(Vecteur::NUL) - attendu).longueur() > 1e-2);
+}
 
 /// Heights of all kinds: of few digits, of many, halves, far up, and small.
 fn hauteurs(alea: &mut Hasard) -> [f64; 2] {

@@ -6,6 +6,7 @@ mod etiquettes;
 mod figures;
 mod lexique;
 mod pixels;
+mod programmes;
 mod rendu;
 mod scenario;
 mod scenes;

@@ -1,4 +1,4 @@
-//! The error of each implementation in each regime, against the oracle: `docs/precision.md`.
+//! The error of each implementation in each regime, against the oracle: `benches/erreurs.md`.
 
 use std::error::Error;
 
@@ -39,8 +39,8 @@ pub(crate) fn repondants<R: Parry>() -> [Repondant<R>; 3] {
 }
 
 pub(crate) fn documenter() -> Result<(), Box<dyn Error>> {
-    page::remplacer("docs/precision.md", "errors", &page::datee(&erreurs()))?;
-    page::remplacer("docs/precision.md", "bounds", &page::datee(&bornes()))?;
+    page::remplacer("benches/erreurs.md", "errors", &page::datee(&erreurs()))?;
+    page::remplacer("benches/erreurs.md", "bounds", &page::datee(&bornes()))?;
     courbes()
 }
 

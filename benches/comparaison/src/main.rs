@@ -2,7 +2,7 @@
 //! obvhs and beside Embree, with the same objects and the same rays.
 //!
 //! `cargo run --release -p comparaison` prints the times, in nine minutes; with `documents` it measures errors
-//! as well, and writes the tables and plots of `docs/choisir.md`, `docs/precision.md` and `benches/README.md`, and five
+//! as well, and writes the tables and plots of `docs/choisir.md`, `benches/README.md` and `benches/erreurs.md`, and five
 //! files of `benches/mesures`. `--features embree` takes Embree 3.13 along (`apt-get install libembree-dev`).
 
 mod annexe;
@@ -38,8 +38,8 @@ mod double {
 /// What is written into pages beside the table of the cells.
 const AUTRES: [(&str, &str); 3] = [
     ("docs/choisir.md", "variants"),
-    ("docs/precision.md", "errors"),
-    ("docs/precision.md", "bounds"),
+    ("benches/erreurs.md", "errors"),
+    ("benches/erreurs.md", "bounds"),
 ];
 
 fn main() -> Result<(), Box<dyn Error>> {

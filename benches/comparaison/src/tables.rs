@@ -46,9 +46,15 @@ const AU_RESUME: [Genre; 5] =
     [Genre::Tuiles, Genre::Miroirs, Genre::Diffus, Genre::SansOrdre, Genre::Ombres];
 
 /// Ours beside theirs, and one by one beside our batch.
-const QUESTIONS: [Question; 7] = [
+const QUESTIONS: [Question; 8] = [
     Question { nom: "one by one: parry", scalaire: "f32", ici: SEUL, autres: &[Camp::Parry] },
     Question { nom: "one by one: Embree", scalaire: "f32", ici: SEUL, autres: &[Camp::Embree] },
+    Question {
+        nom: "one by one: the better of parry and Embree",
+        scalaire: "f32",
+        ici: SEUL,
+        autres: &[Camp::Parry, Camp::Embree],
+    },
     Question {
         nom: "fastest of all ways: parry, Embree ×1, ×16",
         scalaire: "f32",
