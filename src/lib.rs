@@ -66,9 +66,10 @@
 //! is not hit from inside or from its surface, and a ray tangent to a sphere misses. A ray that
 //! starts from a hit carries [a bound δ on the error of its start](Rayon::flou). If the start lies
 //! in an object less deep than δ and o, the rounding of that object, and the ray goes further in,
-//! it hits that object at t = 0. Therefore no ray leaves a closed room whose walls reach into each
-//! other by more than 2(δ + o). (o is 44u of a radius or of the sum of half-lengths: 0.03 mm in
-//! `f32` for a wall of 10 m.)
+//! it hits that object at t = 0. Therefore no chain of such rays leaves a closed room whose walls
+//! are thicker than 2(δ + o) and reach as far into each other, with the δ of the ray that would
+//! start at the next hit. (o is 44u of a radius or of the sum of half-lengths: 0.03 mm in `f32` for
+//! a wall of 10 m.)
 //!
 //! ```
 //! # use lancer_rayon::*;

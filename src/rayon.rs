@@ -112,7 +112,7 @@ impl<R: Nombre> Rayon<R> {
     /// starts inside that object and does not see it. A ray that [starts from a
     /// hit](crate::Intersection::secondaire) knows its δ, as does one from [a place of your
     /// own](crate::ObjetRay::sortie). A point C + l·N as computed, the middle of a face, lies within
-    /// 10u(|C| + l) of the face.
+    /// 14u(|C| + l) of the face.
     ///
     /// # Errors
     /// If `flou` is not finite or below 0.
@@ -347,7 +347,7 @@ pub const FLOU_POINT: f64 = 8.1;
 
 /// How much larger δ is made, in u of itself: for its own roundings, those where it is compared, and
 /// a step along an N that is not exactly unit (lemma 23).
-pub const FLOU_RELATIF: f64 = 15.0;
+pub const FLOU_RELATIF: f64 = 16.0;
 
 /// The δ of a ray that starts a step `pas` away from the point P at distance t of one with this δ
 /// (lemma 23). It is finite, as this δ and the others are.

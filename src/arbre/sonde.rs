@@ -11,7 +11,7 @@ use fearless_simd::f32x16;
 use fearless_simd::prelude::*;
 
 use crate::algebre::nombre::{Nombre, fois_u, fois_u_simple, max, min, selon, simple};
-use crate::arbre::noeud::Noeud;
+use crate::arbre::noeud::{COIN_ABSENT, Noeud};
 use crate::arbre::repere::{JEU_DISTANCE, JEU_F32, JEU_SOUS_NORMAL, Repere};
 use crate::cote_a_cote::colonne::{Aligne, Colonne, Membres};
 use crate::cote_a_cote::groupe::{Groupe, VOIES};
@@ -82,8 +82,11 @@ impl<R: Nombre> Sonde<R> {
     /// or else 0, where they start. From there on every ray lies between the edges.
     #[inline(always)]
     pub(crate) fn depart_commun(groupes: &[Groupe<R>], repere: Repere<R>) -> R {
-        let avant_z =
-            |rayon: Rayon<R>| -repere.point(rayon.source()).produit_scalaire(rayon.direction());
+        // Far away the length of a widened direction counts, which is 1 to `f32` only.
+        let avant_z = |rayon: Rayon<R>| {
+            let (y, d) = (repere.point(rayon.source()), rayon.direction());
+            -y.produit_scalaire(d) / d.longueur_carree()
+        };
         let avant = R::depuis_f64(AVANT_LES_BOITES);
         if selon::<R, _>(true, false) || avant_z(groupes[0].rayon(0)) <= avant {
             return R::ZERO;
@@ -131,10 +134,11 @@ impl<R: Nombre> Sonde<R> {
         (jeu < repere.jeu_maximal).then_some(Self { axes, depart })
     }
 
-    /// The largest entry that matters before this distance from the source.
+    /// The largest entry that matters before this distance from the source. It lies before those of
+    /// children that are missing, which a probe whose rays part along all axes never leaves.
     #[inline(always)]
     pub(crate) fn plafond(&self, repere: Repere<R>, t: R) -> f32 {
-        simple(repere.longueur(t) - self.depart)
+        min(simple(repere.longueur(t) - self.depart), 0.5 * COIN_ABSENT)
     }
 
     /// The entry of a box that may hold a source; that of any other box is larger.

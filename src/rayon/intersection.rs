@@ -232,8 +232,9 @@ impl<R: Nombre> Intersection<R> {
     /// one with a radius of 64u·|f| + a or more never, unless it is touched [at
     /// once](crate::Rayon::flou) from deeper than 0.22 of the radius.
     ///
-    /// Of a flat face that is touched at once it is a few times the depth of the source, so that the
-    /// next ray starts farther off.
+    /// Of a flat face that is touched at once it has in it how deep the source lies under the deepest
+    /// of the faces that the ray may have come in by, less than [δ and o](crate::Rayon::flou), so
+    /// that the next ray starts farther off.
     ///
     /// ```
     /// use lancer_rayon::{ObjetRay, Rayon, SphereGeo, Texture, Vecteur};

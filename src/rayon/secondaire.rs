@@ -26,9 +26,9 @@ impl<R: Nombre> Rayon<R> {
     ///
     /// The new ray carries [δ](Self::flou) as a ray from a hit does, so that a particle whose step
     /// ends within rounding of a wall, or just behind it, does not leave the room: one whose walls
-    /// reach into each other by more than 2(δ + o), with o of [`flou`](Self::flou). That holds if
-    /// this ray touches nothing before `distance`. A ray that is [inside](Self::dedans) something
-    /// stays so.
+    /// are thicker than 2(δ + o) and reach as far into each other, with o of [`flou`](Self::flou)
+    /// and the δ of the ray that would start at the next hit. That holds if this ray touches nothing
+    /// before `distance`. A ray that is [inside](Self::dedans) something stays so.
     ///
     /// # Errors
     /// If `distance` is below 0 or not finite, if the direction is zero or not finite, or if the
@@ -74,11 +74,12 @@ impl<R: Nombre> Intersection<R> {
     ///
     /// **In the corner of a second object** the start may lie inside that object by rounding. An
     /// outward ray carries [a bound on the error of its start](Rayon::flou), and touches such an
-    /// object at once, at distance 0, if it goes further in. So no ray leaves a closed room whose
-    /// walls reach into each other by more than 2(δ + o), with o of [`flou`](Rayon::flou), and light
-    /// out of a glass finds the table under it. An inward ray is [inside
-    /// something](Rayon::dedans), and so are the rays that start from its hits until they are out
-    /// again: such rays touch only what they enter from outside.
+    /// object at once, at distance 0, if it goes further in. So no chain of outward rays leaves a
+    /// closed room whose walls are thicker than 2(δ + o) and reach as far into each other, with o of
+    /// [`flou`](Rayon::flou) and the δ of the ray that would start at the next hit; and light out of
+    /// a glass finds the table under it. An inward ray is [inside something](Rayon::dedans), and so
+    /// are the rays that start from its hits until they are out again: such rays touch only what
+    /// they enter from outside.
     ///
     /// **The exception**: within rounding of a box edge, or in a box no thicker than twice the step, an
     /// inward ray may start outside, and touch the other face of that edge.
@@ -117,8 +118,8 @@ impl<R: Nombre> Intersection<R> {
     /// From a [way out](crate::ObjetRay::sortie), where D·N > 0, the mirrored ray goes inward, as
     /// in glass that does not let light out. Where the ray grazes, rounding may turn the mirrored
     /// direction below the surface, and the direction is then turned outward, as one in the tangent
-    /// plane is. Otherwise it is within an angle of 20u of that of an exact mirror at N
-    /// (`docs/preuves.md`, lemma 9).
+    /// plane is. Otherwise it is within an angle of 20u of that of an exact mirror at N for the D of
+    /// a ray (`docs/preuves.md`, lemma 9).
     ///
     /// # Errors
     /// As [`secondaire`](Self::secondaire): if the direction is zero or not finite, if `marge` is
@@ -156,8 +157,8 @@ impl<R: Nombre> Intersection<R> {
     /// `rapport` is η, the index of refraction of what the light comes from over that of what it
     /// goes into: 1/1.5 where it enters glass from air, 1.5 where it leaves. From the ray,
     /// |N·D| is the cosine behind the surface, which Fresnel's formula asks for. Up to η = 1,000
-    /// the direction is within an angle of sine 9.2u(1 + η)/c of the exact one at N, with c the
-    /// exact cosine (`docs/preuves.md`, lemma 9).
+    /// the direction is within an angle of sine 9.2u(1 + η)/c of the exact one at N for the D of a
+    /// ray, with c the exact cosine (`docs/preuves.md`, lemma 9).
     ///
     /// # Errors
     /// **Total reflection**: the error names `refraction`, and gives the square of the cosine

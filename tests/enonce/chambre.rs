@@ -7,11 +7,12 @@ use commun::facons::comparer;
 use commun::hasard::{Hasard, Tirage, pour_chaque};
 use commun::oracle::Exact;
 use commun::passages::{flou_du_point, flou_propre, profondeur};
-use commun::regimes::{deux_puissance, direction};
+use commun::regimes::{deux_puissance, direction, entre};
 use commun::tolerances::u;
 use commun::{Bits, arrondi, cas, en_f32_et_f64};
 use lancer_rayon::{
-    Intersection, Monde, NoIntersection, ObjetRay, PlanGeo, Rayon, Reel, Rotation, Texture, Vecteur,
+    Intersection, Monde, NoIntersection, ObjetRay, PlanGeo, Rayon, Reel, Rotation, Texture,
+    Vecteur, premiere_intersection,
 };
 
 /// Walls, then furniture; and points of the seams between them, towards which rays are sent.
@@ -364,6 +365,40 @@ fn un_rayon_le_long_d_une_face_n_en_sort_pas() {
     assert!(!objets[1].contient(suite.source()), "the ray goes along over the floor");
     assert_eq!(monde.premiere_intersection(&suite).map(|t| t.distance()), Ok(0.0));
 }
+
+/// From far away, straight at the seam of two boxes, so that no ray meets a side within it: how they are turned, where the
+/// ray starts, and where it goes.
+fn vers_un_joint<R: Reel>(alea: &mut Hasard) -> (Rotation<R>, [f64; 2], Vec<[f64; 2]>) {
+    let tour = Rotation::new(arrondi(direction(alea) * 3.0)).unwrap();
+    let mut deux = |alea: &mut Hasard| [(); 2].map(|()| entre(alea, -1.0, 1.0));
+    (tour, deux(alea), alea.liste(8, |alea, _| deux(alea)))
+}
+
+/// The δ that two walls are to reach into each other by is that of the next ray. One from far away has none, and passes
+/// between walls that reach by four times their o; it loses on its way what a ray that started there would know it lost.
+fn un_rayon_venu_de_loin_perd_son_chemin<R: Reel>() {
+    let mut passent = 0;
+    pour_chaque(cas(500), vers_un_joint::<R>, |(tour, [haut, cote], cibles)| {
+        let [x, y, z] = tour.axes().map(|axe| axe.vers_f64());
+        let source = arrondi::<R>(z * 1000.0 + y * (100.0 * haut) + x * (1e5 * u::<R>() * cote));
+        let coffre = |c| boite(arrondi(x * c), v(1.0, 1.0, 0.2), tour);
+        let propre = flou_propre(&coffre(0.0));
+        let flou = flou_du_point(R::depuis_f64(1010.0), v(0.5, 0.5, 0.5));
+        for (large, assez) in [(4.0 * propre, false), (2.0 * (flou + propre), true)] {
+            let murs = [0.5 - large / 2.0, large / 2.0 - 0.5].map(coffre);
+            for [haut, cote] in &cibles {
+                let cible = z * 0.1 + y * (0.3 * haut) + x * (large * cote);
+                let rayon = Rayon::new(source, arrondi::<R>(cible) - source).unwrap();
+                let passe = premiere_intersection(&murs, &rayon).is_err();
+                assert!(!(passe && assez), "{rayon:?} passes {murs:?}");
+                passent += u32::from(passe);
+            }
+        }
+    });
+    assert!(passent > cas(20));
+}
+
+en_f32_et_f64!(un_rayon_venu_de_loin_perd_son_chemin);
 
 /// Boxes whose corners are points of a grid and half-spaces through it, all flush, and rays towards points and lines of the
 /// grid or beside them.

@@ -1,12 +1,14 @@
 //! Lemma 19 of `docs/preuves.md`: the probe of many rays enters every box that the probe of one of them enters, and no
 //! later.
 
-use commun::fabrique::avec_arbre;
+use commun::fabrique::{avec_arbre, sphere};
+use commun::facons::comparer_dans;
 use commun::hasard::{Hasard, Tirage, pour_chaque};
 use commun::regimes::{deux_puissance, direction, gerbe};
-use commun::{Bits, en_f32_et_f64, scenes};
-use lancer_rayon::Rayon;
+use commun::{Bits, arrondi, en_f32_et_f64, scenes};
+use fastrand::Rng;
 use lancer_rayon::pour_les_tests::{Reglage, sonder};
+use lancer_rayon::{Monde, ObjetRay, Rayon};
 
 /// Rays from about one place: near, amid the objects or far away.
 fn rayons<R: Bits>(alea: &mut Hasard) -> Vec<Rayon<R>> {
@@ -45,3 +47,56 @@ fn la_sonde_de_plusieurs_rayons_entre_ou_l_un_d_eux_entre<R: Bits>() {
 }
 
 en_f32_et_f64!(la_sonde_de_plusieurs_rayons_entre_ou_l_un_d_eux_entre);
+
+/// Small spheres, and rays that start near each other and far away, whose directions are as long as one may be that is kept
+/// (C13).
+fn venus_de_loin(alea: &mut Hasard) -> (Vec<ObjetRay>, Vec<Rayon>) {
+    let longueur = 1.0 + 5.9 * f64::from(f32::EPSILON) / 2.0;
+    let boule = |alea: &mut Hasard, _| sphere::<f32>(arrondi(direction(alea) * 0.9), 0.02);
+    let objets = alea.liste(100, boule);
+    let (de, loin) = (direction(alea), deux_puissance(alea, 24.5, 25.2));
+    let cible = direction(alea) * 0.5;
+    let rayons = alea.liste(1_500, |alea, _| {
+        let ou = (de + direction(alea) * 0.15).unitaire().unwrap() * loin;
+        let ou = arrondi::<f32>(ou);
+        let vers = cible + direction(alea) * 0.1 - ou.vers_f64();
+        Rayon::new(ou, arrondi(vers.unitaire().unwrap() * longueur)).unwrap().temoin_f64()
+    });
+    (objets.iter().map(ObjetRay::temoin_f64).collect(), rayons)
+}
+
+/// A direction that `temoin_f64` widened is unit only to the rounding of `f32`. From twenty million units away even the
+/// place that the probe of a block counts from, before all boxes, is off by more than the scene if it is told by S·D alone.
+#[test]
+fn des_rayons_elargis_venus_de_loin_touchent_ensemble_ce_qu_ils_touchent_seuls() {
+    let mut touches = 0;
+    pour_chaque(commun::cas(32), venus_de_loin, |(objets, mut rayons)| {
+        let liste = Monde::de_liste(&objets);
+        rayons.retain(|rayon| liste.est_occulte(rayon));
+        touches += comparer_dans(&avec_arbre(&objets), &rayons[..rayons.len().min(64)]);
+    });
+    assert!(touches >= commun::cas(1_000), "{touches}");
+}
+
+/// A child that is missing is entered by no probe, not even one whose rays part along all three axes.
+#[test]
+fn aucune_sonde_n_entre_ou_il_n_y_a_rien() {
+    let mut alea = Rng::with_seed(6);
+    let boule = |alea: &mut Rng| sphere(arrondi(direction(alea)), 0.05_f32);
+    let objets: Vec<_> = (0..40).map(|_| boule(&mut alea)).collect();
+    let rayons: Vec<_> = (0..64)
+        .map(|i| {
+            let mut vers = [0.7; 3];
+            vers[i % 3] = -0.1;
+            Rayon::new(arrondi(direction(&mut alea) * 0.1), arrondi(vers.into())).unwrap()
+        })
+        .collect();
+    let mut noeuds = 0;
+    let sonde = sonder(&avec_arbre(&objets), &rayons, f32::INFINITY, |(enfants, _), _| {
+        // Three leaves, of which the last has eight records, and the root above them.
+        let la = [16, 16, 8, 3][noeuds % 4];
+        assert!(enfants >> la == 0, "{enfants:b}");
+        noeuds += 1;
+    });
+    assert!(sonde.is_some() && noeuds == 4 * rayons.len());
+}

@@ -988,9 +988,15 @@ fn lemme_23_le_flou_permis_suffit() {
     // left by the face as near across the same axis; the next start sees it with 4u more. And what no more than
     // rounding put under a face, as the next start sees it, is as near.
     const { assert!(FLOU_A_COTE + 3.0 * 4.1 < FLOU_PROPRE && FLOU_A_COTE > 2.0 * 4.1) };
-    // In units of δ and of the step: N and its product, the sum with P; the three roundings of δ; and three of D1.
+    // In units of δ: its three roundings, and a step of twice δ at a hit at once. Both N are off there, a product and a
+    // sum round; what is left of it is of three times δ. In a box h stays 3u below δ; in a half-space u, and the step
+    // counts in the next test.
     tenir(FLOU_RELATIF, |u| {
-        (promesses::UNITAIRE_PLATE + 2.0 + gamma(3.0, u) + gamma(3.0, u)) * plus(60.0, u)
+        let pas = |encore: Intervalle, sous: f64| {
+            let compte = 2.0 * promesses::UNITAIRE_PLATE + 2.0 + encore;
+            (2.0 * compte - sous) / 3.0 + gamma(3.0, u) + sous
+        };
+        pas(i(0.0), 3.0).max(pas(gamma(3.0, u), 1.0)) * plus(60.0, u)
     });
 }
 
