@@ -370,7 +370,7 @@ fn un_rayon_le_long_d_une_face_n_en_sort_pas() {
 /// ray starts, and where it goes.
 fn vers_un_joint<R: Reel>(alea: &mut Hasard) -> (Rotation<R>, [f64; 2], Vec<[f64; 2]>) {
     let tour = Rotation::new(arrondi(direction(alea) * 3.0)).unwrap();
-    let mut deux = |alea: &mut Hasard| [(); 2].map(|()| entre(alea, -1.0, 1.0));
+    let deux = |alea: &mut Hasard| [(); 2].map(|()| entre(alea, -1.0, 1.0));
     (tour, deux(alea), alea.liste(8, |alea, _| deux(alea)))
 }
 

@@ -5,14 +5,17 @@
 
 use std::collections::HashSet;
 
-use commun::fabrique::{avec_arbre, sphere, v};
-use commun::facons::{UN_ARBRE, comparer, demandes, noeuds};
+use commun::fabrique::{avec_arbre, boite, sphere, v};
+use commun::facons::{UN_ARBRE, comparer, comparer_dans, demandes, noeuds};
 use commun::hasard::{Hasard, Tirage, pour_chaque};
 use commun::regimes::{Cas, deux_puissance, direction, gerbe, regimes, signe};
 use commun::tolerances::u;
 use commun::{Bits, arrondi, en_f32_et_f64, scenes};
 use lancer_rayon::pour_les_tests::Reglage;
-use lancer_rayon::{BoiteGeo, Monde, ObjetRay, Rayon, Reel, Rotation, SphereGeo, Texture, Vecteur};
+use lancer_rayon::{
+    BoiteGeo, Monde, ObjetRay, Rayon, Reel, Rotation, SphereGeo, Texture, Vecteur,
+    premiere_intersection,
+};
 
 /// Half the angle of a needle: far beyond rounding in both types, and narrow enough to walk together.
 const AIGUILLE: f64 = 1e-5;
@@ -214,6 +217,37 @@ fn la_sonde_ne_perd_aucune_touche<R: Bits>() {
 }
 
 en_f32_et_f64!(la_sonde_ne_perd_aucune_touche);
+
+/// A cube flush on a slab, and rays into it from one touch of the slab at its foot, where rounding decides whether the touch
+/// is in the cube.
+fn du_pied<R: Reel>(alea: &mut Hasard) -> (Vec<ObjetRay<R>>, Vec<Rayon<R>>) {
+    let tour = Rotation::new(arrondi(direction(alea) * 3.0)).unwrap();
+    let [x, y, z] = tour.axes().map(|axe| axe.vers_f64());
+    let pied = direction(alea) * *alea.choix(&[0.1, 1.0, 10.0]);
+    let dalle = boite(arrondi(pied - y), v(8.0, 2.0, 8.0), tour);
+    let cube = boite(arrondi(pied + x + y), v(2.0, 2.0, 2.0), tour);
+    let vers = arrondi::<R>(x - y * alea.f64() + z * alea.f64());
+    let rayon = Rayon::new(arrondi(pied - vers.vers_f64()), vers).unwrap();
+    let touche = premiere_intersection(&[dalle], &rayon).unwrap();
+    let suites = alea.liste(64, |alea, _| {
+        let vers = arrondi(x + y + direction(alea) * 0.1);
+        touche.secondaire(vers).unwrap()
+    });
+    (vec![dalle, cube], suites)
+}
+
+/// Many at once ask the box of the source for what is touched at once, as one does.
+fn d_un_pied_un_bloc_touche_d_emblee<R: Bits>() {
+    let mut d_emblee = 0;
+    pour_chaque(2 * cas() as u32, du_pied::<R>, |(objets, rayons)| {
+        comparer_dans(&avec_arbre(&objets.repeat(UN_ARBRE)), &rayons);
+        let touche = |rayon| premiere_intersection(&objets, rayon);
+        d_emblee += rayons.iter().flat_map(touche).filter(|t| t.distance() == R::ZERO).count();
+    });
+    assert!(d_emblee > 20 * cas(), "only {d_emblee}");
+}
+
+en_f32_et_f64!(d_un_pied_un_bloc_touche_d_emblee);
 
 /// Whether a block of these shadow rays never asks for this ball, among as many others, behind them, as make a tree.
 fn evite<R: Reel>(ombres: &[Rayon<R>], boule: ObjetRay<R>) -> bool {
