@@ -134,11 +134,10 @@ impl<R: Nombre> Sonde<R> {
         (jeu < repere.jeu_maximal).then_some(Self { axes, depart })
     }
 
-    /// The largest entry that matters before this distance from the source. It lies before those of
-    /// children that are missing, which a probe whose rays part along all axes never leaves.
+    /// The largest entry that matters before this distance from the source.
     #[inline(always)]
     pub(crate) fn plafond(&self, repere: Repere<R>, t: R) -> f32 {
-        min(simple(repere.longueur(t) - self.depart), 0.5 * COIN_ABSENT)
+        simple(repere.longueur(t) - self.depart)
     }
 
     /// The entry of a box that may hold a source; that of any other box is larger.
@@ -167,6 +166,8 @@ impl<R: Nombre> Sonde<R> {
             entrees = une.max(entrees);
             if axe.partage {
                 entrees = autre.max(entrees);
+                // Where rays part along all axes, no edge leaves the children that are missing.
+                sorties = uni(0.5 * COIN_ABSENT).min(sorties);
             } else {
                 sorties = autre.min(sorties);
             }
