@@ -569,7 +569,7 @@ fn scene_entiere() -> Partie {
     let pixel = |x: usize, y: usize| {
         let touche = premiere_intersection(&objets, &rayons[600 * y + x]);
         touche.map_or("none".into(), |touche| {
-            format!("object {}, distance {}", touche.indice(), format!("{:.6}", touche.distance()))
+            format!("object {}, distance {:.6}", touche.indice(), touche.distance())
         })
     };
     partie! { "A whole scene: the 600 × 400 rays of docs/scenes/atelier.ron";

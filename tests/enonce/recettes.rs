@@ -163,7 +163,7 @@ fn sous_un_verre_pose_la_lumiere_trouve_la_table<R: Reel>() {
     let faire = |alea: &mut Hasard| {
         let [plateau, haut] = hauteurs(alea).map(R::depuis_f64);
         let deux = R::depuis_f64(2.0);
-        let table = if alea.tour % 2 == 0 {
+        let table = if alea.tour.is_multiple_of(2) {
             mur(Vecteur::Y * plateau, Vecteur::Y)
         } else {
             boite_droite(Vecteur::Y * (plateau - R::depuis_f64(0.035)), v(900.0, 0.07, 900.0))

@@ -177,20 +177,20 @@ en_f32_et_f64!(une_matrice_en_decimales_est_acceptee);
 fn une_matrice_presque_orthonormale_est_reparee<R: Reel>() {
     let bruit = prop::array::uniform3(prop::array::uniform3(-1.0..=1.0_f64));
     pour_tout((rotation::<R>(), bruit), |(r, bruit)| {
-        let symetrique = |i: usize, j: usize| bruit[i.min(j)][i.max(j)];
-        let quelconque = |i: usize, j: usize| bruit[i][j];
+        let symetrique: Matrice =
+            std::array::from_fn(|i| std::array::from_fn(|j| bruit[i.min(j)][i.max(j)]));
         // (I + S)² − I, of which the largest element is to be just within the limit; of a fault that is not symmetric an
         // element is two sums of three products, 2√3 times as large at most.
-        let grand = (0..9).fold(1e-3, |g: f64, k| g.max(symetrique(k / 3, k % 3).abs()));
+        let grand = (0..9).fold(1e-3, |g: f64, k| g.max(symetrique[k / 3][k % 3].abs()));
         let k = (0.5 * ECART_ROTATION - 1e-6) / grand;
-        let fautes: [(&dyn Fn(usize, usize) -> f64, f64, f64); 2] = [
-            (&symetrique, k, 20.0 * u::<R>()),
+        let fautes = [
+            (symetrique, k, 20.0 * u::<R>()),
             // The antisymmetric part stays.
-            (&quelconque, ECART_ROTATION / 8.0, 4.0 * ECART_ROTATION / 8.0),
+            (bruit, ECART_ROTATION / 8.0, 4.0 * ECART_ROTATION / 8.0),
         ];
         for (faute, k, permis) in fautes {
             let i_plus_s: Matrice =
-                std::array::from_fn(|i| std::array::from_fn(|j| IDENTITE[i][j] + k * faute(i, j)));
+                std::array::from_fn(|i| std::array::from_fn(|j| IDENTITE[i][j] + k * faute[i][j]));
             let abimee = produit(i_plus_s, matrice(r)).map(|ligne| ligne.map(R::depuis_f64));
             let reparee = Rotation::depuis_matrice(abimee).unwrap();
             est_orthonormale(reparee)?;

@@ -151,7 +151,7 @@ fn a_un_joint_ou_au_ras_d_un_tiers_l_ordre_compte<R: Reel>() {
         let au_pied = n + le_long * entre(alea, -0.9, 0.9);
         let lustre = n * entre(alea, 3.0, 5.0) + haut * 2.0;
         let mut objets = vec![mur(Vecteur::NUL, arrondi(haut)), boule(lustre, 0.5)];
-        let joint = alea.tour % 2 == 0;
+        let joint = alea.tour.is_multiple_of(2);
         if joint {
             objets.push(mur_tourne);
         }

@@ -728,7 +728,7 @@ fn les_demi_espaces_ont_leur_place<R: Bits>() {
         ][alea.tour];
         let mut objets = scenes::melange::<R>(bornes + 1).split_off(1);
         objets.extend((0..demi_espaces).map(|_| sol::<R>(alea, 20.0)));
-        if alea.tour % 2 == 0 {
+        if alea.tour.is_multiple_of(2) {
             alea.melanger(&mut objets);
         }
         (objets, bornes)
