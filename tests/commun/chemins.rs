@@ -1,6 +1,7 @@
 //! Paths of several bounces: mirrors, glass, lamps, suns, other hits and turns in mid-air, one after another; and what each
 //! ray of a path knows of its start.
 
+use lancer_rayon::pour_les_tests::FLOU_RELATIF;
 use lancer_rayon::{Intersection, Monde, Rayon, Reel, Vecteur};
 
 use crate::conversion::{Bits, mots};
@@ -163,9 +164,11 @@ impl<R: Bits> Marcheur<'_, R> {
             assert_eq!(flou, 0.0, "inside {dedans} objects: {suite:?} after {:?}", self.rayon);
             return;
         }
-        // Eight roundings here, and fewer than that in the crate, where two products may be subnormal.
+        // Eight roundings here, and fewer than that in the crate, where two products may be subnormal; and what δ grows by
+        // for its own.
         let (arrondi, eta) = (16.0 * u::<R>(), 4.0 * R::MIN_POSITIF.vers_f64());
-        let permis = bas * (1.0 - arrondi) - eta..=haut * (1.0 + arrondi) + eta;
+        let grandi = 1.0 + arrondi + FLOU_RELATIF * u::<R>();
+        let permis = bas * (1.0 - arrondi) - eta..=haut * grandi + eta;
         assert!(
             permis.contains(&flou),
             "{flou:e} not in {permis:?}: {suite:?} after {:?}",

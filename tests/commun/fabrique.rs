@@ -1,7 +1,8 @@
 //! Objects in one word, without a texture of their own. What a constructor refuses panics.
 
 use lancer_rayon::{
-    BoiteGeo, Monde, ObjetRay, PlanGeo, Reel, Rotation, SphereGeo, Texture, Vecteur, places,
+    BoiteGeo, Monde, ObjetGeo, ObjetRay, PlanGeo, Reel, Rotation, SphereGeo, Texture, Vecteur,
+    places,
 };
 
 use crate::conversion::arrondi;
@@ -32,4 +33,26 @@ pub fn boite_droite<R: Reel>(centre: Vecteur<R>, cotes: Vecteur<R>) -> ObjetRay<
 /// These objects with a tree. Its places are lent for good.
 pub fn avec_arbre<R: Reel>(objets: &[ObjetRay<R>]) -> Monde<'_, R> {
     Monde::new(objets, vec![0.0; places(objets.len())].leak()).unwrap()
+}
+
+/// The walls of a cube of this side: half-spaces, or boxes so thick that reach so far beyond its corners.
+pub fn murs<R: Reel>(
+    milieu: Vecteur<R>,
+    tour: Rotation<R>,
+    cote: f64,
+    boites: Option<[f64; 2]>,
+) -> Vec<ObjetGeo<R>> {
+    let nombre = R::depuis_f64;
+    let mur = |axe: usize, signe: f64| {
+        let n = tour.axes()[axe] * nombre(signe);
+        let Some([epaisseur, depasse]) = boites else {
+            let p = milieu + n * nombre(cote / 2.0);
+            return PlanGeo::par_un_point(p, -n, Texture(0)).unwrap().into();
+        };
+        let mut cotes = [nombre(cote + 2.0 * depasse); 3];
+        cotes[axe] = nombre(epaisseur);
+        let centre = milieu + n * nombre((cote + epaisseur) / 2.0);
+        BoiteGeo::new(centre, cotes.into(), tour, Texture(0)).unwrap().into()
+    };
+    (0..6).map(|i| mur(i / 2, f64::from(1 - 2 * (i as i8 % 2)))).collect()
 }

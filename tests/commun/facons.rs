@@ -16,7 +16,7 @@ use crate::conversion::{Bits, mots, voisin};
 /// The fewest objects that get a tree; `places_dit_combien_de_places_suffisent` holds it.
 pub const UN_ARBRE: usize = 10;
 
-/// So many that a node has sixteen children, of which the beam of 64 rays may cross too many, and that no block
+/// So many that a node has sixteen children, of which the probe of 64 rays may enter too many, and that no block
 /// asks all of them.
 const BEAUCOUP: usize = 240;
 
@@ -56,7 +56,7 @@ pub fn exiger<R: Bits>(
 }
 
 /// Asks these rays every question in every way, of all objects and of a choice of them; how many touch
-/// something. A list so short that no beam of 64 rays would give up is asked again, repeated until it is longer.
+/// something. A list so short that no common walk of 64 rays would be given up is asked again, repeated until it is longer.
 #[track_caller]
 pub fn comparer<R: Bits>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) -> usize {
     let n = objets.len();

@@ -1,5 +1,5 @@
 //! What the test files share: how a property is run, where its values come from, how much rounding it
-//! may see, and what every hit is.
+//! may see, and what every answer is.
 
 #![allow(missing_docs, reason = "not published: what a name does not say has a comment")]
 
@@ -20,9 +20,6 @@ pub mod strategies;
 pub mod tolerances;
 
 pub use crate::conversion::{Bits, arrondi};
-use crate::tolerances::{NORMALE_UNITAIRE, u};
-use lancer_rayon::{Intersection, Rayon, Reel};
-use proptest::prop_assert;
 use proptest::strategy::Strategy;
 use proptest::test_runner::{Config, TestCaseResult, TestRunner};
 
@@ -66,13 +63,4 @@ pub fn empreinte(octets: impl IntoIterator<Item = u8>) -> u64 {
     octets.into_iter().fold(0xcbf2_9ce4_8422_2325, |empreinte, octet| {
         (empreinte ^ u64::from(octet)).wrapping_mul(0x0000_0100_0000_01b3)
     })
-}
-
-/// What every hit is, whatever was asked.
-pub fn est_une_entree<R: Reel>(rayon: &Rayon<R>, touche: &Intersection<R>) -> TestCaseResult {
-    prop_assert!(touche.distance() > R::ZERO && touche.distance() < R::INFINI);
-    prop_assert!(touche.normale().produit_scalaire(rayon.direction()) < R::ZERO);
-    let longueur = touche.normale().longueur().vers_f64();
-    prop_assert!((longueur - 1.0).abs() <= NORMALE_UNITAIRE * u::<R>());
-    Ok(())
 }

@@ -15,7 +15,7 @@ use core::ops::{Add, Mul, Neg, Sub};
 
 use dashu_int::IBig;
 use dashu_int::ops::{BitTest, SquareRoot, UnsignedAbs};
-use lancer_rayon::{BoiteRay, ObjetRay, PlanRay, Rayon, Reel, SphereRay, Vecteur};
+use lancer_rayon::{BoiteRay, ObjetRay, PlanRay, Rayon, Reel, Reponse, SphereRay, Vecteur};
 
 use crate::tolerances::{bandes, promesses, u};
 
@@ -174,6 +174,18 @@ pub enum Passage {
     Entree,
     /// Where it leaves, from inside or after it entered.
     Sortie,
+}
+
+impl Passage {
+    pub const TOUS: [Self; 2] = [Self::Entree, Self::Sortie];
+
+    /// What the library answers.
+    pub fn de<R: Reel>(self, objet: &ObjetRay<R>, rayon: &Rayon<R>) -> Reponse<R> {
+        match self {
+            Self::Entree => objet.intersection(rayon),
+            Self::Sortie => objet.sortie(rayon),
+        }
+    }
 }
 
 /// The true entry of a ray into an object, or its way out; or the truth that there is none.

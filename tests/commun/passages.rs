@@ -1,12 +1,12 @@
 //! What every hit, every way out and every ray that starts from one must be, whatever the numbers: the promises of
 //! `docs/precision.md` and of the documentation that need no exact answer beside them.
 
-use lancer_rayon::pour_les_tests::{FLOU_DISTANCE, FLOU_POINT, FLOU_PROPRE};
+use lancer_rayon::pour_les_tests::{FLOU_DISTANCE, FLOU_POINT, FLOU_PROPRE, TANGENT};
 use lancer_rayon::{Intersection, NoIntersection, ObjetRay, Rayon, Reel, Vecteur};
 
-use crate::conversion::Bits;
+use crate::conversion::{Bits, mots, voisin};
 use crate::mesure::{au_bord, poids};
-use crate::oracle::dehors;
+use crate::oracle::{Passage, dehors};
 use crate::tolerances::{NORMALE_UNITAIRE, bandes, u};
 
 /// How deep a point lies in an object beyond the object's own rounding o_B (lemma 23).
@@ -52,42 +52,79 @@ pub fn exiger_les_passages<R: Bits>(objet: &ObjetRay<R>, rayon: &Rayon<R>, vers:
         (Err(_), Ok(_)) => assert!(objet.contient(rayon.source()), "{}", contexte()),
         (Err(_), Err(_)) => {}
     }
-    // What lies at the end itself is not touched, and no way out.
-    let jusque_la = |passage: &Intersection<R>| rayon.jusqu_a(passage.distance()).unwrap();
-    let encore = entree.is_ok_and(|t| objet.intersection(&jusque_la(&t)).is_ok())
-        || sortie.is_ok_and(|t| objet.sortie(&jusque_la(&t)).is_ok());
-    assert!(!encore, "{}", contexte());
+    exiger_la_fin(objet, rayon);
     exiger_qu_il_ne_s_enfonce_pas(objet, rayon);
     for passage in [entree, sortie].into_iter().flatten() {
         exiger_un_passage(objet, rayon, &passage);
         let (n, d) = (passage.normale(), rayon.direction());
         let libres = [vers, -vers, n, -n, d, -d].map(|vers| passage.secondaire(vers));
+        let reflet = passage.reflechi(d);
+        let (le_long, monte) =
+            (n.produit_scalaire(d), |r: &Rayon<R>| r.direction().produit_scalaire(n));
+        // A mirror goes out where the ray comes in, and in where it goes out unless it grazes: 20u of lemma 9 and 3.2u. It
+        // starts where a ray in that direction does, and is refused where that is.
+        let rase = le_long > R::ZERO && le_long.vers_f64() < 32.0 * u::<R>();
+        let droit = libres[if le_long < R::ZERO { 2 } else { 3 }];
+        let sources = [reflet, droit].map(|suite| suite.map(|r| r.source()).map_err(|e| e.champ));
+        assert!(rase || sources[0] == sources[1], "{sources:?} {}", contexte());
+        let du_bon_cote = |r: Rayon<R>| (monte(&r) > R::ZERO) == (le_long < R::ZERO);
+        assert!(rase || reflet.is_ok_and(du_bon_cote) || reflet.is_err(), "{}", contexte());
+        exiger_les_lampes(passage, vers);
         let lampes = [passage.vers_soleil(vers), passage.vers_lumiere(vers)];
-        let (reflet, le_long) = (passage.reflechi(d), n.produit_scalaire(d));
-        let monte = |suite: &Rayon<R>| suite.direction().produit_scalaire(n);
-        // A lamp is above the tangent plane by more than 3.2u.
-        assert!(lampes.iter().flatten().all(|l| monte(l) > R::U + R::U + R::U), "{}", contexte());
-        // A mirror goes out where the ray comes in, and in where it goes out unless it grazes: 20u of lemma 9 and 3.2u.
-        let rase = le_long.vers_f64() < 32.0 * u::<R>();
-        let du_bon_cote = |r: &Rayon<R>| {
-            if le_long < R::ZERO { monte(r) > R::ZERO } else { rase || monte(r) < R::ZERO }
-        };
-        assert!(reflet.iter().all(du_bon_cote), "{}", contexte());
         // Light passes to the other side, or is named as all mirrored.
+        let derriere = libres[if le_long < R::ZERO { 3 } else { 2 }];
         let verres = [0.6, 1.5].map(|rapport| passage.refracte(d, R::depuis_f64(rapport)));
         for verre in &verres {
             match verre {
                 Ok(verre) => assert!(monte(verre) * le_long > R::ZERO, "{verre:?} {}", contexte()),
-                Err(_) if reflet.is_err() => {}
-                Err(erreur) => {
-                    assert!(erreur.champ == "refraction" && erreur.valeur <= 0.0, "{}", contexte());
+                Err(erreur) if erreur.champ == "refraction" => {
+                    assert!(erreur.valeur <= 0.0, "{}", contexte());
                 }
+                // Refused as any ray to that side.
+                Err(_) => assert!(derriere.is_err(), "{verre:?} {}", contexte()),
             }
         }
-        for suite in libres.into_iter().chain(lampes).chain(verres).chain([reflet]).flatten() {
+        let sans_fin = libres.into_iter().chain(verres).chain([reflet]).flatten();
+        for suite in sans_fin.inspect(|suite| assert_eq!(suite.fin(), R::INFINI, "{}", contexte()))
+        {
             exiger_une_suite(objet, rayon, &passage, &suite);
         }
+        for ombre in lampes.into_iter().flatten() {
+            exiger_une_suite(objet, rayon, &passage, &ombre);
+        }
     }
+}
+
+/// What lies at the end of a ray itself is not touched, and no way out; before an end that is a number farther it is.
+fn exiger_la_fin<R: Bits>(objet: &ObjetRay<R>, rayon: &Rayon<R>) {
+    for passage in Passage::TOUS {
+        let Ok(touche) = passage.de(objet, rayon) else { continue };
+        let (t, contexte) = (touche.distance(), || format!("{passage:?}: {objet:?} {rayon:?}"));
+        let avant = |fin| passage.de(objet, &rayon.jusqu_a(fin).unwrap());
+        assert_eq!(avant(t), Err(NoIntersection), "{}", contexte());
+        assert_eq!(mots(&avant(voisin(t, 1))), mots(&Ok(touche)), "{}", contexte());
+    }
+}
+
+/// A sun shines on the side that the surface faces, by more than 3.2u, and a lamp on what faces it from where the ray
+/// starts, and nowhere else: the rays are that of `secondaire`, and that between two points.
+fn exiger_les_lampes<R: Bits>(passage: Intersection<R>, vers: Vecteur<R>) {
+    let (n, droit) = (passage.normale(), passage.secondaire(passage.normale()));
+    let de_face = |l: Vecteur<R>| l.produit_scalaire(n).vers_f64() > TANGENT * u::<R>();
+    let direction = Rayon::new(Vecteur::NUL, vers).map(|rayon| rayon.direction());
+    let ombre = passage.vers_soleil(vers);
+    assert_eq!(
+        ombre.is_ok(),
+        droit.is_ok() && direction.is_ok_and(de_face),
+        "{passage:?} {vers:?}"
+    );
+    assert!(ombre.is_err() || ombre == passage.secondaire(vers), "{passage:?} {vers:?}");
+    let Ok(depart) = droit else { return };
+    let voulue = Rayon::entre(depart.source(), vers).ok().filter(|r| de_face(r.direction()));
+    let ce_qu_il_est = |r: Rayon<R>| (r.source(), r.direction(), r.fin());
+    let ombre = passage.vers_lumiere(vers).ok();
+    assert_eq!(ombre.map(ce_qu_il_est), voulue.map(ce_qu_il_est), "{passage:?} {vers:?}");
+    assert!(ombre.is_none_or(|r| r.flou() == depart.flou()), "{passage:?} {vers:?}");
 }
 
 /// Whether this object, which holds the source of the ray, holds it by no more than δ and o_B however that is rounded.
@@ -145,7 +182,10 @@ pub fn exiger_un_passage<R: Bits>(
     if let ObjetRay::Boite(boite) = objet {
         let (face, p) = boite.lieu(rayon, passage);
         assert_eq!(boite.face(face).1, n, "{}", contexte());
-        assert!(<[R; 3]>::from(p).into_iter().all(|x| x.abs() <= R::UN), "{}", contexte());
+        let p = <[R; 3]>::from(p);
+        assert!(p.into_iter().all(|x| x.abs() <= R::UN), "{}", contexte());
+        let un = if (face as usize) < 3 { R::UN } else { -R::UN };
+        assert_eq!(p[face as usize % 3], un, "{}", contexte());
     }
 }
 

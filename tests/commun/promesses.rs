@@ -19,12 +19,13 @@ use crate::passages::{flou_du_point, flou_propre};
 use crate::regimes::Genre;
 use crate::tolerances::{promesses as permis, u};
 
-/// What is asked: of the first of these objects or of both, by this ray; and the direction in which the first
-/// is left: x, y, z, a height over the tangent plane, and whether that counts.
+/// What is asked: of the first of these objects or of both, by this ray, where it enters or where it leaves; and the
+/// direction in which the first is left: x, y, z, a height over the tangent plane, and whether that counts.
 #[derive(Debug)]
 pub struct Essai<R> {
     pub objets: Vec<ObjetRay<R>>,
     pub rayon: Rayon<R>,
+    pub passage: Passage,
     pub vers: [R; 5],
 }
 
@@ -40,146 +41,85 @@ pub const ROMPUE: f64 = 2.0;
 /// A row of the table.
 pub struct Promesse<R> {
     pub nom: &'static str,
-    pub genres: &'static [Genre],
     pub part: Part<R>,
+    /// The shapes of whose hits it speaks, and those of whose ways out.
+    pub genres: [&'static [Genre]; 2],
     /// How many times the error the bound may be in the median: of ordinary cases, and of each extreme.
     pub aisance: [f64; 2],
+    /// A search that climbs looks for the point where the answer changes.
+    pub decide: bool,
+}
+
+impl<R> Promesse<R> {
+    /// Whether it speaks of these passages of such a shape.
+    pub fn parle(&self, passage: Passage, genre: Genre) -> bool {
+        self.genres[passage as usize].contains(&genre)
+    }
 }
 
 /// All of them that one object and one ray decide.
-pub fn toutes<R: Reel>() -> [Promesse<R>; 13] {
+pub fn toutes<R: Reel>() -> [Promesse<R>; 17] {
+    const TOUS: &[Genre] = &Genre::TOUS;
     const RONDS: &[Genre] = &[Genre::Sphere];
     const PLATS: &[Genre] = &[Genre::Plan];
+    const BOITES: &[Genre] = &[Genre::Boite];
     const BORNES: &[Genre] = &[Genre::Sphere, Genre::Boite];
-    let promesse = |nom, genres, part, aisance| Promesse { nom, genres, part, aisance };
-    let quelconque = [f64::INFINITY; 2];
+    let promesse = |nom, part, genres| {
+        let aisance = [f64::INFINITY; 2];
+        Promesse { nom, part, genres, aisance, decide: false }
+    };
+    let decision = |nom, part, genres| Promesse { decide: true, ..promesse(nom, part, genres) };
+    let aisee = |aisance, promesse| Promesse { aisance, ..promesse };
     [
-        promesse("distance", &Genre::TOUS, distance, quelconque),
-        promesse("distance near 0", PLATS, distance_pres_de_0, quelconque),
-        promesse("hit or miss", &Genre::TOUS, decision, quelconque),
-        promesse("length of the normal", &Genre::TOUS, longueur_de_la_normale, quelconque),
-        promesse("direction of the normal", &Genre::TOUS, direction_de_la_normale, quelconque),
-        promesse("the normal faces the source", &Genre::TOUS, face_a_la_source, quelconque),
-        promesse("margin", &Genre::TOUS, marge, [16.0, f64::INFINITY]),
-        promesse("infinite margins", RONDS, marge_infinie, quelconque),
-        promesse("where a hit lies", BORNES, lieu, quelconque),
-        promesse("secondary ray", &Genre::TOUS, secondaire, quelconque),
-        promesse("erreur", &Genre::TOUS, erreur, [1.5; 2]),
-        promesse("est_certain", &Genre::TOUS, est_certain, quelconque),
-        promesse("a glance", &Genre::TOUS, coup_d_oeil, quelconque),
+        promesse("distance", distance, [TOUS; 2]),
+        promesse("distance near 0", distance_pres_de_0, [PLATS, &[]]),
+        decision("hit or miss", self::decision, [TOUS; 2]),
+        promesse("length of the normal", longueur_de_la_normale, [TOUS; 2]),
+        promesse("direction of the normal", direction_de_la_normale, [TOUS; 2]),
+        promesse("the side to which the normal points", de_face, [TOUS; 2]),
+        aisee([16.0, f64::INFINITY], promesse("margin", marge, [TOUS; 2])),
+        promesse("infinite margins", marge_infinie, [RONDS; 2]),
+        promesse("where a hit lies", lieu, [BORNES; 2]),
+        promesse("where on its face", lieu_sur_la_face, [BOITES; 2]),
+        promesse("secondary ray", secondaire, [TOUS, BORNES]),
+        promesse("mirror", reflechi, [TOUS, &[]]),
+        promesse("refraction", refracte, [TOUS; 2]),
+        promesse("sun", soleil, [TOUS, &[]]),
+        aisee([1.5; 2], promesse("erreur", erreur, [TOUS; 2])),
+        decision("est_certain", est_certain, [TOUS, &[]]),
+        decision("a glance", coup_d_oeil, [TOUS, &[]]),
     ]
 }
 
-/// The same of the way out of an object.
-pub fn de_la_sortie<R: Reel>() -> [Promesse<R>; 9] {
-    const BORNES: &[Genre] = &[Genre::Sphere, Genre::Boite];
-    let quelconque = [f64::INFINITY; 2];
-    let promesse = |nom, genres, part| Promesse { nom, genres, part, aisance: quelconque };
-    let erreur = promesse("way out: erreur", &Genre::TOUS, sortie::erreur as Part<R>);
-    [
-        promesse("way out: distance", &Genre::TOUS, sortie::distance),
-        promesse("way out: decision", &Genre::TOUS, sortie::decision),
-        promesse("way out: length of the normal", &Genre::TOUS, sortie::longueur_de_la_normale),
-        promesse("way out: direction of the normal", &Genre::TOUS, sortie::direction_de_la_normale),
-        promesse("way out: the normal faces away", &Genre::TOUS, sortie::de_dos),
-        promesse("way out: margin", &Genre::TOUS, sortie::marge),
-        promesse("way out: where it lies", BORNES, sortie::lieu),
-        promesse("way out: secondary ray", BORNES, sortie::secondaire),
-        Promesse { aisance: [1.5; 2], ..erreur },
-    ]
-}
-
-/// No promise is broken by this ray, taken without its δ and its end, and by what starts from its hit towards `vers`.
+/// No promise is broken by this ray, taken without its δ and its end, and by what starts from its passages towards `vers`.
 pub fn exiger<R: Reel>(objet: &ObjetRay<R>, rayon: &Rayon<R>, vers: Vecteur<R>) {
     let rayon = Rayon::new(rayon.source(), rayon.direction()).unwrap();
     let [x, y, z] = vers.into();
-    let essai = Essai { objets: vec![*objet], rayon, vers: [x, y, z, R::ZERO, R::ZERO] };
-    for Promesse { nom, genres, part, .. } in toutes().into_iter().chain(de_la_sortie()) {
-        if genres.contains(&Genre::de(objet)) {
-            let part = part(&essai);
-            assert!(part <= 1.0, "{nom}: {part} of what is promised, {essai:?}");
+    for passage in Passage::TOUS {
+        let vers = [x, y, z, R::ZERO, R::ZERO];
+        let essai = Essai { objets: vec![*objet], rayon, passage, vers };
+        for promesse in toutes() {
+            if promesse.parle(passage, Genre::de(objet)) {
+                let part = (promesse.part)(&essai);
+                assert!(part <= 1.0, "{}: {part} of what is promised, {essai:?}", promesse.nom);
+            }
         }
     }
 }
 
-/// The promises of the way out.
-pub mod sortie {
-    use super::*;
-    use Passage::Sortie;
-
-    pub fn distance<R: Reel>(cas: &Essai<R>) -> f64 {
-        distance_du(Sortie, cas)
-    }
-
-    pub fn decision<R: Reel>(cas: &Essai<R>) -> f64 {
-        decision_du(Sortie, cas)
-    }
-
-    pub fn longueur_de_la_normale<R: Reel>(cas: &Essai<R>) -> f64 {
-        longueur_de_la_normale_du(Sortie, cas)
-    }
-
-    pub fn direction_de_la_normale<R: Reel>(cas: &Essai<R>) -> f64 {
-        direction_de_la_normale_du(Sortie, cas)
-    }
-
-    /// The normal faces along the ray; and no ray leaves before it enters, or enters and stays, except below a floor.
-    pub fn de_dos<R: Reel>(cas: &Essai<R>) -> f64 {
-        let (entree, sortie) = (touche(Passage::Entree, cas), touche(Sortie, cas));
-        let bornee = Genre::de(&cas.objets[0]) != Genre::Plan;
-        let en_ordre = match (entree, sortie) {
-            (Some(entree), Some(sortie)) => bornee && entree.distance() <= sortie.distance(),
-            (Some(_), None) => !bornee,
-            (None, _) => true,
-        };
-        let Some(sortie) = sortie else { return if en_ordre { RIEN } else { ROMPUE } };
-        let cosinus = sortie.normale().produit_scalaire(cas.rayon.direction());
-        let tenue = tenue(cosinus.vers_f64() / u::<R>());
-        if en_ordre && cosinus > R::ZERO { tenue } else { ROMPUE }
-    }
-
-    pub fn marge<R: Reel>(cas: &Essai<R>) -> f64 {
-        marge_du(Sortie, cas)
-    }
-
-    pub fn marge_infinie<R: Reel>(cas: &Essai<R>) -> f64 {
-        marge_infinie_du(Sortie, cas)
-    }
-
-    pub fn lieu<R: Reel>(cas: &Essai<R>) -> f64 {
-        lieu_du(Sortie, cas)
-    }
-
-    pub fn secondaire<R: Reel>(cas: &Essai<R>) -> f64 {
-        secondaire_du(Sortie, cas)
-    }
-
-    pub fn erreur<R: Reel>(cas: &Essai<R>) -> f64 {
-        erreur_du(Sortie, cas)
-    }
+fn touche<R: Reel>(cas: &Essai<R>) -> Option<Intersection<R>> {
+    cas.passage.de(&cas.objets[0], &cas.rayon).ok()
 }
 
-fn touche<R: Reel>(passage: Passage, cas: &Essai<R>) -> Option<Intersection<R>> {
-    let touche = match passage {
-        Passage::Entree => cas.objets[0].intersection(&cas.rayon),
-        Passage::Sortie => cas.objets[0].sortie(&cas.rayon),
-    };
-    touche.ok()
-}
-
-fn la_verite<R: Reel>(passage: Passage, cas: &Essai<R>) -> Verite {
-    verite_du(passage, &cas.objets[0], &cas.rayon)
+fn la_verite<R: Reel>(cas: &Essai<R>) -> Verite {
+    verite_du(cas.passage, &cas.objets[0], &cas.rayon)
 }
 
 /// The error of the distance, as a part of K·u·κt.
 pub fn distance<R: Reel>(cas: &Essai<R>) -> f64 {
-    distance_du(Passage::Entree, cas)
-}
-
-fn distance_du<R: Reel>(passage: Passage, cas: &Essai<R>) -> f64 {
     let objet = &cas.objets[0];
-    let Some(touche) = touche(passage, cas) else { return RIEN };
-    let verite = la_verite(passage, cas);
+    let Some(touche) = touche(cas) else { return RIEN };
+    let verite = la_verite(cas);
     let Some(entree) = verite.entree else { return RIEN };
     let (relatif, absolu) = (entree.k * u::<R>() * entree.kappa_t, absolu(objet, &entree));
     // What underflow adds has a row of its own, or the one would hide what a search finds of the other.
@@ -205,12 +145,8 @@ pub fn distance_pres_de_0<R: Reel>(cas: &Essai<R>) -> f64 {
 /// By how much the band would have to be wider to hold a wrong answer; a right one is the better
 /// the nearer it is to the decision.
 pub fn decision<R: Reel>(cas: &Essai<R>) -> f64 {
-    decision_du(Passage::Entree, cas)
-}
-
-fn decision_du<R: Reel>(passage: Passage, cas: &Essai<R>) -> f64 {
-    let verite = la_verite(passage, cas);
-    let touche = touche(passage, cas).is_some();
+    let verite = la_verite(cas);
+    let touche = touche(cas).is_some();
     let facteur = verite.facteur();
     let plus_grand = plus_grand::<R>();
     match verite.entree {
@@ -240,11 +176,7 @@ pub fn ordre<R: Reel>(cas: &Essai<R>) -> f64 {
 }
 
 pub fn longueur_de_la_normale<R: Reel>(cas: &Essai<R>) -> f64 {
-    longueur_de_la_normale_du(Passage::Entree, cas)
-}
-
-fn longueur_de_la_normale_du<R: Reel>(passage: Passage, cas: &Essai<R>) -> f64 {
-    let Some(touche) = touche(passage, cas) else { return RIEN };
+    let Some(touche) = touche(cas) else { return RIEN };
     let permis = match Genre::de(&cas.objets[0]) {
         Genre::Sphere => permis::UNITAIRE_SPHERE,
         Genre::Plan | Genre::Boite => permis::UNITAIRE_PLATE,
@@ -254,22 +186,14 @@ fn longueur_de_la_normale_du<R: Reel>(passage: Passage, cas: &Essai<R>) -> f64 {
 }
 
 pub fn direction_de_la_normale<R: Reel>(cas: &Essai<R>) -> f64 {
-    direction_de_la_normale_du(Passage::Entree, cas)
-}
-
-fn direction_de_la_normale_du<R: Reel>(passage: Passage, cas: &Essai<R>) -> f64 {
-    let Some(entree) = la_verite(passage, cas).entree else { return RIEN };
-    let Some(touche) = touche(passage, cas) else { return RIEN };
+    let Some(entree) = la_verite(cas).entree else { return RIEN };
+    let Some(touche) = touche(cas) else { return RIEN };
     let permis = entree.direction_permise::<R>(entree.ecart(touche.distance()).abs());
     entree.ecart_de_normale(touche.normale()) / permis
 }
 
 pub fn marge<R: Reel>(cas: &Essai<R>) -> f64 {
-    marge_du(Passage::Entree, cas)
-}
-
-fn marge_du<R: Reel>(passage: Passage, cas: &Essai<R>) -> f64 {
-    let Some(touche) = touche(passage, cas) else { return RIEN };
+    let Some(touche) = touche(cas) else { return RIEN };
     let marge = touche.marge().vers_f64();
     if marge == f64::INFINITY {
         return RIEN;
@@ -280,19 +204,14 @@ fn marge_du<R: Reel>(passage: Passage, cas: &Essai<R>) -> f64 {
 
 /// How far outside its object the point of a hit lies, as a part of what lemma 6 grants.
 pub fn lieu<R: Reel>(cas: &Essai<R>) -> f64 {
-    lieu_du(Passage::Entree, cas)
-}
-
-fn lieu_du<R: Reel>(passage: Passage, cas: &Essai<R>) -> f64 {
-    let Some(touche) = touche(passage, cas) else { return RIEN };
+    let Some(touche) = touche(cas) else { return RIEN };
     let p = cas.rayon.point(touche.distance());
     dehors(&cas.objets[0], p) / lieu_permis(&cas.objets[0], &cas.rayon, touche.distance())
 }
 
 /// How far the coordinates of a hit along its face are off.
 pub fn lieu_sur_la_face<R: Reel>(cas: &Essai<R>) -> f64 {
-    let (Some(touche), ObjetRay::Boite(boite)) = (touche(Passage::Entree, cas), cas.objets[0])
-    else {
+    let (Some(touche), ObjetRay::Boite(boite)) = (touche(cas), cas.objets[0]) else {
         return RIEN;
     };
     let (t, (face, p)) = (touche.distance(), boite.lieu(&cas.rayon, &touche));
@@ -306,12 +225,8 @@ pub fn lieu_sur_la_face<R: Reel>(cas: &Essai<R>) -> f64 {
 /// How far P lies from a sphere that is nearly lost in its distance, as a part of what makes its
 /// margin infinite. P is hardly rounded there: that alone decides elsewhere.
 pub fn marge_infinie<R: Reel>(cas: &Essai<R>) -> f64 {
-    marge_infinie_du(Passage::Entree, cas)
-}
-
-fn marge_infinie_du<R: Reel>(passage: Passage, cas: &Essai<R>) -> f64 {
     let objet = &cas.objets[0];
-    let (Some(touche), ObjetRay::Sphere(sphere)) = (touche(passage, cas), objet) else {
+    let (Some(touche), ObjetRay::Sphere(sphere)) = (touche(cas), objet) else {
         return RIEN;
     };
     let (r, p) = (sphere.rayon().vers_f64(), cas.rayon.point(touche.distance()));
@@ -331,10 +246,20 @@ fn tenue(ecart: f64) -> f64 {
     1.0 / (1.0 + ecart)
 }
 
-pub fn face_a_la_source<R: Reel>(cas: &Essai<R>) -> f64 {
-    let Some(touche) = touche(Passage::Entree, cas) else { return RIEN };
-    let cosinus = touche.normale().produit_scalaire(cas.rayon.direction());
-    if cosinus < R::ZERO { tenue(-cosinus.vers_f64() / u::<R>()) } else { ROMPUE }
+/// The normal of a hit points against the ray, that of a way out along it; and no ray leaves before it enters, or enters
+/// and stays, except below a floor.
+pub fn de_face<R: Reel>(cas: &Essai<R>) -> f64 {
+    let [entree, sortie] = Passage::TOUS.map(|p| p.de(&cas.objets[0], &cas.rayon).ok());
+    let bornee = Genre::de(&cas.objets[0]) != Genre::Plan;
+    let en_ordre = match (entree, sortie) {
+        (Some(entree), Some(sortie)) => bornee && entree.distance() <= sortie.distance(),
+        (Some(_), None) => !bornee,
+        (None, _) => true,
+    };
+    let Some(touche) = touche(cas) else { return if en_ordre { RIEN } else { ROMPUE } };
+    let cosinus = touche.normale().produit_scalaire(cas.rayon.direction()).vers_f64();
+    let cosinus = if cas.passage == Passage::Sortie { cosinus } else { -cosinus };
+    if en_ordre && cosinus > 0.0 { tenue(cosinus / u::<R>()) } else { ROMPUE }
 }
 
 /// |f| and the size of the object, of this ray.
@@ -347,12 +272,8 @@ fn grandeur<R: Reel>(objet: &ObjetRay<R>, rayon: &Rayon<R>) -> f64 {
 /// A secondary ray touches what it leaves only inward at the edge of a box, starts no farther than promised, and
 /// goes where it was sent; the higher, the nearer to the tangent plane, to the surface and to an edge.
 pub fn secondaire<R: Reel>(cas: &Essai<R>) -> f64 {
-    secondaire_du(Passage::Entree, cas)
-}
-
-fn secondaire_du<R: Reel>(passage: Passage, cas: &Essai<R>) -> f64 {
     let objet = &cas.objets[0];
-    let Some(touche) = touche(passage, cas) else { return RIEN };
+    let Some(touche) = touche(cas) else { return RIEN };
     let n = touche.normale();
     let [x, y, z, h, penche] = cas.vers;
     let v = Vecteur::new(x, y, z);
@@ -363,7 +284,15 @@ fn secondaire_du<R: Reel>(passage: Passage, cas: &Essai<R>) -> f64 {
     } else {
         v
     };
-    let Ok(rayon) = touche.secondaire(vers) else { return RIEN };
+    let rayon = match touche.secondaire(vers) {
+        Ok(rayon) => rayon,
+        // No direction; a sphere that is lost, or a start out of range.
+        Err(erreur) if erreur.champ.starts_with("direction") => return RIEN,
+        Err(_) => {
+            let loin = touche.point().vers_f64().longueur() + touche.marge().vers_f64();
+            return if loin < 0.5 * R::LIMITE.vers_f64() { ROMPUE } else { RIEN };
+        }
+    };
     let dedans = rayon.direction().produit_scalaire(n) < R::ZERO;
     // Nor does it leave what it has left; and what it goes on in it leaves, except beside an edge, where it may start
     // on another face or beyond.
@@ -430,33 +359,30 @@ pub fn reflechi<R: Reel>(cas: &Essai<R>) -> f64 {
     ecart_du_miroir(d, n, reflet.direction()) / (permis * u::<R>())
 }
 
-/// How far a refracted direction is from that of Snell's law, at a hit and at a way out; whether light passes is judged
-/// by how near the decision is. `vers` begins with the ratio of the indices.
+/// How far a refracted direction is from that of Snell's law; whether light passes is judged by how near the decision is.
+/// `vers` begins with the ratio of the indices.
 pub fn refracte<R: Reel>(cas: &Essai<R>) -> f64 {
     let (d, rapport) = (cas.rayon.direction(), cas.vers[0]);
     let eta = rapport.vers_f64();
     if !(eta > 0.0 && eta <= RAPPORT_PERMIS) {
         return RIEN;
     }
-    let part = |passage| {
-        let Some(touche) = touche(passage, cas) else { return RIEN };
-        let n = touche.normale();
-        let suite = touche.refracte(d, rapport);
-        let passe = match &suite {
-            Ok(suite) => Some(suite.direction()),
-            Err(erreur) if erreur.champ == "refraction" => None,
-            Err(_) => return RIEN,
-        };
-        let (cosinus2, ecart) = ecart_de_snell(d, n, rapport, passage, passe);
-        let u = u::<R>() * (1.0 + eta);
-        match (passe, ecart) {
-            (Some(_), Some(ecart)) => ecart * cosinus2.sqrt() / (permis::REFRACTE * u),
-            (None, _) if cosinus2 <= 0.0 => RIEN,
-            // Decided otherwise than exactly.
-            (Some(_), None) | (None, _) => cosinus2.abs() / (permis::REFRACTE_TOTALE * u),
-        }
+    let Some(touche) = touche(cas) else { return RIEN };
+    let n = touche.normale();
+    let suite = touche.refracte(d, rapport);
+    let passe = match &suite {
+        Ok(suite) => Some(suite.direction()),
+        Err(erreur) if erreur.champ == "refraction" => None,
+        Err(_) => return RIEN,
     };
-    [Passage::Entree, Passage::Sortie].map(part).into_iter().fold(RIEN, f64::max)
+    let (cosinus2, ecart) = ecart_de_snell(d, n, rapport, cas.passage, passe);
+    let u = u::<R>() * (1.0 + eta);
+    match (passe, ecart) {
+        (Some(_), Some(ecart)) => ecart * cosinus2.sqrt() / (permis::REFRACTE * u),
+        (None, _) if cosinus2 <= 0.0 => RIEN,
+        // Decided otherwise than exactly.
+        (Some(_), None) | (None, _) => cosinus2.abs() / (permis::REFRACTE_TOTALE * u),
+    }
 }
 
 /// The largest ratio of two indices of which the direction behind is promised.
@@ -576,13 +502,9 @@ pub fn effleurement<R: Reel>(cas: &Essai<R>) -> f64 {
 /// The error of the distance, in scene units or in lengths of D if that is more, as a part of `erreur`, which is +∞
 /// where there is no entry, or no way out. What the oracle itself may have rounded does not count.
 pub fn erreur<R: Reel>(cas: &Essai<R>) -> f64 {
-    erreur_du(Passage::Entree, cas)
-}
-
-fn erreur_du<R: Reel>(passage: Passage, cas: &Essai<R>) -> f64 {
-    let Some(touche) = touche(passage, cas) else { return RIEN };
+    let Some(touche) = touche(cas) else { return RIEN };
     let borne = cas.objets[0].erreur(&cas.rayon, &touche).vers_f64();
-    match la_verite(passage, cas).entree {
+    match la_verite(cas).entree {
         // In units in which neither is a subnormal.
         Some(entree) => {
             let echelle = if borne < 1e-200 { 200_f64.exp2() } else { 1.0 };

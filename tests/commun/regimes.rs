@@ -8,7 +8,7 @@ use lancer_rayon::{
 };
 
 use crate::conversion::arrondi;
-use crate::hasard::Tirage;
+use crate::hasard::{Hasard, Tirage};
 
 #[derive(Debug, Clone, Copy)]
 pub struct Cas<R> {
@@ -455,4 +455,68 @@ pub fn vers_la_sortie<R: Reel>(Cas { objet, rayon }: Cas<R>, alea: &mut dyn Tira
     };
     let rayon = dedans(alea).unwrap_or(rayon);
     Cas { objet, rayon }
+}
+
+/// The object with another texture, moved or grown by a few units in the last place or by nothing.
+pub fn presque<R: Reel>(
+    objet: &ObjetRay<R>,
+    texture: Texture,
+    alea: &mut dyn Tirage,
+) -> ObjetRay<R> {
+    let mut peu = |x: R| {
+        let k = if alea.bool() { 0.0 } else { f64::from(alea.i8(-3..=3)) };
+        R::depuis_f64(x.vers_f64() * (1.0 + k * 2.0 * R::U.vers_f64()))
+    };
+    let autre = match objet {
+        ObjetRay::Sphere(s) => SphereGeo::new(s.centre(), peu(s.rayon()), texture).map(Into::into),
+        ObjetRay::Plan(p) => Rotation::depuis_matrice(repere(p.normale()))
+            .and_then(|tour| PlanGeo::new(tour, peu(p.distance()), texture))
+            .map(Into::into),
+        ObjetRay::Boite(b) => {
+            let rotation = Rotation::depuis_matrice(b.normales().map(<[R; 3]>::from)).unwrap();
+            let [a, c, d] = b.demi_longueurs().map(|l| l + l);
+            let centre = Vecteur::new(peu(b.centre().x), b.centre().y, b.centre().z);
+            BoiteGeo::new(centre, Vecteur::new(peu(a), c, d), rotation, texture).map(Into::into)
+        }
+    };
+    autre.unwrap_or(*objet)
+}
+
+/// 64 rays around the one from `s` along `d`, which go apart by about `ouverture` in direction and `etendue` in place: a
+/// tile and a row as a picture has them, scattered, every other turned back, or all but the middle one on one side; some
+/// along axes, to the last sign of a zero and down to the smallest number.
+pub fn gerbe<R: Reel>(
+    alea: &mut Hasard,
+    (s, d): (Vecteur, Vecteur),
+    [ouverture, etendue]: [f64; 2],
+) -> Vec<Rayon<R>> {
+    let [axe_a, axe_b] = [direction(alea), direction(alea)];
+    let genre = alea.u8(0..9);
+    let cote = direction(alea) * etendue;
+    let axe = alea.usize(0..3);
+    alea.liste(64, |alea, i| {
+        let (a, b) = match genre {
+            0 | 1 => ((i % 8) as f64 / 4.0 - 1.0, (i / 8) as f64 / 4.0 - 1.0),
+            2 => (i as f64 / 32.0 - 1.0, 0.0),
+            _ => (entre(alea, -1.0, 1.0), entre(alea, -1.0, 1.0)),
+        };
+        let mut vers: [f64; 3] = (d + (axe_a * a + axe_b * b) * ouverture).into();
+        match genre {
+            4 if i % 2 == 1 => vers = vers.map(|x| -x),
+            6 => vers[axe] = [0.0, -0.0][i % 2],
+            7 => {
+                vers = [0.0, -0.0, 0.0];
+                vers[axe] = signe(alea);
+            }
+            8 => vers[axe] *= deux_puissance(alea, -1_100.0, 0.0),
+            _ => {}
+        }
+        let decalage = match genre {
+            5 => cote * if i == 32 { 0.3 } else { -1.0 },
+            _ => direction(alea) * (etendue * alea.f64()),
+        };
+        let source = arrondi(s + decalage);
+        let rayon = Rayon::new(source, arrondi(vers.into()));
+        rayon.or_else(|_| Rayon::new(source, Vecteur::Z)).unwrap()
+    })
 }

@@ -45,7 +45,7 @@ pub fn rayons_camera<R: Reel>(largeur: usize, hauteur: usize) -> Vec<Rayon<R>> {
     pixels.map(rayon).collect()
 }
 
-/// The rays of a square picture, every other one turned round: together they have no beam.
+/// The rays of a square picture, every other one turned round: no probe of all of them tells boxes apart.
 pub fn rayons_opposes<R: Reel>(cote: usize) -> Vec<Rayon<R>> {
     let mut rayons = rayons_camera::<R>(cote, cote);
     for rayon in rayons.iter_mut().step_by(2) {

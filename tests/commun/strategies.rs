@@ -71,76 +71,28 @@ pub fn rotation<R: Reel>() -> impl Strategy<Value = Rotation<R>> {
     vecteur_rotation().prop_map(|r| Rotation::new(r).unwrap())
 }
 
-/// What an object is made from, so that it can be made again otherwise.
-#[derive(Debug, Clone, Copy)]
-pub enum Parametres<R> {
-    Sphere { centre: Vecteur<R>, rayon: R, texture: Texture },
-    Plan { rotation: Rotation<R>, distance: R, texture: Texture },
-    Boite { centre: Vecteur<R>, dimensions: Vecteur<R>, rotation: Rotation<R>, texture: Texture },
-}
-
-impl<R: Reel> Parametres<R> {
-    pub fn objet(self) -> ObjetGeo<R> {
-        self.agrandi(R::UN)
-    }
-
-    pub fn texture(self) -> Texture {
-        match self {
-            Self::Sphere { texture, .. }
-            | Self::Plan { texture, .. }
-            | Self::Boite { texture, .. } => texture,
-        }
-    }
-
-    /// The object with every length multiplied by k, its distance to O as well.
-    pub fn agrandi(self, k: R) -> ObjetGeo<R> {
-        match self {
-            Self::Sphere { centre, rayon, texture } => {
-                SphereGeo::new(centre * k, rayon * k, texture).unwrap().into()
-            }
-            Self::Plan { rotation, distance, texture } => {
-                PlanGeo::new(rotation, distance * k, texture).unwrap().into()
-            }
-            Self::Boite { centre, dimensions, rotation, texture } => {
-                BoiteGeo::new(centre * k, dimensions * k, rotation, texture).unwrap().into()
-            }
-        }
-    }
-}
-
 /// A sphere, a half-space or a box about `taille` large, whose coordinates are at most ten times that.
-pub fn parametres<R: Reel>(taille: f64) -> impl Strategy<Value = Parametres<R>> {
-    let centre = move || vecteur(10.0 * taille);
+pub fn objet<R: Reel>(taille: f64) -> impl Strategy<Value = ObjetGeo<R>> {
+    let centre = move || vecteur::<R>(10.0 * taille);
     let longueur = move || reel(0.1 * taille, 2.0 * taille);
     let texture = || any::<u32>().prop_map(Texture);
+    let cotes = [longueur(), longueur(), longueur()].prop_map(Vecteur::from);
     prop_oneof![
-        (centre(), longueur(), texture()).prop_map(|(centre, rayon, texture)| Parametres::Sphere {
-            centre,
-            rayon,
-            texture
-        }),
-        (rotation(), reel(-10.0 * taille, 10.0 * taille), texture()).prop_map(
-            |(rotation, distance, texture)| Parametres::Plan { rotation, distance, texture }
-        ),
-        (centre(), [longueur(), longueur(), longueur()], rotation(), texture()).prop_map(
-            |(centre, dimensions, rotation, texture)| Parametres::Boite {
-                centre,
-                dimensions: dimensions.into(),
-                rotation,
-                texture
-            }
-        ),
+        (centre(), longueur(), texture())
+            .prop_map(|(c, r, texture)| SphereGeo::new(c, r, texture).unwrap().into()),
+        (rotation(), reel(-10.0 * taille, 10.0 * taille), texture())
+            .prop_map(|(r, d, texture)| PlanGeo::new(r, d, texture).unwrap().into()),
+        (centre(), cotes, rotation(), texture()).prop_map(|(c, l, r, texture)| BoiteGeo::new(
+            c, l, r, texture
+        )
+        .unwrap()
+        .into()),
     ]
-}
-
-pub fn objet<R: Reel>(taille: f64) -> impl Strategy<Value = ObjetGeo<R>> {
-    parametres(taille).prop_map(Parametres::objet)
 }
 
 /// A hit that was planted: the point of the surface first, then a ray that arrives there.
 #[derive(Debug, Clone, Copy)]
 pub struct Plante<R> {
-    pub parametres: Parametres<R>,
     pub objet: ObjetGeo<R>,
     pub rayon: Rayon<R>,
     /// The outward normal at the point, in f64.
@@ -159,14 +111,13 @@ impl<R: Reel> Plante<R> {
     /// `echelle` is about the size of the object; `sur` chooses the point of its surface, `vers`
     /// and `ecart` the direction from which the ray arrives, and it comes from `recul` away.
     fn new(
-        parametres: Parametres<R>,
+        objet: ObjetGeo<R>,
         echelle: f64,
         sur: Vecteur,
         vers: Vecteur,
         ecart: f64,
         recul: f64,
     ) -> Self {
-        let objet = parametres.objet();
         let (point, normale, taille) = match objet.vers_ray() {
             ObjetRay::Sphere(sphere) => {
                 let r = sphere.rayon().vers_f64();
@@ -198,7 +149,6 @@ impl<R: Reel> Plante<R> {
         let rayon = Rayon::new(arrondi(point + vient_de * recul), arrondi(-vient_de)).unwrap();
         let source = rayon.source().vers_f64();
         Self {
-            parametres,
             objet,
             rayon,
             normale,
@@ -220,7 +170,7 @@ pub fn plante<R: Reel>() -> impl Strategy<Value = Plante<R>> {
     let echelle = (-20..20_i32).prop_map(|k| f64::from(k).exp2());
     echelle
         .prop_flat_map(|e| {
-            (parametres(e), Just(e), direction(), direction(), 0.0..0.9, 0.1 * e..10.0 * e)
+            (objet(e), Just(e), direction(), direction(), 0.0..0.9, 0.1 * e..10.0 * e)
         })
         .prop_map(|(o, echelle, sur, vers, ecart, recul)| {
             Plante::new(o, echelle, sur, vers, ecart, recul)

@@ -5,7 +5,7 @@ use std::thread;
 
 use commun::choisis::Choisis;
 use commun::conversion::mots;
-use commun::fabrique::{avec_arbre, boite, boite_droite, mur, sphere, v};
+use commun::fabrique::{avec_arbre, boite, boite_droite, v};
 use commun::facons::noeuds;
 use commun::scenes::{melange, rayons_camera};
 use commun::{Bits, en_f32_et_f64};
@@ -30,71 +30,31 @@ fn indices<R: Reel>(touches: &[Reponse<R>]) -> Vec<usize> {
     touches.iter().flatten().map(Intersection::indice).collect()
 }
 
-/// A robot of three parts scans the room around it, and sees no part of its own; beside scans of a list without them.
-fn un_robot_ne_se_voit_pas<R: Reel>() {
-    let robot: [ObjetRay<R>; 3] = [
-        cube(v(0.0, 0.5, 0.0)),
-        sphere(v(0.0, 1.3, 0.0), R::depuis_f64(0.4)),
-        cube(v(0.9, 0.5, 0.0)),
-    ];
-    let piece = melange::<R>(60);
-    let scene = [&robot[..], &piece].concat();
-    let monde = avec_arbre(&scene);
-    let vue = monde.parmi(|indice| indice >= robot.len());
-    let mut caches = 0;
-    for i in 0..4_000 {
-        let a = f64::from(i) * 0.37;
-        let d = v(a.cos(), (f64::from(i) * 0.011).sin(), a.sin());
-        // From within its own head, and from beside it.
-        let rayon = Rayon::new(v(0.0, if i % 2 == 0 { 1.2 } else { 2.5 }, 0.0), d).unwrap();
-        let voulue = premiere_intersection(&piece, &rayon).map(|t| (t.distance(), t.indice() + 3));
-        let vu = vue.premiere_intersection(&rayon);
-        assert_eq!(vu.map(|t| (t.distance(), t.indice())), voulue);
-        assert_eq!(vue.est_occulte(&rayon), voulue.is_ok());
-        // What is left out is no answer, of which to be certain.
-        let nue = monde.premiere_intersection(&rayon);
-        if nue.is_ok_and(|t| t.indice() < 3) {
-            assert!(!vue.certifie(&rayon, &nue));
-            caches += 1;
-        }
-    }
-    assert!(caches > 500, "the robot stood in its own way of {caches} rays alone");
-}
-
-en_f32_et_f64!(un_robot_ne_se_voit_pas);
-
-/// A choice among a choice takes what both take, in whatever order, and undoes neither.
+/// A choice among a choice takes what both take, in whatever order; a predicate that is borrowed serves as well, and an
+/// index beyond the list, or with the lowest 32 bits of an index of it, leaves nothing out.
 #[test]
 fn un_choix_parmi_un_choix_prend_ce_que_les_deux_prennent() {
     let scene: Vec<ObjetRay> = (0..40).map(|i| cube(v(0.0, 0.0, -2.0 * f64::from(i)))).collect();
     let rayon = Rayon::new(v(0.0, 0.0, 5.0), v(0.1, 0.07, -9.0)).unwrap();
+    fn premier<C: Choix>(monde: Monde<'_, f64, C>, rayon: &Rayon) -> Option<usize> {
+        monde.premiere_intersection(rayon).ok().map(|touche| touche.indice())
+    }
+    let au_dela = usize::MAX - usize::MAX % (usize::MAX >> (usize::BITS / 2)).wrapping_add(1);
     for monde in [avec_arbre(&scene), Monde::de_liste(&scene)] {
-        let sans = |k: usize| move |indice| indice != k;
-        let [un, zero] = [sans(1), sans(0)];
-        fn premier<C: Choix>(
-            monde: Monde<'_, f64, C>,
-            rayon: &Rayon,
-        ) -> Result<usize, NoIntersection> {
-            monde.premiere_intersection(rayon).map(|touche| touche.indice())
+        let [un, zero] = [1, 0].map(|k| move |indice: usize| indice != k);
+        for (obtenu, attendu) in [
+            (premier(monde.parmi(zero).parmi(un), &rayon), Some(2)),
+            (premier(monde.parmi(&un).parmi(&zero), &rayon), Some(2)),
+            (premier(monde.parmi(un).parmi(un), &rayon), Some(0)),
+            (premier(monde.sans(1).sans(0), &rayon), Some(2)),
+            (premier(monde.parmi(zero).sans(1), &rayon), Some(2)),
+            (premier(monde.sans(0).parmi(un), &rayon), Some(2)),
+            (premier(monde.sans(au_dela).sans(usize::MAX), &rayon), Some(0)),
+            (premier(monde.parmi(|_| false), &rayon), None),
+            (premier(monde, &rayon), Some(0)),
+        ] {
+            assert_eq!(obtenu, attendu);
         }
-        assert_eq!(premier(monde.parmi(zero), &rayon), Ok(1));
-        assert_eq!(premier(monde.parmi(un), &rayon), Ok(0));
-        assert_eq!(premier(monde.parmi(zero).parmi(un), &rayon), Ok(2));
-        assert_eq!(premier(monde.parmi(un).parmi(zero), &rayon), Ok(2));
-        assert_eq!(premier(monde.parmi(un).parmi(un), &rayon), Ok(0));
-        // A predicate that is borrowed serves as well.
-        assert_eq!(premier(monde.parmi(&un).parmi(&zero), &rayon), Ok(2));
-        assert_eq!(premier(monde.sans(0), &rayon), Ok(1));
-        assert_eq!(premier(monde.sans(0).sans(1), &rayon), Ok(2));
-        assert_eq!(premier(monde.sans(1).sans(0), &rayon), Ok(2));
-        assert_eq!(premier(monde.parmi(zero).sans(1), &rayon), Ok(2));
-        assert_eq!(premier(monde.sans(0).parmi(un), &rayon), Ok(2));
-        assert_eq!(premier(monde.sans(0).sans(usize::MAX), &rayon), Ok(1));
-        // Beyond the list, and with the lowest 32 bits of an index of it.
-        let au_dela = usize::MAX - usize::MAX % (usize::MAX >> (usize::BITS / 2)).wrapping_add(1);
-        assert_eq!([au_dela, usize::MAX].map(|k| premier(monde.sans(k), &rayon)), [Ok(0); 2]);
-        assert_eq!(premier(monde.parmi(|_| false), &rayon), Err(NoIntersection));
-        assert_eq!(premier(monde, &rayon), Ok(0));
     }
 }
 
@@ -199,24 +159,6 @@ fn deux_mondes_repondent_comme_une_liste<R: Bits>() {
 }
 
 en_f32_et_f64!(deux_mondes_repondent_comme_une_liste);
-
-/// A half-space and a sky of shells: every one that the ray enters, in order; those around its source it does not enter.
-fn des_coques_viennent_dans_l_ordre<R: Reel>() {
-    let coque = |x: f64, r: f64| sphere(v(x, 0.0, 0.0), R::depuis_f64(r));
-    let mur = mur(v(20.0, 0.0, 0.0), v(-1.0, 0.0, 0.0));
-    let scene: [ObjetRay<R>; 5] =
-        [mur, coque(10.0, 1.0), coque(0.0, 50.0), coque(10.0, 3.0), coque(10.0, 2.0)];
-    let rayon = Rayon::new(Vecteur::NUL, v(1.0, 0.0, 0.0)).unwrap();
-    let mut touches = [Err(NoIntersection); 5];
-    let monde = Monde::de_liste(&scene);
-    assert_eq!(monde.dans_l_ordre(&rayon, &mut touches), 4);
-    assert_eq!(indices(&touches), [3, 4, 1, 0]);
-    let distances: Vec<_> = touches.iter().flatten().map(|t| t.distance().vers_f64()).collect();
-    assert_eq!(distances, [7.0, 8.0, 9.0, 20.0]);
-    assert_eq!(touches[4], Err(NoIntersection));
-}
-
-en_f32_et_f64!(des_coques_viennent_dans_l_ordre);
 
 /// What a program keeps of a world for its shadows.
 struct Ombres<'a, C> {

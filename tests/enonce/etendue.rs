@@ -3,60 +3,9 @@
 use commun::arrondi;
 use commun::en_f32_et_f64;
 use commun::fabrique::{boite_droite, mur, sphere};
-use commun::hasard::{Hasard, Tirage, pour_chaque};
-use commun::regimes::{Extreme, direction, entre, regimes};
-use lancer_rayon::{Etendue, Monde, NoIntersection, Nombre, ObjetRay, Rayon, Reel, Vecteur};
-
-/// The centre of an object, or a point deep in it.
-fn fond<R: Reel>(objet: &ObjetRay<R>) -> Vecteur {
-    match objet {
-        ObjetRay::Sphere(sphere) => sphere.centre().vers_f64(),
-        ObjetRay::Plan(plan) => {
-            plan.normale().vers_f64() * (-1.0 - 2.0 * plan.distance().vers_f64().abs())
-        }
-        ObjetRay::Boite(boite) => boite.centre().vers_f64(),
-    }
-}
-
-/// No ray from a point that is in an object touches it, to the last bit; from any other the ray to the middle of an
-/// ordinary sphere or half-space does.
-fn un_point_contenu_ne_voit_pas_l_objet<R: Reel>() {
-    let (mut dedans, mut dehors) = (0, 0);
-    for regime in regimes::<R>() {
-        let faire = |alea: &mut Hasard| {
-            let cas = (regime.cas)(alea);
-            let (fond, source) = (fond(&cas.objet), cas.rayon.source().vers_f64());
-            // Near the surface, from either side: the point of a hit and some roundings beside it.
-            let ou = match cas.objet.intersection(&cas.rayon) {
-                Ok(touche) => touche.point().vers_f64(),
-                Err(NoIntersection) => fond + (source - fond) * alea.f64(),
-            };
-            let peu = entre(alea, -8.0, 8.0) * R::U.vers_f64();
-            let directions = alea.liste(10, |alea, _| arrondi(direction(alea)));
-            (cas.objet, [ou, ou + (ou - fond) * peu, fond, source].map(arrondi::<R>), directions)
-        };
-        pour_chaque(200, faire, |(objet, points, directions)| {
-            let large = !matches!(objet, ObjetRay::Boite(_)) && regime.extreme == Extreme::Aucun;
-            for point in points {
-                let vers_le_fond = arrondi::<R>(fond(&objet) - point.vers_f64());
-                let contient = objet.contient(point);
-                for direction in directions.iter().chain([&vers_le_fond]) {
-                    let Ok(rayon) = Rayon::new(point, *direction) else { continue };
-                    let touche = objet.intersection(&rayon);
-                    assert!(!contient || touche == Err(NoIntersection), "{objet:?} {rayon:?}");
-                    if !contient && *direction == vers_le_fond && large {
-                        assert!(touche.is_ok(), "{objet:?} {rayon:?}");
-                    }
-                }
-                dedans += u32::from(contient);
-                dehors += u32::from(!contient);
-            }
-        });
-    }
-    assert!(dedans > 3_000 && dehors > 3_000, "{dedans} {dehors}");
-}
-
-en_f32_et_f64!(un_point_contenu_ne_voit_pas_l_objet);
+use commun::hasard::pour_chaque;
+use commun::regimes::regimes;
+use lancer_rayon::{Etendue, Monde, Nombre, ObjetRay, Reel, Vecteur};
 
 /// The surface belongs to an object, and the next number beyond it does not.
 fn la_surface_est_dans_l_objet<R: Reel>() {
@@ -72,19 +21,21 @@ fn la_surface_est_dans_l_objet<R: Reel>() {
 
 en_f32_et_f64!(la_surface_est_dans_l_objet);
 
-/// How far an object reaches from its centre along each axis: to its farthest corner.
-fn demi_etendue(objet: &ObjetRay<f32>) -> [f64; 3] {
-    let coins = match objet {
-        ObjetRay::Sphere(sphere) => vec![[sphere.rayon().vers_f64(); 3]],
-        ObjetRay::Plan(_) => vec![[f64::INFINITY; 3]],
+/// The centre of an object that has one, and how far it reaches from there along each axis: to its farthest corner.
+fn demi_etendue(objet: &ObjetRay<f32>) -> [[f64; 3]; 2] {
+    let (centre, coins) = match objet {
+        ObjetRay::Sphere(sphere) => (sphere.centre(), vec![[sphere.rayon().vers_f64(); 3]]),
+        ObjetRay::Plan(_) => (Vecteur::NUL, vec![[f64::INFINITY; 3]]),
         ObjetRay::Boite(boite) => {
             let [u, v, w] = [0, 1, 2]
                 .map(|i| boite.normales()[i].vers_f64() * boite.demi_longueurs()[i].vers_f64());
             let coin = |x: f64, y: f64| <[f64; 3]>::from(u + v * x + w * y);
-            vec![coin(1.0, 1.0), coin(1.0, -1.0), coin(-1.0, 1.0), coin(-1.0, -1.0)]
+            let coins = [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)];
+            (boite.centre(), coins.map(|(x, y)| coin(x, y)).to_vec())
         }
     };
-    [0, 1, 2].map(|i| coins.iter().map(|coin| coin[i].abs()).fold(0.0, f64::max))
+    let h = [0, 1, 2].map(|i| coins.iter().map(|coin| coin[i].abs()).fold(0.0, f64::max));
+    [centre.vers_f64().into(), h]
 }
 
 /// Each hit lies in the box around its object, and in that around the list; no box is larger than promised.
@@ -102,7 +53,7 @@ fn chaque_touche_est_dans_l_etendue() {
                 };
                 objets.push(cas.objet);
                 let [bas, haut] = [bas, haut].map(|v| <[f64; 3]>::from(v.vers_f64()));
-                let (c, h) = (<[f64; 3]>::from(fond(&cas.objet)), demi_etendue(&cas.objet));
+                let [c, h] = demi_etendue(&cas.objet);
                 // What lemma 15 adds to the corners; 36u more is how far they may be from those of the solid.
                 let (des_demis, du_centre) =
                     (h.iter().sum::<f64>(), c.map(f64::abs).iter().sum::<f64>());

@@ -1,25 +1,17 @@
 //! Rays with an end: every question stops there, and a hit beyond it is no answer.
 
 use commun::choisis::choisir;
-use commun::conversion::{mots, voisin};
-use commun::fabrique::{avec_arbre, mur, sphere, v};
+use commun::conversion::voisin;
+use commun::fabrique::{mur, v};
 use commun::hasard::{Hasard, pour_chaque};
-use commun::oracle::{Exact, verite};
-use commun::regimes::{Cas, direction, entre, regimes};
+use commun::oracle::Exact;
+use commun::regimes::{direction, entre};
 use commun::scenes::{melange, rayons_camera};
 use commun::{Bits, arrondi, en_f32_et_f64};
-use lancer_rayon::{
-    Monde, NoIntersection, ObjetRay, Rayon, Reel, Reponse, Vecteur, places, premiere_intersection,
-};
+use lancer_rayon::{Monde, NoIntersection, Rayon, Reel, Reponse, Vecteur, places};
 
 fn jusqu_a<R: Reel>(rayon: &Rayon<R>, fin: R) -> Rayon<R> {
     rayon.jusqu_a(fin).unwrap()
-}
-
-/// This answer if it lies before that end, else a miss.
-fn avant<R: Reel>(reponse: Reponse<R>, fin: R) -> Reponse<R> {
-    reponse
-        .and_then(|touche| if touche.distance() < fin { Ok(touche) } else { Err(NoIntersection) })
 }
 
 /// The ends that matter of a ray with these hits: each distance and the numbers beside it, half of it, and the ends of
@@ -52,102 +44,6 @@ fn toute_question_s_arrete_a_la_fin<R: Bits>() {
 
 en_f32_et_f64!(toute_question_s_arrete_a_la_fin);
 
-/// A way out beyond the end of the ray is none, from within an object and through it; of every shape in every regime.
-fn une_sortie_apres_la_fin_n_en_est_pas_une<R: Bits>() {
-    let [mut sorties, mut de_dedans] = [0; 2];
-    let mut juger = |Cas { objet, rayon }: Cas<R>| {
-        let dedans = objet.intersection(&rayon);
-        let dedans = dedans.ok().and_then(|t| t.secondaire(rayon.direction()).ok());
-        for sans_fin in [Some(rayon), dedans].into_iter().flatten() {
-            let [entree, sortie] = [objet.intersection(&sans_fin), objet.sortie(&sans_fin)];
-            for fin in fins(&[entree, sortie]) {
-                let rayon = jusqu_a(&sans_fin, fin);
-                let obtenues = [objet.intersection(&rayon), objet.sortie(&rayon)];
-                let voulues = [entree, sortie].map(|t| mots(&avant(t, fin)));
-                assert_eq!(obtenues.map(|t| mots(&t)), voulues, "{objet:?} {rayon:?}");
-            }
-            sorties += u32::from(sortie.is_ok());
-            de_dedans += u32::from(sortie.is_ok() && entree.is_err());
-        }
-    };
-    for regime in regimes::<R>() {
-        pour_chaque(400, |alea| (regime.cas)(alea), &mut juger);
-    }
-    let rayons = rayons_camera(12, 8);
-    let cas = |objet| rayons.iter().map(move |rayon| Cas { objet, rayon: *rayon });
-    melange::<R>(90).into_iter().flat_map(cas).for_each(juger);
-    assert!(sorties > 3_000 && de_dedans > 1_000, "{sorties} {de_dedans}");
-}
-
-en_f32_et_f64!(une_sortie_apres_la_fin_n_en_est_pas_une);
-
-/// Whether exact arithmetic names this object first, before the end of the ray.
-fn est_vraie<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>, reponse: &Reponse<R>) -> bool {
-    let entrees = objets.iter().map(|objet| verite(objet, rayon).entree.map(|entree| entree.t));
-    let avant_la_fin = |t: &Exact| rayon.fin() == R::INFINI || *t < Exact::de(rayon.fin());
-    let entrees = entrees.enumerate().filter_map(|(i, t)| Some((i, t.filter(avant_la_fin)?)));
-    let premiere = entrees.reduce(|a, b| if b.1 < a.1 { b } else { a });
-    premiere.map(|(indice, _)| indice) == reponse.ok().map(|touche| touche.indice())
-}
-
-/// A certificate speaks of the ray as far as its end: a hit before it and a miss before everything are certain, what lies
-/// beyond the end is no answer, and none is certain that exact arithmetic does not give, however near to a hit the ray
-/// ends. Away from all hits the answer of every ray is certain whose answer without an end is.
-fn un_certificat_s_arrete_a_la_fin<R: Bits>() {
-    let objets = melange::<R>(40);
-    let mondes = [avec_arbre(&objets), Monde::de_liste(&objets)];
-    let [mut coups, mut rates, mut doutes] = [0; 3];
-    for sans_fin in rayons_camera::<R>(18, 12) {
-        let mut toutes = vec![Err(NoIntersection); objets.len()];
-        let nombre = mondes[1].dans_l_ordre(&sans_fin, &mut toutes);
-        let premiere = toutes[0];
-        for (i, fin) in fins(&toutes[..nombre.min(2)]).into_iter().enumerate() {
-            let rayon = jusqu_a(&sans_fin, fin);
-            let ici = mondes[1].premiere_intersection(&rayon);
-            // Those beside a distance come first, four by four.
-            let pres = i < 4 * nombre.min(2) && i % 4 < 3;
-            for monde in mondes {
-                let certaine = monde.certifie(&rayon, &ici);
-                assert!(!certaine || est_vraie(&objets, &rayon, &ici), "{ici:?} {rayon:?}");
-                if !pres && ici.is_ok() && monde.certifie(&sans_fin, &premiere) {
-                    assert!(certaine, "{ici:?} {rayon:?}");
-                }
-                if ici.is_err() && premiere.is_ok() {
-                    // The first of the ray without an end comes too late, save within its rounding;
-                    // and the miss is none of that ray.
-                    let tardive = monde.certifie(&rayon, &premiere);
-                    assert!(!tardive || est_vraie(&objets, &rayon, &premiere), "{rayon:?}");
-                    assert!(!monde.certifie(&sans_fin, &ici), "{sans_fin:?}");
-                    assert!(pres || (certaine && !tardive), "{premiere:?} {rayon:?}");
-                }
-                if let Ok(seconde) = toutes[1]
-                    && seconde.distance() > premiere.unwrap().distance()
-                {
-                    assert!(!monde.certifie(&rayon, &Ok(seconde)), "{seconde:?} {rayon:?}");
-                }
-                match certaine {
-                    true if ici.is_ok() => coups += 1,
-                    true => rates += 1,
-                    false => doutes += 1,
-                }
-            }
-            for objet in &objets {
-                if objet.est_certain(&rayon) {
-                    let seul = objet.intersection(&rayon);
-                    assert!(
-                        est_vraie(core::slice::from_ref(objet), &rayon, &seul),
-                        "{objet:?} {rayon:?}"
-                    );
-                }
-            }
-        }
-    }
-    println!("{coups} hits and {rates} misses certain, {doutes} in doubt");
-    assert!(coups > 500 && rates > 500 && doutes > 100);
-}
-
-en_f32_et_f64!(un_certificat_s_arrete_a_la_fin);
-
 /// NaN and what is below 0 are no end, and the refusal names `fin`. From 0 on every number is one, and replaces the one
 /// before; at 0 nothing is asked.
 fn une_fin_est_une_distance<R: Bits>() {
@@ -176,33 +72,6 @@ fn une_fin_est_une_distance<R: Bits>() {
         assert_eq!(court.temoin_f64().fin(), fin.vers_f64());
         let simple = court.vers_f32(Vecteur::NUL).unwrap();
         assert_eq!(simple.fin(), fin.vers_f64() as f32);
-    }
-    let objets = melange::<R>(60);
-    for monde in [avec_arbre(&objets), Monde::de_liste(&objets)] {
-        for zero in [R::ZERO, -R::ZERO] {
-            let rayons = rayons_camera::<R>(16, 12);
-            let rien: Vec<_> = rayons.iter().map(|rayon| jusqu_a(rayon, zero)).collect();
-            let mut touches: Vec<_> =
-                rayons.iter().map(|rayon| monde.premiere_intersection(rayon)).collect();
-            assert!(touches.iter().flatten().count() > 100);
-            monde.premieres_intersections(&rien, &mut touches).unwrap();
-            assert!(touches.iter().all(|touche| *touche == Err(NoIntersection)));
-            let mut occultes = vec![true; rien.len()];
-            monde.sont_occultes(&rien, &mut occultes).unwrap();
-            assert!(!occultes.contains(&true));
-            for rayon in &rien {
-                assert_eq!(premiere_intersection(&objets, rayon), Err(NoIntersection));
-                assert_eq!(monde.premiere_intersection(rayon), Err(NoIntersection));
-                assert!(!monde.est_occulte(rayon));
-                assert_eq!(monde.dans_l_ordre(rayon, &mut [Err(NoIntersection); 2]), 0);
-                monde.visiter(rayon, |indice, t| panic!("{indice} at {t}"));
-                assert!(monde.certifie(rayon, &Err(NoIntersection)), "{rayon:?}");
-                for objet in &objets {
-                    assert_eq!(objet.intersection(rayon), Err(NoIntersection));
-                    assert_eq!(objet.sortie(rayon), Err(NoIntersection));
-                }
-            }
-        }
     }
 }
 
@@ -254,73 +123,3 @@ fn un_rayon_entre_deux_points_finit_au_second<R: Bits>() {
 }
 
 en_f32_et_f64!(un_rayon_entre_deux_points_finit_au_second);
-
-/// The ray that goes on from a hit has no end of the ray that came: only one to a light or to another hit ends, there.
-fn une_suite_n_herite_pas_de_la_fin<R: Bits>() {
-    let boule: ObjetRay<R> = sphere(v(0.0, 0.0, -5.0), R::UN);
-    let rayon = Rayon::new(Vecteur::NUL, v(0.1, 0.05, -1.0)).unwrap();
-    let touche = boule.intersection(&rayon).unwrap();
-    let court = jusqu_a(&rayon, touche.distance() + touche.distance() * R::depuis_f64(0.125));
-    let la_meme = boule.intersection(&court).unwrap();
-    assert_eq!(mots(&Ok(la_meme)), mots(&Ok(touche)));
-    let d = court.direction();
-    let suites = [
-        la_meme.secondaire(d),
-        la_meme.secondaire(-d),
-        la_meme.reflechi(d),
-        la_meme.vers_soleil(touche.normale()),
-    ];
-    for suite in suites {
-        assert_eq!(suite.unwrap().fin(), R::INFINI);
-    }
-    let lampe = v(0.0, 3.0, 1.0);
-    let ombre = la_meme.vers_lumiere(lampe).unwrap();
-    let voulue = Rayon::entre(ombre.source(), lampe).unwrap();
-    assert_eq!(ombre, voulue.avec_flou(ombre.flou()).unwrap());
-}
-
-en_f32_et_f64!(une_suite_n_herite_pas_de_la_fin);
-
-/// A hit knows its point, however it was found, and whether it is an entry or a way out; of every shape in every regime.
-fn une_touche_connait_son_point<R: Bits>() {
-    let bits = |p: Vecteur<R>| [p.x, p.y, p.z].map(R::bits);
-    let exiger = |rayon: &Rayon<R>, reponse: &Reponse<R>| {
-        let Ok(touche) = reponse else { return 0 };
-        assert_eq!(
-            bits(touche.point()),
-            bits(rayon.point(touche.distance())),
-            "{touche:?} {rayon:?}"
-        );
-        1
-    };
-    let mut connus = 0;
-    for regime in regimes::<R>() {
-        pour_chaque(
-            1_000,
-            |alea| (regime.cas)(alea),
-            |cas| {
-                connus += exiger(&cas.rayon, &cas.objet.intersection(&cas.rayon));
-                connus += exiger(&cas.rayon, &cas.objet.sortie(&cas.rayon));
-            },
-        );
-    }
-    assert!(connus > 15_000, "{connus}");
-    let objets = melange::<R>(120);
-    let mut memoire = vec![0.0; places(objets.len())];
-    let rayons = rayons_camera::<R>(40, 30);
-    for monde in [Monde::new(&objets, &mut memoire).unwrap(), Monde::de_liste(&objets)] {
-        let mut touches = vec![Err(NoIntersection); rayons.len()];
-        monde.premieres_intersections(&rayons, &mut touches).unwrap();
-        let mut connus = [0; 3];
-        for (rayon, touche) in rayons.iter().zip(&touches) {
-            connus[0] += exiger(rayon, touche);
-            connus[1] += exiger(rayon, &monde.premiere_intersection(rayon));
-            let mut toutes = [Err(NoIntersection); 4];
-            monde.dans_l_ordre(rayon, &mut toutes);
-            connus[2] += toutes.iter().map(|touche| exiger(rayon, touche)).sum::<u32>();
-        }
-        assert!(connus[0] > 500 && connus[0] == connus[1] && connus[2] > connus[1], "{connus:?}");
-    }
-}
-
-en_f32_et_f64!(une_touche_connait_son_point);

@@ -5,15 +5,15 @@
 //! Most rows are also the page `docs/jeu-de-tests.md`. To write it again:
 //! `LANCER_RAYON_ECRIRE=1 cargo test --all-features --test enonce`
 
-use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
+use core::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 use core::fmt::Write;
 use std::path::Path;
 
 use commun::litteral;
 use exemples::scene::Scene;
 use lancer_rayon::{
-    BoiteGeo, BoiteRay, ErreurGeo, Face, NoIntersection, ObjetGeo, ObjetRay, PlanGeo, PlanRay,
-    Rayon, Reel, Reponse, Rotation, SphereGeo, SphereRay, Texture, Vecteur, premiere_intersection,
+    BoiteGeo, BoiteRay, ErreurGeo, Face, NoIntersection, ObjetGeo, ObjetRay, PlanGeo, Rayon, Reel,
+    Reponse, Rotation, SphereGeo, Texture, Vecteur, premiere_intersection,
 };
 use serde::de::DeserializeOwned;
 
@@ -72,14 +72,6 @@ fn liste<T>(trois: [T; 3], montrer: impl Fn(T) -> String) -> String {
     trois.map(montrer).join(" ")
 }
 
-fn matrice<R: Reel>(lignes: [[R; 3]; 3]) -> String {
-    liste(lignes, |ligne| vecteur(ligne.into()))
-}
-
-fn environ(x: f64) -> String {
-    format!("{:.6}", x + 0.0)
-}
-
 fn touche<R: Reel>(touche: Reponse<R>) -> String {
     match touche {
         Ok(touche) => {
@@ -94,10 +86,21 @@ fn touche<R: Reel>(touche: Reponse<R>) -> String {
     }
 }
 
-fn environ_touche(touche: Reponse) -> String {
-    let Ok(touche) = touche else { return "none".into() };
-    let normale = <[f64; 3]>::from(touche.normale()).map(environ).join(", ");
-    format!("distance {}, normal ({normale})", environ(touche.distance()))
+/// The quantities of §3 of an object, or why there is none.
+fn quantites<R: Reel>(objet: Result<ObjetGeo<R>, ErreurGeo>) -> String {
+    match objet.map(ObjetGeo::vers_ray) {
+        Ok(ObjetRay::Sphere(s)) => {
+            format!("centre {}, radius {}", vecteur(s.centre()), nombre(s.rayon()))
+        }
+        Ok(ObjetRay::Plan(p)) => {
+            format!("d {}, normal {}", nombre(p.distance()), vecteur(p.normale()))
+        }
+        Ok(ObjetRay::Boite(b)) => {
+            let (n, l) = (liste(b.normales(), vecteur), liste(b.demi_longueurs(), nombre));
+            format!("centre {}, normals {n}, half-lengths {l}", vecteur(b.centre()))
+        }
+        Err(erreur) => erreur.to_string(),
+    }
 }
 
 fn litteralement<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> String {
@@ -115,9 +118,6 @@ fn erreur<T: core::fmt::Debug>(resultat: Result<T, ErreurGeo>) -> String {
 // How a row makes a value.
 
 const O: Vecteur = Vecteur::NUL;
-
-/// The rows of the identity, as a row of the page shows them.
-const IDENTITE: &str = "(1, 0, 0) (0, 1, 0) (0, 0, 1)";
 
 fn v(x: f64, y: f64, z: f64) -> Vecteur {
     Vecteur::new(x, y, z)
@@ -165,16 +165,6 @@ fn premiere<const N: usize>(objets: [ObjetGeo; N], rayon: &Rayon) -> String {
     touche(premiere_intersection(&objets.map(ObjetGeo::vers_ray), rayon))
 }
 
-fn sphere_ray<R: Reel>(objet: ObjetGeo<R>) -> SphereRay<R> {
-    let ObjetRay::Sphere(sphere) = objet.vers_ray() else { panic!("not a sphere") };
-    sphere
-}
-
-fn plan_ray<R: Reel>(objet: ObjetGeo<R>) -> PlanRay<R> {
-    let ObjetRay::Plan(plan) = objet.vers_ray() else { panic!("not a half-space") };
-    plan
-}
-
 fn boite_ray<R: Reel>(objet: ObjetGeo<R>) -> BoiteRay<R> {
     let ObjetRay::Boite(boite) = objet.vers_ray() else { panic!("not a box") };
     boite
@@ -210,11 +200,6 @@ fn annexe_a2() -> Partie {
         "SC·D = 0: the centre is level with the source" => "no intersection",
             lancer(boule, &rayon(O, v(0.0, 1.0, 0.0)));
         "AC = 6 > r: beside the sphere" => "no intersection", lancer(boule, &devant(6.0, 0.0, 0.0));
-        aussi "far: a billion away, to the last bit" => "distance 999999999, normal (0, 0, 1)",
-            lancer(sphere(v(0.0, 0.0, -1e9), 1.0, 0), &devant(0.0, 0.0, 0.0));
-        aussi "near: a millionth before the surface" =>
-            "distance 0.00000095367431640625, normal (0, 0, 1)",
-            lancer(sphere(v(0.0, 0.0, -1.0), 1.0, 0), &devant(0.0, 0.0, (-20.0_f64).exp2()));
     }
 }
 
@@ -227,35 +212,24 @@ fn annexe_a3() -> Partie {
         "D·N > 0 for the face +z: the ray hits the opposite face −z" =>
             "distance 7, normal (0, 0, -1)",
             lancer(marche, &rayon(v(0.5, 0.5, -20.0), v(0.0, 0.0, 1.0)));
-        aussi "from the left: the face −x" => "distance 8, normal (-1, 0, 0)",
-            lancer(marche, &rayon(v(-10.0, 0.0, -10.0), v(1.0, 0.0, 0.0)));
-        aussi "from above: the face +y" => "distance 9, normal (0, 1, 0)",
-            lancer(marche, &rayon(v(1.0, 10.0, -9.0), v(0.0, -1.0, 0.0)));
         "|CfI·N| = 2.5 > l: the plane of the face, but beside it" => "no intersection",
             lancer(marche, &devant(2.5, 0.0, 0.0));
         "a cube turned by 45° about y: its edge is at 5 − √2, here 0.25 beside it" =>
-            "distance 3.835786, normal (0.707107, 0.000000, 0.707107)",
-            environ_touche(incline.vers_ray().intersection(&devant(0.25, 0.0, 0.0)));
+            "distance 3.835786437626905, normal (0.7071067811865476, 0, 0.7071067811865475)",
+            lancer(incline, &devant(0.25, 0.0, 0.0));
         "behind the source" => "no intersection", lancer(marche, &rayon(O, v(0.0, 0.0, 1.0)));
     }
 }
 
 fn c1() -> Partie {
     let w = v(1.0, 2.0, 3.0);
-    let angles = v(0.3, -0.7, 1.1);
     partie! { "C1: the sense of a rotation is that of the formula V·M, for V = (1, 2, 3)";
         "§2.1's example, α = 90° about x: (x, y cos α + z sin α, −y sin α + z cos α)" =>
             "(1, 3, -2)", vecteur(tour(FRAC_PI_2, 0.0, 0.0).appliquer(w));
-        aussi "the same at α = 30°" => "(1.000000, 3.232051, 1.598076)", {
-                let t = tour(PI / 6.0, 0.0, 0.0).appliquer(w);
-                format!("({}, {}, {})", environ(t.x), environ(t.y), environ(t.z))
-            };
         "90° about y" => "(-3, 2, 1)", vecteur(tour(0.0, FRAC_PI_2, 0.0).appliquer(w));
         "90° about z" => "(2, -1, 3)", vecteur(tour(0.0, 0.0, FRAC_PI_2).appliquer(w));
         "the right-hand rule, 90° about x: y goes to z" => "(1, -3, 2)",
             vecteur(Rotation::main_droite(v(FRAC_PI_2, 0.0, 0.0)).unwrap().appliquer(w));
-        aussi "main_droite(r) is new(−r)" => matrice(Rotation::new(-angles).unwrap().matrice()),
-            matrice(Rotation::main_droite(angles).unwrap().matrice());
     }
 }
 
@@ -278,42 +252,23 @@ fn quarts_inexacts<R: Reel>() -> String {
 fn c2() -> Partie {
     let q = FRAC_PI_2;
     let w = v(1.0, 2.0, 3.0);
-    let (x, y, z) = (tour(q, 0.0, 0.0), tour(0.0, q, 0.0), tour(0.0, 0.0, q));
+    let (x, y) = (tour(q, 0.0, 0.0), tour(0.0, q, 0.0));
     partie! { "C2: about x, then y, then z, for V = (1, 2, 3); quarter turns are exact";
         "x first, then y" => "(2, 3, 1)", vecteur(tour(q, q, 0.0).appliquer(w));
         "y first, then x: another rotation" => "(-3, 1, -2)", vecteur(y.puis(x).appliquer(w));
-        aussi "new(a, b, c) is a about x, puis b about y, puis c about z" =>
-            matrice(tour(q, q, q).matrice()), matrice(x.puis(y).puis(z).matrice());
-        aussi "r1.puis(r2) applies r1 first" => vecteur(y.appliquer(x.appliquer(w))),
-            vecteur(x.puis(y).appliquer(w));
         "all 9³ quarter turns, alone and with one more about any axis: matrices with an element other than +0, 1 and −1" =>
             "0 of 2916",
             quarts_inexacts::<f64>();
         aussi "the same in f32" => "0 of 2916", quarts_inexacts::<f32>();
-        aussi "four quarter turns about x, y and z change nothing" => [IDENTITE; 3].join(" "),
-            liste([x, y, z], |r| matrice(r.puis(r).puis(r).puis(r).matrice()));
-        aussi "any finite angle: 10⁶ turns and a quarter" => "(1.000000, 3.000000, -2.000000)", {
-                let t = tour(1e6 * 2.0 * PI + q, 0.0, 0.0).appliquer(w);
-                format!("({}, {}, {})", environ(t.x), environ(t.y), environ(t.z))
-            };
-        aussi "an infinite angle" => "vecteur_rotation.y is inf, but must be a finite number",
-            erreur(Rotation::new(v(0.0, f64::INFINITY, 0.0)));
     }
 }
 
 fn c3() -> Partie {
-    let haut = devant(0.0, 0.0, 5.0);
     let devant_de_nous = plan(Rotation::IDENTITE, 2.0, 0);
     let autour_de_nous = plan(Rotation::IDENTITE, -2.0, 0);
     partie! { "C3: the surface is N·X = −d, the solid N·X ≤ −d";
-        aussi "N = (0, 0, 1) before any turn" => "(0, 0, 1)",
-            vecteur(plan_ray(devant_de_nous).normale());
-        "N = (0, 0, 1)·M" => "(0, 1, 0)",
-            vecteur(plan_ray(plan(tour(FRAC_PI_2, 0.0, 0.0), 0.0, 0)).normale());
-        aussi "d = 2: the surface is at z = −2" => "distance 7, normal (0, 0, 1)",
-            lancer(devant_de_nous, &haut);
-        aussi "d = −2: the surface is at z = 2" => "distance 3, normal (0, 0, 1)",
-            lancer(autour_de_nous, &haut);
+        "N = (0, 0, 1)·M" => "d 0, normal (0, 1, 0)",
+            quantites(Ok(plan(tour(FRAC_PI_2, 0.0, 0.0), 0.0, 0)));
         "d > 0: the origin is outside, and sees it" => "distance 2, normal (0, 0, 1)",
             lancer(devant_de_nous, &devant(0.0, 0.0, 0.0));
         "d < 0: the origin is inside, and sees nothing of it" => "no intersection",
@@ -326,25 +281,13 @@ fn c3() -> Partie {
 fn c4() -> Partie {
     let w = v(1.0, 2.0, 3.0);
     partie! { "C4: translation";
-        "a sphere: its centre" => "(1, 2, -2) radius 1", {
-                let s = sphere_ray(sphere(v(0.0, 0.0, -5.0), 1.0, 0).translation(w).unwrap());
-                format!("{} radius {}", vecteur(s.centre()), s.rayon())
-            };
-        "a box: its centre, and its faces with it" => "(1, 2, -2) (2, 2, -2) (1, 3, -2) (1, 2, -1)",
-            {
-                let b =
-                    boite_ray(cube(v(0.0, 0.0, -5.0), Rotation::IDENTITE).translation(w).unwrap());
-                let faces = FACES.map(|face| b.face(face).0);
-                format!("{} {}", vecteur(b.centre()), liste(faces, vecteur))
-            };
-        "a half-space: d − N·v = 4 − 3" => "d 1, normal (0, 0, 1)", {
-                let p = plan_ray(plan(Rotation::IDENTITE, 4.0, 0).translation(w).unwrap());
-                format!("d {}, normal {}", p.distance(), vecteur(p.normale()))
-            };
-        aussi "a half-space along its surface: unchanged" => "d 4", {
-                let p = plan(Rotation::IDENTITE, 4.0, 0).translation(v(7.0, -7.0, 0.0)).unwrap();
-                format!("d {}", plan_ray(p).distance())
-            };
+        "a sphere: its centre" => "centre (1, 2, -2), radius 1",
+            quantites(sphere(v(0.0, 0.0, -5.0), 1.0, 0).translation(w));
+        "a box: its centre" =>
+            "centre (1, 2, -2), normals (1, 0, 0) (0, 1, 0) (0, 0, 1), half-lengths 1 1 1",
+            quantites(cube(v(0.0, 0.0, -5.0), Rotation::IDENTITE).translation(w));
+        "a half-space: d − N·v = 4 − 3" => "d 1, normal (0, 0, 1)",
+            quantites(plan(Rotation::IDENTITE, 4.0, 0).translation(w));
     }
 }
 
@@ -352,24 +295,13 @@ fn c5() -> Partie {
     let quart = tour(FRAC_PI_2, 0.0, 0.0);
     let c = v(1.0, 2.0, 3.0);
     partie! { "C5: an object turns about the origin";
-        "a sphere: its centre turns" => "(1, 3, -2) radius 2", {
-                let s = sphere_ray(sphere(c, 2.0, 0).rotation(quart).unwrap());
-                format!("{} radius {}", vecteur(s.centre()), s.rayon())
-            };
-        "a box: its centre and its normals" => "(1, 3, -2) (1, 0, 0) (0, 0, -1) (0, 1, 0)", {
-                let b =
-                    boite_ray(boite(c, v(2.0, 4.0, 6.0), Rotation::IDENTITE).rotation(quart).unwrap());
-                format!("{} {}", vecteur(b.centre()), liste(b.normales(), vecteur))
-            };
-        aussi "a box: its dimensions stay" => "1 2 3", {
-                let b =
-                    boite_ray(boite(c, v(2.0, 4.0, 6.0), Rotation::IDENTITE).rotation(quart).unwrap());
-                liste(b.demi_longueurs(), nombre)
-            };
-        "a half-space: its normal turns, and d stays" => "d 4, normal (0, 1, 0)", {
-                let p = plan_ray(plan(Rotation::IDENTITE, 4.0, 0).rotation(quart).unwrap());
-                format!("d {}, normal {}", p.distance(), vecteur(p.normale()))
-            };
+        "a sphere: its centre turns" => "centre (1, 3, -2), radius 2",
+            quantites(sphere(c, 2.0, 0).rotation(quart));
+        "a box: its centre and its normals" =>
+            "centre (1, 3, -2), normals (1, 0, 0) (0, 0, -1) (0, 1, 0), half-lengths 1 2 3",
+            quantites(boite(c, v(2.0, 4.0, 6.0), Rotation::IDENTITE).rotation(quart));
+        "a half-space: its normal turns, and d stays" => "d 4, normal (0, 1, 0)",
+            quantites(plan(Rotation::IDENTITE, 4.0, 0).rotation(quart));
         "scene and ray turned together: the same distance" =>
             "distance 6, normal (0, 0.8, -0.6), texture 3",
             {
@@ -381,33 +313,20 @@ fn c5() -> Partie {
 }
 
 fn c6() -> Partie {
-    let objets = || {
-        let marche = boite(v(1.0, 2.0, 3.0), v(2.0, 4.0, 6.0), Rotation::IDENTITE);
-        [sphere(v(1.0, 2.0, 3.0), 2.0, 0), plan(Rotation::IDENTITE, 4.0, 0), marche]
-    };
-    let chacun = |k: f64| {
-        let [a, b, c] = objets().map(|o| erreur(o.homothetie(k)));
-        if a == b && b == c { a } else { [a, b, c].join("; ") }
-    };
-    let refus = |k: &str| format!("coefficient is {k}, but must be a finite number above 0");
-    let [boule, demi_espace, marche] = objets();
+    let c = v(1.0, 2.0, 3.0);
+    let (boule, demi_espace) = (sphere(c, 2.0, 0), plan(Rotation::IDENTITE, 4.0, 0));
+    let marche = boite(c, v(2.0, 4.0, 6.0), Rotation::IDENTITE);
+    let chacun = |k: f64| liste([boule, demi_espace, marche], |o| quantites(o.homothetie(k)));
+    let refus = "coefficient is -1.0, but must be a finite number above 0";
     partie! { "C6: homothety about the object's own centre";
-        "a sphere × 3" => "(1, 2, 3) radius 6", {
-                let s = sphere_ray(boule.homothetie(3.0).unwrap());
-                format!("{} radius {}", vecteur(s.centre()), s.rayon())
-            };
-        "a box × 0.5" => "(1, 2, 3) half-lengths 0.5 1 1.5", {
-                let b = boite_ray(marche.homothetie(0.5).unwrap());
-                format!("{} half-lengths {}", vecteur(b.centre()), liste(b.demi_longueurs(), nombre))
-            };
-        "a half-space has no dimension: × 3" => "d 4, normal (0, 0, 1)", {
-                let p = plan_ray(demi_espace.homothetie(3.0).unwrap());
-                format!("d {}, normal {}", p.distance(), vecteur(p.normale()))
-            };
-        aussi "k = 0, each of the three" => refus("0.0"), chacun(0.0);
-        "k = −1, each of the three" => refus("-1.0"), chacun(-1.0);
-        aussi "k = NaN, each of the three" => refus("NaN"), chacun(f64::NAN);
-        aussi "k = ∞, each of the three" => refus("inf"), chacun(f64::INFINITY);
+        "a sphere × 3" => "centre (1, 2, 3), radius 6", quantites(boule.homothetie(3.0));
+        "a box × 0.5" =>
+            "centre (1, 2, 3), normals (1, 0, 0) (0, 1, 0) (0, 0, 1), half-lengths 0.5 1 1.5",
+            quantites(marche.homothetie(0.5));
+        "a half-space has no dimension: × 3" => "d 4, normal (0, 0, 1)",
+            quantites(demi_espace.homothetie(3.0));
+        "k = −1" => refus, quantites(boule.homothetie(-1.0));
+        aussi "k = −1, each of the three" => [refus; 3].join(" "), chacun(-1.0);
     }
 }
 
@@ -421,11 +340,8 @@ fn c7() -> Partie {
         rayon(Vecteur::new(0.0, 0.0, 60_f32.exp2()), Vecteur::new(1.0, 0.0, -f32::from_bits(1)));
     partie! { "C7: a hit is an entry from outside";
         "inside a sphere" => "no intersection", lancer(boule, &devant(0.0, 0.0, 1.0));
-        aussi "at the centre of a sphere" => "no intersection", lancer(boule, &devant(0.0, 0.0, 0.0));
         "on a sphere, going in" => "no intersection", lancer(boule, &devant(0.0, 0.0, 2.0));
-        aussi "on a sphere, going out" => "no intersection", lancer(boule, &devant(0.0, 0.0, -2.0));
         "inside a box" => "no intersection", lancer(bloc, &devant(0.5, 0.5, 0.5));
-        aussi "on a face, going in" => "no intersection", lancer(bloc, &devant(0.0, 0.0, 1.0));
         "on a face, along it" => "no intersection", lancer(bloc, &devant(1.0, 0.0, 0.5));
         "inside one object, another ahead still counts" =>
             "distance 9, normal (0, 0, 1), texture 5",
@@ -446,20 +362,16 @@ fn c8() -> Partie {
     partie! { "C8: the first touch of a sphere is SA − AB, and a tangent misses";
         "the entry" => "distance 4, normal (0, 0, 1)", lancer(boule, &devant(0.0, 0.0, 0.0));
         "A.2 as printed, SA + AB: the exit" => "6", {
-                let (s, r) = (sphere_ray(boule), devant(0.0, 0.0, 0.0));
-                let sc = s.centre() - r.source();
-                let sa = sc.produit_scalaire(r.direction());
-                sa + (s.rayon() * s.rayon() - (sc.longueur_carree() - sa * sa)).sqrt()
+                let (sc, r) = (v(0.0, 0.0, -5.0), 1.0);
+                let sa = sc.produit_scalaire(v(0.0, 0.0, -1.0));
+                nombre(sa + f64::sqrt(r * r - (sc.longueur_carree() - sa * sa)))
             };
         "AC = r: tangent" => "no intersection", lancer(boule, &devant(1.0, 0.0, 0.0));
         aussi "a unit in the last place inside the tangent: AB² = 2⁻⁵², SB = 5 − 2⁻²⁶" =>
             "distance 4.999999985098839, normal (0.9999999999999999, 0, 0.000000014901161193847656)",
             lancer(boule, &devant(1.0_f64.next_down(), 0.0, 0.0));
         "f32, 1000 radii away, 0.999 beside the centre: SB = 1000 − 0.04470989" =>
-            "distance 999.95526",
-            loin.vers_ray()
-            .intersection(&presque)
-            .map_or_else(|rien| rien.to_string(), |t| format!("distance {}", t.distance()));
+            "distance 999.95526, normal (0, 0.9989987, 0.04473871)", lancer(loin, &presque);
         "the same ray by A.2's SC² − SA², which is 1000001 − 1000000 there" => "no intersection",
             litteralement(&[loin.vers_ray()], &presque);
     }
@@ -471,12 +383,10 @@ fn c9() -> Partie {
     partie! { "C9: a half-space is entered against its normal, P·D < 0";
         "from inside, outwards" => "no intersection", lancer(mur, &sortant);
         "A.1 as printed has no such test: t = (−d − P·S)/(P·D)" => "5", {
-                let p = plan_ray(mur);
-                let haut = -p.distance() - p.normale().produit_scalaire(sortant.source());
-                nombre(haut / p.normale().produit_scalaire(sortant.direction()))
+                let p = v(0.0, 0.0, 1.0);
+                let haut = -p.produit_scalaire(sortant.source());
+                nombre(haut / p.produit_scalaire(sortant.direction()))
             };
-        aussi "from outside, away" => "no intersection",
-            lancer(mur, &rayon(v(0.0, 0.0, 5.0), v(0.0, 1.0, 1.0)));
         "a descent of 2⁻⁴⁰ per unit still arrives: no threshold" =>
             "distance 1099511627776, normal (0, 0, 1)",
             lancer(mur, &rayon(v(0.0, 0.0, 1.0), v(1.0, 0.0, -(-40.0_f64).exp2())));
@@ -518,8 +428,6 @@ fn c10() -> Partie {
     let bloc = cube(v(0.0, 0.0, -5.0), Rotation::IDENTITE);
     let (lances, perdus, litteral) = aretes_perdues();
     partie! { "C10: a box is three slabs; its edges belong to it";
-        aussi "parallel to two pairs, between them" => "distance 4, normal (0, 0, 1)",
-            lancer(bloc, &devant(0.3, -0.3, 0.0));
         "parallel, beside the box" => "no intersection", lancer(bloc, &devant(1.5, 0.0, 0.0));
         "parallel, in the plane of a face: |o| = l belongs" => "distance 4, normal (0, 0, 1)",
             lancer(bloc, &devant(1.0, 0.0, 0.0));
@@ -528,23 +436,13 @@ fn c10() -> Partie {
         aussi "D·N = −0 is no different" => "distance 4, normal (0, 0, 1)",
             lancer(bloc, &rayon(v(1.0, -1.0, 0.0), v(-0.0, -0.0, -1.0)));
         "past the box along one edge, in and out at once: it belongs" =>
-            "distance 1.414214, normal (-1.000000, 0.000000, 0.000000)",
-            {
-                let r = rayon(v(-2.0, 0.0, -5.0), v(1.0, 1.0, 0.0));
-                environ_touche(bloc.vers_ray().intersection(&r))
-            };
+            "distance 1.4142135623730951, normal (-1, 0, 0)",
+            lancer(bloc, &rayon(v(-2.0, 0.0, -5.0), v(1.0, 1.0, 0.0)));
         aussi "a unit in the last place beyond the face" => "no intersection",
             lancer(bloc, &devant(1.0_f64.next_up(), 0.0, 0.0));
-        "into the edge of x and z: the normal is that of x, the lower axis" => "normal (1, 0, 0)", {
-                let r = rayon(v(3.0, 0.0, -2.0), v(-2.0, 0.0, -2.0));
-                let touche = bloc.vers_ray().intersection(&r).unwrap();
-                format!("normal {}", vecteur(touche.normale()))
-            };
-        aussi "into the corner of all three" => "normal (1, 0, 0)", {
-                let r = rayon(v(3.0, 3.0, -2.0), v(-1.0, -1.0, -1.0));
-                let touche = bloc.vers_ray().intersection(&r).unwrap();
-                format!("normal {}", vecteur(touche.normale()))
-            };
+        "into the edge of x and z: the normal is that of x, the lower axis" =>
+            "distance 2.8284271247461903, normal (1, 0, 0)",
+            lancer(bloc, &rayon(v(3.0, 0.0, -2.0), v(-2.0, 0.0, -2.0)));
         "rays at visible edges of 500 turned boxes" => "0 of 4000 lost",
             format!("{perdus} of {lances} lost");
         "the same by A.3 to the letter" => "646 of 4000 lost",
@@ -569,7 +467,7 @@ fn c11() -> Partie {
             liste(OPPOSEES.map(centre), vecteur);
         "df = −N·Cf" => "-2 -12 -5", liste(FACES.map(distance), nombre);
         "do = +N·Co" => "0 8 -1", liste(OPPOSEES.map(distance), nombre);
-        aussi "N_i is row i of M, here of the rotation by (0.3, 0.5, 0.7)" => matrice(m.matrice()),
+        aussi "N_i is row i of M, here of the rotation by (0.3, 0.5, 0.7)" => liste(m.matrice().map(Vecteur::from), vecteur),
             liste(boite_ray(boite(O, v(1.0, 1.0, 1.0), m)).normales(), vecteur);
     }
 }
@@ -593,21 +491,9 @@ fn c12() -> Partie {
 
 fn c13() -> Partie {
     let direction = |d: Vecteur| vecteur(rayon(O, d).direction());
-    let petit = f64::from_bits(1);
     let boule = sphere(v(0.0, 0.0, -5.0), 1.0, 0);
     partie! { "C13: any direction that has one; distances are in scene units";
-        aussi "(0, 0, −8)" => "(0, 0, -1)", direction(v(0.0, 0.0, -8.0));
         "(3, 0, −4)" => "(0.6, 0, -0.8)", direction(v(3.0, 0.0, -4.0));
-        aussi "the smallest subnormal" => "(1, 0, 0)", direction(v(petit, 0.0, 0.0));
-        aussi "the largest float" => "(0, -1, 0)", direction(v(0.0, -f64::MAX, 0.0));
-        aussi "the largest float in each coordinate" => "0.577350",
-            environ(rayon(O, v(f64::MAX, f64::MAX, f64::MAX)).direction().x);
-        aussi "f32: the smallest subnormal in each coordinate" =>
-            "(0.57735026, 0.57735026, 0.57735026)",
-            {
-                let petit = f32::from_bits(1);
-                vecteur(rayon(Vecteur::NUL, Vecteur::new(petit, petit, petit)).direction())
-            };
         aussi "unit to 3 units in the last place: kept" => "(0, 0, 1.0000000000000007)",
             direction(v(0.0, 0.0, 1.0 + 3.0 * f64::EPSILON));
         aussi "unit to 10: brought to 1" => "(0, 0, 1)",
@@ -618,21 +504,17 @@ fn c13() -> Partie {
             erreur(Rayon::new(O, O));
         "a NaN" => "direction.z is NaN, but must be a finite number",
             erreur(Rayon::new(O, v(0.0, 0.0, f64::NAN)));
-        aussi "an infinity" => "direction.x is -inf, but must be a finite number",
-            erreur(Rayon::new(O, v(f64::NEG_INFINITY, 0.0, 0.0)));
     }
 }
 
 fn c15() -> Partie {
     let (grand, petit) = (450_f64.exp2(), (-450_f64).exp2());
-    let un = v(1.0, 1.0, 1.0);
     let texture = Texture(0);
     let i = Rotation::<f64>::IDENTITE;
     let boule = |x: f64, r: f64| erreur(SphereGeo::new(v(x, 0.0, 0.0), r, texture));
     let ecartee = |e: f64| [[1.0 + e, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     partie! { "C15: which numbers a scene can hold";
         "the largest coordinate and sizes" => "accepted", boule(-grand, grand);
-        aussi "the smallest size" => "accepted", boule(0.0, petit);
         "the next coordinate" =>
             "centre.x is 2.907354897182428e135, but must be a number between -2^450 and 2^450",
             boule(grand.next_up(), 1.0);
@@ -642,31 +524,12 @@ fn c15() -> Partie {
         aussi "f32 has its own limits" =>
             "centre.y is 1.1529216420458004e18, but must be a number between -2^60 and 2^60",
             erreur(SphereGeo::new(Vecteur::new(0.0, 60_f32.exp2().next_up(), 0.0), 1.0, texture));
-        aussi "a NaN" => "rayon is NaN, but must be a number above 0", boule(0.0, f64::NAN);
         "a radius of 0" => "rayon is 0.0, but must be a number above 0", boule(0.0, 0.0);
         "a negative height" => "dimensions.y (hauteur) is -2.0, but must be a number above 0",
             erreur(BoiteGeo::new(O, v(1.0, -2.0, 1.0), i, texture));
-        aussi "an infinite d" => "distance is -inf, but must be a number between -2^450 and 2^450",
-            erreur(PlanGeo::new(i, f64::NEG_INFINITY, texture));
-        aussi "a source out there" =>
-            "source.z is 1e300, but must be a number between -2^450 and 2^450",
-            erreur(Rayon::new(v(0.0, 0.0, 1e300), un));
         "a translation that leaves" =>
             "centre.x is 5.814709794364855e135, but must be a number between -2^450 and 2^450",
             erreur(sphere(v(grand, 0.0, 0.0), 1.0, 0).translation(v(grand, 0.0, 0.0)));
-        aussi "a translation by a NaN" => "translation.y is NaN, but must be a finite number",
-            erreur(cube(O, i).translation(v(0.0, f64::NAN, 0.0)));
-        aussi "a rotation that leaves" =>
-            "centre.x is 4.017305343442852e135, but must be a number between -2^450 and 2^450",
-            erreur(cube(v(grand, grand, 0.0), i).rotation(tour(0.0, 0.0, 1.0)));
-        aussi "a homothety that leaves" =>
-            "rayon is 5.814709794364855e135, but must be a number between 2^-450 and 2^450",
-            erreur(sphere(O, 2.0, 0).homothetie(grand));
-        aussi "a matrix within rounding of a rotation: kept" =>
-            "(1.0000000000000002, 0, 0) (0, 1, 0) (0, 0, 1)",
-            matrice(Rotation::depuis_matrice(ecartee(f64::EPSILON)).unwrap().matrice());
-        aussi "off by 2·10⁻⁴: repaired" => IDENTITE,
-            matrice(Rotation::depuis_matrice(ecartee(1e-4)).unwrap().matrice());
         "a matrix off by 2⁻⁹" =>
             "matrice: |M·Mᵀ - I| is 0.0019540786743164063, but must be at most 1e-3, as for a rotation",
             {
@@ -674,13 +537,6 @@ fn c15() -> Partie {
             };
         "a mirror" => "matrice: determinant is -1.0, but must be above 0: a mirror is no rotation",
             erreur(Rotation::depuis_matrice([[-1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]));
-        aussi "a NaN in a matrix" => "matrice[1][2] is NaN, but must be a finite number", {
-                erreur(Rotation::depuis_matrice([[1.0, 0.0, 0.0], [0.0, 1.0, f64::NAN], [0.0, 0.0, 1.0]]))
-            };
-        aussi "f32 has the same limit" => IDENTITE, {
-                let m = [[1.0001, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0_f32]];
-                matrice(Rotation::depuis_matrice(m).unwrap().matrice())
-            };
     }
 }
 
@@ -713,20 +569,16 @@ fn scene_entiere() -> Partie {
     let pixel = |x: usize, y: usize| {
         let touche = premiere_intersection(&objets, &rayons[600 * y + x]);
         touche.map_or("none".into(), |touche| {
-            format!("object {}, distance {}", touche.indice(), environ(touche.distance()))
+            format!("object {}, distance {:.6}", touche.indice(), touche.distance())
         })
     };
     partie! { "A whole scene: the 600 × 400 rays of docs/scenes/atelier.ron";
-        aussi "rays that hit" => 240_000, vus.iter().sum::<u32>();
         "rays that see each object, in the order of the file" =>
             "24966 82643 32144 43487 3856 2445 2623 3534 16719 20535 2534 2295 1109 1110",
             vus.iter().map(u32::to_string).collect::<Vec<_>>().join(" ");
         "pixel (450, 380): the floor" => "object 0, distance 10.498860", pixel(450, 380);
-        aussi "pixel (200, 130): the back wall" => "object 1, distance 14.110157", pixel(200, 130);
-        aussi "pixel (255, 310): the table" => "object 3, distance 8.798434", pixel(255, 310);
         "pixel (170, 165): the orange" => "object 7, distance 9.637377", pixel(170, 165);
         "pixel (420, 200): the cube" => "object 8, distance 8.392775", pixel(420, 200);
-        aussi "pixel (300, 200): the large ball" => "object 9, distance 9.161717", pixel(300, 200);
         "rays that see another object by annex A to the letter" => "0 of 240000",
             autres_objets(&objets, &rayons);
         "the same in f32" => "0 of 240000", autres_objets(&objets_f32, &rayons_f32);

@@ -3,7 +3,6 @@
 mod chambre;
 mod choix;
 mod differentiel;
-mod eclairage;
 mod etendue;
 mod fin;
 mod intersection;
@@ -12,9 +11,9 @@ mod lampe;
 mod manipulations;
 mod motif;
 mod origine;
+mod passages;
 mod rapports;
 mod recettes;
-mod reflet;
 mod rotation;
 mod sol;
 mod totalite;

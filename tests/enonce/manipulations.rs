@@ -1,11 +1,12 @@
-//! Moving, turning and scaling objects (handout §2.3), and what each representation of §3 holds
-//! afterwards.
+//! Moving, turning and scaling objects (handout §2.3).
 
 use commun::oracle::Exact;
 use commun::strategies::{Plante, objet, plante, reel, rotation, vecteur};
-use commun::tolerances::{ARRONDI, DISTANCE, NORMALE, TOURNE, u};
+use commun::tolerances::{ARRONDI, DISTANCE, NORMALE, PRODUIT, TOURNE, u};
 use commun::{en_f32_et_f64, pour_tout};
-use lancer_rayon::{Face, ObjetGeo, ObjetRay, PlanGeo, Rayon, Reel, Rotation, Texture, Vecteur};
+use lancer_rayon::{
+    BoiteGeo, ObjetGeo, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture, Vecteur,
+};
 use proptest::prelude::*;
 use proptest::test_runner::TestCaseResult;
 
@@ -34,7 +35,7 @@ fn accompagner<R: Reel>(
     // The normals before and after have one error each.
     let tolerance = 2.0 * (NORMALE + TOURNE) * u::<R>() + 2.0 * courbure;
     prop_assert!(ecart <= tolerance, "normal off by {ecart:e}, {tolerance:e} allowed");
-    let texture = p.parametres.texture();
+    let texture = p.objet.vers_ray().texture();
     prop_assert_eq!((avant.texture(), apres.texture()), (texture, texture));
     Ok(())
 }
@@ -65,125 +66,32 @@ fn deplacer_la_scene_et_le_rayon_garde_la_distance<R: Reel>() {
 
 en_f32_et_f64!(deplacer_la_scene_et_le_rayon_garde_la_distance);
 
+/// The object with every length multiplied by k, its distance to O as well.
+fn agrandi<R: Reel>(objet: ObjetGeo<R>, k: R) -> ObjetGeo<R> {
+    match objet {
+        ObjetGeo::Sphere(s) => {
+            SphereGeo::new(s.centre() * k, s.rayon() * k, s.texture()).unwrap().into()
+        }
+        ObjetGeo::Plan(p) => {
+            PlanGeo::new(p.orientation(), p.distance() * k, p.texture()).unwrap().into()
+        }
+        ObjetGeo::Boite(b) => {
+            let (c, l) = (b.centre() * k, b.dimensions() * k);
+            BoiteGeo::new(c, l, b.orientation(), b.texture()).unwrap().into()
+        }
+    }
+}
+
 fn agrandir_la_scene_multiplie_la_distance<R: Reel>() {
     pour_tout((plante::<R>(), reel(0.01, 100.0)), |(p, k)| {
         let rayon = Rayon::new(p.rayon.source() * k, p.rayon.direction()).unwrap();
         // The source, the centre and the size are multiplied.
         let bruit = 3.0 * ARRONDI;
-        accompagner(p, p.parametres.agrandi(k), rayon, k.vers_f64(), |n| n, bruit)
+        accompagner(p, agrandi(p.objet, k), rayon, k.vers_f64(), |n| n, bruit)
     });
 }
 
 en_f32_et_f64!(agrandir_la_scene_multiplie_la_distance);
-
-/// The quantities of §3 of an object beside those expected. A normal is held to two turns: the object's
-/// and the expected one.
-fn proches<R: Reel>(a: ObjetRay<R>, b: Attendu, tolerance: f64) -> TestCaseResult {
-    let vecteurs = |a: Vecteur<R>, b: Vecteur| (a.vers_f64() - b).longueur() <= tolerance;
-    match a {
-        ObjetRay::Sphere(sphere) => {
-            prop_assert!(vecteurs(sphere.centre(), b.centre));
-            prop_assert!((sphere.rayon().vers_f64() - b.longueurs[0]).abs() <= tolerance);
-            prop_assert_eq!(sphere.texture(), b.texture);
-        }
-        ObjetRay::Plan(plan) => {
-            let n = (plan.normale().vers_f64() - b.normales[2]).longueur();
-            prop_assert!(n <= 2.0 * TOURNE * u::<R>());
-            prop_assert!((plan.distance().vers_f64() - b.longueurs[0]).abs() <= tolerance);
-            prop_assert_eq!(plan.texture(), b.texture);
-        }
-        ObjetRay::Boite(boite) => {
-            prop_assert!(vecteurs(boite.centre(), b.centre));
-            prop_assert_eq!(boite.texture(), b.texture);
-            for i in 0..3 {
-                let (n, l) = (b.normales[i], b.longueurs[i]);
-                let ecart = (boite.normales()[i].vers_f64() - n).longueur();
-                prop_assert!(ecart <= 2.0 * TOURNE * u::<R>());
-                prop_assert!((boite.demi_longueurs()[i].vers_f64() - l).abs() <= tolerance);
-                let (cf, co) = (b.centre + n * l, b.centre - n * l);
-                let (df, d_o) = (-n.produit_scalaire(cf), n.produit_scalaire(co));
-                for (face, c, d) in [(i, cf, df), (i + 3, co, d_o)] {
-                    let (centre, normale) = boite.face(Face::TOUTES[face]);
-                    prop_assert!(vecteurs(centre, c));
-                    let distance = -normale.produit_scalaire(centre).vers_f64();
-                    prop_assert!((distance - d).abs() <= tolerance);
-                }
-            }
-        }
-    }
-    Ok(())
-}
-
-/// What §3 stores, computed by hand in f64: for a sphere `longueurs[0]` is the radius, for a
-/// half-space the relative distance, and its normal is `normales[2]`.
-#[derive(Clone, Copy)]
-struct Attendu {
-    centre: Vecteur,
-    normales: [Vecteur; 3],
-    longueurs: [f64; 3],
-    texture: lancer_rayon::Texture,
-}
-
-impl Attendu {
-    fn de<R: Reel>(objet: ObjetRay<R>) -> Self {
-        match objet {
-            ObjetRay::Sphere(sphere) => Self {
-                centre: sphere.centre().vers_f64(),
-                normales: [Vecteur::NUL; 3],
-                longueurs: [sphere.rayon().vers_f64(); 3],
-                texture: sphere.texture(),
-            },
-            ObjetRay::Plan(plan) => Self {
-                centre: Vecteur::NUL,
-                normales: [plan.normale().vers_f64(); 3],
-                longueurs: [plan.distance().vers_f64(); 3],
-                texture: plan.texture(),
-            },
-            ObjetRay::Boite(boite) => Self {
-                centre: boite.centre().vers_f64(),
-                normales: boite.normales().map(Vecteur::vers_f64),
-                longueurs: boite.demi_longueurs().map(R::vers_f64),
-                texture: boite.texture(),
-            },
-        }
-    }
-}
-
-fn chaque_transformation_a_les_quantites_calculees_a_la_main<R: Reel>() {
-    let strategie = (objet::<R>(1.0), vecteur(10.0), rotation(), reel::<R>(0.1, 10.0));
-    pour_tout(strategie, |(objet, v, r, k)| {
-        let avant = Attendu::de(objet.vers_ray());
-        // Coordinates are at most 30 and sizes 20. Each rounding is at most u of their sum: TOURNE for
-        // the turn, and five operations.
-        let tolerance = (TOURNE + 5.0) * u::<R>() * (30.0 + 20.0);
-        proches(ObjetRay::from(objet), avant, tolerance)?;
-
-        let mut attendu = avant;
-        attendu.centre = avant.centre + v.vers_f64();
-        if let ObjetGeo::Plan(_) = objet {
-            attendu.longueurs[0] -= avant.normales[2].produit_scalaire(v.vers_f64());
-        }
-        proches(objet.translation(v).unwrap().vers_ray(), attendu, tolerance)?;
-
-        let m = r.matrice().map(|ligne| ligne.map(R::vers_f64));
-        let tourne = |v: Vecteur| {
-            let colonne = |j: usize| v.x * m[0][j] + v.y * m[1][j] + v.z * m[2][j];
-            Vecteur::new(colonne(0), colonne(1), colonne(2))
-        };
-        let mut attendu = avant;
-        attendu.centre = tourne(avant.centre);
-        attendu.normales = avant.normales.map(tourne);
-        proches(objet.rotation(r).unwrap().vers_ray(), attendu, tolerance)?;
-
-        let mut attendu = avant;
-        if !matches!(objet, ObjetGeo::Plan(_)) {
-            attendu.longueurs = avant.longueurs.map(|l| l * k.vers_f64());
-        }
-        proches(objet.homothetie(k).unwrap().vers_ray(), attendu, tolerance)
-    });
-}
-
-en_f32_et_f64!(chaque_transformation_a_les_quantites_calculees_a_la_main);
 
 /// The row "transformations" of `docs/precision.md`, against exact numbers.
 fn chaque_transformation_tient_sa_borne<R: Reel>() {
@@ -194,6 +102,21 @@ fn chaque_transformation_tient_sa_borne<R: Reel>() {
         let deplace = objet.translation(v.into()).unwrap().vers_ray();
         let tourne = objet.rotation(r).unwrap().vers_ray();
         let agrandi = objet.homothetie(k).unwrap().vers_ray();
+        let m = r.matrice().map(|ligne| ligne.map(R::vers_f64));
+        for (change, tours) in [(deplace, 0.0), (tourne, 1.0), (agrandi, 0.0)] {
+            prop_assert_eq!(change.texture(), avant.texture());
+            for (n, n_change) in normales(avant).into_iter().zip(normales(change)) {
+                let colonne = |j: usize| n.x * m[0][j] + n.y * m[1][j] + n.z * m[2][j];
+                let n_tourne = Vecteur::from([0, 1, 2].map(colonne));
+                let voulue = if tours > 0.0 { n_tourne } else { n };
+                prop_assert!((n_change - voulue).longueur() <= tours * PRODUIT * u, "{:?}", n);
+            }
+        }
+        if let (ObjetRay::Plan(plan), ObjetRay::Plan(tourne), ObjetRay::Plan(agrandi)) =
+            (avant, tourne, agrandi)
+        {
+            prop_assert_eq!([tourne.distance(), agrandi.distance()], [plan.distance(); 2]);
+        }
         if let (ObjetRay::Plan(plan), ObjetRay::Plan(deplace)) = (avant, deplace) {
             let n = <[R; 3]>::from(plan.normale());
             let termes: [Exact; 3] = [0, 1, 2].map(|i| &Exact::de(n[i]) * &Exact::de(v[i]));
@@ -202,11 +125,16 @@ fn chaque_transformation_tient_sa_borne<R: Reel>() {
             let permis = u * exacte.vers_f64().abs() + 4.1 * u * poids + 1.6 * eta;
             prop_assert!((&Exact::de(deplace.distance()) - &exacte).vers_f64().abs() <= permis);
         }
-        let (Some((c, tailles)), Some((c_deplace, _)), Some((c_tourne, _)), Some((_, tailles_k))) =
-            (borne(avant), borne(deplace), borne(tourne), borne(agrandi))
+        let [
+            Some((c, tailles)),
+            Some((c_deplace, memes)),
+            Some((c_tourne, encore)),
+            Some((ici, tailles_k)),
+        ] = [avant, deplace, tourne, agrandi].map(borne)
         else {
             return Ok(());
         };
+        prop_assert_eq!(([memes, encore], ici), ([tailles; 2], c));
         let poids: f64 = c.iter().map(|x| x.vers_f64().abs()).sum();
         for i in 0..3 {
             let exacte = &Exact::de(c[i]) + &Exact::de(v[i]);
@@ -224,6 +152,15 @@ fn chaque_transformation_tient_sa_borne<R: Reel>() {
 }
 
 en_f32_et_f64!(chaque_transformation_tient_sa_borne);
+
+/// What of an object turns with it.
+fn normales<R: Reel>(objet: ObjetRay<R>) -> Vec<Vecteur> {
+    match objet {
+        ObjetRay::Sphere(_) => vec![],
+        ObjetRay::Plan(plan) => vec![plan.normale().vers_f64()],
+        ObjetRay::Boite(boite) => boite.normales().map(Vecteur::vers_f64).to_vec(),
+    }
+}
 
 fn somme([a, b, c]: &[Exact; 3]) -> Exact {
     &(a + b) + c

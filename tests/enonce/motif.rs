@@ -2,16 +2,14 @@
 //! colour is that of exact arithmetic, except within rounding of a line of the pattern.
 
 use commun::fabrique::mur;
-use commun::hasard::pour_chaque;
-use commun::oracle::{Exact, ecarts_du_lieu, verite};
-use commun::regimes::{Genre, direction, entre, regimes};
+use commun::hasard::{Hasard, pour_chaque};
+use commun::oracle::{Exact, verite};
+use commun::regimes::{direction, entre};
 use commun::scenes::rayons_camera;
-use commun::tolerances::{promesses, u};
+use commun::tolerances::u;
 use commun::{arrondi, en_f32_et_f64};
-use fastrand::Rng;
 use lancer_rayon::{
-    BoiteGeo, BoiteRay, Face, Intersection, Nombre, ObjetRay, PlanGeo, Rayon, Reel, Rotation,
-    Texture, Vecteur,
+    BoiteGeo, BoiteRay, Face, Nombre, ObjetRay, PlanGeo, Rayon, Reel, Rotation, Texture, Vecteur,
 };
 
 fn exacts<R: Reel>(v: Vecteur<R>) -> [Exact; 3] {
@@ -35,57 +33,16 @@ fn dans_la_boite<R: Reel>(boite: &BoiteRay<R>, rayon: &Rayon<R>, t: &Exact) -> [
     boite.normales().map(|n| scalaire(&exacts(n), &depuis))
 }
 
-/// What `lieu` promises of one hit: the face of the normal, ±1 across it exactly, and along it the coordinates of
-/// S + tD, t as reported, limited to ±1. The part of the bound that was needed.
-fn juger_le_lieu<R: Reel>(boite: &BoiteRay<R>, rayon: &Rayon<R>, touche: &Intersection<R>) -> f64 {
-    let (face, p) = boite.lieu(rayon, touche);
-    let (n, p) = (boite.face(face).1, <[R; 3]>::from(p));
-    assert_eq!(n, touche.normale(), "{boite:?} {rayon:?}");
-    let (axe, un) = (face as usize % 3, if (face as usize) < 3 { R::UN } else { -R::UN });
-    assert!(p[axe] == un && Face::TOUTES[face as usize] == face);
-    // To the right and up along the face: the area is turned outward.
-    let [droite, haut] = [0, 1].map(|k| {
-        let axes = [0, 1, 2].map(|i| {
-            let unite = Vecteur::from([0, 1, 2].map(|j| if i == j { R::UN } else { R::ZERO }));
-            face.le_long(unite)[k]
-        });
-        Vecteur::from(axes)
-    });
-    let dehors = Vecteur::from([0, 1, 2].map(|i| if i == axe { un } else { R::ZERO }));
-    assert_eq!(droite.produit_vectoriel(haut), dehors);
-
-    let t = touche.distance();
-    let f = (rayon.source() - boite.centre()).longueur().vers_f64();
-    let permis = promesses::LIEU_FACE * u::<R>() * (f + t.vers_f64());
-    assert!(p.into_iter().all(|x| x >= -R::UN && x <= R::UN), "{p:?}");
-    let ecarts = ecarts_du_lieu(boite, rayon, t, p.into());
-    let le_long = ecarts.into_iter().enumerate().filter(|(i, _)| *i != axe);
-    let pire = le_long.map(|(_, ecart)| ecart.abs() / permis).fold(0.0, f64::max);
-    assert!(pire <= 1.0, "{pire}: {boite:?} {rayon:?}");
-    pire
-}
-
-/// Of every kind of box and ray, those at edges and at the ends of the range among them.
-fn le_lieu_est_sur_la_face_de_la_normale<R: Reel>() {
-    let mut faces = [0; 6];
-    let mut pire = 0.0_f64;
-    for regime in regimes::<R>().into_iter().filter(|regime| regime.genre == Genre::Boite) {
-        pour_chaque(
-            4_000,
-            |alea| (regime.cas)(alea),
-            |cas| {
-                let ObjetRay::Boite(boite) = cas.objet else { panic!("a box") };
-                let Ok(touche) = cas.objet.intersection(&cas.rayon) else { return };
-                pire = pire.max(juger_le_lieu(&boite, &cas.rayon, &touche));
-                faces[boite.lieu(&cas.rayon, &touche).0 as usize] += 1;
-            },
-        );
+/// To the right and up along each face: the area is turned outward.
+#[test]
+fn le_long_d_une_face_on_va_a_droite_et_en_haut() {
+    let axes: [Vecteur; 3] = [Vecteur::X, Vecteur::Y, Vecteur::Z];
+    for (i, face) in Face::TOUTES.into_iter().enumerate() {
+        let [droite, haut] = [0, 1].map(|k| Vecteur::from(axes.map(|axe| face.le_long(axe)[k])));
+        let dehors = if i < 3 { axes[i] } else { -axes[i - 3] };
+        assert_eq!((face as usize, droite.produit_vectoriel(haut)), (i, dehors));
     }
-    println!("hits on each face: {faces:?}; {pire} of the bound needed");
-    assert!(faces.iter().all(|n| *n > 500), "{faces:?}");
 }
-
-en_f32_et_f64!(le_lieu_est_sur_la_face_de_la_normale);
 
 /// Of a hit on something else, so far away that its point is beyond every number: a point of the box all the same.
 #[test]
@@ -122,15 +79,16 @@ fn sur_une_ligne(case: f64, pres: f64) -> bool {
 /// point of the hit itself it speckles.
 fn un_damier_sur_une_boite_tournee_n_a_pas_de_taches<R: Reel>() {
     const CASES: f64 = 4.0;
-    let mut alea = Rng::with_seed(71);
     let [mut justes, mut naifs, mut lignes] = [0; 3];
-    for loin in [0.0, 0.0, 30.0, 300.0] {
-        let tour = Rotation::new(arrondi::<R>(direction(&mut alea) * 3.0)).unwrap();
-        let ailleurs = direction(&mut alea) * loin;
-        let cotes = [(); 3].map(|()| entre(&mut alea, 2.0, 4.0));
+    let faire = |alea: &mut Hasard| {
+        let tour = Rotation::new(arrondi::<R>(direction(alea) * 3.0)).unwrap();
+        let ailleurs = direction(alea) * [0.0, 0.0, 30.0, 300.0][alea.tour];
+        let cotes = [(); 3].map(|()| entre(alea, 2.0, 4.0));
         let centre = arrondi(ailleurs + Vecteur::new(0.0, 1.0, 0.0));
         let boite = BoiteGeo::new(centre, arrondi(cotes.into()), tour, Texture(0)).unwrap();
-        let boite = boite.vers_ray();
+        (boite.vers_ray(), ailleurs)
+    };
+    pour_chaque(4, faire, |(boite, ailleurs)| {
         for rayon in rayons_camera::<R>(120, 80) {
             let source = arrondi(rayon.source().vers_f64() + ailleurs);
             let rayon = Rayon::new(source, rayon.direction()).unwrap();
@@ -161,8 +119,7 @@ fn un_damier_sur_une_boite_tournee_n_a_pas_de_taches<R: Reel>() {
             naifs += u32::from(impair(point.map(|x| x * CASES)) != attendu);
             justes += 1;
         }
-    }
-    println!("{justes} exact, {lignes} on a line, {naifs} wrong by the point");
+    });
     assert!(justes > 5_000 && lignes < justes / 50 && naifs > justes / 10);
 }
 
@@ -172,7 +129,6 @@ en_f32_et_f64!(un_damier_sur_une_boite_tournee_n_a_pas_de_taches);
 /// axes of its rotation, −d across, and the same point back in the axes of the scene.
 fn un_damier_de_l_espace_sur_un_sol_n_a_pas_de_taches<R: Reel>() {
     let quart = core::f64::consts::FRAC_PI_2;
-    let mut alea = Rng::with_seed(72);
     let couche = Rotation::new(arrondi::<R>(Vecteur::new(quart, 0.0, 0.0))).unwrap();
     let [mut justes, mut naifs, mut lignes] = [0; 3];
     for (hauteur, lacet) in [(0.0, 0.0), (0.0, 0.4), (-1.0, 0.0), (0.3, 0.0), (1.0, 0.7)] {
@@ -183,14 +139,15 @@ fn un_damier_de_l_espace_sur_un_sol_n_a_pas_de_taches<R: Reel>() {
         assert_eq!(axes[2], sol.vers_ray().normale());
         let [x, y, n] = axes;
         let objet = ObjetRay::from(sol);
-        for _ in 0..4_000 {
-            let haut = Vecteur::new(0.0, entre(&mut alea, 1.5, 6.0), 0.0);
-            let vers = Vecteur::new(entre(&mut alea, -2.0, 2.0), -1.0, entre(&mut alea, -2.0, 2.0));
-            let rayon = Rayon::new(arrondi(haut + direction(&mut alea) * 0.3), arrondi(vers));
-            let rayon = rayon.unwrap();
-            let Ok(touche) = objet.intersection(&rayon) else { continue };
+        let faire = |alea: &mut Hasard| {
+            let haut = Vecteur::new(0.0, entre(alea, 1.5, 6.0), 0.0);
+            let vers = Vecteur::new(entre(alea, -2.0, 2.0), -1.0, entre(alea, -2.0, 2.0));
+            Rayon::new(arrondi(haut + direction(alea) * 0.3), arrondi(vers)).unwrap()
+        };
+        pour_chaque(4_000, faire, |rayon| {
+            let Ok(touche) = objet.intersection(&rayon) else { return };
             let verite = verite(&objet, &rayon);
-            let Some(entree) = verite.entree.filter(|_| !verite.dans_la_marge) else { continue };
+            let Some(entree) = verite.entree.filter(|_| !verite.dans_la_marge) else { return };
             let p = touche.point();
             let le_long = [x.produit_scalaire(p), y.produit_scalaire(p), -sol.distance()];
             let scene = x * le_long[0] + y * le_long[1] + n * le_long[2];
@@ -221,9 +178,8 @@ fn un_damier_de_l_espace_sur_un_sol_n_a_pas_de_taches<R: Reel>() {
                 naifs += u32::from(a_travers == 1 && impair(point) != juste);
                 justes += 1;
             }
-        }
+        });
     }
-    println!("{justes} exact, {lignes} on a line, {naifs} wrong by the point");
     assert!(justes > 20_000 && lignes < justes / 50 && naifs > 500);
 }
 

@@ -1,10 +1,11 @@
 //! From `f64` to `f32`, an origin taken off first.
 
 use commun::cas;
+use commun::fabrique::murs;
+use commun::hasard::{Hasard, Tirage, pour_chaque};
 use commun::oracle::{Exact, dehors};
 use commun::passages::flou_du_point;
 use commun::regimes::{deux_puissance, direction, entre};
-use fastrand::Rng;
 use lancer_rayon::pour_les_tests::FLOU_PROPRE;
 use lancer_rayon::{
     BoiteGeo, ErreurGeo, Monde, ObjetGeo, ObjetRay, PlanGeo, Rayon, Rotation, SphereGeo, Texture,
@@ -15,13 +16,13 @@ use lancer_rayon::{
 const ORIGINE: Vecteur = Vecteur::new(500_000.0, 0.0, 4_200_000.0);
 
 /// A place in the town around the origin, to a tenth of a millimetre.
-fn lieu(alea: &mut Rng, haut: f64) -> Vecteur {
+fn lieu(alea: &mut Hasard, haut: f64) -> Vecteur {
     let mut le_long = || (entre(alea, -50.0, 50.0) * 1e4).round() / 1e4;
     ORIGINE + Vecteur::new(le_long(), haut, le_long())
 }
 
 /// Balls and turned boxes of a metre or two on a floor.
-fn ville(alea: &mut Rng) -> Result<Vec<ObjetGeo>, ErreurGeo> {
+fn ville(alea: &mut Hasard) -> Result<Vec<ObjetGeo>, ErreurGeo> {
     let sol = PlanGeo::par_un_point(ORIGINE, Vecteur::new(0.01, 1.0, 0.02), Texture(0))?;
     let mut objets = vec![sol.into()];
     for i in 1..200 {
@@ -70,31 +71,32 @@ fn autres(objets: &[ObjetGeo], rayons: &[Rayon], origine: Vecteur) -> Result<[u3
 /// certain: certificates speak of the numbers as stored.
 #[test]
 fn une_origine_sauve_la_scene_des_arpenteurs() {
-    let mut alea = Rng::with_seed(73);
-    let objets = ville(&mut alea).unwrap();
-    let rayons = (0..20_000).map(|_| {
-        let (oeil, vers) = (lieu(&mut alea, 6.0), lieu(&mut alea, 0.5));
-        Rayon::new(oeil, vers - oeil).unwrap()
+    let faire = |alea: &mut Hasard| {
+        let rayons = alea.liste(20_000, |alea, _| {
+            let (oeil, vers) = (lieu(alea, 6.0), lieu(alea, 0.5));
+            Rayon::new(oeil, vers - oeil).unwrap()
+        });
+        (ville(alea).unwrap(), rayons)
+    };
+    pour_chaque(1, faire, |(objets, rayons)| {
+        let avec = autres(&objets, &rayons, ORIGINE).unwrap();
+        let sans = autres(&objets, &rayons, Vecteur::NUL).unwrap();
+        println!("other objects, and of these certain: {avec:?}, as they stand {sans:?}");
+        assert!(avec[0] <= 4, "{avec:?}");
+        assert!(sans[0] > 500 && sans[1] > sans[0] / 2, "{sans:?}");
     });
-    let rayons: Vec<_> = rayons.collect();
-    let avec = autres(&objets, &rayons, ORIGINE).unwrap();
-    let sans = autres(&objets, &rayons, Vecteur::NUL).unwrap();
-    println!("other objects, and of these certain: {avec:?}, as they stand {sans:?}");
-    assert!(avec[0] <= 4, "{avec:?}");
-    assert!(sans[0] > 500 && sans[1] > sans[0] / 2, "{sans:?}");
 }
 
 /// The nearest `f32` to the difference in `f64`; of a half-space the surface is where it was.
 #[test]
 fn chaque_nombre_est_le_plus_proche() {
-    let mut alea = Rng::with_seed(74);
     let simple = |v: Vecteur| Vecteur::<f32>::depuis_f64(v);
-    for _ in 0..2_000 {
-        let (centre, origine) = (lieu(&mut alea, 3.0), lieu(&mut alea, 7.0));
-        let (r, cotes) = (entre(&mut alea, 0.1, 3.0), direction(&mut alea));
-        let cotes = Vecteur::new(cotes.x.abs() + 0.1, cotes.y.abs() + 0.1, cotes.z.abs() + 0.1);
-        let tour = Rotation::new(direction(&mut alea) * 3.0).unwrap();
-
+    let faire = |alea: &mut Hasard| {
+        let cotes = <[f64; 3]>::from(direction(alea)).map(|x| x.abs() + 0.1);
+        let tour = Rotation::new(direction(alea) * 3.0).unwrap();
+        ([3.0, 7.0].map(|haut| lieu(alea, haut)), entre(alea, 0.1, 3.0), cotes.into(), tour)
+    };
+    pour_chaque(2_000, faire, |([centre, origine], r, cotes, tour)| {
         let boule = SphereGeo::new(centre, r, Texture(1)).unwrap().vers_f32(origine).unwrap();
         assert_eq!((boule.centre(), boule.rayon()), (simple(centre - origine), r as f32));
         assert_eq!(boule.texture(), Texture(1));
@@ -128,7 +130,7 @@ fn chaque_nombre_est_le_plus_proche() {
         let tourne = rayon.vers_f32(origine).unwrap();
         assert_eq!(tourne.source(), simple(centre - origine));
         assert_eq!(tourne.direction(), simple(rayon.direction()));
-    }
+    });
 }
 
 /// What does not fit into an `f32` is refused by its name.
@@ -178,36 +180,26 @@ fn un_flou_loin_de_o_vaut_pres_de_l_origine() {
     assert!(f64::from(simple.flou()) > 1e-12 + 4.7e6 * f64::EPSILON / 2.0, "{simple:?}");
 }
 
-/// The room is a cube of side 2 about `milieu`, of half-spaces or of boxes that reach beyond its corners.
-fn chambre(milieu: Vecteur, tour: Rotation, de_boites: bool) -> Result<Vec<ObjetGeo>, ErreurGeo> {
-    let mut murs = vec![];
-    for axe in 0..3 {
-        for cote in [-1.0, 1.0] {
-            let (mut n, mut cotes) = ([0.0; 3], [2.4; 3]);
-            (n[axe], cotes[axe]) = (cote, 0.4);
-            let n = tour.appliquer(n.into());
-            murs.push(if de_boites {
-                BoiteGeo::new(milieu + n * 1.2, cotes.into(), tour, Texture(0))?.into()
-            } else {
-                PlanGeo::par_un_point(milieu + n, -n, Texture(0))?.into()
-            });
-        }
-    }
-    Ok(murs)
-}
-
 /// Rays in `f64` that start beside an edge of a room, into the other wall, and are converted with the room: rounding puts
 /// many behind that wall, and none passes it. Some that forget what they know do.
 #[test]
 fn une_chambre_convertie_reste_close() {
     let u = f64::from(f32::EPSILON / 2.0);
-    let mut alea = Rng::with_seed(75);
     let (mut suites, mut derriere, mut sans_flou) = (0, 0, 0);
-    for _ in 0..cas(40) {
-        let tour = Rotation::new(direction(&mut alea) * 3.0).unwrap();
-        let origine = [Vecteur::NUL, ORIGINE][alea.usize(0..2)];
-        let milieu = origine + direction(&mut alea) * [0.0, 1.0, 100.0][alea.usize(0..3)];
-        let murs = chambre(milieu, tour, alea.bool()).unwrap();
+    let faire = |alea: &mut Hasard| {
+        let tour = Rotation::new(direction(alea) * 3.0).unwrap();
+        let origine = *alea.choix(&[Vecteur::NUL, ORIGINE]);
+        let milieu = origine + direction(alea) * *alea.choix(&[0.0, 1.0, 100.0]);
+        let murs = murs(milieu, tour, 2.0, [None, Some([0.4, 0.2])][alea.usize(0..2)]);
+        let depuis = alea.liste(100, |alea, _| {
+            let peu = deux_puissance(alea, -30.0, -10.0);
+            let coin = tour.appliquer(Vecteur::new(1.0, 1.0 - peu, entre(alea, -1.0, 1.0)));
+            let depart = milieu + direction(alea) * 0.9;
+            (Rayon::new(depart, milieu + coin - depart).unwrap(), direction(alea))
+        });
+        (origine, murs, depuis)
+    };
+    pour_chaque(cas(40), faire, |(origine, murs, depuis)| {
         let simples = murs.iter().map(|mur| Ok(mur.vers_f32(origine)?.vers_ray()));
         let simples = simples.collect::<Result<Vec<ObjetRay<f32>>, ErreurGeo>>().unwrap();
         let murs: Vec<_> = murs.iter().map(|mur| mur.vers_ray()).collect();
@@ -220,23 +212,18 @@ fn une_chambre_convertie_reste_close() {
             let profond = simples.iter().map(|mur| -dehors(mur, touche.point()));
             profond.fold(0.0, f64::max) - 2.0 * (f64::from(rayon.flou()) + de_plus)
         };
-        for _ in 0..100 {
-            let peu = deux_puissance(&mut alea, -30.0, -10.0);
-            let coin = tour.appliquer(Vecteur::new(1.0, 1.0 - peu, entre(&mut alea, -1.0, 1.0)));
-            let depart = milieu + direction(&mut alea) * 0.9;
-            let rayon = Rayon::new(depart, milieu + coin - depart).unwrap();
+        for (rayon, vers) in depuis {
             let touche = double.premiere_intersection(&rayon).unwrap();
-            let vers = direction(&mut alea);
             let n = touche.normale();
             let le_long = vers.produit_scalaire(n).min(0.0);
             let suite = touche.secondaire(vers - n * (2.0 * le_long)).unwrap();
             let suite = suite.vers_f32(origine).unwrap();
-            assert!(exces(&suite) <= 0.0, "{suite:?} {simples:?}");
+            assert!(exces(&suite) <= 0.0, "{suite:?}");
             let oublieux = Rayon::new(suite.source(), suite.direction()).unwrap();
             sans_flou += u32::from(exces(&oublieux) > 1e-3);
             derriere += u32::from(simple.contient(suite.source()));
             suites += 1;
         }
-    }
+    });
     assert!(derriere > suites / 4 && sans_flou > 20, "{suites} {derriere} {sans_flou}");
 }

@@ -4,7 +4,8 @@
 
 use std::f64::consts::PI;
 
-use commun::fabrique::{boite, boite_droite, mur, sphere, v};
+use commun::fabrique::{boite, boite_droite, mur, murs, sphere, v};
+use commun::hasard::{Hasard, Tirage, pour_chaque};
 use commun::oracle::hauteur;
 use commun::regimes::{direction, entre};
 use commun::tolerances::u;
@@ -26,45 +27,48 @@ use lancer_rayon::{
 /// Places on the wall of a house against which a taller one stands flush: no sun comes there. On the other wall every
 /// sun that the wall faces does. Turned houses anywhere, whose walls as stored overlap or leave a crack, by rounding.
 fn un_mur_mitoyen_est_a_l_ombre<R: Reel>() {
-    let mut alea = Rng::with_seed(91);
     let (mut caches, mut clairs, mut naifs) = (0, 0, 0);
-    for _ in 0..200 {
-        let tour = Rotation::new(v(0.0, entre(&mut alea, -3.0, 3.0), 0.0)).unwrap();
-        let [l, h, p] = [(); 3].map(|()| entre(&mut alea, 4.0, 20.0));
-        let centre = v::<R>(entre(&mut alea, -90.0, 90.0), h / 2.0, entre(&mut alea, -90.0, 90.0));
+    let faire = |alea: &mut Hasard| {
+        let tour = Rotation::new(v(0.0, entre(alea, -3.0, 3.0), 0.0)).unwrap();
+        let [l, h, p] = [(); 3].map(|()| entre(alea, 4.0, 20.0));
+        let centre = v::<R>(entre(alea, -90.0, 90.0), h / 2.0, entre(alea, -90.0, 90.0));
         let maison = boite(centre, v(l, h, p), tour);
         let voisin = centre + tour.appliquer(v(l, h / 2.0, 0.0));
         let objets = [maison, boite(voisin, v(l, 2.0 * h, 1.5 * p), tour)];
-        let ObjetRay::Boite(boite) = maison else { unreachable!() };
+        let [_, y, z] = tour.axes();
+        let lieux = alea.liste(50, |alea, _| {
+            let [y, z] =
+                [(y, h), (z, p)].map(|(n, l)| n * R::depuis_f64(entre(alea, -0.49, 0.49) * l));
+            let soleil = direction(alea);
+            (y + z, arrondi::<R>(Vecteur::new(soleil.x, soleil.y.abs(), soleil.z)))
+        });
+        (objets, lieux)
+    };
+    pour_chaque(200, faire, |(objets, lieux)| {
+        let [maison @ ObjetRay::Boite(boite), _] = objets else { unreachable!("made as a box") };
         let monde = Monde::de_liste(&objets);
-        let [_, y, z] = boite.normales();
-        for _ in 0..50 {
-            let part = |alea: &mut Rng, l: f64| R::depuis_f64(entre(alea, -0.49, 0.49) * l);
-            let vers = y * part(&mut alea, h) + z * part(&mut alea, p);
-            let soleil = direction(&mut alea);
-            let soleil = arrondi::<R>(Vecteur::new(soleil.x, soleil.y.abs(), soleil.z));
+        for (vers, soleil) in lieux {
             for (face, cache) in [(Face::PlusX, true), (Face::MoinsX, false)] {
                 let (milieu, n) = boite.face(face);
                 let capteur = capteur(boite, face, milieu + vers).unwrap();
                 // Some roundings of numbers below 200, and nowhere near the size of the wall.
-                assert!(
-                    (capteur.point() - milieu - vers).longueur().vers_f64() < 4_000.0 * u::<R>()
-                );
+                let ecart = (capteur.point() - milieu - vers).longueur().vers_f64();
+                assert!(ecart < 4_000.0 * u::<R>(), "{ecart:e}");
                 let Ok(ombre) = capteur.vers_soleil(soleil) else { continue };
-                assert_eq!(monde.est_occulte(&ombre), cache, "{objets:?} {ombre:?}");
+                assert_eq!(monde.est_occulte(&ombre), cache, "{ombre:?}");
                 let naif = Rayon::new(capteur.point(), soleil).unwrap();
                 // C + l·N rounds by u of the product and of the sum, and N is unit to 6.1u.
-                let flou = 10.0 * u::<R>() * (centre.longueur().vers_f64() + l / 2.0);
+                let [l, ..] = boite.demi_longueurs();
+                let flou = 10.0 * u::<R>() * (boite.centre().longueur() + l).vers_f64();
                 assert!(hauteur(&maison, n, milieu).abs() <= flou);
                 let du_milieu = Rayon::new(milieu, soleil).unwrap();
                 let du_milieu = du_milieu.avec_flou(R::depuis_f64(flou)).unwrap();
-                assert!(!cache || monde.est_occulte(&du_milieu), "{objets:?} {du_milieu:?}");
+                assert!(!cache || monde.est_occulte(&du_milieu), "{du_milieu:?}");
                 naifs += u32::from(cache && !monde.est_occulte(&naif));
                 if cache { caches += 1 } else { clairs += 1 }
             }
         }
-    }
-    println!("{caches} hidden, of which {naifs} lit without what the hit knows; {clairs} lit");
+    });
     assert!(caches > 4_000 && clairs > 4_000 && naifs > caches / 5);
 }
 
@@ -137,13 +141,13 @@ fn au_loin_un_lieu_se_trouve_pres_d_une_origine() {
 }
 
 /// Heights of all kinds: of few digits, of many, halves, far up, and small.
-fn hauteurs(alea: &mut Rng) -> [f64; 2] {
-    let decimale = |alea: &mut Rng| f64::from(alea.u32(1..300)) / 100.0;
+fn hauteurs(alea: &mut Hasard) -> [f64; 2] {
+    let decimale = |alea: &mut Hasard| alea.usize(1..300) as f64 / 100.0;
     let haut = if alea.bool() { decimale(alea) } else { entre(alea, 0.01, 3.0) };
     let plateau = match alea.u8(0..6) {
         0 => 0.0,
         1 => decimale(alea),
-        2 => f64::from(alea.i32(-8..8)) / 8.0,
+        2 => f64::from(alea.i8(-8..=8)) / 8.0,
         3 => entre(alea, -1.0, 1.0),
         4 => entre(alea, 10.0, 30.0),
         _ => -decimale(alea),
@@ -155,38 +159,42 @@ fn hauteurs(alea: &mut Rng) -> [f64; 2] {
 /// 2h·tan β, and a lamp above lights what lies under the glass. By rounding alone the mirror comes before the way out, or
 /// after it: that changes nothing.
 fn sous_un_verre_pose_la_lumiere_trouve_la_table<R: Reel>() {
-    let (mut alea, mut avant, mut apres) = (Rng::with_seed(92), 0, 0);
-    for numero in 0..100 {
-        let [plateau, haut] = hauteurs(&mut alea).map(R::depuis_f64);
+    let (mut avant, mut apres) = (0, 0);
+    let faire = |alea: &mut Hasard| {
+        let [plateau, haut] = hauteurs(alea).map(R::depuis_f64);
         let deux = R::depuis_f64(2.0);
-        let table = if numero % 2 == 0 {
+        let table = if alea.tour.is_multiple_of(2) {
             mur(Vecteur::Y * plateau, Vecteur::Y)
         } else {
             boite_droite(Vecteur::Y * (plateau - R::depuis_f64(0.035)), v(900.0, 0.07, 900.0))
         };
         let cotes = Vecteur::new(R::depuis_f64(80.0), haut, R::depuis_f64(80.0));
         let objets = [table, boite_droite(Vecteur::Y * (plateau + haut / deux), cotes)];
+        let vers =
+            alea.liste(100, |alea, _| (direction(alea) - Vecteur::Y * 1.5).unitaire().unwrap());
+        let haut = haut.vers_f64();
+        (objets, haut, Vecteur::Y * (plateau.vers_f64() + haut + 2.0), vers)
+    };
+    pour_chaque(100, faire, |(objets, haut, oeil, vers)| {
         let mut memoire = vec![0.0; places(2)];
         let monde = Monde::new(&objets, &mut memoire).unwrap();
-        for _ in 0..100 {
-            let d = (direction(&mut alea) - Vecteur::Y * 1.5).unitaire().unwrap();
-            let oeil = Vecteur::Y * (plateau.vers_f64() + haut.vers_f64() + 2.0);
+        for d in vers {
             let rayon = Rayon::<R>::new(arrondi(oeil), arrondi(d)).unwrap();
             let entree = monde.premiere_intersection(&rayon).unwrap();
             assert_eq!(entree.indice(), 1);
             let dedans = entree.refracte(rayon.direction(), R::depuis_f64(1.0 / 1.5)).unwrap();
             let Ok(Suite::Touche(touche)) = dans_le_verre(&monde, 1, &dedans) else {
-                panic!("the table is missed: {objets:?} {dedans:?}");
+                panic!("the table is missed: {dedans:?}");
             };
             assert_eq!(touche.indice(), 0);
             let sortie = objets[1].sortie(&dedans).unwrap().distance();
             let est_avant = monde.sans(1).est_occulte(&dedans.jusqu_a(sortie).unwrap());
             (avant, apres) = (avant + u32::from(est_avant), apres + u32::from(!est_avant));
             let lampe = touche.vers_lumiere(arrondi(oeil * 3.0 + Vecteur::Y * 99.0)).unwrap();
-            assert!(!monde.sans(1).est_occulte(&lampe), "{objets:?} {lampe:?}");
+            assert!(!monde.sans(1).est_occulte(&lampe), "{lampe:?}");
             let reflet = touche.reflechi(dedans.direction()).unwrap();
             let Ok(Suite::Sortie(sortie)) = dans_le_verre(&monde, 1, &reflet) else {
-                panic!("no way out: {objets:?} {reflet:?}");
+                panic!("no way out: {reflet:?}");
             };
             let dehors = sortie.refracte(reflet.direction(), R::depuis_f64(1.5)).unwrap();
             let miroir = Vecteur::new(d.x, -d.y, d.z);
@@ -195,12 +203,11 @@ fn sous_un_verre_pose_la_lumiere_trouve_la_table<R: Reel>() {
             assert!((dehors.direction().vers_f64() - miroir).longueur() < permis);
             let sinus = d.produit_vectoriel(Vecteur::Y) / 1.5;
             let tangente = sinus / (1.0 - sinus.longueur_carree()).sqrt();
-            let attendu = tangente.produit_vectoriel(Vecteur::Y) * (-2.0 * haut.vers_f64());
+            let attendu = tangente.produit_vectoriel(Vecteur::Y) * (-2.0 * haut);
             let parcouru = (sortie.point() - entree.point()).vers_f64();
             assert!((parcouru - attendu).longueur() < permis, "{parcouru:?} {attendu:?}");
         }
-    }
-    println!("the table before the way out {avant} times, after it {apres} times");
+    });
     assert!(avant > 1_000 && apres > 1_000, "{avant} {apres}");
 }
 
@@ -209,24 +216,29 @@ en_f32_et_f64!(sous_un_verre_pose_la_lumiere_trouve_la_table);
 /// In a cube a particle is, by mirroring the cube instead of the way, where a straight line would be; one step in three
 /// ends on a wall. Thousands of bounces later none has left, and none knows its place less well than after a hundred.
 fn une_particule_reste_ou_le_depliage_la_met<R: Reel>() {
-    let mut alea = Rng::with_seed(93);
-    let axes = [Vecteur::X, Vecteur::Y, Vecteur::Z];
-    let murs = axes.iter().flat_map(|&n| [mur(Vecteur::NUL, n), mur(n, -n)]);
-    let murs: Vec<ObjetRay<R>> = murs.collect();
+    let murs: Vec<ObjetRay<R>> = murs(v(0.5, 0.5, 0.5), Rotation::IDENTITE, 1.0, None)
+        .into_iter()
+        .map(ObjetRay::from)
+        .collect();
     let monde = Monde::de_liste(&murs);
     let (mut au_mur, mut pire) = (0, 0.0_f64);
-    for _ in 0..40 {
-        let depart = v::<R>(entre(&mut alea, 0.1, 0.9), entre(&mut alea, 0.1, 0.9), 0.5);
-        let rayon = Rayon::new(depart, arrondi(direction(&mut alea))).unwrap();
-        let (s, d) = (depart.vers_f64(), rayon.direction().vers_f64());
+    let faire = |alea: &mut Hasard| {
+        let depart = v::<R>(entre(alea, 0.1, 0.9), entre(alea, 0.1, 0.9), 0.5);
+        let rayon = Rayon::new(depart, arrondi(direction(alea))).unwrap();
+        // To the wall, or so far.
+        let pas = alea.liste(1_200, |alea, _| (alea.u8(0..3) > 0).then(|| 2.0 * alea.f64()));
+        (rayon, pas)
+    };
+    pour_chaque(40, faire, |(rayon, pas)| {
+        let (s, d) = (rayon.source().vers_f64(), rayon.direction().vers_f64());
         let (mut particule, mut chemin, mut pas_faits) = (Particule::new(rayon), 0.0, 0.0);
-        while chemin < 1_000.0 {
-            let pas = match (alea.u8(0..3), monde.premiere_intersection(&particule.rayon)) {
-                (0, Ok(mur)) if mur.distance() > R::ZERO => {
+        for pas in pas {
+            let pas = match (pas, monde.premiere_intersection(&particule.rayon)) {
+                (None, Ok(mur)) if mur.distance() > R::ZERO => {
                     au_mur += 1;
                     mur.distance()
                 }
-                _ => R::depuis_f64(2.0 * alea.f64()),
+                (pas, _) => R::depuis_f64(pas.unwrap_or(1.0)),
             };
             particule.avancer(&monde, pas).unwrap();
             (chemin, pas_faits) = (chemin + pas.vers_f64(), pas_faits + 1.0);
@@ -247,8 +259,7 @@ fn une_particule_reste_ou_le_depliage_la_met<R: Reel>() {
             let connu = (100.0 + 400.0) * 60.0 * u::<R>();
             assert!(particule.rayon.flou().vers_f64() <= connu);
         }
-    }
-    println!("{au_mur} steps end on a wall; {pire} of what is allowed");
+    });
     assert!(au_mur > 1_000);
 }
 
@@ -257,21 +268,19 @@ en_f32_et_f64!(une_particule_reste_ou_le_depliage_la_met);
 /// What the page says of `f32` in a large room.
 #[test]
 fn dans_une_salle_de_cent_kilometres_le_flou_atteint_huit_decimetres() {
-    let mut alea = Rng::with_seed(96);
-    let loin = 1e5_f32;
-    let axes = [Vecteur::X, Vecteur::Y, Vecteur::Z];
-    let murs = axes.iter().flat_map(|&n| [mur(Vecteur::NUL, n), mur(n * loin, -n)]);
-    let murs: Vec<ObjetRay<f32>> = murs.collect();
-    let (mut somme, rayons) = (0.0, 1_000_u16);
-    for _ in 0..rayons {
-        let mut rayon = Rayon::new(v(5e4, 5e4, 5e4), arrondi(direction(&mut alea))).unwrap();
+    let murs: Vec<ObjetRay<f32>> = murs(v(5e4, 5e4, 5e4), Rotation::IDENTITE, 1e5, None)
+        .into_iter()
+        .map(ObjetRay::from)
+        .collect();
+    let (mut somme, rayons) = (0.0, 1_000);
+    let faire = |alea: &mut Hasard| Rayon::new(v(5e4, 5e4, 5e4), arrondi(direction(alea))).unwrap();
+    pour_chaque(rayons, faire, |mut rayon| {
         for _ in 0..5 {
             let touche = Monde::de_liste(&murs).premiere_intersection(&rayon).unwrap();
             rayon = touche.reflechi(rayon.direction()).unwrap();
         }
-        somme += rayon.flou() / f32::from(rayons);
-    }
-    println!("{somme} metres");
+        somme += rayon.flou() / rayons as f32;
+    });
     assert!((0.7..0.9).contains(&somme), "{somme}");
 }
 
@@ -292,7 +301,6 @@ fn les_reflets_dans_une_boule_derivent_du_pas() {
         let sortie = boule.sortie(&rayon).unwrap();
         sortie.normale().produit_scalaire(rayon.direction())
     };
-    println!("{} and {}", cosinus(false), cosinus(true));
     assert!((0.14..0.17).contains(&cosinus(false)), "{}", cosinus(false));
     assert!((cosinus(true) - 0.1).abs() < 0.002, "{}", cosinus(true));
 }
@@ -388,7 +396,6 @@ fn au_bout(monde: &Monde<'_>, milieux: &[Milieu], mut lumiere: Lumiere) -> Lumie
 /// angle light stays in the water.
 #[test]
 fn des_milieux_l_un_dans_l_autre_plient_la_lumiere_par_priorite() {
-    let mut alea = Rng::with_seed(95);
     let couche = |bas: f64, haut: f64| {
         boite_droite(v(0.0, (bas + haut) / 2.0, 0.0), v(900.0, haut - bas, 900.0))
     };
@@ -396,8 +403,8 @@ fn des_milieux_l_un_dans_l_autre_plient_la_lumiere_par_priorite() {
     let couches = [couche(0.9, 3.0), couche(0.0, 1.0), couche(1.5, 2.5)];
     let milieux = [milieu(1, 1.33), milieu(2, 1.5), milieu(3, 1.31)];
     let monde = Monde::de_liste(&couches);
-    for _ in 0..1_000 {
-        let d = (direction(&mut alea) - Vecteur::Y * 1.2).unitaire().unwrap();
+    let faire = |alea: &mut Hasard| (direction(alea) - Vecteur::Y * 1.2).unitaire().unwrap();
+    pour_chaque(1_000, faire, |d| {
         let rayon = Rayon::new(Vecteur::Y * 5.0, d).unwrap();
         let dehors = au_bout(&monde, &milieux, Lumiere { rayon, dans: vec![] });
         assert_eq!(dehors.dans, []);
@@ -407,7 +414,7 @@ fn des_milieux_l_un_dans_l_autre_plient_la_lumiere_par_priorite() {
         let tangente = |n: f64| sinus / n / (1.0 - (sinus / n).powi(2)).sqrt();
         let attendu = 2.0 * tangente(1.0) + tangente(1.33) + tangente(1.31) + tangente(1.5);
         assert!(((s.x * s.x + s.z * s.z).sqrt() - attendu).abs() < 1e-12, "{attendu} {s:?}");
-    }
+    });
     // From the water upward at 60°, beyond 48.8°: it comes back down, and is in the water still.
     let rayon = Rayon::new(Vecteur::Y * 2.8, v(0.75_f64.sqrt(), 0.5, 0.0)).unwrap();
     let mut lumiere = Lumiere { rayon, dans: vec![0] };
@@ -417,15 +424,21 @@ fn des_milieux_l_un_dans_l_autre_plient_la_lumiere_par_priorite() {
     let balles = [sphere(Vecteur::NUL, 2.0), sphere(Vecteur::NUL, 1.0)];
     let milieux = [milieu(1, 1.2), milieu(2, 1.6)];
     let monde = Monde::de_liste(&balles);
-    for _ in 0..1_000 {
-        let b = entre(&mut alea, 0.01, 1.15);
-        let rayon = Rayon::new(Vecteur::new(-9.0, b, 0.0), Vecteur::X).unwrap();
-        let dehors = au_bout(&monde, &milieux, Lumiere { rayon, dans: vec![] });
-        // n·r·sin θ is b all the way.
-        let dedans = if b < 1.2 { (b / 1.2).asin() - (b / 1.6).asin() } else { 0.0 };
-        let deviation = 2.0 * ((b / 2.0).asin() - (b / 2.4).asin() + dedans);
-        let d = dehors.rayon.direction();
-        let angle = (-d.y).atan2(d.x);
-        assert!((angle - deviation).abs() < 1e-12 && deviation < PI, "{b}: {angle} {deviation}");
-    }
+    pour_chaque(
+        1_000,
+        |alea| entre(alea, 0.01, 1.15),
+        |b| {
+            let rayon = Rayon::new(Vecteur::new(-9.0, b, 0.0), Vecteur::X).unwrap();
+            let dehors = au_bout(&monde, &milieux, Lumiere { rayon, dans: vec![] });
+            // n·r·sin θ is b all the way.
+            let dedans = if b < 1.2 { (b / 1.2).asin() - (b / 1.6).asin() } else { 0.0 };
+            let deviation = 2.0 * ((b / 2.0).asin() - (b / 2.4).asin() + dedans);
+            let d = dehors.rayon.direction();
+            let angle = (-d.y).atan2(d.x);
+            assert!(
+                (angle - deviation).abs() < 1e-12 && deviation < PI,
+                "{b}: {angle} {deviation}"
+            );
+        },
+    );
 }

@@ -2,10 +2,10 @@
 //! subnormal number, which a turned floor may give.
 
 use commun::fabrique::{avec_arbre, boite, boite_droite, mur, sphere, v};
+use commun::hasard::{Hasard, pour_chaque};
 use commun::regimes::entre;
 use commun::scenes::rayons_camera;
 use commun::{arrondi, en_f32_et_f64};
-use fastrand::Rng;
 use lancer_rayon::{Monde, ObjetRay, Rayon, Reel, Rotation, Vecteur};
 
 /// Points along each side of the floor.
@@ -13,7 +13,7 @@ const GRILLE: u32 = 200;
 
 /// A floor, as a half-space or the top of a slab, with things that stand on it.
 fn scene<R: Reel>(dalle: bool) -> Vec<ObjetRay<R>> {
-    let mut alea = Rng::with_seed(61);
+    let alea = &mut Hasard::de_graine(61);
     let sol = if dalle {
         boite_droite(v(0.0, -0.25, 0.0), v(20.0, 0.5, 20.0))
     } else {
@@ -21,13 +21,13 @@ fn scene<R: Reel>(dalle: bool) -> Vec<ObjetRay<R>> {
     };
     let mut objets = vec![sol];
     for i in 1..40 {
-        let (x, z) = (entre(&mut alea, -9.0, 9.0), entre(&mut alea, -9.0, 9.0));
-        let haut = entre(&mut alea, 0.1, 1.5);
+        let (x, z) = (entre(alea, -9.0, 9.0), entre(alea, -9.0, 9.0));
+        let haut = entre(alea, 0.1, 1.5);
         objets.push(if i % 2 == 0 {
             sphere(v(x, 0.3 * haut, z), R::depuis_f64(haut))
         } else {
-            let tour = Rotation::new(v(0.0, entre(&mut alea, 0.0, 1.5), 0.0)).unwrap();
-            let cotes = v(entre(&mut alea, 0.3, 2.0), haut, entre(&mut alea, 0.3, 2.0));
+            let tour = Rotation::new(v(0.0, entre(alea, 0.0, 1.5), 0.0)).unwrap();
+            let cotes = v(entre(alea, 0.3, 2.0), haut, entre(alea, 0.3, 2.0));
             boite(v(x, haut / 2.0, z), cotes, tour)
         });
     }
@@ -102,24 +102,18 @@ fn un_capteur_au_ras_du_sol_voit_la_lampe<R: Reel>() {
     let sol = &scene::<R>(false)[..1];
     let voit = |de: Vecteur<R>, vers: Vecteur<R>| {
         let rayon = Rayon::entre(de, vers).unwrap();
-        assert_eq!(
-            rayon,
-            Rayon::new(de, vers - de).unwrap().jusqu_a((vers - de).longueur()).unwrap()
-        );
         !Monde::de_liste(sol).est_occulte(&rayon)
     };
-    let mut alea = Rng::with_seed(62);
     let mut depuis_la_lampe = 0;
-    for _ in 0..GRILLE * GRILLE {
-        let mut lieu =
-            |haut| Vecteur::new(entre(&mut alea, -5.0, 5.0), haut, entre(&mut alea, -5.0, 5.0));
-        let capteur = arrondi::<R>(lieu(0.01 * R::U.vers_f64()));
-        let lampe = arrondi(lieu(2.5));
-        assert!(voit(capteur, lampe), "{capteur:?} {lampe:?}");
-        depuis_la_lampe += u32::from(voit(lampe, capteur));
-    }
+    let faire = |alea: &mut Hasard| {
+        let mut lieu = |haut| Vecteur::new(entre(alea, -5.0, 5.0), haut, entre(alea, -5.0, 5.0));
+        [arrondi::<R>(lieu(0.01 * R::U.vers_f64())), arrondi(lieu(2.5))]
+    };
     let tous = GRILLE * GRILLE;
-    println!("from the lamp {depuis_la_lampe} of {tous}");
+    pour_chaque(tous, faire, |[capteur, lampe]| {
+        assert!(voit(capteur, lampe));
+        depuis_la_lampe += u32::from(voit(lampe, capteur));
+    });
     assert!((tous / 2..tous - tous / 100).contains(&depuis_la_lampe));
 }
 

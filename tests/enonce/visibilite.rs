@@ -1,91 +1,63 @@
 //! Two points of surfaces: whether they see each other, beside an exact answer.
 
-use std::path::Path;
-
 use commun::fabrique::{avec_arbre, boite, mur, sphere};
+use commun::hasard::{Hasard, Tirage, pour_chaque};
 use commun::oracle::{dehors, verite};
 use commun::regimes::{direction, entre};
 use commun::{arrondi, en_f32_et_f64};
-use exemples::scene::Scene;
-use fastrand::Rng;
 use lancer_rayon::{
-    BoiteGeo, Intersection, Monde, ObjetRay, Rayon, Reel, Rotation, Texture, Vecteur,
-    premiere_intersection,
+    Intersection, Monde, ObjetRay, Rayon, Reel, Rotation, Vecteur, premiere_intersection,
 };
-use serde::de::DeserializeOwned;
 
-/// Pairs of points in each scene.
+/// Pairs of points.
 const PAIRES: u32 = 20_000;
 
-/// Pairs of a sensor on a wall, at each of these heights above the ground, and a point of the ground.
-const CAPTEURS: u32 = 2_000;
+/// Of every other pair one point is a sensor on a wall, at one of these heights above the ground.
 const HAUTEURS: [f64; 3] = [0.01, 0.002, 0.001];
 
 /// Houses in streets, some of them turned, on level ground.
 fn ville<R: Reel>() -> Vec<ObjetRay<R>> {
-    let mut alea = Rng::with_seed(40);
-    let haut = arrondi(Vecteur::new(0.0, 1.0, 0.0));
-    let mut objets: Vec<ObjetRay<R>> = vec![mur(Vecteur::NUL, haut)];
+    let alea = &mut Hasard::de_graine(40);
+    let mut objets: Vec<ObjetRay<R>> = vec![mur(Vecteur::NUL, Vecteur::Y)];
     for (i, j) in (-6..6).flat_map(|i| (-6..6).map(move |j| (i, j))) {
-        let [x, z] = [i, j].map(|k| 20.0 * f64::from(k) + entre(&mut alea, -2.0, 2.0));
-        let h = entre(&mut alea, 4.0, 30.0);
-        let dimensions = Vecteur::new(entre(&mut alea, 8.0, 14.0), h, entre(&mut alea, 8.0, 14.0));
-        let lacet = if alea.bool() { 0.0 } else { entre(&mut alea, -0.5, 0.5) };
-        let tour = Rotation::new(arrondi(Vecteur::new(0.0, lacet, 0.0))).unwrap();
-        let centre = arrondi(Vecteur::new(x, h / 2.0, z));
-        objets.push(boite(centre, arrondi(dimensions), tour));
+        let [x, z] = [i, j].map(|k| 20.0 * f64::from(k) + entre(alea, -2.0, 2.0));
+        let h = entre(alea, 4.0, 30.0);
+        let cotes = Vecteur::new(entre(alea, 8.0, 14.0), h, entre(alea, 8.0, 14.0));
+        let lacet = if alea.bool() { 0.0 } else { entre(alea, -0.5, 0.5) };
+        let tour = Rotation::new(arrondi(Vecteur::Y * lacet)).unwrap();
+        objets.push(boite(arrondi(Vecteur::new(x, h / 2.0, z)), arrondi(cotes), tour));
     }
     objets
 }
 
-fn atelier<R: Reel + DeserializeOwned>() -> Vec<ObjetRay<R>> {
-    let chemin = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/scenes/atelier.ron");
-    Scene::lire(&chemin).unwrap().objets.into_iter().map(Into::into).collect()
-}
-
-/// A point that is seen from somewhere above a scene of this extent.
-fn point<R: Reel>(objets: &[ObjetRay<R>], etendue: f64, alea: &mut Rng) -> Intersection<R> {
-    loop {
-        let mut lieu = |haut: f64| {
-            let v = direction(alea) * etendue;
-            Vecteur::new(v.x, haut * alea.f64() * etendue, v.z)
-        };
-        let (de, vers) = (lieu(0.6), lieu(0.1));
-        // From inside an object one sees points that it hides from all others.
-        if objets.iter().any(|objet| objet.contient(arrondi(de))) {
-            continue;
-        }
-        let rayon = Rayon::new(arrondi(de), arrondi(vers - de)).unwrap();
-        let touche = premiere_intersection(objets, &rayon).ok();
-        if let Some(touche) = touche.filter(|t| t.distance().vers_f64() < 4.0 * etendue) {
-            return touche;
-        }
+/// A point of the town that is seen from somewhere above it, or a sensor this high on the wall of a house.
+fn point<R: Reel>(
+    monde: &Monde<'_, R>,
+    capteur: Option<f64>,
+    alea: &mut Hasard,
+) -> Option<Intersection<R>> {
+    let mut lieu =
+        |haut| Vecteur::new(entre(alea, -110.0, 110.0), haut, entre(alea, -110.0, 110.0));
+    let (de, vers) = match capteur {
+        Some(haut) => (lieu(haut), lieu(haut)),
+        None => (lieu(40.0), lieu(0.0)),
+    };
+    // From inside an object one sees points that it hides from all others.
+    if monde.contient(arrondi(de)) {
+        return None;
     }
-}
-
-/// A sensor this high on the wall of a house.
-fn capteur<R: Reel>(objets: &[ObjetRay<R>], haut: f64, alea: &mut Rng) -> Intersection<R> {
-    loop {
-        let de = Vecteur::new(entre(alea, -110.0, 110.0), haut, entre(alea, -110.0, 110.0));
-        let vers = direction(alea);
-        let rayon = Rayon::new(arrondi(de), arrondi(Vecteur::new(vers.x, 0.0, vers.z))).unwrap();
-        if let Ok(touche) = premiere_intersection(objets, &rayon) {
-            return touche;
-        }
-    }
+    monde.premiere_intersection(&Rayon::new(arrondi(de), arrondi(vers - de)).ok()?).ok()
 }
 
 /// A point of the ground under the open sky, no farther than some streets from here.
-fn du_sol<R: Reel>(objets: &[ObjetRay<R>], ici: Vecteur, alea: &mut Rng) -> Intersection<R> {
-    loop {
-        let de = ici + Vecteur::new(entre(alea, -60.0, 60.0), 90.0, entre(alea, -60.0, 60.0));
-        let bas = Vecteur::new(0.0, -1.0, 0.0);
-        let rayon = Rayon::new(arrondi(de), arrondi(bas)).unwrap();
-        match premiere_intersection(objets, &rayon) {
-            Ok(touche) if touche.indice() == 0 => return touche,
-            Ok(_) | Err(_) => {}
-        }
-    }
+fn du_sol<R: Reel>(
+    monde: &Monde<'_, R>,
+    ici: Vecteur,
+    alea: &mut Hasard,
+) -> Option<Intersection<R>> {
+    let de = ici + Vecteur::new(entre(alea, -60.0, 60.0), 90.0, entre(alea, -60.0, 60.0));
+    let touche = monde.premiere_intersection(&Rayon::new(arrondi(de), -Vecteur::Y).ok()?).ok();
+    touche.filter(|touche| touche.indice() == 0)
 }
 
 /// Whether the ray enters one of these objects before its end, exactly; `None` if that is nearer than the
@@ -106,155 +78,117 @@ fn cache<'a, R: Reel>(
     ((premiere - fin).abs() > jeu).then_some(premiere < fin)
 }
 
-/// What the recipe of the documents says of two points, and whether that is right: the same both ways, and of a list
-/// cut in two.
-fn se_voient<R: Reel>(
+/// What the recipe of the documents says of two points, and the ray that it asks.
+fn voit<R: Reel>(
     monde: &Monde<'_, R>,
     depart: &Intersection<R>,
     cible: &Intersection<R>,
-) -> Option<bool> {
-    let rayon = match depart.vers_touche(cible) {
-        Ok(rayon) => rayon,
+) -> Option<(Rayon<R>, bool)> {
+    match depart.vers_touche(cible) {
+        Ok(rayon) => Some((rayon, !monde.sans(cible.indice()).est_occulte(&rayon))),
         Err(erreur) => {
             assert!(["lumiere", "cible"].contains(&erreur.champ), "{erreur}");
-            return None;
+            None
         }
-    };
-    let libre = !monde.sans(cible.indice()).est_occulte(&rayon);
-    let objets = monde.objets();
-    let (avant, apres) = (&objets[..cible.indice()], &objets[cible.indice() + 1..]);
-    let coupee = [avant, apres].iter().any(|part| Monde::de_liste(part).est_occulte(&rayon));
-    assert_eq!(libre, !coupee);
-    // The object that the ray leaves never stands in its way; nor would that to which it goes, exactly.
-    let depart = objets[depart.indice()];
-    assert!(
-        depart.intersection(&rayon.jusqu_a(R::INFINI).unwrap()).is_err(),
-        "hidden by its own start: {depart:?} {rayon:?}"
-    );
-    let autres = avant.iter().chain(apres).filter(|objet| **objet != depart);
-    let exacte = cache(autres, &rayon);
-    assert!(exacte.is_none_or(|cache| cache != libre), "{libre}, but {exacte:?}: {rayon:?}");
-    Some(libre)
-}
-
-fn deux_points_se_voient_si_rien_n_est_entre_eux<R: Reel + DeserializeOwned>() {
-    for (nom, objets, etendue) in [("city", ville::<R>(), 120.0), ("atelier", atelier(), 6.0)] {
-        let monde = avec_arbre(&objets);
-        let mut alea = Rng::with_seed(39);
-        let (mut vus, mut caches, mut dos) = (0, 0, 0);
-        let mut naifs = [0; 2];
-        let mut juger = |a: Intersection<R>, b: Intersection<R>| {
-            let [p, q] = [a, b].map(|touche| touche.point());
-            // What one writes at first.
-            let obvie = !Monde::de_liste(&objets).est_occulte(&Rayon::entre(p, q).unwrap());
-            let libre = se_voient(&monde, &a, &b);
-            assert_eq!(se_voient(&monde, &b, &a), libre, "{nom}: one way: {a:?} {b:?}");
-            match libre {
-                None => {
-                    let v = q - p;
-                    let penche =
-                        |n: Vecteur<R>| n.produit_scalaire(v).vers_f64() / v.longueur().vers_f64();
-                    let face = penche(a.normale()).min(-penche(b.normale()));
-                    assert!(face < 1e-4, "{nom}: both face, and no ray: {a:?} {b:?}");
-                    dos += 1;
-                }
-                Some(true) => vus += 1,
-                Some(false) => caches += 1,
-            }
-            naifs[usize::from(obvie)] += u32::from(obvie != (libre == Some(true)));
-            libre
-        };
-        for _ in 0..PAIRES {
-            let a = point(&objets, etendue, &mut alea);
-            juger(a, point(&objets, etendue, &mut alea));
-        }
-        let hauteurs = if nom == "city" { &HAUTEURS[..] } else { &[] };
-        for &haut in hauteurs {
-            let paire = |_| {
-                let mur = capteur(&objets, haut, &mut alea);
-                let ici = mur.point().vers_f64();
-                juger(du_sol(&objets, ici, &mut alea), mur)
-            };
-            let reponses: Vec<_> = (0..CAPTEURS).filter_map(paire).collect();
-            let vus = reponses.iter().filter(|libre| **libre).count();
-            println!("{nom}, {haut} high: {vus} of {} seen", reponses.len());
-            assert!(vus > 100 && reponses.len() - vus > 100);
-        }
-        println!(
-            "{nom}: {vus} seen, {caches} hidden, {dos} turned away, at first {naifs:?} wrongly hidden and seen"
-        );
-        assert!(vus > PAIRES / 40 && caches > PAIRES / 40, "{nom}");
-        assert!(naifs[0] > vus / 10, "{nom}: the obvious hides {} of {vus} only", naifs[0]);
     }
 }
 
-en_f32_et_f64!(deux_points_se_voient_si_rien_n_est_entre_eux);
-
-/// What the recipe says of two points, of a list.
-fn voit<R: Reel>(
-    objets: &[ObjetRay<R>],
-    depart: &Intersection<R>,
-    cible: &Intersection<R>,
-) -> Option<(Rayon<R>, bool)> {
-    let rayon = depart.vers_touche(cible).ok()?;
-    let (avant, apres) = (&objets[..cible.indice()], &objets[cible.indice() + 1..]);
-    let cache = [avant, apres].iter().any(|part| Monde::de_liste(part).est_occulte(&rayon));
-    Some((rayon, !cache))
+/// The recipe is right, and says the same both ways.
+fn deux_points_se_voient_si_rien_n_est_entre_eux<R: Reel>() {
+    let objets = ville::<R>();
+    let monde = avec_arbre(&objets);
+    let [mut vus, mut caches, mut dos, mut naifs] = [0; 4];
+    let faire = |alea: &mut Hasard| {
+        let capteur = (alea.tour % 2 == 1).then(|| *alea.choix(&HAUTEURS));
+        let a = point(&monde, capteur, alea)?;
+        let b = match capteur {
+            Some(_) => du_sol(&monde, a.point().vers_f64(), alea),
+            None => point(&monde, None, alea),
+        };
+        Some((a, b?))
+    };
+    pour_chaque(2 * PAIRES, faire, |paire| {
+        let Some((a, b)) = paire else { return };
+        let [aller, retour] = [voit(&monde, &a, &b), voit(&monde, &b, &a)];
+        assert_eq!(aller.map(|(_, libre)| libre), retour.map(|(_, libre)| libre), "one way");
+        let Some((rayon, libre)) = aller else {
+            let v = b.point() - a.point();
+            let penche = |n: Vecteur<R>| n.produit_scalaire(v).vers_f64() / v.longueur().vers_f64();
+            let face = penche(a.normale()).min(-penche(b.normale()));
+            assert!(face < 1e-4, "both face, and no ray");
+            dos += 1;
+            return;
+        };
+        // The object that the ray leaves never stands in its way; nor would that to which it goes, exactly.
+        let [depart, cible] = [a, b].map(|touche| touche.indice());
+        let sans_fin = rayon.jusqu_a(R::INFINI).unwrap();
+        assert!(objets[depart].intersection(&sans_fin).is_err(), "hidden by its own start");
+        let autres = objets.iter().enumerate().filter(|(i, _)| ![depart, cible].contains(i));
+        let exacte = cache(autres.map(|(_, objet)| objet), &rayon);
+        assert!(exacte.is_none_or(|cache| cache != libre), "{libre}, but {exacte:?}: {rayon:?}");
+        *(if libre { &mut vus } else { &mut caches }) += 1;
+        // What one writes at first.
+        let obvie = Rayon::entre(a.point(), b.point()).unwrap();
+        naifs += u32::from(libre && Monde::de_liste(&objets).est_occulte(&obvie));
+    });
+    assert!(vus > PAIRES / 20 && caches > PAIRES / 20 && dos > 100);
+    assert!(naifs > vus / 10, "the obvious hides {naifs} of {vus} only");
 }
+
+en_f32_et_f64!(deux_points_se_voient_si_rien_n_est_entre_eux);
 
 /// At the foot of a turned wall rounding sets starts inside the wall or under the ground, of which a ray that comes there
 /// knows and one that leaves does not; and a ball that the line grazes may be hit one way and missed the other.
 /// Nowhere else does it matter which of two points is named first.
 fn a_un_joint_ou_au_ras_d_un_tiers_l_ordre_compte<R: Reel>() {
-    let mut alea = Rng::with_seed(41);
-    let haut = Vecteur::new(0.0, 1.0, 0.0);
-    let sol: ObjetRay<R> = mur(Vecteur::NUL, arrondi(haut));
+    let haut = Vecteur::Y;
     let boule = |c: Vecteur, r: f64| sphere(arrondi(c), R::depuis_f64(r));
     let [mut au_joint, mut au_ras, mut memes] = [0; 3];
-    for i in 0..PAIRES {
-        let tour = Rotation::new(arrondi(haut * entre(&mut alea, -3.0, 3.0))).unwrap();
-        let cotes = arrondi(Vecteur::new(2.0, 2.0, 2.0));
-        let mur = BoiteGeo::new(arrondi(haut), cotes, tour, Texture(2)).unwrap().vers_ray();
-        let [n, _, le_long] = mur.normales().map(Vecteur::vers_f64);
-        let au_pied = n + le_long * entre(&mut alea, -0.9, 0.9);
-        let lustre = n * entre(&mut alea, 3.0, 5.0) + haut * 2.0;
-        let mut objets = vec![sol, boule(lustre, 0.5)];
-        let joint = i % 2 == 0;
+    let faire = |alea: &mut Hasard| {
+        let tour = Rotation::new(arrondi(haut * entre(alea, -3.0, 3.0))).unwrap();
+        let mur_tourne = boite(arrondi(haut), arrondi(Vecteur::new(2.0, 2.0, 2.0)), tour);
+        let [n, _, le_long] = tour.axes().map(Vecteur::vers_f64);
+        let au_pied = n + le_long * entre(alea, -0.9, 0.9);
+        let lustre = n * entre(alea, 3.0, 5.0) + haut * 2.0;
+        let mut objets = vec![mur(Vecteur::NUL, arrondi(haut)), boule(lustre, 0.5)];
+        let joint = alea.tour.is_multiple_of(2);
         if joint {
-            objets.push(mur.into());
+            objets.push(mur_tourne);
         }
         let vers = |ou: Vecteur, de: Vecteur| {
             let rayon = Rayon::new(arrondi(de), arrondi(ou - de)).unwrap();
             premiere_intersection(&objets, &rayon).unwrap()
         };
-        let a = vers(au_pied, au_pied + n * entre(&mut alea, 0.1, 1.0) + haut);
-        let b = vers(lustre + le_long * entre(&mut alea, -0.2, 0.2), n * 2.0 + haut * 0.5);
+        let a = vers(au_pied, au_pied + n * entre(alea, 0.1, 1.0) + haut);
+        let b = vers(lustre + le_long * entre(alea, -0.2, 0.2), n * 2.0 + haut * 0.5);
         if !joint {
             let [p, q] = [a, b].map(|touche| touche.point().vers_f64());
-            let travers = (q - p).produit_vectoriel(direction(&mut alea)).unitaire().unwrap();
-            let r = entre(&mut alea, 0.01, 0.1);
+            let travers = (q - p).produit_vectoriel(direction(alea)).unitaire().unwrap();
+            let r = entre(alea, 0.01, 0.1);
             objets.push(boule((p + q) * 0.5 + travers * r, r));
         }
-        let [aller, retour] = [voit(&objets, &a, &b), voit(&objets, &b, &a)];
+        (objets, joint, [a, b])
+    };
+    pour_chaque(PAIRES, faire, |(objets, joint, [a, b])| {
+        let monde = Monde::de_liste(&objets);
+        let [aller, retour] = [voit(&monde, &a, &b), voit(&monde, &b, &a)];
         let (Some((aller, libre)), Some((retour, egalement))) = (aller, retour) else {
             assert!(aller.is_none() && retour.is_none());
-            continue;
+            return;
         };
         if libre == egalement {
             memes += 1;
         } else if joint {
             // The wall at a point of the ground, the ground at one of the wall.
-            let tiers = objets[2 - a.indice()];
-            let hauteur = dehors(&tiers, aller.source());
-            assert!(hauteur < 16.0 * R::U.vers_f64(), "clear of its neighbour: {a:?} {b:?}");
+            let hauteur = dehors(&objets[2 - a.indice()], aller.source());
+            assert!(hauteur < 16.0 * R::U.vers_f64(), "clear of its neighbour");
             au_joint += 1;
         } else {
             let de_bande = |rayon| verite(&objets[2], rayon).dans_la_marge;
-            assert!([aller, retour].iter().any(de_bande), "clear of the ball: {a:?} {b:?}");
+            assert!([aller, retour].iter().any(de_bande), "clear of the ball");
             au_ras += 1;
         }
-    }
-    println!("{au_joint} at seams, {au_ras} beside a ball, {memes} alike");
+    });
     assert!(au_joint > 10 && au_ras > 10 && memes > PAIRES / 4);
 }
 

@@ -40,12 +40,6 @@ fn chaque_objet_se_voit<R: Reel>(chemin: &Path, scene: &Scene<R>, touches: &[Rep
     );
 }
 
-/// How many of the 240,000 rays of a picture may see another object in `f32` than in `f64`.
-///
-/// Reading a scene in `f32` rounds it, and a ray within rounding of a silhouette may see what is beside
-/// it: 2 rays of `extremes.ron`, none of the other scenes. A formula that loses edges exceeds 8 by far.
-const AUTRES: u32 = 8;
-
 /// How far the two distances may lie apart, as a part of the distance: grazing rays came to 8e-6.
 const ECART_F32_F64: f64 = 1e-4;
 
@@ -53,24 +47,21 @@ const ECART_F32_F64: f64 = 1e-4;
 const DIRECTION_CAMERA: f64 = 1e-15;
 
 #[test]
-fn f32_et_f64_voient_tous_les_objets_et_la_meme_image() {
+fn f32_et_f64_voient_tous_les_objets_aux_memes_distances() {
     for chemin in fichiers() {
         let (double, simple) = (Scene::lire(&chemin).unwrap(), Scene::lire(&chemin).unwrap());
         let (doubles, simples) = (image::<f64>(&double), image::<f32>(&simple));
         chaque_objet_se_voit(&chemin, &double, &doubles);
         chaque_objet_se_voit(&chemin, &simple, &simples);
-        let mut autres = 0;
+        // How many rays see another object `pixels.rs` counts.
         for paire in doubles.iter().zip(&simples) {
-            match paire {
-                (Ok(a), Ok(b)) if a.indice() == b.indice() => {
-                    let ecart = (f64::from(b.distance()) / a.distance() - 1.0).abs();
-                    assert!(ecart < ECART_F32_F64, "{}: {a:?} and {b:?}", chemin.display());
-                }
-                (Err(_), Err(_)) => {}
-                _ => autres += 1,
+            if let (Ok(a), Ok(b)) = paire
+                && a.indice() == b.indice()
+            {
+                let ecart = (f64::from(b.distance()) / a.distance() - 1.0).abs();
+                assert!(ecart < ECART_F32_F64, "{}: {a:?} and {b:?}", chemin.display());
             }
         }
-        assert!(autres <= AUTRES, "{}: {autres} rays see something else", chemin.display());
     }
 }
 
@@ -101,10 +92,6 @@ fn un_objet_refuse_dit_ou_et_pourquoi() {
             "4:38: rayon is -1.0, but must be a number above 0",
         ),
         (
-            "Sphere(rayon: NaN, centre: (0, 0, 0), texture: 0)",
-            "4:19: rayon is NaN, but must be a number above 0",
-        ),
-        (
             "Sphere(centre: (0, NaN, 0), rayon: 1, texture: 0)",
             "4:30: centre.y is NaN, but must be a number between -2^",
         ),
@@ -113,16 +100,8 @@ fn un_objet_refuse_dit_ou_et_pourquoi() {
             "4:31: dimensions.y (hauteur) is 0.0, but must be a number above 0",
         ),
         (
-            "Plan(distance: inf, rotation: (0, 0, 0), texture: 0)",
-            "4:20: distance is inf, but must be a number between -2^",
-        ),
-        (
             "Plan(distance: 1, rotation: (0, inf, 0), texture: 0)",
             "4:43: vecteur_rotation.y is inf, but must be a finite number",
-        ),
-        (
-            "Plan(distance: 1, rotation: (0, 0, 0), texture: 0, transformations: [Homothetie(0)])",
-            "4:85: coefficient is 0.0, but must be a finite number above 0",
         ),
         (
             "Sphere(centre: (0, 0, 0), rayon: 1, texture: 0, transformations: [\n\
@@ -163,10 +142,6 @@ fn une_camera_refusee_dit_ou_et_pourquoi() {
         (
             "source: (0, 0, 9), regard: Point((0, 0, 0)), champ: 180",
             "2:64: champ is 180, but must lie strictly between 0 and 180 degrees",
-        ),
-        (
-            "source: (0, 0, 9), regard: Point((0, 0, 0)), champ: NaN",
-            "2:64: champ is NaN, but must lie strictly between 0 and 180 degrees",
         ),
         (
             "source: (0, 0, 9), regard: Point((0, 0, 0)), champ: 40, image: (600, 0)",

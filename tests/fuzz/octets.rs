@@ -104,13 +104,13 @@ impl<'a, R: Bits> Octets<'a, R> {
             _ => {
                 let rayon = lu.rayons.last().copied();
                 let (genre, vers) = (self.octet()?, self.vecteur()?);
-                let faisceau = (0..u32::from(genre) / 2).filter_map(|i| {
+                let rangee = (0..u32::from(genre) / 2).filter_map(|i| {
                     let ecart = vers * R::depuis_f64(f64::from(i) / 1024.0);
                     let source = rayon?.source();
                     let source = if genre % 2 == 0 { source } else { source + ecart };
                     Rayon::new(source, rayon?.direction() + ecart).ok()
                 });
-                lu.rayons.extend(faisceau);
+                lu.rayons.extend(rangee);
             }
         }
         Some(())

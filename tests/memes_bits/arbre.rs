@@ -5,12 +5,11 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use commun::conversion::mots;
-use commun::conversion::voisin;
+use commun::conversion::{mots, voisin};
 use commun::fabrique::{avec_arbre, boite_droite, sphere, v};
 use commun::facons::{UN_ARBRE, comparer, comparer_dans, noeuds};
 use commun::hasard::{Hasard, Tirage, pour_chaque};
-use commun::regimes::{deux_puissance, direction, entre, signe};
+use commun::regimes::{deux_puissance, direction, entre, gerbe, signe};
 use commun::{Bits, arrondi, en_f32_et_f64, scenes};
 use lancer_rayon::pour_les_tests::{Reglage, groupes_au_bout};
 use lancer_rayon::{
@@ -63,32 +62,20 @@ fn sol<R: Reel>(alea: &mut Hasard, distance: f64) -> ObjetRay<R> {
     PlanGeo::new(rotation, R::depuis_f64(distance), Texture(9)).unwrap().into()
 }
 
-/// Blocks of 64 rays at these objects, from needles to everywhere, some along axes.
-fn gerbe<R: Reel>(alea: &mut Hasard, objets: &[ObjetRay<R>], l: f64) -> Vec<Rayon<R>> {
-    let centre = |alea: &mut Hasard| match alea.choix(objets) {
-        ObjetRay::Sphere(sphere) => sphere.centre().vers_f64(),
-        ObjetRay::Boite(boite) => boite.centre().vers_f64(),
-        ObjetRay::Plan(_) => Vecteur::NUL,
-    };
-    let cible = centre(alea);
-    let de = cible + direction(alea) * (l * deux_puissance(alea, -6.0, 6.0));
-    let (ouverture, etendue) =
-        (deux_puissance(alea, -30.0, 2.0), l * deux_puissance(alea, -30.0, 2.0));
-    let genre = alea.u8(0..6);
-    let rayons = alea.liste(64, |alea, _| {
-        let s = de + direction(alea) * etendue;
-        let vers = (cible - de).unitaire().unwrap() + direction(alea) * ouverture;
-        let mut d: [f64; 3] = vers.into();
-        match genre {
-            0 => d = [d[0], 0.0, d[2]],
-            1 => d = [0.0, -0.0, signe(alea)],
-            2 => d[alea.usize(0..3)] *= deux_puissance(alea, -1_100.0, 0.0),
-            3 => d = (centre(alea) - s).into(),
-            _ => {}
-        }
-        Rayon::new(arrondi(s), arrondi(d.into()))
+/// Three blocks of rays at these objects, from needles to everywhere.
+fn gerbes<R: Reel>(alea: &mut Hasard, objets: &[ObjetRay<R>], l: f64) -> Vec<Rayon<R>> {
+    let gerbes = [(); 3].map(|()| {
+        let cible = match alea.choix(objets) {
+            ObjetRay::Sphere(sphere) => sphere.centre().vers_f64(),
+            ObjetRay::Boite(boite) => boite.centre().vers_f64(),
+            ObjetRay::Plan(_) => Vecteur::NUL,
+        };
+        let vers = direction(alea);
+        let de = cible - vers * (l * deux_puissance(alea, -6.0, 6.0));
+        let ecarts = [1.0, l].map(|l| l * deux_puissance(alea, -30.0, 2.0));
+        gerbe(alea, (de, vers), ecarts)
     });
-    rayons.into_iter().flatten().collect()
+    gerbes.concat()
 }
 
 /// Objects of one size and of many, near and far, in a cloud, on a plane, in a line and all about one
@@ -114,13 +101,13 @@ fn un_arbre_d_objets_au_hasard_repond_comme_la_liste<R: Bits>() {
             let i = alea.usize(0..objets.len());
             objets[i] = *alea.choix(&objets);
         }
-        let gerbes = [(); 3].map(|()| gerbe(alea, &objets, l));
-        (objets, gerbes.concat())
+        let rayons = gerbes(alea, &objets, l);
+        (objets, rayons)
     });
     assert!(touches > 20 * cas(), "only {touches} hits");
 }
 
-/// Boxes and spheres side by side, and beams along the axes and diagonals over nodes that are partly filled: in
+/// Boxes and spheres side by side, and rays along the axes and diagonals over nodes that are partly filled: in
 /// faces, through edges and beside, with components that are ±0 and subnormal.
 fn le_long_des_axes_un_arbre_repond_comme_la_liste<R: Bits>() {
     for (n, decalage) in [(2, 0.0), (3, 0.3), (4, 100.3), (5, -7.7), (7, 0.1)] {
@@ -186,8 +173,8 @@ fn combien_vont_au_bout<R: Bits>(monde: &Monde<'_, R>, rayons: &[Rayon<R>]) -> u
     rayons.chunks(64).map(|bloc| groupes_au_bout(monde, bloc)).sum()
 }
 
-/// A tree of so many nodes that a walk needs the large pile: a tile that is a whole picture, of which the beam gives
-/// up, and one of a larger, of which it comes to the end.
+/// A tree of so many nodes that a walk needs the large pile: a tile that is a whole picture, whose common walk is given
+/// up, and one of a larger picture, which comes to the end.
 fn un_tres_grand_arbre_repond_comme_la_liste<R: Bits>() {
     let objets = scenes::melange::<R>(70_000);
     let mut places = vec![0.0; places(70_000)];
@@ -202,7 +189,7 @@ fn un_tres_grand_arbre_repond_comme_la_liste<R: Bits>() {
 }
 
 /// What makes a batch fast, which no answer shows: the tiles of a picture walk together; rays in no order go apart,
-/// and those that go opposite ways, which have no beam; except among few objects, and in a heap, where each of them
+/// and those that go opposite ways, which have no common probe that tells anything apart; except among few objects, and in a heap, where each of them
 /// crosses every box.
 fn les_tuiles_vont_ensemble<R: Bits>() {
     let tuiles = scenes::en_tuiles(&scenes::rayons_camera::<R>(512, 512), 512);
@@ -213,10 +200,9 @@ fn les_tuiles_vont_ensemble<R: Bits>() {
         let monde = avec_arbre(objets);
         [&tuiles, &melees, &opposes].map(|rayons| combien_vont_au_bout(&monde, rayons))
     };
-    let [ensemble, apart, sans_faisceau] = combien(&scenes::melange(10_000));
-    println!("of 16,384 groups {ensemble} come to the end in tiles, {apart} in no order");
+    let [ensemble, apart, opposes_ensemble] = combien(&scenes::melange(10_000));
     assert!(ensemble > 16_000, "{ensemble}");
-    assert_eq!([apart, sans_faisceau], [0; 2]);
+    assert_eq!([apart, opposes_ensemble], [0; 2]);
     let peu = scenes::melange(UN_ARBRE + 1);
     assert_eq!(combien(&peu), [16_384, 16_384, 4]);
     // Half-spaces are asked in any case, however many they are.
@@ -254,29 +240,31 @@ fn un_rayon_egare_n_arrete_que_son_groupe<R: Bits>() {
     let objets = scenes::melange::<R>(10_000);
     let monde = avec_arbre(&objets);
     let tuiles = scenes::en_tuiles(&scenes::rayons_camera::<R>(512, 512), 512);
-    let mut alea = Hasard::de_graine(15);
     for (egares, au_moins) in [(1, 700), (4, 0), (32, 0)] {
         let mut au_bout = 0;
-        for bloc in tuiles.chunks(64).step_by(16) {
-            let mut bloc = bloc.to_vec();
+        let faire = |alea: &mut Hasard| {
+            let mut bloc = tuiles[alea.tour * 16 * 64..][..64].to_vec();
             for i in 0..egares {
                 let voie = (64 / egares * i + alea.usize(0..64 / egares)) % 64;
-                let ou = arrondi(direction(&mut alea) * 30.0);
-                bloc[voie] = Rayon::new(ou, arrondi(direction(&mut alea))).unwrap();
+                let ou = arrondi(direction(alea) * 30.0);
+                bloc[voie] = Rayon::new(ou, arrondi(direction(alea))).unwrap();
             }
+            bloc
+        };
+        pour_chaque(256, faire, |bloc| {
             au_bout += groupes_au_bout(&monde, &bloc);
             if au_bout % 8 == 1 {
-                comparer_dans(&monde, &bloc[..64 - alea.usize(0..40)]);
+                comparer_dans(&monde, &bloc[..64 - au_bout % 40]);
             }
-        }
+        });
         println!("{egares} of 64 rays stray: {au_bout} of 1,024 groups come to the end");
         assert!(au_bout >= au_moins && (egares < 32 || au_bout == 0), "{egares}: {au_bout}");
     }
 }
 
-/// Where one ray crosses many boxes a wide beam may too: rows among sticks that cross each other walk together, the more
+/// Where one ray crosses many boxes the probe of many may too: rows among sticks that cross each other walk together, the more
 /// of them, the more numbers a register holds.
-fn parmi_des_batons_croises_un_large_faisceau_va_au_bout<R: Bits>() {
+fn parmi_des_batons_croises_un_large_bloc_va_au_bout<R: Bits>() {
     let mut alea = Hasard::de_graine(3);
     let baton = |i| {
         let ou = direction(&mut alea) * (5.0 * alea.f64().cbrt());
@@ -382,7 +370,7 @@ fn les_places_de_plus_vont_aux_boites_longues<R: Bits>() {
     assert!(arbre(&peu, &mut [0.0; 9_000]).is_empty());
     for n in [UN_ARBRE, 16, 17, 100, 240, 256, 700] {
         let mut objets = poutres::<R>(&mut alea, n);
-        let rayons = gerbe(&mut alea, &objets, 4.0);
+        let rayons = gerbes(&mut alea, &objets, 4.0);
         if n == 100 {
             objets.extend(demi_espaces);
         }
@@ -470,7 +458,6 @@ fn aux_coutures_des_morceaux_aucune_touche_n_est_perdue<R: Bits>() {
         }
     });
     let combien = format!("{touches} hits, {certaines} certain, {coutures} seams");
-    println!("{combien}");
     assert!(touches > 200 * cas() && certaines > 10 * cas() && coutures > 3 * cas(), "{combien}");
 }
 
@@ -486,57 +473,10 @@ fn des_poutres_en_morceaux_repondent_comme_la_liste<R: Bits>() {
                 sphere(arrondi(direction(alea) * (4.0 * alea.f64())), R::UN)
             }));
             alea.melanger(&mut objets);
-            let gerbes = [(); 3].map(|()| gerbe(alea, &objets, 4.0));
-            (objets, gerbes.concat())
+            let rayons = gerbes(alea, &objets, 4.0);
+            (objets, rayons)
         });
     assert!(touches > 100, "only {touches} hits");
-}
-
-/// Objects that rays graze to the last bits, where rounding decides: one of them and its copies, or
-/// several about one point; small ones from afar, the origin near or far.
-fn un_objet_frole_repond_comme_dans_la_liste<R: Bits>() {
-    let bits = -R::U.vers_f64().log2();
-    let touches = comme_la_liste::<R>(20 * cas(), |alea| {
-        let f = deux_puissance(alea, 0.0, bits - 2.0);
-        let lieu = if alea.bool() { Vecteur::NUL } else { direction(alea) * f };
-        let copies = alea.bool();
-        // On both sides of the origin, with the sources between them.
-        let autour = !copies && alea.bool();
-        let mut objets: Vec<ObjetRay<R>> = alea.liste(UN_ARBRE, |alea, i| {
-            let lieu = if autour && i % 2 == 1 { -lieu } else { lieu };
-            let ou = lieu + direction(alea) * if copies { 0.0 } else { 3.0 };
-            objet(alea, ou, 1.0, i)
-        });
-        if copies {
-            objets = [objets[0]; UN_ARBRE].to_vec();
-        }
-        let d = if alea.bool() { direction(alea) } else { d_axe(alea) };
-        let rayons = alea.liste(64, |alea, _| {
-            // A point of the outline as seen along D: of a sphere, or a corner or edge of a box.
-            let (c, bord) = match alea.choix(&objets) {
-                ObjetRay::Sphere(sphere) => {
-                    let v = if alea.bool() { direction(alea) } else { d_axe(alea) };
-                    let travers = (v - d * v.produit_scalaire(d)).unitaire();
-                    let r = sphere.rayon().vers_f64();
-                    (sphere.centre().vers_f64(), travers.unwrap_or(Vecteur::NUL) * r)
-                }
-                ObjetRay::Boite(boite) => {
-                    let l = boite.demi_longueurs().map(R::vers_f64);
-                    let coin = boite.normales().into_iter().zip(l).map(|(n, l)| {
-                        n.vers_f64() * (l * if alea.bool() { signe(alea) } else { alea.f64() })
-                    });
-                    (boite.centre().vers_f64(), coin.fold(Vecteur::NUL, |a, b| a + b))
-                }
-                ObjetRay::Plan(_) => unreachable!("no half-space was made"),
-            };
-            let d = c.unitaire().filter(|_| autour).unwrap_or(d);
-            let ecart = 1.0 + entre(alea, -8.0, 8.0) * R::U.vers_f64() * f.max(1.0);
-            let s = c + bord * ecart - d * if autour { c.longueur() } else { f };
-            Rayon::new(arrondi(s), arrondi(d)).unwrap()
-        });
-        (objets, rayons)
-    });
-    assert!(touches > 50 * cas(), "only {touches} hits");
 }
 
 /// Built: one object that a ray passes across an axis, at its farthest point along that axis, within rounding of the
@@ -601,7 +541,6 @@ fn une_touche_au_bord_de_sa_boite_n_est_pas_perdue<R: Bits>() {
             dehors = dehors.max((x - au_bord).produit_scalaire(e));
         }
     });
-    println!("a hit lies up to {dehors:.1} u of its distance beyond the box");
     assert!(touches > 400 * cas(), "only {touches} hits");
     assert!(R::U < R::depuis_f64(1e-10) || dehors > 1.0, "{dehors}");
 }
@@ -685,7 +624,7 @@ fn des_objets_minuscules_repondent_comme_dans_la_liste<R: Bits>() {
         });
         let grand = deux_puissance(alea, 0.0, limite - 3.0);
         objets.push(objet(alea, Vecteur::new(3.0 * grand, 0.0, 0.0), grand, 0));
-        let rayons = gerbe(alea, &objets, petit);
+        let rayons = gerbes(alea, &objets, petit);
         (objets, rayons)
     });
     assert!(touches > 10 * cas(), "only {touches} hits");
@@ -722,7 +661,7 @@ fn les_geants_ont_leur_feuille_sous_la_racine<R: Bits>() {
             // As many numbers beside the nodes as there are places for.
             objets.extend([(); 15].map(|()| sol::<R>(alea, 20.0)));
         }
-        let rayons = gerbe(alea, &objets, 10.0);
+        let rayons = gerbes(alea, &objets, 10.0);
         (objets, rayons, voulus)
     };
     let mut touches = 0;
@@ -768,49 +707,46 @@ fn places_dit_combien_de_places_suffisent<R: Bits>() {
     }
 }
 
-fn moins_de_dix_objets_bornes_restent_une_liste<R: Bits>() {
-    let mut alea = Hasard::de_graine(7);
-    let rayons = scenes::rayons_camera::<R>(20, 20);
-    for n in [UN_ARBRE, 100, 300] {
-        // None bounded, one, and as many as get no tree and a tree.
-        for bornes in [0, 1, UN_ARBRE - 1, UN_ARBRE] {
-            let mut objets: Vec<_> = (0..n).map(|_| sol(&mut alea, 20.0)).collect();
-            let bornees = scenes::melange(bornes + 1);
-            for (place, objet) in (0..n).rev().step_by(n / UN_ARBRE).zip(&bornees[1..]) {
-                objets[place] = *objet;
-            }
-            assert!(comparer(&objets, &rayons) > 0);
-            // Without a tree a comparison is of the list with itself.
-            let mut places = vec![0.0; places(n)];
-            let monde = Monde::new(&objets, &mut places).unwrap();
-            assert_eq!(noeuds(&monde) > 0, bornes == UN_ARBRE);
-        }
-    }
-}
-
-/// Built: as many half-spaces as need no node more, in exactly the places that are asked for, which start
-/// anywhere in a cache line. Held: the answers of the list; a place less would be missed.
+/// Built: so many objects with a box, the last ones or spread among half-spaces, in exactly the places that are asked for,
+/// which start anywhere in a cache line. Held: the answers of the list, and that a tree is made from ten with a box on; a
+/// place less would be missed.
 fn les_demi_espaces_ont_leur_place<R: Bits>() {
-    let mut alea = Hasard::de_graine(8);
+    let faire = |alea: &mut Hasard| {
+        // None bounded, one, and as many as get no tree and a tree; and as many half-spaces as need no node more.
+        let (bornes, demi_espaces) = [
+            (0, 100),
+            (1, 15),
+            (UN_ARBRE - 1, 91),
+            (UN_ARBRE - 1, 1),
+            (UN_ARBRE, 300),
+            (UN_ARBRE, 16 - UN_ARBRE),
+            (17, 15),
+            (241, 15),
+            (257, 15),
+            (20, 60),
+        ][alea.tour];
+        let mut objets = scenes::melange::<R>(bornes + 1).split_off(1);
+        objets.extend((0..demi_espaces).map(|_| sol::<R>(alea, 20.0)));
+        if alea.tour.is_multiple_of(2) {
+            alea.melanger(&mut objets);
+        }
+        (objets, bornes)
+    };
     let rayons = scenes::rayons_camera::<R>(6, 6);
-    for (bornes, demi_espaces) in
-        [(UN_ARBRE, 16 - UN_ARBRE), (17, 15), (1, 15), (241, 15), (257, 15), (20, 60)]
-    {
-        let mut objets = scenes::melange::<R>(bornes + 1);
-        objets.extend((0..demi_espaces).map(|_| sol::<R>(&mut alea, 20.0)));
-        let objets = &objets[1..];
+    pour_chaque(10, faire, |(objets, bornes)| {
+        let _ = comparer(&objets, &rayons);
         let necessaires = places(objets.len());
         let mut places = vec![0.0; necessaires + 16];
         for debut in 0..16 {
-            let places = &mut places[debut..debut + necessaires];
-            let monde = Monde::new(objets, places).unwrap();
+            let monde = Monde::new(&objets, &mut places[debut..debut + necessaires]).unwrap();
+            // Without a tree a comparison is of the list with itself.
             assert_eq!(noeuds(&monde) > 0, bornes >= UN_ARBRE);
             for rayon in &rayons {
-                let attendue = mots(&premiere_intersection(objets, rayon));
+                let attendue = mots(&premiere_intersection(&objets, rayon));
                 assert_eq!(mots(&monde.premiere_intersection(rayon)), attendue);
             }
         }
-    }
+    });
 }
 
 fn des_longueurs_differentes_sont_une_erreur_et_rien_n_est_ecrit<R: Bits>() {
@@ -834,7 +770,7 @@ fn des_longueurs_differentes_sont_une_erreur_et_rien_n_est_ecrit<R: Bits>() {
 }
 
 en_f32_et_f64!(les_tuiles_vont_ensemble);
-en_f32_et_f64!(parmi_des_batons_croises_un_large_faisceau_va_au_bout);
+en_f32_et_f64!(parmi_des_batons_croises_un_large_bloc_va_au_bout);
 en_f32_et_f64!(un_arbre_d_objets_au_hasard_repond_comme_la_liste);
 en_f32_et_f64!(le_long_des_axes_un_arbre_repond_comme_la_liste);
 en_f32_et_f64!(parmi_des_objets_egaux_le_premier_de_la_liste_est_touche);
@@ -844,14 +780,12 @@ en_f32_et_f64!(aux_coutures_des_morceaux_aucune_touche_n_est_perdue);
 en_f32_et_f64!(un_rayon_egare_n_arrete_que_son_groupe);
 en_f32_et_f64!(l_ordre_de_la_liste_ne_decide_pas_de_la_coupe);
 en_f32_et_f64!(des_poutres_en_morceaux_repondent_comme_la_liste);
-en_f32_et_f64!(un_objet_frole_repond_comme_dans_la_liste);
 en_f32_et_f64!(une_touche_au_bord_de_sa_boite_n_est_pas_perdue);
 en_f32_et_f64!(le_long_d_une_arete_une_ombre_est_celle_de_la_liste);
 en_f32_et_f64!(de_toute_distance_un_arbre_repond_comme_la_liste);
 en_f32_et_f64!(loin_de_tous_l_objet_tout_proche_est_touche);
 en_f32_et_f64!(des_objets_minuscules_repondent_comme_dans_la_liste);
 en_f32_et_f64!(places_dit_combien_de_places_suffisent);
-en_f32_et_f64!(moins_de_dix_objets_bornes_restent_une_liste);
 en_f32_et_f64!(les_demi_espaces_ont_leur_place);
 en_f32_et_f64!(les_geants_ont_leur_feuille_sous_la_racine);
 en_f32_et_f64!(des_longueurs_differentes_sont_une_erreur_et_rien_n_est_ecrit);

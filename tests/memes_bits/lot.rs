@@ -5,18 +5,16 @@
 
 use std::collections::HashSet;
 
-use commun::conversion::mots;
-use commun::conversion::voisin;
-use commun::fabrique::{avec_arbre, sphere, v};
-use commun::facons::{UN_ARBRE, comparer, demandes, noeuds};
+use commun::fabrique::{avec_arbre, boite, sphere, v};
+use commun::facons::{UN_ARBRE, comparer, comparer_dans, demandes, noeuds};
 use commun::hasard::{Hasard, Tirage, pour_chaque};
-use commun::regimes::{Cas, Extreme, deux_puissance, direction, entre, regimes, signe};
+use commun::regimes::{Cas, deux_puissance, direction, gerbe, regimes, signe};
 use commun::tolerances::u;
 use commun::{Bits, arrondi, en_f32_et_f64, scenes};
 use lancer_rayon::pour_les_tests::Reglage;
 use lancer_rayon::{
-    BoiteGeo, Monde, NoIntersection, ObjetRay, Rayon, Reel, Reponse, Rotation, SphereGeo, Texture,
-    Vecteur, places,
+    BoiteGeo, Monde, ObjetRay, Rayon, Reel, Rotation, SphereGeo, Texture, Vecteur,
+    premiere_intersection,
 };
 
 /// Half the angle of a needle: far beyond rounding in both types, and narrow enough to walk together.
@@ -54,14 +52,6 @@ fn toute_longueur_convient<R: Bits>() {
 }
 
 en_f32_et_f64!(toute_longueur_convient);
-
-/// A block whose rays go opposite ways does not walk together, among more objects than it asks then.
-fn des_rayons_opposes_repondent_comme_un_par_un<R: Bits>() {
-    let rayons = scenes::rayons_opposes::<R>(8);
-    assert!(comparer(&scenes::melange(300), &rayons) > 10);
-}
-
-en_f32_et_f64!(des_rayons_opposes_repondent_comme_un_par_un);
 
 /// Pictures in rows, in tiles of 8 × 8 and in no order: no objects, some, and many.
 fn l_ordre_des_rayons_ne_change_aucune_reponse<R: Bits>() {
@@ -110,58 +100,42 @@ fn une_lampe_nulle_part_ne_cache_rien_aux_autres<R: Bits>() {
 en_f32_et_f64!(une_lampe_nulle_part_ne_cache_rien_aux_autres);
 
 /// All rays of a regime of the extremes against all its objects; then each ray against its own object, alone and
-/// with copies that make a tree, twelve times over, since fewer rays do not go side by side in a tree.
+/// with copies that make a tree, twelve times over, since fewer rays do not go side by side in a tree; and a needle around
+/// some of them, whose rays walk together, at objects so large, small or far that squares lie at the ends of the type.
 fn aux_extremes_un_lot_repond_comme_un_par_un<R: Bits>() {
+    let mut d_aiguilles = 0;
     for regime in regimes::<R>() {
         let combien = cas().min(3_000);
         let mut touches = 0;
-        let faire = |alea: &mut Hasard| alea.liste(combien, |alea, _| (regime.cas)(alea));
+        let faire = |alea: &mut Hasard| {
+            alea.liste(combien, |alea, i| {
+                let cas = (regime.cas)(alea);
+                let d = cas.rayon.direction().vers_f64();
+                let aiguille = alea.liste(if i % 5 == 0 { 64 } else { 0 }, |alea, _| {
+                    let vers = d + direction(alea) * AIGUILLE;
+                    Rayon::new(cas.rayon.source(), arrondi(vers)).unwrap()
+                });
+                (cas, aiguille)
+            })
+        };
         pour_chaque(1, faire, |cas| {
-            let objets: Vec<_> = cas.iter().map(|cas| cas.objet).collect();
-            let rayons: Vec<_> = cas.iter().map(|cas| cas.rayon).collect();
+            let objets: Vec<_> = cas.iter().map(|(cas, _)| cas.objet).collect();
+            let rayons: Vec<_> = cas.iter().map(|(cas, _)| cas.rayon).collect();
             comparer(&objets, &rayons);
-            for Cas { objet, rayon } in cas {
+            for (Cas { objet, rayon }, aiguille) in cas {
                 comparer(&[objet; UN_ARBRE], &[rayon; 12]);
                 touches += comparer(&[objet], &[rayon; 12]);
+                if !aiguille.is_empty() {
+                    d_aiguilles += comparer(&objets[..objets.len().min(20)], &aiguille);
+                }
             }
         });
         assert!(touches > 12 * combien / 20, "{}", regime.nom);
     }
+    assert!(d_aiguilles > 20 * cas(), "{d_aiguilles}");
 }
 
 en_f32_et_f64!(aux_extremes_un_lot_repond_comme_un_par_un);
-
-/// A block of 64 rays around the ray from `s` along `d`, which go apart by about `ouverture` in
-/// direction and `etendue` in place.
-///
-/// A sixth of the blocks is a row and a third a tile, as a picture has them. The others are scattered:
-/// as they are, with every other ray turned back, or all beside the middle ray of the block, on one
-/// side of it. A probe must hold every one of them.
-fn gerbe<R: Reel>(
-    alea: &mut Hasard,
-    (s, d): (Vecteur, Vecteur),
-    ouverture: f64,
-    etendue: f64,
-) -> Vec<Rayon<R>> {
-    let [axe_a, axe_b] = [direction(alea), direction(alea)];
-    let genre = alea.u8(0..6);
-    let cote = direction(alea) * etendue;
-    alea.liste(64, |alea, i| {
-        let (a, b) = match genre {
-            0 | 1 => ((i % 8) as f64 / 4.0 - 1.0, (i / 8) as f64 / 4.0 - 1.0),
-            2 => (i as f64 / 32.0 - 1.0, 0.0),
-            _ => (entre(alea, -1.0, 1.0), entre(alea, -1.0, 1.0)),
-        };
-        let vers = d + (axe_a * a + axe_b * b) * ouverture;
-        let vers = if genre == 4 && i % 2 == 1 { -vers } else { vers };
-        let decalage = match genre {
-            5 => cote * if i == 32 { 0.3 } else { -1.0 },
-            _ => direction(alea) * (etendue * alea.f64()),
-        };
-        let source = arrondi(s + decalage);
-        Rayon::new(source, arrondi(vers)).or_else(|_| Rayon::new(source, Vecteur::Z)).unwrap()
-    })
-}
 
 /// An object whose ball, of radius `l`, one of the rays grazes.
 ///
@@ -227,7 +201,7 @@ fn la_sonde_ne_perd_aucune_touche<R: Bits>() {
         let axe = (direction(alea) * loin, direction(alea));
         let ouverture = deux_puissance(alea, -40.0, 3.0);
         let etendue = if alea.bool() { 0.0 } else { deux_puissance(alea, -40.0, 6.0) };
-        let rayons = gerbe::<R>(alea, axe, ouverture, etendue);
+        let rayons = gerbe::<R>(alea, axe, [ouverture, etendue]);
         (alea.liste(70, |alea, i| frole(alea, &rayons, Texture(i as u32))), rayons)
     };
     let mut touches = 0;
@@ -244,100 +218,36 @@ fn la_sonde_ne_perd_aucune_touche<R: Bits>() {
 
 en_f32_et_f64!(la_sonde_ne_perd_aucune_touche);
 
-/// Needles at objects so large, small or far that squares lie at the ends of the type.
-fn aux_bornes_du_type_un_lot_repond_comme_un_par_un<R: Bits>() {
-    for regime in regimes::<R>().into_iter().filter(|regime| regime.extreme == Extreme::Bornes) {
-        let faire = |alea: &mut Hasard| {
-            // A needle around each ray: the rays of the cases do not walk together.
-            alea.liste(20, |alea, _| {
-                let Cas { objet, rayon } = (regime.cas)(alea);
-                let d = rayon.direction().vers_f64();
-                let aiguille = alea.liste(64, |alea, _| {
-                    let vers = d + direction(alea) * AIGUILLE;
-                    Rayon::new(rayon.source(), arrondi(vers)).unwrap()
-                });
-                (objet, aiguille)
-            })
-        };
-        let mut touches = 0;
-        pour_chaque(cas() as u32 / 10, faire, |cas| {
-            let objets: Vec<_> = cas.iter().map(|(objet, _)| *objet).collect();
-            touches += cas.iter().map(|(_, rayons)| comparer(&objets, rayons)).sum::<usize>();
-        });
-        assert!(touches > 100, "{}: {touches} hits", regime.nom);
-    }
+/// A cube flush on a slab, and rays into it from one touch of the slab at its foot, where rounding decides whether the touch
+/// is in the cube.
+fn du_pied<R: Reel>(alea: &mut Hasard) -> (Vec<ObjetRay<R>>, Vec<Rayon<R>>) {
+    let tour = Rotation::new(arrondi(direction(alea) * 3.0)).unwrap();
+    let [x, y, z] = tour.axes().map(|axe| axe.vers_f64());
+    let pied = direction(alea) * *alea.choix(&[0.1, 1.0, 10.0]);
+    let dalle = boite(arrondi(pied - y), v(8.0, 2.0, 8.0), tour);
+    let cube = boite(arrondi(pied + x + y), v(2.0, 2.0, 2.0), tour);
+    let vers = arrondi::<R>(x - y * alea.f64() + z * alea.f64());
+    let rayon = Rayon::new(arrondi(pied - vers.vers_f64()), vers).unwrap();
+    let touche = premiere_intersection(&[dalle], &rayon).unwrap();
+    let suites = alea.liste(64, |alea, _| {
+        let vers = arrondi(x + y + direction(alea) * 0.1);
+        touche.secondaire(vers).unwrap()
+    });
+    (vec![dalle, cube], suites)
 }
 
-en_f32_et_f64!(aux_bornes_du_type_un_lot_repond_comme_un_par_un);
-
-/// Built: 63 equal rays, so that no row gives an axis; the x axis takes its place, and is M
-/// except for some u. Held: the one ray along M keeps its spheres, although the whole block goes to one
-/// side of the axis. A pyramid around the block, as there was once, needed a bound of 0 or more.
-fn un_bloc_d_un_seul_cote_de_son_axe_ne_perd_aucune_touche<R: Bits>() {
-    for k in [-6.0_f64, -4.0, -2.0, -1.0, 1.0, 2.0, 4.0, 6.0] {
-        for theta in [0.3_f64, 0.6, 0.9, 1.1, 1.3] {
-            let ecarte = Vecteur::new(f64::cos(theta), -f64::sin(theta) * k.signum(), 0.0);
-            let mut rayons = [Rayon::new(Vecteur::NUL, arrondi(ecarte)).unwrap(); 64];
-            let milieu = Vecteur::new(1.0, 8.0 * R::U.vers_f64() * k, 0.0);
-            rayons[32] = Rayon::new(Vecteur::NUL, arrondi(milieu)).unwrap();
-            let boule = |x| sphere(v(f64::from(x), 0.0, 0.0), R::depuis_f64(0.4));
-            let objets: Vec<ObjetRay<R>> = (10..22).map(boule).collect();
-            assert_eq!(comparer(&objets, &rayons), 1);
-        }
-    }
+/// Many at once ask the box of the source for what is touched at once, as one does.
+fn d_un_pied_un_bloc_touche_d_emblee<R: Bits>() {
+    let mut d_emblee = 0;
+    pour_chaque(2 * cas() as u32, du_pied::<R>, |(objets, rayons)| {
+        comparer_dans(&avec_arbre(&objets.repeat(UN_ARBRE)), &rayons);
+        let touche = |rayon| premiere_intersection(&objets, rayon);
+        d_emblee += rayons.iter().flat_map(touche).filter(|t| t.distance() == R::ZERO).count();
+    });
+    assert!(d_emblee > 20 * cas(), "only {d_emblee}");
 }
 
-en_f32_et_f64!(un_bloc_d_un_seul_cote_de_son_axe_ne_perd_aucune_touche);
-
-/// Half a billion rays of each type and as many shadows, 64 bundles a scene, as a renderer uses the batch, of a list and of a
-/// tree:
-/// `cargo test --release --all-features --test memes_bits lot -- --ignored`, about four minutes.
-fn un_demi_milliard_de_rayons_repondent_comme_un_par_un<R: Bits>() {
-    let (mut rayons, mut touches) = (Vec::new(), vec![Err(NoIntersection); 64 * 64]);
-    let (mut attendues, mut occultes) = (touches.clone(), vec![false; touches.len()]);
-    for tour in 0..122_071 {
-        let alea = &mut Hasard::de_graine(tour);
-        let tour = tour as usize;
-        let n = [5, 12, 100, 400][tour % 4];
-        let scene = scenes::melange::<R>(n);
-        let mut places = vec![0.0; places(n)];
-        let monde = Monde::new(&scene, &mut places).unwrap();
-        rayons.clear();
-        while rayons.len() < touches.len() {
-            let cible = Vecteur::new(0.0, 3.0, -6.0) + direction(alea) * 6.0;
-            let de = Vecteur::new(0.0, 2.0, 6.0) + direction(alea) * (4.0 * alea.f64());
-            let ouverture = deux_puissance(alea, -20.0, 1.0);
-            let etendue = if alea.bool() { 0.0 } else { deux_puissance(alea, -20.0, 1.0) };
-            rayons.extend(gerbe(alea, (de, cible - de), ouverture, etendue));
-        }
-        for (rayon, attendue) in rayons.iter().zip(&mut attendues) {
-            *attendue = monde.premiere_intersection(rayon);
-        }
-        monde.premieres_intersections(&rayons, &mut touches).unwrap();
-        assert!(touches.iter().map(mots).eq(attendues.iter().map(mots)), "{n} objects");
-        // A lamp at the hit, one number farther, or anywhere.
-        let lampe = |touche: &Reponse<R>| {
-            let t = touche.map_or(R::UN, |touche| touche.distance());
-            [t, voisin(t, 1), t * R::depuis_f64(4.0 * alea.f64())][alea.usize(0..3)]
-        };
-        let limites: Vec<_> = attendues.iter().map(lampe).collect();
-        let ombres: Vec<_> =
-            rayons.iter().zip(limites).map(|(rayon, fin)| rayon.jusqu_a(fin).unwrap()).collect();
-        monde.sont_occultes(&ombres, &mut occultes).unwrap();
-        let avant = |(touche, ombre): (&Reponse<R>, &Rayon<R>)| {
-            touche.is_ok_and(|touche| touche.distance() < ombre.fin())
-        };
-        assert!(
-            attendues.iter().zip(&ombres).map(avant).eq(occultes.iter().copied()),
-            "{n} objects"
-        );
-    }
-}
-
-en_f32_et_f64!(
-    #[ignore = "takes minutes"]
-    un_demi_milliard_de_rayons_repondent_comme_un_par_un
-);
+en_f32_et_f64!(d_un_pied_un_bloc_touche_d_emblee);
 
 /// Whether a block of these shadow rays never asks for this ball, among as many others, behind them, as make a tree.
 fn evite<R: Reel>(ombres: &[Rayon<R>], boule: ObjetRay<R>) -> bool {

@@ -10,12 +10,17 @@
 
 use std::time::{Duration, Instant};
 
-use commun::promesses::{self, Essai, Part, RIEN, sortie};
+use commun::oracle::Passage;
+use commun::promesses::{
+    Essai, Part, Promesse, RIEN, distance_pres_de_0, effleurement, enfoncement, erreur, ordre,
+    reflechi, refracte, soleil, toutes, virage,
+};
 use commun::regimes::{
-    self, Cas, Genre, deux_puissance, direction, entre, regimes, repere, signe, vers_la_sortie,
+    self, Cas, Genre, deux_puissance, direction, entre, presque, regimes, repere, signe,
+    vers_la_sortie,
 };
 use commun::tolerances::u;
-use commun::{Bits, arrondi, empreinte};
+use commun::{Bits, arrondi, empreinte, en_f32_et_f64};
 use fastrand::Rng;
 use lancer_rayon::{
     BoiteGeo, ObjetGeo, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture, Vecteur,
@@ -24,6 +29,9 @@ use lancer_rayon::{
 
 /// After so many steps in a row without a gain, the climb starts again elsewhere.
 const PATIENCE: u32 = 50;
+
+/// How many cases a climb judges, unless it is told how long to last.
+const ASSEZ: u32 = 20_000;
 
 /// How many of the best cases are kept as starting points.
 const SOMMETS: usize = 20;
@@ -42,6 +50,7 @@ enum Role {
 struct Candidat<R> {
     genres: Vec<Genre>,
     nombres: Vec<(Role, R)>,
+    passage: Passage,
 }
 
 impl<R: Bits> Candidat<R> {
@@ -69,7 +78,8 @@ impl<R: Bits> Candidat<R> {
         ajouter(Role::Longueur, &v(rayon.source()));
         ajouter(Role::Vers, &v(rayon.direction()));
         ajouter(Role::Vers, &vers);
-        Self { genres: objets.iter().map(Genre::de).collect(), nombres }
+        let genres = objets.iter().map(Genre::de).collect();
+        Self { genres, nombres, passage: Passage::Entree }
     }
 
     /// What the constructors take of it; the numbers are then those that they stored.
@@ -120,7 +130,7 @@ impl<R: Bits> Candidat<R> {
         for (nombre, x) in nombres[debut..].iter_mut().zip(d) {
             nombre.1 = x;
         }
-        Some(Essai { objets, rayon, vers: prendre(nombres, &mut ou) })
+        Some(Essai { objets, rayon, passage: self.passage, vers: prendre(nombres, &mut ou) })
     }
 
     fn bouger(&mut self, alea: &mut Rng) {
@@ -362,39 +372,25 @@ fn deux_objets<R: Bits>(alea: &mut Rng) -> Candidat<R> {
     loop {
         let (objet, rayon) = depart::<R>(Genre::TOUS[alea.usize(0..3)], alea);
         let Ok(touche) = objet.intersection(&rayon) else { continue };
-        let t = touche.distance().vers_f64();
-        let d = rayon.direction().vers_f64();
-        let p = rayon.source().vers_f64() + d * t;
-        let limite = R::LIMITE.vers_f64();
-        let borne = |x: f64| R::depuis_f64(x.clamp(-limite, limite));
-        let taille = |x: f64| R::depuis_f64(x.clamp(limite.recip(), limite));
-        let lieu = |v: Vecteur| Vecteur::new(borne(v.x), borne(v.y), borne(v.z));
-        let n = direction(alea);
-        let n = if n.produit_scalaire(d) < 0.0 { n } else { -n };
-        let l = (t + p.longueur()) * deux_puissance(alea, -8.0, 2.0);
-        let autre: Option<ObjetGeo<R>> = match alea.u8(0..5) {
-            0 => SphereGeo::new(lieu(p - n * l), taille(l), Texture(0)).ok().map(Into::into),
-            1 => Rotation::depuis_matrice(repere(arrondi(n)))
-                .ok()
-                .and_then(|r| PlanGeo::new(r, borne(-n.produit_scalaire(p)), Texture(0)).ok())
-                .map(Into::into),
+        let (p, n, texture) = (touche.point(), arrondi::<R>(direction(alea)), Texture(1));
+        let n = if n.produit_scalaire(rayon.direction()) < R::ZERO { n } else { -n };
+        let l = (touche.distance() + p.longueur()) * R::depuis_f64(deux_puissance(alea, -8.0, 2.0));
+        let autre: Option<ObjetGeo<R>> = match alea.u8(0..4) {
+            0 => SphereGeo::new(p - n * l, l, texture).ok().map(Into::into),
+            1 => PlanGeo::par_un_point(p, n, texture).ok().map(Into::into),
             2 => {
-                let r = tour::<R>(alea);
-                let axe = Vecteur::from(r.matrice()[alea.usize(0..3)]).vers_f64();
-                let axe = if axe.produit_scalaire(d) < 0.0 { axe } else { -axe };
-                let cube = Vecteur::new(taille(l), taille(l), taille(l));
-                let c = lieu(p - axe * (0.5 * l));
-                BoiteGeo::new(c, cube, r, Texture(0)).ok().map(Into::into)
+                let tour = tour::<R>(alea);
+                let axe = tour.axes()[alea.usize(0..3)];
+                let axe =
+                    if axe.produit_scalaire(rayon.direction()) < R::ZERO { axe } else { -axe };
+                let centre = p - axe * (l * R::depuis_f64(0.5));
+                BoiteGeo::new(centre, Vecteur::new(l, l, l), tour, texture).ok().map(Into::into)
             }
             _ => None,
         };
-        let autre = autre.map_or(objet, ObjetGeo::vers_ray);
+        let autre = autre.map_or_else(|| presque(&objet, texture, alea), ObjetGeo::vers_ray);
         let objets = if alea.bool() { [objet, autre] } else { [autre, objet] };
-        let mut candidat = Candidat::new(&objets, &rayon, [R::ZERO; 5]);
-        if alea.bool() {
-            candidat.bouger(alea);
-        }
-        return candidat;
+        return Candidat::new(&objets, &rayon, [R::ZERO; 5]);
     }
 }
 
@@ -402,11 +398,11 @@ fn deux_objets<R: Bits>(alea: &mut Rng) -> Candidat<R> {
 fn grimper<R: Bits>(
     nom: &str,
     depart: impl Fn(&mut Rng) -> Candidat<R>,
+    passage: Passage,
     part: Part<R>,
-    assez: u32,
     decide: bool,
 ) {
-    let assez = commun::cas(assez / 4);
+    let assez = commun::cas(ASSEZ);
     let duree = std::env::var("LANCER_RAYON_ADVERSAIRE")
         .ok()
         .map(|s| Duration::from_secs_f64(s.parse().expect("a number of seconds")));
@@ -451,7 +447,7 @@ fn grimper<R: Bits>(
                 candidat.bouger(&mut alea);
                 candidat
             }
-            None => depart(&mut alea),
+            None => Candidat { passage, ..depart(&mut alea) },
         };
         let valeur =
             |candidat: &mut Candidat<R>| candidat.construire().map_or(RIEN, |cas| part(&cas));
@@ -483,29 +479,6 @@ fn grimper<R: Bits>(
         println!("{nom}: {v:.4} ({:.3e} from 1) of {evaluations} evaluations, {ou}", 1.0 - v);
     }
     assert!(v <= 1.0, "{nom}: {v} of what is promised: {ou}");
-}
-
-/// A climb of a quarter of so many evaluations, times `LANCER_RAYON_CAS`, for each row of the table in each type,
-/// unless it is told how long to last; some look for the point where an answer changes.
-macro_rules! rangees {
-    ($($nom:ident: $depart:ident, $part:path, $assez:literal $(, $decide:literal)?;)*) => {
-        rangees! { en_f32, f32: $($nom: $depart, $part, $assez, false $(|| $decide)?;)* }
-        rangees! { en_f64, f64: $($nom: $depart, $part, $assez, false $(|| $decide)?;)* }
-    };
-    ($module:ident, $r:ident: $($nom:ident: $depart:ident, $part:path, $assez:expr, $decide:expr;)*) => {
-        mod $module {
-            use super::*;
-            $(#[test] fn $nom() { grimper::<$r>(stringify!($nom), $depart, $part, $assez, $decide); })*
-        }
-    };
-}
-
-fn sphere<R: Bits>(alea: &mut Rng) -> Candidat<R> {
-    un_objet(Genre::Sphere, alea)
-}
-
-fn demi_espace<R: Bits>(alea: &mut Rng) -> Candidat<R> {
-    un_objet(Genre::Plan, alea)
 }
 
 /// A mirror that is hardest, left in its own normal's direction.
@@ -559,10 +532,6 @@ fn demi_espace_pres_de_0<R: Bits>(alea: &mut Rng) -> Candidat<R> {
     Candidat::new(&[ObjetGeo::from(plan).vers_ray()], &rayon, [R::ZERO; 5])
 }
 
-fn boite<R: Bits>(alea: &mut Rng) -> Candidat<R> {
-    un_objet(Genre::Boite, alea)
-}
-
 /// A ball or a box so large that its place is known less exactly than a source beside it, near O.
 fn de_pres<R: Bits>(ronde: bool, alea: &mut Rng) -> Candidat<R> {
     let l = R::depuis_f64(deux_puissance(alea, 4.0, 20.0));
@@ -578,14 +547,6 @@ fn de_pres<R: Bits>(ronde: bool, alea: &mut Rng) -> Candidat<R> {
     let vers = arrondi::<R>(direction(alea)) - n;
     let rayon = Rayon::new(n * haut, vers).unwrap();
     Candidat::new(&[objet.vers_ray()], &rayon, [R::ZERO; 5])
-}
-
-fn globe<R: Bits>(alea: &mut Rng) -> Candidat<R> {
-    de_pres(true, alea)
-}
-
-fn grande_boite<R: Bits>(alea: &mut Rng) -> Candidat<R> {
-    de_pres(false, alea)
 }
 
 /// A box with an edge through O, a ray that enters beside it, less deep under the other face than two roundings of the
@@ -605,98 +566,70 @@ fn le_long_d_une_face<R: Bits>(alea: &mut Rng) -> Candidat<R> {
     Candidat::new(&[ObjetGeo::from(boite).vers_ray()], &rayon, [x, y, z, R::ZERO, R::ZERO])
 }
 
-/// An object and a ray that may start within it.
-fn de_dedans<R: Bits>(genre: Genre, alea: &mut Rng) -> Candidat<R> {
-    let (objet, rayon) = depart(genre, alea);
-    let Cas { objet, rayon } = vers_la_sortie(Cas { objet, rayon }, alea);
-    Candidat::new(&[objet], &rayon, vers(alea))
+/// A climb for each promise to the hits of this shape, or to the ways out of it.
+fn chaque_promesse_de<R: Bits>(genre: Genre, passage: Passage) {
+    let depart = |alea: &mut Rng| {
+        let (objet, rayon) = depart(genre, alea);
+        let Cas { objet, rayon } = match passage {
+            Passage::Entree => Cas { objet, rayon },
+            Passage::Sortie => vers_la_sortie(Cas { objet, rayon }, alea),
+        };
+        Candidat::new(&[objet], &rayon, vers(alea))
+    };
+    for promesse in toutes::<R>().into_iter().filter(|p| p.parle(passage, genre)) {
+        let Promesse { nom, part, decide, .. } = promesse;
+        grimper(&format!("{nom}, {genre:?}, {passage:?}"), depart, passage, part, decide);
+    }
 }
 
-fn dans_une_sphere<R: Bits>(alea: &mut Rng) -> Candidat<R> {
-    de_dedans(Genre::Sphere, alea)
+fn chaque_promesse_d_une_touche<R: Bits>() {
+    Genre::TOUS.into_iter().for_each(|genre| chaque_promesse_de::<R>(genre, Passage::Entree));
 }
 
-fn dans_un_demi_espace<R: Bits>(alea: &mut Rng) -> Candidat<R> {
-    de_dedans(Genre::Plan, alea)
+en_f32_et_f64!(chaque_promesse_d_une_touche);
+
+fn chaque_promesse_d_une_sortie<R: Bits>() {
+    Genre::TOUS.into_iter().for_each(|genre| chaque_promesse_de::<R>(genre, Passage::Sortie));
 }
 
-fn dans_une_boite<R: Bits>(alea: &mut Rng) -> Candidat<R> {
-    de_dedans(Genre::Boite, alea)
+en_f32_et_f64!(chaque_promesse_d_une_sortie);
+
+/// From where the others are worst.
+fn ce_qui_a_ses_propres_departs<R: Bits>() {
+    use Passage::{Entree, Sortie};
+    let entree = |nom, depart: fn(&mut Rng) -> Candidat<R>, part: Part<R>| {
+        grimper(nom, depart, Entree, part, false);
+    };
+    entree("distance, near 0", demi_espace_pres_de_0, distance_pres_de_0);
+    entree("erreur, near 0", demi_espace_pres_de_0, erreur);
+    entree("mirror, worst", miroir, reflechi);
+    entree("sun, worst", miroir, soleil);
+    for passage in [Entree, Sortie] {
+        grimper("refraction, ball", boule_de_verre::<R>, passage, refracte, false);
+        grimper("refraction, pane", vitre::<R>, passage, refracte, false);
+    }
+    grimper("order", deux_objets::<R>, Entree, ordre, true);
 }
 
-rangees! {
-    distance_d_une_sphere: sphere, promesses::distance, 400_000;
-    distance_d_un_demi_espace: demi_espace, promesses::distance, 400_000;
-    distance_d_un_demi_espace_pres_de_0: demi_espace_pres_de_0, promesses::distance_pres_de_0, 400_000;
-    distance_d_une_boite: boite, promesses::distance, 400_000;
-    decision_d_une_sphere: sphere, promesses::decision, 60_000, true;
-    decision_d_un_demi_espace: demi_espace, promesses::decision, 60_000, true;
-    decision_d_une_boite: boite, promesses::decision, 150_000, true;
-    ordre_de_deux_objets: deux_objets, promesses::ordre, 60_000, true;
-    erreur_d_une_sphere: sphere, promesses::erreur, 60_000;
-    erreur_d_un_demi_espace: demi_espace, promesses::erreur, 60_000;
-    erreur_d_un_demi_espace_pres_de_0: demi_espace_pres_de_0, promesses::erreur, 60_000;
-    erreur_d_une_boite: boite, promesses::erreur, 60_000;
-    certitude_d_une_sphere: sphere, promesses::est_certain, 60_000, true;
-    certitude_d_un_demi_espace: demi_espace, promesses::est_certain, 60_000, true;
-    certitude_d_une_boite: boite, promesses::est_certain, 60_000, true;
-    coup_d_oeil_d_une_sphere: sphere, promesses::coup_d_oeil, 60_000, true;
-    coup_d_oeil_d_un_demi_espace: demi_espace, promesses::coup_d_oeil, 60_000, true;
-    coup_d_oeil_d_une_boite: boite, promesses::coup_d_oeil, 60_000, true;
-    normale_unitaire_d_une_sphere: sphere, promesses::longueur_de_la_normale, 60_000;
-    normale_unitaire_d_un_demi_espace: demi_espace, promesses::longueur_de_la_normale, 60_000;
-    normale_unitaire_d_une_boite: boite, promesses::longueur_de_la_normale, 60_000;
-    direction_de_la_normale_d_une_sphere: sphere, promesses::direction_de_la_normale, 60_000;
-    direction_de_la_normale_d_une_boite: boite, promesses::direction_de_la_normale, 60_000;
-    marge_d_une_sphere: sphere, promesses::marge, 60_000;
-    marge_infinie_d_une_sphere: sphere, promesses::marge_infinie, 60_000;
-    marge_d_un_demi_espace: demi_espace, promesses::marge, 60_000;
-    marge_d_une_boite: boite, promesses::marge, 60_000;
-    lieu_d_une_touche_d_une_sphere: sphere, promesses::lieu, 60_000;
-    lieu_d_une_touche_d_une_boite: boite, promesses::lieu, 60_000;
-    lieu_sur_la_face_d_une_boite: boite, promesses::lieu_sur_la_face, 60_000;
-    secondaire_d_une_sphere: sphere, promesses::secondaire, 100_000;
-    secondaire_d_un_demi_espace: demi_espace, promesses::secondaire, 100_000;
-    secondaire_d_une_boite: boite, promesses::secondaire, 100_000;
-    reflechi_d_une_sphere: sphere, promesses::reflechi, 60_000;
-    reflechi_d_un_demi_espace: miroir, promesses::reflechi, 60_000;
-    refracte_d_une_sphere: boule_de_verre, promesses::refracte, 100_000;
-    refracte_d_un_demi_espace: vitre, promesses::refracte, 100_000;
-    soleil_d_une_sphere: sphere, promesses::soleil, 60_000;
-    soleil_d_un_demi_espace: miroir, promesses::soleil, 60_000;
-    virage_d_une_sphere: sphere, promesses::virage, 60_000;
-    virage_d_un_demi_espace: demi_espace, promesses::virage, 60_000;
-    virage_d_une_boite: boite, promesses::virage, 60_000;
-    virage_sur_un_globe: globe, promesses::virage, 60_000;
-    virage_sur_une_grande_boite: grande_boite, promesses::virage, 60_000;
-    effleurement_d_une_sphere: sphere, promesses::effleurement, 60_000, true;
-    effleurement_d_un_demi_espace: demi_espace, promesses::effleurement, 60_000;
-    effleurement_d_une_boite: boite, promesses::effleurement, 100_000, true;
-    enfoncement_dans_une_sphere: sphere, promesses::enfoncement, 60_000;
-    enfoncement_dans_un_demi_espace: demi_espace, promesses::enfoncement, 60_000;
-    enfoncement_le_long_d_une_face: le_long_d_une_face, promesses::enfoncement, 200_000;
-    face_a_la_source_d_une_sphere: sphere, promesses::face_a_la_source, 60_000;
-    face_a_la_source_d_un_demi_espace: demi_espace, promesses::face_a_la_source, 60_000;
-    face_a_la_source_d_une_boite: boite, promesses::face_a_la_source, 60_000;
-    sortie_d_une_sphere: dans_une_sphere, sortie::distance, 200_000;
-    sortie_d_un_demi_espace: dans_un_demi_espace, sortie::distance, 100_000;
-    sortie_d_une_boite: dans_une_boite, sortie::distance, 200_000;
-    decision_de_sortie_d_une_sphere: dans_une_sphere, sortie::decision, 60_000, true;
-    decision_de_sortie_d_un_demi_espace: dans_un_demi_espace, sortie::decision, 60_000, true;
-    decision_de_sortie_d_une_boite: dans_une_boite, sortie::decision, 100_000, true;
-    normale_de_sortie_d_une_sphere: dans_une_sphere, sortie::direction_de_la_normale, 60_000;
-    normale_de_sortie_d_une_boite: dans_une_boite, sortie::direction_de_la_normale, 60_000;
-    de_dos_a_la_sortie_d_une_sphere: dans_une_sphere, sortie::de_dos, 60_000;
-    de_dos_a_la_sortie_d_une_boite: dans_une_boite, sortie::de_dos, 60_000;
-    marge_de_sortie_d_une_sphere: dans_une_sphere, sortie::marge, 60_000;
-    marge_de_sortie_infinie_d_une_sphere: dans_une_sphere, sortie::marge_infinie, 60_000;
-    marge_de_sortie_d_une_boite: dans_une_boite, sortie::marge, 60_000;
-    lieu_d_une_sortie_d_une_sphere: dans_une_sphere, sortie::lieu, 60_000;
-    lieu_d_une_sortie_d_une_boite: dans_une_boite, sortie::lieu, 60_000;
-    secondaire_de_sortie_d_une_sphere: dans_une_sphere, sortie::secondaire, 60_000;
-    secondaire_de_sortie_d_un_demi_espace: dans_un_demi_espace, sortie::secondaire, 60_000;
-    secondaire_de_sortie_d_une_boite: dans_une_boite, sortie::secondaire, 60_000;
-    erreur_de_sortie_d_une_sphere: dans_une_sphere, sortie::erreur, 60_000;
-    erreur_de_sortie_d_un_demi_espace: dans_un_demi_espace, sortie::erreur, 60_000;
-    erreur_de_sortie_d_une_boite: dans_une_boite, sortie::erreur, 60_000;
+en_f32_et_f64!(ce_qui_a_ses_propres_departs);
+
+/// Lemma 23.
+fn ce_qu_un_rayon_sait_de_sa_source<R: Bits>() {
+    for genre in Genre::TOUS {
+        let depart = |alea: &mut Rng| un_objet::<R>(genre, alea);
+        let courbe = genre != Genre::Plan;
+        grimper(&format!("turn, {genre:?}"), depart, Passage::Entree, virage, false);
+        grimper(&format!("grazed, {genre:?}"), depart, Passage::Entree, effleurement, courbe);
+        // Of boxes the ray along a face tells more.
+        if genre != Genre::Boite {
+            grimper(&format!("depth, {genre:?}"), depart, Passage::Entree, enfoncement, false);
+        }
+    }
+    for ronde in [true, false] {
+        let depart = |alea: &mut Rng| de_pres::<R>(ronde, alea);
+        grimper(&format!("turn, near {ronde}"), depart, Passage::Entree, virage, false);
+    }
+    grimper("depth, along a face", le_long_d_une_face::<R>, Passage::Entree, enfoncement, false);
 }
+
+en_f32_et_f64!(ce_qu_un_rayon_sait_de_sa_source);

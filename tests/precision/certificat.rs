@@ -4,20 +4,22 @@
 
 use std::cmp::Ordering;
 
-use commun::fabrique::{avec_arbre, boite, boite_droite, mur, sphere, v};
+use commun::conversion::voisin;
+use commun::fabrique::{boite, boite_droite, mur, sphere, v};
 use commun::hasard::{Hasard, Tirage, pour_chaque};
 use commun::oracle::{Exact, verite};
-use commun::regimes::{Cas, direction, entre, regimes};
-use commun::{arrondi, en_f32_et_f64};
+use commun::regimes::{Cas, direction, entre, presque, regimes};
+use commun::{Bits, arrondi, en_f32_et_f64};
 use lancer_rayon::{
-    BoiteGeo, Monde, NoIntersection, Nombre, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo,
-    Texture, Vecteur, places, premiere_intersection,
+    Monde, NoIntersection, Nombre, ObjetRay, Rayon, Reel, Rotation, Texture, Vecteur, places,
+    premiere_intersection,
 };
 
-/// The first object of a list in exact arithmetic; of two at one distance the earlier. None beyond the largest number.
+/// The first object of a list in exact arithmetic; of two at one distance the earlier. None at the end of the ray or
+/// beyond, nor beyond the largest number.
 fn premier_exact<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> Option<usize> {
     let plus_grand = if size_of::<R>() == 4 { f32::MAX.into() } else { f64::MAX };
-    let plus_grand = Exact::de(plus_grand);
+    let plus_grand = Exact::de(rayon.fin().vers_f64().min(plus_grand));
     let mut premier: Option<(usize, Exact)> = None;
     for (i, objet) in objets.iter().enumerate() {
         let Some(entree) = verite(objet, rayon).entree else { continue };
@@ -31,8 +33,21 @@ fn premier_exact<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> Option<us
 }
 
 /// Judges the answer of a list to a ray, by itself and by two trees of it, of which the second has long boxes cut
-/// into pieces, and two answers that are wrong; whether it is certain.
-fn juger<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> bool {
+/// into pieces, and two answers that are wrong; whether it is certain. The same of the ray with an end at its first two hits
+/// and beside them.
+fn juger<R: Bits>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> bool {
+    let certaine = juger_jusqu_a_la_fin(objets, rayon);
+    let mut deux = [Err(NoIntersection); 2];
+    Monde::de_liste(objets).dans_l_ordre(rayon, &mut deux);
+    for t in deux.iter().flatten().map(|touche| touche.distance()) {
+        for fin in [t, voisin(t, -1), voisin(t, 1)] {
+            juger_jusqu_a_la_fin(objets, &rayon.jusqu_a(fin).unwrap());
+        }
+    }
+    certaine
+}
+
+fn juger_jusqu_a_la_fin<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> bool {
     let touche = premiere_intersection(objets, rayon);
     let mut memoires = [1, 6].map(|fois| vec![0.0; fois * places(objets.len())]);
     let [memoire, grande] = memoires.each_mut();
@@ -42,6 +57,10 @@ fn juger<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> bool {
     let contexte = || format!("{touche:?}, but {exact:?}: {objets:?} {rayon:?}");
     let dite = touche.ok().map(|touche| touche.indice());
     assert!(!certaine || dite == exact, "{}", contexte());
+    for objet in objets.iter().filter(|objet| objet.est_certain(rayon)) {
+        let seul = premier_exact(core::slice::from_ref(objet), rayon);
+        assert_eq!(seul.is_some(), objet.intersection(rayon).is_ok(), "{objet:?} {rayon:?}");
+    }
     for monde in mondes.map(Result::unwrap) {
         let par_l_arbre = monde.certifie(rayon, &touche);
         assert!(!par_l_arbre || dite == exact, "by the tree: {}", contexte());
@@ -62,39 +81,15 @@ fn juger<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> bool {
     certaine
 }
 
-/// An object with another number, moved by a few units in the last place or by nothing.
-fn presque<R: Reel>(objet: &ObjetRay<R>, alea: &mut Hasard) -> ObjetRay<R> {
-    let mut peu = |x: R| {
-        let k = if alea.bool() { 0.0 } else { f64::from(alea.i8(-3..=3)) };
-        R::depuis_f64(x.vers_f64() * (1.0 + k * 2.0 * R::U.vers_f64()))
-    };
-    let texture = Texture(1);
-    let autre = match objet {
-        ObjetRay::Sphere(s) => SphereGeo::new(s.centre(), peu(s.rayon()), texture).map(Into::into),
-        ObjetRay::Plan(p) => {
-            let ou = p.normale() * -p.distance();
-            PlanGeo::par_un_point(Vecteur::new(peu(ou.x), ou.y, ou.z), p.normale(), texture)
-                .map(Into::into)
-        }
-        ObjetRay::Boite(b) => {
-            let rotation = Rotation::depuis_matrice(b.normales().map(<[R; 3]>::from)).unwrap();
-            let [a, c, d] = b.demi_longueurs().map(|l| l + l);
-            let centre = Vecteur::new(peu(b.centre().x), b.centre().y, b.centre().z);
-            BoiteGeo::new(centre, Vecteur::new(peu(a), c, d), rotation, texture).map(Into::into)
-        }
-    };
-    autre.unwrap_or(*objet)
-}
-
 /// The hard cases of each shape, with twins in front and behind, which enter at nearly one distance.
-fn parmi_des_jumeaux_rien_de_faux_n_est_certifie<R: Reel>() {
+fn parmi_des_jumeaux_rien_de_faux_n_est_certifie<R: Bits>() {
     let mut combien = [0; 2];
     for regime in regimes::<R>() {
         let faire = |alea: &mut Hasard| {
             let Cas { objet, rayon } = (regime.cas)(alea);
             // Some with enough for a tree.
             let n = [1, 3, 12][alea.usize(0..3)];
-            let mut objets = alea.liste(n, |alea, _| presque(&objet, alea));
+            let mut objets = alea.liste(n, |alea, _| presque(&objet, Texture(1), alea));
             objets.push(objet);
             alea.melanger(&mut objets);
             (objets, rayon)
@@ -104,12 +99,11 @@ fn parmi_des_jumeaux_rien_de_faux_n_est_certifie<R: Reel>() {
         });
     }
     let [incertaines, certaines] = combien;
-    println!("{certaines} certain, {incertaines} not");
     assert!(certaines > incertaines / 10 && incertaines > certaines / 10);
 }
 
 /// Cubes side by side, and rays along axes and in the planes of their sides, straight and almost so.
-fn parmi_des_cubes_accoles_rien_de_faux_n_est_certifie<R: Reel>() {
+fn parmi_des_cubes_accoles_rien_de_faux_n_est_certifie<R: Bits>() {
     let faire = |alea: &mut Hasard| {
         let cote = *alea.choix(&[1.0, 0.5, 0.1, 0.3]);
         let objets = alea.liste(27, |alea, _| {
@@ -129,12 +123,11 @@ fn parmi_des_cubes_accoles_rien_de_faux_n_est_certifie<R: Reel>() {
     pour_chaque(commun::cas(300), faire, |(objets, rayon)| {
         certaines += u32::from(juger(&objets, &rayon));
     });
-    println!("{certaines} certain");
     assert!(certaines > commun::cas(300) / 4);
 }
 
 /// A heap of things on a floor at 0, most of its rays clear.
-fn dans_un_tas_tout_rayon_clair_est_certifie<R: Reel>() {
+fn dans_un_tas_tout_rayon_clair_est_certifie<R: Bits>() {
     let faire = |alea: &mut Hasard| {
         let objets = alea.liste(40, |alea, i| {
             let ou = arrondi(direction(alea) * 3.0 + Vecteur::new(0.0, 2.0, 0.0));
@@ -153,7 +146,15 @@ fn dans_un_tas_tout_rayon_clair_est_certifie<R: Reel>() {
         (objets, Rayon::new(arrondi(source), arrondi(vers)).unwrap())
     };
     // None of these is near to any decision.
-    pour_chaque(commun::cas(300), faire, |(objets, rayon)| assert!(juger(&objets, &rayon)));
+    pour_chaque(commun::cas(300), faire, |(objets, rayon)| {
+        assert!(juger(&objets, &rayon));
+        let Ok(touche) = premiere_intersection(&objets, &rayon) else { return };
+        // Nor is a miss before the first hit, and the hit itself before an end that is well beyond.
+        for part in [0.5, 1.01] {
+            let fin = touche.distance() * R::depuis_f64(part);
+            assert!(juger_jusqu_a_la_fin(&objets, &rayon.jusqu_a(fin).unwrap()), "{part}");
+        }
+    });
 }
 
 en_f32_et_f64!(parmi_des_jumeaux_rien_de_faux_n_est_certifie);
@@ -178,24 +179,6 @@ fn une_limite_n_est_jamais_0() {
     assert!(!juger(&objets, &rayon));
 }
 
-/// An object that is left out is no answer.
-#[test]
-fn un_objet_laisse_de_cote_n_est_pas_certifie() {
-    for n in [3, 20] {
-        let boule = |i: u8| sphere(Vecteur::Z * (-5.0 - 3.0 * f64::from(i)), 1.0);
-        let objets: Vec<_> = (0..n).map(boule).collect();
-        let monde = avec_arbre(&objets);
-        let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.0, 0.0, -1.0)).unwrap();
-        let autres = monde.parmi(|indice| indice != 0);
-        let premiere = monde.premiere_intersection(&rayon);
-        let suivante = autres.premiere_intersection(&rayon);
-        assert!(monde.certifie(&rayon, &premiere));
-        assert!(!autres.certifie(&rayon, &premiere));
-        assert!(autres.certifie(&rayon, &suivante));
-        assert!(!monde.certifie(&rayon, &suivante));
-    }
-}
-
 /// Two entries are told apart beyond 4u of both distances, even where the ray grazes and both of these are off by far
 /// more than that.
 #[test]
@@ -205,7 +188,7 @@ fn au_dela_de_4u_deux_entrees_sont_distinguees() {
     for regime in regimes::<f64>() {
         let faire = |alea: &mut Hasard| {
             let Cas { objet, rayon } = (regime.cas)(alea);
-            ([objet, presque(&objet, alea)], rayon)
+            ([objet, presque(&objet, Texture(1), alea)], rayon)
         };
         pour_chaque(10 * commun::cas(300), faire, |(objets, rayon)| {
             let verites = objets.each_ref().map(|objet| verite(objet, &rayon));
@@ -237,8 +220,6 @@ fn au_dela_de_4u_deux_entrees_sont_distinguees() {
             pire = pire.max(ecart / (u * (t + t_autre)));
         });
     }
-    println!(
-        "{sures} certain, {sures_quoique_loin} nearer than their errors; others up to {pire}u of t"
-    );
-    assert!(sures > 1_000 && sures_quoique_loin > 100 && pire > 1.0, "{sures_quoique_loin} {pire}");
+    let comptes = (sures, sures_quoique_loin, pire);
+    assert!(sures > 1_000 && sures_quoique_loin > 100 && pire > 1.0, "{comptes:?}");
 }

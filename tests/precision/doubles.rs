@@ -3,7 +3,9 @@
 //! 2⁻¹⁰⁰, which no search among scenes finds.
 
 use commun::cas;
+use commun::hasard::{Hasard, Tirage, pour_chaque};
 use commun::oracle::Exact;
+use commun::regimes::signe;
 use fastrand::Rng;
 use lancer_rayon::pour_les_tests::{Double, Intervalle};
 
@@ -95,17 +97,19 @@ fn aucune_somme_et_aucun_produit_ne_sort_de_sa_borne() {
 /// Also where a number is about as large as its bound, which is where a sign is decided.
 #[test]
 fn les_bornes_tiennent_le_nombre_et_son_erreur() {
-    let mut alea = Rng::with_seed(19);
-    for _ in 0..cas(4_000) {
-        let haut = feuille(&mut alea, 3);
+    let faire = |alea: &mut Hasard| {
+        let haut = (1.0 + alea.f64()) * signe(alea) * f64::from(alea.i8(-3..=3)).exp2();
         let bas = haut * alea.f64() * (f64::EPSILON / 2.0);
-        let erreur = haut.abs() * (1.0 + f64::from(alea.i32(-2..=2)) * f64::EPSILON);
-        let double = Double { haut, bas, erreur };
+        let erreur = haut.abs() * (1.0 + f64::from(alea.i8(-2..=2)) * f64::EPSILON);
+        Double { haut, bas, erreur }
+    };
+    pour_chaque(cas(4_000), faire, |double| {
+        let Double { haut, bas, erreur } = double;
         let milieu = &Exact::de(haut) + &Exact::de(bas);
         let Intervalle { bas: au_moins, haut: au_plus } = double.bornes();
-        assert!(Exact::de(au_moins) <= &milieu - &Exact::de(erreur), "{double:?}");
-        assert!(Exact::de(au_plus) >= &milieu + &Exact::de(erreur), "{double:?}");
-    }
+        assert!(Exact::de(au_moins) <= &milieu - &Exact::de(erreur));
+        assert!(Exact::de(au_plus) >= &milieu + &Exact::de(erreur));
+    });
 }
 
 /// A ray along a face is judged by products that are 0, or exact.

@@ -11,7 +11,7 @@ use crate::rival::Parry;
 use commun::conversion::arrondi;
 use commun::litteral;
 use commun::mesure::{Mesuree, mesurer, plus_grand, quantiles};
-use commun::oracle::verite;
+use commun::oracle::{Passage, verite};
 use commun::promesses::{Essai, RIEN, erreur, marge, secondaire};
 use commun::regimes::{Cas, Regime, direction, regimes};
 
@@ -127,7 +127,8 @@ fn marges<R: Reel>(regime: &Regime<R>, lances: &mut u64) -> String {
         let Cas { objet, rayon } = (regime.cas)(&mut alea);
         let Ok(touche) = objet.intersection(&rayon) else { continue };
         let vers = [R::ZERO; 5];
-        let mut essai = Essai { objets: vec![objet], rayon, vers };
+        let passage = Passage::Entree;
+        let mut essai = Essai { objets: vec![objet], rayon, passage, vers };
         let part = marge(&essai);
         infinies += u32::from(part == RIEN);
         assert!(part <= 1.0, "{}: a margin is exceeded", regime.nom);
@@ -163,7 +164,8 @@ fn jugement<R: Reel>(regime: &Regime<R>, aisance: &mut f64) -> String {
         let entree = verite(&objet, &rayon).entree;
         let entree = entree.filter(|e| e.t.vers_f64() <= plus_grand::<R>());
         fausses += u32::from(entree.is_some() != touchee);
-        let part = erreur(&Essai { objets: vec![objet], rayon, vers: [R::ZERO; 5] });
+        let (passage, vers) = (Passage::Entree, [R::ZERO; 5]);
+        let part = erreur(&Essai { objets: vec![objet], rayon, passage, vers });
         aisances.extend((part > 0.0).then(|| 1.0 / part));
     }
     let [mediane, ..] = quantiles(&mut aisances);
