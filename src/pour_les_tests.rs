@@ -65,7 +65,7 @@ pub fn groupes_au_bout<R: Reel>(monde: &Monde<'_, R>, rayons: &[Rayon<R>]) -> us
     let mut groupes = Groupes::new_const();
     let bloc = &mut Bloc::new(&mut groupes, false);
     let restent: Option<u32> =
-        selon_le_niveau!(niveau, simd => arbre.chercher_ensemble(simd, &liste, bloc, rayons));
+        selon_le_niveau!(niveau, true, simd => arbre.chercher_ensemble(simd, &liste, bloc, rayons));
     restent.map_or(0, |restent| rayons.len().div_ceil(VOIES) - restent.count_ones() as usize)
 }
 

@@ -21,6 +21,8 @@ use crate::rayon::intersection::{NoIntersection, Rang, Reponse};
 pub(crate) trait Question<R: Nombre> {
     /// Whether the first object that is kept settles the answer.
     const UN_SUFFIT: bool;
+    /// Whether it is asked so often that the widest instructions have a copy of its walk.
+    const SOUVENT: bool;
 
     /// No object that the ray enters farther than this counts.
     fn limite(&self) -> R;
@@ -102,6 +104,7 @@ impl<R: Nombre> Premier<R> {
 
 impl<R: Nombre, const OMBRE: bool> Question<R> for Premier<R, OMBRE> {
     const UN_SUFFIT: bool = OMBRE;
+    const SOUVENT: bool = true;
 
     #[inline(always)]
     fn limite(&self) -> R {

@@ -40,7 +40,9 @@ fn demander<R: Nombre, Q: Question<R>, T>(
     question: Q,
     repondre: impl Fn(Q, &Rayon<R>, &[ObjetRay<R>]) -> T,
 ) -> T {
-    selon_le_niveau!(vue.niveau, simd => demander_avec(simd, vue, rayon, question, repondre))
+    selon_le_niveau!(vue.niveau, Q::SOUVENT, simd => {
+        demander_avec(simd, vue, rayon, question, repondre)
+    })
 }
 
 /// Asks this question for one ray with these instructions: alone, or left over by a block.
@@ -100,7 +102,7 @@ fn demander_en_lot<R: Nombre, T, const OMBRE: bool>(
     let reste = Vue { liste, arbre: &sans, niveau };
     let mut groupes = Groupes::new_const();
     let mut bloc = Bloc::new(&mut groupes, OMBRE);
-    selon_le_niveau!(niveau, simd => simd.vectorize(
+    selon_le_niveau!(niveau, true, simd => simd.vectorize(
         #[inline(always)]
         || {
             for (rayons, reponses) in rayons.chunks(BLOC).zip(reponses.chunks_mut(BLOC)) {

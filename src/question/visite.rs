@@ -26,6 +26,7 @@ impl<R: Nombre, F: FnMut(usize, R) -> ControlFlow<(), R>, const D_UN_POINT: bool
 {
     /// Of the objects that hold a point, only the one after which to stop counts as kept.
     const UN_SUFFIT: bool = D_UN_POINT;
+    const SOUVENT: bool = false;
 
     fn limite(&self) -> R {
         // A ray up to distance 0 crosses the boxes that hold its source.
