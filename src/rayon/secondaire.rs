@@ -155,13 +155,19 @@ impl<R: Nombre> Intersection<R> {
     ///
     /// `rapport` is η, the index of refraction of what the light comes from over that of what it
     /// goes into: 1/1.5 where it enters glass from air, 1.5 where it leaves. From the ray,
-    /// |N·D| is the cosine behind the surface, which Fresnel's formula asks for. Up to η = 1,000
-    /// the direction is within an angle of sine 9.2u(1 + η)/c of the exact one at N for the D of a
-    /// ray, with c the exact cosine (`docs/preuves.md`, lemma 9).
+    /// |N·D| is the cosine behind the surface, which Fresnel's formula asks for. What stands in the
+    /// glass comes sooner: ask the world too (`docs/README.md`, Glass).
+    ///
+    /// Up to η = 100 the direction is within an angle of sine 10.3u(1 + η)/c′ of the exact one at N
+    /// for the D of a ray, with c′ the exact cosine behind the surface (`docs/preuves.md`, lemma 9).
+    /// At η = 1 light goes straight on to 3.1u, at any angle. A way out within 3.2u of the tangent
+    /// plane is then turned outward, as by [`secondaire`](Self::secondaire).
     ///
     /// # Errors
     /// **Total reflection**: the error names `refraction`, and gives the square of the cosine
-    /// behind the surface, 0 or less. Also if `rapport` is not finite or not above 0, or where
+    /// behind the surface, 0 or less. Above η = 1 that may be told wrongly where c′² is within
+    /// 9.8u(1 + η)c of 0, with c the exact cosine in front; up to η = 1 all light passes, unless N·D
+    /// is so small that its square is 0. Also if `rapport` is not finite or not above 0, or where
     /// [`secondaire`](Self::secondaire) would fail. As [`reflechi`](Self::reflechi) fails there
     /// too, `touche.refracte(d, rapport).or_else(|_| touche.reflechi(d))` is where the light goes.
     ///
@@ -188,11 +194,14 @@ impl<R: Nombre> Intersection<R> {
         let rapport = positif("rapport", rapport)?;
         let (d, n) = (direction_unitaire(DIRECTION, direction)?, self.normale());
         let le_long = d.produit_scalaire(n);
-        let travers = (d - n * le_long) * rapport;
-        let carre = d.longueur_carree() - travers.longueur_carree();
+        let travers = d - n * le_long;
+        // Not 1 − η²s²: where η is near 1 and light grazes, that cancels.
+        let ecart = travers.longueur_carree() * (R::UN - rapport) * (R::UN + rapport);
+        let carre = le_long * le_long + ecart;
         let attendu = "above 0, as a squared cosine: all light is mirrored (total reflection)";
         let droit = n * exiger(carre > R::ZERO, "refraction", carre, attendu)?.sqrt();
         let dedans = le_long <= R::ZERO;
+        let travers = travers * rapport;
         let direction = if dedans { travers - droit } else { travers + droit }; // M8
         self.suite(dedans, direction_unitaire(DIRECTION, direction)?)
     }

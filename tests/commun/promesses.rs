@@ -381,12 +381,16 @@ pub fn refracte<R: Reel>(cas: &Essai<R>) -> f64 {
         (Some(_), Some(ecart)) => ecart * cosinus2.sqrt() / (permis::REFRACTE * u),
         (None, _) if cosinus2 <= 0.0 => RIEN,
         // Decided otherwise than exactly.
-        (Some(_), None) | (None, _) => cosinus2.abs() / (permis::REFRACTE_TOTALE * u),
+        (Some(_), None) | (None, _) => {
+            let [n, d] = [n, d].map(Vecteur::vers_f64);
+            let devant = n.produit_scalaire(d).abs() / (n.longueur() * d.longueur());
+            cosinus2.abs() / (permis::REFRACTE_TOTALE * u * devant)
+        }
     }
 }
 
 /// The largest ratio of two indices of which the direction behind is promised.
-const RAPPORT_PERMIS: f64 = 1_000.0;
+const RAPPORT_PERMIS: f64 = 100.0;
 
 /// How far N·L is from the cosine of a sun in the direction in which the object is left.
 pub fn soleil<R: Reel>(cas: &Essai<R>) -> f64 {

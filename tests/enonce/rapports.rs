@@ -325,8 +325,8 @@ fn un_pave_de_verre_rend_toute_la_lumiere<R: Reel>() {
             assert!(fois < 50, "{verre:?} {rayon:?}");
         };
         assert_eq!(verre.intersection(&dehors), Err(NoIntersection));
-        // What is promised, in u: in glass 9.2(1 + η)/c′, c′ being 0.74 or more, and 20 a mirror, each with 11 for axes
-        // that are orthogonal to 5.5. In air it is 1.5 times as much, and 9.2(1 + η)/c′ of the way out.
+        // What is promised, in u: in glass 10.3(1 + η)/c′, c′ being 0.74 or more, and 20 a mirror, each with 11 for axes
+        // that are orthogonal to 5.5. In air it is 1.5 times as much, and 10.3(1 + η)/c′ of the way out.
         let permis =
             1.5 * (21.0 + 11.0 + 31.0 * f64::from(fois)) + 11.0 + 23.0 / cosinus.vers_f64();
         for ((avant, apres), face) in avant.into_iter().zip(le_long(&dehors)).zip(face) {

@@ -2,7 +2,9 @@
 
 use commun::fabrique::{boite_droite, sphere, v};
 use commun::hasard::{Hasard, Tirage, pour_chaque};
-use commun::regimes::{direction, entre};
+use commun::oracle::{Passage, ecart_de_snell};
+use commun::promesses::{Essai, refracte};
+use commun::regimes::{deux_puissance, direction, entre, signe};
 use commun::tolerances::{promesses, u};
 use commun::{arrondi, en_f32_et_f64};
 use lancer_rayon::{NoIntersection, ObjetRay, PlanGeo, Rayon, Reel, Rotation, Texture, Vecteur};
@@ -82,6 +84,61 @@ fn d_une_boule_tout_rayon_sort_a_moins_de_deux_rayons<R: Reel>() {
 }
 
 en_f32_et_f64!(d_une_boule_tout_rayon_sort_a_moins_de_deux_rayons);
+
+/// Between media of one index, or of two that differ by rounding, light goes on at any angle, in and out: straight on at
+/// η = 1, and beside it as Snell's law says. So does the cosine behind, which Fresnel's formula asks for.
+fn entre_milieux_assortis_la_lumiere_va_tout_droit<R: Reel>() {
+    let u = u::<R>();
+    let (mut rasants, mut pires) = (0, [0.0_f64; 2]);
+    let faire = |alea: &mut Hasard| {
+        let tour = Rotation::<R>::new(arrondi(direction(alea) * 3.0)).unwrap();
+        let objet = ObjetRay::from(PlanGeo::new(tour, R::ZERO, Texture(0)).unwrap());
+        let [x, y, n] = tour.axes().map(Vecteur::vers_f64);
+        let (angle, monte) = (entre(alea, -3.0, 3.0), signe(alea));
+        let cosinus = deux_puissance(alea, u.log2() + 1.0, -1.0);
+        let d = x * angle.cos() + y * angle.sin() + n * (monte * cosinus);
+        let rayon = Rayon::new(arrondi(n * -monte), arrondi(d)).unwrap();
+        let passage = if monte < 0.0 { Passage::Entree } else { Passage::Sortie };
+        let peu = [1.0, 2.0, 3.0, deux_puissance(alea, 0.0, 12.0)];
+        (objet, rayon, passage, peu.map(|peu| peu * 2.0 * u))
+    };
+    pour_chaque(10_000, faire, |(objet, rayon, passage, peu)| {
+        let Ok(touche) = passage.de(&objet, &rayon) else { return };
+        let (n, d) = (touche.normale(), rayon.direction());
+        let devant = n.produit_scalaire(d).abs().vers_f64();
+        if devant <= 3.2 * u {
+            return;
+        }
+        rasants += u32::from(devant < 100.0 * u);
+        let droit = touche.refracte(d, R::UN).unwrap().direction();
+        let derriere = n.produit_scalaire(droit).abs().vers_f64();
+        // What is turned outward is above its plane by less than 20u.
+        let rase = passage == Passage::Sortie && derriere < 20.0 * u;
+        let permis = promesses::TOUT_DROIT + if rase { promesses::REFLECHI_REDRESSE } else { 0.0 };
+        let (_, ecart) = ecart_de_snell(d, n, R::UN, passage, Some(droit));
+        let ecart = ecart.unwrap() / (permis * u);
+        assert!(ecart <= 1.0, "{ecart}");
+        // N·D rounds by 3.1u, twice.
+        assert!((derriere - devant).abs() <= (permis + 6.2) * u, "{derriere} {devant}");
+        pires[0] = pires[0].max(ecart);
+        for peu in peu.into_iter().flat_map(|peu| [-peu, peu]) {
+            let rapport = R::depuis_f64(1.0 + peu);
+            let suite = touche.refracte(d, rapport);
+            assert!(suite.is_ok() || peu > 0.0, "{rapport}");
+            if let (Passage::Sortie, Ok(dehors)) = (passage, suite) {
+                assert_eq!(objet.intersection(&dehors), Err(NoIntersection));
+            }
+            let vers = [rapport, R::ZERO, R::ZERO, R::ZERO, R::ZERO];
+            let part = refracte(&Essai { objets: vec![objet], rayon, passage, vers });
+            assert!(part <= 1.0, "{part} at {rapport}");
+            pires[1] = pires[1].max(part);
+        }
+    });
+    println!("{rasants} graze, {pires:?} of the bounds at 1 and beside it");
+    assert!(rasants > 500 && pires[0] > 0.2, "{rasants} {pires:?}");
+}
+
+en_f32_et_f64!(entre_milieux_assortis_la_lumiere_va_tout_droit);
 
 /// A ray in mist passes through a pane that stands in it, flush on its bottom: beyond the pane it is in the mist as before,
 /// and carries no δ. A ray from within the pane is in one object fewer, outside the mist in none.

@@ -496,9 +496,10 @@ fn de_verre<R: Bits>(objet: ObjetRay<R>, rayon: Rayon<R>, alea: &mut Rng) -> Can
         let sinus = n.produit_vectoriel(d).longueur();
         (sinus > 1e-3).then(|| sinus.recip() * (1.0 - deux_puissance(alea, -54.0, -1.0)))
     });
-    let rapport = match (limite, alea.u8(0..4)) {
+    let rapport = match (limite, alea.u8(0..5)) {
         (Some(limite), 0..2) => limite,
         (_, 2) => entre(alea, 0.3, 3.0),
+        (_, 3) => 1.0 + deux_puissance(alea, -54.0, -2.0) * signe(alea),
         (_, _) => deux_puissance(alea, -9.0, 9.0),
     };
     Candidat::new(&[objet], &rayon, [R::depuis_f64(rapport), R::ZERO, R::ZERO, R::ZERO, R::ZERO])

@@ -657,31 +657,39 @@ fn lemme_9_la_borne_d_un_reflet_suffit() {
 }
 
 /// The largest ratio of two indices that lemma 9 speaks of.
-const RAPPORT: f64 = 1_000.0;
+const RAPPORT: f64 = 100.0;
 
-/// Of a ratio η of indices and the cosine c′ behind the surface: what T of M8 is off by along the surface and across
-/// it, and k, in u. None where no light comes to c′.
-fn refraction(u: f64, eta: Intervalle, c_: Intervalle) -> Option<[Intervalle; 3]> {
-    let s_ = ((1.0 - c_).max(i(0.0)) * (1.0 + c_)).racine();
-    if s_.bas > eta.haut {
-        return None;
-    }
-    let s = if eta.bas > 0.0 { (s_ / eta).min(i(1.0)) } else { zero_a_un() };
-    let c = ((1.0 - s).max(i(0.0)) * (1.0 + s)).racine();
-    // The product with N, the difference and the product with η round; N·D does so, and N² is not 1.
-    let le_long = eta * (c + s) + s_;
-    let travers = le_long + eta * (gamma(3.0, u) + N2 * c);
+/// Of a ratio η of indices, sine and cosine in front of the surface and behind it: what T of M8 is off by along the
+/// surface and across it, and k, in u.
+fn refraction(
+    u: f64,
+    eta: Intervalle,
+    [s, c]: [Intervalle; 2],
+    [s_, c_]: [Intervalle; 2],
+) -> [Intervalle; 3] {
+    // Of W the product with N and the difference round; N·D does so, and N² is not 1.
+    let le_long = c + s;
+    let travers = le_long + gamma(3.0, u) + N2 * c;
+    // The square and N² of N·D; of W² three roundings, and of 1 − η, 1 + η and two products; the sum.
+    let droit = 2.0 * gamma(3.0, u) * c + (N2 + 1.0) * c.carre() + gamma(3.0, u).carre() * u;
     let perdu = (le_long.carre() + travers.carre()) * u;
-    let k = gamma(3.0, u) * (1.0 + s_.carre()) + 2.0 * s_ * le_long + perdu + c_.carre();
-    Some([le_long, travers, k].map(|erreur| erreur * plus(60.0, u)))
+    let ecart = gamma(7.0, u) * s.carre() + 2.0 * s * le_long + perdu;
+    let k = droit + ((1.0 - eta) * (1.0 + eta)).grandeur() * ecart + c_.carre();
+    // The product with η.
+    [eta * le_long + s_, eta * travers + s_, k].map(|erreur| erreur * plus(60.0, u))
 }
 
 #[test]
 fn lemme_9_la_borne_d_une_refraction_suffit() {
     let domaine = |u: f64| [de_a(0.0, RAPPORT), de_a(u, 1.0)];
     tenir_sur(promesses::REFRACTE, domaine, |u, [eta, c_]| {
-        let [le_long, travers, k] = refraction(u, eta, c_)?;
         let s_ = ((1.0 - c_).max(i(0.0)) * (1.0 + c_)).racine();
+        if s_.bas > eta.haut {
+            return None; // no light comes to c′
+        }
+        let s = if eta.bas > 0.0 { (s_ / eta).min(i(1.0)) } else { zero_a_un() };
+        let c = ((1.0 - s).max(i(0.0)) * (1.0 + s)).racine();
+        let [le_long, travers, k] = refraction(u, eta, [s, c], [s_, c_]);
         // √k, which is c′, times c′.
         let racine = k * c_ / (c_ + (c_.carre() - k * u).max(i(0.0)).racine());
         // Root, length of N, product; the product, the difference and the quotient in any direction.
@@ -691,12 +699,16 @@ fn lemme_9_la_borne_d_une_refraction_suffit() {
     });
     tenir_sur(
         promesses::REFRACTE_TOTALE,
-        |_| [de_a(1.0, RAPPORT)],
+        // From the first number above 1 on: up to 1 all terms of k are above 0.
+        |u| [de_a(1.0 + 2.0 * u, RAPPORT)],
         |u, [eta]| {
-            let [.., k] = refraction(u, eta, i(0.0))?;
-            Some(k / (1.0 + eta))
+            let c = ((eta - 1.0) * (eta + 1.0)).racine() / eta;
+            let [.., k] = refraction(u, eta, [1.0 / eta, c], [i(1.0), i(0.0)]);
+            Some(k / ((1.0 + eta) * c))
         },
     );
+    // W and the sum round, and what is made unit: N·√k is N·(N·D) again.
+    tenir(promesses::TOUT_DROIT, |u| 3.0 * plus(60.0, u));
 }
 
 #[test]

@@ -185,7 +185,7 @@ fn une_refraction_est_celle_de_snell<R: Reel>() {
             });
             let peu = 1.0 + deux_puissance(alea, -54.0, -4.0) * signe(alea);
             let ailleurs = [limite * alea.f64(), entre(alea, 0.3, 3.0)];
-            let rapport = *alea.choix(&[limite * peu, limite * peu, ailleurs[0], ailleurs[1]]);
+            let rapport = *alea.choix(&[limite * peu, peu, ailleurs[0], ailleurs[1]]);
             essai.vers[0] = R::depuis_f64(rapport);
             essai
         };
