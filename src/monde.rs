@@ -387,7 +387,8 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// returns how many were filled: if all were, there may be more.
     ///
     /// The result is, to the bit, that of asking every object alone and sorting, also where two
-    /// objects touch. [`sortie`](ObjetRay::sortie) tells where a ray leaves an object. An object in
+    /// objects touch. A ray in the common face of two boxes enters both, and one along a common edge
+    /// each box there. [`sortie`](ObjetRay::sortie) tells where a ray leaves an object. An object in
     /// which the ray starts is not entered; [`contenants`](Self::contenants) of its source shows
     /// those.
     ///

@@ -254,7 +254,8 @@ impl<R: Nombre> ObjetRay<R> {
     /// **A place of one's own**, such as a sensor on a wall, a window or a point of a lamp, is where
     /// a ray from within leaves the object along the normal. That is a hit of this object alone,
     /// whatever stands flush with it: `vers_soleil`, `vers_lumiere` and `vers_touche` start there as
-    /// from any other.
+    /// from any other. Keep the place off the edges of its face: rounding may put a source there
+    /// outside, from which there is no way out.
     ///
     /// # Errors
     /// [`NoIntersection`] if the ray ends before it leaves, passes the object by or starts beyond

@@ -74,8 +74,8 @@ pub fn groupes_au_bout<R: Reel>(monde: &Monde<'_, R>, rayons: &[Rayon<R>]) -> us
 pub type Sondage = (u32, [f32; LARGEUR]);
 
 /// What the probe of these rays, one to sixty-four, and those of each of them alone say of each
-/// node of a tree, for hits up to `t`; entries count from the same point. `None` if boxes tell no
-/// objects apart.
+/// node of a tree, for hits up to `t`; entries count from the same point. `None` if they have no
+/// probe.
 pub fn sonder<R: Reel>(
     monde: &Monde<'_, R>,
     rayons: &[Rayon<R>],

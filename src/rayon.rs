@@ -15,7 +15,10 @@ use crate::algebre::vecteur::Vecteur;
 /// [`new`](Self::new) makes a ray without an end. A ray with an end touches only what it enters
 /// before that distance, whatever the question. [`jusqu_a`](Self::jusqu_a) sets the end,
 /// [`entre`](Self::entre) goes from one point to another, and
-/// [`vers_lumiere`](crate::Intersection::vers_lumiere) ends at a lamp.
+/// [`vers_lumiere`](crate::Intersection::vers_lumiere) ends at a lamp. There is no nearest distance,
+/// as a camera with a near plane has one: start at [`point`](Self::point) of that distance, and what
+/// holds that point is not seen, or leave out by [`visiter`](crate::Monde::visiter) what is entered
+/// sooner.
 ///
 /// ```
 /// use lancer_rayon::{Rayon, Vecteur};
@@ -115,6 +118,8 @@ impl<R: Nombre> Rayon<R> {
     /// hit](crate::Intersection::secondaire) knows its δ, as does one from [a place of your
     /// own](crate::ObjetRay::sortie). A point C + l·N as computed, the middle of a face, lies within
     /// 14u(|C| + l) of the face.
+    ///
+    /// A ray that was [inside](Self::dedans) something no longer is, even if this δ is 0.
     ///
     /// # Errors
     /// If `flou` is not finite or below 0.

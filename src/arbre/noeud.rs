@@ -27,8 +27,7 @@ pub(crate) type Fiche = [f32; FICHE];
 pub(crate) type Noeud = [Colonne<f32>; FICHE];
 
 /// A node without children: each box is turned inside out, its lower corner beyond everything and
-/// its upper corner below. A ray would leave it before it enters it; a probe of many rays that
-/// part along all axes would enter it beyond every [ceiling](crate::arbre::sonde::Sonde::plafond).
+/// its upper corner below. A ray would leave it before it enters it.
 pub(crate) const VIDE: Noeud = {
     let (bas, haut) = ([COIN_ABSENT; ENFANTS], [-COIN_ABSENT; ENFANTS]);
     [bas, bas, bas, haut, haut, haut, [0.0; ENFANTS]]

@@ -11,7 +11,7 @@ use fearless_simd::f32x16;
 use fearless_simd::prelude::*;
 
 use crate::algebre::nombre::{Nombre, fois_u, fois_u_simple, max, min, selon, simple};
-use crate::arbre::noeud::{COIN_ABSENT, Noeud};
+use crate::arbre::noeud::Noeud;
 use crate::arbre::repere::{JEU_DISTANCE, JEU_F32, JEU_SOUS_NORMAL, Repere};
 use crate::cote_a_cote::colonne::{Aligne, Colonne, Membres};
 use crate::cote_a_cote::groupe::{Groupe, VOIES};
@@ -118,7 +118,8 @@ impl<R: Nombre> Sonde<R> {
         (Self::entre_bords(depart, bornes, repere), largeur)
     }
 
-    /// The probe between these edges, with its part of the slack.
+    /// The probe between these edges, with its part of the slack; `None` too if some rays rise and
+    /// others do not along every axis: no edge would leave a box, not even one that is missing.
     #[inline(always)]
     fn entre_bords(depart: R, [x, y, z]: [Bornes; 3], repere: Repere<R>) -> Option<Self> {
         let norme = x.le_plus_loin() + y.le_plus_loin() + z.le_plus_loin();
@@ -131,14 +132,14 @@ impl<R: Nombre> Sonde<R> {
             jeu
         };
         let axes = [x.axe(0, jeu), y.axe(1, jeu), z.axe(2, jeu)];
-        (jeu < repere.jeu_maximal).then_some(Self { axes, depart })
+        let partent = axes.iter().all(|axe| axe.partage);
+        (jeu < repere.jeu_maximal && !partent).then_some(Self { axes, depart })
     }
 
-    /// The largest entry that matters before this distance from the source. It lies before those of
-    /// children that are missing, which a probe whose rays part along all axes never leaves.
+    /// The largest entry that matters before this distance from the source.
     #[inline(always)]
     pub(crate) fn plafond(&self, repere: Repere<R>, t: R) -> f32 {
-        min(simple(repere.longueur(t) - self.depart), 0.5 * COIN_ABSENT)
+        simple(repere.longueur(t) - self.depart)
     }
 
     /// The entry of a box that may hold a source; that of any other box is larger.

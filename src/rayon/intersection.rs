@@ -219,8 +219,8 @@ impl<R: Nombre> Intersection<R> {
     /// once](crate::Rayon::flou) from deeper than 0.22 of the radius.
     ///
     /// Of a flat face that is touched at once it has in it how deep the source lies under the deepest
-    /// of the faces that the ray may have come in by, less than [δ and o](crate::Rayon::flou), so
-    /// that the next ray starts farther off.
+    /// of the faces that the ray may have come in by, less than [δ and o](crate::Rayon::flou), and
+    /// 8u·(|x| + |y| + |z|) more, so that the next ray starts farther off.
     ///
     /// ```
     /// use lancer_rayon::{ObjetRay, Rayon, SphereGeo, Texture, Vecteur};

@@ -67,7 +67,9 @@ impl<R: Nombre> Intersection<R> {
     /// which the direction leads, by [`marge`](Self::marge) and the rounding of the moved point,
     /// 1.1u·Σ|N_i·P_i|. There is no epsilon to choose. An outward ray does not meet the object
     /// again, and an inward ray, which starts inside, does not see it. A direction within 3.2u of
-    /// the tangent plane is turned outward by 12u. The ray has no end.
+    /// the tangent plane is turned outward by 12u. The ray has no end. Its distances count from the
+    /// moved start: the way in glass, from this hit to the next, is as long as their two points are
+    /// apart.
     ///
     /// **In the corner of a second object** the start may lie inside that object by rounding. An
     /// outward ray carries [a bound on the error of its start](Rayon::flou), and touches such an
