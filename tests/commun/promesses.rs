@@ -551,8 +551,7 @@ pub fn coup_d_oeil<R: Reel>(cas: &Essai<R>) -> f64 {
     if vue.bas == f64::INFINITY {
         return ROMPUE;
     }
-    // An entry is above 0.
-    let apres = -entree.ecart(vue.bas.max(0.0));
+    let apres = -entree.ecart(vue.bas);
     let avant = if vue.haut < f64::INFINITY { entree.ecart(vue.haut) } else { f64::INFINITY };
     let (reste, arrondi) = (apres.min(avant), entree.t.vers_f64() * f64::U);
     if reste < 0.0 {

@@ -49,7 +49,8 @@ fn apres(t: f64, Intervalle { bas, haut }: Intervalle) -> Intervalle {
     let [moins, plus] = [-1.0, 1.0].map(|signe| 1.0 + signe * (ECART_ARRONDI * f64::U));
     let bas = bas * if bas > 0.0 { moins } else { plus } - f64::MIN_POSITIF;
     let haut = haut * if haut > 0.0 { plus } else { moins } + f64::MIN_POSITIF;
-    Intervalle { bas: (t + bas) * (1.0 - 2.0 * f64::U), haut: (t + haut) * (1.0 + 2.0 * f64::U) }
+    let (bas, haut) = ((t + bas) * (1.0 - 2.0 * f64::U), (t + haut) * (1.0 + 2.0 * f64::U));
+    Intervalle { bas: max(bas, 0.0), haut }
 }
 
 /// How much farther than a point the ray enters the object, if it does, and leaves it at the most, in
@@ -133,18 +134,27 @@ impl Sejour {
             return true;
         } else if descente.haut < 0.0 {
             *sortie = sortie.moindre(point.oppose().sur(descente.oppose()));
-        } else if depart.haut <= 0.0 && point.haut <= 0.0 {
-            // Parallel, or nearly so. The ray has been under the face for so long at least, and
-            // will be. In the plane of the face, exactly, 0/0 excludes nothing.
-            let loin = point.haut / descente.grandeur();
-            (entree.haut, sortie.bas) = (max(loin, entree.haut), min(-loin, sortie.bas));
         } else {
-            // It comes under the face no sooner than this, if ever, or nothing is known. Another
-            // face may still exclude an entry.
-            if depart.bas > 0.0 && point.bas > 0.0 {
-                entree.bas = max(point.bas / descente.grandeur(), entree.bas);
+            // Parallel, or nearly so. Exactly parallel, the point is as high as the start.
+            let vite = descente.grandeur();
+            let point = if vite == 0.0 { depart } else { point };
+            if depart.haut <= 0.0 && point.haut <= 0.0 {
+                // The ray has been under the face for so long at least, and will be. In the plane
+                // of the face, exactly, 0/0 excludes nothing.
+                let loin = point.haut / vite;
+                (entree.haut, sortie.bas) = (max(loin, entree.haut), min(-loin, sortie.bas));
+            } else {
+                // It comes under the face no sooner than this, if ever, or nothing is known.
+                // Another face may still exclude an entry.
+                if depart.bas > 0.0 && point.bas > 0.0 {
+                    entree.bas = max(point.bas / vite, entree.bas);
+                }
+                entree.haut = f64::INFINI;
+                // By a face along which it goes it does not enter.
+                if vite > 0.0 {
+                    dessus.haut = f64::INFINI;
+                }
             }
-            (dessus.haut, entree.haut) = (f64::INFINI, f64::INFINI);
         }
         false
     }
@@ -165,7 +175,7 @@ fn juger_sphere<P: Point>(
         (x.puissance(sphere.rayon()), xa)
     };
     let (d2, (p_s, sa)) = (d.longueur_carree(), en(depart));
-    let (p_a, xa_a) = en(depart + sa.haut / d2);
+    let (p_a, xa_a) = en(depart + (sa.bas + sa.haut) / (d2 + d2));
     // AB²·D² is D²(r² − PC²) + PA² at any point P of the line. At A as computed PA is all rounding:
     // its square is taken twice, so that it is a bound, and never as 0 unless PA is.
     let xa_a = xa_a.grandeur();
