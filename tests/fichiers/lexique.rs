@@ -109,7 +109,9 @@ fn les_noms_de_la_page_ont_les_mots_de_la_documentation() {
         for (nom, mot) in noms.zip(mots) {
             let mot = mot.trim_end_matches(['|', ' ']).trim_matches([',', ' ']);
             let permis = lexique.get(nom).unwrap_or_else(|| panic!("{nom} is not public"));
-            assert!(permis.iter().any(|autre| autre == mot), "{nom}: {mot} is none of {permis:?}");
+            // No alias has a hyphen, which the search of rustdoc refuses.
+            let mot = mot.replace('-', " ");
+            assert!(permis.contains(&mot), "{nom}: {mot} is none of {permis:?}");
             combien += 1;
         }
     }
