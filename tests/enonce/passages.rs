@@ -13,9 +13,10 @@ fn chaque_passage_est_ce_qu_il_doit_etre<R: Bits>() {
         let faire = |alea: &mut Hasard| {
             let cas = (regime.cas)(alea);
             let Cas { objet, rayon } = if alea.bool() { vers_la_sortie(cas, alea) } else { cas };
-            // Every third knows its source no better than by a part of its distance to O.
+            // Every third outside knows its source no better than by a part of its distance to O.
             let flou = rayon.source().longueur() * R::depuis_f64(deux_puissance(alea, -54.0, -2.0));
-            let rayon = if alea.u8(0..3) == 0 { rayon.avec_flou(flou).unwrap() } else { rayon };
+            let rayon =
+                if alea.u8(0..3) == 0 { rayon.avec_flou(flou).unwrap_or(rayon) } else { rayon };
             let vers = arrondi(direction(alea) * deux_puissance(alea, -8.0, 8.0));
             (objet, [rayon, (regime.cas)(alea).rayon], vers)
         };
