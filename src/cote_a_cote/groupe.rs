@@ -76,7 +76,7 @@ impl<R: Nombre> Groupe<R> {
         Rayon::sans_fin(s, Vecteur::new(dx[voie], dy[voie], dz[voie]))
     }
 
-    /// The ray of one lane with its δ, in a block of which some ray has one.
+    /// The ray of one lane with its δ, without its end.
     #[inline(always)]
     fn rayon_flou(&self, voie: usize) -> Rayon<R> {
         self.rayon(voie).sachant(self.flous[voie])

@@ -27,6 +27,18 @@ pub enum Suite {
     Bifurque,
 }
 
+impl Suite {
+    pub const TOUTES: [Self; 7] = [
+        Self::Reflechi,
+        Self::Secondaire,
+        Self::ToutDroit,
+        Self::Soleil,
+        Self::Lumiere,
+        Self::Touche,
+        Self::Bifurque,
+    ];
+}
+
 /// One step of a path.
 #[derive(Debug, Clone, Copy)]
 pub struct Pas<R> {

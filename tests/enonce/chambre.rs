@@ -460,21 +460,12 @@ en_f32_et_f64!(aucun_solide_a_fleur_ne_garde_un_rayon);
 
 /// Paths of every kind among them: each ray knows of its start what the pages say, and lies no deeper in any solid.
 fn un_chemin_sait_ou_il_est<R: Bits>() {
-    let suites = [
-        Suite::Reflechi,
-        Suite::Secondaire,
-        Suite::ToutDroit,
-        Suite::Soleil,
-        Suite::Lumiere,
-        Suite::Touche,
-        Suite::Bifurque,
-    ];
     let faire = |alea: &mut Hasard| {
         let (objets, pas, rayons) = a_fleur::<R>(alea);
         let chemin = alea.liste(7, |alea, _| {
             let (vers, distance) =
                 (arrondi(direction(alea)), R::depuis_f64(3.0 * pas * alea.f64()));
-            Pas { suite: *alea.choix(&suites), vers, vise: alea.bool(), distance }
+            Pas { suite: *alea.choix(&Suite::TOUTES), vers, vise: alea.bool(), distance }
         });
         (objets, rayons, chemin)
     };

@@ -251,20 +251,11 @@ impl<'a, R: Bits> Octets<'a, R> {
         let nombre = self.octet()? % 8;
         let mut pas = || {
             let genre = self.octet()?;
-            let suite = [
-                Suite::Reflechi,
-                Suite::Secondaire,
-                Suite::ToutDroit,
-                Suite::Soleil,
-                Suite::Lumiere,
-                Suite::Touche,
-                Suite::Bifurque,
-                Suite::Secondaire,
-            ][usize::from(genre % 8)];
+            let suite = Suite::TOUTES.get(usize::from(genre % 8)).unwrap_or(&Suite::Secondaire);
             let vise = genre & 8 != 0;
             let vers = if vise { self.lieu(objets)?.0 } else { self.vecteur()? };
-            let distance = if let Suite::Bifurque = suite { self.reel()? } else { R::INFINI };
-            Some(Pas { suite, vers, vise, distance })
+            let distance = if let Suite::Bifurque = *suite { self.reel()? } else { R::INFINI };
+            Some(Pas { suite: *suite, vers, vise, distance })
         };
         (0..nombre).map(|_| pas()).collect()
     }
