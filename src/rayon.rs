@@ -60,7 +60,7 @@ impl<R: Nombre> Rayon<R> {
     ///
     /// The direction and the end are those of `arrivee − depart` as computed, so that the ray may
     /// end before `arrivee`, after it or beside it, by at most 8.2u of the distance and
-    /// [`MIN_POSITIF`](Nombre::MIN_POSITIF) (lemma 11). It has no end if the distance is too large
+    /// [`ETA`](Nombre::ETA) (lemma 11). It has no end if the distance is too large
     /// for the type. A line that grazes an object may be answered differently from its other end.
     ///
     /// # Errors
@@ -278,7 +278,7 @@ impl<R: Nombre> Rayon<R> {
         let su = if self.su > R::ZERO {
             let ici = simple(su_suivant(self.su, R::ZERO, R::ZERO, self.source)).min(f32::MAX);
             // The step is more than is lost below the normal numbers.
-            su_suivant(ici, 8.0 * f32::MIN_POSITIF, 0.0, rayon.source)
+            su_suivant(ici, 8.0 * f32::ETA, 0.0, rayon.source)
         } else {
             simple(self.su).max(f32::MIN)
         };

@@ -74,6 +74,7 @@ impl<R: Nombre> BoiteGeo<R> {
     }
 
     /// The box of this centre, these dimensions (width, height, depth) and this rotation.
+    /// [`Rotation::entre`]`(Vecteur::Z, n)` turns its front towards a direction `n`.
     ///
     /// # Errors
     /// If a coordinate is beyond ±2⁴⁵⁰ (`f64`) or ±2⁶⁰ (`f32`), or a dimension outside 2⁻⁴⁵⁰ … 2⁴⁵⁰

@@ -87,7 +87,7 @@ impl<'a, R: Nombre> Rangee<'a, R> {
         };
         // The end is a little beyond the last, since an object at the same distance that is earlier
         // in the list comes before it.
-        Continue(derniere + max(derniere * fois_u(2.0), R::MIN_POSITIF))
+        Continue(derniere + max(derniere * fois_u(2.0), R::ETA))
     }
 
     /// Brings the first place of the heap to where it belongs.

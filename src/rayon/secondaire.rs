@@ -216,7 +216,7 @@ impl<R: Nombre> Intersection<R> {
     ///
     /// The ray is a [`secondaire`](Self::secondaire) and never hits the object it leaves. Its end,
     /// the distance from its start to the light, is off by at most 3.6u of itself and
-    /// [`MIN_POSITIF`](Nombre::MIN_POSITIF); the direction is good to 4.6u, and N·L to 8u. If the
+    /// [`ETA`](Nombre::ETA); the direction is good to 4.6u, and N·L to 8u. If the
     /// lamp is itself an object of the list, [leave it out](crate::Monde::sans).
     ///
     /// # Errors

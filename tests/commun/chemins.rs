@@ -178,7 +178,7 @@ impl<R: Bits> Marcheur<'_, R> {
         }
         // Eight roundings here, and fewer than that in the crate, where two products may be subnormal; and what δ grows by
         // for its own.
-        let (arrondi, eta) = (16.0 * u::<R>(), 4.0 * R::MIN_POSITIF.vers_f64());
+        let (arrondi, eta) = (16.0 * u::<R>(), 4.0 * R::ETA.vers_f64());
         let grandi = 1.0 + arrondi + FLOU_RELATIF * u::<R>();
         let permis = bas * (1.0 - arrondi) - eta..=haut * grandi + eta;
         assert!(

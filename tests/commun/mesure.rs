@@ -37,7 +37,7 @@ pub fn plus_grand<R: Reel>() -> f64 {
 /// What products that underflow add to the error of a distance.
 pub fn absolu<R: Reel>(objet: &ObjetRay<R>, entree: &Entree) -> f64 {
     match objet {
-        ObjetRay::Plan(_) => absolu_fois(entree, R::MIN_POSITIF.vers_f64()),
+        ObjetRay::Plan(_) => absolu_fois(entree, R::ETA.vers_f64()),
         ObjetRay::Sphere(_) | ObjetRay::Boite(_) => 0.0,
     }
 }

@@ -34,7 +34,7 @@ pub fn flou_propre<R: Reel>(objet: &ObjetRay<R>) -> f64 {
 fn arrondi_d_une_hauteur<R: Reel>(objet: &ObjetRay<R>, point: Vecteur<R>) -> f64 {
     let ObjetRay::Plan(plan) = objet else { return 0.0 };
     let poids = poids(plan.normale().vers_f64(), point.vers_f64());
-    bandes::PLAN * u::<R>() * poids + bandes::PLAN_ABSOLUE * R::MIN_POSITIF.vers_f64()
+    bandes::PLAN * u::<R>() * poids + bandes::PLAN_ABSOLUE * R::ETA.vers_f64()
 }
 
 /// Asks this object where the ray enters and leaves it, and whether the rays that start there meet it again; one of

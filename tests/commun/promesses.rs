@@ -138,7 +138,7 @@ pub fn distance_pres_de_0<R: Reel>(cas: &Essai<R>) -> f64 {
     if relatif == f64::INFINITY {
         return RIEN;
     }
-    let absolu = absolu_fois(&entree, R::MIN_POSITIF.vers_f64() * echelle);
+    let absolu = absolu_fois(&entree, R::ETA.vers_f64() * echelle);
     entree.ecart_fois(touche.distance(), echelle).abs() / (relatif + absolu)
 }
 
@@ -316,7 +316,7 @@ pub fn secondaire<R: Reel>(cas: &Essai<R>) -> f64 {
     let p = cas.rayon.point(touche.distance()).vers_f64();
     let permis = touche.marge().vers_f64() * (1.0 + 32.0 * u::<R>())
         + 2.0 * u::<R>() * (poids(n, p) + p.longueur())
-        + 8.0 * R::MIN_POSITIF.vers_f64();
+        + 8.0 * R::ETA.vers_f64();
     if tournee > 1.0 || (depart - p).longueur() > permis {
         return ROMPUE;
     }
@@ -495,7 +495,7 @@ pub fn effleurement<R: Reel>(cas: &Essai<R>) -> f64 {
             }
         };
         let permis = u::<R>() * permis + f64::U * (x + y + z + t);
-        -dehors(&objet.temoin_f64(), p) / (permis + 8.0 * R::MIN_POSITIF.vers_f64())
+        -dehors(&objet.temoin_f64(), p) / (permis + 8.0 * R::ETA.vers_f64())
     };
     instants.map(part).into_iter().fold(RIEN, f64::max)
 }

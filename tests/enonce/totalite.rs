@@ -83,7 +83,7 @@ fn interroger<R: Bits>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> TestCaseResu
             prop_assert!(p[face as usize % 3].abs() == R::UN);
         }
     }
-    for rapport in [rayon.source().x, R::UN / R::LIMITE, R::LIMITE, R::MIN_POSITIF, R::INFINI] {
+    for rapport in [rayon.source().x, R::UN / R::LIMITE, R::LIMITE, R::ETA, R::INFINI] {
         let verre = touche.refracte(rayon.direction(), rapport);
         let dites = ["marge", "rapport", "refraction", "source.x", "source.y", "source.z"];
         prop_assert!(

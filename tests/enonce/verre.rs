@@ -54,7 +54,7 @@ fn de_la_surface_un_rayon_sort_en_face_ou_pas<R: Reel>() {
     assert_eq!(sortie(&sol, v(0.0, 0.0, 0.0), monte), None);
     assert_eq!(sortie(&sol, v(0.0, 0.0, 3.0), descend), None);
     // Too far for the type.
-    let pente = Vecteur::new(R::UN, R::ZERO, R::MIN_POSITIF);
+    let pente = Vecteur::new(R::UN, R::ZERO, R::ETA);
     assert_eq!(sortie(&sol, v(0.0, 0.0, -3.0), pente), None);
 }
 

@@ -10,7 +10,7 @@ use crate::dossiers::fichiers_sous;
 const MEMES: [&str; 8] = ["Rotation", "ZERO", "abs", "direction", "sqrt", "x", "y", "z"];
 
 /// The names of the page.
-const SUR_LA_PAGE: usize = 32;
+const SUR_LA_PAGE: usize = 37;
 
 /// Each public name, with its English words.
 type Lexique = BTreeMap<String, Vec<String>>;

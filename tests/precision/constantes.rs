@@ -621,8 +621,8 @@ fn lemmes_8_et_9_le_pas_depuis_une_face_suffit() {
     // What is lost below the normal numbers, in η: three products of the height and of that which
     // the next search sees, those by 8u, 10u, 1 + 20u and 1.1u, and N·pas along N.
     let perdu = 1.5 + 1.5 + 4.0 * 0.5 + 0.5 * i(3.0).racine();
-    assert!(perdu.haut * f64::from(f32::MIN_POSITIF) < PLANCHER.0);
-    assert!(perdu.haut * f64::MIN_POSITIF < PLANCHER.1);
+    assert!(perdu.haut * f64::from(f32::ETA) < PLANCHER.0);
+    assert!(perdu.haut * f64::ETA < PLANCHER.1);
     // A margin over a floor through O is so long, and u of it is a normal number; of the margin of the smallest sphere
     // it is no hundred thousandth.
     let moindre = |u: f64, limite: f64| 2.0 * ARRONDI_HAUTEUR * LONGUEUR * u / limite;
@@ -863,7 +863,7 @@ fn lemme_6_la_borne_du_lieu_sur_une_sphere_suffit() {
     // is least beside |f|, no less than a half-length, where the half-length that divides is largest.
     tenir(promesses::LIEU_FACE, |u| {
         let limite = if u == U[0] { f32::LIMITE.into() } else { f64::LIMITE };
-        let eta = if u == U[0] { f32::MIN_POSITIF.into() } else { f64::MIN_POSITIF };
+        let eta = if u == U[0] { f32::ETA.into() } else { f64::ETA };
         let perdu = 0.5 * (eta * limite * limite) / u * plus(20.0, u);
         et(et(i(2.0), gamma(3.0, u), u), i(1.0), u) * n(u) * d(u) * plus(1.0, u) + perdu
     });

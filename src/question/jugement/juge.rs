@@ -47,8 +47,8 @@ pub(crate) fn loupe(objet: &ObjetRay, rayon: &Rayon) -> Intervalle {
 fn apres(t: f64, Intervalle { bas, haut }: Intervalle) -> Intervalle {
     // J8
     let [moins, plus] = [-1.0, 1.0].map(|signe| 1.0 + signe * (ECART_ARRONDI * f64::U));
-    let bas = bas * if bas > 0.0 { moins } else { plus } - f64::MIN_POSITIF;
-    let haut = haut * if haut > 0.0 { plus } else { moins } + f64::MIN_POSITIF;
+    let bas = bas * if bas > 0.0 { moins } else { plus } - f64::ETA;
+    let haut = haut * if haut > 0.0 { plus } else { moins } + f64::ETA;
     let (bas, haut) = ((t + bas) * (1.0 - 2.0 * f64::U), (t + haut) * (1.0 + 2.0 * f64::U));
     Intervalle { bas: max(bas, 0.0), haut }
 }
@@ -179,7 +179,7 @@ fn juger_sphere<P: Point>(
     // AB²·D² is D²(r² − PC²) + PA² at any point P of the line. At A as computed PA is all rounding:
     // its square is taken twice, so that it is a bound, and never as 0 unless PA is.
     let xa_a = xa_a.grandeur();
-    let reste = 2.0 * xa_a * xa_a + if xa_a > 0.0 { f64::MIN_POSITIF } else { 0.0 };
+    let reste = 2.0 * xa_a * xa_a + if xa_a > 0.0 { f64::ETA } else { 0.0 };
     let ab2 = Intervalle { bas: -p_a.haut * d2, haut: reste - p_a.bas * d2 };
     // J6
     let moindre = p_s.moindre(sa).moindre(ab2);
