@@ -123,7 +123,7 @@ impl<R: Nombre> Rotation<R> {
     /// assert!((r.matrice()[0][0] - 0.75_f64.sqrt()).abs() < 1e-4);
     ///
     /// let agrandie = ecrite.map(|ligne| ligne.map(|x| 1.01 * x));
-    /// assert_eq!(Rotation::depuis_matrice(agrandie).unwrap_err().champ, "matrice: |M·Mᵀ - I|");
+    /// assert_eq!(Rotation::depuis_matrice(agrandie).unwrap_err().champ, "matrice");
     /// # Ok::<(), lancer_rayon::ErreurGeo>(())
     /// ```
     #[doc(alias("from_matrix", "from_mat3", "from_rows"))]
@@ -138,12 +138,11 @@ impl<R: Nombre> Rotation<R> {
         }
         let mut m = matrice.map(|ligne| ligne.map(R::vers_f64));
         let lignes = plus_grand_defaut(m);
-        let attendu = "at most 1e-3, as for a rotation";
-        exiger(lignes <= ECART, "matrice: |M·Mᵀ - I|", lignes, attendu)?;
+        exiger(lignes <= ECART, "matrice", lignes, "a rotation to 1e-3, by M·Mᵀ - I")?;
         let [x, y, z] = m.map(Vecteur::from);
         let determinant = x.produit_vectoriel(y).produit_scalaire(z);
-        let attendu = "above 0: a mirror is no rotation";
-        exiger(determinant > 0.0, "matrice: determinant", determinant, attendu)?;
+        let attendu = "of a determinant above 0: a mirror is no rotation";
+        exiger(determinant > 0.0, "matrice", determinant, attendu)?;
         // The columns may be three times as far off as the rows, and are the rows of the inverse.
         if lignes.max(plus_grand_defaut(transposee(m))) <= DEJA_ORTHONORMALE * R::U.vers_f64() {
             return Ok(Self { matrice });
@@ -181,7 +180,7 @@ impl<R: Nombre> Rotation<R> {
     #[doc(alias("axis_angle", "from_axis_angle", "from_scaled_axis"))]
     pub fn autour_de(axe: Vecteur<R>, angle: R) -> Result<Self, ErreurGeo> {
         let n = unitaire(["axe", "axe.x", "axe.y", "axe.z"], axe.vers_f64())?;
-        let angle = exiger(angle.abs() < R::INFINI, "angle", angle, "a finite number")?;
+        let angle = exiger(angle.absolu() < R::INFINI, "angle", angle, "a finite number")?;
         let (cos, sin) = cos_sin(angle);
         Ok(Self::arrondie(polie(tour(cos, 1.0 - cos, n, n * -sin))))
     }
@@ -277,7 +276,7 @@ impl<R: Nombre> Rotation<R> {
     /// assert_eq!(r.axes(), [-Vecteur::Z, Vecteur::Y, Vecteur::X]);
     ///
     /// let erreur = Rotation::<f64>::regard(Vecteur::Y, -Vecteur::Y).unwrap_err();
-    /// assert_eq!(erreur.champ, "haut: sine of its angle with direction");
+    /// assert_eq!(erreur.champ, "haut");
     /// # Ok::<(), lancer_rayon::ErreurGeo>(())
     /// ```
     #[doc(alias("look_at", "look_to", "camera"))]
@@ -286,9 +285,8 @@ impl<R: Nombre> Rotation<R> {
         let d = unitaire(champs, direction.vers_f64())?;
         let k =
             d.produit_vectoriel(unitaire(["haut", "haut.x", "haut.y", "haut.z"], haut.vers_f64())?);
-        let (sinus, champ) = (k.longueur(), "haut: sine of its angle with direction");
-        let attendu = "above 16u: parallel to direction it says nothing";
-        exiger(sinus > PARALLELES * R::U.vers_f64(), champ, sinus, attendu)?;
+        let (sinus, attendu) = (k.longueur(), "at an angle to direction, of a sine above 16u");
+        exiger(sinus > PARALLELES * R::U.vers_f64(), "haut", sinus, attendu)?;
         let y = au_dessus(d, k);
         Ok(Self::arrondie(polie([d.produit_vectoriel(y), y, -d].map(<[f64; 3]>::from))))
     }
@@ -381,7 +379,7 @@ impl<R> From<Rotation<R>> for [[R; 3]; 3] {
 /// a scene turned by quarter turns stays aligned with the axes.
 fn cos_sin<R: Nombre>(angle: R) -> (f64, f64) {
     for (k, (cos, sin)) in QUARTS.into_iter().enumerate() {
-        if angle.abs() == R::depuis_f64(k as f64 * FRAC_PI_2) {
+        if angle.absolu() == R::depuis_f64(k as f64 * FRAC_PI_2) {
             return (cos, if angle < R::ZERO { -sin } else { sin });
         }
     }

@@ -46,8 +46,11 @@ impl Coupe {
         let souhaits: f32 = objets.iter().map(|objet| coupe.souhait(repere, objet)).sum();
         coupe.part = if souhaits > 0.0 { min(restent as f32 / souhaits, 1.0) } else { 0.0 };
         let de_plus = |coupe: Self, quoi| coupe.morceaux(repere, quoi) - 1;
+        // Steps that grow, since the indices of a few long boxes may all round up.
+        let mut moins = 0.01;
         while objets.iter().enumerate().map(|quoi| de_plus(coupe, quoi)).sum::<usize>() > restent {
-            coupe.part *= 0.99;
+            coupe.part *= 1.0 - moins;
+            moins = min(2.0 * moins, 0.5);
         }
         coupe
     }
@@ -124,5 +127,5 @@ pub(crate) fn decouper<R: Nombre>(
 
 /// The absolute values of its coordinates.
 fn grandeurs<R: Nombre>(v: Vecteur<R>) -> Vecteur<R> {
-    Vecteur::new(v.x.abs(), v.y.abs(), v.z.abs())
+    Vecteur::new(v.x.absolu(), v.y.absolu(), v.z.absolu())
 }

@@ -116,7 +116,7 @@ pub(crate) trait Forme<R: Nombre>: Copy {
         // M2: the centre of a half-space is O.
         let cp = p - self.boule().centre;
         let hauteur = n.produit_scalaire(cp) - du_centre;
-        Hauteur { b: hauteur.abs(), l: n.somme_des_grandeurs(cp) }
+        Hauteur { b: hauteur.absolu(), l: n.somme_des_grandeurs(cp) }
     }
 
     /// Normal and margin of the entry at distance `t`, of any: also where the ray touches at once, or

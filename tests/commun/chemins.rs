@@ -101,7 +101,7 @@ impl<R: Bits> Marcheur<'_, R> {
             (entree, sortie) => sortie.or(entree),
         };
         let libre = passage.map_or(rayon.fin(), |(_, touche)| touche.distance());
-        let t = Some(R::abs(pas.distance)).filter(|t| *t < libre).unwrap_or(libre);
+        let t = Some(R::absolu(pas.distance)).filter(|t| *t < libre).unwrap_or(libre);
         let au_sec = verre.is_none() && self.au_sec(&rayon);
         if au_sec {
             let (t, p) = entree.map_or((t, rayon.point(t)), |(_, e)| (e.distance(), e.point()));

@@ -183,7 +183,7 @@ pub fn exiger_un_passage<R: Bits>(
         let (face, p) = boite.lieu(rayon, passage);
         assert_eq!(boite.face(face).1, n, "{}", contexte());
         let p = <[R; 3]>::from(p);
-        assert!(p.into_iter().all(|x| x.abs() <= R::UN), "{}", contexte());
+        assert!(p.into_iter().all(|x| x.absolu() <= R::UN), "{}", contexte());
         let un = if (face as usize) < 3 { R::UN } else { -R::UN };
         assert_eq!(p[face as usize % 3], un, "{}", contexte());
     }

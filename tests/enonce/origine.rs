@@ -147,7 +147,7 @@ fn un_refus_nomme_le_champ() {
     assert_eq!(champ(boule(nul, 1.0).vers_f32(infinie)), "origine.y");
     let cotes = Vecteur::new(1.0, 1e-30, 1.0);
     let boite = BoiteGeo::new(nul, cotes, Rotation::IDENTITE, Texture(0)).unwrap();
-    assert_eq!(boite.vers_f32(nul).unwrap_err().champ, "dimensions.y (hauteur)");
+    assert_eq!(boite.vers_f32(nul).unwrap_err().champ, "dimensions.y");
     let plan = PlanGeo::new(Rotation::IDENTITE, 1e20, Texture(0)).unwrap();
     assert_eq!(plan.vers_f32(nul).unwrap_err().champ, "distance");
     assert_eq!(plan.vers_f32(-loin).unwrap().distance(), 0.0);

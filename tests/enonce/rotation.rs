@@ -207,21 +207,22 @@ fn ce_qui_n_est_pas_une_rotation_est_refuse<R: Reel>() {
         let m = matrice(r);
         let refus = |m: Matrice| {
             let m = m.map(|ligne| ligne.map(R::depuis_f64));
-            Rotation::depuis_matrice(m).err().map(|erreur| erreur.champ)
+            // A determinant is below 0.
+            Rotation::depuis_matrice(m).err().map(|erreur| (erreur.champ, erreur.valeur < 0.0))
         };
         for k in [1.01, 0.99, 1.001, 0.999, 0.0, -1.01] {
-            prop_assert_eq!(refus(m.map(|l| l.map(|x| k * x))), Some("matrice: |M·Mᵀ - I|"));
+            prop_assert_eq!(refus(m.map(|l| l.map(|x| k * x))), Some(("matrice", false)));
         }
         let mut penchee = m;
         penchee[i] = std::array::from_fn(|j| m[i][j] + 0.01 * m[(i + 1) % 3][j]);
-        prop_assert_eq!(refus(penchee), Some("matrice: |M·Mᵀ - I|"));
+        prop_assert_eq!(refus(penchee), Some(("matrice", false)));
         let mut miroir = m;
         miroir[i] = m[i].map(|x| -x);
-        prop_assert_eq!(refus(miroir), Some("matrice: determinant"));
+        prop_assert_eq!(refus(miroir), Some(("matrice", true)));
         let mut sans_nombre = m;
         sans_nombre[1][i] = f64::NAN;
         let champ = ["matrice[1][0]", "matrice[1][1]", "matrice[1][2]"][i];
-        prop_assert_eq!(refus(sans_nombre), Some(champ));
+        prop_assert_eq!(refus(sans_nombre), Some((champ, false)));
         Ok(())
     });
 }
@@ -379,7 +380,7 @@ fn une_camera_regarde_ou_on_le_dit_et_se_tient_droite<R: Reel>() {
                 prop_assert!((x - d.produit_vectoriel(y)).longueur() <= 30.0 * u::<R>());
             }
             Err(erreur) => {
-                prop_assert_eq!(erreur.champ, "haut: sine of its angle with direction");
+                prop_assert_eq!(erreur.champ, "haut");
                 prop_assert!(sinus <= 16.0 * u::<R>() + 5.0 * f64::U);
             }
         }
@@ -388,9 +389,7 @@ fn une_camera_regarde_ou_on_le_dit_et_se_tient_droite<R: Reel>() {
     pour_tout((vecteur::<R>(1e3), -10.0..10.0_f64), |(direction, k)| {
         let parallele = direction * R::depuis_f64(k);
         let erreur = Rotation::regard(direction, parallele).unwrap_err();
-        let nul = parallele == Vecteur::NUL;
-        let champ = if nul { "haut" } else { "haut: sine of its angle with direction" };
-        prop_assert_eq!(erreur.champ, champ);
+        prop_assert_eq!(erreur.champ, "haut");
         Ok(())
     });
 }
@@ -408,7 +407,7 @@ fn n_importe_quels_bits_donnent_une_rotation_ou_un_refus<R: Bits>() {
             (Rotation::regard(v, w), &[v.x, v.y, v.z, w.x, w.y, w.z], &[v, w]),
         ];
         for (essai, nombres, directions) in essais {
-            let finis = nombres.iter().all(|x| x.abs() < R::INFINI);
+            let finis = nombres.iter().all(|x| x.absolu() < R::INFINI);
             let nul = nombres.iter().all(|x| *x == R::ZERO) || directions.contains(&Vecteur::NUL);
             match essai {
                 Ok(r) => {
@@ -418,7 +417,9 @@ fn n_importe_quels_bits_donnent_une_rotation_ou_un_refus<R: Bits>() {
                 Err(erreur) if erreur.attendu == "a finite number" => {
                     prop_assert!(!finis && !erreur.valeur.is_finite(), "{}", erreur);
                 }
-                Err(erreur) if erreur.champ.starts_with("haut: ") => prop_assert!(finis && !nul),
+                Err(erreur) if erreur.attendu.starts_with("at an angle") => {
+                    prop_assert!(finis && !nul)
+                }
                 Err(erreur) => prop_assert!(finis && nul && erreur.valeur == 0.0, "{}", erreur),
             }
         }
@@ -447,8 +448,7 @@ fn un_refus_nomme_le_nombre() {
         (Rotation::regard(x, nan), "haut.y is NaN, but must be a finite number"),
         (
             Rotation::regard(x, -x * 3.0),
-            "haut: sine of its angle with direction is 0.0, but must be above 16u: parallel to \
-             direction it says nothing",
+            "haut is 0.0, but must be at an angle to direction, of a sine above 16u",
         ),
     ];
     for (essai, phrase) in cas {
@@ -460,29 +460,25 @@ fn un_refus_nomme_le_nombre() {
 /// has the same bits.
 #[cfg(feature = "mint")]
 fn par_mint_tout_tourne_de_meme<R: Bits>() {
-    use mint::{ColumnMatrix3, Quaternion, RowMatrix3};
+    use mint::{ColumnMatrix3, Quaternion};
 
     pour_tout((rotation::<R>(), vecteur::<R>(1e3)), |(r, v)| {
-        let (colonnes, lignes) = (ColumnMatrix3::from(r), RowMatrix3::from(r));
+        let colonnes = ColumnMatrix3::from(r);
         let [x, y, z] = [colonnes.x, colonnes.y, colonnes.z].map(Vecteur::from);
         prop_assert_eq!(x * v.x + y * v.y + z * v.z, r.appliquer(v));
-        let lignes_fois_v =
-            [lignes.x, lignes.y, lignes.z].map(|ligne| Vecteur::from(ligne).produit_scalaire(v));
-        prop_assert_eq!(Vecteur::from(lignes_fois_v), r.appliquer(v));
         prop_assert_eq!(Rotation::try_from(colonnes).map(bits), Ok(bits(r)));
-        prop_assert_eq!(Rotation::try_from(lignes).map(bits), Ok(bits(r)));
 
         let q = [v.x, v.y, v.z, R::UN];
         let par_mint = Rotation::try_from(Quaternion { v: v.into(), s: R::UN });
         prop_assert_eq!(par_mint, Rotation::depuis_quaternion(q));
         Ok(())
     });
-    let champ = |m: [[R; 3]; 3]| Rotation::try_from(RowMatrix3::from(m)).unwrap_err().champ;
+    let champ = |m: [[R; 3]; 3]| Rotation::try_from(ColumnMatrix3::from(m)).unwrap_err().champ;
     let mut m = Rotation::IDENTITE.matrice();
     m[0][2] = R::INFINI;
-    assert_eq!(champ(m), "matrice[2][0]");
+    assert_eq!(champ(m), "matrice[0][2]");
     m[0][2] = R::UN;
-    assert_eq!(champ(m), "matrice: |M·Mᵀ - I|");
+    assert_eq!(champ(m), "matrice");
     let nul = Quaternion { v: Vecteur::<R>::NUL.into(), s: R::ZERO };
     assert_eq!(Rotation::try_from(nul).unwrap_err().champ, "quaternion");
 }

@@ -310,7 +310,7 @@ fn depart_de_peu_de_bits<R: Bits>(genre: Genre, alea: &mut Rng) -> Option<(Objet
         ))
     };
     let c = lieu(alea) * k;
-    let taille = |alea: &mut Rng| peu_de_bits::<R>(alea).abs() * k;
+    let taille = |alea: &mut Rng| peu_de_bits::<R>(alea).absolu() * k;
     let objet: ObjetGeo<R> = match genre {
         Genre::Sphere => SphereGeo::new(c, taille(alea), Texture(0)).ok()?.into(),
         Genre::Plan => PlanGeo::new(tour(alea), taille(alea), Texture(0)).ok()?.into(),
