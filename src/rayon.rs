@@ -331,18 +331,18 @@ pub(crate) fn su_lu<R: Nombre>(flou: R, dedans: u64) -> Result<R, ErreurGeo> {
     Ok(su)
 }
 
-/// How much deeper than δ a hit may lie in another object, in u of the distance (lemma 23).
+/// How much deeper than δ a hit may lie in another object, in u of the distance (lemma 22).
 pub const FLOU_DISTANCE: f64 = 15.0;
 
-/// How much deeper than that a hit may lie, in u of Σ|P_i| (lemma 23).
+/// How much deeper than that a hit may lie, in u of Σ|P_i| (lemma 22).
 pub const FLOU_POINT: f64 = 8.1;
 
 /// How much larger δ is made, in u of itself: for its own roundings, those where it is compared, and
-/// a step along an N that is not exactly unit (lemma 23).
+/// a step along an N that is not exactly unit (lemma 22).
 pub const FLOU_RELATIF: f64 = 16.0;
 
 /// What a ray knows of its source that starts a step `pas` away from the point P at distance t of one
-/// that knows this of its own. Inside something it stays so; else it has a δ (lemma 23), which is
+/// that knows this of its own. Inside something it stays so; else it has a δ (lemma 22), which is
 /// finite, as this δ and the others are.
 #[inline(always)]
 pub(crate) fn su_suivant<R: Nombre>(su: R, pas: R, t: R, p: Vecteur<R>) -> R {

@@ -157,7 +157,7 @@ impl<R: Nombre> Rotation<R> {
 
     /// The rotation by this angle about this axis, which may have any length, in the sense of
     /// [`new`](Self::new): about x by α it is `new((α, 0, 0))`, and quarter turns about the three
-    /// axes are exact. Each element is off by at most its rounding and 30u of `f64`, where a float
+    /// axes are exact. Each element is off by at most its rounding and 15u of `f64`, where a float
     /// that [`new`](Self::new) takes for quarter turns stands for these.
     ///
     /// The right-hand rule, which `from_axis_angle` of other crates follows, turns by −α, or about
@@ -189,7 +189,7 @@ impl<R: Nombre> Rotation<R> {
     /// The rotation of the quaternion q = \[x, y, z, w\], w being its real part: a vector V becomes
     /// q·V·q⁻¹, so that (sin(α/2)·N, cos(α/2)) turns by α about the unit vector N by the right-hand
     /// rule. q and −q give the same rotation, and any length will do. Each element is off by its
-    /// rounding and 30u of `f64` at most.
+    /// rounding and 15u of `f64` at most.
     ///
     /// This is what `q * v` is in glam and in nalgebra, and the order is that of `q.to_array()` in
     /// glam and of `q.coords` in nalgebra.
@@ -221,7 +221,7 @@ impl<R: Nombre> Rotation<R> {
     }
 
     /// The shortest turn that takes the direction `de` to the direction `vers`, both of any length:
-    /// `appliquer(de)` has the direction of `vers` to 60u.
+    /// `appliquer(de)` has the direction of `vers` to 36u.
     ///
     /// Many half turns join opposite directions. Where the sine of the angle between `de` and
     /// −`vers` is 16u or less, rounding would choose the axis. The axis is then at a right angle to
@@ -261,7 +261,7 @@ impl<R: Nombre> Rotation<R> {
     /// The rotation of a camera that looks along `direction` and holds `haut` upright. It takes −z,
     /// along which an unturned camera looks, to `direction`, y to the vector nearest to `haut` at a
     /// right angle to `direction`, and x to what is then on the right. Both vectors may have any
-    /// length. `direction` is met to 15u, and x is at a right angle to `haut` to 20u.
+    /// length. `direction` is met to 6.2u, and x is at a right angle to `haut` to 14u.
     ///
     /// Its inverse, from the scene to the camera, is what `look_to` of other crates gives.
     ///

@@ -279,7 +279,7 @@ impl<R: Nombre> BoiteRay<R> {
 
 /// How much deeper than δ, in u of the sum of the half-lengths, a start may lie under a face of a
 /// box that the ray leaves by, or goes along: then it does not touch the box at once. It is less
-/// than [`FLOU_PROPRE`], since the next search sees that depth with the rounding of both (lemma 23).
+/// than [`FLOU_PROPRE`], since the next search sees that depth with the rounding of both (lemma 22).
 pub const FLOU_A_COTE: f64 = 22.0;
 
 impl<R: Nombre> Forme<R> for BoiteRay<R> {
