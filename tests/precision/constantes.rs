@@ -7,7 +7,8 @@
 //! - the limits of a sphere that is lost, which are limits of a domain; what direction, what matrix and what parallel
 //!   directions are kept or refused, which are decisions (C13, C15);
 //! - powers of two, which lemmas 2, 8, 18, 20 and 21 compare with what is lost below the normal numbers;
-//! - the 8u that M4 adds at a hit at once, which no proof needs, and the 2u of E1 and J8, which count roundings.
+//! - the 8u that M4 adds at a hit at once, which no proof needs, the 64 of J7, a choice, the 2u of E1 and J8, which count
+//!   roundings, and the 2 of T3, of which lemma 19 needs 1.1.
 //!
 //! Taken from the text, and not found here:
 //! - how often a step of an algorithm rounds, and what each is relative to;
