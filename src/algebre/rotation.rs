@@ -65,9 +65,9 @@ impl<R: Nombre> Rotation<R> {
     /// y, then r_z about z, the axes staying where they are; M = M_x·M_y·M_z, angles in radians.
     ///
     /// The sense is that of the formula and of the worked example of §2.1: counter-clockwise for an
-    /// eye that looks along the axis. An angle that is the float nearest to k·π/2, |k| ≤ 4, as
-    /// `90.0_f64.to_radians()` is, turns exactly. For the right-hand rule see
-    /// [`main_droite`](Self::main_droite).
+    /// eye that looks along the axis. Each element is off by at most its rounding and 15u of `f64`.
+    /// An angle that is the float nearest to k·π/2, |k| ≤ 4, as `90.0_f64.to_radians()` is, turns
+    /// exactly. For the right-hand rule see [`main_droite`](Self::main_droite).
     ///
     /// # Errors
     /// If an angle is not finite.
@@ -307,7 +307,9 @@ impl<R: Nombre> Rotation<R> {
         a * v.x + b * v.y + c * v.z
     }
 
-    /// This rotation, then `suivante`: the product of the matrices in this order.
+    /// This rotation, then `suivante`: the product of the matrices in this order, each element to
+    /// 24u, or to 39u if one of both is an [`inverse`](Self::inverse) or was kept by
+    /// [`depuis_matrice`](Self::depuis_matrice).
     #[doc(alias("then", "compose"))]
     pub fn puis(self, suivante: Self) -> Self {
         let [m, n] = [self, suivante].map(|r| r.matrice.map(|ligne| ligne.map(R::vers_f64)));

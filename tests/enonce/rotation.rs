@@ -61,7 +61,7 @@ fn la_matrice_est_celle_de_la_formule<R: Reel>() {
         let attendu = enonce(v.vers_f64());
         // At a quarter turn the formula sees the rounding of the angle, at most 4u at 2π; an element
         // is a sum of products of up to three such cosines.
-        let tolerance = (PRODUIT + 3.0 * 4.0) * u::<R>();
+        let tolerance = elements::<R>().min(PRODUIT * u::<R>()) + 3.0 * 4.0 * u::<R>();
         let r = Rotation::new(v).unwrap();
         est_orthonormale(r)?;
         prop_assert!(ecart(matrice(r), attendu) <= tolerance);
