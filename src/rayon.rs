@@ -337,19 +337,19 @@ pub(crate) fn su_lu<R: Nombre>(flou: R, dedans: u64) -> Result<R, ErreurGeo> {
     Ok(if dedans > 0 { R::depuis_f64(-(dedans as f64)) } else { max(flou, R::ZERO) })
 }
 
-/// How much deeper than δ a hit may lie in another object, in u of the distance (lemma 23).
+/// How much deeper than δ a hit may lie in another object, in u of the distance (lemma 22).
 pub const FLOU_DISTANCE: f64 = 15.0;
 
-/// How much deeper than that a hit may lie, in u of Σ|P_i| (lemma 23).
+/// How much deeper than that a hit may lie, in u of Σ|P_i| (lemma 22).
 pub const FLOU_POINT: f64 = 8.1;
 
 /// How much larger δ is made, in u of itself: for its own roundings, those where it is compared, and
-/// a step along an N that is not exactly unit (lemma 23).
+/// a step along an N that is not exactly unit (lemma 22).
 pub const FLOU_RELATIF: f64 = 16.0;
 
 /// Computes what a ray knows of its source if it starts a step `pas` away from the point P, at
 /// distance t of a ray that knows `su` of its own. A ray inside something keeps its count. Any other
-/// gets the δ of lemma 23, which is finite if the numbers that are given are.
+/// gets the δ of lemma 22, which is finite if the numbers that are given are.
 #[inline(always)]
 pub(crate) fn su_suivant<R: Nombre>(su: R, pas: R, t: R, p: Vecteur<R>) -> R {
     if su < R::ZERO {

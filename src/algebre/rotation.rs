@@ -65,9 +65,9 @@ impl<R: Nombre> Rotation<R> {
     /// y, then r_z about z, the axes staying where they are; M = M_x·M_y·M_z, angles in radians.
     ///
     /// The sense is that of the formula and of the worked example of §2.1: counter-clockwise for an
-    /// eye that looks along the axis. An angle that is the float nearest to k·π/2, |k| ≤ 4, as
-    /// `90.0_f64.to_radians()` is, turns exactly. For the right-hand rule see
-    /// [`main_droite`](Self::main_droite).
+    /// eye that looks along the axis. Each element is off by at most its rounding and 15u of `f64`.
+    /// An angle that is the float nearest to k·π/2, |k| ≤ 4, as `90.0_f64.to_radians()` is, turns
+    /// exactly. For the right-hand rule see [`main_droite`](Self::main_droite).
     ///
     /// # Errors
     /// If an angle is not finite.
@@ -156,7 +156,7 @@ impl<R: Nombre> Rotation<R> {
 
     /// The rotation by this angle about this axis, which may have any length, in the sense of
     /// [`new`](Self::new): about x by α it is `new((α, 0, 0))`, and quarter turns about the three
-    /// axes are exact. Each element is off by at most its rounding and 30u of `f64`, where a float
+    /// axes are exact. Each element is off by at most its rounding and 15u of `f64`, where a float
     /// that [`new`](Self::new) takes for quarter turns stands for these.
     ///
     /// The right-hand rule, which `from_axis_angle` of other crates follows, turns by −α, or about
@@ -188,7 +188,7 @@ impl<R: Nombre> Rotation<R> {
     /// The rotation of the quaternion q = \[x, y, z, w\], w being its real part: a vector V becomes
     /// q·V·q⁻¹, so that (sin(α/2)·N, cos(α/2)) turns by α about the unit vector N by the right-hand
     /// rule. q and −q give the same rotation, and any length will do. Each element is off by its
-    /// rounding and 30u of `f64` at most.
+    /// rounding and 15u of `f64` at most.
     ///
     /// This is what `q * v` is in glam and in nalgebra, and the order is that of `q.to_array()` in
     /// glam and of `q.coords` in nalgebra.
@@ -220,7 +220,7 @@ impl<R: Nombre> Rotation<R> {
     }
 
     /// The shortest turn that takes the direction `de` to the direction `vers`, both of any length:
-    /// `appliquer(de)` has the direction of `vers` to 60u.
+    /// `appliquer(de)` has the direction of `vers` to 36u.
     ///
     /// Many half turns join opposite directions. Where the sine of the angle between `de` and
     /// −`vers` is 16u or less, rounding would choose the axis. The axis is then at a right angle to
@@ -260,7 +260,7 @@ impl<R: Nombre> Rotation<R> {
     /// The rotation of a camera that looks along `direction` and holds `haut` upright. It takes −z,
     /// along which an unturned camera looks, to `direction`, y to the vector nearest to `haut` at a
     /// right angle to `direction`, and x to what is then on the right. Both vectors may have any
-    /// length. `direction` is met to 15u, and x is at a right angle to `haut` to 20u.
+    /// length. `direction` is met to 6.2u, and x is at a right angle to `haut` to 14u.
     ///
     /// Its inverse, from the scene to the camera, is what `look_to` of other crates gives.
     ///
@@ -305,7 +305,9 @@ impl<R: Nombre> Rotation<R> {
         a * v.x + b * v.y + c * v.z
     }
 
-    /// This rotation, then `suivante`: the product of the matrices in this order.
+    /// This rotation, then `suivante`: the product of the matrices in this order, each element to
+    /// 24u, or to 39u if one of both is an [`inverse`](Self::inverse) or was kept by
+    /// [`depuis_matrice`](Self::depuis_matrice).
     #[doc(alias("then", "compose"))]
     pub fn puis(self, suivante: Self) -> Self {
         let [m, n] = [self, suivante].map(|r| r.matrice.map(|ligne| ligne.map(R::vers_f64)));

@@ -282,7 +282,7 @@ impl<R: Nombre> BoiteRay<R> {
 
 /// A ray does not touch a box at once if its start lies, under a face that it leaves by or goes
 /// along, less deep than δ and this many u of Σl_i. It is less than [`FLOU_PROPRE`], since the next
-/// search sees that depth with the rounding of both (lemma 23).
+/// search sees that depth with the rounding of both (lemma 22).
 pub const FLOU_A_COTE: f64 = 22.0;
 
 impl<R: Nombre> Forme<R> for BoiteRay<R> {

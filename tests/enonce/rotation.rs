@@ -4,7 +4,7 @@ use commun::regimes::repere;
 use commun::strategies::{
     direction, quelconque, rotation, vecteur, vecteur_quelconque, vecteur_rotation,
 };
-use commun::tolerances::{ECART_ROTATION, ORTHONORMALE, PRODUIT, TOURNE, u};
+use commun::tolerances::{ECART_ROTATION, ORTHONORMALE, PRODUIT, TOURNE, promesses, u};
 use commun::{Bits, arrondi, en_f32_et_f64, pour_tout};
 use lancer_rayon::pour_les_tests::DEJA_ORTHONORMALE;
 use lancer_rayon::{ErreurGeo, Nombre, Reel, Rotation, Vecteur};
@@ -61,7 +61,7 @@ fn la_matrice_est_celle_de_la_formule<R: Reel>() {
         let attendu = enonce(v.vers_f64());
         // At a quarter turn the formula sees the rounding of the angle, at most 4u at 2π; an element
         // is a sum of products of up to three such cosines.
-        let tolerance = (PRODUIT + 3.0 * 4.0) * u::<R>();
+        let tolerance = elements::<R>().min(PRODUIT * u::<R>()) + 3.0 * 4.0 * u::<R>();
         let r = Rotation::new(v).unwrap();
         est_orthonormale(r)?;
         prop_assert!(ecart(matrice(r), attendu) <= tolerance);
@@ -246,9 +246,9 @@ fn hamilton(q: [f64; 4], v: Vecteur) -> [f64; 3] {
     [i, j, k].map(|c| c / carre)
 }
 
-/// What `autour_de` and `depuis_quaternion` promise of an element, and 20u of `f64` for the test.
+/// What `new`, `autour_de` and `depuis_quaternion` promise of an element, and 20u of `f64` for the test.
 fn elements<R: Reel>() -> f64 {
-    1.1 * u::<R>() + (30.0 + 20.0) * f64::U
+    1.1 * u::<R>() + (promesses::TOUR + 20.0) * f64::U
 }
 
 fn un_quaternion_tourne_comme_son_produit<R: Reel>() {
@@ -321,7 +321,8 @@ fn entre_deux_directions_le_tour_est_le_plus_court<R: Reel>() {
         let [a, b] = [de, vers].map(|v| v.vers_f64().unitaire().unwrap());
         let arrive = r.appliquer(de).vers_f64().unitaire().unwrap();
         // In f32 what is made in f64 is as good as exact: elements and V·M round, √3 and 5.2u.
-        let permis = (60.0 * f64::U + 7.0 * u::<R>()).min(60.0 * u::<R>() + 8.0 * f64::U);
+        let permis = (promesses::ENTRE * f64::U + 7.0 * u::<R>())
+            .min(promesses::ENTRE * u::<R>() + 8.0 * f64::U);
         prop_assert!((arrive - b).longueur() <= permis, "{:e}", (arrive - b).longueur());
 
         // V·M is K·V with K = Mᵀ, whose antisymmetric part is the sine times the axis.
@@ -372,9 +373,12 @@ fn une_camera_regarde_ou_on_le_dit_et_se_tient_droite<R: Reel>() {
                 // 5u for the sine as this test and the crate compute it.
                 prop_assert!(sinus > 16.0 * u::<R>() - 5.0 * f64::U);
                 let [x, y, z] = r.axes().map(Vecteur::vers_f64);
-                // 15u and 20u in f64, and 4u for the test; in f32 elements round.
-                prop_assert!((z + d).longueur() <= 15.0 * f64::U + 2.0 * u::<R>());
-                prop_assert!(x.produit_scalaire(h).abs() <= 20.0 * f64::U + 4.0 * u::<R>());
+                // What lemma 13 grants in f64, and 4u for the test; in f32 elements round.
+                prop_assert!((z + d).longueur() <= promesses::REGARD * f64::U + 2.0 * u::<R>());
+                prop_assert!(
+                    x.produit_scalaire(h).abs()
+                        <= promesses::REGARD_DROIT * f64::U + 4.0 * u::<R>()
+                );
                 // Up to what is left of it at a right angle to the view.
                 prop_assert!(y.produit_scalaire(h) > 0.5 * sinus);
                 prop_assert!((x - d.produit_vectoriel(y)).longueur() <= 30.0 * u::<R>());

@@ -614,7 +614,7 @@ fn ce_qui_a_ses_propres_departs<R: Bits>() {
 
 en_f32_et_f64!(ce_qui_a_ses_propres_departs);
 
-/// Lemma 23.
+/// Lemma 22.
 fn ce_qu_un_rayon_sait_de_sa_source<R: Bits>() {
     for genre in Genre::TOUS {
         let depart = |alea: &mut Rng| un_objet::<R>(genre, alea);
