@@ -40,7 +40,7 @@ impl Coupe {
     ) -> Self {
         let boites = objets.iter().filter_map(ObjetRay::boite_englobante);
         // A mean of roots, in which a sky or a ball for a ground counts for little.
-        let tailles: f32 = boites.map(|(_, h)| repere.surface(h).sqrt()).sum();
+        let tailles: f32 = boites.map(|(_, h)| repere.surface(h).racine()).sum();
         let taille = tailles / objets.len() as f32;
         let mut coupe = Self { prix: PRIX_D_UNE_FICHE * taille * taille, part: 0.0 };
         let souhaits: f32 = objets.iter().map(|objet| coupe.souhait(repere, objet)).sum();
@@ -61,7 +61,7 @@ impl Coupe {
         let Some((_, h)) = objet.boite_englobante() else { return 0.0 };
         let axe = grandeurs(objet.demi_axe());
         let [a, c] = [axe, h - axe].map(|h| repere.surface(h));
-        let k = (a / (c + self.prix)).sqrt();
+        let k = (a / (c + self.prix)).racine();
         let k = min(k, repere.distance(axe.longueur()) / DEMI_TRANCHE_MINIMALE);
         if k >= 2.0 { k - 1.0 } else { 0.0 }
     }

@@ -188,7 +188,7 @@ fn juger_sphere<P: Point>(
         return (Intervalle::de(f64::INFINI), f64::INFINI);
     }
     let (p, xa) = en(t);
-    let [ab_bas, ab_haut] = [ab2.bas, ab2.haut].map(|x| max(x, 0.0).sqrt());
+    let [ab_bas, ab_haut] = [ab2.bas, ab2.haut].map(|x| max(x, 0.0).racine());
     let reste = if xa.bas > 0.0 {
         p.sur(Intervalle { bas: xa.bas + ab_bas, haut: xa.haut + ab_haut })
     } else {
