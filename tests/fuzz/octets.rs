@@ -232,7 +232,7 @@ impl<'a, R: Bits> Octets<'a, R> {
                 let moities = [0, 1, 2, 5][usize::from(self.octet()? % 4)];
                 (vers.longueur() * R::depuis_f64((-f64::from(part)).exp2()), moities)
             }
-            3 | 4 => (R::absoluolu(self.reel()?), 0),
+            3 | 4 => (R::absolu(self.reel()?), 0),
             _ => (R::U, 0),
         };
         let place = place - n * (flou * R::depuis_f64(f64::from(moities) / 2.0));
