@@ -23,7 +23,7 @@ use scelle::Scelle;
 /// assert_eq!(f64::LIMITE, 2.0_f64.powi(450));
 /// assert_eq!(f64::ETA, 5e-324);
 /// assert_eq!((f32::INFINI.vers_f64(), f32::depuis_f64(0.1)), (f64::INFINITY, 0.1));
-/// assert_eq!((Nombre::sqrt(9.0), Nombre::abs(-3.0), f64::ZERO), (3.0, 3.0, 0.0));
+/// assert_eq!((9.0_f64.racine(), (-3.0_f64).absolu(), f64::ZERO), (3.0, 3.0, 0.0));
 /// ```
 #[doc(alias("float", "arithmetic"))]
 pub trait Nombre:
@@ -62,9 +62,11 @@ pub trait Nombre:
     const LIMITE: Self;
 
     /// Square root, correctly rounded.
-    fn sqrt(self) -> Self;
+    #[doc(alias = "sqrt")]
+    fn racine(self) -> Self;
     /// Absolute value.
-    fn abs(self) -> Self;
+    #[doc(alias = "abs")]
+    fn absolu(self) -> Self;
     /// The same number as an `f64`, exactly.
     #[doc(alias = "to_f64")]
     fn vers_f64(self) -> f64;
@@ -142,7 +144,7 @@ macro_rules! nombre {
             const LIMITE: Self = $limite;
 
             #[inline(always)]
-            fn sqrt(self) -> Self {
+            fn racine(self) -> Self {
                 #[cfg(feature = "std")]
                 return self.sqrt();
                 #[cfg(not(feature = "std"))]
@@ -150,7 +152,7 @@ macro_rules! nombre {
             }
 
             #[inline(always)]
-            fn abs(self) -> Self {
+            fn absolu(self) -> Self {
                 self.abs()
             }
 

@@ -79,7 +79,7 @@ pub fn toutes<R: Reel>() -> [Promesse<R>; 17] {
         promesse("the side to which the normal points", de_face, [TOUS; 2]),
         aisee([16.0, f64::INFINITY], promesse("margin", marge, [TOUS; 2])),
         promesse("infinite margins", marge_infinie, [RONDS; 2]),
-        promesse("where a hit lies", lieu, [BORNES; 2]),
+        promesse("where a hit lies", lieu, [TOUS; 2]),
         promesse("where on its face", lieu_sur_la_face, [BOITES; 2]),
         promesse("secondary ray", secondaire, [TOUS, BORNES]),
         promesse("mirror", reflechi, [TOUS, &[]]),
@@ -427,7 +427,7 @@ pub fn virage<R: Reel>(cas: &Essai<R>) -> f64 {
 }
 
 /// How deep a ray is, on its way through an object that it does not touch, beyond what it knows of its place, as a part
-/// of o_B; in a half-space, which has none, as a part of that knowledge (lemma 23). The ray turns where another enters the
+/// of o_B; in a half-space, which has none, as a part of that knowledge (lemma 22). The ray turns where another enters the
 /// object, towards where that is left.
 pub fn enfoncement<R: Reel>(cas: &Essai<R>) -> f64 {
     let (objet, [x, y, z, ..]) = (&cas.objets[0], cas.vers);
@@ -453,7 +453,7 @@ pub fn enfoncement<R: Reel>(cas: &Essai<R>) -> f64 {
 }
 
 /// How deep a ray from outside comes into an object up to where it enters, or anywhere if it misses it, as a part of what
-/// the proof of lemma 23 grants S+tD; with what that is rounded by in `f64`.
+/// the proof of lemma 22 grants S+tD; with what that is rounded by in `f64`.
 pub fn effleurement<R: Reel>(cas: &Essai<R>) -> f64 {
     let (objet, rayon) = (&cas.objets[0], &cas.rayon);
     if objet.contient(rayon.source()) {

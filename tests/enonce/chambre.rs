@@ -1,4 +1,4 @@
-//! No ray leaves a closed room (lemma 23): paths whose every bounce is aimed at a seam, and shadows of lamps beyond the
+//! No ray leaves a closed room (lemma 22): paths whose every bounce is aimed at a seam, and shadows of lamps beyond the
 //! walls, in rooms of half-spaces and of boxes that overlap, straight and turned, with furniture that stands flush.
 
 use commun::chemins::{Pas, Suite, suivre};

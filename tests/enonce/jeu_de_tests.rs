@@ -525,17 +525,17 @@ fn c15() -> Partie {
             "centre.y is 1.1529216420458004e18, but must be a number between -2^60 and 2^60",
             erreur(SphereGeo::new(Vecteur::new(0.0, 60_f32.exp2().next_up(), 0.0), 1.0, texture));
         "a radius of 0" => "rayon is 0.0, but must be a number above 0", boule(0.0, 0.0);
-        "a negative height" => "dimensions.y (hauteur) is -2.0, but must be a number above 0",
+        "a negative height" => "dimensions.y is -2.0, but must be a number above 0",
             erreur(BoiteGeo::new(O, v(1.0, -2.0, 1.0), i, texture));
         "a translation that leaves" =>
             "centre.x is 5.814709794364855e135, but must be a number between -2^450 and 2^450",
             erreur(sphere(v(grand, 0.0, 0.0), 1.0, 0).translation(v(grand, 0.0, 0.0)));
         "a matrix off by 2⁻⁹" =>
-            "matrice: |M·Mᵀ - I| is 0.0019540786743164063, but must be at most 1e-3, as for a rotation",
+            "matrice is 0.0019540786743164063, but must be a rotation to 1e-3, by M·Mᵀ - I",
             {
                 erreur(Rotation::depuis_matrice(ecartee((-10.0_f64).exp2())))
             };
-        "a mirror" => "matrice: determinant is -1.0, but must be above 0: a mirror is no rotation",
+        "a mirror" => "matrice is -1.0, but must be of a determinant above 0: a mirror is no rotation",
             erreur(Rotation::depuis_matrice([[-1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]));
     }
 }

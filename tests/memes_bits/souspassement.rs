@@ -147,7 +147,7 @@ fn petite_boite<R: Reel>(dernier: i32) {
             (0.5, 0.5, -0.8),
             (0.3, -0.5, -0.50001),
         ] {
-            if e > dernier && (x == 0.5 || y.abs() == 0.5) {
+            if e > dernier && (x == 0.5 || y.absolu() == 0.5) {
                 continue;
             }
             let s = Vecteur::new(R::depuis_f64(x), R::depuis_f64(y), R::depuis_f64(z)) * k;

@@ -310,7 +310,7 @@ fn depart_de_peu_de_bits<R: Bits>(genre: Genre, alea: &mut Rng) -> Option<(Objet
         ))
     };
     let c = lieu(alea) * k;
-    let taille = |alea: &mut Rng| peu_de_bits::<R>(alea).abs() * k;
+    let taille = |alea: &mut Rng| peu_de_bits::<R>(alea).absolu() * k;
     let objet: ObjetGeo<R> = match genre {
         Genre::Sphere => SphereGeo::new(c, taille(alea), Texture(0)).ok()?.into(),
         Genre::Plan => PlanGeo::new(tour(alea), taille(alea), Texture(0)).ok()?.into(),
@@ -614,7 +614,7 @@ fn ce_qui_a_ses_propres_departs<R: Bits>() {
 
 en_f32_et_f64!(ce_qui_a_ses_propres_departs);
 
-/// Lemma 23.
+/// Lemma 22.
 fn ce_qu_un_rayon_sait_de_sa_source<R: Bits>() {
     for genre in Genre::TOUS {
         let depart = |alea: &mut Rng| un_objet::<R>(genre, alea);

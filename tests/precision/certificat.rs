@@ -214,7 +214,7 @@ fn au_dela_de_4u_deux_entrees_sont_distinguees() {
                 sures_quoique_loin += u32::from(ecart < erreurs);
                 return;
             }
-            // An end of J8 lies beyond the entry by the roundings of t, and of its error.
+            // Observed, not proven: an end of J8 lies beyond the entry by the roundings of t, and of its error.
             let permis = 4.0 * u * (t + t_autre) + 20.0 * u * erreurs;
             assert!(ecart <= permis, "{ecart:e} > {permis:e}: {objets:?} {rayon:?}");
             pire = pire.max(ecart / (u * (t + t_autre)));

@@ -288,7 +288,7 @@ fn essai<R: Reel>(alea: &mut Hasard) -> Result<(ObjetRay<R>, Rayon<R>), ErreurGe
     let (centre, autour) =
         [(Vecteur::NUL, Vecteur::NUL), (moindre.into(), Vecteur::NUL), (quelconque, quelconque)]
             [alea.usize(0..3)];
-    let [a, b, c] = <[R; 3]>::from(triple::<R>(alea)).map(R::abs);
+    let [a, b, c] = <[R; 3]>::from(triple::<R>(alea)).map(R::absolu);
     let cote = |alea: &mut Hasard, l: R| [l, -l, creux(alea)][alea.usize(0..3)];
     let bord = axes[0] * cote(alea, a) + axes[1] * cote(alea, b) + axes[2] * cote(alea, c);
     let (objet, bord) = match alea.u8(0..3) {
@@ -302,7 +302,8 @@ fn essai<R: Reel>(alea: &mut Hasard) -> Result<(ObjetRay<R>, Rayon<R>), ErreurGe
             (BoiteGeo::new(centre, cotes, rotation, Texture(0))?.into(), autour + bord)
         }
     };
-    let source = if alea.u8(0..4) > 0 { bord - d * creux::<R>(alea).abs() } else { triple(alea) };
+    let source =
+        if alea.u8(0..4) > 0 { bord - d * creux::<R>(alea).absolu() } else { triple(alea) };
     Ok((objet, Rayon::new(source, d)?))
 }
 

@@ -53,8 +53,9 @@ fn apres(t: f64, Intervalle { bas, haut }: Intervalle) -> Intervalle {
     Intervalle { bas: max(bas, 0.0), haut }
 }
 
-/// How much farther than a point the ray enters the object, if it does, and leaves it at the most, in
-/// doubled numbers. The bounds of the entry are those of [`coup_d_oeil`], to 8.6u of `f64`.
+/// Bounds on how much farther than the second of these places the ray enters the object, and the most
+/// by which it leaves it farther, in doubled numbers. The bounds of the entry are those of
+/// [`coup_d_oeil`], to 8.6u of `f64`.
 pub(crate) fn juger(objet: &ObjetRay, rayon: &Rayon, lieux: Lieux) -> (Intervalle, f64) {
     juger_avec::<Triple>(objet, rayon, lieux)
 }
@@ -73,9 +74,9 @@ fn juger_avec<P: Point>(objet: &ObjetRay, rayon: &Rayon, lieux: Lieux) -> (Inter
     }
 }
 
-/// Judges the solid inside all faces: so many across each of so many axes, one or two. `face` has for
-/// each axis a unit vector and how far along it from the centre c its face stands; the second stands
-/// as far the other way.
+/// Judges a solid that planes bound, with `PAR_AXE` faces across each of `AXES` axes: one across one
+/// for a half-space, two across each of three for a box. `face` has for each axis a unit vector and
+/// how far along it from the centre c its face stands; the second face stands as far the other way.
 #[inline(always)]
 fn juger_faces<P: Point, const AXES: usize, const PAR_AXE: usize>(
     c: Vecteur,
@@ -187,7 +188,7 @@ fn juger_sphere<P: Point>(
         return (Intervalle::de(f64::INFINI), f64::INFINI);
     }
     let (p, xa) = en(t);
-    let [ab_bas, ab_haut] = [ab2.bas, ab2.haut].map(|x| max(x, 0.0).sqrt());
+    let [ab_bas, ab_haut] = [ab2.bas, ab2.haut].map(|x| max(x, 0.0).racine());
     let reste = if xa.bas > 0.0 {
         p.sur(Intervalle { bas: xa.bas + ab_bas, haut: xa.haut + ab_haut })
     } else {
