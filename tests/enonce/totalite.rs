@@ -86,6 +86,7 @@ fn interroger<R: Bits>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> TestCaseResu
     for rapport in [rayon.source().x, R::UN / R::LIMITE, R::LIMITE, R::MIN_POSITIF, R::INFINI] {
         let verre = touche.refracte(rayon.direction(), rapport);
         let dites = ["marge", "rapport", "refraction", "source.x", "source.y", "source.z"];
+        prop_assert!(rapport < R::INFINI || verre.is_err_and(|e| e.champ == "rapport"));
         prop_assert!(
             verre.is_ok_and(|verre| tient(verre.source()))
                 || verre.is_err_and(|e| dites.contains(&e.champ))
@@ -133,6 +134,8 @@ fn n_importe_quels_bits_donnent_une_valeur_valide_ou_une_erreur<R: Bits>() {
                 garder(objet.translation(v))?;
                 garder(objet.rotation(r2))?;
                 garder(objet.homothetie(k))?;
+                // A half-space has no size that would show it.
+                prop_assert!(objet.homothetie(k).is_err() || k > R::ZERO && k < R::INFINI);
                 match objet.vers_f32(v) {
                     Ok(simple) => valide(&simple.vers_ray())?,
                     Err(erreur) => refusee::<f32>(erreur)?,
