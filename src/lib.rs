@@ -64,12 +64,9 @@
 //!
 //! **A hit is an entry** from outside, at a distance t > 0, against the normal (D·N < 0). An object
 //! is not hit from inside or from its surface, and a ray tangent to a sphere misses. A ray that
-//! starts from a hit carries [a bound δ on the error of its start](Rayon::flou). If the start lies
-//! in an object less deep than δ and o, the rounding of that object, and the ray goes further in,
-//! it hits that object at t = 0. Therefore no chain of such rays leaves a closed room whose walls
-//! are thicker than 2(δ + o) and reach as far into each other, with the δ of the ray that would
-//! start at the next hit. (o is 44u of a radius or of the sum of half-lengths: 0.03 mm in `f32` for
-//! a wall of 10 m.)
+//! starts from a hit carries [a bound δ on the error of its start](Rayon::flou), and hits at t = 0
+//! what it might otherwise slip into through a seam. Therefore no chain of such rays leaves a closed
+//! room whose walls are thick enough and overlap by enough.
 //!
 //! ```
 //! # use lancer_rayon::*;
@@ -85,7 +82,8 @@
 //!
 //! **Invalid values cannot be constructed.** Constructors and transformations refuse what is not
 //! finite, a coordinate beyond ±2⁴⁵⁰ (±2⁶⁰ for `f32`) and a size outside 2⁻⁴⁵⁰ … 2⁴⁵⁰ (2⁻⁶⁰ … 2⁶⁰),
-//! and name the field. No question panics, except that a list of more than 2³² − 1 objects is
+//! and name the field. (Only a [witness](ObjetRay::temoin_f64) has normals that are not unit in its
+//! type.) No question panics, except that a list of more than 2³² − 1 objects is
 //! refused by a panic, and no hit holds a NaN. ([`Vecteur`] is a bare triple; the types built from
 //! it check it.)
 //!
@@ -142,19 +140,18 @@ mod rayon;
 mod texture;
 
 pub use algebre::nombre::Nombre;
-pub use algebre::refus::{ErreurGeo, LongueursDifferentes};
+pub use algebre::refus::ErreurGeo;
 pub use algebre::rotation::Rotation;
 pub use algebre::vecteur::Vecteur;
 pub use arbre::construction::PlacesInsuffisantes;
-pub use monde::reponses::Reel;
-pub use monde::{Monde, places};
+pub use monde::reponses::{LongueursDifferentes, Reel};
+pub use monde::{Monde, places, premiere_intersection};
 pub use objet::boite::face::Face;
 pub use objet::boite::{BoiteGeo, BoiteRay};
 pub use objet::plan::{PlanGeo, PlanRay};
 pub use objet::sphere::{SphereGeo, SphereRay};
 pub use objet::{Etendue, ObjetGeo, ObjetRay};
 pub use question::choix::{Choix, Parmi, Sans, Tous};
-pub use question::recherche::premiere_intersection;
 pub use rayon::Rayon;
 pub use rayon::intersection::{Intersection, NoIntersection, Reponse};
 pub use texture::Texture;

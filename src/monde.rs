@@ -8,11 +8,10 @@ use core::ops::ControlFlow::{self, Continue};
 use fearless_simd::Level;
 
 use crate::algebre::nombre::Nombre;
-use crate::algebre::refus::LongueursDifferentes;
 use crate::algebre::vecteur::Vecteur;
 use crate::arbre::construction::{Arbre, PlacesInsuffisantes, mots};
 use crate::cote_a_cote::niveau::meilleur_niveau;
-use crate::monde::reponses::{Reel, Repond, Reponses, Vue};
+use crate::monde::reponses::{LongueursDifferentes, Reel, Repond, Reponses, Vue};
 use crate::objet::{Etendue, ObjetRay};
 use crate::question::choix::{Choix, Parmi, Sans, Tous};
 use crate::question::liste::Liste;
@@ -79,6 +78,45 @@ impl<R: Nombre, C> fmt::Debug for Monde<'_, R, C> {
             .field("noeuds", &self.arbre.noeuds.len())
             .finish_non_exhaustive()
     }
+}
+
+/// The first object that the ray enters: its distance, its normal there, its texture and its index
+/// in the list (handout §4.1).
+///
+/// For every other question, for many rays at once and for many objects there is
+/// [`Monde`](crate::Monde).
+///
+/// A hit is an entry. An object that holds the source, inside or on its surface, is not touched
+/// (handout §2.3), unless the source lies in it by little more than [the δ of the
+/// ray](Rayon::flou); other objects still count. At the same distance the earlier in the list is the
+/// first. All of this holds for distances as computed in R: within the bounds of
+/// `docs/precision.md` the exact answer may differ.
+///
+/// # Errors
+/// [`NoIntersection`](crate::NoIntersection) if the ray enters no object before its end.
+///
+/// # Panics
+/// If the list has more than 2³² − 1 objects, some 300 GB.
+///
+/// ```
+/// use lancer_rayon::{NoIntersection, Rayon, SphereGeo, Texture, Vecteur, premiere_intersection};
+///
+/// let boule = |z, texture| SphereGeo::new(Vecteur::new(0.0, 0.0, z), 1.0, Texture(texture));
+/// let scene = [boule(-9.0, 0)?.into(), boule(-4.0, 7)?.into()];
+///
+/// let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.0, 0.0, -1.0))?;
+/// let touche = premiere_intersection(&scene, &rayon)?;
+/// assert_eq!((touche.distance(), touche.normale()), (3.0, Vecteur::new(0.0, 0.0, 1.0)));
+/// assert_eq!((touche.indice(), touche.texture()), (1, Texture(7)));
+///
+/// let ailleurs = Rayon::new(Vecteur::NUL, Vecteur::new(0.0, 1.0, 0.0))?;
+/// assert_eq!(premiere_intersection(&scene, &ailleurs), Err(NoIntersection));
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+#[doc(alias("cast_ray", "closest_hit", "first_hit", "raycast"))]
+#[inline]
+pub fn premiere_intersection<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> Reponse<R> {
+    Monde::de_liste(objets).premiere_intersection(rayon)
 }
 
 /// How many numbers [`Monde::new`] needs to be lent for this many objects, in either scalar: where
@@ -238,7 +276,7 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// ```
     #[doc(alias("filter", "mask"))]
     #[inline]
-    pub fn parmi<F: Fn(usize) -> bool + Sync>(self, prend: F) -> Monde<'a, R, Parmi<C, F>> {
+    pub fn parmi<F: Fn(usize) -> bool>(self, prend: F) -> Monde<'a, R, Parmi<C, F>> {
         self.avec_choix(|parmi| Parmi { parmi, prend })
     }
 
@@ -286,8 +324,8 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// times as fast for the rays of a picture.
     ///
     /// Neighbours in `rayons` should start and point alike: those of a picture in tiles of 8 × 8
-    /// (`docs/choisir.md`, "The order in a batch"). Pass 64 rays or more per call. Nothing is allocated and no thread is started; the caller may give parts
-    /// of a picture to several threads.
+    /// (`docs/choisir.md`, "The order in a batch"). Pass 64 rays or more per call. Nothing is
+    /// allocated and no thread is started; the caller may give parts of a picture to several threads.
     ///
     /// # Errors
     /// If `rayons` and `touches` are not of the same length; nothing is written then.
@@ -492,7 +530,8 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     }
 
     /// Calls `voir` once, in no order, with the index of every object that
-    /// [contains](ObjetRay::contient) this point.
+    /// [contains](ObjetRay::contient) this point. Whether any of some objects does is sooner told by
+    /// [`parmi`](Self::parmi) and [`contient`](Self::contient).
     #[doc(alias("contains", "inside", "point_query"))]
     pub fn contenants(&self, point: Vecteur<R>, mut voir: impl FnMut(usize)) {
         Reponses::<R>::contenants(&self.vue(), point, &mut |indice, _| {

@@ -395,6 +395,7 @@ pub const ETENDUE: f64 = 44.0;
 /// A box along the axes around an object or a list: its lowest and its highest corner.
 #[doc(alias("bounding_box", "aabb", "bounds"))]
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[must_use]
 pub struct Etendue<R = f64> {
     /// The corner with the least coordinates.
     #[doc(alias("min", "corner"))]

@@ -9,7 +9,6 @@
 pub(crate) mod choix;
 pub(crate) mod jugement;
 pub(crate) mod liste;
-pub(crate) mod recherche;
 pub(crate) mod visite;
 
 use crate::algebre::nombre::Nombre;
@@ -19,7 +18,7 @@ use crate::rayon::intersection::{NoIntersection, Rang, Reponse};
 
 /// A question: which objects count, and what is kept of them. Whoever asks makes the answer of that.
 pub(crate) trait Question<R: Nombre> {
-    /// Whether the first object that is kept settles the answer.
+    /// Whether any object that counts may settle the answer, so that none need be asked first.
     const UN_SUFFIT: bool;
     /// Whether it is asked so often that the widest instructions have a copy of its walk.
     const SOUVENT: bool;
@@ -27,8 +26,8 @@ pub(crate) trait Question<R: Nombre> {
     /// No object that the ray enters farther than this counts.
     fn limite(&self) -> R;
 
-    /// Asks the object at this index of the list: the distance at which it counts, or any number if
-    /// the question is not for distances; `None` if it does not count.
+    /// Asks the object at this index of the list: the distance at which it counts, 0 if the question
+    /// is not for distances, or `None` if it does not count.
     fn voir(&self, rayon: &Rayon<R>, objet: &ObjetRay<R>, indice: usize, abord: Abord)
     -> Option<R>;
 
@@ -37,6 +36,12 @@ pub(crate) trait Question<R: Nombre> {
     /// comes to it again: `ici` tells of a distance whether the ray is there in the piece that the
     /// walk has come to, which is true of one piece alone.
     fn retenir(&mut self, t: R, indice: usize, ici: impl FnOnce(R) -> bool) -> bool;
+
+    /// Whether the answer is settled by what has been kept.
+    #[inline(always)]
+    fn est_reglee(&self) -> bool {
+        Self::UN_SUFFIT
+    }
 }
 
 /// What is known of an object before it is asked.

@@ -15,10 +15,9 @@ use crate::algebre::vecteur::Vecteur;
 /// [`new`](Self::new) makes a ray without an end. A ray with an end touches only what it enters
 /// before that distance, whatever the question. [`jusqu_a`](Self::jusqu_a) sets the end,
 /// [`entre`](Self::entre) goes from one point to another, and
-/// [`vers_lumiere`](crate::Intersection::vers_lumiere) ends at a lamp. There is no nearest distance,
-/// as a camera with a near plane has one: start at [`point`](Self::point) of that distance, and what
-/// holds that point is not seen, or leave out by [`visiter`](crate::Monde::visiter) what is entered
-/// sooner.
+/// [`vers_lumiere`](crate::Intersection::vers_lumiere) ends at a lamp. A ray has no least distance.
+/// For a near plane, start at [`point`](Self::point) of that distance, where the ray no longer sees
+/// what holds its new start, or skip nearer entries in [`visiter`](crate::Monde::visiter).
 ///
 /// ```
 /// use lancer_rayon::{Rayon, Vecteur};
@@ -60,7 +59,7 @@ impl<R: Nombre> Rayon<R> {
     ///
     /// The direction and the end are those of `arrivee − depart` as computed, so that the ray may
     /// end before `arrivee`, after it or beside it, by at most 8.2u of the distance and
-    /// [`MIN_POSITIF`](Nombre::MIN_POSITIF) (lemma 11). It has no end if the distance is too large
+    /// [`ETA`](Nombre::ETA) (lemma 11). It has no end if the distance is too large
     /// for the type. A line that grazes an object may be answered differently from its other end.
     ///
     /// # Errors
@@ -149,7 +148,7 @@ impl<R: Nombre> Rayon<R> {
     /// until they are out again. Where mist stands flush on a floor, a ray that bounces off the
     /// floor would otherwise touch the mist at once.
     ///
-    /// Calls add up. A ray that starts inside several objects, as from a lamp in a bulb in mist, is
+    /// A δ that the ray had is dropped. Calls add up. A ray that starts inside several objects, as from a lamp in a bulb in mist, is
     /// inside each of them: call it once for each object that
     /// [`contenants`](crate::Monde::contenants) shows. With one call too few the ray counts as
     /// outside once it has left the bulb, and may touch the mist at once.
@@ -231,6 +230,10 @@ impl<R: Nombre> Rayon<R> {
     ///   a plate thinner than δ, or less than δ and 22u of the half-lengths from a face across
     ///   another axis that the ray leaves by or goes along.
     ///
+    /// **Closed rooms.** No chain of outward rays from hits, and of turns in mid-air, leaves a closed
+    /// room whose walls are thicker than 2(δ + o) and reach as far into each other, with the δ of the
+    /// ray that would start at the next hit. In `f32` a wall of 10 m has an o of 0.03 mm.
+    ///
     /// δ is 0 for a ray from [`new`](Self::new), which takes its source as it stands, and for one
     /// that is [inside](Self::dedans) something. It is finite, and grows with each bounce
     /// (`docs/precision.md`, "Closed rooms").
@@ -278,7 +281,7 @@ impl<R: Nombre> Rayon<R> {
         let su = if self.su > R::ZERO {
             let ici = simple(su_suivant(self.su, R::ZERO, R::ZERO, self.source)).min(f32::MAX);
             // The step is more than is lost below the normal numbers.
-            su_suivant(ici, 8.0 * f32::MIN_POSITIF, 0.0, rayon.source)
+            su_suivant(ici, 8.0 * f32::ETA, 0.0, rayon.source)
         } else {
             simple(self.su).max(f32::MIN)
         };
@@ -306,44 +309,47 @@ impl<R: Nombre> Rayon<R> {
     }
 }
 
-/// What a ray knows of its source that is inside one object more.
+/// Adds one to the number of objects that a ray which knows this of its source is inside.
 #[inline(always)]
 pub(crate) fn su_dedans<R: Nombre>(su: R) -> R {
     min(su, R::ZERO) - R::UN
 }
 
-/// The number of objects that a ray is inside which knows this of its source.
+/// The number of objects that a ray which knows this of its source is inside.
 #[cfg(feature = "serde")]
 pub(crate) fn combien_dedans<R: Nombre>(su: R) -> u64 {
     // A number below 0 becomes 0.
     (-su).vers_f64() as u64
 }
 
-/// What is known of a source, from δ and the number of objects that the ray is inside, one of which
-/// is 0. Version 0.7.0 wrote that number as a `flou` below 0.
+/// δ = 0, where a ray is written without it.
 #[cfg(feature = "serde")]
-pub(crate) fn su_lu<R: Nombre>(flou: R, dedans: u64) -> Result<R, ErreurGeo> {
-    let en_0_7 = dedans == 0 && flou < R::ZERO;
-    let dedans = if en_0_7 { combien_dedans(flou) } else { dedans };
-    let su = if dedans > 0 || en_0_7 { R::depuis_f64(-(dedans as f64)) } else { flou };
-    let accepte = flou == R::ZERO || (su == flou && flou.abs() < R::INFINI);
-    exiger(accepte, "flou", flou, "a finite number, and 0 for a ray inside something")?;
-    Ok(su)
+fn nul<R: Nombre>() -> R {
+    R::ZERO
 }
 
-/// How much deeper than δ a hit may lie in another object, in u of the distance (lemma 23).
+/// What is known of a source, from δ and the number of objects that the ray is inside, one of which
+/// is 0.
+#[cfg(feature = "serde")]
+pub(crate) fn su_lu<R: Nombre>(flou: R, dedans: u64) -> Result<R, ErreurGeo> {
+    let flou = positif_ou_nul("flou", flou)?;
+    exiger(flou == R::ZERO || dedans == 0, "flou", flou, "0 for a ray that is inside something")?;
+    Ok(if dedans > 0 { R::depuis_f64(-(dedans as f64)) } else { max(flou, R::ZERO) })
+}
+
+/// How much deeper than δ a hit may lie in another object, in u of the distance (lemma 22).
 pub const FLOU_DISTANCE: f64 = 15.0;
 
-/// How much deeper than that a hit may lie, in u of Σ|P_i| (lemma 23).
+/// How much deeper than that a hit may lie, in u of Σ|P_i| (lemma 22).
 pub const FLOU_POINT: f64 = 8.1;
 
 /// How much larger δ is made, in u of itself: for its own roundings, those where it is compared, and
-/// a step along an N that is not exactly unit (lemma 23).
+/// a step along an N that is not exactly unit (lemma 22).
 pub const FLOU_RELATIF: f64 = 16.0;
 
-/// What a ray knows of its source that starts a step `pas` away from the point P at distance t of one
-/// that knows this of its own. Inside something it stays so; else it has a δ (lemma 23), which is
-/// finite, as this δ and the others are.
+/// Computes what a ray knows of its source if it starts a step `pas` away from the point P, at
+/// distance t of a ray that knows `su` of its own. A ray inside something keeps its count. Any other
+/// gets the δ of lemma 22, which is finite if the numbers that are given are.
 #[inline(always)]
 pub(crate) fn su_suivant<R: Nombre>(su: R, pas: R, t: R, p: Vecteur<R>) -> R {
     if su < R::ZERO {
@@ -368,20 +374,19 @@ pub(crate) fn direction_unitaire<R: Nombre>(
     champs: [&'static str; 4],
     direction: Vecteur<R>,
 ) -> Result<Vecteur<R>, ErreurGeo> {
-    if (direction.longueur_carree() - R::UN).abs() <= fois_u(DEJA_UNITAIRE) {
+    if (direction.longueur_carree() - R::UN).absolu() <= fois_u(DEJA_UNITAIRE) {
         return Ok(direction);
     }
     unitaire(champs, direction)
 }
 
-// `fin` is none where there is no end, which not every format can say as a number, and `flou` where
-// δ is 0.
+// `fin` is none where there is no end, which not every format can say as a number.
 ecrit_par! {
     Rayon |Rayon { source, direction, fin, su }| {
         source: source,
         direction: direction,
         fin: Some(fin).filter(|fin| *fin < R::INFINI),
-        flou: Some(su).filter(|su| *su > R::ZERO),
+        flou: max(su, R::ZERO),
         dedans: combien_dedans(su),
     }
 }
@@ -390,11 +395,11 @@ lu_par! {
     Rayon {
         source: Vecteur<R>,
         direction: Vecteur<R>,
-        fin: Option<R> = default,
-        flou: Option<R> = default,
-        dedans: u64 = default,
+        fin: Option<R> = "Option::default",
+        flou: R = "nul",
+        dedans: u64 = "u64::default",
     } => {
         let rayon = Self::new(source, direction)?.jusqu_a(fin.unwrap_or(R::INFINI))?;
-        Ok(rayon.sachant(su_lu(flou.unwrap_or(R::ZERO), dedans)?))
+        Ok(rayon.sachant(su_lu(flou, dedans)?))
     }
 }

@@ -377,7 +377,7 @@ impl Matiere {
     fn couleur<R: Reel>(&self, p: Vecteur<R>, n: Vecteur<R>, distance: R) -> Couleur {
         let [a, b] = self.couleurs.map(lineaire);
         // The two coordinates along which the surface lies most.
-        let (x, y) = match [n.x, n.y, n.z].map(R::abs) {
+        let (x, y) = match [n.x, n.y, n.z].map(R::absolu) {
             [x, y, z] if y >= x && y >= z => (p.x, p.z),
             [x, _, z] if x >= z => (p.y, p.z),
             _ => (p.x, p.y),

@@ -5,6 +5,9 @@ use lancer_rayon::{ErreurGeo, Monde, Rayon, Reel};
 /// After so many bounces the particle starts again.
 const REBONDS: u32 = 100;
 
+/// A step has at most so many bounces, since a chain of hits need not end.
+const REBONDS_D_UN_PAS: u32 = 100_000;
+
 pub struct Particule<R> {
     pub rayon: Rayon<R>,
     rebonds: u32,
@@ -15,10 +18,15 @@ impl<R: Reel> Particule<R> {
         Self { rayon, rebonds: 0 }
     }
 
-    /// Goes this far, mirrored by every wall on the way.
+    /// Goes this far, mirrored by every wall on the way; less far after the last bounce of a step.
     pub fn avancer(&mut self, monde: &Monde<'_, R>, mut pas: R) -> Result<(), ErreurGeo> {
         let deux = R::UN + R::UN;
-        while let Ok(touche) = monde.premiere_intersection(&self.rayon.jusqu_a(pas)?) {
+        for _ in 0..REBONDS_D_UN_PAS {
+            let Ok(touche) = monde.premiere_intersection(&self.rayon.jusqu_a(pas)?) else {
+                // In mid-air, or on a wall that the ray does not reach: the next step touches it at once.
+                self.rayon = self.rayon.bifurque(pas, self.rayon.direction())?;
+                break;
+            };
             let direction = self.rayon.direction();
             // A bounce starts in a seam, and so does a step that ends on a wall: only a point amid the way between two
             // walls, in no object, may stand for what is known of a start.
@@ -32,8 +40,6 @@ impl<R: Reel> Particule<R> {
             self.rebonds += 1;
             pas = pas - touche.distance();
         }
-        // In mid-air, or on a wall that the ray does not reach: the next step touches it at once.
-        self.rayon = self.rayon.bifurque(pas, self.rayon.direction())?;
         Ok(())
     }
 }

@@ -71,7 +71,7 @@ impl Double {
             return Self::de(p);
         }
         let arrondi = PRODUIT_DOUBLE * f64::U * f64::U * p.abs();
-        Self::arrondi(p, n, erreur + arrondi + PERTE_DOUBLE * f64::MIN_POSITIF)
+        Self::arrondi(p, n, erreur + arrondi + PERTE_DOUBLE * f64::ETA)
     }
 
     /// Whether the number is exactly `haut`.

@@ -2,9 +2,10 @@
 //! their own.
 //!
 //! A matrix of `mint` multiplies a column from the left; that is how glam and nalgebra read it.
-//! There a rotation has the transposed matrix Mᵀ, which turns vectors alike.
+//! There a rotation has the transposed matrix Mᵀ, which turns vectors alike. `mint` itself makes its
+//! matrices by rows from those by columns.
 
-use mint::{ColumnMatrix3, Point3, Quaternion, RowMatrix3, Vector3};
+use mint::{ColumnMatrix3, Point3, Quaternion, Vector3};
 
 use crate::algebre::nombre::Nombre;
 use crate::algebre::refus::ErreurGeo;
@@ -50,23 +51,8 @@ impl<R> From<Rotation<R>> for ColumnMatrix3<R> {
     }
 }
 
-/// Mᵀ, row by row: each row has one coordinate of what the axes become.
-///
-/// ```
-/// use lancer_rayon::{Rotation, Vecteur};
-///
-/// let r = Rotation::new(Vecteur::new(0.1, 0.2, 0.3))?;
-/// let lignes = mint::RowMatrix3::from(r);
-/// assert_eq!(lignes.x.y, r.appliquer(Vecteur::Y).x);
-/// # Ok::<(), lancer_rayon::ErreurGeo>(())
-/// ```
-impl<R> From<Rotation<R>> for RowMatrix3<R> {
-    fn from(r: Rotation<R>) -> Self {
-        ColumnMatrix3::from(r).into()
-    }
-}
-
-/// The rotation that turns as this matrix turns a column, as [`Rotation::depuis_matrice`] takes it.
+/// The rotation that turns as this matrix turns a column, as [`Rotation::depuis_matrice`] takes it:
+/// column i is row i of M.
 ///
 /// ```
 /// use lancer_rayon::{Rotation, Vecteur};
@@ -80,24 +66,6 @@ impl<R: Nombre> TryFrom<ColumnMatrix3<R>> for Rotation<R> {
     type Error = ErreurGeo;
     fn try_from(m: ColumnMatrix3<R>) -> Result<Self, ErreurGeo> {
         Self::depuis_matrice(m.into())
-    }
-}
-
-/// The rotation that turns as this matrix turns a column, as [`Rotation::depuis_matrice`] takes it.
-/// An element that is refused is named by its place in M: `matrice[i][j]` is in column i, row j.
-///
-/// ```
-/// use lancer_rayon::{Rotation, Vecteur};
-///
-/// // A quarter turn by the right-hand rule, from x to y.
-/// let m = mint::RowMatrix3::from([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]);
-/// assert_eq!(Rotation::try_from(m)?.appliquer(Vecteur::X), Vecteur::Y);
-/// # Ok::<(), lancer_rayon::ErreurGeo>(())
-/// ```
-impl<R: Nombre> TryFrom<RowMatrix3<R>> for Rotation<R> {
-    type Error = ErreurGeo;
-    fn try_from(m: RowMatrix3<R>) -> Result<Self, ErreurGeo> {
-        ColumnMatrix3::from(m).try_into()
     }
 }
 

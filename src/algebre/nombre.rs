@@ -21,9 +21,9 @@ use scelle::Scelle;
 ///
 /// assert_eq!(f64::U, f64::EPSILON / 2.0);
 /// assert_eq!(f64::LIMITE, 2.0_f64.powi(450));
-/// assert_eq!(f64::MIN_POSITIF, 5e-324);
+/// assert_eq!(f64::ETA, 5e-324);
 /// assert_eq!((f32::INFINI.vers_f64(), f32::depuis_f64(0.1)), (f64::INFINITY, 0.1));
-/// assert_eq!((Nombre::sqrt(9.0), Nombre::abs(-3.0), f64::ZERO), (3.0, 3.0, 0.0));
+/// assert_eq!((9.0_f64.racine(), (-3.0_f64).absolu(), f64::ZERO), (3.0, 3.0, 0.0));
 /// ```
 #[doc(alias("float", "arithmetic"))]
 pub trait Nombre:
@@ -49,9 +49,9 @@ pub trait Nombre:
     /// +∞, the distance of what is never touched.
     #[doc(alias = "infinity")]
     const INFINI: Self;
-    /// The smallest number above 0, a subnormal.
-    #[doc(alias = "smallest")]
-    const MIN_POSITIF: Self;
+    /// η, the smallest number above 0, which is subnormal: 2⁻¹⁴⁹ or 2⁻¹⁰⁷⁴.
+    #[doc(alias("smallest", "min_positive"))]
+    const ETA: Self;
     /// u, the largest relative error of one rounding: 2⁻²⁴ or 2⁻⁵³.
     #[doc(alias = "unit_roundoff")]
     const U: Self;
@@ -62,9 +62,11 @@ pub trait Nombre:
     const LIMITE: Self;
 
     /// Square root, correctly rounded.
-    fn sqrt(self) -> Self;
+    #[doc(alias = "sqrt")]
+    fn racine(self) -> Self;
     /// Absolute value.
-    fn abs(self) -> Self;
+    #[doc(alias = "abs")]
+    fn absolu(self) -> Self;
     /// The same number as an `f64`, exactly.
     #[doc(alias = "to_f64")]
     fn vers_f64(self) -> f64;
@@ -137,12 +139,12 @@ macro_rules! nombre {
             const ZERO: Self = 0.0;
             const UN: Self = 1.0;
             const INFINI: Self = Self::INFINITY;
-            const MIN_POSITIF: Self = Self::from_bits(1);
+            const ETA: Self = Self::from_bits(1);
             const U: Self = Self::EPSILON / 2.0;
             const LIMITE: Self = $limite;
 
             #[inline(always)]
-            fn sqrt(self) -> Self {
+            fn racine(self) -> Self {
                 #[cfg(feature = "std")]
                 return self.sqrt();
                 #[cfg(not(feature = "std"))]
@@ -150,7 +152,7 @@ macro_rules! nombre {
             }
 
             #[inline(always)]
-            fn abs(self) -> Self {
+            fn absolu(self) -> Self {
                 self.abs()
             }
 

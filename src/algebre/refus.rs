@@ -21,10 +21,11 @@ use crate::algebre::vecteur::Vecteur;
 #[doc(alias = "error")]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ErreurGeo {
-    /// The field or argument, for instance `"centre.x"`, or what was computed from it.
+    /// The field or argument, for instance `"centre.x"`.
     #[doc(alias = "field")]
     pub champ: &'static str,
-    /// The value that the field would have had; an `f32` is converted exactly.
+    /// The value that the field would have had, or what was computed of it, as the determinant of a
+    /// matrix. An `f32` is converted exactly.
     #[doc(alias = "value")]
     pub valeur: f64,
     /// What would have been accepted, as the end of the sentence "it must be …".
@@ -41,35 +42,6 @@ impl fmt::Display for ErreurGeo {
 }
 
 impl core::error::Error for ErreurGeo {}
-
-/// There are more or fewer places for answers than rays.
-///
-/// ```
-/// use lancer_rayon::{LongueursDifferentes, Monde, NoIntersection, Rayon};
-///
-/// let rayons: [Rayon; 0] = [];
-/// let mut touches = [Err(NoIntersection); 3];
-/// let refus = Monde::de_liste(&[]).premieres_intersections(&rayons, &mut touches);
-/// assert_eq!(refus, Err(LongueursDifferentes { rayons: 0, reponses: 3 }));
-/// ```
-#[doc(alias = "length_mismatch")]
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub struct LongueursDifferentes {
-    /// How many rays there are.
-    #[doc(alias = "rays")]
-    pub rayons: usize,
-    /// How many answers there are places for.
-    #[doc(alias = "answers")]
-    pub reponses: usize,
-}
-
-impl fmt::Display for LongueursDifferentes {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} rays, but places for {} answers", self.rayons, self.reponses)
-    }
-}
-
-impl core::error::Error for LongueursDifferentes {}
 
 /// The refusal of a vector that is 0.
 pub(crate) fn refus_nul(champ: &'static str) -> ErreurGeo {
@@ -95,7 +67,7 @@ pub(crate) fn exiger<R: Nombre>(
 pub(crate) fn coordonnee<R: Nombre>(champ: &'static str, x: R) -> Result<R, ErreurGeo> {
     let attendu =
         selon::<R, _>("a number between -2^60 and 2^60", "a number between -2^450 and 2^450");
-    exiger(x.abs() <= R::LIMITE, champ, x, attendu)
+    exiger(x.absolu() <= R::LIMITE, champ, x, attendu)
 }
 
 /// The names of three coordinates.
@@ -151,7 +123,7 @@ pub(crate) fn finis<R: Nombre, const N: usize>(
     nombres: [R; N],
 ) -> Result<[R; N], ErreurGeo> {
     for (champ, x) in champs.into_iter().zip(nombres) {
-        exiger(x.abs() < R::INFINI, champ, x, "a finite number")?;
+        exiger(x.absolu() < R::INFINI, champ, x, "a finite number")?;
     }
     Ok(nombres)
 }
@@ -166,11 +138,11 @@ pub(crate) fn unitaire<R: Nombre>(
 }
 
 /// `lu_par! { T { champ: type, … } => expression }`: with the feature `serde` a T is read as these
-/// fields and no others, by name or in order, and the expression checks them or is an [`ErreurGeo`]. A field with `=
-/// default` may be left out, and one with `alias` has another name too.
+/// fields and no others, by name or in order, and the expression checks them or is an [`ErreurGeo`].
+/// A field with `= "path"` may be left out, and is then what the function of this path gives.
 macro_rules! lu_par {
     (
-        $type:ident { $($champ:ident $(alias $autre:literal)?: $du_type:ty $(= $defaut:ident)?),* $(,)? }
+        $type:ident { $($champ:ident: $du_type:ty $(= $defaut:literal)?),* $(,)? }
         => $lu:expr
     ) => {
         #[cfg(feature = "serde")]
@@ -181,7 +153,7 @@ macro_rules! lu_par {
                 #[serde(deny_unknown_fields)]
                 #[serde(bound(deserialize = "R: Nombre + serde::Deserialize<'de>"))]
                 struct $type<R> {
-                    $($(#[serde(alias = $autre)])? $(#[serde($defaut)])? $champ: $du_type),*
+                    $($(#[serde(default = $defaut)])? $champ: $du_type),*
                 }
 
                 let $type { $($champ),* } = $type::deserialize(lecteur)?;

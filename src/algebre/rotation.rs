@@ -65,9 +65,9 @@ impl<R: Nombre> Rotation<R> {
     /// y, then r_z about z, the axes staying where they are; M = M_x·M_y·M_z, angles in radians.
     ///
     /// The sense is that of the formula and of the worked example of §2.1: counter-clockwise for an
-    /// eye that looks along the axis. An angle that is the float nearest to k·π/2, |k| ≤ 4, as
-    /// `90.0_f64.to_radians()` is, turns exactly. For the right-hand rule see
-    /// [`main_droite`](Self::main_droite).
+    /// eye that looks along the axis. Each element is off by at most its rounding and 15u of `f64`.
+    /// An angle that is the float nearest to k·π/2, |k| ≤ 4, as `90.0_f64.to_radians()` is, turns
+    /// exactly. For the right-hand rule see [`main_droite`](Self::main_droite).
     ///
     /// # Errors
     /// If an angle is not finite.
@@ -123,7 +123,7 @@ impl<R: Nombre> Rotation<R> {
     /// assert!((r.matrice()[0][0] - 0.75_f64.sqrt()).abs() < 1e-4);
     ///
     /// let agrandie = ecrite.map(|ligne| ligne.map(|x| 1.01 * x));
-    /// assert_eq!(Rotation::depuis_matrice(agrandie).unwrap_err().champ, "matrice: |M·Mᵀ - I|");
+    /// assert_eq!(Rotation::depuis_matrice(agrandie).unwrap_err().champ, "matrice");
     /// # Ok::<(), lancer_rayon::ErreurGeo>(())
     /// ```
     #[doc(alias("from_matrix", "from_mat3", "from_rows"))]
@@ -138,12 +138,11 @@ impl<R: Nombre> Rotation<R> {
         }
         let mut m = matrice.map(|ligne| ligne.map(R::vers_f64));
         let lignes = plus_grand_defaut(m);
-        let attendu = "at most 1e-3, as for a rotation";
-        exiger(lignes <= ECART, "matrice: |M·Mᵀ - I|", lignes, attendu)?;
+        exiger(lignes <= ECART, "matrice", lignes, "a rotation to 1e-3, by M·Mᵀ - I")?;
         let [x, y, z] = m.map(Vecteur::from);
         let determinant = x.produit_vectoriel(y).produit_scalaire(z);
-        let attendu = "above 0: a mirror is no rotation";
-        exiger(determinant > 0.0, "matrice: determinant", determinant, attendu)?;
+        let attendu = "of a determinant above 0: a mirror is no rotation";
+        exiger(determinant > 0.0, "matrice", determinant, attendu)?;
         // The columns may be three times as far off as the rows, and are the rows of the inverse.
         if lignes.max(plus_grand_defaut(transposee(m))) <= DEJA_ORTHONORMALE * R::U.vers_f64() {
             return Ok(Self { matrice });
@@ -157,7 +156,7 @@ impl<R: Nombre> Rotation<R> {
 
     /// The rotation by this angle about this axis, which may have any length, in the sense of
     /// [`new`](Self::new): about x by α it is `new((α, 0, 0))`, and quarter turns about the three
-    /// axes are exact. Each element is off by at most its rounding and 30u of `f64`, where a float
+    /// axes are exact. Each element is off by at most its rounding and 15u of `f64`, where a float
     /// that [`new`](Self::new) takes for quarter turns stands for these.
     ///
     /// The right-hand rule, which `from_axis_angle` of other crates follows, turns by −α, or about
@@ -181,7 +180,7 @@ impl<R: Nombre> Rotation<R> {
     #[doc(alias("axis_angle", "from_axis_angle", "from_scaled_axis"))]
     pub fn autour_de(axe: Vecteur<R>, angle: R) -> Result<Self, ErreurGeo> {
         let n = unitaire(["axe", "axe.x", "axe.y", "axe.z"], axe.vers_f64())?;
-        let angle = exiger(angle.abs() < R::INFINI, "angle", angle, "a finite number")?;
+        let angle = exiger(angle.absolu() < R::INFINI, "angle", angle, "a finite number")?;
         let (cos, sin) = cos_sin(angle);
         Ok(Self::arrondie(polie(tour(cos, 1.0 - cos, n, n * -sin))))
     }
@@ -189,7 +188,7 @@ impl<R: Nombre> Rotation<R> {
     /// The rotation of the quaternion q = \[x, y, z, w\], w being its real part: a vector V becomes
     /// q·V·q⁻¹, so that (sin(α/2)·N, cos(α/2)) turns by α about the unit vector N by the right-hand
     /// rule. q and −q give the same rotation, and any length will do. Each element is off by its
-    /// rounding and 30u of `f64` at most.
+    /// rounding and 15u of `f64` at most.
     ///
     /// This is what `q * v` is in glam and in nalgebra, and the order is that of `q.to_array()` in
     /// glam and of `q.coords` in nalgebra.
@@ -221,7 +220,7 @@ impl<R: Nombre> Rotation<R> {
     }
 
     /// The shortest turn that takes the direction `de` to the direction `vers`, both of any length:
-    /// `appliquer(de)` has the direction of `vers` to 60u.
+    /// `appliquer(de)` has the direction of `vers` to 36u.
     ///
     /// Many half turns join opposite directions. Where the sine of the angle between `de` and
     /// −`vers` is 16u or less, rounding would choose the axis. The axis is then at a right angle to
@@ -261,7 +260,7 @@ impl<R: Nombre> Rotation<R> {
     /// The rotation of a camera that looks along `direction` and holds `haut` upright. It takes −z,
     /// along which an unturned camera looks, to `direction`, y to the vector nearest to `haut` at a
     /// right angle to `direction`, and x to what is then on the right. Both vectors may have any
-    /// length. `direction` is met to 15u, and x is at a right angle to `haut` to 20u.
+    /// length. `direction` is met to 6.2u, and x is at a right angle to `haut` to 14u.
     ///
     /// Its inverse, from the scene to the camera, is what `look_to` of other crates gives.
     ///
@@ -277,7 +276,7 @@ impl<R: Nombre> Rotation<R> {
     /// assert_eq!(r.axes(), [-Vecteur::Z, Vecteur::Y, Vecteur::X]);
     ///
     /// let erreur = Rotation::<f64>::regard(Vecteur::Y, -Vecteur::Y).unwrap_err();
-    /// assert_eq!(erreur.champ, "haut: sine of its angle with direction");
+    /// assert_eq!(erreur.champ, "haut");
     /// # Ok::<(), lancer_rayon::ErreurGeo>(())
     /// ```
     #[doc(alias("look_at", "look_to", "camera"))]
@@ -286,9 +285,8 @@ impl<R: Nombre> Rotation<R> {
         let d = unitaire(champs, direction.vers_f64())?;
         let k =
             d.produit_vectoriel(unitaire(["haut", "haut.x", "haut.y", "haut.z"], haut.vers_f64())?);
-        let (sinus, champ) = (k.longueur(), "haut: sine of its angle with direction");
-        let attendu = "above 16u: parallel to direction it says nothing";
-        exiger(sinus > PARALLELES * R::U.vers_f64(), champ, sinus, attendu)?;
+        let (sinus, attendu) = (k.longueur(), "at an angle to direction, of a sine above 16u");
+        exiger(sinus > PARALLELES * R::U.vers_f64(), "haut", sinus, attendu)?;
         let y = au_dessus(d, k);
         Ok(Self::arrondie(polie([d.produit_vectoriel(y), y, -d].map(<[f64; 3]>::from))))
     }
@@ -307,7 +305,9 @@ impl<R: Nombre> Rotation<R> {
         a * v.x + b * v.y + c * v.z
     }
 
-    /// This rotation, then `suivante`: the product of the matrices in this order.
+    /// This rotation, then `suivante`: the product of the matrices in this order, each element to
+    /// 24u, or to 39u if one of both is an [`inverse`](Self::inverse) or was kept by
+    /// [`depuis_matrice`](Self::depuis_matrice).
     #[doc(alias("then", "compose"))]
     pub fn puis(self, suivante: Self) -> Self {
         let [m, n] = [self, suivante].map(|r| r.matrice.map(|ligne| ligne.map(R::vers_f64)));
@@ -381,7 +381,7 @@ impl<R> From<Rotation<R>> for [[R; 3]; 3] {
 /// a scene turned by quarter turns stays aligned with the axes.
 fn cos_sin<R: Nombre>(angle: R) -> (f64, f64) {
     for (k, (cos, sin)) in QUARTS.into_iter().enumerate() {
-        if angle.abs() == R::depuis_f64(k as f64 * FRAC_PI_2) {
+        if angle.absolu() == R::depuis_f64(k as f64 * FRAC_PI_2) {
             return (cos, if angle < R::ZERO { -sin } else { sin });
         }
     }

@@ -90,7 +90,7 @@ impl<R: Nombre> Vecteur<R> {
     #[must_use]
     pub fn longueur(self) -> R {
         let (v, echelle) = self.mis_a_l_echelle();
-        v.longueur_carree().sqrt() / echelle
+        v.longueur_carree().racine() / echelle
     }
 
     /// The unit vector of the same direction, to 3.6u; `None` for a vector that is zero or not
@@ -112,7 +112,7 @@ impl<R: Nombre> Vecteur<R> {
     #[inline]
     pub(crate) fn longueur_et_unitaire(self) -> Option<(R, Self)> {
         let (v, echelle) = self.mis_a_l_echelle();
-        let longueur = v.longueur_carree().sqrt();
+        let longueur = v.longueur_carree().racine();
         (longueur > R::ZERO && longueur < R::INFINI).then(|| (longueur / echelle, v / longueur))
     }
 
@@ -155,13 +155,13 @@ impl<R: Nombre> Vecteur<R> {
     /// order.
     #[inline(always)]
     pub(crate) fn somme_des_grandeurs(self, autre: Self) -> R {
-        (self.x * autre.x).abs() + (self.y * autre.y).abs() + (self.z * autre.z).abs()
+        (self.x * autre.x).absolu() + (self.y * autre.y).absolu() + (self.z * autre.z).absolu()
     }
 
     /// |x| + |y| + |z|, no less than the length.
     #[inline(always)]
     pub(crate) fn norme_1(self) -> R {
-        self.x.abs() + self.y.abs() + self.z.abs()
+        self.x.absolu() + self.y.absolu() + self.z.absolu()
     }
 
     /// The same vector in `f64`, exactly.

@@ -40,14 +40,17 @@ impl Coupe {
     ) -> Self {
         let boites = objets.iter().filter_map(ObjetRay::boite_englobante);
         // A mean of roots, in which a sky or a ball for a ground counts for little.
-        let tailles: f32 = boites.map(|(_, h)| repere.surface(h).sqrt()).sum();
+        let tailles: f32 = boites.map(|(_, h)| repere.surface(h).racine()).sum();
         let taille = tailles / objets.len() as f32;
         let mut coupe = Self { prix: PRIX_D_UNE_FICHE * taille * taille, part: 0.0 };
         let souhaits: f32 = objets.iter().map(|objet| coupe.souhait(repere, objet)).sum();
         coupe.part = if souhaits > 0.0 { min(restent as f32 / souhaits, 1.0) } else { 0.0 };
         let de_plus = |coupe: Self, quoi| coupe.morceaux(repere, quoi) - 1;
+        // Steps that grow, since the indices of a few long boxes may all round up.
+        let mut moins = 0.01;
         while objets.iter().enumerate().map(|quoi| de_plus(coupe, quoi)).sum::<usize>() > restent {
-            coupe.part *= 0.99;
+            coupe.part *= 1.0 - moins;
+            moins = min(2.0 * moins, 0.5);
         }
         coupe
     }
@@ -58,7 +61,7 @@ impl Coupe {
         let Some((_, h)) = objet.boite_englobante() else { return 0.0 };
         let axe = grandeurs(objet.demi_axe());
         let [a, c] = [axe, h - axe].map(|h| repere.surface(h));
-        let k = (a / (c + self.prix)).sqrt();
+        let k = (a / (c + self.prix)).racine();
         let k = min(k, repere.distance(axe.longueur()) / DEMI_TRANCHE_MINIMALE);
         if k >= 2.0 { k - 1.0 } else { 0.0 }
     }
@@ -124,5 +127,5 @@ pub(crate) fn decouper<R: Nombre>(
 
 /// The absolute values of its coordinates.
 fn grandeurs<R: Nombre>(v: Vecteur<R>) -> Vecteur<R> {
-    Vecteur::new(v.x.abs(), v.y.abs(), v.z.abs())
+    Vecteur::new(v.x.absolu(), v.y.absolu(), v.z.absolu())
 }

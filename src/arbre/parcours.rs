@@ -62,7 +62,7 @@ impl<R: Nombre> Arbre<'_, R> {
                             }
                         })
                     {
-                        if Q::UN_SUFFIT {
+                        if question.est_reglee() {
                             return question;
                         }
                         plafond = sonde.plafond(self.repere, question.limite());

@@ -19,8 +19,8 @@ use crate::rayon::Rayon;
 /// for what follows).
 const OBJETS_PAR_NOMBRE: usize = 6;
 
-/// In a heap a longer list will do: longer by this part of the boxes that a ray crosses, for each
-/// number that a register holds.
+/// In a heap a longer list will do: for each number that a register holds, longer by this part of the
+/// number of boxes that a ray crosses.
 const PART_DES_CROISES: f32 = 0.6;
 
 /// Fewer rays than this are asked one by one: eight in no order take up to twice as long together.

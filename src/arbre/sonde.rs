@@ -5,7 +5,7 @@
 //! side, or the lower edge not down to its upper side. The edges of a single ray coincide.
 //!
 //! Rounding is monotone, so that a probe of many rays leaves no box out that the probe of one of
-//! them enters (`docs/preuves.md`, lemmas 19 to 21).
+//! them enters (`docs/preuves-arbre.md`, lemmas 19 to 21).
 
 use fearless_simd::f32x16;
 use fearless_simd::prelude::*;
@@ -127,7 +127,7 @@ impl<R: Nombre> Sonde<R> {
         let jeu = norme * (distance + simple(fois_u_simple::<R>(JEU_F32))) + JEU_SOUS_NORMAL;
         // T3. The sources are farther away by no more than √3τ₀.
         let jeu = if selon::<R, _>(false, true) {
-            jeu + simple(depart.abs()) * (RACINE_DE_TROIS * distance)
+            jeu + simple(depart.absolu()) * (RACINE_DE_TROIS * distance)
         } else {
             jeu
         };
@@ -177,7 +177,7 @@ impl<R: Nombre> Sonde<R> {
 }
 
 impl Bornes {
-    /// Those of the rays of these groups along an axis.
+    /// The bounds of the rays of these groups along one axis.
     #[inline(always)]
     fn le_long<const AXE: usize, S: Simd, R: Nombre>(
         simd: S,

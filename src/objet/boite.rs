@@ -69,11 +69,13 @@ impl<R: Nombre> BoiteGeo<R> {
     }
 
     /// The texture of the object.
+    #[doc(alias = "material")]
     pub fn texture(&self) -> Texture {
         self.texture
     }
 
     /// The box of this centre, these dimensions (width, height, depth) and this rotation.
+    /// [`Rotation::entre`]`(Vecteur::Z, n)` turns its front towards a direction `n`.
     ///
     /// # Errors
     /// If a coordinate is beyond ±2⁴⁵⁰ (`f64`) or ±2⁶⁰ (`f32`), or a dimension outside 2⁻⁴⁵⁰ … 2⁴⁵⁰
@@ -87,9 +89,9 @@ impl<R: Nombre> BoiteGeo<R> {
         Ok(Self {
             centre: point(["centre.x", "centre.y", "centre.z"], centre)?,
             dimensions: Vecteur::new(
-                taille("dimensions.x (largeur)", dimensions.x)?,
-                taille("dimensions.y (hauteur)", dimensions.y)?,
-                taille("dimensions.z (profondeur)", dimensions.z)?,
+                taille("dimensions.x", dimensions.x)?,
+                taille("dimensions.y", dimensions.y)?,
+                taille("dimensions.z", dimensions.z)?,
             ),
             rotation,
             texture,
@@ -130,6 +132,7 @@ impl<R: Nombre> BoiteGeo<R> {
     /// # Errors
     /// If `origine` is not finite, or if [`translation`](Self::translation) by −`origine` or
     /// [`new`](Self::new) with the numbers in `f32` fails.
+    #[doc(alias("to_f32", "narrow", "floating_origin"))]
     pub fn vers_f32(self, origine: Vecteur<R>) -> Result<BoiteGeo<f32>, ErreurGeo> {
         let Self { centre, dimensions, rotation, texture } =
             self.translation(-refus::origine(origine)?)?;
@@ -204,6 +207,7 @@ impl<R: Nombre> BoiteRay<R> {
     }
 
     /// The texture of the object.
+    #[doc(alias = "material")]
     pub fn texture(&self) -> Texture {
         self.texture
     }
@@ -221,7 +225,7 @@ impl<R: Nombre> BoiteRay<R> {
         (self.normales[axe], self.demi_longueurs[axe])
     }
 
-    /// Those of all three.
+    /// N_i and l_i of all three pairs.
     #[inline(always)]
     fn paires(&self) -> [(Vecteur<R>, R); 3] {
         [self.paire(0), self.paire(1), self.paire(2)]
@@ -268,7 +272,7 @@ impl<R: Nombre> BoiteRay<R> {
         (hauteur, face)
     }
 
-    /// The δ of the ray and so many u of the sum of the half-lengths.
+    /// δ and this many u of Σl_i: how deep a start may lie in the box by rounding.
     #[inline(always)]
     fn profond(&self, rayon: &Rayon<R>, propre: f64) -> R {
         let [a, b, c] = self.demi_longueurs;
@@ -276,9 +280,9 @@ impl<R: Nombre> BoiteRay<R> {
     }
 }
 
-/// How much deeper than δ, in u of the sum of the half-lengths, a start may lie under a face of a
-/// box that the ray leaves by, or goes along: then it does not touch the box at once. It is less
-/// than [`FLOU_PROPRE`], since the next search sees that depth with the rounding of both (lemma 23).
+/// A ray does not touch a box at once if its start lies, under a face that it leaves by or goes
+/// along, less deep than δ and this many u of Σl_i. It is less than [`FLOU_PROPRE`], since the next
+/// search sees that depth with the rounding of both (lemma 22).
 pub const FLOU_A_COTE: f64 = 22.0;
 
 impl<R: Nombre> Forme<R> for BoiteRay<R> {
@@ -291,7 +295,7 @@ impl<R: Nombre> Forme<R> for BoiteRay<R> {
     /// Σ|N_i|·l_i along each axis.
     fn boite_englobante(&self) -> Option<(Vecteur<R>, Vecteur<R>)> {
         let [(u, a), (v, b), (w, c)] = self.paires();
-        let h = |x: R, y: R, z: R| x.abs() * a + y.abs() * b + z.abs() * c;
+        let h = |x: R, y: R, z: R| x.absolu() * a + y.absolu() * b + z.absolu() * c;
         Some((self.centre, Vecteur::new(h(u.x, v.x, w.x), h(u.y, v.y, w.y), h(u.z, v.z, w.z))))
     }
 
@@ -342,7 +346,7 @@ impl<R: Nombre> Forme<R> for BoiteRay<R> {
     fn contient(&self, point: Vecteur<R>) -> bool {
         let cp = point - self.centre;
         // `&` takes no branch.
-        self.paires().into_iter().fold(true, |d, (n, l)| d & (cp.produit_scalaire(n).abs() <= l))
+        self.paires().into_iter().fold(true, |d, (n, l)| d & (cp.produit_scalaire(n).absolu() <= l))
     }
 
     #[inline(always)]
@@ -359,6 +363,6 @@ impl<R: Nombre> Forme<R> for BoiteRay<R> {
 }
 
 refus::lu_par! {
-    BoiteGeo { centre: Vecteur<R>, dimensions: Vecteur<R>, rotation: Rotation<R> = default, texture: Texture }
+    BoiteGeo { centre: Vecteur<R>, dimensions: Vecteur<R>, rotation: Rotation<R> = "Rotation::default", texture: Texture }
     => Self::new(centre, dimensions, rotation, texture)
 }

@@ -26,7 +26,7 @@ pub const PENCHE: f64 = 14.0;
 pub const RETRAIT: f64 = 130.0;
 
 /// How much deeper than δ a start may lie in a sphere or in a box, in u of the radius or of the sum
-/// of the half-lengths (lemma 23).
+/// of the half-lengths (lemma 22).
 pub const FLOU_PROPRE: f64 = 44.0;
 
 /// How much larger the margin of a hit at once is made, in u of Σ|P_i|: more than flush faces lie
@@ -83,7 +83,7 @@ pub(crate) trait Forme<R: Nombre>: Copy {
     }
 
     /// Whether the ray starts in this shape by no more than its δ, which is above 0, and the
-    /// rounding of the shape, and goes in: then it touches the shape at once (lemma 23). Computed
+    /// rounding of the shape, and goes in: then it touches the shape at once (lemma 22). Computed
     /// without a branch.
     fn des_le_depart(&self, rayon: &Rayon<R>) -> bool;
 
@@ -116,7 +116,7 @@ pub(crate) trait Forme<R: Nombre>: Copy {
         // M2: the centre of a half-space is O.
         let cp = p - self.boule().centre;
         let hauteur = n.produit_scalaire(cp) - du_centre;
-        Hauteur { b: hauteur.abs(), l: n.somme_des_grandeurs(cp) }
+        Hauteur { b: hauteur.absolu(), l: n.somme_des_grandeurs(cp) }
     }
 
     /// Normal and margin of the entry at distance `t`, of any: also where the ray touches at once, or
@@ -200,7 +200,7 @@ impl<R: Nombre> Boule<R> {
     /// Whether the ray comes near the ball.
     ///
     /// Never false for a ray that enters the shape, whatever rounding does (derivation in
-    /// `docs/preuves.md`, lemma 14). A ray whose source is in the ball passes even with C behind
+    /// `docs/preuves-arbre.md`, lemma 14). A ray whose source is in the ball passes even with C behind
     /// it.
     #[inline(always)]
     pub(crate) fn approchee(self, rayon: &Rayon<R>) -> bool {

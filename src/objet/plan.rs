@@ -91,6 +91,7 @@ impl<R: Nombre> PlanGeo<R> {
     }
 
     /// The texture of the object.
+    #[doc(alias = "material")]
     pub fn texture(&self) -> Texture {
         self.texture
     }
@@ -161,6 +162,7 @@ impl<R: Nombre> PlanGeo<R> {
     /// # Errors
     /// If `origine` is not finite, or if [`translation`](Self::translation) by −`origine` or
     /// [`new`](Self::new) with the numbers in `f32` fails.
+    #[doc(alias("to_f32", "narrow", "floating_origin"))]
     pub fn vers_f32(self, origine: Vecteur<R>) -> Result<PlanGeo<f32>, ErreurGeo> {
         let Self { rotation, distance, texture } = self.translation(-refus::origine(origine)?)?;
         PlanGeo::new(rotation.vers_f32(), simple(distance), texture)
@@ -211,6 +213,7 @@ impl<R: Nombre> PlanRay<R> {
     }
 
     /// The texture of the object.
+    #[doc(alias = "material")]
     pub fn texture(&self) -> Texture {
         self.texture
     }
@@ -284,6 +287,6 @@ impl<R: Nombre> Forme<R> for PlanRay<R> {
 }
 
 refus::lu_par! {
-    PlanGeo { rotation: Rotation<R> = default, distance: R, texture: Texture }
+    PlanGeo { rotation: Rotation<R> = "Rotation::default", distance: R, texture: Texture }
     => Self::new(rotation, distance, texture)
 }

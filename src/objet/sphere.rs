@@ -51,6 +51,7 @@ impl<R: Nombre> SphereGeo<R> {
     }
 
     /// The texture of the object.
+    #[doc(alias = "material")]
     pub fn texture(&self) -> Texture {
         self.texture
     }
@@ -102,6 +103,7 @@ impl<R: Nombre> SphereGeo<R> {
     /// # Errors
     /// If `origine` is not finite, or if [`translation`](Self::translation) by −`origine` or
     /// [`new`](Self::new) with the numbers in `f32` fails.
+    #[doc(alias("to_f32", "narrow", "floating_origin"))]
     pub fn vers_f32(self, origine: Vecteur<R>) -> Result<SphereGeo<f32>, ErreurGeo> {
         let Self { centre, rayon, texture } = self.translation(-refus::origine(origine)?)?;
         SphereGeo::new(centre.vers_f32(), simple(rayon), texture)
@@ -159,6 +161,7 @@ impl<R: Nombre> SphereRay<R> {
     }
 
     /// The texture of the object.
+    #[doc(alias = "material")]
     pub fn texture(&self) -> Texture {
         self.texture
     }
@@ -216,7 +219,7 @@ impl<R: Nombre> Forme<R> for SphereRay<R> {
     #[inline(always)]
     fn t_et_dedans(&self, rayon: &Rayon<R>) -> (R, bool) {
         let Termes { sa, puissance, ab2, d2, .. } = self.termes(rayon);
-        let sa_ab = sa + ab2.sqrt(); // S6
+        let sa_ab = sa + ab2.racine(); // S6
         let avant_a = puissance * d2 < sa * sa_ab;
         let (haut, bas) = if avant_a { (puissance, sa_ab) } else { (sa, d2) };
         let entre = (ab2 > R::ZERO) & (sa > R::ZERO) & (puissance > R::ZERO); // S5
@@ -240,7 +243,7 @@ impl<R: Nombre> Forme<R> for SphereRay<R> {
     fn t_sortie(&self, rayon: &Rayon<R>) -> R {
         let Termes { sa, puissance, ab2, d2, .. } = self.termes(rayon);
         let (dedans, devant) = (puissance < R::ZERO, sa > R::ZERO);
-        let ab = max(ab2, -puissance * d2).sqrt(); // W1
+        let ab = max(ab2, -puissance * d2).racine(); // W1
         let (haut, bas) = if devant { (sa + ab, d2) } else { (puissance, sa - ab) }; // W2
         if dedans | (devant & (ab2 > R::ZERO)) { haut / bas } else { R::INFINI }
     }
@@ -254,7 +257,7 @@ impl<R: Nombre> Forme<R> for SphereRay<R> {
         // Half of the smallest r²: what is shorter is all rounding, and its square may be
         // subnormal.
         let perdu = R::UN / (R::LIMITE * R::LIMITE * R::depuis_f64(2.0));
-        (cb / if cb2 > perdu { cb2.sqrt() } else { R::INFINI }, self.r)
+        (cb / if cb2 > perdu { cb2.racine() } else { R::INFINI }, self.r)
     }
 
     #[inline(always)]
@@ -263,7 +266,7 @@ impl<R: Nombre> Forme<R> for SphereRay<R> {
         let nombre = R::depuis_f64;
         let cp = p - self.centre;
         let r2 = r * r;
-        let puissance = (cp.longueur_carree() - r2).abs();
+        let puissance = (cp.longueur_carree() - r2).absolu();
         // Rounding tilts N away from CP, above all for a small far sphere: a ray along the tangent
         // plane of N dips below the sphere, and a point that is rounded sideways climbs.
         let le_long = n.produit_scalaire(cp);

@@ -13,7 +13,7 @@ impl<C: Regle> Choix for C {}
 
 /// What a choice takes. Nobody can name this trait outside of the crate, and its functions have
 /// names that no trait of a caller has: else the caller could not use theirs for a choice (E0034).
-pub trait Regle: Sync {
+pub trait Regle {
     /// Whether the object at this index is one of them.
     fn prend_cet_indice(&self, indice: usize) -> bool;
 
@@ -69,7 +69,7 @@ impl<C: Choix> Regle for Sans<C> {
     }
 }
 
-impl<C: Choix, F: Fn(usize) -> bool + Sync> Regle for Parmi<C, F> {
+impl<C: Choix, F: Fn(usize) -> bool> Regle for Parmi<C, F> {
     #[inline]
     fn prend_cet_indice(&self, indice: usize) -> bool {
         self.parmi.prend_cet_indice(indice) && (self.prend)(indice)

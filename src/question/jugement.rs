@@ -88,7 +88,7 @@ impl<R: Nombre> ObjetRay<R> {
         let longueur = d.longueur();
         let de_d = en_f64 * (exces / (1.0 + longueur));
         let erreur = R::depuis_f64(ecart * longueur.max(1.0) + de_d);
-        erreur + erreur * fois_u(ERREUR_ARRONDIE) + (R::MIN_POSITIF + R::MIN_POSITIF)
+        erreur + erreur * fois_u(ERREUR_ARRONDIE) + (R::ETA + R::ETA)
     }
 
     /// Whether the answer of [`intersection`](Self::intersection), a hit or a miss, is certainly

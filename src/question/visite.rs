@@ -24,7 +24,6 @@ pub(crate) struct Visite<R, F, const D_UN_POINT: bool> {
 impl<R: Nombre, F: FnMut(usize, R) -> ControlFlow<(), R>, const D_UN_POINT: bool> Question<R>
     for Visite<R, F, D_UN_POINT>
 {
-    /// Of the objects that hold a point, only the one after which to stop counts as kept.
     const UN_SUFFIT: bool = D_UN_POINT;
     const SOUVENT: bool = false;
 
@@ -48,7 +47,12 @@ impl<R: Nombre, F: FnMut(usize, R) -> ControlFlow<(), R>, const D_UN_POINT: bool
         }
         let suite = (self.montrer)(indice, t);
         self.fin = suite.continue_value().map_or(R::ZERO, |fin| min(fin, self.fin));
-        !D_UN_POINT || suite.is_break()
+        true
+    }
+
+    #[inline(always)]
+    fn est_reglee(&self) -> bool {
+        self.fin <= R::ZERO
     }
 }
 
@@ -87,7 +91,7 @@ impl<'a, R: Nombre> Rangee<'a, R> {
         };
         // The end is a little beyond the last, since an object at the same distance that is earlier
         // in the list comes before it.
-        Continue(derniere + max(derniere * fois_u(2.0), R::MIN_POSITIF))
+        Continue(derniere + max(derniere * fois_u(2.0), R::ETA))
     }
 
     /// Brings the first place of the heap to where it belongs.

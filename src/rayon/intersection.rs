@@ -16,15 +16,15 @@ use crate::texture::Texture;
 
 /// Where a ray first touches an object: what the handout asks for in §2.3.
 ///
-/// Only a search makes one, so that its values always fit together. It knows its point, so that the
-/// next ray needs nothing else to start from: see [`secondaire`](Self::secondaire),
+/// A search makes one, or serde reads one that was written. It knows its point, so that the next ray
+/// needs nothing else to start from: see [`secondaire`](Self::secondaire),
 /// [`reflechi`](Self::reflechi), [`refracte`](Self::refracte),
 /// [`vers_lumiere`](Self::vers_lumiere), [`vers_soleil`](Self::vers_soleil) and
 /// [`vers_touche`](Self::vers_touche).
 ///
-/// With the feature `serde` a hit that was written is read again, to the bit. JSON, which has no ±∞,
-/// does not give back a hit whose point is beyond the range of the type; no ray starts from such a
-/// hit either.
+/// With the feature `serde` a hit that was written is read again, to the bit, unless it is a hit on a
+/// [witness](crate::ObjetRay::temoin_f64), whose normal is not unit. JSON, which has no ±∞, does not
+/// give back a hit whose point is beyond the range of the type; no ray starts from such a hit either.
 ///
 /// ```
 /// use lancer_rayon::{PlanGeo, Rayon, Rotation, Texture, Vecteur, premiere_intersection};
@@ -74,20 +74,20 @@ lu_par! {
         normale: Vecteur<R>,
         marge: Option<R>,
         point: Vecteur<R>,
-        flou alias "su": R,
+        flou: R,
         texture: Texture,
         indice: u32,
-        dedans: u64 = default,
+        dedans: u64 = "u64::default",
     } => {
         let positif = |champ, x: R| exiger(x >= R::ZERO, champ, x, "a number, 0 or more");
         exiger(distance < R::INFINI, "distance", distance, "finite")?;
         let (distance, marge) = (positif("distance", distance)?, marge.unwrap_or(R::INFINI));
         let contact = Contact { normale, marge: positif("marge", marge)?, point };
         let longueur = normale.longueur();
-        let unitaire = (longueur - R::UN).abs() <= fois_u(32.0);
-        exiger(unitaire, "normale: length", longueur, "1, to rounding")?;
+        let unitaire = (longueur - R::UN).absolu() <= fois_u(32.0);
+        exiger(unitaire, "normale", longueur, "of length 1, to rounding")?;
         for x in <[R; 3]>::from(point) {
-            exiger(x.abs() >= R::ZERO, "point", x, "a number")?;
+            exiger(x.absolu() >= R::ZERO, "point", x, "a number")?;
         }
         let su = su_lu(flou, dedans)?;
         exiger(indice < u32::MAX, "indice", R::depuis_f64(indice.into()), "below 2^32 - 1")?;
@@ -218,9 +218,9 @@ impl<R: Nombre> Intersection<R> {
     /// one with a radius of 64u·|f| + a or more never, unless it is touched [at
     /// once](crate::Rayon::flou) from deeper than 0.22 of the radius.
     ///
-    /// Of a flat face that is touched at once it has in it how deep the source lies under the deepest
-    /// of the faces that the ray may have come in by, less than [δ and o](crate::Rayon::flou), and
-    /// 8u·(|x| + |y| + |z|) more, so that the next ray starts farther off.
+    /// Where a ray touches a flat face [at once](crate::Rayon::flou), the margin also covers the depth
+    /// of the source under the deepest of the faces that the ray may have come in by, and
+    /// 8u·(|x| + |y| + |z|), so that the next ray starts farther off.
     ///
     /// ```
     /// use lancer_rayon::{ObjetRay, Rayon, SphereGeo, Texture, Vecteur};

@@ -24,11 +24,10 @@ impl<R: Nombre> Rayon<R> {
     /// A ray without an end that goes on from the [`point`](Self::point) at this distance in
     /// another direction: for a particle that is scattered in mid-air, or whose step has ended.
     ///
-    /// The new ray carries [δ](Self::flou) as a ray from a hit does, so that a particle whose step
-    /// ends within rounding of a wall, or just behind it, does not leave the room: one whose walls
-    /// are thicker than 2(δ + o) and reach as far into each other, with o of [`flou`](Self::flou)
-    /// and the δ of the ray that would start at the next hit. That holds if this ray touches nothing
-    /// before `distance`. A ray that is [inside](Self::dedans) something stays so.
+    /// The new ray carries [δ](Self::flou) as a ray from a hit does. If this ray touches nothing before
+    /// `distance`, a particle whose step ends within rounding of a wall, or just behind it, therefore
+    /// does not leave [a closed room](Self::flou). A ray that is [inside](Self::dedans) something stays
+    /// so.
     ///
     /// # Errors
     /// If `distance` is below 0 or not finite, if the direction is zero or not finite, or if the
@@ -73,10 +72,8 @@ impl<R: Nombre> Intersection<R> {
     ///
     /// **In the corner of a second object** the start may lie inside that object by rounding. An
     /// outward ray carries [a bound on the error of its start](Rayon::flou), and touches such an
-    /// object at once, at distance 0, if it goes further in. So no chain of outward rays leaves a
-    /// closed room whose walls are thicker than 2(δ + o) and reach as far into each other, with o of
-    /// [`flou`](Rayon::flou) and the δ of the ray that would start at the next hit; and light out of
-    /// a glass finds the table under it. An inward ray is [inside something](Rayon::dedans), and so
+    /// object at once, at distance 0, if it goes further in. So no chain of outward rays leaves [a
+    /// closed room](Rayon::flou), and light out of a glass finds the table under it. An inward ray is [inside something](Rayon::dedans), and so
     /// are the rays that start from its hits until they are out again: such rays touch only what
     /// they enter from outside.
     ///
@@ -154,9 +151,9 @@ impl<R: Nombre> Intersection<R> {
     /// out](crate::ObjetRay::sortie).
     ///
     /// `rapport` is η, the index of refraction of what the light comes from over that of what it
-    /// goes into: 1/1.5 where it enters glass from air, 1.5 where it leaves. From the ray,
-    /// |N·D| is the cosine behind the surface, which Fresnel's formula asks for. What stands in the
-    /// glass comes sooner: ask the world too (`docs/README.md`, Glass).
+    /// goes into: 1/1.5 where it enters glass from air, 1.5 where it leaves. For Fresnel's formula, the
+    /// cosine behind the surface is |N·D| with the direction D of the ray that is returned. Another
+    /// object may stand in the glass: ask the world before the way out (`docs/README.md`, Glass).
     ///
     /// Up to η = 100 the direction is within an angle of sine 10.3u(1 + η)/c′ of the exact one at N
     /// for the D of a ray, with c′ the exact cosine behind the surface (`docs/preuves.md`, lemma 9).
@@ -199,7 +196,7 @@ impl<R: Nombre> Intersection<R> {
         let ecart = travers.longueur_carree() * (R::UN - rapport) * (R::UN + rapport);
         let carre = le_long * le_long + ecart;
         let attendu = "above 0, as a squared cosine: all light is mirrored (total reflection)";
-        let droit = n * exiger(carre > R::ZERO, "refraction", carre, attendu)?.sqrt();
+        let droit = n * exiger(carre > R::ZERO, "refraction", carre, attendu)?.racine();
         let dedans = le_long <= R::ZERO;
         let travers = travers * rapport;
         let direction = if dedans { travers - droit } else { travers + droit }; // M8
@@ -211,7 +208,7 @@ impl<R: Nombre> Intersection<R> {
     ///
     /// The ray is a [`secondaire`](Self::secondaire) and never hits the object it leaves. Its end,
     /// the distance from its start to the light, is off by at most 3.6u of itself and
-    /// [`MIN_POSITIF`](Nombre::MIN_POSITIF); the direction is good to 4.6u, and N·L to 8u. If the
+    /// [`ETA`](Nombre::ETA); the direction is good to 4.6u, and N·L to 8u. If the
     /// lamp is itself an object of the list, [leave it out](crate::Monde::sans).
     ///
     /// # Errors

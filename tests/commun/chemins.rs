@@ -101,7 +101,7 @@ impl<R: Bits> Marcheur<'_, R> {
             (entree, sortie) => sortie.or(entree),
         };
         let libre = passage.map_or(rayon.fin(), |(_, touche)| touche.distance());
-        let t = Some(R::abs(pas.distance)).filter(|t| *t < libre).unwrap_or(libre);
+        let t = Some(R::absolu(pas.distance)).filter(|t| *t < libre).unwrap_or(libre);
         let au_sec = verre.is_none() && self.au_sec(&rayon);
         if au_sec {
             let (t, p) = entree.map_or((t, rayon.point(t)), |(_, e)| (e.distance(), e.point()));
@@ -178,7 +178,7 @@ impl<R: Bits> Marcheur<'_, R> {
         }
         // Eight roundings here, and fewer than that in the crate, where two products may be subnormal; and what δ grows by
         // for its own.
-        let (arrondi, eta) = (16.0 * u::<R>(), 4.0 * R::MIN_POSITIF.vers_f64());
+        let (arrondi, eta) = (16.0 * u::<R>(), 4.0 * R::ETA.vers_f64());
         let grandi = 1.0 + arrondi + FLOU_RELATIF * u::<R>();
         let permis = bas * (1.0 - arrondi) - eta..=haut * grandi + eta;
         assert!(
@@ -188,13 +188,13 @@ impl<R: Bits> Marcheur<'_, R> {
         );
     }
 
-    /// Whether the source lies no deeper in any object than the ray knows: what lemma 23 starts from.
+    /// Whether the source lies no deeper in any object than the ray knows: what lemma 22 starts from.
     fn au_sec(&self, rayon: &Rayon<R>) -> bool {
         let mut tenants = self.monde.objets().iter().filter(|o| o.contient(rayon.source()));
         tenants.all(|objet| est_a_fleur(objet, rayon))
     }
 
-    /// Lemma 23: no point of a path outside lies deeper in any object than this and the rounding of the object.
+    /// Lemma 22: no point of a path outside lies deeper in any object than this and the rounding of the object.
     fn exiger_qu_il_ne_s_enfonce_pas(&self, point: Vecteur<R>, permis: f64) {
         if permis == f64::INFINITY {
             return; // The point need not be one.

@@ -133,7 +133,7 @@ fn comparer_les_facons<R: Bits, C: Choix + Copy>(
     let entiere = restants.len() == objets.len();
     // That takes long: of a few rays.
     let quelques: Vec<_> = rayons.iter().step_by(1 + rayons.len() / 4).copied().collect();
-    let limites = [R::INFINI, R::ZERO, R::MIN_POSITIF, R::UN];
+    let limites = [R::INFINI, R::ZERO, R::ETA, R::UN];
     let toutes = Choisis { monde: facons[0], pris: pris.clone() }.toutes(&quelques);
     for (nom, reglage) in Reglage::tous() {
         let [monde, liste] = facons.map(|facon| reglage.monde(facon));
@@ -169,7 +169,7 @@ fn comparer_les_ombres<R: Bits, C: Choix + Copy>(
     facons: [Monde<'_, R, C>; 2],
     entiere: bool,
 ) {
-    let etranges = [R::INFINI, R::ZERO, -R::ZERO, R::MIN_POSITIF];
+    let etranges = [R::INFINI, R::ZERO, -R::ZERO, R::ETA];
     // What is left out changes nothing of what limits are.
     for paquet in if entiere { 0..6 } else { 1..2 } {
         let mut lampe = R::UN;

@@ -62,10 +62,10 @@ pub fn sphere<R: Reel>(c: Vecteur<R>, r: R, rayon: &Rayon<R>) -> Option<(R, Vect
     let sc = c - rayon.source();
     let sa = sc.produit_scalaire(rayon.direction());
     let ac2 = sc.longueur_carree() - sa * sa;
-    let sb = || sa - (r * r - ac2).sqrt();
+    let sb = || sa - (r * r - ac2).racine();
     let sb = (sa > R::ZERO && ac2 < r * r).then(sb).filter(|sb| *sb > R::ZERO)?;
     let cb = rayon.point(sb) - c;
-    Some((sb, cb / cb.longueur_carree().sqrt()))
+    Some((sb, cb / cb.longueur_carree().racine()))
 }
 
 /// A.3.
@@ -76,7 +76,7 @@ pub fn boite<R: Reel>(couples: &[Couple<R>; 3], rayon: &Rayon<R>) -> Option<(R, 
         let (n, &(centre, d)) = if opposee_en_vue { (-*n, opposee) } else { (*n, face) };
         let t = plan(n, d, rayon)?;
         let ci = rayon.point(t) - centre;
-        let dedans = |(n, _, _, l): &Couple<R>| ci.produit_scalaire(*n).abs() <= *l;
+        let dedans = |(n, _, _, l): &Couple<R>| ci.produit_scalaire(*n).absolu() <= *l;
         (dedans(&couples[j]) && dedans(&couples[k])).then_some((t, n))
     })
 }

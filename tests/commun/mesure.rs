@@ -37,7 +37,7 @@ pub fn plus_grand<R: Reel>() -> f64 {
 /// What products that underflow add to the error of a distance.
 pub fn absolu<R: Reel>(objet: &ObjetRay<R>, entree: &Entree) -> f64 {
     match objet {
-        ObjetRay::Plan(_) => absolu_fois(entree, R::MIN_POSITIF.vers_f64()),
+        ObjetRay::Plan(_) => absolu_fois(entree, R::ETA.vers_f64()),
         ObjetRay::Sphere(_) | ObjetRay::Boite(_) => 0.0,
     }
 }
@@ -95,7 +95,7 @@ pub fn au_bord<R: Reel>(
     -promesses::LIEU_F * u * du_depart < h && h <= permis
 }
 
-/// How far outside a box or a sphere the point `rayon.point(t)` of its hit may lie (lemma 6).
+/// How far outside its object the point `rayon.point(t)` of a hit may lie (lemma 6).
 pub fn lieu_permis<R: Reel>(objet: &ObjetRay<R>, rayon: &Rayon<R>, t: R) -> f64 {
     let [s, p] = [rayon.source(), rayon.point(t)].map(Vecteur::vers_f64);
     let loin = |centre: Vecteur<R>| (s - centre.vers_f64()).longueur();
@@ -105,7 +105,11 @@ pub fn lieu_permis<R: Reel>(objet: &ObjetRay<R>, rayon: &Rayon<R>, t: R) -> f64 
         ObjetRay::Sphere(s) => {
             promesses::LIEU_SPHERE * (loin(s.centre()) + s.rayon().vers_f64()) + 1.1 * t
         }
-        ObjetRay::Plan(_) => f64::INFINITY,
+        ObjetRay::Plan(p) => {
+            let poids = promesses::LIEU_PLAN_S * poids(p.normale().vers_f64(), s);
+            let perdu = promesses::LIEU_PLAN_ABSOLU * (R::ETA.vers_f64() / u::<R>());
+            poids + promesses::LIEU_PLAN_T * t + perdu
+        }
     };
     u::<R>() * (de_x + promesses::LIEU_P * p.longueur())
 }

@@ -506,8 +506,8 @@ fn verite_plan<R: Reel>(passage: Passage, plan: &PlanRay<R>, ray: &Droite) -> Ve
     let d_ = d.vers_f64().abs();
     let grandeurs =
         scalaire(&n.each_ref().map(Exact::grandeur), &ray.s.each_ref().map(Exact::grandeur));
-    let seuil = bandes::PLAN * u::<R>() * grandeurs.vers_f64()
-        + bandes::PLAN_ABSOLUE * R::MIN_POSITIF.vers_f64();
+    let seuil =
+        bandes::PLAN * u::<R>() * grandeurs.vers_f64() + bandes::PLAN_ABSOLUE * R::ETA.vers_f64();
     let cosinus = descente.vers_f64();
     let facteur =
         (hauteur.vers_f64().abs() / seuil).min(cosinus.abs() / (bandes::VITESSE * u::<R>()));

@@ -9,18 +9,18 @@ use crate::mesure::{au_bord, poids};
 use crate::oracle::{Passage, dehors};
 use crate::tolerances::{NORMALE_UNITAIRE, bandes, u};
 
-/// How deep a point lies in an object beyond the object's own rounding o_B (lemma 23).
+/// How deep a point lies in an object beyond the object's own rounding o_B (lemma 22).
 pub fn profondeur<R: Reel>(objet: &ObjetRay<R>, point: Vecteur<R>) -> f64 {
     -dehors(objet, point) - flou_propre(objet)
 }
 
-/// How much less exactly a path knows its point P at distance t than the source of the ray: 15ut and 8.1u‖P‖₁ (lemma 23).
+/// How much less exactly a path knows its point P at distance t than the source of the ray: 15ut and 8.1u‖P‖₁ (lemma 22).
 pub fn flou_du_point<R: Reel>(t: R, p: Vecteur<R>) -> f64 {
     let [x, y, z] = <[f64; 3]>::from(p.vers_f64()).map(f64::abs);
     u::<R>() * (FLOU_DISTANCE * t.vers_f64() + FLOU_POINT * (x + y + z))
 }
 
-/// o_B of lemma 23.
+/// o_B of lemma 22.
 pub fn flou_propre<R: Reel>(objet: &ObjetRay<R>) -> f64 {
     let taille = match objet {
         ObjetRay::Sphere(sphere) => sphere.rayon().vers_f64(),
@@ -34,7 +34,7 @@ pub fn flou_propre<R: Reel>(objet: &ObjetRay<R>) -> f64 {
 fn arrondi_d_une_hauteur<R: Reel>(objet: &ObjetRay<R>, point: Vecteur<R>) -> f64 {
     let ObjetRay::Plan(plan) = objet else { return 0.0 };
     let poids = poids(plan.normale().vers_f64(), point.vers_f64());
-    bandes::PLAN * u::<R>() * poids + bandes::PLAN_ABSOLUE * R::MIN_POSITIF.vers_f64()
+    bandes::PLAN * u::<R>() * poids + bandes::PLAN_ABSOLUE * R::ETA.vers_f64()
 }
 
 /// Asks this object where the ray enters and leaves it, and whether the rays that start there meet it again; one of
@@ -133,7 +133,7 @@ pub fn est_a_fleur<R: Reel>(objet: &ObjetRay<R>, rayon: &Rayon<R>) -> bool {
     flou > 0.0 && profondeur(objet, source) + arrondi_d_une_hauteur(objet, source) <= flou
 }
 
-/// Lemma 23: an object that holds the start of a ray by no more than δ and o_B, and that the ray does not touch at once,
+/// Lemma 22: an object that holds the start of a ray by no more than δ and o_B, and that the ray does not touch at once,
 /// is nowhere deeper around it than the next start may be; tried amid the way through it.
 fn exiger_qu_il_ne_s_enfonce_pas<R: Bits>(objet: &ObjetRay<R>, rayon: &Rayon<R>) {
     let rayon = rayon.jusqu_a(R::INFINI).unwrap();
@@ -174,7 +174,7 @@ pub fn exiger_un_passage<R: Bits>(
     }
     if t == R::ZERO {
         let (flou, source) = (rayon.flou(), rayon.source());
-        // Lemma 23: it holds the start by no more than 2(δ+o_B), as computed.
+        // Lemma 22: it holds the start by no more than 2(δ+o_B), as computed.
         let permis =
             2.0 * flou.vers_f64() + flou_propre(objet) + arrondi_d_une_hauteur(objet, source);
         assert!(flou > R::ZERO && profondeur(objet, source) <= permis, "{}", contexte());
@@ -183,7 +183,7 @@ pub fn exiger_un_passage<R: Bits>(
         let (face, p) = boite.lieu(rayon, passage);
         assert_eq!(boite.face(face).1, n, "{}", contexte());
         let p = <[R; 3]>::from(p);
-        assert!(p.into_iter().all(|x| x.abs() <= R::UN), "{}", contexte());
+        assert!(p.into_iter().all(|x| x.absolu() <= R::UN), "{}", contexte());
         let un = if (face as usize) < 3 { R::UN } else { -R::UN };
         assert_eq!(p[face as usize % 3], un, "{}", contexte());
     }

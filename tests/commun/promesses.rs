@@ -79,7 +79,7 @@ pub fn toutes<R: Reel>() -> [Promesse<R>; 17] {
         promesse("the side to which the normal points", de_face, [TOUS; 2]),
         aisee([16.0, f64::INFINITY], promesse("margin", marge, [TOUS; 2])),
         promesse("infinite margins", marge_infinie, [RONDS; 2]),
-        promesse("where a hit lies", lieu, [BORNES; 2]),
+        promesse("where a hit lies", lieu, [TOUS; 2]),
         promesse("where on its face", lieu_sur_la_face, [BOITES; 2]),
         promesse("secondary ray", secondaire, [TOUS, BORNES]),
         promesse("mirror", reflechi, [TOUS, &[]]),
@@ -138,7 +138,7 @@ pub fn distance_pres_de_0<R: Reel>(cas: &Essai<R>) -> f64 {
     if relatif == f64::INFINITY {
         return RIEN;
     }
-    let absolu = absolu_fois(&entree, R::MIN_POSITIF.vers_f64() * echelle);
+    let absolu = absolu_fois(&entree, R::ETA.vers_f64() * echelle);
     entree.ecart_fois(touche.distance(), echelle).abs() / (relatif + absolu)
 }
 
@@ -316,7 +316,7 @@ pub fn secondaire<R: Reel>(cas: &Essai<R>) -> f64 {
     let p = cas.rayon.point(touche.distance()).vers_f64();
     let permis = touche.marge().vers_f64() * (1.0 + 32.0 * u::<R>())
         + 2.0 * u::<R>() * (poids(n, p) + p.longueur())
-        + 8.0 * R::MIN_POSITIF.vers_f64();
+        + 8.0 * R::ETA.vers_f64();
     if tournee > 1.0 || (depart - p).longueur() > permis {
         return ROMPUE;
     }
@@ -430,7 +430,7 @@ pub fn virage<R: Reel>(cas: &Essai<R>) -> f64 {
 }
 
 /// How deep a ray is, on its way through an object that it does not touch, beyond what it knows of its place, as a part
-/// of o_B; in a half-space, which has none, as a part of that knowledge (lemma 23). The ray turns where another enters the
+/// of o_B; in a half-space, which has none, as a part of that knowledge (lemma 22). The ray turns where another enters the
 /// object, towards where that is left.
 pub fn enfoncement<R: Reel>(cas: &Essai<R>) -> f64 {
     let (objet, [x, y, z, ..]) = (&cas.objets[0], cas.vers);
@@ -456,7 +456,7 @@ pub fn enfoncement<R: Reel>(cas: &Essai<R>) -> f64 {
 }
 
 /// How deep a ray from outside comes into an object up to where it enters, or anywhere if it misses it, as a part of what
-/// the proof of lemma 23 grants S+tD; with what that is rounded by in `f64`.
+/// the proof of lemma 22 grants S+tD; with what that is rounded by in `f64`.
 pub fn effleurement<R: Reel>(cas: &Essai<R>) -> f64 {
     let (objet, rayon) = (&cas.objets[0], &cas.rayon);
     if objet.contient(rayon.source()) {
@@ -498,7 +498,7 @@ pub fn effleurement<R: Reel>(cas: &Essai<R>) -> f64 {
             }
         };
         let permis = u::<R>() * permis + f64::U * (x + y + z + t);
-        -dehors(&objet.temoin_f64(), p) / (permis + 8.0 * R::MIN_POSITIF.vers_f64())
+        -dehors(&objet.temoin_f64(), p) / (permis + 8.0 * R::ETA.vers_f64())
     };
     instants.map(part).into_iter().fold(RIEN, f64::max)
 }

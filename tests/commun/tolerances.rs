@@ -24,8 +24,8 @@ pub const NORMALE: f64 = promesses::DIRECTION;
 /// Every element of R·Rᵀ − I, for a polished matrix (lemma 13).
 pub const ORTHONORMALE: f64 = 5.5;
 
-/// An element of a product of two rotations against the product in f64 of what they hold: one
-/// rounding to R, and the Newton step, which moves by half of what both factors are off orthonormal, 2·3·5.5u.
+/// An element of a product of two rotations against the product in f64 of what they hold, as observed: lemma 13
+/// grants `COMPOSEE`.
 pub const PRODUIT: f64 = 18.0;
 
 /// How far M·Mᵀ may be from I for `depuis_matrice` to take M (C15).
@@ -71,6 +71,11 @@ pub mod promesses {
     pub const UNITAIRE_PLATE: f64 = 6.1;
     /// ||N| − 1| of a sphere, in u (lemma 1).
     pub const UNITAIRE_SPHERE: f64 = 3.6;
+    /// How far above a half-space the point P of its hit may lie, in u·⟨N, S⟩, u·t, `LIEU_P`·u·|P| and subnormals
+    /// (lemma 6).
+    pub const LIEU_PLAN_S: f64 = 3.1;
+    pub const LIEU_PLAN_T: f64 = 6.1;
+    pub const LIEU_PLAN_ABSOLU: f64 = 3.0;
     /// How far above the plane of any face of a box the point P of its hit may lie, in u·|f|, u·t
     /// and u·|P| (lemma 6).
     pub const LIEU_F: f64 = 4.1;
@@ -95,6 +100,21 @@ pub mod promesses {
     pub const REFRACTE: f64 = 10.3;
     pub const REFRACTE_TOTALE: f64 = 9.8;
     pub const TOUT_DROIT: f64 = 3.1;
-    /// N·L towards a sun, in u (lemma 11).
+    /// The distance of a lamp, of itself, L, and N·L; where a ray from one point to another ends, of the distance; and N·L
+    /// towards a sun, in u (lemma 11).
+    pub const LAMPE_DISTANCE: f64 = 3.6;
+    pub const LAMPE_DIRECTION: f64 = 4.6;
+    pub const LAMPE_COSINUS: f64 = 8.0;
+    pub const BOUT: f64 = 8.2;
     pub const SOLEIL: f64 = 10.7;
+    /// An element of a rotation that is made of angles, of an axis or of a quaternion, in u of `f64` beside its rounding;
+    /// and one of a composition, in u, of two factors as `ORTHONORMALE` has them and of others (lemma 13).
+    pub const TOUR: f64 = 15.0;
+    pub const COMPOSEE: f64 = 24.0;
+    pub const COMPOSEE_D_AUTRES: f64 = 39.0;
+    /// How exactly `entre` takes one direction to the other, `regard` meets its direction, and its x is at a right angle
+    /// to `haut`, in u (lemma 13).
+    pub const ENTRE: f64 = 36.0;
+    pub const REGARD: f64 = 6.2;
+    pub const REGARD_DROIT: f64 = 14.0;
 }

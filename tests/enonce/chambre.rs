@@ -1,4 +1,4 @@
-//! No ray leaves a closed room (lemma 23): paths whose every bounce is aimed at a seam, and shadows of lamps beyond the
+//! No ray leaves a closed room (lemma 22): paths whose every bounce is aimed at a seam, and shadows of lamps beyond the
 //! walls, in rooms of half-spaces and of boxes that overlap, straight and turned, with furniture that stands flush.
 
 use commun::chemins::{Pas, Suite, suivre};
@@ -230,7 +230,7 @@ fn une_chaine_elargie_reste_si_son_flou_est_plus_grand() {
 fn un_virage_pres_de_l_origine_trouve_le_mur<R: Reel>() {
     let mut virages = 0;
     let faire = |alea: &mut Hasard| {
-        let petit = R::MIN_POSITIF * R::depuis_f64(deux_puissance(alea, 1.0, 24.0));
+        let petit = R::ETA * R::depuis_f64(deux_puissance(alea, 1.0, 24.0));
         let [n, source, vers] = [(); 3].map(|()| arrondi::<R>(direction(alea)));
         (mur(Vecteur::NUL, n), Rayon::new(source * petit, vers).unwrap())
     };

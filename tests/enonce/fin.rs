@@ -21,7 +21,7 @@ fn fins<R: Bits>(touches: &[Reponse<R>]) -> Vec<R> {
         let t = touche.distance();
         [voisin(t, -1), t, voisin(t, 1), t * R::depuis_f64(0.5)]
     });
-    autour.chain([R::ZERO, -R::ZERO, R::MIN_POSITIF, R::UN, R::INFINI]).collect()
+    autour.chain([R::ZERO, -R::ZERO, R::ETA, R::UN, R::INFINI]).collect()
 }
 
 /// What a ray with an end is told is what the ray without one is told, as far as the end, to the bit: by a tree and by
@@ -50,13 +50,13 @@ fn une_fin_est_une_distance<R: Bits>() {
     let rayon = Rayon::<R>::new(v(0.0, 0.0, 5.0), v(0.1, 0.2, -3.0)).unwrap();
     assert_eq!(rayon.fin(), R::INFINI);
     let nan = R::depuis_f64(f64::NAN);
-    for refusee in [nan, -nan, -R::UN, -R::MIN_POSITIF, -R::LIMITE, -R::INFINI] {
+    for refusee in [nan, -nan, -R::UN, -R::ETA, -R::LIMITE, -R::INFINI] {
         let erreur = rayon.jusqu_a(refusee).unwrap_err();
         assert_eq!(erreur.champ, "fin");
         let valeur = refusee.vers_f64();
         assert!(erreur.valeur == valeur || (erreur.valeur.is_nan() && valeur.is_nan()));
     }
-    let admises = [R::ZERO, -R::ZERO, R::MIN_POSITIF, R::UN, R::LIMITE, R::INFINI];
+    let admises = [R::ZERO, -R::ZERO, R::ETA, R::UN, R::LIMITE, R::INFINI];
     for fin in admises {
         let court = jusqu_a(&rayon, fin);
         assert_eq!((court.source(), court.direction()), (rayon.source(), rayon.direction()));

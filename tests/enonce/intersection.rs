@@ -74,8 +74,7 @@ fn une_liste_repond_ce_que_dit_sa_definition<R: Bits>() {
         let voisines =
             touches.flat_map(|touche| [-1, 0, 1].map(|de| voisin(touche.distance(), de)));
         let [zero, un, infini] = [R::ZERO, R::UN, R::INFINI];
-        let autres =
-            [zero, -zero, un, -un, R::MIN_POSITIF, infini, -infini, R::depuis_f64(f64::NAN)];
+        let autres = [zero, -zero, un, -un, R::ETA, infini, -infini, R::depuis_f64(f64::NAN)];
         let limites: Vec<_> = voisines.chain(autres).collect();
         let tous = Choisis { monde: Monde::de_liste(&objets), pris: (0..objets.len()).collect() };
         let rayons = vec![rayon; limites.len()];

@@ -172,8 +172,8 @@ fn boite_ray<R: Reel>(objet: ObjetGeo<R>) -> BoiteRay<R> {
 
 fn annexe_a1() -> Partie {
     let mur = plan(Rotation::IDENTITE, 4.0, 7);
-    partie! { "Annex A.1: the half-space";
-        "straight at z ≤ −4 from the origin" => "distance 4, normal (0, 0, 1), texture 7",
+    partie! { "Annex A.1: the half-space z ≤ −4";
+        "straight at it, from the origin along −z" => "distance 4, normal (0, 0, 1), texture 7",
             lancer(mur, &devant(0.0, 0.0, 0.0));
         "at a slant: 5 along (0, 3, −4)/5 descend 4" => "distance 5, normal (0, 0, 1), texture 7",
             lancer(mur, &rayon(O, v(0.0, 3.0, -4.0)));
@@ -190,7 +190,7 @@ fn annexe_a1() -> Partie {
 
 fn annexe_a2() -> Partie {
     let boule = sphere(v(0.0, 0.0, -10.0), 5.0, 3);
-    partie! { "Annex A.2: the sphere";
+    partie! { "Annex A.2: the sphere of radius 5 about (0, 0, −10)";
         "through the centre: SA = 10, AC = 0, AB = 5, SB = 5" =>
             "distance 5, normal (0, 0, 1), texture 3", lancer(boule, &devant(0.0, 0.0, 0.0));
         "beside it: SA = 10, AC = 3, AB = 4, SB = 6, normal CB/5" =>
@@ -206,7 +206,7 @@ fn annexe_a2() -> Partie {
 fn annexe_a3() -> Partie {
     let marche = boite(v(0.0, 0.0, -10.0), v(4.0, 2.0, 6.0), Rotation::IDENTITE);
     let incline = cube(v(0.0, 0.0, -5.0), tour(0.0, FRAC_PI_4, 0.0));
-    partie! { "Annex A.3: the box";
+    partie! { "Annex A.3: the box 4 × 2 × 6 about (0, 0, −10)";
         "D·N < 0 for the face +z: the ray hits that face" => "distance 7, normal (0, 0, 1)",
             lancer(marche, &devant(0.5, 0.5, 0.0));
         "D·N > 0 for the face +z: the ray hits the opposite face −z" =>
@@ -267,11 +267,11 @@ fn c3() -> Partie {
     let devant_de_nous = plan(Rotation::IDENTITE, 2.0, 0);
     let autour_de_nous = plan(Rotation::IDENTITE, -2.0, 0);
     partie! { "C3: the surface is N·X = −d, the solid N·X ≤ −d";
-        "N = (0, 0, 1)·M" => "d 0, normal (0, 1, 0)",
+        "N = (0, 0, 1)·M, here for a quarter turn about x" => "d 0, normal (0, 1, 0)",
             quantites(Ok(plan(tour(FRAC_PI_2, 0.0, 0.0), 0.0, 0)));
-        "d > 0: the origin is outside, and sees it" => "distance 2, normal (0, 0, 1)",
+        "d = 2: the origin is outside, and sees it along −z" => "distance 2, normal (0, 0, 1)",
             lancer(devant_de_nous, &devant(0.0, 0.0, 0.0));
-        "d < 0: the origin is inside, and sees nothing of it" => "no intersection",
+        "d = −2: the origin is inside, and sees nothing of it" => "no intersection",
             lancer(autour_de_nous, &devant(0.0, 0.0, 0.0));
         "d = 0: the origin is on the surface" => "no intersection",
             lancer(plan(Rotation::IDENTITE, 0.0, 0), &devant(0.0, 0.0, 0.0));
@@ -280,13 +280,13 @@ fn c3() -> Partie {
 
 fn c4() -> Partie {
     let w = v(1.0, 2.0, 3.0);
-    partie! { "C4: translation";
-        "a sphere: its centre" => "centre (1, 2, -2), radius 1",
+    partie! { "C4: translation by v = (1, 2, 3)";
+        "a sphere of radius 1 about (0, 0, −5)" => "centre (1, 2, -2), radius 1",
             quantites(sphere(v(0.0, 0.0, -5.0), 1.0, 0).translation(w));
-        "a box: its centre" =>
+        "a cube of side 2 about (0, 0, −5)" =>
             "centre (1, 2, -2), normals (1, 0, 0) (0, 1, 0) (0, 0, 1), half-lengths 1 1 1",
             quantites(cube(v(0.0, 0.0, -5.0), Rotation::IDENTITE).translation(w));
-        "a half-space: d − N·v = 4 − 3" => "d 1, normal (0, 0, 1)",
+        "a half-space z ≤ −4: d − N·v = 4 − 3" => "d 1, normal (0, 0, 1)",
             quantites(plan(Rotation::IDENTITE, 4.0, 0).translation(w));
     }
 }
@@ -294,15 +294,15 @@ fn c4() -> Partie {
 fn c5() -> Partie {
     let quart = tour(FRAC_PI_2, 0.0, 0.0);
     let c = v(1.0, 2.0, 3.0);
-    partie! { "C5: an object turns about the origin";
-        "a sphere: its centre turns" => "centre (1, 3, -2), radius 2",
+    partie! { "C5: an object turns about the origin, here by a quarter about x";
+        "a sphere of radius 2 about (1, 2, 3): its centre turns" => "centre (1, 3, -2), radius 2",
             quantites(sphere(c, 2.0, 0).rotation(quart));
-        "a box: its centre and its normals" =>
+        "a box 2 × 4 × 6 about (1, 2, 3): its centre and its normals" =>
             "centre (1, 3, -2), normals (1, 0, 0) (0, 0, -1) (0, 1, 0), half-lengths 1 2 3",
             quantites(boite(c, v(2.0, 4.0, 6.0), Rotation::IDENTITE).rotation(quart));
-        "a half-space: its normal turns, and d stays" => "d 4, normal (0, 1, 0)",
+        "a half-space z ≤ −4: its normal turns, and d stays" => "d 4, normal (0, 1, 0)",
             quantites(plan(Rotation::IDENTITE, 4.0, 0).rotation(quart));
-        "scene and ray turned together: the same distance" =>
+        "the second ray of annex A.2 and its sphere, turned together: the same distance" =>
             "distance 6, normal (0, 0.8, -0.6), texture 3",
             {
                 let boule = sphere(v(0.0, 0.0, -10.0), 5.0, 3).rotation(quart).unwrap();
@@ -319,11 +319,11 @@ fn c6() -> Partie {
     let chacun = |k: f64| liste([boule, demi_espace, marche], |o| quantites(o.homothetie(k)));
     let refus = "coefficient is -1.0, but must be a finite number above 0";
     partie! { "C6: homothety about the object's own centre";
-        "a sphere × 3" => "centre (1, 2, 3), radius 6", quantites(boule.homothetie(3.0));
-        "a box × 0.5" =>
+        "a sphere of radius 2 about (1, 2, 3), × 3" => "centre (1, 2, 3), radius 6", quantites(boule.homothetie(3.0));
+        "a box 2 × 4 × 6 about (1, 2, 3), × 0.5" =>
             "centre (1, 2, 3), normals (1, 0, 0) (0, 1, 0) (0, 0, 1), half-lengths 0.5 1 1.5",
             quantites(marche.homothetie(0.5));
-        "a half-space has no dimension: × 3" => "d 4, normal (0, 0, 1)",
+        "a half-space z ≤ −4, which has no dimension, × 3" => "d 4, normal (0, 0, 1)",
             quantites(demi_espace.homothetie(3.0));
         "k = −1" => refus, quantites(boule.homothetie(-1.0));
         aussi "k = −1, each of the three" => [refus; 3].join(" "), chacun(-1.0);
@@ -338,12 +338,12 @@ fn c7() -> Partie {
     // From a height of 2^60 a descent of 2^-149 arrives farther than any f32.
     let tres_haut: Rayon<f32> =
         rayon(Vecteur::new(0.0, 0.0, 60_f32.exp2()), Vecteur::new(1.0, 0.0, -f32::from_bits(1)));
-    partie! { "C7: a hit is an entry from outside";
-        "inside a sphere" => "no intersection", lancer(boule, &devant(0.0, 0.0, 1.0));
-        "on a sphere, going in" => "no intersection", lancer(boule, &devant(0.0, 0.0, 2.0));
-        "inside a box" => "no intersection", lancer(bloc, &devant(0.5, 0.5, 0.5));
-        "on a face, along it" => "no intersection", lancer(bloc, &devant(1.0, 0.0, 0.5));
-        "inside one object, another ahead still counts" =>
+    partie! { "C7: a hit is an entry from outside; a sphere of radius 2 and a cube of side 2 about O, rays along −z";
+        "inside the sphere, from (0, 0, 1)" => "no intersection", lancer(boule, &devant(0.0, 0.0, 1.0));
+        "on the sphere, going in" => "no intersection", lancer(boule, &devant(0.0, 0.0, 2.0));
+        "inside the cube, from (0.5, 0.5, 0.5)" => "no intersection", lancer(bloc, &devant(0.5, 0.5, 0.5));
+        "on a face of the cube, along it" => "no intersection", lancer(bloc, &devant(1.0, 0.0, 0.5));
+        "inside both, a third ahead still counts: radius 1 about (0, 0, −10)" =>
             "distance 9, normal (0, 0, 1), texture 5",
             premiere([boule, bloc, derriere], &devant(0.0, 0.0, 0.0));
         aussi "as near as can be: the smallest f64 above the floor" => "distance 5e-324", {
@@ -359,7 +359,7 @@ fn c8() -> Partie {
     let boule = sphere(v(0.0, 0.0, -5.0), 1.0, 0);
     let loin: ObjetGeo<f32> = sphere(Vecteur::new(0.0, 0.0, -1000.0), 1.0, 0);
     let presque = rayon(Vecteur::new(0.0, 0.999, 0.0), Vecteur::new(0.0, 0.0, -1.0_f32));
-    partie! { "C8: the first touch of a sphere is SA − AB, and a tangent misses";
+    partie! { "C8: the first touch of a sphere, here of radius 1 about (0, 0, −5), is SA − AB, and a tangent misses";
         "the entry" => "distance 4, normal (0, 0, 1)", lancer(boule, &devant(0.0, 0.0, 0.0));
         "A.2 as printed, SA + AB: the exit" => "6", {
                 let (sc, r) = (v(0.0, 0.0, -5.0), 1.0);
@@ -387,7 +387,7 @@ fn c9() -> Partie {
                 let haut = -p.produit_scalaire(sortant.source());
                 nombre(haut / p.produit_scalaire(sortant.direction()))
             };
-        "a descent of 2⁻⁴⁰ per unit still arrives: no threshold" =>
+        "a ray that descends 2⁻⁴⁰ for each unit still arrives: there is no epsilon" =>
             "distance 1099511627776, normal (0, 0, 1)",
             lancer(mur, &rayon(v(0.0, 0.0, 1.0), v(1.0, 0.0, -(-40.0_f64).exp2())));
     }
@@ -525,17 +525,17 @@ fn c15() -> Partie {
             "centre.y is 1.1529216420458004e18, but must be a number between -2^60 and 2^60",
             erreur(SphereGeo::new(Vecteur::new(0.0, 60_f32.exp2().next_up(), 0.0), 1.0, texture));
         "a radius of 0" => "rayon is 0.0, but must be a number above 0", boule(0.0, 0.0);
-        "a negative height" => "dimensions.y (hauteur) is -2.0, but must be a number above 0",
+        "a negative height" => "dimensions.y is -2.0, but must be a number above 0",
             erreur(BoiteGeo::new(O, v(1.0, -2.0, 1.0), i, texture));
         "a translation that leaves" =>
             "centre.x is 5.814709794364855e135, but must be a number between -2^450 and 2^450",
             erreur(sphere(v(grand, 0.0, 0.0), 1.0, 0).translation(v(grand, 0.0, 0.0)));
         "a matrix off by 2⁻⁹" =>
-            "matrice: |M·Mᵀ - I| is 0.0019540786743164063, but must be at most 1e-3, as for a rotation",
+            "matrice is 0.0019540786743164063, but must be a rotation to 1e-3, by M·Mᵀ - I",
             {
                 erreur(Rotation::depuis_matrice(ecartee((-10.0_f64).exp2())))
             };
-        "a mirror" => "matrice: determinant is -1.0, but must be above 0: a mirror is no rotation",
+        "a mirror" => "matrice is -1.0, but must be of a determinant above 0: a mirror is no rotation",
             erreur(Rotation::depuis_matrice([[-1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]));
     }
 }
@@ -579,7 +579,7 @@ fn scene_entiere() -> Partie {
         "pixel (450, 380): the floor" => "object 0, distance 10.498860", pixel(450, 380);
         "pixel (170, 165): the orange" => "object 7, distance 9.637377", pixel(170, 165);
         "pixel (420, 200): the cube" => "object 8, distance 8.392775", pixel(420, 200);
-        "rays that see another object by annex A to the letter" => "0 of 240000",
+        "rays that see another object by annex A with C7 to C9" => "0 of 240000",
             autres_objets(&objets, &rayons);
         "the same in f32" => "0 of 240000", autres_objets(&objets_f32, &rayons_f32);
     }
@@ -622,8 +622,11 @@ parties! {
 fn la_page_est_a_jour() {
     let chemin = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/jeu-de-tests.md");
     let mut page = String::from(
-        "# Jeu de tests\n\nThe handout asks for this test set in §4.3.3. Each row shows what is tried, and the result that is expected and\n\
-         obtained. `tests/enonce/jeu_de_tests.rs` checks these rows and others, and writes the page:\n\n\
+        "# Jeu de tests\n\n*Le jeu de tests que demande le §4.3.3. À gauche ce qui est essayé, à droite le résultat attendu : un test échoue si\n\
+         le résultat obtenu en diffère d'un chiffre.*\n\n\
+         The handout asks for this test set. The left column says what is tried, and the right one what is expected; a test fails\n\
+         unless just that is obtained. Where a ray misses, the answer is the handout's exception, `NoIntersection`. Textures and\n\
+         objects count from 0. `tests/enonce/jeu_de_tests.rs` checks these rows and others, and writes the page:\n\n\
          ```sh\nLANCER_RAYON_ECRIRE=1 cargo test --all-features --test enonce\n```\n",
     );
     for partie in PARTIES {

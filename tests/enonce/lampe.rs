@@ -29,7 +29,7 @@ fn la_distance_et_la_direction_d_une_lampe_sont_bornees<R: Reel>() {
         // d² − |V|², exactly, over 2|V|.
         let d = Exact::de(ombre.fin());
         let ecart = (&(&d * &d) - &carre).vers_f64() / (2.0 * longueur);
-        let permis = 3.6 * u::<R>() * longueur + R::MIN_POSITIF.vers_f64();
+        let permis = 3.6 * u::<R>() * longueur + R::ETA.vers_f64();
         assert!(ecart.abs() <= permis, "{ecart:e} of {longueur}");
         // |V| is good to 1.5u of `f64`, each coordinate of V to u, and so are the products and the differences.
         let essai = 5.0 * u::<f64>();

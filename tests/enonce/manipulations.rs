@@ -96,7 +96,7 @@ en_f32_et_f64!(agrandir_la_scene_multiplie_la_distance);
 /// The row "transformations" of `docs/precision.md`, against exact numbers.
 fn chaque_transformation_tient_sa_borne<R: Reel>() {
     let strategie = (objet::<R>(1.0), vecteur::<R>(10.0), rotation::<R>(), reel::<R>(0.1, 10.0));
-    let (u, eta) = (u::<R>(), R::MIN_POSITIF.vers_f64());
+    let (u, eta) = (u::<R>(), R::ETA.vers_f64());
     pour_tout(strategie, |(objet, v, r, k)| {
         let (avant, v) = (objet.vers_ray(), <[R; 3]>::from(v));
         let deplace = objet.translation(v.into()).unwrap().vers_ray();

@@ -147,7 +147,7 @@ fn un_refus_nomme_le_champ() {
     assert_eq!(champ(boule(nul, 1.0).vers_f32(infinie)), "origine.y");
     let cotes = Vecteur::new(1.0, 1e-30, 1.0);
     let boite = BoiteGeo::new(nul, cotes, Rotation::IDENTITE, Texture(0)).unwrap();
-    assert_eq!(boite.vers_f32(nul).unwrap_err().champ, "dimensions.y (hauteur)");
+    assert_eq!(boite.vers_f32(nul).unwrap_err().champ, "dimensions.y");
     let plan = PlanGeo::new(Rotation::IDENTITE, 1e20, Texture(0)).unwrap();
     assert_eq!(plan.vers_f32(nul).unwrap_err().champ, "distance");
     assert_eq!(plan.vers_f32(-loin).unwrap().distance(), 0.0);
@@ -204,7 +204,7 @@ fn une_chambre_convertie_reste_close() {
         let simples = simples.collect::<Result<Vec<ObjetRay<f32>>, ErreurGeo>>().unwrap();
         let murs: Vec<_> = murs.iter().map(|mur| mur.vers_ray()).collect();
         let (double, simple) = (Monde::de_liste(&murs), Monde::de_liste(&simples));
-        // How much deeper a hit lies in some wall than lemma 23 grants.
+        // How much deeper a hit lies in some wall than lemma 22 grants.
         let exces = |rayon: &Rayon<f32>| {
             let Ok(touche) = simple.premiere_intersection(rayon) else { return f64::INFINITY };
             let de_plus =

@@ -122,7 +122,7 @@ en_f32_et_f64!(un_capteur_au_ras_du_sol_voit_la_lampe);
 /// A number that is subnormal: processors take up to a hundred times as long for it.
 fn sous_normal<R: Reel>(x: R) -> bool {
     let normal = if size_of::<R>() == 4 { f32::MIN_POSITIVE.into() } else { f64::MIN_POSITIVE };
-    x != R::ZERO && x.abs().vers_f64() < normal
+    x != R::ZERO && x.absolu().vers_f64() < normal
 }
 
 /// Margins, starts, directions and distances over a floor, a wall and a slab through O and the axes.

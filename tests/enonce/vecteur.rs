@@ -12,7 +12,7 @@ const COTES: Vecteur = Vecteur::new(3.0, -4.0, 12.0);
 fn la_longueur_est_exacte_d_un_bout_a_l_autre<R: Reel>() {
     let (cotes, treize) = (arrondi::<R>(COTES), R::depuis_f64(13.0));
     let unitaire = cotes.unitaire();
-    let (mut k, mut puissances) = (R::MIN_POSITIF, 0);
+    let (mut k, mut puissances) = (R::ETA, 0);
     while treize * k < R::INFINI {
         let v = cotes * k;
         assert_eq!(

@@ -54,7 +54,7 @@ fn de_la_surface_un_rayon_sort_en_face_ou_pas<R: Reel>() {
     assert_eq!(sortie(&sol, v(0.0, 0.0, 0.0), monte), None);
     assert_eq!(sortie(&sol, v(0.0, 0.0, 3.0), descend), None);
     // Too far for the type.
-    let pente = Vecteur::new(R::UN, R::ZERO, R::MIN_POSITIF);
+    let pente = Vecteur::new(R::UN, R::ZERO, R::ETA);
     assert_eq!(sortie(&sol, v(0.0, 0.0, -3.0), pente), None);
 }
 
@@ -105,13 +105,13 @@ fn entre_milieux_assortis_la_lumiere_va_tout_droit<R: Reel>() {
     pour_chaque(10_000, faire, |(objet, rayon, passage, peu)| {
         let Ok(touche) = passage.de(&objet, &rayon) else { return };
         let (n, d) = (touche.normale(), rayon.direction());
-        let devant = n.produit_scalaire(d).abs().vers_f64();
+        let devant = n.produit_scalaire(d).absolu().vers_f64();
         if devant <= 3.2 * u {
             return;
         }
         rasants += u32::from(devant < 100.0 * u);
         let droit = touche.refracte(d, R::UN).unwrap().direction();
-        let derriere = n.produit_scalaire(droit).abs().vers_f64();
+        let derriere = n.produit_scalaire(droit).absolu().vers_f64();
         // What is turned outward is above its plane by less than 20u.
         let rase = passage == Passage::Sortie && derriere < 20.0 * u;
         let permis = promesses::TOUT_DROIT + if rase { promesses::REFLECHI_REDRESSE } else { 0.0 };

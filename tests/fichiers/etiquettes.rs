@@ -1,4 +1,4 @@
-//! Each step of the algorithms of `docs/preuves.md` stands, by its label, in a comment of the code that takes it.
+//! Each step of the algorithms of `docs/preuves.md` and `docs/preuves-arbre.md` stands, by its label, in a comment of the code that takes it.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -19,13 +19,16 @@ fn etiquettes(texte: &str) -> impl Iterator<Item = &str> {
 #[test]
 fn chaque_pas_des_preuves_est_une_fois_dans_le_code() {
     let racine = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let page = fs::read_to_string(racine.join("docs/preuves.md")).unwrap();
-    let (_, algorithmes) = page.split_once("\n## The algorithms\n").unwrap();
-    let (_, algorithmes) = algorithmes.split_once("```text\n").unwrap();
-    let (algorithmes, _) = algorithmes.split_once("```").unwrap();
+    let pages = ["docs/preuves.md", "docs/preuves-arbre.md"].map(|page| {
+        let page = fs::read_to_string(racine.join(page)).unwrap();
+        let (_, algorithmes) = page.split_once("\n## The algorithms\n").unwrap();
+        let (_, algorithmes) = algorithmes.split_once("```text\n").unwrap();
+        algorithmes.split_once("```").unwrap().0.to_owned()
+    });
     // A step begins a line.
-    let mut pas: BTreeMap<_, _> = algorithmes
-        .lines()
+    let mut pas: BTreeMap<_, _> = pages
+        .iter()
+        .flat_map(|algorithmes| algorithmes.lines())
         .filter_map(|ligne| etiquettes(ligne).next().filter(|pas| ligne.starts_with(pas)))
         .map(|pas| (pas.to_owned(), Vec::new()))
         .collect();

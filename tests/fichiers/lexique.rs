@@ -7,10 +7,10 @@ use std::path::Path;
 use crate::dossiers::fichiers_sous;
 
 /// Public names that are the same word in both languages.
-const MEMES: [&str; 8] = ["Rotation", "ZERO", "abs", "direction", "sqrt", "x", "y", "z"];
+const MEMES: [&str; 6] = ["Rotation", "ZERO", "direction", "x", "y", "z"];
 
 /// The names of the page.
-const SUR_LA_PAGE: usize = 32;
+const SUR_LA_PAGE: usize = 37;
 
 /// Each public name, with its English words.
 type Lexique = BTreeMap<String, Vec<String>>;

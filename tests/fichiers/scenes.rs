@@ -97,7 +97,7 @@ fn un_objet_refuse_dit_ou_et_pourquoi() {
         ),
         (
             "Boite(dimensions: (1, 0, 1), centre: (0, 0, 0), rotation: (0, 0, 0), texture: 0)",
-            "4:31: dimensions.y (hauteur) is 0.0, but must be a number above 0",
+            "4:31: dimensions.y is 0.0, but must be a number above 0",
         ),
         (
             "Plan(distance: 1, rotation: (0, inf, 0), texture: 0)",
@@ -188,7 +188,7 @@ fn les_quarts_de_tour_sont_exacts<R: Reel + DeserializeOwned>() {
                 "Boite(centre: (0, 0, 0), dimensions: (1, 1, 1), rotation: ({x}, {y}, {z}), texture: 0)"
             )));
             let [ObjetGeo::Boite(boite)] = scene.objets[..] else { panic!("{scene:?}") };
-            let exact = |x: &R| [R::ZERO, R::UN].contains(&x.abs());
+            let exact = |x: &R| [R::ZERO, R::UN].contains(&x.absolu());
             for normale in boite.vers_ray().normales() {
                 assert!(<[R; 3]>::from(normale).iter().all(exact), "{r:?} degrees: {normale:?}");
             }

@@ -187,7 +187,7 @@ impl<'a, R: Bits> Octets<'a, R> {
             ObjetRay::Boite(boite) => {
                 let axes = boite.normales().into_iter().zip(boite.demi_longueurs()).zip(ou);
                 let point = axes.clone().fold(boite.centre(), |p, ((n, l), x)| p + n * (l * x));
-                let face = axes.clone().find(|(_, x)| R::abs(*x) == R::UN);
+                let face = axes.clone().find(|(_, x)| R::absolu(*x) == R::UN);
                 (point, face.map_or(Vecteur::NUL, |((n, _), x)| n * x))
             }
         };
@@ -232,7 +232,7 @@ impl<'a, R: Bits> Octets<'a, R> {
                 let moities = [0, 1, 2, 5][usize::from(self.octet()? % 4)];
                 (vers.longueur() * R::depuis_f64((-f64::from(part)).exp2()), moities)
             }
-            3 | 4 => (R::abs(self.reel()?), 0),
+            3 | 4 => (R::absolu(self.reel()?), 0),
             _ => (R::U, 0),
         };
         let place = place - n * (flou * R::depuis_f64(f64::from(moities) / 2.0));

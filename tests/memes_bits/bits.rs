@@ -65,10 +65,10 @@ fn au_hasard<R: Bits>(attendue: u64) {
                     let angles = v * R::depuis_f64(1.0 / echelle);
                     let (tour, texture) = (Rotation::new(angles).unwrap(), Texture(i));
                     match i % 9 {
-                        8 => PlanGeo::new(tour, centre.x.abs(), texture).unwrap().into(),
+                        8 => PlanGeo::new(tour, centre.x.absolu(), texture).unwrap().into(),
                         0 | 2 | 4 => SphereGeo::new(centre, v.longueur(), texture).unwrap().into(),
                         _ => {
-                            let dimensions = [v.x.abs(), v.y.abs(), v.longueur()].into();
+                            let dimensions = [v.x.absolu(), v.y.absolu(), v.longueur()].into();
                             BoiteGeo::new(centre, dimensions, tour, texture).unwrap().into()
                         }
                     }

@@ -272,7 +272,8 @@ fn des_rayons_paralleles_evitent_une_boule_a_cote<R: Reel>() {
     for k in 0..27_u8 {
         let axe = |i: u8| R::depuis_f64(f64::from(k / i % 3) - 1.0);
         let Some(d) = Vecteur::new(axe(1), axe(3), axe(9)).unitaire() else { continue };
-        let autre = axes.into_iter().find(|axe| axe.produit_scalaire(d).abs() < R::depuis_f64(0.9));
+        let autre =
+            axes.into_iter().find(|axe| axe.produit_scalaire(d).absolu() < R::depuis_f64(0.9));
         let u = d.produit_vectoriel(autre.unwrap()).unitaire().expect("across D");
         let v = d.produit_vectoriel(u);
         // The corners of a tile.

@@ -117,7 +117,7 @@ fn a_cote<R: Reel>() {
     let cube = demie(Vecteur::NUL, Vecteur::new(R::UN, R::UN, R::UN));
     for x in [0.0, 0.4, 1.4] {
         let s = Vecteur::new(n(x), dehors, n(-5.0));
-        let rayon = Rayon::new(s, Vecteur::new(R::ZERO, R::MIN_POSITIF, R::UN)).unwrap();
+        let rayon = Rayon::new(s, Vecteur::new(R::ZERO, R::ETA, R::UN)).unwrap();
         assert!(juger(&cube, &rayon).is_none());
     }
 }
@@ -147,7 +147,7 @@ fn petite_boite<R: Reel>(dernier: i32) {
             (0.5, 0.5, -0.8),
             (0.3, -0.5, -0.50001),
         ] {
-            if e > dernier && (x == 0.5 || y.abs() == 0.5) {
+            if e > dernier && (x == 0.5 || y.absolu() == 0.5) {
                 continue;
             }
             let s = Vecteur::new(R::depuis_f64(x), R::depuis_f64(y), R::depuis_f64(z)) * k;
@@ -178,7 +178,7 @@ fn une_vitesse_de_f32_est_un_multiple_de_2_puissance_moins_102() {
         cube.intersection(&rayon.unwrap()).is_ok()
     };
     let demi = puissance::<f32>(-103);
-    assert!(touche(0.0) && touche(f32::MIN_POSITIF) && touche(demi) && !touche(demi.next_up()));
+    assert!(touche(0.0) && touche(f32::ETA) && touche(demi) && !touche(demi.next_up()));
 }
 
 /// From one end of the range to a box at the other, and back: no distance is too long for the search.
@@ -208,7 +208,7 @@ fn aucune_distance_n_est_0<R: Reel>() {
     };
     pour_chaque(200, faire, |(plan, n)| {
         for k in 0..343_u16 {
-            let pas = |de: u16| R::MIN_POSITIF * R::depuis_f64(f64::from(k / de % 7) - 3.0);
+            let pas = |de: u16| R::ETA * R::depuis_f64(f64::from(k / de % 7) - 3.0);
             let rayon = Rayon::new(Vecteur::new(pas(1), pas(7), pas(49)), -n).unwrap();
             if let Ok(touche) = plan.intersection(&rayon) {
                 assert!(touche.distance() > R::ZERO, "{rayon:?}");

@@ -247,7 +247,7 @@ fn depuis_mot<R: Bits>(bits: u64) -> R {
 }
 
 fn remarquable<R: Reel>(alea: &mut Rng) -> R {
-    let un = [R::ZERO, -R::ZERO, R::UN, R::MIN_POSITIF, R::LIMITE, R::UN / R::LIMITE, R::U];
+    let un = [R::ZERO, -R::ZERO, R::UN, R::ETA, R::LIMITE, R::UN / R::LIMITE, R::U];
     let x = match alea.usize(0..10) {
         i @ 0..7 => un[i],
         7 => R::depuis_f64(f64::from(alea.i8(-8..=8)) / 2.0),
@@ -310,7 +310,7 @@ fn depart_de_peu_de_bits<R: Bits>(genre: Genre, alea: &mut Rng) -> Option<(Objet
         ))
     };
     let c = lieu(alea) * k;
-    let taille = |alea: &mut Rng| peu_de_bits::<R>(alea).abs() * k;
+    let taille = |alea: &mut Rng| peu_de_bits::<R>(alea).absolu() * k;
     let objet: ObjetGeo<R> = match genre {
         Genre::Sphere => SphereGeo::new(c, taille(alea), Texture(0)).ok()?.into(),
         Genre::Plan => PlanGeo::new(tour(alea), taille(alea), Texture(0)).ok()?.into(),
@@ -524,7 +524,7 @@ fn vitre<R: Bits>(alea: &mut Rng) -> Candidat<R> {
 /// Through the origin or a few subnormals beside it, as the source is.
 fn demi_espace_pres_de_0<R: Bits>(alea: &mut Rng) -> Candidat<R> {
     let petit = |alea: &mut Rng| {
-        let x = R::depuis_f64(R::MIN_POSITIF.vers_f64() * f64::from(alea.i8(-20..=20)));
+        let x = R::depuis_f64(R::ETA.vers_f64() * f64::from(alea.i8(-20..=20)));
         if alea.bool() { x } else { R::ZERO }
     };
     let plan = PlanGeo::new(tour(alea), petit(alea), Texture(0)).unwrap();
@@ -614,7 +614,7 @@ fn ce_qui_a_ses_propres_departs<R: Bits>() {
 
 en_f32_et_f64!(ce_qui_a_ses_propres_departs);
 
-/// Lemma 23.
+/// Lemma 22.
 fn ce_qu_un_rayon_sait_de_sa_source<R: Bits>() {
     for genre in Genre::TOUS {
         let depart = |alea: &mut Rng| un_objet::<R>(genre, alea);

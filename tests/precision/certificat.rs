@@ -173,7 +173,7 @@ fn une_limite_n_est_jamais_0() {
         let centre = Vecteur::new(100.0 + f32::from(i), 0.0, 0.0);
         objets.push(sphere(centre, 0.1));
     }
-    let source = Vecteur::new(-4.0, -2.0, -1.0) * f32::MIN_POSITIF;
+    let source = Vecteur::new(-4.0, -2.0, -1.0) * f32::ETA;
     let rayon = Rayon::new(source, Vecteur::new(-0.5240927, 0.34185442, 0.78003997)).unwrap();
     assert_eq!(premier_exact(&objets, &rayon), Some(1));
     assert!(!juger(&objets, &rayon));
@@ -214,7 +214,7 @@ fn au_dela_de_4u_deux_entrees_sont_distinguees() {
                 sures_quoique_loin += u32::from(ecart < erreurs);
                 return;
             }
-            // An end of J8 lies beyond the entry by the roundings of t, and of its error.
+            // Observed, not proven: an end of J8 lies beyond the entry by the roundings of t, and of its error.
             let permis = 4.0 * u * (t + t_autre) + 20.0 * u * erreurs;
             assert!(ecart <= permis, "{ecart:e} > {permis:e}: {objets:?} {rayon:?}");
             pire = pire.max(ecart / (u * (t + t_autre)));

@@ -26,7 +26,7 @@ fn juger<R: Reel>(objet: ObjetRay<R>, rayon: Rayon<R>) {
 /// hit.
 #[test]
 fn un_demi_sous_normal_et_un_carre_perdu_decident() {
-    let peu = f64::MIN_POSITIF;
+    let peu = f64::ETA;
     let rayon = |s, d| Rayon::new(s, d).unwrap();
     let boule = sphere(Vecteur::new(0.0, peu, 0.0), 0.5);
     juger(boule, rayon(Vecteur::new(-5.0, 0.5, 0.0), Vecteur::X));
@@ -247,7 +247,7 @@ en_f32_et_f64!(dans_le_plan_d_une_face_un_contact_est_sur);
 
 /// A number of few bits: 0, a power of two, or one with a far smaller one beside it.
 fn creux<R: Reel>(alea: &mut Hasard) -> R {
-    let fond = R::MIN_POSITIF.vers_f64().log2() as i32;
+    let fond = R::ETA.vers_f64().log2() as i32;
     let mut dans =
         |debut: i32, fin: i32| debut + alea.usize(0..debut.abs_diff(fin) as usize) as i32;
     let k = if dans(0, 2) == 1 { dans(-8, 9) } else { dans(fond, -fond / 3) };
@@ -283,12 +283,12 @@ fn essai<R: Reel>(alea: &mut Hasard) -> Result<(ObjetRay<R>, Rayon<R>), ErreurGe
     let d = if alea.bool() { d } else { -d };
     // Or the smallest number beside O, which the surface is then around.
     let mut moindre = [R::ZERO; 3];
-    moindre[alea.usize(0..3)] = if alea.bool() { R::MIN_POSITIF } else { -R::MIN_POSITIF };
+    moindre[alea.usize(0..3)] = if alea.bool() { R::ETA } else { -R::ETA };
     let quelconque = triple(alea);
     let (centre, autour) =
         [(Vecteur::NUL, Vecteur::NUL), (moindre.into(), Vecteur::NUL), (quelconque, quelconque)]
             [alea.usize(0..3)];
-    let [a, b, c] = <[R; 3]>::from(triple::<R>(alea)).map(R::abs);
+    let [a, b, c] = <[R; 3]>::from(triple::<R>(alea)).map(R::absolu);
     let cote = |alea: &mut Hasard, l: R| [l, -l, creux(alea)][alea.usize(0..3)];
     let bord = axes[0] * cote(alea, a) + axes[1] * cote(alea, b) + axes[2] * cote(alea, c);
     let (objet, bord) = match alea.u8(0..3) {
@@ -302,7 +302,8 @@ fn essai<R: Reel>(alea: &mut Hasard) -> Result<(ObjetRay<R>, Rayon<R>), ErreurGe
             (BoiteGeo::new(centre, cotes, rotation, Texture(0))?.into(), autour + bord)
         }
     };
-    let source = if alea.u8(0..4) > 0 { bord - d * creux::<R>(alea).abs() } else { triple(alea) };
+    let source =
+        if alea.u8(0..4) > 0 { bord - d * creux::<R>(alea).absolu() } else { triple(alea) };
     Ok((objet, Rayon::new(source, d)?))
 }
 

@@ -205,7 +205,7 @@ fn la_marge_d_une_sphere_de_42_u_f_peut_etre_infinie() {
 #[test]
 fn au_centre_la_somme_calculee_decide() {
     fn somme<R: Reel>(p: Vecteur<R>) -> R {
-        p.x.abs() + p.y.abs() + p.z.abs()
+        p.x.absolu() + p.y.absolu() + p.z.absolu()
     }
     let faire = |alea: &mut Hasard| {
         let centre = arrondi::<f32>(direction(alea));

@@ -202,7 +202,7 @@ en_f32_et_f64!(une_refraction_est_celle_de_snell);
 
 /// Half-spaces and rays exactly parallel to them, in each of the ways that zero can be written.
 fn un_rayon_parallele_manque_et_la_moindre_pente_arrive<R: Reel>() {
-    let (zero, petit, un) = (R::ZERO, R::MIN_POSITIF, R::UN);
+    let (zero, petit, un) = (R::ZERO, R::ETA, R::UN);
     let sol = ObjetRay::from(PlanGeo::new(Rotation::IDENTITE, zero, Texture(0)).unwrap());
     let vers = |z: R| {
         let rayon = Rayon::new(Vecteur::new(zero, zero, un), Vecteur::new(un, zero, z)).unwrap();

@@ -23,6 +23,7 @@ use crate::rayon::intersection::Intersection;
 #[doc(alias("side", "top", "bottom", "left", "right", "front", "back"))]
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[must_use]
 pub enum Face {
     /// The face that looked towards +x, to the right.
     PlusX,
@@ -118,7 +119,7 @@ impl<R: Nombre> BoiteRay<R> {
     pub fn lieu(&self, rayon: &Rayon<R>, touche: &Intersection<R>) -> (Face, Vecteur<R>) {
         // The normal of a hit is that of a face, or leans from it by some u: one cosine is near ±1.
         let cosinus = self.normales().map(|n| n.produit_scalaire(touche.normale()));
-        let [x, y, z] = cosinus.map(R::abs);
+        let [x, y, z] = cosinus.map(R::absolu);
         let axe = if x >= y && x >= z { 0 } else { 1 + usize::from(z > y) };
         let face = Face::TOUTES[if cosinus[axe] < R::ZERO { axe + 3 } else { axe }];
         // Relative to the source: S + tD − C would lose what S and C have in common (lemma 6).

@@ -47,14 +47,15 @@ pub(crate) fn loupe(objet: &ObjetRay, rayon: &Rayon) -> Intervalle {
 fn apres(t: f64, Intervalle { bas, haut }: Intervalle) -> Intervalle {
     // J8
     let [moins, plus] = [-1.0, 1.0].map(|signe| 1.0 + signe * (ECART_ARRONDI * f64::U));
-    let bas = bas * if bas > 0.0 { moins } else { plus } - f64::MIN_POSITIF;
-    let haut = haut * if haut > 0.0 { plus } else { moins } + f64::MIN_POSITIF;
+    let bas = bas * if bas > 0.0 { moins } else { plus } - f64::ETA;
+    let haut = haut * if haut > 0.0 { plus } else { moins } + f64::ETA;
     let (bas, haut) = ((t + bas) * (1.0 - 2.0 * f64::U), (t + haut) * (1.0 + 2.0 * f64::U));
     Intervalle { bas: max(bas, 0.0), haut }
 }
 
-/// How much farther than a point the ray enters the object, if it does, and leaves it at the most, in
-/// doubled numbers. The bounds of the entry are those of [`coup_d_oeil`], to 8.6u of `f64`.
+/// Bounds on how much farther than the second of these places the ray enters the object, and the most
+/// by which it leaves it farther, in doubled numbers. The bounds of the entry are those of
+/// [`coup_d_oeil`], to 8.6u of `f64`.
 pub(crate) fn juger(objet: &ObjetRay, rayon: &Rayon, lieux: Lieux) -> (Intervalle, f64) {
     juger_avec::<Triple>(objet, rayon, lieux)
 }
@@ -73,9 +74,9 @@ fn juger_avec<P: Point>(objet: &ObjetRay, rayon: &Rayon, lieux: Lieux) -> (Inter
     }
 }
 
-/// Judges the solid inside all faces: so many across each of so many axes, one or two. `face` has for
-/// each axis a unit vector and how far along it from the centre c its face stands; the second stands
-/// as far the other way.
+/// Judges a solid that planes bound, with `PAR_AXE` faces across each of `AXES` axes: one across one
+/// for a half-space, two across each of three for a box. `face` has for each axis a unit vector and
+/// how far along it from the centre c its face stands; the second face stands as far the other way.
 #[inline(always)]
 fn juger_faces<P: Point, const AXES: usize, const PAR_AXE: usize>(
     c: Vecteur,
@@ -179,7 +180,7 @@ fn juger_sphere<P: Point>(
     // AB²·D² is D²(r² − PC²) + PA² at any point P of the line. At A as computed PA is all rounding:
     // its square is taken twice, so that it is a bound, and never as 0 unless PA is.
     let xa_a = xa_a.grandeur();
-    let reste = 2.0 * xa_a * xa_a + if xa_a > 0.0 { f64::MIN_POSITIF } else { 0.0 };
+    let reste = 2.0 * xa_a * xa_a + if xa_a > 0.0 { f64::ETA } else { 0.0 };
     let ab2 = Intervalle { bas: -p_a.haut * d2, haut: reste - p_a.bas * d2 };
     // J6
     let moindre = p_s.moindre(sa).moindre(ab2);
@@ -187,7 +188,7 @@ fn juger_sphere<P: Point>(
         return (Intervalle::de(f64::INFINI), f64::INFINI);
     }
     let (p, xa) = en(t);
-    let [ab_bas, ab_haut] = [ab2.bas, ab2.haut].map(|x| max(x, 0.0).sqrt());
+    let [ab_bas, ab_haut] = [ab2.bas, ab2.haut].map(|x| max(x, 0.0).racine());
     let reste = if xa.bas > 0.0 {
         p.sur(Intervalle { bas: xa.bas + ab_bas, haut: xa.haut + ab_haut })
     } else {
