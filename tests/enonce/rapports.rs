@@ -2,6 +2,7 @@
 
 use commun::conversion::voisin;
 use commun::fabrique::{avec_arbre, boite, boite_droite, mur, sphere, v};
+use commun::facons::comparer;
 use commun::hasard::{Hasard, Tirage, pour_chaque};
 use commun::oracle::dehors;
 use commun::regimes::{direction, entre};
@@ -253,9 +254,12 @@ fn a_la_profondeur_de_delta_et_de_o_rien_n_est_touche_d_emblee<R: Bits>() {
         (boite_droite(Vecteur::NUL, v(1.0, 1.0, 1.0)), mur(v(0.0, 0.5, 0.0), Vecteur::Y));
     pour_tout(1..1_u16 << 12, |k| {
         let (delta, u) = (nombre(f64::from(k) / 16_384.0), R::U);
-        let touche = |objet: &ObjetRay<R>, x, y| {
+        let rayon = |x, y| {
             let rayon = Rayon::new(Vecteur::new(x, y, R::ZERO), -Vecteur::Y).unwrap();
-            objet.intersection(&rayon.avec_flou(delta).unwrap()).map(|touche| touche.distance())
+            rayon.avec_flou(delta).unwrap()
+        };
+        let touche = |objet: &ObjetRay<R>, x, y| {
+            objet.intersection(&rayon(x, y)).map(|touche| touche.distance())
         };
         let [au_sol, au_cube, a_cote] =
             [0.0, 66.0, 33.0].map(|o| nombre(0.5) - (delta + nombre(o) * u));
@@ -263,6 +267,9 @@ fn a_la_profondeur_de_delta_et_de_o_rien_n_est_touche_d_emblee<R: Bits>() {
             prop_assert_eq!(touche(objet, R::ZERO, fond), Err(NoIntersection));
             prop_assert_eq!(touche(objet, R::ZERO, voisin(fond, 1)), Ok(R::ZERO));
         }
+        // Side by side, where some are too deep and others are not.
+        let rayons = [au_sol, voisin(au_sol, 1), au_cube, voisin(au_cube, 1)];
+        comparer(&[sol, cube], &rayons.map(|y| rayon(R::ZERO, y)).repeat(4));
         for x in [a_cote, -a_cote] {
             prop_assert_eq!(touche(&cube, x, nombre(0.5)), Ok(R::ZERO));
             prop_assert_eq!(touche(&cube, voisin(x, 1), nombre(0.5)), Err(NoIntersection));

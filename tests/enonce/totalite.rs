@@ -27,6 +27,7 @@ fn refusee<R: Reel>(erreur: ErreurGeo) -> TestCaseResult {
         autre => return Err(TestCaseError::fail(format!("unknown field {autre}"))),
     };
     prop_assert!(!admise, "{erreur}");
+    prop_assert!(!valeur.is_nan() || valeur.to_bits() == f64::NAN.to_bits(), "one NaN of many");
     Ok(())
 }
 
