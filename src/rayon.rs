@@ -116,7 +116,8 @@ impl<R: Nombre> Rayon<R> {
     /// starts inside that object and does not see it. A ray that [starts from a
     /// hit](crate::Intersection::secondaire) knows its δ, as does one from [a place of your
     /// own](crate::ObjetRay::sortie). A point C + l·N as computed, the middle of a face, lies within
-    /// 14u(|C| + l) of the face.
+    /// 14u(|C| + l) of the face. A δ much larger than the error does harm: a ray does not see a box
+    /// that is no thicker than 2δ.
     ///
     /// # Errors
     /// If `flou` is not finite or below 0, or above 0 for a ray that is [inside](Self::dedans)

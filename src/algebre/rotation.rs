@@ -138,10 +138,11 @@ impl<R: Nombre> Rotation<R> {
         }
         let mut m = matrice.map(|ligne| ligne.map(R::vers_f64));
         let lignes = plus_grand_defaut(m);
-        exiger(lignes <= ECART, "matrice", lignes, "a rotation to 1e-3, by M·Mᵀ - I")?;
+        let attendu = "at most 1e-3 in each element of M·Mᵀ - I, as a rotation";
+        exiger(lignes <= ECART, "matrice", lignes, attendu)?;
         let [x, y, z] = m.map(Vecteur::from);
         let determinant = x.produit_vectoriel(y).produit_scalaire(z);
-        let attendu = "of a determinant above 0: a mirror is no rotation";
+        let attendu = "above 0 in its determinant: a mirror is no rotation";
         exiger(determinant > 0.0, "matrice", determinant, attendu)?;
         // The columns may be three times as far off as the rows, and are the rows of the inverse.
         if lignes.max(plus_grand_defaut(transposee(m))) <= DEJA_ORTHONORMALE * R::U.vers_f64() {
@@ -285,7 +286,7 @@ impl<R: Nombre> Rotation<R> {
         let d = unitaire(champs, direction.vers_f64())?;
         let k =
             d.produit_vectoriel(unitaire(["haut", "haut.x", "haut.y", "haut.z"], haut.vers_f64())?);
-        let (sinus, attendu) = (k.longueur(), "at an angle to direction, of a sine above 16u");
+        let (sinus, attendu) = (k.longueur(), "above 16u in the sine of its angle with direction");
         exiger(sinus > PARALLELES * R::U.vers_f64(), "haut", sinus, attendu)?;
         let y = au_dessus(d, k);
         Ok(Self::arrondie(polie([d.produit_vectoriel(y), y, -d].map(<[f64; 3]>::from))))

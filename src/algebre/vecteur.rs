@@ -179,8 +179,9 @@ impl<R: Nombre> Vecteur<R> {
     }
 
     /// The nearest vector in `f32`: each coordinate rounded.
+    #[doc(alias("to_f32", "narrow"))]
     #[inline(always)]
-    pub(crate) fn vers_f32(self) -> Vecteur<f32> {
+    pub fn vers_f32(self) -> Vecteur<f32> {
         Vecteur::new(simple(self.x), simple(self.y), simple(self.z))
     }
 

@@ -16,7 +16,8 @@ use crate::rayon::Rayon;
 /// (`benches/seuils.md`, "Thresholds").
 const PRIX_D_UNE_FICHE: f32 = 0.03;
 
-/// Half of the least width of a slice in the frame of the tree (lemma 21).
+/// Half of the least width of a slice in the frame of the tree that an object wishes for; rounded up
+/// to whole slices, they are narrower by a third at most (lemma 21).
 const DEMI_TRANCHE_MINIMALE: f32 = 1.0 / 65_536.0;
 
 /// Into how many slices each object is cut. An object and its index tell it, so that no record
@@ -62,7 +63,8 @@ impl Coupe {
         let axe = grandeurs(objet.demi_axe());
         let [a, c] = [axe, h - axe].map(|h| repere.surface(h));
         let k = (a / (c + self.prix)).racine();
-        let k = min(k, repere.distance(axe.longueur()) / DEMI_TRANCHE_MINIMALE);
+        // 0/0, of a needle along an axis that has no surface in numbers of `f32`, stays a NaN.
+        let k = min(repere.distance(axe.longueur()) / DEMI_TRANCHE_MINIMALE, k);
         if k >= 2.0 { k - 1.0 } else { 0.0 }
     }
 

@@ -85,7 +85,7 @@ lu_par! {
         let contact = Contact { normale, marge: positif("marge", marge)?, point };
         let longueur = normale.longueur();
         let unitaire = (longueur - R::UN).absolu() <= fois_u(32.0);
-        exiger(unitaire, "normale", longueur, "of length 1, to rounding")?;
+        exiger(unitaire, "normale", longueur, "1 in length, to rounding")?;
         for x in <[R; 3]>::from(point) {
             exiger(x.absolu() >= R::ZERO, "point", x, "a number")?;
         }

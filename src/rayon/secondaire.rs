@@ -1,7 +1,7 @@
 //! The rays that start from a hit: mirrors, glass, shadows, lines of sight (handout, later parts).
 
 use crate::algebre::nombre::{Nombre, fois_u, plancher};
-use crate::algebre::refus::{ErreurGeo, exiger, fini, point, positif, positif_ou_nul, refus_nul};
+use crate::algebre::refus::{ErreurGeo, exiger, fini, point, positif_ou_nul, refus_nul};
 use crate::algebre::vecteur::Vecteur;
 use crate::rayon::intersection::Intersection;
 use crate::rayon::{DIRECTION, Rayon, direction_unitaire, su_dedans, su_suivant};
@@ -18,6 +18,10 @@ pub const PAS_NORMAL: f64 = 20.0;
 
 /// The rounding of the moved point, in units of u·Σ|N_i·P_i| (lemma 9).
 pub const PAS_ARRONDI: f64 = 1.1;
+
+/// The largest ratio of two indices of refraction. With one ten times as large rounding may turn light
+/// that leaves an object in `f32` back into it (lemma 9).
+pub const RAPPORT_MAXIMAL: f64 = 100.0;
 
 /// A ray that turns in mid-air.
 impl<R: Nombre> Rayon<R> {
@@ -155,8 +159,8 @@ impl<R: Nombre> Intersection<R> {
     /// cosine behind the surface is |N·D| with the direction D of the ray that is returned. Another
     /// object may stand in the glass: ask the world before the way out (`docs/README.md`, Glass).
     ///
-    /// Up to η = 100 the direction is within an angle of sine 10.3u(1 + η)/c′ of the exact one at N
-    /// for the D of a ray, with c′ the exact cosine behind the surface (`docs/preuves.md`, lemma 9).
+    /// The direction is within an angle of sine 10.3u(1 + η)/c′ of the exact one at N for the D of a
+    /// ray, with c′ the exact cosine behind the surface (`docs/preuves.md`, lemma 9).
     /// At η = 1 light goes straight on to 3.1u, at any angle. A way out within 3.2u of the tangent
     /// plane is then turned outward, as by [`secondaire`](Self::secondaire).
     ///
@@ -164,7 +168,7 @@ impl<R: Nombre> Intersection<R> {
     /// **Total reflection**: the error names `refraction`, and gives the square of the cosine
     /// behind the surface, 0 or less. Above η = 1 that may be told wrongly where c′² is within
     /// 9.8u(1 + η)c of 0, with c the exact cosine in front; up to η = 1 all light passes, unless N·D
-    /// is so small that its square is 0. Also if `rapport` is not finite or not above 0, or where
+    /// is so small that its square is 0. Also if `rapport` is not above 0 or is above 100, or where
     /// [`secondaire`](Self::secondaire) would fail. As [`reflechi`](Self::reflechi) fails there
     /// too, `touche.refracte(d, rapport).or_else(|_| touche.reflechi(d))` is where the light goes.
     ///
@@ -188,7 +192,8 @@ impl<R: Nombre> Intersection<R> {
     /// ```
     #[doc(alias("refract", "refraction", "snell", "transmit", "ior", "glass"))]
     pub fn refracte(&self, direction: Vecteur<R>, rapport: R) -> Result<Rayon<R>, ErreurGeo> {
-        let rapport = positif("rapport", rapport)?;
+        let permis = rapport > R::ZERO && rapport <= R::depuis_f64(RAPPORT_MAXIMAL);
+        let rapport = exiger(permis, "rapport", rapport, "a number above 0, 100 at most")?;
         let (d, n) = (direction_unitaire(DIRECTION, direction)?, self.normale());
         let le_long = d.produit_scalaire(n);
         let travers = d - n * le_long;

@@ -364,7 +364,7 @@ pub fn reflechi<R: Reel>(cas: &Essai<R>) -> f64 {
 pub fn refracte<R: Reel>(cas: &Essai<R>) -> f64 {
     let (d, rapport) = (cas.rayon.direction(), cas.vers[0]);
     let eta = rapport.vers_f64();
-    if !(eta > 0.0 && eta <= RAPPORT_PERMIS) {
+    if !(eta > 0.0 && eta <= pour_les_tests::RAPPORT_MAXIMAL) {
         return RIEN;
     }
     let Some(touche) = touche(cas) else { return RIEN };
@@ -388,9 +388,6 @@ pub fn refracte<R: Reel>(cas: &Essai<R>) -> f64 {
         }
     }
 }
-
-/// The largest ratio of two indices of which the direction behind is promised.
-const RAPPORT_PERMIS: f64 = 100.0;
 
 /// How far N·L is from the cosine of a sun in the direction in which the object is left.
 pub fn soleil<R: Reel>(cas: &Essai<R>) -> f64 {

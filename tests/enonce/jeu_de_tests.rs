@@ -531,11 +531,11 @@ fn c15() -> Partie {
             "centre.x is 5.814709794364855e135, but must be a number between -2^450 and 2^450",
             erreur(sphere(v(grand, 0.0, 0.0), 1.0, 0).translation(v(grand, 0.0, 0.0)));
         "a matrix off by 2⁻⁹" =>
-            "matrice is 0.0019540786743164063, but must be a rotation to 1e-3, by M·Mᵀ - I",
+            "matrice is 0.0019540786743164063, but must be at most 1e-3 in each element of M·Mᵀ - I, as a rotation",
             {
                 erreur(Rotation::depuis_matrice(ecartee((-10.0_f64).exp2())))
             };
-        "a mirror" => "matrice is -1.0, but must be of a determinant above 0: a mirror is no rotation",
+        "a mirror" => "matrice is -1.0, but must be above 0 in its determinant: a mirror is no rotation",
             erreur(Rotation::depuis_matrice([[-1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]));
     }
 }

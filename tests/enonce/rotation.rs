@@ -421,7 +421,7 @@ fn n_importe_quels_bits_donnent_une_rotation_ou_un_refus<R: Bits>() {
                 Err(erreur) if erreur.attendu == "a finite number" => {
                     prop_assert!(!finis && !erreur.valeur.is_finite(), "{}", erreur);
                 }
-                Err(erreur) if erreur.attendu.starts_with("at an angle") => {
+                Err(erreur) if erreur.attendu.starts_with("above 16u") => {
                     prop_assert!(finis && !nul)
                 }
                 Err(erreur) => prop_assert!(finis && nul && erreur.valeur == 0.0, "{}", erreur),
@@ -452,7 +452,7 @@ fn un_refus_nomme_le_nombre() {
         (Rotation::regard(x, nan), "haut.y is NaN, but must be a finite number"),
         (
             Rotation::regard(x, -x * 3.0),
-            "haut is 0.0, but must be at an angle to direction, of a sine above 16u",
+            "haut is 0.0, but must be above 16u in the sine of its angle with direction",
         ),
     ];
     for (essai, phrase) in cas {

@@ -140,6 +140,26 @@ fn entre_milieux_assortis_la_lumiere_va_tout_droit<R: Reel>() {
 
 en_f32_et_f64!(entre_milieux_assortis_la_lumiere_va_tout_droit);
 
+/// With a ratio of 1167 rounding turned light that left a half-space, whose N is as long as a matrix that is kept allows,
+/// back into it: it hit what it had left. There is no such glass.
+#[test]
+fn un_rapport_au_dela_de_100_est_refuse() {
+    let bas = [[1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, -1.0 - f32::EPSILON]];
+    let bas = Rotation::depuis_matrice(bas).unwrap();
+    let objet = ObjetRay::from(PlanGeo::new(bas, 0.0, Texture(0)).unwrap());
+    let d = Vecteur::new(-7.046_234e-4, -4.873_232e-4, -0.999_999_2_f32);
+    let sortie = objet.sortie(&Rayon::new(Vecteur::Z, d).unwrap()).unwrap();
+    assert_eq!(sortie.normale().z, -1.0 - f32::EPSILON);
+    for rapport in [1_167.235, 100.000_01, f32::MAX, f32::INFINITY, f32::NAN, 0.0, -1.5] {
+        let suite = sortie.refracte(d, rapport);
+        let revient = suite.is_ok_and(|suite| objet.intersection(&suite).is_ok());
+        assert!(!revient, "light that left at a ratio of {rapport} comes back");
+        assert_eq!(suite.unwrap_err().champ, "rapport", "{rapport}");
+    }
+    let dehors = sortie.refracte(d, 100.0).unwrap();
+    assert_eq!(objet.intersection(&dehors), Err(NoIntersection));
+}
+
 /// A ray in mist passes through a pane that stands in it, flush on its bottom: beyond the pane it is in the mist as before,
 /// and carries no δ. A ray from within the pane is in one object fewer, outside the mist in none.
 fn a_travers_une_vitre_un_rayon_reste_dans_la_brume<R: Reel>() {

@@ -362,6 +362,16 @@ fn les_places_de_plus_vont_aux_boites_longues<R: Bits>() {
         let [juste, ample] = [1, 9].map(|k| arbre(objets, &mut vec![f32::NAN; k * necessaires]));
         assert!(juste == ample, "{n}");
     }
+    // Nor needles along the axes, so thin that in the frame of a tree they have no surface.
+    let aiguilles: Vec<_> = (0..40)
+        .map(|i| {
+            let mut dimensions = [R::UN / R::LIMITE; 3];
+            dimensions[i % 3] = R::UN;
+            boite_droite::<R>(v(i as f64, 0.0, 0.0), dimensions.into())
+        })
+        .collect();
+    let [juste, ample] = [1, 9].map(|k| arbre(&aiguilles, &mut vec![f32::NAN; k * places(40)]));
+    assert_eq!(juste.len(), ample.len());
     // Too few for a tree stay too few, alone and among half-spaces.
     let demi_espaces = [(); 20].map(|()| sol(&mut alea, 20.0));
     let mut peu = poutres::<R>(&mut alea, UN_ARBRE - 1);

@@ -656,9 +656,6 @@ fn lemme_9_la_borne_d_un_reflet_suffit() {
     tenir(promesses::REFLECHI_REDRESSE, |_| i(REDRESSE + 2.0));
 }
 
-/// The largest ratio of two indices that lemma 9 speaks of.
-const RAPPORT: f64 = 100.0;
-
 /// Of a ratio η of indices, sine and cosine in front of the surface and behind it: what T of M8 is off by along the
 /// surface and across it, and k, in u.
 fn refraction(
@@ -681,7 +678,7 @@ fn refraction(
 
 #[test]
 fn lemme_9_la_borne_d_une_refraction_suffit() {
-    let domaine = |u: f64| [de_a(0.0, RAPPORT), de_a(u, 1.0)];
+    let domaine = |u: f64| [de_a(0.0, RAPPORT_MAXIMAL), de_a(u, 1.0)];
     tenir_sur(promesses::REFRACTE, domaine, |u, [eta, c_]| {
         let s_ = ((1.0 - c_).max(i(0.0)) * (1.0 + c_)).racine();
         if s_.bas > eta.haut {
@@ -700,7 +697,7 @@ fn lemme_9_la_borne_d_une_refraction_suffit() {
     tenir_sur(
         promesses::REFRACTE_TOTALE,
         // From the first number above 1 on: up to 1 all terms of k are above 0.
-        |u| [de_a(1.0 + 2.0 * u, RAPPORT)],
+        |u| [de_a(1.0 + 2.0 * u, RAPPORT_MAXIMAL)],
         |u, [eta]| {
             let c = ((eta - 1.0) * (eta + 1.0)).racine() / eta;
             let [.., k] = refraction(u, eta, [1.0 / eta, c], [i(1.0), i(0.0)]);
