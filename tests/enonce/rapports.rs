@@ -239,7 +239,10 @@ fn dedans_un_rayon_n_a_pas_de_flou_et_dehors_il_le_garde<R: Reel>() {
             de(10.0).bifurque(long(1.0), travers).unwrap(),
             grande.sortie(&de(0.0)).unwrap().secondaire(d).unwrap(),
         ];
-        assert!(dehors.iter().all(|rayon| rayon.flou() > flou), "{dehors:?}");
+        // The rounding of a bounce is far less than it.
+        let borne = flou * R::depuis_f64(1.001);
+        let fidele = |rayon: &Rayon<R>| rayon.flou() > flou && rayon.flou() < borne;
+        assert!(dehors.iter().all(fidele), "{dehors:?}");
     }
 }
 

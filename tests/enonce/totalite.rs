@@ -153,6 +153,12 @@ fn n_importe_quels_bits_donnent_une_valeur_valide_ou_une_erreur<R: Bits>() {
                     // A direction that is kept (lemma 1), and four roundings of this test in f64.
                     prop_assert!((carre - 1.0).abs() <= 15.1 * u::<R>() + 4.0 * u::<f64>());
                     interroger(&objets, &rayon)?;
+                    let admis = k >= R::ZERO && k < R::INFINI;
+                    let suites =
+                        [("flou", rayon.avec_flou(k)), ("distance", rayon.bifurque(k, vers))];
+                    for (champ, suite) in suites {
+                        prop_assert!(admis || suite.is_err_and(|e| e.champ == champ));
+                    }
                     match rayon.vers_f32(v) {
                         Ok(simple) => prop_assert!(tient(simple.source())),
                         Err(erreur) => refusee::<f32>(erreur)?,
