@@ -447,6 +447,7 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// // The first two alone; and those before 3.2.
     /// assert_eq!(monde.dans_l_ordre(&rayon, &mut touches[..2]), 2);
     /// assert_eq!(monde.dans_l_ordre(&rayon.jusqu_a(3.2)?, &mut touches), 1);
+    /// assert!(touches[1..].iter().all(Result::is_err));
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
     #[doc(alias("all_hits", "multi_hit", "k_nearest", "in_order", "transparency", "picking"))]

@@ -2,7 +2,7 @@
 
 use commun::oracle::Exact;
 use commun::strategies::{Plante, objet, plante, reel, rotation, vecteur};
-use commun::tolerances::{ARRONDI, DISTANCE, NORMALE, PRODUIT, TOURNE, u};
+use commun::tolerances::{ARRONDI, DISTANCE, NORMALE, ORTHONORMALE, PRODUIT, TOURNE, u};
 use commun::{en_f32_et_f64, pour_tout};
 use lancer_rayon::{
     BoiteGeo, ObjetGeo, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture, Vecteur,
@@ -182,6 +182,12 @@ fn un_mur_passe_par_son_point<R: Reel>() {
             prop_assert_eq!(normale, Vecteur::NUL);
             return Ok(());
         };
+        // Its axes are those of patterns on it.
+        let axes = mur.orientation().axes().map(|axe| axe.vers_f64());
+        for (i, j) in [(0, 0), (0, 1), (0, 2), (1, 1), (1, 2)] {
+            let manque = axes[i].produit_scalaire(axes[j]) - f64::from(u8::from(i == j));
+            prop_assert!(manque.abs() <= ORTHONORMALE * u::<R>(), "{i}, {j}: {manque}");
+        }
         let mur = mur.vers_ray();
         let (n, p) = (mur.normale().vers_f64(), point.vers_f64());
         let voulue = normale.vers_f64().unitaire().unwrap();

@@ -27,6 +27,7 @@ fn refusee<R: Reel>(erreur: ErreurGeo) -> TestCaseResult {
         autre => return Err(TestCaseError::fail(format!("unknown field {autre}"))),
     };
     prop_assert!(!admise, "{erreur}");
+    prop_assert!(!valeur.is_nan() || valeur.to_bits() == f64::NAN.to_bits(), "one NaN of many");
     Ok(())
 }
 
@@ -86,6 +87,7 @@ fn interroger<R: Bits>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> TestCaseResu
     for rapport in [rayon.source().x, R::UN / R::LIMITE, R::LIMITE, R::ETA, R::INFINI] {
         let verre = touche.refracte(rayon.direction(), rapport);
         let dites = ["marge", "rapport", "refraction", "source.x", "source.y", "source.z"];
+        prop_assert!(rapport < R::INFINI || verre.is_err_and(|e| e.champ == "rapport"));
         prop_assert!(
             verre.is_ok_and(|verre| tient(verre.source()))
                 || verre.is_err_and(|e| dites.contains(&e.champ))
@@ -133,6 +135,8 @@ fn n_importe_quels_bits_donnent_une_valeur_valide_ou_une_erreur<R: Bits>() {
                 garder(objet.translation(v))?;
                 garder(objet.rotation(r2))?;
                 garder(objet.homothetie(k))?;
+                // A half-space has no size that would show it.
+                prop_assert!(objet.homothetie(k).is_err() || k > R::ZERO && k < R::INFINI);
                 match objet.vers_f32(v) {
                     Ok(simple) => valide(&simple.vers_ray())?,
                     Err(erreur) => refusee::<f32>(erreur)?,
@@ -149,6 +153,12 @@ fn n_importe_quels_bits_donnent_une_valeur_valide_ou_une_erreur<R: Bits>() {
                     // A direction that is kept (lemma 1), and four roundings of this test in f64.
                     prop_assert!((carre - 1.0).abs() <= 15.1 * u::<R>() + 4.0 * u::<f64>());
                     interroger(&objets, &rayon)?;
+                    let admis = k >= R::ZERO && k < R::INFINI;
+                    let suites =
+                        [("flou", rayon.avec_flou(k)), ("distance", rayon.bifurque(k, vers))];
+                    for (champ, suite) in suites {
+                        prop_assert!(admis || suite.is_err_and(|e| e.champ == champ));
+                    }
                     match rayon.vers_f32(v) {
                         Ok(simple) => prop_assert!(tient(simple.source())),
                         Err(erreur) => refusee::<f32>(erreur)?,
