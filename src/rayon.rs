@@ -135,13 +135,7 @@ impl<R: Nombre> Rayon<R> {
     /// ```
     #[doc(alias("tolerance", "on_surface", "blur"))]
     pub fn avec_flou(self, flou: R) -> Result<Self, ErreurGeo> {
-        let flou = positif_ou_nul("flou", flou)?;
-        if self.su < R::ZERO {
-            exiger(flou == R::ZERO, "flou", flou, "0 for a ray that is inside something")?;
-            return Ok(self);
-        }
-        // A −0 would be read again as 0.
-        Ok(Self { su: max(flou, R::ZERO), ..self })
+        Ok(Self { su: su_avec_flou(self.su, flou)?, ..self })
     }
 
     /// The same ray, known to start inside something such as mist, water or glass. It has no δ and
@@ -329,13 +323,21 @@ fn nul<R: Nombre>() -> R {
     R::ZERO
 }
 
-/// What is known of a source, from δ and the number of objects that the ray is inside, one of which
-/// is 0.
+/// What a ray knows of its source that is given this δ, which is 0 for one that is inside something.
+fn su_avec_flou<R: Nombre>(su: R, flou: R) -> Result<R, ErreurGeo> {
+    let flou = positif_ou_nul("flou", flou)?;
+    if su < R::ZERO {
+        exiger(flou == R::ZERO, "flou", flou, "0 for a ray that is inside something")?;
+        return Ok(su);
+    }
+    // A −0 would be read again as 0.
+    Ok(max(flou, R::ZERO))
+}
+
+/// What is known of a source, as it was written: δ and the number of objects that the ray is inside.
 #[cfg(feature = "serde")]
 pub(crate) fn su_lu<R: Nombre>(flou: R, dedans: u64) -> Result<R, ErreurGeo> {
-    let flou = positif_ou_nul("flou", flou)?;
-    exiger(flou == R::ZERO || dedans == 0, "flou", flou, "0 for a ray that is inside something")?;
-    Ok(if dedans > 0 { R::depuis_f64(-(dedans as f64)) } else { max(flou, R::ZERO) })
+    su_avec_flou(R::depuis_f64(-(dedans as f64)), flou)
 }
 
 /// How much deeper than δ a hit may lie in another object, in u of the distance (lemma 22).
