@@ -208,7 +208,7 @@ impl<R: Nombre> ObjetRay<R> {
         par_forme!(Self, self, forme => {
             let (contact, de_face) = forme.contact(rayon, t);
             if de_face {
-                Ok(Intersection::new(t, contact, rayon.su(), forme.texture(), rang))
+                Ok(Intersection::new(t, contact, rayon.flou(), forme.texture(), rang))
             } else {
                 self.conclure_rare(rayon, t, rang)
             }
@@ -219,7 +219,7 @@ impl<R: Nombre> ObjetRay<R> {
     #[inline(never)]
     fn conclure_rare(&self, rayon: &Rayon<R>, t: R, rang: Rang) -> Reponse<R> {
         par_forme!(Self, self, forme => {
-            Ok(Intersection::new(t, forme.conclure(rayon, t), rayon.su(), forme.texture(), rang))
+            Ok(Intersection::new(t, forme.conclure(rayon, t), rayon.flou(), forme.texture(), rang))
         })
     }
 
@@ -296,12 +296,8 @@ impl<R: Nombre> ObjetRay<R> {
             if t >= rayon.fin() {
                 return Err(NoIntersection);
             }
-            // Beyond, a ray from inside is inside one object fewer, or outside; one that passes
-            // through is inside as many as before.
-            let su = rayon.su();
-            let su = if entree < R::INFINI { su } else { min(su + R::UN, max(su, R::ZERO)) };
             let contact = forme.conclure(&retour, -t); // W6
-            Ok(Intersection::new(t, contact, su, forme.texture(), Rang::de(0)))
+            Ok(Intersection::new(t, contact, rayon.flou(), forme.texture(), Rang::de(0)))
         })
     }
 

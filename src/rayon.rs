@@ -1,13 +1,15 @@
 //! Rays of light (handout §4.1 and annex A): a source, a unit direction and an end.
 
+pub(crate) mod flou;
 pub(crate) mod intersection;
 pub(crate) mod secondaire;
 
-use crate::algebre::nombre::{Nombre, fois_u, max, min, simple};
+use crate::algebre::nombre::{Nombre, fois_u, simple};
 use crate::algebre::refus::{
-    self, ErreurGeo, ecrit_par, exiger, fini, lu_par, point, positif_ou_nul, refus_nul, unitaire,
+    self, ErreurGeo, ecrit_par, exiger, fini, lu_par, point, refus_nul, unitaire,
 };
 use crate::algebre::vecteur::Vecteur;
+use crate::rayon::flou::Flou;
 
 /// A ray: the points R(t) = S + t·D, 0 ≤ t < [`fin`](Self::fin), from the source S along the unit
 /// vector D (handout, annex A).
@@ -35,9 +37,7 @@ pub struct Rayon<R = f64> {
     source: Vecteur<R>,
     direction: Vecteur<R>,
     fin: R,
-    /// What is known of the source: δ, which is called `flou`, or below 0 minus the number of
-    /// objects that the ray is inside.
-    su: R,
+    flou: Flou<R>,
 }
 
 impl<R: Nombre> Rayon<R> {
@@ -135,7 +135,7 @@ impl<R: Nombre> Rayon<R> {
     /// ```
     #[doc(alias("tolerance", "on_surface", "blur"))]
     pub fn avec_flou(self, flou: R) -> Result<Self, ErreurGeo> {
-        Ok(Self { su: su_avec_flou(self.su, flou)?, ..self })
+        Ok(Self { flou: self.flou.avec(flou)?, ..self })
     }
 
     /// The same ray, known to start inside something such as mist, water or glass. It has no δ and
@@ -170,27 +170,26 @@ impl<R: Nombre> Rayon<R> {
     /// ```
     #[doc(alias("inside", "medium", "fog"))]
     pub fn dedans(self) -> Self {
-        Self { su: su_dedans(self.su), ..self }
+        Self { flou: self.flou.dedans(), ..self }
     }
 
     /// The ray without an end from a source and in a direction that were checked before, with δ =
     /// 0.
     #[inline(always)]
     pub(crate) fn sans_fin(source: Vecteur<R>, direction: Vecteur<R>) -> Self {
-        Self { source, direction, fin: R::INFINI, su: R::ZERO }
+        Self { source, direction, fin: R::INFINI, flou: Flou::NUL }
     }
 
-    /// The same ray with this [`su`](Self::su).
+    /// The same ray that knows this of its source.
     #[inline(always)]
-    pub(crate) fn sachant(self, su: R) -> Self {
-        Self { su, ..self }
+    pub(crate) fn sachant(self, flou: Flou<R>) -> Self {
+        Self { flou, ..self }
     }
 
-    /// What is known of the source: δ, or below 0 minus the number of objects that the ray is
-    /// inside.
+    /// The δ to which this ray touches objects at once: 0 inside something, where it touches none.
     #[inline(always)]
-    pub(crate) fn su(&self) -> R {
-        self.su
+    pub(crate) fn flou_d_emblee(&self) -> R {
+        self.flou.d_emblee()
     }
 
     /// S, where the ray starts.
@@ -236,7 +235,7 @@ impl<R: Nombre> Rayon<R> {
     #[inline(always)]
     #[must_use]
     pub fn flou(&self) -> R {
-        max(self.su, R::ZERO)
+        self.flou.delta()
     }
 
     /// R(t) = S + t·D, the point at this distance from the source, in scene units. At +∞ a
@@ -273,14 +272,8 @@ impl<R: Nombre> Rayon<R> {
     pub fn vers_f32(self, origine: Vecteur<R>) -> Result<Rayon<f32>, ErreurGeo> {
         let origine = refus::origine(origine)?;
         let rayon = Rayon::new((self.source - origine).vers_f32(), self.direction.vers_f32())?;
-        let su = if self.su > R::ZERO {
-            let ici = simple(su_suivant(self.su, R::ZERO, R::ZERO, self.source)).min(f32::MAX);
-            // The step is more than is lost below the normal numbers.
-            su_suivant(ici, 8.0 * f32::ETA, 0.0, rayon.source)
-        } else {
-            simple(self.su).max(f32::MIN)
-        };
-        Ok(Rayon { fin: simple(self.fin), su, ..rayon })
+        let flou = self.flou.vers_f32(self.source, rayon.source);
+        Ok(Rayon { fin: simple(self.fin), flou, ..rayon })
     }
 
     /// The same ray in `f64`, exactly: a witness, which tells what an answer in `f32` would be in
@@ -300,68 +293,14 @@ impl<R: Nombre> Rayon<R> {
     #[doc(alias("to_f64", "widen", "witness"))]
     pub fn temoin_f64(&self) -> Rayon {
         let (source, direction) = (self.source.vers_f64(), self.direction.vers_f64());
-        Rayon { source, direction, fin: self.fin.vers_f64(), su: self.su.vers_f64() }
+        Rayon { source, direction, fin: self.fin.vers_f64(), flou: self.flou.vers_f64() }
     }
-}
-
-/// Adds one to the number of objects that a ray which knows this of its source is inside.
-#[inline(always)]
-pub(crate) fn su_dedans<R: Nombre>(su: R) -> R {
-    min(su, R::ZERO) - R::UN
-}
-
-/// The number of objects that a ray which knows this of its source is inside.
-#[cfg(feature = "serde")]
-pub(crate) fn combien_dedans<R: Nombre>(su: R) -> u64 {
-    // A number below 0 becomes 0.
-    (-su).vers_f64() as u64
 }
 
 /// δ = 0, where a ray is written without it.
 #[cfg(feature = "serde")]
 fn nul<R: Nombre>() -> R {
     R::ZERO
-}
-
-/// What a ray knows of its source that is given this δ, which is 0 for one that is inside something.
-fn su_avec_flou<R: Nombre>(su: R, flou: R) -> Result<R, ErreurGeo> {
-    let flou = positif_ou_nul("flou", flou)?;
-    if su < R::ZERO {
-        exiger(flou == R::ZERO, "flou", flou, "0 for a ray that is inside something")?;
-        return Ok(su);
-    }
-    // A −0 would be read again as 0.
-    Ok(max(flou, R::ZERO))
-}
-
-/// What is known of a source, as it was written: δ and the number of objects that the ray is inside.
-#[cfg(feature = "serde")]
-pub(crate) fn su_lu<R: Nombre>(flou: R, dedans: u64) -> Result<R, ErreurGeo> {
-    su_avec_flou(R::depuis_f64(-(dedans as f64)), flou)
-}
-
-/// How much deeper than δ a hit may lie in another object, in u of the distance (lemma 22).
-pub const FLOU_DISTANCE: f64 = 15.0;
-
-/// How much deeper than that a hit may lie, in u of Σ|P_i| (lemma 22).
-pub const FLOU_POINT: f64 = 8.1;
-
-/// How much larger δ is made, in u of itself: for its own roundings, those where it is compared, and
-/// a step along an N that is not exactly unit (lemma 22).
-pub const FLOU_RELATIF: f64 = 16.0;
-
-/// Computes what a ray knows of its source if it starts a step `pas` away from the point P, at
-/// distance t of a ray that knows `su` of its own. A ray inside something keeps its count. Any other
-/// gets the δ of lemma 22, which is finite if the numbers that are given are.
-#[inline(always)]
-pub(crate) fn su_suivant<R: Nombre>(su: R, pas: R, t: R, p: Vecteur<R>) -> R {
-    if su < R::ZERO {
-        return su;
-    }
-    // M7
-    let de_plus = t * fois_u(FLOU_DISTANCE) + p.norme_1() * fois_u(FLOU_POINT);
-    let suivant = (su + pas + de_plus) * (R::UN + fois_u(FLOU_RELATIF));
-    if suivant < R::INFINI { suivant } else { su }
 }
 
 /// A direction is kept if |D·D − 1| is at most this, in units of u: an ordinary normalisation
@@ -385,12 +324,12 @@ pub(crate) fn direction_unitaire<R: Nombre>(
 
 // `fin` is none where there is no end, which not every format can say as a number.
 ecrit_par! {
-    Rayon |Rayon { source, direction, fin, su }| {
+    Rayon |Rayon { source, direction, fin, flou }| {
         source: source,
         direction: direction,
         fin: Some(fin).filter(|fin| *fin < R::INFINI),
-        flou: max(su, R::ZERO),
-        dedans: combien_dedans(su),
+        flou: flou.delta(),
+        dedans: u64::from(flou.est_dedans()),
     }
 }
 
@@ -403,6 +342,7 @@ lu_par! {
         dedans: u64 = "u64::default",
     } => {
         let rayon = Self::new(source, direction)?.jusqu_a(fin.unwrap_or(R::INFINI))?;
-        Ok(rayon.sachant(su_lu(flou, dedans)?))
+        // A number above 1 is that of 1.0, which counted the objects.
+        (if dedans > 0 { rayon.dedans() } else { rayon }).avec_flou(flou)
     }
 }

@@ -12,6 +12,7 @@ use crate::objet::forme::Forme;
 use crate::objet::{ObjetRay, par_forme};
 use crate::question::Premier;
 use crate::rayon::Rayon;
+use crate::rayon::flou::Flou;
 use crate::rayon::intersection::{Contact, Intersection, NoIntersection, Rang, Reponse};
 
 /// The rays of a group: a column has one number of each.
@@ -27,7 +28,7 @@ const COTE_A_COTE: u32 = 3;
 pub(crate) struct Groupe<R> {
     s: [Colonne<R>; 3],
     d: [Colonne<R>; 3],
-    /// The δ of each ray.
+    /// To which δ each ray touches at once.
     flous: Colonne<R>,
     t: Colonne<R>,
     rangs: Colonne<Option<Rang>>,
@@ -64,7 +65,7 @@ impl<R: Nombre> Groupe<R> {
             [self.s[0][voie], self.s[1][voie], self.s[2][voie]] = s.into();
             [self.d[0][voie], self.d[1][voie], self.d[2][voie]] = d.into();
             self.t[voie] = rayon.fin();
-            self.flous[voie] = rayon.flou();
+            self.flous[voie] = rayon.flou_d_emblee();
         }
     }
 
@@ -79,7 +80,7 @@ impl<R: Nombre> Groupe<R> {
     /// The ray of one lane with its δ, without its end.
     #[inline(always)]
     fn rayon_flou(&self, voie: usize) -> Rayon<R> {
-        self.rayon(voie).sachant(self.flous[voie])
+        self.rayon(voie).sachant(Flou::dehors(self.flous[voie]))
     }
 
     /// The coordinates of the sources.
@@ -160,14 +161,14 @@ impl<R: Nombre> Groupe<R> {
             let rayon = self.rayon_flou(voie);
             let (entree, source) = forme.t_et_dedans(&rayon);
             *t = entree;
-            dedans |= source & (rayon.flou() > R::ZERO);
+            dedans |= source & (rayon.flou_d_emblee() > R::ZERO);
         }
         if !dedans {
             return;
         }
         for (voie, t) in t.iter_mut().enumerate() {
             let rayon = self.rayon_flou(voie);
-            let d_emblee = (rayon.flou() > R::ZERO) & forme.des_le_depart(&rayon);
+            let d_emblee = (rayon.flou_d_emblee() > R::ZERO) & forme.des_le_depart(&rayon);
             *t = if d_emblee { R::ZERO } else { *t };
         }
     }
@@ -218,7 +219,7 @@ impl<R: Nombre> Groupe<R> {
                 // its fields are stored.
                 if cote_a_cote && contacts.de_face[voie] {
                     let contact = contacts.de(voie);
-                    touches[voie] = Ok(Intersection::new(t, contact, rayon.su(), texture, rang));
+                    touches[voie] = Ok(Intersection::new(t, contact, rayon.flou(), texture, rang));
                 } else {
                     touches[voie] = objet.conclure(rayon, t, rang);
                 }

@@ -276,7 +276,7 @@ impl<R: Nombre> BoiteRay<R> {
     #[inline(always)]
     fn profond(&self, rayon: &Rayon<R>, propre: f64) -> R {
         let [a, b, c] = self.demi_longueurs;
-        rayon.flou() + (a + b + c) * fois_u(propre)
+        rayon.flou_d_emblee() + (a + b + c) * fois_u(propre)
     }
 }
 

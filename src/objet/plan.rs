@@ -249,7 +249,7 @@ impl<R: Nombre> Forme<R> for PlanRay<R> {
     #[inline(always)]
     fn peut_entrer(&self, rayon: &Rayon<R>) -> bool {
         let (hauteur, descente) = self.hauteur_et_descente(rayon);
-        (descente > R::ZERO) & (hauteur > -rayon.flou())
+        (descente > R::ZERO) & (hauteur > -rayon.flou_d_emblee())
     }
 
     /// t = (−d − N·S)/(N·D).

@@ -229,7 +229,7 @@ impl<R: Nombre> Forme<R> for SphereRay<R> {
     #[inline(always)]
     fn des_le_depart(&self, rayon: &Rayon<R>) -> bool {
         let Termes { sa, puissance, ab2, .. } = self.termes(rayon);
-        let profond = rayon.flou() + self.r * fois_u(FLOU_PROPRE);
+        let profond = rayon.flou_d_emblee() + self.r * fois_u(FLOU_PROPRE);
         // D1: at a depth h the power is −(2r − h)h.
         let pres = puissance > -(self.r + self.r) * profond;
         (puissance <= R::ZERO) & pres & (sa > R::ZERO) & (ab2 > R::ZERO)

@@ -5,13 +5,11 @@ use core::num::NonZero;
 
 use crate::algebre::nombre::Nombre;
 #[cfg(feature = "serde")]
-use crate::algebre::nombre::{fois_u, max};
+use crate::algebre::nombre::fois_u;
 #[cfg(feature = "serde")]
-use crate::algebre::refus::exiger;
+use crate::algebre::refus::{exiger, positif_ou_nul};
 use crate::algebre::refus::{ecrit_par, lu_par};
 use crate::algebre::vecteur::Vecteur;
-#[cfg(feature = "serde")]
-use crate::rayon::{combien_dedans, su_lu};
 use crate::texture::Texture;
 
 /// Where a ray first touches an object: what the handout asks for in §2.3.
@@ -47,22 +45,21 @@ pub struct Intersection<R = f64> {
     normale: Vecteur<R>,
     marge: R,
     point: Vecteur<R>,
-    su: R,
+    flou: R,
     texture: Texture,
     rang: Rang,
 }
 
 // `marge` is none where it is +∞.
 ecrit_par! {
-    Intersection |Intersection { distance, normale, marge, point, su, texture, rang }| {
+    Intersection |Intersection { distance, normale, marge, point, flou, texture, rang }| {
         distance: distance,
         normale: normale,
         marge: Some(marge).filter(|marge| *marge < R::INFINI),
         point: point,
-        flou: max(su, R::ZERO),
+        flou: flou,
         texture: texture,
         indice: rang.indice() as u32,
-        dedans: combien_dedans(su),
     }
 }
 
@@ -89,9 +86,11 @@ lu_par! {
         for x in <[R; 3]>::from(point) {
             exiger(x.absolu() >= R::ZERO, "point", x, "a number")?;
         }
-        let su = su_lu(flou, dedans)?;
+        let flou = positif_ou_nul("flou", flou)?.absolu();
+        // 1.0 wrote whether the ray was inside, on which no ray that starts here depends any more.
+        let _ = dedans;
         exiger(indice < u32::MAX, "indice", R::depuis_f64(indice.into()), "below 2^32 - 1")?;
-        Ok(Self::new(distance, contact, su, texture, Rang::de(indice as usize)))
+        Ok(Self::new(distance, contact, flou, texture, Rang::de(indice as usize)))
     }
 }
 
@@ -146,12 +145,12 @@ impl<R: Nombre> Intersection<R> {
     pub(crate) fn new(
         distance: R,
         contact: Contact<R>,
-        su: R,
+        flou: R,
         texture: Texture,
         rang: Rang,
     ) -> Self {
         let Contact { normale, marge, point } = contact;
-        Self { distance, normale, marge, point, su, texture, rang }
+        Self { distance, normale, marge, point, flou, texture, rang }
     }
 
     /// A hit of which only the distance and the object are known so far.
@@ -183,10 +182,10 @@ impl<R: Nombre> Intersection<R> {
         self.point
     }
 
-    /// What the ray knew of its source; for a way out, what a ray outside would know in its place.
+    /// The δ of the ray.
     #[inline(always)]
-    pub(crate) fn su(&self) -> R {
-        self.su
+    pub(crate) fn flou(&self) -> R {
+        self.flou
     }
 
     /// The texture of the object.

@@ -3,8 +3,9 @@
 use crate::algebre::nombre::{Nombre, fois_u, plancher};
 use crate::algebre::refus::{ErreurGeo, exiger, fini, point, positif_ou_nul, refus_nul};
 use crate::algebre::vecteur::Vecteur;
+use crate::rayon::flou::Flou;
 use crate::rayon::intersection::Intersection;
-use crate::rayon::{DIRECTION, Rayon, direction_unitaire, su_dedans, su_suivant};
+use crate::rayon::{DIRECTION, Rayon, direction_unitaire};
 
 /// A direction is turned outward if it lies within this of the tangent plane, in u: no N·D rounds
 /// by more (lemma 9).
@@ -56,7 +57,7 @@ impl<R: Nombre> Rayon<R> {
         let p = self.point(t);
         // The ray takes no step off a surface. The floor of margins covers what is lost below the
         // normal numbers.
-        Ok(Self::new(p, direction)?.sachant(su_suivant(self.su, plancher(), t, p)))
+        Ok(Self::new(p, direction)?.sachant(self.flou.suivant(plancher(), t, p)))
     }
 }
 
@@ -342,9 +343,8 @@ impl<R: Nombre> Intersection<R> {
         // M6
         let source = p + n * if dedans { -pas } else { pas };
         let source = point(["source.x", "source.y", "source.z"], source)?;
-        let su = self.su();
-        let su = if dedans { su_dedans(su) } else { su_suivant(su, pas, self.distance(), p) };
-        Ok(Rayon::sans_fin(source, n).sachant(su))
+        let flou = Flou::dehors(self.flou()).suivant(pas, self.distance(), p);
+        Ok(Rayon::sans_fin(source, n).sachant(if dedans { flou.dedans() } else { flou }))
     }
 
     /// The ray from that side in this unit direction.

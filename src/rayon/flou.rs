@@ -1,0 +1,93 @@
+//! What a ray knows of its source.
+
+use crate::algebre::nombre::{Nombre, fois_u, max, simple};
+use crate::algebre::refus::{ErreurGeo, positif_ou_nul};
+use crate::algebre::vecteur::Vecteur;
+
+/// How much deeper than δ a hit may lie in another object, in u of the distance (lemma 22).
+pub const FLOU_DISTANCE: f64 = 15.0;
+
+/// How much deeper than that a hit may lie, in u of Σ|P_i| (lemma 22).
+pub const FLOU_POINT: f64 = 8.1;
+
+/// How much larger δ is made, in u of itself: for its own roundings, those where it is compared, and
+/// a step along an N that is not exactly unit (lemma 22).
+pub const FLOU_RELATIF: f64 = 16.0;
+
+/// δ, which bounds how deep the source may lie in any object by rounding, and whether the ray starts
+/// inside something on purpose. One number holds both: δ is its magnitude, and the sign bit says
+/// inside, also of a zero.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Flou<R>(R);
+
+impl<R: Nombre> Flou<R> {
+    /// A source that is taken as it stands.
+    pub(crate) const NUL: Self = Self(R::ZERO);
+
+    /// This δ of a ray outside, which must be 0 or more.
+    #[inline(always)]
+    pub(crate) fn dehors(delta: R) -> Self {
+        Self(delta)
+    }
+
+    /// The same δ of a ray inside something.
+    #[inline(always)]
+    pub(crate) fn dedans(self) -> Self {
+        Self(-self.delta())
+    }
+
+    #[inline(always)]
+    pub(crate) fn est_dedans(self) -> bool {
+        self.0.vers_f64().is_sign_negative()
+    }
+
+    /// δ.
+    #[inline(always)]
+    pub(crate) fn delta(self) -> R {
+        self.0.absolu()
+    }
+
+    /// The δ to which objects are touched at once: 0 inside, where none is.
+    #[inline(always)]
+    pub(crate) fn d_emblee(self) -> R {
+        max(self.0, R::ZERO)
+    }
+
+    /// A δ that somebody gives, on the same side.
+    pub(crate) fn avec(self, delta: R) -> Result<Self, ErreurGeo> {
+        // A −0 would say inside.
+        let delta = positif_ou_nul("flou", delta)?.absolu();
+        Ok(self.du_meme_cote(delta))
+    }
+
+    #[inline(always)]
+    fn du_meme_cote(self, delta: R) -> Self {
+        Self(if self.est_dedans() { -delta } else { delta })
+    }
+
+    /// What a ray knows, on the same side, that starts a step `pas` away from the point P, at distance
+    /// t of the ray that knows this: the δ of lemma 22, which is finite if the numbers that are given
+    /// are.
+    #[inline(always)]
+    pub(crate) fn suivant(self, pas: R, t: R, p: Vecteur<R>) -> Self {
+        // M7
+        let de_plus = t * fois_u(FLOU_DISTANCE) + p.norme_1() * fois_u(FLOU_POINT);
+        let suivant = (self.delta() + pas + de_plus) * (R::UN + fois_u(FLOU_RELATIF));
+        if suivant < R::INFINI { self.du_meme_cote(suivant) } else { self }
+    }
+
+    /// The same in `f32`, for a source that was this in its own type and is that in `f32`.
+    pub(crate) fn vers_f32(self, avant: Vecteur<R>, apres: Vecteur<f32>) -> Flou<f32> {
+        if self.delta() == R::ZERO {
+            return Flou(simple(self.0));
+        }
+        let ici = simple(self.suivant(R::ZERO, R::ZERO, avant).0).clamp(f32::MIN, f32::MAX);
+        // The step is more than is lost below the normal numbers.
+        Flou(ici).suivant(8.0 * f32::ETA, 0.0, apres)
+    }
+
+    /// The same in `f64`, exactly.
+    pub(crate) fn vers_f64(self) -> Flou<f64> {
+        Flou(self.0.vers_f64())
+    }
+}
