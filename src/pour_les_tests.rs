@@ -27,9 +27,11 @@ pub use crate::objet::sphere::{
 pub use crate::question::jugement::ERREUR_ARRONDIE;
 pub use crate::question::jugement::juge::{ECART_ARRONDI, coup_d_oeil};
 pub use crate::question::jugement::point::{VUE_LONGUEUR, VUE_POINT, VUE_PUISSANCE, VUE_VITESSE};
-pub use crate::rayon::secondaire::{PAS_ARRONDI, PAS_NORMAL, RAPPORT_MAXIMAL, REDRESSE, TANGENT};
 pub use crate::rayon::DEJA_UNITAIRE;
 pub use crate::rayon::flou::{FLOU_DISTANCE, FLOU_POINT, FLOU_RELATIF};
+pub use crate::rayon::secondaire::{
+    PAS_ARRONDI, PAS_D_EMBLEE, PAS_D_EMBLEE_POINT, PAS_NORMAL, RAPPORT_MAXIMAL, REDRESSE, TANGENT,
+};
 
 /// The instructions to use; no answer depends on them.
 #[derive(Debug, Clone, Copy)]

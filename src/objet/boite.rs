@@ -3,7 +3,7 @@
 pub(crate) mod dalle;
 pub(crate) mod face;
 
-use crate::algebre::nombre::{Nombre, fois_u, max};
+use crate::algebre::nombre::{Nombre, fois_u};
 use crate::algebre::refus::{self, ErreurGeo, coefficient, deplacement, point, taille};
 use crate::algebre::rotation::Rotation;
 use crate::algebre::vecteur::Vecteur;
@@ -354,11 +354,9 @@ impl<R: Nombre> Forme<R> for BoiteRay<R> {
         self.face_vers(rayon, self.dalles(rayon).1)
     }
 
-    fn plan_de_depart(&self, rayon: &Rayon<R>) -> ((Vecteur<R>, R), R) {
-        let entrees = [0, 1, 2].map(|axe| self.dalle(axe, rayon).0);
-        let profonds = entrees.map(|e| if e.vitesse > R::ZERO { -e.longueur } else { R::ZERO });
-        let pres = profonds.into_iter().filter(|p| *p < self.profond(rayon, FLOU_PROPRE));
-        (self.face_vers(rayon, self.face_de_depart(rayon).1), pres.fold(R::ZERO, max))
+    /// The nearest of the faces that the ray goes in by.
+    fn plan_de_depart(&self, rayon: &Rayon<R>) -> (Vecteur<R>, R) {
+        self.face_vers(rayon, self.face_de_depart(rayon).1)
     }
 }
 

@@ -29,10 +29,6 @@ pub const RETRAIT: f64 = 130.0;
 /// of the half-lengths (lemma 22).
 pub const FLOU_PROPRE: f64 = 44.0;
 
-/// How much larger the margin of a hit at once is made, in u of Σ|P_i|: more than flush faces lie
-/// apart as they are stored. No proof needs it.
-const RECUL: f64 = 8.0;
-
 /// A shape, ready for rays.
 pub(crate) trait Forme<R: Nombre>: Copy {
     /// A ball around all of the shape; [`Boule::INFINIE`] if it is unbounded.
@@ -102,11 +98,9 @@ pub(crate) trait Forme<R: Nombre>: Copy {
     /// brought N·D to 0 or above, [`vers_la_source`] replaces it.
     fn plan_tangent(&self, rayon: &Rayon<R>, t: R) -> (Vecteur<R>, R);
 
-    /// What [`plan_tangent`](Self::plan_tangent) says for a shape that the ray touches at once, and
-    /// how deep the source lies under the farthest of the flat faces by which it may have come in; 0
-    /// if the shape has none.
-    fn plan_de_depart(&self, rayon: &Rayon<R>) -> ((Vecteur<R>, R), R) {
-        (self.plan_tangent(rayon, R::ZERO), R::ZERO)
+    /// What [`plan_tangent`](Self::plan_tangent) says for a shape that the ray touches at once.
+    fn plan_de_depart(&self, rayon: &Rayon<R>) -> (Vecteur<R>, R) {
+        self.plan_tangent(rayon, R::ZERO)
     }
 
     /// How high the point P of a hit may lie over the surface there, for what
@@ -123,23 +117,11 @@ pub(crate) trait Forme<R: Nombre>: Copy {
     /// the normal is leaned towards the source. A call for the normal alone, before the margin,
     /// would make a single ray take up to 1.4 times as long (measured).
     fn conclure(&self, rayon: &Rayon<R>, t: R) -> Contact<R> {
-        let d_emblee = t == R::ZERO;
-        let ((n, du_centre), recul) = if d_emblee {
-            self.plan_de_depart(rayon)
-        } else {
-            (self.plan_tangent(rayon, t), R::ZERO)
-        };
+        let (n, du_centre) =
+            if t == R::ZERO { self.plan_de_depart(rayon) } else { self.plan_tangent(rayon, t) };
         let d = rayon.direction();
         let n = if n.produit_scalaire(d) < R::ZERO { n } else { vers_la_source(n, d) };
-        let contact = self.contact_en(rayon, t, n, du_centre);
-        if !d_emblee {
-            return contact;
-        }
-        // Where a box stands flush on a mirror, the nearest face may be the hidden one. The
-        // mirror would send the ray back to where it was, and so on without end. Two steps of this
-        // length, off the hidden face and off the mirror, leave any other face nearer.
-        let recul = recul + contact.point.norme_1() * fois_u(RECUL);
-        Contact { marge: contact.marge + recul, ..contact }
+        self.contact_en(rayon, t, n, du_centre)
     }
 
     /// The contact with the normal as it is, without a branch; and whether that is right: the ray

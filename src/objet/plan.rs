@@ -280,10 +280,6 @@ impl<R: Nombre> Forme<R> for PlanRay<R> {
     fn plan_tangent(&self, _: &Rayon<R>, _: R) -> (Vecteur<R>, R) {
         (self.normale, -self.distance)
     }
-
-    fn plan_de_depart(&self, rayon: &Rayon<R>) -> ((Vecteur<R>, R), R) {
-        (self.plan_tangent(rayon, R::ZERO), -self.hauteur_et_descente(rayon).0)
-    }
 }
 
 refus::lu_par! {

@@ -6,9 +6,9 @@ use core::num::NonZero;
 use crate::algebre::nombre::Nombre;
 #[cfg(feature = "serde")]
 use crate::algebre::nombre::fois_u;
+use crate::algebre::refus::{ecrit_par, lu_par};
 #[cfg(feature = "serde")]
 use crate::algebre::refus::{exiger, positif_ou_nul};
-use crate::algebre::refus::{ecrit_par, lu_par};
 use crate::algebre::vecteur::Vecteur;
 use crate::texture::Texture;
 
