@@ -1,9 +1,10 @@
-//! Media one within the other, such as ice in water in a glass. Let them overlap where they meet, by more than
-//! rounding: where several are, the one of the highest priority is, so that no film of air comes between.
+//! Light through media and past opaque things, one in another, overlapping or flush: ice in water, panes and voxels, a
+//! glass on a table in mist.
 
-use lancer_rayon::{ErreurGeo, Monde, ObjetRay, Rayon};
+use lancer_rayon::{ErreurGeo, Intersection, Monde, ObjetRay, Rayon, Reel};
 
-/// Of each object of the list: where several are, the higher priority counts.
+/// What an object is made of, by its index in the list: where several are, the higher priority counts. Objects beyond
+/// the last medium are opaque.
 #[derive(Debug, Clone, Copy)]
 pub struct Milieu {
     pub priorite: u32,
@@ -12,42 +13,85 @@ pub struct Milieu {
 
 /// Light, and the objects that it is in, in no order.
 #[derive(Debug, Clone)]
-pub struct Lumiere {
-    pub rayon: Rayon,
+pub struct Lumiere<R = f64> {
+    pub rayon: Rayon<R>,
     pub dans: Vec<usize>,
 }
 
-impl Lumiere {
-    /// Goes on to the next face and through it, or is mirrored there; `false` if there is no other.
-    pub fn avancer(&mut self, monde: &Monde<'_>, milieux: &[Milieu]) -> Result<bool, ErreurGeo> {
-        let objets = monde.objets();
-        // What has no way out was left already, unless it is a half-space, in which light may go down for ever.
-        let sort = |i: usize| objets[i].sortie(&self.rayon);
+/// Where light comes to.
+#[derive(Debug)]
+pub enum Surface<R> {
+    /// An opaque object: ask `monde.parmi(|i| i >= milieux.len())` for the light that falls on it from outside.
+    Opaque(Intersection<R>),
+    /// A face of a medium, and the objects that light is in behind it.
+    Claire(Intersection<R>, Vec<usize>),
+}
+
+impl<R: Reel> Lumiere<R> {
+    /// The next surface, if there is one. Faces that lie within rounding of each other are one surface, so that no film
+    /// of air comes between flush media and an opaque thing is found through the glass that stands on it.
+    pub fn surface(
+        &mut self,
+        monde: &Monde<'_, R>,
+        milieux: &[Milieu],
+    ) -> Result<Option<Surface<R>>, ErreurGeo> {
+        let (objets, rayon) = (monde.objets(), self.rayon);
+        // What has no way out was left beside an edge, unless it is a half-space, in which light may go down for ever.
+        let sort = |i: usize| objets[i].sortie(&rayon);
         self.dans.retain(|&i| sort(i).is_ok() || matches!(objets[i], ObjetRay::Plan(_)));
-        let entree = monde.parmi(|i| !self.dans.contains(&i)).premiere_intersection(&self.rayon);
-        let entree = entree.map(|touche| (touche.indice(), touche)).ok();
-        let sorties = self.dans.iter().filter_map(|&i| Some((i, sort(i).ok()?)));
-        let plus_tot = entree
-            .into_iter()
-            .chain(sorties)
-            .reduce(|a, b| if b.1.distance() < a.1.distance() { b } else { a });
-        let Some((lequel, touche)) = plus_tot else { return Ok(false) };
-        let mut apres = self.dans.clone();
-        if let Some(ou) = apres.iter().position(|&i| i == lequel) {
-            apres.swap_remove(ou);
-        } else {
-            apres.push(lequel);
+        // What light is in is left out here, and touched at once by no rounding; anything else may be.
+        let entree = monde.parmi(|i| !self.dans.contains(&i)).premiere_intersection(&rayon);
+        let sorties = self.dans.iter().filter_map(|&i| sort(i).ok());
+        let plus_tot = |a: Intersection<R>, b: Intersection<R>| {
+            if b.distance() < a.distance() { b } else { a }
+        };
+        let Some(touche) = entree.into_iter().chain(sorties).reduce(plus_tot) else {
+            return Ok(None);
+        };
+        // What lies behind the face, by more than the error of this place, tells what light goes into.
+        let (p, n) = (touche.point(), touche.normale());
+        let devant = if rayon.direction().produit_scalaire(n) < R::ZERO { -n } else { n };
+        let erreur = touche.secondaire(n)?.flou();
+        let mut apres = vec![];
+        monde.contenants(p + devant * erreur, |i| apres.push(i));
+        let opaque = |i: usize| i >= milieux.len();
+        if apres.iter().any(|&i| opaque(i)) {
+            let contre = Rayon::new(p - devant * erreur, devant)?.jusqu_a(erreur + erreur)?;
+            if let Ok(touche) = monde.parmi(opaque).premiere_intersection(&contre) {
+                return Ok(Some(Surface::Opaque(touche)));
+            }
+            // It held the light before.
+            apres.retain(|&i| !opaque(i));
         }
+        Ok(Some(Surface::Claire(touche, apres)))
+    }
+
+    /// Goes on to the next surface and through it, or is mirrored there; `false` where an opaque object stops it or there
+    /// is no other.
+    pub fn avancer(&mut self, monde: &Monde<'_, R>, milieux: &[Milieu]) -> Result<bool, ErreurGeo> {
+        let Some(Surface::Claire(touche, apres)) = self.surface(monde, milieux)? else {
+            return Ok(false);
+        };
         let indice = |dans: &[usize]| {
             let premier = dans.iter().map(|&i| milieux[i]).max_by_key(|milieu| milieu.priorite);
             premier.map_or(1.0, |milieu| milieu.indice)
         };
         let (rapport, d) = (indice(&self.dans) / indice(&apres), self.rayon.direction());
         let droit_devant = rapport == 1.0;
-        match if droit_devant { touche.secondaire(d) } else { touche.refracte(d, rapport) } {
-            Ok(rayon) => (self.rayon, self.dans) = (rayon, apres),
-            Err(_) => self.rayon = touche.reflechi(d)?,
-        }
+        let passe = if droit_devant {
+            touche.secondaire(d)
+        } else {
+            touche.refracte(d, R::depuis_f64(rapport))
+        };
+        let suite = match passe {
+            Ok(rayon) => {
+                self.dans = apres;
+                rayon
+            }
+            Err(_) => touche.reflechi(d)?,
+        };
+        // Of what it is in `dans` tells, so that the ray need not be told that it is inside.
+        self.rayon = Rayon::new(suite.source(), suite.direction())?.avec_flou(suite.flou())?;
         Ok(true)
     }
 }

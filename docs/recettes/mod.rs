@@ -7,6 +7,7 @@ pub mod au_loin;
 pub mod brume;
 pub mod caches;
 pub mod capteur;
+pub mod cordes;
 pub mod damier;
 pub mod deux_mondes;
 pub mod lentille;

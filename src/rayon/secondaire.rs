@@ -1,6 +1,6 @@
 //! The rays that start from a hit: mirrors, glass, shadows, lines of sight (handout, later parts).
 
-use crate::algebre::nombre::{Nombre, fois_u, max, plancher};
+use crate::algebre::nombre::{Nombre, fois_u, plancher};
 use crate::algebre::refus::{ErreurGeo, exiger, fini, point, positif_ou_nul, refus_nul};
 use crate::algebre::vecteur::Vecteur;
 use crate::rayon::flou::Flou;
@@ -20,11 +20,11 @@ pub const PAS_NORMAL: f64 = 20.0;
 /// The rounding of the moved point, in units of u·Σ|N_i·P_i| (lemma 9).
 pub const PAS_ARRONDI: f64 = 1.1;
 
-/// The step from a hit at once, in δ: short, since δ grows by it, and above 0, since a step that keeps
-/// up with δ takes a chain out of a seam between mirrors that hide the side by which it came in.
-pub const PAS_D_EMBLEE: f64 = 1.0 / 32.0;
+/// How much longer the outward step from a hit at once is, in δ. A shorter one keeps a chain in a seam
+/// of mirrors for longer; a longer one makes δ grow faster. No proof needs it.
+pub const PAS_D_EMBLEE: f64 = 1.0 / 64.0;
 
-/// How much longer that step is, in u·Σ|P_i|: about as far as flush faces lie apart as they are
+/// How much longer than that it is, in u·Σ|P_i|: about as far as flush faces lie apart as they are
 /// stored. No proof needs it.
 pub const PAS_D_EMBLEE_POINT: f64 = 8.0;
 
@@ -339,18 +339,21 @@ impl<R: Nombre> Intersection<R> {
         Ok(vers)
     }
 
-    /// How far off its point a ray starts from this hit.
+    /// How far along the normal, outward or inward, a ray starts from the point of the hit.
     #[inline(always)]
-    fn pas(&self) -> R {
-        let (p, n, marge) = (self.point(), self.normale(), self.marge());
-        if self.distance() == R::ZERO {
-            // M9: the start lies in the object, by no more than δ and the rounding of the object.
-            let peu = self.flou() * R::depuis_f64(PAS_D_EMBLEE);
-            return max(peu + p.norme_1() * fois_u(PAS_D_EMBLEE_POINT), marge - self.flou());
-        }
+    fn pas(&self, dedans: bool) -> R {
+        let (p, n) = (self.point(), self.normale());
+        let pas = self.marge() * (R::UN + fois_u(PAS_NORMAL));
+        let pas = pas + n.somme_des_grandeurs(p) * fois_u(PAS_ARRONDI);
         // M6
-        let pas = marge * (R::UN + fois_u(PAS_NORMAL));
-        pas + n.somme_des_grandeurs(p) * fois_u(PAS_ARRONDI)
+        if dedans || self.distance() != R::ZERO {
+            return pas;
+        }
+        // Where a box stands flush on a mirror, the nearest face may be the hidden one. The mirror
+        // would send the ray back to where it was, and so on without end. Steps that grow with δ
+        // leave another face nearer in the end.
+        let plus = self.flou() * R::depuis_f64(PAS_D_EMBLEE);
+        pas + plus + p.norme_1() * fois_u(PAS_D_EMBLEE_POINT)
     }
 
     /// The ray along the normal from the point of the hit, moved along the normal, outward or inward,
@@ -359,7 +362,7 @@ impl<R: Nombre> Intersection<R> {
     fn depart(&self, dedans: bool) -> Result<Rayon<R>, ErreurGeo> {
         let attendu = "finite: a sphere lost in rounding, or a point out of range, has no side";
         exiger(self.marge() < R::INFINI, "marge", self.marge(), attendu)?;
-        let (p, n, pas) = (self.point(), self.normale(), self.pas());
+        let (p, n, pas) = (self.point(), self.normale(), self.pas(dedans));
         let source = p + n * if dedans { -pas } else { pas };
         let source = point(["source.x", "source.y", "source.z"], source)?;
         let flou = Flou::dehors(self.flou()).suivant(pas, self.distance(), p);

@@ -1,7 +1,7 @@
 //! Paths of several bounces: mirrors, glass, lamps, suns, other hits and turns in mid-air, one after another; and what each
 //! ray of a path knows of its start.
 
-use lancer_rayon::pour_les_tests::FLOU_RELATIF;
+use lancer_rayon::pour_les_tests::{FLOU_RELATIF, PAS_D_EMBLEE, PAS_D_EMBLEE_POINT};
 use lancer_rayon::{Intersection, Monde, Rayon, Reel, Vecteur};
 
 use crate::conversion::{Bits, mots};
@@ -54,19 +54,19 @@ pub struct Pas<R> {
 struct Marcheur<'a, R> {
     monde: Monde<'a, R>,
     rayon: Rayon<R>,
-    /// How many objects the ray is known to be inside.
-    dedans: usize,
+    /// Whether the ray is known to be inside something.
+    dedans: bool,
     /// The objects that it went into and has not left.
     verres: Vec<usize>,
     avant: Option<Intersection<R>>,
 }
 
-/// The rays of this path, the first of which is known to be inside `dedans` objects. Each step is what the documentation
+/// The rays of this path, the first of which is known to be inside something or not. Each step is what the documentation
 /// says.
 pub fn suivre<R: Bits>(
     monde: Monde<'_, R>,
     depart: Rayon<R>,
-    dedans: usize,
+    dedans: bool,
     pas: &[Pas<R>],
 ) -> Vec<Rayon<R>> {
     let mut marcheur = Marcheur { monde, rayon: depart, dedans, verres: vec![], avant: None };
@@ -82,7 +82,7 @@ impl<R: Bits> Marcheur<'_, R> {
     fn avancer(&mut self, pas: &Pas<R>) -> Option<Rayon<R>> {
         let rayon = self.rayon;
         let entree = self.monde.premiere_intersection(&rayon);
-        if rayon.flou() == R::ZERO {
+        if self.dedans || rayon.flou() == R::ZERO {
             // What it is inside changes nothing: it sees what a ray from `new` does (`Rayon::dedans`), and `new` keeps a
             // direction that is unit (C13).
             let neuf =
@@ -111,7 +111,7 @@ impl<R: Bits> Marcheur<'_, R> {
             let p = rayon.point(t);
             let suite = rayon.bifurque(t, if pas.vise { pas.vers - p } else { pas.vers }).ok()?;
             assert_eq!(coordonnees(suite.source()), coordonnees(p), "{t}: {rayon:?}");
-            self.exiger_ce_qu_il_sait(&suite, self.dedans, [au_plus(&rayon, t, p); 2]);
+            self.exiger_ce_qu_il_sait(&suite, [au_plus(&rayon, t, p); 2]);
             suite
         } else {
             let (indice, touche) = passage?;
@@ -119,7 +119,7 @@ impl<R: Bits> Marcheur<'_, R> {
             self.passer(indice, &touche, &suite);
             suite
         };
-        if au_sec && suite.flou() > R::ZERO {
+        if au_sec && !self.dedans {
             self.exiger_qu_il_ne_s_enfonce_pas(suite.source(), suite.flou().vers_f64());
         }
         self.rayon = suite;
@@ -146,36 +146,33 @@ impl<R: Bits> Marcheur<'_, R> {
         let n = touche.normale();
         let sort = n.produit_scalaire(rayon.direction()) > R::ZERO;
         let entre = n.produit_scalaire(suite.direction()) < R::ZERO;
-        // Beyond a way out it is inside one object fewer, or outside.
-        let dehors = self.dedans - usize::from(sort);
-        let de_loin = if sort { 0.0 } else { rayon.flou().vers_f64() };
-        let poids = poids(n.vers_f64(), touche.point().vers_f64());
-        // The step off the surface: `marge`, and at most 26.1u of it and 1.1u of the weights.
-        let pas = touche.marge().vers_f64();
-        let pas = [pas, pas + u::<R>() * (26.1 * pas + 1.1 * poids)];
-        let sans_pas = de_loin + flou_du_point(touche.distance(), touche.point());
-        self.exiger_ce_qu_il_sait(
-            suite,
-            dehors + usize::from(entre),
-            pas.map(|pas| sans_pas + pas),
-        );
+        let (flou, p) = (rayon.flou().vers_f64(), touche.point());
+        // The step off the surface: `marge`, and at most 26.1u of it and 1.1u of the weights; outward from a hit at once a
+        // part of δ and some u of the place more.
+        let marge = touche.marge().vers_f64();
+        let de_plus = if touche.distance() == R::ZERO && !entre {
+            let tous = poids(Vecteur::new(1.0, 1.0, 1.0), p.vers_f64());
+            flou * PAS_D_EMBLEE + PAS_D_EMBLEE_POINT * u::<R>() * tous
+        } else {
+            0.0
+        };
+        let arrondi = u::<R>() * (26.1 * marge + 1.1 * poids(n.vers_f64(), p.vers_f64()));
+        let pas = [marge + de_plus, marge + de_plus + arrondi];
+        let sans_pas = flou + flou_du_point(touche.distance(), p);
+        self.exiger_ce_qu_il_sait(suite, pas.map(|pas| sans_pas + pas));
         if sort {
             self.verres.pop();
         }
         if entre {
             self.verres.push(indice);
         }
-        self.dedans = dehors + usize::from(entre);
+        self.dedans = entre;
         self.avant = Some(*touche);
     }
 
-    /// δ, between these bounds outside of all that the path went into, and 0 inside ("Closed rooms").
-    fn exiger_ce_qu_il_sait(&self, suite: &Rayon<R>, dedans: usize, [bas, haut]: [f64; 2]) {
+    /// δ, between these bounds ("Closed rooms").
+    fn exiger_ce_qu_il_sait(&self, suite: &Rayon<R>, [bas, haut]: [f64; 2]) {
         let flou = suite.flou().vers_f64();
-        if dedans > 0 {
-            assert_eq!(flou, 0.0, "inside {dedans} objects: {suite:?} after {:?}", self.rayon);
-            return;
-        }
         // Eight roundings here, and fewer than that in the crate, where two products may be subnormal; and what δ grows by
         // for its own.
         let (arrondi, eta) = (16.0 * u::<R>(), 4.0 * R::ETA.vers_f64());

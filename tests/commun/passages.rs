@@ -127,10 +127,13 @@ fn exiger_les_lampes<R: Bits>(passage: Intersection<R>, vers: Vecteur<R>) {
     assert!(ombre.is_none_or(|r| r.flou() == depart.flou()), "{passage:?} {vers:?}");
 }
 
-/// Whether this object, which holds the source of the ray, holds it by no more than δ and o_B however that is rounded.
+/// Whether this object, which holds the source of the ray, holds it by no more than δ and o_B however that is rounded, and
+/// the ray does not start inside something on purpose.
 pub fn est_a_fleur<R: Reel>(objet: &ObjetRay<R>, rayon: &Rayon<R>) -> bool {
     let (source, flou) = (rayon.source(), rayon.flou().vers_f64());
-    flou > 0.0 && profondeur(objet, source) + arrondi_d_une_hauteur(objet, source) <= flou
+    // Saying so again changes no ray that is inside.
+    *rayon != rayon.dedans()
+        && profondeur(objet, source) + arrondi_d_une_hauteur(objet, source) <= flou
 }
 
 /// Lemma 22: an object that holds the start of a ray by no more than δ and o_B, and that the ray does not touch at once,
@@ -203,8 +206,8 @@ pub fn exiger_une_suite<R: Bits>(
         assert_eq!([entree, sortie], [Err(NoIntersection); 2], "{}", contexte());
         return;
     }
-    // It is inside: it starts without a δ, and has no end.
-    assert!(suite.flou() == R::ZERO && suite.fin() == R::INFINI, "{}", contexte());
+    // It is inside, and has no end.
+    assert_eq!(suite.fin(), R::INFINI, "{}", contexte());
     match objet {
         ObjetRay::Sphere(_) => assert!(entree.is_err() && sortie.is_ok(), "{}", contexte()),
         ObjetRay::Plan(_) => assert!(entree.is_err(), "{}", contexte()),

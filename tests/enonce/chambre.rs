@@ -446,7 +446,7 @@ fn aucun_solide_a_fleur_ne_garde_un_rayon<R: Reel>() {
                 if rayon.flou().vers_f64() > pas / 64.0 {
                     break;
                 }
-                assert!(ici < 64, "{rayon:?} stays");
+                assert!(ici < 512, "{rayon:?} stays");
                 (d_emblee, en_suite) = (d_emblee + u32::from(ici > 0), en_suite.max(ici));
                 let Ok(suite) = touche.reflechi(rayon.direction()) else { break };
                 rayon = suite;
@@ -473,9 +473,9 @@ fn un_chemin_sait_ou_il_est<R: Bits>() {
     pour_chaque(cas(500), faire, |(objets, rayons, chemin)| {
         let monde = Monde::de_liste(&objets);
         for rayon in rayons.into_iter().filter(|rayon| !monde.contient(rayon.source())) {
-            suivis += suivre(monde, rayon, 0, &chemin).len();
+            suivis += suivre(monde, rayon, false, &chemin).len();
             // The same from inside.
-            suivis += suivre(monde, rayon.dedans(), 1, &chemin).len();
+            suivis += suivre(monde, rayon.dedans(), true, &chemin).len();
         }
     });
     assert!(suivis > 250_000, "{suivis}");
@@ -483,31 +483,19 @@ fn un_chemin_sait_ou_il_est<R: Bits>() {
 
 en_f32_et_f64!(un_chemin_sait_ou_il_est);
 
-/// What the pages say of a ball: at the point where it touches a mirror a ray may stay, since its hits there do not move it.
+/// What the pages say of a ball that lies on a mirror: light that grazes the mirror runs into the wedge between them, and
+/// is mirrored there for as long as one likes to follow it.
 #[test]
-fn au_contact_d_une_boule_un_rayon_peut_rester() {
-    let boule = v(0.6190252699772706, 0.3467097000736147, 0.4040628239161553);
-    let tour = Rotation::depuis_matrice([
-        [0.24874570450755454, 0.5478593218332496, 0.7987338342460849],
-        [0.7631309755904152, -0.6186860750985684, 0.1867047256326144],
-        [0.5964534253262878, 0.5630965316529134, -0.5719839223763182],
-    ]);
-    let tiers = 1.0 / 3.0;
-    let coffre = |centre, l| boite(centre, v(2.0 * tiers, 2.0 * tiers, l), tour.unwrap());
-    let objets = [
-        sphere(boule, tiers),
-        coffre(v(1.0283703494831662, -0.15959710526758308, 0.6238632947339513), tiers),
-        coffre(v(1.0448640188683627, -0.24836745726984735, 0.2622880295892033), 2.0 * tiers),
-    ];
-    let source = v(0.8734022618407384, 0.14048100837410202, 0.4662977324603403);
-    let d = v(0.30202890598447596, 0.09757520018823561, -0.9482919488522759);
-    let mut rayon = Rayon::new(source, d).unwrap().avec_flou(1.1476832079184187e-12).unwrap();
+fn sous_une_boule_un_rayon_rebondit_sans_fin() {
+    let objets = [sphere(Vecteur::Y, 1.0), mur(Vecteur::NUL, Vecteur::Y)];
+    let d = v(-0.9109670993830367, -0.004708161605405825, 0.4124521512320597);
+    let mut rayon =
+        Rayon::new(v(1.978686596307599, 0.010226468407299459, -0.8958759803881442), d).unwrap();
     for _ in 0..1_000 {
         let touche = Monde::de_liste(&objets).premiere_intersection(&rayon).unwrap();
-        assert_eq!(touche.distance(), 0.0);
         rayon = touche.reflechi(rayon.direction()).unwrap();
     }
-    assert!(rayon.flou() < 1e-10);
+    assert!(rayon.source().longueur() < 0.1 && rayon.flou() < 1e-10, "{rayon:?}");
 }
 
 /// What the pages say of a room of 10 m about O, in millimetres of `f32`: δ grows by up to 0.035 a bounce, and o is 0.03.

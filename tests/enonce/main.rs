@@ -9,6 +9,7 @@ mod intersection;
 mod jeu_de_tests;
 mod lampe;
 mod manipulations;
+mod milieux;
 mod motif;
 mod origine;
 mod passages;

@@ -159,29 +159,3 @@ fn un_rapport_au_dela_de_100_est_refuse() {
     let dehors = sortie.refracte(d, 100.0).unwrap();
     assert_eq!(objet.intersection(&dehors), Err(NoIntersection));
 }
-
-/// A ray in mist passes through a pane that stands in it, flush on its bottom: beyond the pane it is in the mist as before,
-/// and carries no δ. A ray from within the pane is in one object fewer, outside the mist in none.
-fn a_travers_une_vitre_un_rayon_reste_dans_la_brume<R: Reel>() {
-    let brume = boite_droite::<R>(v(0.0, 5.0, 0.0), v(20.0, 10.0, 20.0));
-    let vitre = boite_droite::<R>(v(1.0, 1.0, 0.0), v(2.0, 2.0, 4.0));
-    let air = Rayon::new(v(-5.0, 1.5, 0.0), v(6.0, -1.5, 0.0)).unwrap();
-    let suite = |de: &ObjetRay<R>, rayon: &Rayon<R>| {
-        let sortie = de.sortie(rayon).unwrap();
-        assert_eq!(sortie.normale(), v(0.0, -1.0, 0.0));
-        sortie.secondaire(rayon.direction()).unwrap()
-    };
-    assert!(suite(&vitre, &air).flou() > R::ZERO);
-    let dans_la_brume = air.dedans();
-    assert_eq!(suite(&vitre, &dans_la_brume).flou(), R::ZERO);
-    let dans_la_vitre = vitre.intersection(&dans_la_brume).unwrap();
-    let dans_la_vitre = dans_la_vitre.secondaire(air.direction()).unwrap();
-    let dehors = suite(&vitre, &dans_la_vitre);
-    assert_eq!(dehors.flou(), R::ZERO);
-    // Of the mist the ray is told that it left as well.
-    assert!(suite(&brume, &dans_la_brume).flou() > R::ZERO);
-    assert_eq!(suite(&brume, &dans_la_brume.dedans()).flou(), R::ZERO);
-    assert_eq!(brume.intersection(&dehors), Err(NoIntersection));
-}
-
-en_f32_et_f64!(a_travers_une_vitre_un_rayon_reste_dans_la_brume);

@@ -21,7 +21,7 @@ pub struct Lecture<R> {
     pub objets: Vec<ObjetGeo<R>>,
     pub rayons: Vec<Rayon<R>>,
     /// A ray, how many objects it is known to be inside, and how it goes on.
-    pub chemins: Vec<(Rayon<R>, usize, Vec<Pas<R>>)>,
+    pub chemins: Vec<(Rayon<R>, bool, Vec<Pas<R>>)>,
     pub limites: Vec<R>,
     pub points: Vec<Vecteur<R>>,
 }
@@ -99,7 +99,7 @@ impl<'a, R: Bits> Octets<'a, R> {
             11 => {
                 let (de, vers) = (self.vecteur()?, self.lieu(&lu.objets)?.0);
                 let pas = self.chemin(&lu.objets)?;
-                lu.chemins.extend(Rayon::new(de, vers - de).ok().map(|rayon| (rayon, 0, pas)));
+                lu.chemins.extend(Rayon::new(de, vers - de).ok().map(|rayon| (rayon, false, pas)));
             }
             _ => {
                 let rayon = lu.rayons.last().copied();
@@ -223,7 +223,7 @@ impl<'a, R: Bits> Octets<'a, R> {
         &mut self,
         (place, n): (Vecteur<R>, Vecteur<R>),
         vers: Vecteur<R>,
-    ) -> Option<Option<(Rayon<R>, usize)>> {
+    ) -> Option<Option<(Rayon<R>, bool)>> {
         let genre = self.octet()? % 8;
         let (flou, moities) = match genre {
             0..=2 => {
@@ -243,7 +243,7 @@ impl<'a, R: Bits> Octets<'a, R> {
             5 => rayon.map(Rayon::dedans),
             _ => rayon,
         };
-        Some(sachant.ok().map(|rayon| (rayon, usize::from(genre == 5))))
+        Some(sachant.ok().map(|rayon| (rayon, genre == 5)))
     }
 
     /// Up to seven steps, each in any direction, or towards a place of an object.

@@ -1,0 +1,40 @@
+//! Chords: all that a straight ray goes through, for a dose, a projection or the flight of a particle.
+
+use std::ops::ControlFlow::Continue;
+
+use lancer_rayon::{Monde, ObjetRay, Rayon, Reel};
+
+/// The part of a ray in one object of the list, between two distances from its source.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Corde<R> {
+    pub indice: usize,
+    pub de: R,
+    pub a: R,
+}
+
+/// Writes the chords of a ray in the order in which they begin. All count from one source, so that those of flush
+/// objects meet to rounding, and no step from face to face adds to their errors.
+pub fn cordes<R: Reel>(monde: &Monde<'_, R>, rayon: &Rayon<R>, cordes: &mut Vec<Corde<R>>) {
+    let fin = rayon.fin();
+    let sans_fin = rayon.jusqu_a(R::INFINI).expect("+∞ is an end");
+    let sortie =
+        |indice: usize| match (monde.objets()[indice].sortie(&sans_fin), monde.objets()[indice]) {
+            (Ok(sortie), _) => Some(if sortie.distance() < fin { sortie.distance() } else { fin }),
+            // A half-space that the ray does not leave.
+            (Err(_), ObjetRay::Plan(sol))
+                if sol.normale().produit_scalaire(rayon.direction()) <= R::ZERO =>
+            {
+                Some(fin)
+            }
+            // From its surface the ray goes away.
+            (Err(_), _) => None,
+        };
+    cordes.clear();
+    let mut noter = |indice, de| cordes.extend(sortie(indice).map(|a| Corde { indice, de, a }));
+    monde.contenants(rayon.source(), |indice| noter(indice, R::ZERO));
+    monde.visiter(rayon, |indice, de| {
+        noter(indice, de);
+        Continue(fin)
+    });
+    cordes.sort_by(|a, b| a.de.partial_cmp(&b.de).expect("a distance is no NaN"));
+}
