@@ -120,8 +120,7 @@ impl<R: Nombre> Rayon<R> {
     /// that is no thicker than 2δ.
     ///
     /// # Errors
-    /// If `flou` is not finite or below 0, or above 0 for a ray that is [inside](Self::dedans)
-    /// something, which has no δ.
+    /// If `flou` is not finite or below 0.
     ///
     /// ```
     /// use lancer_rayon::{NoIntersection, ObjetRay, PlanGeo, Rayon, Texture, Vecteur};
@@ -138,20 +137,17 @@ impl<R: Nombre> Rayon<R> {
         Ok(Self { flou: self.flou.avec(flou)?, ..self })
     }
 
-    /// The same ray, known to start inside something such as mist, water or glass. It has no δ and
-    /// sees what a ray from [`new`](Self::new) does, and so do the rays that start from its hits
-    /// until they are out again. Where mist stands flush on a floor, a ray that bounces off the
-    /// floor would otherwise touch the mist at once.
+    /// The same ray, known to start inside something such as glass, water or mist. It keeps its δ, but
+    /// touches nothing at once: where mist stands flush on a floor, a ray that bounces off the floor
+    /// would otherwise touch the mist where it starts.
     ///
-    /// A δ that the ray had is dropped. Calls add up. A ray that starts inside several objects, as from a lamp in a bulb in mist, is
-    /// inside each of them: call it once for each object that
-    /// [`contenants`](crate::Monde::contenants) shows. With one call too few the ray counts as
-    /// outside once it has left the bulb, and may touch the mist at once.
+    /// Rays that `secondaire`, `reflechi` and `refracte` send inward are inside, those that they send
+    /// outward are not, and a turn in mid-air changes nothing. Twice is as good as once.
     ///
-    /// **Rays inside something promise no closed room**, since they carry no δ. Where mist stands
-    /// flush with turned walls, some bounces in a seam leave the room. For a room without leaks keep
-    /// the mist out of what its rays ask, by [`sans`](crate::Monde::sans), do not call this, and ask
-    /// the mist alone where a ray enters it and leaves it.
+    /// **A ray inside may pass through a seam**, since it touches nothing at once. What a ray is in for
+    /// long, leave out of its questions by [`sans`](crate::Monde::sans) or
+    /// [`parmi`](crate::Monde::parmi), and let the ray be outside: then it touches all the rest as a
+    /// ray in the air does, and leaves no closed room.
     ///
     /// ```
     /// use lancer_rayon::{Monde, PlanGeo, Rayon, SphereGeo, Texture, Vecteur};
@@ -162,15 +158,24 @@ impl<R: Nombre> Rayon<R> {
     /// let objets = [sol.into(), brume.into()];
     /// let monde = Monde::de_liste(&objets);
     ///
-    /// let oeil = Rayon::new(Vecteur::new(0.0, 1.0, 0.0), Vecteur::new(3.0, -1.0, 0.0))?.dedans();
-    /// let touche = monde.premiere_intersection(&oeil)?;
-    /// assert_eq!(touche.indice(), 0);
-    /// assert!(monde.premiere_intersection(&touche.reflechi(oeil.direction())?).is_err());
+    /// // From the edge of the mist, as somebody else computed it.
+    /// let bord = Rayon::new(Vecteur::new(0.0, 9.0, 0.0), -haut)?.avec_flou(1e-9)?.bifurque(1e-12, -haut)?;
+    /// assert_eq!(monde.premiere_intersection(&bord)?.indice(), 1);
+    /// assert_eq!(monde.premiere_intersection(&bord.dedans())?.indice(), 0);
+    /// assert_eq!(monde.sans(1).premiere_intersection(&bord)?.indice(), 0);
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
     #[doc(alias("inside", "medium", "fog"))]
     pub fn dedans(self) -> Self {
         Self { flou: self.flou.dedans(), ..self }
+    }
+
+    /// The same ray, known to start in the air: the reverse of [`dedans`](Self::dedans). Beside an
+    /// edge a ray that was sent into glass may have stepped out again: if
+    /// [`sortie`](crate::ObjetRay::sortie) finds no way out of the glass, go on with this ray.
+    #[doc(alias("outside", "air"))]
+    pub fn dehors(self) -> Self {
+        Self { flou: self.flou.dehors(), ..self }
     }
 
     /// The ray without an end from a source and in a direction that were checked before, with δ =
@@ -216,7 +221,7 @@ impl<R: Nombre> Rayon<R> {
     /// δ, how exactly the ray knows its source, in scene units. If the source lies in an object less
     /// deep than δ + o and the ray goes further in, it touches the object at once. The rounding o of
     /// the object is 44u of the radius of a sphere or of the sum of the half-lengths of a box, and 0
-    /// for a half-space. Where δ is 0, nothing is touched at once.
+    /// for a half-space. Where δ is 0, and [inside](Self::dedans) something, nothing is touched at once.
     ///
     /// - A source exactly δ + o deep, as computed, is too deep.
     /// - A sphere may be touched at once from up to twice as deep.
@@ -228,9 +233,8 @@ impl<R: Nombre> Rayon<R> {
     /// room whose walls are thicker than 2(δ + o) and reach as far into each other, with the δ of the
     /// ray that would start at the next hit. In `f32` a wall of 10 m has an o of 0.03 mm.
     ///
-    /// δ is 0 for a ray from [`new`](Self::new), which takes its source as it stands, and for one
-    /// that is [inside](Self::dedans) something. It is finite, and grows with each bounce
-    /// (`docs/precision.md`, "Closed rooms").
+    /// δ is 0 for a ray from [`new`](Self::new), which takes its source as it stands. It is finite, and
+    /// grows with each bounce (`docs/precision.md`, "Closed rooms").
     #[doc(alias("tolerance", "blur"))]
     #[inline(always)]
     #[must_use]

@@ -90,8 +90,8 @@ impl<R: Reel> Lumiere<R> {
             }
             Err(_) => touche.reflechi(d)?,
         };
-        // Of what it is in `dans` tells, so that the ray need not be told that it is inside.
-        self.rayon = Rayon::new(suite.source(), suite.direction())?.avec_flou(suite.flou())?;
+        // `dans` tells what it is in, and the questions leave that out: whatever else it may touch at once.
+        self.rayon = suite.dehors();
         Ok(true)
     }
 }

@@ -16,7 +16,7 @@ pub enum Suite<R> {
 /// way out or after it; either way the answer is the table.
 ///
 /// # Errors
-/// The ray has no way out: it started beside an edge and is out already. Go on with it in the air.
+/// The ray has no way out: it started beside an edge and is out already. Go on with `dedans.dehors()` in the air.
 pub fn dans_le_verre<R: Reel>(
     monde: &Monde<'_, R>,
     verre: usize,

@@ -80,7 +80,7 @@ impl<R: Nombre> Groupe<R> {
     /// The ray of one lane with its δ, without its end.
     #[inline(always)]
     fn rayon_flou(&self, voie: usize) -> Rayon<R> {
-        self.rayon(voie).sachant(Flou::dehors(self.flous[voie]))
+        self.rayon(voie).sachant(Flou::de(self.flous[voie]))
     }
 
     /// The coordinates of the sources.

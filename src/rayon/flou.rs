@@ -24,9 +24,9 @@ impl<R: Nombre> Flou<R> {
     /// A source that is taken as it stands.
     pub(crate) const NUL: Self = Self(R::ZERO);
 
-    /// This δ of a ray outside, which must be 0 or more.
+    /// This δ, 0 or more, of a ray outside.
     #[inline(always)]
-    pub(crate) fn dehors(delta: R) -> Self {
+    pub(crate) fn de(delta: R) -> Self {
         Self(delta)
     }
 
@@ -34,6 +34,12 @@ impl<R: Nombre> Flou<R> {
     #[inline(always)]
     pub(crate) fn dedans(self) -> Self {
         Self(-self.delta())
+    }
+
+    /// The same δ of a ray outside.
+    #[inline(always)]
+    pub(crate) fn dehors(self) -> Self {
+        Self(self.delta())
     }
 
     #[inline(always)]

@@ -217,10 +217,6 @@ impl<R: Nombre> Intersection<R> {
     /// one with a radius of 64u·|f| + a or more never, unless it is touched [at
     /// once](crate::Rayon::flou) from deeper than 0.22 of the radius.
     ///
-    /// Where a ray touches a flat face [at once](crate::Rayon::flou), the margin also covers the depth
-    /// of the source under the deepest of the faces that the ray may have come in by, and
-    /// 8u·(|x| + |y| + |z|), so that the next ray starts farther off.
-    ///
     /// ```
     /// use lancer_rayon::{ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
     ///

@@ -42,6 +42,11 @@ impl<R: Nombre> Rayon<R> {
     /// does not leave [a closed room](Self::flou). A ray that is [inside](Self::dedans) something stays
     /// so.
     ///
+    /// **To walk from solid to solid** go on from a way out by
+    /// [`secondaire`](crate::Intersection::secondaire), which steps beyond it. The point of a way out
+    /// as computed may lie before it by less than its coordinates can tell, and a walk that turns there
+    /// finds the same way out again, without end.
+    ///
     /// # Errors
     /// If `distance` is below 0 or not finite, if the direction is zero or not finite, or if the
     /// point lies beyond the limits of [`new`](Self::new).
@@ -86,9 +91,10 @@ impl<R: Nombre> Intersection<R> {
     /// **In the corner of a second object** the start may lie inside that object by rounding. An
     /// outward ray carries [a bound on the error of its start](Rayon::flou), and touches such an
     /// object at once, at distance 0, if it goes further in. So no chain of outward rays leaves [a
-    /// closed room](Rayon::flou), and light out of a glass finds the table under it. An inward ray is [inside something](Rayon::dedans), and so
-    /// are the rays that start from its hits until they are out again: such rays touch only what
-    /// they enter from outside.
+    /// closed room](Rayon::flou), and light out of a glass finds the table under it. An inward ray
+    /// carries the same bound and is [inside](Rayon::dedans) something: it touches only what it enters
+    /// from outside. From a hit at once an outward ray steps farther, by a 64th of δ and
+    /// 8u·(|x| + |y| + |z|).
     ///
     /// **The exception**: within rounding of a box edge, or in a box no thicker than twice the step, an
     /// inward ray may start outside, and touch the other face of that edge.
@@ -365,7 +371,7 @@ impl<R: Nombre> Intersection<R> {
         let (p, n, pas) = (self.point(), self.normale(), self.pas(dedans));
         let source = p + n * if dedans { -pas } else { pas };
         let source = point(["source.x", "source.y", "source.z"], source)?;
-        let flou = Flou::dehors(self.flou()).suivant(pas, self.distance(), p);
+        let flou = Flou::de(self.flou()).suivant(pas, self.distance(), p);
         Ok(Rayon::sans_fin(source, n).sachant(if dedans { flou.dedans() } else { flou }))
     }
 

@@ -10,6 +10,7 @@ use commun::passages::{flou_du_point, flou_propre, profondeur};
 use commun::regimes::{deux_puissance, direction, entre};
 use commun::tolerances::u;
 use commun::{Bits, arrondi, cas, en_f32_et_f64};
+use exemples::recettes::verre::{Suite as Verre, dans_le_verre};
 use lancer_rayon::{
     Intersection, Monde, NoIntersection, ObjetRay, PlanGeo, Rayon, Reel, Rotation, Texture,
     Vecteur, premiere_intersection,
@@ -185,6 +186,69 @@ fn aucun_chemin_ne_quitte_une_chambre<R: Bits>() {
 }
 
 en_f32_et_f64!(aucun_chemin_ne_quitte_une_chambre);
+
+/// The furniture is of glass: light goes through it as the page on glass says, mirrored inside or not, and so on from wall
+/// to wall, aimed at seams. A ray that started beside an edge is outside already where it should be inside; no ray is so
+/// for long, and none leaves the room.
+fn a_travers_du_verre_aucun_chemin_ne_quitte_une_chambre<R: Reel>() {
+    let [mut pas, mut traverses, mut reflets, mut sans_sortie] = [0; 4];
+    let faire = |alea: &mut Hasard| {
+        let chambre = Chambre::<R>::new(alea);
+        let chemins = chambre.chemins(alea, 100, 40);
+        (chambre, chemins)
+    };
+    pour_chaque(cas(20), faire, |(chambre, chemins)| {
+        let monde = avec_arbre(&chambre.objets);
+        for (mut rayon, etapes) in chemins {
+            // The glass that the ray is in.
+            let mut verre: Option<usize> = None;
+            for (cible, vol, _) in etapes {
+                pas += 1;
+                if let Some(i) = verre {
+                    rayon = match dans_le_verre(&monde, i, &rayon) {
+                        // A wall that the glass reaches into, or other furniture.
+                        Ok(Verre::Touche(touche)) => {
+                            let Some(suivant) = rebond(cible, &touche) else { break };
+                            suivant
+                        }
+                        Ok(Verre::Sortie(sortie)) => {
+                            let (la, n) = (cible - sortie.point(), sortie.normale());
+                            if vol.is_none() && la.produit_scalaire(n) > R::ZERO {
+                                (verre, traverses) = (None, traverses + 1);
+                                sortie.secondaire(la).unwrap()
+                            } else {
+                                reflets += 1;
+                                sortie.reflechi(rayon.direction()).unwrap()
+                            }
+                        }
+                        // In the air, with what it knows.
+                        Err(NoIntersection) => {
+                            (verre, sans_sortie) = (None, sans_sortie + 1);
+                            rayon.dehors()
+                        }
+                    };
+                    continue;
+                }
+                let Ok(touche) = monde.premiere_intersection(&rayon) else {
+                    panic!("{rayon:?} leaves the room");
+                };
+                let (la, n) = (cible - touche.point(), touche.normale());
+                let suite = if touche.indice() >= 6 && la.produit_scalaire(n) < R::ZERO {
+                    verre = Some(touche.indice());
+                    touche.secondaire(la).ok()
+                } else {
+                    rebond(cible, &touche)
+                };
+                let Some(suivant) = suite else { break };
+                rayon = suivant;
+            }
+        }
+    });
+    assert!(pas > 50_000 && traverses > 2_000 && reflets > 2_000, "{pas} {traverses} {reflets}");
+    println!("{pas} {traverses} {reflets} {sans_sortie}");
+}
+
+en_f32_et_f64!(a_travers_du_verre_aucun_chemin_ne_quitte_une_chambre);
 
 /// A chain that `temoin_f64` widens on its way, with its room: its start may lie as deep as `f32` lets it, and some do not
 /// touch what they touched at once. With a δ that is larger by the o of `f32` no chain leaves.
