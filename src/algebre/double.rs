@@ -80,14 +80,19 @@ impl Double {
     }
 
     /// The interval in which the number lies, rounded outward; only itself if it is an `f64`
-    /// exactly.
+    /// exactly, and all numbers where an overflow left none.
     pub fn bornes(self) -> Intervalle {
-        if self.est_un_f64() {
+        if self.est_un_f64() && self.haut.abs() < f64::INFINI {
             return Intervalle::de(self.haut);
         }
         let (bas, haut) =
             ((self.bas - self.erreur).next_down(), (self.bas + self.erreur).next_up());
-        Intervalle { bas: (self.haut + bas).next_down(), haut: (self.haut + haut).next_up() }
+        let (bas, haut) = ((self.haut + bas).next_down(), (self.haut + haut).next_up());
+        // An unordered bound is no bound.
+        Intervalle {
+            bas: if bas < f64::INFINI { bas } else { -f64::INFINI },
+            haut: if haut > -f64::INFINI { haut } else { f64::INFINI },
+        }
     }
 }
 

@@ -78,9 +78,10 @@ fn la_page_montre_ce_qui_est_ecrit() {
     }
 }
 
-/// δ and the number of objects that a ray is inside may be left out; one of them is 0.
+/// δ and whether a ray is inside something may be left out. 1.0 wrote the number of objects, without a δ; a hit of 1.0
+/// says it too, on which no ray from there depends.
 #[test]
-fn un_rayon_a_un_flou_ou_est_dedans() {
+fn un_rayon_sait_son_flou_et_s_il_est_dedans() {
     let lu = |suite: &str| {
         let texte = format!(r#"{{"source":[0,4,0],"direction":[0,-1,0]{suite}}}"#);
         serde_json::from_str::<Rayon>(&texte)
@@ -88,11 +89,19 @@ fn un_rayon_a_un_flou_ou_est_dedans() {
     let rayon = Rayon::new(Vecteur::Y * 4.0, Vecteur::new(0.0, -1.0, 0.0)).unwrap();
     assert_eq!(lu("").unwrap(), rayon);
     assert_eq!(lu(r#","fin":null,"flou":1e-9"#).unwrap(), rayon.avec_flou(1e-9).unwrap());
-    assert_eq!(lu(r#","flou":0,"dedans":2"#).unwrap(), rayon.dedans().dedans());
-    for faux in [r#","flou":-2.0"#, r#","flou":1e-9,"dedans":1"#] {
-        let erreur = lu(faux).unwrap_err().to_string();
-        assert!(erreur.contains("flou is "), "{faux}: {erreur}");
-    }
+    let dedans = rayon.avec_flou(1e-9).unwrap().dedans();
+    assert_eq!(lu(r#","flou":1e-9,"dedans":1"#).unwrap(), dedans);
+    assert_ne!(lu(r#","flou":1e-9,"dedans":0"#).unwrap(), dedans);
+    // δ = 0 and inside, which the next turn tells.
+    let tourne = |rayon: Rayon| rayon.bifurque(1.0, Vecteur::X).unwrap();
+    let de_1_0 = lu(r#","flou":0,"dedans":2"#).unwrap();
+    assert_eq!(tourne(de_1_0), tourne(rayon.dedans()));
+    assert_ne!(tourne(de_1_0), tourne(rayon));
+    let erreur = lu(r#","flou":-2.0"#).unwrap_err().to_string();
+    assert!(erreur.contains("flou is "), "{erreur}");
+    let touche = r#"{"distance":1,"normale":[0,1,0],"marge":1,"point":[0,0,0],"flou":0,"texture":0,"indice":0,"dedans":3}"#;
+    let touche = serde_json::from_str::<Intersection>(touche).unwrap();
+    assert!(touche.secondaire(Vecteur::Y).unwrap().flou() > 0.0);
 }
 
 /// However large a δ and a distance somebody writes, the next δ is a number, and so is read again.
@@ -103,6 +112,12 @@ fn un_flou_reste_fini<R: Reel + Serialize + for<'de> Deserialize<'de>>() {
              "flou": {plus_grand}, "texture": 0, "indice": 0}}"#
     );
     let touche: Intersection<R> = serde_json::from_str(&texte).unwrap();
+    // Of a hit that is none no distance is too large to be judged.
+    let sol = ObjetRay::from(PlanGeo::new(Rotation::IDENTITE, R::UN, Texture(0)).unwrap());
+    for vers in [Vecteur::Y, -Vecteur::Y, Vecteur::new(R::UN, R::UN, -R::UN)] {
+        let rayon = Rayon::new(Vecteur::Z, vers).unwrap();
+        assert!(sol.erreur(&rayon, &touche) >= R::ZERO, "{rayon:?}");
+    }
     let suite = touche.secondaire(touche.normale()).unwrap();
     let virage = suite.bifurque(R::ZERO, suite.direction()).unwrap();
     for rayon in [suite, virage] {

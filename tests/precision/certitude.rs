@@ -61,6 +61,29 @@ fn une_distance_que_le_type_ne_contient_pas_n_est_pas_sure() {
     }
 }
 
+/// Where a ray meets a plane at nearly the largest distance, the point overflows, in doubled numbers too: the bound is a
+/// number or +∞, and no less than the error.
+#[test]
+fn au_bord_de_l_infini_une_erreur_n_est_pas_un_nan() {
+    let plan = ObjetRay::from(PlanGeo::new(Rotation::IDENTITE, 2.0, Texture(0)).unwrap());
+    let (mut touches, mut infinies) = (0, 0);
+    for i in 0..200_u64 {
+        let z = f64::MIN_POSITIVE * (1.125 + i as f64 * f64::EPSILON);
+        for x in [1.0_f64.next_up().next_up().next_up(), 1.0, 1.0_f64.next_down()] {
+            for haut in [1.25, 0.9, 1.2] {
+                let source = Vecteur::new(-5.5, -5.5, haut);
+                let rayon = Rayon::new(source, Vecteur::new(x, 0.0, -z)).unwrap();
+                let Ok(touche) = plan.intersection(&rayon) else { continue };
+                let erreur = plan.erreur(&rayon, &touche);
+                assert!(erreur >= 0.0, "{erreur}: {touche:?} {rayon:?}");
+                touches += 1;
+                infinies += u32::from(erreur == f64::INFINITY);
+            }
+        }
+    }
+    assert!(touches > 500 && infinies > 0, "{touches} {infinies}");
+}
+
 /// A ray that passes a turned box by beside an edge, some 2⁻⁵⁰ to 2⁻⁹⁰ of its distance: exactly a miss, and certain.
 #[test]
 fn un_manque_a_cote_d_une_arete_est_sur() {
