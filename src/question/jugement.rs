@@ -11,7 +11,7 @@ pub(crate) mod point;
 use core::slice::from_ref;
 
 use crate::algebre::double::{Double, scalaire, triple};
-use crate::algebre::nombre::{Nombre, fois_u, min, selon};
+use crate::algebre::nombre::{Nombre, fois_u, selon};
 use crate::objet::ObjetRay;
 use crate::question::jugement::certificat::Certificat;
 use crate::question::jugement::juge::{coup_d_oeil, juger};
@@ -88,9 +88,7 @@ impl<R: Nombre> ObjetRay<R> {
         let longueur = d.longueur();
         let de_d = en_f64 * (exces / (1.0 + longueur));
         let erreur = R::depuis_f64(ecart * longueur.max(1.0) + de_d);
-        let erreur = erreur + erreur * fois_u(ERREUR_ARRONDIE) + (R::ETA + R::ETA);
-        // A NaN comes from an overflow.
-        min(erreur, R::INFINI)
+        erreur + erreur * fois_u(ERREUR_ARRONDIE) + (R::ETA + R::ETA)
     }
 
     /// Whether the answer of [`intersection`](Self::intersection), a hit or a miss, is certainly
