@@ -12,7 +12,7 @@ pub const FLOU_POINT: f64 = 8.1;
 
 /// How much larger δ is made, in u of itself: for its own roundings, those where it is compared, and
 /// a step along an N that is not exactly unit (lemma 22).
-pub const FLOU_RELATIF: f64 = 16.0;
+pub const FLOU_RELATIF: f64 = 14.0;
 
 /// δ, which bounds how deep the source may lie in any object by rounding, and whether the ray starts
 /// inside something on purpose. One number holds both: δ is its magnitude, and the sign bit says

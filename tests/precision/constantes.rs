@@ -1051,13 +1051,14 @@ fn lemme_22_le_flou_permis_suffit() {
     // left by the face as near across the same axis; the next start sees it with 4u more. And what no more than
     // rounding put under a face, as the next start sees it, is as near.
     const { assert!(FLOU_A_COTE + 3.0 * 4.1 < FLOU_PROPRE && FLOU_A_COTE > 2.0 * 4.1) };
-    // In units of δ: its three roundings, and a step of twice δ at a hit at once. Both N are off there, a product and a
-    // sum round; what is left of it is of three times δ. In a box h stays 3u below δ; in a half-space u, and the step
-    // counts in the next test.
+    // In units of δ: its three roundings, and the step from a hit at once, out of a sphere 1.2 times as long as the depth
+    // by M3, with a 64th of δ. Both N are off there, a product and a sum round; what is left of it is of δ and the step.
+    // In a box h stays 3u below δ; in a half-space u, and the step counts in the next test.
     tenir(FLOU_RELATIF, |u| {
+        let long = 2.0 * PAR_RAYON + PAS_D_EMBLEE;
         let pas = |encore: Intervalle, sous: f64| {
             let compte = 2.0 * promesses::UNITAIRE_PLATE + 2.0 + encore;
-            (2.0 * compte - sous) / 3.0 + gamma(3.0, u) + sous
+            (long * compte - sous) / i(1.0 + long) + gamma(3.0, u) + sous
         };
         pas(i(0.0), 3.0).max(pas(gamma(3.0, u), 1.0)) * plus(60.0, u)
     });
