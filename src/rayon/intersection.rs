@@ -50,7 +50,8 @@ pub struct Intersection<R = f64> {
     rang: Rang,
 }
 
-// `marge` is none where it is +∞.
+// `marge` is none where it is +∞. `dedans` is part of the form since 1.0, where rays that start at a
+// hit depended on it.
 ecrit_par! {
     Intersection |Intersection { distance, normale, marge, point, flou, texture, rang }| {
         distance: distance,
@@ -60,6 +61,7 @@ ecrit_par! {
         flou: flou,
         texture: texture,
         indice: rang.indice() as u32,
+        dedans: 0_u64,
     }
 }
 
@@ -87,7 +89,6 @@ lu_par! {
             exiger(x.absolu() >= R::ZERO, "point", x, "a number")?;
         }
         let flou = positif_ou_nul("flou", flou)?.absolu();
-        // 1.0 wrote whether the ray was inside, on which no ray that starts here depends any more.
         let _ = dedans;
         exiger(indice < u32::MAX, "indice", R::depuis_f64(indice.into()), "below 2^32 - 1")?;
         Ok(Self::new(distance, contact, flou, texture, Rang::de(indice as usize)))

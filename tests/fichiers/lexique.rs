@@ -10,7 +10,7 @@ use crate::dossiers::fichiers_sous;
 const MEMES: [&str; 6] = ["Rotation", "ZERO", "direction", "x", "y", "z"];
 
 /// The names of the page.
-const SUR_LA_PAGE: usize = 37;
+const SUR_LA_PAGE: usize = 38;
 
 /// Each public name, with its English words.
 type Lexique = BTreeMap<String, Vec<String>>;
