@@ -3,7 +3,7 @@
 //!
 //! What a lemma needs is computed in intervals over its whole domain, for both types. A constant
 //! must be no less, and no more than a ninth more: made a tenth smaller it is red. Excepted are
-//! - `PAS_NORMAL`, of which 0.87 is red, and `FLOU_A_COTE`, which has room on both sides;
+//! - `PAS_NORMAL`, of which 0.87 is red, and `FLOU_PROPRE` and `FLOU_A_COTE`, which have room;
 //! - the limits of a sphere that is lost, which are limits of a domain; what direction, what matrix and what parallel
 //!   directions are kept or refused, which are decisions (C13, C15);
 //! - powers of two, which lemmas 2, 8, 18, 20 and 21 compare with what is lost below the normal numbers;
@@ -1026,27 +1026,27 @@ fn lemme_12_la_borne_vers_une_touche_suffit() {
 
 #[test]
 fn lemme_22_le_flou_permis_suffit() {
-    // In units of t: what the depth in a sphere of r ≤ |f|/2 is off by, for AB², p, p/s and the terms with t in χ/s, of
-    // which β/s ≤ 1/√3; C′ and P. |f| is at most t+r. What is in units of r is less than nearer to the sphere.
+    // In units of t: what the depth in a sphere of r ≤ |f|/2 is off by, for AB², p, p/s twice and the terms with t in χ/s,
+    // of which β/s ≤ 1/√3; C′ and P. |f| is at most t+r.
+    let s = i(0.75).racine();
+    let de_f = 2.4 + 3.0 / s + 1.0;
     tenir(FLOU_DISTANCE, |u| {
-        let s = i(0.75).racine();
-        let de_f = 2.4 + 3.0 / s + 1.0;
-        let de_t = 1.0 + 3.0 / s + 1.0 / i(3.0).racine() + 1.0;
-        assert!((10.0 + (11.0 / 2.0 + 2.4) / s + de_f + 3.0).haut < FLOU_PROPRE);
+        let de_t = 2.0 + 3.0 / s + 1.0 / i(3.0).racine() + 1.0;
         (de_f + de_t + 1.0) * plus(60.0, u)
     });
     // Less for a box: a length, a speed, the quotient or comparison at an entry and an exit, and P.
     const { assert!(4.0 + 3.1 + 2.0 + 1.0 < 0.9 * FLOU_DISTANCE) };
     // In units of ⟨P, 1⟩: the height over a half-space, at the hit and at the next start; P, and the start.
     tenir(FLOU_POINT, |u| (2.0 * gamma(3.0, u) + 2.0) * plus(20.0, u));
-    // In units of r, for a source nearer to the centre than 2r: the power of the hit, with what AB², p and s are off
-    // by, as a height; C′; the power at the next start.
-    tenir(FLOU_PROPRE, |u| {
-        let f = i(2.0);
-        let (ab2, p) = (10.0 + 2.4 * f, 3.0 * f.carre() + 1.0);
-        let puissance = (3.0 * ab2 + 2.0 * p + 2.0 * (f.carre() - 1.0)) / 2.0;
-        (puissance + f + 3.0) * plus(60.0, u)
-    });
+    // In units of r: far from the sphere; nearer than 2r, where 2β ≤ s and where p is all rounding, with C′; and the power
+    // at the next start.
+    let loin = 10.0 + (11.0 / 2.0 + 2.4) / s + de_f;
+    let f = i(2.0);
+    let (ab2, p) = (10.0 + 4.0 / i(3.0).racine() * f, 3.0 * f.carre() + 1.0 + (f.carre() - 1.0));
+    let pres = (2.0 * ab2 + p + (f.carre() - 1.0)) / 2.0 + f;
+    let (ab2, p) = (10.0 + 4.0 / i(3.0).racine(), 4.1);
+    let au_bord = (ab2 + 2.0 * (ab2 + p)) / 2.0 + 2.0;
+    assert!((loin.max(pres).max(au_bord) * plus(60.0, U[0]) + 3.0).haut < FLOU_PROPRE);
     // In units of Σl: what a start is off by as it is asked, what D3 sees as deep as that once more, and a box that is
     // left by the face as near across the same axis; the next start sees it with 4u more. And what no more than
     // rounding put under a face, as the next start sees it, is as near.
