@@ -10,7 +10,8 @@
 //! - the 8u that M4 adds at a hit at once, which no proof needs, the 64 of J7, a choice, the 2u of E1 and J8, which count
 //!   roundings, and the 2 of T3, of which lemma 19 needs 1.1.
 //!
-//! How often a step of an algorithm rounds is read from tapes (`etapes.rs`). Taken from the text, and not found here:
+//! How often a step of an algorithm rounds is read from tapes (`etapes.rs`), and what distances need is proved from them
+//! (`preuves.rs`). Taken from the text, and not found here:
 //! - what a rounding is relative to, and how often doubled numbers, judgements and probes round;
 //! - what is of second order in u, where the text says "to O(u²)": one factor such as `plus(20.0,
 //!   u)` stands for all of it, larger than what was counted by hand;
@@ -29,7 +30,7 @@ use lancer_rayon::Nombre;
 use lancer_rayon::pour_les_tests::*;
 
 /// u of `f32` and of `f64`.
-const U: [f64; 2] = [f32::EPSILON as f64 / 2.0, f64::EPSILON / 2.0];
+pub(crate) const U: [f64; 2] = [f32::EPSILON as f64 / 2.0, f64::EPSILON / 2.0];
 
 /// |D|² − 1, in u.
 const D2: f64 = 15.1;
@@ -57,7 +58,7 @@ const TOUCHE_RHO: f64 = 60.0;
 /// This constant is no less than what is needed in either type, and no more than a ninth more; and
 /// `besoins.txt`, if it has the constant, has what is needed.
 #[track_caller]
-fn tenir(constante: f64, besoin: impl Fn(f64) -> Intervalle) {
+pub(crate) fn tenir(constante: f64, besoin: impl Fn(f64) -> Intervalle) {
     let besoins = U.map(|u| {
         let besoin = besoin(u);
         assert!(besoin.haut <= constante, "{constante} is less than {} at u = {u:e}", besoin.haut);
@@ -104,7 +105,7 @@ fn la_table_des_besoins_se_lit() {
 
 /// The same where what is needed depends on variables of this domain.
 #[track_caller]
-fn tenir_sur<const N: usize>(
+pub(crate) fn tenir_sur<const N: usize>(
     constante: f64,
     domaine: impl Fn(f64) -> [Intervalle; N],
     besoin: impl Fn(f64, [Intervalle; N]) -> Option<Intervalle>,
@@ -185,7 +186,7 @@ fn inverse(a: Intervalle, u: f64) -> Intervalle {
 }
 
 /// 1 + a·u.
-fn plus(a: impl Into<Intervalle>, u: f64) -> Intervalle {
+pub(crate) fn plus(a: impl Into<Intervalle>, u: f64) -> Intervalle {
     1.0 + a.into() * u
 }
 
@@ -276,220 +277,28 @@ fn lemme_3_les_bandes_suffisent() {
             Some(gamma(fois("B1 o: N S"), u) * o + et(i(1.0), compare, u) * longueur)
         },
     );
-    // The sphere, of radius y·f. That the band is no wider than it must be is for lemma 5 to show.
-    for u in U {
-        let s = (gamma(sc2_arrondi(), u) + fois("S3 r²: r r")) / 4.0 * plus(20.0, u);
-        let a = portee([zero_a_un()], bandes::SPHERE, |[y]| {
-            let deplace = autour_de_ac() * plus(20.0, u);
-            Some((deplace + (r2_d2() + PERDU) * plus(20.0, u) * y) / (1.0 + y))
-        });
-        assert!(s.max(a).haut <= bandes::SPHERE);
-    }
 }
 
+/// What is lost below the normal numbers; `preuves.rs` has the rest.
 #[test]
-fn lemme_4_la_borne_d_un_demi_espace_suffit() {
-    tenir_sur(
-        promesses::DISTANCE_PLAN,
-        |_| [zero_a_un(), zero_a_un()],
-        |u, [f, d_]| {
-            if (f + d_).bas > 1.0 {
-                return None;
-            }
-            let t = (1.0 - f - d_).max(i(0.0));
-            let tv = (n(u) * f + N2 * u * d_).min(n(u) * d(u) * t);
-            let s = gamma(fois("H1 N·S: N S"), u)
-                * plus(gamma(conclue(), u), u)
-                * n(u)
-                * (f + n(u) * d_);
-            Some(gamma(conclue(), u) * tv + s + vitesse(u) * t)
-        },
-    );
+fn lemme_4_ce_qui_est_perdu_suffit() {
     tenir(promesses::PLAN_ABSOLU, |u| {
         let g = plus(gamma(conclue(), u), u);
         0.5 * scalaire() * plus(gamma(sommes(), u), u) * g + 0.5 * n(u) * d(u)
     });
 }
 
-/// What a box needs where `tv`, of |f| and ρ, bounds the length that the ray goes along a normal, in u·κt.
-fn distance_d_une_boite(
-    u: f64,
-    [f, rho]: [Intervalle; 2],
-    tv: impl Fn(Intervalle, Intervalle) -> Intervalle,
-) -> Option<Intervalle> {
-    let t = (1.0 - f - rho).max(i(0.0));
-    // |f|, t and ρ are the sides of a triangle, or nearly.
-    let (rho_, t_) = (rho * plus(20.0, u), t * moins(D1, u));
-    if (f + rho).bas > 1.0 || f.bas > (rho_ + d(u) * t).haut || t_.bas > (f + rho_).haut {
-        return None;
-    }
-    let faces = [1.0, 2.0, 3.0].map(|k| {
-        let v = d(u) * plus(19.0, u) / i(k).racine();
-        let tv = tv(f, rho).min(t * (v + bandes::VITESSE * u));
-        let suite = (k - 1.0) * rapport(u) * plus(2.0 * rapport(u), u) * t * v;
-        gamma(conclue(), u) * tv
-            + gamma(fois("B1 o: N S"), u) * plus(gamma(conclue(), u), u) * n(u) * f
-            + vitesse(u) * t
-            + if k > 1.0 { suite } else { i(0.0) }
-    });
-    Some(faces[0].max(faces[1]).max(faces[2]))
-}
-
-#[test]
-fn lemme_4_la_borne_d_une_boite_suffit() {
-    tenir_sur(
-        promesses::DISTANCE_BOITE,
-        |_| [zero_a_un(), zero_a_un()],
-        |u, x| distance_d_une_boite(u, x, |f, _| n(u) * f),
-    );
-}
-
-/// A sphere of radius 1, moved by what S − C rounds, and what of it the computation is off by.
-struct Deplacee {
-    /// How far it is moved along the ray, and AB² by how much.
-    le_long: Intervalle,
-    ecart: Intervalle,
-    /// AB of the moved one.
-    ab: Intervalle,
-    /// How far its crossings are moved.
-    bouge: Intervalle,
-    f_: Intervalle,
-    /// By how much AB as computed may be less and more, before it is rounded, and what SA is off by.
-    dab: [Intervalle; 2],
-    dsa: Intervalle,
-}
-
-/// `c` is AB, `x` tells how far it is moved across the ray, in u·f; with `sa`, |SA|, −p may stand in for AB².
-/// None where AB may be lost.
-fn deplacee(
-    u: f64,
-    f: Intervalle,
-    c: Intervalle,
-    x: Intervalle,
-    sa: Option<Intervalle>,
-) -> Option<Deplacee> {
-    let s = ((1.0 - c).max(i(0.0)) * (1.0 + c)).racine();
-    // The sphere moves by z, in the plane of C and the ray and no longer than u·f.
-    let z = u * f;
-    let (le_long, travers) = (z * (1.0 - x.carre()).racine(), z * x);
-    let w = c.carre();
-    let ecart = 2.0 * s * travers + travers.carre();
-    let w_ = w - ecart;
-    if w_.bas <= 0.0 {
-        return None;
-    }
-    let ab = w_.racine();
-    let bouge = le_long + ecart.grandeur() / (c + ab);
-    // From here on for the moved sphere, which the computation takes for exact.
-    let f_ = f * plus(1.0, u);
-    let ac = (s + travers).grandeur();
-    let g = |k| gamma(k, u) * u;
-    // |SC ∧ D|, of which each coordinate is two products and a difference.
-    let g_ac = i(4.0 / 3.0).racine() * u * f_ + PERDU_LONGUEUR * u;
-    let large_ac = ac + g_ac;
-    let ac2 = et(gamma(fois("S4 AC²: AC AC"), u), et(i(1.0), i(1.0), u), u) * u * large_ac.carre()
-        + g_ac * (2.0 * ac + g_ac);
-    let dw = (g(r2_d2()) + PERDU * u + ac2) * plus(1.0, u) + u * w_;
-    // From within, AB² is no less than −p, which is AB² less SA².
-    let (moins_p, dp) = sa.map_or((i(0.0), i(0.0)), |sa| {
-        let moins_p = w_ - (sa + le_long).carre();
-        let p = moins_p.max(i(0.0));
-        (
-            moins_p,
-            (g(fois("S3 SC²: SC SC")) * (1.0 - p).max(i(0.0)) + u + PERDU * u) * plus(16.0, u)
-                + g(fois("W1 −p·D²: D D p") + difference()) * p,
-        )
-    });
-    let peu = (w_ - dw).max(moins_p - dp);
-    if peu.bas <= 0.0 {
-        return None;
-    }
-    let dab = [dw.min(w_ - peu) / (ab + peu.racine()), dw.max(dp) / (2.0 * ab)];
-    let dsa = g(fois("S2 SA: D SC")) * f_ + PERDU_LONGUEUR * u;
-    Some(Deplacee { le_long, ecart, ab, bouge, f_, dab, dsa })
-}
-
-/// What the sphere of radius 1 needs, in u·κt, where it is entered at the distance `t` and the cosine `c`; `x`
-/// tells how far z moves C across the ray, in u·f. None inside the band of `bande`·u(f + r).
-fn distance_d_une_sphere(u: f64, bande: f64, [t, c, x]: [Intervalle; 3]) -> Option<Intervalle> {
-    let s = ((1.0 - c).max(i(0.0)) * (1.0 + c)).racine();
-    let p = t * (t + 2.0 * c);
-    let f = (p + 1.0).racine();
-    let large = bande * u * (f + 1.0);
-    if (c.carre() / (1.0 + s)).haut <= large.bas || (p / (f + 1.0)).haut <= large.bas {
-        return None;
-    }
-    let infini = Some(de_a(0.0, f64::INFINITY));
-    let Some(Deplacee { le_long, ecart, ab, bouge, f_, dab, dsa }) = deplacee(u, f, c, x, None)
-    else {
-        return infini;
-    };
-    let (g, dab) = (|k| gamma(k, u) * u, dab[0].max(dab[1]));
-    // SA − AB, without a cancellation.
-    let t_ = (t + le_long * de_a(-1.0, 1.0) + ecart / (c + ab)).max(i(0.0));
-    let q = t_ + 2.0 * ab;
-    let p_ = t_ * q;
-    let dp = (g(fois("S3 SC²: SC SC")) * f_.carre() + u + PERDU * u) * plus(1.0, u) + u * p_;
-    let dq = (dsa + dab + u * (ab + dab)) * plus(1.0, u) + u * q;
-    if (q - dq).bas <= 0.0 {
-        return infini;
-    }
-    // p/s.
-    let de_p_sur_q = (dp * plus(1.0, u) + u * p_ + t_ * dq) / (q - dq);
-    // SA/D², if p·D² ≥ SA·q as computed. Exactly SA·s − p = AB·s; `passe` is what the two
-    // products are off by, each of which may be lost.
-    let m = t_ + ab;
-    let passe = dp
-        + g(fois("S6 p·D²: D D p")) * (p_ + dp)
-        + dsa * (2.0 * m + ab + dsa)
-        + (m + dsa) * (dab * plus(1.0, u) + u * ab)
-        + g(fois("S6 s: SA") + fois("S6 SA·s: SA s")) * (m + dsa) * (q + dq)
-        + PERDU * u;
-    let erreur = if (ab * q).bas <= passe.haut {
-        let de_a_ = (dsa + g(sur_d2()) * m) * plus(8.0, u);
-        let trop_loin =
-            (de_p_sur_q + g(2.0 * fois("S6 SA·s: SA s")) * (t_ + de_p_sur_q)).min(ab + de_a_);
-        de_p_sur_q.max(trop_loin).max(de_a_ - ab)
-    } else {
-        de_p_sur_q
-    };
-    // κt is that of a D that is not exactly unit.
-    Some((bouge + erreur) * c / (u * (f + 1.0 + t)) * plus(2.0 * D1, u))
-}
-
-fn rayons(u: f64) -> [Intervalle; 3] {
-    [de_a(u / 4.0, 0.5 / u), de_a(u.sqrt(), 1.0), de_a(-1.0, 1.0)]
-}
-
-#[test]
-fn lemme_5_la_borne_d_une_sphere_suffit() {
-    tenir_sur(promesses::DISTANCE_SPHERE, rayons, |u, x @ [t, ..]| {
-        let perdue = t.bas > 1.0 / (promesses::PERDUE * u);
-        if perdue { None } else { distance_d_une_sphere(u, bandes::SPHERE, x) }
-    });
-}
-
-#[test]
-fn lemme_5_la_borne_d_une_sphere_perdue_suffit() {
-    tenir_sur(promesses::DISTANCE_PERDUE, rayons, |u, x| {
-        distance_d_une_sphere(u, bandes::SPHERE, x)
-    });
-}
-
 /// A bound fails.
 #[track_caller]
-fn ne_suffit_pas(borne: impl FnOnce() -> Intervalle + std::panic::UnwindSafe) {
+pub(crate) fn ne_suffit_pas(borne: impl FnOnce() -> Intervalle + std::panic::UnwindSafe) {
     let echec = std::panic::catch_unwind(borne).unwrap_err().downcast::<String>().unwrap();
     assert!(echec.contains(" is more than "), "{echec}");
 }
 
-/// A narrower band, a smaller part or length, and a sphere that is lost nearer.
+/// A smaller part or length, and a sphere that is lost nearer.
 #[test]
-fn lemmes_5_8_et_9_moins_ne_suffit_pas() {
+fn lemmes_8_et_9_moins_ne_suffit_pas() {
     let u = U[0];
-    let bande = 0.9 * bandes::SPHERE;
-    let k = promesses::DISTANCE_SPHERE;
-    ne_suffit_pas(|| portee(rayons(u), k, |x| distance_d_une_sphere(u, bande, x)));
     ne_suffit_pas(|| marges_d_une_sphere(u, [0.9 * PAR_RAYON, LONGUEUR]));
     ne_suffit_pas(|| marges_d_une_sphere(u, [PAR_RAYON, 0.9 * LONGUEUR]));
     let perdue = 0.9 * promesses::PERDUE;
@@ -1160,71 +969,6 @@ fn lemme_15_l_etendue_tient_tout_l_objet() {
     tenir(3.1, |u| (2.0 + 1.0) * plus(8.0, u));
 }
 
-/// What a ray needs, in u·κt, that leaves the sphere of radius 1 at the cosine `c`, where SA is `b`; `x` as for an
-/// entry. S is ahead of A by no more than rounding errors.
-fn sortie_apres_a(u: f64, bande: f64, [b, c, x]: [Intervalle; 3]) -> Option<Intervalle> {
-    let s = ((1.0 - c).max(i(0.0)) * (1.0 + c)).racine();
-    let f = (b.carre() + s.carre()).racine();
-    if (c.carre() / (1.0 + s)).haut <= (bande * u * (f + 1.0)).bas {
-        return None;
-    }
-    let Some(Deplacee { bouge, ab, dab, dsa, .. }) = deplacee(u, f, c, x, Some(b)) else {
-        return Some(de_a(0.0, f64::INFINITY));
-    };
-    let (q, dab) = (b + u * f + ab, dab[0].max(dab[1]));
-    let dq = (dsa + dab + u * (ab + dab)) * plus(1.0, u) + u * q;
-    // D² and the quotient. (Where the sign of SA is wrong, S is A to 4u.)
-    let erreur = dq * plus(16.0, u) + gamma(sur_d2(), u) * u * q;
-    Some((bouge + erreur) * c / (u * (f + 1.0 + b + c)) * plus(2.0 * D1, u))
-}
-
-/// The same of a ray from within whose A lies behind S, t = `y`·`c` before the sphere.
-fn sortie_de_dedans(u: f64, bande: f64, [y, c, x]: [Intervalle; 3]) -> Option<Intervalle> {
-    let (t, p) = (y * c, y * (2.0 - y) * c.carre());
-    let f = (1.0 - p).racine();
-    if (p / (1.0 + f)).haut <= (bande * u * (f + 1.0)).bas {
-        return None;
-    }
-    let infini = Some(de_a(0.0, f64::INFINITY));
-    let sa = (1.0 - y).grandeur() * c;
-    let Some(Deplacee { bouge, ab, dab, dsa, f_, .. }) = deplacee(u, f, c, x, Some(sa)) else {
-        return infini;
-    };
-    let t_ = t + bouge;
-    let q = (1.0 - y) * c + ab - u * f;
-    let p_ = t_ * (q + 2.0 * u * f);
-    let dp =
-        (gamma(fois("S3 SC²: SC SC"), u) * u * f_.carre() + u + PERDU * u) * plus(1.0, u) + u * p_;
-    // Of an AB that is too large s is too.
-    let [moins, plus_grand] = dab.map(|dab| {
-        let reste = (dsa + u * (ab + dab)) * plus(1.0, u) + u * (q + 2.0 * u * f);
-        (dab * plus(1.0, u), reste)
-    });
-    let (court, long) = (q - moins.0 - moins.1, q + plus_grand.0 - plus_grand.1);
-    if court.bas <= 0.0 {
-        return infini;
-    }
-    let erreur = |(dab, reste), s| (dp * plus(1.0, u) + u * p_ + t_ * (dab + reste)) / s;
-    let erreur = erreur(moins, court).max(erreur(plus_grand, long));
-    Some((bouge + erreur) * c / (u * (f + 1.0 + t)) * plus(2.0 * D1, u))
-}
-
-#[test]
-fn lemme_10_la_borne_de_sortie_d_une_sphere_suffit() {
-    let k = promesses::SORTIE_SPHERE;
-    tenir(k, |u| {
-        let (cosinus, x) = (de_a(u.sqrt(), 1.0), de_a(-1.0, 1.0));
-        let devant = [de_a(u, 0.5 / u), cosinus, x];
-        // A sign of SA is wrong where S is A to 4u: c is √u at least.
-        let derriere = [de_a(u, 1.0 + 4.0 * u.sqrt()), cosinus, x];
-        // S may be A as well.
-        let en_a = [de_a(0.0, u), cosinus, x];
-        let apres = |domaine| portee(domaine, k, |x| sortie_apres_a(u, bandes::SPHERE, x));
-        let dedans = portee(derriere, k, |x| sortie_de_dedans(u, bandes::SPHERE, x));
-        apres(devant).max(apres(en_a)).max(dedans)
-    });
-}
-
 /// How far from the surface the point lies outside a sphere where a ray leaves it, in u(f + r): of the larger of |f|
 /// and r, which is 1, and the smaller, `y`.
 fn sortie_hors_d_une_sphere(u: f64, dehors: bool, y: Intervalle) -> Intervalle {
@@ -1264,16 +1008,6 @@ fn lemme_10_la_borne_du_lieu_sur_une_sphere_suffit() {
             assert!(besoin.haut <= promesses::LIEU_SPHERE, "{besoin:?}");
         }
     }
-}
-
-#[test]
-fn lemme_10_la_borne_de_sortie_d_une_boite_suffit() {
-    // As for an entry, but that tv may be ρ too.
-    tenir_sur(
-        promesses::DISTANCE_BOITE,
-        |_| [zero_a_un(), zero_a_un()],
-        |u, x| distance_d_une_boite(u, x, |f, rho| n(u) * f + rho),
-    );
 }
 
 #[test]

@@ -10,13 +10,13 @@ use lancer_rayon::*;
 use crate::ruban::Op::*;
 use crate::ruban::*;
 
-const S: [f64; 3] = [0.125, 0.25, 3.0];
+pub(crate) const S: [f64; 3] = [0.125, 0.25, 3.0];
 
-fn rayon<T: Taille>(s: [f64; 3]) -> Rayon<Trace<T>> {
+pub(crate) fn rayon<T: Taille>(s: [f64; 3]) -> Rayon<Trace<T>> {
     Rayon::new(entrees("S", s), entrees("D", [0.0, 0.0, -1.0])).unwrap()
 }
 
-fn sphere<T: Taille>() -> SphereGeo<Trace<T>> {
+pub(crate) fn sphere<T: Taille>() -> SphereGeo<Trace<T>> {
     SphereGeo::new(entrees("C", [0.5, 0.25, -5.0]), entree("r", 1.5), Texture(0)).unwrap()
 }
 
@@ -28,11 +28,11 @@ fn rotation<T: Taille>() -> Rotation<Trace<T>> {
     Rotation::depuis_matrice([x, y, z].map(Into::into)).unwrap()
 }
 
-fn plan<T: Taille>() -> PlanGeo<Trace<T>> {
+pub(crate) fn plan<T: Taille>() -> PlanGeo<Trace<T>> {
     PlanGeo::new(rotation(), entree("d", 2.0), Texture(0)).unwrap()
 }
 
-fn boite<T: Taille>() -> BoiteRay<Trace<T>> {
+pub(crate) fn boite<T: Taille>() -> BoiteRay<Trace<T>> {
     let (centre, tailles) = (entrees("C", [0.5, 0.25, -5.0]), entrees("l", [4.0, 3.0, 2.0]));
     BoiteGeo::new(centre, tailles, rotation(), Texture(0)).unwrap().vers_ray()
 }
@@ -40,19 +40,18 @@ fn boite<T: Taille>() -> BoiteRay<Trace<T>> {
 /// What a quotient, a sum and so on is of.
 macro_rules! cotes {
     ($place:expr, $op:ident) => {
-        match op($place) {
-            $op(a, b) => [a, b],
+        match crate::ruban::op($place) {
+            crate::ruban::Op::$op(a, b) => [a, b],
             autre => panic!("{autre:?} is no {}", stringify!($op)),
         }
     };
 }
+pub(crate) use cotes;
 
 /// What a root, an absolute value or −x is of.
-fn de(place: Place) -> Place {
-    match op(place) {
-        Racine(a) | Absolu(a) | Oppose(a) => a,
-        autre => panic!("{autre:?}"),
-    }
+pub(crate) fn de(place: Place) -> Place {
+    let (Racine(a) | Absolu(a) | Oppose(a)) = op(place) else { panic!("{:?}", op(place)) };
+    a
 }
 
 /// The sum of three squares, or of three products by the same vector: what is multiplied first.
@@ -68,7 +67,7 @@ fn brute(place: Place) -> Place {
 }
 
 /// The other side of the one comparison with this that is with no constant.
-fn compare_a(place: Place) -> Place {
+pub(crate) fn compare_a(place: Place) -> Place {
     let deux = |(a, b)| (a == place).then_some(b).or_else(|| (b == place).then_some(a));
     let trouvees: BTreeSet<_> = comparaisons().into_iter().filter_map(deux).collect();
     let trouvees: Vec<_> =
@@ -300,13 +299,13 @@ fn les_etapes_arrondissent_comme_le_dit_la_table() {
 }
 
 /// All that this may answer within so many comparisons, of which misses are none.
-fn programmes<T: Taille>(
+pub(crate) fn programmes<T: Taille>(
     combien: usize,
     objet: &ObjetRay<Trace<T>>,
     demander: impl Fn(&ObjetRay<Trace<T>>) -> Reponse<Trace<T>>,
-) -> Vec<Op> {
+) -> Vec<Place> {
     let t = || demander(objet).ok().map(|touche| touche.distance().place());
-    tous_les_chemins(combien, t).into_iter().flatten().map(op).collect()
+    tous_les_chemins(combien, t).into_iter().flatten().collect()
 }
 
 /// A distance is one of few quotients, whatever the numbers, or 0.
@@ -321,7 +320,7 @@ fn une_distance_a_peu_de_programmes() {
         for (objet, attendu) in objets.iter().zip([(9, 2, 2 + 4), (9, 1, 1), (14, 6, 6 + 6 + 1)]) {
             let (comparaisons, combien, combien_de_sorties) = attendu;
             let entrees = programmes(comparaisons, objet, |objet| objet.intersection(&ray));
-            assert!(entrees.iter().all(|op| matches!(op, Quotient(..))), "{entrees:?}");
+            assert!(entrees.iter().all(|t| matches!(op(*t), Quotient(..))), "{entrees:?}");
             let sorties = programmes(comparaisons, objet, |objet| objet.sortie(&ray));
             assert!(entrees.iter().all(|entree| sorties.contains(entree)), "{sorties:?}");
             assert_eq!((entrees.len(), sorties.len()), (combien, combien_de_sorties));

@@ -11,5 +11,7 @@ mod hasard;
 mod intervalle;
 mod invariances;
 mod oracle;
+mod pentes;
+mod preuves;
 mod promesses;
 mod ruban;
