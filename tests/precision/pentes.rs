@@ -192,7 +192,7 @@ impl<'a> Boite<'a> {
     pub(crate) fn new(
         programme: &'a Programme,
         u: f64,
-        lettres: &[(&str, u32, Valeur)],
+        lettres: &[(&str, f64, Valeur)],
         dits: &[Dit],
         perdu: impl Fn(f64) -> f64,
     ) -> Option<Self> {
@@ -214,7 +214,7 @@ impl<'a> Boite<'a> {
                 Pas::Lettre(nom) => {
                     let lettre = lettres.iter().find(|(lettre, ..)| *lettre == nom);
                     let (_, degre, x) = lettre.unwrap_or_else(|| panic!("{nom} of {lettres:?}"));
-                    (*x, i(0.0), f64::from(*degre))
+                    (*x, i(0.0), *degre)
                 }
                 Pas::Constante(c) => (nombre(i(c)), i(0.0), 0.0),
                 Pas::Oppose(a) => (x[a].map(|x| -x), e(a), degres[a]),
@@ -246,6 +246,10 @@ impl<'a> Boite<'a> {
                     )
                 }
             };
+            // What is scaled with all lengths, or with D, must be so in each term of a sum.
+            if let Pas::Somme(a, c) | Pas::Difference(a, c) = pas {
+                assert_eq!(degres[a], degres[c], "{pas:?} of unlike degrees");
+            }
             let dit = dits.iter().find(|(dit, ..)| *dit == k);
             // At a point what is told must be what the program computes.
             if let Some((_, dit, _)) = dit {

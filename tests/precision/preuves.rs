@@ -12,6 +12,9 @@ use crate::pentes::Encore::{Calcule, Erreur, Rien};
 use crate::pentes::{Boite, Dit, Encore, Programme, Valeur};
 use crate::ruban::{Op, Place, Taille, Trace, neuf, op};
 
+/// The degree of a length is 1; that of D is told apart from it, and lets a product of lengths be as it is.
+const DEGRE_DE_D: f64 = 0.125;
+
 /// A program and some of its nodes.
 struct Preuve<const N: usize> {
     programme: Programme,
@@ -25,7 +28,7 @@ impl<const N: usize> Preuve<N> {
         Self { programme, noeuds }
     }
 
-    fn boite(&self, u: f64, lettres: &[(&str, u32, Valeur)], dits: &[Dit]) -> Option<Boite<'_>> {
+    fn boite(&self, u: f64, lettres: &[(&str, f64, Valeur)], dits: &[Dit]) -> Option<Boite<'_>> {
         // What is lost beside r², and beside a length (lemma 2); none for half-spaces and boxes.
         let perdu = |degre| if degre >= 2.0 { u / 64.0 } else { u * (-60_f64).exp2() };
         let sphere = lettres.iter().any(|(nom, ..)| *nom == "r");
@@ -121,10 +124,10 @@ fn lemme_4_la_borne_d_un_demi_espace_suffit() {
         let de_d = |d: Intervalle| {
             let s = vecteur(t * v - d, positif(f.carre() - (t * v).carre()).racine());
             let lettres = [
-                ("N", 0, nombre(un)),
-                ("S", 1, s),
-                ("D", 0, vecteur(-v, sinus(v))),
-                ("d", 1, nombre(d)),
+                ("N", 0.0, nombre(un)),
+                ("S", 1.0, s),
+                ("D", DEGRE_DE_D, vecteur(-v, sinus(v))),
+                ("d", 1.0, nombre(d)),
             ];
             let boite = preuve(u).boite(u, &lettres, &[(e, t * v, Rien), (sortie, t, Rien)])?;
             Some(boite.erreur(sortie)? * (v - bandes::VITESSE * u) / i(u) * plus(30.0, u))
@@ -167,11 +170,11 @@ fn distance_d_une_boite(
     let l = de_a(l_bas, l_haut);
     let le_long = tv + sens * l;
     let lettres = [
-        ("N", 0, nombre(i(1.0))),
-        ("S", 1, vecteur(le_long, positif(f.carre() - le_long.carre()).racine())),
-        ("C", 1, nombre(i(0.0))),
-        ("D", 0, vecteur(-v, sinus(v))),
-        ("l", 1, nombre(l * 2.0)),
+        ("N", 0.0, nombre(i(1.0))),
+        ("S", 1.0, vecteur(le_long, positif(f.carre() - le_long.carre()).racine())),
+        ("C", 1.0, nombre(i(0.0))),
+        ("D", DEGRE_DE_D, vecteur(-v, sinus(v))),
+        ("l", 1.0, nombre(l * 2.0)),
     ];
     let boite = preuve.boite(u, &lettres, &[(longueur, tv, Rien), (sortie, t, Rien)]);
     let erreur = ou_rien(boite.and_then(|boite| boite.erreur(sortie)));
@@ -222,10 +225,10 @@ fn distance_d_une_sphere(
     }
     let [de_p, de_ab2, de_t, de_a_, de_p_d2, de_sa_s] = preuve.noeuds;
     let lettres = [
-        ("S", 1, nombre(i(0.0))),
-        ("C", 1, vecteur(t + c, s)),
-        ("r", 1, nombre(i(1.0))),
-        ("D", 0, nombre(i(1.0))),
+        ("S", 1.0, nombre(i(0.0))),
+        ("C", 1.0, vecteur(t + c, s)),
+        ("r", 1.0, nombre(i(1.0))),
+        ("D", DEGRE_DE_D, nombre(i(1.0))),
     ];
     let dits = [(de_p, p, Rien), (de_ab2, c.carre(), Rien), (de_t, t, Rien)];
     let erreur = || {
@@ -310,10 +313,10 @@ fn distance_de_sortie(
 ) -> Intervalle {
     let [de_p, de_ab2, de_p_d2, de_t, de_t_w1, de_s] = preuve.noeuds;
     let lettres = [
-        ("S", 1, nombre(i(0.0))),
-        ("C", 1, vecteur(sa, sinus(c))),
-        ("r", 1, nombre(i(1.0))),
-        ("D", 0, nombre(i(1.0))),
+        ("S", 1.0, nombre(i(0.0))),
+        ("C", 1.0, vecteur(sa, sinus(c))),
+        ("r", 1.0, nombre(i(1.0))),
+        ("D", DEGRE_DE_D, nombre(i(1.0))),
     ];
     let erreur = || {
         let dits =
@@ -399,10 +402,10 @@ fn lemme_3_la_bande_d_une_sphere_suffit() {
                 let f = (b.carre() + k.carre()).racine();
                 let loin = if de_ab2 { k } else { f };
                 let lettres = [
-                    ("S", 1, nombre(i(0.0))),
-                    ("C", 1, vecteur(b, k)),
-                    ("r", 1, nombre(i(1.0))),
-                    ("D", 0, nombre(i(1.0))),
+                    ("S", 1.0, nombre(i(0.0))),
+                    ("C", 1.0, vecteur(b, k)),
+                    ("r", 1.0, nombre(i(1.0))),
+                    ("D", DEGRE_DE_D, nombre(i(1.0))),
                 ];
                 // None has more than it is off by, outside of the band: |loin² − 1| is more than the band's width there.
                 let large = bandes::SPHERE * u * (f + 1.0) * (loin + 1.0);
