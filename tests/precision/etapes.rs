@@ -4,7 +4,9 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::LazyLock;
 
-use lancer_rayon::pour_les_tests::composee;
+use lancer_rayon::pour_les_tests::{
+    composee, tour_autour, tour_de_camera, tour_du_quaternion, tour_vers, trois_tours,
+};
 use lancer_rayon::*;
 
 use crate::ruban::Op::*;
@@ -258,6 +260,28 @@ fn etapes<T: Taille>() -> BTreeMap<&'static str, Comptes> {
     noter("I−M·Mᵀ", defaut, lettres.as_flattened());
     let lettres = [lettres.as_flattened(), &[("I−M·Mᵀ", defaut)]].concat();
     noter("Newton", m[0][0][1], &lettres);
+
+    // What rotations are made of, before the Newton step: all nine elements.
+    let (un, autre) = (entrees::<T>("a", [0.36, 0.48, 0.8]), entrees::<T>("b", [0.6, 0.0, 0.8]));
+    let tours = [("cx", "sx"), ("cy", "sy"), ("cz", "sz")]
+        .map(|(cos, sin)| (entree::<T>(cos, 0.6), entree::<T>(sin, 0.8)));
+    let quaternion = ["i", "j", "k", "w"].map(|nom| entree::<T>(nom, 0.5));
+    let paralleles = Trace::U * Trace::depuis_f64(16.0);
+    for (nom, m) in [
+        ("new", trois_tours(tours)),
+        ("autour_de", tour_autour(un, tours[0])),
+        ("quaternion", tour_du_quaternion(quaternion)),
+        ("entre", tour_vers(un, autre, paralleles)),
+        ("entre, beyond", tour_vers(un, -autre, paralleles)),
+        ("regard", tour_de_camera(un, autre)),
+    ] {
+        let comptes: &mut Comptes = etapes.entry(nom).or_default();
+        for element in m.as_flattened() {
+            for (produit, combien) in arrondis(cotes!(element.place(), Somme)[0], &[]) {
+                comptes.entry(produit).or_default().extend(combien);
+            }
+        }
+    }
     etapes
 }
 
