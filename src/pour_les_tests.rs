@@ -15,8 +15,11 @@ use crate::monde::reponses::{Reel, Vue};
 use crate::rayon::Rayon;
 
 pub use crate::algebre::double::{BORNE_DOUBLE, Double, Intervalle, PERTE_DOUBLE, PRODUIT_DOUBLE};
-pub use crate::algebre::nombre::PLANCHER;
-pub use crate::algebre::rotation::DEJA_ORTHONORMALE;
+pub use crate::algebre::nombre::{PLANCHER, Scelle};
+pub use crate::algebre::rotation::{
+    DEJA_ORTHONORMALE, composee, tour_autour, tour_de_camera, tour_du_quaternion, tour_vers,
+    trois_tours,
+};
 pub use crate::arbre::repere::{JEU_DISTANCE, JEU_F32, JEU_LARGEUR};
 pub use crate::objet::ETENDUE;
 pub use crate::objet::boite::FLOU_A_COTE;

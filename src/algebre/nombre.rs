@@ -3,12 +3,9 @@
 use core::fmt::{Debug, Display};
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-mod scelle {
-    /// Keeps [`Nombre`](super::Nombre) to the two types on whose rounding the crate's bounds rest.
-    pub trait Scelle {}
-}
-
-use scelle::Scelle;
+/// Keeps [`Nombre`] to the two types on whose rounding the crate's bounds rest. Tests implement it
+/// for a scalar that records what is computed.
+pub trait Scelle {}
 
 /// The arithmetic of the scalar: what [`Reel`](crate::Reel) can compute. Sealed.
 ///

@@ -37,7 +37,7 @@ pub struct Rotation<R = f64> {
 }
 
 /// A matrix in the type in which rotations are made; they are rounded once, at the end.
-type Matrice = [[f64; 3]; 3];
+type Matrice<T = f64> = [[T; 3]; 3];
 
 /// How orthonormal a matrix is that [`Rotation::depuis_matrice`] keeps, in u (lemma 1).
 pub const DEJA_ORTHONORMALE: f64 = 8.0;
@@ -74,13 +74,7 @@ impl<R: Nombre> Rotation<R> {
     #[doc(alias("from_euler", "from_angles"))]
     pub fn new(vecteur_rotation: Vecteur<R>) -> Result<Self, ErreurGeo> {
         let r = fini(ANGLES, vecteur_rotation)?;
-        let (cos, sin) = cos_sin(r.x);
-        let m_x = [[1.0, 0.0, 0.0], [0.0, cos, -sin], [0.0, sin, cos]];
-        let (cos, sin) = cos_sin(r.y);
-        let m_y = [[cos, 0.0, sin], [0.0, 1.0, 0.0], [-sin, 0.0, cos]];
-        let (cos, sin) = cos_sin(r.z);
-        let m_z = [[cos, -sin, 0.0], [sin, cos, 0.0], [0.0, 0.0, 1.0]];
-        Ok(Self::arrondie(polie(produit(produit(m_x, m_y), m_z))))
+        Ok(Self::arrondie(trois_tours([r.x, r.y, r.z].map(cos_sin))))
     }
 
     /// The rotation of a vecteur-rotation by the right-hand rule, the thumb along the axis:
@@ -182,8 +176,7 @@ impl<R: Nombre> Rotation<R> {
     pub fn autour_de(axe: Vecteur<R>, angle: R) -> Result<Self, ErreurGeo> {
         let n = unitaire(["axe", "axe.x", "axe.y", "axe.z"], axe.vers_f64())?;
         let angle = exiger(angle.absolu() < R::INFINI, "angle", angle, "a finite number")?;
-        let (cos, sin) = cos_sin(angle);
-        Ok(Self::arrondie(polie(tour(cos, 1.0 - cos, n, n * -sin))))
+        Ok(Self::arrondie(tour_autour(n, cos_sin(angle))))
     }
 
     /// The rotation of the quaternion q = \[x, y, z, w\], w being its real part: a vector V becomes
@@ -213,11 +206,7 @@ impl<R: Nombre> Rotation<R> {
         let q = finis(champs, quaternion)?.map(R::vers_f64);
         let grand = q.into_iter().map(f64::abs).fold(0.0, f64::max);
         exiger(grand > 0.0, "quaternion", grand, "other than 0")?;
-        let [x, y, z, w] = q.map(|nombre| nombre / grand);
-        let v = Vecteur::new(x, y, z);
-        let (v2, w2) = (v.longueur_carree(), w * w);
-        let m = tour((w2 - v2) / (w2 + v2), 2.0 / (w2 + v2), v, v * (2.0 * w / (w2 + v2)));
-        Ok(Self::arrondie(polie(m)))
+        Ok(Self::arrondie(tour_du_quaternion(q.map(|nombre| nombre / grand))))
     }
 
     /// The shortest turn that takes the direction `de` to the direction `vers`, both of any length:
@@ -245,17 +234,7 @@ impl<R: Nombre> Rotation<R> {
     pub fn entre(de: Vecteur<R>, vers: Vecteur<R>) -> Result<Self, ErreurGeo> {
         let a = unitaire(["de", "de.x", "de.y", "de.z"], de.vers_f64())?;
         let b = unitaire(["vers", "vers.x", "vers.y", "vers.z"], vers.vers_f64())?;
-        if a.produit_scalaire(b) >= 0.0 {
-            return Ok(Self::arrondie(polie(arc(a, b))));
-        }
-        // Near a half turn the axis is known only to u over the sine of the angle, though it must
-        // be at a right angle to b to u. So this composes two turns: the short one to −b, and a
-        // half turn about an axis at a right angle to b.
-        let k = a.produit_vectoriel(b);
-        let k = if k.longueur() > PARALLELES * R::U.vers_f64() { k } else { a_cote(b) };
-        let axe = b.produit_vectoriel(au_dessus(b, k));
-        let demi_tour = tour(-1.0, 2.0, axe, Vecteur::NUL);
-        Ok(Self::arrondie(polie(produit(arc(a, -b), demi_tour))))
+        Ok(Self::arrondie(tour_vers(a, b, PARALLELES * R::U.vers_f64())))
     }
 
     /// The rotation of a camera that looks along `direction` and holds `haut` upright. It takes −z,
@@ -288,8 +267,7 @@ impl<R: Nombre> Rotation<R> {
             d.produit_vectoriel(unitaire(["haut", "haut.x", "haut.y", "haut.z"], haut.vers_f64())?);
         let (sinus, attendu) = (k.longueur(), "above 16u in the sine of its angle with direction");
         exiger(sinus > PARALLELES * R::U.vers_f64(), "haut", sinus, attendu)?;
-        let y = au_dessus(d, k);
-        Ok(Self::arrondie(polie([d.produit_vectoriel(y), y, -d].map(<[f64; 3]>::from))))
+        Ok(Self::arrondie(tour_de_camera(d, k)))
     }
 
     /// A rotation that takes z to this unit vector.
@@ -312,7 +290,7 @@ impl<R: Nombre> Rotation<R> {
     #[doc(alias("then", "compose"))]
     pub fn puis(self, suivante: Self) -> Self {
         let [m, n] = [self, suivante].map(|r| r.matrice.map(|ligne| ligne.map(R::vers_f64)));
-        Self::arrondie(polie(produit(m, n)))
+        Self::arrondie(composee(m, n))
     }
 
     /// The rotation that undoes this one.
@@ -390,43 +368,96 @@ fn cos_sin<R: Nombre>(angle: R) -> (f64, f64) {
     (libm::cos(angle), libm::sin(angle))
 }
 
+/// The turns about x, y and z, one after the other, by angles of these cosines and sines.
+///
+/// This and the other makers of matrices are run in `f64`, and by tests in a scalar that records.
+pub fn trois_tours<T: Nombre>([x, y, z]: [(T, T); 3]) -> Matrice<T> {
+    let (nul, un) = (T::ZERO, T::UN);
+    let (cos, sin) = x;
+    let m_x = [[un, nul, nul], [nul, cos, -sin], [nul, sin, cos]];
+    let (cos, sin) = y;
+    let m_y = [[cos, nul, sin], [nul, un, nul], [-sin, nul, cos]];
+    let (cos, sin) = z;
+    let m_z = [[cos, -sin, nul], [sin, cos, nul], [nul, nul, un]];
+    polie(produit(produit(m_x, m_y), m_z))
+}
+
+/// The turn about a unit vector by the angle of this cosine and sine.
+pub fn tour_autour<T: Nombre>(n: Vecteur<T>, (cos, sin): (T, T)) -> Matrice<T> {
+    polie(tour(cos, T::UN - cos, n, n * -sin))
+}
+
+/// The turn of a quaternion whose largest number is ±1.
+pub fn tour_du_quaternion<T: Nombre>([x, y, z, w]: [T; 4]) -> Matrice<T> {
+    let (v, deux) = (Vecteur::new(x, y, z), T::UN + T::UN);
+    let (v2, w2) = (v.longueur_carree(), w * w);
+    polie(tour((w2 - v2) / (w2 + v2), deux / (w2 + v2), v, v * (deux * w / (w2 + v2))))
+}
+
+/// The shortest turn from the unit vector a to the unit vector b. Of opposite ones, those whose sine
+/// is no more than `paralleles`, it chooses the axis.
+pub fn tour_vers<T: Nombre>(a: Vecteur<T>, b: Vecteur<T>, paralleles: T) -> Matrice<T> {
+    if a.produit_scalaire(b) >= T::ZERO {
+        return polie(arc(a, b));
+    }
+    // Near a half turn the axis is known only to u over the sine of the angle, though it must be at
+    // a right angle to b to u. So this composes two turns: the short one to −b, and a half turn
+    // about an axis at a right angle to b.
+    let k = a.produit_vectoriel(b);
+    let k = if k.longueur() > paralleles { k } else { a_cote(b) };
+    let axe = b.produit_vectoriel(au_dessus(b, k));
+    let demi_tour = tour(-T::UN, T::UN + T::UN, axe, Vecteur::NUL);
+    polie(produit(arc(a, -b), demi_tour))
+}
+
+/// The turn of a camera that looks along the unit vector d and has k = d ∧ h on its right.
+pub fn tour_de_camera<T: Nombre>(d: Vecteur<T>, k: Vecteur<T>) -> Matrice<T> {
+    let y = au_dessus(d, k);
+    polie([d.produit_vectoriel(y), y, -d].map(<[T; 3]>::from))
+}
+
+/// The first turn, then the second.
+pub fn composee<T: Nombre>(m: Matrice<T>, n: Matrice<T>) -> Matrice<T> {
+    polie(produit(m, n))
+}
+
 /// A vector at a right angle to this unit vector and to whichever of x and y lies farther from it;
 /// no shorter than √½.
-fn a_cote(v: Vecteur) -> Vecteur {
-    let axe = if v.x.abs() > v.y.abs() { Vecteur::Y } else { Vecteur::X };
+fn a_cote<T: Nombre>(v: Vecteur<T>) -> Vecteur<T> {
+    let axe = if v.x.absolu() > v.y.absolu() { Vecteur::Y } else { Vecteur::X };
     axe.produit_vectoriel(v)
 }
 
 /// The unit vector at a right angle to the unit vector d and to k, along k ∧ d. k may be as short
 /// as `PARALLELES` u: this is at a right angle to d all the same.
-fn au_dessus(d: Vecteur, k: Vecteur) -> Vecteur {
+fn au_dessus<T: Nombre>(d: Vecteur<T>, k: Vecteur<T>) -> Vecteur<T> {
     let y = k.produit_vectoriel(d);
     y / y.longueur()
 }
 
 /// The matrix of the turn V ↦ a·V + b·(v·V)·v + e ∧ V: its rows are what the axes become.
-fn tour(a: f64, b: f64, v: Vecteur, e: Vecteur) -> Matrice {
+fn tour<T: Nombre>(a: T, b: T, v: Vecteur<T>, e: Vecteur<T>) -> Matrice<T> {
     let axes = [(Vecteur::X, v.x), (Vecteur::Y, v.y), (Vecteur::Z, v.z)];
     axes.map(|(axe, v_i)| (axe * a + v * (b * v_i) + e.produit_vectoriel(axe)).into())
 }
 
 /// The shortest turn from a unit vector to another, at most a right angle away.
-fn arc(de: Vecteur, vers: Vecteur) -> Matrice {
+fn arc<T: Nombre>(de: Vecteur<T>, vers: Vecteur<T>) -> Matrice<T> {
     let (cos, k) = (de.produit_scalaire(vers), de.produit_vectoriel(vers));
-    tour(cos, 1.0 / (1.0 + cos), k, k)
+    tour(cos, T::UN / (T::UN + cos), k, k)
 }
 
-fn transposee<T: Copy>(m: [[T; 3]; 3]) -> [[T; 3]; 3] {
+fn transposee<T: Copy>(m: Matrice<T>) -> Matrice<T> {
     core::array::from_fn(|i| core::array::from_fn(|j| m[j][i]))
 }
 
-fn produit(m: Matrice, n: Matrice) -> Matrice {
+fn produit<T: Nombre>(m: Matrice<T>, n: Matrice<T>) -> Matrice<T> {
     m.map(|[a, b, c]| core::array::from_fn(|j| a * n[0][j] + b * n[1][j] + c * n[2][j]))
 }
 
 /// I − M·Mᵀ.
-fn defaut(m: Matrice) -> Matrice {
-    let (un, carre) = (Rotation::<f64>::IDENTITE.matrice, produit(m, transposee(m)));
+fn defaut<T: Nombre>(m: Matrice<T>) -> Matrice<T> {
+    let (un, carre) = (Rotation::<T>::IDENTITE.matrice, produit(m, transposee(m)));
     core::array::from_fn(|i| core::array::from_fn(|j| un[i][j] - carre[i][j]))
 }
 
@@ -440,7 +471,7 @@ fn plus_grand_defaut(m: Matrice) -> f64 {
 ///
 /// A product of rotations is off by a rounding or two; without the step, composing a million of
 /// them would add up a million roundings.
-fn polie(m: Matrice) -> Matrice {
+fn polie<T: Nombre>(m: Matrice<T>) -> Matrice<T> {
     let correction = produit(defaut(m), m);
-    core::array::from_fn(|i| core::array::from_fn(|j| m[i][j] + correction[i][j] / 2.0))
+    core::array::from_fn(|i| core::array::from_fn(|j| m[i][j] + correction[i][j] / (T::UN + T::UN)))
 }

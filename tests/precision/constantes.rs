@@ -10,8 +10,9 @@
 //! - the 8u that M4 adds at a hit at once, which no proof needs, the 64 of J7, a choice, the 2u of E1 and J8, which count
 //!   roundings, and the 2 of T3, of which lemma 19 needs 1.1.
 //!
-//! Taken from the text, and not found here:
-//! - how often a step of an algorithm rounds, and what each is relative to;
+//! How often a step of an algorithm rounds is read from tapes (`etapes.rs`), and what distances need is proved from them
+//! (`preuves.rs`). Taken from the text, and not found here:
+//! - what a rounding is relative to, and how often doubled numbers, judgements and probes round;
 //! - what is of second order in u, where the text says "to O(u²)": one factor such as `plus(20.0,
 //!   u)` stands for all of it, larger than what was counted by hand;
 //! - lemma 3: that two comparisons at most lie between an entry and an exit; lemma 4: that k speeds
@@ -22,13 +23,14 @@
 //!   before its Newton step, and of a quaternion or several directions to 200u;
 //! - lemma 21: that what is subnormal is less than the slack.
 
+use crate::etapes::compte;
 use crate::intervalle::{Intervalle, de_a, portee};
 use commun::tolerances::{ECART_ROTATION, ORTHONORMALE, bandes, promesses};
 use lancer_rayon::Nombre;
 use lancer_rayon::pour_les_tests::*;
 
 /// u of `f32` and of `f64`.
-const U: [f64; 2] = [f32::EPSILON as f64 / 2.0, f64::EPSILON / 2.0];
+pub(crate) const U: [f64; 2] = [f32::EPSILON as f64 / 2.0, f64::EPSILON / 2.0];
 
 /// |D|² − 1, in u.
 const D2: f64 = 15.1;
@@ -56,7 +58,7 @@ const TOUCHE_RHO: f64 = 60.0;
 /// This constant is no less than what is needed in either type, and no more than a ninth more; and
 /// `besoins.txt`, if it has the constant, has what is needed.
 #[track_caller]
-fn tenir(constante: f64, besoin: impl Fn(f64) -> Intervalle) {
+pub(crate) fn tenir(constante: f64, besoin: impl Fn(f64) -> Intervalle) {
     let besoins = U.map(|u| {
         let besoin = besoin(u);
         assert!(besoin.haut <= constante, "{constante} is less than {} at u = {u:e}", besoin.haut);
@@ -103,7 +105,7 @@ fn la_table_des_besoins_se_lit() {
 
 /// The same where what is needed depends on variables of this domain.
 #[track_caller]
-fn tenir_sur<const N: usize>(
+pub(crate) fn tenir_sur<const N: usize>(
     constante: f64,
     domaine: impl Fn(f64) -> [Intervalle; N],
     besoin: impl Fn(f64, [Intervalle; N]) -> Option<Intervalle>,
@@ -120,6 +122,59 @@ fn gamma(n: f64, u: f64) -> Intervalle {
     i(n) / (1.0 - i(n) * u)
 }
 
+/// How often a step rounds a product of these letters at most, by its tape: "S3 r²: r r".
+#[track_caller]
+fn fois(ligne: &str) -> f64 {
+    let (etape, produit) = ligne.split_once(": ").expect("a step and a product");
+    compte(etape, produit)
+}
+
+/// A square of three coordinates.
+fn carre() -> f64 {
+    fois("S1 D²: D D")
+}
+
+/// A scalar product.
+fn scalaire() -> f64 {
+    fois("H1 v: D N")
+}
+
+/// What comes after a product in a scalar product.
+fn sommes() -> f64 {
+    scalaire() - fois("S3 r²: r r")
+}
+
+/// A difference of two terms.
+fn difference() -> f64 {
+    fois("S4 AB²: AC²")
+}
+
+/// SC², of an S − C that rounds.
+fn sc2_arrondi() -> f64 {
+    fois("S3 SC²: SC SC") + 2.0 * fois("S1 SC: S")
+}
+
+/// r²·D².
+fn r2_d2() -> f64 {
+    fois("S4 r²D²: D D r r")
+}
+
+/// The last sum of the height over a flat face, and the quotient.
+fn conclue() -> f64 {
+    assert_eq!(fois("H1 e: d") + fois("H3 t: / e"), fois("B1 l±o: l") + fois("B5 t: / l±o"));
+    fois("H1 e: d") + fois("H3 t: / e")
+}
+
+/// A length over D².
+fn sur_d2() -> f64 {
+    fois("S1 D²: D D") + fois("W2 s/D²: / s")
+}
+
+/// SA/D², of an S − C that does not round.
+fn sa_sur_d2() -> f64 {
+    fois("S2 SA: D SC") + sur_d2()
+}
+
 /// (1 + a·u)(1 + b·u) − 1, in u.
 fn et(a: Intervalle, b: Intervalle, u: f64) -> Intervalle {
     a + b + a * b * u
@@ -131,7 +186,7 @@ fn inverse(a: Intervalle, u: f64) -> Intervalle {
 }
 
 /// 1 + a·u.
-fn plus(a: impl Into<Intervalle>, u: f64) -> Intervalle {
+pub(crate) fn plus(a: impl Into<Intervalle>, u: f64) -> Intervalle {
     1.0 + a.into() * u
 }
 
@@ -157,7 +212,7 @@ fn zero_a_un() -> Intervalle {
 
 /// 1/√(1 − γ₃) · (1 + u)/(1 − u) − 1, in u: a vector over its length.
 fn normalise(u: f64) -> Intervalle {
-    et(racine(inverse(gamma(3.0, u), u), u), rapport(u), u)
+    et(racine(inverse(gamma(carre(), u), u), u), rapport(u), u)
 }
 
 #[test]
@@ -166,15 +221,16 @@ fn lemme_1_les_bornes_des_vecteurs_unitaires_suffisent() {
     tenir(N1, |u| et(normalise(u), PERDU * plus(8.0, u), u));
     for u in U {
         // The decision C13: whatever was normalised is kept.
-        let carre = et(normalise(u), normalise(u), u);
-        assert!((et(carre, gamma(3.0, u), u) * plus(1.0, u)).haut <= DEJA_UNITAIRE);
+        let n2 = et(normalise(u), normalise(u), u);
+        assert!((et(n2, gamma(carre(), u), u) * plus(1.0, u)).haut <= DEJA_UNITAIRE);
     }
-    let d2 =
-        |u| (DEJA_UNITAIRE * plus(1.0, u) + gamma(3.0, u)) * plus(inverse(gamma(3.0, u), u), u);
+    let d2 = |u| {
+        (DEJA_UNITAIRE * plus(1.0, u) + gamma(carre(), u)) * plus(inverse(gamma(carre(), u), u), u)
+    };
     tenir(D2, d2);
     tenir(D1, |u| racine(D2, u));
     // In f64 the elements of M·Mᵀ − I are themselves computed to γ₃.
-    tenir(N2, |u| DEJA_ORTHONORMALE * plus(1.0, u) + gamma(3.0, u) * plus(N2, u));
+    tenir(N2, |u| DEJA_ORTHONORMALE * plus(1.0, u) + gamma(fois("M·Mᵀ: M M"), u) * plus(N2, u));
     tenir(promesses::UNITAIRE_PLATE, |u| racine(N2, u) * plus(N2, u));
 }
 
@@ -190,12 +246,12 @@ fn d(u: f64) -> Intervalle {
 
 /// What a speed N·D towards a flat face is off by, in u.
 fn vitesse(u: f64) -> Intervalle {
-    gamma(3.0, u) * n(u) * d(u)
+    gamma(scalaire(), u) * n(u) * d(u)
 }
 
 /// What SC² as computed, rounded once more, is off by, in u·f².
 fn sc2(u: f64) -> Intervalle {
-    et(gamma(5.0, u), i(1.0), u)
+    et(gamma(sc2_arrondi(), u), i(1.0), u)
 }
 
 /// What AC is off by, in u·f: S − C, and the coordinates of SC ∧ D.
@@ -205,8 +261,8 @@ fn autour_de_ac() -> Intervalle {
 
 #[test]
 fn lemme_3_les_bandes_suffisent() {
-    tenir(bandes::PLAN, |u| gamma(3.0, u));
-    tenir(bandes::PLAN_ABSOLUE, |u| 1.5 * plus(gamma(2.0, u), u));
+    tenir(bandes::PLAN, |u| gamma(fois("H1 N·S: N S"), u));
+    tenir(bandes::PLAN_ABSOLUE, |u| 0.5 * scalaire() * plus(gamma(sommes(), u), u));
     // And 2⁻⁷⁸ for speeds that are rounded.
     tenir(bandes::VITESSE, |u| vitesse(u) + (-78_f64).exp2());
     tenir_sur(
@@ -217,216 +273,32 @@ fn lemme_3_les_bandes_suffisent() {
             let o = f * n(u);
             // Two comparisons in a row, half of their rounding errors for each of the two lengths.
             let compare = et(rapport(u), rapport(u), u) * 0.5;
-            let longueur = rho + o * plus(gamma(4.0, u), u);
-            Some(gamma(4.0, u) * o + et(i(1.0), compare, u) * longueur)
+            let longueur = rho + o * plus(gamma(fois("B1 o: N S"), u), u);
+            Some(gamma(fois("B1 o: N S"), u) * o + et(i(1.0), compare, u) * longueur)
         },
     );
-    // The sphere, of radius y·f. That the band is no wider than it must be is for lemma 5 to show.
-    for u in U {
-        let s = (gamma(5.0, u) + 1.0) / 4.0 * plus(20.0, u);
-        let a = portee([zero_a_un()], bandes::SPHERE, |[y]| {
-            let deplace = autour_de_ac() * plus(20.0, u);
-            Some((deplace + (5.0 + PERDU) * plus(20.0, u) * y) / (1.0 + y))
-        });
-        assert!(s.max(a).haut <= bandes::SPHERE);
-    }
 }
 
+/// What is lost below the normal numbers; `preuves.rs` has the rest.
 #[test]
-fn lemme_4_la_borne_d_un_demi_espace_suffit() {
-    tenir_sur(
-        promesses::DISTANCE_PLAN,
-        |_| [zero_a_un(), zero_a_un()],
-        |u, [f, d_]| {
-            if (f + d_).bas > 1.0 {
-                return None;
-            }
-            let t = (1.0 - f - d_).max(i(0.0));
-            let tv = (n(u) * f + N2 * u * d_).min(n(u) * d(u) * t);
-            let s = gamma(3.0, u) * plus(gamma(2.0, u), u) * n(u) * (f + n(u) * d_);
-            Some(gamma(2.0, u) * tv + s + vitesse(u) * t)
-        },
-    );
+fn lemme_4_ce_qui_est_perdu_suffit() {
     tenir(promesses::PLAN_ABSOLU, |u| {
-        let g = plus(gamma(2.0, u), u);
-        1.5 * g * g + 0.5 * n(u) * d(u)
-    });
-}
-
-/// What a box needs where `tv`, of |f| and ρ, bounds the length that the ray goes along a normal, in u·κt.
-fn distance_d_une_boite(
-    u: f64,
-    [f, rho]: [Intervalle; 2],
-    tv: impl Fn(Intervalle, Intervalle) -> Intervalle,
-) -> Option<Intervalle> {
-    let t = (1.0 - f - rho).max(i(0.0));
-    // |f|, t and ρ are the sides of a triangle, or nearly.
-    let (rho_, t_) = (rho * plus(20.0, u), t * moins(D1, u));
-    if (f + rho).bas > 1.0 || f.bas > (rho_ + d(u) * t).haut || t_.bas > (f + rho_).haut {
-        return None;
-    }
-    let faces = [1.0, 2.0, 3.0].map(|k| {
-        let v = d(u) * plus(19.0, u) / i(k).racine();
-        let tv = tv(f, rho).min(t * (v + bandes::VITESSE * u));
-        let suite = (k - 1.0) * rapport(u) * plus(2.0 * rapport(u), u) * t * v;
-        gamma(2.0, u) * tv
-            + gamma(4.0, u) * plus(gamma(2.0, u), u) * n(u) * f
-            + vitesse(u) * t
-            + if k > 1.0 { suite } else { i(0.0) }
-    });
-    Some(faces[0].max(faces[1]).max(faces[2]))
-}
-
-#[test]
-fn lemme_4_la_borne_d_une_boite_suffit() {
-    tenir_sur(
-        promesses::DISTANCE_BOITE,
-        |_| [zero_a_un(), zero_a_un()],
-        |u, x| distance_d_une_boite(u, x, |f, _| n(u) * f),
-    );
-}
-
-/// A sphere of radius 1, moved by what S − C rounds, and what of it the computation is off by.
-struct Deplacee {
-    /// How far it is moved along the ray, and AB² by how much.
-    le_long: Intervalle,
-    ecart: Intervalle,
-    /// AB of the moved one.
-    ab: Intervalle,
-    /// How far its crossings are moved.
-    bouge: Intervalle,
-    f_: Intervalle,
-    /// By how much AB as computed may be less and more, before it is rounded, and what SA is off by.
-    dab: [Intervalle; 2],
-    dsa: Intervalle,
-}
-
-/// `c` is AB, `x` tells how far it is moved across the ray, in u·f; with `sa`, |SA|, −p may stand in for AB².
-/// None where AB may be lost.
-fn deplacee(
-    u: f64,
-    f: Intervalle,
-    c: Intervalle,
-    x: Intervalle,
-    sa: Option<Intervalle>,
-) -> Option<Deplacee> {
-    let s = ((1.0 - c).max(i(0.0)) * (1.0 + c)).racine();
-    // The sphere moves by z, in the plane of C and the ray and no longer than u·f.
-    let z = u * f;
-    let (le_long, travers) = (z * (1.0 - x.carre()).racine(), z * x);
-    let w = c.carre();
-    let ecart = 2.0 * s * travers + travers.carre();
-    let w_ = w - ecart;
-    if w_.bas <= 0.0 {
-        return None;
-    }
-    let ab = w_.racine();
-    let bouge = le_long + ecart.grandeur() / (c + ab);
-    // From here on for the moved sphere, which the computation takes for exact.
-    let f_ = f * plus(1.0, u);
-    let ac = (s + travers).grandeur();
-    let g = |k| gamma(k, u) * u;
-    // |SC ∧ D|, of which each coordinate is two products and a difference.
-    let g_ac = i(4.0 / 3.0).racine() * u * f_ + PERDU_LONGUEUR * u;
-    let large_ac = ac + g_ac;
-    let ac2 = et(gamma(3.0, u), et(i(1.0), i(1.0), u), u) * u * large_ac.carre()
-        + g_ac * (2.0 * ac + g_ac);
-    let dw = (g(5.0) + PERDU * u + ac2) * plus(1.0, u) + u * w_;
-    // From within, AB² is no less than −p, which is AB² less SA².
-    let (moins_p, dp) = sa.map_or((i(0.0), i(0.0)), |sa| {
-        let moins_p = w_ - (sa + le_long).carre();
-        let p = moins_p.max(i(0.0));
-        (moins_p, (g(3.0) * (1.0 - p).max(i(0.0)) + u + PERDU * u) * plus(16.0, u) + g(5.0) * p)
-    });
-    let peu = (w_ - dw).max(moins_p - dp);
-    if peu.bas <= 0.0 {
-        return None;
-    }
-    let dab = [dw.min(w_ - peu) / (ab + peu.racine()), dw.max(dp) / (2.0 * ab)];
-    let dsa = g(3.0) * f_ + PERDU_LONGUEUR * u;
-    Some(Deplacee { le_long, ecart, ab, bouge, f_, dab, dsa })
-}
-
-/// What the sphere of radius 1 needs, in u·κt, where it is entered at the distance `t` and the cosine `c`; `x`
-/// tells how far z moves C across the ray, in u·f. None inside the band of `bande`·u(f + r).
-fn distance_d_une_sphere(u: f64, bande: f64, [t, c, x]: [Intervalle; 3]) -> Option<Intervalle> {
-    let s = ((1.0 - c).max(i(0.0)) * (1.0 + c)).racine();
-    let p = t * (t + 2.0 * c);
-    let f = (p + 1.0).racine();
-    let large = bande * u * (f + 1.0);
-    if (c.carre() / (1.0 + s)).haut <= large.bas || (p / (f + 1.0)).haut <= large.bas {
-        return None;
-    }
-    let infini = Some(de_a(0.0, f64::INFINITY));
-    let Some(Deplacee { le_long, ecart, ab, bouge, f_, dab, dsa }) = deplacee(u, f, c, x, None)
-    else {
-        return infini;
-    };
-    let (g, dab) = (|k| gamma(k, u) * u, dab[0].max(dab[1]));
-    // SA − AB, without a cancellation.
-    let t_ = (t + le_long * de_a(-1.0, 1.0) + ecart / (c + ab)).max(i(0.0));
-    let q = t_ + 2.0 * ab;
-    let p_ = t_ * q;
-    let dp = (g(3.0) * f_.carre() + u + PERDU * u) * plus(1.0, u) + u * p_;
-    let dq = (dsa + dab + u * (ab + dab)) * plus(1.0, u) + u * q;
-    if (q - dq).bas <= 0.0 {
-        return infini;
-    }
-    // p/s.
-    let de_p_sur_q = (dp * plus(1.0, u) + u * p_ + t_ * dq) / (q - dq);
-    // SA/D², if p·D² ≥ SA·q as computed. Exactly SA·s − p = AB·s; `passe` is what the two
-    // products are off by, each of which may be lost.
-    let m = t_ + ab;
-    let passe = dp
-        + g(4.0) * (p_ + dp)
-        + dsa * (2.0 * m + ab + dsa)
-        + (m + dsa) * (dab * plus(1.0, u) + u * ab)
-        + g(2.0) * (m + dsa) * (q + dq)
-        + PERDU * u;
-    let erreur = if (ab * q).bas <= passe.haut {
-        let de_a_ = (dsa + g(4.0) * m) * plus(8.0, u);
-        let trop_loin = (de_p_sur_q + g(2.0) * (t_ + de_p_sur_q)).min(ab + de_a_);
-        de_p_sur_q.max(trop_loin).max(de_a_ - ab)
-    } else {
-        de_p_sur_q
-    };
-    // κt is that of a D that is not exactly unit.
-    Some((bouge + erreur) * c / (u * (f + 1.0 + t)) * plus(2.0 * D1, u))
-}
-
-fn rayons(u: f64) -> [Intervalle; 3] {
-    [de_a(u / 4.0, 0.5 / u), de_a(u.sqrt(), 1.0), de_a(-1.0, 1.0)]
-}
-
-#[test]
-fn lemme_5_la_borne_d_une_sphere_suffit() {
-    tenir_sur(promesses::DISTANCE_SPHERE, rayons, |u, x @ [t, ..]| {
-        let perdue = t.bas > 1.0 / (promesses::PERDUE * u);
-        if perdue { None } else { distance_d_une_sphere(u, bandes::SPHERE, x) }
-    });
-}
-
-#[test]
-fn lemme_5_la_borne_d_une_sphere_perdue_suffit() {
-    tenir_sur(promesses::DISTANCE_PERDUE, rayons, |u, x| {
-        distance_d_une_sphere(u, bandes::SPHERE, x)
+        let g = plus(gamma(conclue(), u), u);
+        0.5 * scalaire() * plus(gamma(sommes(), u), u) * g + 0.5 * n(u) * d(u)
     });
 }
 
 /// A bound fails.
 #[track_caller]
-fn ne_suffit_pas(borne: impl FnOnce() -> Intervalle + std::panic::UnwindSafe) {
+pub(crate) fn ne_suffit_pas(borne: impl FnOnce() -> Intervalle + std::panic::UnwindSafe) {
     let echec = std::panic::catch_unwind(borne).unwrap_err().downcast::<String>().unwrap();
     assert!(echec.contains(" is more than "), "{echec}");
 }
 
-/// A narrower band, a smaller part or length, and a sphere that is lost nearer.
+/// A smaller part or length, and a sphere that is lost nearer.
 #[test]
-fn lemmes_5_8_et_9_moins_ne_suffit_pas() {
+fn lemmes_8_et_9_moins_ne_suffit_pas() {
     let u = U[0];
-    let bande = 0.9 * bandes::SPHERE;
-    let k = promesses::DISTANCE_SPHERE;
-    ne_suffit_pas(|| portee(rayons(u), k, |x| distance_d_une_sphere(u, bande, x)));
     ne_suffit_pas(|| marges_d_une_sphere(u, [0.9 * PAR_RAYON, LONGUEUR]));
     ne_suffit_pas(|| marges_d_une_sphere(u, [PAR_RAYON, 0.9 * LONGUEUR]));
     let perdue = 0.9 * promesses::PERDUE;
@@ -450,7 +322,7 @@ fn lemme_7_les_bornes_d_une_normale_suffisent() {
         let c = (bandes::SPHERE * u * (1.0 + y)).racine();
         let z = k_kappa_t(u, y) / c;
         assert!(z.bas < 1.0, "the distance is off by more than r");
-        let cb = 2.0 * y * plus(4.0, u) + z + 1.0;
+        let cb = fois("S7 CB: S") * y * plus(4.0, u) + z + fois("S7 N: / CB");
         let penchee = 4.0 + 2.0 * part(u, y);
         Some((cb + 1.0 + penchee) / (1.0 + y) * plus(8.0, u))
     });
@@ -462,8 +334,9 @@ fn lemme_7_les_bornes_d_une_normale_suffisent() {
     // the length of what is left. Then the difference, two quotients and a difference; γ₃ to
     // compute it.
     let de_n_d = |u: f64| {
-        let reste = (gamma(3.0, u) + 1.0 + 9.0 * le_long) / i(1.0 - le_long * le_long).racine();
-        et(et(reste, i(4.0), u), gamma(3.0, u), u) * plus(8.0, u)
+        let reste =
+            (gamma(scalaire(), u) + 1.0 + 9.0 * le_long) / i(1.0 - le_long * le_long).racine();
+        et(et(reste, i(4.0), u), gamma(scalaire(), u), u) * plus(8.0, u)
     };
     tenir(PENCHE, de_n_d);
     for u in U {
@@ -499,19 +372,24 @@ fn marge_d_une_sphere(
     let g = |k| gamma(k, u) * u;
     let b = par_rayon * (puissance + q.carre()) + e.carre();
     // Three of its products may be lost.
-    let marge = (b * (1.0 - g(9.0)) - PERDU * u
-        + 2.0 * ARRONDI_HAUTEUR * longueur * u * (1.0 - g(2.0)))
+    let marge = (b * (1.0 - g(fois("M3 b: / x²") + fois("M3 x²: x x"))) - PERDU * u
+        + 2.0 * ARRONDI_HAUTEUR * longueur * u * (1.0 - g(fois("M3 ℓ: r"))))
         * marge_plate(u);
-    let pas = marge * plus(PAS_NORMAL, u) * (1.0 - g(4.0)) * moins(N1 + 1.0, u);
+    let pas = marge
+        * plus(PAS_NORMAL, u)
+        * (1.0 - g(fois("M6 s: marge") + fois("M6 S′: N s")))
+        * moins(N1 + 1.0, u);
     // What was computed is off by so much.
-    let puissance = (puissance + g(5.0) * (1.0 + puissance) + u + PERDU * u) * plus(rapport(u), u);
+    let puissance =
+        (puissance + g(fois("M3 g: P P") - difference()) * (1.0 + puissance) + u + PERDU * u)
+            * plus(rapport(u), u);
     let e = e * plus(4.0, u) + 2.1 * u;
     let q2 = (q * plus(1.5, u) + 2.7 * u).carre() + PERDU * u;
     let (q, ecart) = (q2.racine(), signe * puissance);
     let le_long = (1.0 + ecart - q2).racine();
     let hauteur = puissance / (le_long + (1.0 - q2).racine());
     let f = (1.0 + (q + e).carre()).racine();
-    let r2 = et(gamma(5.0, u), inverse(gamma(5.0, u), u), u) + PERDU;
+    let r2 = et(gamma(r2_d2(), u), inverse(gamma(r2_d2(), u), u), u) + PERDU;
     let ac = (racine(r2, u) + autour_de_ac() * f) * u;
     let dehors = (ac * (2.0 + ac) - ecart + q2) / (1.0 + ac + le_long);
     let six = (sc2(u) + PERDU) * u;
@@ -557,27 +435,29 @@ fn sphere_non_perdue(
     let a = u * f;
     let g = |k| gamma(k, u) * u;
     let g_ac = i(4.0 / 3.0).racine() * a + PERDU_LONGUEUR * u;
-    let ac2 = et(gamma(3.0, u), et(i(1.0), i(1.0), u), u) * u * (k + g_ac).carre()
-        + g_ac * (2.0 * k + g_ac);
+    let ac2 =
+        et(gamma(fois("S4 AC²: AC AC"), u), et(i(1.0), i(1.0), u), u) * u * (k + g_ac).carre()
+            + g_ac * (2.0 * k + g_ac);
     let w = 1.0 - k.carre();
-    let dw = g(5.0) + PERDU * u + ac2 + u * w.grandeur();
+    let dw = g(r2_d2()) + PERDU * u + ac2 + u * w.grandeur();
     if (w + dw).haut <= 0.0 {
         return None;
     }
     let beta = (w + dw).max(i(0.0)).racine();
     let (b, p) = ((f.carre() - k.carre()).racine(), f.carre() - 1.0);
     // τ (lemma 6).
-    let dp = (g(3.0) * f.carre() + u + PERDU * u) * plus(1.0, u) + u * p;
-    let dq = (g(3.0) * f + PERDU_LONGUEUR * u + u * beta) * plus(2.0, u) + u * (b + beta);
+    let dp = (g(fois("S3 SC²: SC SC")) * f.carre() + u + PERDU * u) * plus(1.0, u) + u * p;
+    let dq = (g(fois("S2 SA: D SC")) * f + PERDU_LONGUEUR * u + u * beta) * plus(2.0, u)
+        + u * (b + beta);
     let e = if sort {
         // SA, the root, the sum, D² and the quotient.
-        dq + gamma(4.0, u) * u * (b + beta) * plus(8.0, u)
+        dq + gamma(sur_d2(), u) * u * (b + beta) * plus(8.0, u)
     } else {
         (dw + dp * plus(1.0, u) + u * p + b * dq) / (b - dq)
     };
     // Where t̂ is SA/D², β is no more than e and 8u·f.
-    let loin = (dw + 2.0 * beta * e + e.carre()).max(dw + (g(7.0) * f).carre());
-    let pres = dw + (2.0 * beta * e).max((e + g(8.0) * f).carre());
+    let loin = (dw + 2.0 * beta * e + e.carre()).max(dw + (g(sa_sur_d2()) * f).carre());
+    let pres = dw + (2.0 * beta * e).max((e + g(sa_sur_d2() + fois("S1 SC: S")) * f).carre());
     // y, and what P and S − C are rounded by.
     let y = (1.0 - perdue * a) * ARRONDI_PERDU;
     let arrondi = 2.0 * a * plus(16.0, u) + y * plus(2.0, u);
@@ -602,11 +482,15 @@ fn lemmes_8_et_9_le_pas_depuis_une_face_suffit() {
     // What 2·`arrondi`·u·ℓ must pay, as an excess over what it is, in u: twice (1 + u)⁴ − 1, which
     // N·(P − C) as computed is off by, for the height of P and for the next search.
     let exces = |u: f64, arrondi: f64, pas: f64| {
+        assert_eq!(fois("M2 b box: N P") - difference(), 4.0);
         let quatre = et(i((4.0 / arrondi - 1.0) / u), 0.25 * (6.0 + 4.0 * i(u) + i(u) * u), u);
         // ℓ; two sums of the margin; a product and a sum, N·pas, the sum with P; N² may be 12u less
         // than 1; what the next search sees of the step.
-        let pertes = [1.0, 1.0, 1.0, 1.0, 2.0, N2, 4.0].map(|perte| inverse(gamma(perte, u), u));
-        let pertes = pertes.into_iter().fold(inverse(gamma(4.0, u), u), |a, b| et(a, b, u));
+        let pertes = [1.0, 1.0, 1.0, 1.0, fois("M6 S′: N s"), N2, fois("B1 o: N S")]
+            .map(|perte| inverse(gamma(perte, u), u));
+        let pertes = pertes
+            .into_iter()
+            .fold(inverse(gamma(fois("M2 ℓ box: N P"), u), u), |a, b| et(a, b, u));
         et(quatre, pertes, u) - et(VERS_LE_HAUT * moins(1.0, u), i(pas), u)
     };
     for u in U {
@@ -616,7 +500,10 @@ fn lemmes_8_et_9_le_pas_depuis_une_face_suffit() {
     }
     for u in U {
         // The height itself: rounded once.
-        assert!((exces(u, 4.0, PAS_NORMAL) - gamma(4.0, u) + 1.0).haut < 0.0);
+        assert!(
+            (exces(u, 4.0, PAS_NORMAL) - gamma(fois("M2 b box: N P") - difference(), u) + 1.0).haut
+                < 0.0
+        );
     }
     // What is lost below the normal numbers, in η: three products of the height and of that which
     // the next search sees, those by 8u, 10u, 1 + 20u and 1.1u, and N·pas along N.
@@ -631,7 +518,7 @@ fn lemmes_8_et_9_le_pas_depuis_une_face_suffit() {
     );
     assert!(PLANCHER.0 < 1e-5 * moindre(U[0], f32::LIMITE.into()));
     assert!(PLANCHER.1 < 1e-5 * moindre(U[1], f64::LIMITE));
-    tenir(PAS_ARRONDI, |u| plus(1.0, u) / ((1.0 - gamma(6.0, u) * u) * moins(N2, u)));
+    tenir(PAS_ARRONDI, |u| plus(1.0, u) / ((1.0 - gamma(fois("M6 s: N P"), u) * u) * moins(N2, u)));
 }
 
 #[test]
@@ -646,7 +533,7 @@ fn lemme_9_la_borne_d_un_reflet_suffit() {
     let besoin = |n2: f64| {
         move |u: f64, [c]: [Intervalle; 1]| {
             let s = ((1.0 - c).max(i(0.0)) * (1.0 + c)).racine();
-            let le_long = 2.0 * gamma(3.0, u) + 2.0 * n2 * c;
+            let le_long = 2.0 * gamma(scalaire(), u) + 2.0 * n2 * c;
             Some((s * le_long + 2.0 * c + 2.0) * plus(60.0, u))
         }
     };
@@ -666,11 +553,14 @@ fn refraction(
 ) -> [Intervalle; 3] {
     // Of W the product with N and the difference round; N·D does so, and N² is not 1.
     let le_long = c + s;
-    let travers = le_long + gamma(3.0, u) + N2 * c;
+    let travers = le_long + gamma(scalaire(), u) + N2 * c;
     // The square and N² of N·D; of W² three roundings, and of 1 − η, 1 + η and two products; the sum.
-    let droit = 2.0 * gamma(3.0, u) * c + (N2 + 1.0) * c.carre() + gamma(3.0, u).carre() * u;
+    let droit =
+        2.0 * gamma(scalaire(), u) * c + (N2 + 1.0) * c.carre() + gamma(scalaire(), u).carre() * u;
     let perdu = (le_long.carre() + travers.carre()) * u;
-    let ecart = gamma(7.0, u) * s.carre() + 2.0 * s * le_long + perdu;
+    let ecart = gamma(fois("M8 W²: W W") + fois("M8 k: W²") - difference(), u) * s.carre()
+        + 2.0 * s * le_long
+        + perdu;
     let k = droit + ((1.0 - eta) * (1.0 + eta)).grandeur() * ecart + c_.carre();
     // The product with η.
     [eta * le_long + s_, eta * travers + s_, k].map(|erreur| erreur * plus(60.0, u))
@@ -711,15 +601,15 @@ fn lemme_9_la_borne_d_une_refraction_suffit() {
 #[test]
 fn lemme_11_les_bornes_d_une_lampe_et_des_transformations_suffisent() {
     // A sun as it stands is off by more than one that is made unit.
-    tenir(promesses::SOLEIL, |u| et(i(D1), gamma(3.0, u), u) * n(u));
-    let longueur = |u: f64| et(et(racine(gamma(3.0, u), u), i(1.0), u), i(1.0), u);
+    tenir(promesses::SOLEIL, |u| et(i(D1), gamma(scalaire(), u), u) * n(u));
+    let longueur = |u: f64| et(et(racine(gamma(carre(), u), u), i(1.0), u), i(1.0), u);
     tenir(promesses::LAMPE_DISTANCE, longueur);
     let direction = |u: f64| et(normalise(u), i(1.0), u);
     tenir(promesses::LAMPE_DIRECTION, direction);
     tenir(promesses::BOUT, |u| et(longueur(u), direction(u), u));
-    tenir(promesses::LAMPE_COSINUS, |u| et(direction(u), gamma(3.0, u), u) * n(u));
-    tenir(3.1, |u| gamma(3.0, u) * n(u));
-    tenir(4.1, |u| et(gamma(3.0, u), i(1.0), u));
+    tenir(promesses::LAMPE_COSINUS, |u| et(direction(u), gamma(fois("L3 N·L: L N"), u), u) * n(u));
+    tenir(3.1, |u| gamma(fois("turn C·M: T U"), u) * n(u));
+    tenir(4.1, |u| gamma(fois("move d: N T"), u));
 }
 
 #[test]
@@ -733,13 +623,14 @@ fn lemme_13_une_rotation_reste_orthonormale() {
         // What is made of a quaternion or of directions, in f64 for either type.
         let fait = 200.0 * i(v);
         let facteur = 3.0 * N2 * i(u);
-        let produit =
-            facteur + facteur * (1.0 + facteur) + 2.0 * 3.0 * gamma(3.0, v) * v * plus(8.0, v);
+        let produit = facteur
+            + facteur * (1.0 + facteur)
+            + 2.0 * 3.0 * gamma(fois("M·M′: U U"), v) * v * plus(8.0, v);
         produit.max(fait)
     };
     // I − M·Mᵀ is off by γ₃ of f64, and so is what is left; then the sum of the step. In f64 that
     // is the last rounding, in f32 the elements round once more.
-    let reste = |u: f64| (pas(compose(u)) + gamma(3.0, v) * v * plus(40.0, v)) / i(u);
+    let reste = |u: f64| (pas(compose(u)) + gamma(fois("M·Mᵀ: M M"), v) * v * plus(40.0, v)) / i(u);
     let elements = |u: f64| et(i(1.0), i(1.0), u) + if u > v { 2.0 * v / u } else { 0.0 };
     tenir(ORTHONORMALE, |u| et(reste(u), elements(u), u));
     // The columns: the eigenvalues are the same.
@@ -747,7 +638,7 @@ fn lemme_13_une_rotation_reste_orthonormale() {
     // From an element at the limit, three steps.
     let mut e = 3.0 * i(1.01 * ECART_ROTATION);
     for _ in 0..3 {
-        e = pas(e) + 3.0 * gamma(4.0, v) * v;
+        e = pas(e) + 3.0 * gamma(fois("I−M·Mᵀ: M M"), v) * v;
     }
     assert!(e.haut < compose(v).bas);
 }
@@ -799,7 +690,7 @@ fn lemme_13_les_tours_et_les_compositions_sont_assez_justes() {
 
 /// What the ball test loses of SC² − SA², in u·f².
 fn boule(u: f64) -> Intervalle {
-    let sa = 2.0 * gamma(4.0, u) * d(u);
+    let sa = 2.0 * gamma(fois("S2 SA: D SC") + fois("S1 SC: S"), u) * d(u);
     sc2(u) + et(i(D2), i(1.0), u) + sa * d(u)
 }
 
@@ -815,8 +706,10 @@ fn lemme_14_la_boule_ne_cache_aucune_entree() {
             let loin = 11.0 * i(3.0).racine() * y;
             let hors = plus(37.0, u)
                 * (2.0 * i(3.0).racine() * y * 15.0 * plus(40.0, u) + 3.0 * epsilon * 15.1);
-            let besoin =
-                boule(u) + hors + (37.0 + gamma(3.0, u)) * rho2 + loin.carre() * u * plus(100.0, u);
+            let besoin = boule(u)
+                + hors
+                + (37.0 + gamma(carre(), u)) * rho2
+                + loin.carre() * u * plus(100.0, u);
             // If SA ≤ 0 as computed, C is no farther ahead than 4u·f: CX² ≥ f²(1 − 17u²) + t².
             let derriere = sc2(u) + 17.0 * u;
             assert!(derriere.haut < boule(u).bas, "the second condition needs more than the first");
@@ -824,11 +717,11 @@ fn lemme_14_la_boule_ne_cache_aucune_entree() {
         },
     );
     for u in U {
-        let g = inverse(gamma(5.0, u), u);
-        let ac = et(gamma(5.0, u), g, u) + 2.0 * 2.16 * plus(20.0, u);
+        let g = inverse(gamma(r2_d2(), u), u);
+        let ac = et(gamma(r2_d2(), u), g, u) + 2.0 * 2.16 * plus(20.0, u);
         assert!((boule(u) + ac + 1.0).haut < RETRAIT);
         // SC² less its part, over f².
-        assert!((plus(sc2(u) - RETRAIT, u) * plus(inverse(gamma(3.0, u), u), u)).haut < 1.0);
+        assert!((plus(sc2(u) - RETRAIT, u) * plus(inverse(gamma(carre(), u), u), u)).haut < 1.0);
     }
 }
 
@@ -843,7 +736,9 @@ fn lieu_le_long(u: f64) -> Intervalle {
 fn lemme_6_la_borne_du_lieu_d_une_touche_suffit() {
     // The box: along an axis √3·(4f + 11t) with t ≤ f + ρ, and 36ρ.
     let le_long = |u: f64| i(3.0).racine() * lieu_le_long(u) * plus(20.0, u);
-    tenir(TOUCHE_F, |u| (i(3.0).racine() * gamma(4.0, u) * n(u) + le_long(u)) * plus(60.0, u));
+    tenir(TOUCHE_F, |u| {
+        (i(3.0).racine() * gamma(fois("B1 o: N S"), u) * n(u) + le_long(u)) * plus(60.0, u)
+    });
     tenir(TOUCHE_RHO, |u| (le_long(u) + 36.0) * plus(60.0, u));
 }
 
@@ -854,7 +749,7 @@ fn hors_d_une_sphere(u: f64, y: Intervalle) -> Intervalle {
     // AC is no more than this, since r² − AC² > 0 as computed.
     let k = y * plus(10.0, u) + 3.0 * u;
     // The last difference adds u(r² − AC²) to 5u of each.
-    let dw = gamma(5.0, u) * plus(8.0, u) * (y.carre() + (k + g_ac * u).carre())
+    let dw = gamma(r2_d2(), u) * plus(8.0, u) * (y.carre() + (k + g_ac * u).carre())
         + g_ac * (2.0 * k + g_ac * u)
         + PERDU * y.carre();
     let (y_bas, k_bas) = (i(y.bas), i(k.bas));
@@ -864,9 +759,9 @@ fn hors_d_une_sphere(u: f64, y: Intervalle) -> Intervalle {
     // (b − β)β is no more than p/2, nor than √p·y.
     let t_beta = (0.5 * p).min(racine_p * y);
     let somme = dw
-        + (gamma(3.0, u) + (1.0 + PERDU) * y.carre() + p) * plus(2.0, u)
+        + (gamma(fois("S3 SC²: SC SC"), u) + (1.0 + PERDU) * y.carre() + p) * plus(2.0, u)
         + p
-        + (gamma(3.0, u) * racine_p + t_beta + p) * plus(4.0, u);
+        + (gamma(fois("S2 SA: D SC"), u) * racine_p + t_beta + p) * plus(4.0, u);
     let dehors = |carre: Intervalle| carre / ((y.carre() + carre * u).racine() + y);
     // From the point where AB as computed ends.
     let loin = if racine_p.bas > 0.5 {
@@ -891,7 +786,7 @@ fn hors_d_une_sphere(u: f64, y: Intervalle) -> Intervalle {
         i(f64::INFINITY)
     };
     // SA/D², and S − C.
-    let de_a_ = dehors(dw) + gamma(7.0, u);
+    let de_a_ = dehors(dw) + gamma(sa_sur_d2(), u);
     (loin.min(pres).max(de_a_) + 1.0) / (1.0 + y) * plus(100.0, u)
 }
 
@@ -903,15 +798,15 @@ fn lemme_6_la_borne_du_lieu_sur_une_sphere_suffit() {
         assert!(promesses::LIEU_SPHERE * plus(20.0, u).haut < TOUCHE_F);
     }
     // A half-space: t·v as computed is the height to two roundings; P, tD being rounded.
-    tenir(promesses::LIEU_PLAN_S, |u| gamma(3.0, u) * plus(4.0, u));
+    tenir(promesses::LIEU_PLAN_S, |u| gamma(fois("H1 N·S: N S"), u) * plus(4.0, u));
     tenir(promesses::LIEU_PLAN_T, |u| {
-        let de_x = gamma(2.0, u) * n(u) * d(u) + vitesse(u);
+        let de_x = gamma(conclue(), u) * n(u) * d(u) + vitesse(u);
         (de_x + n(u) * d(u) * plus(1.0, u)) * plus(8.0, u)
     });
     // Three products and the quotient, and the three of tD, of which ⟨N, 1⟩ ≤ √3.
     tenir(promesses::LIEU_PLAN_ABSOLU, |u| (2.0 + 0.5 * i(3.0).racine()) * plus(40.0, u));
     // P: S + tD is rounded twice, and for a box off by more than the 11u of X.
-    tenir(promesses::LIEU_F, |u| gamma(4.0, u) * n(u));
+    tenir(promesses::LIEU_F, |u| gamma(fois("B1 o: N S"), u) * n(u));
     tenir(promesses::LIEU_T, |u| lieu_le_long(u) + n(u) * d(u) * plus(1.0, u));
     tenir(promesses::LIEU_P, n);
     // `lieu`: difference, product and sum; the scalar product; the quotient. What that loses below the normal numbers
@@ -920,7 +815,7 @@ fn lemme_6_la_borne_du_lieu_sur_une_sphere_suffit() {
         let limite = if u == U[0] { f32::LIMITE.into() } else { f64::LIMITE };
         let eta = if u == U[0] { f32::ETA.into() } else { f64::ETA };
         let perdu = 0.5 * (eta * limite * limite) / u * plus(20.0, u);
-        et(et(i(2.0), gamma(3.0, u), u), i(1.0), u) * n(u) * d(u) * plus(1.0, u) + perdu
+        gamma(fois("lieu: / S U"), u) * n(u) * d(u) * plus(1.0, u) + perdu
     });
 }
 
@@ -1067,75 +962,12 @@ fn lemme_22_le_flou_permis_suffit() {
 #[test]
 fn lemme_15_l_etendue_tient_tout_l_objet() {
     // The half-extents as computed, what the matrix is off by, two sums and the sums of the slack.
-    let besoin = |u: f64| (et(gamma(3.0, u), i(1.0), u) + 36.0 + 2.0) * plus(100.0, u);
+    let besoin =
+        |u: f64| (et(gamma(fois("E1 H: U l"), u), i(1.0), u) + 36.0 + 2.0) * plus(100.0, u);
     tenir(ETENDUE, besoin);
     // What lies between, of the half-extents and of C.
     tenir(87.0, |u| besoin(u) + ETENDUE * plus(100.0, u));
     tenir(3.1, |u| (2.0 + 1.0) * plus(8.0, u));
-}
-
-/// What a ray needs, in u·κt, that leaves the sphere of radius 1 at the cosine `c`, where SA is `b`; `x` as for an
-/// entry. S is ahead of A by no more than rounding errors.
-fn sortie_apres_a(u: f64, bande: f64, [b, c, x]: [Intervalle; 3]) -> Option<Intervalle> {
-    let s = ((1.0 - c).max(i(0.0)) * (1.0 + c)).racine();
-    let f = (b.carre() + s.carre()).racine();
-    if (c.carre() / (1.0 + s)).haut <= (bande * u * (f + 1.0)).bas {
-        return None;
-    }
-    let Some(Deplacee { bouge, ab, dab, dsa, .. }) = deplacee(u, f, c, x, Some(b)) else {
-        return Some(de_a(0.0, f64::INFINITY));
-    };
-    let (q, dab) = (b + u * f + ab, dab[0].max(dab[1]));
-    let dq = (dsa + dab + u * (ab + dab)) * plus(1.0, u) + u * q;
-    // D² and the quotient. (Where the sign of SA is wrong, S is A to 4u.)
-    let erreur = dq * plus(16.0, u) + gamma(4.0, u) * u * q;
-    Some((bouge + erreur) * c / (u * (f + 1.0 + b + c)) * plus(2.0 * D1, u))
-}
-
-/// The same of a ray from within whose A lies behind S, t = `y`·`c` before the sphere.
-fn sortie_de_dedans(u: f64, bande: f64, [y, c, x]: [Intervalle; 3]) -> Option<Intervalle> {
-    let (t, p) = (y * c, y * (2.0 - y) * c.carre());
-    let f = (1.0 - p).racine();
-    if (p / (1.0 + f)).haut <= (bande * u * (f + 1.0)).bas {
-        return None;
-    }
-    let infini = Some(de_a(0.0, f64::INFINITY));
-    let sa = (1.0 - y).grandeur() * c;
-    let Some(Deplacee { bouge, ab, dab, dsa, f_, .. }) = deplacee(u, f, c, x, Some(sa)) else {
-        return infini;
-    };
-    let t_ = t + bouge;
-    let q = (1.0 - y) * c + ab - u * f;
-    let p_ = t_ * (q + 2.0 * u * f);
-    let dp = (gamma(3.0, u) * u * f_.carre() + u + PERDU * u) * plus(1.0, u) + u * p_;
-    // Of an AB that is too large s is too.
-    let [moins, plus_grand] = dab.map(|dab| {
-        let reste = (dsa + u * (ab + dab)) * plus(1.0, u) + u * (q + 2.0 * u * f);
-        (dab * plus(1.0, u), reste)
-    });
-    let (court, long) = (q - moins.0 - moins.1, q + plus_grand.0 - plus_grand.1);
-    if court.bas <= 0.0 {
-        return infini;
-    }
-    let erreur = |(dab, reste), s| (dp * plus(1.0, u) + u * p_ + t_ * (dab + reste)) / s;
-    let erreur = erreur(moins, court).max(erreur(plus_grand, long));
-    Some((bouge + erreur) * c / (u * (f + 1.0 + t)) * plus(2.0 * D1, u))
-}
-
-#[test]
-fn lemme_10_la_borne_de_sortie_d_une_sphere_suffit() {
-    let k = promesses::SORTIE_SPHERE;
-    tenir(k, |u| {
-        let (cosinus, x) = (de_a(u.sqrt(), 1.0), de_a(-1.0, 1.0));
-        let devant = [de_a(u, 0.5 / u), cosinus, x];
-        // A sign of SA is wrong where S is A to 4u: c is √u at least.
-        let derriere = [de_a(u, 1.0 + 4.0 * u.sqrt()), cosinus, x];
-        // S may be A as well.
-        let en_a = [de_a(0.0, u), cosinus, x];
-        let apres = |domaine| portee(domaine, k, |x| sortie_apres_a(u, bandes::SPHERE, x));
-        let dedans = portee(derriere, k, |x| sortie_de_dedans(u, bandes::SPHERE, x));
-        apres(devant).max(apres(en_a)).max(dedans)
-    });
 }
 
 /// How far from the surface the point lies outside a sphere where a ray leaves it, in u(f + r): of the larger of |f|
@@ -1145,19 +977,22 @@ fn sortie_hors_d_une_sphere(u: f64, dehors: bool, y: Intervalle) -> Intervalle {
     // What AB² is off by; AC is |f| at most, or r as computed.
     let g_ac = i(4.0 / 3.0).racine() * f + PERDU_LONGUEUR * r;
     let k = if dehors { r * plus(10.0, u) + 3.0 * u } else { f };
-    let dw = (gamma(5.0, u) * (r.carre() + (k + g_ac * u).carre()) + r.carre()) * plus(8.0, u)
+    let dw = (gamma(r2_d2(), u) * (r.carre() + (k + g_ac * u).carre()) + r.carre()) * plus(8.0, u)
         + g_ac * (2.0 * k + g_ac * u)
         + PERDU * r.carre();
     let hors = |carre: Intervalle| carre / ((r.carre() + carre * u).racine() + r);
     // With A ahead: SA, the root, the sum, D² and the quotient; also what W5 may move.
     let ab = (r.carre() + dw * u).racine();
-    let s = (gamma(3.0, u) * f + ab + gamma(5.0, u) * (f + ab)) * plus(8.0, u);
+    let s =
+        (gamma(fois("S2 SA: D SC"), u) * f + ab + gamma(sur_d2() + fois("W2 s: SA"), u) * (f + ab))
+            * plus(8.0, u);
     let devant = hors(dw) + s.max(gamma(9.0, u) * f);
     // With A behind S is within, and t no more than r.
     let derriere = if dehors {
         i(0.0)
     } else {
-        let dp = gamma(3.0, u) * f.carre() + (1.0 + PERDU) * r.carre() + r.carre();
+        let dp =
+            gamma(fois("S3 SC²: SC SC"), u) * f.carre() + (1.0 + PERDU) * r.carre() + r.carre();
         let arrondi = 2.0 * r * (3.0 * f + r + 2.0 * r * plus(8.0, u));
         hors((2.0 * dp + dw + arrondi) * plus(32.0 * u.sqrt() / u, u))
     };
@@ -1174,16 +1009,6 @@ fn lemme_10_la_borne_du_lieu_sur_une_sphere_suffit() {
             assert!(besoin.haut <= promesses::LIEU_SPHERE, "{besoin:?}");
         }
     }
-}
-
-#[test]
-fn lemme_10_la_borne_de_sortie_d_une_boite_suffit() {
-    // As for an entry, but that tv may be ρ too.
-    tenir_sur(
-        promesses::DISTANCE_BOITE,
-        |_| [zero_a_un(), zero_a_un()],
-        |u, x| distance_d_une_boite(u, x, |f, rho| n(u) * f + rho),
-    );
 }
 
 #[test]

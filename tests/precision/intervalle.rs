@@ -197,6 +197,41 @@ pub(crate) fn portee<const N: usize>(
     panic!("not shown to be at most {limite}; {atteint} is reached; next {:?}", boites.peek());
 }
 
+/// That `f` is no more than this limit on a domain, and a number that it exceeds there. Boxes are cut in two along their
+/// longest side, which suits an `f` whose bound is dear and good.
+pub(crate) fn prouver<const N: usize>(
+    domaine: [Intervalle; N],
+    limite: f64,
+    f: impl Fn([Intervalle; N]) -> Option<Intervalle>,
+) -> Intervalle {
+    let mut atteint = f64::NEG_INFINITY;
+    let mut boites = vec![domaine];
+    for _ in 0..1_000_000 {
+        let Some(x) = boites.pop() else { return de_a(atteint, limite) };
+        if f(x).is_none_or(|borne| borne.haut <= limite) {
+            continue;
+        }
+        // An order of magnitude counts as much as half of a domain that has 0 in it.
+        let large = |axe: &usize| {
+            let (x, domaine) = (x[*axe], domaine[*axe]);
+            let de_zero = 4.0 * (x.haut - x.bas) / (domaine.haut - domaine.bas);
+            if domaine.bas > 0.0 { (x.haut / x.bas).ln() } else { de_zero }
+        };
+        let axe = (0..N).max_by(|a, b| large(a).total_cmp(&large(b))).expect("an axis");
+        let parts = x[axe].parts();
+        for point in [x.map(|x| x.bas.into()), x.map(|x| x.parts()[0].haut.into())] {
+            atteint = atteint.max(f(point).map_or(f64::NEG_INFINITY, |borne| borne.bas));
+            assert!(atteint <= limite, "{atteint} at {point:?} is more than {limite}");
+        }
+        boites.extend(parts.map(|part| {
+            let mut x = x;
+            x[axe] = part;
+            x
+        }));
+    }
+    panic!("not shown to be at most {limite}; {atteint} is reached; next {:?}", boites.last());
+}
+
 /// A box with an upper bound of `f` on it, by which boxes are ordered.
 #[derive(Debug)]
 struct Boite<const N: usize> {

@@ -1,0 +1,420 @@
+//! Constants that are proved from tapes of the crate's own code, by the slopes of `pentes.rs`: those of distances.
+
+use std::panic::AssertUnwindSafe;
+
+use commun::tolerances::{bandes, promesses};
+use lancer_rayon::ObjetRay;
+
+use crate::constantes::{U, ne_suffit_pas, plus, tenir};
+use crate::etapes::{S, boite, cotes, de, plan, programmes, rayon, sphere};
+use crate::intervalle::{Intervalle, de_a, prouver};
+use crate::pentes::Encore::{Calcule, Erreur, Rien};
+use crate::pentes::{Boite, Dit, Encore, Programme, Valeur};
+use crate::ruban::{Op, Place, Taille, Trace, neuf, op};
+
+/// The degree of a length is 1; that of D is told apart from it, and lets a product of lengths be as it is.
+const DEGRE_DE_D: f64 = 0.125;
+
+/// A program and some of its nodes.
+struct Preuve<const N: usize> {
+    programme: Programme,
+    noeuds: [usize; N],
+}
+
+impl<const N: usize> Preuve<N> {
+    fn de(places: [Place; N]) -> Self {
+        let mut programme = Programme::default();
+        let noeuds = places.map(|place| programme.nombre(place));
+        Self { programme, noeuds }
+    }
+
+    fn boite(&self, u: f64, lettres: &[(&str, f64, Valeur)], dits: &[Dit]) -> Option<Boite<'_>> {
+        // What is lost beside r², and beside a length (lemma 2); none for half-spaces and boxes.
+        let perdu = |degre| if degre >= 2.0 { u / 64.0 } else { u * (-60_f64).exp2() };
+        let sphere = lettres.iter().any(|(nom, ..)| *nom == "r");
+        let perdu = |degre| if sphere { perdu(degre) } else { 0.0 };
+        Boite::new(&self.programme, u, lettres, dits, perdu)
+    }
+}
+
+/// The program of either type.
+fn de_chaque_type<const N: usize>(
+    en_f32: impl Fn() -> [Place; N],
+    en_f64: impl Fn() -> [Place; N],
+) -> impl Fn(f64) -> &'static Preuve<N> {
+    neuf();
+    let un = &*Box::leak(Box::new(Preuve::de(en_f32())));
+    neuf();
+    let autre = &*Box::leak(Box::new(Preuve::de(en_f64())));
+    move |u| if u == U[0] { un } else { autre }
+}
+
+/// This constant is proved on this domain, in both types, and a tenth less is too little.
+#[track_caller]
+fn prouve_sur<const N: usize>(
+    constante: f64,
+    domaine: impl Fn(f64) -> [Intervalle; N],
+    besoin: impl Fn(f64, [Intervalle; N]) -> Option<Intervalle>,
+) {
+    tenir(constante, |u| prouver(domaine(u), constante, |x| besoin(u, x)));
+}
+
+macro_rules! de_chaque_type {
+    ($f:ident) => {
+        de_chaque_type($f::<u32>, $f::<u64>)
+    };
+}
+
+fn i(x: f64) -> Intervalle {
+    x.into()
+}
+
+fn positif(x: Intervalle) -> Intervalle {
+    x.max(i(0.0))
+}
+
+/// The sine of this cosine.
+fn sinus(c: Intervalle) -> Intervalle {
+    (positif(1.0 - c) * (1.0 + c)).racine()
+}
+
+fn nombre(x: Intervalle) -> Valeur {
+    [x, i(0.0), i(0.0)]
+}
+
+fn vecteur(x: Intervalle, y: Intervalle) -> Valeur {
+    [x, y, i(0.0)]
+}
+
+/// A bound, which there may be none for.
+fn ou_rien(borne: Option<Intervalle>) -> Intervalle {
+    borne.unwrap_or(de_a(0.0, f64::INFINITY))
+}
+
+fn par(x: Intervalle, y: Intervalle) -> Option<Intervalle> {
+    (y.bas > 0.0).then(|| x / y)
+}
+
+/// t, where |f|, ρ and t add up to 1, and v, so that tv ≤ |f|.
+fn plate([f, rho, v]: [Intervalle; 3]) -> Option<[Intervalle; 2]> {
+    let t = 1.0 - f - rho;
+    if t.haut <= 0.0 || (f + rho).bas > 1.0 || (t * v).bas > f.haut {
+        return None;
+    }
+    let t = positif(t);
+    let haut = if t.bas > 0.0 { v.haut.min((f / i(t.bas)).haut) } else { v.haut };
+    (v.bas <= haut).then(|| [t, de_a(v.bas, haut)])
+}
+
+/// The height, and t.
+fn demi_espace<T: Taille>() -> [Place; 2] {
+    let touche = ObjetRay::from(plan::<T>()).intersection(&rayon(S)).unwrap();
+    let t = touche.distance().place();
+    [cotes!(t, Quotient)[0], t]
+}
+
+#[test]
+fn lemme_4_la_borne_d_un_demi_espace_suffit() {
+    let preuve = de_chaque_type!(demi_espace);
+    let un = i(1.0);
+    let domaine = |u: f64| [de_a(0.0, 1.0), de_a(0.0, 1.0), de_a(3.2 * u, 1.0)];
+    prouve_sur(promesses::DISTANCE_PLAN, domaine, |u, x @ [f, d, _]| {
+        let Preuve { noeuds: [e, sortie], .. } = *preuve(u);
+        let [t, v] = plate(x)?;
+        let de_d = |d: Intervalle| {
+            let s = vecteur(t * v - d, positif(f.carre() - (t * v).carre()).racine());
+            let lettres = [
+                ("N", 0.0, nombre(un)),
+                ("S", 1.0, s),
+                ("D", DEGRE_DE_D, vecteur(-v, sinus(v))),
+                ("d", 1.0, nombre(d)),
+            ];
+            let boite = preuve(u).boite(u, &lettres, &[(e, t * v, Rien), (sortie, t, Rien)])?;
+            Some(boite.erreur(sortie)? * (v - bandes::VITESSE * u) / i(u) * plus(30.0, u))
+        };
+        Some(ou_rien(de_d(d)).max(ou_rien(de_d(-d))))
+    });
+}
+
+/// The length, and t, of an entry and of an exit.
+fn entree<T: Taille>() -> [Place; 2] {
+    de_boite(ObjetRay::from(boite::<T>()).intersection(&rayon(S)).unwrap().distance())
+}
+
+fn sortie<T: Taille>() -> [Place; 2] {
+    de_boite(ObjetRay::from(boite::<T>()).sortie(&rayon(S)).unwrap().distance())
+}
+
+fn de_boite<T: Taille>(t: Trace<T>) -> [Place; 2] {
+    let [longueur, _] = cotes!(t.place(), Quotient);
+    [cotes!(longueur, Produit)[0], t.place()]
+}
+
+/// What a box needs, in u·κt, where it is entered or, with `sens` −1, left.
+fn distance_d_une_boite(
+    u: f64,
+    preuve: &Preuve<2>,
+    sens: f64,
+    [f, rho, v]: [Intervalle; 3],
+) -> Option<Intervalle> {
+    let [longueur, sortie] = preuve.noeuds;
+    // At an entry tv ≤ |f|, at an exit tv ≤ |f| + ρ.
+    let [t, v] = plate(if sens > 0.0 { [f, rho, v] } else { [f + rho, i(0.0), v] })?;
+    let tv = t * v;
+    // |f|, t and ρ are the sides of a triangle.
+    let (l_bas, l_haut) = if sens > 0.0 { (0.0, f - tv) } else { ((tv - f).bas.max(0.0), tv + f) };
+    let l_haut = l_haut.haut.min(rho.haut);
+    if f.bas > (rho + t).haut || t.bas > (f + rho).haut || l_bas > l_haut {
+        return None;
+    }
+    let l = de_a(l_bas, l_haut);
+    let le_long = tv + sens * l;
+    let lettres = [
+        ("N", 0.0, nombre(i(1.0))),
+        ("S", 1.0, vecteur(le_long, positif(f.carre() - le_long.carre()).racine())),
+        ("C", 1.0, nombre(i(0.0))),
+        ("D", DEGRE_DE_D, vecteur(-v, sinus(v))),
+        ("l", 1.0, nombre(l * 2.0)),
+    ];
+    let boite = preuve.boite(u, &lettres, &[(longueur, tv, Rien), (sortie, t, Rien)]);
+    let erreur = ou_rien(boite.and_then(|boite| boite.erreur(sortie)));
+    // Of k faces that may be named, that of B4 comes at most 2(k − 1)u·t before the last, and v ≤ 1/√k.
+    let k = [3.0, 2.0, 1.0].into_iter().find(|k| v.bas <= (plus(20.0, u) / i(*k).racine()).haut)?;
+    let suite = 2.0 * (k - 1.0) * plus(8.0, u) * tv;
+    Some((erreur * (v - bandes::VITESSE * u) / i(u) + suite) * plus(30.0, u))
+}
+
+#[test]
+fn lemmes_4_et_10_la_borne_d_une_boite_suffit() {
+    let domaine = |u: f64| [de_a(0.0, 1.0), de_a(0.0, 1.0), de_a(3.2 * u, 1.0 + 20.0 * u)];
+    let preuve = de_chaque_type!(entree);
+    prouve_sur(promesses::DISTANCE_BOITE, domaine, |u, x| {
+        distance_d_une_boite(u, preuve(u), 1.0, x)
+    });
+    let preuve = de_chaque_type!(sortie);
+    prouve_sur(promesses::DISTANCE_BOITE, domaine, |u, x| {
+        distance_d_une_boite(u, preuve(u), -1.0, x)
+    });
+}
+
+/// p, AB², p/s, SA/D², p·D² and SA·s.
+fn entree_d_une_sphere<T: Taille>() -> [Place; 6] {
+    let (objet, ray) = (sphere::<T>().into(), rayon(S));
+    let quotients = programmes(9, &objet, |objet: &ObjetRay<Trace<T>>| objet.intersection(&ray));
+    let [t, a]: [Place; 2] = quotients.try_into().expect("two programs");
+    let ([p, s], [sa, d2]) = (cotes!(t, Quotient), cotes!(a, Quotient));
+    let chercher = |voulu| crate::ruban::ops().iter().position(|op| *op == voulu).unwrap();
+    let produits = [chercher(Op::Produit(p, d2)), chercher(Op::Produit(sa, s))];
+    [p, de(cotes!(s, Somme)[1]), t, a, produits[0], produits[1]]
+}
+
+/// What the sphere of radius 1 needs, in u·κt, where it is entered at the distance t and the cosine c. None inside the
+/// band.
+fn distance_d_une_sphere(
+    u: f64,
+    preuve: &Preuve<6>,
+    bande: f64,
+    [t, c]: [Intervalle; 2],
+) -> Option<Intervalle> {
+    let s = sinus(c);
+    let p = t * (t + 2.0 * c);
+    let f = (p + 1.0).racine();
+    let large = bande * u * (f + 1.0);
+    if (c.carre() / (1.0 + s)).haut <= large.bas || (p / (f + 1.0)).haut <= large.bas {
+        return None;
+    }
+    let [de_p, de_ab2, de_t, de_a_, de_p_d2, de_sa_s] = preuve.noeuds;
+    let lettres = [
+        ("S", 1.0, nombre(i(0.0))),
+        ("C", 1.0, vecteur(t + c, s)),
+        ("r", 1.0, nombre(i(1.0))),
+        ("D", DEGRE_DE_D, nombre(i(1.0))),
+    ];
+    let dits = [(de_p, p, Rien), (de_ab2, c.carre(), Rien), (de_t, t, Rien)];
+    let erreur = || {
+        let boite = preuve.boite(u, &lettres, &dits)?;
+        let [e_t, e_a, e_p, e_sa] =
+            [de_t, de_a_, de_p_d2, de_sa_s].map(|noeud| boite.erreur(noeud));
+        let (e_t, e_a) = (e_t?, e_a?);
+        // SA/D² may be taken if p·D² ≥ SA·s as computed; exactly SA·s − p·D² = AB·s.
+        if (c * (t + 2.0 * c)).bas > (e_p? + e_sa?).haut {
+            return Some(e_t);
+        }
+        // Then t̂ is no more than p/s as computed and 2u of it. It is no more than half of that and half of SA/D² either,
+        // where an SA that is too large has two effects that cancel.
+        let moitie = u * plus(2.0, u) * (t + e_t);
+        let moyen = boite.erreur_de(&[(de_t, 0.5), (de_a_, 0.5)])? + moitie + 0.5 * c;
+        let plus_tard = (e_t + 2.0 * moitie).min(c + e_a).min(moyen);
+        Some(e_t.max(plus_tard).max(e_a - c))
+    };
+    Some(ou_rien(erreur()) * c / (u * (f + 1.0 + t)) * plus(40.0, u))
+}
+
+/// Up to r = `perdue`·u·t.
+fn rayons(u: f64, perdue: f64) -> [Intervalle; 2] {
+    [de_a(u / 4.0, 1.0 / (perdue * u)), de_a(u.sqrt(), 1.0)]
+}
+
+#[test]
+fn lemme_5_la_borne_d_une_sphere_suffit() {
+    let preuve = de_chaque_type!(entree_d_une_sphere);
+    prouve_sur(
+        promesses::DISTANCE_SPHERE,
+        |u| rayons(u, promesses::PERDUE),
+        |u, x| distance_d_une_sphere(u, preuve(u), bandes::SPHERE, x),
+    );
+    prouve_sur(
+        promesses::DISTANCE_PERDUE,
+        |u| rayons(u, 2.0),
+        |u, x| distance_d_une_sphere(u, preuve(u), bandes::SPHERE, x),
+    );
+    // A narrower band does not do.
+    let (u, bande) = (U[0], 0.9 * bandes::SPHERE);
+    let preuve = AssertUnwindSafe(preuve(u));
+    ne_suffit_pas(move || {
+        let k = promesses::DISTANCE_SPHERE;
+        prouver(rayons(u, promesses::PERDUE), k, |x| distance_d_une_sphere(u, &preuve, bande, x))
+    });
+}
+
+/// p, AB², −p·D², t with either under the root, and what divides, of a way out where A lies ahead or, if not, behind.
+fn sortie_d_une_sphere<T: Taille>(devant: bool) -> [Place; 6] {
+    let (objet, ray) = (sphere::<T>().into(), rayon(S));
+    let sorties = programmes(9, &objet, |objet: &ObjetRay<Trace<T>>| objet.sortie(&ray));
+    let sorties = sorties.into_iter().filter_map(|t| match cotes!(t, Quotient).map(op) {
+        [Op::Somme(_, ab), _] if devant && matches!(op(ab), Op::Racine(_)) => Some((de(ab), t)),
+        [_, Op::Difference(_, ab)] if !devant => Some((de(ab), t)),
+        _ => None,
+    });
+    let (de_w1, de_s4): (Vec<_>, Vec<_>) =
+        sorties.partition(|(ab2, _)| matches!(op(*ab2), Op::Produit(..)));
+    let t = de_s4[0].1;
+    let p = de(cotes!(de_w1[0].0, Produit)[0]);
+    [p, de_s4[0].0, de_w1[0].0, t, de_w1[0].1, cotes!(t, Quotient)[1]]
+}
+
+/// From outside −p is below 0, and has no root.
+fn devant<T: Taille>() -> [Place; 6] {
+    let [p, ab2, p_d2, t, _, d2] = sortie_d_une_sphere::<T>(true);
+    [p, ab2, p_d2, t, t, d2]
+}
+
+fn derriere<T: Taille>() -> [Place; 6] {
+    sortie_d_une_sphere::<T>(false)
+}
+
+/// What a ray needs, in u·κt, that leaves the sphere of radius 1 at the cosine c and the distance t, with A at `sa`.
+fn distance_de_sortie(
+    u: f64,
+    preuve: &Preuve<6>,
+    derriere: bool,
+    [t, c, sa]: [Intervalle; 3],
+    [p, f]: [Intervalle; 2],
+) -> Intervalle {
+    let [de_p, de_ab2, de_p_d2, de_t, de_t_w1, de_s] = preuve.noeuds;
+    let lettres = [
+        ("S", 1.0, nombre(i(0.0))),
+        ("C", 1.0, vecteur(sa, sinus(c))),
+        ("r", 1.0, nombre(i(1.0))),
+        ("D", DEGRE_DE_D, nombre(i(1.0))),
+    ];
+    let erreur = || {
+        let dits =
+            [(de_p, p, Rien), (de_ab2, c.carre(), Rien), (de_p_d2, -p, Rien), (de_t, t, Rien)];
+        let boite = preuve.boite(u, &lettres, &dits)?;
+        let (e_ab2, e_p) = (boite.erreur(de_ab2)?, boite.erreur(de_p_d2)?);
+        // With an AB² that is told apart from what else rounds; behind A what divides is no nearer to 0 than its root.
+        let avec = |ab2: Encore, au_moins: f64| {
+            let s = de_a(f64::MIN, -(positif(i(au_moins)).racine() * plus(-2.0, u)).bas);
+            let mut dits = vec![(de_p, p, Rien), (de_ab2, c.carre(), ab2), (de_t, t, Rien)];
+            dits.extend(derriere.then_some((de_s, sa - c, Calcule(s))));
+            ou_rien(preuve.boite(u, &lettres, &dits).and_then(|boite| boite.erreur(de_t)))
+        };
+        let (exact, e_moins) = (c.carre(), e_ab2.min(e_p + sa.carre()));
+        let de_trop = |ab2: Intervalle| avec(Erreur(de_a(0.0, ab2.haut.max(0.0))), exact.bas);
+        // W1 takes −p·D², exactly SA² less than AB², if that is more. Then t is that of another program. It is also between
+        // that of S4 and that of an AB² which is too large by what −p·D² is.
+        let q = positif(-p).racine();
+        let ecart = par(t * sa.carre(), (q - sa) * (c + q));
+        let de_w1 = ou_rien(boite.erreur(de_t_w1)) + ou_rien(ecart);
+        let entre = ou_rien(boite.erreur(de_t)).max(de_trop(e_p - sa.carre()));
+        let possible = sa.carre().bas <= (e_ab2 + e_p).haut;
+        // If not, AB² as computed is no less than −p·D². If it is too small, t is between that of W1 and that of the exact
+        // AB²; and whether too small or too large, it is off by no more than the slopes there.
+        let au_moins = (exact - e_moins).bas;
+        let un = avec(Calcule(de_a(au_moins, exact.haut)), au_moins)
+            .min(avec(Erreur(de_a(-e_moins.haut, 0.0)), au_moins))
+            .min(de_w1.max(de_trop(i(0.0))));
+        let autre = avec(Calcule(de_a(exact.bas, (exact + e_ab2).haut)), exact.bas);
+        let de_s4 = un.max(autre.min(de_trop(e_ab2)));
+        Some(if possible { de_s4.max(de_w1.min(entre)) } else { de_s4 })
+    };
+    ou_rien(erreur()) * c / (u * (f + 1.0 + t)) * plus(40.0, u)
+}
+
+#[test]
+fn lemme_10_la_borne_de_sortie_d_une_sphere_suffit() {
+    let (devant, derriere) = (de_chaque_type!(devant), de_chaque_type!(derriere));
+    let k = promesses::SORTIE_SPHERE;
+    tenir(k, |u| {
+        let large = |f: Intervalle| bandes::SPHERE * u * (f + 1.0);
+        let devant = |[b, c]: [Intervalle; 2]| {
+            let s = sinus(c);
+            let f = (b.carre() + s.carre()).racine();
+            let dehors = (c.carre() / (1.0 + s)).haut <= large(f).bas;
+            let p = b.carre() - c.carre();
+            (!dehors).then(|| distance_de_sortie(u, devant(u), false, [b + c, c, b], [p, f]))
+        };
+        // S may be A as well, and A ahead to 4u|f|, as the sign of SA may be wrong.
+        let derriere = |[y, c]: [Intervalle; 2]| {
+            let p = y * (y - 2.0) * c.carre();
+            let f = (1.0 + p).racine();
+            let sa = (y - 1.0) * c;
+            let dehors = (-p / (1.0 + f)).haut <= large(f).bas || sa.bas > 4.1 * u;
+            (!dehors).then(|| distance_de_sortie(u, derriere(u), true, [y * c, c, sa], [p, f]))
+        };
+        let cosinus = de_a(u.sqrt(), 1.0);
+        let y = de_a(u, 1.0 + 4.0 * u.sqrt());
+        let devant = prouver([de_a(u, 0.5 / u), cosinus], k, devant).max(prouver(
+            [de_a(0.0, u), cosinus],
+            k,
+            devant,
+        ));
+        devant.max(prouver([y, cosinus], k, derriere))
+    });
+}
+
+/// AB² and p, and t, of which they are found.
+fn signes<T: Taille>() -> [Place; 2] {
+    let [p, ab2, ..] = entree_d_une_sphere::<T>();
+    [p, ab2]
+}
+
+/// Where A is `b` ahead and AC is `k`, and r is 1.
+#[test]
+fn lemme_3_la_bande_d_une_sphere_suffit() {
+    let preuve = de_chaque_type!(signes);
+    for u in U {
+        let domaine = [de_a(u, 0.5 / u), de_a((-40_f64).exp2(), 0.5 / u)];
+        let Preuve { noeuds, .. } = preuve(u);
+        for (noeud, de_ab2) in noeuds.iter().zip([false, true]) {
+            prouver(domaine, 1.0, |[b, k]| {
+                let f = (b.carre() + k.carre()).racine();
+                let loin = if de_ab2 { k } else { f };
+                let lettres = [
+                    ("S", 1.0, nombre(i(0.0))),
+                    ("C", 1.0, vecteur(b, k)),
+                    ("r", 1.0, nombre(i(1.0))),
+                    ("D", DEGRE_DE_D, nombre(i(1.0))),
+                ];
+                // None has more than it is off by, outside of the band: |loin² − 1| is more than the band's width there.
+                let large = bandes::SPHERE * u * (f + 1.0) * (loin + 1.0);
+                let sans_signe = 1.0 - loin.carre();
+                let exact = sans_signe.max(-sans_signe).max(i(0.0));
+                let boite = preuve(u).boite(u, &lettres, &[]);
+                let erreur = ou_rien(boite.and_then(|boite| boite.erreur(*noeud)));
+                Some(erreur / i(large.bas.max(exact.bas)))
+            });
+        }
+    }
+}
