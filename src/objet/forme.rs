@@ -34,7 +34,7 @@ pub(crate) trait Forme<R: Nombre>: Copy {
     /// A ball around all of the shape; [`Boule::INFINIE`] if it is unbounded.
     fn boule(&self) -> Boule<R>;
 
-    /// The centre of the shape and its half-extents along the axes, each to 4u of itself; `None` if
+    /// The centre of the shape and its half-extents along the axes, each to 3u of itself; `None` if
     /// it is unbounded.
     fn boite_englobante(&self) -> Option<(Vecteur<R>, Vecteur<R>)>;
 

@@ -708,7 +708,7 @@ fn lemme_14_la_boule_ne_cache_aucune_entree() {
                 * (2.0 * i(3.0).racine() * y * 15.0 * plus(40.0, u) + 3.0 * epsilon * 15.1);
             let besoin = boule(u)
                 + hors
-                + (37.0 + gamma(carre(), u)) * rho2
+                + (37.0 + gamma(carre(), u) + difference()) * rho2
                 + loin.carre() * u * plus(100.0, u);
             // If SA ≤ 0 as computed, C is no farther ahead than 4u·f: CX² ≥ f²(1 − 17u²) + t².
             let derriere = sc2(u) + 17.0 * u;
@@ -887,7 +887,7 @@ fn lemme_17_les_bornes_de_l_erreur_suffisent() {
     });
     for u in U {
         // No ray that enters an object passes its ball by: AC² is at most ρ²(1 + 37u), and ρ² as computed off by 3u.
-        assert!((boule(u) + 37.0 + gamma(3.0, u)).haut * (1.0 + 100.0 * u) < RETRAIT);
+        assert!((boule(u) + 37.0 + gamma(3.0, u) + difference()).haut * (1.0 + 100.0 * u) < RETRAIT);
     }
 }
 
@@ -961,9 +961,11 @@ fn lemme_22_le_flou_permis_suffit() {
 
 #[test]
 fn lemme_15_l_etendue_tient_tout_l_objet() {
-    // The half-extents as computed, what the matrix is off by, two sums and the sums of the slack.
-    let besoin =
-        |u: f64| (et(gamma(fois("E1 H: U l"), u), i(1.0), u) + 36.0 + 2.0) * plus(100.0, u);
+    // The half-extents as computed, what the matrix is off by, and two sums.
+    let besoin = |u: f64| {
+        let h = et(gamma(fois("E1 H: U l"), u), i(fois("E1 corner: H")), u);
+        (h + 36.0) * plus(100.0, u)
+    };
     tenir(ETENDUE, besoin);
     // What lies between, of the half-extents and of C.
     tenir(87.0, |u| besoin(u) + ETENDUE * plus(100.0, u));
