@@ -546,10 +546,10 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// miss, is certain: whether exact arithmetic on the numbers as they are stored names the same
     /// object first, or none as well. (Which face of a box was hit at an edge is not certified.)
     ///
-    /// It is never true of a wrong answer. It is false of a right one only where
-    /// [`est_certain`](ObjetRay::est_certain) of some object would be false, where no distance is
-    /// promised, where two entries are nearer to each other than some 2⁻⁵⁰ of their distance, and
-    /// among numbers below the normal ones. Most often a right answer that is not certified is an
+    /// It is never true of a wrong answer (lemma 18). It may be false of a right one: where
+    /// [`est_certain`](ObjetRay::est_certain) of some object is false, where no distance is
+    /// promised, where two entries are almost equally far, and among numbers below the normal
+    /// ones. No lemma says how often. Most often a right answer that is not certified is an
     /// exact tie, as where the sides of two boxes are flush. A tree certifies a few more right
     /// answers than a list, since it skips objects whose boxes come later.
     ///

@@ -116,7 +116,7 @@ impl<R: Nombre> Rayon<R> {
     /// starts inside that object and does not see it. A ray that [starts from a
     /// hit](crate::Intersection::secondaire) knows its δ, as does one from [a place of your
     /// own](crate::ObjetRay::sortie). A point C + l·N as computed, the middle of a face, lies within
-    /// 14u(|C| + l) of the face. A δ much larger than the error does harm: a ray does not see a box
+    /// 14u(|C| + l) of the face (lemma 1). A δ much larger than the error does harm: a ray does not see a box
     /// that is no thicker than 2δ.
     ///
     /// # Errors
@@ -219,9 +219,10 @@ impl<R: Nombre> Rayon<R> {
     }
 
     /// δ, how exactly the ray knows its source, in scene units. If the source lies in an object less
-    /// deep than δ + o and the ray goes further in, it touches the object at once. The rounding o of
-    /// the object is 44u of the radius of a sphere or of the sum of the half-lengths of a box, and 0
-    /// for a half-space. Where δ is 0, and [inside](Self::dedans) something, nothing is touched at once.
+    /// deep than δ + o and the ray goes further in, it touches the object at once, except as said
+    /// below. The rounding o of the object is 44u of the radius of a sphere or of the sum of the
+    /// half-lengths of a box, and 0 for a half-space. Where δ is 0, and [inside](Self::dedans)
+    /// something, nothing is touched at once.
     ///
     /// - A source exactly δ + o deep, as computed, is too deep.
     /// - A sphere may be touched at once from up to twice as deep.

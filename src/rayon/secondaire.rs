@@ -169,20 +169,20 @@ impl<R: Nombre> Intersection<R> {
     /// [`secondaire`](Self::secondaire) that goes inward from a hit, and outward from a [way
     /// out](crate::ObjetRay::sortie).
     ///
-    /// `rapport` is η, the index of refraction of what the light comes from over that of what it
+    /// `rapport` is n, the index of refraction of what the light comes from over that of what it
     /// goes into: 1/1.5 where it enters glass from air, 1.5 where it leaves. For Fresnel's formula, the
     /// cosine behind the surface is |N·D| with the direction D of the ray that is returned. Another
     /// object may stand in the glass: ask the world before the way out (`docs/README.md`, Glass).
     ///
-    /// The direction is within an angle of sine 10.3u(1 + η)/c′ of the exact one at N for the D of a
+    /// The direction is within an angle of sine 10.3u(1 + n)/c′ of the exact one at N for the D of a
     /// ray, with c′ the exact cosine behind the surface (`docs/preuves.md`, lemma 9).
-    /// At η = 1 light goes straight on to 3.1u, at any angle. A way out within 3.2u of the tangent
+    /// At n = 1 light goes straight on to 3.1u, at any angle. A way out within 3.2u of the tangent
     /// plane is then turned outward, as by [`secondaire`](Self::secondaire).
     ///
     /// # Errors
     /// **Total reflection**: the error names `refraction`, and gives the square of the cosine
-    /// behind the surface, 0 or less. Above η = 1 that may be told wrongly where c′² is within
-    /// 9.8u(1 + η)c of 0, with c the exact cosine in front; up to η = 1 all light passes, unless N·D
+    /// behind the surface, 0 or less. Above n = 1 that may be told wrongly where c′² is within
+    /// 9.8u(1 + n)c of 0, with c the exact cosine in front; up to n = 1 all light passes, unless N·D
     /// is so small that its square is 0. Also if `rapport` is not above 0 or is above 100, or where
     /// [`secondaire`](Self::secondaire) would fail. As [`reflechi`](Self::reflechi) fails there
     /// too, `touche.refracte(d, rapport).or_else(|_| touche.reflechi(d))` is where the light goes.
@@ -212,7 +212,7 @@ impl<R: Nombre> Intersection<R> {
         let (d, n) = (direction_unitaire(DIRECTION, direction)?, self.normale());
         let le_long = d.produit_scalaire(n);
         let travers = d - n * le_long;
-        // Not 1 − η²s²: where η is near 1 and light grazes, that cancels.
+        // Not 1 − n² sin²α: where n is near 1 and light grazes, that cancels.
         let ecart = travers.longueur_carree() * (R::UN - rapport) * (R::UN + rapport);
         let carre = le_long * le_long + ecart;
         let attendu = "above 0, as a squared cosine: all light is mirrored (total reflection)";

@@ -94,9 +94,9 @@ pub mod promesses {
     pub const REFLECHI_SPHERE: f64 = 15.1;
     /// What is added where it is turned outward, in u: `REDRESSE`, the sum and the quotient (lemma 9).
     pub const REFLECHI_REDRESSE: f64 = 14.0;
-    /// The sine of the angle between a refracted direction and that of Snell's law at the N of the hit, in u(1 + η) over
-    /// the cosine behind the surface; the square of that cosine beside 0 where light may pass or not, in u(1 + η) times
-    /// the cosine in front; and the former at η = 1, in u (lemma 9).
+    /// The sine of the angle between a refracted direction and that of Snell's law at the N of the hit, in u(1 + n) over
+    /// the cosine behind the surface; the square of that cosine beside 0 where light may pass or not, in u(1 + n) times
+    /// the cosine in front; and the former at n = 1, in u (lemma 9).
     pub const REFRACTE: f64 = 10.3;
     pub const REFRACTE_TOTALE: f64 = 9.8;
     pub const TOUT_DROIT: f64 = 3.1;

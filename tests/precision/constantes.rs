@@ -161,7 +161,7 @@ fn r2_d2() -> f64 {
 
 /// The last sum of the height over a flat face, and the quotient.
 fn conclue() -> f64 {
-    assert_eq!(fois("H1 e: d") + fois("H3 t: / e"), fois("B1 l±o: l") + fois("B5 t: / l±o"));
+    assert_eq!(fois("H1 e: d") + fois("H3 t: / e"), fois("B1 l±f_i: l") + fois("B5 t: / l±f_i"));
     fois("H1 e: d") + fois("H3 t: / e")
 }
 
@@ -273,8 +273,8 @@ fn lemme_3_les_bandes_suffisent() {
             let o = f * n(u);
             // Two comparisons in a row, half of their rounding errors for each of the two lengths.
             let compare = et(rapport(u), rapport(u), u) * 0.5;
-            let longueur = rho + o * plus(gamma(fois("B1 o: N S"), u), u);
-            Some(gamma(fois("B1 o: N S"), u) * o + et(i(1.0), compare, u) * longueur)
+            let longueur = rho + o * plus(gamma(fois("B1 f_i: N S"), u), u);
+            Some(gamma(fois("B1 f_i: N S"), u) * o + et(i(1.0), compare, u) * longueur)
         },
     );
 }
@@ -377,7 +377,7 @@ fn marge_d_une_sphere(
         * marge_plate(u);
     let pas = marge
         * plus(PAS_NORMAL, u)
-        * (1.0 - g(fois("M6 s: marge") + fois("M6 S′: N s")))
+        * (1.0 - g(fois("M6 pas: marge") + fois("M6 S′: N pas")))
         * moins(N1 + 1.0, u);
     // What was computed is off by so much.
     let puissance =
@@ -424,7 +424,7 @@ fn lemmes_8_et_9_la_marge_d_une_sphere_suffit() {
     tenir(1.0, |u| marges_d_une_sphere(u, [PAR_RAYON, LONGUEUR]));
 }
 
-/// What |CP² − r²|, x² and y reach of a sphere of radius 1 with r ≥ 64u|f| + 16u⟨P, 1⟩, as parts of
+/// What |CP² − r²|, x² and y reach of a sphere of radius 1 with r ≥ 64u|f| + 16u‖P‖₁, as parts of
 /// the limits beyond which it is lost; `sort`: where it is left. `k` is AC. None where the ray misses.
 fn sphere_non_perdue(
     u: f64,
@@ -486,7 +486,7 @@ fn lemmes_8_et_9_le_pas_depuis_une_face_suffit() {
         let quatre = et(i((4.0 / arrondi - 1.0) / u), 0.25 * (6.0 + 4.0 * i(u) + i(u) * u), u);
         // ℓ; two sums of the margin; a product and a sum, N·pas, the sum with P; N² may be 12u less
         // than 1; what the next search sees of the step.
-        let pertes = [1.0, 1.0, 1.0, 1.0, fois("M6 S′: N s"), N2, fois("B1 o: N S")]
+        let pertes = [1.0, 1.0, 1.0, 1.0, fois("M6 S′: N pas"), N2, fois("B1 f_i: N S")]
             .map(|perte| inverse(gamma(perte, u), u));
         let pertes = pertes
             .into_iter()
@@ -518,7 +518,9 @@ fn lemmes_8_et_9_le_pas_depuis_une_face_suffit() {
     );
     assert!(PLANCHER.0 < 1e-5 * moindre(U[0], f32::LIMITE.into()));
     assert!(PLANCHER.1 < 1e-5 * moindre(U[1], f64::LIMITE));
-    tenir(PAS_ARRONDI, |u| plus(1.0, u) / ((1.0 - gamma(fois("M6 s: N P"), u) * u) * moins(N2, u)));
+    tenir(PAS_ARRONDI, |u| {
+        plus(1.0, u) / ((1.0 - gamma(fois("M6 pas: N P"), u) * u) * moins(N2, u))
+    });
 }
 
 #[test]
@@ -543,7 +545,7 @@ fn lemme_9_la_borne_d_un_reflet_suffit() {
     tenir(promesses::REFLECHI_REDRESSE, |_| i(REDRESSE + 2.0));
 }
 
-/// Of a ratio η of indices, sine and cosine in front of the surface and behind it: what T of M8 is off by along the
+/// Of a ratio n of indices (`eta`), sine and cosine in front of the surface and behind it: what T of M8 is off by along the
 /// surface and across it, and k, in u.
 fn refraction(
     u: f64,
@@ -554,15 +556,15 @@ fn refraction(
     // Of W the product with N and the difference round; N·D does so, and N² is not 1.
     let le_long = c + s;
     let travers = le_long + gamma(scalaire(), u) + N2 * c;
-    // The square and N² of N·D; of W² three roundings, and of 1 − η, 1 + η and two products; the sum.
+    // The square and N² of N·D; of W² three roundings, and of 1 − n, 1 + n and two products; the sum.
     let droit =
         2.0 * gamma(scalaire(), u) * c + (N2 + 1.0) * c.carre() + gamma(scalaire(), u).carre() * u;
     let perdu = (le_long.carre() + travers.carre()) * u;
-    let ecart = gamma(fois("M8 W²: W W") + fois("M8 k: W²") - difference(), u) * s.carre()
+    let ecart = gamma(fois("M8 W²: W W") + fois("M8 c′²: W²") - difference(), u) * s.carre()
         + 2.0 * s * le_long
         + perdu;
     let k = droit + ((1.0 - eta) * (1.0 + eta)).grandeur() * ecart + c_.carre();
-    // The product with η.
+    // The product with n.
     [eta * le_long + s_, eta * travers + s_, k].map(|erreur| erreur * plus(60.0, u))
 }
 
@@ -737,7 +739,7 @@ fn lemme_6_la_borne_du_lieu_d_une_touche_suffit() {
     // The box: along an axis √3·(4f + 11t) with t ≤ f + ρ, and 36ρ.
     let le_long = |u: f64| i(3.0).racine() * lieu_le_long(u) * plus(20.0, u);
     tenir(TOUCHE_F, |u| {
-        (i(3.0).racine() * gamma(fois("B1 o: N S"), u) * n(u) + le_long(u)) * plus(60.0, u)
+        (i(3.0).racine() * gamma(fois("B1 f_i: N S"), u) * n(u) + le_long(u)) * plus(60.0, u)
     });
     tenir(TOUCHE_RHO, |u| (le_long(u) + 36.0) * plus(60.0, u));
 }
@@ -806,7 +808,7 @@ fn lemme_6_la_borne_du_lieu_sur_une_sphere_suffit() {
     // Three products and the quotient, and the three of tD, of which ⟨N, 1⟩ ≤ √3.
     tenir(promesses::LIEU_PLAN_ABSOLU, |u| (2.0 + 0.5 * i(3.0).racine()) * plus(40.0, u));
     // P: S + tD is rounded twice, and for a box off by more than the 11u of X.
-    tenir(promesses::LIEU_F, |u| gamma(fois("B1 o: N S"), u) * n(u));
+    tenir(promesses::LIEU_F, |u| gamma(fois("B1 f_i: N S"), u) * n(u));
     tenir(promesses::LIEU_T, |u| lieu_le_long(u) + n(u) * d(u) * plus(1.0, u));
     tenir(promesses::LIEU_P, n);
     // `lieu`: difference, product and sum; the scalar product; the quotient. What that loses below the normal numbers
@@ -887,7 +889,9 @@ fn lemme_17_les_bornes_de_l_erreur_suffisent() {
     });
     for u in U {
         // No ray that enters an object passes its ball by: AC² is at most ρ²(1 + 37u), and ρ² as computed off by 3u.
-        assert!((boule(u) + 37.0 + gamma(3.0, u) + difference()).haut * (1.0 + 100.0 * u) < RETRAIT);
+        assert!(
+            (boule(u) + 37.0 + gamma(3.0, u) + difference()).haut * (1.0 + 100.0 * u) < RETRAIT
+        );
     }
 }
 
@@ -931,7 +935,7 @@ fn lemme_22_le_flou_permis_suffit() {
     });
     // Less for a box: a length, a speed, the quotient or comparison at an entry and an exit, and P.
     const { assert!(4.0 + 3.1 + 2.0 + 1.0 < 0.9 * FLOU_DISTANCE) };
-    // In units of ⟨P, 1⟩: the height over a half-space, at the hit and at the next start; P, and the start.
+    // In units of ‖P‖₁: the height over a half-space, at the hit and at the next start; P, and the start.
     tenir(FLOU_POINT, |u| (2.0 * gamma(3.0, u) + 2.0) * plus(20.0, u));
     // In units of r: far from the sphere; nearer than 2r, where 2β ≤ s and where p is all rounding, with C′; and the power
     // at the next start.

@@ -183,14 +183,14 @@ fn etapes<T: Taille>() -> BTreeMap<&'static str, Comptes> {
     let [p_x, pas] = cotes!(depart.source().x.place(), Somme);
     assert_eq!(p_x, places(p)[0]);
     noter(
-        "M6 s",
+        "M6 pas",
         cotes!(pas, Produit)[1],
         &[&lettres[..], &[("marge", touche.marge().place())]].concat(),
     );
     noter(
         "M6 S′",
         depart.source().x.place(),
-        &[&lettres[..], &[("s", cotes!(pas, Produit)[1])]].concat(),
+        &[&lettres[..], &[("pas", cotes!(pas, Produit)[1])]].concat(),
     );
     let d = ray.direction();
     let lettres = [trois("D", places(d)), trois("N", places(n))].concat();
@@ -200,14 +200,14 @@ fn etapes<T: Taille>() -> BTreeMap<&'static str, Comptes> {
     let [t_x, n_k] = cotes!(brise, Difference);
     let [w, _] = cotes!(t_x, Produit);
     noter("M8 W", w, &lettres);
-    noter("M8 T", t_x, &[("W", w)]);
+    noter("M8 W·n", t_x, &[("W", w)]);
     let k = de(cotes!(n_k, Produit)[1]);
-    noter("M8 D′", brise, &[&lettres[..], &[("T", t_x)]].concat());
+    noter("M8 D′", brise, &[&lettres[..], &[("W·n", t_x)]].concat());
     let [le_long2, ecart] = cotes!(k, Somme);
     let le_long = cotes!(le_long2, Produit)[0];
     let w2 = cotes!(cotes!(ecart, Produit)[0], Produit)[0];
     noter("M8 W²", w2, &trois("W", facteurs(w2)));
-    noter("M8 k", k, &[("W²", w2), ("N·D", le_long)]);
+    noter("M8 c′²", k, &[("W²", w2), ("N·D", le_long)]);
     let lampe = entrees("Q", [3.0, 4.0, 5.0]);
     let vers = touche.vers_lumiere(lampe).unwrap();
     let [x, longueur] = cotes!(vers.direction().x.place(), Quotient);
@@ -224,15 +224,15 @@ fn etapes<T: Taille>() -> BTreeMap<&'static str, Comptes> {
     let touche = ObjetRay::from(boite).intersection(&ray).unwrap();
     let t = touche.distance().place();
     let [longueur, v] = cotes!(t, Quotient);
-    noter("B1 l±o", longueur, &[]);
+    noter("B1 l±f_i", longueur, &[]);
     noter("B2 v", v, &[]);
-    noter("B5 t", t, &[("l±o", longueur)]);
+    noter("B5 t", t, &[("l±f_i", longueur)]);
     let l_o = cotes!(longueur, Produit)[0];
     let fois_l_o =
         |op: &Op| matches!(op, Produit(a, b) if *a == l_o && !matches!(ops()[*b], Constante(..)));
     let croise = ops().iter().position(fois_l_o).unwrap();
-    noter("B1 o", cotes!(de(l_o), Somme)[1], &[]);
-    noter("B3", croise, &[("l±o", l_o), ("v", cotes!(croise, Produit)[1])]);
+    noter("B1 f_i", cotes!(de(l_o), Somme)[1], &[]);
+    noter("B3", croise, &[("l±f_i", l_o), ("v", cotes!(croise, Produit)[1])]);
     let [sans_plancher, _] = cotes!(touche.marge().place(), Somme);
     let [b, huit_u] = cotes!(cotes!(sans_plancher, Somme)[0], Somme);
     noter("M2 b box", b, &trois("P", places(touche.point())));
