@@ -107,7 +107,7 @@ pub(crate) trait Forme<R: Nombre>: Copy {
     /// [`plan_tangent`](Self::plan_tangent) said of it. This definition is that of a flat face.
     #[inline(always)]
     fn hauteur(&self, p: Vecteur<R>, n: Vecteur<R>, du_centre: R) -> Hauteur<R> {
-        // M2: the centre of a half-space is O.
+        // M2: of a half-space, whose ball has the centre O, this is P.
         let cp = p - self.boule().centre;
         let hauteur = n.produit_scalaire(cp) - du_centre;
         Hauteur { b: hauteur.absolu(), l: n.somme_des_grandeurs(cp) }

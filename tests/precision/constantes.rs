@@ -88,7 +88,7 @@ fn besoins_ecrits() -> impl Iterator<Item = (f64, f64)> {
 fn lignes_des_besoins() -> impl Iterator<Item = [&'static str; 4]> {
     include_str!("besoins.txt").lines().skip(1).map(|ligne| {
         let cases = ligne.split("  ").map(str::trim).filter(|case| !case.is_empty());
-        cases.collect::<Vec<_>>().try_into().expect("four columns")
+        cases.take(4).collect::<Vec<_>>().try_into().expect("four columns and a place")
     })
 }
 
@@ -741,7 +741,12 @@ fn lemme_6_la_borne_du_lieu_d_une_touche_suffit() {
     tenir(TOUCHE_F, |u| {
         (i(3.0).racine() * gamma(fois("B1 f_i: N S"), u) * n(u) + le_long(u)) * plus(60.0, u)
     });
-    tenir(TOUCHE_RHO, |u| (le_long(u) + 36.0) * plus(60.0, u));
+    tenir(TOUCHE_RHO, |u| {
+        // Across the slice that T5 names: the place, V, the product, what follows and `f32`.
+        let tranche = i(2.0 + 3.0 + 3.0 + 8.0 + 2.0);
+        let tranchee = (2.0 * lieu_le_long(u).carre() + tranche.carre()).racine();
+        (le_long(u).max(tranchee) + 36.0) * plus(60.0, u)
+    });
 }
 
 /// How far from the surface the point of a hit lies outside a sphere of radius `y`, seen from 1
