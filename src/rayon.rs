@@ -255,8 +255,8 @@ impl<R: Nombre> Rayon<R> {
     /// the ray for objects that [`ObjetGeo::vers_f32`](crate::ObjetGeo::vers_f32) gave with this
     /// origin. Its end is rounded as well.
     ///
-    /// A δ above 0 grows by 8.1u·Σ|S_i| in the first type and in `f32`, which is more than the source
-    /// and the surfaces beside it are rounded by. A ray that starts from a hit thus stays in a closed
+    /// A δ above 0 grows by 8.1u·(|x| + |y| + |z|) of the source in the first type and in `f32`, which
+    /// is more than the source and the surfaces beside it are rounded by. A ray that starts from a hit thus stays in a closed
     /// room that is converted with it. One from [`new`](Self::new) may start inside a wall that it
     /// stood against: [`contient`](crate::ObjetRay::contient) tells.
     ///

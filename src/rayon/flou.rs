@@ -7,7 +7,7 @@ use crate::algebre::vecteur::Vecteur;
 /// How much deeper than δ a hit may lie in another object, in u of the distance (lemma 22).
 pub const FLOU_DISTANCE: f64 = 15.0;
 
-/// How much deeper than that a hit may lie, in u of Σ|P_i| (lemma 22).
+/// How much deeper than that a hit may lie, in u of ‖P‖₁ (lemma 22).
 pub const FLOU_POINT: f64 = 8.1;
 
 /// How much larger δ is made, in u of itself: for its own roundings, those where it is compared, and

@@ -17,14 +17,14 @@ pub const REDRESSE: f64 = 12.0;
 /// How much a margin grows for an N that is not exactly unit, in u of itself (lemma 9).
 pub const PAS_NORMAL: f64 = 20.0;
 
-/// The rounding of the moved point, in units of u·Σ|N_i·P_i| (lemma 9).
+/// The rounding of the moved point, in units of u·⟨N, P⟩ (lemma 9).
 pub const PAS_ARRONDI: f64 = 1.1;
 
 /// How much longer the outward step from a hit at once is, in δ. A shorter one keeps a chain in a seam
 /// of mirrors for longer; a longer one makes δ grow faster. No proof needs it.
 pub const PAS_D_EMBLEE: f64 = 1.0 / 64.0;
 
-/// How much longer than that it is, in u·Σ|P_i|: about as far as flush faces lie apart as they are
+/// How much longer than that it is, in u·‖P‖₁: about as far as flush faces lie apart as they are
 /// stored. No proof needs it.
 pub const PAS_D_EMBLEE_POINT: f64 = 8.0;
 
@@ -82,11 +82,11 @@ impl<R: Nombre> Intersection<R> {
     ///
     /// The source is the [`point`](Self::point) of the hit, moved along the normal to the side to
     /// which the direction leads, by [`marge`](Self::marge) and the rounding of the moved point,
-    /// 1.1u·Σ|N_i·P_i|. There is no epsilon to choose. An outward ray does not meet the object
-    /// again, and an inward ray, which starts inside, does not see it. A direction within 3.2u of
-    /// the tangent plane is turned outward by 12u. The ray has no end. Its distances count from the
-    /// moved start: the way in glass, from this hit to the next, is as long as their two points are
-    /// apart.
+    /// 1.1u·(|N_x·P_x| + |N_y·P_y| + |N_z·P_z|). There is no epsilon to choose. An outward ray does
+    /// not meet the object again, and an inward ray, which starts inside, does not see it. A direction
+    /// within 3.2u of the tangent plane is turned outward by 12u. The ray has no end. Its distances
+    /// count from the moved start: the way in glass, from this hit to the next, is as long as their
+    /// two points are apart.
     ///
     /// **In the corner of a second object** the start may lie inside that object by rounding. An
     /// outward ray carries [a bound on the error of its start](Rayon::flou), and touches such an

@@ -189,7 +189,7 @@ fn une_sphere_perdue_a_une_marge_infinie<R: Reel>() {
 en_f32_et_f64!(une_sphere_perdue_a_une_marge_infinie);
 
 /// Built: from 4·10⁶ away a sphere about O with r = 42u|f|, which was found. Held: its margin is +∞. (That none is where
-/// r ≥ 64u|f| + 16u⟨P, 1⟩ is a promise, `marge_infinie`.)
+/// r ≥ 64u|f| + 16u‖P‖₁ is a promise, `marge_infinie`.)
 #[test]
 fn la_marge_d_une_sphere_de_42_u_f_peut_etre_infinie() {
     let r = 10.810261_f32;
@@ -201,7 +201,7 @@ fn la_marge_d_une_sphere_de_42_u_f_peut_etre_infinie() {
     assert!(touche.marge() == f32::INFINI && f64::from(r) > 42.0 * u::<f32>() * f, "{touche:?}");
 }
 
-/// From the exact centre, where |f| is 0, r = 16u⟨P, 1⟩ is at the limit: the sum as computed decides, not the exact one.
+/// From the exact centre, where |f| is 0, r = 16u‖P‖₁ is at the limit: the sum as computed decides, not the exact one.
 #[test]
 fn au_centre_la_somme_calculee_decide() {
     fn somme<R: Reel>(p: Vecteur<R>) -> R {
