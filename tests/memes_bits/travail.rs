@@ -84,7 +84,7 @@ fn un_arbre_s_arrete_des_qu_il_peut<R: Reel>() {
 
 en_f32_et_f64!(un_arbre_s_arrete_des_qu_il_peut);
 
-/// Two rays of a call go one by one; sixty-four ask for an object together, those of a list for every object.
+/// One ray or two of a call go one by one, each as if alone; sixty-four ask for an object together, those of a list for every object.
 fn peu_de_rayons_vont_un_par_un<R: Reel>() {
     let (objets, rayon) = (scene::<R>(), rayon());
     let arbre = avec_arbre(&objets);
@@ -100,7 +100,13 @@ fn peu_de_rayons_vont_un_par_un<R: Reel>() {
             });
             [premieres, ombres]
         };
+        let ombre = rayon.jusqu_a(R::depuis_f64(50.0)).unwrap();
+        let seul = [
+            combien(&monde, |h| assert!(h.premiere_intersection(&rayon).is_ok())),
+            combien(&monde, |h| assert!(h.est_occulte(&ombre))),
+        ];
         let (un, deux, bloc) = (demandes(1), demandes(2), demandes(64));
+        assert_eq!(un, seul);
         assert_eq!(deux, un.map(|combien| combien.map(|n| 2 * n)));
         let a_cote = if noeuds(&monde) > 0 { 0 } else { BOULES as u32 };
         for [mur, rangee, autres] in bloc {
