@@ -22,16 +22,9 @@ pub enum Camp {
 pub const FACONS: [(&str, Camp); 4] =
     [("list", Camp::Seul), ("list-batch", Camp::Lot), ("single", Camp::Seul), ("batch", Camp::Lot)];
 
-/// So many objects at least get a tree.
-const UN_ARBRE: usize = 10;
-
 /// Of these among so many objects.
 pub fn permises(objets: usize) -> &'static [(&'static str, Camp)] {
-    match objets {
-        ..UN_ARBRE => &FACONS[..2],
-        UN_ARBRE..=TROP => &FACONS,
-        _ => &FACONS[2..],
-    }
+    if objets <= TROP { &FACONS } else { &FACONS[2..] }
 }
 
 /// An answer in the words of all: every number of a hit as bits of an `f64`, distance, normal and margin; and its

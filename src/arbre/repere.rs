@@ -80,7 +80,8 @@ impl<R: Nombre> Repere<R> {
             let combien = (lieux.len() + 1).saturating_sub(large);
             let milieu = combien / 2;
             let quart = |i: usize| {
-                let debut = if i % 2 == 0 { milieu + i / 2 } else { milieu - i.div_ceil(2) };
+                let debut =
+                    if i.is_multiple_of(2) { milieu + i / 2 } else { milieu - i.div_ceil(2) };
                 &lieux[debut..debut + large]
             };
             let serre = (0..combien).map(quart).reduce(|serre, autre| {
