@@ -1,7 +1,6 @@
 //! The recipes of `docs/guide.md` and `docs/choisir.md`, most against a closed form: a place of one's own, patterns, a
 //! tree in a program, hidden objects, a scene far away, glass on a table, a particle in a room, a scattering medium, a
-//! lens of two balls, media one within the other, a
-//! picture by threads. (Two worlds are in `choix.rs`.)
+//! lens of two balls, media one within the other, a picture by threads. (Two worlds are in `choix.rs`.)
 
 use std::f64::consts::PI;
 
