@@ -136,8 +136,8 @@ pub const fn places(nombre_d_objets: usize) -> usize {
 impl<'a, R: Reel> Monde<'a, R> {
     /// Builds a tree over this list, in the numbers that are lent, whose values do not matter.
     ///
-    /// Building takes some 0.1 to 0.2 µs an object (`benches/mesures/construction.csv`). Any of the numbers
-    /// may be written; those beyond [`places`] make nothing faster.
+    /// Building takes some 0.1 to 0.2 µs an object (`benches/mesures/construction.csv`). Any of the
+    /// numbers may be written; those beyond [`places`] make nothing faster.
     ///
     /// # Errors
     /// If fewer numbers are lent than [`places`] says.
