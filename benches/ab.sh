@@ -13,8 +13,9 @@
 # --release` of a user has it). Filters, each a list with commas:
 #   --family   city hall atoms stadium sticks beams sizes snowflake cubes room atelier mix shelves forest lattice
 #   --rays     tiles rows parallel mirrors rough diffuse "no order" shadows shuffled "shuf. shad."
-#   --way      list list-batch (both up to 64 objects), single batch (of the tree)
-#   --n        12,48,192,1000,10000 unless said; room and atelier have their own
+#   --way      list list-batch (both up to 64 objects), single batch (of the tree, which fewer than 10 do not have);
+#              for first hits `list` is the function `premiere_intersection(&objets, &rayon)`
+#   --n        3,12,48,192,1000,10000 unless said; room and atelier have their own
 #   --scalar   f32,f64
 # and, each a single value:
 #   --set AVX-512 | AVX2 | SSE2   the instructions of the tree; the best of the machine unless said

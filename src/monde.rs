@@ -116,7 +116,9 @@ impl<R: Nombre, C> fmt::Debug for Monde<'_, R, C> {
 #[doc(alias("cast_ray", "closest_hit", "first_hit", "raycast"))]
 #[inline]
 pub fn premiere_intersection<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> Reponse<R> {
-    Monde::de_liste(objets).premiere_intersection(rayon)
+    exiger_des_rangs(objets.len());
+    let liste = Liste { objets, choix: None };
+    Reponses::<R>::premiere_d_une_liste(&liste, meilleur_niveau(), rayon)
 }
 
 /// How many numbers [`Monde::new`] needs to be lent for this many objects, in either scalar: where
@@ -134,8 +136,8 @@ pub const fn places(nombre_d_objets: usize) -> usize {
 impl<'a, R: Reel> Monde<'a, R> {
     /// Builds a tree over this list, in the numbers that are lent, whose values do not matter.
     ///
-    /// Building takes some 0.1 to 0.2 µs an object (`benches/README.md`). Any of the numbers
-    /// may be written; those beyond [`places`] make nothing faster.
+    /// Building takes some 0.1 to 0.2 µs an object (`benches/mesures/construction.csv`). Any of the
+    /// numbers may be written; those beyond [`places`] make nothing faster.
     ///
     /// # Errors
     /// If fewer numbers are lent than [`places`] says.
@@ -213,8 +215,12 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// The world as questions take it.
     #[inline]
     pub(crate) fn vue(&self) -> Vue<'_, R> {
-        let liste = Liste { objets: self.objets, choix: self.choix.regle_des_parcours() };
-        Vue { liste, arbre: &self.arbre, niveau: self.niveau }
+        Vue { liste: self.liste(), arbre: &self.arbre, niveau: self.niveau, deja: None }
+    }
+
+    #[inline]
+    fn liste(&self) -> Liste<'_, R> {
+        Liste { objets: self.objets, choix: self.choix.regle_des_parcours() }
     }
 
     #[inline]
@@ -317,6 +323,10 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     #[doc(alias("cast_ray", "closest_hit", "first_hit", "raycast"))]
     #[inline]
     pub fn premiere_intersection(&self, rayon: &Rayon<R>) -> Reponse<R> {
+        // Decided here, so that a list that was not stored costs nothing.
+        if self.arbre.noeuds.is_empty() {
+            return Reponses::<R>::premiere_d_une_liste(&self.liste(), self.niveau, rayon);
+        }
         Reponses::<R>::premiere(&self.vue(), rayon)
     }
 
@@ -387,6 +397,9 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     #[inline]
     #[must_use]
     pub fn est_occulte(&self, rayon: &Rayon<R>) -> bool {
+        if self.arbre.noeuds.is_empty() {
+            return Reponses::<R>::occulte_d_une_liste(&self.liste(), self.niveau, rayon);
+        }
         Reponses::<R>::occulte(&self.vue(), rayon)
     }
 

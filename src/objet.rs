@@ -243,8 +243,8 @@ impl<R: Nombre> ObjetRay<R> {
     /// [mirrored](Intersection::reflechi). The way out is as exact as a hit (`docs/precision.md`),
     /// and [`BoiteRay::lieu`](crate::BoiteRay::lieu) and [`erreur`](Self::erreur) take it as one.
     ///
-    /// **Each crossing is found once.** A ray that enters a sphere or a box leaves it, never before
-    /// it enters, and a ray from inside always leaves. A ray that enters a half-space never leaves
+    /// **What is a way out.** A ray that enters a sphere or a box leaves it, never before it enters,
+    /// and a ray from strictly inside always leaves. A ray that enters a half-space never leaves
     /// it. From a source on the surface a ray leaves at the far side, or not at all: the source
     /// itself is no way out, as it is no hit. What is inside and what is on the surface is decided
     /// as computed: within rounding of a sphere a ray may leave at once. A ray that `secondaire`

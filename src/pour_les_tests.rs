@@ -67,7 +67,7 @@ impl Reglage {
 /// How many groups of sixteen of these rays, one to sixty-four, come to the end of the tree
 /// together. No answer shows it.
 pub fn groupes_au_bout<R: Reel>(monde: &Monde<'_, R>, rayons: &[Rayon<R>]) -> usize {
-    let Vue { liste, arbre, niveau } = monde.vue();
+    let Vue { liste, arbre, niveau, .. } = monde.vue();
     let mut groupes = Groupes::new_const();
     let bloc = &mut Bloc::new(&mut groupes, false);
     let restent: Option<u32> =

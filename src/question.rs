@@ -20,8 +20,6 @@ use crate::rayon::intersection::{NoIntersection, Rang, Reponse};
 pub(crate) trait Question<R: Nombre> {
     /// Whether any object that counts may settle the answer, so that none need be asked first.
     const UN_SUFFIT: bool;
-    /// Whether it is asked so often that the widest instructions have a copy of its walk.
-    const SOUVENT: bool;
 
     /// No object that the ray enters farther than this counts.
     fn limite(&self) -> R;
@@ -88,6 +86,12 @@ impl<R: Nombre, const OMBRE: bool> Premier<R, OMBRE> {
         Self { t, rang: None }
     }
 
+    /// The same of rays that ask for anything, or for the first only.
+    #[inline(always)]
+    pub(crate) fn en_question<const AUTRE: bool>(self) -> Premier<R, AUTRE> {
+        Premier { t: self.t, rang: self.rang }
+    }
+
     /// Whether this comes before another: nearer, or as near and earlier in the list. Without a
     /// branch, for sixteen side by side.
     #[inline(always)]
@@ -109,7 +113,6 @@ impl<R: Nombre> Premier<R> {
 
 impl<R: Nombre, const OMBRE: bool> Question<R> for Premier<R, OMBRE> {
     const UN_SUFFIT: bool = OMBRE;
-    const SOUVENT: bool = true;
 
     #[inline(always)]
     fn limite(&self) -> R {

@@ -19,7 +19,9 @@ use crate::rayon::flou::Flou;
 /// [`entre`](Self::entre) goes from one point to another, and
 /// [`vers_lumiere`](crate::Intersection::vers_lumiere) ends at a lamp. A ray has no least distance.
 /// For a near plane, start at [`point`](Self::point) of that distance, where the ray no longer sees
-/// what holds its new start, or skip nearer entries in [`visiter`](crate::Monde::visiter).
+/// what holds its new start, or skip nearer entries in [`visiter`](crate::Monde::visiter). Either
+/// way the ray sees what stands behind a thing that is too near. A sensor with a least range does
+/// not: ask the whole ray, and discard a hit that is nearer than that.
 ///
 /// ```
 /// use lancer_rayon::{Rayon, Vecteur};

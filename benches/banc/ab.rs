@@ -48,7 +48,7 @@ impl Choix {
     fn lire() -> Result<Self, Box<dyn Error>> {
         let mut choix = Self {
             familles: Famille::TOUTES.into(),
-            nombres: vec![12, 48, 192, 1000, 10_000],
+            nombres: vec![3, 12, 48, 192, 1000, 10_000],
             scalaires: vec!["f32".into(), "f64".into()],
             genres: Genre::TOUS.into(),
             facons: FACONS.map(|(nom, _)| nom).into(),
@@ -196,6 +196,13 @@ fn mesurer<R: Reel + avant::Reel + DeserializeOwned>(
     for &genre in &choix.genres {
         // Made once; each version gets the same numbers.
         let lances = genre.rayons(&monde, &scene, choix.bandes);
+        if lances.is_empty() {
+            // From nothing that is touched no ray starts.
+            for (_, ligne) in &mut lignes {
+                ligne.push_str(&format!("{:>12}", "– "));
+            }
+            continue;
+        }
         let nombres = |rayon: &Rayon<R>| {
             ([rayon.source().into(), rayon.direction().into()], [rayon.fin(), rayon.flou()])
         };

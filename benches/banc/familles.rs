@@ -287,6 +287,8 @@ fn salle<R: Reel>(n: usize, alea: &mut Rng) -> Vec<ObjetRay<R>> {
     ] {
         objets.push(boite(centre, dimensions, [0.0; 3], objets.len()));
     }
+    // Of fewer objects than walls there are walls alone.
+    objets.truncate(n);
     let choses = n - objets.len();
     let rangee = (choses as f64 / 17.0).sqrt().ceil().max(1.0);
     let table = 16.0 / rangee;

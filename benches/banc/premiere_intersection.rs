@@ -67,7 +67,7 @@ fn mesurer<R: Reel + DeserializeOwned>(c: &mut Criterion) {
     let objets: Vec<_> = atelier.objets.iter().map(|objet| objet.vers_ray()).collect();
     mesurer("atelier", &objets, &scenes::en_tuiles(&atelier.camera.rayons().unwrap(), 600));
     let rayons = scenes::en_tuiles(&scenes::rayons_camera(600, 400), 600);
-    for n in [12, 100, 1000, 10_000] {
+    for n in [3, 12, 48, 100, 1000, 10_000] {
         mesurer(&n.to_string(), &scenes::melange(n), &rayons);
     }
 }

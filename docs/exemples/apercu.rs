@@ -87,8 +87,8 @@ fn lancer<R: Reel>(
     let ordre = tuiles(rayons.len(), largeur as usize);
     let tuiles: Vec<_> = ordre.iter().map(|&i| rayons[i]).collect();
     // Twice as many, in case a scene has long boxes that stand askew.
-    let mut places = vec![0.0; 2 * places(objets.len())];
-    let hierarchie = Monde::new(objets, &mut places)?;
+    let mut memoire = vec![0.0; 2 * places(objets.len())];
+    let hierarchie = Monde::new(objets, &mut memoire)?;
     let facons: [Facon<'_, R>; 3] = [
         &|touches| {
             for (touche, rayon) in touches.iter_mut().zip(&tuiles) {

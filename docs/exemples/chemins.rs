@@ -74,8 +74,8 @@ fn rendre<R: Reel + DeserializeOwned>(
     let Some(ObjetRay::Sphere(lampe)) = objets.get(LAMPE) else {
         return Err(format!("{chemin}: the first object is not a sphere, the lamp").into());
     };
-    let mut places = vec![0.0; places(objets.len())];
-    let hierarchie = Monde::new(&objets, &mut places)?;
+    let mut memoire = vec![0.0; places(objets.len())];
+    let hierarchie = Monde::new(&objets, &mut memoire)?;
     let grain = R::depuis_f64(1.0 / f64::from(camera.image.1));
     let chambre = Chambre { lampe, hierarchie, grain, rayons };
 

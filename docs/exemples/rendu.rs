@@ -116,8 +116,8 @@ pub(crate) fn octets<R: Reel + DeserializeOwned>(
     let par_ligne = (finesse * finesse * largeur) as usize;
     let rayons = &rayons[lignes.start as usize * par_ligne..lignes.end as usize * par_ligne];
     let objets: Vec<_> = objets.into_iter().map(ObjetRay::from).collect();
-    let mut places = vec![0.0; places(objets.len())];
-    let hierarchie = Monde::new(&objets, &mut places)?;
+    let mut memoire = vec![0.0; places(objets.len())];
+    let hierarchie = Monde::new(&objets, &mut memoire)?;
     let atelier = Atelier { objets: &objets, hierarchie, lampes: lampes() };
     let couleurs = atelier.prendre(rayons, camera.image.0, finesse, ensemble)?;
     let octet = |x: f64| (255.0 * x.powf(1.0 / 2.2)).round() as u8;

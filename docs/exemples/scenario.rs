@@ -1,5 +1,5 @@
 //! From a file to a lit picture, in as few lines as may be: a student copies this program, `scene.rs` and
-//! `scenario.ron` into a package of their own (`docs/README.md`). `tests/fichiers/scenario.rs` runs it.
+//! `scenario.ron` into a package of their own (`docs/guide.md`). `tests/fichiers/scenario.rs` runs it.
 
 #[allow(dead_code, unreachable_pub)] // This program does not use all of it.
 mod scene;
@@ -29,8 +29,8 @@ struct Lampe {
 pub(crate) fn image(scenario: &str) -> Result<String, Box<dyn Error>> {
     let Scenario { ambiante, lampes, couleurs, scene } = ron::from_str(scenario)?;
     let objets: Vec<ObjetRay> = scene.objets.iter().map(|objet| objet.vers_ray()).collect();
-    let mut places = vec![0.0; places(objets.len())];
-    let monde = Monde::new(&objets, &mut places)?;
+    let mut memoire = vec![0.0; places(objets.len())];
+    let monde = Monde::new(&objets, &mut memoire)?;
 
     let (largeur, hauteur) = scene.camera.image;
     let mut image = format!("P3 {largeur} {hauteur} 255\n");

@@ -1,4 +1,4 @@
-//! The programs of the recipes of `docs/README.md` and `docs/choisir.md`. Each stands alone. `tests/enonce` runs them,
+//! The programs of the recipes of `docs/guide.md` and `docs/choisir.md`. Each stands alone. `tests/enonce` runs them,
 //! most against a closed form, and `tests/fichiers/programmes.rs` holds what the pages show to these files.
 
 pub mod animation;
@@ -10,6 +10,7 @@ pub mod capteur;
 pub mod cordes;
 pub mod damier;
 pub mod deux_mondes;
+pub mod fils;
 pub mod lentille;
 pub mod milieux;
 pub mod particule;

@@ -64,8 +64,8 @@ impl<R: Nombre> Rotation<R> {
     /// The rotation of a vecteur-rotation (handout §2.1): by r_x about the x axis, then r_y about
     /// y, then r_z about z, the axes staying where they are; M = M_x·M_y·M_z, angles in radians.
     ///
-    /// The sense is that of the formula and of the worked example of §2.1: counter-clockwise for an
-    /// eye that looks along the axis. Each element is off by at most its rounding and 15u of `f64`.
+    /// The sense is that of the formula and of the worked example of §2.1: clockwise as the axis
+    /// points at you. Each element is off by at most its rounding and 15u of `f64`.
     /// An angle that is the float nearest to k·π/2, |k| ≤ 4, as `90.0_f64.to_radians()` is, turns
     /// exactly. For the right-hand rule see [`main_droite`](Self::main_droite).
     ///

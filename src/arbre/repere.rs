@@ -27,26 +27,40 @@ pub(crate) struct Repere<R> {
 /// The distance from Z beyond which something is far from the many, in widths of the many.
 const LARGEURS: f64 = 4.0;
 
-/// How many objects at most, evenly spread over the list, tell where the many are.
+/// How many objects at most tell where the many are.
 const TEMOINS: usize = 31;
+
+/// Which of so many objects is witness number `k`: one of the stretch of the list that is its own,
+/// at a place of the stretch that follows no rule, so that where kinds of objects take turns the
+/// witnesses are of every kind.
+fn temoin(k: usize, objets: usize) -> usize {
+    let nombre = objets.clamp(1, TEMOINS);
+    let [debut, fin] = [k, k + 1].map(|k| k * objets / nombre);
+    // A scramble of the bits of k: the last steps of MurmurHash3.
+    let melange = (k as u32 + 1).wrapping_mul(0x9e37_79b9);
+    let melange = (melange ^ melange >> 16).wrapping_mul(0x85eb_ca6b);
+    let melange = (melange ^ melange >> 13).wrapping_mul(0xc2b2_ae35);
+    debut + ((u64::from(melange) * (fin - debut) as u64) >> 32) as usize
+}
 
 impl<R: Nombre> Repere<R> {
     /// The frame of a tree without nodes.
     pub(crate) const QUELCONQUE: Self =
         Self { milieu: Vecteur::NUL, echelle: R::UN, loin: R::ZERO, jeu_maximal: 0.0 };
 
-    /// The frame of these objects. Along each axis the inner three quarters of them are the many.
+    /// The frame of these objects. Along each axis the inner three quarters of them are the many,
+    /// and Z is where they stand closest.
     pub(crate) fn autour(objets: &[ObjetRay<R>]) -> Self {
-        // The step is odd, so that it meets every kind of object where two or four kinds take turns
-        // in the list.
-        let pas = objets.len().div_ceil(TEMOINS) | 1;
+        let boites = || objets.iter().filter_map(ObjetRay::boite_englobante);
+        let nombre = boites().count();
         let (mut temoins, mut plus_large) = (ArrayVec::<[R; 3], TEMOINS>::new(), R::ZERO);
-        let boites = objets.iter().filter_map(ObjetRay::boite_englobante);
-        let [bas, haut] = extremes(boites.enumerate().map(|(i, (c, h))| {
+        let mut suivant = temoin(0, nombre);
+        let [bas, haut] = extremes(boites().enumerate().map(|(i, (c, h))| {
             let c = c.into();
             plus_large = max(plus_large, h.norme_1());
-            if i == temoins.len() * pas {
+            if i == suivant {
                 temoins.push(c);
+                suivant = temoin(temoins.len(), nombre);
             }
             c
         }));
@@ -54,12 +68,27 @@ impl<R: Nombre> Repere<R> {
         let echelle = R::UN / ((haut - bas).norme_1() + plus_large * R::depuis_f64(2.0));
         let mut largeur = R::ZERO;
         let milieu = [0, 1, 2].map(|axe| {
-            temoins.sort_unstable_by(|a, b| a[axe].partial_cmp(&b[axe]).unwrap_or(Ordering::Equal));
+            let mut lieux: ArrayVec<R, TEMOINS> = temoins.iter().map(|c| c[axe]).collect();
+            lieux.sort_unstable_by(|a, b| a.partial_cmp(b).unwrap_or(Ordering::Equal));
             let place = |huitiemes: usize| {
-                temoins.get(huitiemes * temoins.len() / 8).map_or(R::ZERO, |c| c[axe])
+                lieux.get(huitiemes * lieux.len() / 8).copied().unwrap_or(R::ZERO)
             };
             largeur = largeur + (place(7) - place(1));
-            place(4)
+            // The middle quarter, or one farther out that takes up less than half of its room: if
+            // half of them are far away, the middle one may reach from here to there.
+            let large = lieux.len() / 4 + 1;
+            let combien = (lieux.len() + 1).saturating_sub(large);
+            let milieu = combien / 2;
+            let quart = |i: usize| {
+                let debut =
+                    if i.is_multiple_of(2) { milieu + i / 2 } else { milieu - i.div_ceil(2) };
+                &lieux[debut..debut + large]
+            };
+            let serre = (0..combien).map(quart).reduce(|serre, autre| {
+                let [a, b] = [serre, autre].map(|quart| quart[large - 1] - quart[0]);
+                if b + b < a { autre } else { serre }
+            });
+            serre.map_or(R::ZERO, |serre| serre[large / 2])
         });
         let loin = largeur * echelle * R::depuis_f64(LARGEURS);
         Self { milieu: milieu.into(), echelle, loin, jeu_maximal: 0.0 }

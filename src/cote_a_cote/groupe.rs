@@ -97,7 +97,7 @@ impl<R: Nombre> Groupe<R> {
 
     /// The first object of one ray so far.
     #[inline(always)]
-    pub(crate) fn premier<const OMBRE: bool>(&self, voie: usize) -> Premier<R, OMBRE> {
+    pub(crate) fn premier(&self, voie: usize) -> Premier<R> {
         Premier { t: self.t[voie], rang: self.rangs[voie] }
     }
 

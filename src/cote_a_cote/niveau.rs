@@ -30,7 +30,7 @@ macro_rules! selon_le_niveau {
             } else if let Some($simd) = Level::baseline().as_sse2() {
                 $crate::cote_a_cote::niveau::a_part(
                     #[inline(always)]
-                    || $appel,
+                    move || $appel,
                 )
             } else {
                 unreachable!()

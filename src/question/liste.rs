@@ -10,7 +10,7 @@ use crate::rayon::Rayon;
 /// The objects that are asked: a list, and a choice of its objects. Each keeps its index in the
 /// list.
 #[derive(Clone, Copy)]
-pub(crate) struct Liste<'a, R> {
+pub struct Liste<'a, R> {
     pub(crate) objets: &'a [ObjetRay<R>],
     pub(crate) choix: Option<&'a dyn Regle>,
 }

@@ -25,7 +25,6 @@ impl<R: Nombre, F: FnMut(usize, R) -> ControlFlow<(), R>, const D_UN_POINT: bool
     for Visite<R, F, D_UN_POINT>
 {
     const UN_SUFFIT: bool = D_UN_POINT;
-    const SOUVENT: bool = false;
 
     fn limite(&self) -> R {
         // A ray up to distance 0 crosses the boxes that hold its source.

@@ -1,6 +1,6 @@
-//! The recipes of `docs/README.md` and `docs/choisir.md`, most against a closed form: a place of one's own, patterns, a
+//! The recipes of `docs/guide.md` and `docs/choisir.md`, most against a closed form: a place of one's own, patterns, a
 //! tree in a program, hidden objects, a scene far away, glass on a table, a particle in a room, a scattering medium, a
-//! lens of two balls, media one within the other. (Two worlds are in `choix.rs`.)
+//! lens of two balls, media one within the other, a picture by threads. (Two worlds are in `choix.rs`.)
 
 use std::f64::consts::PI;
 
@@ -17,7 +17,7 @@ use exemples::recettes::lentille::traverser;
 use exemples::recettes::milieux::{Lumiere, Milieu};
 use exemples::recettes::particule::Particule;
 use exemples::recettes::verre::{Suite, dans_le_verre};
-use exemples::recettes::{atlas, au_loin, caches, damier};
+use exemples::recettes::{atlas, au_loin, caches, damier, fils};
 use fastrand::Rng;
 use lancer_rayon::{
     BoiteGeo, Face, Monde, NoIntersection, ObjetGeo, ObjetRay, Rayon, Reel, Rotation, SphereGeo,
@@ -121,6 +121,28 @@ fn ce_qu_on_cache_montre_le_suivant() {
     let objets = [-9.0, -4.0, 2.0, -6.0].map(|z| sphere(v(0.0, 0.0, z), 1.0));
     let rayon = Rayon::new(Vecteur::NUL, -Vecteur::Z).unwrap();
     assert_eq!(caches::un_par_un(Monde::de_liste(&objets), &rayon), [1, 3, 0]);
+}
+
+/// Whatever the number of rays, also where they are no whole blocks, or fewer than one.
+#[test]
+fn une_image_par_fils_a_les_bits_d_un_seul() {
+    let objets = [sphere(v(0.0, 0.0, -5.0), 1.0), sphere(v(2.0, 1.0, -9.0), 2.0)];
+    let monde = Monde::de_liste(&objets);
+    for nombre in [0, 1, 63, 64, 65, 1_000, 4_096] {
+        let rayon = |i: i32| Rayon::new(v(0.0, 0.0, 0.0), v(f64::from(i % 64) / 64.0, 0.1, -1.0));
+        let rayons: Vec<Rayon> = (0..nombre).map(|i| rayon(i).unwrap()).collect();
+        let seul = rayons.iter().map(|rayon| monde.premiere_intersection(rayon));
+        assert!(seul.eq(fils::reponses(monde, &rayons)), "{nombre} rays");
+    }
+}
+
+#[test]
+fn un_pixel_est_la_moyenne_de_ses_rayons() {
+    // 4 × 6 pixels, each with its index: a pixel that remains is the one amid its four.
+    let couleurs: Vec<_> = (0..24).map(|i| Vecteur::Y * f64::from(i)).collect();
+    let moyennes = [2.5, 4.5, 10.5, 12.5, 18.5, 20.5].map(|y| Vecteur::Y * y);
+    assert_eq!(fils::moyennes(&couleurs, 4, 2), moyennes);
+    assert_eq!(fils::moyennes(&couleurs, 4, 1), couleurs);
 }
 
 /// A kilometre from the origin of a map, a place is known to some micrometres where the scene in `f32` knows it to a tenth

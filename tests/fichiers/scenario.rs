@@ -1,4 +1,4 @@
-//! The first picture of `docs/README.md`: its program, scenario and commands.
+//! The first picture of `docs/guide.md`: its program, scenario and commands.
 
 use std::fs;
 
@@ -12,7 +12,7 @@ use self::programme::image;
 #[test]
 fn les_dependances_de_la_page_sont_celles_des_exemples() {
     let espace = fs::read_to_string("Cargo.toml").unwrap();
-    let page = fs::read_to_string("docs/README.md").unwrap();
+    let page = fs::read_to_string("docs/guide.md").unwrap();
     let commandes = page.lines().filter(|ligne| ligne.starts_with("cargo add "));
     let ajouts = commandes.flat_map(|ligne| ligne.split(' ')).filter_map(|mot| mot.split_once('@'));
     let dependances: Vec<_> = ajouts.collect();

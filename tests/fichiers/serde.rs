@@ -58,7 +58,7 @@ fn une_simulation_reprise_va_du_meme_pas<R: Reel + Serialize + for<'de> Deserial
 
 en_f32_et_f64!(une_simulation_reprise_va_du_meme_pas);
 
-/// The lines that `docs/README.md` shows are what is written, and are read again: of an object, a ray and a hit.
+/// The lines that `docs/interop.md` shows are what is written, and are read again: of an object, a ray and a hit.
 #[test]
 fn la_page_montre_ce_qui_est_ecrit() {
     let objet = ObjetGeo::from(SphereGeo::new(Vecteur::Y * 0.5, 1.5, Texture(2)).unwrap());
@@ -69,8 +69,8 @@ fn la_page_montre_ce_qui_est_ecrit() {
         [serde_json::to_string(valeur).unwrap(), ron::to_string(valeur).unwrap()]
     }
     let lignes = [ligne(&objet), ligne(&rayon), ligne(&touche)];
-    let page = fs::read_to_string("docs/README.md").unwrap();
-    let (_, section) = page.split_once("\n### Saved\n").expect("the section");
+    let page = fs::read_to_string("docs/interop.md").unwrap();
+    let (_, section) = page.split_once("\n## Saved\n").expect("the section");
     for (langue, de) in [("json", 0), ("ron", 1)] {
         let (_, bloc) = section.split_once(&format!("```{langue}\n")).expect("a block");
         let (bloc, _) = bloc.split_once("```").expect("the end of a block");
@@ -193,6 +193,10 @@ fn une_rotation_omise_ne_tourne_pas() {
         ron::from_str("(centre: (0, 1, 2), dimensions: (1, 2, 3), texture: (4))").unwrap();
     let (c, cotes) = (Vecteur::new(0.0, 1.0, 2.0), Vecteur::new(1.0, 2.0, 3.0));
     assert_eq!(boite, BoiteGeo::new(c, cotes, Rotation::IDENTITE, Texture(4)).unwrap());
+    // Three angles are no rotation: the page quotes the error.
+    let angles = r#"{"Plan": {"rotation": [0, 30, 0], "distance": 2, "texture": 3}}"#;
+    let erreur = serde_json::from_str::<ObjetGeo>(angles).unwrap_err().to_string();
+    assert!(erreur.contains("expected an array of length 3"), "{erreur}");
     let sol = r#"{"Plan": {"distance": 2, "texture": 3}}"#;
     let fond = PlanGeo::new(Rotation::IDENTITE, 2.0, Texture(3)).unwrap();
     assert_eq!(serde_json::from_str::<ObjetGeo>(sol).unwrap(), fond.into());

@@ -44,7 +44,7 @@ fn lire<R: Bits + Serialize + DeserializeOwned>(texte: &str) {
     for (x, y, z) in [(0, 0, -1), (1, 1, 1), (-3, 0, 2), (0, -7, 1)] {
         let vers = Vecteur::from([x, y, z].map(|x| R::depuis_f64(f64::from(x))));
         let rayon = Rayon::new(Vecteur::NUL, vers).unwrap();
-        rayons.extend(suivre(arbre, rayon, 0, &pas(vers)));
+        rayons.extend(suivre(arbre, rayon, false, &pas(vers)));
         objets.iter().for_each(|objet| exiger_les_passages(objet, &rayon, vers));
     }
     relire(&rayons);

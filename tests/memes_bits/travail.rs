@@ -3,6 +3,7 @@
 use commun::en_f32_et_f64;
 use commun::fabrique::{avec_arbre, mur, sphere, v};
 use commun::facons::{Compteur, demandes, noeuds};
+use commun::hasard::{Hasard, Tirage};
 use lancer_rayon::{Monde, NoIntersection, ObjetRay, Rayon, Reel, Vecteur};
 
 /// Balls in a row along the ray, which enters each, and as many beside it.
@@ -84,7 +85,7 @@ fn un_arbre_s_arrete_des_qu_il_peut<R: Reel>() {
 
 en_f32_et_f64!(un_arbre_s_arrete_des_qu_il_peut);
 
-/// Two rays of a call go one by one; sixty-four ask for an object together, those of a list for every object.
+/// One ray or two of a call go one by one, each as if alone; sixty-four ask for an object together, those of a list for every object.
 fn peu_de_rayons_vont_un_par_un<R: Reel>() {
     let (objets, rayon) = (scene::<R>(), rayon());
     let arbre = avec_arbre(&objets);
@@ -100,7 +101,13 @@ fn peu_de_rayons_vont_un_par_un<R: Reel>() {
             });
             [premieres, ombres]
         };
+        let ombre = rayon.jusqu_a(R::depuis_f64(50.0)).unwrap();
+        let seul = [
+            combien(&monde, |h| assert!(h.premiere_intersection(&rayon).is_ok())),
+            combien(&monde, |h| assert!(h.est_occulte(&ombre))),
+        ];
         let (un, deux, bloc) = (demandes(1), demandes(2), demandes(64));
+        assert_eq!(un, seul);
         assert_eq!(deux, un.map(|combien| combien.map(|n| 2 * n)));
         let a_cote = if noeuds(&monde) > 0 { 0 } else { BOULES as u32 };
         for [mur, rangee, autres] in bloc {
@@ -110,3 +117,69 @@ fn peu_de_rayons_vont_un_par_un<R: Reel>() {
 }
 
 en_f32_et_f64!(peu_de_rayons_vont_un_par_un);
+
+fn du_cube(alea: &mut Hasard) -> Vecteur {
+    Vecteur::from([(); 3].map(|()| alea.f64() * 2.0 - 1.0))
+}
+
+/// Objects that lie together, and of them those at the indices `loin` far away, to all sides or to one.
+fn dont_loin<R: Reel>(n: usize, un_cote: bool, loin: impl Fn(usize) -> bool) -> Vec<ObjetRay<R>> {
+    let mut alea = Hasard::de_graine(n as u64);
+    let boule = |k| {
+        let c: Vecteur = du_cube(&mut alea);
+        let c = if !loin(k) {
+            c * 50.0
+        } else if un_cote {
+            (c + Vecteur::X * 2.0) * 3e7
+        } else {
+            c * 3e7
+        };
+        sphere(Vecteur::depuis_f64(c), R::depuis_f64(1.5))
+    };
+    (0..n).map(boule).collect()
+}
+
+/// For how many objects these rays ask in all.
+fn en_tout<R: Reel>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) -> u32 {
+    let monde = avec_arbre(objets);
+    let tous = |h: Monde<'_, R, Compteur<'_>>| {
+        for rayon in rayons {
+            let _ = h.premiere_intersection(rayon);
+        }
+    };
+    demandes(&monde, tous).iter().sum()
+}
+
+/// Which objects of a list are far away does not decide how much a ray asks for: the first of 2 to 64 in turn, or the
+/// second; a third of the list, or half; or all sorted along an axis. A ray asks for one object in the mean.
+fn l_ordre_de_la_liste_ne_coute_rien<R: Reel>() {
+    let mut alea = Hasard::de_graine(1);
+    let rayons: Vec<Rayon<R>> = (0..100)
+        .map(|_| {
+            let [s, d] = [60.0, 1.0].map(|l| Vecteur::depuis_f64(du_cube(&mut alea) * l));
+            Rayon::new(s, d).unwrap()
+        })
+        .collect();
+    let juger = |quoi: &str, objets: &[ObjetRay<R>]| {
+        let demandes = en_tout(objets, &rayons);
+        assert!(demandes <= rayons.len() as u32, "{quoi} of {} far: {demandes}", objets.len());
+    };
+    for (n, un_cote) in [60, 270, 1_000, 1_030, 2_046].into_iter().zip([true, false].repeat(3)) {
+        for p in [2, 3, 4, 5, 6, 7, 9, 11, 31, 33, 62, 64] {
+            for phase in [0, 1] {
+                let objets = dont_loin(n, un_cote, |k| k % p == phase);
+                juger(&format!("every {p}, from {phase} on,"), &objets);
+            }
+        }
+        juger("the first third", &dont_loin(n, un_cote, |k| k < n / 3));
+        juger("the last half", &dont_loin(n, un_cote, |k| k >= n / 2));
+        let mut tries: Vec<ObjetRay<R>> = dont_loin(n, un_cote, |k| k % 3 == 0);
+        tries.sort_by(|a, b| {
+            let [a, b] = [a, b].map(|objet| objet.etendue().unwrap().bas.x.vers_f64());
+            a.total_cmp(&b)
+        });
+        juger("a sorted third", &tries);
+    }
+}
+
+en_f32_et_f64!(l_ordre_de_la_liste_ne_coute_rien);

@@ -55,7 +55,6 @@ impl<'a, R: Nombre> Certificat<'a, R> {
 
 impl<R: Nombre> Question<R> for Certificat<'_, R> {
     const UN_SUFFIT: bool = true;
-    const SOUVENT: bool = false;
 
     #[inline(always)]
     fn limite(&self) -> R {

@@ -1,0 +1,66 @@
+//! The pages lead to each other, and say the same.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use crate::dossiers::fichiers_sous;
+
+fn racine() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+fn pages() -> impl Iterator<Item = PathBuf> {
+    let autour = ["README.md", "CHANGELOG.md"].map(|page| racine().join(page));
+    let sous = ["docs", "benches"].into_iter().flat_map(fichiers_sous);
+    autour.into_iter().chain(sous).filter(|page| page.extension() == Some("md".as_ref()))
+}
+
+/// A heading as a link names it: small letters, hyphens for spaces, and no other sign.
+fn ancre(titre: &str) -> String {
+    let signes = titre.trim_start_matches('#').trim().chars();
+    let signes = signes.filter(|c| c.is_alphanumeric() || " -_".contains(*c));
+    signes.flat_map(char::to_lowercase).map(|c| if c == ' ' { '-' } else { c }).collect()
+}
+
+#[test]
+fn chaque_lien_mene_a_un_fichier_et_a_un_titre() {
+    let mut ancres = 0;
+    for page in pages() {
+        let texte = fs::read_to_string(&page).unwrap();
+        for lien in texte.split("](").skip(1).filter_map(|suite| suite.split(')').next()) {
+            if lien.contains("://") {
+                continue;
+            }
+            let (fichier, titre) = lien.split_once('#').unwrap_or((lien, ""));
+            let vers = if fichier.is_empty() { page.clone() } else { page.with_file_name(fichier) };
+            assert!(vers.exists(), "{}: {lien}", page.display());
+            if !titre.is_empty() {
+                let vers = fs::read_to_string(vers).unwrap();
+                let mut titres = vers.lines().filter(|ligne| ligne.starts_with('#')).map(ancre);
+                assert!(titres.any(|autre| autre == titre), "{}: {lien}", page.display());
+                ancres += 1;
+            }
+        }
+    }
+    assert!(ancres > 50, "only {ancres}");
+}
+
+/// The cells of each line of a table, without what stands in brackets.
+fn lignes_de_tables(page: &str) -> Vec<Vec<String>> {
+    let texte = fs::read_to_string(racine().join(page)).unwrap();
+    let lignes = texte.lines().filter(|ligne| ligne.starts_with("| ") && ligne.contains(" of "));
+    let cellule = |cellule: &str| cellule.split(" (").next().unwrap().trim().to_owned();
+    lignes.map(|ligne| ligne.trim_matches('|').split('|').map(cellule).collect()).collect()
+}
+
+/// What README.md shows of the ratios is what the page of measurements has for `f32`.
+#[test]
+fn les_rapports_de_l_entree_sont_ceux_des_mesures() {
+    let mesures = lignes_de_tables("benches/README.md");
+    let entree = lignes_de_tables("README.md");
+    assert_eq!(entree.len(), 2);
+    for mut ligne in entree {
+        ligne.insert(1, "f32".to_owned());
+        assert!(mesures.contains(&ligne), "{ligne:?} is none of {mesures:#?}");
+    }
+}
