@@ -71,7 +71,7 @@ fn rapports<R: Reel + DeserializeOwned>(
     let mut rapports = soleils(monde, n);
     rapports.extend(cones(monde, &vus, &mut alea));
     rapports.push(lampes(monde, &vus, n, &mut alea));
-    rapports.push(lidar(monde, vus[vus.len() / 2]));
+    rapports.extend(lidar(monde, vus[vus.len() / 2]));
     Ok(rapports)
 }
 
@@ -199,9 +199,9 @@ fn lampes<R: Reel>(
     ("first hits of mixed lamps over shadows lamp by lamp".into(), ns[0] / ns[1])
 }
 
-/// A turn of a lidar one unit above this hit: all beams of one azimuth after the other, as it fires, over tiles that are about
-/// square in angle.
-fn lidar<R: Reel>(monde: Monde<'_, R>, sous_lui: Intersection<R>) -> (String, f64) {
+/// A turn of a lidar one unit above this hit, as it fires, all beams at one azimuth after the other, and beam by beam: each
+/// over tiles that are about square in angle.
+fn lidar<R: Reel>(monde: Monde<'_, R>, sous_lui: Intersection<R>) -> Rapports {
     let source = sous_lui.point() + sous_lui.normale();
     let rayon = |faisceau: usize, azimut: usize| {
         let site = (2.0 * faisceau as f64 - 15.0).to_radians();
@@ -222,14 +222,15 @@ fn lidar<R: Reel>(monde: Monde<'_, R>, sous_lui: Intersection<R>) -> (String, f6
         };
         tuiles.flat_map(d_une).collect()
     };
-    let ordres = [tour(FAISCEAUX, 4), tour(2, 32)];
+    let ordres = [tour(FAISCEAUX, 4), tour(1, AZIMUTS), tour(2, 32)];
     let mut touches = vec![Err(NoIntersection); banc::horloge::MORCEAU];
     let ns = moindres(TOURS, ordres.len(), |qui| {
         chronometrer(&ordres[qui], |rayons| {
             monde.premieres_intersections(rayons, &mut touches[..rayons.len()]).expect(ASSEZ);
         })
     });
-    ("a lidar as it fires over tiles of 2 beams × 32 azimuths".into(), ns[0] / ns[1])
+    let nom = |ordre| format!("a lidar {ordre} over tiles of 2 beams × 32 azimuths");
+    vec![(nom("as it fires"), ns[0] / ns[2]), (nom("beam by beam"), ns[1] / ns[2])]
 }
 
 const ASSEZ: &str = "as many answers as rays";
