@@ -30,10 +30,10 @@ use crate::rayon::intersection::{Reponse, exiger_des_rangs};
 ///
 /// **What makes a tree slow.** Half-spaces are tested one by one, as in a list. Where a ray crosses
 /// most boxes, as in a heap, a batch tests the objects as a list does, but a single ray takes up to
-/// 1.5 times as long as with a list. Boxes are rounded to some 10⁻⁶ of their distance from the
+/// 1.4 times as long as with a list. Boxes are rounded to some 10⁻⁶ of their distance from the
 /// middle of most objects, and in `f32` also of the distance of the source. Objects closer together
 /// than that are all tested: fine detail far from most objects costs time, but never accuracy. A
-/// sun, a sky or a ball for a ground costs little (`benches/README.md`).
+/// sun, a sky or a ball for a ground costs little (`docs/vitesse.md`, "List, tree or batch").
 ///
 /// ```
 /// use lancer_rayon::{
@@ -136,8 +136,8 @@ pub const fn places(nombre_d_objets: usize) -> usize {
 impl<'a, R: Reel> Monde<'a, R> {
     /// Builds a tree over this list, in the numbers that are lent, whose values do not matter.
     ///
-    /// Building takes some 0.1 to 0.2 µs an object (`benches/README.md`). Any of the numbers
-    /// may be written; those beyond [`places`] make nothing faster.
+    /// Building takes some 0.1 to 0.2 µs an object (`benches/mesures/construction.csv`). Any of the
+    /// numbers may be written; those beyond [`places`] make nothing faster.
     ///
     /// # Errors
     /// If fewer numbers are lent than [`places`] says.
@@ -335,7 +335,7 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// times as fast for the rays of a picture.
     ///
     /// Neighbours in `rayons` should start and point alike: those of a picture in tiles of 8 × 8
-    /// (`docs/choisir.md`, "The order in a batch"). Pass 64 rays or more per call. Nothing is
+    /// (`docs/vitesse.md`, "The order in a batch"). Pass 64 rays or more per call. Nothing is
     /// allocated and no thread is started; the caller may give parts of a picture to several threads.
     ///
     /// # Errors
