@@ -223,7 +223,7 @@ fn lidar<R: Reel>(monde: Monde<'_, R>, sous_lui: Intersection<R>) -> Rapports {
         tuiles.flat_map(d_une).collect()
     };
     let ordres = [tour(FAISCEAUX, 4), tour(1, AZIMUTS), tour(2, 32)];
-    let mut touches = vec![Err(NoIntersection); banc::horloge::MORCEAU];
+    let mut touches = [Err(NoIntersection); banc::horloge::MORCEAU];
     let ns = moindres(TOURS, ordres.len(), |qui| {
         chronometrer(&ordres[qui], |rayons| {
             monde.premieres_intersections(rayons, &mut touches[..rayons.len()]).expect(ASSEZ);
