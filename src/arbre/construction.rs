@@ -20,7 +20,7 @@ use crate::arbre::repere::{Repere, double_centre, extremes};
 use crate::cote_a_cote::colonne::somme;
 use crate::objet::ObjetRay;
 
-/// No tree is made over fewer objects with a box than this, since the list is as fast
+/// No tree is made over fewer objects with a box than this, since the list is about as fast
 /// (`DEVELOPING.md`, "Thresholds").
 const OBJETS_D_UN_ARBRE: usize = 10;
 
