@@ -108,7 +108,7 @@
 //!
 //! Every type takes the scalar as a parameter, `f64` unless named: `Vecteur<f32>`. Everything is
 //! computed in that type. Take `f32` for speed and memory, in batches above all, and `f64` for
-//! distances to some 10⁻¹⁴ (`docs/choisir.md`). Far from the origin O subtract an origin from the
+//! distances to some 10⁻¹⁴ (`docs/vitesse.md`). Far from the origin O subtract an origin from the
 //! scene first: [`ObjetGeo::vers_f32`].
 //!
 //! Errors are bounded in both types alike, in units of u, half a unit in the last place of 1: [2⁻²⁴

@@ -30,10 +30,10 @@ use crate::rayon::intersection::{Reponse, exiger_des_rangs};
 ///
 /// **What makes a tree slow.** Half-spaces are tested one by one, as in a list. Where a ray crosses
 /// most boxes, as in a heap, a batch tests the objects as a list does, but a single ray takes up to
-/// 1.5 times as long as with a list. Boxes are rounded to some 10⁻⁶ of their distance from the
+/// 1.4 times as long as with a list. Boxes are rounded to some 10⁻⁶ of their distance from the
 /// middle of most objects, and in `f32` also of the distance of the source. Objects closer together
 /// than that are all tested: fine detail far from most objects costs time, but never accuracy. A
-/// sun, a sky or a ball for a ground costs little (`benches/README.md`).
+/// sun, a sky or a ball for a ground costs little (`docs/vitesse.md`, "List, tree or batch").
 ///
 /// ```
 /// use lancer_rayon::{
@@ -335,7 +335,7 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// times as fast for the rays of a picture.
     ///
     /// Neighbours in `rayons` should start and point alike: those of a picture in tiles of 8 × 8
-    /// (`docs/choisir.md`, "The order in a batch"). Pass 64 rays or more per call. Nothing is
+    /// (`docs/vitesse.md`, "The order in a batch"). Pass 64 rays or more per call. Nothing is
     /// allocated and no thread is started; the caller may give parts of a picture to several threads.
     ///
     /// # Errors

@@ -1,5 +1,5 @@
-//! In which order rays go into a batch: windows and suns, lamps of any width, lamps of the list. Each row is the time of
-//! one order over that of another, of the same rays.
+//! In which order rays go into a batch: windows and suns, lamps of any width, lamps of the list, a lidar. Each row is the
+//! time of one order over that of another, of the same rays.
 //! `cargo run --release -p banc --bin ordres` prints `benches/mesures/ordres.csv`, in a minute. A seed may be named.
 
 use std::error::Error;
@@ -27,6 +27,10 @@ const JOURS: usize = 64;
 const HEURES: usize = 16;
 
 const LAMPES: usize = 4;
+
+/// Beams of a lidar, 2° apart, and where each points in one turn.
+const FAISCEAUX: usize = 16;
+const AZIMUTS: usize = 2_048;
 
 /// A name, and how many times as long it takes.
 type Rapports = Vec<(String, f64)>;
@@ -67,6 +71,7 @@ fn rapports<R: Reel + DeserializeOwned>(
     let mut rapports = soleils(monde, n);
     rapports.extend(cones(monde, &vus, &mut alea));
     rapports.push(lampes(monde, &vus, n, &mut alea));
+    rapports.extend(lidar(monde, vus[vus.len() / 2]));
     Ok(rapports)
 }
 
@@ -192,6 +197,40 @@ fn lampes<R: Reel>(
         de_chaque.iter().enumerate().map(une).sum()
     });
     ("first hits of mixed lamps over shadows lamp by lamp".into(), ns[0] / ns[1])
+}
+
+/// A turn of a lidar one unit above this hit, as it fires, all beams at one azimuth after the other, and beam by beam: each
+/// over tiles that are about square in angle.
+fn lidar<R: Reel>(monde: Monde<'_, R>, sous_lui: Intersection<R>) -> Rapports {
+    let source = sous_lui.point() + sous_lui.normale();
+    let rayon = |faisceau: usize, azimut: usize| {
+        let site = (2.0 * faisceau as f64 - 15.0).to_radians();
+        let (sin, cos) = (TAU * azimut as f64 / AZIMUTS as f64).sin_cos();
+        let vers = Vecteur::new(site.cos() * cos, site.sin(), site.cos() * sin);
+        Rayon::new(source, arrondi(vers)).expect("a direction")
+    };
+    let tour = |faisceaux: usize, azimuts: usize| -> Vec<_> {
+        let tuiles = (0..AZIMUTS).step_by(azimuts).flat_map(|azimut| {
+            (0..FAISCEAUX).step_by(faisceaux).map(move |faisceau| (faisceau, azimut))
+        });
+        let d_une = |(faisceau, azimut)| {
+            let colonnes = azimut..azimut + azimuts;
+            let une = move |azimut| {
+                (faisceau..faisceau + faisceaux).map(move |faisceau| rayon(faisceau, azimut))
+            };
+            colonnes.flat_map(une)
+        };
+        tuiles.flat_map(d_une).collect()
+    };
+    let ordres = [tour(FAISCEAUX, 4), tour(1, AZIMUTS), tour(2, 32)];
+    let mut touches = [Err(NoIntersection); banc::horloge::MORCEAU];
+    let ns = moindres(TOURS, ordres.len(), |qui| {
+        chronometrer(&ordres[qui], |rayons| {
+            monde.premieres_intersections(rayons, &mut touches[..rayons.len()]).expect(ASSEZ);
+        })
+    });
+    let nom = |ordre| format!("a lidar {ordre} over tiles of 2 beams × 32 azimuths");
+    vec![(nom("as it fires"), ns[0] / ns[2]), (nom("beam by beam"), ns[1] / ns[2])]
 }
 
 const ASSEZ: &str = "as many answers as rays";

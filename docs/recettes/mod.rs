@@ -1,4 +1,4 @@
-//! The programs of the recipes of `docs/guide.md` and `docs/choisir.md`. Each stands alone. `tests/enonce` runs them,
+//! The programs of the recipes of `docs/guide.md` and `docs/vitesse.md`. Each stands alone. `tests/enonce` runs them,
 //! most against a closed form, and `tests/fichiers/programmes.rs` holds what the pages show to these files.
 
 pub mod animation;

@@ -20,11 +20,11 @@ use crate::arbre::repere::{Repere, double_centre, extremes};
 use crate::cote_a_cote::colonne::somme;
 use crate::objet::ObjetRay;
 
-/// No tree is made over fewer objects with a box than this, since the list is as fast
-/// (`benches/seuils.md`, "Thresholds").
+/// No tree is made over fewer objects with a box than this, since the list is about as fast
+/// (`DEVELOPING.md`, "Thresholds").
 const OBJETS_D_UN_ARBRE: usize = 10;
 
-/// Bytes of a cache line: nodes start on one (`benches/seuils.md`, "Thresholds").
+/// Bytes of a cache line: nodes start on one (`DEVELOPING.md`, "Thresholds").
 const LIGNE: usize = 64;
 
 /// The most `f32` that are skipped at the start of what the caller lends, so that nodes start on a
@@ -190,7 +190,7 @@ const JEU_MAXIMAL: f32 = 1.0 / 8.0;
 
 /// The sixteen largest objects are giants if their mean [reach](portee) is more than this part of a
 /// sum: the mean reach of the others and [the side of a leaf](Repere::cote_d_une_feuille)
-/// (`benches/seuils.md`, "Thresholds").
+/// (`DEVELOPING.md`, "Thresholds").
 const TAILLE_DES_GEANTS: f32 = 0.4;
 
 /// Puts the sixteen largest records first, and tells how many leaves they are: 1 if they are

@@ -13,7 +13,7 @@ use crate::objet::ObjetRay;
 use crate::rayon::Rayon;
 
 /// How much surface one more record must save, where that of an object of the mean size is 1
-/// (`benches/seuils.md`, "Thresholds").
+/// (`DEVELOPING.md`, "Thresholds").
 const PRIX_D_UNE_FICHE: f32 = 0.03;
 
 /// Half of the least width of a slice in the frame of the tree that an object wishes for; rounded up

@@ -15,7 +15,7 @@ use crate::question::liste::Liste;
 use crate::rayon::Rayon;
 
 /// Rays that do not stay together ask the whole list side by side if it is short: at most this many
-/// spheres and boxes for each number that a register holds (`benches/seuils.md`, "Thresholds", as
+/// spheres and boxes for each number that a register holds (`DEVELOPING.md`, "Thresholds", as
 /// for what follows).
 const OBJETS_PAR_NOMBRE: usize = 6;
 

@@ -139,7 +139,7 @@ fn une_ombre<R: Nombre>() -> impl Fn(Premier<R, true>, &Rayon<R>, &[ObjetRay<R>]
     |premier, _, _| premier.rang.is_some()
 }
 
-/// Fewer rays than this are asked of a list one by one (`benches/seuils.md`, "Thresholds").
+/// Fewer rays than this are asked of a list one by one (`DEVELOPING.md`, "Thresholds").
 const RAYONS_D_UNE_LISTE: usize = 6;
 
 /// Asks for the first objects of many rays: of the rays of a block side by side as long as they

@@ -2,7 +2,7 @@
 //! and the result obtained. One part for each rule of annex A, for each decision C1–C13 and C15 of
 //! `docs/conventions.md`, and for a whole scene.
 //!
-//! Most rows are also the page `docs/jeu-de-tests.md`. To write it again:
+//! Most rows are also the page `tests/enonce/jeu_de_tests.md`. To write it again:
 //! `LANCER_RAYON_ECRIRE=1 cargo test --all-features --test enonce`
 
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4};
@@ -620,7 +620,7 @@ parties! {
 
 #[test]
 fn la_page_est_a_jour() {
-    let chemin = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/jeu-de-tests.md");
+    let chemin = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/enonce/jeu_de_tests.md");
     let mut page = String::from(
         "# Jeu de tests\n\n*Le jeu de tests que demande le §4.3.3. À gauche ce qui est essayé, à droite le résultat attendu : un test échoue si\n\
          le résultat obtenu en diffère d'un chiffre.*\n\n\
@@ -643,5 +643,5 @@ fn la_page_est_a_jour() {
     }
     let ecrite = std::fs::read_to_string(chemin).unwrap_or_default();
     let autre = ecrite.lines().zip(page.lines()).find(|(ecrite, ligne)| ecrite != ligne);
-    assert!(ecrite == page, "docs/jeu-de-tests.md is stale, write it again: {autre:?}");
+    assert!(ecrite == page, "tests/enonce/jeu_de_tests.md is stale, write it again: {autre:?}");
 }

@@ -1,4 +1,4 @@
-//! The recipes of `docs/guide.md` and `docs/choisir.md`, most against a closed form: a place of one's own, patterns, a
+//! The recipes of `docs/guide.md` and `docs/vitesse.md`, most against a closed form: a place of one's own, patterns, a
 //! tree in a program, hidden objects, a scene far away, glass on a table, a particle in a room, a scattering medium, a
 //! lens of two balls, media one within the other, a picture by threads. (Two worlds are in `choix.rs`.)
 

@@ -1,4 +1,4 @@
-//! A file of `src` imports only from floors below its own, as `docs/conception.md` lists them.
+//! A file of `src` imports only from floors below its own, as `DEVELOPING.md` lists them.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -8,7 +8,7 @@ use crate::dossiers::fichiers_sous;
 
 /// The floors of the page, from the top, as paths within the crate: `objet::boite::face`.
 fn etages(racine: &Path) -> Vec<String> {
-    let page = fs::read_to_string(racine.join("docs/conception.md")).unwrap();
+    let page = fs::read_to_string(racine.join("DEVELOPING.md")).unwrap();
     let (_, section) = page.split_once("\n## The floors\n").expect("the floors");
     let section = section.split("\n## ").next().unwrap();
     let mut etages: Vec<String> = Vec::new();

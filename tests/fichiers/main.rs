@@ -5,6 +5,7 @@ mod etages;
 mod etiquettes;
 mod figures;
 mod lexique;
+mod mesures;
 mod pages;
 mod pixels;
 mod programmes;

@@ -56,7 +56,7 @@ fn lignes_de_tables(page: &str) -> Vec<Vec<String>> {
 /// What README.md shows of the ratios is what the page of measurements has for `f32`.
 #[test]
 fn les_rapports_de_l_entree_sont_ceux_des_mesures() {
-    let mesures = lignes_de_tables("benches/README.md");
+    let mesures = lignes_de_tables("docs/vitesse.md");
     let entree = lignes_de_tables("README.md");
     assert_eq!(entree.len(), 2);
     for mut ligne in entree {

@@ -1,4 +1,4 @@
-//! Speed against accuracy, one point for each variant: `docs/choisir.md`; every way to ask for the picture.
+//! Speed against accuracy, one point for each variant: `docs/vitesse.md`; every way to ask for the picture.
 
 use std::error::Error;
 
@@ -84,7 +84,7 @@ pub(crate) fn documenter() -> Result<(), Box<dyn Error>> {
     let doubles = mesures::<f64>(None)?;
     let simples = mesures::<f32>(Some(&doubles.verites))?;
     let variantes: Vec<_> = simples.variantes.iter().chain(&doubles.variantes).cloned().collect();
-    page::remplacer("docs/choisir.md", "variants", &page::datee(&table(&variantes)))?;
+    page::remplacer(crate::VITESSE, "variants", &page::datee(&table(&variantes)))?;
     let facons = facons(&simples.temps, &doubles.temps);
     page::csv("facons", &facons)?;
     graphique(&variantes)

@@ -2,8 +2,8 @@
 //! obvhs and beside Embree, with the same objects and the same rays.
 //!
 //! `cargo run --release -p comparaison` prints the times, in nine minutes; with `documents` it measures errors
-//! as well, and writes the tables and plots of `docs/choisir.md`, `benches/README.md` and `benches/erreurs.md`, and five
-//! files of `benches/mesures`. `--features embree` takes Embree 3.13 along (`apt-get install libembree-dev`).
+//! as well, and writes the tables and plots of `docs/vitesse.md` and `benches/erreurs.md`, and five files of
+//! `benches/mesures`. `--features embree` takes Embree 3.13 along (`apt-get install libembree-dev`).
 
 mod annexe;
 mod autres;
@@ -35,12 +35,12 @@ mod double {
     mod parry;
 }
 
-/// What is written into pages beside the table of the cells.
-const AUTRES: [(&str, &str); 3] = [
-    ("docs/choisir.md", "variants"),
-    ("benches/erreurs.md", "errors"),
-    ("benches/erreurs.md", "bounds"),
-];
+/// The page of the tables of the cells, which others share.
+const VITESSE: &str = "docs/vitesse.md";
+
+/// What is written into pages beside the tables of the cells.
+const AUTRES: [(&str, &str); 3] =
+    [(VITESSE, "variants"), ("benches/erreurs.md", "errors"), ("benches/erreurs.md", "bounds")];
 
 fn main() -> Result<(), Box<dyn Error>> {
     let ecrire = match std::env::args().nth(1).as_deref() {
@@ -50,18 +50,21 @@ fn main() -> Result<(), Box<dyn Error>> {
     };
     // Another machine, another table.
     let (instructions, _) = Reglage::tous().next().ok_or("no instructions")?;
-    let resume = format!("summary, {instructions}");
-    let banc = ("benches/README.md", &*resume);
+    let tableaux = [("batches", tables::EN_LOT), ("summary", tables::AUPRES_DES_AUTRES)]
+        .map(|(nom, tableau)| (format!("{nom}, {instructions}"), tableau));
     if ecrire {
         // Fails now, not after all the measuring.
-        for (ou, nom) in AUTRES.into_iter().chain([banc]) {
+        let des_cellules = tableaux.iter().map(|(nom, _)| (VITESSE, &**nom));
+        for (ou, nom) in AUTRES.into_iter().chain(des_cellules) {
             page::autour(ou, nom)?;
         }
     }
     glam::verifier()?;
     let cellules = cellules::mesurer()?;
-    let table = tables::resume(&cellules);
-    println!("\n{resume}\n\n{table}");
+    let tableaux = tableaux.map(|(nom, tableau)| (nom, tables::resume(&tableau, &cellules)));
+    for (nom, table) in &tableaux {
+        println!("\n{nom}\n\n{table}");
+    }
     let fichiers = [
         ("vitesse", tables::vitesse(&cellules)),
         ("construction", hierarchie::constructions()),
@@ -72,7 +75,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         println!("\n{nom}\n\n{}", lignes.join("\n"));
     }
     if ecrire {
-        page::remplacer(banc.0, banc.1, &page::datee(&table))?;
+        for (nom, table) in &tableaux {
+            page::remplacer(VITESSE, nom, &page::datee(table))?;
+        }
         for (nom, lignes) in &fichiers {
             page::csv(nom, lignes)?;
         }

@@ -45,42 +45,46 @@ const AUTRES: &[Camp] = &[Camp::Parry, Camp::Embree, Camp::EmbreeSeize];
 const AU_RESUME: [Genre; 5] =
     [Genre::Tuiles, Genre::Miroirs, Genre::Diffus, Genre::SansOrdre, Genre::Ombres];
 
-/// Ours beside theirs, and one by one beside our batch.
-const QUESTIONS: [Question; 8] = [
-    Question { nom: "one by one: parry", scalaire: "f32", ici: SEUL, autres: &[Camp::Parry] },
-    Question { nom: "one by one: Embree", scalaire: "f32", ici: SEUL, autres: &[Camp::Embree] },
-    Question {
-        nom: "one by one: the better of parry and Embree",
-        scalaire: "f32",
-        ici: SEUL,
-        autres: &[Camp::Parry, Camp::Embree],
-    },
-    Question {
-        nom: "fastest of all ways: parry, Embree ×1, ×16",
-        scalaire: "f32",
-        ici: TOUT,
-        autres: AUTRES,
-    },
-    Question {
-        nom: "one by one: ours, over our batch",
-        scalaire: "f32",
-        ici: LOT,
-        autres: &[Camp::Seul],
-    },
-    Question { nom: "one by one: parry", scalaire: "f64", ici: SEUL, autres: &[Camp::Parry] },
-    Question {
-        nom: "fastest of all ways: parry",
-        scalaire: "f64",
-        ici: TOUT,
-        autres: &[Camp::Parry],
-    },
-    Question {
-        nom: "one by one: ours, over our batch",
-        scalaire: "f64",
-        ici: LOT,
-        autres: &[Camp::Seul],
-    },
-];
+/// A table of the pages: what a row of it compares, and the rows.
+pub(crate) struct Tableau {
+    titre: &'static str,
+    questions: &'static [Question],
+}
+
+/// Ours beside theirs.
+pub(crate) const AUPRES_DES_AUTRES: Tableau = Tableau {
+    titre: "the other / ours",
+    questions: &[
+        Question {
+            nom: "one by one: the better of parry and Embree",
+            scalaire: "f32",
+            ici: SEUL,
+            autres: &[Camp::Parry, Camp::Embree],
+        },
+        Question {
+            nom: "fastest of all ways: parry, Embree ×1, ×16",
+            scalaire: "f32",
+            ici: TOUT,
+            autres: AUTRES,
+        },
+        Question { nom: "one by one: parry", scalaire: "f64", ici: SEUL, autres: &[Camp::Parry] },
+        Question {
+            nom: "fastest of all ways: parry",
+            scalaire: "f64",
+            ici: TOUT,
+            autres: &[Camp::Parry],
+        },
+    ],
+};
+
+/// Ours one by one beside our batch.
+pub(crate) const EN_LOT: Tableau = Tableau {
+    titre: "ours",
+    questions: &[
+        Question { nom: "one by one / in a batch", scalaire: "f32", ici: LOT, autres: SEUL },
+        Question { nom: "one by one / in a batch", scalaire: "f64", ici: LOT, autres: SEUL },
+    ],
+};
 
 /// Those of the two halves of the plot.
 const DESSINEES: [Question; 2] = [
@@ -120,13 +124,13 @@ fn resumer<'a>(rapports: &[(f64, &'a Cellule)]) -> Option<(f64, f64, &'a Cellule
 }
 
 /// Each question over all families: the geometric mean and the least; and of all kinds of rays how many cells are behind.
-pub(crate) fn resume(cellules: &[Cellule]) -> String {
+pub(crate) fn resume(tableau: &Tableau, cellules: &[Cellule]) -> String {
     let titres = AU_RESUME.map(Genre::nom).join(" | ");
     let mut table = vec![
-        format!("| the other / ours | scalar | {titres} | below 1 (least) |"),
+        format!("| {} | scalar | {titres} | below 1 (least) |", tableau.titre),
         format!("|---|---|{}---|", "--:|".repeat(AU_RESUME.len())),
     ];
-    for question in &QUESTIONS {
+    for question in tableau.questions {
         let case = |genre| match resumer(&question.rapports(cellules, Some(genre))) {
             Some((moyenne, moindre, _)) => format!("{} ({})", rapport(moyenne), rapport(moindre)),
             None => "–".to_owned(),

@@ -1,0 +1,132 @@
+//! The ratios of `docs/vitesse.md` that no program writes are those of the files of `benches/mesures`.
+
+use std::fs;
+use std::path::Path;
+
+/// A file of figures: the names of its columns, and its rows.
+struct Mesures {
+    titres: Vec<String>,
+    lignes: Vec<Vec<String>>,
+}
+
+/// The cells of this row. What stands between quotes may hold a comma.
+fn cases(ligne: &str) -> Vec<String> {
+    let mut cases = vec![String::new()];
+    let mut cite = false;
+    for signe in ligne.chars() {
+        match signe {
+            '"' => cite = !cite,
+            ',' if !cite => cases.push(String::new()),
+            _ => cases.last_mut().unwrap().push(signe),
+        }
+    }
+    cases
+}
+
+impl Mesures {
+    fn lire(nom: &str) -> Self {
+        let racine = Path::new(env!("CARGO_MANIFEST_DIR"));
+        let texte = fs::read_to_string(racine.join(format!("benches/mesures/{nom}.csv"))).unwrap();
+        let mut lignes = texte.lines().map(cases);
+        Self { titres: lignes.next().unwrap(), lignes: lignes.collect() }
+    }
+
+    /// The numbers in these columns, of the rows that have one of these words in the column `de`.
+    fn nombres(&self, de: &str, mots: &[&str], colonnes: &[&str]) -> Vec<f64> {
+        let ou = |colonne: &&str| self.titres.iter().position(|titre| titre == colonne).unwrap();
+        let (de, ou) = (ou(&de), colonnes.iter().map(ou).collect::<Vec<_>>());
+        let est_dite = |ligne: &&Vec<String>| mots.iter().any(|mot| ligne[de].contains(mot));
+        let dites = self.lignes.iter().filter(est_dite);
+        let nombres: Vec<f64> =
+            dites.flat_map(|ligne| ou.iter().map(|&i| ligne[i].parse().unwrap())).collect();
+        assert!(!nombres.is_empty(), "{mots:?}");
+        nombres
+    }
+}
+
+/// As the page has a ratio.
+fn rapport(x: f64) -> String {
+    if x < 9.95 { format!("{x:.1}") } else { format!("{x:.0}") }
+}
+
+/// The least and the largest, or both at once.
+fn etendue(nombres: &[f64]) -> String {
+    let moindre = rapport(nombres.iter().copied().fold(f64::INFINITY, f64::min));
+    let plus_grand = rapport(nombres.iter().copied().fold(0.0, f64::max));
+    if moindre == plus_grand { moindre } else { format!("{moindre} to {plus_grand}") }
+}
+
+fn page() -> String {
+    let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/vitesse.md");
+    fs::read_to_string(page).unwrap()
+}
+
+/// The part of the page below this heading.
+fn section<'a>(page: &'a str, titre: &str) -> &'a str {
+    let (_, section) = page.split_once(&format!("\n## {titre}\n")).expect(titre);
+    section.split("\n## ").next().unwrap()
+}
+
+#[test]
+fn les_rapports_des_ordres_sont_ceux_du_fichier() {
+    let page = page();
+    let section = section(&page, "The order in a batch");
+    let ordres = Mesures::lire("ordres");
+    // What the page compares, the rows of the file, and whether these have the order of the page over the other.
+    let lignes: [(&str, &[&str], bool); 7] = [
+        ("sun by sun", &["one sun after the other"], false),
+        ("window by window, as the year goes", &["suns as the year goes"], false),
+        ("direction by direction", &["within 0.25°", "within 2°", "within 10°"], true),
+        ("point by point", &["within 90°"], false),
+        ("mixed, by first hits", &["first hits of mixed lamps"], false),
+        ("as it fires: 16 beams × 4 azimuths", &["a lidar as it fires"], false),
+        ("beam by beam", &["a lidar beam by beam"], false),
+    ];
+    for (quoi, mots, retourne) in lignes {
+        let mut nombres = ordres.nombres("order", mots, &["f32", "f64"]);
+        if retourne {
+            nombres.iter_mut().for_each(|x| *x = x.recip());
+        }
+        let somme: f64 = nombres.iter().map(|x| x.ln()).sum();
+        let moyenne = rapport((somme / nombres.len() as f64).exp());
+        let ligne = format!("| {quoi} | {moyenne} ({}) |", etendue(&nombres));
+        assert!(section.contains(&ligne), "the page has not: {ligne}");
+    }
+}
+
+#[test]
+fn les_rapports_des_facons_sont_ceux_des_fichiers() {
+    let page = page();
+    let section = section(&page, "List, tree or batch");
+    let [tas, appels, morceaux, lointains] =
+        ["tas", "appels", "morceaux", "lointains"].map(Mesures::lire);
+    let appel = |rayons| rapport(appels.nombres("rays_a_call", &[rayons], &["geometric_mean"])[0]);
+    let loin = |quoi, colonnes: &[&str]| lointains.nombres("with", &[quoi], colonnes);
+    let tous = ["f32_single", "f32_batch", "f64_single", "f64_batch"];
+    let villes = |colonne| rapport(*loin("two towns", &[colonne]).last().unwrap());
+    let camera = |i: &str| {
+        let de_loin = loin("a camera", &[&format!("{i}_single"), &format!("{i}_batch")]);
+        etendue(&de_loin[2..])
+    };
+    for ligne in [
+        format!(
+            "crossing many boxes | {} |",
+            etendue(&tas.nombres("case", &["single"], &["f32", "f64"]))
+        ),
+        format!("| one by one / in calls of 64 | rays of all kinds | {} |", appel("64")),
+        format!("| one by one / in calls of 16 | | {} |", appel("16")),
+        format!(
+            "such as poles | {} |",
+            etendue(&morceaux.nombres("way", &["single", "batch"], &["1000", "10000"]))
+        ),
+        format!("in batches | {} |", etendue(&morceaux.nombres("way", &["batch"], &["48", "192"]))),
+        format!(
+            "| a city | {} |",
+            etendue(&["a sun", "a sky", "a globe"].map(|quoi| loin(quoi, &tous)).concat())
+        ),
+        format!("| {}; `f64` {} |", villes("f32_single"), villes("f64_single")),
+        format!("| {}; `f64` {} |", camera("f32"), camera("f64")),
+    ] {
+        assert!(section.contains(&ligne), "the page has not: {ligne}");
+    }
+}
