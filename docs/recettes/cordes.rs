@@ -12,8 +12,9 @@ pub struct Corde<R> {
     pub a: R,
 }
 
-/// Writes the chords of a ray in the order in which they begin. All count from one source, so that those of flush
-/// objects meet to rounding, and no step from face to face adds to their errors.
+/// Writes the chords of a ray in the order in which they begin, at the same distance in that of the list. All count from
+/// one source as it stands, whatever the ray knows of it, so that those of flush objects meet to rounding, and no step
+/// from face to face adds to their errors.
 pub fn cordes<R: Reel>(monde: &Monde<'_, R>, rayon: &Rayon<R>, cordes: &mut Vec<Corde<R>>) {
     let fin = rayon.fin();
     let sans_fin = rayon.jusqu_a(R::INFINI).expect("+∞ is an end");
@@ -30,11 +31,15 @@ pub fn cordes<R: Reel>(monde: &Monde<'_, R>, rayon: &Rayon<R>, cordes: &mut Vec<
             (Err(_), _) => None,
         };
     cordes.clear();
-    let mut noter = |indice, de| cordes.extend(sortie(indice).map(|a| Corde { indice, de, a }));
+    let mut noter = |indice, de| {
+        cordes.extend(sortie(indice).filter(|a| *a > de).map(|a| Corde { indice, de, a }));
+    };
     monde.contenants(rayon.source(), |indice| noter(indice, R::ZERO));
-    monde.visiter(rayon, |indice, de| {
+    // A ray inside touches nothing at once: what holds the source was seen already.
+    monde.visiter(&rayon.dedans(), |indice, de| {
         noter(indice, de);
         Continue(fin)
     });
-    cordes.sort_by(|a, b| a.de.partial_cmp(&b.de).expect("a distance is no NaN"));
+    let ordre = |corde: &Corde<R>| (corde.de, corde.indice);
+    cordes.sort_by(|a, b| ordre(a).partial_cmp(&ordre(b)).expect("a distance is no NaN"));
 }

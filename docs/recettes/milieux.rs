@@ -1,5 +1,7 @@
 //! Light through media and past opaque things, one in another, overlapping or flush: ice in water, panes and voxels, a
-//! glass on a table in mist.
+//! glass on a table in mist. Light may be trapped, as in a ball that it grazes from within: bound the number of steps.
+
+use std::ops::ControlFlow::Continue;
 
 use lancer_rayon::{ErreurGeo, Intersection, Monde, ObjetRay, Rayon, Reel};
 
@@ -11,7 +13,7 @@ pub struct Milieu {
     pub indice: f64,
 }
 
-/// Light, and the objects that it is in, in no order.
+/// Light, and the objects that it is in, in no order: at first the `contenants` of its source.
 #[derive(Debug, Clone)]
 pub struct Lumiere<R = f64> {
     pub rayon: Rayon<R>,
@@ -21,7 +23,7 @@ pub struct Lumiere<R = f64> {
 /// Where light comes to.
 #[derive(Debug)]
 pub enum Surface<R> {
-    /// An opaque object: ask `monde.parmi(|i| i >= milieux.len())` for the light that falls on it from outside.
+    /// An opaque object. What it sends back is in the same objects as before, also on its way to a lamp.
     Opaque(Intersection<R>),
     /// A face of a medium, and the objects that light is in behind it.
     Claire(Intersection<R>, Vec<usize>),
@@ -35,10 +37,14 @@ impl<R: Reel> Lumiere<R> {
         monde: &Monde<'_, R>,
         milieux: &[Milieu],
     ) -> Result<Option<Surface<R>>, ErreurGeo> {
-        let (objets, rayon) = (monde.objets(), self.rayon);
+        let (objets, rayon, d) = (monde.objets(), self.rayon, self.rayon.direction());
         // What has no way out was left beside an edge, unless it is a half-space, in which light may go down for ever.
         let sort = |i: usize| objets[i].sortie(&rayon);
-        self.dans.retain(|&i| sort(i).is_ok() || matches!(objets[i], ObjetRay::Plan(_)));
+        let descend = |i: usize| match objets[i] {
+            ObjetRay::Plan(plan) => plan.normale().produit_scalaire(d) <= R::ZERO,
+            ObjetRay::Sphere(_) | ObjetRay::Boite(_) => false,
+        };
+        self.dans.retain(|&i| sort(i).is_ok() || descend(i));
         // What light is in is left out here, and touched at once by no rounding; anything else may be.
         let entree = monde.parmi(|i| !self.dans.contains(&i)).premiere_intersection(&rayon);
         let sorties = self.dans.iter().filter_map(|&i| sort(i).ok());
@@ -48,21 +54,32 @@ impl<R: Reel> Lumiere<R> {
         let Some(touche) = entree.into_iter().chain(sorties).reduce(plus_tot) else {
             return Ok(None);
         };
-        // What lies behind the face, by more than the error of this place, tells what light goes into.
-        let (p, n) = (touche.point(), touche.normale());
-        let devant = if rayon.direction().produit_scalaire(n) < R::ZERO { -n } else { n };
-        let erreur = touche.secondaire(n)?.flou();
-        let mut apres = vec![];
-        monde.contenants(p + devant * erreur, |i| apres.push(i));
-        let opaque = |i: usize| i >= milieux.len();
-        if apres.iter().any(|&i| opaque(i)) {
-            let contre = Rayon::new(p - devant * erreur, devant)?.jusqu_a(erreur + erreur)?;
-            if let Ok(touche) = monde.parmi(opaque).premiere_intersection(&contre) {
-                return Ok(Some(Surface::Opaque(touche)));
-            }
-            // It held the light before.
-            apres.retain(|&i| !opaque(i));
+        let (opaque, n) = (|i: usize| i >= milieux.len(), touche.normale());
+        let entre = d.produit_scalaire(n) < R::ZERO;
+        if entre && opaque(touche.indice()) {
+            return Ok(Some(Surface::Opaque(touche)));
         }
+        // Light goes into what holds the place behind the face, by more than the error of this place, and into what a ray
+        // from the face comes to within that error, which may be a large thing that the rounding of its own parts from it.
+        let devant = if entre { -n } else { n };
+        let sonde = touche.secondaire(devant)?.dehors();
+        let erreur = sonde.flou();
+        let sonde = sonde.jusqu_a(erreur)?;
+        let contre = monde.parmi(opaque).premiere_intersection(&sonde);
+        if let Ok(contre) = contre
+            && contre.normale().produit_scalaire(d) < R::ZERO
+        {
+            return Ok(Some(Surface::Opaque(contre)));
+        }
+        let mut apres = vec![];
+        monde.contenants(touche.point() + devant * erreur, |i| apres.push(i));
+        monde.visiter(&sonde, |i, _| {
+            apres.push(i);
+            Continue(erreur)
+        });
+        apres.sort_unstable();
+        apres.dedup();
+        apres.retain(|&i| !opaque(i));
         Ok(Some(Surface::Claire(touche, apres)))
     }
 

@@ -150,7 +150,12 @@ fn une_corde_va_de_l_entree_a_la_sortie<R: Reel>() {
     let de = |y: f64, vers: f64, fin: f64| {
         let mut liste = vec![];
         let rayon = Rayon::new(v(0.0, y, 0.0), v(0.0, vers, 0.0)).unwrap();
-        cordes(&monde, &rayon.jusqu_a(R::depuis_f64(fin)).unwrap(), &mut liste);
+        let rayon = rayon.jusqu_a(R::depuis_f64(fin)).unwrap();
+        // What a ray knows of its source changes nothing: no chord begins twice.
+        let mut autre = vec![];
+        cordes(&monde, &rayon.avec_flou(R::depuis_f64(0.01)).unwrap(), &mut autre);
+        cordes(&monde, &rayon, &mut liste);
+        assert_eq!(liste, autre);
         let lire = |corde: &Corde<R>| (corde.indice, corde.de.vers_f64(), corde.a.vers_f64());
         liste.iter().map(lire).collect::<Vec<_>>()
     };
@@ -227,3 +232,44 @@ fn un_verre_sur_une_table_dans_la_brume_montre_la_table<R: Reel>() {
 }
 
 en_f32_et_f64!(un_verre_sur_une_table_dans_la_brume_montre_la_table);
+
+/// From within glass, at angles that the air would mirror, light finds the floor on which the glass stands flush, also if
+/// that is a box a thousand times as large, which knows its place less well; and the hit knows the δ of the light.
+fn du_verre_la_lumiere_trouve_son_pied<R: Reel>() {
+    let faire = |alea: &mut Hasard| {
+        let large = *alea.choix(&[1.0, 10.0, 1000.0]);
+        let (cote, cosinus) = (entre(alea, 0.05, 0.3), entre(alea, 0.05, 0.6));
+        let angle = entre(alea, -3.0, 3.0);
+        let sinus = (1.0 - cosinus * cosinus).sqrt();
+        let d = Vecteur::new(sinus * angle.cos(), -cosinus, sinus * angle.sin());
+        let cible = [(); 2].map(|()| entre(alea, -0.4, 0.4) * cote);
+        (large, cote, d, cible, alea.bool())
+    };
+    pour_chaque(3_000, faire, |(large, cote, d, [x, z], plan)| {
+        let verre = boite::<R>(v(0.0, cote / 2.0, 0.0), v(cote, cote, cote), Rotation::IDENTITE);
+        let sol = match plan {
+            true => mur(Vecteur::NUL, Vecteur::Y),
+            false => boite(v(0.0, -large / 2.0, 0.0), v(large, large, large), Rotation::IDENTITE),
+        };
+        let objets = [verre, sol];
+        let source = Vecteur::new(x, 0.0, z) - d * (0.05 * cote);
+        let rayon = Rayon::new(arrondi::<R>(source), arrondi(d)).unwrap();
+        let flou = R::depuis_f64(1e-6);
+        let mut lumiere = Lumiere { rayon: rayon.avec_flou(flou).unwrap(), dans: vec![0] };
+        match lumiere.surface(&Monde::de_liste(&objets), &[milieu(0, 1.5)]).unwrap() {
+            Some(Surface::Opaque(touche)) => {
+                assert_eq!((touche.indice(), touche.normale()), (1, Vecteur::Y));
+                assert!(touche.reflechi(rayon.direction()).unwrap().flou() > flou);
+            }
+            autre => panic!("{autre:?}: {rayon:?}"),
+        }
+    });
+    // Light that goes up from the surface of water is not in the water.
+    let eau = [mur::<R>(Vecteur::NUL, Vecteur::Y)];
+    let rayon = Rayon::new(Vecteur::NUL, v(0.6, 0.8, 0.0)).unwrap();
+    let mut lumiere = Lumiere { rayon, dans: vec![0] };
+    assert!(lumiere.surface(&Monde::de_liste(&eau), &[milieu(0, 1.33)]).unwrap().is_none());
+    assert_eq!(lumiere.dans, []);
+}
+
+en_f32_et_f64!(du_verre_la_lumiere_trouve_son_pied);
