@@ -558,6 +558,7 @@ fn aucun_solide_a_fleur_ne_garde_un_rayon<R: Reel>() {
             }
         }
     });
+    println!("{rayons} chains, {d_emblee} hits at once, at most {en_suite} in a row");
     assert!(au_bout > 9 * rayons / 10 && d_emblee > rayons / 500 && en_suite > 3);
 }
 
