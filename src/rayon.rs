@@ -118,8 +118,8 @@ impl<R: Nombre> Rayon<R> {
     /// starts inside that object and does not see it. A ray that [starts from a
     /// hit](crate::Intersection::secondaire) knows its δ, as does one from [a place of your
     /// own](crate::ObjetRay::sortie). A point C + l·N as computed, the middle of a face, lies within
-    /// 14u(|C| + l) of the face (lemma 1). A δ much larger than the error does harm: a ray does not see a box
-    /// that is no thicker than 2δ.
+    /// 14u(|C| + l) of the face (lemma 1). A δ much larger than the error does harm: a ray does not
+    /// see a box that is no thicker than 2δ.
     ///
     /// # Errors
     /// If `flou` is not finite or below 0.
@@ -161,7 +161,7 @@ impl<R: Nombre> Rayon<R> {
     /// let monde = Monde::de_liste(&objets);
     ///
     /// // From the edge of the mist, as somebody else computed it.
-    /// let bord = Rayon::new(Vecteur::new(0.0, 9.0, 0.0), -haut)?.avec_flou(1e-9)?.bifurque(1e-12, -haut)?;
+    /// let bord = Rayon::new(Vecteur::new(0.0, 9.0 - 1e-12, 0.0), -haut)?.avec_flou(1e-9)?;
     /// assert_eq!(monde.premiere_intersection(&bord)?.indice(), 1);
     /// assert_eq!(monde.premiere_intersection(&bord.dedans())?.indice(), 0);
     /// assert_eq!(monde.sans(1).premiere_intersection(&bord)?.indice(), 0);

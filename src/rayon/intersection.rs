@@ -6,10 +6,12 @@ use core::num::NonZero;
 use crate::algebre::nombre::Nombre;
 #[cfg(feature = "serde")]
 use crate::algebre::nombre::fois_u;
-use crate::algebre::refus::{ecrit_par, lu_par};
 #[cfg(feature = "serde")]
-use crate::algebre::refus::{exiger, positif_ou_nul};
+use crate::algebre::refus::exiger;
+use crate::algebre::refus::{ecrit_par, lu_par};
 use crate::algebre::vecteur::Vecteur;
+#[cfg(feature = "serde")]
+use crate::rayon::flou::Flou;
 use crate::texture::Texture;
 
 /// Where a ray first touches an object: what the handout asks for in §2.3.
@@ -88,7 +90,7 @@ lu_par! {
         for x in <[R; 3]>::from(point) {
             exiger(x.absolu() >= R::ZERO, "point", x, "a number")?;
         }
-        let flou = positif_ou_nul("flou", flou)?.absolu();
+        let flou = Flou::NUL.avec(flou)?.delta();
         let _ = dedans;
         exiger(indice < u32::MAX, "indice", R::depuis_f64(indice.into()), "below 2^32 - 1")?;
         Ok(Self::new(distance, contact, flou, texture, Rang::de(indice as usize)))

@@ -191,7 +191,7 @@ fn aucun_chemin_ne_quitte_une_chambre<R: Bits>() {
 en_f32_et_f64!(aucun_chemin_ne_quitte_une_chambre);
 
 /// What the pages say of furnished rooms of 2 m about O or beside it: on paths of 50 bounces, all aimed at seams, hits at
-/// once do not bring a ray deeper and deeper. (Steps of twice the depth did, to some centimetres in `f32`.)
+/// once do not bring a ray deeper and deeper. (Steps of twice the depth did, to some millimetres in `f32`.)
 fn de_couture_en_couture_un_chemin_ne_s_enfonce_pas<R: Reel>() {
     let (mut chemins, mut pas, mut d_emblee) = (0, 0, 0_u32);
     let (mut profond, mut flous) = (0.0_f64, vec![]);

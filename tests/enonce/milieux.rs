@@ -247,9 +247,10 @@ fn du_verre_la_lumiere_trouve_son_pied<R: Reel>() {
     };
     pour_chaque(3_000, faire, |(large, cote, d, [x, z], plan)| {
         let verre = boite::<R>(v(0.0, cote / 2.0, 0.0), v(cote, cote, cote), Rotation::IDENTITE);
-        let sol = match plan {
-            true => mur(Vecteur::NUL, Vecteur::Y),
-            false => boite(v(0.0, -large / 2.0, 0.0), v(large, large, large), Rotation::IDENTITE),
+        let sol = if plan {
+            mur(Vecteur::NUL, Vecteur::Y)
+        } else {
+            boite(v(0.0, -large / 2.0, 0.0), v(large, large, large), Rotation::IDENTITE)
         };
         let objets = [verre, sol];
         let source = Vecteur::new(x, 0.0, z) - d * (0.05 * cote);

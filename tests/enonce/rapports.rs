@@ -228,10 +228,9 @@ fn un_rayon_garde_son_flou_dedans_et_dehors<R: Reel>() {
         assert_eq!(de(0.0).dedans().flou(), flou);
         // Within δ of the surface: inside it touches nothing at once, also after a turn and with another δ; outside it does,
         // and so it does again once it came out of something.
-        let bord = |z| Rayon::new(v(0.0, 0.0, z * echelle), d).unwrap().avec_flou(flou).unwrap();
         let touche_t =
             |rayon: Rayon<R>| grande.intersection(&rayon).map(|touche| touche.distance());
-        let au_bord = bord(3.9);
+        let au_bord = de(3.9);
         assert_eq!(touche_t(au_bord), Ok(R::ZERO));
         let au_bord_dedans = au_bord.dedans();
         for dedans in [

@@ -15,3 +15,11 @@ pub(crate) fn fichiers_sous(dossier: &str) -> Vec<PathBuf> {
     }
     fichiers
 }
+
+/// The pages of the repository: those of the root, of `docs` and `benches`, and the test set.
+pub(crate) fn pages() -> impl Iterator<Item = PathBuf> {
+    let racine = fs::read_dir(env!("CARGO_MANIFEST_DIR")).unwrap();
+    let autour = racine.map(|entree| entree.unwrap().path());
+    let sous = ["docs", "benches", "tests/enonce"].into_iter().flat_map(fichiers_sous);
+    autour.chain(sous).filter(|page| page.extension() == Some("md".as_ref()))
+}

@@ -1,19 +1,9 @@
 //! The pages lead to each other, and say the same.
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-use crate::dossiers::fichiers_sous;
-
-fn racine() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-}
-
-fn pages() -> impl Iterator<Item = PathBuf> {
-    let autour = ["README.md", "CHANGELOG.md"].map(|page| racine().join(page));
-    let sous = ["docs", "benches"].into_iter().flat_map(fichiers_sous);
-    autour.into_iter().chain(sous).filter(|page| page.extension() == Some("md".as_ref()))
-}
+use crate::dossiers::pages;
 
 /// A heading as a link names it: small letters, hyphens for spaces, and no other sign.
 fn ancre(titre: &str) -> String {
@@ -47,7 +37,8 @@ fn chaque_lien_mene_a_un_fichier_et_a_un_titre() {
 
 /// The cells of each line of a table, without what stands in brackets.
 fn lignes_de_tables(page: &str) -> Vec<Vec<String>> {
-    let texte = fs::read_to_string(racine().join(page)).unwrap();
+    let racine = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let texte = fs::read_to_string(racine.join(page)).unwrap();
     let lignes = texte.lines().filter(|ligne| ligne.starts_with("| ") && ligne.contains(" of "));
     let cellule = |cellule: &str| cellule.split(" (").next().unwrap().trim().to_owned();
     lignes.map(|ligne| ligne.trim_matches('|').split('|').map(cellule).collect()).collect()

@@ -4,7 +4,7 @@
 use std::fs;
 use std::path::Path;
 
-use crate::dossiers::fichiers_sous;
+use crate::dossiers::pages;
 
 /// The lines of this text, whatever their indentation.
 fn lignes(texte: &str) -> String {
@@ -14,10 +14,7 @@ fn lignes(texte: &str) -> String {
 #[test]
 fn chaque_programme_d_une_page_est_dans_son_fichier() {
     let racine = Path::new(env!("CARGO_MANIFEST_DIR"));
-    for page in fichiers_sous("docs") {
-        if page.extension() != Some("md".as_ref()) {
-            continue;
-        }
+    for page in pages().filter(|page| page.starts_with(racine.join("docs"))) {
         let texte = fs::read_to_string(&page).unwrap();
         let (mut nom, mut reste) = ("", &*texte);
         while let Some((prose, suite)) = reste.split_once("\n```") {

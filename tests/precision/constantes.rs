@@ -895,7 +895,7 @@ fn lemme_17_les_bornes_de_l_erreur_suffisent() {
     for u in U {
         // No ray that enters an object passes its ball by: AC² is at most ρ²(1 + 37u), and ρ² as computed off by 3u.
         assert!(
-            (boule(u) + 37.0 + gamma(3.0, u) + difference()).haut * (1.0 + 100.0 * u) < RETRAIT
+            (boule(u) + 37.0 + gamma(carre(), u) + difference()).haut * (1.0 + 100.0 * u) < RETRAIT
         );
     }
 }
@@ -941,7 +941,7 @@ fn lemme_22_le_flou_permis_suffit() {
     // Less for a box: a length, a speed, the quotient or comparison at an entry and an exit, and P.
     const { assert!(4.0 + 3.1 + 2.0 + 1.0 < 0.9 * FLOU_DISTANCE) };
     // In units of ‖P‖₁: the height over a half-space, at the hit and at the next start; P, and the start.
-    tenir(FLOU_POINT, |u| (2.0 * gamma(3.0, u) + 2.0) * plus(20.0, u));
+    tenir(FLOU_POINT, |u| (2.0 * gamma(fois("H1 N·S: N S"), u) + 2.0) * plus(20.0, u));
     // In units of r: far from the sphere; nearer than 2r, where 2β ≤ s and where p is all rounding, with C′; and the power
     // at the next start.
     let loin = 10.0 + (11.0 / 2.0 + 2.4) / s + de_f;
@@ -964,7 +964,7 @@ fn lemme_22_le_flou_permis_suffit() {
             let compte = 2.0 * promesses::UNITAIRE_PLATE + 2.0 + encore;
             (long * compte - sous) / i(1.0 + long) + gamma(3.0, u) + sous
         };
-        pas(i(0.0), 3.0).max(pas(gamma(3.0, u), 1.0)) * plus(60.0, u)
+        pas(i(0.0), 3.0).max(pas(gamma(fois("H1 N·S: N S"), u), 1.0)) * plus(60.0, u)
     });
 }
 
