@@ -7,16 +7,15 @@ use core::ops::ControlFlow::{self, Continue};
 
 use fearless_simd::Level;
 
-use crate::algebre::nombre::Nombre;
-use crate::algebre::vecteur::Vecteur;
-use crate::arbre::construction::{Arbre, PlacesInsuffisantes, mots};
+use crate::arbre::construction::{Arbre, mots};
 use crate::cote_a_cote::niveau::meilleur_niveau;
-use crate::monde::reponses::{LongueursDifferentes, Reel, Repond, Reponses, Vue};
-use crate::objet::{Etendue, ObjetRay};
-use crate::question::choix::{Choix, Parmi, Sans, Tous};
+use crate::monde::reponses::{Repond, Reponses, Vue};
 use crate::question::liste::Liste;
-use crate::rayon::Rayon;
-use crate::rayon::intersection::{Reponse, exiger_des_rangs};
+use crate::rayon::intersection::exiger_des_rangs;
+use crate::{
+    Choix, Etendue, LongueursDifferentes, Nombre, ObjetRay, Parmi, PlacesInsuffisantes, Rayon,
+    Reel, Reponse, Sans, Tous, Vecteur,
+};
 
 /// What rays ask, one by one or in batches: a list of objects, or a choice of them, with or without
 /// a tree of bounding boxes.

@@ -7,17 +7,13 @@ pub(crate) mod forme;
 pub(crate) mod plan;
 pub(crate) mod sphere;
 
-use crate::algebre::nombre::{Nombre, fois_u, max, min};
-use crate::algebre::refus::ErreurGeo;
-use crate::algebre::rotation::Rotation;
-use crate::algebre::vecteur::Vecteur;
-use crate::objet::boite::{BoiteGeo, BoiteRay};
+use crate::algebre::nombre::{fois_u, max, min};
 use crate::objet::forme::{Boule, Forme};
-use crate::objet::plan::{PlanGeo, PlanRay};
-use crate::objet::sphere::{SphereGeo, SphereRay};
-use crate::rayon::Rayon;
-use crate::rayon::intersection::{Intersection, NoIntersection, Rang, Reponse};
-use crate::texture::Texture;
+use crate::rayon::intersection::Rang;
+use crate::{
+    BoiteGeo, BoiteRay, ErreurGeo, Intersection, NoIntersection, Nombre, PlanGeo, PlanRay, Rayon,
+    Reponse, Rotation, SphereGeo, SphereRay, Texture, Vecteur,
+};
 
 /// `par_forme!(ObjetRay, objet, forme => expression)` is the expression for the shape in `objet`.
 /// All of the crate chooses between shapes in this way, except where it judges

@@ -4,15 +4,13 @@
 
 use fearless_simd::Level;
 
-use crate::algebre::nombre::Nombre;
 use crate::arbre::sonde::Sonde;
 use crate::cote_a_cote::bloc::{Bloc, Groupes};
 use crate::cote_a_cote::colonne::LARGEUR;
 use crate::cote_a_cote::groupe::VOIES;
 use crate::cote_a_cote::niveau::{meilleur_niveau, selon_le_niveau};
-use crate::monde::Monde;
-use crate::monde::reponses::{Reel, Vue};
-use crate::rayon::Rayon;
+use crate::monde::reponses::Vue;
+use crate::{Monde, Nombre, Rayon, Reel};
 
 pub use crate::algebre::double::{BORNE_DOUBLE, Double, Intervalle, PERTE_DOUBLE, PRODUIT_DOUBLE};
 pub use crate::algebre::nombre::{PLANCHER, Scelle};

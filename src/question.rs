@@ -11,10 +11,8 @@ pub(crate) mod jugement;
 pub(crate) mod liste;
 pub(crate) mod visite;
 
-use crate::algebre::nombre::Nombre;
-use crate::objet::ObjetRay;
-use crate::rayon::Rayon;
-use crate::rayon::intersection::{NoIntersection, Rang, Reponse};
+use crate::rayon::intersection::Rang;
+use crate::{NoIntersection, Nombre, ObjetRay, Rayon, Reponse};
 
 /// A question: which objects count, and what is kept of them. Whoever asks makes the answer of that.
 pub(crate) trait Question<R: Nombre> {

@@ -4,12 +4,11 @@ pub(crate) mod flou;
 pub(crate) mod intersection;
 pub(crate) mod secondaire;
 
-use crate::algebre::nombre::{Nombre, fois_u, simple};
-use crate::algebre::refus::{
-    self, ErreurGeo, ecrit_par, exiger, fini, lu_par, point, refus_nul, unitaire,
-};
-use crate::algebre::vecteur::Vecteur;
+use crate::algebre::nombre::{fois_u, simple};
+use crate::algebre::refus;
+use crate::algebre::refus::{ecrit_par, exiger, fini, lu_par, point, refus_nul, unitaire};
 use crate::rayon::flou::Flou;
+use crate::{ErreurGeo, Nombre, Vecteur};
 
 /// A ray: the points R(t) = S + t·D, 0 ≤ t < [`fin`](Self::fin), from the source S along the unit
 /// vector D (handout, annex A).

@@ -2,8 +2,8 @@
 
 use core::fmt;
 
-use crate::algebre::nombre::{Nombre, selon};
-use crate::algebre::vecteur::Vecteur;
+use crate::algebre::nombre::selon;
+use crate::{Nombre, Vecteur};
 
 /// A number outside the accepted range, with the field it was given for.
 ///

@@ -10,15 +10,14 @@
 
 use core::{fmt, mem};
 
-use crate::algebre::nombre::{Nombre, max, min, simple};
-use crate::algebre::vecteur::Vecteur;
+use crate::algebre::nombre::{max, min, simple};
 use crate::arbre::morceaux::{Coupe, decouper};
 use crate::arbre::noeud::{
     COIN_ABSENT, ENFANTS, FICHE, Fiche, LIMITE_INDICES, Noeud, VIDE, en_mot,
 };
 use crate::arbre::repere::{Repere, double_centre, extremes};
 use crate::cote_a_cote::colonne::somme;
-use crate::objet::ObjetRay;
+use crate::{Nombre, ObjetRay, Vecteur};
 
 /// No tree is made over fewer objects with a box than this, since the list is about as fast
 /// (`DEVELOPING.md`, "Thresholds").

@@ -5,12 +5,10 @@
 //! records carry the index of the object. A walk may ask it twice and finds the same t, and a visit
 //! shows it in the slice where the ray enters it.
 
-use crate::algebre::nombre::{Nombre, min, simple};
-use crate::algebre::vecteur::Vecteur;
+use crate::algebre::nombre::{min, simple};
 use crate::arbre::noeud::Fiche;
 use crate::arbre::repere::Repere;
-use crate::objet::ObjetRay;
-use crate::rayon::Rayon;
+use crate::{Nombre, ObjetRay, Rayon, Vecteur};
 
 /// How much surface one more record must save, where that of an object of the mean size is 1
 /// (`DEVELOPING.md`, "Thresholds").

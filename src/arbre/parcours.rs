@@ -2,7 +2,6 @@
 
 use fearless_simd::Simd;
 
-use crate::algebre::nombre::Nombre;
 use crate::arbre::construction::Arbre;
 use crate::arbre::noeud::ENFANTS;
 use crate::arbre::pile::{Attentes, Pile};
@@ -10,7 +9,7 @@ use crate::arbre::sonde::Sonde;
 use crate::cote_a_cote::colonne::{au_plus, indice_lu, prendre, prendre_le_moindre};
 use crate::question::liste::Liste;
 use crate::question::{Abord, Question};
-use crate::rayon::Rayon;
+use crate::{Nombre, Rayon};
 
 impl<R: Nombre> Arbre<'_, R> {
     /// Asks the objects of this list that may count, and gives the question back: first those without

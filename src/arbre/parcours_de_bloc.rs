@@ -3,7 +3,7 @@
 
 use fearless_simd::prelude::*;
 
-use crate::algebre::nombre::{Nombre, selon};
+use crate::algebre::nombre::selon;
 use crate::arbre::construction::Arbre;
 use crate::arbre::noeud::{ENFANTS, Noeud};
 use crate::arbre::pile::{Attentes, Pile};
@@ -12,7 +12,7 @@ use crate::cote_a_cote::bloc::{Bloc, Offre};
 use crate::cote_a_cote::colonne::au_plus;
 use crate::cote_a_cote::groupe::VOIES;
 use crate::question::liste::Liste;
-use crate::rayon::Rayon;
+use crate::{Nombre, Rayon};
 
 /// Rays that do not stay together ask the whole list side by side if it is short: at most this many
 /// spheres and boxes for each number that a register holds (`DEVELOPING.md`, "Thresholds", as

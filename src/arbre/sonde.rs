@@ -10,12 +10,12 @@
 use fearless_simd::f32x16;
 use fearless_simd::prelude::*;
 
-use crate::algebre::nombre::{Nombre, fois_u, fois_u_simple, max, min, selon, simple};
+use crate::algebre::nombre::{fois_u, fois_u_simple, max, min, selon, simple};
 use crate::arbre::noeud::Noeud;
 use crate::arbre::repere::{JEU_DISTANCE, JEU_F32, JEU_SOUS_NORMAL, Repere};
 use crate::cote_a_cote::colonne::{Aligne, Colonne, Membres};
 use crate::cote_a_cote::groupe::{Groupe, VOIES};
-use crate::rayon::Rayon;
+use crate::{Nombre, Rayon};
 
 pub(crate) struct Sonde<R> {
     axes: [Axe; 3],

@@ -6,13 +6,13 @@ use core::ops::Range;
 use arrayvec::ArrayVec;
 use fearless_simd::Simd;
 
-use crate::algebre::nombre::{Nombre, max};
+use crate::algebre::nombre::max;
 use crate::cote_a_cote::colonne::{LARGEUR, Membres, TOUS, indice_lu, prendre};
 use crate::cote_a_cote::groupe::{Groupe, VOIES};
-use crate::objet::{ObjetRay, par_forme};
+use crate::objet::par_forme;
 use crate::question::liste::Liste;
-use crate::rayon::Rayon;
 use crate::rayon::intersection::Rang;
+use crate::{Nombre, ObjetRay, Rayon};
 
 /// Rays of a block: a tile of 8 × 8 pixels.
 pub(crate) const BLOC: usize = 4 * VOIES;

@@ -5,15 +5,13 @@
 //! ray gets the bits that it gets alone. What the loops call, closures too, is `inline(always)`: a
 //! function that is not inlined would be compiled for the baseline instruction set.
 
-use crate::algebre::nombre::Nombre;
-use crate::algebre::vecteur::Vecteur;
 use crate::cote_a_cote::colonne::{Colonne, LARGEUR, le_plus_grand, prendre};
 use crate::objet::forme::Forme;
-use crate::objet::{ObjetRay, par_forme};
+use crate::objet::par_forme;
 use crate::question::Premier;
-use crate::rayon::Rayon;
 use crate::rayon::flou::Flou;
-use crate::rayon::intersection::{Contact, Intersection, NoIntersection, Rang, Reponse};
+use crate::rayon::intersection::{Contact, Rang};
+use crate::{Intersection, NoIntersection, Nombre, ObjetRay, Rayon, Reponse, Vecteur};
 
 /// The rays of a group: a column has one number of each.
 pub(crate) const VOIES: usize = LARGEUR;

@@ -7,19 +7,15 @@ use core::ops::ControlFlow::Break;
 
 use fearless_simd::{Level, Simd};
 
-use crate::algebre::nombre::Nombre;
-use crate::algebre::vecteur::Vecteur;
-use crate::arbre::construction::{Arbre, PlacesInsuffisantes, construire};
+use crate::arbre::construction::{Arbre, construire};
 use crate::cote_a_cote::bloc::{BLOC, Bloc, Groupes};
 use crate::cote_a_cote::groupe::{Groupe, VOIES};
 use crate::cote_a_cote::niveau::selon_le_niveau;
-use crate::objet::ObjetRay;
 use crate::question::jugement::certificat::Certificat;
 use crate::question::liste::Liste;
 use crate::question::visite::{Montrer, Rangee, Visite};
 use crate::question::{Premier, Question};
-use crate::rayon::Rayon;
-use crate::rayon::intersection::Reponse;
+use crate::{Nombre, ObjetRay, PlacesInsuffisantes, Rayon, Reponse, Vecteur};
 
 /// There are more or fewer places for answers than rays.
 ///

@@ -3,14 +3,12 @@
 pub(crate) mod dalle;
 pub(crate) mod face;
 
-use crate::algebre::nombre::{Nombre, fois_u};
-use crate::algebre::refus::{self, ErreurGeo, coefficient, deplacement, point, taille};
-use crate::algebre::rotation::Rotation;
-use crate::algebre::vecteur::Vecteur;
+use crate::algebre::nombre::fois_u;
+use crate::algebre::refus;
+use crate::algebre::refus::{coefficient, deplacement, point, taille};
 use crate::objet::boite::dalle::{Quotient, dalle, dalles};
 use crate::objet::forme::{Boule, FLOU_PROPRE, Forme};
-use crate::rayon::Rayon;
-use crate::texture::Texture;
+use crate::{ErreurGeo, Nombre, Rayon, Rotation, Texture, Vecteur};
 
 /// The description of a box: its centre, its width, height and depth (along x, y and z before it is
 /// turned) and the rotation that turns it about its centre (handout §2.2).

@@ -5,10 +5,9 @@
 //! [`Forme::t`] finds where the ray enters; [`Forme::conclure`] computes normal and margin, once,
 //! for the first object of a ray.
 
-use crate::algebre::nombre::{Nombre, fois_u, fois_u_simple, max, min, plancher};
-use crate::algebre::vecteur::Vecteur;
-use crate::rayon::Rayon;
+use crate::algebre::nombre::{fois_u, fois_u_simple, max, min, plancher};
 use crate::rayon::intersection::Contact;
+use crate::{Nombre, Rayon, Vecteur};
 
 /// The rounding of a height over a surface, in u·ℓ; the next search sees that height with as much
 /// rounding again (lemmas 8 and 9).

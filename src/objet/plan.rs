@@ -1,14 +1,10 @@
 //! The plane, which is a solid half-space (handout §2.2, §3 and annex A.1).
 
-use crate::algebre::nombre::{Nombre, simple};
-use crate::algebre::refus::{
-    self, ErreurGeo, coefficient, coordonnee, deplacement, point, unitaire,
-};
-use crate::algebre::rotation::Rotation;
-use crate::algebre::vecteur::Vecteur;
+use crate::algebre::nombre::simple;
+use crate::algebre::refus;
+use crate::algebre::refus::{coefficient, coordonnee, deplacement, point, unitaire};
 use crate::objet::forme::{Boule, Forme};
-use crate::rayon::Rayon;
-use crate::texture::Texture;
+use crate::{ErreurGeo, Nombre, Rayon, Rotation, Texture, Vecteur};
 
 /// The description of a half-space: the points z ≤ 0 turned by a rotation, then moved to lie at a
 /// relative distance d from the origin O (handout §2.2). The distance is below 0 if the half-space

@@ -1,12 +1,10 @@
 //! The sphere (handout §2.2, §3 and annex A.2).
 
-use crate::algebre::nombre::{Nombre, fois_u, max, simple};
-use crate::algebre::refus::{self, ErreurGeo, coefficient, deplacement, point, taille};
-use crate::algebre::rotation::Rotation;
-use crate::algebre::vecteur::Vecteur;
+use crate::algebre::nombre::{fois_u, max, simple};
+use crate::algebre::refus;
+use crate::algebre::refus::{coefficient, deplacement, point, taille};
 use crate::objet::forme::{Boule, FLOU_PROPRE, Forme, Hauteur};
-use crate::rayon::Rayon;
-use crate::texture::Texture;
+use crate::{ErreurGeo, Nombre, Rayon, Rotation, Texture, Vecteur};
 
 /// The description of a sphere: its centre and its radius (handout §2.2).
 ///

@@ -1,11 +1,9 @@
 //! Asks a list, one ray at a time: every object, or those that a choice takes. Many rays ask it in
 //! `cote_a_cote/bloc.rs`.
 
-use crate::algebre::nombre::Nombre;
-use crate::objet::ObjetRay;
 use crate::question::choix::Regle;
 use crate::question::{Abord, Question};
-use crate::rayon::Rayon;
+use crate::{Nombre, ObjetRay, Rayon};
 
 /// The objects that are asked: a list, and a choice of its objects. Each keeps its index in the
 /// list.

@@ -3,11 +3,10 @@
 
 use core::ops::ControlFlow::{self, Break, Continue};
 
-use crate::algebre::nombre::{Nombre, fois_u, max, min};
-use crate::objet::ObjetRay;
+use crate::algebre::nombre::{fois_u, max, min};
 use crate::question::{Abord, Premier, Question, entree};
-use crate::rayon::Rayon;
-use crate::rayon::intersection::{Intersection, NoIntersection, Rang, Reponse};
+use crate::rayon::intersection::Rang;
+use crate::{Intersection, NoIntersection, Nombre, ObjetRay, Rayon, Reponse};
 
 /// Takes the index of an object and where the ray enters it, and says whether to go on, up to which
 /// end of the ray.

@@ -3,16 +3,14 @@
 use core::fmt;
 use core::num::NonZero;
 
-use crate::algebre::nombre::Nombre;
 #[cfg(feature = "serde")]
 use crate::algebre::nombre::fois_u;
 #[cfg(feature = "serde")]
 use crate::algebre::refus::exiger;
 use crate::algebre::refus::{ecrit_par, lu_par};
-use crate::algebre::vecteur::Vecteur;
 #[cfg(feature = "serde")]
 use crate::rayon::flou::Flou;
-use crate::texture::Texture;
+use crate::{Nombre, Texture, Vecteur};
 
 /// Where a ray first touches an object: what the handout asks for in §2.3.
 ///

@@ -1,11 +1,10 @@
 //! The rays that start from a hit: mirrors, glass, shadows, lines of sight (handout, later parts).
 
-use crate::algebre::nombre::{Nombre, fois_u, plancher};
-use crate::algebre::refus::{ErreurGeo, exiger, fini, point, positif_ou_nul, refus_nul};
-use crate::algebre::vecteur::Vecteur;
+use crate::algebre::nombre::{fois_u, plancher};
+use crate::algebre::refus::{exiger, fini, point, positif_ou_nul, refus_nul};
 use crate::rayon::flou::Flou;
-use crate::rayon::intersection::Intersection;
-use crate::rayon::{DIRECTION, Rayon, direction_unitaire};
+use crate::rayon::{DIRECTION, direction_unitaire};
+use crate::{ErreurGeo, Intersection, Nombre, Rayon, Vecteur};
 
 /// A direction is turned outward if it lies within this of the tangent plane, in u: no N·D rounds
 /// by more (lemma 9).
