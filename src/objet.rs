@@ -204,7 +204,8 @@ impl<R: Nombre> ObjetRay<R> {
         par_forme!(Self, self, forme => {
             let (contact, de_face) = forme.contact(rayon, t);
             if de_face {
-                Ok(Intersection::new(t, contact, rayon.flou(), forme.texture(), rang))
+                let (flou, texture) = (rayon.flou(), forme.texture());
+                Ok(Intersection { distance: t, contact, flou, texture, rang })
             } else {
                 self.conclure_rare(rayon, t, rang)
             }
@@ -215,7 +216,8 @@ impl<R: Nombre> ObjetRay<R> {
     #[inline(never)]
     fn conclure_rare(&self, rayon: &Rayon<R>, t: R, rang: Rang) -> Reponse<R> {
         par_forme!(Self, self, forme => {
-            Ok(Intersection::new(t, forme.conclure(rayon, t), rayon.flou(), forme.texture(), rang))
+            let (contact, flou) = (forme.conclure(rayon, t), rayon.flou());
+            Ok(Intersection { distance: t, contact, flou, texture: forme.texture(), rang })
         })
     }
 
@@ -293,7 +295,8 @@ impl<R: Nombre> ObjetRay<R> {
                 return Err(NoIntersection);
             }
             let contact = forme.conclure(&retour, -t); // W6
-            Ok(Intersection::new(t, contact, rayon.flou(), forme.texture(), Rang::de(0)))
+            let (flou, texture, rang) = (rayon.flou(), forme.texture(), Rang::de(0));
+            Ok(Intersection { distance: t, contact, flou, texture, rang })
         })
     }
 

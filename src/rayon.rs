@@ -6,7 +6,7 @@ pub(crate) mod secondaire;
 
 use crate::algebre::nombre::{fois_u, simple};
 use crate::algebre::refus;
-use crate::algebre::refus::{ecrit_par, exiger, fini, lu_par, point, refus_nul, unitaire};
+use crate::algebre::refus::{exiger, fini, point, refus_nul, unitaire};
 use crate::rayon::flou::Flou;
 use crate::{ErreurGeo, Nombre, Vecteur};
 
@@ -38,7 +38,7 @@ pub struct Rayon<R = f64> {
     source: Vecteur<R>,
     direction: Vecteur<R>,
     fin: R,
-    flou: Flou<R>,
+    pub(crate) flou: Flou<R>,
 }
 
 impl<R: Nombre> Rayon<R> {
@@ -192,12 +192,6 @@ impl<R: Nombre> Rayon<R> {
         Self { flou, ..self }
     }
 
-    /// The δ to which this ray touches objects at once: 0 inside something, where it touches none.
-    #[inline(always)]
-    pub(crate) fn flou_d_emblee(&self) -> R {
-        self.flou.d_emblee()
-    }
-
     /// S, where the ray starts.
     #[doc(alias = "origin")]
     #[inline(always)]
@@ -303,12 +297,6 @@ impl<R: Nombre> Rayon<R> {
     }
 }
 
-/// δ = 0, where a ray is written without it.
-#[cfg(feature = "serde")]
-fn nul<R: Nombre>() -> R {
-    R::ZERO
-}
-
 /// A direction is kept if |D·D − 1| is at most this, in units of u: an ordinary normalisation
 /// leaves 10 (lemma 1).
 pub const DEJA_UNITAIRE: f64 = 12.0;
@@ -326,29 +314,4 @@ pub(crate) fn direction_unitaire<R: Nombre>(
         return Ok(direction);
     }
     unitaire(champs, direction)
-}
-
-// `fin` is none where there is no end, which not every format can say as a number.
-ecrit_par! {
-    Rayon |Rayon { source, direction, fin, flou }| {
-        source: source,
-        direction: direction,
-        fin: Some(fin).filter(|fin| *fin < R::INFINI),
-        flou: flou.delta(),
-        dedans: u64::from(flou.est_dedans()),
-    }
-}
-
-lu_par! {
-    Rayon {
-        source: Vecteur<R>,
-        direction: Vecteur<R>,
-        fin: Option<R> = "Option::default",
-        flou: R = "nul",
-        dedans: u64 = "u64::default",
-    } => {
-        let rayon = Self::new(source, direction)?.jusqu_a(fin.unwrap_or(R::INFINI))?;
-        // A number above 1 is that of 1.0, which counted the objects.
-        (if dedans > 0 { rayon.dedans() } else { rayon }).avec_flou(flou)
-    }
 }

@@ -33,7 +33,7 @@ impl<R: Nombre> Arbre<'_, R> {
             self.interroger_les_boites(liste, rayon, &mut question);
             return question;
         };
-        let flou = copie.flou_d_emblee() > R::ZERO;
+        let flou = copie.flou.d_emblee() > R::ZERO;
         let jusqu_ici = if flou { sonde.entree_de_la_source() } else { -f32::INFINI };
         let mut attentes = Attentes::new();
         let (mut pile, mut numero) = (Pile(&mut attentes), self.noeuds.len() - 1);

@@ -63,7 +63,7 @@ impl<R: Nombre> Groupe<R> {
             [self.s[0][voie], self.s[1][voie], self.s[2][voie]] = s.into();
             [self.d[0][voie], self.d[1][voie], self.d[2][voie]] = d.into();
             self.t[voie] = rayon.fin();
-            self.flous[voie] = rayon.flou_d_emblee();
+            self.flous[voie] = rayon.flou.d_emblee();
         }
     }
 
@@ -159,14 +159,14 @@ impl<R: Nombre> Groupe<R> {
             let rayon = self.rayon_flou(voie);
             let (entree, source) = forme.t_et_dedans(&rayon);
             *t = entree;
-            dedans |= source & (rayon.flou_d_emblee() > R::ZERO);
+            dedans |= source & (rayon.flou.d_emblee() > R::ZERO);
         }
         if !dedans {
             return;
         }
         for (voie, t) in t.iter_mut().enumerate() {
             let rayon = self.rayon_flou(voie);
-            let d_emblee = (rayon.flou_d_emblee() > R::ZERO) & forme.des_le_depart(&rayon);
+            let d_emblee = (rayon.flou.d_emblee() > R::ZERO) & forme.des_le_depart(&rayon);
             *t = if d_emblee { R::ZERO } else { *t };
         }
     }
@@ -217,7 +217,8 @@ impl<R: Nombre> Groupe<R> {
                 // its fields are stored.
                 if cote_a_cote && contacts.de_face[voie] {
                     let contact = contacts.de(voie);
-                    touches[voie] = Ok(Intersection::new(t, contact, rayon.flou(), texture, rang));
+                    let flou = rayon.flou();
+                    touches[voie] = Ok(Intersection { distance: t, contact, flou, texture, rang });
                 } else {
                     touches[voie] = objet.conclure(rayon, t, rang);
                 }

@@ -37,8 +37,6 @@ use crate::{ErreurGeo, Nombre, Rayon, Rotation, Texture, Vecteur};
 /// ```
 #[doc(alias("box", "cuboid", "obb"))]
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "serde", serde(bound(serialize = "R: Nombre + serde::Serialize")))]
 #[must_use]
 pub struct BoiteGeo<R = f64> {
     centre: Vecteur<R>,
@@ -274,7 +272,7 @@ impl<R: Nombre> BoiteRay<R> {
     #[inline(always)]
     fn profond(&self, rayon: &Rayon<R>, propre: f64) -> R {
         let [a, b, c] = self.demi_longueurs;
-        rayon.flou_d_emblee() + (a + b + c) * fois_u(propre)
+        rayon.flou.d_emblee() + (a + b + c) * fois_u(propre)
     }
 }
 
@@ -356,9 +354,4 @@ impl<R: Nombre> Forme<R> for BoiteRay<R> {
     fn plan_de_depart(&self, rayon: &Rayon<R>) -> (Vecteur<R>, R) {
         self.face_vers(rayon, self.face_de_depart(rayon).1)
     }
-}
-
-refus::lu_par! {
-    BoiteGeo { centre: Vecteur<R>, dimensions: Vecteur<R>, rotation: Rotation<R> = "Rotation::default", texture: Texture }
-    => Self::new(centre, dimensions, rotation, texture)
 }

@@ -64,7 +64,7 @@ pub(crate) trait Forme<R: Nombre>: Copy {
     #[inline(always)]
     fn t_touche(&self, rayon: &Rayon<R>) -> R {
         // Without a δ nobody asks what holds the source.
-        if rayon.flou_d_emblee() == R::ZERO {
+        if rayon.flou.d_emblee() == R::ZERO {
             return self.t(rayon);
         }
         let (t, dedans) = self.t_et_dedans(rayon);

@@ -28,8 +28,6 @@ use crate::{ErreurGeo, Nombre, Rayon, Rotation, Texture, Vecteur};
 /// ```
 #[doc(alias("plane", "half_space"))]
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "serde", serde(bound(serialize = "R: Nombre + serde::Serialize")))]
 #[must_use]
 pub struct PlanGeo<R = f64> {
     rotation: Rotation<R>,
@@ -245,7 +243,7 @@ impl<R: Nombre> Forme<R> for PlanRay<R> {
     #[inline(always)]
     fn peut_entrer(&self, rayon: &Rayon<R>) -> bool {
         let (hauteur, descente) = self.hauteur_et_descente(rayon);
-        (descente > R::ZERO) & (hauteur > -rayon.flou_d_emblee())
+        (descente > R::ZERO) & (hauteur > -rayon.flou.d_emblee())
     }
 
     /// t = (−d − N·S)/(N·D).
@@ -276,9 +274,4 @@ impl<R: Nombre> Forme<R> for PlanRay<R> {
     fn plan_tangent(&self, _: &Rayon<R>, _: R) -> (Vecteur<R>, R) {
         (self.normale, -self.distance)
     }
-}
-
-refus::lu_par! {
-    PlanGeo { rotation: Rotation<R> = "Rotation::default", distance: R, texture: Texture }
-    => Self::new(rotation, distance, texture)
 }

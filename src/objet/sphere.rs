@@ -25,8 +25,6 @@ use crate::{ErreurGeo, Nombre, Rayon, Rotation, Texture, Vecteur};
 /// ```
 #[doc(alias = "ball")]
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "serde", serde(bound(serialize = "R: Nombre + serde::Serialize")))]
 #[must_use]
 pub struct SphereGeo<R = f64> {
     centre: Vecteur<R>,
@@ -227,7 +225,7 @@ impl<R: Nombre> Forme<R> for SphereRay<R> {
     #[inline(always)]
     fn des_le_depart(&self, rayon: &Rayon<R>) -> bool {
         let Termes { sa, puissance, ab2, .. } = self.termes(rayon);
-        let profond = rayon.flou_d_emblee() + self.r * fois_u(FLOU_PROPRE);
+        let profond = rayon.flou.d_emblee() + self.r * fois_u(FLOU_PROPRE);
         // D1: at a depth h the power is −(2r − h)h.
         let pres = puissance > -(self.r + self.r) * profond;
         (puissance <= R::ZERO) & pres & (sa > R::ZERO) & (ab2 > R::ZERO)
@@ -280,8 +278,4 @@ impl<R: Nombre> Forme<R> for SphereRay<R> {
         let b = if perdue { R::INFINI } else { b * (R::UN / r) };
         Hauteur { b, l: nombre(LONGUEUR) * r }
     }
-}
-
-refus::lu_par! {
-    SphereGeo { centre: Vecteur<R>, rayon: R, texture: Texture } => Self::new(centre, rayon, texture)
 }
