@@ -16,7 +16,6 @@ use crate::arbre::noeud::{
     COIN_ABSENT, ENFANTS, FICHE, Fiche, LIMITE_INDICES, Noeud, VIDE, en_mot,
 };
 use crate::arbre::repere::{Repere, double_centre, extremes};
-use crate::cote_a_cote::colonne::somme;
 use crate::{Nombre, ObjetRay, Vecteur};
 
 /// No tree is made over fewer objects with a box than this, since the list is about as fast
@@ -39,8 +38,6 @@ pub struct Arbre<'a, R> {
     pub(crate) feuilles: usize,
     /// The [stored](en_mot) indices of the objects without a box, the last first.
     pub(crate) sans_boite: &'a [f32],
-    /// About what part of all boxes a line crosses, if it crosses one.
-    pub(crate) part_des_croises: f32,
     pub(crate) repere: Repere<R>,
     pub(crate) coupe: Coupe,
 }
@@ -51,7 +48,6 @@ impl<R: Nombre> Arbre<'_, R> {
         noeuds: &[],
         feuilles: 0,
         sans_boite: &[],
-        part_des_croises: 0.0,
         repere: Repere::QUELCONQUE,
         coupe: Coupe::AUCUNE,
     };
@@ -101,14 +97,11 @@ pub(crate) const fn mots(objets: usize) -> usize {
 fn fiches_de_plus(objets: usize, places: usize) -> usize {
     let le_plus = LIMITE_INDICES as usize - 1 - objets;
     let mut plus = (places.saturating_sub(mots(objets)) / FICHE).min(le_plus);
-    loop {
-        // The nodes above the leaves take the place of some.
-        let trop = mots(objets + plus).saturating_sub(places);
-        if trop == 0 {
-            return plus;
-        }
-        plus = plus.saturating_sub(trop.div_ceil(FICHE));
+    // The nodes above the leaves take the place of about one in sixteen.
+    while mots(objets + plus) > places {
+        plus = plus * 15 / 16;
     }
+    plus
 }
 
 /// The tree over these objects, in as many numbers as [`mots`] says or more; one without nodes over
@@ -133,8 +126,7 @@ pub(crate) fn construire<'a, R: Nombre>(
     let (mut nombre, mut fin) = (0, places.len());
     for (indice, objet) in objets.iter().enumerate() {
         let (fiches, _) = places.as_chunks_mut();
-        let quoi = (indice, objet);
-        let morceaux = if coupe.part > 0.0 { coupe.morceaux(repere, quoi) } else { 1 };
+        let morceaux = if plus > 0 { coupe.morceaux(repere, objet) } else { 1 };
         let a_une_boite = decouper(objet, morceaux, repere, |(bas, haut)| {
             fiches[nombre] = [bas.x, bas.y, bas.z, haut.x, haut.y, haut.z, en_mot(indice)];
             nombre += 1;
@@ -154,9 +146,6 @@ pub(crate) fn construire<'a, R: Nombre>(
     let [bas, haut] = extremes(autres.iter().map(double_centre));
     repere.jeu_maximal = JEU_MAXIMAL * 0.5 * (haut - bas).norme_1();
     trier(autres);
-    // Where there are few objects a block asks all of them, whatever this part is.
-    let nombreux = nombre > 3 * ENFANTS;
-    let part_des_croises = if nombreux { part_des_croises(&fiches[..nombre]) } else { 0.0 };
 
     let (noeuds, _) = places.as_chunks_mut().0.as_chunks_mut();
     let feuilles = nombre.div_ceil(ENFANTS);
@@ -181,7 +170,7 @@ pub(crate) fn construire<'a, R: Nombre>(
     }
     // The root is the last.
     let noeuds = &noeuds[..=etage.start];
-    Ok(Arbre { noeuds, feuilles, sans_boite, part_des_croises, repere, coupe })
+    Ok(Arbre { noeuds, feuilles, sans_boite, repere, coupe })
 }
 
 /// With a slack of this part of the width of a scene or more, boxes tell no objects apart.
@@ -231,28 +220,6 @@ fn trier(fiches: &mut [Fiche]) {
     let (avant, apres) = fiches.split_at_mut(coupe);
     trier(avant);
     trier(apres);
-}
-
-/// What part of these boxes a line that crosses one of them crosses, in the mean over sixteen that
-/// are spread evenly: a random line through A crosses a box within A with the chance of that box's
-/// surface over A's.
-fn part_des_croises(fiches: &[Fiche]) -> f32 {
-    let temoins = || fiches.iter().step_by(fiches.len().div_ceil(ENFANTS));
-    let [x0, y0, z0, x1, y1, z1, _] = &en_colonnes(temoins());
-    let surface = |x: f32, y: f32, z: f32| x * y + y * z + z * x;
-    let part = |a: &Fiche| {
-        let mut communes = [0.0; ENFANTS];
-        for (i, commune) in communes.iter_mut().enumerate() {
-            let x = max(min(a[3], x1[i]) - max(a[0], x0[i]), 0.0);
-            let y = max(min(a[4], y1[i]) - max(a[1], y0[i]), 0.0);
-            let z = max(min(a[5], z1[i]) - max(a[2], z0[i]), 0.0);
-            *commune = surface(x, y, z);
-        }
-        // Both surfaces may underflow to 0.
-        somme(communes) / max(surface(a[3] - a[0], a[4] - a[1], a[5] - a[2]), f32::MIN_POSITIVE)
-    };
-    let paires = temoins().len() * temoins().len();
-    temoins().map(part).sum::<f32>() / paires as f32
 }
 
 /// These records, sixteen at most, as columns.

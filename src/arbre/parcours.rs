@@ -3,6 +3,7 @@
 use fearless_simd::Simd;
 
 use crate::arbre::construction::Arbre;
+use crate::arbre::morceaux::Coupe;
 use crate::arbre::noeud::ENFANTS;
 use crate::arbre::pile::{Attentes, Pile};
 use crate::arbre::sonde::Sonde;
@@ -54,12 +55,10 @@ impl<R: Nombre> Arbre<'_, R> {
                     let abord = Abord::DansSaBoite { entree: entrees.0[enfant], jusqu_ici };
                     if let Some(objet) = liste.objet(indice)
                         && let Some(t) = question.voir(&copie, objet, indice, abord)
-                        && question.retenir(t, indice, |t| {
-                            self.coupe.part == 0.0 || {
-                                let fiche = noeud.map(|colonne| colonne[enfant]);
-                                self.coupe.est_ici(self.repere, (indice, objet), fiche, &copie, t)
-                            }
-                        })
+                        && (!Q::CHACUN_UNE_FOIS
+                            || self.coupe == Coupe::AUCUNE
+                            || self.coupe.est_ici(self.repere, (noeud, enfant), objet, &copie, t))
+                        && question.retenir(t, indice)
                     {
                         if question.est_reglee() {
                             return question;

@@ -189,7 +189,7 @@ impl Bornes {
         let [haut, bas] = [f32::NEG_INFINITY, f32::INFINITY].map(|x| colonne([x; VOIES]));
         let ([mut s1, mut d1], [mut s0, mut d0]) = ([haut; 2], [bas; 2]);
         for groupe in groupes {
-            let (sources, directions) = (&groupe.sources()[AXE], &groupe.directions()[AXE]);
+            let (sources, directions) = (&groupe.s[AXE], &groupe.d[AXE]);
             let (mut s, mut d) = ([0.0; VOIES], [0.0; VOIES]);
             for voie in 0..VOIES {
                 let y = repere.longueur(sources[voie] - milieu);

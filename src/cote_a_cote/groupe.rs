@@ -24,8 +24,8 @@ const COTE_A_COTE: u32 = 3;
 /// and its rank. Each column fills cache lines.
 #[repr(align(64))]
 pub(crate) struct Groupe<R> {
-    s: [Colonne<R>; 3],
-    d: [Colonne<R>; 3],
+    pub(crate) s: [Colonne<R>; 3],
+    pub(crate) d: [Colonne<R>; 3],
     /// To which δ each ray touches at once.
     flous: Colonne<R>,
     t: Colonne<R>,
@@ -79,18 +79,6 @@ impl<R: Nombre> Groupe<R> {
     #[inline(always)]
     fn rayon_flou(&self, voie: usize) -> Rayon<R> {
         self.rayon(voie).sachant(Flou::de(self.flous[voie]))
-    }
-
-    /// The coordinates of the sources.
-    #[inline(always)]
-    pub(crate) fn sources(&self) -> &[Colonne<R>; 3] {
-        &self.s
-    }
-
-    /// The coordinates of the directions.
-    #[inline(always)]
-    pub(crate) fn directions(&self) -> &[Colonne<R>; 3] {
-        &self.d
     }
 
     /// The first object of one ray so far.

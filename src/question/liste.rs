@@ -26,6 +26,11 @@ impl<'a, R: Nombre> Liste<'a, R> {
         self.objets.get(indice).filter(|_| self.prend(indice))
     }
 
+    /// The index of every object, any of which may hold the source of a ray.
+    pub(crate) fn toute(&self) -> impl Iterator<Item = (usize, bool)> + use<R> {
+        (0..self.objets.len()).map(|indice| (indice, true))
+    }
+
     /// Asks every object.
     #[inline(always)]
     pub(crate) fn interroger<Q: Question<R>>(&self, rayon: &Rayon<R>, question: &mut Q) {
@@ -48,8 +53,7 @@ impl<'a, R: Nombre> Liste<'a, R> {
             let Some(t) = question.voir(&copie, objet, indice, Abord::Inconnu) else { continue };
             // The choice is asked after the object: asked before it, a list of six without a choice
             // takes up to 1.07 times as long (measured).
-            if self.prend(indice) && question.retenir(t, indice, |_| true) && question.est_reglee()
-            {
+            if self.prend(indice) && question.retenir(t, indice) && question.est_reglee() {
                 return true;
             }
         }

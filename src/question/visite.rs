@@ -24,6 +24,7 @@ impl<R: Nombre, F: FnMut(usize, R) -> ControlFlow<(), R>, const D_UN_POINT: bool
     for Visite<R, F, D_UN_POINT>
 {
     const UN_SUFFIT: bool = D_UN_POINT;
+    const CHACUN_UNE_FOIS: bool = true;
 
     fn limite(&self) -> R {
         // A ray up to distance 0 crosses the boxes that hold its source.
@@ -39,10 +40,7 @@ impl<R: Nombre, F: FnMut(usize, R) -> ControlFlow<(), R>, const D_UN_POINT: bool
     }
 
     #[inline(always)]
-    fn retenir(&mut self, t: R, indice: usize, ici: impl FnOnce(R) -> bool) -> bool {
-        if !ici(t) {
-            return false;
-        }
+    fn retenir(&mut self, t: R, indice: usize) -> bool {
         let suite = (self.montrer)(indice, t);
         self.fin = suite.continue_value().map_or(R::ZERO, |fin| min(fin, self.fin));
         true

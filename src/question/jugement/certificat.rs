@@ -77,7 +77,7 @@ impl<R: Nombre> Question<R> for Certificat<'_, R> {
     }
 
     #[inline(always)]
-    fn retenir(&mut self, _: R, _: usize, _: impl FnOnce(R) -> bool) -> bool {
+    fn retenir(&mut self, _: R, _: usize) -> bool {
         self.doute = true;
         true
     }
