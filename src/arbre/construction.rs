@@ -38,6 +38,8 @@ pub struct Arbre<'a, R> {
     pub(crate) feuilles: usize,
     /// The [stored](en_mot) indices of the objects without a box, the last first.
     pub(crate) sans_boite: &'a [f32],
+    /// About what part of all boxes a line crosses, if it crosses one.
+    pub(crate) part_des_croises: f32,
     pub(crate) repere: Repere<R>,
     pub(crate) coupe: Coupe,
 }
@@ -48,6 +50,7 @@ impl<R: Nombre> Arbre<'_, R> {
         noeuds: &[],
         feuilles: 0,
         sans_boite: &[],
+        part_des_croises: 0.0,
         repere: Repere::QUELCONQUE,
         coupe: Coupe::AUCUNE,
     };
@@ -146,6 +149,9 @@ pub(crate) fn construire<'a, R: Nombre>(
     let [bas, haut] = extremes(autres.iter().map(double_centre));
     repere.jeu_maximal = JEU_MAXIMAL * 0.5 * (haut - bas).norme_1();
     trier(autres);
+    // Where there are few objects a block asks all of them, whatever this part is.
+    let nombreux = nombre > 3 * ENFANTS;
+    let part_des_croises = if nombreux { part_des_croises(&fiches[..nombre]) } else { 0.0 };
 
     let (noeuds, _) = places.as_chunks_mut().0.as_chunks_mut();
     let feuilles = nombre.div_ceil(ENFANTS);
@@ -170,7 +176,7 @@ pub(crate) fn construire<'a, R: Nombre>(
     }
     // The root is the last.
     let noeuds = &noeuds[..=etage.start];
-    Ok(Arbre { noeuds, feuilles, sans_boite, repere, coupe })
+    Ok(Arbre { noeuds, feuilles, sans_boite, part_des_croises, repere, coupe })
 }
 
 /// With a slack of this part of the width of a scene or more, boxes tell no objects apart.
@@ -220,6 +226,22 @@ fn trier(fiches: &mut [Fiche]) {
     let (avant, apres) = fiches.split_at_mut(coupe);
     trier(avant);
     trier(apres);
+}
+
+/// What part of these boxes a line that crosses one of them crosses, in the mean over sixteen that
+/// are spread evenly: a random line through A crosses a box within A with the chance of that box's
+/// surface over A's.
+fn part_des_croises(fiches: &[Fiche]) -> f32 {
+    let temoins = || fiches.iter().step_by(fiches.len().div_ceil(ENFANTS));
+    let surface = |[x, y, z]: [f32; 3]| x * y + y * z + z * x;
+    let commune = |a: &Fiche, b: &Fiche| {
+        let cote = |axe| max(min(a[axe + 3], b[axe + 3]) - max(a[axe], b[axe]), 0.0);
+        surface([0, 1, 2].map(cote))
+    };
+    // The surface of a witness may underflow to 0, and with it that of what it shares.
+    let part =
+        |a| temoins().map(|b| commune(a, b)).sum::<f32>() / max(commune(a, a), f32::MIN_POSITIVE);
+    temoins().map(part).sum::<f32>() / (temoins().len() * temoins().len()) as f32
 }
 
 /// These records, sixteen at most, as columns.

@@ -14,10 +14,6 @@ use crate::{Nombre, ObjetRay, Rayon, Vecteur};
 /// (`DEVELOPING.md`, "Thresholds").
 const PRIX_D_UNE_FICHE: f32 = 0.03;
 
-/// Among fewer objects than this none is cut: rays of a batch that stay together ask them all, and
-/// pieces make their list longer (`DEVELOPING.md`, "Thresholds").
-const OBJETS_EN_MORCEAUX: usize = 256;
-
 /// Half of the least width of a slice in the frame of the tree (lemma 21).
 const DEMI_TRANCHE_MINIMALE: f32 = 1.0 / 65_536.0;
 
@@ -32,30 +28,32 @@ impl Coupe {
     /// Each object in one piece.
     pub(crate) const AUCUNE: Self = Self { prix: f32::INFINITY };
 
-    /// The least price from [`PRIX_D_UNE_FICHE`] on, in steps, at which these objects take at most
-    /// this many records beyond one for each.
+    /// The least price from [`PRIX_D_UNE_FICHE`] on, nearly, at which these objects take at most this
+    /// many records beyond one for each.
     pub(crate) fn new<R: Nombre>(
         objets: &[ObjetRay<R>],
         repere: Repere<R>,
         restent: usize,
     ) -> Self {
-        if objets.len() < OBJETS_EN_MORCEAUX {
-            return Self::AUCUNE;
-        }
         let boites = objets.iter().filter_map(ObjetRay::boite_englobante);
         // A mean of roots, in which a sky or a ball for a ground counts for little.
         let tailles: f32 = boites.map(|(_, h)| repere.surface(h).racine()).sum();
         let taille = tailles / objets.len() as f32;
-        // What has less surface than the least price is as narrow as a slice may be.
+        // What has less surface than the least price is about as narrow as a slice may be.
         let prix_minimal = DEMI_TRANCHE_MINIMALE * DEMI_TRANCHE_MINIMALE;
-        let mut coupe = Self { prix: max(PRIX_D_UNE_FICHE * taille * taille, prix_minimal) };
-        let de_plus = |coupe: Self| -> usize {
-            objets.iter().map(|objet| coupe.morceaux(repere, objet) - 1).sum()
+        let prix = max(PRIX_D_UNE_FICHE * taille * taille, prix_minimal);
+        let suffit = |prix| {
+            let de_plus = |objet| Self { prix }.morceaux(repere, objet) - 1;
+            objets.iter().map(de_plus).sum::<usize>() <= restent
         };
-        while de_plus(coupe) > restent {
-            coupe.prix *= 1.25;
+        // No object has so much surface that it is cut at a price of 1.
+        let (mut trop_bas, mut assez) = if suffit(prix) { (prix, prix) } else { (prix, 1.0) };
+        // Twelve halvings leave the price half a percent open.
+        for _ in 0..12 {
+            let milieu = (trop_bas * assez).racine();
+            *(if suffit(milieu) { &mut assez } else { &mut trop_bas }) = milieu;
         }
-        coupe
+        Self { prix: assez }
     }
 
     /// Into how many pieces this object is cut. The boxes of k pieces have the surface a/k + b + ck,
@@ -68,7 +66,7 @@ impl Coupe {
             (a / (c + self.prix)).racine(),
             repere.distance(axe.longueur()) / DEMI_TRANCHE_MINIMALE,
         );
-        max(k, 1.0) as usize
+        max(k + 0.5, 1.0) as usize
     }
 
     /// Whether the ray enters this object at distance `t` in the slice of this child of a leaf: that

@@ -21,6 +21,10 @@ use crate::{Nombre, Rayon};
 /// for what follows).
 const OBJETS_PAR_NOMBRE: usize = 6;
 
+/// In a heap a longer list will do: for each number that a register holds, longer by this part of the
+/// number of boxes that a ray crosses.
+const PART_DES_CROISES: f32 = 0.6;
+
 /// Fewer rays than this are asked one by one: eight in no order take up to twice as long together.
 const RAYONS_D_UN_BLOC: usize = 12;
 
@@ -79,8 +83,8 @@ impl<R: Nombre> Arbre<'_, R> {
                 if rayons.len() < RAYONS_D_UN_BLOC {
                     return None;
                 }
-                let ailleurs = vont_ailleurs(rayons);
-                let vaut_la_liste = || self.mieux_vaut_la_liste::<S>(liste, rayons);
+                let (ailleurs, un_suffit) = (vont_ailleurs(rayons), bloc.un_suffit);
+                let vaut_la_liste = || self.mieux_vaut_la_liste(simd, liste, un_suffit, rayons);
                 let mut en_liste = ailleurs > 0 && vaut_la_liste();
                 if ailleurs > AILLEURS && !en_liste {
                     return None;
@@ -175,11 +179,34 @@ impl<R: Nombre> Arbre<'_, R> {
     }
 
     /// Whether it takes less time to ask all objects for these rays side by side than to send the
-    /// rays through the tree one by one: where there are few, or boxes tell no objects apart.
-    fn mieux_vaut_la_liste<S: Simd>(&self, liste: &Liste<'_, R>, rayons: &[Rayon<R>]) -> bool {
+    /// rays through the tree one by one. It does if there are few objects, in a heap, most of whose
+    /// boxes a ray crosses, and where boxes tell no objects apart.
+    fn mieux_vaut_la_liste<S: Simd>(
+        &self,
+        simd: S,
+        liste: &Liste<'_, R>,
+        un_suffit: bool,
+        rayons: &[Rayon<R>],
+    ) -> bool {
         let avec_boite = liste.objets.len() - self.sans_boite.len();
-        avec_boite <= OBJETS_PAR_NOMBRE * nombres_par_registre::<R, S>()
+        let nombres = nombres_par_registre::<R, S>();
+        let de_trop = avec_boite.saturating_sub(OBJETS_PAR_NOMBRE * nombres) as f32;
+        // A shadow ray asks few of the objects that it crosses.
+        let croises = if un_suffit { 0.0 } else { self.part_des_croises * avec_boite as f32 };
+        let en_moins = croises * PART_DES_CROISES * nombres as f32;
+        // Only rays that meet the heap count.
+        de_trop == 0.0
+            || de_trop <= en_moins && de_trop <= en_moins * self.part_qui_entre(simd, rayons)
             || Sonde::new(&rayons[0], self.repere).is_none()
+    }
+
+    /// What part of the children of the root one of these rays crosses, about.
+    fn part_qui_entre<S: Simd>(&self, simd: S, rayons: &[Rayon<R>]) -> f32 {
+        let Some(racine) = self.noeuds.last() else { return 0.0 };
+        let croises = self.croises_par_les_temoins(simd, rayons, R::INFINI, racine);
+        let enfants = au_plus(simd, &racine[0], &racine[3]).count_ones();
+        let temoins = combien_de_temoins(nombres_par_registre::<R, S>());
+        croises as f32 / (temoins as u32 * enfants) as f32
     }
 
     /// How many children of this node [some](combien_de_temoins) of these rays, evenly spread,
