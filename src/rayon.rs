@@ -225,9 +225,10 @@ impl<R: Nombre> Rayon<R> {
     ///   a plate thinner than δ, or less than δ and 22u of the half-lengths from a face across
     ///   another axis that the ray leaves by or goes along.
     ///
-    /// **Closed rooms.** No chain of outward rays from hits, and of turns in mid-air, leaves a closed
-    /// room whose walls are thicker than 2(δ + o) and reach as far into each other, with the δ of the
-    /// ray that would start at the next hit. In `f32` a wall of 10 m has an o of 0.03 mm.
+    /// **Closed rooms.** No chain of outward rays from hits, and of turns in mid-air, that starts where
+    /// no object [contains](crate::Monde::contient) the source leaves a closed room whose walls are
+    /// thicker than 2(δ + o) and reach as far into each other, with the δ of the ray that would start
+    /// at the next hit. In `f32` a wall of 10 m has an o of 0.03 mm.
     ///
     /// δ is 0 for a ray from [`new`](Self::new), which takes its source as it stands. It is finite, and
     /// grows with each bounce (`docs/precision.md`, "Closed rooms").
