@@ -3,7 +3,7 @@
 pub(crate) mod reponses;
 
 use core::fmt;
-use core::ops::ControlFlow::{self, Continue};
+use core::ops::ControlFlow::{self, Break, Continue};
 
 use fearless_simd::Level;
 
@@ -540,7 +540,7 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     #[doc(alias("contains", "inside", "point_query"))]
     #[must_use]
     pub fn contient(&self, point: Vecteur<R>) -> bool {
-        R::lancer_rayon_contient(&self.vue(), point)
+        R::lancer_rayon_contenants(&self.vue(), point, &mut |_, _| Break(()))
     }
 
     /// Calls `voir` once, in no order, with the index of every object that

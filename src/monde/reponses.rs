@@ -3,7 +3,6 @@
 //! crate is.
 
 use core::fmt;
-use core::ops::ControlFlow::Break;
 
 use fearless_simd::{Level, Simd};
 
@@ -314,7 +313,7 @@ reponses! {
     }
 
     fn lancer_rayon_visiter(vue: &Vue<'_, R>, rayon: &Rayon<R>, montrer: Montrer<'_, R>) -> () {
-        demander(vue, rayon, Visite::<_, _, false> { fin: rayon.fin(), montrer }, |_, _, _| ());
+        demander(vue, rayon, Visite::<_, false> { fin: rayon.fin(), montrer }, |_, _, _| ());
     }
 
     fn lancer_rayon_dans_l_ordre(vue: &Vue<'_, R>, rayon: &Rayon<R>, touches: &mut [Reponse<R>]) -> usize {
@@ -323,18 +322,10 @@ reponses! {
         rangee.conclure(rayon, vue.liste.objets)
     }
 
-    fn lancer_rayon_contient(vue: &Vue<'_, R>, point: Vecteur<R>) -> bool {
-        let visite = Visite::<_, _, true> { fin: R::INFINI, montrer: |_, _| Break(()) };
-        demander(vue, &du_point(point), visite, |visite, _, _| visite.fin <= R::ZERO)
+    fn lancer_rayon_contenants(vue: &Vue<'_, R>, point: Vecteur<R>, montrer: Montrer<'_, R>) -> bool {
+        let visite = Visite::<_, true> { fin: R::INFINI, montrer };
+        // The direction does not matter, and the point need not be finite.
+        let rayon = Rayon::sans_fin(point, Vecteur::Z);
+        demander(vue, &rayon, visite, |visite, _, _| visite.est_reglee())
     }
-
-    fn lancer_rayon_contenants(vue: &Vue<'_, R>, point: Vecteur<R>, montrer: Montrer<'_, R>) -> () {
-        let visite = Visite::<_, _, true> { fin: R::INFINI, montrer };
-        demander(vue, &du_point(point), visite, |_, _, _| ());
-    }
-}
-
-/// A ray from this point, which need not be finite; its direction does not matter.
-fn du_point<R: Nombre>(point: Vecteur<R>) -> Rayon<R> {
-    Rayon::sans_fin(point, Vecteur::new(R::ZERO, R::ZERO, R::UN))
 }
