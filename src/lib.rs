@@ -131,6 +131,8 @@ extern crate std;
 mod algebre;
 mod arbre;
 mod cote_a_cote;
+#[cfg(feature = "serde")]
+mod ecrit;
 mod monde;
 mod objet;
 #[doc(hidden)]

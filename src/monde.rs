@@ -3,20 +3,19 @@
 pub(crate) mod reponses;
 
 use core::fmt;
-use core::ops::ControlFlow::{self, Continue};
+use core::ops::ControlFlow::{self, Break, Continue};
 
 use fearless_simd::Level;
 
-use crate::algebre::nombre::Nombre;
-use crate::algebre::vecteur::Vecteur;
-use crate::arbre::construction::{Arbre, PlacesInsuffisantes, mots};
+use crate::arbre::construction::{Arbre, mots};
 use crate::cote_a_cote::niveau::meilleur_niveau;
-use crate::monde::reponses::{LongueursDifferentes, Reel, Repond, Reponses, Vue};
-use crate::objet::{Etendue, ObjetRay};
-use crate::question::choix::{Choix, Parmi, Sans, Tous};
+use crate::monde::reponses::Vue;
 use crate::question::liste::Liste;
-use crate::rayon::Rayon;
-use crate::rayon::intersection::{Reponse, exiger_des_rangs};
+use crate::rayon::intersection::exiger_des_rangs;
+use crate::{
+    Choix, Etendue, LongueursDifferentes, Nombre, ObjetRay, Parmi, PlacesInsuffisantes, Rayon,
+    Reel, Reponse, Sans, Tous, Vecteur,
+};
 
 /// What rays ask, one by one or in batches: a list of objects, or a choice of them, with or without
 /// a tree of bounding boxes.
@@ -118,7 +117,7 @@ impl<R: Nombre, C> fmt::Debug for Monde<'_, R, C> {
 pub fn premiere_intersection<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> Reponse<R> {
     exiger_des_rangs(objets.len());
     let liste = Liste { objets, choix: None };
-    Reponses::<R>::premiere_d_une_liste(&liste, meilleur_niveau(), rayon)
+    R::lancer_rayon_premiere_d_une_liste(&liste, meilleur_niveau(), rayon)
 }
 
 /// How many numbers [`Monde::new`] needs to be lent for this many objects, in either scalar: where
@@ -161,7 +160,7 @@ impl<'a, R: Reel> Monde<'a, R> {
         objets: &'a [ObjetRay<R>],
         places: &'a mut [f32],
     ) -> Result<Self, PlacesInsuffisantes> {
-        Ok(Self { arbre: Reponses::<R>::arbre(objets, places, false)?, ..Self::de_liste(objets) })
+        Ok(Self { arbre: R::lancer_rayon_arbre(objets, places, false)?, ..Self::de_liste(objets) })
     }
 
     /// Builds a tree in which **long boxes that stand askew**, such as poles, planks and beams, are
@@ -195,7 +194,7 @@ impl<'a, R: Reel> Monde<'a, R> {
         objets: &'a [ObjetRay<R>],
         places: &'a mut [f32],
     ) -> Result<Self, PlacesInsuffisantes> {
-        Ok(Self { arbre: Reponses::<R>::arbre(objets, places, true)?, ..Self::de_liste(objets) })
+        Ok(Self { arbre: R::lancer_rayon_arbre(objets, places, true)?, ..Self::de_liste(objets) })
     }
 
     /// Takes this list as it is: nothing is built, no memory is needed, and every object is tested.
@@ -325,9 +324,9 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     pub fn premiere_intersection(&self, rayon: &Rayon<R>) -> Reponse<R> {
         // Decided here, so that a list that was not stored costs nothing.
         if self.arbre.noeuds.is_empty() {
-            return Reponses::<R>::premiere_d_une_liste(&self.liste(), self.niveau, rayon);
+            return R::lancer_rayon_premiere_d_une_liste(&self.liste(), self.niveau, rayon);
         }
-        Reponses::<R>::premiere(&self.vue(), rayon)
+        R::lancer_rayon_premiere(&self.vue(), rayon)
     }
 
     /// The first object that each ray enters:
@@ -359,7 +358,7 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
         rayons: &[Rayon<R>],
         touches: &mut [Reponse<R>],
     ) -> Result<(), LongueursDifferentes> {
-        Reponses::<R>::premieres(&self.vue(), rayons, touches)
+        R::lancer_rayon_premieres(&self.vue(), rayons, touches)
     }
 
     /// Whether anything stands before the end of the ray, where the light is: the shadow of the
@@ -398,9 +397,9 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     #[must_use]
     pub fn est_occulte(&self, rayon: &Rayon<R>) -> bool {
         if self.arbre.noeuds.is_empty() {
-            return Reponses::<R>::occulte_d_une_liste(&self.liste(), self.niveau, rayon);
+            return R::lancer_rayon_occulte_d_une_liste(&self.liste(), self.niveau, rayon);
         }
-        Reponses::<R>::occulte(&self.vue(), rayon)
+        R::lancer_rayon_occulte(&self.vue(), rayon)
     }
 
     /// Whether anything stands before the end of each ray: the answers of
@@ -431,7 +430,7 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
         rayons: &[Rayon<R>],
         occultes: &mut [bool],
     ) -> Result<(), LongueursDifferentes> {
-        Reponses::<R>::occultes(&self.vue(), rayons, occultes)
+        R::lancer_rayon_occultes(&self.vue(), rayons, occultes)
     }
 
     /// Writes the objects that the ray enters before its end, the nearest first; of two at the same
@@ -465,7 +464,7 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// ```
     #[doc(alias("all_hits", "multi_hit", "k_nearest", "in_order", "transparency", "picking"))]
     pub fn dans_l_ordre(&self, rayon: &Rayon<R>, touches: &mut [Reponse<R>]) -> usize {
-        Reponses::<R>::dans_l_ordre(&self.vue(), rayon, touches)
+        R::lancer_rayon_dans_l_ordre(&self.vue(), rayon, touches)
     }
 
     /// Calls `voir` once for every object that the ray enters before its end, in no order, with the
@@ -519,7 +518,7 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// ```
     #[doc(alias("any_hit", "visitor", "for_each_hit", "count"))]
     pub fn visiter(&self, rayon: &Rayon<R>, mut voir: impl FnMut(usize, R) -> ControlFlow<(), R>) {
-        Reponses::<R>::visiter(&self.vue(), rayon, &mut voir);
+        R::lancer_rayon_visiter(&self.vue(), rayon, &mut voir);
     }
 
     /// Whether this point is in some object or on its surface, as [`ObjetRay::contient`] says.
@@ -541,7 +540,7 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     #[doc(alias("contains", "inside", "point_query"))]
     #[must_use]
     pub fn contient(&self, point: Vecteur<R>) -> bool {
-        Reponses::<R>::contient(&self.vue(), point)
+        R::lancer_rayon_contenants(&self.vue(), point, &mut |_, _| Break(()))
     }
 
     /// Calls `voir` once, in no order, with the index of every object that
@@ -549,7 +548,7 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// [`parmi`](Self::parmi) and [`contient`](Self::contient).
     #[doc(alias("contains", "inside", "point_query"))]
     pub fn contenants(&self, point: Vecteur<R>, mut voir: impl FnMut(usize)) {
-        Reponses::<R>::contenants(&self.vue(), point, &mut |indice, _| {
+        R::lancer_rayon_contenants(&self.vue(), point, &mut |indice, _| {
             voir(indice);
             Continue(R::INFINI)
         });
@@ -590,7 +589,7 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     #[doc(alias("is_certain", "certify", "certificate"))]
     #[must_use]
     pub fn certifie(&self, rayon: &Rayon<R>, reponse: &Reponse<R>) -> bool {
-        Reponses::<R>::certifie(&self.vue(), rayon, reponse)
+        R::lancer_rayon_certifie(&self.vue(), rayon, reponse)
     }
 
     /// A box along the axes that holds all of these objects except the half-spaces, which no box

@@ -7,17 +7,13 @@ pub(crate) mod forme;
 pub(crate) mod plan;
 pub(crate) mod sphere;
 
-use crate::algebre::nombre::{Nombre, fois_u, max, min};
-use crate::algebre::refus::ErreurGeo;
-use crate::algebre::rotation::Rotation;
-use crate::algebre::vecteur::Vecteur;
-use crate::objet::boite::{BoiteGeo, BoiteRay};
+use crate::algebre::nombre::{fois_u, max, min};
 use crate::objet::forme::{Boule, Forme};
-use crate::objet::plan::{PlanGeo, PlanRay};
-use crate::objet::sphere::{SphereGeo, SphereRay};
-use crate::rayon::Rayon;
-use crate::rayon::intersection::{Intersection, NoIntersection, Rang, Reponse};
-use crate::texture::Texture;
+use crate::rayon::intersection::Rang;
+use crate::{
+    BoiteGeo, BoiteRay, ErreurGeo, Intersection, NoIntersection, Nombre, PlanGeo, PlanRay, Rayon,
+    Reponse, Rotation, SphereGeo, SphereRay, Texture, Vecteur,
+};
 
 /// `par_forme!(ObjetRay, objet, forme => expression)` is the expression for the shape in `objet`.
 /// All of the crate chooses between shapes in this way, except where it judges
@@ -208,7 +204,8 @@ impl<R: Nombre> ObjetRay<R> {
         par_forme!(Self, self, forme => {
             let (contact, de_face) = forme.contact(rayon, t);
             if de_face {
-                Ok(Intersection::new(t, contact, rayon.flou(), forme.texture(), rang))
+                let (flou, texture) = (rayon.flou(), forme.texture());
+                Ok(Intersection { distance: t, contact, flou, texture, rang })
             } else {
                 self.conclure_rare(rayon, t, rang)
             }
@@ -219,7 +216,8 @@ impl<R: Nombre> ObjetRay<R> {
     #[inline(never)]
     fn conclure_rare(&self, rayon: &Rayon<R>, t: R, rang: Rang) -> Reponse<R> {
         par_forme!(Self, self, forme => {
-            Ok(Intersection::new(t, forme.conclure(rayon, t), rayon.flou(), forme.texture(), rang))
+            let (contact, flou) = (forme.conclure(rayon, t), rayon.flou());
+            Ok(Intersection { distance: t, contact, flou, texture: forme.texture(), rang })
         })
     }
 
@@ -297,7 +295,8 @@ impl<R: Nombre> ObjetRay<R> {
                 return Err(NoIntersection);
             }
             let contact = forme.conclure(&retour, -t); // W6
-            Ok(Intersection::new(t, contact, rayon.flou(), forme.texture(), Rang::de(0)))
+            let (flou, texture, rang) = (rayon.flou(), forme.texture(), Rang::de(0));
+            Ok(Intersection { distance: t, contact, flou, texture, rang })
         })
     }
 

@@ -4,15 +4,13 @@
 
 use fearless_simd::Level;
 
-use crate::algebre::nombre::Nombre;
 use crate::arbre::sonde::Sonde;
-use crate::cote_a_cote::bloc::{Bloc, Groupes};
+use crate::cote_a_cote::bloc::{Bloc, GROUPES, Groupes};
 use crate::cote_a_cote::colonne::LARGEUR;
 use crate::cote_a_cote::groupe::VOIES;
 use crate::cote_a_cote::niveau::{meilleur_niveau, selon_le_niveau};
-use crate::monde::Monde;
-use crate::monde::reponses::{Reel, Vue};
-use crate::rayon::Rayon;
+use crate::monde::reponses::Vue;
+use crate::{Monde, Nombre, Rayon, Reel};
 
 pub use crate::algebre::double::{BORNE_DOUBLE, Double, Intervalle, PERTE_DOUBLE, PRODUIT_DOUBLE};
 pub use crate::algebre::nombre::{PLANCHER, Scelle};
@@ -70,9 +68,10 @@ pub fn groupes_au_bout<R: Reel>(monde: &Monde<'_, R>, rayons: &[Rayon<R>]) -> us
     let Vue { liste, arbre, niveau, .. } = monde.vue();
     let mut groupes = Groupes::new_const();
     let bloc = &mut Bloc::new(&mut groupes, false);
-    let restent: Option<u32> =
+    let finis: Option<[bool; GROUPES]> =
         selon_le_niveau!(niveau, true, simd => arbre.chercher_ensemble(simd, &liste, bloc, rayons));
-    restent.map_or(0, |restent| rayons.len().div_ceil(VOIES) - restent.count_ones() as usize)
+    let groupes = &finis.unwrap_or_default()[..rayons.len().div_ceil(VOIES)];
+    groupes.iter().filter(|fini| **fini).count()
 }
 
 /// What a probe says of the children of a node: those that a ray may enter before a distance, one
@@ -94,8 +93,8 @@ pub fn sonder<R: Reel>(
     let mut tous = Bloc::new(&mut groupes, false);
     tous.charger(rayons);
     fearless_simd::dispatch!(niveau, simd => {
-        let depart = Sonde::depart_commun(tous.groupes(), repere);
-        let sonde = Sonde::de_groupes(simd, tous.groupes(), depart, repere).0?;
+        let depart = Sonde::depart_commun(tous.demandes(), repere);
+        let sonde = Sonde::de_groupes(simd, tous.demandes(), depart, repere).0?;
         for rayon in rayons {
             let la_sienne = Sonde::d_un_rayon(rayon, depart, repere)?;
             for noeud in arbre.noeuds {

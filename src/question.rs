@@ -11,15 +11,16 @@ pub(crate) mod jugement;
 pub(crate) mod liste;
 pub(crate) mod visite;
 
-use crate::algebre::nombre::Nombre;
-use crate::objet::ObjetRay;
-use crate::rayon::Rayon;
-use crate::rayon::intersection::{NoIntersection, Rang, Reponse};
+use crate::rayon::intersection::Rang;
+use crate::{NoIntersection, Nombre, ObjetRay, Rayon, Reponse};
 
 /// A question: which objects count, and what is kept of them. Whoever asks makes the answer of that.
 pub(crate) trait Question<R: Nombre> {
     /// Whether any object that counts may settle the answer, so that none need be asked first.
     const UN_SUFFIT: bool;
+
+    /// Whether an object that a tree holds in several pieces may be kept only once.
+    const CHACUN_UNE_FOIS: bool = false;
 
     /// No object that the ray enters farther than this counts.
     fn limite(&self) -> R;
@@ -30,10 +31,8 @@ pub(crate) trait Question<R: Nombre> {
     -> Option<R>;
 
     /// Keeps the object at this index, seen at distance `t`, if it comes before the last that is
-    /// kept; returns whether it did. A tree may hold an object in several pieces, so that a walk
-    /// comes to it again: `ici` tells of a distance whether the ray is there in the piece that the
-    /// walk has come to, which is true of one piece alone.
-    fn retenir(&mut self, t: R, indice: usize, ici: impl FnOnce(R) -> bool) -> bool;
+    /// kept; returns whether it did.
+    fn retenir(&mut self, t: R, indice: usize) -> bool;
 
     /// Whether the answer is settled by what has been kept.
     #[inline(always)]
@@ -125,7 +124,7 @@ impl<R: Nombre, const OMBRE: bool> Question<R> for Premier<R, OMBRE> {
     }
 
     #[inline(always)]
-    fn retenir(&mut self, t: R, indice: usize, _: impl FnOnce(R) -> bool) -> bool {
+    fn retenir(&mut self, t: R, indice: usize) -> bool {
         let trouve = Self { t, rang: Some(Rang::de(indice)) };
         // Ties are rare and have a branch of their own, and each outcome its own return. A single
         // ray takes up to 1.16 times as long without that branch, up to 1.12 times in rooms if

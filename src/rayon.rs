@@ -4,12 +4,11 @@ pub(crate) mod flou;
 pub(crate) mod intersection;
 pub(crate) mod secondaire;
 
-use crate::algebre::nombre::{Nombre, fois_u, simple};
-use crate::algebre::refus::{
-    self, ErreurGeo, ecrit_par, exiger, fini, lu_par, point, refus_nul, unitaire,
-};
-use crate::algebre::vecteur::Vecteur;
+use crate::algebre::nombre::{fois_u, simple};
+use crate::algebre::refus;
+use crate::algebre::refus::{exiger, fini, point, refus_nul, unitaire};
 use crate::rayon::flou::Flou;
+use crate::{ErreurGeo, Nombre, Vecteur};
 
 /// A ray: the points R(t) = S + t·D, 0 ≤ t < [`fin`](Self::fin), from the source S along the unit
 /// vector D (handout, annex A).
@@ -39,7 +38,7 @@ pub struct Rayon<R = f64> {
     source: Vecteur<R>,
     direction: Vecteur<R>,
     fin: R,
-    flou: Flou<R>,
+    pub(crate) flou: Flou<R>,
 }
 
 impl<R: Nombre> Rayon<R> {
@@ -193,12 +192,6 @@ impl<R: Nombre> Rayon<R> {
         Self { flou, ..self }
     }
 
-    /// The δ to which this ray touches objects at once: 0 inside something, where it touches none.
-    #[inline(always)]
-    pub(crate) fn flou_d_emblee(&self) -> R {
-        self.flou.d_emblee()
-    }
-
     /// S, where the ray starts.
     #[doc(alias = "origin")]
     #[inline(always)]
@@ -232,9 +225,10 @@ impl<R: Nombre> Rayon<R> {
     ///   a plate thinner than δ, or less than δ and 22u of the half-lengths from a face across
     ///   another axis that the ray leaves by or goes along.
     ///
-    /// **Closed rooms.** No chain of outward rays from hits, and of turns in mid-air, leaves a closed
-    /// room whose walls are thicker than 2(δ + o) and reach as far into each other, with the δ of the
-    /// ray that would start at the next hit. In `f32` a wall of 10 m has an o of 0.03 mm.
+    /// **Closed rooms.** No chain of outward rays from hits, and of turns in mid-air, that starts where
+    /// no object [contains](crate::Monde::contient) the source leaves a closed room whose walls are
+    /// thicker than 2(δ + o) and reach as far into each other, with the δ of the ray that would start
+    /// at the next hit. In `f32` a wall of 10 m has an o of 0.03 mm.
     ///
     /// δ is 0 for a ray from [`new`](Self::new), which takes its source as it stands. It is finite, and
     /// grows with each bounce (`docs/precision.md`, "Closed rooms").
@@ -304,12 +298,6 @@ impl<R: Nombre> Rayon<R> {
     }
 }
 
-/// δ = 0, where a ray is written without it.
-#[cfg(feature = "serde")]
-fn nul<R: Nombre>() -> R {
-    R::ZERO
-}
-
 /// A direction is kept if |D·D − 1| is at most this, in units of u: an ordinary normalisation
 /// leaves 10 (lemma 1).
 pub const DEJA_UNITAIRE: f64 = 12.0;
@@ -327,29 +315,4 @@ pub(crate) fn direction_unitaire<R: Nombre>(
         return Ok(direction);
     }
     unitaire(champs, direction)
-}
-
-// `fin` is none where there is no end, which not every format can say as a number.
-ecrit_par! {
-    Rayon |Rayon { source, direction, fin, flou }| {
-        source: source,
-        direction: direction,
-        fin: Some(fin).filter(|fin| *fin < R::INFINI),
-        flou: flou.delta(),
-        dedans: u64::from(flou.est_dedans()),
-    }
-}
-
-lu_par! {
-    Rayon {
-        source: Vecteur<R>,
-        direction: Vecteur<R>,
-        fin: Option<R> = "Option::default",
-        flou: R = "nul",
-        dedans: u64 = "u64::default",
-    } => {
-        let rayon = Self::new(source, direction)?.jusqu_a(fin.unwrap_or(R::INFINI))?;
-        // A number above 1 is that of 1.0, which counted the objects.
-        (if dedans > 0 { rayon.dedans() } else { rayon }).avec_flou(flou)
-    }
 }

@@ -7,10 +7,8 @@
 
 use mint::{ColumnMatrix3, Point3, Quaternion, Vector3};
 
-use crate::algebre::nombre::Nombre;
-use crate::algebre::refus::ErreurGeo;
-use crate::algebre::rotation::Rotation;
-use crate::algebre::vecteur::{Vecteur, trois_coordonnees};
+use crate::algebre::vecteur::trois_coordonnees;
+use crate::{ErreurGeo, Nombre, Rotation, Vecteur};
 
 trois_coordonnees! { |x, y, z|
     /// The same three coordinates.

@@ -2,8 +2,8 @@
 
 use core::fmt;
 
-use crate::algebre::nombre::{Nombre, selon};
-use crate::algebre::vecteur::Vecteur;
+use crate::algebre::nombre::selon;
+use crate::{Nombre, Vecteur};
 
 /// A number outside the accepted range, with the field it was given for.
 ///
@@ -136,51 +136,3 @@ pub(crate) fn unitaire<R: Nombre>(
 ) -> Result<Vecteur<R>, ErreurGeo> {
     fini([x, y, z], v)?.unitaire().ok_or_else(|| refus_nul(nom))
 }
-
-/// `lu_par! { T { champ: type, … } => expression }`: with the feature `serde` a T is read as these
-/// fields and no others, by name or in order, and the expression checks them or is an [`ErreurGeo`].
-/// A field with `= "path"` may be left out, and is then what the function of this path gives.
-macro_rules! lu_par {
-    (
-        $type:ident { $($champ:ident: $du_type:ty $(= $defaut:literal)?),* $(,)? }
-        => $lu:expr
-    ) => {
-        #[cfg(feature = "serde")]
-        impl<'de, R: Nombre + serde::Deserialize<'de>> serde::Deserialize<'de> for $type<R> {
-            fn deserialize<D: serde::Deserializer<'de>>(lecteur: D) -> Result<Self, D::Error> {
-                // What is read, under the name that formats and their errors give it.
-                #[derive(serde::Deserialize)]
-                #[serde(deny_unknown_fields)]
-                #[serde(bound(deserialize = "R: Nombre + serde::Deserialize<'de>"))]
-                struct $type<R> {
-                    $($(#[serde(default = $defaut)])? $champ: $du_type),*
-                }
-
-                let $type { $($champ),* } = $type::deserialize(lecteur)?;
-                let lire = || -> Result<Self, $crate::algebre::refus::ErreurGeo> { $lu };
-                lire().map_err(serde::de::Error::custom)
-            }
-        }
-    };
-}
-pub(crate) use lu_par;
-
-/// `ecrit_par! { T |valeur| { champ: expression, … } }`: with the feature `serde` a T is written as
-/// these fields, in this order.
-macro_rules! ecrit_par {
-    ($type:ident |$de:pat_param| { $($champ:ident: $valeur:expr),* $(,)? }) => {
-        #[cfg(feature = "serde")]
-        impl<R: Nombre + serde::Serialize> serde::Serialize for $type<R> {
-            fn serialize<S: serde::Serializer>(&self, vers: S) -> Result<S::Ok, S::Error> {
-                use serde::ser::SerializeStruct;
-
-                let $de = *self;
-                let combien = [$(stringify!($champ)),*].len();
-                let mut lignes = vers.serialize_struct(stringify!($type), combien)?;
-                $(lignes.serialize_field(stringify!($champ), &$valeur)?;)*
-                lignes.end()
-            }
-        }
-    };
-}
-pub(crate) use ecrit_par;

@@ -2,9 +2,9 @@
 
 use core::f64::consts::FRAC_PI_2;
 
-use crate::algebre::nombre::{Nombre, simple};
-use crate::algebre::refus::{ErreurGeo, exiger, fini, finis, unitaire};
-use crate::algebre::vecteur::Vecteur;
+use crate::algebre::nombre::simple;
+use crate::algebre::refus::{exiger, fini, finis, unitaire};
+use crate::{ErreurGeo, Nombre, Vecteur};
 
 /// A rotation about the origin O, held as its matrix M: a vector V, written as a row, becomes V·M
 /// (handout §2.1).

@@ -10,12 +10,12 @@
 use fearless_simd::f32x16;
 use fearless_simd::prelude::*;
 
-use crate::algebre::nombre::{Nombre, fois_u, fois_u_simple, max, min, selon, simple};
+use crate::algebre::nombre::{fois_u, fois_u_simple, max, min, selon, simple};
 use crate::arbre::noeud::Noeud;
 use crate::arbre::repere::{JEU_DISTANCE, JEU_F32, JEU_SOUS_NORMAL, Repere};
 use crate::cote_a_cote::colonne::{Aligne, Colonne, Membres};
 use crate::cote_a_cote::groupe::{Groupe, VOIES};
-use crate::rayon::Rayon;
+use crate::{Nombre, Rayon};
 
 pub(crate) struct Sonde<R> {
     axes: [Axe; 3],
@@ -189,7 +189,7 @@ impl Bornes {
         let [haut, bas] = [f32::NEG_INFINITY, f32::INFINITY].map(|x| colonne([x; VOIES]));
         let ([mut s1, mut d1], [mut s0, mut d0]) = ([haut; 2], [bas; 2]);
         for groupe in groupes {
-            let (sources, directions) = (&groupe.sources()[AXE], &groupe.directions()[AXE]);
+            let (sources, directions) = (&groupe.s[AXE], &groupe.d[AXE]);
             let (mut s, mut d) = ([0.0; VOIES], [0.0; VOIES]);
             for voie in 0..VOIES {
                 let y = repere.longueur(sources[voie] - milieu);

@@ -3,23 +3,18 @@
 //! crate is.
 
 use core::fmt;
-use core::ops::ControlFlow::Break;
 
 use fearless_simd::{Level, Simd};
 
-use crate::algebre::nombre::Nombre;
-use crate::algebre::vecteur::Vecteur;
-use crate::arbre::construction::{Arbre, PlacesInsuffisantes, construire};
-use crate::cote_a_cote::bloc::{BLOC, Bloc, Groupes};
+use crate::arbre::construction::{Arbre, construire};
+use crate::cote_a_cote::bloc::{BLOC, Bloc, GROUPES, Groupes};
 use crate::cote_a_cote::groupe::{Groupe, VOIES};
 use crate::cote_a_cote::niveau::selon_le_niveau;
-use crate::objet::ObjetRay;
 use crate::question::jugement::certificat::Certificat;
 use crate::question::liste::Liste;
 use crate::question::visite::{Montrer, Rangee, Visite};
 use crate::question::{Premier, Question};
-use crate::rayon::Rayon;
-use crate::rayon::intersection::Reponse;
+use crate::{Nombre, ObjetRay, PlacesInsuffisantes, Rayon, Reponse, Vecteur};
 
 /// There are more or fewer places for answers than rays.
 ///
@@ -165,24 +160,25 @@ fn demander_en_lot<R: Nombre, T, const OMBRE: bool>(
         #[inline(always)]
         || {
             for (rayons, reponses) in rayons.chunks(BLOC).zip(reponses.chunks_mut(BLOC)) {
-                // The groups whose rays go on one by one; `None` if they have asked nothing.
-                let restent = if !arbre.noeuds.is_empty() {
+                // Whether each group came to the end; `None` if they have asked nothing.
+                let finis = if !arbre.noeuds.is_empty() {
                     arbre.chercher_ensemble(simd, &liste, &mut bloc, rayons)
                 } else if rayons.len() >= RAYONS_D_UNE_LISTE {
                     bloc.charger(rayons);
-                    bloc.interroger(simd, &liste);
-                    Some(0)
+                    bloc.proposer(simd, &liste, &mut liste.toute());
+                    Some([true; GROUPES])
                 } else {
                     None
                 };
                 let par_groupe = rayons.chunks(VOIES).zip(reponses.chunks_mut(VOIES));
                 for (i, (rayons, reponses)) in par_groupe.enumerate() {
-                    if restent.unwrap_or(u32::MAX) >> i & 1 == 0 {
-                        ecrire(bloc.groupe(i), liste.objets, rayons, reponses);
+                    let fini = finis.map(|finis| finis[i]);
+                    if fini == Some(true) {
+                        ecrire(&bloc.groupes[i], liste.objets, rayons, reponses);
                         continue;
                     }
                     for (voie, (rayon, reponse)) in rayons.iter().zip(reponses).enumerate() {
-                        if restent.is_none() {
+                        if fini.is_none() {
                             *reponse = if arbre.noeuds.is_empty() {
                                 premier_d_une_liste(simd, &liste, rayon, repondre)
                             } else {
@@ -190,7 +186,7 @@ fn demander_en_lot<R: Nombre, T, const OMBRE: bool>(
                             };
                             continue;
                         }
-                        let premier = bloc.groupe(i).premier(voie);
+                        let premier = bloc.groupes[i].premier(voie);
                         *reponse = if OMBRE && premier.rang.is_some() {
                             repondre(premier.en_question(), rayon, liste.objets)
                         } else {
@@ -223,28 +219,18 @@ fn demander_en_lot<R: Nombre, T, const OMBRE: bool>(
 /// assert_eq!(milieu, Vecteur::new(0.5, 1.0, 1.5));
 /// ```
 #[doc(alias("float", "scalar"))]
-pub trait Reel: Nombre + Repondant {}
+pub trait Reel: Nombre + Repond<Self> {}
 
 impl Reel for f32 {}
 impl Reel for f64 {}
-
-/// Where the answers in this scalar stand. Were they functions of [`Reel`] itself, a caller could
-/// not use a function of the same name of a trait of their own (E0034).
-pub trait Repondant: Sized {
-    type ReponsesDeLancerRayon: Repond<Self>;
-}
-
-/// The answers in this scalar, as functions.
-pub(crate) type Reponses<R> = <R as Repondant>::ReponsesDeLancerRayon;
-
-/// What has them, in either scalar.
-pub struct Compilees;
 
 /// `reponses! { fn …(…) -> … { … } … }`: the trait [`Repond`] of these functions, and their bodies
 /// compiled for `f32` and for `f64`, which are `R` in them.
 macro_rules! reponses {
     ($(fn $nom:ident$(<$vie:lifetime>)?($($de:ident: $type:ty),* $(,)?) -> $reponse:ty $corps:block)*) => {
-        /// The answers in one scalar.
+        /// The answers in one scalar. Nobody can name this trait outside of the crate, and its functions
+        /// have names that no trait of a caller has: else the caller could not use theirs for a
+        /// scalar (E0034).
         pub trait Repond<R> {
             $(fn $nom$(<$vie>)?($($de: $type),*) -> $reponse;)*
         }
@@ -255,11 +241,7 @@ macro_rules! reponses {
         const _: () = {
             type R = $reel;
 
-            impl Repondant for R {
-                type ReponsesDeLancerRayon = Compilees;
-            }
-
-            impl Repond<R> for Compilees {
+            impl Repond<R> for R {
                 $($fonctions)*
             }
         };
@@ -267,19 +249,19 @@ macro_rules! reponses {
 }
 
 reponses! {
-    fn arbre<'a>(objets: &'a [ObjetRay<R>], places: &'a mut [f32], decouper: bool)
+    fn lancer_rayon_arbre<'a>(objets: &'a [ObjetRay<R>], places: &'a mut [f32], decouper: bool)
         -> Result<Arbre<'a, R>, PlacesInsuffisantes>
     {
         construire(objets, places, decouper)
     }
 
-    fn premiere(vue: &Vue<'_, R>, rayon: &Rayon<R>) -> Reponse<R> {
+    fn lancer_rayon_premiere(vue: &Vue<'_, R>, rayon: &Rayon<R>) -> Reponse<R> {
         selon_le_niveau!(vue.niveau, true, simd => {
             premier_d_un_arbre(simd, vue, rayon, une_touche())
         })
     }
 
-    fn premiere_d_une_liste(liste: &Liste<'_, R>, niveau: Level, rayon: &Rayon<R>)
+    fn lancer_rayon_premiere_d_une_liste(liste: &Liste<'_, R>, niveau: Level, rayon: &Rayon<R>)
         -> Reponse<R>
     {
         selon_le_niveau!(niveau, false, simd => {
@@ -287,7 +269,7 @@ reponses! {
         })
     }
 
-    fn premieres(vue: &Vue<'_, R>, rayons: &[Rayon<R>], touches: &mut [Reponse<R>])
+    fn lancer_rayon_premieres(vue: &Vue<'_, R>, rayons: &[Rayon<R>], touches: &mut [Reponse<R>])
         -> Result<(), LongueursDifferentes>
     {
         demander_en_lot(
@@ -299,13 +281,13 @@ reponses! {
         )
     }
 
-    fn occulte(vue: &Vue<'_, R>, rayon: &Rayon<R>) -> bool {
+    fn lancer_rayon_occulte(vue: &Vue<'_, R>, rayon: &Rayon<R>) -> bool {
         selon_le_niveau!(vue.niveau, true, simd => {
             premier_d_un_arbre(simd, vue, rayon, une_ombre())
         })
     }
 
-    fn occulte_d_une_liste(liste: &Liste<'_, R>, niveau: Level, rayon: &Rayon<R>)
+    fn lancer_rayon_occulte_d_une_liste(liste: &Liste<'_, R>, niveau: Level, rayon: &Rayon<R>)
         -> bool
     {
         selon_le_niveau!(niveau, false, simd => {
@@ -313,7 +295,7 @@ reponses! {
         })
     }
 
-    fn occultes(vue: &Vue<'_, R>, rayons: &[Rayon<R>], occultes: &mut [bool])
+    fn lancer_rayon_occultes(vue: &Vue<'_, R>, rayons: &[Rayon<R>], occultes: &mut [bool])
         -> Result<(), LongueursDifferentes>
     {
         demander_en_lot(
@@ -325,33 +307,25 @@ reponses! {
         )
     }
 
-    fn certifie(vue: &Vue<'_, R>, rayon: &Rayon<R>, reponse: &Reponse<R>) -> bool {
+    fn lancer_rayon_certifie(vue: &Vue<'_, R>, rayon: &Rayon<R>, reponse: &Reponse<R>) -> bool {
         let certificat = Certificat::new(&vue.liste, rayon, reponse);
         certificat.is_some_and(|certificat| demander(vue, rayon, certificat, |q, _, _| !q.doute))
     }
 
-    fn visiter(vue: &Vue<'_, R>, rayon: &Rayon<R>, montrer: Montrer<'_, R>) -> () {
-        demander(vue, rayon, Visite::<_, _, false> { fin: rayon.fin(), montrer }, |_, _, _| ());
+    fn lancer_rayon_visiter(vue: &Vue<'_, R>, rayon: &Rayon<R>, montrer: Montrer<'_, R>) -> () {
+        demander(vue, rayon, Visite::<_, false> { fin: rayon.fin(), montrer }, |_, _, _| ());
     }
 
-    fn dans_l_ordre(vue: &Vue<'_, R>, rayon: &Rayon<R>, touches: &mut [Reponse<R>]) -> usize {
+    fn lancer_rayon_dans_l_ordre(vue: &Vue<'_, R>, rayon: &Rayon<R>, touches: &mut [Reponse<R>]) -> usize {
         let mut rangee = Rangee::new(touches);
-        Self::visiter(vue, rayon, &mut |indice, t| rangee.placer(indice, t));
+        Self::lancer_rayon_visiter(vue, rayon, &mut |indice, t| rangee.placer(indice, t));
         rangee.conclure(rayon, vue.liste.objets)
     }
 
-    fn contient(vue: &Vue<'_, R>, point: Vecteur<R>) -> bool {
-        let visite = Visite::<_, _, true> { fin: R::INFINI, montrer: |_, _| Break(()) };
-        demander(vue, &du_point(point), visite, |visite, _, _| visite.fin <= R::ZERO)
+    fn lancer_rayon_contenants(vue: &Vue<'_, R>, point: Vecteur<R>, montrer: Montrer<'_, R>) -> bool {
+        let visite = Visite::<_, true> { fin: R::INFINI, montrer };
+        // The direction does not matter, and the point need not be finite.
+        let rayon = Rayon::sans_fin(point, Vecteur::Z);
+        demander(vue, &rayon, visite, |visite, _, _| visite.est_reglee())
     }
-
-    fn contenants(vue: &Vue<'_, R>, point: Vecteur<R>, montrer: Montrer<'_, R>) -> () {
-        let visite = Visite::<_, _, true> { fin: R::INFINI, montrer };
-        demander(vue, &du_point(point), visite, |_, _, _| ());
-    }
-}
-
-/// A ray from this point, which need not be finite; its direction does not matter.
-fn du_point<R: Nombre>(point: Vecteur<R>) -> Rayon<R> {
-    Rayon::sans_fin(point, Vecteur::new(R::ZERO, R::ZERO, R::UN))
 }

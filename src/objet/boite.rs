@@ -3,14 +3,12 @@
 pub(crate) mod dalle;
 pub(crate) mod face;
 
-use crate::algebre::nombre::{Nombre, fois_u};
-use crate::algebre::refus::{self, ErreurGeo, coefficient, deplacement, point, taille};
-use crate::algebre::rotation::Rotation;
-use crate::algebre::vecteur::Vecteur;
+use crate::algebre::nombre::fois_u;
+use crate::algebre::refus;
+use crate::algebre::refus::{coefficient, deplacement, point, taille};
 use crate::objet::boite::dalle::{Quotient, dalle, dalles};
 use crate::objet::forme::{Boule, FLOU_PROPRE, Forme};
-use crate::rayon::Rayon;
-use crate::texture::Texture;
+use crate::{ErreurGeo, Nombre, Rayon, Rotation, Texture, Vecteur};
 
 /// The description of a box: its centre, its width, height and depth (along x, y and z before it is
 /// turned) and the rotation that turns it about its centre (handout §2.2).
@@ -39,8 +37,6 @@ use crate::texture::Texture;
 /// ```
 #[doc(alias("box", "cuboid", "obb"))]
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "serde", serde(bound(serialize = "R: Nombre + serde::Serialize")))]
 #[must_use]
 pub struct BoiteGeo<R = f64> {
     centre: Vecteur<R>,
@@ -276,7 +272,7 @@ impl<R: Nombre> BoiteRay<R> {
     #[inline(always)]
     fn profond(&self, rayon: &Rayon<R>, propre: f64) -> R {
         let [a, b, c] = self.demi_longueurs;
-        rayon.flou_d_emblee() + (a + b + c) * fois_u(propre)
+        rayon.flou.d_emblee() + (a + b + c) * fois_u(propre)
     }
 }
 
@@ -358,9 +354,4 @@ impl<R: Nombre> Forme<R> for BoiteRay<R> {
     fn plan_de_depart(&self, rayon: &Rayon<R>) -> (Vecteur<R>, R) {
         self.face_vers(rayon, self.face_de_depart(rayon).1)
     }
-}
-
-refus::lu_par! {
-    BoiteGeo { centre: Vecteur<R>, dimensions: Vecteur<R>, rotation: Rotation<R> = "Rotation::default", texture: Texture }
-    => Self::new(centre, dimensions, rotation, texture)
 }

@@ -5,10 +5,9 @@
 //! [`Forme::t`] finds where the ray enters; [`Forme::conclure`] computes normal and margin, once,
 //! for the first object of a ray.
 
-use crate::algebre::nombre::{Nombre, fois_u, fois_u_simple, max, min, plancher};
-use crate::algebre::vecteur::Vecteur;
-use crate::rayon::Rayon;
+use crate::algebre::nombre::{fois_u, fois_u_simple, max, min, plancher};
 use crate::rayon::intersection::Contact;
+use crate::{Nombre, Rayon, Vecteur};
 
 /// The rounding of a height over a surface, in u·ℓ; the next search sees that height with as much
 /// rounding again (lemmas 8 and 9).
@@ -65,7 +64,7 @@ pub(crate) trait Forme<R: Nombre>: Copy {
     #[inline(always)]
     fn t_touche(&self, rayon: &Rayon<R>) -> R {
         // Without a δ nobody asks what holds the source.
-        if rayon.flou_d_emblee() == R::ZERO {
+        if rayon.flou.d_emblee() == R::ZERO {
             return self.t(rayon);
         }
         let (t, dedans) = self.t_et_dedans(rayon);

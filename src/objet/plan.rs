@@ -1,14 +1,10 @@
 //! The plane, which is a solid half-space (handout §2.2, §3 and annex A.1).
 
-use crate::algebre::nombre::{Nombre, simple};
-use crate::algebre::refus::{
-    self, ErreurGeo, coefficient, coordonnee, deplacement, point, unitaire,
-};
-use crate::algebre::rotation::Rotation;
-use crate::algebre::vecteur::Vecteur;
+use crate::algebre::nombre::simple;
+use crate::algebre::refus;
+use crate::algebre::refus::{coefficient, coordonnee, deplacement, point, unitaire};
 use crate::objet::forme::{Boule, Forme};
-use crate::rayon::Rayon;
-use crate::texture::Texture;
+use crate::{ErreurGeo, Nombre, Rayon, Rotation, Texture, Vecteur};
 
 /// The description of a half-space: the points z ≤ 0 turned by a rotation, then moved to lie at a
 /// relative distance d from the origin O (handout §2.2). The distance is below 0 if the half-space
@@ -32,8 +28,6 @@ use crate::texture::Texture;
 /// ```
 #[doc(alias("plane", "half_space"))]
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "serde", serde(bound(serialize = "R: Nombre + serde::Serialize")))]
 #[must_use]
 pub struct PlanGeo<R = f64> {
     rotation: Rotation<R>,
@@ -249,7 +243,7 @@ impl<R: Nombre> Forme<R> for PlanRay<R> {
     #[inline(always)]
     fn peut_entrer(&self, rayon: &Rayon<R>) -> bool {
         let (hauteur, descente) = self.hauteur_et_descente(rayon);
-        (descente > R::ZERO) & (hauteur > -rayon.flou_d_emblee())
+        (descente > R::ZERO) & (hauteur > -rayon.flou.d_emblee())
     }
 
     /// t = (−d − N·S)/(N·D).
@@ -280,9 +274,4 @@ impl<R: Nombre> Forme<R> for PlanRay<R> {
     fn plan_tangent(&self, _: &Rayon<R>, _: R) -> (Vecteur<R>, R) {
         (self.normale, -self.distance)
     }
-}
-
-refus::lu_par! {
-    PlanGeo { rotation: Rotation<R> = "Rotation::default", distance: R, texture: Texture }
-    => Self::new(rotation, distance, texture)
 }

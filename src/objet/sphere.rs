@@ -1,12 +1,10 @@
 //! The sphere (handout §2.2, §3 and annex A.2).
 
-use crate::algebre::nombre::{Nombre, fois_u, max, simple};
-use crate::algebre::refus::{self, ErreurGeo, coefficient, deplacement, point, taille};
-use crate::algebre::rotation::Rotation;
-use crate::algebre::vecteur::Vecteur;
+use crate::algebre::nombre::{fois_u, max, simple};
+use crate::algebre::refus;
+use crate::algebre::refus::{coefficient, deplacement, point, taille};
 use crate::objet::forme::{Boule, FLOU_PROPRE, Forme, Hauteur};
-use crate::rayon::Rayon;
-use crate::texture::Texture;
+use crate::{ErreurGeo, Nombre, Rayon, Rotation, Texture, Vecteur};
 
 /// The description of a sphere: its centre and its radius (handout §2.2).
 ///
@@ -27,8 +25,6 @@ use crate::texture::Texture;
 /// ```
 #[doc(alias = "ball")]
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "serde", serde(bound(serialize = "R: Nombre + serde::Serialize")))]
 #[must_use]
 pub struct SphereGeo<R = f64> {
     centre: Vecteur<R>,
@@ -229,7 +225,7 @@ impl<R: Nombre> Forme<R> for SphereRay<R> {
     #[inline(always)]
     fn des_le_depart(&self, rayon: &Rayon<R>) -> bool {
         let Termes { sa, puissance, ab2, .. } = self.termes(rayon);
-        let profond = rayon.flou_d_emblee() + self.r * fois_u(FLOU_PROPRE);
+        let profond = rayon.flou.d_emblee() + self.r * fois_u(FLOU_PROPRE);
         // D1: at a depth h the power is −(2r − h)h.
         let pres = puissance > -(self.r + self.r) * profond;
         (puissance <= R::ZERO) & pres & (sa > R::ZERO) & (ab2 > R::ZERO)
@@ -282,8 +278,4 @@ impl<R: Nombre> Forme<R> for SphereRay<R> {
         let b = if perdue { R::INFINI } else { b * (R::UN / r) };
         Hauteur { b, l: nombre(LONGUEUR) * r }
     }
-}
-
-refus::lu_par! {
-    SphereGeo { centre: Vecteur<R>, rayon: R, texture: Texture } => Self::new(centre, rayon, texture)
 }

@@ -11,14 +11,12 @@ pub(crate) mod point;
 use core::slice::from_ref;
 
 use crate::algebre::double::{Double, scalaire, triple};
-use crate::algebre::nombre::{Nombre, fois_u, selon};
-use crate::objet::ObjetRay;
+use crate::algebre::nombre::{fois_u, selon};
 use crate::question::jugement::certificat::Certificat;
 use crate::question::jugement::juge::{coup_d_oeil, juger};
 use crate::question::liste::Liste;
 use crate::question::{Abord, Question};
-use crate::rayon::Rayon;
-use crate::rayon::intersection::Intersection;
+use crate::{Intersection, Nombre, ObjetRay, Rayon};
 
 /// [`ObjetRay::erreur`] trusts a glance that leaves no more than this part of u·t open: doubled
 /// numbers would give about the same bound.

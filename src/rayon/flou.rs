@@ -1,8 +1,8 @@
 //! What a ray knows of its source.
 
-use crate::algebre::nombre::{Nombre, fois_u, max, simple};
-use crate::algebre::refus::{ErreurGeo, positif_ou_nul};
-use crate::algebre::vecteur::Vecteur;
+use crate::algebre::nombre::{fois_u, max, simple};
+use crate::algebre::refus::positif_ou_nul;
+use crate::{ErreurGeo, Nombre, Vecteur};
 
 /// How much deeper than δ a hit may lie in another object, in u of the distance (lemma 22).
 pub const FLOU_DISTANCE: f64 = 15.0;

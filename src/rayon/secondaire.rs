@@ -1,11 +1,10 @@
 //! The rays that start from a hit: mirrors, glass, shadows, lines of sight (handout, later parts).
 
-use crate::algebre::nombre::{Nombre, fois_u, plancher};
-use crate::algebre::refus::{ErreurGeo, exiger, fini, point, positif_ou_nul, refus_nul};
-use crate::algebre::vecteur::Vecteur;
+use crate::algebre::nombre::{fois_u, plancher};
+use crate::algebre::refus::{exiger, fini, point, positif_ou_nul, refus_nul};
 use crate::rayon::flou::Flou;
-use crate::rayon::intersection::Intersection;
-use crate::rayon::{DIRECTION, Rayon, direction_unitaire};
+use crate::rayon::{DIRECTION, direction_unitaire};
+use crate::{ErreurGeo, Intersection, Nombre, Rayon, Vecteur};
 
 /// A direction is turned outward if it lies within this of the tangent plane, in u: no N·D rounds
 /// by more (lemma 9).
@@ -359,7 +358,7 @@ impl<R: Nombre> Intersection<R> {
         // Where a box stands flush on a mirror, the nearest face may be the hidden one. The mirror
         // would send the ray back to where it was, and so on without end. Steps that grow with δ
         // leave another face nearer in the end.
-        let plus = self.flou() * R::depuis_f64(PAS_D_EMBLEE);
+        let plus = self.flou * R::depuis_f64(PAS_D_EMBLEE);
         pas + plus + p.norme_1() * fois_u(PAS_D_EMBLEE_POINT)
     }
 
@@ -372,7 +371,7 @@ impl<R: Nombre> Intersection<R> {
         let (p, n, pas) = (self.point(), self.normale(), self.pas(dedans));
         let source = p + n * if dedans { -pas } else { pas };
         let source = point(["source.x", "source.y", "source.z"], source)?;
-        let flou = Flou::de(self.flou()).suivant(pas, self.distance(), p);
+        let flou = Flou::de(self.flou).suivant(pas, self.distance(), p);
         Ok(Rayon::sans_fin(source, n).sachant(if dedans { flou.dedans() } else { flou }))
     }
 

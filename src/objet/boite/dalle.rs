@@ -1,8 +1,8 @@
 //! The distances to the faces of a box, axis by axis, as quotients that are compared before one is
 //! divided (handout, annex A.3).
 
-use crate::algebre::nombre::{Nombre, puissance_de_deux, selon};
-use crate::algebre::vecteur::Vecteur;
+use crate::algebre::nombre::{puissance_de_deux, selon};
+use crate::{Nombre, Vecteur};
 
 /// A power of two that multiplies speeds, so that no product of a length of a box and a speed
 /// towards its faces leaves the range of the type (`docs/preuves.md`, lemma 2).

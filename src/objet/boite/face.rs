@@ -2,11 +2,8 @@
 
 use core::fmt;
 
-use crate::algebre::nombre::{Nombre, max, min};
-use crate::algebre::vecteur::Vecteur;
-use crate::objet::boite::BoiteRay;
-use crate::rayon::Rayon;
-use crate::rayon::intersection::Intersection;
+use crate::algebre::nombre::{max, min};
+use crate::{BoiteRay, Intersection, Nombre, Rayon, Vecteur};
 
 /// A face of a box, by the side to which it looked before the box was turned: `PlusY` was its top.
 ///

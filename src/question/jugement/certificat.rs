@@ -1,12 +1,10 @@
 //! Whether an answer is certain: every object is asked whether it comes later than the first.
 
-use crate::algebre::nombre::{Nombre, max, selon};
-use crate::objet::ObjetRay;
+use crate::algebre::nombre::{max, selon};
 use crate::question::jugement::juge::{coup_d_oeil, loupe};
 use crate::question::liste::Liste;
 use crate::question::{Abord, Question};
-use crate::rayon::Rayon;
-use crate::rayon::intersection::Reponse;
+use crate::{Nombre, ObjetRay, Rayon, Reponse};
 
 /// An answer, and whether some object may come before it.
 pub(crate) struct Certificat<'a, R> {
@@ -79,7 +77,7 @@ impl<R: Nombre> Question<R> for Certificat<'_, R> {
     }
 
     #[inline(always)]
-    fn retenir(&mut self, _: R, _: usize, _: impl FnOnce(R) -> bool) -> bool {
+    fn retenir(&mut self, _: R, _: usize) -> bool {
         self.doute = true;
         true
     }

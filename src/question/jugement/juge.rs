@@ -3,12 +3,9 @@
 //! 18).
 
 use crate::algebre::double::{Intervalle, Triple};
-use crate::algebre::nombre::{Nombre, max, min};
-use crate::algebre::vecteur::Vecteur;
-use crate::objet::ObjetRay;
-use crate::objet::sphere::SphereRay;
+use crate::algebre::nombre::{max, min};
 use crate::question::jugement::point::{Apercu, Point};
-use crate::rayon::Rayon;
+use crate::{Nombre, ObjetRay, Rayon, SphereRay, Vecteur};
 
 /// How much a bound of `juger` grows, in u of itself: what it is off by, and the growing (lemma 17).
 pub const ECART_ARRONDI: f64 = 10.6;

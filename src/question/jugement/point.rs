@@ -2,9 +2,7 @@
 //! plain `f64` (`docs/preuves.md`, lemma 18), or closely, in numbers of twice that length (lemma 16).
 
 use crate::algebre::double::{Double, Intervalle, Triple, scalaire, triple};
-use crate::algebre::nombre::Nombre;
-use crate::algebre::vecteur::Vecteur;
-use crate::rayon::Rayon;
+use crate::{Nombre, Rayon, Vecteur};
 
 /// What the height of a point is off by at a glance, in u of |f| and of t (lemma 18).
 pub const VUE_POINT: f64 = 7.1;
