@@ -10,9 +10,9 @@ use crate::rayon::flou::Flou;
 use crate::rayon::intersection::{Contact, Rang};
 use crate::{ErreurGeo, Nombre, Rotation, Texture, Vecteur};
 
-/// `champs! { T |valeur| { champ: type = expression, … } => lu }`: a T is written as these fields, in
-/// this order, and read as these and no others, by name or in order; `lu` makes a T of them, or an
-/// [`ErreurGeo`]. A field with `#[serde(default)]` may be left out.
+/// `champs! { T |valeur| { champ: type = expression, … } => lu }`: a T is written as these fields,
+/// in this order, and read as these and no others, by name or in order; `lu` makes a T of them, or
+/// an [`ErreurGeo`]. A field with `#[serde(default)]` may be left out.
 macro_rules! champs {
     (
         $type:ident |$valeur:ident| {
@@ -96,10 +96,10 @@ fn nul<R: Nombre>() -> R {
     R::ZERO
 }
 
-// A hit that was written can be read again, so that a simulation goes on to the bit. One that somebody
-// else wrote may be no hit of any ray: only what would make a question go wrong is refused. `marge` is
-// none where it is +∞. `dedans` is part of the form since 1.0, where rays that start at a hit depended
-// on it.
+// A hit that was written can be read again, so that a simulation goes on to the bit. One that
+// somebody else wrote may be no hit of any ray: only what would make a question go wrong is
+// refused. `marge` is none where it is +∞. `dedans` is part of the form since 1.0, where rays that
+// start at a hit depended on it.
 champs! {
     Intersection |i| {
         distance: R = i.distance,
@@ -112,10 +112,10 @@ champs! {
         #[serde(default)]
         dedans: u64 = 0,
     } => {
-        let positif = |champ, x: R| exiger(x >= R::ZERO, champ, x, "a number, 0 or more");
+        let au_moins_0 = |champ, x: R| exiger(x >= R::ZERO, champ, x, "a number, 0 or more");
         exiger(distance < R::INFINI, "distance", distance, "finite")?;
-        let (distance, marge) = (positif("distance", distance)?, marge.unwrap_or(R::INFINI));
-        let contact = Contact { normale, marge: positif("marge", marge)?, point };
+        let (distance, marge) = (au_moins_0("distance", distance)?, marge.unwrap_or(R::INFINI));
+        let contact = Contact { normale, marge: au_moins_0("marge", marge)?, point };
         let longueur = normale.longueur();
         let unitaire = (longueur - R::UN).absolu() <= fois_u(32.0);
         exiger(unitaire, "normale", longueur, "1 in length, to rounding")?;

@@ -65,8 +65,8 @@
 //! **A hit is an entry** from outside, at a distance t > 0, against the normal (D·N < 0). An object
 //! is not hit from inside or from its surface, and a ray tangent to a sphere misses. A ray that
 //! starts from a hit carries [a bound δ on the error of its start](Rayon::flou), and hits at t = 0
-//! what it might otherwise slip into through a seam. Therefore no chain of such rays leaves a closed
-//! room whose walls are thick enough and overlap by enough.
+//! what it might otherwise slip into through a seam. Therefore no chain of such rays leaves a
+//! closed room whose walls are thick enough and overlap by enough.
 //!
 //! ```
 //! # use lancer_rayon::*;

@@ -1,6 +1,7 @@
 //! The two enums of the handout's §4.1, and the choice between shapes.
 //!
-//! What an [`ObjetRay`] can do stands here, and how exact its answers are in `question/jugement.rs`.
+//! What an [`ObjetRay`] can do stands here, and how exact its answers are in
+//! `question/jugement.rs`.
 
 pub(crate) mod boite;
 pub(crate) mod forme;
@@ -200,29 +201,30 @@ impl<R: Nombre> ObjetRay<R> {
     /// case would pass its contact through memory as well, and a single ray would take up to 1.2
     /// times as long (measured).
     #[inline(always)]
-    pub(crate) fn conclure(&self, rayon: &Rayon<R>, t: R, rang: Rang) -> Reponse<R> {
+    pub(crate) fn touche(&self, rayon: &Rayon<R>, t: R, rang: Rang) -> Reponse<R> {
         par_forme!(Self, self, forme => {
             let (contact, de_face) = forme.contact(rayon, t);
             if de_face {
                 let (flou, texture) = (rayon.flou(), forme.texture());
                 Ok(Intersection { distance: t, contact, flou, texture, rang })
             } else {
-                self.conclure_rare(rayon, t, rang)
+                self.touche_rare(rayon, t, rang)
             }
         })
     }
 
     #[cold]
     #[inline(never)]
-    fn conclure_rare(&self, rayon: &Rayon<R>, t: R, rang: Rang) -> Reponse<R> {
+    fn touche_rare(&self, rayon: &Rayon<R>, t: R, rang: Rang) -> Reponse<R> {
         par_forme!(Self, self, forme => {
-            let (contact, flou) = (forme.conclure(rayon, t), rayon.flou());
+            let (contact, flou) = (forme.contact_rare(rayon, t), rayon.flou());
             Ok(Intersection { distance: t, contact, flou, texture: forme.texture(), rang })
         })
     }
 
     /// Where the ray enters this object (handout, annex A): what
-    /// [`premiere_intersection`](fn@crate::premiere_intersection) says of a list of this object alone.
+    /// [`premiere_intersection`](fn@crate::premiere_intersection) says of a list of this object
+    /// alone.
     ///
     /// # Errors
     /// [`NoIntersection`] if the ray ends before the object, passes it by, is tangent to it, or
@@ -230,7 +232,7 @@ impl<R: Nombre> ObjetRay<R> {
     #[doc(alias("intersect", "hit"))]
     pub fn intersection(&self, rayon: &Rayon<R>) -> Reponse<R> {
         let t = self.t_si_proche(rayon);
-        if t < rayon.fin() { self.conclure(rayon, t, Rang::de(0)) } else { Err(NoIntersection) }
+        if t < rayon.fin() { self.touche(rayon, t, Rang::de(0)) } else { Err(NoIntersection) }
     }
 
     /// Where the ray leaves this object: from inside, or after it entered.
@@ -241,19 +243,19 @@ impl<R: Nombre> ObjetRay<R> {
     /// [mirrored](Intersection::reflechi). The way out is as exact as a hit (`docs/precision.md`),
     /// and [`BoiteRay::lieu`](crate::BoiteRay::lieu) and [`erreur`](Self::erreur) take it as one.
     ///
-    /// **What is a way out.** A ray that enters a sphere or a box leaves it, never before it enters,
-    /// and a ray from strictly inside always leaves. A ray that enters a half-space never leaves
-    /// it. From a source on the surface a ray leaves at the far side, or not at all: the source
-    /// itself is no way out, as it is no hit. What is inside and what is on the surface is decided
-    /// as computed: within rounding of a sphere a ray may leave at once. A ray that `secondaire`
-    /// sent into a sphere or a box leaves, except beside an edge and in a box no thicker than twice
-    /// the step; a ray that it sent outward does not.
+    /// **What is a way out.** A ray that enters a sphere or a box leaves it, never before it
+    /// enters, and a ray from strictly inside always leaves. A ray that enters a half-space never
+    /// leaves it. From a source on the surface a ray leaves at the far side, or not at all: the
+    /// source itself is no way out, as it is no hit. What is inside and what is on the surface is
+    /// decided as computed: within rounding of a sphere a ray may leave at once. A ray that
+    /// `secondaire` sent into a sphere or a box leaves, except beside an edge and in a box no
+    /// thicker than twice the step; a ray that it sent outward does not.
     ///
-    /// **A place of one's own**, such as a sensor on a wall, a window or a point of a lamp, is where
-    /// a ray from within leaves the object along the normal. That is a hit of this object alone,
-    /// whatever stands flush with it: `vers_soleil`, `vers_lumiere` and `vers_touche` start there as
-    /// from any other. Keep the place off the edges of its face: rounding may put a source there
-    /// outside, from which there is no way out.
+    /// **A place of one's own**, such as a sensor on a wall, a window or a point of a lamp, is
+    /// where a ray from within leaves the object along the normal. That is a hit of this object
+    /// alone, whatever stands flush with it: `vers_soleil`, `vers_lumiere` and `vers_touche` start
+    /// there as from any other. Keep the place off the edges of its face: rounding may put a source
+    /// there outside, from which there is no way out.
     ///
     /// # Errors
     /// [`NoIntersection`] if the ray ends before it leaves, passes the object by or starts beyond
@@ -290,11 +292,12 @@ impl<R: Nombre> ObjetRay<R> {
         let retour = Rayon::sans_fin(rayon.source(), -rayon.direction());
         par_forme!(Self, self, forme => {
             let (entree, sortie) = (forme.t(rayon), forme.t_sortie(rayon));
-            let t = if entree < R::INFINI { max(entree, sortie) } else { sortie }; // W5
+            // W5: never before the entry.
+            let t = if entree < R::INFINI { max(entree, sortie) } else { sortie };
             if t >= rayon.fin() {
                 return Err(NoIntersection);
             }
-            let contact = forme.conclure(&retour, -t); // W6
+            let contact = forme.contact_rare(&retour, -t); // W6: as of a hit from beyond
             let (flou, texture, rang) = (rayon.flou(), forme.texture(), Rang::de(0));
             Ok(Intersection { distance: t, contact, flou, texture, rang })
         })
@@ -360,7 +363,7 @@ impl<R: Nombre> ObjetRay<R> {
     #[must_use]
     pub fn etendue(&self) -> Option<Etendue<R>> {
         let (c, h) = self.boite_englobante()?;
-        // E1
+        // E1: rounding may leave the solid this far beyond its half-extents.
         let jeu = h.norme_1() * fois_u(ETENDUE) + c.norme_1() * fois_u(2.0);
         let h = h + Vecteur::new(jeu, jeu, jeu);
         Some(Etendue { bas: c - h, haut: c + h })

@@ -14,7 +14,8 @@ pub(crate) mod visite;
 use crate::rayon::intersection::Rang;
 use crate::{NoIntersection, Nombre, ObjetRay, Rayon, Reponse};
 
-/// A question: which objects count, and what is kept of them. Whoever asks makes the answer of that.
+/// A question: which objects count, and what is kept of them. Whoever asks makes the answer of
+/// that.
 pub(crate) trait Question<R: Nombre> {
     /// Whether any object that counts may settle the answer, so that none need be asked first.
     const UN_SUFFIT: bool;
@@ -25,8 +26,8 @@ pub(crate) trait Question<R: Nombre> {
     /// No object that the ray enters farther than this counts.
     fn limite(&self) -> R;
 
-    /// Asks the object at this index of the list: the distance at which it counts, 0 if the question
-    /// is not for distances, or `None` if it does not count.
+    /// Asks the object at this index of the list: the distance at which it counts, 0 if the
+    /// question is not for distances, or `None` if it does not count.
     fn voir(&self, rayon: &Rayon<R>, objet: &ObjetRay<R>, indice: usize, abord: Abord)
     -> Option<R>;
 
@@ -54,7 +55,11 @@ pub(crate) enum Abord {
 
 /// Where the ray touches the object; `None` if it does not.
 #[inline(always)]
-pub(crate) fn entree<R: Nombre>(rayon: &Rayon<R>, objet: &ObjetRay<R>, abord: Abord) -> Option<R> {
+pub(crate) fn t_d_entree<R: Nombre>(
+    rayon: &Rayon<R>,
+    objet: &ObjetRay<R>,
+    abord: Abord,
+) -> Option<R> {
     let t = match abord {
         Abord::Inconnu => objet.t_si_proche(rayon),
         Abord::DansSaBoite { entree, jusqu_ici } => {
@@ -103,10 +108,10 @@ impl<R: Nombre, const OMBRE: bool> Premier<R, OMBRE> {
 impl<R: Nombre> Premier<R> {
     /// The hit on this object of the list.
     #[inline(always)]
-    pub(crate) fn conclure(self, rayon: &Rayon<R>, objets: &[ObjetRay<R>]) -> Reponse<R> {
+    pub(crate) fn reponse(self, rayon: &Rayon<R>, objets: &[ObjetRay<R>]) -> Reponse<R> {
         let rang = self.rang.ok_or(NoIntersection)?;
         let objet = objets.get(rang.indice()).ok_or(NoIntersection)?;
-        objet.conclure(rayon, self.t, rang)
+        objet.touche(rayon, self.t, rang)
     }
 }
 
@@ -120,7 +125,7 @@ impl<R: Nombre, const OMBRE: bool> Question<R> for Premier<R, OMBRE> {
 
     #[inline(always)]
     fn voir(&self, rayon: &Rayon<R>, objet: &ObjetRay<R>, _: usize, abord: Abord) -> Option<R> {
-        entree(rayon, objet, abord)
+        t_d_entree(rayon, objet, abord)
     }
 
     #[inline(always)]

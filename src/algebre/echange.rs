@@ -2,8 +2,8 @@
 //! their own.
 //!
 //! A matrix of `mint` multiplies a column from the left; that is how glam and nalgebra read it.
-//! There a rotation has the transposed matrix Mᵀ, which turns vectors alike. `mint` itself makes its
-//! matrices by rows from those by columns.
+//! There a rotation has the transposed matrix Mᵀ, which turns vectors alike. `mint` itself makes
+//! its matrices by rows from those by columns.
 
 use mint::{ColumnMatrix3, Point3, Quaternion, Vector3};
 

@@ -89,12 +89,7 @@ pub(crate) fn taille<R: Nombre>(champ: &'static str, x: R) -> Result<R, ErreurGe
 
 /// The coefficient of a homothety.
 pub(crate) fn coefficient<R: Nombre>(k: R) -> Result<R, ErreurGeo> {
-    positif("coefficient", k)
-}
-
-/// A finite number above 0.
-pub(crate) fn positif<R: Nombre>(champ: &'static str, x: R) -> Result<R, ErreurGeo> {
-    exiger(x > R::ZERO && x < R::INFINI, champ, x, "a finite number above 0")
+    exiger(k > R::ZERO && k < R::INFINI, "coefficient", k, "a finite number above 0")
 }
 
 /// A length that may be 0.

@@ -17,8 +17,8 @@ const PRIX_D_UNE_FICHE: f32 = 0.03;
 /// Half of the least width of a slice in the frame of the tree (lemma 21).
 const DEMI_TRANCHE_MINIMALE: f32 = 1.0 / 65_536.0;
 
-/// What one more record costs, as surface in the frame of the tree. It tells of every object into how
-/// many slices it is cut, so that no record needs to.
+/// What one more record costs, as surface in the frame of the tree. It tells of every object into
+/// how many slices it is cut, so that no record needs to.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Coupe {
     prix: f32,
@@ -28,8 +28,8 @@ impl Coupe {
     /// Each object in one piece.
     pub(crate) const AUCUNE: Self = Self { prix: f32::INFINITY };
 
-    /// The least price from [`PRIX_D_UNE_FICHE`] on, nearly, at which these objects take at most this
-    /// many records beyond one for each.
+    /// The least price from [`PRIX_D_UNE_FICHE`] on, nearly, at which these objects take at most
+    /// this many records beyond one for each.
     pub(crate) fn new<R: Nombre>(
         objets: &[ObjetRay<R>],
         repere: Repere<R>,
@@ -56,8 +56,8 @@ impl Coupe {
         Self { prix: assez }
     }
 
-    /// Into how many pieces this object is cut. The boxes of k pieces have the surface a/k + b + ck,
-    /// and cost k times the price: the least is at k² = a/(c + price).
+    /// Into how many pieces this object is cut. The boxes of k pieces have the surface a/k + b +
+    /// ck, and cost k times the price: the least is at k² = a/(c + price).
     pub(crate) fn morceaux<R: Nombre>(self, repere: Repere<R>, objet: &ObjetRay<R>) -> usize {
         let Some((_, h)) = objet.boite_englobante() else { return 1 };
         let axe = grandeurs(objet.demi_axe());
@@ -69,8 +69,8 @@ impl Coupe {
         max(k + 0.5, 1.0) as usize
     }
 
-    /// Whether the ray enters this object at distance `t` in the slice of this child of a leaf: that
-    /// in which the middle of its box lies (lemma 21).
+    /// Whether the ray enters this object at distance `t` in the slice of this child of a leaf:
+    /// that in which the middle of its box lies (lemma 21).
     #[cold]
     #[inline(never)]
     pub(crate) fn est_ici<R: Nombre>(
@@ -84,7 +84,8 @@ impl Coupe {
         let (morceaux, axe) = (self.morceaux(repere, objet), objet.demi_axe());
         let Some((c, _)) = objet.boite_englobante().filter(|_| morceaux > 1) else { return true };
         let tranche = |depuis_c: Vecteur<R>| {
-            let place = depuis_c.produit_scalaire(axe) / axe.longueur_carree() + R::UN; // T5
+            // T5: from 0 to 2 along the axis.
+            let place = depuis_c.produit_scalaire(axe) / axe.longueur_carree() + R::UN;
             let tranche = simple(place * R::depuis_f64(0.5 * morceaux as f64)) as usize;
             tranche.min(morceaux - 1)
         };

@@ -13,9 +13,9 @@ use crate::question::{Abord, Question};
 use crate::{Nombre, Rayon};
 
 impl<R: Nombre> Arbre<'_, R> {
-    /// Asks the objects of this list that may count, and gives the question back: first those without
-    /// a box, then those in the leaves that the ray may enter before the limit. Where boxes tell no
-    /// objects apart, it asks the whole list.
+    /// Asks the objects of this list that may count, and gives the question back: first those
+    /// without a box, then those in the leaves that the ray may enter before the limit. Where boxes
+    /// tell no objects apart, it asks the whole list.
     #[inline(always)]
     pub(crate) fn parcourir<S: Simd, Q: Question<R>>(
         &self,

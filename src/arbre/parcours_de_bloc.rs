@@ -21,8 +21,8 @@ use crate::{Nombre, Rayon};
 /// for what follows).
 const OBJETS_PAR_NOMBRE: usize = 6;
 
-/// In a heap a longer list will do: for each number that a register holds, longer by this part of the
-/// number of boxes that a ray crosses.
+/// In a heap a longer list will do: for each number that a register holds, longer by this part of
+/// the number of boxes that a ray crosses.
 const PART_DES_CROISES: f32 = 0.6;
 
 /// Fewer rays than this are asked one by one: eight in no order take up to twice as long together.
@@ -66,9 +66,9 @@ fn vont_ailleurs<R: Nombre>(rayons: &[Rayon<R>]) -> usize {
 
 impl<R: Nombre> Arbre<'_, R> {
     /// Looks for the first object of each of these rays: of all together, else of each group that
-    /// is narrower. Tells of each group whether it came to the end. The rays of the others, which are
-    /// to go on one by one, have asked the objects without a box and some with one. If it returns
-    /// `None`, nothing is loaded, and the rays have asked nothing.
+    /// is narrower. Tells of each group whether it came to the end. The rays of the others, which
+    /// are to go on one by one, have asked the objects without a box and some with one. If it
+    /// returns `None`, nothing is loaded, and the rays have asked nothing.
     #[inline(always)]
     pub(crate) fn chercher_ensemble<S: Simd>(
         &self,
@@ -122,8 +122,8 @@ impl<R: Nombre> Arbre<'_, R> {
     /// The probe of the rays that are offered objects, and how wide it is.
     #[inline(always)]
     fn sonder<S: Simd>(&self, simd: S, bloc: &Bloc<'_, R>) -> (Option<Sonde<R>>, f32) {
-        let depart = Sonde::depart_commun(bloc.demandes(), self.repere);
-        Sonde::de_groupes(simd, bloc.demandes(), depart, self.repere)
+        let tau0 = Sonde::tau0_commun(bloc.demandes(), self.repere);
+        Sonde::de_groupes(simd, bloc.demandes(), tau0, self.repere)
     }
 
     /// Finds the first object with a box of each of these rays, which are offered objects, in the

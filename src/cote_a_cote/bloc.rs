@@ -61,12 +61,13 @@ impl<'a, R: Nombre> Bloc<'a, R> {
         &self.groupes[self.demandes.clone()]
     }
 
-    /// Makes each of these objects, by its index, the first of every ray that is offered objects and
-    /// enters it before its first so far; the flag says whether the object may hold the source of one.
+    /// Makes each of these objects, by its index, the first of every ray that is offered objects
+    /// and enters it before its first so far; the flag says whether the object may hold the source
+    /// of one.
     ///
-    /// `vectorize` is called once around the loop over objects, which takes up to 8 % less time than
-    /// one call for each object (measured). Each shape is copied: the compiler then knows that no
-    /// write to a group changes it, and does not read it again for every ray.
+    /// `vectorize` is called once around the loop over objects, which takes up to 8 % less time
+    /// than one call for each object (measured). Each shape is copied: the compiler then knows that
+    /// no write to a group changes it, and does not read it again for every ray.
     #[inline(always)]
     pub(crate) fn proposer<S: Simd>(
         &mut self,

@@ -208,7 +208,7 @@ impl<R: Nombre> Groupe<R> {
                     let flou = rayon.flou();
                     touches[voie] = Ok(Intersection { distance: t, contact, flou, texture, rang });
                 } else {
-                    touches[voie] = objet.conclure(rayon, t, rang);
+                    touches[voie] = objet.touche(rayon, t, rang);
                 }
             }
         }

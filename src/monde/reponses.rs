@@ -50,7 +50,7 @@ impl core::error::Error for LongueursDifferentes {}
 ///
 /// It is passed by reference: a copy of what was just written piece by piece stalls until the
 /// pieces are stored, and a ray among few objects takes up to 1.2 times as long (measured).
-pub struct Vue<'a, R> {
+pub struct Sujet<'a, R> {
     pub(crate) liste: Liste<'a, R>,
     pub(crate) arbre: &'a Arbre<'a, R>,
     pub(crate) niveau: Level,
@@ -61,22 +61,22 @@ pub struct Vue<'a, R> {
 /// Asks the tree for the first object of one ray, alone or left over by a block, with these
 /// instructions; `repondre` makes the answer of it.
 ///
-/// What is called gets two addresses, in registers. Were the question among what is passed, it would
-/// be written and read again before the walk begins, and shadows among a dozen objects would take up
-/// to 1.1 times as long (measured).
+/// What is called gets two addresses, in registers. Were the question among what is passed, it
+/// would be written and read again before the walk begins, and shadows among a dozen objects would
+/// take up to 1.1 times as long (measured).
 #[inline(always)]
 fn premier_d_un_arbre<S: Simd, R: Nombre, T, const OMBRE: bool>(
     simd: S,
-    vue: &Vue<'_, R>,
+    sujet: &Sujet<'_, R>,
     rayon: &Rayon<R>,
     repondre: impl Fn(Premier<R, OMBRE>, &Rayon<R>, &[ObjetRay<R>]) -> T,
 ) -> T {
     simd.vectorize(
         #[inline(always)]
         move || {
-            let premier = vue.deja.map_or(Premier::avant(rayon.fin()), Premier::en_question);
-            let premier = vue.arbre.parcourir(simd, &vue.liste, rayon, premier);
-            repondre(premier, rayon, vue.liste.objets)
+            let premier = sujet.deja.map_or(Premier::avant(rayon.fin()), Premier::en_question);
+            let premier = sujet.arbre.parcourir(simd, &sujet.liste, rayon, premier);
+            repondre(premier, rayon, sujet.liste.objets)
         },
     )
 }
@@ -103,7 +103,7 @@ fn premier_d_une_liste<S: Simd, R: Nombre, T, const OMBRE: bool>(
 /// Asks one ray any other question.
 #[inline(always)]
 fn demander<R: Nombre, Q: Question<R>, T>(
-    Vue { liste, arbre, niveau, .. }: &Vue<'_, R>,
+    Sujet { liste, arbre, niveau, .. }: &Sujet<'_, R>,
     rayon: &Rayon<R>,
     mut question: Q,
     repondre: impl Fn(Q, &Rayon<R>, &[ObjetRay<R>]) -> T,
@@ -125,7 +125,7 @@ fn demander<R: Nombre, Q: Question<R>, T>(
 /// inlined, and would be compiled for the baseline instructions.
 fn une_touche<R: Nombre>() -> impl Fn(Premier<R>, &Rayon<R>, &[ObjetRay<R>]) -> Reponse<R> + Copy {
     #[inline(always)]
-    |premier, rayon, objets| premier.conclure(rayon, objets)
+    |premier, rayon, objets| premier.reponse(rayon, objets)
 }
 
 /// Makes a shadow of a first object.
@@ -142,7 +142,7 @@ const RAYONS_D_UNE_LISTE: usize = 6;
 /// the answer of one ray, `ecrire` writes those of a group.
 #[inline(always)]
 fn demander_en_lot<R: Nombre, T, const OMBRE: bool>(
-    vue: &Vue<'_, R>,
+    sujet: &Sujet<'_, R>,
     (rayons, reponses): (&[Rayon<R>], &mut [T]),
     repondre: impl Fn(Premier<R, OMBRE>, &Rayon<R>, &[ObjetRay<R>]) -> T + Copy,
     ecrire: impl Fn(&Groupe<R>, &[ObjetRay<R>], &[Rayon<R>], &mut [T]) + Copy,
@@ -150,10 +150,10 @@ fn demander_en_lot<R: Nombre, T, const OMBRE: bool>(
     if rayons.len() != reponses.len() {
         return Err(LongueursDifferentes { rayons: rayons.len(), reponses: reponses.len() });
     }
-    let &Vue { liste, arbre, niveau, .. } = vue;
+    let &Sujet { liste, arbre, niveau, .. } = sujet;
     // The rays that a block leaves have asked the objects without a box.
     let sans = Arbre { sans_boite: &[], ..*arbre };
-    let mut reste = Vue { liste, arbre: &sans, niveau, deja: None };
+    let mut reste = Sujet { liste, arbre: &sans, niveau, deja: None };
     let mut groupes = Groupes::new_const();
     let mut bloc = Bloc::new(&mut groupes, OMBRE);
     selon_le_niveau!(niveau, true, simd => simd.vectorize(
@@ -182,7 +182,7 @@ fn demander_en_lot<R: Nombre, T, const OMBRE: bool>(
                             *reponse = if arbre.noeuds.is_empty() {
                                 premier_d_une_liste(simd, &liste, rayon, repondre)
                             } else {
-                                premier_d_un_arbre(simd, vue, rayon, repondre)
+                                premier_d_un_arbre(simd, sujet, rayon, repondre)
                             };
                             continue;
                         }
@@ -228,9 +228,9 @@ impl Reel for f64 {}
 /// compiled for `f32` and for `f64`, which are `R` in them.
 macro_rules! reponses {
     ($(fn $nom:ident$(<$vie:lifetime>)?($($de:ident: $type:ty),* $(,)?) -> $reponse:ty $corps:block)*) => {
-        /// The answers in one scalar. Nobody can name this trait outside of the crate, and its functions
-        /// have names that no trait of a caller has: else the caller could not use theirs for a
-        /// scalar (E0034).
+        /// The answers in one scalar. Nobody can name this trait outside of the crate, and its
+        /// functions have names that no trait of a caller has: else the caller could not use theirs
+        /// for a scalar (E0034).
         pub trait Repond<R> {
             $(fn $nom$(<$vie>)?($($de: $type),*) -> $reponse;)*
         }
@@ -255,9 +255,9 @@ reponses! {
         construire(objets, places, decouper)
     }
 
-    fn lancer_rayon_premiere(vue: &Vue<'_, R>, rayon: &Rayon<R>) -> Reponse<R> {
-        selon_le_niveau!(vue.niveau, true, simd => {
-            premier_d_un_arbre(simd, vue, rayon, une_touche())
+    fn lancer_rayon_premiere(sujet: &Sujet<'_, R>, rayon: &Rayon<R>) -> Reponse<R> {
+        selon_le_niveau!(sujet.niveau, true, simd => {
+            premier_d_un_arbre(simd, sujet, rayon, une_touche())
         })
     }
 
@@ -269,11 +269,11 @@ reponses! {
         })
     }
 
-    fn lancer_rayon_premieres(vue: &Vue<'_, R>, rayons: &[Rayon<R>], touches: &mut [Reponse<R>])
+    fn lancer_rayon_premieres(sujet: &Sujet<'_, R>, rayons: &[Rayon<R>], touches: &mut [Reponse<R>])
         -> Result<(), LongueursDifferentes>
     {
         demander_en_lot(
-            vue,
+            sujet,
             (rayons, touches),
             une_touche(),
             #[inline(always)]
@@ -281,9 +281,9 @@ reponses! {
         )
     }
 
-    fn lancer_rayon_occulte(vue: &Vue<'_, R>, rayon: &Rayon<R>) -> bool {
-        selon_le_niveau!(vue.niveau, true, simd => {
-            premier_d_un_arbre(simd, vue, rayon, une_ombre())
+    fn lancer_rayon_occulte(sujet: &Sujet<'_, R>, rayon: &Rayon<R>) -> bool {
+        selon_le_niveau!(sujet.niveau, true, simd => {
+            premier_d_un_arbre(simd, sujet, rayon, une_ombre())
         })
     }
 
@@ -295,11 +295,11 @@ reponses! {
         })
     }
 
-    fn lancer_rayon_occultes(vue: &Vue<'_, R>, rayons: &[Rayon<R>], occultes: &mut [bool])
+    fn lancer_rayon_occultes(sujet: &Sujet<'_, R>, rayons: &[Rayon<R>], occultes: &mut [bool])
         -> Result<(), LongueursDifferentes>
     {
         demander_en_lot(
-            vue,
+            sujet,
             (rayons, occultes),
             une_ombre(),
             #[inline(always)]
@@ -307,25 +307,25 @@ reponses! {
         )
     }
 
-    fn lancer_rayon_certifie(vue: &Vue<'_, R>, rayon: &Rayon<R>, reponse: &Reponse<R>) -> bool {
-        let certificat = Certificat::new(&vue.liste, rayon, reponse);
-        certificat.is_some_and(|certificat| demander(vue, rayon, certificat, |q, _, _| !q.doute))
+    fn lancer_rayon_certifie(sujet: &Sujet<'_, R>, rayon: &Rayon<R>, reponse: &Reponse<R>) -> bool {
+        let certificat = Certificat::new(&sujet.liste, rayon, reponse);
+        certificat.is_some_and(|certificat| demander(sujet, rayon, certificat, |q, _, _| !q.doute))
     }
 
-    fn lancer_rayon_visiter(vue: &Vue<'_, R>, rayon: &Rayon<R>, montrer: Montrer<'_, R>) -> () {
-        demander(vue, rayon, Visite::<_, false> { fin: rayon.fin(), montrer }, |_, _, _| ());
+    fn lancer_rayon_visiter(sujet: &Sujet<'_, R>, rayon: &Rayon<R>, montrer: Montrer<'_, R>) -> () {
+        demander(sujet, rayon, Visite::<_, false> { fin: rayon.fin(), montrer }, |_, _, _| ());
     }
 
-    fn lancer_rayon_dans_l_ordre(vue: &Vue<'_, R>, rayon: &Rayon<R>, touches: &mut [Reponse<R>]) -> usize {
+    fn lancer_rayon_dans_l_ordre(sujet: &Sujet<'_, R>, rayon: &Rayon<R>, touches: &mut [Reponse<R>]) -> usize {
         let mut rangee = Rangee::new(touches);
-        Self::lancer_rayon_visiter(vue, rayon, &mut |indice, t| rangee.placer(indice, t));
-        rangee.conclure(rayon, vue.liste.objets)
+        Self::lancer_rayon_visiter(sujet, rayon, &mut |indice, t| rangee.placer(indice, t));
+        rangee.en_ordre(rayon, sujet.liste.objets)
     }
 
-    fn lancer_rayon_contenants(vue: &Vue<'_, R>, point: Vecteur<R>, montrer: Montrer<'_, R>) -> bool {
+    fn lancer_rayon_contenants(sujet: &Sujet<'_, R>, point: Vecteur<R>, montrer: Montrer<'_, R>) -> bool {
         let visite = Visite::<_, true> { fin: R::INFINI, montrer };
         // The direction does not matter, and the point need not be finite.
         let rayon = Rayon::sans_fin(point, Vecteur::Z);
-        demander(vue, &rayon, visite, |visite, _, _| visite.est_reglee())
+        demander(sujet, &rayon, visite, |visite, _, _| visite.est_reglee())
     }
 }

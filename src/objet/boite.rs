@@ -333,7 +333,8 @@ impl<R: Nombre> Forme<R> for BoiteRay<R> {
     #[inline(always)]
     fn t_sortie(&self, rayon: &Rayon<R>) -> R {
         let (entree, _, sortie) = self.dalles(rayon);
-        let sort = (sortie.longueur > R::ZERO) & !entree.depasse(sortie); // W4
+        // W4: the exit is ahead, and the line passes through the box.
+        let sort = (sortie.longueur > R::ZERO) & !entree.depasse(sortie);
         if sort { sortie.distance() } else { R::INFINI }
     }
 

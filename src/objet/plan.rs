@@ -222,8 +222,8 @@ impl<R: Nombre> PlanRay<R> {
     /// numerator and the denominator of annex A.1, both times −1.
     #[inline(always)]
     pub(crate) fn hauteur_et_descente(&self, rayon: &Rayon<R>) -> (R, R) {
+        // H1: the height is above 0 outside, the descent for a ray that comes nearer.
         let hauteur = self.normale.produit_scalaire(rayon.source()) + self.distance;
-        // H1
         (hauteur, -self.normale.produit_scalaire(rayon.direction()))
     }
 }
@@ -250,15 +250,15 @@ impl<R: Nombre> Forme<R> for PlanRay<R> {
     #[inline(always)]
     fn t_et_dedans(&self, rayon: &Rayon<R>) -> (R, bool) {
         let (hauteur, descente) = self.hauteur_et_descente(rayon);
-        let entre = (descente > R::ZERO) & (hauteur > R::ZERO); // H2
-        let t = if entre { hauteur / descente } else { R::INFINI }; // H3
+        let touche = (descente > R::ZERO) & (hauteur > R::ZERO); // H2: it descends from outside
+        let t = if touche { hauteur / descente } else { R::INFINI }; // H3: height over descent
         (t, hauteur <= R::ZERO)
     }
 
     #[inline(always)]
     fn des_le_depart(&self, rayon: &Rayon<R>) -> bool {
         let (hauteur, _) = self.hauteur_et_descente(rayon);
-        (hauteur <= R::ZERO) & self.peut_entrer(rayon) // D2
+        (hauteur <= R::ZERO) & self.peut_entrer(rayon) // D2: less deep than δ, and it descends
     }
 
     /// t = (−d − N·S)/(N·D), for a ray that climbs from inside: the entry into the other half of
@@ -266,7 +266,7 @@ impl<R: Nombre> Forme<R> for PlanRay<R> {
     #[inline(always)]
     fn t_sortie(&self, rayon: &Rayon<R>) -> R {
         let (hauteur, descente) = self.hauteur_et_descente(rayon);
-        // W3
+        // W3: it climbs from inside.
         if (descente < R::ZERO) & (hauteur < R::ZERO) { hauteur / descente } else { R::INFINI }
     }
 

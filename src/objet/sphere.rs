@@ -166,10 +166,10 @@ impl<R: Nombre> SphereRay<R> {
     #[inline(always)]
     fn termes(&self, rayon: &Rayon<R>) -> Termes<R> {
         let (sc, d) = (self.centre - rayon.source(), rayon.direction());
-        let (r2, d2) = (self.r * self.r, d.longueur_carree()); // S1
-        let sa = sc.produit_scalaire(d); // S2
-        let puissance = sc.longueur_carree() - r2; // S3
-        let ab2 = r2 * d2 - sc.produit_vectoriel(d).longueur_carree(); // S4
+        let (r2, d2) = (self.r * self.r, d.longueur_carree()); // S1: D·D, 1 but for rounding
+        let sa = sc.produit_scalaire(d); // S2: A is the point of the line nearest to C
+        let puissance = sc.longueur_carree() - r2; // S3: above 0 outside
+        let ab2 = r2 * d2 - sc.produit_vectoriel(d).longueur_carree(); // S4: r² − AC²
         Termes { sa, puissance, ab2, d2 }
     }
 
@@ -215,11 +215,12 @@ impl<R: Nombre> Forme<R> for SphereRay<R> {
     #[inline(always)]
     fn t_et_dedans(&self, rayon: &Rayon<R>) -> (R, bool) {
         let Termes { sa, puissance, ab2, d2, .. } = self.termes(rayon);
-        let sa_ab = sa + ab2.racine(); // S6
+        let sa_ab = sa + ab2.racine(); // S6: (SA − AB)(SA + AB) is the power
         let avant_a = puissance * d2 < sa * sa_ab;
         let (haut, bas) = if avant_a { (puissance, sa_ab) } else { (sa, d2) };
-        let entre = (ab2 > R::ZERO) & (sa > R::ZERO) & (puissance > R::ZERO); // S5
-        (if entre { haut / bas } else { R::INFINI }, puissance <= R::ZERO)
+        // S5: the line meets the sphere, ahead of a source outside.
+        let touche = (ab2 > R::ZERO) & (sa > R::ZERO) & (puissance > R::ZERO);
+        (if touche { haut / bas } else { R::INFINI }, puissance <= R::ZERO)
     }
 
     #[inline(always)]
@@ -239,8 +240,9 @@ impl<R: Nombre> Forme<R> for SphereRay<R> {
     fn t_sortie(&self, rayon: &Rayon<R>) -> R {
         let Termes { sa, puissance, ab2, d2, .. } = self.termes(rayon);
         let (dedans, devant) = (puissance < R::ZERO, sa > R::ZERO);
-        let ab = max(ab2, -puissance * d2).racine(); // W1
-        let (haut, bas) = if devant { (sa + ab, d2) } else { (puissance, sa - ab) }; // W2
+        // W1: from inside AB² is no less than −power·D².
+        let ab = max(ab2, -puissance * d2).racine();
+        let (haut, bas) = if devant { (sa + ab, d2) } else { (puissance, sa - ab) }; // W2: no sum cancels
         if dedans | (devant & (ab2 > R::ZERO)) { haut / bas } else { R::INFINI }
     }
 
@@ -258,7 +260,7 @@ impl<R: Nombre> Forme<R> for SphereRay<R> {
 
     #[inline(always)]
     fn hauteur(&self, p: Vecteur<R>, n: Vecteur<R>, r: R) -> Hauteur<R> {
-        // M3
+        // M3: from the power of P, which is 2r times the height, nearly.
         let nombre = R::depuis_f64;
         let cp = p - self.centre;
         let r2 = r * r;

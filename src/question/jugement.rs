@@ -1,8 +1,8 @@
 //! What is judged after the fact: how far a distance is off, and whether an answer is certainly
 //! that of exact arithmetic on the numbers as they are stored.
 //!
-//! There is one judge (`juge.rs`). At a glance, in plain `f64`, nearly every ray is clear; what that
-//! leaves open is judged again in doubled numbers.
+//! There is one judge (`juge.rs`). At a glance, in plain `f64`, nearly every ray is clear; what
+//! that leaves open is judged again in doubled numbers.
 
 pub(crate) mod certificat;
 pub(crate) mod juge;
@@ -43,8 +43,8 @@ impl<R: Nombre> ObjetRay<R> {
     /// arithmetic has the source outside, and at a way out that is off by half of t or more.
     ///
     /// The same bound holds for t in lengths of D: it is no less than |t − t′|, where the ray
-    /// crosses the surface at S + t′D. After [`Rayon::temoin_f64`] D is unit to the rounding of `f32`
-    /// only, and the bound covers that; for digits in scene units make D unit again, by
+    /// crosses the surface at S + t′D. After [`Rayon::temoin_f64`] D is unit to the rounding of
+    /// `f32` only, and the bound covers that; for digits in scene units make D unit again, by
     /// [`Rayon::new`] of the same source and direction.
     ///
     /// ```
@@ -95,10 +95,10 @@ impl<R: Nombre> ObjetRay<R> {
     ///
     /// It is never true of a wrong answer (lemma 17). It may be false of a right one: within some
     /// 2⁻¹⁰⁰|S − C| of a face or 2⁻¹⁰⁰|S − C|²/r of the outline of a sphere, for boxes thinner than
-    /// 2⁻¹⁰⁰|S − C|, for directions within some 2⁻¹⁰⁰ of the plane of a turned face, where products leave the
-    /// normal numbers of `f64`, for hits whose distance the type can hardly hold, and for entries
-    /// within rounding of the end of the ray. [`Monde::certifie`](crate::Monde::certifie) judges a
-    /// list.
+    /// 2⁻¹⁰⁰|S − C|, for directions within some 2⁻¹⁰⁰ of the plane of a turned face, where products
+    /// leave the normal numbers of `f64`, for hits whose distance the type can hardly hold, and for
+    /// entries within rounding of the end of the ray. [`Monde::certifie`](crate::Monde::certifie)
+    /// judges a list.
     ///
     /// ```
     /// use lancer_rayon::{ObjetRay, Rayon, SphereGeo, Texture, Vecteur};

@@ -4,7 +4,7 @@
 use core::ops::ControlFlow::{self, Break, Continue};
 
 use crate::algebre::nombre::{fois_u, max, min};
-use crate::question::{Abord, Premier, Question, entree};
+use crate::question::{Abord, Premier, Question, t_d_entree};
 use crate::rayon::intersection::Rang;
 use crate::{Intersection, NoIntersection, Nombre, ObjetRay, Rayon, Reponse};
 
@@ -34,7 +34,7 @@ impl<R: Nombre, const D_UN_POINT: bool> Question<R> for Visite<'_, R, D_UN_POINT
         if D_UN_POINT {
             return objet.contient(rayon.source()).then_some(R::ZERO);
         }
-        entree(rayon, objet, abord).filter(|t| *t < self.fin)
+        t_d_entree(rayon, objet, abord).filter(|t| *t < self.fin)
     }
 
     #[inline(always)]
@@ -90,10 +90,10 @@ impl<'a, R: Nombre> Rangee<'a, R> {
 
     /// Puts the places in order and computes what was left open of each hit; returns how many there
     /// are.
-    pub(crate) fn conclure(self, rayon: &Rayon<R>, objets: &[ObjetRay<R>]) -> usize {
+    pub(crate) fn en_ordre(self, rayon: &Rayon<R>, objets: &[ObjetRay<R>]) -> usize {
         trier(self.places);
         for touche in &mut self.places[..self.nombre] {
-            *touche = cle(touche).conclure(rayon, objets);
+            *touche = cle(touche).reponse(rayon, objets);
         }
         self.nombre
     }

@@ -7,15 +7,16 @@ use crate::{Nombre, Texture, Vecteur};
 
 /// Where a ray first touches an object: what the handout asks for in §2.3.
 ///
-/// A search makes one, or serde reads one that was written. It knows its point, so that the next ray
-/// needs nothing else to start from: see [`secondaire`](Self::secondaire),
+/// A search makes one, or serde reads one that was written. It knows its point, so that the next
+/// ray needs nothing else to start from: see [`secondaire`](Self::secondaire),
 /// [`reflechi`](Self::reflechi), [`refracte`](Self::refracte),
 /// [`vers_lumiere`](Self::vers_lumiere), [`vers_soleil`](Self::vers_soleil) and
 /// [`vers_touche`](Self::vers_touche).
 ///
-/// With the feature `serde` a hit that was written is read again, to the bit, unless it is a hit on a
-/// [witness](crate::ObjetRay::temoin_f64), whose normal is not unit. JSON, which has no ±∞, does not
-/// give back a hit whose point is beyond the range of the type; no ray starts from such a hit either.
+/// With the feature `serde` a hit that was written is read again, to the bit, unless it is a hit on
+/// a [witness](crate::ObjetRay::temoin_f64), whose normal is not unit. JSON, which has no ±∞, does
+/// not give back a hit whose point is beyond the range of the type; no ray starts from such a hit
+/// either.
 ///
 /// ```
 /// use lancer_rayon::{PlanGeo, Rayon, Rotation, Texture, Vecteur, premiere_intersection};

@@ -42,7 +42,8 @@ impl<'a, R: Nombre> Certificat<'a, R> {
         certaine(dernier).then_some(Self { temoin, premier, dernier, doute: false })
     }
 
-    /// Whether the ray certainly enters this object later than the first or never, at a closer look.
+    /// Whether the ray certainly enters this object later than the first or never, at a closer
+    /// look.
     #[cold]
     fn vient_apres_a_la_loupe(&self, objet: &ObjetRay<R>) -> bool {
         let a_la_loupe = |objet: &ObjetRay<R>| loupe(&objet.temoin_f64(), &self.temoin);
@@ -68,7 +69,7 @@ impl<R: Nombre> Question<R> for Certificat<'_, R> {
             Abord::Inconnu => !objet.boule().approchee(rayon),
             Abord::DansSaBoite { .. } => false,
         };
-        // G4
+        // G4: a glance decides most; doubled numbers are dear, and come last.
         let vient_apres = passe
             || self.premier.is_some_and(|(_, premier)| premier == i)
             || coup_d_oeil(&objet.temoin_f64(), &self.temoin).bas > self.dernier
