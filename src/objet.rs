@@ -38,7 +38,8 @@ pub(crate) use par_forme;
 /// A translation rounds each coordinate of the centre once. The distance d − N·v of a moved
 /// half-space is off by at most u·|d| + 4.1u·Σ|N_i·v_i|, and a turned centre C·M by at most
 /// 3.1u·Σ|C_i|, with u half a unit in the last place of 1. Both may be off by 1.6 times the
-/// smallest number more, for products below the normal numbers (`docs/preuves.md`, lemma 11).
+/// smallest number more, for products below the normal numbers (`docs/preuves/rayons.md`,
+/// lemma 11).
 ///
 /// **The errors of many moves add up**, and those of one turn that is taken again and again all go
 /// the same way: in `f32` a centre that is turned 100,000 times by 0.1° comes 0.25 % nearer to O.

@@ -1,5 +1,5 @@
 //! What tests and measurements need of this crate and its callers do not: the answers with other
-//! instructions, what no answer tells, the constants of the proofs in `docs/preuves.md`, which a
+//! instructions, what no answer tells, the constants of the proofs in `docs/preuves`, which a
 //! test compares with their lemmas, and the numbers of lemma 16.
 
 use fearless_simd::Level;

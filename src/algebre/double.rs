@@ -1,5 +1,5 @@
-//! Numbers of twice the length of an `f64`, each with a bound on its own error (`docs/preuves.md`,
-//! lemma 16).
+//! Numbers of twice the length of an `f64`, each with a bound on its own error
+//! (`docs/preuves/objets.md`, lemma 16).
 
 use crate::algebre::nombre::{max, min};
 use crate::{Nombre, Vecteur};

@@ -5,7 +5,7 @@
 //! side, or the lower edge not down to its upper side. The edges of a single ray coincide.
 //!
 //! Rounding is monotone, so that a probe of many rays leaves no box out that the probe of one of
-//! them enters (`docs/preuves-arbre.md`, lemmas 19 to 21).
+//! them enters (`docs/preuves/recherche.md`, lemmas 19 to 21).
 
 use fearless_simd::f32x16;
 use fearless_simd::prelude::*;

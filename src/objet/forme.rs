@@ -181,7 +181,7 @@ impl<R: Nombre> Boule<R> {
     /// Whether the ray comes near the ball.
     ///
     /// Never false for a ray that enters the shape, whatever rounding does (derivation in
-    /// `docs/preuves-arbre.md`, lemma 14). A ray whose source is in the ball passes even with C
+    /// `docs/preuves/recherche.md`, lemma 14). A ray whose source is in the ball passes even with C
     /// behind it.
     #[inline(always)]
     pub(crate) fn approchee(self, rayon: &Rayon<R>) -> bool {

@@ -31,8 +31,9 @@ impl<R: Nombre> ObjetRay<R> {
     /// true entry, or at a [way out](Self::sortie) the true exit, is no farther than that from it,
     /// for the numbers as they are stored.
     ///
-    /// The bound is proven (`docs/preuves.md`, lemma 17), also at the edges of a box, and includes
-    /// the rounding of its own computation. Ask the object that was hit, with the ray of the hit.
+    /// The bound is proven (`docs/preuves/objets.md`, lemma 17), also at the edges of a box, and
+    /// includes the rounding of its own computation. Ask the object that was hit, with the ray of the
+    /// hit.
     /// The bound rests on t alone, not on how t was found: it is the error itself, as found with
     /// numbers of twice the length of an `f64`, and what D lacks to length 1 over that distance. In
     /// the median it is less than 1.1 times the error. It takes many times as long as the hit.

@@ -139,8 +139,8 @@ impl<R: Nombre> Intersection<R> {
     /// A bound on how far [`point`](Self::point), as computed, lies from the surface along the
     /// normal, in scene units.
     ///
-    /// The bound is proven (`docs/preuves.md`, lemma 8), most often a few times the error itself,
-    /// and never a NaN. For a box the surface is the plane of the face that was touched.
+    /// The bound is proven (`docs/preuves/rayons.md`, lemma 8), most often a few times the error
+    /// itself, and never a NaN. For a box the surface is the plane of the face that was touched.
     ///
     /// It is +∞ where the point is beyond the range of the type, and for a sphere that is lost in
     /// rounding. Let a = 16u·(|x| + |y| + |z|) of the point, as that sum is computed, and |f| the

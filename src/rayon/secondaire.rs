@@ -133,7 +133,7 @@ impl<R: Nombre> Intersection<R> {
     /// in glass that does not let light out. Where the ray grazes, rounding may turn the mirrored
     /// direction below the surface, and the direction is then turned outward, as one in the tangent
     /// plane is. Otherwise it is within an angle of 20u of that of an exact mirror at N for the D
-    /// of a ray (`docs/preuves.md`, lemma 9).
+    /// of a ray (`docs/preuves/rayons.md`, lemma 9).
     ///
     /// # Errors
     /// As [`secondaire`](Self::secondaire): if the direction is zero or not finite, if `marge` is
@@ -175,9 +175,9 @@ impl<R: Nombre> Intersection<R> {
     /// ask the world before the way out (`docs/guide.md`, Glass).
     ///
     /// The direction is within an angle of sine 10.3u(1 + n)/c′ of the exact one at N for the D of
-    /// a ray, with c′ the exact cosine behind the surface (`docs/preuves.md`, lemma 9). At n = 1
-    /// light goes straight on to 3.1u, at any angle. A way out within 3.2u of the tangent plane is
-    /// then turned outward, as by [`secondaire`](Self::secondaire).
+    /// a ray, with c′ the exact cosine behind the surface (`docs/preuves/rayons.md`, lemma 9).
+    /// At n = 1 light goes straight on to 3.1u, at any angle. A way out within 3.2u of the tangent
+    /// plane is then turned outward, as by [`secondaire`](Self::secondaire).
     ///
     /// # Errors
     /// **Total reflection**: the error names `refraction`, and gives the square of the cosine

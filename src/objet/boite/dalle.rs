@@ -5,7 +5,7 @@ use crate::algebre::nombre::{puissance_de_deux, selon};
 use crate::{Nombre, Vecteur};
 
 /// A power of two that multiplies speeds, so that no product of a length of a box and a speed
-/// towards its faces leaves the range of the type (`docs/preuves.md`, lemma 2).
+/// towards its faces leaves the range of the type (`docs/preuves/objets.md`, lemma 2).
 #[inline(always)]
 pub(crate) fn echelle_vitesse<R: Nombre>() -> R {
     R::depuis_f64(selon::<R, _>(puissance_de_deux(62), puissance_de_deux(568)))

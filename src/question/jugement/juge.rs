@@ -1,6 +1,6 @@
 //! The judge: whether and when a ray enters an object, within bounds. Its formulae are not those of
-//! the search, and are the same for plain `f64` and for doubled numbers (`docs/preuves.md`, lemmas
-//! 17 and 18).
+//! the search, and are the same for plain `f64` and for doubled numbers (`docs/preuves/objets.md`,
+//! lemmas 17 and 18).
 
 use crate::algebre::double::{Intervalle, Triple};
 use crate::algebre::nombre::{max, min};

@@ -1,6 +1,6 @@
 //! A point of a ray as a judge sees it, in numbers that know what they may be off by: at a glance,
-//! in plain `f64` (`docs/preuves.md`, lemma 18), or closely, in numbers of twice that length (lemma
-//! 16).
+//! in plain `f64` (`docs/preuves/objets.md`, lemma 18), or closely, in numbers of twice that length
+//! (lemma 16).
 
 use crate::algebre::double::{Double, Intervalle, Triple, scalaire, triple};
 use crate::{Nombre, Rayon, Vecteur};
