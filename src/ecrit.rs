@@ -47,6 +47,15 @@ macro_rules! champs {
     };
 }
 
+// The error of an array says nothing of rotations, and some write three angles.
+impl<'de, R: Nombre + Deserialize<'de>> Deserialize<'de> for Rotation<R> {
+    fn deserialize<D: Deserializer<'de>>(lecteur: D) -> Result<Self, D::Error> {
+        let par_lignes = |refus| D::Error::custom(format_args!("a matrix, row by row: {refus}"));
+        let matrice = <[[R; 3]; 3]>::deserialize(lecteur).map_err(par_lignes)?;
+        Self::depuis_matrice(matrice).map_err(D::Error::custom)
+    }
+}
+
 champs! {
     SphereGeo |s| {
         centre: Vecteur<R> = s.centre(),

@@ -136,13 +136,38 @@ impl<R: Nombre> ObjetGeo<R> {
     /// ```
     #[doc(alias("to_f32", "narrow", "floating_origin"))]
     pub fn vers_f32(self, origine: Vecteur<R>) -> Result<ObjetGeo<f32>, ErreurGeo> {
-        par_forme!(Self, self, forme => Ok(forme.vers_f32(origine)?.into()))
+        par_forme!(Self, self, forme => Ok(forme.vers(origine)?.into()))
     }
 
     /// The same object, ready for rays (handout §3).
     #[doc(alias = "into_ray")]
     pub fn vers_ray(self) -> ObjetRay<R> {
         par_forme!(Self, self, forme => forme.vers_ray().into())
+    }
+}
+
+impl ObjetGeo {
+    /// The same object in the scalar R, for code that is generic over it: as it is in `f64`, and as
+    /// [`vers_f32`](Self::vers_f32) in `f32`.
+    ///
+    /// # Errors
+    /// As [`vers_f32`](Self::vers_f32).
+    ///
+    /// ```
+    /// use lancer_rayon::{ErreurGeo, ObjetGeo, ObjetRay, Reel, SphereGeo, Texture, Vecteur};
+    ///
+    /// fn scene<R: Reel>(objets: &[ObjetGeo]) -> Result<Vec<ObjetRay<R>>, ErreurGeo> {
+    ///     objets.iter().map(|objet| Ok(objet.vers(Vecteur::NUL)?.vers_ray())).collect()
+    /// }
+    ///
+    /// let boule = ObjetGeo::from(SphereGeo::new(Vecteur::Z, 0.1, Texture(0))?);
+    /// assert_eq!(scene::<f64>(&[boule])?, [boule.vers_ray()]);
+    /// assert_eq!(scene::<f32>(&[boule])?, [boule.vers_f32(Vecteur::NUL)?.vers_ray()]);
+    /// # Ok::<(), ErreurGeo>(())
+    /// ```
+    #[doc(alias("cast", "convert", "either_scalar"))]
+    pub fn vers<R: Nombre>(self, origine: Vecteur) -> Result<ObjetGeo<R>, ErreurGeo> {
+        par_forme!(Self, self, forme => Ok(forme.vers(origine)?.into()))
     }
 }
 

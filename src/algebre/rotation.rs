@@ -2,7 +2,6 @@
 
 use core::f64::consts::FRAC_PI_2;
 
-use crate::algebre::nombre::simple;
 use crate::algebre::refus::{exiger, fini, finis, unitaire};
 use crate::{ErreurGeo, Nombre, Vecteur};
 
@@ -27,10 +26,9 @@ use crate::{ErreurGeo, Nombre, Vecteur};
 /// # Ok::<(), lancer_rayon::ErreurGeo>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(try_from = "[[R; 3]; 3]", into = "[[R; 3]; 3]"))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(into = "[[R; 3]; 3]"))]
 #[cfg_attr(feature = "serde", serde(bound(serialize = "R: Nombre + serde::Serialize")))]
-#[cfg_attr(feature = "serde", serde(bound(deserialize = "R: Nombre + serde::Deserialize<'de>")))]
 #[must_use]
 pub struct Rotation<R = f64> {
     matrice: [[R; 3]; 3],
@@ -326,9 +324,9 @@ impl<R: Nombre> Rotation<R> {
         self.matrice.map(Vecteur::from)
     }
 
-    /// The same rotation in `f32`, each element rounded.
-    pub(crate) fn vers_f32(self) -> Rotation<f32> {
-        Rotation { matrice: self.matrice.map(|ligne| ligne.map(simple)) }
+    /// The same rotation in a scalar that is no wider, each element rounded.
+    pub(crate) fn vers<Q: Nombre>(self) -> Rotation<Q> {
+        Rotation::arrondie(self.matrice.map(|ligne| ligne.map(R::vers_f64)))
     }
 
     fn arrondie(m: Matrice) -> Self {

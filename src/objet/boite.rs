@@ -130,9 +130,15 @@ impl<R: Nombre> BoiteGeo<R> {
     /// [`new`](Self::new) with the numbers in `f32` fails.
     #[doc(alias("to_f32", "narrow", "floating_origin"))]
     pub fn vers_f32(self, origine: Vecteur<R>) -> Result<BoiteGeo<f32>, ErreurGeo> {
+        self.vers(origine)
+    }
+
+    /// The same in a scalar that is no wider.
+    pub(crate) fn vers<Q: Nombre>(self, origine: Vecteur<R>) -> Result<BoiteGeo<Q>, ErreurGeo> {
         let Self { centre, dimensions, rotation, texture } =
             self.translation(-refus::origine(origine)?)?;
-        BoiteGeo::new(centre.vers_f32(), dimensions.vers_f32(), rotation.vers_f32(), texture)
+        let [centre, dimensions] = [centre, dimensions].map(|v| Vecteur::depuis_f64(v.vers_f64()));
+        BoiteGeo::new(centre, dimensions, rotation.vers(), texture)
     }
 
     /// The same box, ready for rays (handout §3).

@@ -1,6 +1,5 @@
 //! The plane, which is a solid half-space (handout §2.2, §3 and annex A.1).
 
-use crate::algebre::nombre::simple;
 use crate::algebre::refus;
 use crate::algebre::refus::{coefficient, coordonnee, deplacement, point, unitaire};
 use crate::objet::forme::{Boule, Forme};
@@ -158,8 +157,13 @@ impl<R: Nombre> PlanGeo<R> {
     /// [`new`](Self::new) with the numbers in `f32` fails.
     #[doc(alias("to_f32", "narrow", "floating_origin"))]
     pub fn vers_f32(self, origine: Vecteur<R>) -> Result<PlanGeo<f32>, ErreurGeo> {
+        self.vers(origine)
+    }
+
+    /// The same in a scalar that is no wider.
+    pub(crate) fn vers<Q: Nombre>(self, origine: Vecteur<R>) -> Result<PlanGeo<Q>, ErreurGeo> {
         let Self { rotation, distance, texture } = self.translation(-refus::origine(origine)?)?;
-        PlanGeo::new(rotation.vers_f32(), simple(distance), texture)
+        PlanGeo::new(rotation.vers(), Q::depuis_f64(distance.vers_f64()), texture)
     }
 
     /// The same half-space, ready for rays (handout §3).

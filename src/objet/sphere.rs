@@ -1,6 +1,6 @@
 //! The sphere (handout §2.2, §3 and annex A.2).
 
-use crate::algebre::nombre::{fois_u, max, simple};
+use crate::algebre::nombre::{fois_u, max};
 use crate::algebre::refus;
 use crate::algebre::refus::{coefficient, deplacement, point, taille};
 use crate::objet::forme::{Boule, FLOU_PROPRE, Forme, Hauteur};
@@ -101,8 +101,14 @@ impl<R: Nombre> SphereGeo<R> {
     /// [`new`](Self::new) with the numbers in `f32` fails.
     #[doc(alias("to_f32", "narrow", "floating_origin"))]
     pub fn vers_f32(self, origine: Vecteur<R>) -> Result<SphereGeo<f32>, ErreurGeo> {
+        self.vers(origine)
+    }
+
+    /// The same in a scalar that is no wider.
+    pub(crate) fn vers<Q: Nombre>(self, origine: Vecteur<R>) -> Result<SphereGeo<Q>, ErreurGeo> {
         let Self { centre, rayon, texture } = self.translation(-refus::origine(origine)?)?;
-        SphereGeo::new(centre.vers_f32(), simple(rayon), texture)
+        let centre = Vecteur::depuis_f64(centre.vers_f64());
+        SphereGeo::new(centre, Q::depuis_f64(rayon.vers_f64()), texture)
     }
 
     /// The same sphere, ready for rays (handout §3).
