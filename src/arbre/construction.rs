@@ -8,7 +8,7 @@
 //! those of a leaf are sixteen neighbours. Each leaf is then transposed into columns in place, and
 //! the nodes above follow, floor by floor.
 
-use core::{fmt, mem};
+use core::mem;
 
 use crate::algebre::nombre::{max, min, simple};
 use crate::arbre::morceaux::{Coupe, decouper};
@@ -16,7 +16,7 @@ use crate::arbre::noeud::{
     COIN_ABSENT, ENFANTS, FICHE, Fiche, LIMITE_INDICES, Noeud, VIDE, en_mot,
 };
 use crate::arbre::repere::{Repere, double_centre, extremes};
-use crate::{Nombre, ObjetRay, Vecteur};
+use crate::{Nombre, ObjetRay, PlacesInsuffisantes, Vecteur};
 
 /// No tree is made over fewer objects with a box than this, since the list is about as fast
 /// (`DEVELOPING.md`, "Thresholds").
@@ -55,25 +55,6 @@ impl<R: Nombre> Arbre<'_, R> {
         coupe: Coupe::AUCUNE,
     };
 }
-
-/// Fewer places were lent than the [`Monde`](crate::Monde) over this many objects needs.
-#[doc(alias = "buffer_too_small")]
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub struct PlacesInsuffisantes {
-    /// How many places were lent.
-    pub places: usize,
-    /// How many places are needed: [`places`](crate::places).
-    #[doc(alias = "required")]
-    pub necessaires: usize,
-}
-
-impl fmt::Display for PlacesInsuffisantes {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} places lent, but {} needed", self.places, self.necessaires)
-    }
-}
-
-impl core::error::Error for PlacesInsuffisantes {}
 
 /// How many numbers the tree of this many objects may need, whichever of them have no box. An
 /// object without a box needs one number, less than its share of a leaf, except for the first

@@ -2,8 +2,6 @@
 //! scalar: generic code would be compiled again by every crate that calls it, and as slowly as that
 //! crate is.
 
-use core::fmt;
-
 use fearless_simd::{Level, Simd};
 
 use crate::arbre::construction::{Arbre, construire};
@@ -14,36 +12,7 @@ use crate::question::jugement::certificat::Certificat;
 use crate::question::liste::Liste;
 use crate::question::visite::{Montrer, Rangee, Visite};
 use crate::question::{Premier, Question};
-use crate::{Nombre, ObjetRay, PlacesInsuffisantes, Rayon, Reponse, Vecteur};
-
-/// There are more or fewer places for answers than rays.
-///
-/// ```
-/// use lancer_rayon::{LongueursDifferentes, Monde, NoIntersection, Rayon};
-///
-/// let rayons: [Rayon; 0] = [];
-/// let mut touches = [Err(NoIntersection); 3];
-/// let refus = Monde::de_liste(&[]).premieres_intersections(&rayons, &mut touches);
-/// assert_eq!(refus, Err(LongueursDifferentes { rayons: 0, reponses: 3 }));
-/// ```
-#[doc(alias = "length_mismatch")]
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub struct LongueursDifferentes {
-    /// How many rays there are.
-    #[doc(alias = "rays")]
-    pub rayons: usize,
-    /// How many answers there are places for.
-    #[doc(alias = "answers")]
-    pub reponses: usize,
-}
-
-impl fmt::Display for LongueursDifferentes {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} rays, but places for {} answers", self.rayons, self.reponses)
-    }
-}
-
-impl core::error::Error for LongueursDifferentes {}
+use crate::{LongueursDifferentes, Nombre, ObjetRay, PlacesInsuffisantes, Rayon, Reponse, Vecteur};
 
 /// What a question is asked of: the objects, their tree, which has no nodes if they are asked as a
 /// list, and the instructions; and what the ray has found before.
