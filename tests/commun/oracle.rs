@@ -554,30 +554,20 @@ struct Produits {
 
 impl Produits {
     fn new(longueurs: &[[Exact; 2]; 3], couples: &[Couple; 3]) -> Self {
-        let mut tous = Self {
-            aa: [[0.0; 3]; 3],
-            ba: [[0.0; 3]; 3],
-            bb: [[0.0; 3]; 3],
-            moins_aa: [[0.0; 3]; 3],
-            moins_bb: [[0.0; 3]; 3],
+        let fois_v = |quoi: usize| {
+            longueurs.each_ref().map(|l| couples.each_ref().map(|couple| &l[quoi] * &couple.v))
         };
-        for (i, j) in [(0, 1), (0, 2), (1, 2)] {
-            let ([a_i, b_i], [a_j, b_j]) = (&longueurs[i], &longueurs[j]);
-            let (v_i, v_j) = (&couples[i].v, &couples[j].v);
-            let (av, va) = (a_i * v_j, a_j * v_i);
-            let (bv, vb) = (b_i * v_j, b_j * v_i);
-            tous.aa[i][j] = (&av - &va).vers_f64();
-            tous.aa[j][i] = -tous.aa[i][j];
-            tous.bb[i][j] = (&bv - &vb).vers_f64();
-            tous.bb[j][i] = -tous.bb[i][j];
-            tous.ba[i][j] = (&bv - &va).vers_f64();
-            tous.ba[j][i] = (&vb - &av).vers_f64();
-            tous.moins_aa[i][j] = -(&av + &va).vers_f64();
-            tous.moins_aa[j][i] = tous.moins_aa[i][j];
-            tous.moins_bb[i][j] = -(&bv + &vb).vers_f64();
-            tous.moins_bb[j][i] = tous.moins_bb[i][j];
+        let (av, bv) = (fois_v(0), fois_v(1));
+        let tous = |f: &dyn Fn(usize, usize) -> Exact| {
+            core::array::from_fn(|i| core::array::from_fn(|j| f(i, j).vers_f64()))
+        };
+        Self {
+            aa: tous(&|i, j| &av[i][j] - &av[j][i]),
+            ba: tous(&|i, j| &bv[i][j] - &av[j][i]),
+            bb: tous(&|i, j| &bv[i][j] - &bv[j][i]),
+            moins_aa: tous(&|i, j| -&(&av[i][j] + &av[j][i])),
+            moins_bb: tous(&|i, j| -&(&bv[i][j] + &bv[j][i])),
         }
-        tous
     }
 }
 
