@@ -1,7 +1,8 @@
 //! Moving, turning and scaling objects (handout §2.3).
 
 use commun::hasard::{Hasard, pour_chaque};
-use commun::oracle::Exact;
+use commun::mesure::poids;
+use commun::oracle::{Exact, exacts, scalaire};
 use commun::regimes::{entre, rotation};
 use commun::strategies::{objet, vecteur};
 use commun::tolerances::{ORTHONORMALE, PRODUIT, u};
@@ -16,8 +17,8 @@ fn chaque_transformation_tient_sa_borne<R: Reel>() {
         (objet::<R>(alea), v, rotation::<R>(alea), k)
     };
     pour_chaque(cas(256), faire, |(objet, v, r, k)| {
-        let (avant, v) = (objet.vers_ray(), <[R; 3]>::from(v));
-        let deplace = objet.translation(v.into()).unwrap().vers_ray();
+        let avant = objet.vers_ray();
+        let deplace = objet.translation(v).unwrap().vers_ray();
         let tourne = objet.rotation(r).unwrap().vers_ray();
         let agrandi = objet.homothetie(k).unwrap().vers_ray();
         let m = r.matrice().map(|ligne| ligne.map(R::vers_f64));
@@ -36,10 +37,9 @@ fn chaque_transformation_tient_sa_borne<R: Reel>() {
             assert_eq!([tourne.distance(), agrandi.distance()], [plan.distance(); 2]);
         }
         if let (ObjetRay::Plan(plan), ObjetRay::Plan(deplace)) = (avant, deplace) {
-            let n = <[R; 3]>::from(plan.normale());
-            let termes: [Exact; 3] = [0, 1, 2].map(|i| &Exact::de(n[i]) * &Exact::de(v[i]));
-            let exacte = &Exact::de(plan.distance()) - &somme(&termes);
-            let poids: f64 = termes.iter().map(|x| x.vers_f64().abs()).sum();
+            let n = plan.normale();
+            let exacte = &Exact::de(plan.distance()) - &scalaire(&exacts(n), &exacts(v));
+            let poids = poids(n.vers_f64(), v.vers_f64());
             let permis = u * exacte.vers_f64().abs() + 4.1 * u * poids + 1.6 * eta;
             assert!((&Exact::de(deplace.distance()) - &exacte).vers_f64().abs() <= permis);
         }
@@ -54,12 +54,13 @@ fn chaque_transformation_tient_sa_borne<R: Reel>() {
         };
         assert_eq!(([memes, encore], ici), ([tailles; 2], c));
         let poids: f64 = c.iter().map(|x| x.vers_f64().abs()).sum();
+        let colonnes = r.inverse().axes().map(exacts);
         for i in 0..3 {
-            let exacte = &Exact::de(c[i]) + &Exact::de(v[i]);
+            let exacte = &Exact::de(c[i]) + &exacts(v)[i];
             let ecart = (&Exact::de(c_deplace[i]) - &exacte).vers_f64().abs();
             assert!(ecart <= u * exacte.vers_f64().abs(), "moved, off by {ecart:e}");
-            let termes = [0, 1, 2].map(|j| &Exact::de(c[j]) * &Exact::de(r.matrice()[j][i]));
-            let ecart = (&Exact::de(c_tourne[i]) - &somme(&termes)).vers_f64().abs();
+            let exacte = scalaire(&c.map(Exact::de), &colonnes[i]);
+            let ecart = (&Exact::de(c_tourne[i]) - &exacte).vers_f64().abs();
             assert!(ecart <= 3.1 * u * poids + 1.6 * eta, "turned, off by {ecart:e}");
             let exacte = &Exact::de(tailles[i]) * &Exact::de(k);
             let ecart = (&Exact::de(tailles_k[i]) - &exacte).vers_f64().abs();
@@ -77,10 +78,6 @@ fn normales<R: Reel>(objet: ObjetRay<R>) -> Vec<Vecteur> {
         ObjetRay::Plan(plan) => vec![plan.normale().vers_f64()],
         ObjetRay::Boite(boite) => boite.normales().map(Vecteur::vers_f64).to_vec(),
     }
-}
-
-fn somme([a, b, c]: &[Exact; 3]) -> Exact {
-    &(a + b) + c
 }
 
 /// The centre and three sizes of an object that has them.
