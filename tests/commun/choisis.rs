@@ -1,16 +1,21 @@
 //! Every question of a choice of objects, at any end and with any number of places, beside each object asked alone.
 
+use std::any::type_name;
 use std::ops::ControlFlow::{Break, Continue};
 use std::sync::atomic::{AtomicU32, Ordering};
 
-use lancer_rayon::{Choix, Etendue, Monde, NoIntersection, Rayon, Reponse, Vecteur};
+use lancer_rayon::{
+    Choix, Etendue, Monde, NoIntersection, Rayon, Reponse, Vecteur, premiere_intersection,
+};
 
 use crate::conversion::{Bits, Mots, mots, voisin};
+use crate::fabrique::sphere;
 
-/// A choice that is kept for all questions, and the indices of what it is to take.
+/// A choice that is kept for all questions, the indices of what it is to take, and what assertions say of how it is asked.
 pub struct Choisis<'a, R, C> {
     pub monde: Monde<'a, R, C>,
     pub pris: Vec<usize>,
+    pub facon: String,
 }
 
 /// Of these objects what two choices take, and neither of the two that another byte leaves out before and between.
@@ -23,7 +28,7 @@ pub fn choisir<R: Bits>(
     let prend = |i: &usize| un(*i) && *i != a && *i != b && deux(*i);
     let pris = (0..monde.objets().len()).filter(prend).collect();
     let sans_un = monde.sans(a).parmi(un);
-    Choisis { monde: sans_un.sans(b).parmi(deux), pris }
+    Choisis { monde: sans_un.sans(b).parmi(deux), pris, facon: String::new() }
 }
 
 /// A hit of an object that was asked alone, with its index: its distance, and its bits.
@@ -44,8 +49,11 @@ impl<R: Bits, C: Choix + Copy> Choisis<'_, R, C> {
         for (rayon, toutes) in rayons.iter().zip(&toutes) {
             self.certificat(rayon, toutes);
         }
-        self.en_lot(rayons, &toutes, &[]);
-        self.en_lot(rayons, &toutes, limites);
+        self.en_lot(rayons, &toutes, |i, _| rayons[i].fin());
+        if !limites.is_empty() {
+            self.en_lot(rayons, &toutes, |i, _| limites[i % limites.len()]);
+        }
+        (0..BOUTS).for_each(|genre| self.en_lot(rayons, &toutes, bout(genre)));
         points.iter().for_each(|point| self.points(*point));
         self.etendue();
     }
@@ -95,9 +103,21 @@ impl<R: Bits, C: Choix + Copy> Choisis<'_, R, C> {
 
     /// What an assertion says of the objects, unless they are many.
     fn objets(&self) -> String {
-        match self.monde.objets() {
+        let objets = match self.monde.objets() {
             objets if objets.len() < 20 => format!("{:?} of {objets:?}", self.pris),
             objets => format!("{} of {} objects", self.pris.len(), objets.len()),
+        };
+        format!("{}, {}: {objets}", self.facon, type_name::<R>())
+    }
+
+    /// The first hit of this ray, and that of the handout's question where nothing is left out.
+    pub fn premiere(&self, rayon: &Rayon<R>, toutes: &[Vue<R>]) {
+        let voulue = premiers_mots::<R>(avant(toutes, rayon.fin()));
+        let obtenue = self.monde.premiere_intersection(rayon);
+        assert_eq!(mots(&obtenue), voulue, "{rayon:?} {}", self.objets());
+        if self.pris.len() == self.monde.objets().len() {
+            let seule = premiere_intersection(self.monde.objets(), rayon);
+            assert_eq!(mots(&seule), voulue, "{rayon:?} {}", self.objets());
         }
     }
 
@@ -171,31 +191,25 @@ impl<R: Bits, C: Choix + Copy> Choisis<'_, R, C> {
         assert!(vus.iter().all(|vu| toutes_avant.contains(vu)), "{}", contexte());
     }
 
-    /// First hits and shadows of all rays at once: each with its own end, or else by turns with one of these limits, with
-    /// its nth hit, with the number beside it, and with none.
-    fn en_lot(&self, rayons: &[Rayon<R>], toutes: &[Vec<Vue<R>>], limites: &[R]) {
+    /// First hits and shadows of all rays at once, each of which ends where `fin` says by its hits.
+    pub fn en_lot(
+        &self,
+        rayons: &[Rayon<R>],
+        toutes: &[Vec<Vue<R>>],
+        fin: impl Fn(usize, &[Vue<R>]) -> R,
+    ) {
         let finir = |(i, (rayon, toutes)): (usize, (&Rayon<R>, &Vec<Vue<R>>))| {
-            if limites.is_empty() {
-                return *rayon;
-            }
-            let limite = limites[i / 4 % limites.len()];
-            let t = toutes.get(i % (toutes.len() + 1)).map_or(limite, |(t, _)| *t);
-            let fin = match i % 4 {
-                0 => limite,
-                1 => t,
-                2 => t * (R::UN + R::U + R::U),
-                _ => R::INFINI,
-            };
-            rayon.jusqu_a(fin).unwrap_or(*rayon)
+            rayon.jusqu_a(fin(i, toutes)).unwrap_or(*rayon)
         };
         let finis: Vec<_> = rayons.iter().zip(toutes).enumerate().map(finir).collect();
-        let mut touches: Vec<Reponse<R>> = vec![Err(NoIntersection); finis.len()];
-        let mut occultes = vec![true; finis.len()];
+        let avant: Vec<_> = finis.iter().zip(toutes).map(|(r, t)| avant(t, r.fin())).collect();
+        // The contrary, and a hit that no ray has, so that a place which is left out shows.
+        let mut touches = vec![absurde(); finis.len()];
+        let mut occultes: Vec<_> = avant.iter().map(|avant| avant.is_empty()).collect();
         self.monde.premieres_intersections(&finis, &mut touches).unwrap();
         self.monde.sont_occultes(&finis, &mut occultes).unwrap();
         let obtenues = touches.iter().zip(occultes);
-        for ((rayon, toutes), (touche, occulte)) in finis.iter().zip(toutes).zip(obtenues) {
-            let avant = avant(toutes, rayon.fin());
+        for ((rayon, avant), (touche, occulte)) in finis.iter().zip(avant).zip(obtenues) {
             assert_eq!(mots(touche), premiers_mots::<R>(avant), "{rayon:?} {}", self.objets());
             assert_eq!(occulte, !avant.is_empty(), "{rayon:?} {}", self.objets());
         }
@@ -250,6 +264,34 @@ impl<R: Bits, C: Choix + Copy> Choisis<'_, R, C> {
         });
         let obtenue = self.monde.etendue().map(|e| [e.bas, e.haut].map(<[R; 3]>::from));
         assert_eq!(obtenue, voulue, "{}", self.objets());
+    }
+}
+
+/// A hit that no ray has.
+fn absurde<R: Bits>() -> Reponse<R> {
+    let boule = sphere::<R>(Vecteur::NUL, R::UN);
+    boule.intersection(&Rayon::new(Vecteur::Z * R::LIMITE, -Vecteur::Z).unwrap())
+}
+
+/// How many kinds of ends there are.
+pub const BOUTS: usize = 6;
+
+/// The ends of rays, by their hits: at the first and beside it, far beyond, at one of them, and some that no segment reaches;
+/// and none.
+pub fn bout<R: Bits>(genre: usize) -> impl Fn(usize, &[Vue<R>]) -> R {
+    let etranges = [R::INFINI, R::ZERO, -R::ZERO, R::ETA];
+    move |i, toutes| {
+        let nieme = toutes.get(i % (toutes.len() + 1)).map(|(t, _)| *t);
+        let t = toutes.first().map_or(R::UN, |(t, _)| *t);
+        match genre {
+            0 => t,
+            1 => voisin(t, 1),
+            2 => t * R::depuis_f64(1.0 + (i % 9) as f64),
+            3 if i % 8 == 0 => etranges[i / 8 % etranges.len()],
+            3 => nieme.map_or(t, |t| voisin(t, i as i64 / 8 % 2)),
+            4 => voisin(t, i as i64 % 5 - 2),
+            _ => R::INFINI,
+        }
     }
 }
 

@@ -1,17 +1,14 @@
 //! Every way to an answer, with every instruction set of the machine: the list in a batch, the tree ray by
-//! ray and in a batch, before an end, in order and by a visit, shadows of both; each beside the list ray by ray. And who
+//! ray and in a batch, before an end, in order and by a visit, shadows of both; each beside each object asked alone. And who
 //! holds the sources and the points of hits.
 
 use std::sync::atomic::{AtomicU32, Ordering};
 
 use lancer_rayon::pour_les_tests::Reglage;
-use lancer_rayon::{
-    Choix, Monde, NoIntersection, ObjetRay, Parmi, Rayon, Reel, Reponse, SphereGeo, Texture, Tous,
-    Vecteur, places, premiere_intersection,
-};
+use lancer_rayon::{Choix, Monde, ObjetRay, Parmi, Rayon, Reel, Tous, places};
 
-use crate::choisis::Choisis;
-use crate::conversion::{Bits, mots, voisin};
+use crate::choisis::{BOUTS, Choisis, Vue, bout};
+use crate::conversion::Bits;
 
 /// The fewest objects that get a tree; `places_dit_combien_de_places_suffisent` holds it.
 pub const UN_ARBRE: usize = 10;
@@ -19,41 +16,6 @@ pub const UN_ARBRE: usize = 10;
 /// So many that a node has sixteen children, of which the probe of 64 rays may enter too many, and that no block
 /// asks all of them.
 const BEAUCOUP: usize = 240;
-
-/// The same of an end, if that is one.
-fn fin_voisine<R: Bits>(fin: R, de: i64) -> R {
-    Some(voisin(fin, de)).filter(|autre| *autre >= R::ZERO).unwrap_or(fin)
-}
-
-/// A hit that no ray has, so that a place which a batch leaves out shows.
-fn absurde<R: Bits>() -> Reponse<R> {
-    let z = Vecteur::new(R::ZERO, R::ZERO, R::UN);
-    let boule: ObjetRay<R> = SphereGeo::new(Vecteur::NUL, R::UN, Texture(u32::MAX)).unwrap().into();
-    boule.intersection(&Rayon::new(z * R::LIMITE, -z).unwrap())
-}
-
-/// These rays have these answers, to the bit, of a list of the objects at the indices `pris`; the first that differs
-/// is named.
-#[track_caller]
-pub fn exiger<R: Bits>(
-    facon: &str,
-    rayons: &[Rayon<R>],
-    obtenues: &[Reponse<R>],
-    attendues: &[Reponse<R>],
-    pris: &[usize],
-) {
-    for ((rayon, obtenue), attendue) in rayons.iter().zip(obtenues).zip(attendues) {
-        let mut voulus = mots(attendue);
-        voulus.objet = voulus.objet.map(|i| pris[i]);
-        assert_eq!(
-            mots(obtenue),
-            voulus,
-            "{facon}, {}, {} objects: {rayon:?} has {obtenue:?}, alone {attendue:?}",
-            std::any::type_name::<R>(),
-            pris.len()
-        );
-    }
-}
 
 /// Asks these rays every question in every way, of all objects and of a choice of them; how many touch
 /// something. A list so short that no common walk of 64 rays would be given up is asked again, repeated until it is longer.
@@ -79,10 +41,11 @@ pub fn comparer<R: Bits>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) -> usize {
 #[track_caller]
 pub fn comparer_dans<R: Bits>(monde: &Monde<'_, R>, rayons: &[Rayon<R>]) -> usize {
     let facons = [*monde, Monde::de_liste(monde.objets())];
-    let attendues = comparer_les_facons(rayons, facons, |_| true);
+    let toutes = comparer_les_facons(rayons, facons, |_| true);
     // Another one each time, and now and then one that is not there.
+    let touches: Vec<_> = toutes.iter().filter_map(|toutes| toutes.first()?.1.objet).collect();
     let sauf = rayons.len() % (monde.objets().len() + 1);
-    let sauf = attendues.iter().flatten().nth(sauf).map_or(sauf, |touche| touche.indice());
+    let sauf = touches.get(sauf).copied().unwrap_or(sauf);
     // And no more than some of these, by no rule that a walk could follow.
     let plupart = |indice: usize| indice.wrapping_mul(0x9e37_79b9) >> 7 & 7 > 1;
     // By turns one alone is left out.
@@ -94,7 +57,7 @@ pub fn comparer_dans<R: Bits>(monde: &Monde<'_, R>, rayons: &[Rayon<R>]) -> usiz
     } else {
         comparer_les_facons(rayons, sauf_lui.map(|facon| facon.parmi(&plupart)), les_deux);
     }
-    attendues.iter().flatten().count()
+    touches.len()
 }
 
 /// A choice that counts what it is asked.
@@ -119,119 +82,40 @@ pub fn noeuds<R: Reel>(monde: &Monde<'_, R>) -> usize {
 }
 
 /// The answers of a world with a tree and of one without, in a batch and ray by ray, and of shadows, beside those of the
-/// list of the objects that both are to choose, which it returns.
+/// objects that both are to choose, whose hits it returns.
 #[track_caller]
 fn comparer_les_facons<R: Bits, C: Choix + Copy>(
     rayons: &[Rayon<R>],
     facons: [Monde<'_, R, C>; 2],
     prend: impl Fn(usize) -> bool,
-) -> Vec<Reponse<R>> {
-    let objets = facons[0].objets();
-    let pris: Vec<_> = (0..objets.len()).filter(|indice| prend(*indice)).collect();
-    let restants: Vec<_> = pris.iter().map(|indice| objets[*indice]).collect();
-    let attendues: Vec<_> = rayons.iter().map(|r| premiere_intersection(&restants, r)).collect();
-    let entiere = restants.len() == objets.len();
-    // That takes long: of a few rays.
-    let quelques: Vec<_> = rayons.iter().step_by(1 + rayons.len() / 4).copied().collect();
-    let limites = [R::INFINI, R::ZERO, R::ETA, R::UN];
-    let toutes = Choisis { monde: facons[0], pris: pris.clone() }.toutes(&quelques);
-    for (nom, reglage) in Reglage::tous() {
-        let [monde, liste] = facons.map(|facon| reglage.monde(facon));
-        let exiger = |facon: &str, touches: &[Reponse<R>]| {
-            exiger(&format!("{nom}, {facon}"), rayons, touches, &attendues, &pris);
-        };
-        let demander = |facon, monde: Monde<'_, R, C>| {
-            let seule = |rayon| monde.premiere_intersection(rayon);
-            exiger(facon, &rayons.iter().map(seule).collect::<Vec<_>>());
-            let choisis = Choisis { monde, pris: pris.clone() };
-            choisis.un_par_un(&quelques, &toutes, &limites, rayons.len() as u8);
-        };
-        let mut touches = vec![absurde(); rayons.len()];
-        liste.premieres_intersections(rayons, &mut touches).unwrap();
-        exiger("batch", &touches);
-        touches.fill(absurde());
-        monde.premieres_intersections(rayons, &mut touches).unwrap();
-        exiger("tree, batch", &touches);
-        demander("tree", monde);
-        demander("list", liste);
-    }
-    comparer_les_ombres(rayons, &attendues, &restants, facons, entiere);
-    attendues
-}
-
-/// The same of shadow rays whose lamps are at their first hits, beside them and farther, of some that no segment
-/// reaches, and of a sun. A ray that hits nothing has the lamp of the ray before it.
-#[track_caller]
-fn comparer_les_ombres<R: Bits, C: Choix + Copy>(
-    rayons: &[Rayon<R>],
-    touches: &[Reponse<R>],
-    restants: &[ObjetRay<R>],
-    facons: [Monde<'_, R, C>; 2],
-    entiere: bool,
-) {
-    let etranges = [R::INFINI, R::ZERO, -R::ZERO, R::ETA];
-    // What is left out changes nothing of what limits are.
-    for paquet in if entiere { 0..6 } else { 1..2 } {
-        let mut lampe = R::UN;
-        let limite = |(i, touche): (usize, &Reponse<R>)| {
-            lampe = touche.map_or(lampe, |touche| touche.distance());
-            match paquet {
-                0 => lampe,
-                1 => fin_voisine(lampe, 1),
-                2 => lampe * R::depuis_f64(1.0 + (i % 9) as f64),
-                3 if i % 50 == 0 => etranges[i / 50 % etranges.len()],
-                3 => fin_voisine(lampe, 1),
-                4 => fin_voisine(lampe, i as i64 % 5 - 2),
-                _ => R::INFINI,
+) -> Vec<Vec<Vue<R>>> {
+    let n = facons[0].objets().len();
+    let pris: Vec<_> = (0..n).filter(|indice| prend(*indice)).collect();
+    let choisis = |monde, facon| Choisis { monde, pris: pris.clone(), facon };
+    let toutes = choisis(facons[0], String::new()).toutes(rayons);
+    // What one ray asks in every way takes long: of a few rays.
+    let pas = 1 + rayons.len() / 4;
+    let quelques: Vec<_> = rayons.iter().step_by(pas).copied().collect();
+    let de_quelques: Vec<_> = toutes.iter().step_by(pas).cloned().collect();
+    let (zero, un) = (R::ZERO, R::UN);
+    let nan = R::depuis_f64(f64::NAN);
+    let mut limites = [R::INFINI, zero, R::ETA, un, -zero, -un, -R::INFINI, nan];
+    limites.rotate_left(rayons.len() % 8);
+    let jeux: Vec<_> = Reglage::tous().collect();
+    for (numero, (nom, reglage)) in jeux.iter().enumerate() {
+        for (facon, monde) in ["tree", "list"].into_iter().zip(facons) {
+            let choisis = choisis(reglage.monde(monde), format!("{nom}, {facon}"));
+            choisis.en_lot(rayons, &toutes, |i, _| rayons[i].fin());
+            for (rayon, toutes) in rayons.iter().zip(&toutes) {
+                choisis.premiere(rayon, toutes);
             }
-        };
-        let limites = touches.iter().enumerate().map(limite);
-        let ombres: Vec<_> =
-            rayons.iter().zip(limites).map(|(rayon, fin)| rayon.jusqu_a(fin).unwrap()).collect();
-        let cachee = |(touche, ombre): (&Reponse<R>, &Rayon<R>)| {
-            touche.is_ok_and(|touche| touche.distance() < ombre.fin())
-        };
-        let voulues: Vec<_> = touches.iter().zip(&ombres).map(cachee).collect();
-        // Ray by ray where limits are hard: that takes longest.
-        let seules = !entiere || paquet == 3 || paquet == 4;
-        let une_par_une = if seules { &ombres[..] } else { &[] };
-        let la_liste = Monde::de_liste(restants);
-        for (ombre, voulue) in une_par_une.iter().zip(&voulues) {
-            assert_eq!(la_liste.est_occulte(ombre), *voulue, "{ombre:?}");
-        }
-        // The contrary, so that a place which is left out shows.
-        let contraires: Vec<_> = voulues.iter().map(|occulte| !occulte).collect();
-        // Other instructions each time.
-        let jeux: Vec<_> = Reglage::tous().collect();
-        let (nom, reglage) = jeux[(lampe.bits() as usize).wrapping_add(paquet) % jeux.len()];
-        let [monde, liste] = facons.map(|facon| reglage.monde(facon));
-        let (mut de_la_liste, mut de_l_arbre) = (contraires.clone(), contraires.clone());
-        liste.sont_occultes(&ombres, &mut de_la_liste).unwrap();
-        monde.sont_occultes(&ombres, &mut de_l_arbre).unwrap();
-        let n = restants.len();
-        let exiger = |facon: &str, ombre: &Rayon<R>, occulte: bool, voulue: bool| {
-            let scalaire = std::any::type_name::<R>();
-            assert_eq!(occulte, voulue, "{facon}, {nom}, {scalaire}, {n} objects: {ombre:?}");
-        };
-        let en_lot = de_la_liste.into_iter().zip(de_l_arbre);
-        for ((ombre, voulue), (liste, arbre)) in ombres.iter().zip(&voulues).zip(en_lot) {
-            exiger("shadows", ombre, liste, *voulue);
-            exiger("shadows of a tree", ombre, arbre, *voulue);
-        }
-        for (ombre, voulue) in une_par_une.iter().zip(&voulues) {
-            exiger("a shadow of a tree", ombre, monde.est_occulte(ombre), *voulue);
-            exiger("a shadow", ombre, liste.est_occulte(ombre), *voulue);
-        }
-        // The first hits of the same rays: each has one before its end, or none.
-        for monde in [monde, liste] {
-            let mut avant = vec![absurde(); ombres.len()];
-            monde.premieres_intersections(&ombres, &mut avant).unwrap();
-            for (((touche, avant), voulue), ombre) in
-                touches.iter().zip(&avant).zip(&voulues).zip(&ombres)
-            {
-                let attendue = mots(&if *voulue { *touche } else { Err(NoIntersection) });
-                assert_eq!(mots(avant).valeurs, attendue.valeurs, "{nom}: {ombre:?}");
+            choisis.un_par_un(&quelques, &de_quelques, &limites, rayons.len() as u8);
+            // What is left out changes nothing of what ends are. Other instructions each time.
+            let bouts = if pris.len() == n { 0..BOUTS } else { 1..2 };
+            for genre in bouts.filter(|genre| (genre + rayons.len()) % jeux.len() == numero) {
+                choisis.en_lot(rayons, &toutes, bout(genre));
             }
         }
     }
+    toutes
 }

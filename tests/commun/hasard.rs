@@ -1,17 +1,18 @@
-//! Cases that are drawn number by number, as the extremes and large scenes are, and shrink all the same. What is kept of a
-//! case is the words that were drawn; fewer and rounder words are tried, and the case is made again from them.
+//! Cases that are drawn number by number, as the extremes and large scenes are, and shrink all the same: proptest runs them,
+//! and of a case that fails it tries the same with fewer elements of its lists and with rounder words drawn.
 
-use core::cell::{Cell, RefCell};
+use core::cell::RefCell;
 use core::fmt::{Debug, Formatter, Result as Ecrit};
 use core::ops::{Range, RangeInclusive};
+use std::collections::BTreeMap;
+use std::iter::successors;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::rc::Rc;
 use std::time::{Duration, Instant};
 
 use fastrand::Rng;
-use proptest::prelude::Rng as _;
-use proptest::strategy::{NewTree, Strategy, ValueTree};
-use proptest::test_runner::{Config, RngAlgorithm, TestCaseError, TestRng, TestRunner};
+use proptest::strategy::ValueTree;
+use proptest::test_runner::{Config, TestCaseError, TestCaseResult, TestRunner};
 
 /// How long the smallest case is looked for.
 const RECHERCHE: Duration = Duration::from_secs(30);
@@ -48,45 +49,56 @@ impl Tirage for Rng {
     }
 }
 
-/// The words of a case: new ones, or those of a case before, and 0 from their end on.
+/// The words of a case, each of them new or one that shrinks it.
 pub struct Hasard {
     /// Which case it is, from 0 on; no smaller one has another.
     pub tour: usize,
-    alea: Option<Rng>,
-    mots: Mots,
-    lus: usize,
+    alea: Rng,
+    changes: Changes,
+    tires: Tires,
+    /// Whether the case is made.
+    fait: bool,
 }
 
+/// What words are in place of the drawn ones.
+type Changes = BTreeMap<usize, u64>;
+
 #[derive(Debug, Clone, Default)]
-struct Mots {
+struct Tires {
     mots: Vec<u64>,
-    /// Where each element of a list begins, and where the last one ends.
-    listes: Vec<Vec<usize>>,
+    /// The words of each element of a list, of which the first is 0 if the element is left out.
+    elements: Vec<Range<usize>>,
 }
 
 impl Hasard {
     /// New words, of which nothing shrinks.
     pub fn de_graine(graine: u64) -> Self {
-        Self { tour: 0, alea: Some(Rng::with_seed(graine)), mots: Mots::default(), lus: 0 }
+        Self {
+            tour: 0,
+            alea: Rng::with_seed(graine),
+            changes: Changes::new(),
+            tires: Tires::default(),
+            fait: false,
+        }
     }
 
-    /// The next word. Of new ones it is `voulu`, if that is given.
-    fn mot(&mut self, voulu: Option<u64>) -> u64 {
-        let mots = &mut self.mots.mots;
-        if self.lus == mots.len() {
-            let nouveau = self.alea.as_mut().map(|alea| voulu.unwrap_or_else(|| alea.u64(..)));
-            mots.push(nouveau.unwrap_or(0));
-        }
-        self.lus += 1;
+    pub fn mot(&mut self) -> u64 {
+        let nouveau = self.alea.u64(..);
+        self.noter(nouveau)
+    }
+
+    fn noter(&mut self, nouveau: u64) -> u64 {
+        let mot = self.changes.get(&self.tires.mots.len()).copied().unwrap_or(nouveau);
+        self.tires.mots.push(mot);
         // A generator may wait for a number that never comes.
-        assert!(self.lus < 1 << 22, "too many words");
-        mots[self.lus - 1]
+        assert!(self.tires.mots.len() < 1 << 22, "too many words");
+        mot
     }
 
     /// The whole numbers below `combien`, each as likely as another; of a smaller word a smaller one.
     fn moins_que(&mut self, combien: usize) -> usize {
         assert!(combien > 0, "no number");
-        ((u128::from(self.mot(None)) * combien as u128) >> 64) as usize
+        ((u128::from(self.mot()) * combien as u128) >> 64) as usize
     }
 
     /// So many of these, each made with its index; a smaller case has some of them.
@@ -95,16 +107,16 @@ impl Hasard {
         combien: usize,
         mut faire: impl FnMut(&mut Self, usize) -> T,
     ) -> Vec<T> {
-        let (liste, mut elements) = (self.mots.listes.len(), Vec::new());
-        self.mots.listes.push(Vec::new());
-        loop {
-            self.mots.listes[liste].push(self.lus);
-            let encore = self.mot(Some(u64::from(elements.len() < combien)));
-            if encore == 0 || elements.len() == combien {
-                return elements;
-            }
-            elements.push(faire(self, elements.len()));
+        let mut elements = Vec::new();
+        for _ in 0..combien {
+            let debut = self.tires.mots.len();
+            let garde = self.noter(1) > 0;
+            // One that is left out is made too: what is drawn after it stays as it is.
+            let element = faire(self, elements.len());
+            self.tires.elements.push(debut..self.tires.mots.len());
+            elements.extend(garde.then_some(element));
         }
+        elements
     }
 
     pub fn choix<'a, T>(&mut self, parmi: &'a [T]) -> &'a T {
@@ -120,11 +132,11 @@ impl Hasard {
 
 impl Tirage for Hasard {
     fn f64(&mut self) -> f64 {
-        (self.mot(None) >> 11) as f64 * (-53_f64).exp2()
+        (self.mot() >> 11) as f64 * (-53_f64).exp2()
     }
 
     fn bool(&mut self) -> bool {
-        self.mot(None) >> 63 == 1
+        self.mot() >> 63 == 1
     }
 
     fn u8(&mut self, dans: Range<u8>) -> u8 {
@@ -141,170 +153,122 @@ impl Tirage for Hasard {
     }
 }
 
+/// How a case is made and judged, or made and shown.
+#[derive(Clone, Copy)]
+struct Propriete<'a> {
+    juger: &'a dyn Fn(&mut Hasard),
+    montrer: &'a dyn Fn(&mut Hasard, &mut Formatter<'_>) -> Ecrit,
+}
+
 /// A case, made when it is judged or shown.
-struct Cas<'a, F> {
-    faire: &'a F,
+struct Cas<'a> {
+    propriete: Propriete<'a>,
     tour: usize,
-    /// Of new words.
-    graine: Option<u64>,
-    /// Those to make it from, and once it was made those that it took.
-    mots: Rc<RefCell<Mots>>,
+    graine: u64,
+    changes: Changes,
+    tires: Rc<RefCell<Tires>>,
 }
 
-impl<T, F: Fn(&mut Hasard) -> T> Cas<'_, F> {
-    fn faire(&self) -> T {
-        let mots = Mots { mots: self.mots.borrow().mots.clone(), listes: Vec::new() };
-        let alea = self.graine.map(Rng::with_seed);
-        let mut hasard = Hasard { tour: self.tour, alea, mots, lus: 0 };
-        let cas = (self.faire)(&mut hasard);
-        hasard.mots.mots.truncate(hasard.lus);
-        *self.mots.borrow_mut() = hasard.mots;
-        cas
+impl Cas<'_> {
+    fn hasard(&self) -> Hasard {
+        let (tour, changes) = (self.tour, self.changes.clone());
+        Hasard { tour, changes, ..Hasard::de_graine(self.graine) }
+    }
+
+    fn juger(&self) -> TestCaseResult {
+        let mut hasard = self.hasard();
+        let juge = catch_unwind(AssertUnwindSafe(|| (self.propriete.juger)(&mut hasard)));
+        // A generator may not know what to make of fewer elements.
+        let fait = hasard.fait || self.changes.is_empty();
+        self.tires.replace(hasard.tires);
+        juge.or_else(
+            |quoi| {
+                if fait { resume_unwind(quoi) } else { Err(TestCaseError::reject("no case")) }
+            },
+        )
     }
 }
 
-impl<T: Debug, F: Fn(&mut Hasard) -> T> Debug for Cas<'_, F> {
+impl Debug for Cas<'_> {
     fn fmt(&self, f: &mut Formatter<'_>) -> Ecrit {
-        // In one line, however it is asked.
-        write!(f, "{:?}", self.faire())
+        (self.propriete.montrer)(&mut self.hasard(), f)
     }
 }
 
-struct Tirages<'a, F> {
-    faire: &'a F,
-    tour: Cell<usize>,
-}
-
-impl<F> Debug for Tirages<'_, F> {
-    fn fmt(&self, f: &mut Formatter<'_>) -> Ecrit {
-        f.write_str("Tirages")
-    }
-}
-
-impl<'a, T: Debug, F: Fn(&mut Hasard) -> T> Strategy for Tirages<'a, F> {
-    type Tree = Recherche<'a, F>;
-    type Value = Cas<'a, F>;
-
-    fn new_tree(&self, lanceur: &mut TestRunner) -> NewTree<Self> {
-        let (graine, tour) = (lanceur.rng().next_u64(), self.tour.replace(self.tour.get() + 1));
-        Ok(Recherche {
-            faire: self.faire,
-            tour,
-            graine: Some(graine),
-            meilleurs: Mots::default(),
-            essai: Rc::default(),
-            ou: Ou::default(),
-            change: false,
-            fin: None,
-        })
-    }
-}
-
-/// What is tried next on the words of a failure.
-#[derive(Debug, Default)]
-struct Ou {
-    /// To leave out so many elements of this list, from one on; 0 of them before it was begun.
-    liste: usize,
-    combien: usize,
-    element: usize,
-    /// Then to make this word rounder, in so many ways.
-    mot: usize,
-    facon: usize,
-}
-
-/// The words of a case, and those of the next smaller one that may fail too.
-struct Recherche<'a, F> {
-    faire: &'a F,
+/// The changes of the smallest case that failed, and those that are tried next.
+struct Recherche<'a> {
+    propriete: Propriete<'a>,
     tour: usize,
-    graine: Option<u64>,
-    meilleurs: Mots,
-    essai: Rc<RefCell<Mots>>,
-    ou: Ou,
-    /// Since the search began over.
-    change: bool,
-    fin: Option<Instant>,
+    graine: u64,
+    meilleurs: Changes,
+    essai: Changes,
+    tires: Rc<RefCell<Tires>>,
+    /// What is still to try, and until when.
+    pas: Option<(Box<dyn Iterator<Item = Changes>>, Instant)>,
 }
 
-impl<F> Recherche<'_, F> {
-    /// The next words to try.
-    fn prochains(&mut self) -> Option<Vec<u64>> {
-        let Mots { mots, listes } = &self.meilleurs;
-        while let Some(bornes) = listes.get(self.ou.liste) {
-            let (ou, elements) = (&mut self.ou, bornes.len() - 1);
-            if ou.combien == 0 {
-                (ou.combien, ou.element) = (elements, 0);
-            }
-            if ou.element >= elements {
-                (ou.combien, ou.element) = (ou.combien / 2, 0);
-            }
-            if ou.combien == 0 || elements == 0 {
-                (ou.liste, ou.combien, ou.element) = (ou.liste + 1, 0, 0);
-                continue;
-            }
-            let fin = elements.min(ou.element + ou.combien);
-            return Some([&mots[..bornes[ou.element]], &mots[bornes[fin]..]].concat());
-        }
-        loop {
-            let mot = *mots.get(self.ou.mot)?;
-            // 0, the middle, and ever more bits.
-            let bits = [0, 1, 2, 4, 8, 16, 32].get(self.ou.facon);
-            match bits.filter(|bits| **bits < u64::BITS - mot.trailing_zeros()) {
-                Some(bits) => {
-                    let rond = if *bits == 1 { 1 << 63 } else { mot & !(u64::MAX >> bits) };
-                    if rond != mot {
-                        let mut mots = mots.clone();
-                        mots[self.ou.mot] = rond;
-                        return Some(mots);
-                    }
-                    self.ou.facon += 1;
-                }
-                None => (self.ou.mot, self.ou.facon) = (self.ou.mot + 1, 0),
-            }
-        }
+/// What may shrink a case of these words: to leave out ever fewer elements; then, of each word that is left, 0, the middle,
+/// and ever more of its bits.
+fn pas(tires: Tires) -> impl Iterator<Item = Changes> {
+    let Tires { mots, elements } = tires;
+    let debuts: Vec<_> = elements.into_iter().map(|element| element.start).collect();
+    let tailles = successors(Some(debuts.len()), |taille| Some(taille / 2));
+    let oter = tailles.take_while(|taille| *taille > 0).flat_map(move |taille| {
+        let parts =
+            debuts.chunks(taille).map(|part| part.iter().map(|debut| (*debut, 0)).collect());
+        parts.collect::<Vec<_>>()
+    });
+    let arrondir = mots.into_iter().enumerate().flat_map(|(i, mot)| {
+        let ronds = [2, 4, 8, 16, 32].map(|bits| mot & !(u64::MAX >> bits));
+        let ronds = [0, 1 << 63].into_iter().chain(ronds).filter(move |rond| *rond != mot);
+        ronds.map(move |rond| Changes::from([(i, rond)]))
+    });
+    oter.chain(arrondir)
+}
+
+impl<'a> Recherche<'a> {
+    fn new(propriete: Propriete<'a>, tour: usize, graine: u64) -> Self {
+        let (meilleurs, essai) = (Changes::new(), Changes::new());
+        Self { propriete, tour, graine, meilleurs, essai, tires: Rc::default(), pas: None }
     }
 
     fn essayer(&mut self) -> bool {
-        let fin = *self.fin.get_or_insert_with(|| Instant::now() + RECHERCHE);
-        let mut prochains = self.prochains();
-        if prochains.is_none() && self.change {
-            (self.ou, self.change) = (Ou::default(), false);
-            prochains = self.prochains();
-        }
-        let essai = prochains.filter(|_| Instant::now() < fin);
-        let encore = essai.is_some();
-        let mots = essai.unwrap_or_else(|| self.meilleurs.mots.clone());
-        self.essai = Rc::new(RefCell::new(Mots { mots, listes: Vec::new() }));
+        self.essai.clone_from(&self.meilleurs);
+        let Some((pas, fin)) = &mut self.pas else { return false };
+        let tires = self.tires.borrow();
+        let ote = |i: &usize| {
+            let mut elements = tires.elements.iter().filter(|element| element.contains(i));
+            elements.any(|element| self.meilleurs.get(&element.start) == Some(&0))
+        };
+        let reste = |mut pas: Changes| {
+            pas.retain(|i, _| !self.meilleurs.contains_key(i) && !ote(i));
+            (!pas.is_empty()).then_some(pas)
+        };
+        let suivant = pas.take_while(|_| Instant::now() < *fin).find_map(reste);
+        let encore = suivant.is_some();
+        self.essai.extend(suivant.into_iter().flatten());
         encore
     }
 }
 
-impl<'a, T: Debug, F: Fn(&mut Hasard) -> T> ValueTree for Recherche<'a, F> {
-    type Value = Cas<'a, F>;
+impl<'a> ValueTree for Recherche<'a> {
+    type Value = Cas<'a>;
 
-    fn current(&self) -> Cas<'a, F> {
-        let Self { faire, tour, graine, .. } = *self;
-        Cas { faire, tour, graine, mots: Rc::clone(&self.essai) }
+    fn current(&self) -> Cas<'a> {
+        let Self { propriete, tour, graine, .. } = *self;
+        Cas { propriete, tour, graine, changes: self.essai.clone(), tires: Rc::clone(&self.tires) }
     }
 
-    /// What was tried last fails: it is kept, and the search goes on where it is.
+    /// What was tried last fails: it is kept.
     fn simplify(&mut self) -> bool {
-        self.meilleurs = self.essai.borrow().clone();
-        if self.graine.take().is_none() {
-            self.change = true;
-            if self.ou.mot > 0 || self.ou.facon > 0 || self.ou.liste >= self.meilleurs.listes.len()
-            {
-                (self.ou.mot, self.ou.facon) = (self.ou.mot + 1, 0);
-            }
-        }
+        self.meilleurs.clone_from(&self.essai);
+        self.pas.get_or_insert_with(|| {
+            (Box::new(pas(self.tires.borrow().clone())), Instant::now() + RECHERCHE)
+        });
         self.essayer()
     }
 
     fn complicate(&mut self) -> bool {
-        if self.ou.liste < self.meilleurs.listes.len() {
-            self.ou.element += self.ou.combien;
-        } else {
-            self.ou.facon += 1;
-        }
         self.essayer()
     }
 }
@@ -312,24 +276,27 @@ impl<'a, T: Debug, F: Fn(&mut Hasard) -> T> ValueTree for Recherche<'a, F> {
 /// Makes so many cases, the same on every run, and judges each. Of one that fails the smallest that fails too is shown;
 /// with `PROPTEST_MAX_SHRINK_ITERS=0` itself.
 pub fn pour_chaque<T: Debug>(combien: u32, faire: impl Fn(&mut Hasard) -> T, juger: impl FnMut(T)) {
-    let config = Config { cases: combien, failure_persistence: None, ..Config::default() };
-    // The largest number stands for four times the cases.
-    let max_shrink_iters = config.max_shrink_iters.min(u32::MAX - 1);
-    let config = Config { max_shrink_iters, ..config };
-    let rng = TestRng::deterministic_rng(RngAlgorithm::ChaCha);
-    let tirages = Tirages { faire: &faire, tour: Cell::new(0) };
     let juger = RefCell::new(juger);
-    let echec = TestRunner::new_with_rng(config, rng).run(&tirages, |cas| {
-        let fait = catch_unwind(AssertUnwindSafe(|| cas.faire()));
-        let fait = fait.or_else(|quoi| {
-            // A generator may not know what to make of fewer words.
-            let neuf = cas.graine.is_some();
-            if neuf { resume_unwind(quoi) } else { Err(TestCaseError::reject("no case")) }
-        })?;
-        juger.borrow_mut()(fait);
-        Ok(())
-    });
-    if let Err(echec) = echec {
-        panic!("{echec}");
+    let juger = |alea: &mut Hasard| {
+        let cas = faire(alea);
+        alea.fait = true;
+        juger.borrow_mut()(cas);
+    };
+    // In one line, however it is asked.
+    let montrer = |alea: &mut Hasard, f: &mut Formatter<'_>| write!(f, "{:?}", faire(alea));
+    lancer(combien, Propriete { juger: &juger, montrer: &montrer });
+}
+
+/// Compiled once for all properties.
+fn lancer(combien: u32, propriete: Propriete<'_>) {
+    // The largest number stands for four times the cases.
+    let max_shrink_iters = Config::default().max_shrink_iters.min(u32::MAX - 1);
+    let mut lanceur = TestRunner::new(Config { max_shrink_iters, ..Config::default() });
+    let mut graines = Rng::with_seed(2);
+    for tour in 0..combien as usize {
+        let recherche = Recherche::new(propriete, tour, graines.u64(..));
+        if let Err(echec) = lanceur.run_one(recherche, |cas| cas.juger()) {
+            panic!("{echec}");
+        }
     }
 }

@@ -20,8 +20,6 @@ pub mod strategies;
 pub mod tolerances;
 
 pub use crate::conversion::{Bits, arrondi};
-use proptest::strategy::Strategy;
-use proptest::test_runner::{Config, TestCaseResult, TestRunner};
 
 /// `en_f32_et_f64!(nom);` makes of the function `nom::<R>()` the two tests `nom::f32` and `nom::f64`.
 #[macro_export]
@@ -41,14 +39,6 @@ macro_rules! en_f32_et_f64 {
             }
         }
     };
-}
-
-/// Runs a property on random values; `PROPTEST_CASES` sets how many.
-pub fn pour_tout<S: Strategy>(strategie: S, propriete: impl Fn(S::Value) -> TestCaseResult) {
-    let config = Config { failure_persistence: None, ..Config::default() };
-    if let Err(echec) = TestRunner::new(config).run(&strategie, propriete) {
-        panic!("{echec}");
-    }
 }
 
 /// So many random cases, times the whole number `LANCER_RAYON_CAS` if it is set, as `.ci/run` does. Of planted faults one

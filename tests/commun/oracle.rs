@@ -142,17 +142,23 @@ impl PartialOrd for Exact {
     }
 }
 
-type Point = [Exact; 3];
+pub type Point = [Exact; 3];
 
-fn point<R: Reel>(v: Vecteur<R>) -> Point {
+pub fn exacts<R: Reel>(v: Vecteur<R>) -> Point {
     [v.x, v.y, v.z].map(Exact::de)
 }
 
-fn moins(a: &Point, b: &Point) -> Point {
+/// S + tD.
+pub fn exact_a<R: Reel>(rayon: &Rayon<R>, t: &Exact) -> Point {
+    let (s, d) = (exacts(rayon.source()), exacts(rayon.direction()));
+    core::array::from_fn(|i| &s[i] + &(t * &d[i]))
+}
+
+pub fn moins(a: &Point, b: &Point) -> Point {
     core::array::from_fn(|i| &a[i] - &b[i])
 }
 
-fn scalaire(a: &Point, b: &Point) -> Exact {
+pub fn scalaire(a: &Point, b: &Point) -> Exact {
     let [x, y, z] = core::array::from_fn(|i| &a[i] * &b[i]);
     &(&x + &y) + &z
 }
@@ -241,7 +247,7 @@ impl Entree {
 
     /// The same for t in scene units: t − t′|D|.
     pub fn ecart_mesure_fois<R: Reel>(&self, rayon: &Rayon<R>, t: R, k: f64) -> f64 {
-        let d = point(rayon.direction());
+        let d = exacts(rayon.direction());
         let entree = &self.t * &scalaire(&d, &d).racine(-PRECISION);
         (&(&Exact::de(t) - &entree) * &Exact::de(k)).vers_f64()
     }
@@ -267,7 +273,7 @@ impl Entree {
         if normale.unitaire().is_none() {
             return f64::INFINITY;
         }
-        let normale = point(normale);
+        let normale = exacts(normale);
         let sinus = self.normales.iter().map(|n| {
             if !scalaire(&normale, n).positif() {
                 return 1.0;
@@ -296,24 +302,24 @@ fn longueur(v: &Point) -> f64 {
 /// How far a point lies above the surface that was touched, along its normal N; for a box the plane of
 /// the face of this normal. To 3u of `f64`.
 pub fn hauteur<R: Reel>(objet: &ObjetRay<R>, normale: Vecteur<R>, p: Vecteur<R>) -> f64 {
-    let p = point(p);
+    let p = exacts(p);
     // |N|, of which |N|² − 1 is so small that its square is nothing.
     let longueur = 1.0 + 0.5 * norme_au_carre_moins_un(normale);
     match objet {
         ObjetRay::Sphere(sphere) => {
-            let cp = moins(&p, &point(sphere.centre()));
+            let cp = moins(&p, &exacts(sphere.centre()));
             let cp2 = scalaire(&cp, &cp);
             let r = Exact::de(sphere.rayon());
             let puissance = &cp2 - &(&r * &r);
             // The nearer of the two s with |CP − sN| = r, without a cancellation.
-            let n = point(normale);
+            let n = exacts(normale);
             let (n2, b) = (scalaire(&n, &n), scalaire(&cp, &n));
             let delta = &(&b * &b) - &(&n2 * &puissance);
             let (b, puissance) = (b.vers_f64(), puissance.vers_f64());
             longueur * puissance / (b.abs() + delta.vers_f64().max(0.0).sqrt()).copysign(b)
         }
         ObjetRay::Plan(plan) => {
-            (&scalaire(&point(normale), &p) + &Exact::de(plan.distance())).vers_f64() / longueur
+            (&scalaire(&exacts(normale), &p) + &Exact::de(plan.distance())).vers_f64() / longueur
         }
         ObjetRay::Boite(boite) => {
             let axe = (0..3).find(|&axe| {
@@ -321,8 +327,8 @@ pub fn hauteur<R: Reel>(objet: &ObjetRay<R>, normale: Vecteur<R>, p: Vecteur<R>)
                 n == normale || n == -normale
             });
             let l = Exact::de(boite.demi_longueurs()[axe.expect("a normal of the box")]);
-            let cp = moins(&p, &point(boite.centre()));
-            (&scalaire(&point(normale), &cp) - &l).vers_f64() / longueur
+            let cp = moins(&p, &exacts(boite.centre()));
+            (&scalaire(&exacts(normale), &cp) - &l).vers_f64() / longueur
         }
     }
 }
@@ -330,21 +336,21 @@ pub fn hauteur<R: Reel>(objet: &ObjetRay<R>, normale: Vecteur<R>, p: Vecteur<R>)
 /// How far outside an object a point lies; of a box, above the plane of the face that it lies
 /// farthest above. To 3u of `f64`, in units of N.
 pub fn dehors<R: Reel>(objet: &ObjetRay<R>, p: Vecteur<R>) -> f64 {
-    let p = point(p);
+    let p = exacts(p);
     match objet {
         ObjetRay::Sphere(sphere) => {
-            let cp = moins(&p, &point(sphere.centre()));
+            let cp = moins(&p, &exacts(sphere.centre()));
             let r = Exact::de(sphere.rayon());
             (&scalaire(&cp, &cp) - &(&r * &r)).vers_f64() / (longueur(&cp) + r.vers_f64())
         }
         ObjetRay::Plan(plan) => {
-            (&scalaire(&point(plan.normale()), &p) + &Exact::de(plan.distance())).vers_f64()
+            (&scalaire(&exacts(plan.normale()), &p) + &Exact::de(plan.distance())).vers_f64()
         }
         ObjetRay::Boite(boite) => {
-            let cp = moins(&p, &point(boite.centre()));
+            let cp = moins(&p, &exacts(boite.centre()));
             let hauteurs =
                 boite.normales().into_iter().zip(boite.demi_longueurs()).map(|(n, l)| {
-                    let h = scalaire(&point(n), &cp);
+                    let h = scalaire(&exacts(n), &cp);
                     let h = if h.positif() { h } else { -&h };
                     (&h - &Exact::de(l)).vers_f64()
                 });
@@ -355,7 +361,7 @@ pub fn dehors<R: Reel>(objet: &ObjetRay<R>, p: Vecteur<R>) -> f64 {
 
 /// The sine of the angle between this direction and what a mirror of normal N makes of D.
 pub fn ecart_du_miroir<R: Reel>(d: Vecteur<R>, normale: Vecteur<R>, reflet: Vecteur<R>) -> f64 {
-    let [d, n, reflet] = [d, normale, reflet].map(point);
+    let [d, n, reflet] = [d, normale, reflet].map(exacts);
     // D − 2(D·N)N/N², times N².
     let (n2, le_long) = (scalaire(&n, &n), scalaire(&d, &n));
     let double = &le_long + &le_long;
@@ -373,7 +379,7 @@ pub fn ecart_de_snell<R: Reel>(
     passage: Passage,
     suite: Option<Vecteur<R>>,
 ) -> (f64, Option<f64>) {
-    let ([d, n], eta) = ([d, normale].map(point), Exact::de(rapport));
+    let ([d, n], eta) = ([d, normale].map(exacts), Exact::de(rapport));
     let (n2, d2, le_long) = (scalaire(&n, &n), scalaire(&d, &d), scalaire(&d, &n));
     // The part of D along the surface, times ηN²; and N²·D² times the squared cosine, by Pythagoras.
     let travers: Point = core::array::from_fn(|i| &eta * &(&(&n2 * &d[i]) - &(&le_long * &n[i])));
@@ -391,14 +397,14 @@ pub fn ecart_de_snell<R: Reel>(
     };
     let vraie: Point = core::array::from_fn(|i| &travers[i] + &(&droit * &n[i]));
     let ecart = suite
-        .map(point)
+        .map(exacts)
         .map(|suite| longueur(&vectoriel(&vraie, &suite)) / (longueur(&vraie) * longueur(&suite)));
     (cosinus2, ecart)
 }
 
 /// How far `cosinus` lies from N·V/|V|.
 pub fn ecart_du_cosinus<R: Reel>(n: Vecteur<R>, v: Vecteur<R>, cosinus: R) -> f64 {
-    let [n, v] = [n, v].map(point);
+    let [n, v] = [n, v].map(exacts);
     let v2 = scalaire(&v, &v);
     let exact = scalaire(&n, &v).sur(&v2.racine(v2.exposant() / 2 - PRECISION));
     (&Exact::de(cosinus) - &exact).vers_f64()
@@ -411,12 +417,12 @@ pub fn ecarts_du_lieu<R: Reel>(
     t: R,
     lieu: Vecteur<R>,
 ) -> [f64; 3] {
-    let f = moins(&point(rayon.source()), &point(boite.centre()));
-    let (t, d, lieu) = (Exact::de(t), point(rayon.direction()), point(lieu));
+    let f = moins(&exacts(rayon.source()), &exacts(boite.centre()));
+    let (t, d, lieu) = (Exact::de(t), exacts(rayon.direction()), exacts(lieu));
     let cx: Point = core::array::from_fn(|i| &f[i] + &(&t * &d[i]));
     core::array::from_fn(|i| {
         let l = Exact::de(boite.demi_longueurs()[i]);
-        let exacte = scalaire(&point(boite.normales()[i]), &cx);
+        let exacte = scalaire(&exacts(boite.normales()[i]), &cx);
         let exacte = if exacte > l {
             l.clone()
         } else if exacte < -&l {
@@ -430,7 +436,7 @@ pub fn ecarts_du_lieu<R: Reel>(
 
 /// |V|² − 1.
 pub fn norme_au_carre_moins_un<R: Reel>(v: Vecteur<R>) -> f64 {
-    let v = point(v);
+    let v = exacts(v);
     (&scalaire(&v, &v) - &Exact::de(1.0)).vers_f64()
 }
 
@@ -441,7 +447,7 @@ pub fn verite<R: Reel>(objet: &ObjetRay<R>, rayon: &Rayon<R>) -> Verite {
 
 /// The truth about one object and one ray.
 pub fn verite_du<R: Reel>(passage: Passage, objet: &ObjetRay<R>, rayon: &Rayon<R>) -> Verite {
-    let droite = Droite { s: point(rayon.source()), d: point(rayon.direction()) };
+    let droite = Droite { s: exacts(rayon.source()), d: exacts(rayon.direction()) };
     match objet {
         ObjetRay::Sphere(sphere) => verite_sphere(passage, sphere, &droite),
         ObjetRay::Plan(plan) => verite_plan(passage, plan, &droite),
@@ -450,7 +456,7 @@ pub fn verite_du<R: Reel>(passage: Passage, objet: &ObjetRay<R>, rayon: &Rayon<R
 }
 
 fn verite_sphere<R: Reel>(passage: Passage, sphere: &SphereRay<R>, ray: &Droite) -> Verite {
-    let f = moins(&ray.s, &point(sphere.centre()));
+    let f = moins(&ray.s, &exacts(sphere.centre()));
     let r = Exact::de(sphere.rayon());
     // a·t² − 2b·t + c = 0.
     let (a, b) = (scalaire(&ray.d, &ray.d), -&scalaire(&f, &ray.d));
@@ -499,7 +505,7 @@ fn verite_sphere<R: Reel>(passage: Passage, sphere: &SphereRay<R>, ray: &Droite)
 }
 
 fn verite_plan<R: Reel>(passage: Passage, plan: &PlanRay<R>, ray: &Droite) -> Verite {
-    let n = point(plan.normale());
+    let n = exacts(plan.normale());
     let d = Exact::de(plan.distance());
     let hauteur = &scalaire(&n, &ray.s) + &d;
     let descente = -&scalaire(&n, &ray.d);
@@ -554,30 +560,20 @@ struct Produits {
 
 impl Produits {
     fn new(longueurs: &[[Exact; 2]; 3], couples: &[Couple; 3]) -> Self {
-        let mut tous = Self {
-            aa: [[0.0; 3]; 3],
-            ba: [[0.0; 3]; 3],
-            bb: [[0.0; 3]; 3],
-            moins_aa: [[0.0; 3]; 3],
-            moins_bb: [[0.0; 3]; 3],
+        let fois_v = |quoi: usize| {
+            longueurs.each_ref().map(|l| couples.each_ref().map(|couple| &l[quoi] * &couple.v))
         };
-        for (i, j) in [(0, 1), (0, 2), (1, 2)] {
-            let ([a_i, b_i], [a_j, b_j]) = (&longueurs[i], &longueurs[j]);
-            let (v_i, v_j) = (&couples[i].v, &couples[j].v);
-            let (av, va) = (a_i * v_j, a_j * v_i);
-            let (bv, vb) = (b_i * v_j, b_j * v_i);
-            tous.aa[i][j] = (&av - &va).vers_f64();
-            tous.aa[j][i] = -tous.aa[i][j];
-            tous.bb[i][j] = (&bv - &vb).vers_f64();
-            tous.bb[j][i] = -tous.bb[i][j];
-            tous.ba[i][j] = (&bv - &va).vers_f64();
-            tous.ba[j][i] = (&vb - &av).vers_f64();
-            tous.moins_aa[i][j] = -(&av + &va).vers_f64();
-            tous.moins_aa[j][i] = tous.moins_aa[i][j];
-            tous.moins_bb[i][j] = -(&bv + &vb).vers_f64();
-            tous.moins_bb[j][i] = tous.moins_bb[i][j];
+        let (av, bv) = (fois_v(0), fois_v(1));
+        let tous = |f: &dyn Fn(usize, usize) -> Exact| {
+            core::array::from_fn(|i| core::array::from_fn(|j| f(i, j).vers_f64()))
+        };
+        Self {
+            aa: tous(&|i, j| &av[i][j] - &av[j][i]),
+            ba: tous(&|i, j| &bv[i][j] - &av[j][i]),
+            bb: tous(&|i, j| &bv[i][j] - &bv[j][i]),
+            moins_aa: tous(&|i, j| -&(&av[i][j] + &av[j][i])),
+            moins_bb: tous(&|i, j| -&(&bv[i][j] + &bv[j][i])),
         }
-        tous
     }
 }
 
@@ -741,12 +737,12 @@ impl Decision {
 }
 
 fn verite_boite<R: Reel>(passage: Passage, boite: &BoiteRay<R>, ray: &Droite) -> Verite {
-    let f = moins(&ray.s, &point(boite.centre()));
+    let f = moins(&ray.s, &exacts(boite.centre()));
     let f_ = longueur(&f);
     let demi_longueurs = boite.demi_longueurs();
     let rho = Vecteur::from(demi_longueurs.map(R::vers_f64)).longueur();
     let couples: [Couple; 3] = core::array::from_fn(|axe| {
-        let n = point(boite.normales()[axe]);
+        let n = exacts(boite.normales()[axe]);
         let l = Exact::de(demi_longueurs[axe]);
         let (o, v) = (scalaire(&n, &f), scalaire(&n, &ray.d));
         if v.signe() == Ordering::Less {

@@ -153,14 +153,18 @@ fn travers(alea: &mut dyn Tirage, d: Vecteur) -> Vecteur {
     }
 }
 
-fn rotation<R: Reel>(alea: &mut dyn Tirage) -> Rotation<R> {
+/// Three angles; half of the time quarters of a turn, whose matrix is exact.
+pub fn angles<R: Reel>(alea: &mut dyn Tirage) -> Vecteur<R> {
     let quarts = alea.bool();
-    let angles = [(); 3].map(|()| {
-        let angle =
-            if quarts { f64::from(alea.i8(-4..=4)) * FRAC_PI_2 } else { entre(alea, -7.0, 7.0) };
-        R::depuis_f64(angle)
-    });
-    Rotation::new(angles.into()).unwrap()
+    let angle = |()| {
+        let quart = if quarts { Some(f64::from(alea.i8(-4..=4)) * FRAC_PI_2) } else { None };
+        R::depuis_f64(quart.unwrap_or_else(|| entre(alea, -7.0, 7.0)))
+    };
+    [(); 3].map(angle).into()
+}
+
+pub fn rotation<R: Reel>(alea: &mut dyn Tirage) -> Rotation<R> {
+    Rotation::new(angles(alea)).unwrap()
 }
 
 /// The nearest number that a scene can hold.

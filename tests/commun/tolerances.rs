@@ -3,23 +3,8 @@
 
 use lancer_rayon::Reel;
 
-/// Distance. The kernel promises K·u·κt with K ≤ 5.6 for what the properties build; a property compares two
-/// such distances plus the rounding of its own inputs, each counted below.
-pub const DISTANCE: f64 = 2.0 * promesses::DISTANCE_SPHERE;
-
-/// A vector turned by `Rotation::appliquer`, of its length: three products and two sums in each of three
-/// coordinates, √3·3.1u; and M·Mᵀ, which is I to 5.5u an element (lemma 13), stretches it by half of 3·5.5u.
-pub const TOURNE: f64 = 14.0;
-
-/// A vector moved or multiplied: one rounding, so u of the length of the result.
-pub const ARRONDI: f64 = 1.0;
-
 /// The length of a normal: within 6.1u of 1, and then 3u for measuring it in the same type.
 pub const NORMALE_UNITAIRE: f64 = promesses::UNITAIRE_PLATE + 3.0;
-
-/// The direction of a normal at a point that is known, in u·(1 + |f|/r), beside what the error
-/// of the distance moves it by.
-pub const NORMALE: f64 = promesses::DIRECTION;
 
 /// Every element of R·Rᵀ − I, for a polished matrix (lemma 13).
 pub const ORTHONORMALE: f64 = 5.5;

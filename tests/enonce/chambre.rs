@@ -32,6 +32,7 @@ struct Chambre<R> {
 /// How a path goes on where it comes to: it bounces towards a seam, or ends this part of the way there, in mid-air or
 /// within rounding of the wall, and goes on towards the seam or anywhere. A lamp beyond the walls throws shadows.
 type Etape<R> = (Vecteur<R>, Option<(f64, Vecteur<R>)>, Vecteur<R>);
+type Chemin<R> = (Rayon<R>, Vec<Etape<R>>);
 
 impl<R: Reel> Chambre<R> {
     /// The inside is a cube of side 2 about O, turned and then moved.
@@ -103,8 +104,8 @@ impl<R: Reel> Chambre<R> {
         arrondi(if alea.u8(0..4) == 0 { p } else { p + peu })
     }
 
-    /// Paths from somewhere in the air towards seams.
-    fn chemins(&self, alea: &mut Hasard, n: usize, pas: usize) -> Vec<(Rayon<R>, Vec<Etape<R>>)> {
+    /// With so many paths from somewhere in the air towards seams.
+    fn avec_chemins(self, alea: &mut Hasard, n: usize, pas: usize) -> (Self, Vec<Chemin<R>>) {
         let libre = Monde::de_liste(&self.objets);
         let chemins = alea.liste(n, |alea, _| {
             let depart = arrondi::<R>(self.place(direction(alea) * 0.9));
@@ -119,7 +120,9 @@ impl<R: Reel> Chambre<R> {
             });
             (rayon, etapes)
         });
-        chemins.into_iter().filter(|(rayon, _)| !libre.contient(rayon.source())).collect()
+        let dehors = |(rayon, _): &Chemin<R>| !libre.contient(rayon.source());
+        let chemins = chemins.into_iter().filter(dehors).collect();
+        (self, chemins)
     }
 
     /// How deep a point lies in the object that holds it deepest, beyond δ and the rounding of the object.
@@ -140,11 +143,7 @@ fn rebond<R: Reel>(cible: Vecteur<R>, touche: &Intersection<R>) -> Option<Rayon<
 /// From the points where flights end, without what the rays know of them, some rays leave.
 fn aucun_chemin_ne_quitte_une_chambre<R: Bits>() {
     let [mut pas, mut d_emblee, mut ombres, mut dehors_sans_flou] = [0; 4];
-    let faire = |alea: &mut Hasard| {
-        let chambre = Chambre::<R>::new(alea);
-        let chemins = chambre.chemins(alea, 60, 16);
-        (chambre, chemins)
-    };
+    let faire = |alea: &mut Hasard| Chambre::<R>::new(alea).avec_chemins(alea, 60, 16);
     pour_chaque(cas(20), faire, |(chambre, chemins)| {
         let (arbre, liste) = (avec_arbre(&chambre.objets), Monde::de_liste(&chambre.objets));
         let mut rayons = vec![];
@@ -200,8 +199,7 @@ fn de_couture_en_couture_un_chemin_ne_s_enfonce_pas<R: Reel>() {
         while chambre.milieu.longueur() > 2.0 {
             chambre = Chambre::new(alea);
         }
-        let chemins = chambre.chemins(alea, 200, 50);
-        (chambre, chemins)
+        chambre.avec_chemins(alea, 200, 50)
     };
     pour_chaque(cas(10), faire, |(chambre, depuis)| {
         let monde = avec_arbre(&chambre.objets);
@@ -233,11 +231,7 @@ en_f32_et_f64!(de_couture_en_couture_un_chemin_ne_s_enfonce_pas);
 /// for long, and none leaves the room.
 fn a_travers_du_verre_aucun_chemin_ne_quitte_une_chambre<R: Reel>() {
     let [mut pas, mut traverses, mut reflets, mut sans_sortie] = [0; 4];
-    let faire = |alea: &mut Hasard| {
-        let chambre = Chambre::<R>::new(alea);
-        let chemins = chambre.chemins(alea, 100, 40);
-        (chambre, chemins)
-    };
+    let faire = |alea: &mut Hasard| Chambre::<R>::new(alea).avec_chemins(alea, 100, 40);
     pour_chaque(cas(20), faire, |(chambre, chemins)| {
         let monde = avec_arbre(&chambre.objets);
         for (mut rayon, etapes) in chemins {
@@ -296,11 +290,7 @@ en_f32_et_f64!(a_travers_du_verre_aucun_chemin_ne_quitte_une_chambre);
 #[test]
 fn une_chaine_elargie_reste_si_son_flou_est_plus_grand() {
     let (mut d_emblee, mut oublies, mut rebonds) = (0, 0, 0);
-    let faire = |alea: &mut Hasard| {
-        let chambre = Chambre::<f32>::new(alea);
-        let chemins = chambre.chemins(alea, 200, 8);
-        (chambre, chemins)
-    };
+    let faire = |alea: &mut Hasard| Chambre::<f32>::new(alea).avec_chemins(alea, 200, 8);
     pour_chaque(cas(20), faire, |(Chambre { objets, .. }, chemins)| {
         let larges: Vec<_> = objets.iter().map(|objet| objet.temoin_f64()).collect();
         let (monde, large) = (Monde::de_liste(&objets), Monde::de_liste(&larges));

@@ -84,7 +84,7 @@ fn chaque_question_connait_tous_les_choix() {
             let premiere = parmi.premiere_intersection(&rayon);
             let t = premiere.unwrap().distance();
             let milieux: Vec<_> = (0..20).map(|k| v(0.0, 0.0, -2.0 * f64::from(k))).collect();
-            let choisis = Choisis { monde: parmi, pris: voulus };
+            let choisis = Choisis { monde: parmi, pris: voulus, facon: String::new() };
             choisis.interroger(&[rayon; 70], &[t, t.next_up()], &milieux, 7);
             // The first of the choice is certain; what any of the five leaves out is no answer.
             assert!(parmi.certifie(&rayon, &premiere));
@@ -270,10 +270,11 @@ fn un_predicat_n_est_jamais_interroge_au_dela_de_la_liste<R: Bits>() {
             indice % 3 != 1
         };
         for monde in [arbre, coupe, Monde::de_liste(objets)] {
-            for (_, reglage) in Reglage::tous() {
+            for (nom, reglage) in Reglage::tous() {
                 let monde = reglage.monde(monde).parmi(prend);
                 let pris = (0..n).filter(|indice| indice % 3 != 1).collect();
-                Choisis { monde, pris }.interroger(&rayons, &[], &[], n as u8);
+                let choisis = Choisis { monde, pris, facon: nom.to_owned() };
+                choisis.interroger(&rayons, &[], &[], n as u8);
                 for (rayon, au_dela) in rayons.iter().zip(&au_dela) {
                     if au_dela.is_ok_and(|touche| touche.indice() >= n) {
                         assert!(!monde.certifie(rayon, au_dela), "{n}: {au_dela:?}");

@@ -1,48 +1,16 @@
-//! Rays with an end: every question stops there, and a hit beyond it is no answer.
+//! Rays with an end: what is one, and that of a ray between two points. (That every question stops there is tried with
+//! every way to an answer, `commun/choisis.rs`.)
 
-use commun::choisis::choisir;
-use commun::conversion::voisin;
 use commun::fabrique::{mur, v};
 use commun::hasard::{Hasard, pour_chaque};
-use commun::oracle::Exact;
+use commun::oracle::{Exact, exact_a, exacts, moins};
 use commun::regimes::{direction, entre};
-use commun::scenes::{melange, rayons_camera};
 use commun::{Bits, arrondi, en_f32_et_f64};
-use lancer_rayon::{Monde, NoIntersection, Rayon, Reel, Reponse, Vecteur, places};
+use lancer_rayon::{Monde, Rayon, Reel, Vecteur};
 
 fn jusqu_a<R: Reel>(rayon: &Rayon<R>, fin: R) -> Rayon<R> {
     rayon.jusqu_a(fin).unwrap()
 }
-
-/// The ends that matter of a ray with these hits: each distance and the numbers beside it, half of it, and the ends of
-/// the type.
-fn fins<R: Bits>(touches: &[Reponse<R>]) -> Vec<R> {
-    let autour = touches.iter().flatten().flat_map(|touche| {
-        let t = touche.distance();
-        [voisin(t, -1), t, voisin(t, 1), t * R::depuis_f64(0.5)]
-    });
-    autour.chain([R::ZERO, -R::ZERO, R::ETA, R::UN, R::INFINI]).collect()
-}
-
-/// What a ray with an end is told is what the ray without one is told, as far as the end, to the bit: by a tree and by
-/// the list, alone and in batches of rays with many ends, of all objects and of a choice.
-fn toute_question_s_arrete_a_la_fin<R: Bits>() {
-    let objets = melange::<R>(90);
-    let mut memoire = vec![0.0; 2 * places(objets.len())];
-    let arbre = Monde::en_morceaux(&objets, &mut memoire).unwrap();
-    for monde in [arbre, Monde::de_liste(&objets)] {
-        let choisis = choisir(monde, [0b1000_1000, u8::MAX, 0]);
-        for sans_fin in rayons_camera::<R>(24, 16) {
-            let mut toutes = [Err(NoIntersection); 4];
-            choisis.monde.dans_l_ordre(&sans_fin, &mut toutes);
-            let fins = fins(&toutes);
-            let rayons: Vec<_> = fins.iter().map(|fin| jusqu_a(&sans_fin, *fin)).collect();
-            choisis.interroger(&rayons, &[], &[], 0);
-        }
-    }
-}
-
-en_f32_et_f64!(toute_question_s_arrete_a_la_fin);
 
 /// NaN and what is below 0 are no end, and the refusal names `fin`. From 0 on every number is one, and replaces the one
 /// before; at 0 nothing is asked.
@@ -92,11 +60,8 @@ fn un_rayon_entre_deux_points_finit_au_second<R: Bits>() {
         let voulu = Rayon::new(p, q - p).unwrap();
         assert_eq!(rayon, jusqu_a(&voulu, (q - p).longueur()));
         assert_eq!(rayon.source(), p);
-        let (s, d, fin) = (rayon.source(), rayon.direction(), Exact::de(rayon.fin()));
-        let ecart = [(s.x, d.x, q.x), (s.y, d.y, q.y), (s.z, d.z, q.z)].map(|coordonnees| {
-            let (s, d, q) = coordonnees;
-            (&(&Exact::de(s) + &(&Exact::de(d) * &fin)) - &Exact::de(q)).vers_f64()
-        });
+        let ecart = moins(&exact_a(&rayon, &Exact::de(rayon.fin())), &exacts(q));
+        let ecart = ecart.map(|x| x.vers_f64());
         // The end is off by 3.6u of the way along the ray and by 4.6u in direction (lemma 11).
         let permis = 8.2 * R::U.vers_f64() * (q.vers_f64() - p.vers_f64()).longueur();
         assert!(Vecteur::from(ecart).longueur() <= permis, "{ecart:?} {rayon:?}");

@@ -2,7 +2,7 @@
 
 use commun::fabrique::sphere;
 use commun::hasard::{Hasard, pour_chaque};
-use commun::oracle::Exact;
+use commun::oracle::{Exact, exacts, moins, scalaire};
 use commun::regimes::{direction, entre};
 use commun::tolerances::u;
 use commun::{arrondi, en_f32_et_f64};
@@ -22,9 +22,8 @@ fn la_distance_et_la_direction_d_une_lampe_sont_bornees<R: Reel>() {
         let Ok(rayon) = Rayon::new(arrondi(n * 3.0), arrondi(-n)) else { return };
         let Ok(touche) = boule.intersection(&rayon) else { return };
         let Ok(ombre) = touche.vers_lumiere(lampe) else { return };
-        let (s, l) = (<[R; 3]>::from(ombre.source()), <[R; 3]>::from(lampe));
-        let v: [Exact; 3] = core::array::from_fn(|i| &Exact::de(l[i]) - &Exact::de(s[i]));
-        let carre = &(&(&v[0] * &v[0]) + &(&v[1] * &v[1])) + &(&v[2] * &v[2]);
+        let v = moins(&exacts(lampe), &exacts(ombre.source()));
+        let carre = scalaire(&v, &v);
         let longueur = carre.vers_f64().sqrt();
         // d² − |V|², exactly, over 2|V|.
         let d = Exact::de(ombre.fin());
@@ -36,8 +35,7 @@ fn la_distance_et_la_direction_d_une_lampe_sont_bornees<R: Reel>() {
         let exacte = Vecteur::from(v.each_ref().map(Exact::vers_f64));
         let ecart = (ombre.direction().vers_f64() * longueur - exacte).longueur() / longueur;
         assert!(ecart <= 4.6 * u::<R>() + essai, "{ecart:e}");
-        let n = <[R; 3]>::from(touche.normale()).map(Exact::de);
-        let nv = &(&(&n[0] * &v[0]) + &(&n[1] * &v[1])) + &(&n[2] * &v[2]);
+        let nv = scalaire(&exacts(touche.normale()), &v);
         let cosinus = ombre.direction().produit_scalaire(touche.normale()).vers_f64();
         let ecart = (cosinus - nv.vers_f64() / longueur).abs();
         assert!(ecart <= 8.0 * u::<R>() + essai, "{ecart:e}");

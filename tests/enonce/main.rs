@@ -2,10 +2,8 @@
 
 mod chambre;
 mod choix;
-mod differentiel;
 mod etendue;
 mod fin;
-mod intersection;
 mod jeu_de_tests;
 mod lampe;
 mod manipulations;

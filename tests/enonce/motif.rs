@@ -3,7 +3,7 @@
 
 use commun::fabrique::mur;
 use commun::hasard::{Hasard, Tirage, pour_chaque};
-use commun::oracle::{Exact, verite};
+use commun::oracle::{Exact, exact_a, exacts, moins, scalaire, verite};
 use commun::regimes::{deux_puissance, direction, entre};
 use commun::scenes::rayons_camera;
 use commun::tolerances::u;
@@ -12,24 +12,9 @@ use lancer_rayon::{
     BoiteGeo, BoiteRay, Face, Nombre, ObjetRay, PlanGeo, Rayon, Reel, Rotation, Texture, Vecteur,
 };
 
-fn exacts<R: Reel>(v: Vecteur<R>) -> [Exact; 3] {
-    [v.x, v.y, v.z].map(Exact::de)
-}
-
-fn scalaire(a: &[Exact; 3], b: &[Exact; 3]) -> Exact {
-    &(&(&a[0] * &b[0]) + &(&a[1] * &b[1])) + &(&a[2] * &b[2])
-}
-
-/// S + tD.
-fn point<R: Reel>(rayon: &Rayon<R>, t: &Exact) -> [Exact; 3] {
-    let (s, d) = (exacts(rayon.source()), exacts(rayon.direction()));
-    core::array::from_fn(|i| &s[i] + &(t * &d[i]))
-}
-
 /// The three N_i·(S + tD − C), from −l_i to l_i on the faces.
 fn dans_la_boite<R: Reel>(boite: &BoiteRay<R>, rayon: &Rayon<R>, t: &Exact) -> [Exact; 3] {
-    let (p, c) = (point(rayon, t), exacts(boite.centre()));
-    let depuis = core::array::from_fn(|i| &p[i] - &c[i]);
+    let depuis = moins(&exact_a(rayon, t), &exacts(boite.centre()));
     boite.normales().map(|n| scalaire(&exacts(n), &depuis))
 }
 
@@ -200,7 +185,7 @@ fn un_damier_de_l_espace_sur_un_sol_n_a_pas_de_taches<R: Reel>() {
             let le_long = [x.produit_scalaire(p), y.produit_scalaire(p), -sol.distance()];
             let scene = x * le_long[0] + y * le_long[1] + n * le_long[2];
 
-            let exact = point(&rayon, &entree.t);
+            let exact = exact_a(&rayon, &entree.t);
             let mut propres = axes.map(|axe| scalaire(&exacts(axe), &exact).vers_f64());
             let mut exact = exact.each_ref().map(Exact::vers_f64);
             // But for the rounding of the exact t, at 256 bits, the surface is at −d.

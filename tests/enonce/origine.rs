@@ -3,7 +3,7 @@
 use commun::cas;
 use commun::fabrique::murs;
 use commun::hasard::{Hasard, Tirage, pour_chaque};
-use commun::oracle::{Exact, dehors};
+use commun::oracle::{Exact, dehors, exacts, scalaire};
 use commun::passages::flou_du_point;
 use commun::regimes::{deux_puissance, direction, entre};
 use lancer_rayon::pour_les_tests::FLOU_PROPRE;
@@ -118,9 +118,7 @@ fn chaque_nombre_est_le_plus_proche() {
         let plan = plan.vers_f32(origine).unwrap();
         assert_eq!((plan.orientation(), plan.texture()), (boite.orientation(), Texture(3)));
         // N·(C − O) + d, exactly, which would be 0.
-        let (n, depuis) = (tour.axes()[2], (centre - origine));
-        let terme = |a: f64, b: f64| &Exact::de(a) * &Exact::de(b);
-        let reste = &(&terme(n.x, depuis.x) + &terme(n.y, depuis.y)) + &terme(n.z, depuis.z);
+        let reste = scalaire(&exacts(tour.axes()[2]), &exacts(centre - origine));
         let reste = (&reste + &Exact::de(plan.distance())).vers_f64().abs();
         // A rounding of the distance to `f32`; those of `f64`, at the numbers of the place.
         let permis = f64::from(plan.distance().abs()) * 6e-8 + 8.0 * 1.2e-16 * centre.longueur();

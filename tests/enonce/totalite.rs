@@ -1,18 +1,17 @@
 //! Whatever bits go in, invalid values cannot be constructed, and every query on valid ones ends.
 
+use commun::hasard::{Hasard, pour_chaque};
 use commun::passages::{exiger_apres_coup, exiger_les_passages};
 use commun::strategies::{quelconque, vecteur_quelconque};
 use commun::tolerances::{ECART_ROTATION, ORTHONORMALE, u};
-use commun::{Bits, en_f32_et_f64, pour_tout};
+use commun::{Bits, cas, en_f32_et_f64};
 use lancer_rayon::{
     BoiteGeo, ErreurGeo, Face, ObjetGeo, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo,
     Texture, Vecteur, premiere_intersection,
 };
-use proptest::prelude::*;
-use proptest::test_runner::{TestCaseError, TestCaseResult};
 
 /// A refusal names a field, and a value that the field does not accept.
-fn refusee<R: Reel>(erreur: ErreurGeo) -> TestCaseResult {
+fn refusee<R: Reel>(erreur: ErreurGeo) {
     let ErreurGeo { champ, valeur, .. } = erreur;
     let limite = R::LIMITE.vers_f64();
     let debut = champ.split(['.', '[', ' ', '|']).next().unwrap_or(champ);
@@ -24,11 +23,10 @@ fn refusee<R: Reel>(erreur: ErreurGeo) -> TestCaseResult {
         "direction" => valeur != 0.0 && valeur.is_finite(),
         "matrice" if champ.ends_with(']') => valeur.is_finite(),
         "matrice" => valeur <= ECART_ROTATION && valeur > 0.0,
-        autre => return Err(TestCaseError::fail(format!("unknown field {autre}"))),
+        autre => panic!("unknown field {autre}"),
     };
-    prop_assert!(!admise, "{erreur}");
-    prop_assert!(!valeur.is_nan() || valeur.to_bits() == f64::NAN.to_bits(), "one NaN of many");
-    Ok(())
+    assert!(!admise, "{erreur}");
+    assert!(!valeur.is_nan() || valeur.to_bits() == f64::NAN.to_bits(), "one NaN of many");
 }
 
 fn tient<R: Reel>(v: Vecteur<R>) -> bool {
@@ -41,87 +39,82 @@ fn mesure<R: Reel>(l: R) -> bool {
     (limite.recip()..=limite).contains(&l.vers_f64())
 }
 
-fn valide<R: Reel>(objet: &ObjetRay<R>) -> TestCaseResult {
+fn valide<R: Reel>(objet: &ObjetRay<R>) {
     let normales = match objet {
         ObjetRay::Sphere(sphere) => {
-            prop_assert!(tient(sphere.centre()) && mesure(sphere.rayon()));
+            assert!(tient(sphere.centre()) && mesure(sphere.rayon()));
             vec![]
         }
         ObjetRay::Plan(plan) => {
-            prop_assert!(tient(Vecteur::new(plan.distance(), R::ZERO, R::ZERO)));
+            assert!(tient(Vecteur::new(plan.distance(), R::ZERO, R::ZERO)));
             vec![plan.normale()]
         }
         ObjetRay::Boite(boite) => {
             let double = boite.demi_longueurs().map(|l| l + l);
-            prop_assert!(tient(boite.centre()) && double.into_iter().all(mesure));
+            assert!(tient(boite.centre()) && double.into_iter().all(mesure));
             let finis = |v: Vecteur<R>| v.vers_f64().longueur() < f64::INFINITY;
             for (centre, normale) in Face::TOUTES.map(|face| boite.face(face)) {
-                prop_assert!(finis(centre) && finis(normale));
-                prop_assert!(normale.produit_scalaire(centre).absolu() < R::INFINI);
+                assert!(finis(centre) && finis(normale));
+                assert!(normale.produit_scalaire(centre).absolu() < R::INFINI);
             }
             boite.normales().to_vec()
         }
     };
     for n in normales {
-        prop_assert!((n.vers_f64().longueur_carree() - 1.0).abs() <= ORTHONORMALE * u::<R>());
+        assert!((n.vers_f64().longueur_carree() - 1.0).abs() <= ORTHONORMALE * u::<R>());
     }
-    Ok(())
 }
 
 /// Each of these objects is asked by this ray, also of the hit of another, and what starts from its hits.
-fn interroger<R: Bits>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> TestCaseResult {
+fn interroger<R: Bits>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) {
     for objet in objets {
         exiger_les_passages(objet, rayon, rayon.source());
         exiger_apres_coup(objet, [rayon, rayon]);
     }
-    let Ok(touche) = premiere_intersection(objets, rayon) else { return Ok(()) };
+    let Ok(touche) = premiere_intersection(objets, rayon) else { return };
     for objet in objets {
-        prop_assert!(objet.erreur(rayon, &touche) > R::ZERO);
+        assert!(objet.erreur(rayon, &touche) > R::ZERO);
         if let ObjetRay::Boite(boite) = objet {
             let (face, p) = boite.lieu(rayon, &touche);
             let p = <[R; 3]>::from(p);
-            prop_assert!(p.into_iter().all(|x| x.absolu() <= R::UN), "{:?}", p);
-            prop_assert!(p[face as usize % 3].absolu() == R::UN);
+            assert!(p.into_iter().all(|x| x.absolu() <= R::UN), "{:?}", p);
+            assert!(p[face as usize % 3].absolu() == R::UN);
         }
     }
     for rapport in [rayon.source().x, R::UN / R::LIMITE, R::LIMITE, R::ETA, R::INFINI] {
         let verre = touche.refracte(rayon.direction(), rapport);
         let dites = ["marge", "rapport", "refraction", "source.x", "source.y", "source.z"];
-        prop_assert!(rapport < R::INFINI || verre.is_err_and(|e| e.champ == "rapport"));
-        prop_assert!(
+        assert!(rapport < R::INFINI || verre.is_err_and(|e| e.champ == "rapport"));
+        assert!(
             verre.is_ok_and(|verre| tient(verre.source()))
                 || verre.is_err_and(|e| dites.contains(&e.champ))
         );
     }
-    Ok(())
 }
 
 /// A rotation from any angles or any matrix, if it is one; no rotation otherwise.
-fn rotation<R: Bits>() -> impl Strategy<Value = Rotation<R>> {
-    let matrice = prop::array::uniform3(vecteur_quelconque::<R>().prop_map(<[R; 3]>::from));
-    (vecteur_quelconque::<R>(), matrice).prop_map(|(angles, matrice)| {
-        let angles = Rotation::new(angles);
-        Rotation::depuis_matrice(matrice).or(angles).unwrap_or(Rotation::IDENTITE)
-    })
+fn rotation<R: Bits>(alea: &mut Hasard) -> Rotation<R> {
+    let angles = Rotation::new(vecteur_quelconque(alea));
+    let matrice = [(); 3].map(|()| <[R; 3]>::from(vecteur_quelconque(alea)));
+    Rotation::depuis_matrice(matrice).or(angles).unwrap_or(Rotation::IDENTITE)
 }
 
 fn n_importe_quels_bits_donnent_une_valeur_valide_ou_une_erreur<R: Bits>() {
-    let formes = (vecteur_quelconque::<R>(), vecteur_quelconque::<R>(), quelconque::<R>());
-    let mouvements = (vecteur_quelconque::<R>(), rotation::<R>(), quelconque::<R>());
-    let rayons = (vecteur_quelconque::<R>(), vecteur_quelconque::<R>());
-    let tout = (formes, rotation::<R>(), mouvements, rayons);
-    pour_tout(tout, |((point, longueurs, longueur), r, (v, r2, k), (source, direction))| {
+    let faire = |alea: &mut Hasard| {
+        let vecteurs = [(); 5].map(|()| vecteur_quelconque(alea));
+        let nombres = [(); 2].map(|()| quelconque::<R>(alea));
+        (vecteurs, nombres, [(); 2].map(|()| rotation(alea)))
+    };
+    pour_chaque(cas(256), faire, |(vecteurs, [longueur, k], [r, r2])| {
+        let [point, longueurs, v, source, direction] = vecteurs;
         let texture = Texture(0);
         let mut objets = Vec::new();
-        let mut garder = |objet: Result<ObjetGeo<R>, ErreurGeo>| -> TestCaseResult {
-            match objet {
-                Ok(objet) => {
-                    valide(&objet.vers_ray())?;
-                    objets.push(objet);
-                    Ok(())
-                }
-                Err(erreur) => refusee::<R>(erreur),
+        let mut garder = |objet: Result<ObjetGeo<R>, ErreurGeo>| match objet {
+            Ok(objet) => {
+                valide(&objet.vers_ray());
+                objets.push(objet);
             }
+            Err(erreur) => refusee::<R>(erreur),
         };
         let possibles = [
             SphereGeo::new(point, longueur, texture).map(ObjetGeo::from),
@@ -130,16 +123,16 @@ fn n_importe_quels_bits_donnent_une_valeur_valide_ou_une_erreur<R: Bits>() {
             SphereGeo::new(point, R::UN, texture).map(ObjetGeo::from),
         ];
         for objet in possibles {
-            garder(objet)?;
+            garder(objet);
             if let Ok(objet) = objet {
-                garder(objet.translation(v))?;
-                garder(objet.rotation(r2))?;
-                garder(objet.homothetie(k))?;
+                garder(objet.translation(v));
+                garder(objet.rotation(r2));
+                garder(objet.homothetie(k));
                 // A half-space has no size that would show it.
-                prop_assert!(objet.homothetie(k).is_err() || k > R::ZERO && k < R::INFINI);
+                assert!(objet.homothetie(k).is_err() || k > R::ZERO && k < R::INFINI);
                 match objet.vers_f32(v) {
-                    Ok(simple) => valide(&simple.vers_ray())?,
-                    Err(erreur) => refusee::<f32>(erreur)?,
+                    Ok(simple) => valide(&simple.vers_ray()),
+                    Err(erreur) => refusee::<f32>(erreur),
                 }
             }
         }
@@ -148,64 +141,62 @@ fn n_importe_quels_bits_donnent_une_valeur_valide_ou_une_erreur<R: Bits>() {
         for vers in [direction, point - source, source - point, longueurs, -source] {
             match Rayon::new(source, vers) {
                 Ok(rayon) => {
-                    prop_assert!(tient(rayon.source()));
+                    assert!(tient(rayon.source()));
                     let carre = rayon.direction().vers_f64().longueur_carree();
                     // A direction that is kept (lemma 1), and four roundings of this test in f64.
-                    prop_assert!((carre - 1.0).abs() <= 15.1 * u::<R>() + 4.0 * u::<f64>());
-                    interroger(&objets, &rayon)?;
+                    assert!((carre - 1.0).abs() <= 15.1 * u::<R>() + 4.0 * u::<f64>());
+                    interroger(&objets, &rayon);
                     let admis = k >= R::ZERO && k < R::INFINI;
                     let suites =
                         [("flou", rayon.avec_flou(k)), ("distance", rayon.bifurque(k, vers))];
                     for (champ, suite) in suites {
-                        prop_assert!(admis || suite.is_err_and(|e| e.champ == champ));
+                        assert!(admis || suite.is_err_and(|e| e.champ == champ));
                     }
                     match rayon.vers_f32(v) {
-                        Ok(simple) => prop_assert!(tient(simple.source())),
-                        Err(erreur) => refusee::<f32>(erreur)?,
+                        Ok(simple) => assert!(tient(simple.source())),
+                        Err(erreur) => refusee::<f32>(erreur),
                     }
                 }
-                Err(erreur) => refusee::<R>(erreur)?,
+                Err(erreur) => refusee::<R>(erreur),
             }
         }
-        Ok(())
     });
 }
 
 en_f32_et_f64!(n_importe_quels_bits_donnent_une_valeur_valide_ou_une_erreur);
 
 fn toute_direction_finie_non_nulle_est_rendue_unitaire<R: Bits>() {
-    pour_tout(vecteur_quelconque::<R>(), |v| {
+    pour_chaque(cas(256), vecteur_quelconque::<R>, |v| {
         let finie = [v.x, v.y, v.z].into_iter().all(|x| x.absolu() < R::INFINI);
         let unitaire = v.unitaire();
-        prop_assert_eq!(unitaire.is_some(), finie && v != Vecteur::NUL);
-        prop_assert_eq!(Rayon::new(Vecteur::NUL, v).is_ok(), unitaire.is_some());
+        assert_eq!(unitaire.is_some(), finie && v != Vecteur::NUL);
+        assert_eq!(Rayon::new(Vecteur::NUL, v).is_ok(), unitaire.is_some());
         if let Some(unitaire) = unitaire {
             // The greatest coordinate keeps its sign, the others their ratio to it.
             let (v, n) = ([v.x, v.y, v.z], [unitaire.x, unitaire.y, unitaire.z]);
             let grand = (0..3).fold(0, |i, j| if v[j].absolu() > v[i].absolu() { j } else { i });
-            prop_assert!((n[grand] > R::ZERO) == (v[grand] > R::ZERO));
+            assert!((n[grand] > R::ZERO) == (v[grand] > R::ZERO));
             for i in 0..3 {
                 let attendu = v[i].vers_f64() / v[grand].vers_f64();
                 let obtenu = n[i].vers_f64() / n[grand].vers_f64();
                 // Two quotients of one rounding each, and those of this test in f64.
-                prop_assert!((obtenu - attendu).abs() <= 6.0 * u::<R>());
+                assert!((obtenu - attendu).abs() <= 6.0 * u::<R>());
             }
         }
-        Ok(())
     });
 }
 
 en_f32_et_f64!(toute_direction_finie_non_nulle_est_rendue_unitaire);
 
 fn un_rayon_refait_de_sa_source_et_de_sa_direction_est_le_meme<R: Bits>() {
-    pour_tout((vecteur_quelconque::<R>(), vecteur_quelconque::<R>()), |(s, d)| {
+    let faire = |alea: &mut Hasard| [(); 2].map(|()| vecteur_quelconque::<R>(alea));
+    pour_chaque(cas(256), faire, |[s, d]| {
         if let Ok(rayon) = Rayon::new(s, d) {
             let bits = |v: Vecteur<R>| [v.x, v.y, v.z].map(R::bits);
             let encore = Rayon::new(rayon.source(), rayon.direction()).unwrap();
-            prop_assert_eq!(bits(encore.direction()), bits(rayon.direction()));
-            prop_assert_eq!(bits(encore.source()), bits(s));
+            assert_eq!(bits(encore.direction()), bits(rayon.direction()));
+            assert_eq!(bits(encore.source()), bits(s));
         }
-        Ok(())
     });
 }
 

@@ -2,13 +2,14 @@
 
 use std::fs;
 
-use commun::strategies::{objet, plante, rotation};
-use commun::{en_f32_et_f64, pour_tout};
+use commun::hasard::{Hasard, pour_chaque};
+use commun::regimes::rotation;
+use commun::strategies::{objet, scene};
+use commun::{cas, en_f32_et_f64};
 use lancer_rayon::{
     BoiteGeo, Face, Intersection, ObjetGeo, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo,
     Texture, Vecteur,
 };
-use proptest::prelude::*;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
@@ -19,12 +20,11 @@ fn relu<T: Serialize + DeserializeOwned>(valeur: &T) -> [T; 2] {
 }
 
 fn ce_qui_est_ecrit_est_relu_bit_pour_bit<R: Reel + Serialize + for<'de> Deserialize<'de>>() {
-    pour_tout((objet::<R>(1.0), plante::<R>(), rotation::<R>()), |(objet, plante, r)| {
-        prop_assert_eq!(relu(&objet), [objet; 2]);
-        prop_assert_eq!(relu(&plante.objet), [plante.objet; 2]);
-        prop_assert_eq!(relu(&plante.rayon), [plante.rayon; 2]);
-        prop_assert_eq!(relu(&r), [r; 2]);
-        Ok(())
+    let faire = |alea: &mut Hasard| (objet::<R>(alea), scene::<R>(alea).1, rotation::<R>(alea));
+    pour_chaque(cas(256), faire, |(objet, rayon, r)| {
+        assert_eq!(relu(&objet), [objet; 2]);
+        assert_eq!(relu(&rayon), [rayon; 2]);
+        assert_eq!(relu(&r), [r; 2]);
     });
 }
 

@@ -105,7 +105,8 @@ fn attaquer<R: Bits + Serialize + DeserializeOwned>(octets: &[u8]) -> Option<()>
     }
     for monde in [monde, Monde::de_liste(&objets)] {
         choisir(monde, [un, sauf, deux]).interroger(&rayons, &limites, &points, rangs);
-        let tous = Choisis { monde, pris: (0..objets.len()).collect() };
+        let pris = (0..objets.len()).collect();
+        let tous = Choisis { monde, pris, facon: String::new() };
         tous.interroger(&rayons, &limites, &points, rangs);
     }
     un_choix_inconstant(monde, &rayons, rangs);

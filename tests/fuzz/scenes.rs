@@ -51,7 +51,8 @@ fn lire<R: Bits + Serialize + DeserializeOwned>(texte: &str) {
     for monde in [arbre, Monde::de_liste(&objets)] {
         let touches: Vec<_> = rayons.iter().map(|r| monde.premiere_intersection(r)).collect();
         relire(&touches);
-        let tous = Choisis { monde, pris: (0..objets.len()).collect() };
+        let pris = (0..objets.len()).collect();
+        let tous = Choisis { monde, pris, facon: String::new() };
         tous.interroger(&rayons, &[R::UN], &[Vecteur::NUL], 3);
         choisir(monde, [0b0101_0000, 1, 0]).interroger(&rayons, &[R::UN], &[], 1);
     }

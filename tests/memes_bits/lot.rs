@@ -193,8 +193,8 @@ fn coin_vers<R: Reel>(alea: &mut Hasard, cible: Vecteur) -> Rotation<R> {
 /// Bundles from needles to fans too wide to walk together, of one source and of many, with objects that rays
 /// at the rim of the bundle graze.
 ///
-/// Four times the usual number. A probe without any of its slack is found by the sources in `arbre.rs` that
-/// lie farther and farther away; none was lost here.
+/// A probe without any of its slack is found by the sources in `arbre.rs` that lie farther and farther away; none was lost
+/// here.
 fn la_sonde_ne_perd_aucune_touche<R: Bits>() {
     let faire = |alea: &mut Hasard| {
         let loin = if alea.bool() { 0.0 } else { deux_puissance(alea, -10.0, 16.0) };
@@ -205,7 +205,7 @@ fn la_sonde_ne_perd_aucune_touche<R: Bits>() {
         (alea.liste(70, |alea, i| frole(alea, &rayons, Texture(i as u32))), rayons)
     };
     let mut touches = 0;
-    pour_chaque(4 * cas() as u32, faire, |(objets, rayons)| {
+    pour_chaque(cas() as u32, faire, |(objets, rayons)| {
         touches += comparer(&objets, &rayons);
         // The numbers of f32 in f64: D and N are unit to the rounding of f32 only.
         if u::<R>() > f64::EPSILON {
@@ -213,7 +213,7 @@ fn la_sonde_ne_perd_aucune_touche<R: Bits>() {
             comparer(&en_f64, &rayons.iter().map(|rayon| rayon.temoin_f64()).collect::<Vec<_>>());
         }
     });
-    assert!(touches > 40 * cas(), "only {touches} hits");
+    assert!(touches > 10 * cas(), "only {touches} hits");
 }
 
 en_f32_et_f64!(la_sonde_ne_perd_aucune_touche);

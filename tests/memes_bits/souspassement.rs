@@ -49,32 +49,39 @@ fn puissance<R: Reel>(exposant: i32) -> R {
     R::depuis_f64(f64::from(exposant).exp2())
 }
 
-#[test]
-fn un_rayon_qui_quitte_une_face_ne_la_retouche_pas_f32() {
-    let c = mots::<f32>([0x4122_e3c7, 0x412b_d450, 0x4122_9f81]);
-    let l = mots([0x401b_4e93; 3]);
-    let s = mots([0x4163_bfb9, 0x40cd_928e, 0x415c_e566]);
-    let d = mots([0xbf16_310c, 0x3f2e_5499, 0xbee0_6313]);
-    for (echelle, petit) in [(0, -140), (-50, -85), (-50, -149), (0, -149), (40, -149), (0, -100)] {
-        let k = puissance(echelle);
+/// Of a cube by its centre, of a ray, and of scales and slopes as powers of two.
+fn quitter_une_face<R: Bits>([c, l, s, d]: [[u64; 3]; 4], echelles: &[(i32, i32)]) {
+    let [c, l, s, d] = [c, l, s, d].map(mots::<R>);
+    for (echelle, petit) in echelles {
+        let k = puissance(*echelle);
         let objet = demie(c * k, l * k);
-        let petit = puissance(petit);
-        quitter(&objet, &Rayon::new(s * k, d).unwrap(), Vecteur::new(petit, petit, 1.0));
+        let petit = puissance(*petit);
+        quitter(&objet, &Rayon::new(s * k, d).unwrap(), Vecteur::new(petit, petit, R::UN));
     }
 }
 
 #[test]
+fn un_rayon_qui_quitte_une_face_ne_la_retouche_pas_f32() {
+    let nombres = [
+        [0x4122_e3c7, 0x412b_d450, 0x4122_9f81],
+        [0x401b_4e93; 3],
+        [0x4163_bfb9, 0x40cd_928e, 0x415c_e566],
+        [0xbf16_310c, 0x3f2e_5499, 0xbee0_6313],
+    ];
+    let echelles = [(0, -140), (-50, -85), (-50, -149), (0, -149), (40, -149), (0, -100)];
+    quitter_une_face::<f32>(nombres, &echelles);
+}
+
+#[test]
 fn un_rayon_qui_quitte_une_face_ne_la_retouche_pas_f64() {
-    let c = mots::<f64>([0x4025_e003_aab8_7236, 0x4025_8d10_8b7b_e822, 0x4025_8c61_b235_2ec3]);
-    let l = mots([0x4004_2b59_fc04_a257; 3]);
-    let s = mots([0x402d_9aa7_a4b2_30ff, 0x401c_3310_bff8_8987, 0x402c_e0ec_fffc_9344]);
-    let d = mots([0xbfe4_1f35_39a0_b98c, 0x3fe2_0aa6_334f_0f7b, 0xbfe1_2292_09f7_8fdd]);
-    for (echelle, petit) in [(0, -1074), (-440, -1074), (440, -1074), (-440, -640), (0, -1000)] {
-        let k = puissance(echelle);
-        let objet = demie(c * k, l * k);
-        let petit = puissance(petit);
-        quitter(&objet, &Rayon::new(s * k, d).unwrap(), Vecteur::new(petit, petit, 1.0));
-    }
+    let nombres = [
+        [0x4025_e003_aab8_7236, 0x4025_8d10_8b7b_e822, 0x4025_8c61_b235_2ec3],
+        [0x4004_2b59_fc04_a257; 3],
+        [0x402d_9aa7_a4b2_30ff, 0x401c_3310_bff8_8987, 0x402c_e0ec_fffc_9344],
+        [0xbfe4_1f35_39a0_b98c, 0x3fe2_0aa6_334f_0f7b, 0xbfe1_2292_09f7_8fdd],
+    ];
+    let echelles = [(0, -1074), (-440, -1074), (440, -1074), (-440, -640), (0, -1000)];
+    quitter_une_face::<f64>(nombres, &echelles);
 }
 
 /// A slope towards a face along the axes is exact, and decides as it is down to the smallest box: from 1024 before

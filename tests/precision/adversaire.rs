@@ -31,7 +31,7 @@ use lancer_rayon::{
 const PATIENCE: u32 = 50;
 
 /// How many cases a climb judges, unless it is told how long to last.
-const ASSEZ: u32 = 20_000;
+const ASSEZ: u32 = 10_000;
 
 /// How many of the best cases are kept as starting points.
 const SOMMETS: usize = 20;

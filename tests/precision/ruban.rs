@@ -73,12 +73,8 @@ pub(crate) fn comparaisons() -> Vec<(Place, Place)> {
 /// The type that the scalar stands for: as large as `Self`, so that `selon` takes it for that type.
 pub(crate) trait Taille: Copy + Send + Sync + 'static {
     type Nombre: Nombre;
-    const ORIGINE: Self;
-    const UN: Self;
-    const INFINI: Self;
-    const ETA: Self;
-    const U: Self;
-    const LIMITE: Self;
+    /// Those of 0, 1, +∞, η, u and the limit.
+    const CODES: [Self; 6];
     fn de(code: u32) -> Self;
     fn code(self) -> u32;
 }
@@ -87,12 +83,7 @@ macro_rules! taille {
     ($($type:ident $nombre:ident;)*) => {$(
         impl Taille for $type {
             type Nombre = $nombre;
-            const ORIGINE: Self = 0;
-            const UN: Self = 1;
-            const INFINI: Self = 2;
-            const ETA: Self = 3;
-            const U: Self = 4;
-            const LIMITE: Self = 5;
+            const CODES: [Self; 6] = [0, 1, 2, 3, 4, 5];
             fn de(code: u32) -> Self {
                 code.into()
             }
@@ -388,12 +379,12 @@ impl<T: Taille> Display for Trace<T> {
 impl<T> Scelle for Trace<T> {}
 
 impl<T: Taille> Nombre for Trace<T> {
-    const ZERO: Self = Self(T::ORIGINE);
-    const UN: Self = Self(T::UN);
-    const INFINI: Self = Self(T::INFINI);
-    const ETA: Self = Self(T::ETA);
-    const U: Self = Self(T::U);
-    const LIMITE: Self = Self(T::LIMITE);
+    const ZERO: Self = Self(T::CODES[0]);
+    const UN: Self = Self(T::CODES[1]);
+    const INFINI: Self = Self(T::CODES[2]);
+    const ETA: Self = Self(T::CODES[3]);
+    const U: Self = Self(T::CODES[4]);
+    const LIMITE: Self = Self(T::CODES[5]);
 
     fn racine(self) -> Self {
         self.un(Racine, self.valeur().sqrt())
