@@ -193,13 +193,13 @@ impl<R: Nombre> Intersection<R> {
     ///
     /// let boule: ObjetRay = SphereGeo::new(Vecteur::NUL, 1.0, Texture(0))?.into();
     /// let rayon = Rayon::new(Vecteur::new(0.8, 0.0, 5.0), -Vecteur::Z)?; // sin α = 0.8
-    /// let vers_dedans = boule.intersection(&rayon)?.refracte(rayon.direction(), 1.0 / 1.5)?;
+    /// let dedans = boule.intersection(&rayon)?.refracte(rayon.direction(), 1.0 / 1.5)?;
     /// let sortie = boule.sortie(&dedans)?;
     /// let dehors = sortie.refracte(dedans.direction(), 1.5)?;
     /// assert!((dehors.direction().produit_scalaire(sortie.normale()) - 0.6).abs() < 1e-14);
     ///
     /// // From within, as sin α = 0.8 is more than 1/1.5, no light leaves.
-    /// let vers_dedans = Rayon::new(Vecteur::new(0.8, 0.0, 0.0), -Vecteur::Z)?;
+    /// let dedans = Rayon::new(Vecteur::new(0.8, 0.0, 0.0), -Vecteur::Z)?;
     /// let sortie = boule.sortie(&dedans)?;
     /// let totale = sortie.refracte(dedans.direction(), 1.5).unwrap_err();
     /// assert_eq!(totale.champ, "refraction");
