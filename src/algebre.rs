@@ -1,5 +1,5 @@
-//! What is computed with: the scalar, vectors, rotations, numbers of twice the length, and the checks
-//! by which a value is refused.
+//! What is computed with: the scalar, vectors, rotations, numbers of twice the length, and the
+//! checks by which a value is refused.
 
 pub(crate) mod double;
 #[cfg(feature = "mint")]

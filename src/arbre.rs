@@ -4,7 +4,7 @@
 //! (`noeud.rs`, `construction.rs`). A ray looks at the nodes that it may enter (`parcours.rs`),
 //! a block of rays at those that some ray of it may enter (`parcours_de_bloc.rs`), as their probe
 //! tells (`sonde.rs`). Objects without a box are always asked. What may be left out is derived in
-//! `docs/preuves-arbre.md`.
+//! `docs/preuves/recherche.md`.
 
 pub(crate) mod construction;
 mod morceaux;

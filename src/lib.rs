@@ -65,8 +65,8 @@
 //! **A hit is an entry** from outside, at a distance t > 0, against the normal (D·N < 0). An object
 //! is not hit from inside or from its surface, and a ray tangent to a sphere misses. A ray that
 //! starts from a hit carries [a bound δ on the error of its start](Rayon::flou), and hits at t = 0
-//! what it might otherwise slip into through a seam. Therefore no chain of such rays leaves a closed
-//! room whose walls are thick enough and overlap by enough.
+//! what it might otherwise slip into through a seam. Therefore no chain of such rays leaves a
+//! closed room whose walls are thick enough and overlap by enough.
 //!
 //! ```
 //! # use lancer_rayon::*;
@@ -131,6 +131,8 @@ extern crate std;
 mod algebre;
 mod arbre;
 mod cote_a_cote;
+#[cfg(feature = "serde")]
+mod ecrit;
 mod monde;
 mod objet;
 #[doc(hidden)]
@@ -140,11 +142,10 @@ mod rayon;
 mod texture;
 
 pub use algebre::nombre::Nombre;
-pub use algebre::refus::ErreurGeo;
+pub use algebre::refus::{ErreurGeo, LongueursDifferentes, PlacesInsuffisantes};
 pub use algebre::rotation::Rotation;
 pub use algebre::vecteur::Vecteur;
-pub use arbre::construction::PlacesInsuffisantes;
-pub use monde::reponses::{LongueursDifferentes, Reel};
+pub use monde::reponses::Reel;
 pub use monde::{Monde, places, premiere_intersection};
 pub use objet::boite::face::Face;
 pub use objet::boite::{BoiteGeo, BoiteRay};

@@ -3,20 +3,19 @@
 pub(crate) mod reponses;
 
 use core::fmt;
-use core::ops::ControlFlow::{self, Continue};
+use core::ops::ControlFlow::{self, Break, Continue};
 
 use fearless_simd::Level;
 
-use crate::algebre::nombre::Nombre;
-use crate::algebre::vecteur::Vecteur;
-use crate::arbre::construction::{Arbre, PlacesInsuffisantes, mots};
+use crate::arbre::construction::{Arbre, mots};
 use crate::cote_a_cote::niveau::meilleur_niveau;
-use crate::monde::reponses::{LongueursDifferentes, Reel, Repond, Reponses, Vue};
-use crate::objet::{Etendue, ObjetRay};
-use crate::question::choix::{Choix, Parmi, Sans, Tous};
+use crate::monde::reponses::Sujet;
 use crate::question::liste::Liste;
-use crate::rayon::Rayon;
-use crate::rayon::intersection::{Reponse, exiger_des_rangs};
+use crate::rayon::intersection::exiger_des_rangs;
+use crate::{
+    Choix, Etendue, LongueursDifferentes, Nombre, ObjetRay, Parmi, PlacesInsuffisantes, Rayon,
+    Reel, Reponse, Sans, Tous, Vecteur,
+};
 
 /// What rays ask, one by one or in batches: a list of objects, or a choice of them, with or without
 /// a tree of bounding boxes.
@@ -88,8 +87,8 @@ impl<R: Nombre, C> fmt::Debug for Monde<'_, R, C> {
 ///
 /// A hit is an entry. An object that holds the source, inside or on its surface, is not touched
 /// (handout §2.3), unless the source lies in it by little more than [the δ of the
-/// ray](Rayon::flou); other objects still count. At the same distance the earlier in the list is the
-/// first. All of this holds for distances as computed in R: within the bounds of
+/// ray](Rayon::flou); other objects still count. At the same distance the earlier in the list is
+/// the first. All of this holds for distances as computed in R: within the bounds of
 /// `docs/precision.md` the exact answer may differ.
 ///
 /// # Errors
@@ -118,7 +117,7 @@ impl<R: Nombre, C> fmt::Debug for Monde<'_, R, C> {
 pub fn premiere_intersection<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> Reponse<R> {
     exiger_des_rangs(objets.len());
     let liste = Liste { objets, choix: None };
-    Reponses::<R>::premiere_d_une_liste(&liste, meilleur_niveau(), rayon)
+    R::lancer_rayon_premiere_d_une_liste(&liste, meilleur_niveau(), rayon)
 }
 
 /// How many numbers [`Monde::new`] needs to be lent for this many objects, in either scalar: where
@@ -161,15 +160,15 @@ impl<'a, R: Reel> Monde<'a, R> {
         objets: &'a [ObjetRay<R>],
         places: &'a mut [f32],
     ) -> Result<Self, PlacesInsuffisantes> {
-        Ok(Self { arbre: Reponses::<R>::arbre(objets, places, false)?, ..Self::de_liste(objets) })
+        Ok(Self { arbre: R::lancer_rayon_arbre(objets, places, false)?, ..Self::de_liste(objets) })
     }
 
     /// Builds a tree in which **long boxes that stand askew**, such as poles, planks and beams, are
     /// cut into pieces. Each piece takes up less room than the whole, and the numbers lent beyond
     /// [`places`] pay for the pieces.
     ///
-    /// With twice the places a ray among 10,000 such boxes takes about half of the time. Among fewer
-    /// than a thousand, batches gain nothing; where nothing is long the tree is that of
+    /// With twice the places a ray among 10,000 such boxes takes about half of the time. Among
+    /// fewer than a thousand, batches gain nothing; where nothing is long the tree is that of
     /// [`new`](Self::new). No answer depends on the pieces.
     ///
     /// # Errors
@@ -195,7 +194,7 @@ impl<'a, R: Reel> Monde<'a, R> {
         objets: &'a [ObjetRay<R>],
         places: &'a mut [f32],
     ) -> Result<Self, PlacesInsuffisantes> {
-        Ok(Self { arbre: Reponses::<R>::arbre(objets, places, true)?, ..Self::de_liste(objets) })
+        Ok(Self { arbre: R::lancer_rayon_arbre(objets, places, true)?, ..Self::de_liste(objets) })
     }
 
     /// Takes this list as it is: nothing is built, no memory is needed, and every object is tested.
@@ -214,8 +213,8 @@ impl<'a, R: Reel> Monde<'a, R> {
 impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// The world as questions take it.
     #[inline]
-    pub(crate) fn vue(&self) -> Vue<'_, R> {
-        Vue { liste: self.liste(), arbre: &self.arbre, niveau: self.niveau, deja: None }
+    pub(crate) fn sujet(&self) -> Sujet<'_, R> {
+        Sujet { liste: self.liste(), arbre: &self.arbre, niveau: self.niveau, deja: None }
     }
 
     #[inline]
@@ -325,9 +324,9 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     pub fn premiere_intersection(&self, rayon: &Rayon<R>) -> Reponse<R> {
         // Decided here, so that a list that was not stored costs nothing.
         if self.arbre.noeuds.is_empty() {
-            return Reponses::<R>::premiere_d_une_liste(&self.liste(), self.niveau, rayon);
+            return R::lancer_rayon_premiere_d_une_liste(&self.liste(), self.niveau, rayon);
         }
-        Reponses::<R>::premiere(&self.vue(), rayon)
+        R::lancer_rayon_premiere(&self.sujet(), rayon)
     }
 
     /// The first object that each ray enters:
@@ -336,7 +335,8 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     ///
     /// Neighbours in `rayons` should start and point alike: those of a picture in tiles of 8 × 8
     /// (`docs/vitesse.md`, "The order in a batch"). Pass 64 rays or more per call. Nothing is
-    /// allocated and no thread is started; the caller may give parts of a picture to several threads.
+    /// allocated and no thread is started; the caller may give parts of a picture to several
+    /// threads.
     ///
     /// # Errors
     /// If `rayons` and `touches` are not of the same length; nothing is written then.
@@ -359,7 +359,7 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
         rayons: &[Rayon<R>],
         touches: &mut [Reponse<R>],
     ) -> Result<(), LongueursDifferentes> {
-        Reponses::<R>::premieres(&self.vue(), rayons, touches)
+        R::lancer_rayon_premieres(&self.sujet(), rayons, touches)
     }
 
     /// Whether anything stands before the end of the ray, where the light is: the shadow of the
@@ -398,9 +398,9 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     #[must_use]
     pub fn est_occulte(&self, rayon: &Rayon<R>) -> bool {
         if self.arbre.noeuds.is_empty() {
-            return Reponses::<R>::occulte_d_une_liste(&self.liste(), self.niveau, rayon);
+            return R::lancer_rayon_occulte_d_une_liste(&self.liste(), self.niveau, rayon);
         }
-        Reponses::<R>::occulte(&self.vue(), rayon)
+        R::lancer_rayon_occulte(&self.sujet(), rayon)
     }
 
     /// Whether anything stands before the end of each ray: the answers of
@@ -431,7 +431,7 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
         rayons: &[Rayon<R>],
         occultes: &mut [bool],
     ) -> Result<(), LongueursDifferentes> {
-        Reponses::<R>::occultes(&self.vue(), rayons, occultes)
+        R::lancer_rayon_occultes(&self.sujet(), rayons, occultes)
     }
 
     /// Writes the objects that the ray enters before its end, the nearest first; of two at the same
@@ -439,10 +439,14 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// returns how many were filled: if all were, there may be more.
     ///
     /// The result is, to the bit, that of asking every object alone and sorting, also where two
-    /// objects touch. A ray in the common face of two boxes enters both, and one along a common edge
-    /// each box there. [`sortie`](ObjetRay::sortie) tells where a ray leaves an object. An object in
-    /// which the ray starts is not entered; [`contenants`](Self::contenants) of its source shows
-    /// those.
+    /// objects touch. A ray in the common face of two boxes enters both, and one along a common
+    /// edge each box there. [`sortie`](ObjetRay::sortie) tells where a ray leaves an object. An
+    /// object in which the ray starts is not entered; [`contenants`](Self::contenants) of its
+    /// source shows those.
+    ///
+    /// An object that comes before others found so far moves them up by one place. With hundreds of
+    /// places ask a tree, which shows near objects first: a long list with the farthest first takes
+    /// several times as long as one in any other order.
     ///
     /// ```
     /// use lancer_rayon::{Monde, NoIntersection, ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
@@ -465,16 +469,16 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// ```
     #[doc(alias("all_hits", "multi_hit", "k_nearest", "in_order", "transparency", "picking"))]
     pub fn dans_l_ordre(&self, rayon: &Rayon<R>, touches: &mut [Reponse<R>]) -> usize {
-        Reponses::<R>::dans_l_ordre(&self.vue(), rayon, touches)
+        R::lancer_rayon_dans_l_ordre(&self.sujet(), rayon, touches)
     }
 
     /// Calls `voir` once for every object that the ray enters before its end, in no order, with the
     /// index of the object and the distance.
     ///
-    /// `voir` returns `Break(())` to stop, or `Continue(fin)` to go on with a ray that ends at `fin`
-    /// from then on. `Continue(t)` thus goes on to nearer objects alone, and
-    /// `Continue(rayon.fin())` to all others. The end never moves away again: a `fin` beyond the end
-    /// so far, or a NaN, leaves it where it is.
+    /// `voir` returns `Break(())` to stop, or `Continue(fin)` to go on with a ray that ends at
+    /// `fin` from then on. `Continue(t)` thus goes on to nearer objects alone, and
+    /// `Continue(rayon.fin())` to all others. The end never moves away again: a `fin` beyond the
+    /// end so far, or a NaN, leaves it where it is.
     ///
     /// It serves what no other question asks: to count objects, to weigh them, or to find the first
     /// by a rule of your own. Only the distance is computed; [`ObjetRay::intersection`] of the
@@ -519,7 +523,7 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// ```
     #[doc(alias("any_hit", "visitor", "for_each_hit", "count"))]
     pub fn visiter(&self, rayon: &Rayon<R>, mut voir: impl FnMut(usize, R) -> ControlFlow<(), R>) {
-        Reponses::<R>::visiter(&self.vue(), rayon, &mut voir);
+        R::lancer_rayon_visiter(&self.sujet(), rayon, &mut voir);
     }
 
     /// Whether this point is in some object or on its surface, as [`ObjetRay::contient`] says.
@@ -541,15 +545,15 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     #[doc(alias("contains", "inside", "point_query"))]
     #[must_use]
     pub fn contient(&self, point: Vecteur<R>) -> bool {
-        Reponses::<R>::contient(&self.vue(), point)
+        R::lancer_rayon_contenants(&self.sujet(), point, &mut |_, _| Break(()))
     }
 
     /// Calls `voir` once, in no order, with the index of every object that
-    /// [contains](ObjetRay::contient) this point. Whether any of some objects does is sooner told by
-    /// [`parmi`](Self::parmi) and [`contient`](Self::contient).
+    /// [contains](ObjetRay::contient) this point. Whether any of some objects does is sooner told
+    /// by [`parmi`](Self::parmi) and [`contient`](Self::contient).
     #[doc(alias("contains", "inside", "point_query"))]
     pub fn contenants(&self, point: Vecteur<R>, mut voir: impl FnMut(usize)) {
-        Reponses::<R>::contenants(&self.vue(), point, &mut |indice, _| {
+        R::lancer_rayon_contenants(&self.sujet(), point, &mut |indice, _| {
             voir(indice);
             Continue(R::INFINI)
         });
@@ -570,8 +574,8 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// found elsewhere can be judged. A certificate takes 1.3 to 1.9 times as long as
     /// the ray on average.
     ///
-    /// If an answer of `f32` is not certain, ask the same numbers in `f64`: [`ObjetRay::temoin_f64`]
-    /// of all objects, and [`Rayon::temoin_f64`].
+    /// If an answer of `f32` is not certain, ask the same numbers in `f64`:
+    /// [`ObjetRay::temoin_f64`] of all objects, and [`Rayon::temoin_f64`].
     ///
     /// ```
     /// use lancer_rayon::{Monde, ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
@@ -590,7 +594,7 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     #[doc(alias("is_certain", "certify", "certificate"))]
     #[must_use]
     pub fn certifie(&self, rayon: &Rayon<R>, reponse: &Reponse<R>) -> bool {
-        Reponses::<R>::certifie(&self.vue(), rayon, reponse)
+        R::lancer_rayon_certifie(&self.sujet(), rayon, reponse)
     }
 
     /// A box along the axes that holds all of these objects except the half-spaces, which no box
@@ -610,7 +614,7 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     #[doc(alias("bounding_box", "aabb", "bounds"))]
     #[must_use]
     pub fn etendue(&self) -> Option<Etendue<R>> {
-        let liste = self.vue().liste;
+        let liste = self.sujet().liste;
         let objets = (0..self.objets.len()).filter_map(|indice| liste.objet(indice));
         objets.filter_map(ObjetRay::etendue).reduce(Etendue::avec)
     }

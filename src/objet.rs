@@ -1,23 +1,20 @@
 //! The two enums of the handout's §4.1, and the choice between shapes.
 //!
-//! What an [`ObjetRay`] can do stands here, and how exact its answers are in `question/jugement.rs`.
+//! What an [`ObjetRay`] can do stands here, and how exact its answers are in
+//! `question/jugement.rs`.
 
 pub(crate) mod boite;
 pub(crate) mod forme;
 pub(crate) mod plan;
 pub(crate) mod sphere;
 
-use crate::algebre::nombre::{Nombre, fois_u, max, min};
-use crate::algebre::refus::ErreurGeo;
-use crate::algebre::rotation::Rotation;
-use crate::algebre::vecteur::Vecteur;
-use crate::objet::boite::{BoiteGeo, BoiteRay};
+use crate::algebre::nombre::{fois_u, max, min};
 use crate::objet::forme::{Boule, Forme};
-use crate::objet::plan::{PlanGeo, PlanRay};
-use crate::objet::sphere::{SphereGeo, SphereRay};
-use crate::rayon::Rayon;
-use crate::rayon::intersection::{Intersection, NoIntersection, Rang, Reponse};
-use crate::texture::Texture;
+use crate::rayon::intersection::Rang;
+use crate::{
+    BoiteGeo, BoiteRay, ErreurGeo, Intersection, NoIntersection, Nombre, PlanGeo, PlanRay, Rayon,
+    Reponse, Rotation, SphereGeo, SphereRay, Texture, Vecteur,
+};
 
 /// `par_forme!(ObjetRay, objet, forme => expression)` is the expression for the shape in `objet`.
 /// All of the crate chooses between shapes in this way, except where it judges
@@ -41,7 +38,8 @@ pub(crate) use par_forme;
 /// A translation rounds each coordinate of the centre once. The distance d − N·v of a moved
 /// half-space is off by at most u·|d| + 4.1u·Σ|N_i·v_i|, and a turned centre C·M by at most
 /// 3.1u·Σ|C_i|, with u half a unit in the last place of 1. Both may be off by 1.6 times the
-/// smallest number more, for products below the normal numbers (`docs/preuves.md`, lemma 11).
+/// smallest number more, for products below the normal numbers (`docs/preuves/rayons.md`,
+/// lemma 11).
 ///
 /// **The errors of many moves add up**, and those of one turn that is taken again and again all go
 /// the same way: in `f32` a centre that is turned 100,000 times by 0.1° comes 0.25 % nearer to O.
@@ -138,13 +136,38 @@ impl<R: Nombre> ObjetGeo<R> {
     /// ```
     #[doc(alias("to_f32", "narrow", "floating_origin"))]
     pub fn vers_f32(self, origine: Vecteur<R>) -> Result<ObjetGeo<f32>, ErreurGeo> {
-        par_forme!(Self, self, forme => Ok(forme.vers_f32(origine)?.into()))
+        par_forme!(Self, self, forme => Ok(forme.vers(origine)?.into()))
     }
 
     /// The same object, ready for rays (handout §3).
     #[doc(alias = "into_ray")]
     pub fn vers_ray(self) -> ObjetRay<R> {
         par_forme!(Self, self, forme => forme.vers_ray().into())
+    }
+}
+
+impl ObjetGeo {
+    /// The same object in the scalar R, for code that is generic over it: as it is in `f64`, and as
+    /// [`vers_f32`](Self::vers_f32) in `f32`.
+    ///
+    /// # Errors
+    /// As [`vers_f32`](Self::vers_f32).
+    ///
+    /// ```
+    /// use lancer_rayon::{ErreurGeo, ObjetGeo, ObjetRay, Reel, SphereGeo, Texture, Vecteur};
+    ///
+    /// fn scene<R: Reel>(objets: &[ObjetGeo]) -> Result<Vec<ObjetRay<R>>, ErreurGeo> {
+    ///     objets.iter().map(|objet| Ok(objet.vers(Vecteur::NUL)?.vers_ray())).collect()
+    /// }
+    ///
+    /// let boule = ObjetGeo::from(SphereGeo::new(Vecteur::Z, 0.1, Texture(0))?);
+    /// assert_eq!(scene::<f64>(&[boule])?, [boule.vers_ray()]);
+    /// assert_eq!(scene::<f32>(&[boule])?, [boule.vers_f32(Vecteur::NUL)?.vers_ray()]);
+    /// # Ok::<(), ErreurGeo>(())
+    /// ```
+    #[doc(alias("cast", "convert", "either_scalar"))]
+    pub fn vers<R: Nombre>(self, origine: Vecteur) -> Result<ObjetGeo<R>, ErreurGeo> {
+        par_forme!(Self, self, forme => Ok(forme.vers(origine)?.into()))
     }
 }
 
@@ -204,27 +227,30 @@ impl<R: Nombre> ObjetRay<R> {
     /// case would pass its contact through memory as well, and a single ray would take up to 1.2
     /// times as long (measured).
     #[inline(always)]
-    pub(crate) fn conclure(&self, rayon: &Rayon<R>, t: R, rang: Rang) -> Reponse<R> {
+    pub(crate) fn touche(&self, rayon: &Rayon<R>, t: R, rang: Rang) -> Reponse<R> {
         par_forme!(Self, self, forme => {
             let (contact, de_face) = forme.contact(rayon, t);
             if de_face {
-                Ok(Intersection::new(t, contact, rayon.flou(), forme.texture(), rang))
+                let (flou, texture) = (rayon.flou(), forme.texture());
+                Ok(Intersection { distance: t, contact, flou, texture, rang })
             } else {
-                self.conclure_rare(rayon, t, rang)
+                self.touche_rare(rayon, t, rang)
             }
         })
     }
 
     #[cold]
     #[inline(never)]
-    fn conclure_rare(&self, rayon: &Rayon<R>, t: R, rang: Rang) -> Reponse<R> {
+    fn touche_rare(&self, rayon: &Rayon<R>, t: R, rang: Rang) -> Reponse<R> {
         par_forme!(Self, self, forme => {
-            Ok(Intersection::new(t, forme.conclure(rayon, t), rayon.flou(), forme.texture(), rang))
+            let (contact, flou) = (forme.contact_rare(rayon, t), rayon.flou());
+            Ok(Intersection { distance: t, contact, flou, texture: forme.texture(), rang })
         })
     }
 
     /// Where the ray enters this object (handout, annex A): what
-    /// [`premiere_intersection`](fn@crate::premiere_intersection) says of a list of this object alone.
+    /// [`premiere_intersection`](fn@crate::premiere_intersection) says of a list of this object
+    /// alone.
     ///
     /// # Errors
     /// [`NoIntersection`] if the ray ends before the object, passes it by, is tangent to it, or
@@ -232,7 +258,7 @@ impl<R: Nombre> ObjetRay<R> {
     #[doc(alias("intersect", "hit"))]
     pub fn intersection(&self, rayon: &Rayon<R>) -> Reponse<R> {
         let t = self.t_si_proche(rayon);
-        if t < rayon.fin() { self.conclure(rayon, t, Rang::de(0)) } else { Err(NoIntersection) }
+        if t < rayon.fin() { self.touche(rayon, t, Rang::de(0)) } else { Err(NoIntersection) }
     }
 
     /// Where the ray leaves this object: from inside, or after it entered.
@@ -243,19 +269,19 @@ impl<R: Nombre> ObjetRay<R> {
     /// [mirrored](Intersection::reflechi). The way out is as exact as a hit (`docs/precision.md`),
     /// and [`BoiteRay::lieu`](crate::BoiteRay::lieu) and [`erreur`](Self::erreur) take it as one.
     ///
-    /// **What is a way out.** A ray that enters a sphere or a box leaves it, never before it enters,
-    /// and a ray from strictly inside always leaves. A ray that enters a half-space never leaves
-    /// it. From a source on the surface a ray leaves at the far side, or not at all: the source
-    /// itself is no way out, as it is no hit. What is inside and what is on the surface is decided
-    /// as computed: within rounding of a sphere a ray may leave at once. A ray that `secondaire`
-    /// sent into a sphere or a box leaves, except beside an edge and in a box no thicker than twice
-    /// the step; a ray that it sent outward does not.
+    /// **What is a way out.** A ray that enters a sphere or a box leaves it, never before it
+    /// enters, and a ray from strictly inside always leaves. A ray that enters a half-space never
+    /// leaves it. From a source on the surface a ray leaves at the far side, or not at all: the
+    /// source itself is no way out, as it is no hit. What is inside and what is on the surface is
+    /// decided as computed: within rounding of a sphere a ray may leave at once. A ray that
+    /// `secondaire` sent into a sphere or a box leaves, except beside an edge and in a box no
+    /// thicker than twice the step; a ray that it sent outward does not.
     ///
-    /// **A place of one's own**, such as a sensor on a wall, a window or a point of a lamp, is where
-    /// a ray from within leaves the object along the normal. That is a hit of this object alone,
-    /// whatever stands flush with it: `vers_soleil`, `vers_lumiere` and `vers_touche` start there as
-    /// from any other. Keep the place off the edges of its face: rounding may put a source there
-    /// outside, from which there is no way out.
+    /// **A place of one's own**, such as a sensor on a wall, a window or a point of a lamp, is
+    /// where a ray from within leaves the object along the normal. That is a hit of this object
+    /// alone, whatever stands flush with it: `vers_soleil`, `vers_lumiere` and `vers_touche` start
+    /// there as from any other. Keep the place off the edges of its face: rounding may put a source
+    /// there outside, from which there is no way out.
     ///
     /// # Errors
     /// [`NoIntersection`] if the ray ends before it leaves, passes the object by or starts beyond
@@ -292,12 +318,14 @@ impl<R: Nombre> ObjetRay<R> {
         let retour = Rayon::sans_fin(rayon.source(), -rayon.direction());
         par_forme!(Self, self, forme => {
             let (entree, sortie) = (forme.t(rayon), forme.t_sortie(rayon));
-            let t = if entree < R::INFINI { max(entree, sortie) } else { sortie }; // W5
+            // W5: never before the entry.
+            let t = if entree < R::INFINI { max(entree, sortie) } else { sortie };
             if t >= rayon.fin() {
                 return Err(NoIntersection);
             }
-            let contact = forme.conclure(&retour, -t); // W6
-            Ok(Intersection::new(t, contact, rayon.flou(), forme.texture(), Rang::de(0)))
+            let contact = forme.contact_rare(&retour, -t); // W6: as of a hit from beyond
+            let (flou, texture, rang) = (rayon.flou(), forme.texture(), Rang::de(0));
+            Ok(Intersection { distance: t, contact, flou, texture, rang })
         })
     }
 
@@ -361,7 +389,7 @@ impl<R: Nombre> ObjetRay<R> {
     #[must_use]
     pub fn etendue(&self) -> Option<Etendue<R>> {
         let (c, h) = self.boite_englobante()?;
-        // E1
+        // E1: rounding may leave the solid this far beyond its half-extents.
         let jeu = h.norme_1() * fois_u(ETENDUE) + c.norme_1() * fois_u(2.0);
         let h = h + Vecteur::new(jeu, jeu, jeu);
         Some(Etendue { bas: c - h, haut: c + h })

@@ -1,18 +1,16 @@
 //! What tests and measurements need of this crate and its callers do not: the answers with other
-//! instructions, what no answer tells, the constants of the proofs in `docs/preuves.md`, which a
+//! instructions, what no answer tells, the constants of the proofs in `docs/preuves`, which a
 //! test compares with their lemmas, and the numbers of lemma 16.
 
 use fearless_simd::Level;
 
-use crate::algebre::nombre::Nombre;
 use crate::arbre::sonde::Sonde;
-use crate::cote_a_cote::bloc::{Bloc, Groupes};
+use crate::cote_a_cote::bloc::{Bloc, GROUPES, Groupes};
 use crate::cote_a_cote::colonne::LARGEUR;
 use crate::cote_a_cote::groupe::VOIES;
 use crate::cote_a_cote::niveau::{meilleur_niveau, selon_le_niveau};
-use crate::monde::Monde;
-use crate::monde::reponses::{Reel, Vue};
-use crate::rayon::Rayon;
+use crate::monde::reponses::Sujet;
+use crate::{Monde, Nombre, Rayon, Reel};
 
 pub use crate::algebre::double::{BORNE_DOUBLE, Double, Intervalle, PERTE_DOUBLE, PRODUIT_DOUBLE};
 pub use crate::algebre::nombre::{PLANCHER, Scelle};
@@ -67,12 +65,13 @@ impl Reglage {
 /// How many groups of sixteen of these rays, one to sixty-four, come to the end of the tree
 /// together. No answer shows it.
 pub fn groupes_au_bout<R: Reel>(monde: &Monde<'_, R>, rayons: &[Rayon<R>]) -> usize {
-    let Vue { liste, arbre, niveau, .. } = monde.vue();
+    let Sujet { liste, arbre, niveau, .. } = monde.sujet();
     let mut groupes = Groupes::new_const();
     let bloc = &mut Bloc::new(&mut groupes, false);
-    let restent: Option<u32> =
+    let finis: Option<[bool; GROUPES]> =
         selon_le_niveau!(niveau, true, simd => arbre.chercher_ensemble(simd, &liste, bloc, rayons));
-    restent.map_or(0, |restent| rayons.len().div_ceil(VOIES) - restent.count_ones() as usize)
+    let groupes = &finis.unwrap_or_default()[..rayons.len().div_ceil(VOIES)];
+    groupes.iter().filter(|fini| **fini).count()
 }
 
 /// What a probe says of the children of a node: those that a ray may enter before a distance, one
@@ -88,16 +87,16 @@ pub fn sonder<R: Reel>(
     t: R,
     mut voir: impl FnMut(Sondage, Sondage),
 ) -> Option<()> {
-    let Vue { arbre, niveau, .. } = monde.vue();
+    let Sujet { arbre, niveau, .. } = monde.sujet();
     let repere = arbre.repere;
     let mut groupes = Groupes::new_const();
     let mut tous = Bloc::new(&mut groupes, false);
     tous.charger(rayons);
     fearless_simd::dispatch!(niveau, simd => {
-        let depart = Sonde::depart_commun(tous.groupes(), repere);
-        let sonde = Sonde::de_groupes(simd, tous.groupes(), depart, repere).0?;
+        let tau0 = Sonde::tau0_commun(tous.demandes(), repere);
+        let sonde = Sonde::de_groupes(simd, tous.demandes(), tau0, repere).0?;
         for rayon in rayons {
-            let la_sienne = Sonde::d_un_rayon(rayon, depart, repere)?;
+            let la_sienne = Sonde::d_un_rayon(rayon, tau0, repere)?;
             for noeud in arbre.noeuds {
                 let [de_tous, de_lui] = [&sonde, &la_sienne].map(|sonde| {
                     let (enfants, entrees) = sonde.traverse(simd, noeud, sonde.plafond(repere, t));

@@ -4,12 +4,11 @@ pub(crate) mod flou;
 pub(crate) mod intersection;
 pub(crate) mod secondaire;
 
-use crate::algebre::nombre::{Nombre, fois_u, simple};
-use crate::algebre::refus::{
-    self, ErreurGeo, ecrit_par, exiger, fini, lu_par, point, refus_nul, unitaire,
-};
-use crate::algebre::vecteur::Vecteur;
+use crate::algebre::nombre::{fois_u, simple};
+use crate::algebre::refus;
+use crate::algebre::refus::{exiger, fini, point, refus_nul, unitaire};
 use crate::rayon::flou::Flou;
+use crate::{ErreurGeo, Nombre, Vecteur};
 
 /// A ray: the points R(t) = S + t·D, 0 ≤ t < [`fin`](Self::fin), from the source S along the unit
 /// vector D (handout, annex A).
@@ -39,7 +38,7 @@ pub struct Rayon<R = f64> {
     source: Vecteur<R>,
     direction: Vecteur<R>,
     fin: R,
-    flou: Flou<R>,
+    pub(crate) flou: Flou<R>,
 }
 
 impl<R: Nombre> Rayon<R> {
@@ -86,8 +85,8 @@ impl<R: Nombre> Rayon<R> {
         Ok(Self { fin, ..Self::sans_fin(depart, direction) })
     }
 
-    /// The same ray with this end: it touches what it enters at a distance t < `fin`, but nothing at
-    /// `fin` itself. A ray that ends at 0 touches nothing.
+    /// The same ray with this end: it touches what it enters at a distance t < `fin`, but nothing
+    /// at `fin` itself. A ray that ends at 0 touches nothing.
     ///
     /// # Errors
     /// If `fin` is below 0 or a NaN. +∞ is a ray without an end.
@@ -113,13 +112,13 @@ impl<R: Nombre> Rayon<R> {
     /// The same ray with a source that is known to lie on a surface, or in a seam of several, only
     /// to within this δ: for a particle that is born on a wall, or a probe that stands on a floor.
     ///
-    /// If the source lies in an object less deep than δ and the ray goes further in, it touches that
-    /// object at once, at distance 0; [`flou`](Self::flou) says exactly when. Without δ the ray
-    /// starts inside that object and does not see it. A ray that [starts from a
+    /// If the source lies in an object less deep than δ and the ray goes further in, it touches
+    /// that object at once, at distance 0; [`flou`](Self::flou) says exactly when. Without δ the
+    /// ray starts inside that object and does not see it. A ray that [starts from a
     /// hit](crate::Intersection::secondaire) knows its δ, as does one from [a place of your
-    /// own](crate::ObjetRay::sortie). A point C + l·N as computed, the middle of a face, lies within
-    /// 14u(|C| + l) of the face (lemma 1). A δ much larger than the error does harm: a ray does not
-    /// see a box that is no thicker than 2δ.
+    /// own](crate::ObjetRay::sortie). A point C + l·N as computed, the middle of a face, lies
+    /// within 14u(|C| + l) of the face (lemma 1). A δ much larger than the error does harm: a ray
+    /// does not see a box that is no thicker than 2δ.
     ///
     /// # Errors
     /// If `flou` is not finite or below 0.
@@ -139,17 +138,17 @@ impl<R: Nombre> Rayon<R> {
         Ok(Self { flou: self.flou.avec(flou)?, ..self })
     }
 
-    /// The same ray, known to start inside something such as glass, water or mist. It keeps its δ, but
-    /// touches nothing at once: where mist stands flush on a floor, a ray that bounces off the floor
-    /// would otherwise touch the mist where it starts.
+    /// The same ray, known to start inside something such as glass, water or mist. It keeps its δ,
+    /// but touches nothing at once: where mist stands flush on a floor, a ray that bounces off the
+    /// floor would otherwise touch the mist where it starts.
     ///
-    /// Rays that `secondaire`, `reflechi` and `refracte` send inward are inside, those that they send
-    /// outward are not, and a turn in mid-air changes nothing. Twice is as good as once.
+    /// Rays that `secondaire`, `reflechi` and `refracte` send inward are inside, those that they
+    /// send outward are not, and a turn in mid-air changes nothing. Twice is as good as once.
     ///
-    /// **A ray inside may pass through a seam**, since it touches nothing at once. What a ray is in for
-    /// long, leave out of its questions by [`sans`](crate::Monde::sans) or
-    /// [`parmi`](crate::Monde::parmi), and let the ray be outside: then it touches all the rest as a
-    /// ray in the air does, and leaves no closed room.
+    /// **A ray inside may pass through a seam**, since it touches nothing at once. What a ray is in
+    /// for long, leave out of its questions by [`sans`](crate::Monde::sans) or
+    /// [`parmi`](crate::Monde::parmi), and let the ray be outside: then it touches all the rest as
+    /// a ray in the air does, and leaves no closed room.
     ///
     /// ```
     /// use lancer_rayon::{Monde, PlanGeo, Rayon, SphereGeo, Texture, Vecteur};
@@ -193,12 +192,6 @@ impl<R: Nombre> Rayon<R> {
         Self { flou, ..self }
     }
 
-    /// The δ to which this ray touches objects at once: 0 inside something, where it touches none.
-    #[inline(always)]
-    pub(crate) fn flou_d_emblee(&self) -> R {
-        self.flou.d_emblee()
-    }
-
     /// S, where the ray starts.
     #[doc(alias = "origin")]
     #[inline(always)]
@@ -220,10 +213,10 @@ impl<R: Nombre> Rayon<R> {
         self.fin
     }
 
-    /// δ, how exactly the ray knows its source, in scene units. If the source lies in an object less
-    /// deep than δ + o and the ray goes further in, it touches the object at once, except as said
-    /// below. The rounding o of the object is 44u of the radius of a sphere or of the sum of the
-    /// half-lengths of a box, and 0 for a half-space. Where δ is 0, and [inside](Self::dedans)
+    /// δ, how exactly the ray knows its source, in scene units. If the source lies in an object
+    /// less deep than δ + o and the ray goes further in, it touches the object at once, except as
+    /// said below. The rounding o of the object is 44u of the radius of a sphere or of the sum of
+    /// the half-lengths of a box, and 0 for a half-space. Where δ is 0, and [inside](Self::dedans)
     /// something, nothing is touched at once.
     ///
     /// - A source exactly δ + o deep, as computed, is too deep.
@@ -232,12 +225,13 @@ impl<R: Nombre> Rayon<R> {
     ///   a plate thinner than δ, or less than δ and 22u of the half-lengths from a face across
     ///   another axis that the ray leaves by or goes along.
     ///
-    /// **Closed rooms.** No chain of outward rays from hits, and of turns in mid-air, leaves a closed
-    /// room whose walls are thicker than 2(δ + o) and reach as far into each other, with the δ of the
-    /// ray that would start at the next hit. In `f32` a wall of 10 m has an o of 0.03 mm.
+    /// **Closed rooms.** No chain of outward rays from hits, and of turns in mid-air, that starts
+    /// where no object [contains](crate::Monde::contient) the source leaves a closed room whose
+    /// walls are thicker than 2(δ + o) and reach as far into each other, with the δ of the ray that
+    /// would start at the next hit. In `f32` a wall of 10 m has an o of 0.03 mm.
     ///
-    /// δ is 0 for a ray from [`new`](Self::new), which takes its source as it stands. It is finite, and
-    /// grows with each bounce (`docs/precision.md`, "Closed rooms").
+    /// δ is 0 for a ray from [`new`](Self::new), which takes its source as it stands. It is finite,
+    /// and grows with each bounce (`docs/precision.md`, "Closed rooms").
     #[doc(alias("tolerance", "blur"))]
     #[inline(always)]
     #[must_use]
@@ -250,17 +244,18 @@ impl<R: Nombre> Rayon<R> {
     #[doc(alias = "at")]
     #[inline(always)]
     pub fn point(&self, distance: R) -> Vecteur<R> {
-        self.source + self.direction * distance // M1
+        self.source + self.direction * distance // M1: P = S + tD
     }
 
     /// The same ray in `f32`, seen from an origin that is subtracted before anything is rounded:
     /// the ray for objects that [`ObjetGeo::vers_f32`](crate::ObjetGeo::vers_f32) gave with this
     /// origin. Its end is rounded as well.
     ///
-    /// A δ above 0 grows by 8.1u·(|x| + |y| + |z|) of the source in the first type and in `f32`, which
-    /// is more than the source and the surfaces beside it are rounded by. A ray that starts from a hit thus stays in a closed
-    /// room that is converted with it. One from [`new`](Self::new) may start inside a wall that it
-    /// stood against: [`contient`](crate::ObjetRay::contient) tells.
+    /// A δ above 0 grows by 8.1u·(|x| + |y| + |z|) of the source in the first type and in `f32`,
+    /// which is more than the source and the surfaces beside it are rounded by. A ray that starts
+    /// from a hit thus stays in a closed room that is converted with it. One from
+    /// [`new`](Self::new) may start inside a wall that it stood against:
+    /// [`contient`](crate::ObjetRay::contient) tells.
     ///
     /// # Errors
     /// If `origine` is not finite, or the source in `f32` is outside the limits of
@@ -304,12 +299,6 @@ impl<R: Nombre> Rayon<R> {
     }
 }
 
-/// δ = 0, where a ray is written without it.
-#[cfg(feature = "serde")]
-fn nul<R: Nombre>() -> R {
-    R::ZERO
-}
-
 /// A direction is kept if |D·D − 1| is at most this, in units of u: an ordinary normalisation
 /// leaves 10 (lemma 1).
 pub const DEJA_UNITAIRE: f64 = 12.0;
@@ -327,29 +316,4 @@ pub(crate) fn direction_unitaire<R: Nombre>(
         return Ok(direction);
     }
     unitaire(champs, direction)
-}
-
-// `fin` is none where there is no end, which not every format can say as a number.
-ecrit_par! {
-    Rayon |Rayon { source, direction, fin, flou }| {
-        source: source,
-        direction: direction,
-        fin: Some(fin).filter(|fin| *fin < R::INFINI),
-        flou: flou.delta(),
-        dedans: u64::from(flou.est_dedans()),
-    }
-}
-
-lu_par! {
-    Rayon {
-        source: Vecteur<R>,
-        direction: Vecteur<R>,
-        fin: Option<R> = "Option::default",
-        flou: R = "nul",
-        dedans: u64 = "u64::default",
-    } => {
-        let rayon = Self::new(source, direction)?.jusqu_a(fin.unwrap_or(R::INFINI))?;
-        // A number above 1 is that of 1.0, which counted the objects.
-        (if dedans > 0 { rayon.dedans() } else { rayon }).avec_flou(flou)
-    }
 }

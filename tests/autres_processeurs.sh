@@ -79,7 +79,7 @@ fi
 rm -rf "$racine"/{essai,vendor}
 mkdir -p "$racine"/{essai,.cargo}
 cp -r Cargo.toml Cargo.lock docs src tests "$racine/essai"
-sed -i -E '/^(allocation-counter = |(indicatif|png|rayon)\.workspace)/d; s/^members = .*/members = []/' \
+sed -i -E '/^(allocation-counter = |(indicatif|png|rayon)\.workspace)/d; /^default-members/d; s/^members = .*/members = []/' \
   "$racine/essai/Cargo.toml"
 (cd "$racine" && : > .cargo/config.toml &&
   cargo vendor --manifest-path essai/Cargo.toml vendor > .cargo/config.toml 2> "$dossier/vendor.log") ||

@@ -2,15 +2,14 @@
 
 use std::error::Error;
 
-use lancer_rayon::{BoiteRay, Face, Intersection, ObjetRay, Rayon, Reel, Vecteur};
+use lancer_rayon::{BoiteRay, Face, Intersection, ObjetRay, Reel};
 
-/// The place on this face of the box that is nearest to a point of the face.
+/// The place on this face of the box, with [u, v] from −1 to 1 to the right and up.
 pub fn capteur<R: Reel>(
     boite: BoiteRay<R>,
     face: Face,
-    point: Vecteur<R>,
+    uv: [R; 2],
 ) -> Result<Intersection<R>, Box<dyn Error>> {
-    let (milieu, normale) = boite.face(face);
-    let dedans = Rayon::new(boite.centre() + (point - milieu), normale)?;
-    Ok(ObjetRay::from(boite).sortie(&dedans)?)
+    let de_l_interieur = boite.vers_lieu(face, uv)?;
+    Ok(ObjetRay::from(boite).sortie(&de_l_interieur)?)
 }

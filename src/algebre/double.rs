@@ -1,8 +1,8 @@
-//! Numbers of twice the length of an `f64`, each with a bound on its own error (`docs/preuves.md`,
-//! lemma 16).
+//! Numbers of twice the length of an `f64`, each with a bound on its own error
+//! (`docs/preuves/objets.md`, lemma 16).
 
-use crate::algebre::nombre::{Nombre, max, min};
-use crate::algebre::vecteur::Vecteur;
+use crate::algebre::nombre::{max, min};
+use crate::{Nombre, Vecteur};
 
 /// What a product rounds by, in u² of itself (lemma 16).
 pub const PRODUIT_DOUBLE: f64 = 8.1;

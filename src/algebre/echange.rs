@@ -2,15 +2,13 @@
 //! their own.
 //!
 //! A matrix of `mint` multiplies a column from the left; that is how glam and nalgebra read it.
-//! There a rotation has the transposed matrix Mᵀ, which turns vectors alike. `mint` itself makes its
-//! matrices by rows from those by columns.
+//! There a rotation has the transposed matrix Mᵀ, which turns vectors alike. `mint` itself makes
+//! its matrices by rows from those by columns.
 
 use mint::{ColumnMatrix3, Point3, Quaternion, Vector3};
 
-use crate::algebre::nombre::Nombre;
-use crate::algebre::refus::ErreurGeo;
-use crate::algebre::rotation::Rotation;
-use crate::algebre::vecteur::{Vecteur, trois_coordonnees};
+use crate::algebre::vecteur::trois_coordonnees;
+use crate::{ErreurGeo, Nombre, Rotation, Vecteur};
 
 trois_coordonnees! { |x, y, z|
     /// The same three coordinates.

@@ -1,9 +1,9 @@
-//! The error of constructors and transformations, and the checks that return it.
+//! What is refused: numbers, by the checks that stand here, and lengths of what the caller lends.
 
 use core::fmt;
 
-use crate::algebre::nombre::{Nombre, selon};
-use crate::algebre::vecteur::Vecteur;
+use crate::algebre::nombre::selon;
+use crate::{Nombre, Vecteur};
 
 /// A number outside the accepted range, with the field it was given for.
 ///
@@ -89,12 +89,7 @@ pub(crate) fn taille<R: Nombre>(champ: &'static str, x: R) -> Result<R, ErreurGe
 
 /// The coefficient of a homothety.
 pub(crate) fn coefficient<R: Nombre>(k: R) -> Result<R, ErreurGeo> {
-    positif("coefficient", k)
-}
-
-/// A finite number above 0.
-pub(crate) fn positif<R: Nombre>(champ: &'static str, x: R) -> Result<R, ErreurGeo> {
-    exiger(x > R::ZERO && x < R::INFINI, champ, x, "a finite number above 0")
+    exiger(k > R::ZERO && k < R::INFINI, "coefficient", k, "a finite number above 0")
 }
 
 /// A length that may be 0.
@@ -137,50 +132,50 @@ pub(crate) fn unitaire<R: Nombre>(
     fini([x, y, z], v)?.unitaire().ok_or_else(|| refus_nul(nom))
 }
 
-/// `lu_par! { T { champ: type, … } => expression }`: with the feature `serde` a T is read as these
-/// fields and no others, by name or in order, and the expression checks them or is an [`ErreurGeo`].
-/// A field with `= "path"` may be left out, and is then what the function of this path gives.
-macro_rules! lu_par {
-    (
-        $type:ident { $($champ:ident: $du_type:ty $(= $defaut:literal)?),* $(,)? }
-        => $lu:expr
-    ) => {
-        #[cfg(feature = "serde")]
-        impl<'de, R: Nombre + serde::Deserialize<'de>> serde::Deserialize<'de> for $type<R> {
-            fn deserialize<D: serde::Deserializer<'de>>(lecteur: D) -> Result<Self, D::Error> {
-                // What is read, under the name that formats and their errors give it.
-                #[derive(serde::Deserialize)]
-                #[serde(deny_unknown_fields)]
-                #[serde(bound(deserialize = "R: Nombre + serde::Deserialize<'de>"))]
-                struct $type<R> {
-                    $($(#[serde(default = $defaut)])? $champ: $du_type),*
-                }
-
-                let $type { $($champ),* } = $type::deserialize(lecteur)?;
-                let lire = || -> Result<Self, $crate::algebre::refus::ErreurGeo> { $lu };
-                lire().map_err(serde::de::Error::custom)
-            }
-        }
-    };
+/// Fewer places were lent than the [`Monde`](crate::Monde) over this many objects needs.
+#[doc(alias = "buffer_too_small")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct PlacesInsuffisantes {
+    /// How many places were lent.
+    pub places: usize,
+    /// How many places are needed: [`places`](crate::places).
+    #[doc(alias = "required")]
+    pub necessaires: usize,
 }
-pub(crate) use lu_par;
 
-/// `ecrit_par! { T |valeur| { champ: expression, … } }`: with the feature `serde` a T is written as
-/// these fields, in this order.
-macro_rules! ecrit_par {
-    ($type:ident |$de:pat_param| { $($champ:ident: $valeur:expr),* $(,)? }) => {
-        #[cfg(feature = "serde")]
-        impl<R: Nombre + serde::Serialize> serde::Serialize for $type<R> {
-            fn serialize<S: serde::Serializer>(&self, vers: S) -> Result<S::Ok, S::Error> {
-                use serde::ser::SerializeStruct;
-
-                let $de = *self;
-                let combien = [$(stringify!($champ)),*].len();
-                let mut lignes = vers.serialize_struct(stringify!($type), combien)?;
-                $(lignes.serialize_field(stringify!($champ), &$valeur)?;)*
-                lignes.end()
-            }
-        }
-    };
+impl fmt::Display for PlacesInsuffisantes {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} places lent, but {} needed", self.places, self.necessaires)
+    }
 }
-pub(crate) use ecrit_par;
+
+impl core::error::Error for PlacesInsuffisantes {}
+
+/// There are more or fewer places for answers than rays.
+///
+/// ```
+/// use lancer_rayon::{LongueursDifferentes, Monde, NoIntersection, Rayon};
+///
+/// let rayons: [Rayon; 0] = [];
+/// let mut touches = [Err(NoIntersection); 3];
+/// let refus = Monde::de_liste(&[]).premieres_intersections(&rayons, &mut touches);
+/// assert_eq!(refus, Err(LongueursDifferentes { rayons: 0, reponses: 3 }));
+/// ```
+#[doc(alias = "length_mismatch")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct LongueursDifferentes {
+    /// How many rays there are.
+    #[doc(alias = "rays")]
+    pub rayons: usize,
+    /// How many answers there are places for.
+    #[doc(alias = "answers")]
+    pub reponses: usize,
+}
+
+impl fmt::Display for LongueursDifferentes {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} rays, but places for {} answers", self.rayons, self.reponses)
+    }
+}
+
+impl core::error::Error for LongueursDifferentes {}

@@ -2,9 +2,8 @@
 
 use core::f64::consts::FRAC_PI_2;
 
-use crate::algebre::nombre::{Nombre, simple};
-use crate::algebre::refus::{ErreurGeo, exiger, fini, finis, unitaire};
-use crate::algebre::vecteur::Vecteur;
+use crate::algebre::refus::{exiger, fini, finis, unitaire};
+use crate::{ErreurGeo, Nombre, Vecteur};
 
 /// A rotation about the origin O, held as its matrix M: a vector V, written as a row, becomes V·M
 /// (handout §2.1).
@@ -27,10 +26,9 @@ use crate::algebre::vecteur::Vecteur;
 /// # Ok::<(), lancer_rayon::ErreurGeo>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(try_from = "[[R; 3]; 3]", into = "[[R; 3]; 3]"))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(into = "[[R; 3]; 3]"))]
 #[cfg_attr(feature = "serde", serde(bound(serialize = "R: Nombre + serde::Serialize")))]
-#[cfg_attr(feature = "serde", serde(bound(deserialize = "R: Nombre + serde::Deserialize<'de>")))]
 #[must_use]
 pub struct Rotation<R = f64> {
     matrice: [[R; 3]; 3],
@@ -326,9 +324,9 @@ impl<R: Nombre> Rotation<R> {
         self.matrice.map(Vecteur::from)
     }
 
-    /// The same rotation in `f32`, each element rounded.
-    pub(crate) fn vers_f32(self) -> Rotation<f32> {
-        Rotation { matrice: self.matrice.map(|ligne| ligne.map(simple)) }
+    /// The same rotation in a scalar that is no wider, each element rounded.
+    pub(crate) fn vers<Q: Nombre>(self) -> Rotation<Q> {
+        Rotation::arrondie(self.matrice.map(|ligne| ligne.map(R::vers_f64)))
     }
 
     fn arrondie(m: Matrice) -> Self {
@@ -394,8 +392,8 @@ pub fn tour_du_quaternion<T: Nombre>([x, y, z, w]: [T; 4]) -> Matrice<T> {
     polie(tour((w2 - v2) / (w2 + v2), deux / (w2 + v2), v, v * (deux * w / (w2 + v2))))
 }
 
-/// The shortest turn from the unit vector a to the unit vector b. Of opposite ones, those whose sine
-/// is no more than `paralleles`, it chooses the axis.
+/// The shortest turn from the unit vector a to the unit vector b. Of opposite ones, those whose
+/// sine is no more than `paralleles`, it chooses the axis.
 pub fn tour_vers<T: Nombre>(a: Vecteur<T>, b: Vecteur<T>, paralleles: T) -> Matrice<T> {
     if a.produit_scalaire(b) >= T::ZERO {
         return polie(arc(a, b));

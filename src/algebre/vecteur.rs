@@ -4,7 +4,8 @@ use core::borrow::Borrow;
 use core::iter::Sum;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
-use crate::algebre::nombre::{Nombre, puissance_de_deux, selon, simple};
+use crate::Nombre;
+use crate::algebre::nombre::{puissance_de_deux, selon, simple};
 
 /// A vector, or a point seen from the origin O: x to the right, y up, z towards the viewer (handout
 /// §2.1).

@@ -8,17 +8,15 @@
 //! those of a leaf are sixteen neighbours. Each leaf is then transposed into columns in place, and
 //! the nodes above follow, floor by floor.
 
-use core::{fmt, mem};
+use core::mem;
 
-use crate::algebre::nombre::{Nombre, max, min, simple};
-use crate::algebre::vecteur::Vecteur;
+use crate::algebre::nombre::{max, min, simple};
 use crate::arbre::morceaux::{Coupe, decouper};
 use crate::arbre::noeud::{
     COIN_ABSENT, ENFANTS, FICHE, Fiche, LIMITE_INDICES, Noeud, VIDE, en_mot,
 };
 use crate::arbre::repere::{Repere, double_centre, extremes};
-use crate::cote_a_cote::colonne::somme;
-use crate::objet::ObjetRay;
+use crate::{Nombre, ObjetRay, PlacesInsuffisantes, Vecteur};
 
 /// No tree is made over fewer objects with a box than this, since the list is about as fast
 /// (`DEVELOPING.md`, "Thresholds").
@@ -58,25 +56,6 @@ impl<R: Nombre> Arbre<'_, R> {
     };
 }
 
-/// Fewer places were lent than the [`Monde`](crate::Monde) over this many objects needs.
-#[doc(alias = "buffer_too_small")]
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub struct PlacesInsuffisantes {
-    /// How many places were lent.
-    pub places: usize,
-    /// How many places are needed: [`places`](crate::places).
-    #[doc(alias = "required")]
-    pub necessaires: usize,
-}
-
-impl fmt::Display for PlacesInsuffisantes {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} places lent, but {} needed", self.places, self.necessaires)
-    }
-}
-
-impl core::error::Error for PlacesInsuffisantes {}
-
 /// How many numbers the tree of this many objects may need, whichever of them have no box. An
 /// object without a box needs one number, less than its share of a leaf, except for the first
 /// fifteen.
@@ -102,14 +81,11 @@ pub(crate) const fn mots(objets: usize) -> usize {
 fn fiches_de_plus(objets: usize, places: usize) -> usize {
     let le_plus = LIMITE_INDICES as usize - 1 - objets;
     let mut plus = (places.saturating_sub(mots(objets)) / FICHE).min(le_plus);
-    loop {
-        // The nodes above the leaves take the place of some.
-        let trop = mots(objets + plus).saturating_sub(places);
-        if trop == 0 {
-            return plus;
-        }
-        plus = plus.saturating_sub(trop.div_ceil(FICHE));
+    // The nodes above the leaves take the place of about one in sixteen.
+    while mots(objets + plus) > places {
+        plus = plus * 15 / 16;
     }
+    plus
 }
 
 /// The tree over these objects, in as many numbers as [`mots`] says or more; one without nodes over
@@ -134,8 +110,7 @@ pub(crate) fn construire<'a, R: Nombre>(
     let (mut nombre, mut fin) = (0, places.len());
     for (indice, objet) in objets.iter().enumerate() {
         let (fiches, _) = places.as_chunks_mut();
-        let quoi = (indice, objet);
-        let morceaux = if coupe.part > 0.0 { coupe.morceaux(repere, quoi) } else { 1 };
+        let morceaux = if plus > 0 { coupe.morceaux(repere, objet) } else { 1 };
         let a_une_boite = decouper(objet, morceaux, repere, |(bas, haut)| {
             fiches[nombre] = [bas.x, bas.y, bas.z, haut.x, haut.y, haut.z, en_mot(indice)];
             nombre += 1;
@@ -239,21 +214,15 @@ fn trier(fiches: &mut [Fiche]) {
 /// surface over A's.
 fn part_des_croises(fiches: &[Fiche]) -> f32 {
     let temoins = || fiches.iter().step_by(fiches.len().div_ceil(ENFANTS));
-    let [x0, y0, z0, x1, y1, z1, _] = &en_colonnes(temoins());
-    let surface = |x: f32, y: f32, z: f32| x * y + y * z + z * x;
-    let part = |a: &Fiche| {
-        let mut communes = [0.0; ENFANTS];
-        for (i, commune) in communes.iter_mut().enumerate() {
-            let x = max(min(a[3], x1[i]) - max(a[0], x0[i]), 0.0);
-            let y = max(min(a[4], y1[i]) - max(a[1], y0[i]), 0.0);
-            let z = max(min(a[5], z1[i]) - max(a[2], z0[i]), 0.0);
-            *commune = surface(x, y, z);
-        }
-        // Both surfaces may underflow to 0.
-        somme(communes) / max(surface(a[3] - a[0], a[4] - a[1], a[5] - a[2]), f32::MIN_POSITIVE)
+    let surface = |[x, y, z]: [f32; 3]| x * y + y * z + z * x;
+    let commune = |a: &Fiche, b: &Fiche| {
+        let cote = |axe| max(min(a[axe + 3], b[axe + 3]) - max(a[axe], b[axe]), 0.0);
+        surface([0, 1, 2].map(cote))
     };
-    let paires = temoins().len() * temoins().len();
-    temoins().map(part).sum::<f32>() / paires as f32
+    // The surface of a witness may underflow to 0, and with it that of what it shares.
+    let part =
+        |a| temoins().map(|b| commune(a, b)).sum::<f32>() / max(commune(a, a), f32::MIN_POSITIVE);
+    temoins().map(part).sum::<f32>() / (temoins().len() * temoins().len()) as f32
 }
 
 /// These records, sixteen at most, as columns.

@@ -5,35 +5,31 @@
 //! records carry the index of the object. A walk may ask it twice and finds the same t, and a visit
 //! shows it in the slice where the ray enters it.
 
-use crate::algebre::nombre::{Nombre, min, simple};
-use crate::algebre::vecteur::Vecteur;
-use crate::arbre::noeud::Fiche;
+use crate::algebre::nombre::{max, min, simple};
+use crate::arbre::noeud::Noeud;
 use crate::arbre::repere::Repere;
-use crate::objet::ObjetRay;
-use crate::rayon::Rayon;
+use crate::{Nombre, ObjetRay, Rayon, Vecteur};
 
 /// How much surface one more record must save, where that of an object of the mean size is 1
 /// (`DEVELOPING.md`, "Thresholds").
 const PRIX_D_UNE_FICHE: f32 = 0.03;
 
-/// Half of the least width of a slice in the frame of the tree that an object wishes for; rounded up
-/// to whole slices, they are narrower by a third at most (lemma 21).
+/// Half of the least width of a slice in the frame of the tree (lemma 21).
 const DEMI_TRANCHE_MINIMALE: f32 = 1.0 / 65_536.0;
 
-/// Into how many slices each object is cut. An object and its index tell it, so that no record
-/// needs to.
-#[derive(Debug, Clone, Copy)]
+/// What one more record costs, as surface in the frame of the tree. It tells of every object into
+/// how many slices it is cut, so that no record needs to.
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Coupe {
     prix: f32,
-    /// The part that an object gets of the records that would save time; 0 if none is cut.
-    pub(crate) part: f32,
 }
 
 impl Coupe {
     /// Each object in one piece.
-    pub(crate) const AUCUNE: Self = Self { prix: 0.0, part: 0.0 };
+    pub(crate) const AUCUNE: Self = Self { prix: f32::INFINITY };
 
-    /// Shares at most this many records among these objects, beyond one for each.
+    /// The least price from [`PRIX_D_UNE_FICHE`] on, nearly, at which these objects take at most
+    /// this many records beyond one for each.
     pub(crate) fn new<R: Nombre>(
         objets: &[ObjetRay<R>],
         repere: Repere<R>,
@@ -43,64 +39,58 @@ impl Coupe {
         // A mean of roots, in which a sky or a ball for a ground counts for little.
         let tailles: f32 = boites.map(|(_, h)| repere.surface(h).racine()).sum();
         let taille = tailles / objets.len() as f32;
-        let mut coupe = Self { prix: PRIX_D_UNE_FICHE * taille * taille, part: 0.0 };
-        let souhaits: f32 = objets.iter().map(|objet| coupe.souhait(repere, objet)).sum();
-        coupe.part = if souhaits > 0.0 { min(restent as f32 / souhaits, 1.0) } else { 0.0 };
-        let de_plus = |coupe: Self, quoi| coupe.morceaux(repere, quoi) - 1;
-        // Steps that grow, since the indices of a few long boxes may all round up.
-        let mut moins = 0.01;
-        while objets.iter().enumerate().map(|quoi| de_plus(coupe, quoi)).sum::<usize>() > restent {
-            coupe.part *= 1.0 - moins;
-            moins = min(2.0 * moins, 0.5);
+        // What has less surface than the least price is about as narrow as a slice may be.
+        let prix_minimal = DEMI_TRANCHE_MINIMALE * DEMI_TRANCHE_MINIMALE;
+        let prix = max(PRIX_D_UNE_FICHE * taille * taille, prix_minimal);
+        let suffit = |prix| {
+            let de_plus = |objet| Self { prix }.morceaux(repere, objet) - 1;
+            objets.iter().map(de_plus).sum::<usize>() <= restent
+        };
+        // No object has so much surface that it is cut at a price of 1.
+        let (mut trop_bas, mut assez) = if suffit(prix) { (prix, prix) } else { (prix, 1.0) };
+        // Twelve halvings leave the price half a percent open.
+        for _ in 0..12 {
+            let milieu = (trop_bas * assez).racine();
+            *(if suffit(milieu) { &mut assez } else { &mut trop_bas }) = milieu;
         }
-        coupe
+        Self { prix: assez }
     }
 
-    /// How many pieces more than one save time: 0, or at least 1. The boxes of k pieces have the
-    /// surface a/k + b + ck, and cost k times the price: the least is at k² = a/(c + price).
-    fn souhait<R: Nombre>(self, repere: Repere<R>, objet: &ObjetRay<R>) -> f32 {
-        let Some((_, h)) = objet.boite_englobante() else { return 0.0 };
+    /// Into how many pieces this object is cut. The boxes of k pieces have the surface a/k + b +
+    /// ck, and cost k times the price: the least is at k² = a/(c + price).
+    pub(crate) fn morceaux<R: Nombre>(self, repere: Repere<R>, objet: &ObjetRay<R>) -> usize {
+        let Some((_, h)) = objet.boite_englobante() else { return 1 };
         let axe = grandeurs(objet.demi_axe());
         let [a, c] = [axe, h - axe].map(|h| repere.surface(h));
-        let k = (a / (c + self.prix)).racine();
-        // 0/0, of a needle along an axis that has no surface in numbers of `f32`, stays a NaN.
-        let k = min(repere.distance(axe.longueur()) / DEMI_TRANCHE_MINIMALE, k);
-        if k >= 2.0 { k - 1.0 } else { 0.0 }
+        let k = min(
+            (a / (c + self.prix)).racine(),
+            repere.distance(axe.longueur()) / DEMI_TRANCHE_MINIMALE,
+        );
+        max(k + 0.5, 1.0) as usize
     }
 
-    /// Into how many pieces the object at this index is cut: what it gets, rounded up for some and
-    /// down for others, all over the list.
-    pub(crate) fn morceaux<R: Nombre>(
-        self,
-        repere: Repere<R>,
-        (indice, objet): (usize, &ObjetRay<R>),
-    ) -> usize {
-        // Multiples of the golden ratio, modulo 1.
-        let arrondi = ((indice as u32).wrapping_mul(0x9e37_79b9) >> 8) as f32 / (1 << 24) as f32;
-        1 + (self.souhait(repere, objet) * self.part + arrondi) as usize
-    }
-
-    /// Whether the ray enters this object, which has this index, at distance `t`, in the slice of
-    /// this record: that in which the middle of its box lies (lemma 21).
+    /// Whether the ray enters this object at distance `t` in the slice of this child of a leaf:
+    /// that in which the middle of its box lies (lemma 21).
     #[cold]
     #[inline(never)]
     pub(crate) fn est_ici<R: Nombre>(
         self,
         repere: Repere<R>,
-        quoi @ (_, objet): (usize, &ObjetRay<R>),
-        fiche: Fiche,
+        (feuille, enfant): (&Noeud, usize),
+        objet: &ObjetRay<R>,
         rayon: &Rayon<R>,
         t: R,
     ) -> bool {
-        let Some((c, _)) = objet.boite_englobante() else { return true };
-        let (morceaux, axe) = (self.morceaux(repere, quoi), objet.demi_axe());
-        // T5
+        let (morceaux, axe) = (self.morceaux(repere, objet), objet.demi_axe());
+        let Some((c, _)) = objet.boite_englobante().filter(|_| morceaux > 1) else { return true };
         let tranche = |depuis_c: Vecteur<R>| {
+            // T5: from 0 to 2 along the axis.
             let place = depuis_c.produit_scalaire(axe) / axe.longueur_carree() + R::UN;
             let tranche = simple(place * R::depuis_f64(0.5 * morceaux as f64)) as usize;
             tranche.min(morceaux - 1)
         };
         let entree = (rayon.source() - c) + rayon.direction() * t;
+        let fiche = feuille.map(|colonne| colonne[enfant]);
         tranche(entree) == tranche(repere.vers_le_milieu(&fiche, c))
     }
 }

@@ -2,20 +2,20 @@
 
 use fearless_simd::Simd;
 
-use crate::algebre::nombre::Nombre;
 use crate::arbre::construction::Arbre;
+use crate::arbre::morceaux::Coupe;
 use crate::arbre::noeud::ENFANTS;
 use crate::arbre::pile::{Attentes, Pile};
 use crate::arbre::sonde::Sonde;
 use crate::cote_a_cote::colonne::{au_plus, indice_lu, prendre, prendre_le_moindre};
 use crate::question::liste::Liste;
 use crate::question::{Abord, Question};
-use crate::rayon::Rayon;
+use crate::{Nombre, Rayon};
 
 impl<R: Nombre> Arbre<'_, R> {
-    /// Asks the objects of this list that may count, and gives the question back: first those without
-    /// a box, then those in the leaves that the ray may enter before the limit. Where boxes tell no
-    /// objects apart, it asks the whole list.
+    /// Asks the objects of this list that may count, and gives the question back: first those
+    /// without a box, then those in the leaves that the ray may enter before the limit. Where boxes
+    /// tell no objects apart, it asks the whole list.
     #[inline(always)]
     pub(crate) fn parcourir<S: Simd, Q: Question<R>>(
         &self,
@@ -34,7 +34,7 @@ impl<R: Nombre> Arbre<'_, R> {
             self.interroger_les_boites(liste, rayon, &mut question);
             return question;
         };
-        let flou = copie.flou_d_emblee() > R::ZERO;
+        let flou = copie.flou.d_emblee() > R::ZERO;
         let jusqu_ici = if flou { sonde.entree_de_la_source() } else { -f32::INFINI };
         let mut attentes = Attentes::new();
         let (mut pile, mut numero) = (Pile(&mut attentes), self.noeuds.len() - 1);
@@ -55,12 +55,10 @@ impl<R: Nombre> Arbre<'_, R> {
                     let abord = Abord::DansSaBoite { entree: entrees.0[enfant], jusqu_ici };
                     if let Some(objet) = liste.objet(indice)
                         && let Some(t) = question.voir(&copie, objet, indice, abord)
-                        && question.retenir(t, indice, |t| {
-                            self.coupe.part == 0.0 || {
-                                let fiche = noeud.map(|colonne| colonne[enfant]);
-                                self.coupe.est_ici(self.repere, (indice, objet), fiche, &copie, t)
-                            }
-                        })
+                        && (!Q::CHACUN_UNE_FOIS
+                            || self.coupe == Coupe::AUCUNE
+                            || self.coupe.est_ici(self.repere, (noeud, enfant), objet, &copie, t))
+                        && question.retenir(t, indice)
                     {
                         if question.est_reglee() {
                             return question;

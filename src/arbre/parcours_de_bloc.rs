@@ -1,26 +1,28 @@
 //! The rays of a block in a tree: together through the nodes that their probe enters, as long as
 //! that is narrow.
 
+use core::iter::from_fn;
+
 use fearless_simd::prelude::*;
 
-use crate::algebre::nombre::{Nombre, selon};
+use crate::algebre::nombre::selon;
 use crate::arbre::construction::Arbre;
 use crate::arbre::noeud::{ENFANTS, Noeud};
 use crate::arbre::pile::{Attentes, Pile};
 use crate::arbre::sonde::Sonde;
-use crate::cote_a_cote::bloc::{Bloc, Offre};
-use crate::cote_a_cote::colonne::au_plus;
+use crate::cote_a_cote::bloc::{Bloc, GROUPES};
+use crate::cote_a_cote::colonne::{au_plus, indice_lu, prendre};
 use crate::cote_a_cote::groupe::VOIES;
 use crate::question::liste::Liste;
-use crate::rayon::Rayon;
+use crate::{Nombre, Rayon};
 
 /// Rays that do not stay together ask the whole list side by side if it is short: at most this many
 /// spheres and boxes for each number that a register holds (`DEVELOPING.md`, "Thresholds", as
 /// for what follows).
 const OBJETS_PAR_NOMBRE: usize = 6;
 
-/// In a heap a longer list will do: for each number that a register holds, longer by this part of the
-/// number of boxes that a ray crosses.
+/// In a heap a longer list will do: for each number that a register holds, longer by this part of
+/// the number of boxes that a ray crosses.
 const PART_DES_CROISES: f32 = 0.6;
 
 /// Fewer rays than this are asked one by one: eight in no order take up to twice as long together.
@@ -64,9 +66,9 @@ fn vont_ailleurs<R: Nombre>(rayons: &[Rayon<R>]) -> usize {
 
 impl<R: Nombre> Arbre<'_, R> {
     /// Looks for the first object of each of these rays: of all together, else of each group that
-    /// is narrower. Returns the groups whose rays are to go on one by one, one bit for each; they
-    /// have asked the objects without a box and some with one. If it returns `None`, nothing is
-    /// loaded, and the rays have asked nothing.
+    /// is narrower. Tells of each group whether it came to the end. The rays of the others, which
+    /// are to go on one by one, have asked the objects without a box and some with one. If it
+    /// returns `None`, nothing is loaded, and the rays have asked nothing.
     #[inline(always)]
     pub(crate) fn chercher_ensemble<S: Simd>(
         &self,
@@ -74,14 +76,14 @@ impl<R: Nombre> Arbre<'_, R> {
         liste: &Liste<'_, R>,
         bloc: &mut Bloc<'_, R>,
         rayons: &[Rayon<R>],
-    ) -> Option<u32> {
+    ) -> Option<[bool; GROUPES]> {
         simd.vectorize(
             #[inline(always)]
             || {
                 if rayons.len() < RAYONS_D_UN_BLOC {
                     return None;
                 }
-                let (ailleurs, un_suffit) = (vont_ailleurs(rayons), bloc.un_suffit());
+                let (ailleurs, un_suffit) = (vont_ailleurs(rayons), bloc.un_suffit);
                 let vaut_la_liste = || self.mieux_vaut_la_liste(simd, liste, un_suffit, rayons);
                 let mut en_liste = ailleurs > 0 && vaut_la_liste();
                 if ailleurs > AILLEURS && !en_liste {
@@ -89,31 +91,30 @@ impl<R: Nombre> Arbre<'_, R> {
                 }
                 bloc.charger(rayons);
                 if !en_liste {
-                    bloc.interroger_ceux(simd, liste, self.sans_boite);
+                    let sans_boite = self.sans_boite.iter().map(|mot| (indice_lu(*mot), true));
+                    bloc.proposer(simd, liste, &mut { sans_boite });
                 }
                 let mut largeur = f32::INFINITY;
                 if ailleurs == 0 {
                     let (sonde, de_tous) = self.sonder(simd, bloc);
                     if self.descendre_en_bloc(simd, liste, sonde, (bloc, rayons)) {
-                        return Some(0);
+                        return Some([true; GROUPES]);
                     }
                     largeur = PLUS_ETROIT * de_tous;
                     en_liste = vaut_la_liste();
                 }
                 if en_liste {
-                    bloc.interroger(simd, liste);
-                    return Some(0);
+                    bloc.proposer(simd, liste, &mut liste.toute());
+                    return Some([true; GROUPES]);
                 }
-                let mut restent = 0;
-                for (i, rayons) in rayons.chunks(VOIES).enumerate() {
-                    bloc.demander_a(i..i + 1);
+                let mut finis = [false; GROUPES];
+                for (i, (rayons, fini)) in rayons.chunks(VOIES).zip(&mut finis).enumerate() {
+                    bloc.demandes = i..i + 1;
                     let (sonde, la_sienne) = self.sonder(simd, bloc);
                     let sonde = sonde.filter(|_| la_sienne <= largeur);
-                    if !self.descendre_en_bloc(simd, liste, sonde, (bloc, rayons)) {
-                        restent |= 1 << i;
-                    }
+                    *fini = self.descendre_en_bloc(simd, liste, sonde, (bloc, rayons));
                 }
-                Some(restent)
+                Some(finis)
             },
         )
     }
@@ -121,8 +122,8 @@ impl<R: Nombre> Arbre<'_, R> {
     /// The probe of the rays that are offered objects, and how wide it is.
     #[inline(always)]
     fn sonder<S: Simd>(&self, simd: S, bloc: &Bloc<'_, R>) -> (Option<Sonde<R>>, f32) {
-        let depart = Sonde::depart_commun(bloc.groupes(), self.repere);
-        Sonde::de_groupes(simd, bloc.groupes(), depart, self.repere)
+        let tau0 = Sonde::tau0_commun(bloc.demandes(), self.repere);
+        Sonde::de_groupes(simd, bloc.demandes(), tau0, self.repere)
     }
 
     /// Finds the first object with a box of each of these rays, which are offered objects, in the
@@ -141,16 +142,19 @@ impl<R: Nombre> Arbre<'_, R> {
         let (mut pile, mut numero) = (Pile(&mut attentes), self.noeuds.len() - 1);
         let mut plafond = sonde.plafond(self.repere, bloc.le_plus_loin());
         while let Some(noeud) = self.noeuds.get(numero) {
-            let (traverses, entrees) = sonde.traverse(simd, noeud, plafond);
+            let (mut traverses, entrees) = sonde.traverse(simd, noeud, plafond);
             if numero < self.feuilles {
                 if traverses > 0 {
                     let [.., mots] = noeud;
                     let source = [sonde.entree_de_la_source(); ENFANTS];
                     let sources = au_plus(simd, &entrees.0, &source);
-                    let offre = Offre { mots, debut: 0, membres: traverses, sources };
-                    bloc.proposer(simd, liste, offre);
+                    let offerts = || {
+                        let membre = prendre(&mut traverses)?;
+                        Some((indice_lu(mots[membre]), sources >> membre & 1 == 1))
+                    };
+                    bloc.proposer(simd, liste, &mut from_fn(offerts));
                     let loin = bloc.le_plus_loin();
-                    if bloc.un_suffit() && loin == R::ZERO {
+                    if bloc.un_suffit && loin == R::ZERO {
                         break;
                     }
                     plafond = sonde.plafond(self.repere, loin);

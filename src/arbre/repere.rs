@@ -4,10 +4,9 @@ use core::cmp::Ordering;
 
 use arrayvec::ArrayVec;
 
-use crate::algebre::nombre::{Nombre, fois_u, fois_u_simple, max, min, simple};
-use crate::algebre::vecteur::Vecteur;
+use crate::algebre::nombre::{fois_u, fois_u_simple, max, min, simple};
 use crate::arbre::noeud::{ENFANTS, Fiche};
-use crate::objet::ObjetRay;
+use crate::{Nombre, ObjetRay, Vecteur};
 
 /// The frame of the tree, in which `f32` holds any scene: a point X of the scene stands at (X −
 /// Z)·σ. No coordinate of a box is beyond ±1, except for rounding and slack.

@@ -5,23 +5,23 @@
 //! side, or the lower edge not down to its upper side. The edges of a single ray coincide.
 //!
 //! Rounding is monotone, so that a probe of many rays leaves no box out that the probe of one of
-//! them enters (`docs/preuves-arbre.md`, lemmas 19 to 21).
+//! them enters (`docs/preuves/recherche.md`, lemmas 19 to 21).
 
 use fearless_simd::f32x16;
 use fearless_simd::prelude::*;
 
-use crate::algebre::nombre::{Nombre, fois_u, fois_u_simple, max, min, selon, simple};
+use crate::algebre::nombre::{fois_u, fois_u_simple, max, min, selon, simple};
 use crate::arbre::noeud::Noeud;
 use crate::arbre::repere::{JEU_DISTANCE, JEU_F32, JEU_SOUS_NORMAL, Repere};
 use crate::cote_a_cote::colonne::{Aligne, Colonne, Membres};
 use crate::cote_a_cote::groupe::{Groupe, VOIES};
-use crate::rayon::Rayon;
+use crate::{Nombre, Rayon};
 
 pub(crate) struct Sonde<R> {
     axes: [Axe; 3],
     /// τ₀: entries are counted from the point at this distance along a ray, in the frame of the
     /// tree.
-    depart: R,
+    tau0: R,
 }
 
 /// The largest and the least coordinate along an axis, of some rays: where entries count from, and
@@ -65,23 +65,23 @@ impl<R: Nombre> Sonde<R> {
         // Entries of a ray from far away are counted from its point nearest to Z. In `f32` that
         // point would be off by as much as a hit, so that they are counted from the source.
         let loin = selon::<R, _>(false, true) && y.norme_1() > repere.loin;
-        let depart = if loin { -y.produit_scalaire(d) } else { R::ZERO };
-        Self::d_un_rayon(rayon, depart, repere)
+        let tau0 = if loin { -y.produit_scalaire(d) } else { R::ZERO };
+        Self::d_un_rayon(rayon, tau0, repere)
     }
 
     /// The probe of this ray for this τ₀.
     #[inline(always)]
-    pub(crate) fn d_un_rayon(rayon: &Rayon<R>, depart: R, repere: Repere<R>) -> Option<Self> {
+    pub(crate) fn d_un_rayon(rayon: &Rayon<R>, tau0: R, repere: Repere<R>) -> Option<Self> {
         let (y, d) = (repere.point(rayon.source()), rayon.direction());
-        let s = if depart == R::ZERO { y } else { y + d * depart };
+        let s = if tau0 == R::ZERO { y } else { y + d * tau0 };
         let bornes = |s: R, d: R| Bornes { s: [simple(s); 2], d: [simple(d); 2] };
-        Self::entre_bords(depart, [bornes(s.x, d.x), bornes(s.y, d.y), bornes(s.z, d.z)], repere)
+        Self::entre_bords(tau0, [bornes(s.x, d.x), bornes(s.y, d.y), bornes(s.z, d.z)], repere)
     }
 
     /// τ₀ of the rays of these groups: a distance at which all of them are still before all boxes,
     /// or else 0, where they start. From there on every ray lies between the edges.
     #[inline(always)]
-    pub(crate) fn depart_commun(groupes: &[Groupe<R>], repere: Repere<R>) -> R {
+    pub(crate) fn tau0_commun(groupes: &[Groupe<R>], repere: Repere<R>) -> R {
         // Far away the length of a widened direction counts, which is 1 to `f32` only.
         let avant_z = |rayon: Rayon<R>| {
             let (y, d) = (repere.point(rayon.source()), rayon.direction());
@@ -105,47 +105,47 @@ impl<R: Nombre> Sonde<R> {
     pub(crate) fn de_groupes<S: Simd>(
         simd: S,
         groupes: &[Groupe<R>],
-        depart: R,
+        tau0: R,
         repere: Repere<R>,
     ) -> (Option<Self>, f32) {
         let [x, y, z] = repere.milieu.into();
         let bornes = [
-            Bornes::le_long::<0, _, _>(simd, groupes, (x, repere), depart),
-            Bornes::le_long::<1, _, _>(simd, groupes, (y, repere), depart),
-            Bornes::le_long::<2, _, _>(simd, groupes, (z, repere), depart),
+            Bornes::le_long::<0, _, _>(simd, groupes, (x, repere), tau0),
+            Bornes::le_long::<1, _, _>(simd, groupes, (y, repere), tau0),
+            Bornes::le_long::<2, _, _>(simd, groupes, (z, repere), tau0),
         ];
         let largeur = bornes.iter().map(|bornes| bornes.largeur()).sum();
-        (Self::entre_bords(depart, bornes, repere), largeur)
+        (Self::entre_bords(tau0, bornes, repere), largeur)
     }
 
     /// The probe between these edges, with its part of the slack; `None` too if some rays rise and
     /// others do not along every axis: no edge would leave a box, not even one that is missing.
     #[inline(always)]
-    fn entre_bords(depart: R, [x, y, z]: [Bornes; 3], repere: Repere<R>) -> Option<Self> {
+    fn entre_bords(tau0: R, [x, y, z]: [Bornes; 3], repere: Repere<R>) -> Option<Self> {
         let norme = x.le_plus_loin() + y.le_plus_loin() + z.le_plus_loin();
         let distance = simple(fois_u::<R>(JEU_DISTANCE));
         let jeu = norme * (distance + simple(fois_u_simple::<R>(JEU_F32))) + JEU_SOUS_NORMAL;
         // T3. The sources are farther away by no more than √3τ₀.
         let jeu = if selon::<R, _>(false, true) {
-            jeu + simple(depart.absolu()) * (RACINE_DE_TROIS * distance)
+            jeu + simple(tau0.absolu()) * (RACINE_DE_TROIS * distance)
         } else {
             jeu
         };
         let axes = [x.axe(0, jeu), y.axe(1, jeu), z.axe(2, jeu)];
         let partent = axes.iter().all(|axe| axe.partage);
-        (jeu < repere.jeu_maximal && !partent).then_some(Self { axes, depart })
+        (jeu < repere.jeu_maximal && !partent).then_some(Self { axes, tau0 })
     }
 
     /// The largest entry that matters before this distance from the source.
     #[inline(always)]
     pub(crate) fn plafond(&self, repere: Repere<R>, t: R) -> f32 {
-        simple(repere.longueur(t) - self.depart)
+        simple(repere.longueur(t) - self.tau0)
     }
 
     /// The entry of a box that may hold a source; that of any other box is larger.
     #[inline(always)]
     pub(crate) fn entree_de_la_source(&self) -> f32 {
-        simple(-self.depart)
+        simple(-self.tau0)
     }
 
     /// Which children some ray may enter no later than `plafond`, and a distance before which none
@@ -161,7 +161,7 @@ impl<R: Nombre> Sonde<R> {
         let uni = |x: f32| f32x16::splat(simd, x);
         let (mut entrees, mut sorties) = (uni(self.entree_de_la_source()), uni(plafond));
         for axe in self.axes {
-            // T4
+            // T4: times the inverse of a speed that is never 0, so that no product is a NaN.
             let une = (colonne(axe.proche) - uni(axe.vers_proche)) * uni(axe.inverse_proche);
             let autre =
                 (colonne(axe.lointain) - uni(axe.vers_lointain)) * uni(axe.inverse_lointain);
@@ -183,18 +183,17 @@ impl Bornes {
         simd: S,
         groupes: &[Groupe<R>],
         (milieu, repere): (R, Repere<R>),
-        depart: R,
+        tau0: R,
     ) -> Self {
         let colonne = |x: Colonne<f32>| f32x16::simd_from(simd, x);
         let [haut, bas] = [f32::NEG_INFINITY, f32::INFINITY].map(|x| colonne([x; VOIES]));
         let ([mut s1, mut d1], [mut s0, mut d0]) = ([haut; 2], [bas; 2]);
         for groupe in groupes {
-            let (sources, directions) = (&groupe.sources()[AXE], &groupe.directions()[AXE]);
+            let (sources, directions) = (&groupe.s[AXE], &groupe.d[AXE]);
             let (mut s, mut d) = ([0.0; VOIES], [0.0; VOIES]);
             for voie in 0..VOIES {
                 let y = repere.longueur(sources[voie] - milieu);
-                let ici =
-                    if selon::<R, _>(false, true) { y + directions[voie] * depart } else { y };
+                let ici = if selon::<R, _>(false, true) { y + directions[voie] * tau0 } else { y };
                 (s[voie], d[voie]) = (simple(ici), simple(directions[voie]));
             }
             let (s, d) = (colonne(s), colonne(d));

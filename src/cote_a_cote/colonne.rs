@@ -1,7 +1,5 @@
 //! Sixteen numbers side by side: the lanes of a group of rays, the children of a node.
 
-use core::ops::Add;
-
 use fearless_simd::f32x16;
 use fearless_simd::prelude::*;
 
@@ -19,9 +17,6 @@ pub(crate) struct Aligne<T>(pub(crate) T);
 
 /// A set of places of a column, one bit for each place.
 pub(crate) type Membres = u32;
-
-/// All places.
-pub(crate) const TOUS: Membres = (1 << LARGEUR) - 1;
 
 /// Takes out the first of these places.
 #[inline(always)]
@@ -55,22 +50,11 @@ pub(crate) fn au_plus<S: Simd>(simd: S, a: &Colonne<f32>, b: &Colonne<f32>) -> M
 
 /// The largest of sixteen numbers.
 #[inline(always)]
-pub(crate) fn le_plus_grand<R: Copy + PartialOrd>(x: Colonne<R>) -> R {
-    reduire(x, |a, b| if a > b { a } else { b })
-}
-
-/// The sum of sixteen numbers.
-#[inline(always)]
-pub(crate) fn somme<R: Copy + Add<Output = R>>(x: Colonne<R>) -> R {
-    reduire(x, |a, b| a + b)
-}
-
-#[inline(always)]
-fn reduire<R: Copy>(mut x: Colonne<R>, deux: impl Fn(R, R) -> R) -> R {
+pub(crate) fn le_plus_grand<R: Copy + PartialOrd>(mut x: Colonne<R>) -> R {
     let mut moitie = LARGEUR / 2;
     while moitie > 0 {
         for i in 0..moitie {
-            x[i] = deux(x[i], x[i + moitie]);
+            x[i] = if x[i] > x[i + moitie] { x[i] } else { x[i + moitie] };
         }
         moitie /= 2;
     }

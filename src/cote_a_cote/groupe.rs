@@ -5,15 +5,13 @@
 //! ray gets the bits that it gets alone. What the loops call, closures too, is `inline(always)`: a
 //! function that is not inlined would be compiled for the baseline instruction set.
 
-use crate::algebre::nombre::Nombre;
-use crate::algebre::vecteur::Vecteur;
 use crate::cote_a_cote::colonne::{Colonne, LARGEUR, le_plus_grand, prendre};
 use crate::objet::forme::Forme;
-use crate::objet::{ObjetRay, par_forme};
+use crate::objet::par_forme;
 use crate::question::Premier;
-use crate::rayon::Rayon;
 use crate::rayon::flou::Flou;
-use crate::rayon::intersection::{Contact, Intersection, NoIntersection, Rang, Reponse};
+use crate::rayon::intersection::{Contact, Rang};
+use crate::{Intersection, NoIntersection, Nombre, ObjetRay, Rayon, Reponse, Vecteur};
 
 /// The rays of a group: a column has one number of each.
 pub(crate) const VOIES: usize = LARGEUR;
@@ -26,8 +24,8 @@ const COTE_A_COTE: u32 = 3;
 /// and its rank. Each column fills cache lines.
 #[repr(align(64))]
 pub(crate) struct Groupe<R> {
-    s: [Colonne<R>; 3],
-    d: [Colonne<R>; 3],
+    pub(crate) s: [Colonne<R>; 3],
+    pub(crate) d: [Colonne<R>; 3],
     /// To which δ each ray touches at once.
     flous: Colonne<R>,
     t: Colonne<R>,
@@ -65,7 +63,7 @@ impl<R: Nombre> Groupe<R> {
             [self.s[0][voie], self.s[1][voie], self.s[2][voie]] = s.into();
             [self.d[0][voie], self.d[1][voie], self.d[2][voie]] = d.into();
             self.t[voie] = rayon.fin();
-            self.flous[voie] = rayon.flou_d_emblee();
+            self.flous[voie] = rayon.flou.d_emblee();
         }
     }
 
@@ -81,18 +79,6 @@ impl<R: Nombre> Groupe<R> {
     #[inline(always)]
     fn rayon_flou(&self, voie: usize) -> Rayon<R> {
         self.rayon(voie).sachant(Flou::de(self.flous[voie]))
-    }
-
-    /// The coordinates of the sources.
-    #[inline(always)]
-    pub(crate) fn sources(&self) -> &[Colonne<R>; 3] {
-        &self.s
-    }
-
-    /// The coordinates of the directions.
-    #[inline(always)]
-    pub(crate) fn directions(&self) -> &[Colonne<R>; 3] {
-        &self.d
     }
 
     /// The first object of one ray so far.
@@ -161,14 +147,14 @@ impl<R: Nombre> Groupe<R> {
             let rayon = self.rayon_flou(voie);
             let (entree, source) = forme.t_et_dedans(&rayon);
             *t = entree;
-            dedans |= source & (rayon.flou_d_emblee() > R::ZERO);
+            dedans |= source & (rayon.flou.d_emblee() > R::ZERO);
         }
         if !dedans {
             return;
         }
         for (voie, t) in t.iter_mut().enumerate() {
             let rayon = self.rayon_flou(voie);
-            let d_emblee = (rayon.flou_d_emblee() > R::ZERO) & forme.des_le_depart(&rayon);
+            let d_emblee = (rayon.flou.d_emblee() > R::ZERO) & forme.des_le_depart(&rayon);
             *t = if d_emblee { R::ZERO } else { *t };
         }
     }
@@ -219,9 +205,10 @@ impl<R: Nombre> Groupe<R> {
                 // its fields are stored.
                 if cote_a_cote && contacts.de_face[voie] {
                     let contact = contacts.de(voie);
-                    touches[voie] = Ok(Intersection::new(t, contact, rayon.flou(), texture, rang));
+                    let flou = rayon.flou();
+                    touches[voie] = Ok(Intersection { distance: t, contact, flou, texture, rang });
                 } else {
-                    touches[voie] = objet.conclure(rayon, t, rang);
+                    touches[voie] = objet.touche(rayon, t, rang);
                 }
             }
         }

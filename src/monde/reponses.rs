@@ -2,60 +2,24 @@
 //! scalar: generic code would be compiled again by every crate that calls it, and as slowly as that
 //! crate is.
 
-use core::fmt;
-use core::ops::ControlFlow::Break;
-
 use fearless_simd::{Level, Simd};
 
-use crate::algebre::nombre::Nombre;
-use crate::algebre::vecteur::Vecteur;
-use crate::arbre::construction::{Arbre, PlacesInsuffisantes, construire};
-use crate::cote_a_cote::bloc::{BLOC, Bloc, Groupes};
+use crate::arbre::construction::{Arbre, construire};
+use crate::cote_a_cote::bloc::{BLOC, Bloc, GROUPES, Groupes};
 use crate::cote_a_cote::groupe::{Groupe, VOIES};
 use crate::cote_a_cote::niveau::selon_le_niveau;
-use crate::objet::ObjetRay;
 use crate::question::jugement::certificat::Certificat;
 use crate::question::liste::Liste;
 use crate::question::visite::{Montrer, Rangee, Visite};
 use crate::question::{Premier, Question};
-use crate::rayon::Rayon;
-use crate::rayon::intersection::Reponse;
-
-/// There are more or fewer places for answers than rays.
-///
-/// ```
-/// use lancer_rayon::{LongueursDifferentes, Monde, NoIntersection, Rayon};
-///
-/// let rayons: [Rayon; 0] = [];
-/// let mut touches = [Err(NoIntersection); 3];
-/// let refus = Monde::de_liste(&[]).premieres_intersections(&rayons, &mut touches);
-/// assert_eq!(refus, Err(LongueursDifferentes { rayons: 0, reponses: 3 }));
-/// ```
-#[doc(alias = "length_mismatch")]
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub struct LongueursDifferentes {
-    /// How many rays there are.
-    #[doc(alias = "rays")]
-    pub rayons: usize,
-    /// How many answers there are places for.
-    #[doc(alias = "answers")]
-    pub reponses: usize,
-}
-
-impl fmt::Display for LongueursDifferentes {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} rays, but places for {} answers", self.rayons, self.reponses)
-    }
-}
-
-impl core::error::Error for LongueursDifferentes {}
+use crate::{LongueursDifferentes, Nombre, ObjetRay, PlacesInsuffisantes, Rayon, Reponse, Vecteur};
 
 /// What a question is asked of: the objects, their tree, which has no nodes if they are asked as a
 /// list, and the instructions; and what the ray has found before.
 ///
 /// It is passed by reference: a copy of what was just written piece by piece stalls until the
 /// pieces are stored, and a ray among few objects takes up to 1.2 times as long (measured).
-pub struct Vue<'a, R> {
+pub struct Sujet<'a, R> {
     pub(crate) liste: Liste<'a, R>,
     pub(crate) arbre: &'a Arbre<'a, R>,
     pub(crate) niveau: Level,
@@ -66,22 +30,22 @@ pub struct Vue<'a, R> {
 /// Asks the tree for the first object of one ray, alone or left over by a block, with these
 /// instructions; `repondre` makes the answer of it.
 ///
-/// What is called gets two addresses, in registers. Were the question among what is passed, it would
-/// be written and read again before the walk begins, and shadows among a dozen objects would take up
-/// to 1.1 times as long (measured).
+/// What is called gets two addresses, in registers. Were the question among what is passed, it
+/// would be written and read again before the walk begins, and shadows among a dozen objects would
+/// take up to 1.1 times as long (measured).
 #[inline(always)]
 fn premier_d_un_arbre<S: Simd, R: Nombre, T, const OMBRE: bool>(
     simd: S,
-    vue: &Vue<'_, R>,
+    sujet: &Sujet<'_, R>,
     rayon: &Rayon<R>,
     repondre: impl Fn(Premier<R, OMBRE>, &Rayon<R>, &[ObjetRay<R>]) -> T,
 ) -> T {
     simd.vectorize(
         #[inline(always)]
         move || {
-            let premier = vue.deja.map_or(Premier::avant(rayon.fin()), Premier::en_question);
-            let premier = vue.arbre.parcourir(simd, &vue.liste, rayon, premier);
-            repondre(premier, rayon, vue.liste.objets)
+            let premier = sujet.deja.map_or(Premier::avant(rayon.fin()), Premier::en_question);
+            let premier = sujet.arbre.parcourir(simd, &sujet.liste, rayon, premier);
+            repondre(premier, rayon, sujet.liste.objets)
         },
     )
 }
@@ -108,7 +72,7 @@ fn premier_d_une_liste<S: Simd, R: Nombre, T, const OMBRE: bool>(
 /// Asks one ray any other question.
 #[inline(always)]
 fn demander<R: Nombre, Q: Question<R>, T>(
-    Vue { liste, arbre, niveau, .. }: &Vue<'_, R>,
+    Sujet { liste, arbre, niveau, .. }: &Sujet<'_, R>,
     rayon: &Rayon<R>,
     mut question: Q,
     repondre: impl Fn(Q, &Rayon<R>, &[ObjetRay<R>]) -> T,
@@ -130,7 +94,7 @@ fn demander<R: Nombre, Q: Question<R>, T>(
 /// inlined, and would be compiled for the baseline instructions.
 fn une_touche<R: Nombre>() -> impl Fn(Premier<R>, &Rayon<R>, &[ObjetRay<R>]) -> Reponse<R> + Copy {
     #[inline(always)]
-    |premier, rayon, objets| premier.conclure(rayon, objets)
+    |premier, rayon, objets| premier.reponse(rayon, objets)
 }
 
 /// Makes a shadow of a first object.
@@ -147,7 +111,7 @@ const RAYONS_D_UNE_LISTE: usize = 6;
 /// the answer of one ray, `ecrire` writes those of a group.
 #[inline(always)]
 fn demander_en_lot<R: Nombre, T, const OMBRE: bool>(
-    vue: &Vue<'_, R>,
+    sujet: &Sujet<'_, R>,
     (rayons, reponses): (&[Rayon<R>], &mut [T]),
     repondre: impl Fn(Premier<R, OMBRE>, &Rayon<R>, &[ObjetRay<R>]) -> T + Copy,
     ecrire: impl Fn(&Groupe<R>, &[ObjetRay<R>], &[Rayon<R>], &mut [T]) + Copy,
@@ -155,42 +119,43 @@ fn demander_en_lot<R: Nombre, T, const OMBRE: bool>(
     if rayons.len() != reponses.len() {
         return Err(LongueursDifferentes { rayons: rayons.len(), reponses: reponses.len() });
     }
-    let &Vue { liste, arbre, niveau, .. } = vue;
+    let &Sujet { liste, arbre, niveau, .. } = sujet;
     // The rays that a block leaves have asked the objects without a box.
     let sans = Arbre { sans_boite: &[], ..*arbre };
-    let mut reste = Vue { liste, arbre: &sans, niveau, deja: None };
+    let mut reste = Sujet { liste, arbre: &sans, niveau, deja: None };
     let mut groupes = Groupes::new_const();
     let mut bloc = Bloc::new(&mut groupes, OMBRE);
     selon_le_niveau!(niveau, true, simd => simd.vectorize(
         #[inline(always)]
         || {
             for (rayons, reponses) in rayons.chunks(BLOC).zip(reponses.chunks_mut(BLOC)) {
-                // The groups whose rays go on one by one; `None` if they have asked nothing.
-                let restent = if !arbre.noeuds.is_empty() {
+                // Whether each group came to the end; `None` if they have asked nothing.
+                let finis = if !arbre.noeuds.is_empty() {
                     arbre.chercher_ensemble(simd, &liste, &mut bloc, rayons)
                 } else if rayons.len() >= RAYONS_D_UNE_LISTE {
                     bloc.charger(rayons);
-                    bloc.interroger(simd, &liste);
-                    Some(0)
+                    bloc.proposer(simd, &liste, &mut liste.toute());
+                    Some([true; GROUPES])
                 } else {
                     None
                 };
                 let par_groupe = rayons.chunks(VOIES).zip(reponses.chunks_mut(VOIES));
                 for (i, (rayons, reponses)) in par_groupe.enumerate() {
-                    if restent.unwrap_or(u32::MAX) >> i & 1 == 0 {
-                        ecrire(bloc.groupe(i), liste.objets, rayons, reponses);
+                    let fini = finis.map(|finis| finis[i]);
+                    if fini == Some(true) {
+                        ecrire(&bloc.groupes[i], liste.objets, rayons, reponses);
                         continue;
                     }
                     for (voie, (rayon, reponse)) in rayons.iter().zip(reponses).enumerate() {
-                        if restent.is_none() {
+                        if fini.is_none() {
                             *reponse = if arbre.noeuds.is_empty() {
                                 premier_d_une_liste(simd, &liste, rayon, repondre)
                             } else {
-                                premier_d_un_arbre(simd, vue, rayon, repondre)
+                                premier_d_un_arbre(simd, sujet, rayon, repondre)
                             };
                             continue;
                         }
-                        let premier = bloc.groupe(i).premier(voie);
+                        let premier = bloc.groupes[i].premier(voie);
                         *reponse = if OMBRE && premier.rang.is_some() {
                             repondre(premier.en_question(), rayon, liste.objets)
                         } else {
@@ -223,28 +188,18 @@ fn demander_en_lot<R: Nombre, T, const OMBRE: bool>(
 /// assert_eq!(milieu, Vecteur::new(0.5, 1.0, 1.5));
 /// ```
 #[doc(alias("float", "scalar"))]
-pub trait Reel: Nombre + Repondant {}
+pub trait Reel: Nombre + Repond<Self> {}
 
 impl Reel for f32 {}
 impl Reel for f64 {}
-
-/// Where the answers in this scalar stand. Were they functions of [`Reel`] itself, a caller could
-/// not use a function of the same name of a trait of their own (E0034).
-pub trait Repondant: Sized {
-    type ReponsesDeLancerRayon: Repond<Self>;
-}
-
-/// The answers in this scalar, as functions.
-pub(crate) type Reponses<R> = <R as Repondant>::ReponsesDeLancerRayon;
-
-/// What has them, in either scalar.
-pub struct Compilees;
 
 /// `reponses! { fn …(…) -> … { … } … }`: the trait [`Repond`] of these functions, and their bodies
 /// compiled for `f32` and for `f64`, which are `R` in them.
 macro_rules! reponses {
     ($(fn $nom:ident$(<$vie:lifetime>)?($($de:ident: $type:ty),* $(,)?) -> $reponse:ty $corps:block)*) => {
-        /// The answers in one scalar.
+        /// The answers in one scalar. Nobody can name this trait outside of the crate, and its
+        /// functions have names that no trait of a caller has: else the caller could not use theirs
+        /// for a scalar (E0034).
         pub trait Repond<R> {
             $(fn $nom$(<$vie>)?($($de: $type),*) -> $reponse;)*
         }
@@ -255,11 +210,7 @@ macro_rules! reponses {
         const _: () = {
             type R = $reel;
 
-            impl Repondant for R {
-                type ReponsesDeLancerRayon = Compilees;
-            }
-
-            impl Repond<R> for Compilees {
+            impl Repond<R> for R {
                 $($fonctions)*
             }
         };
@@ -267,19 +218,19 @@ macro_rules! reponses {
 }
 
 reponses! {
-    fn arbre<'a>(objets: &'a [ObjetRay<R>], places: &'a mut [f32], decouper: bool)
+    fn lancer_rayon_arbre<'a>(objets: &'a [ObjetRay<R>], places: &'a mut [f32], decouper: bool)
         -> Result<Arbre<'a, R>, PlacesInsuffisantes>
     {
         construire(objets, places, decouper)
     }
 
-    fn premiere(vue: &Vue<'_, R>, rayon: &Rayon<R>) -> Reponse<R> {
-        selon_le_niveau!(vue.niveau, true, simd => {
-            premier_d_un_arbre(simd, vue, rayon, une_touche())
+    fn lancer_rayon_premiere(sujet: &Sujet<'_, R>, rayon: &Rayon<R>) -> Reponse<R> {
+        selon_le_niveau!(sujet.niveau, true, simd => {
+            premier_d_un_arbre(simd, sujet, rayon, une_touche())
         })
     }
 
-    fn premiere_d_une_liste(liste: &Liste<'_, R>, niveau: Level, rayon: &Rayon<R>)
+    fn lancer_rayon_premiere_d_une_liste(liste: &Liste<'_, R>, niveau: Level, rayon: &Rayon<R>)
         -> Reponse<R>
     {
         selon_le_niveau!(niveau, false, simd => {
@@ -287,11 +238,11 @@ reponses! {
         })
     }
 
-    fn premieres(vue: &Vue<'_, R>, rayons: &[Rayon<R>], touches: &mut [Reponse<R>])
+    fn lancer_rayon_premieres(sujet: &Sujet<'_, R>, rayons: &[Rayon<R>], touches: &mut [Reponse<R>])
         -> Result<(), LongueursDifferentes>
     {
         demander_en_lot(
-            vue,
+            sujet,
             (rayons, touches),
             une_touche(),
             #[inline(always)]
@@ -299,13 +250,13 @@ reponses! {
         )
     }
 
-    fn occulte(vue: &Vue<'_, R>, rayon: &Rayon<R>) -> bool {
-        selon_le_niveau!(vue.niveau, true, simd => {
-            premier_d_un_arbre(simd, vue, rayon, une_ombre())
+    fn lancer_rayon_occulte(sujet: &Sujet<'_, R>, rayon: &Rayon<R>) -> bool {
+        selon_le_niveau!(sujet.niveau, true, simd => {
+            premier_d_un_arbre(simd, sujet, rayon, une_ombre())
         })
     }
 
-    fn occulte_d_une_liste(liste: &Liste<'_, R>, niveau: Level, rayon: &Rayon<R>)
+    fn lancer_rayon_occulte_d_une_liste(liste: &Liste<'_, R>, niveau: Level, rayon: &Rayon<R>)
         -> bool
     {
         selon_le_niveau!(niveau, false, simd => {
@@ -313,11 +264,11 @@ reponses! {
         })
     }
 
-    fn occultes(vue: &Vue<'_, R>, rayons: &[Rayon<R>], occultes: &mut [bool])
+    fn lancer_rayon_occultes(sujet: &Sujet<'_, R>, rayons: &[Rayon<R>], occultes: &mut [bool])
         -> Result<(), LongueursDifferentes>
     {
         demander_en_lot(
-            vue,
+            sujet,
             (rayons, occultes),
             une_ombre(),
             #[inline(always)]
@@ -325,33 +276,25 @@ reponses! {
         )
     }
 
-    fn certifie(vue: &Vue<'_, R>, rayon: &Rayon<R>, reponse: &Reponse<R>) -> bool {
-        let certificat = Certificat::new(&vue.liste, rayon, reponse);
-        certificat.is_some_and(|certificat| demander(vue, rayon, certificat, |q, _, _| !q.doute))
+    fn lancer_rayon_certifie(sujet: &Sujet<'_, R>, rayon: &Rayon<R>, reponse: &Reponse<R>) -> bool {
+        let certificat = Certificat::new(&sujet.liste, rayon, reponse);
+        certificat.is_some_and(|certificat| demander(sujet, rayon, certificat, |q, _, _| !q.doute))
     }
 
-    fn visiter(vue: &Vue<'_, R>, rayon: &Rayon<R>, montrer: Montrer<'_, R>) -> () {
-        demander(vue, rayon, Visite::<_, _, false> { fin: rayon.fin(), montrer }, |_, _, _| ());
+    fn lancer_rayon_visiter(sujet: &Sujet<'_, R>, rayon: &Rayon<R>, montrer: Montrer<'_, R>) -> () {
+        demander(sujet, rayon, Visite::<_, false> { fin: rayon.fin(), montrer }, |_, _, _| ());
     }
 
-    fn dans_l_ordre(vue: &Vue<'_, R>, rayon: &Rayon<R>, touches: &mut [Reponse<R>]) -> usize {
+    fn lancer_rayon_dans_l_ordre(sujet: &Sujet<'_, R>, rayon: &Rayon<R>, touches: &mut [Reponse<R>]) -> usize {
         let mut rangee = Rangee::new(touches);
-        Self::visiter(vue, rayon, &mut |indice, t| rangee.placer(indice, t));
-        rangee.conclure(rayon, vue.liste.objets)
+        Self::lancer_rayon_visiter(sujet, rayon, &mut |indice, t| rangee.placer(indice, t));
+        rangee.en_ordre(rayon, sujet.liste.objets)
     }
 
-    fn contient(vue: &Vue<'_, R>, point: Vecteur<R>) -> bool {
-        let visite = Visite::<_, _, true> { fin: R::INFINI, montrer: |_, _| Break(()) };
-        demander(vue, &du_point(point), visite, |visite, _, _| visite.fin <= R::ZERO)
+    fn lancer_rayon_contenants(sujet: &Sujet<'_, R>, point: Vecteur<R>, montrer: Montrer<'_, R>) -> bool {
+        let visite = Visite::<_, true> { fin: R::INFINI, montrer };
+        // The direction does not matter, and the point need not be finite.
+        let rayon = Rayon::sans_fin(point, Vecteur::Z);
+        demander(sujet, &rayon, visite, |visite, _, _| visite.est_reglee())
     }
-
-    fn contenants(vue: &Vue<'_, R>, point: Vecteur<R>, montrer: Montrer<'_, R>) -> () {
-        let visite = Visite::<_, _, true> { fin: R::INFINI, montrer };
-        demander(vue, &du_point(point), visite, |_, _, _| ());
-    }
-}
-
-/// A ray from this point, which need not be finite; its direction does not matter.
-fn du_point<R: Nombre>(point: Vecteur<R>) -> Rayon<R> {
-    Rayon::sans_fin(point, Vecteur::new(R::ZERO, R::ZERO, R::UN))
 }

@@ -3,14 +3,12 @@
 pub(crate) mod dalle;
 pub(crate) mod face;
 
-use crate::algebre::nombre::{Nombre, fois_u};
-use crate::algebre::refus::{self, ErreurGeo, coefficient, deplacement, point, taille};
-use crate::algebre::rotation::Rotation;
-use crate::algebre::vecteur::Vecteur;
+use crate::algebre::nombre::fois_u;
+use crate::algebre::refus;
+use crate::algebre::refus::{coefficient, deplacement, point, taille};
 use crate::objet::boite::dalle::{Quotient, dalle, dalles};
 use crate::objet::forme::{Boule, FLOU_PROPRE, Forme};
-use crate::rayon::Rayon;
-use crate::texture::Texture;
+use crate::{ErreurGeo, Nombre, Rayon, Rotation, Texture, Vecteur};
 
 /// The description of a box: its centre, its width, height and depth (along x, y and z before it is
 /// turned) and the rotation that turns it about its centre (handout §2.2).
@@ -39,8 +37,6 @@ use crate::texture::Texture;
 /// ```
 #[doc(alias("box", "cuboid", "obb"))]
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "serde", serde(bound(serialize = "R: Nombre + serde::Serialize")))]
 #[must_use]
 pub struct BoiteGeo<R = f64> {
     centre: Vecteur<R>,
@@ -134,9 +130,15 @@ impl<R: Nombre> BoiteGeo<R> {
     /// [`new`](Self::new) with the numbers in `f32` fails.
     #[doc(alias("to_f32", "narrow", "floating_origin"))]
     pub fn vers_f32(self, origine: Vecteur<R>) -> Result<BoiteGeo<f32>, ErreurGeo> {
+        self.vers(origine)
+    }
+
+    /// The same in a scalar that is no wider.
+    pub(crate) fn vers<Q: Nombre>(self, origine: Vecteur<R>) -> Result<BoiteGeo<Q>, ErreurGeo> {
         let Self { centre, dimensions, rotation, texture } =
             self.translation(-refus::origine(origine)?)?;
-        BoiteGeo::new(centre.vers_f32(), dimensions.vers_f32(), rotation.vers_f32(), texture)
+        let [centre, dimensions] = [centre, dimensions].map(|v| Vecteur::depuis_f64(v.vers_f64()));
+        BoiteGeo::new(centre, dimensions, rotation.vers(), texture)
     }
 
     /// The same box, ready for rays (handout §3).
@@ -276,7 +278,7 @@ impl<R: Nombre> BoiteRay<R> {
     #[inline(always)]
     fn profond(&self, rayon: &Rayon<R>, propre: f64) -> R {
         let [a, b, c] = self.demi_longueurs;
-        rayon.flou_d_emblee() + (a + b + c) * fois_u(propre)
+        rayon.flou.d_emblee() + (a + b + c) * fois_u(propre)
     }
 }
 
@@ -337,7 +339,8 @@ impl<R: Nombre> Forme<R> for BoiteRay<R> {
     #[inline(always)]
     fn t_sortie(&self, rayon: &Rayon<R>) -> R {
         let (entree, _, sortie) = self.dalles(rayon);
-        let sort = (sortie.longueur > R::ZERO) & !entree.depasse(sortie); // W4
+        // W4: the exit is ahead, and the line passes through the box.
+        let sort = (sortie.longueur > R::ZERO) & !entree.depasse(sortie);
         if sort { sortie.distance() } else { R::INFINI }
     }
 
@@ -358,9 +361,4 @@ impl<R: Nombre> Forme<R> for BoiteRay<R> {
     fn plan_de_depart(&self, rayon: &Rayon<R>) -> (Vecteur<R>, R) {
         self.face_vers(rayon, self.face_de_depart(rayon).1)
     }
-}
-
-refus::lu_par! {
-    BoiteGeo { centre: Vecteur<R>, dimensions: Vecteur<R>, rotation: Rotation<R> = "Rotation::default", texture: Texture }
-    => Self::new(centre, dimensions, rotation, texture)
 }

@@ -2,13 +2,12 @@
 //! rays without a division or a root.
 //!
 //! A ray meets a shape in three steps. [`Forme::peut_entrer`] is cheap and rejects most rays;
-//! [`Forme::t`] finds where the ray enters; [`Forme::conclure`] computes normal and margin, once,
+//! [`Forme::t`] finds where the ray enters; [`Forme::contact_rare`] computes normal and margin, once,
 //! for the first object of a ray.
 
-use crate::algebre::nombre::{Nombre, fois_u, fois_u_simple, max, min, plancher};
-use crate::algebre::vecteur::Vecteur;
-use crate::rayon::Rayon;
+use crate::algebre::nombre::{fois_u, fois_u_simple, max, min, plancher};
 use crate::rayon::intersection::Contact;
+use crate::{Nombre, Rayon, Vecteur};
 
 /// The rounding of a height over a surface, in u·ℓ; the next search sees that height with as much
 /// rounding again (lemmas 8 and 9).
@@ -65,7 +64,7 @@ pub(crate) trait Forme<R: Nombre>: Copy {
     #[inline(always)]
     fn t_touche(&self, rayon: &Rayon<R>) -> R {
         // Without a δ nobody asks what holds the source.
-        if rayon.flou_d_emblee() == R::ZERO {
+        if rayon.flou.d_emblee() == R::ZERO {
             return self.t(rayon);
         }
         let (t, dedans) = self.t_et_dedans(rayon);
@@ -113,10 +112,10 @@ pub(crate) trait Forme<R: Nombre>: Copy {
         Hauteur { b: hauteur.absolu(), l: n.somme_des_grandeurs(cp) }
     }
 
-    /// Normal and margin of the entry at distance `t`, of any: also where the ray touches at once, or
-    /// the normal is leaned towards the source. A call for the normal alone, before the margin,
+    /// Normal and margin of the entry at distance `t`, of any: also where the ray touches at once,
+    /// or the normal is leaned towards the source. A call for the normal alone, before the margin,
     /// would make a single ray take up to 1.4 times as long (measured).
-    fn conclure(&self, rayon: &Rayon<R>, t: R) -> Contact<R> {
+    fn contact_rare(&self, rayon: &Rayon<R>, t: R) -> Contact<R> {
         let (n, du_centre) =
             if t == R::ZERO { self.plan_de_depart(rayon) } else { self.plan_tangent(rayon, t) };
         let d = rayon.direction();
@@ -162,7 +161,7 @@ pub(crate) struct Hauteur<R> {
 /// is left of N, −D faces the source.
 #[cold]
 fn vers_la_source<R: Nombre>(n: Vecteur<R>, d: Vecteur<R>) -> Vecteur<R> {
-    let unitaire = d / d.longueur(); // S8
+    let unitaire = d / d.longueur(); // S8: D is unit to 7.6u only
     let travers = (n - unitaire * n.produit_scalaire(unitaire)).unitaire();
     let penchee = travers.and_then(|n| (n - unitaire * fois_u(PENCHE)).unitaire());
     penchee.filter(|n| n.produit_scalaire(d) < R::ZERO).unwrap_or(-unitaire)
@@ -182,14 +181,14 @@ impl<R: Nombre> Boule<R> {
     /// Whether the ray comes near the ball.
     ///
     /// Never false for a ray that enters the shape, whatever rounding does (derivation in
-    /// `docs/preuves-arbre.md`, lemma 14). A ray whose source is in the ball passes even with C behind
-    /// it.
+    /// `docs/preuves/recherche.md`, lemma 14). A ray whose source is in the ball passes even with C
+    /// behind it.
     #[inline(always)]
     pub(crate) fn approchee(self, rayon: &Rayon<R>) -> bool {
         let sc = self.centre - rayon.source();
         let sa = sc.produit_scalaire(rayon.direction());
         // C behind the source is no nearer than the source.
-        let sa = max(sa, R::ZERO); // O1
+        let sa = max(sa, R::ZERO); // O1: it passes A only if A is ahead
         // One comparison (O2), which the compiler cannot split into two branches.
         sc.longueur_carree() * (R::UN - fois_u_simple(RETRAIT)) - sa * sa <= self.r2
     }

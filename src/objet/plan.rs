@@ -1,14 +1,9 @@
 //! The plane, which is a solid half-space (handout §2.2, §3 and annex A.1).
 
-use crate::algebre::nombre::{Nombre, simple};
-use crate::algebre::refus::{
-    self, ErreurGeo, coefficient, coordonnee, deplacement, point, unitaire,
-};
-use crate::algebre::rotation::Rotation;
-use crate::algebre::vecteur::Vecteur;
+use crate::algebre::refus;
+use crate::algebre::refus::{coefficient, coordonnee, deplacement, point, unitaire};
 use crate::objet::forme::{Boule, Forme};
-use crate::rayon::Rayon;
-use crate::texture::Texture;
+use crate::{ErreurGeo, Nombre, Rayon, Rotation, Texture, Vecteur};
 
 /// The description of a half-space: the points z ≤ 0 turned by a rotation, then moved to lie at a
 /// relative distance d from the origin O (handout §2.2). The distance is below 0 if the half-space
@@ -32,8 +27,6 @@ use crate::texture::Texture;
 /// ```
 #[doc(alias("plane", "half_space"))]
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "serde", serde(bound(serialize = "R: Nombre + serde::Serialize")))]
 #[must_use]
 pub struct PlanGeo<R = f64> {
     rotation: Rotation<R>,
@@ -164,8 +157,13 @@ impl<R: Nombre> PlanGeo<R> {
     /// [`new`](Self::new) with the numbers in `f32` fails.
     #[doc(alias("to_f32", "narrow", "floating_origin"))]
     pub fn vers_f32(self, origine: Vecteur<R>) -> Result<PlanGeo<f32>, ErreurGeo> {
+        self.vers(origine)
+    }
+
+    /// The same in a scalar that is no wider.
+    pub(crate) fn vers<Q: Nombre>(self, origine: Vecteur<R>) -> Result<PlanGeo<Q>, ErreurGeo> {
         let Self { rotation, distance, texture } = self.translation(-refus::origine(origine)?)?;
-        PlanGeo::new(rotation.vers_f32(), simple(distance), texture)
+        PlanGeo::new(rotation.vers(), Q::depuis_f64(distance.vers_f64()), texture)
     }
 
     /// The same half-space, ready for rays (handout §3).
@@ -228,8 +226,8 @@ impl<R: Nombre> PlanRay<R> {
     /// numerator and the denominator of annex A.1, both times −1.
     #[inline(always)]
     pub(crate) fn hauteur_et_descente(&self, rayon: &Rayon<R>) -> (R, R) {
+        // H1: the height is above 0 outside, the descent for a ray that comes nearer.
         let hauteur = self.normale.produit_scalaire(rayon.source()) + self.distance;
-        // H1
         (hauteur, -self.normale.produit_scalaire(rayon.direction()))
     }
 }
@@ -249,22 +247,22 @@ impl<R: Nombre> Forme<R> for PlanRay<R> {
     #[inline(always)]
     fn peut_entrer(&self, rayon: &Rayon<R>) -> bool {
         let (hauteur, descente) = self.hauteur_et_descente(rayon);
-        (descente > R::ZERO) & (hauteur > -rayon.flou_d_emblee())
+        (descente > R::ZERO) & (hauteur > -rayon.flou.d_emblee())
     }
 
     /// t = (−d − N·S)/(N·D).
     #[inline(always)]
     fn t_et_dedans(&self, rayon: &Rayon<R>) -> (R, bool) {
         let (hauteur, descente) = self.hauteur_et_descente(rayon);
-        let entre = (descente > R::ZERO) & (hauteur > R::ZERO); // H2
-        let t = if entre { hauteur / descente } else { R::INFINI }; // H3
+        let touche = (descente > R::ZERO) & (hauteur > R::ZERO); // H2: it descends from outside
+        let t = if touche { hauteur / descente } else { R::INFINI }; // H3: height over descent
         (t, hauteur <= R::ZERO)
     }
 
     #[inline(always)]
     fn des_le_depart(&self, rayon: &Rayon<R>) -> bool {
         let (hauteur, _) = self.hauteur_et_descente(rayon);
-        (hauteur <= R::ZERO) & self.peut_entrer(rayon) // D2
+        (hauteur <= R::ZERO) & self.peut_entrer(rayon) // D2: less deep than δ, and it descends
     }
 
     /// t = (−d − N·S)/(N·D), for a ray that climbs from inside: the entry into the other half of
@@ -272,7 +270,7 @@ impl<R: Nombre> Forme<R> for PlanRay<R> {
     #[inline(always)]
     fn t_sortie(&self, rayon: &Rayon<R>) -> R {
         let (hauteur, descente) = self.hauteur_et_descente(rayon);
-        // W3
+        // W3: it climbs from inside.
         if (descente < R::ZERO) & (hauteur < R::ZERO) { hauteur / descente } else { R::INFINI }
     }
 
@@ -280,9 +278,4 @@ impl<R: Nombre> Forme<R> for PlanRay<R> {
     fn plan_tangent(&self, _: &Rayon<R>, _: R) -> (Vecteur<R>, R) {
         (self.normale, -self.distance)
     }
-}
-
-refus::lu_par! {
-    PlanGeo { rotation: Rotation<R> = "Rotation::default", distance: R, texture: Texture }
-    => Self::new(rotation, distance, texture)
 }

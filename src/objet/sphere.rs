@@ -1,12 +1,10 @@
 //! The sphere (handout §2.2, §3 and annex A.2).
 
-use crate::algebre::nombre::{Nombre, fois_u, max, simple};
-use crate::algebre::refus::{self, ErreurGeo, coefficient, deplacement, point, taille};
-use crate::algebre::rotation::Rotation;
-use crate::algebre::vecteur::Vecteur;
+use crate::algebre::nombre::{fois_u, max};
+use crate::algebre::refus;
+use crate::algebre::refus::{coefficient, deplacement, point, taille};
 use crate::objet::forme::{Boule, FLOU_PROPRE, Forme, Hauteur};
-use crate::rayon::Rayon;
-use crate::texture::Texture;
+use crate::{ErreurGeo, Nombre, Rayon, Rotation, Texture, Vecteur};
 
 /// The description of a sphere: its centre and its radius (handout §2.2).
 ///
@@ -27,8 +25,6 @@ use crate::texture::Texture;
 /// ```
 #[doc(alias = "ball")]
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "serde", serde(bound(serialize = "R: Nombre + serde::Serialize")))]
 #[must_use]
 pub struct SphereGeo<R = f64> {
     centre: Vecteur<R>,
@@ -105,8 +101,14 @@ impl<R: Nombre> SphereGeo<R> {
     /// [`new`](Self::new) with the numbers in `f32` fails.
     #[doc(alias("to_f32", "narrow", "floating_origin"))]
     pub fn vers_f32(self, origine: Vecteur<R>) -> Result<SphereGeo<f32>, ErreurGeo> {
+        self.vers(origine)
+    }
+
+    /// The same in a scalar that is no wider.
+    pub(crate) fn vers<Q: Nombre>(self, origine: Vecteur<R>) -> Result<SphereGeo<Q>, ErreurGeo> {
         let Self { centre, rayon, texture } = self.translation(-refus::origine(origine)?)?;
-        SphereGeo::new(centre.vers_f32(), simple(rayon), texture)
+        let centre = Vecteur::depuis_f64(centre.vers_f64());
+        SphereGeo::new(centre, Q::depuis_f64(rayon.vers_f64()), texture)
     }
 
     /// The same sphere, ready for rays (handout §3).
@@ -170,10 +172,10 @@ impl<R: Nombre> SphereRay<R> {
     #[inline(always)]
     fn termes(&self, rayon: &Rayon<R>) -> Termes<R> {
         let (sc, d) = (self.centre - rayon.source(), rayon.direction());
-        let (r2, d2) = (self.r * self.r, d.longueur_carree()); // S1
-        let sa = sc.produit_scalaire(d); // S2
-        let puissance = sc.longueur_carree() - r2; // S3
-        let ab2 = r2 * d2 - sc.produit_vectoriel(d).longueur_carree(); // S4
+        let (r2, d2) = (self.r * self.r, d.longueur_carree()); // S1: D·D, 1 but for rounding
+        let sa = sc.produit_scalaire(d); // S2: A is the point of the line nearest to C
+        let puissance = sc.longueur_carree() - r2; // S3: above 0 outside
+        let ab2 = r2 * d2 - sc.produit_vectoriel(d).longueur_carree(); // S4: r² − AC²
         Termes { sa, puissance, ab2, d2 }
     }
 
@@ -219,17 +221,18 @@ impl<R: Nombre> Forme<R> for SphereRay<R> {
     #[inline(always)]
     fn t_et_dedans(&self, rayon: &Rayon<R>) -> (R, bool) {
         let Termes { sa, puissance, ab2, d2, .. } = self.termes(rayon);
-        let sa_ab = sa + ab2.racine(); // S6
+        let sa_ab = sa + ab2.racine(); // S6: (SA − AB)(SA + AB) is the power
         let avant_a = puissance * d2 < sa * sa_ab;
         let (haut, bas) = if avant_a { (puissance, sa_ab) } else { (sa, d2) };
-        let entre = (ab2 > R::ZERO) & (sa > R::ZERO) & (puissance > R::ZERO); // S5
-        (if entre { haut / bas } else { R::INFINI }, puissance <= R::ZERO)
+        // S5: the line meets the sphere, ahead of a source outside.
+        let touche = (ab2 > R::ZERO) & (sa > R::ZERO) & (puissance > R::ZERO);
+        (if touche { haut / bas } else { R::INFINI }, puissance <= R::ZERO)
     }
 
     #[inline(always)]
     fn des_le_depart(&self, rayon: &Rayon<R>) -> bool {
         let Termes { sa, puissance, ab2, .. } = self.termes(rayon);
-        let profond = rayon.flou_d_emblee() + self.r * fois_u(FLOU_PROPRE);
+        let profond = rayon.flou.d_emblee() + self.r * fois_u(FLOU_PROPRE);
         // D1: at a depth h the power is −(2r − h)h.
         let pres = puissance > -(self.r + self.r) * profond;
         (puissance <= R::ZERO) & pres & (sa > R::ZERO) & (ab2 > R::ZERO)
@@ -243,8 +246,9 @@ impl<R: Nombre> Forme<R> for SphereRay<R> {
     fn t_sortie(&self, rayon: &Rayon<R>) -> R {
         let Termes { sa, puissance, ab2, d2, .. } = self.termes(rayon);
         let (dedans, devant) = (puissance < R::ZERO, sa > R::ZERO);
-        let ab = max(ab2, -puissance * d2).racine(); // W1
-        let (haut, bas) = if devant { (sa + ab, d2) } else { (puissance, sa - ab) }; // W2
+        // W1: from inside AB² is no less than −power·D².
+        let ab = max(ab2, -puissance * d2).racine();
+        let (haut, bas) = if devant { (sa + ab, d2) } else { (puissance, sa - ab) }; // W2: no sum cancels
         if dedans | (devant & (ab2 > R::ZERO)) { haut / bas } else { R::INFINI }
     }
 
@@ -262,7 +266,7 @@ impl<R: Nombre> Forme<R> for SphereRay<R> {
 
     #[inline(always)]
     fn hauteur(&self, p: Vecteur<R>, n: Vecteur<R>, r: R) -> Hauteur<R> {
-        // M3
+        // M3: from the power of P, which is 2r times the height, nearly.
         let nombre = R::depuis_f64;
         let cp = p - self.centre;
         let r2 = r * r;
@@ -282,8 +286,4 @@ impl<R: Nombre> Forme<R> for SphereRay<R> {
         let b = if perdue { R::INFINI } else { b * (R::UN / r) };
         Hauteur { b, l: nombre(LONGUEUR) * r }
     }
-}
-
-refus::lu_par! {
-    SphereGeo { centre: Vecteur<R>, rayon: R, texture: Texture } => Self::new(centre, rayon, texture)
 }

@@ -1,8 +1,8 @@
 //! What is judged after the fact: how far a distance is off, and whether an answer is certainly
 //! that of exact arithmetic on the numbers as they are stored.
 //!
-//! There is one judge (`juge.rs`). At a glance, in plain `f64`, nearly every ray is clear; what that
-//! leaves open is judged again in doubled numbers.
+//! There is one judge (`juge.rs`). At a glance, in plain `f64`, nearly every ray is clear; what
+//! that leaves open is judged again in doubled numbers.
 
 pub(crate) mod certificat;
 pub(crate) mod juge;
@@ -11,14 +11,12 @@ pub(crate) mod point;
 use core::slice::from_ref;
 
 use crate::algebre::double::{Double, scalaire, triple};
-use crate::algebre::nombre::{Nombre, fois_u, selon};
-use crate::objet::ObjetRay;
+use crate::algebre::nombre::{fois_u, selon};
 use crate::question::jugement::certificat::Certificat;
 use crate::question::jugement::juge::{coup_d_oeil, juger};
 use crate::question::liste::Liste;
 use crate::question::{Abord, Question};
-use crate::rayon::Rayon;
-use crate::rayon::intersection::Intersection;
+use crate::{Intersection, Nombre, ObjetRay, Rayon};
 
 /// [`ObjetRay::erreur`] trusts a glance that leaves no more than this part of u·t open: doubled
 /// numbers would give about the same bound.
@@ -33,8 +31,9 @@ impl<R: Nombre> ObjetRay<R> {
     /// true entry, or at a [way out](Self::sortie) the true exit, is no farther than that from it,
     /// for the numbers as they are stored.
     ///
-    /// The bound is proven (`docs/preuves.md`, lemma 17), also at the edges of a box, and includes
-    /// the rounding of its own computation. Ask the object that was hit, with the ray of the hit.
+    /// The bound is proven (`docs/preuves/objets.md`, lemma 17), also at the edges of a box, and
+    /// includes the rounding of its own computation. Ask the object that was hit, with the ray of the
+    /// hit.
     /// The bound rests on t alone, not on how t was found: it is the error itself, as found with
     /// numbers of twice the length of an `f64`, and what D lacks to length 1 over that distance. In
     /// the median it is less than 1.1 times the error. It takes many times as long as the hit.
@@ -44,8 +43,8 @@ impl<R: Nombre> ObjetRay<R> {
     /// arithmetic has the source outside, and at a way out that is off by half of t or more.
     ///
     /// The same bound holds for t in lengths of D: it is no less than |t − t′|, where the ray
-    /// crosses the surface at S + t′D. After [`Rayon::temoin_f64`] D is unit to the rounding of `f32`
-    /// only, and the bound covers that; for digits in scene units make D unit again, by
+    /// crosses the surface at S + t′D. After [`Rayon::temoin_f64`] D is unit to the rounding of
+    /// `f32` only, and the bound covers that; for digits in scene units make D unit again, by
     /// [`Rayon::new`] of the same source and direction.
     ///
     /// ```
@@ -96,10 +95,10 @@ impl<R: Nombre> ObjetRay<R> {
     ///
     /// It is never true of a wrong answer (lemma 17). It may be false of a right one: within some
     /// 2⁻¹⁰⁰|S − C| of a face or 2⁻¹⁰⁰|S − C|²/r of the outline of a sphere, for boxes thinner than
-    /// 2⁻¹⁰⁰|S − C|, for directions within some 2⁻¹⁰⁰ of the plane of a turned face, where products leave the
-    /// normal numbers of `f64`, for hits whose distance the type can hardly hold, and for entries
-    /// within rounding of the end of the ray. [`Monde::certifie`](crate::Monde::certifie) judges a
-    /// list.
+    /// 2⁻¹⁰⁰|S − C|, for directions within some 2⁻¹⁰⁰ of the plane of a turned face, where products
+    /// leave the normal numbers of `f64`, for hits whose distance the type can hardly hold, and for
+    /// entries within rounding of the end of the ray. [`Monde::certifie`](crate::Monde::certifie)
+    /// judges a list.
     ///
     /// ```
     /// use lancer_rayon::{ObjetRay, Rayon, SphereGeo, Texture, Vecteur};

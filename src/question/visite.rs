@@ -3,11 +3,10 @@
 
 use core::ops::ControlFlow::{self, Break, Continue};
 
-use crate::algebre::nombre::{Nombre, fois_u, max, min};
-use crate::objet::ObjetRay;
-use crate::question::{Abord, Premier, Question, entree};
-use crate::rayon::Rayon;
-use crate::rayon::intersection::{Intersection, NoIntersection, Rang, Reponse};
+use crate::algebre::nombre::{fois_u, max, min};
+use crate::question::{Abord, Premier, Question, t_d_entree};
+use crate::rayon::intersection::Rang;
+use crate::{Intersection, NoIntersection, Nombre, ObjetRay, Rayon, Reponse};
 
 /// Takes the index of an object and where the ray enters it, and says whether to go on, up to which
 /// end of the ray.
@@ -15,16 +14,15 @@ pub(crate) type Montrer<'a, R> = &'a mut dyn FnMut(usize, R) -> ControlFlow<(), 
 
 /// Shows the objects that a ray enters before its end, in no order, each once; or if `D_UN_POINT`
 /// those that hold its source, at distance 0, until told to stop.
-pub(crate) struct Visite<R, F, const D_UN_POINT: bool> {
+pub(crate) struct Visite<'a, R, const D_UN_POINT: bool> {
     /// 0 once told to stop.
     pub(crate) fin: R,
-    pub(crate) montrer: F,
+    pub(crate) montrer: Montrer<'a, R>,
 }
 
-impl<R: Nombre, F: FnMut(usize, R) -> ControlFlow<(), R>, const D_UN_POINT: bool> Question<R>
-    for Visite<R, F, D_UN_POINT>
-{
+impl<R: Nombre, const D_UN_POINT: bool> Question<R> for Visite<'_, R, D_UN_POINT> {
     const UN_SUFFIT: bool = D_UN_POINT;
+    const CHACUN_UNE_FOIS: bool = true;
 
     fn limite(&self) -> R {
         // A ray up to distance 0 crosses the boxes that hold its source.
@@ -36,14 +34,11 @@ impl<R: Nombre, F: FnMut(usize, R) -> ControlFlow<(), R>, const D_UN_POINT: bool
         if D_UN_POINT {
             return objet.contient(rayon.source()).then_some(R::ZERO);
         }
-        entree(rayon, objet, abord).filter(|t| *t < self.fin)
+        t_d_entree(rayon, objet, abord).filter(|t| *t < self.fin)
     }
 
     #[inline(always)]
-    fn retenir(&mut self, t: R, indice: usize, ici: impl FnOnce(R) -> bool) -> bool {
-        if !ici(t) {
-            return false;
-        }
+    fn retenir(&mut self, t: R, indice: usize) -> bool {
         let suite = (self.montrer)(indice, t);
         self.fin = suite.continue_value().map_or(R::ZERO, |fin| min(fin, self.fin));
         true
@@ -55,8 +50,8 @@ impl<R: Nombre, F: FnMut(usize, R) -> ControlFlow<(), R>, const D_UN_POINT: bool
     }
 }
 
-/// The first of the objects that are shown, at most one for each place. While there is room they
-/// stand as they come; then the places are a heap with the last of them in front.
+/// The first of the objects that are shown, at most one for each place: as they come while there is
+/// room, then in order.
 pub(crate) struct Rangee<'a, R> {
     places: &'a mut [Reponse<R>],
     nombre: usize,
@@ -78,14 +73,14 @@ impl<'a, R: Nombre> Rangee<'a, R> {
                 return Continue(R::INFINI);
             }
             trier(self.places);
-            self.places.reverse();
-        } else if let Some(derniere) = self.places.first_mut()
-            && cle(&trouve).precede(cle(derniere))
-        {
-            *derniere = trouve;
-            self.descendre();
+        } else {
+            let rang = self.places.partition_point(|place| cle(place).precede(cle(&trouve)));
+            if let suite @ [_, ..] = &mut self.places[rang..] {
+                suite.rotate_right(1);
+                suite[0] = trouve;
+            }
         }
-        let Some(derniere) = self.places.first().map(|derniere| cle(derniere).t) else {
+        let Some(derniere) = self.places.last().map(|derniere| cle(derniere).t) else {
             return Break(());
         };
         // The end is a little beyond the last, since an object at the same distance that is earlier
@@ -93,29 +88,12 @@ impl<'a, R: Nombre> Rangee<'a, R> {
         Continue(derniere + max(derniere * fois_u(2.0), R::ETA))
     }
 
-    /// Brings the first place of the heap to where it belongs.
-    fn descendre(&mut self) {
-        let (mut pere, places) = (0, &mut *self.places);
-        loop {
-            let le_dernier = |a: usize, b: usize| {
-                let avant = b < places.len() && cle(&places[a]).precede(cle(&places[b]));
-                if avant { b } else { a }
-            };
-            let dernier = le_dernier(le_dernier(pere, 2 * pere + 1), 2 * pere + 2);
-            if dernier == pere {
-                return;
-            }
-            places.swap(pere, dernier);
-            pere = dernier;
-        }
-    }
-
     /// Puts the places in order and computes what was left open of each hit; returns how many there
     /// are.
-    pub(crate) fn conclure(self, rayon: &Rayon<R>, objets: &[ObjetRay<R>]) -> usize {
+    pub(crate) fn en_ordre(self, rayon: &Rayon<R>, objets: &[ObjetRay<R>]) -> usize {
         trier(self.places);
         for touche in &mut self.places[..self.nombre] {
-            *touche = cle(touche).conclure(rayon, objets);
+            *touche = cle(touche).reponse(rayon, objets);
         }
         self.nombre
     }

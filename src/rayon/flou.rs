@@ -1,8 +1,8 @@
 //! What a ray knows of its source.
 
-use crate::algebre::nombre::{Nombre, fois_u, max, simple};
-use crate::algebre::refus::{ErreurGeo, positif_ou_nul};
-use crate::algebre::vecteur::Vecteur;
+use crate::algebre::nombre::{fois_u, max, simple};
+use crate::algebre::refus::positif_ou_nul;
+use crate::{ErreurGeo, Nombre, Vecteur};
 
 /// How much deeper than δ a hit may lie in another object, in u of the distance (lemma 22).
 pub const FLOU_DISTANCE: f64 = 15.0;
@@ -10,13 +10,13 @@ pub const FLOU_DISTANCE: f64 = 15.0;
 /// How much deeper than that a hit may lie, in u of ‖P‖₁ (lemma 22).
 pub const FLOU_POINT: f64 = 8.1;
 
-/// How much larger δ is made, in u of itself: for its own roundings, those where it is compared, and
-/// a step along an N that is not exactly unit (lemma 22).
+/// How much larger δ is made, in u of itself: for its own roundings, those where it is compared,
+/// and a step along an N that is not exactly unit (lemma 22).
 pub const FLOU_RELATIF: f64 = 14.0;
 
-/// δ, which bounds how deep the source may lie in any object by rounding, and whether the ray starts
-/// inside something on purpose. One number holds both: δ is its magnitude, and the sign bit says
-/// inside, also of a zero.
+/// δ, which bounds how deep the source may lie in any object by rounding, and whether the ray
+/// starts inside something on purpose. One number holds both: δ is its magnitude, and the sign bit
+/// says inside, also of a zero.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Flou<R>(R);
 
@@ -71,12 +71,12 @@ impl<R: Nombre> Flou<R> {
         Self(if self.est_dedans() { -delta } else { delta })
     }
 
-    /// What a ray knows, on the same side, that starts a step `pas` away from the point P, at distance
-    /// t of the ray that knows this: the δ of lemma 22, which is finite if the numbers that are given
-    /// are.
+    /// What a ray knows, on the same side, that starts a step `pas` away from the point P, at
+    /// distance t of the ray that knows this: the δ of lemma 22, which is finite if the numbers
+    /// that are given are.
     #[inline(always)]
     pub(crate) fn suivant(self, pas: R, t: R, p: Vecteur<R>) -> Self {
-        // M7
+        // M7: the step, what the hit may be off by, and what the point may.
         let de_plus = t * fois_u(FLOU_DISTANCE) + p.norme_1() * fois_u(FLOU_POINT);
         let suivant = (self.delta() + pas + de_plus) * (R::UN + fois_u(FLOU_RELATIF));
         if suivant < R::INFINI { self.du_meme_cote(suivant) } else { self }

@@ -3,28 +3,20 @@
 use core::fmt;
 use core::num::NonZero;
 
-use crate::algebre::nombre::Nombre;
-#[cfg(feature = "serde")]
-use crate::algebre::nombre::fois_u;
-#[cfg(feature = "serde")]
-use crate::algebre::refus::exiger;
-use crate::algebre::refus::{ecrit_par, lu_par};
-use crate::algebre::vecteur::Vecteur;
-#[cfg(feature = "serde")]
-use crate::rayon::flou::Flou;
-use crate::texture::Texture;
+use crate::{Nombre, Texture, Vecteur};
 
 /// Where a ray first touches an object: what the handout asks for in §2.3.
 ///
-/// A search makes one, or serde reads one that was written. It knows its point, so that the next ray
-/// needs nothing else to start from: see [`secondaire`](Self::secondaire),
+/// A search makes one, or serde reads one that was written. It knows its point, so that the next
+/// ray needs nothing else to start from: see [`secondaire`](Self::secondaire),
 /// [`reflechi`](Self::reflechi), [`refracte`](Self::refracte),
 /// [`vers_lumiere`](Self::vers_lumiere), [`vers_soleil`](Self::vers_soleil) and
 /// [`vers_touche`](Self::vers_touche).
 ///
-/// With the feature `serde` a hit that was written is read again, to the bit, unless it is a hit on a
-/// [witness](crate::ObjetRay::temoin_f64), whose normal is not unit. JSON, which has no ±∞, does not
-/// give back a hit whose point is beyond the range of the type; no ray starts from such a hit either.
+/// With the feature `serde` a hit that was written is read again, to the bit, unless it is a hit on
+/// a [witness](crate::ObjetRay::temoin_f64), whose normal is not unit. JSON, which has no ±∞, does
+/// not give back a hit whose point is beyond the range of the type; no ray starts from such a hit
+/// either.
 ///
 /// ```
 /// use lancer_rayon::{PlanGeo, Rayon, Rotation, Texture, Vecteur, premiere_intersection};
@@ -43,58 +35,12 @@ use crate::texture::Texture;
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[must_use]
 pub struct Intersection<R = f64> {
-    distance: R,
-    normale: Vecteur<R>,
-    marge: R,
-    point: Vecteur<R>,
-    flou: R,
-    texture: Texture,
-    rang: Rang,
-}
-
-// `marge` is none where it is +∞. `dedans` is part of the form since 1.0, where rays that start at a
-// hit depended on it.
-ecrit_par! {
-    Intersection |Intersection { distance, normale, marge, point, flou, texture, rang }| {
-        distance: distance,
-        normale: normale,
-        marge: Some(marge).filter(|marge| *marge < R::INFINI),
-        point: point,
-        flou: flou,
-        texture: texture,
-        indice: rang.indice() as u32,
-        dedans: 0_u64,
-    }
-}
-
-// A hit that was written can be read again, so that a simulation goes on to the bit. One that somebody
-// else wrote may be no hit of any ray: only what would make a question go wrong is refused.
-lu_par! {
-    Intersection {
-        distance: R,
-        normale: Vecteur<R>,
-        marge: Option<R>,
-        point: Vecteur<R>,
-        flou: R,
-        texture: Texture,
-        indice: u32,
-        dedans: u64 = "u64::default",
-    } => {
-        let positif = |champ, x: R| exiger(x >= R::ZERO, champ, x, "a number, 0 or more");
-        exiger(distance < R::INFINI, "distance", distance, "finite")?;
-        let (distance, marge) = (positif("distance", distance)?, marge.unwrap_or(R::INFINI));
-        let contact = Contact { normale, marge: positif("marge", marge)?, point };
-        let longueur = normale.longueur();
-        let unitaire = (longueur - R::UN).absolu() <= fois_u(32.0);
-        exiger(unitaire, "normale", longueur, "1 in length, to rounding")?;
-        for x in <[R; 3]>::from(point) {
-            exiger(x.absolu() >= R::ZERO, "point", x, "a number")?;
-        }
-        let flou = Flou::NUL.avec(flou)?.delta();
-        let _ = dedans;
-        exiger(indice < u32::MAX, "indice", R::depuis_f64(indice.into()), "below 2^32 - 1")?;
-        Ok(Self::new(distance, contact, flou, texture, Rang::de(indice as usize)))
-    }
+    pub(crate) distance: R,
+    pub(crate) contact: Contact<R>,
+    /// The δ of the ray.
+    pub(crate) flou: R,
+    pub(crate) texture: Texture,
+    pub(crate) rang: Rang,
 }
 
 /// A hit or a miss: the answer to every question for the first object.
@@ -144,23 +90,11 @@ impl Rang {
 }
 
 impl<R: Nombre> Intersection<R> {
-    #[inline(always)]
-    pub(crate) fn new(
-        distance: R,
-        contact: Contact<R>,
-        flou: R,
-        texture: Texture,
-        rang: Rang,
-    ) -> Self {
-        let Contact { normale, marge, point } = contact;
-        Self { distance, normale, marge, point, flou, texture, rang }
-    }
-
     /// A hit of which only the distance and the object are known so far.
     pub(crate) fn a_conclure(distance: R, rang: Rang) -> Self {
         let (normale, point) = (Vecteur::NUL, Vecteur::NUL);
         let contact = Contact { normale, marge: R::ZERO, point };
-        Self::new(distance, contact, R::ZERO, Texture(0), rang)
+        Self { distance, contact, flou: R::ZERO, texture: Texture(0), rang }
     }
 
     /// t, finite and 0 or more: the object is touched at S + tD. Since D is unit only to rounding,
@@ -176,19 +110,13 @@ impl<R: Nombre> Intersection<R> {
     /// along it where the ray leaves the object ([`sortie`](crate::ObjetRay::sortie)).
     #[doc(alias = "normal")]
     pub fn normale(&self) -> Vecteur<R> {
-        self.normale
+        self.contact.normale
     }
 
     /// P = S + tD, the point of the hit as computed: `rayon.point(distance)`.
     #[doc(alias("position", "location"))]
     pub fn point(&self) -> Vecteur<R> {
-        self.point
-    }
-
-    /// The δ of the ray.
-    #[inline(always)]
-    pub(crate) fn flou(&self) -> R {
-        self.flou
+        self.contact.point
     }
 
     /// The texture of the object.
@@ -211,8 +139,8 @@ impl<R: Nombre> Intersection<R> {
     /// A bound on how far [`point`](Self::point), as computed, lies from the surface along the
     /// normal, in scene units.
     ///
-    /// The bound is proven (`docs/preuves.md`, lemma 8), most often a few times the error itself,
-    /// and never a NaN. For a box the surface is the plane of the face that was touched.
+    /// The bound is proven (`docs/preuves/rayons.md`, lemma 8), most often a few times the error
+    /// itself, and never a NaN. For a box the surface is the plane of the face that was touched.
     ///
     /// It is +∞ where the point is beyond the range of the type, and for a sphere that is lost in
     /// rounding. Let a = 16u·(|x| + |y| + |z|) of the point, as that sum is computed, and |f| the
@@ -232,12 +160,12 @@ impl<R: Nombre> Intersection<R> {
     #[doc(alias("error_bound", "margin", "epsilon"))]
     #[must_use]
     pub fn marge(&self) -> R {
-        self.marge
+        self.contact.marge
     }
 }
 
 /// What is computed once for a hit: all of an [`Intersection`] except what the search found.
-#[derive(Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Contact<R> {
     pub(crate) normale: Vecteur<R>,
     pub(crate) marge: R,

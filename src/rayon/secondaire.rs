@@ -1,11 +1,10 @@
 //! The rays that start from a hit: mirrors, glass, shadows, lines of sight (handout, later parts).
 
-use crate::algebre::nombre::{Nombre, fois_u, plancher};
-use crate::algebre::refus::{ErreurGeo, exiger, fini, point, positif_ou_nul, refus_nul};
-use crate::algebre::vecteur::Vecteur;
+use crate::algebre::nombre::{fois_u, plancher};
+use crate::algebre::refus::{exiger, fini, point, positif_ou_nul, refus_nul};
 use crate::rayon::flou::Flou;
-use crate::rayon::intersection::Intersection;
-use crate::rayon::{DIRECTION, Rayon, direction_unitaire};
+use crate::rayon::{DIRECTION, direction_unitaire};
+use crate::{ErreurGeo, Intersection, Nombre, Rayon, Vecteur};
 
 /// A direction is turned outward if it lies within this of the tangent plane, in u: no N·D rounds
 /// by more (lemma 9).
@@ -20,16 +19,16 @@ pub const PAS_NORMAL: f64 = 20.0;
 /// The rounding of the moved point, in units of u·⟨N, P⟩ (lemma 9).
 pub const PAS_ARRONDI: f64 = 1.1;
 
-/// How much longer the outward step from a hit at once is, in δ. A shorter one keeps a chain in a seam
-/// of mirrors for longer; a longer one makes δ grow faster. No proof needs it.
+/// How much longer the outward step from a hit at once is, in δ. A shorter one keeps a chain in a
+/// seam of mirrors for longer; a longer one makes δ grow faster. No proof needs it.
 pub const PAS_D_EMBLEE: f64 = 1.0 / 64.0;
 
 /// How much longer than that it is, in u·‖P‖₁: about as far as flush faces lie apart as they are
 /// stored. No proof needs it.
 pub const PAS_D_EMBLEE_POINT: f64 = 8.0;
 
-/// The largest ratio of two indices of refraction. With one ten times as large rounding may turn light
-/// that leaves an object in `f32` back into it (lemma 9).
+/// The largest ratio of two indices of refraction. With one ten times as large rounding may turn
+/// light that leaves an object in `f32` back into it (lemma 9).
 pub const RAPPORT_MAXIMAL: f64 = 100.0;
 
 /// A ray that turns in mid-air.
@@ -37,15 +36,15 @@ impl<R: Nombre> Rayon<R> {
     /// A ray without an end that goes on from the [`point`](Self::point) at this distance in
     /// another direction: for a particle that is scattered in mid-air, or whose step has ended.
     ///
-    /// The new ray carries [δ](Self::flou) as a ray from a hit does. If this ray touches nothing before
-    /// `distance`, a particle whose step ends within rounding of a wall, or just behind it, therefore
-    /// does not leave [a closed room](Self::flou). A ray that is [inside](Self::dedans) something stays
-    /// so.
+    /// The new ray carries [δ](Self::flou) as a ray from a hit does. If this ray touches nothing
+    /// before `distance`, a particle whose step ends within rounding of a wall, or just behind it,
+    /// therefore does not leave [a closed room](Self::flou). A ray that is [inside](Self::dedans)
+    /// something stays so.
     ///
     /// **To walk from solid to solid** go on from a way out by
-    /// [`secondaire`](crate::Intersection::secondaire), which steps beyond it. The point of a way out
-    /// as computed may lie before it by less than its coordinates can tell, and a walk that turns there
-    /// finds the same way out again, without end.
+    /// [`secondaire`](crate::Intersection::secondaire), which steps beyond it. The point of a way
+    /// out as computed may lie before it by less than its coordinates can tell, and a walk that
+    /// turns there finds the same way out again, without end.
     ///
     /// # Errors
     /// If `distance` is below 0 or not finite, if the direction is zero or not finite, or if the
@@ -83,21 +82,21 @@ impl<R: Nombre> Intersection<R> {
     /// The source is the [`point`](Self::point) of the hit, moved along the normal to the side to
     /// which the direction leads, by [`marge`](Self::marge) and the rounding of the moved point,
     /// 1.1u·(|N_x·P_x| + |N_y·P_y| + |N_z·P_z|). There is no epsilon to choose. An outward ray does
-    /// not meet the object again, and an inward ray, which starts inside, does not see it. A direction
-    /// within 3.2u of the tangent plane is turned outward by 12u. The ray has no end. Its distances
-    /// count from the moved start: the way in glass, from this hit to the next, is as long as their
-    /// two points are apart.
+    /// not meet the object again, and an inward ray, which starts inside, does not see it. A
+    /// direction within 3.2u of the tangent plane is turned outward by 12u. The ray has no end. Its
+    /// distances count from the moved start: the way in glass, from this hit to the next, is as
+    /// long as their two points are apart.
     ///
     /// **In the corner of a second object** the start may lie inside that object by rounding. An
     /// outward ray carries [a bound on the error of its start](Rayon::flou), and touches such an
     /// object at once, at distance 0, if it goes further in. So no chain of outward rays leaves [a
     /// closed room](Rayon::flou), and light out of a glass finds the table under it. An inward ray
-    /// carries the same bound and is [inside](Rayon::dedans) something: it touches only what it enters
-    /// from outside. From a hit at once an outward ray steps farther, by a 64th of δ and
+    /// carries the same bound and is [inside](Rayon::dedans) something: it touches only what it
+    /// enters from outside. From a hit at once an outward ray steps farther, by a 64th of δ and
     /// 8u·(|x| + |y| + |z|).
     ///
-    /// **The exception**: within rounding of a box edge, or in a box no thicker than twice the step, an
-    /// inward ray may start outside, and touch the other face of that edge.
+    /// **The exception**: within rounding of a box edge, or in a box no thicker than twice the
+    /// step, an inward ray may start outside, and touch the other face of that edge.
     ///
     /// # Errors
     /// If the direction is zero or not finite, if `marge` is +∞, or if the start lies beyond the
@@ -133,8 +132,8 @@ impl<R: Nombre> Intersection<R> {
     /// From a [way out](crate::ObjetRay::sortie), where D·N > 0, the mirrored ray goes inward, as
     /// in glass that does not let light out. Where the ray grazes, rounding may turn the mirrored
     /// direction below the surface, and the direction is then turned outward, as one in the tangent
-    /// plane is. Otherwise it is within an angle of 20u of that of an exact mirror at N for the D of
-    /// a ray (`docs/preuves.md`, lemma 9).
+    /// plane is. Otherwise it is within an angle of 20u of that of an exact mirror at N for the D
+    /// of a ray (`docs/preuves/rayons.md`, lemma 9).
     ///
     /// # Errors
     /// As [`secondaire`](Self::secondaire): if the direction is zero or not finite, if `marge` is
@@ -170,23 +169,24 @@ impl<R: Nombre> Intersection<R> {
     /// out](crate::ObjetRay::sortie).
     ///
     /// `rapport` is n, the index of refraction of what the light comes from over that of what it
-    /// goes into: 1/1.5 where it enters glass from air, 1.5 where it leaves. For Fresnel's formula, the
-    /// cosine behind the surface is |N·D| with the direction D of the ray that is returned; clamp it
-    /// to 1, which it may exceed by some roundings. Another
-    /// object may stand in the glass: ask the world before the way out (`docs/guide.md`, Glass).
+    /// goes into: 1/1.5 where it enters glass from air, 1.5 where it leaves. For Fresnel's formula,
+    /// the cosine behind the surface is |N·D| with the direction D of the ray that is returned;
+    /// clamp it to 1, which it may exceed by some roundings. Another object may stand in the glass:
+    /// ask the world before the way out (`docs/guide.md`, Glass).
     ///
-    /// The direction is within an angle of sine 10.3u(1 + n)/c′ of the exact one at N for the D of a
-    /// ray, with c′ the exact cosine behind the surface (`docs/preuves.md`, lemma 9).
+    /// The direction is within an angle of sine 10.3u(1 + n)/c′ of the exact one at N for the D of
+    /// a ray, with c′ the exact cosine behind the surface (`docs/preuves/rayons.md`, lemma 9).
     /// At n = 1 light goes straight on to 3.1u, at any angle. A way out within 3.2u of the tangent
     /// plane is then turned outward, as by [`secondaire`](Self::secondaire).
     ///
     /// # Errors
     /// **Total reflection**: the error names `refraction`, and gives the square of the cosine
     /// behind the surface, 0 or less. Above n = 1 that may be told wrongly where c′² is within
-    /// 9.8u(1 + n)c of 0, with c the exact cosine in front; up to n = 1 all light passes, unless N·D
-    /// is so small that its square is 0. Also if `rapport` is not above 0 or is above 100, or where
-    /// [`secondaire`](Self::secondaire) would fail. As [`reflechi`](Self::reflechi) fails there
-    /// too, `touche.refracte(d, rapport).or_else(|_| touche.reflechi(d))` is where the light goes.
+    /// 9.8u(1 + n)c of 0, with c the exact cosine in front; up to n = 1 all light passes, unless
+    /// N·D is so small that its square is 0. Also if `rapport` is not above 0 or is above 100, or
+    /// where [`secondaire`](Self::secondaire) would fail. As [`reflechi`](Self::reflechi) fails
+    /// there too, `touche.refracte(d, rapport).or_else(|_| touche.reflechi(d))` is where the light
+    /// goes.
     ///
     /// ```
     /// use lancer_rayon::{ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
@@ -218,10 +218,11 @@ impl<R: Nombre> Intersection<R> {
         let carre = le_long * le_long + ecart;
         let attendu = "above 0, as a squared cosine: all light is mirrored (total reflection)";
         let droit = n * exiger(carre > R::ZERO, "refraction", carre, attendu)?.racine();
-        let dedans = le_long <= R::ZERO;
+        let vers_dedans = le_long <= R::ZERO;
         let travers = travers * rapport;
-        let direction = if dedans { travers - droit } else { travers + droit }; // M8
-        self.suite(dedans, direction_unitaire(DIRECTION, direction)?)
+        // M8: n sin α across N, and c′ along it.
+        let direction = if vers_dedans { travers - droit } else { travers + droit };
+        self.suite(vers_dedans, direction_unitaire(DIRECTION, direction)?)
     }
 
     /// The ray from this hit to a light, which ends there: ask
@@ -255,9 +256,9 @@ impl<R: Nombre> Intersection<R> {
     #[doc(alias("shadow_ray", "light", "lamp"))]
     #[inline]
     pub fn vers_lumiere(&self, lumiere: Vecteur<R>) -> Result<Rayon<R>, ErreurGeo> {
-        let depart = self.depart(false)?; // L1
+        let depart = self.depart(false)?; // L1: outside the object, past all rounding
         let lumiere = fini(["lumiere.x", "lumiere.y", "lumiere.z"], lumiere)?;
-        let trajet = (lumiere - depart.source).longueur_et_unitaire(); // L2
+        let trajet = (lumiere - depart.source).longueur_et_unitaire(); // L2: from there, not from P
         let (fin, direction) = trajet.ok_or_else(|| refus_nul("lumiere - depart"))?;
         self.exiger_de_face("lumiere", direction)?;
         Ok(Rayon { direction, fin, ..depart })
@@ -303,8 +304,8 @@ impl<R: Nombre> Intersection<R> {
 
     /// The ray from this hit to another, which ends there. Whether two points of surfaces see each
     /// other is `!monde.sans(cible.indice()).est_occulte(&rayon)`. (A hit of an object that was
-    /// asked alone has index 0: name its index in the list. A point that you choose on a surface is a
-    /// [way out](crate::ObjetRay::sortie).)
+    /// asked alone has index 0: name its index in the list. A point that you choose on a surface is
+    /// a [way out](crate::ObjetRay::sortie).)
     ///
     /// Both ends step off their surfaces, as for [`secondaire`](Self::secondaire), so that the ray
     /// never hits the object it leaves. Leave out the object it goes to
@@ -348,45 +349,45 @@ impl<R: Nombre> Intersection<R> {
 
     /// How far along the normal, outward or inward, a ray starts from the point of the hit.
     #[inline(always)]
-    fn pas(&self, dedans: bool) -> R {
+    fn pas(&self, vers_dedans: bool) -> R {
         let (p, n) = (self.point(), self.normale());
         let pas = self.marge() * (R::UN + fois_u(PAS_NORMAL));
         let pas = pas + n.somme_des_grandeurs(p) * fois_u(PAS_ARRONDI);
-        // M6
-        if dedans || self.distance() != R::ZERO {
+        // M6: the margin, and what P, N and their sum round by.
+        if vers_dedans || self.distance() != R::ZERO {
             return pas;
         }
         // Where a box stands flush on a mirror, the nearest face may be the hidden one. The mirror
         // would send the ray back to where it was, and so on without end. Steps that grow with δ
         // leave another face nearer in the end.
-        let plus = self.flou() * R::depuis_f64(PAS_D_EMBLEE);
+        let plus = self.flou * R::depuis_f64(PAS_D_EMBLEE);
         pas + plus + p.norme_1() * fois_u(PAS_D_EMBLEE_POINT)
     }
 
-    /// The ray along the normal from the point of the hit, moved along the normal, outward or inward,
-    /// past all rounding.
+    /// The ray along the normal from the point of the hit, moved along the normal, outward or
+    /// inward, past all rounding.
     #[inline(always)]
-    fn depart(&self, dedans: bool) -> Result<Rayon<R>, ErreurGeo> {
+    fn depart(&self, vers_dedans: bool) -> Result<Rayon<R>, ErreurGeo> {
         let attendu = "finite: a sphere lost in rounding, or a point out of range, has no side";
         exiger(self.marge() < R::INFINI, "marge", self.marge(), attendu)?;
-        let (p, n, pas) = (self.point(), self.normale(), self.pas(dedans));
-        let source = p + n * if dedans { -pas } else { pas };
+        let (p, n, pas) = (self.point(), self.normale(), self.pas(vers_dedans));
+        let source = p + n * if vers_dedans { -pas } else { pas };
         let source = point(["source.x", "source.y", "source.z"], source)?;
-        let flou = Flou::de(self.flou()).suivant(pas, self.distance(), p);
-        Ok(Rayon::sans_fin(source, n).sachant(if dedans { flou.dedans() } else { flou }))
+        let flou = Flou::de(self.flou).suivant(pas, self.distance(), p);
+        Ok(Rayon::sans_fin(source, n).sachant(if vers_dedans { flou.dedans() } else { flou }))
     }
 
     /// The ray from that side in this unit direction.
     #[inline(always)]
-    fn suite(&self, dedans: bool, direction: Vecteur<R>) -> Result<Rayon<R>, ErreurGeo> {
-        let direction = if dedans { direction } else { self.redressee(direction)? };
-        Ok(Rayon { direction, ..self.depart(dedans)? })
+    fn suite(&self, vers_dedans: bool, direction: Vecteur<R>) -> Result<Rayon<R>, ErreurGeo> {
+        let direction = if vers_dedans { direction } else { self.redressee(direction)? };
+        Ok(Rayon { direction, ..self.depart(vers_dedans)? })
     }
 
     /// Whether this unit direction leads away from the surface, by more than N·D can round.
     #[inline(always)]
     fn fait_face(&self, direction: Vecteur<R>) -> bool {
-        direction.produit_scalaire(self.normale()) > fois_u(TANGENT) // L3
+        direction.produit_scalaire(self.normale()) > fois_u(TANGENT) // L3: more than N·D rounds by
     }
 
     #[inline(always)]
@@ -404,6 +405,7 @@ impl<R: Nombre> Intersection<R> {
         if self.fait_face(d) {
             return Ok(d);
         }
-        direction_unitaire(DIRECTION, d + self.normale() * fois_u(REDRESSE)) // M5
+        // M5: outward by more than it was inward.
+        direction_unitaire(DIRECTION, d + self.normale() * fois_u(REDRESSE))
     }
 }

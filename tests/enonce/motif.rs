@@ -2,9 +2,9 @@
 //! colour is that of exact arithmetic, except within rounding of a line of the pattern.
 
 use commun::fabrique::mur;
-use commun::hasard::{Hasard, pour_chaque};
+use commun::hasard::{Hasard, Tirage, pour_chaque};
 use commun::oracle::{Exact, exact_a, exacts, moins, scalaire, verite};
-use commun::regimes::{direction, entre};
+use commun::regimes::{deux_puissance, direction, entre};
 use commun::scenes::rayons_camera;
 use commun::tolerances::u;
 use commun::{arrondi, en_f32_et_f64};
@@ -109,6 +109,54 @@ fn un_damier_sur_une_boite_tournee_n_a_pas_de_taches<R: Reel>() {
 }
 
 en_f32_et_f64!(un_damier_sur_une_boite_tournee_n_a_pas_de_taches);
+
+/// A place on a face makes a hit there, and the place of that hit is what was asked for.
+fn un_lieu_fait_une_touche_de_ce_lieu<R: Reel>() {
+    let faire = |alea: &mut Hasard| {
+        let tour = Rotation::new(arrondi::<R>(direction(alea) * 3.0)).unwrap();
+        let centre = arrondi(direction(alea) * [0.0, 3.0, 3e3][alea.usize(0..3)]);
+        let cotes = [(); 3].map(|()| deux_puissance(alea, -9.0, 9.0));
+        let boite = BoiteGeo::new(centre, arrondi(cotes.into()), tour, Texture(3)).unwrap();
+        let uv = [(); 2].map(|()| R::depuis_f64(entre(alea, -0.99, 0.99)));
+        (boite.vers_ray(), Face::TOUTES[alea.usize(0..6)], uv)
+    };
+    pour_chaque(400, faire, |(boite, face, uv)| {
+        let rayon = boite.vers_lieu(face, uv).unwrap();
+        let touche = ObjetRay::from(boite).sortie(&rayon).unwrap();
+        assert_eq!((touche.normale(), touche.texture()), (boite.face(face).1, Texture(3)));
+        let (obtenue, p) = boite.lieu(&rayon, &touche);
+        assert_eq!(obtenue, face, "{p:?}");
+        // A coordinate of the source takes two roundings of each l·N and three of their sum with C, √3 of which count
+        // along the face; N is unit and at right angles to 12u; `lieu` adds 6.1u of |f| + t, twice the extent at most.
+        let c = <[R; 3]>::from(boite.centre()).map(|x| x.vers_f64().abs());
+        let c = c.into_iter().fold(0.0, f64::max);
+        let extension: f64 = boite.demi_longueurs().into_iter().map(R::vers_f64).sum();
+        let permis =
+            u::<R>() * (3.0_f64.sqrt() * (c + 5.0 * extension) + (12.0 + 12.2) * extension);
+        for (k, (obtenu, voulu)) in face.le_long(p).into_iter().zip(uv).enumerate() {
+            let l = demi_longueur_le_long(&boite, face, k);
+            assert!(
+                (obtenu.vers_f64() - voulu.vers_f64()).abs() <= permis / l,
+                "{obtenu:?}, not {voulu:?}"
+            );
+        }
+        // What is beyond a face, or no number, lies on its edge.
+        let au_bord = [R::UN, -R::UN];
+        let dehors = [R::INFINI, R::depuis_f64(-9.0)];
+        let vers_le_bord = boite.vers_lieu(face, au_bord).unwrap();
+        assert_eq!(boite.vers_lieu(face, dehors).unwrap(), vers_le_bord);
+        assert_eq!(boite.vers_lieu(face, [R::INFINI - R::INFINI, -R::UN]).unwrap(), vers_le_bord);
+    });
+}
+
+/// The half-length of the box along the first or the second coordinate of a face.
+fn demi_longueur_le_long<R: Reel>(boite: &BoiteRay<R>, face: Face, k: usize) -> f64 {
+    let axes: [Vecteur; 3] = [Vecteur::X, Vecteur::Y, Vecteur::Z];
+    let axe = axes.iter().position(|axe| face.le_long(*axe)[k] != 0.0).unwrap();
+    boite.demi_longueurs()[axe].vers_f64()
+}
+
+en_f32_et_f64!(un_lieu_fait_une_touche_de_ce_lieu);
 
 /// A checker of three dimensions on a floor at a height of so many cells, turned about its normal: measured along the
 /// axes of its rotation, −d across, and the same point back in the axes of the scene.

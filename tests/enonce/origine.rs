@@ -225,3 +225,22 @@ fn une_chambre_convertie_reste_close() {
     });
     assert!(derriere > suites / 4 && sans_flou > 20, "{suites} {derriere} {sans_flou}");
 }
+
+/// In code that is generic over the scalar: in `f64` the object itself, in `f32` that of `vers_f32`; with an origin too.
+#[test]
+fn un_objet_passe_a_l_un_ou_l_autre_scalaire() {
+    pour_chaque(4, ville, |objets| {
+        for objet in objets.unwrap() {
+            assert_eq!(objet.vers::<f64>(Vecteur::NUL), Ok(objet));
+            assert_eq!(objet.vers::<f64>(ORIGINE), objet.translation(-ORIGINE));
+            assert_eq!(objet.vers::<f32>(ORIGINE), objet.vers_f32(ORIGINE));
+            assert!(objet.vers::<f32>(ORIGINE).is_ok());
+        }
+    });
+    let loin = SphereGeo::new(Vecteur::new(0.0, 1e30, 0.0), 1.0, Texture(0)).unwrap();
+    let loin = ObjetGeo::from(loin);
+    assert!(loin.vers::<f64>(Vecteur::NUL).is_ok());
+    assert_eq!(loin.vers::<f32>(Vecteur::NUL).unwrap_err().champ, "centre.y");
+    let nulle_part = Vecteur::new(f64::NAN, 0.0, 0.0);
+    assert_eq!(loin.vers::<f64>(nulle_part).unwrap_err().champ, "origine.x");
+}

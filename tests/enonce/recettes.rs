@@ -37,20 +37,20 @@ fn un_mur_mitoyen_est_a_l_ombre<R: Reel>() {
         let objets = [maison, boite(voisin, v(l, 2.0 * h, 1.5 * p), tour)];
         let [_, y, z] = tour.axes();
         let lieux = alea.liste(50, |alea, _| {
-            let [y, z] =
-                [(y, h), (z, p)].map(|(n, l)| n * R::depuis_f64(entre(alea, -0.49, 0.49) * l));
+            let [b, c] = [(); 2].map(|()| entre(alea, -0.98, 0.98));
+            let [y, z] = [(y, b * h), (z, c * p)].map(|(n, l)| n * R::depuis_f64(0.5 * l));
             let soleil = direction(alea);
-            (y + z, arrondi::<R>(Vecteur::new(soleil.x, soleil.y.abs(), soleil.z)))
+            (v(0.0, b, c), y + z, arrondi::<R>(Vecteur::new(soleil.x, soleil.y.abs(), soleil.z)))
         });
         (objets, lieux)
     };
     pour_chaque(200, faire, |(objets, lieux)| {
         let [maison @ ObjetRay::Boite(boite), _] = objets else { unreachable!("made as a box") };
         let monde = Monde::de_liste(&objets);
-        for (vers, soleil) in lieux {
+        for (lieu, vers, soleil) in lieux {
             for (face, cache) in [(Face::PlusX, true), (Face::MoinsX, false)] {
                 let (milieu, n) = boite.face(face);
-                let capteur = capteur(boite, face, milieu + vers).unwrap();
+                let capteur = capteur(boite, face, face.le_long(lieu)).unwrap();
                 // Some roundings of numbers below 200, and nowhere near the size of the wall.
                 let ecart = (capteur.point() - milieu - vers).longueur().vers_f64();
                 assert!(ecart < 4_000.0 * u::<R>(), "{ecart:e}");

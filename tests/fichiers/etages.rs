@@ -31,13 +31,23 @@ fn etages(racine: &Path) -> Vec<String> {
     etages
 }
 
-/// The paths that this source takes from the crate, outside of comments.
-fn imports(source: &str) -> impl Iterator<Item = &str> {
-    let code = source.lines().map(|ligne| ligne.split("//").next().unwrap());
-    code.flat_map(|ligne| ligne.split("crate::").skip(1)).map(|suite| {
-        let fin = suite.find(|c: char| !c.is_alphanumeric() && c != '_' && c != ':');
-        &suite[..fin.unwrap_or(suite.len())]
-    })
+/// The paths that stand after `avant` in this source, outside of comments, each name of a list in
+/// braces by itself.
+fn chemins(source: &str, avant: &str) -> Vec<String> {
+    let code: String = source.lines().map(|ligne| ligne.split("//").next().unwrap()).collect();
+    let mut chemins = Vec::new();
+    for suite in code.split(avant).skip(1) {
+        let fin = |c: char| !c.is_alphanumeric() && c != '_' && c != ':';
+        let (debut, reste) = suite.split_at(suite.find(fin).unwrap_or(suite.len()));
+        match reste.strip_prefix('{').and_then(|reste| reste.split_once('}')) {
+            Some((noms, _)) => {
+                let noms = noms.split(',').map(str::trim).filter(|nom| !nom.is_empty());
+                chemins.extend(noms.map(|nom| format!("{debut}{nom}")));
+            }
+            None => chemins.push(debut.into()),
+        }
+    }
+    chemins
 }
 
 #[test]
@@ -46,6 +56,12 @@ fn aucun_fichier_n_importe_d_un_etage_plus_haut() {
     let etages = etages(racine);
     let etage = |chemin: &str| etages.iter().position(|autre| autre == chemin);
     let (mut fichiers, mut montent, mut combien) = (BTreeSet::new(), Vec::new(), 0);
+    // What users of the crate find at its root is taken from there.
+    let publics = chemins(&fs::read_to_string(racine.join("src/lib.rs")).unwrap(), "pub use ");
+    let complet = |import: String| {
+        let fin = format!("::{import}");
+        publics.iter().find(|public| public.ends_with(&fin)).cloned().unwrap_or(import)
+    };
     for fichier in fichiers_sous("src") {
         let source = fs::read_to_string(&fichier).unwrap();
         let chemin = fichier.strip_prefix(racine.join("src")).unwrap().with_extension("");
@@ -55,9 +71,11 @@ fn aucun_fichier_n_importe_d_un_etage_plus_haut() {
         }
         assert!(!source.contains("super::{") && !source.contains("use super"), "{chemin}");
         let ici = etage(&chemin).unwrap_or_else(|| panic!("{chemin} is on no floor"));
-        for import in imports(&source) {
+        // A macro takes the type that it is given, `crate::$type`.
+        let imports = chemins(&source, "crate::").into_iter().filter(|import| !import.is_empty());
+        for import in imports.map(complet) {
             // The longest path that is a file: what follows is an item.
-            let mut de = import;
+            let mut de = import.as_str();
             while etage(de).is_none() {
                 de = de.rsplit_once("::").unwrap_or_else(|| panic!("{chemin}: {import}")).0;
             }

@@ -1,8 +1,9 @@
-//! Each step of the algorithms of `docs/preuves.md` and `docs/preuves-arbre.md` stands, by its label, in a comment of the code that takes it.
+//! What the pages of `docs/preuves` name is in the code: each step of the algorithms stands, by its label, in a comment of
+//! the code that takes it, and each test and each constant of the map exists.
 
 use std::collections::BTreeMap;
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use crate::dossiers::fichiers_sous;
 
@@ -18,21 +19,22 @@ fn etiquettes(texte: &str) -> impl Iterator<Item = &str> {
 
 #[test]
 fn chaque_pas_des_preuves_est_une_fois_dans_le_code() {
-    let racine = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let pages = ["docs/preuves.md", "docs/preuves-arbre.md"].map(|page| {
-        let page = fs::read_to_string(racine.join(page)).unwrap();
-        let (_, algorithmes) = page.split_once("\n## The algorithms\n").unwrap();
-        let (_, algorithmes) = algorithmes.split_once("```text\n").unwrap();
-        algorithmes.split_once("```").unwrap().0.to_owned()
+    let algorithmes = fichiers_sous("docs/preuves").into_iter().filter_map(|page| {
+        let page = fs::read_to_string(page).unwrap();
+        let (_, algorithmes) = page.split_once("\n## The algorithms\n")?;
+        let (_, algorithmes) = algorithmes.split_once("```text\n")?;
+        Some(algorithmes.split_once("```")?.0.to_owned())
     });
+    let algorithmes: Vec<_> = algorithmes.collect();
+    assert_eq!(algorithmes.len(), 3);
     // A step begins a line.
-    let mut pas: BTreeMap<_, _> = pages
+    let mut pas: BTreeMap<_, _> = algorithmes
         .iter()
         .flat_map(|algorithmes| algorithmes.lines())
         .filter_map(|ligne| etiquettes(ligne).next().filter(|pas| ligne.starts_with(pas)))
         .map(|pas| (pas.to_owned(), Vec::new()))
         .collect();
-    assert!(pas.len() > 40, "only {} steps", pas.len());
+    assert!(pas.len() > 50, "only {} steps", pas.len());
     for chemin in fichiers_sous("src") {
         for (numero, ligne) in fs::read_to_string(&chemin).unwrap().lines().enumerate() {
             let Some((_, commentaire)) = ligne.split_once("//") else { continue };
@@ -46,4 +48,35 @@ fn chaque_pas_des_preuves_est_une_fois_dans_le_code() {
     for (pas, lieux) in pas {
         assert!(lieux.len() == 1, "{pas} stands in {} places: {lieux:?}", lieux.len());
     }
+}
+
+#[test]
+fn la_carte_des_lemmes_nomme_ce_qui_existe() {
+    let racine = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let lire = |chemin: PathBuf| fs::read_to_string(chemin).unwrap();
+    let sources: String = fichiers_sous("src")
+        .into_iter()
+        .chain([racine.join("tests/commun/tolerances.rs")])
+        .map(lire)
+        .collect();
+    let page = lire(racine.join("docs/preuves/modele.md"));
+    let lignes = page.lines().filter(|ligne| ligne.starts_with("| ") && ligne.contains("#lemma-"));
+    let mut lemmes = 0;
+    for ligne in lignes {
+        let cellules: Vec<_> = ligne.trim_matches('|').split('|').collect();
+        let [lemme, tests, constantes] = cellules[..] else { panic!("{ligne}") };
+        let noms = |cellule| str::split(cellule, '`').skip(1).step_by(2);
+        for test in noms(tests) {
+            let (fichier, fonction) = test.split_once("::").unwrap_or(("constantes.rs", test));
+            let dossier = if fichier.contains('/') { "tests" } else { "tests/precision" };
+            let texte = lire(racine.join(dossier).join(fichier));
+            let declaree = ['(', '<'].iter().any(|c| texte.contains(&format!("fn {fonction}{c}")));
+            assert!(declaree, "{lemme}: no {fonction} in {fichier}");
+        }
+        for constante in noms(constantes) {
+            assert!(sources.contains(&format!("const {constante}:")), "{lemme}: no {constante}");
+        }
+        lemmes += 1;
+    }
+    assert_eq!(lemmes, 22);
 }

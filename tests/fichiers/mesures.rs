@@ -73,10 +73,11 @@ fn les_rapports_des_ordres_sont_ceux_du_fichier() {
     let section = section(&page, "The order in a batch");
     let ordres = Mesures::lire("ordres");
     // What the page compares, the rows of the file, and whether these have the order of the page over the other.
-    let lignes: [(&str, &[&str], bool); 7] = [
+    let lignes: [(&str, &[&str], bool); 8] = [
         ("sun by sun", &["one sun after the other"], false),
         ("window by window, as the year goes", &["suns as the year goes"], false),
         ("direction by direction", &["within 0.25°", "within 2°", "within 10°"], true),
+        ("direction by direction", &["within 30°"], true),
         ("point by point", &["within 90°"], false),
         ("mixed, by first hits", &["first hits of mixed lamps"], false),
         ("as it fires: 16 beams × 4 azimuths", &["a lidar as it fires"], false),
@@ -98,8 +99,8 @@ fn les_rapports_des_ordres_sont_ceux_du_fichier() {
 fn les_rapports_des_facons_sont_ceux_des_fichiers() {
     let page = page();
     let section = section(&page, "List, tree or batch");
-    let [tas, appels, morceaux, lointains] =
-        ["tas", "appels", "morceaux", "lointains"].map(Mesures::lire);
+    let [tas, appels, morceaux, lointains, jeux] =
+        ["tas", "appels", "morceaux", "lointains", "instructions"].map(Mesures::lire);
     let appel = |rayons| rapport(appels.nombres("rays_a_call", &[rayons], &["geometric_mean"])[0]);
     let loin = |quoi, colonnes: &[&str]| lointains.nombres("with", &[quoi], colonnes);
     let tous = ["f32_single", "f32_batch", "f64_single", "f64_batch"];
@@ -108,7 +109,24 @@ fn les_rapports_des_facons_sont_ceux_des_fichiers() {
         let de_loin = loin("a camera", &[&format!("{i}_single"), &format!("{i}_batch")]);
         etendue(&de_loin[2..])
     };
+    let tuiles = |jeu, scalaire: &str| {
+        let colonnes = ["12", "192", "1000"].map(|n| format!("{scalaire}_{n}_ns"));
+        jeux.nombres("instructions", &[jeu], &colonnes.each_ref().map(|colonne| &**colonne))
+    };
+    let sur = |a: Vec<f64>, b: Vec<f64>| -> Vec<f64> {
+        a.into_iter().zip(b).map(|(a, b)| a / b).collect()
+    };
+    let plus_etroits = ["f32", "f64"].map(|r| sur(tuiles("AVX2", r), tuiles("AVX-512", r)));
+    let doubles =
+        ["AVX-512", "AVX2", "SSE2"].map(|jeu| sur(tuiles(jeu, "f64"), tuiles(jeu, "f32")));
+    let doubles = etendue(&doubles.concat());
+    assert!(page.contains(&format!("`f64` / `f32` is [{doubles}]")), "the page has not: {doubles}");
     for ligne in [
+        format!("with AVX2 / with AVX-512 | tiles | {} |", etendue(&plus_etroits.concat())),
+        format!(
+            "in each 64 / without | tiles | {} |",
+            etendue(&tas.nombres("case", &["1 of 64"], &["f32", "f64"]))
+        ),
         format!(
             "crossing many boxes | {} |",
             etendue(&tas.nombres("case", &["single"], &["f32", "f64"]))

@@ -1,9 +1,10 @@
 //! The pages lead to each other, and say the same.
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
-use crate::dossiers::pages;
+use crate::dossiers::{fichiers_sous, pages};
 
 /// A heading as a link names it: small letters, hyphens for spaces, and no other sign.
 fn ancre(titre: &str) -> String {
@@ -54,4 +55,26 @@ fn les_rapports_de_l_entree_sont_ceux_des_mesures() {
         ligne.insert(1, "f32".to_owned());
         assert!(mesures.contains(&ligne), "{ligne:?} is none of {mesures:#?}");
     }
+}
+
+/// The functions through which DEVELOPING.md follows a question stand in the sources, and so do the files.
+#[test]
+fn le_chemin_d_une_question_est_celui_des_sources() {
+    let racine = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let page = fs::read_to_string(racine.join("DEVELOPING.md")).unwrap();
+    let (_, section) = page.split_once("\n## How a question is answered\n").expect("the way");
+    let sources =
+        fichiers_sous("src").into_iter().map(|fichier| fs::read_to_string(fichier).unwrap());
+    let sources: String = sources.collect();
+    let mots: BTreeSet<_> = sources.split(|c: char| !c.is_alphanumeric() && c != '_').collect();
+    let table = section.split("\n## ").next().unwrap().lines().filter(|l| l.starts_with('|'));
+    let noms: Vec<_> = table.flat_map(|ligne| ligne.split('`').skip(1).step_by(2)).collect();
+    for nom in &noms {
+        let existe = match nom.strip_suffix(".rs") {
+            Some(_) => racine.join("src").join(nom).exists(),
+            None => nom.split("::").all(|mot| mots.contains(mot)),
+        };
+        assert!(existe, "{nom}");
+    }
+    assert!(noms.len() > 30, "only {}", noms.len());
 }

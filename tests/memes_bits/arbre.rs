@@ -335,7 +335,7 @@ fn l_ordre_de_la_liste_ne_decide_pas_de_la_coupe<R: Bits>() {
             alea.melanger(&mut objets);
             noeuds(&Monde::en_morceaux(&objets, &mut memoire).unwrap())
         });
-        // What an object gets is rounded by its index, and a piece more may fill a leaf.
+        // The mean size is summed in another order, and a piece more may fill a leaf.
         let coupees = nombres.iter().filter(|nombre| **nombre > juste).count();
         assert!(coupees == 0 || coupees == nombres.len(), "{maisons}: {juste}, {nombres:?}");
         assert!(nombres.iter().all(|nombre| nombre.abs_diff(nombres[0]) <= 1), "{nombres:?}");

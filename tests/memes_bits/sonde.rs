@@ -1,4 +1,4 @@
-//! Lemma 19 of `docs/preuves-arbre.md`: the probe of many rays enters every box that the probe of one of them enters, and no
+//! Lemma 19 of `docs/preuves/recherche.md`: the probe of many rays enters every box that the probe of one of them enters, and no
 //! later.
 
 use commun::fabrique::{avec_arbre, sphere};

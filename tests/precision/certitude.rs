@@ -1,4 +1,4 @@
-//! `erreur` and `est_certain` where doubled numbers themselves end (`docs/preuves.md`, lemmas 16 and 17): numbers of
+//! `erreur` and `est_certain` where doubled numbers themselves end (`docs/preuves/objets.md`, lemmas 16 and 17): numbers of
 //! few bits from one end of the range to the other, exactly on a surface, in the plane of a face or a little beside.
 
 use commun::en_f32_et_f64;

@@ -1,5 +1,5 @@
-//! The constants of the proofs beside the numbers that their lemmas need: `docs/preuves.md`. The letters are
-//! those of that page, if no other is named.
+//! The constants of the proofs beside the numbers that their lemmas need: `docs/preuves`. The letters are
+//! those of these pages, if no other is named.
 //!
 //! What a lemma needs is computed in intervals over its whole domain, for both types. A constant
 //! must be no less, and no more than a ninth more: made a tenth smaller it is red. Excepted are
@@ -445,7 +445,7 @@ fn sphere_non_perdue(
     }
     let beta = (w + dw).max(i(0.0)).racine();
     let (b, p) = ((f.carre() - k.carre()).racine(), f.carre() - 1.0);
-    // τ (lemma 6).
+    // ψ (lemma 6).
     let dp = (g(fois("S3 SC²: SC SC")) * f.carre() + u + PERDU * u) * plus(1.0, u) + u * p;
     let dq = (g(fois("S2 SA: D SC")) * f + PERDU_LONGUEUR * u + u * beta) * plus(2.0, u)
         + u * (b + beta);
@@ -742,7 +742,7 @@ fn lemme_6_la_borne_du_lieu_d_une_touche_suffit() {
         (i(3.0).racine() * gamma(fois("B1 f_i: N S"), u) * n(u) + le_long(u)) * plus(60.0, u)
     });
     tenir(TOUCHE_RHO, |u| {
-        // Across the slice that T5 names: the place, V, the product, what follows and `f32`.
+        // Across the slice that T5 names: the place, U, the product, what follows and `f32`.
         let tranche = i(2.0 + 3.0 + 3.0 + 8.0 + 2.0);
         let tranchee = (2.0 * lieu_le_long(u).carre() + tranche.carre()).racine();
         (le_long(u).max(tranchee) + 36.0) * plus(60.0, u)

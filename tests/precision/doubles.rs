@@ -1,4 +1,4 @@
-//! Doubled numbers themselves (`docs/preuves.md`, lemma 16): a climb on the bits of a few numbers, towards the largest
+//! Doubled numbers themselves (`docs/preuves/objets.md`, lemma 16): a climb on the bits of a few numbers, towards the largest
 //! error of their sums and products as a part of its bound. Of an error there `est_certain` sees only what decides within
 //! 2⁻¹⁰⁰, which no search among scenes finds.
 

@@ -1,4 +1,4 @@
-//! How often each named step of `docs/preuves.md` rounds, and how many programs a question has, by the tapes that the
+//! How often each named step of `docs/preuves` rounds, and how many programs a question has, by the tapes that the
 //! crate's own code leaves.
 
 use std::collections::{BTreeMap, BTreeSet};

@@ -90,7 +90,7 @@ fn chaque_promesse_tient<R: Reel>() {
 
 en_f32_et_f64!(chaque_promesse_tient);
 
-/// What `docs/preuves.md` grants the numbers of an `f32` scene in `f64`, which are unit to the rounding of `f32` only:
+/// What `docs/preuves/modele.md` grants the numbers of an `f32` scene in `f64`, which are unit to the rounding of `f32` only:
 /// all except what rests on the length of the normal of a flat face.
 #[test]
 fn les_promesses_tiennent_de_nombres_elargis() {

@@ -35,35 +35,26 @@ struct Variante {
     ns: f64,
     /// Of the picture, on the numbers of its own scene.
     erreurs: Erreurs,
-    /// The same beside the scene in `f64`; none of that scene itself.
-    arrondies: Option<Erreurs>,
     /// Wrong hits and misses per million cases of the extremes.
     fausses: f64,
 }
 
-/// Relative errors of distances, and rays that see another object than the true one, or none.
+/// Relative errors of the distances of rays that see the true object.
 #[derive(Clone, Copy)]
 struct Erreurs {
     presque: f64,
     pire: f64,
-    autres: usize,
 }
 
 impl Erreurs {
     fn de(verites: &[Verite], reponses: &[Reponse]) -> Self {
-        let mut autres = 0;
-        let mut erreurs = Vec::new();
-        for (verite, reponse) in verites.iter().zip(reponses) {
-            match (verite, reponse) {
-                (Some((objet, t)), Some(obtenu)) if obtenu.1 == *objet => {
-                    erreurs.push((distance(*obtenu) - t).abs() / t);
-                }
-                (None, None) => {}
-                _ => autres += 1,
-            }
-        }
+        let vrais = verites.iter().zip(reponses).filter_map(|(verite, reponse)| {
+            let ((objet, t), obtenu) = ((*verite)?, (*reponse)?);
+            (obtenu.1 == objet).then(|| (distance(obtenu) - t).abs() / t)
+        });
+        let mut erreurs: Vec<_> = vrais.collect();
         let [_, presque, pire] = quantiles(&mut erreurs);
-        Self { presque, pire, autres }
+        Self { presque, pire }
     }
 
     /// What one in a thousand exceeds, and in brackets the largest.
@@ -77,34 +68,27 @@ struct Mesuree {
     variantes: Vec<Variante>,
     /// Every way to ask, in nanoseconds a ray.
     temps: Vec<(&'static str, f64)>,
-    verites: Vec<Verite>,
 }
 
 pub(crate) fn documenter() -> Result<(), Box<dyn Error>> {
-    let doubles = mesures::<f64>(None)?;
-    let simples = mesures::<f32>(Some(&doubles.verites))?;
-    let variantes: Vec<_> = simples.variantes.iter().chain(&doubles.variantes).cloned().collect();
-    page::remplacer(crate::VITESSE, "variants", &page::datee(&table(&variantes)))?;
-    let facons = facons(&simples.temps, &doubles.temps);
-    page::csv("facons", &facons)?;
-    graphique(&variantes)
+    let [simples, doubles] = [mesures::<f32>()?, mesures::<f64>()?];
+    let table = table(&simples.variantes, &doubles.variantes);
+    page::remplacer(crate::VITESSE, "variants", &page::datee(&table))?;
+    page::csv("facons", &facons(&simples.temps, &doubles.temps))?;
+    graphique(&[simples.variantes, doubles.variantes].concat())
 }
 
-/// Time and errors of every variant.
-fn table(variantes: &[Variante]) -> String {
+/// Time and errors of every variant, in `f32` and in `f64`.
+fn table(simples: &[Variante], doubles: &[Variante]) -> String {
     let mut lignes = vec![
-        "| | 240,000 rays, ms | error: 99.9 % (largest) | the scene rounded too | another object | \
-         wrong at the extremes, per million |"
-            .to_owned(),
-        format!("|---|{}", "--:|".repeat(5)),
+        "| | f32: ms | error (largest) | wrong | f64: ms | error (largest) | wrong |".to_owned(),
+        format!("|---|{}", "--:|".repeat(6)),
     ];
-    for Variante { nom, scalaire, ns, erreurs, arrondies, fausses } in variantes {
-        let autres = arrondies.unwrap_or(*erreurs).autres;
-        let arrondies = arrondies.map_or("–".into(), Erreurs::texte);
-        let (ms, erreurs) = (millisecondes(*ns), erreurs.texte());
-        lignes.push(format!(
-            "| {nom} {scalaire} | {ms} | {erreurs} | {arrondies} | {autres} | {fausses:.0} |"
-        ));
+    let cases = |Variante { ns, erreurs, fausses, .. }: &Variante| {
+        format!("{} | {} | {fausses:.0}", millisecondes(*ns), erreurs.texte())
+    };
+    for (simple, double) in simples.iter().zip(doubles) {
+        lignes.push(format!("| {} | {} | {} |", simple.nom, cases(simple), cases(double)));
     }
     lignes.join("\n")
 }
@@ -126,8 +110,8 @@ fn millisecondes(ns: f64) -> String {
     format!("{:.1}", 0.24 * ns)
 }
 
-/// Beside the truth of the scene in `f64` as well, if that is another one.
-fn mesures<R: Scalaire>(doubles: Option<&[Verite]>) -> Result<Mesuree, Box<dyn Error>> {
+/// Every variant over the whole picture.
+fn mesures<R: Scalaire>() -> Result<Mesuree, Box<dyn Error>> {
     let scene = Famille::Atelier.scene::<R>(0, GRAINE);
     let mut memoire = Vec::new();
     let monde = en_morceaux(&scene.objets, &mut memoire)?;
@@ -162,7 +146,6 @@ fn mesures<R: Scalaire>(doubles: Option<&[Verite]>) -> Result<Mesuree, Box<dyn E
             scalaire: R::NOM,
             ns: ns_de(camp, nom),
             erreurs: Erreurs::de(&verites, &reponses),
-            arrondies: doubles.map(|verites| Erreurs::de(verites, &reponses)),
             fausses: 1e6 * f64::from(fausses) / cas,
         }
     };
@@ -175,7 +158,7 @@ fn mesures<R: Scalaire>(doubles: Option<&[Verite]>) -> Result<Mesuree, Box<dyn E
         variantes.push(Variante { nom, ns, ..variantes[0].clone() });
     }
     let temps = ns.into_iter().map(|((nom, _), ns)| (nom, ns)).collect();
-    Ok(Mesuree { variantes, temps, verites })
+    Ok(Mesuree { variantes, temps })
 }
 
 /// The batch errs where the rays one by one do, and nowhere else.

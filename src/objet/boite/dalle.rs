@@ -1,11 +1,11 @@
 //! The distances to the faces of a box, axis by axis, as quotients that are compared before one is
 //! divided (handout, annex A.3).
 
-use crate::algebre::nombre::{Nombre, puissance_de_deux, selon};
-use crate::algebre::vecteur::Vecteur;
+use crate::algebre::nombre::{puissance_de_deux, selon};
+use crate::{Nombre, Vecteur};
 
 /// A power of two that multiplies speeds, so that no product of a length of a box and a speed
-/// towards its faces leaves the range of the type (`docs/preuves.md`, lemma 2).
+/// towards its faces leaves the range of the type (`docs/preuves/objets.md`, lemma 2).
 #[inline(always)]
 pub(crate) fn echelle_vitesse<R: Nombre>() -> R {
     R::depuis_f64(selon::<R, _>(puissance_de_deux(62), puissance_de_deux(568)))
@@ -27,7 +27,7 @@ pub(crate) struct Quotient<R> {
 impl<R: Nombre> Quotient<R> {
     #[inline(always)]
     pub(crate) fn depasse(self, autre: Self) -> bool {
-        // B3
+        // B3: products in place of quotients, the same comparison for speeds of 0 or more.
         self.longueur * autre.vitesse > autre.longueur * self.vitesse
     }
 
@@ -51,17 +51,18 @@ pub(crate) fn dalle<R: Nombre>(
     d: Vecteur<R>,
 ) -> (Quotient<R>, Quotient<R>) {
     let (o, vitesse) = (cs.produit_scalaire(n), d.produit_scalaire(n));
-    let o = if vitesse < R::ZERO { -o } else { o }; // B1
+    let o = if vitesse < R::ZERO { -o } else { o }; // B1: as if the axis were turned
     // The speed is rounded because it is scaled down to where numbers of `f32` are 2⁻¹⁴⁹ apart, and
     // up again. With a floor by minimum and maximum in its place a single ray takes up to 1.3 times
     // as long among boxes (measured).
     let descente = R::depuis_f64(selon::<R, _>(puissance_de_deux(-47), 1.0));
-    let vitesse = vitesse.absolu() * descente * (echelle_vitesse::<R>() / descente); // B2
+    // B2
+    let vitesse = vitesse.absolu() * descente * (echelle_vitesse::<R>() / descente);
     (Quotient { longueur: -(l + o), vitesse }, Quotient { longueur: l - o, vitesse })
 }
 
-/// The last entry into three pairs of faces, which pair that is, and the first exit, as [`dalle`] has
-/// them.
+/// The last entry into three pairs of faces, which pair that is, and the first exit, as [`dalle`]
+/// has them.
 ///
 /// One pair has a speed of 0.5 or more, and with it an entry and an exit nearer than `loin`.
 #[inline(always)]
@@ -73,7 +74,7 @@ pub(crate) fn dalles<R: Nombre>(
     let (loin, vitesse) = (R::LIMITE * R::depuis_f64(8.0), echelle_vitesse());
     let mut entree = Quotient { longueur: -loin, vitesse };
     let mut sortie = Quotient { longueur: loin, vitesse };
-    let mut axe_d_entree = 0; // B4
+    let mut axe_d_entree = 0; // B4: of equal entries the first axis counts
     for (axe, paire) in paires.into_iter().enumerate() {
         let (e, s) = dalle(paire, cs, d);
         if e.depasse(entree) {

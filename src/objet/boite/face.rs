@@ -2,11 +2,8 @@
 
 use core::fmt;
 
-use crate::algebre::nombre::{Nombre, max, min};
-use crate::algebre::vecteur::Vecteur;
-use crate::objet::boite::BoiteRay;
-use crate::rayon::Rayon;
-use crate::rayon::intersection::Intersection;
+use crate::algebre::nombre::{max, min};
+use crate::{BoiteRay, ErreurGeo, Intersection, Nombre, Rayon, Vecteur};
 
 /// A face of a box, by the side to which it looked before the box was turned: `PlusY` was its top.
 ///
@@ -96,8 +93,7 @@ impl<R: Nombre> BoiteRay<R> {
     /// t) over the half-length, so that the pattern of a small box far from O is steady too. Where
     /// rounding beside an edge would take them beyond ±1 they are ±1.
     ///
-    /// The other way round, a place on a face makes a hit by [`sortie`](crate::ObjetRay::sortie)
-    /// from within along the normal of [`face`](Self::face).
+    /// The other way round, [`vers_lieu`](Self::vers_lieu) makes a hit of a place.
     ///
     /// `touche` must be a hit of this ray on this box. For any other hit the answer is some face
     /// and some point of it.
@@ -130,6 +126,44 @@ impl<R: Nombre> BoiteRay<R> {
         });
         p[axe] = if cosinus[axe] < R::ZERO { -R::UN } else { R::UN };
         (face, p.into())
+    }
+
+    /// The ray from within that leaves the box at this place, along the normal of the face: [u, v] as
+    /// [`Face::le_long`] gives them, from −1 to 1; what is beyond, or a NaN, becomes a limit.
+    ///
+    /// Its [`sortie`](crate::ObjetRay::sortie) is a hit at the place, from which rays start as from
+    /// any other: a sensor, a patch, a point of a lamp. [`lieu`](Self::lieu) of that ray and hit
+    /// gives the place back, to rounding.
+    ///
+    /// # Errors
+    /// If the middle of the box, moved along the face, lies outside the limits of [`Rayon::new`].
+    ///
+    /// ```
+    /// use lancer_rayon::{BoiteGeo, Face, ObjetRay, Rotation, Texture, Vecteur};
+    ///
+    /// let cotes = Vecteur::new(4.0, 2.0, 6.0);
+    /// let boite = BoiteGeo::new(Vecteur::NUL, cotes, Rotation::IDENTITE, Texture(0))?.vers_ray();
+    ///
+    /// let rayon = boite.vers_lieu(Face::PlusY, [0.5, -0.5])?;
+    /// let capteur = ObjetRay::from(boite).sortie(&rayon)?;
+    /// assert_eq!((capteur.point(), capteur.normale()), (Vecteur::new(1.0, 1.0, 1.5), Vecteur::Y));
+    /// let (face, p) = boite.lieu(&rayon, &capteur);
+    /// assert_eq!((face, face.le_long(p)), (Face::PlusY, [0.5, -0.5]));
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    #[doc(alias("from_uv", "sample", "sensor", "patch", "area_light"))]
+    pub fn vers_lieu(&self, face: Face, uv: [R; 2]) -> Result<Rayon<R>, ErreurGeo> {
+        let [u, v] = uv.map(|x| max(min(x, R::UN), -R::UN));
+        let p = match face {
+            Face::PlusX => [R::ZERO, v, -u],
+            Face::PlusY => [u, R::ZERO, -v],
+            Face::PlusZ => [u, v, R::ZERO],
+            Face::MoinsX => [R::ZERO, v, u],
+            Face::MoinsY => [u, R::ZERO, v],
+            Face::MoinsZ => [-u, v, R::ZERO],
+        };
+        let du_milieu = self.paires().into_iter().zip(p).map(|((n, l), p)| n * (l * p));
+        Rayon::new(self.centre() + du_milieu.sum(), self.face(face).1)
     }
 
     /// C ± l_i·N_i and ±N_i, the centre of a face and its outward unit normal N: Cf_i or Co_i of

@@ -1,12 +1,10 @@
 //! Whether an answer is certain: every object is asked whether it comes later than the first.
 
-use crate::algebre::nombre::{Nombre, max, selon};
-use crate::objet::ObjetRay;
+use crate::algebre::nombre::{max, selon};
 use crate::question::jugement::juge::{coup_d_oeil, loupe};
 use crate::question::liste::Liste;
 use crate::question::{Abord, Question};
-use crate::rayon::Rayon;
-use crate::rayon::intersection::Reponse;
+use crate::{Nombre, ObjetRay, Rayon, Reponse};
 
 /// An answer, and whether some object may come before it.
 pub(crate) struct Certificat<'a, R> {
@@ -44,7 +42,8 @@ impl<'a, R: Nombre> Certificat<'a, R> {
         certaine(dernier).then_some(Self { temoin, premier, dernier, doute: false })
     }
 
-    /// Whether the ray certainly enters this object later than the first or never, at a closer look.
+    /// Whether the ray certainly enters this object later than the first or never, at a closer
+    /// look.
     #[cold]
     fn vient_apres_a_la_loupe(&self, objet: &ObjetRay<R>) -> bool {
         let a_la_loupe = |objet: &ObjetRay<R>| loupe(&objet.temoin_f64(), &self.temoin);
@@ -70,7 +69,7 @@ impl<R: Nombre> Question<R> for Certificat<'_, R> {
             Abord::Inconnu => !objet.boule().approchee(rayon),
             Abord::DansSaBoite { .. } => false,
         };
-        // G4
+        // G4: a glance decides most; doubled numbers are dear, and come last.
         let vient_apres = passe
             || self.premier.is_some_and(|(_, premier)| premier == i)
             || coup_d_oeil(&objet.temoin_f64(), &self.temoin).bas > self.dernier
@@ -79,7 +78,7 @@ impl<R: Nombre> Question<R> for Certificat<'_, R> {
     }
 
     #[inline(always)]
-    fn retenir(&mut self, _: R, _: usize, _: impl FnOnce(R) -> bool) -> bool {
+    fn retenir(&mut self, _: R, _: usize) -> bool {
         self.doute = true;
         true
     }

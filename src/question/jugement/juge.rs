@@ -1,23 +1,21 @@
-//! The judge: whether and when a ray enters an object, within bounds. Its formulae are not those of the
-//! search, and are the same for plain `f64` and for doubled numbers (`docs/preuves.md`, lemmas 17 and
-//! 18).
+//! The judge: whether and when a ray enters an object, within bounds. Its formulae are not those of
+//! the search, and are the same for plain `f64` and for doubled numbers (`docs/preuves/objets.md`,
+//! lemmas 17 and 18).
 
 use crate::algebre::double::{Intervalle, Triple};
-use crate::algebre::nombre::{Nombre, max, min};
-use crate::algebre::vecteur::Vecteur;
-use crate::objet::ObjetRay;
-use crate::objet::sphere::SphereRay;
+use crate::algebre::nombre::{max, min};
 use crate::question::jugement::point::{Apercu, Point};
-use crate::rayon::Rayon;
+use crate::{Nombre, ObjetRay, Rayon, SphereRay, Vecteur};
 
-/// How much a bound of `juger` grows, in u of itself: what it is off by, and the growing (lemma 17).
+/// How much a bound of `juger` grows, in u of itself: what it is off by, and the growing (lemma
+/// 17).
 pub const ECART_ARRONDI: f64 = 10.6;
 
 /// Where a ray starts, and a point of it: two distances along it.
 type Lieux = [f64; 2];
 
-/// The distances between which the ray enters the object, if it does, at a glance. The later one is +∞
-/// unless it certainly enters, and the earlier one if it certainly never does.
+/// The distances between which the ray enters the object, if it does, at a glance. The later one is
+/// +∞ unless it certainly enters, and the earlier one if it certainly never does.
 #[inline(always)]
 pub fn coup_d_oeil(objet: &ObjetRay, rayon: &Rayon) -> Intervalle {
     apres(0.0, juger_avec::<Apercu>(objet, rayon, [0.0; 2]).0)
@@ -45,7 +43,7 @@ pub(crate) fn loupe(objet: &ObjetRay, rayon: &Rayon) -> Intervalle {
 /// These numbers, counted from t, rounded outward.
 #[inline(always)]
 fn apres(t: f64, Intervalle { bas, haut }: Intervalle) -> Intervalle {
-    // J8
+    // J8: every bound moves outward by what it may be off by.
     let [moins, plus] = [-1.0, 1.0].map(|signe| 1.0 + signe * (ECART_ARRONDI * f64::U));
     let bas = bas * if bas > 0.0 { moins } else { plus } - f64::ETA;
     let haut = haut * if haut > 0.0 { plus } else { moins } + f64::ETA;
@@ -53,8 +51,8 @@ fn apres(t: f64, Intervalle { bas, haut }: Intervalle) -> Intervalle {
     Intervalle { bas: max(bas, 0.0), haut }
 }
 
-/// Bounds on how much farther than the second of these places the ray enters the object, and the most
-/// by which it leaves it farther, in doubled numbers. The bounds of the entry are those of
+/// Bounds on how much farther than the second of these places the ray enters the object, and the
+/// most by which it leaves it farther, in doubled numbers. The bounds of the entry are those of
 /// [`coup_d_oeil`], to 8.6u of `f64`.
 pub(crate) fn juger(objet: &ObjetRay, rayon: &Rayon, lieux: Lieux) -> (Intervalle, f64) {
     juger_avec::<Triple>(objet, rayon, lieux)
@@ -74,9 +72,10 @@ fn juger_avec<P: Point>(objet: &ObjetRay, rayon: &Rayon, lieux: Lieux) -> (Inter
     }
 }
 
-/// Judges a solid that planes bound, with `PAR_AXE` faces across each of `AXES` axes: one across one
-/// for a half-space, two across each of three for a box. `face` has for each axis a unit vector and
-/// how far along it from the centre c its face stands; the second face stands as far the other way.
+/// Judges a solid that planes bound, with `PAR_AXE` faces across each of `AXES` axes: one across
+/// one for a half-space, two across each of three for a box. `face` has for each axis a unit vector
+/// and how far along it from the centre c its face stands; the second face stands as far the other
+/// way.
 #[inline(always)]
 fn juger_faces<P: Point, const AXES: usize, const PAR_AXE: usize>(
     c: Vecteur,
@@ -88,7 +87,7 @@ fn juger_faces<P: Point, const AXES: usize, const PAR_AXE: usize>(
     let jamais = Intervalle::de(f64::INFINI);
     let toujours = Intervalle::de(-f64::INFINI);
     let mut sejour = Sejour { dessus: toujours, entree: toujours, sortie: jamais };
-    // J1
+    // J1: the ray is inside a box while it is inside all of its faces.
     for axe in 0..AXES {
         let (n, l) = face(axe);
         let ([d, d_oppose], [p, p_oppose]) = (depart.hauteurs(n, l), point.hauteurs(n, l));
@@ -99,7 +98,7 @@ fn juger_faces<P: Point, const AXES: usize, const PAR_AXE: usize>(
         }
     }
     let Sejour { dessus, entree, sortie } = sejour;
-    // J4
+    // J4: it enters if it starts above a face and is in the last before it leaves the first.
     let entre = if dessus.haut <= 0.0 || entree.bas > sortie.haut {
         jamais
     } else if dessus.bas > 0.0 && entree.haut < sortie.bas {
@@ -121,8 +120,8 @@ struct Sejour {
 }
 
 impl Sejour {
-    /// Takes in a face, from the heights of the start and of the point over it and the speed at which
-    /// the ray descends; returns whether that excludes an entry.
+    /// Takes in a face, from the heights of the start and of the point over it and the speed at
+    /// which the ray descends; returns whether that excludes an entry.
     #[inline(always)]
     fn borner(&mut self, depart: Intervalle, point: Intervalle, descente: Intervalle) -> bool {
         let Self { dessus, entree, sortie } = self;
@@ -182,7 +181,7 @@ fn juger_sphere<P: Point>(
     let xa_a = xa_a.grandeur();
     let reste = 2.0 * xa_a * xa_a + if xa_a > 0.0 { f64::ETA } else { 0.0 };
     let ab2 = Intervalle { bas: -p_a.haut * d2, haut: reste - p_a.bas * d2 };
-    // J6
+    // J6: without one of the three above 0 there is no entry.
     let moindre = p_s.moindre(sa).moindre(ab2);
     if moindre.haut <= 0.0 {
         return (Intervalle::de(f64::INFINI), f64::INFINI);

@@ -1,10 +1,9 @@
-//! A point of a ray as a judge sees it, in numbers that know what they may be off by: at a glance, in
-//! plain `f64` (`docs/preuves.md`, lemma 18), or closely, in numbers of twice that length (lemma 16).
+//! A point of a ray as a judge sees it, in numbers that know what they may be off by: at a glance,
+//! in plain `f64` (`docs/preuves/objets.md`, lemma 18), or closely, in numbers of twice that length
+//! (lemma 16).
 
 use crate::algebre::double::{Double, Intervalle, Triple, scalaire, triple};
-use crate::algebre::nombre::Nombre;
-use crate::algebre::vecteur::Vecteur;
-use crate::rayon::Rayon;
+use crate::{Nombre, Rayon, Vecteur};
 
 /// What the height of a point is off by at a glance, in u of |f| and of t (lemma 18).
 pub const VUE_POINT: f64 = 7.1;
@@ -23,8 +22,8 @@ pub(crate) trait Point: Copy {
     /// The point S + tD of a ray.
     fn depuis(centre: Vecteur, rayon: &Rayon, t: f64) -> Self;
 
-    /// N·(X − C) − l and −N·(X − C) − l: how high X is over the two faces across the axis N that stand
-    /// at a distance l from C.
+    /// N·(X − C) − l and −N·(X − C) − l: how high X is over the two faces across the axis N that
+    /// stand at a distance l from C.
     fn hauteurs(self, n: Vecteur, l: f64) -> [Intervalle; 2];
 
     /// N·D, how fast a ray rises along N.
@@ -52,7 +51,7 @@ impl Point for Apercu {
 
     #[inline(always)]
     fn hauteurs(self, n: Vecteur, l: f64) -> [Intervalle; 2] {
-        // G1
+        // G1: a height is off by what X is, and by u of l.
         let (x, jeu) = (n.produit_scalaire(self.cx), self.jeu + l.abs() * (VUE_LONGUEUR * f64::U));
         [x - l, -x - l].map(|hauteur| Intervalle::autour(hauteur, jeu))
     }
