@@ -115,7 +115,7 @@ champs! {
         normale: Vecteur<R> = i.contact.normale,
         marge: Option<R> = Some(i.contact.marge).filter(|marge| *marge < R::INFINI),
         point: Vecteur<R> = i.contact.point,
-        flou: R = i.flou,
+        flou: R = i.delta,
         texture: Texture = i.texture,
         indice: u32 = i.rang.indice() as u32,
         #[serde(default)]
@@ -131,9 +131,9 @@ champs! {
         for x in <[R; 3]>::from(point) {
             exiger(x.absolu() >= R::ZERO, "point", x, "a number")?;
         }
-        let flou = Flou::NUL.avec(flou)?.delta();
+        let delta = Flou::NUL.avec(flou)?.delta();
         let _ = dedans;
         exiger(indice < u32::MAX, "indice", R::depuis_f64(indice.into()), "below 2^32 - 1")?;
-        Ok(Self { distance, contact, flou, texture, rang: Rang::de(indice as usize) })
+        Ok(Self { distance, contact, delta, texture, rang: Rang::de(indice as usize) })
     }
 }

@@ -165,7 +165,9 @@ impl<'a, R: Reel> Monde<'a, R> {
         objets: &'a [ObjetRay<R>],
         places: &'a mut [f32],
     ) -> Result<Self, PlacesInsuffisantes> {
-        Ok(Self { arbre: R::lancer_rayon_arbre(objets, places, false)?, ..Self::de_liste(objets) })
+        // With no place to spare no object is cut.
+        let assez = places.len().min(mots(objets.len()));
+        Self::en_morceaux(objets, &mut places[..assez])
     }
 
     /// Builds a tree in which **long boxes that stand askew**, such as poles, planks and beams, are
@@ -199,7 +201,7 @@ impl<'a, R: Reel> Monde<'a, R> {
         objets: &'a [ObjetRay<R>],
         places: &'a mut [f32],
     ) -> Result<Self, PlacesInsuffisantes> {
-        Ok(Self { arbre: R::lancer_rayon_arbre(objets, places, true)?, ..Self::de_liste(objets) })
+        Ok(Self { arbre: R::lancer_rayon_arbre(objets, places)?, ..Self::de_liste(objets) })
     }
 
     /// Takes this list as it is: nothing is built, no memory is needed, and every object is tested.
@@ -619,7 +621,7 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     #[doc(alias("bounding_box", "aabb", "bounds"))]
     #[must_use]
     pub fn etendue(&self) -> Option<Etendue<R>> {
-        let liste = self.sujet().liste;
+        let liste = self.liste();
         let objets = (0..self.objets.len()).filter_map(|indice| liste.objet(indice));
         objets.filter_map(ObjetRay::etendue).reduce(Etendue::avec)
     }

@@ -237,8 +237,8 @@ impl<R: Nombre> ObjetRay<R> {
         par_forme!(Self, self, forme => {
             let (contact, de_face) = forme.contact(rayon, t);
             if de_face {
-                let (flou, texture) = (rayon.flou(), forme.texture());
-                Ok(Intersection { distance: t, contact, flou, texture, rang })
+                let (delta, texture) = (rayon.flou(), forme.texture());
+                Ok(Intersection { distance: t, contact, delta, texture, rang })
             } else {
                 self.touche_rare(rayon, t, rang)
             }
@@ -249,8 +249,8 @@ impl<R: Nombre> ObjetRay<R> {
     #[inline(never)]
     fn touche_rare(&self, rayon: &Rayon<R>, t: R, rang: Rang) -> Reponse<R> {
         par_forme!(Self, self, forme => {
-            let (contact, flou) = (forme.contact_rare(rayon, t), rayon.flou());
-            Ok(Intersection { distance: t, contact, flou, texture: forme.texture(), rang })
+            let (contact, delta) = (forme.contact_de_toute_sorte(rayon, t), rayon.flou());
+            Ok(Intersection { distance: t, contact, delta, texture: forme.texture(), rang })
         })
     }
 
@@ -330,9 +330,9 @@ impl<R: Nombre> ObjetRay<R> {
             if t >= rayon.fin() {
                 return Err(NoIntersection);
             }
-            let contact = forme.contact_rare(&retour, -t); // W6: as of a hit from beyond
-            let (flou, texture, rang) = (rayon.flou(), forme.texture(), Rang::de(0));
-            Ok(Intersection { distance: t, contact, flou, texture, rang })
+            let contact = forme.contact_de_toute_sorte(&retour, -t); // W6: as of a hit from beyond
+            let (delta, texture, rang) = (rayon.flou(), forme.texture(), Rang::de(0));
+            Ok(Intersection { distance: t, contact, delta, texture, rang })
         })
     }
 

@@ -5,10 +5,10 @@
 use fearless_simd::Level;
 
 use crate::arbre::sonde::Sonde;
-use crate::cote_a_cote::bloc::{Bloc, GROUPES, Groupes};
+use crate::cote_a_cote::bloc::{Bloc, Ensemble, GROUPES, Groupes};
 use crate::cote_a_cote::colonne::LARGEUR;
 use crate::cote_a_cote::groupe::VOIES;
-use crate::cote_a_cote::niveau::{meilleur_niveau, selon_le_niveau};
+use crate::cote_a_cote::niveau::{AVEC_AVX_512, meilleur_niveau, selon_le_niveau};
 use crate::monde::reponses::Sujet;
 use crate::{Monde, Nombre, Rayon, Reel};
 
@@ -68,10 +68,9 @@ pub fn groupes_au_bout<R: Reel>(monde: &Monde<'_, R>, rayons: &[Rayon<R>]) -> us
     let Sujet { liste, arbre, niveau, .. } = monde.sujet();
     let mut groupes = Groupes::new_const();
     let bloc = &mut Bloc::new(&mut groupes, false);
-    let finis: Option<[bool; GROUPES]> =
-        selon_le_niveau!(niveau, true, simd => arbre.chercher_ensemble(simd, &liste, bloc, rayons));
-    let groupes = &finis.unwrap_or_default()[..rayons.len().div_ceil(VOIES)];
-    groupes.iter().filter(|fini| **fini).count()
+    let ensemble: [Ensemble; GROUPES] = selon_le_niveau!(niveau, AVEC_AVX_512, simd => arbre.chercher_ensemble(simd, &liste, bloc, rayons));
+    let groupes = ensemble[..rayons.len().div_ceil(VOIES)].iter();
+    groupes.filter(|groupe| matches!(groupe, Ensemble::JusquAuBout)).count()
 }
 
 /// What a probe says of the children of a node: those that a ray may enter before a distance, one

@@ -47,10 +47,9 @@ pub(crate) trait Question<R: Nombre> {
 pub(crate) enum Abord {
     /// Nothing is known: a list asks it.
     Inconnu,
-    /// The ray crosses the box of the object, first at `entree`. Its ball is not worth asking,
-    /// since such a ray seldom passes it by. Up to `jusqu_ici` the box may hold the source of a ray
-    /// that has a δ above 0.
-    DansSaBoite { entree: f32, jusqu_ici: f32 },
+    /// The ray crosses the box of the object. Its ball is not worth asking, since such a ray seldom
+    /// passes it by. The box may hold the source of a ray that has a δ above 0, or not.
+    DansSaBoite { tient_la_source: bool },
 }
 
 /// Where the ray touches the object; `None` if it does not.
@@ -62,13 +61,8 @@ pub(crate) fn t_d_entree<R: Nombre>(
 ) -> Option<R> {
     let t = match abord {
         Abord::Inconnu => objet.t_si_proche(rayon),
-        Abord::DansSaBoite { entree, jusqu_ici } => {
-            if entree <= jusqu_ici {
-                objet.t_touche(rayon)
-            } else {
-                objet.t(rayon)
-            }
-        }
+        Abord::DansSaBoite { tient_la_source: true } => objet.t_touche(rayon),
+        Abord::DansSaBoite { tient_la_source: false } => objet.t(rayon),
     };
     // No answer depends on this comparison. Without it every miss, at +∞, would tie with having
     // found nothing, and ranks would be compared.

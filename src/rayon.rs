@@ -5,8 +5,7 @@ pub(crate) mod intersection;
 pub(crate) mod secondaire;
 
 use crate::algebre::nombre::{fois_u, simple};
-use crate::algebre::refus;
-use crate::algebre::refus::{exiger, fini, point, refus_nul, unitaire};
+use crate::algebre::refus::{self, exiger, fini, point, refus_nul, unitaire};
 use crate::rayon::flou::Flou;
 use crate::{ErreurGeo, Nombre, Vecteur};
 

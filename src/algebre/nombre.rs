@@ -115,6 +115,12 @@ pub(crate) fn plancher<R: Nombre>() -> R {
     R::depuis_f64(selon::<R, _>(PLANCHER.0, PLANCHER.1))
 }
 
+/// Whether this scalar is `f64`.
+#[inline(always)]
+pub(crate) fn est_double<R: Nombre>() -> bool {
+    selon::<R, _>(false, true)
+}
+
 /// The larger of two numbers; b if one of them is a NaN.
 #[inline(always)]
 pub(crate) fn max<R: Nombre>(a: R, b: R) -> R {

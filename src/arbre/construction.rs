@@ -15,7 +15,7 @@ use crate::arbre::morceaux::{Coupe, decouper};
 use crate::arbre::noeud::{
     COIN_ABSENT, ENFANTS, FICHE, Fiche, LIMITE_INDICES, Noeud, VIDE, en_mot,
 };
-use crate::arbre::repere::{Repere, double_centre, extremes};
+use crate::arbre::repere::{JEU_MAXIMAL, Repere, double_centre, extremes};
 use crate::{Nombre, ObjetRay, PlacesInsuffisantes, Vecteur};
 
 /// No tree is made over fewer objects with a box than this, since the list is about as fast
@@ -89,11 +89,10 @@ fn fiches_de_plus(objets: usize, places: usize) -> usize {
 }
 
 /// The tree over these objects, in as many numbers as [`mots`] says or more; one without nodes over
-/// few that have a box. `en_morceaux` says whether the numbers beyond pay for pieces of long boxes.
+/// few that have a box. The numbers beyond pay for pieces of long boxes.
 pub(crate) fn construire<'a, R: Nombre>(
     objets: &[ObjetRay<R>],
     places: &'a mut [f32],
-    en_morceaux: bool,
 ) -> Result<Arbre<'a, R>, PlacesInsuffisantes> {
     let necessaires = mots(objets.len());
     if places.len() < necessaires {
@@ -102,24 +101,12 @@ pub(crate) fn construire<'a, R: Nombre>(
     if necessaires == 0 {
         return Ok(Arbre::SANS_NOEUDS);
     }
-    let plus = if en_morceaux { fiches_de_plus(objets.len(), places.len()) } else { 0 };
+    let plus = fiches_de_plus(objets.len(), places.len());
     let debut = places.as_ptr().align_offset(LIGNE).min(BOURRAGE);
     let places = &mut places[debut..];
     let mut repere = Repere::autour(objets);
     let coupe = if plus > 0 { Coupe::new(objets, repere, plus) } else { Coupe::AUCUNE };
-    let (mut nombre, mut fin) = (0, places.len());
-    for (indice, objet) in objets.iter().enumerate() {
-        let (fiches, _) = places.as_chunks_mut();
-        let morceaux = if plus > 0 { coupe.morceaux(repere, objet) } else { 1 };
-        let a_une_boite = decouper(objet, morceaux, repere, |(bas, haut)| {
-            fiches[nombre] = [bas.x, bas.y, bas.z, haut.x, haut.y, haut.z, en_mot(indice)];
-            nombre += 1;
-        });
-        if !a_une_boite {
-            fin -= 1;
-            places[fin] = en_mot(indice);
-        }
-    }
+    let (nombre, fin) = remplir(objets, places, repere, coupe);
     let (places, sans_boite) = places.split_at_mut(fin);
     if objets.len() - sans_boite.len() < OBJETS_D_UN_ARBRE {
         return Ok(Arbre::SANS_NOEUDS);
@@ -140,6 +127,38 @@ pub(crate) fn construire<'a, R: Nombre>(
         let (fiches, _) = feuille.as_flattened().as_chunks();
         *feuille = en_colonnes(fiches.iter().take(nombre - numero * ENFANTS));
     }
+    let racine = etager(noeuds, geants, feuilles);
+    let noeuds = &noeuds[..=racine];
+    Ok(Arbre { noeuds, feuilles, sans_boite, part_des_croises, repere, coupe })
+}
+
+/// Writes the records of these objects from the front, and from the back the indices of those
+/// without a box; tells how many records there are, and where those indices begin.
+fn remplir<R: Nombre>(
+    objets: &[ObjetRay<R>],
+    places: &mut [f32],
+    repere: Repere<R>,
+    coupe: Coupe,
+) -> (usize, usize) {
+    let (mut nombre, mut fin) = (0, places.len());
+    for (indice, objet) in objets.iter().enumerate() {
+        let (fiches, _) = places.as_chunks_mut();
+        let morceaux = if coupe == Coupe::AUCUNE { 1 } else { coupe.morceaux(repere, objet) };
+        let a_une_boite = decouper(objet, morceaux, repere, |(bas, haut)| {
+            fiches[nombre] = [bas.x, bas.y, bas.z, haut.x, haut.y, haut.z, en_mot(indice)];
+            nombre += 1;
+        });
+        if !a_une_boite {
+            fin -= 1;
+            places[fin] = en_mot(indice);
+        }
+    }
+    (nombre, fin)
+}
+
+/// Makes the nodes above these leaves, of which the first so many hold giants; returns the last, the
+/// root.
+fn etager(noeuds: &mut [Noeud], geants: usize, feuilles: usize) -> usize {
     // The floor whose nodes have none above them yet, and the leaves of giants, which the root
     // takes along.
     let (mut etage, mut a_part) = (geants..feuilles, geants);
@@ -155,13 +174,8 @@ pub(crate) fn construire<'a, R: Nombre>(
         }
         etage = etage.end..suivant;
     }
-    // The root is the last.
-    let noeuds = &noeuds[..=etage.start];
-    Ok(Arbre { noeuds, feuilles, sans_boite, part_des_croises, repere, coupe })
+    etage.start
 }
-
-/// With a slack of this part of the width of a scene or more, boxes tell no objects apart.
-const JEU_MAXIMAL: f32 = 1.0 / 8.0;
 
 /// The sixteen largest objects are giants if their mean [reach](portee) is more than this part of a
 /// sum: the mean reach of the others and [the side of a leaf](Repere::cote_d_une_feuille)
@@ -198,13 +212,13 @@ fn trier(fiches: &mut [Fiche]) {
         return;
     }
     let pas = ENFANTS.pow((fiches.len() - 1).ilog(ENFANTS));
-    let coupe = fiches.len().div_ceil(pas) / 2 * pas;
+    let mediane = fiches.len().div_ceil(pas) / 2 * pas;
     let [bas, haut] = extremes(fiches.iter().map(double_centre));
     let etendue: [f32; 3] = (haut - bas).into();
     let axe = (1..3).fold(0, |long, axe| if etendue[axe] > etendue[long] { axe } else { long });
     let centre = |fiche: &Fiche| double_centre(fiche)[axe];
-    let _ = fiches.select_nth_unstable_by(coupe, |a, b| centre(a).total_cmp(&centre(b)));
-    let (avant, apres) = fiches.split_at_mut(coupe);
+    let _ = fiches.select_nth_unstable_by(mediane, |a, b| centre(a).total_cmp(&centre(b)));
+    let (avant, apres) = fiches.split_at_mut(mediane);
     trier(avant);
     trier(apres);
 }

@@ -5,7 +5,7 @@
 //! records carry the index of the object. A walk may ask it twice and finds the same t, and a visit
 //! shows it in the slice where the ray enters it.
 
-use crate::algebre::nombre::{max, min, simple};
+use crate::algebre::nombre::{max, min, puissance_de_deux, simple};
 use crate::arbre::noeud::Noeud;
 use crate::arbre::repere::Repere;
 use crate::{Nombre, ObjetRay, Rayon, Vecteur};
@@ -15,7 +15,7 @@ use crate::{Nombre, ObjetRay, Rayon, Vecteur};
 const PRIX_D_UNE_FICHE: f32 = 0.03;
 
 /// Half of the least width of a slice in the frame of the tree (lemma 21).
-const DEMI_TRANCHE_MINIMALE: f32 = 1.0 / 65_536.0;
+const DEMI_TRANCHE_MINIMALE: f32 = puissance_de_deux(-16) as f32;
 
 /// What one more record costs, as surface in the frame of the tree. It tells of every object into
 /// how many slices it is cut, so that no record needs to.
@@ -46,12 +46,19 @@ impl Coupe {
             let de_plus = |objet| Self { prix }.morceaux(repere, objet) - 1;
             objets.iter().map(de_plus).sum::<usize>() <= restent
         };
+        if suffit(prix) {
+            return Self { prix };
+        }
         // No object has so much surface that it is cut at a price of 1.
-        let (mut trop_bas, mut assez) = if suffit(prix) { (prix, prix) } else { (prix, 1.0) };
+        let (mut trop_bas, mut assez) = (prix, 1.0);
         // Twelve halvings leave the price half a percent open.
         for _ in 0..12 {
             let milieu = (trop_bas * assez).racine();
-            *(if suffit(milieu) { &mut assez } else { &mut trop_bas }) = milieu;
+            if suffit(milieu) {
+                assez = milieu;
+            } else {
+                trop_bas = milieu;
+            }
         }
         Self { prix: assez }
     }

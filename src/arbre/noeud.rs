@@ -1,5 +1,6 @@
 //! The nodes of a tree: sixteen children side by side, in the numbers that the caller lends.
 
+use crate::algebre::nombre::puissance_de_deux;
 use crate::cote_a_cote::colonne::{Colonne, LARGEUR};
 
 /// Children of a node: a column has one number of each.
@@ -15,7 +16,7 @@ pub(crate) const LIMITE_INDICES: u64 = 0x7f80_0000;
 pub(crate) const ETAGES: usize = 8;
 
 /// The farthest corner of a missing child.
-pub(crate) const COIN_ABSENT: f32 = (1_u128 << 120) as f32;
+pub(crate) const COIN_ABSENT: f32 = puissance_de_deux(120) as f32;
 
 /// The box and the index of an object.
 pub(crate) type Fiche = [f32; FICHE];
@@ -37,4 +38,11 @@ pub(crate) const VIDE: Noeud = {
 /// finite.
 pub(crate) fn en_mot(indice: usize) -> f32 {
     f32::from_bits(indice as u32)
+}
+
+/// The index that a number of a column stores. Without its sign bit it is below 2³¹, which the
+/// compiler then knows.
+#[inline(always)]
+pub(crate) fn indice_lu(mot: f32) -> usize {
+    mot.abs().to_bits() as usize
 }

@@ -4,10 +4,10 @@ use fearless_simd::Simd;
 
 use crate::arbre::construction::Arbre;
 use crate::arbre::morceaux::Coupe;
-use crate::arbre::noeud::ENFANTS;
+use crate::arbre::noeud::{ENFANTS, indice_lu};
 use crate::arbre::pile::{Attentes, Pile};
 use crate::arbre::sonde::Sonde;
-use crate::cote_a_cote::colonne::{au_plus, indice_lu, prendre, prendre_le_moindre};
+use crate::cote_a_cote::colonne::{au_plus, prendre, prendre_le_moindre};
 use crate::question::liste::Liste;
 use crate::question::{Abord, Question};
 use crate::{Nombre, Rayon};
@@ -52,7 +52,8 @@ impl<R: Nombre> Arbre<'_, R> {
                 };
                 while let Some(enfant) = suivant {
                     let indice = indice_lu(indices[enfant]);
-                    let abord = Abord::DansSaBoite { entree: entrees.0[enfant], jusqu_ici };
+                    let tient_la_source = entrees.0[enfant] <= jusqu_ici;
+                    let abord = Abord::DansSaBoite { tient_la_source };
                     if let Some(objet) = liste.objet(indice)
                         && let Some(t) = question.voir(&copie, objet, indice, abord)
                         && (!Q::CHACUN_UNE_FOIS

@@ -7,11 +7,11 @@ use fearless_simd::prelude::*;
 
 use crate::algebre::nombre::selon;
 use crate::arbre::construction::Arbre;
-use crate::arbre::noeud::{ENFANTS, Noeud};
+use crate::arbre::noeud::{ENFANTS, Noeud, indice_lu};
 use crate::arbre::pile::{Attentes, Pile};
 use crate::arbre::sonde::Sonde;
-use crate::cote_a_cote::bloc::{Bloc, GROUPES};
-use crate::cote_a_cote::colonne::{au_plus, indice_lu, prendre};
+use crate::cote_a_cote::bloc::{Bloc, Ensemble, GROUPES};
+use crate::cote_a_cote::colonne::{au_plus, prendre};
 use crate::cote_a_cote::groupe::VOIES;
 use crate::question::liste::Liste;
 use crate::{Nombre, Rayon};
@@ -23,10 +23,10 @@ const OBJETS_PAR_NOMBRE: usize = 6;
 
 /// In a heap a longer list will do: for each number that a register holds, longer by this part of
 /// the number of boxes that a ray crosses.
-const PART_DES_CROISES: f32 = 0.6;
+const OBJETS_PAR_CROISE: f32 = 0.6;
 
 /// Fewer rays than this are asked one by one: eight in no order take up to twice as long together.
-const RAYONS_D_UN_BLOC: usize = 12;
+const MOINDRE_BLOC: usize = 12;
 
 /// A ray goes elsewhere if the cosine between it and the ray in the middle is no more than this.
 const COSINUS_MINIMAL: f64 = 0.25;
@@ -66,9 +66,7 @@ fn vont_ailleurs<R: Nombre>(rayons: &[Rayon<R>]) -> usize {
 
 impl<R: Nombre> Arbre<'_, R> {
     /// Looks for the first object of each of these rays: of all together, else of each group that
-    /// is narrower. Tells of each group whether it came to the end. The rays of the others, which
-    /// are to go on one by one, have asked the objects without a box and some with one. If it
-    /// returns `None`, nothing is loaded, and the rays have asked nothing.
+    /// is narrower. Tells of each group how far it came.
     #[inline(always)]
     pub(crate) fn chercher_ensemble<S: Simd>(
         &self,
@@ -76,45 +74,47 @@ impl<R: Nombre> Arbre<'_, R> {
         liste: &Liste<'_, R>,
         bloc: &mut Bloc<'_, R>,
         rayons: &[Rayon<R>],
-    ) -> Option<[bool; GROUPES]> {
+    ) -> [Ensemble; GROUPES] {
         simd.vectorize(
             #[inline(always)]
             || {
-                if rayons.len() < RAYONS_D_UN_BLOC {
-                    return None;
+                if rayons.len() < MOINDRE_BLOC {
+                    return [Ensemble::Rien; GROUPES];
                 }
                 let (ailleurs, un_suffit) = (vont_ailleurs(rayons), bloc.un_suffit);
                 let vaut_la_liste = || self.mieux_vaut_la_liste(simd, liste, un_suffit, rayons);
                 let mut en_liste = ailleurs > 0 && vaut_la_liste();
                 if ailleurs > AILLEURS && !en_liste {
-                    return None;
+                    return [Ensemble::Rien; GROUPES];
                 }
                 bloc.charger(rayons);
                 if !en_liste {
-                    let sans_boite = self.sans_boite.iter().map(|mot| (indice_lu(*mot), true));
-                    bloc.proposer(simd, liste, &mut { sans_boite });
+                    let mut sans_boite = self.sans_boite.iter().map(|mot| (indice_lu(*mot), true));
+                    bloc.proposer(simd, liste, &mut sans_boite);
                 }
                 let mut largeur = f32::INFINITY;
                 if ailleurs == 0 {
                     let (sonde, de_tous) = self.sonder(simd, bloc);
                     if self.descendre_en_bloc(simd, liste, sonde, (bloc, rayons)) {
-                        return Some([true; GROUPES]);
+                        return [Ensemble::JusquAuBout; GROUPES];
                     }
                     largeur = PLUS_ETROIT * de_tous;
                     en_liste = vaut_la_liste();
                 }
                 if en_liste {
                     bloc.proposer(simd, liste, &mut liste.toute());
-                    return Some([true; GROUPES]);
+                    return [Ensemble::JusquAuBout; GROUPES];
                 }
-                let mut finis = [false; GROUPES];
-                for (i, (rayons, fini)) in rayons.chunks(VOIES).zip(&mut finis).enumerate() {
+                let mut groupes = [Ensemble::EnPartie; GROUPES];
+                for (i, (rayons, groupe)) in rayons.chunks(VOIES).zip(&mut groupes).enumerate() {
                     bloc.demandes = i..i + 1;
                     let (sonde, la_sienne) = self.sonder(simd, bloc);
                     let sonde = sonde.filter(|_| la_sienne <= largeur);
-                    *fini = self.descendre_en_bloc(simd, liste, sonde, (bloc, rayons));
+                    if self.descendre_en_bloc(simd, liste, sonde, (bloc, rayons)) {
+                        *groupe = Ensemble::JusquAuBout;
+                    }
                 }
-                Some(finis)
+                groupes
             },
         )
     }
@@ -150,7 +150,7 @@ impl<R: Nombre> Arbre<'_, R> {
                     let sources = au_plus(simd, &entrees.0, &source);
                     let offerts = || {
                         let membre = prendre(&mut traverses)?;
-                        Some((indice_lu(mots[membre]), sources >> membre & 1 == 1))
+                        Some((indice_lu(mots[membre]), (sources >> membre) & 1 == 1))
                     };
                     bloc.proposer(simd, liste, &mut from_fn(offerts));
                     let loin = bloc.le_plus_loin();
@@ -193,7 +193,7 @@ impl<R: Nombre> Arbre<'_, R> {
         let de_trop = avec_boite.saturating_sub(OBJETS_PAR_NOMBRE * nombres) as f32;
         // A shadow ray asks few of the objects that it crosses.
         let croises = if un_suffit { 0.0 } else { self.part_des_croises * avec_boite as f32 };
-        let en_moins = croises * PART_DES_CROISES * nombres as f32;
+        let en_moins = croises * OBJETS_PAR_CROISE * nombres as f32;
         // Only rays that meet the heap count.
         de_trop == 0.0
             || de_trop <= en_moins && de_trop <= en_moins * self.part_qui_entre(simd, rayons)

@@ -2,8 +2,8 @@
 
 use arrayvec::ArrayVec;
 
-use crate::arbre::noeud::{ENFANTS, ETAGES, Noeud};
-use crate::cote_a_cote::colonne::{Colonne, Membres, indice_lu, prendre, prendre_le_moindre};
+use crate::arbre::noeud::{ENFANTS, ETAGES, Noeud, indice_lu};
+use crate::cote_a_cote::colonne::{Colonne, Membres, prendre, prendre_le_moindre};
 
 /// A walk visits one child of each node above the leaves at once and leaves at most fifteen. It is
 /// done with these before it visits another node of that floor.

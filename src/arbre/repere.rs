@@ -4,7 +4,7 @@ use core::cmp::Ordering;
 
 use arrayvec::ArrayVec;
 
-use crate::algebre::nombre::{fois_u, fois_u_simple, max, min, simple};
+use crate::algebre::nombre::{fois_u, fois_u_simple, max, min, puissance_de_deux, simple};
 use crate::arbre::noeud::{ENFANTS, Fiche};
 use crate::{Nombre, ObjetRay, Vecteur};
 
@@ -63,7 +63,7 @@ impl<R: Nombre> Repere<R> {
             }
             c
         }));
-        // T1. In the worst case Z is the last centre.
+        // T1: no corner leaves ±1, even if Z is the last centre.
         let echelle = R::UN / ((haut - bas).norme_1() + plus_large * R::depuis_f64(2.0));
         let mut largeur = R::ZERO;
         let milieu = [0, 1, 2].map(|axe| {
@@ -164,8 +164,11 @@ pub const JEU_LARGEUR: f64 = 67.0;
 /// box or to where a ray starts (lemmas 20 and 21).
 pub const JEU_F32: f64 = 7.5;
 
+/// With a slack of this part of the width of a scene or more, boxes tell no objects apart.
+pub(crate) const JEU_MAXIMAL: f32 = 1.0 / 8.0;
+
 /// More than is lost below the normal numbers (lemma 20).
-pub(crate) const JEU_SOUS_NORMAL: f32 = 1.0 / (1_u128 << 100) as f32;
+pub(crate) const JEU_SOUS_NORMAL: f32 = puissance_de_deux(-100) as f32;
 
 /// Twice the centre of a box.
 #[inline(always)]

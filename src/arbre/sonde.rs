@@ -10,7 +10,9 @@
 use fearless_simd::f32x16;
 use fearless_simd::prelude::*;
 
-use crate::algebre::nombre::{fois_u, fois_u_simple, max, min, selon, simple};
+use crate::algebre::nombre::{
+    est_double, fois_u, fois_u_simple, max, min, puissance_de_deux, simple,
+};
 use crate::arbre::noeud::Noeud;
 use crate::arbre::repere::{JEU_DISTANCE, JEU_F32, JEU_SOUS_NORMAL, Repere};
 use crate::cote_a_cote::colonne::{Aligne, Colonne, Membres};
@@ -64,8 +66,8 @@ impl<R: Nombre> Sonde<R> {
         let (y, d) = (repere.point(rayon.source()), rayon.direction());
         // Entries of a ray from far away are counted from its point nearest to Z. In `f32` that
         // point would be off by as much as a hit, so that they are counted from the source.
-        let loin = selon::<R, _>(false, true) && y.norme_1() > repere.loin;
-        let tau0 = if loin { -y.produit_scalaire(d) } else { R::ZERO };
+        let de_loin = est_double::<R>() && y.norme_1() > repere.loin;
+        let tau0 = if de_loin { -y.produit_scalaire(d) } else { R::ZERO };
         Self::d_un_rayon(rayon, tau0, repere)
     }
 
@@ -88,7 +90,7 @@ impl<R: Nombre> Sonde<R> {
             -y.produit_scalaire(d) / d.longueur_carree()
         };
         let avant = R::depuis_f64(AVANT_LES_BOITES);
-        if selon::<R, _>(true, false) || avant_z(groupes[0].rayon(0)) <= avant {
+        if !est_double::<R>() || avant_z(groupes[0].rayon(0)) <= avant {
             return R::ZERO;
         }
         let mut moindres = [R::INFINI; VOIES];
@@ -108,11 +110,10 @@ impl<R: Nombre> Sonde<R> {
         tau0: R,
         repere: Repere<R>,
     ) -> (Option<Self>, f32) {
-        let [x, y, z] = repere.milieu.into();
         let bornes = [
-            Bornes::le_long::<0, _, _>(simd, groupes, (x, repere), tau0),
-            Bornes::le_long::<1, _, _>(simd, groupes, (y, repere), tau0),
-            Bornes::le_long::<2, _, _>(simd, groupes, (z, repere), tau0),
+            Bornes::le_long::<0, _, _>(simd, groupes, repere, tau0),
+            Bornes::le_long::<1, _, _>(simd, groupes, repere, tau0),
+            Bornes::le_long::<2, _, _>(simd, groupes, repere, tau0),
         ];
         let largeur = bornes.iter().map(|bornes| bornes.largeur()).sum();
         (Self::entre_bords(tau0, bornes, repere), largeur)
@@ -126,7 +127,7 @@ impl<R: Nombre> Sonde<R> {
         let distance = simple(fois_u::<R>(JEU_DISTANCE));
         let jeu = norme * (distance + simple(fois_u_simple::<R>(JEU_F32))) + JEU_SOUS_NORMAL;
         // T3. The sources are farther away by no more than √3τ₀.
-        let jeu = if selon::<R, _>(false, true) {
+        let jeu = if est_double::<R>() {
             jeu + simple(tau0.absolu()) * (RACINE_DE_TROIS * distance)
         } else {
             jeu
@@ -182,9 +183,10 @@ impl Bornes {
     fn le_long<const AXE: usize, S: Simd, R: Nombre>(
         simd: S,
         groupes: &[Groupe<R>],
-        (milieu, repere): (R, Repere<R>),
+        repere: Repere<R>,
         tau0: R,
     ) -> Self {
+        let milieu = <[R; 3]>::from(repere.milieu)[AXE];
         let colonne = |x: Colonne<f32>| f32x16::simd_from(simd, x);
         let [haut, bas] = [f32::NEG_INFINITY, f32::INFINITY].map(|x| colonne([x; VOIES]));
         let ([mut s1, mut d1], [mut s0, mut d0]) = ([haut; 2], [bas; 2]);
@@ -193,7 +195,7 @@ impl Bornes {
             let (mut s, mut d) = ([0.0; VOIES], [0.0; VOIES]);
             for voie in 0..VOIES {
                 let y = repere.longueur(sources[voie] - milieu);
-                let ici = if selon::<R, _>(false, true) { y + directions[voie] * tau0 } else { y };
+                let ici = if est_double::<R>() { y + directions[voie] * tau0 } else { y };
                 (s[voie], d[voie]) = (simple(ici), simple(directions[voie]));
             }
             let (s, d) = (colonne(s), colonne(d));
@@ -249,4 +251,4 @@ fn colonne(axe: usize, d: f32) -> usize {
 
 /// What is added to |D|, so that no quotient is infinite and 0·∞ makes no NaN. A ray that moves
 /// along an axis by less than this stays in place along it, as boxes see it.
-const IMMOBILE: f32 = 1.0 / (1_u128 << 120) as f32;
+const IMMOBILE: f32 = puissance_de_deux(-120) as f32;

@@ -24,6 +24,16 @@ pub(crate) const GROUPES: usize = BLOC / VOIES;
 /// 1.15 times as long (measured).
 pub(crate) type Groupes<R> = ArrayVec<Groupe<R>, GROUPES>;
 
+/// How far the rays of a group came together.
+#[derive(Clone, Copy)]
+pub(crate) enum Ensemble {
+    /// Nothing is loaded, and they have asked nothing.
+    Rien,
+    /// They have asked some objects, those without a box among them, and are to go on one by one.
+    EnPartie,
+    JusquAuBout,
+}
+
 /// At most 64 rays with the first object of each so far. It does not know which question they ask,
 /// so that what asks them is compiled once for all.
 pub(crate) struct Bloc<'a, R> {
@@ -33,25 +43,25 @@ pub(crate) struct Bloc<'a, R> {
     /// Whether any object settles the answer of a ray.
     pub(crate) un_suffit: bool,
     /// Whether some ray has a δ above 0.
-    flou: bool,
+    d_emblee: bool,
 }
 
 impl<'a, R: Nombre> Bloc<'a, R> {
     #[inline(always)]
     pub(crate) fn new(groupes: &'a mut Groupes<R>, un_suffit: bool) -> Self {
-        Self { groupes, demandes: 0..0, un_suffit, flou: false }
+        Self { groupes, demandes: 0..0, un_suffit, d_emblee: false }
     }
 
     /// Loads these rays, with no object so far.
     #[inline(always)]
     pub(crate) fn charger(&mut self, rayons: &[Rayon<R>]) {
         self.demandes = 0..rayons.len().div_ceil(VOIES);
-        self.flou = false;
+        self.d_emblee = false;
         for (i, rayons) in rayons.chunks(VOIES).enumerate() {
             if i == self.groupes.len() {
                 self.groupes.push(Groupe::VIDE);
             }
-            self.flou |= self.groupes[i].charger(rayons);
+            self.d_emblee |= self.groupes[i].charger(rayons);
         }
     }
 
@@ -78,7 +88,7 @@ impl<'a, R: Nombre> Bloc<'a, R> {
         simd.vectorize(
             #[inline(always)]
             || {
-                let flou = self.flou;
+                let d_emblee = self.d_emblee;
                 let groupes = &mut self.groupes[self.demandes.clone()];
                 for (indice, source) in offerts {
                     let Some(objet) = liste.objet(indice) else { continue };
@@ -86,7 +96,7 @@ impl<'a, R: Nombre> Bloc<'a, R> {
                     par_forme!(ObjetRay, objet, forme => {
                         let forme = *forme;
                         for groupe in groupes.iter_mut() {
-                            groupe.proposer(&forme, rang, flou && source);
+                            groupe.proposer(&forme, rang, d_emblee && source);
                         }
                     });
                 }

@@ -60,9 +60,3 @@ pub(crate) fn le_plus_grand<R: Copy + PartialOrd>(mut x: Colonne<R>) -> R {
     }
     x[0]
 }
-
-/// The index that a number of a column [stores](crate::arbre::noeud::en_mot).
-#[inline(always)]
-pub(crate) fn indice_lu(mot: f32) -> usize {
-    mot.abs().to_bits() as usize
-}

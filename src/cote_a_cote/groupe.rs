@@ -27,7 +27,7 @@ pub(crate) struct Groupe<R> {
     pub(crate) s: [Colonne<R>; 3],
     pub(crate) d: [Colonne<R>; 3],
     /// To which δ each ray touches at once.
-    flous: Colonne<R>,
+    deltas: Colonne<R>,
     t: Colonne<R>,
     rangs: Colonne<Option<Rang>>,
 }
@@ -36,7 +36,7 @@ impl<R: Nombre> Groupe<R> {
     pub(crate) const VIDE: Self = Self {
         s: [[R::ZERO; VOIES]; 3],
         d: [[R::ZERO; VOIES]; 3],
-        flous: [R::ZERO; VOIES],
+        deltas: [R::ZERO; VOIES],
         t: [R::INFINI; VOIES],
         rangs: [None; VOIES],
     };
@@ -52,7 +52,7 @@ impl<R: Nombre> Groupe<R> {
             complets[..rayons.len()].copy_from_slice(rayons);
             self.copier(&complets);
         }
-        le_plus_grand(self.flous) > R::ZERO
+        le_plus_grand(self.deltas) > R::ZERO
     }
 
     #[inline(always)]
@@ -63,7 +63,7 @@ impl<R: Nombre> Groupe<R> {
             [self.s[0][voie], self.s[1][voie], self.s[2][voie]] = s.into();
             [self.d[0][voie], self.d[1][voie], self.d[2][voie]] = d.into();
             self.t[voie] = rayon.fin();
-            self.flous[voie] = rayon.flou.d_emblee();
+            self.deltas[voie] = rayon.flou.d_emblee();
         }
     }
 
@@ -78,7 +78,7 @@ impl<R: Nombre> Groupe<R> {
     /// The ray of one lane with its δ, without its end.
     #[inline(always)]
     fn rayon_flou(&self, voie: usize) -> Rayon<R> {
-        self.rayon(voie).sachant(Flou::de(self.flous[voie]))
+        self.rayon(voie).sachant(Flou::de(self.deltas[voie]))
     }
 
     /// The first object of one ray so far.
@@ -106,9 +106,9 @@ impl<R: Nombre> Groupe<R> {
     /// At the same distance the object of lower rank is the first. `flou` says that some ray has a
     /// δ above 0 and may start in the object.
     #[inline(always)]
-    pub(crate) fn proposer(&mut self, forme: &impl Forme<R>, rang: Rang, flou: bool) {
+    pub(crate) fn proposer(&mut self, forme: &impl Forme<R>, rang: Rang, d_emblee: bool) {
         let mut pres = false;
-        if flou {
+        if d_emblee {
             for voie in 0..VOIES {
                 pres |= forme.peut_entrer(&self.rayon_flou(voie));
             }
@@ -124,7 +124,7 @@ impl<R: Nombre> Groupe<R> {
         // All lanes compute a distance, and a second loop keeps those that come first: with a
         // branch for each lane neither loop would be vectorised.
         let mut t = [R::INFINI; VOIES];
-        if flou {
+        if d_emblee {
             self.toucher(forme, &mut t);
         } else {
             for (voie, t) in t.iter_mut().enumerate() {
@@ -132,7 +132,7 @@ impl<R: Nombre> Groupe<R> {
             }
         }
         for (voie, &t) in t.iter().enumerate() {
-            let (trouve, premier) = (Premier::<_> { t, rang: Some(rang) }, self.premier(voie));
+            let (trouve, premier) = (Premier { t, rang: Some(rang) }, self.premier(voie));
             let precede = trouve.precede(premier);
             self.t[voie] = if precede { t } else { premier.t };
             self.rangs[voie] = if precede { trouve.rang } else { premier.rang };
@@ -205,8 +205,8 @@ impl<R: Nombre> Groupe<R> {
                 // its fields are stored.
                 if cote_a_cote && contacts.de_face[voie] {
                     let contact = contacts.de(voie);
-                    let flou = rayon.flou();
-                    touches[voie] = Ok(Intersection { distance: t, contact, flou, texture, rang });
+                    let delta = rayon.flou();
+                    touches[voie] = Ok(Intersection { distance: t, contact, delta, texture, rang });
                 } else {
                     touches[voie] = objet.touche(rayon, t, rang);
                 }

@@ -8,6 +8,10 @@ pub(crate) fn meilleur_niveau() -> Level {
     Level::try_detect().unwrap_or(Level::baseline())
 }
 
+/// Whether a call has a copy for AVX-512, or takes that for AVX2 there.
+pub(crate) const AVEC_AVX_512: bool = true;
+pub(crate) const SANS_AVX_512: bool = false;
+
 /// `selon_le_niveau!(niveau, large, simd => appel)`: the call of a function that
 /// [`vectorize`](fearless_simd::Simd::vectorize) compiles for the instruction set of the token
 /// `simd`, once for all who call it; the level chooses the token. `large` says whether there is a

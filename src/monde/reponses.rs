@@ -5,9 +5,9 @@
 use fearless_simd::{Level, Simd};
 
 use crate::arbre::construction::{Arbre, construire};
-use crate::cote_a_cote::bloc::{BLOC, Bloc, GROUPES, Groupes};
+use crate::cote_a_cote::bloc::{BLOC, Bloc, Ensemble, GROUPES, Groupes};
 use crate::cote_a_cote::groupe::{Groupe, VOIES};
-use crate::cote_a_cote::niveau::selon_le_niveau;
+use crate::cote_a_cote::niveau::{AVEC_AVX_512, SANS_AVX_512, selon_le_niveau};
 use crate::question::jugement::certificat::Certificat;
 use crate::question::liste::Liste;
 use crate::question::visite::{Montrer, Rangee, Visite};
@@ -77,7 +77,7 @@ fn demander<R: Nombre, Q: Question<R>, T>(
     mut question: Q,
     repondre: impl Fn(Q, &Rayon<R>, &[ObjetRay<R>]) -> T,
 ) -> T {
-    selon_le_niveau!(*niveau, false, simd => simd.vectorize(
+    selon_le_niveau!(*niveau, SANS_AVX_512, simd => simd.vectorize(
         #[inline(always)]
         || {
             if arbre.noeuds.is_empty() {
@@ -104,7 +104,7 @@ fn une_ombre<R: Nombre>() -> impl Fn(Premier<R, true>, &Rayon<R>, &[ObjetRay<R>]
 }
 
 /// Fewer rays than this are asked of a list one by one (`DEVELOPING.md`, "Thresholds").
-const RAYONS_D_UNE_LISTE: usize = 6;
+const MOINDRE_LOT_D_UNE_LISTE: usize = 6;
 
 /// Asks for the first objects of many rays: of the rays of a block side by side as long as they
 /// stay together, and of the others one by one, from what they have found so far. `repondre` makes
@@ -125,43 +125,46 @@ fn demander_en_lot<R: Nombre, T, const OMBRE: bool>(
     let mut reste = Sujet { liste, arbre: &sans, niveau, deja: None };
     let mut groupes = Groupes::new_const();
     let mut bloc = Bloc::new(&mut groupes, OMBRE);
-    selon_le_niveau!(niveau, true, simd => simd.vectorize(
+    selon_le_niveau!(niveau, AVEC_AVX_512, simd => simd.vectorize(
         #[inline(always)]
         || {
             for (rayons, reponses) in rayons.chunks(BLOC).zip(reponses.chunks_mut(BLOC)) {
-                // Whether each group came to the end; `None` if they have asked nothing.
-                let finis = if !arbre.noeuds.is_empty() {
+                let ensemble = if !arbre.noeuds.is_empty() {
                     arbre.chercher_ensemble(simd, &liste, &mut bloc, rayons)
-                } else if rayons.len() >= RAYONS_D_UNE_LISTE {
+                } else if rayons.len() >= MOINDRE_LOT_D_UNE_LISTE {
                     bloc.charger(rayons);
                     bloc.proposer(simd, &liste, &mut liste.toute());
-                    Some([true; GROUPES])
+                    [Ensemble::JusquAuBout; GROUPES]
                 } else {
-                    None
+                    [Ensemble::Rien; GROUPES]
                 };
                 let par_groupe = rayons.chunks(VOIES).zip(reponses.chunks_mut(VOIES));
                 for (i, (rayons, reponses)) in par_groupe.enumerate() {
-                    let fini = finis.map(|finis| finis[i]);
-                    if fini == Some(true) {
-                        ecrire(&bloc.groupes[i], liste.objets, rayons, reponses);
-                        continue;
-                    }
-                    for (voie, (rayon, reponse)) in rayons.iter().zip(reponses).enumerate() {
-                        if fini.is_none() {
-                            *reponse = if arbre.noeuds.is_empty() {
-                                premier_d_une_liste(simd, &liste, rayon, repondre)
-                            } else {
-                                premier_d_un_arbre(simd, sujet, rayon, repondre)
-                            };
-                            continue;
+                    let un_par_un = rayons.iter().zip(&mut *reponses);
+                    match ensemble[i] {
+                        Ensemble::JusquAuBout => {
+                            ecrire(&bloc.groupes[i], liste.objets, rayons, reponses);
                         }
-                        let premier = bloc.groupes[i].premier(voie);
-                        *reponse = if OMBRE && premier.rang.is_some() {
-                            repondre(premier.en_question(), rayon, liste.objets)
-                        } else {
-                            reste.deja = Some(premier);
-                            premier_d_un_arbre(simd, &reste, rayon, repondre)
-                        };
+                        Ensemble::EnPartie => {
+                            for (voie, (rayon, reponse)) in un_par_un.enumerate() {
+                                let premier = bloc.groupes[i].premier(voie);
+                                *reponse = if OMBRE && premier.rang.is_some() {
+                                    repondre(premier.en_question(), rayon, liste.objets)
+                                } else {
+                                    reste.deja = Some(premier);
+                                    premier_d_un_arbre(simd, &reste, rayon, repondre)
+                                };
+                            }
+                        }
+                        Ensemble::Rien => {
+                            for (rayon, reponse) in un_par_un {
+                                *reponse = if arbre.noeuds.is_empty() {
+                                    premier_d_une_liste(simd, &liste, rayon, repondre)
+                                } else {
+                                    premier_d_un_arbre(simd, sujet, rayon, repondre)
+                                };
+                            }
+                        }
                     }
                 }
             }
@@ -188,57 +191,53 @@ fn demander_en_lot<R: Nombre, T, const OMBRE: bool>(
 /// assert_eq!(milieu, Vecteur::new(0.5, 1.0, 1.5));
 /// ```
 #[doc(alias("float", "scalar"))]
-pub trait Reel: Nombre + Repond<Self> {}
+pub trait Reel: Nombre + Repond {}
 
 impl Reel for f32 {}
 impl Reel for f64 {}
 
 /// `reponses! { fn …(…) -> … { … } … }`: the trait [`Repond`] of these functions, and their bodies
-/// compiled for `f32` and for `f64`, which are `R` in them.
+/// compiled for `f32` and for `f64`, which are `Self` in them.
 macro_rules! reponses {
-    ($(fn $nom:ident$(<$vie:lifetime>)?($($de:ident: $type:ty),* $(,)?) -> $reponse:ty $corps:block)*) => {
+    ($(fn $nom:ident$(<$vie:lifetime>)?($($de:ident: $type:ty),* $(,)?) -> $dit:ty $corps:block)*) => {
         /// The answers in one scalar. Nobody can name this trait outside of the crate, and its
         /// functions have names that no trait of a caller has: else the caller could not use theirs
         /// for a scalar (E0034).
-        pub trait Repond<R> {
-            $(fn $nom$(<$vie>)?($($de: $type),*) -> $reponse;)*
+        pub trait Repond: Nombre {
+            $(fn $nom$(<$vie>)?($($de: $type),*) -> $dit;)*
         }
-        reponses! { dans f32 $(fn $nom$(<$vie>)?($($de: $type),*) -> $reponse $corps)* }
-        reponses! { dans f64 $(fn $nom$(<$vie>)?($($de: $type),*) -> $reponse $corps)* }
+        reponses! { dans f32 $(fn $nom$(<$vie>)?($($de: $type),*) -> $dit $corps)* }
+        reponses! { dans f64 $(fn $nom$(<$vie>)?($($de: $type),*) -> $dit $corps)* }
     };
     (dans $reel:ident $($fonctions:item)*) => {
-        const _: () = {
-            type R = $reel;
-
-            impl Repond<R> for R {
-                $($fonctions)*
-            }
-        };
+        impl Repond for $reel {
+            $($fonctions)*
+        }
     };
 }
 
 reponses! {
-    fn lancer_rayon_arbre<'a>(objets: &'a [ObjetRay<R>], places: &'a mut [f32], decouper: bool)
-        -> Result<Arbre<'a, R>, PlacesInsuffisantes>
+    fn lancer_rayon_arbre<'a>(objets: &'a [ObjetRay<Self>], places: &'a mut [f32])
+        -> Result<Arbre<'a, Self>, PlacesInsuffisantes>
     {
-        construire(objets, places, decouper)
+        construire(objets, places)
     }
 
-    fn lancer_rayon_premiere(sujet: &Sujet<'_, R>, rayon: &Rayon<R>) -> Reponse<R> {
-        selon_le_niveau!(sujet.niveau, true, simd => {
+    fn lancer_rayon_premiere(sujet: &Sujet<'_, Self>, rayon: &Rayon<Self>) -> Reponse<Self> {
+        selon_le_niveau!(sujet.niveau, AVEC_AVX_512, simd => {
             premier_d_un_arbre(simd, sujet, rayon, une_touche())
         })
     }
 
-    fn lancer_rayon_premiere_d_une_liste(liste: &Liste<'_, R>, niveau: Level, rayon: &Rayon<R>)
-        -> Reponse<R>
+    fn lancer_rayon_premiere_d_une_liste(liste: &Liste<'_, Self>, niveau: Level, rayon: &Rayon<Self>)
+        -> Reponse<Self>
     {
-        selon_le_niveau!(niveau, false, simd => {
+        selon_le_niveau!(niveau, SANS_AVX_512, simd => {
             premier_d_une_liste(simd, liste, rayon, une_touche())
         })
     }
 
-    fn lancer_rayon_premieres(sujet: &Sujet<'_, R>, rayons: &[Rayon<R>], touches: &mut [Reponse<R>])
+    fn lancer_rayon_premieres(sujet: &Sujet<'_, Self>, rayons: &[Rayon<Self>], touches: &mut [Reponse<Self>])
         -> Result<(), LongueursDifferentes>
     {
         demander_en_lot(
@@ -250,21 +249,21 @@ reponses! {
         )
     }
 
-    fn lancer_rayon_occulte(sujet: &Sujet<'_, R>, rayon: &Rayon<R>) -> bool {
-        selon_le_niveau!(sujet.niveau, true, simd => {
+    fn lancer_rayon_occulte(sujet: &Sujet<'_, Self>, rayon: &Rayon<Self>) -> bool {
+        selon_le_niveau!(sujet.niveau, AVEC_AVX_512, simd => {
             premier_d_un_arbre(simd, sujet, rayon, une_ombre())
         })
     }
 
-    fn lancer_rayon_occulte_d_une_liste(liste: &Liste<'_, R>, niveau: Level, rayon: &Rayon<R>)
+    fn lancer_rayon_occulte_d_une_liste(liste: &Liste<'_, Self>, niveau: Level, rayon: &Rayon<Self>)
         -> bool
     {
-        selon_le_niveau!(niveau, false, simd => {
+        selon_le_niveau!(niveau, SANS_AVX_512, simd => {
             premier_d_une_liste(simd, liste, rayon, une_ombre())
         })
     }
 
-    fn lancer_rayon_occultes(sujet: &Sujet<'_, R>, rayons: &[Rayon<R>], occultes: &mut [bool])
+    fn lancer_rayon_occultes(sujet: &Sujet<'_, Self>, rayons: &[Rayon<Self>], occultes: &mut [bool])
         -> Result<(), LongueursDifferentes>
     {
         demander_en_lot(
@@ -276,23 +275,23 @@ reponses! {
         )
     }
 
-    fn lancer_rayon_certifie(sujet: &Sujet<'_, R>, rayon: &Rayon<R>, reponse: &Reponse<R>) -> bool {
+    fn lancer_rayon_certifie(sujet: &Sujet<'_, Self>, rayon: &Rayon<Self>, reponse: &Reponse<Self>) -> bool {
         let certificat = Certificat::new(&sujet.liste, rayon, reponse);
         certificat.is_some_and(|certificat| demander(sujet, rayon, certificat, |q, _, _| !q.doute))
     }
 
-    fn lancer_rayon_visiter(sujet: &Sujet<'_, R>, rayon: &Rayon<R>, montrer: Montrer<'_, R>) -> () {
+    fn lancer_rayon_visiter(sujet: &Sujet<'_, Self>, rayon: &Rayon<Self>, montrer: Montrer<'_, Self>) -> () {
         demander(sujet, rayon, Visite::<_, false> { fin: rayon.fin(), montrer }, |_, _, _| ());
     }
 
-    fn lancer_rayon_dans_l_ordre(sujet: &Sujet<'_, R>, rayon: &Rayon<R>, touches: &mut [Reponse<R>]) -> usize {
+    fn lancer_rayon_dans_l_ordre(sujet: &Sujet<'_, Self>, rayon: &Rayon<Self>, touches: &mut [Reponse<Self>]) -> usize {
         let mut rangee = Rangee::new(touches);
         Self::lancer_rayon_visiter(sujet, rayon, &mut |indice, t| rangee.placer(indice, t));
         rangee.en_ordre(rayon, sujet.liste.objets)
     }
 
-    fn lancer_rayon_contenants(sujet: &Sujet<'_, R>, point: Vecteur<R>, montrer: Montrer<'_, R>) -> bool {
-        let visite = Visite::<_, true> { fin: R::INFINI, montrer };
+    fn lancer_rayon_contenants(sujet: &Sujet<'_, Self>, point: Vecteur<Self>, montrer: Montrer<'_, Self>) -> bool {
+        let visite = Visite::<_, true> { fin: Self::INFINI, montrer };
         // The direction does not matter, and the point need not be finite.
         let rayon = Rayon::sans_fin(point, Vecteur::Z);
         demander(sujet, &rayon, visite, |visite, _, _| visite.est_reglee())

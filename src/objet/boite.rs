@@ -4,8 +4,7 @@ pub(crate) mod dalle;
 pub(crate) mod face;
 
 use crate::algebre::nombre::fois_u;
-use crate::algebre::refus;
-use crate::algebre::refus::{coefficient, deplacement, point, taille};
+use crate::algebre::refus::{self, coefficient, deplacement, point, taille};
 use crate::objet::boite::dalle::{Quotient, dalle, dalles};
 use crate::objet::forme::{Boule, FLOU_PROPRE, Forme};
 use crate::{ErreurGeo, Nombre, Rayon, Rotation, Texture, Vecteur};

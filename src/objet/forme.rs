@@ -2,7 +2,7 @@
 //! rays without a division or a root.
 //!
 //! A ray meets a shape in three steps. [`Forme::peut_entrer`] is cheap and rejects most rays;
-//! [`Forme::t`] finds where the ray enters; [`Forme::contact_rare`] computes normal and margin, once,
+//! [`Forme::t`] finds where the ray enters; [`Forme::contact`] computes normal and margin, once,
 //! for the first object of a ray.
 
 use crate::algebre::nombre::{fois_u, fois_u_simple, max, min, plancher};
@@ -106,16 +106,16 @@ pub(crate) trait Forme<R: Nombre>: Copy {
     /// [`plan_tangent`](Self::plan_tangent) said of it. This definition is that of a flat face.
     #[inline(always)]
     fn hauteur(&self, p: Vecteur<R>, n: Vecteur<R>, du_centre: R) -> Hauteur<R> {
-        // M2: of a half-space, whose ball has the centre O, this is P.
+        // M2: the ball of a half-space has the centre O, so that CP is P.
         let cp = p - self.boule().centre;
         let hauteur = n.produit_scalaire(cp) - du_centre;
         Hauteur { b: hauteur.absolu(), l: n.somme_des_grandeurs(cp) }
     }
 
-    /// Normal and margin of the entry at distance `t`, of any: also where the ray touches at once,
-    /// or the normal is leaned towards the source. A call for the normal alone, before the margin,
+    /// Normal and margin of the entry at distance `t`, also where [`contact`](Self::contact) is not
+    /// right: where the ray touches at once, or the normal leans away from the source. A call for the normal alone, before the margin,
     /// would make a single ray take up to 1.4 times as long (measured).
-    fn contact_rare(&self, rayon: &Rayon<R>, t: R) -> Contact<R> {
+    fn contact_de_toute_sorte(&self, rayon: &Rayon<R>, t: R) -> Contact<R> {
         let (n, du_centre) =
             if t == R::ZERO { self.plan_de_depart(rayon) } else { self.plan_tangent(rayon, t) };
         let d = rayon.direction();
@@ -140,7 +140,7 @@ pub(crate) trait Forme<R: Nombre>: Copy {
         let p = rayon.point(t);
         let Hauteur { b, l } = self.hauteur(p, normale, du_centre);
         let marge = b + l * fois_u(2.0 * ARRONDI_HAUTEUR);
-        // M4. A NaN comes from an overflow.
+        // M4: rounded up; a NaN, which comes from an overflow, becomes +∞.
         let marge = marge + marge * fois_u(VERS_LE_HAUT) + plancher();
         Contact { normale, marge: min(marge, R::INFINI), point: p }
     }

@@ -1,7 +1,6 @@
 //! The plane, which is a solid half-space (handout §2.2, §3 and annex A.1).
 
-use crate::algebre::refus;
-use crate::algebre::refus::{coefficient, coordonnee, deplacement, point, unitaire};
+use crate::algebre::refus::{self, coefficient, coordonnee, deplacement, point, unitaire};
 use crate::objet::forme::{Boule, Forme};
 use crate::{ErreurGeo, Nombre, Rayon, Rotation, Texture, Vecteur};
 

@@ -1,8 +1,7 @@
 //! The sphere (handout §2.2, §3 and annex A.2).
 
 use crate::algebre::nombre::{fois_u, max};
-use crate::algebre::refus;
-use crate::algebre::refus::{coefficient, deplacement, point, taille};
+use crate::algebre::refus::{self, coefficient, deplacement, point, taille};
 use crate::objet::forme::{Boule, FLOU_PROPRE, Forme, Hauteur};
 use crate::{ErreurGeo, Nombre, Rayon, Rotation, Texture, Vecteur};
 
@@ -220,7 +219,7 @@ impl<R: Nombre> Forme<R> for SphereRay<R> {
     /// past A, even where the ray grazes so closely that AB is all rounding.
     #[inline(always)]
     fn t_et_dedans(&self, rayon: &Rayon<R>) -> (R, bool) {
-        let Termes { sa, puissance, ab2, d2, .. } = self.termes(rayon);
+        let Termes { sa, puissance, ab2, d2 } = self.termes(rayon);
         let sa_ab = sa + ab2.racine(); // S6: (SA − AB)(SA + AB) is the power
         let avant_a = puissance * d2 < sa * sa_ab;
         let (haut, bas) = if avant_a { (puissance, sa_ab) } else { (sa, d2) };
@@ -244,7 +243,7 @@ impl<R: Nombre> Forme<R> for SphereRay<R> {
     /// that starts there is above 0 and at most 2r away, even within rounding of the surface.
     #[inline(always)]
     fn t_sortie(&self, rayon: &Rayon<R>) -> R {
-        let Termes { sa, puissance, ab2, d2, .. } = self.termes(rayon);
+        let Termes { sa, puissance, ab2, d2 } = self.termes(rayon);
         let (dedans, devant) = (puissance < R::ZERO, sa > R::ZERO);
         // W1: from inside AB² is no less than −power·D².
         let ab = max(ab2, -puissance * d2).racine();

@@ -11,9 +11,9 @@ pub(crate) mod point;
 use core::slice::from_ref;
 
 use crate::algebre::double::{Double, scalaire, triple};
-use crate::algebre::nombre::{fois_u, selon};
+use crate::algebre::nombre::{est_double, fois_u};
 use crate::question::jugement::certificat::Certificat;
-use crate::question::jugement::juge::{coup_d_oeil, juger};
+use crate::question::jugement::juge::{Lieux, coup_d_oeil, juger};
 use crate::question::liste::Liste;
 use crate::question::{Abord, Question};
 use crate::{Intersection, Nombre, ObjetRay, Rayon};
@@ -68,7 +68,7 @@ impl<R: Nombre> ObjetRay<R> {
         let t = touche.distance();
         let (objet, rayon, en_f64) = (self.temoin_f64(), rayon.temoin_f64(), t.vers_f64());
         // A glance is for entries, and never leaves so little of a distance in `f64` open.
-        let rapide = selon::<R, _>(true, false) && !sort;
+        let rapide = !est_double::<R>() && !sort;
         let vue = rapide.then(|| coup_d_oeil(&objet, &rayon));
         let nette = vue.filter(|vue| vue.haut - vue.bas <= en_f64 * (R::U.vers_f64() * NET));
         let ecart = if let Some(vue) = nette {
@@ -76,10 +76,11 @@ impl<R: Nombre> ObjetRay<R> {
         } else if sort {
             // J9: the ray that comes back, from as far beyond, enters there.
             let retour = Rayon::sans_fin(rayon.source(), -rayon.direction());
-            let ecart = juger(&objet, &retour, [-2.0 * en_f64, -en_f64]).0.grandeur();
+            let lieux = Lieux { depart: -2.0 * en_f64, t: -en_f64 };
+            let ecart = juger(&objet, &retour, lieux).entree.grandeur();
             if ecart < 0.5 * en_f64 { ecart } else { f64::INFINI }
         } else {
-            juger(&objet, &rayon, [0.0, en_f64]).0.grandeur()
+            juger(&objet, &rayon, Lieux { depart: 0.0, t: en_f64 }).entree.grandeur()
         };
         // J7: t counts in lengths of D.
         let d = rayon.direction();

@@ -38,7 +38,7 @@ pub struct Intersection<R = f64> {
     pub(crate) distance: R,
     pub(crate) contact: Contact<R>,
     /// The δ of the ray.
-    pub(crate) flou: R,
+    pub(crate) delta: R,
     pub(crate) texture: Texture,
     pub(crate) rang: Rang,
 }
@@ -94,7 +94,7 @@ impl<R: Nombre> Intersection<R> {
     pub(crate) fn a_conclure(distance: R, rang: Rang) -> Self {
         let (normale, point) = (Vecteur::NUL, Vecteur::NUL);
         let contact = Contact { normale, marge: R::ZERO, point };
-        Self { distance, contact, flou: R::ZERO, texture: Texture(0), rang }
+        Self { distance, contact, delta: R::ZERO, texture: Texture(0), rang }
     }
 
     /// t, finite and 0 or more: the object is touched at S + tD. Since D is unit only to rounding,

@@ -123,7 +123,8 @@ impl<R: Nombre> Intersection<R> {
     #[inline]
     pub fn secondaire(&self, direction: Vecteur<R>) -> Result<Rayon<R>, ErreurGeo> {
         let direction = direction_unitaire(DIRECTION, direction)?;
-        self.suite(direction.produit_scalaire(self.normale()) < fois_u(-TANGENT), direction)
+        let cosinus = direction.produit_scalaire(self.normale());
+        self.suite(if cosinus < fois_u(-TANGENT) { Cote::Dedans } else { Cote::Dehors }, direction)
     }
 
     /// The ray that a mirror sends on when a ray arrives in the direction D: a
@@ -166,7 +167,7 @@ impl<R: Nombre> Intersection<R> {
         }
         // N·D ≤ 0 as computed: exactly it may be above by 3.1u, so that N·D′ is no less than −3.1u
         // before D′ is rounded, and than −5.1u after.
-        self.suite(false, direction)
+        self.suite(Cote::Dehors, direction)
     }
 
     /// The ray that light in the direction D becomes behind the surface, by Snell's law: a
@@ -225,11 +226,14 @@ impl<R: Nombre> Intersection<R> {
         let carre = le_long * le_long + ecart;
         let attendu = "above 0, as a squared cosine: all light is mirrored (total reflection)";
         let droit = n * exiger(carre > R::ZERO, "refraction", carre, attendu)?.racine();
-        let vers_dedans = le_long <= R::ZERO;
+        let cote = if le_long <= R::ZERO { Cote::Dedans } else { Cote::Dehors };
         let travers = travers * rapport;
         // M8: n sin α across N, and c′ along it.
-        let direction = if vers_dedans { travers - droit } else { travers + droit };
-        self.suite(vers_dedans, direction_unitaire(DIRECTION, direction)?)
+        let direction = match cote {
+            Cote::Dedans => travers - droit,
+            Cote::Dehors => travers + droit,
+        };
+        self.suite(cote, direction_unitaire(DIRECTION, direction)?)
     }
 
     /// The ray from this hit to a light, which ends there: ask
@@ -266,7 +270,7 @@ impl<R: Nombre> Intersection<R> {
     #[doc(alias("shadow_ray", "light", "lamp"))]
     #[inline]
     pub fn vers_lumiere(&self, lumiere: Vecteur<R>) -> Result<Rayon<R>, ErreurGeo> {
-        let depart = self.depart(false)?; // L1: outside the object, past all rounding
+        let depart = self.depart(Cote::Dehors)?; // L1: outside the object, past all rounding
         let lumiere = fini(["lumiere.x", "lumiere.y", "lumiere.z"], lumiere)?;
         let trajet = (lumiere - depart.source).longueur_et_unitaire(); // L2: from there, not from P
         let (fin, direction) = trajet.ok_or_else(|| refus_nul("lumiere - depart"))?;
@@ -307,7 +311,7 @@ impl<R: Nombre> Intersection<R> {
     #[inline]
     pub fn vers_soleil(&self, soleil: Vecteur<R>) -> Result<Rayon<R>, ErreurGeo> {
         let champs = ["soleil", "soleil.x", "soleil.y", "soleil.z"];
-        let (depart, direction) = (self.depart(false)?, direction_unitaire(champs, soleil)?);
+        let (depart, direction) = (self.depart(Cote::Dehors)?, direction_unitaire(champs, soleil)?);
         self.exiger_de_face("soleil", direction)?;
         Ok(Rayon { direction, ..depart })
     }
@@ -353,59 +357,59 @@ impl<R: Nombre> Intersection<R> {
     /// ```
     #[doc(alias("line_of_sight", "visibility", "segment"))]
     pub fn vers_touche(&self, cible: &Self) -> Result<Rayon<R>, ErreurGeo> {
-        let vers = self.vers_lumiere(cible.depart(false)?.source)?;
+        let vers = self.vers_lumiere(cible.depart(Cote::Dehors)?.source)?;
         cible.exiger_de_face("cible", -vers.direction())?;
         Ok(vers)
     }
 
-    /// How far along the normal, outward or inward, a ray starts from the point of the hit.
+    /// How far along the normal, to this side, a ray starts from the point of the hit.
     #[inline(always)]
-    fn pas(&self, vers_dedans: bool) -> R {
+    fn pas(&self, cote: Cote) -> R {
         let (p, n) = (self.point(), self.normale());
+        // M6: the margin, and what P, N and their sum round by.
         let pas = self.marge() * (R::UN + fois_u(PAS_NORMAL));
         let pas = pas + n.somme_des_grandeurs(p) * fois_u(PAS_ARRONDI);
-        // M6: the margin, and what P, N and their sum round by.
-        if vers_dedans || self.distance() != R::ZERO {
+        if cote == Cote::Dedans || self.distance() != R::ZERO {
             return pas;
         }
         // Where a box stands flush on a mirror, the nearest face may be the hidden one. The mirror
         // would send the ray back to where it was, and so on without end. Steps that grow with δ
         // leave another face nearer in the end.
-        let plus = self.flou * R::depuis_f64(PAS_D_EMBLEE);
+        let plus = self.delta * R::depuis_f64(PAS_D_EMBLEE);
         pas + plus + p.norme_1() * fois_u(PAS_D_EMBLEE_POINT)
     }
 
-    /// The ray along the normal from the point of the hit, moved along the normal, outward or
-    /// inward, past all rounding.
+    /// The ray along the normal from the point of the hit, moved along the normal to this side, past
+    /// all rounding.
     #[inline(always)]
-    fn depart(&self, vers_dedans: bool) -> Result<Rayon<R>, ErreurGeo> {
+    fn depart(&self, cote: Cote) -> Result<Rayon<R>, ErreurGeo> {
         let attendu = "finite: a sphere lost in rounding, or a point out of range, has no side";
         exiger(self.marge() < R::INFINI, "marge", self.marge(), attendu)?;
-        let (p, n, pas) = (self.point(), self.normale(), self.pas(vers_dedans));
-        let source = p + n * if vers_dedans { -pas } else { pas };
-        let source = point(["source.x", "source.y", "source.z"], source)?;
-        let flou = Flou::de(self.flou).suivant(pas, self.distance(), p);
-        Ok(Rayon::sans_fin(source, n).sachant(if vers_dedans { flou.dedans() } else { flou }))
+        let (p, n, pas) = (self.point(), self.normale(), self.pas(cote));
+        let flou = Flou::de(self.delta).suivant(pas, self.distance(), p);
+        let (pas, flou) = match cote {
+            Cote::Dehors => (pas, flou),
+            Cote::Dedans => (-pas, flou.dedans()),
+        };
+        let source = point(["source.x", "source.y", "source.z"], p + n * pas)?;
+        Ok(Rayon::sans_fin(source, n).sachant(flou))
     }
 
     /// The ray from that side in this unit direction.
     #[inline(always)]
-    fn suite(&self, vers_dedans: bool, direction: Vecteur<R>) -> Result<Rayon<R>, ErreurGeo> {
-        let direction = if vers_dedans { direction } else { self.redressee(direction)? };
-        Ok(Rayon { direction, ..self.depart(vers_dedans)? })
-    }
-
-    /// Whether this unit direction leads away from the surface, by more than N·D can round.
-    #[inline(always)]
-    fn fait_face(&self, direction: Vecteur<R>) -> bool {
-        direction.produit_scalaire(self.normale()) > fois_u(TANGENT) // L3: more than N·D rounds by
+    fn suite(&self, cote: Cote, direction: Vecteur<R>) -> Result<Rayon<R>, ErreurGeo> {
+        let direction = match cote {
+            Cote::Dehors => self.redressee(direction)?,
+            Cote::Dedans => direction,
+        };
+        Ok(Rayon { direction, ..self.depart(cote)? })
     }
 
     #[inline(always)]
     fn exiger_de_face(&self, champ: &'static str, l: Vecteur<R>) -> Result<(), ErreurGeo> {
         let cosinus = l.produit_scalaire(self.normale());
         let attendu = "on the side that the surface faces: N·L > 3.2u";
-        exiger(self.fait_face(l), champ, cosinus, attendu)?;
+        exiger(fait_face(cosinus), champ, cosinus, attendu)?;
         Ok(())
     }
 
@@ -413,10 +417,23 @@ impl<R: Nombre> Intersection<R> {
     /// [`TANGENT`] of the tangent plane or below it.
     #[inline]
     fn redressee(&self, d: Vecteur<R>) -> Result<Vecteur<R>, ErreurGeo> {
-        if self.fait_face(d) {
+        if fait_face(d.produit_scalaire(self.normale())) {
             return Ok(d);
         }
         // M5: outward by more than it was inward.
         direction_unitaire(DIRECTION, d + self.normale() * fois_u(REDRESSE))
     }
+}
+
+/// The side of a surface to which a ray starts.
+#[derive(Clone, Copy, PartialEq)]
+enum Cote {
+    Dehors,
+    Dedans,
+}
+
+/// Whether a unit direction of this cosine with the normal leads away from the surface.
+#[inline(always)]
+fn fait_face<R: Nombre>(cosinus: R) -> bool {
+    cosinus > fois_u(TANGENT) // L3: by more than N·D rounds
 }

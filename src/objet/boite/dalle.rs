@@ -56,7 +56,7 @@ pub(crate) fn dalle<R: Nombre>(
     // up again. With a floor by minimum and maximum in its place a single ray takes up to 1.3 times
     // as long among boxes (measured).
     let descente = R::depuis_f64(selon::<R, _>(puissance_de_deux(-47), 1.0));
-    // B2
+    // B2: so scaled that no product that is compared is lost.
     let vitesse = vitesse.absolu() * descente * (echelle_vitesse::<R>() / descente);
     (Quotient { longueur: -(l + o), vitesse }, Quotient { longueur: l - o, vitesse })
 }

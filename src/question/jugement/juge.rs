@@ -11,21 +11,36 @@ use crate::{Nombre, ObjetRay, Rayon, SphereRay, Vecteur};
 /// 17).
 pub const ECART_ARRONDI: f64 = 10.6;
 
-/// Where a ray starts, and a point of it: two distances along it.
-type Lieux = [f64; 2];
+/// Where a ray starts, and a point of it, from which the judgement counts.
+#[derive(Clone, Copy)]
+pub(crate) struct Lieux {
+    pub(crate) depart: f64,
+    pub(crate) t: f64,
+}
+
+/// Bounds on how much farther than the point the ray enters the object, +∞ if it does not, and the
+/// most by which it leaves it farther.
+pub(crate) struct Passage {
+    pub(crate) entree: Intervalle,
+    sortie: f64,
+}
+
+impl Passage {
+    const JAMAIS: Self = Self { entree: Intervalle::de(f64::INFINI), sortie: f64::INFINI };
+}
 
 /// The distances between which the ray enters the object, if it does, at a glance. The later one is
 /// +∞ unless it certainly enters, and the earlier one if it certainly never does.
 #[inline(always)]
 pub fn coup_d_oeil(objet: &ObjetRay, rayon: &Rayon) -> Intervalle {
-    apres(0.0, juger_avec::<Apercu>(objet, rayon, [0.0; 2]).0)
+    apres(0.0, juger_avec::<Apercu>(objet, rayon, Lieux { depart: 0.0, t: 0.0 }).entree)
 }
 
 /// The same at a closer look.
 pub(crate) fn loupe(objet: &ObjetRay, rayon: &Rayon) -> Intervalle {
     let en = |t: f64| {
-        let (reste, sortie) = juger(objet, rayon, [0.0, t]);
-        (apres(t, reste), t + sortie)
+        let Passage { entree, sortie } = juger(objet, rayon, Lieux { depart: 0.0, t });
+        (apres(t, entree), t + sortie)
     };
     let t = objet.t(rayon);
     if t < f64::INFINI {
@@ -51,15 +66,14 @@ fn apres(t: f64, Intervalle { bas, haut }: Intervalle) -> Intervalle {
     Intervalle { bas: max(bas, 0.0), haut }
 }
 
-/// Bounds on how much farther than the second of these places the ray enters the object, and the
-/// most by which it leaves it farther, in doubled numbers. The bounds of the entry are those of
-/// [`coup_d_oeil`], to 8.6u of `f64`.
-pub(crate) fn juger(objet: &ObjetRay, rayon: &Rayon, lieux: Lieux) -> (Intervalle, f64) {
+/// The judgement in doubled numbers. The bounds of the entry are those of [`coup_d_oeil`], to 8.6u of
+/// `f64`.
+pub(crate) fn juger(objet: &ObjetRay, rayon: &Rayon, lieux: Lieux) -> Passage {
     juger_avec::<Triple>(objet, rayon, lieux)
 }
 
 #[inline(always)]
-fn juger_avec<P: Point>(objet: &ObjetRay, rayon: &Rayon, lieux: Lieux) -> (Intervalle, f64) {
+fn juger_avec<P: Point>(objet: &ObjetRay, rayon: &Rayon, lieux: Lieux) -> Passage {
     match objet {
         ObjetRay::Sphere(sphere) => juger_sphere::<P>(sphere, rayon, lieux),
         ObjetRay::Plan(plan) => {
@@ -81,8 +95,8 @@ fn juger_faces<P: Point, const AXES: usize, const PAR_AXE: usize>(
     c: Vecteur,
     face: impl Fn(usize) -> (Vecteur, f64),
     rayon: &Rayon,
-    [depart, t]: Lieux,
-) -> (Intervalle, f64) {
+    Lieux { depart, t }: Lieux,
+) -> Passage {
     let (depart, point) = (P::depuis(c, rayon, depart), P::depuis(c, rayon, t));
     let jamais = Intervalle::de(f64::INFINI);
     let toujours = Intervalle::de(-f64::INFINI);
@@ -94,7 +108,7 @@ fn juger_faces<P: Point, const AXES: usize, const PAR_AXE: usize>(
         let vitesse = P::vitesse(n, rayon.direction());
         let exclu = sejour.borner(d, p, vitesse.oppose());
         if exclu || (PAR_AXE > 1 && sejour.borner(d_oppose, p_oppose, vitesse)) {
-            return (jamais, f64::INFINI);
+            return Passage::JAMAIS;
         }
     }
     let Sejour { dessus, entree, sortie } = sejour;
@@ -106,7 +120,7 @@ fn juger_faces<P: Point, const AXES: usize, const PAR_AXE: usize>(
     } else {
         Intervalle { haut: f64::INFINI, ..entree }
     };
-    (entre, sortie.haut)
+    Passage { entree: entre, sortie: sortie.haut }
 }
 
 /// How long a ray is inside all faces so far.
@@ -165,8 +179,8 @@ impl Sejour {
 fn juger_sphere<P: Point>(
     sphere: &SphereRay,
     rayon: &Rayon,
-    [depart, t]: Lieux,
-) -> (Intervalle, f64) {
+    Lieux { depart, t }: Lieux,
+) -> Passage {
     // p_X and XA, at the point X of the ray at this distance (J5).
     let d = rayon.direction();
     let en = |t| {
@@ -179,20 +193,20 @@ fn juger_sphere<P: Point>(
     // AB²·D² is D²(r² − PC²) + PA² at any point P of the line. At A as computed PA is all rounding:
     // its square is taken twice, so that it is a bound, and never as 0 unless PA is.
     let xa_a = xa_a.grandeur();
-    let reste = 2.0 * xa_a * xa_a + if xa_a > 0.0 { f64::ETA } else { 0.0 };
-    let ab2 = Intervalle { bas: -p_a.haut * d2, haut: reste - p_a.bas * d2 };
+    let carre = 2.0 * xa_a * xa_a + if xa_a > 0.0 { f64::ETA } else { 0.0 };
+    let ab2 = Intervalle { bas: -p_a.haut * d2, haut: carre - p_a.bas * d2 };
     // J6: without one of the three above 0 there is no entry.
     let moindre = p_s.moindre(sa).moindre(ab2);
     if moindre.haut <= 0.0 {
-        return (Intervalle::de(f64::INFINI), f64::INFINI);
+        return Passage::JAMAIS;
     }
     let (p, xa) = en(t);
     let [ab_bas, ab_haut] = [ab2.bas, ab2.haut].map(|x| max(x, 0.0).racine());
-    let reste = if xa.bas > 0.0 {
+    let avance = if xa.bas > 0.0 {
         p.sur(Intervalle { bas: xa.bas + ab_bas, haut: xa.haut + ab_haut })
     } else {
         Intervalle::autour(0.0, (ab_haut + xa.grandeur()) / d2)
     };
-    let haut = if moindre.bas > 0.0 { reste.haut } else { f64::INFINI };
-    (Intervalle { haut, ..reste }, f64::INFINI)
+    let haut = if moindre.bas > 0.0 { avance.haut } else { f64::INFINI };
+    Passage { entree: Intervalle { haut, ..avance }, ..Passage::JAMAIS }
 }
