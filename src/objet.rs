@@ -287,8 +287,9 @@ impl<R: Nombre> ObjetRay<R> {
     ///   box no thicker than twice the step. A ray that it sent outward does not.
     ///
     /// **A place of one's own**, such as a sensor, is a way out along the normal (`docs/guide.md`,
-    /// "Sensors, and other places of one's own"). Keep it off the edges of its face: rounding may
-    /// put a source there outside, from which there is no way out.
+    /// "Sensors, and other places of one's own"). Keep it off the edges of its face, as
+    /// [`vers_lieu`](crate::BoiteRay::vers_lieu) does: rounding may put a source there outside,
+    /// from which there is no way out.
     ///
     /// # Errors
     /// [`NoIntersection`] if the ray ends before it leaves, passes the object by or starts beyond
