@@ -148,7 +148,7 @@ fn un_lieu_fait_une_touche_de_ce_lieu<R: Reel>() {
             assert!((obtenu - voulu).abs() <= (permis + deplace) / l, "{obtenu}, not {voulu}");
             au_bord += u32::from(deplace > 0.0);
         }
-        let rien = R::INFINI - R::INFINI;
+        let rien = R::depuis_f64(f64::NAN);
         for uv in [[R::INFINI, -R::INFINI], [rien, R::ZERO], [R::ZERO, rien]] {
             let rayon = boite.vers_lieu(face, uv).unwrap();
             assert!(ObjetRay::from(boite).sortie(&rayon).is_ok(), "{uv:?}");
