@@ -125,7 +125,7 @@ pub fn premiere_intersection<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) 
     R::lancer_rayon_premiere_d_une_liste(&liste, meilleur_niveau(), rayon)
 }
 
-/// How many numbers [`Monde::new`] needs to be lent for this many objects, in either scalar: where
+/// How many `f32` [`Monde::new`] needs to be lent for this many objects, in either scalar: where
 /// there are many objects, 7.5 for each, which is 30 bytes.
 ///
 /// The numbers are scratch memory, free again after the last question. The count is 0 for fewer
