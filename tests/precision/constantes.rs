@@ -7,6 +7,7 @@
 //! - the limits of a sphere that is lost, which are limits of a domain; what direction, what matrix and what parallel
 //!   directions are kept or refused, which are decisions (C13, C15);
 //! - powers of two, which lemmas 2, 8, 18, 20 and 21 compare with what is lost below the normal numbers;
+//! - the third comparison that lemma 6 grants between an entry and an exit, of which lemma 3 needs two;
 //! - the 8u that M4 adds at a hit at once, which no proof needs, the 64 of J7, a choice, the 2u of E1 and J8, which count
 //!   roundings, and the 2 of T3, of which lemma 19 needs 1.1.
 //!
@@ -727,8 +728,8 @@ fn lemme_14_la_boule_ne_cache_aucune_entree() {
     }
 }
 
-/// What the point of a hit is off by along the axis of a box, in u·t: three comparisons, the
-/// quotient and the length of an exit, and the speed.
+/// What the point of a hit is off by along the axis of a box, in u·t: three comparisons, of which
+/// two would do, the quotient and the length of an exit, and the speed.
 fn lieu_le_long(u: f64) -> Intervalle {
     let comparaisons = et(et(rapport(u), rapport(u), u), rapport(u), u);
     et(et(comparaisons, i(1.0), u), i(1.0), u) * n(u) * d(u) * plus(20.0, u) + vitesse(u)
@@ -804,6 +805,13 @@ fn lemme_6_la_borne_du_lieu_sur_une_sphere_suffit() {
     for u in U {
         assert!(promesses::LIEU_SPHERE * plus(20.0, u).haut < TOUCHE_F);
     }
+    // The sum of the text, from |f| = 2r on, where r is 45u·|f| at least.
+    let du_texte = portee([de_a(0.0, 0.5)], promesses::LIEU_SPHERE, |[y]| {
+        let s = (1.0 - y.carre()).racine();
+        let chi = 10.0 * y.carre() + 2.4 * y + 3.0 + y.carre() + 3.0 * s.carre();
+        Some((5.0 * y + 1.2 + chi / s + 3.0 + y + 1.0) / (1.0 + y))
+    });
+    assert!(du_texte.haut <= promesses::LIEU_SPHERE);
     // A half-space: t·v as computed is the height to two roundings; P, tD being rounded.
     tenir(promesses::LIEU_PLAN_S, |u| gamma(fois("H1 N·S: N S"), u) * plus(4.0, u));
     tenir(promesses::LIEU_PLAN_T, |u| {
