@@ -60,7 +60,6 @@ fn main() -> Result<(), Box<dyn Error>> {
         }
     }
     glam::verifier()?;
-    if std::env::args().len() > 1 { return exactitude::documenter(); }
     let cellules = cellules::mesurer()?;
     let tableaux = tableaux.map(|(nom, tableau)| (nom, tables::resume(&tableau, &cellules)));
     for (nom, table) in &tableaux {
