@@ -227,16 +227,16 @@ fn trier(fiches: &mut [Fiche]) {
 /// are spread evenly: a random line through A crosses a box within A with the chance of that box's
 /// surface over A's.
 fn part_des_croises(fiches: &[Fiche]) -> f32 {
-    let temoins = || fiches.iter().step_by(fiches.len().div_ceil(ENFANTS));
+    let choisis = || fiches.iter().step_by(fiches.len().div_ceil(ENFANTS));
     let surface = |[x, y, z]: [f32; 3]| x * y + y * z + z * x;
     let commune = |a: &Fiche, b: &Fiche| {
         let cote = |axe| max(min(a[axe + 3], b[axe + 3]) - max(a[axe], b[axe]), 0.0);
         surface([0, 1, 2].map(cote))
     };
-    // The surface of a witness may underflow to 0, and with it that of what it shares.
+    // The surface of a box may underflow to 0, and with it that of what it shares.
     let part =
-        |a| temoins().map(|b| commune(a, b)).sum::<f32>() / max(commune(a, a), f32::MIN_POSITIVE);
-    temoins().map(part).sum::<f32>() / (temoins().len() * temoins().len()) as f32
+        |a| choisis().map(|b| commune(a, b)).sum::<f32>() / max(commune(a, a), f32::MIN_POSITIVE);
+    choisis().map(part).sum::<f32>() / (choisis().len() * choisis().len()) as f32
 }
 
 /// These records, sixteen at most, as columns.

@@ -45,7 +45,7 @@ const ENFANTS_CROISES: u32 = ENFANTS as u32 / 2;
 
 /// How many rays of a block tell whether its probe is too wide. The more numbers a register holds,
 /// the less it costs to ask an object for all rays, and the wider a probe may be.
-const fn combien_de_temoins(nombres_par_registre: usize) -> usize {
+const fn combien_d_echantillons(nombres_par_registre: usize) -> usize {
     2 + nombres_par_registre / 8
 }
 
@@ -185,7 +185,7 @@ impl<R: Nombre> Arbre<'_, R> {
                 let croises = traverses.count_ones();
                 if croises >= ENFANTS_CROISES
                     && croises
-                        > self.croises_par_les_temoins(simd, rayons, bloc.le_plus_loin(), noeud)
+                        > self.croises_par_quelques_uns(simd, rayons, bloc.le_plus_loin(), noeud)
                 {
                     return false;
                 }
@@ -225,17 +225,17 @@ impl<R: Nombre> Arbre<'_, R> {
     /// What part of the children of the root one of these rays crosses, about.
     fn part_qui_entre<S: Simd>(&self, simd: S, rayons: &[Rayon<R>]) -> f32 {
         let Some(racine) = self.noeuds.last() else { return 0.0 };
-        let croises = self.croises_par_les_temoins(simd, rayons, R::INFINI, racine);
+        let croises = self.croises_par_quelques_uns(simd, rayons, R::INFINI, racine);
         let enfants = au_plus(simd, &racine[0], &racine[3]).count_ones();
-        let temoins = combien_de_temoins(nombres_par_registre::<R, S>());
-        croises as f32 / (temoins as u32 * enfants) as f32
+        let combien = combien_d_echantillons(nombres_par_registre::<R, S>());
+        croises as f32 / (combien as u32 * enfants) as f32
     }
 
-    /// How many children of this node [some](combien_de_temoins) of these rays, evenly spread,
+    /// How many children of this node [some](combien_d_echantillons) of these rays, evenly spread,
     /// cross in all before this distance.
     #[cold]
     #[inline(never)]
-    fn croises_par_les_temoins<S: Simd>(
+    fn croises_par_quelques_uns<S: Simd>(
         &self,
         simd: S,
         rayons: &[Rayon<R>],
@@ -246,9 +246,9 @@ impl<R: Nombre> Arbre<'_, R> {
         simd.vectorize(
             #[inline(always)]
             || {
-                let temoins = combien_de_temoins(nombres_par_registre::<R, S>());
-                for i in 0..temoins {
-                    let rayon = &rayons[i * (rayons.len() - 1) / (temoins - 1)];
+                let combien = combien_d_echantillons(nombres_par_registre::<R, S>());
+                for i in 0..combien {
+                    let rayon = &rayons[i * (rayons.len() - 1) / (combien - 1)];
                     let Some(sonde) = Sonde::new(rayon, self.repere) else { continue };
                     let plafond = sonde.plafond(self.repere, loin);
                     croises += sonde.traverse(simd, noeud, plafond).0.count_ones();

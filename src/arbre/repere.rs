@@ -27,19 +27,38 @@ pub(crate) struct Repere<R> {
 const LARGEURS: f64 = 4.0;
 
 /// How many objects at most tell where the many are.
-const TEMOINS: usize = 31;
+const ECHANTILLONS: usize = 31;
 
-/// Which of so many objects is witness number `k`: one of the stretch of the list that is its own,
+/// Which of so many objects is number `k` of the sample: one of the stretch of the list that is its own,
 /// at a place of the stretch that follows no rule, so that where kinds of objects take turns the
-/// witnesses are of every kind.
-fn temoin(k: usize, objets: usize) -> usize {
-    let nombre = objets.clamp(1, TEMOINS);
+/// sample is of every kind.
+fn echantillon(k: usize, objets: usize) -> usize {
+    let nombre = objets.clamp(1, ECHANTILLONS);
     let [debut, fin] = [k, k + 1].map(|k| k * objets / nombre);
     // A scramble of the bits of k: the last steps of MurmurHash3.
     let melange = (k as u32 + 1).wrapping_mul(0x9e37_79b9);
     let melange = (melange ^ melange >> 16).wrapping_mul(0x85eb_ca6b);
     let melange = (melange ^ melange >> 13).wrapping_mul(0xc2b2_ae35);
     debut + ((u64::from(melange) * (fin - debut) as u64) >> 32) as usize
+}
+
+/// Where these places, which stand in order, are closest: the middle of a quarter of them, the
+/// middle one unless another is less than half as wide. (If half of the objects are far away, the
+/// middle quarter may reach from here to there.)
+fn la_ou_ils_sont_serres<R: Nombre>(lieux: &[R]) -> R {
+    let large = lieux.len() / 4 + 1;
+    let combien = (lieux.len() + 1).saturating_sub(large);
+    let milieu = combien / 2;
+    // From the middle outward, to both sides by turns.
+    let quart = |i: usize| {
+        let debut = if i.is_multiple_of(2) { milieu + i / 2 } else { milieu - i.div_ceil(2) };
+        &lieux[debut..debut + large]
+    };
+    let serre = (0..combien).map(quart).reduce(|serre, autre| {
+        let [a, b] = [serre, autre].map(|quart| quart[large - 1] - quart[0]);
+        if b + b < a { autre } else { serre }
+    });
+    serre.map_or(R::ZERO, |serre| serre[large / 2])
 }
 
 impl<R: Nombre> Repere<R> {
@@ -52,14 +71,14 @@ impl<R: Nombre> Repere<R> {
     pub(crate) fn autour(objets: &[ObjetRay<R>]) -> Self {
         let boites = || objets.iter().filter_map(ObjetRay::boite_englobante);
         let nombre = boites().count();
-        let (mut temoins, mut plus_large) = (ArrayVec::<[R; 3], TEMOINS>::new(), R::ZERO);
-        let mut suivant = temoin(0, nombre);
+        let (mut choisis, mut plus_large) = (ArrayVec::<[R; 3], ECHANTILLONS>::new(), R::ZERO);
+        let mut suivant = echantillon(0, nombre);
         let [bas, haut] = extremes(boites().enumerate().map(|(i, (c, h))| {
             let c = c.into();
             plus_large = max(plus_large, h.norme_1());
             if i == suivant {
-                temoins.push(c);
-                suivant = temoin(temoins.len(), nombre);
+                choisis.push(c);
+                suivant = echantillon(choisis.len(), nombre);
             }
             c
         }));
@@ -67,27 +86,13 @@ impl<R: Nombre> Repere<R> {
         let echelle = R::UN / ((haut - bas).norme_1() + plus_large * R::depuis_f64(2.0));
         let mut largeur = R::ZERO;
         let milieu = [0, 1, 2].map(|axe| {
-            let mut lieux: ArrayVec<R, TEMOINS> = temoins.iter().map(|c| c[axe]).collect();
+            let mut lieux: ArrayVec<R, ECHANTILLONS> = choisis.iter().map(|c| c[axe]).collect();
             lieux.sort_unstable_by(|a, b| a.partial_cmp(b).unwrap_or(Ordering::Equal));
             let place = |huitiemes: usize| {
                 lieux.get(huitiemes * lieux.len() / 8).copied().unwrap_or(R::ZERO)
             };
             largeur = largeur + (place(7) - place(1));
-            // The middle quarter, or one farther out that takes up less than half of its room: if
-            // half of them are far away, the middle one may reach from here to there.
-            let large = lieux.len() / 4 + 1;
-            let combien = (lieux.len() + 1).saturating_sub(large);
-            let milieu = combien / 2;
-            let quart = |i: usize| {
-                let debut =
-                    if i.is_multiple_of(2) { milieu + i / 2 } else { milieu - i.div_ceil(2) };
-                &lieux[debut..debut + large]
-            };
-            let serre = (0..combien).map(quart).reduce(|serre, autre| {
-                let [a, b] = [serre, autre].map(|quart| quart[large - 1] - quart[0]);
-                if b + b < a { autre } else { serre }
-            });
-            serre.map_or(R::ZERO, |serre| serre[large / 2])
+            la_ou_ils_sont_serres(&lieux)
         });
         let loin = largeur * echelle * R::depuis_f64(LARGEURS);
         Self { milieu: milieu.into(), echelle, loin, jeu_maximal: 0.0 }
