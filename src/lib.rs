@@ -13,11 +13,14 @@
 //! let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.0, 0.0, -1.0))?;
 //! let touche = premiere_intersection(&scene, &rayon)?;
 //! assert_eq!((touche.distance(), touche.texture()), (4.0, Texture(0)));
-//! assert_eq!(rayon.point(touche.distance()), Vecteur::new(0.0, 0.0, -4.0));
+//! assert_eq!(touche.point(), Vecteur::new(0.0, 0.0, -4.0));
 //! # Ok::<(), Box<dyn core::error::Error>>(())
 //! ```
 //!
 //! # The way through
+//!
+//! The pages that are named here, such as `docs/guide.md` with programs for every need, stand in
+//! the repository, whose `README.md` leads to them.
 //!
 //! Describe objects with [`SphereGeo`], [`PlanGeo`] and [`BoiteGeo`]. Move them with
 //! [`ObjetGeo::translation`], [`rotation`](ObjetGeo::rotation) and
@@ -38,8 +41,8 @@
 //!
 //! **Axes** are right-handed: x to the right, y up, z towards the viewer. Angles are in radians.
 //!
-//! **Rotations** multiply from the right, V·M, about x, then y, then z, in the sense of the
-//! handout's formula; [`Rotation::main_droite`] is the right-hand rule.
+//! **Rotations** multiply from the right, V·M, about x, then y, then z. They turn clockwise as the
+//! axis points at you; [`Rotation::main_droite`] is the right-hand rule.
 //!
 //! ```
 //! # use lancer_rayon::*;
@@ -50,7 +53,7 @@
 //! # Ok::<(), ErreurGeo>(())
 //! ```
 //!
-//! **A half-space** is solid: it consists of the points where N·X ≤ −d, with d < 0 if it contains
+//! **A half-space** is solid: it consists of the points where N·X ≤ −d, with d ≤ 0 if it contains
 //! the origin.
 //!
 //! ```
@@ -62,11 +65,12 @@
 //! # Ok::<(), ErreurGeo>(())
 //! ```
 //!
-//! **A hit is an entry** from outside, at a distance t > 0, against the normal (D·N < 0). An object
-//! is not hit from inside or from its surface, and a ray tangent to a sphere misses. A ray that
-//! starts from a hit carries [a bound δ on the error of its start](Rayon::flou), and hits at t = 0
-//! what it might otherwise slip into through a seam. Therefore no chain of such rays leaves a
-//! closed room whose walls are thick enough and overlap by enough.
+//! **A hit is an entry** from outside, against the normal (D·N < 0). An object is not hit from
+//! inside or from its surface, and a ray tangent to a sphere misses. The distance t is above 0. It
+//! is 0 only for a ray that carries [a bound δ on the error of its start](Rayon::flou), as one from
+//! a hit does: such a ray hits at t = 0 what it might otherwise slip into through a seam. Therefore
+//! no chain of outward rays leaves a closed room whose walls are thick enough and overlap by
+//! enough, if it starts where no object contains the source.
 //!
 //! ```
 //! # use lancer_rayon::*;
@@ -80,18 +84,21 @@
 //! **Objects turn about the origin** and grow about their own centre. **At equal distance** the
 //! object that is earlier in the list is hit.
 //!
-//! **Invalid values cannot be constructed.** Constructors and transformations refuse what is not
-//! finite, a coordinate beyond ±2⁴⁵⁰ (±2⁶⁰ for `f32`) and a size outside 2⁻⁴⁵⁰ … 2⁴⁵⁰ (2⁻⁶⁰ … 2⁶⁰),
-//! and name the field. (Only a [witness](ObjetRay::temoin_f64) has normals that are not unit in its
-//! type.) No question panics, except that a list of more than 2³² − 1 objects is
-//! refused by a panic, and no hit holds a NaN. ([`Vecteur`] is a bare triple; the types built from
-//! it check it.)
+//! **Invalid values cannot be constructed.** Constructors and transformations refuse, by an error
+//! that names the field,
 //!
-//! **A hit knows its object and its error**: [`Intersection::indice`] is the index in the list,
-//! [`Intersection::marge`] bounds how far the point is from the surface, and
+//! - what is not finite;
+//! - a coordinate beyond ±2⁴⁵⁰, or ±2⁶⁰ for `f32`;
+//! - a size outside 2⁻⁴⁵⁰ … 2⁴⁵⁰, or 2⁻⁶⁰ … 2⁶⁰.
+//!
+//! A [`Vecteur`] is a bare triple, which the types built from it check. No hit holds a NaN, and no
+//! question panics, except of a list of more than 2³² − 1 objects.
+//!
+//! **A hit knows its object and its error**: [`Intersection::indice`] is the index in the list, and
+//! [`Intersection::marge`] bounds how far the point is from the surface.
 //! [`Intersection::secondaire`] starts a shadow, reflection or refraction ray that never hits the
-//! object it leaves, except inward within rounding of a box edge or in a box no thicker than twice
-//! the step. [`BoiteRay::lieu`] says which face of a box was hit, and where.
+//! object it leaves, with [one exception](Intersection::secondaire). [`BoiteRay::lieu`] says which
+//! face of a box was hit, and where.
 //!
 //! Four functions tell how far an answer is to be trusted:
 //!
@@ -100,7 +107,7 @@
 //! | [`touche.marge()`](Intersection::marge) | the **point** of a hit | how far it lies from the surface at most, along the normal | nothing: each hit has it |
 //! | [`objet.erreur(&rayon, &touche)`](ObjetRay::erreur) | the **distance** of a hit or a way out | how far it is off at most, along the ray | many times a hit |
 //! | [`objet.est_certain(&rayon)`](ObjetRay::est_certain) | **hit or miss** of one object | whether that is certainly what exact arithmetic says | a few times a hit |
-//! | [`monde.certifie(&rayon, &reponse)`](Monde::certifie) | **which object** of a list is first, or that none is | whether that is certainly what exact arithmetic says | 1.3 to 1.9 rays on average |
+//! | [`monde.certifie(&rayon, &reponse)`](Monde::certifie) | **which object** of a list is first, or that none is | whether that is certainly what exact arithmetic says | 1.3 to 1.9 times a ray on average, on top of it |
 //!
 //! All of them speak of the numbers as they are stored.
 //!

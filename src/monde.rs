@@ -27,12 +27,17 @@ use crate::{
 /// A `Monde` borrows the list, whose order it keeps, and the memory. It is `Copy`, and threads may
 /// share it. Make a new one after the list has changed. No question allocates or panics.
 ///
-/// **What makes a tree slow.** Half-spaces are tested one by one, as in a list. Where a ray crosses
-/// most boxes, as in a heap, a batch tests the objects as a list does, but a single ray takes up to
-/// 1.4 times as long as with a list. Boxes are rounded to some 10⁻⁶ of their distance from the
-/// middle of most objects, and in `f32` also of the distance of the source. Objects closer together
-/// than that are all tested: fine detail far from most objects costs time, but never accuracy. A
-/// sun, a sky or a ball for a ground costs little (`docs/vitesse.md`, "List, tree or batch").
+/// **What makes a tree slow:**
+///
+/// - Half-spaces have no box. A ray tests each of them, as in a list.
+/// - In a heap, where a ray crosses the boxes of most objects, a single ray takes up to 1.4 times
+///   as long as with a list. A batch then tests the objects as a list does.
+/// - The box of an object is rounded to some 10⁻⁶ of the distance of that object from the middle of
+///   most objects, and in `f32` also of the distance of the source of the ray. Objects that stand
+///   closer together than their boxes are rounded are all tested. So fine detail far from most
+///   objects costs time, but never accuracy.
+///
+/// A sun, a sky or a ball for a ground costs little (`docs/vitesse.md`, "List, tree or batch").
 ///
 /// ```
 /// use lancer_rayon::{
@@ -120,11 +125,11 @@ pub fn premiere_intersection<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) 
     R::lancer_rayon_premiere_d_une_liste(&liste, meilleur_niveau(), rayon)
 }
 
-/// How many numbers [`Monde::new`] needs to be lent for this many objects, in either scalar: where
+/// How many `f32` [`Monde::new`] needs to be lent for this many objects, in either scalar: where
 /// there are many objects, 7.5 for each, which is 30 bytes.
 ///
 /// The numbers are scratch memory, free again after the last question. The count is 0 for fewer
-/// than 10 objects, and for 2³¹ − 2²³ or more. Those get no tree and are asked as a list, as is any
+/// than 10 objects, and for 2³¹ − 2²³ or more: lists of that length get no tree, and neither does a
 /// list with fewer than 10 spheres and boxes.
 #[doc(alias("capacity", "memory"))]
 #[must_use]
@@ -135,8 +140,8 @@ pub const fn places(nombre_d_objets: usize) -> usize {
 impl<'a, R: Reel> Monde<'a, R> {
     /// Builds a tree over this list, in the numbers that are lent, whose values do not matter.
     ///
-    /// Building takes some 0.1 to 0.2 µs an object (`benches/mesures/construction.csv`). Any of the
-    /// numbers may be written; those beyond [`places`] make nothing faster.
+    /// Building takes some 0.09 to 0.15 µs an object (`benches/mesures/construction.csv`). Any of
+    /// the numbers may be written; those beyond [`places`] make nothing faster.
     ///
     /// # Errors
     /// If fewer numbers are lent than [`places`] says.
@@ -169,9 +174,9 @@ impl<'a, R: Reel> Monde<'a, R> {
     /// cut into pieces. Each piece takes up less room than the whole, and the numbers lent beyond
     /// [`places`] pay for the pieces.
     ///
-    /// With twice the places a ray among 10,000 such boxes takes about half of the time. Among
-    /// fewer than a thousand, batches gain nothing; where nothing is long the tree is that of
-    /// [`new`](Self::new). No answer depends on the pieces.
+    /// With twice the places a ray among 10,000 such boxes takes about half to two thirds of the
+    /// time, and among 1,000 two thirds to four fifths. Among some hundred neither gains much, and
+    /// where nothing is long the tree is that of [`new`](Self::new). No answer depends on the pieces.
     ///
     /// # Errors
     /// If fewer numbers are lent than [`places`] says.
@@ -240,9 +245,9 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// list of these objects, to the bit, except that each object keeps its index.
     ///
     /// The choice holds for every question, including shadows, batches and certificates. A choice
-    /// from a choice takes what both take. `prend` is called only with indices of the list: for few
-    /// of the objects that a ray passes by, and for some more than once. A batch of a list calls it
-    /// once for every object and 64 rays.
+    /// from a choice takes what both take. `prend` is called only with indices of the list. For
+    /// most objects that a ray passes by it is not called, and for some others more than once. In a
+    /// batch, a list calls it once for each object in each block of 64 rays.
     ///
     /// To leave out one object there is [`sans`](Self::sans). To keep less than about a hundredth
     /// of a large list, build a `Monde` of those objects: a ray walks the whole tree, whatever the
@@ -294,8 +299,8 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// Leave out **a lamp of the list**, or the object at the far end of
     /// [`vers_touche`](crate::Intersection::vers_touche), so that it does not stand before itself.
     /// A ray that leaves an object needs no such choice: it never hits that object again
-    /// ([`secondaire`](crate::Intersection::secondaire)). Each call makes another type: for a list
-    /// that grows at run time take [`parmi`](Self::parmi).
+    /// ([`secondaire`](crate::Intersection::secondaire)). Each call makes another type: for a set
+    /// of objects that is known only at run time take [`parmi`](Self::parmi).
     ///
     /// ```
     /// use lancer_rayon::{Monde, NoIntersection, ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
@@ -367,7 +372,7 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// Whether anything stands before the end of the ray, where the light is: the shadow of the
     /// handout's later parts.
     ///
-    /// It is `premiere_intersection(rayon).is_ok()`, but sooner: it stops at any object found. Rays
+    /// It is `premiere_intersection(rayon).is_ok()`, but faster: it stops at any object found. Rays
     /// come from [`vers_lumiere`](crate::Intersection::vers_lumiere),
     /// [`vers_soleil`](crate::Intersection::vers_soleil) or [`Rayon::entre`]. If you make the ray
     /// by [`secondaire`](crate::Intersection::secondaire) instead, measure its end from its source,
@@ -406,7 +411,7 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     }
 
     /// Whether anything stands before the end of each ray: the answers of
-    /// [`est_occulte`](Self::est_occulte) for every ray, sooner.
+    /// [`est_occulte`](Self::est_occulte) for every ray, but faster.
     ///
     /// The advice of [`premieres_intersections`](Self::premieres_intersections) on the order and
     /// number of rays holds here too. Rays to one lamp, in the order of the picture, are
@@ -551,8 +556,8 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     }
 
     /// Calls `voir` once, in no order, with the index of every object that
-    /// [contains](ObjetRay::contient) this point. Whether any of some objects does is sooner told
-    /// by [`parmi`](Self::parmi) and [`contient`](Self::contient).
+    /// [contains](ObjetRay::contient) this point. To learn whether any of some objects does,
+    /// [`contient`](Self::contient) of a [`parmi`](Self::parmi) is faster.
     #[doc(alias("contains", "inside", "point_query"))]
     pub fn contenants(&self, point: Vecteur<R>, mut voir: impl FnMut(usize)) {
         R::lancer_rayon_contenants(&self.sujet(), point, &mut |indice, _| {
@@ -567,14 +572,14 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     ///
     /// It is never true of a wrong answer (lemma 18). It may be false of a right one: where
     /// [`est_certain`](ObjetRay::est_certain) of some object is false, where no distance is
-    /// promised, where two entries are almost equally far, and among numbers below the normal
-    /// ones. No lemma says how often. Most often a right answer that is not certified is an
-    /// exact tie, as where the sides of two boxes are flush. A tree certifies a few more right
-    /// answers than a list, since it skips objects whose boxes come later.
+    /// promised, where two entries are almost equally far, and among numbers below the normal ones.
+    /// Most often a right answer that is not certified is an exact tie, as where the sides of two
+    /// boxes are flush. A tree certifies a few more right answers than a list, since it skips
+    /// objects whose boxes come later.
     ///
     /// Only the [`indice`](crate::Intersection::indice) of `reponse` counts, so that an answer
-    /// found elsewhere can be judged. A certificate takes 1.3 to 1.9 times as long as
-    /// the ray on average.
+    /// found elsewhere can be judged. On average a certificate takes 1.3 to 1.9 times as long as
+    /// the ray, on top of it.
     ///
     /// If an answer of `f32` is not certain, ask the same numbers in `f64`:
     /// [`ObjetRay::temoin_f64`] of all objects, and [`Rayon::temoin_f64`].

@@ -33,18 +33,9 @@ macro_rules! par_forme {
 }
 pub(crate) use par_forme;
 
-/// An object as it is described and moved (`Objet_geo` in the handout).
-///
-/// A translation rounds each coordinate of the centre once. The distance d − N·v of a moved
-/// half-space is off by at most u·|d| + 4.1u·Σ|N_i·v_i|, and a turned centre C·M by at most
-/// 3.1u·Σ|C_i|, with u half a unit in the last place of 1. Both may be off by 1.6 times the
-/// smallest number more, for products below the normal numbers (`docs/preuves/rayons.md`,
-/// lemma 11).
-///
-/// **The errors of many moves add up**, and those of one turn that is taken again and again all go
-/// the same way: in `f32` a centre that is turned 100,000 times by 0.1° comes 0.25 % nearer to O.
-/// For each picture of an animation turn the object that was described first, by one rotation that
-/// was composed ([`Rotation::puis`]) and so stays orthonormal.
+/// An object as it is described and moved (`Objet_geo` in the handout). Make one of a
+/// [`SphereGeo`], a [`PlanGeo`] or a [`BoiteGeo`], move it, and convert it once by
+/// [`vers_ray`](Self::vers_ray).
 ///
 /// ```
 /// use core::f64::consts::PI;
@@ -58,6 +49,21 @@ pub(crate) use par_forme;
 /// assert_eq!((boule.centre(), boule.rayon()), (Vecteur::new(0.0, 0.0, 4.0), 2.0));
 /// # Ok::<(), lancer_rayon::ErreurGeo>(())
 /// ```
+///
+/// **The errors of many moves add up**, and those of one turn that is taken again and again all go
+/// the same way: in `f32` a centre that is turned 100,000 times by 0.1° comes 0.25 % nearer to O.
+/// For each picture of an animation turn the object that was described first, by one rotation that
+/// was composed ([`Rotation::puis`]) and so stays orthonormal.
+///
+/// **The errors of one move**, with u half a unit in the last place of 1 (`docs/preuves/rayons.md`,
+/// lemma 11):
+///
+/// - A translation by v rounds each coordinate of a centre once.
+/// - The distance d − N·v of a moved half-space is off by at most u·|d| + 4.1u·Σ|N_i·v_i|.
+/// - A turned centre C·M is off by at most 3.1u·Σ|C_i|.
+///
+/// The last two may be off by 1.6 times the smallest number more, for products below the normal
+/// numbers.
 #[doc(alias("shape", "Objet_geo"))]
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -65,12 +71,12 @@ pub(crate) use par_forme;
 #[cfg_attr(feature = "serde", serde(bound(deserialize = "R: Nombre + serde::Deserialize<'de>")))]
 #[must_use]
 pub enum ObjetGeo<R = f64> {
-    /// A sphere.
+    /// A ball, by its centre and its radius.
     Sphere(SphereGeo<R>),
-    /// A half-space.
+    /// A half-space, such as a floor or a wall, by its rotation and its distance.
     #[doc(alias = "plane")]
     Plan(PlanGeo<R>),
-    /// A box.
+    /// A box, by its centre, its dimensions and its rotation.
     #[doc(alias = "box")]
     Boite(BoiteGeo<R>),
 }
@@ -106,11 +112,11 @@ impl<R: Nombre> ObjetGeo<R> {
 
     /// The same object in `f32`, moved by −`origine` before anything is rounded to `f32`.
     ///
-    /// Far from O an `f32` holds few digits: near 4,200,000 the next number is 0.5 away. No margin
-    /// and no certificate sees what is lost in storing, since all of them speak of the numbers as
-    /// stored. So describe a scene in `f64`, and subtract an origin in its middle from the objects
-    /// and from the rays ([`Rayon::vers_f32`]). To return to the scene, convert the point of a hit
-    /// by `vers_f64` and add that origin. `Vecteur::NUL` leaves the scene where it is.
+    /// Far from O an `f32` holds few digits, which no margin and no certificate sees
+    /// (`docs/vitesse.md`, "What is lost in storing"). So describe a scene in `f64`, and subtract
+    /// an origin in its middle from the objects and from the rays ([`Rayon::vers_f32`]). To return
+    /// to the scene, convert the point of a hit by `vers_f64` and add that origin. `Vecteur::NUL`
+    /// leaves the scene where it is.
     ///
     /// # Errors
     /// If `origine` is not finite, or if [`translation`](Self::translation) by −`origine` or the
@@ -187,12 +193,12 @@ impl ObjetGeo {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[must_use]
 pub enum ObjetRay<R = f64> {
-    /// A sphere.
+    /// A [`SphereGeo`], ready for rays.
     Sphere(SphereRay<R>),
-    /// A half-space.
+    /// A [`PlanGeo`], ready for rays.
     #[doc(alias = "plane")]
     Plan(PlanRay<R>),
-    /// A box.
+    /// A [`BoiteGeo`], ready for rays.
     #[doc(alias = "box")]
     Boite(BoiteRay<R>),
 }
@@ -207,7 +213,7 @@ impl<R: Nombre> ObjetRay<R> {
         par_forme!(Self, self, forme => forme.t(rayon))
     }
 
-    /// [`t_touche`](Self::t_touche), sooner for a ray that passes this object by.
+    /// [`t_touche`](Self::t_touche), faster for a ray that passes this object by.
     #[inline(always)]
     pub(crate) fn t_si_proche(&self, rayon: &Rayon<R>) -> R {
         par_forme!(Self, self, forme => {
@@ -269,19 +275,21 @@ impl<R: Nombre> ObjetRay<R> {
     /// [mirrored](Intersection::reflechi). The way out is as exact as a hit (`docs/precision.md`),
     /// and [`BoiteRay::lieu`](crate::BoiteRay::lieu) and [`erreur`](Self::erreur) take it as one.
     ///
-    /// **What is a way out.** A ray that enters a sphere or a box leaves it, never before it
-    /// enters, and a ray from strictly inside always leaves. A ray that enters a half-space never
-    /// leaves it. From a source on the surface a ray leaves at the far side, or not at all: the
-    /// source itself is no way out, as it is no hit. What is inside and what is on the surface is
-    /// decided as computed: within rounding of a sphere a ray may leave at once. A ray that
-    /// `secondaire` sent into a sphere or a box leaves, except beside an edge and in a box no
-    /// thicker than twice the step; a ray that it sent outward does not.
+    /// **What is a way out:**
     ///
-    /// **A place of one's own**, such as a sensor on a wall, a window or a point of a lamp, is
-    /// where a ray from within leaves the object along the normal. That is a hit of this object
-    /// alone, whatever stands flush with it: `vers_soleil`, `vers_lumiere` and `vers_touche` start
-    /// there as from any other. Keep the place off the edges of its face: rounding may put a source
-    /// there outside, from which there is no way out.
+    /// - A ray without an end that enters a sphere or a box leaves it, and never before it enters.
+    ///   So does one from strictly inside. A ray that enters a half-space never leaves it.
+    /// - From a source on the surface a ray leaves at the far side, or not at all: the source
+    ///   itself is no way out, as it is no hit.
+    /// - What is inside and what is on the surface is decided as computed. Within rounding of a
+    ///   sphere a ray may leave at once.
+    /// - A ray that `secondaire` sent into a sphere or a box leaves, except beside an edge and in a
+    ///   box no thicker than twice the step. A ray that it sent outward does not.
+    ///
+    /// **A place of one's own**, such as a sensor, is a way out along the normal (`docs/guide.md`,
+    /// "Sensors, and other places of one's own"). Keep it off the edges of its face, as
+    /// [`vers_lieu`](crate::BoiteRay::vers_lieu) does: rounding may put a source there outside,
+    /// from which there is no way out.
     ///
     /// # Errors
     /// [`NoIntersection`] if the ray ends before it leaves, passes the object by or starts beyond
@@ -336,12 +344,13 @@ impl<R: Nombre> ObjetRay<R> {
         par_forme!(Self, self, forme => forme.texture())
     }
 
-    /// The same object in `f64`, exactly: every number that is stored, and no other.
+    /// What an answer in `f32` would be in `f64`, asked of this object and of
+    /// [`Rayon::temoin_f64`]: the same object in `f64`, exactly, with every number that is stored
+    /// and no other.
     ///
-    /// It is a witness: with [`Rayon::temoin_f64`] it tells what the answers of `f32` would be in
-    /// `f64`, and serves for nothing else. Directions and normals are unit only to the rounding of
-    /// `f32`, so that `marge`, `secondaire`, `reflechi`, `refracte`, `vers_touche` and `etendue`
-    /// promise nothing. For an object in `f64` describe it in `f64`.
+    /// It serves for nothing else. Directions and normals are unit only to the rounding of `f32`,
+    /// so that `marge`, `secondaire`, `reflechi`, `refracte`, `vers_touche` and `etendue` promise
+    /// nothing. For an object in `f64` describe it in `f64`.
     ///
     /// ```
     /// use lancer_rayon::{ObjetRay, SphereGeo, Texture, Vecteur};
@@ -380,11 +389,9 @@ impl<R: Nombre> ObjetRay<R> {
     /// A box along the axes that holds all of this object; `None` for a half-space, which is
     /// unbounded.
     ///
-    /// Rounding is allowed for, except for an object that [`temoin_f64`](Self::temoin_f64)
-    /// gave. The
-    /// corners lie beyond the object by up to 87u of the sum of its half-extents and 3.1u of the
-    /// sum of the coordinates of its centre. [`Monde::etendue`](crate::Monde::etendue) is the box
-    /// of a list.
+    /// Rounding is allowed for, except for an object that [`temoin_f64`](Self::temoin_f64) gave.
+    /// The corners lie beyond the object by up to 87u of the sum of its half-extents and 3.1u of
+    /// |x| + |y| + |z| of its centre. [`Monde::etendue`](crate::Monde::etendue) is the box of a list.
     #[doc(alias("bounding_box", "aabb", "bounds"))]
     #[must_use]
     pub fn etendue(&self) -> Option<Etendue<R>> {

@@ -9,17 +9,24 @@ use crate::algebre::refus::{self, exiger, fini, point, refus_nul, unitaire};
 use crate::rayon::flou::Flou;
 use crate::{ErreurGeo, Nombre, Vecteur};
 
-/// A ray: the points R(t) = S + t·D, 0 ≤ t < [`fin`](Self::fin), from the source S along the unit
-/// vector D (handout, annex A).
+/// A ray: the points R(t) = S + t·D, 0 ≤ t < [`fin`](Self::fin), from the source S along D, a
+/// vector that is unit to 7.6u (handout, annex A).
 ///
 /// [`new`](Self::new) makes a ray without an end. A ray with an end touches only what it enters
 /// before that distance, whatever the question. [`jusqu_a`](Self::jusqu_a) sets the end,
 /// [`entre`](Self::entre) goes from one point to another, and
-/// [`vers_lumiere`](crate::Intersection::vers_lumiere) ends at a lamp. A ray has no least distance.
-/// For a near plane, start at [`point`](Self::point) of that distance, where the ray no longer sees
-/// what holds its new start, or skip nearer entries in [`visiter`](crate::Monde::visiter). Either
-/// way the ray sees what stands behind a thing that is too near. A sensor with a least range does
-/// not: ask the whole ray, and discard a hit that is nearer than that.
+/// [`vers_lumiere`](crate::Intersection::vers_lumiere) ends at a lamp.
+///
+/// **δ** bounds the error of the source: it is 0 for a ray from `new`, and above 0 for one from a
+/// hit. A ray with a δ touches *at once*, at distance 0, an object in which it starts less than
+/// about δ deep, if it goes further in; so it does not slip through a seam between two solids. A
+/// ray that is [inside](Self::dedans) something touches nothing at once. [`flou`](Self::flou) has
+/// the details.
+///
+/// **A ray has no least distance.** For a near plane start at its [`point`](Self::point), or skip
+/// nearer entries in [`visiter`](crate::Monde::visiter): either way the ray sees what stands behind
+/// a thing that is too near. For a sensor with a least range ask the whole ray, and discard a hit
+/// that is nearer.
 ///
 /// ```
 /// use lancer_rayon::{Rayon, Vecteur};
@@ -108,13 +115,11 @@ impl<R: Nombre> Rayon<R> {
         Ok(Self { fin, ..self })
     }
 
-    /// The same ray with a source that is known to lie on a surface, or in a seam of several, only
-    /// to within this δ: for a particle that is born on a wall, or a probe that stands on a floor.
+    /// The same ray with this [δ](Self): for a source that is known to lie on a surface, or in a
+    /// seam of several, only to rounding, as of a particle that is born on a wall.
     ///
-    /// If the source lies in an object less deep than δ and the ray goes further in, it touches
-    /// that object at once, at distance 0; [`flou`](Self::flou) says exactly when. Without δ the
-    /// ray starts inside that object and does not see it. A ray that [starts from a
-    /// hit](crate::Intersection::secondaire) knows its δ, as does one from [a place of your
+    /// Without δ a ray that starts just inside an object does not see it. A ray that [starts from a
+    /// hit](crate::Intersection::secondaire) has a δ already, as does one from [a place of your
     /// own](crate::ObjetRay::sortie). A point C + l·N as computed, the middle of a face, lies
     /// within 14u(|C| + l) of the face (lemma 1). A δ much larger than the error does harm: a ray
     /// does not see a box that is no thicker than 2δ.
@@ -137,12 +142,12 @@ impl<R: Nombre> Rayon<R> {
         Ok(Self { flou: self.flou.avec(flou)?, ..self })
     }
 
-    /// The same ray, known to start inside something such as glass, water or mist. It keeps its δ,
-    /// but touches nothing at once: where mist stands flush on a floor, a ray that bounces off the
-    /// floor would otherwise touch the mist where it starts.
+    /// The same ray, known to start inside something such as glass, water or mist: it keeps its
+    /// [δ](Self), but touches nothing at once. It is idempotent.
     ///
-    /// Rays that `secondaire`, `reflechi` and `refracte` send inward are inside, those that they
-    /// send outward are not, and a turn in mid-air changes nothing. Twice is as good as once.
+    /// Where mist stands flush on a floor, a ray that bounces off the floor would otherwise touch
+    /// the mist where it starts. Rays that `secondaire`, `reflechi` and `refracte` send inward are
+    /// inside, those that they send outward are not, and a turn in mid-air changes nothing.
     ///
     /// **A ray inside may pass through a seam**, since it touches nothing at once. What a ray is in
     /// for long, leave out of its questions by [`sans`](crate::Monde::sans) or
@@ -170,8 +175,10 @@ impl<R: Nombre> Rayon<R> {
         Self { flou: self.flou.dedans(), ..self }
     }
 
-    /// The same ray, known to start in the air: the reverse of [`dedans`](Self::dedans). Beside an
-    /// edge a ray that was sent into glass may have stepped out again: if
+    /// The same ray, known to start in the air: it undoes [`dedans`](Self::dedans). It is
+    /// idempotent.
+    ///
+    /// Beside an edge a ray that was sent into glass may have stepped out again: if
     /// [`sortie`](crate::ObjetRay::sortie) finds no way out of the glass, go on with this ray.
     #[doc(alias("outside", "air"))]
     pub fn dehors(self) -> Self {
@@ -198,7 +205,7 @@ impl<R: Nombre> Rayon<R> {
         self.source
     }
 
-    /// D, a unit vector.
+    /// D, which is unit to 7.6u.
     #[inline(always)]
     pub fn direction(&self) -> Vecteur<R> {
         self.direction
@@ -212,17 +219,16 @@ impl<R: Nombre> Rayon<R> {
         self.fin
     }
 
-    /// δ, how exactly the ray knows its source, in scene units. If the source lies in an object
-    /// less deep than δ + o and the ray goes further in, it touches the object at once, except as
-    /// said below. The rounding o of the object is 44u of the radius of a sphere or of the sum of
-    /// the half-lengths of a box, and 0 for a half-space. Where δ is 0, and [inside](Self::dedans)
-    /// something, nothing is touched at once.
+    /// [δ](Self), how exactly the ray knows its source, in scene units. If the source lies in an
+    /// object less deep than δ + o and the ray goes further in, it touches the object at once. The
+    /// rounding o of the object is 44u of the radius of a sphere or of the sum of the half-lengths
+    /// of a box, and 0 for a half-space. Nothing is touched at once where δ is 0, or by a ray that
+    /// is [inside](Self::dedans) something.
     ///
     /// - A source exactly δ + o deep, as computed, is too deep.
     /// - A sphere may be touched at once from up to twice as deep.
-    /// - A box is not touched where the source is nearer to the opposite face, as in the far half of
-    ///   a plate thinner than δ, or less than δ and 22u of the half-lengths from a face across
-    ///   another axis that the ray leaves by or goes along.
+    /// - A thin box may not be touched, nor a box beside an edge (`docs/precision.md`, "Closed
+    ///   rooms").
     ///
     /// **Closed rooms.** No chain of outward rays from hits, and of turns in mid-air, that starts
     /// where no object [contains](crate::Monde::contient) the source leaves a closed room whose
@@ -277,8 +283,9 @@ impl<R: Nombre> Rayon<R> {
         Ok(Rayon { fin: simple(self.fin), flou, ..rayon })
     }
 
-    /// The same ray in `f64`, exactly: a witness, which tells what an answer in `f32` would be in
-    /// `f64`, and serves for nothing else ([`ObjetRay::temoin_f64`](crate::ObjetRay::temoin_f64)).
+    /// What an answer in `f32` would be in `f64`, asked of
+    /// [`ObjetRay::temoin_f64`](crate::ObjetRay::temoin_f64): the same ray in `f64`, exactly. It
+    /// serves for nothing else.
     ///
     /// The direction is not made unit again: that of an `f32` ray is unit only to the rounding of
     /// `f32`, and distances are in units of its length, in both types alike. Batches and trees

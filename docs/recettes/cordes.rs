@@ -43,3 +43,14 @@ pub fn cordes<R: Reel>(monde: &Monde<'_, R>, rayon: &Rayon<R>, cordes: &mut Vec<
     let ordre = |corde: &Corde<R>| (corde.de, corde.indice);
     cordes.sort_by(|a, b| ordre(a).partial_cmp(&ordre(b)).expect("a distance is no NaN"));
 }
+
+/// Leaves of each chord what lies beyond the end of those before: a ray in the common face of two objects is in both, one
+/// along a common edge in four, and objects that overlap count once.
+pub fn sans_recouvrement<R: Reel>(cordes: &mut Vec<Corde<R>>) {
+    let mut fin = R::ZERO;
+    cordes.retain_mut(|corde| {
+        corde.de = if corde.de < fin { fin } else { corde.de };
+        fin = if corde.a > fin { corde.a } else { fin };
+        corde.a > corde.de
+    });
+}

@@ -20,6 +20,20 @@ pub fn reponses<R: Reel>(monde: Monde<'_, R>, rayons: &[Rayon<R>]) -> Vec<Repons
     touches
 }
 
+/// The first hit of each ray, found in this order, which names each ray by its index once; the hits stand as the rays do.
+pub fn dans_cet_ordre<R: Reel>(
+    monde: Monde<'_, R>,
+    rayons: &[Rayon<R>],
+    ordre: &[usize],
+) -> Vec<Reponse<R>> {
+    let mut touches = vec![Err(NoIntersection); rayons.len()];
+    let ranges: Vec<_> = ordre.iter().map(|&i| rayons[i]).collect();
+    for (&i, touche) in ordre.iter().zip(reponses(monde, &ranges)) {
+        touches[i] = touche;
+    }
+    touches
+}
+
 /// The mean of each k × k pixels of a picture so wide, row by row: several rays for each pixel that remains.
 pub fn moyennes(couleurs: &[Vecteur], largeur: usize, k: usize) -> Vec<Vecteur> {
     let mut image = vec![Vecteur::NUL; couleurs.len() / (k * k)];

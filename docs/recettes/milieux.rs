@@ -1,5 +1,6 @@
 //! Light through media and past opaque things, one in another, overlapping or flush: ice in water, panes and voxels, a
 //! glass on a table in mist. Light may be trapped, as in a ball that it grazes from within: bound the number of steps.
+//! Light that runs in a seam of turned tiles may be bent by a side that it grazes: let tiles of one medium overlap.
 
 use std::ops::ControlFlow::Continue;
 
@@ -13,6 +14,12 @@ pub struct Milieu {
     pub indice: f64,
 }
 
+/// The index of refraction of what counts among these media, 1 in none.
+pub fn indice(milieux: &[Milieu], dans: &[usize]) -> f64 {
+    let premier = dans.iter().map(|&i| milieux[i]).max_by_key(|milieu| milieu.priorite);
+    premier.map_or(1.0, |milieu| milieu.indice)
+}
+
 /// Light, and the objects that it is in, in no order: at first the `contenants` of its source.
 #[derive(Debug, Clone)]
 pub struct Lumiere<R = f64> {
@@ -23,8 +30,9 @@ pub struct Lumiere<R = f64> {
 /// Where light comes to.
 #[derive(Debug)]
 pub enum Surface<R> {
-    /// An opaque object. What it sends back is in the same objects as before, also on its way to a lamp.
-    Opaque(Intersection<R>),
+    /// An opaque object, and how far light has come to it: the distance of the hit itself may count from a face that is
+    /// flush with it. What the object sends back is in the same objects as before, also on its way to a lamp.
+    Opaque(Intersection<R>, R),
     /// A face of a medium, and the objects that light is in behind it.
     Claire(Intersection<R>, Vec<usize>),
 }
@@ -57,7 +65,7 @@ impl<R: Reel> Lumiere<R> {
         let (opaque, n) = (|i: usize| i >= milieux.len(), touche.normale());
         let entre = d.produit_scalaire(n) < R::ZERO;
         if entre && opaque(touche.indice()) {
-            return Ok(Some(Surface::Opaque(touche)));
+            return Ok(Some(Surface::Opaque(touche, touche.distance())));
         }
         // Light goes into what holds the place behind the face, by more than the error of this place, and into what a ray
         // from the face comes to within that error, which may be a large thing that the rounding of its own parts from it.
@@ -69,7 +77,7 @@ impl<R: Reel> Lumiere<R> {
         if let Ok(contre) = contre
             && contre.normale().produit_scalaire(d) < R::ZERO
         {
-            return Ok(Some(Surface::Opaque(contre)));
+            return Ok(Some(Surface::Opaque(contre, touche.distance())));
         }
         let mut apres = vec![];
         monde.contenants(touche.point() + devant * erreur, |i| apres.push(i));
@@ -89,11 +97,8 @@ impl<R: Reel> Lumiere<R> {
         let Some(Surface::Claire(touche, apres)) = self.surface(monde, milieux)? else {
             return Ok(false);
         };
-        let indice = |dans: &[usize]| {
-            let premier = dans.iter().map(|&i| milieux[i]).max_by_key(|milieu| milieu.priorite);
-            premier.map_or(1.0, |milieu| milieu.indice)
-        };
-        let (rapport, d) = (indice(&self.dans) / indice(&apres), self.rayon.direction());
+        let rapport = indice(milieux, &self.dans) / indice(milieux, &apres);
+        let d = self.rayon.direction();
         let droit_devant = rapport == 1.0;
         let passe = if droit_devant {
             touche.secondaire(d)

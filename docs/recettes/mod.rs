@@ -14,4 +14,5 @@ pub mod fils;
 pub mod lentille;
 pub mod milieux;
 pub mod particule;
+pub mod premier;
 pub mod verre;

@@ -7,6 +7,7 @@ use fearless_simd::prelude::*;
 
 use crate::algebre::nombre::selon;
 use crate::arbre::construction::Arbre;
+use crate::arbre::morceaux::Coupe;
 use crate::arbre::noeud::{ENFANTS, Noeud, indice_lu};
 use crate::arbre::pile::{Attentes, Pile};
 use crate::arbre::sonde::Sonde;
@@ -62,6 +63,22 @@ fn vont_ailleurs<R: Nombre>(rayons: &[Rayon<R>]) -> usize {
     let quelques = rayons.iter().step_by(rayons.len() / 8 + 1);
     let minimal = R::depuis_f64(COSINUS_MINIMAL);
     quelques.filter(|rayon| rayon.direction().produit_scalaire(milieu) <= minimal).count()
+}
+
+/// Objects that were offered to a block, the last of those whose index ends in the same six bits. A
+/// tree may hold an object in several pieces, and a block need ask it but once.
+struct Offerts([u32; 64]);
+
+impl Offerts {
+    /// Whether it is not known that this object was offered, to rays that it may hold the source of
+    /// if it may now; it is from then on.
+    #[inline(always)]
+    fn est_nouveau(&mut self, indice: usize, source: bool) -> bool {
+        let (place, ici) = (&mut self.0[indice % 64], 2 * indice as u32 + 2 + u32::from(source));
+        let vu = *place == ici || *place == (ici | 1);
+        *place = if vu { *place } else { ici };
+        !vu
+    }
 }
 
 impl<R: Nombre> Arbre<'_, R> {
@@ -140,6 +157,7 @@ impl<R: Nombre> Arbre<'_, R> {
         let Some(sonde) = sonde else { return false };
         let mut attentes = Attentes::new();
         let (mut pile, mut numero) = (Pile(&mut attentes), self.noeuds.len() - 1);
+        let (entiers, mut offerts_deja) = (self.coupe == Coupe::AUCUNE, Offerts([0; 64]));
         let mut plafond = sonde.plafond(self.repere, bloc.le_plus_loin());
         while let Some(noeud) = self.noeuds.get(numero) {
             let (mut traverses, entrees) = sonde.traverse(simd, noeud, plafond);
@@ -148,9 +166,13 @@ impl<R: Nombre> Arbre<'_, R> {
                     let [.., mots] = noeud;
                     let source = [sonde.entree_de_la_source(); ENFANTS];
                     let sources = au_plus(simd, &entrees.0, &source);
-                    let offerts = || {
+                    let offerts = || loop {
                         let membre = prendre(&mut traverses)?;
-                        Some((indice_lu(mots[membre]), (sources >> membre) & 1 == 1))
+                        let (indice, source) =
+                            (indice_lu(mots[membre]), (sources >> membre) & 1 == 1);
+                        if entiers || offerts_deja.est_nouveau(indice, source) {
+                            return Some((indice, source));
+                        }
                     };
                     bloc.proposer(simd, liste, &mut from_fn(offerts));
                     let loin = bloc.le_plus_loin();

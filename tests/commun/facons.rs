@@ -5,7 +5,9 @@
 use std::sync::atomic::{AtomicU32, Ordering};
 
 use lancer_rayon::pour_les_tests::Reglage;
-use lancer_rayon::{Choix, Monde, ObjetRay, Parmi, Rayon, Reel, Tous, places};
+use lancer_rayon::{
+    Choix, Monde, ObjetRay, Parmi, Rayon, Reel, Tous, places, premiere_intersection,
+};
 
 use crate::choisis::{BOUTS, Choisis, Vue, bout};
 use crate::conversion::Bits;
@@ -89,7 +91,8 @@ fn comparer_les_facons<R: Bits, C: Choix + Copy>(
     facons: [Monde<'_, R, C>; 2],
     prend: impl Fn(usize) -> bool,
 ) -> Vec<Vec<Vue<R>>> {
-    let n = facons[0].objets().len();
+    let objets = facons[0].objets();
+    let n = objets.len();
     let pris: Vec<_> = (0..n).filter(|indice| prend(*indice)).collect();
     let choisis = |monde, facon| Choisis { monde, pris: pris.clone(), facon };
     let toutes = choisis(facons[0], String::new()).toutes(rayons);
@@ -107,7 +110,10 @@ fn comparer_les_facons<R: Bits, C: Choix + Copy>(
             let choisis = choisis(reglage.monde(monde), format!("{nom}, {facon}"));
             choisis.en_lot(rayons, &toutes, |i, _| rayons[i].fin());
             for (rayon, toutes) in rayons.iter().zip(&toutes) {
-                choisis.premiere(rayon, toutes);
+                choisis.premiere(rayon, toutes, choisis.monde.premiere_intersection(rayon));
+                if pris.len() == n && facon == "list" && numero == 0 {
+                    choisis.premiere(rayon, toutes, premiere_intersection(objets, rayon));
+                }
             }
             choisis.un_par_un(&quelques, &de_quelques, &limites, rayons.len() as u8);
             // What is left out changes nothing of what ends are. Other instructions each time.

@@ -161,6 +161,7 @@ struct Propriete<'a> {
 }
 
 /// A case, made when it is judged or shown.
+#[derive(Clone)]
 struct Cas<'a> {
     propriete: Propriete<'a>,
     tour: usize,
@@ -195,14 +196,10 @@ impl Debug for Cas<'_> {
     }
 }
 
-/// The changes of the smallest case that failed, and those that are tried next.
+/// The case that is tried next, and the changes of the smallest that failed.
 struct Recherche<'a> {
-    propriete: Propriete<'a>,
-    tour: usize,
-    graine: u64,
+    essai: Cas<'a>,
     meilleurs: Changes,
-    essai: Changes,
-    tires: Rc<RefCell<Tires>>,
     /// What is still to try, and until when.
     pas: Option<(Box<dyn Iterator<Item = Changes>>, Instant)>,
 }
@@ -226,16 +223,12 @@ fn pas(tires: Tires) -> impl Iterator<Item = Changes> {
     oter.chain(arrondir)
 }
 
-impl<'a> Recherche<'a> {
-    fn new(propriete: Propriete<'a>, tour: usize, graine: u64) -> Self {
-        let (meilleurs, essai) = (Changes::new(), Changes::new());
-        Self { propriete, tour, graine, meilleurs, essai, tires: Rc::default(), pas: None }
-    }
-
+impl Recherche<'_> {
     fn essayer(&mut self) -> bool {
-        self.essai.clone_from(&self.meilleurs);
+        let Cas { changes, tires, .. } = &mut self.essai;
+        changes.clone_from(&self.meilleurs);
         let Some((pas, fin)) = &mut self.pas else { return false };
-        let tires = self.tires.borrow();
+        let tires = tires.borrow();
         let ote = |i: &usize| {
             let mut elements = tires.elements.iter().filter(|element| element.contains(i));
             elements.any(|element| self.meilleurs.get(&element.start) == Some(&0))
@@ -246,7 +239,7 @@ impl<'a> Recherche<'a> {
         };
         let suivant = pas.take_while(|_| Instant::now() < *fin).find_map(reste);
         let encore = suivant.is_some();
-        self.essai.extend(suivant.into_iter().flatten());
+        changes.extend(suivant.into_iter().flatten());
         encore
     }
 }
@@ -255,15 +248,14 @@ impl<'a> ValueTree for Recherche<'a> {
     type Value = Cas<'a>;
 
     fn current(&self) -> Cas<'a> {
-        let Self { propriete, tour, graine, .. } = *self;
-        Cas { propriete, tour, graine, changes: self.essai.clone(), tires: Rc::clone(&self.tires) }
+        self.essai.clone()
     }
 
     /// What was tried last fails: it is kept.
     fn simplify(&mut self) -> bool {
-        self.meilleurs.clone_from(&self.essai);
+        self.meilleurs.clone_from(&self.essai.changes);
         self.pas.get_or_insert_with(|| {
-            (Box::new(pas(self.tires.borrow().clone())), Instant::now() + RECHERCHE)
+            (Box::new(pas(self.essai.tires.borrow().clone())), Instant::now() + RECHERCHE)
         });
         self.essayer()
     }
@@ -294,7 +286,9 @@ fn lancer(combien: u32, propriete: Propriete<'_>) {
     let mut lanceur = TestRunner::new(Config { max_shrink_iters, ..Config::default() });
     let mut graines = Rng::with_seed(2);
     for tour in 0..combien as usize {
-        let recherche = Recherche::new(propriete, tour, graines.u64(..));
+        let (graine, changes) = (graines.u64(..), Changes::new());
+        let essai = Cas { propriete, tour, graine, changes, tires: Rc::default() };
+        let recherche = Recherche { essai, meilleurs: Changes::new(), pas: None };
         if let Err(echec) = lanceur.run_one(recherche, |cas| cas.juger()) {
             panic!("{echec}");
         }

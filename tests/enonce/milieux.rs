@@ -5,7 +5,7 @@ use commun::hasard::{Hasard, Tirage, pour_chaque};
 use commun::regimes::{direction, entre};
 use commun::tolerances::u;
 use commun::{arrondi, en_f32_et_f64};
-use exemples::recettes::cordes::{Corde, cordes};
+use exemples::recettes::cordes::{Corde, cordes, sans_recouvrement};
 use exemples::recettes::milieux::{Lumiere, Milieu, Surface};
 use lancer_rayon::{Monde, ObjetRay, Rayon, Reel, Rotation, Vecteur};
 
@@ -139,6 +139,34 @@ fn des_cubes_a_fleur_ne_perdent_rien<R: Reel>() {
 
 en_f32_et_f64!(des_cubes_a_fleur_ne_perdent_rien);
 
+/// Of chords that overlap each length counts once: of a ray in the faces and along the edges of voxels the way through.
+fn des_cordes_sans_recouvrement_comptent_une_fois<R: Reel>() {
+    let corde = |(indice, de, a): (usize, f64, f64)| {
+        let [de, a] = [de, a].map(R::depuis_f64);
+        Corde { indice, de, a }
+    };
+    let mut liste = [(0, 0.0, 3.0), (1, 1.0, 2.0), (2, 2.0, 5.0), (3, 7.0, 8.0), (4, 7.0, 8.0)]
+        .map(corde)
+        .to_vec();
+    sans_recouvrement(&mut liste);
+    assert_eq!(liste, [(0, 0.0, 3.0), (2, 3.0, 5.0), (3, 7.0, 8.0)].map(corde));
+    let cube = |i: usize| {
+        let [x, y, z] = [i % 4, i / 4 % 4, i / 16].map(|k| k as f64 + 0.5);
+        boite::<R>(v(x, y, z), v(1.0, 1.0, 1.0), Rotation::IDENTITE)
+    };
+    let objets: Vec<_> = (0..64).map(cube).collect();
+    for (y, z, cordes_d_avant) in [(1.5, 2.5, 4), (2.0, 2.5, 8), (2.0, 1.0, 16)] {
+        let rayon = Rayon::new(v::<R>(-1.0, y, z), Vecteur::X).unwrap();
+        cordes(&avec_arbre(&objets), &rayon, &mut liste);
+        assert_eq!(liste.len(), cordes_d_avant);
+        sans_recouvrement(&mut liste);
+        let total: f64 = liste.iter().map(|corde| (corde.a - corde.de).vers_f64()).sum();
+        assert_eq!((total, liste.len()), (4.0, 4));
+    }
+}
+
+en_f32_et_f64!(des_cordes_sans_recouvrement_comptent_une_fois);
+
 /// A half-space and solids about the source: what a ray is in where it starts, what it enters, and where it ends.
 fn une_corde_va_de_l_entree_a_la_sortie<R: Reel>() {
     let objets = [
@@ -212,7 +240,12 @@ fn un_verre_sur_une_table_dans_la_brume_montre_la_table<R: Reel>() {
             let mut faces = 0;
             let touche = loop {
                 match lumiere.surface(&monde, &milieux).unwrap() {
-                    Some(Surface::Opaque(touche)) => break touche,
+                    Some(Surface::Opaque(touche, distance)) => {
+                        let depuis = touche.point().vers_f64() - lumiere.rayon.source().vers_f64();
+                        let ecart = (distance.vers_f64() - depuis.longueur()).abs();
+                        assert!(ecart < 2_000.0 * u::<R>() * (1.0 + pied.longueur()), "{ecart:e}");
+                        break touche;
+                    }
                     autre => assert!(autre.is_some() && faces < couches + 1, "{rayon:?}"),
                 }
                 assert!(lumiere.avancer(&monde, &milieux).unwrap());
@@ -258,7 +291,12 @@ fn du_verre_la_lumiere_trouve_son_pied<R: Reel>() {
         let flou = R::depuis_f64(1e-6);
         let mut lumiere = Lumiere { rayon: rayon.avec_flou(flou).unwrap(), dans: vec![0] };
         match lumiere.surface(&Monde::de_liste(&objets), &[milieu(0, 1.5)]).unwrap() {
-            Some(Surface::Opaque(touche)) => {
+            Some(Surface::Opaque(touche, distance)) => {
+                let depuis = (touche.point() - rayon.source()).longueur();
+                assert!(
+                    (distance - depuis).absolu() < R::depuis_f64(1e-5) * depuis,
+                    "{distance:?}"
+                );
                 assert_eq!((touche.indice(), touche.normale()), (1, Vecteur::Y));
                 assert!(touche.reflechi(rayon.direction()).unwrap().flou() > flou);
             }

@@ -112,15 +112,21 @@ en_f32_et_f64!(un_damier_sur_une_boite_tournee_n_a_pas_de_taches);
 
 /// A place on a face makes a hit there, and the place of that hit is what was asked for.
 fn un_lieu_fait_une_touche_de_ce_lieu<R: Reel>() {
+    let mut au_bord = 0;
     let faire = |alea: &mut Hasard| {
         let tour = Rotation::new(arrondi::<R>(direction(alea) * 3.0)).unwrap();
         let centre = arrondi(direction(alea) * [0.0, 3.0, 3e3][alea.usize(0..3)]);
         let cotes = [(); 3].map(|()| deux_puissance(alea, -9.0, 9.0));
         let boite = BoiteGeo::new(centre, arrondi(cotes.into()), tour, Texture(3)).unwrap();
-        let uv = [(); 2].map(|()| R::depuis_f64(entre(alea, -0.99, 0.99)));
+        // Also on an edge, in a corner and beyond.
+        let au_bord = alea.bool();
+        let uv = [(); 2].map(|()| {
+            let x = entre(alea, -1.2, 1.2);
+            R::depuis_f64(if au_bord && alea.bool() { x.signum() } else { x })
+        });
         (boite.vers_ray(), Face::TOUTES[alea.usize(0..6)], uv)
     };
-    pour_chaque(400, faire, |(boite, face, uv)| {
+    pour_chaque(2_000, faire, |(boite, face, uv)| {
         let rayon = boite.vers_lieu(face, uv).unwrap();
         let touche = ObjetRay::from(boite).sortie(&rayon).unwrap();
         assert_eq!((touche.normale(), touche.texture()), (boite.face(face).1, Texture(3)));
@@ -128,25 +134,27 @@ fn un_lieu_fait_une_touche_de_ce_lieu<R: Reel>() {
         assert_eq!(obtenue, face, "{p:?}");
         // A coordinate of the source takes two roundings of each l·N and three of their sum with C, √3 of which count
         // along the face; N is unit and at right angles to 12u; `lieu` adds 6.1u of |f| + t, twice the extent at most.
+        // Near an edge a place is moved from it, by 40u of the centre and of the extent.
         let c = <[R; 3]>::from(boite.centre()).map(|x| x.vers_f64().abs());
         let c = c.into_iter().fold(0.0, f64::max);
         let extension: f64 = boite.demi_longueurs().into_iter().map(R::vers_f64).sum();
         let permis =
             u::<R>() * (3.0_f64.sqrt() * (c + 5.0 * extension) + (12.0 + 12.2) * extension);
+        let bord = 40.0 * u::<R>() * (3.0 * c + extension);
         for (k, (obtenu, voulu)) in face.le_long(p).into_iter().zip(uv).enumerate() {
             let l = demi_longueur_le_long(&boite, face, k);
-            assert!(
-                (obtenu.vers_f64() - voulu.vers_f64()).abs() <= permis / l,
-                "{obtenu:?}, not {voulu:?}"
-            );
+            let (obtenu, voulu) = (obtenu.vers_f64(), voulu.vers_f64().clamp(-1.0, 1.0));
+            let deplace = if voulu.abs() >= 1.0 - bord / l { bord } else { 0.0 };
+            assert!((obtenu - voulu).abs() <= (permis + deplace) / l, "{obtenu}, not {voulu}");
+            au_bord += u32::from(deplace > 0.0);
         }
-        // What is beyond a face, or no number, lies on its edge.
-        let au_bord = [R::UN, -R::UN];
-        let dehors = [R::INFINI, R::depuis_f64(-9.0)];
-        let vers_le_bord = boite.vers_lieu(face, au_bord).unwrap();
-        assert_eq!(boite.vers_lieu(face, dehors).unwrap(), vers_le_bord);
-        assert_eq!(boite.vers_lieu(face, [R::INFINI - R::INFINI, -R::UN]).unwrap(), vers_le_bord);
+        let rien = R::depuis_f64(f64::NAN);
+        for uv in [[R::INFINI, -R::INFINI], [rien, R::ZERO], [R::ZERO, rien]] {
+            let rayon = boite.vers_lieu(face, uv).unwrap();
+            assert!(ObjetRay::from(boite).sortie(&rayon).is_ok(), "{uv:?}");
+        }
     });
+    assert!(au_bord > 1_000, "{au_bord}");
 }
 
 /// The half-length of the box along the first or the second coordinate of a face.

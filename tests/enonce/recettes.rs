@@ -16,8 +16,10 @@ use exemples::recettes::capteur::capteur;
 use exemples::recettes::lentille::traverser;
 use exemples::recettes::milieux::{Lumiere, Milieu};
 use exemples::recettes::particule::Particule;
+use exemples::recettes::premier::premier;
 use exemples::recettes::verre::{Suite, dans_le_verre};
 use exemples::recettes::{atlas, au_loin, caches, damier, fils};
+use exemples::scene::tuiles;
 use fastrand::Rng;
 use lancer_rayon::{
     BoiteGeo, Face, Monde, NoIntersection, ObjetGeo, ObjetRay, Rayon, Reel, Rotation, SphereGeo,
@@ -132,8 +134,18 @@ fn une_image_par_fils_a_les_bits_d_un_seul() {
         let rayon = |i: i32| Rayon::new(v(0.0, 0.0, 0.0), v(f64::from(i % 64) / 64.0, 0.1, -1.0));
         let rayons: Vec<Rayon> = (0..nombre).map(|i| rayon(i).unwrap()).collect();
         let seul = rayons.iter().map(|rayon| monde.premiere_intersection(rayon));
-        assert!(seul.eq(fils::reponses(monde, &rayons)), "{nombre} rays");
+        assert!(seul.clone().eq(fils::reponses(monde, &rayons)), "{nombre} rays");
+        let ordre = tuiles(rayons.len(), 24);
+        assert!(seul.eq(fils::dans_cet_ordre(monde, &rayons, &ordre)), "{nombre} rays in tiles");
     }
+}
+
+/// What the guide says that the first program prints.
+#[test]
+fn le_premier_programme_dit_ce_que_dit_la_page() {
+    let (touche, erreur) = premier().unwrap();
+    assert_eq!((touche.indice(), touche.distance()), (1, 4.0));
+    assert_eq!(erreur, "rayon is -1.0, but must be a number above 0");
 }
 
 #[test]

@@ -13,8 +13,9 @@ use commun::regimes::{deux_puissance, direction, entre, gerbe, signe};
 use commun::{Bits, arrondi, en_f32_et_f64, scenes};
 use lancer_rayon::pour_les_tests::{Reglage, groupes_au_bout};
 use lancer_rayon::{
-    BoiteGeo, LongueursDifferentes, Monde, NoIntersection, Nombre, ObjetRay, PlacesInsuffisantes,
-    PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture, Vecteur, places, premiere_intersection,
+    BoiteGeo, Face, LongueursDifferentes, Monde, NoIntersection, Nombre, ObjetRay,
+    PlacesInsuffisantes, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture, Vecteur, places,
+    premiere_intersection,
 };
 
 // Threads share it.
@@ -490,6 +491,38 @@ fn des_poutres_en_morceaux_repondent_comme_la_liste<R: Bits>() {
     assert!(touches > 100, "only {touches} hits");
 }
 
+/// Rays of one block that start under a face of a long box by less than their δ, and go in: the box is touched at once,
+/// though the block meets a piece of it that does not hold the start first.
+fn une_poutre_en_morceaux_est_touchee_d_emblee<R: Bits>() {
+    let flou = R::depuis_f64(2_f64.powi(-12));
+    let faire = |alea: &mut Hasard| {
+        let objets = poutres::<R>(alea, 60);
+        let rayons = alea.liste(4, |alea, _| {
+            let ObjetRay::Boite(poutre) = *alea.choix(&objets) else { unreachable!("a box") };
+            let face = Face::TOUTES[alea.usize(0..6)];
+            let (n, uv) = (poutre.face(face).1, [(); 2].map(|()| entre(alea, -0.8, 0.8)));
+            let lieu = poutre.vers_lieu(face, uv.map(R::depuis_f64)).unwrap();
+            let lieu = ObjetRay::from(poutre).sortie(&lieu).unwrap().point();
+            let penche = arrondi::<R>(direction(alea) * 0.9);
+            let rayon = |alea: &mut Hasard| {
+                let ecart = arrondi::<R>(direction(alea) * 2_f64.powi(-8));
+                let source = lieu - n * (flou * R::depuis_f64(alea.f64()));
+                Rayon::new(source, penche + ecart - n).and_then(|rayon| rayon.avec_flou(flou))
+            };
+            (0..64).map(|_| rayon(alea).unwrap()).collect::<Vec<_>>()
+        });
+        (objets, rayons.concat())
+    };
+    let mut d_emblee = 0;
+    pour_chaque(40, faire, |(objets, rayons)| {
+        let mut places = vec![f32::NAN; 4 * places(objets.len())];
+        comparer_dans(&Monde::en_morceaux(&objets, &mut places).unwrap(), &rayons);
+        let touches = rayons.iter().map(|rayon| premiere_intersection(&objets, rayon));
+        d_emblee += touches.flatten().filter(|touche| touche.distance() == R::ZERO).count();
+    });
+    assert!(d_emblee > 5_000, "{d_emblee}");
+}
+
 /// Built: one object that a ray passes across an axis, at its farthest point along that axis, within rounding of the
 /// distance; either the object, or the source, or both far from the many. Held: a hit that lies beyond the box of the
 /// object is not lost. In `f32` some lie so; in `f64` the box itself is rounded.
@@ -791,6 +824,7 @@ en_f32_et_f64!(aux_coutures_des_morceaux_aucune_touche_n_est_perdue);
 en_f32_et_f64!(un_rayon_egare_n_arrete_que_son_groupe);
 en_f32_et_f64!(l_ordre_de_la_liste_ne_decide_pas_de_la_coupe);
 en_f32_et_f64!(des_poutres_en_morceaux_repondent_comme_la_liste);
+en_f32_et_f64!(une_poutre_en_morceaux_est_touchee_d_emblee);
 en_f32_et_f64!(une_touche_au_bord_de_sa_boite_n_est_pas_perdue);
 en_f32_et_f64!(le_long_d_une_arete_une_ombre_est_celle_de_la_liste);
 en_f32_et_f64!(de_toute_distance_un_arbre_repond_comme_la_liste);

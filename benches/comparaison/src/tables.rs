@@ -53,7 +53,7 @@ pub(crate) struct Tableau {
 
 /// Ours beside theirs.
 pub(crate) const AUPRES_DES_AUTRES: Tableau = Tableau {
-    titre: "the other / ours",
+    titre: "A / ours",
     questions: &[
         Question {
             nom: "one by one: the better of parry and Embree",
@@ -79,7 +79,7 @@ pub(crate) const AUPRES_DES_AUTRES: Tableau = Tableau {
 
 /// Ours one by one beside our batch.
 pub(crate) const EN_LOT: Tableau = Tableau {
-    titre: "ours",
+    titre: "A / B",
     questions: &[
         Question { nom: "one by one / in a batch", scalaire: "f32", ici: LOT, autres: SEUL },
         Question { nom: "one by one / in a batch", scalaire: "f64", ici: LOT, autres: SEUL },
