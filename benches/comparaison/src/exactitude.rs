@@ -120,7 +120,7 @@ fn bornes() -> String {
     let millions = lances / 1_000_000;
     lignes.push(format!(
         "\nOf {millions} million secondary rays none touched its object again. In the median of a regime `erreur` is at most\n\
-         {aisance:.2} times the error, where its documentation says 1.1."
+         {aisance:.2} times the error."
     ));
     lignes.join("\n")
 }
