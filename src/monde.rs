@@ -176,7 +176,8 @@ impl<'a, R: Reel> Monde<'a, R> {
     ///
     /// With twice the places a ray among 10,000 such boxes takes about half to two thirds of the
     /// time, and among 1,000 two thirds to four fifths. Among some hundred neither gains much, and
-    /// where nothing is long the tree is that of [`new`](Self::new). No answer depends on the pieces.
+    /// where nothing is long the tree is that of [`new`](Self::new). No answer depends on the
+    /// pieces.
     ///
     /// # Errors
     /// If fewer numbers are lent than [`places`] says.

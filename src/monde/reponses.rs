@@ -217,9 +217,10 @@ macro_rules! reponses {
 }
 
 reponses! {
-    fn lancer_rayon_arbre<'a>(objets: &'a [ObjetRay<Self>], places: &'a mut [f32])
-        -> Result<Arbre<'a, Self>, PlacesInsuffisantes>
-    {
+    fn lancer_rayon_arbre<'a>(
+        objets: &'a [ObjetRay<Self>],
+        places: &'a mut [f32],
+    ) -> Result<Arbre<'a, Self>, PlacesInsuffisantes> {
         construire(objets, places)
     }
 
@@ -229,17 +230,21 @@ reponses! {
         })
     }
 
-    fn lancer_rayon_premiere_d_une_liste(liste: &Liste<'_, Self>, niveau: Level, rayon: &Rayon<Self>)
-        -> Reponse<Self>
-    {
+    fn lancer_rayon_premiere_d_une_liste(
+        liste: &Liste<'_, Self>,
+        niveau: Level,
+        rayon: &Rayon<Self>,
+    ) -> Reponse<Self> {
         selon_le_niveau!(niveau, SANS_AVX_512, simd => {
             premier_d_une_liste(simd, liste, rayon, une_touche())
         })
     }
 
-    fn lancer_rayon_premieres(sujet: &Sujet<'_, Self>, rayons: &[Rayon<Self>], touches: &mut [Reponse<Self>])
-        -> Result<(), LongueursDifferentes>
-    {
+    fn lancer_rayon_premieres(
+        sujet: &Sujet<'_, Self>,
+        rayons: &[Rayon<Self>],
+        touches: &mut [Reponse<Self>],
+    ) -> Result<(), LongueursDifferentes> {
         demander_en_lot(
             sujet,
             (rayons, touches),
@@ -255,17 +260,21 @@ reponses! {
         })
     }
 
-    fn lancer_rayon_occulte_d_une_liste(liste: &Liste<'_, Self>, niveau: Level, rayon: &Rayon<Self>)
-        -> bool
-    {
+    fn lancer_rayon_occulte_d_une_liste(
+        liste: &Liste<'_, Self>,
+        niveau: Level,
+        rayon: &Rayon<Self>,
+    ) -> bool {
         selon_le_niveau!(niveau, SANS_AVX_512, simd => {
             premier_d_une_liste(simd, liste, rayon, une_ombre())
         })
     }
 
-    fn lancer_rayon_occultes(sujet: &Sujet<'_, Self>, rayons: &[Rayon<Self>], occultes: &mut [bool])
-        -> Result<(), LongueursDifferentes>
-    {
+    fn lancer_rayon_occultes(
+        sujet: &Sujet<'_, Self>,
+        rayons: &[Rayon<Self>],
+        occultes: &mut [bool],
+    ) -> Result<(), LongueursDifferentes> {
         demander_en_lot(
             sujet,
             (rayons, occultes),
@@ -275,22 +284,38 @@ reponses! {
         )
     }
 
-    fn lancer_rayon_certifie(sujet: &Sujet<'_, Self>, rayon: &Rayon<Self>, reponse: &Reponse<Self>) -> bool {
+    fn lancer_rayon_certifie(
+        sujet: &Sujet<'_, Self>,
+        rayon: &Rayon<Self>,
+        reponse: &Reponse<Self>,
+    ) -> bool {
         let certificat = Certificat::new(&sujet.liste, rayon, reponse);
         certificat.is_some_and(|certificat| demander(sujet, rayon, certificat, |q, _, _| !q.doute))
     }
 
-    fn lancer_rayon_visiter(sujet: &Sujet<'_, Self>, rayon: &Rayon<Self>, montrer: Montrer<'_, Self>) -> () {
+    fn lancer_rayon_visiter(
+        sujet: &Sujet<'_, Self>,
+        rayon: &Rayon<Self>,
+        montrer: Montrer<'_, Self>,
+    ) -> () {
         demander(sujet, rayon, Visite::<_, false> { fin: rayon.fin(), montrer }, |_, _, _| ());
     }
 
-    fn lancer_rayon_dans_l_ordre(sujet: &Sujet<'_, Self>, rayon: &Rayon<Self>, touches: &mut [Reponse<Self>]) -> usize {
+    fn lancer_rayon_dans_l_ordre(
+        sujet: &Sujet<'_, Self>,
+        rayon: &Rayon<Self>,
+        touches: &mut [Reponse<Self>],
+    ) -> usize {
         let mut rangee = Rangee::new(touches);
         Self::lancer_rayon_visiter(sujet, rayon, &mut |indice, t| rangee.placer(indice, t));
         rangee.en_ordre(rayon, sujet.liste.objets)
     }
 
-    fn lancer_rayon_contenants(sujet: &Sujet<'_, Self>, point: Vecteur<Self>, montrer: Montrer<'_, Self>) -> bool {
+    fn lancer_rayon_contenants(
+        sujet: &Sujet<'_, Self>,
+        point: Vecteur<Self>,
+        montrer: Montrer<'_, Self>,
+    ) -> bool {
         let visite = Visite::<_, true> { fin: Self::INFINI, montrer };
         // The direction does not matter, and the point need not be finite.
         let rayon = Rayon::sans_fin(point, Vecteur::Z);

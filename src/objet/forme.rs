@@ -113,8 +113,9 @@ pub(crate) trait Forme<R: Nombre>: Copy {
     }
 
     /// Normal and margin of the entry at distance `t`, also where [`contact`](Self::contact) is not
-    /// right: where the ray touches at once, or the normal leans away from the source. A call for the normal alone, before the margin,
-    /// would make a single ray take up to 1.4 times as long (measured).
+    /// right: where the ray touches at once, or the normal leans away from the source. A call for
+    /// the normal alone, before the margin, would make a single ray take up to 1.4 times as long
+    /// (measured).
     fn contact_de_toute_sorte(&self, rayon: &Rayon<R>, t: R) -> Contact<R> {
         let (n, du_centre) =
             if t == R::ZERO { self.plan_de_depart(rayon) } else { self.plan_tangent(rayon, t) };

@@ -32,12 +32,11 @@ impl<R: Nombre> ObjetRay<R> {
     /// for the numbers as they are stored.
     ///
     /// The bound is proven (`docs/preuves/objets.md`, lemma 17), also at the edges of a box, and
-    /// includes the rounding of its own computation. Ask the object that was hit, with the ray of the
-    /// hit.
-    /// The bound rests on t alone, not on how t was found: it is the error itself, as found with
-    /// numbers of twice the length of an `f64`, and what D lacks to length 1 over that distance. In
-    /// the median of every regime in `benches/erreurs.md` it is at most 1.01 times the error. It takes
-    /// many times as long as the hit.
+    /// includes the rounding of its own computation. Ask the object that was hit, with the ray of
+    /// the hit. The bound rests on t alone, not on how t was found: it is the error itself, as
+    /// found with numbers of twice the length of an `f64`, and what D lacks to length 1 over that
+    /// distance. In the median of every regime in `benches/erreurs.md` it is at most 1.01 times the
+    /// error. It takes many times as long as the hit.
     ///
     /// It is never a NaN. It is +∞ where the ray does not enter or leave the object, where the
     /// doubled numbers cannot tell at t whether it does, for a hit at once, at t = 0, unless exact

@@ -379,8 +379,8 @@ impl<R: Nombre> Intersection<R> {
         pas + plus + p.norme_1() * fois_u(PAS_D_EMBLEE_POINT)
     }
 
-    /// The ray along the normal from the point of the hit, moved along the normal to this side, past
-    /// all rounding.
+    /// The ray along the normal from the point of the hit, moved along the normal to this side,
+    /// past all rounding.
     #[inline(always)]
     fn depart(&self, cote: Cote) -> Result<Rayon<R>, ErreurGeo> {
         let attendu = "finite: a sphere lost in rounding, or a point out of range, has no side";

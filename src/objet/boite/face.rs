@@ -78,9 +78,9 @@ impl fmt::Display for Face {
     }
 }
 
-/// How far from an edge a place stays, in u of ‖C‖₁ and Σl_i. The source of the ray is off by u of |C|
-/// and 5u of Σl_i, and by 12u of Σl_i as N_i are orthonormal to that; a length to a face rounds by
-/// 4u of Σl_i; and along N_i the ray comes nearer to another face by 15.1u of l_i at most.
+/// How far from an edge a place stays, in u of ‖C‖₁ and Σl_i. The source of the ray is off by u of
+/// |C| and 5u of Σl_i, and by 12u of Σl_i as N_i are orthonormal to that; a length to a face rounds
+/// by 4u of Σl_i; and along N_i the ray comes nearer to another face by 15.1u of l_i at most.
 const BORD: f64 = 40.0;
 
 impl<R: Nombre> BoiteRay<R> {
@@ -133,9 +133,9 @@ impl<R: Nombre> BoiteRay<R> {
         (face, p.into())
     }
 
-    /// The ray from within that leaves the box at this place, along the normal of the face: [u, v] as
-    /// [`Face::le_long`] gives them. What is nearer to an edge than rounding allows, or beyond it,
-    /// or a NaN, becomes a place just within.
+    /// The ray from within that leaves the box at this place, along the normal of the face: [u, v]
+    /// as [`Face::le_long`] gives them. What is nearer to an edge than rounding allows, or beyond
+    /// it, or a NaN, becomes a place just within.
     ///
     /// Its [`sortie`](crate::ObjetRay::sortie) is a hit at the place, from which rays start as from
     /// any other: a sensor, a patch, a point of a lamp. [`lieu`](Self::lieu) of that ray and hit

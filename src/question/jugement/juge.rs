@@ -66,8 +66,8 @@ fn apres(t: f64, Intervalle { bas, haut }: Intervalle) -> Intervalle {
     Intervalle { bas: max(bas, 0.0), haut }
 }
 
-/// The judgement in doubled numbers. The bounds of the entry are those of [`coup_d_oeil`], to 8.6u of
-/// `f64`.
+/// The judgement in doubled numbers. The bounds of the entry are those of [`coup_d_oeil`], to 8.6u
+/// of `f64`.
 pub(crate) fn juger(objet: &ObjetRay, rayon: &Rayon, lieux: Lieux) -> Passage {
     juger_avec::<Triple>(objet, rayon, lieux)
 }
