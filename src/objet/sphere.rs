@@ -247,7 +247,8 @@ impl<R: Nombre> Forme<R> for SphereRay<R> {
         let (dedans, devant) = (puissance < R::ZERO, sa > R::ZERO);
         // W1: from inside AB² is no less than −power·D².
         let ab = max(ab2, -puissance * d2).racine();
-        let (haut, bas) = if devant { (sa + ab, d2) } else { (puissance, sa - ab) }; // W2: no sum cancels
+        // W2: no sum cancels.
+        let (haut, bas) = if devant { (sa + ab, d2) } else { (puissance, sa - ab) };
         if dedans | (devant & (ab2 > R::ZERO)) { haut / bas } else { R::INFINI }
     }
 
