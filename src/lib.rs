@@ -19,7 +19,7 @@
 //!
 //! # The way through
 //!
-//! The pages that are named here, such as `docs/guide.md` with programs for every need, stand in
+//! The pages that are named here, such as `docs/guide.md` with programs for common needs, stand in
 //! the repository, whose `README.md` leads to them.
 //!
 //! Describe objects with [`SphereGeo`], [`PlanGeo`] and [`BoiteGeo`]. Move them with
@@ -53,8 +53,8 @@
 //! # Ok::<(), ErreurGeo>(())
 //! ```
 //!
-//! **A half-space** is solid: it consists of the points where N·X ≤ −d, with d ≤ 0 if it contains
-//! the origin.
+//! **A half-space** is solid: it consists of the points where N·X ≤ −d, with d < 0 if the origin is
+//! strictly inside.
 //!
 //! ```
 //! # use lancer_rayon::*;
@@ -115,8 +115,8 @@
 //!
 //! Every type takes the scalar as a parameter, `f64` unless named: `Vecteur<f32>`. Everything is
 //! computed in that type. Take `f32` for speed and memory, in batches above all, and `f64` for
-//! distances to some 10⁻¹⁴ (`docs/vitesse.md`). Far from the origin O subtract an origin from the
-//! scene first: [`ObjetGeo::vers_f32`].
+//! distances to some 10⁻¹⁴ of the lengths involved (`docs/vitesse.md`). Far from the origin O
+//! subtract an origin from the scene first: [`ObjetGeo::vers_f32`].
 //!
 //! Errors are bounded in both types alike, in units of u, half a unit in the last place of 1: [2⁻²⁴
 //! or 2⁻⁵³](Nombre::U) (`docs/precision.md`).

@@ -122,7 +122,7 @@ impl<R: Nombre> Rayon<R> {
     /// hit](crate::Intersection::secondaire) has a δ already, as does one from [a place of your
     /// own](crate::ObjetRay::sortie). A point C + l·N as computed, the middle of a face, lies
     /// within 14u(|C| + l) of the face (lemma 1). A δ much larger than the error does harm: a ray
-    /// does not see a box that is no thicker than 2δ.
+    /// that starts in a box no thicker than 2δ may not touch it.
     ///
     /// # Errors
     /// If `flou` is not finite or below 0.
@@ -283,9 +283,9 @@ impl<R: Nombre> Rayon<R> {
         Ok(Rayon { fin: simple(self.fin), flou, ..rayon })
     }
 
-    /// What an answer in `f32` would be in `f64`, asked of
-    /// [`ObjetRay::temoin_f64`](crate::ObjetRay::temoin_f64): the same ray in `f64`, exactly. It
-    /// serves for nothing else.
+    /// The same ray in `f64`, exactly, by which
+    /// [`ObjetRay::temoin_f64`](crate::ObjetRay::temoin_f64) tells what an answer in `f32` would be
+    /// in `f64`. It serves for nothing else.
     ///
     /// The direction is not made unit again: that of an `f32` ray is unit only to the rounding of
     /// `f32`, and distances are in units of its length, in both types alike. Batches and trees

@@ -74,9 +74,9 @@ impl<R: Nombre> Rayon<R> {
 }
 
 impl<R: Nombre> Intersection<R> {
-    /// A ray that starts at this hit and never hits the object it leaves, with one exception:
-    /// within rounding of a box edge, or in a box no thicker than twice the step, an inward ray may
-    /// start outside, and touch the other face of that edge.
+    /// A ray that starts at this hit and never hits the object it leaves, with two exceptions:
+    /// within rounding of a box edge, and in a box no thicker than twice the step, an inward ray
+    /// may start outside, and touch the box.
     ///
     /// The direction may lead outward, D·N > 0, or inward for transparency. For mirrors there is
     /// [`reflechi`](Self::reflechi), for glass [`refracte`](Self::refracte), for shadows

@@ -88,10 +88,10 @@ impl<R: Nombre> BoiteRay<R> {
     /// between opposite faces. Across the face the coordinate is exactly 1 or −1; the two along it
     /// are [`Face::le_long`].
     ///
-    /// A pattern therefore never speckles. The coordinate across the face does not waver about the
-    /// edge of a cell of a pattern in space, and no coordinate leaves [−1, 1] or is a NaN.
-    /// Multiplied by [`demi_longueurs`](Self::demi_longueurs) the point is in scene units from the
-    /// centre. The point turns, moves and grows with the box.
+    /// A pattern therefore does not speckle across a face. The coordinate across the face does not
+    /// waver about the edge of a cell of a pattern in space, and no coordinate leaves [−1, 1] or is
+    /// a NaN. Multiplied by [`demi_longueurs`](Self::demi_longueurs) the point is in scene units
+    /// from the centre. The point turns, moves and grows with the box.
     ///
     /// The face is that of [`touche.normale()`](Intersection::normale), at an edge as well. The
     /// coordinates along it are those of S + tD, with t the distance as reported, to 6.1u(|S − C| +
@@ -134,13 +134,14 @@ impl<R: Nombre> BoiteRay<R> {
     }
 
     /// The ray from within that leaves the box at this place, along the normal of the face: [u, v]
-    /// as [`Face::le_long`] gives them. What is nearer to an edge than rounding allows, or beyond
-    /// it, or a NaN, becomes a place just within.
+    /// as [`Face::le_long`] gives them. What is nearer to an edge than 40u of ‖C‖₁ and Σl_i, beyond
+    /// it, or a NaN, becomes a place just within: where the centre is known less well than the box
+    /// is large, the middle of the face. So subtract an origin first from what is far away.
     ///
     /// Its [`sortie`](crate::ObjetRay::sortie) is a hit at the place, from which rays start as from
     /// any other: a sensor, a patch, a point of a lamp. [`lieu`](Self::lieu) of that ray and hit
-    /// gives the place back, to rounding. A box that is thinner than its place is rounded by, some
-    /// u·|C|, may have no way out.
+    /// gives the place back, to rounding, unless it was so moved. A box that is thinner than its
+    /// place is rounded by, some u·|C|, may have no way out.
     ///
     /// # Errors
     /// If the middle of the box, moved along the face, lies outside the limits of [`Rayon::new`].
@@ -178,8 +179,8 @@ impl<R: Nombre> BoiteRay<R> {
         Rayon::new(self.centre() + du_milieu.sum(), self.face(face).1)
     }
 
-    /// C ± l_i·N_i and ±N_i, the centre of a face and its outward unit normal N: Cf_i or Co_i of
-    /// the handout (§3). Its df_i or do_i, the relative distance of the plane of the face, is −N·(C
+    /// The centre of a face, C ± l_i·N_i, and its outward unit normal N = ±N_i: Cf_i or Co_i of the
+    /// handout (§3). Its df_i or do_i, the relative distance of the plane of the face, is −N·(C
     /// ± l_i·N_i).
     #[doc(alias("face_center", "face_normal"))]
     pub fn face(&self, face: Face) -> (Vecteur<R>, Vecteur<R>) {
