@@ -1,7 +1,11 @@
 //! What `serde` writes and reads of the types whose constructors check something: fields that are
 //! read go through the same checks.
 
-use serde::de::Error;
+use core::fmt;
+use core::marker::PhantomData;
+
+use serde::de::value::SeqAccessDeserializer;
+use serde::de::{Error, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use crate::algebre::nombre::fois_u;
@@ -47,12 +51,34 @@ macro_rules! champs {
     };
 }
 
-// The error of an array says nothing of rotations, and some write three angles.
 impl<'de, R: Nombre + Deserialize<'de>> Deserialize<'de> for Rotation<R> {
     fn deserialize<D: Deserializer<'de>>(lecteur: D) -> Result<Self, D::Error> {
-        let par_lignes = |refus| D::Error::custom(format_args!("a matrix, row by row: {refus}"));
-        let matrice = <[[R; 3]; 3]>::deserialize(lecteur).map_err(par_lignes)?;
-        Self::depuis_matrice(matrice).map_err(D::Error::custom)
+        let lignes = <[Ligne<R>; 3]>::deserialize(lecteur)?;
+        Self::depuis_matrice(lignes.map(|Ligne(ligne)| ligne)).map_err(D::Error::custom)
+    }
+}
+
+/// A row of a rotation. The error of an array would say nothing of matrices, and some write three
+/// angles.
+struct Ligne<R>([R; 3]);
+
+impl<'de, R: Deserialize<'de>> Deserialize<'de> for Ligne<R> {
+    fn deserialize<D: Deserializer<'de>>(lecteur: D) -> Result<Self, D::Error> {
+        struct Visiteur<R>(PhantomData<R>);
+
+        impl<'de, R: Deserialize<'de>> Visitor<'de> for Visiteur<R> {
+            type Value = [R; 3];
+
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("a row of a rotation's matrix")
+            }
+
+            fn visit_seq<A: SeqAccess<'de>>(self, suite: A) -> Result<[R; 3], A::Error> {
+                Deserialize::deserialize(SeqAccessDeserializer::new(suite))
+            }
+        }
+
+        lecteur.deserialize_tuple(3, Visiteur(PhantomData)).map(Self)
     }
 }
 

@@ -571,12 +571,13 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// miss, is certain: whether exact arithmetic on the numbers as they are stored names the same
     /// object first, or none as well. (Which face of a box was hit at an edge is not certified.)
     ///
-    /// It is never true of a wrong answer (lemma 18). It may be false of a right one: where
-    /// [`est_certain`](ObjetRay::est_certain) of some object is false, where no distance is
-    /// promised, where two entries are almost equally far, and among numbers below the normal ones.
-    /// Most often a right answer that is not certified is an exact tie, as where the sides of two
-    /// boxes are flush. A tree certifies a few more right answers than a list, since it skips
-    /// objects whose boxes come later.
+    /// It is never true of a wrong answer (lemma 18). It judges the source as it stands: a hit at
+    /// once, by δ, is not certain, and what δ might let the ray touch does not count. It may be
+    /// false of a right one: where [`est_certain`](ObjetRay::est_certain) of some object is false,
+    /// where no distance is promised, where two entries are almost equally far, and among numbers
+    /// below the normal ones. Most often a right answer that is not certified is an exact tie, as
+    /// where the sides of two boxes are flush. A tree certifies a few more right answers than a
+    /// list, since it skips objects whose boxes come later.
     ///
     /// Only the [`indice`](crate::Intersection::indice) of `reponse` counts, so that an answer
     /// found elsewhere can be judged. On average a certificate takes 1.3 to 1.9 times as long as

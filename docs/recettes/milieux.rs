@@ -14,10 +14,10 @@ pub struct Milieu {
     pub indice: f64,
 }
 
-/// The index of refraction of what counts among these media, 1 in none.
+/// The index of refraction of what counts among these media, of one priority the last in the list; 1 in none.
 pub fn indice(milieux: &[Milieu], dans: &[usize]) -> f64 {
-    let premier = dans.iter().map(|&i| milieux[i]).max_by_key(|milieu| milieu.priorite);
-    premier.map_or(1.0, |milieu| milieu.indice)
+    let premier = dans.iter().max_by_key(|&&i| (milieux[i].priorite, i));
+    premier.map_or(1.0, |&i| milieux[i].indice)
 }
 
 /// Light, and the objects that it is in, in no order: at first the `contenants` of its source.
@@ -33,7 +33,8 @@ pub enum Surface<R> {
     /// An opaque object, and how far light has come to it: the distance of the hit itself may count from a face that is
     /// flush with it. What the object sends back is in the same objects as before, also on its way to a lamp.
     Opaque(Intersection<R>, R),
-    /// A face of a medium, and the objects that light is in behind it.
+    /// A face of a medium, and the objects that light is in behind it. Where light leaves a medium the `indice()` of the
+    /// hit is 0, whatever the medium.
     Claire(Intersection<R>, Vec<usize>),
 }
 
@@ -46,8 +47,10 @@ impl<R: Reel> Lumiere<R> {
         milieux: &[Milieu],
     ) -> Result<Option<Surface<R>>, ErreurGeo> {
         let (objets, rayon, d) = (monde.objets(), self.rayon, self.rayon.direction());
-        // What has no way out was left beside an edge, unless it is a half-space, in which light may go down for ever.
-        let sort = |i: usize| objets[i].sortie(&rayon);
+        // What has no way out was left beside an edge, unless it is a half-space, in which light may go down for ever. An
+        // end of the ray leaves nothing.
+        let sans_fin = rayon.jusqu_a(R::INFINI)?;
+        let sort = |i: usize| objets[i].sortie(&sans_fin);
         let descend = |i: usize| match objets[i] {
             ObjetRay::Plan(plan) => plan.normale().produit_scalaire(d) <= R::ZERO,
             ObjetRay::Sphere(_) | ObjetRay::Boite(_) => false,
@@ -56,6 +59,7 @@ impl<R: Reel> Lumiere<R> {
         // What light is in is left out here, and touched at once by no rounding; anything else may be.
         let entree = monde.parmi(|i| !self.dans.contains(&i)).premiere_intersection(&rayon);
         let sorties = self.dans.iter().filter_map(|&i| sort(i).ok());
+        let sorties = sorties.filter(|sortie| sortie.distance() < rayon.fin());
         let plus_tot = |a: Intersection<R>, b: Intersection<R>| {
             if b.distance() < a.distance() { b } else { a }
         };

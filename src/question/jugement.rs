@@ -94,12 +94,13 @@ impl<R: Nombre> ObjetRay<R> {
     /// Whether the answer of [`intersection`](Self::intersection), a hit or a miss, is certainly
     /// that of exact arithmetic on the numbers as they are stored.
     ///
-    /// It is never true of a wrong answer (lemma 17). It may be false of a right one: within some
-    /// 2⁻¹⁰⁰|S − C| of a face or 2⁻¹⁰⁰|S − C|²/r of the outline of a sphere, for boxes thinner than
-    /// 2⁻¹⁰⁰|S − C|, for directions within some 2⁻¹⁰⁰ of the plane of a turned face, where products
-    /// leave the normal numbers of `f64`, for hits whose distance the type can hardly hold, and for
-    /// entries within rounding of the end of the ray. [`Monde::certifie`](crate::Monde::certifie)
-    /// judges a list.
+    /// It is never true of a wrong answer (lemma 17). It judges the source as it stands: a hit at
+    /// once, by δ, is not certain, and what δ might let the ray touch does not count. It may be
+    /// false of a right one: within some 2⁻¹⁰⁰|S − C| of a face or 2⁻¹⁰⁰|S − C|²/r of the outline
+    /// of a sphere, for boxes thinner than 2⁻¹⁰⁰|S − C|, for directions within some 2⁻¹⁰⁰ of the
+    /// plane of a turned face, where products leave the normal numbers of `f64`, for hits whose
+    /// distance the type can hardly hold, and for entries within rounding of the end of the ray.
+    /// [`Monde::certifie`](crate::Monde::certifie) judges a list.
     ///
     /// ```
     /// use lancer_rayon::{ObjetRay, Rayon, SphereGeo, Texture, Vecteur};

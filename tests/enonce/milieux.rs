@@ -303,6 +303,19 @@ fn du_verre_la_lumiere_trouve_son_pied<R: Reel>() {
             autre => panic!("{autre:?}: {rayon:?}"),
         }
     });
+    // An end, as of light on its way to a lamp, leaves no medium.
+    let objets = [
+        boite::<R>(Vecteur::NUL, v(20.0, 20.0, 20.0), Rotation::IDENTITE),
+        sphere(v(2.0, 0.3, 0.0), R::UN),
+    ];
+    let rayon = Rayon::new(Vecteur::NUL, Vecteur::X).unwrap();
+    for fin in [0.5, 5.0] {
+        let rayon = rayon.jusqu_a(R::depuis_f64(fin)).unwrap();
+        let mut lumiere = Lumiere { rayon, dans: vec![0] };
+        let milieux = [milieu(0, 1.33), milieu(1, 1.5)];
+        let surface = lumiere.surface(&Monde::de_liste(&objets), &milieux).unwrap();
+        assert_eq!((surface.is_some(), &lumiere.dans[..]), (fin > 1.0, &[0][..]));
+    }
     // Light that goes up from the surface of water is not in the water.
     let eau = [mur::<R>(Vecteur::NUL, Vecteur::Y)];
     let rayon = Rayon::new(Vecteur::NUL, v(0.6, 0.8, 0.0)).unwrap();

@@ -140,8 +140,8 @@ impl<R: Nombre> BoiteRay<R> {
     ///
     /// Its [`sortie`](crate::ObjetRay::sortie) is a hit at the place, from which rays start as from
     /// any other: a sensor, a patch, a point of a lamp. [`lieu`](Self::lieu) of that ray and hit
-    /// gives the place back, to rounding, unless it was so moved. A box that is thinner than its
-    /// place is rounded by, some u·|C|, may have no way out.
+    /// gives the place back, to rounding, unless it was so moved. A box no thicker than
+    /// some u of ‖C‖₁ and Σl_i may have no way out by this face.
     ///
     /// # Errors
     /// If the middle of the box, moved along the face, lies outside the limits of [`Rayon::new`].
