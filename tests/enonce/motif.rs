@@ -4,7 +4,7 @@
 use commun::fabrique::mur;
 use commun::hasard::{Hasard, Tirage, pour_chaque};
 use commun::oracle::{Exact, exact_a, exacts, moins, scalaire, verite};
-use commun::regimes::{deux_puissance, direction, entre};
+use commun::regimes::{deux_puissance, direction, entre, signe};
 use commun::scenes::rayons_camera;
 use commun::tolerances::u;
 use commun::{arrondi, en_f32_et_f64};
@@ -165,6 +165,37 @@ fn demi_longueur_le_long<R: Reel>(boite: &BoiteRay<R>, face: Face, k: usize) -> 
 }
 
 en_f32_et_f64!(un_lieu_fait_une_touche_de_ce_lieu);
+
+/// Boxes as skew as a rotation may be, long along one axis and thin along another: a place in a corner is moved in so far
+/// that its way out is by its face.
+fn un_coin_d_une_boite_de_biais_a_une_sortie<R: Reel>() {
+    // Rows that are kept as they are given: orthonormal to 8u.
+    let biais = R::depuis_f64(7.5 * u::<R>());
+    let matrice = |signe: R| {
+        let (o, un) = (R::ZERO, R::UN);
+        [[un, signe * biais, signe * biais], [o, un, signe * biais], [o, o, un]]
+    };
+    let faire = |alea: &mut Hasard| {
+        let matrice = matrice(R::depuis_f64(signe(alea)));
+        let tour = Rotation::depuis_matrice(matrice).unwrap();
+        assert_eq!(tour.matrice(), matrice);
+        let centre = arrondi(direction(alea) * [0.0, 1.0][alea.usize(0..2)]);
+        let mut cotes = [1.0, deux_puissance(alea, -7.0, 0.0), deux_puissance(alea, -7.0, 0.0)];
+        cotes.rotate_left(alea.usize(0..3));
+        BoiteGeo::new(centre, arrondi(cotes.into()), tour, Texture(0)).unwrap().vers_ray()
+    };
+    pour_chaque(500, faire, |boite| {
+        for face in Face::TOUTES {
+            for (u, v) in [(-1.0, -1.0), (-1.0, 1.0), (1.0, -1.0), (1.0, 1.0)] {
+                let rayon = boite.vers_lieu(face, [u, v].map(R::depuis_f64)).unwrap();
+                let sortie = ObjetRay::from(boite).sortie(&rayon).unwrap();
+                assert_eq!(sortie.normale(), boite.face(face).1, "{face} {u} {v}");
+            }
+        }
+    });
+}
+
+en_f32_et_f64!(un_coin_d_une_boite_de_biais_a_une_sortie);
 
 /// A checker of three dimensions on a floor at a height of so many cells, turned about its normal: measured along the
 /// axes of its rotation, −d across, and the same point back in the axes of the scene.

@@ -166,6 +166,22 @@ fn un_flou_ne_devient_ni_plus_petit_ni_infini() {
     assert_eq!(rayon.vers_f32(Vecteur::NUL).unwrap().flou(), 0.0);
 }
 
+/// A ray that is inside something is inside in `f32` and in `f64` too, with a δ and without.
+#[test]
+fn un_rayon_dedans_le_reste_dans_l_autre_scalaire() {
+    let rayon = Rayon::new(Vecteur::NUL, Vecteur::X).unwrap();
+    for flou in [0.0, 0.1] {
+        let rayon = rayon.avec_flou(flou).unwrap();
+        // The δ of the next turn is above 0 and shows on which side the ray is.
+        let simple = |rayon: Rayon| rayon.vers_f32(Vecteur::NUL).unwrap();
+        let tourne = |rayon: Rayon<f32>| rayon.bifurque(1.0, Vecteur::Y).unwrap();
+        assert_ne!(tourne(simple(rayon.dedans())), tourne(simple(rayon)));
+        assert_eq!(tourne(simple(rayon.dedans())), tourne(simple(rayon).dedans()));
+        let temoin = |rayon: Rayon<f32>| rayon.temoin_f64().bifurque(1.0, Vecteur::Y).unwrap();
+        assert_ne!(temoin(simple(rayon).dedans()), temoin(simple(rayon)));
+    }
+}
+
 /// Far from O a source is on its surface to the rounding of `f64` there, and this stays so when the origin comes to it and
 /// `f32` has no rounding of its own to add.
 #[test]

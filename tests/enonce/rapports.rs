@@ -247,6 +247,18 @@ fn un_rayon_garde_son_flou_dedans_et_dehors<R: Reel>() {
 
 en_f32_et_f64!(un_rayon_garde_son_flou_dedans_et_dehors);
 
+/// δ = −0 is 0: its sign says nothing of the side. The δ of the next turn is above 0 and shows on which side the ray is.
+fn le_signe_d_un_flou_nul_ne_dit_rien<R: Reel>() {
+    let rayon = Rayon::new(v(0.0, 0.0, 4.0), v(0.0, 0.0, -1.0)).unwrap();
+    let tourne = |rayon: Rayon<R>| rayon.bifurque(R::UN, v(1.0, 0.0, 0.0)).unwrap();
+    assert_ne!(tourne(rayon), tourne(rayon.dedans()));
+    for rayon in [rayon, rayon.dedans()] {
+        assert_eq!(tourne(rayon.avec_flou(-R::ZERO).unwrap()), tourne(rayon));
+    }
+}
+
+en_f32_et_f64!(le_signe_d_un_flou_nul_ne_dit_rien);
+
 /// A hit at once adds its depth to δ, a 64th of δ and some roundings of the place, not more: among faces that it did not
 /// come in by the deepest once counted too, and δ grew from wall to wall.
 fn d_emblee_le_flou_grandit_de_la_profondeur<R: Reel>() {

@@ -140,6 +140,20 @@ fn entre_milieux_assortis_la_lumiere_va_tout_droit<R: Reel>() {
 
 en_f32_et_f64!(entre_milieux_assortis_la_lumiere_va_tout_droit);
 
+/// Light whose cosine with the normal is exactly 0 goes in, as light at a hit does, up to the angle of total reflection.
+fn la_lumiere_rasante_entre<R: Reel>() {
+    let sol = ObjetRay::from(PlanGeo::par_un_point(Vecteur::NUL, Vecteur::Z, Texture(0)).unwrap());
+    let touche = sol.intersection(&Rayon::new(Vecteur::Z, -Vecteur::Z).unwrap()).unwrap();
+    let suite = touche.refracte(Vecteur::X, R::depuis_f64(0.6)).unwrap();
+    let [x, y, z] = <[R; 3]>::from(suite.direction()).map(R::vers_f64);
+    assert!((x - 0.6).abs() <= 4.0 * u::<R>() && y == 0.0, "{x} {y}");
+    assert!((z + 0.8).abs() <= 4.0 * u::<R>(), "{z}");
+    assert_eq!(sol.intersection(&suite), Err(NoIntersection));
+    assert_eq!(touche.refracte(Vecteur::X, R::UN).unwrap_err().champ, "refraction");
+}
+
+en_f32_et_f64!(la_lumiere_rasante_entre);
+
 /// With a ratio of 1167 rounding turned light that left a half-space, whose N is as long as a matrix that is kept allows,
 /// back into it: it hit what it had left. There is no such glass.
 #[test]

@@ -178,10 +178,20 @@ fn ce_qui_n_est_pas_valide_est_refuse() {
              texture: (0), indice: {indice})"
         )
     };
+    // Of a hit of these numbers in one place.
+    let avec = |ancien, nouveau: &str| touche("1", "1", "None", "3").replace(ancien, nouveau);
     assert!(ron::from_str::<Intersection>(&touche("1", "1", "None", "3")).is_ok());
     refuse::<Intersection>(&touche("-1", "1", "None", "3"), "distance is -1.0");
     refuse::<Intersection>(&touche("inf", "1", "None", "3"), "distance is inf");
     refuse::<Intersection>(&touche("1", "2", "None", "3"), "normale is 2.0");
+    // A normal is unit to 32u: 2^-49 is 16u, and 2^-47 is 64u.
+    let [presque, trop] = [-49, -47].map(|k| (1.0 + 2.0_f64.powi(k)).to_string());
+    assert!(ron::from_str::<Intersection>(&touche("1", &presque, "None", "3")).is_ok());
+    refuse::<Intersection>(&touche("1", &trop, "None", "3"), "normale is 1.000");
+    refuse::<Intersection>(&avec("point: (0, 0, 0)", "point: (0, NaN, 0)"), "point is NaN");
+    for (flou, phrase) in [("-1", "flou is -1"), ("inf", "flou is inf"), ("NaN", "flou is NaN")] {
+        refuse::<Intersection>(&avec("flou: 0", &format!("flou: {flou}")), phrase);
+    }
     refuse::<Intersection>(&touche("1", "1", "Some(NaN)", "3"), "marge is NaN");
     refuse::<Intersection>(&touche("1", "1", "None", "4294967295"), "indice");
 }

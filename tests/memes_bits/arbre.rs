@@ -523,6 +523,91 @@ fn une_poutre_en_morceaux_est_touchee_d_emblee<R: Bits>() {
     assert!(d_emblee > 5_000, "{d_emblee}");
 }
 
+/// Rays of one block that start under a floor by less than their δ, and go in: the floor has no box, and the block, which
+/// offers it before it enters the tree, touches it at once.
+fn un_sol_est_touche_d_emblee_en_bloc<R: Bits>() {
+    let flou = R::depuis_f64(2_f64.powi(-12));
+    let faire = |alea: &mut Hasard| {
+        let mut objets = poutres::<R>(alea, 60);
+        objets.push(sol(alea, 4.0));
+        let Some(ObjetRay::Plan(sol)) = objets.last() else { unreachable!("a half-space") };
+        let (n, penche) = (sol.normale(), arrondi::<R>(direction(alea) * 0.9));
+        let lieu = -n * sol.distance();
+        let rayons = alea.liste(64, |alea, _| {
+            let ecart = arrondi::<R>(direction(alea) * 2_f64.powi(-8));
+            let source = lieu - n * (flou * R::depuis_f64(alea.f64()));
+            let rayon = Rayon::new(source, penche + ecart - n).unwrap();
+            rayon.avec_flou(flou).unwrap()
+        });
+        (objets, rayons)
+    };
+    let mut d_emblee = 0;
+    pour_chaque(20, faire, |(objets, rayons)| {
+        let monde = avec_arbre(&objets);
+        comparer_dans(&monde, &rayons);
+        let touches = rayons.iter().flat_map(|rayon| monde.premiere_intersection(rayon));
+        let du_sol = touches.filter(|touche| touche.indice() == 60);
+        d_emblee += du_sol.filter(|touche| touche.distance() == R::ZERO).count();
+    });
+    assert!(d_emblee > 500, "{d_emblee}");
+}
+
+/// A block remembers by the index which objects of a tree in pieces it has asked, and asks the first of the list as any
+/// other.
+fn un_bloc_demande_le_premier_de_la_liste<R: Bits>() {
+    let mut du_premier = 0;
+    let faire = |alea: &mut Hasard| {
+        let objets = poutres::<R>(alea, 30);
+        let rayons = alea.liste(30, |alea, i| {
+            let ObjetRay::Boite(poutre) = objets[i] else { unreachable!("a box") };
+            let vers = direction(alea);
+            gerbe(alea, (poutre.centre().vers_f64() - vers * 20.0, vers), [2_f64.powi(-6); 2])
+        });
+        (objets, rayons)
+    };
+    pour_chaque(2, faire, |(mut objets, rayons)| {
+        for rayons in rayons {
+            let mut places = vec![f32::NAN; 4 * places(objets.len())];
+            let monde = Monde::en_morceaux(&objets, &mut places).unwrap();
+            comparer_dans(&monde, &rayons);
+            let touches = rayons.iter().flat_map(|rayon| monde.premiere_intersection(rayon));
+            du_premier += touches.filter(|touche| touche.indice() == 0).count();
+            objets.rotate_left(1);
+        }
+    });
+    assert!(du_premier > 200, "{du_premier}");
+}
+
+/// Forty boxes of which each has its top in one plane, and rays that start under it by less than their δ, and go down: all
+/// are touched at once, at distance 0. Though one place is full, an object that is earlier in the list comes before.
+fn de_ce_qui_est_touche_d_emblee_le_premier_de_la_liste_est_le_premier<R: Bits>() {
+    let flou = R::depuis_f64(2_f64.powi(-12));
+    let faire = |alea: &mut Hasard| {
+        let objets = alea.liste(40, |alea, _| {
+            let [x, y] = [(); 2].map(|()| entre(alea, -1.0, 1.0));
+            let [large, haut] = [entre(alea, 3.0, 6.0), deux_puissance(alea, -2.0, 2.0)];
+            boite_droite::<R>(v(x, y, -0.5 * haut), v(large, large, haut))
+        });
+        let rayons = alea.liste(16, |alea, _| {
+            let source = v(entre(alea, -0.4, 0.4), entre(alea, -0.4, 0.4), 0.0);
+            let source = source - Vecteur::Z * (flou * R::depuis_f64(alea.f64()));
+            let vers = arrondi::<R>(direction(alea) * 0.5) - Vecteur::Z;
+            Rayon::new(source, vers).unwrap().avec_flou(flou).unwrap()
+        });
+        (objets, rayons)
+    };
+    pour_chaque(10, faire, |(objets, rayons)| {
+        let monde = avec_arbre(&objets);
+        comparer_dans(&monde, &rayons);
+        for rayon in &rayons {
+            let mut touches = [Err(NoIntersection); 3];
+            assert_eq!(monde.dans_l_ordre(rayon, &mut touches), 3);
+            let lues = touches.map(|touche| touche.map(|t| (t.distance(), t.indice())));
+            assert_eq!(lues, [0, 1, 2].map(|indice| Ok((R::ZERO, indice))));
+        }
+    });
+}
+
 /// Built: one object that a ray passes across an axis, at its farthest point along that axis, within rounding of the
 /// distance; either the object, or the source, or both far from the many. Held: a hit that lies beyond the box of the
 /// object is not lost. In `f32` some lie so; in `f64` the box itself is rounded.
@@ -825,6 +910,9 @@ en_f32_et_f64!(un_rayon_egare_n_arrete_que_son_groupe);
 en_f32_et_f64!(l_ordre_de_la_liste_ne_decide_pas_de_la_coupe);
 en_f32_et_f64!(des_poutres_en_morceaux_repondent_comme_la_liste);
 en_f32_et_f64!(une_poutre_en_morceaux_est_touchee_d_emblee);
+en_f32_et_f64!(un_sol_est_touche_d_emblee_en_bloc);
+en_f32_et_f64!(de_ce_qui_est_touche_d_emblee_le_premier_de_la_liste_est_le_premier);
+en_f32_et_f64!(un_bloc_demande_le_premier_de_la_liste);
 en_f32_et_f64!(une_touche_au_bord_de_sa_boite_n_est_pas_perdue);
 en_f32_et_f64!(le_long_d_une_arete_une_ombre_est_celle_de_la_liste);
 en_f32_et_f64!(de_toute_distance_un_arbre_repond_comme_la_liste);

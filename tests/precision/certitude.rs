@@ -169,6 +169,25 @@ fn dans_le_plan_d_une_face_une_reponse_est_sure() {
     }
 }
 
+/// From a source exactly on its surface a ray enters no object, whichever way it goes: a miss, which is certain.
+fn depuis_la_surface_un_manque_est_sur<R: Reel>() {
+    let sol = ObjetRay::from(PlanGeo::new(Rotation::IDENTITE, R::ZERO, Texture(0)).unwrap());
+    let boule = sphere(Vecteur::NUL, R::depuis_f64(5.0));
+    let boite = boite_droite(Vecteur::NUL, v(2.0, 4.0, 6.0));
+    let cas = [(sol, v(7.0, 5.0, 0.0)), (boule, v(0.0, 4.0, 3.0)), (boite, v(0.5, 1.0, 3.0))];
+    for (objet, source) in cas {
+        for (x, y) in [(0.0, 0.0), (0.5, 0.25), (-0.25, 0.125)] {
+            for z in [-1.0, 1.0] {
+                let rayon = Rayon::new(source, v(x, y, z)).unwrap();
+                assert!(objet.intersection(&rayon).is_err());
+                assert!(objet.est_certain(&rayon), "{objet:?} {rayon:?}");
+            }
+        }
+    }
+}
+
+en_f32_et_f64!(depuis_la_surface_un_manque_est_sur);
+
 /// Above one face, from which the ray goes away, and in the plane of another as far as can be told: a miss.
 #[test]
 fn au_dela_d_une_face_un_manque_est_sur() {
