@@ -62,7 +62,7 @@ fn mesurer<R: Reel + DeserializeOwned>(c: &mut Criterion) {
         }
     };
 
-    let chemin = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/scenes/atelier.ron");
+    let chemin = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/scenes/atelier.ron");
     let atelier: Scene<R> = Scene::lire(&chemin).unwrap();
     let objets: Vec<_> = atelier.objets.iter().map(|objet| objet.vers_ray()).collect();
     mesurer("atelier", &objets, &scenes::en_tuiles(&atelier.camera.rayons().unwrap(), 600));
