@@ -14,7 +14,8 @@ use crate::{Nombre, ObjetRay, Rayon, Vecteur};
 /// (`DEVELOPING.md`, "Thresholds").
 const PRIX_D_UNE_FICHE: f32 = 0.03;
 
-/// Half of the least width of a slice in the frame of the tree (lemma 21).
+/// Half of the least width of a slice in the frame of the tree that an object wishes for; rounded to
+/// whole slices, they are narrower by a quarter at most (lemma 21).
 const DEMI_TRANCHE_MINIMALE: f32 = puissance_de_deux(-16) as f32;
 
 /// What one more record costs, as surface in the frame of the tree. It tells of every object into
