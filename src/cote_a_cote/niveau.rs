@@ -41,7 +41,10 @@ macro_rules! selon_le_niveau {
             }
         }
         #[cfg(not(all(any(target_arch = "x86", target_arch = "x86_64"), target_feature = "sse2")))]
-        fearless_simd::dispatch!($niveau, $simd => $appel)
+        {
+            let _: bool = $large;
+            fearless_simd::dispatch!($niveau, $simd => $appel)
+        }
     }};
 }
 pub(crate) use selon_le_niveau;
