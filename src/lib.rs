@@ -19,8 +19,8 @@
 //!
 //! # The way through
 //!
-//! The pages that are named here, such as `docs/guide.md` with programs for common needs, stand in
-//! the repository, whose `README.md` leads to them.
+//! The pages that are named here, such as `docs/guide.md` with programs for common needs, come with
+//! the sources of the crate, whose `README.md` leads to them.
 //!
 //! Describe objects with [`SphereGeo`], [`PlanGeo`] and [`BoiteGeo`]. Move them with
 //! [`ObjetGeo::translation`], [`rotation`](ObjetGeo::rotation) and

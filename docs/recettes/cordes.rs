@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow::Continue;
 
-use lancer_rayon::{Monde, ObjetRay, Rayon, Reel};
+use lancer_rayon::{Choix, Monde, ObjetRay, Rayon, Reel};
 
 /// The part of a ray in one object of the list, between two distances from its source.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -15,7 +15,11 @@ pub struct Corde<R> {
 /// Writes the chords of a ray in the order in which they begin, at the same distance in that of the list. All count from
 /// one source as it stands, whatever the ray knows of it, so that those of flush objects meet to rounding, and no step
 /// from face to face adds to their errors.
-pub fn cordes<R: Reel>(monde: &Monde<'_, R>, rayon: &Rayon<R>, cordes: &mut Vec<Corde<R>>) {
+pub fn cordes<R: Reel, C: Choix>(
+    monde: &Monde<'_, R, C>,
+    rayon: &Rayon<R>,
+    cordes: &mut Vec<Corde<R>>,
+) {
     let fin = rayon.fin();
     let sans_fin = rayon.jusqu_a(R::INFINI).expect("+∞ is an end");
     let sortie =
