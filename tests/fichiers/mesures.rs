@@ -137,7 +137,10 @@ fn les_rapports_des_facons_sont_ceux_des_fichiers() {
             "such as poles | {} |",
             etendue(&morceaux.nombres("way", &["single", "batch"], &["1000", "10000"]))
         ),
-        format!("in batches | {} |", etendue(&morceaux.nombres("way", &["batch"], &["48", "192"]))),
+        format!(
+            "192 of them | {} |",
+            etendue(&morceaux.nombres("way", &["single", "batch"], &["48", "192"]))
+        ),
         format!(
             "| a city | {} |",
             etendue(&["a sun", "a sky", "a globe"].map(|quoi| loin(quoi, &tous)).concat())

@@ -119,8 +119,8 @@ fn bornes() -> String {
     }
     let millions = lances / 1_000_000;
     lignes.push(format!(
-        "\nOf {millions} million secondary rays none touched its object again. In the median of a regime `erreur` is at most\n\
-         {aisance:.2} times the error."
+        "\nNone of {millions} million secondary rays touched its object again. In every regime the median of `erreur` over the error is\n\
+         at most {aisance:.2}."
     ));
     lignes.join("\n")
 }
