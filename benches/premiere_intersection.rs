@@ -1,5 +1,5 @@
-//! The first intersection and shadows, of a list and of a tree, ray by ray and in a batch, beside annex A
-//! of the handout to the letter.
+//! First hits and shadows, of a list and of a tree, ray by ray and in a batch, beside annex A of the handout to the
+//! letter.
 
 use std::hint::black_box;
 use std::path::Path;
@@ -15,7 +15,7 @@ use lancer_rayon::{
 };
 use serde::de::DeserializeOwned;
 
-/// A longer list, object by object, would take minutes.
+/// Object by object, a list longer than this would take minutes.
 const LONGUE_LISTE: usize = 1000;
 
 fn mesurer<R: Reel + DeserializeOwned>(c: &mut Criterion) {
@@ -72,7 +72,7 @@ fn mesurer<R: Reel + DeserializeOwned>(c: &mut Criterion) {
     }
 }
 
-/// From what the rays touch to a lamp that it faces.
+/// Rays from hits to a lamp that the surface faces.
 fn ombres<R: Reel>(monde: &Monde<'_, R>, rayons: &[Rayon<R>]) -> Vec<Rayon<R>> {
     let lampe = Vecteur::depuis_f64(Vecteur::new(-2.6, 7.2, 5.2));
     let ombre = |rayon: &Rayon<R>| {

@@ -1,5 +1,5 @@
-//! Two versions of this crate in one process, by turns: what `benches/ab.sh` runs. `avant` is the old one and
-//! `lancer_rayon` the new one; both get the same rays and the same numbers for their objects.
+//! Two versions of this crate in one process, by turns, as `benches/ab.sh` runs them. `avant` is the old one and
+//! `lancer_rayon` the new one. Both get the same rays and the same numbers for their objects.
 
 use std::error::Error;
 
@@ -22,7 +22,7 @@ mod ancienne {
 }
 use ancienne::version as avant;
 
-/// The most rounds, and by how much a ratio may move in the last.
+/// How many rounds there are at most, and how far a ratio may move in the last.
 const MANCHES: usize = 6;
 const BOUGE: f64 = 0.015;
 
@@ -38,7 +38,7 @@ struct Choix {
     bandes: usize,
     tours: usize,
     appel: usize,
-    /// How many times what a tree needs is lent to the old version, and to the new.
+    /// How many times the places that a tree needs are lent to the old version, and to the new.
     places: [usize; 2],
     temps: bool,
     sur: bool,
@@ -102,7 +102,7 @@ impl Choix {
     }
 }
 
-/// Those of a list separated by commas.
+/// The values named in a list with commas.
 fn parmi<T: Copy>(
     valeurs: &str,
     tous: &[T],
@@ -118,13 +118,13 @@ fn parmi<T: Copy>(
     valeurs.split(',').map(un).collect()
 }
 
-/// What one cell of the table was measured to be.
+/// The measurement of one cell of the table.
 struct Cellule {
     nom: String,
     genre: Genre,
     facon: &'static str,
     rapport: f64,
-    /// Rays that the two versions answer differently, in any bit.
+    /// How many rays the two versions answer differently, in any bit.
     autres: usize,
 }
 
@@ -177,7 +177,7 @@ fn ancien<R: Reel + avant::Reel>(objet: &ObjetRay<R>) -> avant::ObjetRay<R> {
     objet.expect("an object within the limits")
 }
 
-/// Every kind of ray and every way of one scene: a line a way.
+/// Every kind of ray and every way for one scene, with a line for each way.
 fn mesurer<R: Reel + avant::Reel + DeserializeOwned>(
     choix: &Choix,
     famille: Famille,
@@ -194,10 +194,10 @@ fn mesurer<R: Reel + avant::Reel + DeserializeOwned>(
     let permises = permises(n).iter().map(|(nom, _)| *nom).filter(|nom| choix.facons.contains(nom));
     let mut lignes: Vec<_> = permises.map(|nom| (nom, String::new())).collect();
     for &genre in &choix.genres {
-        // Made once; each version gets the same numbers.
+        // Made once, so that both versions get the same numbers.
         let lances = genre.rayons(&monde, &scene, choix.bandes);
         if lances.is_empty() {
-            // From nothing that is touched no ray starts.
+            // Where nothing is hit no ray starts.
             for (_, ligne) in &mut lignes {
                 ligne.push_str(&format!("{:>12}", "– "));
             }
@@ -210,8 +210,8 @@ fn mesurer<R: Reel + avant::Reel + DeserializeOwned>(
         let rayons = nous::rayons(lances.iter().map(nombres));
         let nouveaux = nous::concurrents(monde, &rayons, genre.ombres());
         let temoins = if choix.sur {
-            // Beside each batch its rays one by one, in the same memory: over a second copy of a million objects they
-            // take up to 1.12 of the time.
+            // Each batch is beside its rays one by one, in the same memory: over a second copy of a million objects
+            // they take up to 1.12 of the time.
             let [liste, en_lot, un_par_un, lot] = nous::concurrents(monde, &rayons, genre.ombres());
             [en_lot, liste, lot, un_par_un]
         } else {
@@ -243,8 +243,8 @@ fn mesurer<R: Reel + avant::Reel + DeserializeOwned>(
     Ok(())
 }
 
-/// The least times of the old and of the new, in rounds of so many turns, until a round no longer moves their
-/// ratio: another program that took the processor is not taken for a difference.
+/// The least times of the old and of the new, in rounds of `choix.tours` turns, until a round no longer moves their
+/// ratio, so that another program that took the processor is not taken for a difference.
 fn posees(choix: &Choix, mut versions: [Concurrent<'_>; 2]) -> [f64; 2] {
     let mut ns = [f64::INFINITY; 2];
     let mut rapport = f64::NAN;
@@ -262,7 +262,7 @@ fn posees(choix: &Choix, mut versions: [Concurrent<'_>; 2]) -> [f64; 2] {
 /// The geometric means of each way and kind, the extremes, and which answers differ.
 fn resumer(choix: &Choix, mut cellules: Vec<Cellule>) {
     println!();
-    // Lists of many objects are not asked.
+    // Lists of many objects are not measured.
     let posees = |facon: &&&str| cellules.iter().any(|c| c.facon == **facon);
     for facon in choix.facons.iter().filter(posees) {
         let moyenne = |genre: &Genre| {
@@ -280,7 +280,7 @@ fn resumer(choix: &Choix, mut cellules: Vec<Cellule>) {
             println!("    {:.2}  {}", c.rapport, c.nom);
         }
     };
-    // What loses a tenth and two fifths.
+    // The cells that lose a tenth and two fifths.
     let ([a, b], ou) =
         if choix.sur { ([1.0 / 1.1, 1.0 / 1.4], "under") } else { ([1.1, 1.4], "over") };
     let perdue = |x: f64, seuil| if choix.sur { x < seuil } else { x > seuil };

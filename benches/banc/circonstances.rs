@@ -1,4 +1,4 @@
-//! When, of which commit, and by which machine and compiler something was measured.
+//! The day, the commit, the machine and the compiler of a measurement.
 
 use std::process::Command;
 

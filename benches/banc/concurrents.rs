@@ -1,13 +1,13 @@
-//! Someone who competes, and how anyone is timed and asked.
+//! A competitor, and how each is timed and asked.
 
 use std::hint::black_box;
 
 use crate::horloge::{MORCEAU, TOURS, chronometrer, moindres};
 
-/// From so many objects on nobody looks at all of them for every ray.
+/// Beyond this many objects nobody looks at all of them for every ray.
 pub const TROP: usize = 64;
 
-/// On whose side, and how: all that a table tells apart.
+/// Whose competitor it is, and how it asks, as tables tell them apart.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Camp {
     Seul,
@@ -22,13 +22,13 @@ pub enum Camp {
 pub const FACONS: [(&str, Camp); 4] =
     [("list", Camp::Seul), ("list-batch", Camp::Lot), ("single", Camp::Seul), ("batch", Camp::Lot)];
 
-/// Of these among so many objects.
+/// Those permitted among `objets` objects.
 pub fn permises(objets: usize) -> &'static [(&'static str, Camp)] {
     if objets <= TROP { &FACONS } else { &FACONS[2..] }
 }
 
-/// An answer in the words of all: every number of a hit as bits of an `f64`, distance, normal and margin; and its
-/// texture, since in these scenes each object has one of its own. Of a shadow: something is in the way.
+/// An answer in a form common to all: distance, normal and margin of a hit as bits of an `f64`, and its texture, which
+/// in these scenes tells each object. For a shadow, that something is in the way.
 pub type Reponse = Option<([u64; 5], u32)>;
 
 /// The answer to a shadow ray.
@@ -36,17 +36,17 @@ pub fn cachee(cache: bool) -> Reponse {
     cache.then_some(([0; 5], 0))
 }
 
-/// Someone with a scene and the rays of one kind.
+/// A competitor with a scene and the rays of one kind.
 pub struct Concurrent<'a> {
     pub nom: &'static str,
     pub camp: Camp,
-    /// In calls of so many, if more than one is taken at once.
+    /// The size of a call counts if many are taken at once.
     chronometrer: Box<dyn FnMut(usize) -> f64 + 'a>,
     repondre: Box<dyn Fn() -> Vec<Reponse> + 'a>,
 }
 
 impl<'a> Concurrent<'a> {
-    /// Who takes one question after the other.
+    /// One that takes one question after the other.
     pub fn un_par_un<Q: Copy, T>(
         (nom, camp): (&'static str, Camp),
         questions: &'a [Q],
@@ -56,7 +56,7 @@ impl<'a> Concurrent<'a> {
         let chronometree = une.clone();
         let toutes = move |questions: &[Q]| {
             for question in questions {
-                // By reference: moving an answer would wait for each of its fields to be written.
+                // It goes by reference, since moving an answer would wait for each of its fields to be written.
                 black_box(&chronometree(question));
             }
         };
@@ -68,7 +68,7 @@ impl<'a> Concurrent<'a> {
         }
     }
 
-    /// Who takes many at once, into a buffer that `rien` fills at first.
+    /// One that takes many at once, into a buffer that is filled with `rien`.
     pub fn en_lot<Q: Copy, T: Clone + 'a>(
         (nom, camp): (&'static str, Camp),
         questions: &'a [Q],
@@ -98,7 +98,7 @@ impl<'a> Concurrent<'a> {
         Self { nom, camp, chronometrer: Box::new(chronometrer), repondre: Box::new(repondre) }
     }
 
-    /// Nanoseconds per question, asked in calls of so many.
+    /// Nanoseconds per question, in calls of `appel`.
     pub fn chronometrer(&mut self, appel: usize) -> f64 {
         (self.chronometrer)(appel)
     }
@@ -108,7 +108,7 @@ impl<'a> Concurrent<'a> {
     }
 }
 
-/// Nanoseconds per question of each, in turns.
+/// Nanoseconds per question for each, taken in turns.
 pub fn temps(concurrents: &mut [Concurrent<'_>]) -> Vec<f64> {
     moindres(TOURS, concurrents.len(), |i| concurrents[i].chronometrer(MORCEAU))
 }

@@ -38,16 +38,16 @@ pub enum Famille {
 /// One scene, what its camera looks along, and its lamp.
 pub struct Scene<R> {
     pub objets: Vec<ObjetRay<R>>,
-    /// From which the objects and the rays that leave them are drawn.
+    /// The seed from which the objects and the rays that leave them are drawn.
     graine: u64,
     /// Row by row.
     image: Vec<Rayon<R>>,
-    /// From one ray to the next of a picture without perspective.
+    /// The step between rays of a picture without perspective.
     pas: f64,
     lampe: Vecteur<R>,
 }
 
-/// The seed of what the pages report. What is chosen in the library is chosen with others.
+/// The seed of what the pages report. The library is tuned with other seeds.
 pub const GRAINE_DES_PAGES: u64 = 7;
 
 /// The size of every picture.
@@ -92,8 +92,8 @@ impl Famille {
         }
     }
 
-    /// Those of so many objects; a room has eight or twenty-four solids in its six walls, and the atelier is
-    /// what it is.
+    /// How many objects its scenes have: `usuels`, except that a room has eight or twenty-four solids in its six walls,
+    /// and the atelier is what it is.
     pub fn nombres(self, usuels: &[usize]) -> &[usize] {
         if self == Self::Piece {
             &[14, 30]
@@ -122,7 +122,7 @@ impl Famille {
             Self::Flocon => (flocon(n), vue(DEVANT_LE_FLOCON), 1.0 / 64.0, [-8.0, 16.0, 10.0]),
             Self::Cubes => {
                 let (objets, cote) = cubes(n, alea);
-                // As wide as the terrain; from the largest on the camera sees a part of it.
+                // The picture is as wide as the terrain, or a part of it from the largest on.
                 let pas = cote.next_power_of_two().min(64) as f64 / 512.0;
                 let image = sans_perspective(pas, |i| VUES_SUR_LES_CUBES[3 * i / IMAGE.0]);
                 (objets, image, pas, [-0.4 * cote as f64, 20.0, 0.6 * cote as f64])
@@ -164,11 +164,11 @@ const VUES_SUR_LES_CUBES: [Vecteur; 3] =
 
 const EN_BAS: Vecteur = Vecteur::new(0.0, -1.0, 0.0);
 
-/// Parallel rays to every point of a grid on the ground, row by row, each column of the picture the way that it
-/// is told. The coordinates of the grid are exact, and some are integers: there stand the sides of the cubes.
+/// Parallel rays to every point of a grid on the ground, row by row, with a direction for each column. The coordinates
+/// of the grid are exact, and some are integers, where the sides of the cubes stand.
 fn sans_perspective<R: Reel>(pas: f64, vers: impl Fn(usize) -> Vecteur) -> Vec<Rayon<R>> {
     let (largeur, hauteur) = IMAGE;
-    // Higher than all that is seen; from much farther away others lose small objects in rounding.
+    // They start above all that is seen; from much farther away others lose small objects in rounding.
     let haut = (largeur as f64 * pas).max(12.0);
     let pixels = (0..hauteur).flat_map(|j| (0..largeur).map(move |i| (i, j)));
     let rayon = |(i, j)| {
@@ -180,7 +180,7 @@ fn sans_perspective<R: Reel>(pas: f64, vers: impl Fn(usize) -> Vecteur) -> Vec<R
     pixels.map(rayon).collect()
 }
 
-/// What is far from a city of one kilometre, or so large that its middle is: such things stand in most scene files.
+/// What is far from a city of one kilometre, or so large that its middle is. Most scene files have such things.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum AuLoin {
     Rien,
@@ -192,7 +192,7 @@ pub enum AuLoin {
     Globe,
     /// Half of the houses stand this far away.
     DeuxVilles,
-    /// The camera looks from there.
+    /// The camera stands this far away.
     Camera,
 }
 
@@ -211,7 +211,7 @@ impl AuLoin {
         }
     }
 
-    /// The city of `n` objects with this, so many metres away or in radius.
+    /// The city of `n` objects with this, `metres` away or in radius.
     pub fn scene<R: Reel + DeserializeOwned>(self, n: usize, graine: u64, metres: f64) -> Scene<R> {
         let mut scene = Famille::Ville.scene::<R>(n, graine);
         let loin = metres * METRE;
@@ -240,7 +240,7 @@ impl AuLoin {
                 }
             }
             Self::Camera => {
-                // As large in the picture as from near.
+                // The city looks as large as from nearby.
                 let k = loin / 24.0;
                 let [x, y, z] = [3.0 * k, 9.5 * k, 22.0 * k];
                 let champ = 2.0 * ((42.0_f64.to_radians() / 2.0).tan() / k).atan().to_degrees();
@@ -255,10 +255,10 @@ impl AuLoin {
     }
 }
 
-/// Houses along streets that run a little askew, each turned a little, with some towers; the ground.
+/// The ground, and houses along streets that run a little askew, each turned a little, with some towers.
 fn ville<R: Reel>(n: usize, alea: &mut Rng) -> Vec<ObjetRay<R>> {
     let cote = ((n - 1) as f64).sqrt().ceil();
-    // A lot; every fourth is a street each way.
+    // A lot; after every four comes a street, each way.
     let lot = 20.0 / (cote * 1.25);
     let mut objets = vec![sol()];
     for i in 0..n - 1 {
@@ -274,8 +274,7 @@ fn ville<R: Reel>(n: usize, alea: &mut Rng) -> Vec<ObjetRay<R>> {
     objets
 }
 
-/// A floor, four walls and tables of one thickness, all of them boxes, with one to sixteen small things on each
-/// table.
+/// A floor, four walls and tables of one thickness, all of them boxes, with one to sixteen small things on each table.
 fn salle<R: Reel>(n: usize, alea: &mut Rng) -> Vec<ObjetRay<R>> {
     let mut objets = Vec::new();
     for (centre, dimensions) in [
@@ -287,7 +286,7 @@ fn salle<R: Reel>(n: usize, alea: &mut Rng) -> Vec<ObjetRay<R>> {
     ] {
         objets.push(boite(centre, dimensions, [0.0; 3], objets.len()));
     }
-    // Of fewer objects than walls there are walls alone.
+    // With fewer objects than walls only walls are left.
     objets.truncate(n);
     let choses = n - objets.len();
     let rangee = (choses as f64 / 17.0).sqrt().ceil().max(1.0);
@@ -325,7 +324,7 @@ fn atomes<R: Reel>(n: usize, alea: &mut Rng) -> Vec<ObjetRay<R>> {
     (0..n).map(atome).collect()
 }
 
-/// Half of all in a heap as large as a teapot, the other half around a stadium; the ground.
+/// The ground, half of all objects in a heap as large as a teapot, and the other half around a stadium.
 fn stade<R: Reel>(n: usize, alea: &mut Rng) -> Vec<ObjetRay<R>> {
     let r = (1.0 / n as f64).cbrt();
     let mut objets = vec![sol()];
@@ -344,7 +343,7 @@ fn stade<R: Reel>(n: usize, alea: &mut Rng) -> Vec<ObjetRay<R>> {
     objets
 }
 
-/// Long thin boxes anyhow.
+/// Long thin boxes at random.
 fn batons<R: Reel>(n: usize, alea: &mut Rng) -> Vec<ObjetRay<R>> {
     let large = 1.5 / (n as f64).powf(0.6);
     let baton = |i| {
@@ -376,7 +375,7 @@ fn poutres<R: Reel>(n: usize, alea: &mut Rng) -> Vec<ObjetRay<R>> {
     (0..n).map(poutre).collect()
 }
 
-/// A few large and many small: the i-th largest is as large as 1/√i.
+/// A few large objects and many small ones: the i-th largest is as large as 1/√i.
 fn tailles<R: Reel>(n: usize, alea: &mut Rng) -> Vec<ObjetRay<R>> {
     let mut rangs: Vec<_> = (1..=n).collect();
     alea.shuffle(&mut rangs);
@@ -387,7 +386,7 @@ fn tailles<R: Reel>(n: usize, alea: &mut Rng) -> Vec<ObjetRay<R>> {
     rangs.into_iter().enumerate().map(chose).collect()
 }
 
-/// Balls on balls: nine of a third of the radius on each; the ground.
+/// The ground, and balls on balls: nine of a third of its radius on each.
 fn flocon<R: Reel>(n: usize) -> Vec<ObjetRay<R>> {
     // Centre, radius, and the way outward.
     let mut boules = vec![(Vecteur::new(0.0, 4.0, 0.0), 2.4, Vecteur::new(0.0, 1.0, 0.0))];
@@ -411,7 +410,8 @@ fn flocon<R: Reel>(n: usize) -> Vec<ObjetRay<R>> {
     [sol()].into_iter().chain(boules).take(n).collect()
 }
 
-/// A terrain of unit cubes side by side, each on whatever stands in its place; the ground. With its columns a side.
+/// The ground, and a terrain of unit cubes side by side, each on whatever stands in its place; and how many columns a
+/// side has.
 fn cubes<R: Reel>(n: usize, alea: &mut Rng) -> (Vec<ObjetRay<R>>, usize) {
     let cote = ((n - 1) as f64 / 4.0).sqrt().ceil() as usize;
     let mut hauteurs = vec![0.0; cote * cote];
@@ -446,12 +446,12 @@ fn piece<R: Reel>(n: usize, alea: &mut Rng) -> Vec<ObjetRay<R>> {
     objets
 }
 
-/// Shelves against a wall, ten places on each board, and on eight of them something: a book that may lean, or a ball;
-/// the ground.
+/// The ground, and shelves against a wall, with ten places on each board, eight of which hold a book that may lean or a
+/// ball.
 fn etageres<R: Reel>(n: usize, alea: &mut Rng) -> Vec<ObjetRay<R>> {
     const PLACES: usize = 10;
     let mut objets = vec![sol(), demi_espace([0.0, 0.0, -0.6], [0.0, 0.0, 1.0], 1)];
-    // A board takes itself, an upright at its left end and what stands on it.
+    // A board comes with an upright at its left end and what stands on the board.
     let planches = ((n - objets.len()) as f64 / 10.0).ceil();
     let colonnes = (planches / 3.0).sqrt().ceil();
     let (large, haut) = (8.0 / colonnes, 6.0 / (planches / colonnes).ceil());
@@ -489,11 +489,11 @@ fn etageres<R: Reel>(n: usize, alea: &mut Rng) -> Vec<ObjetRay<R>> {
     objets
 }
 
-/// Trees here and there, a trunk that leans a little and a crown of five balls; the ground.
+/// The ground, and trees here and there, with a trunk that leans a little and a crown of five balls.
 fn foret<R: Reel>(n: usize, alea: &mut Rng) -> Vec<ObjetRay<R>> {
     let mut objets = vec![sol()];
     let arbres = ((n - 1) as f64 / 6.0).ceil();
-    // So wide a wood that trees stand as far apart whatever their number.
+    // The wood is so wide that trees stand as far apart whatever their number.
     let taille = 12.0 / arbres.sqrt().max(3.0);
     while objets.len() < n {
         let [x, z] = [(); 2].map(|()| entre(alea, -12.0, 12.0));
@@ -512,7 +512,7 @@ fn foret<R: Reel>(n: usize, alea: &mut Rng) -> Vec<ObjetRay<R>> {
     objets
 }
 
-/// Balls on the corners of a grid, and along its edges thin rods that stop short of them.
+/// Balls on the corners of a grid, and thin rods along its edges that stop short of them.
 fn treillis<R: Reel>(n: usize) -> Vec<ObjetRay<R>> {
     let cote = (n as f64 / 4.0).cbrt().ceil() as usize;
     let pas = 9.0 / cote as f64;
@@ -567,23 +567,23 @@ fn demi_espace<R: Reel>(ou: [f64; 3], vers: [f64; 3], i: usize) -> ObjetRay<R> {
     PlanGeo::par_un_point(ou, vers, Texture(i as u32)).expect(PERMIS).into()
 }
 
-/// The ground at height 0, object 0.
+/// The ground at height 0, which is object 0.
 fn sol<R: Reel>() -> ObjetRay<R> {
     demi_espace([0.0; 3], [0.0, 1.0, 0.0], 0)
 }
 
-/// Which rays, and in what order.
+/// The kinds of rays, and their order.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Genre {
-    /// Of the camera, in tiles of 8 × 8.
+    /// Camera rays in tiles of 8 × 8.
     Tuiles,
-    /// Of the camera, row by row.
+    /// Camera rays row by row.
     Rangees,
     /// Straight down without perspective, in tiles.
     Paralleles,
     /// Reflected by what the camera sees, in tiles.
     Miroirs,
-    /// The same off by up to 0.05.
+    /// Mirrored so, but off by up to 0.05.
     Rugueux,
     /// Scattered about the normal of what the camera sees, in tiles.
     Diffus,
@@ -591,13 +591,13 @@ pub enum Genre {
     SansOrdre,
     /// From what the camera sees to the lamp, in tiles.
     Ombres,
-    /// Of the camera, shuffled.
+    /// Camera rays, shuffled.
     Melees,
     /// From what the camera sees to the lamp, shuffled.
     OmbresMelees,
 }
 
-/// By so much those who might hit again what a ray leaves start ahead of it.
+/// How far ahead others start, who might hit again what a ray leaves.
 pub const AVANCE: f64 = 0.001;
 
 impl Genre {
@@ -629,7 +629,7 @@ impl Genre {
         }
     }
 
-    /// Whether of each ray is asked whether it is a shadow: it ends at the lamp. No other ray has an end.
+    /// Whether each ray is asked whether it is a shadow. It ends at the lamp then; no other ray has an end.
     pub fn ombres(self) -> bool {
         matches!(self, Self::Ombres | Self::OmbresMelees)
     }

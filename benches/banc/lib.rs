@@ -1,4 +1,4 @@
-//! What is measured (`familles`), who competes (`concurrents`, of which we are `nous`), the clock, and what stands beside
+//! What is measured (`familles`), who competes (`concurrents`, with us as `nous`), the clock, and the columns that end
 //! a measured row (`circonstances`).
 
 #![allow(missing_docs, reason = "not published: what a name does not say has a comment")]

@@ -1,6 +1,6 @@
-//! What a sun, a sky, a ball for a ground, a second town and a camera far away cost: a city of one kilometre with it,
-//! over the same city without. `cargo run --release -p banc --bin loin` prints
-//! `benches/mesures/lointains.csv`, in a minute. A seed may be named.
+//! What a far sun, sky, second town or camera, or a ball as the ground, costs: the time of a city of one kilometre with
+//! it over that without. `cargo run --release -p banc --bin loin` prints `benches/mesures/lointains.csv`, in a minute.
+//! An argument sets the seed.
 
 use std::error::Error;
 
@@ -22,7 +22,7 @@ const CAS: [(AuLoin, &[f64]); 5] = [
 /// How many objects the city has.
 const N: usize = 10_000;
 
-/// The kinds of rays, of which the table has the geometric mean.
+/// The kinds of rays whose geometric mean the table has.
 const GENRES: [Genre; 3] = [Genre::Tuiles, Genre::Diffus, Genre::Ombres];
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -41,7 +41,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// One by one and in a batch over the city without. Geometric means.
+/// One by one and in a batch, over the city without it, as geometric means.
 fn rapports<R: Reel + DeserializeOwned>(
     quoi: AuLoin,
     metres: f64,
@@ -58,7 +58,7 @@ fn rapports<R: Reel + DeserializeOwned>(
     Ok(sommes.map(f64::exp))
 }
 
-/// Nanoseconds a ray of the tree, one by one and in a batch; first that the list agrees.
+/// Nanoseconds a ray of the tree, one by one and in a batch, after a check that the list agrees.
 fn temps<R: Reel>(scene: &Scene<R>, genre: Genre) -> Result<[f64; 2], Box<dyn Error>> {
     let mut places = nous::memoire(1, scene.objets.len());
     let monde = nous::monde(&scene.objets, &mut places, "");

@@ -1,5 +1,5 @@
-//! A version of this crate, asked in its four ways. Whoever compiles this page says which: `super::version`, any from
-//! 0.7.0 on.
+//! A version of this crate, asked in its four ways. Whoever compiles this file says which, as `super::version`; it may
+//! be any from 0.7.0 on.
 
 use super::concurrents::{self, Concurrent, FACONS, cachee};
 use super::version::pour_les_tests::Reglage;
@@ -10,7 +10,7 @@ use super::version::{
 /// The rays of this version.
 pub type Rayons<R> = Vec<Rayon<R>>;
 
-/// These sources, unit directions, ends and δ.
+/// Rays with these sources, unit directions, ends and δ.
 pub fn rayons<R: Reel>(nombres: impl Iterator<Item = ([[R; 3]; 2], [R; 2])>) -> Rayons<R> {
     let rayon = |([source, direction], [fin, flou]): ([[R; 3]; 2], [R; 2])| {
         Rayon::new(source.into(), direction.into())?.jusqu_a(fin)?.avec_flou(flou)
@@ -18,13 +18,13 @@ pub fn rayons<R: Reel>(nombres: impl Iterator<Item = ([[R; 3]; 2], [R; 2])>) -> 
     nombres.map(|nombres| rayon(nombres).expect("a ray within the limits")).collect()
 }
 
-/// So many times the numbers that a tree over `n` objects needs.
+/// `fois` times the numbers that a tree over `n` objects needs.
 pub fn memoire(fois: usize, n: usize) -> Vec<f32> {
     vec![0.0; fois * version::places(n)]
 }
 
-/// These objects with a tree, asked with the instructions of this name, or else with the best of the machine. Long boxes
-/// are cut if more is lent than need be.
+/// A world of these objects with a tree, asked with the instructions of this name, or otherwise with the best of the
+/// machine. Long boxes are cut if more places are lent than needed.
 pub fn monde<'a, R: Reel>(
     objets: &'a [ObjetRay<R>],
     places: &'a mut [f32],
@@ -40,7 +40,7 @@ pub fn monde<'a, R: Reel>(
     reglage.map_or(monde, |(_, reglage)| reglage.monde(monde))
 }
 
-/// All four, about the first hits of these rays, or about whether they are shadows.
+/// All four ways to ask for the first hits of these rays, or whether they are shadows.
 pub fn concurrents<'a, R: Reel>(
     monde: Monde<'a, R>,
     rayons: &'a [Rayon<R>],
@@ -78,7 +78,7 @@ pub fn concurrents<'a, R: Reel>(
     }
 }
 
-/// This answer in the words of all.
+/// This answer in the common form.
 pub fn dire<R: Reel>(touche: Reponse<R>) -> concurrents::Reponse {
     let touche = touche.ok()?;
     let n = touche.normale();

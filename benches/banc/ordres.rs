@@ -1,6 +1,6 @@
-//! In which order rays go into a batch: windows and suns, lamps of any width, lamps of the list, a lidar. Each row is the
-//! time of one order over that of another, of the same rays.
-//! `cargo run --release -p banc --bin ordres` prints `benches/mesures/ordres.csv`, in a minute. A seed may be named.
+//! In which order rays go into a batch: windows and suns, lamps of any width, lamps of the list, a lidar. Each row is
+//! the time of one order of the same rays over that of another. `cargo run --release -p banc --bin ordres` prints
+//! `benches/mesures/ordres.csv`, in a minute. An argument sets the seed.
 
 use std::error::Error;
 use std::f64::consts::TAU;
@@ -28,11 +28,11 @@ const HEURES: usize = 16;
 
 const LAMPES: usize = 4;
 
-/// Beams of a lidar, 2° apart, and where each points in one turn.
+/// How many beams a lidar has, 2° apart, and where each points in one turn.
 const FAISCEAUX: usize = 16;
 const AZIMUTS: usize = 2_048;
 
-/// A name, and how many times as long it takes.
+/// Each comparison with its name and its ratio of times.
 type Rapports = Vec<(String, f64)>;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -58,7 +58,7 @@ fn rapports<R: Reel + DeserializeOwned>(
 ) -> Result<Rapports, Box<dyn Error>> {
     let mut alea = Rng::with_seed(graine);
     let mut scene = famille.scene::<R>(n, graine);
-    // Lamps high above the rest: balls of the list.
+    // The lamps are balls of the list, high above the rest.
     for i in 0..LAMPES {
         let (sin, cos) = (TAU * i as f64 / LAMPES as f64).sin_cos();
         scene.objets.push(sphere(arrondi(Vecteur::new(9.0 * cos, 16.0, 9.0 * sin)), R::UN));
@@ -115,7 +115,7 @@ fn soleils<R: Reel>(monde: Monde<'_, R>, n: usize) -> Rapports {
     ]
 }
 
-/// A place of one's own on each side of an object: the way out along the normal there.
+/// A place on each side of an object, made as the way out along the normal there.
 fn fenetres<R: Reel>(objet: &ObjetRay<R>) -> Vec<Intersection<R>> {
     let (centre, normales) = match objet {
         ObjetRay::Boite(boite) => (boite.centre(), boite.normales().into()),
@@ -126,13 +126,14 @@ fn fenetres<R: Reel>(objet: &ObjetRay<R>) -> Vec<Intersection<R>> {
     normales.into_iter().flat_map(|n| [n, -n]).filter_map(sortie).collect()
 }
 
-/// The place of a point of [−1, 1]² along a curve that stays near: the bits of both coordinates by turns.
+/// The place of a point of [−1, 1]² along a curve that keeps neighbours near, made of the bits of both coordinates by
+/// turns.
 fn en_z(x: f64, y: f64) -> u32 {
     let [x, y] = [x, y].map(|x| ((x + 1.0) * 255.0) as u32);
     (0..9).fold(0, |z, bit| z | (x >> bit & 1) << (2 * bit) | (y >> bit & 1) << (2 * bit + 1))
 }
 
-/// Lamps, suns and skies of any width: the same directions within a cone from each point.
+/// Lamps, suns and skies of any width: from each point the same directions within a cone.
 fn cones<R: Reel>(monde: Monde<'_, R>, vus: &[Intersection<R>], alea: &mut Rng) -> Rapports {
     let axe = Vecteur::new(0.4, 1.0, 0.3).unitaire().expect("a direction");
     let mut cone = |demi_angle: f64| {
@@ -157,8 +158,8 @@ fn cones<R: Reel>(monde: Monde<'_, R>, vus: &[Intersection<R>], alea: &mut Rng) 
     [0.25, 2.0, 10.0, 30.0, 90.0].map(&mut cone).into()
 }
 
-/// A ray from each point to a lamp by chance: the first hit, which is the lamp or not, in one batch, over a batch of
-/// shadows for each lamp, which is left out.
+/// A ray from each point to a random lamp: the time of the first hits, the lamp or not, in one batch, over that of a
+/// batch of shadows for each lamp, which is left out.
 fn lampes<R: Reel>(
     monde: Monde<'_, R>,
     vus: &[Intersection<R>],
@@ -199,8 +200,8 @@ fn lampes<R: Reel>(
     ("first hits of mixed lamps over shadows lamp by lamp".into(), ns[0] / ns[1])
 }
 
-/// A turn of a lidar one unit above this hit, as it fires, all beams at one azimuth after the other, and beam by beam: each
-/// over tiles that are about square in angle.
+/// A turn of a lidar one unit above this hit, as it fires, with all beams at one azimuth after the other, and beam by
+/// beam; each over tiles that are about square in angle.
 fn lidar<R: Reel>(monde: Monde<'_, R>, sous_lui: Intersection<R>) -> Rapports {
     let source = sous_lui.point() + sous_lui.normale();
     let rayon = |faisceau: usize, azimut: usize| {
@@ -235,7 +236,7 @@ fn lidar<R: Reel>(monde: Monde<'_, R>, sous_lui: Intersection<R>) -> Rapports {
 
 const ASSEZ: &str = "as many answers as rays";
 
-/// Nanoseconds a ray of shadows in each of these orders.
+/// Nanoseconds for a shadow ray in each of these orders.
 fn temps<R: Reel>(monde: Monde<'_, R>, ordres: &[Vec<Rayon<R>>]) -> Vec<f64> {
     let mut occultes = vec![false; banc::horloge::MORCEAU];
     moindres(TOURS, ordres.len(), |qui| {

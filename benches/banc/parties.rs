@@ -1,7 +1,7 @@
-//! What the parts of one ray take, alone: the call, a half-space, the probe, a node, an object, the hit. Each part is the
-//! difference between two scenes, of which one has the part more often, in nanoseconds and in instructions.
-//! `cargo run --release -p banc --bin parties AVX2` prints `benches/mesures/parties.csv` for the instructions of that name, in
-//! some seconds; the instructions are counted by valgrind, which knows no AVX-512.
+//! What each part of one ray takes: the call, a half-space, the probe, a node, an object, the hit. Each part is the
+//! difference between two scenes, one of which has the part more often, in nanoseconds and in instructions.
+//! `cargo run --release -p banc --bin parties AVX2` prints `benches/mesures/parties.csv` for the instructions of that
+//! name, in some seconds. valgrind counts the instructions, and knows no AVX-512.
 
 use std::env::{args, current_exe};
 use std::error::Error;
@@ -47,12 +47,12 @@ fn boite<R: Reel>(centre: Vecteur<R>, cote: f64) -> ObjetRay<R> {
     BoiteGeo::new(centre, v(cote, cote, cote), tour, Texture(0)).expect("within the limits").into()
 }
 
-/// The objects of this scene. All rays enter the ball or box that stands in front, and nothing else.
+/// The objects of this scene. All rays enter the ball or box in front, and nothing else.
 fn scene<R: Reel>(numero: usize) -> Vec<ObjetRay<R>> {
     let devant = v(0.0, 0.0, -9.0);
     let a_cote = |k: usize| v(0.0, 30.0 + k as f64, -9.0);
     let loin = |k: usize| boule(v(30.0 + (k % 7) as f64, 20.0 + (k / 7) as f64, 0.0), 0.3);
-    // The rays pass its box, but not the ball.
+    // The rays enter its box, but not the ball.
     let au_coin = |k: usize| boule(v(2.0, 2.0, -9.0 - 3.0 * k as f64), 1.995);
     let derriere = || PlanGeo::par_un_point(devant, v(0.1, 0.2, -1.0), Texture(0));
     let murs = |n| (0..n).map(|_| derriere().expect("within the limits").into()).collect();
@@ -80,7 +80,7 @@ fn rayons<R: Reel>() -> Vec<Rayon<R>> {
     (0..RAYONS).map(|k| Rayon::new(v(0.0, 0.0, 3.0), vers(k)).expect("a direction")).collect()
 }
 
-/// One question for each ray. It has a name, by which valgrind finds it.
+/// One question for each ray. valgrind finds this function by its name.
 #[inline(never)]
 fn demander<R: Reel>(monde: &Monde<'_, R>, rayons: &[Rayon<R>], ombres: bool) {
     if ombres {
@@ -90,7 +90,7 @@ fn demander<R: Reel>(monde: &Monde<'_, R>, rayons: &[Rayon<R>], ombres: bool) {
     }
 }
 
-/// Asks this scene once, or tells what hits and shadows take, in nanoseconds a ray.
+/// Asks this scene once, or returns what hits and shadows take, in nanoseconds a ray.
 fn mesurer<R: Reel>(jeu: &str, numero: usize, une_fois: Option<bool>) -> [f64; 2] {
     let objets = scene::<R>(numero);
     let mut memoire = nous::memoire(1, objets.len());

@@ -1,7 +1,6 @@
-//! Scenes that other people had: what a heap costs over its list, a ray that strays
-//! over its tile without it.
-//! `cargo run --release -p banc --bin tas` prints `benches/mesures/tas.csv`, in a minute. A seed may
-//! be named.
+//! Scenes that other people had: what a heap costs over its list, and what a ray that strays costs over its tile
+//! without it. `cargo run --release -p banc --bin tas` prints `benches/mesures/tas.csv`, in a minute. An argument sets
+//! the seed.
 
 use std::error::Error;
 
@@ -15,7 +14,7 @@ use commun::{arrondi, scenes};
 use fastrand::Rng;
 use lancer_rayon::{ObjetRay, Rayon, Reel, Rotation, Vecteur};
 
-/// Rays of a call.
+/// Rays in a call.
 const APPEL: usize = 64;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -84,7 +83,7 @@ fn objet<R: Reel>(tas: &str, i: usize, n: usize, alea: &mut Rng) -> ObjetRay<R> 
     }
 }
 
-/// Nanoseconds a ray of the list, one by one and in calls, and of the tree; first that all agree.
+/// Nanoseconds a ray of the list, one by one and in calls, and of the tree, after a check that all agree.
 fn temps<R: Reel>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) -> Result<[f64; 4], Box<dyn Error>> {
     let mut places = nous::memoire(1, objets.len());
     let monde = nous::monde(objets, &mut places, "");

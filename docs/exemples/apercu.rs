@@ -1,5 +1,5 @@
-//! An overview of a scene: what every camera ray touches, how long that takes in `f64` and in `f32`, and
-//! how far these differ, as a table and as a picture.
+//! An overview of a scene, as a table and as a picture: what every camera ray hits, how long that takes in `f64` and in
+//! `f32`, and how far the two differ.
 //!
 //! `cargo run --release -p exemples [scene.ron] [image.png]`
 
@@ -75,10 +75,10 @@ const FACONS: [&str; 3] = ["list", "hierarchy", "batch of the hierarchy"];
 
 type Facon<'a, R> = &'a dyn Fn(&mut [Reponse<R>]) -> Result<(), LongueursDifferentes>;
 
-/// What every ray touches, and the nanoseconds per ray of each of `FACONS`.
+/// What every ray hits, and how many nanoseconds a ray takes in each of `FACONS`.
 type Mesure<R> = (Vec<Reponse<R>>, [f64; 3]);
 
-/// Asks for a picture so wide in three passes, the best of which counts: the machine has other work.
+/// Asks for a picture of this width in three passes, the best of which counts, since the machine has other work.
 fn lancer<R: Reel>(
     objets: &[ObjetRay<R>],
     rayons: &[Rayon<R>],
@@ -86,7 +86,7 @@ fn lancer<R: Reel>(
 ) -> Result<Mesure<R>, Box<dyn Error>> {
     let ordre = tuiles(rayons.len(), largeur as usize);
     let tuiles: Vec<_> = ordre.iter().map(|&i| rayons[i]).collect();
-    // Twice as many, in case a scene has long boxes that stand askew.
+    // Twice the places that are needed, in case a scene has long askew boxes.
     let mut memoire = vec![0.0; 2 * places(objets.len())];
     let hierarchie = Monde::new(objets, &mut memoire)?;
     let facons: [Facon<'_, R>; 3] = [
@@ -138,7 +138,7 @@ fn comparer(
         match paire {
             (Ok(a), Ok(b)) if a.texture() == b.texture() => {
                 distances.push((f64::from(b.distance()) / a.distance() - 1.0).abs());
-                // By the chord: the arc cosine of N·N' would see nothing below 1e-6 degrees.
+                // By the chord, since the arc cosine of N·N' would see nothing below 1e-6 degrees.
                 angles.push(
                     2.0 * ((a.normale() - b.normale().vers_f64()).longueur() / 2.0)
                         .asin()
@@ -170,10 +170,10 @@ type Panneau<'a> = &'a dyn Fn(usize) -> Option<Couleur>;
 const PEU: f64 = 1e-9;
 const BEAUCOUP: f64 = 1e-5;
 
-/// An answer that is not certain. No ramp or texture comes near.
+/// The colour of an uncertain answer, unlike any ramp or texture.
 const ALARME: Couleur = [255, 30, 30];
 
-/// How far the mark of such a pixel reaches, so that one alone is seen.
+/// How far the mark of such a pixel reaches, so that a single one shows.
 const MARQUE: usize = 4;
 
 /// Writes the four panels side by side as a PNG.
@@ -186,7 +186,7 @@ fn peindre(
 ) -> Result<(), Box<dyn Error>> {
     let mut logs: Vec<f64> = touches.iter().flatten().map(|t| t.distance().ln()).collect();
     logs.sort_by(f64::total_cmp);
-    // The ramp leaves out the ends: one far horizon would flatten all the rest.
+    // The ramp leaves out the ends, since one far horizon would flatten all the rest.
     let centile = |c: usize| logs.get(logs.len() * c / 100).copied().unwrap_or(0.0);
     let (pres, loin) = (centile(1), centile(97).max(centile(1) + 1e-9));
     let cote = largeur as usize;
@@ -229,7 +229,7 @@ fn peindre(
     image::ecrire(chemin, (4 * largeur, hauteur), png::Compression::Fast, &pixels)
 }
 
-/// What is seen where nothing is touched: a dusk, from the top (0) to the bottom (1).
+/// What is seen where nothing is hit: a dusk, from the top (0) to the bottom (1).
 fn fond(y: f64) -> Couleur {
     melange([28.0, 32.0, 44.0], [66.0, 70.0, 84.0], y)
 }
@@ -255,8 +255,8 @@ fn melange(a: [f64; 3], b: [f64; 3], x: f64) -> Couleur {
     std::array::from_fn(|i| (a[i] + (b[i] - a[i]) * x).round() as u8)
 }
 
-/// The colour of a texture under this light. Hues a golden angle apart, in Oklab, so that
-/// neighbouring numbers differ and none shouts.
+/// The colour of a texture under this light. Hues are a golden angle apart, in Oklab, so that neighbouring numbers
+/// differ and none stands out.
 fn teinte(texture: u32, lumiere: f64) -> Couleur {
     let angle = (40.0 + 137.508 * f64::from(texture)).to_radians();
     let clarte = [0.80, 0.68, 0.74][texture as usize % 3];

@@ -1,10 +1,10 @@
-//! A room in the evening, by path tracing: a lamp that is an object, soft shadows, walls that light each
-//! other, a mirror and a ball of glass.
+//! A room in the evening, by path tracing: a lamp that is an object, soft shadows, walls that light each other, a
+//! mirror and a ball of glass.
 //!
 //! `cargo run --release -p exemples --bin chemins [--f32] [--rayons N] [scene.ron] [image.png]`
 //!
-//! A path starts at the eye and goes on by one bounce after another. The paths of one piece of the picture
-//! are a wave: all of them take one bounce, in a batch, then all their shadow rays, in another.
+//! A path starts at the eye and takes one bounce after another. The paths of one piece of the picture are a wave: all
+//! of them take one bounce in a batch, then all their shadow rays go in another.
 
 use std::error::Error;
 use std::path::Path;
@@ -32,15 +32,15 @@ const LUEUR: Couleur = Vecteur::new(36.0, 27.0, 17.5);
 /// The sky behind the eye, where the room has no wall.
 const SOIR: Couleur = Vecteur::new(0.10, 0.17, 0.34);
 
-/// Paths a pixel, unless `--rayons` says how many, and the pixels of one piece: 4096 paths a wave.
+/// Paths for each pixel, unless `--rayons` says how many, and pixels in one piece: 4096 paths are a wave.
 const RAYONS: usize = 64;
 const PIECE: usize = 64;
 
 /// The most bounces of a path; a ball of glass takes two.
 const REBONDS: usize = 8;
 
-/// A sample is limited to this before the average: a path that finds the lamp by a rare chance would else
-/// be a bright dot.
+/// A sample is limited to this before the average, since a path that finds the lamp by a rare chance would otherwise be
+/// a bright dot.
 const PLAFOND: f64 = 1.6;
 
 /// The refractive index of glass.
@@ -82,8 +82,7 @@ fn rendre<R: Reel + DeserializeOwned>(
     let oeil = camera.rayons()?;
     let ordre = tuiles(oeil.len(), camera.image.0 as usize);
     let pieces = ordre.par_chunks(PIECE).progress().map(|pixels| {
-        // A thread has its own generator. Seeded by the piece, it gives the same picture with any number
-        // of threads.
+        // Each thread has its own generator. Seeded by the piece, it gives the same picture with any number of threads.
         fastrand::seed(pixels[0] as u64);
         chambre.couleurs(&pixels.iter().map(|&i| oeil[i]).collect::<Vec<_>>())
     });
@@ -109,14 +108,14 @@ enum Genre {
     Verre,
 }
 
-/// What a surface is made of: the parts of red, green and blue that it keeps, two of them for a checker.
+/// What a surface is made of: the parts of red, green and blue that it keeps, twice for a checker.
 type Matiere = (Genre, [Couleur; 2]);
 
 const fn uni(genre: Genre, r: f64, v: f64, b: f64) -> Matiere {
     (genre, [Vecteur::new(r, v, b); 2])
 }
 
-/// A texture is the number of one of these; a scene with more textures begins anew.
+/// A texture is the index of one of these; beyond the last they begin anew.
 const PALETTE: [Matiere; 12] = [
     uni(Genre::Mat, 0.0, 0.0, 0.0), // the lamp
     (Genre::Verni, [Vecteur::new(0.25, 0.11, 0.05), Vecteur::new(0.62, 0.42, 0.22)]),
@@ -141,19 +140,19 @@ struct Chambre<'a, R> {
     rayons: usize,
 }
 
-/// A path on its way: what it finds counts in this part, for this path of the wave.
+/// A path on its way. What it finds counts for this path of the wave, multiplied by `part`.
 struct Chemin<R> {
     rayon: Rayon<R>,
     numero: usize,
     part: Couleur,
-    /// Whether it counts the lamp that it meets: after a matt surface the shadow ray has done so.
+    /// Whether it counts a lamp that it meets; after a matt surface the shadow ray has done so.
     franc: bool,
-    /// The object of glass that it is inside of.
+    /// The object of glass that it is in.
     dans: Option<usize>,
 }
 
 impl<R: Reel> Chambre<'_, R> {
-    /// The colour of each pixel through whose middle such a ray of the eye goes.
+    /// The colour of each pixel through whose middle a ray of `oeil` goes.
     fn couleurs(&self, oeil: &[Rayon<R>]) -> Result<Vec<Couleur>, LongueursDifferentes> {
         let chemin = |numero: usize| {
             let milieu = oeil[numero / self.rayons];
@@ -178,7 +177,7 @@ impl<R: Reel> Chambre<'_, R> {
                             suivants.extend(chemin.dehors(&sortie, verre));
                             continue;
                         }
-                        // A ray that entered beside an edge may have stepped out again: it ends.
+                        // A ray that entered beside an edge may have stepped out again; its path ends.
                         Err(_) => continue,
                     },
                 };
@@ -197,8 +196,8 @@ impl<R: Reel> Chambre<'_, R> {
                     suivants.push(suivant);
                 }
             }
-            // The lamp would stand before the point of it that a ray is sent to: no distance is exact
-            // enough to stop just before it. Left out, it needs no epsilon.
+            // The lamp would hide the point of it that a ray is sent to, since no distance is exact enough to stop just
+            // before it. Where the lamp is left out, no epsilon is needed.
             let (vers, lumieres): (Vec<_>, Vec<_>) = ombres.into_iter().unzip();
             let mut occultes = vec![false; vers.len()];
             self.hierarchie.sans(LAMPE).sont_occultes(&vers, &mut occultes)?;
@@ -226,8 +225,8 @@ impl<R: Reel> Chambre<'_, R> {
         Ok(touches)
     }
 
-    /// The ray from a matt surface to a point of the half of the lamp that faces it, and the light that it
-    /// brings to this path if it arrives.
+    /// The ray from a matt surface to a point of the half of the lamp that faces it, and the light that this ray brings
+    /// to the path if it arrives.
     fn vers_la_lampe(
         &self,
         chemin: &Chemin<R>,
@@ -236,13 +235,13 @@ impl<R: Reel> Chambre<'_, R> {
     ) -> Option<(Rayon<R>, (usize, Couleur))> {
         let (centre, rayon) = (self.lampe.centre(), self.lampe.rayon());
         let axe = (touche.point() - centre).unitaire()?;
-        // The normal of the lamp there, more often near the axis, by the cosine: nearly as the light goes.
+        // The normal of the lamp there, more often near the axis, by the cosine, which is nearly how the light goes.
         let n = (axe + au_hasard()).unitaire()?;
         let ombre = touche.vers_lumiere(centre + n * rayon).ok()?;
         let (l, distance) = (ombre.direction(), ombre.fin());
-        // Below 0 near the rim, where the lamp hides this point of itself.
+        // It is below 0 near the rim, where the lamp hides this point of itself.
         let de_face = -l.produit_scalaire(n);
-        // The π of the chance of this point, per area, is also that of a matt surface: none is left.
+        // The π of the chance of this point, per area, cancels that of a matt surface.
         let poids = de_face / n.produit_scalaire(axe) * l.produit_scalaire(touche.normale());
         let poids = (poids * rayon * rayon / (distance * distance)).vers_f64();
         let lumiere = produit(part, LUEUR) * poids;
@@ -251,7 +250,7 @@ impl<R: Reel> Chambre<'_, R> {
 }
 
 impl<R: Reel> Chemin<R> {
-    /// How a path inside the object of this index goes on from where it leaves it, or is mirrored within.
+    /// How a path inside the object of this index goes on where it leaves that, or is mirrored within.
     fn dehors(&self, sortie: &Intersection<R>, verre: usize) -> Option<Self> {
         let (rayon, passe) = traverser(sortie, self.rayon.direction(), INDICE);
         Some(Self { rayon: rayon?, dans: (!passe).then_some(verre), ..*self })
@@ -269,18 +268,18 @@ impl<R: Reel> Chemin<R> {
             Genre::Miroir => (touche.reflechi(d).ok(), teinte, true),
             Genre::Verre => (passe, teinte, true),
             Genre::Verni if !entre => (passe, self.part, true),
-            // As often in each direction as the cosine there is large, so that no cosine is left to count.
+            // Each direction comes as often as its cosine is large, so that no cosine is left to count.
             Genre::Verni | Genre::Mat => (touche.secondaire(n + au_hasard()).ok(), teinte, false),
         };
         let dans = (entre && matches!(genre, Genre::Verre)).then(|| touche.indice());
-        // From within glass no shadow ray is straight: the path finds the lamp by chance.
+        // No shadow ray from within glass is straight, so the path finds the lamp by chance.
         let franc = franc || self.dans.is_some();
         Some(Self { rayon: rayon?, numero: self.numero, part, franc, dans: dans.or(self.dans) })
     }
 }
 
 /// Where light goes on from a face of glass, and whether it passes (Snell) or is mirrored, by chance. `rapport` is the
-/// index that it comes from over the one that it comes to.
+/// index in front of the face over the one behind.
 fn traverser<R: Reel>(
     touche: &Intersection<R>,
     d: Vecteur<R>,
@@ -288,7 +287,7 @@ fn traverser<R: Reel>(
 ) -> (Option<Rayon<R>>, bool) {
     let cosinus = |d: Vecteur<R>| d.produit_scalaire(touche.normale()).vers_f64().abs();
     if let Ok(passe) = touche.refracte(d, R::depuis_f64(rapport)) {
-        // Schlick's approximation of Fresnel's formula, which takes the larger angle, that of the air.
+        // Schlick's approximation of Fresnel's formula takes the larger angle, that in the air.
         let rasant = 1.0 - cosinus(d).min(cosinus(passe.direction()));
         if fastrand::f64() > 0.04 + 0.96 * rasant.powi(5) {
             return (Some(passe), true);
@@ -297,7 +296,7 @@ fn traverser<R: Reel>(
     (touche.reflechi(d).ok(), false)
 }
 
-/// A point of the unit sphere, all alike.
+/// A random point of the unit sphere.
 fn au_hasard<R: Reel>() -> Vecteur<R> {
     let z = 2.0 * fastrand::f64() - 1.0;
     let (sin, cos) = (std::f64::consts::TAU * fastrand::f64()).sin_cos();

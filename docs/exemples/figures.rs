@@ -1,8 +1,8 @@
-//! The figures of `docs/conventions.md`: what the library answers, drawn.
+//! The figures of `docs/conventions.md`, which draw what the library answers.
 //!
-//! `cargo run -p exemples --bin figures` writes them again; `tests/fichiers/figures.rs` holds the committed ones to this
-//! code, byte for byte. No sine or root goes into them except through
-//! `lancer_rayon`, so that every machine draws the same bytes.
+//! `cargo run -p exemples --bin figures` writes them again, and `tests/fichiers/figures.rs` compares the committed ones
+//! with this code, byte for byte. Sines and roots come only from `lancer_rayon`, so that every machine draws the same
+//! bytes.
 
 use std::error::Error;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_6};
@@ -39,7 +39,7 @@ const ENCRE: &str = "#222222";
 const GRIS: &str = "#767676";
 const FOND: &str = "#e6eaf0";
 const ACCENT: &str = "#b3541e";
-/// Of x, y and z.
+/// For x, y and z.
 const AXES: [&str; 3] = ["#b3261e", "#1b7a3d", "#2456a6"];
 const NOMS: [&str; 3] = ["x", "y", "z"];
 const UNITES: [Vecteur; 3] =
@@ -49,7 +49,7 @@ const PLEIN: &str = "";
 
 type Pixel = [f64; 2];
 
-/// At most one digit after the point, and no −0.
+/// A number with at most one digit after the point, and no −0.
 struct Court(f64);
 
 impl Display for Court {
@@ -58,7 +58,7 @@ impl Display for Court {
     }
 }
 
-/// As a reader writes it: a true minus, two digits.
+/// A number as a reader writes it: a true minus, two digits.
 fn nombre(x: f64) -> String {
     ((x * 100.0).round() / 100.0 + 0.0).to_string().replace('-', "−")
 }
@@ -112,7 +112,7 @@ impl Dessin {
             [pied[0] + large * y, pied[1] - large * x],
         ];
         let mut tige = points.to_vec();
-        // The foot of the head, unless the last piece of an arc is shorter than it.
+        // The line ends at the foot of the head, unless the last piece of an arc is shorter.
         if d.longueur() > long {
             tige.pop();
             tige.push(pied);
@@ -132,7 +132,7 @@ impl Dessin {
         self.rond(p, 3.5, &format!(r#"fill="{couleur}""#));
     }
 
-    /// The same on the far side.
+    /// A point on the far side.
     fn point_creux(&mut self, p: Pixel, couleur: &str) {
         self.rond(p, 3.5, &format!(r##"fill="#ffffff" stroke="{couleur}""##));
     }
@@ -148,7 +148,7 @@ impl Dessin {
     }
 }
 
-/// Where space stands in a figure: seen from afar, along −z of what `vue` makes of it.
+/// Where space stands in a figure. It is seen from afar, along −z of what `vue` makes of it.
 struct Repere {
     origine: Pixel,
     echelle: f64,
@@ -166,7 +166,7 @@ impl Repere {
     }
 }
 
-/// From the right and above, so that z, which comes towards the viewer, can be seen.
+/// A view from the right and above, which shows z, the axis that comes towards the viewer.
 fn de_biais() -> Resultat<Rotation> {
     let lacet = Rotation::main_droite(Vecteur::new(0.0, -0.55, 0.0))?;
     Ok(lacet.puis(Rotation::main_droite(Vecteur::new(0.42, 0.0, 0.0))?))
@@ -278,7 +278,7 @@ fn demi_espace() -> Resultat<String> {
         let plan = Rotation::new(Vecteur::new(FRAC_PI_2, 0.0, 0.3))?;
         let plan = PlanGeo::new(plan, d, Texture(0))?.vers_ray();
         let (n, pied) = (plan.normale(), plan.normale() * -plan.distance());
-        // What lies in the surface and in the picture.
+        // The direction that lies in the surface and in the picture.
         let long = Rotation::new(Vecteur::new(0.0, 0.0, FRAC_PI_2))?.appliquer(n);
         let vue = Repere {
             origine: [cadre[0] + 150.0, cadre[1] + 110.0 - 45.0 * d],
@@ -287,7 +287,7 @@ fn demi_espace() -> Resultat<String> {
         };
         let titre = format!("d = {}: N·O = 0 {titre}", nombre(d));
         dessin.texte([cadre[0] + 180.0, 24.0], "middle", ENCRE, &titre);
-        // As far as the frame cuts it off.
+        // The frame cuts off what is beyond.
         let bords = [pied - long * 9.0, pied + long * 9.0];
         let solide = [bords[0], bords[1], bords[1] - n * 9.0, bords[0] - n * 9.0];
         let _ = write!(

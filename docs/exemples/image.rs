@@ -8,7 +8,7 @@ use std::process::ExitCode;
 
 use png::Compression;
 
-/// Writes rows of pixels from the top left, red, green and blue each; makes the folder if need be.
+/// Writes rows of pixels from the top left, each as red, green and blue; makes the folder if need be.
 pub fn ecrire(
     chemin: &str,
     (largeur, hauteur): (u32, u32),
@@ -26,8 +26,8 @@ pub fn ecrire(
     Ok(png.finish()?)
 }
 
-/// Calls `peindre` with the scene and the image that `arguments` names, by default with these two, and
-/// prints its error. Without a `peindre`, and of arguments that it does not know, it prints the usage instead.
+/// Calls `peindre` with the scene and the image that `arguments` names, or else with these two, and prints its error.
+/// Without a `peindre`, or with arguments that it does not know, it prints the usage instead.
 pub fn programme(
     arguments: &[String],
     [scene, image]: [&str; 2],

@@ -1,5 +1,5 @@
-//! What the programs of this folder share, and the tests and benches with them: `scene.rs` and
-//! `surete.rs` stand alone, and may be taken as they are.
+//! What the programs of this folder share with each other and with tests and benches. `scene.rs` and `surete.rs` stand
+//! alone, and may be copied as they are.
 
 #![allow(missing_docs, reason = "not published: what a name does not say has a comment")]
 

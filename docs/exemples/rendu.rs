@@ -2,12 +2,12 @@
 //!
 //! `cargo run --release -p exemples --bin rendu [--f32] [--bande i/n] [scene.ron] [image.png]`
 //!
-//! With `--bande 2/4` only the second of four bands of the picture, as bare rows of red, green and blue:
-//! bands one after another are the whole, whichever machines made them.
+//! With `--bande 2/4` it writes only the second of four bands of the picture, as bare rows of red, green and blue.
+//! Bands put one after another are the whole picture, whichever machines made them.
 //!
-//! Every kind of ray goes in batches, level by level: what the eye sees, the shadows of that, what
-//! mirrors and glass show, the shadows of that, and so on. Rays of a level that leave the same object are
-//! neighbours, so that the batch finds them a beam.
+//! Every kind of ray goes in batches, level by level: what the eye sees, the shadows there, what mirrors and glass
+//! show, the shadows there, and so on. Rays of a level that leave the same object are neighbours, so that a batch finds
+//! them as a beam.
 
 use std::error::Error;
 use std::path::Path;
@@ -33,10 +33,10 @@ const IMAGE: &str = "target/rendu.png";
 /// Rays across a pixel, each way.
 const FINESSE: u32 = 2;
 
-/// Levels: mirrors in a row, or half as many glasses.
+/// How many mirrors in a row are followed, or half as many glasses.
 const NIVEAUX: u32 = 6;
 
-/// Rays of the eye that go together, the work of one thread at a time.
+/// How many rays of the eye go together, as the work of one thread at a time.
 pub(crate) const ENSEMBLE: usize = 4096;
 
 fn main() -> ExitCode {
@@ -57,7 +57,7 @@ fn main() -> ExitCode {
     image::programme(&arguments, [SCENE, IMAGE], usage, peindre)
 }
 
-/// One of so many bands of a picture, from the top; counted from 1.
+/// Band `numero` of `nombre` of a picture, from the top; counted from 1.
 #[derive(Clone, Copy)]
 pub(crate) struct Bande {
     pub(crate) numero: u32,
@@ -73,7 +73,7 @@ impl Bande {
         (1..=bande.nombre).contains(&bande.numero).then_some(bande)
     }
 
-    /// Its rows in a picture so high.
+    /// Its rows in a picture of this height.
     fn lignes(self, hauteur: u32) -> core::ops::Range<u32> {
         let debut =
             |numero: u32| (u64::from(hauteur) * u64::from(numero) / u64::from(self.nombre)) as u32;
@@ -101,7 +101,7 @@ fn rendre<R: Reel + DeserializeOwned>(
 /// Width and height; red, green and blue of each pixel, row by row from the top left.
 pub(crate) type Image = ((u32, u32), Vec<u8>);
 
-/// The picture of a scene file; so many rays across a pixel, and so many together.
+/// The picture of a scene file, with `finesse` rays across a pixel, `ensemble` of them together.
 pub(crate) fn octets<R: Reel + DeserializeOwned>(
     chemin: &str,
     finesse: u32,
@@ -125,17 +125,17 @@ pub(crate) fn octets<R: Reel + DeserializeOwned>(
     Ok(((largeur, lignes.end - lignes.start), octets.collect()))
 }
 
-/// What a surface is made of. A texture is the number of one of these.
+/// What a surface is made of. A texture is the index of one of these.
 struct Matiere {
-    /// As sRGB; two of them for a checker.
+    /// Two sRGB colours, of a checker.
     couleurs: [u32; 2],
     /// The side of a square of the checker, in scene units.
     carreau: f64,
-    /// How much it mirrors of what is straight before it; more of what grazes it, unless it is 0.
+    /// How much it mirrors of what is straight ahead. It mirrors more of what grazes it, unless this is 0.
     reflet: f64,
     /// The strength of the highlights.
     eclat: f64,
-    /// The refractive index of glass, through which the colour is seen; 0 for what light does not pass.
+    /// The refractive index of glass, which is seen in its colour; 0 for what light does not pass.
     indice: f64,
 }
 
@@ -147,7 +147,7 @@ const fn polie(couleur: u32, reflet: f64, eclat: f64) -> Matiere {
     Matiere { reflet, eclat, ..mate(couleur) }
 }
 
-/// In the order of the atelier; a scene with more textures begins anew.
+/// In the order of the atelier; beyond the last they begin anew.
 const PALETTE: [Matiere; 14] = [
     Matiere { couleurs: [0x8d8178, 0xbcb0a2], carreau: 1.0, ..mate(0) },
     mate(0x7f99a6),
@@ -165,8 +165,8 @@ const PALETTE: [Matiere; 14] = [
     mate(0xe4dcd0),
 ];
 
-/// A point that shines alike in all directions and however far, so that one set of lamps serves
-/// scenes of every size.
+/// A point that shines alike in all directions and at any distance, so that one set of lamps serves scenes of every
+/// size.
 struct Lampe<R> {
     position: Vecteur<R>,
     couleur: Couleur,
@@ -178,7 +178,7 @@ const AMBIANTE: Couleur = Vecteur::new(0.22, 0.24, 0.27);
 fn lampes<R: Reel>() -> Vec<Lampe<R>> {
     const POINTS: u8 = 14;
     let disque = (0..POINTS).map(|i| {
-        // By the golden angle, so that no edge has two of them behind each other.
+        // Points are a golden angle apart, so that no edge has two of them behind each other.
         let (sin, cos) = (2.399_963 * f64::from(i)).sin_cos();
         let rayon = 0.9 * ((f64::from(i) + 0.5) / f64::from(POINTS)).sqrt();
         let position = Vecteur::new(-2.6 + rayon * cos, 7.2, 5.2 + rayon * sin);
@@ -195,7 +195,7 @@ struct Atelier<'a, R> {
     lampes: Vec<Lampe<R>>,
 }
 
-/// A ray on its way: what it sees is seen by this ray of the eye, in this part.
+/// A ray on its way. What it sees counts for this ray of the eye, multiplied by `part`.
 struct Trajet<R> {
     rayon: Rayon<R>,
     oeil: usize,
@@ -207,7 +207,7 @@ struct Trajet<R> {
 }
 
 impl<R: Reel> Atelier<'_, R> {
-    /// The colour of each pixel, from rays that stand row by row, so many in a row.
+    /// The colour of each pixel, from rays that stand row by row, `largeur` in a row.
     fn prendre(
         &self,
         rayons: &[Rayon<R>],
@@ -367,13 +367,13 @@ struct Surface<'t, R> {
     touche: Intersection<R>,
     /// What a mirror would make of the ray.
     reflechi: Option<Rayon<R>>,
-    /// In the part in which it is seen.
+    /// Times the part in which it is seen.
     couleur: Couleur,
     eclat: f64,
 }
 
 impl Matiere {
-    /// The colour at this point, seen from so far.
+    /// The colour at this point, seen from this distance.
     fn couleur<R: Reel>(&self, p: Vecteur<R>, n: Vecteur<R>, distance: R) -> Couleur {
         let [a, b] = self.couleurs.map(lineaire);
         // The two coordinates along which the surface lies most.
@@ -384,7 +384,7 @@ impl Matiere {
         };
         let case = [x, y].map(|x| (x.vers_f64() / self.carreau).floor());
         let signe = if (case[0] + case[1]).rem_euclid(2.0) == 0.0 { 0.5 } else { -0.5 };
-        // Fades before it is finer than the pixels.
+        // The checker fades before it is finer than the pixels.
         let fondu = 1.0 / (1.0 + (distance.vers_f64() / (40.0 * self.carreau)).powi(2));
         (a + b) * 0.5 + (a - b) * (signe * fondu)
     }

@@ -14,7 +14,7 @@ use scene::Scene;
 struct Scenario {
     ambiante: f64,
     lampes: Vec<Lampe>,
-    /// Of each texture, red, green and blue from 0 to 1.
+    /// Red, green and blue from 0 to 1, for each texture.
     couleurs: Vec<Vecteur>,
     scene: Scene<f64>,
 }
@@ -47,7 +47,7 @@ pub(crate) fn image(scenario: &str) -> Result<String, Box<dyn Error>> {
             let texture = touche.texture().0 as usize;
             couleur = *couleurs.get(texture).ok_or("a texture without a colour")? * lumiere;
         }
-        // A screen wants the root of the light; above 255 `as u8` stays there.
+        // A screen wants the root of the light; `as u8` keeps 255 for anything above.
         let [r, v, b] = <[f64; 3]>::from(couleur).map(|c| (255.0 * c.sqrt()) as u8);
         image += &format!("{r} {v} {b}\n");
     }

@@ -1,4 +1,4 @@
-//! Scenes written in RON: a camera and a list of objects, checked where they stand in the file.
+//! Scenes written in RON: a camera and a list of objects, which are checked where they stand in the file.
 //!
 //! ```ron
 //! (
@@ -82,8 +82,8 @@ impl fmt::Display for ErreurScene {
 
 impl std::error::Error for ErreurScene {}
 
-/// Where the picture is taken from. Always in `f64`, so that the rays of both types are the same
-/// up to their rounding.
+/// Where the picture is taken from. It is always in `f64`, so that the rays of both types are the same up to their
+/// rounding.
 #[derive(Debug, Deserialize)]
 #[serde(try_from = "CameraBrute")]
 pub struct Camera {
@@ -111,7 +111,7 @@ impl Camera {
     }
 }
 
-/// The pixels of a picture so wide, counted row by row, in tiles of 8 × 8: a batch is at its best with such
+/// The pixels of a picture of width `largeur`, counted row by row, in tiles of 8 × 8: a batch is at its best with such
 /// neighbours.
 pub fn tuiles(pixels: usize, largeur: usize) -> Vec<usize> {
     let mut ordre: Vec<usize> = (0..pixels).collect();
@@ -134,7 +134,7 @@ struct CameraBrute {
 /// How the camera, which looks along −z at first, is turned.
 #[derive(Deserialize)]
 enum Regard {
-    /// Towards this point, the horizon level.
+    /// Towards this point, with the horizon level.
     Point(Vecteur),
     /// By this vecteur-rotation.
     Rotation(#[serde(deserialize_with = "rotation")] Rotation),
@@ -152,7 +152,7 @@ impl TryFrom<CameraBrute> for Camera {
                     erreur
                 });
                 let d = rayon?.direction();
-                // From libm, as the library has its own: a scene has the same bits on every machine.
+                // From libm, as in the library, so that a scene has the same bits on every machine.
                 let montee = libm::atan2(d.y, libm::hypot(d.x, d.z));
                 let lacet = libm::atan2(-d.x, -d.z);
                 Rotation::main_droite(Vecteur::new(montee, lacet, 0.0))?
@@ -244,8 +244,8 @@ where
     Ok(objets.into_iter().map(|Objet(objet)| objet).collect())
 }
 
-/// Reads a field and has the library try it on an object that is otherwise in order: a refusal
-/// then points at the field, not at the end of the object.
+/// Reads a field and has the library try it on an otherwise valid object, so that a refusal points at the field and not
+/// at the end of the object.
 fn essaye<'de, D, T, V>(d: D, essai: impl FnOnce(T) -> Result<V, ErreurGeo>) -> Result<T, D::Error>
 where
     D: Deserializer<'de>,
@@ -279,8 +279,8 @@ fn coefficient<'de, D: Deserializer<'de>, R: Reel + Deserialize<'de>>(d: D) -> R
     essaye(d, |k| PlanGeo::new(Rotation::IDENTITE, R::ZERO, Texture(0))?.homothetie(k))
 }
 
-/// A vecteur-rotation in degrees. Counted in quarter turns, so that 90 becomes the float nearest
-/// to π/2, which turns exactly; a factor π/180 would be rounded first.
+/// A vecteur-rotation in degrees. It is counted in quarter turns, so that 90 becomes the float nearest to π/2, which
+/// turns exactly; a factor π/180 would be rounded first.
 fn rotation<'de, D: Deserializer<'de>, R: Reel>(d: D) -> Result<Rotation<R>, D::Error> {
     let degres = Vecteur::deserialize(d)?;
     Rotation::new(Vecteur::depuis_f64(degres / 90.0 * FRAC_PI_2)).map_err(D::Error::custom)

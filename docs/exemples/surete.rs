@@ -2,14 +2,14 @@
 
 use lancer_rayon::{Monde, NoIntersection, ObjetRay, PlacesInsuffisantes, Rayon, places};
 
-/// What `f64` says, on the same numbers, of an answer in `f32`, and what `f32` itself said before.
+/// What `f64` says of an answer in `f32`, on the same numbers, and what `f32` itself said before.
 #[derive(Clone, Copy, Debug)]
 pub struct Jugement {
     /// Whether `Monde::certifie` says so.
     pub certaine: bool,
-    /// Whether the answer in `f64` is another object, or none, or a distance farther off than `erreur`.
+    /// Whether the answer in `f64` is another object, or none, or a distance farther away than `erreur` allows.
     pub autre: bool,
-    /// How far the distance is from that in `f64`, in parts of it; none unless both name one object.
+    /// The relative difference of the distance from that in `f64`; none unless both name one object.
     pub ecart: Option<f64>,
 }
 
@@ -38,14 +38,14 @@ pub fn juger(
     Ok(rayons.iter().map(jugement).collect())
 }
 
-/// How many of the judged rays are what.
+/// How many of the judged rays are of each kind.
 #[derive(Debug)]
 pub struct Comptes {
-    /// Those whose answer is not certain.
+    /// Rays whose answer is not certain.
     pub incertaines: usize,
-    /// Those that `f64` answers otherwise.
+    /// Rays that `f64` answers otherwise.
     pub autres: usize,
-    /// Those of the latter that were certain: there must be none.
+    /// The latter rays that were certain: there must be none.
     pub tues: usize,
 }
 

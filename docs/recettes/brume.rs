@@ -13,7 +13,7 @@ pub fn chemin(
     let mut chemin = 0.0;
     loop {
         let pas = -(1.0 - hasard()).ln() * pas_moyen;
-        // A ray without a way out is out already: its step ended on the surface.
+        // A ray without a way out is outside already, since its step ended on the surface.
         let Ok(sortie) = milieu.sortie(&rayon) else { return Ok(chemin) };
         if pas >= sortie.distance() {
             return Ok(chemin + sortie.distance());

@@ -4,7 +4,7 @@ use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
 use lancer_rayon::{Monde, Rayon};
 
-/// Whatever a ray would touch first, once what it touched before is hidden.
+/// The objects that a ray touches first, as each is hidden after it was touched.
 pub fn un_par_un(monde: Monde<'_>, rayon: &Rayon) -> Vec<usize> {
     let caches: Vec<_> = monde.objets().iter().map(|_| AtomicBool::new(false)).collect();
     let vue = monde.parmi(|indice| !caches[indice].load(Relaxed));

@@ -1,4 +1,4 @@
-//! A place of one's own on a surface: a sensor, a window, a point of a lamp.
+//! A place of one's own on a surface, such as a sensor, a window or a point of a lamp.
 
 use std::error::Error;
 

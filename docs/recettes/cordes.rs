@@ -12,8 +12,8 @@ pub struct Corde<R> {
     pub a: R,
 }
 
-/// Writes the chords of a ray in the order in which they begin, at the same distance in that of the list. All count from
-/// one source as it stands, whatever the ray knows of it, so that those of flush objects meet to rounding, and no step
+/// Writes the chords of a ray in the order in which they begin, at the same distance in that of the list. All of them
+/// count from one source as it stands, whatever its δ, so that chords of flush objects meet to rounding, and no step
 /// from face to face adds to their errors.
 pub fn cordes<R: Reel, C: Choix>(
     monde: &Monde<'_, R, C>,
@@ -31,7 +31,7 @@ pub fn cordes<R: Reel, C: Choix>(
             {
                 Some(fin)
             }
-            // From its surface the ray goes away.
+            // The ray starts on a surface and goes away.
             (Err(_), _) => None,
         };
     cordes.clear();
@@ -39,7 +39,7 @@ pub fn cordes<R: Reel, C: Choix>(
         cordes.extend(sortie(indice).filter(|a| *a > de).map(|a| Corde { indice, de, a }));
     };
     monde.contenants(rayon.source(), |indice| noter(indice, R::ZERO));
-    // A ray inside touches nothing at once: what holds the source was seen already.
+    // A ray inside touches nothing at once; what holds the source was noted above.
     monde.visiter(&rayon.dedans(), |indice, de| {
         noter(indice, de);
         Continue(fin)
@@ -48,8 +48,8 @@ pub fn cordes<R: Reel, C: Choix>(
     cordes.sort_by(|a, b| ordre(a).partial_cmp(&ordre(b)).expect("a distance is no NaN"));
 }
 
-/// Leaves of each chord what lies beyond the end of those before: a ray in the common face of two objects is in both, one
-/// along a common edge in four, and objects that overlap count once.
+/// Cuts off each chord what earlier ones cover: a ray in the common face of two objects is in both, one along a common
+/// edge in four, and objects that overlap count once.
 pub fn sans_recouvrement<R: Reel>(cordes: &mut Vec<Corde<R>>) {
     let mut fin = R::ZERO;
     cordes.retain_mut(|corde| {

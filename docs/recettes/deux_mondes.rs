@@ -1,4 +1,4 @@
-//! A tree over what stays, and one over what moves.
+//! One tree over what stays, and one over what moves.
 
 use lancer_rayon::{Intersection, Monde, Rayon, Reel};
 

@@ -20,7 +20,8 @@ pub fn reponses<R: Reel>(monde: Monde<'_, R>, rayons: &[Rayon<R>]) -> Vec<Repons
     touches
 }
 
-/// The first hit of each ray, found in this order, which names each ray by its index once; the hits stand as the rays do.
+/// The first hit of each ray. `ordre`, which has each ray's index once, tells in which order they are found; the hits
+/// stand as the rays do.
 pub fn dans_cet_ordre<R: Reel>(
     monde: Monde<'_, R>,
     rayons: &[Rayon<R>],
@@ -34,7 +35,7 @@ pub fn dans_cet_ordre<R: Reel>(
     touches
 }
 
-/// The mean of each k × k pixels of a picture so wide, row by row: several rays for each pixel that remains.
+/// The mean of each k × k pixels of a picture of width `largeur`, row by row: several rays for each pixel that remains.
 pub fn moyennes(couleurs: &[Vecteur], largeur: usize, k: usize) -> Vec<Vecteur> {
     let mut image = vec![Vecteur::NUL; couleurs.len() / (k * k)];
     for (i, couleur) in couleurs.iter().enumerate() {

@@ -2,14 +2,14 @@
 
 use lancer_rayon::{ErreurGeo, Intersection, ObjetRay, Rayon, Reponse};
 
-/// The ray that comes out of the lens of these balls, of so large an index; `None` if the ray passes it by, or does not
-/// leave it at the first face.
+/// The ray that comes out of the lens of these balls, of index `indice`; `None` if the ray passes by the lens, or does
+/// not leave it at the first face.
 pub fn traverser(
     balles: &[ObjetRay; 2],
     rayon: &Rayon,
     indice: f64,
 ) -> Result<Option<Rayon>, ErreurGeo> {
-    // It is entered at the later entry, if both balls are left only after that.
+    // The ray enters the lens at the later entry, if it leaves both balls only after that.
     let [Ok(a), Ok(b)] = balles.each_ref().map(|balle| balle.intersection(rayon)) else {
         return Ok(None);
     };
@@ -21,7 +21,7 @@ pub fn traverser(
         return Ok(None);
     }
     let dedans = entree.refracte(rayon.direction(), 1.0 / indice)?;
-    // It is left at the earlier way out.
+    // The ray leaves at the earlier way out.
     let Some(sortie) = premiere(balles.each_ref().map(|balle| balle.sortie(&dedans))) else {
         return Ok(None);
     };

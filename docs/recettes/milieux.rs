@@ -1,40 +1,42 @@
 //! Light through media and past opaque things, one in another, overlapping or flush: ice in water, panes and voxels, a
-//! glass on a table in mist. Light may be trapped, as in a ball that it grazes from within: bound the number of steps.
-//! Light that runs in a seam of turned tiles may be bent by a side that it grazes: let tiles of one medium overlap.
+//! glass on a table in mist. Bound the number of steps, since light may be trapped, as in a ball that it grazes from
+//! within. A side that light grazes may bend it in a seam of turned tiles: let tiles of one medium overlap.
 
 use std::ops::ControlFlow::Continue;
 
 use lancer_rayon::{ErreurGeo, Intersection, Monde, ObjetRay, Rayon, Reel};
 
-/// What an object is made of, by its index in the list: where several are, the higher priority counts. Objects beyond
-/// the last medium are opaque.
+/// What an object is made of, by its index in the list. Where there are several, the higher priority counts. Objects
+/// beyond the last medium are opaque.
 #[derive(Debug, Clone, Copy)]
 pub struct Milieu {
     pub priorite: u32,
     pub indice: f64,
 }
 
-/// The index of refraction of what counts among these media, of one priority the last in the list; 1 in none.
+/// The index of refraction of the medium that counts among these, at equal priority the last in the list; 1 if there is
+/// none.
 pub fn indice(milieux: &[Milieu], dans: &[usize]) -> f64 {
     let premier = dans.iter().max_by_key(|&&i| (milieux[i].priorite, i));
     premier.map_or(1.0, |&i| milieux[i].indice)
 }
 
-/// Light, and the objects that it is in, in no order: at first the `contenants` of its source.
+/// Light, and the objects that it is in, in any order. At first these are the `contenants` of its source.
 #[derive(Debug, Clone)]
 pub struct Lumiere<R = f64> {
     pub rayon: Rayon<R>,
     pub dans: Vec<usize>,
 }
 
-/// Where light comes to.
+/// Where light arrives.
 #[derive(Debug)]
 pub enum Surface<R> {
-    /// An opaque object, and how far light has come to it: the distance of the hit itself may count from a face that is
-    /// flush with it. What the object sends back is in the same objects as before, also on its way to a lamp.
+    /// An opaque object, and how far light has come to it, since the distance of the hit itself may count from a face
+    /// that is flush with the object. What the object sends back is in the same objects as before, also on its way to a
+    /// lamp.
     Opaque(Intersection<R>, R),
-    /// A face of a medium, and the objects that light is in behind it. Where light leaves a medium the `indice()` of the
-    /// hit is 0, whatever the medium.
+    /// A face of a medium, and the objects that light is in behind the face. Where light leaves a medium, the
+    /// `indice()` of the hit is 0, whatever the medium.
     Claire(Intersection<R>, Vec<usize>),
 }
 
@@ -47,8 +49,8 @@ impl<R: Reel> Lumiere<R> {
         milieux: &[Milieu],
     ) -> Result<Option<Surface<R>>, ErreurGeo> {
         let (objets, rayon, d) = (monde.objets(), self.rayon, self.rayon.direction());
-        // What has no way out was left beside an edge, unless it is a half-space, in which light may go down for ever. An
-        // end of the ray leaves nothing.
+        // An object without a way out was left beside an edge, unless it is a half-space, in which light may go down
+        // for ever. Light does not leave anything where its ray ends.
         let sans_fin = rayon.jusqu_a(R::INFINI)?;
         let sort = |i: usize| objets[i].sortie(&sans_fin);
         let descend = |i: usize| match objets[i] {
@@ -56,7 +58,8 @@ impl<R: Reel> Lumiere<R> {
             ObjetRay::Sphere(_) | ObjetRay::Boite(_) => false,
         };
         self.dans.retain(|&i| sort(i).is_ok() || descend(i));
-        // What light is in is left out here, and touched at once by no rounding; anything else may be.
+        // The objects that light is in are left out here, so that no rounding makes it touch them at once; it may touch
+        // others.
         let entree = monde.parmi(|i| !self.dans.contains(&i)).premiere_intersection(&rayon);
         let sorties = self.dans.iter().filter_map(|&i| sort(i).ok());
         let sorties = sorties.filter(|sortie| sortie.distance() < rayon.fin());
@@ -71,8 +74,9 @@ impl<R: Reel> Lumiere<R> {
         if entre && opaque(touche.indice()) {
             return Ok(Some(Surface::Opaque(touche, touche.distance())));
         }
-        // Light goes into what holds the place behind the face, by more than the error of this place, and into what a ray
-        // from the face comes to within that error, which may be a large thing that the rounding of its own parts from it.
+        // Light goes into what holds the place behind the face, deeper than the error of that place, and into what a
+        // ray from the face comes to within that error, which may be a large thing that its own rounding sets apart
+        // from the face.
         let devant = if entre { -n } else { n };
         let sonde = touche.secondaire(devant)?.dehors();
         let erreur = sonde.flou();
@@ -95,8 +99,8 @@ impl<R: Reel> Lumiere<R> {
         Ok(Some(Surface::Claire(touche, apres)))
     }
 
-    /// Goes on to the next surface and through it, or is mirrored there; `false` where an opaque object stops it or there
-    /// is no other.
+    /// Goes on to the next surface and through it, or is mirrored there; `false` where an opaque object stops the light
+    /// or there is no other surface.
     pub fn avancer(&mut self, monde: &Monde<'_, R>, milieux: &[Milieu]) -> Result<bool, ErreurGeo> {
         let Some(Surface::Claire(touche, apres)) = self.surface(monde, milieux)? else {
             return Ok(false);
@@ -116,7 +120,7 @@ impl<R: Reel> Lumiere<R> {
             }
             Err(_) => touche.reflechi(d)?,
         };
-        // `dans` tells what it is in, and the questions leave that out: whatever else it may touch at once.
+        // `dans` tells what light is in, and questions leave that out; the light may touch anything else at once.
         self.rayon = suite.dehors();
         Ok(true)
     }

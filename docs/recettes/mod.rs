@@ -1,5 +1,5 @@
 //! The programs of the recipes of `docs/guide.md` and `docs/vitesse.md`. Each stands alone. `tests/enonce` runs them,
-//! most against a closed form, and `tests/fichiers/programmes.rs` holds what the pages show to these files.
+//! most against a closed form, and `tests/fichiers/programmes.rs` checks that the pages show what is in these files.
 
 pub mod animation;
 pub mod atlas;

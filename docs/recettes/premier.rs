@@ -4,7 +4,7 @@ use std::error::Error;
 
 use lancer_rayon::*;
 
-/// What the ray touches, and the error.
+/// What the ray hits, and the error.
 pub fn premier() -> Result<(Intersection, String), Box<dyn Error>> {
     let sol = PlanGeo::par_un_point(Vecteur::NUL, Vecteur::Y, Texture(0))?;
     let boule = SphereGeo::new(Vecteur::new(0.0, 1.0, 0.0), 1.0, Texture(1))?;

@@ -2,18 +2,18 @@
 
 use lancer_rayon::{Intersection, Monde, NoIntersection, Rayon, Reel};
 
-/// Where light inside glass comes to first.
+/// Where light inside glass arrives first.
 pub enum Suite<R> {
-    /// Another object, within the glass or flush against it: ask `monde.sans(verre)` for the light that falls on it, and
-    /// go on inside the glass. Light went through glass from the source of the ray to the `point` of this hit, whose
-    /// `distance` may count from the way out.
+    /// Another object, within the glass or flush against it. Ask `monde.sans(verre)` for the light that falls on it,
+    /// and go on inside the glass. Light went through glass from the source of the ray to the `point` of this hit,
+    /// whose `distance` may count from the way out.
     Touche(Intersection<R>),
     /// The way out of the glass, to `refracte` or `reflechi`.
     Sortie(Intersection<R>),
 }
 
-/// Follows a ray inside the object of index `verre`. Where a table is flush with the glass, rounding puts it before the
-/// way out or after it; either way the answer is the table.
+/// Follows a ray inside the object of index `verre`. Where a table is flush with the glass, rounding puts the table
+/// before the way out or after it; either way it is the answer.
 ///
 /// # Errors
 /// The ray has no way out: it started beside an edge and is out already. Go on with `dedans.dehors()` in the air.
@@ -28,7 +28,7 @@ pub fn dans_le_verre<R: Reel>(
     if let Ok(touche) = autres.premiere_intersection(&jusque_la) {
         return Ok(Suite::Touche(touche));
     }
-    // What lies no farther beyond than the error of this place is flush. (A ball that is lost in rounding has no side.)
+    // What lies beyond by no more than the error of this place is flush. (A ball that is lost in rounding has no side.)
     let contre = sortie.secondaire(sortie.normale());
     let contre = contre.and_then(|contre| contre.jusqu_a(contre.flou()));
     let a_fleur = contre.ok().and_then(|contre| autres.premiere_intersection(&contre).ok());

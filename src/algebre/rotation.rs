@@ -392,8 +392,8 @@ pub fn tour_du_quaternion<T: Nombre>([x, y, z, w]: [T; 4]) -> Matrice<T> {
     polie(tour((w2 - v2) / (w2 + v2), deux / (w2 + v2), v, v * (deux * w / (w2 + v2))))
 }
 
-/// The shortest turn from the unit vector a to the unit vector b. Of opposite ones, those whose
-/// sine is no more than `paralleles`, it chooses the axis.
+/// The shortest turn from the unit vector a to the unit vector b. Where these are opposite and
+/// their sine is no more than `paralleles`, it chooses the axis.
 pub fn tour_vers<T: Nombre>(a: Vecteur<T>, b: Vecteur<T>, paralleles: T) -> Matrice<T> {
     if a.produit_scalaire(b) >= T::ZERO {
         return polie(arc(a, b));

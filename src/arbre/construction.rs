@@ -156,7 +156,7 @@ fn remplir<R: Nombre>(
     (nombre, fin)
 }
 
-/// Makes the nodes above these leaves, of which the first so many hold giants; returns the last,
+/// Makes the nodes above these leaves, of which the first `geants` hold giants; returns the last,
 /// the root.
 fn etager(noeuds: &mut [Noeud], geants: usize, feuilles: usize) -> usize {
     // The floor whose nodes have none above them yet, and the leaves of giants, which the root

@@ -103,8 +103,8 @@ impl Coupe {
     }
 }
 
-/// Passes on the boxes of an object in so many pieces, in the frame of the tree; returns whether it
-/// has one. (With an iterator building took 1.17 times as long.)
+/// Passes on the boxes of an object cut into `morceaux` pieces, in the frame of the tree; returns
+/// whether it has one. (With an iterator building took 1.17 times as long.)
 #[inline(always)]
 pub(crate) fn decouper<R: Nombre>(
     objet: &ObjetRay<R>,

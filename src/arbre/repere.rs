@@ -29,9 +29,9 @@ const LARGEURS: f64 = 4.0;
 /// How many objects at most tell where the many are.
 const ECHANTILLONS: usize = 31;
 
-/// Which of so many objects is number `k` of the sample: one of the stretch of the list that is its
-/// own, at a place of the stretch that follows no rule, so that where kinds of objects take turns
-/// the sample is of every kind.
+/// Which of `objets` objects is number `k` of the sample: one in a stretch of the list of its own,
+/// at a place that follows no rule, so that where kinds of objects take turns the sample has every
+/// kind.
 fn echantillon(k: usize, objets: usize) -> usize {
     let nombre = objets.clamp(1, ECHANTILLONS);
     let [debut, fin] = [k, k + 1].map(|k| k * objets / nombre);

@@ -23,7 +23,7 @@ pub enum Suite {
     Lumiere,
     /// To the hit before.
     Touche,
-    /// In mid-air, or where the ray enters something.
+    /// A turn in mid-air, or where the ray enters something.
     Bifurque,
 }
 
@@ -43,10 +43,10 @@ impl Suite {
 #[derive(Debug, Clone, Copy)]
 pub struct Pas<R> {
     pub suite: Suite,
-    /// A direction; or a point, if `vise`.
+    /// A direction, or a point if `vise`.
     pub vers: Vecteur<R>,
     pub vise: bool,
-    /// How far a ray goes that turns in mid-air.
+    /// How far the ray goes before it turns in mid-air.
     pub distance: R,
 }
 
@@ -56,13 +56,13 @@ struct Marcheur<'a, R> {
     rayon: Rayon<R>,
     /// Whether the ray is known to be inside something.
     dedans: bool,
-    /// The objects that it went into and has not left.
+    /// The objects that the path went into and has not left.
     verres: Vec<usize>,
     avant: Option<Intersection<R>>,
 }
 
-/// The rays of this path, the first of which is known to be inside something or not. Each step is what the documentation
-/// says.
+/// The rays of this path. `dedans` tells whether the first is known to be inside something. Each step is checked
+/// against what the documentation says.
 pub fn suivre<R: Bits>(
     monde: Monde<'_, R>,
     depart: Rayon<R>,
@@ -83,15 +83,15 @@ impl<R: Bits> Marcheur<'_, R> {
         let rayon = self.rayon;
         let entree = self.monde.premiere_intersection(&rayon);
         if self.dedans || rayon.flou() == R::ZERO {
-            // What it is inside changes nothing: it sees what a ray from `new` does (`Rayon::dedans`), and `new` keeps a
-            // direction that is unit (C13).
+            // What the ray is inside changes nothing: the ray sees what one from `new` sees (`Rayon::dedans`), and
+            // `new` keeps a direction that is unit (C13).
             let neuf =
                 Rayon::new(rayon.source(), rayon.direction()).and_then(|r| r.jusqu_a(rayon.fin()));
             let neuve = self.monde.premiere_intersection(&neuf.unwrap());
             assert_eq!(mots(&entree), mots(&neuve), "{rayon:?} of {:?}", self.monde.objets());
         }
         let entree = entree.ok().map(|touche| (touche.indice(), touche));
-        // As the recipe for glass: whatever comes first, a thing within or the way out.
+        // As in the recipe for glass, whatever comes first counts: a thing within, or the way out.
         let verre = self.verres.last().copied();
         let sortie = verre.and_then(|i| Some((i, self.monde.objets()[i].sortie(&rayon).ok()?)));
         let passage = match (entree, sortie) {
@@ -138,7 +138,7 @@ impl<R: Bits> Marcheur<'_, R> {
         }
     }
 
-    /// What a ray that starts where the path enters or leaves an object is, and what it knows.
+    /// Checks the ray that starts where the path enters or leaves an object, and what this ray knows.
     fn passer(&mut self, indice: usize, touche: &Intersection<R>, suite: &Rayon<R>) {
         let (objet, rayon) = (&self.monde.objets()[indice], self.rayon);
         exiger_un_passage(objet, &rayon, touche);
@@ -147,8 +147,8 @@ impl<R: Bits> Marcheur<'_, R> {
         let sort = n.produit_scalaire(rayon.direction()) > R::ZERO;
         let entre = n.produit_scalaire(suite.direction()) < R::ZERO;
         let (flou, p) = (rayon.flou().vers_f64(), touche.point());
-        // The step off the surface: `marge`, and at most 26.1u of it and 1.1u of the weights; outward from a hit at once a
-        // part of δ and some u of the place more.
+        // The step off the surface is `marge`, plus at most 26.1u of it and 1.1u of the weights. Outward from a hit at
+        // once, a part of δ and some u of the place come on top.
         let marge = touche.marge().vers_f64();
         let de_plus = if touche.distance() == R::ZERO && !entre {
             let tous = poids(Vecteur::new(1.0, 1.0, 1.0), p.vers_f64());
@@ -170,11 +170,11 @@ impl<R: Bits> Marcheur<'_, R> {
         self.avant = Some(*touche);
     }
 
-    /// δ, between these bounds ("Closed rooms").
+    /// δ lies between these bounds ("Closed rooms").
     fn exiger_ce_qu_il_sait(&self, suite: &Rayon<R>, [bas, haut]: [f64; 2]) {
         let flou = suite.flou().vers_f64();
-        // Eight roundings here, and fewer than that in the crate, where two products may be subnormal; and what δ grows by
-        // for its own.
+        // There are eight roundings here and fewer in the crate, where two products may be subnormal. δ also grows for
+        // its own roundings.
         let (arrondi, eta) = (16.0 * u::<R>(), 4.0 * R::ETA.vers_f64());
         let grandi = 1.0 + arrondi + FLOU_RELATIF * u::<R>();
         let permis = bas * (1.0 - arrondi) - eta..=haut * grandi + eta;
@@ -185,16 +185,16 @@ impl<R: Bits> Marcheur<'_, R> {
         );
     }
 
-    /// Whether the source lies no deeper in any object than the ray knows: what lemma 22 starts from.
+    /// Whether the source lies no deeper in any object than the ray knows, from which lemma 22 starts.
     fn au_sec(&self, rayon: &Rayon<R>) -> bool {
         let mut tenants = self.monde.objets().iter().filter(|o| o.contient(rayon.source()));
         tenants.all(|objet| est_a_fleur(objet, rayon))
     }
 
-    /// Lemma 22: no point of a path outside lies deeper in any object than this and the rounding of the object.
+    /// Lemma 22: no point of a path outside lies deeper in any object than `permis` and the rounding of the object.
     fn exiger_qu_il_ne_s_enfonce_pas(&self, point: Vecteur<R>, permis: f64) {
         if permis == f64::INFINITY {
-            return; // The point need not be one.
+            return; // The point may overflow.
         }
         for objet in self.monde.objets().iter().filter(|objet| objet.contient(point)) {
             let profond = profondeur(objet, point);

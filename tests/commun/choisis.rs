@@ -1,4 +1,5 @@
-//! Every question of a choice of objects, at any end and with any number of places, beside each object asked alone.
+//! Every question of a choice of objects, at any end and with any number of places, beside the answers of each object
+//! asked alone.
 
 use std::any::type_name;
 use std::ops::ControlFlow::{Break, Continue};
@@ -9,14 +10,15 @@ use lancer_rayon::{Choix, Etendue, Monde, NoIntersection, Rayon, Reponse, Vecteu
 use crate::conversion::{Bits, Mots, mots, voisin};
 use crate::fabrique::sphere;
 
-/// A choice that is kept for all questions, the indices of what it is to take, and what assertions say of how it is asked.
+/// A choice that is kept for all questions, the indices of what it is to take, and how it is asked, which assertions
+/// show.
 pub struct Choisis<'a, R, C> {
     pub monde: Monde<'a, R, C>,
     pub pris: Vec<usize>,
     pub facon: String,
 }
 
-/// Of these objects what two choices take, and neither of the two that another byte leaves out before and between.
+/// The objects that two choices both take, less the two that a third byte leaves out before and between them.
 pub fn choisir<R: Bits>(
     monde: Monde<'_, R>,
     [un, sauf, deux]: [u8; 3],
@@ -29,12 +31,12 @@ pub fn choisir<R: Bits>(
     Choisis { monde: sans_un.sans(b).parmi(deux), pris, facon: String::new() }
 }
 
-/// A hit of an object that was asked alone, with its index: its distance, and its bits.
+/// The distance and the bits of a hit of an object that was asked alone; the bits hold its index.
 pub type Vue<R> = (R, Mots);
 
 impl<R: Bits, C: Choix + Copy> Choisis<'_, R, C> {
-    /// Each ray is asked at its own end, at one of its hits and at one of these limits, with as many places for what
-    /// comes in order as `places` says.
+    /// Asks each ray at its own end, at one of its hits and at one of these limits; `places` sets how many places there
+    /// are for what comes in order.
     pub fn interroger(
         &self,
         rayons: &[Rayon<R>],
@@ -56,7 +58,7 @@ impl<R: Bits, C: Choix + Copy> Choisis<'_, R, C> {
         self.etendue();
     }
 
-    /// The same of each ray alone, with all its hits, without certificates.
+    /// The questions that one ray asks, given all its hits, without certificates.
     pub fn un_par_un(
         &self,
         rayons: &[Rayon<R>],
@@ -73,7 +75,7 @@ impl<R: Bits, C: Choix + Copy> Choisis<'_, R, C> {
                 let fini = rayon.jusqu_a(fin);
                 assert_eq!(fini.is_ok(), fin >= R::ZERO, "{fin:?}");
                 let Ok(fini) = fini else { continue };
-                // All of them have a place, or some.
+                // All hits have a place, or only some.
                 let places = if k == 0 { toutes.len() + 1 } else { (usize::from(places) + k) % 9 };
                 self.un_rayon(&fini, avant(toutes, fin), places);
             }
@@ -83,7 +85,7 @@ impl<R: Bits, C: Choix + Copy> Choisis<'_, R, C> {
         }
     }
 
-    /// All hits of what was chosen, each object asked alone, in order, of each ray without its end.
+    /// All hits of each ray without its end, in order, from each chosen object asked alone.
     pub fn toutes(&self, rayons: &[Rayon<R>]) -> Vec<Vec<Vue<R>>> {
         let toutes = |rayon: &Rayon<R>| {
             let rayon = rayon.jusqu_a(R::INFINI).unwrap();
@@ -92,14 +94,14 @@ impl<R: Bits, C: Choix + Copy> Choisis<'_, R, C> {
                 Some((touche.distance(), Mots { objet: Some(*indice), ..mots(&Ok(touche)) }))
             };
             let mut toutes: Vec<_> = self.pris.iter().filter_map(touche).collect();
-            // Stable: of equal distances the earlier in the list.
+            // Stably, so that the earlier in the list wins a tie.
             toutes.sort_by(|(a, _), (b, _)| a.partial_cmp(b).unwrap());
             toutes
         };
         rayons.iter().map(toutes).collect()
     }
 
-    /// What an assertion says of the objects, unless they are many.
+    /// What an assertion says of the objects; only their number if they are many.
     fn objets(&self) -> String {
         let objets = match self.monde.objets() {
             objets if objets.len() < 20 => format!("{:?} of {objets:?}", self.pris),
@@ -108,13 +110,13 @@ impl<R: Bits, C: Choix + Copy> Choisis<'_, R, C> {
         format!("{}, {}: {objets}", self.facon, type_name::<R>())
     }
 
-    /// The first hit of this ray, as the world says it or somebody else.
+    /// Checks the first hit of this ray, whoever gave the answer.
     pub fn premiere(&self, rayon: &Rayon<R>, toutes: &[Vue<R>], obtenue: Reponse<R>) {
         let voulue = premiers_mots::<R>(avant(toutes, rayon.fin()));
         assert_eq!(mots(&obtenue), voulue, "{rayon:?} {}", self.objets());
     }
 
-    /// The first hit, the shadow, and what comes in order, of a ray that enters these objects before its end.
+    /// Checks the first hit, the shadow and what comes in order, for a ray whose hits before its end are `avant`.
     fn un_rayon(&self, rayon: &Rayon<R>, avant: &[Vue<R>], places: usize) {
         let contexte = || format!("{rayon:?} {}", self.objets());
         let voulues: Vec<_> = avant.iter().map(|(_, mots)| *mots).collect();
@@ -128,7 +130,7 @@ impl<R: Bits, C: Choix + Copy> Choisis<'_, R, C> {
     }
 
     /// Visits that go on, that come nearer with every object, that end where raw numbers say, and that look for one
-    /// texture: each shows what lies before its end then, and nothing twice.
+    /// texture. Each shows only what lies before its end at that moment, and nothing twice.
     fn visites(&self, rayon: &Rayon<R>, toutes: &[Vue<R>], fins: &[R]) {
         let contexte = || format!("{rayon:?} {}", self.objets());
         let visiter = |prochaine: &mut dyn FnMut(usize, R) -> R| {
@@ -158,7 +160,7 @@ impl<R: Bits, C: Choix + Copy> Choisis<'_, R, C> {
         }
         let premiere = avant(toutes, rayon.fin()).first().map_or(rayon.fin(), |(t, _)| *t);
         assert_eq!(visiter(&mut |_, t| t).1.bits(), premiere.bits(), "{}", contexte());
-        // A question of one's own: the first object of a texture, which is also the first of a choice.
+        // A question that a user may write: the first object of a texture, which is also the first of a choice.
         let objets = self.monde.objets();
         let derniere = toutes.last().and_then(|(_, mots)| mots.objet);
         let texture = derniere.map(|indice| objets[indice].texture());
@@ -178,12 +180,12 @@ impl<R: Bits, C: Choix + Copy> Choisis<'_, R, C> {
         assert_eq!(vus, toutes_avant.len().min(1), "{}", contexte());
         let mut suivantes = fins.iter().copied().cycle();
         let (vus, fin) = visiter(&mut |_, _| suivantes.next().unwrap_or(R::INFINI));
-        // All that lies before the last end was shown, and none that no object alone knows.
+        // The visit showed all that lies before the last end, and nothing that no object alone reports.
         assert!(vues_avant(fin).iter().all(|vu| vus.contains(vu)), "{}", contexte());
         assert!(vus.iter().all(|vu| toutes_avant.contains(vu)), "{}", contexte());
     }
 
-    /// First hits and shadows of all rays at once, each of which ends where `fin` says by its hits.
+    /// First hits and shadows of all rays at once; each ray ends where `fin`, given its hits, says.
     pub fn en_lot(
         &self,
         rayons: &[Rayon<R>],
@@ -195,7 +197,7 @@ impl<R: Bits, C: Choix + Copy> Choisis<'_, R, C> {
         };
         let finis: Vec<_> = rayons.iter().zip(toutes).enumerate().map(finir).collect();
         let avant: Vec<_> = finis.iter().zip(toutes).map(|(r, t)| avant(t, r.fin())).collect();
-        // The contrary, and a hit that no ray has, so that a place which is left out shows.
+        // The contrary and an impossible hit are there before, so that a place which is left out shows.
         let mut touches = vec![absurde(); finis.len()];
         let mut occultes: Vec<_> = avant.iter().map(|avant| avant.is_empty()).collect();
         self.monde.premieres_intersections(&finis, &mut touches).unwrap();
@@ -207,15 +209,15 @@ impl<R: Bits, C: Choix + Copy> Choisis<'_, R, C> {
         }
     }
 
-    /// What the choice leaves out is no answer of which to be certain, nor are two answers certain; and what a list of
-    /// what it takes is certain of is certain.
+    /// A hit of an object that the choice leaves out is never certain, nor are two different answers both certain; and
+    /// where a list of only what the choice takes is certain, the choice is too.
     fn certificat(&self, rayon: &Rayon<R>, toutes: &[Vue<R>]) {
         let objets = self.monde.objets();
         let toute = Monde::de_liste(objets).premiere_intersection(rayon);
         if toute.is_ok_and(|touche| !self.pris.contains(&touche.indice())) {
             assert!(!self.monde.certifie(rayon, &toute), "{rayon:?} {}", self.objets());
         }
-        // The answer itself, a miss, and what comes second.
+        // The answer, a miss and the second hit.
         let premiere = self.monde.premiere_intersection(rayon);
         let sure = self.monde.certifie(rayon, &premiere);
         let seconde = toutes.get(1).and_then(|(_, mots)| mots.objet).map(|indice| {
@@ -233,7 +235,7 @@ impl<R: Bits, C: Choix + Copy> Choisis<'_, R, C> {
         assert!(sure || !restants.certifie(rayon, &la), "{rayon:?} {}", self.objets());
     }
 
-    /// Who holds this point: those that say so themselves, each once.
+    /// Those that hold this point are those that say so themselves, each once.
     fn points(&self, point: Vecteur<R>) {
         let objets = self.monde.objets();
         let voulus = self.pris.iter().copied().filter(|indice| objets[*indice].contient(point));
@@ -268,8 +270,8 @@ fn absurde<R: Bits>() -> Reponse<R> {
 /// How many kinds of ends there are.
 pub const BOUTS: usize = 6;
 
-/// The ends of rays, by their hits: at the first and beside it, far beyond, at one of them, and some that no segment reaches;
-/// and none.
+/// The ends of rays, made from their hits: at the first hit and beside it, far beyond it, at one of the hits, some that
+/// no segment reaches, and none.
 pub fn bout<R: Bits>(genre: usize) -> impl Fn(usize, &[Vue<R>]) -> R {
     let etranges = [R::INFINI, R::ZERO, -R::ZERO, R::ETA];
     move |i, toutes| {
@@ -287,7 +289,7 @@ pub fn bout<R: Bits>(genre: usize) -> impl Fn(usize, &[Vue<R>]) -> R {
     }
 }
 
-/// Of these hits, which are in order, those before an end.
+/// Those of these hits, which are in order, that lie before an end.
 fn avant<R: PartialOrd>(toutes: &[Vue<R>], fin: R) -> &[Vue<R>] {
     &toutes[..toutes.partition_point(|(t, _)| *t < fin)]
 }
@@ -297,7 +299,7 @@ fn premiers_mots<R: Bits>(toutes: &[Vue<R>]) -> Mots {
     toutes.first().map_or_else(|| mots::<R>(&Err(NoIntersection)), |(_, mots)| *mots)
 }
 
-/// A choice that answers otherwise each time: every answer is still a hit of some object, in order.
+/// A choice that answers differently each time: every answer is still a hit of some object, and in order.
 pub fn un_choix_inconstant<R: Bits>(monde: Monde<'_, R>, rayons: &[Rayon<R>], graine: u8) {
     let etat = AtomicU32::new(graine.into());
     let parmi = monde.parmi(|_| {
@@ -330,8 +332,8 @@ pub fn un_choix_inconstant<R: Bits>(monde: Monde<'_, R>, rayons: &[Rayon<R>], gr
     }
 }
 
-/// Certain answers of two precisions name the same object, or none, of a list and of a tree; and what `vers_f64` gives
-/// is answered by a tree as by a list (`Rayon::vers_f64`).
+/// Certain answers in two precisions name the same object or none, in a list and in a tree; and a tree answers what
+/// `temoin_f64` gives as a list does (`Rayon::temoin_f64`).
 pub fn exiger_les_certificats<R: Bits>(
     monde: Monde<'_, R>,
     en_double: Monde<'_>,

@@ -1,4 +1,4 @@
-//! Between the type of a scene, f64 and bits.
+//! Conversions between a scene's type, f64 and bits.
 
 use lancer_rayon::{Reel, Reponse, Vecteur};
 
@@ -49,7 +49,7 @@ pub fn mots<R: Bits>(touche: &Reponse<R>) -> Mots {
     Mots { valeurs: [d, x, y, z, marge, px, py, pz, texture], objet: Some(t.indice()) }
 }
 
-/// The number so many units in the last place away.
+/// The number `de` units in the last place away.
 pub fn voisin<R: Bits>(x: R, de: i64) -> R {
     let unite = if size_of::<R>() == 4 { 32 } else { 0 };
     R::depuis_bits((x.bits() << unite).wrapping_add_signed(de << unite))

@@ -1,4 +1,4 @@
-//! Objects in one word, without a texture of their own. What a constructor refuses panics.
+//! Short names for making objects, all with texture 0. They panic on what a constructor refuses.
 
 use lancer_rayon::{
     BoiteGeo, Monde, ObjetGeo, ObjetRay, PlanGeo, Reel, Rotation, SphereGeo, Texture, Vecteur,
@@ -16,7 +16,7 @@ pub fn sphere<R: Reel>(centre: Vecteur<R>, rayon: R) -> ObjetRay<R> {
     SphereGeo::new(centre, rayon, Texture(0)).unwrap().into()
 }
 
-/// A half-space whose surface passes through this point, by its outward normal of any length.
+/// A half-space whose surface passes through this point; its outward normal may have any length.
 pub fn mur<R: Reel>(point: Vecteur<R>, normale: Vecteur<R>) -> ObjetRay<R> {
     PlanGeo::par_un_point(point, normale, Texture(0)).unwrap().into()
 }
@@ -30,12 +30,13 @@ pub fn boite_droite<R: Reel>(centre: Vecteur<R>, cotes: Vecteur<R>) -> ObjetRay<
     boite(centre, cotes, Rotation::IDENTITE)
 }
 
-/// These objects with a tree. Its places are lent for good.
+/// A world of these objects with a tree, whose memory is leaked.
 pub fn avec_arbre<R: Reel>(objets: &[ObjetRay<R>]) -> Monde<'_, R> {
     Monde::new(objets, vec![0.0; places(objets.len())].leak()).unwrap()
 }
 
-/// The walls of a cube of this side: half-spaces, or boxes so thick that reach so far beyond its corners.
+/// The walls of a cube of side `cote`: half-spaces, or boxes of a given thickness that reach a given length beyond its
+/// corners.
 pub fn murs<R: Reel>(
     milieu: Vecteur<R>,
     tour: Rotation<R>,

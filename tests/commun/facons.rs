@@ -1,6 +1,6 @@
-//! Every way to an answer, with every instruction set of the machine: the list in a batch, the tree ray by
-//! ray and in a batch, before an end, in order and by a visit, shadows of both; each beside each object asked alone. And who
-//! holds the sources and the points of hits.
+//! Every way to an answer, with every instruction set of the machine, beside each object asked alone: the list in a
+//! batch, the tree ray by ray and in a batch, before an end, in order, by a visit, and the shadows of list and tree;
+//! and which objects hold the sources and the points of hits.
 
 use std::sync::atomic::{AtomicU32, Ordering};
 
@@ -12,24 +12,25 @@ use lancer_rayon::{
 use crate::choisis::{BOUTS, Choisis, Vue, bout};
 use crate::conversion::Bits;
 
-/// The fewest objects that get a tree; `places_dit_combien_de_places_suffisent` holds it.
+/// The fewest objects that get a tree, which the test `places_dit_combien_de_places_suffisent` checks.
 pub const UN_ARBRE: usize = 10;
 
-/// So many that a node has sixteen children, of which the probe of 64 rays may enter too many, and that no block
-/// asks all of them.
+/// Enough objects for a node with sixteen children, of which the probe of 64 rays may enter too many, and too many for
+/// a block to ask all of them.
 const BEAUCOUP: usize = 240;
 
-/// Asks these rays every question in every way, of all objects and of a choice of them; how many touch
-/// something. A list so short that no common walk of 64 rays would be given up is asked again, repeated until it is longer.
+/// Asks these rays every question in every way, of all objects and of a choice of them; returns how many rays hit
+/// something. A list too short for a common walk of 64 rays to be given up is repeated until it is long enough, and
+/// asked again.
 #[track_caller]
 pub fn comparer<R: Bits>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) -> usize {
     let n = objets.len();
-    // What the memory held before must not show through. In the larger one long boxes are cut into pieces.
+    // What the memory held before must not show through. The larger memory lets long boxes be cut into pieces.
     let [mut memoire, mut grande] = [1, 6].map(|fois| vec![f32::NAN; fois * places(n)]);
     let monde = Monde::new(objets, &mut memoire).unwrap();
     let en_morceaux = Monde::en_morceaux(objets, &mut grande).unwrap();
     let touches = comparer_dans(&monde, rayons);
-    // Else it is the same tree.
+    // Otherwise it is the same tree.
     if noeuds(&en_morceaux) > noeuds(&monde) {
         comparer_dans(&en_morceaux, rayons);
     }
@@ -39,18 +40,18 @@ pub fn comparer<R: Bits>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) -> usize {
     touches
 }
 
-/// The same of this very world.
+/// The same for this very world.
 #[track_caller]
 pub fn comparer_dans<R: Bits>(monde: &Monde<'_, R>, rayons: &[Rayon<R>]) -> usize {
     let facons = [*monde, Monde::de_liste(monde.objets())];
     let toutes = comparer_les_facons(rayons, facons, |_| true);
-    // Another one each time, and now and then one that is not there.
+    // The index left out varies, and now and then is that of no object.
     let touches: Vec<_> = toutes.iter().filter_map(|toutes| toutes.first()?.1.objet).collect();
     let sauf = rayons.len() % (monde.objets().len() + 1);
     let sauf = touches.get(sauf).copied().unwrap_or(sauf);
-    // And no more than some of these, by no rule that a walk could follow.
+    // Most objects, chosen by no rule that a walk could follow.
     let plupart = |indice: usize| indice.wrapping_mul(0x9e37_79b9) >> 7 & 7 > 1;
-    // By turns one alone is left out.
+    // Half of the time only one is left out.
     let seul = sauf % 2 == 0;
     let les_deux = |indice| indice != sauf && (seul || plupart(indice));
     let sauf_lui = facons.map(|facon| facon.sans(sauf));
@@ -65,7 +66,7 @@ pub fn comparer_dans<R: Bits>(monde: &Monde<'_, R>, rayons: &[Rayon<R>]) -> usiz
 /// A choice that counts what it is asked.
 pub type Compteur<'a> = Parmi<Tous, &'a (dyn Fn(usize) -> bool + Sync)>;
 
-/// How often this question asks for each object. No answer shows it; a choice is told.
+/// How often this question asks for each object, which no answer shows, but a choice sees.
 pub fn demandes<R: Reel>(
     monde: &Monde<'_, R>,
     question: impl FnOnce(Monde<'_, R, Compteur<'_>>),
@@ -76,15 +77,15 @@ pub fn demandes<R: Reel>(
     demandes.into_iter().map(AtomicU32::into_inner).collect()
 }
 
-/// How many nodes the tree of this world has, as it says itself; 0 if it has none and asks its list.
+/// How many nodes the tree of this world has, as its `Debug` says; 0 if it has none and asks its list.
 pub fn noeuds<R: Reel>(monde: &Monde<'_, R>) -> usize {
     let texte = format!("{monde:?}");
     let (_, nombre) = texte.split_once("noeuds: ").expect("the number of nodes");
     nombre.trim_end_matches(", .. }").parse().unwrap()
 }
 
-/// The answers of a world with a tree and of one without, in a batch and ray by ray, and of shadows, beside those of the
-/// objects that both are to choose, whose hits it returns.
+/// Compares the answers of a world with a tree and of one without, in a batch and ray by ray, shadows included, with
+/// those of the objects that both are to choose; returns the hits of these objects.
 #[track_caller]
 fn comparer_les_facons<R: Bits, C: Choix + Copy>(
     rayons: &[Rayon<R>],
@@ -96,7 +97,7 @@ fn comparer_les_facons<R: Bits, C: Choix + Copy>(
     let pris: Vec<_> = (0..n).filter(|indice| prend(*indice)).collect();
     let choisis = |monde, facon| Choisis { monde, pris: pris.clone(), facon };
     let toutes = choisis(facons[0], String::new()).toutes(rayons);
-    // What one ray asks in every way takes long: of a few rays.
+    // Asking one ray in every way takes long, so only a few rays are asked so.
     let pas = 1 + rayons.len() / 4;
     let quelques: Vec<_> = rayons.iter().step_by(pas).copied().collect();
     let de_quelques: Vec<_> = toutes.iter().step_by(pas).cloned().collect();
@@ -116,7 +117,7 @@ fn comparer_les_facons<R: Bits, C: Choix + Copy>(
                 }
             }
             choisis.un_par_un(&quelques, &de_quelques, &limites, rayons.len() as u8);
-            // What is left out changes nothing of what ends are. Other instructions each time.
+            // A choice changes nothing about ends, so one kind will do. The instruction set differs each time.
             let bouts = if pris.len() == n { 0..BOUTS } else { 1..2 };
             for genre in bouts.filter(|genre| (genre + rayons.len()) % jeux.len() == numero) {
                 choisis.en_lot(rayons, &toutes, bout(genre));

@@ -1,5 +1,5 @@
-//! Cases that are drawn number by number, as the extremes and large scenes are, and shrink all the same: proptest runs them,
-//! and of a case that fails it tries the same with fewer elements of its lists and with rounder words drawn.
+//! Cases that are drawn number by number, as the extremes and large scenes are, and that shrink all the same. proptest
+//! runs them; when a case fails, it tries the same case with fewer list elements and with rounder words.
 
 use core::cell::RefCell;
 use core::fmt::{Debug, Formatter, Result as Ecrit};
@@ -14,10 +14,10 @@ use fastrand::Rng;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::{Config, TestCaseError, TestCaseResult, TestRunner};
 
-/// How long the smallest case is looked for.
+/// How long the search for the smallest case may take.
 const RECHERCHE: Duration = Duration::from_secs(30);
 
-/// Where a generator has its numbers from.
+/// What a generator draws its numbers from.
 pub trait Tirage {
     fn f64(&mut self) -> f64;
     fn bool(&mut self) -> bool;
@@ -26,7 +26,7 @@ pub trait Tirage {
     fn usize(&mut self, dans: Range<usize>) -> usize;
 }
 
-/// Nothing is kept of it: for searches that climb and for benches.
+/// What it draws is not kept: it serves climbs and benches.
 impl Tirage for Rng {
     fn f64(&mut self) -> f64 {
         Self::f64(self)
@@ -49,29 +49,29 @@ impl Tirage for Rng {
     }
 }
 
-/// The words of a case, each of them new or one that shrinks it.
+/// The words of a case, each newly drawn or replaced by one that shrinks the case.
 pub struct Hasard {
-    /// Which case it is, from 0 on; no smaller one has another.
+    /// Which case it is, from 0 on; shrinking does not change it.
     pub tour: usize,
     alea: Rng,
     changes: Changes,
     tires: Tires,
-    /// Whether the case is made.
+    /// Whether the case has been made.
     fait: bool,
 }
 
-/// What words are in place of the drawn ones.
+/// The words that replace drawn ones, by their places.
 type Changes = BTreeMap<usize, u64>;
 
 #[derive(Debug, Clone, Default)]
 struct Tires {
     mots: Vec<u64>,
-    /// The words of each element of a list, of which the first is 0 if the element is left out.
+    /// The range of words of each list element; the first word is 0 if the element is left out.
     elements: Vec<Range<usize>>,
 }
 
 impl Hasard {
-    /// New words, of which nothing shrinks.
+    /// New words, which no search shrinks.
     pub fn de_graine(graine: u64) -> Self {
         Self {
             tour: 0,
@@ -95,13 +95,13 @@ impl Hasard {
         mot
     }
 
-    /// The whole numbers below `combien`, each as likely as another; of a smaller word a smaller one.
+    /// A whole number below `combien`, each as likely as another; a smaller word gives a smaller number.
     fn moins_que(&mut self, combien: usize) -> usize {
         assert!(combien > 0, "no number");
         ((u128::from(self.mot()) * combien as u128) >> 64) as usize
     }
 
-    /// So many of these, each made with its index; a smaller case has some of them.
+    /// `combien` elements, each made with its index; a smaller case has only some of them.
     pub fn liste<T>(
         &mut self,
         combien: usize,
@@ -111,7 +111,7 @@ impl Hasard {
         for _ in 0..combien {
             let debut = self.tires.mots.len();
             let garde = self.noter(1) > 0;
-            // One that is left out is made too: what is drawn after it stays as it is.
+            // One that is left out is made too, so that what is drawn after it stays as it is.
             let element = faire(self, elements.len());
             self.tires.elements.push(debut..self.tires.mots.len());
             elements.extend(garde.then_some(element));
@@ -179,7 +179,7 @@ impl Cas<'_> {
     fn juger(&self) -> TestCaseResult {
         let mut hasard = self.hasard();
         let juge = catch_unwind(AssertUnwindSafe(|| (self.propriete.juger)(&mut hasard)));
-        // A generator may not know what to make of fewer elements.
+        // A generator may panic when elements are missing.
         let fait = hasard.fait || self.changes.is_empty();
         self.tires.replace(hasard.tires);
         juge.or_else(
@@ -196,7 +196,7 @@ impl Debug for Cas<'_> {
     }
 }
 
-/// The case that is tried next, and the changes of the smallest that failed.
+/// The case that is tried next, and the changes of the smallest that has failed.
 struct Recherche<'a> {
     essai: Cas<'a>,
     meilleurs: Changes,
@@ -204,8 +204,8 @@ struct Recherche<'a> {
     pas: Option<(Box<dyn Iterator<Item = Changes>>, Instant)>,
 }
 
-/// What may shrink a case of these words: to leave out ever fewer elements; then, of each word that is left, 0, the middle,
-/// and ever more of its bits.
+/// The changes that may shrink a case of these words. They leave out ever fewer elements, then set each word that is
+/// left to 0, to the middle, and to ever more of its own bits.
 fn pas(tires: Tires) -> impl Iterator<Item = Changes> {
     let Tires { mots, elements } = tires;
     let debuts: Vec<_> = elements.into_iter().map(|element| element.start).collect();
@@ -251,7 +251,7 @@ impl<'a> ValueTree for Recherche<'a> {
         self.essai.clone()
     }
 
-    /// What was tried last fails: it is kept.
+    /// The last try failed, so it is kept.
     fn simplify(&mut self) -> bool {
         self.meilleurs.clone_from(&self.essai.changes);
         self.pas.get_or_insert_with(|| {
@@ -265,8 +265,8 @@ impl<'a> ValueTree for Recherche<'a> {
     }
 }
 
-/// Makes so many cases, the same on every run, and judges each. Of one that fails the smallest that fails too is shown;
-/// with `PROPTEST_MAX_SHRINK_ITERS=0` itself.
+/// Makes `combien` cases, the same on every run, and judges each. If one fails, the smallest version that also fails is
+/// shown; with `PROPTEST_MAX_SHRINK_ITERS=0` the case itself is.
 pub fn pour_chaque<T: Debug>(combien: u32, faire: impl Fn(&mut Hasard) -> T, juger: impl FnMut(T)) {
     let juger = RefCell::new(juger);
     let juger = |alea: &mut Hasard| {
@@ -274,14 +274,14 @@ pub fn pour_chaque<T: Debug>(combien: u32, faire: impl Fn(&mut Hasard) -> T, jug
         alea.fait = true;
         juger.borrow_mut()(cas);
     };
-    // In one line, however it is asked.
+    // In one line, even for `{:#?}`.
     let montrer = |alea: &mut Hasard, f: &mut Formatter<'_>| write!(f, "{:?}", faire(alea));
     lancer(combien, Propriete { juger: &juger, montrer: &montrer });
 }
 
 /// Compiled once for all properties.
 fn lancer(combien: u32, propriete: Propriete<'_>) {
-    // The largest number stands for four times the cases.
+    // proptest takes the largest number to mean four times the cases.
     let max_shrink_iters = Config::default().max_shrink_iters.min(u32::MAX - 1);
     let mut lanceur = TestRunner::new(Config { max_shrink_iters, ..Config::default() });
     let mut graines = Rng::with_seed(2);

@@ -1,5 +1,5 @@
-//! What the test files share: how a property is run, where its values come from, how much rounding it
-//! may see, and what every answer is.
+//! What the test files share: how a property is run, where its values come from, how much rounding it may see, and what
+//! every answer must satisfy.
 
 #![allow(missing_docs, reason = "not published: what a name does not say has a comment")]
 
@@ -41,8 +41,8 @@ macro_rules! en_f32_et_f64 {
     };
 }
 
-/// So many random cases, times the whole number `LANCER_RAYON_CAS` if it is set, as `.ci/run` does. Of planted faults one
-/// time found those that four times find.
+/// The number of random cases: `combien`, times the whole number `LANCER_RAYON_CAS` if it is set, as `.ci/run` does. A
+/// trial with planted faults found with one time all that it found with four.
 pub fn cas(combien: u32) -> u32 {
     let fois = std::env::var("LANCER_RAYON_CAS").ok();
     fois.map_or(1, |fois| fois.parse().expect("a whole number of times")) * combien

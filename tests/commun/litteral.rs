@@ -1,6 +1,6 @@
-//! Annex A of the handout to the letter, on the 36 numbers of its §3, except that a hit is an entry (C7
-//! to C9). Its weaknesses stay: SC² − SA² cancels for a small or far sphere, a ray along a face misses
-//! it, and at an edge `≤ l` compares rounded numbers, so that both faces may refuse the point.
+//! Annex A of the handout to the letter, on the 36 numbers of its §3, except that a hit is an entry (C7 to C9). Its
+//! weaknesses are kept: SC² − SA² cancels for a small or far sphere, a ray along a face misses it, and at an edge `≤ l`
+//! compares rounded numbers, so that both faces may refuse the point.
 
 use lancer_rayon::{Face, ObjetRay, Rayon, Reel, Texture, Vecteur};
 

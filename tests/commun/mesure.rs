@@ -1,4 +1,4 @@
-//! What is measured of an implementation against the oracle, regime by regime.
+//! What is measured of an implementation against the oracle in each regime.
 
 use fastrand::Rng;
 use lancer_rayon::pour_les_tests::ARRONDI_PERDU;
@@ -8,19 +8,19 @@ use crate::oracle::{Entree, hauteur, verite};
 use crate::regimes::Regime;
 use crate::tolerances::{promesses, u};
 
-/// What an implementation answers: distance and normal.
+/// The answer of an implementation: distance and normal.
 pub type Mesuree<R> = Option<(R, Vecteur<R>)>;
 
 /// Counts and errors of one regime.
 #[derive(Debug, Default)]
 pub struct Mesure {
-    /// Hits where there is none and misses where there is one, outside the band of the decision.
+    /// Wrong answers outside the band of the decision: hits where there is none, and misses where there is one.
     pub fausses: u32,
     /// The error of every distance in u·κt, with u that of the type.
     pub k: Vec<f64>,
 }
 
-/// The median, what one in a thousand exceeds, and the largest.
+/// The median, the value that one in a thousand exceeds, and the largest.
 pub fn quantiles(valeurs: &mut [f64]) -> [f64; 3] {
     valeurs.sort_by(f64::total_cmp);
     [0.5, 0.999, 1.0].map(|part| {
@@ -34,7 +34,7 @@ pub fn plus_grand<R: Reel>() -> f64 {
     if u::<R>() > f64::EPSILON { f64::from(f32::MAX) } else { f64::MAX }
 }
 
-/// What products that underflow add to the error of a distance.
+/// What products that underflow may add to the error of a distance.
 pub fn absolu<R: Reel>(objet: &ObjetRay<R>, entree: &Entree) -> f64 {
     match objet {
         ObjetRay::Plan(_) => absolu_fois(entree, R::ETA.vers_f64()),
@@ -42,7 +42,7 @@ pub fn absolu<R: Reel>(objet: &ObjetRay<R>, entree: &Entree) -> f64 {
     }
 }
 
-/// The same of a half-space, for an η that may be multiplied by a number.
+/// The same for a half-space, with an η that may have been multiplied by a number.
 pub fn absolu_fois(entree: &Entree, eta: f64) -> f64 {
     promesses::PLAN_ABSOLU * eta / entree.cosinus
 }
@@ -70,9 +70,8 @@ pub fn mesurer<R: Reel>(
     mesure
 }
 
-/// Whether an inward ray that left a box by the face `touche` may enter it again at `encore`: by
-/// another face, above whose plane it starts, as the search sees it, and no farther above than the
-/// hit may lie (lemma 6).
+/// Whether an inward ray from a hit on the face `touche` of a box may enter the box again at `encore`. It may by
+/// another face, above whose plane it starts as computed, and no farther above than the hit may lie (lemma 6).
 pub fn au_bord<R: Reel>(
     objet: &ObjetRay<R>,
     rayon: &Rayon<R>,
@@ -88,7 +87,7 @@ pub fn au_bord<R: Reel>(
     let u = u::<R>();
     let du_depart = (depart.vers_f64() - boite.centre().vers_f64()).longueur();
     let p = rayon.point(touche.distance());
-    // The step, along N, and the rounding of the start.
+    // The step along N and the rounding of the start come on top.
     let permis = lieu_permis(objet, rayon, touche.distance())
         + u * (14.0 * touche.marge().vers_f64() + 1.1 * p.vers_f64().longueur());
     let h = hauteur(objet, autre, depart);
@@ -119,7 +118,7 @@ pub fn poids(n: Vecteur, p: Vecteur) -> f64 {
     (n.x * p.x).abs() + (n.y * p.y).abs() + (n.z * p.z).abs()
 }
 
-/// The radius from which on the margin of a sphere that is hit at `t` is finite (lemma 8).
+/// The radius from which on the margin of a sphere hit at `t` is finite (lemma 8).
 pub fn rayon_non_perdu<R: Reel>(sphere: &SphereRay<R>, rayon: &Rayon<R>, t: R) -> f64 {
     let [f, p] = [rayon.source() - sphere.centre(), rayon.point(t)].map(Vecteur::vers_f64);
     let p = p.x.abs() + p.y.abs() + p.z.abs();

@@ -5,10 +5,9 @@
 //! or outside, hit or miss, which face) is the sign of a number that is known exactly. Only a
 //! quotient and a square root are rounded, at [`PRECISION`] bits beyond what cancels.
 //!
-//! It shares no formula with the kernel: the sphere is the quadratic equation |S + tD − C|² = r²
-//! with its root b − √Δ, which rounding forbids the kernel; the box is clipped face by face, each
-//! an exact half-space; the half-space is N·(S + tD) + d = 0. The way out is the other root, or the first
-//! of the exits.
+//! It shares no formula with the kernel. The sphere is the quadratic equation |S + tD − C|² = r² with its root b − √Δ,
+//! which rounding forbids the kernel; the box is clipped face by face, each an exact half-space; the half-space is
+//! N·(S + tD) + d = 0. The way out is the other root, or the first of the exits.
 
 use core::cmp::Ordering;
 use core::ops::{Add, Mul, Neg, Sub};
@@ -22,7 +21,7 @@ use crate::tolerances::{bandes, promesses, u};
 /// Bits kept of a quotient or a root.
 const PRECISION: isize = 256;
 
-/// What an entry rounds by, of itself: a root, a quotient and, in scene units, the length of D.
+/// The relative rounding of an entry itself: a root, a quotient and, in scene units, the length of D.
 pub const ORACLE_ARRONDI: f64 = 1.0 / ((1_u128 << 127) as f64 * (1_u128 << 127) as f64);
 
 /// The integer `m` times 2^`e`.
@@ -64,12 +63,12 @@ impl Exact {
         (&self.m).unsigned_abs().bit_len() as isize
     }
 
-    /// The exponent of the number: it lies between 2^(k−1) and 2^k.
+    /// The exponent k of the number: its size lies between 2^(k−1) and 2^k.
     fn exposant(&self) -> isize {
         self.longueur_en_bits() + self.e
     }
 
-    /// Cut off to its leading bits.
+    /// The leading bits of the number.
     pub fn vers_f64(&self) -> f64 {
         let trop = self.longueur_en_bits() - 64;
         let (m, e) = if trop > 0 {
@@ -178,7 +177,7 @@ struct Droite {
 pub enum Passage {
     /// Where the ray enters from outside.
     Entree,
-    /// Where it leaves, from inside or after it entered.
+    /// Where the ray leaves, from inside or after it entered.
     Sortie,
 }
 
@@ -194,16 +193,16 @@ impl Passage {
     }
 }
 
-/// The true entry of a ray into an object, or its way out; or the truth that there is none.
+/// The truth about the entry of a ray into an object or about its way out, or that there is none.
 pub struct Verite {
     pub entree: Option<Entree>,
-    /// The decision is closer than what the promise of the kernel covers.
+    /// The decision is closer than the promise of the kernel covers.
     pub dans_la_marge: bool,
     marge: Marge,
 }
 
 impl Verite {
-    /// By what the band would have to be multiplied to hold this decision.
+    /// The factor by which the band would have to grow to hold this decision.
     pub fn facteur(&self) -> f64 {
         match &self.marge {
             Marge::Connue(facteur) => *facteur,
@@ -220,15 +219,16 @@ enum Marge {
 pub struct Entree {
     /// The parameter t in S + tD.
     pub t: Exact,
-    /// The outward normal; beside an edge, those of all the faces entered, or left, within the band.
+    /// The outward normal; beside an edge, the normals of all faces that the ray enters or leaves by within the band.
     normales: Vec<Point>,
-    /// κt = (|f| + r + t)/v, at a flat face over v − 3.1u: what an error of the distance is counted in, times u.
+    /// κt = (|f| + r + t)/v, at a flat face over v − 3.1u: times u, the unit in which the error of a distance is
+    /// counted.
     pub kappa_t: f64,
     /// K of the promise.
     pub k: f64,
-    /// |N·D|, the smallest of these faces; of a flat one less than its 3.1u.
+    /// The smallest |N·D| of these faces; for a flat face 3.1u less.
     pub cosinus: f64,
-    /// |f|, from the source to the centre (for a half-space, to the foot of O).
+    /// |f|, the distance from the source to the centre (for a half-space, to the foot of O).
     pub f: f64,
     /// The radius; +∞ for a flat face.
     pub rayon_de_courbure: f64,
@@ -240,7 +240,7 @@ impl Entree {
         self.ecart_fois(t, 1.0)
     }
 
-    /// The same times a number, so that an error of a few subnormals has all its digits.
+    /// The same times a number that is large enough for an error of a few subnormals to have all its digits.
     pub fn ecart_fois<R: Reel>(&self, t: R, k: f64) -> f64 {
         (&(&Exact::de(t) - &self.t) * &Exact::de(k)).vers_f64()
     }
@@ -257,8 +257,8 @@ impl Entree {
         (&self.t - &autre.t).vers_f64()
     }
 
-    /// The sine of the angle between a normal and the true one that is allowed where the distance is off by
-    /// `ecart`; any, where the sphere is lost in its distance.
+    /// The sine of the angle to the true normal that is allowed where the distance is off by `ecart`; +∞ where the
+    /// sphere is lost in its distance.
     pub fn direction_permise<R: Reel>(&self, ecart: f64) -> f64 {
         let r = self.rayon_de_courbure;
         if perdue::<R>(r, self.f) {
@@ -289,21 +289,20 @@ fn perdue<R: Reel>(r: f64, f: f64) -> bool {
     r < promesses::PERDUE * u::<R>() * f
 }
 
-/// What is sure of a speed towards a flat face: without what it may be off by, 0 if that is all.
+/// What is sure of a speed towards a flat face: the speed less its possible error, and at least 0.
 fn sur<R: Reel>(cosinus: f64) -> f64 {
     (cosinus - bandes::VITESSE * u::<R>()).max(0.0)
 }
 
-/// In f64.
 fn longueur(v: &Point) -> f64 {
     Vecteur::from(v.each_ref().map(Exact::vers_f64)).longueur()
 }
 
-/// How far a point lies above the surface that was touched, along its normal N; for a box the plane of
-/// the face of this normal. To 3u of `f64`.
+/// How far a point lies above the surface that was touched, along its normal N; for a box, above the plane of the face
+/// with this normal. The result is good to 3u of `f64`.
 pub fn hauteur<R: Reel>(objet: &ObjetRay<R>, normale: Vecteur<R>, p: Vecteur<R>) -> f64 {
     let p = exacts(p);
-    // |N|, of which |N|² − 1 is so small that its square is nothing.
+    // |N|, to first order, since the square of |N|² − 1 is negligible.
     let longueur = 1.0 + 0.5 * norme_au_carre_moins_un(normale);
     match objet {
         ObjetRay::Sphere(sphere) => {
@@ -311,7 +310,7 @@ pub fn hauteur<R: Reel>(objet: &ObjetRay<R>, normale: Vecteur<R>, p: Vecteur<R>)
             let cp2 = scalaire(&cp, &cp);
             let r = Exact::de(sphere.rayon());
             let puissance = &cp2 - &(&r * &r);
-            // The nearer of the two s with |CP − sN| = r, without a cancellation.
+            // The nearer of the two s with |CP − sN| = r, in a form that does not cancel.
             let n = exacts(normale);
             let (n2, b) = (scalaire(&n, &n), scalaire(&cp, &n));
             let delta = &(&b * &b) - &(&n2 * &puissance);
@@ -333,8 +332,8 @@ pub fn hauteur<R: Reel>(objet: &ObjetRay<R>, normale: Vecteur<R>, p: Vecteur<R>)
     }
 }
 
-/// How far outside an object a point lies; of a box, above the plane of the face that it lies
-/// farthest above. To 3u of `f64`, in units of N.
+/// How far outside an object a point lies; for a box, how far above the plane of the face that it lies farthest above.
+/// The result is good to 3u of `f64`, in units of |N|.
 pub fn dehors<R: Reel>(objet: &ObjetRay<R>, p: Vecteur<R>) -> f64 {
     let p = exacts(p);
     match objet {
@@ -359,7 +358,7 @@ pub fn dehors<R: Reel>(objet: &ObjetRay<R>, p: Vecteur<R>) -> f64 {
     }
 }
 
-/// The sine of the angle between this direction and what a mirror of normal N makes of D.
+/// The sine of the angle between `reflet` and what a mirror of normal N makes of D.
 pub fn ecart_du_miroir<R: Reel>(d: Vecteur<R>, normale: Vecteur<R>, reflet: Vecteur<R>) -> f64 {
     let [d, n, reflet] = [d, normale, reflet].map(exacts);
     // D − 2(D·N)N/N², times N².
@@ -369,9 +368,9 @@ pub fn ecart_du_miroir<R: Reel>(d: Vecteur<R>, normale: Vecteur<R>, reflet: Vect
     longueur(&vectoriel(&miroir, &reflet)) / (longueur(&miroir) * longueur(&reflet))
 }
 
-/// What Snell's law at a surface of normal N makes of light in the direction D, `rapport` being the index that it comes
-/// from over the one that it comes to: the square of the cosine behind the surface, and where that is above 0 the sine
-/// of the angle between `suite` and the direction there, on this side.
+/// What Snell's law gives for light in the direction D at a surface of normal N, where `rapport` is the index in front
+/// over the one behind: the square of the cosine behind the surface and, where that is above 0, the sine of the angle
+/// between `suite` and the exact direction on the side that `passage` tells.
 pub fn ecart_de_snell<R: Reel>(
     d: Vecteur<R>,
     normale: Vecteur<R>,
@@ -381,7 +380,7 @@ pub fn ecart_de_snell<R: Reel>(
 ) -> (f64, Option<f64>) {
     let ([d, n], eta) = ([d, normale].map(exacts), Exact::de(rapport));
     let (n2, d2, le_long) = (scalaire(&n, &n), scalaire(&d, &d), scalaire(&d, &n));
-    // The part of D along the surface, times ηN²; and N²·D² times the squared cosine, by Pythagoras.
+    // The part of D along the surface, times ηN²; then, by Pythagoras, the squared cosine times N²·D².
     let travers: Point = core::array::from_fn(|i| &eta * &(&(&n2 * &d[i]) - &(&le_long * &n[i])));
     let plein = &n2 * &d2;
     let sinus2 = &(&eta * &eta) * &(&plein - &(&le_long * &le_long));
@@ -410,7 +409,7 @@ pub fn ecart_du_cosinus<R: Reel>(n: Vecteur<R>, v: Vecteur<R>, cosinus: R) -> f6
     (&Exact::de(cosinus) - &exact).vers_f64()
 }
 
-/// How far, in scene units, these coordinates in a box, from −1 to 1, lie from those of S + tD, which end at ±1.
+/// How far, in scene units, these coordinates in a box, from −1 to 1, lie from those of S + tD cut off at ±1.
 pub fn ecarts_du_lieu<R: Reel>(
     boite: &BoiteRay<R>,
     rayon: &Rayon<R>,
@@ -466,7 +465,7 @@ fn verite_sphere<R: Reel>(passage: Passage, sphere: &SphereRay<R>, ray: &Droite)
     let delta = &(&b * &b) - &(&a * &c);
 
     let (f_, r_) = (f2.vers_f64().sqrt(), r.vers_f64());
-    // |SC| − r and |AC| − r, where a·AC² = a·f² − b²: each as a difference of squares.
+    // |SC| − r and |AC| − r, each as a difference of squares, where a·AC² = a·f² − b².
     let sc_r = c.vers_f64() / (f_ + r_);
     let ac2 = (&(&a * &f2) - &(&b * &b)).sur(&a).vers_f64();
     let ac_r = -delta.sur(&a).vers_f64() / (ac2.sqrt() + r_);
@@ -482,7 +481,7 @@ fn verite_sphere<R: Reel>(passage: Passage, sphere: &SphereRay<R>, ray: &Droite)
     };
     let facteur = facteur / seuil;
     let entree = touche.then(|| {
-        // b − √Δ cancels all but c·a/2b of b, and b + √Δ with b below 0.
+        // b − √Δ cancels all but c·a/2b of b, and so does b + √Δ where b is below 0.
         let annule = (2 * b.exposant() - c.exposant() - a.exposant()).max(0);
         let racine = delta.racine(b.exposant() - annule - PRECISION - 8);
         let t = match passage {
@@ -534,27 +533,27 @@ fn verite_plan<R: Reel>(passage: Passage, plan: &PlanRay<R>, ray: &Droite) -> Ve
     Verite { entree, dans_la_marge: facteur <= 1.0, marge: Marge::Connue(facteur) }
 }
 
-/// One pair of faces of a box as the ray sees it: how far its entry and its exit lie ahead, along
-/// the normal, and its speed towards them. v ≥ 0; the entry is a/v, the exit b/v.
+/// One pair of faces of a box as the ray sees it: how far its entry and its exit lie ahead along the normal, and the
+/// speed v ≥ 0 towards them. The ray enters at a/v and leaves at b/v.
 struct Couple {
     a: Exact,
     b: Exact,
     v: Exact,
-    /// Outward, against the ray; for v = 0 one of the two.
+    /// The normal against the ray; for v = 0 either of the two.
     normale: Point,
 }
 
-/// x_i·v_j − y_j·v_i for two pairs of faces i and j, each exact until it was rounded.
+/// x_i·v_j − y_j·v_i for two pairs of faces i and j, each exact until its last rounding.
 struct Produits {
-    /// Of the entries a and a.
+    /// For the entries a and a.
     aa: [[f64; 3]; 3],
-    /// Of an exit b and an entry a.
+    /// For an exit b and an entry a.
     ba: [[f64; 3]; 3],
-    /// Of the exits b and b.
+    /// For the exits b and b.
     bb: [[f64; 3]; 3],
-    /// Of −a and a: turned the other way, the ray has its exit at −a.
+    /// For −a and a: turned the other way, the ray has its exit at −a.
     moins_aa: [[f64; 3]; 3],
-    /// Of −b and b: and its entry at −b.
+    /// For −b and b: its entry is then at −b.
     moins_bb: [[f64; 3]; 3],
 }
 
@@ -577,14 +576,14 @@ impl Produits {
     }
 }
 
-/// What the band of a box is made of: lengths in a unit near |f| + ρ and cross products of them
-/// and the speeds, exact until they were rounded here.
+/// What the band of a box is made of: lengths in a unit near |f| + ρ, and cross products of lengths and speeds, exact
+/// until they are rounded here.
 struct Decision {
     passage: Passage,
     a: [f64; 3],
     b: [f64; 3],
     v: [f64; 3],
-    /// a_i·v_j − a_j·v_i, and so on for each sum and difference of these products that is asked for.
+    /// The cross products such as a_i·v_j − a_j·v_i.
     produits: Produits,
     alpha: f64,
     beta: f64,
@@ -592,7 +591,7 @@ struct Decision {
 
 impl Decision {
     fn new(passage: Passage, couples: &[Couple; 3], taille: f64, u: f64) -> Self {
-        // A power of two near the size: then no product of a length and a speed leaves f64.
+        // With a unit near the size, a power of two, no product of a length and a speed leaves `f64`.
         let unite = ((taille.to_bits() >> 52) as isize - 1023).max(-1000);
         let reduit = |x: &Exact| Exact { m: x.m.clone(), e: x.e - unite };
         let longueurs = couples.each_ref().map(|c| [reduit(&c.a), reduit(&c.b)]);
@@ -609,8 +608,8 @@ impl Decision {
         }
     }
 
-    /// How far the exit is, b; if the ray may go either way, the nearer plane, l − |o|. And its
-    /// products with the entries of the other pairs.
+    /// How far away the exit is, b; if the ray may go either way, the distance l − |o| to the nearer plane. Its
+    /// products with the entries of the other pairs come with it.
     fn sortie(&self, i: usize, sens_connu: bool) -> (f64, &[f64; 3]) {
         if sens_connu || self.b[i] <= -self.a[i] {
             (self.b[i], &self.produits.ba[i])
@@ -619,8 +618,8 @@ impl Decision {
         }
     }
 
-    /// How far the entry is, a; if the ray may go either way, how far S is from the slab, |o| − l.
-    /// And its product with the exit of another pair.
+    /// How far away the entry is, a; if the ray may go either way, the distance |o| − l from S to the slab. Its product
+    /// with the exit of another pair comes with it.
     fn entree(&self, i: usize, sens_connu: bool) -> (f64, impl Fn(usize) -> f64) {
         let approche = sens_connu || self.a[i] >= -self.b[i];
         let produit = move |j: usize| {
@@ -629,16 +628,16 @@ impl Decision {
         (if approche { self.a[i] } else { -self.b[i] }, produit)
     }
 
-    /// No lengths within α and speeds within β of these, times `facteur`, make it a miss.
+    /// No lengths within α and no speeds within β of these, both times `facteur`, make it a miss.
     fn touche_surement(&self, facteur: f64) -> bool {
         let (alpha, beta) = (facteur * self.alpha, facteur * self.beta);
         let connu = self.v.map(|v| v > beta);
         let entre = (0..3).any(|i| connu[i] && self.a[i] > alpha);
-        // A ray that leaves may start inside.
+        // For a way out the ray may start inside.
         (entre || self.passage == Passage::Sortie)
             && (0..3).all(|j| {
                 let (b, produits) = self.sortie(j, connu[j]);
-                // Entries of another pair; those of the same one never come after its exit.
+                // Only entries of other pairs matter, since a pair's own entry never comes after its exit.
                 let avant = |i: usize| {
                     let a = self.a[i];
                     let permis = alpha * (self.v[i] + self.v[j]) + beta * (a + b);
@@ -648,7 +647,6 @@ impl Decision {
             })
     }
 
-    /// Nor a hit.
     fn manque_surement(&self, facteur: f64) -> bool {
         let (alpha, beta) = (facteur * self.alpha, facteur * self.beta);
         let connu = self.v.map(|v| v > beta);
@@ -667,7 +665,7 @@ impl Decision {
         if touche { self.touche_surement(facteur) } else { self.manque_surement(facteur) }
     }
 
-    /// By bisection of the exponent, since a wider band holds all that a narrower one holds.
+    /// Found by bisection of the exponent, which works since a wider band holds all that a narrower one holds.
     fn facteur(&self, touche: bool) -> f64 {
         let (mut bas, mut haut) = (-40.0_f64, 40.0_f64);
         while haut - bas > 1e-3 {
@@ -677,13 +675,13 @@ impl Decision {
         haut.exp2()
     }
 
-    /// Whether the ray may enter by this pair last: its entry, at the latest, is no earlier than
-    /// the others at the earliest.
+    /// Whether this pair may be the last by which the ray enters: its latest possible entry is no earlier than the
+    /// earliest possible entries of the others.
     fn peut_etre_la_derniere(&self, i: usize) -> bool {
         let (alpha, beta) = (self.alpha, self.beta);
         let (a, v) = (self.a[i], self.v[i]);
         if v <= beta {
-            // Between the planes of a pair that it hardly approaches, it entered long ago.
+            // Between the planes of a pair that it hardly approaches, the ray entered long ago.
             let (b, _) = self.sortie(i, false);
             let tard = -(b - alpha) / (v + beta);
             return b <= alpha || (0..3).all(|j| i == j || tard >= self.au_plus_tot(j));
@@ -703,8 +701,8 @@ impl Decision {
         })
     }
 
-    /// Whether the ray may leave by this pair first: its exit, at the earliest, is no later than the
-    /// others at the latest.
+    /// Whether this pair may be the first by which the ray leaves: its earliest possible exit is no later than the
+    /// latest possible exits of the others.
     fn peut_etre_la_premiere(&self, i: usize) -> bool {
         let (alpha, beta) = (self.alpha, self.beta);
         let (b, v) = (self.b[i], self.v[i]);
@@ -752,18 +750,18 @@ fn verite_boite<R: Reel>(passage: Passage, boite: &BoiteRay<R>, ray: &Droite) ->
         }
     });
     let vers = |i: usize| couples[i].v.positif();
-    // a_i/v_i against the a or b of another pair.
+    // Whether x/v comes after y/w, of two pairs.
     let apres = |(x, v): (&Exact, &Exact), (y, w): (&Exact, &Exact)| (x * w) > (y * v);
     let entree = |i: usize| (&couples[i].a, &couples[i].v);
     let sortie = |i: usize| (&couples[i].b, &couples[i].v);
     let en_mouvement = || (0..3).filter(|&i| vers(i));
     let derniere = en_mouvement().reduce(|i, j| if apres(entree(j), entree(i)) { j } else { i });
     let derniere = derniere.expect("D is not 0");
-    // Parallel to a pair and beside it; in the plane of a face it belongs to the box.
+    // The ray is parallel to a pair and beside it; a ray in the plane of a face counts as in the box.
     let dehors = (0..3).any(|i| !vers(i) && (couples[i].a.positif() || (-&couples[i].b).positif()));
     let premiere = en_mouvement().reduce(|i, j| if apres(sortie(i), sortie(j)) { j } else { i });
     let premiere = premiere.expect("D is not 0");
-    // The length at which the face is crossed that decides, and its pair.
+    // The length, in its pair, at which the ray crosses the face that decides.
     let (longueur, axe) = match passage {
         Passage::Entree => (&couples[derniere].a, derniere),
         Passage::Sortie => (&couples[premiere].b, premiere),
@@ -791,7 +789,7 @@ fn verite_boite<R: Reel>(passage: Passage, boite: &BoiteRay<R>, ray: &Droite) ->
                 Passage::Sortie => couple.normale.each_ref().map(|x| -x),
             });
             if v <= decision.beta {
-                // Which way it goes rounding cannot tell.
+                // Rounding may turn the ray either way.
                 normales.extend([couple.normale.clone(), couple.normale.each_ref().map(|x| -x)]);
             }
         }

@@ -9,12 +9,13 @@ use crate::mesure::{au_bord, poids};
 use crate::oracle::{Passage, dehors};
 use crate::tolerances::{NORMALE_UNITAIRE, bandes, u};
 
-/// How deep a point lies in an object beyond the object's own rounding o_B (lemma 22).
+/// How deep a point lies in an object, beyond the object's own rounding o_B (lemma 22).
 pub fn profondeur<R: Reel>(objet: &ObjetRay<R>, point: Vecteur<R>) -> f64 {
     -dehors(objet, point) - flou_propre(objet)
 }
 
-/// How much less exactly a path knows its point P at distance t than the source of the ray: 15ut and 8.1u‖P‖₁ (lemma 22).
+/// How much less exactly a path knows its point P at distance t than it knows the source of the ray: 15ut and 8.1u‖P‖₁
+/// (lemma 22).
 pub fn flou_du_point<R: Reel>(t: R, p: Vecteur<R>) -> f64 {
     let [x, y, z] = <[f64; 3]>::from(p.vers_f64()).map(f64::abs);
     u::<R>() * (FLOU_DISTANCE * t.vers_f64() + FLOU_POINT * (x + y + z))
@@ -30,15 +31,15 @@ pub fn flou_propre<R: Reel>(objet: &ObjetRay<R>) -> f64 {
     FLOU_PROPRE * u::<R>() * taille
 }
 
-/// How far off a height over a half-space is as computed (lemma 3); that of the others is in o_B.
+/// How far off a computed height over a half-space may be (lemma 3). For the other shapes o_B holds it.
 fn arrondi_d_une_hauteur<R: Reel>(objet: &ObjetRay<R>, point: Vecteur<R>) -> f64 {
     let ObjetRay::Plan(plan) = objet else { return 0.0 };
     let poids = poids(plan.normale().vers_f64(), point.vers_f64());
     bandes::PLAN * u::<R>() * poids + bandes::PLAN_ABSOLUE * R::ETA.vers_f64()
 }
 
-/// Asks this object where the ray enters and leaves it, and whether the rays that start there meet it again; one of
-/// them goes towards `vers`.
+/// Checks where the ray enters and leaves this object, and whether the rays that start there meet it again. One of
+/// these rays goes towards `vers`.
 pub fn exiger_les_passages<R: Bits>(objet: &ObjetRay<R>, rayon: &Rayon<R>, vers: Vecteur<R>) {
     let (entree, sortie) = (objet.intersection(rayon), objet.sortie(rayon));
     let contexte = || format!("{objet:?} {rayon:?} {entree:?} {sortie:?}");
@@ -47,7 +48,7 @@ pub fn exiger_les_passages<R: Bits>(objet: &ObjetRay<R>, rayon: &Rayon<R>, vers:
         (Ok(entree), Ok(sortie)) => {
             assert!(borne && entree.distance() <= sortie.distance(), "{}", contexte());
         }
-        // "A ray that enters a sphere or a box leaves it", unless it ends before; a half-space never.
+        // "A ray that enters a sphere or a box leaves it", unless it ends before. It never leaves a half-space.
         (Ok(_), Err(_)) => assert!(!borne || rayon.fin() < R::INFINI, "{}", contexte()),
         (Err(_), Ok(_)) => assert!(objet.contient(rayon.source()), "{}", contexte()),
         (Err(_), Err(_)) => {}
@@ -61,8 +62,9 @@ pub fn exiger_les_passages<R: Bits>(objet: &ObjetRay<R>, rayon: &Rayon<R>, vers:
         let reflet = passage.reflechi(d);
         let (le_long, monte) =
             (n.produit_scalaire(d), |r: &Rayon<R>| r.direction().produit_scalaire(n));
-        // A mirror goes out where the ray comes in, and in where it goes out unless it grazes: 20u of lemma 9 and 3.2u. It
-        // starts where a ray in that direction does, and is refused where that is.
+        // A mirror sends a ray that enters outward, and one that leaves inward, unless the latter grazes: 20u of
+        // lemma 9 and 3.2u. The mirrored ray starts where a secondary ray in that direction does, and is refused where
+        // that is.
         let rase = le_long > R::ZERO && le_long.vers_f64() < 32.0 * u::<R>();
         let droit = libres[if le_long < R::ZERO { 2 } else { 3 }];
         let sources = [reflet, droit].map(|suite| suite.map(|r| r.source()).map_err(|e| e.champ));
@@ -71,7 +73,7 @@ pub fn exiger_les_passages<R: Bits>(objet: &ObjetRay<R>, rayon: &Rayon<R>, vers:
         assert!(rase || reflet.is_ok_and(du_bon_cote) || reflet.is_err(), "{}", contexte());
         exiger_les_lampes(passage, vers);
         let lampes = [passage.vers_soleil(vers), passage.vers_lumiere(vers)];
-        // Light passes to the other side, or is named as all mirrored.
+        // Light passes to the other side, or the error says that all of it is mirrored.
         let derriere = libres[if le_long < R::ZERO { 3 } else { 2 }];
         let verres = [0.6, 1.5].map(|rapport| passage.refracte(d, R::depuis_f64(rapport)));
         for verre in &verres {
@@ -80,7 +82,7 @@ pub fn exiger_les_passages<R: Bits>(objet: &ObjetRay<R>, rayon: &Rayon<R>, vers:
                 Err(erreur) if erreur.champ == "refraction" => {
                     assert!(erreur.valeur <= 0.0, "{}", contexte());
                 }
-                // Refused as any ray to that side.
+                // It is refused as any ray to that side is.
                 Err(_) => assert!(derriere.is_err(), "{verre:?} {}", contexte()),
             }
         }
@@ -95,7 +97,8 @@ pub fn exiger_les_passages<R: Bits>(objet: &ObjetRay<R>, rayon: &Rayon<R>, vers:
     }
 }
 
-/// What lies at the end of a ray itself is not touched, and no way out; before an end that is a number farther it is.
+/// A ray that ends at its own passage finds neither a hit nor a way out there, but with an end one number farther it
+/// does.
 fn exiger_la_fin<R: Bits>(objet: &ObjetRay<R>, rayon: &Rayon<R>) {
     for passage in Passage::TOUS {
         let Ok(touche) = passage.de(objet, rayon) else { continue };
@@ -106,8 +109,8 @@ fn exiger_la_fin<R: Bits>(objet: &ObjetRay<R>, rayon: &Rayon<R>) {
     }
 }
 
-/// A sun shines on the side that the surface faces, by more than 3.2u, and a lamp on what faces it from where the ray
-/// starts, and nowhere else: the rays are that of `secondaire`, and that between two points.
+/// A sun lights only a surface that faces it by more than 3.2u, and a lamp only one that faces it so from the start of
+/// the ray. The ray to a sun is that of `secondaire`, and the ray to a lamp that between two points.
 fn exiger_les_lampes<R: Bits>(passage: Intersection<R>, vers: Vecteur<R>) {
     let (n, droit) = (passage.normale(), passage.secondaire(passage.normale()));
     let de_face = |l: Vecteur<R>| l.produit_scalaire(n).vers_f64() > TANGENT * u::<R>();
@@ -128,18 +131,18 @@ fn exiger_les_lampes<R: Bits>(passage: Intersection<R>, vers: Vecteur<R>) {
 }
 
 /// Whether this object, which holds the source of the ray, holds it by no more than δ and o_B however that is rounded, and
-/// the ray does not start inside something on purpose. A height over a half-space rounds by u of itself, which may be δ,
+/// the ray is not inside something on purpose. A height over a half-space rounds by u of itself, which may be δ,
 /// and `profondeur` by 3u of `f64` (lemma 22, D1 to D3).
 pub fn est_a_fleur<R: Reel>(objet: &ObjetRay<R>, rayon: &Rayon<R>) -> bool {
     let (source, flou) = (rayon.source(), rayon.flou().vers_f64());
-    // Saying so again changes no ray that is inside.
+    // `dedans` changes no ray that is inside already.
     *rayon != rayon.dedans()
         && profondeur(objet, source) + arrondi_d_une_hauteur(objet, source)
             <= (1.0 - 4.0 * u::<R>()) * flou
 }
 
-/// Lemma 22: an object that holds the start of a ray by no more than δ and o_B, and that the ray does not touch at once,
-/// is nowhere deeper around it than the next start may be; tried amid the way through it.
+/// Lemma 22: an object that holds the start of a ray by no more than δ and o_B, and that the ray does not touch at
+/// once, is on the ray's way nowhere deeper than the next start may be. The middle of that way is tried.
 fn exiger_qu_il_ne_s_enfonce_pas<R: Bits>(objet: &ObjetRay<R>, rayon: &Rayon<R>) {
     let rayon = rayon.jusqu_a(R::INFINI).unwrap();
     let flou = rayon.flou().vers_f64();
@@ -155,7 +158,7 @@ fn exiger_qu_il_ne_s_enfonce_pas<R: Bits>(objet: &ObjetRay<R>, rayon: &Rayon<R>)
     }
 }
 
-/// A hit of this ray on this object, or its way out: the two differ by the side to which N points.
+/// Checks a hit of this ray on this object, or its way out. N tells which of the two it is.
 pub fn exiger_un_passage<R: Bits>(
     objet: &ObjetRay<R>,
     rayon: &Rayon<R>,
@@ -172,14 +175,15 @@ pub fn exiger_un_passage<R: Bits>(
     assert!(passage.marge() >= R::ZERO, "{}", contexte());
     assert!(objet.erreur(rayon, passage) > R::ZERO, "{}", contexte());
     if entre {
-        // `contient`: a ray from such a point touches the object at once or not at all, and at once only if it has a δ.
+        // By `contient`, a ray from such a point touches the object at once or not at all, and at once only if it has a
+        // δ.
         assert_eq!(t == R::ZERO, objet.contient(rayon.source()), "{}", contexte());
     } else {
         assert!(t > R::ZERO, "the source is no way out: {}", contexte());
     }
     if t == R::ZERO {
         let (flou, source) = (rayon.flou(), rayon.source());
-        // Lemma 22: it holds the start by no more than 2(δ+o_B), as computed.
+        // Lemma 22: the object holds the start by no more than 2(δ+o_B), as computed.
         let permis =
             2.0 * flou.vers_f64() + flou_propre(objet) + arrondi_d_une_hauteur(objet, source);
         assert!(flou > R::ZERO && profondeur(objet, source) <= permis, "{}", contexte());
@@ -194,8 +198,8 @@ pub fn exiger_un_passage<R: Bits>(
     }
 }
 
-/// A ray that starts where another enters this object or leaves it: outward it meets the object no more, and inward
-/// only beside an edge of a box (lemma 9); from within a sphere it leaves.
+/// Checks a ray that starts where another enters this object or leaves it. Outward it never meets the object again, and
+/// inward only beside an edge of a box (lemma 9); from within a sphere it leaves.
 pub fn exiger_une_suite<R: Bits>(
     objet: &ObjetRay<R>,
     rayon: &Rayon<R>,
@@ -208,7 +212,7 @@ pub fn exiger_une_suite<R: Bits>(
         assert_eq!([entree, sortie], [Err(NoIntersection); 2], "{}", contexte());
         return;
     }
-    // It is inside, and has no end.
+    // The ray is inside, and has no end.
     assert_eq!(suite.fin(), R::INFINI, "{}", contexte());
     match objet {
         ObjetRay::Sphere(_) => assert!(entree.is_err() && sortie.is_ok(), "{}", contexte()),
@@ -220,8 +224,8 @@ pub fn exiger_une_suite<R: Bits>(
     }
 }
 
-/// What is asked after the fact: certain answers of two precisions agree, and so do two bounded distances; and
-/// from one hit to the next nothing of the object itself is in the way.
+/// Checks what is asked after the fact: certain answers in two precisions agree, and so do two distances within their
+/// bounds; and the object itself does not hide one of its hits from another.
 pub fn exiger_apres_coup<R: Bits>(objet: &ObjetRay<R>, [rayon, autre]: [&Rayon<R>; 2]) {
     let (double, en_double) = (objet.temoin_f64(), rayon.temoin_f64());
     let (touche, la) = (objet.intersection(rayon), double.intersection(&en_double));
@@ -241,7 +245,7 @@ pub fn exiger_apres_coup<R: Bits>(objet: &ObjetRay<R>, [rayon, autre]: [&Rayon<R
     }
 }
 
-/// The ray from one hit to another: with both exchanged it is the same line, exactly, or an error again (lemma 12).
+/// The ray from one hit to another. The ray back is exactly the same line, or an error as well (lemma 12).
 pub fn exiger_le_retour<R: Bits>(de: &Intersection<R>, a: &Intersection<R>) -> Option<Rayon<R>> {
     let (aller, retour) = (de.vers_touche(a), a.vers_touche(de));
     assert_eq!(aller.is_ok(), retour.is_ok(), "{de:?} {a:?}");

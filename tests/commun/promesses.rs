@@ -1,6 +1,6 @@
-//! The promises of `docs/precision.md`, one by one: what part of what is promised a case
-//! takes. Random cases (`tests/precision/promesses.rs`), a search that climbs (`adversaire.rs`) and the tables of the
-//! pages (`benches/comparaison`) all ask these.
+//! The promises of `docs/precision.md`, one by one: which part of what is promised a case takes. Random cases
+//! (`tests/precision/promesses.rs`), a search that climbs (`adversaire.rs`) and the tables of the pages
+//! (`benches/comparaison`) all ask them.
 
 use lancer_rayon::pour_les_tests::{self, PUISSANCE_PERDUE};
 use lancer_rayon::{
@@ -19,8 +19,9 @@ use crate::passages::{flou_du_point, flou_propre};
 use crate::regimes::Genre;
 use crate::tolerances::{promesses as permis, u};
 
-/// What is asked: of the first of these objects or of both, by this ray, where it enters or where it leaves; and the
-/// direction in which the first is left: x, y, z, a height over the tangent plane, and whether that counts.
+/// What is asked: where this ray enters or leaves the first of these objects, or which of both it enters first; and the
+/// direction in which the ray leaves the first: x, y, z, a height over the tangent plane, and whether that height
+/// counts.
 #[derive(Debug)]
 pub struct Essai<R> {
     pub objets: Vec<ObjetRay<R>>,
@@ -29,35 +30,35 @@ pub struct Essai<R> {
     pub vers: [R; 5],
 }
 
-/// How much of what is promised a case takes: above 1 the promise is broken.
+/// Which part of what is promised a case takes. Above 1 the promise is broken.
 pub type Part<R> = fn(&Essai<R>) -> f64;
 
-/// Less than any case takes: there is nothing to judge.
+/// Less than any case takes, where there is nothing to judge.
 pub const RIEN: f64 = f64::NEG_INFINITY;
 
-/// Broken, where there is no more or less of it.
+/// The promise is broken, and has no degrees.
 pub const ROMPUE: f64 = 2.0;
 
 /// A row of the table.
 pub struct Promesse<R> {
     pub nom: &'static str,
     pub part: Part<R>,
-    /// The shapes of whose hits it speaks, and those of whose ways out.
+    /// The shapes for whose hits it holds, and those for whose ways out it holds.
     pub genres: [&'static [Genre]; 2],
-    /// How many times the error the bound may be in the median: of ordinary cases, and of each extreme.
+    /// How many times the error the bound may be in the median: for ordinary cases, and for each extreme.
     pub aisance: [f64; 2],
-    /// A search that climbs looks for the point where the answer changes.
+    /// Whether a search that climbs looks for the point where the answer changes.
     pub decide: bool,
 }
 
 impl<R> Promesse<R> {
-    /// Whether it speaks of these passages of such a shape.
+    /// Whether it holds for this passage of such a shape.
     pub fn parle(&self, passage: Passage, genre: Genre) -> bool {
         self.genres[passage as usize].contains(&genre)
     }
 }
 
-/// All of them that one object and one ray decide.
+/// All promises that one object and one ray decide.
 pub fn toutes<R: Reel>() -> [Promesse<R>; 17] {
     const TOUS: &[Genre] = &Genre::TOUS;
     const RONDS: &[Genre] = &[Genre::Sphere];
@@ -91,7 +92,8 @@ pub fn toutes<R: Reel>() -> [Promesse<R>; 17] {
     ]
 }
 
-/// No promise is broken by this ray, taken without its δ and its end, and by what starts from its passages towards `vers`.
+/// Fails if a promise is broken by this ray, taken without its δ and its end, or by the rays that go from its passages
+/// towards `vers`.
 pub fn exiger<R: Reel>(objet: &ObjetRay<R>, rayon: &Rayon<R>, vers: Vecteur<R>) {
     let rayon = Rayon::new(rayon.source(), rayon.direction()).unwrap();
     let [x, y, z] = vers.into();
@@ -122,14 +124,14 @@ pub fn distance<R: Reel>(cas: &Essai<R>) -> f64 {
     let verite = la_verite(cas);
     let Some(entree) = verite.entree else { return RIEN };
     let (relatif, absolu) = (entree.k * u::<R>() * entree.kappa_t, absolu(objet, &entree));
-    // What underflow adds has a row of its own, or the one would hide what a search finds of the other.
+    // What underflow adds has a row of its own, since each would hide what a search finds of the other.
     if relatif == f64::INFINITY || absolu > 1e-3 * relatif {
         return RIEN;
     }
     entree.ecart(touche.distance()).abs() / (relatif + absolu)
 }
 
-/// The same of a half-space a few subnormals from the source, in units in which these are no subnormals.
+/// The same for a half-space a few subnormals from the source, in units in which these numbers are not subnormal.
 pub fn distance_pres_de_0<R: Reel>(cas: &Essai<R>) -> f64 {
     let Ok(touche) = cas.objets[0].intersection(&cas.rayon) else { return RIEN };
     let Some(entree) = verite(&cas.objets[0], &cas.rayon).entree else { return RIEN };
@@ -142,8 +144,8 @@ pub fn distance_pres_de_0<R: Reel>(cas: &Essai<R>) -> f64 {
     entree.ecart_fois(touche.distance(), echelle).abs() / (relatif + absolu)
 }
 
-/// By how much the band would have to be wider to hold a wrong answer; a right one is the better
-/// the nearer it is to the decision.
+/// By how much the band would have to be wider to hold a wrong answer. A right answer scores the more the nearer it is
+/// to the decision.
 pub fn decision<R: Reel>(cas: &Essai<R>) -> f64 {
     let verite = la_verite(cas);
     let touche = touche(cas).is_some();
@@ -157,7 +159,7 @@ pub fn decision<R: Reel>(cas: &Essai<R>) -> f64 {
     }
 }
 
-/// By how much the object that is answered lies behind the other, as a part of what is promised.
+/// How far the object that is answered lies behind the other, as a part of what is promised.
 pub fn ordre<R: Reel>(cas: &Essai<R>) -> f64 {
     let Ok(premiere) = premiere_intersection(&cas.objets, &cas.rayon) else { return RIEN };
     let Texture(gagnant) = premiere.texture();
@@ -181,7 +183,7 @@ pub fn longueur_de_la_normale<R: Reel>(cas: &Essai<R>) -> f64 {
         Genre::Sphere => permis::UNITAIRE_SPHERE,
         Genre::Plan | Genre::Boite => permis::UNITAIRE_PLATE,
     };
-    // |N| − 1 is half of |N|² − 1, to its square.
+    // |N| − 1 is half of |N|² − 1, up to the square of that.
     0.5 * norme_au_carre_moins_un(touche.normale()).abs() / (permis * u::<R>())
 }
 
@@ -222,8 +224,8 @@ pub fn lieu_sur_la_face<R: Reel>(cas: &Essai<R>) -> f64 {
     pire / (permis::LIEU_FACE * u::<R>() * (f + t.vers_f64()))
 }
 
-/// How far P lies from a sphere that is nearly lost in its distance, as a part of what makes its
-/// margin infinite. P is hardly rounded there: that alone decides elsewhere.
+/// How far P lies from a sphere that is nearly lost in its distance, as a part of what makes its margin infinite. Only
+/// cases where P is hardly rounded count, since elsewhere that rounding alone decides.
 pub fn marge_infinie<R: Reel>(cas: &Essai<R>) -> f64 {
     let objet = &cas.objets[0];
     let (Some(touche), ObjetRay::Sphere(sphere)) = (touche(cas), objet) else {
@@ -241,13 +243,13 @@ pub fn marge_infinie<R: Reel>(cas: &Essai<R>) -> f64 {
     (dehors(objet, p).abs() / (loin * r.max(non_perdue))).min(1.0)
 }
 
-/// What is no promise but a sign: below 1 as it holds, the higher the nearer to where it would not.
+/// The score of a promise that holds or not, while it holds: below 1, and higher the nearer it is to failing.
 fn tenue(ecart: f64) -> f64 {
     1.0 / (1.0 + ecart)
 }
 
-/// The normal of a hit points against the ray, that of a way out along it; and no ray leaves before it enters, or enters
-/// and stays, except below a floor.
+/// The normal of a hit points against the ray, that of a way out along it. No ray leaves before it enters, and a ray
+/// that enters also leaves, except below a floor.
 pub fn de_face<R: Reel>(cas: &Essai<R>) -> f64 {
     let [entree, sortie] = Passage::TOUS.map(|p| p.de(&cas.objets[0], &cas.rayon).ok());
     let bornee = Genre::de(&cas.objets[0]) != Genre::Plan;
@@ -262,15 +264,16 @@ pub fn de_face<R: Reel>(cas: &Essai<R>) -> f64 {
     if en_ordre && cosinus > 0.0 { tenue(cosinus / u::<R>()) } else { ROMPUE }
 }
 
-/// |f| and the size of the object, of this ray.
+/// |f| plus the size of the object, for this ray.
 fn grandeur<R: Reel>(objet: &ObjetRay<R>, rayon: &Rayon<R>) -> f64 {
     let (bas, haut) =
         objet.etendue().map_or_else(Default::default, |e| (e.bas.vers_f64(), e.haut.vers_f64()));
     (rayon.source().vers_f64() - bas).longueur() + (haut - bas).longueur()
 }
 
-/// A secondary ray touches what it leaves only inward at the edge of a box, starts no farther than promised, and
-/// goes where it was sent; the higher, the nearer to the tangent plane, to the surface and to an edge.
+/// A secondary ray touches what it leaves only inward at the edge of a box, starts no farther away than promised, and
+/// goes where it was sent. The score is higher the nearer the ray is to the tangent plane, to the surface and to an
+/// edge.
 pub fn secondaire<R: Reel>(cas: &Essai<R>) -> f64 {
     let objet = &cas.objets[0];
     let Some(touche) = touche(cas) else { return RIEN };
@@ -286,7 +289,7 @@ pub fn secondaire<R: Reel>(cas: &Essai<R>) -> f64 {
     };
     let rayon = match touche.secondaire(vers) {
         Ok(rayon) => rayon,
-        // No direction; a sphere that is lost, or a start out of range.
+        // There is no direction; or, below, a sphere is lost or a start is out of range.
         Err(erreur) if erreur.champ.starts_with("direction") => return RIEN,
         Err(_) => {
             let loin = touche.point().vers_f64().longueur() + touche.marge().vers_f64();
@@ -294,8 +297,8 @@ pub fn secondaire<R: Reel>(cas: &Essai<R>) -> f64 {
         }
     };
     let dedans = rayon.direction().produit_scalaire(n) < R::ZERO;
-    // Nor does it leave what it has left; and what it goes on in it leaves, except beside an edge, where it may start
-    // on another face or beyond.
+    // An outward ray has no way out of the object either, and an inward ray has one, except beside an edge, where it
+    // may start on another face or beyond.
     let bornee = Genre::de(objet) != Genre::Plan;
     let au_fond =
         || dehors(objet, rayon.source()) < -permis::LIEU_F * u::<R>() * grandeur(objet, &rayon);
@@ -308,11 +311,12 @@ pub fn secondaire<R: Reel>(cas: &Essai<R>) -> f64 {
         return ROMPUE;
     }
     let (n, depart) = (n.vers_f64(), rayon.source().vers_f64());
-    // Turned outward by 12u, up to 8u too long at a right angle to that, and rounded in each coordinate.
+    // The direction is turned outward by 12u, up to 8u too long at a right angle to that, and rounded in each
+    // coordinate.
     let voulue = vers.vers_f64().unitaire().unwrap_or(Vecteur::NUL);
     let tournee = (rayon.direction().vers_f64() - voulue).longueur() / (20.0 * u::<R>());
-    // The step is the margin and 20u of it (`PAS_NORMAL`), and 1.1u of the weights (`PAS_ARRONDI`), along an N
-    // up to 6u too long, 26.1u in all; the start rounds in each coordinate, |P| among them, and products underflow.
+    // The step is the margin and 20u of it (`PAS_NORMAL`), and 1.1u of the weights (`PAS_ARRONDI`), along an N up to 6u
+    // too long, in all 26.1u. The start rounds in each coordinate, |P| included, and products underflow.
     let p = cas.rayon.point(touche.distance()).vers_f64();
     let permis = touche.marge().vers_f64() * (1.0 + 32.0 * u::<R>())
         + 2.0 * u::<R>() * (poids(n, p) + p.longueur())
@@ -353,14 +357,14 @@ pub fn reflechi<R: Reel>(cas: &Essai<R>) -> f64 {
         Genre::Sphere => permis::REFLECHI_SPHERE,
         Genre::Plan | Genre::Boite => permis::REFLECHI_PLAT,
     };
-    // What is turned outward is above its plane by less than 20u.
+    // A direction that was turned outward is above its plane by less than 20u.
     let rase = n.produit_scalaire(reflet.direction()).vers_f64() < 20.0 * u::<R>();
     let permis = du_miroir + if rase { permis::REFLECHI_REDRESSE } else { 0.0 };
     ecart_du_miroir(d, n, reflet.direction()) / (permis * u::<R>())
 }
 
-/// How far a refracted direction is from that of Snell's law; whether light passes is judged by how near the decision is.
-/// `vers` begins with the ratio of the indices.
+/// How far a refracted direction is from that of Snell's law. Where a wrong answer says whether light passes, how near
+/// that decision is counts. `vers` begins with the ratio of the indices.
 pub fn refracte<R: Reel>(cas: &Essai<R>) -> f64 {
     let (d, rapport) = (cas.rayon.direction(), cas.vers[0]);
     let eta = rapport.vers_f64();
@@ -380,7 +384,7 @@ pub fn refracte<R: Reel>(cas: &Essai<R>) -> f64 {
     match (passe, ecart) {
         (Some(_), Some(ecart)) => ecart * cosinus2.sqrt() / (permis::REFRACTE * u),
         (None, _) if cosinus2 <= 0.0 => RIEN,
-        // Decided otherwise than exactly.
+        // The decision differs from the exact one.
         (Some(_), None) | (None, _) => {
             let [n, d] = [n, d].map(Vecteur::vers_f64);
             let devant = n.produit_scalaire(d).abs() / (n.longueur() * d.longueur());
@@ -399,8 +403,8 @@ pub fn soleil<R: Reel>(cas: &Essai<R>) -> f64 {
     ecart_du_cosinus(n, soleil, cosinus).abs() / (permis::SOLEIL * u::<R>())
 }
 
-/// The least δ with which a ray that turns where it enters touches the object at once, as a part of the δ that it has; 0
-/// where that place is outside.
+/// The least δ with which a ray that turns where it enters touches the object at once, as a part of the δ that it has;
+/// 0 if it turns outside of the object.
 pub fn virage<R: Reel>(cas: &Essai<R>) -> f64 {
     let objet = &cas.objets[0];
     let Ok(touche) = objet.intersection(&cas.rayon) else { return RIEN };
@@ -415,7 +419,7 @@ pub fn virage<R: Reel>(cas: &Essai<R>) -> f64 {
         touche.is_some_and(|touche| touche.distance() == R::ZERO)
     };
     if !suffit(1.0) {
-        // A ray that passes the object by, or leaves it by a face as near, need not touch it.
+        // A ray that passes by the object, or leaves it by a face as near, need not touch it.
         return if [1.25, 2.0, 1024.0].into_iter().any(suffit) { ROMPUE } else { RIEN };
     }
     let (mut trop_peu, mut assez) = (0.0, 1.0);
@@ -426,9 +430,9 @@ pub fn virage<R: Reel>(cas: &Essai<R>) -> f64 {
     assez
 }
 
-/// How deep a ray is, on its way through an object that it does not touch, beyond what it knows of its place, as a part
-/// of o_B; in a half-space, which has none, as a part of that knowledge (lemma 22). The ray turns where another enters the
-/// object, towards where that is left.
+/// How deep a ray is on its way through an object that it does not touch, beyond what it knows of its place, as a part
+/// of o_B; in a half-space, whose o_B is 0, as a part of that knowledge (lemma 22). The ray turns where another enters
+/// the object, into the direction `vers`.
 pub fn enfoncement<R: Reel>(cas: &Essai<R>) -> f64 {
     let (objet, [x, y, z, ..]) = (&cas.objets[0], cas.vers);
     let Ok(touche) = objet.intersection(&cas.rayon) else { return RIEN };
@@ -452,15 +456,15 @@ pub fn enfoncement<R: Reel>(cas: &Essai<R>) -> f64 {
     [0.0, 0.25, 0.5, 0.75].map(part).into_iter().fold(RIEN, f64::max)
 }
 
-/// How deep a ray from outside comes into an object up to where it enters, or anywhere if it misses it, as a part of what
-/// the proof of lemma 22 grants S+tD; with what that is rounded by in `f64`.
+/// How deep a ray from outside comes into an object before its entry, or anywhere if it misses, as a part of what the
+/// proof of lemma 22 grants S+tD and of the rounding in `f64` here.
 pub fn effleurement<R: Reel>(cas: &Essai<R>) -> f64 {
     let (objet, rayon) = (&cas.objets[0], &cas.rayon);
     if objet.contient(rayon.source()) {
         return RIEN;
     }
     let (s, d) = (rayon.source().vers_f64(), rayon.direction().vers_f64());
-    // Where it is deepest, about.
+    // About where the ray is deepest.
     let instants = match (objet.intersection(rayon), objet) {
         (Ok(touche), _) => [touche.distance().vers_f64(); 3],
         (Err(_), ObjetRay::Sphere(boule)) => {
@@ -500,13 +504,13 @@ pub fn effleurement<R: Reel>(cas: &Essai<R>) -> f64 {
     instants.map(part).into_iter().fold(RIEN, f64::max)
 }
 
-/// The error of the distance, in scene units or in lengths of D if that is more, as a part of `erreur`, which is +∞
-/// where there is no entry, or no way out. What the oracle itself may have rounded does not count.
+/// The error of the distance, in scene units or in lengths of D, whichever is more, as a part of `erreur`. Where there
+/// is no entry, or no way out, `erreur` is +∞. What the oracle itself may have rounded does not count.
 pub fn erreur<R: Reel>(cas: &Essai<R>) -> f64 {
     let Some(touche) = touche(cas) else { return RIEN };
     let borne = cas.objets[0].erreur(&cas.rayon, &touche).vers_f64();
     match la_verite(cas).entree {
-        // In units in which neither is a subnormal.
+        // In units in which neither error is subnormal.
         Some(entree) => {
             let echelle = if borne < 1e-200 { 200_f64.exp2() } else { 1.0 };
             let en_longueurs_de_d = entree.ecart_fois(touche.distance(), echelle).abs();
@@ -519,7 +523,7 @@ pub fn erreur<R: Reel>(cas: &Essai<R>) -> f64 {
     }
 }
 
-/// `est_certain` of a wrong answer is the end; of a right one it is the better the nearer the decision.
+/// `est_certain` of a wrong answer breaks the promise. A right answer scores higher the nearer the decision is.
 pub fn est_certain<R: Reel>(cas: &Essai<R>) -> f64 {
     let objet = &cas.objets[0];
     let verite = verite(objet, &cas.rayon);
@@ -536,7 +540,8 @@ pub fn est_certain<R: Reel>(cas: &Essai<R>) -> f64 {
     }
 }
 
-/// A glance that leaves the true entry out is the end; else it is the better, the nearer that is to an end, in u of it.
+/// A glance that leaves out the true entry breaks the promise. The nearer one of its ends lies to the entry, in u of
+/// the entry, the higher the score.
 pub fn coup_d_oeil<R: Reel>(cas: &Essai<R>) -> f64 {
     let (objet, rayon) = (cas.objets[0].temoin_f64(), cas.rayon.temoin_f64());
     let vue = pour_les_tests::coup_d_oeil(&objet, &rayon);
@@ -554,6 +559,6 @@ pub fn coup_d_oeil<R: Reel>(cas: &Essai<R>) -> f64 {
     if reste < 0.0 {
         return ROMPUE;
     }
-    // Of an entry that no `f64` holds.
+    // No `f64` holds such an entry.
     if arrondi == 0.0 || arrondi == f64::INFINITY { RIEN } else { tenue(reste / arrondi) }
 }

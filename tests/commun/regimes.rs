@@ -1,5 +1,5 @@
-//! The extremes, each a directed generator of one object and one ray. Random rays meet a leak
-//! at an edge once in millions; these meet it at every step.
+//! The extremes, each a directed generator of one object and one ray. Random rays meet a leak at an edge once in
+//! millions; these rays meet it at every step.
 
 use core::f64::consts::{FRAC_PI_2, TAU};
 
@@ -41,13 +41,13 @@ impl Genre {
 pub enum Extreme {
     /// Nothing.
     Aucun,
-    /// The object is small beside its distance, or its distance from the origin.
+    /// The object is small beside its distance from the source or from the origin.
     Loin,
     /// The ray is nearly parallel to the surface, so that hits may lie anywhere.
     Parallele,
     /// Numbers at the ends of their range.
     Bornes,
-    /// The decision, to the last bits.
+    /// The decision hangs on the last bits.
     Decision,
 }
 
@@ -87,7 +87,7 @@ pub fn regimes<R: Reel>() -> [Regime<R>; 19] {
     ]
 }
 
-/// An object of about this size with its centre (for a half-space, a point of it) here.
+/// Makes an object of about this size with its centre here; a half-space has a point of its surface here.
 type Forme<R> = fn(&mut dyn Tirage, Vecteur, f64) -> ObjetGeo<R>;
 
 pub fn entre(alea: &mut dyn Tirage, min: f64, max: f64) -> f64 {
@@ -125,13 +125,13 @@ pub fn repere<R: Reel>(normale: Vecteur<R>) -> [[R; 3]; 3] {
     [arrondi(x).into(), arrondi(y).into(), normale.into()]
 }
 
-/// A mirror of which |N|² − 1 is nearly 8u, what is kept, unless rounding adds so much that its matrix is polished; and
-/// a ray from the end of N, whose |D| is nearly 5u off, at the angle at which that turns its image most.
+/// A mirror whose |N|² − 1 is nearly the 8u up to which N is kept, unless rounding adds so much that its matrix is
+/// polished; and a ray from the end of N, whose |D| is nearly 5u off, at the angle at which that turns its image most.
 pub fn miroir<R: Reel>(alea: &mut dyn Tirage) -> Cas<R> {
     miroir_sous(0.743, alea)
 }
 
-/// The same at the angle of incidence of this sine.
+/// The same at the angle of incidence with this sine.
 pub fn miroir_sous<R: Reel>(sinus: f64, alea: &mut dyn Tirage) -> Cas<R> {
     let (n, u) = (direction(alea), R::U.vers_f64());
     let k = 1.0 + 3.9 * u;
@@ -142,7 +142,7 @@ pub fn miroir_sous<R: Reel>(sinus: f64, alea: &mut dyn Tirage) -> Cas<R> {
     Cas { objet: ObjetGeo::from(plan).vers_ray(), rayon }
 }
 
-/// At a right angle to `d`.
+/// A unit vector across `d`.
 fn travers(alea: &mut dyn Tirage, d: Vecteur) -> Vecteur {
     loop {
         let v = direction(alea);
@@ -153,7 +153,7 @@ fn travers(alea: &mut dyn Tirage, d: Vecteur) -> Vecteur {
     }
 }
 
-/// Three angles; half of the time quarters of a turn, whose matrix is exact.
+/// Three angles; half of the time quarter turns, whose matrix is exact.
 pub fn angles<R: Reel>(alea: &mut dyn Tirage) -> Vecteur<R> {
     let quarts = alea.bool();
     let angle = |()| {
@@ -192,7 +192,7 @@ fn demi_espace<R: Reel>(alea: &mut dyn Tirage, en: Vecteur, _: f64) -> ObjetGeo<
     PlanGeo::new(r, borne(-n.produit_scalaire(en)), Texture(0)).unwrap().into()
 }
 
-/// One box in two is up to 10^12 times as long as thick.
+/// One box in two may be up to 10^12 times as long as thick.
 fn boite<R: Reel>(alea: &mut dyn Tirage, centre: Vecteur, l: f64) -> ObjetGeo<R> {
     let allonge = if alea.bool() { -40.0 } else { -2.0 };
     let dimensions = [(); 3].map(|()| taille(l * deux_puissance(alea, allonge, 0.0)));
@@ -206,7 +206,7 @@ fn lancer<R: Reel>(objet: ObjetGeo<R>, de: Vecteur, vers: Vecteur) -> Cas<R> {
     Cas { objet: objet.vers_ray(), rayon: rayon.unwrap() }
 }
 
-/// Any scale, from a few sizes away, at and a little beside the object.
+/// At any scale, a ray from a few sizes away at the object or a little beside it.
 fn ordinaire<R: Reel>(alea: &mut dyn Tirage, forme: Forme<R>) -> Cas<R> {
     let l = deux_puissance(alea, -20.0, 20.0);
     let centre = direction(alea) * (l * deux_puissance(alea, -3.0, 4.0));
@@ -216,7 +216,7 @@ fn ordinaire<R: Reel>(alea: &mut dyn Tirage, forme: Forme<R>) -> Cas<R> {
     lancer(objet, de, vers - de)
 }
 
-/// Up to 4·10^6 (f32) or 2·10^15 (f64) sizes away, where S − C is not representable.
+/// A ray from up to 4·10^6 (f32) or 2·10^15 (f64) sizes away, where S − C is not representable.
 fn loin<R: Reel>(alea: &mut dyn Tirage, forme: Forme<R>) -> Cas<R> {
     let l = deux_puissance(alea, -10.0, 10.0);
     let bits = -R::U.vers_f64().log2();
@@ -228,7 +228,7 @@ fn loin<R: Reel>(alea: &mut dyn Tirage, forme: Forme<R>) -> Cas<R> {
     lancer(objet, centre - d * distance + ecart, d)
 }
 
-/// The object and the source close together, where few coordinates are left between them.
+/// The object and the source close together and far from the origin, where few coordinates lie between them.
 fn loin_de_l_origine<R: Reel>(alea: &mut dyn Tirage, forme: Forme<R>) -> Cas<R> {
     let l = deux_puissance(alea, -10.0, 10.0);
     let bits = -R::U.vers_f64().log2();
@@ -239,7 +239,7 @@ fn loin_de_l_origine<R: Reel>(alea: &mut dyn Tirage, forme: Forme<R>) -> Cas<R> 
     lancer(objet, de, vers - de)
 }
 
-/// At r(1 ± 2^−k) from the centre, to the last bit and beyond.
+/// The ray passes the centre at r(1 ± 2^−k), to the last bit and beyond.
 fn sphere_rasante<R: Reel>(alea: &mut dyn Tirage) -> Cas<R> {
     let r = deux_puissance(alea, -10.0, 10.0);
     let centre = direction(alea) * (r * deux_puissance(alea, -3.0, 8.0));
@@ -250,7 +250,7 @@ fn sphere_rasante<R: Reel>(alea: &mut dyn Tirage) -> Cas<R> {
     lancer(boule(alea, centre, r), de, d)
 }
 
-/// A point of the surface and the normal there; of a half-space `etendue` away from the foot of O.
+/// A point of the surface and the normal there; for a half-space a point `etendue` away from the foot of O.
 fn surface<R: Reel>(
     alea: &mut dyn Tirage,
     objet: &ObjetRay<R>,
@@ -279,7 +279,7 @@ fn surface<R: Reel>(
     }
 }
 
-/// From a relative height of 10^−16 … 1 above the surface: going in, along and out.
+/// The ray starts at a relative height of 10^−16 … 1 above the surface, and goes in, along it or out.
 fn au_ras<R: Reel>(alea: &mut dyn Tirage, forme: Forme<R>) -> Cas<R> {
     let l = deux_puissance(alea, -10.0, 10.0);
     let centre = direction(alea) * (l * deux_puissance(alea, -3.0, 8.0));
@@ -291,7 +291,7 @@ fn au_ras<R: Reel>(alea: &mut dyn Tirage, forme: Forme<R>) -> Cas<R> {
     lancer(objet, point + n * haut, n * penche + travers(alea, n))
 }
 
-/// The object about the origin and the source exactly on, or k ulp above or below, its surface.
+/// The object is about the origin, and the source exactly on its surface or k ulp above or below.
 fn a_quelques_ulp<R: Reel>(alea: &mut dyn Tirage, forme: Forme<R>) -> Cas<R> {
     let l = deux_puissance(alea, -10.0, 10.0);
     let objet = forme(alea, Vecteur::NUL, l);
@@ -308,7 +308,7 @@ fn a_quelques_ulp<R: Reel>(alea: &mut dyn Tirage, forme: Forme<R>) -> Cas<R> {
     lancer(objet, point * ulp, vers)
 }
 
-/// Sizes and coordinates over the whole range that a scene can hold, its two ends often.
+/// Sizes and coordinates over the whole range that a scene can hold, often at its two ends.
 fn bornes<R: Reel>(alea: &mut dyn Tirage, forme: Forme<R>) -> Cas<R> {
     let bits = R::LIMITE.vers_f64().log2();
     let echelle = |alea: &mut dyn Tirage| match alea.u8(0..4) {
@@ -325,7 +325,7 @@ fn bornes<R: Reel>(alea: &mut dyn Tirage, forme: Forme<R>) -> Cas<R> {
     lancer(objet, de.vers_f64(), cible - de.vers_f64())
 }
 
-/// N·D = ±0, subnormal, ±2^−k; from near and from 10^15 along the plane.
+/// N·D is ±0, subnormal or ±2^−k, from nearby and from 10^15 away along the plane.
 fn plan_rasant<R: Reel>(alea: &mut dyn Tirage) -> Cas<R> {
     let l = deux_puissance(alea, -10.0, 10.0);
     let centre = direction(alea) * (l * deux_puissance(alea, -3.0, 8.0));
@@ -343,7 +343,7 @@ fn plan_rasant<R: Reel>(alea: &mut dyn Tirage) -> Cas<R> {
     lancer(objet, de, travers(alea, n) - n * (signe * descente))
 }
 
-/// Through an edge or a corner all of whose faces look at the source, and k ulp beside it.
+/// The ray goes through an edge or a corner all of whose faces look at the source, or k ulp beside it.
 fn aretes<R: Reel>(alea: &mut dyn Tirage) -> Cas<R> {
     let l = deux_puissance(alea, -10.0, 10.0);
     let centre = direction(alea) * (l * deux_puissance(alea, -3.0, 8.0));
@@ -351,7 +351,7 @@ fn aretes<R: Reel>(alea: &mut dyn Tirage) -> Cas<R> {
     let ObjetRay::Boite(b) = objet.vers_ray() else { unreachable!("made as a box") };
     let (c, n) = (b.centre().vers_f64(), b.normales().map(Vecteur::vers_f64));
     let l = b.demi_longueurs().map(R::vers_f64);
-    // Along the third axis anywhere for an edge, at its end for a corner.
+    // An edge leaves the place along the third axis free; at a corner it is an end.
     let libre = if alea.bool() { alea.usize(0..3) } else { 3 };
     let signes = [(); 3].map(|()| signe(alea));
     let cible = (0..3).fold(c, |point, axe| {
@@ -368,7 +368,7 @@ fn aretes<R: Reel>(alea: &mut dyn Tirage) -> Cas<R> {
     lancer(objet, de, cible * k - de)
 }
 
-/// D·N = ±0 in the plane of a face, k ulp beside it, and away from it.
+/// D·N is ±0, and the ray runs in the plane of a face, k ulp beside it, or away from it.
 fn le_long_d_une_face<R: Reel>(alea: &mut dyn Tirage) -> Cas<R> {
     let l = [(); 3].map(|()| deux_puissance(alea, -10.0, 10.0));
     let centre = direction(alea) * deux_puissance(alea, -10.0, 10.0);
@@ -394,8 +394,8 @@ fn le_long_d_une_face<R: Reel>(alea: &mut dyn Tirage) -> Cas<R> {
     lancer(objet.into(), de.into(), vers.into())
 }
 
-/// D·N within ±2⁻⁶⁰ … 2⁻²⁰ of 0 for a turned box, towards the edge where the ray enters beside
-/// or through that face.
+/// D·N is within ±2⁻⁶⁰ … 2⁻²⁰ of 0 at a turned box, and the ray goes towards the edge where it enters beside that face
+/// or through it.
 fn presque_le_long_d_une_face<R: Reel>(alea: &mut dyn Tirage) -> Cas<R> {
     let l = deux_puissance(alea, -10.0, 10.0);
     let centre = direction(alea) * (l * deux_puissance(alea, -3.0, 4.0));
@@ -405,7 +405,7 @@ fn presque_le_long_d_une_face<R: Reel>(alea: &mut dyn Tirage) -> Cas<R> {
     let face = alea.usize(0..3);
     let signe = signe(alea);
     let d = travers(alea, n[face]) - n[face] * (signe * deux_puissance(alea, -60.0, -20.0));
-    // A point of the edges of that face, from which the ray goes back.
+    // A point of the edges of that face, from which the source lies back along the ray.
     let au_bord = (face + 1 + alea.usize(0..2)) % 3;
     let cible = (0..3).fold(b.centre().vers_f64(), |point, axe| {
         let ou = match axe {
@@ -418,8 +418,8 @@ fn presque_le_long_d_une_face<R: Reel>(alea: &mut dyn Tirage) -> Cas<R> {
     lancer(objet, cible - d * (Vecteur::from(l).longueur() * deux_puissance(alea, -3.0, 3.0)), d)
 }
 
-/// This case as one of the way out: the ray as it is; or a ray from within, from any depth, towards the same, back or
-/// anywhere; or the one that goes on inward.
+/// Makes of this case one for the way out. The ray stays as it is; or starts within, at any depth, in the same
+/// direction, back, across or anywhere; or is the one that goes on inward.
 pub fn vers_la_sortie<R: Reel>(Cas { objet, rayon }: Cas<R>, alea: &mut dyn Tirage) -> Cas<R> {
     let dedans = |alea: &mut dyn Tirage| {
         let (point, n) = match alea.u8(0..4) {
@@ -429,7 +429,7 @@ pub fn vers_la_sortie<R: Reel>(Cas { objet, rayon }: Cas<R>, alea: &mut dyn Tira
                 return touche.secondaire(rayon.direction()).ok();
             }
             2 => {
-                // Between the two crossings; in a half-space as deep as it was high.
+                // Between the two crossings; in a half-space up to as deep as S was high.
                 let t = objet.intersection(&rayon).ok()?.distance().vers_f64();
                 let fin =
                     objet.sortie(&rayon).map_or(2.0 * t, |sortie| sortie.distance().vers_f64());
@@ -437,7 +437,7 @@ pub fn vers_la_sortie<R: Reel>(Cas { objet, rayon }: Cas<R>, alea: &mut dyn Tira
                 (s + d * (t + alea.f64() * (fin - t)), -d)
             }
             _ => {
-                // Below the surface, by up to all of a ball.
+                // Below the surface, in a ball down to its centre.
                 let l = match &objet {
                     ObjetRay::Sphere(sphere) => sphere.rayon().vers_f64(),
                     ObjetRay::Plan(plan) => plan.distance().vers_f64().abs(),
@@ -461,7 +461,7 @@ pub fn vers_la_sortie<R: Reel>(Cas { objet, rayon }: Cas<R>, alea: &mut dyn Tira
     Cas { objet, rayon }
 }
 
-/// The object with another texture, moved or grown by a few units in the last place or by nothing.
+/// The object with another texture, moved or grown by a few units in the last place, or not at all.
 pub fn presque<R: Reel>(
     objet: &ObjetRay<R>,
     texture: Texture,
@@ -486,9 +486,9 @@ pub fn presque<R: Reel>(
     autre.unwrap_or(*objet)
 }
 
-/// 64 rays around the one from `s` along `d`, which go apart by about `ouverture` in direction and `etendue` in place: a
-/// tile and a row as a picture has them, scattered, every other turned back, or all but the middle one on one side; some
-/// along axes, to the last sign of a zero and down to the smallest number.
+/// 64 rays around the one from `s` along `d`, spread by about `ouverture` in direction and `etendue` in place: a tile
+/// or a row as in a picture, scattered, every other one turned back, or all but the middle one on one side. Some run
+/// along axes, down to the sign of a zero and to the smallest numbers.
 pub fn gerbe<R: Reel>(
     alea: &mut Hasard,
     (s, d): (Vecteur, Vecteur),

@@ -45,7 +45,7 @@ pub fn rayons_camera<R: Reel>(largeur: usize, hauteur: usize) -> Vec<Rayon<R>> {
     pixels.map(rayon).collect()
 }
 
-/// The rays of a square picture, every other one turned round: no probe of all of them tells boxes apart.
+/// The rays of a square picture, every other one turned round, so that no probe of all of them tells boxes apart.
 pub fn rayons_opposes<R: Reel>(cote: usize) -> Vec<Rayon<R>> {
     let mut rayons = rayons_camera::<R>(cote, cote);
     for rayon in rayons.iter_mut().step_by(2) {
@@ -54,7 +54,7 @@ pub fn rayons_opposes<R: Reel>(cote: usize) -> Vec<Rayon<R>> {
     rayons
 }
 
-/// The rows of a picture so wide, in tiles of 8 × 8.
+/// The rows of a picture of this width, in tiles of 8 × 8.
 pub fn en_tuiles<T: Copy>(rangees: &[T], largeur: usize) -> Vec<T> {
     let bandes = rangees.chunks(8 * largeur);
     let tuiles = bandes.flat_map(|bande| {

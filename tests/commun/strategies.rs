@@ -8,7 +8,7 @@ use crate::hasard::{Hasard, Tirage};
 use crate::regimes::{entre, rotation};
 use crate::{Bits, arrondi};
 
-/// Any float at all, the remarkable ones often.
+/// Any float at all, with the remarkable ones often.
 pub fn quelconque<R: Bits>(alea: &mut Hasard) -> R {
     let limite = R::LIMITE.vers_f64();
     let remarquables = [
@@ -41,12 +41,12 @@ pub fn vecteur_quelconque<R: Bits>(alea: &mut Hasard) -> Vecteur<R> {
     [(); 3].map(|()| quelconque(alea)).into()
 }
 
-/// A vector whose coordinates are at most `max`.
+/// A vector whose coordinates lie within ±`max`.
 pub fn vecteur<R: Reel>(alea: &mut Hasard, max: f64) -> Vecteur<R> {
     arrondi([(); 3].map(|()| entre(alea, -max, max)).into())
 }
 
-/// A sphere, a half-space or a box about 1 large, whose coordinates are at most ten times that.
+/// A sphere, a half-space or a box of size about 1, whose coordinates are at most ten times that.
 pub fn objet<R: Reel>(alea: &mut Hasard) -> ObjetGeo<R> {
     let (centre, texture) = (vecteur(alea, 10.0), Texture(alea.mot() as u32));
     let cotes = [(); 3].map(|()| R::depuis_f64(entre(alea, 0.1, 2.0)));

@@ -1,5 +1,6 @@
-//! No ray leaves a closed room (lemma 22): paths whose every bounce is aimed at a seam, and shadows of lamps beyond the
-//! walls, in rooms of half-spaces and of boxes that overlap, straight and turned, with furniture that stands flush.
+//! No ray leaves a closed room (lemma 22): neither paths whose every bounce is aimed at a seam, nor shadow rays to
+//! lamps beyond the walls, in rooms of half-spaces and of boxes that overlap, straight and turned, with furniture that
+//! stands flush.
 
 use commun::chemins::{Pas, Suite, suivre};
 use commun::fabrique::{avec_arbre, boite, boite_droite, mur, murs, sphere, v};
@@ -19,7 +20,7 @@ use lancer_rayon::{
     Vecteur, premiere_intersection,
 };
 
-/// Walls, then furniture; and points of the seams between them, towards which rays are sent.
+/// Walls, then furniture, and the seams between them, towards whose points rays are sent.
 #[derive(Debug)]
 struct Chambre<R> {
     objets: Vec<ObjetRay<R>>,
@@ -29,8 +30,8 @@ struct Chambre<R> {
     milieu: Vecteur,
 }
 
-/// How a path goes on where it comes to: it bounces towards a seam, or ends this part of the way there, in mid-air or
-/// within rounding of the wall, and goes on towards the seam or anywhere. A lamp beyond the walls throws shadows.
+/// How a path goes on: it bounces towards a seam, or it flies part of its way, ending in mid-air or within rounding of
+/// the wall, and turns towards the seam or anywhere. A lamp beyond the walls throws shadows.
 type Etape<R> = (Vecteur<R>, Option<(f64, Vecteur<R>)>, Vecteur<R>);
 type Chemin<R> = (Rayon<R>, Vec<Etape<R>>);
 
@@ -41,7 +42,8 @@ impl<R: Reel> Chambre<R> {
         let tour = Rotation::new(arrondi(angles)).unwrap();
         let loin = *alea.choix(&[0.0, 1.0, 100.0]);
         let milieu = direction(alea) * loin;
-        // Each box reaches beyond its corners, some by hardly more than a long path knows its place.
+        // Each box reaches beyond the corners of the room, sometimes by hardly more than the error of a place after a
+        // long path.
         let peu = (4096.0 * u::<R>() * loin).max(1e-3);
         let boites = [None, Some([0.4, 0.2]), Some([0.4, peu])][alea.usize(0..3)];
         let murs = murs(arrondi(milieu), tour, 2.0, boites);
@@ -96,7 +98,7 @@ impl<R: Reel> Chambre<R> {
         self.coutures.push([self.place(a), self.place(b)]);
     }
 
-    /// A point of a seam, most often beside it.
+    /// A point of a seam or, more often, beside it.
     fn cible(&self, alea: &mut Hasard) -> Vecteur<R> {
         let [a, b] = *alea.choix(&self.coutures);
         let p = a + (b - a) * alea.f64();
@@ -104,7 +106,7 @@ impl<R: Reel> Chambre<R> {
         arrondi(if alea.u8(0..4) == 0 { p } else { p + peu })
     }
 
-    /// With so many paths from somewhere in the air towards seams.
+    /// The room with up to `n` paths from the air towards seams.
     fn avec_chemins(self, alea: &mut Hasard, n: usize, pas: usize) -> (Self, Vec<Chemin<R>>) {
         let libre = Monde::de_liste(&self.objets);
         let chemins = alea.liste(n, |alea, _| {
@@ -125,14 +127,14 @@ impl<R: Reel> Chambre<R> {
         (self, chemins)
     }
 
-    /// How deep a point lies in the object that holds it deepest, beyond δ and the rounding of the object.
+    /// How deep a point lies in the object that holds it deepest, beyond `flou` and the rounding of the object.
     fn exces(&self, point: Vecteur<R>, flou: R) -> f64 {
         let profond = |objet| profondeur(objet, point) - flou.vers_f64();
         self.objets.iter().map(profond).fold(f64::MIN, f64::max)
     }
 }
 
-/// The next ray of a path, towards this point if that is outward, else mirrored.
+/// The next ray of a path, towards this point if that is outward, otherwise mirrored.
 fn rebond<R: Reel>(cible: Vecteur<R>, touche: &Intersection<R>) -> Option<Rayon<R>> {
     let (vers, n) = (cible - touche.point(), touche.normale());
     let le_long = vers.produit_scalaire(n);
@@ -140,7 +142,7 @@ fn rebond<R: Reel>(cible: Vecteur<R>, touche: &Intersection<R>) -> Option<Rayon<
     touche.secondaire(vers).ok()
 }
 
-/// From the points where flights end, without what the rays know of them, some rays leave.
+/// Where a flight ends, some rays that forget what they knew of their place leave the room.
 fn aucun_chemin_ne_quitte_une_chambre<R: Bits>() {
     let [mut pas, mut d_emblee, mut ombres, mut dehors_sans_flou] = [0; 4];
     let faire = |alea: &mut Hasard| Chambre::<R>::new(alea).avec_chemins(alea, 60, 16);
@@ -154,7 +156,7 @@ fn aucun_chemin_ne_quitte_une_chambre<R: Bits>() {
                 };
                 let t = touche.distance();
                 d_emblee += usize::from(t == R::ZERO);
-                // P has its own rounding, which the next δ has.
+                // P has a rounding of its own, which the next δ holds.
                 let exces = chambre.exces(touche.point(), rayon.flou());
                 assert!(exces <= flou_du_point(t, touche.point()), "{exces:e}: {rayon:?}");
                 if let Ok(ombre) = touche.vers_lumiere(lampe) {
@@ -175,7 +177,7 @@ fn aucun_chemin_ne_quitte_une_chambre<R: Bits>() {
                     suivant
                 } else {
                     let Some(suivant) = rebond(cible, &touche) else { break };
-                    // It never touches what it left.
+                    // The ray never touches what it left.
                     let quitte = chambre.objets[touche.indice()];
                     assert_eq!(quitte.intersection(&suivant), Err(NoIntersection), "{suivant:?}");
                     suivant
@@ -189,8 +191,9 @@ fn aucun_chemin_ne_quitte_une_chambre<R: Bits>() {
 
 en_f32_et_f64!(aucun_chemin_ne_quitte_une_chambre);
 
-/// What the pages say of furnished rooms of 2 m about O or beside it: on paths of 50 bounces, all aimed at seams, hits at
-/// once do not bring a ray deeper and deeper. (Steps of twice the depth did, to some millimetres in `f32`.)
+/// What the pages say of furnished rooms of 2 m about O or beside it: on paths of 50 bounces, all aimed at seams, hits
+/// at once do not bring a ray deeper and deeper. (With steps of twice the depth they did, down to some millimetres in
+/// `f32`.)
 fn de_couture_en_couture_un_chemin_ne_s_enfonce_pas<R: Reel>() {
     let (mut chemins, mut pas, mut d_emblee) = (0, 0, 0_u32);
     let (mut profond, mut flous) = (0.0_f64, vec![]);
@@ -226,9 +229,9 @@ fn de_couture_en_couture_un_chemin_ne_s_enfonce_pas<R: Reel>() {
 
 en_f32_et_f64!(de_couture_en_couture_un_chemin_ne_s_enfonce_pas);
 
-/// The furniture is of glass: light goes through it as the page on glass says, mirrored inside or not, and so on from wall
-/// to wall, aimed at seams. A ray that started beside an edge is outside already where it should be inside; no ray is so
-/// for long, and none leaves the room.
+/// The furniture is of glass. Light goes through it as the page on glass says, perhaps mirrored inside, and on from
+/// wall to wall, aimed at seams. A ray that starts beside an edge may be outside where it should be inside, but not for
+/// long, and none leaves the room.
 fn a_travers_du_verre_aucun_chemin_ne_quitte_une_chambre<R: Reel>() {
     let [mut pas, mut traverses, mut reflets, mut sans_sortie] = [0; 4];
     let faire = |alea: &mut Hasard| Chambre::<R>::new(alea).avec_chemins(alea, 100, 40);
@@ -241,7 +244,7 @@ fn a_travers_du_verre_aucun_chemin_ne_quitte_une_chambre<R: Reel>() {
                 pas += 1;
                 if let Some(i) = verre {
                     rayon = match dans_le_verre(&monde, i, &rayon) {
-                        // A wall that the glass reaches into, or other furniture.
+                        // The light meets a wall that the glass reaches into, or other furniture.
                         Ok(Verre::Touche(touche)) => {
                             let Some(suivant) = rebond(cible, &touche) else { break };
                             suivant
@@ -256,7 +259,7 @@ fn a_travers_du_verre_aucun_chemin_ne_quitte_une_chambre<R: Reel>() {
                                 sortie.reflechi(rayon.direction()).unwrap()
                             }
                         }
-                        // In the air, with what it knows.
+                        // The ray is in the air, with its δ.
                         Err(NoIntersection) => {
                             (verre, sans_sortie) = (None, sans_sortie + 1);
                             rayon.dehors()
@@ -285,8 +288,8 @@ fn a_travers_du_verre_aucun_chemin_ne_quitte_une_chambre<R: Reel>() {
 
 en_f32_et_f64!(a_travers_du_verre_aucun_chemin_ne_quitte_une_chambre);
 
-/// A chain that `temoin_f64` widens on its way, with its room: its start may lie as deep as `f32` lets it, and some do not
-/// touch what they touched at once. With a δ that is larger by the o of `f32` no chain leaves.
+/// A chain that `temoin_f64` widens on its way, together with its room. Its start may lie as deep as `f32` lets it, and
+/// some rays no longer touch what they touched at once. With a δ larger by the o of `f32` no chain leaves.
 #[test]
 fn une_chaine_elargie_reste_si_son_flou_est_plus_grand() {
     let (mut d_emblee, mut oublies, mut rebonds) = (0, 0, 0);
@@ -321,7 +324,7 @@ fn une_chaine_elargie_reste_si_son_flou_est_plus_grand() {
     assert!(oublies > 10 && rebonds > 1_000, "{oublies} of {d_emblee}, {rebonds}");
 }
 
-/// A turn at a wall through O, among numbers so small that 15u·t is lost: the ray finds the wall all the same.
+/// A turn at a wall through O, among numbers so small that 15u·t is lost. The ray finds the wall all the same.
 fn un_virage_pres_de_l_origine_trouve_le_mur<R: Reel>() {
     let mut virages = 0;
     let faire = |alea: &mut Hasard| {
@@ -340,8 +343,8 @@ fn un_virage_pres_de_l_origine_trouve_le_mur<R: Reel>() {
 
 en_f32_et_f64!(un_virage_pres_de_l_origine_trouve_le_mur);
 
-/// A pillar that stands on a globe a million times as large: rays that leave the pillar beside the seam, downward, all
-/// find the globe, of which the type knows its place to some parts of its radius.
+/// A pillar stands on a globe up to a million times as large, whose place the type knows only to some parts of its
+/// radius. Rays that leave the pillar beside the seam, downward, all find the globe.
 fn un_pilier_sur_un_globe_ne_laisse_rien_passer<R: Reel>() {
     let r = R::depuis_f64;
     let (mut suites, mut d_emblee) = (0, 0);
@@ -354,7 +357,7 @@ fn un_pilier_sur_un_globe_ne_laisse_rien_passer<R: Reel>() {
         let tour = Rotation::depuis_matrice([x, y, z].map(|a| <[f64; 3]>::from(a).map(r))).unwrap();
         let objets = [globe, boite(arrondi(pole * 0.9), v(0.5, 2.0, 0.5), tour)];
         let rayons = alea.liste(8, |alea, _| {
-            // Beside the seam, by what the type knows of the place of the globe.
+            // Beside the seam, about as high as the place of the globe is uncertain.
             let haut = (rayon_du_globe * u::<R>() * deux_puissance(alea, -3.0, 12.0)).min(0.5);
             let cote = 0.4 * alea.f64() - 0.2;
             let creux = (0.0625 + cote * cote) / (2.0 * rayon_du_globe);
@@ -382,8 +385,8 @@ fn un_pilier_sur_un_globe_ne_laisse_rien_passer<R: Reel>() {
 
 en_f32_et_f64!(un_pilier_sur_un_globe_ne_laisse_rien_passer);
 
-/// Built: a source within δ of an edge of a box, inside, and in a plate thinner than δ. Held: a ray that goes in touches
-/// at once, by the nearer face; one that leaves by a face as near does not, and from farther in none does.
+/// Built: a source within δ of an edge inside a box, or in a plate thinner than δ. Held: a ray that goes in touches the
+/// nearer face at once. A ray that leaves by a face as near touches nothing, nor does one from farther in.
 fn un_coin_que_le_rayon_quitte_n_est_pas_touche<R: Reel>() {
     let eps = 64.0 * u::<R>();
     let cube = boite_droite(Vecteur::NUL, v(1.0, 1.0, 1.0));
@@ -395,17 +398,17 @@ fn un_coin_que_le_rayon_quitte_n_est_pas_touche<R: Reel>() {
         assert_eq!(touche.distance(), R::ZERO);
         Some(<[f64; 3]>::from(touche.normale().vers_f64()))
     };
-    // Beside the lower edge on the right: 2 eps from the right side, 1 above the bottom.
+    // The place beside the lower right edge, 2 eps from the right side and 1 above the bottom.
     let coin = v(0.5 - 2.0 * eps, -0.5 + eps, 0.1);
     assert_eq!(touche(&cube, coin, v(-1.0, 1.0, 0.0)), Some([0.0, -1.0, 0.0]));
     assert_eq!(touche(&cube, coin, v(-1.0, -1.0, 0.0)), None); // out through the bottom
     assert_eq!(touche(&cube, coin, v(1.0, 1.0, 0.0)), None); // out through the side
     assert_eq!(touche(&cube, coin, v(0.0, 1.0, 0.0)), None); // along the side
     assert_eq!(touche(&cube, coin, v(0.0, 0.0, 1.0)), None); // along the edge
-    // In the middle of the bottom, and deeper than δ and the rounding of the box.
+    // The middle of the bottom, and a place deeper than δ and the rounding of the box.
     assert_eq!(touche(&cube, v(0.1, -0.5 + eps, 0.1), v(1.0, 1.0, 0.0)), Some([0.0, -1.0, 0.0]));
     assert_eq!(touche(&cube, v(0.1, -0.5 + 64.0 * eps, 0.1), v(1.0, 1.0, 0.0)), None);
-    // A plate across y, nearer to its bottom than to its top, and the other way round.
+    // A plate across y, with the source nearer to its bottom, then to its top.
     let plaque = boite_droite(Vecteur::NUL, v(1.0, 8.0 * eps, 1.0));
     assert_eq!(touche(&plaque, v(0.1, -eps, 0.1), v(0.1, 1.0, 0.0)), Some([0.0, -1.0, 0.0]));
     assert_eq!(touche(&plaque, v(0.1, eps, 0.1), v(0.1, 1.0, 0.0)), None);
@@ -422,9 +425,9 @@ fn un_coin_que_le_rayon_quitte_n_est_pas_touche<R: Reel>() {
 
 en_f32_et_f64!(un_coin_que_le_rayon_quitte_n_est_pas_touche);
 
-/// A box under whose face a ray goes along, less deep than the δ of the ray and the rounding of the box, and a floor that
-/// rises over that face by a little less: there the walls overlap by 1.1 to 1.3 times the bound of one of them, and before
-/// a face had to be nearer to spare its box, both rays left.
+/// A ray runs along under a face of a box, less deep than its δ and the rounding of the box, and a floor rises over
+/// that face by a little less. There the two overlap by only 1.1 to 1.3 times the bound of one of them. Both rays left
+/// before only nearer faces spared their box.
 #[test]
 fn un_rayon_le_long_d_une_face_n_en_sort_pas() {
     let suite = |objets: &[ObjetRay], source| {
@@ -438,14 +441,15 @@ fn un_rayon_le_long_d_une_face_n_en_sort_pas() {
     let haut = v(0.0, 1.0, 0.0);
     let grande = boite_droite(v(-1000.0, 1000.0, 0.0), v(2000.0, 2000.0, 2000.0));
     let sol = |y| mur(v(0.0, y, 0.0), haut);
-    // 44u·Σl is 1.46e-11, half of it 7.3e-12.
+    // 44u·Σl is 1.46e-11, and half of that 7.3e-12.
     let source = v(1.0, 1.25e-11, 0.0);
     assert_eq!(suite(&[grande, sol(1e-11)], source).map(|t| t.distance()), Ok(0.0));
-    // Where the face is as near as that, the ray goes along outside of the box: a floor that overlaps by less leaks.
+    // Where the face is nearer than that half, the ray runs along as if outside the box, so a floor that overlaps by
+    // less leaks.
     let source = v(1.0, 7e-12, 0.0);
     assert_eq!(suite(&[grande, sol(6e-12)], source), Err(NoIntersection));
 
-    // In `f32`, a face that looks askew: the overlap is 133u, and 44u·Σl are 132u.
+    // In `f32`, with a turned face: the overlap is 133u, and 44u·Σl are 132u.
     let tour = Rotation::new(Vecteur::new(0.810_820_16_f32, 0.0, 0.0)).unwrap();
     let centre = Vecteur::new(-1.0_f32, 0.751_325_67, -0.665_526_6);
     let couche = |[x, y, z]: [Vecteur<f32>; 3]| [z, x, y].map(<[f32; 3]>::from);
@@ -461,16 +465,17 @@ fn un_rayon_le_long_d_une_face_n_en_sort_pas() {
     assert_eq!(monde.premiere_intersection(&suite).map(|t| t.distance()), Ok(0.0));
 }
 
-/// From far away, straight at the seam of two boxes, so that no ray meets a side within it: how they are turned, where the
-/// ray starts, and where it goes.
+/// Rays from far away straight at the seam of two boxes, so that none meets a side within it: how the boxes are turned,
+/// where the rays start, and where they go.
 fn vers_un_joint<R: Reel>(alea: &mut Hasard) -> (Rotation<R>, [f64; 2], Vec<[f64; 2]>) {
     let tour = Rotation::new(arrondi(direction(alea) * 3.0)).unwrap();
     let deux = |alea: &mut Hasard| [(); 2].map(|()| entre(alea, -1.0, 1.0));
     (tour, deux(alea), alea.liste(8, |alea, _| deux(alea)))
 }
 
-/// The δ that two walls are to reach into each other by is that of the next ray. One from far away has none, and passes
-/// between walls that reach by four times their o; it loses on its way what a ray that started there would know it lost.
+/// The δ by which two walls must reach into each other is that of the next ray. A ray from far away has no δ, and
+/// passes between walls that reach in by four times their o: on its way it loses what a ray that started there would
+/// know it had lost.
 fn un_rayon_venu_de_loin_perd_son_chemin<R: Reel>() {
     let mut passent = 0;
     pour_chaque(cas(500), vers_un_joint::<R>, |(tour, [haut, cote], cibles)| {
@@ -495,8 +500,8 @@ fn un_rayon_venu_de_loin_perd_son_chemin<R: Reel>() {
 
 en_f32_et_f64!(un_rayon_venu_de_loin_perd_son_chemin);
 
-/// Boxes whose corners are points of a grid and half-spaces through it, all flush, and rays towards points and lines of the
-/// grid or beside them.
+/// Boxes whose corners are points of a grid and half-spaces through its lines, all flush, with rays towards points and
+/// lines of the grid or beside them.
 fn a_fleur<R: Reel>(alea: &mut Hasard) -> (Vec<ObjetRay<R>>, f64, Vec<Rayon<R>>) {
     let pas = *alea.choix(&[1.0, 0.1, 1.0 / 3.0, 0.7]);
     let angles = direction(alea) * *alea.choix(&[0.0, 3.0, 3.0]);
@@ -523,8 +528,8 @@ fn a_fleur<R: Reel>(alea: &mut Hasard) -> (Vec<ObjetRay<R>>, f64, Vec<Rayon<R>>)
     (objets, pas, rayons.into_iter().flatten().collect())
 }
 
-/// All of them are mirrors: no ray stays in a seam, unless δ is no longer small beside the solids. Of faces within δ by
-/// which a ray goes in, the nearest may be one that the other solid hides.
+/// All of the solids are mirrors. No ray stays in a seam, unless its δ is no longer small beside the solids: the
+/// nearest of the faces within δ by which the ray goes in may be one that another solid hides.
 fn aucun_solide_a_fleur_ne_garde_un_rayon<R: Reel>() {
     let (mut rayons, mut au_bout, mut d_emblee, mut en_suite) = (0, 0, 0, 0);
     pour_chaque(cas(2_000), a_fleur::<R>, |(objets, pas, depuis)| {
@@ -554,7 +559,8 @@ fn aucun_solide_a_fleur_ne_garde_un_rayon<R: Reel>() {
 
 en_f32_et_f64!(aucun_solide_a_fleur_ne_garde_un_rayon);
 
-/// Paths of every kind among them: each ray knows of its start what the pages say, and lies no deeper in any solid.
+/// Paths of every kind among flush solids: each ray knows of its start what the pages say, and lies no deeper in any
+/// solid.
 fn un_chemin_sait_ou_il_est<R: Bits>() {
     let faire = |alea: &mut Hasard| {
         let (objets, pas, rayons) = a_fleur::<R>(alea);
@@ -579,8 +585,8 @@ fn un_chemin_sait_ou_il_est<R: Bits>() {
 
 en_f32_et_f64!(un_chemin_sait_ou_il_est);
 
-/// What the pages say of a ball that lies on a mirror: light that grazes the mirror runs into the wedge between them, and
-/// is mirrored there for as long as one likes to follow it.
+/// What the pages say of a ball that lies on a mirror: light that grazes the mirror runs into the wedge between the
+/// two, where it is mirrored on for as long as one follows it.
 #[test]
 fn sous_une_boule_un_rayon_rebondit_sans_fin() {
     let objets = [sphere(Vecteur::Y, 1.0), mur(Vecteur::NUL, Vecteur::Y)];
@@ -594,21 +600,21 @@ fn sous_une_boule_un_rayon_rebondit_sans_fin() {
     assert!(rayon.source().longueur() < 0.1 && rayon.flou() < 1e-10, "{rayon:?}");
 }
 
-/// What δ grows by at most in one bounce in a cube of side 10 about O with walls of boxes that are 0.2 thick and reach 0.1
-/// beyond its corners, turned anyhow, if nothing is touched at once; and o of a wall. By M4, M6, M7 and lemma 6.
+/// By how much δ grows at most in one bounce without a hit at once, in a cube of side 10 about O, turned anyhow, with
+/// walls of boxes that are 0.2 thick and reach 0.1 beyond its corners; and o of a wall. By M4, M6, M7 and lemma 6.
 fn par_rebond_dans_dix_metres(u: f64) -> [f64; 2] {
     // S and P are in the cube; C is 5.1 away, and the wall reaches 5.1 from it.
     let (t, p, p_1) = (10.0 * 3_f64.sqrt(), 5.0 * 3_f64.sqrt(), 15.0);
     let (f, cp) = (p + 5.1, (2.0 * 5.1_f64.powi(2) + 0.1_f64.powi(2)).sqrt());
     let lieu = promesses::LIEU_F * f + promesses::LIEU_T * t + promesses::LIEU_P * p;
-    // M2 rounds by γ_4 of ⟨N, CP⟩, which is at most |CP|; M4 adds 8u of it.
+    // M2 rounds by γ_4 of ⟨N, CP⟩, which is at most |CP|; M4 adds 8u of |CP|.
     let marge = lieu + (4.1 + 2.0 * ARRONDI_HAUTEUR) * cp;
     let de_plus = marge + PAS_ARRONDI * p + FLOU_DISTANCE * t + FLOU_POINT * p_1;
-    // What is of second order, less than 60u of each.
+    // Terms of second order are less than 60u of each.
     [de_plus, FLOU_PROPRE * (5.1 + 5.1 + 0.1)].map(|x| x * u * (1.0 + 60.0 * u))
 }
 
-/// What the pages say of a room of 10 m about O, in millimetres of `f32`: δ grows by up to 0.045 a bounce, and o is 0.03.
+/// What the pages say of a room of 10 m about O in `f32`: δ grows by up to 0.045 mm in a bounce, and o is 0.03 mm.
 fn une_chambre_de_dix_metres_perd_peu_a_chaque_rebond<R: Reel>() {
     let [par_rebond, propre] = par_rebond_dans_dix_metres(u::<R>());
     let mut pire = 0.0_f64;
@@ -618,7 +624,7 @@ fn une_chambre_de_dix_metres_perd_peu_a_chaque_rebond<R: Reel>() {
         let murs: Vec<ObjetRay<R>> =
             murs(Vecteur::NUL, tour, 10.0, boites).into_iter().map(ObjetRay::from).collect();
         let rayon = Rayon::new(Vecteur::NUL, arrondi(direction(alea))).unwrap();
-        // Into the farthest corner, or anywhere.
+        // Rays go into the farthest corner, or anywhere.
         let cibles = alea.liste(140, |alea, _| {
             let ailleurs = arrondi::<R>(direction(alea) * 5.0);
             if alea.bool() { None } else { Some(ailleurs) }
@@ -651,7 +657,7 @@ fn une_chambre_de_dix_metres_perd_peu_a_chaque_rebond<R: Reel>() {
 
 en_f32_et_f64!(une_chambre_de_dix_metres_perd_peu_a_chaque_rebond);
 
-/// A δ pays for its own roundings and those with which D1 to D3 see it, however large it is beside the way and the place.
+/// A δ covers its own roundings and those with which D1 to D3 see it, however large it is beside the way and the place.
 fn un_flou_ne_perd_rien<R: Reel>() {
     let nombre = |x: R, k: f64| &Exact::de(x) * &Exact::de(1.0 + k * u::<R>());
     let faire =

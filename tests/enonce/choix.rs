@@ -30,8 +30,8 @@ fn indices<R: Reel>(touches: &[Reponse<R>]) -> Vec<usize> {
     touches.iter().flatten().map(Intersection::indice).collect()
 }
 
-/// A choice among a choice takes what both take, in whatever order; a predicate that is borrowed serves as well, and an
-/// index beyond the list, or with the lowest 32 bits of an index of it, leaves nothing out.
+/// A choice among a choice takes what both take, in either order. A borrowed predicate serves as well. An index beyond
+/// the list leaves nothing out, even if its lowest 32 bits are those of an index of the list.
 #[test]
 fn un_choix_parmi_un_choix_prend_ce_que_les_deux_prennent() {
     let scene: Vec<ObjetRay> = (0..40).map(|i| cube(v(0.0, 0.0, -2.0 * f64::from(i)))).collect();
@@ -58,7 +58,7 @@ fn un_choix_parmi_un_choix_prend_ce_que_les_deux_prennent() {
     }
 }
 
-/// Choices five deep, each of which leaves one object out: every question knows all of them, of a tree and of a list.
+/// Choices five deep, each of which leaves one object out: every question heeds all of them, in a tree and in a list.
 #[test]
 fn chaque_question_connait_tous_les_choix() {
     let mut scene = vec![sol_a(-60.0)];
@@ -74,7 +74,7 @@ fn chaque_question_connait_tous_les_choix() {
         assert_eq!(en_ordre(&monde, &rayon), tous);
         let nue = |&k: &usize| monde.parmi(|indice| indice == k).premiere_intersection(&rayon);
         let nues: Vec<_> = tous.iter().map(nue).collect();
-        // Five of them, in whatever order: the half-space among them, and the first two.
+        // The five left out, in any order, include the half-space and the first two.
         for exclus in [[1, 2, 0, 9, 20], [20, 0, 2, 1, 5], [0, 20, 19, 2, 1], [2, 9, 1, 20, 0]] {
             let [a, b, c, d, e] = exclus.map(|k| move |indice| indice != k);
             let parmi = monde.parmi(a).parmi(b).parmi(c).parmi(d).parmi(e);
@@ -86,7 +86,7 @@ fn chaque_question_connait_tous_les_choix() {
             let milieux: Vec<_> = (0..20).map(|k| v(0.0, 0.0, -2.0 * f64::from(k))).collect();
             let choisis = Choisis { monde: parmi, pris: voulus, facon: String::new() };
             choisis.interroger(&[rayon; 70], &[t, t.next_up()], &milieux, 7);
-            // The first of the choice is certain; what any of the five leaves out is no answer.
+            // The first of the choice is certain; a hit of any of the five is no answer.
             assert!(parmi.certifie(&rayon, &premiere));
             for nue in &nues {
                 let lui = nue.unwrap().indice();
@@ -96,8 +96,8 @@ fn chaque_question_connait_tous_les_choix() {
     }
 }
 
-/// Flush cubes, of which a ray along the seams touches two at a time. In order all of them are there; whoever goes on
-/// from hit to hit with `secondaire` loses some.
+/// Flush cubes, of which a ray along the seams touches two at a time. The hits in order include all of them; whoever
+/// goes on from hit to hit with `secondaire` loses some.
 fn un_rayon_dans_les_joints_ne_perd_aucun_cube<R: Reel>() {
     let mut scene: Vec<ObjetRay<R>> = Vec::new();
     for (x, y, z) in (0..216).map(|i| (i % 6, i / 6 % 6, i / 36)) {
@@ -107,7 +107,7 @@ fn un_rayon_dans_les_joints_ne_perd_aucun_cube<R: Reel>() {
     let monde = avec_arbre(&scene);
     let mut perdus = 0;
     for i in 0..6 {
-        // Into the seams between two layers, exactly: y + z stays whole.
+        // Rays exactly in the seams between two layers: y + z stays whole.
         let s = v(-1.0, f64::from(i) + 1.0, 0.25);
         let rayon = Rayon::new(s, v(1.0, 0.0, if i % 2 == 0 { 0.0 } else { 0.125 })).unwrap();
         let mut attendus: Vec<_> = scene
@@ -134,8 +134,8 @@ fn un_rayon_dans_les_joints_ne_perd_aucun_cube<R: Reel>() {
 
 en_f32_et_f64!(un_rayon_dans_les_joints_ne_perd_aucun_cube);
 
-/// The recipe of two worlds, one of what stays and one of what moves, beside one list of both. Some of what moves
-/// stands where something of what stays does: then what stays is the first.
+/// The recipe of two worlds, one of what stays and one of what moves, gives the answers of one list of both. Some
+/// moving objects stand where a fixed one does, which then comes first.
 fn deux_mondes_repondent_comme_une_liste<R: Bits>() {
     let tout = melange::<R>(300);
     let fixes = &tout[..200];
@@ -181,13 +181,13 @@ fn sans_les_premiers<'a, C: Choix + Copy + 'a>(
     monde.parmi(move |indice| indice >= combien)
 }
 
-/// A choice that owns what it needs, and so is no copy.
+/// A choice that owns what it needs, and is therefore not `Copy`.
 fn parmi_ceux_ci(monde: Monde<'_>, indices: Vec<usize>) -> Monde<'_, f64, impl Choix + use<'_>> {
     monde.parmi(move |indice| indices.contains(&indice))
 }
 
-/// Choices are stored in a variable and in a struct, returned by functions, chosen among again, copied if what they
-/// hold is, and shared by threads; the world that they came from is as it was.
+/// Choices are stored in variables and structs, returned by functions, chosen among again, copied if what they hold can
+/// be, and shared by threads. The world that they came from stays as it is.
 #[test]
 fn un_choix_est_une_valeur() {
     let scene: Vec<ObjetRay> = (0..40).map(|i| cube(v(0.0, 0.0, -2.0 * f64::from(i)))).collect();
@@ -225,7 +225,7 @@ fn un_choix_est_une_valeur() {
         let moins = quelques.sans(7);
         assert_eq!(moins.premiere_intersection(&rayon).unwrap().indice(), 22);
 
-        // By two threads, one and the same; and one that moves into a thread.
+        // One choice is shared by two threads, another moves into a thread.
         let comptees = AtomicUsize::new(0);
         let comptes = moins.parmi(|_| comptees.fetch_add(1, Ordering::Relaxed) < usize::MAX);
         thread::scope(|fils| {
@@ -239,9 +239,9 @@ fn un_choix_est_une_valeur() {
     }
 }
 
-/// Every question there is, to a choice that would panic if it were asked for an index beyond the list: lists as long as
-/// the nodes of a tree and longer, long boxes in pieces, every instruction set. An answer of a longer list is no answer
-/// here, and neither is it certain.
+/// Every question, asked of a choice that would panic at an index beyond the list: lists as long as the nodes of a tree
+/// and longer, long boxes in pieces, every instruction set. A hit in a longer list is no answer here, and never
+/// certain.
 fn un_predicat_n_est_jamais_interroge_au_dela_de_la_liste<R: Bits>() {
     let longue = melange::<R>(300);
     let poutres = |i: usize| {
@@ -290,8 +290,8 @@ fn un_predicat_n_est_jamais_interroge_au_dela_de_la_liste<R: Bits>() {
 
 en_f32_et_f64!(un_predicat_n_est_jamais_interroge_au_dela_de_la_liste);
 
-/// A trait of a user's own, with functions of names that one would give those of a choice. The compiler would refuse to
-/// call them if `Choix` had functions of these names (E0034).
+/// A user's own trait, with functions named as one would name those of a choice. The compiler would refuse to call them
+/// if `Choix` had functions of these names (E0034).
 trait Filtre {
     fn prend(&self, indice: usize) -> bool;
     fn regle(&self) -> &str;

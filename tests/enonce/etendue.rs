@@ -1,4 +1,4 @@
-//! What is in an object, and what holds it.
+//! What an object holds, and what holds the object.
 
 use commun::arrondi;
 use commun::en_f32_et_f64;
@@ -7,7 +7,7 @@ use commun::hasard::pour_chaque;
 use commun::regimes::regimes;
 use lancer_rayon::{Etendue, Monde, Nombre, ObjetRay, Reel, Vecteur};
 
-/// The surface belongs to an object, and the next number beyond it does not.
+/// The surface belongs to an object; the next number beyond it does not.
 fn la_surface_est_dans_l_objet<R: Reel>() {
     let (cotes, un) = (arrondi(Vecteur::new(2.0, 2.0, 2.0)), Vecteur::new(R::UN, R::ZERO, R::ZERO));
     let objets: [ObjetRay<R>; 3] =
@@ -21,7 +21,7 @@ fn la_surface_est_dans_l_objet<R: Reel>() {
 
 en_f32_et_f64!(la_surface_est_dans_l_objet);
 
-/// The centre of an object that has one, and how far it reaches from there along each axis: to its farthest corner.
+/// The centre of an object that has one, and how far its farthest corner is from there along each axis.
 fn demi_etendue(objet: &ObjetRay<f32>) -> [[f64; 3]; 2] {
     let (centre, coins) = match objet {
         ObjetRay::Sphere(sphere) => (sphere.centre(), vec![[sphere.rayon().vers_f64(); 3]]),
@@ -54,14 +54,14 @@ fn chaque_touche_est_dans_l_etendue() {
                 objets.push(cas.objet);
                 let [bas, haut] = [bas, haut].map(|v| <[f64; 3]>::from(v.vers_f64()));
                 let [c, h] = demi_etendue(&cas.objet);
-                // What lemma 15 adds to the corners; 36u more is how far they may be from those of the solid.
+                // What lemma 15 adds to the corners, less the 36u by which they may be off from those of the solid.
                 let (des_demis, du_centre) =
                     (h.iter().sum::<f64>(), c.map(f64::abs).iter().sum::<f64>());
                 let jeu = f64::from(f32::U) * (51.0 * des_demis + 3.1 * du_centre);
                 for i in 0..3 {
                     assert!(bas[i] >= c[i] - h[i] - jeu && haut[i] <= c[i] + h[i] + jeu, "{cas:?}");
                 }
-                // As exact as an f64 is.
+                // This hit is as exact as f64.
                 let rayon = cas.rayon.temoin_f64();
                 let Ok(touche) = cas.objet.temoin_f64().intersection(&rayon) else { return };
                 let s = <[f64; 3]>::from(rayon.source());

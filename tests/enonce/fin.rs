@@ -1,5 +1,5 @@
-//! Rays with an end: what is one, and that of a ray between two points. (That every question stops there is tried with
-//! every way to an answer, `commun/choisis.rs`.)
+//! Rays with an end: which numbers are ends, and where a ray between two points ends. (`commun/choisis.rs` tries with
+//! every way to an answer that each question stops there.)
 
 use commun::fabrique::{mur, v};
 use commun::hasard::{Hasard, pour_chaque};
@@ -12,8 +12,8 @@ fn jusqu_a<R: Reel>(rayon: &Rayon<R>, fin: R) -> Rayon<R> {
     rayon.jusqu_a(fin).unwrap()
 }
 
-/// NaN and what is below 0 are no end, and the refusal names `fin`. From 0 on every number is one, and replaces the one
-/// before; at 0 nothing is asked.
+/// NaN and numbers below 0 are no ends, and the refusal names `fin`. Every number from 0 on is an end, and replaces the
+/// one before. A ray that ends at 0 asks nothing.
 fn une_fin_est_une_distance<R: Bits>() {
     let rayon = Rayon::<R>::new(v(0.0, 0.0, 5.0), v(0.1, 0.2, -3.0)).unwrap();
     assert_eq!(rayon.fin(), R::INFINI);
@@ -29,14 +29,14 @@ fn une_fin_est_une_distance<R: Bits>() {
         let court = jusqu_a(&rayon, fin);
         assert_eq!((court.source(), court.direction()), (rayon.source(), rayon.direction()));
         assert_eq!(court.fin(), fin);
-        // Nearer, farther and none at all again.
+        // The end moves nearer, farther, and away again.
         for autre in admises {
             assert_eq!(jusqu_a(&court, autre), jusqu_a(&rayon, autre));
             assert_eq!(court == jusqu_a(&rayon, autre), fin == autre);
         }
         assert_eq!(court == rayon, fin == R::INFINI);
         assert_eq!(court.point(R::UN), rayon.point(R::UN));
-        // In the other type and back: of an `f32` nothing is lost.
+        // To the other type and back, where an `f32` loses nothing.
         assert_eq!(court.temoin_f64().fin(), fin.vers_f64());
         let simple = court.vers_f32(Vecteur::NUL).unwrap();
         assert_eq!(simple.fin(), fin.vers_f64() as f32);
@@ -45,13 +45,13 @@ fn une_fin_est_une_distance<R: Bits>() {
 
 en_f32_et_f64!(une_fin_est_une_distance);
 
-/// The ray between two points is that of their difference, and ends as far away as they are from each other; what stands
-/// between is met, and what stands beyond is not. No ray joins a point with itself.
+/// The ray between two points has the direction of their difference, and is as long. It meets what stands between them
+/// and not what stands beyond. No ray joins a point with itself.
 fn un_rayon_entre_deux_points_finit_au_second<R: Bits>() {
     let (mut libres, mut caches) = (0, 0);
     let faire = |alea: &mut Hasard| {
         let [p, q] = [(); 2].map(|()| direction(alea) * entre(alea, 0.5, 20.0));
-        // From close by, and from some thousand times as far away as the point is from O.
+        // The points are close by, or one is some thousand times as far from O as the other.
         let p = p * [1.0, 1e4][alea.tour % 2];
         (arrondi::<R>(p), arrondi::<R>(q), entre(alea, 0.1, 1.9))
     };
@@ -65,7 +65,7 @@ fn un_rayon_entre_deux_points_finit_au_second<R: Bits>() {
         // The end is off by 3.6u of the way along the ray and by 4.6u in direction (lemma 11).
         let permis = 8.2 * R::U.vers_f64() * (q.vers_f64() - p.vers_f64()).longueur();
         assert!(Vecteur::from(ecart).longueur() <= permis, "{ecart:?} {rayon:?}");
-        // A wall across the line, at some part of it, and a ball at the other side of its end.
+        // A wall across the line, at some part of its length.
         let la = arrondi(p.vers_f64() + (q - p).vers_f64() * part);
         let occulte = Monde::de_liste(&[mur(la, p - q)]).est_occulte(&rayon);
         if (part - 1.0).abs() > 1e-3 {

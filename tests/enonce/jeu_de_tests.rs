@@ -1,9 +1,9 @@
-//! The test set that the handout asks for (§4.3.3): each row holds what is tried, the result expected
-//! and the result obtained. One part for each rule of annex A, for each decision C1–C13 and C15 of
-//! `docs/conventions.md`, and for a whole scene.
+//! The test set that the handout asks for (§4.3.3). Each row holds what is tried, the result expected and the result
+//! obtained. There is one part for each rule of annex A, for each decision C1–C13 and C15 of `docs/conventions.md`, and
+//! for a whole scene.
 //!
-//! Most rows are also the page `tests/enonce/jeu_de_tests.md`. To write it again:
-//! `LANCER_RAYON_ECRIRE=1 cargo test --all-features --test enonce`
+//! Most rows are also on the page `tests/enonce/jeu_de_tests.md`, which
+//! `LANCER_RAYON_ECRIRE=1 cargo test --all-features --test enonce` writes again.
 
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 use core::fmt::Write;
@@ -17,7 +17,7 @@ use lancer_rayon::{
 };
 use serde::de::DeserializeOwned;
 
-/// What is tried, what is expected, what is obtained; and whether the page has it.
+/// What is tried, expected and obtained, and whether the page has the row.
 type Ligne = (&'static str, String, String, bool);
 
 struct Partie {
@@ -25,8 +25,8 @@ struct Partie {
     lignes: Vec<Ligne>,
 }
 
-/// The rows of a part: what is tried => what is expected, what is obtained; with `aussi` before it one that the page
-/// leaves out.
+/// The rows of a part: what is tried => what is expected, what is obtained. `aussi` before a row leaves it out of the
+/// page.
 macro_rules! partie {
     ($titre:literal; $($($hors:ident)? $quoi:literal => $attendu:expr, $obtenu:expr;)*) => {
         Partie {
@@ -40,7 +40,7 @@ macro_rules! partie {
 }
 
 impl Partie {
-    /// The rows of the page: in each what is expected was obtained.
+    /// The rows of the page. In every row the expected result must have been obtained.
     fn verifier(self) -> Vec<(&'static str, String)> {
         let mut page = Vec::new();
         for (quoi, attendu, obtenu, sur_la_page) in self.lignes {
@@ -53,8 +53,8 @@ impl Partie {
     }
 }
 
-// How a row shows a value: all its digits, except where a row rounds to say so. The sign of a
-// zero is not a result. Texture 0 goes without saying.
+// How a row shows a value: with all its digits, unless the row says that it rounds. The sign of a zero is no result,
+// and texture 0 is not shown.
 
 fn nombre<R: Reel>(x: R) -> String {
     format!("{}", x + R::ZERO)
@@ -64,7 +64,7 @@ fn vecteur<R: Reel>(v: Vecteur<R>) -> String {
     format!("({}, {}, {})", nombre(v.x), nombre(v.y), nombre(v.z))
 }
 
-/// The faces of §3, and the opposite ones.
+/// The faces of §3, and then the opposite ones.
 const FACES: [Face; 3] = [Face::PlusX, Face::PlusY, Face::PlusZ];
 const OPPOSEES: [Face; 3] = [Face::MoinsX, Face::MoinsY, Face::MoinsZ];
 
@@ -86,7 +86,7 @@ fn touche<R: Reel>(touche: Reponse<R>) -> String {
     }
 }
 
-/// The quantities of §3 of an object, or why there is none.
+/// The quantities that §3 gives an object, or why there is none.
 fn quantites<R: Reel>(objet: Result<ObjetGeo<R>, ErreurGeo>) -> String {
     match objet.map(ObjetGeo::vers_ray) {
         Ok(ObjetRay::Sphere(s)) => {
@@ -152,7 +152,7 @@ fn rayon<R: Reel>(source: Vecteur<R>, direction: Vecteur<R>) -> Rayon<R> {
     Rayon::new(source, direction).unwrap()
 }
 
-/// A ray in −z, the way a camera looks.
+/// A ray along −z, as a camera looks.
 fn devant(x: f64, y: f64, z: f64) -> Rayon {
     rayon(v(x, y, z), v(0.0, 0.0, -1.0))
 }
@@ -233,8 +233,8 @@ fn c1() -> Partie {
     }
 }
 
-/// Of the 9³ rotations by quarter turns and of each followed by one more about x, y or z, 2,916
-/// matrices: those with an element other than +0, 1 and −1.
+/// The matrices with an element other than +0, 1 and −1, among the 9³ rotations by quarter turns and each of these
+/// followed by one more about x, y or z, in all 2,916.
 fn quarts_inexacts<R: Reel>() -> String {
     // −0 would show its sign bit.
     let exact = |x: R| [0.0, 1.0, -1.0].map(f64::to_bits).contains(&x.vers_f64().to_bits());
@@ -393,8 +393,8 @@ fn c9() -> Partie {
     }
 }
 
-/// Rays at points of the edges of turned boxes, both of whose faces look at the source: how many
-/// the library loses, and how many annex A.3 to the letter.
+/// Rays at points of edges of turned boxes whose two faces look at the source: how many there are, how many the library
+/// loses, and how many annex A.3 to the letter.
 fn aretes_perdues() -> (u32, u32, u32) {
     let (mut lances, mut perdus, mut perdus_litteral) = (0, 0, 0);
     for k in 0..500_u32 {
@@ -565,7 +565,7 @@ fn scene_entiere() -> Partie {
     for touche in rayons.iter().filter_map(|rayon| premiere_intersection(&objets, rayon).ok()) {
         vus[touche.indice()] += 1;
     }
-    // Objects by their place in the file, from 0.
+    // An object is named by its place in the file, from 0.
     let pixel = |x: usize, y: usize| {
         let touche = premiere_intersection(&objets, &rayons[600 * y + x]);
         touche.map_or("none".into(), |touche| {
@@ -585,7 +585,7 @@ fn scene_entiere() -> Partie {
     }
 }
 
-/// Makes of each part a test, and of all of them the page.
+/// Makes a test of each part, and the page of all parts.
 macro_rules! parties {
     ($($test:ident: $partie:ident,)*) => {
         const PARTIES: &[fn() -> Partie] = &[$($partie),*];

@@ -1,4 +1,4 @@
-//! A lamp: how far it is, and in which direction.
+//! The distance and the direction of a lamp.
 
 use commun::fabrique::sphere;
 use commun::hasard::{Hasard, pour_chaque};
@@ -8,7 +8,7 @@ use commun::tolerances::u;
 use commun::{arrondi, en_f32_et_f64};
 use lancer_rayon::{ObjetRay, Rayon, Reel, Vecteur};
 
-/// What `vers_lumiere` says of its ray, beside the exact vector from the start to the lamp: the row of
+/// What `vers_lumiere` says of its ray, compared with the exact vector from the start to the lamp: the row of
 /// `docs/precision.md`.
 fn la_distance_et_la_direction_d_une_lampe_sont_bornees<R: Reel>() {
     let boule: ObjetRay<R> = sphere(Vecteur::NUL, R::UN);
@@ -25,7 +25,7 @@ fn la_distance_et_la_direction_d_une_lampe_sont_bornees<R: Reel>() {
         let v = moins(&exacts(lampe), &exacts(ombre.source()));
         let carre = scalaire(&v, &v);
         let longueur = carre.vers_f64().sqrt();
-        // d² − |V|², exactly, over 2|V|.
+        // d² − |V|², which is exact, over 2|V|.
         let d = Exact::de(ombre.fin());
         let ecart = (&(&d * &d) - &carre).vers_f64() / (2.0 * longueur);
         let permis = 3.6 * u::<R>() * longueur + R::ETA.vers_f64();

@@ -1,4 +1,4 @@
-//! What the handout asks: its formulae, conventions and manipulations, list by list.
+//! What the handout asks: formulae, conventions and manipulations.
 
 mod chambre;
 mod choix;

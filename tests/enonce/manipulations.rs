@@ -9,7 +9,7 @@ use commun::tolerances::{ORTHONORMALE, PRODUIT, u};
 use commun::{cas, en_f32_et_f64};
 use lancer_rayon::{ObjetRay, PlanGeo, Reel, Texture, Vecteur};
 
-/// The row "transformations" of `docs/precision.md`, against exact numbers.
+/// The row "transformation" of `docs/precision.md`, against exact numbers.
 fn chaque_transformation_tient_sa_borne<R: Reel>() {
     let (u, eta) = (u::<R>(), R::ETA.vers_f64());
     let faire = |alea: &mut Hasard| {
@@ -71,7 +71,7 @@ fn chaque_transformation_tient_sa_borne<R: Reel>() {
 
 en_f32_et_f64!(chaque_transformation_tient_sa_borne);
 
-/// What of an object turns with it.
+/// The normals of an object turn with it.
 fn normales<R: Reel>(objet: ObjetRay<R>) -> Vec<Vecteur> {
     match objet {
         ObjetRay::Sphere(_) => vec![],
@@ -89,7 +89,7 @@ fn borne<R: Reel>(objet: ObjetRay<R>) -> Option<([R; 3], [R; 3])> {
     }
 }
 
-/// Any normal, of any length: the surface passes through the point, and the normal keeps its direction.
+/// With any normal of any length the surface passes through the point, and the normal keeps its direction.
 fn un_mur_passe_par_son_point<R: Reel>() {
     let faire = |alea: &mut Hasard| [(); 2].map(|()| vecteur::<R>(alea, 30.0));
     pour_chaque(cas(256), faire, |[point, normale]| {
@@ -97,7 +97,7 @@ fn un_mur_passe_par_son_point<R: Reel>() {
             assert_eq!(normale, Vecteur::NUL);
             return;
         };
-        // Its axes are those of patterns on it.
+        // Patterns on the wall are measured along its axes.
         let axes = mur.orientation().axes().map(|axe| axe.vers_f64());
         for (i, j) in [(0, 0), (0, 1), (0, 2), (1, 1), (1, 2)] {
             let manque = axes[i].produit_scalaire(axes[j]) - f64::from(u8::from(i == j));
@@ -106,10 +106,10 @@ fn un_mur_passe_par_son_point<R: Reel>() {
         let mur = mur.vers_ray();
         let (n, p) = (mur.normale().vers_f64(), point.vers_f64());
         let voulue = normale.vers_f64().unitaire().unwrap();
-        // A rotation is rounded once, by u. Before, in f64: the quotient 1u, the Newton step 2u, for a first
-        // axis that is across to 4u only, its rounding 2u; and 4u for the vector of this test.
+        // A rotation is rounded once, by u. Before that, in f64, the quotient takes 1u, the Newton step 2u, since the
+        // first axis is across only to 4u, and its rounding 2u. The vector of this test takes 4u.
         assert!((n - voulue).longueur() <= u::<R>() + 10.0 * u::<f64>(), "{:?}", n);
-        // Three products and two sums in R, and as many and one more here.
+        // There are three products and two sums in R, and as many and one more here.
         let haut = n.produit_scalaire(p) + mur.distance().vers_f64();
         let permis = (3.0 * u::<R>() + 4.0 * u::<f64>()) * p.longueur() * (1.0 + 16.0 * u::<R>());
         assert!(haut.abs() <= permis, "{} of {}", haut, permis);

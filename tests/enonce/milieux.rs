@@ -1,4 +1,5 @@
-//! Flush media as the normal case: panes, voxels, and glass on a table in mist, by the recipes of media and of chords.
+//! Flush media as the ordinary case: panes, voxels, and glass on a table in mist, by the recipes for media and for
+//! chords.
 
 use commun::fabrique::{avec_arbre, boite, mur, sphere, v};
 use commun::hasard::{Hasard, Tirage, pour_chaque};
@@ -13,8 +14,8 @@ fn milieu(priorite: u32, indice: f64) -> Milieu {
     Milieu { priorite, indice }
 }
 
-/// Up to six flush plates of glass and water, turned: light comes out as it went in, beside its way by what Snell's law
-/// says of each plate, and is in each of them once.
+/// Up to six flush plates of glass and water, turned. Light comes out in the direction in which it went in, displaced
+/// by the sum of what Snell's law gives for the plates, and is in each plate once.
 fn des_lames_a_fleur_deplacent_la_lumiere_de_leur_somme<R: Reel>() {
     let epaisseur = 0.2;
     let faire = |alea: &mut Hasard| {
@@ -47,7 +48,7 @@ fn des_lames_a_fleur_deplacent_la_lumiere_de_leur_somme<R: Reel>() {
             epaisseur * (dehors - dedans).sin() / dedans.cos()
         };
         let attendu: f64 = (0..combien).map(par_lame).sum();
-        // At each face some fifty roundings of numbers below 3, at cosines above 0.6.
+        // At each face there are some fifty roundings of numbers below 3, at cosines above 0.6.
         let permis = 500.0 * u::<R>() * (1 + combien) as f64;
         assert!((a_cote - attendu).abs() < permis, "{a_cote} {attendu}");
         assert!((lumiere.rayon.direction().vers_f64() - d).longueur() < permis);
@@ -56,9 +57,9 @@ fn des_lames_a_fleur_deplacent_la_lumiere_de_leur_somme<R: Reel>() {
 
 en_f32_et_f64!(des_lames_a_fleur_deplacent_la_lumiere_de_leur_somme);
 
-/// A cube of flush cubes, straight or turned, near or far: the chords of a ray, from without or within, leave no gap
-/// between them, along the planes and edges of the grid too; and light that goes from face to face is in each cube whose
-/// chord is longer than rounding.
+/// A cube of flush cubes, straight or turned, near or far. The chords of a ray from without or within leave no gap
+/// between them, and light that goes from face to face, along the planes and edges of the grid too, is in each cube
+/// whose chord is longer than rounding.
 fn des_cubes_a_fleur_ne_perdent_rien<R: Reel>() {
     const COTE: usize = 6;
     let (mut trous, mut cubes, mut le_long) = (0.0_f64, 0, 0);
@@ -80,7 +81,7 @@ fn des_cubes_a_fleur_ne_perdent_rien<R: Reel>() {
         let rayons = alea.liste(60, |alea, _| {
             let mut source = [(); 3].map(|()| entre(alea, -2.0, 8.0));
             let mut cible = [(); 3].map(|()| entre(alea, 1.0, 5.0));
-            // Towards a point of the grid, along a plane of it, or along an edge.
+            // The ray goes towards a point of the grid, along a plane or along an edge.
             for axe in 0..alea.usize(0..4) {
                 cible[axe] = cible[axe].round();
                 if alea.bool() {
@@ -95,7 +96,7 @@ fn des_cubes_a_fleur_ne_perdent_rien<R: Reel>() {
     pour_chaque(60, faire, |(objets, loin, rayons)| {
         let (monde, mut liste) = (avec_arbre(&objets), vec![]);
         let milieux = vec![milieu(0, 1.0); objets.len()];
-        // Each face is where it should be to some roundings of its place, and a chord ends there to some more; a ray
+        // Each face is where it should be to some roundings of its place, and a chord ends there to some more. A ray
         // that runs along a plane of the grid sees such a gap at a small angle, and then belongs to neither side.
         let permis = 100.0 * u::<R>() * (loin + 3.0);
         for (rayon, dedans) in rayons {
@@ -139,7 +140,7 @@ fn des_cubes_a_fleur_ne_perdent_rien<R: Reel>() {
 
 en_f32_et_f64!(des_cubes_a_fleur_ne_perdent_rien);
 
-/// Of chords that overlap each length counts once: of a ray in the faces and along the edges of voxels the way through.
+/// Each length counts once where chords overlap: a ray in faces or along edges of voxels gets the way through.
 fn des_cordes_sans_recouvrement_comptent_une_fois<R: Reel>() {
     let corde = |(indice, de, a): (usize, f64, f64)| {
         let [de, a] = [de, a].map(R::depuis_f64);
@@ -167,7 +168,7 @@ fn des_cordes_sans_recouvrement_comptent_une_fois<R: Reel>() {
 
 en_f32_et_f64!(des_cordes_sans_recouvrement_comptent_une_fois);
 
-/// A half-space and solids about the source: what a ray is in where it starts, what it enters, and where it ends.
+/// A half-space and solids about the source: what a ray starts in, what it enters, and where it ends.
 fn une_corde_va_de_l_entree_a_la_sortie<R: Reel>() {
     let objets = [
         mur(v(0.0, 0.0, 0.0), Vecteur::Y),
@@ -179,7 +180,7 @@ fn une_corde_va_de_l_entree_a_la_sortie<R: Reel>() {
         let mut liste = vec![];
         let rayon = Rayon::new(v(0.0, y, 0.0), v(0.0, vers, 0.0)).unwrap();
         let rayon = rayon.jusqu_a(R::depuis_f64(fin)).unwrap();
-        // What a ray knows of its source changes nothing: no chord begins twice.
+        // The δ of a ray changes nothing, since no chord begins twice.
         let mut autre = vec![];
         cordes(&monde, &rayon.avec_flou(R::depuis_f64(0.01)).unwrap(), &mut autre);
         cordes(&monde, &rayon, &mut liste);
@@ -201,8 +202,8 @@ fn une_corde_va_de_l_entree_a_la_sortie<R: Reel>() {
 
 en_f32_et_f64!(une_corde_va_de_l_entree_a_la_sortie);
 
-/// A glass of layers that stands on a table, all turned alike at any height, in mist or in the air: light through the top
-/// of the glass finds the table where Snell's law says, whatever rounding makes of the faces that lie flush.
+/// A glass of layers stands on a table, all turned alike, at any height, in mist or in the air. Light through the top
+/// of the glass finds the table where Snell's law says, whatever rounding makes of the flush faces.
 fn un_verre_sur_une_table_dans_la_brume_montre_la_table<R: Reel>() {
     let mut vus = 0;
     let faire = |alea: &mut Hasard| {
@@ -266,8 +267,8 @@ fn un_verre_sur_une_table_dans_la_brume_montre_la_table<R: Reel>() {
 
 en_f32_et_f64!(un_verre_sur_une_table_dans_la_brume_montre_la_table);
 
-/// From within glass, at angles that the air would mirror, light finds the floor on which the glass stands flush, also if
-/// that is a box a thousand times as large, which knows its place less well; and the hit knows the δ of the light.
+/// From within glass, at angles that the air would mirror, light finds the floor on which the glass stands flush, even
+/// if the floor is a box a thousand times as large, which knows its place less well. The hit knows the δ of the light.
 fn du_verre_la_lumiere_trouve_son_pied<R: Reel>() {
     let faire = |alea: &mut Hasard| {
         let large = *alea.choix(&[1.0, 10.0, 1000.0]);
@@ -303,7 +304,7 @@ fn du_verre_la_lumiere_trouve_son_pied<R: Reel>() {
             autre => panic!("{autre:?}: {rayon:?}"),
         }
     });
-    // An end, as of light on its way to a lamp, leaves no medium.
+    // Light that has an end, as on its way to a lamp, leaves no medium.
     let objets = [
         boite::<R>(Vecteur::NUL, v(20.0, 20.0, 20.0), Rotation::IDENTITE),
         sphere(v(2.0, 0.3, 0.0), R::UN),

@@ -1,5 +1,5 @@
-//! Patterns: which face of a box a hit lies on and where, and along which axes a half-space is measured. Every
-//! colour is that of exact arithmetic, except within rounding of a line of the pattern.
+//! Patterns: on which face of a box a hit lies and where, and along which axes a half-space is measured. Every colour
+//! is that of exact arithmetic, except within rounding of a line of the pattern.
 
 use commun::fabrique::mur;
 use commun::hasard::{Hasard, Tirage, pour_chaque};
@@ -18,7 +18,7 @@ fn dans_la_boite<R: Reel>(boite: &BoiteRay<R>, rayon: &Rayon<R>, t: &Exact) -> [
     boite.normales().map(|n| scalaire(&exacts(n), &depuis))
 }
 
-/// To the right and up along each face: the area is turned outward.
+/// Right and up along each face, so that their vector product points outward.
 #[test]
 fn le_long_d_une_face_on_va_a_droite_et_en_haut() {
     let axes: [Vecteur; 3] = [Vecteur::X, Vecteur::Y, Vecteur::Z];
@@ -29,13 +29,13 @@ fn le_long_d_une_face_on_va_a_droite_et_en_haut() {
     }
 }
 
-/// Of a hit on something else, so far away that its point is beyond every number: a point of the box all the same.
+/// The place of a hit on something else, whose point is beyond every number, is a point of the box all the same.
 #[test]
 fn le_lieu_d_une_touche_d_ailleurs_est_un_point_de_la_boite() {
     let cotes = Vecteur::new(1.0, 1.0, 1.0);
     let boite = BoiteGeo::new(Vecteur::NUL, cotes, Rotation::IDENTITE, Texture(0)).unwrap();
     let boite = boite.vers_ray();
-    // A direction that is kept, a little longer than 1.
+    // The direction is kept although it is a little longer than 1.
     let (haut, long) = (f32::LIMITE, 1.0 + 2.0 * f32::EPSILON);
     let rayon = Rayon::new(Vecteur::new(0.0, haut, 0.0), Vecteur::new(long, 0.0, 0.0)).unwrap();
     let mut perdus = 0;
@@ -50,18 +50,18 @@ fn le_lieu_d_une_touche_d_ailleurs_est_un_point_de_la_boite() {
     assert!(perdus > 0);
 }
 
-/// Whether the sum of these cells is odd: the colour of a checker.
+/// Whether the sum of these cells is odd, which is the colour of a checker.
 fn impair(cases: impl IntoIterator<Item = f64>) -> bool {
     cases.into_iter().map(f64::floor).sum::<f64>().rem_euclid(2.0) == 1.0
 }
 
-/// Whether a coordinate in cells lies so near to a line of the checker.
+/// Whether a coordinate in cells lies within `pres` of a line of the checker.
 fn sur_une_ligne(case: f64, pres: f64) -> bool {
     (case - case.round()).abs() <= pres
 }
 
-/// Turned boxes near and far from O, a checker of space with a line in each face. The colour by `lieu` is exact; by the
-/// point of the hit itself it speckles.
+/// Turned boxes near O and far from it, with a checker of space that has a line in each face. The colour by `lieu` is
+/// exact; the colour by the point of the hit speckles.
 fn un_damier_sur_une_boite_tournee_n_a_pas_de_taches<R: Reel>() {
     const CASES: f64 = 4.0;
     let [mut justes, mut naifs, mut lignes] = [0; 3];
@@ -85,9 +85,9 @@ fn un_damier_sur_une_boite_tournee_n_a_pas_de_taches<R: Reel>() {
             let exactes = [0, 1, 2].map(|i| exactes[i].vers_f64() / l[i] * CASES);
             let (face, p) = boite.lieu(&rayon, &touche);
             let axe = face as usize % 3;
-            // The face itself is a line of the checker, on which both lie exactly.
+            // The face itself is a line of the checker, on which the hit lies exactly.
             assert!(exactes[axe].abs() == CASES, "{exactes:?}");
-            // The error of the distance, along the face, and that of the coordinates.
+            // The error of the distance, taken along the face, and that of the coordinates.
             let t = touche.distance().vers_f64();
             let permis = entree.k * u::<R>() * entree.kappa_t + 7.0 * u::<R>() * (entree.f + t);
             let le_long = (0..3).filter(|i| *i != axe);
@@ -110,7 +110,7 @@ fn un_damier_sur_une_boite_tournee_n_a_pas_de_taches<R: Reel>() {
 
 en_f32_et_f64!(un_damier_sur_une_boite_tournee_n_a_pas_de_taches);
 
-/// A place on a face makes a hit there, and the place of that hit is what was asked for.
+/// A place on a face makes a hit whose place is the one that was asked for.
 fn un_lieu_fait_une_touche_de_ce_lieu<R: Reel>() {
     let mut au_bord = 0;
     let faire = |alea: &mut Hasard| {
@@ -118,7 +118,7 @@ fn un_lieu_fait_une_touche_de_ce_lieu<R: Reel>() {
         let centre = arrondi(direction(alea) * [0.0, 3.0, 3e3][alea.usize(0..3)]);
         let cotes = [(); 3].map(|()| deux_puissance(alea, -9.0, 9.0));
         let boite = BoiteGeo::new(centre, arrondi(cotes.into()), tour, Texture(3)).unwrap();
-        // Also on an edge, in a corner and beyond.
+        // Some places are on an edge, in a corner or beyond.
         let au_bord = alea.bool();
         let uv = [(); 2].map(|()| {
             let x = entre(alea, -1.2, 1.2);
@@ -132,9 +132,9 @@ fn un_lieu_fait_une_touche_de_ce_lieu<R: Reel>() {
         assert_eq!((touche.normale(), touche.texture()), (boite.face(face).1, Texture(3)));
         let (obtenue, p) = boite.lieu(&rayon, &touche);
         assert_eq!(obtenue, face, "{p:?}");
-        // A coordinate of the source takes two roundings of each l·N and three of their sum with C, √3 of which count
-        // along the face; N is unit and at right angles to 12u; `lieu` adds 6.1u of |f| + t, twice the extent at most.
-        // Near an edge a place is moved from it, by 40u of the centre and of the extent.
+        // A coordinate of the source takes two roundings of each l·N and three of their sum with C, of which √3 count
+        // along the face. N is unit and at right angles to 12u. `lieu` adds 6.1u of |f| + t, which is at most twice the
+        // extent. A place near an edge is moved away from it, by 40u of the centre and of the extent.
         let c = <[R; 3]>::from(boite.centre()).map(|x| x.vers_f64().abs());
         let c = c.into_iter().fold(0.0, f64::max);
         let extension: f64 = boite.demi_longueurs().into_iter().map(R::vers_f64).sum();
@@ -166,10 +166,10 @@ fn demi_longueur_le_long<R: Reel>(boite: &BoiteRay<R>, face: Face, k: usize) -> 
 
 en_f32_et_f64!(un_lieu_fait_une_touche_de_ce_lieu);
 
-/// Boxes as skew as a rotation may be, long along one axis and thin along another: a place in a corner is moved in so far
-/// that its way out is by its face.
+/// Boxes as skew as a rotation may be, long along one axis and thin along another: a place in a corner is moved in so
+/// far that the way out from it is by its face.
 fn un_coin_d_une_boite_de_biais_a_une_sortie<R: Reel>() {
-    // Rows that are kept as they are given: orthonormal to 8u.
+    // Rows that are kept as given, since they are orthonormal to 8u.
     let biais = R::depuis_f64(7.5 * u::<R>());
     let matrice = |signe: R| {
         let (o, un) = (R::ZERO, R::UN);
@@ -197,8 +197,8 @@ fn un_coin_d_une_boite_de_biais_a_une_sortie<R: Reel>() {
 
 en_f32_et_f64!(un_coin_d_une_boite_de_biais_a_une_sortie);
 
-/// A checker of three dimensions on a floor at a height of so many cells, turned about its normal: measured along the
-/// axes of its rotation, −d across, and the same point back in the axes of the scene.
+/// A checker of three dimensions on a floor at a height of `hauteur` cells, turned about its normal: measured along the
+/// axes of the floor's rotation, with −d across, and as the same point back in the axes of the scene.
 fn un_damier_de_l_espace_sur_un_sol_n_a_pas_de_taches<R: Reel>() {
     let quart = core::f64::consts::FRAC_PI_2;
     let couche = Rotation::new(arrondi::<R>(Vecteur::new(quart, 0.0, 0.0))).unwrap();
@@ -227,7 +227,7 @@ fn un_damier_de_l_espace_sur_un_sol_n_a_pas_de_taches<R: Reel>() {
             let exact = exact_a(&rayon, &entree.t);
             let mut propres = axes.map(|axe| scalaire(&exacts(axe), &exact).vers_f64());
             let mut exact = exact.each_ref().map(Exact::vers_f64);
-            // But for the rounding of the exact t, at 256 bits, the surface is at −d.
+            // The surface is at −d, up to the rounding of the exact t at 256 bits.
             let haut = -sol.distance().vers_f64();
             for a_travers in [&mut propres[2], &mut exact[1]] {
                 assert!((*a_travers - haut).abs() <= 1e-30, "{a_travers:e}");

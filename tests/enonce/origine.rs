@@ -1,4 +1,4 @@
-//! From `f64` to `f32`, an origin taken off first.
+//! From `f64` to `f32`, with an origin taken off first.
 
 use commun::cas;
 use commun::fabrique::murs;
@@ -12,7 +12,7 @@ use lancer_rayon::{
     Vecteur, places,
 };
 
-/// As surveyors have it: metres east of a meridian and north of the equator.
+/// An origin as surveyors have it: metres east of a meridian and north of the equator.
 const ORIGINE: Vecteur = Vecteur::new(500_000.0, 0.0, 4_200_000.0);
 
 /// A place in the town around the origin, to a tenth of a millimetre.
@@ -39,7 +39,7 @@ fn ville(alea: &mut Hasard) -> Result<Vec<ObjetGeo>, ErreurGeo> {
     Ok(objets)
 }
 
-/// How many of these rays name in `f32`, seen from this origin, another object than in `f64`; and how many of these
+/// How many of these rays name another object in `f32`, seen from this origin, than in `f64`; and how many of those
 /// were certain.
 fn autres(objets: &[ObjetGeo], rayons: &[Rayon], origine: Vecteur) -> Result<[u32; 2], ErreurGeo> {
     let simples = objets.iter().map(|objet| Ok(objet.vers_f32(origine)?.vers_ray()));
@@ -58,7 +58,7 @@ fn autres(objets: &[ObjetGeo], rayons: &[Rayon], origine: Vecteur) -> Result<[u3
             comptes[1] += u32::from(simple.certifie(&rayon, &ici));
         } else if let (Ok(ici), Ok(la)) = (ici, la)
             && origine == ORIGINE
-            // κ of the rounding of the scene, and far from an outline.
+            // Away from outlines the error is κ roundings of the scene.
             && la.normale().produit_scalaire(rayon.direction().vers_f64()) < -0.1
         {
             assert!((f64::from(ici.distance()) - la.distance()).abs() < 1e-3, "{ici:?} {la:?}");
@@ -67,8 +67,8 @@ fn autres(objets: &[ObjetGeo], rayons: &[Rayon], origine: Vecteur) -> Result<[u3
     Ok(comptes)
 }
 
-/// With the origin taken off hardly a ray sees another object than in `f64`; as they stand, many do, and call that
-/// certain: certificates speak of the numbers as stored.
+/// With the origin taken off, hardly a ray sees another object than in `f64`. Without that many do, and call their
+/// answer certain, since certificates speak of the numbers as stored.
 #[test]
 fn une_origine_sauve_la_scene_des_arpenteurs() {
     let faire = |alea: &mut Hasard| {
@@ -87,7 +87,7 @@ fn une_origine_sauve_la_scene_des_arpenteurs() {
     });
 }
 
-/// The nearest `f32` to the difference in `f64`; of a half-space the surface is where it was.
+/// Each number is the nearest `f32` to the difference in `f64`, and the surface of a half-space stays where it was.
 #[test]
 fn chaque_nombre_est_le_plus_proche() {
     let simple = |v: Vecteur| Vecteur::<f32>::depuis_f64(v);
@@ -109,7 +109,7 @@ fn chaque_nombre_est_le_plus_proche() {
         assert_eq!(boite.texture(), Texture(2));
         let arrondie = tour.matrice().map(|ligne| ligne.map(|x| x as f32));
         assert_eq!(boite.orientation().matrice(), arrondie);
-        // No constructor would polish it.
+        // No constructor would polish this matrix.
         assert_eq!(Rotation::depuis_matrice(arrondie), Ok(boite.orientation()));
 
         let d = -tour.axes()[2].produit_scalaire(centre);
@@ -117,10 +117,10 @@ fn chaque_nombre_est_le_plus_proche() {
         assert_eq!((plan.orientation(), plan.distance(), plan.texture()), (tour, d, Texture(3)));
         let plan = plan.vers_f32(origine).unwrap();
         assert_eq!((plan.orientation(), plan.texture()), (boite.orientation(), Texture(3)));
-        // N·(C − O) + d, exactly, which would be 0.
+        // N·(C − O) + d, computed exactly; it should be 0.
         let reste = scalaire(&exacts(tour.axes()[2]), &exacts(centre - origine));
         let reste = (&reste + &Exact::de(plan.distance())).vers_f64().abs();
-        // A rounding of the distance to `f32`; those of `f64`, at the numbers of the place.
+        // The distance is rounded to `f32`, and the numbers of the place in `f64`.
         let permis = f64::from(plan.distance().abs()) * 6e-8 + 8.0 * 1.2e-16 * centre.longueur();
         assert!(reste <= permis, "{reste:e} > {permis:e}");
 
@@ -131,7 +131,7 @@ fn chaque_nombre_est_le_plus_proche() {
     });
 }
 
-/// What does not fit into an `f32` is refused by its name.
+/// What does not fit into an `f32` is refused, and the refusal names it.
 #[test]
 fn un_refus_nomme_le_champ() {
     let (loin, nul) = (Vecteur::new(0.0, 0.0, 1e20), Vecteur::NUL);
@@ -154,7 +154,7 @@ fn un_refus_nomme_le_champ() {
     assert_eq!(rayon.vers_f32(infinie).unwrap_err().champ, "origine.y");
 }
 
-/// What a ray knows of its source it knows no more exactly in `f32`, and always by a number.
+/// A ray knows its source no more exactly in `f32` than before, and its δ stays finite.
 #[test]
 fn un_flou_ne_devient_ni_plus_petit_ni_infini() {
     let rayon = Rayon::new(Vecteur::NUL, Vecteur::X).unwrap();
@@ -166,7 +166,7 @@ fn un_flou_ne_devient_ni_plus_petit_ni_infini() {
     assert_eq!(rayon.vers_f32(Vecteur::NUL).unwrap().flou(), 0.0);
 }
 
-/// A ray that is inside something is inside in `f32` and in `f64` too, with a δ and without.
+/// A ray that is inside something stays inside in `f32` and in `f64`, with a δ or without.
 #[test]
 fn un_rayon_dedans_le_reste_dans_l_autre_scalaire() {
     let rayon = Rayon::new(Vecteur::NUL, Vecteur::X).unwrap();
@@ -182,8 +182,8 @@ fn un_rayon_dedans_le_reste_dans_l_autre_scalaire() {
     }
 }
 
-/// Far from O a source is on its surface to the rounding of `f64` there, and this stays so when the origin comes to it and
-/// `f32` has no rounding of its own to add.
+/// Far from O a source is on its surface only to the rounding of `f64` there. This stays so when the origin is moved to
+/// the source, where `f32` has no rounding to add.
 #[test]
 fn un_flou_loin_de_o_vaut_pres_de_l_origine() {
     let loin = Vecteur::new(4.2e6, 0.0, 5e5);
@@ -194,8 +194,8 @@ fn un_flou_loin_de_o_vaut_pres_de_l_origine() {
     assert!(f64::from(simple.flou()) > 1e-12 + 4.7e6 * f64::EPSILON / 2.0, "{simple:?}");
 }
 
-/// Rays in `f64` that start beside an edge of a room, into the other wall, and are converted with the room: rounding puts
-/// many behind that wall, and none passes it. Some that forget what they know do.
+/// Rays in `f64` start beside an edge of a room, into the other wall, and are converted with the room. Rounding puts
+/// many behind that wall, yet none passes it. Some of those that forget their δ do.
 #[test]
 fn une_chambre_convertie_reste_close() {
     let u = f64::from(f32::EPSILON / 2.0);
@@ -218,7 +218,7 @@ fn une_chambre_convertie_reste_close() {
         let simples = simples.collect::<Result<Vec<ObjetRay<f32>>, ErreurGeo>>().unwrap();
         let murs: Vec<_> = murs.iter().map(|mur| mur.vers_ray()).collect();
         let (double, simple) = (Monde::de_liste(&murs), Monde::de_liste(&simples));
-        // How much deeper a hit lies in some wall than lemma 22 grants.
+        // How much deeper a hit lies in some wall than lemma 22 allows.
         let exces = |rayon: &Rayon<f32>| {
             let Ok(touche) = simple.premiere_intersection(rayon) else { return f64::INFINITY };
             let de_plus =
@@ -242,7 +242,8 @@ fn une_chambre_convertie_reste_close() {
     assert!(derriere > suites / 4 && sans_flou > 20, "{suites} {derriere} {sans_flou}");
 }
 
-/// In code that is generic over the scalar: in `f64` the object itself, in `f32` that of `vers_f32`; with an origin too.
+/// Code that is generic over the scalar gets the object itself in `f64` and that of `vers_f32` in `f32`, also with an
+/// origin.
 #[test]
 fn un_objet_passe_a_l_un_ou_l_autre_scalaire() {
     pour_chaque(4, ville, |objets| {

@@ -1,5 +1,5 @@
-//! What every hit, every way out and every ray from there must be (`commun::passages`), of every shape in every regime of
-//! the extremes.
+//! What every hit, every way out and every ray from there must be (`commun::passages`), for every shape in every regime
+//! of the extremes.
 
 use commun::hasard::{Hasard, Tirage, pour_chaque};
 use commun::passages::{exiger_apres_coup, exiger_les_passages};
@@ -13,7 +13,7 @@ fn chaque_passage_est_ce_qu_il_doit_etre<R: Bits>() {
         let faire = |alea: &mut Hasard| {
             let cas = (regime.cas)(alea);
             let Cas { objet, rayon } = if alea.bool() { vers_la_sortie(cas, alea) } else { cas };
-            // Every third outside knows its source no better than by a part of its distance to O.
+            // Every third ray knows its source only to a part of its distance from O.
             let flou = rayon.source().longueur() * R::depuis_f64(deux_puissance(alea, -54.0, -2.0));
             let rayon =
                 if alea.u8(0..3) == 0 { rayon.avec_flou(flou).unwrap_or(rayon) } else { rayon };

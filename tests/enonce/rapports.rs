@@ -1,4 +1,4 @@
-//! Faults that users of other ray casters report, each rebuilt from spheres, half-spaces and boxes.
+//! Faults that users of other ray casters report, each rebuilt with spheres, half-spaces and boxes.
 
 use commun::conversion::voisin;
 use commun::fabrique::{avec_arbre, boite, boite_droite, mur, sphere, v};
@@ -14,11 +14,11 @@ use lancer_rayon::{
     Vecteur, premiere_intersection,
 };
 
-/// A crossing: where, of which object, and whether the ray is inside it from there on.
+/// A crossing: its distance, its object, and whether the ray is inside that from there on.
 type Passage<R> = (R, usize, bool);
 
-/// Every surface that a ray crosses, in order, and the objects that it starts in: those that it leaves and does not
-/// enter, and half-spaces that it never leaves.
+/// The objects that a ray starts in, which are those that it leaves but does not enter and half-spaces that it never
+/// leaves; and every surface that it crosses, in order.
 fn passages<R: Reel>(monde: &Monde<R>, rayon: &Rayon<R>) -> (Vec<usize>, Vec<Passage<R>>) {
     let objets = monde.objets();
     let mut entrees = vec![Err(NoIntersection); objets.len()];
@@ -40,14 +40,14 @@ fn passages<R: Reel>(monde: &Monde<R>, rayon: &Rayon<R>) -> (Vec<usize>, Vec<Pas
         }
         passages.extend(sortie.map(|sortie| (sortie.distance(), indice, false)));
     }
-    // Stable: at one place a ray first enters what it enters.
+    // The sort is stable, so that at one place a ray enters before it leaves.
     passages.sort_by(|(a, ..), (b, ..)| a.partial_cmp(b).unwrap());
     (depart, passages)
 }
 
-/// A particle that is lost: it believes to be in one solid, and is in another. Solids that overlap, hold each other or
-/// are the same, rays from outside, from within several and from their surfaces: between two crossings the ray is in
-/// those solids which it has entered and not left, and in no others.
+/// The fault: a particle believes to be in one solid, and is in another. The solids overlap, hold each other or are the
+/// same, and rays come from outside, from within several and from their surfaces. Between two crossings a ray must be
+/// in those solids that it has entered and not left, and in no others.
 fn une_marche_sait_dans_quoi_elle_est<R: Reel>() {
     let (mut dedans, mut lieux, mut au_depart) = (0, 0, 0);
     let faire = |alea: &mut Hasard| {
@@ -73,7 +73,7 @@ fn une_marche_sait_dans_quoi_elle_est<R: Reel>() {
             if essai % 2 == 0
                 && let Ok(touche) = premiere_intersection(&objets, &vers)
             {
-                // As near to a surface as it can be stored.
+                // The source is as near to a surface as can be.
                 source = touche.point();
             }
             Rayon::new(source, arrondi(direction(alea))).unwrap()
@@ -95,7 +95,7 @@ fn une_marche_sait_dans_quoi_elle_est<R: Reel>() {
                 if t > fin {
                     break;
                 }
-                // Wider than both distances are good to, where the ray does not graze.
+                // The gap exceeds the errors of both distances, unless the ray grazes.
                 if (t - avant).vers_f64() > 1e4 * u::<R>() {
                     let milieu = (t.vers_f64() + avant.vers_f64()) / 2.0;
                     let p = rayon.source().vers_f64() + rayon.direction().vers_f64() * milieu;
@@ -121,8 +121,8 @@ fn une_marche_sait_dans_quoi_elle_est<R: Reel>() {
 
 en_f32_et_f64!(une_marche_sait_dans_quoi_elle_est);
 
-/// Distances that get worse towards the rim of a wide wall. Before a wall along the axes, however wide, each is right to
-/// the rounding of one quotient.
+/// The fault: distances get worse towards the rim of a wide wall. Before a wall along the axes, however wide, each must
+/// be right to the rounding of one quotient.
 fn au_bord_d_un_grand_mur_on_est_aussi_juste<R: Reel>() {
     let mut pire = 0.0_f64;
     for large in [1.0, 1e3, 1e5, 1e7] {
@@ -137,7 +137,7 @@ fn au_bord_d_un_grand_mur_on_est_aussi_juste<R: Reel>() {
             let t = premiere_intersection(&mur, &rayon).unwrap().distance().vers_f64();
             let vrai = 50.0 / rayon.direction().vers_f64().z;
             pire = pire.max((t - vrai).abs() / (vrai * u::<R>()));
-            // The way to the wall is exact: a quotient here, and two roundings of this test.
+            // The way to the wall is exact. A quotient rounds here, and this test rounds twice.
             assert!(pire <= 3.0, "{pire}");
         });
     }
@@ -145,9 +145,9 @@ fn au_bord_d_un_grand_mur_on_est_aussi_juste<R: Reel>() {
 
 en_f32_et_f64!(au_bord_d_un_grand_mur_on_est_aussi_juste);
 
-/// A surface that light meets and never crossed: a lamp in bulbs in mist shines on the floor on which the mist stands
-/// flush. Beyond the bulbs a ray is told of no mist that it leaves out. Asked of the mist too, half of the rays that the
-/// floor sends back meet it where they start, and nowhere else.
+/// The fault: light meets a surface that it never crossed. A lamp in bulbs in mist shines on the floor, on which the
+/// mist stands flush. Beyond the bulbs a ray that leaves the mist out meets none of it. If the mist is asked too, many
+/// of the rays that the floor sends back meet it, but only where they start.
 fn une_brume_qu_on_laisse_de_cote_n_est_pas_touchee<R: Reel>() {
     let [mut reflets, mut fantomes] = [0; 2];
     let faire = |alea: &mut Hasard| {
@@ -186,7 +186,8 @@ fn une_brume_qu_on_laisse_de_cote_n_est_pas_touchee<R: Reel>() {
             assert!(rentre.distance().vers_f64() <= 4.0 * bande, "{rentre:?} of {reflet:?}");
             fantomes += 1;
         }
-        // Told again that it is inside, it meets the mist only if rounding lays the bottom of the mist above its start.
+        // A ray that is told again that it is inside meets the mist only if rounding puts the bottom of the mist above
+        // its start.
         let dit = monde.premiere_intersection(&reflet.dedans()).ok().filter(brumeuse);
         let hors = dehors(&brume, reflet.source());
         assert!(dit.is_none() || hors > -bande, "{hors:e} outside: {reflet:?}");
@@ -197,10 +198,11 @@ fn une_brume_qu_on_laisse_de_cote_n_est_pas_touchee<R: Reel>() {
 
 en_f32_et_f64!(une_brume_qu_on_laisse_de_cote_n_est_pas_touchee);
 
-/// What a ray knows of its start follows it into a ball and the ball within, through bounces and turns, and out again: δ
-/// grows by what each of them loses, inside as outside. Inside it touches nothing at once, however large δ is.
+/// A ray's knowledge of its start follows it into a ball and the ball within, through bounces and turns, and out again.
+/// δ grows by what each of these loses, inside and outside. Inside, the ray touches nothing at once, however large δ
+/// is.
 fn un_rayon_garde_son_flou_dedans_et_dehors<R: Reel>() {
-    // In the larger scene the rounding of one bounce is longer than 1.
+    // In the larger scene the rounding of one bounce exceeds 1.
     for echelle in [1.0, 1.0 / u::<R>()] {
         let long = |x| R::depuis_f64(x * echelle);
         let [grande, petite] = [4.0, 1.0].map(|rayon| sphere(Vecteur::NUL, long(rayon)));
@@ -220,13 +222,13 @@ fn un_rayon_garde_son_flou_dedans_et_dehors<R: Reel>() {
             grande.sortie(&retour).unwrap().secondaire(d).unwrap(),
         ];
         let tous = [&[verre, miroir, virage, bulle, retour][..], &dehors].concat();
-        // The rounding of a few bounces is far less than δ.
+        // A few bounces round by far less than δ.
         let borne = flou * R::depuis_f64(1.001);
         let fidele = |rayon: &Rayon<R>| rayon.flou() > flou && rayon.flou() < borne;
         assert!(tous.iter().all(fidele), "{tous:?}");
         assert_eq!(de(0.0).dedans().flou(), flou);
-        // Within δ of the surface: inside it touches nothing at once, also after a turn and with another δ; outside it does,
-        // and so it does again once it came out of something.
+        // Within δ of the surface a ray inside touches nothing at once, even after a turn or with another δ. A ray
+        // outside does, and so does one that has come out of something.
         let touche_t =
             |rayon: Rayon<R>| grande.intersection(&rayon).map(|touche| touche.distance());
         let au_bord = de(3.9);
@@ -247,7 +249,8 @@ fn un_rayon_garde_son_flou_dedans_et_dehors<R: Reel>() {
 
 en_f32_et_f64!(un_rayon_garde_son_flou_dedans_et_dehors);
 
-/// δ = −0 is 0: its sign says nothing of the side. The δ of the next turn is above 0 and shows on which side the ray is.
+/// δ = −0 is 0, and its sign does not tell the side. The δ of the next turn is above 0 and shows on which side the ray
+/// is.
 fn le_signe_d_un_flou_nul_ne_dit_rien<R: Reel>() {
     let rayon = Rayon::new(v(0.0, 0.0, 4.0), v(0.0, 0.0, -1.0)).unwrap();
     let tourne = |rayon: Rayon<R>| rayon.bifurque(R::UN, v(1.0, 0.0, 0.0)).unwrap();
@@ -259,8 +262,8 @@ fn le_signe_d_un_flou_nul_ne_dit_rien<R: Reel>() {
 
 en_f32_et_f64!(le_signe_d_un_flou_nul_ne_dit_rien);
 
-/// A hit at once adds its depth to δ, a 64th of δ and some roundings of the place, not more: among faces that it did not
-/// come in by the deepest once counted too, and δ grew from wall to wall.
+/// A hit at once adds to δ its depth, a 64th of δ and some roundings of the place, and no more. Once the deepest of the
+/// faces that the ray did not come in by counted too, and δ grew from wall to wall.
 fn d_emblee_le_flou_grandit_de_la_profondeur<R: Reel>() {
     let (mut touches, mut pire) = (0, 0.0_f64);
     let faire = |alea: &mut Hasard| {
@@ -272,7 +275,7 @@ fn d_emblee_le_flou_grandit_de_la_profondeur<R: Reel>() {
             _ => mur(arrondi(centre + y), arrondi(y)),
         };
         let flou = deux_puissance(alea, u::<R>().log2() + 9.0, -4.0);
-        // A little below the top, beside an edge or not, with the side as deep as δ allows.
+        // The source is a little below the top, beside an edge or not, with the side as deep as δ allows.
         let [bas, cote] = [flou * alea.f64().powi(4), flou * alea.f64()];
         let source =
             arrondi::<R>(centre + y * (1.0 - bas) + x * if alea.bool() { 1.0 - cote } else { 0.0 });
@@ -288,12 +291,12 @@ fn d_emblee_le_flou_grandit_de_la_profondeur<R: Reel>() {
         let (flou, p) = (rayon.flou().vers_f64(), touche.point());
         let suite = touche.reflechi(rayon.direction()).unwrap();
         let de_plus = suite.flou().vers_f64() - flou;
-        // 8u and 8.1u of the place, 1.1u of its weights, and 16u of all.
+        // 8u and 8.1u of the place, 1.1u of its weights, and 16u of the whole.
         let place = 17.2 * u::<R>() * poids(v(1.0, 1.0, 1.0), p.vers_f64());
         let marge = touche.marge().vers_f64();
         let permis = marge + flou / 64.0 + place + 40.0 * u::<R>() * (flou + marge);
         assert!(de_plus <= permis, "{de_plus:e} > {permis:e}: {rayon:?} {objet:?}");
-        // The depth of the face of the hit, which M4 and M2 exceed by roundings of the place and of the object.
+        // The depth under the face of the hit, which M4 and M2 exceed by roundings of the place and of the object.
         let profond = -hauteur(&objet, touche.normale(), p);
         assert!(marge <= profond + 64.0 * u::<R>() * (3.0 + p.longueur().vers_f64()), "{marge:e}");
         pire = pire.max(de_plus / flou);
@@ -303,9 +306,9 @@ fn d_emblee_le_flou_grandit_de_la_profondeur<R: Reel>() {
 
 en_f32_et_f64!(d_emblee_le_flou_grandit_de_la_profondeur);
 
-/// A ray with a δ reports what it passes through, or passes through what it stands in: a cube and a floor are touched at
-/// once from less deep than δ + o, not from just as deep, and the cube not from just nearer to another face than δ and 22u
-/// of its half-lengths. All of these numbers are exact.
+/// The fault: a ray with a δ reports what it passes through, or passes through what it stands in. A cube and a floor
+/// must be touched at once from less deep than δ + o, but not from exactly as deep, and the cube not from just nearer
+/// to another face than δ and 22u of its half-lengths. All of these numbers are exact.
 fn a_la_profondeur_de_delta_et_de_o_rien_n_est_touche_d_emblee<R: Bits>() {
     let nombre = R::depuis_f64;
     let (cube, sol) =
@@ -326,7 +329,7 @@ fn a_la_profondeur_de_delta_et_de_o_rien_n_est_touche_d_emblee<R: Bits>() {
             assert_eq!(touche(objet, R::ZERO, fond), Err(NoIntersection));
             assert_eq!(touche(objet, R::ZERO, voisin(fond, 1)), Ok(R::ZERO));
         }
-        // Side by side, where some are too deep and others are not.
+        // The rays lie side by side, some of them too deep and others not.
         let rayons = [au_sol, voisin(au_sol, 1), au_cube, voisin(au_cube, 1)];
         comparer(&[sol, cube], &rayons.map(|y| rayon(R::ZERO, y)).repeat(4));
         for x in [a_cote, -a_cote] {
@@ -338,9 +341,9 @@ fn a_la_profondeur_de_delta_et_de_o_rien_n_est_touche_d_emblee<R: Bits>() {
 
 en_f32_et_f64!(a_la_profondeur_de_delta_et_de_o_rien_n_est_touche_d_emblee);
 
-/// A planet that drifts from its orbit, since it is turned on from each picture to the next: as fast as the documents
-/// say. Turned once from where it was described, by the rotation that grew, it stays as far away as it was, shows O the
-/// same face and is met there.
+/// The fault: a planet drifts from its orbit, since each picture turns it on from the one before. Here it drifts as
+/// fast as the documents say. If it is turned once from where it was described, by the rotation that grew, it stays as
+/// far away, shows O the same face, and is met there.
 fn une_orbite_composee_ne_derive_pas<R: Reel>() {
     const IMAGES: usize = 100_000;
     let decrite =
@@ -361,25 +364,26 @@ fn une_orbite_composee_ne_derive_pas<R: Reel>() {
         let rayon = Rayon::new(Vecteur::NUL, boite.centre()).unwrap();
         let touche = ObjetRay::from(boite).intersection(&rayon).unwrap();
         assert_eq!(touche.normale(), -boite.orientation().axes()[0], "{boite:?}");
-        // The bound of the distance, with 21 for |f| + ρ + t, and ten times that of the centre.
+        // The bound of the distance, where |f| + ρ + t is 21, and ten times the bound of the centre.
         let permis = (promesses::DISTANCE_BOITE * 21.0 + 10.0 * 15.0) * u::<R>();
         assert!((touche.distance().vers_f64() - 9.0).abs() <= permis, "{image}: {touche:?}");
     }
     let derive = eloignement(pas_a_pas);
-    // M·Mᵀ is I to 5.5u an element, by which a length changes by 8.3u; C·M rounds to 3.1u, and the length here to 3.5u.
+    // M·Mᵀ is I to 5.5u in each element, by which a length changes by 8.3u. C·M rounds by 3.1u, and the length here by
+    // 3.5u.
     assert!(pire <= 15.0, "{pire}");
     assert!(derive.abs() > 1_000.0 * u::<R>(), "{derive:e}");
     if u::<R>() > 1e-10 {
-        // The figure of the documents.
+        // The documents have this figure.
         assert!((derive + 0.0025).abs() < 0.0001, "{derive:e}");
     }
 }
 
 en_f32_et_f64!(une_orbite_composee_ne_derive_pas);
 
-/// Glass that swallows light. In a box whose index is above √2, light that came in by one face is mirrored by each face
-/// across another axis, and by none across the same. So all of it leaves, by that face or the opposite one, and along
-/// these faces its direction is what it was in the air before.
+/// The fault: glass swallows light. In a box whose index is above √2, each face across another axis mirrors the light
+/// that came in by one face, and none across the same axis does. So all light leaves by that face or the opposite one,
+/// and along these faces its direction is what it was in the air before.
 fn un_pave_de_verre_rend_toute_la_lumiere<R: Reel>() {
     let [mut rendues, mut miroirs, mut perdues] = [0; 3];
     let faire = |alea: &mut Hasard| {
@@ -402,7 +406,7 @@ fn un_pave_de_verre_rend_toute_la_lumiere<R: Reel>() {
         let mut fois = 0;
         let (dehors, cosinus) = loop {
             let Ok(sortie) = verre.sortie(&dedans) else {
-                // Beside an edge a start within lies outside now and then.
+                // Beside an edge a start within may lie outside.
                 perdues += 1;
                 return;
             };
@@ -421,8 +425,8 @@ fn un_pave_de_verre_rend_toute_la_lumiere<R: Reel>() {
             assert!(fois < 50, "{verre:?} {rayon:?}");
         };
         assert_eq!(verre.intersection(&dehors), Err(NoIntersection));
-        // What is promised, in u: in glass 10.3(1 + η)/c′, c′ being 0.74 or more, and 20 a mirror, each with 11 for axes
-        // that are orthogonal to 5.5. In air it is 1.5 times as much, and 10.3(1 + η)/c′ of the way out.
+        // What is promised, in u: in glass 10.3(1 + η)/c′, where c′ is at least 0.74, and 20 for each mirror, each with
+        // 11 for axes that are orthogonal to 5.5. In air it is 1.5 times as much, and 10.3(1 + η)/c′ for the way out.
         let permis =
             1.5 * (21.0 + 11.0 + 31.0 * f64::from(fois)) + 11.0 + 23.0 / cosinus.vers_f64();
         for ((avant, apres), face) in avant.into_iter().zip(le_long(&dehors)).zip(face) {
@@ -438,7 +442,7 @@ fn un_pave_de_verre_rend_toute_la_lumiere<R: Reel>() {
 
 en_f32_et_f64!(un_pave_de_verre_rend_toute_la_lumiere);
 
-/// A trait of one's own, with functions called as those that the crate keeps to itself.
+/// A user's own trait, with functions named like those that the crate keeps to itself.
 trait AMoi: Sized {
     fn arbre() -> u8 {
         1

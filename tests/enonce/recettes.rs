@@ -26,8 +26,9 @@ use lancer_rayon::{
     Texture, Vecteur, places, premiere_intersection,
 };
 
-/// Places on the wall of a house against which a taller one stands flush: no sun comes there. On the other wall every
-/// sun that the wall faces does. Turned houses anywhere, whose walls as stored overlap or leave a crack, by rounding.
+/// Places on the wall of a house against which a taller one stands flush get no sun. Places on the other wall get every
+/// sun that the wall faces. The houses are turned and stand anywhere, so that their stored walls overlap or leave a
+/// crack, by rounding.
 fn un_mur_mitoyen_est_a_l_ombre<R: Reel>() {
     let (mut caches, mut clairs, mut naifs) = (0, 0, 0);
     let faire = |alea: &mut Hasard| {
@@ -53,13 +54,13 @@ fn un_mur_mitoyen_est_a_l_ombre<R: Reel>() {
             for (face, cache) in [(Face::PlusX, true), (Face::MoinsX, false)] {
                 let (milieu, n) = boite.face(face);
                 let capteur = capteur(boite, face, face.le_long(lieu)).unwrap();
-                // Some roundings of numbers below 200, and nowhere near the size of the wall.
+                // The error is some roundings of numbers below 200, and nowhere near the size of the wall.
                 let ecart = (capteur.point() - milieu - vers).longueur().vers_f64();
                 assert!(ecart < 4_000.0 * u::<R>(), "{ecart:e}");
                 let Ok(ombre) = capteur.vers_soleil(soleil) else { continue };
                 assert_eq!(monde.est_occulte(&ombre), cache, "{ombre:?}");
                 let naif = Rayon::new(capteur.point(), soleil).unwrap();
-                // C + l·N rounds by u of the product and of the sum, and N is unit to 6.1u.
+                // C + l·N rounds by u of the product and by u of the sum, and N is unit to 6.1u.
                 let [l, ..] = boite.demi_longueurs();
                 let flou = 10.0 * u::<R>() * (boite.centre().longueur() + l).vers_f64();
                 assert!(hauteur(&maison, n, milieu).abs() <= flou);
@@ -100,7 +101,7 @@ fn un_motif_tourne_avec_son_objet() {
     }
 }
 
-/// Pictures of more and of fewer objects, one after another: each is that of its list.
+/// Pictures of more and of fewer objects, one after another: each is the picture of its list.
 #[test]
 fn chaque_image_est_celle_de_ses_objets() {
     let boule = |x: f64| ObjetGeo::from(SphereGeo::new(v(x, 0.0, 0.0), 0.4, Texture(0)).unwrap());
@@ -117,7 +118,7 @@ fn chaque_image_est_celle_de_ses_objets() {
     }
 }
 
-/// Objects hidden one by one show the next; what a caller left out never shows.
+/// Where objects are hidden one by one, the next one shows; what a caller left out never shows.
 #[test]
 fn ce_qu_on_cache_montre_le_suivant() {
     let objets = [-9.0, -4.0, 2.0, -6.0].map(|z| sphere(v(0.0, 0.0, z), 1.0));
@@ -125,7 +126,7 @@ fn ce_qu_on_cache_montre_le_suivant() {
     assert_eq!(caches::un_par_un(Monde::de_liste(&objets), &rayon), [1, 3, 0]);
 }
 
-/// Whatever the number of rays, also where they are no whole blocks, or fewer than one.
+/// The number of rays may be anything, also no multiple of a block, or less than one.
 #[test]
 fn une_image_par_fils_a_les_bits_d_un_seul() {
     let objets = [sphere(v(0.0, 0.0, -5.0), 1.0), sphere(v(2.0, 1.0, -9.0), 2.0)];
@@ -140,7 +141,7 @@ fn une_image_par_fils_a_les_bits_d_un_seul() {
     }
 }
 
-/// What the guide says that the first program prints.
+/// The guide says what the first program prints.
 #[test]
 fn le_premier_programme_dit_ce_que_dit_la_page() {
     let (touche, erreur) = premier().unwrap();
@@ -150,15 +151,15 @@ fn le_premier_programme_dit_ce_que_dit_la_page() {
 
 #[test]
 fn un_pixel_est_la_moyenne_de_ses_rayons() {
-    // 4 × 6 pixels, each with its index: a pixel that remains is the one amid its four.
+    // There are 4 × 6 pixels, each with its index; a pixel that remains has the mean of its four.
     let couleurs: Vec<_> = (0..24).map(|i| Vecteur::Y * f64::from(i)).collect();
     let moyennes = [2.5, 4.5, 10.5, 12.5, 18.5, 20.5].map(|y| Vecteur::Y * y);
     assert_eq!(fils::moyennes(&couleurs, 4, 2), moyennes);
     assert_eq!(fils::moyennes(&couleurs, 4, 1), couleurs);
 }
 
-/// A kilometre from the origin of a map, a place is known to some micrometres where the scene in `f32` knows it to a tenth
-/// of a metre.
+/// A kilometre from the origin of a map, a place is known to some micrometres. Without that origin the scene in `f32`
+/// knows it to a tenth of a metre.
 #[test]
 fn au_loin_un_lieu_se_trouve_pres_d_une_origine() {
     let origine = v(500_000.0, 0.0, 4_200_000.0);
@@ -174,7 +175,7 @@ fn au_loin_un_lieu_se_trouve_pres_d_une_origine() {
     assert!((trouve(Vecteur::NUL) - attendu).longueur() > 1e-2);
 }
 
-/// Heights of all kinds: of few digits, of many, halves, far up, and small.
+/// Heights of all kinds: with few digits, with many, halves, far up, and small.
 fn hauteurs(alea: &mut Hasard) -> [f64; 2] {
     let decimale = |alea: &mut Hasard| alea.usize(1..300) as f64 / 100.0;
     let haut = if alea.bool() { decimale(alea) } else { entre(alea, 0.01, 3.0) };
@@ -189,9 +190,9 @@ fn hauteurs(alea: &mut Hasard) -> [f64; 2] {
     [plateau, haut]
 }
 
-/// A pane of glass flush on a mirror, at a hundred heights: light comes back out of the top beside where it went in, by
-/// 2h·tan β, and a lamp above lights what lies under the glass. By rounding alone the mirror comes before the way out, or
-/// after it: that changes nothing.
+/// A pane of glass lies flush on a mirror, at a hundred heights. Light comes back out of the top 2h·tan β beside where
+/// it went in, and a lamp above lights what lies under the glass. Rounding alone puts the mirror before the way out or
+/// after it, which changes nothing.
 fn sous_un_verre_pose_la_lumiere_trouve_la_table<R: Reel>() {
     let (mut avant, mut apres) = (0, 0);
     let faire = |alea: &mut Hasard| {
@@ -232,7 +233,7 @@ fn sous_un_verre_pose_la_lumiere_trouve_la_table<R: Reel>() {
             };
             let dehors = sortie.refracte(reflet.direction(), R::depuis_f64(1.5)).unwrap();
             let miroir = Vecteur::new(d.x, -d.y, d.z);
-            // Some thirty roundings of lengths below a hundred, under cosines above a fifth.
+            // There are some thirty roundings of lengths below a hundred, under cosines above a fifth.
             let permis = 1_000.0 * u::<R>() * (1.0 + oeil.longueur());
             assert!((dehors.direction().vers_f64() - miroir).longueur() < permis);
             let sinus = d.produit_vectoriel(Vecteur::Y) / 1.5;
@@ -247,8 +248,9 @@ fn sous_un_verre_pose_la_lumiere_trouve_la_table<R: Reel>() {
 
 en_f32_et_f64!(sous_un_verre_pose_la_lumiere_trouve_la_table);
 
-/// In a cube a particle is, by mirroring the cube instead of the way, where a straight line would be; one step in three
-/// ends on a wall. Thousands of bounces later none has left, and none knows its place less well than after a hundred.
+/// A particle in a cube is where a straight line would be if the cube were mirrored instead of the way. One step in
+/// three ends on a wall. Thousands of bounces later none has left, and none knows its place less well than after a
+/// hundred.
 fn une_particule_reste_ou_le_depliage_la_met<R: Reel>() {
     let murs: Vec<ObjetRay<R>> = murs(v(0.5, 0.5, 0.5), Rotation::IDENTITE, 1.0, None)
         .into_iter()
@@ -259,7 +261,7 @@ fn une_particule_reste_ou_le_depliage_la_met<R: Reel>() {
     let faire = |alea: &mut Hasard| {
         let depart = v::<R>(entre(alea, 0.1, 0.9), entre(alea, 0.1, 0.9), 0.5);
         let rayon = Rayon::new(depart, arrondi(direction(alea))).unwrap();
-        // To the wall, or so far.
+        // To the wall, or this far.
         let pas = alea.liste(1_200, |alea, _| (alea.u8(0..3) > 0).then(|| 2.0 * alea.f64()));
         (rayon, pas)
     };
@@ -276,8 +278,8 @@ fn une_particule_reste_ou_le_depliage_la_met<R: Reel>() {
             };
             particule.avancer(&monde, pas).unwrap();
             (chemin, pas_faits) = (chemin + pas.vers_f64(), pas_faits + 1.0);
-            // A bounce turns D by 20u, on so long a way, and some fifty roundings move it; there are no more than
-            // three bounces for two units of length. So do steps, which round as well.
+            // A bounce turns D by 20u, which the length of the way multiplies, and some fifty roundings move it. There
+            // are at most three bounces for two units of length. Steps round as well.
             let permis =
                 u::<R>() * (20.0 * 1.5 * chemin * chemin + 50.0 * (1.5 * chemin + pas_faits + 1.0));
             let tout_droit = s + d * chemin;
@@ -289,7 +291,7 @@ fn une_particule_reste_ou_le_depliage_la_met<R: Reel>() {
             for x in <[R; 3]>::from(particule.rayon.source()).map(R::vers_f64) {
                 assert!((-1e-3..1.0 + 1e-3).contains(&x), "{x} left after {chemin}");
             }
-            // Each bounce and step adds less than 16u·√3, 8.1u·3 and a step of the start.
+            // Each bounce and step adds less than 16u·√3, 8.1u·3 and one step off the surface.
             let connu = (100.0 + 400.0) * 60.0 * u::<R>();
             assert!(particule.rayon.flou().vers_f64() <= connu);
         }
@@ -299,7 +301,7 @@ fn une_particule_reste_ou_le_depliage_la_met<R: Reel>() {
 
 en_f32_et_f64!(une_particule_reste_ou_le_depliage_la_met);
 
-/// What the page says of `f32` in a large room.
+/// What the page says of `f32` in a large hall.
 #[test]
 fn dans_une_salle_de_cent_kilometres_le_flou_atteint_huit_decimetres() {
     let murs: Vec<ObjetRay<f32>> = murs(v(5e4, 5e4, 5e4), Rotation::IDENTITE, 1e5, None)
@@ -318,7 +320,8 @@ fn dans_une_salle_de_cent_kilometres_le_flou_atteint_huit_decimetres() {
     assert!((0.7..0.9).contains(&somme), "{somme}");
 }
 
-/// What the page says of light mirrored within a ball: the cosine is that of the first time, but for the steps inward.
+/// What the page says of light mirrored within a ball: its cosine would stay that of the first time, but for the steps
+/// inward.
 #[test]
 fn les_reflets_dans_une_boule_derivent_du_pas() {
     let boule = sphere::<f32>(Vecteur::NUL, 1.0);
@@ -339,8 +342,8 @@ fn les_reflets_dans_une_boule_derivent_du_pas() {
     assert!((cosinus(true) - 0.1).abs() < 0.002, "{}", cosinus(true));
 }
 
-/// Of a convex body lit evenly from all around, the mean way through is 4V/S, whether it scatters much, little or not at
-/// all (Blanco and Fournier 2003).
+/// The mean way through a convex body that is lit evenly from all around is 4V/S, whether the body scatters much,
+/// little or not at all (Blanco and Fournier 2003).
 #[test]
 fn le_chemin_moyen_dans_une_brume_est_de_quatre_v_sur_s() {
     const MARCHES: u32 = 40_000;
@@ -352,7 +355,7 @@ fn le_chemin_moyen_dans_une_brume_est_de_quatre_v_sur_s() {
         for pas_moyen in [0.1, 0.7, 5.0] {
             let (mut somme, mut carres, mut nombre) = (0.0, 0.0, 0_u32);
             while nombre < MARCHES {
-                // Parallel light from everywhere: a wide beam on a ball around the body.
+                // Parallel light from everywhere, as a wide beam on a ball around the body.
                 let d = direction(&mut alea);
                 let au_hasard = direction(&mut alea);
                 let travers = au_hasard.produit_vectoriel(d).unitaire().unwrap();
@@ -368,7 +371,7 @@ fn le_chemin_moyen_dans_une_brume_est_de_quatre_v_sur_s() {
             println!("{moyenne} ± {erreur} of {attendu} with steps of {pas_moyen}");
             assert!((moyenne - attendu).abs() < 4.0 * erreur, "{moyenne} ± {erreur}, {attendu}");
         }
-        // A step that ended on the surface, and goes out: no way is left.
+        // A step ended on the surface and goes out, so that no way is left.
         for _ in 0..1_000 {
             let rayon = Rayon::new(v(1.0, 2.0, 3.0), direction(&mut alea)).unwrap();
             let a_la_face =
@@ -379,12 +382,12 @@ fn le_chemin_moyen_dans_une_brume_est_de_quatre_v_sur_s() {
     }
 }
 
-/// The paraxial focus of a thick lens, and the rays beside it by the trigonometric trace of Conrady.
+/// The paraxial focus of a thick lens, and the rays off its axis by the trigonometric trace of Conrady.
 #[test]
 fn une_lentille_de_deux_boules_a_son_foyer() {
     let (r, epaisseur, n) = (10.0, 1.2, 1.5);
     let balles = [1.0, -1.0].map(|cote| sphere(Vecteur::X * (cote * (r - epaisseur / 2.0)), r));
-    // Where a ray parallel to the axis, so high above it, crosses the axis, from the last vertex on.
+    // Where a ray parallel to the axis, at the height h, crosses the axis, measured from the last vertex.
     let traverse = |h: f64| {
         let rayon = Rayon::new(Vecteur::new(-30.0, h, 0.0), Vecteur::X).unwrap();
         let dehors = traverser(&balles, &rayon, n).unwrap().unwrap();
@@ -393,7 +396,7 @@ fn une_lentille_de_deux_boules_a_son_foyer() {
     };
     let f = n * r * r / ((n - 1.0) * (2.0 * n * r - (n - 1.0) * epaisseur));
     let paraxial = f * (1.0 - (n - 1.0) * epaisseur / (n * r));
-    // Aberration is of the order of h², and rounding of u/h.
+    // Aberration is of the order of h², and rounding of the order of u/h.
     assert!((traverse(1e-4) - paraxial).abs() < 1e-8, "{} {paraxial}", traverse(1e-4));
     for h in [0.1, 0.5, 1.0, 2.0, 3.0] {
         let sin_i = h / r;
@@ -415,7 +418,7 @@ fn une_lentille_de_deux_boules_a_son_foyer() {
     assert!(passe(bord - 1e-3) && !passe(bord + 1e-3));
 }
 
-/// Goes on until nothing is ahead, or for so many faces.
+/// Goes on until nothing is ahead, or for 40 faces.
 fn au_bout(monde: &Monde<'_>, milieux: &[Milieu], mut lumiere: Lumiere) -> Lumiere {
     for _ in 0..40 {
         if !lumiere.avancer(monde, milieux).unwrap() {
@@ -425,9 +428,9 @@ fn au_bout(monde: &Monde<'_>, milieux: &[Milieu], mut lumiere: Lumiere) -> Lumie
     lumiere
 }
 
-/// Ice in water on a plate of glass, the water reaching into the glass: by priority each height has one medium, and light
-/// goes down through all as through panes. Balls one in another bend light as Bouguer's law says. Beyond the critical
-/// angle light stays in the water.
+/// Ice in water on a plate of glass into which the water reaches. By priority each height has one medium, and light
+/// goes down through all as through panes. Balls one inside another bend light as Bouguer's law says. Beyond the
+/// critical angle light stays in the water.
 #[test]
 fn des_milieux_l_un_dans_l_autre_plient_la_lumiere_par_priorite() {
     let couche = |bas: f64, haut: f64| {
@@ -449,7 +452,7 @@ fn des_milieux_l_un_dans_l_autre_plient_la_lumiere_par_priorite() {
         let attendu = 2.0 * tangente(1.0) + tangente(1.33) + tangente(1.31) + tangente(1.5);
         assert!(((s.x * s.x + s.z * s.z).sqrt() - attendu).abs() < 1e-12, "{attendu} {s:?}");
     });
-    // From the water upward at 60°, beyond 48.8°: it comes back down, and is in the water still.
+    // Light goes up from the water at 60°, beyond the critical 48.8°: it comes back down, still in the water.
     let rayon = Rayon::new(Vecteur::Y * 2.8, v(0.75_f64.sqrt(), 0.5, 0.0)).unwrap();
     let mut lumiere = Lumiere { rayon, dans: vec![0] };
     assert!(lumiere.avancer(&monde, &milieux).unwrap());
@@ -464,7 +467,7 @@ fn des_milieux_l_un_dans_l_autre_plient_la_lumiere_par_priorite() {
         |b| {
             let rayon = Rayon::new(Vecteur::new(-9.0, b, 0.0), Vecteur::X).unwrap();
             let dehors = au_bout(&monde, &milieux, Lumiere { rayon, dans: vec![] });
-            // n·r·sin θ is b all the way.
+            // n·r·sin θ stays b all the way.
             let dedans = if b < 1.2 { (b / 1.2).asin() - (b / 1.6).asin() } else { 0.0 };
             let deviation = 2.0 * ((b / 2.0).asin() - (b / 2.4).asin() + dedans);
             let d = dehors.rayon.direction();

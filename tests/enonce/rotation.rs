@@ -8,7 +8,7 @@ use commun::{Bits, arrondi, cas, en_f32_et_f64};
 use lancer_rayon::pour_les_tests::DEJA_ORTHONORMALE;
 use lancer_rayon::{ErreurGeo, Nombre, Reel, Rotation, Vecteur};
 
-/// What a constructor made, of these numbers and vectors.
+/// What a constructor made of these numbers and vectors.
 type Essai<'a, R> = (Result<Rotation<R>, ErreurGeo>, &'a [R], &'a [Vecteur<R>]);
 type Matrice = [[f64; 3]; 3];
 
@@ -73,7 +73,7 @@ fn la_matrice_est_celle_de_la_formule<R: Reel>() {
 
 en_f32_et_f64!(la_matrice_est_celle_de_la_formule);
 
-/// And a vector is multiplied by their matrices from the left.
+/// The laws of a group; and V·M has the vector on the left.
 fn les_rotations_forment_un_groupe<R: Bits>() {
     let faire =
         |alea: &mut Hasard| (rotation::<R>(alea), rotation::<R>(alea), vecteur::<R>(alea, 1e3));
@@ -86,7 +86,7 @@ fn les_rotations_forment_un_groupe<R: Bits>() {
         // A polished matrix stays as it is, bit for bit.
         assert_eq!(bits(Rotation::depuis_matrice(r.matrice()).unwrap()), bits(r));
         let [ligne, ..] = produit([v.vers_f64().into(), [0.0; 3], [0.0; 3]], matrice(r));
-        // Three products and two sums in each coordinate.
+        // There are three products and two sums in each coordinate.
         let permis = 3.0_f64.sqrt() * 3.1 * u::<R>() * v.vers_f64().longueur();
         assert!((r.appliquer(v).vers_f64() - Vecteur::from(ligne)).longueur() <= permis);
     });
@@ -94,8 +94,8 @@ fn les_rotations_forment_un_groupe<R: Bits>() {
 
 en_f32_et_f64!(les_rotations_forment_un_groupe);
 
-/// A matrix whose first column is too long by ever more: its columns are up to three times as far from
-/// orthonormal as its rows, which are the columns of its inverse.
+/// The first column of a matrix is too long, by ever more. Then its columns, which are the rows of its inverse, are up
+/// to three times as far from orthonormal as its rows.
 fn l_inverse_d_une_matrice_presque_orthonormale_est_une_rotation<R: Bits>() {
     let [x, y, z] = repere(Vecteur::new(1.0, 1.0, 1.0).unitaire().unwrap());
     let base = transposee([z, x, y]);
@@ -107,7 +107,7 @@ fn l_inverse_d_une_matrice_presque_orthonormale_est_une_rotation<R: Bits>() {
         gardees += u32::from(r.matrice() == m);
         for r in [r, r.inverse()] {
             let m = matrice(r);
-            // An f64 is judged in f64, here and in the crate: 4u each.
+            // Both this test and the crate judge an f64 in f64: 4u each.
             let permis = DEJA_ORTHONORMALE * u::<R>() + 8.0 * f64::U;
             assert!(ecart(produit(m, transposee(m)), IDENTITE) <= permis, "{k}: {m:?}");
             assert_eq!(bits(Rotation::depuis_matrice(r.matrice()).unwrap()), bits(r), "{k}");
@@ -118,7 +118,7 @@ fn l_inverse_d_une_matrice_presque_orthonormale_est_une_rotation<R: Bits>() {
 
 en_f32_et_f64!(l_inverse_d_une_matrice_presque_orthonormale_est_une_rotation);
 
-/// Orthonormal as lemma 13 promises: by rows, and by columns as the inverse.
+/// Orthonormal by rows as lemma 13 promises, and by columns, for the inverse.
 fn est_orthonormale<R: Reel>(r: Rotation<R>) {
     est_orthonormale_a(ORTHONORMALE, r);
 }
@@ -137,14 +137,14 @@ fn une_matrice_en_decimales_est_acceptee<R: Reel>() {
     pour_chaque(cas(256), faire, |(r, decimales)| {
         let m = matrice(r);
         let dix = 10_f64.powi(decimales);
-        // Half of the last decimal if rounded, all of it if cut off.
+        // Half of the last decimal if it is rounded, all of it if it is cut off.
         for (ecrire, h) in [(f64::round as fn(f64) -> f64, 0.5 / dix), (f64::trunc, 1.0 / dix)] {
             let ecrite = m.map(|ligne| ligne.map(|x| R::depuis_f64(ecrire(x * dix) / dix)));
             let lue = Rotation::depuis_matrice(ecrite).unwrap();
-            // Seven decimals may be enough in f32 for the matrix to be kept.
+            // In f32 a matrix with seven decimals may be exact enough to be kept.
             let gardee = lue.matrice() == ecrite;
             est_orthonormale_a(if gardee { DEJA_ORTHONORMALE } else { ORTHONORMALE }, lue);
-            // Lemma 13, a hundredth for the second order, and roundings of what is written and read.
+            // The bound of lemma 13, a hundredth for the second order, and the roundings of what is written and read.
             let permis = 6_f64.sqrt() * 1.01 * h + (ORTHONORMALE + 3.0) * u::<R>();
             assert!(ecart(matrice(lue), m) <= permis, "{decimales}: {r:?}");
         }
@@ -153,8 +153,8 @@ fn une_matrice_en_decimales_est_acceptee<R: Reel>() {
 
 en_f32_et_f64!(une_matrice_en_decimales_est_acceptee);
 
-/// A matrix off by less than the limit is repaired, from as far as the limit, whatever the direction of the fault; and to
-/// the nearest rotation, which of a symmetric fault, stretch alone, is the rotation itself.
+/// A matrix that is off by up to the limit is repaired, whatever the direction of the fault, and becomes the nearest
+/// rotation. For a symmetric fault, which only stretches, that is the original rotation.
 fn une_matrice_presque_orthonormale_est_reparee<R: Reel>() {
     let faire = |alea: &mut Hasard| {
         (rotation::<R>(alea), [(); 3].map(|()| [(); 3].map(|()| entre(alea, -1.0, 1.0))))
@@ -162,8 +162,8 @@ fn une_matrice_presque_orthonormale_est_reparee<R: Reel>() {
     pour_chaque(cas(256), faire, |(r, bruit)| {
         let symetrique: Matrice =
             std::array::from_fn(|i| std::array::from_fn(|j| bruit[i.min(j)][i.max(j)]));
-        // (I + S)² − I, of which the largest element is to be just within the limit; of a fault that is not symmetric an
-        // element is two sums of three products, 2√3 times as large at most.
+        // The largest element of (I + S)² − I is to be just within the limit. For a fault that is not symmetric, an
+        // element is two sums of three products, at most 2√3 times as large.
         let grand = (0..9).fold(1e-3, |g: f64, k| g.max(symetrique[k / 3][k % 3].abs()));
         let k = (0.5 * ECART_ROTATION - 1e-6) / grand;
         let fautes = [
@@ -190,7 +190,7 @@ fn ce_qui_n_est_pas_une_rotation_est_refuse<R: Reel>() {
         let m = matrice(r);
         let refus = |m: Matrice| {
             let m = m.map(|ligne| ligne.map(R::depuis_f64));
-            // A determinant is below 0.
+            // Any determinant is below 0.
             Rotation::depuis_matrice(m).err().map(|erreur| (erreur.champ, erreur.valeur < 0.0))
         };
         for k in [1.01, 0.99, 1.001, 0.999, 0.0, -1.01] {
@@ -228,7 +228,7 @@ fn hamilton(q: [f64; 4], v: Vecteur) -> [f64; 3] {
     [i, j, k].map(|c| c / carre)
 }
 
-/// What `new`, `autour_de` and `depuis_quaternion` promise of an element, and 20u of `f64` for the test.
+/// What `new`, `autour_de` and `depuis_quaternion` promise for an element, and 20u of `f64` for the test.
 fn elements<R: Reel>() -> f64 {
     1.1 * u::<R>() + (promesses::TOUR + 20.0) * f64::U
 }
@@ -261,7 +261,7 @@ fn autour_d_un_axe_le_sens_est_celui_de_new<R: Reel>() {
         let angle = R::depuis_f64(angle);
         let r = Rotation::autour_de(axe, angle).unwrap();
         est_orthonormale(r);
-        // By −angle, as a quaternion turns by the right-hand rule.
+        // The angle is negated, since a quaternion turns by the right-hand rule.
         let q = sinus_et_cosinus(axe.vers_f64().unitaire().unwrap(), angle.vers_f64());
         let attendu = [Vecteur::X, Vecteur::Y, Vecteur::Z].map(|axe| hamilton(q, axe));
         assert!(ecart(matrice(r), attendu) <= elements::<R>(), "{axe:?} {angle}: {r:?}");
@@ -283,7 +283,7 @@ fn autour_d_un_axe_le_sens_est_celui_de_new<R: Reel>() {
 
 en_f32_et_f64!(autour_d_un_axe_le_sens_est_celui_de_new);
 
-/// Two directions, half of the time parallel or opposite to some power of two.
+/// Two directions, half of the time parallel or opposite to within some power of two.
 fn deux_directions<R: Reel>(alea: &mut Hasard) -> [Vecteur<R>; 2] {
     let (a, b) = (direction(alea), direction(alea));
     let presque = a + b * deux_puissance(alea, -56.0, 0.0);
@@ -297,7 +297,7 @@ fn entre_deux_directions_le_tour_est_le_plus_court<R: Reel>() {
         est_orthonormale(r);
         let [a, b] = [de, vers].map(|v| v.vers_f64().unitaire().unwrap());
         let arrive = r.appliquer(de).vers_f64().unitaire().unwrap();
-        // In f32 what is made in f64 is as good as exact: elements and V·M round, √3 and 5.2u.
+        // In f32 what is made in f64 counts as exact: elements and V·M round, by √3 and 5.2u.
         let permis = (promesses::ENTRE * f64::U + 7.0 * u::<R>())
             .min(promesses::ENTRE * u::<R>() + 8.0 * f64::U);
         assert!((arrive - b).longueur() <= permis, "{:e}", (arrive - b).longueur());
@@ -310,7 +310,7 @@ fn entre_deux_directions_le_tour_est_le_plus_court<R: Reel>() {
         let exces =
             angle(axe, 0.5 * (m[0][0] + m[1][1] + m[2][2] - 1.0)) - angle(k, a.produit_scalaire(b));
         let precis = 100.0 * f64::U + 10.0 * u::<R>();
-        // Next to half a turn the axis is less certain, and the angle so to 3√u, or 16u₃₂.
+        // Near half a turn the axis is less certain, and therefore the angle, to 3√u or 16u₃₂.
         let pres_du_demi_tour = a.produit_scalaire(b) < 0.0 && k.longueur() < 1e-3;
         let permis =
             if pres_du_demi_tour { 3.0 * f64::U.sqrt() + 17.0 * u::<R>() } else { 0.0 } + precis;
@@ -330,7 +330,7 @@ fn a_l_oppose_l_axe_est_celui_que_la_documentation_nomme<R: Reel>() {
         let loin = if v.x.abs() > v.y.abs() { Vecteur::Y } else { Vecteur::X };
         let axe = loin.produit_vectoriel(v).unitaire().unwrap();
         let tourne = |v: Vecteur| r.appliquer(arrondi(v)).vers_f64();
-        // Times `k` each coordinate rounds, so that `vers` is opposite to u only.
+        // Each coordinate rounds when it is multiplied by `k`, so that `vers` is opposite only to u.
         assert!((tourne(axe) - axe).longueur() <= 16.0 * u::<R>() + 60.0 * f64::U);
         let dernier = axe.produit_vectoriel(v.unitaire().unwrap());
         assert!((tourne(dernier) + dernier).longueur() <= 16.0 * u::<R>() + 60.0 * f64::U);
@@ -346,16 +346,16 @@ fn une_camera_regarde_ou_on_le_dit_et_se_tient_droite<R: Reel>() {
         match Rotation::regard(direction, haut) {
             Ok(r) => {
                 est_orthonormale(r);
-                // 5u for the sine as this test and the crate compute it.
+                // This test and the crate compute the sine to 5u.
                 assert!(sinus > 16.0 * u::<R>() - 5.0 * f64::U);
                 let [x, y, z] = r.axes().map(Vecteur::vers_f64);
-                // What lemma 13 grants in f64, and 4u for the test; in f32 elements round.
+                // What lemma 13 grants in f64, with 4u for the test; in f32 elements round too.
                 assert!((z + d).longueur() <= promesses::REGARD * f64::U + 2.0 * u::<R>());
                 assert!(
                     x.produit_scalaire(h).abs()
                         <= promesses::REGARD_DROIT * f64::U + 4.0 * u::<R>()
                 );
-                // Up to what is left of it at a right angle to the view.
+                // y points up as far as `haut` is at a right angle to the view.
                 assert!(y.produit_scalaire(h) > 0.5 * sinus);
                 assert!((x - d.produit_vectoriel(y)).longueur() <= 30.0 * u::<R>());
             }
@@ -375,7 +375,7 @@ fn une_camera_regarde_ou_on_le_dit_et_se_tient_droite<R: Reel>() {
 
 en_f32_et_f64!(une_camera_regarde_ou_on_le_dit_et_se_tient_droite);
 
-/// Whatever bits go in, a rotation comes out, or the name of a number that is none.
+/// Whatever bits go in, a rotation comes out, or an error that names an unsuitable number.
 fn n_importe_quels_bits_donnent_une_rotation_ou_un_refus<R: Bits>() {
     let faire = |alea: &mut Hasard| {
         (vecteur_quelconque(alea), vecteur_quelconque(alea), quelconque::<R>(alea))
@@ -436,8 +436,8 @@ fn un_refus_nomme_le_nombre() {
     }
 }
 
-/// A column that a matrix of `mint` multiplies from the left turns as a vector here, and what is read back
-/// has the same bits.
+/// A `mint` matrix that multiplies a column from the left turns it as a vector turns here, and what is read back has
+/// the same bits.
 #[cfg(feature = "mint")]
 fn par_mint_tout_tourne_de_meme<R: Bits>() {
     use mint::{ColumnMatrix3, Quaternion};

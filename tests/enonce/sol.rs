@@ -1,5 +1,5 @@
-//! A floor at y = 0, what every scene begins with: its points under things are dark, and nothing that starts there is a
-//! subnormal number, which a turned floor may give.
+//! A floor at y = 0, with which every scene begins. Its points under things are dark, and nothing that starts there is
+//! a subnormal number, which a turned floor may give.
 
 use commun::fabrique::{avec_arbre, boite, boite_droite, mur, sphere, v};
 use commun::hasard::{Hasard, pour_chaque};
@@ -34,8 +34,8 @@ fn scene<R: Reel>(dalle: bool) -> Vec<ObjetRay<R>> {
     objets
 }
 
-/// The recipe of the documents: of each point whether the lamp shines on it, and whether it would without the
-/// question what the start lies in.
+/// The recipe of the documents: whether the lamp shines on a point, and whether it would if nobody asked what holds the
+/// start.
 fn eclaire<R: Reel>(monde: &Monde<'_, R>, point: Vecteur<R>, lampe: Vecteur<R>) -> [bool; 2] {
     let haut = Vecteur::new(R::ZERO, R::UN, R::ZERO);
     let rayon = Rayon::new(point + haut, -haut).unwrap();
@@ -47,7 +47,7 @@ fn eclaire<R: Reel>(monde: &Monde<'_, R>, point: Vecteur<R>, lampe: Vecteur<R>) 
     [!dessous && libre, libre]
 }
 
-/// How deep a point is under things, in scene units; below 0 it is beside them all.
+/// How deep a point is under things, in scene units; below 0 where it is beside them all.
 fn sous<R: Reel>(objets: &[ObjetRay<R>], [x, z]: [f64; 2]) -> f64 {
     let profondeur = |objet: &ObjetRay<R>| match objet {
         ObjetRay::Sphere(s) => {
@@ -78,7 +78,7 @@ fn sous_un_objet_il_fait_sombre<R: Reel>() {
                 [i % GRILLE, i / GRILLE].map(|k| f64::from(k) * 18.0 / f64::from(GRILLE) - 9.0);
             let point = arrondi(Vecteur::new(ou[0], 0.0, ou[1]));
             let [clair, naif] = eclaire(&monde, point, lampe);
-            // Of a side of a thing rounding decides.
+            // Near the side of a thing rounding decides.
             let dessous = sous(&objets, ou);
             if dessous > 1e-5 {
                 assert!(!clair, "lit under something: {ou:?}");
@@ -96,8 +96,8 @@ fn sous_un_objet_il_fait_sombre<R: Reel>() {
 
 en_f32_et_f64!(sous_un_objet_il_fait_sombre);
 
-/// A sensor in the air, a hundredth of a rounding above the floor, and a lamp: from the sensor nothing stands between
-/// them, as the documents advise; from the lamp rounding sets some sensors behind the floor.
+/// A sensor in the air, a hundredth of a rounding above the floor, and a lamp. From the sensor, as the documents
+/// advise, nothing stands between them; from the lamp, rounding puts some sensors behind the floor.
 fn un_capteur_au_ras_du_sol_voit_la_lampe<R: Reel>() {
     let sol = &scene::<R>(false)[..1];
     let voit = |de: Vecteur<R>, vers: Vecteur<R>| {
@@ -119,7 +119,7 @@ fn un_capteur_au_ras_du_sol_voit_la_lampe<R: Reel>() {
 
 en_f32_et_f64!(un_capteur_au_ras_du_sol_voit_la_lampe);
 
-/// A number that is subnormal: processors take up to a hundred times as long for it.
+/// Whether this number is subnormal, for which processors take up to a hundred times as long.
 fn sous_normal<R: Reel>(x: R) -> bool {
     let normal = if size_of::<R>() == 4 { f32::MIN_POSITIVE.into() } else { f64::MIN_POSITIVE };
     x != R::ZERO && x.absolu().vers_f64() < normal
@@ -160,8 +160,8 @@ fn au_sol_rien_n_est_sous_normal<R: Reel>() {
 
 en_f32_et_f64!(au_sol_rien_n_est_sous_normal);
 
-/// Of a floor through O that is turned by less than 2⁻²⁶ (`f64`: 2⁻¹²²), and a point that is exactly O: no margin is
-/// subnormal, and a coordinate of the start is.
+/// For a floor through O that is turned by less than 2⁻²⁶ (`f64`: 2⁻¹²²), and a point that is exactly O, no margin is
+/// subnormal, but a coordinate of the start is.
 fn au_sol_tourne_un_depart_est_sous_normal<R: Reel>() {
     let peu = if size_of::<R>() == 4 { -27.0_f64 } else { -123.0 };
     for (pente, attendu) in [(peu.exp2(), true), ((peu + 2.0).exp2(), false), (0.0, false)] {

@@ -1,4 +1,4 @@
-//! Whatever bits go in, invalid values cannot be constructed, and every query on valid ones ends.
+//! Whatever bits go in, no invalid value can be constructed, and every query on valid ones ends.
 
 use commun::hasard::{Hasard, pour_chaque};
 use commun::passages::{exiger_apres_coup, exiger_les_passages};
@@ -10,7 +10,7 @@ use lancer_rayon::{
     Texture, Vecteur, premiere_intersection,
 };
 
-/// A refusal names a field, and a value that the field does not accept.
+/// Checks that a refusal names a field, and a value that this field does not accept.
 fn refusee<R: Reel>(erreur: ErreurGeo) {
     let ErreurGeo { champ, valeur, .. } = erreur;
     let limite = R::LIMITE.vers_f64();
@@ -65,7 +65,7 @@ fn valide<R: Reel>(objet: &ObjetRay<R>) {
     }
 }
 
-/// Each of these objects is asked by this ray, also of the hit of another, and what starts from its hits.
+/// This ray asks each of these objects, also about the hit of another; then so do the rays from its hits.
 fn interroger<R: Bits>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) {
     for objet in objets {
         exiger_les_passages(objet, rayon, rayon.source());
@@ -92,7 +92,7 @@ fn interroger<R: Bits>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) {
     }
 }
 
-/// A rotation from any angles or any matrix, if it is one; no rotation otherwise.
+/// The rotation that a matrix makes, if it is one, or that angles make; otherwise no turn.
 fn rotation<R: Bits>(alea: &mut Hasard) -> Rotation<R> {
     let angles = Rotation::new(vecteur_quelconque(alea));
     let matrice = [(); 3].map(|()| <[R; 3]>::from(vecteur_quelconque(alea)));
@@ -128,7 +128,7 @@ fn n_importe_quels_bits_donnent_une_valeur_valide_ou_une_erreur<R: Bits>() {
                 garder(objet.translation(v));
                 garder(objet.rotation(r2));
                 garder(objet.homothetie(k));
-                // A half-space has no size that would show it.
+                // A half-space has no size to show a bad coefficient.
                 assert!(objet.homothetie(k).is_err() || k > R::ZERO && k < R::INFINI);
                 match objet.vers_f32(v) {
                     Ok(simple) => valide(&simple.vers_ray()),
@@ -137,13 +137,13 @@ fn n_importe_quels_bits_donnent_une_valeur_valide_ou_une_erreur<R: Bits>() {
             }
         }
         let objets: Vec<_> = objets.into_iter().map(ObjetGeo::vers_ray).collect();
-        // Few random rays hit anything: some aim at the objects, some away from them.
+        // Few random rays hit anything, so some aim at the objects and some away from them.
         for vers in [direction, point - source, source - point, longueurs, -source] {
             match Rayon::new(source, vers) {
                 Ok(rayon) => {
                     assert!(tient(rayon.source()));
                     let carre = rayon.direction().vers_f64().longueur_carree();
-                    // A direction that is kept (lemma 1), and four roundings of this test in f64.
+                    // The direction is kept (lemma 1), and this test rounds four times in f64.
                     assert!((carre - 1.0).abs() <= 15.1 * u::<R>() + 4.0 * u::<f64>());
                     interroger(&objets, &rayon);
                     let admis = k >= R::ZERO && k < R::INFINI;
@@ -172,14 +172,14 @@ fn toute_direction_finie_non_nulle_est_rendue_unitaire<R: Bits>() {
         assert_eq!(unitaire.is_some(), finie && v != Vecteur::NUL);
         assert_eq!(Rayon::new(Vecteur::NUL, v).is_ok(), unitaire.is_some());
         if let Some(unitaire) = unitaire {
-            // The greatest coordinate keeps its sign, the others their ratio to it.
+            // The largest coordinate keeps its sign, and the others keep their ratio to it.
             let (v, n) = ([v.x, v.y, v.z], [unitaire.x, unitaire.y, unitaire.z]);
             let grand = (0..3).fold(0, |i, j| if v[j].absolu() > v[i].absolu() { j } else { i });
             assert!((n[grand] > R::ZERO) == (v[grand] > R::ZERO));
             for i in 0..3 {
                 let attendu = v[i].vers_f64() / v[grand].vers_f64();
                 let obtenu = n[i].vers_f64() / n[grand].vers_f64();
-                // Two quotients of one rounding each, and those of this test in f64.
+                // There are two quotients of one rounding each, and those of this test in f64.
                 assert!((obtenu - attendu).abs() <= 6.0 * u::<R>());
             }
         }

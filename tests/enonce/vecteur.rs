@@ -7,8 +7,7 @@ use lancer_rayon::{Nombre, ObjetRay, Rayon, Reel, Vecteur};
 /// 3² + 4² + 12² = 13².
 const COTES: Vecteur = Vecteur::new(3.0, -4.0, 12.0);
 
-/// From the smallest number to the largest, in all powers of two: the length is exact, and the unit
-/// vector always the same.
+/// From the smallest number to the largest, at every power of two, the length is exact and the unit vector the same.
 fn la_longueur_est_exacte_d_un_bout_a_l_autre<R: Reel>() {
     let (cotes, treize) = (arrondi::<R>(COTES), R::depuis_f64(13.0));
     let unitaire = cotes.unitaire();

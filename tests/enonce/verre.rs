@@ -1,4 +1,4 @@
-//! Ways out of a solid: from its surface, from within rounding of it, and from within several.
+//! Ways out of a solid, for rays from its surface, from within rounding of it, and from within several solids.
 
 use commun::fabrique::{boite_droite, sphere, v};
 use commun::hasard::{Hasard, Tirage, pour_chaque};
@@ -9,8 +9,8 @@ use commun::tolerances::{promesses, u};
 use commun::{arrondi, en_f32_et_f64};
 use lancer_rayon::{NoIntersection, ObjetRay, PlanGeo, Rayon, Reel, Rotation, Texture, Vecteur};
 
-/// From exactly on the surface, and in the plane of a face: every number is exact. A ray leaves at the far side or not
-/// at all.
+/// Rays from exactly on the surface, and in the plane of a face, where every number is exact. Such a ray leaves at the
+/// far side or not at all.
 fn de_la_surface_un_rayon_sort_en_face_ou_pas<R: Reel>() {
     let boule = sphere(Vecteur::NUL, R::depuis_f64(5.0));
     let boite = boite_droite(Vecteur::NUL, v(2.0, 4.0, 6.0));
@@ -33,15 +33,15 @@ fn de_la_surface_un_rayon_sort_en_face_ou_pas<R: Reel>() {
     assert_eq!(sortie(&boite, v(0.5, 2.0, 0.0), bas), Some((4.0, [0.0, -1.0, 0.0])));
     assert_eq!(sortie(&boite, v(0.5, 2.0, 0.0), haut), None);
     assert_eq!(sortie(&boite, v(0.5, 1.5, 0.0), haut), Some((0.5, [0.0, 1.0, 0.0])));
-    // In the plane of a face, which belongs to the box; beside it; along an edge.
+    // Rays in the plane of a face, which belongs to the box; beside it; and along an edge.
     assert_eq!(sortie(&boite, v(1.0, 0.0, 0.0), haut), Some((2.0, [0.0, 1.0, 0.0])));
     assert_eq!(sortie(&boite, v(1.0, -9.0, 3.0), haut), Some((11.0, [0.0, 1.0, 0.0])));
     assert_eq!(sortie(&boite, v(1.5, 0.0, 0.0), haut), None);
-    // Of the edge at (1, 2) the ray has one point, where it enters as well.
+    // The ray and the edge at (1, 2) share one point, where the ray enters as well.
     let croise = Rayon::new(v(0.0, 3.0, 0.0), v(1.0, -1.0, 0.0)).unwrap();
     let [entree, fin] = [boite.intersection(&croise), boite.sortie(&croise)];
     assert_eq!(entree.unwrap().distance(), fin.unwrap().distance());
-    // Through a corner the first pair gives the normal, as of an entry.
+    // Through a corner the first pair gives the normal, as at an entry.
     let coin = sortie(&boite, v(0.0, 1.0, 2.0), v(1.0, 1.0, 1.0));
     assert_eq!(coin.unwrap().1, [1.0, 0.0, 0.0]);
 
@@ -49,7 +49,7 @@ fn de_la_surface_un_rayon_sort_en_face_ou_pas<R: Reel>() {
     assert_eq!(sortie(&sol, v(0.0, 0.0, -3.0), monte), Some((3.0, [0.0, 0.0, 1.0])));
     assert_eq!(sortie(&sol, v(0.0, 0.0, -3.0), descend), None);
     assert_eq!(sortie(&sol, v(0.0, 0.0, -3.0), haut), None);
-    // Level, whatever the signs of its zeros.
+    // A level ray, whatever the signs of its zeros.
     assert_eq!(sortie(&sol, v(0.0, 0.0, -3.0), v(-1.0, -0.0, -0.0)), None);
     assert_eq!(sortie(&sol, v(0.0, 0.0, 0.0), monte), None);
     assert_eq!(sortie(&sol, v(0.0, 0.0, 3.0), descend), None);
@@ -60,7 +60,8 @@ fn de_la_surface_un_rayon_sort_en_face_ou_pas<R: Reel>() {
 
 en_f32_et_f64!(de_la_surface_un_rayon_sort_en_face_ou_pas);
 
-/// From within rounding of the surface and along it too: what is inside as computed leaves, and within two radii.
+/// From within rounding of the surface, and along it too, a ray that starts inside as computed leaves, and within two
+/// radii.
 fn d_une_boule_tout_rayon_sort_a_moins_de_deux_rayons<R: Reel>() {
     let mut dedans = 0;
     let faire = |alea: &mut Hasard| {
@@ -74,7 +75,7 @@ fn d_une_boule_tout_rayon_sort_a_moins_de_deux_rayons<R: Reel>() {
     pour_chaque(100_000, faire, |(boule, r, rayon)| {
         if rayon.source().longueur_carree() < r * r {
             let t = boule.sortie(&rayon).unwrap().distance();
-            // A root, and three roundings of SA and AB each.
+            // A root, and three roundings each of SA and AB.
             let plus = 1.0 + promesses::DISTANCE_SPHERE * u::<R>();
             assert!(t > R::ZERO && t.vers_f64() <= 2.0 * r.vers_f64() * plus, "{t}");
             dedans += 1;
@@ -85,8 +86,8 @@ fn d_une_boule_tout_rayon_sort_a_moins_de_deux_rayons<R: Reel>() {
 
 en_f32_et_f64!(d_une_boule_tout_rayon_sort_a_moins_de_deux_rayons);
 
-/// Between media of one index, or of two that differ by rounding, light goes on at any angle, in and out: straight on at
-/// η = 1, and beside it as Snell's law says. So does the cosine behind, which Fresnel's formula asks for.
+/// Between media of one index, or of two that differ by rounding, light goes on at any angle, in and out: straight on
+/// at η = 1, and otherwise as Snell's law says. So does the cosine behind, which Fresnel's formula needs.
 fn entre_milieux_assortis_la_lumiere_va_tout_droit<R: Reel>() {
     let u = u::<R>();
     let (mut rasants, mut pires) = (0, [0.0_f64; 2]);
@@ -112,7 +113,7 @@ fn entre_milieux_assortis_la_lumiere_va_tout_droit<R: Reel>() {
         rasants += u32::from(devant < 100.0 * u);
         let droit = touche.refracte(d, R::UN).unwrap().direction();
         let derriere = n.produit_scalaire(droit).absolu().vers_f64();
-        // What is turned outward is above its plane by less than 20u.
+        // A direction that was turned outward is above its plane by less than 20u.
         let rase = passage == Passage::Sortie && derriere < 20.0 * u;
         let permis = promesses::TOUT_DROIT + if rase { promesses::REFLECHI_REDRESSE } else { 0.0 };
         let (_, ecart) = ecart_de_snell(d, n, R::UN, passage, Some(droit));
@@ -140,7 +141,8 @@ fn entre_milieux_assortis_la_lumiere_va_tout_droit<R: Reel>() {
 
 en_f32_et_f64!(entre_milieux_assortis_la_lumiere_va_tout_droit);
 
-/// Light whose cosine with the normal is exactly 0 goes in, as light at a hit does, up to the angle of total reflection.
+/// Light whose cosine with the normal is exactly 0 goes in, as light at a hit does, up to the angle of total
+/// reflection.
 fn la_lumiere_rasante_entre<R: Reel>() {
     let sol = ObjetRay::from(PlanGeo::par_un_point(Vecteur::NUL, Vecteur::Z, Texture(0)).unwrap());
     let touche = sol.intersection(&Rayon::new(Vecteur::Z, -Vecteur::Z).unwrap()).unwrap();
@@ -154,8 +156,8 @@ fn la_lumiere_rasante_entre<R: Reel>() {
 
 en_f32_et_f64!(la_lumiere_rasante_entre);
 
-/// With a ratio of 1167 rounding turned light that left a half-space, whose N is as long as a matrix that is kept allows,
-/// back into it: it hit what it had left. There is no such glass.
+/// At a ratio of 1167 rounding turned light that left a half-space back into it, where N was as long as a kept matrix
+/// allows: the light hit what it had left. No glass has such a ratio.
 #[test]
 fn un_rapport_au_dela_de_100_est_refuse() {
     let bas = [[1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, -1.0 - f32::EPSILON]];

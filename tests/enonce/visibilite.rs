@@ -1,4 +1,4 @@
-//! Two points of surfaces: whether they see each other, beside an exact answer.
+//! Whether two points of surfaces see each other, beside an exact answer.
 
 use commun::fabrique::{avec_arbre, boite, mur, sphere};
 use commun::hasard::{Hasard, Tirage, pour_chaque};
@@ -12,7 +12,7 @@ use lancer_rayon::{
 /// Pairs of points.
 const PAIRES: u32 = 20_000;
 
-/// Of every other pair one point is a sensor on a wall, at one of these heights above the ground.
+/// In every other pair one point is a sensor on a wall, at one of these heights above the ground.
 const HAUTEURS: [f64; 3] = [0.01, 0.002, 0.001];
 
 /// Houses in streets, some of them turned, on level ground.
@@ -42,14 +42,14 @@ fn point<R: Reel>(
         Some(haut) => (lieu(haut), lieu(haut)),
         None => (lieu(40.0), lieu(0.0)),
     };
-    // From inside an object one sees points that it hides from all others.
+    // From inside an object one would see points that it hides from everywhere else.
     if monde.contient(arrondi(de)) {
         return None;
     }
     monde.premiere_intersection(&Rayon::new(arrondi(de), arrondi(vers - de)).ok()?).ok()
 }
 
-/// A point of the ground under the open sky, no farther than some streets from here.
+/// A point of the ground under the open sky, at most some streets from `ici`.
 fn du_sol<R: Reel>(
     monde: &Monde<'_, R>,
     ici: Vecteur,
@@ -60,8 +60,8 @@ fn du_sol<R: Reel>(
     touche.filter(|touche| touche.indice() == 0)
 }
 
-/// Whether the ray enters one of these objects before its end, exactly; `None` if that is nearer than the
-/// end is known.
+/// Whether the ray enters one of these objects before its end, exactly; `None` if the two are nearer to each other than
+/// the end is known.
 fn cache<'a, R: Reel>(
     objets: impl Iterator<Item = &'a ObjetRay<R>>,
     rayon: &Rayon<R>,
@@ -69,7 +69,7 @@ fn cache<'a, R: Reel>(
     let longueur = rayon.temoin_f64().direction().longueur();
     let fin = rayon.fin().vers_f64() / longueur;
     let rayon = &rayon.jusqu_a(R::INFINI).unwrap();
-    // Those that are certainly passed by need no exact numbers.
+    // Objects that the ray certainly passes by need no exact numbers.
     let proches = objets.filter(|o| !o.est_certain(rayon) || o.intersection(rayon).is_ok());
     let entrees = proches.filter_map(|objet| verite(objet, rayon).entree);
     let premiere = entrees.map(|entree| entree.t.vers_f64()).fold(f64::INFINITY, f64::min);
@@ -78,7 +78,7 @@ fn cache<'a, R: Reel>(
     ((premiere - fin).abs() > jeu).then_some(premiere < fin)
 }
 
-/// What the recipe of the documents says of two points, and the ray that it asks.
+/// What the recipe of the documents says of two points, and the ray that it uses.
 fn voit<R: Reel>(
     monde: &Monde<'_, R>,
     depart: &Intersection<R>,
@@ -93,7 +93,7 @@ fn voit<R: Reel>(
     }
 }
 
-/// The recipe is right, and says the same both ways.
+/// The recipe is right, and its answer is the same both ways.
 fn deux_points_se_voient_si_rien_n_est_entre_eux<R: Reel>() {
     let objets = ville::<R>();
     let monde = avec_arbre(&objets);
@@ -119,7 +119,8 @@ fn deux_points_se_voient_si_rien_n_est_entre_eux<R: Reel>() {
             dos += 1;
             return;
         };
-        // The object that the ray leaves never stands in its way; nor would that to which it goes, exactly.
+        // The object that the ray leaves never hides the other point, nor, in exact arithmetic, would the object to
+        // which it goes.
         let [depart, cible] = [a, b].map(|touche| touche.indice());
         let sans_fin = rayon.jusqu_a(R::INFINI).unwrap();
         assert!(objets[depart].intersection(&sans_fin).is_err(), "hidden by its own start");
@@ -137,9 +138,9 @@ fn deux_points_se_voient_si_rien_n_est_entre_eux<R: Reel>() {
 
 en_f32_et_f64!(deux_points_se_voient_si_rien_n_est_entre_eux);
 
-/// At the foot of a turned wall rounding sets starts inside the wall or under the ground, of which a ray that comes there
-/// knows and one that leaves does not; and a ball that the line grazes may be hit one way and missed the other.
-/// Nowhere else does it matter which of two points is named first.
+/// At the foot of a turned wall rounding puts starts inside the wall or under the ground, which a ray that comes there
+/// knows and one that leaves does not. And a ball that the line grazes may be hit one way and missed the other. Nowhere
+/// else does it matter which of two points is named first.
 fn a_un_joint_ou_au_ras_d_un_tiers_l_ordre_compte<R: Reel>() {
     let haut = Vecteur::Y;
     let boule = |c: Vecteur, r: f64| sphere(arrondi(c), R::depuis_f64(r));
@@ -179,7 +180,7 @@ fn a_un_joint_ou_au_ras_d_un_tiers_l_ordre_compte<R: Reel>() {
         if libre == egalement {
             memes += 1;
         } else if joint {
-            // The wall at a point of the ground, the ground at one of the wall.
+            // The neighbour is the wall for the ground, and the ground for the wall.
             let hauteur = dehors(&objets[2 - a.indice()], aller.source());
             assert!(hauteur < 16.0 * R::U.vers_f64(), "clear of its neighbour");
             au_joint += 1;

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Every file in this folder of the repository and in those below.
+/// Every file in this folder of the repository and in the folders below it.
 pub(crate) fn fichiers_sous(dossier: &str) -> Vec<PathBuf> {
     let mut fichiers = Vec::new();
     let mut dossiers = vec![Path::new(env!("CARGO_MANIFEST_DIR")).join(dossier)];

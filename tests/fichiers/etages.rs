@@ -17,7 +17,7 @@ fn etages(racine: &Path) -> Vec<String> {
         let cellules: Vec<_> = ligne.split('|').map(str::trim).collect();
         let aile = cellules[1].trim_matches('`');
         let racine = !cellules[1].starts_with('`');
-        // The rows of a wing stand together.
+        // The rows of a wing are adjacent.
         if ailes.last() != Some(&aile) {
             assert!(racine || !ailes.contains(&aile), "{aile} stands in two places");
             ailes.push(aile);
@@ -31,8 +31,7 @@ fn etages(racine: &Path) -> Vec<String> {
     etages
 }
 
-/// The paths that stand after `avant` in this source, outside of comments, each name of a list in
-/// braces by itself.
+/// The paths after `avant` in this source, outside of comments; each name of a list in braces counts by itself.
 fn chemins(source: &str, avant: &str) -> Vec<String> {
     let code: String = source.lines().map(|ligne| ligne.split("//").next().unwrap()).collect();
     let mut chemins = Vec::new();
@@ -71,10 +70,10 @@ fn aucun_fichier_n_importe_d_un_etage_plus_haut() {
         }
         assert!(!source.contains("super::{") && !source.contains("use super"), "{chemin}");
         let ici = etage(&chemin).unwrap_or_else(|| panic!("{chemin} is on no floor"));
-        // A macro takes the type that it is given, `crate::$type`.
+        // A macro takes a type that it is given, as in `crate::$type`.
         let imports = chemins(&source, "crate::").into_iter().filter(|import| !import.is_empty());
         for import in imports.map(complet) {
-            // The longest path that is a file: what follows is an item.
+            // The longest path that is a file; what follows it is an item.
             let mut de = import.as_str();
             while etage(de).is_none() {
                 de = de.rsplit_once("::").unwrap_or_else(|| panic!("{chemin}: {import}")).0;

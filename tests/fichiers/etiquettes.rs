@@ -1,5 +1,5 @@
-//! What the pages of `docs/preuves` name is in the code: each step of the algorithms stands, by its label, in a comment of
-//! the code that takes it, and each test and each constant of the map exists.
+//! What the pages of `docs/preuves` name is in the code: each step of the algorithms stands, with its label, in a
+//! comment of the code that takes it, and each test and each constant of the map exists.
 
 use std::collections::BTreeMap;
 use std::fs;

@@ -12,7 +12,7 @@ const MEMES: [&str; 5] = ["Rotation", "direction", "x", "y", "z"];
 /// Files of items that are public for tests alone.
 const POUR_LES_TESTS: [&str; 3] = ["double.rs", "jugement.rs", "pour_les_tests.rs"];
 
-/// The names of the page.
+/// How many names the page has.
 const SUR_LA_PAGE: usize = 50;
 
 fn mots(texte: &str) -> Vec<&str> {
@@ -26,14 +26,14 @@ fn declare(ligne: &str) -> Option<&str> {
     mots(ligne).into_iter().find(|mot| !sortes.contains(mot))
 }
 
-/// Each name of `src` that has English words, with these.
+/// Each name of `src` that has English words, and these words.
 fn lexique() -> BTreeMap<String, Vec<String>> {
     let mut lexique = BTreeMap::<_, Vec<_>>::new();
     for fichier in fichiers_sous("src") {
         let mut alias = Vec::new();
         for ligne in fs::read_to_string(fichier).unwrap().lines().map(str::trim_start) {
             if let Some(suite) = ligne.strip_prefix("#[doc(alias") {
-                // Every other piece stands between quotes.
+                // Words stand between quotes: every other piece.
                 alias.extend(suite.split('"').skip(1).step_by(2).map(|mot| mot.replace('_', " ")));
             } else if !ligne.starts_with(['#', '/']) {
                 let nom = declare(ligne).unwrap_or_default();
@@ -45,8 +45,8 @@ fn lexique() -> BTreeMap<String, Vec<String>> {
     lexique
 }
 
-/// What `lib.rs` exports, and what has `pub` within an item: `pub` within the crate is `pub(crate)`, as `unreachable_pub`
-/// wants it.
+/// What `lib.rs` exports has a word, and what is `pub` within an item. What is `pub` only within the crate is written
+/// `pub(crate)`, as `unreachable_pub` wants it.
 #[test]
 fn chaque_nom_public_a_un_mot_anglais() {
     let lib = fs::read_to_string("src/lib.rs").unwrap();
@@ -67,7 +67,7 @@ fn chaque_nom_public_a_un_mot_anglais() {
     assert_eq!(sans, MEMES, "names without an alias, and those that need none");
 }
 
-/// Each name of the section is followed by one of its words.
+/// Each word that follows a name in the section is one of that name's words.
 #[test]
 fn les_noms_de_la_page_ont_les_mots_de_la_documentation() {
     let racine = Path::new(env!("CARGO_MANIFEST_DIR"));
@@ -77,7 +77,7 @@ fn les_noms_de_la_page_ont_les_mots_de_la_documentation() {
     let lexique = lexique();
     let mut combien = 0;
     for ligne in section.lines().filter(|ligne| ligne.contains("| `")) {
-        // Names stand between backquotes, words between them.
+        // Names stand between backquotes, and words between names.
         let (noms, mots) =
             (ligne.split('`').skip(1).step_by(2), ligne.split('`').skip(2).step_by(2));
         for (nom, mot) in noms.zip(mots) {

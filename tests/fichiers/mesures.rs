@@ -1,4 +1,4 @@
-//! The ratios of `docs/vitesse.md` that no program writes are those of the files of `benches/mesures`.
+//! The ratios of `docs/vitesse.md` that no program writes are those in the files of `benches/mesures`.
 
 use std::fs;
 use std::path::Path;
@@ -9,7 +9,7 @@ struct Mesures {
     lignes: Vec<Vec<String>>,
 }
 
-/// The cells of this row. What stands between quotes may hold a comma.
+/// The cells of this row. A cell in quotes may hold a comma.
 fn cases(ligne: &str) -> Vec<String> {
     let mut cases = vec![String::new()];
     let mut cite = false;
@@ -31,7 +31,7 @@ impl Mesures {
         Self { titres: lignes.next().unwrap(), lignes: lignes.collect() }
     }
 
-    /// The numbers in these columns, of the rows that have one of these words in the column `de`.
+    /// The numbers in `colonnes`, of the rows that have one of these words in the column `de`.
     fn nombres(&self, de: &str, mots: &[&str], colonnes: &[&str]) -> Vec<f64> {
         let ou = |colonne: &&str| self.titres.iter().position(|titre| titre == colonne).unwrap();
         let (de, ou) = (ou(&de), colonnes.iter().map(ou).collect::<Vec<_>>());
@@ -44,12 +44,12 @@ impl Mesures {
     }
 }
 
-/// As the page has a ratio.
+/// A ratio as the page writes it.
 fn rapport(x: f64) -> String {
     if x < 9.95 { format!("{x:.1}") } else { format!("{x:.0}") }
 }
 
-/// The least and the largest, or both at once.
+/// The least and the largest, or one if both look the same.
 fn etendue(nombres: &[f64]) -> String {
     let moindre = rapport(nombres.iter().copied().fold(f64::INFINITY, f64::min));
     let plus_grand = rapport(nombres.iter().copied().fold(0.0, f64::max));
@@ -72,7 +72,7 @@ fn les_rapports_des_ordres_sont_ceux_du_fichier() {
     let page = page();
     let section = section(&page, "The order in a batch");
     let ordres = Mesures::lire("ordres");
-    // What the page compares, the rows of the file, and whether these have the order of the page over the other.
+    // What the page compares, the rows of the file, and whether the file has the ratio the other way up.
     let lignes: [(&str, &[&str], bool); 8] = [
         ("sun by sun", &["one sun after the other"], false),
         ("window by window, as the year goes", &["suns as the year goes"], false),

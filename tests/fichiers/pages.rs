@@ -6,7 +6,7 @@ use std::path::Path;
 
 use crate::dossiers::{fichiers_sous, pages};
 
-/// A heading as a link names it: small letters, hyphens for spaces, and no other sign.
+/// A heading as a link names it: small letters, hyphens for spaces, and no other signs.
 fn ancre(titre: &str) -> String {
     let signes = titre.trim_start_matches('#').trim().chars();
     let signes = signes.filter(|c| c.is_alphanumeric() || " -_".contains(*c));
@@ -45,7 +45,7 @@ fn lignes_de_tables(page: &str) -> Vec<Vec<String>> {
     lignes.map(|ligne| ligne.trim_matches('|').split('|').map(cellule).collect()).collect()
 }
 
-/// What README.md shows of the ratios is what the page of measurements has for `f32`.
+/// The ratios in README.md are those of the page of measurements for `f32`.
 #[test]
 fn les_rapports_de_l_entree_sont_ceux_des_mesures() {
     let mesures = lignes_de_tables("docs/vitesse.md");
@@ -57,7 +57,7 @@ fn les_rapports_de_l_entree_sont_ceux_des_mesures() {
     }
 }
 
-/// The functions through which DEVELOPING.md follows a question stand in the sources, and so do the files.
+/// The functions through which DEVELOPING.md follows a question are in the sources, and so are the files.
 #[test]
 fn le_chemin_d_une_question_est_celui_des_sources() {
     let racine = Path::new(env!("CARGO_MANIFEST_DIR"));

@@ -1,5 +1,5 @@
-//! The pictures that know which of their pixels may be wrong: of all rays of all scenes, `f32` beside `f64` on the
-//! same numbers; and of rays at the outlines themselves.
+//! The pictures that show which of their pixels may be wrong: all rays of all scenes, with `f32` beside `f64` on the
+//! same numbers, and rays at the outlines themselves.
 
 use std::fs;
 use std::path::Path;
@@ -10,7 +10,7 @@ use lancer_rayon::{ObjetRay, Rayon, premiere_intersection};
 
 const SCENES: [&str; 5] = ["atelier", "soir", "foule", "flocon", "extremes"];
 
-/// Between two neighbours that see different objects, the two rays side by side at which the answer changes.
+/// The two adjacent rays at which the answer changes, between two neighbours that see different objects.
 fn au_bord(objets: &[ObjetRay<f32>], [mut a, mut b]: [Rayon<f32>; 2]) -> Option<[Rayon<f32>; 2]> {
     let vu = |rayon: &Rayon<f32>| premiere_intersection(objets, rayon).ok().map(|t| t.indice());
     let ici = vu(&a);
@@ -26,7 +26,7 @@ fn au_bord(objets: &[ObjetRay<f32>], [mut a, mut b]: [Rayon<f32>; 2]) -> Option<
     }
 }
 
-/// No ray on which the two differ was certain; how many were not stands in `benches/mesures/pixels.csv`.
+/// No ray on which the two differ was certain. `benches/mesures/pixels.csv` tells how many rays were not.
 #[test]
 fn un_pixel_faux_etait_incertain() {
     let racine = Path::new(env!("CARGO_MANIFEST_DIR"));

@@ -1,5 +1,5 @@
-//! The programs that the pages show are those that tests run: each block of Rust stands, line for line, in the file that
-//! the page last names before it.
+//! The programs that the pages show are those that tests run: each block of Rust stands, line for line, in the file
+//! that the page named last before it.
 
 use std::fs;
 use std::path::Path;
@@ -19,7 +19,7 @@ fn chaque_programme_d_une_page_est_dans_son_fichier() {
         let (mut nom, mut reste) = ("", &*texte);
         while let Some((prose, suite)) = reste.split_once("\n```") {
             let (bloc, apres) = suite.split_once("\n```").expect("the end of a block");
-            // A link counts from its page, what stands between backquotes from the root.
+            // A link counts from its page, a name in backquotes from the root.
             let mut mots = prose.rsplit(|c: char| c.is_whitespace() || "`()".contains(c));
             nom = mots.find(|mot| mot.ends_with(".rs")).unwrap_or(nom);
             if let Some(programme) = bloc.strip_prefix("rust\n") {

@@ -1,5 +1,5 @@
-//! The picture of the renderer is the same, byte for byte, however many rays go together and in however
-//! many bands it is made.
+//! The picture of the renderer is the same, byte for byte, however many rays go together and in however many bands it
+//! is made.
 
 #[path = "../../docs/exemples/rendu.rs"]
 #[expect(dead_code, reason = "of the program all but what its `main` calls")]

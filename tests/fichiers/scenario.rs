@@ -8,7 +8,7 @@ mod programme;
 
 use self::programme::image;
 
-/// The commands of the page take what `scene.rs` and the program need, in the versions with which they are compiled here.
+/// The commands of the page add what `scene.rs` and the program need, in the versions that compile them here.
 #[test]
 fn les_dependances_de_la_page_sont_celles_des_exemples() {
     let espace = fs::read_to_string("Cargo.toml").unwrap();
@@ -34,7 +34,7 @@ fn les_dependances_de_la_page_sont_celles_des_exemples() {
     }
 }
 
-/// Of the floor some is lit by both lamps, some by one, some by none.
+/// Both lamps light some of the floor, one lamp some, and none some.
 #[test]
 fn le_scenario_a_lumiere_et_ombres() {
     let scenario = fs::read_to_string("docs/exemples/scenario.ron").unwrap();
@@ -43,12 +43,12 @@ fn le_scenario_a_lumiere_et_ombres() {
     assert_eq!(lignes.next(), Some("P3 600 400 255"));
     let pixels: Vec<&str> = lignes.collect();
     assert_eq!(pixels.len(), 600 * 400);
-    // 255·√(0.15·c), rounded down: the colour of the floor in the shadow of everything. Above this row the floor is
-    // so far away that no lamp lights it.
+    // The colour of the floor in the shadow of everything: 255·√(0.15·c), rounded down. Above this row the floor is so
+    // far away that no lamp lights it.
     let nuit = pixels[600 * 200..].iter().filter(|pixel| **pixel == "88 88 85").count();
     let ciel = pixels.iter().filter(|pixel| **pixel == "0 0 0").count();
     assert!(nuit > 500 && ciel > 500, "{nuit} {ciel}");
-    // No lamp, no light but the ambient: fewer colours than objects and sky.
+    // Without a lamp there is only ambient light, and one colour for each object and the sky.
     let (avant, apres) = scenario.split_once("lampes: [").unwrap();
     let (_, apres) = apres.split_once("],\n").unwrap();
     let sans_lampe = programme::image(&format!("{avant}lampes: [],\n{apres}")).unwrap();

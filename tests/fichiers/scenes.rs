@@ -24,8 +24,8 @@ fn image<R: Reel>(scene: &Scene<R>) -> Vec<Reponse<R>> {
     rayons.iter().map(|rayon| premiere_intersection(&objets, rayon)).collect()
 }
 
-/// The picture shows each object: nobody would miss a lost one that the picture does not show. In the
-/// snowflake the spheres hide each other.
+/// The picture shows each object, since nobody would miss a lost object that it does not show. In the snowflake the
+/// spheres hide each other.
 fn chaque_objet_se_voit<R: Reel>(chemin: &Path, scene: &Scene<R>, touches: &[Reponse<R>]) {
     let mut pixels = vec![0; scene.objets.len()];
     for touche in touches.iter().flatten() {
@@ -40,10 +40,10 @@ fn chaque_objet_se_voit<R: Reel>(chemin: &Path, scene: &Scene<R>, touches: &[Rep
     );
 }
 
-/// How far the two distances may lie apart, as a part of the distance: grazing rays came to 8e-6.
+/// How far apart the two distances may be, relative to the distance; grazing rays came to 8e-6.
 const ECART_F32_F64: f64 = 1e-4;
 
-/// A direction of the camera is off by some units in the last place of 1: a turn and a normalisation.
+/// A direction of the camera may be off by some units in the last place of 1, from a turn and a normalisation.
 const DIRECTION_CAMERA: f64 = 1e-15;
 
 #[test]
@@ -53,7 +53,7 @@ fn f32_et_f64_voient_tous_les_objets_aux_memes_distances() {
         let (doubles, simples) = (image::<f64>(&double), image::<f32>(&simple));
         chaque_objet_se_voit(&chemin, &double, &doubles);
         chaque_objet_se_voit(&chemin, &simple, &simples);
-        // How many rays see another object `pixels.rs` counts.
+        // `pixels.rs` counts how many rays see another object.
         for paire in doubles.iter().zip(&simples) {
             if let (Ok(a), Ok(b)) = paire
                 && a.indice() == b.indice()
@@ -65,13 +65,13 @@ fn f32_et_f64_voient_tous_les_objets_aux_memes_distances() {
     }
 }
 
-/// A scene that holds this object, from the fifth column of its fourth line on.
+/// A scene with this object, which starts at the fifth column of the fourth line.
 fn avec_objet(objet: &str) -> String {
     let camera = "source: (0, 0, 9), regard: Point((0, 0, 0)), champ: 40";
     format!("(\n  camera: ({camera}),\n  objets: [\n    {objet},\n  ],\n)")
 }
 
-/// A scene seen by this camera, from the twelfth column of its second line on.
+/// A scene with this camera, which starts at the twelfth column of the second line.
 fn avec_camera(camera: &str) -> String {
     format!("(\n  camera: ({camera}),\n  objets: [],\n)")
 }
@@ -82,8 +82,8 @@ fn refuse<R: Reel + DeserializeOwned>(texte: &str, attendu: &str) {
     assert!(erreur.starts_with(&attendu), "{erreur}\ninstead of {attendu}\nfor {texte}");
 }
 
-/// The position is that of the number where one number is to blame, the closing parenthesis of
-/// the vector or of the object where several might be.
+/// The position is that of the number where one number is to blame, and that of the closing parenthesis of the vector
+/// or of the object where several might be.
 #[test]
 fn un_objet_refuse_dit_ou_et_pourquoi() {
     for (objet, attendu) in [
@@ -160,7 +160,7 @@ fn une_camera_refusee_dit_ou_et_pourquoi() {
     }
 }
 
-/// What one type can hold and the other cannot.
+/// One type can hold what the other cannot.
 #[test]
 fn un_rayon_de_1e30_est_refuse_en_f32_seulement() {
     let texte = avec_objet("Sphere(centre: (0, 0, 0), rayon: 1e30, texture: 0)");
@@ -178,8 +178,8 @@ fn lue<R: Reel + DeserializeOwned>(texte: &str) -> Scene<R> {
     Scene::depuis_texte(Path::new("x.ron"), texte).unwrap()
 }
 
-/// Angles are in degrees, and 90, 180, 270 and 360 must become the very floats by which
-/// `Rotation::new` turns exactly.
+/// Angles are in degrees, and 90, 180, 270 and 360 must become exactly the floats by which `Rotation::new` turns
+/// exactly.
 fn les_quarts_de_tour_sont_exacts<R: Reel + DeserializeOwned>() {
     for degres in [-360, -270, -180, -90, 0, 90, 180, 270, 360] {
         for r in [[degres, 0, 0], [0, degres, 0], [0, 0, degres]] {
@@ -198,7 +198,7 @@ fn les_quarts_de_tour_sont_exacts<R: Reel + DeserializeOwned>() {
 
 en_f32_et_f64!(les_quarts_de_tour_sont_exacts);
 
-/// The three below do not commute: any other order gives another sphere.
+/// The transformations below do not commute: any other order gives another sphere.
 #[test]
 fn les_transformations_suivent_l_ordre_du_fichier() {
     let scene: Scene<f64> = lue(&avec_objet(
@@ -211,8 +211,8 @@ fn les_transformations_suivent_l_ordre_du_fichier() {
     assert_eq!(scene.objets, [attendue.into()]);
 }
 
-/// One ray a pixel, row by row from the upper left, through the middles; the eye looks at its
-/// point with the horizon level.
+/// There is one ray for each pixel, row by row from the upper left, through its middle. The eye looks at its point with
+/// the horizon level.
 #[test]
 fn la_camera_voit_ce_qu_elle_regarde() {
     let image = |camera: &str| -> Vec<Vecteur> {
@@ -228,13 +228,13 @@ fn la_camera_voit_ce_qu_elle_regarde() {
     };
     let droit = image("source: (1, 2, 3), regard: Point((1, 2, -4)), champ: 90");
     assert_eq!(droit.len(), 240_000);
-    // The height of the picture is 2 where the distance is 1: half a pixel is 1/400.
+    // The picture is 2 high at distance 1, so half a pixel is 1/400.
     let coin = Vecteur::new(-1.5 + 1.0 / 400.0, 1.0 - 1.0 / 400.0, -1.0);
     proche(droit[0], coin);
     proche(droit[599], Vecteur::new(-coin.x, coin.y, coin.z));
     proche(droit[239_400], Vecteur::new(coin.x, -coin.y, coin.z));
 
-    // The middle of a picture of odd size is the direction of the point.
+    // The middle of a picture of odd size looks at the point.
     let [gauche, milieu, droite] =
         image("source: (1, 2, 3), regard: Point((5, 7, 9)), champ: 90, image: (3, 1)")[..]
     else {
@@ -246,10 +246,10 @@ fn la_camera_voit_ce_qu_elle_regarde() {
         (gauche.y - droite.y).abs() < DIRECTION_CAMERA,
         "the horizon leans: {gauche:?}, {droite:?}"
     );
-    // Looking towards +z, x grows to the left.
+    // The camera looks towards +z, so x grows to the left.
     assert!(gauche.x > milieu.x && milieu.x > droite.x);
 
-    // A vecteur-rotation is in the handout's sense: (0, 0, -1)·M_y = (1, 0, 0).
+    // A vecteur-rotation turns in the handout's sense: (0, 0, -1)·M_y = (1, 0, 0).
     let [cote] =
         image("source: (0, 0, 0), regard: Rotation((0, 90, 0)), champ: 40, image: (1, 1)")[..]
     else {

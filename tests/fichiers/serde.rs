@@ -1,4 +1,4 @@
-//! Reading a value goes through the same checks as making it, and loses no bit.
+//! Reading a value makes the same checks as constructing it, and loses no bit.
 
 use std::fs;
 
@@ -13,7 +13,7 @@ use lancer_rayon::{
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
-/// Written and read again, in RON and in JSON.
+/// The value, written and read again in RON and in JSON.
 fn relu<T: Serialize + DeserializeOwned>(valeur: &T) -> [T; 2] {
     let json = serde_json::to_string(valeur).unwrap();
     [ron::from_str(&ron::to_string(valeur).unwrap()).unwrap(), serde_json::from_str(&json).unwrap()]
@@ -30,8 +30,8 @@ fn ce_qui_est_ecrit_est_relu_bit_pour_bit<R: Reel + Serialize + for<'de> Deseria
 
 en_f32_et_f64!(ce_qui_est_ecrit_est_relu_bit_pour_bit);
 
-/// A ray with an end, one that knows its start, one that is inside something, and hits: a simulation that is read again
-/// goes on to the bit.
+/// A ray with an end, one with a δ, one that is inside something, and hits: a simulation that is read again goes on to
+/// the bit.
 fn une_simulation_reprise_va_du_meme_pas<R: Reel + Serialize + for<'de> Deserialize<'de>>() {
     let v = |x, y, z| Vecteur::<R>::depuis_f64(Vecteur::new(x, y, z));
     let sol = ObjetRay::from(
@@ -58,7 +58,7 @@ fn une_simulation_reprise_va_du_meme_pas<R: Reel + Serialize + for<'de> Deserial
 
 en_f32_et_f64!(une_simulation_reprise_va_du_meme_pas);
 
-/// The lines that `docs/interop.md` shows are what is written, and are read again: of an object, a ray and a hit.
+/// The lines in `docs/interop.md` are what is written, and can be read again: an object, a ray and a hit.
 #[test]
 fn la_page_montre_ce_qui_est_ecrit() {
     let objet = ObjetGeo::from(SphereGeo::new(Vecteur::Y * 0.5, 1.5, Texture(2)).unwrap());
@@ -78,8 +78,8 @@ fn la_page_montre_ce_qui_est_ecrit() {
     }
 }
 
-/// δ and whether a ray is inside something may be left out. 1.0 wrote the number of objects, without a δ; a hit of 1.0
-/// says it too, on which no ray from there depends.
+/// δ and whether a ray is inside something may be left out. In place of the latter 1.0 wrote a number of objects, where
+/// δ was 0; so did a hit of 1.0, though no ray from there depends on it.
 #[test]
 fn un_rayon_sait_son_flou_et_s_il_est_dedans() {
     let lu = |suite: &str| {
@@ -92,7 +92,7 @@ fn un_rayon_sait_son_flou_et_s_il_est_dedans() {
     let dedans = rayon.avec_flou(1e-9).unwrap().dedans();
     assert_eq!(lu(r#","flou":1e-9,"dedans":1"#).unwrap(), dedans);
     assert_ne!(lu(r#","flou":1e-9,"dedans":0"#).unwrap(), dedans);
-    // δ = 0 and inside, which the next turn tells.
+    // δ = 0 and inside, as the next turn shows.
     let tourne = |rayon: Rayon| rayon.bifurque(1.0, Vecteur::X).unwrap();
     let de_1_0 = lu(r#","flou":0,"dedans":2"#).unwrap();
     assert_eq!(tourne(de_1_0), tourne(rayon.dedans()));
@@ -104,7 +104,7 @@ fn un_rayon_sait_son_flou_et_s_il_est_dedans() {
     assert!(touche.secondaire(Vecteur::Y).unwrap().flou() > 0.0);
 }
 
-/// However large a δ and a distance somebody writes, the next δ is a number, and so is read again.
+/// However large a δ and a distance somebody writes, the next δ is finite, and can be read again.
 fn un_flou_reste_fini<R: Reel + Serialize + for<'de> Deserialize<'de>>() {
     let plus_grand = R::depuis_f64(if size_of::<R>() == 4 { f32::MAX.into() } else { f64::MAX });
     let texte = format!(
@@ -112,7 +112,7 @@ fn un_flou_reste_fini<R: Reel + Serialize + for<'de> Deserialize<'de>>() {
              "flou": {plus_grand}, "texture": 0, "indice": 0}}"#
     );
     let touche: Intersection<R> = serde_json::from_str(&texte).unwrap();
-    // Of a hit that is none no distance is too large to be judged.
+    // No distance is too large for a judgement of a made-up hit.
     let sol = ObjetRay::from(PlanGeo::new(Rotation::IDENTITE, R::UN, Texture(0)).unwrap());
     for vers in [Vecteur::Y, -Vecteur::Y, Vecteur::new(R::UN, R::UN, -R::UN)] {
         let rayon = Rayon::new(Vecteur::Z, vers).unwrap();
@@ -130,7 +130,7 @@ fn un_flou_reste_fini<R: Reel + Serialize + for<'de> Deserialize<'de>>() {
 
 en_f32_et_f64!(un_flou_reste_fini);
 
-/// The text is refused, and the message holds the sentence of the constructor.
+/// Checks that the text is refused with the sentence of the constructor.
 fn refuse<T: DeserializeOwned>(texte: &str, phrase: &str) {
     let Err(erreur) = ron::from_str::<T>(texte) else { panic!("accepted: {texte}") };
     let erreur = erreur.to_string();
@@ -178,7 +178,7 @@ fn ce_qui_n_est_pas_valide_est_refuse() {
              texture: (0), indice: {indice})"
         )
     };
-    // Of a hit of these numbers in one place.
+    // A hit with these numbers replaced.
     let avec = |ancien, nouveau: &str| touche("1", "1", "None", "3").replace(ancien, nouveau);
     assert!(ron::from_str::<Intersection>(&touche("1", "1", "None", "3")).is_ok());
     refuse::<Intersection>(&touche("-1", "1", "None", "3"), "distance is -1.0");
@@ -203,7 +203,7 @@ fn une_rotation_omise_ne_tourne_pas() {
         ron::from_str("(centre: (0, 1, 2), dimensions: (1, 2, 3), texture: (4))").unwrap();
     let (c, cotes) = (Vecteur::new(0.0, 1.0, 2.0), Vecteur::new(1.0, 2.0, 3.0));
     assert_eq!(boite, BoiteGeo::new(c, cotes, Rotation::IDENTITE, Texture(4)).unwrap());
-    // Three angles are no rotation: the page quotes the error.
+    // Three angles are no rotation; the page quotes this error.
     let angles = r#"{"Plan": {"rotation": [0, 30, 0], "distance": 2, "texture": 3}}"#;
     let erreur = serde_json::from_str::<ObjetGeo>(angles).unwrap_err().to_string();
     assert!(
@@ -217,7 +217,7 @@ fn une_rotation_omise_ne_tourne_pas() {
     assert_eq!(serde_json::from_str::<ObjetGeo>(sol).unwrap(), fond.into());
 }
 
-/// A field that is missing, or that no constructor takes, is named.
+/// A refusal names the field that is missing or unknown.
 #[test]
 fn un_champ_inconnu_ou_absent_se_nomme() {
     let identite = "((1, 0, 0), (0, 1, 0), (0, 0, 1))";
@@ -234,7 +234,7 @@ fn un_champ_inconnu_ou_absent_se_nomme() {
     assert!(erreur.unwrap_err().to_string().contains("unknown field `dir`"));
 }
 
-/// A face is the name of its variant, also as the key of a map; another name is refused.
+/// A face is written as the name of its variant, also as the key of a map. Other names are refused.
 #[test]
 fn une_face_s_ecrit_par_son_nom() {
     assert_eq!(relu(&Face::TOUTES), [Face::TOUTES; 2]);
@@ -256,11 +256,11 @@ fn une_reponse_manquee_est_relue() {
     assert_eq!(relu(&reponses), [reponses; 2]);
 }
 
-/// A hit whose point is beyond the type, of which JSON makes nothing: the documents say so. No ray starts from it.
+/// JSON makes nothing of a hit whose point is beyond the type, as the documents say. No ray starts from such a hit.
 #[test]
 fn une_touche_hors_du_type_n_est_pas_relue_de_json() {
     let sol = ObjetRay::from(PlanGeo::new(Rotation::IDENTITE, 0.0, Texture(0)).unwrap());
-    // t is the largest number, and D is longer than 1 by two roundings.
+    // t is the largest number, and D exceeds 1 by two roundings.
     let haut = 2.0_f64.powi(424) * (1.0 - f64::EPSILON / 2.0);
     let d = Vecteur::new(1.0 + 2.0 * f64::EPSILON, 0.0, -(2.0_f64.powi(-600)));
     let rayon = Rayon::new(Vecteur::new(0.0, 0.0, haut), d).unwrap();

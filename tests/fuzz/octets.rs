@@ -1,7 +1,7 @@
 //! Raw bytes read as objects, rays and paths.
 //!
-//! Numbers are raw bits, or a small one, or one that came before or its neighbour, and places are those of objects that
-//! came before: else nothing would ever coincide.
+//! A number is raw bits, a small number, or a number that came before or its neighbour, and places are often those of
+//! earlier objects. Without that, nothing would ever coincide.
 
 use lancer_rayon::{
     BoiteGeo, ErreurGeo, ObjetGeo, ObjetRay, PlanGeo, Rayon, Rotation, SphereGeo, Texture, Vecteur,
@@ -11,7 +11,7 @@ use commun::Bits;
 use commun::chemins::{Pas, Suite};
 use commun::conversion::voisin;
 
-/// How many there are at most, so that an input takes milliseconds.
+/// How many of each there are at most, so that an input takes milliseconds.
 const OBJETS: usize = 200;
 const RAYONS: usize = 150;
 const PAS: usize = 48;
@@ -20,7 +20,7 @@ const PAS: usize = 48;
 pub struct Lecture<R> {
     pub objets: Vec<ObjetGeo<R>>,
     pub rayons: Vec<Rayon<R>>,
-    /// A ray, how many objects it is known to be inside, and how it goes on.
+    /// A ray, whether it is known to be inside something, and how it goes on.
     pub chemins: Vec<(Rayon<R>, bool, Vec<Pas<R>>)>,
     pub limites: Vec<R>,
     pub points: Vec<Vecteur<R>>,
@@ -36,7 +36,7 @@ impl<'a, R: Bits> Octets<'a, R> {
         Self { reste, vus: vec![R::LIMITE, R::UN / R::LIMITE] }
     }
 
-    /// All that the bytes say, until they end or there is enough of it.
+    /// Reads until the bytes end or there is enough.
     pub fn lire(mut self) -> Lecture<R> {
         let (rayons, limites) = (vec![], self.vus.clone());
         let mut lu = Lecture { objets: vec![], rayons, chemins: vec![], limites, points: vec![] };
@@ -47,7 +47,7 @@ impl<'a, R: Bits> Octets<'a, R> {
             }
         }
         lu.objets.truncate(OBJETS);
-        // Each costs as much as all rays.
+        // Each limit costs as much as all rays.
         lu.limites.reverse();
         lu.limites.truncate(4);
         lu
@@ -65,7 +65,7 @@ impl<'a, R: Bits> Octets<'a, R> {
             }
             2 => lu.rayons.extend(Rayon::new(self.vecteur()?, self.vecteur()?)),
             3 => {
-                // Towards an object: a random ray hardly ever touches one.
+                // A ray to a point, since a random ray hardly ever touches an object.
                 let (de, vers) = (self.vecteur()?, self.vecteur()?);
                 let rayon = Rayon::entre(de, vers).ok();
                 // +∞ between points that are farther apart than any number.
@@ -74,7 +74,7 @@ impl<'a, R: Bits> Octets<'a, R> {
                 lu.rayons.extend(rayon);
             }
             4 => {
-                // A row of them: few bytes make few objects.
+                // A row of them, so that few bytes make many objects.
                 let (n, v) = (self.octet()?, self.vecteur()?);
                 let ecart = |i| v * R::depuis_f64(f64::from(i));
                 lu.objets.extend((1..=n).filter_map(|i| dernier?.translation(ecart(i)).ok()));
@@ -87,7 +87,7 @@ impl<'a, R: Bits> Octets<'a, R> {
                 lu.objets.extend(contre);
             }
             9 | 10 => {
-                // From a place of an object towards another, or in any direction.
+                // From a place of an object towards another place, or in any direction.
                 let (de, vers) = (self.lieu(&lu.objets)?, self.lieu(&lu.objets)?.0);
                 let vers = if self.octet()? % 4 == 0 { self.vecteur()? } else { vers - de.0 };
                 if let Some((rayon, dedans)) = self.depart(de, vers)? {
@@ -161,8 +161,8 @@ impl<'a, R: Bits> Octets<'a, R> {
         })
     }
 
-    /// A place of an object, such as its centre, a corner, the middle of an edge, or a neighbour of one; and the normal
-    /// there.
+    /// A place of an object, such as its centre, a corner, the middle of an edge, or a neighbour of such a place; and
+    /// the normal there.
     fn lieu(&mut self, objets: &[ObjetGeo<R>]) -> Option<(Vecteur<R>, Vecteur<R>)> {
         let objet = self.un_objet(objets)?.vers_ray();
         let mut cote = || {
@@ -200,7 +200,7 @@ impl<'a, R: Bits> Octets<'a, R> {
         objets.get(usize::from(self.octet()?) % objets.len().max(1)).copied()
     }
 
-    /// An object that lies flush against another: a wall through a place of it, a ball, or its like across that place.
+    /// An object flush against another: a wall through one of its places, a ball there, or its copy across that place.
     fn contre(&mut self, objets: &[ObjetGeo<R>]) -> Option<Result<ObjetGeo<R>, ErreurGeo>> {
         let (modele, texture) = (self.un_objet(objets)?, Texture(objets.len() as u32));
         let (place, n) = self.lieu(&[modele])?;
@@ -217,8 +217,8 @@ impl<'a, R: Bits> Octets<'a, R> {
         })
     }
 
-    /// A ray from this place: with an end, with a δ and some halves of it below the surface, or inside something; and
-    /// inside how many objects it is known to be.
+    /// A ray from this place: with an end, with a δ and perhaps some halves of that below the surface, or inside
+    /// something; and whether it is known to be inside.
     fn depart(
         &mut self,
         (place, n): (Vecteur<R>, Vecteur<R>),
@@ -227,7 +227,7 @@ impl<'a, R: Bits> Octets<'a, R> {
         let genre = self.octet()? % 8;
         let (flou, moities) = match genre {
             0..=2 => {
-                // Of a size that suits the objects; on the surface, less deep than δ, as deep, and too deep.
+                // The size suits the objects. The start is on the surface, less deep than δ, as deep or too deep.
                 let part = self.octet()? % 32;
                 let moities = [0, 1, 2, 5][usize::from(self.octet()? % 4)];
                 (vers.longueur() * R::depuis_f64((-f64::from(part)).exp2()), moities)

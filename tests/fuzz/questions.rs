@@ -1,5 +1,5 @@
-//! Raw bytes made into objects, transformations, rays and paths: every value is refused or valid, and every
-//! answer to every ray and every point is what it must be, alone, in a batch and with a tree, of all objects and of a
+//! Raw bytes made into objects, transformations, rays and paths: every value is refused or valid, and every answer to
+//! every ray and every point is what it must be, alone, in a batch and with a tree, among all objects and among a
 //! choice of them.
 
 #![no_main]
@@ -24,7 +24,8 @@ use commun::promesses;
 use crate::octets::{Lecture, Octets};
 use crate::relire::relire;
 
-/// So many pairs of a ray and an object are judged by exact integers, so many asked alone, and so many in every way.
+/// How many pairs of a ray and an object are judged by exact integers, how many are asked alone, and how many in every
+/// way.
 const EXACTS: usize = 3;
 const SEULS: usize = 128;
 const ENSEMBLE: usize = 4096;
@@ -42,8 +43,8 @@ fn trop_peu_de_places<R: Bits>(objets: &[ObjetRay<R>]) {
     }
 }
 
-/// An object and a ray in the other precision: as they are in `f64`; from there back again, and from here to `f32`, with
-/// a δ that is no smaller.
+/// An object and a ray in the other precision: in `f64` they are as they were, and they come back from there; in `f32`
+/// a ray has a δ that is no smaller.
 fn changer_de_precision<R: Bits>(objet: ObjetGeo<R>, rayon: &Rayon<R>, origine: Vecteur<R>) {
     let double = rayon.temoin_f64();
     assert_eq!(double.source(), rayon.source().vers_f64());
@@ -64,13 +65,13 @@ fn changer_de_precision<R: Bits>(objet: ObjetGeo<R>, rayon: &Rayon<R>, origine: 
 }
 
 fn attaquer<R: Bits + Serialize + DeserializeOwned>(octets: &[u8]) -> Option<()> {
-    // Two choices and what is left out between them, how many places for an order, and how many more for a tree.
+    // Two choices and what is left out between them, how many places an order has, and how many more the tree has.
     let (&[un, sauf, deux, rangs, plus], octets) = octets.split_first_chunk()?;
     let Lecture { objets: decrits, rayons: droits, chemins, limites, points } =
         Octets::<R>::new(octets).lire();
     let objets: Vec<_> = decrits.iter().map(|objet| objet.vers_ray()).collect();
     let doubles: Vec<_> = objets.iter().map(|objet| objet.temoin_f64()).collect();
-    // In the second long boxes are cut into pieces, in the first perhaps some.
+    // The second tree has long boxes cut into pieces, and the first perhaps some.
     let necessaires = places(objets.len());
     let [mut memoire, mut autre] =
         [necessaires + 28 * usize::from(plus), 6 * necessaires].map(|places| vec![0.0; places]);
@@ -87,7 +88,7 @@ fn attaquer<R: Bits + Serialize + DeserializeOwned>(octets: &[u8]) -> Option<()>
     }
     let paires = rayons.iter().zip(rayons.iter().cycle().skip(1));
     let paires = paires.flat_map(|deux| objets.iter().map(move |objet| (objet, deux)));
-    // Of many pairs some of all rays and all objects.
+    // Where pairs are many, only some of them are asked.
     let de_suite = rayons.len() * objets.len() / SEULS | 1;
     for (i, (objet, (rayon, suivant))) in paires.step_by(de_suite).enumerate() {
         exiger_les_passages(objet, rayon, suivant.direction());

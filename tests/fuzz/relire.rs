@@ -1,4 +1,4 @@
-//! What is written is read again, to the bit.
+//! What is written is read back to the bit.
 
 use std::fmt::Debug;
 

@@ -1,4 +1,4 @@
-//! Text through the scene loader, and what comes out of it asked by some rays and paths; and written and read again.
+//! Text goes through the scene loader. Some rays and paths ask what comes out, which is also written and read again.
 //!
 //! It finds little unless it starts from scenes: give it `docs/scenes` as a second folder, after that of its own corpus.
 
@@ -20,10 +20,10 @@ use serde::de::DeserializeOwned;
 
 use crate::relire::relire;
 
-/// So many objects are asked.
+/// How many objects are asked.
 const OBJETS: usize = 40;
 
-/// A mirror, into glass and out of it, a turn in mid-air, towards a lamp.
+/// Along a mirror, into glass and out of it, a turn in mid-air, and towards a lamp.
 fn pas<R: Bits>(v: Vecteur<R>) -> [Pas<R>; 5] {
     let suites =
         [Suite::Reflechi, Suite::ToutDroit, Suite::ToutDroit, Suite::Bifurque, Suite::Lumiere];

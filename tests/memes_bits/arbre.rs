@@ -1,7 +1,7 @@
-//! The tree: every bit of what the list answers, ray by ray, in a batch and for shadows, with every
-//! instruction set of the machine.
+//! The tree gives every bit of what the list answers, ray by ray, in a batch and for shadows, with every instruction
+//! set of the machine.
 //!
-//! `LANCER_RAYON_CAS` makes each random test so many times as long.
+//! `LANCER_RAYON_CAS` is how many times as long each random test takes.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -18,7 +18,7 @@ use lancer_rayon::{
     premiere_intersection,
 };
 
-// Threads share it.
+// Threads share a world.
 const _: () = {
     const fn partage<T: Copy + Send + Sync>() {}
     partage::<Monde<'_, f32>>();
@@ -29,10 +29,10 @@ fn cas() -> usize {
     commun::cas(15) as usize
 }
 
-/// An object of this size here.
+/// A sphere or box of this size here.
 fn objet<R: Reel>(alea: &mut Hasard, centre: Vecteur, taille: f64, i: usize) -> ObjetRay<R> {
     let texture = Texture(i as u32);
-    // What is simpler is drawn by a smaller word.
+    // A smaller word draws the simpler object.
     if !alea.bool() {
         return SphereGeo::new(arrondi(centre), R::depuis_f64(taille), texture).unwrap().into();
     }
@@ -49,7 +49,7 @@ fn objet<R: Reel>(alea: &mut Hasard, centre: Vecteur, taille: f64, i: usize) -> 
 /// Objects and rays.
 type Scene<R> = (Vec<ObjetRay<R>>, Vec<Rayon<R>>);
 
-/// Of so many scenes a tree answers as the list; how many rays touch something.
+/// In `combien` scenes a tree answers as the list does; returns how many rays hit something.
 #[track_caller]
 fn comme_la_liste<R: Bits>(combien: usize, faire: impl Fn(&mut Hasard) -> Scene<R>) -> usize {
     let mut touches = 0;
@@ -57,7 +57,7 @@ fn comme_la_liste<R: Bits>(combien: usize, faire: impl Fn(&mut Hasard) -> Scene<
     touches
 }
 
-/// A half-space through about this point.
+/// A half-space whose d is `distance`.
 fn sol<R: Reel>(alea: &mut Hasard, distance: f64) -> ObjetRay<R> {
     let rotation = Rotation::new(arrondi(direction(alea) * 7.0)).unwrap();
     PlanGeo::new(rotation, R::depuis_f64(distance), Texture(9)).unwrap().into()
@@ -79,8 +79,8 @@ fn gerbes<R: Reel>(alea: &mut Hasard, objets: &[ObjetRay<R>], l: f64) -> Vec<Ray
     gerbes.concat()
 }
 
-/// Objects of one size and of many, near and far, in a cloud, on a plane, in a line and all about one
-/// point; some of them twice, some half-spaces.
+/// Objects of one size or of many, near or far, in a cloud, on a plane, in a line or all about one point; some of them
+/// twice, and some half-spaces.
 fn un_arbre_d_objets_au_hasard_repond_comme_la_liste<R: Bits>() {
     let touches = comme_la_liste::<R>(cas(), |alea| {
         let n = [UN_ARBRE, 20, 40, 70, 100, 200, 400, 900][alea.tour % 8] + alea.usize(0..9);
@@ -108,8 +108,8 @@ fn un_arbre_d_objets_au_hasard_repond_comme_la_liste<R: Bits>() {
     assert!(touches > 20 * cas(), "only {touches} hits");
 }
 
-/// Boxes and spheres side by side, and rays along the axes and diagonals over nodes that are partly filled: in
-/// faces, through edges and beside, with components that are ±0 and subnormal.
+/// Boxes and spheres side by side over partly filled nodes, and rays along axes and diagonals: in faces, through edges
+/// and beside them, with components that are ±0 or subnormal.
 fn le_long_des_axes_un_arbre_repond_comme_la_liste<R: Bits>() {
     for (n, decalage) in [(2, 0.0), (3, 0.3), (4, 100.3), (5, -7.7), (7, 0.1)] {
         let touches = comme_la_liste::<R>(1, |alea| {
@@ -145,7 +145,7 @@ fn le_long_des_axes_un_arbre_repond_comme_la_liste<R: Bits>() {
     }
 }
 
-/// Ties: the first of the list, wherever it stands in the tree.
+/// At a tie the first of the list is hit, wherever it stands in the tree.
 fn parmi_des_objets_egaux_le_premier_de_la_liste_est_touche<R: Bits>() {
     let rayons = scenes::en_tuiles(&scenes::rayons_camera::<R>(16, 16), 16);
     for n in [UN_ARBRE, 100, 300, 5_000] {
@@ -154,7 +154,8 @@ fn parmi_des_objets_egaux_le_premier_de_la_liste_est_touche<R: Bits>() {
         Hasard::de_graine(4).melanger(&mut objets);
         assert!(comparer(&objets, &rayons) > 20);
     }
-    // A ray enters every box of the tree: as many nodes wait as ever can, in the small pile and the large.
+    // A ray enters every box of the tree, so that as many nodes wait as ever can, in the small pile and in the large
+    // one.
     let objet = sphere(v(0.0, 1.0, -4.0), R::UN);
     for n in [61_440, 100_000] {
         let objets = vec![objet; n];
@@ -174,8 +175,8 @@ fn combien_vont_au_bout<R: Bits>(monde: &Monde<'_, R>, rayons: &[Rayon<R>]) -> u
     rayons.chunks(64).map(|bloc| groupes_au_bout(monde, bloc)).sum()
 }
 
-/// A tree of so many nodes that a walk needs the large pile: a tile that is a whole picture, whose common walk is given
-/// up, and one of a larger picture, which comes to the end.
+/// A tree with enough nodes for a walk to need the large pile: a tile that is a whole picture, whose common walk is
+/// given up, and a tile of a larger picture, which walks to the end.
 fn un_tres_grand_arbre_repond_comme_la_liste<R: Bits>() {
     let objets = scenes::melange::<R>(70_000);
     let mut places = vec![0.0; places(70_000)];
@@ -189,9 +190,9 @@ fn un_tres_grand_arbre_repond_comme_la_liste<R: Bits>() {
     }
 }
 
-/// What makes a batch fast, which no answer shows: the tiles of a picture walk together; rays in no order go apart,
-/// and those that go opposite ways, which have no common probe that tells anything apart; except among few objects, and in a heap, where each of them
-/// crosses every box.
+/// What makes a batch fast, which no answer shows. The tiles of a picture walk together. Rays in no order go apart, and
+/// so do rays in opposite directions, whose common probe tells nothing apart; but not among few objects, nor in a heap,
+/// where each ray crosses every box.
 fn les_tuiles_vont_ensemble<R: Bits>() {
     let tuiles = scenes::en_tuiles(&scenes::rayons_camera::<R>(512, 512), 512);
     let mut melees = tuiles.clone();
@@ -206,14 +207,14 @@ fn les_tuiles_vont_ensemble<R: Bits>() {
     assert_eq!([apart, opposes_ensemble], [0; 2]);
     let peu = scenes::melange(UN_ARBRE + 1);
     assert_eq!(combien(&peu), [16_384, 16_384, 4]);
-    // Half-spaces are asked in any case, however many they are.
+    // Half-spaces do not count, since they are asked in any case.
     let mut alea = Hasard::de_graine(13);
     let avec = [peu, (0..100).map(|_| sol(&mut alea, 20.0)).collect()].concat();
     let mut places = vec![0.0; places(avec.len())];
     assert_eq!(groupes_au_bout(&Monde::new(&avec, &mut places).unwrap(), &opposes), 4);
     let boule = sphere(v(0.0, 2.0, 0.0), R::depuis_f64(4.0));
     assert_eq!(combien(&[boule; 1_000]), [16_384, 16_384, 4]);
-    // Neither need the balls be equal; but far apart they are no heap.
+    // The balls need not be equal; but far apart they are no heap.
     let tas = |ecart: f64| {
         let mut alea = Hasard::de_graine(14);
         let boules = (0..1_000).map(|_| {
@@ -234,9 +235,8 @@ fn les_tuiles_vont_ensemble<R: Bits>() {
     }
 }
 
-/// A few rays that stray cost only the groups of sixteen that they stand in their common walk,
-/// wherever they go, and all have the answers of the list. Where half of the rays stray nobody walks
-/// with others.
+/// A few rays that stray cost only the common walk of the groups of sixteen in which they stand, wherever they go, and
+/// all rays have the answers of the list. Where half of the rays stray, none walks with others.
 fn un_rayon_egare_n_arrete_que_son_groupe<R: Bits>() {
     let objets = scenes::melange::<R>(10_000);
     let monde = avec_arbre(&objets);
@@ -264,8 +264,8 @@ fn un_rayon_egare_n_arrete_que_son_groupe<R: Bits>() {
     }
 }
 
-/// Where one ray crosses many boxes the probe of many may too: rows among sticks that cross each other walk together, the more
-/// of them, the more numbers a register holds.
+/// Where one ray crosses many boxes the probe of many rays may too. Rows among crossed sticks walk together, and more
+/// of them do the more numbers a register holds.
 fn parmi_des_batons_croises_un_large_bloc_va_au_bout<R: Bits>() {
     let mut alea = Hasard::de_graine(3);
     let baton = |i| {
@@ -277,7 +277,7 @@ fn parmi_des_batons_croises_un_large_bloc_va_au_bout<R: Bits>() {
     let objets: Vec<ObjetRay<R>> = (0..1_000).map(baton).collect();
     let monde = avec_arbre(&objets);
     let rangs = scenes::rayons_camera::<R>(64, 64);
-    // If no ray were asked what it crosses, none.
+    // No row would, if no ray were asked what it crosses.
     for (nom, reglage) in Reglage::tous() {
         let au_bout = combien_vont_au_bout(&reglage.monde(monde), &rangs);
         println!("{nom}: of 64 rows {au_bout} come to the end");
@@ -289,7 +289,7 @@ fn parmi_des_batons_croises_un_large_bloc_va_au_bout<R: Bits>() {
 
 /// The nodes of the tree of these objects in this memory, as bits.
 fn arbre<R: Reel>(objets: &[ObjetRay<R>], places: &mut [f32]) -> Vec<[[u32; 16]; 7]> {
-    // Nodes start on a cache line.
+    // Nodes start at a cache line.
     let debut = places.as_ptr().align_offset(64);
     let combien = noeuds(&Monde::en_morceaux(objets, places).unwrap());
     let (colonnes, _) = places[debut..].as_chunks::<16>();
@@ -300,12 +300,12 @@ fn arbre<R: Reel>(objets: &[ObjetRay<R>], places: &mut [f32]) -> Vec<[[u32; 16];
 /// The index of each record in the first leaves of a tree.
 fn indices(feuilles: &[[[u32; 16]; 7]]) -> impl Iterator<Item = usize> {
     let fiches = feuilles.iter().flat_map(|[bas, .., indices]| bas.iter().zip(indices));
-    // A child that is missing has its lower corner far away.
+    // The lower corner of a missing child is far away.
     let fiches = fiches.filter(|(bas, _)| f32::from_bits(**bas) < 2.0);
     fiches.map(|(_, indice)| *indice as usize)
 }
 
-/// Long boxes that stand askew about the origin, each like no other.
+/// Long askew boxes about the origin, no two of them alike.
 fn poutres<R: Reel>(alea: &mut Hasard, n: usize) -> Vec<ObjetRay<R>> {
     alea.liste(n, |alea, i| {
         let long = deux_puissance(alea, 2.0, 4.0);
@@ -318,8 +318,7 @@ fn poutres<R: Reel>(alea: &mut Hasard, n: usize) -> Vec<ObjetRay<R>> {
     })
 }
 
-/// Whether sticks in the midst of a wide town are worth a cut depends on both, and not on the order
-/// of the list.
+/// Whether sticks amid a wide town are worth a cut depends on the sticks and the town, not on the order of the list.
 fn l_ordre_de_la_liste_ne_decide_pas_de_la_coupe<R: Bits>() {
     let mut alea = Hasard::de_graine(17);
     let batons = poutres::<R>(&mut alea, 400);
@@ -336,7 +335,7 @@ fn l_ordre_de_la_liste_ne_decide_pas_de_la_coupe<R: Bits>() {
             alea.melanger(&mut objets);
             noeuds(&Monde::en_morceaux(&objets, &mut memoire).unwrap())
         });
-        // The mean size is summed in another order, and a piece more may fill a leaf.
+        // The mean size is summed in another order, and one more piece may fill a leaf.
         let coupees = nombres.iter().filter(|nombre| **nombre > juste).count();
         assert!(coupees == 0 || coupees == nombres.len(), "{maisons}: {juste}, {nombres:?}");
         assert!(nombres.iter().all(|nombre| nombre.abs_diff(nombres[0]) <= 1), "{nombres:?}");
@@ -345,11 +344,11 @@ fn l_ordre_de_la_liste_ne_decide_pas_de_la_coupe<R: Bits>() {
     assert!((1..5).contains(&coupes), "{coupes} of 5 are cut");
 }
 
-/// What is lent beyond the places that are needed is spent on long boxes that stand askew, on all alike, and on nothing
-/// else. Any number of places will do.
+/// Places lent beyond what is needed are spent on long askew boxes, on all alike, and on nothing else. Any number of
+/// places will do.
 fn les_places_de_plus_vont_aux_boites_longues<R: Bits>() {
     let mut alea = Hasard::de_graine(31);
-    // Nothing long, or long along the axes.
+    // Nothing is long, or only along the axes.
     let mut trapus = scenes::melange::<R>(500);
     for (i, axe) in (0..40).zip([0, 1, 2].into_iter().cycle()) {
         let mut dimensions = [0.1; 3];
@@ -364,7 +363,7 @@ fn les_places_de_plus_vont_aux_boites_longues<R: Bits>() {
         let [juste, ample] = [1, 9].map(|k| arbre(objets, &mut vec![f32::NAN; k * necessaires]));
         assert!(juste == ample, "{n}");
     }
-    // Nor needles along the axes, so thin that in the frame of a tree they have no surface.
+    // Needles along the axes are not cut either; they are so thin that in the frame of a tree they have no surface.
     let aiguilles: Vec<_> = (0..40)
         .map(|i| {
             let mut dimensions = [R::UN / R::LIMITE; 3];
@@ -374,7 +373,7 @@ fn les_places_de_plus_vont_aux_boites_longues<R: Bits>() {
         .collect();
     let [juste, ample] = [1, 9].map(|k| arbre(&aiguilles, &mut vec![f32::NAN; k * places(40)]));
     assert_eq!(juste.len(), ample.len());
-    // Too few for a tree stay too few, alone and among half-spaces.
+    // Too few objects for a tree stay too few, alone or among half-spaces.
     let demi_espaces = [(); 20].map(|()| sol(&mut alea, 20.0));
     let mut peu = poutres::<R>(&mut alea, UN_ARBRE - 1);
     assert!(arbre(&peu, &mut [0.0; 9_000]).is_empty());
@@ -393,7 +392,7 @@ fn les_places_de_plus_vont_aux_boites_longues<R: Bits>() {
             let mut places = vec![f32::NAN; necessaires + plus + 16];
             let places = &mut places[plus % 16..][..necessaires + plus];
             let noeuds = arbre(&objets, places);
-            // Less than a record is not enough.
+            // Less than a record changes nothing.
             assert!(plus >= 7 || noeuds == seul, "{n}, {plus} more");
             plus_grand = plus_grand.max(noeuds.len());
             let monde = Monde::en_morceaux(&objets, places).unwrap();
@@ -404,7 +403,7 @@ fn les_places_de_plus_vont_aux_boites_longues<R: Bits>() {
         }
         assert!(plus_grand > seul.len(), "{n}: {}, {plus_grand}", seul.len());
     }
-    // Where there is too little room, it is for all: not for the first of the list.
+    // If there is too little room, all objects share it, not only the first of the list.
     let objets = poutres::<R>(&mut alea, 1_000);
     let noeuds = arbre(&objets, &mut vec![f32::NAN; 2 * places(1_000)]);
     let feuilles = noeuds.len() * 15 / 16;
@@ -412,13 +411,13 @@ fn les_places_de_plus_vont_aux_boites_longues<R: Bits>() {
     assert!((900..1_100).contains(&premiers) && feuilles >= 120, "{premiers} of {feuilles} leaves");
 }
 
-/// Built: a long box that stands askew, alone or twice, among small spheres, in a tree with room for all its slices, some
-/// four to ten. Rays at the planes between the slices to the last bits, most of them at the edges of the box: from all
-/// sides, near and so far away that rounding moves the hit, and along the box. Held: the answers of the list, of shadows
-/// up to the very hit as well. A gap between two slices would be seen.
+/// Built: a long askew box, alone or twice, among small spheres, in a tree with room for all its slices, some four to
+/// ten. Rays go to the planes between slices, to the last bits, and most of them to edges of the box: from all sides,
+/// from nearby, from so far that rounding moves the hit, and along the box. Held: the answers of the list, also for
+/// shadows up to the very hit. A gap between two slices would show.
 fn aux_coutures_des_morceaux_aucune_touche_n_est_perdue<R: Bits>() {
     let bits = -R::U.vers_f64().log2();
-    // How many slices the tree has of the first of these objects: all its nodes but the root are leaves.
+    // How many slices the tree has of the first of these objects, since all nodes but the root are leaves.
     let tranches = |objets: &[ObjetRay<R>]| {
         let noeuds = arbre(objets, &mut vec![f32::NAN; places(200)]);
         indices(&noeuds[..noeuds.len().saturating_sub(1)]).filter(|indice| *indice == 0).count()
@@ -473,14 +472,14 @@ fn aux_coutures_des_morceaux_aucune_touche_n_est_perdue<R: Bits>() {
     assert!(touches > 200 * cas() && certaines > 10 * cas() && coutures > 3 * cas(), "{combien}");
 }
 
-/// Long boxes anyhow, once and three times, and rays of all kinds: the first of a tie, whichever piece it is found by;
-/// and one of them left out.
+/// Long boxes at random, once or three times, and rays of all kinds: at a tie the first is hit, whichever piece finds
+/// it. One box is left out at times.
 fn des_poutres_en_morceaux_repondent_comme_la_liste<R: Bits>() {
     let touches =
         comme_la_liste::<R>(6, |alea| {
             let (n, copies) = ([UN_ARBRE, 40, 300][alea.tour % 3], [1, 3][alea.tour / 3]);
             let mut objets = poutres::<R>(alea, n.div_ceil(copies)).repeat(copies);
-            // Balls are in one piece, and shown in the first of several walks alone.
+            // Balls are in one piece, and only the first of several walks shows them.
             objets.extend(alea.liste(n / 10, |alea, _| {
                 sphere(arrondi(direction(alea) * (4.0 * alea.f64())), R::UN)
             }));
@@ -491,8 +490,8 @@ fn des_poutres_en_morceaux_repondent_comme_la_liste<R: Bits>() {
     assert!(touches > 100, "only {touches} hits");
 }
 
-/// Rays of one block that start under a face of a long box by less than their δ, and go in: the box is touched at once,
-/// though the block meets a piece of it that does not hold the start first.
+/// Rays of one block start under a face of a long box by less than their δ, and go in. They touch the box at once,
+/// though the block first meets a piece that does not hold the start.
 fn une_poutre_en_morceaux_est_touchee_d_emblee<R: Bits>() {
     let flou = R::depuis_f64(2_f64.powi(-12));
     let faire = |alea: &mut Hasard| {
@@ -523,7 +522,7 @@ fn une_poutre_en_morceaux_est_touchee_d_emblee<R: Bits>() {
     assert!(d_emblee > 5_000, "{d_emblee}");
 }
 
-/// Rays of one block that start under a floor by less than their δ, and go in: the floor has no box, and the block, which
+/// Rays of one block start under a floor by less than their δ, and go in. The floor has no box, and the block, which
 /// offers it before it enters the tree, touches it at once.
 fn un_sol_est_touche_d_emblee_en_bloc<R: Bits>() {
     let flou = R::depuis_f64(2_f64.powi(-12));
@@ -552,8 +551,8 @@ fn un_sol_est_touche_d_emblee_en_bloc<R: Bits>() {
     assert!(d_emblee > 500, "{d_emblee}");
 }
 
-/// A block remembers by the index which objects of a tree in pieces it has asked, and asks the first of the list as any
-/// other.
+/// A block remembers by their indices which objects of a tree in pieces it has asked, and still asks the first of the
+/// list.
 fn un_bloc_demande_le_premier_de_la_liste<R: Bits>() {
     let mut du_premier = 0;
     let faire = |alea: &mut Hasard| {
@@ -578,8 +577,8 @@ fn un_bloc_demande_le_premier_de_la_liste<R: Bits>() {
     assert!(du_premier > 200, "{du_premier}");
 }
 
-/// Forty boxes of which each has its top in one plane, and rays that start under it by less than their δ, and go down: all
-/// are touched at once, at distance 0. Though one place is full, an object that is earlier in the list comes before.
+/// Forty boxes whose tops lie in one plane, and rays that start under it by less than their δ, and go down. They touch
+/// all boxes at once, at distance 0. Even when all places are full, an object earlier in the list takes one.
 fn de_ce_qui_est_touche_d_emblee_le_premier_de_la_liste_est_le_premier<R: Bits>() {
     let flou = R::depuis_f64(2_f64.powi(-12));
     let faire = |alea: &mut Hasard| {
@@ -608,11 +607,11 @@ fn de_ce_qui_est_touche_d_emblee_le_premier_de_la_liste_est_le_premier<R: Bits>(
     });
 }
 
-/// Built: one object that a ray passes across an axis, at its farthest point along that axis, within rounding of the
-/// distance; either the object, or the source, or both far from the many. Held: a hit that lies beyond the box of the
-/// object is not lost. In `f32` some lie so; in `f64` the box itself is rounded.
+/// Built: an object that a ray passes across an axis, at the object's farthest point along that axis, within rounding
+/// of the distance; the object, the source or both are far from the many. Held: a hit beyond the box of the object is
+/// not lost. In `f32` some hits lie so; in `f64` the box itself is rounded.
 fn une_touche_au_bord_de_sa_boite_n_est_pas_perdue<R: Bits>() {
-    // In `f64` so far away that what a hit is off by is more than what a box is rounded by.
+    // In `f64` so far away that the error of a hit exceeds the rounding of a box.
     let bits = -R::U.vers_f64().log2() - 4.0;
     let faire = |alea: &mut Hasard| {
         let [f, loin] = [(); 2].map(|()| deux_puissance(alea, 0.0, bits));
@@ -634,7 +633,7 @@ fn une_touche_au_bord_de_sa_boite_n_est_pas_perdue<R: Bits>() {
             ObjetRay::Plan(_) => unreachable!("no half-space was made"),
         };
         let au_bord = c.vers_f64() + bord;
-        // The many about the origin, all on one side, so that the box of the one is not that of a neighbour.
+        // The many lie about the origin, all on one side, so that their boxes do not cover that of the one.
         let mut objets = vec![seul];
         objets.extend(alea.liste(40, |alea, i| {
             let ou = direction(alea) * 0.4 - e * 3.0;
@@ -680,8 +679,7 @@ fn d_axe(alea: &mut Hasard) -> Vecteur {
     d.into()
 }
 
-/// Boxes along whose edge a ray runs, within rounding of two faces: a shadow is cut off no earlier than the
-/// list sees it.
+/// A ray runs along an edge of boxes, within rounding of two faces. Its shadow is cut off no earlier than in the list.
 fn le_long_d_une_arete_une_ombre_est_celle_de_la_liste<R: Bits>() {
     let touches = comme_la_liste::<R>(100 * cas(), |alea| {
         let [x, y] = [(); 2].map(|()| entre(alea, 0.05, 0.15));
@@ -697,8 +695,8 @@ fn le_long_d_une_arete_une_ombre_est_celle_de_la_liste<R: Bits>() {
     assert!(touches > 20 * cas(), "only {touches} hits");
 }
 
-/// Sources up to the limit away from objects of any size: farther and farther, until the boxes of the tree can
-/// no longer be told apart.
+/// Sources up to the limit away from objects of any size, ever farther, until the boxes of the tree can no longer be
+/// told apart.
 fn de_toute_distance_un_arbre_repond_comme_la_liste<R: Bits>() {
     let limite = R::LIMITE.vers_f64().log2();
     let touches = comme_la_liste::<R>(9 * cas(), |alea| {
@@ -719,8 +717,8 @@ fn de_toute_distance_un_arbre_repond_comme_la_liste<R: Bits>() {
     assert!(touches > 100 * cas(), "only {touches} hits");
 }
 
-/// Far from the many, where entries count from the point next to them: something close ahead of the source is before a
-/// limit, whether the ray comes or goes away.
+/// The source is far from the many, and entries count from the point next to them. An object close ahead of the source
+/// comes before a limit, whether the ray approaches the many or goes away from them.
 fn loin_de_tous_l_objet_tout_proche_est_touche<R: Bits>() {
     let touches = comme_la_liste::<R>(2 * cas(), |alea| {
         let ou = direction(alea) * deux_puissance(alea, 6.0, 24.0);
@@ -759,10 +757,10 @@ fn des_objets_minuscules_repondent_comme_dans_la_liste<R: Bits>() {
     assert!(touches > 10 * cas(), "only {touches} hits");
 }
 
-/// Built: slabs that cover the scene, more and fewer than a leaf holds, among small objects. Held: the answers of
-/// the list; and that sixteen of them have a leaf under the root, or where it is full under another above it.
+/// Built: slabs that cover the scene, more or fewer than a leaf holds, among small objects. Held: the answers of the
+/// list; and sixteen slabs have a leaf under the root or, where the root is full, under another above it.
 fn les_geants_ont_leur_feuille_sous_la_racine<R: Bits>() {
-    // How many giants and others, and the leaves, that of the giants among them, and what stands above.
+    // How many giants and how many others; then the number of leaves, that of giants included, and of nodes above.
     let nombres = [
         (16, 256, Some(17 + 1 + 1)),
         (16, 240, Some(16 + 1)),
@@ -787,7 +785,7 @@ fn les_geants_ont_leur_feuille_sous_la_racine<R: Bits>() {
             objets.insert(alea.usize(0..objets.len() + 1), dalle);
         }
         if petits == 4_065 {
-            // As many numbers beside the nodes as there are places for.
+            // There are then as many half-spaces as the places beside the nodes can hold.
             objets.extend([(); 15].map(|()| sol::<R>(alea, 20.0)));
         }
         let rayons = gerbes(alea, &objets, 10.0);
@@ -803,13 +801,13 @@ fn les_geants_ont_leur_feuille_sous_la_racine<R: Bits>() {
 }
 
 fn places_dit_combien_de_places_suffisent<R: Bits>() {
-    // The last number of objects that gets a tree, and the first that does not, on 32-bit machines too.
+    // The last number of objects that gets a tree, and the first that does not, also on 32-bit machines.
     assert!(places(0x7f7f_ffff) > 0 && places(0x7f80_0000) == 0);
     for n in [0, 1, UN_ARBRE - 1, UN_ARBRE, 256, 257, 1_000] {
         let scene = scenes::melange::<R>(n);
         let rayons = scenes::rayons_camera::<R>(9, 9);
         let necessaires = places(n);
-        // 7.5 an object; the rest is nodes that are not full, one a floor, and one above the giants.
+        // An object takes 7.5 places; the rest is nodes that are not full, one a floor, and one above the giants.
         assert!(necessaires <= 8 * n + 400, "{n}: {necessaires}");
         assert_eq!(necessaires > 0, n >= UN_ARBRE);
         for pretees in [0, necessaires / 2, necessaires.saturating_sub(1)] {
@@ -823,7 +821,7 @@ fn places_dit_combien_de_places_suffisent<R: Bits>() {
         for pretees in [necessaires, necessaires + 1, 2 * necessaires + 100] {
             let mut places = vec![f32::INFINITY; pretees];
             let monde = Monde::new(&scene, &mut places).unwrap();
-            // One line, however many objects there are.
+            // One line, whatever the number of objects.
             let en_clair = format!("{monde:?}");
             assert!(en_clair.starts_with(&format!("Monde {{ objets: {n}, noeuds: ")));
             assert!(en_clair.len() < 60, "{en_clair}");
@@ -836,12 +834,13 @@ fn places_dit_combien_de_places_suffisent<R: Bits>() {
     }
 }
 
-/// Built: so many objects with a box, the last ones or spread among half-spaces, in exactly the places that are asked for,
-/// which start anywhere in a cache line. Held: the answers of the list, and that a tree is made from ten with a box on; a
-/// place less would be missed.
+/// Built: `bornes` objects with a box, at the end or spread among half-spaces, in exactly the places that are asked
+/// for, which start anywhere in a cache line. Held: the answers of the list, and a tree from ten objects with a box on.
+/// One place less would show.
 fn les_demi_espaces_ont_leur_place<R: Bits>() {
     let faire = |alea: &mut Hasard| {
-        // None bounded, one, and as many as get no tree and a tree; and as many half-spaces as need no node more.
+        // No bounded object, one, and just too few and just enough for a tree; and as many half-spaces as take no
+        // further node.
         let (bornes, demi_espaces) = [
             (0, 100),
             (1, 15),
@@ -868,7 +867,7 @@ fn les_demi_espaces_ont_leur_place<R: Bits>() {
         let mut places = vec![0.0; necessaires + 16];
         for debut in 0..16 {
             let monde = Monde::new(&objets, &mut places[debut..debut + necessaires]).unwrap();
-            // Without a tree a comparison is of the list with itself.
+            // Without a tree the list would be compared with itself.
             assert_eq!(noeuds(&monde) > 0, bornes >= UN_ARBRE);
             for rayon in &rayons {
                 let attendue = mots(&premiere_intersection(&objets, rayon));

@@ -1,9 +1,8 @@
-//! The same bits everywhere: a hash of the hits and misses of the 240,000 rays of each scene, and of
-//! random rays with all that a kernel makes of them, ray by ray, in a batch and in a tree, with each
-//! instruction set of the machine.
+//! The same bits everywhere: a hash of the hits and misses of the 240,000 rays of each scene, and of random rays with
+//! all that a kernel makes of them, ray by ray, in a batch and in a tree, with each instruction set of the machine.
 //!
-//! A change of a formula changes a hash, and the failed assertion prints the new one. Read
-//! `docs/precision.md` again before you adopt it, and record it in CHANGELOG.md.
+//! A change of a formula changes a hash, and the failed assertion prints the new one. Before you adopt it, read
+//! `docs/precision.md` again; then record it in CHANGELOG.md.
 
 use std::path::Path;
 
@@ -21,7 +20,7 @@ use lancer_rayon::{
 use serde::de::DeserializeOwned;
 
 fn empreinte_de<R: Bits>(touches: &[Reponse<R>]) -> u64 {
-    // Without the point, which the distance and the ray determine.
+    // The point is left out, since the distance and the ray determine it.
     let valeurs = |touche| {
         let [d, x, y, z, marge, .., texture] = mots(touche).valeurs;
         [d, x, y, z, marge, texture]
@@ -29,7 +28,7 @@ fn empreinte_de<R: Bits>(touches: &[Reponse<R>]) -> u64 {
     empreinte(touches.iter().flat_map(valeurs).flat_map(u64::to_le_bytes))
 }
 
-/// These rays have these answers, to the bit; the first that differs is named.
+/// Checks to the bit that these rays have these answers, and names the first that differs.
 #[track_caller]
 fn exiger<R: Bits>(
     facon: &str,
@@ -61,8 +60,8 @@ fn memes_bits<R: Bits + DeserializeOwned>(nom: &str, attendue: u64) {
     exiger(&format!("{nom}, tree"), &rayons, &touches, &seules);
 }
 
-/// Scenes and rays from sums, products and quotients of random numbers alone, which are the same on every
-/// machine; with the secondary rays, the shadows and the errors of what they touch.
+/// Scenes and rays made only from sums, products and quotients of random numbers, which are the same on every machine;
+/// with the secondary rays, the shadows and the errors of what the rays hit.
 fn au_hasard<R: Bits>(attendue: u64) {
     let mut alea = Rng::with_seed(18);
     let mut touches = Vec::new();

@@ -1,6 +1,6 @@
-//! Batches: every number of rays, every order, and what the probe of a block leaves out of a tree.
+//! Batches: any number of rays, in any order, and what the probe of a block leaves out of a tree.
 //!
-//! `LANCER_RAYON_CAS` makes each random test so many times as long:
+//! `LANCER_RAYON_CAS` is how many times as long each random test takes:
 //! `LANCER_RAYON_CAS=2000 cargo test --release --all-features --test memes_bits lot`
 
 use std::collections::HashSet;
@@ -17,7 +17,8 @@ use lancer_rayon::{
     premiere_intersection,
 };
 
-/// Half the angle of a needle: far beyond rounding in both types, and narrow enough to walk together.
+/// Half the angle of a needle, which is far beyond rounding in both types, and small enough for its rays to walk
+/// together.
 const AIGUILLE: f64 = 1e-5;
 
 fn cas() -> usize {
@@ -33,7 +34,7 @@ fn chaque_jeu_d_instructions_de_la_machine_est_essaye() {
     {
         let avx2 = is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma");
         assert_eq!(avx2, noms.contains(&"AVX2"));
-        // The level is that of the Ice Lake generation, of which this is the last part.
+        // The level is that of the Ice Lake generation, of which this feature is the last part.
         let avx512 = is_x86_feature_detected!("avx512vpopcntdq");
         assert_eq!(avx512, noms.contains(&"AVX-512"));
     }
@@ -41,7 +42,7 @@ fn chaque_jeu_d_instructions_de_la_machine_est_essaye() {
     assert_eq!(uns.collect::<HashSet<_>>().len(), noms.len(), "two settings are the same");
 }
 
-/// From no ray to two blocks of 64 and one more, with few objects and with enough for a tree.
+/// From no ray to one more than two blocks of 64, with few objects and with enough for a tree.
 fn toute_longueur_convient<R: Bits>() {
     let rayons = scenes::rayons_camera::<R>(20, 10);
     for n in [3, 12, 100, 300] {
@@ -53,7 +54,7 @@ fn toute_longueur_convient<R: Bits>() {
 
 en_f32_et_f64!(toute_longueur_convient);
 
-/// Pictures in rows, in tiles of 8 × 8 and in no order: no objects, some, and many.
+/// Pictures in rows, in tiles of 8 × 8 and in no order, with no objects, some or many.
 fn l_ordre_des_rayons_ne_change_aucune_reponse<R: Bits>() {
     let (largeur, hauteur) = (96, 16 * commun::cas(1).min(4) as usize);
     let rangees = scenes::rayons_camera::<R>(largeur, hauteur);
@@ -70,8 +71,8 @@ fn l_ordre_des_rayons_ne_change_aucune_reponse<R: Bits>() {
 
 en_f32_et_f64!(l_ordre_des_rayons_ne_change_aucune_reponse);
 
-/// The lamp of one ray of a block is nowhere, wherever that ray stands: the others see what stands before theirs, near and
-/// at infinity.
+/// One ray of a block has its lamp nowhere, wherever that ray stands. The others see what stands before their lamps,
+/// near and at infinity.
 fn une_lampe_nulle_part_ne_cache_rien_aux_autres<R: Bits>() {
     let rayons = scenes::en_tuiles(&scenes::rayons_camera::<R>(32, 32), 32);
     let scene = scenes::melange::<R>(300);
@@ -99,9 +100,9 @@ fn une_lampe_nulle_part_ne_cache_rien_aux_autres<R: Bits>() {
 
 en_f32_et_f64!(une_lampe_nulle_part_ne_cache_rien_aux_autres);
 
-/// All rays of a regime of the extremes against all its objects; then each ray against its own object, alone and
-/// with copies that make a tree, twelve times over, since fewer rays do not go side by side in a tree; and a needle around
-/// some of them, whose rays walk together, at objects so large, small or far that squares lie at the ends of the type.
+/// All rays of a regime of the extremes against all its objects. Then each ray against its own object, alone and with
+/// copies that make a tree, twelve times over, since fewer rays do not walk together in a tree. Then needles of rays
+/// that walk together around some of them, at objects so large, small or far that squares reach the ends of the type.
 fn aux_extremes_un_lot_repond_comme_un_par_un<R: Bits>() {
     let mut d_aiguilles = 0;
     for regime in regimes::<R>() {
@@ -125,7 +126,7 @@ fn aux_extremes_un_lot_repond_comme_un_par_un<R: Bits>() {
             for (Cas { objet, rayon }, aiguille) in cas {
                 let copies = [objet; UN_ARBRE];
                 touches += comparer(&[objet], &[rayon; 12]);
-                // Many more copies take long: of every fifth.
+                // Many more copies take long: one ray in five has them.
                 if aiguille.is_empty() {
                     comparer_dans(&avec_arbre(&copies), &[rayon; 12]);
                 } else {
@@ -141,10 +142,10 @@ fn aux_extremes_un_lot_repond_comme_un_par_un<R: Bits>() {
 
 en_f32_et_f64!(aux_extremes_un_lot_repond_comme_un_par_un);
 
-/// An object whose ball, of radius `l`, one of the rays grazes.
+/// An object whose ball, of radius `l`, is grazed by one of the rays.
 ///
-/// Half of them are spheres. The others are cubes with a corner at the point of the ball that the ray
-/// grazes: a cube has nothing of its ball except its corners.
+/// Half of the objects are spheres. The others are cubes with a corner where the ray grazes the ball, since corners are
+/// all that a cube shares with its ball.
 fn frole<R: Reel>(alea: &mut Hasard, rayons: &[Rayon<R>], texture: Texture) -> ObjetRay<R> {
     let l = deux_puissance(alea, -12.0, 4.0);
     let (centre, vers_le_rayon) = boule_frolee(alea, rayons, l);
@@ -156,13 +157,11 @@ fn frole<R: Reel>(alea: &mut Hasard, rayons: &[Rayon<R>], texture: Texture) -> O
     BoiteGeo::new(centre, Vecteur::new(cote, cote, cote), rotation, texture).unwrap().into()
 }
 
-/// The centre of a ball of radius `l` that one of the rays grazes, and the direction from there to the
-/// ray.
+/// The centre of a ball of radius `l` that one of the rays grazes, and the direction from there to the ray.
 ///
-/// The ball lies ahead of the source, one in six behind it, and so far that up to two bits of `l` are
-/// left in the distance. The ray is one of the block or, as often, the eighth, at the end of the row
-/// of a tile; half of the balls lie in the plane of that row, where the sides
-/// are closest to the rays.
+/// The ball lies ahead of the source, or behind it in one case of six, and so far away that as few as two bits of `l`
+/// are left in the distance. The ray is any of the block or, as often, the eighth, at the end of the row of a tile.
+/// Half of the balls lie in the plane of that row, where the sides are closest to the rays.
 fn boule_frolee<R: Reel>(alea: &mut Hasard, rayons: &[Rayon<R>], l: f64) -> (Vecteur<R>, Vecteur) {
     let rayon = &rayons[if alea.bool() { alea.usize(0..rayons.len()) } else { 7 }];
     let (s, d) = (rayon.source().vers_f64(), rayon.direction().vers_f64());
@@ -172,8 +171,8 @@ fn boule_frolee<R: Reel>(alea: &mut Hasard, rayons: &[Rayon<R>], l: f64) -> (Vec
     let en_travers = |v: Vecteur| (v - d * v.produit_scalaire(d)).unitaire();
     let rangee = en_travers((rayon.direction() - rayons[0].direction()).vers_f64());
     let travers = rangee.filter(|_| alea.bool()).or_else(|| en_travers(direction(alea))).unwrap();
-    // From the ray to the centre: l off by any power of two down to nothing, or by some units in the
-    // last place of the distance.
+    // From the ray to the centre it is l, off by any power of two down to nothing, or by some units in the last place
+    // of the distance.
     let ecart = if alea.bool() {
         l * (1.0 + signe(alea) * deux_puissance(alea, -60.0, 0.0))
     } else {
@@ -187,18 +186,17 @@ fn coin_vers<R: Reel>(alea: &mut Hasard, cible: Vecteur) -> Rotation<R> {
     let rotation = Rotation::<R>::new(arrondi(direction(alea) * 7.0)).unwrap();
     let axes = rotation.matrice().map(|ligne| Vecteur::from(ligne).vers_f64());
     let coin = (axes[0] + axes[1] + axes[2]) / 3.0_f64.sqrt();
-    // The half-turn is about the middle of the two.
+    // The half-turn is about the middle of the two corners.
     let Some(milieu) = (coin + cible).unitaire() else { return rotation };
     let demi_tour = |v: Vecteur| milieu * (2.0 * v.produit_scalaire(milieu)) - v;
     let lignes = axes.map(|axe| <[R; 3]>::from(arrondi(demi_tour(axe))));
     Rotation::depuis_matrice(lignes).unwrap_or(rotation)
 }
 
-/// Bundles from needles to fans too wide to walk together, of one source and of many, with objects that rays
-/// at the rim of the bundle graze.
+/// Bundles from needles to fans too wide to walk together, from one source or many, with objects that rays at the rim
+/// of the bundle graze.
 ///
-/// A probe without any of its slack is found by the sources in `arbre.rs` that lie farther and farther away; none was lost
-/// here.
+/// The ever farther sources in `arbre.rs` would find a probe without its slack. This test has lost no hit by one.
 fn la_sonde_ne_perd_aucune_touche<R: Bits>() {
     let faire = |alea: &mut Hasard| {
         let loin = if alea.bool() { 0.0 } else { deux_puissance(alea, -10.0, 16.0) };
@@ -211,7 +209,7 @@ fn la_sonde_ne_perd_aucune_touche<R: Bits>() {
     let mut touches = 0;
     pour_chaque(cas() as u32, faire, |(objets, rayons)| {
         touches += comparer(&objets, &rayons);
-        // The numbers of f32 in f64: D and N are unit to the rounding of f32 only.
+        // The numbers of f32 as f64, in which D and N are unit only to the rounding of f32.
         if u::<R>() > f64::EPSILON {
             let en_f64: Vec<_> = objets.iter().map(|objet| objet.temoin_f64()).collect();
             comparer(&en_f64, &rayons.iter().map(|rayon| rayon.temoin_f64()).collect::<Vec<_>>());
@@ -222,8 +220,8 @@ fn la_sonde_ne_perd_aucune_touche<R: Bits>() {
 
 en_f32_et_f64!(la_sonde_ne_perd_aucune_touche);
 
-/// A cube flush on a slab, and rays into it and past it from one touch of the slab at its foot, where rounding decides
-/// whether the touch is in the cube. Some of them have no δ.
+/// A cube flush on a slab, and rays into it and past it from one hit of the slab at the foot of the cube, where
+/// rounding decides whether the hit is in the cube. Some of them have no δ.
 fn du_pied<R: Reel>(alea: &mut Hasard) -> (Vec<ObjetRay<R>>, Vec<Rayon<R>>) {
     let tour = Rotation::new(arrondi(direction(alea) * 3.0)).unwrap();
     let [x, y, z] = tour.axes().map(|axe| axe.vers_f64());
@@ -238,12 +236,13 @@ fn du_pied<R: Reel>(alea: &mut Hasard) -> (Vec<ObjetRay<R>>, Vec<Rayon<R>>) {
         let suite = touche.secondaire(vers).unwrap();
         if alea.u8(0..8) == 0 { suite.dedans() } else { suite }
     });
-    // Where nearly all centres are one, boxes tell nothing apart, and every walk asks the whole list.
+    // Where nearly all centres coincide, boxes tell nothing apart, and every walk asks the whole list.
     let sous = (1..UN_ARBRE).map(|i| sphere(arrondi(pied - y * (4.0 * i as f64)), R::UN));
     ([dalle, cube].into_iter().chain(sous).collect(), suites)
 }
 
-/// One ray in a tree and many at once ask the box of the source for what is touched at once, as a list does.
+/// To find what is touched at once, one ray in a tree and many at once ask the box that holds the source, as a list
+/// does.
 fn d_un_pied_un_bloc_touche_d_emblee<R: Bits>() {
     let mut d_emblee = 0;
     pour_chaque(2 * cas() as u32, du_pied::<R>, |(objets, rayons)| {
@@ -256,7 +255,7 @@ fn d_un_pied_un_bloc_touche_d_emblee<R: Bits>() {
 
 en_f32_et_f64!(d_un_pied_un_bloc_touche_d_emblee);
 
-/// Whether a block of these shadow rays never asks for this ball, among as many others, behind them, as make a tree.
+/// Whether a block of these shadow rays never asks for this ball. Enough others for a tree lie behind the rays.
 fn evite<R: Reel>(ombres: &[Rayon<R>], boule: ObjetRay<R>) -> bool {
     let derriere = |i: usize| {
         let centre = ombres[0].point(R::depuis_f64(-90.0 - 3.0 * i as f64));
@@ -270,7 +269,7 @@ fn evite<R: Reel>(ombres: &[Rayon<R>], boule: ObjetRay<R>) -> bool {
     en_lot[UN_ARBRE - 1] == 0
 }
 
-/// No answer tells whether a probe leaves anything out; this does.
+/// No answer shows what a probe leaves out, but counting what is asked does.
 fn des_rayons_paralleles_evitent_une_boule_a_cote<R: Reel>() {
     let axes = [Vecteur::<R>::Z, Vecteur::X];
     for k in 0..27_u8 {
@@ -294,13 +293,13 @@ fn des_rayons_paralleles_evitent_une_boule_a_cote<R: Reel>() {
 
 en_f32_et_f64!(des_rayons_paralleles_evitent_une_boule_a_cote);
 
-/// The same of rays to a lamp. The probe does not see that they come together, but that they end.
+/// The same for rays to a lamp. The probe sees that they end, but not that they come together.
 fn des_segments_vers_une_lampe_evitent_une_boule_a_cote<R: Reel>() {
     let lampe = v(0.0, 10.0, 0.0);
     let sources = (0..64).map(|i| v(f64::from(i % 8) - 3.5, 0.0, f64::from(i / 8) - 3.5));
     let ombres: Vec<_> = sources.map(|source| Rayon::entre(source, lampe).unwrap()).collect();
     // Beside a corner of the sources, among them, half-way beside and within, beside the lamp by more and by less than
-    // the sources are apart, and beyond the lamp.
+    // the extent of the sources, and beyond the lamp.
     for (centre, a_cote) in [
         ([6.0, 0.5, 6.0], true),
         ([3.0, 0.5, 3.0], false),

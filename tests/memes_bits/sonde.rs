@@ -1,5 +1,5 @@
-//! Lemma 19 of `docs/preuves/recherche.md`: the probe of many rays enters every box that the probe of one of them enters, and no
-//! later.
+//! Lemma 19 of `docs/preuves/recherche.md`: the probe of many rays enters every box that the probe of one of them
+//! enters, and enters it no later.
 
 use commun::fabrique::{avec_arbre, sphere};
 use commun::facons::comparer_dans;
@@ -10,7 +10,7 @@ use fastrand::Rng;
 use lancer_rayon::pour_les_tests::{Reglage, sonder};
 use lancer_rayon::{Monde, ObjetRay, Rayon};
 
-/// Rays from about one place: near, amid the objects or far away.
+/// Rays from about one place, which is near, amid the objects or far away.
 fn rayons<R: Bits>(alea: &mut Hasard) -> Vec<Rayon<R>> {
     let loin = if alea.bool() { 5.0 } else { deux_puissance(alea, 0.0, 40.0) };
     let ou = direction(alea) * loin;
@@ -48,8 +48,8 @@ fn la_sonde_de_plusieurs_rayons_entre_ou_l_un_d_eux_entre<R: Bits>() {
 
 en_f32_et_f64!(la_sonde_de_plusieurs_rayons_entre_ou_l_un_d_eux_entre);
 
-/// Small spheres, and rays that start near each other and far away, whose directions are as long as one may be that is kept
-/// (C13).
+/// Small spheres, and rays that start near each other but far from these, with directions as long as those that are
+/// kept (C13).
 fn venus_de_loin(alea: &mut Hasard) -> (Vec<ObjetRay>, Vec<Rayon>) {
     let longueur = 1.0 + 5.9 * f64::from(f32::EPSILON) / 2.0;
     let boule = |alea: &mut Hasard, _| sphere::<f32>(arrondi(direction(alea) * 0.9), 0.02);
@@ -66,7 +66,8 @@ fn venus_de_loin(alea: &mut Hasard) -> (Vec<ObjetRay>, Vec<Rayon>) {
 }
 
 /// A direction that `temoin_f64` widened is unit only to the rounding of `f32`. From twenty million units away even the
-/// place that the probe of a block counts from, before all boxes, is off by more than the scene if it is told by S·D alone.
+/// place before all boxes, from which the probe of a block counts, would be off by more than the scene if S·D alone
+/// told it.
 #[test]
 fn des_rayons_elargis_venus_de_loin_touchent_ensemble_ce_qu_ils_touchent_seuls() {
     let mut touches = 0;
@@ -78,7 +79,7 @@ fn des_rayons_elargis_venus_de_loin_touchent_ensemble_ce_qu_ils_touchent_seuls()
     assert!(touches >= commun::cas(1_000) as usize);
 }
 
-/// A child that is missing is entered by no probe. Rays that part along all three axes would enter it, and have none.
+/// No probe enters a missing child. The probe of rays that part along all three axes would, so such rays have none.
 #[test]
 fn aucune_sonde_n_entre_ou_il_n_y_a_rien() {
     let mut alea = Rng::with_seed(6);
@@ -93,7 +94,7 @@ fn aucune_sonde_n_entre_ou_il_n_y_a_rien() {
         let rayons: Vec<_> = (0..63).map(rayon).collect();
         let mut noeuds = 0;
         let sonde = sonder(&avec_arbre(&objets), &rayons, f32::INFINITY, |(enfants, _), _| {
-            // Three leaves, of which the last has eight records, and the root above them.
+            // There are three leaves, the last of which has eight records, and the root above them.
             let la = [16, 16, 8, 3][noeuds % 4];
             assert!(enfants >> la == 0, "{enfants:b}");
             noeuds += 1;

@@ -1,5 +1,5 @@
-//! Rays almost parallel to a face, down to the smallest number of the type, and boxes at both ends of
-//! the range: no product that leaves the range decides anything.
+//! Rays almost parallel to a face, down to the smallest number of the type, and boxes at both ends of the range: no
+//! product outside of the range decides anything.
 
 use commun::fabrique::{boite, boite_droite};
 use commun::hasard::{Hasard, pour_chaque};
@@ -10,9 +10,9 @@ use lancer_rayon::{
     Intersection, Monde, Nombre, ObjetRay, PlanGeo, Rayon, Reel, Rotation, Texture, Vecteur,
 };
 
-/// Numbers given by their bits.
+/// The numbers that these bits make.
 fn mots<R: Bits>(bits: [u64; 3]) -> Vecteur<R> {
-    // A pattern of f32 stands in the upper half.
+    // The bits of an f32 belong in the upper half.
     let decalage = if R::U.vers_f64() > f64::EPSILON { 32 } else { 0 };
     bits.map(|mot| R::depuis_bits(mot << decalage)).into()
 }
@@ -22,7 +22,7 @@ fn demie<R: Reel>(centre: Vecteur<R>, demi_longueurs: Vecteur<R>) -> ObjetRay<R>
     boite_droite(centre, demi_longueurs * (R::UN + R::UN))
 }
 
-/// The exact answer, alone and nine side by side.
+/// Requires the exact answer, alone and nine side by side.
 fn juger<R: Reel>(objet: &ObjetRay<R>, rayon: &Rayon<R>) -> Option<Intersection<R>> {
     let attendu = verite(objet, rayon).entree;
     let obtenu = objet.intersection(rayon);
@@ -37,9 +37,9 @@ fn juger<R: Reel>(objet: &ObjetRay<R>, rayon: &Rayon<R>) -> Option<Intersection<
     obtenu.ok()
 }
 
-/// The ray that leaves the box along its face, outward by the smallest of numbers.
+/// Leaves the box along its face, outward by the smallest of numbers.
 fn quitter<R: Reel>(objet: &ObjetRay<R>, rayon: &Rayon<R>, vers: Vecteur<R>) {
-    // Within rounding of an edge it need not be the true answer.
+    // Within rounding of an edge this hit need not be the true one.
     let touche = objet.intersection(rayon).unwrap();
     let sortant = touche.secondaire(vers).unwrap();
     assert!(juger(objet, &sortant).is_none(), "{objet:?} left by {sortant:?}");
@@ -49,7 +49,7 @@ fn puissance<R: Reel>(exposant: i32) -> R {
     R::depuis_f64(f64::from(exposant).exp2())
 }
 
-/// Of a cube by its centre, of a ray, and of scales and slopes as powers of two.
+/// Leaves a cube of centre `c`, at scales and slopes that are powers of two.
 fn quitter_une_face<R: Bits>([c, l, s, d]: [[u64; 3]; 4], echelles: &[(i32, i32)]) {
     let [c, l, s, d] = [c, l, s, d].map(mots::<R>);
     for (echelle, petit) in echelles {
@@ -84,8 +84,8 @@ fn un_rayon_qui_quitte_une_face_ne_la_retouche_pas_f64() {
     quitter_une_face::<f64>(nombres, &echelles);
 }
 
-/// A slope towards a face along the axes is exact, and decides as it is down to the smallest box: from 1024 before
-/// its middle the ray enters by the side, by the top, or passes over.
+/// A slope towards a face along the axes is exact and decides as it stands, down to the smallest box: from 1024 before
+/// the middle of the box the ray enters by the side or by the top, or passes over.
 fn une_pente_decide_telle_qu_elle_est<R: Reel>() {
     let v = |x: f64, y: f64| arrondi::<R>(Vecteur::new(x, y, 0.0));
     // The box is 2¹¹ slopes high.
@@ -117,7 +117,7 @@ fn un_rayon_qui_quitte_une_arete_ne_retouche_pas_la_boite() {
     quitter(&objet, &rayon, mots([0, 3, 0xbfc0_0000]));
 }
 
-/// Past a face by one unit in the last place, with the smallest of speeds towards it.
+/// A ray passes a face by one unit in the last place, at the smallest of speeds towards it.
 fn a_cote<R: Reel>() {
     let n = |x: f64| R::depuis_f64(x);
     let dehors = n(-1.0 - 2.0 * R::U.vers_f64());
@@ -135,8 +135,8 @@ fn un_rayon_a_cote_de_la_boite_manque() {
     a_cote::<f64>();
 }
 
-/// The smallest box, beside it and at it, at every speed across down to the smallest number, along one axis and along
-/// two. A speed below 2^−`dernier` may count as 0, which tells only in the plane of a face.
+/// Rays beside the smallest box and at it, with every speed across down to the smallest number, along one axis and
+/// along two. A speed below 2^−`dernier` may count as 0, which matters only in the plane of a face.
 fn petite_boite<R: Reel>(dernier: i32) {
     let bits = R::LIMITE.vers_f64().log2() as i32;
     let k = puissance(-bits);
@@ -175,7 +175,7 @@ fn la_plus_petite_boite_est_juste_a_toute_vitesse() {
     petite_boite::<f64>(1074);
 }
 
-/// In `f32` a speed of 2⁻¹⁰³ counts as 0, and the next above it does not: the ray that leaves the plane of a face so
+/// In `f32` a speed of 2⁻¹⁰³ counts as 0, and the next number above does not: a ray that leaves the plane of a face so
 /// slowly slides along the face.
 #[test]
 fn une_vitesse_de_f32_est_un_multiple_de_2_puissance_moins_102() {
@@ -188,7 +188,7 @@ fn une_vitesse_de_f32_est_un_multiple_de_2_puissance_moins_102() {
     assert!(touche(0.0) && touche(f32::ETA) && touche(demi) && !touche(demi.next_up()));
 }
 
-/// From one end of the range to a box at the other, and back: no distance is too long for the search.
+/// From one end of the range to a box at the other, and back, no distance is too long for the search.
 fn une_boite_a_l_autre_bout_est_touchee<R: Reel>() {
     let bout = R::LIMITE * R::depuis_f64(0.75);
     let objet =

@@ -1,4 +1,4 @@
-//! What no answer shows: for which objects a question asks. It ends where it may, in a list and in a tree.
+//! What no answer shows: for which objects a question asks. The search ends where it may, in a list and in a tree.
 
 use commun::en_f32_et_f64;
 use commun::fabrique::{avec_arbre, mur, sphere, v};
@@ -6,10 +6,11 @@ use commun::facons::{Compteur, demandes, noeuds};
 use commun::hasard::{Hasard, Tirage};
 use lancer_rayon::{Monde, NoIntersection, ObjetRay, Rayon, Reel, Vecteur};
 
-/// Balls in a row along the ray, which enters each, and as many beside it.
+/// How many balls stand in a row along the ray, which enters each, and how many beside that row.
 const BOULES: usize = 40;
 
-/// A wall that the ray enters last; the row, the farthest first, entered at 2, 5, 8 and so on; then those beside it.
+/// A wall that the ray enters last; the row, with the farthest ball first, entered at 2, 5, 8 and so on; and the balls
+/// beside it.
 fn scene<R: Reel>() -> Vec<ObjetRay<R>> {
     let boule = |x, k: usize| sphere(v(x, 0.0, -3.0 * (k + 1) as f64), R::UN);
     let mut objets = vec![mur(v(0.0, 0.0, -1_000.0), v(0.0, 0.0, 1.0))];
@@ -22,7 +23,7 @@ fn rayon<R: Reel>() -> Rayon<R> {
     Rayon::new(Vecteur::NUL, v(0.0, 0.0, -1.0)).unwrap()
 }
 
-/// How often a question asks for the wall, for the balls of the row in all, and for those beside it.
+/// How often a question asks for the wall, for all balls of the row, and for those beside it.
 fn combien<R: Reel>(
     monde: &Monde<'_, R>,
     question: impl FnOnce(Monde<'_, R, Compteur<'_>>),
@@ -32,7 +33,7 @@ fn combien<R: Reel>(
     [demandes[0], rangee.iter().sum(), a_cote.iter().sum()]
 }
 
-/// A list asks a choice for what the ray enters alone, once; a shadow ends with the first before its lamp.
+/// A list asks a choice only for what the ray enters, and once. A shadow ends with the first hit before its lamp.
 fn une_liste_demande_ce_que_le_rayon_touche<R: Reel>() {
     let (objets, rayon) = (scene::<R>(), rayon());
     let liste = Monde::de_liste(&objets);
@@ -43,16 +44,16 @@ fn une_liste_demande_ce_que_le_rayon_touche<R: Reel>() {
         combien(&liste, |h| assert!(h.est_occulte(&ombre)))
     };
     assert_eq!(occulte(f64::INFINITY), [1, 0, 0]);
-    // Four stand before 12, of which the farthest comes first in the list.
+    // Four balls stand before 12, and the farthest of them comes first in the list.
     assert_eq!(occulte(12.0), [1, BOULES as u32 - 3, 0]);
     let touche = liste.premiere_intersection(&rayon);
-    // It is the answer; the others come later at a glance.
+    // The answer is asked for; a glance shows that the others come later.
     assert_eq!(combien(&liste, |h| assert!(h.certifie(&rayon, &touche))), [0, 1, 0]);
 }
 
 en_f32_et_f64!(une_liste_demande_ce_que_le_rayon_touche);
 
-/// A tree asks for what lies before the last that is kept or before the limit, and a shadow ends with the first.
+/// A tree asks for what lies before the last that is kept or before the limit. A shadow ends with the first hit.
 fn un_arbre_s_arrete_des_qu_il_peut<R: Reel>() {
     let (objets, rayon) = (scene::<R>(), rayon());
     let arbre = avec_arbre(&objets);
@@ -67,7 +68,7 @@ fn un_arbre_s_arrete_des_qu_il_peut<R: Reel>() {
     let touche = arbre.premiere_intersection(&rayon);
     let [_, rangee, _] = combien(&arbre, |h| assert!(h.certifie(&rayon, &touche)));
     assert!(rangee < 5, "{rangee}");
-    // So many places before this limit, and how many balls at least and at most.
+    // How many places, before which limit, and how many balls at least and at most.
     for (places, limite, bornes) in [
         (3, f64::INFINITY, 3..17),
         (99, 10.0, 3..5),
@@ -85,7 +86,8 @@ fn un_arbre_s_arrete_des_qu_il_peut<R: Reel>() {
 
 en_f32_et_f64!(un_arbre_s_arrete_des_qu_il_peut);
 
-/// One ray or two of a call go one by one, each as if alone; sixty-four ask for an object together, those of a list for every object.
+/// One ray or two in a call go one by one, each as if alone. Sixty-four ask for an object together; in a list they ask
+/// for every object.
 fn peu_de_rayons_vont_un_par_un<R: Reel>() {
     let (objets, rayon) = (scene::<R>(), rayon());
     let arbre = avec_arbre(&objets);
@@ -122,7 +124,7 @@ fn du_cube(alea: &mut Hasard) -> Vecteur {
     Vecteur::from([(); 3].map(|()| alea.f64() * 2.0 - 1.0))
 }
 
-/// Objects that lie together, and of them those at the indices `loin` far away, to all sides or to one.
+/// `n` objects that lie together, except that those at the indices `loin` are far away, on all sides or on one.
 fn dont_loin<R: Reel>(n: usize, un_cote: bool, loin: impl Fn(usize) -> bool) -> Vec<ObjetRay<R>> {
     let mut alea = Hasard::de_graine(n as u64);
     let boule = |k| {
@@ -139,7 +141,7 @@ fn dont_loin<R: Reel>(n: usize, un_cote: bool, loin: impl Fn(usize) -> bool) -> 
     (0..n).map(boule).collect()
 }
 
-/// For how many objects these rays ask in all.
+/// How many times in all these rays ask for an object.
 fn en_tout<R: Reel>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) -> u32 {
     let monde = avec_arbre(objets);
     let tous = |h: Monde<'_, R, Compteur<'_>>| {
@@ -150,8 +152,9 @@ fn en_tout<R: Reel>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) -> u32 {
     demandes(&monde, tous).iter().sum()
 }
 
-/// Which objects of a list are far away does not decide how much a ray asks for: the first of 2 to 64 in turn, or the
-/// second; a third of the list, or half; or all sorted along an axis. A ray asks for one object in the mean.
+/// Which objects of a list are far away does not decide how much a ray asks for: the first of every 2 to 64, or the
+/// second; a third of the list, or half; or a third when sorted along an axis. On average a ray asks for one object at
+/// most.
 fn l_ordre_de_la_liste_ne_coute_rien<R: Reel>() {
     let mut alea = Hasard::de_graine(1);
     let rayons: Vec<Rayon<R>> = (0..100)

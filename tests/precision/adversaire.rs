@@ -1,6 +1,6 @@
-//! A directed search for what breaks the promises of `docs/precision.md`: for each of them it climbs
-//! on the bits of the stored numbers of an object and a ray, towards the largest error as a part of
-//! the bound. Random cases come nowhere near what this finds.
+//! A directed search for what breaks the promises of `docs/precision.md`. For each promise it climbs on the bits of the
+//! stored numbers of an object and a ray, towards the largest error as a part of the bound. Random cases come nowhere
+//! near what it finds.
 //!
 //! By default each climb is short. This gives each promise 60 seconds and prints its worst case:
 //!
@@ -27,16 +27,16 @@ use lancer_rayon::{
     premiere_intersection,
 };
 
-/// After so many steps in a row without a gain, the climb starts again elsewhere.
+/// How many steps in a row without a gain make the climb start again elsewhere.
 const PATIENCE: u32 = 50;
 
-/// How many cases a climb judges, unless it is told how long to last.
+/// How many cases a climb judges, unless it is told how long to take.
 const ASSEZ: u32 = 10_000;
 
 /// How many of the best cases are kept as starting points.
 const SOMMETS: usize = 20;
 
-/// What a number is: a length may be scaled with all the others, a row of a matrix may not.
+/// What a number is: a length may be scaled with all other lengths, a row of a matrix may not.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Role {
     Longueur,
@@ -44,8 +44,8 @@ enum Role {
     Vers,
 }
 
-/// The numbers that the climb moves: of each object, of the ray, and the direction in which it is
-/// left: x, y, z, a height over the tangent plane, and whether that counts.
+/// The numbers that the climb moves: those of each object and of the ray, and the direction in which the object is
+/// left, which is x, y, z, a height over the tangent plane, and whether that height counts.
 #[derive(Debug, Clone)]
 struct Candidat<R> {
     genres: Vec<Genre>,
@@ -82,7 +82,7 @@ impl<R: Bits> Candidat<R> {
         Self { genres, nombres, passage: Passage::Entree }
     }
 
-    /// What the constructors take of it; the numbers are then those that they stored.
+    /// The case that the constructors make of this candidate, whose numbers are then those that they stored.
     fn construire(&mut self) -> Option<Essai<R>> {
         fn prendre<R: Reel, const N: usize>(reste: &[(Role, R)], ou: &mut usize) -> [R; N] {
             let valeurs = core::array::from_fn(|i| reste[*ou + i].1);
@@ -194,14 +194,14 @@ impl<R: Bits> Candidat<R> {
         self.nombres[i].1 = nouveau;
     }
 
-    /// Which object is answered, if one is.
+    /// Which object is hit, if one is.
     fn reponse(&mut self) -> Option<Option<Texture>> {
         let cas = self.construire()?;
         Some(premiere_intersection(&cas.objets, &cas.rayon).ok().map(|touche| touche.texture()))
     }
 
-    /// The two neighbours between which the answer changes, for one length that moves: decisions go
-    /// wrong there or nowhere.
+    /// The two neighbours between which the answer changes as one length moves, since decisions go wrong there or
+    /// nowhere.
     fn a_la_decision(mut self, alea: &mut Rng) -> Option<[Self; 2]> {
         let longueurs = || (0..self.nombres.len()).filter(|&i| self.nombres[i].0 == Role::Longueur);
         let i = longueurs().nth(alea.usize(0..longueurs().count()))?;
@@ -241,7 +241,7 @@ fn mantisse<R: Reel>() -> u32 {
     if size_of::<R>() == 4 { 23 } else { 52 }
 }
 
-/// The number of these bits, whose last are its last.
+/// The number whose last bits are the last of these.
 fn depuis_mot<R: Bits>(bits: u64) -> R {
     R::depuis_bits(if size_of::<R>() == 4 { bits << 32 } else { bits })
 }
@@ -256,7 +256,7 @@ fn remarquable<R: Reel>(alea: &mut Rng) -> R {
     if alea.bool() { x } else { -x }
 }
 
-/// One to three bits of a mantissa, near 1.
+/// A number near 1 whose mantissa has one to three bits.
 fn peu_de_bits<R: Reel>(alea: &mut Rng) -> R {
     let mut x = 1.0;
     for _ in 0..alea.usize(0..3) {
@@ -277,8 +277,8 @@ fn tour<R: Reel>(alea: &mut Rng) -> Rotation<R> {
     Rotation::new(r.into()).unwrap()
 }
 
-/// An object and a ray to start from: of a regime, or of few bits, with the ray towards the centre,
-/// a corner, an edge, or along an axis.
+/// An object and a ray to start from: those of a regime, or numbers of few bits, with the ray towards the centre, a
+/// corner or an edge, or along an axis.
 fn depart<R: Bits>(genre: Genre, alea: &mut Rng) -> (ObjetRay<R>, Rayon<R>) {
     loop {
         if alea.u8(0..3) > 0 {
@@ -367,7 +367,7 @@ fn un_objet<R: Bits>(genre: Genre, alea: &mut Rng) -> Candidat<R> {
     Candidat::new(&[objet], &rayon, vers(alea))
 }
 
-/// An object and another beside it: itself moved a little, or one through the point of the hit.
+/// An object and a second one, which is the first moved a little, or passes through the point of its hit.
 fn deux_objets<R: Bits>(alea: &mut Rng) -> Candidat<R> {
     loop {
         let (objet, rayon) = depart::<R>(Genre::TOUS[alea.usize(0..3)], alea);
@@ -394,7 +394,7 @@ fn deux_objets<R: Bits>(alea: &mut Rng) -> Candidat<R> {
     }
 }
 
-/// Climbs, and fails where it comes beyond 1.
+/// Climbs, and fails if it comes beyond 1.
 fn grimper<R: Bits>(
     nom: &str,
     depart: impl Fn(&mut Rng) -> Candidat<R>,
@@ -411,7 +411,7 @@ fn grimper<R: Bits>(
     let mut alea = Rng::with_seed(empreinte(nom.bytes()));
     let debut = Instant::now();
     let mut evaluations = 0_u32;
-    // The best of each of the last climbs, to set out from again.
+    // The best cases of earlier climbs, from which new ones set out.
     let mut sommets: Vec<(f64, Candidat<R>)> = Vec::new();
     let mut ici: Option<(f64, Candidat<R>)> = None;
     let mut pire: Option<(f64, Candidat<R>)> = None;
@@ -430,7 +430,7 @@ fn grimper<R: Bits>(
             sommets.sort_by(|a, b| b.0.total_cmp(&a.0));
             sommets.truncate(SOMMETS);
             if alea.u8(0..4) > 0 && !sommets.is_empty() {
-                // Shaken, so that it may find another way up.
+                // The case is shaken, so that it may find another way up.
                 let (_, mut candidat) = sommets[alea.usize(0..sommets.len())].clone();
                 for _ in 0..alea.usize(1..6) {
                     candidat.bouger_une_fois(&mut alea);
@@ -481,14 +481,14 @@ fn grimper<R: Bits>(
     assert!(v <= 1.0, "{nom}: {v} of what is promised: {ou}");
 }
 
-/// A mirror that is hardest, left in its own normal's direction.
+/// The hardest mirror, left in the direction of its own normal.
 fn miroir<R: Bits>(alea: &mut Rng) -> Candidat<R> {
     let Cas { objet, rayon } = regimes::miroir(alea);
     let [x, y, z] = rayon.source().into();
     Candidat::new(&[objet], &rayon, [x, y, z, R::ZERO, R::ZERO])
 }
 
-/// Glass of an index that is near the limit of total reflection for this ray, of glass or air, or any.
+/// Glass with an index near the limit of total reflection for this ray, of ordinary glass, near 1, or of any size.
 fn de_verre<R: Bits>(objet: ObjetRay<R>, rayon: Rayon<R>, alea: &mut Rng) -> Candidat<R> {
     let passage = if alea.bool() { objet.intersection(&rayon) } else { objet.sortie(&rayon) };
     let limite = passage.ok().and_then(|passage| {
@@ -515,13 +515,13 @@ fn boule_de_verre<R: Bits>(alea: &mut Rng) -> Candidat<R> {
 fn vitre<R: Bits>(alea: &mut Rng) -> Candidat<R> {
     let Cas { objet, rayon } =
         regimes::miroir_sous(deux_puissance(alea, -9.0, 0.0).min(0.999), alea);
-    // From above it is hit, from below it is left.
+    // A ray from above hits the pane, one from below leaves it.
     let rayon =
         if alea.bool() { rayon } else { Rayon::new(-rayon.source(), -rayon.direction()).unwrap() };
     de_verre(objet, rayon, alea)
 }
 
-/// Through the origin or a few subnormals beside it, as the source is.
+/// A half-space through O or a few subnormals beside it, and a source as near.
 fn demi_espace_pres_de_0<R: Bits>(alea: &mut Rng) -> Candidat<R> {
     let petit = |alea: &mut Rng| {
         let x = R::depuis_f64(R::ETA.vers_f64() * f64::from(alea.i8(-20..=20)));
@@ -533,7 +533,7 @@ fn demi_espace_pres_de_0<R: Bits>(alea: &mut Rng) -> Candidat<R> {
     Candidat::new(&[ObjetGeo::from(plan).vers_ray()], &rayon, [R::ZERO; 5])
 }
 
-/// A ball or a box so large that its place is known less exactly than a source beside it, near O.
+/// A ball or a box so large that its place is known less exactly than that of a source beside it, near O.
 fn de_pres<R: Bits>(ronde: bool, alea: &mut Rng) -> Candidat<R> {
     let l = R::depuis_f64(deux_puissance(alea, 4.0, 20.0));
     let tour = tour::<R>(alea);
@@ -550,8 +550,8 @@ fn de_pres<R: Bits>(ronde: bool, alea: &mut Rng) -> Candidat<R> {
     Candidat::new(&[objet.vers_ray()], &rayon, [R::ZERO; 5])
 }
 
-/// A box with an edge through O, a ray that enters beside it, less deep under the other face than two roundings of the
-/// box or so, and goes on along that face.
+/// A box with an edge through O, and a ray that enters beside that edge and turns along the other face, under which it
+/// is at most about two roundings of the box deep.
 fn le_long_d_une_face<R: Bits>(alea: &mut Rng) -> Candidat<R> {
     let tour = tour::<R>(alea);
     let [x, y, z] = tour.matrice().map(Vecteur::from);
@@ -567,7 +567,7 @@ fn le_long_d_une_face<R: Bits>(alea: &mut Rng) -> Candidat<R> {
     Candidat::new(&[ObjetGeo::from(boite).vers_ray()], &rayon, [x, y, z, R::ZERO, R::ZERO])
 }
 
-/// A climb for each promise to the hits of this shape, or to the ways out of it.
+/// A climb for each promise about the hits of this shape, or about the ways out of it.
 fn chaque_promesse_de<R: Bits>(genre: Genre, passage: Passage) {
     let depart = |alea: &mut Rng| {
         let (objet, rayon) = depart(genre, alea);
@@ -595,7 +595,7 @@ fn chaque_promesse_d_une_sortie<R: Bits>() {
 
 en_f32_et_f64!(chaque_promesse_d_une_sortie);
 
-/// From where the others are worst.
+/// Climbs that start where errors are worst.
 fn ce_qui_a_ses_propres_departs<R: Bits>() {
     use Passage::{Entree, Sortie};
     let entree = |nom, depart: fn(&mut Rng) -> Candidat<R>, part: Part<R>| {
@@ -621,7 +621,7 @@ fn ce_qu_un_rayon_sait_de_sa_source<R: Bits>() {
         let courbe = genre != Genre::Plan;
         grimper(&format!("turn, {genre:?}"), depart, Passage::Entree, virage, false);
         grimper(&format!("grazed, {genre:?}"), depart, Passage::Entree, effleurement, courbe);
-        // Of boxes the ray along a face tells more.
+        // For boxes the ray along a face tells more.
         if genre != Genre::Boite {
             grimper(&format!("depth, {genre:?}"), depart, Passage::Entree, enfoncement, false);
         }

@@ -1,4 +1,4 @@
-//! The certificate of a scene: where `certifie` says yes, exact arithmetic names the same object first, or none.
+//! The certificate of a scene: where `certifie` is true, exact arithmetic names the same first object, or none.
 //!
 //! `LANCER_RAYON_CAS` is how many times 300 scenes of each kind are judged (1 unless set).
 
@@ -15,8 +15,8 @@ use lancer_rayon::{
     premiere_intersection,
 };
 
-/// The first object of a list in exact arithmetic; of two at one distance the earlier. None at the end of the ray or
-/// beyond, nor beyond the largest number.
+/// The first object of a list in exact arithmetic; of two at one distance the earlier. What lies at the end of the ray
+/// or beyond it, or beyond the largest number, does not count.
 fn premier_exact<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> Option<usize> {
     let plus_grand = if size_of::<R>() == 4 { f32::MAX.into() } else { f64::MAX };
     let plus_grand = Exact::de(rayon.fin().vers_f64().min(plus_grand));
@@ -24,7 +24,7 @@ fn premier_exact<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> Option<us
     for (i, objet) in objets.iter().enumerate() {
         let Some(entree) = verite(objet, rayon).entree else { continue };
         let avant = premier.as_ref().map_or(&plus_grand, |(_, t)| t);
-        // The oracle rounds to 256 bits: a tie is a tie.
+        // The oracle rounds to 256 bits, but a tie stays a tie.
         if (&entree.t - avant).signe() == Ordering::Less {
             premier = Some((i, entree.t));
         }
@@ -32,9 +32,9 @@ fn premier_exact<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> Option<us
     premier.map(|(i, _)| i)
 }
 
-/// Judges the answer of a list to a ray, by itself and by two trees of it, of which the second has long boxes cut
-/// into pieces, and two answers that are wrong; whether it is certain. The same of the ray with an end at its first two hits
-/// and beside them.
+/// Judges the answer of a list to a ray, by the list itself and by two trees of it, the second of which has long boxes
+/// cut into pieces, and then two wrong answers; returns whether the answer is certain. The same is judged with an end
+/// at the ray's first two hits and beside them.
 fn juger<R: Bits>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> bool {
     let certaine = juger_jusqu_a_la_fin(objets, rayon);
     let mut deux = [Err(NoIntersection); 2];
@@ -66,7 +66,7 @@ fn juger_jusqu_a_la_fin<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> bo
         assert!(!par_l_arbre || dite == exact, "by the tree: {}", contexte());
         // The tree leaves out what the list must look at.
         assert!(par_l_arbre || !certaine, "less certain by the tree: {}", contexte());
-        // What would be first without the first is wrong, and so is a miss.
+        // Two wrong answers are the first hit without the true object, and a miss.
         let Some(exact) = exact else { continue };
         let suivante = monde.sans(exact).premiere_intersection(rayon);
         for fausse in [suivante, Err(NoIntersection)] {
@@ -81,13 +81,13 @@ fn juger_jusqu_a_la_fin<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> bo
     certaine
 }
 
-/// The hard cases of each shape, with twins in front and behind, which enter at nearly one distance.
+/// The hard cases of each shape, with twins in front and behind that are entered at nearly the same distance.
 fn parmi_des_jumeaux_rien_de_faux_n_est_certifie<R: Bits>() {
     let mut combien = [0; 2];
     for regime in regimes::<R>() {
         let faire = |alea: &mut Hasard| {
             let Cas { objet, rayon } = (regime.cas)(alea);
-            // Some with enough for a tree.
+            // Some have enough objects for a tree.
             let n = [1, 3, 12][alea.usize(0..3)];
             let mut objets = alea.liste(n, |alea, _| presque(&objet, Texture(1), alea));
             objets.push(objet);
@@ -102,7 +102,7 @@ fn parmi_des_jumeaux_rien_de_faux_n_est_certifie<R: Bits>() {
     assert!(certaines > incertaines / 10 && incertaines > certaines / 10);
 }
 
-/// Cubes side by side, and rays along axes and in the planes of their sides, straight and almost so.
+/// Cubes side by side, with rays exactly or almost along axes and in the planes of their sides.
 fn parmi_des_cubes_accoles_rien_de_faux_n_est_certifie<R: Bits>() {
     let faire = |alea: &mut Hasard| {
         let cote = *alea.choix(&[1.0, 0.5, 0.1, 0.3]);
@@ -126,7 +126,7 @@ fn parmi_des_cubes_accoles_rien_de_faux_n_est_certifie<R: Bits>() {
     assert!(certaines > commun::cas(300) / 4);
 }
 
-/// A heap of things on a floor at 0, most of its rays clear.
+/// A heap of things on a floor at 0, with rays that come near no decision.
 fn dans_un_tas_tout_rayon_clair_est_certifie<R: Bits>() {
     let faire = |alea: &mut Hasard| {
         let objets = alea.liste(40, |alea, i| {
@@ -145,11 +145,10 @@ fn dans_un_tas_tout_rayon_clair_est_certifie<R: Bits>() {
         let vers = direction(alea) * 3.0 + Vecteur::new(0.0, 2.0, 0.0) - source;
         (objets, Rayon::new(arrondi(source), arrondi(vers)).unwrap())
     };
-    // None of these is near to any decision.
     pour_chaque(commun::cas(300), faire, |(objets, rayon)| {
         assert!(juger(&objets, &rayon));
         let Ok(touche) = premiere_intersection(&objets, &rayon) else { return };
-        // Nor is a miss before the first hit, and the hit itself before an end that is well beyond.
+        // A miss before the first hit is certain too, and so is the hit before an end well beyond it.
         for part in [0.5, 1.01] {
             let fin = touche.distance() * R::depuis_f64(part);
             assert!(juger_jusqu_a_la_fin(&objets, &rayon.jusqu_a(fin).unwrap()), "{part}");
@@ -161,7 +160,8 @@ en_f32_et_f64!(parmi_des_jumeaux_rien_de_faux_n_est_certifie);
 en_f32_et_f64!(parmi_des_cubes_accoles_rien_de_faux_n_est_certifie);
 en_f32_et_f64!(dans_un_tas_tout_rayon_clair_est_certifie);
 
-/// Two half-spaces through O, and a source a few subnormals from it: before a limit of 0 the tree would ask nobody.
+/// Two half-spaces through O, with a source a few subnormals from it. If the limit became 0, the tree would ask
+/// neither.
 #[test]
 fn une_limite_n_est_jamais_0() {
     let plan = |x: f32, y, z| mur(Vecteur::NUL, Vecteur::new(x, y, z));
@@ -179,8 +179,8 @@ fn une_limite_n_est_jamais_0() {
     assert!(!juger(&objets, &rayon));
 }
 
-/// Two entries are told apart beyond 4u of both distances, even where the ray grazes and both of these are off by far
-/// more than that.
+/// Two entries are told apart if they differ by more than 4u of both distances, even where the ray grazes and both
+/// distances are off by far more.
 #[test]
 fn au_dela_de_4u_deux_entrees_sont_distinguees() {
     let u = f64::U;
@@ -192,7 +192,7 @@ fn au_dela_de_4u_deux_entrees_sont_distinguees() {
         };
         pour_chaque(10 * commun::cas(300), faire, |(objets, rayon)| {
             let verites = objets.each_ref().map(|objet| verite(objet, &rayon));
-            // Where each object is certain, and each distance promised.
+            // Only cases count where each object is certain and each distance promised.
             let de_bande = verites.iter().any(|verite| verite.dans_la_marge);
             if de_bande || !objets.iter().all(|objet| objet.est_certain(&rayon)) {
                 return;
@@ -214,7 +214,7 @@ fn au_dela_de_4u_deux_entrees_sont_distinguees() {
                 sures_quoique_loin += u32::from(ecart < erreurs);
                 return;
             }
-            // Observed, not proven: an end of J8 lies beyond the entry by the roundings of t, and of its error.
+            // This is observed, not proven: an end of J8 lies beyond the entry by the roundings of t and of its error.
             let permis = 4.0 * u * (t + t_autre) + 20.0 * u * erreurs;
             assert!(ecart <= permis, "{ecart:e} > {permis:e}: {objets:?} {rayon:?}");
             pire = pire.max(ecart / (u * (t + t_autre)));

@@ -1,5 +1,6 @@
-//! `erreur` and `est_certain` where doubled numbers themselves end (`docs/preuves/objets.md`, lemmas 16 and 17): numbers of
-//! few bits from one end of the range to the other, exactly on a surface, in the plane of a face or a little beside.
+//! `erreur` and `est_certain` where doubled numbers themselves reach their limits (`docs/preuves/objets.md`, lemmas 16
+//! and 17): numbers of few bits over the whole range, exactly on a surface, in the plane of a face, or a little beside
+//! it.
 
 use commun::en_f32_et_f64;
 use commun::fabrique::{boite, boite_droite, mur, sphere, v};
@@ -12,7 +13,7 @@ use lancer_rayon::{
     Texture, Vecteur, premiere_intersection,
 };
 
-/// An answer is right or not called certain, and nothing bounds the distance of what is not entered.
+/// An answer is right or not called certain, and no distance is bounded where there is no entry.
 #[track_caller]
 fn juger<R: Reel>(objet: ObjetRay<R>, rayon: Rayon<R>) {
     let (passage, vers) = (Passage::Entree, [R::ZERO; 5]);
@@ -21,9 +22,9 @@ fn juger<R: Reel>(objet: ObjetRay<R>, rayon: Rayon<R>) {
     assert!(parts.iter().all(|part| *part <= 1.0), "{parts:?} {essai:?}");
 }
 
-/// Exact cases at the end of doubled numbers: |CP| is half a subnormal short of r, a hit; the ray is parallel to a face, and
-/// half a subnormal outside, a miss; A is on the sphere exactly, and w = 2⁻⁵⁴⁰ there, whose square is below all numbers, a
-/// hit.
+/// Exact cases at the end of doubled numbers. |CP| is half a subnormal short of r, a hit. A ray is parallel to a face
+/// and half a subnormal outside, a miss. A is exactly on the sphere, with w = 2⁻⁵⁴⁰ there, whose square is below all
+/// numbers, a hit.
 #[test]
 fn un_demi_sous_normal_et_un_carre_perdu_decident() {
     let peu = f64::ETA;
@@ -39,8 +40,8 @@ fn un_demi_sous_normal_et_un_carre_perdu_decident() {
     juger(sphere(Vecteur::NUL, r), rayon(Vecteur::new(-loin, 0.0, r - peu), d));
 }
 
-/// A distance that rounds to +∞ is a miss (C7), and the search answers the largest number; so it does where the entry lies
-/// less than half a unit in the last place beyond that. Neither is certain.
+/// A distance that rounds to +∞ is a miss (C7), but here the search answers the largest number. It does so too where
+/// the entry lies less than half a unit in the last place beyond that number. Neither answer is certain.
 #[test]
 fn une_distance_que_le_type_ne_contient_pas_n_est_pas_sure() {
     let deux = |k: f32| k.exp2();
@@ -61,8 +62,8 @@ fn une_distance_que_le_type_ne_contient_pas_n_est_pas_sure() {
     }
 }
 
-/// Where a ray meets a plane at nearly the largest distance, the point overflows, in doubled numbers too: the bound is a
-/// number or +∞, and no less than the error.
+/// Where a ray meets a plane at nearly the largest distance, the point overflows, even in doubled numbers. The bound is
+/// then a number or +∞, and at least the error.
 #[test]
 fn au_bord_de_l_infini_une_erreur_n_est_pas_un_nan() {
     let plan = ObjetRay::from(PlanGeo::new(Rotation::IDENTITE, 2.0, Texture(0)).unwrap());
@@ -84,7 +85,8 @@ fn au_bord_de_l_infini_une_erreur_n_est_pas_un_nan() {
     assert!(touches > 500 && infinies > 0, "{touches} {infinies}");
 }
 
-/// A ray that passes a turned box by beside an edge, some 2⁻⁵⁰ to 2⁻⁹⁰ of its distance: exactly a miss, and certain.
+/// A ray that passes an edge of a turned box at some 2⁻⁵⁰ to 2⁻⁹⁰ of its distance misses exactly, and the miss is
+/// certain.
 #[test]
 fn un_manque_a_cote_d_une_arete_est_sur() {
     let mut manques = 0;
@@ -107,8 +109,8 @@ fn un_manque_a_cote_d_une_arete_est_sur() {
     assert!(manques > 1_000, "{manques}");
 }
 
-/// Along an axis of a turned box, whose other faces the ray neither nears nor leaves as far as doubled numbers tell:
-/// through the middle, and past the box.
+/// A ray along an axis of a turned box, through its middle or past it: as far as doubled numbers tell, the ray neither
+/// nears nor leaves the faces across the other axes.
 #[test]
 fn le_long_d_une_face_tournee_une_reponse_est_sure() {
     let faire = |alea: &mut Hasard| (entre(alea, -3.0, 3.0), entre(alea, -0.9, 0.9));
@@ -128,8 +130,8 @@ fn le_long_d_une_face_tournee_une_reponse_est_sure() {
     });
 }
 
-/// Of ordinary rays every right answer is sure, and `erreur` is what it says: the error itself, what D lacks to length
-/// 1 and a rounding of t.
+/// For ordinary rays every right answer is certain, and `erreur` is the error itself, what D lacks to length 1 and a
+/// rounding of t.
 fn une_reponse_juste_est_sure<R: Reel>() {
     let (mut touches, mut pire) = (0, 0.0_f64);
     for regime in regimes::<R>().into_iter().filter(|regime| regime.extreme == Extreme::Aucun) {
@@ -150,13 +152,14 @@ fn une_reponse_juste_est_sure<R: Reel>() {
             },
         );
     }
-    // In `f32` a glance may leave a sixty-fourth of u·t open; what rounds besides is some 27u.
+    // In `f32` a glance may leave a sixty-fourth of u·t open; the rest rounds by some 27u.
     assert!(touches > 300 && pire < 1.0 + 1.0 / 60.0, "{touches} {pire}");
 }
 
 en_f32_et_f64!(une_reponse_juste_est_sure);
 
-/// The face of a box that a ray lies in excludes nothing, and one beside which it runs all: the products are exact.
+/// A face whose plane holds the ray excludes no hit, and one that the ray runs beside excludes all, since the products
+/// are exact.
 #[test]
 fn dans_le_plan_d_une_face_une_reponse_est_sure() {
     let cotes = Vecteur::new(2.0, 2.0, 2.0);
@@ -169,7 +172,7 @@ fn dans_le_plan_d_une_face_une_reponse_est_sure() {
     }
 }
 
-/// From a source exactly on its surface a ray enters no object, whichever way it goes: a miss, which is certain.
+/// From a source exactly on the surface of an object no ray enters it, whichever way it goes. This miss is certain.
 fn depuis_la_surface_un_manque_est_sur<R: Reel>() {
     let sol = ObjetRay::from(PlanGeo::new(Rotation::IDENTITE, R::ZERO, Texture(0)).unwrap());
     let boule = sphere(Vecteur::NUL, R::depuis_f64(5.0));
@@ -188,7 +191,8 @@ fn depuis_la_surface_un_manque_est_sur<R: Reel>() {
 
 en_f32_et_f64!(depuis_la_surface_un_manque_est_sur);
 
-/// Above one face, from which the ray goes away, and in the plane of another as far as can be told: a miss.
+/// The source is above one face, from which the ray goes away, and in the plane of another as far as can be told: a
+/// miss.
 #[test]
 fn au_dela_d_une_face_un_manque_est_sur() {
     for k in [-30.0, -45.0, -60.0, -100.0] {
@@ -202,7 +206,7 @@ fn au_dela_d_une_face_un_manque_est_sur() {
     }
 }
 
-/// Where the documents say that a right answer may be uncertain, and just beside.
+/// The places where the documents say that a right answer may be uncertain, and places just beside them.
 #[test]
 fn une_reponse_juste_n_est_incertaine_qu_ou_on_le_dit() {
     // A plate 2⁻⁶⁰ thick.
@@ -215,7 +219,7 @@ fn une_reponse_juste_n_est_incertaine_qu_ou_on_le_dit() {
         assert!(plaque.intersection(&rayon).is_ok());
         assert_eq!(plaque.est_certain(&rayon), sure, "{k}");
     }
-    // A sphere 2⁻³⁸ times as large as far: past its outline by 2⁻⁶⁹, and farther.
+    // A sphere of radius 2⁻³⁸ of its distance: one ray passes its outline by 2⁻⁶⁹, one farther out.
     let b = f32::from_bits;
     let c = Vecteur::new(b(0x3f39_7e2d), b(0x37fc_5035), b(0x3f30_6eb2));
     let boule = sphere(c, deux(-38.0));
@@ -223,7 +227,7 @@ fn une_reponse_juste_n_est_incertaine_qu_ou_on_le_dit() {
         let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(c.x, b(y), c.z)).unwrap();
         assert_eq!(boule.est_certain(&rayon), sure, "{y:x}");
     }
-    // Two cubes, one a little before the other.
+    // Two cubes, one a little in front of the other.
     for (k, certaine) in [(-50.0, true), (-54.0, false)] {
         let cube = |z| {
             let (c, cotes) = (Vecteur::new(0.0, 0.0, z), Vecteur::new(1.0, 1.0, 1.0));
@@ -238,8 +242,9 @@ fn une_reponse_juste_n_est_incertaine_qu_ou_on_le_dit() {
     }
 }
 
-/// Within 2⁻¹⁰⁰ of the plane of a turned floor whether a direction comes down doubled numbers cannot tell, high as S is
-/// above it: exactly a miss, which is not certain. A little steeper it is, and so it is along an axis.
+/// Doubled numbers cannot tell whether a direction within 2⁻¹⁰⁰ of the plane of a turned floor comes down, however high
+/// S is. The exact answer is a miss, which is not certain. It is certain where the ray is a little steeper, and along
+/// an axis.
 #[test]
 fn presque_le_long_d_un_sol_tourne_une_reponse_juste_n_est_pas_sure() {
     let [a, b, x, y, z] = [
@@ -265,7 +270,7 @@ fn presque_le_long_d_un_sol_tourne_une_reponse_juste_n_est_pas_sure() {
     }
 }
 
-/// The same where nothing but N·D is exact: of a right hit the answer is sure, and its distance bounded.
+/// Along a face, where nothing but N·D is exact, a right hit is certain and its distance bounded.
 fn dans_le_plan_d_une_face_un_contact_est_sur<R: Reel>() {
     let mut touches = 0;
     let faire = |alea: &mut Hasard| {
@@ -287,7 +292,7 @@ fn dans_le_plan_d_une_face_un_contact_est_sur<R: Reel>() {
 
 en_f32_et_f64!(dans_le_plan_d_une_face_un_contact_est_sur);
 
-/// A number of few bits: 0, a power of two, or one with a far smaller one beside it.
+/// A number of few bits: 0, a power of two, or a power of two and a far smaller one.
 fn creux<R: Reel>(alea: &mut Hasard) -> R {
     let fond = R::ETA.vers_f64().log2() as i32;
     let mut dans =
@@ -304,8 +309,8 @@ fn triple<R: Reel>(alea: &mut Hasard) -> Vecteur<R> {
     Vecteur::new(creux(alea), creux(alea), creux(alea))
 }
 
-/// An object and a ray of such numbers: along an axis of the object more often than not, and from a place that is
-/// on its surface, or beside, at some distance along the ray.
+/// An object and a ray of such numbers. More often than not the ray runs along an axis of the object, from a place on
+/// its surface or at some distance back along the ray.
 fn essai<R: Reel>(alea: &mut Hasard) -> Result<(ObjetRay<R>, Rayon<R>), ErreurGeo> {
     let (peu, e) = (creux::<R>(alea), entre(alea, 0.0, 6.0));
     let m = [
@@ -323,7 +328,7 @@ fn essai<R: Reel>(alea: &mut Hasard) -> Result<(ObjetRay<R>, Rayon<R>), ErreurGe
         _ => axes[alea.usize(0..3)],
     };
     let d = if alea.bool() { d } else { -d };
-    // Or the smallest number beside O, which the surface is then around.
+    // Or the centre is the smallest number beside O, while the surface is taken around O.
     let mut moindre = [R::ZERO; 3];
     moindre[alea.usize(0..3)] = if alea.bool() { R::ETA } else { -R::ETA };
     let quelconque = triple(alea);

@@ -1,8 +1,8 @@
-//! A hit where the promises of `docs/precision.md` end, in the band of a decision: the normal of a sphere, a
-//! sphere lost in rounding, the half-space.
+//! Hits where the promises of `docs/precision.md` end, in the band of a decision: the normal of a sphere, a sphere lost
+//! in rounding, the half-space.
 //!
-//! Each test names what it builds, then what must hold; it counts the hits that it judged, so that a
-//! construction that builds nothing is red.
+//! Each test names what it builds, then what must hold. It counts the hits that it judged, so that it fails if its
+//! construction builds nothing.
 
 use commun::fabrique::sphere;
 use commun::hasard::{Hasard, Tirage, pour_chaque};
@@ -17,10 +17,10 @@ use lancer_rayon::{
     Vecteur,
 };
 
-/// Cases of each regime, and of each construction that hits often.
+/// How many cases each regime has, and each construction that hits often.
 const CAS: u32 = 2_000;
 
-/// Passes on every hit of the regimes of a shape.
+/// Passes every hit of the regimes of a shape to `juger`.
 fn chaque_touche<R: Reel>(genre: Genre, mut juger: impl FnMut(&Cas<R>, &Intersection<R>)) {
     for regime in regimes::<R>().into_iter().filter(|regime| regime.genre == genre) {
         pour_chaque(
@@ -46,11 +46,11 @@ fn la_normale_d_une_sphere_est_celle_du_point<R: Reel>() {
         let f = (rayon.source().vers_f64() - centre).longueur();
         let p = rayon.point(touche.distance()).vers_f64();
         let cp = p - centre;
-        // 2u round N, 14u lean a grazing one, 4u take CP past a right angle; P is rounded twice in
-        // each coordinate, f once, CP once.
+        // 2u round N, 14u lean a grazing one, and 4u take CP past a right angle. P is rounded twice in each coordinate,
+        // f once and CP once.
         let etendue = touche.distance().vers_f64() + p.longueur() + f;
         let permis = u::<R>() * (6.0 + PENCHE + 4.0 * etendue / r);
-        // Above 0.1 rad there is nothing left of the direction to judge.
+        // Above 0.1 rad nothing is left of the direction to judge.
         if permis < 0.1 {
             let n = touche.normale().vers_f64();
             let ecart = (n - cp / cp.longueur()).longueur();
@@ -65,8 +65,8 @@ fn la_normale_d_une_sphere_est_celle_du_point<R: Reel>() {
 
 en_f32_et_f64!(la_normale_d_une_sphere_est_celle_du_point);
 
-/// Built: a sphere as small as the rounding of its distance, so that CB may point away from the
-/// source. Held: N is then what CB has across the ray, leaned towards the source.
+/// Built: a sphere as small as the rounding of its distance, so that CB may point away from the source. Held: N is then
+/// the part of CB across the ray, leaned towards the source.
 fn la_normale_d_une_sphere_perdue_est_en_travers_du_rayon<R: Reel>() {
     let mut penchees = 0;
     let faire =
@@ -83,7 +83,7 @@ fn la_normale_d_une_sphere_perdue_est_en_travers_du_rayon<R: Reel>() {
         let travers = cb - d * (le_long / d.longueur_carree());
         if le_long > 0.0 && travers.longueur() > le_long {
             let ecart = (touche.normale().vers_f64() - travers / travers.longueur()).longueur();
-            // The lean, and 2u each for N and for this test.
+            // The lean counts, and 2u each for N and for this test.
             assert!(ecart <= (PENCHE + 4.0) * u::<R>(), "off by {ecart:e}");
             penchees += 1;
         }
@@ -93,8 +93,8 @@ fn la_normale_d_une_sphere_perdue_est_en_travers_du_rayon<R: Reel>() {
 
 en_f32_et_f64!(la_normale_d_une_sphere_perdue_est_en_travers_du_rayon);
 
-/// Built: a sphere so small and far that nothing is left of CB, and |D|² just within the 12u up to
-/// which D is kept. Held: N is −D made unit, to the 3.6u of the promise, which −D itself exceeds.
+/// Built: a sphere so small and far that nothing is left of CB, with |D|² just within the 12u up to which D is kept.
+/// Held: N is −D made unit, to the 3.6u of the promise, which −D itself would exceed.
 fn la_normale_d_une_sphere_perdue_est_unitaire<R: Reel>() {
     let mut perdues = 0;
     let long = R::UN + R::depuis_f64(6.0 * u::<R>());
@@ -118,8 +118,8 @@ en_f32_et_f64!(la_normale_d_une_sphere_perdue_est_unitaire);
 
 // A sphere lost in rounding.
 
-/// Built: C level with the source, and |SC| within 3 units in the last place of r, so that rounding
-/// sees S outside and the ray enter. Held: a miss.
+/// Built: SC is at a right angle to D, and |SC| within 3 units in the last place of r, so that rounding sees S outside
+/// and the ray enter. Held: a miss.
 fn sc_a_angle_droit_de_d_manque<R: Reel>() {
     let faire = |alea: &mut Hasard| {
         let sc = arrondi::<R>(Vecteur::new(0.0, 1.0 + alea.f64(), alea.f64()));
@@ -146,8 +146,8 @@ fn une_sphere_est_touchee_avant_a<R: Reel>() {
 
 en_f32_et_f64!(une_sphere_est_touchee_avant_a);
 
-/// Built: a unit sphere from 2^-8/u to 4/u away, about the origin, where P is hardly rounded, or as far
-/// from the origin. Held: `marge()` is +∞ exactly where `docs/precision.md` puts it.
+/// Built: a unit sphere from 2^-8/u to 4/u away, either about the origin, where P is hardly rounded, or as far from the
+/// origin. Held: `marge()` is +∞ exactly where `docs/precision.md` says so.
 fn une_sphere_perdue_a_une_marge_infinie<R: Reel>() {
     let (mut finies, mut opposes, mut infinies) = (0, 0, [0; 3]);
     let faire = |alea: &mut Hasard| {
@@ -168,7 +168,7 @@ fn une_sphere_perdue_a_une_marge_infinie<R: Reel>() {
             q2 / TRAVERS_PERDU,
             e / ARRONDI_PERDU,
         ];
-        // Nearer to 1 the rounding of the kernel decides: of |CP|² − r², some 8u of r², and of q, 2u of r.
+        // Nearer to 1 the rounding of the kernel decides: some 8u of r² in |CP|² − r², and 2u of r in q.
         if rapports.iter().any(|rapport| (rapport - 1.0).abs() < 64.0 * u::<R>()) {
             return;
         }
@@ -181,15 +181,15 @@ fn une_sphere_perdue_a_une_marge_infinie<R: Reel>() {
             *infinies += u32::from(perdue == [0, 1, 2].map(|autre| autre == raison));
         }
     });
-    // Each of the three reasons must also have been the only one; the point on the far side never is.
+    // Each of the three reasons must have been the only one at times; the point on the far side never is.
     assert!(finies > CAS && infinies.iter().all(|n| *n > 10), "{finies}, {infinies:?}");
     assert!(opposes > 10, "only {opposes} on the far side");
 }
 
 en_f32_et_f64!(une_sphere_perdue_a_une_marge_infinie);
 
-/// Built: from 4·10⁶ away a sphere about O with r = 42u|f|, which was found. Held: its margin is +∞. (That none is where
-/// r ≥ 64u|f| + 16u‖P‖₁ is a promise, `marge_infinie`.)
+/// Built: a sphere about O, seen from 4·10⁶ away, with r = 42u|f|, which a search found. Held: its margin is +∞. (That
+/// none is where r ≥ 64u|f| + 16u‖P‖₁ is the promise `marge_infinie`.)
 #[test]
 fn la_marge_d_une_sphere_de_42_u_f_peut_etre_infinie() {
     let r = 10.810261_f32;
@@ -201,7 +201,8 @@ fn la_marge_d_une_sphere_de_42_u_f_peut_etre_infinie() {
     assert!(touche.marge() == f32::INFINI && f64::from(r) > 42.0 * u::<f32>() * f, "{touche:?}");
 }
 
-/// From the exact centre, where |f| is 0, r = 16u‖P‖₁ is at the limit: the sum as computed decides, not the exact one.
+/// From the exact centre, where |f| is 0, r = 16u‖P‖₁ is at the limit. The sum as computed decides there, not the exact
+/// one.
 #[test]
 fn au_centre_la_somme_calculee_decide() {
     fn somme<R: Reel>(p: Vecteur<R>) -> R {
@@ -226,8 +227,8 @@ fn au_centre_la_somme_calculee_decide() {
     assert!(infinies > CAS && malgre_la_somme_exacte > 0, "{infinies} {malgre_la_somme_exacte}");
 }
 
-/// Built: a sphere on the ray whose far side is O, smaller than the rounding of its distance, so that P
-/// is O. Held: the margin is +∞, although P lies on the sphere.
+/// Built: a sphere on the ray whose far side is at O, smaller than the rounding of its distance, so that P is O. Held:
+/// the margin is +∞, although P lies on the sphere.
 fn un_point_du_cote_oppose_a_une_marge_infinie<R: Reel>() {
     for k in [2.0, 3.0, 8.0] {
         let r = R::U / R::depuis_f64(k * 4.0);
@@ -283,7 +284,7 @@ fn la_marge_est_selon_la_longueur_de_la_normale<R: Reel>() {
 
 en_f32_et_f64!(la_marge_est_selon_la_longueur_de_la_normale);
 
-/// Built: the regimes of half-spaces. Held: t is A.1's, bit for bit.
+/// Built: the regimes of half-spaces. Held: t is that of A.1, bit for bit.
 fn un_demi_espace_suit_l_annexe<R: Reel>() {
     let mut juges = 0;
     chaque_touche::<R>(Genre::Plan, |Cas { objet, rayon }, touche| {

@@ -1,9 +1,9 @@
-//! The constants of the proofs beside the numbers that their lemmas need: `docs/preuves`. The letters are
-//! those of these pages, if no other is named.
+//! The constants of the proofs beside the numbers that their lemmas need: `docs/preuves`. Letters are those of these
+//! pages, unless another source is named.
 //!
-//! What a lemma needs is computed in intervals over its whole domain, for both types. A constant
-//! must be no less, and no more than a ninth more: made a tenth smaller it is red. Excepted are
-//! - `PAS_NORMAL`, of which 0.87 is red, and `FLOU_PROPRE` and `FLOU_A_COTE`, which have room;
+//! What a lemma needs is computed in intervals over its whole domain, for both types. A constant must be at least that,
+//! and at most a ninth more: a constant made a tenth smaller fails. Exceptions are
+//! - `PAS_NORMAL`, which fails at 0.87, and `FLOU_PROPRE` and `FLOU_A_COTE`, which have room;
 //! - the limits of a sphere that is lost, which are limits of a domain; what direction, what matrix and what parallel
 //!   directions are kept or refused, which are decisions (C13, C15);
 //! - powers of two, which lemmas 2, 8, 18, 20 and 21 compare with what is lost below the normal numbers;
@@ -52,11 +52,11 @@ const PERDU: f64 = 3.0 / 64.0;
 /// (lemma 2).
 const PERDU_LONGUEUR: f64 = 1.0 / (1_u64 << 60) as f64;
 
-/// What lemma 6 grants the point of a hit, in u·|f| and in u·ρ.
+/// What lemma 6 grants the point of a hit, in u·|f| and then in u·ρ.
 const TOUCHE_F: f64 = 27.0;
 const TOUCHE_RHO: f64 = 60.0;
 
-/// This constant is no less than what is needed in either type, and no more than a ninth more; and
+/// Checks that this constant is no less than what is needed in either type, and no more than a ninth more, and that
 /// `besoins.txt`, if it has the constant, has what is needed.
 #[track_caller]
 pub(crate) fn tenir(constante: f64, besoin: impl Fn(f64) -> Intervalle) {
@@ -67,7 +67,7 @@ pub(crate) fn tenir(constante: f64, besoin: impl Fn(f64) -> Intervalle) {
     });
     let besoin = besoins[0].max(besoins[1]);
     assert!(besoin.bas > 0.9 * constante, "{constante} is too much: {} would do", besoin.bas);
-    // Three digits are printed.
+    // The file has three digits.
     let (bas, haut) = (0.995 * besoin.bas, 1.005 * besoin.haut);
     let mut ecrits = besoins_ecrits().filter(|(_, accorde)| *accorde == constante).peekable();
     assert!(
@@ -76,7 +76,7 @@ pub(crate) fn tenir(constante: f64, besoin: impl Fn(f64) -> Intervalle) {
     );
 }
 
-/// Needs and constants in the rows of `besoins.txt` for the lemma of this test, which has a thread of its name.
+/// The needs and constants in the rows of `besoins.txt` for the lemma of this test, whose name its thread has.
 fn besoins_ecrits() -> impl Iterator<Item = (f64, f64)> {
     let fil = std::thread::current();
     let test = fil.name().unwrap_or_default().replace("constantes::", "");
@@ -93,7 +93,7 @@ fn lignes_des_besoins() -> impl Iterator<Item = [&'static str; 4]> {
     })
 }
 
-/// The rows are read, and each constant is no less than its need.
+/// The rows can be read, and each constant is no less than its need.
 #[test]
 fn la_table_des_besoins_se_lit() {
     let lues = lignes_des_besoins().filter(|[_, _, besoin, accorde]| {
@@ -104,7 +104,7 @@ fn la_table_des_besoins_se_lit() {
     assert!(lignes_des_besoins().count() > 20);
 }
 
-/// The same where what is needed depends on variables of this domain.
+/// The same, where what is needed depends on variables of this domain.
 #[track_caller]
 pub(crate) fn tenir_sur<const N: usize>(
     constante: f64,
@@ -123,14 +123,14 @@ fn gamma(n: f64, u: f64) -> Intervalle {
     i(n) / (1.0 - i(n) * u)
 }
 
-/// How often a step rounds a product of these letters at most, by its tape: "S3 r²: r r".
+/// How often a step rounds a product of these letters at most, read from its tape, as in "S3 r²: r r".
 #[track_caller]
 fn fois(ligne: &str) -> f64 {
     let (etape, produit) = ligne.split_once(": ").expect("a step and a product");
     compte(etape, produit)
 }
 
-/// A square of three coordinates.
+/// A sum of three squares.
 fn carre() -> f64 {
     fois("S1 D²: D D")
 }
@@ -140,7 +140,7 @@ fn scalaire() -> f64 {
     fois("H1 v: D N")
 }
 
-/// What comes after a product in a scalar product.
+/// The roundings after a product in a scalar product.
 fn sommes() -> f64 {
     scalaire() - fois("S3 r²: r r")
 }
@@ -150,7 +150,7 @@ fn difference() -> f64 {
     fois("S4 AB²: AC²")
 }
 
-/// SC², of an S − C that rounds.
+/// SC², with an S − C that rounds.
 fn sc2_arrondi() -> f64 {
     fois("S3 SC²: SC SC") + 2.0 * fois("S1 SC: S")
 }
@@ -171,7 +171,7 @@ fn sur_d2() -> f64 {
     fois("S1 D²: D D") + fois("W2 s/D²: / s")
 }
 
-/// SA/D², of an S − C that does not round.
+/// SA/D², with an S − C that does not round.
 fn sa_sur_d2() -> f64 {
     fois("S2 SA: D SC") + sur_d2()
 }
@@ -181,7 +181,7 @@ fn et(a: Intervalle, b: Intervalle, u: f64) -> Intervalle {
     a + b + a * b * u
 }
 
-/// 1 − 1/(1 + a·u) is no more than this, in u; and 1/(1 − a·u) − 1 is this.
+/// In u, a bound of 1 − 1/(1 + a·u), and exactly 1/(1 − a·u) − 1.
 fn inverse(a: Intervalle, u: f64) -> Intervalle {
     a / (1.0 - a * u)
 }
@@ -201,7 +201,7 @@ fn rapport(u: f64) -> Intervalle {
     2.0 / moins(1.0, u)
 }
 
-/// √(1 + a·u) − 1, in u, without a cancellation.
+/// √(1 + a·u) − 1, in u, in a form that does not cancel.
 fn racine(a: impl Into<Intervalle>, u: f64) -> Intervalle {
     let a = a.into();
     a / (1.0 + plus(a, u).racine())
@@ -218,10 +218,10 @@ fn normalise(u: f64) -> Intervalle {
 
 #[test]
 fn lemme_1_les_bornes_des_vecteurs_unitaires_suffisent() {
-    // CB of a sphere is not scaled: of CB², r²/2 at least, three products may be lost.
+    // The CB of a sphere is not scaled: three products of CB², which is r²/2 at least, may be lost.
     tenir(N1, |u| et(normalise(u), PERDU * plus(8.0, u), u));
     for u in U {
-        // The decision C13: whatever was normalised is kept.
+        // The decision C13 keeps whatever was normalised.
         let n2 = et(normalise(u), normalise(u), u);
         assert!((et(n2, gamma(carre(), u), u) * plus(1.0, u)).haut <= DEJA_UNITAIRE);
     }
@@ -230,32 +230,32 @@ fn lemme_1_les_bornes_des_vecteurs_unitaires_suffisent() {
     };
     tenir(D2, d2);
     tenir(D1, |u| racine(D2, u));
-    // In f64 the elements of M·Mᵀ − I are themselves computed to γ₃.
+    // In f64 the elements of M·Mᵀ − I are themselves only computed to γ₃.
     tenir(N2, |u| DEJA_ORTHONORMALE * plus(1.0, u) + gamma(fois("M·Mᵀ: M M"), u) * plus(N2, u));
     tenir(promesses::UNITAIRE_PLATE, |u| racine(N2, u) * plus(N2, u));
 }
 
-/// |N| of a flat face, at most.
+/// The largest |N| of a flat face.
 fn n(u: f64) -> Intervalle {
     plus(promesses::UNITAIRE_PLATE, u)
 }
 
-/// |D|, at most.
+/// The largest |D|.
 fn d(u: f64) -> Intervalle {
     plus(D1, u)
 }
 
-/// What a speed N·D towards a flat face is off by, in u.
+/// How far a speed N·D towards a flat face is off, in u.
 fn vitesse(u: f64) -> Intervalle {
     gamma(scalaire(), u) * n(u) * d(u)
 }
 
-/// What SC² as computed, rounded once more, is off by, in u·f².
+/// How far SC² as computed, rounded once more, is off, in u·f².
 fn sc2(u: f64) -> Intervalle {
     et(gamma(sc2_arrondi(), u), i(1.0), u)
 }
 
-/// What AC is off by, in u·f: S − C, and the coordinates of SC ∧ D.
+/// How far AC is off, in u·f, by S − C and by the coordinates of SC ∧ D.
 fn autour_de_ac() -> Intervalle {
     1.0 + i(4.0 / 3.0).racine()
 }
@@ -264,7 +264,7 @@ fn autour_de_ac() -> Intervalle {
 fn lemme_3_les_bandes_suffisent() {
     tenir(bandes::PLAN, |u| gamma(fois("H1 N·S: N S"), u));
     tenir(bandes::PLAN_ABSOLUE, |u| 0.5 * scalaire() * plus(gamma(sommes(), u), u));
-    // And 2⁻⁷⁸ for speeds that are rounded.
+    // Rounded speeds add 2⁻⁷⁸.
     tenir(bandes::VITESSE, |u| vitesse(u) + (-78_f64).exp2());
     tenir_sur(
         bandes::BOITE_LONGUEUR,
@@ -272,7 +272,7 @@ fn lemme_3_les_bandes_suffisent() {
         |u, [f]| {
             let rho = 1.0 - f;
             let o = f * n(u);
-            // Two comparisons in a row, half of their rounding errors for each of the two lengths.
+            // Two comparisons in a row; each of the two lengths takes half of their rounding errors.
             let compare = et(rapport(u), rapport(u), u) * 0.5;
             let longueur = rho + o * plus(gamma(fois("B1 f_i: N S"), u), u);
             Some(gamma(fois("B1 f_i: N S"), u) * o + et(i(1.0), compare, u) * longueur)
@@ -296,7 +296,7 @@ pub(crate) fn ne_suffit_pas(borne: impl FnOnce() -> Intervalle + std::panic::Unw
     assert!(echec.contains(" is more than "), "{echec}");
 }
 
-/// A smaller part or length, and a sphere that is lost nearer.
+/// Smaller parts and lengths do not do, nor a lower limit of what is lost.
 #[test]
 fn lemmes_8_et_9_moins_ne_suffit_pas() {
     let u = U[0];
@@ -312,8 +312,8 @@ fn lemme_7_les_bornes_d_une_normale_suffisent() {
     // y = f/r; the error of the distance is at most K·u·κt, with κt ≤ (1 + 2y)/c.
     let domaine = |u| [de_a(1.0, 1.0 / (promesses::PERDUE * u))];
     let k_kappa_t = |u: f64, y: Intervalle| promesses::DISTANCE_SPHERE * u * (1.0 + 2.0 * y);
-    // The part along D of a normal that does not face the source. t is no more than A to 9u·f, CB
-    // is off by 2u·f more, and c is no more than the errors of both and the rounding error of N·D.
+    // The part along D of a normal that does not face the source. t is at most A to 9u·f, CB is off by 2u·f more, and c
+    // is at most the errors of both and the rounding error of N·D.
     let part = |u: f64, y: Intervalle| {
         let c2 = k_kappa_t(u, y) + u * (2.0 * y + 9.0);
         (11.0 * y * u + 4.0 * u) / ((1.0 - c2).racine() - 4.0 * y * u)
@@ -331,9 +331,8 @@ fn lemme_7_les_bornes_d_une_normale_suffisent() {
     for u in U {
         assert!(portee(domaine(u), le_long, |[y]| Some(part(u, y))).haut <= le_long);
     }
-    // What N·D is off by. The part along D: γ₃ and u of N·D, 8u of that part and the product, over
-    // the length of what is left. Then the difference, two quotients and a difference; γ₃ to
-    // compute it.
+    // How far N·D is off. The part along D takes γ₃ and u of N·D, 8u of that part and the product, over the length of
+    // what is left. Then come the difference, two quotients and a difference, and γ₃ to compute N·D.
     let de_n_d = |u: f64| {
         let reste =
             (gamma(scalaire(), u) + 1.0 + 9.0 * le_long) / i(1.0 - le_long * le_long).racine();
@@ -341,14 +340,14 @@ fn lemme_7_les_bornes_d_une_normale_suffisent() {
     };
     tenir(PENCHE, de_n_d);
     for u in U {
-        // It leans less than the true normal, of which c² > 8u outside the band.
+        // It leans less than the true normal, whose c² > 8u outside the band.
         assert!((PENCHE + de_n_d(u).haut) * u < (2.0 * bandes::SPHERE * u).sqrt());
     }
 }
 
-/// What a flat face leaves of a margin for each unit of its height.
+/// How much of a margin a flat face leaves for each unit of its height.
 fn marge_plate(u: f64) -> Intervalle {
-    // Sum, product and sum.
+    // A sum, a product and a sum.
     moins(1.0, u) * (1.0 + VERS_LE_HAUT * u * moins(1.0, u)) * moins(1.0, u)
 }
 
@@ -362,8 +361,9 @@ fn lemme_8_la_marge_d_une_face_suffit() {
     });
 }
 
-/// As parts of what the margin of a sphere of radius 1 grants: the height of P, the way outward and the way inward.
-/// `puissance` is |CP² − r²| as computed, of this sign; `q` is what CP has across N, `e` what P is rounded by.
+/// The height of P, the way outward and the way inward, as parts of what the margin of a sphere of radius 1 grants.
+/// `puissance` is |CP² − r²| as computed, of sign `signe`, `q` is the part of CP across N, and `e` is the rounding of
+/// P.
 fn marge_d_une_sphere(
     u: f64,
     [par_rayon, longueur]: [f64; 2],
@@ -372,7 +372,7 @@ fn marge_d_une_sphere(
 ) -> [Intervalle; 3] {
     let g = |k| gamma(k, u) * u;
     let b = par_rayon * (puissance + q.carre()) + e.carre();
-    // Three of its products may be lost.
+    // Three products of the margin may be lost.
     let marge = (b * (1.0 - g(fois("M3 b: / x²") + fois("M3 x²: x x"))) - PERDU * u
         + 2.0 * ARRONDI_HAUTEUR * longueur * u * (1.0 - g(fois("M3 ℓ: r"))))
         * marge_plate(u);
@@ -380,7 +380,7 @@ fn marge_d_une_sphere(
         * plus(PAS_NORMAL, u)
         * (1.0 - g(fois("M6 pas: marge") + fois("M6 S′: N pas")))
         * moins(N1 + 1.0, u);
-    // What was computed is off by so much.
+    // The errors of what was computed.
     let puissance =
         (puissance + g(fois("M3 g: P P") - difference()) * (1.0 + puissance) + u + PERDU * u)
             * plus(rapport(u), u);
@@ -403,15 +403,15 @@ fn marges_d_une_sphere(u: f64, constantes: [f64; 2]) -> Intervalle {
     let puissance = de_a(0.0, PUISSANCE_PERDUE);
     let q = de_a(0.0, TRAVERS_PERDU.sqrt().next_up());
     let e = de_a(0.0, ARRONDI_PERDU);
-    // Height and way outward: without e, of which the margin grants more.
+    // Height and way outward, without e, of which the margin grants more than it costs.
     let [a, b] = [1.0, -1.0].map(|signe| {
         portee([puissance, q], 1.0, |[puissance, q]| {
             let [h, dehors, _] = marge_d_une_sphere(u, constantes, signe, [puissance, q, i(0.0)]);
             Some(h.max(dehors))
         })
     });
-    // The way inward, from P on the sphere: a P beyond it adds less of the power than the margin grants, and one
-    // within takes from it.
+    // The way inward, from a P on the sphere: a P beyond the sphere adds less of the power than the margin grants, and
+    // one within takes from it.
     let racines = (1.0 - q.carre()).racine() + (1.0 - (q + e).carre() - 7.0 * u).racine();
     assert!((1.0 / racines).haut < 0.97 * constantes[0]);
     let dedans = portee([q, e], 1.0, |[q, e]| {
@@ -425,8 +425,8 @@ fn lemmes_8_et_9_la_marge_d_une_sphere_suffit() {
     tenir(1.0, |u| marges_d_une_sphere(u, [PAR_RAYON, LONGUEUR]));
 }
 
-/// What |CP² − r²|, x² and y reach of a sphere of radius 1 with r ≥ 64u|f| + 16u‖P‖₁, as parts of
-/// the limits beyond which it is lost; `sort`: where it is left. `k` is AC. None where the ray misses.
+/// What |CP² − r²|, x² and y reach for a sphere of radius 1 with r ≥ 64u|f| + 16u‖P‖₁, as parts of the limits beyond
+/// which the sphere is lost. `sort` means where the ray leaves, and `k` is AC. None where the ray misses.
 fn sphere_non_perdue(
     u: f64,
     perdue: f64,
@@ -459,13 +459,13 @@ fn sphere_non_perdue(
     // Where t̂ is SA/D², β is no more than e and 8u·f.
     let loin = (dw + 2.0 * beta * e + e.carre()).max(dw + (g(sa_sur_d2()) * f).carre());
     let pres = dw + (2.0 * beta * e).max((e + g(sa_sur_d2() + fois("S1 SC: S")) * f).carre());
-    // y, and what P and S − C are rounded by.
+    // y, and the rounding of P and of S − C.
     let y = (1.0 - perdue * a) * ARRONDI_PERDU;
     let arrondi = 2.0 * a * plus(16.0, u) + y * plus(2.0, u);
     let dessus = ((1.0 + loin).racine() + arrondi).carre() - 1.0;
     let dessous = 1.0 - ((1.0 - pres).racine() - arrondi).carre();
     let puissance = (dessus.max(dessous) + 20.0 * u) / PUISSANCE_PERDUE;
-    // A leaned N is across the ray, and P beyond A by 10u·f at most.
+    // A leaned N is across the ray, and P is beyond A by at most 10u·f.
     let x = 13.0 * a * plus(16.0, u) + y + 32.0 * u;
     let y = y * plus(8.0, u) / ARRONDI_PERDU;
     Some(puissance.max(x.carre() / TRAVERS_PERDU).max(y))
@@ -480,13 +480,13 @@ fn lemme_8_la_marge_d_une_sphere_non_perdue_est_finie() {
 
 #[test]
 fn lemmes_8_et_9_le_pas_depuis_une_face_suffit() {
-    // What 2·`arrondi`·u·ℓ must pay, as an excess over what it is, in u: twice (1 + u)⁴ − 1, which
-    // N·(P − C) as computed is off by, for the height of P and for the next search.
+    // What 2·`arrondi`·u·ℓ must pay in excess of what it is, in u: twice (1 + u)⁴ − 1, by which N·(P − C) as computed
+    // is off, for the height of P and for the next search.
     let exces = |u: f64, arrondi: f64, pas: f64| {
         assert_eq!(fois("M2 b box: N P") - difference(), 4.0);
         let quatre = et(i((4.0 / arrondi - 1.0) / u), 0.25 * (6.0 + 4.0 * i(u) + i(u) * u), u);
-        // ℓ; two sums of the margin; a product and a sum, N·pas, the sum with P; N² may be 12u less
-        // than 1; what the next search sees of the step.
+        // ℓ; two sums of the margin; a product and a sum, N·pas, the sum with P; an N² up to 12u less than 1; what the
+        // next search sees of the step.
         let pertes = [1.0, 1.0, 1.0, 1.0, fois("M6 S′: N pas"), N2, fois("B1 f_i: N S")]
             .map(|perte| inverse(gamma(perte, u), u));
         let pertes = pertes
@@ -500,19 +500,19 @@ fn lemmes_8_et_9_le_pas_depuis_une_face_suffit() {
         assert!(exces(u, ARRONDI_HAUTEUR, 0.87 * PAS_NORMAL).bas > 0.0, "less would do");
     }
     for u in U {
-        // The height itself: rounded once.
+        // The height itself is rounded once.
         assert!(
             (exces(u, 4.0, PAS_NORMAL) - gamma(fois("M2 b box: N P") - difference(), u) + 1.0).haut
                 < 0.0
         );
     }
-    // What is lost below the normal numbers, in η: three products of the height and of that which
-    // the next search sees, those by 8u, 10u, 1 + 20u and 1.1u, and N·pas along N.
+    // What is lost below the normal numbers, in η: three products of the height and three of the height that the next
+    // search sees, the products by 8u, 10u, 1 + 20u and 1.1u, and N·pas along N.
     let perdu = 1.5 + 1.5 + 4.0 * 0.5 + 0.5 * i(3.0).racine();
     assert!(perdu.haut * f64::from(f32::ETA) < PLANCHER.0);
     assert!(perdu.haut * f64::ETA < PLANCHER.1);
-    // A margin over a floor through O is so long, and u of it is a normal number; of the margin of the smallest sphere
-    // it is no hundred thousandth.
+    // The margin over a floor through O is `PLANCHER`, and u of it is a normal number. Beside the margin of the
+    // smallest sphere it is less than a hundred thousandth.
     let moindre = |u: f64, limite: f64| 2.0 * ARRONDI_HAUTEUR * LONGUEUR * u / limite;
     assert!(
         PLANCHER.0 * U[0] >= f64::from(f32::MIN_POSITIVE) && PLANCHER.1 * U[1] >= f64::MIN_POSITIVE
@@ -546,18 +546,18 @@ fn lemme_9_la_borne_d_un_reflet_suffit() {
     tenir(promesses::REFLECHI_REDRESSE, |_| i(REDRESSE + 2.0));
 }
 
-/// Of a ratio n of indices (`eta`), sine and cosine in front of the surface and behind it: what T of M8 is off by along the
-/// surface and across it, and k, in u.
+/// How far T of M8 is off along the surface and across it, and k, in u. `eta` is the ratio n of indices; the others are
+/// sine and cosine in front of the surface and behind it.
 fn refraction(
     u: f64,
     eta: Intervalle,
     [s, c]: [Intervalle; 2],
     [s_, c_]: [Intervalle; 2],
 ) -> [Intervalle; 3] {
-    // Of W the product with N and the difference round; N·D does so, and N² is not 1.
+    // In W the product with N and the difference round, and so does N·D, and N² is not 1.
     let le_long = c + s;
     let travers = le_long + gamma(scalaire(), u) + N2 * c;
-    // The square and N² of N·D; of W² three roundings, and of 1 − n, 1 + n and two products; the sum.
+    // The square and the N² of N·D; three roundings of W², and those of 1 − n, 1 + n and two products; the sum.
     let droit =
         2.0 * gamma(scalaire(), u) * c + (N2 + 1.0) * c.carre() + gamma(scalaire(), u).carre() * u;
     let perdu = (le_long.carre() + travers.carre()) * u;
@@ -580,7 +580,7 @@ fn lemme_9_la_borne_d_une_refraction_suffit() {
         let s = if eta.bas > 0.0 { (s_ / eta).min(i(1.0)) } else { zero_a_un() };
         let c = ((1.0 - s).max(i(0.0)) * (1.0 + s)).racine();
         let [le_long, travers, k] = refraction(u, eta, [s, c], [s_, c_]);
-        // √k, which is c′, times c′.
+        // The error of √k = c′, times c′.
         let racine = k * c_ / (c_ + (c_.carre() - k * u).max(i(0.0)).racine());
         // Root, length of N, product; the product, the difference and the quotient in any direction.
         let droit = travers + c_ * (1.0 + promesses::UNITAIRE_PLATE);
@@ -589,7 +589,7 @@ fn lemme_9_la_borne_d_une_refraction_suffit() {
     });
     tenir_sur(
         promesses::REFRACTE_TOTALE,
-        // From the first number above 1 on: up to 1 all terms of k are above 0.
+        // n starts at the first number above 1, since up to 1 all terms of k are above 0.
         |u| [de_a(1.0 + 2.0 * u, RAPPORT_MAXIMAL)],
         |u, [eta]| {
             let c = ((eta - 1.0) * (eta + 1.0)).racine() / eta;
@@ -597,13 +597,13 @@ fn lemme_9_la_borne_d_une_refraction_suffit() {
             Some(k / ((1.0 + eta) * c))
         },
     );
-    // W and the sum round, and what is made unit: N·√k is N·(N·D) again.
+    // W and the sum round, and so does making the sum unit. N·√k is N·(N·D) again.
     tenir(promesses::TOUT_DROIT, |u| 3.0 * plus(60.0, u));
 }
 
 #[test]
 fn lemme_11_les_bornes_d_une_lampe_et_des_transformations_suffisent() {
-    // A sun as it stands is off by more than one that is made unit.
+    // A sun that is kept as it stands is off by more than one that is made unit.
     tenir(promesses::SOLEIL, |u| et(i(D1), gamma(scalaire(), u), u) * n(u));
     let longueur = |u: f64| et(et(racine(gamma(carre(), u), u), i(1.0), u), i(1.0), u);
     tenir(promesses::LAMPE_DISTANCE, longueur);
@@ -618,12 +618,12 @@ fn lemme_11_les_bornes_d_une_lampe_et_des_transformations_suffisent() {
 #[test]
 fn lemme_13_une_rotation_reste_orthonormale() {
     let v = U[1];
-    // What one Newton step leaves of |M·Mᵀ − I| = e.
+    // What one Newton step leaves of an e = |M·Mᵀ − I|.
     let pas = |e: Intervalle| 0.75 * e.carre() + 0.25 * e * e.carre();
-    // Elements of 12u and products off by γ₃ of f64, as norms, which are at most three times the
+    // Elements are off by 12u, and products by γ₃ of f64. Both count as norms, which are at most three times the
     // largest element.
     let compose = |u: f64| {
-        // What is made of a quaternion or of directions, in f64 for either type.
+        // A matrix made of a quaternion or of directions, in f64 for either type.
         let fait = 200.0 * i(v);
         let facteur = 3.0 * N2 * i(u);
         let produit = facteur
@@ -631,14 +631,14 @@ fn lemme_13_une_rotation_reste_orthonormale() {
             + 2.0 * 3.0 * gamma(fois("M·M′: U U"), v) * v * plus(8.0, v);
         produit.max(fait)
     };
-    // I − M·Mᵀ is off by γ₃ of f64, and so is what is left; then the sum of the step. In f64 that
-    // is the last rounding, in f32 the elements round once more.
+    // I − M·Mᵀ is off by γ₃ of f64, and so is what the step leaves; then the sum of the step rounds. In f64 that is the
+    // last rounding, in f32 the elements round once more.
     let reste = |u: f64| (pas(compose(u)) + gamma(fois("M·Mᵀ: M M"), v) * v * plus(40.0, v)) / i(u);
     let elements = |u: f64| et(i(1.0), i(1.0), u) + if u > v { 2.0 * v / u } else { 0.0 };
     tenir(ORTHONORMALE, |u| et(reste(u), elements(u), u));
-    // The columns: the eigenvalues are the same.
+    // For columns the eigenvalues are the same.
     tenir(N2, |u| et(3.0 * reste(u), elements(u), u));
-    // From an element at the limit, three steps.
+    // Three steps, from an element at the limit.
     let mut e = 3.0 * i(1.01 * ECART_ROTATION);
     for _ in 0..3 {
         e = pas(e) + 3.0 * gamma(fois("I−M·Mᵀ: M M"), v) * v;
@@ -648,17 +648,17 @@ fn lemme_13_une_rotation_reste_orthonormale() {
 
 #[test]
 fn lemme_13_les_tours_et_les_compositions_sont_assez_justes() {
-    // Sums of the text, in u of f64: a turn is 1/√2 of the norm of what a matrix is off by.
+    // Sums of the text, in u of f64. A turn is 1/√2 of the norm of the error of a matrix.
     let [deux, trois] = [2.0, 3.0].map(|x| i(x).racine());
     let tenir_en_f64 = |constante: f64, besoin: Intervalle| tenir(constante, |_| besoin);
-    // The step: what it leaves of a defect that is off by 3u an element, of a row, of a row across itself and of all
-    // rows; each element rounds.
+    // What the step leaves of a defect whose elements are off by 3u: in a row, in a row across itself, and in all rows.
+    // Each element rounds.
     let (rangee, travers) = (1.5 * trois + 1.0, 1.5 * deux + 1.0);
     let toutes = trois * rangee;
-    // A vector product; one of a k that is 2.2u of 16u out of its right angle.
+    // A vector product, and one with a k that may be off its right angle by 2.2u of 16u.
     let croise = 1.0 + 2.0 / trois;
     let oblique = croise / (1.0 - (croise / 16.0).carre()).racine();
-    // An axis, its length and the elements, of cosine and sine or of a quaternion.
+    // An axis, its length and the elements, made of cosine and sine or of a quaternion.
     let elements = (2.0 + 2.0 + trois) / deux + 1.0;
     let axe = 2.0 + 0.5 * 3.5 + deux;
     // s(2 − c + 2|c|) for c < 0, and half a rounding of e.
@@ -671,7 +671,7 @@ fn lemme_13_les_tours_et_les_compositions_sont_assez_justes() {
         promesses::TOUR,
         new.max(de_l_axe).max(2.0 + quaternion + 0.5 + elements + rangee),
     );
-    // Directions; cosine and k; elements, of which e is k; the half turn and its product with the first; V·M.
+    // Directions; cosine and k; elements, in which e is k; the half turn and its product with the first turn; V·M.
     let demi_tour = 2.0 * croise + (2.0 + trois) / deux + 9.0 / deux;
     let arc = deux * croise + 3.0 + (1.0 + 1.0 + trois) / deux;
     tenir_en_f64(promesses::ENTRE, 2.0 + arc + demi_tour + toutes + 3.0 * trois);
@@ -683,15 +683,15 @@ fn lemme_13_les_tours_et_les_compositions_sont_assez_justes() {
         promesses::REGARD_DROIT,
         1.0 + croise + (oblique + 1.0 + croise) + travers + droits,
     );
-    // In f32 elements and V·M round, and nothing else.
+    // In f32 only elements and V·M round.
     assert!((trois + 3.0 * trois + 40.0 * U[1] / U[0]).haut < promesses::ENTRE);
-    // What both factors lack of orthonormal, a row and a norm; the product, as a turn.
+    // What both factors lack of being orthonormal, as a row and as a norm; then the product, as a turn.
     let composee = |element: f64, norme: f64| 0.5 * (trois * element + norme) + 9.0 / deux + rangee;
     tenir_en_f64(promesses::COMPOSEE, composee(ORTHONORMALE, 3.0 * ORTHONORMALE));
     tenir_en_f64(promesses::COMPOSEE_D_AUTRES, composee(N2, 3.0 * N2));
 }
 
-/// What the ball test loses of SC² − SA², in u·f².
+/// What the ball test may lose of SC² − SA², in u·f².
 fn boule(u: f64) -> Intervalle {
     let sa = 2.0 * gamma(fois("S2 SA: D SC") + fois("S1 SC: S"), u) * d(u);
     sc2(u) + et(i(D2), i(1.0), u) + sa * d(u)
@@ -728,8 +728,8 @@ fn lemme_14_la_boule_ne_cache_aucune_entree() {
     }
 }
 
-/// What the point of a hit is off by along the axis of a box, in u·t: three comparisons, of which
-/// two would do, the quotient and the length of an exit, and the speed.
+/// How far the point of a hit is off along the axis of a box, in u·t: three comparisons, of which two would do, the
+/// quotient and the length of an exit, and the speed.
 fn lieu_le_long(u: f64) -> Intervalle {
     let comparaisons = et(et(rapport(u), rapport(u), u), rapport(u), u);
     et(et(comparaisons, i(1.0), u), i(1.0), u) * n(u) * d(u) * plus(20.0, u) + vitesse(u)
@@ -737,13 +737,13 @@ fn lieu_le_long(u: f64) -> Intervalle {
 
 #[test]
 fn lemme_6_la_borne_du_lieu_d_une_touche_suffit() {
-    // The box: along an axis √3·(4f + 11t) with t ≤ f + ρ, and 36ρ.
+    // For a box: along an axis √3·(4f + 11t) with t ≤ f + ρ, and 36ρ.
     let le_long = |u: f64| i(3.0).racine() * lieu_le_long(u) * plus(20.0, u);
     tenir(TOUCHE_F, |u| {
         (i(3.0).racine() * gamma(fois("B1 f_i: N S"), u) * n(u) + le_long(u)) * plus(60.0, u)
     });
     tenir(TOUCHE_RHO, |u| {
-        // Across the slice that T5 names: the place, U, the product, what follows and `f32`.
+        // Across the slice that T5 names there are the place, U, the product, what follows, and `f32`.
         let tranche = i(2.0 + 3.0 + 3.0 + 8.0 + 2.0);
         let tranchee = (2.0 * lieu_le_long(u).carre() + tranche.carre()).racine();
         (le_long(u).max(tranchee) + 36.0) * plus(60.0, u)
@@ -754,7 +754,7 @@ fn lemme_6_la_borne_du_lieu_d_une_touche_suffit() {
 /// away, in u(1 + y).
 fn hors_d_une_sphere(u: f64, y: Intervalle) -> Intervalle {
     let g_ac = i(4.0 / 3.0).racine() + PERDU_LONGUEUR;
-    // AC is no more than this, since r² − AC² > 0 as computed.
+    // AC is at most this, since r² − AC² > 0 as computed.
     let k = y * plus(10.0, u) + 3.0 * u;
     // The last difference adds u(r² − AC²) to 5u of each.
     let dw = gamma(r2_d2(), u) * plus(8.0, u) * (y.carre() + (k + g_ac * u).carre())
@@ -771,7 +771,7 @@ fn hors_d_une_sphere(u: f64, y: Intervalle) -> Intervalle {
         + p
         + (gamma(fois("S2 SA: D SC"), u) * racine_p + t_beta + p) * plus(4.0, u);
     let dehors = |carre: Intervalle| carre / ((y.carre() + carre * u).racine() + y);
-    // From the point where AB as computed ends.
+    // Measured from the point where AB as computed ends.
     let loin = if racine_p.bas > 0.5 {
         dehors(dw) + somme / (racine_p * moins(40.0, u))
     } else {
@@ -783,8 +783,8 @@ fn hors_d_une_sphere(u: f64, y: Intervalle) -> Intervalle {
     if p.bas > 0.25 {
         carre = carre.min(w + somme.carre() * u / p);
     }
-    // Where AB² < 0, β² + |AB²| = ΔAB² and SA² = p + AB²; SA − t is (β·SA + AB²)/s, off by what remains over s.
-    // Of a small p ω is no more.
+    // Where AB² < 0, β² + |AB²| = ΔAB² and SA² = p + AB². SA − t is (β·SA + AB²)/s, off by what remains over s. Where p
+    // is small, ω is at most `petit`.
     let petit = 40.0 * y.carre();
     let sa = (petit.max(p / u) - dw).racine();
     let pres = if y.bas > 0.25 && sa.bas > 0.0 {
@@ -805,27 +805,27 @@ fn lemme_6_la_borne_du_lieu_sur_une_sphere_suffit() {
     for u in U {
         assert!(promesses::LIEU_SPHERE * plus(20.0, u).haut < TOUCHE_F);
     }
-    // The sum of the text, from |f| = 2r on, where r is 45u·|f| at least.
+    // The sum in the text, from |f| = 2r on, where r is at least 45u·|f|.
     let du_texte = portee([de_a(0.0, 0.5)], promesses::LIEU_SPHERE, |[y]| {
         let s = (1.0 - y.carre()).racine();
         let chi = 10.0 * y.carre() + 2.4 * y + 3.0 + y.carre() + 3.0 * s.carre();
         Some((5.0 * y + 1.2 + chi / s + 3.0 + y + 1.0) / (1.0 + y))
     });
     assert!(du_texte.haut <= promesses::LIEU_SPHERE);
-    // A half-space: t·v as computed is the height to two roundings; P, tD being rounded.
+    // For a half-space t·v as computed is the height to two roundings; P adds that of tD.
     tenir(promesses::LIEU_PLAN_S, |u| gamma(fois("H1 N·S: N S"), u) * plus(4.0, u));
     tenir(promesses::LIEU_PLAN_T, |u| {
         let de_x = gamma(conclue(), u) * n(u) * d(u) + vitesse(u);
         (de_x + n(u) * d(u) * plus(1.0, u)) * plus(8.0, u)
     });
-    // Three products and the quotient, and the three of tD, of which ⟨N, 1⟩ ≤ √3.
+    // Three products and the quotient, then the three products of tD, for which ⟨N, 1⟩ ≤ √3.
     tenir(promesses::LIEU_PLAN_ABSOLU, |u| (2.0 + 0.5 * i(3.0).racine()) * plus(40.0, u));
-    // P: S + tD is rounded twice, and for a box off by more than the 11u of X.
+    // For P, S + tD is rounded twice, and for a box it is off by more than the 11u of X.
     tenir(promesses::LIEU_F, |u| gamma(fois("B1 f_i: N S"), u) * n(u));
     tenir(promesses::LIEU_T, |u| lieu_le_long(u) + n(u) * d(u) * plus(1.0, u));
     tenir(promesses::LIEU_P, n);
-    // `lieu`: difference, product and sum; the scalar product; the quotient. What that loses below the normal numbers
-    // is least beside |f|, no less than a half-length, where the half-length that divides is largest.
+    // For `lieu`: difference, product and sum; the scalar product; the quotient. Its loss below the normal numbers is
+    // least beside |f|, which is at least a half-length, where the half-length that divides is largest.
     tenir(promesses::LIEU_FACE, |u| {
         let limite = if u == U[0] { f32::LIMITE.into() } else { f64::LIMITE };
         let eta = if u == U[0] { f32::ETA.into() } else { f64::ETA };
@@ -837,17 +837,17 @@ fn lemme_6_la_borne_du_lieu_sur_une_sphere_suffit() {
 #[test]
 fn lemme_20_le_jeu_d_un_objet_suffit() {
     let v = U[0];
-    // What a ray loses of the place of its source: (S − Z)σ; moved, a product, a sum of up to twice that, and the
-    // distances that count from there.
+    // What a ray loses of the place of its source: (S − Z)σ; if it is moved, a product, a sum of up to twice that, and
+    // the distances that count from there.
     tenir(JEU_DISTANCE, |u| {
         let place = et(i(1.0), i(1.0), u);
         let deplacee = i(1.0) + 2.0 * i(1.0) + 2.0 * i(2.0);
         let deplacee = if u == v { i(0.0) } else { deplacee };
-        // An object: three rounding errors of its centre, and two for the distances.
+        // For an object: three rounding errors of its centre, and two for the distances.
         let objet = et(et(i(1.0), i(1.0), u), i(1.0), u) + 2.0;
         (TOUCHE_F + (place + deplacee).max(objet)) * plus(200.0, u)
     });
-    // The half-extents: γ₃, σ, the sum and the difference.
+    // For the half-extents: γ₃, σ, the sum and the difference.
     tenir(JEU_LARGEUR, |u| {
         let lieu = if u == v { i(TOUCHE_RHO) } else { 36.0 * plus(60.0, v) };
         lieu + et(et(gamma(3.0, u), i(1.0), u), i(2.0), u) * (u / v)
@@ -858,10 +858,10 @@ fn lemme_20_le_jeu_d_un_objet_suffit() {
 fn lemme_21_le_jeu_d_un_rayon_suffit() {
     let v = U[0];
     tenir(JEU_F32, |u| {
-        // Of a length G − Y_S: the difference, D, the inverse and the product; the ceiling.
+        // A length G − Y_S takes the difference, D, the inverse and the product; then the ceiling.
         let inverse_d = et(i(if u == v { 0.0 } else { 1.0 }), i(1.0), v);
         let entree = et(et(inverse_d, i(1.0), v), i(1.0), v) + 1.0;
-        // The corner is rounded; Y_S is, and its sum with the slack. The slack itself is rounded five times.
+        // The corner is rounded, and so are Y_S and its sum with the slack. The slack itself is rounded five times.
         (entree + 2.0) * plus(3.0 * JEU_F32, v)
     });
 }
@@ -869,39 +869,39 @@ fn lemme_21_le_jeu_d_un_rayon_suffit() {
 #[test]
 fn lemme_16_les_bornes_des_nombres_doubles_suffisent() {
     tenir(PRODUIT_DOUBLE, |u| {
-        // In u² of the product as computed: two low parts, their products with the high ones, the sum of these, the
-        // sum with what the product of the high ones left.
+        // In u² of the product as computed: two low parts, their products with the high ones, the sum of these
+        // products, and its sum with what the product of the high parts left.
         let un = plus(inverse(i(1.0), u), u);
         let croises = 2.0 * plus(1.0, u);
         (1.0 + 2.0 + croises + (1.0 + croises * plus(1.0, u))) * un
     });
-    // Of fma ½, of two cross products 1, of four products of bounds 2.
+    // The fma loses ½, two cross products 1, four products of bounds 2.
     tenir(PERTE_DOUBLE, |u| 3.5 * plus(1.0, u));
-    // |x| ≤ |haut|(1 + u); a product, four sums and the product that makes it grow.
+    // |x| ≤ |haut|(1 + u); then a product, four sums, and the product that makes the bound grow.
     tenir(BORNE_DOUBLE, |u| et(i(1.0), inverse(gamma(6.0, u), u), u));
 }
 
 #[test]
 fn lemme_17_les_bornes_de_l_erreur_suffisent() {
     let ecart = |u: f64| {
-        // AB of −D²·p_A, D² to γ₃, and of 2XA²; then the sum with XA and the quotient by D².
+        // AB, of −D²·p_A with D² to γ₃, and of 2XA²; then the sum with XA and the quotient by D².
         let ab = et(racine(et(gamma(3.0, u), gamma(2.0, u), u), u), i(1.0), u);
         et(ab, et(i(1.0), inverse(gamma(4.0, u), u), u), u)
     };
-    // The product that moves an end, and η off it.
+    // The product that moves an end, and the η that moves it on.
     tenir(ECART_ARRONDI, |u| et(ecart(u), inverse(gamma(2.0, u), u), u));
     tenir(ERREUR_ARRONDIE, |u| {
-        // Times |D|, a root of a sum, and the sum with what D lacks, which rounds less often.
+        // Times |D|, the root of a sum; and the sum with what D lacks, which rounds less often.
         let mesure = et(
             ecart(u),
             et(et(racine(gamma(3.0, u), u), i(1.0), u), inverse(gamma(2.0, u), u), u),
             u,
         );
-        // To the scalar, the product that makes it grow, two sums.
+        // The conversion, the product that makes it grow, two sums.
         et(mesure, inverse(gamma(3.0, u), u), u)
     });
     for u in U {
-        // No ray that enters an object passes its ball by: AC² is at most ρ²(1 + 37u), and ρ² as computed off by 3u.
+        // No ray that enters an object passes by its ball: AC² is at most ρ²(1 + 37u), and ρ² as computed is off by 3u.
         assert!(
             (boule(u) + 37.0 + gamma(carre(), u) + difference()).haut * (1.0 + 100.0 * u) < RETRAIT
         );
@@ -910,7 +910,7 @@ fn lemme_17_les_bornes_de_l_erreur_suffisent() {
 
 #[test]
 fn lemme_18_les_bornes_du_coup_d_oeil_suffisent() {
-    // In f64, of numbers that are unit to the rounding of f32 only.
+    // In f64, with numbers that are unit only to the rounding of f32.
     let (u, large) = (U[1], 1.0 + D1 * U[0]);
     let tenir = |constante: f64, besoin: Intervalle| {
         assert!(
@@ -918,19 +918,19 @@ fn lemme_18_les_bornes_du_coup_d_oeil_suffisent() {
             "{constante}: {besoin:?}"
         );
     };
-    // Two roundings of the point, three of the product, two of the height and its bound.
+    // The point rounds twice, the product three times, the height and its bound twice.
     tenir(VUE_POINT, gamma(7.0, u) * large * large * plus(8.0, u));
     tenir(VUE_LONGUEUR, gamma(2.0, u) * plus(8.0, u));
     tenir(VUE_VITESSE, gamma(4.0, u) * large * large);
-    // The square of X as computed, the difference and its bound, and 16 for the point; r² is off by less.
+    // The square of X as computed, the difference and its bound, and 16 for the point. r² is off by less.
     tenir(VUE_PUISSANCE, (16.0 + gamma(5.0, u)) * plus(16.0, u));
-    // The point itself is off by less than its heights.
+    // The point itself is off by less than heights over it.
     assert!((gamma(2.0, u) * large * plus(8.0, u)).haut < VUE_POINT);
 }
 
 #[test]
 fn lemme_12_la_borne_vers_une_touche_suffit() {
-    // Difference and quotient, the scalar product; as computed it exceeds what is tangent.
+    // The difference, the quotient and the scalar product. As computed, that product exceeds what is tangent.
     tenir(1.9, |u| {
         (2.0 * plus(1.0, u) * n(u) + vitesse(u) * plus(8.0, u)) - TANGENT * moins(1.0, u)
     });
@@ -938,20 +938,20 @@ fn lemme_12_la_borne_vers_une_touche_suffit() {
 
 #[test]
 fn lemme_22_le_flou_permis_suffit() {
-    // In units of t: what the depth in a sphere of r ≤ |f|/2 is off by, for AB², p, p/s twice and the terms with t in χ/s,
-    // of which β/s ≤ 1/√3; C′ and P. |f| is at most t+r.
+    // In units of t: the error of the depth in a sphere of r ≤ |f|/2, for AB², p, p/s twice and the terms with t in
+    // χ/s, where β/s ≤ 1/√3; then C′ and P. |f| is at most t+r.
     let s = i(0.75).racine();
     let de_f = 2.4 + 3.0 / s + 1.0;
     tenir(FLOU_DISTANCE, |u| {
         let de_t = 2.0 + 3.0 / s + 1.0 / i(3.0).racine() + 1.0;
         (de_f + de_t + 1.0) * plus(60.0, u)
     });
-    // Less for a box: a length, a speed, the quotient or comparison at an entry and an exit, and P.
+    // A box needs less: a length, a speed, the quotient or comparison at an entry and an exit, and P.
     const { assert!(4.0 + 3.1 + 2.0 + 1.0 < 0.9 * FLOU_DISTANCE) };
-    // In units of ‖P‖₁: the height over a half-space, at the hit and at the next start; P, and the start.
+    // In units of ‖P‖₁: the height over a half-space, at the hit and at the next start; then P and the start.
     tenir(FLOU_POINT, |u| (2.0 * gamma(fois("H1 N·S: N S"), u) + 2.0) * plus(20.0, u));
-    // In units of r: far from the sphere; nearer than 2r, where 2β ≤ s and where p is all rounding, with C′; and the power
-    // at the next start.
+    // In units of r: far from the sphere; nearer than 2r, where 2β ≤ s and where p is all rounding, with C′; and the
+    // power at the next start.
     let loin = 10.0 + (11.0 / 2.0 + 2.4) / s + de_f;
     let f = i(2.0);
     let (ab2, p) = (10.0 + 4.0 / i(3.0).racine() * f, 3.0 * f.carre() + 1.0 + (f.carre() - 1.0));
@@ -959,13 +959,13 @@ fn lemme_22_le_flou_permis_suffit() {
     let (ab2, p) = (10.0 + 4.0 / i(3.0).racine(), 4.1);
     let au_bord = (ab2 + 2.0 * (ab2 + p)) / 2.0 + 2.0;
     assert!((loin.max(pres).max(au_bord) * plus(60.0, U[0]) + 3.0).haut < FLOU_PROPRE);
-    // In units of Σl: what a start is off by as it is asked, what D3 sees as deep as that once more, and a box that is
-    // left by the face as near across the same axis; the next start sees it with 4u more. And what no more than
-    // rounding put under a face, as the next start sees it, is as near.
+    // In units of Σl: the error of a start when it is asked, what D3 sees as deep as that once more, and a box that the
+    // ray leaves by the face as near across the same axis, which the next start sees with 4u more. What rounding alone
+    // put under a face is as near, as the next start sees it.
     const { assert!(FLOU_A_COTE + 3.0 * 4.1 < FLOU_PROPRE && FLOU_A_COTE > 2.0 * 4.1) };
-    // In units of δ: its three roundings, and the step from a hit at once, out of a sphere 1.2 times as long as the depth
-    // by M3, with a 64th of δ. Both N are off there, a product and a sum round; what is left of it is of δ and the step.
-    // In a box h stays 3u below δ; in a half-space u, and the step counts in the next test.
+    // In units of δ: its three roundings, and the step from a hit at once, which by M3 is 1.2 times as long as the
+    // depth out of a sphere, and a 64th of δ. Both N are off there, and a product and a sum round; what is left is
+    // relative to δ and the step. In a box h stays 3u below δ, and in a half-space u; the step counts in the next test.
     tenir(FLOU_RELATIF, |u| {
         let long = 2.0 * PAR_RAYON + PAS_D_EMBLEE;
         let pas = |encore: Intervalle, sous: f64| {
@@ -984,29 +984,29 @@ fn lemme_15_l_etendue_tient_tout_l_objet() {
         (h + 36.0) * plus(100.0, u)
     };
     tenir(ETENDUE, besoin);
-    // What lies between, of the half-extents and of C.
+    // The gap between, in half-extents and in C.
     tenir(87.0, |u| besoin(u) + ETENDUE * plus(100.0, u));
     tenir(3.1, |u| (2.0 + 1.0) * plus(8.0, u));
 }
 
-/// How far from the surface the point lies outside a sphere where a ray leaves it, in u(f + r): of the larger of |f|
-/// and r, which is 1, and the smaller, `y`.
+/// How far outside a sphere the point lies where a ray leaves it, in u(f + r). The larger of |f| and r is 1, the
+/// smaller `y`.
 fn sortie_hors_d_une_sphere(u: f64, dehors: bool, y: Intervalle) -> Intervalle {
     let (f, r) = if dehors { (i(1.0), y) } else { (y, i(1.0)) };
-    // What AB² is off by; AC is |f| at most, or r as computed.
+    // The error of AB². AC is at most |f|, or r as computed.
     let g_ac = i(4.0 / 3.0).racine() * f + PERDU_LONGUEUR * r;
     let k = if dehors { r * plus(10.0, u) + 3.0 * u } else { f };
     let dw = (gamma(r2_d2(), u) * (r.carre() + (k + g_ac * u).carre()) + r.carre()) * plus(8.0, u)
         + g_ac * (2.0 * k + g_ac * u)
         + PERDU * r.carre();
     let hors = |carre: Intervalle| carre / ((r.carre() + carre * u).racine() + r);
-    // With A ahead: SA, the root, the sum, D² and the quotient; also what W5 may move.
+    // With A ahead: SA, the root, the sum, D² and the quotient, and also what W5 may move.
     let ab = (r.carre() + dw * u).racine();
     let s =
         (gamma(fois("S2 SA: D SC"), u) * f + ab + gamma(sur_d2() + fois("W2 s: SA"), u) * (f + ab))
             * plus(8.0, u);
     let devant = hors(dw) + s.max(gamma(9.0, u) * f);
-    // With A behind S is within, and t no more than r.
+    // With A behind, S is within, and t is at most r.
     let derriere = if dehors {
         i(0.0)
     } else {
@@ -1041,14 +1041,14 @@ fn lemme_10_la_marge_est_finie() {
 
 #[test]
 fn lemme_10_les_bornes_d_une_normale_suffisent() {
-    // y = f/r. S7 rounds f, t̂D and their sum; t is f + r at most, and y + c where the normal is leaned, with
-    // y ≥ 1 − c²/2 then; the quotient, and four rounding errors across D.
+    // y = f/r. S7 rounds f, t̂D and their sum. t is at most f + r, and at most y + c where the normal is leaned, with
+    // y ≥ 1 − c²/2 then. The quotient and four rounding errors across D follow.
     for u in U {
         let domaine = [de_a(u, 1.0 / (promesses::PERDUE * u))];
         let droite = portee(domaine, promesses::DIRECTION, |[y]| {
             Some((2.0 * y + 3.0) / (1.0 + y) * plus(8.0, u))
         });
-        // There c² is no more than what the distance, at most K·u·κt off, and N·D may be off by.
+        // There c² is at most the errors of the distance, which is off by at most K·u·κt, and of N·D.
         let domaine = [de_a(0.5, 1.0 / (promesses::PERDUE * u))];
         let penchee = portee(domaine, promesses::DIRECTION, |[y]| {
             let c2 = promesses::SORTIE_SPHERE * u * (2.0 + 2.0 * y) + 20.0 * u * (1.0 + y);

@@ -1,6 +1,6 @@
-//! Doubled numbers themselves (`docs/preuves/objets.md`, lemma 16): a climb on the bits of a few numbers, towards the largest
-//! error of their sums and products as a part of its bound. Of an error there `est_certain` sees only what decides within
-//! 2⁻¹⁰⁰, which no search among scenes finds.
+//! Doubled numbers themselves (`docs/preuves/objets.md`, lemma 16): a climb on the bits of a few numbers, towards the
+//! largest error of their sums and products as a part of its bound. `est_certain` would show such an error only in a
+//! decision within 2⁻¹⁰⁰, which no search among scenes finds.
 
 use commun::cas;
 use commun::hasard::{Hasard, Tirage, pour_chaque};
@@ -9,16 +9,16 @@ use commun::regimes::signe;
 use fastrand::Rng;
 use lancer_rayon::pour_les_tests::{Double, Intervalle};
 
-/// What is done with two numbers so far, given by their places.
+/// An operation on two of the numbers so far, which their places name.
 #[derive(Debug, Clone, Copy)]
 enum Pas {
     Plus(usize, usize),
     Fois(usize, usize),
-    /// The number minus what an `f64` holds of it: what is left is all rounding.
+    /// The number minus what an `f64` holds of it, so that all that is left is rounding.
     Reste(usize),
 }
 
-/// The largest error of any number on the way as a part of its bound; `None` if one is beyond all numbers.
+/// The largest error of any number on the way, as a part of its bound; `None` if a number overflows.
 fn part(feuilles: &[f64], pas: &[Pas]) -> Option<f64> {
     let mut nombres: Vec<(Double, Exact)> =
         feuilles.iter().map(|&x| (Double::de(x), Exact::de(x))).collect();
@@ -47,7 +47,7 @@ fn part(feuilles: &[f64], pas: &[Pas]) -> Option<f64> {
     Some(pire)
 }
 
-/// A number of a scene: of full length or of a few bits, of one size or of any, in the limits or hardly a number.
+/// A number of a scene, of full length or of a few bits, from 2^−`etendue` to 2^`etendue`.
 fn feuille(alea: &mut Rng, etendue: i32) -> f64 {
     let exposant = alea.i32(-etendue..=etendue);
     let bits = if alea.bool() { alea.u64(..) } else { alea.u64(..8) << 49 };
@@ -55,7 +55,7 @@ fn feuille(alea: &mut Rng, etendue: i32) -> f64 {
     un_a_deux * f64::from(exposant).exp2() * if alea.bool() { 1.0 } else { -1.0 }
 }
 
-/// Some steps, each with any two numbers so far, the last more often.
+/// Some steps, each with any two of the numbers so far, preferably the last.
 fn programme(alea: &mut Rng, feuilles: usize) -> Vec<Pas> {
     (feuilles..feuilles + 6)
         .map(|nombre| {
@@ -90,11 +90,12 @@ fn aucune_somme_et_aucun_produit_ne_sort_de_sa_borne() {
         let pire = &mut pires[essai as usize % 3];
         *pire = f64::max(*pire, mieux);
     }
-    // Nor are the bounds loose: of numbers of one size, of many and of all some error is more than half of its bound.
+    // The bounds are not loose either: for numbers of one size, of many and of all, some error exceeds half of its
+    // bound.
     assert!(pires.iter().all(|pire| *pire > 0.5), "{pires:?}");
 }
 
-/// Also where a number is about as large as its bound, which is where a sign is decided.
+/// The bounds hold also where a number is about as large as its bound, which is where a sign is decided.
 #[test]
 fn les_bornes_tiennent_le_nombre_et_son_erreur() {
     let faire = |alea: &mut Hasard| {

@@ -1,5 +1,5 @@
-//! How often each named step of `docs/preuves` rounds, and how many programs a question has, by the tapes that the
-//! crate's own code leaves.
+//! How often each named step of `docs/preuves` rounds, and how many programs a question has, read from the tapes that
+//! the crate's own code leaves.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::LazyLock;
@@ -22,7 +22,7 @@ pub(crate) fn sphere<T: Taille>() -> SphereGeo<Trace<T>> {
     SphereGeo::new(entrees("C", [0.5, 0.25, -5.0]), entree("r", 1.5), Texture(0)).unwrap()
 }
 
-/// So that the ray enters a box by its face of z.
+/// A rotation with which the ray enters a box by its face of z.
 fn rotation<T: Taille>() -> Rotation<Trace<T>> {
     let axes = Rotation::<f64>::autour_de(Vecteur::new(1.0, 2.0, 2.0), 0.3).unwrap().axes();
     let [x, y, z] =
@@ -39,7 +39,7 @@ pub(crate) fn boite<T: Taille>() -> BoiteRay<Trace<T>> {
     BoiteGeo::new(centre, tailles, rotation(), Texture(0)).unwrap().vers_ray()
 }
 
-/// What a quotient, a sum and so on is of.
+/// The two operands of a quotient, a sum and so on.
 macro_rules! cotes {
     ($place:expr, $op:ident) => {
         match crate::ruban::op($place) {
@@ -50,25 +50,25 @@ macro_rules! cotes {
 }
 pub(crate) use cotes;
 
-/// What a root, an absolute value or −x is of.
+/// The operand of a root, an absolute value or −x.
 pub(crate) fn de(place: Place) -> Place {
     let (Racine(a) | Absolu(a) | Oppose(a)) = op(place) else { panic!("{:?}", op(place)) };
     a
 }
 
-/// The sum of three squares, or of three products by the same vector: what is multiplied first.
+/// The first factors in a sum of three squares, or of three products by the same vector.
 fn facteurs(somme: Place) -> [Place; 3] {
     let [xy, z] = cotes!(somme, Somme);
     let [x, y] = cotes!(xy, Somme);
     [x, y, z].map(|produit| cotes!(produit, Produit)[0])
 }
 
-/// Before it was made unit, if it was.
+/// The value before it was made unit, if it was.
 fn brute(place: Place) -> Place {
     if let Quotient(a, _) = op(place) { a } else { place }
 }
 
-/// The other side of the one comparison with this that is with no constant.
+/// The other side of the one comparison of this place with what is no constant.
 pub(crate) fn compare_a(place: Place) -> Place {
     let deux = |(a, b)| (a == place).then_some(b).or_else(|| (b == place).then_some(a));
     let trouvees: BTreeSet<_> = comparaisons().into_iter().filter_map(deux).collect();
@@ -78,20 +78,20 @@ pub(crate) fn compare_a(place: Place) -> Place {
     trouvees[0]
 }
 
-/// How often each product of a sum is rounded, by the names of its factors.
+/// How often each product of a sum is rounded, by the names of the product's factors.
 type Comptes = BTreeMap<String, BTreeSet<u32>>;
 
 /// The steps of the page, as they are computed in this type.
 fn etapes<T: Taille>() -> BTreeMap<&'static str, Comptes> {
     let mut etapes = BTreeMap::new();
-    // Letters stand for what is named elsewhere.
+    // Letters stand for what is counted elsewhere.
     let mut noter = |nom, place, lettres: &[(&'static str, Place)]| {
         assert!(etapes.insert(nom, arrondis(place, lettres)).is_none(), "{nom}");
     };
     let places = |v: Vecteur<Trace<T>>| [v.x, v.y, v.z].map(Trace::place);
     let trois = |nom: &'static str, places: [Place; 3]| places.map(|place| (nom, place));
 
-    // A sphere, from afar.
+    // A sphere, from outside.
     neuf();
     let (ray, boule) = (rayon::<T>(S), sphere::<T>().vers_ray());
     let r2 = (boule.rayon() * boule.rayon()).place();
@@ -102,7 +102,7 @@ fn etapes<T: Taille>() -> BTreeMap<&'static str, Comptes> {
     let [r2_d2, ac2] = cotes!(de(ab), Difference);
     let (ac, [sc2, _]) = (facteurs(ac2), cotes!(p, Difference));
     noter("S1 D²", cotes!(r2_d2, Produit)[1], &[]);
-    // SC is −f, and counted apart; but of the power all that is computed is wanted too.
+    // SC is −f and counted apart, but for the power all that is computed is wanted too.
     let sc = facteurs(sc2);
     noter("S1 SC", sc[0], &[]);
     noter("S2 SA", sa, &trois("SC", sc));
@@ -151,7 +151,7 @@ fn etapes<T: Taille>() -> BTreeMap<&'static str, Comptes> {
     noter("M3 ℓ", l, &[]);
     noter("M4", touche.marge().place(), &[("b", b), ("ℓ", l)]);
 
-    // The way out of a sphere, ahead of A and behind it.
+    // The way out of a sphere, with A ahead and with A behind.
     neuf();
     let touche = ObjetRay::from(sphere::<T>()).sortie(&rayon(S)).unwrap();
     let [s, _] = cotes!(touche.distance().place(), Quotient);
@@ -261,7 +261,7 @@ fn etapes<T: Taille>() -> BTreeMap<&'static str, Comptes> {
     let lettres = [lettres.as_flattened(), &[("I−M·Mᵀ", defaut)]].concat();
     noter("Newton", m[0][0][1], &lettres);
 
-    // What rotations are made of, before the Newton step: all nine elements.
+    // The matrices that rotations are made of, before the Newton step, in all nine elements.
     let (un, autre) = (entrees::<T>("a", [0.36, 0.48, 0.8]), entrees::<T>("b", [0.6, 0.0, 0.8]));
     let tours = [("cx", "sx"), ("cy", "sy"), ("cz", "sz")]
         .map(|(cos, sin)| (entree::<T>(cos, 0.6), entree::<T>(sin, 0.8)));
@@ -285,7 +285,7 @@ fn etapes<T: Taille>() -> BTreeMap<&'static str, Comptes> {
     etapes
 }
 
-/// What both types' steps round, for all.
+/// The steps of both types together.
 static ETAPES: LazyLock<BTreeMap<&str, Comptes>> = LazyLock::new(|| {
     let mut etapes = etapes::<u32>();
     for (nom, comptes) in self::etapes::<u64>() {
@@ -296,7 +296,7 @@ static ETAPES: LazyLock<BTreeMap<&str, Comptes>> = LazyLock::new(|| {
     etapes
 });
 
-/// How often a product of these names is rounded at most in this step.
+/// How often a product of these names is rounded in this step at most.
 #[track_caller]
 pub(crate) fn compte(etape: &str, produit: &str) -> f64 {
     let comptes = ETAPES.get(etape).unwrap_or_else(|| panic!("no step {etape}"));
@@ -322,7 +322,7 @@ fn les_etapes_arrondissent_comme_le_dit_la_table() {
     assert_eq!(lignes.count(), table.count());
 }
 
-/// All that this may answer within so many comparisons, of which misses are none.
+/// All that `demander` may answer within `combien` comparisons, except misses.
 pub(crate) fn programmes<T: Taille>(
     combien: usize,
     objet: &ObjetRay<Trace<T>>,
@@ -332,15 +332,16 @@ pub(crate) fn programmes<T: Taille>(
     tous_les_chemins(combien, t).into_iter().flatten().collect()
 }
 
-/// A distance is one of few quotients, whatever the numbers, or 0.
+/// A distance is 0 or one of a few quotients, whatever the numbers.
 #[test]
 fn une_distance_a_peu_de_programmes() {
     fn compter<T: Taille>() {
         neuf();
         let ray = rayon::<T>(S);
         let objets: [ObjetRay<Trace<T>>; 3] = [sphere().into(), plan().into(), boite().into()];
-        // In: p/s and SA/D²; e/v; each of six faces. Out: both of W2 with AB² as S4 or as W1 has it; e/v; each of six
-        // faces. W5 may answer all ways in, and what B4 starts from would be a way out, which lemma 2 excludes.
+        // On the way in: p/s and SA/D²; e/v; each of six faces. On the way out: both of W2, with AB² as S4 or as W1 has
+        // it; e/v; each of six faces. W5 may answer all ways in. What B4 starts from would be a way out, which lemma 2
+        // excludes.
         for (objet, attendu) in objets.iter().zip([(9, 2, 2 + 4), (9, 1, 1), (14, 6, 6 + 6 + 1)]) {
             let (comparaisons, combien, combien_de_sorties) = attendu;
             let entrees = programmes(comparaisons, objet, |objet| objet.intersection(&ray));

@@ -1,4 +1,4 @@
-//! A failure shows its smallest case: of two hundred numbers those that matter, and these as round as can be.
+//! A failure shows its smallest case: of two hundred numbers only those that matter, as round as they can be.
 
 use std::panic::catch_unwind;
 
@@ -9,7 +9,7 @@ fn deux_cents_nombres_se_reduisent_a_ceux_qui_comptent() {
     let echec = catch_unwind(|| {
         let faire = |alea: &mut Hasard| {
             let nombres = alea.liste(200, |alea, _| alea.f64());
-            // There is none of an empty list.
+            // An empty list offers no choice.
             let un = *alea.choix(&nombres);
             (nombres, un, alea.i8(-8..=8))
         };

@@ -1,7 +1,6 @@
 //! Interval arithmetic in `f64`, rounded outward: what is proven of an interval is proven of each number in it.
-//!
-//! A sum, product, quotient or root is within half a unit in the last place, so that the next number beyond it
-//! is a bound. (The well-kept crates for intervals set the rounding mode of one processor, or bind a C library.)
+//! A sum, product, quotient or root is exact to half a unit in the last place, so the next number beyond it is a bound.
+//! (The well-kept crates for intervals set the rounding mode of one processor, or bind a C library.)
 
 use core::cmp::Ordering;
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -63,7 +62,7 @@ impl Intervalle {
         de_a(self.bas.min(autre.bas), self.haut.min(autre.haut))
     }
 
-    /// Two parts, of which the numbers from 0 on have as many as there are orders of magnitude.
+    /// Two halves; where the interval reaches from 0 or over several orders of magnitude, halves by order of magnitude.
     pub(crate) fn parts(self) -> [Self; 2] {
         let Self { bas, haut } = self;
         let milieu = if bas == 0.0 {
@@ -76,7 +75,7 @@ impl Intervalle {
         [de_a(bas, milieu), de_a(milieu, haut)]
     }
 
-    /// How much of the domain it is, by orders of magnitude where the domain has several.
+    /// The part of the domain that this interval covers, by orders of magnitude where the domain is above 0.
     fn part_de(self, domaine: Self) -> f64 {
         let mesure =
             |x: Self| if domaine.bas > 0.0 { (x.haut / x.bas).ln() } else { x.haut - x.bas };
@@ -148,10 +147,10 @@ macro_rules! avec_un_nombre {
 
 avec_un_nombre! { Add, add; Sub, sub; Mul, mul; Div, div; }
 
-/// What `f` reaches on a domain: a number that it exceeds somewhere, and one that it exceeds nowhere, which is no
-/// more than `limite` if that can be shown. `f` gives none where all of its intervals lie beside the domain.
+/// What `f` reaches on a domain: a number that it exceeds somewhere, and one that it exceeds nowhere, which is at most
+/// `limite` if that can be shown. `f` gives none where all of its intervals lie outside the domain.
 ///
-/// The box where `f` may be largest is cut in two, along the axis that helps most, until that is shown, and until
+/// The box where `f` may be largest is cut in two along the axis that helps most, until the limit is shown, and until
 /// `f` is found to exceed nine tenths of the limit or shown not to.
 pub(crate) fn portee<const N: usize>(
     domaine: [Intervalle; N],
@@ -186,7 +185,7 @@ pub(crate) fn portee<const N: usize>(
             })
             .collect();
         let large = |axe: usize| x[axe].part_de(domaine[axe]);
-        // Along which axis the box is cut: the one that helps most, or if none does the widest.
+        // The box is cut along the axis that helps most or, if none helps, along the widest.
         let choix = coupes.into_iter().min_by(|a, b| {
             let aide = |h: f64| if h < 0.999 * haut { h } else { f64::INFINITY };
             aide(a.0).total_cmp(&aide(b.0)).then(large(b.1).total_cmp(&large(a.1)))
@@ -197,8 +196,8 @@ pub(crate) fn portee<const N: usize>(
     panic!("not shown to be at most {limite}; {atteint} is reached; next {:?}", boites.peek());
 }
 
-/// That `f` is no more than this limit on a domain, and a number that it exceeds there. Boxes are cut in two along their
-/// longest side, which suits an `f` whose bound is dear and good.
+/// Proves that `f` is no more than this limit on a domain, and finds a number that it exceeds there. Boxes are cut in
+/// two along their longest side, which suits an `f` whose bound is costly and good.
 pub(crate) fn prouver<const N: usize>(
     domaine: [Intervalle; N],
     limite: f64,
@@ -211,7 +210,7 @@ pub(crate) fn prouver<const N: usize>(
         if f(x).is_none_or(|borne| borne.haut <= limite) {
             continue;
         }
-        // An order of magnitude counts as much as half of a domain that has 0 in it.
+        // An order of magnitude counts about as much as half of a domain that has 0 in it.
         let large = |axe: &usize| {
             let (x, domaine) = (x[*axe], domaine[*axe]);
             let de_zero = 4.0 * (x.haut - x.bas) / (domaine.haut - domaine.bas);

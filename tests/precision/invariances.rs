@@ -12,8 +12,8 @@ use lancer_rayon::{
 
 const CAS: u32 = 1_000;
 
-/// Where no product is subnormal, scaling everything by a power of two changes no bit except
-/// the exponent of the distance, over the whole range that a scene can hold.
+/// Where no product is subnormal, scaling everything by a power of two changes no bit except the exponent of the
+/// distance, over the whole range that a scene can hold.
 fn une_puissance_de_deux_ne_change_aucun_bit<R: Reel>() {
     let bits = R::LIMITE.vers_f64().log2();
     let faire = |alea: &mut Hasard| {
@@ -47,8 +47,8 @@ fn une_puissance_de_deux_ne_change_aucun_bit<R: Reel>() {
 
 en_f32_et_f64!(une_puissance_de_deux_ne_change_aucun_bit);
 
-/// An axis-aligned scene seen in a mirror, or with its axes exchanged, gives the same distance
-/// to the bound, and for the mirror to the bit: no sign is privileged.
+/// A scene along the axes that is mirrored, or whose axes are exchanged, gives the same distance to the bound, and for
+/// the mirror to the bit, since no sign is privileged.
 fn ni_signe_ni_axe_n_est_privilegie<R: Reel>() {
     let mut touches = 0;
     let faire = |alea: &mut Hasard| {
@@ -80,7 +80,7 @@ fn ni_signe_ni_axe_n_est_privilegie<R: Reel>() {
             touches += 1;
             assert_eq!((t_m, n_m), (t, [-x, y, -z]));
             if let Some((t_p, ..)) = c {
-                // Sums in another order: two errors of K·u·κt, that of a sphere being the larger.
+                // The sums have another order, which makes two errors of K·u·κt. The K of a sphere is the larger.
                 assert!((t_p - t).abs() <= 2.0 * promesses::DISTANCE_SPHERE * u::<R>() * kappa_t);
             }
         }

@@ -1,10 +1,10 @@
-//! The oracle itself, where a quotient of however many bits would decide wrongly.
+//! The oracle itself, where a quotient of any fixed number of bits would decide wrongly.
 
 use commun::fabrique::boite_droite;
 use commun::oracle::verite;
 use lancer_rayon::{Rayon, Vecteur};
 
-/// A box of 2⁴⁴⁰ by an edge of which the ray passes at 2⁻⁴⁰⁰: entry and exit agree in 839 bits.
+/// A ray passes an edge of a box of size 2⁴⁴⁰ at 2⁻⁴⁰⁰: entry and exit agree in 839 bits.
 #[test]
 fn une_arete_est_decidee_a_2_puissance_moins_839_pres() {
     let deux = |e: f64| e.exp2();

@@ -1,20 +1,21 @@
-//! What a program on a tape is off by, for all inputs in a box: each rounding error counts with the slope of the answer
+//! How far a program on a tape is off, for all inputs in a box: each rounding error counts with the slope of the answer
 //! at that place. Slopes go backwards and hold between what is exact and what is computed, without second-order terms:
 //!
 //! - (ab)^ − ab = Δa·(b + b^)/2 + Δb·(a + a^)/2, and so for scalar and vector products;
 //! - (a/b)^ − a/b = (Δa − Δb·a/b)/b^, and √a^ − √a = Δa/(√a + √a^).
 //!
-//! Vectors are found again, so that the frame is free: a vector rounds by u of its length, a vector product by lemma 3.
+//! Vectors are found again among the numbers, so that the frame is free. A vector rounds by u of its length, a vector
+//! product by lemma 3.
 
 use std::collections::HashMap;
 
 use crate::intervalle::{Intervalle, de_a};
 use crate::ruban::{Op, Place, op};
 
-/// A vector in a frame that suits the lemma, or a number before two zeros.
+/// A vector in a frame that suits the lemma, or a number followed by two zeros.
 pub(crate) type Valeur = [Intervalle; 3];
 
-/// What is computed from which nodes.
+/// How a node is computed from others.
 #[derive(Debug, Clone, Copy)]
 enum Pas {
     Lettre(&'static str),
@@ -24,7 +25,7 @@ enum Pas {
     Racine(usize),
     Somme(usize, usize),
     Difference(usize, usize),
-    /// Of a number or a vector with a number.
+    /// A number or a vector times a number.
     Produit(usize, usize),
     Quotient(usize, usize),
     Scalaire(usize, usize),
@@ -124,16 +125,16 @@ pub(crate) struct Boite<'a> {
     x: Vec<Valeur>,
     /// Exact and computed.
     calcule: Vec<Valeur>,
-    /// What the computed value, and the last operation alone, is off by.
+    /// How far off the computed value is, and what the last operation alone adds to that.
     erreur: Vec<f64>,
     arrondi: Vec<f64>,
-    /// Whether it is told what the node is off by.
+    /// Whether the error of the node was given.
     coupe: Vec<bool>,
     norme: Vec<f64>,
 }
 
-/// What is told of a node: its exact value, where it is known better than from those that it is computed from; and
-/// besides what it is off by, if that is not to be found from them, or where it lies as computed.
+/// What is given of a node: its exact value, where that is known better than its operands tell; and its error, if it is
+/// not to be found from theirs, or where the computed value lies.
 pub(crate) type Dit = (usize, Intervalle, Encore);
 
 #[derive(Debug, Clone, Copy)]
@@ -173,12 +174,12 @@ fn norme(v: Valeur) -> f64 {
     (i(grand) * (x + y + z).racine()).haut
 }
 
-/// Over a number that is not 0.
+/// a over b, which must not be 0.
 fn sur(a: Intervalle, b: Intervalle) -> Option<Intervalle> {
     if b.haut < 0.0 { Some(-a / -b) } else { (b.bas > 0.0).then(|| a / b) }
 }
 
-/// Over a number that must be above 0.
+/// a over b, which must be above 0.
 fn par(a: Intervalle, b: f64) -> Option<Intervalle> {
     (b > 0.0).then(|| a / i(b))
 }
@@ -188,7 +189,7 @@ fn signe(x: Intervalle) -> Intervalle {
 }
 
 impl<'a> Boite<'a> {
-    /// None where something may be divided by 0. `perdu` is what a product of a degree in lengths may lose.
+    /// None where a divisor may be 0. `perdu` is what a product of a given degree in lengths may lose.
     pub(crate) fn new(
         programme: &'a Programme,
         u: f64,
@@ -246,12 +247,12 @@ impl<'a> Boite<'a> {
                     )
                 }
             };
-            // What is scaled with all lengths, or with D, must be so in each term of a sum.
+            // All terms of a sum must scale alike with all lengths, and with D.
             if let Pas::Somme(a, c) | Pas::Difference(a, c) = pas {
                 assert_eq!(degres[a], degres[c], "{pas:?} of unlike degrees");
             }
             let dit = dits.iter().find(|(dit, ..)| *dit == k);
-            // At a point what is told must be what the program computes.
+            // At a point a given value must be what the program computes.
             if let Some((_, dit, _)) = dit {
                 let mince = exact[0].haut - exact[0].bas < 1e-9 * exact[0].haut.abs();
                 assert!(
@@ -270,7 +271,7 @@ impl<'a> Boite<'a> {
                 Pas::Quotient(_, c) if puissance_de_deux(c) => i(0.0),
                 Pas::Somme(..) | Pas::Difference(..) | Pas::Racine(_) => large * u,
                 Pas::Produit(..) | Pas::Quotient(..) => large * u + perdu(degre),
-                // The products and their first sum; the last sum.
+                // The products and their first sum; then the last sum.
                 Pas::Scalaire(a, c) => {
                     (2.0 * (n(a) + e(a)) * (n(c) + e(c)) + large) * u * (1.0 + 4.0 * u)
                         + 3.0 * perdu(degre)
@@ -305,12 +306,12 @@ impl<'a> Boite<'a> {
         Some(b)
     }
 
-    /// What this node is off by at most.
+    /// How far this node is off at most.
     pub(crate) fn erreur(&self, sortie: usize) -> Option<Intervalle> {
         self.erreur_de(&[(sortie, 1.0)])
     }
 
-    /// What the sum of these nodes, each times a number, is off by at most.
+    /// How far the sum of these nodes, each times a number, is off at most.
     pub(crate) fn erreur_de(&self, sorties: &[(usize, f64)]) -> Option<Intervalle> {
         let mut pentes: Vec<Option<Valeur>> = vec![None; self.x.len()];
         for &(sortie, poids) in sorties {

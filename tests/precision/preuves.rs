@@ -1,4 +1,4 @@
-//! Constants that are proved from tapes of the crate's own code, by the slopes of `pentes.rs`: those of distances.
+//! The constants of distances, proved from tapes of the crate's own code by the slopes of `pentes.rs`.
 
 use std::panic::AssertUnwindSafe;
 
@@ -12,7 +12,8 @@ use crate::pentes::Encore::{Calcule, Erreur, Rien};
 use crate::pentes::{Boite, Dit, Encore, Programme, Valeur};
 use crate::ruban::{Op, Place, Taille, Trace, neuf, op};
 
-/// The degree of a length is 1; that of D is told apart from it, and lets a product of lengths be as it is.
+/// The degree of a length is 1. That of D differs enough to be told apart, and is too small to turn a length into a
+/// product of lengths.
 const DEGRE_DE_D: f64 = 0.125;
 
 /// A program and some of its nodes.
@@ -29,7 +30,7 @@ impl<const N: usize> Preuve<N> {
     }
 
     fn boite(&self, u: f64, lettres: &[(&str, f64, Valeur)], dits: &[Dit]) -> Option<Boite<'_>> {
-        // What is lost beside r², and beside a length (lemma 2); none for half-spaces and boxes.
+        // What is lost beside r² and beside a length (lemma 2). Nothing is lost for half-spaces and boxes.
         let perdu = |degre| if degre >= 2.0 { u / 64.0 } else { u * (-60_f64).exp2() };
         let sphere = lettres.iter().any(|(nom, ..)| *nom == "r");
         let perdu = |degre| if sphere { perdu(degre) } else { 0.0 };
@@ -37,7 +38,7 @@ impl<const N: usize> Preuve<N> {
     }
 }
 
-/// The program of either type.
+/// The program, once for each type.
 fn de_chaque_type<const N: usize>(
     en_f32: impl Fn() -> [Place; N],
     en_f64: impl Fn() -> [Place; N],
@@ -49,7 +50,7 @@ fn de_chaque_type<const N: usize>(
     move |u| if u == U[0] { un } else { autre }
 }
 
-/// This constant is proved on this domain, in both types, and a tenth less is too little.
+/// Proves this constant on this domain, in both types, and shows that a tenth less is too little.
 #[track_caller]
 fn prouve_sur<const N: usize>(
     constante: f64,
@@ -73,7 +74,7 @@ fn positif(x: Intervalle) -> Intervalle {
     x.max(i(0.0))
 }
 
-/// The sine of this cosine.
+/// The sine for this cosine.
 fn sinus(c: Intervalle) -> Intervalle {
     (positif(1.0 - c) * (1.0 + c)).racine()
 }
@@ -86,7 +87,7 @@ fn vecteur(x: Intervalle, y: Intervalle) -> Valeur {
     [x, y, i(0.0)]
 }
 
-/// A bound, which there may be none for.
+/// A bound, or +∞ if there is none.
 fn ou_rien(borne: Option<Intervalle>) -> Intervalle {
     borne.unwrap_or(de_a(0.0, f64::INFINITY))
 }
@@ -95,7 +96,7 @@ fn par(x: Intervalle, y: Intervalle) -> Option<Intervalle> {
     (y.bas > 0.0).then(|| x / y)
 }
 
-/// t, where |f|, ρ and t add up to 1, and v, so that tv ≤ |f|.
+/// t and v, where |f|, ρ and t add up to 1, and tv ≤ |f|.
 fn plate([f, rho, v]: [Intervalle; 3]) -> Option<[Intervalle; 2]> {
     let t = 1.0 - f - rho;
     if t.haut <= 0.0 || (f + rho).bas > 1.0 || (t * v).bas > f.haut {
@@ -136,7 +137,7 @@ fn lemme_4_la_borne_d_un_demi_espace_suffit() {
     });
 }
 
-/// The length, and t, of an entry and of an exit.
+/// The length and the t of an entry or of an exit.
 fn entree<T: Taille>() -> [Place; 2] {
     de_boite(ObjetRay::from(boite::<T>()).intersection(&rayon(S)).unwrap().distance())
 }
@@ -150,7 +151,7 @@ fn de_boite<T: Taille>(t: Trace<T>) -> [Place; 2] {
     [cotes!(longueur, Produit)[0], t.place()]
 }
 
-/// What a box needs, in u·κt, where it is entered or, with `sens` −1, left.
+/// What a box needs, in u·κt, where it is entered or, if `sens` is −1, left.
 fn distance_d_une_boite(
     u: f64,
     preuve: &Preuve<2>,
@@ -178,7 +179,7 @@ fn distance_d_une_boite(
     ];
     let boite = preuve.boite(u, &lettres, &[(longueur, tv, Rien), (sortie, t, Rien)]);
     let erreur = ou_rien(boite.and_then(|boite| boite.erreur(sortie)));
-    // Of k faces that may be named, that of B4 comes at most 2(k − 1)u·t before the last, and v ≤ 1/√k.
+    // If k faces may be named, the one that B4 names comes at most 2(k − 1)u·t before the last, and v ≤ 1/√k.
     let k = [3.0, 2.0, 1.0].into_iter().find(|k| v.bas <= (plus(20.0, u) / i(*k).racine()).haut)?;
     let suite = 2.0 * (k - 1.0) * plus(8.0, u) * tv;
     Some((erreur * (v - bandes::VITESSE * u) / i(u) + suite) * plus(30.0, u))
@@ -208,7 +209,7 @@ fn entree_d_une_sphere<T: Taille>() -> [Place; 6] {
     [p, de(cotes!(s, Somme)[1]), t, a, produits[0], produits[1]]
 }
 
-/// What the sphere of radius 1 needs, in u·κt, where it is entered at the distance t and the cosine c. None inside the
+/// What the sphere of radius 1 needs, in u·κt, where it is entered at the distance t with the cosine c. None inside the
 /// band.
 fn distance_d_une_sphere(
     u: f64,
@@ -236,12 +237,12 @@ fn distance_d_une_sphere(
         let [e_t, e_a, e_p, e_sa] =
             [de_t, de_a_, de_p_d2, de_sa_s].map(|noeud| boite.erreur(noeud));
         let (e_t, e_a) = (e_t?, e_a?);
-        // SA/D² may be taken if p·D² ≥ SA·s as computed; exactly SA·s − p·D² = AB·s.
+        // SA/D² may be taken if p·D² ≥ SA·s as computed. In exact arithmetic SA·s − p·D² = AB·s.
         if (c * (t + 2.0 * c)).bas > (e_p? + e_sa?).haut {
             return Some(e_t);
         }
-        // Then t̂ is no more than p/s as computed and 2u of it. It is no more than half of that and half of SA/D² either,
-        // where an SA that is too large has two effects that cancel.
+        // Then t̂ is no more than p/s as computed and 2u of it. Nor is it more than the mean of that and SA/D², in
+        // which the two effects of a too large SA cancel.
         let moitie = u * plus(2.0, u) * (t + e_t);
         let moyen = boite.erreur_de(&[(de_t, 0.5), (de_a_, 0.5)])? + moitie + 0.5 * c;
         let plus_tard = (e_t + 2.0 * moitie).min(c + e_a).min(moyen);
@@ -250,7 +251,7 @@ fn distance_d_une_sphere(
     Some(ou_rien(erreur()) * c / (u * (f + 1.0 + t)) * plus(40.0, u))
 }
 
-/// Up to r = `perdue`·u·t.
+/// Radii up to r = `perdue`·u·t.
 fn rayons(u: f64, perdue: f64) -> [Intervalle; 2] {
     [de_a(u / 4.0, 1.0 / (perdue * u)), de_a(u.sqrt(), 1.0)]
 }
@@ -277,7 +278,8 @@ fn lemme_5_la_borne_d_une_sphere_suffit() {
     });
 }
 
-/// p, AB², −p·D², t with either under the root, and what divides, of a way out where A lies ahead or, if not, behind.
+/// For a way out with A ahead or behind: p, AB², −p·D², the t with the one and with the other under the root, and the
+/// divisor of t.
 fn sortie_d_une_sphere<T: Taille>(devant: bool) -> [Place; 6] {
     let (objet, ray) = (sphere::<T>().into(), rayon(S));
     let sorties = programmes(9, &objet, |objet: &ObjetRay<Trace<T>>| objet.sortie(&ray));
@@ -293,7 +295,7 @@ fn sortie_d_une_sphere<T: Taille>(devant: bool) -> [Place; 6] {
     [p, de_s4[0].0, de_w1[0].0, t, de_w1[0].1, cotes!(t, Quotient)[1]]
 }
 
-/// From outside −p is below 0, and has no root.
+/// From outside −p has no root, so t takes the place of that.
 fn devant<T: Taille>() -> [Place; 6] {
     let [p, ab2, p_d2, t, _, d2] = sortie_d_une_sphere::<T>(true);
     [p, ab2, p_d2, t, t, d2]
@@ -303,7 +305,7 @@ fn derriere<T: Taille>() -> [Place; 6] {
     sortie_d_une_sphere::<T>(false)
 }
 
-/// What a ray needs, in u·κt, that leaves the sphere of radius 1 at the cosine c and the distance t, with A at `sa`.
+/// What a ray that leaves the sphere of radius 1 at the cosine c and the distance t needs, in u·κt, with A at `sa`.
 fn distance_de_sortie(
     u: f64,
     preuve: &Preuve<6>,
@@ -323,7 +325,8 @@ fn distance_de_sortie(
             [(de_p, p, Rien), (de_ab2, c.carre(), Rien), (de_p_d2, -p, Rien), (de_t, t, Rien)];
         let boite = preuve.boite(u, &lettres, &dits)?;
         let (e_ab2, e_p) = (boite.erreur(de_ab2)?, boite.erreur(de_p_d2)?);
-        // With an AB² that is told apart from what else rounds; behind A what divides is no nearer to 0 than its root.
+        // The error with an AB² that is given apart from what else rounds. With A behind, the divisor is no nearer to 0
+        // than the root of `au_moins`.
         let avec = |ab2: Encore, au_moins: f64| {
             let s = de_a(f64::MIN, -(positif(i(au_moins)).racine() * plus(-2.0, u)).bas);
             let mut dits = vec![(de_p, p, Rien), (de_ab2, c.carre(), ab2), (de_t, t, Rien)];
@@ -332,15 +335,15 @@ fn distance_de_sortie(
         };
         let (exact, e_moins) = (c.carre(), e_ab2.min(e_p + sa.carre()));
         let de_trop = |ab2: Intervalle| avec(Erreur(de_a(0.0, ab2.haut.max(0.0))), exact.bas);
-        // W1 takes −p·D², exactly SA² less than AB², if that is more. Then t is that of another program. It is also between
-        // that of S4 and that of an AB² which is too large by what −p·D² is.
+        // W1 takes −p·D², which is exactly SA² less than AB², if that is more. Then t is that of the other program. It
+        // also lies between the t of S4 and the t of an AB² that is too large by the error of −p·D².
         let q = positif(-p).racine();
         let ecart = par(t * sa.carre(), (q - sa) * (c + q));
         let de_w1 = ou_rien(boite.erreur(de_t_w1)) + ou_rien(ecart);
         let entre = ou_rien(boite.erreur(de_t)).max(de_trop(e_p - sa.carre()));
         let possible = sa.carre().bas <= (e_ab2 + e_p).haut;
-        // If not, AB² as computed is no less than −p·D². If it is too small, t is between that of W1 and that of the exact
-        // AB²; and whether too small or too large, it is off by no more than the slopes there.
+        // If not, AB² as computed is no less than −p·D². If it is too small, t lies between that of W1 and that of the
+        // exact AB². Whether too small or too large, t is off by no more than the slopes there give.
         let au_moins = (exact - e_moins).bas;
         let un = avec(Calcule(de_a(au_moins, exact.haut)), au_moins)
             .min(avec(Erreur(de_a(-e_moins.haut, 0.0)), au_moins))
@@ -365,7 +368,7 @@ fn lemme_10_la_borne_de_sortie_d_une_sphere_suffit() {
             let p = b.carre() - c.carre();
             (!dehors).then(|| distance_de_sortie(u, devant(u), false, [b + c, c, b], [p, f]))
         };
-        // S may be A as well, and A ahead to 4u|f|, as the sign of SA may be wrong.
+        // S may also be A, or A ahead by up to 4u|f|, since the sign of SA may be wrong.
         let derriere = |[y, c]: [Intervalle; 2]| {
             let p = y * (y - 2.0) * c.carre();
             let f = (1.0 + p).racine();
@@ -384,13 +387,13 @@ fn lemme_10_la_borne_de_sortie_d_une_sphere_suffit() {
     });
 }
 
-/// AB² and p, and t, of which they are found.
+/// p and AB², as an entry computes them.
 fn signes<T: Taille>() -> [Place; 2] {
     let [p, ab2, ..] = entree_d_une_sphere::<T>();
     [p, ab2]
 }
 
-/// Where A is `b` ahead and AC is `k`, and r is 1.
+/// The radius is 1, A is `b` ahead, and AC is `k`.
 #[test]
 fn lemme_3_la_bande_d_une_sphere_suffit() {
     let preuve = de_chaque_type!(signes);
@@ -407,7 +410,8 @@ fn lemme_3_la_bande_d_une_sphere_suffit() {
                     ("r", 1.0, nombre(i(1.0))),
                     ("D", DEGRE_DE_D, nombre(i(1.0))),
                 ];
-                // None has more than it is off by, outside of the band: |loin² − 1| is more than the band's width there.
+                // Outside of the band neither is off by more than its size: |loin² − 1| exceeds the width of the band
+                // there.
                 let large = bandes::SPHERE * u * (f + 1.0) * (loin + 1.0);
                 let sans_signe = 1.0 - loin.carre();
                 let exact = sans_signe.max(-sans_signe).max(i(0.0));

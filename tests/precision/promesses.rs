@@ -27,7 +27,8 @@ fn cas_par_regime() -> u32 {
     commun::cas(1_000)
 }
 
-/// A case of a regime and how its object is left: anywhere, straight, and along the tangent plane or beside it by 2⁻⁶⁰ … 1.
+/// A case of a regime and the direction in which its object is left: anywhere, straight, or along the tangent plane or
+/// beside it by 2⁻⁶⁰ … 1.
 fn essai<R: Reel>(regime: &Regime<R>, passage: Passage, alea: &mut Hasard) -> Essai<R> {
     let cas = (regime.cas)(alea);
     let Cas { objet, rayon } = match passage {
@@ -47,7 +48,7 @@ fn essai<R: Reel>(regime: &Regime<R>, passage: Passage, alea: &mut Hasard) -> Es
     Essai { objets: vec![objet], rayon, passage, vers }
 }
 
-/// What parts of a promise the cases of a regime take, as they are or as `voir` makes them.
+/// The parts of a promise that the cases of a regime take, as they are or as `voir` changes them.
 fn juger<R: Reel, S: Reel>(
     regime: &Regime<R>,
     passage: Passage,
@@ -64,7 +65,8 @@ fn juger<R: Reel, S: Reel>(
     parts
 }
 
-/// Each promise of the table in each regime of its shapes; and how loose those are that a program may ask.
+/// Each promise of the table holds in each regime of its shapes, and the bounds that a program may ask for are not
+/// loose.
 fn chaque_promesse_tient<R: Reel>() {
     for regime in regimes::<R>() {
         for passage in Passage::TOUS {
@@ -79,7 +81,7 @@ fn chaque_promesse_tient<R: Reel>() {
                     mediane.is_nan() || mediane <= permise,
                     "{nom}: {mediane} times as much in the median"
                 );
-                // Some regimes have no spheres nearly lost in their distance.
+                // Some regimes have no spheres that are nearly lost in their distance.
                 let rare = std::ptr::fn_addr_eq(promesse.part, marge_infinie as Part<R>);
                 let jugees = parts.iter().filter(|part| **part > RIEN).count();
                 assert!(rare || jugees > parts.len() / 100, "{nom}: {jugees} judged only");
@@ -90,8 +92,8 @@ fn chaque_promesse_tient<R: Reel>() {
 
 en_f32_et_f64!(chaque_promesse_tient);
 
-/// What `docs/preuves/modele.md` grants the numbers of an `f32` scene in `f64`, which are unit to the rounding of `f32` only:
-/// all except what rests on the length of the normal of a flat face.
+/// What `docs/preuves/modele.md` promises for the numbers of an `f32` scene in `f64`, which are unit only to the
+/// rounding of `f32`: all except what rests on the length of the normal of a flat face.
 #[test]
 fn les_promesses_tiennent_de_nombres_elargis() {
     let elargir = |Essai { objets, rayon, passage, vers }: Essai<f32>| {
@@ -112,8 +114,8 @@ fn les_promesses_tiennent_de_nombres_elargis() {
     }
 }
 
-/// Where a way out is promised to be off by less than a quarter of its distance, `erreur` is a number: of thin plates,
-/// beside edges and where the ray grazes.
+/// Where a way out is promised to be off by less than a quarter of its distance, `erreur` is a number, for thin plates,
+/// beside edges and where the ray grazes too.
 fn l_erreur_d_une_sortie_est_un_nombre<R: Reel>() {
     // At the ends of the range products leave the normal numbers of `f64`.
     for regime in regimes::<R>().into_iter().filter(|regime| regime.extreme != Extreme::Bornes) {
@@ -136,8 +138,8 @@ fn l_erreur_d_une_sortie_est_un_nombre<R: Reel>() {
 
 en_f32_et_f64!(l_erreur_d_une_sortie_est_un_nombre);
 
-/// Mirrors, suns and panes where the bounds are nearly reached: a normal and directions that are kept though their lengths
-/// are off by almost all that is allowed, at the angle that is worst, and light that grazes behind the surface.
+/// Mirrors, suns and panes that nearly reach the bounds: a normal and directions that are kept though their lengths are
+/// off by almost all that is allowed, at the worst angle, and light that grazes behind the surface.
 fn un_reflet_un_cosinus_et_une_refraction_atteignent_presque_leur_borne<R: Reel>() {
     let mut pires = [0.0_f64; 3];
     let faire = |alea: &mut Hasard| {
@@ -146,7 +148,7 @@ fn un_reflet_un_cosinus_et_une_refraction_atteignent_presque_leur_borne<R: Reel>
         let [x, y, z] = arrondi(n * (1.0 + 5.0 * u::<R>())).into();
         let sinus = deux_puissance(alea, -9.0, -0.1);
         let vitre = miroir_sous::<R>(sinus, alea);
-        // Light that all but grazes behind the surface.
+        // This light almost grazes behind the surface.
         let touche = vitre.objet.intersection(&vitre.rayon).unwrap();
         let (n, d) = (touche.normale().vers_f64(), vitre.rayon.direction().vers_f64());
         let limite = 1.0 / n.produit_vectoriel(d).longueur();
@@ -169,8 +171,8 @@ fn un_reflet_un_cosinus_et_une_refraction_atteignent_presque_leur_borne<R: Reel>
 
 en_f32_et_f64!(un_reflet_un_cosinus_et_une_refraction_atteignent_presque_leur_borne);
 
-/// Light that enters and leaves glass near the angle of total reflection, in every regime: as Snell's law says, and
-/// mirrored where that is exact, outside the band of the decision.
+/// Light that enters and leaves glass near the angle of total reflection, in every regime: outside the band of the
+/// decision it goes as Snell's law says, and is mirrored where that says so.
 fn une_refraction_est_celle_de_snell<R: Reel>() {
     let mut jugees = 0;
     for (regime, passage) in
@@ -200,7 +202,7 @@ fn une_refraction_est_celle_de_snell<R: Reel>() {
 
 en_f32_et_f64!(une_refraction_est_celle_de_snell);
 
-/// Half-spaces and rays exactly parallel to them, in each of the ways that zero can be written.
+/// A half-space and rays exactly parallel to it, with zero written in each of its ways.
 fn un_rayon_parallele_manque_et_la_moindre_pente_arrive<R: Reel>() {
     let (zero, petit, un) = (R::ZERO, R::ETA, R::UN);
     let sol = ObjetRay::from(PlanGeo::new(Rotation::IDENTITE, zero, Texture(0)).unwrap());
@@ -211,7 +213,7 @@ fn un_rayon_parallele_manque_et_la_moindre_pente_arrive<R: Reel>() {
     for z in [zero, -zero, petit] {
         assert_eq!(vers(z), Err(NoIntersection));
     }
-    // One unit high, the smallest descent arrives farther than any number of the type.
+    // From a height of one unit the smallest descent arrives farther than any number of the type.
     assert_eq!(vers(-petit), Err(NoIntersection));
     let pente = R::depuis_f64((-100_f64).exp2());
     assert_eq!(vers(-pente).unwrap().distance(), un / pente);
@@ -219,7 +221,8 @@ fn un_rayon_parallele_manque_et_la_moindre_pente_arrive<R: Reel>() {
 
 en_f32_et_f64!(un_rayon_parallele_manque_et_la_moindre_pente_arrive);
 
-/// Two objects whose entries are 0, 1, 2 … ulp apart: the one that is answered is the first, or within the two bounds of it.
+/// Two objects whose entries are 0, 1, 2 … ulp apart: the one that is answered is the first, or behind it by no more
+/// than both bounds.
 fn le_premier_est_le_premier_a_l_arrondi_pres<R: Reel>() {
     let (mut juges, regimes) = (0, regimes::<R>());
     for regime in &regimes {
@@ -239,12 +242,12 @@ fn le_premier_est_le_premier_a_l_arrondi_pres<R: Reel>() {
 
 en_f32_et_f64!(le_premier_est_le_premier_a_l_arrondi_pres);
 
-/// Where a coordinate of the point overflows, the margin is +∞ and no NaN.
+/// Where a coordinate of the point overflows, the margin is +∞ and not a NaN.
 #[test]
 fn la_marge_d_un_point_hors_du_type_est_infinie() {
     let mur = ObjetGeo::from(PlanGeo::new(Rotation::<f32>::IDENTITE, 0.0, Texture(0)).unwrap());
     let haut = Vecteur::new(0.0, 0.0, f32::LIMITE);
-    // Unit to rounding, but longer than 1 by a unit in the last place.
+    // It is unit to rounding, but one unit in the last place longer than 1.
     let vers = Vecteur::new(
         1.0 + f32::EPSILON,
         0.0,
@@ -257,9 +260,9 @@ fn la_marge_d_un_point_hors_du_type_est_infinie() {
     assert_eq!(touche.secondaire(touche.normale()).unwrap_err().champ, "marge");
 }
 
-/// From afar a hit beside an edge is off by much along the ray, of which the margin over its face
-/// knows nothing: an inward ray may start above another face by a thousand times 2(`marge()` + 4u|P|), which
-/// one might expect, though by no more than lemma 6 grants.
+/// A hit beside an edge, seen from afar, is off by much along the ray, of which the margin over its face knows nothing.
+/// So an inward ray may start above another face by a thousand times the 2(`marge()` + 4u|P|) that one might expect,
+/// though by no more than lemma 6 grants.
 fn un_depart_vers_l_interieur_peut_etre_loin_au_dessus_d_une_autre_face<R: Reel>() {
     let centre = v(-0.0077286684, 0.018294489, 0.19977821);
     let dimensions = v(1.0, 2.0 * 0.57481515, 2.0 * 0.7004555);
@@ -278,7 +281,7 @@ fn un_depart_vers_l_interieur_peut_etre_loin_au_dessus_d_une_autre_face<R: Reel>
         let rayon = Rayon::new(v(-58.45057, 14664.854, 606.94366), d).unwrap();
         assert!(encore(&rayon, v(0.20613794, -0.8412872, -0.4997429)).is_some_and(|h| h > 1_480.0));
     }
-    // At the edge that the faces −x and +y share.
+    // The hits are at the edge that the faces −x and +y share.
     let mut pire = 0.0_f64;
     let faire = |alea: &mut Hasard| {
         let bord = centre.vers_f64() + Vecteur::new(-0.5, 0.57481515, alea.f64() - 0.5);
@@ -293,8 +296,8 @@ fn un_depart_vers_l_interieur_peut_etre_loin_au_dessus_d_une_autre_face<R: Reel>
 
 en_f32_et_f64!(un_depart_vers_l_interieur_peut_etre_loin_au_dessus_d_une_autre_face);
 
-/// Far from O a plate may be no thicker than the step: of rays sent inward, amid its face, some start beyond it and never
-/// leave. Of a cube each leaves; of a half-space none does.
+/// Far from O a plate may be no thicker than the step. Some of the rays sent inward amid its face start beyond it and
+/// never leave. Every ray leaves a cube, and none a half-space.
 #[test]
 fn ce_qui_est_plus_mince_que_le_pas_n_a_pas_de_sortie() {
     let r = Rotation::new(Vecteur::new(0.3_f32, 0.4, 0.0)).unwrap();
@@ -338,7 +341,8 @@ fn un_rayon_secondaire_invalide_est_refuse() {
     assert_eq!(touche.vers_soleil(Vecteur::NUL).unwrap_err().champ, "soleil");
 }
 
-/// A direction at the limit itself, 3.2u, is tangent: its ray starts outside and leaves, and a light there has none.
+/// A direction at the limit itself, 3.2u, is tangent: its ray starts outside and leaves, and a lamp in that direction
+/// gives no light.
 fn la_limite_du_plan_tangent_est_tangente<R: Reel>() {
     let v = |x, z| Vecteur::new(x, R::ZERO, z);
     let sol = ObjetRay::from(PlanGeo::new(Rotation::IDENTITE, R::ZERO, Texture(0)).unwrap());

@@ -1,6 +1,6 @@
-//! A scalar that records: the crate's own formulae, run on it, leave a tape of what they compute.
+//! A scalar that records: when the crate's own formulae run on it, they leave a tape of what they compute.
 //!
-//! What is computed twice from the same numbers is one place of the tape, so that two ways through the code compute
+//! What is computed twice from the same numbers has one place on the tape, so that two ways through the code compute
 //! the same if they end at the same place.
 
 use std::cell::RefCell;
@@ -15,12 +15,12 @@ use lancer_rayon::{Nombre, Vecteur};
 /// A place of the tape.
 pub(crate) type Place = usize;
 
-/// What is computed there.
+/// What is computed at a place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(crate) enum Op {
     /// An input of this name, and which of its coordinates.
     Entree(&'static str, u8),
-    /// A number of these bits, and whether it is one of `f64` that was rounded.
+    /// A number of these bits, and whether it was rounded from `f64`.
     Constante(u64, bool),
     Oppose(Place),
     Absolu(Place),
@@ -36,14 +36,14 @@ use Op::{Absolu, Constante, Difference, Entree, Oppose, Produit, Quotient, Racin
 #[derive(Debug, Default)]
 struct Ruban {
     ops: Vec<Op>,
-    /// The number at each place for the inputs as they were given.
+    /// The number at each place for the given inputs.
     valeurs: Vec<f64>,
     places: HashMap<Op, Place>,
-    /// What is known to be less than what, or not to be.
+    /// Which places are known to be less than which, or not to be.
     moindre: HashMap<(Place, Place), bool>,
-    /// What the comparisons of a way through the code found, in their order.
+    /// The results of the comparisons on a way through the code, in order.
     chemin: Vec<bool>,
-    /// How they are to come out, and all after these as true; or as the numbers tell.
+    /// How the comparisons are to come out, all later ones as true; without it, as the numbers tell.
     impose: Option<Vec<bool>>,
 }
 
@@ -65,15 +65,15 @@ pub(crate) fn ops() -> Vec<Op> {
     RUBAN.with_borrow(|ruban| ruban.ops.clone())
 }
 
-/// What was found to be less than something else, each with that.
+/// The pairs of places that were compared.
 pub(crate) fn comparaisons() -> Vec<(Place, Place)> {
     RUBAN.with_borrow(|ruban| ruban.moindre.keys().copied().collect())
 }
 
-/// The type that the scalar stands for: as large as `Self`, so that `selon` takes it for that type.
+/// The type that the scalar stands for. `Self` is as large as that type, so that `selon` takes it for that.
 pub(crate) trait Taille: Copy + Send + Sync + 'static {
     type Nombre: Nombre;
-    /// Those of 0, 1, +∞, η, u and the limit.
+    /// The codes of 0, 1, +∞, η, u and the limit.
     const CODES: [Self; 6];
     fn de(code: u32) -> Self;
     fn code(self) -> u32;
@@ -96,7 +96,7 @@ macro_rules! taille {
 
 taille! { u32 f32; u64 f64; }
 
-/// A number that records: one of six constants, or six more than its place.
+/// A number that records: the code of one of six constants, or its place plus six.
 #[derive(Clone, Copy)]
 pub(crate) struct Trace<T>(T);
 
@@ -196,8 +196,8 @@ pub(crate) fn entrees<T: Taille>(nom: &'static str, v: impl Into<[f64; 3]>) -> V
     v.into()
 }
 
-/// What each way through the code ends in, whatever the numbers: each of the first `combien` comparisons comes out both
-/// ways, unless it is made again.
+/// The results of all ways through the code, whatever the numbers: each of the first `combien` comparisons comes out
+/// both ways, unless it repeats an earlier one.
 pub(crate) fn tous_les_chemins<R: Ord>(combien: usize, f: impl Fn() -> R) -> BTreeSet<R> {
     let (mut fins, mut impose) = (BTreeSet::new(), Vec::new());
     loop {
@@ -223,8 +223,8 @@ fn est_puissance_de_deux(place: Place) -> bool {
     matches!(op(place), Constante(bits, false) if bits != 0 && bits << 12 == 0)
 }
 
-/// How often each product of inputs is rounded that this expression sums up: for all products of the same names all
-/// their counts. A root or a divisor is a factor of its own, and so are these letters; a power of two rounds nothing.
+/// How often each product of inputs that this expression sums up is rounded. Products of the same names share their
+/// counts. A root or a divisor is a factor of its own, and so is each of these letters; a power of two rounds nothing.
 pub(crate) fn arrondis(
     place: Place,
     lettres: &[(&'static str, Place)],
@@ -337,7 +337,7 @@ impl<T: Taille> Neg for Trace<T> {
 }
 
 impl<T: Taille> PartialEq for Trace<T> {
-    /// What is computed is equal to nothing but itself.
+    /// A computed number equals nothing but itself.
     fn eq(&self, autre: &Self) -> bool {
         match (self.fixe(), autre.fixe()) {
             (Some(a), Some(b)) => a == b,

@@ -1,5 +1,4 @@
-//! Annex A to the letter, as an enum and once more as a list of trait objects: how an object-oriented language has
-//! it.
+//! Annex A to the letter, as an enum and once more as a list of trait objects, as an object-oriented language has it.
 
 use banc::concurrents::{Camp, Concurrent, TROP};
 use commun::litteral::{self, Forme, Objet};

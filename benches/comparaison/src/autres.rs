@@ -1,4 +1,4 @@
-//! Who competes beside us, and that all see the same before anyone is timed.
+//! The competitors, and a check before anyone is timed that all see the same.
 
 use std::error::Error;
 
@@ -12,7 +12,7 @@ use serde::de::DeserializeOwned;
 use crate::annexe::Annexe;
 use crate::rival::{Parry, Rival};
 
-/// A scalar, with what there is for it alone.
+/// A scalar, with what exists for it alone.
 pub(crate) trait Scalaire: Parry + Bits + DeserializeOwned {
     const NOM: &'static str;
 
@@ -35,7 +35,7 @@ impl Scalaire for f64 {
     const NOM: &'static str = "f64";
 }
 
-/// The scene as each of the others wants it.
+/// The scene in the form that each of the others wants.
 pub(crate) fn rivaux<R: Scalaire>(objets: &[ObjetRay<R>]) -> Vec<Box<dyn Rival<R>>> {
     let mut rivaux = R::embree(objets);
     rivaux.push(R::rival(objets));
@@ -43,7 +43,8 @@ pub(crate) fn rivaux<R: Scalaire>(objets: &[ObjetRay<R>]) -> Vec<Box<dyn Rival<R
     rivaux
 }
 
-/// We and all others, who start ahead of what a ray leaves; who looks at all objects for every ray, only where they are few.
+/// Our ways and all others, who start ahead of what a ray leaves. Those that look at all objects for every ray take
+/// part only where these are few.
 pub(crate) fn tous<'a, R: Reel>(
     monde: Monde<'a, R>,
     rivaux: &'a [Box<dyn Rival<R>>],
@@ -58,7 +59,7 @@ pub(crate) fn tous<'a, R: Reel>(
     nous.chain(eux).collect()
 }
 
-/// These objects with a tree, in `memoire`, which becomes twice what the tree needs: the rest is for the pieces of long
+/// These objects with a tree in `memoire`, which becomes twice what the tree needs; the rest is for the pieces of long
 /// boxes.
 pub(crate) fn en_morceaux<'a, R: Reel>(
     objets: &'a [ObjetRay<R>],
@@ -68,8 +69,8 @@ pub(crate) fn en_morceaux<'a, R: Reel>(
     Monde::en_morceaux(objets, memoire)
 }
 
-/// An error unless list, tree and both of their batches have the same bits for these rays, and whether they are shadows
-/// is as their first hits say. A long list is asked about a part of them.
+/// An error unless list, tree and both of their batches have the same bits for these rays, and unless shadows agree
+/// with first hits. A long list is asked about a part of the rays.
 pub(crate) fn exiger_memes_bits<R: Scalaire>(
     monde: Monde<'_, R>,
     rayons: &[Rayon<R>],
@@ -79,7 +80,7 @@ pub(crate) fn exiger_memes_bits<R: Scalaire>(
     let rayons: Vec<_> = rayons.chunks(TUILE).step_by(pas).flatten().copied().collect();
     let touches = nous::concurrents(monde, &rayons, false).map(|qui| qui.reponses());
     let caches = nous::concurrents(monde, &rayons, true).map(|qui| qui.reponses());
-    // And the first hits before an end are those of the rays without it.
+    // The first hits before an end must be those of the rays without it.
     let sans_fin = |rayon: &Rayon<R>| rayon.jusqu_a(R::INFINI);
     let sans_fin: Vec<_> = rayons.iter().map(sans_fin).collect::<Result<_, _>>()?;
     let [toutes, ..] = nous::concurrents(monde, &sans_fin, false).map(|qui| qui.reponses());
@@ -96,8 +97,8 @@ pub(crate) fn exiger_memes_bits<R: Scalaire>(
     Ok(())
 }
 
-/// An error unless the others see what we see, except for rounding and where they start: `tolerance` of the rays
-/// may meet another object. Of two objects at one distance, as of cubes side by side, each takes either.
+/// An error unless the others see what we see, except for rounding and where they start: `tolerance` of the rays may
+/// meet another object. Where two objects are at one distance, as cubes side by side, each may take either.
 pub(crate) fn exiger_accord(
     concurrents: &[Concurrent<'_>],
     tolerance: impl Fn(&Concurrent<'_>) -> f64,

@@ -1,4 +1,4 @@
-//! What is measured: every family of scenes, kind of rays and scalar, a cell each.
+//! What is measured: a cell for every family of scenes, kind of rays and scalar.
 
 use std::error::Error;
 
@@ -12,13 +12,13 @@ const NOMBRES: [usize; 5] = [12, 48, 192, 1000, 10_000];
 /// How much of a picture: bands of 4,800 rays.
 const BANDES: usize = 8;
 
-/// So many rays of a camera may meet another object for others, where two objects touch.
+/// The part of the camera rays that may meet another object for others, where two objects touch.
 const TOLERANCE: f64 = 0.005;
 
-/// So many of those that start ahead: in a corner they start in the neighbour.
+/// The part of rays that start ahead: in a corner they start in the neighbour.
 const TOLERANCE_EN_AVANT: f64 = 0.02;
 
-/// The same of Embree's quads among cubes, where they see another object along up to 7 % of the rays.
+/// The part for Embree's quads among cubes, where another object is seen along up to 7 % of the rays.
 const TOLERANCE_DES_QUADS: f64 = 0.1;
 
 /// The times of one kind of rays in one scene.
@@ -31,14 +31,14 @@ pub(crate) struct Cellule {
 }
 
 impl Cellule {
-    /// The least of these.
+    /// The least of these sides.
     pub(crate) fn ns(&self, camps: &[Camp]) -> f64 {
         let les_leurs = self.temps.iter().filter(|(camp, _)| camps.contains(camp));
         les_leurs.map(|(_, ns)| *ns).fold(f64::NAN, f64::min)
     }
 }
 
-/// All cells; first everyone's answers, then the times.
+/// All cells. Everyone's answers are checked first, then timed.
 pub(crate) fn mesurer() -> Result<Vec<Cellule>, Box<dyn Error>> {
     let mut cellules = Vec::new();
     for chronometrer in [false, true] {
@@ -53,7 +53,7 @@ pub(crate) fn mesurer() -> Result<Vec<Cellule>, Box<dyn Error>> {
     Ok(cellules)
 }
 
-/// The cells of a scene; or that in each list, tree and batches agree to the bit, and the others but for
+/// The cells of a scene; or the check that in each list, tree and batches agree to the bit, and the others except for
 /// rounding.
 fn courir<R: Scalaire>(
     famille: Famille,

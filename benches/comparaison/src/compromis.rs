@@ -1,4 +1,4 @@
-//! Speed against accuracy, one point for each variant: `docs/vitesse.md`; every way to ask for the picture.
+//! Speed against accuracy, one point for each variant, for `docs/vitesse.md`; and every way to ask for the picture.
 
 use std::error::Error;
 
@@ -24,7 +24,7 @@ type Mesures<R> = (((&'static str, Camp), exactitude::Repondant<R>), Vec<Reponse
 /// The true first object of a ray, by its texture, and its distance.
 type Verite = Option<(u32, f64)>;
 
-/// Cases of each regime of the extremes, and what they are drawn from.
+/// How many cases each regime of the extremes has, and the seed of these cases.
 const CAS: u32 = 20_000;
 const GRAINE: u64 = 1;
 
@@ -33,7 +33,7 @@ struct Variante {
     nom: &'static str,
     scalaire: &'static str,
     ns: f64,
-    /// Of the picture, on the numbers of its own scene.
+    /// Those in the picture, on the numbers of its own scene.
     erreurs: Erreurs,
     /// Wrong hits and misses per million cases of the extremes.
     fausses: f64,
@@ -57,13 +57,13 @@ impl Erreurs {
         Self { presque, pire }
     }
 
-    /// What one in a thousand exceeds, and in brackets the largest.
+    /// What one in a thousand exceeds, with the largest in brackets.
     fn texte(self) -> String {
         format!("{:.0e} ({:.1e})", self.presque, self.pire)
     }
 }
 
-/// What one scalar takes and errs by.
+/// The times and errors of one scalar.
 struct Mesuree {
     variantes: Vec<Variante>,
     /// Every way to ask, in nanoseconds a ray.
@@ -105,7 +105,7 @@ fn facons(simples: &[(&str, f64)], doubles: &[(&str, f64)]) -> Vec<String> {
     lignes
 }
 
-/// Of the 240,000 rays, from the nanoseconds of one.
+/// For the 240,000 rays, from the nanoseconds of one.
 fn millisecondes(ns: f64) -> String {
     format!("{:.1}", 0.24 * ns)
 }
@@ -129,7 +129,7 @@ fn mesures<R: Scalaire>() -> Result<Mesuree, Box<dyn Error>> {
     });
     let verites: Vec<_> = rayons.iter().map(|rayon| premiere(&scene.objets, rayon)).collect();
 
-    // The least of this side whose name starts so.
+    // The least time of this side among names that start so.
     let ns_de = |cote: Camp, noms: &str| {
         let ceux = ns.iter().filter(|((nom, camp), _)| *camp == cote && nom.starts_with(noms));
         ceux.map(|(_, ns)| *ns).fold(f64::NAN, f64::min)
@@ -161,13 +161,13 @@ fn mesures<R: Scalaire>() -> Result<Mesuree, Box<dyn Error>> {
     Ok(Mesuree { variantes, temps })
 }
 
-/// The batch errs where the rays one by one do, and nowhere else.
+/// Checks that the batch answers as the rays one by one do, errors included.
 fn exiger_exact_aux_extremes<R: Scalaire>() -> Result<(), Box<dyn Error>> {
     for regime in regimes::<R>() {
         let mut alea = Rng::with_seed(GRAINE);
         for _ in 0..CAS {
             let cas = (regime.cas)(&mut alea);
-            // Several of the same: fewer would not go side by side.
+            // Several are the same, since fewer would not go side by side.
             let (objets, mut touches) = ([cas.objet], [Err(NoIntersection); 9]);
             Monde::de_liste(&objets).premieres_intersections(&[cas.rayon; 9], &mut touches)?;
             if touches != [premiere_intersection(&objets, &cas.rayon); 9] {
@@ -178,7 +178,7 @@ fn exiger_exact_aux_extremes<R: Scalaire>() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The earlier of two at the same distance.
+/// The exact first hit; the earlier of two at a tie.
 fn premiere<R: Scalaire>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> Verite {
     let touches =
         objets.iter().zip(0..).filter_map(|(objet, i)| Some((i, verite(objet, rayon).entree?.t)));
@@ -203,15 +203,15 @@ fn graphique(variantes: &[Variante]) -> Result<(), Box<dyn Error>> {
         .y_desc("relative error of the distance, 99.9 %")
         .y_label_formatter(&|y| format!("{y:.0e}"))
         .draw()?;
-    // A name lies beside its point, from left to right, where it touches neither the edge of the plot,
-    // with its axes and their names, nor a point or another name.
+    // A name lies beside its point, from left to right, where it touches neither the edge of the plot nor the axes and
+    // their names, nor a point or another name.
     let mut points: Vec<_> = variantes.iter().map(|v| (v, (v.ns, v.erreurs.presque))).collect();
     points.sort_by(|(a, _), (b, _)| a.ns.total_cmp(&b.ns));
     let coins = points.iter().map(|(_, point)| graphe.backend_coord(point));
     let mut pris: Vec<_> = coins.map(|(x, y)| [x - 6, y - 6, x + 6, y + 6]).collect();
     let (colonnes, lignes) = graphe.plotting_area().get_pixel_range();
     for (v, point) in points {
-        // A colour a scalar.
+        // A colour per scalar.
         let couleur = COULEURS[usize::from(v.scalaire == "f64")];
         let nom = format!("{} {}", v.nom, v.scalaire);
         let (x, y) = graphe.backend_coord(&point);

@@ -1,5 +1,5 @@
-//! What someone with a list of objects writes with Embree: spheres as its sphere points, boxes as quads or as a
-//! geometry of one's own, half-spaces beside the scene; single rays or packets of sixteen.
+//! What someone with a list of objects writes with Embree: spheres as its sphere points, boxes as quads or as a user
+//! geometry, half-spaces beside the scene; single rays or packets of sixteen.
 
 use std::array;
 use std::hint::black_box;
@@ -18,14 +18,14 @@ use crate::rival::{Rival, Vu, dire};
 
 const SEIZE: usize = 16;
 
-/// With quads, and with one's own boxes.
+/// Embree with quads, and with user boxes.
 pub(crate) fn rivaux(objets: &[ObjetRay<f32>]) -> Vec<Box<dyn Rival<f32>>> {
     let noms = [
         ["Embree, quads", "Embree ×16, quads, coherent", "Embree ×16, quads"],
         ["Embree, own boxes", "Embree ×16, own boxes, coherent", "Embree ×16, own boxes"],
     ];
     let faire = |(noms, en_quads)| {
-        // In a thread of its own: whoever makes a device of Embree rounds subnormal numbers to 0 from then on.
+        // A thread of its own, since whoever makes a device of Embree rounds subnormal numbers to 0 from then on.
         let foule = thread::scope(|fils| fils.spawn(|| Foule::new(objets, noms, en_quads)).join());
         assert!(
             black_box(f32::MIN_POSITIVE) / 2.0 > 0.0,
@@ -36,7 +36,7 @@ pub(crate) fn rivaux(objets: &[ObjetRay<f32>]) -> Vec<Box<dyn Rival<f32>>> {
     noms.into_iter().zip([true, false]).map(faire).collect()
 }
 
-/// Singly, or in packets that expect coherent rays or not.
+/// Single rays, or packets that expect coherent rays or not.
 impl Rival<f32> for Foule {
     fn concurrents<'a>(&'a self, rayons: &'a [Rayon<f32>], ombres: bool) -> Vec<Concurrent<'a>> {
         let [seul, coherents, quelconques] = self.noms;
@@ -77,7 +77,7 @@ struct Foule {
     plans: Vec<PlanRay<f32>>,
     spheres: Vec<Texture>,
     boites: Vec<Texture>,
-    /// The number of Embree's geometry of the spheres, and primitives of a box.
+    /// The number of Embree's geometry of the spheres, and of primitives in a box.
     geometrie_des_spheres: u32,
     par_boite: u32,
 }
@@ -251,7 +251,7 @@ fn entree_du_plan(plan: &PlanRay<f32>, rayon: &Rayon<f32>) -> f32 {
     if vers < 0.0 && t > 0.0 { t } else { f32::INFINITY }
 }
 
-/// Six quads a box, outward.
+/// Six outward quads a box.
 fn quads(device: &Device, boites: &[BoiteRay<f32>]) -> embree3::Geometry<'static> {
     // Corner i has the sign of its k-th coordinate in bit k.
     const FACES: [[u32; 4]; 6] =
@@ -293,7 +293,7 @@ fn les_notres(device: &Device, boites: &[BoiteRay<f32>]) -> embree3::Geometry<'s
             let etendue: [f32; 3] =
                 array::from_fn(|k| (0..3).map(|i| (normales[i][k] * demi[i]).abs()).sum());
             let centre = <[f32; 3]>::from(boite.centre());
-            // Past the rounding.
+            // Larger by the rounding.
             let etendue: [f32; 3] =
                 array::from_fn(|k| etendue[k] + 1e-6 * (etendue[k] + centre[k].abs()));
             let cote = |k: usize, signe: f32| centre[k] + signe * etendue[k];

@@ -44,11 +44,11 @@ pub(crate) fn documenter() -> Result<(), Box<dyn Error>> {
     courbes()
 }
 
-/// Below this K, without a wrong decision, whoever answers is as good as any other.
+/// Below this K, and without a wrong decision, all implementations count as equal.
 const PAREILS: f64 = 4.0;
 
-/// The largest K, and the wrong decisions in brackets, for each type and variant, of the regimes that tell the
-/// variants apart; then our largest K of all regimes.
+/// The largest K, with wrong decisions in brackets, for each type and variant, in the regimes that tell the variants
+/// apart; then our largest K in all regimes.
 fn erreurs() -> String {
     let noms = repondants::<f32>().map(|(nom, _)| nom).join(" | ");
     let mut lignes = vec![
@@ -72,7 +72,7 @@ fn erreurs() -> String {
     lignes.join("\n")
 }
 
-/// Those of a regime, whether they tell the variants apart, and our largest K.
+/// The row of a regime, whether it tells the variants apart, and our largest K.
 fn erreurs_de<R: Parry>(regime: &Regime<R>) -> (String, bool, f64) {
     let (mut distingue, mut pires) = (false, Vec::new());
     let cases = repondants::<R>().map(|(_, repondre)| {
@@ -90,7 +90,7 @@ fn entre_crochets(nombre: u32) -> String {
     if nombre == 0 { String::new() } else { format!(" ({nombre})") }
 }
 
-/// Two digits, and a power of ten where it is large.
+/// Two digits after the point, or a power of ten where it is large.
 fn lisible(x: f64) -> String {
     match x {
         _ if x.is_nan() => "–".into(),
@@ -112,7 +112,7 @@ fn bornes() -> String {
         let cases = [marges(&simple, &mut lances), jugement(&simple, &mut aisance)];
         let autres = [marges(&double, &mut lances), jugement(&double, &mut aisance)];
         let cases = format!("{} | {}", cases.join(" | "), autres.join(" | "));
-        // Without brackets no margin is +∞ and no right answer uncertain.
+        // A row without brackets has no margin of +∞ and no right answer that is uncertain.
         if cases.contains('(') {
             lignes.push(format!("| {} | {cases} |", simple.nom));
         }
@@ -125,8 +125,8 @@ fn bornes() -> String {
     lignes.join("\n")
 }
 
-/// The looseness of margins in the median, and in brackets how many are +∞. None is exceeded, and none of the
-/// secondary rays, which it counts, touches its object.
+/// How loose margins are in the median, and in brackets how many are +∞. No margin is exceeded, and no secondary ray,
+/// which `lances` counts, touches its object.
 fn marges<R: Reel>(regime: &Regime<R>, lances: &mut u64) -> String {
     let mut alea = Rng::with_seed(2);
     let (mut aisances, mut infinies) = (Vec::new(), 0);
@@ -142,7 +142,7 @@ fn marges<R: Reel>(regime: &Regime<R>, lances: &mut u64) -> String {
         aisances.extend((part > 0.0).then(|| 1.0 / part));
         let n = touche.normale().vers_f64();
         for _ in 0..20 {
-            // Outward and along: from inside, the edges of a box are outside the promise.
+            // Outward and along the surface only, since from inside the promise excepts the edges of a box.
             let vers = direction(&mut alea);
             let cosinus = vers.produit_scalaire(n);
             let tangente = vers - n * cosinus;
@@ -159,8 +159,8 @@ fn marges<R: Reel>(regime: &Regime<R>, lances: &mut u64) -> String {
     format!("{}{}", lisible(mediane), entre_crochets(infinies))
 }
 
-/// How many answers `est_certain` calls uncertain, in brackets how many of them are right; and how loose `erreur` is in
-/// the median, if that is more than so far.
+/// How many answers are uncertain by `est_certain`, and in brackets how many of these are right; `aisance` becomes how
+/// loose `erreur` is in the median, if that is more.
 fn jugement<R: Reel>(regime: &Regime<R>, aisance: &mut f64) -> String {
     let mut alea = Rng::with_seed(4);
     let (mut aisances, [mut incertaines, mut fausses]) = (Vec::new(), [0_u32; 2]);
@@ -181,8 +181,8 @@ fn jugement<R: Reel>(regime: &Regime<R>, aisance: &mut f64) -> String {
     format!("{incertaines}{}", entre_crochets(incertaines - fausses))
 }
 
-/// The error of the distance over the radius against the distance in radii, for a sphere that is
-/// aimed at well inside its outline.
+/// The error of the distance over the radius, against the distance in radii, for a sphere that is aimed at well inside
+/// its outline.
 fn courbe<R: Parry>(repondre: fn(&ObjetRay<R>, &Rayon<R>) -> Mesuree<R>) -> Vec<(f64, f64)> {
     let decades = if R::U.vers_f64() > f64::EPSILON { 7 } else { 15 };
     let point = |dixieme: i32| {
@@ -246,6 +246,6 @@ fn courbes() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Ours, annex A, parry, our batch: told apart by lightness as well.
+/// The colours of ours, annex A, parry and our batch, which differ in lightness as well.
 pub(crate) const COULEURS: [RGBColor; 4] =
     [RGBColor(0, 90, 181), RGBColor(220, 50, 32), RGBColor(225, 170, 30), RGBColor(20, 20, 20)];

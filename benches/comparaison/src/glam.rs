@@ -1,4 +1,4 @@
-//! The way from and to glam, held to what glam does.
+//! Conversions from and to glam, compared with what glam does.
 
 use std::error::Error;
 

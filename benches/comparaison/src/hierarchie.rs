@@ -1,5 +1,5 @@
-//! The tree alone: over the even mix what the instruction set does to a batch, and what it takes to build; over
-//! all families what a certificate takes.
+//! The tree alone: what the instruction set does to a batch over the even mix, what building takes, and what a
+//! certificate takes over all families.
 
 use std::error::Error;
 use std::hint::black_box;
@@ -36,7 +36,7 @@ pub(crate) fn jeux_d_instructions() -> Result<Vec<String>, Box<dyn Error>> {
     Ok(table)
 }
 
-/// Nanoseconds per ray of each set.
+/// Nanoseconds a ray with each set.
 fn jeux_de<R: Reel>(n: usize) -> Result<Vec<f64>, Box<dyn Error>> {
     let (objets, rayons) = (melange(n), image::<R>());
     let mut memoire = Vec::new();
@@ -67,7 +67,7 @@ pub(crate) fn constructions() -> Vec<String> {
 
 fn constructions_de<R: Parry>(n: usize) -> String {
     let objets = melange::<R>(n);
-    // Nothing is long: what must be lent is enough.
+    // Nothing is long, so what must be lent is enough.
     let mut places = vec![0.0; places(n)];
     let octets = size_of_val(&places[..]) as f64 / n as f64;
     let ns = moindres(TOURS, 3, |qui| {
@@ -83,7 +83,7 @@ fn constructions_de<R: Parry>(n: usize) -> String {
     format!("{scalaire},{n},{ici},{octets:.0},{parry},{obvhs}")
 }
 
-/// One by one, in tiles: the time of a certificate over that of its ray.
+/// The time of a certificate over that of its ray, one by one, in tiles.
 pub(crate) fn certificats() -> Result<Vec<String>, Box<dyn Error>> {
     let titres = "scalar,objects,geometric_mean,least,least_family,highest,highest_family";
     let mut table = vec![titres.to_owned()];

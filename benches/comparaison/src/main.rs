@@ -1,9 +1,9 @@
 //! lancer-rayon beside annex A of the handout to the letter, beside parry, beside parry's shapes in the tree of
 //! obvhs and beside Embree, with the same objects and the same rays.
 //!
-//! `cargo run --release -p comparaison` prints the times, in nine minutes; with `documents` it measures errors
-//! as well, and writes the tables and plots of `docs/vitesse.md` and `benches/erreurs.md`, and five files of
-//! `benches/mesures`. `--features embree` takes Embree 3.13 along (`apt-get install libembree-dev`).
+//! `cargo run --release -p comparaison` prints the times, in nine minutes. With `documents` it also measures errors,
+//! and writes the tables and plots of `docs/vitesse.md` and `benches/erreurs.md`, and five files of `benches/mesures`.
+//! `--features embree` adds Embree 3.13 (`apt-get install libembree-dev`).
 
 mod annexe;
 mod autres;
@@ -35,10 +35,10 @@ mod double {
     mod parry;
 }
 
-/// The page of the tables of the cells, which others share.
+/// The page with the tables of the cells, and others.
 const VITESSE: &str = "docs/vitesse.md";
 
-/// What is written into pages beside the tables of the cells.
+/// The parts that are written into pages beside the tables of the cells.
 const AUTRES: [(&str, &str); 3] =
     [(VITESSE, "variants"), ("benches/erreurs.md", "errors"), ("benches/erreurs.md", "bounds")];
 
@@ -48,12 +48,12 @@ fn main() -> Result<(), Box<dyn Error>> {
         Some("documents") => true,
         Some(_) => return Err("usage: comparaison [documents]".into()),
     };
-    // Another machine, another table.
+    // Each machine has its own table.
     let (instructions, _) = Reglage::tous().next().ok_or("no instructions")?;
     let tableaux = [("batches", tables::EN_LOT), ("summary", tables::AUPRES_DES_AUTRES)]
         .map(|(nom, tableau)| (format!("{nom}, {instructions}"), tableau));
     if ecrire {
-        // Fails now, not after all the measuring.
+        // It fails now, not after all the measuring.
         let des_cellules = tableaux.iter().map(|(nom, _)| (VITESSE, &**nom));
         for (ou, nom) in AUTRES.into_iter().chain(des_cellules) {
             page::autour(ou, nom)?;

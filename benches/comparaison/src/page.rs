@@ -1,4 +1,4 @@
-//! The parts of a page that a program writes, between two comments that stay, and the files of figures beside the pages.
+//! The parts of a page that a program writes, between two comments that stay, and the files of figures of the pages.
 
 use std::path::{Path, PathBuf};
 use std::{io, iter};
@@ -16,7 +16,7 @@ pub(crate) fn remplacer(page: &str, nom: &str, texte: &str) -> io::Result<()> {
     std::fs::write(chemin(page), format!("{avant}\n{texte}\n\n{apres}"))
 }
 
-/// What stands before the part `nom` and after it, comments included; an error if the page has no place for it.
+/// What stands before the part `nom` and after it, with the comments; an error if the page has no place for the part.
 pub(crate) fn autour(page: &str, nom: &str) -> io::Result<[String; 2]> {
     let contenu = std::fs::read_to_string(chemin(page))?;
     let (debut, fin) = (format!("<!-- begin {nom} -->\n"), format!("<!-- end {nom} -->"));
@@ -26,7 +26,7 @@ pub(crate) fn autour(page: &str, nom: &str) -> io::Result<[String; 2]> {
     Ok([format!("{avant}{debut}"), format!("{fin}{apres}")])
 }
 
-/// The text, with the machine, the compiler and the day that it was measured on.
+/// The text, followed by the day, the machine and the compiler of its measurement.
 pub(crate) fn datee(texte: &str) -> String {
     let Circonstances { jour, processeur, compilateur, .. } = Circonstances::presentes();
     format!("{texte}\n\n{jour}, {processeur}, {compilateur}, `comparaison documents`.")

@@ -1,8 +1,8 @@
-//! What someone with a list of objects writes in parry, at its best: a loop, its tree of boxes, or the
-//! eight-way tree of obvhs over the same shapes.
+//! What someone with a list of objects writes in parry, at its best: a loop, parry's tree of boxes, or the eight-way
+//! tree of obvhs over the same shapes.
 //!
-//! `main.rs` compiles this page against `parry3d` and again against `parry3d-f64`, which have the
-//! same names in them; `Real` is `f32` in one and `f64` in the other.
+//! `main.rs` compiles this file against `parry3d` and again against `parry3d-f64`, in which all names are the same;
+//! `Real` is `f32` in one and `f64` in the other.
 
 use std::hint::black_box;
 
@@ -21,8 +21,8 @@ use super::version::query::{Ray, RayCast};
 use super::version::shape::{Ball, Cuboid, HalfSpace};
 use crate::rival::{Parry, Rival, Vu, dire};
 
-/// A shape and where it is, as an enum: parry's `SharedShape` would cost it an indirect call per
-/// object, and a `Pose` for every shape a rotation of the ray where there is nothing to turn.
+/// A shape and where it is, as an enum. parry's `SharedShape` would cost parry an indirect call for each object, and a
+/// `Pose` for every shape would turn the ray even where nothing is turned.
 struct Objet(Forme, Texture);
 
 enum Forme {
@@ -31,7 +31,7 @@ enum Forme {
     Boite(Cuboid, Pose),
 }
 
-/// A tree over the objects with an end. A half-space has no finite box: those stay in a list.
+/// A tree over the bounded objects. A half-space has no finite box, so half-spaces stay in a list.
 struct Arbre<T> {
     plans: Vec<Objet>,
     solides: Vec<Objet>,
@@ -48,7 +48,7 @@ impl<T> Arbre<T> {
 }
 
 impl Objet {
-    /// Its box, past rounding: a ray along a side would have no entry into it, 0 times ∞.
+    /// The box, enlarged beyond rounding: a ray along a side would have no entry into it, 0 times ∞.
     fn boite(&self) -> Option<Aabb> {
         let boite = match &self.0 {
             Forme::Sphere(f, ou) => f.aabb(&Pose::from_translation(*ou)),
@@ -58,7 +58,7 @@ impl Objet {
         Some(boite.loosened(1e-6 * boite.mins.abs().max(boite.maxs.abs()).max_element()))
     }
 
-    /// An entry: a solid answers 0 to a source inside it.
+    /// The entry; parry answers 0 for a source inside a solid.
     fn t(&self, rayon: &Ray, t_max: Real) -> Option<Real> {
         let t = match &self.0 {
             Forme::Sphere(f, ou) => f.cast_local_ray(&rayon.translate_by(-*ou), t_max, true),
@@ -169,8 +169,8 @@ fn dans_la_liste(objets: &[Objet], rayon: &Ray) -> Option<Vu<Real>> {
     conclure(premier(objets, rayon)?, rayon)
 }
 
-/// `find_best` with the inverses of the direction: `Bvh::cast_ray` divides again at every
-/// node in f64, and takes twice as long.
+/// `find_best` with the inverses of the direction, since `Bvh::cast_ray` divides again at every node in f64, and takes
+/// twice as long.
 fn dans_l_arbre(arbre: &Arbre<Bvh>, rayon: &Ray) -> Option<Vu<Real>> {
     let plan = premier(&arbre.plans, rayon);
     let t_max = plan.map_or(Real::INFINITY, |(_, t)| t);
@@ -235,7 +235,7 @@ fn premier<'a>(objets: &'a [Objet], rayon: &Ray) -> Option<(&'a Objet, Real)> {
     premier
 }
 
-/// The normal of the nearest alone.
+/// Only the nearest hit needs its normal.
 fn conclure((objet, t): (&Objet, Real), rayon: &Ray) -> Option<Vu<Real>> {
     Some((t, objet.normale(rayon)?, objet.1))
 }

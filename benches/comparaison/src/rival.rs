@@ -1,15 +1,15 @@
-//! What everyone who competes beside us has in common: a scene of their own, and answers in one form.
+//! What all competitors beside us have in common: a scene of their own, and answers in one form.
 
 use banc::concurrents::{Concurrent, Reponse};
 use lancer_rayon::{ObjetRay, Rayon, Reel, Texture, Vecteur};
 
 /// A scene as someone wants it.
 pub(crate) trait Rival<R> {
-    /// Who answers about the first hits of these rays, or about whether they are shadows.
+    /// The competitors that answer for the first hits of these rays, or whether they are shadows.
     fn concurrents<'a>(&'a self, rayons: &'a [Rayon<R>], ombres: bool) -> Vec<Concurrent<'a>>;
 }
 
-/// Distance, normal, texture: an answer of others.
+/// An answer of others: distance, normal and texture.
 pub(crate) type Vu<R> = (R, Vecteur<R>, Texture);
 
 pub(crate) fn dire<R: Reel>(vu: Option<Vu<R>>) -> Reponse {

@@ -1,4 +1,4 @@
-//! What is written of the cells: ours beside all others, in a table, a file and a plot.
+//! What is written about the cells: ours beside all others, in a table, a file and a plot.
 
 use std::error::Error;
 
@@ -19,12 +19,12 @@ pub(crate) struct Question {
 }
 
 impl Question {
-    /// Theirs over ours.
+    /// Their time over ours.
     fn rapport(&self, cellule: &Cellule) -> f64 {
         cellule.ns(self.autres) / cellule.ns(self.ici)
     }
 
-    /// Theirs over ours in every cell with these rays, or with all, that has both.
+    /// Their time over ours in every cell with these rays, or with any, that has both.
     fn rapports<'a>(
         &self,
         cellules: &'a [Cellule],
@@ -41,7 +41,7 @@ const LOT: &[Camp] = &[Camp::Lot];
 const TOUT: &[Camp] = &[Camp::Seul, Camp::Lot];
 const AUTRES: &[Camp] = &[Camp::Parry, Camp::Embree, Camp::EmbreeSeize];
 
-/// The kinds of rays of which the summary has columns.
+/// The kinds of rays that have a column in the summary.
 const AU_RESUME: [Genre; 5] =
     [Genre::Tuiles, Genre::Miroirs, Genre::Diffus, Genre::SansOrdre, Genre::Ombres];
 
@@ -86,7 +86,7 @@ pub(crate) const EN_LOT: Tableau = Tableau {
     ],
 };
 
-/// Those of the two halves of the plot.
+/// The questions of the two halves of the plot.
 const DESSINEES: [Question; 2] = [
     Question {
         nom: "one by one: the better of parry and Embree, over ours",
@@ -102,7 +102,7 @@ const DESSINEES: [Question; 2] = [
     },
 ];
 
-/// Nanoseconds in three digits or more; nothing for who did not run.
+/// Nanoseconds in three digits or more; nothing for those who did not run.
 pub(crate) fn nanosecondes(ns: f64) -> String {
     match ns {
         _ if ns.is_nan() => String::new(),
@@ -111,19 +111,20 @@ pub(crate) fn nanosecondes(ns: f64) -> String {
     }
 }
 
-/// A ratio in two digits or three; a dash for who did not run.
+/// A ratio in two digits or three; a dash for those who did not run.
 fn rapport(x: f64) -> String {
     if x.is_nan() { "–".into() } else { format!("{x:.*}", if x < 10.0 { 2 } else { 0 }) }
 }
 
-/// The geometric mean, the least, and where that is; nothing of no cells.
+/// The geometric mean, the least ratio and its cell; nothing without cells.
 fn resumer<'a>(rapports: &[(f64, &'a Cellule)]) -> Option<(f64, f64, &'a Cellule)> {
     let (moindre, ou) = rapports.iter().min_by(|a, b| a.0.total_cmp(&b.0))?;
     let somme: f64 = rapports.iter().map(|(x, _)| x.ln()).sum();
     Some(((somme / rapports.len() as f64).exp(), *moindre, ou))
 }
 
-/// Each question over all families: the geometric mean and the least; and of all kinds of rays how many cells are behind.
+/// Each question over all families: the geometric mean and the least; and how many cells are behind, with all kinds of
+/// rays.
 pub(crate) fn resume(tableau: &Tableau, cellules: &[Cellule]) -> String {
     let titres = AU_RESUME.map(Genre::nom).join(" | ");
     let mut table = vec![
@@ -146,7 +147,7 @@ pub(crate) fn resume(tableau: &Tableau, cellules: &[Cellule]) -> String {
     table.join("\n")
 }
 
-/// The plot in five rows: the geometric mean, the least, and where that is.
+/// The plot in five rows: the geometric mean, the least ratio, and where that is.
 pub(crate) fn vitesse(cellules: &[Cellule]) -> Vec<String> {
     let titres =
         "rays,single_mean,single_least,single_where,fastest_mean,fastest_least,fastest_where";
