@@ -2,10 +2,10 @@
 
 use commun::arrondi;
 use commun::en_f32_et_f64;
-use commun::fabrique::{boite_droite, mur, sphere};
+use commun::fabrique::{boite, boite_droite, mur, sphere, v};
 use commun::hasard::pour_chaque;
 use commun::regimes::regimes;
-use lancer_rayon::{Etendue, Monde, Nombre, ObjetRay, Reel, Vecteur};
+use lancer_rayon::{Etendue, Monde, Nombre, ObjetRay, Reel, Rotation, Vecteur};
 
 /// The surface belongs to an object; the next number beyond it does not.
 fn la_surface_est_dans_l_objet<R: Reel>() {
@@ -20,6 +20,23 @@ fn la_surface_est_dans_l_objet<R: Reel>() {
 }
 
 en_f32_et_f64!(la_surface_est_dans_l_objet);
+
+/// A box whose normals are as short as a matrix may keep them reaches farther than its half-lengths
+/// along them, and its extent holds all that it contains.
+fn l_etendue_tient_une_boite_aux_normales_courtes<R: Reel>() {
+    let un = |u: f64| R::UN + R::U * R::depuis_f64(u);
+    let court = un(-4.0);
+    let m = Rotation::IDENTITE.matrice().map(|ligne| ligne.map(|x: R| x * court));
+    let tour = Rotation::depuis_matrice(m).unwrap();
+    assert_eq!(tour.matrice(), m);
+    let objet = boite(Vecteur::NUL, v(2.0, 1e-3, 1e-3), tour);
+    let bout = Vecteur::new(un(4.0), R::ZERO, R::ZERO);
+    assert!(objet.contient(bout) && objet.contient(-bout));
+    let Etendue { bas, haut } = objet.etendue().unwrap();
+    assert!(bas.x <= -bout.x && bout.x <= haut.x, "{bas:?} {haut:?}");
+}
+
+en_f32_et_f64!(l_etendue_tient_une_boite_aux_normales_courtes);
 
 /// The centre of an object that has one, and how far its farthest corner is from there along each axis.
 fn demi_etendue(objet: &ObjetRay<f32>) -> [[f64; 3]; 2] {

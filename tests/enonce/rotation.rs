@@ -184,6 +184,22 @@ fn une_matrice_presque_orthonormale_est_reparee<R: Reel>() {
 
 en_f32_et_f64!(une_matrice_presque_orthonormale_est_reparee);
 
+/// Directions that are opposite but for a sine of 16u or less have the axis that is promised: at a
+/// right angle to `vers` and to x, if y does not lie farther from `vers`. Beyond that the axis is
+/// theirs.
+fn de_directions_presque_opposees_l_axe_est_promis<R: Reel>() {
+    for (k, promis) in [(0.0, true), (15.9, true), (16.1, false), (99.0, false)] {
+        let de = Vecteur::new(R::ZERO, R::U * R::depuis_f64(k), -R::UN);
+        let [x, ..] = Rotation::entre(de, Vecteur::Z).unwrap().axes();
+        assert_eq!(x.x < R::ZERO, promis, "{k}");
+    }
+    let vers = Vecteur::new(R::UN, R::UN, R::UN);
+    let [x, ..] = Rotation::entre(-vers, vers).unwrap().axes();
+    assert!((x + Vecteur::X).longueur() < R::U * R::depuis_f64(36.0), "{x:?}");
+}
+
+en_f32_et_f64!(de_directions_presque_opposees_l_axe_est_promis);
+
 fn ce_qui_n_est_pas_une_rotation_est_refuse<R: Reel>() {
     let faire = |alea: &mut Hasard| (rotation::<R>(alea), alea.usize(0..3));
     pour_chaque(cas(256), faire, |(r, i)| {
@@ -193,7 +209,8 @@ fn ce_qui_n_est_pas_une_rotation_est_refuse<R: Reel>() {
             // Any determinant is below 0.
             Rotation::depuis_matrice(m).err().map(|erreur| (erreur.champ, erreur.valeur < 0.0))
         };
-        for k in [1.01, 0.99, 1.001, 0.999, 0.0, -1.01] {
+        // The nearest are off by a fiftieth more than the limit.
+        for k in [1.01, 0.99, 1.000_51, 0.999_49, 1.001, 0.999, 0.0, -1.01] {
             assert_eq!(refus(m.map(|l| l.map(|x| k * x))), Some(("matrice", false)));
         }
         let mut penchee = m;

@@ -201,3 +201,31 @@ fn un_rayon_refait_de_sa_source_et_de_sa_direction_est_le_meme<R: Bits>() {
 }
 
 en_f32_et_f64!(un_rayon_refait_de_sa_source_et_de_sa_direction_est_le_meme);
+
+/// A δ and the distance of a turn are finite and no less than 0; what is not is refused by its
+/// name.
+fn un_flou_et_la_distance_d_un_virage_sont_finis<R: Reel>() {
+    let rayon = Rayon::new(Vecteur::NUL, Vecteur::X).unwrap();
+    for refuse in [R::INFINI, -R::INFINI, -R::ETA, R::depuis_f64(f64::NAN)] {
+        assert_eq!(rayon.avec_flou(refuse).unwrap_err().champ, "flou");
+        assert_eq!(rayon.bifurque(refuse, Vecteur::Y).unwrap_err().champ, "distance");
+    }
+    for admis in [R::ZERO, -R::ZERO, R::ETA, R::LIMITE] {
+        assert_eq!(rayon.avec_flou(admis).unwrap().flou(), admis);
+        assert_eq!(rayon.bifurque(admis, Vecteur::Y).unwrap().source().x, admis);
+    }
+}
+
+en_f32_et_f64!(un_flou_et_la_distance_d_un_virage_sont_finis);
+
+/// The point of a wall is in the limits, also where the distance of the wall is.
+fn le_point_d_un_mur_est_dans_les_bornes<R: Reel>() {
+    let trop = R::LIMITE + R::LIMITE;
+    for x in [trop, -trop, R::INFINI, R::depuis_f64(f64::NAN)] {
+        let point = Vecteur::new(R::ZERO, x, R::ZERO);
+        let mur = PlanGeo::par_un_point(point, Vecteur::X, Texture(0));
+        assert_eq!(mur.unwrap_err().champ, "point.y");
+    }
+}
+
+en_f32_et_f64!(le_point_d_un_mur_est_dans_les_bornes);

@@ -757,6 +757,24 @@ fn des_objets_minuscules_repondent_comme_dans_la_liste<R: Bits>() {
     assert!(touches > 10 * cas(), "only {touches} hits");
 }
 
+/// Objects of a few subnormals of the tree's boxes, for there is another so large and far: what the
+/// boxes and the start of a ray round to there must hide no hit.
+#[test]
+fn des_objets_de_quelques_sous_normaux_repondent_comme_dans_la_liste() {
+    let touches = comme_la_liste::<f64>(6 * cas(), |alea| {
+        let petit = deux_puissance(alea, -48.0, -44.0);
+        let mut objets = alea.liste(UN_ARBRE + 30, |alea, i| {
+            let ou = direction(alea) * (64.0 * petit * alea.f64());
+            objet(alea, ou, petit, i)
+        });
+        let grand = 100_f64.exp2();
+        objets.push(sphere(Vecteur::new(3.0 * grand, 0.0, 0.0), grand));
+        let rayons = gerbes(alea, &objets[..UN_ARBRE], petit);
+        (objets, rayons)
+    });
+    assert!(touches > 10 * cas(), "only {touches} hits");
+}
+
 /// Built: slabs that cover the scene, more or fewer than a leaf holds, among small objects. Held: the answers of the
 /// list; and sixteen slabs have a leaf under the root or, where the root is full, under another above it.
 fn les_geants_ont_leur_feuille_sous_la_racine<R: Bits>() {

@@ -160,10 +160,10 @@ en_f32_et_f64!(parmi_des_jumeaux_rien_de_faux_n_est_certifie);
 en_f32_et_f64!(parmi_des_cubes_accoles_rien_de_faux_n_est_certifie);
 en_f32_et_f64!(dans_un_tas_tout_rayon_clair_est_certifie);
 
-/// Two half-spaces through O, with a source a few subnormals from it. If the limit became 0, the tree would ask
-/// neither.
+/// Two half-spaces through O, with a source a few subnormals from it: distances of `f32` do not tell which of them the ray
+/// enters first.
 #[test]
-fn une_limite_n_est_jamais_0() {
+fn a_quelques_sous_normaux_de_deux_murs_rien_n_est_certifie() {
     let plan = |x: f32, y, z| mur(Vecteur::NUL, Vecteur::new(x, y, z));
     let mut objets = vec![
         plan(0.31017277, -0.28852975, -0.90583855),

@@ -95,6 +95,18 @@ fn aucune_somme_et_aucun_produit_ne_sort_de_sa_borne() {
     assert!(pires.iter().all(|pire| *pire > 0.5), "{pires:?}");
 }
 
+/// What the sum of the low parts rounds by counts, also where the rest of the high parts cancels
+/// that sum: 1 − 2⁻⁵⁴ and 2⁻⁵⁴ + 2⁻¹⁰⁹ are 1 + 2⁻¹⁰⁹, of which 1 is left.
+#[test]
+fn ce_que_perdent_les_parties_basses_est_compte() {
+    let peu = (-54_f64).exp2();
+    let [x, y] = [(1.0, -peu), (peu, 0.5 * peu * peu)];
+    let [x, y] = [x, y].map(|(haut, bas)| Double { haut, bas, erreur: 0.0 });
+    let Double { haut, bas, erreur } = x.plus(y);
+    assert_eq!((haut, bas), (1.0, 0.0));
+    assert!(erreur >= 0.5 * peu * peu, "{erreur:e}");
+}
+
 /// The bounds hold also where a number is about as large as its bound, which is where a sign is decided.
 #[test]
 fn les_bornes_tiennent_le_nombre_et_son_erreur() {

@@ -57,7 +57,7 @@ impl<R: Nombre> Question<R> for Certificat<'_, R> {
 
     #[inline(always)]
     fn limite(&self) -> R {
-        // Above 0, since nothing would be asked before 0.
+        // At least `dernier`, however that rounds.
         max(R::depuis_f64(self.dernier * (1.0 + 2.0 * R::U.vers_f64())), R::ETA)
     }
 
