@@ -74,15 +74,15 @@ fn erreurs() -> String {
 
 /// The row of a regime, whether it tells the variants apart, and our largest K.
 fn erreurs_de<R: Parry>(regime: &Regime<R>) -> (String, bool, f64) {
-    let (mut distingue, mut pires) = (false, Vec::new());
+    let mut distingue = false;
     let cases = repondants::<R>().map(|(_, repondre)| {
         let mut mesure = mesurer(regime, CAS, 1, repondre);
         let [.., pire] = quantiles(&mut mesure.k);
         distingue |= mesure.fausses > 0 || pire >= PAREILS;
-        pires.push(pire);
-        format!("{}{}", lisible(pire), entre_crochets(mesure.fausses))
+        (format!("{}{}", lisible(pire), entre_crochets(mesure.fausses)), pire)
     });
-    (cases.join(" | "), distingue, pires[0])
+    let (_, notre) = cases[0];
+    (cases.map(|(case, _)| case).join(" | "), distingue, notre)
 }
 
 /// Nothing for 0.
