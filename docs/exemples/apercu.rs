@@ -1,7 +1,7 @@
 //! An overview of a scene, as a table and as a picture: what every camera ray hits, how long that takes in `f64` and in
 //! `f32`, and how far the two differ.
 //!
-//! `cargo run --release -p exemples [scene.ron] [image.png]`
+//! `cargo run --release --bin apercu [scene.ron] [image.png]`
 
 use std::error::Error;
 use std::io::{self, Write};

@@ -1,7 +1,7 @@
 //! A room in the evening, by path tracing: a lamp that is an object, soft shadows, walls that light each other, a
 //! mirror and a ball of glass.
 //!
-//! `cargo run --release -p exemples --bin chemins [--f32] [--rayons N] [scene.ron] [image.png]`
+//! `cargo run --release --bin chemins [--f32] [--rayons N] [scene.ron] [image.png]`
 //!
 //! A path starts at the eye and takes one bounce after another. The paths of one piece of the picture are a wave: all
 //! of them take one bounce in a batch, then all their shadow rays go in another.

@@ -1,6 +1,6 @@
 //! The figures of `docs/conventions.md`, which draw what the library answers.
 //!
-//! `cargo run -p exemples --bin figures` writes them again, and `tests/fichiers/figures.rs` compares the committed ones
+//! `cargo run --bin figures` writes them again, and `tests/fichiers/figures.rs` compares the committed ones
 //! with this code, byte for byte. Sines and roots come only from `lancer_rayon`, so that every machine draws the same
 //! bytes.
 

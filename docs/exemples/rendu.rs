@@ -1,6 +1,6 @@
 //! A picture of a scene, after Whitted: lamps, shadows, mirrors that show each other, and glass.
 //!
-//! `cargo run --release -p exemples --bin rendu [--f32] [--bande i/n] [scene.ron] [image.png]`
+//! `cargo run --release [-- --f32] [--bande i/n] [scene.ron] [image.png]`
 //!
 //! With `--bande 2/4` it writes only the second of four bands of the picture, as bare rows of red, green and blue.
 //! Bands put one after another are the whole picture, whichever machines made them.

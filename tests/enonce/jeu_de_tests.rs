@@ -3,7 +3,7 @@
 //! for a whole scene.
 //!
 //! Most rows are also on the page `tests/enonce/jeu_de_tests.md`, which
-//! `LANCER_RAYON_ECRIRE=1 cargo test --all-features --test enonce` writes again.
+//! `LANCER_RAYON_ECRIRE=1 cargo test --test enonce` writes again.
 
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 use core::fmt::Write;
@@ -627,7 +627,7 @@ fn la_page_est_a_jour() {
          The handout asks for this test set. The left column says what is tried, and the right one what is expected; a test fails\n\
          unless just that is obtained. Where a ray misses, the answer is the handout's exception, `NoIntersection`. Textures and\n\
          objects count from 0. `tests/enonce/jeu_de_tests.rs` checks these rows and others, and writes the page:\n\n\
-         ```sh\nLANCER_RAYON_ECRIRE=1 cargo test --all-features --test enonce\n```\n",
+         ```sh\nLANCER_RAYON_ECRIRE=1 cargo test --test enonce\n```\n",
     );
     for partie in PARTIES {
         let partie = partie();

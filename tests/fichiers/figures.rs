@@ -11,7 +11,7 @@ fn les_figures_sont_a_jour() {
         let dessinee = std::fs::read_to_string(&chemin).unwrap_or_default();
         assert!(
             dessinee == svg,
-            "docs/images/{nom} is stale: `cargo run -p exemples --bin figures`"
+            "docs/images/{nom} is stale: `cargo run --bin figures`"
         );
     }
 }

@@ -1,7 +1,7 @@
 //! Batches: any number of rays, in any order, and what the probe of a block leaves out of a tree.
 //!
 //! `LANCER_RAYON_CAS` is how many times as long each random test takes:
-//! `LANCER_RAYON_CAS=2000 cargo test --release --all-features --test memes_bits lot`
+//! `LANCER_RAYON_CAS=2000 cargo test --release --test memes_bits lot`
 
 use std::collections::HashSet;
 

@@ -5,7 +5,7 @@
 //! By default each climb is short. This gives each promise 60 seconds and prints its worst case:
 //!
 //! ```sh
-//! LANCER_RAYON_ADVERSAIRE=60 cargo test --release --all-features --test precision adversaire -- --nocapture
+//! LANCER_RAYON_ADVERSAIRE=60 cargo test --release --test precision adversaire -- --nocapture
 //! ```
 
 use std::time::{Duration, Instant};

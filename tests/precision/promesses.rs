@@ -1,7 +1,7 @@
 //! The promises of `docs/precision.md`, in the order of its table, against the oracle at the extremes.
 //!
 //! `LANCER_RAYON_CAS` is how many thousand cases each regime runs (1 unless set):
-//! `LANCER_RAYON_CAS=1000 cargo test --release --all-features --test precision promesses`
+//! `LANCER_RAYON_CAS=1000 cargo test --release --test precision promesses`
 
 use commun::fabrique::{boite_droite, sphere, v};
 use commun::hasard::{Hasard, Tirage, pour_chaque};
