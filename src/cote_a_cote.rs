@@ -8,5 +8,6 @@
 
 pub(crate) mod bloc;
 pub(crate) mod colonne;
+pub(crate) mod eclairage;
 pub(crate) mod groupe;
 pub(crate) mod niveau;

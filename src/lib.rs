@@ -162,6 +162,7 @@ pub use objet::{Etendue, ObjetGeo, ObjetRay};
 pub use question::choix::{Choix, Parmi, Sans, Tous};
 pub use rayon::Rayon;
 pub use rayon::intersection::{Intersection, NoIntersection, Reponse};
+pub use rayon::lumiere::Lumiere;
 pub use texture::Texture;
 
 /// Runs the example of the README.

@@ -10,11 +10,12 @@ use fearless_simd::Level;
 use crate::arbre::construction::{Arbre, mots};
 use crate::cote_a_cote::niveau::meilleur_niveau;
 use crate::monde::reponses::Sujet;
+use crate::question::choix::Prises;
 use crate::question::liste::Liste;
 use crate::rayon::intersection::exiger_des_rangs;
 use crate::{
-    Choix, Etendue, LongueursDifferentes, Nombre, ObjetRay, Parmi, PlacesInsuffisantes, Rayon,
-    Reel, Reponse, Sans, Tous, Vecteur,
+    Choix, Etendue, Intersection, LongueursDifferentes, Lumiere, Nombre, ObjetRay, Parmi,
+    PlacesInsuffisantes, Rayon, Reel, Reponse, Sans, Tous, Vecteur,
 };
 
 /// What rays ask, one by one or in batches: a list of objects, or a choice of them, with or without
@@ -121,7 +122,7 @@ impl<R: Nombre, C> fmt::Debug for Monde<'_, R, C> {
 #[inline]
 pub fn premiere_intersection<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> Reponse<R> {
     exiger_des_rangs(objets.len());
-    let liste = Liste { objets, choix: None };
+    let liste = Liste { objets, prises: Prises::Toutes };
     R::lancer_rayon_premiere_d_une_liste(&liste, meilleur_niveau(), rayon)
 }
 
@@ -222,12 +223,18 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// The world as questions take it.
     #[inline]
     pub(crate) fn sujet(&self) -> Sujet<'_, R> {
-        Sujet { liste: self.liste(), arbre: &self.arbre, niveau: self.niveau, deja: None }
+        self.sujet_de(self.choix.prises())
+    }
+
+    #[inline]
+    fn sujet_de<'m>(&'m self, prises: Prises<'m>) -> Sujet<'m, R> {
+        let liste = Liste { objets: self.objets, prises };
+        Sujet { liste, arbre: &self.arbre, niveau: self.niveau, deja: None }
     }
 
     #[inline]
     fn liste(&self) -> Liste<'_, R> {
-        Liste { objets: self.objets, choix: self.choix.regle_des_parcours() }
+        Liste { objets: self.objets, prises: self.choix.prises() }
     }
 
     #[inline]
@@ -330,11 +337,7 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     #[doc(alias("cast_ray", "closest_hit", "first_hit", "raycast"))]
     #[inline]
     pub fn premiere_intersection(&self, rayon: &Rayon<R>) -> Reponse<R> {
-        // Decided here, so that a list that was not stored costs nothing.
-        if self.arbre.noeuds.is_empty() {
-            return R::lancer_rayon_premiere_d_une_liste(&self.liste(), self.niveau, rayon);
-        }
-        R::lancer_rayon_premiere(&self.sujet(), rayon)
+        premiere(&self.sujet(), rayon)
     }
 
     /// The first object that each ray enters:
@@ -405,10 +408,7 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     #[inline]
     #[must_use]
     pub fn est_occulte(&self, rayon: &Rayon<R>) -> bool {
-        if self.arbre.noeuds.is_empty() {
-            return R::lancer_rayon_occulte_d_une_liste(&self.liste(), self.niveau, rayon);
-        }
-        R::lancer_rayon_occulte(&self.sujet(), rayon)
+        occulte(&self.sujet(), rayon)
     }
 
     /// Whether anything stands before the end of each ray: the answers of
@@ -440,6 +440,46 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
         occultes: &mut [bool],
     ) -> Result<(), LongueursDifferentes> {
         R::lancer_rayon_occultes(&self.sujet(), rayons, occultes)
+    }
+
+    /// first.
+    #[inline]
+    pub fn premiere_depuis(&self, touche: &Intersection<R>, rayon: &Rayon<R>) -> Reponse<R> {
+        premiere(&self.sujet_depuis(touche, rayon), rayon)
+    }
+
+    /// shadow
+    #[inline]
+    pub fn est_occulte_depuis(&self, touche: &Intersection<R>, rayon: &Rayon<R>) -> bool {
+        occulte(&self.sujet_depuis(touche, rayon), rayon)
+    }
+
+    /// The world without the object of this hit, if this ray goes away from it.
+    #[inline]
+    fn sujet_depuis(&self, touche: &Intersection<R>, rayon: &Rayon<R>) -> Sujet<'_, R> {
+        let indice = touche.indice();
+        self.sujet_de(match self.objets.get(indice) {
+            Some(objet) if objet.s_eloigne(rayon) => self.choix.prises_sans(indice),
+            Some(_) | None => self.choix.prises(),
+        })
+    }
+
+    /// The light that falls on a hit.
+    #[inline]
+    pub fn eclairement(&self, touche: &Intersection<R>, lumiere: &Lumiere<R>) -> R {
+        let (ombre, cosinus, eclaire) = touche.vers(|source| lumiere.vue_de(source));
+        let eclaire = eclaire && !self.est_occulte_depuis(touche, &ombre);
+        if eclaire { cosinus } else { R::ZERO }
+    }
+
+    /// The same of many.
+    pub fn eclairements(
+        &self,
+        touches: &[Reponse<R>],
+        lumiere: &Lumiere<R>,
+        cosinus: &mut [R],
+    ) -> Result<(), LongueursDifferentes> {
+        R::lancer_rayon_eclairements(&self.sujet(), touches, lumiere, cosinus)
     }
 
     /// Writes the objects that the ray enters before its end, the nearest first; of two at the same
@@ -627,4 +667,23 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
         let objets = (0..self.objets.len()).filter_map(|indice| liste.objet(indice));
         objets.filter_map(ObjetRay::etendue).reduce(Etendue::avec)
     }
+}
+
+/// The first object that the ray enters. That it is a list is decided here, so that a list that was
+/// not stored costs nothing.
+#[inline]
+fn premiere<R: Reel>(sujet: &Sujet<'_, R>, rayon: &Rayon<R>) -> Reponse<R> {
+    if sujet.arbre.noeuds.is_empty() {
+        return R::lancer_rayon_premiere_d_une_liste(&sujet.liste, sujet.niveau, rayon);
+    }
+    R::lancer_rayon_premiere(sujet, rayon)
+}
+
+/// Whether anything stands before the end of the ray.
+#[inline]
+fn occulte<R: Reel>(sujet: &Sujet<'_, R>, rayon: &Rayon<R>) -> bool {
+    if sujet.arbre.noeuds.is_empty() {
+        return R::lancer_rayon_occulte_d_une_liste(&sujet.liste, sujet.niveau, rayon);
+    }
+    R::lancer_rayon_occulte(sujet, rayon)
 }

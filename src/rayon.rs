@@ -2,6 +2,7 @@
 
 pub(crate) mod flou;
 pub(crate) mod intersection;
+pub(crate) mod lumiere;
 pub(crate) mod secondaire;
 
 use crate::algebre::nombre::{fois_u, simple};
@@ -54,6 +55,7 @@ impl<R: Nombre> Rayon<R> {
     /// # Errors
     /// If a coordinate of the source is beyond ±2⁴⁵⁰ (`f64`) or ±2⁶⁰ (`f32`), or if the direction
     /// is zero or not finite.
+    #[inline]
     pub fn new(source: Vecteur<R>, direction: Vecteur<R>) -> Result<Self, ErreurGeo> {
         let source = point(["source.x", "source.y", "source.z"], source)?;
         Ok(Self::sans_fin(source, direction_unitaire(DIRECTION, direction)?))
@@ -83,6 +85,7 @@ impl<R: Nombre> Rayon<R> {
     /// # Ok::<(), lancer_rayon::ErreurGeo>(())
     /// ```
     #[doc(alias("between", "segment", "line_of_sight"))]
+    #[inline]
     pub fn entre(depart: Vecteur<R>, arrivee: Vecteur<R>) -> Result<Self, ErreurGeo> {
         let depart = point(["depart.x", "depart.y", "depart.z"], depart)?;
         let arrivee = fini(["arrivee.x", "arrivee.y", "arrivee.z"], arrivee)?;
@@ -110,9 +113,9 @@ impl<R: Nombre> Rayon<R> {
     /// ```
     #[doc(alias("max_distance", "t_max", "tmax", "tfar", "range", "until"))]
     #[inline]
-    pub fn jusqu_a(self, fin: R) -> Result<Self, ErreurGeo> {
-        let fin = exiger(fin >= R::ZERO, "fin", fin, "0 or more, +∞ for a ray without an end")?;
-        Ok(Self { fin, ..self })
+    pub fn jusqu_a(mut self, fin: R) -> Result<Self, ErreurGeo> {
+        self.fin = exiger(fin >= R::ZERO, "fin", fin, "0 or more, +∞ for a ray without an end")?;
+        Ok(self)
     }
 
     /// The same ray with this [δ](Self): for a source that is known to lie on a surface, or in a
@@ -138,8 +141,9 @@ impl<R: Nombre> Rayon<R> {
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
     #[doc(alias("tolerance", "on_surface", "blur"))]
+    #[inline]
     pub fn avec_flou(self, flou: R) -> Result<Self, ErreurGeo> {
-        Ok(Self { flou: self.flou.avec(flou)?, ..self })
+        Ok(self.sachant(self.flou.avec(flou)?))
     }
 
     /// The same ray, known to start inside something such as glass, water or mist: it keeps its
@@ -171,8 +175,9 @@ impl<R: Nombre> Rayon<R> {
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
     #[doc(alias("inside", "medium", "fog"))]
+    #[inline]
     pub fn dedans(self) -> Self {
-        Self { flou: self.flou.dedans(), ..self }
+        self.sachant(self.flou.dedans())
     }
 
     /// The same ray, known to start in the air: it undoes [`dedans`](Self::dedans). It is
@@ -181,8 +186,9 @@ impl<R: Nombre> Rayon<R> {
     /// Beside an edge a ray that was sent into glass may have stepped out again: if
     /// [`sortie`](crate::ObjetRay::sortie) finds no way out of the glass, go on with this ray.
     #[doc(alias("outside", "air"))]
+    #[inline]
     pub fn dehors(self) -> Self {
-        Self { flou: self.flou.dehors(), ..self }
+        self.sachant(self.flou.dehors())
     }
 
     /// The ray without an end from a source and in a direction that were checked before, with δ =
@@ -192,10 +198,17 @@ impl<R: Nombre> Rayon<R> {
         Self { source, direction, fin: R::INFINI, flou: Flou::NUL }
     }
 
+    /// The ray of these numbers, which were those of a ray before, with this δ.
+    #[inline(always)]
+    pub(crate) fn en_nombres(source: Vecteur<R>, direction: Vecteur<R>, fin: R, delta: R) -> Self {
+        Self { source, direction, fin, flou: Flou::de(delta) }
+    }
+
     /// The same ray that knows this of its source.
     #[inline(always)]
-    pub(crate) fn sachant(self, flou: Flou<R>) -> Self {
-        Self { flou, ..self }
+    pub(crate) fn sachant(mut self, flou: Flou<R>) -> Self {
+        self.flou = flou;
+        self
     }
 
     /// S, where the ray starts.
@@ -276,6 +289,7 @@ impl<R: Nombre> Rayon<R> {
     /// # Ok::<(), lancer_rayon::ErreurGeo>(())
     /// ```
     #[doc(alias("to_f32", "narrow", "floating_origin"))]
+    #[inline]
     pub fn vers_f32(self, origine: Vecteur<R>) -> Result<Rayon<f32>, ErreurGeo> {
         let origine = refus::origine(origine)?;
         let rayon = Rayon::new((self.source - origine).vers_f32(), self.direction.vers_f32())?;

@@ -44,7 +44,7 @@ pub struct Scene<R> {
     image: Vec<Rayon<R>>,
     /// The step between rays of a picture without perspective.
     pas: f64,
-    lampe: Vecteur<R>,
+    pub lampe: Vecteur<R>,
 }
 
 /// The seed of what the pages report. The library is tuned with other seeds.
@@ -646,6 +646,16 @@ impl Genre {
         scene: &Scene<R>,
         bandes: usize,
     ) -> Vec<Rayon<R>> {
+        self.departs(monde, scene, bandes).into_iter().map(|(rayon, _)| rayon).collect()
+    }
+
+    /// These rays, each with the hit that it leaves, if it leaves one.
+    pub fn departs<R: Reel>(
+        self,
+        monde: &Monde<'_, R>,
+        scene: &Scene<R>,
+        bandes: usize,
+    ) -> Vec<(Rayon<R>, Option<Intersection<R>>)> {
         let image = if self == Self::Paralleles {
             &sans_perspective(scene.pas, |_| EN_BAS)
         } else {
@@ -655,15 +665,17 @@ impl Genre {
         let choisies = (0..bandes).map(|i| (2 * i + 1) * toutes / (2 * bandes));
         let choisies = choisies.flat_map(|i| &image[8 * largeur * i..8 * largeur * (i + 1)]);
         let rangees: Vec<_> = choisies.copied().collect();
+        let de_la_camera = |rayon| (rayon, None);
         if self == Self::Rangees {
-            return rangees;
+            return rangees.into_iter().map(de_la_camera).collect();
         }
-        let mut rayons = en_tuiles(&rangees, largeur);
+        let mut rayons: Vec<_> =
+            en_tuiles(&rangees, largeur).into_iter().map(de_la_camera).collect();
         if self.partent() {
             let mut alea = Rng::with_seed(scene.graine + 1);
-            let parti = |rayon: &Rayon<R>| {
+            let parti = |(rayon, _): &(Rayon<R>, _)| {
                 let touche = monde.premiere_intersection(rayon).ok()?;
-                self.depuis(rayon, &touche, scene.lampe, &mut alea)
+                Some((self.depuis(rayon, &touche, scene.lampe, &mut alea)?, Some(touche)))
             };
             rayons = rayons.iter().filter_map(parti).collect();
         }

@@ -49,6 +49,7 @@ pub(crate) fn refus_nul(champ: &'static str) -> ErreurGeo {
 }
 
 /// Refuses `valeur` with its name unless `accepte`.
+#[inline]
 pub(crate) fn exiger<R: Nombre>(
     accepte: bool,
     champ: &'static str,
@@ -58,12 +59,20 @@ pub(crate) fn exiger<R: Nombre>(
     if accepte {
         return Ok(valeur);
     }
-    let valeur = valeur.vers_f64();
+    Err(ErreurGeo { champ, valeur: refusee(valeur.vers_f64()), attendu })
+}
+
+/// A value as an error shows it. Cold, so that the compiler lays out what is accepted first, and
+/// apart from the names, so that it sees that they make an error.
+#[cold]
+#[inline(never)]
+fn refusee(valeur: f64) -> f64 {
     // The bits of a computed NaN differ between processors.
-    Err(ErreurGeo { champ, valeur: if valeur.is_nan() { f64::NAN } else { valeur }, attendu })
+    if valeur.is_nan() { f64::NAN } else { valeur }
 }
 
 /// A coordinate, or the relative distance of a half-space.
+#[inline]
 pub(crate) fn coordonnee<R: Nombre>(champ: &'static str, x: R) -> Result<R, ErreurGeo> {
     let attendu =
         selon::<R, _>("a number between -2^60 and 2^60", "a number between -2^450 and 2^450");
@@ -74,9 +83,17 @@ pub(crate) fn coordonnee<R: Nombre>(champ: &'static str, x: R) -> Result<R, Erre
 type Champs = [&'static str; 3];
 
 /// A point, whose three coordinates have these names.
+#[inline]
 pub(crate) fn point<R: Nombre>(champs: Champs, p: Vecteur<R>) -> Result<Vecteur<R>, ErreurGeo> {
     let [x, y, z] = champs;
     Ok(Vecteur::new(coordonnee(x, p.x)?, coordonnee(y, p.y)?, coordonnee(z, p.z)?))
+}
+
+/// Whether each coordinate of a point is within the limit.
+#[inline(always)]
+pub(crate) fn en_portee<R: Nombre>(p: Vecteur<R>) -> bool {
+    let [x, y, z] = [p.x, p.y, p.z].map(|x| x.absolu() <= R::LIMITE);
+    x & y & z
 }
 
 /// A radius or one of the three dimensions of a box.
@@ -93,6 +110,7 @@ pub(crate) fn coefficient<R: Nombre>(k: R) -> Result<R, ErreurGeo> {
 }
 
 /// A length that may be 0.
+#[inline]
 pub(crate) fn positif_ou_nul<R: Nombre>(champ: &'static str, x: R) -> Result<R, ErreurGeo> {
     exiger(x >= R::ZERO && x < R::INFINI, champ, x, "a finite number, 0 or more")
 }
@@ -103,28 +121,38 @@ pub(crate) fn deplacement<R: Nombre>(v: Vecteur<R>) -> Result<Vecteur<R>, Erreur
 }
 
 /// The origin that a conversion to `f32` subtracts.
+#[inline]
 pub(crate) fn origine<R: Nombre>(origine: Vecteur<R>) -> Result<Vecteur<R>, ErreurGeo> {
     fini(["origine.x", "origine.y", "origine.z"], origine)
 }
 
 /// A vector each of whose coordinates is finite.
+#[inline]
 pub(crate) fn fini<R: Nombre>(champs: Champs, v: Vecteur<R>) -> Result<Vecteur<R>, ErreurGeo> {
-    finis(champs, v.into()).map(Vecteur::from)
+    let [x, y, z] = champs;
+    Ok(Vecteur::new(nombre_fini(x, v.x)?, nombre_fini(y, v.y)?, nombre_fini(z, v.z)?))
+}
+
+#[inline]
+fn nombre_fini<R: Nombre>(champ: &'static str, x: R) -> Result<R, ErreurGeo> {
+    exiger(x.absolu() < R::INFINI, champ, x, "a finite number")
 }
 
 /// Numbers each of which is finite.
+#[inline]
 pub(crate) fn finis<R: Nombre, const N: usize>(
     champs: [&'static str; N],
     nombres: [R; N],
 ) -> Result<[R; N], ErreurGeo> {
     for (champ, x) in champs.into_iter().zip(nombres) {
-        exiger(x.absolu() < R::INFINI, champ, x, "a finite number")?;
+        nombre_fini(champ, x)?;
     }
     Ok(nombres)
 }
 
 /// A direction as a unit vector; refused by its name, or that of a coordinate, if it is zero or not
 /// finite.
+#[inline]
 pub(crate) fn unitaire<R: Nombre>(
     [nom, x, y, z]: [&'static str; 4],
     v: Vecteur<R>,

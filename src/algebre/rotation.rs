@@ -277,6 +277,7 @@ impl<R: Nombre> Rotation<R> {
 
     /// V·M, the vector V turned.
     #[doc(alias("rotate", "apply"))]
+    #[inline]
     pub fn appliquer(self, v: Vecteur<R>) -> Vecteur<R> {
         let [a, b, c] = self.axes();
         a * v.x + b * v.y + c * v.z

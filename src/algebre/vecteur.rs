@@ -112,24 +112,35 @@ impl<R: Nombre> Vecteur<R> {
     /// The length and the unit vector of the same direction, with one root.
     #[inline]
     pub(crate) fn longueur_et_unitaire(self) -> Option<(R, Self)> {
+        // Lengths of ordinary size stand apart. Scaled by 1 they would give the same bits, but take
+        // up to twice as long (measured).
+        let carre = self.longueur_carree();
+        if carre >= petite() && carre < R::INFINI {
+            let longueur = carre.racine();
+            return Some((longueur, self / longueur));
+        }
+        let (a_l_echelle, longueur, unitaire) = self.longueurs_et_unitaire();
+        (a_l_echelle > R::ZERO && a_l_echelle < R::INFINI).then_some((longueur, unitaire))
+    }
+
+    /// The length, first of the scaled vector, and the unit vector, without a branch: the unit
+    /// vector is NaN if the scaled length is 0 or not finite.
+    #[inline(always)]
+    pub(crate) fn longueurs_et_unitaire(self) -> (R, R, Self) {
         let (v, echelle) = self.mis_a_l_echelle();
         let longueur = v.longueur_carree().racine();
-        (longueur > R::ZERO && longueur < R::INFINI).then(|| (longueur / echelle, v / longueur))
+        (longueur, longueur / echelle, v / longueur)
     }
 
     /// The vector multiplied by a power of two, and that power. It is 1 for lengths of ordinary
     /// size; others are scaled so that the square of the length neither overflows nor loses bits.
-    #[inline]
+    #[inline(always)]
     fn mis_a_l_echelle(self) -> (Self, R) {
-        // Multiplied by this the smallest length, 2⁻¹⁴⁹ or 2⁻¹⁰⁷⁴, is 2⁻⁴⁹ or 2⁻⁴⁷⁴; divided by it
-        // the largest is 2²⁸ or 2⁴²⁴.
-        let grande = R::depuis_f64(selon::<R, _>(puissance_de_deux(100), puissance_de_deux(600)));
         let carre = self.longueur_carree();
-        // In a sum above 1/`grande`, a square that loses bits weighs nothing.
         let echelle = if carre == R::INFINI {
-            R::UN / grande
-        } else if carre < R::UN / grande {
-            grande
+            petite()
+        } else if carre < petite() {
+            R::UN / petite()
         } else {
             R::UN
         };
@@ -192,6 +203,13 @@ impl<R: Nombre> Vecteur<R> {
     pub fn depuis_f64(v: Vecteur<f64>) -> Self {
         Self::new(R::depuis_f64(v.x), R::depuis_f64(v.y), R::depuis_f64(v.z))
     }
+}
+
+/// A power of two: in a sum above it, a square that loses bits weighs nothing. Divided by it the
+/// smallest length, 2⁻¹⁴⁹ or 2⁻¹⁰⁷⁴, is 2⁻⁴⁹ or 2⁻⁴⁷⁴; multiplied by it the largest is 2²⁸ or 2⁴²⁴.
+#[inline(always)]
+fn petite<R: Nombre>() -> R {
+    R::depuis_f64(selon::<R, _>(puissance_de_deux(-100), puissance_de_deux(-600)))
 }
 
 /// Converts between a vector and another type of three coordinates, by the expression that takes

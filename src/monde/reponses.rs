@@ -6,13 +6,16 @@ use fearless_simd::{Level, Simd};
 
 use crate::arbre::construction::{Arbre, construire};
 use crate::cote_a_cote::bloc::{BLOC, Bloc, Ensemble, GROUPES, Groupes};
+use crate::cote_a_cote::eclairage::{Eclairage, Ombres};
 use crate::cote_a_cote::groupe::{Groupe, VOIES};
 use crate::cote_a_cote::niveau::{AVEC_AVX_512, SANS_AVX_512, selon_le_niveau};
 use crate::question::jugement::certificat::Certificat;
 use crate::question::liste::Liste;
 use crate::question::visite::{Montrer, Rangee, Visite};
 use crate::question::{Premier, Question};
-use crate::{LongueursDifferentes, Nombre, ObjetRay, PlacesInsuffisantes, Rayon, Reponse, Vecteur};
+use crate::{
+    LongueursDifferentes, Lumiere, Nombre, ObjetRay, PlacesInsuffisantes, Rayon, Reponse, Vecteur,
+};
 
 /// What a question is asked of: the objects, their tree, which has no nodes if they are asked as a
 /// list, and the instructions; and what the ray has found before.
@@ -282,6 +285,34 @@ reponses! {
             #[inline(always)]
             |groupe, _, _, occultes| groupe.dire_les_ombres(occultes),
         )
+    }
+
+    fn lancer_rayon_eclairements(
+        sujet: &Sujet<'_, Self>,
+        touches: &[Reponse<Self>],
+        lumiere: &Lumiere<Self>,
+        cosinus: &mut [Self],
+    ) -> Result<(), LongueursDifferentes> {
+        if touches.len() != cosinus.len() {
+            return Err(LongueursDifferentes { rayons: touches.len(), reponses: cosinus.len() });
+        }
+        let (mut eclairage, mut ombres) = (Eclairage::VIDE, Ombres::new_const());
+        for (touches, cosinus) in touches.chunks(BLOC).zip(cosinus.chunks_mut(BLOC)) {
+            ombres.clear();
+            let (eclairage, ecrits) = (&mut eclairage, (&mut *cosinus, &mut ombres));
+            selon_le_niveau!(sujet.niveau, AVEC_AVX_512, simd => simd.vectorize(
+                #[inline(always)]
+                || eclairage.ombres(touches, *lumiere, ecrits)
+            ));
+            let mut occultes = [false; BLOC];
+            let occultes = &mut occultes[..ombres.len()];
+            Self::lancer_rayon_occultes(sujet, &ombres, occultes)?;
+            let eclaires = cosinus.iter_mut().filter(|cosinus| **cosinus > 0.0);
+            for (cosinus, occulte) in eclaires.zip(occultes) {
+                *cosinus = if *occulte { 0.0 } else { *cosinus };
+            }
+        }
+        Ok(())
     }
 
     fn lancer_rayon_certifie(

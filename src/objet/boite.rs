@@ -318,6 +318,13 @@ impl<R: Nombre> Forme<R> for BoiteRay<R> {
         (if entre { entree.distance() } else { R::INFINI }, dedans)
     }
 
+    /// The source is beyond a face that the ray goes away from. That exit lies behind, and with it
+    /// the first of the three.
+    #[inline(always)]
+    fn s_eloigne(&self, rayon: &Rayon<R>) -> bool {
+        (0..3).fold(false, |loin, axe| loin | (self.dalle(axe, rayon).1.longueur < R::ZERO))
+    }
+
     #[inline(always)]
     fn des_le_depart(&self, rayon: &Rayon<R>) -> bool {
         let (hauteur, face) = self.face_de_depart(rayon);

@@ -77,6 +77,11 @@ pub(crate) trait Forme<R: Nombre>: Copy {
         if self.des_le_depart(&rayon) { R::ZERO } else { R::INFINI }
     }
 
+    /// Whether the ray starts outside and goes away, so that [`t_touche`](Self::t_touche) is +∞: of
+    /// a ray that leaves this shape outward, in a fraction of the time. False where that takes more
+    /// than a few operations to tell.
+    fn s_eloigne(&self, rayon: &Rayon<R>) -> bool;
+
     /// Whether the ray starts in this shape by no more than its δ, which is above 0, and the
     /// rounding of the shape, and goes in: then it touches the shape at once (lemma 22). Computed
     /// without a branch.

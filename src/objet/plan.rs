@@ -258,6 +258,12 @@ impl<R: Nombre> Forme<R> for PlanRay<R> {
         (t, hauteur <= R::ZERO)
     }
 
+    /// No tree holds it: whoever leaves it out saves nothing.
+    #[inline(always)]
+    fn s_eloigne(&self, _: &Rayon<R>) -> bool {
+        false
+    }
+
     #[inline(always)]
     fn des_le_depart(&self, rayon: &Rayon<R>) -> bool {
         let (hauteur, _) = self.hauteur_et_descente(rayon);

@@ -228,6 +228,13 @@ impl<R: Nombre> Forme<R> for SphereRay<R> {
         (if touche { haut / bas } else { R::INFINI }, puissance <= R::ZERO)
     }
 
+    /// C is not ahead.
+    #[inline(always)]
+    fn s_eloigne(&self, rayon: &Rayon<R>) -> bool {
+        let Termes { sa, puissance, .. } = self.termes(rayon);
+        (sa <= R::ZERO) & (puissance > R::ZERO)
+    }
+
     #[inline(always)]
     fn des_le_depart(&self, rayon: &Rayon<R>) -> bool {
         let Termes { sa, puissance, ab2, .. } = self.termes(rayon);

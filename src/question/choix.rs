@@ -17,16 +17,43 @@ pub trait Regle {
     /// Whether the object at this index is one of them.
     fn prend_cet_indice(&self, indice: usize) -> bool;
 
-    /// The choice as a walk takes it, which is compiled once for all choices; `None` if it takes
-    /// every object.
+    /// The choice as a walk takes it, which is compiled once for all choices.
     #[inline]
-    fn regle_des_parcours(&self) -> Option<&dyn Regle>
+    fn prises(&self) -> Prises<'_>
     where
         Self: Sized,
     {
-        Some(self)
+        Prises::Certaines { sauf: AUCUN, regle: Some(self) }
+    }
+
+    /// The choice without the object at this index, as a walk takes it.
+    #[inline]
+    fn prises_sans(&self, sauf: usize) -> Prises<'_>
+    where
+        Self: Sized,
+    {
+        let regle = match self.prises() {
+            Prises::Toutes => None,
+            Prises::Certaines { .. } => Some(self as &dyn Regle),
+        };
+        Prises::Certaines { sauf, regle }
     }
 }
+
+/// Which objects a walk takes.
+#[derive(Clone, Copy)]
+pub enum Prises<'a> {
+    Toutes,
+    /// Those that the rule takes, or all if there is none, except the one at an index, which costs
+    /// a comparison in place of a call.
+    Certaines {
+        sauf: usize,
+        regle: Option<&'a dyn Regle>,
+    },
+}
+
+/// An index beyond every list.
+const AUCUN: usize = usize::MAX;
 
 /// All objects of a list.
 #[doc(alias = "all")]
@@ -57,8 +84,8 @@ impl Regle for Tous {
     }
 
     #[inline]
-    fn regle_des_parcours(&self) -> Option<&dyn Regle> {
-        None
+    fn prises(&self) -> Prises<'_> {
+        Prises::Toutes
     }
 }
 
@@ -66,6 +93,11 @@ impl<C: Choix> Regle for Sans<C> {
     #[inline]
     fn prend_cet_indice(&self, indice: usize) -> bool {
         indice != self.sauf && self.parmi.prend_cet_indice(indice)
+    }
+
+    #[inline]
+    fn prises(&self) -> Prises<'_> {
+        self.parmi.prises_sans(self.sauf)
     }
 }
 

@@ -12,6 +12,7 @@ use core::slice::from_ref;
 
 use crate::algebre::double::{Double, scalaire, triple};
 use crate::algebre::nombre::{est_double, fois_u};
+use crate::question::choix::Prises;
 use crate::question::jugement::certificat::Certificat;
 use crate::question::jugement::juge::{Lieux, coup_d_oeil, juger};
 use crate::question::liste::Liste;
@@ -115,7 +116,7 @@ impl<R: Nombre> ObjetRay<R> {
     #[doc(alias("is_certain", "is_robust"))]
     #[must_use]
     pub fn est_certain(&self, rayon: &Rayon<R>) -> bool {
-        let liste = Liste { objets: from_ref(self), choix: None };
+        let liste = Liste { objets: from_ref(self), prises: Prises::Toutes };
         Certificat::new(&liste, rayon, &self.intersection(rayon))
             .is_some_and(|certificat| certificat.voir(rayon, self, 0, Abord::Inconnu).is_none())
     }

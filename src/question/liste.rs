@@ -1,7 +1,7 @@
 //! Asks a list, one ray at a time: every object, or those that a choice takes. Many rays ask it in
 //! `cote_a_cote/bloc.rs`.
 
-use crate::question::choix::Regle;
+use crate::question::choix::{Prises, Regle};
 use crate::question::{Abord, Question};
 use crate::{Nombre, ObjetRay, Rayon};
 
@@ -10,14 +10,19 @@ use crate::{Nombre, ObjetRay, Rayon};
 #[derive(Clone, Copy)]
 pub struct Liste<'a, R> {
     pub(crate) objets: &'a [ObjetRay<R>],
-    pub(crate) choix: Option<&'a dyn Regle>,
+    pub(crate) prises: Prises<'a>,
 }
 
 impl<'a, R: Nombre> Liste<'a, R> {
     /// Whether the choice takes the object at this index, which is one of the list.
     #[inline(always)]
     fn prend(&self, indice: usize) -> bool {
-        self.choix.is_none_or(|choix| prend(choix, indice))
+        match self.prises {
+            Prises::Toutes => true,
+            Prises::Certaines { sauf, regle } => {
+                indice != sauf && regle.is_none_or(|regle| prend(regle, indice))
+            }
+        }
     }
 
     /// The object at this index; `None` if the list has none there, or the choice leaves it out.
@@ -65,6 +70,6 @@ impl<'a, R: Nombre> Liste<'a, R> {
 /// a walk up to 1.08 of its time (measured).
 #[cold]
 #[inline(never)]
-fn prend(choix: &dyn Regle, indice: usize) -> bool {
-    choix.prend_cet_indice(indice)
+fn prend(regle: &dyn Regle, indice: usize) -> bool {
+    regle.prend_cet_indice(indice)
 }

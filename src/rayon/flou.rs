@@ -60,6 +60,7 @@ impl<R: Nombre> Flou<R> {
     }
 
     /// A δ that somebody gives, on the same side.
+    #[inline]
     pub(crate) fn avec(self, delta: R) -> Result<Self, ErreurGeo> {
         // A −0 would say inside.
         let delta = positif_ou_nul("flou", delta)?.absolu();
@@ -83,6 +84,7 @@ impl<R: Nombre> Flou<R> {
     }
 
     /// The same in `f32`, for a source that was this in its own type and is that in `f32`.
+    #[inline]
     pub(crate) fn vers_f32(self, avant: Vecteur<R>, apres: Vecteur<f32>) -> Flou<f32> {
         if self.delta() == R::ZERO {
             return Flou(simple(self.0));

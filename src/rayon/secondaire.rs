@@ -1,8 +1,9 @@
 //! The rays that start from a hit: mirrors, glass, shadows, lines of sight (handout, later parts).
 
 use crate::algebre::nombre::{fois_u, plancher};
-use crate::algebre::refus::{exiger, fini, point, positif_ou_nul, refus_nul};
+use crate::algebre::refus::{en_portee, exiger, fini, point, positif_ou_nul, refus_nul};
 use crate::rayon::flou::Flou;
+use crate::rayon::lumiere::vue_d_une_lampe;
 use crate::rayon::{DIRECTION, direction_unitaire};
 use crate::{ErreurGeo, Intersection, Nombre, Rayon, Vecteur};
 
@@ -64,6 +65,7 @@ impl<R: Nombre> Rayon<R> {
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
     #[doc(alias("scatter", "turn_at", "advance", "step"))]
+    #[inline]
     pub fn bifurque(&self, distance: R, direction: Vecteur<R>) -> Result<Self, ErreurGeo> {
         let t = positif_ou_nul("distance", distance)?;
         let p = self.point(t);
@@ -120,7 +122,7 @@ impl<R: Nombre> Intersection<R> {
     /// ```
     #[doc(alias("spawn_ray", "secondary_ray", "shadow_ray", "reflection", "refraction"))]
     #[doc(alias("epsilon", "bias", "tnear"))]
-    #[inline]
+    #[inline(always)]
     pub fn secondaire(&self, direction: Vecteur<R>) -> Result<Rayon<R>, ErreurGeo> {
         let direction = direction_unitaire(DIRECTION, direction)?;
         let cosinus = direction.produit_scalaire(self.normale());
@@ -157,7 +159,7 @@ impl<R: Nombre> Intersection<R> {
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
     #[doc(alias("reflect", "reflection", "mirror"))]
-    #[inline]
+    #[inline(always)]
     pub fn reflechi(&self, direction: Vecteur<R>) -> Result<Rayon<R>, ErreurGeo> {
         let (d, n) = (direction_unitaire(DIRECTION, direction)?, self.normale());
         let le_long = d.produit_scalaire(n);
@@ -215,6 +217,7 @@ impl<R: Nombre> Intersection<R> {
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
     #[doc(alias("refract", "refraction", "snell", "transmit", "ior", "glass"))]
+    #[inline(always)]
     pub fn refracte(&self, direction: Vecteur<R>, rapport: R) -> Result<Rayon<R>, ErreurGeo> {
         let permis = rapport > R::ZERO && rapport <= R::depuis_f64(RAPPORT_MAXIMAL);
         let rapport = exiger(permis, "rapport", rapport, "a number above 0, 100 at most")?;
@@ -268,14 +271,14 @@ impl<R: Nombre> Intersection<R> {
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
     #[doc(alias("shadow_ray", "light", "lamp"))]
-    #[inline]
+    #[inline(always)]
     pub fn vers_lumiere(&self, lumiere: Vecteur<R>) -> Result<Rayon<R>, ErreurGeo> {
-        let depart = self.depart(Cote::Dehors)?; // L1: outside the object, past all rounding
-        let lumiere = fini(["lumiere.x", "lumiere.y", "lumiere.z"], lumiere)?;
-        let trajet = (lumiere - depart.source).longueur_et_unitaire(); // L2: from there, not from P
-        let (fin, direction) = trajet.ok_or_else(|| refus_nul("lumiere - depart"))?;
-        self.exiger_de_face("lumiere", direction)?;
-        Ok(Rayon { direction, fin, ..depart })
+        // L2: from the start, not from P.
+        let (rayon, cosinus, eclaire) = self.vers(|source| vue_d_une_lampe(lumiere, source));
+        if eclaire {
+            return Ok(rayon);
+        }
+        Err(refus_d_ombre("lumiere", self.marge(), rayon.source, Some(lumiere), cosinus))
     }
 
     /// The ray without an end from this hit towards a sun, a light that has a direction and no
@@ -308,12 +311,29 @@ impl<R: Nombre> Intersection<R> {
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
     #[doc(alias("sun", "directional_light", "shadow_ray"))]
-    #[inline]
+    #[inline(always)]
     pub fn vers_soleil(&self, soleil: Vecteur<R>) -> Result<Rayon<R>, ErreurGeo> {
         let champs = ["soleil", "soleil.x", "soleil.y", "soleil.z"];
-        let (depart, direction) = (self.depart(Cote::Dehors)?, direction_unitaire(champs, soleil)?);
-        self.exiger_de_face("soleil", direction)?;
-        Ok(Rayon { direction, ..depart })
+        let direction = direction_unitaire(champs, soleil)?;
+        let (rayon, cosinus, eclaire) = self.vers(|_| (R::INFINI, direction));
+        if eclaire {
+            return Ok(rayon);
+        }
+        Err(refus_d_ombre("soleil", self.marge(), rayon.source, None, cosinus))
+    }
+
+    /// The ray from outside the surface to a light, which lies at the distance and in the direction
+    /// that `vue_de` says; N·L; and whether the ray may start and the surface faces the light.
+    /// Without a branch of its own.
+    #[inline(always)]
+    pub(crate) fn vers(
+        &self,
+        vue_de: impl Fn(Vecteur<R>) -> (R, Vecteur<R>),
+    ) -> (Rayon<R>, R, bool) {
+        let (depart, droit) = self.depart_et_droit(Cote::Dehors); // L1: past all rounding
+        let (fin, direction) = vue_de(depart.source);
+        let cosinus = direction.produit_scalaire(self.normale());
+        (Rayon { direction, fin, ..depart }, cosinus, droit & fait_face(cosinus))
     }
 
     /// The ray from this hit to another, which ends there. Whether two points of surfaces see each
@@ -356,9 +376,11 @@ impl<R: Nombre> Intersection<R> {
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
     #[doc(alias("line_of_sight", "visibility", "segment"))]
+    #[inline]
     pub fn vers_touche(&self, cible: &Self) -> Result<Rayon<R>, ErreurGeo> {
         let vers = self.vers_lumiere(cible.depart(Cote::Dehors)?.source)?;
-        cible.exiger_de_face("cible", -vers.direction())?;
+        let cosinus = -vers.direction().produit_scalaire(cible.normale());
+        exiger(fait_face(cosinus), "cible", cosinus, DE_FACE)?;
         Ok(vers)
     }
 
@@ -369,30 +391,35 @@ impl<R: Nombre> Intersection<R> {
         // M6: the margin, and what P, N and their sum round by.
         let pas = self.marge() * (R::UN + fois_u(PAS_NORMAL));
         let pas = pas + n.somme_des_grandeurs(p) * fois_u(PAS_ARRONDI);
-        if cote == Cote::Dedans || self.distance() != R::ZERO {
-            return pas;
-        }
         // Where a box stands flush on a mirror, the nearest face may be the hidden one. The mirror
         // would send the ray back to where it was, and so on without end. Steps that grow with δ
         // leave another face nearer in the end.
         let plus = self.delta * R::depuis_f64(PAS_D_EMBLEE);
-        pas + plus + p.norme_1() * fois_u(PAS_D_EMBLEE_POINT)
+        let long = pas + plus + p.norme_1() * fois_u(PAS_D_EMBLEE_POINT);
+        if (cote == Cote::Dehors) & (self.distance() == R::ZERO) { long } else { pas }
     }
 
     /// The ray along the normal from the point of the hit, moved along the normal to this side,
-    /// past all rounding.
+    /// past all rounding; and whether a ray may start there.
     #[inline(always)]
-    fn depart(&self, cote: Cote) -> Result<Rayon<R>, ErreurGeo> {
-        let attendu = "finite: a sphere lost in rounding, or a point out of range, has no side";
-        exiger(self.marge() < R::INFINI, "marge", self.marge(), attendu)?;
+    fn depart_et_droit(&self, cote: Cote) -> (Rayon<R>, bool) {
         let (p, n, pas) = (self.point(), self.normale(), self.pas(cote));
         let flou = Flou::de(self.delta).suivant(pas, self.distance(), p);
         let (pas, flou) = match cote {
             Cote::Dehors => (pas, flou),
             Cote::Dedans => (-pas, flou.dedans()),
         };
-        let source = point(["source.x", "source.y", "source.z"], p + n * pas)?;
-        Ok(Rayon::sans_fin(source, n).sachant(flou))
+        let source = p + n * pas;
+        let droit = (self.marge() < R::INFINI) & en_portee(source);
+        (Rayon::sans_fin(source, n).sachant(flou), droit)
+    }
+
+    /// That ray, or why none may start there.
+    #[inline(always)]
+    fn depart(&self, cote: Cote) -> Result<Rayon<R>, ErreurGeo> {
+        let (depart, _) = self.depart_et_droit(cote);
+        exiger_un_depart(self.marge(), depart.source)?;
+        Ok(depart)
     }
 
     /// The ray from that side in this unit direction.
@@ -405,14 +432,6 @@ impl<R: Nombre> Intersection<R> {
         Ok(Rayon { direction, ..self.depart(cote)? })
     }
 
-    #[inline(always)]
-    fn exiger_de_face(&self, champ: &'static str, l: Vecteur<R>) -> Result<(), ErreurGeo> {
-        let cosinus = l.produit_scalaire(self.normale());
-        let attendu = "on the side that the surface faces: N·L > 3.2u";
-        exiger(fait_face(cosinus), champ, cosinus, attendu)?;
-        Ok(())
-    }
-
     /// This direction, which leads inward by no more than rounding, turned outward if it is within
     /// [`TANGENT`] of the tangent plane or below it.
     #[inline]
@@ -423,6 +442,43 @@ impl<R: Nombre> Intersection<R> {
         // M5: outward by more than it was inward.
         direction_unitaire(DIRECTION, d + self.normale() * fois_u(REDRESSE))
     }
+}
+
+/// Refuses a start at a hit with this margin.
+#[inline(always)]
+fn exiger_un_depart<R: Nombre>(marge: R, source: Vecteur<R>) -> Result<(), ErreurGeo> {
+    let attendu = "finite: a sphere lost in rounding, or a point out of range, has no side";
+    exiger(marge < R::INFINI, "marge", marge, attendu)?;
+    point(["source.x", "source.y", "source.z"], source).map(|_| ())
+}
+
+/// What N·L must be.
+const DE_FACE: &str = "on the side that the surface faces: N·L > 3.2u";
+
+/// Why no shadow ray leaves a hit. Cold, and given numbers alone: what a refusal took by reference
+/// would lie in memory wherever it is called, and a ray that is not refused would take three times
+/// as long (measured).
+#[cold]
+#[inline(never)]
+fn refus_d_ombre<R: Nombre>(
+    champ: &'static str,
+    marge: R,
+    source: Vecteur<R>,
+    lampe: Option<Vecteur<R>>,
+    cosinus: R,
+) -> ErreurGeo {
+    if let Err(refus) = exiger_un_depart(marge, source) {
+        return refus;
+    }
+    if let Some(lampe) = lampe {
+        if let Err(refus) = fini(["lumiere.x", "lumiere.y", "lumiere.z"], lampe) {
+            return refus;
+        }
+        if lampe == source {
+            return refus_nul("lumiere - depart");
+        }
+    }
+    ErreurGeo { champ, valeur: cosinus.vers_f64(), attendu: DE_FACE }
 }
 
 /// The side of a surface to which a ray starts.
