@@ -307,7 +307,8 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// Leave out **a lamp of the list**, or the object at the far end of
     /// [`vers_touche`](crate::Intersection::vers_touche), so that it does not stand before itself.
     /// A ray that leaves an object needs no such choice: it never hits that object again
-    /// ([`secondaire`](crate::Intersection::secondaire)). Each call makes another type: for a set
+    /// ([`secondaire`](crate::Intersection::secondaire)), and
+    /// [`premiere_depuis`](Self::premiere_depuis) saves the time to find that out. Each call makes another type: for a set
     /// of objects that is known only at run time take [`parmi`](Self::parmi).
     ///
     /// ```
@@ -378,7 +379,8 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     ///
     /// It is `premiere_intersection(rayon).is_ok()`, but faster: it stops at any object found. Rays
     /// come from [`vers_lumiere`](crate::Intersection::vers_lumiere),
-    /// [`vers_soleil`](crate::Intersection::vers_soleil) or [`Rayon::entre`]. If you make the ray
+    /// [`vers_soleil`](crate::Intersection::vers_soleil) or [`Rayon::entre`];
+    /// [`eclairement`](Self::eclairement) makes them itself. If you make the ray
     /// by [`secondaire`](crate::Intersection::secondaire) instead, measure its end from its source,
     /// and test N·L > 0 first: towards a lamp behind the surface the ray starts inside the object,
     /// which then casts no shadow.
@@ -442,14 +444,49 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
         R::lancer_rayon_occultes(&self.sujet(), rayons, occultes)
     }
 
-    /// first.
+    /// The first object that a ray from this hit enters: what
+    /// [`premiere_intersection`](Self::premiere_intersection) says of the ray, to the bit, but
+    /// sooner.
+    ///
+    /// A ray that leaves a ball or a box starts in the bounding box of that object, so that a tree
+    /// asks the object, which the ray never enters. This call leaves it out, after a few operations
+    /// that tell whether the ray goes away from it. So the hit is a hint, which changes no answer:
+    /// neither where the ray goes inward, nor where the hit is one of another list or of an object
+    /// that was asked alone. Among a thousand boxes or fewer, mirrored rays take two thirds to nine
+    /// tenths of the time (`docs/vitesse.md`, "From a hit").
+    ///
+    /// # Errors
+    /// [`NoIntersection`](crate::NoIntersection) if the ray enters no object before its end.
+    ///
+    /// ```
+    /// use lancer_rayon::{BoiteGeo, Monde, ObjetRay, Rayon, Rotation, Texture, Vecteur};
+    ///
+    /// let cotes = Vecteur::new(1.0, 1.0, 1.0);
+    /// let cube = |x| BoiteGeo::new(Vecteur::X * x, cotes, Rotation::IDENTITE, Texture(0));
+    /// let objets: [ObjetRay; 2] = [cube(0.0)?.into(), cube(3.0)?.into()];
+    /// let monde = Monde::de_liste(&objets);
+    ///
+    /// // From the side of one cube to the other.
+    /// let rayon = Rayon::new(Vecteur::new(2.0, 0.0, 0.0), -Vecteur::X)?;
+    /// let touche = monde.premiere_intersection(&rayon)?;
+    /// let reflet = touche.reflechi(rayon.direction())?;
+    /// let suivante = monde.premiere_depuis(&touche, &reflet)?;
+    /// assert_eq!((touche.indice(), suivante.indice()), (0, 1));
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    #[doc(alias("cast_from", "bounce", "self_intersection", "next_hit"))]
     #[inline]
     pub fn premiere_depuis(&self, touche: &Intersection<R>, rayon: &Rayon<R>) -> Reponse<R> {
         premiere(&self.sujet_depuis(touche, rayon), rayon)
     }
 
-    /// shadow
+    /// Whether anything stands before the end of a ray from this hit: what
+    /// [`est_occulte`](Self::est_occulte) says of the ray, but sooner, as
+    /// [`premiere_depuis`](Self::premiere_depuis) is. For a lamp or a sun ask
+    /// [`eclairement`](Self::eclairement), which makes the ray as well.
+    #[doc(alias("any_hit", "occluded", "shadow", "self_intersection"))]
     #[inline]
+    #[must_use]
     pub fn est_occulte_depuis(&self, touche: &Intersection<R>, rayon: &Rayon<R>) -> bool {
         occulte(&self.sujet_depuis(touche, rayon), rayon)
     }
@@ -464,7 +501,32 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
         })
     }
 
-    /// The light that falls on a hit.
+    /// How much of a light falls on a hit: N·L, the cosine between the normal and the direction to
+    /// the light, by which a dull surface is lit (Lambert); 0 where the surface faces away from the
+    /// light or something stands before it, and above 0 everywhere else.
+    ///
+    /// It is, to the bit, what [`vers_lumiere`](Intersection::vers_lumiere) or
+    /// [`vers_soleil`](Intersection::vers_soleil), [`est_occulte`](Self::est_occulte) and the
+    /// scalar product of the ray and the normal say one after another, and their promises are its
+    /// own. Where those calls would fail it is 0. A lamp that is itself an object of the list is to
+    /// be [left out](Self::sans).
+    ///
+    /// ```
+    /// use lancer_rayon::{Lumiere, Monde, Rayon, SphereGeo, Texture, Vecteur};
+    ///
+    /// let boule = |y, r| SphereGeo::new(Vecteur::new(0.0, y, -5.0), r, Texture(0));
+    /// let objets = [boule(0.0, 1.0)?.into(), boule(4.0, 0.5)?.into()];
+    /// let monde = Monde::de_liste(&objets);
+    /// let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(0.0, 0.6, -5.0))?;
+    /// let touche = monde.premiere_intersection(&rayon)?;
+    /// let vers = |y, z| Lumiere::lampe(Vecteur::new(0.0, y, z));
+    /// assert!(monde.eclairement(&touche, &vers(3.0, -2.0)?) > 0.9);
+    /// assert_eq!(monde.eclairement(&touche, &vers(9.0, -5.2)?), 0.0); // behind the small ball
+    /// assert_eq!(monde.eclairement(&touche, &vers(0.0, -9.0)?), 0.0); // behind the surface
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    #[doc(alias("is_lit", "visible", "irradiance", "lambert", "cosine", "shadow"))]
+    #[must_use]
     #[inline]
     pub fn eclairement(&self, touche: &Intersection<R>, lumiere: &Lumiere<R>) -> R {
         let (ombre, cosinus, eclaire) = touche.vers(|source| lumiere.vue_de(source));
@@ -472,7 +534,33 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
         if eclaire { cosinus } else { R::ZERO }
     }
 
-    /// The same of many.
+    /// How much of a light falls on each of these hits, as a batch wrote them:
+    /// [`eclairement`](Self::eclairement) of each hit, and 0 for a miss.
+    ///
+    /// The shadow rays are made side by side and asked as a batch, so that a picture takes a
+    /// quarter to a half of the time that it takes to make the rays one by one and to pass them to
+    /// [`sont_occultes`](Self::sont_occultes) (`docs/vitesse.md`, "A whole picture"). The order
+    /// matters as in [`premieres_intersections`](Self::premieres_intersections).
+    ///
+    /// # Errors
+    /// If `touches` and `cosinus` are not of the same length; nothing is written then.
+    ///
+    /// ```
+    /// use lancer_rayon::{Lumiere, Monde, NoIntersection, ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
+    ///
+    /// let boule = ObjetRay::from(SphereGeo::new(Vecteur::new(0.0, 0.0, -5.0), 1.0, Texture(0))?);
+    /// let vers = |x| Rayon::new(Vecteur::NUL, Vecteur::new(x, 0.0, -5.0));
+    /// let rayons = [vers(0.0)?, vers(0.5)?, vers(9.0)?];
+    /// let (mut touches, mut cosinus) = ([Err(NoIntersection); 3], [0.0; 3]);
+    ///
+    /// let objets = [boule];
+    /// let monde = Monde::de_liste(&objets);
+    /// monde.premieres_intersections(&rayons, &mut touches)?;
+    /// monde.eclairements(&touches, &Lumiere::soleil(Vecteur::Z)?, &mut cosinus)?;
+    /// assert!(cosinus[0] == 1.0 && cosinus[1] > 0.8 && cosinus[2] == 0.0);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    #[doc(alias("is_lit", "visible", "irradiance", "lambert", "shadow", "batch"))]
     pub fn eclairements(
         &self,
         touches: &[Reponse<R>],

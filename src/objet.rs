@@ -331,7 +331,8 @@ impl<R: Nombre> ObjetRay<R> {
             if t >= rayon.fin() {
                 return Err(NoIntersection);
             }
-            let contact = forme.contact_de_toute_sorte(&retour, -t); // W6: as of a hit from beyond
+            let (contact, de_face) = forme.contact(&retour, -t); // W6: as of a hit from beyond
+            let contact = if de_face { contact } else { forme.contact_de_toute_sorte(&retour, -t) };
             let (delta, texture, rang) = (rayon.flou(), forme.texture(), Rang::de(0));
             Ok(Intersection { distance: t, contact, delta, texture, rang })
         })

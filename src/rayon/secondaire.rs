@@ -82,7 +82,8 @@ impl<R: Nombre> Intersection<R> {
     ///
     /// The direction may lead outward, D·N > 0, or inward for transparency. For mirrors there is
     /// [`reflechi`](Self::reflechi), for glass [`refracte`](Self::refracte), for shadows
-    /// [`vers_lumiere`](Self::vers_lumiere) and [`vers_soleil`](Self::vers_soleil).
+    /// [`vers_lumiere`](Self::vers_lumiere) and [`vers_soleil`](Self::vers_soleil). To ask the ray
+    /// there is [`Monde::premiere_depuis`](crate::Monde::premiere_depuis).
     ///
     /// The source is the [`point`](Self::point) of the hit, moved along the normal to the side to
     /// which the direction leads, by [`marge`](Self::marge) and the rounding of the moved point,
@@ -240,7 +241,8 @@ impl<R: Nombre> Intersection<R> {
     }
 
     /// The ray from this hit to a light, which ends there: ask
-    /// [`Monde::est_occulte`](crate::Monde::est_occulte) whether anything stands before the light.
+    /// [`Monde::est_occulte_depuis`](crate::Monde::est_occulte_depuis) whether anything stands
+    /// before the light. [`Monde::eclairement`](crate::Monde::eclairement) does both.
     ///
     /// The ray is a [`secondaire`](Self::secondaire) and never hits the object it leaves. Its end,
     /// the distance from its start to the light, is off by at most 3.6u of itself and
@@ -282,8 +284,8 @@ impl<R: Nombre> Intersection<R> {
     }
 
     /// The ray without an end from this hit towards a sun, a light that has a direction and no
-    /// place: ask [`Monde::est_occulte`](crate::Monde::est_occulte) whether anything stands before
-    /// it.
+    /// place: ask [`Monde::est_occulte_depuis`](crate::Monde::est_occulte_depuis) whether anything
+    /// stands before it. [`Monde::eclairement`](crate::Monde::eclairement) does both.
     ///
     /// `soleil` is the direction to the light, of any length. The light that the surface receives
     /// is proportional to N·L, the cosine: `touche.normale().produit_scalaire(ombre.direction())`,

@@ -2,6 +2,7 @@
 
 mod arbre;
 mod bits;
+mod eclairement;
 mod lot;
 mod sonde;
 mod souspassement;
