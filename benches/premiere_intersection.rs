@@ -1,17 +1,18 @@
 //! First hits and shadows, of a list and of a tree, ray by ray and in a batch, beside annex A of the handout to the
-//! letter.
+//! letter; and each part of a whole picture.
 
 use std::hint::black_box;
 use std::path::Path;
 use std::time::Duration;
 
+use banc::image::{self, Nous, PARTIES, peindre};
 use commun::{litteral, scenes};
 use criterion::{
     BenchmarkId, Criterion, SamplingMode, Throughput, criterion_group, criterion_main,
 };
 use exemples::scene::Scene;
 use lancer_rayon::{
-    Monde, NoIntersection, ObjetRay, Rayon, Reel, Vecteur, places, premiere_intersection,
+    Monde, NoIntersection, ObjetGeo, ObjetRay, Rayon, Reel, Vecteur, places, premiere_intersection,
 };
 use serde::de::DeserializeOwned;
 
@@ -82,11 +83,39 @@ fn ombres<R: Reel>(monde: &Monde<'_, R>, rayons: &[Rayon<R>]) -> Vec<Rayon<R>> {
     rayons.iter().filter_map(ombre).collect()
 }
 
+/// A picture of 240,000 pixels: its rays made, asked, lit and shaded.
+fn peindre_en_parties<R: Reel>(c: &mut Criterion) {
+    let mut groupe = c.benchmark_group(format!("image, {}", std::any::type_name::<R>()));
+    groupe.sample_size(10).measurement_time(Duration::from_secs(1));
+    let pixels = image::pixels();
+    groupe.throughput(Throughput::Elements(pixels.len() as u64));
+    for n in [13, 200] {
+        let objets = image::objets(n);
+        let pret = |objet: &ObjetGeo| objet.vers(Vecteur::NUL).map(ObjetGeo::vers_ray);
+        let objets: Vec<ObjetRay<R>> = objets.iter().map(pret).collect::<Result<_, _>>().unwrap();
+        let mut places = vec![0.0; places(objets.len())];
+        let mut nous = Nous::new(&objets, &mut places);
+        for (partie, nom) in PARTIES.into_iter().enumerate() {
+            groupe.bench_function(BenchmarkId::new(nom, n), |b| {
+                b.iter_custom(|fois| {
+                    (0..fois).map(|_| peindre(&mut nous, &pixels).0[partie]).sum()
+                });
+            });
+        }
+    }
+}
+
 fn lancer<Q, T>(rayons: &[Q], premiere: impl Fn(&Q) -> T) {
     for rayon in rayons {
         black_box(&premiere(rayon));
     }
 }
 
-criterion_group!(bancs, mesurer::<f32>, mesurer::<f64>);
+criterion_group!(
+    bancs,
+    mesurer::<f32>,
+    mesurer::<f64>,
+    peindre_en_parties::<f32>,
+    peindre_en_parties::<f64>
+);
 criterion_main!(bancs);

@@ -403,7 +403,7 @@ impl<R: Nombre> ObjetRay<R> {
         Some(Etendue { bas: c - h, haut: c + h })
     }
 
-    /// Whether the ray starts outside and goes away from this object.
+    /// Whether a few operations tell that the ray goes away from this object.
     #[inline]
     pub(crate) fn s_eloigne(&self, rayon: &Rayon<R>) -> bool {
         par_forme!(Self, self, forme => forme.s_eloigne(rayon))

@@ -77,9 +77,8 @@ pub(crate) trait Forme<R: Nombre>: Copy {
         if self.des_le_depart(&rayon) { R::ZERO } else { R::INFINI }
     }
 
-    /// Whether the ray starts outside and goes away, so that [`t_touche`](Self::t_touche) is +∞: of
-    /// a ray that leaves this shape outward, in a fraction of the time. False where that takes more
-    /// than a few operations to tell.
+    /// Whether a few operations tell that the ray goes away, so that [`t_touche`](Self::t_touche) is
+    /// +∞: as they do of a ray that leaves this shape outward.
     fn s_eloigne(&self, rayon: &Rayon<R>) -> bool;
 
     /// Whether the ray starts in this shape by no more than its δ, which is above 0, and the

@@ -231,8 +231,7 @@ impl<R: Nombre> Forme<R> for SphereRay<R> {
     /// C is not ahead.
     #[inline(always)]
     fn s_eloigne(&self, rayon: &Rayon<R>) -> bool {
-        let Termes { sa, puissance, .. } = self.termes(rayon);
-        (sa <= R::ZERO) & (puissance > R::ZERO)
+        self.termes(rayon).sa <= R::ZERO
     }
 
     #[inline(always)]

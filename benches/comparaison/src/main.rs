@@ -1,8 +1,9 @@
 //! lancer-rayon beside annex A of the handout to the letter, beside parry, beside parry's shapes in the tree of
 //! obvhs and beside Embree, with the same objects and the same rays.
 //!
-//! `cargo run --release -p comparaison` prints the times, in nine minutes. With `documents` it also measures errors,
-//! and writes the tables and plots of `docs/vitesse.md` and `benches/erreurs.md`, and five files of `benches/mesures`.
+//! `cargo run --release -p comparaison` prints the times, in nine minutes, and with `image` those of a whole picture and
+//! of single calls alone. With `documents` it also measures errors, and writes the tables and plots of `README.md`,
+//! `docs/vitesse.md` and `benches/erreurs.md`, and seven files of `benches/mesures`.
 //! `--features embree` adds Embree 3.13 (`apt-get install libembree-dev`).
 
 mod annexe;
@@ -12,8 +13,10 @@ mod compromis;
 #[cfg(feature = "embree")]
 mod embree;
 mod exactitude;
+mod gestes;
 mod glam;
 mod hierarchie;
+mod image;
 mod page;
 mod rival;
 mod tables;
@@ -39,14 +42,29 @@ mod double {
 const VITESSE: &str = "docs/vitesse.md";
 
 /// The parts that are written into pages beside the tables of the cells.
-const AUTRES: [(&str, &str); 3] =
-    [(VITESSE, "variants"), ("benches/erreurs.md", "errors"), ("benches/erreurs.md", "bounds")];
+const AUTRES: [(&str, &str); 6] = [
+    ("README.md", IMAGE),
+    (VITESSE, IMAGE),
+    (VITESSE, GESTES),
+    (VITESSE, "variants"),
+    ("benches/erreurs.md", "errors"),
+    ("benches/erreurs.md", "bounds"),
+];
+
+/// The tables of a whole picture and of single calls.
+const IMAGE: &str = "picture";
+const GESTES: &str = "calls";
 
 fn main() -> Result<(), Box<dyn Error>> {
     let ecrire = match std::env::args().nth(1).as_deref() {
         None => false,
         Some("documents") => true,
-        Some(_) => return Err("usage: comparaison [documents]".into()),
+        Some("image") => {
+            let (image, gestes) = (image::mesurer()?, gestes::mesurer());
+            println!("{}\n\n{}", image::tableau(&image), gestes::tableau(&gestes));
+            return Ok(());
+        }
+        Some(_) => return Err("usage: comparaison [image | documents]".into()),
     };
     // Each machine has its own table.
     let (instructions, _) = Reglage::tous().next().ok_or("no instructions")?;
@@ -60,6 +78,16 @@ fn main() -> Result<(), Box<dyn Error>> {
         }
     }
     glam::verifier()?;
+    // Before all else, as it stands on the pages.
+    let (image, gestes) = (image::mesurer()?, gestes::mesurer());
+    if ecrire {
+        for page in ["README.md", VITESSE] {
+            page::remplacer(page, IMAGE, &page::datee(&image::tableau(&image)))?;
+        }
+        page::remplacer(VITESSE, GESTES, &page::datee(&gestes::tableau(&gestes)))?;
+        page::csv("image", &image)?;
+        page::csv("gestes", &gestes)?;
+    }
     let cellules = cellules::mesurer()?;
     let tableaux = tableaux.map(|(nom, tableau)| (nom, tables::resume(&tableau, &cellules)));
     for (nom, table) in &tableaux {
