@@ -12,6 +12,8 @@ pub const TROP: usize = 64;
 pub enum Camp {
     Seul,
     Lot,
+    /// Us one by one, each ray with the hit that it leaves.
+    Depuis,
     Parry,
     Embree,
     EmbreeSeize,

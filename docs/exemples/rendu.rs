@@ -87,8 +87,10 @@ fn rendre<R: Reel + DeserializeOwned>(
     bande: Option<Bande>,
 ) -> Result<(), Box<dyn Error>> {
     let debut = Instant::now();
-    let (taille, octets) = octets::<R>(chemin, FINESSE, ENSEMBLE, bande.unwrap_or(Bande::TOUT))?;
-    println!("{chemin}: {:.1} s", debut.elapsed().as_secs_f64());
+    let Image { taille, octets, objets, rayons, touches } =
+        octets::<R>(chemin, FINESSE, ENSEMBLE, bande.unwrap_or(Bande::TOUT))?;
+    println!("{chemin}: {objets} objects, which {touches} of {rayons} rays of the camera hit");
+    println!("with shadows, mirrors and glass: {:.1} s", debut.elapsed().as_secs_f64());
     let ecrite = match bande {
         None => image::ecrire(image, taille, png::Compression::High, &octets),
         Some(_) => std::fs::write(image, octets).map_err(Into::into),
@@ -98,8 +100,17 @@ fn rendre<R: Reel + DeserializeOwned>(
     Ok(())
 }
 
-/// Width and height; red, green and blue of each pixel, row by row from the top left.
-pub(crate) type Image = ((u32, u32), Vec<u8>);
+/// A picture, and what was asked for it.
+pub(crate) struct Image {
+    /// Width and height.
+    taille: (u32, u32),
+    /// Red, green and blue of each pixel, row by row from the top left.
+    pub(crate) octets: Vec<u8>,
+    objets: usize,
+    /// The rays of the camera, and how many of them hit something.
+    rayons: usize,
+    touches: usize,
+}
 
 /// The picture of a scene file, with `finesse` rays across a pixel, `ensemble` of them together.
 pub(crate) fn octets<R: Reel + DeserializeOwned>(
@@ -119,10 +130,16 @@ pub(crate) fn octets<R: Reel + DeserializeOwned>(
     let mut memoire = vec![0.0; places(objets.len())];
     let hierarchie = Monde::new(&objets, &mut memoire)?;
     let atelier = Atelier { objets: &objets, hierarchie, lampes: lampes() };
-    let couleurs = atelier.prendre(rayons, camera.image.0, finesse, ensemble)?;
+    let (couleurs, touches) = atelier.prendre(rayons, camera.image.0, finesse, ensemble)?;
     let octet = |x: f64| (255.0 * x.powf(1.0 / 2.2)).round() as u8;
     let octets = couleurs.into_iter().flat_map(|couleur| <[f64; 3]>::from(couleur).map(octet));
-    Ok(((largeur, lignes.end - lignes.start), octets.collect()))
+    Ok(Image {
+        taille: (largeur, lignes.end - lignes.start),
+        octets: octets.collect(),
+        objets: objets.len(),
+        rayons: rayons.len(),
+        touches,
+    })
 }
 
 /// What a surface is made of. A texture is the index of one of these.
@@ -207,14 +224,14 @@ struct Trajet<R> {
 }
 
 impl<R: Reel> Atelier<'_, R> {
-    /// The colour of each pixel, from rays that stand row by row, `largeur` in a row.
+    /// The colour of each pixel, from rays that stand row by row, `largeur` in a row; and how many of them hit.
     fn prendre(
         &self,
         rayons: &[Rayon<R>],
         largeur: u32,
         finesse: u32,
         ensemble: usize,
-    ) -> Result<Vec<Couleur>, LongueursDifferentes> {
+    ) -> Result<(Vec<Couleur>, usize), LongueursDifferentes> {
         let (largeur, finesse) = (largeur as usize, finesse as usize);
         let ordre = tuiles(rayons.len(), largeur);
         let ensembles = ordre.par_chunks(ensemble).progress();
@@ -223,27 +240,31 @@ impl<R: Reel> Atelier<'_, R> {
             .collect::<Result<_, _>>()?;
 
         let mut couleurs = vec![Vecteur::NUL; rayons.len() / (finesse * finesse)];
-        for (vue, i) in vues.into_iter().flatten().zip(ordre) {
+        let touches = vues.iter().map(|(_, touches)| touches).sum();
+        for (vue, i) in vues.into_iter().flat_map(|(vues, _)| vues).zip(ordre) {
             let (ligne, colonne) = (i / largeur / finesse, i % largeur / finesse);
             // What is brighter than the picture can show must not outweigh its neighbours.
             let vue = Vecteur::from(<[f64; 3]>::from(vue).map(|x| x.min(1.0)));
             couleurs[ligne * (largeur / finesse) + colonne] += vue / (finesse * finesse) as f64;
         }
-        Ok(couleurs)
+        Ok((couleurs, touches))
     }
 
-    /// What is seen along each of these rays.
+    /// What is seen along each of these rays, and how many of them hit.
     fn vues(
         &self,
         rayons: impl Iterator<Item = Rayon<R>>,
-    ) -> Result<Vec<Couleur>, LongueursDifferentes> {
+    ) -> Result<(Vec<Couleur>, usize), LongueursDifferentes> {
         let blanc = Vecteur::new(1.0, 1.0, 1.0);
-        let de_l_oeil =
-            |(oeil, rayon)| Trajet { rayon, oeil, part: blanc, quitte: 0, dedans: false };
-        let mut trajets: Vec<_> = rayons.enumerate().map(de_l_oeil).collect();
+        let trajet = |(oeil, rayon)| Trajet { rayon, oeil, part: blanc, quitte: 0, dedans: false };
+        let mut trajets: Vec<_> = rayons.enumerate().map(trajet).collect();
         let mut vues = vec![Vecteur::NUL; trajets.len()];
-        for _ in 0..=NIVEAUX {
+        let mut de_l_oeil = 0;
+        for niveau in 0..=NIVEAUX {
             let touches = self.lancer(trajets.iter().map(|trajet| trajet.rayon).collect())?;
+            if niveau == 0 {
+                de_l_oeil = touches.iter().flatten().count();
+            }
             let mut surfaces = Vec::new();
             let mut suivants = Vec::new();
             for (trajet, touche) in trajets.iter().zip(touches) {
@@ -267,7 +288,7 @@ impl<R: Reel> Atelier<'_, R> {
             suivants.sort_by_key(|trajet| trajet.quitte);
             trajets = suivants;
         }
-        Ok(vues)
+        Ok((vues, de_l_oeil))
     }
 
     /// The first object that each of these rays touches.

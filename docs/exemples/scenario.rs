@@ -31,6 +31,8 @@ pub(crate) fn image(scenario: &str) -> Result<String, Box<dyn Error>> {
     let objets: Vec<ObjetRay> = scene.objets.iter().map(|objet| objet.vers_ray()).collect();
     let mut memoire = vec![0.0; places(objets.len())];
     let monde = Monde::new(&objets, &mut memoire)?;
+    let places_des_lampes: Vec<Lumiere> =
+        lampes.iter().map(|lampe| Lumiere::lampe(lampe.position)).collect::<Result<_, _>>()?;
 
     let (largeur, hauteur) = scene.camera.image;
     let mut image = format!("P3 {largeur} {hauteur} 255\n");
@@ -38,11 +40,8 @@ pub(crate) fn image(scenario: &str) -> Result<String, Box<dyn Error>> {
         let mut couleur = Vecteur::NUL;
         if let Ok(touche) = monde.premiere_intersection(&rayon) {
             let mut lumiere = ambiante;
-            for lampe in &lampes {
-                let Ok(ombre) = touche.vers_lumiere(lampe.position) else { continue };
-                if !monde.est_occulte(&ombre) {
-                    lumiere += lampe.eclat * ombre.direction().produit_scalaire(touche.normale());
-                }
+            for (lampe, place) in lampes.iter().zip(&places_des_lampes) {
+                lumiere += lampe.eclat * monde.eclairement(&touche, place);
             }
             let texture = touche.texture().0 as usize;
             couleur = *couleurs.get(texture).ok_or("a texture without a colour")? * lumiere;

@@ -14,11 +14,11 @@ use self::programme::{Bande, ENSEMBLE, octets};
 /// 400 rows are no multiple of 7. Every other band is made ray by ray.
 fn des_bandes_bout_a_bout_sont_l_image<R: Reel + DeserializeOwned>() {
     for scene in ["docs/scenes/atelier.ron", "docs/scenes/flocon.ron"] {
-        let image = octets::<R>(scene, 1, ENSEMBLE, Bande { numero: 1, nombre: 1 }).unwrap().1;
+        let image = octets::<R>(scene, 1, ENSEMBLE, Bande { numero: 1, nombre: 1 }).unwrap().octets;
         assert_eq!(image.len(), 3 * 600 * 400);
         let octets = (1..=7).flat_map(|numero| {
             let ensemble = if numero % 2 == 0 { 1 } else { ENSEMBLE };
-            octets::<R>(scene, 1, ensemble, Bande { numero, nombre: 7 }).unwrap().1
+            octets::<R>(scene, 1, ensemble, Bande { numero, nombre: 7 }).unwrap().octets
         });
         assert!(octets.eq(image), "{scene}");
     }

@@ -1,7 +1,7 @@
 //! Light on hits, and rays that are asked with the hit that they leave: the bits of the calls one by one.
 
 use commun::conversion::mots;
-use commun::fabrique::avec_arbre;
+use commun::fabrique::{avec_arbre, mur, sphere};
 use commun::hasard::{Hasard, Tirage, pour_chaque};
 use commun::regimes::{Cas, deux_puissance, direction, regimes};
 use commun::strategies::{objet, vecteur, vecteur_quelconque};
@@ -9,7 +9,7 @@ use commun::{Bits, arrondi, en_f32_et_f64, scenes};
 use lancer_rayon::pour_les_tests::Reglage;
 use lancer_rayon::{
     Choix, Intersection, LongueursDifferentes, Lumiere, Monde, NoIntersection, ObjetRay, Rayon,
-    Reponse, Texture, Vecteur,
+    Reponse, Vecteur,
 };
 
 /// Where a light is, for the calls that take a place or a direction.
@@ -213,15 +213,29 @@ fn d_ou_l_on_vient_ne_change_aucune_reponse<R: Bits>() {
 
 en_f32_et_f64!(d_ou_l_on_vient_ne_change_aucune_reponse);
 
+/// A wall is hit beyond the limits of a scene, where no ray may start.
+fn au_dela_des_limites_il_fait_nuit<R: Bits>() {
+    let loin = R::LIMITE * R::depuis_f64(0.9);
+    let mur = mur(Vecteur::X * loin, -Vecteur::X);
+    let rayon = Rayon::new(Vecteur::Y * loin, Vecteur::X + Vecteur::Y).unwrap();
+    let touche = mur.intersection(&rayon).unwrap();
+    assert!(touche.point().y > R::LIMITE && touche.marge() < R::INFINI);
+    assert_eq!(touche.vers_lumiere(Vecteur::NUL).unwrap_err().champ, "source.y");
+    for ou in [Ou::Lampe(Vecteur::NUL), Ou::Soleil(-Vecteur::X)] {
+        assert_eq!(comparer(Monde::de_liste(&[mur]), &[Ok(touche)], ou), 0);
+    }
+}
+
+en_f32_et_f64!(au_dela_des_limites_il_fait_nuit);
+
 #[test]
 fn autant_de_cosinus_que_de_touches() {
-    let boule = commun::fabrique::sphere(Vecteur::NUL, 1.0);
+    let boule = sphere(Vecteur::NUL, 1.0);
     let (touches, mut cosinus) = ([Err(NoIntersection); 3], [7.0; 2]);
     let lumiere = Lumiere::soleil(Vecteur::Y).unwrap();
     let refus = Monde::de_liste(&[boule]).eclairements(&touches, &lumiere, &mut cosinus);
     assert_eq!(refus, Err(LongueursDifferentes { rayons: 3, reponses: 2 }));
     assert_eq!(cosinus, [7.0; 2]);
-    assert_eq!(boule.texture(), Texture(0));
 }
 
 /// A light names what it refuses.

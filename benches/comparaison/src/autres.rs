@@ -2,11 +2,11 @@
 
 use std::error::Error;
 
-use banc::concurrents::{Concurrent, Reponse, permises};
+use banc::concurrents::{Camp, Concurrent, Reponse, cachee, permises};
 use banc::familles::{AVANCE, Genre};
 use banc::nous;
 use commun::conversion::Bits;
-use lancer_rayon::{Monde, ObjetRay, PlacesInsuffisantes, Rayon, Reel, places};
+use lancer_rayon::{Intersection, Monde, ObjetRay, PlacesInsuffisantes, Rayon, Reel, places};
 use serde::de::DeserializeOwned;
 
 use crate::annexe::Annexe;
@@ -57,6 +57,21 @@ pub(crate) fn tous<'a, R: Reel>(
     let nous = nous.filter(|qui| permises.contains(&(qui.nom, qui.camp)));
     let eux = rivaux.iter().flat_map(|rival| rival.concurrents(en_avant, genre.ombres()));
     nous.chain(eux).collect()
+}
+
+/// Us one by one, each ray asked with the hit that it leaves.
+pub(crate) fn avec_leur_touche<'a, R: Reel>(
+    monde: Monde<'a, R>,
+    depuis: &'a [(Rayon<R>, Intersection<R>)],
+    genre: Genre,
+) -> Concurrent<'a> {
+    let facon = ("from its hit", Camp::Depuis);
+    if genre.ombres() {
+        let occulte = move |(rayon, touche): &_| monde.est_occulte_depuis(touche, rayon);
+        return Concurrent::un_par_un(facon, depuis, occulte, cachee);
+    }
+    let premiere = move |(rayon, touche): &_| monde.premiere_depuis(touche, rayon);
+    Concurrent::un_par_un(facon, depuis, premiere, nous::dire)
 }
 
 /// These objects with a tree in `memoire`, which becomes twice what the tree needs; the rest is for the pieces of long

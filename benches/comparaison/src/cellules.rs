@@ -5,7 +5,9 @@ use std::error::Error;
 use banc::concurrents::{Camp, Concurrent, temps};
 use banc::familles::{Famille, GRAINE_DES_PAGES, Genre};
 
-use crate::autres::{Scalaire, en_morceaux, exiger_accord, exiger_memes_bits, rivaux, tous};
+use crate::autres::{
+    Scalaire, avec_leur_touche, en_morceaux, exiger_accord, exiger_memes_bits, rivaux, tous,
+};
 
 const NOMBRES: [usize; 5] = [12, 48, 192, 1000, 10_000];
 
@@ -66,9 +68,13 @@ fn courir<R: Scalaire>(
     let monde = en_morceaux(&scene.objets, &mut memoire)?;
     let rivaux = rivaux(&scene.objets);
     for genre in Genre::TOUS {
-        let rayons = genre.rayons(&monde, &scene, BANDES);
+        let departs = genre.departs(&monde, &scene, BANDES);
+        let rayons: Vec<_> = departs.iter().map(|(rayon, _)| *rayon).collect();
+        let depuis: Vec<_> =
+            departs.into_iter().filter_map(|(rayon, touche)| Some((rayon, touche?))).collect();
         let en_avant = genre.en_avant(&rayons);
         let mut concurrents = tous(monde, &rivaux, &rayons, &en_avant, genre);
+        concurrents.extend((!depuis.is_empty()).then(|| avec_leur_touche(monde, &depuis, genre)));
         if chronometrer {
             concurrents.retain(|qui| qui.camp != Camp::Annexe);
             let ns = temps(&mut concurrents);
@@ -79,7 +85,7 @@ fn courir<R: Scalaire>(
         let tolerance = |qui: &Concurrent<'_>| {
             let quads = famille == Famille::Cubes && qui.nom.contains("quads");
             match qui.camp {
-                Camp::Seul | Camp::Lot => 0.0,
+                Camp::Seul | Camp::Lot | Camp::Depuis => 0.0,
                 _ if quads => TOLERANCE_DES_QUADS,
                 _ if !genre.partent() => TOLERANCE,
                 Camp::Parry | Camp::Embree | Camp::EmbreeSeize | Camp::Annexe => TOLERANCE_EN_AVANT,

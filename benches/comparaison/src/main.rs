@@ -68,8 +68,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     };
     // Each machine has its own table.
     let (instructions, _) = Reglage::tous().next().ok_or("no instructions")?;
-    let tableaux = [("batches", tables::EN_LOT), ("summary", tables::AUPRES_DES_AUTRES)]
-        .map(|(nom, tableau)| (format!("{nom}, {instructions}"), tableau));
+    let tableaux = [
+        ("batches", tables::EN_LOT),
+        ("from a hit", tables::D_UNE_TOUCHE),
+        ("summary", tables::AUPRES_DES_AUTRES),
+    ]
+    .map(|(nom, tableau)| (format!("{nom}, {instructions}"), tableau));
     if ecrire {
         // It fails now, not after all the measuring.
         let des_cellules = tableaux.iter().map(|(nom, _)| (VITESSE, &**nom));

@@ -38,7 +38,8 @@ impl Question {
 
 const SEUL: &[Camp] = &[Camp::Seul];
 const LOT: &[Camp] = &[Camp::Lot];
-const TOUT: &[Camp] = &[Camp::Seul, Camp::Lot];
+const DEPUIS: &[Camp] = &[Camp::Depuis];
+const TOUT: &[Camp] = &[Camp::Seul, Camp::Lot, Camp::Depuis];
 const AUTRES: &[Camp] = &[Camp::Parry, Camp::Embree, Camp::EmbreeSeize];
 
 /// The kinds of rays that have a column in the summary.
@@ -59,6 +60,12 @@ pub(crate) const AUPRES_DES_AUTRES: Tableau = Tableau {
             nom: "one by one: the better of parry and Embree",
             scalaire: "f32",
             ici: SEUL,
+            autres: &[Camp::Parry, Camp::Embree],
+        },
+        Question {
+            nom: "one by one, ours [from its hit](#from-a-hit)",
+            scalaire: "f32",
+            ici: DEPUIS,
             autres: &[Camp::Parry, Camp::Embree],
         },
         Question {
@@ -83,6 +90,15 @@ pub(crate) const EN_LOT: Tableau = Tableau {
     questions: &[
         Question { nom: "one by one / in a batch", scalaire: "f32", ici: LOT, autres: SEUL },
         Question { nom: "one by one / in a batch", scalaire: "f64", ici: LOT, autres: SEUL },
+    ],
+};
+
+/// Ours one by one, without and with the hit that a ray leaves.
+pub(crate) const D_UNE_TOUCHE: Tableau = Tableau {
+    titre: "A / B",
+    questions: &[
+        Question { nom: "one by one / from its hit", scalaire: "f32", ici: DEPUIS, autres: SEUL },
+        Question { nom: "one by one / from its hit", scalaire: "f64", ici: DEPUIS, autres: SEUL },
     ],
 };
 
