@@ -108,6 +108,8 @@ pub(crate) fn construire<'a, R: Nombre>(
     let coupe = if plus > 0 { Coupe::new(objets, repere, plus) } else { Coupe::AUCUNE };
     let (nombre, fin) = remplir(objets, places, repere, coupe);
     let (places, sans_boite) = places.split_at_mut(fin);
+    // Where nothing was cut, a visit need not ask in which slice.
+    let coupe = if nombre + sans_boite.len() == objets.len() { Coupe::AUCUNE } else { coupe };
     if objets.len() - sans_boite.len() < OBJETS_D_UN_ARBRE {
         return Ok(Arbre::SANS_NOEUDS);
     }
@@ -230,8 +232,9 @@ fn part_des_croises(fiches: &[Fiche]) -> f32 {
     let choisis = || fiches.iter().step_by(fiches.len().div_ceil(ENFANTS));
     let surface = |[x, y, z]: [f32; 3]| x * y + y * z + z * x;
     let commune = |a: &Fiche, b: &Fiche| {
-        let cote = |axe| max(min(a[axe + 3], b[axe + 3]) - max(a[axe], b[axe]), 0.0);
-        surface([0, 1, 2].map(cote))
+        let cotes = [0, 1, 2].map(|axe| min(a[axe + 3], b[axe + 3]) - max(a[axe], b[axe]));
+        // Boxes that do not meet share nothing, even where one lies above the other.
+        if cotes.iter().any(|cote| *cote < 0.0) { 0.0 } else { surface(cotes) }
     };
     // The surface of a box may underflow to 0, and with it that of what it shares.
     let part =

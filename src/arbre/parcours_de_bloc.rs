@@ -184,8 +184,7 @@ impl<R: Nombre> Arbre<'_, R> {
             } else {
                 let croises = traverses.count_ones();
                 if croises >= ENFANTS_CROISES
-                    && croises
-                        > self.croises_par_quelques_uns(simd, rayons, bloc.le_plus_loin(), noeud)
+                    && croises > self.croises_par_quelques_uns(simd, rayons, &|i| bloc.t(i), noeud)
                 {
                     return false;
                 }
@@ -225,21 +224,21 @@ impl<R: Nombre> Arbre<'_, R> {
     /// What part of the children of the root one of these rays crosses, about.
     fn part_qui_entre<S: Simd>(&self, simd: S, rayons: &[Rayon<R>]) -> f32 {
         let Some(racine) = self.noeuds.last() else { return 0.0 };
-        let croises = self.croises_par_quelques_uns(simd, rayons, R::INFINI, racine);
+        let croises = self.croises_par_quelques_uns(simd, rayons, &|_| R::INFINI, racine);
         let enfants = au_plus(simd, &racine[0], &racine[3]).count_ones();
         let combien = combien_d_echantillons(nombres_par_registre::<R, S>());
         croises as f32 / (combien as u32 * enfants) as f32
     }
 
     /// How many children of this node [some](combien_d_echantillons) of these rays, evenly spread,
-    /// cross in all before this distance.
+    /// cross in all, each before the distance that `loin` says.
     #[cold]
     #[inline(never)]
     fn croises_par_quelques_uns<S: Simd>(
         &self,
         simd: S,
         rayons: &[Rayon<R>],
-        loin: R,
+        loin: &dyn Fn(usize) -> R,
         noeud: &Noeud,
     ) -> u32 {
         let mut croises = 0;
@@ -248,9 +247,9 @@ impl<R: Nombre> Arbre<'_, R> {
             || {
                 let combien = combien_d_echantillons(nombres_par_registre::<R, S>());
                 for i in 0..combien {
-                    let rayon = &rayons[i * (rayons.len() - 1) / (combien - 1)];
-                    let Some(sonde) = Sonde::new(rayon, self.repere) else { continue };
-                    let plafond = sonde.plafond(self.repere, loin);
+                    let lequel = i * (rayons.len() - 1) / (combien - 1);
+                    let Some(sonde) = Sonde::new(&rayons[lequel], self.repere) else { continue };
+                    let plafond = sonde.plafond(self.repere, loin(lequel));
                     croises += sonde.traverse(simd, noeud, plafond).0.count_ones();
                 }
             },

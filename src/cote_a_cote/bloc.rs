@@ -88,9 +88,13 @@ impl<'a, R: Nombre> Bloc<'a, R> {
         simd.vectorize(
             #[inline(always)]
             || {
-                let d_emblee = self.d_emblee;
+                let (d_emblee, un_suffit) = (self.d_emblee, self.un_suffit);
                 let groupes = &mut self.groupes[self.demandes.clone()];
-                for (indice, source) in offerts {
+                for (combien, (indice, source)) in offerts.enumerate() {
+                    // Now and then, since to look takes a good part of an object.
+                    if un_suffit && combien % VOIES == VOIES - 1 && tous_ont_fini(groupes) {
+                        return;
+                    }
                     let Some(objet) = liste.objet(indice) else { continue };
                     let rang = Rang::de(indice);
                     par_forme!(ObjetRay, objet, forme => {
@@ -104,6 +108,14 @@ impl<'a, R: Nombre> Bloc<'a, R> {
         );
     }
 
+    /// The distance before which one of the rays that are offered objects looks for one; 0 if it is
+    /// done.
+    #[inline(always)]
+    pub(crate) fn t(&self, rayon: usize) -> R {
+        let premier = self.demandes()[rayon / VOIES].premier(rayon % VOIES);
+        if self.un_suffit && premier.rang.is_some() { R::ZERO } else { premier.t }
+    }
+
     /// The largest distance before which a ray looks for an object; 0 if all are done.
     #[inline(always)]
     pub(crate) fn le_plus_loin(&self) -> R {
@@ -113,4 +125,10 @@ impl<'a, R: Nombre> Bloc<'a, R> {
         }
         loin
     }
+}
+
+/// Whether each shadow ray of these groups has met an object.
+#[inline(always)]
+fn tous_ont_fini<R: Nombre>(groupes: &[Groupe<R>]) -> bool {
+    groupes.iter().all(|groupe| groupe.le_plus_loin(true) == R::ZERO)
 }

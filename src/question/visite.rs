@@ -51,7 +51,7 @@ impl<R: Nombre, const D_UN_POINT: bool> Question<R> for Visite<'_, R, D_UN_POINT
 }
 
 /// The first of the objects that are shown, at most one for each place: as they come while there is
-/// room, then in order.
+/// room, then as a heap, whose first place holds the last of them.
 pub(crate) struct Rangee<'a, R> {
     places: &'a mut [Reponse<R>],
     nombre: usize,
@@ -72,15 +72,14 @@ impl<'a, R: Nombre> Rangee<'a, R> {
             if self.nombre < self.places.len() {
                 return Continue(R::INFINI);
             }
-            trier(self.places);
-        } else {
-            let rang = self.places.partition_point(|place| cle(place).precede(cle(&trouve)));
-            if let suite @ [_, ..] = &mut self.places[rang..] {
-                suite.rotate_right(1);
-                suite[0] = trouve;
-            }
+            (0..self.nombre / 2).rev().for_each(|place| descendre(self.places, place));
+        } else if let Some(derniere) = self.places.first_mut()
+            && cle(&trouve).precede(cle(derniere))
+        {
+            *derniere = trouve;
+            descendre(self.places, 0);
         }
-        let Some(derniere) = self.places.last().map(|derniere| cle(derniere).t) else {
+        let Some(derniere) = self.places.first().map(|derniere| cle(derniere).t) else {
             return Break(());
         };
         // The end is a little beyond the last, since an object at the same distance that is earlier
@@ -104,6 +103,23 @@ fn cle<R: Nombre>(reponse: &Reponse<R>) -> Premier<R> {
     match reponse {
         Ok(touche) => Premier { t: touche.distance(), rang: Some(Rang::de(touche.indice())) },
         Err(NoIntersection) => Premier::avant(R::INFINI),
+    }
+}
+
+/// Moves what stands at this place of a heap down until nothing below comes after it.
+fn descendre<R: Nombre>(places: &mut [Reponse<R>], mut place: usize) {
+    loop {
+        let mut dernier = place;
+        for dessous in [2 * place + 1, 2 * place + 2] {
+            if places.get(dessous).is_some_and(|autre| cle(&places[dernier]).precede(cle(autre))) {
+                dernier = dessous;
+            }
+        }
+        if dernier == place {
+            return;
+        }
+        places.swap(place, dernier);
+        place = dernier;
     }
 }
 
