@@ -8,6 +8,7 @@ use crate::arbre::noeud::{ENFANTS, indice_lu};
 use crate::arbre::pile::{Attentes, Pile};
 use crate::arbre::sonde::Sonde;
 use crate::cote_a_cote::colonne::{au_plus, prendre, prendre_le_moindre};
+use crate::objet::forme::Boule;
 use crate::question::liste::Liste;
 use crate::question::{Abord, Question};
 use crate::{Nombre, Rayon};
@@ -31,7 +32,9 @@ impl<R: Nombre> Arbre<'_, R> {
         // A copy, which stays in registers.
         let copie = *rayon;
         let Some(sonde) = Sonde::new(&copie, self.repere) else {
-            self.interroger_les_boites(liste, rayon, &mut question);
+            if self.approche(rayon) {
+                self.interroger_les_boites(liste, rayon, &mut question);
+            }
             return question;
         };
         let flou = copie.flou.d_emblee() > R::ZERO;
@@ -77,6 +80,15 @@ impl<R: Nombre> Arbre<'_, R> {
             numero = suivant;
         }
         question
+    }
+
+    /// Whether the ray comes near the ball about Z that holds all boxes, which lie within 1 of Z in
+    /// the frame of the tree; never false for a ray that enters one of the objects (lemma 14, for a
+    /// ball that is twice as large).
+    #[cold]
+    pub(crate) fn approche(&self, rayon: &Rayon<R>) -> bool {
+        let r = self.repere.en_longueur(R::depuis_f64(2.0));
+        Boule { centre: self.repere.milieu, r2: r * r }.approchee(rayon)
     }
 
     /// Asks all objects that have a box: those whose index is not among those without one.

@@ -218,7 +218,7 @@ impl<R: Nombre> Arbre<'_, R> {
         // Only rays that meet the heap count.
         de_trop == 0.0
             || de_trop <= en_moins && de_trop <= en_moins * self.part_qui_entre(simd, rayons)
-            || Sonde::new(&rayons[0], self.repere).is_none()
+            || Sonde::new(&rayons[0], self.repere).is_none() && self.approche(&rayons[0])
     }
 
     /// What part of the children of the root one of these rays crosses, about.

@@ -149,6 +149,11 @@ impl<R: Nombre> Repere<R> {
         l * self.echelle
     }
 
+    /// The length in the scene of one in the frame.
+    pub(crate) fn en_longueur(self, l: R) -> R {
+        l / self.echelle
+    }
+
     /// A distance along a ray times σ, to 2u of `f32` down to its least normal number; +∞ beyond
     /// all numbers of that type.
     #[inline(always)]

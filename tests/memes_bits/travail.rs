@@ -87,7 +87,7 @@ fn un_arbre_s_arrete_des_qu_il_peut<R: Reel>() {
 en_f32_et_f64!(un_arbre_s_arrete_des_qu_il_peut);
 
 /// One ray or two in a call go one by one, each as if alone. Sixty-four ask for an object together; in a list they ask
-/// for every object.
+/// for every object, and shadows until each of them has met one.
 fn peu_de_rayons_vont_un_par_un<R: Reel>() {
     let (objets, rayon) = (scene::<R>(), rayon());
     let arbre = avec_arbre(&objets);
@@ -112,13 +112,38 @@ fn peu_de_rayons_vont_un_par_un<R: Reel>() {
         assert_eq!(un, seul);
         assert_eq!(deux, un.map(|combien| combien.map(|n| 2 * n)));
         let a_cote = if noeuds(&monde) > 0 { 0 } else { BOULES as u32 };
-        for [mur, rangee, autres] in bloc {
-            assert!(mur == 1 && rangee <= BOULES as u32 && autres == a_cote, "{bloc:?}");
-        }
+        let [[mur, rangee, autres], ombres] = bloc;
+        assert!(mur == 1 && rangee <= BOULES as u32 && autres == a_cote, "{bloc:?}");
+        // Every ray meets an object of the row, and a block looks for that at each sixteenth object.
+        assert!(ombres[0] == 1 && ombres.iter().sum::<u32>() < 32, "{bloc:?}");
     }
 }
 
 en_f32_et_f64!(peu_de_rayons_vont_un_par_un);
+
+/// Rays from so far away that boxes tell nothing apart ask for every object if they come near, and for none if they pass
+/// by.
+fn un_rayon_lointain_passe_a_cote<R: Reel>() {
+    // So many that a block does not ask all of them anyway.
+    let objets = scene::<R>().repeat(3);
+    let monde = avec_arbre(&objets);
+    let loin = R::depuis_f64(1e17);
+    let depart = Vecteur::new(loin, loin, loin);
+    let combien = |vers: Vecteur<R>| {
+        let rayon = Rayon::new(depart, vers).unwrap();
+        let touches = demandes(&monde, |h| {
+            let _ = h.premiere_intersection(&rayon);
+            h.premieres_intersections(&[rayon; 64], &mut [Err(NoIntersection); 64]).unwrap();
+        });
+        let avec_boite = touches.iter().zip(&objets).filter(|(_, o)| o.etendue().is_some());
+        avec_boite.map(|(fois, _)| u64::from(*fois)).sum::<u64>()
+    };
+    assert_eq!(combien(Vecteur::new(-R::UN, R::ZERO, R::ZERO)), 0);
+    assert_eq!(combien(depart), 0);
+    assert!(combien(-depart) > 0);
+}
+
+en_f32_et_f64!(un_rayon_lointain_passe_a_cote);
 
 fn du_cube(alea: &mut Hasard) -> Vecteur {
     Vecteur::from([(); 3].map(|()| alea.f64() * 2.0 - 1.0))
