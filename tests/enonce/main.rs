@@ -10,6 +10,7 @@ mod manipulations;
 mod milieux;
 mod motif;
 mod origine;
+mod particule;
 mod passages;
 mod rapports;
 mod recettes;
