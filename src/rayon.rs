@@ -179,7 +179,8 @@ impl<R: Nombre> Rayon<R> {
     /// idempotent.
     ///
     /// Beside an edge a ray that was sent into glass may have stepped out again: if
-    /// [`sortie`](crate::ObjetRay::sortie) finds no way out of the glass, go on with this ray.
+    /// [`sortie`](crate::ObjetRay::sortie) finds no way out of a sphere or a box, go on with this
+    /// ray. Of a half-space that says nothing, since a ray that goes down in a sea never leaves it.
     #[doc(alias("outside", "air"))]
     pub fn dehors(self) -> Self {
         Self { flou: self.flou.dehors(), ..self }

@@ -16,3 +16,4 @@ pub mod fils;
 pub mod milieux;
 pub mod particule;
 pub mod premier;
+pub mod verre;

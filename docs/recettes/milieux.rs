@@ -15,7 +15,7 @@ const TOURS: u32 = 32;
 const FACES_CACHEES: u32 = 100_000;
 
 /// Objects that lie up to this many δ behind a face are looked at.
-const A_FLEUR: f64 = 64.0;
+const A_FLEUR: f64 = 256.0;
 
 /// A way out this many u of the lengths involved after the end of a step counts as reached.
 const AU_BORD: f64 = 16.0;

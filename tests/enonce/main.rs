@@ -2,6 +2,7 @@
 
 mod chambre;
 mod choix;
+mod coins;
 mod etendue;
 mod fin;
 mod jeu_de_tests;

@@ -504,7 +504,7 @@ fn un_verre_sur_une_table_dans_la_brume_montre_la_table<R: Reel>() {
             let [a, b, c, d] = [(); 4].map(|()| entre(alea, -0.4, 0.4));
             (pied + y * 1.5 + x * a + z * b, x * c + z * d - y)
         });
-        (tour, pied, lieux, alea.bool(), [1 + alea.tour % 3, alea.usize(0..3)])
+        (tour, pied, lieux, alea.bool(), [1 + alea.tour % 3, alea.usize(0..5)])
     };
     pour_chaque(200, faire, |(tour, pied, lieux, brume, [couches, table_de])| {
         let y = tour.axes()[1].vers_f64();
@@ -521,15 +521,15 @@ fn un_verre_sur_une_table_dans_la_brume_montre_la_table<R: Reel>() {
             milieux.push(pleine(0, 1.0));
         }
         let table = objets.len();
-        objets.push(match table_de {
-            0 => mur(arrondi(pied), arrondi(y)),
-            large => {
-                let large = [4.5, 45.0][large - 1];
-                boite(arrondi(pied - y * (large / 2.0)), v(large, large, large), tour)
-            }
+        // A large table knows its place less well, and may lie apart from the glass by as much.
+        let large = [0.0, 4.5, 45.0, 450.0, 4_500.0][table_de];
+        objets.push(if table_de == 0 {
+            mur(arrondi(pied), arrondi(y))
+        } else {
+            boite(arrondi(pied - y * (large / 2.0)), v(large, large, large), tour)
         });
         let mut marche = Marche::new(Monde::de_liste(&objets), &milieux);
-        let permis = 2_000.0 * u::<R>() * (1.0 + pied.longueur());
+        let permis = 2_000.0 * u::<R>() * (1.0 + pied.longueur()) + 30.0 * u::<R>() * large;
         for (cible, d) in lieux {
             let d = d.unitaire().unwrap();
             marche.partir(Rayon::new(arrondi::<R>(cible - d), arrondi(d)).unwrap());
