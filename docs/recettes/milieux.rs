@@ -17,6 +17,9 @@ const FACES_CACHEES: u32 = 100_000;
 /// Objects that lie up to this many δ behind a face are looked at.
 const A_FLEUR: f64 = 256.0;
 
+/// A face is known to its margins, to δ and to this many u of the lengths involved.
+const ERREUR: f64 = 24.0;
+
 /// A way out this many u of the lengths involved after the end of a step counts as reached.
 const AU_BORD: f64 = 16.0;
 
@@ -209,8 +212,8 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
             self.rester(touche.reflechi(d)?);
             return Ok(false);
         };
-        let indice = |milieu: Option<usize>| milieu.map_or(1.0, |i| self.indice(i));
-        let rapport = R::depuis_f64(indice(self.milieu()) / indice(derriere));
+        let avant = indice(self.matieres, self.milieu());
+        let rapport = R::depuis_f64(avant / indice(self.matieres, derriere));
         let passe =
             if rapport == R::UN { touche.secondaire(d) } else { touche.refracte(d, rapport) };
         match passe {
@@ -223,13 +226,6 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
             Err(refus) => return Err(refus),
         }
         Ok(true)
-    }
-
-    fn indice(&self, objet: usize) -> f64 {
-        match self.matieres[objet] {
-            Matiere::Opaque => 1.0,
-            Matiere::Pleine { indice, .. } | Matiere::Commune { indice, .. } => indice,
-        }
     }
 
     /// Starts anew with δ = 0 at this distance, if light is there in what it should be in and in no wall; whether it
@@ -277,7 +273,7 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
         let touche = objets[premier].sortie(&sans_fin);
         if fin < sortie {
             let bout = rayon.point(fin);
-            let arrondi = (norme(bout.into()) + fin) * R::depuis_f64(AU_BORD) * R::U;
+            let arrondi = fois_u(norme(bout.into()) + fin, AU_BORD);
             let reste = sortie - fin;
             let pres = |touche: Intersection<R>| {
                 let vitesse = touche.normale().produit_scalaire(rayon.direction());
@@ -288,39 +284,46 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
         Ok(touche.ok().map(|touche| (touche, premier)))
     }
 
-    /// What is behind this face, and the face of the opaque thing if there is one flush with it. Light goes into what
-    /// holds a place behind the face, deeper than the error of the face, and into what lies so near to it that rounding
-    /// alone may set the two apart.
+    /// What is behind this face, and the face of the opaque thing if there is one flush with it.
+    ///
+    /// Light leaves what holds no place behind the face that is deeper than the error of the face, since the next ray
+    /// may start beyond it. Where light comes out, or into what is thinner for light, a film that is there by rounding
+    /// alone would mirror it. So it goes into what lies so near behind that rounding may have set the two apart.
     fn derriere(
         &mut self,
         touche: Intersection<R>,
         objet: usize,
     ) -> Result<(Intersection<R>, usize, Derriere), ErreurGeo> {
-        let Self { monde, matieres, apres, rayon, .. } = self;
-        let d = rayon.direction();
+        let avant = self.milieu();
+        let Self { monde, matieres, dans, apres, rayon, .. } = self;
+        let (objets, d) = (monde.objets(), rayon.direction());
         let entre = d.produit_scalaire(touche.normale()) < R::ZERO;
         if entre && opaque(matieres, objet) {
             return Ok((touche, objet, Derriere::Opaque));
         }
         let devant = if entre { -touche.normale() } else { touche.normale() };
+        let longueur = norme(touche.point().into()) + touche.distance();
+        let erreur = rayon.flou() + touche.marge() + touche.marge() + fois_u(longueur, ERREUR);
+        let place = touche.point() + devant * erreur;
+        apres.clear();
+        apres.extend(dans.iter().copied().filter(|&i| i != objet && objets[i].contient(place)));
+        apres.extend(entre.then_some(objet));
+        let derriere = regne(matieres, apres);
+        if derriere == avant || (entre && indice(matieres, derriere) >= indice(matieres, avant)) {
+            return Ok((touche, objet, Derriere::Milieu(derriere)));
+        }
         let sonde = touche.secondaire(devant)?.dehors();
-        let erreur = sonde.flou();
         let fin = erreur * R::depuis_f64(A_FLEUR);
         let sonde = sonde.jusqu_a(fin)?;
+        let a_fleur = |i: usize, t: R| t <= erreur + arrondi(&objets[i]);
         let mut un_opaque = false;
-        apres.clear();
-        let mut prendre = |i: usize| {
-            if opaque(matieres, i) {
-                un_opaque = true;
-            } else if !apres.contains(&i) {
-                apres.push(i);
-            }
-        };
-        monde.contenants(touche.point() + devant * erreur, &mut prendre);
-        let a_fleur = |i: usize, t: R| t <= erreur + arrondi(&monde.objets()[i]);
         monde.visiter(&sonde, |i, t| {
             if a_fleur(i, t) {
-                prendre(i);
+                if opaque(matieres, i) {
+                    un_opaque = true;
+                } else if !apres.contains(&i) {
+                    apres.push(i);
+                }
             }
             Continue(fin)
         });
@@ -397,6 +400,14 @@ fn opaque(matieres: &[Matiere], objet: usize) -> bool {
     matieres.get(objet).is_none_or(|matiere| *matiere == Matiere::Opaque)
 }
 
+/// The index of refraction in the medium of this object, or outside all.
+fn indice(matieres: &[Matiere], milieu: Option<usize>) -> f64 {
+    match milieu.map(|i| matieres[i]) {
+        Some(Matiere::Pleine { indice, .. } | Matiere::Commune { indice, .. }) => indice,
+        Some(Matiere::Opaque) | None => 1.0,
+    }
+}
+
 /// The object whose medium counts at a place that lies in these objects.
 fn regne(matieres: &[Matiere], dans: &[usize]) -> Option<usize> {
     let rang = |i: usize| match *matieres.get(i)? {
@@ -414,7 +425,11 @@ fn arrondi<R: Reel>(objet: &ObjetRay<R>) -> R {
         ObjetRay::Plan(plan) => plan.distance().absolu(),
         ObjetRay::Boite(boite) => norme(boite.centre().into()) + norme(boite.demi_longueurs()),
     };
-    taille * R::depuis_f64(ARRONDI) * R::U
+    fois_u(taille, ARRONDI)
+}
+
+fn fois_u<R: Reel>(longueur: R, n: f64) -> R {
+    longueur * (R::depuis_f64(n) * R::U)
 }
 
 fn norme<R: Reel>(p: [R; 3]) -> R {
