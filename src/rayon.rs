@@ -237,7 +237,7 @@ impl<R: Nombre> Rayon<R> {
     /// would start at the next hit. In `f32` a wall of 10 m has an o of 0.03 mm.
     ///
     /// δ is 0 for a ray from [`new`](Self::new), which takes its source as it stands. It is finite,
-    /// and grows with each bounce (`docs/precision.md`, "Closed rooms").
+    /// and grows with each bounce and each turn in mid-air (`docs/precision.md`, "Closed rooms").
     #[doc(alias("tolerance", "blur"))]
     #[inline(always)]
     #[must_use]

@@ -1,5 +1,6 @@
 //! What programs on lancer-rayon need again and again. `cargo add --path ../lancer-rayon/docs/recettes` adds it to one;
-//! each file but `particule`, which goes by `milieux`, also stands alone. `docs/guide.md` says which serves what need.
+//! each file also stands alone, with `milieux` beside it if it is `particule` or `verre`. `docs/guide.md` says which
+//! serves what need.
 //!
 //! Unlike the crate it may allocate.
 

@@ -71,8 +71,9 @@ pub enum Derriere {
 }
 
 /// A walk through a world. It goes straight on through all faces behind which the same medium counts, and tells where
-/// another medium or an opaque thing begins. Faces that lie within rounding of each other are one surface, so that no
-/// film of air comes between flush media, and the table is found on which a glass stands.
+/// another medium or an opaque thing begins. Where light comes out of a medium, faces that lie within rounding of each
+/// other are one surface, so that no film of air comes between flush media, and the table is found on which a glass
+/// stands.
 ///
 /// Bound the number of surfaces of a path, since light may be trapped, as in a ball that it grazes from within. A walk
 /// allocates until it has been in as many objects at once as it ever is, and then no more: keep it for many rays.
@@ -89,6 +90,8 @@ pub struct Marche<'a, R = f64, C = Tous> {
     tours: u32,
     /// Where the ray of a chord enters an object, or leaves it.
     bords: Vec<(R, bool, usize)>,
+    /// The objects that the ray of a chord is in.
+    traverses: Vec<usize>,
     cordes: Vec<Corde<R>>,
 }
 
@@ -96,8 +99,9 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
     /// A walk that goes nowhere yet.
     pub fn new(monde: Monde<'a, R, C>, matieres: &'a [Matiere]) -> Self {
         let rayon = Rayon::new(Vecteur::NUL, Vecteur::X).expect("a direction");
-        let (dans, apres, bords, cordes) = (vec![], vec![], vec![], vec![]);
-        Self { monde, matieres, rayon, dans, apres, tours: 0, bords, cordes }
+        let [dans, apres, traverses] = [(); 3].map(|()| vec![]);
+        let (bords, cordes) = (vec![], vec![]);
+        Self { monde, matieres, rayon, dans, apres, tours: 0, bords, traverses, cordes }
     }
 
     /// Starts with this ray, in the media that hold its source. An opaque thing that holds it, as a table does from
@@ -140,7 +144,7 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
     /// Goes this far, or to the next surface if one comes first. After a step without a surface light stands at its
     /// end, in mid-air; +∞ is a step without an end. At a surface light waits for [`passer`](Self::passer),
     /// [`entrer`](Self::entrer) or [`rester`](Self::rester). A step that ends within rounding before a way out has
-    /// come to it.
+    /// come to it, and one through 100,000 faces ends at the last of them.
     ///
     /// # Errors
     /// If `pas` is below 0 or a NaN, if light comes too far from the origin, or if an object is lost in rounding.
@@ -270,25 +274,27 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
             return Ok(Some((touche, touche.indice())));
         }
         let Some(premier) = premier else { return Ok(None) };
-        let touche = objets[premier].sortie(&sans_fin);
-        if fin < sortie {
-            let bout = rayon.point(fin);
-            let arrondi = fois_u(norme(bout.into()) + fin, AU_BORD);
-            let reste = sortie - fin;
-            let pres = |touche: Intersection<R>| {
-                let vitesse = touche.normale().produit_scalaire(rayon.direction());
-                reste <= arrondi || (!objets[premier].contient(bout) && reste * vitesse <= arrondi)
-            };
-            return Ok(touche.ok().filter(|&touche| pres(touche)).map(|touche| (touche, premier)));
+        let face = || objets[premier].sortie(&sans_fin).ok().map(|sortie| (sortie, premier));
+        if sortie <= fin {
+            return Ok(face());
         }
-        Ok(touche.ok().map(|touche| (touche, premier)))
+        let bout = rayon.point(fin);
+        let (reste, arrondi) = (sortie - fin, fois_u(norme(bout.into()) + fin, AU_BORD));
+        if reste > arrondi && objets[premier].contient(bout) {
+            return Ok(None);
+        }
+        // A face that light grazes is near, however far light goes to it.
+        let hauteur = |n: Vecteur<R>| reste * n.produit_scalaire(rayon.direction());
+        let pres =
+            |touche: &Intersection<R>| reste <= arrondi || hauteur(touche.normale()) <= arrondi;
+        Ok(face().filter(|(touche, _)| pres(touche)))
     }
 
     /// What is behind this face, and the face of the opaque thing if there is one flush with it.
     ///
     /// Light leaves what holds no place behind the face that is deeper than the error of the face, since the next ray
-    /// may start beyond it. Where light comes out, or into what is thinner for light, a film that is there by rounding
-    /// alone would mirror it. So it goes into what lies so near behind that rounding may have set the two apart.
+    /// may start beyond it. Where light comes out, or into a lower index, a film that is there by rounding alone might
+    /// mirror it. So it goes into what lies so near behind that rounding may have set the two apart.
     fn derriere(
         &mut self,
         touche: Intersection<R>,
@@ -344,7 +350,7 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
     /// the source of the ray as it stands, whatever its δ, so that no step from face to face adds to their errors. The
     /// walk stays where it is.
     pub fn cordes(&mut self, rayon: &Rayon<R>) -> &[Corde<R>] {
-        let Self { monde, matieres, apres, bords, cordes, .. } = self;
+        let Self { monde, matieres, bords, traverses, cordes, .. } = self;
         let objets = monde.objets();
         bords.clear();
         cordes.clear();
@@ -368,19 +374,19 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
             Continue(fin)
         });
         bords.sort_unstable_by(|a, b| a.partial_cmp(b).expect("no distance is a NaN"));
-        apres.clear();
+        traverses.clear();
         let mut depuis: Option<Corde<R>> = None;
         for (numero, &(t, entre, i)) in bords.iter().enumerate() {
             if entre {
-                apres.push(i);
+                traverses.push(i);
             } else {
-                apres.retain(|&j| j != i);
+                traverses.retain(|&j| j != i);
             }
             // All that happens at one place counts together.
             if bords.get(numero + 1).is_some_and(|suivant| suivant.0 == t) {
                 continue;
             }
-            let objet = regne(matieres, apres);
+            let objet = regne(matieres, traverses);
             if depuis.map(|corde| corde.objet) == objet {
                 continue;
             }

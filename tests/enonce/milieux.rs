@@ -9,6 +9,7 @@ use commun::tolerances::u;
 use commun::{arrondi, cas, en_f32_et_f64};
 use lancer_rayon::{Monde, ObjetRay, Rayon, Reel, Rotation, Vecteur};
 use recettes::milieux::{Corde, Derriere, Marche, Matiere};
+use recettes::verre::au_fond;
 
 const PLEIN_AIR: f64 = 1.0;
 
@@ -572,6 +573,26 @@ fn un_verre_sur_une_table_dans_la_brume_montre_la_table<R: Reel>() {
 }
 
 en_f32_et_f64!(un_verre_sur_une_table_dans_la_brume_montre_la_table);
+
+/// The program of the page, through water that reaches into glass and as far as the fish on its floor.
+#[test]
+fn le_programme_de_la_page_trouve_le_poisson() {
+    let droite = |y: f64, h: f64| boite(v(0.0, y, 0.0), v(9.0, h, 9.0), Rotation::IDENTITE);
+    let objets = [droite(0.5, 2.0), droite(-0.5, 1.0), sphere(v(0.0, -1.0, 0.0), 0.5)];
+    let faire = |alea: &mut Hasard| [(); 2].map(|()| entre(alea, -0.4, 0.4));
+    pour_chaque(1_000, faire, |[x, z]| {
+        let rayon = Rayon::new(v(0.0, 6.5, 0.0), v(x, -1.0, z)).unwrap();
+        let touche = au_fond(Monde::de_liste(&objets), rayon).unwrap();
+        let sinus = (x * x + z * z).sqrt() / (1.0 + x * x + z * z).sqrt();
+        let tangente = |n: f64| (sinus / n).asin().tan();
+        // From the top of the glass, at the axis of the fish: the water above it, and the air.
+        let a_cote = 5.0 * tangente(1.0) + 1.5 * tangente(1.33);
+        // The line in the glass, beside the centre of the fish, one below.
+        let biais = (sinus / 1.5).asin();
+        let pres = (a_cote + biais.tan()) * biais.cos();
+        assert_eq!(touche.map(|touche| touche.indice()), (pres < 0.5).then_some(2), "{pres}");
+    });
+}
 
 /// From within glass, at angles that the air would mirror, light finds the floor on which the glass stands flush, even
 /// if the floor is a box a thousand times as large, which knows its place less well. The hit knows the δ of the light.

@@ -66,6 +66,8 @@ fn aucune_particule_ne_quitte_sa_chambre<R: Reel>() {
                 marche.tourner(arrondi(vers)).unwrap();
             }
             pas_faits += 1;
+            let flou = 3_200.0 * u::<R>() * (10.0 + milieu.longueur());
+            assert!(marche.rayon().flou().vers_f64() <= flou, "{:?}", marche.rayon());
             let la = marche.rayon().source().vers_f64() - milieu;
             let loin = axes.into_iter().map(|n| n.produit_scalaire(la).abs()).fold(0.0, f64::max);
             assert!(loin <= 5.0 + jeu, "{loin} after {pas_faits} steps, {:?}", marche.rayon());
