@@ -379,7 +379,7 @@ impl<R: Nombre> ObjetRay<R> {
             let entree = if dedans { R::ZERO } else { t };
             (entree, forme.t_sortie(rayon), forme.retient(rayon))
         });
-        // Where the ray enters, only what is too far for the type has no way out.
+        // A ray that enters has a way out, unless that is too far for the type.
         if entree >= rayon.fin() || (entree == R::ZERO && sortie == R::INFINI && !retient) {
             return Err(NoIntersection);
         }

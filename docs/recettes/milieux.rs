@@ -20,9 +20,6 @@ const A_FLEUR: f64 = 256.0;
 /// A face is known to its margins, to δ and to this many u of the lengths involved.
 const ERREUR: f64 = 24.0;
 
-/// A way out this many u of the lengths involved after the end of a step counts as reached.
-const AU_BORD: f64 = 16.0;
-
 /// The face of an object may lie this many u of the size of its numbers beside where it was meant to be: its centre
 /// and its size round, and its normals by 6u.
 const ARRONDI: f64 = 16.0;
@@ -143,8 +140,7 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
 
     /// Goes this far, or to the next surface if one comes first. After a step without a surface light stands at its
     /// end, in mid-air; +∞ is a step without an end. At a surface light waits for [`passer`](Self::passer),
-    /// [`entrer`](Self::entrer) or [`rester`](Self::rester). A step that ends within rounding before a way out has
-    /// come to it, and one through 100,000 faces ends at the last of them.
+    /// [`entrer`](Self::entrer) or [`rester`](Self::rester). A step through 100,000 faces ends at the last of them.
     ///
     /// # Errors
     /// If `pas` is below 0 or a NaN, if light comes too far from the origin, or if an object is lost in rounding.
@@ -153,7 +149,7 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
         for _ in 0..FACES_CACHEES {
             let reste = if parcouru > pas { R::ZERO } else { pas - parcouru };
             let premiere = self.premiere(reste)?;
-            let jusque_la = premiere.map_or(reste, |(touche, _)| touche.distance());
+            let jusque_la = premiere.map_or(reste, |(_, _, t)| t);
             if self.tours >= TOURS && jusque_la > R::ZERO && jusque_la < R::INFINI {
                 let milieu = jusque_la / (R::UN + R::UN);
                 if self.recommencer(milieu)? {
@@ -161,7 +157,7 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
                     continue;
                 }
             }
-            let Some((touche, objet)) = premiere else {
+            let Some((touche, objet, _)) = premiere else {
                 if reste < R::INFINI {
                     self.tourner_a(reste, self.rayon.direction())?;
                 }
@@ -248,46 +244,38 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
         Ok(true)
     }
 
-    /// The first face before this distance, of whatever object, and that object. A step that ends within rounding of a
-    /// way out has come to it: light would be out at its next step, and nobody would have told it.
-    fn premiere(&mut self, fin: R) -> Result<Option<(Intersection<R>, usize)>, ErreurGeo> {
-        let (objets, sans_fin) = (self.monde.objets(), self.rayon.jusqu_a(R::INFINI)?);
-        // What has no way out was left beside an edge. A sea that light goes down in has one at +∞.
-        let (mut premier, mut sortie) = (None, R::INFINI);
+    /// The first face before this distance, of whatever object, with the object and the distance.
+    fn premiere(&mut self, fin: R) -> Result<Option<(Intersection<R>, usize, R)>, ErreurGeo> {
+        let (objets, depart) = (self.monde.objets(), self.rayon);
+        let sans_fin = depart.jusqu_a(R::INFINI)?;
+        let (mut premier, mut sortie, mut ici) = (None, fin, None);
         self.dans.retain(|&i| match objets[i].traversee(&sans_fin) {
+            // A sea that light goes down in has its way out at +∞.
             Ok([_, a]) => {
                 if a < sortie {
                     (premier, sortie) = (Some(i), a);
                 }
                 true
             }
-            Err(_) => false,
+            // It was left by rounding: light entered it beside an edge, or a step ended at its surface.
+            Err(_) => {
+                let touche = sortie_ici(&objets[i], &depart);
+                ici = touche.map(|touche| (touche, i, R::ZERO)).or(ici);
+                touche.is_some()
+            }
         });
-        let rayon = self.rayon.jusqu_a(if fin < sortie { fin } else { sortie })?;
+        if ici.is_some() {
+            return Ok(ici);
+        }
+        let rayon = depart.jusqu_a(sortie)?;
         // What light is in is left out here, so that no rounding makes it touch that at once.
         let entree = match self.dans[..] {
             [] => self.monde.premiere_intersection(&rayon),
             [i] => self.monde.sans(i).premiere_intersection(&rayon),
             _ => self.monde.parmi(|i| !self.dans.contains(&i)).premiere_intersection(&rayon),
         };
-        if let Ok(touche) = entree {
-            return Ok(Some((touche, touche.indice())));
-        }
-        let Some(premier) = premier else { return Ok(None) };
-        let face = || objets[premier].sortie(&sans_fin).ok().map(|sortie| (sortie, premier));
-        if sortie <= fin {
-            return Ok(face());
-        }
-        let bout = rayon.point(fin);
-        let (reste, arrondi) = (sortie - fin, fois_u(norme(bout.into()) + fin, AU_BORD));
-        if reste > arrondi && objets[premier].contient(bout) {
-            return Ok(None);
-        }
-        // A face that light grazes is near, however far light goes to it.
-        let hauteur = |n: Vecteur<R>| reste * n.produit_scalaire(rayon.direction());
-        let pres =
-            |touche: &Intersection<R>| reste <= arrondi || hauteur(touche.normale()) <= arrondi;
-        Ok(face().filter(|(touche, _)| pres(touche)))
+        let entree = entree.ok().map(|touche| (touche, touche.indice(), touche.distance()));
+        Ok(entree.or_else(|| Some((objets[premier?].sortie(&sans_fin).ok()?, premier?, sortie))))
     }
 
     /// What is behind this face, and the face of the opaque thing if there is one flush with it.
@@ -376,15 +364,11 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
         bords.sort_unstable_by(|a, b| a.partial_cmp(b).expect("no distance is a NaN"));
         traverses.clear();
         let mut depuis: Option<Corde<R>> = None;
-        for (numero, &(t, entre, i)) in bords.iter().enumerate() {
+        for &(t, entre, i) in bords.iter() {
             if entre {
                 traverses.push(i);
             } else {
                 traverses.retain(|&j| j != i);
-            }
-            // All that happens at one place counts together.
-            if bords.get(numero + 1).is_some_and(|suivant| suivant.0 == t) {
-                continue;
             }
             let objet = regne(matieres, traverses);
             if depuis.map(|corde| corde.objet) == objet {
@@ -393,7 +377,7 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
             cordes.extend(depuis.map(|corde| Corde { a: t, ..corde }));
             depuis = objet.map(|objet| Corde { objet, de: t, a: t });
         }
-        // Only what lies before the opaque thing.
+        // Where much happens at one place, some are of no length; and what is behind the opaque thing does not count.
         cordes.retain_mut(|corde| {
             corde.a = if corde.a < fin { corde.a } else { fin };
             corde.de < corde.a
@@ -422,6 +406,19 @@ fn regne(matieres: &[Matiere], dans: &[usize]) -> Option<usize> {
         Matiere::Commune { avec, priorite, .. } => dans.contains(&avec).then_some((priorite, i)),
     };
     dans.iter().filter_map(|&i| rang(i)).max().map(|(_, i)| i)
+}
+
+/// The way out of an object at the start of a ray that is out of it by no more than the δ of the ray.
+fn sortie_ici<R: Reel>(objet: &ObjetRay<R>, rayon: &Rayon<R>) -> Option<Intersection<R>> {
+    let d = rayon.direction();
+    let retour = |vers: Vecteur<R>| {
+        let retour = Rayon::new(rayon.source(), vers).ok()?.avec_flou(rayon.flou()).ok()?;
+        let touche = objet.intersection(&retour).ok();
+        touche.filter(|touche| touche.normale().produit_scalaire(d) > R::ZERO)
+    };
+    let touche = retour(-d)?;
+    // Light that grazes would have to go far back.
+    retour(-touche.normale()).or(Some(touche))
 }
 
 /// How far rounding may have set the face of an object beside where it was meant to be.

@@ -22,7 +22,7 @@ pub fn avancer<R: Reel, C: Choix + Copy>(
     for _ in 0..SURFACES_D_UN_PAS {
         let Some(surface) = marche.avancer(pas)? else { break };
         marche.passer(&surface)?;
-        // The surface may come within rounding after the end of the step.
+        // A sum of distances may round beyond the end of the step.
         pas = if surface.distance < pas { pas - surface.distance } else { R::ZERO };
     }
     Ok(())
