@@ -695,9 +695,12 @@ fn aucun_pas_ne_sort_sans_le_dire<R: Reel>() {
         if let Some(vers) = tour {
             marche.tourner(arrondi(vers)).unwrap();
         }
-        // In a half-space light may go down for ever.
+        // In a half-space light may go down for ever; and light that goes past a ball, so near that only rounding sets it
+        // outside, meets nothing.
+        let cosinus = sortie.normale().produit_scalaire(marche.rayon().direction()).vers_f64();
         let surface = marche.avancer(R::INFINI).unwrap();
-        assert!(surface.is_some() || marche.milieu().is_some(), "{rayon:?} until {pas}");
+        let frole = cosinus.abs() < (1_000.0 * u::<R>()).sqrt();
+        assert!(surface.is_some() || marche.milieu().is_some() || frole, "{rayon:?} until {pas}");
     });
     println!("{avant} {au_bord}");
     assert!(avant > 10_000 && au_bord > 500);
