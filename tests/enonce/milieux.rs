@@ -652,7 +652,7 @@ en_f32_et_f64!(aucune_pellicule_ne_renvoie_la_lumiere);
 /// From within one object, also along its surface, by a step that ends within some roundings of the way out, and turned
 /// there or not: light is told where it comes out, or is still in.
 fn aucun_pas_ne_sort_sans_le_dire<R: Reel>() {
-    let [mut avant, mut au_bord] = [0; 2];
+    let [mut avant, mut au_bord, mut ici] = [0; 3];
     let faire = |alea: &mut Hasard| {
         let tour = Rotation::<R>::new(arrondi(direction(alea) * *alea.choix(&[0.0, 3.0]))).unwrap();
         let centre = direction(alea) * *alea.choix(&[0.0, 5.0, 30.0]);
@@ -698,12 +698,18 @@ fn aucun_pas_ne_sort_sans_le_dire<R: Reel>() {
         // In a half-space light may go down for ever; and light that goes past a ball, so near that only rounding sets it
         // outside, meets nothing.
         let cosinus = sortie.normale().produit_scalaire(marche.rayon().direction()).vers_f64();
+        let la = marche.rayon().source();
         let surface = marche.avancer(R::INFINI).unwrap();
+        if let Some(surface) = surface.filter(|surface| surface.distance == R::ZERO) {
+            ici += 1;
+            let ecart = (surface.touche.point() - la).longueur().vers_f64();
+            assert!(ecart <= 100.0 * u::<R>() * la.longueur().vers_f64(), "{ecart:e}");
+        }
         let frole = cosinus.abs() < (1_000.0 * u::<R>()).sqrt();
         assert!(surface.is_some() || marche.milieu().is_some() || frole, "{rayon:?} until {pas}");
     });
-    println!("{avant} {au_bord}");
-    assert!(avant > 10_000 && au_bord > 500);
+    println!("{avant} {au_bord} {ici}");
+    assert!(avant > 10_000 && au_bord > 500 && ici > 500);
 }
 
 en_f32_et_f64!(aucun_pas_ne_sort_sans_le_dire);
@@ -755,12 +761,15 @@ fn du_verre_la_lumiere_trouve_son_pied<R: Reel>() {
         assert_eq!(marche.avancer(R::INFINI).unwrap(), None);
         assert_eq!(marche.dans(), dans);
     }
-    let peu = R::depuis_f64(5.5 * (1.0 - 8.0 * u::<R>()));
-    marche.partir(
-        Rayon::new(Vecteur::new(R::depuis_f64(9.0), peu, R::depuis_f64(9.0)), Vecteur::Y).unwrap(),
-    );
+    let neuf = R::depuis_f64(9.0);
+    let source = Vecteur::new(neuf, R::depuis_f64(5.5 * (1.0 - 8.0 * u::<R>())), neuf);
+    marche.partir(Rayon::new(source, Vecteur::Y).unwrap());
     assert_eq!(marche.avancer(R::INFINI).unwrap(), None);
-    assert_eq!(marche.dans(), []);
+    // Downward it stops light that knows how exactly it starts there.
+    let flou = R::depuis_f64(1e-5);
+    marche.partir(Rayon::new(source, -Vecteur::Y).unwrap().avec_flou(flou).unwrap());
+    let surface = marche.avancer(R::INFINI).unwrap().unwrap();
+    assert_eq!((surface.derriere, surface.distance), (Derriere::Opaque, R::ZERO));
 }
 
 en_f32_et_f64!(du_verre_la_lumiere_trouve_son_pied);
