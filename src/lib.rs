@@ -35,7 +35,7 @@
 //! ([`est_occulte`](Monde::est_occulte)), [all that a ray enters](Monde::dans_l_ordre) and [whether
 //! a point is in an object](Monde::contient), for all objects or [any choice of
 //! them](Monde::parmi). A ray may have [an end](Rayon::jusqu_a). [`ObjetRay::sortie`] tells where a
-//! ray leaves an object.
+//! ray leaves an object, and [`traversee`](ObjetRay::traversee) which part of it lies within.
 //!
 //! # Conventions
 //!

@@ -338,6 +338,56 @@ impl<R: Nombre> ObjetRay<R> {
         })
     }
 
+    /// The part of the ray that lies in this object (handout, annex A): where it begins and where it
+    /// ends, in scene units from the source of the ray.
+    ///
+    /// It serves chords, such as a dose, an attenuation or mist that a ray goes through, for which
+    /// neither normals nor margins are needed.
+    ///
+    /// - **It begins** where [`intersection`](Self::intersection) says, to the bit, or at 0 if the
+    ///   object [contains](Self::contient) the source.
+    /// - **It ends** where [`sortie`](Self::sortie) says, to the bit, or at the [end](Rayon::fin) of
+    ///   the ray if that comes first. A ray that does not leave a half-space ends there at the end
+    ///   of the ray, +∞ for one without an end.
+    /// - **On a surface** the source is in the object. From there a ray that goes inward, or along
+    ///   the surface of a half-space, is in the object from 0 on; one that goes outward is not in it
+    ///   at all.
+    /// - Both distances are the same where the ray only passes through an edge of a box.
+    /// - **δ changes nothing**, since what a ray touches at once contains its source.
+    ///
+    /// # Errors
+    /// [`NoIntersection`] if no part of the ray before its end is in the object.
+    ///
+    /// ```
+    /// use lancer_rayon::{NoIntersection, ObjetRay, PlanGeo, Rayon, SphereGeo, Texture, Vecteur};
+    ///
+    /// let brume = ObjetRay::from(SphereGeo::new(Vecteur::Z * -5.0, 1.0, Texture(0))?);
+    /// let rayon = Rayon::new(Vecteur::NUL, -Vecteur::Z)?;
+    /// assert_eq!(brume.traversee(&rayon)?, [4.0, 6.0]);
+    /// assert_eq!(brume.traversee(&rayon.jusqu_a(4.5)?)?, [4.0, 4.5]);
+    /// assert_eq!(brume.traversee(&rayon.jusqu_a(3.5)?), Err(NoIntersection));
+    /// let de_l_interieur = Rayon::new(brume.sortie(&rayon)?.point() + Vecteur::Z, Vecteur::Z)?;
+    /// assert_eq!(brume.traversee(&de_l_interieur)?, [0.0, 1.0]);
+    ///
+    /// let mer = ObjetRay::from(PlanGeo::par_un_point(Vecteur::Y * -2.0, Vecteur::Y, Texture(0))?);
+    /// assert_eq!(mer.traversee(&Rayon::new(Vecteur::NUL, -Vecteur::Y)?)?, [2.0, f64::INFINITY]);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    #[doc(alias("chord", "interval", "entry_exit", "thickness", "attenuation", "fog"))]
+    pub fn traversee(&self, rayon: &Rayon<R>) -> Result<[R; 2], NoIntersection> {
+        let (entree, sortie, retient) = par_forme!(Self, self, forme => {
+            let (t, dedans) = forme.t_et_dedans(rayon);
+            let entree = if dedans { R::ZERO } else { t };
+            (entree, forme.t_sortie(rayon), forme.retient(rayon))
+        });
+        // A ray that enters has a way out, unless that is too far for the type.
+        if entree >= rayon.fin() || (entree == R::ZERO && sortie == R::INFINI && !retient) {
+            return Err(NoIntersection);
+        }
+        // Never out before in, as for a way out.
+        Ok([entree, min(max(entree, sortie), rayon.fin())])
+    }
+
     /// The texture of this object.
     #[doc(alias = "material")]
     #[inline(always)]

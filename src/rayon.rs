@@ -184,7 +184,8 @@ impl<R: Nombre> Rayon<R> {
     /// idempotent.
     ///
     /// Beside an edge a ray that was sent into glass may have stepped out again: if
-    /// [`sortie`](crate::ObjetRay::sortie) finds no way out of the glass, go on with this ray.
+    /// [`sortie`](crate::ObjetRay::sortie) finds no way out of a sphere or a box, go on with this
+    /// ray. Of a half-space that says nothing, since a ray that goes down in a sea never leaves it.
     #[doc(alias("outside", "air"))]
     #[inline]
     pub fn dehors(self) -> Self {
@@ -249,7 +250,7 @@ impl<R: Nombre> Rayon<R> {
     /// would start at the next hit. In `f32` a wall of 10 m has an o of 0.03 mm.
     ///
     /// δ is 0 for a ray from [`new`](Self::new), which takes its source as it stands. It is finite,
-    /// and grows with each bounce (`docs/precision.md`, "Closed rooms").
+    /// and grows with each bounce and each turn in mid-air (`docs/precision.md`, "Closed rooms").
     #[doc(alias("tolerance", "blur"))]
     #[inline(always)]
     #[must_use]

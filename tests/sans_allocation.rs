@@ -14,6 +14,7 @@ use lancer_rayon::{
     BoiteGeo, ErreurGeo, Monde, NoIntersection, ObjetGeo, ObjetRay, PlanGeo, Rayon, Reel, Rotation,
     SphereGeo, Texture, Vecteur, places, premiere_intersection,
 };
+use recettes::milieux::{Marche, Matiere};
 
 #[track_caller]
 fn sans_allocation<T>(nom: &str, faire: impl FnOnce() -> T) -> T {
@@ -40,6 +41,31 @@ fn un_de_chaque<R: Reel>() -> Result<[ObjetRay<R>; 3], ErreurGeo> {
         Ok(objet.homothetie(R::depuis_f64(2.0))?.vers_ray())
     });
     Ok([sphere?, plan?, boite?])
+}
+
+/// A walk through media allocates for its first rays, and then no more.
+#[test]
+fn une_marche_n_alloue_qu_au_debut() {
+    let scene = melange::<f64>(300);
+    let matieres = vec![Matiere::Pleine { priorite: 0, indice: 1.5 }; scene.len()];
+    let mut marche = Marche::new(Monde::de_liste(&scene), &matieres);
+    let rayons = rayons_camera::<f64>(20, 20);
+    let mut tous = || {
+        let mut passages = 0;
+        for rayon in &rayons {
+            passages += marche.cordes(rayon).len();
+            marche.partir(*rayon);
+            for _ in 0..20 {
+                let Some(surface) = marche.avancer(f64::INFINITY).unwrap() else { break };
+                marche.passer(&surface).unwrap();
+                passages += 1;
+            }
+        }
+        passages
+    };
+    let passages = tous();
+    assert!(passages > 400, "{passages}");
+    assert_eq!(sans_allocation("a walk", tous), passages);
 }
 
 fn aucune_question_n_alloue<R: Reel>() {

@@ -12,14 +12,14 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 use exemples::image;
-use exemples::recettes::verre::{Suite, dans_le_verre};
 use exemples::scene::{Scene, tuiles};
 use indicatif::ParallelProgressIterator;
 use lancer_rayon::{
     Intersection, LongueursDifferentes, Monde, NoIntersection, ObjetRay, Rayon, Reel, Reponse,
-    SphereRay, Vecteur, places,
+    SphereRay, Texture, Vecteur, places,
 };
 use rayon::prelude::*;
+use recettes::milieux::{Derriere, Marche, Matiere};
 use serde::de::DeserializeOwned;
 
 /// Red, green and blue, in proportion to the light.
@@ -77,7 +77,12 @@ fn rendre<R: Reel + DeserializeOwned>(
     let mut memoire = vec![0.0; places(objets.len())];
     let hierarchie = Monde::new(&objets, &mut memoire)?;
     let grain = R::depuis_f64(1.0 / f64::from(camera.image.1));
-    let chambre = Chambre { lampe, hierarchie, grain, rayons };
+    let matiere = |objet: &ObjetRay<R>| match materiau(objet.texture()) {
+        (Genre::Verre, _) => Matiere::Pleine { priorite: 0, indice: INDICE },
+        (Genre::Mat | Genre::Verni | Genre::Miroir, _) => Matiere::Opaque,
+    };
+    let matieres = objets.iter().map(matiere).collect();
+    let chambre = Chambre { lampe, hierarchie, matieres, grain, rayons };
 
     let oeil = camera.rayons()?;
     let ordre = tuiles(oeil.len(), camera.image.0 as usize);
@@ -109,14 +114,14 @@ enum Genre {
 }
 
 /// What a surface is made of: the parts of red, green and blue that it keeps, twice for a checker.
-type Matiere = (Genre, [Couleur; 2]);
+type Materiau = (Genre, [Couleur; 2]);
 
-const fn uni(genre: Genre, r: f64, v: f64, b: f64) -> Matiere {
+const fn uni(genre: Genre, r: f64, v: f64, b: f64) -> Materiau {
     (genre, [Vecteur::new(r, v, b); 2])
 }
 
 /// A texture is the index of one of these; beyond the last they begin anew.
-const PALETTE: [Matiere; 12] = [
+const PALETTE: [Materiau; 12] = [
     uni(Genre::Mat, 0.0, 0.0, 0.0), // the lamp
     (Genre::Verni, [Vecteur::new(0.25, 0.11, 0.05), Vecteur::new(0.62, 0.42, 0.22)]),
     uni(Genre::Mat, 0.82, 0.75, 0.65),
@@ -131,9 +136,16 @@ const PALETTE: [Matiere; 12] = [
     uni(Genre::Mat, 0.02, 0.02, 0.02),
 ];
 
+/// The material of an object of this texture.
+fn materiau(texture: Texture) -> Materiau {
+    PALETTE[texture.0 as usize % PALETTE.len()]
+}
+
 struct Chambre<'a, R> {
     lampe: &'a SphereRay<R>,
     hierarchie: Monde<'a, R>,
+    /// What light goes through, by the index of the object.
+    matieres: Vec<Matiere>,
     /// The size of a pixel, one unit before the eye.
     grain: R,
     /// Paths a pixel.
@@ -164,6 +176,7 @@ impl<R: Reel> Chambre<'_, R> {
         let nombre = oeil.len() * self.rayons;
         let mut chemins: Vec<_> = (0..nombre).map(chemin).collect();
         let mut vues = vec![Vecteur::NUL; nombre];
+        let mut marche = Marche::new(self.hierarchie, &self.matieres);
         for _ in 0..REBONDS {
             let dans_l_air = chemins.iter().filter(|chemin| chemin.dans.is_none());
             let mut touches = self.lancer(dans_l_air.map(|chemin| chemin.rayon))?.into_iter();
@@ -171,15 +184,16 @@ impl<R: Reel> Chambre<'_, R> {
             for chemin in chemins {
                 let touche = match chemin.dans {
                     None => touches.next().and_then(Result::ok),
-                    Some(verre) => match dans_le_verre(&self.hierarchie, verre, &chemin.rayon) {
-                        Ok(Suite::Touche(touche)) => Some(touche),
-                        Ok(Suite::Sortie(sortie)) => {
-                            suivants.extend(chemin.dehors(&sortie, verre));
+                    Some(verre) => {
+                        marche.reprendre(chemin.rayon, [verre]);
+                        // What a glass stands on is found through it. Where an object is lost in rounding, a path ends.
+                        let Ok(Some(surface)) = marche.avancer(R::INFINI) else { continue };
+                        if surface.derriere != Derriere::Opaque && surface.objet == verre {
+                            suivants.extend(chemin.dehors(&surface.touche, verre));
                             continue;
                         }
-                        // A ray that entered beside an edge may have stepped out again; its path ends.
-                        Err(_) => continue,
-                    },
+                        Some(surface.touche)
+                    }
                 };
                 let Some(touche) = touche else {
                     vues[chemin.numero] += produit(chemin.part, SOIR);
@@ -259,7 +273,7 @@ impl<R: Reel> Chemin<R> {
     /// How a path goes on from a surface that is not the lamp.
     fn rebond(&self, touche: &Intersection<R>) -> Option<Self> {
         let (d, n) = (self.rayon.direction(), touche.normale());
-        let (genre, couleurs) = PALETTE[touche.texture().0 as usize % PALETTE.len()];
+        let (genre, couleurs) = materiau(touche.texture());
         let p = touche.point();
         let case = (p.x.vers_f64().floor() + p.z.vers_f64().floor()) as i64;
         let teinte = produit(self.part, couleurs[(case & 1) as usize]);

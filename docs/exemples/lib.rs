@@ -4,7 +4,5 @@
 #![allow(missing_docs, reason = "not published: what a name does not say has a comment")]
 
 pub mod image;
-#[path = "../recettes/mod.rs"]
-pub mod recettes;
 pub mod scene;
 pub mod surete;

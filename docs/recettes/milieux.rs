@@ -1,127 +1,440 @@
-//! Light through media and past opaque things, one in another, overlapping or flush: ice in water, panes and voxels, a
-//! glass on a table in mist. Bound the number of steps, since light may be trapped, as in a ball that it grazes from
-//! within. A side that light grazes may bend it in a seam of turned tiles: let tiles of one medium overlap.
+//! Light, or whatever goes straight from surface to surface, through media and past opaque things: glass on a table,
+//! panes and voxels, ice in a sea, lenses, mist; and the chords of a straight ray, for a dose or a projection. Solids
+//! may lie one in another, overlap or stand flush.
 
 use std::ops::ControlFlow::Continue;
 
-use lancer_rayon::{ErreurGeo, Intersection, Monde, ObjetRay, Rayon, Reel};
+use lancer_rayon::{Choix, ErreurGeo, Intersection, Monde, ObjetRay, Rayon, Reel, Tous, Vecteur};
 
-/// What an object is made of, by its index in the list. Where there are several, the higher priority counts. Objects
-/// beyond the last medium are opaque.
-#[derive(Debug, Clone, Copy)]
-pub struct Milieu {
-    pub priorite: u32,
-    pub indice: f64,
+/// After this many new rays light starts anew with δ = 0. In a room of 10 m about the origin δ is then at most 2 mm in
+/// `f32`.
+const TOURS: u32 = 32;
+
+/// How many faces light goes through at most in one step, since it may be caught among solids that lie within rounding
+/// of each other.
+const FACES_CACHEES: u32 = 100_000;
+
+/// Objects that lie up to this many δ behind a face are looked at.
+const A_FLEUR: f64 = 256.0;
+
+/// A face is known to its margins, to δ and to this many u of the lengths involved.
+const ERREUR: f64 = 24.0;
+
+/// The face of an object may lie this many u of the size of its numbers beside where it was meant to be: its centre
+/// and its size round, and its normals by 6u.
+const ARRONDI: f64 = 16.0;
+
+/// What an object is made of, by its index in the list. An object without an entry is opaque.
+///
+/// Where several media hold a place, the one of the highest priority counts, at equal priority the last in the list.
+/// `indice` is the index of refraction; outside all media it is 1.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Matiere {
+    /// It stops light.
+    Opaque,
+    /// All of the object is filled.
+    Pleine { priorite: u32, indice: f64 },
+    /// Only what it has in common with the object `avec` is filled. A lens is what two balls have in common: both are
+    /// described so, each with the other.
+    Commune { avec: usize, priorite: u32, indice: f64 },
 }
 
-/// The index of refraction of the medium that counts among these, at equal priority the last in the list; 1 if there is
-/// none.
-pub fn indice(milieux: &[Milieu], dans: &[usize]) -> f64 {
-    let premier = dans.iter().max_by_key(|&&i| (milieux[i].priorite, i));
-    premier.map_or(1.0, |&i| milieux[i].indice)
-}
-
-/// Light, and the objects that it is in, in any order. At first these are the `contenants` of its source.
-#[derive(Debug, Clone)]
-pub struct Lumiere<R = f64> {
-    pub rayon: Rayon<R>,
-    pub dans: Vec<usize>,
+/// The part of a straight ray that lies in the medium of an object, between two distances from its source.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Corde<R> {
+    pub objet: usize,
+    pub de: R,
+    pub a: R,
 }
 
 /// Where light arrives.
-#[derive(Debug)]
-pub enum Surface<R> {
-    /// An opaque object, and how far light has come to it, since the distance of the hit itself may count from a face
-    /// that is flush with the object. What the object sends back is in the same objects as before, also on its way to a
-    /// lamp.
-    Opaque(Intersection<R>, R),
-    /// A face of a medium, and the objects that light is in behind the face. Where light leaves a medium, the
-    /// `indice()` of the hit is 0, whatever the medium.
-    Claire(Intersection<R>, Vec<usize>),
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Surface<R> {
+    /// The hit or the way out of the object `objet`. Its `indice()` is 0 for a way out, and its `distance()` may count
+    /// from a later place than where the light started.
+    pub touche: Intersection<R>,
+    pub objet: usize,
+    /// How far light has come to it.
+    pub distance: R,
+    pub derriere: Derriere,
 }
 
-impl<R: Reel> Lumiere<R> {
-    /// The next surface, if there is one. Faces that lie within rounding of each other are one surface, so that no film
-    /// of air comes between flush media and an opaque thing is found through the glass that stands on it.
-    pub fn surface(
-        &mut self,
-        monde: &Monde<'_, R>,
-        milieux: &[Milieu],
-    ) -> Result<Option<Surface<R>>, ErreurGeo> {
-        let (objets, rayon, d) = (monde.objets(), self.rayon, self.rayon.direction());
-        // An object without a way out was left beside an edge, unless it is a half-space, in which light may go down
-        // for ever. Light does not leave anything where its ray ends.
-        let sans_fin = rayon.jusqu_a(R::INFINI)?;
-        let sort = |i: usize| objets[i].sortie(&sans_fin);
-        let descend = |i: usize| match objets[i] {
-            ObjetRay::Plan(plan) => plan.normale().produit_scalaire(d) <= R::ZERO,
-            ObjetRay::Sphere(_) | ObjetRay::Boite(_) => false,
-        };
-        self.dans.retain(|&i| sort(i).is_ok() || descend(i));
-        // The objects that light is in are left out here, so that no rounding makes it touch them at once; it may touch
-        // others.
-        let entree = monde.parmi(|i| !self.dans.contains(&i)).premiere_intersection(&rayon);
-        let sorties = self.dans.iter().filter_map(|&i| sort(i).ok());
-        let sorties = sorties.filter(|sortie| sortie.distance() < rayon.fin());
-        let plus_tot = |a: Intersection<R>, b: Intersection<R>| {
-            if b.distance() < a.distance() { b } else { a }
-        };
-        let Some(touche) = entree.into_iter().chain(sorties).reduce(plus_tot) else {
-            return Ok(None);
-        };
-        let (opaque, n) = (|i: usize| i >= milieux.len(), touche.normale());
-        let entre = d.produit_scalaire(n) < R::ZERO;
-        if entre && opaque(touche.indice()) {
-            return Ok(Some(Surface::Opaque(touche, touche.distance())));
-        }
-        // Light goes into what holds the place behind the face, deeper than the error of that place, and into what a
-        // ray from the face comes to within that error, which may be a large thing that its own rounding sets apart
-        // from the face.
-        let devant = if entre { -n } else { n };
-        let sonde = touche.secondaire(devant)?.dehors();
-        let erreur = sonde.flou();
-        let sonde = sonde.jusqu_a(erreur)?;
-        let contre = monde.parmi(opaque).premiere_intersection(&sonde);
-        if let Ok(contre) = contre
-            && contre.normale().produit_scalaire(d) < R::ZERO
-        {
-            return Ok(Some(Surface::Opaque(contre, touche.distance())));
-        }
-        let mut apres = vec![];
-        monde.contenants(touche.point() + devant * erreur, |i| apres.push(i));
-        monde.visiter(&sonde, |i, _| {
-            apres.push(i);
-            Continue(erreur)
-        });
-        apres.sort_unstable();
-        apres.dedup();
-        apres.retain(|&i| !opaque(i));
-        Ok(Some(Surface::Claire(touche, apres)))
+/// What is behind a surface.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Derriere {
+    Opaque,
+    /// The medium of the object of this index, or none.
+    Milieu(Option<usize>),
+}
+
+/// A walk through a world. It goes straight on through all faces behind which the same medium counts, and tells where
+/// another medium or an opaque thing begins. Where light comes out of a medium, faces that lie within rounding of each
+/// other are one surface, so that no film of air comes between flush media, and the table is found on which a glass
+/// stands.
+///
+/// Bound the number of surfaces of a path, since light may be trapped, as in a ball that it grazes from within. A walk
+/// allocates until it has been in as many objects at once as it ever is, and then no more: keep it for many rays.
+#[derive(Clone)]
+pub struct Marche<'a, R = f64, C = Tous> {
+    monde: Monde<'a, R, C>,
+    matieres: &'a [Matiere],
+    rayon: Rayon<R>,
+    /// The objects that light is in, none of them opaque, in any order.
+    dans: Vec<usize>,
+    /// The same behind the surface that was found last.
+    apres: Vec<usize>,
+    /// How many rays there were since δ was 0.
+    tours: u32,
+    /// Where the ray of a chord enters an object, or leaves it.
+    bords: Vec<(R, bool, usize)>,
+    /// The objects that the ray of a chord is in.
+    traverses: Vec<usize>,
+    cordes: Vec<Corde<R>>,
+}
+
+impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
+    /// A walk that goes nowhere yet.
+    pub fn new(monde: Monde<'a, R, C>, matieres: &'a [Matiere]) -> Self {
+        let rayon = Rayon::new(Vecteur::NUL, Vecteur::X).expect("a direction");
+        let [dans, apres, traverses] = [(); 3].map(|()| vec![]);
+        let (bords, cordes) = (vec![], vec![]);
+        Self { monde, matieres, rayon, dans, apres, tours: 0, bords, traverses, cordes }
     }
 
-    /// Goes on to the next surface and through it, or is mirrored there; `false` where an opaque object stops the light
-    /// or there is no other surface.
-    pub fn avancer(&mut self, monde: &Monde<'_, R>, milieux: &[Milieu]) -> Result<bool, ErreurGeo> {
-        let Some(Surface::Claire(touche, apres)) = self.surface(monde, milieux)? else {
+    /// Starts with this ray, in the media that hold its source. An opaque thing that holds it, as a table does from
+    /// which light starts by coordinates, counts for nothing. Whether the ray is inside and where it ends count for
+    /// nothing either.
+    pub fn partir(&mut self, rayon: Rayon<R>) {
+        let Self { monde, matieres, dans, .. } = self;
+        dans.clear();
+        monde.contenants(rayon.source(), |i| dans.extend((!opaque(matieres, i)).then_some(i)));
+        (self.rayon, self.tours) = (rayon.dehors(), 0);
+    }
+
+    /// Starts with this ray in these objects, as after [`dans`](Self::dans) of another walk.
+    pub fn reprendre(&mut self, rayon: Rayon<R>, dans: impl IntoIterator<Item = usize>) {
+        self.dans.clear();
+        self.dans.extend(dans.into_iter().filter(|&i| !opaque(self.matieres, i)));
+        (self.rayon, self.tours) = (rayon.dehors(), 0);
+    }
+
+    /// The world that it goes through.
+    pub fn monde(&self) -> Monde<'a, R, C> {
+        self.monde
+    }
+
+    /// The ray on which light goes.
+    pub fn rayon(&self) -> Rayon<R> {
+        self.rayon
+    }
+
+    /// The objects that light is in.
+    pub fn dans(&self) -> &[usize] {
+        &self.dans
+    }
+
+    /// The object whose medium light is in; `None` outside all media.
+    pub fn milieu(&self) -> Option<usize> {
+        regne(self.matieres, &self.dans)
+    }
+
+    /// Goes this far, or to the next surface if one comes first. After a step without a surface light stands at its
+    /// end, in mid-air; +∞ is a step without an end. At a surface light waits for [`passer`](Self::passer),
+    /// [`entrer`](Self::entrer) or [`rester`](Self::rester). A step through 100,000 faces ends at the last of them.
+    ///
+    /// # Errors
+    /// If `pas` is below 0 or a NaN, if light comes too far from the origin, or if an object is lost in rounding.
+    pub fn avancer(&mut self, pas: R) -> Result<Option<Surface<R>>, ErreurGeo> {
+        let mut parcouru = R::ZERO;
+        for _ in 0..FACES_CACHEES {
+            let reste = if parcouru > pas { R::ZERO } else { pas - parcouru };
+            let premiere = self.premiere(reste)?;
+            let jusque_la = premiere.map_or(reste, |(_, _, t)| t);
+            if self.tours >= TOURS && jusque_la > R::ZERO && jusque_la < R::INFINI {
+                let milieu = jusque_la / (R::UN + R::UN);
+                if self.recommencer(milieu)? {
+                    parcouru = parcouru + milieu;
+                    continue;
+                }
+            }
+            let Some((touche, objet, _)) = premiere else {
+                if reste < R::INFINI {
+                    self.tourner_a(reste, self.rayon.direction())?;
+                }
+                return Ok(None);
+            };
+            parcouru = parcouru + jusque_la;
+            let (touche, objet, derriere) = self.derriere(touche, objet)?;
+            if derriere != Derriere::Milieu(self.milieu()) {
+                return Ok(Some(Surface { touche, objet, distance: parcouru, derriere }));
+            }
+            self.entrer(touche.secondaire(self.rayon.direction())?);
+        }
+        Ok(None)
+    }
+
+    /// Turns where light stands in mid-air: it was scattered.
+    ///
+    /// # Errors
+    /// If the direction is zero or not finite.
+    pub fn tourner(&mut self, direction: Vecteur<R>) -> Result<(), ErreurGeo> {
+        self.tourner_a(R::ZERO, direction)
+    }
+
+    fn tourner_a(&mut self, distance: R, direction: Vecteur<R>) -> Result<(), ErreurGeo> {
+        self.rester(self.rayon.bifurque(distance, direction)?);
+        Ok(())
+    }
+
+    /// Goes on with this ray in the media before the surface: what a mirror or an opaque thing sends back, or a ray to
+    /// a lamp.
+    pub fn rester(&mut self, rayon: Rayon<R>) {
+        // `dans` tells what light is in, and questions leave that out; light may touch anything else at once.
+        self.rayon = rayon.dehors();
+        self.tours += 1;
+    }
+
+    /// Goes on with this ray in the media behind the surface that [`avancer`](Self::avancer) found last.
+    pub fn entrer(&mut self, rayon: Rayon<R>) {
+        std::mem::swap(&mut self.dans, &mut self.apres);
+        self.rester(rayon);
+    }
+
+    /// Goes through the surface that was found last, by Snell's law, or is mirrored there where no light passes or an
+    /// opaque thing stands; whether it passes.
+    ///
+    /// # Errors
+    /// If the indices of two media differ more than a hundredfold or are not above 0, or if an object is lost in
+    /// rounding.
+    pub fn passer(&mut self, surface: &Surface<R>) -> Result<bool, ErreurGeo> {
+        let (touche, d) = (&surface.touche, self.rayon.direction());
+        let Derriere::Milieu(derriere) = surface.derriere else {
+            self.rester(touche.reflechi(d)?);
             return Ok(false);
         };
-        let rapport = indice(milieux, &self.dans) / indice(milieux, &apres);
-        let d = self.rayon.direction();
-        let droit_devant = rapport == 1.0;
-        let passe = if droit_devant {
-            touche.secondaire(d)
-        } else {
-            touche.refracte(d, R::depuis_f64(rapport))
-        };
-        let suite = match passe {
-            Ok(rayon) => {
-                self.dans = apres;
-                rayon
+        let avant = indice(self.matieres, self.milieu());
+        let rapport = R::depuis_f64(avant / indice(self.matieres, derriere));
+        let passe =
+            if rapport == R::UN { touche.secondaire(d) } else { touche.refracte(d, rapport) };
+        match passe {
+            Ok(rayon) => self.entrer(rayon),
+            // Total reflection.
+            Err(refus) if refus.champ == "refraction" => {
+                self.rester(touche.reflechi(d)?);
+                return Ok(false);
             }
-            Err(_) => touche.reflechi(d)?,
-        };
-        // `dans` tells what light is in, and questions leave that out; the light may touch anything else at once.
-        self.rayon = suite.dehors();
+            Err(refus) => return Err(refus),
+        }
         Ok(true)
     }
+
+    /// Starts anew with δ = 0 at this distance, if light is there in what it should be in and in no wall; whether it
+    /// does. At a bounce, or where a step ends on a wall, the place might lie in a seam.
+    fn recommencer(&mut self, distance: R) -> Result<bool, ErreurGeo> {
+        let (point, dans) = (self.rayon.point(distance), &self.dans);
+        let (mut combien, mut connus) = (0, true);
+        self.monde.contenants(point, |i| {
+            combien += 1;
+            connus &= dans.contains(&i);
+        });
+        if !connus || combien != dans.len() {
+            return Ok(false);
+        }
+        (self.rayon, self.tours) = (Rayon::new(point, self.rayon.direction())?, 0);
+        Ok(true)
+    }
+
+    /// The first face before this distance, of whatever object, with the object and the distance.
+    fn premiere(&mut self, fin: R) -> Result<Option<(Intersection<R>, usize, R)>, ErreurGeo> {
+        let (objets, depart) = (self.monde.objets(), self.rayon);
+        let sans_fin = depart.jusqu_a(R::INFINI)?;
+        let (mut premier, mut sortie, mut ici) = (None, fin, None);
+        self.dans.retain(|&i| match objets[i].traversee(&sans_fin) {
+            // A sea that light goes down in has its way out at +∞.
+            Ok([_, a]) => {
+                if a < sortie {
+                    (premier, sortie) = (Some(i), a);
+                }
+                true
+            }
+            // It was left by rounding: light entered it beside an edge, or a step ended at its surface.
+            Err(_) => {
+                let touche = sortie_ici(&objets[i], &depart);
+                ici = touche.map(|touche| (touche, i, R::ZERO)).or(ici);
+                touche.is_some()
+            }
+        });
+        if ici.is_some() {
+            return Ok(ici);
+        }
+        let rayon = depart.jusqu_a(sortie)?;
+        // What light is in is left out here, so that no rounding makes it touch that at once.
+        let entree = match self.dans[..] {
+            [] => self.monde.premiere_intersection(&rayon),
+            [i] => self.monde.sans(i).premiere_intersection(&rayon),
+            _ => self.monde.parmi(|i| !self.dans.contains(&i)).premiere_intersection(&rayon),
+        };
+        let entree = entree.ok().map(|touche| (touche, touche.indice(), touche.distance()));
+        Ok(entree.or_else(|| Some((objets[premier?].sortie(&sans_fin).ok()?, premier?, sortie))))
+    }
+
+    /// What is behind this face, and the face of the opaque thing if there is one flush with it.
+    ///
+    /// Light leaves what holds no place behind the face that is deeper than the error of the face, since the next ray
+    /// may start beyond it. Where light comes out, or into a lower index, a film that is there by rounding alone might
+    /// mirror it. So it goes into what lies so near behind that rounding may have set the two apart.
+    fn derriere(
+        &mut self,
+        touche: Intersection<R>,
+        objet: usize,
+    ) -> Result<(Intersection<R>, usize, Derriere), ErreurGeo> {
+        let avant = self.milieu();
+        let Self { monde, matieres, dans, apres, rayon, .. } = self;
+        let (objets, d) = (monde.objets(), rayon.direction());
+        let entre = d.produit_scalaire(touche.normale()) < R::ZERO;
+        if entre && opaque(matieres, objet) {
+            return Ok((touche, objet, Derriere::Opaque));
+        }
+        let devant = if entre { -touche.normale() } else { touche.normale() };
+        let longueur = norme(touche.point().into()) + touche.distance();
+        let erreur = rayon.flou() + touche.marge() + touche.marge() + fois_u(longueur, ERREUR);
+        let place = touche.point() + devant * erreur;
+        apres.clear();
+        apres.extend(dans.iter().copied().filter(|&i| i != objet && objets[i].contient(place)));
+        apres.extend(entre.then_some(objet));
+        let derriere = regne(matieres, apres);
+        if derriere == avant || (entre && indice(matieres, derriere) >= indice(matieres, avant)) {
+            return Ok((touche, objet, Derriere::Milieu(derriere)));
+        }
+        let sonde = touche.secondaire(devant)?.dehors();
+        let fin = erreur * R::depuis_f64(A_FLEUR);
+        let sonde = sonde.jusqu_a(fin)?;
+        let a_fleur = |i: usize, t: R| t <= erreur + arrondi(&objets[i]);
+        let mut un_opaque = false;
+        monde.visiter(&sonde, |i, t| {
+            if a_fleur(i, t) {
+                if opaque(matieres, i) {
+                    un_opaque = true;
+                } else if !apres.contains(&i) {
+                    apres.push(i);
+                }
+            }
+            Continue(fin)
+        });
+        if un_opaque {
+            let contre = monde.parmi(|i| opaque(matieres, i)).premiere_intersection(&sonde);
+            if let Ok(contre) = contre
+                && a_fleur(contre.indice(), contre.distance())
+                && contre.normale().produit_scalaire(d) < R::ZERO
+            {
+                return Ok((contre, contre.indice(), Derriere::Opaque));
+            }
+        }
+        Ok((touche, objet, Derriere::Milieu(regne(matieres, apres))))
+    }
+
+    /// What this ray goes through in a straight line until it ends or comes to an opaque thing, in order. Each length
+    /// counts once, for the medium that counts there; between two media there may be none. All distances count from
+    /// the source of the ray as it stands, whatever its δ, so that no step from face to face adds to their errors. The
+    /// walk stays where it is.
+    pub fn cordes(&mut self, rayon: &Rayon<R>) -> &[Corde<R>] {
+        let Self { monde, matieres, bords, traverses, cordes, .. } = self;
+        let objets = monde.objets();
+        bords.clear();
+        cordes.clear();
+        let mut fin = rayon.fin();
+        let mut noter = |i: usize| {
+            let part = objets[i].traversee(rayon).into_iter().filter(|[de, a]| de < a);
+            bords.extend(part.flat_map(|[de, a]| [(de, true, i), (a, false, i)]));
+        };
+        monde.contenants(rayon.source(), |i| {
+            if !opaque(matieres, i) {
+                noter(i);
+            }
+        });
+        // A ray inside touches nothing at once; what holds the source was noted above.
+        monde.visiter(&rayon.dedans(), |i, t| {
+            if !opaque(matieres, i) {
+                noter(i);
+            } else if t < fin {
+                fin = t;
+            }
+            Continue(fin)
+        });
+        bords.sort_unstable_by(|a, b| a.partial_cmp(b).expect("no distance is a NaN"));
+        traverses.clear();
+        let mut depuis: Option<Corde<R>> = None;
+        for &(t, entre, i) in bords.iter() {
+            if entre {
+                traverses.push(i);
+            } else {
+                traverses.retain(|&j| j != i);
+            }
+            let objet = regne(matieres, traverses);
+            if depuis.map(|corde| corde.objet) == objet {
+                continue;
+            }
+            cordes.extend(depuis.map(|corde| Corde { a: t, ..corde }));
+            depuis = objet.map(|objet| Corde { objet, de: t, a: t });
+        }
+        // Where much happens at one place, some are of no length; and what is behind the opaque thing does not count.
+        cordes.retain_mut(|corde| {
+            corde.a = if corde.a < fin { corde.a } else { fin };
+            corde.de < corde.a
+        });
+        cordes
+    }
+}
+
+fn opaque(matieres: &[Matiere], objet: usize) -> bool {
+    matieres.get(objet).is_none_or(|matiere| *matiere == Matiere::Opaque)
+}
+
+/// The index of refraction in the medium of this object, or outside all.
+fn indice(matieres: &[Matiere], milieu: Option<usize>) -> f64 {
+    match milieu.map(|i| matieres[i]) {
+        Some(Matiere::Pleine { indice, .. } | Matiere::Commune { indice, .. }) => indice,
+        Some(Matiere::Opaque) | None => 1.0,
+    }
+}
+
+/// The object whose medium counts at a place that lies in these objects.
+fn regne(matieres: &[Matiere], dans: &[usize]) -> Option<usize> {
+    let rang = |i: usize| match *matieres.get(i)? {
+        Matiere::Opaque => None,
+        Matiere::Pleine { priorite, .. } => Some((priorite, i)),
+        Matiere::Commune { avec, priorite, .. } => dans.contains(&avec).then_some((priorite, i)),
+    };
+    dans.iter().filter_map(|&i| rang(i)).max().map(|(_, i)| i)
+}
+
+/// The way out of an object at the start of a ray that is out of it by no more than the δ of the ray.
+fn sortie_ici<R: Reel>(objet: &ObjetRay<R>, rayon: &Rayon<R>) -> Option<Intersection<R>> {
+    let d = rayon.direction();
+    let retour = |vers: Vecteur<R>| {
+        let retour = Rayon::new(rayon.source(), vers).ok()?.avec_flou(rayon.flou()).ok()?;
+        let touche = objet.intersection(&retour).ok();
+        touche.filter(|touche| touche.normale().produit_scalaire(d) > R::ZERO)
+    };
+    let touche = retour(-d)?;
+    // Light that grazes would have to go far back.
+    retour(-touche.normale()).or(Some(touche))
+}
+
+/// How far rounding may have set the face of an object beside where it was meant to be.
+fn arrondi<R: Reel>(objet: &ObjetRay<R>) -> R {
+    let taille = match objet {
+        ObjetRay::Sphere(boule) => norme(boule.centre().into()) + boule.rayon(),
+        ObjetRay::Plan(plan) => plan.distance().absolu(),
+        ObjetRay::Boite(boite) => norme(boite.centre().into()) + norme(boite.demi_longueurs()),
+    };
+    fois_u(taille, ARRONDI)
+}
+
+fn fois_u<R: Reel>(longueur: R, n: f64) -> R {
+    longueur * (R::depuis_f64(n) * R::U)
+}
+
+fn norme<R: Reel>(p: [R; 3]) -> R {
+    p.into_iter().fold(R::ZERO, |somme, x| somme + x.absolu())
 }

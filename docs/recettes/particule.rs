@@ -1,46 +1,55 @@
-//! A particle in a closed room, in steps of any length, some of which end on a wall, for as long as one likes.
+//! A particle in a closed room, and a walk that is scattered in a medium. Both go by `milieux`, in steps of any length,
+//! some of which end on a wall, and for as long as one likes.
 
-use lancer_rayon::{ErreurGeo, Monde, Rayon, Reel};
+use std::f64::consts::TAU;
 
-/// After this many bounces the particle starts again.
-const REBONDS: u32 = 100;
+use lancer_rayon::{Choix, ErreurGeo, Reel, Vecteur};
 
-/// How many bounces a step has at most, since a chain of hits need not end.
-const REBONDS_D_UN_PAS: u32 = 100_000;
+use crate::milieux::{Marche, Surface};
 
-pub struct Particule<R> {
-    pub rayon: Rayon<R>,
-    rebonds: u32,
+/// How many surfaces a step meets at most, since a chain of hits need not end.
+const SURFACES_D_UN_PAS: u32 = 100_000;
+
+/// Goes this far, mirrored by all that is opaque, and through media by Snell's law. It goes less far only if the step
+/// has met its last surface.
+///
+/// # Errors
+/// As [`Marche::avancer`] and [`Marche::passer`].
+pub fn avancer<R: Reel, C: Choix + Copy>(
+    marche: &mut Marche<'_, R, C>,
+    mut pas: R,
+) -> Result<(), ErreurGeo> {
+    for _ in 0..SURFACES_D_UN_PAS {
+        let Some(surface) = marche.avancer(pas)? else { break };
+        marche.passer(&surface)?;
+        // A sum of distances may round beyond the end of the step.
+        pas = if surface.distance < pas { pas - surface.distance } else { R::ZERO };
+    }
+    Ok(())
 }
 
-impl<R: Reel> Particule<R> {
-    pub fn new(rayon: Rayon<R>) -> Self {
-        Self { rayon, rebonds: 0 }
-    }
-
-    /// Goes this far, mirrored by every wall on the way; not so far if a step has had its last bounce.
-    pub fn avancer(&mut self, monde: &Monde<'_, R>, mut pas: R) -> Result<(), ErreurGeo> {
-        let deux = R::UN + R::UN;
-        for _ in 0..REBONDS_D_UN_PAS {
-            let Ok(touche) = monde.premiere_intersection(&self.rayon.jusqu_a(pas)?) else {
-                // The step ends in mid-air, or on a wall that the ray does not reach: the next step touches that at
-                // once.
-                self.rayon = self.rayon.bifurque(pas, self.rayon.direction())?;
-                break;
-            };
-            let direction = self.rayon.direction();
-            // A bounce may start in a seam, and so may a step that ended on a wall. Only a point amid the way between
-            // two walls, and in no object, may replace what is known of a start.
-            let milieu = self.rayon.point(touche.distance() / deux);
-            if self.rebonds >= REBONDS && touche.distance() > R::ZERO && !monde.contient(milieu) {
-                (self.rayon, self.rebonds) = (Rayon::new(milieu, direction)?, 0);
-                pas = pas - touche.distance() / deux;
-                continue;
-            }
-            self.rayon = touche.reflechi(direction)?;
-            self.rebonds += 1;
-            pas = pas - touche.distance();
+/// Goes through the medium that it is in, scattered evenly after steps of this mean length, until it comes to a surface
+/// or has been scattered `au_plus` times. Returns how far it has gone, and the surface. `hasard` gives numbers from 0 up
+/// to 1. In a sea, a half-space, a walk may go far: bound it.
+///
+/// # Errors
+/// As [`Marche::avancer`].
+pub fn diffuser<R: Reel, C: Choix + Copy>(
+    marche: &mut Marche<'_, R, C>,
+    pas_moyen: f64,
+    au_plus: u32,
+    mut hasard: impl FnMut() -> f64,
+) -> Result<(R, Option<Surface<R>>), ErreurGeo> {
+    let mut chemin = R::ZERO;
+    for _ in 0..=au_plus {
+        let pas = R::depuis_f64(-(1.0 - hasard()).ln() * pas_moyen);
+        if let Some(surface) = marche.avancer(pas)? {
+            return Ok((chemin + surface.distance, Some(surface)));
         }
-        Ok(())
+        chemin = chemin + pas;
+        let (z, angle) = (2.0 * hasard() - 1.0, TAU * hasard());
+        let r = (1.0 - z * z).sqrt();
+        marche.tourner(Vecteur::depuis_f64(Vecteur::new(r * angle.cos(), r * angle.sin(), z)))?;
     }
+    Ok((chemin, None))
 }

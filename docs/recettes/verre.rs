@@ -1,36 +1,25 @@
-//! Glass that stands on something, whatever rounding makes of their heights.
+//! What light comes to through glass and water, whatever it stands on.
 
-use lancer_rayon::{Intersection, Monde, NoIntersection, Rayon, Reel};
+use lancer_rayon::{ErreurGeo, Intersection, Monde, Rayon};
 
-/// Where light inside glass arrives first.
-pub enum Suite<R> {
-    /// Another object, within the glass or flush against it. Ask `monde.sans(verre)` for the light that falls on it,
-    /// and go on inside the glass. Light went through glass from the source of the ray to the `point` of this hit,
-    /// whose `distance` may count from the way out.
-    Touche(Intersection<R>),
-    /// The way out of the glass, to `refracte` or `reflechi`.
-    Sortie(Intersection<R>),
-}
+use crate::milieux::{Derriere, Marche, Matiere};
 
-/// Follows a ray inside the object of index `verre`. Where a table is flush with the glass, rounding puts the table
-/// before the way out or after it; either way it is the answer.
-///
-/// # Errors
-/// The ray has no way out: it started beside an edge and is out already. Go on with `dedans.dehors()` in the air.
-pub fn dans_le_verre<R: Reel>(
-    monde: &Monde<'_, R>,
-    verre: usize,
-    dedans: &Rayon<R>,
-) -> Result<Suite<R>, NoIntersection> {
-    let autres = monde.sans(verre);
-    let sortie = monde.objets()[verre].sortie(dedans)?;
-    let jusque_la = dedans.jusqu_a(sortie.distance()).expect("above 0");
-    if let Ok(touche) = autres.premiere_intersection(&jusque_la) {
-        return Ok(Suite::Touche(touche));
+/// How many surfaces light meets at most.
+const SURFACES: u32 = 100;
+
+/// The opaque thing that light comes to in a world of water, of glass and of opaque things, in this order.
+pub fn au_fond(monde: Monde<'_>, rayon: Rayon) -> Result<Option<Intersection>, ErreurGeo> {
+    let eau = Matiere::Pleine { priorite: 0, indice: 1.33 };
+    let verre = Matiere::Pleine { priorite: 1, indice: 1.5 };
+    let matieres = [eau, verre];
+    let mut marche = Marche::new(monde, &matieres);
+    marche.partir(rayon);
+    for _ in 0..SURFACES {
+        let Some(surface) = marche.avancer(f64::INFINITY)? else { return Ok(None) };
+        if surface.derriere == Derriere::Opaque {
+            return Ok(Some(surface.touche));
+        }
+        marche.passer(&surface)?;
     }
-    // What lies beyond by no more than the error of this place is flush. (A ball that is lost in rounding has no side.)
-    let contre = sortie.secondaire(sortie.normale());
-    let contre = contre.and_then(|contre| contre.jusqu_a(contre.flou()));
-    let a_fleur = contre.ok().and_then(|contre| autres.premiere_intersection(&contre).ok());
-    Ok(a_fleur.map_or(Suite::Sortie(sortie), Suite::Touche))
+    Ok(None)
 }

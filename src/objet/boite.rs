@@ -93,6 +93,48 @@ impl<R: Nombre> BoiteGeo<R> {
         })
     }
 
+    /// The box along the axes between two opposite corners, given in either order (handout §2.2).
+    ///
+    /// The centre is the mean of the corners and the dimensions are their differences, each rounded
+    /// once, so that no other centre and dimensions bring both faces of a pair nearer to the
+    /// corners.
+    ///
+    /// **Faces at one coordinate may not meet**, since a face lies where the centre and half of a
+    /// dimension put it. Of neighbours that share a corner, with corners in whole centimetres up to
+    /// ten metres and the metre as the unit, a third meet, a third leave a crack of up to some 10⁻¹⁵
+    /// m (`f32`: 10⁻⁶ m), and a third overlap by as much. All meet if the corners are whole numbers:
+    /// take the width of a voxel as the unit of length. Otherwise let the solids overlap.
+    ///
+    /// # Errors
+    /// If a coordinate of a corner is beyond the limits of [`new`](Self::new), or a dimension, the
+    /// distance of the corners along an axis, is outside its limits, such as 0.
+    ///
+    /// ```
+    /// use lancer_rayon::{BoiteGeo, Texture, Vecteur};
+    ///
+    /// let [coin, oppose] = [Vecteur::new(4.0, 0.0, 1.0), Vecteur::new(2.0, 3.0, 2.0)];
+    /// let boite = BoiteGeo::entre_coins(coin, oppose, Texture(0))?;
+    /// assert_eq!(boite.centre(), Vecteur::new(3.0, 1.5, 1.5));
+    /// assert_eq!(boite.dimensions(), Vecteur::new(2.0, 3.0, 1.0));
+    ///
+    /// let plat = Vecteur::new(4.0, 3.0, 2.0);
+    /// let erreur = BoiteGeo::entre_coins(coin, plat, Texture(0)).unwrap_err();
+    /// assert_eq!(erreur.to_string(), "dimensions.x is 0.0, but must be a number above 0");
+    /// # Ok::<(), lancer_rayon::ErreurGeo>(())
+    /// ```
+    #[doc(alias("two_corners", "from_corners", "from_min_max", "min_max", "aabb", "voxel"))]
+    pub fn entre_coins(
+        coin: Vecteur<R>,
+        oppose: Vecteur<R>,
+        texture: Texture,
+    ) -> Result<Self, ErreurGeo> {
+        let coin = point(["coin.x", "coin.y", "coin.z"], coin)?;
+        let oppose = point(["oppose.x", "oppose.y", "oppose.z"], oppose)?;
+        let [x, y, z] = <[R; 3]>::from(oppose - coin).map(R::absolu);
+        let centre = (coin + oppose) / (R::UN + R::UN);
+        Self::new(centre, Vecteur::new(x, y, z), Rotation::IDENTITE, texture)
+    }
+
     /// The box moved by `v` (handout §2.3).
     ///
     /// # Errors

@@ -90,6 +90,12 @@ pub(crate) trait Forme<R: Nombre>: Copy {
     /// computed without a branch.
     fn t_sortie(&self, rayon: &Rayon<R>) -> R;
 
+    /// Whether a ray that is in the shape, and has no way out, stays in it for ever or farther than
+    /// the type can tell. A bounded shape keeps this definition.
+    fn retient(&self, _: &Rayon<R>) -> bool {
+        false
+    }
+
     /// Whether a point is in the shape or on its surface: then no ray from it enters.
     #[inline(always)]
     fn contient(&self, point: Vecteur<R>) -> bool {

@@ -279,6 +279,12 @@ impl<R: Nombre> Forme<R> for PlanRay<R> {
         if (descente < R::ZERO) & (hauteur < R::ZERO) { hauteur / descente } else { R::INFINI }
     }
 
+    /// All but a ray that climbs from the surface itself.
+    fn retient(&self, rayon: &Rayon<R>) -> bool {
+        let (hauteur, descente) = self.hauteur_et_descente(rayon);
+        (hauteur < R::ZERO) | (descente >= R::ZERO)
+    }
+
     #[inline(always)]
     fn plan_tangent(&self, _: &Rayon<R>, _: R) -> (Vecteur<R>, R) {
         (self.normale, -self.distance)

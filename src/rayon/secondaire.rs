@@ -181,7 +181,7 @@ impl<R: Nombre> Intersection<R> {
     /// 1/1.5 where light enters glass from air, 1.5 where it leaves. For Fresnel's formula, the
     /// cosine behind the surface is |N·D| with the direction D of the ray that is returned; clamp
     /// it to 1, which it may exceed by some roundings. Another object may stand in the glass: ask
-    /// the world before the way out (`docs/guide.md`, Glass).
+    /// the world before the way out (`docs/guide.md`, "Light through glass").
     ///
     /// With n for `rapport`, the direction is within an angle of sine 10.3u(1 + n)/c′ of the exact
     /// one at N for the D of a ray, with c′ the exact cosine behind the surface

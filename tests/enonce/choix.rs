@@ -9,12 +9,12 @@ use commun::fabrique::{avec_arbre, boite, boite_droite, v};
 use commun::facons::noeuds;
 use commun::scenes::{melange, rayons_camera};
 use commun::{Bits, en_f32_et_f64};
-use exemples::recettes::deux_mondes;
 use lancer_rayon::pour_les_tests::Reglage;
 use lancer_rayon::{
     Choix, Intersection, Monde, NoIntersection, ObjetRay, PlanGeo, Rayon, Reel, Reponse, Rotation,
     Texture, Tous, Vecteur, places, premiere_intersection,
 };
+use recettes::deux_mondes;
 
 fn cube<R: Reel>(centre: Vecteur<R>) -> ObjetRay<R> {
     boite_droite(centre, v(1.0, 1.0, 1.0))

@@ -2,6 +2,7 @@
 
 mod chambre;
 mod choix;
+mod coins;
 mod etendue;
 mod fin;
 mod jeu_de_tests;
@@ -10,6 +11,7 @@ mod manipulations;
 mod milieux;
 mod motif;
 mod origine;
+mod particule;
 mod passages;
 mod rapports;
 mod recettes;

@@ -1,18 +1,448 @@
-//! Flush media as the ordinary case: panes, voxels, and glass on a table in mist, by the recipes for media and for
-//! chords.
+//! Light through media, and the chords of a straight ray, by the recipe `milieux`. The judge is interval arithmetic
+//! along a line: for each object as it is stored, in `f64`, where the line is surely in it and where surely not. It
+//! knows nothing of faces that are flush, on which closed forms stand at the end.
 
 use commun::fabrique::{avec_arbre, boite, mur, sphere, v};
 use commun::hasard::{Hasard, Tirage, pour_chaque};
 use commun::regimes::{direction, entre};
 use commun::tolerances::u;
-use commun::{arrondi, en_f32_et_f64};
-use exemples::recettes::cordes::{Corde, cordes, sans_recouvrement};
-use exemples::recettes::milieux::{Lumiere, Milieu, Surface};
+use commun::{arrondi, cas, en_f32_et_f64};
 use lancer_rayon::{Monde, ObjetRay, Rayon, Reel, Rotation, Vecteur};
+use recettes::milieux::{Corde, Derriere, Marche, Matiere};
+use recettes::verre::au_fond;
 
-fn milieu(priorite: u32, indice: f64) -> Milieu {
-    Milieu { priorite, indice }
+const PLEIN_AIR: f64 = 1.0;
+
+fn pleine(priorite: u32, indice: f64) -> Matiere {
+    Matiere::Pleine { priorite, indice }
 }
+
+/// Where this line, S + tD with a unit D, is in the object if that is grown by `plus` on all sides.
+fn part<R: Reel>(objet: &ObjetRay<R>, [s, d]: [Vecteur; 2], plus: f64) -> Option<[f64; 2]> {
+    let tout = [f64::NEG_INFINITY, f64::INFINITY];
+    let [de, a] = match objet {
+        ObjetRay::Sphere(boule) => {
+            let vers = boule.centre().vers_f64() - s;
+            let milieu = vers.produit_scalaire(d);
+            let r = (boule.rayon().vers_f64() + plus).max(0.0);
+            let carre = r * r - (vers - d * milieu).longueur_carree();
+            (carre > 0.0).then(|| [milieu - carre.sqrt(), milieu + carre.sqrt()])?
+        }
+        ObjetRay::Plan(plan) => {
+            let n = plan.normale().vers_f64();
+            let haut = n.produit_scalaire(s) + plan.distance().vers_f64() - plus;
+            match n.produit_scalaire(d) {
+                0.0 => (haut <= 0.0).then_some(tout)?,
+                monte if monte > 0.0 => [f64::NEG_INFINITY, -haut / monte],
+                descend => [-haut / descend, f64::INFINITY],
+            }
+        }
+        ObjetRay::Boite(boite) => {
+            let vers = s - boite.centre().vers_f64();
+            let faces = boite.normales().into_iter().zip(boite.demi_longueurs());
+            faces.fold(tout, |[de, a], (n, l)| {
+                let (n, l) = (n.vers_f64(), l.vers_f64() + plus);
+                let (ou, vitesse) = (n.produit_scalaire(vers), n.produit_scalaire(d));
+                if vitesse == 0.0 {
+                    return if ou.abs() <= l { [de, a] } else { [1.0, 0.0] };
+                }
+                let [x, y] = [(-l - ou) / vitesse, (l - ou) / vitesse];
+                [de.max(x.min(y)), a.min(x.max(y))]
+            })
+        }
+    };
+    (de < a).then_some([de, a])
+}
+
+/// The object whose medium counts in all of these, by the description of `Matiere`.
+fn compte(matieres: &[Matiere], dans: &[bool]) -> Option<usize> {
+    let mut premier: Option<(u32, usize)> = None;
+    for (i, matiere) in matieres.iter().enumerate() {
+        let rang = match *matiere {
+            Matiere::Pleine { priorite, .. } if dans[i] => priorite,
+            Matiere::Commune { avec, priorite, .. } if dans[i] && dans[avec] => priorite,
+            Matiere::Opaque | Matiere::Pleine { .. } | Matiere::Commune { .. } => continue,
+        };
+        if premier.is_none_or(|(autre, _)| rang >= autre) {
+            premier = Some((rang, i));
+        }
+    }
+    premier.map(|(_, i)| i)
+}
+
+/// A scene as light finds it, and how far anything may be beside its place.
+#[derive(Debug)]
+struct Scene<R> {
+    objets: Vec<ObjetRay<R>>,
+    matieres: Vec<Matiere>,
+    tour: Rotation<R>,
+    centre: Vecteur,
+    ecart: f64,
+}
+
+impl<R: Reel> Scene<R> {
+    fn opaque(&self, i: usize) -> bool {
+        self.matieres.get(i).is_none_or(|matiere| *matiere == Matiere::Opaque)
+    }
+
+    /// Whether the line is nowhere between these distances surely in another medium than the one that `dit` names
+    /// there, or in an opaque thing that does not hold the start. Returns how much of it was sure.
+    #[track_caller]
+    fn juger(
+        &self,
+        ligne: [Vecteur; 2],
+        [de, a]: [f64; 2],
+        dit: impl Fn(f64) -> Option<usize>,
+    ) -> f64 {
+        let parts = |plus: f64| {
+            let part = |objet| part(objet, ligne, plus).unwrap_or([1.0, 0.0]);
+            self.objets.iter().map(part).collect::<Vec<_>>()
+        };
+        let (larges, etroites) = (parts(self.ecart), parts(-self.ecart));
+        let bords = larges.iter().chain(&etroites).flatten().copied();
+        let mut bords: Vec<_> = bords.chain([de, a]).filter(|t| (de..=a).contains(t)).collect();
+        bords.sort_by(f64::total_cmp);
+        let mut sur = 0.0;
+        for bord in bords.windows(2) {
+            let t = bord[0].midpoint(bord[1]);
+            let contient = |[de, a]: [f64; 2]| de <= t && t <= a;
+            let dans: Vec<_> = etroites.iter().map(|&part| contient(part)).collect();
+            if larges.iter().zip(&dans).any(|(&large, &dans)| contient(large) && !dans) {
+                continue;
+            }
+            let mur = (0..dans.len()).find(|&i| dans[i] && self.opaque(i));
+            let du_depart = |i: usize| larges[i][0] <= 0.0;
+            assert!(mur.is_none_or(du_depart), "in the opaque {mur:?} at {t} of {ligne:?}");
+            assert_eq!(dit(t), compte(&self.matieres, &dans), "at {t} of {ligne:?}: {dans:?}");
+            sur += bord[1] - bord[0];
+        }
+        sur
+    }
+
+    /// Whether this place is on the surface of the object, and N its normal there.
+    fn est_au_bord(&self, i: usize, p: Vecteur, n: Vecteur) -> bool {
+        // The line along N comes to the surface here, or goes along N through its corner.
+        let pas = 2.0 * self.ecart;
+        let ligne = |p| part(&self.objets[i], [p, n], 0.0);
+        let sort = ligne(p).is_some_and(|[_, a]| a.abs() <= pas);
+        sort || part(&self.objets[i], [p, n], self.ecart).is_some_and(|[_, a]| a.abs() <= 2.0 * pas)
+    }
+}
+
+/// Scenes of all kinds: things one in another, side by side, in rows, in each other, in or on a half-space; lenses; at
+/// O or far from it, turned or straight.
+fn scene<R: Reel>(alea: &mut Hasard) -> Scene<R> {
+    let angles = direction(alea) * *alea.choix(&[0.0, 3.0]);
+    let tour = Rotation::<R>::new(arrondi(angles)).unwrap();
+    let axes = tour.axes().map(Vecteur::vers_f64);
+    let centre = direction(alea) * *alea.choix(&[0.0, 1.0, 30.0]);
+    let place = |[a, b, c]: [f64; 3]| centre + axes[0] * a + axes[1] * b + axes[2] * c;
+    let (mut objets, mut matieres) = (vec![], vec![]);
+    let matiere = |alea: &mut Hasard| match alea.u8(0..6) {
+        0 => Matiere::Opaque,
+        _ => pleine(u32::from(alea.u8(0..4)), *alea.choix(&[1.0, 1.33, 1.5, 2.4])),
+    };
+    let cube = |p, cotes: [f64; 3]| boite::<R>(arrondi(place(p)), arrondi(cotes.into()), tour);
+    if alea.bool() {
+        objets.push(mur::<R>(arrondi(place([0.0, -1.0, 0.0])), arrondi(axes[1])));
+        matieres.push(matiere(alea));
+    }
+    match alea.u8(0..4) {
+        // A phantom: boxes and balls one in another.
+        0 => {
+            for i in 0..alea.usize(1..6) {
+                let r = 2.0 * 0.6_f64.powi(i as i32);
+                let p = [(); 3].map(|()| entre(alea, -0.2, 0.2) * r);
+                let cotes = [(); 3].map(|()| entre(alea, 1.0, 1.2) * r);
+                let boule = sphere(arrondi(place(p)), R::depuis_f64(r));
+                objets.push(if alea.bool() { boule } else { cube(p, cotes) });
+                matieres.push(matiere(alea));
+            }
+        }
+        // A row of flush panes, upon the half-space if there is one.
+        1 => {
+            let mut y = -1.0;
+            for _ in 0..alea.usize(1..6) {
+                let h = entre(alea, 0.1, 0.7);
+                objets.push(cube([0.0, y + h / 2.0, 0.0], [2.0, h, 2.0]));
+                matieres.push(matiere(alea));
+                y += h;
+            }
+        }
+        // Voxels.
+        2 => {
+            for i in 0..27 {
+                let p = [i % 3, i / 3 % 3, i / 9].map(|k| f64::from(k) * 0.7 - 0.7);
+                objets.push(cube(p, [0.7; 3]));
+                matieres.push(matiere(alea));
+            }
+        }
+        // Anything anywhere.
+        _ => {
+            for _ in 0..alea.usize(1..8) {
+                let p = [(); 3].map(|()| entre(alea, -2.0, 2.0));
+                let cotes = [(); 3].map(|()| entre(alea, 0.1, 3.0));
+                let boule = sphere(arrondi(place(p)), R::depuis_f64(entre(alea, 0.2, 2.0)));
+                objets.push(if alea.bool() { boule } else { cube(p, cotes) });
+                matieres.push(matiere(alea));
+            }
+        }
+    }
+    // A lens: two balls, thin or thick, perhaps in the middle of all the rest.
+    if alea.bool() {
+        let (r, mince) = (entre(alea, 1.0, 9.0), entre(alea, 0.1, 0.9));
+        let (priorite, indice) = (u32::from(alea.u8(0..5)), 1.5);
+        for cote in [1.0, -1.0] {
+            let p = place([cote * (r - mince), 0.3, 0.1]);
+            objets.push(sphere(arrondi(p), R::depuis_f64(r)));
+            let avec =
+                matieres.len() + if cote > 0.0 { 1 } else { 0 } - if cote > 0.0 { 0 } else { 1 };
+            matieres.push(Matiere::Commune { avec, priorite, indice });
+        }
+    }
+    // Up to thirty rays lie between two starts with δ = 0, and each adds some thirty roundings of such lengths.
+    let ecart = 3_000.0 * u::<R>() * (10.0 + centre.longueur());
+    Scene { objets, matieres, tour, centre, ecart }
+}
+
+/// From nearby, from far away, from within or from a surface, towards the middle or anywhere, some along the axes.
+fn depart<R: Reel>(alea: &mut Hasard, scene: &Scene<R>) -> Rayon<R> {
+    let axes = scene.tour.axes().map(Vecteur::vers_f64);
+    let loin = *alea.choix(&[0.5, 2.0, 5.0, 100.0]);
+    let mut source = scene.centre + direction(alea) * loin;
+    let mut vers = scene.centre + direction(alea) * 1.5 - source;
+    match alea.u8(0..6) {
+        0 => vers = direction(alea),
+        1 => {
+            // Along a plane or an edge of the voxels.
+            source =
+                scene.centre + (axes[0] * -5.0) + axes[1] * 0.35 + axes[2] * entre(alea, -1.0, 1.0);
+            vers = axes[0];
+        }
+        _ => {}
+    }
+    let rayon = Rayon::new(arrondi(source), arrondi(vers)).unwrap();
+    let objet = alea.choix(&scene.objets);
+    match (alea.u8(0..3), objet.traversee(&rayon)) {
+        // The surface of an object, as its coordinates round.
+        (0, Ok([t, _])) if t.vers_f64() < 200.0 => {
+            Rayon::new(rayon.point(t), arrondi(direction(alea))).unwrap()
+        }
+        _ => rayon,
+    }
+}
+
+/// How light goes: a step, `None` to the next surface, and whether it then turns, and how.
+type Pas = (Option<f64>, Option<Vecteur>);
+
+/// Wherever light goes, straight, bent, mirrored or scattered, it is in the medium that the walk says; it bends where
+/// the medium changes, by Snell's law and nowhere else; and stops at no other place than at an opaque thing.
+fn la_lumiere_est_dans_le_milieu_que_dit_la_marche<R: Reel>() {
+    let ([mut passages, mut totales, mut opaques, mut pas_finis], mut sur) = ([0_u32; 4], 0.0);
+    let faire = |alea: &mut Hasard| {
+        let scene = scene::<R>(alea);
+        let chemins = alea.liste(20, |alea, _| {
+            let depart = depart(alea, &scene);
+            let pas = alea.liste(12, |alea, _| -> Pas {
+                let pas = match alea.u8(0..3) {
+                    0 => Some(entre(alea, 0.0, 2.0)),
+                    1 => Some((-30.0 * alea.f64()).exp2()),
+                    _ => None,
+                };
+                (pas, alea.bool().then(|| direction(alea)))
+            });
+            (depart, pas)
+        });
+        (scene, alea.bool(), chemins)
+    };
+    pour_chaque(cas(250), faire, |(scene, arbre, chemins)| {
+        let Scene { objets, matieres, ecart, .. } = &scene;
+        let monde = if arbre { avec_arbre(objets) } else { Monde::de_liste(objets) };
+        let mut marche = Marche::new(monde, matieres);
+        for (rayon, pas) in chemins {
+            marche.partir(rayon);
+            for (pas, tour) in pas {
+                let rayon = marche.rayon();
+                let [s, d] = [rayon.source(), rayon.direction()].map(Vecteur::vers_f64);
+                let ligne = [s, d.unitaire().unwrap()];
+                let surface = marche.avancer(pas.map_or(R::INFINI, R::depuis_f64)).unwrap();
+                let avant = marche.milieu();
+                let Some(surface) = surface else {
+                    let fin = pas.unwrap_or(1e3);
+                    sur += scene.juger(ligne, [0.0, fin], |_| avant);
+                    if pas.is_none() {
+                        break;
+                    }
+                    pas_finis += 1;
+                    let la = marche.rayon().source().vers_f64();
+                    assert!((la - s - d * fin).longueur() <= *ecart, "{la:?} {s:?} {d:?} {fin}");
+                    if let Some(vers) = tour {
+                        marche.tourner(arrondi(vers)).unwrap();
+                    }
+                    continue;
+                };
+                let distance = surface.distance.vers_f64();
+                // So far away, where a ray grazes a half-space, nobody knows a place to less than a unit.
+                if distance > 1e3 {
+                    break;
+                }
+                sur += scene.juger(ligne, [0.0, distance], |_| avant);
+                let (p, n) = (s + d * distance, surface.touche.normale().vers_f64());
+                assert!(pas.is_none_or(|pas| distance <= pas + ecart), "{distance} {pas:?}");
+                assert!(scene.est_au_bord(surface.objet, p, n), "{surface:?} at {p:?}");
+                let Derriere::Milieu(derriere) = surface.derriere else {
+                    opaques += 1;
+                    // It is below 0 as rounded.
+                    let de_face = d.produit_scalaire(n) < 4.0 * u::<R>();
+                    assert!(scene.opaque(surface.objet) && de_face, "{surface:?}");
+                    marche.rester(surface.touche.reflechi(rayon.direction()).unwrap());
+                    continue;
+                };
+                let passe = marche.passer(&surface).unwrap();
+                let indice = |milieu: Option<usize>| match milieu.map(|i| matieres[i]) {
+                    Some(Matiere::Pleine { indice, .. } | Matiere::Commune { indice, .. }) => {
+                        indice
+                    }
+                    Some(Matiere::Opaque) | None => PLEIN_AIR,
+                };
+                // Snell's law across N; light that grazes knows its angle less well.
+                let suite = marche.rayon().direction().vers_f64();
+                let travers = |d: Vecteur| d - n * n.produit_scalaire(d);
+                let rapport = indice(avant) / indice(derriere);
+                let attendu = travers(d) * if passe { rapport } else { 1.0 };
+                let c = n.produit_scalaire(suite).abs().max(1e-3);
+                let permis = 100.0 * u::<R>() / c;
+                assert!((travers(suite) - attendu).longueur() <= permis, "{suite:?} {surface:?}");
+                let droit = n.produit_scalaire(suite) * n.produit_scalaire(d);
+                assert!(if passe { droit > -1e-5 } else { droit < 1e-5 }, "{suite:?}");
+                let sinus = travers(d).longueur() * rapport;
+                assert!(if passe { sinus < 1.0 + 1e-4 } else { sinus > 1.0 - 1e-4 }, "{sinus}");
+                let milieu = if passe { derriere } else { avant };
+                assert_eq!(marche.milieu(), milieu);
+                (passages, totales) = (passages + u32::from(passe), totales + u32::from(!passe));
+                if let (Some(vers), true) = (tour, passe) {
+                    marche.tourner(arrondi(vers)).unwrap();
+                }
+            }
+        }
+    });
+    println!("{passages} {totales} {opaques} {pas_finis} {sur}");
+    assert!(passages > 2_000 && totales > 100 && opaques > 500 && pas_finis > 2_000 && sur > 1e4);
+}
+
+en_f32_et_f64!(la_lumiere_est_dans_le_milieu_que_dit_la_marche);
+
+/// Every length of a straight ray counts for the medium that counts there, up to the first opaque thing.
+fn les_cordes_sont_celles_des_intervalles<R: Reel>() {
+    let (mut combien, mut sur) = (0, 0.0);
+    let faire = |alea: &mut Hasard| {
+        let scene = scene::<R>(alea);
+        let rayons = alea.liste(60, |alea, _| {
+            let fin = if alea.bool() { entre(alea, 0.1, 9.0) } else { f64::INFINITY };
+            depart(alea, &scene).jusqu_a(R::depuis_f64(fin)).unwrap()
+        });
+        (scene, rayons)
+    };
+    pour_chaque(cas(250), faire, |(scene, rayons)| {
+        let mut marche = Marche::new(avec_arbre(&scene.objets), &scene.matieres);
+        for rayon in rayons {
+            let [s, d] = [rayon.source(), rayon.direction()].map(Vecteur::vers_f64);
+            let ligne = [s, d.unitaire().unwrap()];
+            let cordes = marche.cordes(&rayon).to_vec();
+            let dit = |t: f64| {
+                let mut ici =
+                    cordes.iter().filter(|c| (c.de.vers_f64()..=c.a.vers_f64()).contains(&t));
+                ici.next().map(|corde| corde.objet)
+            };
+            assert!(cordes.iter().all(|corde| corde.de < corde.a && corde.a <= rayon.fin()));
+            assert!(cordes.windows(2).all(|deux| deux[0].a <= deux[1].de), "{cordes:?}");
+            let mur = |i: usize| {
+                let dehors =
+                    scene.opaque(i) && part(&scene.objets[i], ligne, scene.ecart)?[0] > 0.0;
+                part(&scene.objets[i], ligne, -scene.ecart).filter(|_| dehors).map(|part| part[0])
+            };
+            let fin =
+                (0..scene.objets.len()).filter_map(mur).fold(rayon.fin().vers_f64(), f64::min);
+            // Nothing goes on behind the wall.
+            let dernier = cordes.last().map_or(0.0, |corde| corde.a.vers_f64());
+            assert!(dernier <= fin, "{dernier} {fin}");
+            let bord = |i: usize| {
+                let dehors = scene.opaque(i)
+                    && part(&scene.objets[i], ligne, -scene.ecart).is_none_or(|part| part[0] > 0.0);
+                part(&scene.objets[i], ligne, scene.ecart)
+                    .filter(|part| dehors && part[1] > 0.0)
+                    .map(|part| part[0].max(0.0))
+            };
+            // A wall that the ray may only graze ends what is sure.
+            let fin = (0..scene.objets.len()).filter_map(bord).fold(fin.min(1e3), f64::min);
+            sur += scene.juger(ligne, [0.0, fin], dit);
+            combien += cordes.len();
+        }
+    });
+    println!("{combien} {sur}");
+    assert!(combien > 10_000 && sur > 1e4);
+}
+
+en_f32_et_f64!(les_cordes_sont_celles_des_intervalles);
+
+/// A tumour in an organ in a body in the air, where every number is exact; a sea; and a ray along the faces and edges
+/// of voxels, on which each length counts once.
+fn une_dose_compte_le_plus_profond<R: Reel>() {
+    let corde = |(objet, de, a): (usize, f64, f64)| {
+        let [de, a] = [de, a].map(R::depuis_f64);
+        Corde { objet, de, a }
+    };
+    let sans_fin = f64::INFINITY;
+    let boule = |r: f64| sphere::<R>(Vecteur::NUL, R::depuis_f64(r));
+    let objets = [boule(1.0), boule(10.0), boule(3.0), mur(v(0.0, -20.0, 0.0), Vecteur::Y)];
+    let matieres = [pleine(2, 1.0), pleine(0, 1.0), pleine(1, 1.0), pleine(0, 1.0)];
+    let mut marche = Marche::new(Monde::de_liste(&objets), &matieres);
+    let de = |marche: &mut Marche<'_, R>, y: f64, vers: f64, fin: f64| {
+        let rayon = Rayon::new(v(0.0, y, 0.0), v(0.0, vers, 0.0)).unwrap();
+        let rayon = rayon.jusqu_a(R::depuis_f64(fin)).unwrap();
+        let cordes = marche.cordes(&rayon).to_vec();
+        // The δ of a ray changes nothing, since no chord begins twice.
+        let flou = rayon.avec_flou(R::depuis_f64(0.01)).unwrap();
+        assert_eq!(marche.cordes(&flou), cordes);
+        cordes
+    };
+    let corps =
+        [(1, 10.0, 17.0), (2, 17.0, 19.0), (0, 19.0, 21.0), (2, 21.0, 23.0), (1, 23.0, 30.0)];
+    let tout: Vec<_> = corps.into_iter().chain([(3, 40.0, sans_fin)]).map(corde).collect();
+    assert_eq!(de(&mut marche, 20.0, -1.0, sans_fin), tout);
+    assert_eq!(de(&mut marche, 20.0, -1.0, 18.0), [(1, 10.0, 17.0), (2, 17.0, 18.0)].map(corde));
+    assert_eq!(
+        de(&mut marche, -2.0, 1.0, 4.0),
+        [(2, 0.0, 1.0), (0, 1.0, 3.0), (2, 3.0, 4.0)].map(corde)
+    );
+    // From a surface outward a ray is in nothing, and inward it is in what it goes through.
+    assert_eq!(de(&mut marche, 10.0, 1.0, sans_fin), []);
+    assert_eq!(de(&mut marche, -20.0, -1.0, sans_fin), [(3, 0.0, sans_fin)].map(corde));
+    assert_eq!(de(&mut marche, -20.0, 1.0, 9.0), []);
+
+    let cube = |i: usize| {
+        let [x, y, z] = [i % 4, i / 4 % 4, i / 16].map(|k| k as f64 + 0.5);
+        boite::<R>(v(x, y, z), v(1.0, 1.0, 1.0), Rotation::IDENTITE)
+    };
+    let (objets, matieres): (Vec<_>, Vec<_>) = (0..64).map(|i| (cube(i), pleine(0, 1.0))).unzip();
+    let mut marche = Marche::new(avec_arbre(&objets), &matieres);
+    for (y, z) in [(1.5, 2.5), (2.0, 2.5), (2.0, 1.0)] {
+        let rayon = Rayon::new(v::<R>(-1.0, y, z), Vecteur::X).unwrap();
+        let cordes = marche.cordes(&rayon).iter().map(|c| (c.de.vers_f64(), c.a.vers_f64()));
+        assert!(cordes.eq([(1.0, 2.0), (2.0, 3.0), (3.0, 4.0), (4.0, 5.0)]), "at {y} {z}");
+    }
+    // A wall ends it, unless it holds the source.
+    let matieres = [Matiere::Opaque, pleine(0, 1.0), pleine(1, 1.0)];
+    let objets = [boule(1.0), boule(10.0), boule(3.0)];
+    let mut marche = Marche::new(Monde::de_liste(&objets), &matieres);
+    assert_eq!(
+        de(&mut marche, 20.0, -1.0, sans_fin),
+        [(1, 10.0, 17.0), (2, 17.0, 19.0)].map(corde)
+    );
+    assert_eq!(de(&mut marche, 0.0, -1.0, sans_fin), [(2, 0.0, 3.0), (1, 3.0, 10.0)].map(corde));
+}
+
+en_f32_et_f64!(une_dose_compte_le_plus_profond);
 
 /// Up to six flush plates of glass and water, turned. Light comes out in the direction in which it went in, displaced
 /// by the sum of what Snell's law gives for the plates, and is in each plate once.
@@ -22,7 +452,7 @@ fn des_lames_a_fleur_deplacent_la_lumiere_de_leur_somme<R: Reel>() {
         let tour = Rotation::<R>::new(arrondi(direction(alea) * 3.0)).unwrap();
         (tour, arrondi::<R>(direction(alea)).vers_f64(), 1 + alea.tour % 6, entre(alea, 0.1, 0.8))
     };
-    pour_chaque(3_000, faire, |(tour, centre, combien, sinus)| {
+    pour_chaque(1_000, faire, |(tour, centre, combien, sinus)| {
         let [x, _, z] = tour.axes().map(Vecteur::vers_f64);
         let lame = |i: usize| {
             let c = centre - z * (epaisseur * i as f64);
@@ -30,18 +460,21 @@ fn des_lames_a_fleur_deplacent_la_lumiere_de_leur_somme<R: Reel>() {
         };
         let lames: Vec<_> = (0..combien).map(lame).collect();
         let indice = |i: usize| if i.is_multiple_of(2) { 1.5 } else { 1.33 };
-        let milieux: Vec<_> = (0..combien).map(|i| milieu(i as u32, indice(i))).collect();
+        let milieux: Vec<_> = (0..combien).map(|i| pleine(i as u32, indice(i))).collect();
         let d = x * sinus - z * (1.0 - sinus * sinus).sqrt();
         let rayon = Rayon::new(arrondi::<R>(centre + z), arrondi(d)).unwrap();
-        let mut lumiere = Lumiere { rayon, dans: vec![] };
+        let mut marche = Marche::new(Monde::de_liste(&lames), &milieux);
+        marche.partir(rayon);
         let mut suite = vec![];
-        while lumiere.avancer(&Monde::de_liste(&lames), &milieux).unwrap() {
-            suite.push(lumiere.dans.clone());
+        while let Some(surface) = marche.avancer(R::INFINI).unwrap() {
+            assert!(marche.passer(&surface).unwrap());
+            suite.push(marche.dans().to_vec());
             assert!(suite.len() <= combien + 1, "{suite:?}");
         }
         let attendue: Vec<_> = (0..combien).map(|i| vec![i]).chain([vec![]]).collect();
         assert_eq!(suite, attendue);
-        let chemin = (lumiere.rayon.source() - rayon.source()).vers_f64();
+        let dehors = marche.rayon();
+        let chemin = (dehors.source() - rayon.source()).vers_f64();
         let a_cote = chemin.produit_vectoriel(d).longueur();
         let par_lame = |i: usize| {
             let (dehors, dedans) = (sinus.asin(), (sinus / indice(i)).asin());
@@ -51,159 +484,15 @@ fn des_lames_a_fleur_deplacent_la_lumiere_de_leur_somme<R: Reel>() {
         // At each face there are some fifty roundings of numbers below 3, at cosines above 0.6.
         let permis = 500.0 * u::<R>() * (1 + combien) as f64;
         assert!((a_cote - attendu).abs() < permis, "{a_cote} {attendu}");
-        assert!((lumiere.rayon.direction().vers_f64() - d).longueur() < permis);
+        assert!((dehors.direction().vers_f64() - d).longueur() < permis);
     });
 }
 
 en_f32_et_f64!(des_lames_a_fleur_deplacent_la_lumiere_de_leur_somme);
 
-/// A cube of flush cubes, straight or turned, near or far. The chords of a ray from without or within leave no gap
-/// between them, and light that goes from face to face, along the planes and edges of the grid too, is in each cube
-/// whose chord is longer than rounding.
-fn des_cubes_a_fleur_ne_perdent_rien<R: Reel>() {
-    const COTE: usize = 6;
-    let (mut trous, mut cubes, mut le_long) = (0.0_f64, 0, 0);
-    let faire = |alea: &mut Hasard| {
-        let angles = direction(alea) * *alea.choix(&[0.0, 3.0]);
-        let tour = Rotation::<R>::new(arrondi(angles)).unwrap();
-        let loin = *alea.choix(&[0.0, 1.0, 30.0]);
-        let centre = direction(alea) * loin;
-        let axes = tour.axes().map(Vecteur::vers_f64);
-        let place = |p: [f64; 3]| {
-            let [a, b, c] = p.map(|x| 0.25 * x - 0.75);
-            centre + axes[0] * a + axes[1] * b + axes[2] * c
-        };
-        let mut objets = vec![];
-        for i in 0..COTE.pow(3) {
-            let p = [i % COTE, i / COTE % COTE, i / COTE.pow(2)].map(|i| i as f64 + 0.5);
-            objets.push(boite(arrondi(place(p)), v(0.25, 0.25, 0.25), tour));
-        }
-        let rayons = alea.liste(60, |alea, _| {
-            let mut source = [(); 3].map(|()| entre(alea, -2.0, 8.0));
-            let mut cible = [(); 3].map(|()| entre(alea, 1.0, 5.0));
-            // The ray goes towards a point of the grid, along a plane or along an edge.
-            for axe in 0..alea.usize(0..4) {
-                cible[axe] = cible[axe].round();
-                if alea.bool() {
-                    source[axe] = cible[axe];
-                }
-            }
-            let (source, cible) = (arrondi::<R>(place(source)), arrondi(place(cible)));
-            (Rayon::new(source, cible - source), alea.bool())
-        });
-        (objets, loin, rayons)
-    };
-    pour_chaque(60, faire, |(objets, loin, rayons)| {
-        let (monde, mut liste) = (avec_arbre(&objets), vec![]);
-        let milieux = vec![milieu(0, 1.0); objets.len()];
-        // Each face is where it should be to some roundings of its place, and a chord ends there to some more. A ray
-        // that runs along a plane of the grid sees such a gap at a small angle, and then belongs to neither side.
-        let permis = 100.0 * u::<R>() * (loin + 3.0);
-        for (rayon, dedans) in rayons {
-            let Ok(rayon) = rayon else { continue };
-            let rayon = if dedans {
-                Rayon::new(rayon.point(R::UN), rayon.direction()).unwrap()
-            } else {
-                rayon
-            };
-            cordes(&monde, &rayon, &mut liste);
-            let de_face =
-                |axe: Vecteur<R>| axe.produit_scalaire(rayon.direction()).absolu().vers_f64();
-            let ObjetRay::Boite(cube) = objets[0] else { unreachable!("made as a box") };
-            let rase = cube.normales().map(de_face).into_iter().any(|v| v < 0.01);
-            let mut fin = liste.first().map_or(R::ZERO, |corde: &Corde<R>| corde.de).vers_f64();
-            for corde in &liste {
-                if !rase {
-                    trous = trous.max((corde.de.vers_f64() - fin) / permis);
-                }
-                fin = fin.max(corde.a.vers_f64());
-            }
-            le_long += u32::from(rase);
-            let mut lumiere = Lumiere { rayon, dans: vec![] };
-            monde.contenants(rayon.source(), |i| lumiere.dans.push(i));
-            let mut vus = lumiere.dans.clone();
-            let mut pas = 0;
-            while lumiere.avancer(&monde, &milieux).unwrap() {
-                vus.extend(&lumiere.dans);
-                pas += 1;
-                assert!(pas < 200, "{rayon:?} does not come out");
-            }
-            for corde in liste.iter().filter(|c| !rase && (c.a - c.de).vers_f64() > 100.0 * permis)
-            {
-                assert!(vus.contains(&corde.indice), "{corde:?} of {rayon:?}");
-                cubes += 1;
-            }
-        }
-    });
-    assert!(trous < 1.0 && cubes > 10_000 && le_long > 100, "{trous} {cubes} {le_long}");
-}
-
-en_f32_et_f64!(des_cubes_a_fleur_ne_perdent_rien);
-
-/// Each length counts once where chords overlap: a ray in faces or along edges of voxels gets the way through.
-fn des_cordes_sans_recouvrement_comptent_une_fois<R: Reel>() {
-    let corde = |(indice, de, a): (usize, f64, f64)| {
-        let [de, a] = [de, a].map(R::depuis_f64);
-        Corde { indice, de, a }
-    };
-    let mut liste = [(0, 0.0, 3.0), (1, 1.0, 2.0), (2, 2.0, 5.0), (3, 7.0, 8.0), (4, 7.0, 8.0)]
-        .map(corde)
-        .to_vec();
-    sans_recouvrement(&mut liste);
-    assert_eq!(liste, [(0, 0.0, 3.0), (2, 3.0, 5.0), (3, 7.0, 8.0)].map(corde));
-    let cube = |i: usize| {
-        let [x, y, z] = [i % 4, i / 4 % 4, i / 16].map(|k| k as f64 + 0.5);
-        boite::<R>(v(x, y, z), v(1.0, 1.0, 1.0), Rotation::IDENTITE)
-    };
-    let objets: Vec<_> = (0..64).map(cube).collect();
-    for (y, z, cordes_d_avant) in [(1.5, 2.5, 4), (2.0, 2.5, 8), (2.0, 1.0, 16)] {
-        let rayon = Rayon::new(v::<R>(-1.0, y, z), Vecteur::X).unwrap();
-        cordes(&avec_arbre(&objets), &rayon, &mut liste);
-        assert_eq!(liste.len(), cordes_d_avant);
-        sans_recouvrement(&mut liste);
-        let total: f64 = liste.iter().map(|corde| (corde.a - corde.de).vers_f64()).sum();
-        assert_eq!((total, liste.len()), (4.0, 4));
-    }
-}
-
-en_f32_et_f64!(des_cordes_sans_recouvrement_comptent_une_fois);
-
-/// A half-space and solids about the source: what a ray starts in, what it enters, and where it ends.
-fn une_corde_va_de_l_entree_a_la_sortie<R: Reel>() {
-    let objets = [
-        mur(v(0.0, 0.0, 0.0), Vecteur::Y),
-        sphere(v(0.0, 5.0, 0.0), R::UN),
-        boite(v(0.0, -3.0, 0.0), v(2.0, 2.0, 2.0), Rotation::IDENTITE),
-    ];
-    let monde = Monde::de_liste(&objets);
-    let de = |y: f64, vers: f64, fin: f64| {
-        let mut liste = vec![];
-        let rayon = Rayon::new(v(0.0, y, 0.0), v(0.0, vers, 0.0)).unwrap();
-        let rayon = rayon.jusqu_a(R::depuis_f64(fin)).unwrap();
-        // The δ of a ray changes nothing, since no chord begins twice.
-        let mut autre = vec![];
-        cordes(&monde, &rayon.avec_flou(R::depuis_f64(0.01)).unwrap(), &mut autre);
-        cordes(&monde, &rayon, &mut liste);
-        assert_eq!(liste, autre);
-        let lire = |corde: &Corde<R>| (corde.indice, corde.de.vers_f64(), corde.a.vers_f64());
-        liste.iter().map(lire).collect::<Vec<_>>()
-    };
-    let sans_fin = f64::INFINITY;
-    assert_eq!(de(9.0, -1.0, sans_fin), [(1, 3.0, 5.0), (0, 9.0, sans_fin), (2, 11.0, 13.0)]);
-    assert_eq!(de(9.0, -1.0, 12.0), [(1, 3.0, 5.0), (0, 9.0, 12.0), (2, 11.0, 12.0)]);
-    assert_eq!(de(-3.0, 1.0, sans_fin), [(0, 0.0, 3.0), (2, 0.0, 1.0), (1, 7.0, 9.0)]);
-    assert_eq!(de(-3.0, 1.0, 0.5), [(0, 0.0, 0.5), (2, 0.0, 0.5)]);
-    // From a surface outward a ray is in nothing, and inward it is in what it goes through.
-    assert_eq!(de(0.0, 1.0, 2.0), []);
-    assert_eq!(de(0.0, -1.0, 1.0), [(0, 0.0, 1.0)]);
-    assert_eq!(de(6.0, 1.0, sans_fin), []);
-    assert_eq!(de(6.0, -1.0, 4.0), [(1, 0.0, 2.0)]);
-}
-
-en_f32_et_f64!(une_corde_va_de_l_entree_a_la_sortie);
-
 /// A glass of layers stands on a table, all turned alike, at any height, in mist or in the air. Light through the top
-/// of the glass finds the table where Snell's law says, whatever rounding makes of the flush faces.
+/// of the glass finds the table where Snell's law says, whatever rounding makes of the flush faces; from there it sees
+/// a lamp in the glass, and a mirror sends it back out of the top.
 fn un_verre_sur_une_table_dans_la_brume_montre_la_table<R: Reel>() {
     let mut vus = 0;
     let faire = |alea: &mut Hasard| {
@@ -214,9 +503,9 @@ fn un_verre_sur_une_table_dans_la_brume_montre_la_table<R: Reel>() {
             let [a, b, c, d] = [(); 4].map(|()| entre(alea, -0.4, 0.4));
             (pied + y * 1.5 + x * a + z * b, x * c + z * d - y)
         });
-        (tour, pied, lieux, alea.bool(), 1 + alea.tour % 3)
+        (tour, pied, lieux, alea.bool(), [1 + alea.tour % 3, alea.usize(0..5)])
     };
-    pour_chaque(200, faire, |(tour, pied, lieux, brume, couches)| {
+    pour_chaque(200, faire, |(tour, pied, lieux, brume, [couches, table_de])| {
         let y = tour.axes()[1].vers_f64();
         let haut = 1.5 / couches as f64;
         let couche = |i: usize| {
@@ -225,40 +514,56 @@ fn un_verre_sur_une_table_dans_la_brume_montre_la_table<R: Reel>() {
         };
         let mut objets: Vec<_> = (0..couches).map(couche).collect();
         let indice = |i: usize| [1.5, 1.33, 1.8][i % 3];
-        let mut milieux: Vec<_> = (0..couches).map(|i| milieu(1, indice(i))).collect();
+        let mut milieux: Vec<_> = (0..couches).map(|i| pleine(1, indice(i))).collect();
         if brume {
             objets.push(sphere(Vecteur::NUL, R::depuis_f64(50.0)));
-            milieux.push(milieu(0, 1.0));
+            milieux.push(pleine(0, 1.0));
         }
         let table = objets.len();
-        objets.push(mur(arrondi(pied), arrondi(y)));
-        let monde = Monde::de_liste(&objets);
+        // A large table knows its place less well, and may lie apart from the glass by as much.
+        let large = [0.0, 4.5, 45.0, 450.0, 4_500.0][table_de];
+        objets.push(if table_de == 0 {
+            mur(arrondi(pied), arrondi(y))
+        } else {
+            boite(arrondi(pied - y * (large / 2.0)), v(large, large, large), tour)
+        });
+        let mut marche = Marche::new(Monde::de_liste(&objets), &milieux);
+        let permis = 2_000.0 * u::<R>() * (1.0 + pied.longueur()) + 30.0 * u::<R>() * large;
         for (cible, d) in lieux {
             let d = d.unitaire().unwrap();
-            let rayon = Rayon::new(arrondi::<R>(cible - d), arrondi(d)).unwrap();
-            let mut lumiere = Lumiere { rayon, dans: vec![] };
-            monde.contenants(rayon.source(), |i| lumiere.dans.push(i));
+            marche.partir(Rayon::new(arrondi::<R>(cible - d), arrondi(d)).unwrap());
             let mut faces = 0;
-            let touche = loop {
-                match lumiere.surface(&monde, &milieux).unwrap() {
-                    Some(Surface::Opaque(touche, distance)) => {
-                        let depuis = touche.point().vers_f64() - lumiere.rayon.source().vers_f64();
-                        let ecart = (distance.vers_f64() - depuis.longueur()).abs();
-                        assert!(ecart < 2_000.0 * u::<R>() * (1.0 + pied.longueur()), "{ecart:e}");
-                        break touche;
-                    }
-                    autre => assert!(autre.is_some() && faces < couches + 1, "{rayon:?}"),
+            let (avant, surface) = loop {
+                let avant = marche.rayon();
+                let surface = marche.avancer(R::INFINI).unwrap().unwrap();
+                if surface.derriere == Derriere::Opaque {
+                    break (avant, surface);
                 }
-                assert!(lumiere.avancer(&monde, &milieux).unwrap());
+                assert!(marche.passer(&surface).unwrap() && faces < couches, "{surface:?}");
                 faces += 1;
             };
-            assert_eq!((touche.indice(), faces), (table, couches), "{rayon:?}");
+            let touche = surface.touche;
+            let depuis = touche.point().vers_f64() - avant.source().vers_f64();
+            let ecart = (surface.distance.vers_f64() - depuis.longueur()).abs();
+            assert!(ecart < permis, "{ecart:e}");
+            assert_eq!((surface.objet, touche.indice(), faces), (table, table, couches));
             let sinus = (d + y * -d.produit_scalaire(y)).longueur();
             let travers = (d + y * -d.produit_scalaire(y)) / sinus;
             let recul = |i: usize| haut * (sinus / indice(i)).asin().tan();
             let attendu = cible - y * 1.5 + travers * (0..couches).map(recul).sum::<f64>();
             let ecart = (touche.point().vers_f64() - attendu).longueur();
-            assert!(ecart < 2_000.0 * u::<R>() * (1.0 + pied.longueur()), "{ecart:e}");
+            assert!(ecart < permis, "{ecart:e}");
+            let lampe = touche.vers_lumiere(touche.point() + arrondi(y * (0.5 * haut))).unwrap();
+            marche.rester(lampe);
+            assert_eq!(marche.avancer(lampe.fin()).unwrap(), None);
+            marche.rester(touche.reflechi(avant.direction()).unwrap());
+            for _ in 0..couches {
+                let face = marche.avancer(R::INFINI).unwrap().unwrap();
+                assert!(marche.passer(&face).unwrap(), "{face:?}");
+            }
+            let (miroir, suite) = (d - y * (2.0 * d.produit_scalaire(y)), marche.rayon());
+            assert!((suite.direction().vers_f64() - miroir).longueur() < permis);
+            assert_eq!(marche.milieu(), brume.then_some(couches));
             vus += 1;
         }
     });
@@ -266,6 +571,148 @@ fn un_verre_sur_une_table_dans_la_brume_montre_la_table<R: Reel>() {
 }
 
 en_f32_et_f64!(un_verre_sur_une_table_dans_la_brume_montre_la_table);
+
+/// The program of the page, through water that reaches into glass and as far as the fish on its floor.
+#[test]
+fn le_programme_de_la_page_trouve_le_poisson() {
+    let droite = |y: f64, h: f64| boite(v(0.0, y, 0.0), v(9.0, h, 9.0), Rotation::IDENTITE);
+    let objets = [droite(0.5, 2.0), droite(-0.5, 1.0), sphere(v(0.0, -1.0, 0.0), 0.5)];
+    let faire = |alea: &mut Hasard| [(); 2].map(|()| entre(alea, -0.4, 0.4));
+    pour_chaque(1_000, faire, |[x, z]| {
+        let rayon = Rayon::new(v(0.0, 6.5, 0.0), v(x, -1.0, z)).unwrap();
+        let touche = au_fond(Monde::de_liste(&objets), rayon).unwrap();
+        let sinus = (x * x + z * z).sqrt() / (1.0 + x * x + z * z).sqrt();
+        let tangente = |n: f64| (sinus / n).asin().tan();
+        // From the top of the glass, at the axis of the fish: the water above it, and the air.
+        let a_cote = 5.0 * tangente(1.0) + 1.5 * tangente(1.33);
+        // The line in the glass, beside the centre of the fish, one below.
+        let biais = (sinus / 1.5).asin();
+        let pres = (a_cote + biais.tan()) * biais.cos();
+        assert_eq!(touche.map(|touche| touche.indice()), (pres < 0.5).then_some(2), "{pres}");
+    });
+}
+
+/// Water around a body of index 1, an organ at one of its sides and another thing beside that: where all three have one
+/// face, light passes between organ and water at angles at which the body would mirror it, in and out; and from a
+/// bubble in the water that is flush with a pane it goes into the pane, by one surface.
+fn aucune_pellicule_ne_renvoie_la_lumiere<R: Reel>() {
+    let faire = |alea: &mut Hasard| {
+        let tour = Rotation::<R>::new(arrondi(direction(alea) * *alea.choix(&[0.0, 3.0]))).unwrap();
+        let centre = direction(alea) * *alea.choix(&[0.3, 5.0]);
+        let cotes = [(); 2].map(|()| entre(alea, 1.0, 3.0));
+        let (penche, angle) = (entre(alea, 0.78, 0.98), entre(alea, -3.0, 3.0));
+        (tour, centre, cotes, alea.bool(), [penche, angle])
+    };
+    pour_chaque(2_000, faire, |(tour, centre, [corps, organe], inverse, [sinus, angle])| {
+        let [x, y, z] = tour.axes().map(Vecteur::vers_f64);
+        // Both have their right side at the plane x = 0 about the centre.
+        let a_gauche =
+            |cote: f64| boite(arrondi::<R>(centre - x * (cote / 2.0)), v(cote, 4.0, 4.0), tour);
+        let vers = y * (sinus * angle.cos()) + z * (sinus * angle.sin());
+        let cosinus = (1.0 - sinus * sinus).sqrt();
+        let eau = sphere(Vecteur::NUL, R::depuis_f64(50.0));
+        let (mut objets, mut matieres) = (
+            [eau, a_gauche(corps), a_gauche(organe)],
+            [pleine(0, 1.33), pleine(1, 1.0), pleine(2, 1.5)],
+        );
+        if inverse {
+            objets.swap(1, 2);
+            matieres.swap(1, 2);
+        }
+        let organe = if inverse { 1 } else { 2 };
+        let mut marche = Marche::new(Monde::de_liste(&objets), &matieres);
+        // Into the organ, at an angle of which the sine in the water is above 1 / 1.33.
+        let d = vers - x * cosinus;
+        marche.partir(Rayon::new(arrondi(centre - d * 0.5), arrondi(d)).unwrap());
+        let surface = marche.avancer(R::INFINI).unwrap().unwrap();
+        assert!(marche.passer(&surface).unwrap(), "{surface:?}");
+        marche.avancer(R::ZERO).unwrap();
+        assert_eq!(marche.milieu(), Some(organe), "{surface:?}");
+        // And back: in the organ the sine is smaller by the indices, above 1 / 1.5.
+        let dedans = vers * (1.33 / 1.5);
+        let d = dedans + x * (1.0 - dedans.longueur_carree()).sqrt();
+        marche.partir(Rayon::new(arrondi(centre - d * 0.3), arrondi(d)).unwrap());
+        let surface = marche.avancer(R::INFINI).unwrap().unwrap();
+        assert!(marche.passer(&surface).unwrap(), "{surface:?}");
+        assert_eq!((surface.derriere, marche.milieu()), (Derriere::Milieu(Some(0)), Some(0)));
+        // A bubble to the left of the face, a pane to the right.
+        let vitre = boite(arrondi(centre + x * 1.5), v(3.0, 4.0, 4.0), tour);
+        let objets = [eau, a_gauche(corps), vitre];
+        let matieres = [pleine(0, 1.33), pleine(1, 1.0), pleine(1, 1.5)];
+        let mut marche = Marche::new(Monde::de_liste(&objets), &matieres);
+        let d = vers * 0.5 + x * (1.0 - 0.25 * sinus * sinus).sqrt();
+        marche.partir(Rayon::new(arrondi(centre - d * 0.3), arrondi(d)).unwrap());
+        let surface = marche.avancer(R::INFINI).unwrap().unwrap();
+        assert_eq!(surface.derriere, Derriere::Milieu(Some(2)), "{surface:?}");
+    });
+}
+
+en_f32_et_f64!(aucune_pellicule_ne_renvoie_la_lumiere);
+
+/// From within one object, also along its surface, by a step that ends within some roundings of the way out, and turned
+/// there or not: light is told where it comes out, or is still in.
+fn aucun_pas_ne_sort_sans_le_dire<R: Reel>() {
+    let [mut avant, mut au_bord, mut ici] = [0; 3];
+    let faire = |alea: &mut Hasard| {
+        let tour = Rotation::<R>::new(arrondi(direction(alea) * *alea.choix(&[0.0, 3.0]))).unwrap();
+        let centre = direction(alea) * *alea.choix(&[0.0, 5.0, 30.0]);
+        let objet = match alea.u8(0..3) {
+            0 => sphere(arrondi(centre), R::depuis_f64(entre(alea, 0.5, 2.0))),
+            1 => boite(arrondi(centre), v(1.0, 2.0, 3.0), tour),
+            _ => mur(arrondi(centre + tour.axes()[1].vers_f64()), tour.axes()[1]),
+        };
+        let rayon = Rayon::new(arrondi(centre), arrondi(direction(alea))).unwrap();
+        // Along the surface, by any angle.
+        let rase = (-30.0 * alea.f64()).exp2();
+        let plus = f64::from(alea.i8(-6..=1)) * *alea.choix(&[1.0, 8.0]);
+        (objet, rayon, alea.bool().then_some(rase), plus, alea.bool().then(|| direction(alea)))
+    };
+    pour_chaque(cas(20_000), faire, |(objet, rayon, rase, plus, tour)| {
+        let Ok(sortie) = objet.sortie(&rayon) else { return };
+        let rayon = match rase {
+            Some(rase) => {
+                let (n, d) = (sortie.normale(), rayon.direction());
+                let travers = d - n * d.produit_scalaire(n) + n * R::depuis_f64(rase);
+                let Ok(rayon) = Rayon::new(sortie.point() - n * R::depuis_f64(0.1), travers) else {
+                    return;
+                };
+                rayon
+            }
+            None => rayon,
+        };
+        let Ok(sortie) = objet.sortie(&rayon) else { return };
+        let t = sortie.distance();
+        let pas = t * R::depuis_f64(1.0 + plus * u::<R>());
+        let objets = [objet];
+        let matieres = [pleine(0, 1.0)];
+        let mut marche = Marche::new(Monde::de_liste(&objets), &matieres);
+        marche.partir(rayon);
+        if marche.avancer(pas).unwrap().is_some() {
+            au_bord += 1;
+            return;
+        }
+        avant += 1;
+        if let Some(vers) = tour {
+            marche.tourner(arrondi(vers)).unwrap();
+        }
+        // In a half-space light may go down for ever; and light that goes past a ball, so near that only rounding sets it
+        // outside, meets nothing.
+        let cosinus = sortie.normale().produit_scalaire(marche.rayon().direction()).vers_f64();
+        let la = marche.rayon().source();
+        let surface = marche.avancer(R::INFINI).unwrap();
+        if let Some(surface) = surface.filter(|surface| surface.distance == R::ZERO) {
+            ici += 1;
+            let ecart = (surface.touche.point() - la).longueur().vers_f64();
+            assert!(ecart <= 100.0 * u::<R>() * la.longueur().vers_f64(), "{ecart:e}");
+        }
+        let frole = cosinus.abs() < (1_000.0 * u::<R>()).sqrt();
+        assert!(surface.is_some() || marche.milieu().is_some() || frole, "{rayon:?} until {pas}");
+    });
+    println!("{avant} {au_bord} {ici}");
+    assert!(avant > 10_000 && au_bord > 500 && ici > 500);
+}
+
+en_f32_et_f64!(aucun_pas_ne_sort_sans_le_dire);
 
 /// From within glass, at angles that the air would mirror, light finds the floor on which the glass stands flush, even
 /// if the floor is a box a thousand times as large, which knows its place less well. The hit knows the δ of the light.
@@ -288,41 +735,96 @@ fn du_verre_la_lumiere_trouve_son_pied<R: Reel>() {
         };
         let objets = [verre, sol];
         let source = Vecteur::new(x, 0.0, z) - d * (0.05 * cote);
-        let rayon = Rayon::new(arrondi::<R>(source), arrondi(d)).unwrap();
         let flou = R::depuis_f64(1e-6);
-        let mut lumiere = Lumiere { rayon: rayon.avec_flou(flou).unwrap(), dans: vec![0] };
-        match lumiere.surface(&Monde::de_liste(&objets), &[milieu(0, 1.5)]).unwrap() {
-            Some(Surface::Opaque(touche, distance)) => {
-                let depuis = (touche.point() - rayon.source()).longueur();
-                assert!(
-                    (distance - depuis).absolu() < R::depuis_f64(1e-5) * depuis,
-                    "{distance:?}"
-                );
-                assert_eq!((touche.indice(), touche.normale()), (1, Vecteur::Y));
-                assert!(touche.reflechi(rayon.direction()).unwrap().flou() > flou);
-            }
-            autre => panic!("{autre:?}: {rayon:?}"),
-        }
+        let rayon = Rayon::new(arrondi::<R>(source), arrondi(d)).unwrap().avec_flou(flou).unwrap();
+        let matieres = [pleine(0, 1.5)];
+        let mut marche = Marche::new(Monde::de_liste(&objets), &matieres);
+        marche.partir(rayon);
+        let surface = marche.avancer(R::INFINI).unwrap().unwrap();
+        assert_eq!(surface.derriere, Derriere::Opaque, "{rayon:?}");
+        let (touche, distance) = (surface.touche, surface.distance);
+        let depuis = (touche.point() - rayon.source()).longueur();
+        assert!((distance - depuis).absolu() < R::depuis_f64(1e-5) * depuis, "{distance:?}");
+        assert_eq!((touche.indice(), touche.normale()), (1, Vecteur::Y));
+        assert!(touche.reflechi(rayon.direction()).unwrap().flou() > flou);
     });
-    // Light that has an end, as on its way to a lamp, leaves no medium.
+    // Light that goes up from the surface of water is not in the water, and light that goes down is; a table that holds
+    // a source by rounding counts for nothing.
     let objets = [
-        boite::<R>(Vecteur::NUL, v(20.0, 20.0, 20.0), Rotation::IDENTITE),
-        sphere(v(2.0, 0.3, 0.0), R::UN),
+        mur::<R>(Vecteur::NUL, Vecteur::Y),
+        boite(v(9.0, 5.0, 9.0), v(1.0, 1.0, 1.0), Rotation::IDENTITE),
     ];
-    let rayon = Rayon::new(Vecteur::NUL, Vecteur::X).unwrap();
-    for fin in [0.5, 5.0] {
-        let rayon = rayon.jusqu_a(R::depuis_f64(fin)).unwrap();
-        let mut lumiere = Lumiere { rayon, dans: vec![0] };
-        let milieux = [milieu(0, 1.33), milieu(1, 1.5)];
-        let surface = lumiere.surface(&Monde::de_liste(&objets), &milieux).unwrap();
-        assert_eq!((surface.is_some(), &lumiere.dans[..]), (fin > 1.0, &[0][..]));
+    let matieres = [pleine(0, 1.33), Matiere::Opaque];
+    let mut marche = Marche::new(Monde::de_liste(&objets), &matieres);
+    for (source, vers, dans) in [(0.0, 0.8, &[][..]), (0.0, -0.8, &[0]), (-9.0, -0.8, &[0])] {
+        marche.partir(Rayon::new(v(0.0, source, 0.0), v(0.6, vers, 0.0)).unwrap());
+        assert_eq!(marche.avancer(R::INFINI).unwrap(), None);
+        assert_eq!(marche.dans(), dans);
     }
-    // Light that goes up from the surface of water is not in the water.
-    let eau = [mur::<R>(Vecteur::NUL, Vecteur::Y)];
-    let rayon = Rayon::new(Vecteur::NUL, v(0.6, 0.8, 0.0)).unwrap();
-    let mut lumiere = Lumiere { rayon, dans: vec![0] };
-    assert!(lumiere.surface(&Monde::de_liste(&eau), &[milieu(0, 1.33)]).unwrap().is_none());
-    assert_eq!(lumiere.dans, []);
+    let neuf = R::depuis_f64(9.0);
+    let source = Vecteur::new(neuf, R::depuis_f64(5.5 * (1.0 - 8.0 * u::<R>())), neuf);
+    marche.partir(Rayon::new(source, Vecteur::Y).unwrap());
+    assert_eq!(marche.avancer(R::INFINI).unwrap(), None);
+    // Downward it stops light that knows how exactly it starts there.
+    let flou = R::depuis_f64(1e-5);
+    marche.partir(Rayon::new(source, -Vecteur::Y).unwrap().avec_flou(flou).unwrap());
+    let surface = marche.avancer(R::INFINI).unwrap().unwrap();
+    assert_eq!((surface.derriere, surface.distance), (Derriere::Opaque, R::ZERO));
 }
 
 en_f32_et_f64!(du_verre_la_lumiere_trouve_son_pied);
+
+/// The paraxial focus of a thick lens, the rays off its axis by the trigonometric trace of Conrady, and a lamp near the
+/// lens, within either ball or both, whose light a plane wave would be if it stood at the focus.
+#[test]
+fn une_lentille_de_deux_boules_a_son_foyer() {
+    let (r, epaisseur, n) = (10.0, 1.2, 1.5);
+    let balles = [1.0, -1.0].map(|cote| sphere(Vecteur::X * (cote * (r - epaisseur / 2.0)), r));
+    let commune = |avec| Matiere::Commune { avec, priorite: 0, indice: n };
+    let matieres = [commune(1), commune(0)];
+    let mut marche = Marche::new(Monde::de_liste(&balles), &matieres);
+    let mut traverser = |rayon: Rayon| {
+        marche.partir(rayon);
+        let mut faces = 0;
+        while let Some(surface) = marche.avancer(f64::INFINITY).unwrap() {
+            assert!(marche.passer(&surface).unwrap());
+            faces += 1;
+        }
+        (faces, marche.rayon())
+    };
+    // Where a ray parallel to the axis, at the height h, crosses the axis, measured from the last vertex.
+    let mut traverse = |h: f64| {
+        let (faces, dehors) =
+            traverser(Rayon::new(Vecteur::new(-30.0, h, 0.0), Vecteur::X).unwrap());
+        assert_eq!(faces, 2);
+        let (p, d) = (dehors.source(), dehors.direction());
+        p.x - d.x * p.y / d.y - epaisseur / 2.0
+    };
+    let f = n * r * r / ((n - 1.0) * (2.0 * n * r - (n - 1.0) * epaisseur));
+    let paraxial = f * (1.0 - (n - 1.0) * epaisseur / (n * r));
+    // Aberration is of the order of h², and rounding of the order of u/h.
+    assert!((traverse(1e-4) - paraxial).abs() < 1e-8, "{} {paraxial}", traverse(1e-4));
+    for h in [0.1, 0.5, 1.0, 2.0, 3.0] {
+        let sin_i = h / r;
+        let sin_i2 = sin_i / n;
+        let u1 = sin_i.asin() - sin_i2.asin();
+        let l1 = r + r * sin_i2 / u1.sin() - epaisseur;
+        let sin_j = (l1 + r) / -r * u1.sin();
+        let sin_j2 = n * sin_j;
+        let u2 = u1 + sin_j.asin() - sin_j2.asin();
+        let attendu = -r - r * sin_j2 / u2.sin();
+        assert!((traverse(h) - attendu).abs() < 1e-12 / h, "{h}: {} {attendu}", traverse(h));
+    }
+    // The lamp on the axis: at the focus, which lies within a ball, and in the glass itself.
+    let mut lampe =
+        |x: f64| traverser(Rayon::new(Vecteur::X * x, Vecteur::new(1.0, 1e-4, 0.0)).unwrap());
+    let (faces, plane) = lampe(-(paraxial + epaisseur / 2.0));
+    assert!(faces == 2 && plane.direction().y.abs() < 1e-10, "{plane:?}");
+    let (faces, sortie) = lampe(0.0);
+    let sinus = 1e-4 * (1.0 - epaisseur / 2.0 / r * (1.0 - 1.0 / n));
+    assert!(faces == 1 && (sortie.direction().y - n * sinus).abs() < 1e-10, "{sortie:?}");
+    // The edge of the lens is where the balls cross.
+    let bord = (r * r - (r - epaisseur / 2.0_f64).powi(2)).sqrt();
+    let mut faces = |h| traverser(Rayon::new(Vecteur::new(-30.0, h, 0.0), Vecteur::X).unwrap()).0;
+    assert!(faces(bord - 1e-3) == 2 && faces(bord + 1e-3) == 0);
+}

@@ -1,11 +1,12 @@
 //! What every hit, every way out and every ray from there must be (`commun::passages`), for every shape in every regime
 //! of the extremes.
 
+use commun::fabrique::{boite_droite, mur, sphere, v};
 use commun::hasard::{Hasard, Tirage, pour_chaque};
 use commun::passages::{exiger_apres_coup, exiger_les_passages};
 use commun::regimes::{Cas, deux_puissance, direction, regimes, vers_la_sortie};
 use commun::{Bits, arrondi, en_f32_et_f64};
-use lancer_rayon::Vecteur;
+use lancer_rayon::{NoIntersection, ObjetRay, Rayon, Vecteur};
 
 fn chaque_passage_est_ce_qu_il_doit_etre<R: Bits>() {
     let [mut entrees, mut sorties, mut d_emblee] = [0; 3];
@@ -41,3 +42,92 @@ fn chaque_passage_est_ce_qu_il_doit_etre<R: Bits>() {
 }
 
 en_f32_et_f64!(chaque_passage_est_ce_qu_il_doit_etre);
+
+/// Where a ray enters and leaves, as one answer: the two that it gives one by one, to the bit, from inside too, with an
+/// end, and in half-spaces, which it may never leave.
+fn une_traversee_va_de_l_entree_a_la_sortie<R: Bits>() {
+    let [mut dedans, mut sans_fond, mut coupees, mut hors] = [0; 4];
+    for regime in regimes::<R>() {
+        let faire = |alea: &mut Hasard| {
+            let cas = (regime.cas)(alea);
+            let Cas { objet, rayon } = if alea.bool() { vers_la_sortie(cas, alea) } else { cas };
+            let flou = rayon.source().longueur() * R::depuis_f64(deux_puissance(alea, -54.0, -2.0));
+            let avec_flou = rayon.avec_flou(flou).unwrap_or(rayon);
+            (objet, rayon, avec_flou, deux_puissance(alea, -3.0, 1.0))
+        };
+        pour_chaque(2_000, faire, |(objet, rayon, avec_flou, part)| {
+            let [entree, sortie] =
+                [objet.intersection(&rayon), objet.sortie(&rayon)].map(|t| t.map(|t| t.distance()));
+            let contient = objet.contient(rayon.source());
+            let entree = if contient { Ok(R::ZERO) } else { entree };
+            let (s, d) = (rayon.source(), rayon.direction());
+            let sans_issue = match &objet {
+                ObjetRay::Plan(plan) => {
+                    let monte = plan.normale().produit_scalaire(d) > R::ZERO;
+                    let haut = plan.normale().produit_scalaire(s) + plan.distance();
+                    entree.is_ok() && (!monte || (haut < R::ZERO && sortie.is_err()))
+                }
+                ObjetRay::Sphere(_) | ObjetRay::Boite(_) => false,
+            };
+            let attendue = entree.and_then(|de| match sortie {
+                Ok(a) => Ok([de, a]),
+                Err(refus) => sans_issue.then_some([de, R::INFINI]).ok_or(refus),
+            });
+            let traversee = objet.traversee(&rayon);
+            assert_eq!(traversee, attendue, "{objet:?} {rayon:?}");
+            assert_eq!(objet.traversee(&avec_flou), attendue, "δ counts");
+            assert!(traversee.is_ok() || sortie.is_err(), "{sortie:?}");
+            if let Ok(touche) = objet.intersection(&avec_flou) {
+                assert_eq!(traversee.map(|[de, _]| de), Ok(touche.distance()));
+            }
+            hors += u32::from(traversee.is_err());
+            let Ok([de, a]) = traversee else { return };
+            assert!(de <= a && R::ZERO <= de, "{de} {a}");
+            (dedans, sans_fond) = (dedans + u32::from(contient), sans_fond + u32::from(sans_issue));
+            for fin in [R::ZERO, de, de * R::depuis_f64(part), a, a * R::depuis_f64(part)] {
+                let Ok(court) = rayon.jusqu_a(fin) else { continue };
+                let coupee = if a < fin { a } else { fin };
+                let attendue = if de < fin { Ok([de, coupee]) } else { Err(NoIntersection) };
+                assert_eq!(objet.traversee(&court), attendue, "until {fin}");
+                coupees += u32::from(attendue.is_ok() && coupee < a);
+            }
+        });
+    }
+    println!("{dedans} {sans_fond} {coupees} {hors}");
+    assert!(dedans > 1_000 && sans_fond > 1_000 && coupees > 1_000 && hors > 1_000);
+}
+
+en_f32_et_f64!(une_traversee_va_de_l_entree_a_la_sortie);
+
+/// From exactly on a surface: inward through the object, outward not at all, and along a half-space for ever.
+fn de_la_surface_une_traversee_va_vers_l_interieur<R: Bits>() {
+    let boule = sphere(Vecteur::NUL, R::depuis_f64(5.0));
+    let boite = boite_droite(Vecteur::NUL, v(2.0, 4.0, 6.0));
+    let sol = mur(Vecteur::NUL, Vecteur::Z);
+    let de = |objet: &ObjetRay<R>, source: [f64; 3], vers: [f64; 3]| {
+        let rayon = Rayon::new(arrondi(source.into()), arrondi(vers.into())).unwrap();
+        objet.traversee(&rayon).ok().map(|part| part.map(R::vers_f64))
+    };
+    let (monte, descend) = ([0.0, 0.0, 1.0], [0.0, 0.0, -1.0]);
+    let sans_fin = f64::INFINITY;
+    assert_eq!(de(&boule, [0.0, 3.0, 4.0], descend), Some([0.0, 8.0]));
+    assert_eq!(de(&boule, [0.0, 3.0, 4.0], monte), None);
+    assert_eq!(de(&boule, [0.0, 3.0, 9.0], descend), Some([5.0, 13.0]));
+    assert_eq!(de(&boule, [0.0, 5.0, 9.0], descend), None); // a tangent
+    assert_eq!(de(&boite, [0.5, 0.5, 3.0], descend), Some([0.0, 6.0]));
+    assert_eq!(de(&boite, [0.5, 0.5, 3.0], monte), None);
+    assert_eq!(de(&boite, [1.0, 0.5, 4.0], descend), Some([1.0, 7.0])); // in the plane of a face
+    assert_eq!(de(&sol, [0.0, 0.0, 0.0], descend), Some([0.0, sans_fin]));
+    assert_eq!(de(&sol, [0.0, 0.0, 0.0], monte), None);
+    assert_eq!(de(&sol, [0.0, 0.0, 0.0], [1.0, 0.0, 0.0]), Some([0.0, sans_fin]));
+    assert_eq!(de(&sol, [0.0, 0.0, -2.0], [-1.0, -0.0, -0.0]), Some([0.0, sans_fin]));
+    assert_eq!(de(&sol, [0.0, 0.0, 2.0], [1.0, 0.0, 0.0]), None);
+    assert_eq!(de(&sol, [0.0, 0.0, -2.0], monte), Some([0.0, 2.0]));
+    assert_eq!(de(&sol, [0.0, 0.0, 2.0], descend), Some([2.0, sans_fin]));
+    // The line and an edge share one point.
+    let rayon = Rayon::new(v(0.0, 3.0, 0.0), v(1.0, -1.0, 0.0)).unwrap();
+    let [entree, sortie] = boite.traversee(&rayon).unwrap();
+    assert_eq!(entree, sortie);
+}
+
+en_f32_et_f64!(de_la_surface_une_traversee_va_vers_l_interieur);

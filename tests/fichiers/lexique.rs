@@ -13,7 +13,7 @@ const MEMES: [&str; 5] = ["Rotation", "direction", "x", "y", "z"];
 const POUR_LES_TESTS: [&str; 3] = ["double.rs", "jugement.rs", "pour_les_tests.rs"];
 
 /// How many names the page has.
-const SUR_LA_PAGE: usize = 54;
+const SUR_LA_PAGE: usize = 56;
 
 fn mots(texte: &str) -> Vec<&str> {
     let mots = texte.split(|c: char| !c.is_alphanumeric() && c != '_');
