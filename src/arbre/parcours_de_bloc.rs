@@ -43,6 +43,13 @@ const PLUS_ETROIT: f32 = 0.6;
 /// A probe that enters fewer children of a node than this is not too wide.
 const ENFANTS_CROISES: u32 = ENFANTS as u32 / 2;
 
+/// What a ray takes alone at least, what a node and an object take it, and what a record takes
+/// sixteen rays side by side where a register holds one number: nanoseconds, about.
+const PRIX_D_UN_RAYON: f32 = 32.0;
+const PRIX_D_UN_NOEUD: f32 = 12.0;
+const PRIX_D_UN_OBJET: f32 = 9.0;
+const PRIX_D_UNE_FICHE: f32 = 96.0;
+
 /// How many rays of a block tell whether its probe is too wide. The more numbers a register holds,
 /// the less it costs to ask an object for all rays, and the wider a probe may be.
 const fn combien_d_echantillons(nombres_par_registre: usize) -> usize {
@@ -159,10 +166,22 @@ impl<R: Nombre> Arbre<'_, R> {
         let (mut pile, mut numero) = (Pile(&mut attentes), self.noeuds.len() - 1);
         let (entiers, mut offerts_deja) = (self.coupe == Coupe::AUCUNE, Offerts([0; 64]));
         let mut plafond = sonde.plafond(self.repere, bloc.le_plus_loin());
+        let par_fiche =
+            bloc.demandes.len() as f32 * PRIX_D_UNE_FICHE / nombres_par_registre::<R, S>() as f32;
+        let (mut depense, mut seuls) = (0.0, rayons.len() as f32 * PRIX_D_UN_RAYON);
+        let confiance = bloc.confiance.part();
         while let Some(noeud) = self.noeuds.get(numero) {
             let (mut traverses, entrees) = sonde.traverse(simd, noeud, plafond);
             if numero < self.feuilles {
                 if traverses > 0 {
+                    depense += traverses.count_ones() as f32 * par_fiche;
+                    if depense > confiance * seuls {
+                        seuls += self.prix_de_rayons_seuls(simd, bloc, rayons, noeud);
+                        if depense > confiance * seuls {
+                            bloc.confiance.perdre();
+                            return false;
+                        }
+                    }
                     let [.., mots] = noeud;
                     let source = [sonde.entree_de_la_source(); ENFANTS];
                     let sources = au_plus(simd, &entrees.0, &source);
@@ -196,7 +215,23 @@ impl<R: Nombre> Arbre<'_, R> {
             let Some(suivant) = pile.prendre(plafond) else { break };
             numero = suivant;
         }
+        bloc.confiance.gagner();
         true
+    }
+
+    /// What these rays would take in this leaf one by one, as some of them tell.
+    #[inline(always)]
+    fn prix_de_rayons_seuls<S: Simd>(
+        &self,
+        simd: S,
+        bloc: &Bloc<'_, R>,
+        rayons: &[Rayon<R>],
+        feuille: &Noeud,
+    ) -> f32 {
+        let croises = self.croises_par_quelques_uns(simd, rayons, &|i| bloc.t(i), feuille) as f32;
+        let combien = combien_d_echantillons(nombres_par_registre::<R, S>()) as f32;
+        let entres = if croises < combien { croises } else { combien };
+        (croises * PRIX_D_UN_OBJET + entres * PRIX_D_UN_NOEUD) * rayons.len() as f32 / combien
     }
 
     /// Whether it takes less time to ask all objects for these rays side by side than to send the

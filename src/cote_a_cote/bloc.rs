@@ -44,12 +44,44 @@ pub(crate) struct Bloc<'a, R> {
     pub(crate) un_suffit: bool,
     /// Whether some ray has a δ above 0.
     d_emblee: bool,
+    pub(crate) confiance: Confiance,
+}
+
+/// What part of what its rays would take one by one a block may spend. It falls where blocks are
+/// given up and rises where they come to an end, and now and then a block may spend all.
+#[derive(Clone, Copy)]
+pub(crate) struct Confiance {
+    part: f32,
+    echecs: u32,
+}
+
+impl Confiance {
+    const PLEINE: Self = Self { part: 1.2, echecs: 0 };
+
+    #[inline(always)]
+    pub(crate) fn part(self) -> f32 {
+        if self.echecs % 8 == 0 { Self::PLEINE.part } else { self.part }
+    }
+
+    #[inline(always)]
+    pub(crate) fn gagner(&mut self) {
+        let part = 1.5 * self.part;
+        self.part = if part < Self::PLEINE.part { part } else { Self::PLEINE.part };
+    }
+
+    #[cold]
+    pub(crate) fn perdre(&mut self) {
+        self.echecs += 1;
+        let part = 0.6 * self.part;
+        self.part = if part > 0.15 { part } else { 0.15 };
+    }
 }
 
 impl<'a, R: Nombre> Bloc<'a, R> {
     #[inline(always)]
     pub(crate) fn new(groupes: &'a mut Groupes<R>, un_suffit: bool) -> Self {
-        Self { groupes, demandes: 0..0, un_suffit, d_emblee: false }
+        let confiance = Confiance::PLEINE;
+        Self { groupes, demandes: 0..0, un_suffit, d_emblee: false, confiance }
     }
 
     /// Loads these rays, with no object so far.
