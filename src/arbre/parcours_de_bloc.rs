@@ -43,10 +43,11 @@ const PLUS_ETROIT: f32 = 0.6;
 /// A probe that enters fewer children of a node than this is not too wide.
 const ENFANTS_CROISES: u32 = ENFANTS as u32 / 2;
 
-/// What a ray takes alone at least, what a node and an object take it, and what a record takes
-/// sixteen rays side by side where a register holds one number: nanoseconds, about.
+/// What a ray takes one by one before it comes to a leaf, what a leaf and an object in it take, and
+/// what a record takes sixteen rays together where a register holds one number: nanoseconds, about
+/// (`DEVELOPING.md`, "Thresholds").
 const PRIX_D_UN_RAYON: f32 = 32.0;
-const PRIX_D_UN_NOEUD: f32 = 12.0;
+const PRIX_D_UNE_FEUILLE: f32 = 12.0;
 const PRIX_D_UN_OBJET: f32 = 9.0;
 const PRIX_D_UNE_FICHE: f32 = 96.0;
 
@@ -152,7 +153,8 @@ impl<R: Nombre> Arbre<'_, R> {
 
     /// Finds the first object with a box of each of these rays, which are offered objects, in the
     /// nodes that their probe enters. Tells whether it came to the end; it gives up where there is
-    /// no probe or it is too wide.
+    /// no probe, where it is too wide, and where it has spent more on records than the rays would
+    /// take one by one.
     #[inline(always)]
     fn descendre_en_bloc<S: Simd>(
         &self,
@@ -168,16 +170,17 @@ impl<R: Nombre> Arbre<'_, R> {
         let mut plafond = sonde.plafond(self.repere, bloc.le_plus_loin());
         let par_fiche =
             bloc.demandes.len() as f32 * PRIX_D_UNE_FICHE / nombres_par_registre::<R, S>() as f32;
-        let (mut depense, mut seuls) = (0.0, rayons.len() as f32 * PRIX_D_UN_RAYON);
+        // Leaves count as what rays take one by one from where the block has spent that much.
+        let (mut depense, mut un_par_un) = (0.0, rayons.len() as f32 * PRIX_D_UN_RAYON);
         let confiance = bloc.confiance.part();
         while let Some(noeud) = self.noeuds.get(numero) {
             let (mut traverses, entrees) = sonde.traverse(simd, noeud, plafond);
             if numero < self.feuilles {
                 if traverses > 0 {
                     depense += traverses.count_ones() as f32 * par_fiche;
-                    if depense > confiance * seuls {
-                        seuls += self.prix_de_rayons_seuls(simd, bloc, rayons, noeud);
-                        if depense > confiance * seuls {
+                    if depense > confiance * un_par_un {
+                        un_par_un += self.prix_un_par_un(simd, bloc, rayons, noeud);
+                        if depense > confiance * un_par_un {
                             bloc.confiance.perdre();
                             return false;
                         }
@@ -221,7 +224,7 @@ impl<R: Nombre> Arbre<'_, R> {
 
     /// What these rays would take in this leaf one by one, as some of them tell.
     #[inline(always)]
-    fn prix_de_rayons_seuls<S: Simd>(
+    fn prix_un_par_un<S: Simd>(
         &self,
         simd: S,
         bloc: &Bloc<'_, R>,
@@ -231,7 +234,7 @@ impl<R: Nombre> Arbre<'_, R> {
         let croises = self.croises_par_quelques_uns(simd, rayons, &|i| bloc.t(i), feuille) as f32;
         let combien = combien_d_echantillons(nombres_par_registre::<R, S>()) as f32;
         let entres = if croises < combien { croises } else { combien };
-        (croises * PRIX_D_UN_OBJET + entres * PRIX_D_UN_NOEUD) * rayons.len() as f32 / combien
+        (croises * PRIX_D_UN_OBJET + entres * PRIX_D_UNE_FEUILLE) * rayons.len() as f32 / combien
     }
 
     /// Whether it takes less time to ask all objects for these rays side by side than to send the

@@ -6,7 +6,7 @@ use core::ops::Range;
 use arrayvec::ArrayVec;
 use fearless_simd::Simd;
 
-use crate::algebre::nombre::max;
+use crate::algebre::nombre::{max, min};
 use crate::cote_a_cote::groupe::{Groupe, VOIES};
 use crate::objet::par_forme;
 use crate::question::liste::Liste;
@@ -47,8 +47,10 @@ pub(crate) struct Bloc<'a, R> {
     pub(crate) confiance: Confiance,
 }
 
-/// What part of what its rays would take one by one a block may spend. It falls where blocks are
-/// given up and rises where they come to an end, and now and then a block may spend all.
+/// What part of what its rays would take one by one a block may spend, so that no scene makes a
+/// batch much slower than its rays. The part falls where blocks are given up, and rises where they
+/// come to an end; every eighth that might be given up may spend all, to find out whether rays stay
+/// together again.
 #[derive(Clone, Copy)]
 pub(crate) struct Confiance {
     part: f32,
@@ -56,24 +58,23 @@ pub(crate) struct Confiance {
 }
 
 impl Confiance {
-    const PLEINE: Self = Self { part: 1.2, echecs: 0 };
+    const PLEINE: Self = Self { part: 1.0, echecs: 0 };
+    const MOINDRE: f32 = 0.15;
 
     #[inline(always)]
     pub(crate) fn part(self) -> f32 {
-        if self.echecs % 8 == 0 { Self::PLEINE.part } else { self.part }
+        if self.echecs.is_multiple_of(8) { Self::PLEINE.part } else { self.part }
     }
 
     #[inline(always)]
     pub(crate) fn gagner(&mut self) {
-        let part = 1.5 * self.part;
-        self.part = if part < Self::PLEINE.part { part } else { Self::PLEINE.part };
+        self.part = min(1.5 * self.part, Self::PLEINE.part);
     }
 
     #[cold]
     pub(crate) fn perdre(&mut self) {
-        self.echecs += 1;
-        let part = 0.6 * self.part;
-        self.part = if part > 0.15 { part } else { 0.15 };
+        self.echecs = self.echecs.wrapping_add(1);
+        self.part = max(0.6 * self.part, Self::MOINDRE);
     }
 }
 
