@@ -97,7 +97,7 @@
 //! **A hit knows its object and its error**: [`Intersection::indice`] is the index in the list, and
 //! [`Intersection::marge`] bounds how far the point is from the surface.
 //! [`Intersection::secondaire`] starts a shadow, reflection or refraction ray that never hits the
-//! object it leaves, with [one exception](Intersection::secondaire). [`BoiteRay::lieu`] says which
+//! object it leaves, with [two exceptions](Intersection::secondaire). [`BoiteRay::lieu`] says which
 //! face of a box was hit, and where.
 //!
 //! Four functions tell how far an answer is to be trusted:
@@ -113,8 +113,8 @@
 //!
 //! # `f32` or `f64`
 //!
-//! Every type takes the scalar as a parameter, `f64` unless named: `Vecteur<f32>`. Everything is
-//! computed in that type. Take `f32` for speed and memory, in batches above all, and `f64` for
+//! Every type that holds coordinates takes the scalar as a parameter, `f64` unless named:
+//! `Vecteur<f32>`. Hits are computed in that type. Take `f32` for speed and memory, in batches above all, and `f64` for
 //! distances to some 10⁻¹⁴ of the lengths involved (`docs/vitesse.md`). Far from the origin O
 //! subtract an origin from the scene first: [`ObjetGeo::vers_f32`].
 //!

@@ -255,7 +255,7 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// The choice holds for every question, including shadows, batches and certificates. A choice
     /// from a choice takes what both take. `prend` is called only with indices of the list. For
     /// most objects that a ray passes by it is not called, and for some others more than once. In a
-    /// batch, a list calls it once for each object in each block of 64 rays.
+    /// batch, a list calls it at most once for each object in each block of 64 rays.
     ///
     /// To leave out one object there is [`sans`](Self::sans). To keep less than about a hundredth
     /// of a large list, build a `Monde` of those objects: a ray walks the whole tree, whatever the
@@ -414,7 +414,7 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     }
 
     /// Whether anything stands before the end of each ray: the answers of
-    /// [`est_occulte`](Self::est_occulte) for every ray, but faster.
+    /// [`est_occulte`](Self::est_occulte) for every ray, and for neighbours faster.
     ///
     /// The advice of [`premieres_intersections`](Self::premieres_intersections) on the order and
     /// number of rays holds here too. Rays to one lamp, in the order of the picture, are
