@@ -351,7 +351,7 @@ impl<R: Nombre> ObjetRay<R> {
     ///   of the ray, +∞ for one without an end.
     /// - **On a surface** the source is in the object. From there a ray that goes inward, or along
     ///   the surface of a half-space, is in the object from 0 on; one that goes outward is not in it
-    ///   at all.
+    ///   at all, nor, within rounding, is one that grazes a sphere.
     /// - Both distances are the same where the ray only passes through an edge of a box.
     /// - **δ changes nothing**, since what a ray touches at once contains its source.
     ///
