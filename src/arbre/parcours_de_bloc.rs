@@ -127,7 +127,7 @@ impl<R: Nombre> Arbre<'_, R> {
                     en_liste = vaut_la_liste();
                 }
                 if en_liste {
-                    bloc.proposer(simd, liste, &mut liste.toute());
+                    bloc.proposer_la_liste(simd, liste);
                     return [Ensemble::JusquAuBout; GROUPES];
                 }
                 let mut groupes = [Ensemble::EnPartie; GROUPES];
@@ -204,9 +204,12 @@ impl<R: Nombre> Arbre<'_, R> {
                     plafond = sonde.plafond(self.repere, loin);
                 }
             } else {
+                // Up to where the block looks, whatever they have found: a probe is compared with
+                // what it stands for.
+                let loin = bloc.le_plus_loin();
                 let croises = traverses.count_ones();
                 if croises >= ENFANTS_CROISES
-                    && croises > self.croises_par_quelques_uns(simd, rayons, &|i| bloc.t(i), noeud)
+                    && croises > self.croises_par_quelques_uns(simd, rayons, &|_| loin, noeud)
                 {
                     return false;
                 }

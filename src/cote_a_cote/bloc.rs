@@ -58,7 +58,7 @@ pub(crate) struct Confiance {
 }
 
 impl Confiance {
-    const PLEINE: Self = Self { part: 1.0, echecs: 0 };
+    const PLEINE: Self = Self { part: 2.0, echecs: 0 };
     const MOINDRE: f32 = 0.15;
 
     #[inline(always)]
@@ -121,13 +121,9 @@ impl<'a, R: Nombre> Bloc<'a, R> {
         simd.vectorize(
             #[inline(always)]
             || {
-                let (d_emblee, un_suffit) = (self.d_emblee, self.un_suffit);
+                let d_emblee = self.d_emblee;
                 let groupes = &mut self.groupes[self.demandes.clone()];
-                for (combien, (indice, source)) in offerts.enumerate() {
-                    // Now and then, since to look takes a good part of an object.
-                    if un_suffit && combien % VOIES == VOIES - 1 && tous_ont_fini(groupes) {
-                        return;
-                    }
+                for (indice, source) in offerts {
                     let Some(objet) = liste.objet(indice) else { continue };
                     let rang = Rang::de(indice);
                     par_forme!(ObjetRay, objet, forme => {
@@ -139,6 +135,20 @@ impl<'a, R: Nombre> Bloc<'a, R> {
                 }
             },
         );
+    }
+
+    /// Offers the whole list; where any object suffices, some at a time until all rays are done.
+    #[inline(always)]
+    pub(crate) fn proposer_la_liste<S: Simd>(&mut self, simd: S, liste: &Liste<'_, R>) {
+        let n = liste.objets.len();
+        let pas = if self.un_suffit { VOIES } else { n.max(1) };
+        for debut in (0..n).step_by(pas) {
+            let quelques = debut..n.min(debut + pas);
+            self.proposer(simd, liste, &mut quelques.map(|indice| (indice, true)));
+            if self.un_suffit && self.le_plus_loin() == R::ZERO {
+                return;
+            }
+        }
     }
 
     /// The distance before which one of the rays that are offered objects looks for one; 0 if it is
@@ -158,10 +168,4 @@ impl<'a, R: Nombre> Bloc<'a, R> {
         }
         loin
     }
-}
-
-/// Whether each shadow ray of these groups has met an object.
-#[inline(always)]
-fn tous_ont_fini<R: Nombre>(groupes: &[Groupe<R>]) -> bool {
-    groupes.iter().all(|groupe| groupe.le_plus_loin(true) == R::ZERO)
 }

@@ -136,7 +136,7 @@ fn demander_en_lot<R: Nombre, T, const OMBRE: bool>(
                     arbre.chercher_ensemble(simd, &liste, &mut bloc, rayons)
                 } else if rayons.len() >= MOINDRE_LOT_D_UNE_LISTE {
                     bloc.charger(rayons);
-                    bloc.proposer(simd, &liste, &mut liste.toute());
+                    bloc.proposer_la_liste(simd, &liste);
                     [Ensemble::JusquAuBout; GROUPES]
                 } else {
                     [Ensemble::Rien; GROUPES]

@@ -31,11 +31,6 @@ impl<'a, R: Nombre> Liste<'a, R> {
         self.objets.get(indice).filter(|_| self.prend(indice))
     }
 
-    /// The index of every object, any of which may hold the source of a ray.
-    pub(crate) fn toute(&self) -> impl Iterator<Item = (usize, bool)> + use<R> {
-        (0..self.objets.len()).map(|indice| (indice, true))
-    }
-
     /// Asks every object.
     #[inline(always)]
     pub(crate) fn interroger<Q: Question<R>>(&self, rayon: &Rayon<R>, question: &mut Q) {
