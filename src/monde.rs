@@ -223,7 +223,7 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// The world as questions take it.
     #[inline]
     pub(crate) fn sujet(&self) -> Sujet<'_, R> {
-        self.sujet_de(self.choix.prises())
+        self.sujet_de(self.choix.prises_des_parcours())
     }
 
     #[inline]
@@ -234,7 +234,7 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
 
     #[inline]
     fn liste(&self) -> Liste<'_, R> {
-        Liste { objets: self.objets, prises: self.choix.prises() }
+        Liste { objets: self.objets, prises: self.choix.prises_des_parcours() }
     }
 
     #[inline]
@@ -308,8 +308,9 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// [`vers_touche`](crate::Intersection::vers_touche), so that it does not stand before itself.
     /// A ray that leaves an object needs no such choice: it never hits that object again
     /// ([`secondaire`](crate::Intersection::secondaire)), and
-    /// [`premiere_depuis`](Self::premiere_depuis) saves the time to find that out. Each call makes another type: for a set
-    /// of objects that is known only at run time take [`parmi`](Self::parmi).
+    /// [`premiere_depuis`](Self::premiere_depuis) saves the time to find that out. Each call makes
+    /// another type: for a set of objects that is known only at run time take
+    /// [`parmi`](Self::parmi).
     ///
     /// ```
     /// use lancer_rayon::{Monde, NoIntersection, ObjetRay, Rayon, SphereGeo, Texture, Vecteur};
@@ -346,8 +347,9 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// times as fast for the rays of a picture.
     ///
     /// Neighbours in `rayons` should start and point alike: those of a picture in tiles of 8 × 8
-    /// (`docs/vitesse.md`, "The order in a batch"). Pass 64 rays or more per call. Nothing is
-    /// allocated and no thread is started; the caller may give parts of a picture to several
+    /// (`docs/vitesse.md`, "The order in a batch"). Pass 64 rays or more per call. Where a tile crosses
+    /// the boxes of thousands of objects of which each ray meets one, as in a stack of thin sheets or
+    /// along a row, a batch is many times slower than its rays one by one. Nothing is allocated and no thread is started; the caller may give parts of a picture to several
     /// threads.
     ///
     /// # Errors
@@ -452,8 +454,7 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// asks the object, which the ray never enters. This call leaves it out, after a few operations
     /// that tell whether the ray goes away from it. So the hit is a hint, which changes no answer:
     /// neither where the ray goes inward, nor where the hit is one of another list or of an object
-    /// that was asked alone. Among a thousand boxes or fewer, mirrored rays take two thirds to nine
-    /// tenths of the time (`docs/vitesse.md`, "From a hit").
+    /// that was asked alone. What it saves stands in `docs/vitesse.md`, "From a hit".
     ///
     /// # Errors
     /// [`NoIntersection`](crate::NoIntersection) if the ray enters no object before its end.
@@ -496,8 +497,8 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     fn sujet_depuis(&self, touche: &Intersection<R>, rayon: &Rayon<R>) -> Sujet<'_, R> {
         let indice = touche.indice();
         self.sujet_de(match self.objets.get(indice) {
-            Some(objet) if objet.s_eloigne(rayon) => self.choix.prises_sans(indice),
-            Some(_) | None => self.choix.prises(),
+            Some(objet) if objet.s_eloigne(rayon) => self.choix.prises_des_parcours_sans(indice),
+            Some(_) | None => self.choix.prises_des_parcours(),
         })
     }
 

@@ -1,6 +1,7 @@
 //! The day, the commit, the machine and the compiler of a measurement.
 
 use std::process::Command;
+use std::sync::OnceLock;
 
 pub struct Circonstances {
     pub jour: String,
@@ -14,7 +15,13 @@ impl Circonstances {
     /// The names of [`colonnes`](Self::colonnes).
     pub const TITRES: &str = "day,commit,processor,compiler";
 
-    pub fn presentes() -> Self {
+    /// As they are when they are first asked for: what a program writes afterwards changes the checkout.
+    pub fn presentes() -> &'static Self {
+        static PRESENTES: OnceLock<Circonstances> = OnceLock::new();
+        PRESENTES.get_or_init(Self::lire)
+    }
+
+    fn lire() -> Self {
         let sortie = |programme: &str, arguments: &[&str]| {
             let sortie = Command::new(programme).args(arguments).output().ok();
             let texte = sortie.map(|s| String::from_utf8_lossy(&s.stdout).trim().to_owned());

@@ -43,14 +43,6 @@ const PLUS_ETROIT: f32 = 0.6;
 /// A probe that enters fewer children of a node than this is not too wide.
 const ENFANTS_CROISES: u32 = ENFANTS as u32 / 2;
 
-/// What a ray takes one by one before it comes to a leaf, what a leaf and an object in it take, and
-/// what a record takes sixteen rays together where a register holds one number: nanoseconds, about
-/// (`DEVELOPING.md`, "Thresholds").
-const PRIX_D_UN_RAYON: f32 = 32.0;
-const PRIX_D_UNE_FEUILLE: f32 = 12.0;
-const PRIX_D_UN_OBJET: f32 = 9.0;
-const PRIX_D_UNE_FICHE: f32 = 96.0;
-
 /// How many rays of a block tell whether its probe is too wide. The more numbers a register holds,
 /// the less it costs to ask an object for all rays, and the wider a probe may be.
 const fn combien_d_echantillons(nombres_par_registre: usize) -> usize {
@@ -153,8 +145,7 @@ impl<R: Nombre> Arbre<'_, R> {
 
     /// Finds the first object with a box of each of these rays, which are offered objects, in the
     /// nodes that their probe enters. Tells whether it came to the end; it gives up where there is
-    /// no probe, where it is too wide, and where it has spent more on records than the rays would
-    /// take one by one.
+    /// no probe or it is too wide.
     #[inline(always)]
     fn descendre_en_bloc<S: Simd>(
         &self,
@@ -168,23 +159,10 @@ impl<R: Nombre> Arbre<'_, R> {
         let (mut pile, mut numero) = (Pile(&mut attentes), self.noeuds.len() - 1);
         let (entiers, mut offerts_deja) = (self.coupe == Coupe::AUCUNE, Offerts([0; 64]));
         let mut plafond = sonde.plafond(self.repere, bloc.le_plus_loin());
-        let par_fiche =
-            bloc.demandes.len() as f32 * PRIX_D_UNE_FICHE / nombres_par_registre::<R, S>() as f32;
-        // Leaves count as what rays take one by one from where the block has spent that much.
-        let (mut depense, mut un_par_un) = (0.0, rayons.len() as f32 * PRIX_D_UN_RAYON);
-        let confiance = bloc.confiance.part();
         while let Some(noeud) = self.noeuds.get(numero) {
             let (mut traverses, entrees) = sonde.traverse(simd, noeud, plafond);
             if numero < self.feuilles {
                 if traverses > 0 {
-                    depense += traverses.count_ones() as f32 * par_fiche;
-                    if depense > confiance * un_par_un {
-                        un_par_un += self.prix_un_par_un(simd, bloc, rayons, noeud);
-                        if depense > confiance * un_par_un {
-                            bloc.confiance.perdre();
-                            return false;
-                        }
-                    }
                     let [.., mots] = noeud;
                     let source = [sonde.entree_de_la_source(); ENFANTS];
                     let sources = au_plus(simd, &entrees.0, &source);
@@ -204,12 +182,10 @@ impl<R: Nombre> Arbre<'_, R> {
                     plafond = sonde.plafond(self.repere, loin);
                 }
             } else {
-                // Up to where the block looks, whatever they have found: a probe is compared with
-                // what it stands for.
-                let loin = bloc.le_plus_loin();
                 let croises = traverses.count_ones();
                 if croises >= ENFANTS_CROISES
-                    && croises > self.croises_par_quelques_uns(simd, rayons, &|_| loin, noeud)
+                    && croises
+                        > self.croises_par_quelques_uns(simd, rayons, bloc.le_plus_loin(), noeud)
                 {
                     return false;
                 }
@@ -221,23 +197,7 @@ impl<R: Nombre> Arbre<'_, R> {
             let Some(suivant) = pile.prendre(plafond) else { break };
             numero = suivant;
         }
-        bloc.confiance.gagner();
         true
-    }
-
-    /// What these rays would take in this leaf one by one, as some of them tell.
-    #[inline(always)]
-    fn prix_un_par_un<S: Simd>(
-        &self,
-        simd: S,
-        bloc: &Bloc<'_, R>,
-        rayons: &[Rayon<R>],
-        feuille: &Noeud,
-    ) -> f32 {
-        let croises = self.croises_par_quelques_uns(simd, rayons, &|i| bloc.t(i), feuille) as f32;
-        let combien = combien_d_echantillons(nombres_par_registre::<R, S>()) as f32;
-        let entres = if croises < combien { croises } else { combien };
-        (croises * PRIX_D_UN_OBJET + entres * PRIX_D_UNE_FEUILLE) * rayons.len() as f32 / combien
     }
 
     /// Whether it takes less time to ask all objects for these rays side by side than to send the
@@ -265,21 +225,21 @@ impl<R: Nombre> Arbre<'_, R> {
     /// What part of the children of the root one of these rays crosses, about.
     fn part_qui_entre<S: Simd>(&self, simd: S, rayons: &[Rayon<R>]) -> f32 {
         let Some(racine) = self.noeuds.last() else { return 0.0 };
-        let croises = self.croises_par_quelques_uns(simd, rayons, &|_| R::INFINI, racine);
+        let croises = self.croises_par_quelques_uns(simd, rayons, R::INFINI, racine);
         let enfants = au_plus(simd, &racine[0], &racine[3]).count_ones();
         let combien = combien_d_echantillons(nombres_par_registre::<R, S>());
         croises as f32 / (combien as u32 * enfants) as f32
     }
 
     /// How many children of this node [some](combien_d_echantillons) of these rays, evenly spread,
-    /// cross in all, each before the distance that `loin` says.
+    /// cross in all before this distance.
     #[cold]
     #[inline(never)]
     fn croises_par_quelques_uns<S: Simd>(
         &self,
         simd: S,
         rayons: &[Rayon<R>],
-        loin: &dyn Fn(usize) -> R,
+        loin: R,
         noeud: &Noeud,
     ) -> u32 {
         let mut croises = 0;
@@ -288,9 +248,9 @@ impl<R: Nombre> Arbre<'_, R> {
             || {
                 let combien = combien_d_echantillons(nombres_par_registre::<R, S>());
                 for i in 0..combien {
-                    let lequel = i * (rayons.len() - 1) / (combien - 1);
-                    let Some(sonde) = Sonde::new(&rayons[lequel], self.repere) else { continue };
-                    let plafond = sonde.plafond(self.repere, loin(lequel));
+                    let rayon = &rayons[i * (rayons.len() - 1) / (combien - 1)];
+                    let Some(sonde) = Sonde::new(rayon, self.repere) else { continue };
+                    let plafond = sonde.plafond(self.repere, loin);
                     croises += sonde.traverse(simd, noeud, plafond).0.count_ones();
                 }
             },

@@ -6,7 +6,7 @@ use core::ops::Range;
 use arrayvec::ArrayVec;
 use fearless_simd::Simd;
 
-use crate::algebre::nombre::{max, min};
+use crate::algebre::nombre::max;
 use crate::cote_a_cote::groupe::{Groupe, VOIES};
 use crate::objet::par_forme;
 use crate::question::liste::Liste;
@@ -44,45 +44,12 @@ pub(crate) struct Bloc<'a, R> {
     pub(crate) un_suffit: bool,
     /// Whether some ray has a δ above 0.
     d_emblee: bool,
-    pub(crate) confiance: Confiance,
-}
-
-/// What part of what its rays would take one by one a block may spend, so that no scene makes a
-/// batch much slower than its rays. The part falls where blocks are given up, and rises where they
-/// come to an end; every eighth that might be given up may spend all, to find out whether rays stay
-/// together again.
-#[derive(Clone, Copy)]
-pub(crate) struct Confiance {
-    part: f32,
-    echecs: u32,
-}
-
-impl Confiance {
-    const PLEINE: Self = Self { part: 2.0, echecs: 0 };
-    const MOINDRE: f32 = 0.15;
-
-    #[inline(always)]
-    pub(crate) fn part(self) -> f32 {
-        if self.echecs.is_multiple_of(8) { Self::PLEINE.part } else { self.part }
-    }
-
-    #[inline(always)]
-    pub(crate) fn gagner(&mut self) {
-        self.part = min(1.5 * self.part, Self::PLEINE.part);
-    }
-
-    #[cold]
-    pub(crate) fn perdre(&mut self) {
-        self.echecs = self.echecs.wrapping_add(1);
-        self.part = max(0.6 * self.part, Self::MOINDRE);
-    }
 }
 
 impl<'a, R: Nombre> Bloc<'a, R> {
     #[inline(always)]
     pub(crate) fn new(groupes: &'a mut Groupes<R>, un_suffit: bool) -> Self {
-        let confiance = Confiance::PLEINE;
-        Self { groupes, demandes: 0..0, un_suffit, d_emblee: false, confiance }
+        Self { groupes, demandes: 0..0, un_suffit, d_emblee: false }
     }
 
     /// Loads these rays, with no object so far.
@@ -149,14 +116,6 @@ impl<'a, R: Nombre> Bloc<'a, R> {
                 return;
             }
         }
-    }
-
-    /// The distance before which one of the rays that are offered objects looks for one; 0 if it is
-    /// done.
-    #[inline(always)]
-    pub(crate) fn t(&self, rayon: usize) -> R {
-        let premier = self.demandes()[rayon / VOIES].premier(rayon % VOIES);
-        if self.un_suffit && premier.rang.is_some() { R::ZERO } else { premier.t }
     }
 
     /// The largest distance before which a ray looks for an object; 0 if all are done.

@@ -19,7 +19,7 @@ pub trait Regle {
 
     /// The choice as a walk takes it, which is compiled once for all choices.
     #[inline]
-    fn prises(&self) -> Prises<'_>
+    fn prises_des_parcours(&self) -> Prises<'_>
     where
         Self: Sized,
     {
@@ -28,11 +28,11 @@ pub trait Regle {
 
     /// The choice without the object at this index, as a walk takes it.
     #[inline]
-    fn prises_sans(&self, sauf: usize) -> Prises<'_>
+    fn prises_des_parcours_sans(&self, sauf: usize) -> Prises<'_>
     where
         Self: Sized,
     {
-        let regle = match self.prises() {
+        let regle = match self.prises_des_parcours() {
             Prises::Toutes => None,
             Prises::Certaines { .. } => Some(self as &dyn Regle),
         };
@@ -84,7 +84,7 @@ impl Regle for Tous {
     }
 
     #[inline]
-    fn prises(&self) -> Prises<'_> {
+    fn prises_des_parcours(&self) -> Prises<'_> {
         Prises::Toutes
     }
 }
@@ -96,8 +96,8 @@ impl<C: Choix> Regle for Sans<C> {
     }
 
     #[inline]
-    fn prises(&self) -> Prises<'_> {
-        self.parmi.prises_sans(self.sauf)
+    fn prises_des_parcours(&self) -> Prises<'_> {
+        self.parmi.prises_des_parcours_sans(self.sauf)
     }
 }
 

@@ -1,10 +1,10 @@
 //! What no answer shows: for which objects a question asks. The search ends where it may, in a list and in a tree.
 
 use commun::en_f32_et_f64;
-use commun::fabrique::{avec_arbre, boite_droite, mur, sphere, v};
+use commun::fabrique::{avec_arbre, mur, sphere, v};
 use commun::facons::{Compteur, demandes, noeuds};
 use commun::hasard::{Hasard, Tirage};
-use lancer_rayon::{Monde, NoIntersection, ObjetRay, Rayon, Reel, Rotation, Vecteur};
+use lancer_rayon::{Monde, NoIntersection, ObjetRay, Rayon, Reel, Vecteur};
 
 /// How many balls stand in a row along the ray, which enters each, and how many beside that row.
 const BOULES: usize = 40;
@@ -144,32 +144,6 @@ fn un_rayon_lointain_passe_a_cote<R: Reel>() {
 }
 
 en_f32_et_f64!(un_rayon_lointain_passe_a_cote);
-
-/// Tiles of a camera over a stack of sheets, each ray of which sees one sheet while a block crosses the boxes of
-/// thousands: a block is given up before it has asked for many more than the rays do one by one.
-fn une_pile_de_feuilles_n_est_pas_demandee_tout_entiere<R: Reel>() {
-    let feuille = |i| boite_droite(v(0.0, 2e-4 * f64::from(i) - 1.0, 0.0), v(2.0, 1.4e-4, 2.0));
-    let objets: Vec<ObjetRay<R>> = (0..10_000).map(feuille).collect();
-    let monde = avec_arbre(&objets);
-    let oeil = v(1.0, 6.0, 1.5);
-    let camera = Rotation::regard(-oeil, Vecteur::Y).unwrap();
-    let rayon = |i: usize| {
-        let (x, y) = ((i / 64 % 16 * 8 + i % 8) as f64, (i / 1024 * 8 + i % 64 / 8) as f64);
-        Rayon::new(oeil, camera.appliquer(v(x / 160.0 - 0.4, 0.4 - y / 160.0, -1.0))).unwrap()
-    };
-    let rayons: Vec<_> = (0..128 * 128).map(rayon).collect();
-    let total = |question: &dyn Fn(Monde<'_, R, Compteur<'_>>)| {
-        demandes(&monde, question).into_iter().map(u64::from).sum::<u64>()
-    };
-    let seuls = total(&|h| rayons.iter().for_each(|rayon| drop(h.premiere_intersection(rayon))));
-    let ensemble = total(&|h| {
-        let mut touches = vec![Err(NoIntersection); rayons.len()];
-        h.premieres_intersections(&rayons, &mut touches).unwrap();
-    });
-    assert!(seuls > 3_000 && ensemble < 3 * seuls, "{ensemble}, one by one {seuls}");
-}
-
-en_f32_et_f64!(une_pile_de_feuilles_n_est_pas_demandee_tout_entiere);
 
 fn du_cube(alea: &mut Hasard) -> Vecteur {
     Vecteur::from([(); 3].map(|()| alea.f64() * 2.0 - 1.0))
