@@ -81,8 +81,13 @@ pub struct Marche<'a, R = f64, C = Tous> {
     rayon: Rayon<R>,
     /// The objects that light is in, none of them opaque, in any order.
     dans: Vec<usize>,
-    /// The same behind the surface that was found last.
+    /// The same behind the surface that was found last; empty once light has gone on from it.
     apres: Vec<usize>,
+    /// What light is not in and has left where it stands, or has met there before an opaque thing or a mirror. It goes
+    /// into none of these from there unless it then goes deeper, so that it leaves each only once at one place.
+    ici: Vec<usize>,
+    /// How far this place goes, the error of the face that was found last.
+    erreur: R,
     /// How many rays there were since δ was 0.
     tours: u32,
     /// Where the ray of a chord enters an object, or leaves it.
@@ -96,9 +101,21 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
     /// A walk that goes nowhere yet.
     pub fn new(monde: Monde<'a, R, C>, matieres: &'a [Matiere]) -> Self {
         let rayon = Rayon::new(Vecteur::NUL, Vecteur::X).expect("a direction");
-        let [dans, apres, traverses] = [(); 3].map(|()| vec![]);
-        let (bords, cordes) = (vec![], vec![]);
-        Self { monde, matieres, rayon, dans, apres, tours: 0, bords, traverses, cordes }
+        let [dans, apres, ici, traverses] = [(); 4].map(|()| vec![]);
+        let (bords, cordes, erreur) = (vec![], vec![], R::ZERO);
+        Self {
+            monde,
+            matieres,
+            rayon,
+            dans,
+            apres,
+            ici,
+            erreur,
+            tours: 0,
+            bords,
+            traverses,
+            cordes,
+        }
     }
 
     /// Starts with this ray, in the media that hold its source. An opaque thing that holds it, as a table does from
@@ -108,13 +125,19 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
         let Self { monde, matieres, dans, .. } = self;
         dans.clear();
         monde.contenants(rayon.source(), |i| dans.extend((!opaque(matieres, i)).then_some(i)));
-        (self.rayon, self.tours) = (rayon.dehors(), 0);
+        self.commencer(rayon);
     }
 
     /// Starts with this ray in these objects, as after [`dans`](Self::dans) of another walk.
     pub fn reprendre(&mut self, rayon: Rayon<R>, dans: impl IntoIterator<Item = usize>) {
         self.dans.clear();
         self.dans.extend(dans.into_iter().filter(|&i| !opaque(self.matieres, i)));
+        self.commencer(rayon);
+    }
+
+    fn commencer(&mut self, rayon: Rayon<R>) {
+        self.apres.clear();
+        self.ici.clear();
         (self.rayon, self.tours) = (rayon.dehors(), 0);
     }
 
@@ -145,6 +168,8 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
     /// # Errors
     /// If `pas` is below 0 or a NaN, if light comes too far from the origin, or if an object is lost in rounding.
     pub fn avancer(&mut self, pas: R) -> Result<Option<Surface<R>>, ErreurGeo> {
+        self.rayon.jusqu_a(pas).map_err(|refus| ErreurGeo { champ: "pas", ..refus })?;
+        self.apres.clear();
         let mut parcouru = R::ZERO;
         for _ in 0..FACES_CACHEES {
             let reste = if parcouru > pas { R::ZERO } else { pas - parcouru };
@@ -159,11 +184,13 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
             }
             let Some((touche, objet, _)) = premiere else {
                 if reste < R::INFINI {
-                    self.tourner_a(reste, self.rayon.direction())?;
+                    self.avance_de(reste);
+                    self.suivre(self.rayon.bifurque(reste, self.rayon.direction())?);
                 }
                 return Ok(None);
             };
             parcouru = parcouru + jusque_la;
+            self.avance_de(jusque_la);
             let (touche, objet, derriere) = self.derriere(touche, objet)?;
             if derriere != Derriere::Milieu(self.milieu()) {
                 return Ok(Some(Surface { touche, objet, distance: parcouru, derriere }));
@@ -178,26 +205,39 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
     /// # Errors
     /// If the direction is zero or not finite.
     pub fn tourner(&mut self, direction: Vecteur<R>) -> Result<(), ErreurGeo> {
-        self.tourner_a(R::ZERO, direction)
-    }
-
-    fn tourner_a(&mut self, distance: R, direction: Vecteur<R>) -> Result<(), ErreurGeo> {
-        self.rester(self.rayon.bifurque(distance, direction)?);
+        self.rester(self.rayon.bifurque(R::ZERO, direction)?);
         Ok(())
     }
 
     /// Goes on with this ray in the media before the surface: what a mirror or an opaque thing sends back, or a ray to
     /// a lamp.
     pub fn rester(&mut self, rayon: Rayon<R>) {
+        let Self { dans, apres, ici, .. } = self;
+        ici.clear();
+        ici.extend(apres.drain(..).filter(|i| !dans.contains(i)));
+        self.suivre(rayon);
+    }
+
+    /// Goes on with this ray in the media behind the surface that [`avancer`](Self::avancer) found last.
+    pub fn entrer(&mut self, rayon: Rayon<R>) {
+        let Self { dans, apres, ici, .. } = self;
+        std::mem::swap(dans, apres);
+        ici.retain(|i| !dans.contains(i));
+        ici.extend(apres.drain(..).filter(|i| !dans.contains(i)));
+        self.suivre(rayon);
+    }
+
+    fn suivre(&mut self, rayon: Rayon<R>) {
         // `dans` tells what light is in, and questions leave that out; light may touch anything else at once.
         self.rayon = rayon.dehors();
         self.tours += 1;
     }
 
-    /// Goes on with this ray in the media behind the surface that [`avancer`](Self::avancer) found last.
-    pub fn entrer(&mut self, rayon: Rayon<R>) {
-        std::mem::swap(&mut self.dans, &mut self.apres);
-        self.rester(rayon);
+    /// Light goes this far, and so perhaps away from where it left what is in `ici`.
+    fn avance_de(&mut self, distance: R) {
+        if distance > self.erreur {
+            self.ici.clear();
+        }
     }
 
     /// Goes through the surface that was found last, by Snell's law, or is mirrored there where no light passes or an
@@ -248,7 +288,9 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
     fn premiere(&mut self, fin: R) -> Result<Option<(Intersection<R>, usize, R)>, ErreurGeo> {
         let (objets, depart) = (self.monde.objets(), self.rayon);
         let sans_fin = depart.jusqu_a(R::INFINI)?;
+        self.ici.retain(|&i| !va_dans(&objets[i], &sans_fin, self.erreur));
         let (mut premier, mut sortie, mut ici) = (None, fin, None);
+        let quittes = &mut self.ici;
         self.dans.retain(|&i| match objets[i].traversee(&sans_fin) {
             // A sea that light goes down in has its way out at +∞.
             Ok([_, a]) => {
@@ -261,6 +303,7 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
             Err(_) => {
                 let touche = sortie_ici(&objets[i], &depart);
                 ici = touche.map(|touche| (touche, i, R::ZERO)).or(ici);
+                quittes.extend(touche.is_none().then_some(i));
                 touche.is_some()
             }
         });
@@ -269,10 +312,13 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
         }
         let rayon = depart.jusqu_a(sortie)?;
         // What light is in is left out here, so that no rounding makes it touch that at once.
-        let entree = match self.dans[..] {
-            [] => self.monde.premiere_intersection(&rayon),
-            [i] => self.monde.sans(i).premiere_intersection(&rayon),
-            _ => self.monde.parmi(|i| !self.dans.contains(&i)).premiere_intersection(&rayon),
+        let Self { monde, dans, ici, .. } = &*self;
+        let entree = match (&dans[..], &ici[..]) {
+            ([], []) => monde.premiere_intersection(&rayon),
+            (&[i], []) | ([], &[i]) => monde.sans(i).premiere_intersection(&rayon),
+            _ => monde
+                .parmi(|i| !dans.contains(&i) && !ici.contains(&i))
+                .premiere_intersection(&rayon),
         };
         let entree = entree.ok().map(|touche| (touche, touche.indice(), touche.distance()));
         Ok(entree.or_else(|| Some((objets[premier?].sortie(&sans_fin).ok()?, premier?, sortie))))
@@ -289,7 +335,7 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
         objet: usize,
     ) -> Result<(Intersection<R>, usize, Derriere), ErreurGeo> {
         let avant = self.milieu();
-        let Self { monde, matieres, dans, apres, rayon, .. } = self;
+        let Self { monde, matieres, dans, apres, ici, rayon, .. } = self;
         let (objets, d) = (monde.objets(), rayon.direction());
         let entre = d.produit_scalaire(touche.normale()) < R::ZERO;
         if entre && opaque(matieres, objet) {
@@ -298,6 +344,7 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
         let devant = if entre { -touche.normale() } else { touche.normale() };
         let longueur = norme(touche.point().into()) + touche.distance();
         let erreur = rayon.flou() + touche.marge() + touche.marge() + fois_u(longueur, ERREUR);
+        self.erreur = erreur;
         let place = touche.point() + devant * erreur;
         apres.clear();
         apres.extend(dans.iter().copied().filter(|&i| i != objet && objets[i].contient(place)));
@@ -315,7 +362,7 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
             if a_fleur(i, t) {
                 if opaque(matieres, i) {
                     un_opaque = true;
-                } else if !apres.contains(&i) {
+                } else if !apres.contains(&i) && !ici.contains(&i) {
                     apres.push(i);
                 }
             }
@@ -419,6 +466,16 @@ fn sortie_ici<R: Reel>(objet: &ObjetRay<R>, rayon: &Rayon<R>) -> Option<Intersec
     let touche = retour(-d)?;
     // Light that grazes would have to go far back.
     retour(-touche.normale()).or(Some(touche))
+}
+
+/// Whether a ray that starts within this error of an object goes deeper into it, or comes to it later.
+fn va_dans<R: Reel>(objet: &ObjetRay<R>, rayon: &Rayon<R>, erreur: R) -> bool {
+    let Ok([de, a]) = objet.traversee(rayon) else { return false };
+    // How deep it is, before the face by which it goes out.
+    let profond = |sortie: Intersection<R>| {
+        sortie.distance() * sortie.normale().produit_scalaire(rayon.direction())
+    };
+    de > erreur || a == R::INFINI || objet.sortie(rayon).is_ok_and(|s| profond(s) > erreur)
 }
 
 /// How far rounding may have set the face of an object beside where it was meant to be.
