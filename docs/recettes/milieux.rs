@@ -168,7 +168,7 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
     /// # Errors
     /// If `pas` is below 0 or a NaN, if light comes too far from the origin, or if an object is lost in rounding.
     pub fn avancer(&mut self, pas: R) -> Result<Option<Surface<R>>, ErreurGeo> {
-        self.rayon.jusqu_a(pas).map_err(|refus| ErreurGeo { champ: "pas", ..refus })?;
+        let _ = self.rayon.jusqu_a(pas).map_err(|refus| ErreurGeo { champ: "pas", ..refus })?;
         self.apres.clear();
         let mut parcouru = R::ZERO;
         for _ in 0..FACES_CACHEES {
@@ -288,7 +288,7 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
     fn premiere(&mut self, fin: R) -> Result<Option<(Intersection<R>, usize, R)>, ErreurGeo> {
         let (objets, depart) = (self.monde.objets(), self.rayon);
         let sans_fin = depart.jusqu_a(R::INFINI)?;
-        self.ici.retain(|&i| !va_dans(&objets[i], &sans_fin, self.erreur));
+        self.ici.retain(|&i| va_dans(&objets[i], &sans_fin, self.erreur).is_none());
         let (mut premier, mut sortie, mut ici) = (None, fin, None);
         let quittes = &mut self.ici;
         self.dans.retain(|&i| match objets[i].traversee(&sans_fin) {
@@ -347,7 +347,12 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
         self.erreur = erreur;
         let place = touche.point() + devant * erreur;
         apres.clear();
-        apres.extend(dans.iter().copied().filter(|&i| i != objet && objets[i].contient(place)));
+        let suite = touche.secondaire(d)?;
+        let garde = |i: usize| {
+            objets[i].contient(place)
+                || va_dans(&objets[i], &suite, erreur).is_some_and(|de| de <= erreur)
+        };
+        apres.extend(dans.iter().copied().filter(|&i| i != objet && garde(i)));
         apres.extend(entre.then_some(objet));
         let derriere = regne(matieres, apres);
         if derriere == avant || (entre && indice(matieres, derriere) >= indice(matieres, avant)) {
@@ -468,14 +473,15 @@ fn sortie_ici<R: Reel>(objet: &ObjetRay<R>, rayon: &Rayon<R>) -> Option<Intersec
     retour(-touche.normale()).or(Some(touche))
 }
 
-/// Whether a ray that starts within this error of an object goes deeper into it, or comes to it later.
-fn va_dans<R: Reel>(objet: &ObjetRay<R>, rayon: &Rayon<R>, erreur: R) -> bool {
-    let Ok([de, a]) = objet.traversee(rayon) else { return false };
+/// Where a ray that starts within this error of an object goes deeper into it, or comes to it later.
+fn va_dans<R: Reel>(objet: &ObjetRay<R>, rayon: &Rayon<R>, erreur: R) -> Option<R> {
+    let [de, a] = objet.traversee(rayon).ok()?;
     // How deep it is, before the face by which it goes out.
     let profond = |sortie: Intersection<R>| {
         sortie.distance() * sortie.normale().produit_scalaire(rayon.direction())
     };
-    de > erreur || a == R::INFINI || objet.sortie(rayon).is_ok_and(|s| profond(s) > erreur)
+    let va = de > erreur || a == R::INFINI || profond(objet.sortie(rayon).ok()?) > erreur;
+    va.then_some(de)
 }
 
 /// How far rounding may have set the face of an object beside where it was meant to be.

@@ -713,8 +713,11 @@ fn a_un_carrefour_la_lumiere_n_est_ni_prise_ni_perdue<R: Reel>() {
                 opaques += usize::from(surface.derriere == Derriere::Opaque);
                 chemin = (chemin + distance).min(long);
                 ici = if distance > *ecart { 0 } else { ici + 1 };
-                assert!(ici <= 4 * objets.len(), "{ici} surfaces at {s:?} of {depart:?}");
-                marche.passer(&surface).unwrap();
+                assert!(ici <= 2 * objets.len(), "{ici} surfaces at {s:?} of {depart:?}");
+                // Between mirrors at a sharp angle light may go to and fro many times.
+                if !marche.passer(&surface).unwrap() {
+                    ici = 0;
+                }
                 if chemin > 1e2 {
                     break;
                 }
@@ -756,8 +759,9 @@ fn dans_une_arete_rentrante_la_lumiere_passe<R: Reel>() {
             let mut faces = 0;
             while let Some(surface) = marche.avancer(R::INFINI).unwrap() {
                 marche.passer(&surface).unwrap();
-                faces += 1;
-                assert!(faces <= 8, "{surface:?}");
+                // In a plank light may be mirrored many times, but not at one place.
+                faces = if surface.distance.vers_f64() < 1e-4 { faces + 1 } else { 0 };
+                assert!(faces <= 4, "{surface:?}");
             }
             if indices == [1.0, 1.0] {
                 marche.partir(depart);
