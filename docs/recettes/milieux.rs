@@ -288,7 +288,25 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
     fn premiere(&mut self, fin: R) -> Result<Option<(Intersection<R>, usize, R)>, ErreurGeo> {
         let (objets, depart) = (self.monde.objets(), self.rayon);
         let sans_fin = depart.jusqu_a(R::INFINI)?;
-        self.ici.retain(|&i| va_dans(&objets[i], &sans_fin, self.erreur).is_none());
+        let mut entree_ici = None;
+        self.ici.retain(|&i| {
+            let Some(de) = va_dans(&objets[i], &sans_fin, self.erreur) else { return true };
+            let touche = |rayon: &Rayon<R>| {
+                objets[i].intersection(rayon).ok().filter(|touche| touche.distance() == R::ZERO)
+            };
+            if de > R::ZERO || touche(&sans_fin).is_some() {
+                return false;
+            }
+            // Deeper than δ, since it is only now that light turns into it.
+            let jeu = self.erreur + arrondi(&objets[i]);
+            let entree = sans_fin.avec_flou(depart.flou() + jeu + jeu).ok();
+            let entree = entree.and_then(|rayon| touche(&rayon));
+            entree_ici = entree.map(|touche| (touche, i, R::ZERO)).or(entree_ici);
+            entree.is_some()
+        });
+        if entree_ici.is_some() {
+            return Ok(entree_ici);
+        }
         let (mut premier, mut sortie, mut ici) = (None, fin, None);
         let quittes = &mut self.ici;
         self.dans.retain(|&i| match objets[i].traversee(&sans_fin) {
