@@ -213,7 +213,7 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
     /// a lamp.
     pub fn rester(&mut self, rayon: Rayon<R>) {
         let Self { dans, apres, ici, .. } = self;
-        ici.clear();
+        ici.retain(|i| !apres.contains(i));
         ici.extend(apres.drain(..).filter(|i| !dans.contains(i)));
         self.suivre(rayon);
     }
@@ -235,8 +235,9 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
 
     /// Light goes this far, and so perhaps away from where it left what is in `ici`.
     fn avance_de(&mut self, distance: R) {
-        if distance > self.erreur {
-            self.ici.clear();
+        if distance > self.erreur && !self.ici.is_empty() {
+            let (objets, la) = (self.monde.objets(), self.rayon.point(distance));
+            self.ici.retain(|&i| objets[i].contient(la));
         }
     }
 
@@ -356,13 +357,13 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
         let Self { monde, matieres, dans, apres, ici, rayon, .. } = self;
         let (objets, d) = (monde.objets(), rayon.direction());
         let entre = d.produit_scalaire(touche.normale()) < R::ZERO;
-        if entre && opaque(matieres, objet) {
-            return Ok((touche, objet, Derriere::Opaque));
-        }
         let devant = if entre { -touche.normale() } else { touche.normale() };
         let longueur = norme(touche.point().into()) + touche.distance();
         let erreur = rayon.flou() + touche.marge() + touche.marge() + fois_u(longueur, ERREUR);
         self.erreur = erreur;
+        if entre && opaque(matieres, objet) {
+            return Ok((touche, objet, Derriere::Opaque));
+        }
         let place = touche.point() + devant * erreur;
         apres.clear();
         let suite = touche.secondaire(d)?;
@@ -397,6 +398,7 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
                 && a_fleur(contre.indice(), contre.distance())
                 && contre.normale().produit_scalaire(d) < R::ZERO
             {
+                self.erreur = erreur + arrondi(&objets[contre.indice()]);
                 return Ok((contre, contre.indice(), Derriere::Opaque));
             }
         }
