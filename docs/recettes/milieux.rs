@@ -72,8 +72,11 @@ pub enum Derriere {
 /// other are one surface, so that no film of air comes between flush media, and the table is found on which a glass
 /// stands.
 ///
-/// Bound the number of surfaces of a path, since light may be trapped, as in a ball that it grazes from within. A walk
-/// allocates until it has been in as many objects at once as it ever is, and then no more: keep it for many rays.
+/// At one place light leaves each object at most once, unless it is turned there into it, and so passes where overlapping
+/// media meet in a re-entrant edge. Bound the number of surfaces of a path all the same, since light may be trapped by
+/// mirrors, as in a ball that it grazes from within, or in the tip between faces that all send it back. A walk allocates
+/// until it has been in as many objects at once, and met as many at one place, as it ever does, and then no more: keep it
+/// for many rays.
 #[derive(Clone)]
 pub struct Marche<'a, R = f64, C = Tous> {
     monde: Monde<'a, R, C>,
@@ -83,10 +86,10 @@ pub struct Marche<'a, R = f64, C = Tous> {
     dans: Vec<usize>,
     /// The same behind the surface that was found last; empty once light has gone on from it.
     apres: Vec<usize>,
-    /// What light is not in and has left where it stands, or has met there before an opaque thing or a mirror. It goes
-    /// into none of these from there unless it then goes deeper, so that it leaves each only once at one place.
+    /// What light is not in, and has left where it stands or met there behind a face that sent it back. From there it
+    /// goes into one of these only if it goes deeper than the error, so that it leaves each at most once at one place.
     ici: Vec<usize>,
-    /// How far this place goes, the error of the face that was found last.
+    /// How far this place goes: the error of the face that was found last.
     erreur: R,
     /// How many rays there were since δ was 0.
     tours: u32,
@@ -233,7 +236,7 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
         self.tours += 1;
     }
 
-    /// Light goes this far, and so perhaps away from where it left what is in `ici`.
+    /// Light goes this far, and so perhaps away from what is in `ici`.
     fn avance_de(&mut self, distance: R) {
         if distance > self.erreur && !self.ici.is_empty() {
             let (objets, la) = (self.monde.objets(), self.rayon.point(distance));
@@ -282,6 +285,7 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
             return Ok(false);
         }
         (self.rayon, self.tours) = (Rayon::new(point, self.rayon.direction())?, 0);
+        self.ici.clear();
         Ok(true)
     }
 
@@ -366,11 +370,12 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
         }
         let place = touche.point() + devant * erreur;
         apres.clear();
-        let suite = touche.secondaire(d)?;
-        let garde = |i: usize| {
-            objets[i].contient(place)
-                || va_dans(&objets[i], &suite, erreur).is_some_and(|de| de <= erreur)
+        // What the place along N is out of, light may still go deeper into.
+        let va_plus_loin = |i: usize| {
+            let de = va_dans(&objets[i], &touche.secondaire(d).ok()?, erreur)?;
+            (de <= erreur).then_some(())
         };
+        let garde = |i: usize| objets[i].contient(place) || va_plus_loin(i).is_some();
         apres.extend(dans.iter().copied().filter(|&i| i != objet && garde(i)));
         apres.extend(entre.then_some(objet));
         let derriere = regne(matieres, apres);

@@ -698,7 +698,8 @@ fn a_un_carrefour_la_lumiere_n_est_ni_prise_ni_perdue<R: Reel>() {
         for depart in rayons {
             marche.partir(depart);
             // A step through all of it, or from surface to surface for as long as light is nearby.
-            let (mut chemin, mut ici, long) = (0.0, 0, if droit { 3.0 } else { f64::INFINITY });
+            let long = if droit { 3.0 } else { f64::INFINITY };
+            let (mut chemin, mut ici, mut renvois) = (0.0, 0, 0);
             for _ in 0..200 {
                 let rayon = marche.rayon();
                 let [s, d] = [rayon.source(), rayon.direction()].map(Vecteur::vers_f64);
@@ -714,11 +715,11 @@ fn a_un_carrefour_la_lumiere_n_est_ni_prise_ni_perdue<R: Reel>() {
                 chemin = (chemin + distance).min(long);
                 ici = if distance > *ecart { 0 } else { ici + 1 };
                 assert!(ici <= 2 * objets.len(), "{ici} surfaces at {s:?} of {depart:?}");
-                // Between mirrors at a sharp angle light may go to and fro many times.
+                // Between mirrors at a sharp angle light may go to and fro many times, or for ever.
                 if !marche.passer(&surface).unwrap() {
-                    ici = 0;
+                    (ici, renvois) = (0, renvois + 1);
                 }
-                if chemin > 1e2 {
+                if chemin > 1e2 || renvois > 50 {
                     break;
                 }
             }
