@@ -72,8 +72,11 @@ pub enum Derriere {
 /// other are one surface, so that no film of air comes between flush media, and the table is found on which a glass
 /// stands.
 ///
-/// Bound the number of surfaces of a path, since light may be trapped, as in a ball that it grazes from within. A walk
-/// allocates until it has been in as many objects at once as it ever is, and then no more: keep it for many rays.
+/// At one place light leaves each object at most once, unless it is turned there into it, and so passes where overlapping
+/// media meet in a re-entrant edge. Bound the number of surfaces of a path all the same, since light may be trapped by
+/// mirrors, as in a ball that it grazes from within, or in the tip between faces that all send it back. A walk allocates
+/// until it has been in as many objects at once, and met as many at one place, as it ever does, and then no more: keep it
+/// for many rays.
 #[derive(Clone)]
 pub struct Marche<'a, R = f64, C = Tous> {
     monde: Monde<'a, R, C>,
@@ -81,8 +84,13 @@ pub struct Marche<'a, R = f64, C = Tous> {
     rayon: Rayon<R>,
     /// The objects that light is in, none of them opaque, in any order.
     dans: Vec<usize>,
-    /// The same behind the surface that was found last.
+    /// The same behind the surface that was found last; empty once light has gone on from it.
     apres: Vec<usize>,
+    /// What light is not in, and has left where it stands or met there behind a face that sent it back. From there it
+    /// goes into one of these only if it goes deeper than the error, so that it leaves each at most once at one place.
+    ici: Vec<usize>,
+    /// How far this place goes: the error of the face that was found last.
+    erreur: R,
     /// How many rays there were since δ was 0.
     tours: u32,
     /// Where the ray of a chord enters an object, or leaves it.
@@ -96,9 +104,21 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
     /// A walk that goes nowhere yet.
     pub fn new(monde: Monde<'a, R, C>, matieres: &'a [Matiere]) -> Self {
         let rayon = Rayon::new(Vecteur::NUL, Vecteur::X).expect("a direction");
-        let [dans, apres, traverses] = [(); 3].map(|()| vec![]);
-        let (bords, cordes) = (vec![], vec![]);
-        Self { monde, matieres, rayon, dans, apres, tours: 0, bords, traverses, cordes }
+        let [dans, apres, ici, traverses] = [(); 4].map(|()| vec![]);
+        let (bords, cordes, erreur) = (vec![], vec![], R::ZERO);
+        Self {
+            monde,
+            matieres,
+            rayon,
+            dans,
+            apres,
+            ici,
+            erreur,
+            tours: 0,
+            bords,
+            traverses,
+            cordes,
+        }
     }
 
     /// Starts with this ray, in the media that hold its source. An opaque thing that holds it, as a table does from
@@ -108,13 +128,19 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
         let Self { monde, matieres, dans, .. } = self;
         dans.clear();
         monde.contenants(rayon.source(), |i| dans.extend((!opaque(matieres, i)).then_some(i)));
-        (self.rayon, self.tours) = (rayon.dehors(), 0);
+        self.commencer(rayon);
     }
 
     /// Starts with this ray in these objects, as after [`dans`](Self::dans) of another walk.
     pub fn reprendre(&mut self, rayon: Rayon<R>, dans: impl IntoIterator<Item = usize>) {
         self.dans.clear();
         self.dans.extend(dans.into_iter().filter(|&i| !opaque(self.matieres, i)));
+        self.commencer(rayon);
+    }
+
+    fn commencer(&mut self, rayon: Rayon<R>) {
+        self.apres.clear();
+        self.ici.clear();
         (self.rayon, self.tours) = (rayon.dehors(), 0);
     }
 
@@ -145,6 +171,8 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
     /// # Errors
     /// If `pas` is below 0 or a NaN, if light comes too far from the origin, or if an object is lost in rounding.
     pub fn avancer(&mut self, pas: R) -> Result<Option<Surface<R>>, ErreurGeo> {
+        let _ = self.rayon.jusqu_a(pas).map_err(|refus| ErreurGeo { champ: "pas", ..refus })?;
+        self.apres.clear();
         let mut parcouru = R::ZERO;
         for _ in 0..FACES_CACHEES {
             let reste = if parcouru > pas { R::ZERO } else { pas - parcouru };
@@ -159,11 +187,13 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
             }
             let Some((touche, objet, _)) = premiere else {
                 if reste < R::INFINI {
-                    self.tourner_a(reste, self.rayon.direction())?;
+                    self.avance_de(reste);
+                    self.suivre(self.rayon.bifurque(reste, self.rayon.direction())?);
                 }
                 return Ok(None);
             };
             parcouru = parcouru + jusque_la;
+            self.avance_de(jusque_la);
             let (touche, objet, derriere) = self.derriere(touche, objet)?;
             if derriere != Derriere::Milieu(self.milieu()) {
                 return Ok(Some(Surface { touche, objet, distance: parcouru, derriere }));
@@ -178,26 +208,40 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
     /// # Errors
     /// If the direction is zero or not finite.
     pub fn tourner(&mut self, direction: Vecteur<R>) -> Result<(), ErreurGeo> {
-        self.tourner_a(R::ZERO, direction)
-    }
-
-    fn tourner_a(&mut self, distance: R, direction: Vecteur<R>) -> Result<(), ErreurGeo> {
-        self.rester(self.rayon.bifurque(distance, direction)?);
+        self.rester(self.rayon.bifurque(R::ZERO, direction)?);
         Ok(())
     }
 
     /// Goes on with this ray in the media before the surface: what a mirror or an opaque thing sends back, or a ray to
     /// a lamp.
     pub fn rester(&mut self, rayon: Rayon<R>) {
+        let Self { dans, apres, ici, .. } = self;
+        ici.retain(|i| !apres.contains(i));
+        ici.extend(apres.drain(..).filter(|i| !dans.contains(i)));
+        self.suivre(rayon);
+    }
+
+    /// Goes on with this ray in the media behind the surface that [`avancer`](Self::avancer) found last.
+    pub fn entrer(&mut self, rayon: Rayon<R>) {
+        let Self { dans, apres, ici, .. } = self;
+        std::mem::swap(dans, apres);
+        ici.retain(|i| !dans.contains(i));
+        ici.extend(apres.drain(..).filter(|i| !dans.contains(i)));
+        self.suivre(rayon);
+    }
+
+    fn suivre(&mut self, rayon: Rayon<R>) {
         // `dans` tells what light is in, and questions leave that out; light may touch anything else at once.
         self.rayon = rayon.dehors();
         self.tours += 1;
     }
 
-    /// Goes on with this ray in the media behind the surface that [`avancer`](Self::avancer) found last.
-    pub fn entrer(&mut self, rayon: Rayon<R>) {
-        std::mem::swap(&mut self.dans, &mut self.apres);
-        self.rester(rayon);
+    /// Light goes this far, and so perhaps away from what is in `ici`.
+    fn avance_de(&mut self, distance: R) {
+        if distance > self.erreur && !self.ici.is_empty() {
+            let (objets, la) = (self.monde.objets(), self.rayon.point(distance));
+            self.ici.retain(|&i| objets[i].contient(la));
+        }
     }
 
     /// Goes through the surface that was found last, by Snell's law, or is mirrored there where no light passes or an
@@ -241,6 +285,7 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
             return Ok(false);
         }
         (self.rayon, self.tours) = (Rayon::new(point, self.rayon.direction())?, 0);
+        self.ici.clear();
         Ok(true)
     }
 
@@ -248,7 +293,27 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
     fn premiere(&mut self, fin: R) -> Result<Option<(Intersection<R>, usize, R)>, ErreurGeo> {
         let (objets, depart) = (self.monde.objets(), self.rayon);
         let sans_fin = depart.jusqu_a(R::INFINI)?;
+        let mut entree_ici = None;
+        self.ici.retain(|&i| {
+            let Some(de) = va_dans(&objets[i], &sans_fin, self.erreur) else { return true };
+            let touche = |rayon: &Rayon<R>| {
+                objets[i].intersection(rayon).ok().filter(|touche| touche.distance() == R::ZERO)
+            };
+            if de > R::ZERO || touche(&sans_fin).is_some() {
+                return false;
+            }
+            // Deeper than δ, since it is only now that light turns into it.
+            let jeu = self.erreur + arrondi(&objets[i]);
+            let entree = sans_fin.avec_flou(depart.flou() + jeu + jeu).ok();
+            let entree = entree.and_then(|rayon| touche(&rayon));
+            entree_ici = entree.map(|touche| (touche, i, R::ZERO)).or(entree_ici);
+            entree.is_some()
+        });
+        if entree_ici.is_some() {
+            return Ok(entree_ici);
+        }
         let (mut premier, mut sortie, mut ici) = (None, fin, None);
+        let quittes = &mut self.ici;
         self.dans.retain(|&i| match objets[i].traversee(&sans_fin) {
             // A sea that light goes down in has its way out at +∞.
             Ok([_, a]) => {
@@ -261,6 +326,7 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
             Err(_) => {
                 let touche = sortie_ici(&objets[i], &depart);
                 ici = touche.map(|touche| (touche, i, R::ZERO)).or(ici);
+                quittes.extend(touche.is_none().then_some(i));
                 touche.is_some()
             }
         });
@@ -269,10 +335,13 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
         }
         let rayon = depart.jusqu_a(sortie)?;
         // What light is in is left out here, so that no rounding makes it touch that at once.
-        let entree = match self.dans[..] {
-            [] => self.monde.premiere_intersection(&rayon),
-            [i] => self.monde.sans(i).premiere_intersection(&rayon),
-            _ => self.monde.parmi(|i| !self.dans.contains(&i)).premiere_intersection(&rayon),
+        let Self { monde, dans, ici, .. } = &*self;
+        let entree = match (&dans[..], &ici[..]) {
+            ([], []) => monde.premiere_intersection(&rayon),
+            (&[i], []) | ([], &[i]) => monde.sans(i).premiere_intersection(&rayon),
+            _ => monde
+                .parmi(|i| !dans.contains(&i) && !ici.contains(&i))
+                .premiere_intersection(&rayon),
         };
         let entree = entree.ok().map(|touche| (touche, touche.indice(), touche.distance()));
         Ok(entree.or_else(|| Some((objets[premier?].sortie(&sans_fin).ok()?, premier?, sortie))))
@@ -289,18 +358,25 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
         objet: usize,
     ) -> Result<(Intersection<R>, usize, Derriere), ErreurGeo> {
         let avant = self.milieu();
-        let Self { monde, matieres, dans, apres, rayon, .. } = self;
+        let Self { monde, matieres, dans, apres, ici, rayon, .. } = self;
         let (objets, d) = (monde.objets(), rayon.direction());
         let entre = d.produit_scalaire(touche.normale()) < R::ZERO;
-        if entre && opaque(matieres, objet) {
-            return Ok((touche, objet, Derriere::Opaque));
-        }
         let devant = if entre { -touche.normale() } else { touche.normale() };
         let longueur = norme(touche.point().into()) + touche.distance();
         let erreur = rayon.flou() + touche.marge() + touche.marge() + fois_u(longueur, ERREUR);
+        self.erreur = erreur;
+        if entre && opaque(matieres, objet) {
+            return Ok((touche, objet, Derriere::Opaque));
+        }
         let place = touche.point() + devant * erreur;
         apres.clear();
-        apres.extend(dans.iter().copied().filter(|&i| i != objet && objets[i].contient(place)));
+        // What the place along N is out of, light may still go deeper into.
+        let va_plus_loin = |i: usize| {
+            let de = va_dans(&objets[i], &touche.secondaire(d).ok()?, erreur)?;
+            (de <= erreur).then_some(())
+        };
+        let garde = |i: usize| objets[i].contient(place) || va_plus_loin(i).is_some();
+        apres.extend(dans.iter().copied().filter(|&i| i != objet && garde(i)));
         apres.extend(entre.then_some(objet));
         let derriere = regne(matieres, apres);
         if derriere == avant || (entre && indice(matieres, derriere) >= indice(matieres, avant)) {
@@ -315,7 +391,7 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
             if a_fleur(i, t) {
                 if opaque(matieres, i) {
                     un_opaque = true;
-                } else if !apres.contains(&i) {
+                } else if !apres.contains(&i) && !ici.contains(&i) {
                     apres.push(i);
                 }
             }
@@ -327,6 +403,7 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
                 && a_fleur(contre.indice(), contre.distance())
                 && contre.normale().produit_scalaire(d) < R::ZERO
             {
+                self.erreur = erreur + arrondi(&objets[contre.indice()]);
                 return Ok((contre, contre.indice(), Derriere::Opaque));
             }
         }
@@ -419,6 +496,17 @@ fn sortie_ici<R: Reel>(objet: &ObjetRay<R>, rayon: &Rayon<R>) -> Option<Intersec
     let touche = retour(-d)?;
     // Light that grazes would have to go far back.
     retour(-touche.normale()).or(Some(touche))
+}
+
+/// Where a ray that starts within this error of an object goes deeper into it, or comes to it later.
+fn va_dans<R: Reel>(objet: &ObjetRay<R>, rayon: &Rayon<R>, erreur: R) -> Option<R> {
+    let [de, a] = objet.traversee(rayon).ok()?;
+    // How deep it is, before the face by which it goes out.
+    let profond = |sortie: Intersection<R>| {
+        sortie.distance() * sortie.normale().produit_scalaire(rayon.direction())
+    };
+    let va = de > erreur || a == R::INFINI || profond(objet.sortie(rayon).ok()?) > erreur;
+    va.then_some(de)
 }
 
 /// How far rounding may have set the face of an object beside where it was meant to be.

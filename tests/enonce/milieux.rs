@@ -9,6 +9,7 @@ use commun::tolerances::u;
 use commun::{arrondi, cas, en_f32_et_f64};
 use lancer_rayon::{Monde, ObjetRay, Rayon, Reel, Rotation, Vecteur};
 use recettes::milieux::{Corde, Derriere, Marche, Matiere};
+use recettes::particule;
 use recettes::verre::au_fond;
 
 const PLEIN_AIR: f64 = 1.0;
@@ -648,6 +649,158 @@ fn aucune_pellicule_ne_renvoie_la_lumiere<R: Reel>() {
 }
 
 en_f32_et_f64!(aucune_pellicule_ne_renvoie_la_lumiere);
+
+/// Two to four faces of half-spaces, balls and boxes that cross within some hundred roundings of one place, at any angles.
+fn carrefour<R: Reel>(alea: &mut Hasard, opaques: bool, droit: bool) -> Scene<R> {
+    let centre = direction(alea) * *alea.choix(&[0.0, 1.0, 30.0]);
+    let (mut objets, mut matieres) = (vec![], vec![]);
+    for _ in 0..alea.usize(2..5) {
+        let tour = Rotation::<R>::new(arrondi(direction(alea) * 3.0)).unwrap();
+        let [x, n, z] = tour.axes().map(Vecteur::vers_f64);
+        let la = centre + n * (entre(alea, -300.0, 300.0) * u::<R>() * (1.0 + centre.longueur()));
+        let r = entre(alea, 0.5, 3.0);
+        // In the middle of a side, at an edge or at a corner.
+        let [a, b] = [(); 2].map(|()| *alea.choix(&[0.0, 0.4, 1.0]) * r);
+        objets.push(match alea.u8(0..3) {
+            0 => mur(arrondi::<R>(la), arrondi(n)),
+            1 => sphere(arrondi(la - n * r), R::depuis_f64(r)),
+            _ => boite(arrondi(la + x * a + z * b - n * r), v(2.0 * r, 2.0 * r, 2.0 * r), tour),
+        });
+        let indice = if droit { 1.0 } else { *alea.choix(&[1.0, 1.33, 1.5, 2.4]) };
+        let opaque = opaques && alea.u8(0..3) == 0;
+        let priorite = u32::from(alea.u8(0..4));
+        matieres.push(if opaque { Matiere::Opaque } else { pleine(priorite, indice) });
+    }
+    let ecart = 3_000.0 * u::<R>() * (10.0 + centre.longueur());
+    Scene { objets, matieres, tour: Rotation::IDENTITE, centre, ecart }
+}
+
+/// Light that is aimed at where faces cross, also in a re-entrant edge, comes out again after few surfaces, and is in
+/// what the walk says; where nothing bends it, a step ends where it should.
+fn a_un_carrefour_la_lumiere_n_est_ni_prise_ni_perdue<R: Reel>() {
+    let [mut surfaces, mut droits, mut opaques] = [0; 3];
+    let mut sur = 0.0;
+    let faire = |alea: &mut Hasard| {
+        let droit = alea.bool();
+        let opaques = !droit && alea.bool();
+        let scene = carrefour::<R>(alea, opaques, droit);
+        let rayons = alea.liste(40, |alea, _| {
+            let d = direction(alea);
+            let vise = entre(alea, 0.0, 300.0) * u::<R>() * (1.0 + scene.centre.longueur());
+            let source = scene.centre + direction(alea) * vise - d * entre(alea, 0.3, 1.5);
+            Rayon::new(arrondi::<R>(source), arrondi(d)).unwrap()
+        });
+        (scene, droit, rayons)
+    };
+    pour_chaque(cas(3_000), faire, |(scene, droit, rayons)| {
+        let Scene { objets, matieres, ecart, .. } = &scene;
+        let mut marche = Marche::new(Monde::de_liste(objets), matieres);
+        for depart in rayons {
+            marche.partir(depart);
+            // A step through all of it, or from surface to surface for as long as light is nearby.
+            let long = if droit { 3.0 } else { f64::INFINITY };
+            let (mut chemin, mut ici, mut renvois) = (0.0, 0, 0);
+            for _ in 0..200 {
+                let rayon = marche.rayon();
+                let [s, d] = [rayon.source(), rayon.direction()].map(Vecteur::vers_f64);
+                let ligne = [s, d.unitaire().unwrap()];
+                let surface = marche.avancer(R::depuis_f64(long - chemin)).unwrap();
+                let dit = marche.milieu();
+                let distance =
+                    surface.as_ref().map_or(long - chemin, |surface| surface.distance.vers_f64());
+                sur += scene.juger(ligne, [0.0, distance.min(1e2)], |_| dit);
+                let Some(surface) = surface else { break };
+                surfaces += 1;
+                opaques += usize::from(surface.derriere == Derriere::Opaque);
+                chemin = (chemin + distance).min(long);
+                ici = if distance > *ecart { 0 } else { ici + 1 };
+                assert!(ici <= 2 * objets.len(), "{ici} surfaces at {s:?} of {depart:?}");
+                // Between mirrors at a sharp angle light may go to and fro many times, or for ever.
+                if !marche.passer(&surface).unwrap() {
+                    (ici, renvois) = (0, renvois + 1);
+                }
+                if chemin > 1e2 || renvois > 50 {
+                    break;
+                }
+            }
+            if droit {
+                droits += 1;
+                let attendu = depart.source().vers_f64() + depart.direction().vers_f64() * 3.0;
+                let la = marche.rayon().source().vers_f64();
+                assert!((la - attendu).longueur() <= *ecart, "at {la:?} of {depart:?}");
+            }
+        }
+    });
+    println!("{surfaces} {droits} {opaques} {sur}");
+    assert!(surfaces > 50_000 && droits > 20_000 && opaques > 1_000 && sur > 1e4);
+}
+
+en_f32_et_f64!(a_un_carrefour_la_lumiere_n_est_ni_prise_ni_perdue);
+
+/// Two balls, two slanted half-spaces and two planks that cross in a re-entrant edge: light that is aimed at it goes its
+/// way, whatever steps it is asked to take.
+fn dans_une_arete_rentrante_la_lumiere_passe<R: Reel>() {
+    let planche = |angle: f64| {
+        let tour = Rotation::<R>::new(v(0.0, 0.0, angle)).unwrap();
+        boite(Vecteur::NUL, v(4.0, 1.0, 4.0), tour)
+    };
+    let scenes = [
+        [0.8, -0.8].map(|x| sphere::<R>(v(x, 0.0, 0.0), R::UN)),
+        [0.8, -0.8].map(|x| mur::<R>(v(0.0, 0.6, 0.0), v(x, 0.6, 0.0))),
+        [0.9, -0.9].map(planche),
+    ];
+    let indices = [[1.0, 1.0], [1.5, 1.5], [1.33, 1.5]];
+    let faire = |alea: &mut Hasard| (alea.f64() - 0.5, (-10.0 * alea.f64()).exp2());
+    pour_chaque(500, faire, |(z, pas)| {
+        for (objets, indices) in scenes.iter().flat_map(|s| indices.map(|i| (s, i))) {
+            let matieres = indices.map(|indice| pleine(0, indice));
+            let mut marche = Marche::new(Monde::de_liste(objets), &matieres);
+            let depart = Rayon::new(Vecteur::NUL, v::<R>(0.0, 1.0, z)).unwrap();
+            marche.partir(depart);
+            let mut faces = 0;
+            while let Some(surface) = marche.avancer(R::INFINI).unwrap() {
+                marche.passer(&surface).unwrap();
+                // In a plank light may be mirrored many times, but not at one place.
+                faces = if surface.distance.vers_f64() < 1e-4 { faces + 1 } else { 0 };
+                assert!(faces <= 4, "{surface:?}");
+            }
+            if indices == [1.0, 1.0] {
+                marche.partir(depart);
+                let mut chemin = 0.0;
+                while chemin < 3.0 {
+                    particule::avancer(&mut marche, R::depuis_f64(pas)).unwrap();
+                    chemin += pas;
+                }
+                let la = (marche.rayon().source() - depart.direction() * R::depuis_f64(chemin))
+                    .longueur();
+                assert!(la.vers_f64() <= 1e5 * u::<R>(), "{la:?}");
+                assert_eq!(marche.dans(), &[] as &[usize]);
+            }
+        }
+    });
+}
+
+en_f32_et_f64!(dans_une_arete_rentrante_la_lumiere_passe);
+
+/// Steps below 0 and those that are no numbers are refused, wherever light is, and it stays there.
+fn un_pas_sans_longueur_est_refuse<R: Reel>() {
+    let objets = [sphere::<R>(Vecteur::NUL, R::UN)];
+    let matieres = [pleine(0, 1.5)];
+    let mut marche = Marche::new(Monde::de_liste(&objets), &matieres);
+    for x in [-3.0, 0.0, 1.0, 3.0] {
+        marche.partir(Rayon::new(v(x, 0.0, 0.0), Vecteur::X).unwrap());
+        // A step may have left light beyond the face of what it is in.
+        marche.reprendre(marche.rayon(), [0]);
+        let avant = (marche.rayon(), marche.dans().to_vec());
+        for pas in [-1.0, -R::U.vers_f64(), f64::NEG_INFINITY, f64::NAN].map(R::depuis_f64) {
+            assert_eq!(marche.avancer(pas).unwrap_err().champ, "pas");
+            assert_eq!(particule::avancer(&mut marche, pas).unwrap_err().champ, "pas");
+            assert_eq!((marche.rayon(), marche.dans().to_vec()), avant);
+        }
+    }
+}
+
+en_f32_et_f64!(un_pas_sans_longueur_est_refuse);
 
 /// From within one object, also along its surface, by a step that ends within some roundings of the way out, and turned
 /// there or not: light is told where it comes out, or is still in.
