@@ -50,7 +50,7 @@ fn lignes_de_tables(page: &str) -> Vec<Vec<String>> {
 fn les_rapports_de_l_entree_sont_ceux_des_mesures() {
     let mesures = lignes_de_tables("docs/vitesse.md");
     let entree = lignes_de_tables("README.md");
-    assert_eq!(entree.len(), 2);
+    assert_eq!(entree.len(), 3);
     for mut ligne in entree {
         ligne.insert(1, "f32".to_owned());
         assert!(mesures.contains(&ligne), "{ligne:?} is none of {mesures:#?}");

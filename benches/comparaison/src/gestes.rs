@@ -13,6 +13,8 @@ use lancer_rayon::{
     BoiteRay, Intersection, Lumiere, Monde, ObjetGeo, ObjetRay, Rayon, Rotation, Vecteur, places,
 };
 
+use recettes::milieux::{Derriere, Marche, Matiere};
+
 use crate::autres::Scalaire;
 use crate::tables::nanosecondes;
 
@@ -103,6 +105,8 @@ fn appels<R: Scalaire>() -> Vec<Appel> {
         ("Monde::eclairement", chacun(&touches, |(_, touche)| monde.eclairement(touche, &lumiere))),
         ("BoiteRay::lieu", chacun(&sur, |(boite, _, rayon, touche)| boite.lieu(rayon, touche))),
         ("ObjetRay::sortie", chacun(&dedans, |(objet, rayon)| objet.sortie(rayon).ok())),
+        ("ObjetRay::traversee", chacun(&sur, |(_, objet, rayon, _)| objet.traversee(rayon).ok())),
+        ("milieux::Marche, a surface", une_surface(&monde, &rayons)),
         ("ObjetRay::contient", chacun(&sur, |(_, objet, rayon, _)| objet.contient(rayon.source()))),
         ("Monde::visiter", chacun(&rayons, |rayon| visites(&monde, rayon))),
         ("Monde::contient", chacun(&segments, |(s, d)| monde.contient(*s + *d))),
@@ -121,6 +125,30 @@ fn boite<R: Scalaire>(objet: &ObjetRay<R>) -> Option<BoiteRay<R>> {
 
 fn pret<R: Scalaire>(objet: &ObjetGeo) -> Option<ObjetRay<R>> {
     Some(objet.vers(Vecteur::NUL).ok()?.vers_ray())
+}
+
+/// A walk through media that fill all balls and boxes, over a floor: what it takes from surface to surface.
+fn une_surface<R: Scalaire>(monde: &Monde<'_, R>, rayons: &[Rayon<R>]) -> f64 {
+    let pleine = Matiere::Pleine { priorite: 0, indice: 1.5 };
+    let matieres: Vec<_> = std::iter::once(Matiere::Opaque).chain(vec![pleine; 40]).collect();
+    let mut marche = Marche::new(*monde, &matieres);
+    let mut surfaces = 0;
+    let ns = moindres(TOURS, 1, |_| {
+        surfaces = 0;
+        let debut = Instant::now();
+        for rayon in rayons.iter().step_by(16) {
+            marche.partir(*rayon);
+            for _ in 0..20 {
+                let Ok(Some(surface)) = marche.avancer(R::INFINI) else { break };
+                surfaces += 1;
+                if surface.derriere == Derriere::Opaque || marche.passer(&surface).is_err() {
+                    break;
+                }
+            }
+        }
+        debut.elapsed().as_nanos() as f64 / f64::from(surfaces)
+    });
+    ns[0]
 }
 
 fn visites<R: Scalaire>(monde: &Monde<'_, R>, rayon: &Rayon<R>) -> usize {

@@ -2,7 +2,7 @@
 //! obvhs and beside Embree, with the same objects and the same rays.
 //!
 //! `cargo run --release -p comparaison` prints the times, in nine minutes, and with `image` those of a whole picture and
-//! of single calls alone. With `documents` it also measures errors, and writes the tables and plots of `README.md`,
+//! of single calls alone, which `image documents` writes. With `documents` it also measures errors, and writes the tables and plots of `README.md`,
 //! `docs/vitesse.md` and `benches/erreurs.md`, and seven files of `benches/mesures`.
 //! `--features embree` adds Embree 3.13 (`apt-get install libembree-dev`).
 
@@ -62,9 +62,12 @@ fn main() -> Result<(), Box<dyn Error>> {
         Some("image") => {
             let (image, gestes) = (image::mesurer()?, gestes::mesurer());
             println!("{}\n\n{}", image::tableau(&image), gestes::tableau(&gestes));
+            if std::env::args().nth(2).as_deref() == Some("documents") {
+                documenter(&image, &gestes)?;
+            }
             return Ok(());
         }
-        Some(_) => return Err("usage: comparaison [image | documents]".into()),
+        Some(_) => return Err("usage: comparaison [[image] documents]".into()),
     };
     // Each machine has its own table.
     let (instructions, _) = Reglage::tous().next().ok_or("no instructions")?;
@@ -85,12 +88,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     // Before all else, as it stands on the pages.
     let (image, gestes) = (image::mesurer()?, gestes::mesurer());
     if ecrire {
-        for page in ["README.md", VITESSE] {
-            page::remplacer(page, IMAGE, &page::datee(&image::tableau(&image)))?;
-        }
-        page::remplacer(VITESSE, GESTES, &page::datee(&gestes::tableau(&gestes)))?;
-        page::csv("image", &image)?;
-        page::csv("gestes", &gestes)?;
+        documenter(&image, &gestes)?;
     }
     let cellules = cellules::mesurer()?;
     let tableaux = tableaux.map(|(nom, tableau)| (nom, tables::resume(&tableau, &cellules)));
@@ -117,5 +115,16 @@ fn main() -> Result<(), Box<dyn Error>> {
         exactitude::documenter()?;
         compromis::documenter()?;
     }
+    Ok(())
+}
+
+/// Writes the tables of a whole picture and of single calls.
+fn documenter(image: &[String], gestes: &[String]) -> Result<(), Box<dyn Error>> {
+    for page in ["README.md", VITESSE] {
+        page::remplacer(page, IMAGE, &page::datee(&image::tableau(image)))?;
+    }
+    page::remplacer(VITESSE, GESTES, &page::datee(&gestes::tableau(gestes)))?;
+    page::csv("image", image)?;
+    page::csv("gestes", gestes)?;
     Ok(())
 }

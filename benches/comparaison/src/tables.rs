@@ -63,7 +63,7 @@ pub(crate) const AUPRES_DES_AUTRES: Tableau = Tableau {
             autres: &[Camp::Parry, Camp::Embree],
         },
         Question {
-            nom: "one by one, ours [from its hit](#from-a-hit)",
+            nom: "one by one, ours from its hit",
             scalaire: "f32",
             ici: DEPUIS,
             autres: &[Camp::Parry, Camp::Embree],
