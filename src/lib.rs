@@ -114,9 +114,9 @@
 //! # `f32` or `f64`
 //!
 //! Every type that holds coordinates takes the scalar as a parameter, `f64` unless named:
-//! `Vecteur<f32>`. Hits are computed in that type. Take `f32` for speed and memory, in batches above all, and `f64` for
-//! distances to some 10⁻¹⁴ of the lengths involved (`docs/vitesse.md`). Far from the origin O
-//! subtract an origin from the scene first: [`ObjetGeo::vers_f32`].
+//! `Vecteur<f32>`. Hits are computed in that type. Take `f32` for speed and memory, in batches
+//! above all, and `f64` for distances to some 10⁻¹⁴ of the lengths involved (`docs/vitesse.md`).
+//! Far from the origin O subtract an origin from the scene first: [`ObjetGeo::vers_f32`].
 //!
 //! Errors are bounded in both types alike, in units of u, half a unit in the last place of 1: [2⁻²⁴
 //! or 2⁻⁵³](Nombre::U) (`docs/precision.md`).

@@ -233,11 +233,6 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     }
 
     #[inline]
-    fn liste(&self) -> Liste<'_, R> {
-        Liste { objets: self.objets, prises: self.choix.prises_des_parcours() }
-    }
-
-    #[inline]
     fn avec_choix<D>(self, choisir: impl FnOnce(C) -> D) -> Monde<'a, R, D> {
         let Self { objets, arbre, niveau, choix } = self;
         Monde { objets, arbre, niveau, choix: choisir(choix) }
@@ -751,7 +746,7 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     #[doc(alias("bounding_box", "aabb", "bounds"))]
     #[must_use]
     pub fn etendue(&self) -> Option<Etendue<R>> {
-        let liste = self.liste();
+        let Sujet { liste, .. } = self.sujet();
         let objets = (0..self.objets.len()).filter_map(|indice| liste.objet(indice));
         objets.filter_map(ObjetRay::etendue).reduce(Etendue::avec)
     }

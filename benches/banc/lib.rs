@@ -1,5 +1,5 @@
-//! What is measured (`familles`, `image`), who competes (`concurrents`, with us as `nous`), the clock, and the columns that end
-//! a measured row (`circonstances`).
+//! What is measured (`familles`, `image`), who competes (`concurrents`, with us as `nous`), the clock, and the columns
+//! that end a measured row (`circonstances`).
 
 #![allow(missing_docs, reason = "not published: what a name does not say has a comment")]
 

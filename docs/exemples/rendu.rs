@@ -18,8 +18,8 @@ use exemples::image;
 use exemples::scene::{Scene, tuiles};
 use indicatif::ParallelProgressIterator;
 use lancer_rayon::{
-    Intersection, LongueursDifferentes, Monde, NoIntersection, ObjetRay, Rayon, Reel, Reponse,
-    Vecteur, places,
+    ErreurGeo, Intersection, LongueursDifferentes, Lumiere, Monde, NoIntersection, ObjetRay, Rayon,
+    Reel, Reponse, Vecteur, places,
 };
 use rayon::prelude::*;
 use serde::de::DeserializeOwned;
@@ -129,7 +129,7 @@ pub(crate) fn octets<R: Reel + DeserializeOwned>(
     let objets: Vec<_> = objets.into_iter().map(ObjetRay::from).collect();
     let mut memoire = vec![0.0; places(objets.len())];
     let hierarchie = Monde::new(&objets, &mut memoire)?;
-    let atelier = Atelier { objets: &objets, hierarchie, lampes: lampes() };
+    let atelier = Atelier { objets: &objets, hierarchie, lampes: lampes()? };
     let (couleurs, touches) = atelier.prendre(rayons, camera.image.0, finesse, ensemble)?;
     let octet = |x: f64| (255.0 * x.powf(1.0 / 2.2)).round() as u8;
     let octets = couleurs.into_iter().flat_map(|couleur| <[f64; 3]>::from(couleur).map(octet));
@@ -186,13 +186,15 @@ const PALETTE: [Matiere; 14] = [
 /// size.
 struct Lampe<R> {
     position: Vecteur<R>,
+    /// The same place, as a world asks for it.
+    lumiere: Lumiere<R>,
     couleur: Couleur,
 }
 
 const AMBIANTE: Couleur = Vecteur::new(0.22, 0.24, 0.27);
 
 /// A warm disc of many points, for shadows with soft edges, and a cool point on the other side.
-fn lampes<R: Reel>() -> Vec<Lampe<R>> {
+fn lampes<R: Reel>() -> Result<Vec<Lampe<R>>, ErreurGeo> {
     const POINTS: u8 = 14;
     let disque = (0..POINTS).map(|i| {
         // Points are a golden angle apart, so that no edge has two of them behind each other.
@@ -203,7 +205,11 @@ fn lampes<R: Reel>() -> Vec<Lampe<R>> {
     });
     let appoint = (Vecteur::new(7.5, 4.5, 6.0), Vecteur::new(0.13, 0.16, 0.20));
     let lampes = disque.chain([appoint]);
-    lampes.map(|(p, couleur)| Lampe { position: Vecteur::depuis_f64(p), couleur }).collect()
+    let lampe = |(p, couleur)| {
+        let position = Vecteur::depuis_f64(p);
+        Ok(Lampe { position, lumiere: Lumiere::lampe(position)?, couleur })
+    };
+    lampes.map(lampe).collect()
 }
 
 struct Atelier<'a, R> {
@@ -282,9 +288,7 @@ impl<R: Reel> Atelier<'_, R> {
                     }
                 }
             }
-            for lampe in &self.lampes {
-                self.eclairer(lampe, &surfaces, &mut vues)?;
-            }
+            self.eclairer(&surfaces, &mut vues)?;
             suivants.sort_by_key(|trajet| trajet.quitte);
             trajets = suivants;
         }
@@ -353,30 +357,24 @@ impl<R: Reel> Atelier<'_, R> {
         Some(Trajet { rayon, oeil, part, quitte, dedans })
     }
 
-    /// Adds the light of one lamp to what is seen of these surfaces, except where something blocks it.
+    /// Adds the light of the lamps to what is seen of these surfaces, except where something blocks it.
     fn eclairer(
         &self,
-        lampe: &Lampe<R>,
         surfaces: &[Surface<'_, R>],
         vues: &mut [Couleur],
     ) -> Result<(), LongueursDifferentes> {
-        let vers = |surface: &Surface<'_, R>| surface.touche.vers_lumiere(lampe.position);
-        let vers = surfaces.iter().filter_map(|s| Some((s, vers(s).ok()?)));
-        let (eclairees, ombres): (Vec<_>, Vec<_>) = vers.unzip();
-        let mut occultes = vec![false; ombres.len()];
-        self.hierarchie.sont_occultes(&ombres, &mut occultes)?;
-        for ((surface, ombre), occulte) in eclairees.into_iter().zip(ombres).zip(occultes) {
-            if occulte {
-                continue;
+        let touches: Vec<_> = surfaces.iter().map(|surface| Ok(surface.touche)).collect();
+        let mut cosinus = vec![R::ZERO; touches.len()];
+        for lampe in &self.lampes {
+            self.hierarchie.eclairements(&touches, &lampe.lumiere, &mut cosinus)?;
+            for (surface, cosinus) in surfaces.iter().zip(&cosinus) {
+                if *cosinus > R::ZERO {
+                    let Surface { trajet, couleur, eclat, .. } = surface;
+                    let brillant = surface.brillant(lampe).powi(60);
+                    vues[trajet.oeil] += produit(*couleur, lampe.couleur) * cosinus.vers_f64()
+                        + produit(trajet.part, lampe.couleur) * (eclat * brillant);
+                }
             }
-            let Surface { trajet, touche, reflechi, couleur, eclat } = surface;
-            let cosinus = ombre.direction().produit_scalaire(touche.normale()).vers_f64();
-            let brillant = reflechi.map_or(R::ZERO, |reflechi| {
-                ombre.direction().produit_scalaire(reflechi.direction())
-            });
-            let brillant = brillant.vers_f64().max(0.0);
-            vues[trajet.oeil] += produit(*couleur, lampe.couleur) * cosinus
-                + produit(trajet.part, lampe.couleur) * (eclat * brillant.powi(60));
         }
         Ok(())
     }
@@ -391,6 +389,15 @@ struct Surface<'t, R> {
     /// Times the part in which it is seen.
     couleur: Couleur,
     eclat: f64,
+}
+
+impl<R: Reel> Surface<'_, R> {
+    /// The cosine between the mirrored ray and the light of this lamp, or 0; of a surface without highlights 0.
+    fn brillant(&self, lampe: &Lampe<R>) -> f64 {
+        let Some(reflechi) = self.reflechi.filter(|_| self.eclat > 0.0) else { return 0.0 };
+        let Ok(ombre) = self.touche.vers_lumiere(lampe.position) else { return 0.0 };
+        ombre.direction().produit_scalaire(reflechi.direction()).vers_f64().max(0.0)
+    }
 }
 
 impl Matiere {

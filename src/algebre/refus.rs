@@ -129,6 +129,7 @@ pub(crate) fn origine<R: Nombre>(origine: Vecteur<R>) -> Result<Vecteur<R>, Erre
 /// A vector each of whose coordinates is finite.
 #[inline]
 pub(crate) fn fini<R: Nombre>(champs: Champs, v: Vecteur<R>) -> Result<Vecteur<R>, ErreurGeo> {
+    // Not by `finis`, which would write the three names for every vector, before it looks at it.
     let [x, y, z] = champs;
     Ok(Vecteur::new(nombre_fini(x, v.x)?, nombre_fini(y, v.y)?, nombre_fini(z, v.z)?))
 }

@@ -2,8 +2,8 @@
 //! obvhs and beside Embree, with the same objects and the same rays.
 //!
 //! `cargo run --release -p comparaison` prints the times, in nine minutes, and with `image` those of a whole picture and
-//! of single calls alone, which `image documents` writes. With `documents` it also measures errors, and writes the tables and plots of `README.md`,
-//! `docs/vitesse.md` and `benches/erreurs.md`, and seven files of `benches/mesures`.
+//! of single calls alone, which `image documents` also writes. With `documents` it measures errors as well, and writes
+//! the tables and plots of `README.md`, `docs/vitesse.md` and `benches/erreurs.md`, and seven files of `benches/mesures`.
 //! `--features embree` adds Embree 3.13 (`apt-get install libembree-dev`).
 
 mod annexe;
