@@ -6,6 +6,7 @@
 //! tells (`sonde.rs`). Objects without a box are always asked. What may be left out is derived in
 //! `docs/preuves/recherche.md`.
 
+pub(crate) mod budget;
 pub(crate) mod construction;
 mod morceaux;
 pub(crate) mod noeud;

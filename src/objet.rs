@@ -213,6 +213,12 @@ impl<R: Nombre> ObjetRay<R> {
         par_forme!(Self, self, forme => forme.t(rayon))
     }
 
+    /// Whether the ray may enter the object.
+    #[inline(always)]
+    pub(crate) fn peut_entrer(&self, rayon: &Rayon<R>) -> bool {
+        par_forme!(Self, self, forme => forme.peut_entrer(rayon))
+    }
+
     /// [`t_touche`](Self::t_touche), faster for a ray that passes this object by.
     #[inline(always)]
     pub(crate) fn t_si_proche(&self, rayon: &Rayon<R>) -> R {

@@ -69,7 +69,7 @@ pub fn groupes_au_bout<R: Reel>(monde: &Monde<'_, R>, rayons: &[Rayon<R>]) -> us
     let mut groupes = Groupes::new_const();
     let bloc = &mut Bloc::new(&mut groupes, false);
     let ensemble: [Ensemble; GROUPES] = selon_le_niveau!(niveau, AVEC_AVX_512, simd => {
-        arbre.chercher_ensemble(simd, &liste, bloc, rayons)
+        arbre.chercher_ensemble(simd, &liste, (&mut arbre.budget(simd, &liste), bloc), rayons)
     });
     let groupes = ensemble[..rayons.len().div_ceil(VOIES)].iter();
     groupes.filter(|groupe| matches!(groupe, Ensemble::JusquAuBout)).count()

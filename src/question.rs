@@ -9,6 +9,7 @@
 pub(crate) mod choix;
 pub(crate) mod jugement;
 pub(crate) mod liste;
+pub(crate) mod pesee;
 pub(crate) mod visite;
 
 use crate::rayon::intersection::Rang;
@@ -26,10 +27,19 @@ pub(crate) trait Question<R: Nombre> {
     /// No object that the ray enters farther than this counts.
     fn limite(&self) -> R;
 
+    /// Told of each node of a tree that is looked at.
+    #[inline(always)]
+    fn au_noeud(&mut self) {}
+
     /// Asks the object at this index of the list: the distance at which it counts, 0 if the
     /// question is not for distances, or `None` if it does not count.
-    fn voir(&self, rayon: &Rayon<R>, objet: &ObjetRay<R>, indice: usize, abord: Abord)
-    -> Option<R>;
+    fn voir(
+        &mut self,
+        rayon: &Rayon<R>,
+        objet: &ObjetRay<R>,
+        indice: usize,
+        abord: Abord,
+    ) -> Option<R>;
 
     /// Keeps the object at this index, seen at distance `t`, if it comes before the last that is
     /// kept; returns whether it did.
@@ -118,7 +128,7 @@ impl<R: Nombre, const OMBRE: bool> Question<R> for Premier<R, OMBRE> {
     }
 
     #[inline(always)]
-    fn voir(&self, rayon: &Rayon<R>, objet: &ObjetRay<R>, _: usize, abord: Abord) -> Option<R> {
+    fn voir(&mut self, rayon: &Rayon<R>, objet: &ObjetRay<R>, _: usize, abord: Abord) -> Option<R> {
         t_d_entree(rayon, objet, abord)
     }
 

@@ -38,8 +38,6 @@ pub struct Arbre<'a, R> {
     pub(crate) feuilles: usize,
     /// The [stored](en_mot) indices of the objects without a box, the last first.
     pub(crate) sans_boite: &'a [f32],
-    /// About what part of all boxes a line crosses, if it crosses one.
-    pub(crate) part_des_croises: f32,
     pub(crate) repere: Repere<R>,
     pub(crate) coupe: Coupe,
 }
@@ -50,7 +48,6 @@ impl<R: Nombre> Arbre<'_, R> {
         noeuds: &[],
         feuilles: 0,
         sans_boite: &[],
-        part_des_croises: 0.0,
         repere: Repere::QUELCONQUE,
         coupe: Coupe::AUCUNE,
     };
@@ -119,10 +116,6 @@ pub(crate) fn construire<'a, R: Nombre>(
     let [bas, haut] = extremes(autres.iter().map(double_centre));
     repere.jeu_maximal = JEU_MAXIMAL * 0.5 * (haut - bas).norme_1();
     trier(autres);
-    // Where there are few objects a block asks all of them, whatever this part is.
-    let nombreux = nombre > 3 * ENFANTS;
-    let part_des_croises = if nombreux { part_des_croises(&fiches[..nombre]) } else { 0.0 };
-
     let (noeuds, _) = places.as_chunks_mut().0.as_chunks_mut();
     let feuilles = nombre.div_ceil(ENFANTS);
     for (numero, feuille) in noeuds[..feuilles].iter_mut().enumerate() {
@@ -131,7 +124,7 @@ pub(crate) fn construire<'a, R: Nombre>(
     }
     let racine = etager(noeuds, geants, feuilles);
     let noeuds = &noeuds[..=racine];
-    Ok(Arbre { noeuds, feuilles, sans_boite, part_des_croises, repere, coupe })
+    Ok(Arbre { noeuds, feuilles, sans_boite, repere, coupe })
 }
 
 /// Writes the records of these objects from the front, and from the back the indices of those
@@ -223,23 +216,6 @@ fn trier(fiches: &mut [Fiche]) {
     let (avant, apres) = fiches.split_at_mut(mediane);
     trier(avant);
     trier(apres);
-}
-
-/// What part of these boxes a line that crosses one of them crosses, in the mean over sixteen that
-/// are spread evenly: a random line through A crosses a box within A with the chance of that box's
-/// surface over A's.
-fn part_des_croises(fiches: &[Fiche]) -> f32 {
-    let choisis = || fiches.iter().step_by(fiches.len().div_ceil(ENFANTS));
-    let surface = |[x, y, z]: [f32; 3]| x * y + y * z + z * x;
-    let commune = |a: &Fiche, b: &Fiche| {
-        let cotes = [0, 1, 2].map(|axe| min(a[axe + 3], b[axe + 3]) - max(a[axe], b[axe]));
-        // Boxes that do not meet share nothing, even where one lies above the other.
-        if cotes.iter().any(|cote| *cote < 0.0) { 0.0 } else { surface(cotes) }
-    };
-    // The surface of a box may underflow to 0, and with it that of what it shares.
-    let part =
-        |a| choisis().map(|b| commune(a, b)).sum::<f32>() / max(commune(a, a), f32::MIN_POSITIVE);
-    choisis().map(part).sum::<f32>() / (choisis().len() * choisis().len()) as f32
 }
 
 /// These records, sixteen at most, as columns.

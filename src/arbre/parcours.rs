@@ -45,6 +45,7 @@ impl<R: Nombre> Arbre<'_, R> {
         let mut plafond = sonde.plafond(self.repere, question.limite());
         while let Some(noeud) = self.noeuds.get(numero) {
             let (mut traverses, entrees) = sonde.traverse(simd, noeud, plafond);
+            question.au_noeud();
             if numero < self.feuilles {
                 let [.., indices] = noeud;
                 // The nearest first, which most often cuts off the others; then in order.
@@ -91,7 +92,7 @@ impl<R: Nombre> Arbre<'_, R> {
         Boule { centre: self.repere.milieu, r2: r * r }.approchee(rayon)
     }
 
-    /// Asks all objects that have a box: those whose index is not among those without one.
+    /// Asks all objects that have a box.
     #[cold]
     fn interroger_les_boites<Q: Question<R>>(
         &self,
@@ -99,9 +100,13 @@ impl<R: Nombre> Arbre<'_, R> {
         rayon: &Rayon<R>,
         question: &mut Q,
     ) {
+        liste.interroger_parmi(rayon, question, self.avec_boite(liste));
+    }
+
+    /// The objects that have a box: those whose index is not among those without one.
+    pub(crate) fn avec_boite(&self, liste: &Liste<'_, R>) -> impl Iterator<Item = usize> {
         // Those without a box stand with the last first.
         let mut autres = self.sans_boite.iter().rev().map(|indice| indice_lu(*indice)).peekable();
-        let avec = (0..liste.objets.len()).filter(|indice| autres.next_if_eq(indice).is_none());
-        liste.interroger_parmi(rayon, question, avec);
+        (0..liste.objets.len()).filter(move |indice| autres.next_if_eq(indice).is_none())
     }
 }

@@ -5,36 +5,27 @@ use core::iter::from_fn;
 
 use fearless_simd::prelude::*;
 
-use crate::algebre::nombre::selon;
+use crate::algebre::nombre::{max, min, selon, simple};
+use crate::arbre::budget::{Budget, NOEUD_D_UN_BLOC, Releve};
 use crate::arbre::construction::Arbre;
 use crate::arbre::morceaux::Coupe;
 use crate::arbre::noeud::{ENFANTS, Noeud, indice_lu};
 use crate::arbre::pile::{Attentes, Pile};
+use crate::arbre::repere::Repere;
 use crate::arbre::sonde::Sonde;
 use crate::cote_a_cote::bloc::{Bloc, Ensemble, GROUPES};
 use crate::cote_a_cote::colonne::{au_plus, prendre};
 use crate::cote_a_cote::groupe::VOIES;
+use crate::question::Premier;
 use crate::question::liste::Liste;
-use crate::{Nombre, Rayon};
+use crate::question::pesee::{Pesee, Prix};
+use crate::{Nombre, ObjetRay, Rayon};
 
-/// Rays that do not stay together ask the whole list side by side if it is short: at most this many
-/// spheres and boxes for each number that a register holds (`DEVELOPING.md`, "Thresholds", as
-/// for what follows).
-const OBJETS_PAR_NOMBRE: usize = 6;
-
-/// In a heap a longer list will do: for each number that a register holds, longer by this part of
-/// the number of boxes that a ray crosses.
-const OBJETS_PAR_CROISE: f32 = 0.6;
-
-/// Fewer rays than this are asked one by one: eight in no order take up to twice as long together.
+/// Fewer rays than this are asked one by one (`DEVELOPING.md`, "Thresholds", as for what follows).
 const MOINDRE_BLOC: usize = 12;
 
-/// A ray goes elsewhere if the cosine between it and the ray in the middle is no more than this.
-const COSINUS_MINIMAL: f64 = 0.25;
-
-/// If more rays than this of some eight go elsewhere, the groups of a block do not stay together
-/// either.
-const AILLEURS: usize = 1;
+/// Rays that are left apart ask this many objects without a box side by side, and fewer one by one.
+const SANS_BOITE: usize = 4;
 
 /// Sixteen rays are tried alone where their probe is at most this many times as wide as that of
 /// their block.
@@ -43,26 +34,44 @@ const PLUS_ETROIT: f32 = 0.6;
 /// A probe that enters fewer children of a node than this is not too wide.
 const ENFANTS_CROISES: u32 = ENFANTS as u32 / 2;
 
+/// How many rays of a block are asked alone to find out what they spend, and how many objects tell
+/// whether they come near.
+const PESES: usize = 4;
+const OBJETS_CHOISIS: usize = 16;
+
 /// How many rays of a block tell whether its probe is too wide. The more numbers a register holds,
 /// the less it costs to ask an object for all rays, and the wider a probe may be.
 const fn combien_d_echantillons(nombres_par_registre: usize) -> usize {
     2 + nombres_par_registre / 8
 }
 
-/// How many numbers of this type a register of these instructions holds.
+/// As many of these rays, evenly spread.
 #[inline(always)]
-fn nombres_par_registre<R: Nombre, S: Simd>() -> usize {
-    selon::<R, _>(S::f32s::LEN, S::f64s::LEN)
+fn quelques<R>(rayons: &[Rayon<R>], combien: usize) -> impl Iterator<Item = &Rayon<R>> {
+    (0..combien).map(move |k| &rayons[(2 * k + 1) * rayons.len() / (2 * combien)])
 }
 
-/// How many of at most eight of these rays, evenly spread, go elsewhere than the one in the middle.
-/// Rays in no order are refused here, before anything else is made of them.
+/// How [wide](Sonde::de_groupes) these rays are at least, by eight of them. Rays in no order are
+/// left apart by this, before anything else is made of them.
 #[inline(always)]
-fn vont_ailleurs<R: Nombre>(rayons: &[Rayon<R>]) -> usize {
-    let milieu = rayons[rayons.len() / 2].direction();
-    let quelques = rayons.iter().step_by(rayons.len() / 8 + 1);
-    let minimal = R::depuis_f64(COSINUS_MINIMAL);
-    quelques.filter(|rayon| rayon.direction().produit_scalaire(milieu) <= minimal).count()
+fn largeur_au_moins<R: Nombre>(rayons: &[Rayon<R>], repere: Repere<R>) -> f32 {
+    let (mut bas, mut haut) = ([f32::INFINITY; 6], [f32::NEG_INFINITY; 6]);
+    for rayon in quelques(rayons, 8) {
+        let (s, d) = (repere.point(rayon.source()), rayon.direction());
+        for (i, x) in [s.x, s.y, s.z, d.x, d.y, d.z].map(simple).into_iter().enumerate() {
+            (bas[i], haut[i]) = (min(bas[i], x), max(haut[i], x));
+        }
+    }
+    (0..6).map(|i| haut[i] - bas[i]).sum()
+}
+
+/// How the walk of a block ended.
+enum Issue {
+    AuBout,
+    /// The probe is too wide.
+    TropLarge,
+    /// It has spent more than its rays would.
+    TropCher,
 }
 
 /// Objects that were offered to a block, the last of those whose index ends in the same six bits. A
@@ -82,14 +91,20 @@ impl Offerts {
 }
 
 impl<R: Nombre> Arbre<'_, R> {
+    /// What the blocks of a call may spend, before the first.
+    pub(crate) fn budget<S: Simd>(&self, _: S, liste: &Liste<'_, R>) -> Budget {
+        let avec_boite = liste.objets.len() - self.sans_boite.len();
+        Budget::new(avec_boite, size_of::<R>(), size_of::<f32>() * S::f32s::LEN)
+    }
+
     /// Looks for the first object of each of these rays: of all together, else of each group that
-    /// is narrower. Tells of each group how far it came.
+    /// is narrower, as far as they may spend that. Tells of each group how far it came.
     #[inline(always)]
     pub(crate) fn chercher_ensemble<S: Simd>(
         &self,
         simd: S,
         liste: &Liste<'_, R>,
-        bloc: &mut Bloc<'_, R>,
+        (budget, bloc): (&mut Budget, &mut Bloc<'_, R>),
         rayons: &[Rayon<R>],
     ) -> [Ensemble; GROUPES] {
         simd.vectorize(
@@ -98,36 +113,55 @@ impl<R: Nombre> Arbre<'_, R> {
                 if rayons.len() < MOINDRE_BLOC {
                     return [Ensemble::Rien; GROUPES];
                 }
-                let (ailleurs, un_suffit) = (vont_ailleurs(rayons), bloc.un_suffit);
-                let vaut_la_liste = || self.mieux_vaut_la_liste(simd, liste, un_suffit, rayons);
-                let mut en_liste = ailleurs > 0 && vaut_la_liste();
-                if ailleurs > AILLEURS && !en_liste {
-                    return [Ensemble::Rien; GROUPES];
+                let a_part = budget.est_entame()
+                    && budget.est_trop_large(largeur_au_moins(rayons, self.repere));
+                if a_part {
+                    budget.laisser();
+                    self.peser_au_besoin(simd, liste, budget, bloc, rayons);
+                    if self.sans_boite.len() < SANS_BOITE {
+                        return [Ensemble::Rien; GROUPES];
+                    }
                 }
                 bloc.charger(rayons);
-                if !en_liste {
-                    let mut sans_boite = self.sans_boite.iter().map(|mot| (indice_lu(*mot), true));
-                    bloc.proposer(simd, liste, &mut sans_boite);
+                let sans_boite = self.sans_boite.iter().map(|mot| indice_lu(*mot));
+                bloc.proposer_tous(simd, liste, sans_boite);
+                if a_part {
+                    return [Ensemble::EnPartie; GROUPES];
                 }
-                let mut largeur = f32::INFINITY;
-                if ailleurs == 0 {
-                    let (sonde, de_tous) = self.sonder(simd, bloc);
-                    if self.descendre_en_bloc(simd, liste, sonde, (bloc, rayons)) {
+                let (sonde, de_tous) = self.sonder(simd, bloc);
+                if budget.est_trop_large(de_tous) {
+                    budget.laisser();
+                } else if let Some(sonde) = sonde {
+                    let sonde = (sonde, de_tous);
+                    match self.descendre_en_bloc(simd, liste, sonde, (budget, bloc), rayons) {
+                        Issue::AuBout => return [Ensemble::JusquAuBout; GROUPES],
+                        Issue::TropCher => return [Ensemble::EnPartie; GROUPES],
+                        Issue::TropLarge => (),
+                    }
+                } else {
+                    // No probe of all of them tells boxes apart.
+                    self.peser_au_besoin(simd, liste, budget, bloc, rayons);
+                    if budget.suffit_a_la_liste() {
+                        bloc.proposer_tous(simd, liste, self.avec_boite(liste));
                         return [Ensemble::JusquAuBout; GROUPES];
                     }
-                    largeur = PLUS_ETROIT * de_tous;
-                    en_liste = vaut_la_liste();
-                }
-                if en_liste {
-                    bloc.proposer_la_liste(simd, liste);
-                    return [Ensemble::JusquAuBout; GROUPES];
+                    budget.reculer(de_tous, 1.0);
                 }
                 let mut groupes = [Ensemble::EnPartie; GROUPES];
                 for (i, (rayons, groupe)) in rayons.chunks(VOIES).zip(&mut groupes).enumerate() {
                     bloc.demandes = i..i + 1;
-                    let (sonde, la_sienne) = self.sonder(simd, bloc);
-                    let sonde = sonde.filter(|_| la_sienne <= largeur);
-                    if self.descendre_en_bloc(simd, liste, sonde, (bloc, rayons)) {
+                    let (sonde, largeur) = self.sonder(simd, bloc);
+                    let etroite = largeur <= PLUS_ETROIT * de_tous;
+                    if let Some(sonde) =
+                        sonde.filter(|_| etroite && !budget.est_trop_large(largeur))
+                        && let Issue::AuBout = self.descendre_en_bloc(
+                            simd,
+                            liste,
+                            (sonde, largeur),
+                            (budget, bloc),
+                            rayons,
+                        )
+                    {
                         *groupe = Ensemble::JusquAuBout;
                     }
                 }
@@ -144,25 +178,43 @@ impl<R: Nombre> Arbre<'_, R> {
     }
 
     /// Finds the first object with a box of each of these rays, which are offered objects, in the
-    /// nodes that their probe enters. Tells whether it came to the end; it gives up where there is
-    /// no probe or it is too wide.
+    /// nodes that their probe enters, until it is too wide, or more is spent than permitted.
     #[inline(always)]
     fn descendre_en_bloc<S: Simd>(
         &self,
         simd: S,
         liste: &Liste<'_, R>,
-        sonde: Option<Sonde<R>>,
-        (bloc, rayons): (&mut Bloc<'_, R>, &[Rayon<R>]),
-    ) -> bool {
-        let Some(sonde) = sonde else { return false };
+        (sonde, largeur): (Sonde<R>, f32),
+        (budget, bloc): (&mut Budget, &mut Bloc<'_, R>),
+        rayons: &[Rayon<R>],
+    ) -> Issue {
+        let loin = bloc.le_plus_loin();
+        if bloc.un_suffit && loin == R::ZERO {
+            return Issue::AuBout;
+        }
+        let mut plafond = sonde.plafond(self.repere, loin);
+        let (mut depense, mut permis, mut peses) = (0.0, budget.permis(rayons.len()), false);
+        let par_fiche = bloc.demandes.len() as Prix * budget.fiche;
+        let part = bloc.demandes.len() as f32 / GROUPES as f32;
         let mut attentes = Attentes::new();
         let (mut pile, mut numero) = (Pile(&mut attentes), self.noeuds.len() - 1);
         let (entiers, mut offerts_deja) = (self.coupe == Coupe::AUCUNE, Offerts([0; 64]));
-        let mut plafond = sonde.plafond(self.repere, bloc.le_plus_loin());
         while let Some(noeud) = self.noeuds.get(numero) {
             let (mut traverses, entrees) = sonde.traverse(simd, noeud, plafond);
+            depense += NOEUD_D_UN_BLOC;
             if numero < self.feuilles {
                 if traverses > 0 {
+                    depense += traverses.count_ones() as Prix * par_fiche;
+                    if depense > permis && !peses {
+                        // What is known may be of other rays.
+                        peses = true;
+                        self.peser(simd, liste, budget, bloc.un_suffit, rayons);
+                        permis = budget.permis(rayons.len());
+                    }
+                    if depense > permis {
+                        budget.reculer(largeur, part);
+                        return Issue::TropCher;
+                    }
                     let [.., mots] = noeud;
                     let source = [sonde.entree_de_la_source(); ENFANTS];
                     let sources = au_plus(simd, &entrees.0, &source);
@@ -184,10 +236,11 @@ impl<R: Nombre> Arbre<'_, R> {
             } else {
                 let croises = traverses.count_ones();
                 if croises >= ENFANTS_CROISES
+                    && permis < Prix::INFINITY
                     && croises
                         > self.croises_par_quelques_uns(simd, rayons, bloc.le_plus_loin(), noeud)
                 {
-                    return false;
+                    return Issue::TropLarge;
                 }
                 if let Some(proche) = pile.garder(traverses, &entrees.0, noeud) {
                     numero = proche;
@@ -197,38 +250,71 @@ impl<R: Nombre> Arbre<'_, R> {
             let Some(suivant) = pile.prendre(plafond) else { break };
             numero = suivant;
         }
-        true
+        budget.avancer(largeur, part, depense / rayons.len() as Prix);
+        Issue::AuBout
     }
 
-    /// Whether it takes less time to ask all objects for these rays side by side than to send the
-    /// rays through the tree one by one. It does if there are few objects, in a heap, most of whose
-    /// boxes a ray crosses, and where boxes tell no objects apart.
-    fn mieux_vaut_la_liste<S: Simd>(
+    /// Weighs some of these rays, if none were lately.
+    #[inline(always)]
+    fn peser_au_besoin<S: Simd>(
         &self,
         simd: S,
         liste: &Liste<'_, R>,
-        un_suffit: bool,
+        budget: &mut Budget,
+        bloc: &Bloc<'_, R>,
         rayons: &[Rayon<R>],
-    ) -> bool {
-        let avec_boite = liste.objets.len() - self.sans_boite.len();
-        let nombres = nombres_par_registre::<R, S>();
-        let de_trop = avec_boite.saturating_sub(OBJETS_PAR_NOMBRE * nombres) as f32;
-        // A shadow ray asks few of the objects that it crosses.
-        let croises = if un_suffit { 0.0 } else { self.part_des_croises * avec_boite as f32 };
-        let en_moins = croises * OBJETS_PAR_CROISE * nombres as f32;
-        // Only rays that meet the heap count.
-        de_trop == 0.0
-            || de_trop <= en_moins && de_trop <= en_moins * self.part_qui_entre(simd, rayons)
-            || Sonde::new(&rayons[0], self.repere).is_none() && self.approche(&rayons[0])
+    ) {
+        if !budget.est_a_jour() {
+            self.peser(simd, liste, budget, bloc.un_suffit, rayons);
+        }
     }
 
-    /// What part of the children of the root one of these rays crosses, about.
-    fn part_qui_entre<S: Simd>(&self, simd: S, rayons: &[Rayon<R>]) -> f32 {
-        let Some(racine) = self.noeuds.last() else { return 0.0 };
-        let croises = self.croises_par_quelques_uns(simd, rayons, R::INFINI, racine);
-        let enfants = au_plus(simd, &racine[0], &racine[3]).count_ones();
-        let combien = combien_d_echantillons(nombres_par_registre::<R, S>());
-        croises as f32 / (combien as u32 * enfants) as f32
+    /// Asks some of these rays alone, and of how many of some objects they come near.
+    #[cold]
+    #[inline(never)]
+    fn peser<S: Simd>(
+        &self,
+        simd: S,
+        liste: &Liste<'_, R>,
+        budget: &mut Budget,
+        un_suffit: bool,
+        rayons: &[Rayon<R>],
+    ) {
+        simd.vectorize(
+            #[inline(always)]
+            || {
+                let mut seul = 0.0;
+                for rayon in quelques(rayons, PESES) {
+                    let fin = rayon.fin();
+                    seul += if un_suffit {
+                        let ombre = Pesee::de(Premier::<R, true>::avant(fin));
+                        self.parcourir(simd, liste, rayon, ombre).depense
+                    } else {
+                        let premier = Pesee::de(Premier::<R>::avant(fin));
+                        self.parcourir(simd, liste, rayon, premier).depense
+                    };
+                }
+                // As if one more ray came near one more object: that none does is not certain.
+                let (mut paires, mut proches, mut objets, mut boites) = (1.0, 1.0, 0.0, 0.0);
+                for objet in liste.objets.iter().step_by(liste.objets.len() / OBJETS_CHOISIS + 1) {
+                    match objet {
+                        ObjetRay::Sphere(_) => (),
+                        ObjetRay::Boite(_) => boites += 1.0,
+                        ObjetRay::Plan(_) => continue,
+                    }
+                    objets += 1.0;
+                    for rayon in quelques(rayons, PESES) {
+                        paires += 1.0;
+                        proches += f32::from(u8::from(objet.peut_entrer(rayon)));
+                    }
+                }
+                budget.noter(Releve {
+                    seul: seul / PESES as Prix,
+                    proches: proches / paires,
+                    boites: boites / max(objets, 1.0),
+                });
+            },
+        );
     }
 
     /// How many children of this node [some](combien_d_echantillons) of these rays, evenly spread,
@@ -246,9 +332,9 @@ impl<R: Nombre> Arbre<'_, R> {
         simd.vectorize(
             #[inline(always)]
             || {
-                let combien = combien_d_echantillons(nombres_par_registre::<R, S>());
-                for i in 0..combien {
-                    let rayon = &rayons[i * (rayons.len() - 1) / (combien - 1)];
+                let nombres_par_registre = selon::<R, _>(S::f32s::LEN, S::f64s::LEN);
+                let combien = combien_d_echantillons(nombres_par_registre);
+                for rayon in quelques(rayons, combien) {
                     let Some(sonde) = Sonde::new(rayon, self.repere) else { continue };
                     let plafond = sonde.plafond(self.repere, loin);
                     croises += sonde.traverse(simd, noeud, plafond).0.count_ones();

@@ -104,15 +104,22 @@ impl<'a, R: Nombre> Bloc<'a, R> {
         );
     }
 
-    /// Offers the whole list; where any object suffices, some at a time until all rays are done.
+    /// Offers the objects at these indices; where any object suffices, some at a time until all
+    /// rays are done.
     #[inline(always)]
-    pub(crate) fn proposer_la_liste<S: Simd>(&mut self, simd: S, liste: &Liste<'_, R>) {
-        let n = liste.objets.len();
-        let pas = if self.un_suffit { VOIES } else { n.max(1) };
-        for debut in (0..n).step_by(pas) {
-            let quelques = debut..n.min(debut + pas);
-            self.proposer(simd, liste, &mut quelques.map(|indice| (indice, true)));
-            if self.un_suffit && self.le_plus_loin() == R::ZERO {
+    pub(crate) fn proposer_tous<S: Simd>(
+        &mut self,
+        simd: S,
+        liste: &Liste<'_, R>,
+        indices: impl Iterator<Item = usize>,
+    ) {
+        let mut offerts = indices.map(|indice| (indice, true)).peekable();
+        while offerts.peek().is_some() {
+            if !self.un_suffit {
+                return self.proposer(simd, liste, &mut offerts);
+            }
+            self.proposer(simd, liste, &mut offerts.by_ref().take(VOIES));
+            if offerts.peek().is_some() && self.le_plus_loin() == R::ZERO {
                 return;
             }
         }

@@ -131,12 +131,13 @@ fn demander_en_lot<R: Nombre, T, const OMBRE: bool>(
     selon_le_niveau!(niveau, AVEC_AVX_512, simd => simd.vectorize(
         #[inline(always)]
         || {
+            let mut budget = arbre.budget(simd, &liste);
             for (rayons, reponses) in rayons.chunks(BLOC).zip(reponses.chunks_mut(BLOC)) {
                 let ensemble = if !arbre.noeuds.is_empty() {
-                    arbre.chercher_ensemble(simd, &liste, &mut bloc, rayons)
+                    arbre.chercher_ensemble(simd, &liste, (&mut budget, &mut bloc), rayons)
                 } else if rayons.len() >= MOINDRE_LOT_D_UNE_LISTE {
                     bloc.charger(rayons);
-                    bloc.proposer_la_liste(simd, &liste);
+                    bloc.proposer_tous(simd, &liste, 0..liste.objets.len());
                     [Ensemble::JusquAuBout; GROUPES]
                 } else {
                     [Ensemble::Rien; GROUPES]

@@ -118,6 +118,6 @@ impl<R: Nombre> ObjetRay<R> {
     pub fn est_certain(&self, rayon: &Rayon<R>) -> bool {
         let liste = Liste { objets: from_ref(self), prises: Prises::Toutes };
         Certificat::new(&liste, rayon, &self.intersection(rayon))
-            .is_some_and(|certificat| certificat.voir(rayon, self, 0, Abord::Inconnu).is_none())
+            .is_some_and(|mut certificat| certificat.voir(rayon, self, 0, Abord::Inconnu).is_none())
     }
 }

@@ -30,7 +30,7 @@ impl<R: Nombre, const D_UN_POINT: bool> Question<R> for Visite<'_, R, D_UN_POINT
     }
 
     #[inline(always)]
-    fn voir(&self, rayon: &Rayon<R>, objet: &ObjetRay<R>, _: usize, abord: Abord) -> Option<R> {
+    fn voir(&mut self, rayon: &Rayon<R>, objet: &ObjetRay<R>, _: usize, abord: Abord) -> Option<R> {
         if D_UN_POINT {
             return objet.contient(rayon.source()).then_some(R::ZERO);
         }

@@ -1,7 +1,7 @@
 //! What no answer shows: for which objects a question asks. The search ends where it may, in a list and in a tree.
 
 use commun::en_f32_et_f64;
-use commun::fabrique::{avec_arbre, mur, sphere, v};
+use commun::fabrique::{avec_arbre, boite_droite, mur, sphere, v};
 use commun::facons::{Compteur, demandes, noeuds};
 use commun::hasard::{Hasard, Tirage};
 use lancer_rayon::{Monde, NoIntersection, ObjetRay, Rayon, Reel, Vecteur};
@@ -211,3 +211,31 @@ fn l_ordre_de_la_liste_ne_coute_rien<R: Reel>() {
 }
 
 en_f32_et_f64!(l_ordre_de_la_liste_ne_coute_rien);
+
+/// A block that would be offered far more objects than its rays ask one by one stops, and the next blocks are not tried:
+/// over a stack of sheets that a camera sees from beside, all blocks would be offered all sheets.
+fn une_pile_de_plaques_n_est_pas_demandee_en_entier<R: Reel>() {
+    const PLAQUES: usize = 2_000;
+    const BLOCS: usize = 64;
+    let haut = 2.0 / PLAQUES as f64;
+    let plaque =
+        |i: usize| boite_droite(v(0.0, i as f64 * haut - 1.0, 0.0), v(2.0, 0.7 * haut, 2.0));
+    let objets: Vec<ObjetRay<R>> = (0..PLAQUES).map(plaque).collect();
+    let monde = avec_arbre(&objets);
+    let rayons: Vec<Rayon<R>> = (0..64 * BLOCS)
+        .map(|i| {
+            let (x, y) = (i % 8 + i / 64 % 8 * 8, i / 8 % 8 + i / 512 * 8);
+            let [x, y] = [x, y].map(|k| k as f64 / 160.0 - 0.2);
+            Rayon::new(v(1.0, 6.0, 1.5), v(x - 0.16, -1.0, y - 0.24)).unwrap()
+        })
+        .collect();
+    let demandes: u32 = demandes(&monde, |h| {
+        let mut touches = vec![Err(NoIntersection); rayons.len()];
+        h.premieres_intersections(&rayons, &mut touches).unwrap();
+    })
+    .iter()
+    .sum();
+    assert!((demandes as usize) < PLAQUES * BLOCS / 8, "{demandes}");
+}
+
+en_f32_et_f64!(une_pile_de_plaques_n_est_pas_demandee_en_entier);

@@ -63,7 +63,7 @@ impl<R: Nombre> Question<R> for Certificat<'_, R> {
 
     /// Sees an object that may come before the first.
     #[inline(always)]
-    fn voir(&self, rayon: &Rayon<R>, objet: &ObjetRay<R>, i: usize, abord: Abord) -> Option<R> {
+    fn voir(&mut self, rayon: &Rayon<R>, objet: &ObjetRay<R>, i: usize, abord: Abord) -> Option<R> {
         let passe = match abord {
             // No ray that enters an object passes the ball around it by (lemma 17).
             Abord::Inconnu => !objet.boule().approchee(rayon),

@@ -1,0 +1,362 @@
+//! Searches for scenes in which a batch is slow: over its rays one by one, and over the batch of the list. It draws
+//! layouts and rays that no family of `familles` has, and climbs on the ratio from the worst of them.
+//! `cargo run --release -p banc --bin falaises` prints the worst of each layout, in some minutes. Arguments: `--seed 7`,
+//! `--tries 12` drawn for each layout, `--climb 12` steps from the worst, `--call 4096` rays, `--set AVX2`, `--layout row` for
+//! one layout, `--draws` to print each scene that is measured.
+
+use std::error::Error;
+
+use banc::horloge::moindres;
+use banc::nous;
+use commun::arrondi;
+use commun::fabrique::{boite, mur, sphere};
+use commun::regimes::direction;
+use fastrand::Rng;
+use lancer_rayon::{Monde, ObjetRay, Rayon, Reel, Rotation, Vecteur};
+
+const DISPOSITIONS: [&str; 10] = [
+    "cloud of balls",
+    "cloud of boxes",
+    "sheets",
+    "row",
+    "shells",
+    "needles",
+    "grid of cubes",
+    "two clusters",
+    "street",
+    "nested boxes",
+];
+const GENRES: [&str; 11] = [
+    "tiles",
+    "rows",
+    "parallel",
+    "no order",
+    "shuffled tiles",
+    "diffuse",
+    "mirrors",
+    "tiles, a far ray first",
+    "lamp",
+    "lamp shuffled",
+    "sun",
+];
+const AJOUTS: [&str; 5] = ["", " and a sky", " and mist", " and half-spaces", " and a ground"];
+
+/// What one scene and its rays are drawn from: numbers from 0 to 1.
+type Genes = [f64; 12];
+
+/// How many rays are asked, at most.
+const RAYONS: usize = 4096;
+
+/// The genes as what they stand for.
+#[derive(Debug, Clone, Copy)]
+struct Tirage {
+    disposition: usize,
+    genre: usize,
+    ajout: usize,
+    combien_d_ajouts: usize,
+    n: usize,
+    /// The size of an object over the distance of neighbours.
+    taille: f64,
+    /// The thickness of boxes over their sides.
+    mince: f64,
+    /// How wide a picture is, at a distance of 1.
+    champ: f64,
+    /// How far the eye is, over the radius of the scene.
+    recul: f64,
+    de_cote: f64,
+    double: bool,
+    graine: u64,
+}
+
+impl Tirage {
+    fn de(g: Genes) -> Self {
+        let parmi = |x: f64, n: usize| ((x * n as f64) as usize).min(n - 1);
+        let log = |x: f64, a: f64, b: f64| a * (b / a).powf(x);
+        Self {
+            disposition: parmi(g[0], DISPOSITIONS.len()),
+            genre: parmi(g[1], GENRES.len()),
+            ajout: parmi(g[2], AJOUTS.len() + 4).saturating_sub(4),
+            combien_d_ajouts: log(g[3], 1.0, 300.0) as usize,
+            n: log(g[4], 10.0, 20_000.0) as usize,
+            taille: log(g[5], 0.05, 5.0),
+            mince: log(g[6], 0.01, 1.0),
+            champ: log(g[7], 0.003, 2.0),
+            recul: log(g[8], 0.05, if g[9] > 0.9 { 1e6 } else { 10.0 }),
+            de_cote: g[10],
+            double: g[11] >= 0.5,
+            graine: g[9].to_bits() ^ g[10].to_bits().rotate_left(7),
+        }
+    }
+
+    fn nom(&self) -> String {
+        let Self { disposition, genre, ajout, combien_d_ajouts, n, .. } = *self;
+        let [taille, mince, champ, recul] =
+            [self.taille, self.mince, self.champ, self.recul].map(|x| format!("{x:.2e}"));
+        format!(
+            "{} {}{}{}, {}; size {taille}, thin {mince}, field {champ}, from {recul}, {}",
+            n,
+            DISPOSITIONS[disposition],
+            AJOUTS[ajout],
+            if ajout == 2 || ajout == 3 { format!(" {combien_d_ajouts}") } else { String::new() },
+            GENRES[genre],
+            if self.double { "f64" } else { "f32" },
+        )
+    }
+
+    /// The objects, in a ball of radius 1 about O more or less.
+    fn objets<R: Reel>(&self, alea: &mut Rng) -> Vec<ObjetRay<R>> {
+        let n = self.n as f64;
+        let pas = 2.0 / n.cbrt();
+        let tour = |alea: &mut Rng, fois: f64| {
+            Rotation::new(arrondi(direction(alea) * (3.0 * fois))).expect("angles")
+        };
+        let de_tous = tour(alea, self.de_cote.round() * 0.3);
+        let dans = |alea: &mut Rng| direction(alea) * alea.f64().cbrt();
+        let r = R::depuis_f64;
+        let un = |i: usize, alea: &mut Rng| {
+            let (k, cote) = (i as f64 / n, n.cbrt().ceil());
+            let cotes = |a: f64, b: f64, c: f64| arrondi(Vecteur::new(a, b, c));
+            match self.disposition {
+                0 => sphere(arrondi(dans(alea)), r(0.5 * pas * self.taille)),
+                1 => {
+                    let l = pas * self.taille;
+                    let (ou, tour) = (dans(alea), tour(alea, 1.0));
+                    boite(arrondi(ou), cotes(l, l * self.mince, l), tour)
+                }
+                2 => {
+                    let ou = de_tous.appliquer(arrondi(Vecteur::new(0.0, 2.0 * k - 1.0, 0.0)));
+                    let haut = 2.0 / n * self.taille.min(1.0);
+                    boite(ou, cotes(2.0, haut, 2.0 * (0.1 + self.mince)), de_tous)
+                }
+                3 => {
+                    let ou = de_tous.appliquer(arrondi(Vecteur::new(2.0 * k - 1.0, 0.0, 0.0)));
+                    if self.mince < 0.1 {
+                        let l = 2.0 / n * self.taille;
+                        boite(ou, cotes(l, l, l), de_tous)
+                    } else {
+                        sphere(ou, r(1.0 / n * self.taille))
+                    }
+                }
+                4 => sphere(
+                    arrondi(direction(alea) * (self.mince * 0.1)),
+                    r(0.1 + 0.9 * k * self.taille),
+                ),
+                5 => {
+                    let (ou, tour) = (dans(alea) * self.taille.min(1.0), tour(alea, 1.0));
+                    let l = 0.05 * self.mince;
+                    boite(arrondi(ou), cotes(2.0, l, l), tour)
+                }
+                6 => {
+                    let place = |p: f64| (k * n / p).floor() % cote * (2.0 / cote) - 1.0;
+                    let ou = Vecteur::new(place(1.0), place(cote), place(cote * cote));
+                    let l = 2.0 / cote * self.taille.min(1.2);
+                    boite(de_tous.appliquer(arrondi(ou)), cotes(l, l, l), de_tous)
+                }
+                7 => {
+                    let loin = if i.is_multiple_of(2) { 1.0 } else { -1.0 };
+                    let ou = Vecteur::new(loin, 0.0, 0.0) + dans(alea) * self.mince;
+                    sphere(arrondi(ou), r(0.5 * pas * self.taille * self.mince))
+                }
+                8 => {
+                    let cote = n.sqrt().ceil();
+                    let l = 2.0 / cote * self.taille.min(0.95);
+                    let haut = l * (0.3 + 3.0 * alea.f64() * alea.f64());
+                    let x = (k * n) % cote * (2.0 / cote) - 1.0;
+                    let z = (k * n / cote).floor() * (2.0 / cote) - 1.0;
+                    let ou = Vecteur::new(x, haut / 2.0, z);
+                    boite(de_tous.appliquer(arrondi(ou)), cotes(l, haut, l), de_tous)
+                }
+                _ => {
+                    let l = 0.05 + 1.9 * k;
+                    let ou = dans(alea) * (0.1 * self.mince);
+                    boite(arrondi(ou), cotes(l, l * self.taille.min(1.0), l), de_tous)
+                }
+            }
+        };
+        let mut objets: Vec<_> = (0..self.n).map(|i| un(i, alea)).collect();
+        match self.ajout {
+            1 => objets.insert(0, sphere(Vecteur::NUL, r(1e3))),
+            2 => objets.extend(
+                (0..self.combien_d_ajouts.min(40)).map(|_| sphere(arrondi(dans(alea)), r(0.8))),
+            ),
+            3 => objets.extend((0..self.combien_d_ajouts).map(|_| {
+                let n = direction(alea);
+                mur(arrondi(n * -3.0), arrondi(n))
+            })),
+            4 => objets.insert(
+                0,
+                boite(arrondi(Vecteur::new(0.0, -1.2, 0.0)), cotes_du_sol(), Rotation::IDENTITE),
+            ),
+            _ => (),
+        }
+        objets
+    }
+
+    /// The rays of a square picture in this order.
+    fn rayons<R: Reel>(&self, monde: &Monde<'_, R>, alea: &mut Rng) -> Vec<Rayon<R>> {
+        let vers = direction(alea);
+        let oeil = vers * -(1.0 + self.recul);
+        let x = vers.produit_vectoriel(direction(alea)).unitaire().unwrap_or(Vecteur::X);
+        let y = vers.produit_vectoriel(x);
+        let cote = RAYONS.isqrt();
+        let demi = 0.5 * self.champ;
+        let place = |i: usize| {
+            let (bloc, dans) = (i / 64, i % 64);
+            let par_rang = cote / 8;
+            if self.genre == 1 {
+                return (i % cote, i / cote);
+            }
+            (bloc % par_rang * 8 + dans % 8, bloc / par_rang * 8 + dans / 8)
+        };
+        let pixel = |i: usize| {
+            let (i, j) = place(i);
+            let [a, b] = [i, j].map(|k| demi * ((k as f64 + 0.5) / cote as f64 * 2.0 - 1.0));
+            let travers = x * a + y * b;
+            let (s, d) = match self.genre {
+                2 => (oeil + travers, vers),
+                3 => (direction(alea) * alea.f64().cbrt(), direction(alea)),
+                _ => (oeil, vers + travers),
+            };
+            let loin = self.genre == 7 && i % 8 == 0 && j % 8 == 0;
+            let (s, d) = if loin { (s * 1e9, d) } else { (s, d) };
+            Rayon::new(arrondi(s), arrondi(d)).expect("within the limits")
+        };
+        let vus: Vec<Rayon<R>> = (0..RAYONS).map(pixel).collect();
+        let lampe = arrondi(direction(alea) * 3.0);
+        let mut suite: Vec<_> = if (5..=6).contains(&self.genre) || self.genre >= 8 {
+            let secondaire = |rayon: &Rayon<R>| {
+                let touche = monde.premiere_intersection(rayon).ok()?;
+                match self.genre {
+                    5 => touche.secondaire(arrondi(direction(alea))).ok(),
+                    6 => touche.reflechi(rayon.direction()).ok(),
+                    10 => touche.vers_soleil(lampe).ok(),
+                    _ => touche.vers_lumiere(lampe).ok(),
+                }
+            };
+            vus.iter().filter_map(secondaire).collect()
+        } else {
+            vus
+        };
+        if self.genre == 4 || self.genre == 9 {
+            alea.shuffle(&mut suite);
+        }
+        suite
+    }
+
+    /// Nanoseconds a ray: one by one, in a batch, and in a batch of the list.
+    fn mesurer(&self, appel: usize, jeu: &str, tours: usize) -> Option<[f64; 3]> {
+        if self.double {
+            self.en::<f64>(appel, jeu, tours)
+        } else {
+            self.en::<f32>(appel, jeu, tours)
+        }
+    }
+
+    fn en<R: Reel>(&self, appel: usize, jeu: &str, tours: usize) -> Option<[f64; 3]> {
+        let mut alea = Rng::with_seed(self.graine);
+        let objets = self.objets::<R>(&mut alea);
+        let mut memoire = nous::memoire(1, objets.len());
+        let monde = nous::monde(&objets, &mut memoire, jeu);
+        let rayons = self.rayons(&monde, &mut alea);
+        if rayons.len() < 256 {
+            return None;
+        }
+        let mut facons = nous::concurrents(monde, &rayons, self.genre >= 8);
+        let attendues = facons[2].reponses();
+        assert!(facons[3].reponses() == attendues, "the ways differ: {}", self.nom());
+        // A long list is not asked: no batch of a tree is expected to take as long.
+        let combien = if objets.len() <= 2_000 { 3 } else { 2 };
+        let ns = moindres(tours, combien, |qui| facons[[2, 3, 1][qui]].chronometrer(appel));
+        Some([ns[0], ns[1], ns.get(2).copied().unwrap_or(f64::INFINITY)])
+    }
+}
+
+fn cotes_du_sol<R: Reel>() -> Vecteur<R> {
+    arrondi(Vecteur::new(20.0, 0.2, 20.0))
+}
+
+/// By how much a batch is slower than the better of the two other ways.
+fn rapport([seul, lot, liste]: [f64; 3]) -> f64 {
+    lot / seul.min(liste)
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let (mut graine, mut essais, mut pas, mut appel) = (7, 12, 12, RAYONS);
+    let (mut jeu, mut tirages, mut seule) = (String::new(), false, None);
+    let mut arguments = std::env::args().skip(1);
+    while let Some(option) = arguments.next() {
+        if option == "--draws" {
+            tirages = true;
+            continue;
+        }
+        let valeur = arguments.next().ok_or_else(|| format!("{option} of what?"))?;
+        match option.as_str() {
+            "--seed" => graine = valeur.parse()?,
+            "--tries" => essais = valeur.parse()?,
+            "--climb" => pas = valeur.parse()?,
+            "--call" => appel = valeur.parse()?,
+            "--layout" => seule = Some(valeur),
+            "--set" => jeu = valeur,
+            _ => return Err(format!("no option {option}").into()),
+        }
+    }
+    let mut alea = Rng::with_seed(graine);
+    let mut tires = Vec::new();
+    println!("ratio  one by one  batch  batch of the list (ns)  scene");
+    for disposition in 0..DISPOSITIONS.len() {
+        if seule.as_ref().is_some_and(|nom| nom != DISPOSITIONS[disposition]) {
+            continue;
+        }
+        let mut pire: Option<(f64, Genes, [f64; 3])> = None;
+        for essai in 0..essais + pas {
+            let genes: Genes = match pire {
+                Some((_, genes, _)) if essai >= essais => {
+                    let mut genes = genes;
+                    for gene in &mut genes[1..] {
+                        if alea.f64() < 0.3 {
+                            *gene = (*gene + 0.3 * (alea.f64() - 0.5)).clamp(0.0, 1.0);
+                        }
+                    }
+                    genes
+                }
+                _ => {
+                    let mut genes = [(); 12].map(|()| alea.f64());
+                    genes[0] = (disposition as f64 + 0.5) / DISPOSITIONS.len() as f64;
+                    genes
+                }
+            };
+            let tirage = Tirage::de(genes);
+            let Some(ns) = tirage.mesurer(appel, &jeu, 2) else { continue };
+            if tirages {
+                println!(
+                    "{:5.2} {:7.0} {:7.0} {:7.0} {}",
+                    rapport(ns),
+                    ns[0],
+                    ns[1],
+                    ns[2],
+                    tirage.nom()
+                );
+            }
+            if essai < essais {
+                tires.push(ns);
+            }
+            if pire.is_none_or(|(le_pire, ..)| rapport(ns) > le_pire) {
+                pire = Some((rapport(ns), genes, ns));
+            }
+        }
+        let Some((_, genes, _)) = pire else { continue };
+        let tirage = Tirage::de(genes);
+        let Some(ns) = tirage.mesurer(appel, &jeu, 7) else { continue };
+        println!("{:5.2} {:8.0} {:8.0} {:8.0}  {}", rapport(ns), ns[0], ns[1], ns[2], tirage.nom());
+    }
+    let sur = |contre: fn(&[f64; 3]) -> f64| {
+        let rapports: Vec<_> = tires.iter().map(|ns| ns[1] / contre(ns)).collect();
+        let moyenne =
+            rapports.iter().map(|x| x.max(1e-9).ln()).sum::<f64>() / rapports.len() as f64;
+        let plus = [1.1, 1.5, 3.0].map(|x| rapports.iter().filter(|rapport| **rapport > x).count());
+        format!("mean {:.3}, over 1.1, 1.5 and 3: {plus:?}", moyenne.exp())
+    };
+    println!("of {} drawn, a batch over its rays: {}", tires.len(), sur(|ns| ns[0]));
+    println!("over the better of them and the batch of the list: {}", sur(|ns| ns[0].min(ns[2])));
+    Ok(())
+}
