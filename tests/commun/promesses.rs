@@ -485,34 +485,35 @@ pub fn effleurement<R: Reel>(cas: &Essai<R>) -> f64 {
             [entree, sortie, (entree + sortie) / 2.0]
         }
     };
-    let part = |t: f64| {
-        if !(t >= 0.0 && t < R::INFINI.vers_f64()) {
-            return RIEN;
+    instants.map(|t| profondeur_a(objet, rayon, t)).into_iter().fold(RIEN, f64::max)
+}
+
+/// How deep S+tD lies in an object that S is outside of, as a part of what `effleurement` grants.
+pub fn profondeur_a<R: Reel>(objet: &ObjetRay<R>, rayon: &Rayon<R>, t: f64) -> f64 {
+    let (s, d) = (rayon.source().vers_f64(), rayon.direction().vers_f64());
+    if !(t >= 0.0 && t < R::INFINI.vers_f64()) {
+        return RIEN;
+    }
+    let p = s + d * t;
+    let [x, y, z] = <[f64; 3]>::from(p).map(f64::abs);
+    let ([par_t, par_poids, par_taille], poids, taille) = match objet {
+        ObjetRay::Sphere(boule) => {
+            let (f, r) = ((s - boule.centre().vers_f64()).longueur(), boule.rayon().vers_f64());
+            let pres = f < 2.0 * r;
+            let ligne =
+                if pres { profondeurs::D_UNE_SPHERE } else { profondeurs::D_UNE_SPHERE_LOIN };
+            (ligne, 0.0, r)
         }
-        let p = s + d * t;
-        let [x, y, z] = <[f64; 3]>::from(p).map(f64::abs);
-        let ([par_t, par_poids, par_taille], poids, taille) = match objet {
-            ObjetRay::Sphere(boule) => {
-                let (f, r) = ((s - boule.centre().vers_f64()).longueur(), boule.rayon().vers_f64());
-                let pres = f < 2.0 * r;
-                let ligne =
-                    if pres { profondeurs::D_UNE_SPHERE } else { profondeurs::D_UNE_SPHERE_LOIN };
-                (ligne, 0.0, r)
-            }
-            ObjetRay::Plan(plan) => {
-                (profondeurs::D_UN_PLAN, poids(plan.normale().vers_f64(), p), 0.0)
-            }
-            // |N_i·f| rounds by ρ, of which Σl is more.
-            ObjetRay::Boite(boite) => {
-                let l = Vecteur::from(boite.demi_longueurs().map(R::vers_f64));
-                (profondeurs::D_UNE_BOITE, 0.0, l.longueur())
-            }
-        };
-        let permis = par_t * t + par_poids * poids + par_taille * taille;
-        let permis = u::<R>() * permis + f64::U * (x + y + z + t);
-        -dehors(&objet.temoin_f64(), p) / (permis + 8.0 * R::ETA.vers_f64())
+        ObjetRay::Plan(plan) => (profondeurs::D_UN_PLAN, poids(plan.normale().vers_f64(), p), 0.0),
+        // |N_i·f| rounds by ρ, of which Σl is more.
+        ObjetRay::Boite(boite) => {
+            let l = Vecteur::from(boite.demi_longueurs().map(R::vers_f64));
+            (profondeurs::D_UNE_BOITE, 0.0, l.longueur())
+        }
     };
-    instants.map(part).into_iter().fold(RIEN, f64::max)
+    let permis = par_t * t + par_poids * poids + par_taille * taille;
+    let permis = u::<R>() * permis + f64::U * (x + y + z + t);
+    -dehors(&objet.temoin_f64(), p) / (permis + 8.0 * R::ETA.vers_f64())
 }
 
 /// The error of the distance, in scene units or in lengths of D, whichever is more, as a part of `erreur`. Where there

@@ -5,7 +5,7 @@
 use commun::tolerances::{bandes, profondeurs, promesses};
 use lancer_rayon::pour_les_tests::*;
 
-use crate::besoins::{tenir, tenir_au_large};
+use crate::besoins::{sur, tenir, tenir_au_large, tenir_sur};
 use crate::constantes::{carre, conclue, difference, fois, gamma, ne_suffit_pas, plus, scalaire};
 use crate::intervalle::{Intervalle, de_a, portee, prouver};
 
@@ -94,10 +94,11 @@ fn lemme_22_les_lignes_de_la_table_suffisent() {
     assert_eq!(profondeurs::UNE_FOIS, fois("B1 f_i: N S"));
     const { assert!(FLOU_A_COTE > 2.0 * profondeurs::UNE_FOIS) };
     let [.., de_r] = profondeurs::D_UNE_SPHERE;
-    let tout_pres = |de_r| portee([de_a(0.0, 1.0)], de_r, |x| Some(tout_pres(x)));
-    tout_pres(de_r);
-    ne_suffit_pas(|| tout_pres(0.98 * de_r));
-    prouver([de_a(1.0, 2.0), de_a(0.0, 1.0)], de_r, |x| Some(pres(x)));
+    tenir_au_large("22 sphere, near", de_r, |u| {
+        let domaine = sur("22 sphere, near", u, [[1.0, 2.0], [0.0, 1.0]]);
+        prouver(domaine, de_r, |x| Some(pres(x)))
+    });
+    tenir_sur("22 sphere, p < ΔAB²", de_r, |_| [[0.0, 1.0]], |_, x| Some(tout_pres(x)));
     let [de_t, _, de_r] = profondeurs::D_UNE_SPHERE_LOIN;
     let loin = |par| portee([de_a(0.0, 0.5), de_a(0.0, 1.0)], 1e-9, |x| Some(loin(x, par)));
     loin([de_t, de_r]);

@@ -355,9 +355,9 @@ fn marge_d_une_sphere(
 }
 
 fn marges_d_une_sphere(u: f64, constantes: [f64; 2]) -> Intervalle {
-    let puissance = de_a(0.0, PUISSANCE_PERDUE);
-    let q = de_a(0.0, TRAVERS_PERDU.sqrt().next_up());
-    let e = de_a(0.0, ARRONDI_PERDU);
+    let domaine =
+        [[0.0, PUISSANCE_PERDUE], [0.0, TRAVERS_PERDU.sqrt().next_up()], [0.0, ARRONDI_PERDU]];
+    let [puissance, q, e] = sur("8 sphere, margin", u, domaine);
     // Height and way outward, without e, of which the margin grants more than it costs.
     let [a, b] = [1.0, -1.0].map(|signe| {
         portee([puissance, q], 1.0, |[puissance, q]| {
@@ -612,6 +612,7 @@ fn lemme_13_une_rotation_reste_orthonormale() {
 
 #[test]
 fn lemme_13_les_tours_et_les_compositions_sont_assez_justes() {
+    let v = U[1];
     // Sums of the text, in u of f64. A turn is 1/√2 of the norm of the error of a matrix.
     let [deux, trois] = [2.0, 3.0].map(|x| i(x).racine());
     let tenir_en_f64 = |quoi, constante, besoin: Intervalle| tenir(quoi, constante, |_| besoin);
@@ -626,7 +627,7 @@ fn lemme_13_les_tours_et_les_compositions_sont_assez_justes() {
     let elements = (2.0 + 2.0 + trois) / deux + 1.0;
     let axe = 2.0 + 0.5 * 3.5 + deux;
     // s(2 − c + 2|c|) for c < 0, and half a rounding of e.
-    let quaternion = portee([zero_a_un()], 3.1, |[c]| {
+    let quaternion = portee(sur("13 turns", v, [[0.0, 1.0]]), 3.1, |[c]| {
         Some((2.0 + 3.0 * c) * ((1.0 - c).max(i(0.0)) * (1.0 + c)).racine())
     });
     let new = 3.0 * deux + (1.0 + 2.0 + deux) / deux + rangee;
