@@ -4,7 +4,7 @@ use commun::fabrique::{boite_droite, mur, sphere};
 use commun::mesure::lieu_permis;
 use commun::oracle::verite;
 use commun::promesses::profondeur_a;
-use lancer_rayon::{Nombre, ObjetRay, Rayon, Vecteur};
+use lancer_rayon::{Nombre, Rayon, Vecteur};
 
 /// A ray passes an edge of a box of size 2⁴⁴⁰ at 2⁻⁴⁰⁰: entry and exit agree in 839 bits.
 #[test]
@@ -27,9 +27,8 @@ fn une_arete_est_decidee_a_2_puissance_moins_839_pres() {
 #[test]
 fn un_oracle_accorde_ce_que_disent_les_pages() {
     let (o, un, u) = (Vecteur::<f32>::NUL, Vecteur::new(1.0, 1.0, 1.0), f64::from(f32::U));
-    let (sol, cube) =
-        (ObjetRay::from(mur(o, Vecteur::Z)), ObjetRay::from(boite_droite(o, un + un)));
-    let boule = ObjetRay::from(sphere(o, 1.0));
+    let (sol, cube) = (mur(o, Vecteur::Z), boite_droite(o, un + un));
+    let boule = sphere(o, 1.0);
     // The height of S, that of the surface, how deep X may be, and how far outside P.
     for (objet, de, a, profond, dehors) in [
         (sol, 4.0, 0.0, 8.0 * 4.0, 3.1 * 4.0 + 6.1 * 4.0),
