@@ -1,5 +1,6 @@
 //! What the pages of `docs/preuves` name is in the code: each step of the algorithms stands, with its label, in a
-//! comment of the code that takes it, and each test and each constant of the map exists.
+//! comment of the code that takes it, and each test and each constant of the map exists. The steps of the judge are
+//! defined at the head of its file, all others on the pages.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -17,26 +18,45 @@ fn etiquettes(texte: &str) -> impl Iterator<Item = &str> {
     })
 }
 
+/// The file of which the head defines steps.
+const JUGE: &str = "src/question/jugement/juge.rs";
+
+/// What stands between the first fences after this title.
+fn algorithmes<'a>(texte: &'a str, titre: &str) -> Option<&'a str> {
+    let (_, suite) = texte.split_once(titre)?;
+    let (_, algorithmes) = suite.split_once("```text\n")?;
+    Some(algorithmes.split_once("```")?.0)
+}
+
 #[test]
 fn chaque_pas_des_preuves_est_une_fois_dans_le_code() {
-    let algorithmes = fichiers_sous("docs/preuves").into_iter().filter_map(|page| {
+    let algorithmes_de_la_page = |page: PathBuf| {
         let page = fs::read_to_string(page).unwrap();
-        let (_, algorithmes) = page.split_once("\n## The algorithms\n")?;
-        let (_, algorithmes) = algorithmes.split_once("```text\n")?;
-        Some(algorithmes.split_once("```")?.0.to_owned())
-    });
-    let algorithmes: Vec<_> = algorithmes.collect();
-    assert_eq!(algorithmes.len(), 3);
-    // A step begins a line.
-    let mut pas: BTreeMap<_, _> = algorithmes
-        .iter()
-        .flat_map(|algorithmes| algorithmes.lines())
-        .filter_map(|ligne| etiquettes(ligne).next().filter(|pas| ligne.starts_with(pas)))
-        .map(|pas| (pas.to_owned(), Vec::new()))
-        .collect();
+        algorithmes(&page, "\n## The algorithms\n").map(str::to_owned)
+    };
+    let mut definis: Vec<_> =
+        fichiers_sous("docs/preuves").into_iter().filter_map(algorithmes_de_la_page).collect();
+    assert_eq!(definis.len(), 3);
+    let juge = Path::new(env!("CARGO_MANIFEST_DIR")).join(JUGE);
+    let texte_du_juge = fs::read_to_string(&juge).unwrap();
+    let tete = algorithmes(&texte_du_juge, "//! The judge").expect("steps at the head");
+    assert!(tete.lines().all(|ligne| ligne.starts_with("//!")), "{tete}");
+    definis.push(tete.replace("//! ", ""));
+    // A step begins a line, and is defined once.
+    let mut pas = BTreeMap::new();
+    for ligne in definis.iter().flat_map(|algorithmes| algorithmes.lines()) {
+        let etiquette = etiquettes(ligne).next().filter(|pas| ligne.starts_with(pas));
+        let Some(etiquette) = etiquette else { continue };
+        let ancien = pas.insert(etiquette.to_owned(), Vec::new());
+        assert!(ancien.is_none(), "{etiquette} is defined twice");
+    }
     assert!(pas.len() > 50, "only {} steps", pas.len());
     for chemin in fichiers_sous("src") {
-        for (numero, ligne) in fs::read_to_string(&chemin).unwrap().lines().enumerate() {
+        let texte = fs::read_to_string(&chemin).unwrap();
+        // What defines a step does not take it.
+        let vides = "\n".repeat(tete.matches('\n').count());
+        let code = if chemin == juge { texte.replacen(tete, &vides, 1) } else { texte };
+        for (numero, ligne) in code.lines().enumerate() {
             let Some((_, commentaire)) = ligne.split_once("//") else { continue };
             for etiquette in etiquettes(commentaire) {
                 if let Some(lieux) = pas.get_mut(etiquette) {
