@@ -9,8 +9,8 @@ pub const NORMALE_UNITAIRE: f64 = promesses::UNITAIRE_PLATE + 3.0;
 /// Every element of R·Rᵀ − I, for a polished matrix (lemma 13).
 pub const ORTHONORMALE: f64 = 5.5;
 
-/// How far an element of a product of two rotations is from the product in f64 of what they hold, as observed; lemma 13
-/// grants `COMPOSEE`.
+/// How far an element of a product of two rotations is from the product in f64 of what they hold, as observed;
+/// `COMPOSEE` is what `constantes.rs` finds.
 pub const PRODUIT: f64 = 18.0;
 
 /// How far M·Mᵀ may be from I for `depuis_matrice` to take M (C15).
@@ -36,7 +36,8 @@ pub mod bandes {
     pub const VITESSE: f64 = 3.1;
 }
 
-/// What the table of `docs/precision.md` promises, in the unit named.
+/// What the table of `docs/precision.md` promises, in the unit named. What rotations are tested to beyond `TOUR` is no
+/// promise.
 pub mod promesses {
     /// Distance to a sphere, in u·κt (lemma 5).
     pub const DISTANCE_SPHERE: f64 = 5.6;
@@ -93,13 +94,15 @@ pub mod promesses {
     pub const LAMPE_COSINUS: f64 = 8.0;
     pub const BOUT: f64 = 8.2;
     pub const SOLEIL: f64 = 10.7;
-    /// An element of a rotation made of angles, of an axis or of a quaternion, in u of `f64` beside its rounding. Then
-    /// one of a composition, in u, of two factors that `ORTHONORMALE` bounds, and of others (lemma 13).
+    /// An element of a rotation made of angles, of an axis or of a quaternion, in u of `f64` beside its rounding (lemma
+    /// 13).
     pub const TOUR: f64 = 15.0;
+    /// Tested, not promised: an element of a composition, in u, of two factors that `ORTHONORMALE` bounds, and of
+    /// others.
     pub const COMPOSEE: f64 = 24.0;
     pub const COMPOSEE_D_AUTRES: f64 = 39.0;
-    /// In u, how exactly `entre` takes one direction to the other, how exactly `regard` meets its direction, and how
-    /// exactly its x is at a right angle to `haut` (lemma 13).
+    /// Tested, not promised, in u: how exactly `entre` takes one direction to the other, how exactly `regard` meets its
+    /// direction, and how exactly its x is at a right angle to `haut`.
     pub const ENTRE: f64 = 36.0;
     pub const REGARD: f64 = 6.2;
     pub const REGARD_DROIT: f64 = 14.0;
