@@ -118,7 +118,7 @@ fn demi_espace<T: Taille>() -> [Place; 2] {
 fn lemme_4_la_borne_d_un_demi_espace_suffit() {
     let preuve = de_chaque_type!(demi_espace);
     let un = i(1.0);
-    let domaine = |u: f64| [de_a(0.0, 1.0), de_a(0.0, 1.0), de_a(3.2 * u, 1.0)];
+    let domaine = |u: f64| [de_a(0.0, 1.0), de_a(0.0, 1.0), de_a(3.1001 * u, 1.0)];
     prouve_sur(promesses::DISTANCE_PLAN, domaine, |u, x @ [f, d, _]| {
         let Preuve { noeuds: [e, sortie], .. } = *preuve(u);
         let [t, v] = plate(x)?;
@@ -187,7 +187,7 @@ fn distance_d_une_boite(
 
 #[test]
 fn lemmes_4_et_10_la_borne_d_une_boite_suffit() {
-    let domaine = |u: f64| [de_a(0.0, 1.0), de_a(0.0, 1.0), de_a(3.2 * u, 1.0 + 20.0 * u)];
+    let domaine = |u: f64| [de_a(0.0, 1.0), de_a(0.0, 1.0), de_a(3.1001 * u, 1.0 + 20.0 * u)];
     let preuve = de_chaque_type!(entree);
     prouve_sur(promesses::DISTANCE_BOITE, domaine, |u, x| {
         distance_d_une_boite(u, preuve(u), 1.0, x)
@@ -379,7 +379,7 @@ fn lemme_10_la_borne_de_sortie_d_une_sphere_suffit() {
         let cosinus = de_a(u.sqrt(), 1.0);
         let y = de_a(u, 1.0 + 4.0 * u.sqrt());
         let devant = prouver([de_a(u, 0.5 / u), cosinus], k, devant).max(prouver(
-            [de_a(0.0, u), cosinus],
+            [de_a(-4.2 * u, u), cosinus],
             k,
             devant,
         ));
