@@ -270,9 +270,9 @@ impl<R: Nombre> Rayon<R> {
     /// the ray for objects that [`ObjetGeo::vers_f32`](crate::ObjetGeo::vers_f32) gave with this
     /// origin. Its end is rounded as well.
     ///
-    /// A δ above 0 grows by 8.1u·(|x| + |y| + |z|) of the source in the first type and in `f32`,
-    /// which is more than the source and the surfaces beside it are rounded by. A ray that starts
-    /// from a hit thus stays in a closed room that is converted with it. One from
+    /// A δ above 0 grows by 8.1u·(|x| + |y| + |z|) of the source in the first type and in `f32`, for
+    /// what the source and the surfaces beside it are rounded by. That a ray from a hit thus stays
+    /// in a closed room that is converted with it is tested, and not promised. A ray from
     /// [`new`](Self::new) may start inside a wall that it stood against:
     /// [`contient`](crate::ObjetRay::contient) tells.
     ///
@@ -304,7 +304,7 @@ impl<R: Nombre> Rayon<R> {
     ///
     /// The direction is not made unit again: that of an `f32` ray is unit only to the rounding of
     /// `f32`, and distances are in units of its length, in both types alike. Batches and trees
-    /// answer this ray as a list does. Margins and secondary rays of its hits are not promised.
+    /// answer this ray as a list does. Margins, rays from its hits and closed rooms are not promised.
     ///
     /// ```
     /// use lancer_rayon::{Rayon, Vecteur};

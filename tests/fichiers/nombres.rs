@@ -6,6 +6,7 @@ use std::fs;
 use std::path::Path;
 
 use crate::dossiers::fichiers_sous;
+use crate::etiquettes::algorithmes;
 
 /// The numbers of each row of the table of constants, and of the letters, in their order: constants of the code, parts of
 /// such, or what no constant holds. 0, 1 and 2 do not count.
@@ -222,10 +223,9 @@ fn les_nombres_de_la_table_du_lemme_22_sont_ceux_du_code() {
 #[test]
 fn les_nombres_des_pas_sont_ceux_du_code() {
     let mut lus = BTreeMap::<String, String>::new();
-    for page in ["objets", "rayons", "recherche"] {
-        let page = lire(&format!("docs/preuves/{page}.md"));
+    for algorithmes in algorithmes() {
         let mut pas = "";
-        for ligne in section(&page, "The algorithms").lines() {
+        for ligne in algorithmes.lines() {
             let debut = ligne.get(..2).unwrap_or(ligne);
             if !ligne.starts_with(' ') {
                 let est_un_pas = debut.len() == 2 && debut.as_bytes()[1].is_ascii_digit();

@@ -613,7 +613,7 @@ fn lemme_13_une_rotation_reste_orthonormale() {
 #[test]
 fn lemme_13_les_tours_et_les_compositions_sont_assez_justes() {
     let v = U[1];
-    // Sums of the text, in u of f64. A turn is 1/√2 of the norm of the error of a matrix.
+    // In u of f64. A turn is 1/√2 of the norm of the error of a matrix, of which a factor of all elements is no part.
     let [deux, trois] = [2.0, 3.0].map(|x| i(x).racine());
     let tenir_en_f64 = |quoi, constante, besoin: Intervalle| tenir(quoi, constante, |_| besoin);
     // What the step leaves of a defect whose elements are off by 3u: in a row, in a row across itself, and in all rows.
@@ -630,6 +630,7 @@ fn lemme_13_les_tours_et_les_compositions_sont_assez_justes() {
     let quaternion = portee(sur("13 turns", v, [[0.0, 1.0]]), 3.1, |[c]| {
         Some((2.0 + 3.0 * c) * ((1.0 - c).max(i(0.0)) * (1.0 + c)).racine())
     });
+    // Three cosines and sines; products of norms 1 and 2 and their sum.
     let new = 3.0 * deux + (1.0 + 2.0 + deux) / deux + rangee;
     let de_l_axe = axe + elements + rangee;
     tenir_en_f64(
@@ -775,7 +776,7 @@ fn lemme_6_la_borne_du_lieu_sur_une_sphere_suffit() {
     for u in U {
         assert!(promesses::LIEU_SPHERE * plus(20.0, u).haut < TOUCHE_F);
     }
-    // The sum in the text, from |f| = 2r on, where r is at least 45u·|f|.
+    // The same summed by hand, from |f| = 2r on, where r is at least 45u·|f|.
     let du_texte = portee([de_a(0.0, 0.5)], promesses::LIEU_SPHERE, |[y]| {
         let s = (1.0 - y.carre()).racine();
         let chi = 10.0 * y.carre() + 2.4 * y + 3.0 + y.carre() + 3.0 * s.carre();

@@ -92,8 +92,8 @@ fn chaque_promesse_tient<R: Reel>() {
 
 en_f32_et_f64!(chaque_promesse_tient);
 
-/// What `docs/preuves/modele.md` promises for the numbers of an `f32` scene in `f64`, which are unit only to the
-/// rounding of `f32`: all except what rests on the length of the normal of a flat face.
+/// What holds for the numbers of an `f32` scene in `f64`, which are unit only to the rounding of `f32`: all except what
+/// rests on the length of the normal of a flat face. `docs/preuves/modele.md` promises less.
 #[test]
 fn les_promesses_tiennent_de_nombres_elargis() {
     let elargir = |Essai { objets, rayon, passage, vers }: Essai<f32>| {
