@@ -149,7 +149,8 @@ impl<R: Nombre> Rotation<R> {
 
     /// The rotation by this angle about this axis, which may have any length, in the sense of
     /// [`new`](Self::new): about x by α it is `new((α, 0, 0))`, and quarter turns about the three
-    /// axes are exact. A float that [`new`](Self::new) takes for quarter turns stands for these.
+    /// axes are exact. Each element is off by at most its rounding and 15u of `f64`, where a float
+    /// that [`new`](Self::new) takes for quarter turns stands for these.
     ///
     /// The right-hand rule, which `from_axis_angle` of other crates follows, turns by −α, or about
     /// the opposite axis.
@@ -207,7 +208,7 @@ impl<R: Nombre> Rotation<R> {
     }
 
     /// The shortest turn that takes the direction `de` to the direction `vers`, both of any length:
-    /// `appliquer(de)` has the direction of `vers` to rounding.
+    /// `appliquer(de)` has the direction of `vers` to 36u.
     ///
     /// Many half turns join opposite directions. Where the sine of the angle between `de` and
     /// −`vers` is 16u or less, rounding would choose the axis. The axis is then at a right angle to
@@ -236,8 +237,8 @@ impl<R: Nombre> Rotation<R> {
 
     /// The rotation of a camera that looks along `direction` and holds `haut` upright. It takes −z,
     /// along which an unturned camera looks, to `direction`, y to the vector nearest to `haut` at a
-    /// right angle to `direction`, and x to what is then on the right, all to rounding. Both vectors
-    /// may have any length.
+    /// right angle to `direction`, and x to what is then on the right. Both vectors may have any
+    /// length. `direction` is met to 6.2u, and x is at a right angle to `haut` to 14u.
     ///
     /// Its inverse, from the scene to the camera, is what `look_to` of other crates gives.
     ///
@@ -282,7 +283,9 @@ impl<R: Nombre> Rotation<R> {
         a * v.x + b * v.y + c * v.z
     }
 
-    /// This rotation, then `suivante`: the product of the matrices in this order, to rounding.
+    /// This rotation, then `suivante`: the product of the matrices in this order, each element to
+    /// 24u, or to 39u if one of both is an [`inverse`](Self::inverse) or was kept by
+    /// [`depuis_matrice`](Self::depuis_matrice).
     #[doc(alias("then", "compose"))]
     pub fn puis(self, suivante: Self) -> Self {
         let [m, n] = [self, suivante].map(|r| r.matrice.map(|ligne| ligne.map(R::vers_f64)));

@@ -366,7 +366,7 @@ fn une_camera_regarde_ou_on_le_dit_et_se_tient_droite<R: Reel>() {
                 // This test and the crate compute the sine to 5u.
                 assert!(sinus > 16.0 * u::<R>() - 5.0 * f64::U);
                 let [x, y, z] = r.axes().map(Vecteur::vers_f64);
-                // `REGARD` is for f64; in f32 elements round too.
+                // What lemma 13 grants in f64, with 4u for the test; in f32 elements round too.
                 assert!((z + d).longueur() <= promesses::REGARD * f64::U + 2.0 * u::<R>());
                 assert!(
                     x.produit_scalaire(h).abs()
