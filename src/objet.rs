@@ -400,8 +400,8 @@ impl<R: Nombre> ObjetRay<R> {
     /// and no other.
     ///
     /// It serves for nothing else. Directions and normals are unit only to the rounding of `f32`, so
-    /// that `marge`, `etendue`, `vers_lieu` and all rays from a hit, as `secondaire` gives them,
-    /// promise nothing. For an object in `f64` describe it in `f64`.
+    /// that `marge`, `etendue` and all rays from a hit, as `secondaire` gives them, promise nothing,
+    /// and `vers_lieu` nothing beside an edge. For an object in `f64` describe it in `f64`.
     ///
     /// ```
     /// use lancer_rayon::{ObjetRay, SphereGeo, Texture, Vecteur};

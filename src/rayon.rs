@@ -247,7 +247,9 @@ impl<R: Nombre> Rayon<R> {
     /// **Closed rooms.** No chain of outward rays from hits, and of turns in mid-air, that starts
     /// where no object [contains](crate::Monde::contient) the source leaves a closed room whose
     /// walls are thicker than 2(δ + o) and reach as far into each other, with the δ of the ray that
-    /// would start at the next hit. In `f32` a wall of 10 m has an o of 0.03 mm.
+    /// would start at the next hit. In `f32` a wall of 10 m has an o of 0.03 mm. Not proved is one
+    /// case: a crack between a half-space and an object that only meets it and is, in `f32`, half a
+    /// million times as large as the ray is long (`docs/precision.md`).
     ///
     /// δ is 0 for a ray from [`new`](Self::new), which takes its source as it stands. It is finite,
     /// and grows with each bounce and each turn in mid-air (`docs/precision.md`, "Closed rooms").

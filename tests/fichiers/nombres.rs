@@ -110,23 +110,16 @@ fn nombre(texte: &str) -> f64 {
 
 /// The numbers in a text, other than 0, 1 and 2 and what belongs to a word such as `f32`.
 fn nombres(texte: &str) -> Vec<f64> {
-    let (mut nombres, mut avant, mut reste) = (Vec::new(), ' ', texte);
-    while let Some(c) = reste.chars().next() {
-        let exposant = |c: char| "⁻⁰¹²³⁴⁵⁶⁷⁸⁹".contains(c);
-        let dans_le_nombre = |c: char| c.is_ascii_digit() || c == '.' || exposant(c);
-        let du_mot = |c: char| c.is_alphanumeric() || "_.".contains(c);
-        let fin = if !c.is_ascii_digit() {
-            c.len_utf8()
-        } else {
-            reste.find(|c| !dans_le_nombre(c)).unwrap_or(reste.len())
-        };
-        let (mot, suite) = reste.split_at(fin);
-        if c.is_ascii_digit() && !du_mot(avant) {
-            nombres.push(nombre(mot.trim_end_matches('.')));
-        }
-        (avant, reste) = (mot.chars().last().unwrap_or(' '), suite);
-    }
-    nombres.into_iter().filter(compte).collect()
+    let dans_le_mot = |c: char| c.is_alphanumeric() || "_.⁻".contains(c);
+    let dans_le_nombre = |c: char| c.is_ascii_digit() || ".⁻⁰¹²³⁴⁵⁶⁷⁸⁹".contains(c);
+    let mots = texte
+        .split(|c| !dans_le_mot(c))
+        .filter(|mot| mot.starts_with(|c: char| c.is_ascii_digit()));
+    let nombres = mots.map(|mot| {
+        let fin = mot.find(|c| !dans_le_nombre(c)).unwrap_or(mot.len());
+        nombre(mot[..fin].trim_end_matches('.'))
+    });
+    nombres.filter(compte).collect()
 }
 
 fn compte(x: &f64) -> bool {

@@ -7,15 +7,7 @@ use lancer_rayon::pour_les_tests::*;
 
 use crate::besoins::{sur, tenir, tenir_au_large, tenir_sur};
 use crate::constantes::{carre, conclue, difference, fois, gamma, ne_suffit_pas, plus, scalaire};
-use crate::intervalle::{Intervalle, de_a, portee, prouver};
-
-fn i(x: f64) -> Intervalle {
-    x.into()
-}
-
-fn positif(x: Intervalle) -> Intervalle {
-    x.max(i(0.0))
-}
+use crate::intervalle::{Intervalle, de_a, i, portee, positif, prouver};
 
 /// ΔAB² and χ of lemma 6, in u, for this |f|, r and β, where SA is `sa`. Beside ζ = 2/√3 AC rounds by the squares of its
 /// coordinates, each of which rounds once more.
@@ -163,7 +155,8 @@ fn lemme_22_le_flou_permis_suffit() {
         let des_pas = du_pas * (1.0 + du_pas / i(par_fois)) / 3.0;
         (pire(2, &[1, 6]) + profondeurs::UNE_FOIS + des_pas) * plus(60.0, u)
     });
-    // Next to a half-space what the table leaves of M7's 15ut pays a step of 0.8t.
+    // Next to a half-space what the table leaves of M7's 15ut pays a step of 0.8t, and 14u of δ one of 1.5δ.
     let reste = FLOU_DISTANCE - lignes[0][0] - par_t;
-    assert!((0.8 * manque(de_la_face + d_un_plan, 1.0)).haut <= reste);
+    let du_pas = manque(de_la_face + d_un_plan, 1.0);
+    assert!((0.8 * du_pas).haut <= reste && (1.5 * du_pas).haut <= par_fois);
 }

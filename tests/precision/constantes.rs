@@ -26,7 +26,7 @@
 
 use crate::besoins::{U, sur, tenir, tenir_au_large, tenir_sur};
 use crate::etapes::compte;
-use crate::intervalle::{Intervalle, de_a, portee};
+use crate::intervalle::{Intervalle, de_a, i, portee, positif, sinus};
 use commun::tolerances::{ECART_ROTATION, ORTHONORMALE, ORTHONORMALE_GARDEE, bandes, promesses};
 use lancer_rayon::Nombre;
 use lancer_rayon::pour_les_tests::*;
@@ -53,10 +53,6 @@ const PERDU_LONGUEUR: f64 = 1.0 / (1_u64 << 60) as f64;
 /// What lemma 6 grants the point of a hit, in u·|f| and then in u·ρ.
 const TOUCHE_F: f64 = 27.0;
 const TOUCHE_RHO: f64 = 60.0;
-
-fn i(x: f64) -> Intervalle {
-    x.into()
-}
 
 /// γ_n = nu/(1 − nu), in u.
 pub(crate) fn gamma(n: f64, u: f64) -> Intervalle {
@@ -145,10 +141,6 @@ fn rapport(u: f64) -> Intervalle {
 fn racine(a: impl Into<Intervalle>, u: f64) -> Intervalle {
     let a = a.into();
     a / (1.0 + plus(a, u).racine())
-}
-
-fn zero_a_un() -> Intervalle {
-    de_a(0.0, 1.0)
 }
 
 /// 1/√(1 − γ₃) · (1 + u)/(1 − u) − 1, in u: a vector over its length.
@@ -399,7 +391,7 @@ fn sphere_non_perdue(
     if (w + dw).haut <= 0.0 {
         return None;
     }
-    let beta = (w + dw).max(i(0.0)).racine();
+    let beta = positif(w + dw).racine();
     let (b, p) = ((f.carre() - k.carre()).racine(), f.carre() - 1.0);
     // ψ (lemma 6).
     let dp = (g(fois("S3 SC²: SC SC")) * f.carre() + u + PERDU * u) * plus(1.0, u) + u * p;
@@ -457,8 +449,6 @@ fn lemmes_8_et_9_le_pas_depuis_une_face_suffit() {
         assert!(exces(u, ARRONDI_HAUTEUR, PAS_NORMAL).haut <= 0.0);
         assert!(exces(u, 0.9 * ARRONDI_HAUTEUR, PAS_NORMAL).bas > 0.0, "less would do");
         assert!(exces(u, ARRONDI_HAUTEUR, 0.87 * PAS_NORMAL).bas > 0.0, "less would do");
-    }
-    for u in U {
         // The height itself is rounded once.
         assert!(
             (exces(u, 4.0, PAS_NORMAL) - gamma(fois("M2 b box: N P") - difference(), u) + 1.0).haut
@@ -496,7 +486,7 @@ fn lemme_9_la_borne_d_un_reflet_suffit() {
     // c is the cosine of the angle of incidence; N·D rounds by γ₃, and N² is off from 1 by `n2`.
     let besoin = |n2: f64| {
         move |u: f64, [c]: [Intervalle; 1]| {
-            let s = ((1.0 - c).max(i(0.0)) * (1.0 + c)).racine();
+            let s = sinus(c);
             let le_long = 2.0 * gamma(scalaire(), u) + 2.0 * n2 * c;
             Some((s * le_long + 2.0 * c + 2.0) * plus(60.0, u))
         }
@@ -534,12 +524,12 @@ fn refraction(
 fn lemme_9_la_borne_d_une_refraction_suffit() {
     let domaine = |u: f64| [[0.0, RAPPORT_MAXIMAL], [u, 1.0]];
     tenir_sur("9 refraction", promesses::REFRACTE, domaine, |u, [eta, c_]| {
-        let s_ = ((1.0 - c_).max(i(0.0)) * (1.0 + c_)).racine();
+        let s_ = sinus(c_);
         if s_.bas > eta.haut {
             return None; // no light comes to c′
         }
-        let s = if eta.bas > 0.0 { (s_ / eta).min(i(1.0)) } else { zero_a_un() };
-        let c = ((1.0 - s).max(i(0.0)) * (1.0 + s)).racine();
+        let s = if eta.bas > 0.0 { (s_ / eta).min(i(1.0)) } else { de_a(0.0, 1.0) };
+        let c = sinus(s);
         let [le_long, travers, k] = refraction(u, eta, [s, c], [s_, c_]);
         // The error of √k = c′, times c′.
         let racine = k * c_ / (c_ + (c_.carre() - k * u).max(i(0.0)).racine());
@@ -627,9 +617,8 @@ fn lemme_13_les_tours_et_les_compositions_sont_assez_justes() {
     let elements = (2.0 + 2.0 + trois) / deux + 1.0;
     let axe = 2.0 + 0.5 * 3.5 + deux;
     // s(2 − c + 2|c|) for c < 0, and half a rounding of e.
-    let quaternion = portee(sur("13 turns", v, [[0.0, 1.0]]), 3.1, |[c]| {
-        Some((2.0 + 3.0 * c) * ((1.0 - c).max(i(0.0)) * (1.0 + c)).racine())
-    });
+    let quaternion =
+        portee(sur("13 turns", v, [[0.0, 1.0]]), 3.1, |[c]| Some((2.0 + 3.0 * c) * sinus(c)));
     // Three cosines and sines; products of norms 1 and 2 and their sum.
     let new = 3.0 * deux + (1.0 + 2.0 + deux) / deux + rangee;
     let de_l_axe = axe + elements + rangee;
@@ -776,13 +765,6 @@ fn lemme_6_la_borne_du_lieu_sur_une_sphere_suffit() {
     for u in U {
         assert!(promesses::LIEU_SPHERE * plus(20.0, u).haut < TOUCHE_F);
     }
-    // The same summed by hand, from |f| = 2r on, where r is at least 45u·|f|.
-    let du_texte = portee([de_a(0.0, 0.5)], promesses::LIEU_SPHERE, |[y]| {
-        let s = (1.0 - y.carre()).racine();
-        let chi = 10.0 * y.carre() + 2.4 * y + 3.0 + y.carre() + 3.0 * s.carre();
-        Some((5.0 * y + 1.2 + chi / s + 3.0 + y + 1.0) / (1.0 + y))
-    });
-    assert!(du_texte.haut <= promesses::LIEU_SPHERE);
     // For a half-space t·v as computed is the height to two roundings; P adds that of tD.
     tenir("6 P over a plane, S", promesses::LIEU_PLAN_S, |u| {
         gamma(fois("H1 N·S: N S"), u) * plus(4.0, u)

@@ -8,9 +8,9 @@ use lancer_rayon::ObjetRay;
 use crate::besoins::{U, sur, tenir, tenir_au_large};
 use crate::constantes::{ne_suffit_pas, plus};
 use crate::etapes::{S, boite, cotes, de, plan, programmes, rayon, sphere};
-use crate::intervalle::{Intervalle, de_a, prouver};
+use crate::intervalle::{Intervalle, de_a, i, positif, prouver, sinus};
 use crate::pentes::Encore::{Calcule, Erreur, Rien};
-use crate::pentes::{Boite, Dit, Encore, Programme, Valeur};
+use crate::pentes::{Boite, Dit, Encore, Programme, Valeur, nombre};
 use crate::ruban::{Op, Place, Taille, Trace, neuf, op};
 
 /// The degree of a length is 1. That of D differs enough to be told apart, and is too small to turn a length into a
@@ -66,23 +66,6 @@ macro_rules! de_chaque_type {
     ($f:ident) => {
         de_chaque_type($f::<u32>, $f::<u64>)
     };
-}
-
-fn i(x: f64) -> Intervalle {
-    x.into()
-}
-
-fn positif(x: Intervalle) -> Intervalle {
-    x.max(i(0.0))
-}
-
-/// The sine for this cosine.
-fn sinus(c: Intervalle) -> Intervalle {
-    (positif(1.0 - c) * (1.0 + c)).racine()
-}
-
-fn nombre(x: Intervalle) -> Valeur {
-    [x, i(0.0), i(0.0)]
 }
 
 fn vecteur(x: Intervalle, y: Intervalle) -> Valeur {
@@ -164,7 +147,7 @@ fn distance_d_une_boite(
     // At an entry tv ≤ |f|, at an exit tv ≤ |f| + ρ.
     let [t, v] = plate(if sens > 0.0 { [f, rho, v] } else { [f + rho, i(0.0), v] })?;
     let tv = t * v;
-    // |f|, t and ρ are the sides of a triangle.
+    // X is within ρ of C.
     let (l_bas, l_haut) = if sens > 0.0 { (0.0, f - tv) } else { ((tv - f).bas.max(0.0), tv + f) };
     let l_haut = l_haut.haut.min(rho.haut);
     if f.bas > (rho + t).haut || t.bas > (f + rho).haut || l_bas > l_haut {
