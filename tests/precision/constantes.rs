@@ -143,6 +143,11 @@ fn racine(a: impl Into<Intervalle>, u: f64) -> Intervalle {
     a / (1.0 + plus(a, u).racine())
 }
 
+/// The domain of a part or of a cosine.
+fn zero_a_un(_: f64) -> [[f64; 2]; 1] {
+    [[0.0, 1.0]]
+}
+
 /// 1/√(1 − γ₃) · (1 + u)/(1 − u) − 1, in u: a vector over its length.
 fn normalise(u: f64) -> Intervalle {
     et(racine(inverse(gamma(carre(), u), u), u), rapport(u), u)
@@ -200,19 +205,14 @@ fn lemme_3_les_bandes_suffisent() {
     tenir("3 height, η", bandes::PLAN_ABSOLUE, |u| 0.5 * scalaire() * plus(gamma(sommes(), u), u));
     // Rounded speeds add 2⁻⁷⁸.
     tenir("3 speed", bandes::VITESSE, |u| vitesse(u) + (-78_f64).exp2());
-    tenir_sur(
-        "3 box",
-        bandes::BOITE_LONGUEUR,
-        |_| [[0.0, 1.0]],
-        |u, [f]| {
-            let rho = 1.0 - f;
-            let o = f * n(u);
-            // Two comparisons in a row; each of the two lengths takes half of their rounding errors.
-            let compare = et(rapport(u), rapport(u), u) * 0.5;
-            let longueur = rho + o * plus(gamma(fois("B1 f_i: N S"), u), u);
-            Some(gamma(fois("B1 f_i: N S"), u) * o + et(i(1.0), compare, u) * longueur)
-        },
-    );
+    tenir_sur("3 box", bandes::BOITE_LONGUEUR, zero_a_un, |u, [f]| {
+        let rho = 1.0 - f;
+        let o = f * n(u);
+        // Two comparisons in a row; each of the two lengths takes half of their rounding errors.
+        let compare = et(rapport(u), rapport(u), u) * 0.5;
+        let longueur = rho + o * plus(gamma(fois("B1 f_i: N S"), u), u);
+        Some(gamma(fois("B1 f_i: N S"), u) * o + et(i(1.0), compare, u) * longueur)
+    });
     // Where AB² has the wrong sign, AC, seen from 1 away, is off the radius y by no more than C′ and S4 are off. This is
     // of a vector, so that no sphere is too small for it.
     tenir_au_large("3 small sphere", bandes::SPHERE, |u| {
@@ -491,8 +491,8 @@ fn lemme_9_la_borne_d_un_reflet_suffit() {
             Some((s * le_long + 2.0 * c + 2.0) * plus(60.0, u))
         }
     };
-    tenir_sur("9 mirror, flat", promesses::REFLECHI_PLAT, |_| [[0.0, 1.0]], besoin(N2));
-    tenir_sur("9 mirror, sphere", promesses::REFLECHI_SPHERE, |_| [[0.0, 1.0]], besoin(2.0 * N1));
+    tenir_sur("9 mirror, flat", promesses::REFLECHI_PLAT, zero_a_un, besoin(N2));
+    tenir_sur("9 mirror, sphere", promesses::REFLECHI_SPHERE, zero_a_un, besoin(2.0 * N1));
     // M5: the lean, its sum and its quotient.
     tenir("9 mirror, turned", promesses::REFLECHI_REDRESSE, |_| i(REDRESSE + 2.0));
 }
@@ -538,17 +538,13 @@ fn lemme_9_la_borne_d_une_refraction_suffit() {
         let angle = c_ * (c_ * le_long + s_ * droit + c_ + 2.0) + s_ * racine;
         Some(angle * plus(60.0, u) / (1.0 + eta))
     });
-    tenir_sur(
-        "9 total reflection",
-        promesses::REFRACTE_TOTALE,
-        // n starts at the first number above 1, since up to 1 all terms of k are above 0.
-        |u| [[1.0 + 2.0 * u, RAPPORT_MAXIMAL]],
-        |u, [eta]| {
-            let c = ((eta - 1.0) * (eta + 1.0)).racine() / eta;
-            let [.., k] = refraction(u, eta, [1.0 / eta, c], [i(1.0), i(0.0)]);
-            Some(k / ((1.0 + eta) * c))
-        },
-    );
+    // n starts at the first number above 1, since up to 1 all terms of k are above 0.
+    let domaine = |u: f64| [[1.0 + 2.0 * u, RAPPORT_MAXIMAL]];
+    tenir_sur("9 total reflection", promesses::REFRACTE_TOTALE, domaine, |u, [eta]| {
+        let c = ((eta - 1.0) * (eta + 1.0)).racine() / eta;
+        let [.., k] = refraction(u, eta, [1.0 / eta, c], [i(1.0), i(0.0)]);
+        Some(k / ((1.0 + eta) * c))
+    });
     // W and the sum round, and so does making the sum unit. N·√k is N·(N·D) again.
     tenir("9 straight on", promesses::TOUT_DROIT, |u| 3.0 * plus(60.0, u));
 }
@@ -657,26 +653,21 @@ fn boule(u: f64) -> Intervalle {
 #[test]
 fn lemme_14_la_boule_ne_cache_aucune_entree() {
     // y = ρ/f; lemma 6 says where the point of a hit lies.
-    tenir_sur(
-        "14 ball",
-        RETRAIT,
-        |_| [[0.0, 1.0]],
-        |u, [y]| {
-            let epsilon = 15.0 * plus(40.0, u) * u;
-            let rho2 = y.carre();
-            let loin = 11.0 * i(3.0).racine() * y;
-            let hors = plus(37.0, u)
-                * (2.0 * i(3.0).racine() * y * 15.0 * plus(40.0, u) + 3.0 * epsilon * 15.1);
-            let besoin = boule(u)
-                + hors
-                + (37.0 + gamma(carre(), u) + difference()) * rho2
-                + loin.carre() * u * plus(100.0, u);
-            // If SA ≤ 0 as computed, C is no farther ahead than 4u·f: CX² ≥ f²(1 − 17u²) + t².
-            let derriere = sc2(u) + 17.0 * u;
-            assert!(derriere.haut < boule(u).bas, "the second condition needs more than the first");
-            Some(besoin * plus(RETRAIT, u))
-        },
-    );
+    tenir_sur("14 ball", RETRAIT, zero_a_un, |u, [y]| {
+        let epsilon = 15.0 * plus(40.0, u) * u;
+        let rho2 = y.carre();
+        let loin = 11.0 * i(3.0).racine() * y;
+        let hors = plus(37.0, u)
+            * (2.0 * i(3.0).racine() * y * 15.0 * plus(40.0, u) + 3.0 * epsilon * 15.1);
+        let besoin = boule(u)
+            + hors
+            + (37.0 + gamma(carre(), u) + difference()) * rho2
+            + loin.carre() * u * plus(100.0, u);
+        // If SA ≤ 0 as computed, C is no farther ahead than 4u·f: CX² ≥ f²(1 − 17u²) + t².
+        let derriere = sc2(u) + 17.0 * u;
+        assert!(derriere.haut < boule(u).bas, "the second condition needs more than the first");
+        Some(besoin * plus(RETRAIT, u))
+    });
     for u in U {
         let g = inverse(gamma(r2_d2(), u), u);
         let ac = et(gamma(r2_d2(), u), g, u) + 2.0 * 2.16 * plus(20.0, u);
@@ -959,19 +950,15 @@ fn lemme_10_les_bornes_d_une_normale_suffisent() {
         })
     });
     // There c² is at most the errors of the distance, which is off by at most K·u·κt, and of N·D.
-    tenir_sur(
-        "10 direction, leaned",
-        promesses::DIRECTION,
-        |u| [[0.5, loin(u)]],
-        |u, [y]| {
-            let c2 = promesses::SORTIE_SPHERE * u * (2.0 + 2.0 * y) + 20.0 * u * (1.0 + y);
-            if (y.carre() + c2).haut < 1.0 {
-                return None;
-            }
-            let c = if y.haut < 4.0 { c2.racine() } else { i(1.0) };
-            Some((2.0 * y + c + 6.0) / (1.0 + y) * plus(8.0, u))
-        },
-    );
+    let domaine = |u| [[0.5, loin(u)]];
+    tenir_sur("10 direction, leaned", promesses::DIRECTION, domaine, |u, [y]| {
+        let c2 = promesses::SORTIE_SPHERE * u * (2.0 + 2.0 * y) + 20.0 * u * (1.0 + y);
+        if (y.carre() + c2).haut < 1.0 {
+            return None;
+        }
+        let c = if y.haut < 4.0 { c2.racine() } else { i(1.0) };
+        Some((2.0 * y + c + 6.0) / (1.0 + y) * plus(8.0, u))
+    });
 }
 
 #[test]
