@@ -405,9 +405,9 @@ impl<R: Nombre> ObjetRay<R> {
     /// [`Rayon::temoin_f64`]: the same object in `f64`, exactly, with every number that is stored
     /// and no other.
     ///
-    /// It serves for nothing else. Directions and normals are unit only to the rounding of `f32`,
-    /// so that `marge`, `secondaire`, `reflechi`, `refracte`, `vers_touche` and `etendue` promise
-    /// nothing. For an object in `f64` describe it in `f64`.
+    /// It serves for nothing else. Directions and normals are unit only to the rounding of `f32`, so
+    /// that `marge`, `etendue` and all rays from a hit, as `secondaire` gives them, promise nothing,
+    /// and `vers_lieu` nothing beside an edge. For an object in `f64` describe it in `f64`.
     ///
     /// ```
     /// use lancer_rayon::{ObjetRay, SphereGeo, Texture, Vecteur};

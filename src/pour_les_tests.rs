@@ -21,6 +21,7 @@ pub use crate::algebre::rotation::{
 pub use crate::arbre::repere::{JEU_DISTANCE, JEU_F32, JEU_LARGEUR};
 pub use crate::objet::ETENDUE;
 pub use crate::objet::boite::FLOU_A_COTE;
+pub use crate::objet::boite::face::BORD;
 pub use crate::objet::forme::{ARRONDI_HAUTEUR, FLOU_PROPRE, PENCHE, RETRAIT, VERS_LE_HAUT};
 pub use crate::objet::sphere::{
     ARRONDI_PERDU, LONGUEUR, PAR_RAYON, PUISSANCE_PERDUE, TRAVERS_PERDU,

@@ -247,7 +247,9 @@ impl<R: Nombre> Rayon<R> {
     /// **Closed rooms.** No chain of outward rays from hits, and of turns in mid-air, that starts
     /// where no object [contains](crate::Monde::contient) the source leaves a closed room whose
     /// walls are thicker than 2(δ + o) and reach as far into each other, with the δ of the ray that
-    /// would start at the next hit. In `f32` a wall of 10 m has an o of 0.03 mm.
+    /// would start at the next hit. In `f32` a wall of 10 m has an o of 0.03 mm. Not proved is one
+    /// case: a crack between a half-space and an object that only meets it and is, in `f32`, half a
+    /// million times as large as the ray is long (`docs/precision.md`).
     ///
     /// δ is 0 for a ray from [`new`](Self::new), which takes its source as it stands. It is finite,
     /// and grows with each bounce and each turn in mid-air (`docs/precision.md`, "Closed rooms").
@@ -270,9 +272,9 @@ impl<R: Nombre> Rayon<R> {
     /// the ray for objects that [`ObjetGeo::vers_f32`](crate::ObjetGeo::vers_f32) gave with this
     /// origin. Its end is rounded as well.
     ///
-    /// A δ above 0 grows by 8.1u·(|x| + |y| + |z|) of the source in the first type and in `f32`,
-    /// which is more than the source and the surfaces beside it are rounded by. A ray that starts
-    /// from a hit thus stays in a closed room that is converted with it. One from
+    /// A δ above 0 grows by 8.1u·(|x| + |y| + |z|) of the source in the first type and in `f32`, for
+    /// what the source and the surfaces beside it are rounded by. That a ray from a hit thus stays
+    /// in a closed room that is converted with it is tested, and not promised. A ray from
     /// [`new`](Self::new) may start inside a wall that it stood against:
     /// [`contient`](crate::ObjetRay::contient) tells.
     ///
@@ -304,7 +306,7 @@ impl<R: Nombre> Rayon<R> {
     ///
     /// The direction is not made unit again: that of an `f32` ray is unit only to the rounding of
     /// `f32`, and distances are in units of its length, in both types alike. Batches and trees
-    /// answer this ray as a list does. Margins and secondary rays of its hits are not promised.
+    /// answer this ray as a list does. Margins, rays from its hits and closed rooms are not promised.
     ///
     /// ```
     /// use lancer_rayon::{Rayon, Vecteur};

@@ -142,11 +142,12 @@ impl<R: Nombre> Intersection<R> {
     /// The bound is proven (`docs/preuves/rayons.md`, lemma 8), most often a few times the error
     /// itself, and never a NaN. For a box the surface is the plane of the face that was touched.
     ///
-    /// It is +∞ where the point is beyond the range of the type, and for a sphere that is lost in
-    /// rounding. Let a = 16u·(|x| + |y| + |z|) of the point, as that sum is computed, and |f| the
-    /// distance of the source from the centre. A sphere with a radius below a is always lost, and
-    /// one with a radius of 64u·|f| + a or more never, unless it is touched [at
-    /// once](crate::Rayon::flou) from deeper than 0.22 of the radius.
+    /// It is +∞ where the point is beyond the range of the type, at a flat face also where only the
+    /// sum |N_x·x| + |N_y·y| + |N_z·z| is, by which its height rounds (for a box counted from the
+    /// centre), and for a sphere that is lost in rounding. Let a = 16u·(|x| + |y| + |z|) of the
+    /// point, as that sum is computed, and |f| the distance of the source from the centre. A sphere
+    /// with a radius below a is always lost, and one with a radius of 64u·|f| + a or more never,
+    /// unless it is touched [at once](crate::Rayon::flou) from deeper than 0.22 of the radius.
     ///
     /// ```
     /// use lancer_rayon::{ObjetRay, Rayon, SphereGeo, Texture, Vecteur};

@@ -6,7 +6,7 @@ use lancer_rayon::{Intersection, ObjetRay, Rayon, Reel, SphereRay, Vecteur};
 
 use crate::oracle::{Entree, hauteur, verite};
 use crate::regimes::Regime;
-use crate::tolerances::{promesses, u};
+use crate::tolerances::{ORTHONORMALE_GARDEE, promesses, u};
 
 /// The answer of an implementation: distance and normal.
 pub type Mesuree<R> = Option<(R, Vecteur<R>)>;
@@ -89,7 +89,8 @@ pub fn au_bord<R: Reel>(
     let p = rayon.point(touche.distance());
     // The step along N and the rounding of the start come on top.
     let permis = lieu_permis(objet, rayon, touche.distance())
-        + u * (14.0 * touche.marge().vers_f64() + 1.1 * p.vers_f64().longueur());
+        + u * ((ORTHONORMALE_GARDEE + 2.0) * touche.marge().vers_f64()
+            + promesses::LIEU_P * p.vers_f64().longueur());
     let h = hauteur(objet, autre, depart);
     -promesses::LIEU_F * u * du_depart < h && h <= permis
 }
@@ -102,7 +103,8 @@ pub fn lieu_permis<R: Reel>(objet: &ObjetRay<R>, rayon: &Rayon<R>, t: R) -> f64 
     let de_x = match objet {
         ObjetRay::Boite(b) => promesses::LIEU_F * loin(b.centre()) + promesses::LIEU_T * t,
         ObjetRay::Sphere(s) => {
-            promesses::LIEU_SPHERE * (loin(s.centre()) + s.rayon().vers_f64()) + 1.1 * t
+            promesses::LIEU_SPHERE * (loin(s.centre()) + s.rayon().vers_f64())
+                + promesses::LIEU_P * t
         }
         ObjetRay::Plan(p) => {
             let poids = promesses::LIEU_PLAN_S * poids(p.normale().vers_f64(), s);

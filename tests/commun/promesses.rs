@@ -2,7 +2,7 @@
 //! (`tests/precision/promesses.rs`), a search that climbs (`adversaire.rs`) and the tables of the pages
 //! (`benches/comparaison`) all ask them.
 
-use lancer_rayon::pour_les_tests::{self, PUISSANCE_PERDUE};
+use lancer_rayon::pour_les_tests::{self, PAS_ARRONDI, PUISSANCE_PERDUE};
 use lancer_rayon::{
     Intersection, Nombre, ObjetRay, Rayon, Reel, Texture, Vecteur, premiere_intersection,
 };
@@ -17,7 +17,7 @@ use crate::oracle::{
 };
 use crate::passages::{flou_du_point, flou_propre};
 use crate::regimes::Genre;
-use crate::tolerances::{promesses as permis, u};
+use crate::tolerances::{profondeurs, promesses as permis, u};
 
 /// What is asked: where this ray enters or leaves the first of these objects, or which of both it enters first; and the
 /// direction in which the ray leaves the first: x, y, z, a height over the tangent plane, and whether that height
@@ -315,11 +315,12 @@ pub fn secondaire<R: Reel>(cas: &Essai<R>) -> f64 {
     // coordinate.
     let voulue = vers.vers_f64().unitaire().unwrap_or(Vecteur::NUL);
     let tournee = (rayon.direction().vers_f64() - voulue).longueur() / (20.0 * u::<R>());
-    // The step is the margin and 20u of it (`PAS_NORMAL`), and 1.1u of the weights (`PAS_ARRONDI`), along an N up to 6u
-    // too long, in all 26.1u. The start rounds in each coordinate, |P| included, and products underflow.
+    // The step is the margin and 20u of it, and 1.1u of the weights, along an N up to 6.1u too long, and rounds three
+    // times. The start rounds in each coordinate, |P| included, and products underflow.
     let p = cas.rayon.point(touche.distance()).vers_f64();
-    let permis = touche.marge().vers_f64() * (1.0 + 32.0 * u::<R>())
-        + 2.0 * u::<R>() * (poids(n, p) + p.longueur())
+    let de_la_marge = pour_les_tests::PAS_NORMAL + permis::UNITAIRE_PLATE + 3.0;
+    let permis = touche.marge().vers_f64() * (1.0 + de_la_marge * u::<R>())
+        + u::<R>() * (1.0 + 32.0 * u::<R>()) * (PAS_ARRONDI * poids(n, p) + p.longueur())
         + 8.0 * R::ETA.vers_f64();
     if tournee > 1.0 || (depart - p).longueur() > permis {
         return ROMPUE;
@@ -457,7 +458,7 @@ pub fn enfoncement<R: Reel>(cas: &Essai<R>) -> f64 {
 }
 
 /// How deep a ray from outside comes into an object before its entry, or anywhere if it misses, as a part of what the
-/// proof of lemma 22 grants S+tD and of the rounding in `f64` here.
+/// table of lemma 22 grants S+tD and of the rounding in `f64` here.
 pub fn effleurement<R: Reel>(cas: &Essai<R>) -> f64 {
     let (objet, rayon) = (&cas.objets[0], &cas.rayon);
     if objet.contient(rayon.source()) {
@@ -484,24 +485,35 @@ pub fn effleurement<R: Reel>(cas: &Essai<R>) -> f64 {
             [entree, sortie, (entree + sortie) / 2.0]
         }
     };
-    let part = |t: f64| {
-        if !(t >= 0.0 && t < R::INFINI.vers_f64()) {
-            return RIEN;
+    instants.map(|t| profondeur_a(objet, rayon, t)).into_iter().fold(RIEN, f64::max)
+}
+
+/// How deep S+tD lies in an object that S is outside of, as a part of what `effleurement` grants.
+pub fn profondeur_a<R: Reel>(objet: &ObjetRay<R>, rayon: &Rayon<R>, t: f64) -> f64 {
+    let (s, d) = (rayon.source().vers_f64(), rayon.direction().vers_f64());
+    if !(t >= 0.0 && t < R::INFINI.vers_f64()) {
+        return RIEN;
+    }
+    let p = s + d * t;
+    let [x, y, z] = <[f64; 3]>::from(p).map(f64::abs);
+    let ([par_t, par_poids, par_taille], poids, taille) = match objet {
+        ObjetRay::Sphere(boule) => {
+            let (f, r) = ((s - boule.centre().vers_f64()).longueur(), boule.rayon().vers_f64());
+            let pres = f < 2.0 * r;
+            let ligne =
+                if pres { profondeurs::D_UNE_SPHERE } else { profondeurs::D_UNE_SPHERE_LOIN };
+            (ligne, 0.0, r)
         }
-        let p = s + d * t;
-        let [x, y, z] = <[f64; 3]>::from(p).map(f64::abs);
-        let permis = match objet {
-            ObjetRay::Sphere(boule) => 40.2 * boule.rayon().vers_f64() + 12.9 * t,
-            ObjetRay::Plan(plan) => 3.0 * poids(plan.normale().vers_f64(), p) + 8.0 * t,
-            ObjetRay::Boite(boite) => {
-                let l = Vecteur::from(boite.demi_longueurs().map(R::vers_f64));
-                4.0 * l.longueur() + 9.1 * t
-            }
-        };
-        let permis = u::<R>() * permis + f64::U * (x + y + z + t);
-        -dehors(&objet.temoin_f64(), p) / (permis + 8.0 * R::ETA.vers_f64())
+        ObjetRay::Plan(plan) => (profondeurs::D_UN_PLAN, poids(plan.normale().vers_f64(), p), 0.0),
+        // |N_i·f| rounds by ρ, of which Σl is more.
+        ObjetRay::Boite(boite) => {
+            let l = Vecteur::from(boite.demi_longueurs().map(R::vers_f64));
+            (profondeurs::D_UNE_BOITE, 0.0, l.longueur())
+        }
     };
-    instants.map(part).into_iter().fold(RIEN, f64::max)
+    let permis = par_t * t + par_poids * poids + par_taille * taille;
+    let permis = u::<R>() * permis + f64::U * (x + y + z + t);
+    -dehors(&objet.temoin_f64(), p) / (permis + 8.0 * R::ETA.vers_f64())
 }
 
 /// The error of the distance, in scene units or in lengths of D, whichever is more, as a part of `erreur`. Where there

@@ -9,6 +9,9 @@ pub const NORMALE_UNITAIRE: f64 = promesses::UNITAIRE_PLATE + 3.0;
 /// Every element of R·Rᵀ − I, for a polished matrix (lemma 13).
 pub const ORTHONORMALE: f64 = 5.5;
 
+/// The same for the inverse of such a matrix, and for one that `depuis_matrice` keeps (lemmas 1 and 13).
+pub const ORTHONORMALE_GARDEE: f64 = 12.0;
+
 /// How far an element of a product of two rotations is from the product in f64 of what they hold, as observed; lemma 13
 /// grants `COMPOSEE`.
 pub const PRODUIT: f64 = 18.0;
@@ -52,6 +55,8 @@ pub mod promesses {
     pub const PLAN_ABSOLU: f64 = 2.1;
     /// Distance to a box, in u·κt (lemma 4).
     pub const DISTANCE_BOITE: f64 = 5.3;
+    /// ||D| − 1|, in u (lemma 1).
+    pub const UNITAIRE_D: f64 = 7.6;
     /// ||N| − 1| of a half-space or a face, in u (lemma 1).
     pub const UNITAIRE_PLATE: f64 = 6.1;
     /// ||N| − 1| of a sphere, in u (lemma 1).
@@ -93,6 +98,17 @@ pub mod promesses {
     pub const LAMPE_COSINUS: f64 = 8.0;
     pub const BOUT: f64 = 8.2;
     pub const SOLEIL: f64 = 10.7;
+    /// How far under the plane of a hit a ray to it may start, in u of the distance, without being hidden (lemma 12).
+    pub const SOUS_LE_PLAN: f64 = 1.9;
+    /// A centre turned by M, in u·‖C‖₁, and the d of a half-space that is moved, in u·⟨N, T⟩ beside u·|d|; both with
+    /// `PLAN_ABSOLUE` (lemma 11).
+    pub const CENTRE_TOURNE: f64 = 3.1;
+    pub const DISTANCE_DEPLACEE: f64 = 4.1;
+    /// How far beyond the object its `etendue` reaches, in u of the sum of its half-extents and in u·‖C‖₁ (lemma 15).
+    pub const ETENDUE_TAILLE: f64 = 87.0;
+    pub const ETENDUE_CENTRE: f64 = 3.1;
+    /// From how deep on, in r, a sphere that is touched at once may have a margin of +∞ (lemma 8).
+    pub const D_EMBLEE_PERDUE: f64 = 0.22;
     /// An element of a rotation made of angles, of an axis or of a quaternion, in u of `f64` beside its rounding. Then
     /// one of a composition, in u, of two factors that `ORTHONORMALE` bounds, and of others (lemma 13).
     pub const TOUR: f64 = 15.0;
@@ -103,4 +119,30 @@ pub mod promesses {
     pub const ENTRE: f64 = 36.0;
     pub const REGARD: f64 = 6.2;
     pub const REGARD_DROIT: f64 = 14.0;
+}
+
+/// How deep S+tD, up to its hit, may lie in an object beyond how deep the source lies there: the table of lemma 22, which
+/// `tests/precision/budget.rs` evaluates. Each row has what is in u·t, in u·⟨N, P⟩ and in u·r or u·Σl.
+pub mod profondeurs {
+    /// The source is outside.
+    pub const D_UN_PLAN: [f64; 3] = [8.0, 3.0, 0.0];
+    pub const D_UNE_BOITE: [f64; 3] = [9.1, 0.0, 4.0];
+    /// Nearer than |f| = 2r, and from there on.
+    pub const D_UNE_SPHERE: [f64; 3] = [2.0, 0.0, 23.5];
+    pub const D_UNE_SPHERE_LOIN: [f64; 3] = [12.5, 0.0, 22.5];
+    /// The source is inside.
+    pub const DANS_UN_PLAN: [f64; 3] = [3.1, 0.0, 0.0];
+    pub const DANS_UNE_SPHERE: [f64; 3] = [4.0, 0.0, 8.0];
+    pub const DANS_UNE_BOITE: [f64; 3] = [3.1, 0.0, 26.0];
+    pub const LIGNES: [[f64; 3]; 7] = [
+        D_UN_PLAN,
+        D_UNE_BOITE,
+        D_UNE_SPHERE,
+        D_UNE_SPHERE_LOIN,
+        DANS_UN_PLAN,
+        DANS_UNE_SPHERE,
+        DANS_UNE_BOITE,
+    ];
+    /// What of the last is added but once in a chain, in u·Σl.
+    pub const UNE_FOIS: f64 = 4.0;
 }

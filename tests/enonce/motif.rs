@@ -184,18 +184,60 @@ fn un_coin_d_une_boite_de_biais_a_une_sortie<R: Reel>() {
         cotes.rotate_left(alea.usize(0..3));
         BoiteGeo::new(centre, arrondi(cotes.into()), tour, Texture(0)).unwrap().vers_ray()
     };
+    let mut trop_pres = 0;
     pour_chaque(500, faire, |boite| {
         for face in Face::TOUTES {
-            for (u, v) in [(-1.0, -1.0), (-1.0, 1.0), (1.0, -1.0), (1.0, 1.0)] {
+            for (u, v) in COINS {
                 let rayon = boite.vers_lieu(face, [u, v].map(R::depuis_f64)).unwrap();
                 let sortie = ObjetRay::from(boite).sortie(&rayon).unwrap();
                 assert_eq!(sortie.normale(), boite.face(face).1, "{face} {u} {v}");
+                trop_pres += u32::from(!sort_par(&boite, face, [u, v], 7.0 * R::U.vers_f64()));
             }
         }
     });
+    assert!(trop_pres > 0);
+}
+
+const COINS: [(f64, f64); 4] = [(-1.0, -1.0), (-1.0, 1.0), (1.0, -1.0), (1.0, 1.0)];
+
+/// Whether the ray along the normal to the place that lies this part of ‖C‖₁ and Σl_i amid an edge or a corner leaves by
+/// the face.
+fn sort_par<R: Reel>(boite: &BoiteRay<R>, face: Face, [u, v]: [f64; 2], part: f64) -> bool {
+    let (n, l) = (boite.normales(), boite.demi_longueurs());
+    let c = <[R; 3]>::from(boite.centre()).map(|x| x.vers_f64().abs());
+    let bord = part * (c.iter().sum::<f64>() + l.iter().map(|l| l.vers_f64()).sum::<f64>());
+    let axes: [Vecteur; 3] = [Vecteur::X, Vecteur::Y, Vecteur::Z];
+    let p = [0, 1, 2].map(|i| {
+        let [a, b] = face.le_long(axes[i]);
+        let p = (a * u + b * v) * (1.0 - bord / l[i].vers_f64()).max(0.0);
+        n[i] * (l[i] * R::depuis_f64(p))
+    });
+    let rayon = Rayon::new(boite.centre() + (p[0] + p[1] + p[2]), boite.face(face).1).unwrap();
+    let sortie = ObjetRay::from(*boite).sortie(&rayon);
+    sortie.is_ok_and(|sortie| sortie.normale() == boite.face(face).1)
 }
 
 en_f32_et_f64!(un_coin_d_une_boite_de_biais_a_une_sortie);
+
+/// In a box that was widened rays to places at an edge may not leave by the face, as the documentation of `vers_lieu` says.
+/// Those to places 40u of `f32` from it do.
+#[test]
+fn pres_d_une_arete_d_une_boite_elargie_un_lieu_peut_manquer_la_face() {
+    let tour = Rotation::new(Vecteur::new(0.3_f32, 0.4, 0.5)).unwrap();
+    let cotes = Vecteur::new(2.0, 2.0, 2.0);
+    let cube = ObjetRay::from(BoiteGeo::new(Vecteur::NUL, cotes, tour, Texture(0)).unwrap());
+    let ObjetRay::Boite(large) = cube.temoin_f64() else { unreachable!("a box") };
+    let aretes = [(-1.0, 0.0), (1.0, 0.0), (0.0, -1.0), (0.0, 1.0)];
+    let mut justes = 0;
+    for face in Face::TOUTES {
+        for (u, v) in COINS.into_iter().chain(aretes) {
+            let sortie = ObjetRay::from(large).sortie(&large.vers_lieu(face, [u, v]).unwrap());
+            justes += u32::from(sortie.is_ok_and(|s| s.normale() == large.face(face).1));
+            assert!(sort_par(&large, face, [u, v], 40.0 * f64::from(f32::U)), "{face} {u} {v}");
+        }
+    }
+    assert_eq!(justes, 32);
+}
 
 /// A checker of three dimensions on a floor at a height of `hauteur` cells, turned about its normal: measured along the
 /// axes of the floor's rotation, with −d across, and as the same point back in the axes of the scene.

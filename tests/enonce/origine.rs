@@ -218,7 +218,7 @@ fn une_chambre_convertie_reste_close() {
         let simples = simples.collect::<Result<Vec<ObjetRay<f32>>, ErreurGeo>>().unwrap();
         let murs: Vec<_> = murs.iter().map(|mur| mur.vers_ray()).collect();
         let (double, simple) = (Monde::de_liste(&murs), Monde::de_liste(&simples));
-        // How much deeper a hit lies in some wall than lemma 22 allows.
+        // How much deeper a hit lies in some wall than twice what lemma 22 allows in one type.
         let exces = |rayon: &Rayon<f32>| {
             let Ok(touche) = simple.premiere_intersection(rayon) else { return f64::INFINITY };
             let de_plus =

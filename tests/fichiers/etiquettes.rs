@@ -1,5 +1,6 @@
 //! What the pages of `docs/preuves` name is in the code: each step of the algorithms stands, with its label, in a
-//! comment of the code that takes it, and each test and each constant of the map exists.
+//! comment of the code that takes it, and each test and each constant of the map exists. The steps of the judge are
+//! defined at the head of its file, all others on the pages.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -17,26 +18,43 @@ fn etiquettes(texte: &str) -> impl Iterator<Item = &str> {
     })
 }
 
+/// The file of which the head defines steps.
+const JUGE: &str = "src/question/jugement/juge.rs";
+
+/// The algorithms of the pages and, without the signs of a comment, of the judge: what stands between the first fences
+/// after their titles.
+pub(crate) fn algorithmes() -> Vec<String> {
+    let racine = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let des_pages =
+        fichiers_sous("docs/preuves").into_iter().map(|page| (page, "\n## The algorithms\n"));
+    let algorithmes =
+        des_pages.chain([(racine.join(JUGE), "//! The judge")]).filter_map(|(page, titre)| {
+            let texte = fs::read_to_string(page).unwrap();
+            let (_, suite) = texte.split_once(titre)?.1.split_once("```text\n")?;
+            Some(suite.split_once("```")?.0.replace("//! ", ""))
+        });
+    let algorithmes: Vec<_> = algorithmes.collect();
+    assert_eq!(algorithmes.len(), 4);
+    algorithmes
+}
+
 #[test]
 fn chaque_pas_des_preuves_est_une_fois_dans_le_code() {
-    let algorithmes = fichiers_sous("docs/preuves").into_iter().filter_map(|page| {
-        let page = fs::read_to_string(page).unwrap();
-        let (_, algorithmes) = page.split_once("\n## The algorithms\n")?;
-        let (_, algorithmes) = algorithmes.split_once("```text\n")?;
-        Some(algorithmes.split_once("```")?.0.to_owned())
-    });
-    let algorithmes: Vec<_> = algorithmes.collect();
-    assert_eq!(algorithmes.len(), 3);
-    // A step begins a line.
-    let mut pas: BTreeMap<_, _> = algorithmes
-        .iter()
-        .flat_map(|algorithmes| algorithmes.lines())
-        .filter_map(|ligne| etiquettes(ligne).next().filter(|pas| ligne.starts_with(pas)))
-        .map(|pas| (pas.to_owned(), Vec::new()))
-        .collect();
+    let definis = algorithmes();
+    // A step begins a line, and is defined once.
+    let mut pas = BTreeMap::new();
+    for ligne in definis.iter().flat_map(|algorithmes| algorithmes.lines()) {
+        let etiquette = etiquettes(ligne).next().filter(|pas| ligne.starts_with(pas));
+        let Some(etiquette) = etiquette else { continue };
+        let ancien = pas.insert(etiquette.to_owned(), Vec::new());
+        assert!(ancien.is_none(), "{etiquette} is defined twice");
+    }
     assert!(pas.len() > 50, "only {} steps", pas.len());
     for chemin in fichiers_sous("src") {
-        for (numero, ligne) in fs::read_to_string(&chemin).unwrap().lines().enumerate() {
+        // What defines a step does not take it.
+        let definit = |ligne: &str| chemin.ends_with(JUGE) && ligne.starts_with("//!");
+        let texte = fs::read_to_string(&chemin).unwrap();
+        for (numero, ligne) in texte.lines().enumerate().filter(|(_, ligne)| !definit(ligne)) {
             let Some((_, commentaire)) = ligne.split_once("//") else { continue };
             for etiquette in etiquettes(commentaire) {
                 if let Some(lieux) = pas.get_mut(etiquette) {

@@ -6,6 +6,7 @@ mod etiquettes;
 mod figures;
 mod lexique;
 mod mesures;
+mod nombres;
 mod pages;
 mod pixels;
 mod programmes;

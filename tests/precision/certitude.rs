@@ -2,12 +2,13 @@
 //! and 17): numbers of few bits over the whole range, exactly on a surface, in the plane of a face, or a little beside
 //! it.
 
-use commun::en_f32_et_f64;
 use commun::fabrique::{boite, boite_droite, mur, sphere, v};
 use commun::hasard::{Hasard, Tirage, pour_chaque};
 use commun::oracle::{Passage, norme_au_carre_moins_un, verite};
 use commun::promesses::{Essai, coup_d_oeil, erreur, est_certain};
 use commun::regimes::{Cas, Extreme, direction, entre, regimes};
+use commun::tolerances::u;
+use commun::{arrondi, en_f32_et_f64};
 use lancer_rayon::{
     BoiteGeo, ErreurGeo, Monde, Nombre, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo,
     Texture, Vecteur, premiere_intersection,
@@ -279,6 +280,34 @@ fn au_dela_d_une_face_un_manque_est_sur() {
         juger(boite, rayon);
     }
 }
+
+/// A long box, and a source some roundings under a face along which the ray goes to rounding: it may leave the box by that
+/// face before it enters by another, far along. (Whether it rises towards the face is not known at a glance, so that the
+/// face bounds the way out, J3.)
+fn sous_une_face_qu_il_longe_rien_de_faux_n_est_sur<R: Reel>() {
+    let u = u::<R>();
+    let [mut fausses, mut sures] = [0; 2];
+    let faire = |alea: &mut Hasard| {
+        let tour = Rotation::<R>::new(arrondi(direction(alea) * 3.0)).unwrap();
+        let boite = boite(Vecteur::NUL, v(2.0, 200.0, 2.0), tour);
+        let [x, y, z] = tour.axes().map(Vecteur::vers_f64);
+        let sous = 1.0 - u * entre(alea, 5.0, 65.0);
+        let source = x * entre(alea, 1.0, 2.0) + y * entre(alea, -2.0, 2.0) + z * sous;
+        let d = y - x * entre(alea, 0.01, 0.11) + z * (u * entre(alea, -4.0, 4.0));
+        (boite, Rayon::new(arrondi(source), arrondi(d)).unwrap())
+    };
+    pour_chaque(20_000, faire, |(objet, rayon)| {
+        let exacte = verite(&objet, &rayon).entree.is_some();
+        let sure = objet.est_certain(&rayon);
+        let juste = objet.intersection(&rayon).is_ok() == exacte;
+        assert!(juste || !sure, "{objet:?} {rayon:?}");
+        fausses += u32::from(!juste);
+        sures += u32::from(sure);
+    });
+    assert!(fausses > 50 && sures > 15_000, "{fausses} {sures}");
+}
+
+en_f32_et_f64!(sous_une_face_qu_il_longe_rien_de_faux_n_est_sur);
 
 /// The places where the documents say that a right answer may be uncertain, and places just beside them.
 #[test]

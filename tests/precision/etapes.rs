@@ -239,6 +239,9 @@ fn etapes<T: Taille>() -> BTreeMap<&'static str, Comptes> {
     noter("M2 ℓ box", cotes!(huit_u, Produit)[0], &trois("P", places(touche.point())));
     let lieu = boite.lieu(&ray, &touche).1.x.place();
     noter("lieu", lieu, &[("t", t)]);
+    // The source of a ray to a place, of which N·l is counted along the face.
+    let vers = boite.vers_lieu(Face::PlusZ, [entree("p", 0.25), entree("q", 0.5)]).unwrap();
+    noter("vers_lieu", vers.source().x.place(), &[]);
     let etendue = ObjetRay::from(boite).etendue().unwrap().haut.x.place();
     let [_, h_jeu] = cotes!(etendue, Somme);
     let [h, jeu] = cotes!(h_jeu, Somme);

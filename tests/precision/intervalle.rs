@@ -13,6 +13,19 @@ pub(crate) struct Intervalle {
     pub(crate) haut: f64,
 }
 
+pub(crate) fn i(x: f64) -> Intervalle {
+    x.into()
+}
+
+pub(crate) fn positif(x: Intervalle) -> Intervalle {
+    x.max(i(0.0))
+}
+
+/// The sine for this cosine, or the cosine for this sine.
+pub(crate) fn sinus(c: Intervalle) -> Intervalle {
+    (positif(1.0 - c) * (1.0 + c)).racine()
+}
+
 /// From the first number to the second.
 pub(crate) fn de_a(bas: f64, haut: f64) -> Intervalle {
     assert!(bas <= haut, "[{bas}, {haut}]");

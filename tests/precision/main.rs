@@ -1,6 +1,8 @@
 //! What `docs/precision.md` promises, against an oracle in exact integers.
 
 mod adversaire;
+mod besoins;
+mod budget;
 mod certificat;
 mod certitude;
 mod conclusion;

@@ -9,7 +9,7 @@
 
 use std::collections::HashMap;
 
-use crate::intervalle::{Intervalle, de_a};
+use crate::intervalle::{Intervalle, de_a, i};
 use crate::ruban::{Op, Place, op};
 
 /// A vector in a frame that suits the lemma, or a number followed by two zeros.
@@ -144,11 +144,7 @@ pub(crate) enum Encore {
     Calcule(Intervalle),
 }
 
-fn i(x: f64) -> Intervalle {
-    x.into()
-}
-
-fn nombre(x: Intervalle) -> Valeur {
+pub(crate) fn nombre(x: Intervalle) -> Valeur {
     [x, i(0.0), i(0.0)]
 }
 

@@ -5,11 +5,12 @@ use std::panic::AssertUnwindSafe;
 use commun::tolerances::{bandes, promesses};
 use lancer_rayon::ObjetRay;
 
-use crate::constantes::{U, ne_suffit_pas, plus, tenir};
+use crate::besoins::{U, sur, tenir, tenir_au_large};
+use crate::constantes::{ne_suffit_pas, plus};
 use crate::etapes::{S, boite, cotes, de, plan, programmes, rayon, sphere};
-use crate::intervalle::{Intervalle, de_a, prouver};
+use crate::intervalle::{Intervalle, de_a, i, positif, prouver, sinus};
 use crate::pentes::Encore::{Calcule, Erreur, Rien};
-use crate::pentes::{Boite, Dit, Encore, Programme, Valeur};
+use crate::pentes::{Boite, Dit, Encore, Programme, Valeur, nombre};
 use crate::ruban::{Op, Place, Taille, Trace, neuf, op};
 
 /// The degree of a length is 1. That of D differs enough to be told apart, and is too small to turn a length into a
@@ -53,34 +54,18 @@ fn de_chaque_type<const N: usize>(
 /// Proves this constant on this domain, in both types, and shows that a tenth less is too little.
 #[track_caller]
 fn prouve_sur<const N: usize>(
+    quoi: &str,
     constante: f64,
-    domaine: impl Fn(f64) -> [Intervalle; N],
+    domaine: impl Fn(f64) -> [[f64; 2]; N],
     besoin: impl Fn(f64, [Intervalle; N]) -> Option<Intervalle>,
 ) {
-    tenir(constante, |u| prouver(domaine(u), constante, |x| besoin(u, x)));
+    tenir(quoi, constante, |u| prouver(sur(quoi, u, domaine(u)), constante, |x| besoin(u, x)));
 }
 
 macro_rules! de_chaque_type {
     ($f:ident) => {
         de_chaque_type($f::<u32>, $f::<u64>)
     };
-}
-
-fn i(x: f64) -> Intervalle {
-    x.into()
-}
-
-fn positif(x: Intervalle) -> Intervalle {
-    x.max(i(0.0))
-}
-
-/// The sine for this cosine.
-fn sinus(c: Intervalle) -> Intervalle {
-    (positif(1.0 - c) * (1.0 + c)).racine()
-}
-
-fn nombre(x: Intervalle) -> Valeur {
-    [x, i(0.0), i(0.0)]
 }
 
 fn vecteur(x: Intervalle, y: Intervalle) -> Valeur {
@@ -118,8 +103,8 @@ fn demi_espace<T: Taille>() -> [Place; 2] {
 fn lemme_4_la_borne_d_un_demi_espace_suffit() {
     let preuve = de_chaque_type!(demi_espace);
     let un = i(1.0);
-    let domaine = |u: f64| [de_a(0.0, 1.0), de_a(0.0, 1.0), de_a(3.2 * u, 1.0)];
-    prouve_sur(promesses::DISTANCE_PLAN, domaine, |u, x @ [f, d, _]| {
+    let domaine = |u: f64| [[0.0, 1.0], [0.0, 1.0], [bandes::VITESSE * u, 1.0]];
+    prouve_sur("4 K of a half-space", promesses::DISTANCE_PLAN, domaine, |u, x @ [f, d, _]| {
         let Preuve { noeuds: [e, sortie], .. } = *preuve(u);
         let [t, v] = plate(x)?;
         let de_d = |d: Intervalle| {
@@ -162,7 +147,7 @@ fn distance_d_une_boite(
     // At an entry tv ≤ |f|, at an exit tv ≤ |f| + ρ.
     let [t, v] = plate(if sens > 0.0 { [f, rho, v] } else { [f + rho, i(0.0), v] })?;
     let tv = t * v;
-    // |f|, t and ρ are the sides of a triangle.
+    // X is within ρ of C.
     let (l_bas, l_haut) = if sens > 0.0 { (0.0, f - tv) } else { ((tv - f).bas.max(0.0), tv + f) };
     let l_haut = l_haut.haut.min(rho.haut);
     if f.bas > (rho + t).haut || t.bas > (f + rho).haut || l_bas > l_haut {
@@ -187,13 +172,13 @@ fn distance_d_une_boite(
 
 #[test]
 fn lemmes_4_et_10_la_borne_d_une_boite_suffit() {
-    let domaine = |u: f64| [de_a(0.0, 1.0), de_a(0.0, 1.0), de_a(3.2 * u, 1.0 + 20.0 * u)];
+    let domaine = |u: f64| [[0.0, 1.0], [0.0, 1.0], [bandes::VITESSE * u, 1.0 + 20.0 * u]];
     let preuve = de_chaque_type!(entree);
-    prouve_sur(promesses::DISTANCE_BOITE, domaine, |u, x| {
+    prouve_sur("4 K of a box", promesses::DISTANCE_BOITE, domaine, |u, x| {
         distance_d_une_boite(u, preuve(u), 1.0, x)
     });
     let preuve = de_chaque_type!(sortie);
-    prouve_sur(promesses::DISTANCE_BOITE, domaine, |u, x| {
+    prouve_sur("10 K of a box", promesses::DISTANCE_BOITE, domaine, |u, x| {
         distance_d_une_boite(u, preuve(u), -1.0, x)
     });
 }
@@ -252,19 +237,21 @@ fn distance_d_une_sphere(
 }
 
 /// Radii up to r = `perdue`·u·t.
-fn rayons(u: f64, perdue: f64) -> [Intervalle; 2] {
-    [de_a(u / 4.0, 1.0 / (perdue * u)), de_a(u.sqrt(), 1.0)]
+fn rayons(u: f64, perdue: f64) -> [[f64; 2]; 2] {
+    [[u / 4.0, 1.0 / (perdue * u)], [u.sqrt(), 1.0]]
 }
 
 #[test]
 fn lemme_5_la_borne_d_une_sphere_suffit() {
     let preuve = de_chaque_type!(entree_d_une_sphere);
     prouve_sur(
+        "5 K of a sphere",
         promesses::DISTANCE_SPHERE,
         |u| rayons(u, promesses::PERDUE),
         |u, x| distance_d_une_sphere(u, preuve(u), bandes::SPHERE, x),
     );
     prouve_sur(
+        "5 small, far",
         promesses::DISTANCE_PERDUE,
         |u| rayons(u, 2.0),
         |u, x| distance_d_une_sphere(u, preuve(u), bandes::SPHERE, x),
@@ -274,7 +261,9 @@ fn lemme_5_la_borne_d_une_sphere_suffit() {
     let preuve = AssertUnwindSafe(preuve(u));
     ne_suffit_pas(move || {
         let k = promesses::DISTANCE_SPHERE;
-        prouver(rayons(u, promesses::PERDUE), k, |x| distance_d_une_sphere(u, &preuve, bande, x))
+        prouver(rayons(u, promesses::PERDUE).map(|[a, b]| de_a(a, b)), k, |x| {
+            distance_d_une_sphere(u, &preuve, bande, x)
+        })
     });
 }
 
@@ -359,32 +348,31 @@ fn distance_de_sortie(
 fn lemme_10_la_borne_de_sortie_d_une_sphere_suffit() {
     let (devant, derriere) = (de_chaque_type!(devant), de_chaque_type!(derriere));
     let k = promesses::SORTIE_SPHERE;
-    tenir(k, |u| {
-        let large = |f: Intervalle| bandes::SPHERE * u * (f + 1.0);
-        let devant = |[b, c]: [Intervalle; 2]| {
-            let s = sinus(c);
-            let f = (b.carre() + s.carre()).racine();
-            let dehors = (c.carre() / (1.0 + s)).haut <= large(f).bas;
-            let p = b.carre() - c.carre();
-            (!dehors).then(|| distance_de_sortie(u, devant(u), false, [b + c, c, b], [p, f]))
-        };
-        // S may also be A, or A ahead by up to 4u|f|, since the sign of SA may be wrong.
-        let derriere = |[y, c]: [Intervalle; 2]| {
-            let p = y * (y - 2.0) * c.carre();
-            let f = (1.0 + p).racine();
-            let sa = (y - 1.0) * c;
-            let dehors = (-p / (1.0 + f)).haut <= large(f).bas || sa.bas > 4.1 * u;
-            (!dehors).then(|| distance_de_sortie(u, derriere(u), true, [y * c, c, sa], [p, f]))
-        };
-        let cosinus = de_a(u.sqrt(), 1.0);
-        let y = de_a(u, 1.0 + 4.0 * u.sqrt());
-        let devant = prouver([de_a(u, 0.5 / u), cosinus], k, devant).max(prouver(
-            [de_a(0.0, u), cosinus],
-            k,
-            devant,
-        ));
-        devant.max(prouver([y, cosinus], k, derriere))
-    });
+    let large = |u: f64, f: Intervalle| bandes::SPHERE * u * (f + 1.0);
+    let devant = |u: f64, [b, c]: [Intervalle; 2]| {
+        let s = sinus(c);
+        let f = (b.carre() + s.carre()).racine();
+        let dehors = (c.carre() / (1.0 + s)).haut <= large(u, f).bas;
+        let p = b.carre() - c.carre();
+        (!dehors).then(|| distance_de_sortie(u, devant(u), false, [b + c, c, b], [p, f]))
+    };
+    // The sign of SA may be wrong: A is ahead as computed from 4u|f| behind on, and behind up to as far ahead.
+    let derriere = |u: f64, [y, c]: [Intervalle; 2]| {
+        let p = y * (y - 2.0) * c.carre();
+        let f = (1.0 + p).racine();
+        let sa = (y - 1.0) * c;
+        let dehors = (-p / (1.0 + f)).haut <= large(u, f).bas || sa.bas > 4.1 * u;
+        (!dehors).then(|| distance_de_sortie(u, derriere(u), true, [y * c, c, sa], [p, f]))
+    };
+    let cosinus = |u: f64| [u.sqrt(), 1.0];
+    for (quoi, [bas, haut]) in [("10 A ahead", [1.0, 0.5]), ("10 A at S", [-4.2, 1.0])] {
+        let haut = |u: f64| if bas > 0.0 { haut / u } else { haut * u };
+        tenir_au_large(quoi, k, |u| {
+            prouver(sur(quoi, u, [[bas * u, haut(u)], cosinus(u)]), k, |x| devant(u, x))
+        });
+    }
+    let domaine = |u: f64| [[u, 1.0 + 4.0 * u.sqrt()], cosinus(u)];
+    prouve_sur("10 K of a sphere", k, domaine, derriere);
 }
 
 /// p and AB², as an entry computes them.
@@ -393,32 +381,37 @@ fn signes<T: Taille>() -> [Place; 2] {
     [p, ab2]
 }
 
-/// The radius is 1, A is `b` ahead, and AC is `k`.
+/// By how much p and AB² are off, as a part of how far they are from 0 outside of the band: the radius is 1, A is `b`
+/// ahead, AC is `k`, and |loin² − 1| exceeds the width of the band there.
+fn signes_surs(u: f64, preuve: &Preuve<2>, [b, k]: [Intervalle; 2]) -> Option<Intervalle> {
+    let f = (b.carre() + k.carre()).racine();
+    let lettres = [
+        ("S", 1.0, nombre(i(0.0))),
+        ("C", 1.0, vecteur(b, k)),
+        ("r", 1.0, nombre(i(1.0))),
+        ("D", DEGRE_DE_D, nombre(i(1.0))),
+    ];
+    let boite = preuve.boite(u, &lettres, &[]);
+    let [p, ab2] = [0, 1].map(|quoi| {
+        let loin = [f, k][quoi];
+        let large = bandes::SPHERE * u * (f + 1.0) * (loin + 1.0);
+        let sans_signe = 1.0 - loin.carre();
+        let exact = sans_signe.max(-sans_signe).max(i(0.0));
+        let erreur = ou_rien(boite.as_ref().and_then(|boite| boite.erreur(preuve.noeuds[quoi])));
+        erreur / i(large.bas.max(exact.bas))
+    });
+    Some(p.max(ab2))
+}
+
+/// Up to |f| = r/2u; `constantes.rs` has the rest.
 #[test]
 fn lemme_3_la_bande_d_une_sphere_suffit() {
     let preuve = de_chaque_type!(signes);
-    for u in U {
-        let domaine = [de_a(u, 0.5 / u), de_a((-40_f64).exp2(), 0.5 / u)];
-        let Preuve { noeuds, .. } = preuve(u);
-        for (noeud, de_ab2) in noeuds.iter().zip([false, true]) {
-            prouver(domaine, 1.0, |[b, k]| {
-                let f = (b.carre() + k.carre()).racine();
-                let loin = if de_ab2 { k } else { f };
-                let lettres = [
-                    ("S", 1.0, nombre(i(0.0))),
-                    ("C", 1.0, vecteur(b, k)),
-                    ("r", 1.0, nombre(i(1.0))),
-                    ("D", DEGRE_DE_D, nombre(i(1.0))),
-                ];
-                // Outside of the band neither is off by more than its size: |loin² − 1| exceeds the width of the band
-                // there.
-                let large = bandes::SPHERE * u * (f + 1.0) * (loin + 1.0);
-                let sans_signe = 1.0 - loin.carre();
-                let exact = sans_signe.max(-sans_signe).max(i(0.0));
-                let boite = preuve(u).boite(u, &lettres, &[]);
-                let erreur = ou_rien(boite.and_then(|boite| boite.erreur(*noeud)));
-                Some(erreur / i(large.bas.max(exact.bas)))
-            });
-        }
+    for (quoi, [bas, haut]) in [("3 sphere", [1e-12, 0.5]), ("3 sphere, amid", [0.0, 1e-12])] {
+        let haut = |u: f64| if bas > 0.0 { haut / u } else { haut };
+        tenir_au_large(quoi, 1.0, |u| {
+            let domaine = sur(quoi, u, [[u, 0.5 / u], [bas, haut(u)]]);
+            prouver(domaine, 1.0, |x| signes_surs(u, preuve(u), x))
+        });
     }
 }

@@ -92,8 +92,8 @@ fn chaque_promesse_tient<R: Reel>() {
 
 en_f32_et_f64!(chaque_promesse_tient);
 
-/// What `docs/preuves/modele.md` promises for the numbers of an `f32` scene in `f64`, which are unit only to the
-/// rounding of `f32`: all except what rests on the length of the normal of a flat face.
+/// What holds for the numbers of an `f32` scene in `f64`, which are unit only to the rounding of `f32`: all except what
+/// rests on the length of the normal of a flat face. `docs/preuves/modele.md` promises less.
 #[test]
 fn les_promesses_tiennent_de_nombres_elargis() {
     let elargir = |Essai { objets, rayon, passage, vers }: Essai<f32>| {
@@ -258,6 +258,19 @@ fn la_marge_d_un_point_hors_du_type_est_infinie() {
     assert_eq!(rayon.point(touche.distance()).x, f32::INFINITY);
     assert_eq!(touche.marge(), f32::INFINITY);
     assert_eq!(touche.secondaire(touche.normale()).unwrap_err().champ, "marge");
+    // The point is finite, and the weights of its height are not, along an N and a D that are longer than 1.
+    let (a, peu) = (core::f32::consts::FRAC_1_SQRT_2.next_up().next_up(), 2_f32.powi(-30));
+    let tour = [[a, a, 0.0], [-peu * a, peu * a, 1.0], [a, -a, peu]];
+    let tour = Rotation::depuis_matrice(tour).unwrap();
+    let haut = f32::MAX * (1.0 - f32::EPSILON) * peu * 2_f32.powi(-38);
+    let mur = ObjetRay::from(PlanGeo::new(tour, haut, Texture(0)).unwrap());
+    let rayon = Rayon::new(Vecteur::NUL, Vecteur::new(a, a, -(2_f32.powi(-38)))).unwrap();
+    let touche = mur.intersection(&rayon).unwrap();
+    assert!(
+        <[f32; 3]>::from(touche.point()).into_iter().all(f32::is_finite)
+            && touche.marge() == f32::INFINITY,
+        "{touche:?}"
+    );
 }
 
 /// A hit beside an edge, seen from afar, is off by much along the ray, of which the margin over its face knows nothing.

@@ -78,10 +78,8 @@ impl fmt::Display for Face {
     }
 }
 
-/// How far from an edge a place stays, in u of ‖C‖₁ and Σl_i. The source of the ray is off by u of
-/// |C| and 5u of Σl_i, and by 12u of Σl_i as N_i are orthonormal to that; a length to a face rounds
-/// by 4u of Σl_i; and along N_i the ray comes nearer to another face by 15.1u of l_i at most.
-const BORD: f64 = 40.0;
+/// How far from an edge a place stays, in u of ‖C‖₁ and Σl_i (lemma 10).
+pub const BORD: f64 = 40.0;
 
 impl<R: Nombre> BoiteRay<R> {
     /// Where a hit on this box lies: the face, and the point in the box's own axes, from −1 to 1
@@ -142,6 +140,10 @@ impl<R: Nombre> BoiteRay<R> {
     /// any other: a sensor, a patch, a point of a lamp. [`lieu`](Self::lieu) of that ray and hit
     /// gives the place back, to rounding, unless it was so moved. A box no thicker than
     /// some u of ‖C‖₁ and Σl_i may have no way out by this face.
+    ///
+    /// **In a box that [`temoin_f64`](crate::ObjetRay::temoin_f64) has widened** the axes are at
+    /// right angles to the rounding of `f32` only: the ray to a place nearer to an edge than 40u of
+    /// `f32` of ‖C‖₁ and Σl_i may leave by the face across the edge, or find no way out.
     ///
     /// # Errors
     /// If the middle of the box, moved along the face, lies outside the limits of [`Rayon::new`].

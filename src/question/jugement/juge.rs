@@ -1,6 +1,40 @@
 //! The judge: whether and when a ray enters an object, within bounds. Its formulae are not those of
-//! the search, and are the same for plain `f64` and for doubled numbers (`docs/preuves/objets.md`,
-//! lemmas 17 and 18).
+//! the search, and are the same for plain `f64` and for doubled numbers. These are its steps, which
+//! lemmas 17 and 18 of `docs/preuves/objets.md` prove. Letters are those of `docs/precision.md`.
+//!
+//! ```text
+//! Judgement of t, in intervals: of doubled numbers (lemma 16), or at a glance by G1 and G2, with
+//! X=S
+//! J1  of each face: e, the height of S;  e_X, that of X=S+tD;  v, how fast the ray descends
+//!     towards it
+//! J2  counted from X, E is the largest e_X/v over faces with v>0, F the least over those with v<0
+//! J3  v of unknown sign, |v|≤v₊: E≤e_X/v₊ and F≥−e_X/v₊ if S and X are on the face or under it;
+//!     if not, J4 knows of no entry, nor that S is above no face;  if both are above, E≥e_X/v₊.
+//!     v≤0: a miss if S is above
+//! J4  the ray enters at t′=t+E if S is above a face with v>0 and E<F, not if S is above no such
+//!     face or E>F, each for all numbers in the intervals
+//! J5  sphere: p_X=CX·CX−r² and XA=−(CX·D), at S, at X and at the rounded A=S+D·(SA/D²), where
+//!     −D²·p_A≤AB²≤−D²·p_A+2XA²+η, without η if XA=0
+//! J6  the ray enters if p_S, SA, AB²>0, not if one is 0 or less;  t′−t=p_X/(XA+AB) if XA>0, else
+//!     at most (AB+|XA|)/D² in size
+//! J7  erreur=(|t−t′|·max(1, |D|)+t·||D|−1|)(1+16.1u)+2η, or +∞ unless the ray certainly enters;
+//!     in f32 t′ is that of a glance if this leaves less than u·t/64 open
+//! J8  t′ lies from t plus the least t′−t to t plus the greatest.  Each t′−t is moved outward by
+//!     10.6u of itself and η, each sum by 2u of itself, and a sum below 0 is 0.  t is that of the
+//!     search in f64, at a miss max(SC·D, 0), and then t+F
+//! J9  a way out is judged as an entry of the ray S+2tD, −D at its own t, without a glance;  erreur
+//!     is +∞ also unless |t−t′|<t/2
+//!
+//! A glance, in f64, with μ=7.1u(‖f‖₁+|t|)+2⁻¹⁰²²
+//! G1  heights to μ+2.1u·l, XA to μ, speeds to 4.1u
+//! G2  p_X to 21.1u(CX·CX+r²)+μ²/16u
+//! G3  a hit is certain if the later end of J8 is a number of the type and before the end of the
+//!     ray
+//! G4  certifie is true if the first hit, where there is one, is certain at a glance or else in
+//!     doubled numbers, and if all other objects that O2 lets pass are entered after its later end,
+//!     at a glance or else with both in doubled numbers.  The tree is walked to that end times
+//!     1+2u, rounded to the scene's type, at least η.  est_certain is certifie of a list of one
+//! ```
 
 use crate::algebre::double::{Intervalle, Triple};
 use crate::algebre::nombre::{max, min};
