@@ -303,8 +303,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut alea = Rng::with_seed(graine);
     let mut tires = Vec::new();
     println!("ratio  one by one  batch  batch of the list (ns)  scene");
-    for disposition in 0..DISPOSITIONS.len() {
-        if seule.as_ref().is_some_and(|nom| nom != DISPOSITIONS[disposition]) {
+    for (disposition, nom) in DISPOSITIONS.into_iter().enumerate() {
+        if seule.as_ref().is_some_and(|seule| seule != nom) {
             continue;
         }
         let mut pire: Option<(f64, Genes, [f64; 3])> = None;
