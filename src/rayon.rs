@@ -39,13 +39,22 @@ use crate::{ErreurGeo, Nombre, Vecteur};
 /// # Ok::<(), lancer_rayon::ErreurGeo>(())
 /// ```
 #[doc(alias = "ray")]
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 #[must_use]
 pub struct Rayon<R = f64> {
     source: Vecteur<R>,
     direction: Vecteur<R>,
     fin: R,
     pub(crate) flou: Flou<R>,
+}
+
+impl<R: Nombre> PartialEq for Rayon<R> {
+    /// Whether both have the same numbers, and start both inside something or both outside.
+    #[inline]
+    fn eq(&self, autre: &Self) -> bool {
+        (self.source, self.direction, self.fin, self.flou)
+            == (autre.source, autre.direction, autre.fin, autre.flou)
+    }
 }
 
 impl<R: Nombre> Rayon<R> {

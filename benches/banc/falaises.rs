@@ -1,11 +1,13 @@
-//! Searches for scenes in which a batch is slow: over its rays one by one, and over the batch of the list. It draws
-//! layouts and rays that no family of `familles` has, and climbs on the ratio from the worst of them.
-//! `cargo run --release -p banc --bin falaises` prints the worst of each layout, in some minutes. Arguments: `--seed 7`,
-//! `--tries 12` drawn for each layout, `--climb 12` steps from the worst, `--call 4096` rays, `--set AVX2`, `--layout row` for
-//! one layout, `--draws` to print each scene that is measured.
+//! Searches for scenes in which a batch is slow, over its rays one by one and over the batch of the list. It draws layouts
+//! and rays that no family of `familles` has, and climbs on the ratio from the worst of them.
+//! `cargo run --release -p banc --bin falaises` prints `benches/mesures/falaises.csv`, in some five minutes, and the worst
+//! scene of each layout beside it. Arguments: `--seed 11`, `--tries 60` scenes drawn for each layout, `--climb 20` steps
+//! from the worst, which the file does not count, `--call 64` for one size of calls, `--set AVX2`, `--layout row` for one
+//! layout, `--draws` to print each scene that is drawn.
 
 use std::error::Error;
 
+use banc::circonstances::Circonstances;
 use banc::horloge::moindres;
 use banc::nous;
 use commun::arrondi;
@@ -280,83 +282,113 @@ fn rapport([seul, lot, liste]: [f64; 3]) -> f64 {
     lot / seul.min(liste)
 }
 
-fn main() -> Result<(), Box<dyn Error>> {
-    let (mut graine, mut essais, mut pas, mut appel) = (7, 12, 12, RAYONS);
-    let (mut jeu, mut tirages, mut seule) = (String::new(), false, None);
-    let mut arguments = std::env::args().skip(1);
-    while let Some(option) = arguments.next() {
-        if option == "--draws" {
-            tirages = true;
-            continue;
-        }
-        let valeur = arguments.next().ok_or_else(|| format!("{option} of what?"))?;
-        match option.as_str() {
-            "--seed" => graine = valeur.parse()?,
-            "--tries" => essais = valeur.parse()?,
-            "--climb" => pas = valeur.parse()?,
-            "--call" => appel = valeur.parse()?,
-            "--layout" => seule = Some(valeur),
-            "--set" => jeu = valeur,
-            _ => return Err(format!("no option {option}").into()),
-        }
-    }
-    let mut alea = Rng::with_seed(graine);
-    let mut tires = Vec::new();
-    println!("ratio  one by one  batch  batch of the list (ns)  scene");
-    for (disposition, nom) in DISPOSITIONS.into_iter().enumerate() {
-        if seule.as_ref().is_some_and(|seule| seule != nom) {
-            continue;
-        }
-        let mut pire: Option<(f64, Genes, [f64; 3])> = None;
-        for essai in 0..essais + pas {
-            let genes: Genes = match pire {
-                Some((_, genes, _)) if essai >= essais => {
-                    let mut genes = genes;
-                    for gene in &mut genes[1..] {
-                        if alea.f64() < 0.3 {
-                            *gene = (*gene + 0.3 * (alea.f64() - 0.5)).clamp(0.0, 1.0);
-                        }
-                    }
-                    genes
-                }
-                _ => {
-                    let mut genes = [(); 12].map(|()| alea.f64());
-                    genes[0] = (disposition as f64 + 0.5) / DISPOSITIONS.len() as f64;
-                    genes
-                }
-            };
-            let tirage = Tirage::de(genes);
-            let Some(ns) = tirage.mesurer(appel, &jeu, 2) else { continue };
-            if tirages {
-                println!(
-                    "{:5.2} {:7.0} {:7.0} {:7.0} {}",
-                    rapport(ns),
-                    ns[0],
-                    ns[1],
-                    ns[2],
-                    tirage.nom()
-                );
+/// What is asked for on the command line.
+struct Choix {
+    graine: u64,
+    essais: usize,
+    pas: usize,
+    appels: Vec<usize>,
+    jeu: String,
+    disposition: Option<String>,
+    tirages: bool,
+}
+
+impl Choix {
+    fn lire() -> Result<Self, Box<dyn Error>> {
+        let (graine, essais, pas) = (11, 60, 20);
+        let (appels, jeu, disposition) = (vec![RAYONS, 64], String::new(), None);
+        let mut choix = Self { graine, essais, pas, appels, jeu, disposition, tirages: false };
+        let mut arguments = std::env::args().skip(1);
+        while let Some(option) = arguments.next() {
+            if option == "--draws" {
+                choix.tirages = true;
+                continue;
             }
-            if essai < essais {
+            let valeur = arguments.next().ok_or_else(|| format!("{option} of what?"))?;
+            match option.as_str() {
+                "--seed" => choix.graine = valeur.parse()?,
+                "--tries" => choix.essais = valeur.parse()?,
+                "--climb" => choix.pas = valeur.parse()?,
+                "--call" => choix.appels = vec![valeur.parse::<usize>()?.clamp(1, RAYONS)],
+                "--layout" => choix.disposition = Some(valeur),
+                "--set" => choix.jeu = valeur,
+                _ => return Err(format!("no option {option}").into()),
+            }
+        }
+        Ok(choix)
+    }
+}
+
+/// Draws scenes of each layout and climbs from the worst of each; returns the times of those drawn.
+fn chercher(choix: &Choix, appel: usize) -> Vec<[f64; 3]> {
+    let mut alea = Rng::with_seed(choix.graine);
+    let mut tires = Vec::new();
+    eprintln!("in calls of {appel}: ratio, one by one, batch, batch of the list (ns), scene");
+    for (disposition, nom) in DISPOSITIONS.into_iter().enumerate() {
+        if choix.disposition.as_ref().is_some_and(|seule| seule != nom) {
+            continue;
+        }
+        let mut pire: Option<(f64, Genes)> = None;
+        for essai in 0..choix.essais + choix.pas {
+            let mut genes: Genes = [(); 12].map(|()| alea.f64());
+            genes[0] = (disposition as f64 + 0.5) / DISPOSITIONS.len() as f64;
+            if let Some((_, pires)) = pire.filter(|_| essai >= choix.essais) {
+                for (gene, pire) in genes[1..].iter_mut().zip(&pires[1..]) {
+                    let ecart = if alea.f64() < 0.3 { 0.3 * (*gene - 0.5) } else { 0.0 };
+                    *gene = (pire + ecart).clamp(0.0, 1.0);
+                }
+            }
+            let tirage = Tirage::de(genes);
+            let Some(ns) = tirage.mesurer(appel, &choix.jeu, 2) else { continue };
+            if essai < choix.essais {
                 tires.push(ns);
             }
-            if pire.is_none_or(|(le_pire, ..)| rapport(ns) > le_pire) {
-                pire = Some((rapport(ns), genes, ns));
+            if choix.tirages {
+                dire(&tirage, ns);
+            }
+            if pire.is_none_or(|(le_pire, _)| rapport(ns) > le_pire) {
+                pire = Some((rapport(ns), genes));
             }
         }
-        let Some((_, genes, _)) = pire else { continue };
+        let Some((_, genes)) = pire else { continue };
         let tirage = Tirage::de(genes);
-        let Some(ns) = tirage.mesurer(appel, &jeu, 7) else { continue };
-        println!("{:5.2} {:8.0} {:8.0} {:8.0}  {}", rapport(ns), ns[0], ns[1], ns[2], tirage.nom());
+        if let Some(ns) = tirage.mesurer(appel, &choix.jeu, 7) {
+            dire(&tirage, ns);
+        }
     }
-    let sur = |contre: fn(&[f64; 3]) -> f64| {
-        let rapports: Vec<_> = tires.iter().map(|ns| ns[1] / contre(ns)).collect();
-        let moyenne =
-            rapports.iter().map(|x| x.max(1e-9).ln()).sum::<f64>() / rapports.len() as f64;
-        let plus = [1.1, 1.5, 3.0].map(|x| rapports.iter().filter(|rapport| **rapport > x).count());
-        format!("mean {:.3}, over 1.1, 1.5 and 3: {plus:?}", moyenne.exp())
-    };
-    println!("of {} drawn, a batch over its rays: {}", tires.len(), sur(|ns| ns[0]));
-    println!("over the better of them and the batch of the list: {}", sur(|ns| ns[0].min(ns[2])));
+    tires
+}
+
+fn dire(tirage: &Tirage, ns: [f64; 3]) {
+    let [seul, lot, liste] = ns;
+    eprintln!("{:5.2} {seul:8.0} {lot:8.0} {liste:8.0}  {}", rapport(ns), tirage.nom());
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let choix = Choix::lire()?;
+    let circonstances = Circonstances::presentes().colonnes();
+    println!(
+        "call,batch_over,scenes,geometric_mean,above_1.1,above_1.5,above_3,largest,set,{}",
+        Circonstances::TITRES
+    );
+    let jeu = if choix.jeu.is_empty() { "best" } else { &choix.jeu };
+    for &appel in &choix.appels {
+        let tires = chercher(&choix, appel);
+        let des_deux = |ns: &[f64; 3]| ns[0].min(ns[2]);
+        let contre: [(&str, &dyn Fn(&[f64; 3]) -> f64); 2] =
+            [("one by one", &|ns| ns[0]), ("one by one or list", &des_deux)];
+        for (quoi, contre) in contre {
+            let rapports: Vec<_> = tires.iter().map(|ns| ns[1] / contre(ns)).collect();
+            let somme: f64 = rapports.iter().map(|x| x.ln()).sum();
+            let moyenne = (somme / rapports.len() as f64).exp();
+            let plus = |seuil| rapports.iter().filter(|rapport| **rapport > seuil).count();
+            let [a, b, c] = [1.1, 1.5, 3.0].map(plus);
+            let pire = rapports.iter().copied().fold(0.0, f64::max);
+            println!(
+                "{appel},{quoi},{},{moyenne:.2},{a},{b},{c},{pire:.1},{jeu},{circonstances}",
+                rapports.len()
+            );
+        }
+    }
     Ok(())
 }

@@ -17,8 +17,16 @@ pub const FLOU_RELATIF: f64 = 14.0;
 /// δ, which bounds how deep the source may lie in any object by rounding, and whether the ray
 /// starts inside something on purpose. One number holds both: δ is its magnitude, and the sign bit
 /// says inside, also of a zero.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub(crate) struct Flou<R>(R);
+
+/// Inside and outside differ where δ is 0 as well, although 0 and −0 are equal.
+impl<R: Nombre> PartialEq for Flou<R> {
+    #[inline]
+    fn eq(&self, autre: &Self) -> bool {
+        self.0 == autre.0 && self.est_dedans() == autre.est_dedans()
+    }
+}
 
 impl<R: Nombre> Flou<R> {
     /// A source that is taken as it stands.

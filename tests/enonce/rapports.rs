@@ -227,6 +227,11 @@ fn un_rayon_garde_son_flou_dedans_et_dehors<R: Reel>() {
         let fidele = |rayon: &Rayon<R>| rayon.flou() > flou && rayon.flou() < borne;
         assert!(tous.iter().all(fidele), "{tous:?}");
         assert_eq!(de(0.0).dedans().flou(), flou);
+        // Without a δ, too, a ray inside is another ray.
+        let net = de(0.0).avec_flou(R::ZERO).unwrap();
+        assert!(
+            net != net.dedans() && net == net.dedans().dehors() && net.dedans() == net.dedans()
+        );
         // Within δ of the surface a ray inside touches nothing at once, even after a turn or with another δ. A ray
         // outside does, and so does one that has come out of something.
         let touche_t =
