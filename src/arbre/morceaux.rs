@@ -18,6 +18,9 @@ const PRIX_D_UNE_FICHE: f32 = 0.03;
 /// whole slices, they are narrower by a quarter at most (lemma 21).
 const DEMI_TRANCHE_MINIMALE: f32 = puissance_de_deux(-16) as f32;
 
+/// The most slices of an object: a ray along one that is cut asks it again in each.
+const PIECES: f32 = 16.0;
+
 /// What one more record costs, as surface in the frame of the tree. It tells of every object into
 /// how many slices it is cut, so that no record needs to.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -74,7 +77,7 @@ impl Coupe {
             (a / (c + self.prix)).racine(),
             repere.distance(axe.longueur()) / DEMI_TRANCHE_MINIMALE,
         );
-        max(k + 0.5, 1.0) as usize
+        max(min(k, PIECES) + 0.5, 1.0) as usize
     }
 
     /// Whether the ray enters this object at distance `t` in the slice of this child of a leaf:
