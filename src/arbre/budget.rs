@@ -103,7 +103,12 @@ impl Budget {
 
     /// Whether a block spends no more than its rays even if it is offered all objects.
     pub(crate) fn suffit_a_la_liste(&self) -> bool {
-        self.la_liste <= self.releve.map_or(MOINDRE, |releve| releve.seul)
+        self.suffirait_a_la_liste(self.releve.map_or(MOINDRE, |releve| releve.seul))
+    }
+
+    /// The same if a ray spent this alone.
+    pub(crate) fn suffirait_a_la_liste(&self, seul: Prix) -> bool {
+        self.la_liste <= seul
     }
 
     /// What so many rays may spend together: as long as nothing is known, what they spend at least.

@@ -283,10 +283,15 @@ impl<R: Nombre> Arbre<'_, R> {
         simd.vectorize(
             #[inline(always)]
             || {
-                let mut seul = 0.0;
+                let (mut peses, mut depense) = (0.0, 0.0);
                 for rayon in quelques(rayons, PESES) {
+                    // One ray of a heap takes as long as some blocks.
+                    if budget.suffirait_a_la_liste(depense / PESES as Prix) {
+                        break;
+                    }
                     let fin = rayon.fin();
-                    seul += if un_suffit {
+                    peses += 1.0;
+                    depense += if un_suffit {
                         let ombre = Pesee::de(Premier::<R, true>::avant(fin));
                         self.parcourir(simd, liste, rayon, ombre).depense
                     } else {
@@ -309,7 +314,7 @@ impl<R: Nombre> Arbre<'_, R> {
                     }
                 }
                 budget.noter(Releve {
-                    seul: seul / PESES as Prix,
+                    seul: depense / max(peses, 1.0),
                     proches: proches / paires,
                     boites: boites / max(objets, 1.0),
                 });
