@@ -31,7 +31,7 @@ use crate::{
 /// **What makes a tree slow:**
 ///
 /// - Half-spaces have no box. A ray tests each of them, as in a list.
-/// - In a heap, where a ray crosses the boxes of most objects, a single ray takes up to 1.4 times
+/// - In a heap, where a ray crosses the boxes of most objects, a single ray takes up to 1.5 times
 ///   as long as with a list. A batch takes about as long as that of the list.
 /// - The box of an object is rounded to some 10⁻⁶ of the distance of that object from the middle of
 ///   most objects, and in `f32` also of the distance of the source of the ray. Objects that stand
@@ -377,7 +377,7 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// Whether anything stands before the end of the ray, where the light is: the shadow of the
     /// handout's later parts.
     ///
-    /// It is `premiere_intersection(rayon).is_ok()`, but faster: it stops at any object found. Rays
+    /// It is `premiere_intersection(rayon).is_ok()`, but stops at any object found. Rays
     /// come from [`vers_lumiere`](crate::Intersection::vers_lumiere),
     /// [`vers_soleil`](crate::Intersection::vers_soleil) or [`Rayon::entre`];
     /// [`eclairement`](Self::eclairement) makes them itself. If you make the ray
@@ -414,7 +414,8 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     }
 
     /// Whether anything stands before the end of each ray: the answers of
-    /// [`est_occulte`](Self::est_occulte) for every ray, and for neighbours faster.
+    /// [`est_occulte`](Self::est_occulte) for every ray, in less time where neighbours
+    /// start and point alike.
     ///
     /// The advice of [`premieres_intersections`](Self::premieres_intersections) on the order and
     /// number of rays holds here too. Rays to one lamp, in the order of the picture, are
@@ -480,7 +481,7 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     }
 
     /// Whether anything stands before the end of a ray from this hit: what
-    /// [`est_occulte`](Self::est_occulte) says of the ray, but sooner, as
+    /// [`est_occulte`](Self::est_occulte) says of the ray, mostly sooner, as
     /// [`premiere_depuis`](Self::premiere_depuis) is. For a lamp or a sun ask
     /// [`eclairement`](Self::eclairement), which makes the ray as well.
     #[doc(alias("any_hit", "occluded", "shadow", "self_intersection"))]

@@ -123,7 +123,11 @@ fn les_rapports_des_facons_sont_ceux_des_fichiers() {
         ["AVX-512", "AVX2", "SSE2"].map(|jeu| sur(tuiles(jeu, "f64"), tuiles(jeu, "f32")));
     let doubles = etendue(&doubles.concat());
     assert!(page.contains(&format!("`f64` / `f32` is [{doubles}]")), "the page has not: {doubles}");
+    let falaises = Mesures::lire("falaises");
+    let pire = |appel| rapport(falaises.nombres("call", &[appel], &["largest"])[0]);
     for ligne in [
+        format!(", calls of 4,096 | at most {} |", pire("4096")),
+        format!(", calls of 64 | at most {} |", pire("64")),
         format!("with AVX2 / with AVX-512 | tiles | {} |", etendue(&plus_etroits.concat())),
         format!(
             "in each 64 / without | tiles | {} |",
