@@ -374,10 +374,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     let jeu = if choix.jeu.is_empty() { "best" } else { &choix.jeu };
     for &appel in &choix.appels {
         let tires = chercher(&choix, appel);
-        let des_deux = |ns: &[f64; 3]| ns[0].min(ns[2]);
-        let contre: [(&str, &dyn Fn(&[f64; 3]) -> f64); 2] =
-            [("one by one", &|ns| ns[0]), ("one by one or list", &des_deux)];
-        for (quoi, contre) in contre {
+        for quoi in ["one by one", "one by one or list"] {
+            let contre = |[seul, _, liste]: &[f64; 3]| {
+                if quoi == "one by one" { *seul } else { seul.min(*liste) }
+            };
             let rapports: Vec<_> = tires.iter().map(|ns| ns[1] / contre(ns)).collect();
             let somme: f64 = rapports.iter().map(|x| x.ln()).sum();
             let moyenne = (somme / rapports.len() as f64).exp();
