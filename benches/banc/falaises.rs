@@ -8,11 +8,12 @@
 use std::error::Error;
 
 use banc::circonstances::Circonstances;
-use banc::horloge::moindres;
+use banc::horloge::{MORCEAU, moindres};
 use banc::nous;
 use commun::arrondi;
-use commun::fabrique::{boite, mur, sphere};
+use commun::fabrique::{boite, boite_droite, mur, sphere, v};
 use commun::regimes::direction;
+use commun::scenes::en_tuiles;
 use fastrand::Rng;
 use lancer_rayon::{Monde, ObjetRay, Rayon, Reel, Rotation, Vecteur};
 
@@ -45,9 +46,6 @@ const AJOUTS: [&str; 5] = ["", " and a sky", " and mist", " and half-spaces", " 
 
 /// What one scene and its rays are drawn from: numbers from 0 to 1.
 type Genes = [f64; 12];
-
-/// How many rays are asked, at most.
-const RAYONS: usize = 4096;
 
 /// The genes as what they stand for.
 #[derive(Debug, Clone, Copy)]
@@ -185,10 +183,7 @@ impl Tirage {
                 let n = direction(alea);
                 mur(arrondi(n * -3.0), arrondi(n))
             })),
-            4 => objets.insert(
-                0,
-                boite(arrondi(Vecteur::new(0.0, -1.2, 0.0)), cotes_du_sol(), Rotation::IDENTITE),
-            ),
+            4 => objets.insert(0, boite_droite(v(0.0, -1.2, 0.0), v(20.0, 0.2, 20.0))),
             _ => (),
         }
         objets
@@ -200,18 +195,10 @@ impl Tirage {
         let oeil = vers * -(1.0 + self.recul);
         let x = vers.produit_vectoriel(direction(alea)).unitaire().unwrap_or(Vecteur::X);
         let y = vers.produit_vectoriel(x);
-        let cote = RAYONS.isqrt();
+        let cote = MORCEAU.isqrt();
         let demi = 0.5 * self.champ;
-        let place = |i: usize| {
-            let (bloc, dans) = (i / 64, i % 64);
-            let par_rang = cote / 8;
-            if self.genre == 1 {
-                return (i % cote, i / cote);
-            }
-            (bloc % par_rang * 8 + dans % 8, bloc / par_rang * 8 + dans / 8)
-        };
         let pixel = |i: usize| {
-            let (i, j) = place(i);
+            let (i, j) = (i % cote, i / cote);
             let [a, b] = [i, j].map(|k| demi * ((k as f64 + 0.5) / cote as f64 * 2.0 - 1.0));
             let travers = x * a + y * b;
             let (s, d) = match self.genre {
@@ -223,7 +210,9 @@ impl Tirage {
             let (s, d) = if loin { (s * 1e9, d) } else { (s, d) };
             Rayon::new(arrondi(s), arrondi(d)).expect("within the limits")
         };
-        let vus: Vec<Rayon<R>> = (0..RAYONS).map(pixel).collect();
+        let vus: Vec<Rayon<R>> = (0..MORCEAU).map(pixel).collect();
+        // Rows stay rows, and rays in no order need none.
+        let vus = if matches!(self.genre, 1 | 3) { vus } else { en_tuiles(&vus, cote) };
         let lampe = arrondi(direction(alea) * 3.0);
         let mut suite: Vec<_> = if (5..=6).contains(&self.genre) || self.genre >= 8 {
             let secondaire = |rayon: &Rayon<R>| {
@@ -273,10 +262,6 @@ impl Tirage {
     }
 }
 
-fn cotes_du_sol<R: Reel>() -> Vecteur<R> {
-    arrondi(Vecteur::new(20.0, 0.2, 20.0))
-}
-
 /// By how much a batch is slower than the better of the two other ways.
 fn rapport([seul, lot, liste]: [f64; 3]) -> f64 {
     lot / seul.min(liste)
@@ -296,7 +281,7 @@ struct Choix {
 impl Choix {
     fn lire() -> Result<Self, Box<dyn Error>> {
         let (graine, essais, pas) = (11, 60, 20);
-        let (appels, jeu, disposition) = (vec![RAYONS, 64], String::new(), None);
+        let (appels, jeu, disposition) = (vec![MORCEAU, 64], String::new(), None);
         let mut choix = Self { graine, essais, pas, appels, jeu, disposition, tirages: false };
         let mut arguments = std::env::args().skip(1);
         while let Some(option) = arguments.next() {
@@ -309,7 +294,7 @@ impl Choix {
                 "--seed" => choix.graine = valeur.parse()?,
                 "--tries" => choix.essais = valeur.parse()?,
                 "--climb" => choix.pas = valeur.parse()?,
-                "--call" => choix.appels = vec![valeur.parse::<usize>()?.clamp(1, RAYONS)],
+                "--call" => choix.appels = vec![valeur.parse::<usize>()?.clamp(1, MORCEAU)],
                 "--layout" => choix.disposition = Some(valeur),
                 "--set" => choix.jeu = valeur,
                 _ => return Err(format!("no option {option}").into()),

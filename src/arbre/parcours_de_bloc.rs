@@ -5,13 +5,12 @@ use core::iter::from_fn;
 
 use fearless_simd::prelude::*;
 
-use crate::algebre::nombre::{max, min, selon, simple};
+use crate::algebre::nombre::{max, selon};
 use crate::arbre::budget::{Budget, NOEUD_D_UN_BLOC, Releve};
 use crate::arbre::construction::Arbre;
 use crate::arbre::morceaux::Coupe;
 use crate::arbre::noeud::{ENFANTS, Noeud, indice_lu};
 use crate::arbre::pile::{Attentes, Pile};
-use crate::arbre::repere::Repere;
 use crate::arbre::sonde::Sonde;
 use crate::cote_a_cote::bloc::{Bloc, Ensemble, GROUPES};
 use crate::cote_a_cote::colonne::{au_plus, prendre};
@@ -49,20 +48,6 @@ const fn combien_d_echantillons(nombres_par_registre: usize) -> usize {
 #[inline(always)]
 fn quelques<R>(rayons: &[Rayon<R>], combien: usize) -> impl Iterator<Item = &Rayon<R>> {
     (0..combien).map(move |k| &rayons[(2 * k + 1) * rayons.len() / (2 * combien)])
-}
-
-/// How [wide](Sonde::de_groupes) these rays are at least, by eight of them. Rays in no order are
-/// left apart by this, before anything else is made of them.
-#[inline(always)]
-fn largeur_au_moins<R: Nombre>(rayons: &[Rayon<R>], repere: Repere<R>) -> f32 {
-    let (mut bas, mut haut) = ([f32::INFINITY; 6], [f32::NEG_INFINITY; 6]);
-    for rayon in quelques(rayons, 8) {
-        let (s, d) = (repere.point(rayon.source()), rayon.direction());
-        for (i, x) in [s.x, s.y, s.z, d.x, d.y, d.z].map(simple).into_iter().enumerate() {
-            (bas[i], haut[i]) = (min(bas[i], x), max(haut[i], x));
-        }
-    }
-    (0..6).map(|i| haut[i] - bas[i]).sum()
 }
 
 /// How the walk of a block ended.
@@ -113,8 +98,9 @@ impl<R: Nombre> Arbre<'_, R> {
                 if rayons.len() < MOINDRE_BLOC {
                     return [Ensemble::Rien; GROUPES];
                 }
-                let a_part = budget.est_entame()
-                    && budget.est_trop_large(largeur_au_moins(rayons, self.repere));
+                // Eight rays in no order are wide enough, before anything else is made of the others.
+                let au_moins = || Sonde::largeur_au_moins(quelques(rayons, 8), self.repere);
+                let a_part = budget.est_entame() && budget.est_trop_large(au_moins());
                 if a_part {
                     budget.laisser();
                     self.peser_au_besoin(simd, liste, budget, bloc, rayons);

@@ -119,6 +119,28 @@ impl<R: Nombre> Sonde<R> {
         (Self::entre_bords(tau0, bornes, repere), largeur)
     }
 
+    /// How [wide](Self::de_groupes) a probe of rays that hold these is at least.
+    #[inline(always)]
+    pub(crate) fn largeur_au_moins<'a>(
+        rayons: impl Iterator<Item = &'a Rayon<R>>,
+        repere: Repere<R>,
+    ) -> f32
+    where
+        R: 'a,
+    {
+        let vides =
+            Bornes { s: [f32::NEG_INFINITY, f32::INFINITY], d: [f32::NEG_INFINITY, f32::INFINITY] };
+        let mut bornes = [vides; 3];
+        for rayon in rayons {
+            let (s, d) = (repere.point(rayon.source()), rayon.direction());
+            for (bornes, (s, d)) in bornes.iter_mut().zip([(s.x, d.x), (s.y, d.y), (s.z, d.z)]) {
+                let (s, d, [s1, s0], [d1, d0]) = (simple(s), simple(d), bornes.s, bornes.d);
+                *bornes = Bornes { s: [max(s1, s), min(s0, s)], d: [max(d1, d), min(d0, d)] };
+            }
+        }
+        bornes.iter().map(|bornes| bornes.largeur()).sum()
+    }
+
     /// The probe between these edges, with its part of the slack; `None` too if some rays rise and
     /// others do not along every axis: no edge would leave a box, not even one that is missing.
     #[inline(always)]

@@ -8,13 +8,13 @@ use crate::{Nombre, ObjetRay, Rayon};
 pub(crate) type Prix = f32;
 
 /// The probe of a ray, and what a ray takes before and after.
-pub(crate) const SONDE: Prix = 20.0;
+const SONDE: Prix = 20.0;
 
 /// A node that a ray looks at.
-pub(crate) const NOEUD: Prix = 22.0;
+const NOEUD: Prix = 22.0;
 
 /// An object whose box a ray crosses.
-pub(crate) const OBJET: Prix = 38.0;
+const OBJET: Prix = 38.0;
 
 /// An object of a list.
 const OBJET_D_UNE_LISTE: Prix = 4.0;
@@ -24,7 +24,7 @@ pub(crate) const MOINDRE: Prix = SONDE + NOEUD + OBJET;
 
 /// A question, and what a ray has spent on it.
 pub(crate) struct Pesee<Q> {
-    pub(crate) question: Q,
+    question: Q,
     pub(crate) depense: Prix,
 }
 

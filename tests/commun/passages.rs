@@ -130,9 +130,9 @@ fn exiger_les_lampes<R: Bits>(passage: Intersection<R>, vers: Vecteur<R>) {
     assert!(ombre.is_none_or(|r| r.flou() == depart.flou()), "{passage:?} {vers:?}");
 }
 
-/// Whether this object, which holds the source of the ray, holds it by no more than δ, which is above 0, and o_B however that is rounded, and
-/// the ray is not inside something on purpose. A height over a half-space rounds by u of itself, which may be δ,
-/// and `profondeur` by 3u of `f64` (lemma 22, D1 to D3).
+/// Whether this object, which holds the source of the ray, holds it by no more than δ, which is above 0, and o_B however
+/// that is rounded, and the ray is not inside something on purpose. A height over a half-space rounds by u of itself,
+/// which may be δ, and `profondeur` by 3u of `f64` (lemma 22, D1 to D3).
 pub fn est_a_fleur<R: Reel>(objet: &ObjetRay<R>, rayon: &Rayon<R>) -> bool {
     let (source, flou) = (rayon.source(), rayon.flou().vers_f64());
     // `dedans` changes no ray that is inside already.

@@ -23,3 +23,9 @@ pub(crate) fn pages() -> impl Iterator<Item = PathBuf> {
     let sous = ["docs", "benches", "tests/enonce"].into_iter().flat_map(fichiers_sous);
     autour.chain(sous).filter(|page| page.extension() == Some("md".as_ref()))
 }
+
+/// The part of the page below this heading.
+pub(crate) fn section<'a>(page: &'a str, titre: &str) -> &'a str {
+    let (_, section) = page.split_once(&format!("\n## {titre}\n")).expect(titre);
+    section.split("\n## ").next().unwrap()
+}

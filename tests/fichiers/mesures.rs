@@ -3,6 +3,8 @@
 use std::fs;
 use std::path::Path;
 
+use crate::dossiers::section;
+
 /// A file of figures: the names of its columns, and its rows.
 struct Mesures {
     titres: Vec<String>,
@@ -59,12 +61,6 @@ fn etendue(nombres: &[f64]) -> String {
 fn page() -> String {
     let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/vitesse.md");
     fs::read_to_string(page).unwrap()
-}
-
-/// The part of the page below this heading.
-fn section<'a>(page: &'a str, titre: &str) -> &'a str {
-    let (_, section) = page.split_once(&format!("\n## {titre}\n")).expect(titre);
-    section.split("\n## ").next().unwrap()
 }
 
 #[test]

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 
-use crate::dossiers::fichiers_sous;
+use crate::dossiers::{fichiers_sous, section};
 use crate::etiquettes::algorithmes;
 
 /// The numbers of each row of the table of constants, and of the letters, in their order: constants of the code, parts of
@@ -90,12 +90,6 @@ const PAS: &[(&str, &str)] = &[
 
 fn lire(page: &str) -> String {
     fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(page)).unwrap()
-}
-
-/// The part of the page below this heading.
-fn section<'a>(page: &'a str, titre: &str) -> &'a str {
-    let (_, section) = page.split_once(&format!("\n## {titre}\n")).expect(titre);
-    section.split("\n## ").next().unwrap()
 }
 
 /// 2⁻¹⁰⁰ as its exponent, since it may be less than what a number holds; other numbers as they are.
