@@ -95,8 +95,8 @@ pub fn sonder<R: Reel>(
     let mut tous = Bloc::new(&mut groupes, false);
     tous.charger(rayons);
     fearless_simd::dispatch!(niveau, simd => {
-        let tau0 = Sonde::tau0_commun(tous.demandes(), repere);
-        let sonde = Sonde::de_groupes(simd, tous.demandes(), tau0, repere).0?;
+        let tau0 = Sonde::tau0_commun(tous.groupes_demandes(), repere);
+        let sonde = Sonde::de_groupes(simd, tous.groupes_demandes(), tau0, repere).0?;
         for rayon in rayons {
             let la_sienne = Sonde::d_un_rayon(rayon, tau0, repere)?;
             for noeud in arbre.noeuds {
