@@ -67,18 +67,13 @@ impl<R: Nombre> Groupe<R> {
         }
     }
 
-    /// The ray of one lane, without its end and its δ.
+    /// The ray of one lane, without its end.
     #[inline(always)]
     pub(crate) fn rayon(&self, voie: usize) -> Rayon<R> {
         let ([sx, sy, sz], [dx, dy, dz]) = (&self.s, &self.d);
         let s = Vecteur::new(sx[voie], sy[voie], sz[voie]);
-        Rayon::sans_fin(s, Vecteur::new(dx[voie], dy[voie], dz[voie]))
-    }
-
-    /// The ray of one lane with its δ, without its end.
-    #[inline(always)]
-    fn rayon_flou(&self, voie: usize) -> Rayon<R> {
-        self.rayon(voie).sachant(Flou::de(self.deltas[voie]))
+        let rayon = Rayon::sans_fin(s, Vecteur::new(dx[voie], dy[voie], dz[voie]));
+        rayon.sachant(Flou::de(self.deltas[voie]))
     }
 
     /// The first object of one ray so far.
@@ -103,19 +98,13 @@ impl<R: Nombre> Groupe<R> {
     /// Makes the object of this shape and rank the first of each ray that enters it before its
     /// first so far.
     ///
-    /// At the same distance the object of lower rank is the first. `flou` says that some ray has a
-    /// δ above 0 and may start in the object.
+    /// At the same distance the object of lower rank is the first. `d_emblee` says that some ray
+    /// has a δ above 0 and may start in the object.
     #[inline(always)]
     pub(crate) fn proposer(&mut self, forme: &impl Forme<R>, rang: Rang, d_emblee: bool) {
         let mut pres = false;
-        if d_emblee {
-            for voie in 0..VOIES {
-                pres |= forme.peut_entrer(&self.rayon_flou(voie));
-            }
-        } else {
-            for voie in 0..VOIES {
-                pres |= forme.peut_entrer(&self.rayon(voie));
-            }
+        for voie in 0..VOIES {
+            pres |= forme.peut_entrer(&self.rayon(voie));
         }
         // Roots and quotients are computed only if at least one ray may enter.
         if !pres {
@@ -144,7 +133,7 @@ impl<R: Nombre> Groupe<R> {
     fn toucher(&self, forme: &impl Forme<R>, t: &mut Colonne<R>) {
         let mut dedans = false;
         for (voie, t) in t.iter_mut().enumerate() {
-            let rayon = self.rayon_flou(voie);
+            let rayon = self.rayon(voie);
             let (entree, source) = forme.t_et_dedans(&rayon);
             *t = entree;
             dedans |= source & (rayon.flou.d_emblee() > R::ZERO);
@@ -153,7 +142,7 @@ impl<R: Nombre> Groupe<R> {
             return;
         }
         for (voie, t) in t.iter_mut().enumerate() {
-            let rayon = self.rayon_flou(voie);
+            let rayon = self.rayon(voie);
             let d_emblee = (rayon.flou.d_emblee() > R::ZERO) & forme.des_le_depart(&rayon);
             *t = if d_emblee { R::ZERO } else { *t };
         }
