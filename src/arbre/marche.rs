@@ -10,7 +10,7 @@ use crate::Nombre;
 use crate::arbre::construction::Arbre;
 use crate::arbre::noeud::{ENFANTS, ETAGES, Noeud, indice_lu};
 use crate::arbre::sonde::Sonde;
-use crate::cote_a_cote::colonne::{Colonne, Membres, prendre, prendre_le_moindre};
+use crate::cote_a_cote::colonne::{Colonne, Membres, retirer, retirer_le_moindre};
 
 /// A walk visits one child of each node above the leaves at once and leaves at most fifteen. It is
 /// done with these before it visits another node of that floor.
@@ -43,9 +43,9 @@ impl<R: Nombre> Arbre<'_, R> {
             let (mut enfants, entrees) = sonde.traverse(simd, noeud, plafond);
             let est_une_feuille = numero < self.feuilles;
             voir(Etape { noeud, est_une_feuille, enfants, entrees: &entrees.0 }, &mut plafond)?;
-            if !est_une_feuille && let Some(proche) = prendre_le_moindre(&mut enfants, &entrees.0) {
+            if !est_une_feuille && let Some(proche) = retirer_le_moindre(&mut enfants, &entrees.0) {
                 let [.., numeros] = noeud;
-                while let Some(enfant) = prendre(&mut enfants) {
+                while let Some(enfant) = retirer(&mut enfants) {
                     attendent.push((entrees.0[enfant], indice_lu(numeros[enfant]) as u32));
                 }
                 numero = indice_lu(numeros[proche]);

@@ -9,7 +9,7 @@ use crate::arbre::marche::Etape;
 use crate::arbre::morceaux::Coupe;
 use crate::arbre::noeud::{ENFANTS, indice_lu};
 use crate::arbre::sonde::Sonde;
-use crate::cote_a_cote::colonne::{au_plus, prendre, prendre_le_moindre};
+use crate::cote_a_cote::colonne::{au_plus, retirer, retirer_le_moindre};
 use crate::objet::forme::Boule;
 use crate::question::liste::Liste;
 use crate::question::{Abord, Question};
@@ -54,9 +54,9 @@ impl<R: Nombre> Arbre<'_, R> {
                 let [.., indices] = noeud;
                 // The nearest first, which most often cuts off the others; then in order.
                 let mut suivant = if Q::UN_SUFFIT {
-                    prendre(&mut enfants)
+                    retirer(&mut enfants)
                 } else {
-                    prendre_le_moindre(&mut enfants, entrees)
+                    retirer_le_moindre(&mut enfants, entrees)
                 };
                 while let Some(enfant) = suivant {
                     let indice = indice_lu(indices[enfant]);
@@ -75,7 +75,7 @@ impl<R: Nombre> Arbre<'_, R> {
                         *plafond = sonde.plafond(self.repere, question.limite());
                         enfants &= au_plus(simd, entrees, &[*plafond; ENFANTS]);
                     }
-                    suivant = prendre(&mut enfants);
+                    suivant = retirer(&mut enfants);
                 }
                 Continue(())
             },

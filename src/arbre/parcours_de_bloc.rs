@@ -14,7 +14,7 @@ use crate::arbre::morceaux::Coupe;
 use crate::arbre::noeud::{ENFANTS, Noeud, indice_lu};
 use crate::arbre::sonde::Sonde;
 use crate::cote_a_cote::bloc::{Bloc, Ensemble, GROUPES};
-use crate::cote_a_cote::colonne::{au_plus, prendre};
+use crate::cote_a_cote::colonne::{au_plus, retirer};
 use crate::cote_a_cote::groupe::VOIES;
 use crate::question::Premier;
 use crate::question::liste::Liste;
@@ -232,7 +232,7 @@ impl<R: Nombre> Arbre<'_, R> {
                 let [.., indices] = noeud;
                 let sources = au_plus(simd, entrees, &[sonde.entree_de_la_source(); ENFANTS]);
                 let offerts = || loop {
-                    let enfant = prendre(&mut enfants)?;
+                    let enfant = retirer(&mut enfants)?;
                     let (indice, source) =
                         (indice_lu(indices[enfant]), (sources >> enfant) & 1 == 1);
                     if entiers || offerts_deja.est_nouveau(indice, source) {

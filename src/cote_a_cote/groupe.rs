@@ -5,7 +5,7 @@
 //! ray gets the bits that it gets alone. What the loops call, closures too, is `inline(always)`: a
 //! function that is not inlined would be compiled for the baseline instruction set.
 
-use crate::cote_a_cote::colonne::{Colonne, LARGEUR, le_plus_grand, prendre};
+use crate::cote_a_cote::colonne::{Colonne, LARGEUR, le_plus_grand, retirer};
 use crate::objet::forme::Forme;
 use crate::objet::par_forme;
 use crate::question::Premier;
@@ -131,14 +131,14 @@ impl<R: Nombre> Groupe<R> {
     /// The distances at which these rays touch this shape, 0 if at once.
     #[inline(always)]
     fn toucher(&self, forme: &impl Forme<R>, t: &mut Colonne<R>) {
-        let mut dedans = false;
+        let mut contient = false;
         for (voie, t) in t.iter_mut().enumerate() {
             let rayon = self.rayon(voie);
-            let (entree, source) = forme.t_et_dedans(&rayon);
+            let (entree, contient_la_source) = forme.t_et_contient(&rayon);
             *t = entree;
-            dedans |= source & (rayon.flou.d_emblee() > R::ZERO);
+            contient |= contient_la_source & (rayon.flou.d_emblee() > R::ZERO);
         }
-        if !dedans {
+        if !contient {
             return;
         }
         for (voie, t) in t.iter_mut().enumerate() {
@@ -173,7 +173,7 @@ impl<R: Nombre> Groupe<R> {
             restent |= u32::from(self.rangs[voie].is_some()) << voie;
         }
         let valides = restent;
-        while let Some(voie) = prendre(&mut restent) {
+        while let Some(voie) = retirer(&mut restent) {
             let Some(rang) = self.rangs[voie] else { return };
             let Some(objet) = objets.get(rang.indice()) else { return };
             let mut siens = 0;
@@ -188,7 +188,7 @@ impl<R: Nombre> Groupe<R> {
                 par_forme!(ObjetRay, objet, forme => contacts.calculer(self, *forme));
             }
             let texture = objet.texture();
-            while let Some(voie) = prendre(&mut siens) {
+            while let Some(voie) = retirer(&mut siens) {
                 let (rayon, t) = (&rayons[voie], self.t[voie]);
                 // Each arm builds the hit in its place: copying one just built would stall until
                 // its fields are stored.
