@@ -1,6 +1,6 @@
 //! One ray in a tree.
 
-use core::ops::ControlFlow::{Break, Continue};
+use core::ops::ControlFlow::{self, Break, Continue};
 
 use fearless_simd::Simd;
 
@@ -37,8 +37,6 @@ impl<R: Nombre> Arbre<'_, R> {
             self.interroger_les_boites(liste, rayon, &mut question);
             return question;
         };
-        let flou = copie.flou.d_emblee() > R::ZERO;
-        let jusqu_ici = if flou { sonde.entree_de_la_source() } else { -f32::INFINI };
         // The largest entry that still matters, in the frame of the tree.
         let plafond = sonde.plafond(self.repere, question.limite());
         let _ = self.marcher(
@@ -46,41 +44,63 @@ impl<R: Nombre> Arbre<'_, R> {
             &sonde,
             plafond,
             #[inline(always)]
-            |Etape { noeud, est_une_feuille, mut enfants, entrees }, plafond| {
+            |etape, plafond| {
                 question.au_noeud();
-                if !est_une_feuille {
+                if !etape.est_une_feuille {
                     return Continue(());
                 }
-                let [.., indices] = noeud;
-                // The nearest first, which most often cuts off the others; then in order.
-                let mut suivant = if Q::UN_SUFFIT {
-                    retirer(&mut enfants)
-                } else {
-                    retirer_le_moindre(&mut enfants, entrees)
-                };
-                while let Some(enfant) = suivant {
-                    let indice = indice_lu(indices[enfant]);
-                    let tient_la_source = entrees[enfant] <= jusqu_ici;
-                    let abord = Abord::DansSaBoite { tient_la_source };
-                    if let Some(objet) = liste.objet(indice)
-                        && let Some(t) = question.voir(&copie, objet, indice, abord)
-                        && (!Q::CHACUN_UNE_FOIS
-                            || self.coupe == Coupe::AUCUNE
-                            || self.coupe.est_ici(self.repere, (noeud, enfant), objet, &copie, t))
-                        && question.retenir(t, indice)
-                    {
-                        if question.est_reglee() {
-                            return Break(());
-                        }
-                        *plafond = sonde.plafond(self.repere, question.limite());
-                        enfants &= au_plus(simd, entrees, &[*plafond; ENFANTS]);
-                    }
-                    suivant = retirer(&mut enfants);
-                }
-                Continue(())
+                self.interroger_une_feuille(
+                    simd,
+                    liste,
+                    (&copie, &sonde),
+                    etape,
+                    (&mut question, plafond),
+                )
             },
         );
         question
+    }
+
+    /// Asks the objects of a leaf whose boxes the ray enters up to `plafond`, which what is kept
+    /// lowers; breaks off once the answer is settled.
+    #[inline(always)]
+    fn interroger_une_feuille<S: Simd, Q: Question<R>>(
+        &self,
+        simd: S,
+        liste: &Liste<'_, R>,
+        (rayon, sonde): (&Rayon<R>, &Sonde<R>),
+        Etape { noeud, mut enfants, entrees, .. }: Etape<'_>,
+        (question, plafond): (&mut Q, &mut f32),
+    ) -> ControlFlow<()> {
+        let flou = rayon.flou.d_emblee() > R::ZERO;
+        let jusqu_ici = if flou { sonde.entree_de_la_source() } else { -f32::INFINI };
+        let [.., indices] = noeud;
+        // The nearest first, which most often cuts off the others; then in order.
+        let mut suivant = if Q::UN_SUFFIT {
+            retirer(&mut enfants)
+        } else {
+            retirer_le_moindre(&mut enfants, entrees)
+        };
+        while let Some(enfant) = suivant {
+            let indice = indice_lu(indices[enfant]);
+            let tient_la_source = entrees[enfant] <= jusqu_ici;
+            let abord = Abord::DansSaBoite { tient_la_source };
+            if let Some(objet) = liste.objet(indice)
+                && let Some(t) = question.voir(rayon, objet, indice, abord)
+                && (!Q::CHACUN_UNE_FOIS
+                    || self.coupe == Coupe::AUCUNE
+                    || self.coupe.est_ici(self.repere, (noeud, enfant), objet, rayon, t))
+                && question.retenir(t, indice)
+            {
+                if question.est_reglee() {
+                    return Break(());
+                }
+                *plafond = sonde.plafond(self.repere, question.limite());
+                enfants &= au_plus(simd, entrees, &[*plafond; ENFANTS]);
+            }
+            suivant = retirer(&mut enfants);
+        }
+        Continue(())
     }
 
     /// Asks all objects that have a box, unless the ray passes by the ball about Z that holds all

@@ -195,31 +195,26 @@ impl<R: Nombre> Arbre<'_, R> {
         }
         let (mut depense, mut permis, mut peses) = (0.0, budget.permis(rayons.len()), false);
         let par_fiche = bloc.demandes.len() as Prix * budget.fiche;
-        let (entiers, mut offerts_deja) = (self.coupe == Coupe::AUCUNE, Offerts([0; 64]));
+        let mut offerts = Offerts([0; 64]);
         let marche = self.marcher(
             simd,
             &sonde,
             sonde.plafond(self.repere, loin),
             #[inline(always)]
-            |Etape { noeud, est_une_feuille, mut enfants, entrees }, plafond| {
+            |etape, plafond| {
                 depense += NOEUD_D_UN_BLOC;
-                if !est_une_feuille {
-                    let croises = enfants.count_ones();
-                    let trop_large = croises >= ENFANTS_CROISES
-                        && permis < Prix::INFINITY
-                        && croises
-                            > self.croises_par_quelques_uns(
-                                simd,
-                                rayons,
-                                bloc.le_plus_loin(),
-                                noeud,
-                            );
-                    return if trop_large { Break(Issue::TropLarge) } else { Continue(()) };
+                let entres = etape.enfants.count_ones();
+                if !etape.est_une_feuille {
+                    let large = entres >= ENFANTS_CROISES && permis < Prix::INFINITY && {
+                        let loin = bloc.le_plus_loin();
+                        entres > self.croises_par_quelques_uns(simd, rayons, loin, etape.noeud)
+                    };
+                    return if large { Break(Issue::TropLarge) } else { Continue(()) };
                 }
-                if enfants == 0 {
+                if entres == 0 {
                     return Continue(());
                 }
-                depense += enfants.count_ones() as Prix * par_fiche;
+                depense += entres as Prix * par_fiche;
                 if depense > permis && !peses {
                     // What is known may be of other rays.
                     peses = true;
@@ -229,17 +224,7 @@ impl<R: Nombre> Arbre<'_, R> {
                 if depense > permis {
                     return Break(Issue::TropCher);
                 }
-                let [.., indices] = noeud;
-                let sources = au_plus(simd, entrees, &[sonde.entree_de_la_source(); ENFANTS]);
-                let offerts = || loop {
-                    let enfant = retirer(&mut enfants)?;
-                    let (indice, source) =
-                        (indice_lu(indices[enfant]), (sources >> enfant) & 1 == 1);
-                    if entiers || offerts_deja.est_nouveau(indice, source) {
-                        return Some((indice, source));
-                    }
-                };
-                bloc.proposer(simd, liste, &mut from_fn(offerts));
+                self.offrir_une_feuille(simd, liste, &sonde, etape, (&mut offerts, bloc));
                 let loin = bloc.le_plus_loin();
                 if bloc.un_suffit && loin == R::ZERO {
                     return Break(Issue::AuBout);
@@ -256,6 +241,28 @@ impl<R: Nombre> Arbre<'_, R> {
             Issue::TropLarge => (),
         }
         issue
+    }
+
+    /// Offers the rays the objects of a leaf whose boxes their probe enters.
+    #[inline(always)]
+    fn offrir_une_feuille<S: Simd>(
+        &self,
+        simd: S,
+        liste: &Liste<'_, R>,
+        sonde: &Sonde<R>,
+        Etape { noeud: [.., indices], mut enfants, entrees, .. }: Etape<'_>,
+        (offerts, bloc): (&mut Offerts, &mut Bloc<'_, R>),
+    ) {
+        let entiers = self.coupe == Coupe::AUCUNE;
+        let sources = au_plus(simd, entrees, &[sonde.entree_de_la_source(); ENFANTS]);
+        let suivant = || loop {
+            let enfant = retirer(&mut enfants)?;
+            let (indice, source) = (indice_lu(indices[enfant]), (sources >> enfant) & 1 == 1);
+            if entiers || offerts.est_nouveau(indice, source) {
+                return Some((indice, source));
+            }
+        };
+        bloc.proposer(simd, liste, &mut from_fn(suivant));
     }
 
     /// Weighs some of these rays, if none were lately.
@@ -303,25 +310,8 @@ impl<R: Nombre> Arbre<'_, R> {
                         self.parcourir(simd, liste, rayon, premier).depense
                     };
                 }
-                // As if one more ray came near one more object: that none does is not certain.
-                let (mut paires, mut proches, mut objets, mut boites) = (1.0, 1.0, 0.0, 0.0);
-                for objet in liste.objets.iter().step_by(liste.objets.len() / OBJETS_CHOISIS + 1) {
-                    match objet {
-                        ObjetRay::Sphere(_) => (),
-                        ObjetRay::Boite(_) => boites += 1.0,
-                        ObjetRay::Plan(_) => continue,
-                    }
-                    objets += 1.0;
-                    for rayon in quelques(rayons, PESES) {
-                        paires += 1.0;
-                        proches += f32::from(u8::from(objet.peut_entrer(rayon)));
-                    }
-                }
-                budget.noter(Releve {
-                    seul: depense / max(peses, 1.0),
-                    proches: proches / paires,
-                    boites: boites / max(objets, 1.0),
-                });
+                let (proches, boites) = parts(liste.objets, rayons);
+                budget.noter(Releve { seul: depense / max(peses, 1.0), proches, boites });
             },
         );
     }
@@ -352,4 +342,25 @@ impl<R: Nombre> Arbre<'_, R> {
         );
         croises
     }
+}
+
+/// What part of some objects with a box some of these rays come near, and what part of those
+/// objects are boxes.
+#[inline(always)]
+fn parts<R: Nombre>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) -> (f32, f32) {
+    // As if one more ray came near one more object: that none does is not certain.
+    let (mut paires, mut proches, mut choisis, mut boites) = (1.0, 1.0, 0.0, 0.0);
+    for objet in objets.iter().step_by(objets.len() / OBJETS_CHOISIS + 1) {
+        match objet {
+            ObjetRay::Sphere(_) => (),
+            ObjetRay::Boite(_) => boites += 1.0,
+            ObjetRay::Plan(_) => continue,
+        }
+        choisis += 1.0;
+        for rayon in quelques(rayons, PESES) {
+            paires += 1.0;
+            proches += f32::from(u8::from(objet.peut_entrer(rayon)));
+        }
+    }
+    (proches / paires, boites / max(choisis, 1.0))
 }
