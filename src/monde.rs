@@ -218,7 +218,7 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     #[inline]
     fn sujet_de<'m>(&'m self, prises: Prises<'m>) -> Sujet<'m, R> {
         let liste = Liste { objets: self.objets, prises };
-        Sujet { liste, arbre: &self.arbre, niveau: self.niveau, deja: None }
+        Sujet { liste, arbre: &self.arbre, niveau: self.niveau }
     }
 
     #[inline]
@@ -429,7 +429,7 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
         rayons: &[Rayon<R>],
         occultes: &mut [bool],
     ) -> Result<(), LongueursDifferentes> {
-        R::lancer_rayon_occultes(&self.sujet(), rayons, occultes)
+        R::lancer_rayon_occultes(&self.sujet(), &mut None, rayons, occultes)
     }
 
     /// The first object that a ray from this hit enters: what

@@ -48,7 +48,8 @@ pub(crate) struct Releve {
 }
 
 /// What the blocks of a call may spend, and how wide they may be.
-pub(crate) struct Budget {
+#[derive(Clone, Copy)]
+pub struct Budget {
     /// How many objects have a box.
     objets: f32,
     nombres_par_registre: f32,
