@@ -92,7 +92,8 @@ pub(crate) trait Forme<R: Nombre>: Copy {
 
     /// The distance at which the ray leaves, from inside or after it entered, +∞ if it never does;
     /// computed without a branch. It is, with the other sign, the distance at which the ray turned
-    /// back enters. In the band rounding may put it before the entry, and `ObjetRay::sortie` mends that.
+    /// back enters. In the band rounding may put it before the entry, and `ObjetRay::sortie` mends
+    /// that.
     fn t_sortie(&self, rayon: &Rayon<R>) -> R;
 
     /// Whether a ray that is in the shape, and has no way out, stays in it for ever or farther than

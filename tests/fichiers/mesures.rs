@@ -150,7 +150,6 @@ fn les_rapports_des_facons_sont_ceux_des_fichiers() {
     let sur = |a: Vec<f64>, b: Vec<f64>| -> Vec<f64> {
         a.into_iter().zip(b).map(|(a, b)| a / b).collect()
     };
-    let plus_etroits = ["f32", "f64"].map(|r| sur(tuiles("AVX2", r), tuiles("AVX-512", r)));
     let doubles =
         ["AVX-512", "AVX2", "SSE2"].map(|jeu| sur(tuiles(jeu, "f64"), tuiles(jeu, "f32")));
     let doubles = etendue(&doubles.concat());
@@ -168,9 +167,8 @@ fn les_rapports_des_facons_sont_ceux_des_fichiers() {
     let falaises = Mesures::lire("falaises");
     let pire = |appel| rapport(falaises.nombres("call", &[appel], &["largest"])[0]);
     for ligne in [
-        format!(", calls of 4,096 | at most {} |", pire("4096")),
-        format!(", calls of 64 | at most {} |", pire("64")),
-        format!("with AVX2 / with AVX-512 | tiles | {} |", etendue(&plus_etroits.concat())),
+        format!("| in calls of 4,096 / one by one | scenes drawn at random | at most {} |", pire("4096")),
+        format!("| in calls of 64 / one by one | | at most {} |", pire("64")),
         format!(
             "in each 64 / without | tiles | {} |",
             etendue(&tas.nombres("case", &["1 of 64"], &["f32", "f64"]))
@@ -180,14 +178,9 @@ fn les_rapports_des_facons_sont_ceux_des_fichiers() {
             etendue(&tas.nombres("case", &["single"], &["f32", "f64"]))
         ),
         format!("| one by one / in calls of 64 | rays of all kinds | {} |", appel("64")),
-        format!("| one by one / in calls of 16 | | {} |", appel("16")),
         format!(
             "such as poles | {} |",
             etendue(&morceaux.nombres("way", &["single", "batch"], &["1000", "10000"]))
-        ),
-        format!(
-            "192 of them | {} |",
-            etendue(&morceaux.nombres("way", &["single", "batch"], &["48", "192"]))
         ),
         format!(
             "| a city | {} |",
