@@ -167,7 +167,10 @@ fn les_rapports_des_facons_sont_ceux_des_fichiers() {
     let falaises = Mesures::lire("falaises");
     let pire = |appel| rapport(falaises.nombres("call", &[appel], &["largest"])[0]);
     for ligne in [
-        format!("| in calls of 4,096 / one by one | scenes drawn at random | at most {} |", pire("4096")),
+        format!(
+            "| in calls of 4,096 / one by one | scenes drawn at random | at most {} |",
+            pire("4096")
+        ),
         format!("| in calls of 64 / one by one | | at most {} |", pire("64")),
         format!(
             "in each 64 / without | tiles | {} |",
