@@ -146,11 +146,12 @@ mod rayon;
 mod texture;
 
 pub use algebre::nombre::Nombre;
-pub use algebre::refus::{ErreurGeo, LongueursDifferentes, PlacesInsuffisantes};
+pub use algebre::refus::ErreurGeo;
 pub use algebre::rotation::Rotation;
 pub use algebre::vecteur::Vecteur;
-pub use monde::reponses::Reel;
-pub use monde::{Monde, places, premiere_intersection};
+pub use arbre::construction::{PlacesInsuffisantes, places};
+pub use monde::reponses::{LongueursDifferentes, Reel};
+pub use monde::{Monde, premiere_intersection};
 pub use objet::boite::face::Face;
 pub use objet::boite::{BoiteGeo, BoiteRay};
 pub use objet::plan::{PlanGeo, PlanRay};

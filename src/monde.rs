@@ -7,12 +7,11 @@ use core::ops::ControlFlow::{self, Break, Continue};
 
 use fearless_simd::Level;
 
-use crate::arbre::construction::{Arbre, mots};
+use crate::arbre::construction::Arbre;
 use crate::cote_a_cote::niveau::meilleur_niveau;
 use crate::monde::reponses::Sujet;
 use crate::question::choix::Prises;
-use crate::question::liste::Liste;
-use crate::rayon::intersection::exiger_des_rangs;
+use crate::question::liste::{Liste, exiger_des_rangs};
 use crate::{
     Choix, Etendue, Intersection, LongueursDifferentes, Lumiere, Nombre, ObjetRay, Parmi,
     PlacesInsuffisantes, Rayon, Reel, Reponse, Sans, Tous, Vecteur,
@@ -127,26 +126,14 @@ pub fn premiere_intersection<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) 
     R::lancer_rayon_premiere_d_une_liste(&liste, meilleur_niveau(), rayon)
 }
 
-/// How many `f32` [`Monde::new`] needs to be lent for this many objects, in either scalar: where
-/// there are many objects, 7.5 for each, which is 30 bytes.
-///
-/// The numbers are scratch memory, free again after the last question. The count is 0 for fewer
-/// than 10 objects, and for 2³¹ − 2²³ or more: lists of that length get no tree, and neither does a
-/// list with fewer than 10 spheres and boxes.
-#[doc(alias("capacity", "memory"))]
-#[must_use]
-pub const fn places(nombre_d_objets: usize) -> usize {
-    mots(nombre_d_objets)
-}
-
 impl<'a, R: Reel> Monde<'a, R> {
     /// Builds a tree over this list, in the numbers that are lent, whose values do not matter.
     ///
     /// Building takes some 0.1 to 0.3 µs an object (`benches/mesures/construction.csv`). Any of the
-    /// numbers may be written; those beyond [`places`] make nothing faster.
+    /// numbers may be written; those beyond [`places`](crate::places) make nothing faster.
     ///
     /// # Errors
-    /// If fewer numbers are lent than [`places`] says.
+    /// If fewer numbers are lent than [`places`](crate::places) says.
     ///
     /// # Panics
     /// If the list has more than 2³² − 1 objects, some 300 GB.
@@ -168,13 +155,13 @@ impl<'a, R: Reel> Monde<'a, R> {
         places: &'a mut [f32],
     ) -> Result<Self, PlacesInsuffisantes> {
         // With no place to spare no object is cut.
-        let assez = places.len().min(mots(objets.len()));
+        let assez = places.len().min(crate::places(objets.len()));
         Self::en_morceaux(objets, &mut places[..assez])
     }
 
     /// Builds a tree in which **long boxes that stand askew**, such as poles, planks and beams, are
     /// cut into pieces. Each piece takes up less room than the whole, and the numbers lent beyond
-    /// [`places`] pay for the pieces.
+    /// [`places`](crate::places) pay for the pieces.
     ///
     /// With twice the places a ray among 10,000 such boxes takes about half to two thirds of the
     /// time, and among 1,000 two thirds to four fifths. Among some hundred neither gains much, and
@@ -184,7 +171,7 @@ impl<'a, R: Reel> Monde<'a, R> {
     /// on the pieces.
     ///
     /// # Errors
-    /// If fewer numbers are lent than [`places`] says.
+    /// If fewer numbers are lent than [`places`](crate::places) says.
     ///
     /// # Panics
     /// As [`new`](Self::new).

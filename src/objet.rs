@@ -8,6 +8,7 @@ pub(crate) mod forme;
 pub(crate) mod plan;
 pub(crate) mod sphere;
 
+use crate::algebre::arrondis::ETENDUE;
 use crate::algebre::nombre::{fois_u, max, min};
 use crate::objet::forme::{Boule, Forme};
 use crate::rayon::intersection::Rang;
@@ -382,8 +383,8 @@ impl<R: Nombre> ObjetRay<R> {
     #[doc(alias("chord", "interval", "entry_exit", "thickness", "attenuation", "fog"))]
     pub fn traversee(&self, rayon: &Rayon<R>) -> Result<[R; 2], NoIntersection> {
         let (entree, sortie, retient) = par_forme!(Self, self, forme => {
-            let (t, dedans) = forme.t_et_dedans(rayon);
-            let entree = if dedans { R::ZERO } else { t };
+            let (t, contient) = forme.t_et_contient(rayon);
+            let entree = if contient { R::ZERO } else { t };
             (entree, forme.t_sortie(rayon), forme.retient(rayon))
         });
         // A ray that enters has a way out, unless that is too far for the type.
@@ -481,10 +482,6 @@ impl<R: Nombre> ObjetRay<R> {
         par_forme!(Self, self, forme => forme.demi_axe())
     }
 }
-
-/// How much larger the box around an object is made, in u of the sum of its half-extents (lemma
-/// 15).
-pub const ETENDUE: f64 = 44.0;
 
 /// A box along the axes around an object or a list: its lowest and its highest corner.
 #[doc(alias("bounding_box", "aabb", "bounds"))]

@@ -20,7 +20,7 @@ pub(crate) type Membres = u32;
 
 /// Takes out the first of these places.
 #[inline(always)]
-pub(crate) fn prendre(membres: &mut Membres) -> Option<usize> {
+pub(crate) fn retirer(membres: &mut Membres) -> Option<usize> {
     let premier = membres.trailing_zeros() as usize;
     *membres &= membres.wrapping_sub(1);
     (premier < LARGEUR).then_some(premier)
@@ -28,10 +28,10 @@ pub(crate) fn prendre(membres: &mut Membres) -> Option<usize> {
 
 /// Takes out the place whose number is the least.
 #[inline(always)]
-pub(crate) fn prendre_le_moindre(membres: &mut Membres, nombres: &Colonne<f32>) -> Option<usize> {
+pub(crate) fn retirer_le_moindre(membres: &mut Membres, nombres: &Colonne<f32>) -> Option<usize> {
     let mut autres = *membres;
-    let mut moindre = prendre(&mut autres)?;
-    while let Some(membre) = prendre(&mut autres) {
+    let mut moindre = retirer(&mut autres)?;
+    while let Some(membre) = retirer(&mut autres) {
         if nombres[membre] < nombres[moindre] {
             moindre = membre;
         }

@@ -2,8 +2,11 @@
 //! scalar: generic code would be compiled again by every crate that calls it, and as slowly as that
 //! crate is.
 
+use core::fmt;
+
 use fearless_simd::{Level, Simd};
 
+use crate::arbre::budget::Budget;
 use crate::arbre::construction::{Arbre, construire};
 use crate::cote_a_cote::bloc::{BLOC, Bloc, Ensemble, GROUPES, Groupes};
 use crate::cote_a_cote::eclairage::{Eclairage, Ombres};
@@ -13,9 +16,7 @@ use crate::question::jugement::certificat::Certificat;
 use crate::question::liste::Liste;
 use crate::question::visite::{Montrer, Rangee, Visite};
 use crate::question::{Premier, Question};
-use crate::{
-    LongueursDifferentes, Lumiere, Nombre, ObjetRay, PlacesInsuffisantes, Rayon, Reponse, Vecteur,
-};
+use crate::{Lumiere, Nombre, ObjetRay, PlacesInsuffisantes, Rayon, Reponse, Vecteur};
 
 /// What a question is asked of: the objects, their tree, which has no nodes if they are asked as a
 /// list, and the instructions; and what the ray has found before.
@@ -133,41 +134,19 @@ fn demander_en_lot<R: Nombre, T, const OMBRE: bool>(
         || {
             let mut budget = arbre.budget(simd, &liste);
             for (rayons, reponses) in rayons.chunks(BLOC).zip(reponses.chunks_mut(BLOC)) {
-                let ensemble = if !arbre.noeuds.is_empty() {
-                    arbre.chercher_ensemble(simd, &liste, (&mut budget, &mut bloc), rayons)
-                } else if rayons.len() >= MOINDRE_LOT_D_UNE_LISTE {
-                    bloc.charger(rayons);
-                    bloc.proposer_tous(simd, &liste, 0..liste.objets.len());
-                    [Ensemble::JusquAuBout; GROUPES]
-                } else {
-                    [Ensemble::Rien; GROUPES]
-                };
+                let ensemble = chercher_en_bloc(simd, sujet, (&mut budget, &mut bloc), rayons);
                 let par_groupe = rayons.chunks(VOIES).zip(reponses.chunks_mut(VOIES));
                 for (i, (rayons, reponses)) in par_groupe.enumerate() {
-                    let un_par_un = rayons.iter().zip(&mut *reponses);
                     match ensemble[i] {
                         Ensemble::JusquAuBout => {
                             ecrire(&bloc.groupes[i], liste.objets, rayons, reponses);
                         }
                         Ensemble::EnPartie => {
-                            for (voie, (rayon, reponse)) in un_par_un.enumerate() {
-                                let premier = bloc.groupes[i].premier(voie);
-                                *reponse = if OMBRE && premier.rang.is_some() {
-                                    repondre(premier.en_question(), rayon, liste.objets)
-                                } else {
-                                    reste.deja = Some(premier);
-                                    premier_d_un_arbre(simd, &reste, rayon, repondre)
-                                };
-                            }
+                            let par_ici = (&mut reste, &bloc.groupes[i]);
+                            continuer_un_par_un(simd, par_ici, (rayons, reponses), repondre);
                         }
                         Ensemble::Rien => {
-                            for (rayon, reponse) in un_par_un {
-                                *reponse = if arbre.noeuds.is_empty() {
-                                    premier_d_une_liste(simd, &liste, rayon, repondre)
-                                } else {
-                                    premier_d_un_arbre(simd, sujet, rayon, repondre)
-                                };
-                            }
+                            demander_un_par_un(simd, sujet, (rayons, reponses), repondre);
                         }
                     }
                 }
@@ -176,6 +155,91 @@ fn demander_en_lot<R: Nombre, T, const OMBRE: bool>(
     ));
     Ok(())
 }
+
+/// Looks for the first objects of at most 64 rays side by side, and tells of each group how far it
+/// came.
+#[inline(always)]
+fn chercher_en_bloc<S: Simd, R: Nombre>(
+    simd: S,
+    Sujet { liste, arbre, .. }: &Sujet<'_, R>,
+    (budget, bloc): (&mut Budget, &mut Bloc<'_, R>),
+    rayons: &[Rayon<R>],
+) -> [Ensemble; GROUPES] {
+    if !arbre.noeuds.is_empty() {
+        return arbre.chercher_ensemble(simd, liste, (budget, bloc), rayons);
+    }
+    if rayons.len() < MOINDRE_LOT_D_UNE_LISTE {
+        return [Ensemble::Rien; GROUPES];
+    }
+    bloc.charger(rayons);
+    bloc.proposer_tous(simd, liste, 0..liste.objets.len());
+    [Ensemble::JusquAuBout; GROUPES]
+}
+
+/// Asks one ray of a group after another, each from the first object that it has so far.
+#[inline(always)]
+fn continuer_un_par_un<S: Simd, R: Nombre, T, const OMBRE: bool>(
+    simd: S,
+    (reste, groupe): (&mut Sujet<'_, R>, &Groupe<R>),
+    (rayons, reponses): (&[Rayon<R>], &mut [T]),
+    repondre: impl Fn(Premier<R, OMBRE>, &Rayon<R>, &[ObjetRay<R>]) -> T + Copy,
+) {
+    for (voie, (rayon, reponse)) in rayons.iter().zip(reponses).enumerate() {
+        let premier = groupe.premier(voie);
+        *reponse = if OMBRE && premier.rang.is_some() {
+            repondre(premier.en_question(), rayon, reste.liste.objets)
+        } else {
+            reste.deja = Some(premier);
+            premier_d_un_arbre(simd, reste, rayon, repondre)
+        };
+    }
+}
+
+/// Asks one ray after another.
+#[inline(always)]
+fn demander_un_par_un<S: Simd, R: Nombre, T, const OMBRE: bool>(
+    simd: S,
+    sujet: &Sujet<'_, R>,
+    (rayons, reponses): (&[Rayon<R>], &mut [T]),
+    repondre: impl Fn(Premier<R, OMBRE>, &Rayon<R>, &[ObjetRay<R>]) -> T + Copy,
+) {
+    for (rayon, reponse) in rayons.iter().zip(reponses) {
+        *reponse = if sujet.arbre.noeuds.is_empty() {
+            premier_d_une_liste(simd, &sujet.liste, rayon, repondre)
+        } else {
+            premier_d_un_arbre(simd, sujet, rayon, repondre)
+        };
+    }
+}
+
+/// There are more or fewer places for answers than rays.
+///
+/// ```
+/// use lancer_rayon::{LongueursDifferentes, Monde, NoIntersection, Rayon};
+///
+/// let rayons: [Rayon; 0] = [];
+/// let mut touches = [Err(NoIntersection); 3];
+/// let refus = Monde::de_liste(&[]).premieres_intersections(&rayons, &mut touches);
+/// assert_eq!(refus, Err(LongueursDifferentes { rayons: 0, reponses: 3 }));
+/// ```
+#[doc(alias = "length_mismatch")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct LongueursDifferentes {
+    /// How many rays there are.
+    #[doc(alias = "rays")]
+    pub rayons: usize,
+    /// How many answers there are places for.
+    #[doc(alias = "answers")]
+    pub reponses: usize,
+}
+
+impl fmt::Display for LongueursDifferentes {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} rays, but places for {} answers", self.rayons, self.reponses)
+    }
+}
+
+impl core::error::Error for LongueursDifferentes {}
 
 /// The scalar type: `f32` or `f64`. Sealed.
 ///

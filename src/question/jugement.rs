@@ -10,6 +10,7 @@ pub(crate) mod point;
 
 use core::slice::from_ref;
 
+use crate::algebre::arrondis::ERREUR_ARRONDIE;
 use crate::algebre::double::{Double, scalaire, triple};
 use crate::algebre::nombre::{est_double, fois_u};
 use crate::question::choix::Prises;
@@ -22,10 +23,6 @@ use crate::{Intersection, Nombre, ObjetRay, Rayon};
 /// [`ObjetRay::erreur`] trusts a glance that leaves no more than this part of u·t open: doubled
 /// numbers would give about the same bound.
 const NET: f64 = 1.0 / 64.0;
-
-/// How much the bound of [`ObjetRay::erreur`] grows for its last operations, in u of itself (lemma
-/// 17).
-pub const ERREUR_ARRONDIE: f64 = 16.1;
 
 impl<R: Nombre> ObjetRay<R> {
     /// A bound on the error of [`touche.distance()`](Intersection::distance), in scene units: the

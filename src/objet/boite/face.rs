@@ -2,6 +2,7 @@
 
 use core::fmt;
 
+use crate::algebre::arrondis::BORD;
 use crate::algebre::nombre::{fois_u, max, min};
 use crate::{BoiteRay, ErreurGeo, Intersection, Nombre, Rayon, Vecteur};
 
@@ -77,9 +78,6 @@ impl fmt::Display for Face {
         f.pad(["+x", "+y", "+z", "-x", "-y", "-z"][*self as usize])
     }
 }
-
-/// How far from an edge a place stays, in u of ‖C‖₁ and Σl_i (lemma 10).
-pub const BORD: f64 = 40.0;
 
 impl<R: Nombre> BoiteRay<R> {
     /// Where a hit on this box lies: the face, and the point in the box's own axes, from −1 to 1

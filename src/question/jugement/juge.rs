@@ -36,14 +36,11 @@
 //!     1+2u, rounded to the scene's type, at least η.  est_certain is certifie of a list of one
 //! ```
 
+use crate::algebre::arrondis::ECART_ARRONDI;
 use crate::algebre::double::{Intervalle, Triple};
 use crate::algebre::nombre::{max, min};
 use crate::question::jugement::point::{Apercu, Point};
 use crate::{Nombre, ObjetRay, Rayon, SphereRay, Vecteur};
-
-/// How much a bound of `juger` grows, in u of itself: what it is off by, and the growing (lemma
-/// 17).
-pub const ECART_ARRONDI: f64 = 10.6;
 
 /// Where a ray starts, and a point of it, from which the judgement counts.
 #[derive(Clone, Copy)]
