@@ -31,11 +31,13 @@
 //! [`Monde::new`] builds a tree, so that the time of a ray grows far more slowly than the number of
 //! objects. A `Monde` answers many rays at once
 //! ([`premieres_intersections`](Monde::premieres_intersections), with the same bits, and several
-//! times as fast for the rays of a camera). It tells whether anything blocks the way to a light
-//! ([`est_occulte`](Monde::est_occulte)), [all that a ray enters](Monde::dans_l_ordre) and [whether
-//! a point is in an object](Monde::contient), for all objects or [any choice of
-//! them](Monde::parmi). A ray may have [an end](Rayon::jusqu_a). [`ObjetRay::sortie`] tells where a
-//! ray leaves an object, and [`traversee`](ObjetRay::traversee) which part of it lies within.
+//! times as fast for the rays of a camera). It tells [how much of a light falls on a
+//! hit](Monde::eclairement), [whether anything stands before the end of a ray](Monde::est_occulte),
+//! [what a ray enters, in order](Monde::dans_l_ordre), and [whether a point is in an
+//! object](Monde::contient), for all objects or [any choice of them](Monde::parmi). Rays that leave
+//! a hit are asked by [`premiere_depuis`](Monde::premiere_depuis). A ray may have [an
+//! end](Rayon::jusqu_a). [`ObjetRay::sortie`] tells where a ray leaves an object, and
+//! [`traversee`](ObjetRay::traversee) which part of it lies within.
 //!
 //! # Conventions
 //!
