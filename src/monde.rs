@@ -525,10 +525,10 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// How much of a light falls on each of these hits, as a batch wrote them:
     /// [`eclairement`](Self::eclairement) of each hit, and 0 for a miss.
     ///
-    /// The shadow rays are made side by side and asked as a batch, so that a picture takes a
-    /// quarter to a half of the time that it takes to make the rays one by one and to pass them to
-    /// [`sont_occultes`](Self::sont_occultes) (`docs/vitesse.md`, "A whole picture"). The order
-    /// matters as in [`premieres_intersections`](Self::premieres_intersections).
+    /// The shadow rays are made side by side and asked as a batch, in far less time than it takes to
+    /// make them one by one and to pass them to [`sont_occultes`](Self::sont_occultes). What a
+    /// picture takes stands in `docs/vitesse.md`, "A whole picture". The order matters as in
+    /// [`premieres_intersections`](Self::premieres_intersections).
     ///
     /// # Errors
     /// If `touches` and `cosinus` are not of the same length; nothing is written then.
