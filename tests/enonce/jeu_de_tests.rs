@@ -10,12 +10,11 @@ use core::fmt::Write;
 use std::path::Path;
 
 use commun::litteral;
-use exemples::scene::Scene;
+use exemples::scene::{Lisible, Scene};
 use lancer_rayon::{
     BoiteGeo, BoiteRay, ErreurGeo, Face, NoIntersection, ObjetGeo, ObjetRay, PlanGeo, Rayon, Reel,
     Reponse, Rotation, SphereGeo, Texture, Vecteur, premiere_intersection,
 };
-use serde::de::DeserializeOwned;
 
 /// What is tried, expected and obtained, and the marks of the row.
 type Ligne = (&'static str, String, String, &'static [&'static str]);
@@ -573,7 +572,7 @@ fn c15<R: Reel>() -> Partie {
 }
 
 /// The objects of `docs/scenes/atelier.ron`, each with its own texture, and its 240,000 camera rays.
-fn atelier<R: Reel + DeserializeOwned>() -> (Vec<ObjetRay<R>>, Vec<Rayon<R>>) {
+fn atelier<R: Lisible>() -> (Vec<ObjetRay<R>>, Vec<Rayon<R>>) {
     let scene: Scene<R> = Scene::lire(Path::new("docs/scenes/atelier.ron")).unwrap();
     let objets = scene.objets.into_iter().map(ObjetRay::from).collect();
     (objets, scene.camera.rayons().unwrap())
