@@ -589,7 +589,7 @@ fn autres_objets<R: Reel>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) -> String
     format!("{} of {}", autres.count(), rayons.len())
 }
 
-fn scene_entiere<R: Reel + DeserializeOwned>() -> Partie {
+fn scene_entiere<R: Lisible>() -> Partie {
     let (objets, rayons) = atelier::<R>();
     let mut vus = vec![0; objets.len()];
     for touche in rayons.iter().filter_map(|rayon| premiere_intersection(&objets, rayon).ok()) {
