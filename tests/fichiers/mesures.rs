@@ -166,6 +166,8 @@ fn les_rapports_des_facons_sont_ceux_des_fichiers() {
     assert!(mots(&page).contains(&phrase), "the page has not: {phrase}");
     let falaises = Mesures::lire("falaises");
     let pire = |appel| rapport(falaises.nombres("call", &[appel], &["largest"])[0]);
+    let phrase = format!("none takes more than {} times as long", pire("4096"));
+    assert!(mots(&lire("CHANGELOG.md")).contains(&phrase), "CHANGELOG has not: {phrase}");
     for ligne in [
         format!(
             "| in calls of 4,096 / one by one | scenes drawn at random | at most {} |",
