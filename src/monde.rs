@@ -30,8 +30,8 @@ use crate::{
 /// **What makes a tree slow:**
 ///
 /// - Half-spaces have no box. A ray tests each of them, as in a list.
-/// - In a heap, where a ray crosses the boxes of most objects, a single ray takes up to 1.5 times
-///   as long as with a list. A batch takes about as long as that of the list.
+/// - In a heap, where a ray crosses the boxes of most objects, a ray or a batch takes up to some 1.6
+///   times as long as with a list (`benches/mesures/tas.csv`).
 /// - The box of an object is rounded to some 10⁻⁶ of the distance of that object from the middle of
 ///   most objects, and in `f32` also of the distance of the source of the ray. Objects that stand
 ///   closer together than their boxes are rounded are all tested. So fine detail far from most
@@ -129,8 +129,8 @@ pub fn premiere_intersection<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) 
 impl<'a, R: Reel> Monde<'a, R> {
     /// Builds a tree over this list, in the numbers that are lent, whose values do not matter.
     ///
-    /// Building takes some 0.09 to 0.15 µs an object (`benches/mesures/construction.csv`). Any of
-    /// the numbers may be written; those beyond [`places`](crate::places) make nothing faster.
+    /// Building takes some 0.1 to 0.3 µs an object (`benches/mesures/construction.csv`). Any of the
+    /// numbers may be written; those beyond [`places`](crate::places) make nothing faster.
     ///
     /// # Errors
     /// If fewer numbers are lent than [`places`](crate::places) says.
@@ -165,9 +165,10 @@ impl<'a, R: Reel> Monde<'a, R> {
     ///
     /// With twice the places a ray among 10,000 such boxes takes about half to two thirds of the
     /// time, and among 1,000 two thirds to four fifths. Among some hundred neither gains much, and
-    /// where nothing is long the tree is that of [`new`](Self::new). A ray that runs along a few
-    /// long objects among many others takes longer, up to some 13 times. No answer depends on the
-    /// pieces.
+    /// where nothing is long the tree is that of [`new`](Self::new)
+    /// (`benches/mesures/morceaux.csv`). A ray that runs along a long object takes longer, since it
+    /// asks the object for each of its pieces, of which there are at most sixteen. No answer depends
+    /// on the pieces.
     ///
     /// # Errors
     /// If fewer numbers are lent than [`places`](crate::places) says.
@@ -289,8 +290,8 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// take; an index beyond the list leaves out nothing.
     ///
     /// Leave out **a lamp of the list**, or the object at the far end of
-    /// [`vers_touche`](crate::Intersection::vers_touche), so that it does not stand before itself.
-    /// A ray that leaves an object needs no such choice: it never hits that object again
+    /// [`vers_touche`](crate::Intersection::vers_touche): no distance is exact enough to stop just
+    /// before it, so that it would hide points of its own surface. A ray that leaves an object needs no such choice: it never hits that object again
     /// ([`secondaire`](crate::Intersection::secondaire)), and
     /// [`premiere_depuis`](Self::premiere_depuis) saves the time to find that out. Each call makes
     /// another type: for a set of objects that is known only at run time take
@@ -334,8 +335,9 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// (`docs/vitesse.md`, "The order in a batch"). Pass 64 rays or more per call. Rays that would
     /// take longer together go on one by one, as soon as that shows: in calls of 4,096 a batch
     /// seldom takes more than 1.1 times as long as its rays one by one, and in calls of 64, which
-    /// cannot learn from each other, up to some 3 times. Nothing is allocated and no thread is
-    /// started; the caller may give parts of a picture to several threads.
+    /// cannot learn from each other, up to some 3 times (`benches/mesures/falaises.csv`). Nothing is
+    /// allocated and no thread is started; the caller may give parts of a picture to several
+    /// threads.
     ///
     /// # Errors
     /// If `rayons` and `touches` are not of the same length; nothing is written then.
@@ -372,8 +374,7 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// and test N·L > 0 first: towards a lamp behind the surface the ray starts inside the object,
     /// which then casts no shadow.
     ///
-    /// **A lamp that is an object of the list** hides the points of its own surface: no distance is
-    /// exact enough to stop just before it. [Leave it out](Self::sans).
+    /// **A lamp that is an object of the list** is to be [left out](Self::sans).
     ///
     /// **From deep inside an object** a shadow ray does not see that object, as no ray does: a
     /// point of the floor inside a ball that is sunk into the floor is not in the shadow of the
@@ -524,10 +525,10 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// How much of a light falls on each of these hits, as a batch wrote them:
     /// [`eclairement`](Self::eclairement) of each hit, and 0 for a miss.
     ///
-    /// The shadow rays are made side by side and asked as a batch, so that a picture takes a
-    /// quarter to a half of the time that it takes to make the rays one by one and to pass them to
-    /// [`sont_occultes`](Self::sont_occultes) (`docs/vitesse.md`, "A whole picture"). The order
-    /// matters as in [`premieres_intersections`](Self::premieres_intersections).
+    /// The shadow rays are made side by side and asked as a batch, in far less time than it takes to
+    /// make them one by one and to pass them to [`sont_occultes`](Self::sont_occultes). What a
+    /// picture takes stands in `docs/vitesse.md`, "A whole picture". The order matters as in
+    /// [`premieres_intersections`](Self::premieres_intersections).
     ///
     /// # Errors
     /// If `touches` and `cosinus` are not of the same length; nothing is written then.
@@ -694,8 +695,8 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// list, since it skips objects whose boxes come later.
     ///
     /// Only the [`indice`](crate::Intersection::indice) of `reponse` counts, so that an answer
-    /// found elsewhere can be judged. On average a certificate takes 1.3 to 1.9 times as long as
-    /// the ray, on top of it.
+    /// found elsewhere can be judged. On average a certificate takes less than twice as long as the
+    /// ray, on top of it (`docs/vitesse.md`, "Certified or not").
     ///
     /// If an answer of `f32` is not certain, ask the same numbers in `f64`:
     /// [`ObjetRay::temoin_f64`] of all objects, and [`Rayon::temoin_f64`].

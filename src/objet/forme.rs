@@ -20,7 +20,7 @@ pub(crate) trait Forme<R: Nombre>: Copy {
     fn boite_englobante(&self) -> Option<(Vecteur<R>, Vecteur<R>)>;
 
     /// Half of the axis across which a [tree](crate::Monde) may cut the shape into slices; 0 if it
-    /// has none.
+    /// has none, as any shape has of which not every hit lies in the box of a slice (lemma 6).
     fn demi_axe(&self) -> Vecteur<R> {
         Vecteur::NUL
     }
@@ -34,6 +34,9 @@ pub(crate) trait Forme<R: Nombre>: Copy {
 
     /// The distance at which the ray enters, +∞ if it does not, and whether its source is in the
     /// shape or on its surface; computed without a branch.
+    ///
+    /// The distance is above 0 with D·N < 0, or +∞, and never a NaN. On a bounded shape the point at
+    /// that distance lies in the grown box of lemma 6, on which culling rests.
     fn t_et_contient(&self, rayon: &Rayon<R>) -> (R, bool);
 
     /// The distance at which the ray enters, +∞ if it does not.
@@ -60,16 +63,19 @@ pub(crate) trait Forme<R: Nombre>: Copy {
     }
 
     /// Whether a few operations tell that the ray goes away, so that [`t_touche`](Self::t_touche) is
-    /// +∞: as they do of a ray that leaves this shape outward.
+    /// +∞: as they do of a ray that leaves this shape outward. It is never true otherwise, since
+    /// such a ray does not ask this object.
     fn s_eloigne(&self, rayon: &Rayon<R>) -> bool;
 
     /// Whether the ray starts in this shape by no more than its δ, which is above 0, and the
-    /// rounding of the shape, and goes in: then it touches the shape at once (lemma 22). Computed
-    /// without a branch.
+    /// rounding of the shape, and goes in: then it touches the shape at once (lemma 22). A sphere
+    /// may hold it twice as deep, where `avec_flou` gave δ. Computed without a branch.
     fn des_le_depart(&self, rayon: &Rayon<R>) -> bool;
 
     /// The distance at which the ray leaves, from inside or after it entered, +∞ if it never does;
-    /// computed without a branch.
+    /// computed without a branch. It is, with the other sign, the distance at which the ray turned
+    /// back enters. In the band rounding may put it before the entry, and `ObjetRay::sortie` mends
+    /// that.
     fn t_sortie(&self, rayon: &Rayon<R>) -> R;
 
     /// Whether a ray that is in the shape, and has no way out, stays in it for ever or farther than
@@ -78,15 +84,17 @@ pub(crate) trait Forme<R: Nombre>: Copy {
         false
     }
 
-    /// Whether a point is in the shape or on its surface: then no ray from it enters.
+    /// Whether a point is in the shape or on its surface: then no ray from it enters. It decides by
+    /// the sums of [`t_et_contient`](Self::t_et_contient), so that no rounding tells the two apart,
+    /// and is false of a NaN.
     #[inline(always)]
     fn contient(&self, point: Vecteur<R>) -> bool {
         self.t_et_contient(&Rayon::sans_fin(point, Vecteur::Z)).1
     }
 
     /// The unit outward normal N of the entry at distance `t`, and how far along N the surface lies
-    /// there from the centre of the ball; computed without a branch. Where rounding has lost N or
-    /// brought N·D to 0 or above, [`vers_la_source`] replaces it.
+    /// there from the centre of the ball; computed without a branch. N is unit to rounding, or 0.
+    /// Where rounding has lost N or brought N·D to 0 or above, [`vers_la_source`] replaces it.
     fn plan_tangent(&self, rayon: &Rayon<R>, t: R) -> (Vecteur<R>, R);
 
     /// What [`plan_tangent`](Self::plan_tangent) says for a shape that the ray touches at once.
