@@ -7,7 +7,7 @@ use core::ops::ControlFlow::{self, Break, Continue};
 
 use fearless_simd::Level;
 
-use crate::arbre::construction::Arbre;
+use crate::arbre::Arbre;
 use crate::cote_a_cote::niveau::meilleur_niveau;
 use crate::monde::reponses::Sujet;
 use crate::question::choix::Prises;
@@ -121,9 +121,7 @@ impl<R: Nombre, C> fmt::Debug for Monde<'_, R, C> {
 #[doc(alias("cast_ray", "closest_hit", "first_hit", "raycast"))]
 #[inline]
 pub fn premiere_intersection<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> Reponse<R> {
-    exiger_des_rangs(objets.len());
-    let liste = Liste { objets, prises: Prises::Toutes };
-    R::lancer_rayon_premiere_d_une_liste(&liste, meilleur_niveau(), rayon)
+    R::lancer_rayon_premiere_d_une_liste(&Liste::entiere(objets), meilleur_niveau(), rayon)
 }
 
 impl<'a, R: Reel> Monde<'a, R> {
@@ -240,7 +238,8 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// The choice holds for every question, including shadows, batches and certificates. A choice
     /// from a choice takes what both take. `prend` is called only with indices of the list. For
     /// most objects that a ray passes by it is not called, and for some others more than once. In a
-    /// batch, a list calls it at most once for each object in each block of 64 rays.
+    /// batch, a list calls it at most once for each object in each block of 64 rays, or of fewer than six
+    /// rays for each ray.
     ///
     /// To leave out one object there is [`sans`](Self::sans). To keep less than about a hundredth
     /// of a large list, build a `Monde` of those objects: a ray walks the whole tree, whatever the
@@ -744,11 +743,11 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     }
 }
 
-/// The first object that the ray enters. That it is a list is decided here, so that a list that was
-/// not stored costs nothing.
+/// The first object that the ray enters. Whether the world is a list is decided here, in the crate of
+/// the caller: the compiler then drops the test for a `Monde` that `de_liste` has just made.
 #[inline]
 fn premiere<R: Reel>(sujet: &Sujet<'_, R>, rayon: &Rayon<R>) -> Reponse<R> {
-    if sujet.arbre.noeuds.is_empty() {
+    if sujet.arbre.est_une_liste() {
         return R::lancer_rayon_premiere_d_une_liste(&sujet.liste, sujet.niveau, rayon);
     }
     R::lancer_rayon_premiere(sujet, rayon)
@@ -757,7 +756,7 @@ fn premiere<R: Reel>(sujet: &Sujet<'_, R>, rayon: &Rayon<R>) -> Reponse<R> {
 /// Whether anything stands before the end of the ray.
 #[inline]
 fn occulte<R: Reel>(sujet: &Sujet<'_, R>, rayon: &Rayon<R>) -> bool {
-    if sujet.arbre.noeuds.is_empty() {
+    if sujet.arbre.est_une_liste() {
         return R::lancer_rayon_occulte_d_une_liste(&sujet.liste, sujet.niveau, rayon);
     }
     R::lancer_rayon_occulte(sujet, rayon)

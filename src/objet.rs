@@ -19,7 +19,7 @@ use crate::{
 
 /// `par_forme!(ObjetRay, objet, forme => expression)` is the expression for the shape in `objet`.
 /// All of the crate chooses between shapes in this way, except where it judges
-/// (`question/jugement/`).
+/// (`question/jugement/`) and where a block is priced (`arbre/parcours_de_bloc.rs`).
 ///
 /// Each arm has a type of its own for `forme`, which no closure could have. One match can serve
 /// many rays.
@@ -329,20 +329,17 @@ impl<R: Nombre> ObjetRay<R> {
     /// ```
     #[doc(alias("exit", "far_side", "leave", "sensor", "sample", "anchor"))]
     pub fn sortie(&self, rayon: &Rayon<R>) -> Reponse<R> {
-        // Turned back, the ray enters the object, at −t, where this one leaves it.
+        let (entree, sortie) =
+            par_forme!(Self, self, forme => (forme.t(rayon), forme.t_sortie(rayon)));
+        // W5: never before the entry.
+        let t = if entree < R::INFINI { max(entree, sortie) } else { sortie };
+        if t >= rayon.fin() {
+            return Err(NoIntersection);
+        }
+        // W6: turned back, the ray enters the object, at −t, where this one leaves it.
         let retour = Rayon::sans_fin(rayon.source(), -rayon.direction());
-        par_forme!(Self, self, forme => {
-            let (entree, sortie) = (forme.t(rayon), forme.t_sortie(rayon));
-            // W5: never before the entry.
-            let t = if entree < R::INFINI { max(entree, sortie) } else { sortie };
-            if t >= rayon.fin() {
-                return Err(NoIntersection);
-            }
-            let (contact, de_face) = forme.contact(&retour, -t); // W6: as of a hit from beyond
-            let contact = if de_face { contact } else { forme.contact_de_toute_sorte(&retour, -t) };
-            let (delta, texture, rang) = (rayon.flou(), forme.texture(), Rang::de(0));
-            Ok(Intersection { distance: t, contact, delta, texture, rang })
-        })
+        let touche = self.touche(&retour, -t, Rang::de(0))?;
+        Ok(Intersection { distance: t, delta: rayon.flou(), ..touche })
     }
 
     /// The part of the ray that lies in this object (handout, annex A): where it begins and where it

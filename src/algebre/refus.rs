@@ -7,7 +7,8 @@ use crate::{Nombre, Vecteur};
 
 /// A number outside the accepted range, with the field it was given for.
 ///
-/// Constructors and transformations of rays, rotations and objects return it.
+/// Constructors and transformations of rays, lights, rotations and objects return it, and so do the
+/// rays from a hit.
 ///
 /// ```
 /// use lancer_rayon::{SphereGeo, Texture, Vecteur};

@@ -11,6 +11,7 @@
 use core::{fmt, mem};
 
 use crate::algebre::nombre::{max, min, simple};
+use crate::arbre::Arbre;
 use crate::arbre::morceaux::{Coupe, decouper};
 use crate::arbre::noeud::{
     COIN_ABSENT, ENFANTS, FICHE, Fiche, LIMITE_INDICES, Noeud, VIDE, en_mot,
@@ -28,30 +29,6 @@ const LIGNE: usize = 64;
 /// The most `f32` that are skipped at the start of what the caller lends, so that nodes start on a
 /// line.
 const BOURRAGE: usize = LIGNE / size_of::<f32>() - 1;
-
-/// A tree over a list of objects.
-#[derive(Clone, Copy)]
-pub struct Arbre<'a, R> {
-    /// The leaves, then the floors above, the root last; none over a list that is as fast.
-    pub(crate) noeuds: &'a [Noeud],
-    /// How many nodes are leaves.
-    pub(crate) feuilles: usize,
-    /// The [stored](en_mot) indices of the objects without a box, the last first.
-    pub(crate) sans_boite: &'a [f32],
-    pub(crate) repere: Repere<R>,
-    pub(crate) coupe: Coupe,
-}
-
-impl<R: Nombre> Arbre<'_, R> {
-    /// The tree of a list that is asked as a list.
-    pub(crate) const SANS_NOEUDS: Self = Self {
-        noeuds: &[],
-        feuilles: 0,
-        sans_boite: &[],
-        repere: Repere::QUELCONQUE,
-        coupe: Coupe::AUCUNE,
-    };
-}
 
 /// How many `f32` [`Monde::new`](crate::Monde::new) needs to be lent for this many objects, in
 /// either scalar: where there are many objects, 7.5 for each, which is 30 bytes.

@@ -1,13 +1,14 @@
 //! The walk through a tree, of one ray or of many: the nodes that a probe enters, the nearest
 //! first.
 
+use core::iter::from_fn;
 use core::ops::ControlFlow::{self, Continue};
 
 use arrayvec::ArrayVec;
 use fearless_simd::Simd;
 
 use crate::Nombre;
-use crate::arbre::construction::Arbre;
+use crate::arbre::Arbre;
 use crate::arbre::noeud::{ENFANTS, ETAGES, Noeud, indice_lu};
 use crate::arbre::sonde::Sonde;
 use crate::cote_a_cote::colonne::{Colonne, Membres, retirer, retirer_le_moindre};
@@ -26,8 +27,8 @@ pub(crate) struct Etape<'a> {
 }
 
 impl<R: Nombre> Arbre<'_, R> {
-    /// Shows `voir` each node that the probe enters up to `plafond`, a limit that `voir` may lower,
-    /// until it breaks off.
+    /// Shows `voir` each node of this tree, which has some, that the probe enters up to `plafond`, a
+    /// limit that `voir` may lower, until it breaks off.
     #[inline(always)]
     pub(crate) fn marcher<S: Simd, B>(
         &self,
@@ -43,21 +44,19 @@ impl<R: Nombre> Arbre<'_, R> {
             let (mut enfants, entrees) = sonde.traverse(simd, noeud, plafond);
             let est_une_feuille = numero < self.feuilles;
             voir(Etape { noeud, est_une_feuille, enfants, entrees: &entrees.0 }, &mut plafond)?;
-            if !est_une_feuille && let Some(proche) = retirer_le_moindre(&mut enfants, &entrees.0) {
+            numero = if !est_une_feuille
+                && let Some(proche) = retirer_le_moindre(&mut enfants, &entrees.0)
+            {
                 let [.., numeros] = noeud;
                 while let Some(enfant) = retirer(&mut enfants) {
                     attendent.push((entrees.0[enfant], indice_lu(numeros[enfant]) as u32));
                 }
-                numero = indice_lu(numeros[proche]);
-                continue;
-            }
-            loop {
-                let Some((entree, suivant)) = attendent.pop() else { return Continue(()) };
-                if entree <= plafond {
-                    numero = suivant as usize;
-                    break;
-                }
-            }
+                indice_lu(numeros[proche])
+            } else {
+                let suivant = from_fn(|| attendent.pop()).find(|(entree, _)| *entree <= plafond);
+                let Some((_, suivant)) = suivant else { break };
+                suivant as usize
+            };
         }
         Continue(())
     }

@@ -4,10 +4,10 @@ use core::ops::ControlFlow::{self, Break, Continue};
 
 use fearless_simd::Simd;
 
-use crate::arbre::construction::Arbre;
+use crate::arbre::Arbre;
 use crate::arbre::marche::Etape;
 use crate::arbre::morceaux::Coupe;
-use crate::arbre::noeud::{ENFANTS, indice_lu};
+use crate::arbre::noeud::indice_lu;
 use crate::arbre::sonde::Sonde;
 use crate::cote_a_cote::colonne::{au_plus, retirer, retirer_le_moindre};
 use crate::objet::forme::Boule;
@@ -27,8 +27,7 @@ impl<R: Nombre> Arbre<'_, R> {
         rayon: &Rayon<R>,
         mut question: Q,
     ) -> Q {
-        let sans_boite = self.sans_boite.iter().map(|mot| indice_lu(*mot));
-        if liste.interroger_parmi(rayon, &mut question, sans_boite) {
+        if liste.interroger_parmi(rayon, &mut question, self.sans_boite()) {
             return question;
         }
         // A copy, which stays in registers.
@@ -96,7 +95,7 @@ impl<R: Nombre> Arbre<'_, R> {
                     return Break(());
                 }
                 *plafond = sonde.plafond(self.repere, question.limite());
-                enfants &= au_plus(simd, entrees, &[*plafond; ENFANTS]);
+                enfants &= au_plus(simd, entrees, *plafond);
             }
             suivant = retirer(&mut enfants);
         }
@@ -117,12 +116,5 @@ impl<R: Nombre> Arbre<'_, R> {
         if (Boule { centre: self.repere.milieu, r2: r * r }).approchee(rayon) {
             liste.interroger_parmi(rayon, question, self.avec_boite(liste));
         }
-    }
-
-    /// The objects that have a box: those whose index is not among those without one.
-    pub(crate) fn avec_boite(&self, liste: &Liste<'_, R>) -> impl Iterator<Item = usize> {
-        // Those without a box stand with the last first.
-        let mut autres = self.sans_boite.iter().rev().map(|indice| indice_lu(*indice)).peekable();
-        (0..liste.objets.len()).filter(move |indice| autres.next_if_eq(indice).is_none())
     }
 }

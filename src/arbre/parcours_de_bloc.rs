@@ -7,18 +7,18 @@ use core::ops::ControlFlow::{Break, Continue};
 use fearless_simd::prelude::*;
 
 use crate::algebre::nombre::{max, selon};
+use crate::arbre::Arbre;
 use crate::arbre::budget::{Budget, NOEUD_D_UN_BLOC, Releve};
-use crate::arbre::construction::Arbre;
 use crate::arbre::marche::Etape;
 use crate::arbre::morceaux::Coupe;
 use crate::arbre::noeud::{ENFANTS, Noeud, indice_lu};
+use crate::arbre::pesee::{Pesee, Prix};
 use crate::arbre::sonde::Sonde;
 use crate::cote_a_cote::bloc::{Bloc, Ensemble, GROUPES};
 use crate::cote_a_cote::colonne::{au_plus, retirer};
 use crate::cote_a_cote::groupe::VOIES;
 use crate::question::Premier;
 use crate::question::liste::Liste;
-use crate::question::pesee::{Pesee, Prix};
 use crate::{Nombre, ObjetRay, Rayon};
 
 /// Fewer rays than this are asked one by one (`DEVELOPING.md`, "Thresholds", as for what follows).
@@ -65,8 +65,9 @@ enum Issue {
 struct Offerts([u32; 64]);
 
 impl Offerts {
-    /// Whether it is not known that this object was offered, to rays that it may hold the source of
-    /// if it may now; it is from then on.
+    /// Notes that this object is offered; `source` says whether it may hold the source of a ray.
+    /// Returns whether that is new: whether it was not offered before, or not as one that may hold a
+    /// source.
     #[inline(always)]
     fn est_nouveau(&mut self, indice: usize, source: bool) -> bool {
         let (place, ici) = (&mut self.0[indice % 64], 2 * indice as u32 + 2 + u32::from(source));
@@ -83,8 +84,8 @@ impl<R: Nombre> Arbre<'_, R> {
         Budget::new(avec_boite, size_of::<R>(), size_of::<f32>() * S::f32s::LEN)
     }
 
-    /// Looks for the first object of each of these rays: of all together, else of each group that
-    /// is narrower, as far as they may spend that. Tells of each group how far it came.
+    /// Looks for the first objects of these rays, together or else by groups whose probe is
+    /// narrower, within the budget. Tells of each group how far it came.
     #[inline(always)]
     pub(crate) fn chercher_ensemble<S: Simd>(
         &self,
@@ -99,7 +100,7 @@ impl<R: Nombre> Arbre<'_, R> {
                 if rayons.len() < MOINDRE_BLOC {
                     return [Ensemble::Rien; GROUPES];
                 }
-                // Eight rays in no order are wide enough, before anything else is made of the others.
+                // Eight rays show whether the block is too wide, before the others are loaded.
                 let au_moins = || Sonde::largeur_au_moins(quelques(rayons, 8), self.repere);
                 let a_part = budget.est_entame() && budget.est_trop_large(au_moins());
                 if a_part {
@@ -110,8 +111,7 @@ impl<R: Nombre> Arbre<'_, R> {
                     }
                 }
                 bloc.charger(rayons);
-                let sans_boite = self.sans_boite.iter().map(|mot| indice_lu(*mot));
-                bloc.proposer_tous(simd, liste, sans_boite);
+                bloc.proposer_tous(simd, liste, self.sans_boite());
                 if a_part {
                     return [Ensemble::EnPartie; GROUPES];
                 }
@@ -194,7 +194,7 @@ impl<R: Nombre> Arbre<'_, R> {
             return Issue::AuBout;
         }
         let (mut depense, mut permis, mut peses) = (0.0, budget.permis(rayons.len()), false);
-        let par_fiche = bloc.demandes.len() as Prix * budget.fiche;
+        let par_objet = bloc.demandes.len() as Prix * budget.objet_proche;
         let mut offerts = Offerts([0; 64]);
         let marche = self.marcher(
             simd,
@@ -214,9 +214,9 @@ impl<R: Nombre> Arbre<'_, R> {
                 if entres == 0 {
                     return Continue(());
                 }
-                depense += entres as Prix * par_fiche;
+                depense += entres as Prix * par_objet;
                 if depense > permis && !peses {
-                    // What is known may be of other rays.
+                    // What the budget knows may come from the rays of other blocks.
                     peses = true;
                     self.peser(simd, liste, budget, bloc.un_suffit, rayons);
                     permis = budget.permis(rayons.len());
@@ -254,7 +254,7 @@ impl<R: Nombre> Arbre<'_, R> {
         (offerts, bloc): (&mut Offerts, &mut Bloc<'_, R>),
     ) {
         let entiers = self.coupe == Coupe::AUCUNE;
-        let sources = au_plus(simd, entrees, &[sonde.entree_de_la_source(); ENFANTS]);
+        let sources = au_plus(simd, entrees, sonde.entree_de_la_source());
         let suivant = || loop {
             let enfant = retirer(&mut enfants)?;
             let (indice, source) = (indice_lu(indices[enfant]), (sources >> enfant) & 1 == 1);

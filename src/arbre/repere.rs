@@ -155,7 +155,7 @@ impl<R: Nombre> Repere<R> {
         l / self.echelle
     }
 
-    /// A distance along a ray times σ, to 2u of `f32` down to its least normal number; +∞ beyond
+    /// A length times σ, to 2u of `f32` down to its least normal number; +∞ beyond
     /// all numbers of that type.
     #[inline(always)]
     pub(crate) fn distance(self, t: R) -> f32 {
@@ -163,7 +163,8 @@ impl<R: Nombre> Repere<R> {
     }
 }
 
-/// With a slack of this part of the width of a scene or more, boxes tell no objects apart.
+/// With a slack of this part of the spread of the boxes without giants, or more, boxes tell no
+/// objects apart.
 pub(crate) const JEU_MAXIMAL: f32 = 1.0 / 8.0;
 
 /// More than is lost below the normal numbers (lemma 20).

@@ -16,7 +16,7 @@ use crate::algebre::nombre::{
 };
 use crate::arbre::noeud::Noeud;
 use crate::arbre::repere::{JEU_SOUS_NORMAL, Repere};
-use crate::cote_a_cote::colonne::{Aligne, Colonne, Membres};
+use crate::cote_a_cote::colonne::{Alignee, Colonne, Membres};
 use crate::cote_a_cote::groupe::{Groupe, VOIES};
 use crate::{Nombre, Rayon};
 
@@ -129,21 +129,20 @@ impl<R: Nombre> Sonde<R> {
     where
         R: 'a,
     {
-        let vides =
-            Bornes { s: [f32::NEG_INFINITY, f32::INFINITY], d: [f32::NEG_INFINITY, f32::INFINITY] };
-        let mut bornes = [vides; 3];
+        let mut bornes = [Bornes::VIDES; 3];
         for rayon in rayons {
             let (s, d) = (repere.dans_le_repere(rayon.source()), rayon.direction());
             for (bornes, (s, d)) in bornes.iter_mut().zip([(s.x, d.x), (s.y, d.y), (s.z, d.z)]) {
-                let (s, d, [s1, s0], [d1, d0]) = (simple(s), simple(d), bornes.s, bornes.d);
-                *bornes = Bornes { s: [max(s1, s), min(s0, s)], d: [max(d1, d), min(d0, d)] };
+                bornes.s = elargis(bornes.s, simple(s));
+                bornes.d = elargis(bornes.d, simple(d));
             }
         }
         bornes.iter().map(|bornes| bornes.largeur()).sum()
     }
 
     /// The probe between these edges, with its part of the slack; `None` too if some rays rise and
-    /// others do not along every axis: no edge would leave a box, not even one that is missing.
+    /// others do not along every axis: no edge would then end a box, and even missing children would
+    /// count as entered.
     #[inline(always)]
     fn entre_bords(tau0: R, [x, y, z]: [Bornes; 3], repere: Repere<R>) -> Option<Self> {
         let norme = x.le_plus_loin() + y.le_plus_loin() + z.le_plus_loin();
@@ -180,7 +179,7 @@ impl<R: Nombre> Sonde<R> {
         simd: S,
         noeud: &Noeud,
         plafond: f32,
-    ) -> (Membres, Aligne<Colonne<f32>>) {
+    ) -> (Membres, Alignee) {
         let colonne = |i: usize| f32x16::simd_from(simd, noeud[i]);
         let uni = |x: f32| f32x16::splat(simd, x);
         let (mut entrees, mut sorties) = (uni(self.entree_de_la_source()), uni(plafond));
@@ -196,11 +195,21 @@ impl<R: Nombre> Sonde<R> {
                 sorties = autre.min(sorties);
             }
         }
-        (entrees.simd_le(sorties).to_bitmask() as u32, Aligne(entrees.into()))
+        (entrees.simd_le(sorties).to_bitmask() as u32, Alignee(entrees.into()))
     }
 }
 
+/// These bounds, the larger first, with one more number between them.
+#[inline(always)]
+fn elargis([haut, bas]: [f32; 2], x: f32) -> [f32; 2] {
+    [max(haut, x), min(bas, x)]
+}
+
 impl Bornes {
+    /// The bounds of no rays.
+    const VIDES: Self =
+        Self { s: [f32::NEG_INFINITY, f32::INFINITY], d: [f32::NEG_INFINITY, f32::INFINITY] };
+
     /// The bounds of the rays of these groups along one axis.
     #[inline(always)]
     fn le_long<const AXE: usize, S: Simd, R: Nombre>(

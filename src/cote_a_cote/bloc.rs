@@ -34,8 +34,8 @@ pub(crate) enum Ensemble {
     JusquAuBout,
 }
 
-/// At most 64 rays with the first object of each so far. It does not know which question they ask,
-/// so that what asks them is compiled once for all.
+/// At most 64 rays with the first object of each so far. Which question they ask is a flag and no
+/// type, so that what asks them is compiled once for both.
 pub(crate) struct Bloc<'a, R> {
     pub(crate) groupes: &'a mut Groupes<R>,
     /// The groups that objects are offered to: all that hold rays, or one of them.

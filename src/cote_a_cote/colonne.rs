@@ -10,10 +10,10 @@ pub(crate) const LARGEUR: usize = 16;
 /// Sixteen numbers side by side.
 pub(crate) type Colonne<R> = [R; LARGEUR];
 
-/// A value at the start of a cache line, since a column across two lines takes longer to write and
-/// to read back. A pattern that takes it apart would move it to an unaligned place of the stack.
+/// A column at the start of a cache line, since one across two lines takes longer to write and to
+/// read back. A pattern that takes it apart would move it to an unaligned place of the stack.
 #[repr(align(64))]
-pub(crate) struct Aligne<T>(pub(crate) T);
+pub(crate) struct Alignee(pub(crate) Colonne<f32>);
 
 /// A set of places of a column, one bit for each place.
 pub(crate) type Membres = u32;
@@ -40,12 +40,12 @@ pub(crate) fn retirer_le_moindre(membres: &mut Membres, nombres: &Colonne<f32>) 
     Some(moindre)
 }
 
-/// The places i where `a[i] <= b[i]`. The compiler does not vectorise the step from a comparison to
+/// The places whose number is at most this. The compiler does not vectorise the step from a comparison to
 /// a mask by itself.
 #[inline(always)]
-pub(crate) fn au_plus<S: Simd>(simd: S, a: &Colonne<f32>, b: &Colonne<f32>) -> Membres {
-    let (a, b) = (f32x16::simd_from(simd, *a), f32x16::simd_from(simd, *b));
-    a.simd_le(b).to_bitmask() as u32
+pub(crate) fn au_plus<S: Simd>(simd: S, nombres: &Colonne<f32>, limite: f32) -> Membres {
+    let nombres = f32x16::simd_from(simd, *nombres);
+    nombres.simd_le(f32x16::splat(simd, limite)).to_bitmask() as u32
 }
 
 /// The largest of sixteen numbers.

@@ -9,7 +9,6 @@ use crate::cote_a_cote::colonne::{Colonne, LARGEUR, le_plus_grand, retirer};
 use crate::objet::forme::Forme;
 use crate::objet::par_forme;
 use crate::question::Premier;
-use crate::rayon::flou::Flou;
 use crate::rayon::intersection::{Contact, Rang};
 use crate::{Intersection, NoIntersection, Nombre, ObjetRay, Rayon, Reponse, Vecteur};
 
@@ -26,7 +25,7 @@ const COTE_A_COTE: u32 = 3;
 pub(crate) struct Groupe<R> {
     pub(crate) s: [Colonne<R>; 3],
     pub(crate) d: [Colonne<R>; 3],
-    /// To which δ each ray touches at once.
+    /// The δ to which each ray touches at once.
     deltas: Colonne<R>,
     t: Colonne<R>,
     rangs: Colonne<Option<Rang>>,
@@ -72,8 +71,8 @@ impl<R: Nombre> Groupe<R> {
     pub(crate) fn rayon(&self, voie: usize) -> Rayon<R> {
         let ([sx, sy, sz], [dx, dy, dz]) = (&self.s, &self.d);
         let s = Vecteur::new(sx[voie], sy[voie], sz[voie]);
-        let rayon = Rayon::sans_fin(s, Vecteur::new(dx[voie], dy[voie], dz[voie]));
-        rayon.sachant(Flou::de(self.deltas[voie]))
+        let d = Vecteur::new(dx[voie], dy[voie], dz[voie]);
+        Rayon::en_nombres(s, d, R::INFINI, self.deltas[voie])
     }
 
     /// The first object of one ray so far.

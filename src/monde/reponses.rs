@@ -6,8 +6,9 @@ use core::fmt;
 
 use fearless_simd::{Level, Simd};
 
+use crate::arbre::Arbre;
 use crate::arbre::budget::Budget;
-use crate::arbre::construction::{Arbre, construire};
+use crate::arbre::construction::construire;
 use crate::cote_a_cote::bloc::{BLOC, Bloc, Ensemble, GROUPES, Groupes};
 use crate::cote_a_cote::eclairage::{Eclairage, Ombres};
 use crate::cote_a_cote::groupe::{Groupe, VOIES};
@@ -139,7 +140,7 @@ fn demander<R: Nombre, Q: Question<R>, T>(
     selon_le_niveau!(*niveau, SANS_AVX_512, simd => simd.vectorize(
         #[inline(always)]
         || {
-            if arbre.noeuds.is_empty() {
+            if arbre.est_une_liste() {
                 liste.interroger(rayon, &mut question);
             } else {
                 question = arbre.parcourir(simd, liste, rayon, question);
@@ -208,7 +209,7 @@ fn chercher_en_bloc<S: Simd, R: Nombre>(
     (budget, bloc): (&mut Budget, &mut Bloc<'_, R>),
     rayons: &[Rayon<R>],
 ) -> [Ensemble; GROUPES] {
-    if !arbre.noeuds.is_empty() {
+    if !arbre.est_une_liste() {
         return arbre.chercher_ensemble(simd, liste, (budget, bloc), rayons);
     }
     if rayons.len() < MOINDRE_LOT_D_UNE_LISTE {
@@ -239,7 +240,7 @@ fn un_par_un<S: Simd, R: Nombre, const OMBRE: bool>(
             } else {
                 premier_d_un_arbre::<_, _, OMBRE>(simd, sujet, rayon, Some(&deja))
             }
-        } else if sujet.arbre.noeuds.is_empty() {
+        } else if sujet.arbre.est_une_liste() {
             premier_d_une_liste::<_, _, OMBRE>(simd, &sujet.liste, rayon)
         } else {
             premier_d_un_arbre::<_, _, OMBRE>(simd, sujet, rayon, None)

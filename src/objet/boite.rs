@@ -104,7 +104,8 @@ impl<R: Nombre> BoiteGeo<R> {
     /// dimension put it. Of neighbours that share a corner, with corners in whole centimetres up to
     /// ten metres and the metre as the unit, a third meet, a third leave a crack of up to some 10⁻¹⁵
     /// m (`f32`: 10⁻⁶ m), and a third overlap by as much. All meet if the corners are whole numbers
-    /// below 2⁵¹ (`f32`: 2²²): take the width of a voxel as the unit of length. Otherwise let the solids overlap.
+    /// below 2⁵¹ (`f32`: 2²²): take the width of a voxel as the unit of length. Otherwise let the
+    /// solids overlap.
     ///
     /// # Errors
     /// If a coordinate of a corner is beyond the limits of [`new`](Self::new), or a dimension, the

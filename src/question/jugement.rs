@@ -13,7 +13,6 @@ use core::slice::from_ref;
 use crate::algebre::arrondis::ERREUR_ARRONDIE;
 use crate::algebre::double::{Double, scalaire, triple};
 use crate::algebre::nombre::{est_double, fois_u};
-use crate::question::choix::Prises;
 use crate::question::jugement::certificat::Certificat;
 use crate::question::jugement::juge::{Lieux, coup_d_oeil, juger};
 use crate::question::liste::Liste;
@@ -113,7 +112,7 @@ impl<R: Nombre> ObjetRay<R> {
     #[doc(alias("is_certain", "is_robust"))]
     #[must_use]
     pub fn est_certain(&self, rayon: &Rayon<R>) -> bool {
-        let liste = Liste { objets: from_ref(self), prises: Prises::Toutes };
+        let liste = Liste::entiere(from_ref(self));
         Certificat::new(&liste, rayon, &self.intersection(rayon))
             .is_some_and(|mut certificat| certificat.voir(rayon, self, 0, Abord::Inconnu).is_none())
     }

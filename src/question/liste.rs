@@ -20,6 +20,13 @@ pub(crate) fn exiger_des_rangs(objets: usize) {
 }
 
 impl<'a, R: Nombre> Liste<'a, R> {
+    /// All objects of this list.
+    #[inline(always)]
+    pub(crate) fn entiere(objets: &'a [ObjetRay<R>]) -> Self {
+        exiger_des_rangs(objets.len());
+        Self { objets, prises: Prises::Toutes }
+    }
+
     /// Whether the choice takes the object at this index, which is one of the list.
     #[inline(always)]
     fn prend(&self, indice: usize) -> bool {

@@ -52,7 +52,7 @@ pub type Reponse<R = f64> = Result<Intersection<R>, NoIntersection>;
 const _: () = assert!(size_of::<Reponse<f64>>() == 80 && size_of::<Reponse<f32>>() == 44);
 
 /// The number of an object in a list, counted from 1. A list holds at most 2³² − 1 objects, which
-/// the list sees to (`question/liste.rs`).
+/// `question/liste.rs` sees to.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Rang(NonZero<u32>);
 

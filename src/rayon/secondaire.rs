@@ -310,10 +310,10 @@ impl<R: Nombre> Intersection<R> {
         &self,
         vue_de: impl Fn(Vecteur<R>) -> (R, Vecteur<R>),
     ) -> (Rayon<R>, R, bool) {
-        let (depart, droit) = self.depart_et_droit(Cote::Dehors); // L1: past all rounding
+        let (depart, permis) = self.depart_et_permis(Cote::Dehors); // L1: past all rounding
         let (fin, direction) = vue_de(depart.source);
         let cosinus = direction.produit_scalaire(self.normale());
-        (Rayon { direction, fin, ..depart }, cosinus, droit & fait_face(cosinus))
+        (Rayon { direction, fin, ..depart }, cosinus, permis & fait_face(cosinus))
     }
 
     /// The ray from this hit to another, which ends there. Whether two points of surfaces see each
@@ -382,7 +382,7 @@ impl<R: Nombre> Intersection<R> {
     /// The ray along the normal from the point of the hit, moved along the normal to this side,
     /// past all rounding; and whether a ray may start there.
     #[inline(always)]
-    fn depart_et_droit(&self, cote: Cote) -> (Rayon<R>, bool) {
+    fn depart_et_permis(&self, cote: Cote) -> (Rayon<R>, bool) {
         let (p, n, pas) = (self.point(), self.normale(), self.pas(cote));
         let flou = Flou::de(self.delta).suivant(pas, self.distance(), p);
         let (pas, flou) = match cote {
@@ -390,14 +390,14 @@ impl<R: Nombre> Intersection<R> {
             Cote::Dedans => (-pas, flou.dedans()),
         };
         let source = p + n * pas;
-        let droit = (self.marge() < R::INFINI) & en_portee(source);
-        (Rayon::sans_fin(source, n).sachant(flou), droit)
+        let permis = (self.marge() < R::INFINI) & en_portee(source);
+        (Rayon::sans_fin(source, n).sachant(flou), permis)
     }
 
-    /// That ray, or why none may start there.
+    /// The ray of [`depart_et_permis`](Self::depart_et_permis), or why none may start there.
     #[inline(always)]
     fn depart(&self, cote: Cote) -> Result<Rayon<R>, ErreurGeo> {
-        let (depart, _) = self.depart_et_droit(cote);
+        let (depart, _) = self.depart_et_permis(cote);
         exiger_un_depart(self.marge(), depart.source)?;
         Ok(depart)
     }

@@ -67,7 +67,7 @@ pub fn coup_d_oeil(objet: &ObjetRay, rayon: &Rayon) -> Intervalle {
     apres(0.0, juger_avec::<Apercu>(objet, rayon, Lieux { depart: 0.0, t: 0.0 }).entree)
 }
 
-/// The same at a closer look.
+/// What [`coup_d_oeil`] tells, in doubled numbers.
 pub(crate) fn loupe(objet: &ObjetRay, rayon: &Rayon) -> Intervalle {
     let en = |t: f64| {
         let Passage { entree, sortie } = juger(objet, rayon, Lieux { depart: 0.0, t });
@@ -97,8 +97,8 @@ fn apres(t: f64, Intervalle { bas, haut }: Intervalle) -> Intervalle {
     Intervalle { bas: max(bas, 0.0), haut }
 }
 
-/// The judgement in doubled numbers. The bounds of the entry are those of [`coup_d_oeil`], to 8.6u
-/// of `f64`.
+/// The judgement in doubled numbers. Its bounds mean what those of a glance mean, and are off by
+/// 8.6u of `f64`.
 pub(crate) fn juger(objet: &ObjetRay, rayon: &Rayon, lieux: Lieux) -> Passage {
     juger_avec::<Triple>(objet, rayon, lieux)
 }
