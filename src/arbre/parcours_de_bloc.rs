@@ -294,24 +294,28 @@ impl<R: Nombre> Arbre<'_, R> {
         simd.vectorize(
             #[inline(always)]
             || {
-                let (mut peses, mut depense) = (0.0, 0.0);
+                let (mut peses, mut depense, mut plus_chere) = (0.0, 0.0, 0.0);
                 for rayon in quelques(rayons, PESES) {
-                    // One ray of a heap takes as long as some blocks.
-                    if budget.suffirait_a_la_liste(depense / PESES as Prix) {
-                        break;
-                    }
                     let fin = rayon.fin();
-                    peses += 1.0;
-                    depense += if un_suffit {
+                    let ici = if un_suffit {
                         let ombre = Pesee::de(Premier::<R, true>::avant(fin));
                         self.parcourir(simd, liste, rayon, ombre).depense
                     } else {
                         let premier = Pesee::de(Premier::<R>::avant(fin));
                         self.parcourir(simd, liste, rayon, premier).depense
                     };
+                    (peses, depense, plus_chere) =
+                        (peses + 1.0, depense + ici, max(plus_chere, ici));
+                    // Two rays of a heap take as long as some blocks.
+                    if budget.suffirait_a_la_liste((depense - plus_chere) / (PESES - 1) as Prix) {
+                        break;
+                    }
                 }
+                // Without the dearest: one ray that slips through the others to a pile of boxes
+                // would pay for a block that is offered all of the pile.
+                let seul = (depense - plus_chere) / max(peses - 1.0, 1.0);
                 let (proches, boites) = parts(liste.objets, rayons);
-                budget.noter(Releve { seul: depense / max(peses, 1.0), proches, boites });
+                budget.noter(Releve { seul, proches, boites });
             },
         );
     }
