@@ -42,7 +42,14 @@ const GENRES: [&str; 11] = [
     "lamp shuffled",
     "sun",
 ];
-const AJOUTS: [&str; 5] = ["", " and a sky", " and mist", " and half-spaces", " and a ground"];
+const AJOUTS: [&str; 6] = [
+    "",
+    " and a sky",
+    " and mist",
+    " and half-spaces",
+    " and a ground",
+    " before a pile of plates",
+];
 
 /// What one scene and its rays are drawn from: numbers from 0 to 1.
 type Genes = [f64; 12];
@@ -97,7 +104,7 @@ impl Tirage {
             n,
             DISPOSITIONS[disposition],
             AJOUTS[ajout],
-            if ajout == 2 || ajout == 3 { format!(" {combien_d_ajouts}") } else { String::new() },
+            if matches!(ajout, 2 | 3 | 5) { format!(" {combien_d_ajouts}") } else { String::new() },
             GENRES[genre],
             if self.double { "f64" } else { "f32" },
         )
@@ -184,6 +191,10 @@ impl Tirage {
                 mur(arrondi(n * -3.0), arrondi(n))
             })),
             4 => objets.insert(0, boite_droite(v(0.0, -1.2, 0.0), v(20.0, 0.2, 20.0))),
+            5 => objets.extend((0..10 * self.combien_d_ajouts).map(|k| {
+                let bas = arrondi(Vecteur::new(0.0, -1e5 - k as f64, 0.0));
+                boite_droite(bas, v(1e8, 0.1, 1e8))
+            })),
             _ => (),
         }
         objets
