@@ -20,10 +20,10 @@ use crate::arbre::repere::{JEU_MAXIMAL, Repere, double_centre, extremes};
 use crate::{Nombre, ObjetRay, Vecteur};
 
 /// No tree is made over fewer objects with a box than this, since the list is about as fast
-/// (`DEVELOPING.md`, "Thresholds").
+/// (`benches/essais.md`, "Thresholds").
 const OBJETS_D_UN_ARBRE: usize = 10;
 
-/// Bytes of a cache line: nodes start on one (`DEVELOPING.md`, "Thresholds").
+/// Bytes of a cache line: nodes start on one (`benches/essais.md`, "Thresholds").
 const LIGNE: usize = 64;
 
 /// The most `f32` that are skipped at the start of what the caller lends, so that nodes start on a
@@ -158,7 +158,7 @@ fn etager(noeuds: &mut [Noeud], geants: usize, feuilles: usize) -> usize {
 
 /// The sixteen largest objects are giants if their mean [reach](portee) is more than this part of a
 /// sum: the mean reach of the others and [the side of a leaf](Repere::cote_d_une_feuille)
-/// (`DEVELOPING.md`, "Thresholds").
+/// (`benches/essais.md`, "Thresholds").
 const TAILLE_DES_GEANTS: f32 = 0.4;
 
 /// Puts the sixteen largest records first, and tells how many leaves they are: 1 if they are

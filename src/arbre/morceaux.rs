@@ -11,7 +11,7 @@ use crate::arbre::repere::Repere;
 use crate::{Nombre, ObjetRay, Rayon, Vecteur};
 
 /// How much surface one more record must save, where that of an object of the mean size is 1
-/// (`DEVELOPING.md`, "Thresholds").
+/// (`benches/essais.md`, "Thresholds").
 const PRIX_D_UNE_FICHE: f32 = 0.03;
 
 /// Half of the least width of a slice, in the frame of the tree. Since the number of slices is

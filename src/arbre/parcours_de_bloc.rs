@@ -21,7 +21,7 @@ use crate::question::Premier;
 use crate::question::liste::Liste;
 use crate::{Nombre, ObjetRay, Rayon};
 
-/// Fewer rays than this are asked one by one (`DEVELOPING.md`, "Thresholds", as for what follows).
+/// Fewer rays than this are asked one by one (`benches/essais.md`, "Thresholds", as for what follows).
 const MOINDRE_BLOC: usize = 12;
 
 /// Rays that are left apart ask this many objects without a box side by side, and fewer one by one.

@@ -150,7 +150,7 @@ fn demander<R: Nombre, Q: Question<R>, T>(
     ))
 }
 
-/// Fewer rays than this are asked of a list one by one (`DEVELOPING.md`, "Thresholds").
+/// Fewer rays than this are asked of a list one by one (`benches/essais.md`, "Thresholds").
 const MOINDRE_LOT_D_UNE_LISTE: usize = 6;
 
 /// Asks for the first objects of many rays: of the rays of a block side by side as long as they
