@@ -1,7 +1,7 @@
 //! The geometry kernel of a raytracer: given a ray and a list of spheres, half-spaces and rotated
-//! boxes, it finds the object that the ray touches **first**, with its distance, its unit normal
-//! and its texture. The names and the formulae are those of the *handout*, the French text of a
-//! course project; a search finds each public name by English words.
+//! boxes, it finds the object that the ray hits **first**, with its distance, its unit normal and
+//! its texture. The names and the formulae are those of the *handout*, the French text of a course
+//! project; the search of this documentation finds each public name by English words.
 //!
 //! ```
 //! use lancer_rayon::*;
@@ -19,8 +19,8 @@
 //!
 //! # The way through
 //!
-//! The pages that are named here, such as `docs/guide.md` with programs for common needs, come with
-//! the sources of the crate, whose `README.md` leads to them.
+//! Pages that are named here, such as `docs/guide.md` with programs for common needs, come with the
+//! sources of the crate.
 //!
 //! Describe objects with [`SphereGeo`], [`PlanGeo`] and [`BoiteGeo`]. Move them with
 //! [`ObjetGeo::translation`], [`rotation`](ObjetGeo::rotation) and
@@ -29,22 +29,21 @@
 //!
 //! For everything else there is a [`Monde`] over the list of objects. From ten spheres and boxes on
 //! [`Monde::new`] builds a tree, so that the time of a ray grows far more slowly than the number of
-//! objects. A `Monde` answers many rays at once
-//! ([`premieres_intersections`](Monde::premieres_intersections), with the same bits, and several
-//! times as fast for the rays of a camera). It tells [how much of a light falls on a
-//! hit](Monde::eclairement), [whether anything stands before the end of a ray](Monde::est_occulte),
-//! [what a ray enters, in order](Monde::dans_l_ordre), and [whether a point is in an
-//! object](Monde::contient), for all objects or [any choice of them](Monde::parmi). Rays that leave
-//! a hit are asked by [`premiere_depuis`](Monde::premiere_depuis). A ray may have [an
+//! objects. [`premieres_intersections`](Monde::premieres_intersections) answers many rays at once,
+//! with the same bits, and for the rays of a camera several times as fast. A `Monde` also tells [how
+//! much of a light falls on a hit](Monde::eclairement), [whether anything stands before the end of a
+//! ray](Monde::est_occulte), [what a ray enters, in order](Monde::dans_l_ordre), and [whether a
+//! point is in an object](Monde::contient), for all objects or [any choice of them](Monde::parmi).
+//! Ask a ray that leaves a hit by [`premiere_depuis`](Monde::premiere_depuis). A ray may have [an
 //! end](Rayon::jusqu_a). [`ObjetRay::sortie`] tells where a ray leaves an object, and
-//! [`traversee`](ObjetRay::traversee) which part of it lies within.
+//! [`traversee`](ObjetRay::traversee) which part of the ray lies within.
 //!
 //! # Conventions
 //!
 //! **Axes** are right-handed: x to the right, y up, z towards the viewer. Angles are in radians.
 //!
-//! **Rotations** multiply from the right, V·M, about x, then y, then z. They turn clockwise as the
-//! axis points at you; [`Rotation::main_droite`] is the right-hand rule.
+//! **Rotations** multiply from the right, V·M, about x, then y, then z. They turn clockwise, seen
+//! with the axis pointing at you; [`Rotation::main_droite`] is the right-hand rule.
 //!
 //! ```
 //! # use lancer_rayon::*;
@@ -68,9 +67,9 @@
 //! ```
 //!
 //! **A hit is an entry** from outside, against the normal (D·N < 0). An object is not hit from
-//! inside or from its surface, and a ray tangent to a sphere misses. The distance t is above 0. It
-//! is 0 only for a ray that carries [a bound δ on the error of its start](Rayon::flou), as one from
-//! a hit does: such a ray hits at t = 0 what it might otherwise slip into through a seam.
+//! inside or from its surface, and a ray tangent to a sphere misses. The distance t is above 0,
+//! except for a ray that carries [an error bound δ of its origin](Rayon::flou), as a ray from a hit
+//! does: such a ray hits at t = 0 what it might otherwise slip into through a seam.
 //!
 //! ```
 //! # use lancer_rayon::*;
@@ -92,43 +91,45 @@
 //! - a size outside 2⁻⁴⁵⁰ … 2⁴⁵⁰, or 2⁻⁶⁰ … 2⁶⁰.
 //!
 //! A [`Vecteur`] is a bare triple, which the types built from it check. No hit holds a NaN, and no
-//! question panics, except of a list of more than 2³² − 1 objects.
+//! question panics, except over a list of more than 2³² − 1 objects.
 //!
 //! **A hit knows its object and its error**: [`Intersection::indice`] is the index in the list, and
 //! [`Intersection::marge`] bounds how far the point is from the surface.
-//! [`Intersection::secondaire`] starts a shadow, reflection or refraction ray that never hits the
+//! [`Intersection::secondaire`] makes a shadow, reflection or refraction ray that never hits the
 //! object it leaves, with [two exceptions](Intersection::secondaire). [`BoiteRay::lieu`] says which
 //! face of a box was hit, and where.
 //!
-//! Four functions tell how far an answer is to be trusted:
+//! Four functions tell how far an answer can be trusted:
 //!
-//! | ask | about | it says | it costs |
+//! | call | judges | answer | cost |
 //! |---|---|---|---|
 //! | [`touche.marge()`](Intersection::marge) | the **point** of a hit | how far it lies from the surface at most, along the normal | nothing: each hit has it |
-//! | [`objet.erreur(&rayon, &touche)`](ObjetRay::erreur) | the **distance** of a hit or a way out | how far it is off at most, along the ray | many times a hit |
-//! | [`objet.est_certain(&rayon)`](ObjetRay::est_certain) | **hit or miss** of one object | whether that is certainly what exact arithmetic says | a few times a hit |
-//! | [`monde.certifie(&rayon, &reponse)`](Monde::certifie) | **which object** of a list is first, or that none is | whether that is certainly what exact arithmetic says | less than two rays on average, on top of the ray |
+//! | [`objet.erreur(&rayon, &touche)`](ObjetRay::erreur) | the **distance** of a hit or a way out | how far it is off at most, along the ray | many times that of a hit |
+//! | [`objet.est_certain(&rayon)`](ObjetRay::est_certain) | **hit or miss** of one object | whether that is certainly what exact arithmetic says | a few times that of a hit |
+//! | [`monde.certifie(&rayon, &reponse)`](Monde::certifie) | **which object** of a list is first, or that none is | whether that is certainly what exact arithmetic says | less than that of two rays on average, on top of the ray |
 //!
-//! All of them speak of the numbers as they are stored.
+//! All four judge the numbers as they are stored.
 //!
 //! # `f32` or `f64`
 //!
-//! Every type that holds coordinates takes the scalar as a parameter, `f64` unless named:
-//! `Vecteur<f32>`. Hits are computed in that type. Take `f32` for speed and memory, in batches
-//! above all, and `f64` for distances to some 10⁻¹⁴ of the lengths involved (`docs/vitesse.md`).
-//! Far from the origin O subtract an origin from the scene first: [`ObjetGeo::vers_f32`].
+//! Every type that holds coordinates takes the scalar as a parameter, such as `Vecteur<f32>`; it is
+//! `f64` unless named. Hits are computed in that type. Take `f32` for speed and memory, in batches
+//! above all, and `f64` for distances to some 10⁻¹⁴ of the lengths involved (`docs/vitesse.md`). If
+//! a scene lies far from the origin, [`ObjetGeo::vers_f32`] subtracts another origin before it
+//! rounds.
 //!
-//! Errors are bounded in both types alike, in units of u, half a unit in the last place of 1: [2⁻²⁴
-//! or 2⁻⁵³](Nombre::U) (`docs/precision.md`).
+//! Both types have the same error bounds in units of u, half a unit in the last place of 1: [2⁻²⁴ or
+//! 2⁻⁵³](Nombre::U) (`docs/precision.md`).
 //!
 //! # Features
 //!
 //! `std` (default) brings the hardware square root; a [`Monde`] then chooses the best instruction
 //! set of the machine at run time. Without `std` the crate needs `core` alone, uses the instruction
-//! set that it is compiled for, and gives the same bits. `serde` reads and writes hits and misses, `Vecteur`, `Rotation`,
-//! `Texture`, `Face`, `Rayon` and the describing types, through the same checks as their
-//! constructors. `mint` converts [`Vecteur`] and [`Rotation`] from and to its types, and through
-//! these those of glam or nalgebra. The crate allocates nothing and contains no `unsafe`.
+//! set that it is compiled for, and gives the same bits. `serde` reads and writes hits and misses,
+//! `Vecteur`, `Rotation`, `Texture`, `Face`, `Rayon` and the describing types, through the same
+//! checks as their constructors. `mint` converts [`Vecteur`] and [`Rotation`] from and to its types,
+//! and thereby from and to those of glam or nalgebra. The crate allocates nothing and contains no
+//! `unsafe`.
 #![no_std]
 
 #[cfg(feature = "std")]

@@ -33,12 +33,11 @@ use crate::{
 /// - In a heap, where a ray crosses the boxes of most objects, a ray or a batch takes up to some 1.6
 ///   times as long as with a list (`benches/mesures/tas.csv`).
 /// - The box of an object is rounded to some 10⁻⁶ of the distance of that object from the middle of
-///   most objects, and in `f32` also of the distance of the source of the ray. Objects that stand
-///   closer together than their boxes are rounded are all tested. So fine detail far from most
-///   objects costs time, but never accuracy.
-///
-/// With a sun, a sky or a ball for a ground a ray takes up to 1.4 times as long (`docs/vitesse.md`,
-/// "List, tree or batch"), as long as it is no farther than some 10²⁹ times the rest.
+///   most objects, and in `f32` also of the distance of the source of the ray. A ray tests all
+///   objects that stand closer together than that. So fine detail far from most objects costs time,
+///   but never accuracy.
+/// - With a sun, a sky or a ball for a ground a ray takes up to 1.4 times as long (`docs/vitesse.md`,
+///   "List, tree or batch"), as long as that object is no farther than some 10²⁹ times the rest.
 ///
 /// ```
 /// use lancer_rayon::{
@@ -91,11 +90,11 @@ impl<R: Nombre, C> fmt::Debug for Monde<'_, R, C> {
 /// For every other question, for many rays at once and for many objects there is
 /// [`Monde`](crate::Monde).
 ///
-/// A hit is an entry. An object that holds the source, inside or on its surface, is not touched
-/// (handout §2.3), unless the source lies in it by little more than [the δ of the
-/// ray](Rayon::flou); other objects still count. At the same distance the earlier in the list is
-/// the first. All of this holds for distances as computed in R: within the bounds of
-/// `docs/precision.md` the exact answer may differ.
+/// A hit is an entry. An object that holds the source, inside or on its surface, is not hit (handout
+/// §2.3), unless the source lies in it by little more than [the δ of the ray](Rayon::flou); other
+/// objects still count. At the same distance the earlier in the list is the first. All of this holds
+/// for distances as computed in R: within the bounds of `docs/precision.md` the exact answer may
+/// differ.
 ///
 /// # Errors
 /// [`NoIntersection`](crate::NoIntersection) if the ray enters no object before its end.
@@ -125,10 +124,10 @@ pub fn premiere_intersection<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) 
 }
 
 impl<'a, R: Reel> Monde<'a, R> {
-    /// Builds a tree over this list, in the numbers that are lent, whose values do not matter.
+    /// Builds a tree over this list in the memory that is lent, whatever numbers it holds.
     ///
-    /// Building takes some 0.1 to 0.3 µs an object (`benches/mesures/construction.csv`). Any of the
-    /// numbers may be written; those beyond [`places`](crate::places) make nothing faster.
+    /// Building takes some 0.1 to 0.3 µs an object (`benches/mesures/construction.csv`). The memory
+    /// is overwritten; more than [`places`](crate::places) numbers make nothing faster.
     ///
     /// # Errors
     /// If fewer numbers are lent than [`places`](crate::places) says.
@@ -237,9 +236,9 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     ///
     /// The choice holds for every question, including shadows, batches and certificates. A choice
     /// from a choice takes what both take. `prend` is called only with indices of the list. For
-    /// most objects that a ray passes by it is not called, and for some others more than once. In a
-    /// batch, a list calls it at most once for each object in each block of 64 rays, or of fewer than six
-    /// rays for each ray.
+    /// most objects that a ray passes by it is not called, and for some others more than once. A
+    /// batch over a list calls it at most once for each object in each block of 64 rays, or for each
+    /// ray if there are fewer than six.
     ///
     /// To leave out one object there is [`sans`](Self::sans). To keep less than about a hundredth
     /// of a large list, build a `Monde` of those objects: a ray walks the whole tree, whatever the
@@ -290,7 +289,8 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     ///
     /// Leave out **a lamp of the list**, or the object at the far end of
     /// [`vers_touche`](crate::Intersection::vers_touche): no distance is exact enough to stop just
-    /// before it, so that it would hide points of its own surface. A ray that leaves an object needs no such choice: it never hits that object again
+    /// before that object, so that it would hide points of its own surface. A ray that leaves an
+    /// object needs no such choice: it never hits that object again
     /// ([`secondaire`](crate::Intersection::secondaire)), and
     /// [`premiere_depuis`](Self::premiere_depuis) saves the time to find that out. Each call makes
     /// another type: for a set of objects that is known only at run time take
@@ -330,12 +330,12 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// [`premiere_intersection`](Self::premiere_intersection) of every ray, to the bit, and in less
     /// time where rays stay together: the tiles of a picture take a third to a fifth of it.
     ///
-    /// Neighbours in `rayons` should start and point alike: those of a picture in tiles of 8 × 8
+    /// Neighbours in `rayons` should start and point alike: pass those of a picture in tiles of 8 × 8
     /// (`docs/vitesse.md`, "The order in a batch"). Pass 64 rays or more per call. Rays that would
     /// take longer together go on one by one, as soon as that shows: in calls of 4,096 a batch
-    /// seldom takes more than 1.1 times as long as its rays one by one, and in calls of 64, which
-    /// cannot learn from each other, up to some 3 times (`benches/mesures/falaises.csv`). Nothing is
-    /// allocated and no thread is started; the caller may give parts of a picture to several
+    /// seldom takes more than 1.1 times as long as its rays one by one. Calls of 64 cannot learn from
+    /// each other, and take up to some 2.5 times as long (`benches/mesures/falaises.csv`). Nothing
+    /// is allocated and no thread is started; the caller may give parts of a picture to several
     /// threads.
     ///
     /// # Errors
@@ -368,16 +368,16 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// It is `premiere_intersection(rayon).is_ok()`, but stops at any object found. Rays
     /// come from [`vers_lumiere`](crate::Intersection::vers_lumiere),
     /// [`vers_soleil`](crate::Intersection::vers_soleil) or [`Rayon::entre`];
-    /// [`eclairement`](Self::eclairement) makes them itself. If you make the ray
-    /// by [`secondaire`](crate::Intersection::secondaire) instead, measure its end from its source,
-    /// and test N·L > 0 first: towards a lamp behind the surface the ray starts inside the object,
-    /// which then casts no shadow.
+    /// [`eclairement`](Self::eclairement) makes them itself. If you make the ray by
+    /// [`secondaire`](crate::Intersection::secondaire) instead, measure its end from its source, and
+    /// test N·L > 0 first: towards a lamp behind the surface the ray starts inside the object, which
+    /// then casts no shadow.
     ///
     /// **A lamp that is an object of the list** is to be [left out](Self::sans).
     ///
-    /// **From deep inside an object** a shadow ray does not see that object, as no ray does: a
-    /// point of the floor inside a ball that is sunk into the floor is not in the shadow of the
-    /// ball. [`contient`](Self::contient) tells such points.
+    /// **From deep inside an object** no ray hits that object: a point of the floor inside a ball
+    /// that is sunk into the floor is not in the shadow of the ball. [`contient`](Self::contient)
+    /// tells such points.
     ///
     /// ```
     /// use lancer_rayon::{Monde, Rayon, SphereGeo, Texture, Vecteur};
@@ -433,14 +433,14 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     }
 
     /// The first object that a ray from this hit enters: what
-    /// [`premiere_intersection`](Self::premiere_intersection) says of the ray, to the bit, but
+    /// [`premiere_intersection`](Self::premiere_intersection) says of the ray, to the bit, but mostly
     /// sooner.
     ///
     /// A ray that leaves a ball or a box starts in the bounding box of that object, so that a tree
-    /// asks the object, which the ray never enters. This call leaves it out, after a few operations
-    /// that tell whether the ray goes away from it. So the hit is a hint, which changes no answer:
-    /// neither where the ray goes inward, nor where the hit is one of another list or of an object
-    /// that was asked alone. What it saves stands in `docs/vitesse.md`, "From a hit".
+    /// asks the object, which the ray never enters. This call skips the object, after a few
+    /// operations that tell whether the ray goes away from it. The hit is only a hint and changes no
+    /// answer: neither where the ray goes inward, nor where the hit belongs to another list or to an
+    /// object that was asked alone. `docs/vitesse.md`, "From a hit", has what this saves.
     ///
     /// # Errors
     /// [`NoIntersection`](crate::NoIntersection) if the ray enters no object before its end.
@@ -489,14 +489,13 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     }
 
     /// How much of a light falls on a hit: N·L, the cosine between the normal and the direction to
-    /// the light, by which a dull surface is lit (Lambert); 0 where the surface faces away from the
-    /// light or something stands before it, and above 0 everywhere else.
+    /// the light, by which a diffuse surface is lit (Lambert). It is 0 where the surface faces away
+    /// from the light or something stands before the light, and above 0 everywhere else.
     ///
-    /// It is, to the bit, what [`vers_lumiere`](Intersection::vers_lumiere) or
-    /// [`vers_soleil`](Intersection::vers_soleil), [`est_occulte`](Self::est_occulte) and the
-    /// scalar product of the ray and the normal say one after another, and their promises are its
-    /// own. Where those calls would fail it is 0. A lamp that is itself an object of the list is to
-    /// be [left out](Self::sans).
+    /// The answer is, to the bit, that of [`vers_lumiere`](Intersection::vers_lumiere) or
+    /// [`vers_soleil`](Intersection::vers_soleil), then [`est_occulte`](Self::est_occulte), then the
+    /// scalar product of the ray and the normal, with the promises of these calls. Where they would
+    /// fail it is 0. [Leave out](Self::sans) a lamp that is itself an object of the list.
     ///
     /// ```
     /// use lancer_rayon::{Lumiere, Monde, Rayon, SphereGeo, Texture, Vecteur};
@@ -525,8 +524,8 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// [`eclairement`](Self::eclairement) of each hit, and 0 for a miss.
     ///
     /// The shadow rays are made side by side and asked as a batch, in far less time than it takes to
-    /// make them one by one and to pass them to [`sont_occultes`](Self::sont_occultes). What a
-    /// picture takes stands in `docs/vitesse.md`, "A whole picture". The order matters as in
+    /// make them one by one and to pass them to [`sont_occultes`](Self::sont_occultes)
+    /// (`docs/vitesse.md`, "A whole picture"). The order matters as in
     /// [`premieres_intersections`](Self::premieres_intersections).
     ///
     /// # Errors
@@ -686,8 +685,8 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// object first, or none as well. (Which face of a box was hit at an edge is not certified.)
     ///
     /// It is never true of a wrong answer (lemma 18). It judges the source as it stands: a hit at
-    /// once, by δ, is not certain, and what δ might let the ray touch does not count. It may be
-    /// false of a right one: where [`est_certain`](ObjetRay::est_certain) of some object is false,
+    /// once, by δ, is not certain, and what δ might let the ray hit does not count. It may be false
+    /// of a right answer: where [`est_certain`](ObjetRay::est_certain) of some object is false,
     /// where no distance is promised, where two entries are almost equally far, and among numbers
     /// below the normal ones. Most often a right answer that is not certified is an exact tie, as
     /// where the sides of two boxes are flush. A tree certifies a few more right answers than a
