@@ -146,20 +146,52 @@ impl<R: Nombre> Groupe<R> {
             *t = if d_emblee { R::ZERO } else { *t };
         }
     }
+}
 
-    /// Writes whether each of its rays has an object.
+/// What is said of a first object: a hit, or whether there is one.
+pub(crate) trait Conclure<R: Nombre> {
+    type Dit;
+
+    /// Says it of one ray.
+    fn dire(self, rayon: &Rayon<R>, objets: &[ObjetRay<R>]) -> Self::Dit;
+
+    /// Writes it for each ray of a group, which holds these rays.
+    fn ecrire(
+        groupe: &Groupe<R>,
+        objets: &[ObjetRay<R>],
+        rayons: &[Rayon<R>],
+        dits: &mut [Self::Dit],
+    );
+}
+
+impl<R: Nombre> Conclure<R> for Premier<R, true> {
+    type Dit = bool;
+
     #[inline(always)]
-    pub(crate) fn dire_les_ombres(&self, occultes: &mut [bool]) {
-        for (occulte, rang) in occultes.iter_mut().zip(&self.rangs) {
+    fn dire(self, _: &Rayon<R>, _: &[ObjetRay<R>]) -> bool {
+        self.rang.is_some()
+    }
+
+    #[inline(always)]
+    fn ecrire(groupe: &Groupe<R>, _: &[ObjetRay<R>], _: &[Rayon<R>], occultes: &mut [bool]) {
+        for (occulte, rang) in occultes.iter_mut().zip(&groupe.rangs) {
             *occulte = rang.is_some();
         }
     }
+}
 
-    /// Writes the answers of these rays, which it holds: for each object that is the first of some
-    /// ray, the hits of all its rays.
+impl<R: Nombre> Conclure<R> for Premier<R> {
+    type Dit = Reponse<R>;
+
     #[inline(always)]
-    pub(crate) fn ecrire(
-        &self,
+    fn dire(self, rayon: &Rayon<R>, objets: &[ObjetRay<R>]) -> Reponse<R> {
+        self.reponse(rayon, objets)
+    }
+
+    /// For each object that is the first of some ray, the hits of all its rays.
+    #[inline(always)]
+    fn ecrire(
+        groupe: &Groupe<R>,
         objets: &[ObjetRay<R>],
         rayons: &[Rayon<R>],
         touches: &mut [Reponse<R>],
@@ -169,26 +201,26 @@ impl<R: Nombre> Groupe<R> {
         let mut restent = 0;
         for (voie, touche) in touches.iter_mut().enumerate() {
             *touche = Err(NoIntersection);
-            restent |= u32::from(self.rangs[voie].is_some()) << voie;
+            restent |= u32::from(groupe.rangs[voie].is_some()) << voie;
         }
         let valides = restent;
         while let Some(voie) = retirer(&mut restent) {
-            let Some(rang) = self.rangs[voie] else { return };
+            let Some(rang) = groupe.rangs[voie] else { return };
             let Some(objet) = objets.get(rang.indice()) else { return };
             let mut siens = 0;
             for voie in 0..VOIES {
-                siens |= u32::from(self.rangs[voie] == Some(rang)) << voie;
+                siens |= u32::from(groupe.rangs[voie] == Some(rang)) << voie;
             }
             // What stands in for missing rays has no answer.
             siens &= valides;
             restent &= !siens;
             let cote_a_cote = siens.count_ones() >= COTE_A_COTE;
             if cote_a_cote {
-                par_forme!(ObjetRay, objet, forme => contacts.calculer(self, *forme));
+                par_forme!(ObjetRay, objet, forme => contacts.calculer(groupe, *forme));
             }
             let texture = objet.texture();
             while let Some(voie) = retirer(&mut siens) {
-                let (rayon, t) = (&rayons[voie], self.t[voie]);
+                let (rayon, t) = (&rayons[voie], groupe.t[voie]);
                 // Each arm builds the hit in its place: copying one just built would stall until
                 // its fields are stored.
                 if cote_a_cote && contacts.de_face[voie] {

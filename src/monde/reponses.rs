@@ -11,7 +11,7 @@ use crate::arbre::budget::Budget;
 use crate::arbre::construction::construire;
 use crate::cote_a_cote::bloc::{BLOC, Bloc, Ensemble, GROUPES, Groupes};
 use crate::cote_a_cote::eclairage::{Eclairage, Ombres};
-use crate::cote_a_cote::groupe::{Groupe, VOIES};
+use crate::cote_a_cote::groupe::{Conclure, Groupe, VOIES};
 use crate::cote_a_cote::niveau::{AVEC_AVX_512, SANS_AVX_512, selon_le_niveau};
 use crate::question::jugement::certificat::Certificat;
 use crate::question::liste::Liste;
@@ -28,55 +28,6 @@ pub struct Sujet<'a, R> {
     pub(crate) liste: Liste<'a, R>,
     pub(crate) arbre: &'a Arbre<'a, R>,
     pub(crate) niveau: Level,
-}
-
-/// What is said of a first object: a hit, or whether there is one.
-trait Conclure<R: Nombre> {
-    type Dit;
-
-    /// Says it of one ray.
-    fn dire(self, rayon: &Rayon<R>, objets: &[ObjetRay<R>]) -> Self::Dit;
-
-    /// Writes it for each ray of a group, which holds these rays.
-    fn ecrire(
-        groupe: &Groupe<R>,
-        objets: &[ObjetRay<R>],
-        rayons: &[Rayon<R>],
-        dits: &mut [Self::Dit],
-    );
-}
-
-impl<R: Nombre> Conclure<R> for Premier<R> {
-    type Dit = Reponse<R>;
-
-    #[inline(always)]
-    fn dire(self, rayon: &Rayon<R>, objets: &[ObjetRay<R>]) -> Reponse<R> {
-        self.reponse(rayon, objets)
-    }
-
-    #[inline(always)]
-    fn ecrire(
-        groupe: &Groupe<R>,
-        objets: &[ObjetRay<R>],
-        rayons: &[Rayon<R>],
-        touches: &mut [Reponse<R>],
-    ) {
-        groupe.ecrire(objets, rayons, touches);
-    }
-}
-
-impl<R: Nombre> Conclure<R> for Premier<R, true> {
-    type Dit = bool;
-
-    #[inline(always)]
-    fn dire(self, _: &Rayon<R>, _: &[ObjetRay<R>]) -> bool {
-        self.rang.is_some()
-    }
-
-    #[inline(always)]
-    fn ecrire(groupe: &Groupe<R>, _: &[ObjetRay<R>], _: &[Rayon<R>], occultes: &mut [bool]) {
-        groupe.dire_les_ombres(occultes);
-    }
 }
 
 /// What is said of the first object of one ray.
