@@ -1,90 +1,12 @@
 //! Ways out of a solid, for rays from its surface, from within rounding of it, and from within several solids.
 
-use commun::fabrique::{boite_droite, sphere, v};
-use commun::hasard::{Hasard, Tirage, pour_chaque};
+use commun::hasard::{Hasard, pour_chaque};
 use commun::oracle::{Passage, ecart_de_snell};
 use commun::promesses::{Essai, refracte};
 use commun::regimes::{deux_puissance, direction, entre, signe};
 use commun::tolerances::{promesses, u};
 use commun::{arrondi, en_f32_et_f64};
 use lancer_rayon::{NoIntersection, ObjetRay, PlanGeo, Rayon, Reel, Rotation, Texture, Vecteur};
-
-/// Rays from exactly on the surface, and in the plane of a face, where every number is exact. Such a ray leaves at the
-/// far side or not at all.
-fn de_la_surface_un_rayon_sort_en_face_ou_pas<R: Reel>() {
-    let boule = sphere(Vecteur::NUL, R::depuis_f64(5.0));
-    let boite = boite_droite(Vecteur::NUL, v(2.0, 4.0, 6.0));
-    let sol = ObjetRay::from(PlanGeo::new(Rotation::IDENTITE, R::ZERO, Texture(0)).unwrap());
-    let sortie = |objet: &ObjetRay<R>, de, vers| {
-        let sortie = objet.sortie(&Rayon::new(de, vers).unwrap()).ok()?;
-        assert_eq!(sortie.indice(), 0);
-        Some((sortie.distance().vers_f64(), <[f64; 3]>::from(sortie.normale().vers_f64())))
-    };
-    let (haut, bas) = (v(0.0, 1.0, 0.0), v(0.0, -1.0, 0.0));
-    let en_bas = Some((8.0, [0.6, -0.8, 0.0].map(|x| R::depuis_f64(x).vers_f64())));
-    assert_eq!(sortie(&boule, v(3.0, 4.0, 0.0), bas), en_bas);
-    assert_eq!(sortie(&boule, v(3.0, 4.0, 0.0), haut), None);
-    assert_eq!(sortie(&boule, v(5.0, 0.0, 0.0), haut), None); // a tangent
-    assert_eq!(sortie(&boule, v(5.0, -9.0, 0.0), haut), None); // and one from afar
-    assert_eq!(sortie(&boule, v(0.0, 0.0, 0.0), haut), Some((5.0, [0.0, 1.0, 0.0])));
-    assert_eq!(sortie(&boule, v(0.0, 4.0, 0.0), haut), Some((1.0, [0.0, 1.0, 0.0])));
-    assert_eq!(sortie(&boule, v(0.0, 9.0, 0.0), haut), None);
-
-    assert_eq!(sortie(&boite, v(0.5, 2.0, 0.0), bas), Some((4.0, [0.0, -1.0, 0.0])));
-    assert_eq!(sortie(&boite, v(0.5, 2.0, 0.0), haut), None);
-    assert_eq!(sortie(&boite, v(0.5, 1.5, 0.0), haut), Some((0.5, [0.0, 1.0, 0.0])));
-    // Rays in the plane of a face, which belongs to the box; beside it; and along an edge.
-    assert_eq!(sortie(&boite, v(1.0, 0.0, 0.0), haut), Some((2.0, [0.0, 1.0, 0.0])));
-    assert_eq!(sortie(&boite, v(1.0, -9.0, 3.0), haut), Some((11.0, [0.0, 1.0, 0.0])));
-    assert_eq!(sortie(&boite, v(1.5, 0.0, 0.0), haut), None);
-    // The ray and the edge at (1, 2) share one point, where the ray enters as well.
-    let croise = Rayon::new(v(0.0, 3.0, 0.0), v(1.0, -1.0, 0.0)).unwrap();
-    let [entree, fin] = [boite.intersection(&croise), boite.sortie(&croise)];
-    assert_eq!(entree.unwrap().distance(), fin.unwrap().distance());
-    // Through a corner the first pair gives the normal, as at an entry.
-    let coin = sortie(&boite, v(0.0, 1.0, 2.0), v(1.0, 1.0, 1.0));
-    assert_eq!(coin.unwrap().1, [1.0, 0.0, 0.0]);
-
-    let (monte, descend) = (v(0.0, 0.0, 1.0), v(0.0, 0.0, -1.0));
-    assert_eq!(sortie(&sol, v(0.0, 0.0, -3.0), monte), Some((3.0, [0.0, 0.0, 1.0])));
-    assert_eq!(sortie(&sol, v(0.0, 0.0, -3.0), descend), None);
-    assert_eq!(sortie(&sol, v(0.0, 0.0, -3.0), haut), None);
-    // A level ray, whatever the signs of its zeros.
-    assert_eq!(sortie(&sol, v(0.0, 0.0, -3.0), v(-1.0, -0.0, -0.0)), None);
-    assert_eq!(sortie(&sol, v(0.0, 0.0, 0.0), monte), None);
-    assert_eq!(sortie(&sol, v(0.0, 0.0, 3.0), descend), None);
-    // Too far for the type.
-    let pente = Vecteur::new(R::UN, R::ZERO, R::ETA);
-    assert_eq!(sortie(&sol, v(0.0, 0.0, -3.0), pente), None);
-}
-
-en_f32_et_f64!(de_la_surface_un_rayon_sort_en_face_ou_pas);
-
-/// From within rounding of the surface, and along it too, a ray that starts inside as computed leaves, and within two
-/// radii.
-fn d_une_boule_tout_rayon_sort_a_moins_de_deux_rayons<R: Reel>() {
-    let mut dedans = 0;
-    let faire = |alea: &mut Hasard| {
-        let (n, r) = (direction(alea), R::depuis_f64(entre(alea, 0.5, 2.0)));
-        let au_hasard = direction(alea);
-        let tangente = au_hasard - n * au_hasard.produit_scalaire(n);
-        let penche = (-70.0 * alea.f64()).exp2();
-        let vers = tangente + n * if alea.bool() { penche } else { -penche };
-        (sphere(Vecteur::NUL, r), r, Rayon::new(arrondi(n * r.vers_f64()), arrondi(vers)).unwrap())
-    };
-    pour_chaque(100_000, faire, |(boule, r, rayon)| {
-        if rayon.source().longueur_carree() < r * r {
-            let t = boule.sortie(&rayon).unwrap().distance();
-            // A root, and three roundings each of SA and AB.
-            let plus = 1.0 + promesses::DISTANCE_SPHERE * u::<R>();
-            assert!(t > R::ZERO && t.vers_f64() <= 2.0 * r.vers_f64() * plus, "{t}");
-            dedans += 1;
-        }
-    });
-    assert!(dedans > 20_000, "{dedans}");
-}
-
-en_f32_et_f64!(d_une_boule_tout_rayon_sort_a_moins_de_deux_rayons);
 
 /// Between media of one index, or of two that differ by rounding, light goes on at any angle, in and out: straight on
 /// at η = 1, and otherwise as Snell's law says. So does the cosine behind, which Fresnel's formula needs.
