@@ -74,8 +74,8 @@ seule = []
 [dependencies]
 avant = { package = "lancer-rayon", path = "$ab/avant", features = ["serde"] }
 banc = { path = "$bancs/banc" }
+exemples = { path = "$racine/docs/exemples", default-features = false }
 lancer-rayon = { path = "$racine", features = ["serde"] }
-serde = "1.0.229"
 [profile.release.package]
 "lancer-rayon@0.0.0-avant" = { codegen-units = ${unites%:*} }
 "lancer-rayon@$(version "$racine")" = { codegen-units = ${unites#*:} }

@@ -10,16 +10,15 @@ use commun::{litteral, scenes};
 use criterion::{
     BenchmarkId, Criterion, SamplingMode, Throughput, criterion_group, criterion_main,
 };
-use exemples::scene::Scene;
+use exemples::scene::{Lisible, Scene};
 use lancer_rayon::{
     Monde, NoIntersection, ObjetGeo, ObjetRay, Rayon, Reel, Vecteur, places, premiere_intersection,
 };
-use serde::de::DeserializeOwned;
 
 /// Object by object, a list longer than this would take minutes.
 const LONGUE_LISTE: usize = 1000;
 
-fn mesurer<R: Reel + DeserializeOwned>(c: &mut Criterion) {
+fn mesurer<R: Lisible>(c: &mut Criterion) {
     let mut groupe = c.benchmark_group(std::any::type_name::<R>());
     groupe
         .sample_size(10)

@@ -121,7 +121,7 @@ champs! {
         dedans: u64 = u64::from(r.flou.est_dedans()),
     } => {
         let rayon = Self::new(source, direction)?.jusqu_a(fin.unwrap_or(R::INFINI))?;
-        // A number above 1 is that of 1.0, which counted the objects.
+        // A number above 1 was written by version 1.0, where it counted objects.
         (if dedans > 0 { rayon.dedans() } else { rayon }).avec_flou(flou)
     }
 }

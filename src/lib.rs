@@ -31,11 +31,13 @@
 //! [`Monde::new`] builds a tree, so that the time of a ray grows far more slowly than the number of
 //! objects. A `Monde` answers many rays at once
 //! ([`premieres_intersections`](Monde::premieres_intersections), with the same bits, and several
-//! times as fast for the rays of a camera). It tells whether anything blocks the way to a light
-//! ([`est_occulte`](Monde::est_occulte)), [all that a ray enters](Monde::dans_l_ordre) and [whether
-//! a point is in an object](Monde::contient), for all objects or [any choice of
-//! them](Monde::parmi). A ray may have [an end](Rayon::jusqu_a). [`ObjetRay::sortie`] tells where a
-//! ray leaves an object, and [`traversee`](ObjetRay::traversee) which part of it lies within.
+//! times as fast for the rays of a camera). It tells [how much of a light falls on a
+//! hit](Monde::eclairement), [whether anything stands before the end of a ray](Monde::est_occulte),
+//! [what a ray enters, in order](Monde::dans_l_ordre), and [whether a point is in an
+//! object](Monde::contient), for all objects or [any choice of them](Monde::parmi). Rays that leave
+//! a hit are asked by [`premiere_depuis`](Monde::premiere_depuis). A ray may have [an
+//! end](Rayon::jusqu_a). [`ObjetRay::sortie`] tells where a ray leaves an object, and
+//! [`traversee`](ObjetRay::traversee) which part of it lies within.
 //!
 //! # Conventions
 //!
@@ -68,9 +70,7 @@
 //! **A hit is an entry** from outside, against the normal (D·N < 0). An object is not hit from
 //! inside or from its surface, and a ray tangent to a sphere misses. The distance t is above 0. It
 //! is 0 only for a ray that carries [a bound δ on the error of its start](Rayon::flou), as one from
-//! a hit does: such a ray hits at t = 0 what it might otherwise slip into through a seam. Therefore
-//! no chain of outward rays leaves a closed room whose walls are thick enough and overlap by
-//! enough, if it starts where no object contains the source.
+//! a hit does: such a ray hits at t = 0 what it might otherwise slip into through a seam.
 //!
 //! ```
 //! # use lancer_rayon::*;
@@ -107,7 +107,7 @@
 //! | [`touche.marge()`](Intersection::marge) | the **point** of a hit | how far it lies from the surface at most, along the normal | nothing: each hit has it |
 //! | [`objet.erreur(&rayon, &touche)`](ObjetRay::erreur) | the **distance** of a hit or a way out | how far it is off at most, along the ray | many times a hit |
 //! | [`objet.est_certain(&rayon)`](ObjetRay::est_certain) | **hit or miss** of one object | whether that is certainly what exact arithmetic says | a few times a hit |
-//! | [`monde.certifie(&rayon, &reponse)`](Monde::certifie) | **which object** of a list is first, or that none is | whether that is certainly what exact arithmetic says | 1.3 to 1.9 times a ray on average, on top of it |
+//! | [`monde.certifie(&rayon, &reponse)`](Monde::certifie) | **which object** of a list is first, or that none is | whether that is certainly what exact arithmetic says | less than two rays on average, on top of the ray |
 //!
 //! All of them speak of the numbers as they are stored.
 //!
@@ -125,8 +125,7 @@
 //!
 //! `std` (default) brings the hardware square root; a [`Monde`] then chooses the best instruction
 //! set of the machine at run time. Without `std` the crate needs `core` alone, uses the instruction
-//! set that it is compiled for, and gives the same bits (for subnormal numbers too, unless the
-//! thread flushes them to zero). `serde` reads and writes hits and misses, `Vecteur`, `Rotation`,
+//! set that it is compiled for, and gives the same bits. `serde` reads and writes hits and misses, `Vecteur`, `Rotation`,
 //! `Texture`, `Face`, `Rayon` and the describing types, through the same checks as their
 //! constructors. `mint` converts [`Vecteur`] and [`Rotation`] from and to its types, and through
 //! these those of glam or nalgebra. The crate allocates nothing and contains no `unsafe`.
@@ -149,11 +148,12 @@ mod rayon;
 mod texture;
 
 pub use algebre::nombre::Nombre;
-pub use algebre::refus::{ErreurGeo, LongueursDifferentes, PlacesInsuffisantes};
+pub use algebre::refus::ErreurGeo;
 pub use algebre::rotation::Rotation;
 pub use algebre::vecteur::Vecteur;
-pub use monde::reponses::Reel;
-pub use monde::{Monde, places, premiere_intersection};
+pub use arbre::construction::{PlacesInsuffisantes, places};
+pub use monde::reponses::{LongueursDifferentes, Reel};
+pub use monde::{Monde, premiere_intersection};
 pub use objet::boite::face::Face;
 pub use objet::boite::{BoiteGeo, BoiteRay};
 pub use objet::plan::{PlanGeo, PlanRay};

@@ -7,12 +7,11 @@ use core::ops::ControlFlow::{self, Break, Continue};
 
 use fearless_simd::Level;
 
-use crate::arbre::construction::{Arbre, mots};
+use crate::arbre::Arbre;
 use crate::cote_a_cote::niveau::meilleur_niveau;
 use crate::monde::reponses::Sujet;
 use crate::question::choix::Prises;
-use crate::question::liste::Liste;
-use crate::rayon::intersection::exiger_des_rangs;
+use crate::question::liste::{Liste, exiger_des_rangs};
 use crate::{
     Choix, Etendue, Intersection, LongueursDifferentes, Lumiere, Nombre, ObjetRay, Parmi,
     PlacesInsuffisantes, Rayon, Reel, Reponse, Sans, Tous, Vecteur,
@@ -31,8 +30,8 @@ use crate::{
 /// **What makes a tree slow:**
 ///
 /// - Half-spaces have no box. A ray tests each of them, as in a list.
-/// - In a heap, where a ray crosses the boxes of most objects, a single ray takes up to 1.5 times
-///   as long as with a list. A batch takes about as long as that of the list.
+/// - In a heap, where a ray crosses the boxes of most objects, a ray or a batch takes up to some 1.6
+///   times as long as with a list (`benches/mesures/tas.csv`).
 /// - The box of an object is rounded to some 10⁻⁶ of the distance of that object from the middle of
 ///   most objects, and in `f32` also of the distance of the source of the ray. Objects that stand
 ///   closer together than their boxes are rounded are all tested. So fine detail far from most
@@ -122,31 +121,17 @@ impl<R: Nombre, C> fmt::Debug for Monde<'_, R, C> {
 #[doc(alias("cast_ray", "closest_hit", "first_hit", "raycast"))]
 #[inline]
 pub fn premiere_intersection<R: Reel>(objets: &[ObjetRay<R>], rayon: &Rayon<R>) -> Reponse<R> {
-    exiger_des_rangs(objets.len());
-    let liste = Liste { objets, prises: Prises::Toutes };
-    R::lancer_rayon_premiere_d_une_liste(&liste, meilleur_niveau(), rayon)
-}
-
-/// How many `f32` [`Monde::new`] needs to be lent for this many objects, in either scalar: where
-/// there are many objects, 7.5 for each, which is 30 bytes.
-///
-/// The numbers are scratch memory, free again after the last question. The count is 0 for fewer
-/// than 10 objects, and for 2³¹ − 2²³ or more: lists of that length get no tree, and neither does a
-/// list with fewer than 10 spheres and boxes.
-#[doc(alias("capacity", "memory"))]
-#[must_use]
-pub const fn places(nombre_d_objets: usize) -> usize {
-    mots(nombre_d_objets)
+    R::lancer_rayon_premiere_d_une_liste(&Liste::entiere(objets), meilleur_niveau(), rayon)
 }
 
 impl<'a, R: Reel> Monde<'a, R> {
     /// Builds a tree over this list, in the numbers that are lent, whose values do not matter.
     ///
-    /// Building takes some 0.09 to 0.15 µs an object (`benches/mesures/construction.csv`). Any of
-    /// the numbers may be written; those beyond [`places`] make nothing faster.
+    /// Building takes some 0.1 to 0.3 µs an object (`benches/mesures/construction.csv`). Any of the
+    /// numbers may be written; those beyond [`places`](crate::places) make nothing faster.
     ///
     /// # Errors
-    /// If fewer numbers are lent than [`places`] says.
+    /// If fewer numbers are lent than [`places`](crate::places) says.
     ///
     /// # Panics
     /// If the list has more than 2³² − 1 objects, some 300 GB.
@@ -168,22 +153,23 @@ impl<'a, R: Reel> Monde<'a, R> {
         places: &'a mut [f32],
     ) -> Result<Self, PlacesInsuffisantes> {
         // With no place to spare no object is cut.
-        let assez = places.len().min(mots(objets.len()));
+        let assez = places.len().min(crate::places(objets.len()));
         Self::en_morceaux(objets, &mut places[..assez])
     }
 
     /// Builds a tree in which **long boxes that stand askew**, such as poles, planks and beams, are
     /// cut into pieces. Each piece takes up less room than the whole, and the numbers lent beyond
-    /// [`places`] pay for the pieces.
+    /// [`places`](crate::places) pay for the pieces.
     ///
     /// With twice the places a ray among 10,000 such boxes takes about half to two thirds of the
     /// time, and among 1,000 two thirds to four fifths. Among some hundred neither gains much, and
-    /// where nothing is long the tree is that of [`new`](Self::new). A ray that runs along a few
-    /// long objects among many others takes longer, up to some 13 times. No answer depends on the
-    /// pieces.
+    /// where nothing is long the tree is that of [`new`](Self::new)
+    /// (`benches/mesures/morceaux.csv`). A ray that runs along a long object takes longer, since it
+    /// asks the object for each of its pieces, of which there are at most sixteen. No answer depends
+    /// on the pieces.
     ///
     /// # Errors
-    /// If fewer numbers are lent than [`places`] says.
+    /// If fewer numbers are lent than [`places`](crate::places) says.
     ///
     /// # Panics
     /// As [`new`](Self::new).
@@ -231,7 +217,7 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     #[inline]
     fn sujet_de<'m>(&'m self, prises: Prises<'m>) -> Sujet<'m, R> {
         let liste = Liste { objets: self.objets, prises };
-        Sujet { liste, arbre: &self.arbre, niveau: self.niveau, deja: None }
+        Sujet { liste, arbre: &self.arbre, niveau: self.niveau }
     }
 
     #[inline]
@@ -252,7 +238,8 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// The choice holds for every question, including shadows, batches and certificates. A choice
     /// from a choice takes what both take. `prend` is called only with indices of the list. For
     /// most objects that a ray passes by it is not called, and for some others more than once. In a
-    /// batch, a list calls it at most once for each object in each block of 64 rays.
+    /// batch, a list calls it at most once for each object in each block of 64 rays, or of fewer than six
+    /// rays for each ray.
     ///
     /// To leave out one object there is [`sans`](Self::sans). To keep less than about a hundredth
     /// of a large list, build a `Monde` of those objects: a ray walks the whole tree, whatever the
@@ -302,8 +289,8 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// take; an index beyond the list leaves out nothing.
     ///
     /// Leave out **a lamp of the list**, or the object at the far end of
-    /// [`vers_touche`](crate::Intersection::vers_touche), so that it does not stand before itself.
-    /// A ray that leaves an object needs no such choice: it never hits that object again
+    /// [`vers_touche`](crate::Intersection::vers_touche): no distance is exact enough to stop just
+    /// before it, so that it would hide points of its own surface. A ray that leaves an object needs no such choice: it never hits that object again
     /// ([`secondaire`](crate::Intersection::secondaire)), and
     /// [`premiere_depuis`](Self::premiere_depuis) saves the time to find that out. Each call makes
     /// another type: for a set of objects that is known only at run time take
@@ -347,8 +334,9 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// (`docs/vitesse.md`, "The order in a batch"). Pass 64 rays or more per call. Rays that would
     /// take longer together go on one by one, as soon as that shows: in calls of 4,096 a batch
     /// seldom takes more than 1.1 times as long as its rays one by one, and in calls of 64, which
-    /// cannot learn from each other, up to some 3 times. Nothing is allocated and no thread is
-    /// started; the caller may give parts of a picture to several threads.
+    /// cannot learn from each other, up to some 3 times (`benches/mesures/falaises.csv`). Nothing is
+    /// allocated and no thread is started; the caller may give parts of a picture to several
+    /// threads.
     ///
     /// # Errors
     /// If `rayons` and `touches` are not of the same length; nothing is written then.
@@ -385,8 +373,7 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// and test N·L > 0 first: towards a lamp behind the surface the ray starts inside the object,
     /// which then casts no shadow.
     ///
-    /// **A lamp that is an object of the list** hides the points of its own surface: no distance is
-    /// exact enough to stop just before it. [Leave it out](Self::sans).
+    /// **A lamp that is an object of the list** is to be [left out](Self::sans).
     ///
     /// **From deep inside an object** a shadow ray does not see that object, as no ray does: a
     /// point of the floor inside a ball that is sunk into the floor is not in the shadow of the
@@ -442,7 +429,7 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
         rayons: &[Rayon<R>],
         occultes: &mut [bool],
     ) -> Result<(), LongueursDifferentes> {
-        R::lancer_rayon_occultes(&self.sujet(), rayons, occultes)
+        R::lancer_rayon_occultes(&self.sujet(), &mut None, rayons, occultes)
     }
 
     /// The first object that a ray from this hit enters: what
@@ -537,10 +524,10 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// How much of a light falls on each of these hits, as a batch wrote them:
     /// [`eclairement`](Self::eclairement) of each hit, and 0 for a miss.
     ///
-    /// The shadow rays are made side by side and asked as a batch, so that a picture takes a
-    /// quarter to a half of the time that it takes to make the rays one by one and to pass them to
-    /// [`sont_occultes`](Self::sont_occultes) (`docs/vitesse.md`, "A whole picture"). The order
-    /// matters as in [`premieres_intersections`](Self::premieres_intersections).
+    /// The shadow rays are made side by side and asked as a batch, in far less time than it takes to
+    /// make them one by one and to pass them to [`sont_occultes`](Self::sont_occultes). What a
+    /// picture takes stands in `docs/vitesse.md`, "A whole picture". The order matters as in
+    /// [`premieres_intersections`](Self::premieres_intersections).
     ///
     /// # Errors
     /// If `touches` and `cosinus` are not of the same length; nothing is written then.
@@ -707,8 +694,8 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// list, since it skips objects whose boxes come later.
     ///
     /// Only the [`indice`](crate::Intersection::indice) of `reponse` counts, so that an answer
-    /// found elsewhere can be judged. On average a certificate takes 1.3 to 1.9 times as long as
-    /// the ray, on top of it.
+    /// found elsewhere can be judged. On average a certificate takes less than twice as long as the
+    /// ray, on top of it (`docs/vitesse.md`, "Certified or not").
     ///
     /// If an answer of `f32` is not certain, ask the same numbers in `f64`:
     /// [`ObjetRay::temoin_f64`] of all objects, and [`Rayon::temoin_f64`].
@@ -756,11 +743,11 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     }
 }
 
-/// The first object that the ray enters. That it is a list is decided here, so that a list that was
-/// not stored costs nothing.
+/// The first object that the ray enters. Whether the world is a list is decided here, in the crate of
+/// the caller: the compiler then drops the test for a `Monde` that `de_liste` has just made.
 #[inline]
 fn premiere<R: Reel>(sujet: &Sujet<'_, R>, rayon: &Rayon<R>) -> Reponse<R> {
-    if sujet.arbre.noeuds.is_empty() {
+    if sujet.arbre.est_une_liste() {
         return R::lancer_rayon_premiere_d_une_liste(&sujet.liste, sujet.niveau, rayon);
     }
     R::lancer_rayon_premiere(sujet, rayon)
@@ -769,7 +756,7 @@ fn premiere<R: Reel>(sujet: &Sujet<'_, R>, rayon: &Rayon<R>) -> Reponse<R> {
 /// Whether anything stands before the end of the ray.
 #[inline]
 fn occulte<R: Reel>(sujet: &Sujet<'_, R>, rayon: &Rayon<R>) -> bool {
-    if sujet.arbre.noeuds.is_empty() {
+    if sujet.arbre.est_une_liste() {
         return R::lancer_rayon_occulte_d_une_liste(&sujet.liste, sujet.niveau, rayon);
     }
     R::lancer_rayon_occulte(sujet, rayon)

@@ -8,6 +8,7 @@ pub(crate) mod forme;
 pub(crate) mod plan;
 pub(crate) mod sphere;
 
+use crate::algebre::arrondis::ETENDUE;
 use crate::algebre::nombre::{fois_u, max, min};
 use crate::objet::forme::{Boule, Forme};
 use crate::rayon::intersection::Rang;
@@ -18,7 +19,7 @@ use crate::{
 
 /// `par_forme!(ObjetRay, objet, forme => expression)` is the expression for the shape in `objet`.
 /// All of the crate chooses between shapes in this way, except where it judges
-/// (`question/jugement/`).
+/// (`question/jugement/`) and where a block is priced (`arbre/parcours_de_bloc.rs`).
 ///
 /// Each arm has a type of its own for `forme`, which no closure could have. One match can serve
 /// many rays.
@@ -328,20 +329,17 @@ impl<R: Nombre> ObjetRay<R> {
     /// ```
     #[doc(alias("exit", "far_side", "leave", "sensor", "sample", "anchor"))]
     pub fn sortie(&self, rayon: &Rayon<R>) -> Reponse<R> {
-        // Turned back, the ray enters the object, at −t, where this one leaves it.
+        let (entree, sortie) =
+            par_forme!(Self, self, forme => (forme.t(rayon), forme.t_sortie(rayon)));
+        // W5: never before the entry.
+        let t = if entree < R::INFINI { max(entree, sortie) } else { sortie };
+        if t >= rayon.fin() {
+            return Err(NoIntersection);
+        }
+        // W6: turned back, the ray enters the object, at −t, where this one leaves it.
         let retour = Rayon::sans_fin(rayon.source(), -rayon.direction());
-        par_forme!(Self, self, forme => {
-            let (entree, sortie) = (forme.t(rayon), forme.t_sortie(rayon));
-            // W5: never before the entry.
-            let t = if entree < R::INFINI { max(entree, sortie) } else { sortie };
-            if t >= rayon.fin() {
-                return Err(NoIntersection);
-            }
-            let (contact, de_face) = forme.contact(&retour, -t); // W6: as of a hit from beyond
-            let contact = if de_face { contact } else { forme.contact_de_toute_sorte(&retour, -t) };
-            let (delta, texture, rang) = (rayon.flou(), forme.texture(), Rang::de(0));
-            Ok(Intersection { distance: t, contact, delta, texture, rang })
-        })
+        let touche = self.touche(&retour, -t, Rang::de(0))?;
+        Ok(Intersection { distance: t, delta: rayon.flou(), ..touche })
     }
 
     /// The part of the ray that lies in this object (handout, annex A): where it begins and where it
@@ -382,8 +380,8 @@ impl<R: Nombre> ObjetRay<R> {
     #[doc(alias("chord", "interval", "entry_exit", "thickness", "attenuation", "fog"))]
     pub fn traversee(&self, rayon: &Rayon<R>) -> Result<[R; 2], NoIntersection> {
         let (entree, sortie, retient) = par_forme!(Self, self, forme => {
-            let (t, dedans) = forme.t_et_dedans(rayon);
-            let entree = if dedans { R::ZERO } else { t };
+            let (t, contient) = forme.t_et_contient(rayon);
+            let entree = if contient { R::ZERO } else { t };
             (entree, forme.t_sortie(rayon), forme.retient(rayon))
         });
         // A ray that enters has a way out, unless that is too far for the type.
@@ -481,10 +479,6 @@ impl<R: Nombre> ObjetRay<R> {
         par_forme!(Self, self, forme => forme.demi_axe())
     }
 }
-
-/// How much larger the box around an object is made, in u of the sum of its half-extents (lemma
-/// 15).
-pub const ETENDUE: f64 = 44.0;
 
 /// A box along the axes around an object or a list: its lowest and its highest corner.
 #[doc(alias("bounding_box", "aabb", "bounds"))]

@@ -12,28 +12,13 @@ use crate::cote_a_cote::niveau::{AVEC_AVX_512, meilleur_niveau, selon_le_niveau}
 use crate::monde::reponses::Sujet;
 use crate::{Monde, Nombre, Rayon, Reel};
 
-pub use crate::algebre::double::{BORNE_DOUBLE, Double, Intervalle, PERTE_DOUBLE, PRODUIT_DOUBLE};
+pub use crate::algebre::arrondis::*;
+pub use crate::algebre::double::{Double, Intervalle};
 pub use crate::algebre::nombre::{PLANCHER, Scelle};
 pub use crate::algebre::rotation::{
-    DEJA_ORTHONORMALE, composee, tour_autour, tour_de_camera, tour_du_quaternion, tour_vers,
-    trois_tours,
+    composee, tour_autour, tour_de_camera, tour_du_quaternion, tour_vers, trois_tours,
 };
-pub use crate::arbre::repere::{JEU_DISTANCE, JEU_F32, JEU_LARGEUR};
-pub use crate::objet::ETENDUE;
-pub use crate::objet::boite::FLOU_A_COTE;
-pub use crate::objet::boite::face::BORD;
-pub use crate::objet::forme::{ARRONDI_HAUTEUR, FLOU_PROPRE, PENCHE, RETRAIT, VERS_LE_HAUT};
-pub use crate::objet::sphere::{
-    ARRONDI_PERDU, LONGUEUR, PAR_RAYON, PUISSANCE_PERDUE, TRAVERS_PERDU,
-};
-pub use crate::question::jugement::ERREUR_ARRONDIE;
-pub use crate::question::jugement::juge::{ECART_ARRONDI, coup_d_oeil};
-pub use crate::question::jugement::point::{VUE_LONGUEUR, VUE_POINT, VUE_PUISSANCE, VUE_VITESSE};
-pub use crate::rayon::DEJA_UNITAIRE;
-pub use crate::rayon::flou::{FLOU_DISTANCE, FLOU_POINT, FLOU_RELATIF};
-pub use crate::rayon::secondaire::{
-    PAS_ARRONDI, PAS_D_EMBLEE, PAS_D_EMBLEE_POINT, PAS_NORMAL, RAPPORT_MAXIMAL, REDRESSE, TANGENT,
-};
+pub use crate::question::jugement::juge::coup_d_oeil;
 
 /// The instructions to use; no answer depends on them.
 #[derive(Debug, Clone, Copy)]
@@ -95,8 +80,8 @@ pub fn sonder<R: Reel>(
     let mut tous = Bloc::new(&mut groupes, false);
     tous.charger(rayons);
     fearless_simd::dispatch!(niveau, simd => {
-        let tau0 = Sonde::tau0_commun(tous.demandes(), repere);
-        let sonde = Sonde::de_groupes(simd, tous.demandes(), tau0, repere).0?;
+        let tau0 = Sonde::tau0_commun(tous.groupes_demandes(), repere);
+        let sonde = Sonde::de_groupes(simd, tous.groupes_demandes(), tau0, repere).0?;
         for rayon in rayons {
             let la_sienne = Sonde::d_un_rayon(rayon, tau0, repere)?;
             for noeud in arbre.noeuds {

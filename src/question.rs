@@ -4,24 +4,23 @@
 //! [`Premier`] asks which object is first, or whether there is any; many rays ask it side by side
 //! (`cote_a_cote/bloc.rs`). The others are
 //! [`Certificat`](crate::question::jugement::certificat::Certificat) and
-//! [`Visite`](crate::question::visite::Visite).
+//! [`Visite`](crate::question::visite::Visite). A tree weighs any of them by `arbre/pesee.rs`.
 
 pub(crate) mod choix;
 pub(crate) mod jugement;
 pub(crate) mod liste;
-pub(crate) mod pesee;
 pub(crate) mod visite;
 
 use crate::rayon::intersection::Rang;
 use crate::{NoIntersection, Nombre, ObjetRay, Rayon, Reponse};
 
-/// A question: which objects count, and what is kept of them. Whoever asks makes the answer of
-/// that.
+/// A question: which objects count, and what is kept of them. The caller of the walk makes
+/// the answer of what is kept.
 pub(crate) trait Question<R: Nombre> {
     /// Whether any object that counts may settle the answer, so that none need be asked first.
     const UN_SUFFIT: bool;
 
-    /// Whether an object that a tree holds in several pieces may be kept only once.
+    /// Whether an object that a tree holds in several pieces is kept only once.
     const CHACUN_UNE_FOIS: bool = false;
 
     /// No object that the ray enters farther than this counts.
@@ -94,7 +93,7 @@ impl<R: Nombre, const OMBRE: bool> Premier<R, OMBRE> {
         Self { t, rang: None }
     }
 
-    /// The same of rays that ask for anything, or for the first only.
+    /// The same first object, as the question of a shadow or of a first hit.
     #[inline(always)]
     pub(crate) fn en_question<const AUTRE: bool>(self) -> Premier<R, AUTRE> {
         Premier { t: self.t, rang: self.rang }

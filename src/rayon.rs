@@ -5,8 +5,9 @@ pub(crate) mod intersection;
 pub(crate) mod lumiere;
 pub(crate) mod secondaire;
 
+use crate::algebre::arrondis::DEJA_UNITAIRE;
 use crate::algebre::nombre::{fois_u, simple};
-use crate::algebre::refus::{self, exiger, fini, point, refus_nul, unitaire};
+use crate::algebre::refus::{self, exiger, fini, position, refus_nul, unitaire};
 use crate::rayon::flou::Flou;
 use crate::{ErreurGeo, Nombre, Vecteur};
 
@@ -66,7 +67,7 @@ impl<R: Nombre> Rayon<R> {
     /// is zero or not finite.
     #[inline]
     pub fn new(source: Vecteur<R>, direction: Vecteur<R>) -> Result<Self, ErreurGeo> {
-        let source = point(["source.x", "source.y", "source.z"], source)?;
+        let source = position(["source.x", "source.y", "source.z"], source)?;
         Ok(Self::sans_fin(source, direction_unitaire(DIRECTION, direction)?))
     }
 
@@ -96,7 +97,7 @@ impl<R: Nombre> Rayon<R> {
     #[doc(alias("between", "segment", "line_of_sight"))]
     #[inline]
     pub fn entre(depart: Vecteur<R>, arrivee: Vecteur<R>) -> Result<Self, ErreurGeo> {
-        let depart = point(["depart.x", "depart.y", "depart.z"], depart)?;
+        let depart = position(["depart.x", "depart.y", "depart.z"], depart)?;
         let arrivee = fini(["arrivee.x", "arrivee.y", "arrivee.z"], arrivee)?;
         let trajet = (arrivee - depart).longueur_et_unitaire();
         let (fin, direction) = trajet.ok_or_else(|| refus_nul("arrivee - depart"))?;
@@ -330,10 +331,6 @@ impl<R: Nombre> Rayon<R> {
         Rayon { source, direction, fin: self.fin.vers_f64(), flou: self.flou.vers_f64() }
     }
 }
-
-/// A direction is kept if |D·D − 1| is at most this, in units of u: an ordinary normalisation
-/// leaves 10 (lemma 1).
-pub const DEJA_UNITAIRE: f64 = 12.0;
 
 /// The names of a direction and of its coordinates.
 pub(crate) const DIRECTION: [&str; 4] = ["direction", "direction.x", "direction.y", "direction.z"];

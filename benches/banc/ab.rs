@@ -7,8 +7,8 @@ use banc::concurrents::{Concurrent, FACONS, permises};
 use banc::familles::{Famille, Genre};
 use banc::horloge::{MORCEAU, moindres};
 use banc::nous;
+use exemples::scene::Lisible;
 use lancer_rayon::{ObjetRay, Rayon, Reel};
-use serde::de::DeserializeOwned;
 
 #[path = "."]
 #[allow(unreachable_pub, reason = "`nous` is a module of the library too, public there")]
@@ -178,7 +178,7 @@ fn ancien<R: Reel + avant::Reel>(objet: &ObjetRay<R>) -> avant::ObjetRay<R> {
 }
 
 /// Every kind of ray and every way for one scene, with a line for each way.
-fn mesurer<R: Reel + avant::Reel + DeserializeOwned>(
+fn mesurer<R: Lisible + avant::Reel>(
     choix: &Choix,
     famille: Famille,
     n: usize,

@@ -8,12 +8,11 @@ use lancer_rayon::{
     BoiteGeo, Intersection, Monde, ObjetGeo, ObjetRay, PlanGeo, Rayon, Reel, Rotation, SphereGeo,
     Texture, Vecteur,
 };
-use serde::de::DeserializeOwned;
 
 use commun::conversion::arrondi;
 use commun::regimes::{direction, entre};
 use commun::scenes::{en_tuiles, melange};
-use exemples::scene::{self, Camera};
+use exemples::scene::{self, Camera, Lisible};
 
 /// What a scene is like.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -105,7 +104,7 @@ impl Famille {
     }
 
     /// The scene of `n` objects, object i with texture i, drawn from this seed.
-    pub fn scene<R: Reel + DeserializeOwned>(self, n: usize, graine: u64) -> Scene<R> {
+    pub fn scene<R: Lisible>(self, n: usize, graine: u64) -> Scene<R> {
         let alea = &mut Rng::with_seed(graine);
         let vue = |camera| {
             let camera: Camera = ron::from_str(camera).expect("a camera as in a scene file");
@@ -212,7 +211,7 @@ impl AuLoin {
     }
 
     /// The city of `n` objects with this, `metres` away or in radius.
-    pub fn scene<R: Reel + DeserializeOwned>(self, n: usize, graine: u64, metres: f64) -> Scene<R> {
+    pub fn scene<R: Lisible>(self, n: usize, graine: u64, metres: f64) -> Scene<R> {
         let mut scene = Famille::Ville.scene::<R>(n, graine);
         let loin = metres * METRE;
         match self {

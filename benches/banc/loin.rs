@@ -8,8 +8,8 @@ use banc::circonstances::Circonstances;
 use banc::familles::{AuLoin, GRAINE_DES_PAGES, Genre, Scene};
 use banc::horloge::{MORCEAU, moindres};
 use banc::nous;
+use exemples::scene::Lisible;
 use lancer_rayon::Reel;
-use serde::de::DeserializeOwned;
 
 const CAS: [(AuLoin, &[f64]); 5] = [
     (AuLoin::Soleil, &[1.5e11]),
@@ -42,7 +42,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 }
 
 /// One by one and in a batch, over the city without it, as geometric means.
-fn rapports<R: Reel + DeserializeOwned>(
+fn rapports<R: Lisible>(
     quoi: AuLoin,
     metres: f64,
     graine: u64,

@@ -12,9 +12,9 @@ use banc::nous;
 use commun::arrondi;
 use commun::fabrique::sphere;
 use commun::regimes::direction;
+use exemples::scene::Lisible;
 use fastrand::Rng;
 use lancer_rayon::{Intersection, Monde, NoIntersection, ObjetRay, Rayon, Reel, Vecteur};
-use serde::de::DeserializeOwned;
 
 const FAMILLES: [Famille; 4] = [Famille::Ville, Famille::Salle, Famille::Atomes, Famille::Foret];
 
@@ -51,7 +51,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-fn rapports<R: Reel + DeserializeOwned>(
+fn rapports<R: Lisible>(
     famille: Famille,
     n: usize,
     graine: u64,

@@ -12,7 +12,7 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 use exemples::image;
-use exemples::scene::{Scene, tuiles};
+use exemples::scene::{Lisible, Scene, tuiles};
 use indicatif::ParallelProgressIterator;
 use lancer_rayon::{
     Intersection, LongueursDifferentes, Monde, NoIntersection, ObjetRay, Rayon, Reel, Reponse,
@@ -20,7 +20,6 @@ use lancer_rayon::{
 };
 use rayon::prelude::*;
 use recettes::milieux::{Derriere, Marche, Matiere};
-use serde::de::DeserializeOwned;
 
 /// Red, green and blue, in proportion to the light.
 type Couleur = Vecteur;
@@ -63,11 +62,7 @@ fn main() -> ExitCode {
     image::programme(&arguments, defauts, usage, peindre)
 }
 
-fn rendre<R: Reel + DeserializeOwned>(
-    chemin: &str,
-    image: &str,
-    rayons: usize,
-) -> Result<(), Box<dyn Error>> {
+fn rendre<R: Lisible>(chemin: &str, image: &str, rayons: usize) -> Result<(), Box<dyn Error>> {
     let debut = Instant::now();
     let Scene { camera, objets } = Scene::<R>::lire(Path::new(chemin))?;
     let objets: Vec<_> = objets.into_iter().map(ObjetRay::from).collect();

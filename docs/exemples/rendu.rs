@@ -15,14 +15,13 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 use exemples::image;
-use exemples::scene::{Scene, tuiles};
+use exemples::scene::{Lisible, Scene, tuiles};
 use indicatif::ParallelProgressIterator;
 use lancer_rayon::{
     ErreurGeo, Intersection, LongueursDifferentes, Lumiere, Monde, NoIntersection, ObjetRay, Rayon,
     Reel, Reponse, Vecteur, places,
 };
 use rayon::prelude::*;
-use serde::de::DeserializeOwned;
 
 /// Red, green and blue, in proportion to the light.
 type Couleur = Vecteur;
@@ -81,7 +80,7 @@ impl Bande {
     }
 }
 
-fn rendre<R: Reel + DeserializeOwned>(
+fn rendre<R: Lisible>(
     chemin: &str,
     image: &str,
     bande: Option<Bande>,
@@ -113,7 +112,7 @@ pub(crate) struct Image {
 }
 
 /// The picture of a scene file, with `finesse` rays across a pixel, `ensemble` of them together.
-pub(crate) fn octets<R: Reel + DeserializeOwned>(
+pub(crate) fn octets<R: Lisible>(
     chemin: &str,
     finesse: u32,
     ensemble: usize,

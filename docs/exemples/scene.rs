@@ -24,9 +24,9 @@ use std::{fmt, fs};
 use lancer_rayon::{
     BoiteGeo, ErreurGeo, ObjetGeo, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture, Vecteur,
 };
-use ron::error::Position;
+use ron::error::{Position, SpannedResult};
 use ron::extensions::Extensions;
-use serde::de::{DeserializeOwned, Error as _};
+use serde::de::Error as _;
 use serde::{Deserialize, Deserializer};
 
 /// A camera and what stands before it.
@@ -39,7 +39,24 @@ pub struct Scene<R> {
     pub objets: Vec<ObjetGeo<R>>,
 }
 
-impl<R: Reel + DeserializeOwned> Scene<R> {
+/// A scalar in which a scene is read. The readers are compiled here for both, and not once more by every program.
+pub trait Lisible: Reel {
+    fn depuis_ron(texte: &str) -> SpannedResult<Scene<Self>>;
+}
+
+macro_rules! lisible {
+    ($($reel:ident)*) => {$(
+        impl Lisible for $reel {
+            fn depuis_ron(texte: &str) -> SpannedResult<Scene<Self>> {
+                ron::Options::default().with_default_extension(Extensions::UNWRAP_NEWTYPES).from_str(texte)
+            }
+        }
+    )*};
+}
+
+lisible! { f32 f64 }
+
+impl<R: Lisible> Scene<R> {
     /// The scene of this file.
     pub fn lire(chemin: &Path) -> Result<Self, ErreurScene> {
         let texte = fs::read_to_string(chemin).map_err(|erreur| ErreurScene {
@@ -52,8 +69,7 @@ impl<R: Reel + DeserializeOwned> Scene<R> {
 
     /// The scene of this text; errors say that it stands in `fichier`.
     pub fn depuis_texte(fichier: &Path, texte: &str) -> Result<Self, ErreurScene> {
-        let ron = ron::Options::default().with_default_extension(Extensions::UNWRAP_NEWTYPES);
-        ron.from_str(texte).map_err(|erreur| ErreurScene {
+        R::depuis_ron(texte).map_err(|erreur| ErreurScene {
             fichier: fichier.to_owned(),
             position: Some(erreur.span.start),
             raison: erreur.code.to_string(),

@@ -1,17 +1,9 @@
 //! Numbers of twice the length of an `f64`, each with a bound on its own error
 //! (`docs/preuves/objets.md`, lemma 16).
 
+use crate::algebre::arrondis::{BORNE_DOUBLE, PERTE_DOUBLE, PRODUIT_DOUBLE};
 use crate::algebre::nombre::{max, min};
 use crate::{Nombre, Vecteur};
-
-/// What a product rounds by, in u² of itself (lemma 16).
-pub const PRODUIT_DOUBLE: f64 = 8.1;
-
-/// What a product loses below the normal numbers, in η (lemma 16).
-pub const PERTE_DOUBLE: f64 = 3.8;
-
-/// How much a bound grows for its own rounding, in u of itself (lemma 16).
-pub const BORNE_DOUBLE: f64 = 7.5;
 
 /// `haut` + `bas`, no farther than `erreur` from the number that it stands for; |bas| ≤ u·|haut|.
 #[derive(Debug, Clone, Copy)]

@@ -1,4 +1,4 @@
-//! What is refused: numbers, by the checks that stand here, and lengths of what the caller lends.
+//! The numbers that are refused, and the error that names them.
 
 use core::fmt;
 
@@ -7,7 +7,8 @@ use crate::{Nombre, Vecteur};
 
 /// A number outside the accepted range, with the field it was given for.
 ///
-/// Constructors and transformations of rays, rotations and objects return it.
+/// Constructors and transformations of rays, lights, rotations and objects return it, and so do the
+/// rays from a hit.
 ///
 /// ```
 /// use lancer_rayon::{SphereGeo, Texture, Vecteur};
@@ -84,7 +85,7 @@ type Champs = [&'static str; 3];
 
 /// A point, whose three coordinates have these names.
 #[inline]
-pub(crate) fn point<R: Nombre>(champs: Champs, p: Vecteur<R>) -> Result<Vecteur<R>, ErreurGeo> {
+pub(crate) fn position<R: Nombre>(champs: Champs, p: Vecteur<R>) -> Result<Vecteur<R>, ErreurGeo> {
     let [x, y, z] = champs;
     Ok(Vecteur::new(coordonnee(x, p.x)?, coordonnee(y, p.y)?, coordonnee(z, p.z)?))
 }
@@ -160,51 +161,3 @@ pub(crate) fn unitaire<R: Nombre>(
 ) -> Result<Vecteur<R>, ErreurGeo> {
     fini([x, y, z], v)?.unitaire().ok_or_else(|| refus_nul(nom))
 }
-
-/// Fewer places were lent than the [`Monde`](crate::Monde) over this many objects needs.
-#[doc(alias = "buffer_too_small")]
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub struct PlacesInsuffisantes {
-    /// How many places were lent.
-    pub places: usize,
-    /// How many places are needed: [`places`](crate::places).
-    #[doc(alias = "required")]
-    pub necessaires: usize,
-}
-
-impl fmt::Display for PlacesInsuffisantes {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} places lent, but {} needed", self.places, self.necessaires)
-    }
-}
-
-impl core::error::Error for PlacesInsuffisantes {}
-
-/// There are more or fewer places for answers than rays.
-///
-/// ```
-/// use lancer_rayon::{LongueursDifferentes, Monde, NoIntersection, Rayon};
-///
-/// let rayons: [Rayon; 0] = [];
-/// let mut touches = [Err(NoIntersection); 3];
-/// let refus = Monde::de_liste(&[]).premieres_intersections(&rayons, &mut touches);
-/// assert_eq!(refus, Err(LongueursDifferentes { rayons: 0, reponses: 3 }));
-/// ```
-#[doc(alias = "length_mismatch")]
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub struct LongueursDifferentes {
-    /// How many rays there are.
-    #[doc(alias = "rays")]
-    pub rayons: usize,
-    /// How many answers there are places for.
-    #[doc(alias = "answers")]
-    pub reponses: usize,
-}
-
-impl fmt::Display for LongueursDifferentes {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} rays, but places for {} answers", self.rayons, self.reponses)
-    }
-}
-
-impl core::error::Error for LongueursDifferentes {}

@@ -2,6 +2,7 @@
 
 use core::f64::consts::FRAC_PI_2;
 
+use crate::algebre::arrondis::DEJA_ORTHONORMALE;
 use crate::algebre::refus::{exiger, fini, finis, unitaire};
 use crate::{ErreurGeo, Nombre, Vecteur};
 
@@ -36,9 +37,6 @@ pub struct Rotation<R = f64> {
 
 /// A matrix in the type in which rotations are made; they are rounded once, at the end.
 type Matrice<T = f64> = [[T; 3]; 3];
-
-/// How orthonormal a matrix is that [`Rotation::depuis_matrice`] keeps, in u (lemma 1).
-pub const DEJA_ORTHONORMALE: f64 = 8.0;
 
 /// How far M·Mᵀ may be from I for [`Rotation::depuis_matrice`] to take M: room for a rotation that
 /// is written with four decimals, be they rounded or cut off (lemma 13).

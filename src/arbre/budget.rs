@@ -1,13 +1,13 @@
 //! What a block of rays may spend together, compared with what its rays spend one by one.
 //!
-//! Prices are about nanoseconds, and wrong by up to twice, so that nothing is decided by a single
-//! sum: a block stops once it has spent more than its rays would, as found out on some of them, and
-//! blocks that are as wide are then left apart for a while (`DEVELOPING.md`, "What a block may
-//! spend").
+//! Prices are in about nanoseconds, and off by up to two times, so that nothing is decided by a
+//! single sum: a block stops once it has spent more than its rays would, as found out on some of
+//! them, and blocks that are as wide are then left apart for a while (`DEVELOPING.md`, "What a block
+//! may spend").
 
 use crate::algebre::nombre::{max, min};
+use crate::arbre::pesee::{MOINDRE, Prix};
 use crate::cote_a_cote::groupe::VOIES;
-use crate::question::pesee::{MOINDRE, Prix};
 
 /// A node that a block looks at, and what its objects take before they are offered.
 pub(crate) const NOEUD_D_UN_BLOC: Prix = 80.0;
@@ -24,12 +24,12 @@ const REGISTRE_UTILE: usize = 32;
 /// A block stops once it has spent this many times what its rays would.
 const CONFIANCE: f32 = 1.5;
 
-/// A block that stops narrows the width that is tried by this part, from at most this many times its
-/// own.
+/// By what part a block that stops lowers the limit of width, which is then at most this many times
+/// its own width.
 const RECUL: f32 = 0.3;
-const MARGE: f32 = 1.5;
+const AU_DELA: f32 = 1.5;
 
-/// A block that spends nothing widens it by this part, and each block that is left apart by that.
+/// By what part a block that has spent nothing raises that limit, and each block that is left apart.
 const AVANCE: f32 = 0.5;
 const REPRISE: f32 = 0.015;
 
@@ -47,20 +47,28 @@ pub(crate) struct Releve {
     pub(crate) boites: f32,
 }
 
+impl Releve {
+    /// As if a ray spent as little as it can, and came near every object, which are balls.
+    const INCONNU: Self = Self { seul: MOINDRE, proches: 1.0, boites: 0.0 };
+}
+
 /// What the blocks of a call may spend, and how wide they may be.
-pub(crate) struct Budget {
+#[derive(Clone, Copy)]
+pub struct Budget {
     /// How many objects have a box.
     objets: f32,
     nombres_par_registre: f32,
-    /// What the rays weighed last spent and came near; `None` before any were.
+    /// What the rays weighed so far spent and came near; `None` before any were.
     releve: Option<Releve>,
-    /// For how many blocks to come that will do.
+    /// How many more blocks may rely on that.
     encore: u32,
-    /// An object that is offered to sixteen rays, one of which comes near.
-    pub(crate) fiche: Prix,
+    /// What an object takes that is offered to sixteen rays, one of which comes near. Stored, like
+    /// the next price: computed anew for each block they would make tiles take 1.05 times as long
+    /// (measured).
+    pub(crate) objet_proche: Prix,
     /// What a ray spends in a block that is offered all objects with a box.
     la_liste: Prix,
-    /// Rays that are wider than this are left apart.
+    /// The limit of width: rays that are wider are left apart.
     largeur: f32,
 }
 
@@ -69,11 +77,29 @@ impl Budget {
     /// register.
     pub(crate) fn new(objets: usize, nombre: usize, registre: usize) -> Self {
         let nombres_par_registre = (registre.min(REGISTRE_UTILE) / nombre) as f32;
-        let fiche = (PASSEE + BOULE_PROCHE) / nombres_par_registre;
-        let objets = objets as f32;
-        let la_liste = objets * fiche / VOIES as Prix;
-        let (releve, encore, largeur) = (None, 0, f32::INFINITY);
-        Self { objets, nombres_par_registre, releve, encore, fiche, la_liste, largeur }
+        let budget = Self {
+            objets: objets as f32,
+            nombres_par_registre,
+            releve: None,
+            encore: 0,
+            objet_proche: 0.0,
+            la_liste: 0.0,
+            largeur: f32::INFINITY,
+        };
+        budget.avec_prix(Releve::INCONNU)
+    }
+
+    /// The same with the prices for such rays.
+    fn avec_prix(self, Releve { proches, boites, .. }: Releve) -> Self {
+        // That none of sixteen rays comes near.
+        let mut aucun = 1.0 - proches;
+        for _ in 0..VOIES.ilog2() {
+            aucun *= aucun;
+        }
+        let proche = BOULE_PROCHE + boites * (BOITE_PROCHE - BOULE_PROCHE);
+        let en_moyenne = (PASSEE + (1.0 - aucun) * proche) / self.nombres_par_registre;
+        let objet_proche = (PASSEE + proche) / self.nombres_par_registre;
+        Self { objet_proche, la_liste: self.objets * en_moyenne / VOIES as Prix, ..self }
     }
 
     /// Whether rays were weighed lately.
@@ -88,22 +114,13 @@ impl Budget {
             proches: 0.5 * (avant.proches + ici.proches),
             boites: ici.boites,
         });
-        self.releve = Some(moyenne);
-        self.encore = BLOCS_D_UNE_PESEE;
-        // That none of sixteen rays comes near.
-        let mut aucun = 1.0 - moyenne.proches;
-        for _ in 0..VOIES.ilog2() {
-            aucun *= aucun;
-        }
-        let proche = BOULE_PROCHE + moyenne.boites * (BOITE_PROCHE - BOULE_PROCHE);
-        self.fiche = (PASSEE + proche) / self.nombres_par_registre;
-        let en_moyenne = (PASSEE + (1.0 - aucun) * proche) / self.nombres_par_registre;
-        self.la_liste = self.objets * en_moyenne / VOIES as Prix;
+        let (releve, encore) = (Some(moyenne), BLOCS_D_UNE_PESEE);
+        *self = Self { releve, encore, ..*self }.avec_prix(moyenne);
     }
 
     /// Whether a block spends no more than its rays even if it is offered all objects.
     pub(crate) fn suffit_a_la_liste(&self) -> bool {
-        self.suffirait_a_la_liste(self.releve.map_or(MOINDRE, |releve| releve.seul))
+        self.suffirait_a_la_liste(self.releve.unwrap_or(Releve::INCONNU).seul)
     }
 
     /// The same if a ray spent this alone.
@@ -138,7 +155,7 @@ impl Budget {
 
     /// A part of a block, of this width, stopped.
     pub(crate) fn reculer(&mut self, largeur: f32, part: f32) {
-        self.largeur = min(self.largeur, MARGE * largeur) * (1.0 - RECUL * part);
+        self.largeur = min(self.largeur, AU_DELA * largeur) * (1.0 - RECUL * part);
     }
 
     /// A part of a block, of this width, came to the end, and has spent so much a ray.
@@ -146,7 +163,7 @@ impl Budget {
         self.encore = self.encore.saturating_sub(1);
         if let Some(releve) = self.releve.filter(|_| self.est_entame()) {
             let gain = max(1.0 - depense / releve.seul, 0.0);
-            let plus = min(self.largeur * (1.0 + AVANCE * gain * part), MARGE * largeur);
+            let plus = min(self.largeur * (1.0 + AVANCE * gain * part), AU_DELA * largeur);
             self.largeur = max(self.largeur, plus);
         }
     }

@@ -8,15 +8,16 @@
 //! those of a leaf are sixteen neighbours. Each leaf is then transposed into columns in place, and
 //! the nodes above follow, floor by floor.
 
-use core::mem;
+use core::{fmt, mem};
 
 use crate::algebre::nombre::{max, min, simple};
+use crate::arbre::Arbre;
 use crate::arbre::morceaux::{Coupe, decouper};
 use crate::arbre::noeud::{
     COIN_ABSENT, ENFANTS, FICHE, Fiche, LIMITE_INDICES, Noeud, VIDE, en_mot,
 };
 use crate::arbre::repere::{JEU_MAXIMAL, Repere, double_centre, extremes};
-use crate::{Nombre, ObjetRay, PlacesInsuffisantes, Vecteur};
+use crate::{Nombre, ObjetRay, Vecteur};
 
 /// No tree is made over fewer objects with a box than this, since the list is about as fast
 /// (`DEVELOPING.md`, "Thresholds").
@@ -29,34 +30,17 @@ const LIGNE: usize = 64;
 /// line.
 const BOURRAGE: usize = LIGNE / size_of::<f32>() - 1;
 
-/// A tree over a list of objects.
-#[derive(Clone, Copy)]
-pub struct Arbre<'a, R> {
-    /// The leaves, then the floors above, the root last; none over a list that is as fast.
-    pub(crate) noeuds: &'a [Noeud],
-    /// How many nodes are leaves.
-    pub(crate) feuilles: usize,
-    /// The [stored](en_mot) indices of the objects without a box, the last first.
-    pub(crate) sans_boite: &'a [f32],
-    pub(crate) repere: Repere<R>,
-    pub(crate) coupe: Coupe,
-}
-
-impl<R: Nombre> Arbre<'_, R> {
-    /// The tree of a list that is asked as a list.
-    pub(crate) const SANS_NOEUDS: Self = Self {
-        noeuds: &[],
-        feuilles: 0,
-        sans_boite: &[],
-        repere: Repere::QUELCONQUE,
-        coupe: Coupe::AUCUNE,
-    };
-}
-
-/// How many numbers the tree of this many objects may need, whichever of them have no box. An
-/// object without a box needs one number, less than its share of a leaf, except for the first
-/// fifteen.
-pub(crate) const fn mots(objets: usize) -> usize {
+/// How many `f32` [`Monde::new`](crate::Monde::new) needs to be lent for this many objects, in
+/// either scalar: where there are many objects, 7.5 for each, which is 30 bytes.
+///
+/// The numbers are scratch memory, free again after the last question. The count is 0 for fewer
+/// than 10 objects, and for 2³¹ − 2²³ or more: lists of that length get no tree, and neither does a
+/// list with fewer than 10 spheres and boxes.
+#[doc(alias("capacity", "memory"))]
+#[must_use]
+pub const fn places(objets: usize) -> usize {
+    // They suffice whichever objects have no box. An object without one needs one number, less than
+    // its share of a leaf, except for the first fifteen.
     if objets < OBJETS_D_UN_ARBRE || objets as u64 >= LIMITE_INDICES {
         return 0;
     }
@@ -75,48 +59,48 @@ pub(crate) const fn mots(objets: usize) -> usize {
 }
 
 /// How many records there is room for in this many numbers, beyond one for each of these objects.
-fn fiches_de_plus(objets: usize, places: usize) -> usize {
+fn fiches_de_plus(objets: usize, nombres: usize) -> usize {
     let le_plus = LIMITE_INDICES as usize - 1 - objets;
-    let mut plus = (places.saturating_sub(mots(objets)) / FICHE).min(le_plus);
+    let mut plus = (nombres.saturating_sub(places(objets)) / FICHE).min(le_plus);
     // The nodes above the leaves take the place of about one in sixteen.
-    while mots(objets + plus) > places {
+    while places(objets + plus) > nombres {
         plus = plus * 15 / 16;
     }
     plus
 }
 
-/// The tree over these objects, in as many numbers as [`mots`] says or more; one without nodes over
+/// The tree over these objects, in as many numbers as [`places`] says or more; one without nodes over
 /// few that have a box. The numbers beyond pay for pieces of long boxes.
 pub(crate) fn construire<'a, R: Nombre>(
     objets: &[ObjetRay<R>],
-    places: &'a mut [f32],
+    memoire: &'a mut [f32],
 ) -> Result<Arbre<'a, R>, PlacesInsuffisantes> {
-    let necessaires = mots(objets.len());
-    if places.len() < necessaires {
-        return Err(PlacesInsuffisantes { places: places.len(), necessaires });
+    let necessaires = places(objets.len());
+    if memoire.len() < necessaires {
+        return Err(PlacesInsuffisantes { places: memoire.len(), necessaires });
     }
     if necessaires == 0 {
         return Ok(Arbre::SANS_NOEUDS);
     }
-    let plus = fiches_de_plus(objets.len(), places.len());
-    let debut = places.as_ptr().align_offset(LIGNE).min(BOURRAGE);
-    let places = &mut places[debut..];
+    let plus = fiches_de_plus(objets.len(), memoire.len());
+    let debut = memoire.as_ptr().align_offset(LIGNE).min(BOURRAGE);
+    let memoire = &mut memoire[debut..];
     let mut repere = Repere::autour(objets);
     let coupe = if plus > 0 { Coupe::new(objets, repere, plus) } else { Coupe::AUCUNE };
-    let (nombre, fin) = remplir(objets, places, repere, coupe);
-    let (places, sans_boite) = places.split_at_mut(fin);
+    let (nombre, fin) = remplir(objets, memoire, repere, coupe);
+    let (memoire, sans_boite) = memoire.split_at_mut(fin);
     // Where nothing was cut, a visit need not ask in which slice.
     let coupe = if nombre + sans_boite.len() == objets.len() { Coupe::AUCUNE } else { coupe };
     if objets.len() - sans_boite.len() < OBJETS_D_UN_ARBRE {
         return Ok(Arbre::SANS_NOEUDS);
     }
-    let (fiches, _) = places.as_chunks_mut();
+    let (fiches, _) = memoire.as_chunks_mut();
     let geants = trier_les_geants(&mut fiches[..nombre], repere);
     let autres = &mut fiches[geants * ENFANTS..nombre];
     let [bas, haut] = extremes(autres.iter().map(double_centre));
     repere.jeu_maximal = JEU_MAXIMAL * 0.5 * (haut - bas).norme_1();
     trier(autres);
-    let (noeuds, _) = places.as_chunks_mut().0.as_chunks_mut();
+    let (noeuds, _) = memoire.as_chunks_mut().0.as_chunks_mut();
     let feuilles = nombre.div_ceil(ENFANTS);
     for (numero, feuille) in noeuds[..feuilles].iter_mut().enumerate() {
         let (fiches, _) = feuille.as_flattened().as_chunks();
@@ -131,13 +115,13 @@ pub(crate) fn construire<'a, R: Nombre>(
 /// without a box; tells how many records there are, and where those indices begin.
 fn remplir<R: Nombre>(
     objets: &[ObjetRay<R>],
-    places: &mut [f32],
+    memoire: &mut [f32],
     repere: Repere<R>,
     coupe: Coupe,
 ) -> (usize, usize) {
-    let (mut nombre, mut fin) = (0, places.len());
+    let (mut nombre, mut fin) = (0, memoire.len());
     for (indice, objet) in objets.iter().enumerate() {
-        let (fiches, _) = places.as_chunks_mut();
+        let (fiches, _) = memoire.as_chunks_mut();
         let morceaux = if coupe == Coupe::AUCUNE { 1 } else { coupe.morceaux(repere, objet) };
         let a_une_boite = decouper(objet, morceaux, repere, |(bas, haut)| {
             fiches[nombre] = [bas.x, bas.y, bas.z, haut.x, haut.y, haut.z, en_mot(indice)];
@@ -145,7 +129,7 @@ fn remplir<R: Nombre>(
         });
         if !a_une_boite {
             fin -= 1;
-            places[fin] = en_mot(indice);
+            memoire[fin] = en_mot(indice);
         }
     }
     (nombre, fin)
@@ -242,3 +226,22 @@ fn parent(noeuds: &[Noeud], enfants: impl Iterator<Item = usize>) -> Noeud {
     }
     noeud
 }
+
+/// Fewer places were lent than the [`Monde`](crate::Monde) over this many objects needs.
+#[doc(alias = "buffer_too_small")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct PlacesInsuffisantes {
+    /// How many places were lent.
+    pub places: usize,
+    /// How many places are needed: [`places`](crate::places).
+    #[doc(alias = "required")]
+    pub necessaires: usize,
+}
+
+impl fmt::Display for PlacesInsuffisantes {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} places lent, but {} needed", self.places, self.necessaires)
+    }
+}
+
+impl core::error::Error for PlacesInsuffisantes {}

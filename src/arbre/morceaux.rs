@@ -14,8 +14,8 @@ use crate::{Nombre, ObjetRay, Rayon, Vecteur};
 /// (`DEVELOPING.md`, "Thresholds").
 const PRIX_D_UNE_FICHE: f32 = 0.03;
 
-/// Half of the least width of a slice in the frame of the tree that an object wishes for; rounded to
-/// whole slices, they are narrower by a quarter at most (lemma 21).
+/// Half of the least width of a slice, in the frame of the tree. Since the number of slices is
+/// rounded, a slice may be narrower by up to a quarter (lemma 21).
 const DEMI_TRANCHE_MINIMALE: f32 = puissance_de_deux(-16) as f32;
 
 /// The most slices of an object: a ray along one that is cut asks it again in each.
@@ -107,7 +107,8 @@ impl Coupe {
 }
 
 /// Passes on the boxes of an object cut into `morceaux` pieces, in the frame of the tree; returns
-/// whether it has one. (With an iterator building took 1.17 times as long.)
+/// whether it has one. With an iterator in its place building would take 1.17 times as long
+/// (measured).
 #[inline(always)]
 pub(crate) fn decouper<R: Nombre>(
     objet: &ObjetRay<R>,

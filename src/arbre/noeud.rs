@@ -18,7 +18,7 @@ pub(crate) const ETAGES: usize = 8;
 /// The farthest corner of a missing child.
 pub(crate) const COIN_ABSENT: f32 = puissance_de_deux(120) as f32;
 
-/// The box and the index of an object.
+/// The box of an object or of one of its pieces, and the index of the object.
 pub(crate) type Fiche = [f32; FICHE];
 
 /// Sixteen children: the lower corners of their boxes, the upper corners, and the indices of the
@@ -28,7 +28,7 @@ pub(crate) type Fiche = [f32; FICHE];
 pub(crate) type Noeud = [Colonne<f32>; FICHE];
 
 /// A node without children: each box is turned inside out, its lower corner beyond everything and
-/// its upper corner below. A ray would leave it before it enters it.
+/// its upper corner below. A ray would leave such a box before it enters it.
 pub(crate) const VIDE: Noeud = {
     let (bas, haut) = ([COIN_ABSENT; ENFANTS], [-COIN_ABSENT; ENFANTS]);
     [bas, bas, bas, haut, haut, haut, [0.0; ENFANTS]]

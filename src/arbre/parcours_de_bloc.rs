@@ -2,22 +2,23 @@
 //! that is narrow.
 
 use core::iter::from_fn;
+use core::ops::ControlFlow::{Break, Continue};
 
 use fearless_simd::prelude::*;
 
 use crate::algebre::nombre::{max, selon};
+use crate::arbre::Arbre;
 use crate::arbre::budget::{Budget, NOEUD_D_UN_BLOC, Releve};
-use crate::arbre::construction::Arbre;
+use crate::arbre::marche::Etape;
 use crate::arbre::morceaux::Coupe;
 use crate::arbre::noeud::{ENFANTS, Noeud, indice_lu};
-use crate::arbre::pile::{Attentes, Pile};
+use crate::arbre::pesee::{Pesee, Prix};
 use crate::arbre::sonde::Sonde;
 use crate::cote_a_cote::bloc::{Bloc, Ensemble, GROUPES};
-use crate::cote_a_cote::colonne::{au_plus, prendre};
+use crate::cote_a_cote::colonne::{au_plus, retirer};
 use crate::cote_a_cote::groupe::VOIES;
 use crate::question::Premier;
 use crate::question::liste::Liste;
-use crate::question::pesee::{Pesee, Prix};
 use crate::{Nombre, ObjetRay, Rayon};
 
 /// Fewer rays than this are asked one by one (`DEVELOPING.md`, "Thresholds", as for what follows).
@@ -64,8 +65,9 @@ enum Issue {
 struct Offerts([u32; 64]);
 
 impl Offerts {
-    /// Whether it is not known that this object was offered, to rays that it may hold the source of
-    /// if it may now; it is from then on.
+    /// Notes that this object is offered; `source` says whether it may hold the source of a ray.
+    /// Returns whether that is new: whether it was not offered before, or not as one that may hold a
+    /// source.
     #[inline(always)]
     fn est_nouveau(&mut self, indice: usize, source: bool) -> bool {
         let (place, ici) = (&mut self.0[indice % 64], 2 * indice as u32 + 2 + u32::from(source));
@@ -82,8 +84,8 @@ impl<R: Nombre> Arbre<'_, R> {
         Budget::new(avec_boite, size_of::<R>(), size_of::<f32>() * S::f32s::LEN)
     }
 
-    /// Looks for the first object of each of these rays: of all together, else of each group that
-    /// is narrower, as far as they may spend that. Tells of each group how far it came.
+    /// Looks for the first objects of these rays, together or else by groups whose probe is
+    /// narrower, within the budget. Tells of each group how far it came.
     #[inline(always)]
     pub(crate) fn chercher_ensemble<S: Simd>(
         &self,
@@ -98,7 +100,7 @@ impl<R: Nombre> Arbre<'_, R> {
                 if rayons.len() < MOINDRE_BLOC {
                     return [Ensemble::Rien; GROUPES];
                 }
-                // Eight rays in no order are wide enough, before anything else is made of the others.
+                // Eight rays show whether the block is too wide, before the others are loaded.
                 let au_moins = || Sonde::largeur_au_moins(quelques(rayons, 8), self.repere);
                 let a_part = budget.est_entame() && budget.est_trop_large(au_moins());
                 if a_part {
@@ -109,58 +111,71 @@ impl<R: Nombre> Arbre<'_, R> {
                     }
                 }
                 bloc.charger(rayons);
-                let sans_boite = self.sans_boite.iter().map(|mot| indice_lu(*mot));
-                bloc.proposer_tous(simd, liste, sans_boite);
+                bloc.proposer_tous(simd, liste, self.sans_boite());
                 if a_part {
                     return [Ensemble::EnPartie; GROUPES];
                 }
-                let (sonde, de_tous) = self.sonder(simd, bloc);
-                if budget.est_trop_large(de_tous) {
+                let (sonde, largeur) = self.sonde_du_bloc(simd, bloc);
+                let issue = if budget.est_trop_large(largeur) {
                     budget.laisser();
+                    Issue::TropLarge
                 } else if let Some(sonde) = sonde {
-                    let sonde = (sonde, de_tous);
-                    match self.descendre_en_bloc(simd, liste, sonde, (budget, bloc), rayons) {
-                        Issue::AuBout => return [Ensemble::JusquAuBout; GROUPES],
-                        Issue::TropCher => return [Ensemble::EnPartie; GROUPES],
-                        Issue::TropLarge => (),
-                    }
+                    let sonde = (sonde, largeur);
+                    self.descendre_en_bloc(simd, liste, sonde, (budget, bloc), rayons)
                 } else {
                     // No probe of all of them tells boxes apart.
                     self.peser_au_besoin(simd, liste, budget, bloc, rayons);
                     if budget.suffit_a_la_liste() {
                         bloc.proposer_tous(simd, liste, self.avec_boite(liste));
-                        return [Ensemble::JusquAuBout; GROUPES];
+                        Issue::AuBout
+                    } else {
+                        budget.reculer(largeur, 1.0);
+                        Issue::TropLarge
                     }
-                    budget.reculer(de_tous, 1.0);
-                }
-                let mut groupes = [Ensemble::EnPartie; GROUPES];
-                for (i, (rayons, groupe)) in rayons.chunks(VOIES).zip(&mut groupes).enumerate() {
-                    bloc.demandes = i..i + 1;
-                    let (sonde, largeur) = self.sonder(simd, bloc);
-                    let etroite = largeur <= PLUS_ETROIT * de_tous;
-                    if let Some(sonde) =
-                        sonde.filter(|_| etroite && !budget.est_trop_large(largeur))
-                        && let Issue::AuBout = self.descendre_en_bloc(
-                            simd,
-                            liste,
-                            (sonde, largeur),
-                            (budget, bloc),
-                            rayons,
-                        )
-                    {
-                        *groupe = Ensemble::JusquAuBout;
+                };
+                match issue {
+                    Issue::AuBout => [Ensemble::JusquAuBout; GROUPES],
+                    Issue::TropCher => [Ensemble::EnPartie; GROUPES],
+                    Issue::TropLarge => {
+                        self.chercher_par_groupes(simd, liste, largeur, (budget, bloc), rayons)
                     }
                 }
-                groupes
             },
         )
     }
 
+    /// Goes on with each group whose probe is narrower than that of the block.
+    #[inline(always)]
+    fn chercher_par_groupes<S: Simd>(
+        &self,
+        simd: S,
+        liste: &Liste<'_, R>,
+        du_bloc: f32,
+        (budget, bloc): (&mut Budget, &mut Bloc<'_, R>),
+        rayons: &[Rayon<R>],
+    ) -> [Ensemble; GROUPES] {
+        let mut groupes = [Ensemble::EnPartie; GROUPES];
+        for (i, (rayons, groupe)) in rayons.chunks(VOIES).zip(&mut groupes).enumerate() {
+            bloc.demandes = i..i + 1;
+            let (sonde, largeur) = self.sonde_du_bloc(simd, bloc);
+            let etroite = largeur <= PLUS_ETROIT * du_bloc && !budget.est_trop_large(largeur);
+            if let Some(sonde) = sonde.filter(|_| etroite) {
+                let sonde = (sonde, largeur);
+                let issue = self.descendre_en_bloc(simd, liste, sonde, (budget, bloc), rayons);
+                if let Issue::AuBout = issue {
+                    *groupe = Ensemble::JusquAuBout;
+                }
+            }
+        }
+        groupes
+    }
+
     /// The probe of the rays that are offered objects, and how wide it is.
     #[inline(always)]
-    fn sonder<S: Simd>(&self, simd: S, bloc: &Bloc<'_, R>) -> (Option<Sonde<R>>, f32) {
-        let tau0 = Sonde::tau0_commun(bloc.demandes(), self.repere);
-        Sonde::de_groupes(simd, bloc.demandes(), tau0, self.repere)
+    fn sonde_du_bloc<S: Simd>(&self, simd: S, bloc: &Bloc<'_, R>) -> (Option<Sonde<R>>, f32) {
+        let groupes = bloc.groupes_demandes();
+        let tau0 = Sonde::tau0_commun(groupes, self.repere);
+        Sonde::de_groupes(simd, groupes, tau0, self.repere)
     }
 
     /// Finds the first object with a box of each of these rays, which are offered objects, in the
@@ -178,66 +193,76 @@ impl<R: Nombre> Arbre<'_, R> {
         if bloc.un_suffit && loin == R::ZERO {
             return Issue::AuBout;
         }
-        let mut plafond = sonde.plafond(self.repere, loin);
         let (mut depense, mut permis, mut peses) = (0.0, budget.permis(rayons.len()), false);
-        let par_fiche = bloc.demandes.len() as Prix * budget.fiche;
-        let part = bloc.demandes.len() as f32 / GROUPES as f32;
-        let mut attentes = Attentes::new();
-        let (mut pile, mut numero) = (Pile(&mut attentes), self.noeuds.len() - 1);
-        let (entiers, mut offerts_deja) = (self.coupe == Coupe::AUCUNE, Offerts([0; 64]));
-        while let Some(noeud) = self.noeuds.get(numero) {
-            let (mut traverses, entrees) = sonde.traverse(simd, noeud, plafond);
-            depense += NOEUD_D_UN_BLOC;
-            if numero < self.feuilles {
-                if traverses > 0 {
-                    depense += traverses.count_ones() as Prix * par_fiche;
-                    if depense > permis && !peses {
-                        // What is known may be of other rays.
-                        peses = true;
-                        self.peser(simd, liste, budget, bloc.un_suffit, rayons);
-                        permis = budget.permis(rayons.len());
-                    }
-                    if depense > permis {
-                        budget.reculer(largeur, part);
-                        return Issue::TropCher;
-                    }
-                    let [.., mots] = noeud;
-                    let source = [sonde.entree_de_la_source(); ENFANTS];
-                    let sources = au_plus(simd, &entrees.0, &source);
-                    let offerts = || loop {
-                        let membre = prendre(&mut traverses)?;
-                        let (indice, source) =
-                            (indice_lu(mots[membre]), (sources >> membre) & 1 == 1);
-                        if entiers || offerts_deja.est_nouveau(indice, source) {
-                            return Some((indice, source));
-                        }
+        let par_objet = bloc.demandes.len() as Prix * budget.objet_proche;
+        let mut offerts = Offerts([0; 64]);
+        let marche = self.marcher(
+            simd,
+            &sonde,
+            sonde.plafond(self.repere, loin),
+            #[inline(always)]
+            |etape, plafond| {
+                depense += NOEUD_D_UN_BLOC;
+                let entres = etape.enfants.count_ones();
+                if !etape.est_une_feuille {
+                    let large = entres >= ENFANTS_CROISES && permis < Prix::INFINITY && {
+                        let loin = bloc.le_plus_loin();
+                        entres > self.croises_par_quelques_uns(simd, rayons, loin, etape.noeud)
                     };
-                    bloc.proposer(simd, liste, &mut from_fn(offerts));
-                    let loin = bloc.le_plus_loin();
-                    if bloc.un_suffit && loin == R::ZERO {
-                        break;
-                    }
-                    plafond = sonde.plafond(self.repere, loin);
+                    return if large { Break(Issue::TropLarge) } else { Continue(()) };
                 }
-            } else {
-                let croises = traverses.count_ones();
-                if croises >= ENFANTS_CROISES
-                    && permis < Prix::INFINITY
-                    && croises
-                        > self.croises_par_quelques_uns(simd, rayons, bloc.le_plus_loin(), noeud)
-                {
-                    return Issue::TropLarge;
+                if entres == 0 {
+                    return Continue(());
                 }
-                if let Some(proche) = pile.garder(traverses, &entrees.0, noeud) {
-                    numero = proche;
-                    continue;
+                depense += entres as Prix * par_objet;
+                if depense > permis && !peses {
+                    // What the budget knows may come from the rays of other blocks.
+                    peses = true;
+                    self.peser(simd, liste, budget, bloc.un_suffit, rayons);
+                    permis = budget.permis(rayons.len());
                 }
-            }
-            let Some(suivant) = pile.prendre(plafond) else { break };
-            numero = suivant;
+                if depense > permis {
+                    return Break(Issue::TropCher);
+                }
+                self.offrir_une_feuille(simd, liste, &sonde, etape, (&mut offerts, bloc));
+                let loin = bloc.le_plus_loin();
+                if bloc.un_suffit && loin == R::ZERO {
+                    return Break(Issue::AuBout);
+                }
+                *plafond = sonde.plafond(self.repere, loin);
+                Continue(())
+            },
+        );
+        let issue = marche.break_value().unwrap_or(Issue::AuBout);
+        let part = bloc.demandes.len() as f32 / GROUPES as f32;
+        match issue {
+            Issue::AuBout => budget.avancer(largeur, part, depense / rayons.len() as Prix),
+            Issue::TropCher => budget.reculer(largeur, part),
+            Issue::TropLarge => (),
         }
-        budget.avancer(largeur, part, depense / rayons.len() as Prix);
-        Issue::AuBout
+        issue
+    }
+
+    /// Offers the rays the objects of a leaf whose boxes their probe enters.
+    #[inline(always)]
+    fn offrir_une_feuille<S: Simd>(
+        &self,
+        simd: S,
+        liste: &Liste<'_, R>,
+        sonde: &Sonde<R>,
+        Etape { noeud: [.., indices], mut enfants, entrees, .. }: Etape<'_>,
+        (offerts, bloc): (&mut Offerts, &mut Bloc<'_, R>),
+    ) {
+        let entiers = self.coupe == Coupe::AUCUNE;
+        let sources = au_plus(simd, entrees, sonde.entree_de_la_source());
+        let suivant = || loop {
+            let enfant = retirer(&mut enfants)?;
+            let (indice, source) = (indice_lu(indices[enfant]), (sources >> enfant) & 1 == 1);
+            if entiers || offerts.est_nouveau(indice, source) {
+                return Some((indice, source));
+            }
+        };
+        bloc.proposer(simd, liste, &mut from_fn(suivant));
     }
 
     /// Weighs some of these rays, if none were lately.
@@ -285,25 +310,8 @@ impl<R: Nombre> Arbre<'_, R> {
                         self.parcourir(simd, liste, rayon, premier).depense
                     };
                 }
-                // As if one more ray came near one more object: that none does is not certain.
-                let (mut paires, mut proches, mut objets, mut boites) = (1.0, 1.0, 0.0, 0.0);
-                for objet in liste.objets.iter().step_by(liste.objets.len() / OBJETS_CHOISIS + 1) {
-                    match objet {
-                        ObjetRay::Sphere(_) => (),
-                        ObjetRay::Boite(_) => boites += 1.0,
-                        ObjetRay::Plan(_) => continue,
-                    }
-                    objets += 1.0;
-                    for rayon in quelques(rayons, PESES) {
-                        paires += 1.0;
-                        proches += f32::from(u8::from(objet.peut_entrer(rayon)));
-                    }
-                }
-                budget.noter(Releve {
-                    seul: depense / max(peses, 1.0),
-                    proches: proches / paires,
-                    boites: boites / max(objets, 1.0),
-                });
+                let (proches, boites) = parts(liste.objets, rayons);
+                budget.noter(Releve { seul: depense / max(peses, 1.0), proches, boites });
             },
         );
     }
@@ -334,4 +342,25 @@ impl<R: Nombre> Arbre<'_, R> {
         );
         croises
     }
+}
+
+/// What part of some objects with a box some of these rays come near, and what part of those
+/// objects are boxes.
+#[inline(always)]
+fn parts<R: Nombre>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) -> (f32, f32) {
+    // As if one more ray came near one more object: that none does is not certain.
+    let (mut paires, mut proches, mut choisis, mut boites) = (1.0, 1.0, 0.0, 0.0);
+    for objet in objets.iter().step_by(objets.len() / OBJETS_CHOISIS + 1) {
+        match objet {
+            ObjetRay::Sphere(_) => (),
+            ObjetRay::Boite(_) => boites += 1.0,
+            ObjetRay::Plan(_) => continue,
+        }
+        choisis += 1.0;
+        for rayon in quelques(rayons, PESES) {
+            paires += 1.0;
+            proches += f32::from(u8::from(objet.peut_entrer(rayon)));
+        }
+    }
+    (proches / paires, boites / max(choisis, 1.0))
 }

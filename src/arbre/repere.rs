@@ -4,6 +4,7 @@ use core::cmp::Ordering;
 
 use arrayvec::ArrayVec;
 
+use crate::algebre::arrondis::{JEU_DISTANCE, JEU_F32, JEU_LARGEUR};
 use crate::algebre::nombre::{fois_u, fois_u_simple, max, min, puissance_de_deux, simple};
 use crate::arbre::noeud::{ENFANTS, Fiche};
 use crate::{Nombre, ObjetRay, Vecteur};
@@ -100,7 +101,7 @@ impl<R: Nombre> Repere<R> {
 
     /// (X − Z)·σ.
     #[inline(always)]
-    pub(crate) fn point(self, x: Vecteur<R>) -> Vecteur<R> {
+    pub(crate) fn dans_le_repere(self, x: Vecteur<R>) -> Vecteur<R> {
         (x - self.milieu) * self.echelle
     }
 
@@ -112,7 +113,7 @@ impl<R: Nombre> Repere<R> {
         (c, h): (Vecteur<R>, Vecteur<R>),
         (decalage, demi): (Vecteur<R>, Vecteur<R>),
     ) -> (Vecteur<f32>, Vecteur<f32>) {
-        let (c, h) = (self.point(c), h * self.echelle);
+        let (c, h) = (self.dans_le_repere(c), h * self.echelle);
         // T2. The proof needs ρ, the radius of the ball around the object; the sum of the
         // half-extents is no less.
         let (loin, large) = (c.norme_1(), h.norme_1());
@@ -127,7 +128,7 @@ impl<R: Nombre> Repere<R> {
     /// The way in the scene from `c` to the middle of the box of this record.
     pub(crate) fn vers_le_milieu(self, fiche: &Fiche, c: Vecteur<R>) -> Vecteur<R> {
         let milieu = double_centre(fiche).map(|x| R::depuis_f64(0.5 * f64::from(x)));
-        (Vecteur::from(milieu) - self.point(c)) / self.echelle
+        (Vecteur::from(milieu) - self.dans_le_repere(c)) / self.echelle
     }
 
     /// The side of a leaf in this frame, if all leaves of this many records were alike among the
@@ -154,7 +155,7 @@ impl<R: Nombre> Repere<R> {
         l / self.echelle
     }
 
-    /// A distance along a ray times σ, to 2u of `f32` down to its least normal number; +∞ beyond
+    /// A length times σ, to 2u of `f32` down to its least normal number; +∞ beyond
     /// all numbers of that type.
     #[inline(always)]
     pub(crate) fn distance(self, t: R) -> f32 {
@@ -162,19 +163,8 @@ impl<R: Nombre> Repere<R> {
     }
 }
 
-/// The slack for the point of a hit, in u of the scene's type, per unit of distance from Z to an
-/// object or to the source of a ray (lemma 20).
-pub const JEU_DISTANCE: f64 = 37.0;
-
-/// The slack for the point of a hit, in u of `f32`, per unit of an object's half-extents: its
-/// normals may be unit to `f32` only (lemma 20).
-pub const JEU_LARGEUR: f64 = 67.0;
-
-/// The slack for the rounding to `f32`, in u of `f32`, per unit of distance from Z to a side of a
-/// box or to where a ray starts (lemmas 20 and 21).
-pub const JEU_F32: f64 = 7.5;
-
-/// With a slack of this part of the width of a scene or more, boxes tell no objects apart.
+/// With a slack of this part of the spread of the boxes without giants, or more, boxes tell no
+/// objects apart.
 pub(crate) const JEU_MAXIMAL: f32 = 1.0 / 8.0;
 
 /// More than is lost below the normal numbers (lemma 20).

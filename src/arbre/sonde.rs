@@ -10,12 +10,13 @@
 use fearless_simd::f32x16;
 use fearless_simd::prelude::*;
 
+use crate::algebre::arrondis::{JEU_DISTANCE, JEU_F32};
 use crate::algebre::nombre::{
     est_double, fois_u, fois_u_simple, max, min, puissance_de_deux, simple,
 };
 use crate::arbre::noeud::Noeud;
-use crate::arbre::repere::{JEU_DISTANCE, JEU_F32, JEU_SOUS_NORMAL, Repere};
-use crate::cote_a_cote::colonne::{Aligne, Colonne, Membres};
+use crate::arbre::repere::{JEU_SOUS_NORMAL, Repere};
+use crate::cote_a_cote::colonne::{Alignee, Colonne, Membres};
 use crate::cote_a_cote::groupe::{Groupe, VOIES};
 use crate::{Nombre, Rayon};
 
@@ -63,7 +64,7 @@ impl<R: Nombre> Sonde<R> {
     /// The probe of this ray; `None` if its slack is so large that boxes tell no objects apart.
     #[inline(always)]
     pub(crate) fn new(rayon: &Rayon<R>, repere: Repere<R>) -> Option<Self> {
-        let (y, d) = (repere.point(rayon.source()), rayon.direction());
+        let (y, d) = (repere.dans_le_repere(rayon.source()), rayon.direction());
         // Entries of a ray from far away are counted from its point nearest to Z. In `f32` that
         // point would be off by as much as a hit, so that they are counted from the source.
         let de_loin = est_double::<R>() && y.norme_1() > repere.loin;
@@ -74,7 +75,7 @@ impl<R: Nombre> Sonde<R> {
     /// The probe of this ray for this τ₀.
     #[inline(always)]
     pub(crate) fn d_un_rayon(rayon: &Rayon<R>, tau0: R, repere: Repere<R>) -> Option<Self> {
-        let (y, d) = (repere.point(rayon.source()), rayon.direction());
+        let (y, d) = (repere.dans_le_repere(rayon.source()), rayon.direction());
         let s = if tau0 == R::ZERO { y } else { y + d * tau0 };
         let bornes = |s: R, d: R| Bornes { s: [simple(s); 2], d: [simple(d); 2] };
         Self::entre_bords(tau0, [bornes(s.x, d.x), bornes(s.y, d.y), bornes(s.z, d.z)], repere)
@@ -86,7 +87,7 @@ impl<R: Nombre> Sonde<R> {
     pub(crate) fn tau0_commun(groupes: &[Groupe<R>], repere: Repere<R>) -> R {
         // Far away the length of a widened direction counts, which is 1 to `f32` only.
         let avant_z = |rayon: Rayon<R>| {
-            let (y, d) = (repere.point(rayon.source()), rayon.direction());
+            let (y, d) = (repere.dans_le_repere(rayon.source()), rayon.direction());
             -y.produit_scalaire(d) / d.longueur_carree()
         };
         let avant = R::depuis_f64(AVANT_LES_BOITES);
@@ -128,21 +129,20 @@ impl<R: Nombre> Sonde<R> {
     where
         R: 'a,
     {
-        let vides =
-            Bornes { s: [f32::NEG_INFINITY, f32::INFINITY], d: [f32::NEG_INFINITY, f32::INFINITY] };
-        let mut bornes = [vides; 3];
+        let mut bornes = [Bornes::VIDES; 3];
         for rayon in rayons {
-            let (s, d) = (repere.point(rayon.source()), rayon.direction());
+            let (s, d) = (repere.dans_le_repere(rayon.source()), rayon.direction());
             for (bornes, (s, d)) in bornes.iter_mut().zip([(s.x, d.x), (s.y, d.y), (s.z, d.z)]) {
-                let (s, d, [s1, s0], [d1, d0]) = (simple(s), simple(d), bornes.s, bornes.d);
-                *bornes = Bornes { s: [max(s1, s), min(s0, s)], d: [max(d1, d), min(d0, d)] };
+                bornes.s = elargis(bornes.s, simple(s));
+                bornes.d = elargis(bornes.d, simple(d));
             }
         }
         bornes.iter().map(|bornes| bornes.largeur()).sum()
     }
 
     /// The probe between these edges, with its part of the slack; `None` too if some rays rise and
-    /// others do not along every axis: no edge would leave a box, not even one that is missing.
+    /// others do not along every axis: no edge would then end a box, and even missing children would
+    /// count as entered.
     #[inline(always)]
     fn entre_bords(tau0: R, [x, y, z]: [Bornes; 3], repere: Repere<R>) -> Option<Self> {
         let norme = x.le_plus_loin() + y.le_plus_loin() + z.le_plus_loin();
@@ -179,7 +179,7 @@ impl<R: Nombre> Sonde<R> {
         simd: S,
         noeud: &Noeud,
         plafond: f32,
-    ) -> (Membres, Aligne<Colonne<f32>>) {
+    ) -> (Membres, Alignee) {
         let colonne = |i: usize| f32x16::simd_from(simd, noeud[i]);
         let uni = |x: f32| f32x16::splat(simd, x);
         let (mut entrees, mut sorties) = (uni(self.entree_de_la_source()), uni(plafond));
@@ -195,11 +195,21 @@ impl<R: Nombre> Sonde<R> {
                 sorties = autre.min(sorties);
             }
         }
-        (entrees.simd_le(sorties).to_bitmask() as u32, Aligne(entrees.into()))
+        (entrees.simd_le(sorties).to_bitmask() as u32, Alignee(entrees.into()))
     }
 }
 
+/// These bounds, the larger first, with one more number between them.
+#[inline(always)]
+fn elargis([haut, bas]: [f32; 2], x: f32) -> [f32; 2] {
+    [max(haut, x), min(bas, x)]
+}
+
 impl Bornes {
+    /// The bounds of no rays.
+    const VIDES: Self =
+        Self { s: [f32::NEG_INFINITY, f32::INFINITY], d: [f32::NEG_INFINITY, f32::INFINITY] };
+
     /// The bounds of the rays of these groups along one axis.
     #[inline(always)]
     fn le_long<const AXE: usize, S: Simd, R: Nombre>(
@@ -253,8 +263,8 @@ impl Bornes {
         let jeu = jeu.copysign(d1);
         let inverse = |d: f32| 1.0 / (d + IMMOBILE.copysign(d));
         Axe {
-            proche: colonne(axe, d1),
-            lointain: colonne(axe, -d1),
+            proche: colonne_touchee(axe, d1),
+            lointain: colonne_touchee(axe, -d1),
             vers_proche: proche.0 + jeu,
             inverse_proche: inverse(proche.1),
             vers_lointain: lointain.0 - jeu,
@@ -267,7 +277,7 @@ impl Bornes {
 /// The column of those sides of the boxes that a ray in this direction along the axis comes to
 /// first. It is computed from the sign bit, which shows the compiler that the index is in range.
 #[inline(always)]
-fn colonne(axe: usize, d: f32) -> usize {
+fn colonne_touchee(axe: usize, d: f32) -> usize {
     axe + 3 * (d.to_bits() >> 31) as usize
 }
 

@@ -13,11 +13,11 @@ use crate::question::liste::Liste;
 use crate::rayon::intersection::Rang;
 use crate::{Nombre, ObjetRay, Rayon};
 
-/// Rays of a block: a tile of 8 × 8 pixels.
-pub(crate) const BLOC: usize = 4 * VOIES;
-
 /// Groups of a block.
-pub(crate) const GROUPES: usize = BLOC / VOIES;
+pub(crate) const GROUPES: usize = 4;
+
+/// Rays of a block: a tile of 8 × 8 pixels.
+pub(crate) const BLOC: usize = GROUPES * VOIES;
 
 /// The memory of a block. It grows only as far as a call needs, since setting up all of it takes as
 /// long as some rays. It is lent to the block: as a field it would make calls of 16 rays take up to
@@ -34,8 +34,8 @@ pub(crate) enum Ensemble {
     JusquAuBout,
 }
 
-/// At most 64 rays with the first object of each so far. It does not know which question they ask,
-/// so that what asks them is compiled once for all.
+/// At most 64 rays with the first object of each so far. Which question they ask is a flag and no
+/// type, so that what asks them is compiled once for both.
 pub(crate) struct Bloc<'a, R> {
     pub(crate) groupes: &'a mut Groupes<R>,
     /// The groups that objects are offered to: all that hold rays, or one of them.
@@ -67,7 +67,7 @@ impl<'a, R: Nombre> Bloc<'a, R> {
 
     /// The groups that objects are offered to.
     #[inline(always)]
-    pub(crate) fn demandes(&self) -> &[Groupe<R>] {
+    pub(crate) fn groupes_demandes(&self) -> &[Groupe<R>] {
         &self.groupes[self.demandes.clone()]
     }
 
@@ -129,7 +129,7 @@ impl<'a, R: Nombre> Bloc<'a, R> {
     #[inline(always)]
     pub(crate) fn le_plus_loin(&self) -> R {
         let mut loin = R::ZERO;
-        for groupe in self.demandes() {
+        for groupe in self.groupes_demandes() {
             loin = max(groupe.le_plus_loin(self.un_suffit), loin);
         }
         loin

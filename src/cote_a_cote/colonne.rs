@@ -10,17 +10,17 @@ pub(crate) const LARGEUR: usize = 16;
 /// Sixteen numbers side by side.
 pub(crate) type Colonne<R> = [R; LARGEUR];
 
-/// A value at the start of a cache line, since a column across two lines takes longer to write and
-/// to read back. A pattern that takes it apart would move it to an unaligned place of the stack.
+/// A column at the start of a cache line, since one across two lines takes longer to write and to
+/// read back. A pattern that takes it apart would move it to an unaligned place of the stack.
 #[repr(align(64))]
-pub(crate) struct Aligne<T>(pub(crate) T);
+pub(crate) struct Alignee(pub(crate) Colonne<f32>);
 
 /// A set of places of a column, one bit for each place.
 pub(crate) type Membres = u32;
 
 /// Takes out the first of these places.
 #[inline(always)]
-pub(crate) fn prendre(membres: &mut Membres) -> Option<usize> {
+pub(crate) fn retirer(membres: &mut Membres) -> Option<usize> {
     let premier = membres.trailing_zeros() as usize;
     *membres &= membres.wrapping_sub(1);
     (premier < LARGEUR).then_some(premier)
@@ -28,10 +28,10 @@ pub(crate) fn prendre(membres: &mut Membres) -> Option<usize> {
 
 /// Takes out the place whose number is the least.
 #[inline(always)]
-pub(crate) fn prendre_le_moindre(membres: &mut Membres, nombres: &Colonne<f32>) -> Option<usize> {
+pub(crate) fn retirer_le_moindre(membres: &mut Membres, nombres: &Colonne<f32>) -> Option<usize> {
     let mut autres = *membres;
-    let mut moindre = prendre(&mut autres)?;
-    while let Some(membre) = prendre(&mut autres) {
+    let mut moindre = retirer(&mut autres)?;
+    while let Some(membre) = retirer(&mut autres) {
         if nombres[membre] < nombres[moindre] {
             moindre = membre;
         }
@@ -40,12 +40,12 @@ pub(crate) fn prendre_le_moindre(membres: &mut Membres, nombres: &Colonne<f32>) 
     Some(moindre)
 }
 
-/// The places i where `a[i] <= b[i]`. The compiler does not vectorise the step from a comparison to
+/// The places whose number is at most this. The compiler does not vectorise the step from a comparison to
 /// a mask by itself.
 #[inline(always)]
-pub(crate) fn au_plus<S: Simd>(simd: S, a: &Colonne<f32>, b: &Colonne<f32>) -> Membres {
-    let (a, b) = (f32x16::simd_from(simd, *a), f32x16::simd_from(simd, *b));
-    a.simd_le(b).to_bitmask() as u32
+pub(crate) fn au_plus<S: Simd>(simd: S, nombres: &Colonne<f32>, limite: f32) -> Membres {
+    let nombres = f32x16::simd_from(simd, *nombres);
+    nombres.simd_le(f32x16::splat(simd, limite)).to_bitmask() as u32
 }
 
 /// The largest of sixteen numbers.

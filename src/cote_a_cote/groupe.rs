@@ -5,11 +5,10 @@
 //! ray gets the bits that it gets alone. What the loops call, closures too, is `inline(always)`: a
 //! function that is not inlined would be compiled for the baseline instruction set.
 
-use crate::cote_a_cote::colonne::{Colonne, LARGEUR, le_plus_grand, prendre};
+use crate::cote_a_cote::colonne::{Colonne, LARGEUR, le_plus_grand, retirer};
 use crate::objet::forme::Forme;
 use crate::objet::par_forme;
 use crate::question::Premier;
-use crate::rayon::flou::Flou;
 use crate::rayon::intersection::{Contact, Rang};
 use crate::{Intersection, NoIntersection, Nombre, ObjetRay, Rayon, Reponse, Vecteur};
 
@@ -26,7 +25,7 @@ const COTE_A_COTE: u32 = 3;
 pub(crate) struct Groupe<R> {
     pub(crate) s: [Colonne<R>; 3],
     pub(crate) d: [Colonne<R>; 3],
-    /// To which δ each ray touches at once.
+    /// The δ to which each ray touches at once.
     deltas: Colonne<R>,
     t: Colonne<R>,
     rangs: Colonne<Option<Rang>>,
@@ -67,18 +66,13 @@ impl<R: Nombre> Groupe<R> {
         }
     }
 
-    /// The ray of one lane, without its end and its δ.
+    /// The ray of one lane, without its end.
     #[inline(always)]
     pub(crate) fn rayon(&self, voie: usize) -> Rayon<R> {
         let ([sx, sy, sz], [dx, dy, dz]) = (&self.s, &self.d);
         let s = Vecteur::new(sx[voie], sy[voie], sz[voie]);
-        Rayon::sans_fin(s, Vecteur::new(dx[voie], dy[voie], dz[voie]))
-    }
-
-    /// The ray of one lane with its δ, without its end.
-    #[inline(always)]
-    fn rayon_flou(&self, voie: usize) -> Rayon<R> {
-        self.rayon(voie).sachant(Flou::de(self.deltas[voie]))
+        let d = Vecteur::new(dx[voie], dy[voie], dz[voie]);
+        Rayon::en_nombres(s, d, R::INFINI, self.deltas[voie])
     }
 
     /// The first object of one ray so far.
@@ -103,19 +97,13 @@ impl<R: Nombre> Groupe<R> {
     /// Makes the object of this shape and rank the first of each ray that enters it before its
     /// first so far.
     ///
-    /// At the same distance the object of lower rank is the first. `flou` says that some ray has a
-    /// δ above 0 and may start in the object.
+    /// At the same distance the object of lower rank is the first. `d_emblee` says that some ray
+    /// has a δ above 0 and may start in the object.
     #[inline(always)]
     pub(crate) fn proposer(&mut self, forme: &impl Forme<R>, rang: Rang, d_emblee: bool) {
         let mut pres = false;
-        if d_emblee {
-            for voie in 0..VOIES {
-                pres |= forme.peut_entrer(&self.rayon_flou(voie));
-            }
-        } else {
-            for voie in 0..VOIES {
-                pres |= forme.peut_entrer(&self.rayon(voie));
-            }
+        for voie in 0..VOIES {
+            pres |= forme.peut_entrer(&self.rayon(voie));
         }
         // Roots and quotients are computed only if at least one ray may enter.
         if !pres {
@@ -142,18 +130,18 @@ impl<R: Nombre> Groupe<R> {
     /// The distances at which these rays touch this shape, 0 if at once.
     #[inline(always)]
     fn toucher(&self, forme: &impl Forme<R>, t: &mut Colonne<R>) {
-        let mut dedans = false;
+        let mut contient = false;
         for (voie, t) in t.iter_mut().enumerate() {
-            let rayon = self.rayon_flou(voie);
-            let (entree, source) = forme.t_et_dedans(&rayon);
+            let rayon = self.rayon(voie);
+            let (entree, contient_la_source) = forme.t_et_contient(&rayon);
             *t = entree;
-            dedans |= source & (rayon.flou.d_emblee() > R::ZERO);
+            contient |= contient_la_source & (rayon.flou.d_emblee() > R::ZERO);
         }
-        if !dedans {
+        if !contient {
             return;
         }
         for (voie, t) in t.iter_mut().enumerate() {
-            let rayon = self.rayon_flou(voie);
+            let rayon = self.rayon(voie);
             let d_emblee = (rayon.flou.d_emblee() > R::ZERO) & forme.des_le_depart(&rayon);
             *t = if d_emblee { R::ZERO } else { *t };
         }
@@ -184,7 +172,7 @@ impl<R: Nombre> Groupe<R> {
             restent |= u32::from(self.rangs[voie].is_some()) << voie;
         }
         let valides = restent;
-        while let Some(voie) = prendre(&mut restent) {
+        while let Some(voie) = retirer(&mut restent) {
             let Some(rang) = self.rangs[voie] else { return };
             let Some(objet) = objets.get(rang.indice()) else { return };
             let mut siens = 0;
@@ -199,7 +187,7 @@ impl<R: Nombre> Groupe<R> {
                 par_forme!(ObjetRay, objet, forme => contacts.calculer(self, *forme));
             }
             let texture = objet.texture();
-            while let Some(voie) = prendre(&mut siens) {
+            while let Some(voie) = retirer(&mut siens) {
                 let (rayon, t) = (&rayons[voie], self.t[voie]);
                 // Each arm builds the hit in its place: copying one just built would stall until
                 // its fields are stored.

@@ -5,28 +5,10 @@
 //! [`Forme::t`] finds where the ray enters; [`Forme::contact`] computes normal and margin, once,
 //! for the first object of a ray.
 
+use crate::algebre::arrondis::{ARRONDI_HAUTEUR, PENCHE, RETRAIT, VERS_LE_HAUT};
 use crate::algebre::nombre::{fois_u, fois_u_simple, max, min, plancher};
 use crate::rayon::intersection::Contact;
 use crate::{Nombre, Rayon, Vecteur};
-
-/// The rounding of a height over a surface, in u·ℓ; the next search sees that height with as much
-/// rounding again (lemmas 8 and 9).
-pub const ARRONDI_HAUTEUR: f64 = 4.0;
-
-/// How much larger a margin is made, in u of itself: 6 for an N that is not exactly unit, the
-/// others for the rounding of the last operations (lemma 8).
-pub const VERS_LE_HAUT: f64 = 10.0;
-
-/// How far a normal that does not face the source is leaned towards it, in u (lemma 7).
-pub const PENCHE: f64 = 14.0;
-
-/// How much SC² is reduced, in u of `f32` of itself and in both types, so that rounding hides no
-/// entry from the ball (lemma 14): the numbers of a scene in `f64` may be those of one in `f32`.
-pub const RETRAIT: f64 = 130.0;
-
-/// How much deeper than δ a start may lie in a sphere or in a box, in u of the radius or of the sum
-/// of the half-lengths (lemma 22).
-pub const FLOU_PROPRE: f64 = 44.0;
 
 /// A shape, ready for rays.
 pub(crate) trait Forme<R: Nombre>: Copy {
@@ -38,7 +20,7 @@ pub(crate) trait Forme<R: Nombre>: Copy {
     fn boite_englobante(&self) -> Option<(Vecteur<R>, Vecteur<R>)>;
 
     /// Half of the axis across which a [tree](crate::Monde) may cut the shape into slices; 0 if it
-    /// has none.
+    /// has none, as any shape has of which not every hit lies in the box of a slice (lemma 6).
     fn demi_axe(&self) -> Vecteur<R> {
         Vecteur::NUL
     }
@@ -52,12 +34,15 @@ pub(crate) trait Forme<R: Nombre>: Copy {
 
     /// The distance at which the ray enters, +∞ if it does not, and whether its source is in the
     /// shape or on its surface; computed without a branch.
-    fn t_et_dedans(&self, rayon: &Rayon<R>) -> (R, bool);
+    ///
+    /// The distance is above 0 with D·N < 0, or +∞, and never a NaN. On a bounded shape the point at
+    /// that distance lies in the grown box of lemma 6, on which culling rests.
+    fn t_et_contient(&self, rayon: &Rayon<R>) -> (R, bool);
 
     /// The distance at which the ray enters, +∞ if it does not.
     #[inline(always)]
     fn t(&self, rayon: &Rayon<R>) -> R {
-        self.t_et_dedans(rayon).0
+        self.t_et_contient(rayon).0
     }
 
     /// [`t`](Self::t), or 0 if the ray touches the shape at once.
@@ -67,27 +52,30 @@ pub(crate) trait Forme<R: Nombre>: Copy {
         if rayon.flou.d_emblee() == R::ZERO {
             return self.t(rayon);
         }
-        let (t, dedans) = self.t_et_dedans(rayon);
-        if dedans { self.t_de_dedans(*rayon) } else { t }
+        let (t, contient) = self.t_et_contient(rayon);
+        if contient { self.t_de_l_interieur(*rayon) } else { t }
     }
 
-    /// 0 if the ray, which starts inside, touches at once, else +∞.
+    /// 0 if the ray, whose source the shape contains, touches at once, else +∞.
     #[cold]
-    fn t_de_dedans(&self, rayon: Rayon<R>) -> R {
+    fn t_de_l_interieur(&self, rayon: Rayon<R>) -> R {
         if self.des_le_depart(&rayon) { R::ZERO } else { R::INFINI }
     }
 
     /// Whether a few operations tell that the ray goes away, so that [`t_touche`](Self::t_touche) is
-    /// +∞: as they do of a ray that leaves this shape outward.
+    /// +∞: as they do of a ray that leaves this shape outward. It is never true otherwise, since
+    /// such a ray does not ask this object.
     fn s_eloigne(&self, rayon: &Rayon<R>) -> bool;
 
     /// Whether the ray starts in this shape by no more than its δ, which is above 0, and the
-    /// rounding of the shape, and goes in: then it touches the shape at once (lemma 22). Computed
-    /// without a branch.
+    /// rounding of the shape, and goes in: then it touches the shape at once (lemma 22). A sphere
+    /// may hold it twice as deep, where `avec_flou` gave δ. Computed without a branch.
     fn des_le_depart(&self, rayon: &Rayon<R>) -> bool;
 
     /// The distance at which the ray leaves, from inside or after it entered, +∞ if it never does;
-    /// computed without a branch.
+    /// computed without a branch. It is, with the other sign, the distance at which the ray turned
+    /// back enters. In the band rounding may put it before the entry, and `ObjetRay::sortie` mends
+    /// that.
     fn t_sortie(&self, rayon: &Rayon<R>) -> R;
 
     /// Whether a ray that is in the shape, and has no way out, stays in it for ever or farther than
@@ -96,15 +84,17 @@ pub(crate) trait Forme<R: Nombre>: Copy {
         false
     }
 
-    /// Whether a point is in the shape or on its surface: then no ray from it enters.
+    /// Whether a point is in the shape or on its surface: then no ray from it enters. It decides by
+    /// the sums of [`t_et_contient`](Self::t_et_contient), so that no rounding tells the two apart,
+    /// and is false of a NaN.
     #[inline(always)]
     fn contient(&self, point: Vecteur<R>) -> bool {
-        self.t_et_dedans(&Rayon::sans_fin(point, Vecteur::Z)).1
+        self.t_et_contient(&Rayon::sans_fin(point, Vecteur::Z)).1
     }
 
     /// The unit outward normal N of the entry at distance `t`, and how far along N the surface lies
-    /// there from the centre of the ball; computed without a branch. Where rounding has lost N or
-    /// brought N·D to 0 or above, [`vers_la_source`] replaces it.
+    /// there from the centre of the ball; computed without a branch. N is unit to rounding, or 0.
+    /// Where rounding has lost N or brought N·D to 0 or above, [`vers_la_source`] replaces it.
     fn plan_tangent(&self, rayon: &Rayon<R>, t: R) -> (Vecteur<R>, R);
 
     /// What [`plan_tangent`](Self::plan_tangent) says for a shape that the ray touches at once.

@@ -1,6 +1,6 @@
 //! The plane, which is a solid half-space (handout §2.2, §3 and annex A.1).
 
-use crate::algebre::refus::{self, coefficient, coordonnee, deplacement, point, unitaire};
+use crate::algebre::refus::{self, coefficient, coordonnee, deplacement, position, unitaire};
 use crate::objet::forme::{Boule, Forme};
 use crate::{ErreurGeo, Nombre, Rayon, Rotation, Texture, Vecteur};
 
@@ -113,7 +113,7 @@ impl<R: Nombre> PlanGeo<R> {
         normale: Vecteur<R>,
         texture: Texture,
     ) -> Result<Self, ErreurGeo> {
-        let p = point(["point.x", "point.y", "point.z"], p)?;
+        let p = position(["point.x", "point.y", "point.z"], p)?;
         let champs = ["normale", "normale.x", "normale.y", "normale.z"];
         let rotation = Rotation::de_z_vers(unitaire(champs, normale.vers_f64())?);
         Self::new(rotation, -rotation.axes()[2].produit_scalaire(p), texture)
@@ -251,7 +251,7 @@ impl<R: Nombre> Forme<R> for PlanRay<R> {
 
     /// t = (−d − N·S)/(N·D).
     #[inline(always)]
-    fn t_et_dedans(&self, rayon: &Rayon<R>) -> (R, bool) {
+    fn t_et_contient(&self, rayon: &Rayon<R>) -> (R, bool) {
         let (hauteur, descente) = self.hauteur_et_descente(rayon);
         let touche = (descente > R::ZERO) & (hauteur > R::ZERO); // H2: it descends from outside
         let t = if touche { hauteur / descente } else { R::INFINI }; // H3: height over descent

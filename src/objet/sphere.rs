@@ -1,8 +1,11 @@
 //! The sphere (handout §2.2, §3 and annex A.2).
 
+use crate::algebre::arrondis::{
+    ARRONDI_PERDU, FLOU_PROPRE, LONGUEUR, PAR_RAYON, PUISSANCE_PERDUE, TRAVERS_PERDU,
+};
 use crate::algebre::nombre::{fois_u, max};
-use crate::algebre::refus::{self, coefficient, deplacement, point, taille};
-use crate::objet::forme::{Boule, FLOU_PROPRE, Forme, Hauteur};
+use crate::algebre::refus::{self, coefficient, deplacement, position, taille};
+use crate::objet::forme::{Boule, Forme, Hauteur};
 use crate::{ErreurGeo, Nombre, Rayon, Rotation, Texture, Vecteur};
 
 /// The description of a sphere: its centre and its radius (handout §2.2).
@@ -58,7 +61,7 @@ impl<R: Nombre> SphereGeo<R> {
     /// (`f64`) or 2⁻⁶⁰ … 2⁶⁰ (`f32`).
     pub fn new(centre: Vecteur<R>, rayon: R, texture: Texture) -> Result<Self, ErreurGeo> {
         Ok(Self {
-            centre: point(["centre.x", "centre.y", "centre.z"], centre)?,
+            centre: position(["centre.x", "centre.y", "centre.z"], centre)?,
             rayon: taille("rayon", rayon)?,
             texture,
         })
@@ -184,22 +187,6 @@ impl<R: Nombre> SphereRay<R> {
     }
 }
 
-/// A height is at most this times the difference of squares, over r (lemmas 8 and 9).
-pub const PAR_RAYON: f64 = 0.6;
-
-/// The length ℓ of a sphere, in r (lemmas 8 and 9).
-pub const LONGUEUR: f64 = 1.3;
-
-/// The limit of |CP² − r²|, in r². A sphere is lost in rounding beyond this limit, or either of the
-/// next two (lemma 8).
-pub const PUISSANCE_PERDUE: f64 = 0.4;
-
-/// The limit of the square of the part of CP across N, in r².
-pub const TRAVERS_PERDU: f64 = 0.0625;
-
-/// The limit of the rounding of P, in r.
-pub const ARRONDI_PERDU: f64 = 0.0625;
-
 impl<R: Nombre> Forme<R> for SphereRay<R> {
     #[inline(always)]
     fn boule(&self) -> Boule<R> {
@@ -218,7 +205,7 @@ impl<R: Nombre> Forme<R> for SphereRay<R> {
     /// rounding. SA − AB is written as power/(SA + AB), which subtracts nothing; and B is never
     /// past A, even where the ray grazes so closely that AB is all rounding.
     #[inline(always)]
-    fn t_et_dedans(&self, rayon: &Rayon<R>) -> (R, bool) {
+    fn t_et_contient(&self, rayon: &Rayon<R>) -> (R, bool) {
         let Termes { sa, puissance, ab2, d2 } = self.termes(rayon);
         let sa_ab = sa + ab2.racine(); // S6: (SA − AB)(SA + AB) is the power
         let avant_a = puissance * d2 < sa * sa_ab;
@@ -250,12 +237,12 @@ impl<R: Nombre> Forme<R> for SphereRay<R> {
     #[inline(always)]
     fn t_sortie(&self, rayon: &Rayon<R>) -> R {
         let Termes { sa, puissance, ab2, d2 } = self.termes(rayon);
-        let (dedans, devant) = (puissance < R::ZERO, sa > R::ZERO);
+        let (interieur, devant) = (puissance < R::ZERO, sa > R::ZERO);
         // W1: from inside AB² is no less than −power·D².
         let ab = max(ab2, -puissance * d2).racine();
         // W2: no sum cancels.
         let (haut, bas) = if devant { (sa + ab, d2) } else { (puissance, sa - ab) };
-        if dedans | (devant & (ab2 > R::ZERO)) { haut / bas } else { R::INFINI }
+        if interieur | (devant & (ab2 > R::ZERO)) { haut / bas } else { R::INFINI }
     }
 
     /// CB/|CB|, or 0 where CB is lost.

@@ -10,9 +10,9 @@ pub(crate) mod point;
 
 use core::slice::from_ref;
 
+use crate::algebre::arrondis::ERREUR_ARRONDIE;
 use crate::algebre::double::{Double, scalaire, triple};
 use crate::algebre::nombre::{est_double, fois_u};
-use crate::question::choix::Prises;
 use crate::question::jugement::certificat::Certificat;
 use crate::question::jugement::juge::{Lieux, coup_d_oeil, juger};
 use crate::question::liste::Liste;
@@ -22,10 +22,6 @@ use crate::{Intersection, Nombre, ObjetRay, Rayon};
 /// [`ObjetRay::erreur`] trusts a glance that leaves no more than this part of u·t open: doubled
 /// numbers would give about the same bound.
 const NET: f64 = 1.0 / 64.0;
-
-/// How much the bound of [`ObjetRay::erreur`] grows for its last operations, in u of itself (lemma
-/// 17).
-pub const ERREUR_ARRONDIE: f64 = 16.1;
 
 impl<R: Nombre> ObjetRay<R> {
     /// A bound on the error of [`touche.distance()`](Intersection::distance), in scene units: the
@@ -116,7 +112,7 @@ impl<R: Nombre> ObjetRay<R> {
     #[doc(alias("is_certain", "is_robust"))]
     #[must_use]
     pub fn est_certain(&self, rayon: &Rayon<R>) -> bool {
-        let liste = Liste { objets: from_ref(self), prises: Prises::Toutes };
+        let liste = Liste::entiere(from_ref(self));
         Certificat::new(&liste, rayon, &self.intersection(rayon))
             .is_some_and(|mut certificat| certificat.voir(rayon, self, 0, Abord::Inconnu).is_none())
     }

@@ -1,18 +1,9 @@
 //! What a ray knows of its source.
 
+use crate::algebre::arrondis::{FLOU_DISTANCE, FLOU_POINT, FLOU_RELATIF};
 use crate::algebre::nombre::{fois_u, max, simple};
 use crate::algebre::refus::positif_ou_nul;
 use crate::{ErreurGeo, Nombre, Vecteur};
-
-/// How much deeper than δ a hit may lie in another object, in u of the distance (lemma 22).
-pub const FLOU_DISTANCE: f64 = 15.0;
-
-/// How much deeper than that a hit may lie, in u of ‖P‖₁ (lemma 22).
-pub const FLOU_POINT: f64 = 8.1;
-
-/// How much larger δ is made, in u of itself: for its own roundings, those where it is compared,
-/// and a step along an N that is not exactly unit (lemma 22).
-pub const FLOU_RELATIF: f64 = 14.0;
 
 /// δ, which bounds how deep the source may lie in any object by rounding, and whether the ray
 /// starts inside something on purpose. One number holds both: δ is its magnitude, and the sign bit

@@ -52,7 +52,7 @@ pub type Reponse<R = f64> = Result<Intersection<R>, NoIntersection>;
 const _: () = assert!(size_of::<Reponse<f64>>() == 80 && size_of::<Reponse<f32>>() == 44);
 
 /// The number of an object in a list, counted from 1. A list holds at most 2³² − 1 objects, which
-/// [`exiger_des_rangs`] sees to.
+/// `question/liste.rs` sees to.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Rang(NonZero<u32>);
 
@@ -61,12 +61,6 @@ impl fmt::Debug for Rang {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.indice().fmt(f)
     }
-}
-
-/// Refuses a list with more objects than there are ranks.
-#[inline(always)]
-pub(crate) fn exiger_des_rangs(objets: usize) {
-    assert!(objets as u64 <= u32::MAX.into(), "a list has at most 4294967295 objects");
 }
 
 impl Rang {

@@ -1,36 +1,14 @@
 //! The rays that start from a hit: mirrors, glass, shadows, lines of sight (handout, later parts).
 
+use crate::algebre::arrondis::{
+    PAS_ARRONDI, PAS_D_EMBLEE, PAS_D_EMBLEE_POINT, PAS_NORMAL, RAPPORT_MAXIMAL, REDRESSE, TANGENT,
+};
 use crate::algebre::nombre::{fois_u, plancher};
-use crate::algebre::refus::{en_portee, exiger, fini, point, positif_ou_nul, refus_nul};
+use crate::algebre::refus::{en_portee, exiger, fini, positif_ou_nul, position, refus_nul};
 use crate::rayon::flou::Flou;
 use crate::rayon::lumiere::vue_d_une_lampe;
 use crate::rayon::{DIRECTION, direction_unitaire};
 use crate::{ErreurGeo, Intersection, Nombre, Rayon, Vecteur};
-
-/// A direction is turned outward if it lies within this of the tangent plane, in u: no N·D rounds
-/// by more (lemma 9).
-pub const TANGENT: f64 = 3.2;
-
-/// How far such a direction is turned, in u: N·D is then above 0, however it is rounded (lemma 9).
-pub const REDRESSE: f64 = 12.0;
-
-/// How much a margin grows for an N that is not exactly unit, in u of itself (lemma 9).
-pub const PAS_NORMAL: f64 = 20.0;
-
-/// The rounding of the moved point, in units of u·⟨N, P⟩ (lemma 9).
-pub const PAS_ARRONDI: f64 = 1.1;
-
-/// How much longer the outward step from a hit at once is, in δ. A shorter one keeps a chain in a
-/// seam of mirrors for longer; a longer one makes δ grow faster. No proof needs it.
-pub const PAS_D_EMBLEE: f64 = 1.0 / 64.0;
-
-/// How much longer than that it is, in u·‖P‖₁: about as far as flush faces lie apart as they are
-/// stored. No proof needs it.
-pub const PAS_D_EMBLEE_POINT: f64 = 8.0;
-
-/// The largest ratio of two indices of refraction. With one ten times as large rounding may turn
-/// light that leaves an object in `f32` back into it (lemma 9).
-pub const RAPPORT_MAXIMAL: f64 = 100.0;
 
 /// A ray that turns in mid-air.
 impl<R: Nombre> Rayon<R> {
@@ -332,10 +310,10 @@ impl<R: Nombre> Intersection<R> {
         &self,
         vue_de: impl Fn(Vecteur<R>) -> (R, Vecteur<R>),
     ) -> (Rayon<R>, R, bool) {
-        let (depart, droit) = self.depart_et_droit(Cote::Dehors); // L1: past all rounding
+        let (depart, permis) = self.depart_et_permis(Cote::Dehors); // L1: past all rounding
         let (fin, direction) = vue_de(depart.source);
         let cosinus = direction.produit_scalaire(self.normale());
-        (Rayon { direction, fin, ..depart }, cosinus, droit & fait_face(cosinus))
+        (Rayon { direction, fin, ..depart }, cosinus, permis & fait_face(cosinus))
     }
 
     /// The ray from this hit to another, which ends there. Whether two points of surfaces see each
@@ -404,7 +382,7 @@ impl<R: Nombre> Intersection<R> {
     /// The ray along the normal from the point of the hit, moved along the normal to this side,
     /// past all rounding; and whether a ray may start there.
     #[inline(always)]
-    fn depart_et_droit(&self, cote: Cote) -> (Rayon<R>, bool) {
+    fn depart_et_permis(&self, cote: Cote) -> (Rayon<R>, bool) {
         let (p, n, pas) = (self.point(), self.normale(), self.pas(cote));
         let flou = Flou::de(self.delta).suivant(pas, self.distance(), p);
         let (pas, flou) = match cote {
@@ -412,14 +390,14 @@ impl<R: Nombre> Intersection<R> {
             Cote::Dedans => (-pas, flou.dedans()),
         };
         let source = p + n * pas;
-        let droit = (self.marge() < R::INFINI) & en_portee(source);
-        (Rayon::sans_fin(source, n).sachant(flou), droit)
+        let permis = (self.marge() < R::INFINI) & en_portee(source);
+        (Rayon::sans_fin(source, n).sachant(flou), permis)
     }
 
-    /// That ray, or why none may start there.
+    /// The ray of [`depart_et_permis`](Self::depart_et_permis), or why none may start there.
     #[inline(always)]
     fn depart(&self, cote: Cote) -> Result<Rayon<R>, ErreurGeo> {
-        let (depart, _) = self.depart_et_droit(cote);
+        let (depart, _) = self.depart_et_permis(cote);
         exiger_un_depart(self.marge(), depart.source)?;
         Ok(depart)
     }
@@ -451,7 +429,7 @@ impl<R: Nombre> Intersection<R> {
 fn exiger_un_depart<R: Nombre>(marge: R, source: Vecteur<R>) -> Result<(), ErreurGeo> {
     let attendu = "finite: a sphere lost in rounding, or a point out of range, has no side";
     exiger(marge < R::INFINI, "marge", marge, attendu)?;
-    point(["source.x", "source.y", "source.z"], source).map(|_| ())
+    position(["source.x", "source.y", "source.z"], source).map(|_| ())
 }
 
 /// What N·L must be.

@@ -58,9 +58,45 @@ fn etendue(nombres: &[f64]) -> String {
     if moindre == plus_grand { moindre } else { format!("{moindre} to {plus_grand}") }
 }
 
+fn lire(page: &str) -> String {
+    fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(page)).unwrap()
+}
+
 fn page() -> String {
-    let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/vitesse.md");
-    fs::read_to_string(page).unwrap()
+    lire("docs/vitesse.md")
+}
+
+/// The text in one line.
+fn mots(page: &str) -> String {
+    page.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+/// The cells of the rows of this table, which a program wrote, without what stands in brackets.
+fn table(page: &str, nom: &str) -> Vec<Vec<String>> {
+    let (_, suite) = page.split_once(&format!("<!-- begin {nom} -->")).expect(nom);
+    let (table, _) = suite.split_once("<!-- end").unwrap();
+    let lignes = table.lines().filter(|ligne| ligne.starts_with("| ")).skip(1);
+    let case = |case: &str| case.split(" (").next().unwrap().trim().to_owned();
+    lignes.map(|ligne| ligne.trim_matches('|').split('|').map(case).collect()).collect()
+}
+
+/// What README says of speed and accuracy is what `docs/vitesse.md` says, and its picture is that of the file.
+#[test]
+fn les_temps_de_l_entree_sont_ceux_des_mesures() {
+    let (entree, mesures) = (lire("README.md"), table(&page(), "variants"));
+    let extrait = table(&entree, "variants");
+    assert_eq!(extrait.len(), 4);
+    let mesures = mesures.iter().map(|ligne| [0, 1, 2, 4, 5].map(|i| ligne[i].clone()));
+    let mesures: Vec<_> = mesures.collect();
+    for ligne in &extrait {
+        assert!(mesures.iter().any(|autre| autre == &**ligne), "{ligne:?} is none of {mesures:#?}");
+    }
+    let image = Mesures::lire("image");
+    let [nous, parry] = ["ours f32", "parry f32"]
+        .map(|qui| image.nombres("who", &[qui], &["all_ns"])[0])
+        .map(|ns| format!("{ns:.0} ns"));
+    let phrase = format!("takes {nous} a pixel in `f32`, and {parry} with parry");
+    assert!(mots(&entree).contains(&phrase), "README has not: {phrase}");
 }
 
 #[test]
@@ -114,17 +150,30 @@ fn les_rapports_des_facons_sont_ceux_des_fichiers() {
     let sur = |a: Vec<f64>, b: Vec<f64>| -> Vec<f64> {
         a.into_iter().zip(b).map(|(a, b)| a / b).collect()
     };
-    let plus_etroits = ["f32", "f64"].map(|r| sur(tuiles("AVX2", r), tuiles("AVX-512", r)));
     let doubles =
         ["AVX-512", "AVX2", "SSE2"].map(|jeu| sur(tuiles(jeu, "f64"), tuiles(jeu, "f32")));
     let doubles = etendue(&doubles.concat());
     assert!(page.contains(&format!("`f64` / `f32` is [{doubles}]")), "the page has not: {doubles}");
+    let certificats = Mesures::lire("certificats");
+    let moyennes = etendue(&certificats.nombres("scalar", &["f"], &["geometric_mean"]));
+    let pires = certificats.nombres("scalar", &["f"], &["highest"]);
+    let pire = rapport(pires.into_iter().fold(0.0, f64::max));
+    let lien = "(../benches/mesures/certificats.csv)";
+    let phrase = format!(
+        "takes [{moyennes}]{lien} times as long as its ray, on top of the ray, in the mean over the families of \
+         scenes, and {pire} times in the dearest"
+    );
+    assert!(mots(&page).contains(&phrase), "the page has not: {phrase}");
     let falaises = Mesures::lire("falaises");
     let pire = |appel| rapport(falaises.nombres("call", &[appel], &["largest"])[0]);
+    let phrase = format!("none takes more than {} times as long", pire("4096"));
+    assert!(mots(&lire("CHANGELOG.md")).contains(&phrase), "CHANGELOG has not: {phrase}");
     for ligne in [
-        format!(", calls of 4,096 | at most {} |", pire("4096")),
-        format!(", calls of 64 | at most {} |", pire("64")),
-        format!("with AVX2 / with AVX-512 | tiles | {} |", etendue(&plus_etroits.concat())),
+        format!(
+            "| in calls of 4,096 / one by one | scenes drawn at random | at most {} |",
+            pire("4096")
+        ),
+        format!("| in calls of 64 / one by one | | at most {} |", pire("64")),
         format!(
             "in each 64 / without | tiles | {} |",
             etendue(&tas.nombres("case", &["1 of 64"], &["f32", "f64"]))
@@ -134,14 +183,9 @@ fn les_rapports_des_facons_sont_ceux_des_fichiers() {
             etendue(&tas.nombres("case", &["single"], &["f32", "f64"]))
         ),
         format!("| one by one / in calls of 64 | rays of all kinds | {} |", appel("64")),
-        format!("| one by one / in calls of 16 | | {} |", appel("16")),
         format!(
             "such as poles | {} |",
             etendue(&morceaux.nombres("way", &["single", "batch"], &["1000", "10000"]))
-        ),
-        format!(
-            "192 of them | {} |",
-            etendue(&morceaux.nombres("way", &["single", "batch"], &["48", "192"]))
         ),
         format!(
             "| a city | {} |",

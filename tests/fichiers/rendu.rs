@@ -6,13 +6,12 @@
 mod programme;
 
 use commun::en_f32_et_f64;
-use lancer_rayon::Reel;
-use serde::de::DeserializeOwned;
+use exemples::scene::Lisible;
 
 use self::programme::{Bande, ENSEMBLE, octets};
 
 /// 400 rows are no multiple of 7. Every other band is made ray by ray.
-fn des_bandes_bout_a_bout_sont_l_image<R: Reel + DeserializeOwned>() {
+fn des_bandes_bout_a_bout_sont_l_image<R: Lisible>() {
     for scene in ["docs/scenes/atelier.ron", "docs/scenes/flocon.ron"] {
         let image = octets::<R>(scene, 1, ENSEMBLE, Bande { numero: 1, nombre: 1 }).unwrap().octets;
         assert_eq!(image.len(), 3 * 600 * 400);

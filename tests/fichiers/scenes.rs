@@ -3,11 +3,10 @@
 use std::path::{Path, PathBuf};
 
 use commun::en_f32_et_f64;
-use exemples::scene::Scene;
+use exemples::scene::{Lisible, Scene};
 use lancer_rayon::{
     ObjetGeo, ObjetRay, Rayon, Reel, Reponse, SphereGeo, Texture, Vecteur, premiere_intersection,
 };
-use serde::de::DeserializeOwned;
 
 fn fichiers() -> Vec<PathBuf> {
     let entrees = std::fs::read_dir("docs/scenes").unwrap().map(|entree| entree.unwrap().path());
@@ -76,7 +75,7 @@ fn avec_camera(camera: &str) -> String {
     format!("(\n  camera: ({camera}),\n  objets: [],\n)")
 }
 
-fn refuse<R: Reel + DeserializeOwned>(texte: &str, attendu: &str) {
+fn refuse<R: Lisible>(texte: &str, attendu: &str) {
     let erreur = Scene::<R>::depuis_texte(Path::new("x.ron"), texte).unwrap_err().to_string();
     let attendu = format!("x.ron:{attendu}");
     assert!(erreur.starts_with(&attendu), "{erreur}\ninstead of {attendu}\nfor {texte}");
@@ -174,13 +173,13 @@ fn un_fichier_absent_est_nomme() {
     assert!(erreur.starts_with("docs/scenes/absente.ron: "), "{erreur}");
 }
 
-fn lue<R: Reel + DeserializeOwned>(texte: &str) -> Scene<R> {
+fn lue<R: Lisible>(texte: &str) -> Scene<R> {
     Scene::depuis_texte(Path::new("x.ron"), texte).unwrap()
 }
 
 /// Angles are in degrees, and 90, 180, 270 and 360 must become exactly the floats by which `Rotation::new` turns
 /// exactly.
-fn les_quarts_de_tour_sont_exacts<R: Reel + DeserializeOwned>() {
+fn les_quarts_de_tour_sont_exacts<R: Lisible>() {
     for degres in [-360, -270, -180, -90, 0, 90, 180, 270, 360] {
         for r in [[degres, 0, 0], [0, degres, 0], [0, 0, degres]] {
             let [x, y, z] = r;

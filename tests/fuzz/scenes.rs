@@ -12,7 +12,7 @@ use commun::Bits;
 use commun::chemins::{Pas, Suite, suivre};
 use commun::choisis::{Choisis, choisir};
 use commun::passages::exiger_les_passages;
-use exemples::scene::Scene;
+use exemples::scene::{Lisible, Scene};
 use lancer_rayon::{Monde, ObjetGeo, Rayon, Vecteur, places};
 use libfuzzer_sys::fuzz_target;
 use serde::Serialize;
@@ -30,7 +30,7 @@ fn pas<R: Bits>(v: Vecteur<R>) -> [Pas<R>; 5] {
     suites.map(|suite| Pas { suite, vers: v, vise: false, distance: R::UN })
 }
 
-fn lire<R: Bits + Serialize + DeserializeOwned>(texte: &str) {
+fn lire<R: Bits + Serialize + DeserializeOwned + Lisible>(texte: &str) {
     let scene = match Scene::<R>::depuis_texte(Path::new("scene.ron"), texte) {
         Ok(scene) => scene,
         Err(erreur) => return assert!(!erreur.to_string().is_empty()),

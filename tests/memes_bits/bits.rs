@@ -10,14 +10,13 @@ use commun::conversion::mots;
 use commun::fabrique::avec_arbre;
 use commun::facons::comparer;
 use commun::{Bits, arrondi, empreinte};
-use exemples::scene::Scene;
+use exemples::scene::{Lisible, Scene};
 use fastrand::Rng;
 use lancer_rayon::pour_les_tests::Reglage;
 use lancer_rayon::{
     BoiteGeo, Monde, NoIntersection, ObjetRay, PlanGeo, Rayon, Reponse, Rotation, SphereGeo,
     Texture, Vecteur, premiere_intersection,
 };
-use serde::de::DeserializeOwned;
 
 fn empreinte_de<R: Bits>(touches: &[Reponse<R>]) -> u64 {
     // The point is left out, since the distance and the ray determine it.
@@ -42,7 +41,7 @@ fn exiger<R: Bits>(
     }
 }
 
-fn memes_bits<R: Bits + DeserializeOwned>(nom: &str, attendue: u64) {
+fn memes_bits<R: Bits + Lisible>(nom: &str, attendue: u64) {
     let scene: Scene<R> = Scene::lire(Path::new(&format!("docs/scenes/{nom}.ron"))).unwrap();
     let objets: Vec<_> = scene.objets.into_iter().map(ObjetRay::from).collect();
     let rayons: Vec<Rayon<R>> = scene.camera.rayons().unwrap();

@@ -6,14 +6,14 @@ use banc::concurrents::{Camp, Concurrent, Reponse, cachee, permises};
 use banc::familles::{AVANCE, Genre};
 use banc::nous;
 use commun::conversion::Bits;
+use exemples::scene::Lisible;
 use lancer_rayon::{Intersection, Monde, ObjetRay, PlacesInsuffisantes, Rayon, Reel, places};
-use serde::de::DeserializeOwned;
 
 use crate::annexe::Annexe;
 use crate::rival::{Parry, Rival};
 
 /// A scalar, with what exists for it alone.
-pub(crate) trait Scalaire: Parry + Bits + DeserializeOwned {
+pub(crate) trait Scalaire: Parry + Bits + Lisible {
     const NOM: &'static str;
 
     /// Embree computes in `f32`.

@@ -72,25 +72,36 @@ struct Mesuree {
 
 pub(crate) fn documenter() -> Result<(), Box<dyn Error>> {
     let [simples, doubles] = [mesures::<f32>()?, mesures::<f64>()?];
-    let table = table(&simples.variantes, &doubles.variantes);
-    page::remplacer(crate::VITESSE, "variants", &page::datee(&table))?;
+    let (table, extrait) = tables(&simples.variantes, &doubles.variantes);
+    page::remplacer(crate::VITESSE, crate::VARIANTES, &page::datee(&table))?;
+    page::remplacer(crate::README, crate::VARIANTES, &page::datee(&extrait))?;
     page::csv("facons", &facons(&simples.temps, &doubles.temps))?;
     graphique(&[simples.variantes, doubles.variantes].concat())
 }
 
-/// Time and errors of every variant, in `f32` and in `f64`.
-fn table(simples: &[Variante], doubles: &[Variante]) -> String {
-    let mut lignes = vec![
+/// Time and errors of every variant, in `f32` and in `f64`; and of all but the list what README has of them.
+fn tables(simples: &[Variante], doubles: &[Variante]) -> (String, String) {
+    let mut table = vec![
         "| | f32: ms | error (largest) | wrong | f64: ms | error (largest) | wrong |".to_owned(),
         format!("|---|{}", "--:|".repeat(6)),
+    ];
+    let mut extrait = vec![
+        "| | f32: ms | error | f64: ms | error |".to_owned(),
+        format!("|---|{}", "--:|".repeat(4)),
     ];
     let cases = |Variante { ns, erreurs, fausses, .. }: &Variante| {
         format!("{} | {} | {fausses:.0}", millisecondes(*ns), erreurs.texte())
     };
+    let peu = |Variante { ns, erreurs, .. }: &Variante| {
+        format!("{} | {:.0e}", millisecondes(*ns), erreurs.presque)
+    };
     for (simple, double) in simples.iter().zip(doubles) {
-        lignes.push(format!("| {} | {} | {} |", simple.nom, cases(simple), cases(double)));
+        table.push(format!("| {} | {} | {} |", simple.nom, cases(simple), cases(double)));
+        if simple.nom != "list" {
+            extrait.push(format!("| {} | {} | {} |", simple.nom, peu(simple), peu(double)));
+        }
     }
-    lignes.join("\n")
+    (table.join("\n"), extrait.join("\n"))
 }
 
 /// Every way to ask for the picture, in nanoseconds a ray.

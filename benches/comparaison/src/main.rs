@@ -38,22 +38,22 @@ mod double {
     mod parry;
 }
 
-/// The page with the tables of the cells, and others.
+/// The page with the tables of the cells, and others; and the first page.
 const VITESSE: &str = "docs/vitesse.md";
+const README: &str = "README.md";
 
 /// The parts that are written into pages beside the tables of the cells.
-const AUTRES: [(&str, &str); 6] = [
-    ("README.md", IMAGE),
+const AUTRES: [(&str, &str); 5] = [
+    (README, VARIANTES),
     (VITESSE, IMAGE),
-    (VITESSE, GESTES),
-    (VITESSE, "variants"),
+    (VITESSE, VARIANTES),
     ("benches/erreurs.md", "errors"),
     ("benches/erreurs.md", "bounds"),
 ];
 
-/// The tables of a whole picture and of single calls.
+/// The table of a whole picture, and that of speed against accuracy.
 const IMAGE: &str = "picture";
-const GESTES: &str = "calls";
+const VARIANTES: &str = "variants";
 
 fn main() -> Result<(), Box<dyn Error>> {
     let ecrire = match std::env::args().nth(1).as_deref() {
@@ -118,12 +118,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Writes the tables of a whole picture and of single calls.
+/// Writes the table of a whole picture, and the files of that and of single calls.
 fn documenter(image: &[String], gestes: &[String]) -> Result<(), Box<dyn Error>> {
-    for page in ["README.md", VITESSE] {
-        page::remplacer(page, IMAGE, &page::datee(&image::tableau(image)))?;
-    }
-    page::remplacer(VITESSE, GESTES, &page::datee(&gestes::tableau(gestes)))?;
+    page::remplacer(VITESSE, IMAGE, &page::datee(&image::tableau(image)))?;
     page::csv("image", image)?;
     page::csv("gestes", gestes)?;
     Ok(())

@@ -2,6 +2,7 @@
 
 use core::fmt;
 
+use crate::algebre::arrondis::BORD;
 use crate::algebre::nombre::{fois_u, max, min};
 use crate::{BoiteRay, ErreurGeo, Intersection, Nombre, Rayon, Vecteur};
 
@@ -69,6 +70,19 @@ impl Face {
             Self::MoinsZ => [-p.x, p.y],
         }
     }
+
+    /// The point at this place of the face, without the coordinate across it: the way back from
+    /// [`le_long`](Self::le_long).
+    fn place<R: Nombre>(self, [u, v]: [R; 2]) -> [R; 3] {
+        match self {
+            Self::PlusX => [R::ZERO, v, -u],
+            Self::PlusY => [u, R::ZERO, -v],
+            Self::PlusZ => [u, v, R::ZERO],
+            Self::MoinsX => [R::ZERO, v, u],
+            Self::MoinsY => [u, R::ZERO, v],
+            Self::MoinsZ => [-u, v, R::ZERO],
+        }
+    }
 }
 
 impl fmt::Display for Face {
@@ -77,9 +91,6 @@ impl fmt::Display for Face {
         f.pad(["+x", "+y", "+z", "-x", "-y", "-z"][*self as usize])
     }
 }
-
-/// How far from an edge a place stays, in u of ‖C‖₁ and Σl_i (lemma 10).
-pub const BORD: f64 = 40.0;
 
 impl<R: Nombre> BoiteRay<R> {
     /// Where a hit on this box lies: the face, and the point in the box's own axes, from −1 to 1
@@ -163,18 +174,9 @@ impl<R: Nombre> BoiteRay<R> {
     /// ```
     #[doc(alias("from_uv", "sample", "sensor", "patch", "area_light"))]
     pub fn vers_lieu(&self, face: Face, uv: [R; 2]) -> Result<Rayon<R>, ErreurGeo> {
-        let [u, v] = uv;
-        let p = match face {
-            Face::PlusX => [R::ZERO, v, -u],
-            Face::PlusY => [u, R::ZERO, -v],
-            Face::PlusZ => [u, v, R::ZERO],
-            Face::MoinsX => [R::ZERO, v, u],
-            Face::MoinsY => [u, R::ZERO, v],
-            Face::MoinsZ => [-u, v, R::ZERO],
-        };
         let [a, b, c] = self.demi_longueurs();
         let bord = (self.centre().norme_1() + a + b + c) * fois_u(BORD);
-        let du_milieu = self.paires().into_iter().zip(p).map(|((n, l), p)| {
+        let du_milieu = self.paires().into_iter().zip(face.place(uv)).map(|((n, l), p)| {
             let limite = max(R::UN - bord / l, R::ZERO);
             n * (l * max(min(p, limite), -limite))
         });

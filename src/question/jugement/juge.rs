@@ -36,14 +36,11 @@
 //!     1+2u, rounded to the scene's type, at least η.  est_certain is certifie of a list of one
 //! ```
 
+use crate::algebre::arrondis::ECART_ARRONDI;
 use crate::algebre::double::{Intervalle, Triple};
 use crate::algebre::nombre::{max, min};
 use crate::question::jugement::point::{Apercu, Point};
 use crate::{Nombre, ObjetRay, Rayon, SphereRay, Vecteur};
-
-/// How much a bound of `juger` grows, in u of itself: what it is off by, and the growing (lemma
-/// 17).
-pub const ECART_ARRONDI: f64 = 10.6;
 
 /// Where a ray starts, and a point of it, from which the judgement counts.
 #[derive(Clone, Copy)]
@@ -70,7 +67,7 @@ pub fn coup_d_oeil(objet: &ObjetRay, rayon: &Rayon) -> Intervalle {
     apres(0.0, juger_avec::<Apercu>(objet, rayon, Lieux { depart: 0.0, t: 0.0 }).entree)
 }
 
-/// The same at a closer look.
+/// What [`coup_d_oeil`] tells, in doubled numbers.
 pub(crate) fn loupe(objet: &ObjetRay, rayon: &Rayon) -> Intervalle {
     let en = |t: f64| {
         let Passage { entree, sortie } = juger(objet, rayon, Lieux { depart: 0.0, t });
@@ -100,8 +97,8 @@ fn apres(t: f64, Intervalle { bas, haut }: Intervalle) -> Intervalle {
     Intervalle { bas: max(bas, 0.0), haut }
 }
 
-/// The judgement in doubled numbers. The bounds of the entry are those of [`coup_d_oeil`], to 8.6u
-/// of `f64`.
+/// The judgement in doubled numbers. Its bounds mean what those of a glance mean, and are off by
+/// 8.6u of `f64`.
 pub(crate) fn juger(objet: &ObjetRay, rayon: &Rayon, lieux: Lieux) -> Passage {
     juger_avec::<Triple>(objet, rayon, lieux)
 }

@@ -2,20 +2,9 @@
 //! in plain `f64` (`docs/preuves/objets.md`, lemma 18), or closely, in numbers of twice that length
 //! (lemma 16).
 
+use crate::algebre::arrondis::{VUE_LONGUEUR, VUE_POINT, VUE_PUISSANCE, VUE_VITESSE};
 use crate::algebre::double::{Double, Intervalle, Triple, scalaire, triple};
 use crate::{Nombre, Rayon, Vecteur};
-
-/// What the height of a point is off by at a glance, in u of |f| and of t (lemma 18).
-pub const VUE_POINT: f64 = 7.1;
-
-/// What it is off by besides, in u of the distance from the centre to the face (lemma 18).
-pub const VUE_LONGUEUR: f64 = 2.1;
-
-/// What the speed towards a flat face is off by at a glance, in u (lemma 18).
-pub const VUE_VITESSE: f64 = 4.1;
-
-/// What the power of a point as stored is off by at a glance, in u of both squares (lemma 18).
-pub const VUE_PUISSANCE: f64 = 21.1;
 
 /// A point X, seen from the centre C of an object.
 pub(crate) trait Point: Copy {

@@ -7,7 +7,7 @@ use crate::{Nombre, ObjetRay, Rayon};
 /// Time that is spent, about in nanoseconds (`DEVELOPING.md`, "What a block may spend").
 pub(crate) type Prix = f32;
 
-/// The probe of a ray, and what a ray takes before and after.
+/// What a ray takes for its probe, and before and after its walk.
 const SONDE: Prix = 20.0;
 
 /// A node that a ray looks at.
