@@ -8,11 +8,15 @@ use commun::facons::comparer;
 use commun::hasard::{Hasard, Tirage, pour_chaque};
 use commun::oracle::Exact;
 use commun::passages::{flou_du_point, flou_propre, profondeur};
-use commun::regimes::{deux_puissance, direction};
-use commun::tolerances::u;
+use commun::regimes::{deux_puissance, direction, entre};
+use commun::tolerances::{promesses, u};
 use commun::{Bits, arrondi, cas, en_f32_et_f64};
+use lancer_rayon::pour_les_tests::{
+    ARRONDI_HAUTEUR, FLOU_DISTANCE, FLOU_POINT, FLOU_PROPRE, PAS_ARRONDI,
+};
 use lancer_rayon::{
-    Intersection, Monde, NoIntersection, ObjetRay, PlanGeo, Rayon, Reel, Rotation, Texture, Vecteur,
+    Intersection, Monde, NoIntersection, ObjetRay, PlanGeo, Rayon, Reel, Rotation, Texture,
+    Vecteur, premiere_intersection,
 };
 use recettes::milieux::{Derriere, Marche, Matiere};
 
@@ -407,6 +411,41 @@ fn un_rayon_le_long_d_une_face_n_en_sort_pas() {
     assert_eq!(monde.premiere_intersection(&suite).map(|t| t.distance()), Ok(0.0));
 }
 
+/// Rays from far away straight at the seam of two boxes, so that none meets a side within it: how the boxes are turned,
+/// where the rays start, and where they go.
+fn vers_un_joint<R: Reel>(alea: &mut Hasard) -> (Rotation<R>, [f64; 2], Vec<[f64; 2]>) {
+    let tour = Rotation::new(arrondi(direction(alea) * 3.0)).unwrap();
+    let deux = |alea: &mut Hasard| [(); 2].map(|()| entre(alea, -1.0, 1.0));
+    (tour, deux(alea), alea.liste(8, |alea, _| deux(alea)))
+}
+
+/// The δ by which two walls must reach into each other is that of the next ray. A ray from far away has no δ, and
+/// passes between walls that reach in by four times their o: on its way it loses what a ray that started there would
+/// know it had lost.
+fn un_rayon_venu_de_loin_perd_son_chemin<R: Reel>() {
+    let mut passent = 0;
+    pour_chaque(cas(500), vers_un_joint::<R>, |(tour, [haut, cote], cibles)| {
+        let [x, y, z] = tour.axes().map(|axe| axe.vers_f64());
+        let source = arrondi::<R>(z * 1000.0 + y * (100.0 * haut) + x * (1e5 * u::<R>() * cote));
+        let coffre = |c| boite(arrondi(x * c), v(1.0, 1.0, 0.2), tour);
+        let propre = flou_propre(&coffre(0.0));
+        let flou = flou_du_point(R::depuis_f64(1010.0), v(0.5, 0.5, 0.5));
+        for (large, assez) in [(4.0 * propre, false), (2.0 * (flou + propre), true)] {
+            let murs = [0.5 - large / 2.0, large / 2.0 - 0.5].map(coffre);
+            for [haut, cote] in &cibles {
+                let cible = z * 0.1 + y * (0.3 * haut) + x * (large * cote);
+                let rayon = Rayon::new(source, arrondi::<R>(cible) - source).unwrap();
+                let passe = premiere_intersection(&murs, &rayon).is_err();
+                assert!(!(passe && assez), "{rayon:?} passes {murs:?}");
+                passent += u32::from(passe);
+            }
+        }
+    });
+    assert!(passent > cas(20));
+}
+
+en_f32_et_f64!(un_rayon_venu_de_loin_perd_son_chemin);
+
 /// Boxes whose corners are points of a grid and half-spaces through its lines, all flush, with rays towards points and
 /// lines of the grid or beside them.
 fn a_fleur<R: Reel>(alea: &mut Hasard) -> (Vec<ObjetRay<R>>, f64, Vec<Rayon<R>>) {
@@ -491,6 +530,78 @@ fn un_chemin_sait_ou_il_est<R: Bits>() {
 }
 
 en_f32_et_f64!(un_chemin_sait_ou_il_est);
+
+/// What the pages say of a ball that lies on a mirror: light that grazes the mirror runs into the wedge between the
+/// two, where it is mirrored on for as long as one follows it.
+#[test]
+fn sous_une_boule_un_rayon_rebondit_sans_fin() {
+    let objets = [sphere(Vecteur::Y, 1.0), mur(Vecteur::NUL, Vecteur::Y)];
+    let d = v(-0.9109670993830367, -0.004708161605405825, 0.4124521512320597);
+    let mut rayon =
+        Rayon::new(v(1.978686596307599, 0.010226468407299459, -0.8958759803881442), d).unwrap();
+    for _ in 0..1_000 {
+        let touche = Monde::de_liste(&objets).premiere_intersection(&rayon).unwrap();
+        rayon = touche.reflechi(rayon.direction()).unwrap();
+    }
+    assert!(rayon.source().longueur() < 0.1 && rayon.flou() < 1e-10, "{rayon:?}");
+}
+
+/// By how much δ grows at most in one bounce without a hit at once, in a cube of side 10 about O, turned anyhow, with
+/// walls of boxes that are 0.2 thick and reach 0.1 beyond its corners; and o of a wall. By M4, M6, M7 and lemma 6.
+fn par_rebond_dans_dix_metres(u: f64) -> [f64; 2] {
+    // S and P are in the cube; C is 5.1 away, and the wall reaches 5.1 from it.
+    let (t, p, p_1) = (10.0 * 3_f64.sqrt(), 5.0 * 3_f64.sqrt(), 15.0);
+    let (f, cp) = (p + 5.1, (2.0 * 5.1_f64.powi(2) + 0.1_f64.powi(2)).sqrt());
+    let lieu = promesses::LIEU_F * f + promesses::LIEU_T * t + promesses::LIEU_P * p;
+    // M2 rounds by γ_4 of ⟨N, CP⟩, which is at most |CP|; M4 adds 8u of |CP|.
+    let marge = lieu + (4.1 + 2.0 * ARRONDI_HAUTEUR) * cp;
+    let de_plus = marge + PAS_ARRONDI * p + FLOU_DISTANCE * t + FLOU_POINT * p_1;
+    // Terms of second order are less than 60u of each.
+    [de_plus, FLOU_PROPRE * (5.1 + 5.1 + 0.1)].map(|x| x * u * (1.0 + 60.0 * u))
+}
+
+/// What the pages say of a room of 10 m about O in `f32`: δ grows by up to 0.045 mm in a bounce, and o is 0.03 mm.
+fn une_chambre_de_dix_metres_perd_peu_a_chaque_rebond<R: Reel>() {
+    let [par_rebond, propre] = par_rebond_dans_dix_metres(u::<R>());
+    let mut pire = 0.0_f64;
+    let faire = |alea: &mut Hasard| {
+        let tour = Rotation::<R>::new(arrondi(direction(alea) * 3.0)).unwrap();
+        let boites = [Some([0.2, 0.1]), None][alea.tour % 2];
+        let murs: Vec<ObjetRay<R>> =
+            murs(Vecteur::NUL, tour, 10.0, boites).into_iter().map(ObjetRay::from).collect();
+        let rayon = Rayon::new(Vecteur::NUL, arrondi(direction(alea))).unwrap();
+        // Rays go into the farthest corner, or anywhere.
+        let cibles = alea.liste(140, |alea, _| {
+            let ailleurs = arrondi::<R>(direction(alea) * 5.0);
+            if alea.bool() { None } else { Some(ailleurs) }
+        });
+        (tour.axes(), murs, rayon, cibles)
+    };
+    pour_chaque(cas(400), faire, |(axes, murs, mut rayon, cibles)| {
+        assert!(murs.iter().all(|mur| flou_propre(mur) <= propre * (1.0 + 4.0 * u::<R>())));
+        for cible in cibles {
+            let touche = Monde::de_liste(&murs).premiere_intersection(&rayon).unwrap();
+            let coin = axes.into_iter().fold(Vecteur::NUL, |coin, axe| {
+                let loin = axe.produit_scalaire(touche.point()) < R::ZERO;
+                coin + axe * R::depuis_f64(if loin { 4.99 } else { -4.99 })
+            });
+            let suite = touche.secondaire(cible.unwrap_or(coin) - touche.point());
+            let avant = rayon.flou().vers_f64();
+            rayon = suite.or_else(|_| touche.secondaire(touche.normale())).unwrap();
+            let de_plus = rayon.flou().vers_f64() - avant;
+            assert!(touche.distance() == R::ZERO || de_plus <= par_rebond, "{de_plus:e}");
+            pire = pire.max(de_plus / par_rebond);
+        }
+    });
+    assert!(pire > 0.6, "{pire}");
+    let [par_rebond, propre] = par_rebond_dans_dix_metres(u::<f32>());
+    assert!(par_rebond < 0.045e-3 && propre < 0.03e-3, "{par_rebond:e} {propre:e}");
+    let rebonds = |depasse: f64| ((depasse / 2.0 - propre) / par_rebond) as u32;
+    assert_eq!([rebonds(1e-3), rebonds(1e-2)], [10, 110]);
+    assert!(0.5e-3 / par_rebond_dans_dix_metres(u::<f64>())[0] > 5e9);
+}
+
+en_f32_et_f64!(une_chambre_de_dix_metres_perd_peu_a_chaque_rebond);
 
 /// A δ covers its own roundings and those with which D1 to D3 see it, however large it is beside the way and the place.
 fn un_flou_ne_perd_rien<R: Reel>() {

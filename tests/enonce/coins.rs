@@ -1,5 +1,6 @@
 //! Boxes from two opposite corners.
 
+use commun::fabrique::v;
 use commun::hasard::{Hasard, Tirage, pour_chaque};
 use commun::oracle::Exact;
 use commun::regimes::entre;
@@ -53,6 +54,38 @@ fn les_faces_sont_aux_coins<R: Bits>() {
 }
 
 en_f32_et_f64!(les_faces_sont_aux_coins);
+
+/// What the documentation says of neighbours: with corners in centimetres a third meet, a third leave a crack and a
+/// third overlap; with whole numbers all meet.
+fn un_tiers_des_voisins_laisse_une_fente<R: Bits>() {
+    let mut combien = [0_u32; 3];
+    let mut pire = 0.0_f64;
+    let faire = |alea: &mut Hasard| {
+        let de = alea.usize(0..800) as f64;
+        let [a, b] = [(); 2].map(|()| alea.usize(1..101) as f64);
+        [de, de + a, de + a + b]
+    };
+    let boite = |de: f64, a: f64| {
+        let boite =
+            BoiteGeo::<R>::entre_coins(v(de, 0.0, 0.0), v(a, 1.0, 1.0), Texture(0)).unwrap();
+        faces(boite.centre().x, boite.dimensions().x)
+    };
+    pour_chaque(20_000, faire, |centimetres| {
+        let [a, b, c] = centimetres.map(|x| x / 100.0);
+        let recouvre = &boite(a, b)[1] - &boite(b, c)[0];
+        let signe = recouvre.signe();
+        combien[(signe as i8 + 1) as usize] += 1;
+        pire = pire.max(recouvre.vers_f64().abs());
+        let [a, b, c] = centimetres;
+        assert!((&boite(a, b)[1] - &boite(b, c)[0]).signe().is_eq());
+    });
+    println!("{combien:?} {pire:e}");
+    let permis = 6_300..7_000;
+    assert!(combien.iter().all(|n| permis.contains(n)), "{combien:?} leave a crack, meet, overlap");
+    assert!((4.0..64.0).contains(&(pire / R::U.vers_f64())), "{pire:e}");
+}
+
+en_f32_et_f64!(un_tiers_des_voisins_laisse_une_fente);
 
 #[test]
 fn une_erreur_nomme_le_coin_ou_le_cote() {

@@ -21,3 +21,4 @@ mod sol;
 mod totalite;
 mod vecteur;
 mod verre;
+mod visibilite;

@@ -149,3 +149,23 @@ fn sort_par<R: Reel>(boite: &BoiteRay<R>, face: Face, [u, v]: [f64; 2], part: f6
 }
 
 en_f32_et_f64!(un_coin_d_une_boite_de_biais_a_une_sortie);
+
+/// In a box that was widened rays to places at an edge may not leave by the face, as the documentation of `vers_lieu` says.
+/// Those to places 40u of `f32` from it do.
+#[test]
+fn pres_d_une_arete_d_une_boite_elargie_un_lieu_peut_manquer_la_face() {
+    let tour = Rotation::new(Vecteur::new(0.3_f32, 0.4, 0.5)).unwrap();
+    let cotes = Vecteur::new(2.0, 2.0, 2.0);
+    let cube = ObjetRay::from(BoiteGeo::new(Vecteur::NUL, cotes, tour, Texture(0)).unwrap());
+    let ObjetRay::Boite(large) = cube.temoin_f64() else { unreachable!("a box") };
+    let aretes = [(-1.0, 0.0), (1.0, 0.0), (0.0, -1.0), (0.0, 1.0)];
+    let mut justes = 0;
+    for face in Face::TOUTES {
+        for (u, v) in COINS.into_iter().chain(aretes) {
+            let sortie = ObjetRay::from(large).sortie(&large.vers_lieu(face, [u, v]).unwrap());
+            justes += u32::from(sortie.is_ok_and(|s| s.normale() == large.face(face).1));
+            assert!(sort_par(&large, face, [u, v], 40.0 * f64::from(f32::U)), "{face} {u} {v}");
+        }
+    }
+    assert_eq!(justes, 32);
+}

@@ -9,7 +9,7 @@ use commun::regimes::{deux_puissance, direction, entre};
 use lancer_rayon::pour_les_tests::FLOU_PROPRE;
 use lancer_rayon::{
     BoiteGeo, ErreurGeo, Monde, ObjetGeo, ObjetRay, PlanGeo, Rayon, Rotation, SphereGeo, Texture,
-    Vecteur,
+    Vecteur, places,
 };
 
 /// An origin as surveyors have it: metres east of a meridian and north of the equator.
@@ -37,6 +37,54 @@ fn ville(alea: &mut Hasard) -> Result<Vec<ObjetGeo>, ErreurGeo> {
         });
     }
     Ok(objets)
+}
+
+/// How many of these rays name another object in `f32`, seen from this origin, than in `f64`; and how many of those
+/// were certain.
+fn autres(objets: &[ObjetGeo], rayons: &[Rayon], origine: Vecteur) -> Result<[u32; 2], ErreurGeo> {
+    let simples = objets.iter().map(|objet| Ok(objet.vers_f32(origine)?.vers_ray()));
+    let simples = simples.collect::<Result<Vec<ObjetRay<f32>>, ErreurGeo>>()?;
+    let objets: Vec<_> = objets.iter().map(|objet| objet.vers_ray()).collect();
+    let mut places = [(); 2].map(|()| vec![0.0; places(objets.len())]);
+    let [a, b] = &mut places;
+    let (double, simple) = (Monde::new(&objets, a).unwrap(), Monde::new(&simples, b).unwrap());
+    let mut comptes = [0; 2];
+    for rayon in rayons {
+        let la = double.premiere_intersection(rayon);
+        let rayon = rayon.vers_f32(origine)?;
+        let ici = simple.premiere_intersection(&rayon);
+        if ici.map(|touche| touche.indice()) != la.map(|touche| touche.indice()) {
+            comptes[0] += 1;
+            comptes[1] += u32::from(simple.certifie(&rayon, &ici));
+        } else if let (Ok(ici), Ok(la)) = (ici, la)
+            && origine == ORIGINE
+            // Away from outlines the error is κ roundings of the scene.
+            && la.normale().produit_scalaire(rayon.direction().vers_f64()) < -0.1
+        {
+            assert!((f64::from(ici.distance()) - la.distance()).abs() < 1e-3, "{ici:?} {la:?}");
+        }
+    }
+    Ok(comptes)
+}
+
+/// With the origin taken off, hardly a ray sees another object than in `f64`. Without that many do, and call their
+/// answer certain, since certificates speak of the numbers as stored.
+#[test]
+fn une_origine_sauve_la_scene_des_arpenteurs() {
+    let faire = |alea: &mut Hasard| {
+        let rayons = alea.liste(20_000, |alea, _| {
+            let (oeil, vers) = (lieu(alea, 6.0), lieu(alea, 0.5));
+            Rayon::new(oeil, vers - oeil).unwrap()
+        });
+        (ville(alea).unwrap(), rayons)
+    };
+    pour_chaque(1, faire, |(objets, rayons)| {
+        let avec = autres(&objets, &rayons, ORIGINE).unwrap();
+        let sans = autres(&objets, &rayons, Vecteur::NUL).unwrap();
+        println!("other objects, and of these certain: {avec:?}, as they stand {sans:?}");
+        assert!(avec[0] <= 4, "{avec:?}");
+        assert!(sans[0] > 500 && sans[1] > sans[0] / 2, "{sans:?}");
+    });
 }
 
 /// Each number is the nearest `f32` to the difference in `f64`, and the surface of a half-space stays where it was.

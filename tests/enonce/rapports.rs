@@ -42,6 +42,7 @@ fn un_rayon_garde_son_flou_dedans_et_dehors<R: Reel>() {
         assert_eq!(de(0.0).dedans().flou(), flou);
         // Without a δ, too, a ray inside is another ray.
         let net = de(0.0).avec_flou(R::ZERO).unwrap();
+        assert_eq!(net, net.avec_flou(-R::ZERO).unwrap(), "−0 says inside");
         assert!(
             net != net.dedans() && net == net.dedans().dehors() && net.dedans() == net.dedans()
         );

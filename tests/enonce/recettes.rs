@@ -140,3 +140,25 @@ fn au_loin_un_lieu_se_trouve_pres_d_une_origine() {
     assert!((trouve(origine) - attendu).longueur() < 1e-5, "{:?} {attendu:?}", trouve(origine));
     assert!((trouve(Vecteur::NUL) - attendu).longueur() > 1e-2);
 }
+
+/// What `reflechi` says of light mirrored within a ball: its cosine would stay that of the first time, but for the steps
+/// inward.
+#[test]
+fn les_reflets_dans_une_boule_derivent_du_pas() {
+    let boule = sphere::<f32>(Vecteur::NUL, 1.0);
+    let cosinus = |de_nouveau: bool| {
+        let d = v(-0.1, 0.99_f64.sqrt(), 0.0);
+        let mut rayon = Rayon::new(v(0.999_999, 0.0, 0.0), d).unwrap().dedans();
+        for _ in 0..10_000 {
+            let sortie = boule.sortie(&rayon).unwrap();
+            rayon = sortie.reflechi(rayon.direction()).unwrap();
+            if de_nouveau {
+                rayon = Rayon::new(sortie.point(), rayon.direction()).unwrap().dedans();
+            }
+        }
+        let sortie = boule.sortie(&rayon).unwrap();
+        sortie.normale().produit_scalaire(rayon.direction())
+    };
+    assert!((0.14..0.17).contains(&cosinus(false)), "{}", cosinus(false));
+    assert!((cosinus(true) - 0.1).abs() < 0.002, "{}", cosinus(true));
+}

@@ -1,9 +1,10 @@
-//! Over a floor at y = 0, with which every scene begins, nothing that starts from a hit is a subnormal number.
+//! Over a floor at y = 0, with which every scene begins, nothing that starts from a hit is a subnormal number,
+//! which a turned floor may give.
 
 use commun::fabrique::{avec_arbre, boite_droite, mur, v};
 use commun::scenes::{melange, rayons_camera};
 use commun::{arrondi, en_f32_et_f64};
-use lancer_rayon::{Reel, Vecteur};
+use lancer_rayon::{ObjetRay, Rayon, Reel, Vecteur};
 
 /// Whether this number is subnormal, for which processors take up to a hundred times as long.
 fn sous_normal<R: Reel>(x: R) -> bool {
@@ -45,3 +46,22 @@ fn au_sol_rien_n_est_sous_normal<R: Reel>() {
 }
 
 en_f32_et_f64!(au_sol_rien_n_est_sous_normal);
+
+/// For a floor through O that is turned by less than 2⁻²⁶ (`f64`: 2⁻¹²²), and a point that is exactly O, no margin is
+/// subnormal, but a coordinate of the start is.
+fn au_sol_tourne_un_depart_est_sous_normal<R: Reel>() {
+    let peu = if size_of::<R>() == 4 { -27.0_f64 } else { -123.0 };
+    for (pente, attendu) in [(peu.exp2(), true), ((peu + 2.0).exp2(), false), (0.0, false)] {
+        let n = v(-pente, -1.0, 0.0);
+        let sol: ObjetRay<R> = mur(Vecteur::NUL, n);
+        let source = Vecteur::new(R::ZERO, -R::UN, R::ZERO);
+        let rayon = Rayon::new(source, -source).unwrap();
+        let touche = sol.intersection(&rayon).unwrap();
+        assert_eq!((touche.point(), touche.normale()), (Vecteur::NUL, n));
+        let depart = touche.secondaire(n).unwrap().source();
+        assert!(!sous_normal(touche.marge()));
+        assert_eq!(<[R; 3]>::from(depart).into_iter().any(sous_normal), attendu, "{depart:?}");
+    }
+}
+
+en_f32_et_f64!(au_sol_tourne_un_depart_est_sous_normal);

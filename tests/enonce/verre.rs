@@ -1,12 +1,39 @@
 //! Ways out of a solid, for rays from its surface, from within rounding of it, and from within several solids.
 
-use commun::hasard::{Hasard, pour_chaque};
+use commun::fabrique::sphere;
+use commun::hasard::{Hasard, Tirage, pour_chaque};
 use commun::oracle::{Passage, ecart_de_snell};
 use commun::promesses::{Essai, refracte};
 use commun::regimes::{deux_puissance, direction, entre, signe};
 use commun::tolerances::{promesses, u};
 use commun::{arrondi, en_f32_et_f64};
 use lancer_rayon::{NoIntersection, ObjetRay, PlanGeo, Rayon, Reel, Rotation, Texture, Vecteur};
+
+/// From within rounding of the surface, and along it too, a ray that starts inside as computed leaves, and within two
+/// radii.
+fn d_une_boule_tout_rayon_sort_a_moins_de_deux_rayons<R: Reel>() {
+    let mut dedans = 0;
+    let faire = |alea: &mut Hasard| {
+        let (n, r) = (direction(alea), R::depuis_f64(entre(alea, 0.5, 2.0)));
+        let au_hasard = direction(alea);
+        let tangente = au_hasard - n * au_hasard.produit_scalaire(n);
+        let penche = (-70.0 * alea.f64()).exp2();
+        let vers = tangente + n * if alea.bool() { penche } else { -penche };
+        (sphere(Vecteur::NUL, r), r, Rayon::new(arrondi(n * r.vers_f64()), arrondi(vers)).unwrap())
+    };
+    pour_chaque(100_000, faire, |(boule, r, rayon)| {
+        if rayon.source().longueur_carree() < r * r {
+            let t = boule.sortie(&rayon).unwrap().distance();
+            // A root, and three roundings each of SA and AB.
+            let plus = 1.0 + promesses::DISTANCE_SPHERE * u::<R>();
+            assert!(t > R::ZERO && t.vers_f64() <= 2.0 * r.vers_f64() * plus, "{t}");
+            dedans += 1;
+        }
+    });
+    assert!(dedans > 20_000, "{dedans}");
+}
+
+en_f32_et_f64!(d_une_boule_tout_rayon_sort_a_moins_de_deux_rayons);
 
 /// Between media of one index, or of two that differ by rounding, light goes on at any angle, in and out: straight on
 /// at η = 1, and otherwise as Snell's law says. So does the cosine behind, which Fresnel's formula needs.

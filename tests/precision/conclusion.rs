@@ -188,6 +188,32 @@ fn une_sphere_perdue_a_une_marge_infinie<R: Reel>() {
 
 en_f32_et_f64!(une_sphere_perdue_a_une_marge_infinie);
 
+/// From the exact centre, where |f| is 0, r = 16u‖P‖₁ is at the limit. The sum as computed decides there, not the exact
+/// one.
+#[test]
+fn au_centre_la_somme_calculee_decide() {
+    fn somme<R: Reel>(p: Vecteur<R>) -> R {
+        p.x.absolu() + p.y.absolu() + p.z.absolu()
+    }
+    let faire = |alea: &mut Hasard| {
+        let centre = arrondi::<f32>(direction(alea));
+        let r = 16.0 * f32::U * (somme(centre) + f32::U * f32::from(alea.i8(-8..=8)));
+        (centre, r, Rayon::new(centre, arrondi(direction(alea))).unwrap())
+    };
+    let [mut infinies, mut malgre_la_somme_exacte] = [0; 2];
+    pour_chaque(20 * CAS, faire, |(centre, r, rayon)| {
+        let sortie = sphere(centre, r).sortie(&rayon).unwrap();
+        let p = sortie.point();
+        let calculee = 16.0 * f32::U * somme(p);
+        let exacte = 16.0 * f64::from(f32::U) * somme(p.vers_f64());
+        let infinie = sortie.marge() == f32::INFINI;
+        assert!(!infinie || r < calculee, "{centre:?} {r} {rayon:?}");
+        infinies += u32::from(infinie);
+        malgre_la_somme_exacte += u32::from(infinie && f64::from(r) >= exacte);
+    });
+    assert!(infinies > CAS && malgre_la_somme_exacte > 0, "{infinies} {malgre_la_somme_exacte}");
+}
+
 /// Built: a sphere on the ray whose far side is at O, smaller than the rounding of its distance, so that P is O. Held:
 /// the margin is +∞, although P lies on the sphere.
 fn un_point_du_cote_oppose_a_une_marge_infinie<R: Reel>() {

@@ -3,10 +3,10 @@
 //! `LANCER_RAYON_CAS` is how many thousand cases each regime runs (1 unless set):
 //! `LANCER_RAYON_CAS=1000 cargo test --release --test precision promesses`
 
-use commun::fabrique::sphere;
+use commun::fabrique::{boite, boite_droite, sphere, v};
 use commun::hasard::{Hasard, Tirage, pour_chaque};
-use commun::mesure::{absolu, quantiles};
-use commun::oracle::{Passage, verite_du};
+use commun::mesure::{absolu, au_bord, quantiles};
+use commun::oracle::{Passage, hauteur, verite_du};
 use commun::promesses::{Essai, Part, Promesse, RIEN, marge_infinie, toutes};
 use commun::regimes::{
     Cas, Extreme, Genre, Regime, deux_puissance, direction, regimes, signe, vers_la_sortie,
@@ -239,3 +239,39 @@ fn un_million_de_rotations_ne_derive_pas<R: Reel>() {
 }
 
 en_f32_et_f64!(un_million_de_rotations_ne_derive_pas);
+
+/// A hit beside an edge, seen from afar, is off by much along the ray, of which the margin over its face knows nothing.
+/// So an inward ray may start above another face, by a thousand times its margin, and enter there, but by no more than
+/// lemma 6 grants.
+#[test]
+fn un_depart_vers_l_interieur_peut_etre_au_dessus_d_une_autre_face() {
+    let centre = v(-0.0077286684, 0.018294489, 0.19977821);
+    let boite = boite_droite(centre, v(1.0, 2.0 * 0.57481515, 2.0 * 0.7004555));
+    let d = v(0.0039478806, -0.99913543, -0.041385863);
+    let rayon = Rayon::new(v::<f32>(-58.45057, 14664.854, 606.94366), d).unwrap();
+    let touche = boite.intersection(&rayon).unwrap();
+    let dedans = touche.secondaire(v(0.20613794, -0.8412872, -0.4997429)).unwrap();
+    let encore = boite.intersection(&dedans).unwrap();
+    assert!(au_bord(&boite, &rayon, &touche, dedans.source(), &encore), "{dedans:?}");
+    let haut = hauteur(&boite, encore.normale(), dedans.source());
+    assert!(haut > 1_000.0 * f64::from(touche.marge()), "{haut:e} {}", touche.marge());
+}
+
+/// Far from O a plate may be no thicker than the step. Some of the rays sent inward amid its face start beyond it and
+/// never leave. Every ray leaves a cube.
+#[test]
+fn ce_qui_est_plus_mince_que_le_pas_n_a_pas_de_sortie() {
+    let tour = Rotation::new(v::<f32>(0.3, 0.4, 0.0)).unwrap();
+    let centre = v(0.0, 0.0, -3_000.0);
+    let faire = |alea: &mut Hasard| arrondi(centre.vers_f64() + direction(alea) * 0.25);
+    let mut sortis = [0; 2];
+    pour_chaque(cas_par_regime(), faire, |vers| {
+        let rayon = Rayon::new(Vecteur::NUL, vers).unwrap();
+        for (epaisseur, sortis) in [0.0002, 2.0].into_iter().zip(&mut sortis) {
+            let objet = boite(centre, v(2.0, 2.0, epaisseur), tour);
+            let dedans = objet.intersection(&rayon).unwrap().secondaire(rayon.direction()).unwrap();
+            *sortis += u32::from(objet.sortie(&dedans).is_ok());
+        }
+    });
+    assert!(sortis[0] < cas_par_regime() && sortis[1] == cas_par_regime(), "{sortis:?}");
+}
