@@ -4,9 +4,10 @@
 
 use std::sync::atomic::{AtomicU32, Ordering};
 
-use lancer_rayon::pour_les_tests::Reglage;
+use lancer_rayon::pour_les_tests::{Reglage, sonder};
 use lancer_rayon::{
-    Choix, Monde, ObjetRay, Parmi, Rayon, Reel, Tous, places, premiere_intersection,
+    Choix, Etendue, Monde, ObjetRay, Parmi, Rayon, Reel, Tous, Vecteur, places,
+    premiere_intersection,
 };
 
 use crate::choisis::{BOUTS, Choisis, Vue, bout};
@@ -27,12 +28,13 @@ pub fn comparer<R: Bits>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) -> usize {
     let n = objets.len();
     // What the memory held before must not show through. The larger memory lets long boxes be cut into pieces.
     let [mut memoire, mut grande] = [1, 6].map(|fois| vec![f32::NAN; fois * places(n)]);
-    let monde = Monde::new(objets, &mut memoire).unwrap();
-    let en_morceaux = Monde::en_morceaux(objets, &mut grande).unwrap();
-    let touches = comparer_dans(&monde, rayons);
+    let touches = comparer_dans(&Monde::new(objets, &mut memoire).unwrap(), rayons);
+    let _ = Monde::en_morceaux(objets, &mut grande).unwrap();
+    let prises = |memoire: &[f32]| memoire.iter().filter(|place| !place.is_nan()).count();
     // Otherwise it is the same tree.
-    if noeuds(&en_morceaux) > noeuds(&monde) {
-        comparer_dans(&en_morceaux, rayons);
+    if prises(&grande) > prises(&memoire) {
+        grande.fill(f32::NAN);
+        comparer_dans(&Monde::en_morceaux(objets, &mut grande).unwrap(), rayons);
     }
     if (UN_ARBRE..BEAUCOUP).contains(&n) {
         comparer(&objets.repeat(BEAUCOUP.div_ceil(n)), rayons);
@@ -77,11 +79,20 @@ pub fn demandes<R: Reel>(
     demandes.into_iter().map(AtomicU32::into_inner).collect()
 }
 
-/// How many nodes the tree of this world has, as its `Debug` says; 0 if it has none and asks its list.
+/// How many nodes the tree of this world has, which the probe of a ray amid the objects is tried on one by one; 0 if it
+/// has none and asks its list, or if no probe tells its boxes apart.
 pub fn noeuds<R: Reel>(monde: &Monde<'_, R>) -> usize {
-    let texte = format!("{monde:?}");
-    let (_, nombre) = texte.split_once("noeuds: ").expect("the number of nodes");
-    nombre.trim_end_matches(", .. }").parse().unwrap()
+    let milieux = monde
+        .objets()
+        .iter()
+        .filter_map(ObjetRay::etendue)
+        .map(|Etendue { bas, haut }| (bas + haut) / (R::UN + R::UN));
+    let mut rayons = milieux.filter_map(|milieu| Rayon::new(milieu, Vecteur::X).ok());
+    let nombre = |rayon| {
+        let mut nombre = 0;
+        sonder(monde, &[rayon], R::INFINI, |_, _| nombre += 1).map(|()| nombre)
+    };
+    rayons.find_map(nombre).unwrap_or(0)
 }
 
 /// Compares the answers of a world with a tree and of one without, in a batch and ray by ray, shadows included, with

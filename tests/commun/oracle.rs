@@ -252,11 +252,6 @@ impl Entree {
         (&(&Exact::de(t) - &entree) * &Exact::de(k)).vers_f64()
     }
 
-    /// How far this entry lies after another.
-    pub fn ecart_de(&self, autre: &Self) -> f64 {
-        (&self.t - &autre.t).vers_f64()
-    }
-
     /// The sine of the angle to the true normal that is allowed where the distance is off by `ecart`; +∞ where the
     /// sphere is lost in its distance.
     pub fn direction_permise<R: Reel>(&self, ecart: f64) -> f64 {

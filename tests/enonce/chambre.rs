@@ -191,44 +191,6 @@ fn aucun_chemin_ne_quitte_une_chambre<R: Bits>() {
 
 en_f32_et_f64!(aucun_chemin_ne_quitte_une_chambre);
 
-/// What the pages say of furnished rooms of 2 m about O or beside it: on paths of 50 bounces, all aimed at seams, hits
-/// at once do not bring a ray deeper and deeper. (With steps of twice the depth they did, down to some millimetres in
-/// `f32`.)
-fn de_couture_en_couture_un_chemin_ne_s_enfonce_pas<R: Reel>() {
-    let (mut chemins, mut pas, mut d_emblee) = (0, 0, 0_u32);
-    let (mut profond, mut flous) = (0.0_f64, vec![]);
-    let faire = |alea: &mut Hasard| {
-        let mut chambre = Chambre::<R>::new(alea);
-        while chambre.milieu.longueur() > 2.0 {
-            chambre = Chambre::new(alea);
-        }
-        chambre.avec_chemins(alea, 200, 50)
-    };
-    pour_chaque(cas(10), faire, |(chambre, depuis)| {
-        let monde = avec_arbre(&chambre.objets);
-        for (mut rayon, etapes) in depuis {
-            chemins += 1;
-            for (cible, ..) in etapes {
-                let touche = monde.premiere_intersection(&rayon).unwrap();
-                (pas, d_emblee) = (pas + 1, d_emblee + u32::from(touche.distance() == R::ZERO));
-                profond = profond.max(chambre.exces(touche.point(), R::ZERO));
-                let Some(suivant) = rebond(cible, &touche) else { break };
-                rayon = suivant;
-            }
-            flous.push(rayon.flou().vers_f64());
-        }
-    });
-    flous.sort_by(f64::total_cmp);
-    let [median, pire] = [flous[flous.len() / 2], flous[flous.len() - 1]];
-    println!(
-        "{chemins} paths, {d_emblee} of {pas} at once; deepest {profond:e}, δ {median:e} to {pire:e}"
-    );
-    let en_f32 = u::<f32>() / u::<R>();
-    assert!(d_emblee > pas / 200 && profond * en_f32 < 2e-4 && pire * en_f32 < 2e-3);
-}
-
-en_f32_et_f64!(de_couture_en_couture_un_chemin_ne_s_enfonce_pas);
-
 /// The furniture is of glass. Light goes through it by the recipe `milieux`, perhaps mirrored inside, and on from wall
 /// to wall, aimed at seams. Beside an edge it may be out where it should be in, but it never leaves the room.
 fn a_travers_du_verre_aucun_chemin_ne_quitte_une_chambre<R: Reel>() {

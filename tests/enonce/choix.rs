@@ -96,44 +96,6 @@ fn chaque_question_connait_tous_les_choix() {
     }
 }
 
-/// Flush cubes, of which a ray along the seams touches two at a time. The hits in order include all of them; whoever
-/// goes on from hit to hit with `secondaire` loses some.
-fn un_rayon_dans_les_joints_ne_perd_aucun_cube<R: Reel>() {
-    let mut scene: Vec<ObjetRay<R>> = Vec::new();
-    for (x, y, z) in (0..216).map(|i| (i % 6, i / 6 % 6, i / 36)) {
-        let place = |i: i32| f64::from(i) + 0.5;
-        scene.push(cube(v(place(x), place(y), place(z))));
-    }
-    let monde = avec_arbre(&scene);
-    let mut perdus = 0;
-    for i in 0..6 {
-        // Rays exactly in the seams between two layers: y + z stays whole.
-        let s = v(-1.0, f64::from(i) + 1.0, 0.25);
-        let rayon = Rayon::new(s, v(1.0, 0.0, if i % 2 == 0 { 0.0 } else { 0.125 })).unwrap();
-        let mut attendus: Vec<_> = scene
-            .iter()
-            .enumerate()
-            .filter_map(|(i, objet)| Some((objet.intersection(&rayon).ok()?.distance(), i)))
-            .collect();
-        attendus.sort_by(|a, b| a.partial_cmp(b).unwrap());
-        let attendus: Vec<_> = attendus.into_iter().map(|(_, indice)| indice).collect();
-        let mut touches = vec![Err(NoIntersection); scene.len()];
-        let nombre = monde.dans_l_ordre(&rayon, &mut touches);
-        assert_eq!(indices(&touches[..nombre]), attendus, "{rayon:?}");
-        assert!(touches[..nombre].iter().flatten().all(|touche| touche.marge() < R::INFINI));
-        let mut pas_a_pas = Vec::new();
-        let mut suite = rayon;
-        while let Ok(touche) = monde.premiere_intersection(&suite) {
-            pas_a_pas.push(touche.indice());
-            suite = touche.secondaire(suite.direction()).unwrap();
-        }
-        perdus += attendus.len() - pas_a_pas.len();
-    }
-    assert!(perdus > 5, "stepping lost {perdus} cubes alone");
-}
-
-en_f32_et_f64!(un_rayon_dans_les_joints_ne_perd_aucun_cube);
-
 /// The recipe of two worlds, one of what stays and one of what moves, gives the answers of one list of both. Some
 /// moving objects stand where a fixed one does, which then comes first.
 fn deux_mondes_repondent_comme_une_liste<R: Bits>() {

@@ -1,4 +1,4 @@
-//! What the handout asks: formulae, conventions and manipulations.
+//! What the handout asks: formulae, conventions and manipulations; and what the pages say of programs that ask it.
 
 mod chambre;
 mod choix;
@@ -16,6 +16,7 @@ mod passages;
 mod rapports;
 mod recettes;
 mod rotation;
+mod sans_allocation;
 mod sol;
 mod totalite;
 mod vecteur;

@@ -1,22 +1,13 @@
-//! Patterns: on which face of a box a hit lies and where, and along which axes a half-space is measured. Every colour
-//! is that of exact arithmetic, except within rounding of a line of the pattern.
+//! Patterns: on which face of a box a hit lies and where. (How exactly is a promise, `commun/promesses.rs`.)
 
 use commun::fabrique::mur;
 use commun::hasard::{Hasard, Tirage, pour_chaque};
-use commun::oracle::{Exact, exact_a, exacts, moins, scalaire, verite};
 use commun::regimes::{deux_puissance, direction, entre, signe};
-use commun::scenes::rayons_camera;
 use commun::tolerances::u;
 use commun::{arrondi, en_f32_et_f64};
 use lancer_rayon::{
-    BoiteGeo, BoiteRay, Face, Nombre, ObjetRay, PlanGeo, Rayon, Reel, Rotation, Texture, Vecteur,
+    BoiteGeo, BoiteRay, Face, Nombre, ObjetRay, Rayon, Reel, Rotation, Texture, Vecteur,
 };
-
-/// The three N_i·(S + tD − C), from −l_i to l_i on the faces.
-fn dans_la_boite<R: Reel>(boite: &BoiteRay<R>, rayon: &Rayon<R>, t: &Exact) -> [Exact; 3] {
-    let depuis = moins(&exact_a(rayon, t), &exacts(boite.centre()));
-    boite.normales().map(|n| scalaire(&exacts(n), &depuis))
-}
 
 /// Right and up along each face, so that their vector product points outward.
 #[test]
@@ -49,66 +40,6 @@ fn le_lieu_d_une_touche_d_ailleurs_est_un_point_de_la_boite() {
     }
     assert!(perdus > 0);
 }
-
-/// Whether the sum of these cells is odd, which is the colour of a checker.
-fn impair(cases: impl IntoIterator<Item = f64>) -> bool {
-    cases.into_iter().map(f64::floor).sum::<f64>().rem_euclid(2.0) == 1.0
-}
-
-/// Whether a coordinate in cells lies within `pres` of a line of the checker.
-fn sur_une_ligne(case: f64, pres: f64) -> bool {
-    (case - case.round()).abs() <= pres
-}
-
-/// Turned boxes near O and far from it, with a checker of space that has a line in each face. The colour by `lieu` is
-/// exact; the colour by the point of the hit speckles.
-fn un_damier_sur_une_boite_tournee_n_a_pas_de_taches<R: Reel>() {
-    const CASES: f64 = 4.0;
-    let [mut justes, mut naifs, mut lignes] = [0; 3];
-    let faire = |alea: &mut Hasard| {
-        let tour = Rotation::new(arrondi::<R>(direction(alea) * 3.0)).unwrap();
-        let ailleurs = direction(alea) * [0.0, 0.0, 30.0, 300.0][alea.tour];
-        let cotes = [(); 3].map(|()| entre(alea, 2.0, 4.0));
-        let centre = arrondi(ailleurs + Vecteur::new(0.0, 1.0, 0.0));
-        let boite = BoiteGeo::new(centre, arrondi(cotes.into()), tour, Texture(0)).unwrap();
-        (boite.vers_ray(), ailleurs)
-    };
-    pour_chaque(4, faire, |(boite, ailleurs)| {
-        for rayon in rayons_camera::<R>(120, 80) {
-            let source = arrondi(rayon.source().vers_f64() + ailleurs);
-            let rayon = Rayon::new(source, rayon.direction()).unwrap();
-            let Ok(touche) = ObjetRay::from(boite).intersection(&rayon) else { continue };
-            let verite = verite(&boite.into(), &rayon);
-            let Some(entree) = verite.entree.filter(|_| !verite.dans_la_marge) else { continue };
-            let l = boite.demi_longueurs().map(R::vers_f64);
-            let exactes = dans_la_boite(&boite, &rayon, &entree.t);
-            let exactes = [0, 1, 2].map(|i| exactes[i].vers_f64() / l[i] * CASES);
-            let (face, p) = boite.lieu(&rayon, &touche);
-            let axe = face as usize % 3;
-            // The face itself is a line of the checker, on which the hit lies exactly.
-            assert!(exactes[axe].abs() == CASES, "{exactes:?}");
-            // The error of the distance, taken along the face, and that of the coordinates.
-            let t = touche.distance().vers_f64();
-            let permis = entree.k * u::<R>() * entree.kappa_t + 7.0 * u::<R>() * (entree.f + t);
-            let le_long = (0..3).filter(|i| *i != axe);
-            if le_long.into_iter().any(|i| sur_une_ligne(exactes[i], permis * CASES / l[i])) {
-                lignes += 1;
-                continue;
-            }
-            let attendu = impair(exactes);
-            let obtenu = impair(<[R; 3]>::from(p).map(|x| x.vers_f64() * CASES));
-            assert_eq!(obtenu, attendu, "{p:?} {exactes:?}");
-            let depuis = touche.point() - boite.centre();
-            let (n, demi) = (boite.normales(), boite.demi_longueurs());
-            let point = [0, 1, 2].map(|i| (depuis.produit_scalaire(n[i]) / demi[i]).vers_f64());
-            naifs += u32::from(impair(point.map(|x| x * CASES)) != attendu);
-            justes += 1;
-        }
-    });
-    assert!(justes > 5_000 && lignes < justes / 50 && naifs > justes / 10);
-}
-
-en_f32_et_f64!(un_damier_sur_une_boite_tournee_n_a_pas_de_taches);
 
 /// A place on a face makes a hit whose place is the one that was asked for.
 fn un_lieu_fait_une_touche_de_ce_lieu<R: Reel>() {
@@ -238,63 +169,3 @@ fn pres_d_une_arete_d_une_boite_elargie_un_lieu_peut_manquer_la_face() {
     }
     assert_eq!(justes, 32);
 }
-
-/// A checker of three dimensions on a floor at a height of `hauteur` cells, turned about its normal: measured along the
-/// axes of the floor's rotation, with −d across, and as the same point back in the axes of the scene.
-fn un_damier_de_l_espace_sur_un_sol_n_a_pas_de_taches<R: Reel>() {
-    let quart = core::f64::consts::FRAC_PI_2;
-    let couche = Rotation::new(arrondi::<R>(Vecteur::new(quart, 0.0, 0.0))).unwrap();
-    let [mut justes, mut naifs, mut lignes] = [0; 3];
-    for (hauteur, lacet) in [(0.0, 0.0), (0.0, 0.4), (-1.0, 0.0), (0.3, 0.0), (1.0, 0.7)] {
-        let lacet = Rotation::new(arrondi::<R>(Vecteur::new(0.0, lacet, 0.0))).unwrap();
-        let sol = PlanGeo::new(couche, R::ZERO, Texture(0)).unwrap().rotation(lacet).unwrap();
-        let sol = sol.translation(arrondi(Vecteur::new(5.0, hauteur, 7.0))).unwrap();
-        let axes = sol.orientation().axes();
-        assert_eq!(axes[2], sol.vers_ray().normale());
-        let [x, y, n] = axes;
-        let objet = ObjetRay::from(sol);
-        let faire = |alea: &mut Hasard| {
-            let haut = Vecteur::new(0.0, entre(alea, 1.5, 6.0), 0.0);
-            let vers = Vecteur::new(entre(alea, -2.0, 2.0), -1.0, entre(alea, -2.0, 2.0));
-            Rayon::new(arrondi(haut + direction(alea) * 0.3), arrondi(vers)).unwrap()
-        };
-        pour_chaque(4_000, faire, |rayon| {
-            let Ok(touche) = objet.intersection(&rayon) else { return };
-            let verite = verite(&objet, &rayon);
-            let Some(entree) = verite.entree.filter(|_| !verite.dans_la_marge) else { return };
-            let p = touche.point();
-            let le_long = [x.produit_scalaire(p), y.produit_scalaire(p), -sol.distance()];
-            let scene = x * le_long[0] + y * le_long[1] + n * le_long[2];
-
-            let exact = exact_a(&rayon, &entree.t);
-            let mut propres = axes.map(|axe| scalaire(&exacts(axe), &exact).vers_f64());
-            let mut exact = exact.each_ref().map(Exact::vers_f64);
-            // The surface is at −d, up to the rounding of the exact t at 256 bits.
-            let haut = -sol.distance().vers_f64();
-            for a_travers in [&mut propres[2], &mut exact[1]] {
-                assert!((*a_travers - haut).abs() <= 1e-30, "{a_travers:e}");
-                *a_travers = haut;
-            }
-            let t = touche.distance().vers_f64();
-            let grandeur = rayon.source().longueur().vers_f64() + t;
-            let permis = entree.k * u::<R>() * entree.kappa_t + 16.0 * u::<R>() * grandeur;
-            for (obtenu, attendu, a_travers) in
-                [(le_long, propres, 2), (<[R; 3]>::from(scene), exact, 1)]
-            {
-                let long = (0..3).filter(|i| *i != a_travers);
-                if long.into_iter().any(|i| sur_une_ligne(attendu[i], permis)) {
-                    lignes += 1;
-                    continue;
-                }
-                let juste = impair(attendu);
-                assert_eq!(impair(obtenu.map(R::vers_f64)), juste, "{obtenu:?} {attendu:?}");
-                let point = [p.x, p.y, p.z].map(R::vers_f64);
-                naifs += u32::from(a_travers == 1 && impair(point) != juste);
-                justes += 1;
-            }
-        });
-    }
-    assert!(justes > 20_000 && lignes < justes / 50 && naifs > 500);
-}
-
-en_f32_et_f64!(un_damier_de_l_espace_sur_un_sol_n_a_pas_de_taches);

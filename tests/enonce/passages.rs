@@ -99,35 +99,58 @@ fn une_traversee_va_de_l_entree_a_la_sortie<R: Bits>() {
 
 en_f32_et_f64!(une_traversee_va_de_l_entree_a_la_sortie);
 
-/// From exactly on a surface: inward through the object, outward not at all, and along a half-space for ever.
-fn de_la_surface_une_traversee_va_vers_l_interieur<R: Bits>() {
+/// Rays from exactly on a surface, in the plane of a face and level over a half-space, where every number is exact: inward
+/// through the object, outward not at all, and along a half-space for ever. Where what is inside ends, there is the way
+/// out.
+fn de_la_surface_un_rayon_sort_en_face_ou_pas<R: Bits>() {
     let boule = sphere(Vecteur::NUL, R::depuis_f64(5.0));
     let boite = boite_droite(Vecteur::NUL, v(2.0, 4.0, 6.0));
-    let sol = mur(Vecteur::NUL, Vecteur::Z);
-    let de = |objet: &ObjetRay<R>, source: [f64; 3], vers: [f64; 3]| {
+    let sol = mur(Vecteur::NUL, Vecteur::Y);
+    let (haut, bas, cote) = ([0.0, 1.0, 0.0], [0.0, -1.0, 0.0], [-1.0, -0.0, -0.0]);
+    // Where the ray starts and goes, from where to where it is inside, and N at the way out.
+    let (sans_fin, rien) = (f64::INFINITY, [0.0; 3]);
+    for (objet, source, vers, part, n) in [
+        (boule, [3.0, 4.0, 0.0], bas, Some([0.0, 8.0]), [0.6, -0.8, 0.0]),
+        (boule, [3.0, 4.0, 0.0], haut, None, rien),
+        (boule, [3.0, 9.0, 0.0], bas, Some([5.0, 13.0]), [0.6, -0.8, 0.0]),
+        (boule, [5.0, 0.0, 0.0], haut, None, rien), // a tangent
+        (boule, [5.0, -9.0, 0.0], haut, None, rien), // and one from afar
+        (boule, [0.0, 0.0, 0.0], haut, Some([0.0, 5.0]), haut),
+        (boule, [0.0, 4.0, 0.0], haut, Some([0.0, 1.0]), haut),
+        (boule, [0.0, 9.0, 0.0], haut, None, rien),
+        (boite, [0.5, 2.0, 0.0], bas, Some([0.0, 4.0]), bas),
+        (boite, [0.5, 2.0, 0.0], haut, None, rien),
+        (boite, [0.5, 1.5, 0.0], haut, Some([0.0, 0.5]), haut),
+        // In the plane of a face, which belongs to the box; along an edge; beside the box.
+        (boite, [1.0, 0.0, 0.0], haut, Some([0.0, 2.0]), haut),
+        (boite, [1.0, -9.0, 3.0], haut, Some([7.0, 11.0]), haut),
+        (boite, [1.5, 0.0, 0.0], haut, None, rien),
+        (sol, [0.0, -3.0, 0.0], haut, Some([0.0, 3.0]), haut),
+        (sol, [0.0, -3.0, 0.0], bas, Some([0.0, sans_fin]), rien),
+        (sol, [0.0, -3.0, 0.0], cote, Some([0.0, sans_fin]), rien),
+        // Too far for the type.
+        (sol, [0.0, -3.0, 0.0], [1.0, R::ETA.vers_f64(), 0.0], Some([0.0, sans_fin]), rien),
+        (sol, [0.0, 0.0, 0.0], haut, None, rien),
+        (sol, [0.0, 0.0, 0.0], bas, Some([0.0, sans_fin]), rien),
+        (sol, [0.0, 0.0, 0.0], cote, Some([0.0, sans_fin]), rien),
+        (sol, [0.0, 3.0, 0.0], bas, Some([3.0, sans_fin]), rien),
+        (sol, [0.0, 3.0, 0.0], cote, None, rien),
+    ] {
         let rayon = Rayon::new(arrondi(source.into()), arrondi(vers.into())).unwrap();
-        objet.traversee(&rayon).ok().map(|part| part.map(R::vers_f64))
-    };
-    let (monte, descend) = ([0.0, 0.0, 1.0], [0.0, 0.0, -1.0]);
-    let sans_fin = f64::INFINITY;
-    assert_eq!(de(&boule, [0.0, 3.0, 4.0], descend), Some([0.0, 8.0]));
-    assert_eq!(de(&boule, [0.0, 3.0, 4.0], monte), None);
-    assert_eq!(de(&boule, [0.0, 3.0, 9.0], descend), Some([5.0, 13.0]));
-    assert_eq!(de(&boule, [0.0, 5.0, 9.0], descend), None); // a tangent
-    assert_eq!(de(&boite, [0.5, 0.5, 3.0], descend), Some([0.0, 6.0]));
-    assert_eq!(de(&boite, [0.5, 0.5, 3.0], monte), None);
-    assert_eq!(de(&boite, [1.0, 0.5, 4.0], descend), Some([1.0, 7.0])); // in the plane of a face
-    assert_eq!(de(&sol, [0.0, 0.0, 0.0], descend), Some([0.0, sans_fin]));
-    assert_eq!(de(&sol, [0.0, 0.0, 0.0], monte), None);
-    assert_eq!(de(&sol, [0.0, 0.0, 0.0], [1.0, 0.0, 0.0]), Some([0.0, sans_fin]));
-    assert_eq!(de(&sol, [0.0, 0.0, -2.0], [-1.0, -0.0, -0.0]), Some([0.0, sans_fin]));
-    assert_eq!(de(&sol, [0.0, 0.0, 2.0], [1.0, 0.0, 0.0]), None);
-    assert_eq!(de(&sol, [0.0, 0.0, -2.0], monte), Some([0.0, 2.0]));
-    assert_eq!(de(&sol, [0.0, 0.0, 2.0], descend), Some([2.0, sans_fin]));
-    // The line and an edge share one point.
+        let obtenue = objet.traversee(&rayon).ok().map(|part| part.map(R::vers_f64));
+        assert_eq!(obtenue, part, "{objet:?} {rayon:?}");
+        let sortie = objet.sortie(&rayon).ok();
+        let sortie = sortie.map(|s| (s.distance().vers_f64(), s.normale(), s.indice()));
+        let attendue = part.map(|[_, a]| a).filter(|a| *a < sans_fin);
+        assert_eq!(sortie, attendue.map(|a| (a, arrondi(n.into()), 0)), "{objet:?} {rayon:?}");
+    }
+    // The ray and an edge share one point.
     let rayon = Rayon::new(v(0.0, 3.0, 0.0), v(1.0, -1.0, 0.0)).unwrap();
     let [entree, sortie] = boite.traversee(&rayon).unwrap();
     assert_eq!(entree, sortie);
+    // Through a corner the first pair gives the normal, as at an entry.
+    let coin = Rayon::new(v(0.0, 1.0, 2.0), v(1.0, 1.0, 1.0)).unwrap();
+    assert_eq!(boite.sortie(&coin).unwrap().normale(), Vecteur::X);
 }
 
-en_f32_et_f64!(de_la_surface_une_traversee_va_vers_l_interieur);
+en_f32_et_f64!(de_la_surface_un_rayon_sort_en_face_ou_pas);

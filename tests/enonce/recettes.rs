@@ -1,13 +1,10 @@
 //! The recipes of `docs/guide.md` and `docs/vitesse.md`, most against a closed form: a place of one's own, patterns, a
-//! tree in a program, hidden objects, a scene far away, a picture by threads; and what the pages say of δ. (Media are in
+//! tree in a program, hidden objects, a scene far away, a picture by threads. (Media are in
 //! `milieux.rs`, particles in `particule.rs`, two worlds in `choix.rs`.)
 
-use commun::fabrique::{boite, murs, sphere, v};
-use commun::hasard::{Hasard, pour_chaque};
-use commun::oracle::hauteur;
-use commun::regimes::{direction, entre};
+use commun::en_f32_et_f64;
+use commun::fabrique::{boite, sphere, v};
 use commun::tolerances::u;
-use commun::{arrondi, en_f32_et_f64};
 use exemples::scene::tuiles;
 use lancer_rayon::{
     BoiteGeo, Face, Monde, NoIntersection, ObjetGeo, ObjetRay, Rayon, Reel, Rotation, SphereGeo,
@@ -18,56 +15,33 @@ use recettes::capteur::capteur;
 use recettes::premier::premier;
 use recettes::{atlas, au_loin, caches, damier, fils};
 
-/// Places on the wall of a house against which a taller one stands flush get no sun. Places on the other wall get every
-/// sun that the wall faces. The houses are turned and stand anywhere, so that their stored walls overlap or leave a
-/// crack, by rounding.
-fn un_mur_mitoyen_est_a_l_ombre<R: Reel>() {
-    let (mut caches, mut clairs, mut naifs) = (0, 0, 0);
-    let faire = |alea: &mut Hasard| {
-        let tour = Rotation::new(v(0.0, entre(alea, -3.0, 3.0), 0.0)).unwrap();
-        let [l, h, p] = [(); 3].map(|()| entre(alea, 4.0, 20.0));
-        let centre = v::<R>(entre(alea, -90.0, 90.0), h / 2.0, entre(alea, -90.0, 90.0));
-        let maison = boite(centre, v(l, h, p), tour);
-        let voisin = centre + tour.appliquer(v(l, h / 2.0, 0.0));
-        let objets = [maison, boite(voisin, v(l, 2.0 * h, 1.5 * p), tour)];
-        let [_, y, z] = tour.axes();
-        let lieux = alea.liste(50, |alea, _| {
-            let [b, c] = [(); 2].map(|()| entre(alea, -0.98, 0.98));
-            let [y, z] = [(y, b * h), (z, c * p)].map(|(n, l)| n * R::depuis_f64(0.5 * l));
-            let soleil = direction(alea);
-            (v(0.0, b, c), y + z, arrondi::<R>(Vecteur::new(soleil.x, soleil.y.abs(), soleil.z)))
-        });
-        (objets, lieux)
-    };
-    pour_chaque(200, faire, |(objets, lieux)| {
-        let [maison @ ObjetRay::Boite(boite), _] = objets else { unreachable!("made as a box") };
-        let monde = Monde::de_liste(&objets);
-        for (lieu, vers, soleil) in lieux {
-            for (face, cache) in [(Face::PlusX, true), (Face::MoinsX, false)] {
-                let (milieu, n) = boite.face(face);
-                let capteur = capteur(boite, face, face.le_long(lieu)).unwrap();
-                // The error is some roundings of numbers below 200, and nowhere near the size of the wall.
-                let ecart = (capteur.point() - milieu - vers).longueur().vers_f64();
-                assert!(ecart < 4_000.0 * u::<R>(), "{ecart:e}");
-                let Ok(ombre) = capteur.vers_soleil(soleil) else { continue };
-                assert_eq!(monde.est_occulte(&ombre), cache, "{ombre:?}");
-                let naif = Rayon::new(capteur.point(), soleil).unwrap();
-                // C + l·N rounds by u of the product and by u of the sum, and N is unit to 6.1u.
-                let [l, ..] = boite.demi_longueurs();
-                let flou = 10.0 * u::<R>() * (boite.centre().longueur() + l).vers_f64();
-                assert!(hauteur(&maison, n, milieu).abs() <= flou);
-                let du_milieu = Rayon::new(milieu, soleil).unwrap();
-                let du_milieu = du_milieu.avec_flou(R::depuis_f64(flou)).unwrap();
-                assert!(!cache || monde.est_occulte(&du_milieu), "{du_milieu:?}");
-                naifs += u32::from(cache && !monde.est_occulte(&naif));
-                if cache { caches += 1 } else { clairs += 1 }
-            }
-        }
-    });
-    assert!(caches > 4_000 && clairs > 4_000 && naifs > caches / 5);
+/// A sensor faces outward, where its coordinates say; and on the wall against which another house stands flush it gets
+/// no sun.
+fn un_capteur_est_sur_sa_face<R: Reel>() {
+    let (centre, cotes) = (v::<R>(30.0, 3.0, -50.0), v::<R>(4.0, 6.0, 9.0));
+    let tour = Rotation::new(v(0.3, 0.4, 0.5)).unwrap();
+    let voisine = boite(centre + tour.appliquer(v(4.0, 3.0, 0.0)), v(4.0, 12.0, 14.0), tour);
+    let objets = [boite(centre, cotes, tour), voisine];
+    let ObjetRay::Boite(maison) = objets[0] else { unreachable!("made as a box") };
+    let lieu = v::<R>(0.9, -0.4, 0.1);
+    for face in Face::TOUTES {
+        let capteur = capteur(maison, face, face.le_long(lieu)).unwrap();
+        let n = maison.face(face).1;
+        let depuis = tour.inverse().appliquer(capteur.point() - centre);
+        let [x, y] = face.le_long(Vecteur::new(
+            depuis.x / cotes.x - lieu.x / R::depuis_f64(2.0),
+            depuis.y / cotes.y - lieu.y / R::depuis_f64(2.0),
+            depuis.z / cotes.z - lieu.z / R::depuis_f64(2.0),
+        ));
+        let ecart = x.absolu() + y.absolu();
+        assert!(ecart.vers_f64() < 100.0 * u::<R>() && capteur.normale() == n, "{face}: {ecart}");
+        let ombre = capteur.vers_soleil(n + Vecteur::Y * R::depuis_f64(0.1)).unwrap();
+        let cache = Monde::de_liste(&objets).est_occulte(&ombre);
+        assert_eq!(cache, face == Face::PlusX, "{face}");
+    }
 }
 
-en_f32_et_f64!(un_mur_mitoyen_est_a_l_ombre);
+en_f32_et_f64!(un_capteur_est_sur_sa_face);
 
 /// The pattern of a turned box is that of the box before it was turned, and so is the map of a ball.
 #[test]
@@ -167,26 +141,7 @@ fn au_loin_un_lieu_se_trouve_pres_d_une_origine() {
     assert!((trouve(Vecteur::NUL) - attendu).longueur() > 1e-2);
 }
 
-/// What the page says of `f32` in a large hall.
-#[test]
-fn dans_une_salle_de_cent_kilometres_le_flou_atteint_huit_decimetres() {
-    let murs: Vec<ObjetRay<f32>> = murs(v(5e4, 5e4, 5e4), Rotation::IDENTITE, 1e5, None)
-        .into_iter()
-        .map(ObjetRay::from)
-        .collect();
-    let (mut somme, rayons) = (0.0, 1_000);
-    let faire = |alea: &mut Hasard| Rayon::new(v(5e4, 5e4, 5e4), arrondi(direction(alea))).unwrap();
-    pour_chaque(rayons, faire, |mut rayon| {
-        for _ in 0..5 {
-            let touche = Monde::de_liste(&murs).premiere_intersection(&rayon).unwrap();
-            rayon = touche.reflechi(rayon.direction()).unwrap();
-        }
-        somme += rayon.flou() / rayons as f32;
-    });
-    assert!((0.7..0.9).contains(&somme), "{somme}");
-}
-
-/// What the page says of light mirrored within a ball: its cosine would stay that of the first time, but for the steps
+/// What `reflechi` says of light mirrored within a ball: its cosine would stay that of the first time, but for the steps
 /// inward.
 #[test]
 fn les_reflets_dans_une_boule_derivent_du_pas() {

@@ -1,8 +1,7 @@
 //! Vectors, also where the squares of their coordinates leave the range of the type.
 
-use commun::fabrique::sphere;
 use commun::{arrondi, en_f32_et_f64};
-use lancer_rayon::{Nombre, ObjetRay, Rayon, Reel, Vecteur};
+use lancer_rayon::{Nombre, Reel, Vecteur};
 
 /// 3² + 4² + 12² = 13².
 const COTES: Vecteur = Vecteur::new(3.0, -4.0, 12.0);
@@ -24,25 +23,6 @@ fn la_longueur_est_exacte_d_un_bout_a_l_autre<R: Reel>() {
         puissances += 1;
     }
     assert_eq!(puissances, if R::U == R::depuis_f64(f64::U) { 2095 } else { 274 });
-}
-
-/// A ball of radius r at the origin and a lamp above it on the axis: every distance is exact.
-fn la_distance_d_une_lampe_est_exacte_aux_bornes<R: Reel>() {
-    for (r, hauteur) in [
-        (R::UN / R::LIMITE, R::depuis_f64(64.0) / R::LIMITE),
-        (R::UN, R::depuis_f64(64.0)),
-        (R::LIMITE / R::depuis_f64(64.0), R::LIMITE * R::LIMITE / R::depuis_f64(16.0)),
-    ] {
-        let zero = R::ZERO;
-        let boule: ObjetRay<R> = sphere(Vecteur::NUL, r);
-        let source = Vecteur::new(zero, zero, r * R::depuis_f64(4.0));
-        let rayon = Rayon::new(source, Vecteur::new(zero, zero, -R::UN)).unwrap();
-        let touche = boule.intersection(&rayon).unwrap();
-        let lampe = Vecteur::new(zero, zero, hauteur);
-        let ombre = touche.vers_lumiere(lampe).unwrap();
-        assert_eq!(ombre.fin(), hauteur - ombre.source().z, "{r} {hauteur}");
-        assert_eq!(ombre.direction(), Vecteur::new(zero, zero, R::UN));
-    }
 }
 
 fn un_operateur_sur_place_est_l_operateur<R: Reel>() {
@@ -79,6 +59,5 @@ fn les_coordonnees_restent_a_leur_place<R: Reel>() {
 }
 
 en_f32_et_f64!(la_longueur_est_exacte_d_un_bout_a_l_autre);
-en_f32_et_f64!(la_distance_d_une_lampe_est_exacte_aux_bornes);
 en_f32_et_f64!(un_operateur_sur_place_est_l_operateur);
 en_f32_et_f64!(les_coordonnees_restent_a_leur_place);

@@ -1,6 +1,6 @@
 //! Ways out of a solid, for rays from its surface, from within rounding of it, and from within several solids.
 
-use commun::fabrique::{boite_droite, sphere, v};
+use commun::fabrique::sphere;
 use commun::hasard::{Hasard, Tirage, pour_chaque};
 use commun::oracle::{Passage, ecart_de_snell};
 use commun::promesses::{Essai, refracte};
@@ -8,57 +8,6 @@ use commun::regimes::{deux_puissance, direction, entre, signe};
 use commun::tolerances::{promesses, u};
 use commun::{arrondi, en_f32_et_f64};
 use lancer_rayon::{NoIntersection, ObjetRay, PlanGeo, Rayon, Reel, Rotation, Texture, Vecteur};
-
-/// Rays from exactly on the surface, and in the plane of a face, where every number is exact. Such a ray leaves at the
-/// far side or not at all.
-fn de_la_surface_un_rayon_sort_en_face_ou_pas<R: Reel>() {
-    let boule = sphere(Vecteur::NUL, R::depuis_f64(5.0));
-    let boite = boite_droite(Vecteur::NUL, v(2.0, 4.0, 6.0));
-    let sol = ObjetRay::from(PlanGeo::new(Rotation::IDENTITE, R::ZERO, Texture(0)).unwrap());
-    let sortie = |objet: &ObjetRay<R>, de, vers| {
-        let sortie = objet.sortie(&Rayon::new(de, vers).unwrap()).ok()?;
-        assert_eq!(sortie.indice(), 0);
-        Some((sortie.distance().vers_f64(), <[f64; 3]>::from(sortie.normale().vers_f64())))
-    };
-    let (haut, bas) = (v(0.0, 1.0, 0.0), v(0.0, -1.0, 0.0));
-    let en_bas = Some((8.0, [0.6, -0.8, 0.0].map(|x| R::depuis_f64(x).vers_f64())));
-    assert_eq!(sortie(&boule, v(3.0, 4.0, 0.0), bas), en_bas);
-    assert_eq!(sortie(&boule, v(3.0, 4.0, 0.0), haut), None);
-    assert_eq!(sortie(&boule, v(5.0, 0.0, 0.0), haut), None); // a tangent
-    assert_eq!(sortie(&boule, v(5.0, -9.0, 0.0), haut), None); // and one from afar
-    assert_eq!(sortie(&boule, v(0.0, 0.0, 0.0), haut), Some((5.0, [0.0, 1.0, 0.0])));
-    assert_eq!(sortie(&boule, v(0.0, 4.0, 0.0), haut), Some((1.0, [0.0, 1.0, 0.0])));
-    assert_eq!(sortie(&boule, v(0.0, 9.0, 0.0), haut), None);
-
-    assert_eq!(sortie(&boite, v(0.5, 2.0, 0.0), bas), Some((4.0, [0.0, -1.0, 0.0])));
-    assert_eq!(sortie(&boite, v(0.5, 2.0, 0.0), haut), None);
-    assert_eq!(sortie(&boite, v(0.5, 1.5, 0.0), haut), Some((0.5, [0.0, 1.0, 0.0])));
-    // Rays in the plane of a face, which belongs to the box; beside it; and along an edge.
-    assert_eq!(sortie(&boite, v(1.0, 0.0, 0.0), haut), Some((2.0, [0.0, 1.0, 0.0])));
-    assert_eq!(sortie(&boite, v(1.0, -9.0, 3.0), haut), Some((11.0, [0.0, 1.0, 0.0])));
-    assert_eq!(sortie(&boite, v(1.5, 0.0, 0.0), haut), None);
-    // The ray and the edge at (1, 2) share one point, where the ray enters as well.
-    let croise = Rayon::new(v(0.0, 3.0, 0.0), v(1.0, -1.0, 0.0)).unwrap();
-    let [entree, fin] = [boite.intersection(&croise), boite.sortie(&croise)];
-    assert_eq!(entree.unwrap().distance(), fin.unwrap().distance());
-    // Through a corner the first pair gives the normal, as at an entry.
-    let coin = sortie(&boite, v(0.0, 1.0, 2.0), v(1.0, 1.0, 1.0));
-    assert_eq!(coin.unwrap().1, [1.0, 0.0, 0.0]);
-
-    let (monte, descend) = (v(0.0, 0.0, 1.0), v(0.0, 0.0, -1.0));
-    assert_eq!(sortie(&sol, v(0.0, 0.0, -3.0), monte), Some((3.0, [0.0, 0.0, 1.0])));
-    assert_eq!(sortie(&sol, v(0.0, 0.0, -3.0), descend), None);
-    assert_eq!(sortie(&sol, v(0.0, 0.0, -3.0), haut), None);
-    // A level ray, whatever the signs of its zeros.
-    assert_eq!(sortie(&sol, v(0.0, 0.0, -3.0), v(-1.0, -0.0, -0.0)), None);
-    assert_eq!(sortie(&sol, v(0.0, 0.0, 0.0), monte), None);
-    assert_eq!(sortie(&sol, v(0.0, 0.0, 3.0), descend), None);
-    // Too far for the type.
-    let pente = Vecteur::new(R::UN, R::ZERO, R::ETA);
-    assert_eq!(sortie(&sol, v(0.0, 0.0, -3.0), pente), None);
-}
-
-en_f32_et_f64!(de_la_surface_un_rayon_sort_en_face_ou_pas);
 
 /// From within rounding of the surface, and along it too, a ray that starts inside as computed leaves, and within two
 /// radii.

@@ -840,9 +840,7 @@ fn places_dit_combien_de_places_suffisent<R: Bits>() {
             let mut places = vec![f32::INFINITY; pretees];
             let monde = Monde::new(&scene, &mut places).unwrap();
             // One line, whatever the number of objects.
-            let en_clair = format!("{monde:?}");
-            assert!(en_clair.starts_with(&format!("Monde {{ objets: {n}, noeuds: ")));
-            assert!(en_clair.len() < 60, "{en_clair}");
+            assert!(format!("{monde:?}").len() < 60, "{monde:?}");
             let copie = monde;
             for rayon in &rayons {
                 let attendue = mots(&premiere_intersection(&scene, rayon));

@@ -176,110 +176,94 @@ fn une_reponse_juste_est_sure<R: Reel>() {
 
 en_f32_et_f64!(une_reponse_juste_est_sure);
 
-/// A face whose plane holds the ray excludes no hit, and one that the ray runs beside excludes all, since the products
-/// are exact.
+/// Whether exact arithmetic has a hit, whether the search answers one, and whether that answer is certain.
+#[track_caller]
+fn exiger<R: Reel>(objet: ObjetRay<R>, rayon: Rayon<R>, attendu: [bool; 3]) {
+    let exacte = verite(&objet, &rayon).entree.is_some();
+    let dit = [exacte, objet.intersection(&rayon).is_ok(), objet.est_certain(&rayon)];
+    assert_eq!(dit, attendu, "{objet:?} {rayon:?}");
+    juger(objet, rayon);
+}
+
 #[test]
-fn dans_le_plan_d_une_face_une_reponse_est_sure() {
-    let cotes = Vecteur::new(2.0, 2.0, 2.0);
-    let boite = boite_droite(Vecteur::NUL, cotes);
-    for (y, t) in [(1.0, Some(4.0)), (1.0_f64.next_up(), None), (-1.0, Some(4.0))] {
-        let x = Vecteur::new(1.0, 0.0, 0.0);
-        let rayon = Rayon::new(Vecteur::new(-5.0, y, 0.0), x).unwrap();
-        assert_eq!(boite.intersection(&rayon).ok().map(|touche| touche.distance()), t);
-        assert!(boite.est_certain(&rayon), "{y}");
+fn la_ou_des_nombres_exacts_decident_seul_ce_qui_est_exact_est_sur() {
+    let rayon = |s, d| Rayon::new(s, d).unwrap();
+    // A face whose plane holds the ray excludes no hit, and one that the ray runs beside excludes all, since the
+    // products are exact.
+    let cube = boite_droite(Vecteur::NUL, v(2.0, 2.0, 2.0));
+    for (y, touche) in [(1.0, true), (1.0_f64.next_up(), false), (-1.0, true)] {
+        exiger(cube, rayon(v(-5.0, y, 0.0), Vecteur::X), [touche, touche, true]);
     }
-}
-
-/// The source lies exactly on a turned face and on the top, but no product shows that of the face,
-/// and rounding lifts it: a hit as computed, which exact arithmetic lacks, and so not certain.
-#[test]
-fn un_depart_sur_une_face_que_l_arrondi_souleve_n_est_pas_sur() {
-    let (a, b) = (0.6 - 8.0 * f64::U, 0.8 + 4.0 * f64::U);
-    let m = [[a, b, 0.0], [-b, a, 0.0], [0.0, 0.0, 1.0]];
-    // The first is 2(5a − 3b), exactly.
-    let cotes = Vecteur::new(f64::from_bits(0x3fe3_3333_3333_32fd) * 2.0, 14.0, 2.0);
-    let boite = boite(Vecteur::NUL, cotes, Rotation::depuis_matrice(m).unwrap());
-    let rayon = Rayon::new(v(5.0, -3.0, 1.0), v(-3.0, -4.0, -5.0)).unwrap();
-    assert!(verite(&boite, &rayon).entree.is_none() && boite.intersection(&rayon).is_ok());
-    assert!(!boite.est_certain(&rayon));
-    juger(boite, rayon);
-}
-
-/// A ray touches an edge exactly, for it comes under one face when it leaves another, each at 3/4.
-/// The search, which loses a bit of S − C, sees a miss, which is not certain.
-#[test]
-fn une_arete_touchee_exactement_n_est_pas_un_manque_sur() {
-    let [x, y] = [2_516_582.0_f32, 3_355_444.0].map(|k| k / 4_194_304.0);
-    let boite = boite_droite(v(-8.0, 0.0, 0.0), v(16.0, 2.0, 2.0));
-    let source = Vecteur::new(x * -0.75, y * 0.75 + 1.0, 0.0);
-    let rayon = Rayon::new(source, Vecteur::new(x, -y, 0.0)).unwrap();
-    assert!(verite(&boite, &rayon).entree.is_some() && boite.intersection(&rayon).is_err());
-    assert!(!boite.est_certain(&rayon));
-    juger(boite, rayon);
-}
-
-/// A ray is tangent at (3, 4)·m exactly, but no product shows that it goes at a right angle to the
-/// radius there, and rounding lets it in: a hit as computed, which exact arithmetic lacks, and so
-/// not certain.
-#[test]
-fn une_tangente_que_l_arrondi_fait_entrer_n_est_pas_sure() {
-    let [s, m] = [0x3fc9_9999_9999_9998, 0x3fc9_9986_8000_0000].map(f64::from_bits);
-    let boule = sphere(Vecteur::NUL, 5.0 * m);
-    let (d, contact) = (v(4.0 * s, -3.0 * s, 0.0), v(3.0 * m, 4.0 * m, 0.0));
-    let rayon = Rayon::new(contact - d, d).unwrap();
-    assert!(verite(&boule, &rayon).entree.is_none() && boule.intersection(&rayon).is_ok());
-    assert!(!boule.est_certain(&rayon));
-    juger(boule, rayon);
-}
-
-/// In the plane of a face that is slightly turned, exactly and along it, whatever the distance
-/// rounds to: a hit of another face, which is sure.
-#[test]
-fn le_long_d_une_face_a_peine_tournee_un_contact_est_sur() {
+    // In the plane of a face that is slightly turned, exactly and along it, whatever the distance rounds to: N·S is 1.
     let y = 3.0 * (-28_f64).exp2();
     let tour = Rotation::depuis_matrice([[1.0, y, 0.0], [-y, 1.0, 0.0], [0.0, 0.0, 1.0]]).unwrap();
-    let boite = boite(Vecteur::NUL, v(2.0, 2.0, 2.0), tour);
+    let tourne = boite(Vecteur::NUL, v(2.0, 2.0, 2.0), tour);
     for x in [-4.0, -4.75, -5.5] {
-        // N·S is 1.
-        let rayon = Rayon::new(v(x, 1.0 + y * x, 0.0), v(1.0, y, 0.0)).unwrap();
-        assert!(boite.intersection(&rayon).is_ok() && boite.est_certain(&rayon), "{x}");
-        juger(boite, rayon);
+        exiger(tourne, rayon(v(x, 1.0 + y * x, 0.0), v(1.0, y, 0.0)), [true; 3]);
+    }
+    // The source lies exactly on a turned face and on the top, but no product shows that of the face, and rounding
+    // lifts it. The first length is 2(5a − 3b), exactly.
+    let (a, b) = (0.6 - 8.0 * f64::U, 0.8 + 4.0 * f64::U);
+    let m = [[a, b, 0.0], [-b, a, 0.0], [0.0, 0.0, 1.0]];
+    let cotes = Vecteur::new(f64::from_bits(0x3fe3_3333_3333_32fd) * 2.0, 14.0, 2.0);
+    let souleve = boite(Vecteur::NUL, cotes, Rotation::depuis_matrice(m).unwrap());
+    let depart = rayon(v(5.0, -3.0, 1.0), v(-3.0, -4.0, -5.0));
+    exiger(souleve, depart, [false, true, false]);
+    // A ray touches an edge exactly, for it comes under one face when it leaves another, each at 3/4. The search, which
+    // loses a bit of S − C, sees a miss.
+    let [x, y] = [2_516_582.0_f32, 3_355_444.0].map(|k| k / 4_194_304.0);
+    let source = Vecteur::new(x * -0.75, y * 0.75 + 1.0, 0.0);
+    let longue = boite_droite(v(-8.0, 0.0, 0.0), v(16.0, 2.0, 2.0));
+    let par_l_arete = Rayon::new(source, Vecteur::new(x, -y, 0.0)).unwrap();
+    exiger(longue, par_l_arete, [true, false, false]);
+    // A ray is tangent at (3, 4)·m exactly, but no product shows that it goes at a right angle to the radius there, and
+    // rounding lets it in.
+    let [s, m] = [0x3fc9_9999_9999_9998, 0x3fc9_9986_8000_0000].map(f64::from_bits);
+    let (d, contact) = (v(4.0 * s, -3.0 * s, 0.0), v(3.0 * m, 4.0 * m, 0.0));
+    exiger(sphere(Vecteur::NUL, 5.0 * m), rayon(contact - d, d), [false, true, false]);
+    // The source is above one face, from which the ray goes away, and in the plane of another as far as can be told.
+    for k in [-30.0, -45.0, -60.0, -100.0] {
+        let [loin, haut, pente] = [-110.0, -64.0, k].map(f32::exp2);
+        let cube = boite_droite(Vecteur::new(loin, 0.0, haut), v(2.0, 2.0, 2.0));
+        let monte = Rayon::new(v(1.0, 0.0, -1.0), Vecteur::new(-pente, 0.0, -1.0)).unwrap();
+        exiger(cube, monte, [false, false, true]);
+    }
+    // Doubled numbers cannot tell whether a direction within 2⁻¹⁰⁰ of the plane of a turned floor comes down, however
+    // high S is. They can where the ray is a little steeper, and along an axis.
+    let [a, b, x, y, z] = [
+        0x3fec_2dd5_38e2_9bb5,
+        0x3fde_53e2_a5c9_57b2,
+        0xbfc8_137b_efdd_2b28,
+        0x3fd6_5ed0_f46b_c116,
+        0x3fed_5f01_ee55_05ff,
+    ]
+    .map(f64::from_bits);
+    let n = Vecteur::new(a, b, 0.0);
+    let penche = mur(Vecteur::NUL, n);
+    exiger(penche, rayon(n, Vecteur::new(x, y, z)), [false; 3]);
+    exiger(penche, rayon(n, Vecteur::new(x, y - 1e-14, z)), [true; 3]);
+    let (plat, peu) = (mur(Vecteur::NUL, Vecteur::Y), (-106_f64).exp2());
+    for (pente, touche) in [(0.0, false), (peu, false), (-peu, true)] {
+        exiger(plat, rayon(Vecteur::Y, v(1.0, pente, 0.0)), [touche, touche, true]);
     }
 }
 
 /// From a source exactly on the surface of an object no ray enters it, whichever way it goes. This miss is certain.
 fn depuis_la_surface_un_manque_est_sur<R: Reel>() {
-    let sol = ObjetRay::from(PlanGeo::new(Rotation::IDENTITE, R::ZERO, Texture(0)).unwrap());
     let boule = sphere(Vecteur::NUL, R::depuis_f64(5.0));
-    let boite = boite_droite(Vecteur::NUL, v(2.0, 4.0, 6.0));
+    let (boite, sol) =
+        (boite_droite(Vecteur::NUL, v(2.0, 4.0, 6.0)), mur(Vecteur::NUL, Vecteur::Z));
     let cas = [(sol, v(7.0, 5.0, 0.0)), (boule, v(0.0, 4.0, 3.0)), (boite, v(0.5, 1.0, 3.0))];
     for (objet, source) in cas {
         for (x, y) in [(0.0, 0.0), (0.5, 0.25), (-0.25, 0.125)] {
             for z in [-1.0, 1.0] {
-                let rayon = Rayon::new(source, v(x, y, z)).unwrap();
-                assert!(objet.intersection(&rayon).is_err());
-                assert!(objet.est_certain(&rayon), "{objet:?} {rayon:?}");
+                exiger(objet, Rayon::new(source, v(x, y, z)).unwrap(), [false, false, true]);
             }
         }
     }
 }
 
 en_f32_et_f64!(depuis_la_surface_un_manque_est_sur);
-
-/// The source is above one face, from which the ray goes away, and in the plane of another as far as can be told: a
-/// miss.
-#[test]
-fn au_dela_d_une_face_un_manque_est_sur() {
-    for k in [-30.0, -45.0, -60.0, -100.0] {
-        let [loin, haut, pente] = [-110.0, -64.0, k].map(f32::exp2);
-        let (c, cotes) = (Vecteur::new(loin, 0.0, haut), Vecteur::new(2.0, 2.0, 2.0));
-        let boite = boite_droite(c, cotes);
-        let d = Vecteur::new(-pente, 0.0, -1.0);
-        let rayon = Rayon::new(Vecteur::new(1.0, 0.0, -1.0), d).unwrap();
-        assert!(boite.est_certain(&rayon), "{k}");
-        juger(boite, rayon);
-    }
-}
 
 /// A long box, and a source some roundings under a face along which the ray goes to rounding: it may leave the box by that
 /// face before it enters by another, far along. (Whether it rises towards the face is not known at a glance, so that the
@@ -342,34 +326,6 @@ fn une_reponse_juste_n_est_incertaine_qu_ou_on_le_dit() {
         let touche = premiere_intersection(&cubes, &rayon);
         assert_eq!(touche.map(|touche| touche.indice()), Ok(0));
         assert_eq!(Monde::de_liste(&cubes).certifie(&rayon, &touche), certaine, "{k}");
-    }
-}
-
-/// Doubled numbers cannot tell whether a direction within 2⁻¹⁰⁰ of the plane of a turned floor comes down, however high
-/// S is. The exact answer is a miss, which is not certain. It is certain where the ray is a little steeper, and along
-/// an axis.
-#[test]
-fn presque_le_long_d_un_sol_tourne_une_reponse_juste_n_est_pas_sure() {
-    let [a, b, x, y, z] = [
-        0x3fec_2dd5_38e2_9bb5,
-        0x3fde_53e2_a5c9_57b2,
-        0xbfc8_137b_efdd_2b28,
-        0x3fd6_5ed0_f46b_c116,
-        0x3fed_5f01_ee55_05ff,
-    ]
-    .map(f64::from_bits);
-    let n = Vecteur::new(a, b, 0.0);
-    let sol = mur(Vecteur::NUL, n);
-    let rayon = Rayon::new(n, Vecteur::new(x, y, z)).unwrap();
-    assert!(verite(&sol, &rayon).entree.is_none() && sol.intersection(&rayon).is_err());
-    assert!(!sol.est_certain(&rayon));
-
-    let plus_raide = Rayon::new(n, Vecteur::new(x, y - 1e-14, z)).unwrap();
-    assert!(sol.est_certain(&plus_raide));
-    let haut = Vecteur::new(0.0, 1.0, 0.0);
-    let plat = mur(Vecteur::NUL, haut);
-    for pente in [0.0, (-106_f64).exp2(), -(-106_f64).exp2()] {
-        assert!(plat.est_certain(&Rayon::new(haut, Vecteur::new(1.0, pente, 0.0)).unwrap()));
     }
 }
 

@@ -188,19 +188,6 @@ fn une_sphere_perdue_a_une_marge_infinie<R: Reel>() {
 
 en_f32_et_f64!(une_sphere_perdue_a_une_marge_infinie);
 
-/// Built: a sphere about O, seen from 4·10⁶ away, with r = 42u|f|, which a search found. Held: its margin is +∞. (That
-/// none is where r ≥ 64u|f| + 16u‖P‖₁ is the promise `marge_infinie`.)
-#[test]
-fn la_marge_d_une_sphere_de_42_u_f_peut_etre_infinie() {
-    let r = 10.810261_f32;
-    let boule = sphere(Vecteur::NUL, r);
-    let s = Vecteur::new(-4252056.5, -288853.3, 537674.06);
-    let rayon = Rayon::new(s, Vecteur::new(0.98985416, 0.067242615, -0.12516737)).unwrap();
-    let touche = boule.intersection(&rayon).unwrap();
-    let f = s.vers_f64().longueur();
-    assert!(touche.marge() == f32::INFINI && f64::from(r) > 42.0 * u::<f32>() * f, "{touche:?}");
-}
-
 /// From the exact centre, where |f| is 0, r = 16u‖P‖₁ is at the limit. The sum as computed decides there, not the exact
 /// one.
 #[test]

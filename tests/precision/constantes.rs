@@ -699,16 +699,21 @@ fn lemme_6_la_borne_du_lieu_d_une_touche_suffit() {
     });
 }
 
+/// How far AB² is off, in u, where AC is at most `k`.
+fn de_ab2(u: f64, [f, r, k]: [Intervalle; 3]) -> Intervalle {
+    let g_ac = i(4.0 / 3.0).racine() * f + PERDU_LONGUEUR * r;
+    gamma(r2_d2(), u) * plus(8.0, u) * (r.carre() + (k + g_ac * u).carre())
+        + g_ac * (2.0 * k + g_ac * u)
+        + PERDU * r.carre()
+}
+
 /// How far from the surface the point of a hit lies outside a sphere of radius `y`, seen from 1
 /// away, in u(1 + y).
 fn hors_d_une_sphere(u: f64, y: Intervalle) -> Intervalle {
-    let g_ac = i(4.0 / 3.0).racine() + PERDU_LONGUEUR;
     // AC is at most this, since r² − AC² > 0 as computed.
     let k = y * plus(10.0, u) + 3.0 * u;
     // The last difference adds u(r² − AC²) to 5u of each.
-    let dw = gamma(r2_d2(), u) * plus(8.0, u) * (y.carre() + (k + g_ac * u).carre())
-        + g_ac * (2.0 * k + g_ac * u)
-        + PERDU * y.carre();
+    let dw = de_ab2(u, [i(1.0), y, k]);
     let (y_bas, k_bas) = (i(y.bas), i(k.bas));
     assert!((dw.haut * u - (k_bas - y_bas) * (k_bas + y_bas)).haut <= 0.0 || y.haut > y.bas);
     let p = (1.0 - y.carre()).max(i(0.0));
@@ -899,11 +904,8 @@ fn lemme_15_l_etendue_tient_tout_l_objet() {
 fn sortie_hors_d_une_sphere(u: f64, dehors: bool, y: Intervalle) -> Intervalle {
     let (f, r) = if dehors { (i(1.0), y) } else { (y, i(1.0)) };
     // The error of AB². AC is at most |f|, or r as computed.
-    let g_ac = i(4.0 / 3.0).racine() * f + PERDU_LONGUEUR * r;
     let k = if dehors { r * plus(10.0, u) + 3.0 * u } else { f };
-    let dw = (gamma(r2_d2(), u) * (r.carre() + (k + g_ac * u).carre()) + r.carre()) * plus(8.0, u)
-        + g_ac * (2.0 * k + g_ac * u)
-        + PERDU * r.carre();
+    let dw = de_ab2(u, [f, r, k]) + r.carre() * plus(8.0, u);
     let hors = |carre: Intervalle| carre / ((r.carre() + carre * u).racine() + r);
     // With A ahead: SA, the root, the sum, D² and the quotient, and also what W5 may move.
     let ab = (r.carre() + dw * u).racine();

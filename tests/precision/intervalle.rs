@@ -175,20 +175,13 @@ pub(crate) fn portee<const N: usize>(
     for _ in 0..1_000_000 {
         let Some(boite) = boites.pop() else { return de_a(f64::NEG_INFINITY, f64::NEG_INFINITY) };
         let Boite { haut, x } = boite;
-        for point in [x.map(|x| x.bas.into()), x.map(|x| x.parts()[0].haut.into())] {
-            atteint = atteint.max(f(point).map_or(f64::NEG_INFINITY, |v| v.bas));
-            assert!(atteint <= limite, "{atteint} at {point:?} is more than {limite}");
-        }
+        atteint = atteint.max(atteinte(x, limite, &f));
         if haut <= limite && (haut <= 0.9 * limite || atteint > 0.9 * limite) {
             return de_a(atteint, haut);
         }
         let coupes: Vec<_> = (0..N)
             .map(|axe| {
-                let [a, b] = x[axe].parts().map(|part| {
-                    let mut x = x;
-                    x[axe] = part;
-                    Boite::new(x, &f)
-                });
+                let [a, b] = coupee(x, axe).map(|x| Boite::new(x, &f));
                 (
                     a.as_ref().max(b.as_ref()).map_or(f64::NEG_INFINITY, |boite| boite.haut),
                     axe,
@@ -230,18 +223,33 @@ pub(crate) fn prouver<const N: usize>(
             if domaine.bas > 0.0 { (x.haut / x.bas).ln() } else { de_zero }
         };
         let axe = (0..N).max_by(|a, b| large(a).total_cmp(&large(b))).expect("an axis");
-        let parts = x[axe].parts();
-        for point in [x.map(|x| x.bas.into()), x.map(|x| x.parts()[0].haut.into())] {
-            atteint = atteint.max(f(point).map_or(f64::NEG_INFINITY, |borne| borne.bas));
-            assert!(atteint <= limite, "{atteint} at {point:?} is more than {limite}");
-        }
-        boites.extend(parts.map(|part| {
-            let mut x = x;
-            x[axe] = part;
-            x
-        }));
+        atteint = atteint.max(atteinte(x, limite, &f));
+        boites.extend(coupee(x, axe));
     }
     panic!("not shown to be at most {limite}; {atteint} is reached; next {:?}", boites.last());
+}
+
+/// The box, cut in two along this axis.
+fn coupee<const N: usize>(x: [Intervalle; N], axe: usize) -> [[Intervalle; N]; 2] {
+    x[axe].parts().map(|part| {
+        let mut x = x;
+        x[axe] = part;
+        x
+    })
+}
+
+/// What `f` exceeds at a corner of the box or amid it, which must be no more than the limit.
+fn atteinte<const N: usize>(
+    x: [Intervalle; N],
+    limite: f64,
+    f: impl Fn([Intervalle; N]) -> Option<Intervalle>,
+) -> f64 {
+    let points = [x.map(|x| x.bas.into()), x.map(|x| x.parts()[0].haut.into())];
+    points.into_iter().fold(f64::NEG_INFINITY, |atteint, point| {
+        let ici = f(point).map_or(f64::NEG_INFINITY, |borne| borne.bas);
+        assert!(ici <= limite, "{ici} at {point:?} is more than {limite}");
+        atteint.max(ici)
+    })
 }
 
 /// A box with an upper bound of `f` on it, by which boxes are ordered.

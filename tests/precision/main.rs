@@ -11,7 +11,6 @@ mod doubles;
 mod etapes;
 mod hasard;
 mod intervalle;
-mod invariances;
 mod oracle;
 mod pentes;
 mod preuves;
