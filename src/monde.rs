@@ -334,7 +334,7 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// (`docs/vitesse.md`, "The order in a batch"). Pass 64 rays or more per call. Rays that would
     /// take longer together go on one by one, as soon as that shows: in calls of 4,096 a batch
     /// seldom takes more than 1.1 times as long as its rays one by one. Calls of 64 cannot learn from
-    /// each other, and take up to some 2.5 times as long (`benches/mesures/falaises.csv`). Nothing
+    /// each other, and take up to some 2.7 times as long (`benches/mesures/falaises.csv`). Nothing
     /// is allocated and no thread is started; the caller may give parts of a picture to several
     /// threads.
     ///

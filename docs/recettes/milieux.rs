@@ -144,7 +144,8 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
     fn commencer(&mut self, rayon: Rayon<R>) {
         self.apres.clear();
         self.ici.clear();
-        (self.rayon, self.tours) = (rayon.dehors(), 0);
+        // What the last face of another ray was off by says nothing of this start.
+        (self.rayon, self.tours, self.erreur) = (rayon.dehors(), 0, R::ZERO);
     }
 
     /// The world that it goes through.

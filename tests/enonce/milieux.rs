@@ -982,3 +982,23 @@ fn une_lentille_de_deux_boules_a_son_foyer() {
     let mut faces = |h| traverser(Rayon::new(Vecteur::new(-30.0, h, 0.0), Vecteur::X).unwrap()).0;
     assert!(faces(bord - 1e-3) == 2 && faces(bord + 1e-3) == 0);
 }
+
+/// A walk that is kept for many rays goes as a new one, also from a surface after a face far away.
+#[test]
+fn une_marche_gardee_va_comme_une_neuve() {
+    let (boule, loin) = (sphere(Vecteur::NUL, 2.0_f32), mur(Vecteur::X * -2e6, Vecteur::X));
+    let (objets, matieres) = ([boule, loin], [pleine(0, 1.5)]);
+    let neuve = || Marche::new(Monde::de_liste(&objets), &matieres);
+    let mut gardee = neuve();
+    gardee.partir(Rayon::new(Vecteur::Y * 9.0, -Vecteur::X).unwrap());
+    let surface = gardee.avancer(f32::INFINITY).unwrap().unwrap();
+    assert_eq!(surface.objet, 1);
+    for mut marche in [neuve(), gardee] {
+        // Outward from the ball, and back after a step of 1.
+        marche.partir(Rayon::new(Vecteur::Y * 2.0, Vecteur::Y).unwrap());
+        assert!(marche.avancer(1.0).unwrap().is_none());
+        marche.tourner(-Vecteur::Y).unwrap();
+        let retour = marche.avancer(f32::INFINITY).unwrap().unwrap();
+        assert_eq!((retour.objet, retour.distance), (0, 1.0));
+    }
+}

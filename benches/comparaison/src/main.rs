@@ -4,7 +4,8 @@
 //! `cargo run --release -p comparaison` prints the times, in nine minutes, and with `image` those of a whole picture and
 //! of single calls alone, which `image documents` also writes. With `documents` it measures errors as well, and writes
 //! the tables and plots of `README.md`, `docs/vitesse.md` and `benches/erreurs.md`, and seven files of `benches/mesures`.
-//! `--features embree` adds Embree 3.13 (`apt-get install libembree-dev`).
+//! `--features embree` adds Embree 3.13 (`apt-get install libembree-dev`). `variants` measures speed against accuracy
+//! alone and writes it; without Embree, whose threads slow down what is timed beside them.
 
 mod annexe;
 mod autres;
@@ -67,7 +68,8 @@ fn main() -> Result<(), Box<dyn Error>> {
             }
             return Ok(());
         }
-        Some(_) => return Err("usage: comparaison [[image] documents]".into()),
+        Some("variants") => return compromis::documenter(),
+        Some(_) => return Err("usage: comparaison [[image] documents | variants]".into()),
     };
     // Each machine has its own table.
     let (instructions, _) = Reglage::tous().next().ok_or("no instructions")?;
