@@ -39,7 +39,7 @@ const BLOCS_D_UNE_PESEE: u32 = 8;
 /// What was found out about some rays of a block.
 #[derive(Clone, Copy)]
 pub(crate) struct Releve {
-    /// What one of them spent alone, in the mean.
+    /// What one of them spent alone, in the mean of all but the dearest.
     pub(crate) seul: Prix,
     /// What part of some objects with a box one of them comes near.
     pub(crate) proches: f32,
