@@ -70,16 +70,14 @@ pub enum Derriere {
 /// A walk through a world. It goes straight on through all faces behind which the same medium counts, and tells where
 /// another medium or an opaque thing begins. Where light comes out of a medium, faces that lie within rounding of each
 /// other are one surface, so that no film of air comes between flush media, and the table is found on which a glass
-/// stands.
+/// stands. Light that starts between two such faces is in a film that is there by rounding alone, and
+/// [`passer`](Self::passer) lets it out.
 ///
 /// At one place light leaves each object at most once, unless it is turned there into it, and so passes where overlapping
 /// media meet in a re-entrant edge. Bound the number of surfaces of a path all the same, since light may be trapped by
 /// mirrors, as in a ball that it grazes from within, or in the tip between faces that all send it back. A walk allocates
 /// until it has been in as many objects at once, and met as many at one place, as it ever does, and then no more: keep it
 /// for many rays.
-///
-/// Where faces of media with other indices cross at an edge, refraction may turn light to and fro there for ever: it did
-/// so to one of 480,000 rays that were aimed at such edges.
 #[derive(Clone)]
 pub struct Marche<'a, R = f64, C = Tous> {
     monde: Monde<'a, R, C>,
@@ -94,6 +92,9 @@ pub struct Marche<'a, R = f64, C = Tous> {
     ici: Vec<usize>,
     /// How far this place goes: the error of the face that was found last.
     erreur: R,
+    /// Which way is through the face at which light waits, and through the one at this place that sent it back last.
+    face: Option<Vecteur<R>>,
+    renvoi: Option<Vecteur<R>>,
     /// How many rays there were since δ was 0.
     tours: u32,
     /// Where the ray of a chord enters an object, or leaves it.
@@ -117,6 +118,8 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
             apres,
             ici,
             erreur,
+            face: None,
+            renvoi: None,
             tours: 0,
             bords,
             traverses,
@@ -146,6 +149,7 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
         self.ici.clear();
         // What the last face of another ray was off by says nothing of this start.
         (self.rayon, self.tours, self.erreur) = (rayon.dehors(), 0, R::ZERO);
+        (self.face, self.renvoi) = (None, None);
     }
 
     /// The world that it goes through.
@@ -163,7 +167,9 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
         &self.dans
     }
 
-    /// The object whose medium light is in; `None` outside all media.
+    /// The object whose medium light is in, before the surface at which it waits; `None` outside all media. Where light
+    /// stands on a surface because it started there or its step ended there, this is known only after the next
+    /// [`avancer`](Self::avancer).
     pub fn milieu(&self) -> Option<usize> {
         regne(self.matieres, &self.dans)
     }
@@ -177,6 +183,7 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
     pub fn avancer(&mut self, pas: R) -> Result<Option<Surface<R>>, ErreurGeo> {
         let _ = self.rayon.jusqu_a(pas).map_err(|refus| ErreurGeo { champ: "pas", ..refus })?;
         self.apres.clear();
+        self.face = None;
         let mut parcouru = R::ZERO;
         for _ in 0..FACES_CACHEES {
             let reste = if parcouru > pas { R::ZERO } else { pas - parcouru };
@@ -222,6 +229,7 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
         let Self { dans, apres, ici, .. } = self;
         ici.retain(|i| !apres.contains(i));
         ici.extend(apres.drain(..).filter(|i| !dans.contains(i)));
+        self.renvoi = self.face.or(self.renvoi);
         self.suivre(rayon);
     }
 
@@ -237,19 +245,25 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
     fn suivre(&mut self, rayon: Rayon<R>) {
         // `dans` tells what light is in, and questions leave that out; light may touch anything else at once.
         self.rayon = rayon.dehors();
+        self.face = None;
         self.tours += 1;
     }
 
     /// Light goes this far, and so perhaps away from what is in `ici`.
     fn avance_de(&mut self, distance: R) {
-        if distance > self.erreur && !self.ici.is_empty() {
+        if distance <= self.erreur {
+            return;
+        }
+        self.renvoi = None;
+        if !self.ici.is_empty() {
             let (objets, la) = (self.monde.objets(), self.rayon.point(distance));
             self.ici.retain(|&i| objets[i].contient(la));
         }
     }
 
     /// Goes through the surface that was found last, by Snell's law, or is mirrored there where no light passes or an
-    /// opaque thing stands; whether it passes.
+    /// opaque thing stands; whether it passes. Light that total reflection would send back to a face which has just sent
+    /// it here, both at one place, is in a film that is there by rounding alone, and goes straight on.
     ///
     /// # Errors
     /// If the indices of two media differ more than a hundredfold or are not above 0, or if an object is lost in
@@ -268,8 +282,14 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
             Ok(rayon) => self.entrer(rayon),
             // Total reflection.
             Err(refus) if refus.champ == "refraction" => {
-                self.rester(touche.reflechi(d)?);
-                return Ok(false);
+                let retour = touche.reflechi(d)?;
+                let revient =
+                    |vers: Vecteur<R>| vers.produit_scalaire(retour.direction()) > R::ZERO;
+                if !self.renvoi.is_some_and(revient) {
+                    self.rester(retour);
+                    return Ok(false);
+                }
+                self.entrer(touche.secondaire(d)?);
             }
             Err(refus) => return Err(refus),
         }
@@ -368,7 +388,7 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
         let devant = if entre { -touche.normale() } else { touche.normale() };
         let longueur = norme(touche.point().into()) + touche.distance();
         let erreur = rayon.flou() + touche.marge() + touche.marge() + fois_u(longueur, ERREUR);
-        self.erreur = erreur;
+        (self.erreur, self.face) = (erreur, Some(devant));
         if entre && opaque(matieres, objet) {
             return Ok((touche, objet, Derriere::Opaque));
         }
@@ -390,12 +410,16 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
         let fin = erreur * R::depuis_f64(A_FLEUR);
         let sonde = sonde.jusqu_a(fin)?;
         let a_fleur = |i: usize, t: R| t <= erreur + arrondi(&objets[i]);
+        let suite = touche.secondaire(d)?;
         let mut un_opaque = false;
         monde.visiter(&sonde, |i, t| {
             if a_fleur(i, t) {
                 if opaque(matieres, i) {
                     un_opaque = true;
-                } else if !apres.contains(&i) && !ici.contains(&i) {
+                } else if !apres.contains(&i)
+                    && !ici.contains(&i)
+                    && va_dans(&objets[i], &suite, erreur).is_some()
+                {
                     apres.push(i);
                 }
             }

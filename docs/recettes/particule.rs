@@ -10,22 +10,23 @@ use crate::milieux::{Marche, Surface};
 /// How many surfaces a step meets at most, since a chain of hits need not end.
 const SURFACES_D_UN_PAS: u32 = 100_000;
 
-/// Goes this far, mirrored by all that is opaque, and through media by Snell's law. It goes less far only if the step
-/// has met its last surface.
+/// Goes this far, mirrored by all that is opaque, and through media by Snell's law. Whether it came to the end of the
+/// step: a particle that meets 100,000 surfaces before is caught, as in the tip between mirrors. Give it up, since its δ
+/// may by then be larger than a wall is thick.
 ///
 /// # Errors
 /// As [`Marche::avancer`] and [`Marche::passer`].
 pub fn avancer<R: Reel, C: Choix + Copy>(
     marche: &mut Marche<'_, R, C>,
     mut pas: R,
-) -> Result<(), ErreurGeo> {
+) -> Result<bool, ErreurGeo> {
     for _ in 0..SURFACES_D_UN_PAS {
-        let Some(surface) = marche.avancer(pas)? else { break };
+        let Some(surface) = marche.avancer(pas)? else { return Ok(true) };
         marche.passer(&surface)?;
         // A sum of distances may round beyond the end of the step.
         pas = if surface.distance < pas { pas - surface.distance } else { R::ZERO };
     }
-    Ok(())
+    Ok(false)
 }
 
 /// Goes through the medium that it is in, scattered evenly after steps of this mean length, until it comes to a surface

@@ -7,8 +7,8 @@ use crate::{ErreurGeo, Nombre, Vecteur};
 /// A light that shines on hits: what [`Monde::eclairement`](crate::Monde::eclairement) and
 /// [`Monde::eclairements`](crate::Monde::eclairements) ask about.
 ///
-/// It has no brightness and no colour: a question about a light is whether it is seen, and at which
-/// angle.
+/// It has no brightness and no colour, and does not tell its place: a question about a light is
+/// whether it is seen, and at which angle. Keep beside it what the shading needs.
 ///
 /// ```
 /// use lancer_rayon::{Lumiere, Vecteur};

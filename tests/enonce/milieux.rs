@@ -2,7 +2,7 @@
 //! along a line: for each object as it is stored, in `f64`, where the line is surely in it and where surely not. It
 //! knows nothing of faces that are flush, on which closed forms stand at the end.
 
-use commun::fabrique::{avec_arbre, boite, mur, sphere, v};
+use commun::fabrique::{avec_arbre, boite, mur, murs, sphere, v};
 use commun::hasard::{Hasard, Tirage, pour_chaque};
 use commun::regimes::{direction, entre};
 use commun::tolerances::u;
@@ -239,7 +239,8 @@ type Pas = (Option<f64>, Option<Vecteur>);
 /// Wherever light goes, straight, bent, mirrored or scattered, it is in the medium that the walk says; it bends where
 /// the medium changes, by Snell's law and nowhere else; and stops at no other place than at an opaque thing.
 fn la_lumiere_est_dans_le_milieu_que_dit_la_marche<R: Reel>() {
-    let ([mut passages, mut totales, mut opaques, mut pas_finis], mut sur) = ([0_u32; 4], 0.0);
+    let [mut passages, mut totales, mut opaques, mut pas_finis, mut pellicules] = [0_u32; 5];
+    let mut sur = 0.0;
     let faire = |alea: &mut Hasard| {
         let scene = scene::<R>(alea);
         let chemins = alea.liste(20, |alea, _| {
@@ -262,6 +263,7 @@ fn la_lumiere_est_dans_le_milieu_que_dit_la_marche<R: Reel>() {
         let mut marche = Marche::new(monde, matieres);
         for (rayon, pas) in chemins {
             marche.partir(rayon);
+            let mut renvoi = None;
             for (pas, tour) in pas {
                 let rayon = marche.rayon();
                 let [s, d] = [rayon.source(), rayon.direction()].map(Vecteur::vers_f64);
@@ -297,6 +299,7 @@ fn la_lumiere_est_dans_le_milieu_que_dit_la_marche<R: Reel>() {
                     let de_face = d.produit_scalaire(n) < 4.0 * u::<R>();
                     assert!(scene.opaque(surface.objet) && de_face, "{surface:?}");
                     marche.rester(surface.touche.reflechi(rayon.direction()).unwrap());
+                    renvoi = Some(p);
                     continue;
                 };
                 let passe = marche.passer(&surface).unwrap();
@@ -310,6 +313,14 @@ fn la_lumiere_est_dans_le_milieu_que_dit_la_marche<R: Reel>() {
                 let suite = marche.rayon().direction().vers_f64();
                 let travers = |d: Vecteur| d - n * n.produit_scalaire(d);
                 let rapport = indice(avant) / indice(derriere);
+                // Between two faces within rounding of each other, of which one sent it back, light goes straight on where
+                // the other would send it back as well.
+                let total = travers(d).longueur() * rapport > 1.0 - 1e-4;
+                let pellicule = renvoi.is_some_and(|la: Vecteur| (p - la).longueur() <= *ecart);
+                let droit_devant = passe && total && pellicule && (suite - d).longueur() <= 1e-4;
+                let rapport = if droit_devant { 1.0 } else { rapport };
+                pellicules += u32::from(droit_devant);
+                renvoi = if passe { renvoi } else { Some(p) };
                 let attendu = travers(d) * if passe { rapport } else { 1.0 };
                 let c = n.produit_scalaire(suite).abs().max(1e-3);
                 let permis = 100.0 * u::<R>() / c;
@@ -327,7 +338,7 @@ fn la_lumiere_est_dans_le_milieu_que_dit_la_marche<R: Reel>() {
             }
         }
     });
-    println!("{passages} {totales} {opaques} {pas_finis} {sur}");
+    println!("{passages} {totales} {opaques} {pas_finis} {pellicules} {sur}");
     assert!(passages > 2_000 && totales > 100 && opaques > 500 && pas_finis > 2_000 && sur > 1e4);
 }
 
@@ -650,6 +661,77 @@ fn aucune_pellicule_ne_renvoie_la_lumiere<R: Reel>() {
 
 en_f32_et_f64!(aucune_pellicule_ne_renvoie_la_lumiere);
 
+/// Light that is born in a closed room, on a wall or beside one, where media lie flush with the walls and with each other.
+/// Between two faces that rounding alone sets apart, one may mirror it and the other mirror it back. It is caught there
+/// by no more surfaces than there are objects, and leaves no room however thin its walls.
+fn aucune_pellicule_ne_prend_la_lumiere<R: Reel>() {
+    let [mut naissances, mut surfaces, mut totales, mut plus_long] = [0; 4];
+    let faire = |alea: &mut Hasard| {
+        let tour = Rotation::<R>::new(arrondi(direction(alea) * *alea.choix(&[0.0, 3.0]))).unwrap();
+        let centre = direction(alea) * *alea.choix(&[0.0, 10.0, 100.0]);
+        let jeu = u::<R>() * (10.0 + centre.longueur());
+        let minces = alea.bool().then_some([8_000.0 * jeu; 2]);
+        let indice = |alea: &mut Hasard| *alea.choix(&[1.0, 1.33, 1.5, 2.4]);
+        // What fills the room, a layer on its floor, a block upon or within that, and one beside it.
+        let hauts = [entre(alea, 0.5, 4.0), entre(alea, 0.5, 4.0)];
+        let matieres = [(); 4].map(|()| pleine(u32::from(alea.u8(0..3)), indice(alea)));
+        let naissances = alea.liste(40, |alea, _| {
+            let mut p = [(); 3].map(|()| entre(alea, -5.0, 5.0));
+            let axe = alea.usize(0..3);
+            p[axe] = *alea.choix(&[-5.0, -5.0 + hauts[0], 5.0, 0.0]);
+            // To the next surface, or this far, and then where light is scattered to.
+            let chemin = alea.liste(100, |alea, _| {
+                let pas = *alea.choix(&[f64::INFINITY, 0.0, 1e-9, 0.1, 2.0]);
+                (pas, direction(alea))
+            });
+            (p, direction(alea), chemin)
+        });
+        (tour, centre, jeu, minces, hauts, matieres, naissances)
+    };
+    pour_chaque(cas(200), faire, |(tour, centre, jeu, minces, hauts, claires, naissances_ici)| {
+        let axes = tour.axes().map(Vecteur::vers_f64);
+        let place = |[a, b, c]: [f64; 3]| centre + axes[0] * a + axes[1] * b + axes[2] * c;
+        let mut objets: Vec<ObjetRay<R>> =
+            murs(arrondi(centre), tour, 10.0, minces).into_iter().map(ObjetRay::from).collect();
+        let [couche, bloc] = hauts;
+        let cube = |p, cotes: [f64; 3]| boite::<R>(arrondi(place(p)), arrondi(cotes.into()), tour);
+        objets.extend([
+            cube([0.0; 3], [10.0; 3]),
+            cube([0.0, -5.0 + couche / 2.0, 0.0], [10.0, couche, 10.0]),
+            cube([-2.5, -5.0 + bloc / 2.0, 0.0], [5.0, bloc, 10.0]),
+            cube([2.5, -5.0 + bloc / 2.0, 0.0], [5.0, bloc, 10.0]),
+        ]);
+        let matieres: Vec<_> = [Matiere::Opaque; 6].into_iter().chain(claires).collect();
+        let mut marche = Marche::new(Monde::de_liste(&objets), &matieres);
+        for (p, vers, chemin) in naissances_ici {
+            let rayon = Rayon::new(arrondi::<R>(place(p)), arrondi(vers)).unwrap();
+            marche.partir(rayon.avec_flou(R::depuis_f64(30.0 * jeu)).unwrap());
+            naissances += 1;
+            let mut ici = 0;
+            for (pas, tour) in chemin {
+                if let Some(surface) = marche.avancer(R::depuis_f64(pas)).unwrap() {
+                    surfaces += 1;
+                    ici = if surface.distance.vers_f64() > 300.0 * jeu { 0 } else { ici + 1 };
+                    plus_long = plus_long.max(ici);
+                    assert!(ici <= objets.len(), "{ici} surfaces at {surface:?} of {rayon:?}");
+                    let passe = marche.passer(&surface).unwrap();
+                    totales += usize::from(!passe && surface.derriere != Derriere::Opaque);
+                } else {
+                    ici = 0;
+                    marche.tourner(arrondi(tour)).unwrap();
+                }
+                let la = marche.rayon().source().vers_f64() - centre;
+                let loin = axes.into_iter().map(|n| n.produit_scalaire(la).abs());
+                let loin = loin.fold(0.0, f64::max);
+                assert!(loin <= 5.0 + 3_500.0 * jeu, "{loin} of {rayon:?}");
+            }
+        }
+    });
+    println!("{naissances} {surfaces} {totales} {plus_long}");
+}
+
+en_f32_et_f64!(aucune_pellicule_ne_prend_la_lumiere);
+
 /// Two to four faces of half-spaces, balls and boxes that cross within some hundred roundings of one place, at any angles.
 fn carrefour<R: Reel>(alea: &mut Hasard, opaques: bool, droit: bool) -> Scene<R> {
     let centre = direction(alea) * *alea.choix(&[0.0, 1.0, 30.0]);
@@ -692,8 +774,7 @@ fn a_un_carrefour_la_lumiere_n_est_ni_prise_ni_perdue<R: Reel>() {
         });
         (scene, droit, rayons)
     };
-    // Not more with `LANCER_RAYON_CAS`: of 480,000 such rays refraction turns one to and fro for ever.
-    pour_chaque(3_000, faire, |(scene, droit, rayons)| {
+    pour_chaque(cas(3_000), faire, |(scene, droit, rayons)| {
         let Scene { objets, matieres, ecart, .. } = &scene;
         let mut marche = Marche::new(Monde::de_liste(objets), matieres);
         for depart in rayons {
@@ -738,6 +819,41 @@ fn a_un_carrefour_la_lumiere_n_est_ni_prise_ni_perdue<R: Reel>() {
 
 en_f32_et_f64!(a_un_carrefour_la_lumiere_n_est_ni_prise_ni_perdue);
 
+/// Light that goes nearly along the edge of a plank, leaves it there and then cuts a corner of a cube by some roundings.
+/// It does not go back into the plank, which lies within rounding of the cube, since it goes away from it.
+fn rasante_la_lumiere_ne_rentre_pas<R: Reel>() {
+    let mut coins = 0;
+    let faire = |alea: &mut Hasard| {
+        let pentes = [(); 2].map(|()| (-2.0 - 6.0 * alea.f64()).exp2());
+        let [coin, vise] =
+            [(); 2].map(|()| [(); 3].map(|()| entre(alea, -300.0, 300.0) * u::<R>()));
+        (pentes, coin, vise, direction(alea) * 3.0)
+    };
+    pour_chaque(cas(20_000), faire, |([a, b], coin, vise, angles)| {
+        let planche = boite::<R>(v(-0.5, -0.5, 0.0), v(1.0, 1.0, 4.0), Rotation::IDENTITE);
+        let tour = Rotation::<R>::new(arrondi(angles)).unwrap();
+        let diagonale = tour.appliquer(v(1.0, 1.0, 1.0)).vers_f64();
+        let cube = boite(arrondi(Vecteur::from(coin) + diagonale), v(2.0, 2.0, 2.0), tour);
+        let objets = [planche, cube];
+        let matieres = [pleine(0, 1.0); 2];
+        let mut marche = Marche::new(Monde::de_liste(&objets), &matieres);
+        let d = Vecteur::new(a, b, 1.0);
+        let depart = Rayon::new(arrondi(Vecteur::from(vise) - d * 0.3), arrondi(d)).unwrap();
+        marche.partir(depart);
+        let mut surfaces = 0;
+        while let Some(surface) = marche.avancer(R::INFINI).unwrap() {
+            marche.passer(&surface).unwrap();
+            surfaces += 1;
+            assert!(surfaces <= 4, "{surface:?}");
+        }
+        coins += usize::from(surfaces > 1);
+    });
+    println!("{coins}");
+    assert!(coins > 1_000);
+}
+
+en_f32_et_f64!(rasante_la_lumiere_ne_rentre_pas);
+
 /// Two balls, two slanted half-spaces and two planks that cross in a re-entrant edge: light that is aimed at it goes its
 /// way, whatever steps it is asked to take.
 fn dans_une_arete_rentrante_la_lumiere_passe<R: Reel>() {
@@ -769,7 +885,7 @@ fn dans_une_arete_rentrante_la_lumiere_passe<R: Reel>() {
                 marche.partir(depart);
                 let mut chemin = 0.0;
                 while chemin < 3.0 {
-                    particule::avancer(&mut marche, R::depuis_f64(pas)).unwrap();
+                    assert!(particule::avancer(&mut marche, R::depuis_f64(pas)).unwrap());
                     chemin += pas;
                 }
                 let la = (marche.rayon().source() - depart.direction() * R::depuis_f64(chemin))

@@ -61,7 +61,7 @@ fn aucune_particule_ne_quitte_sa_chambre<R: Reel>() {
                 }
                 _ => R::depuis_f64(pas),
             };
-            avancer(&mut marche, pas).unwrap();
+            assert!(avancer(&mut marche, pas).unwrap());
             if let Some(vers) = tourne {
                 marche.tourner(arrondi(vers)).unwrap();
             }
@@ -113,7 +113,7 @@ fn une_particule_reste_ou_le_depliage_la_met<R: Reel>() {
                 }
                 (pas, _) => R::depuis_f64(pas.unwrap_or(1.0)),
             };
-            avancer(&mut marche, pas).unwrap();
+            assert!(avancer(&mut marche, pas).unwrap());
             (chemin, pas_faits) = (chemin + pas.vers_f64(), pas_faits + 1.0);
             // A bounce turns D by 20u, which the length of the way multiplies, and some fifty roundings move it. There
             // are at most three bounces for two units of length. Steps round as well.
