@@ -55,15 +55,16 @@ impl<R: Nombre> Arbre<'_, R> {
         self.noeuds.is_empty()
     }
 
-    /// The objects without a box, the last first.
+    /// The objects without a box, in the order of the list, so that a shadow that is settled by the
+    /// first of a list is here too.
     #[inline(always)]
-    pub(crate) fn sans_boite(&self) -> impl DoubleEndedIterator<Item = usize> {
-        self.sans_boite.iter().map(|mot| indice_lu(*mot))
+    pub(crate) fn sans_boite(&self) -> impl Iterator<Item = usize> + Clone {
+        self.sans_boite.iter().rev().map(|mot| indice_lu(*mot))
     }
 
     /// The objects that have a box: those whose index is not among those without one.
-    pub(crate) fn avec_boite(&self, liste: &Liste<'_, R>) -> impl Iterator<Item = usize> {
-        let mut autres = self.sans_boite().rev().peekable();
+    pub(crate) fn avec_boite(&self, liste: &Liste<'_, R>) -> impl Iterator<Item = usize> + Clone {
+        let mut autres = self.sans_boite().peekable();
         (0..liste.objets.len()).filter(move |indice| autres.next_if_eq(indice).is_none())
     }
 }

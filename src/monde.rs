@@ -238,7 +238,7 @@ impl<'a, R: Reel, C: Choix> Monde<'a, R, C> {
     /// from a choice takes what both take. `prend` is called only with indices of the list. For
     /// most objects that a ray passes by it is not called, and for some others more than once. A
     /// batch over a list calls it at most once for each object in each block of 64 rays, or for each
-    /// ray if there are fewer than six.
+    /// ray if there are fewer than six, or if it is a shadow and few of its block have no object yet.
     ///
     /// To leave out one object there is [`sans`](Self::sans). To keep less than about a hundredth
     /// of a large list, build a `Monde` of those objects: a ray walks the whole tree, whatever the

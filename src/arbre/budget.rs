@@ -5,6 +5,7 @@
 //! them, and blocks that are as wide are then left apart for a while (`DEVELOPING.md`, "What a block
 //! may spend").
 
+use crate::Nombre;
 use crate::algebre::nombre::{max, min};
 use crate::arbre::pesee::{MOINDRE, Prix};
 use crate::cote_a_cote::groupe::VOIES;
@@ -62,12 +63,16 @@ pub struct Budget {
     releve: Option<Releve>,
     /// How many more blocks may rely on that.
     encore: u32,
+    /// How many times rays were weighed.
+    pub(crate) pesees: usize,
     /// What an object takes that is offered to sixteen rays, one of which comes near. Stored, like
     /// the next price: computed anew for each block they would make tiles take 1.05 times as long
     /// (measured).
     pub(crate) objet_proche: Prix,
     /// What a ray spends in a block that is offered all objects with a box.
     la_liste: Prix,
+    /// Whether that is no more than it spends alone.
+    suffit: bool,
     /// The limit of width: rays that are wider are left apart.
     largeur: f32,
 }
@@ -82,15 +87,17 @@ impl Budget {
             nombres_par_registre,
             releve: None,
             encore: 0,
+            pesees: 0,
             objet_proche: 0.0,
             la_liste: 0.0,
+            suffit: false,
             largeur: f32::INFINITY,
         };
         budget.avec_prix(Releve::INCONNU)
     }
 
     /// The same with the prices for such rays.
-    fn avec_prix(self, Releve { proches, boites, .. }: Releve) -> Self {
+    fn avec_prix(self, Releve { seul, proches, boites }: Releve) -> Self {
         // That none of sixteen rays comes near.
         let mut aucun = 1.0 - proches;
         for _ in 0..VOIES.ilog2() {
@@ -99,7 +106,10 @@ impl Budget {
         let proche = BOULE_PROCHE + boites * (BOITE_PROCHE - BOULE_PROCHE);
         let en_moyenne = (PASSEE + (1.0 - aucun) * proche) / self.nombres_par_registre;
         let objet_proche = (PASSEE + proche) / self.nombres_par_registre;
-        Self { objet_proche, la_liste: self.objets * en_moyenne / VOIES as Prix, ..self }
+        let la_liste = self.objets * en_moyenne / VOIES as Prix;
+        // Where it was no more before, it must be clearly more: prices are off, and rays differ.
+        let suffit = la_liste <= if self.suffit { CONFIANCE * seul } else { seul };
+        Self { objet_proche, la_liste, suffit, ..self }
     }
 
     /// Whether rays were weighed lately.
@@ -110,20 +120,28 @@ impl Budget {
     /// Takes note of what some rays spent alone.
     pub(crate) fn noter(&mut self, ici: Releve) {
         let moyenne = self.releve.map_or(ici, |avant| Releve {
-            seul: 0.5 * (avant.seul + ici.seul),
+            // A mean of logarithms: of a heap that is behind it forgets nearly all at once.
+            seul: (avant.seul * ici.seul).racine(),
             proches: 0.5 * (avant.proches + ici.proches),
             boites: ici.boites,
         });
-        let (releve, encore) = (Some(moyenne), BLOCS_D_UNE_PESEE);
-        *self = Self { releve, encore, ..*self }.avec_prix(moyenne);
+        let (releve, encore, pesees) = (Some(moyenne), BLOCS_D_UNE_PESEE, self.pesees + 1);
+        *self = Self { releve, encore, pesees, ..*self }.avec_prix(moyenne);
     }
 
     /// Whether a block spends no more than its rays even if it is offered all objects.
     pub(crate) fn suffit_a_la_liste(&self) -> bool {
-        self.suffirait_a_la_liste(self.releve.unwrap_or(Releve::INCONNU).seul)
+        self.suffit
     }
 
-    /// The same if a ray spent this alone.
+    /// Whether that is so of rays that were weighed too long ago, and not of any rays.
+    pub(crate) fn suffisait_a_la_liste(&self) -> bool {
+        !self.est_a_jour()
+            && self.suffit_a_la_liste()
+            && !self.suffirait_a_la_liste(Releve::INCONNU.seul)
+    }
+
+    /// Whether it would if a ray spent this alone.
     pub(crate) fn suffirait_a_la_liste(&self, seul: Prix) -> bool {
         self.la_liste <= seul
     }

@@ -14,7 +14,7 @@ use crate::arbre::morceaux::Coupe;
 use crate::arbre::noeud::{ENFANTS, Noeud, indice_lu};
 use crate::arbre::pesee::{Pesee, Prix};
 use crate::arbre::sonde::Sonde;
-use crate::cote_a_cote::bloc::{Bloc, Ensemble, GROUPES};
+use crate::cote_a_cote::bloc::{BLOC, Bloc, Ensemble, GROUPES};
 use crate::cote_a_cote::colonne::{au_plus, retirer};
 use crate::cote_a_cote::groupe::VOIES;
 use crate::question::Premier;
@@ -49,6 +49,18 @@ const fn combien_d_echantillons(nombres_par_registre: usize) -> usize {
 #[inline(always)]
 fn quelques<R>(rayons: &[Rayon<R>], combien: usize) -> impl Iterator<Item = &Rayon<R>> {
     (0..combien).map(move |k| &rayons[(2 * k + 1) * rayons.len() / (2 * combien)])
+}
+
+/// The rays that are weighed, one of each quarter. Neither in a block nor from one weighing to the
+/// next do they stand in one rhythm, in which the rays of a call may differ: to one lamp and to
+/// others by turns.
+#[inline(always)]
+fn peses<R>(rayons: &[Rayon<R>], pesees: usize) -> impl Iterator<Item = &Rayon<R>> {
+    const QUART: usize = BLOC / PESES;
+    (0..PESES).map(move |k| {
+        let place = k * QUART + (QUART / 2 + 5 * k + 7 * pesees) % QUART;
+        &rayons[place * rayons.len() / BLOC]
+    })
 }
 
 /// How the walk of a block ended.
@@ -193,6 +205,10 @@ impl<R: Nombre> Arbre<'_, R> {
         if bloc.un_suffit && loin == R::ZERO {
             return Issue::AuBout;
         }
+        if budget.suffisait_a_la_liste() {
+            // Else nothing would ever stop the blocks of a call whose first rays were dear.
+            self.peser(simd, liste, budget, bloc.un_suffit, rayons);
+        }
         let (mut depense, mut permis, mut peses) = (0.0, budget.permis(rayons.len()), false);
         let par_objet = bloc.demandes.len() as Prix * budget.objet_proche;
         let mut offerts = Offerts([0; 64]);
@@ -294,8 +310,8 @@ impl<R: Nombre> Arbre<'_, R> {
         simd.vectorize(
             #[inline(always)]
             || {
-                let (mut peses, mut depense, mut plus_chere) = (0.0, 0.0, 0.0);
-                for rayon in quelques(rayons, PESES) {
+                let (mut combien, mut depense, mut plus_chere) = (0.0, 0.0, 0.0);
+                for rayon in peses(rayons, budget.pesees) {
                     let fin = rayon.fin();
                     let ici = if un_suffit {
                         let ombre = Pesee::de(Premier::<R, true>::avant(fin));
@@ -304,8 +320,8 @@ impl<R: Nombre> Arbre<'_, R> {
                         let premier = Pesee::de(Premier::<R>::avant(fin));
                         self.parcourir(simd, liste, rayon, premier).depense
                     };
-                    (peses, depense, plus_chere) =
-                        (peses + 1.0, depense + ici, max(plus_chere, ici));
+                    (combien, depense, plus_chere) =
+                        (combien + 1.0, depense + ici, max(plus_chere, ici));
                     // Two rays of a heap take as long as some blocks.
                     if budget.suffirait_a_la_liste((depense - plus_chere) / (PESES - 1) as Prix) {
                         break;
@@ -313,8 +329,8 @@ impl<R: Nombre> Arbre<'_, R> {
                 }
                 // Without the dearest: one ray that slips through the others to a pile of boxes
                 // would pay for a block that is offered all of the pile.
-                let seul = (depense - plus_chere) / max(peses - 1.0, 1.0);
-                let (proches, boites) = parts(liste.objets, rayons);
+                let seul = (depense - plus_chere) / max(combien - 1.0, 1.0);
+                let (proches, boites) = parts(liste.objets, || peses(rayons, budget.pesees));
                 budget.noter(Releve { seul, proches, boites });
             },
         );
@@ -351,7 +367,10 @@ impl<R: Nombre> Arbre<'_, R> {
 /// What part of some objects with a box some of these rays come near, and what part of those
 /// objects are boxes.
 #[inline(always)]
-fn parts<R: Nombre>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) -> (f32, f32) {
+fn parts<'a, R: Nombre, I: Iterator<Item = &'a Rayon<R>>>(
+    objets: &[ObjetRay<R>],
+    rayons: impl Fn() -> I,
+) -> (f32, f32) {
     // As if one more ray came near one more object: that none does is not certain.
     let (mut paires, mut proches, mut choisis, mut boites) = (1.0, 1.0, 0.0, 0.0);
     for objet in objets.iter().step_by(objets.len() / OBJETS_CHOISIS + 1) {
@@ -361,7 +380,7 @@ fn parts<R: Nombre>(objets: &[ObjetRay<R>], rayons: &[Rayon<R>]) -> (f32, f32) {
             ObjetRay::Plan(_) => continue,
         }
         choisis += 1.0;
-        for rayon in quelques(rayons, PESES) {
+        for rayon in rayons() {
             paires += 1.0;
             proches += f32::from(u8::from(objet.peut_entrer(rayon)));
         }

@@ -4,9 +4,9 @@
 use core::ops::Range;
 
 use arrayvec::ArrayVec;
-use fearless_simd::Simd;
+use fearless_simd::prelude::*;
 
-use crate::algebre::nombre::max;
+use crate::algebre::nombre::{max, selon};
 use crate::cote_a_cote::groupe::{Groupe, VOIES};
 use crate::objet::par_forme;
 use crate::question::liste::Liste;
@@ -105,22 +105,53 @@ impl<'a, R: Nombre> Bloc<'a, R> {
     }
 
     /// Offers the objects at these indices; where any object suffices, some at a time until all
-    /// rays are done.
+    /// rays are done, or so few are left that they take less time one by one.
     #[inline(always)]
     pub(crate) fn proposer_tous<S: Simd>(
         &mut self,
         simd: S,
         liste: &Liste<'_, R>,
-        indices: impl Iterator<Item = usize>,
+        indices: impl Iterator<Item = usize> + Clone,
     ) {
+        // The fewer numbers a register holds the dearer is an object, and the sooner a look at what
+        // is left to do pays.
+        let par_registre = selon::<R, _>(S::f32s::LEN, S::f64s::LEN);
         let mut offerts = indices.map(|indice| (indice, true)).peekable();
         while offerts.peek().is_some() {
             if !self.un_suffit {
                 return self.proposer(simd, liste, &mut offerts);
             }
-            self.proposer(simd, liste, &mut offerts.by_ref().take(VOIES));
-            if offerts.peek().is_some() && self.le_plus_loin() == R::ZERO {
+            self.proposer(simd, liste, &mut offerts.by_ref().take(par_registre));
+            if offerts.peek().is_none() {
                 return;
+            }
+            // All lanes of a group take part, whether or not their rays are done, and a ray alone
+            // takes about as long as one register.
+            let groupes = self.groupes_demandes();
+            let restent: u32 = groupes.iter().map(Groupe::sans_objet).sum();
+            if restent as usize * par_registre < groupes.len() * VOIES {
+                return self.finir_un_par_un(liste, offerts.map(|(indice, _)| indice));
+            }
+        }
+    }
+
+    /// Asks the objects at these indices for one ray after the other, where any object suffices, of
+    /// the rays that have none.
+    #[cold]
+    #[inline(never)]
+    fn finir_un_par_un(
+        &mut self,
+        liste: &Liste<'_, R>,
+        indices: impl Iterator<Item = usize> + Clone,
+    ) {
+        for groupe in &mut self.groupes[self.demandes.clone()] {
+            for voie in 0..VOIES {
+                let premier = groupe.premier(voie);
+                if premier.rang.is_none() {
+                    let mut premier = premier.en_question::<true>();
+                    liste.interroger_parmi(&groupe.rayon(voie), &mut premier, indices.clone());
+                    groupe.noter(voie, premier.en_question());
+                }
             }
         }
     }

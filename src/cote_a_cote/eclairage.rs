@@ -39,6 +39,10 @@ impl<R: Nombre> Eclairage<R> {
         (cosinus, ombres): (&mut [R], &mut Ombres<R>),
     ) {
         for (touches, cosinus) in touches.chunks(VOIES).zip(cosinus.chunks_mut(VOIES)) {
+            if touches.iter().all(Result::is_err) {
+                cosinus.fill(R::ZERO);
+                continue;
+            }
             for (voie, touche) in touches.iter().enumerate() {
                 self.charger(voie, touche);
             }

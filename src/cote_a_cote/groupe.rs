@@ -81,6 +81,18 @@ impl<R: Nombre> Groupe<R> {
         Premier { t: self.t[voie], rang: self.rangs[voie] }
     }
 
+    /// Keeps this as the first object of one ray so far.
+    #[inline(always)]
+    pub(crate) fn noter(&mut self, voie: usize, Premier { t, rang }: Premier<R>) {
+        (self.t[voie], self.rangs[voie]) = (t, rang);
+    }
+
+    /// How many rays have found no object.
+    #[inline(always)]
+    pub(crate) fn sans_objet(&self) -> u32 {
+        self.rangs.iter().map(|rang| u32::from(rang.is_none())).sum()
+    }
+
     /// The largest distance before which a ray looks for an object; 0 if all are done, each at its
     /// first object where that suffices.
     #[inline(always)]
