@@ -29,7 +29,7 @@ const DISPOSITIONS: [&str; 10] = [
     "street",
     "nested boxes",
 ];
-const GENRES: [&str; 11] = [
+const GENRES: [&str; 13] = [
     "tiles",
     "rows",
     "parallel",
@@ -38,6 +38,8 @@ const GENRES: [&str; 11] = [
     "diffuse",
     "mirrors",
     "tiles, a far ray first",
+    "tiles, one ray in sixteen from anywhere",
+    "tiles, the first block in, the others away",
     "lamp",
     "lamp shuffled",
     "sun",
@@ -208,13 +210,14 @@ impl Tirage {
         let y = vers.produit_vectoriel(x);
         let cote = MORCEAU.isqrt();
         let demi = 0.5 * self.champ;
+        let de_partout = |alea: &mut Rng| (direction(alea) * alea.f64().cbrt(), direction(alea));
         let pixel = |i: usize| {
             let (i, j) = (i % cote, i / cote);
             let [a, b] = [i, j].map(|k| demi * ((k as f64 + 0.5) / cote as f64 * 2.0 - 1.0));
             let travers = x * a + y * b;
             let (s, d) = match self.genre {
                 2 => (oeil + travers, vers),
-                3 => (direction(alea) * alea.f64().cbrt(), direction(alea)),
+                3 => de_partout(alea),
                 _ => (oeil, vers + travers),
             };
             let loin = self.genre == 7 && i % 8 == 0 && j % 8 == 0;
@@ -223,15 +226,30 @@ impl Tirage {
         };
         let vus: Vec<Rayon<R>> = (0..MORCEAU).map(pixel).collect();
         // Rows stay rows, and rays in no order need none.
-        let vus = if matches!(self.genre, 1 | 3) { vus } else { en_tuiles(&vus, cote) };
+        let mut vus = if matches!(self.genre, 1 | 3) { vus } else { en_tuiles(&vus, cote) };
+        match self.genre {
+            8 => {
+                let premier = alea.usize(0..16);
+                for rayon in vus.iter_mut().skip(premier).step_by(16) {
+                    let (s, d) = de_partout(alea);
+                    *rayon = Rayon::new(arrondi(s), arrondi(d)).expect("within the limits");
+                }
+            }
+            9 => {
+                for rayon in &mut vus[64..] {
+                    *rayon = Rayon::new(rayon.source(), -rayon.direction()).expect("a direction");
+                }
+            }
+            _ => (),
+        }
         let lampe = arrondi(direction(alea) * 3.0);
-        let mut suite: Vec<_> = if (5..=6).contains(&self.genre) || self.genre >= 8 {
+        let mut suite: Vec<_> = if (5..=6).contains(&self.genre) || self.genre >= 10 {
             let secondaire = |rayon: &Rayon<R>| {
                 let touche = monde.premiere_intersection(rayon).ok()?;
                 match self.genre {
                     5 => touche.secondaire(arrondi(direction(alea))).ok(),
                     6 => touche.reflechi(rayon.direction()).ok(),
-                    10 => touche.vers_soleil(lampe).ok(),
+                    12 => touche.vers_soleil(lampe).ok(),
                     _ => touche.vers_lumiere(lampe).ok(),
                 }
             };
@@ -239,7 +257,7 @@ impl Tirage {
         } else {
             vus
         };
-        if self.genre == 4 || self.genre == 9 {
+        if self.genre == 4 || self.genre == 11 {
             alea.shuffle(&mut suite);
         }
         suite
@@ -263,7 +281,7 @@ impl Tirage {
         if rayons.len() < 256 {
             return None;
         }
-        let mut facons = nous::concurrents(monde, &rayons, self.genre >= 8);
+        let mut facons = nous::concurrents(monde, &rayons, self.genre >= 10);
         let attendues = facons[2].reponses();
         assert!(facons[3].reponses() == attendues, "the ways differ: {}", self.nom());
         // A long list is not asked: no batch of a tree is expected to take as long.
