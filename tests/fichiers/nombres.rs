@@ -48,6 +48,25 @@ const CONSTANTES: &[(&str, &str)] = &[
     ("extent (15)", "ETENDUE_TAILLE ETENDUE_CENTRE"),
 ];
 
+/// The same of the paragraphs that say a promise in words, by their titles or their first words. What is measured, or
+/// follows from several constants, stands here as it does there.
+const PHRASES: &[(&str, &str)] = &[
+    ("Distance", "DISTANCE_PERDUE VITESSE"),
+    ("Normal", "PERDUE"),
+    ("Mirror and glass are", "DISTANCE_SPHERE DISTANCE_PLAN DISTANCE_BOITE 4.92 3.25 3.72"),
+    ("In the band", "VITESSE"),
+    ("Near the edge of a box", "VITESSE VITESSE"),
+    ("An inward secondary ray", "LIEU_P 14"),
+    ("A ray with a", "FLOU_A_COTE"),
+    ("Not proved", "8 30"),
+    (
+        "How δ grows.",
+        "FLOU_DISTANCE FLOU_POINT FLOU_RELATIF 1/PAS_D_EMBLEE PAS_D_EMBLEE_POINT 2.22",
+    ),
+    ("In a room of", "10 11 0.03 0.045 10 110"),
+    ("A chain need not end", "145 16"),
+];
+
 /// The same of lemma 22.
 const PROFONDEURS: &[(&str, &str)] = &[
     ("outside, a half-space", "D_UN_PLAN"),
@@ -198,6 +217,36 @@ fn les_nombres_de_la_table_des_constantes_sont_ceux_du_code() {
     for nom in modules.split("pub const ").skip(1).filter_map(|suite| suite.split(':').next()) {
         assert!(dites.contains(nom) || nom == "LIGNES", "no row has {nom}");
     }
+}
+
+/// The paragraphs of a text, by their titles or their first four words, without its tables and its links.
+fn paragraphes(texte: &str) -> BTreeMap<String, String> {
+    let hors_table = |ligne| if str::starts_with(ligne, '|') { "" } else { ligne };
+    let texte = texte.lines().map(hors_table).collect::<Vec<_>>().join("\n");
+    let texte = texte.replace("\n- ", "\n\n");
+    let bouts: Vec<_> = texte.split("](").collect();
+    let sans_lien = |(i, bout): (usize, &&str)| {
+        let bout = if i > 0 { bout.split_once(')').unwrap().1 } else { bout };
+        let fin = if i + 1 < bouts.len() { bout.rfind('[').unwrap() } else { bout.len() };
+        bout[..fin].to_owned()
+    };
+    let texte: String = bouts.iter().enumerate().map(sans_lien).collect();
+    let paragraphes = texte.split("\n\n").map(|paragraphe| {
+        let mots: Vec<_> = paragraphe.split_whitespace().collect();
+        let en_gras = paragraphe.trim().strip_prefix("**").and_then(|p| p.split_once("**"));
+        let premiers = || mots[..mots.len().min(4)].join(" ");
+        (en_gras.map_or_else(premiers, |(titre, _)| titre.to_owned()), mots.join(" "))
+    });
+    paragraphes.collect()
+}
+
+/// What a promise says in words is no other number than that of the table.
+#[test]
+fn les_nombres_des_phrases_sont_ceux_du_code() {
+    let page = lire("docs/precision.md");
+    let sections = ["Promises", "Constants", "Exceptions", "Closed rooms"];
+    let lus = sections.into_iter().flat_map(|titre| paragraphes(section(&page, titre)));
+    comparer(&lus.collect(), PHRASES);
 }
 
 #[test]
