@@ -99,6 +99,55 @@ fn les_temps_de_l_entree_sont_ceux_des_mesures() {
     assert!(mots(&entree).contains(&phrase), "README has not: {phrase}");
 }
 
+/// A whole number as a page writes it.
+fn en_milliers(x: f64) -> String {
+    let chiffres = x.to_string();
+    let groupes: Vec<_> = chiffres.as_bytes().rchunks(3).rev().map(str::from_utf8).collect();
+    groupes.into_iter().collect::<Result<Vec<_>, _>>().unwrap().join(",")
+}
+
+/// How many rays, objects, scenes and cells the pages count.
+#[test]
+fn les_comptes_des_pages_sont_ceux_des_mesures() {
+    let (entree, page, pixels) = (lire("README.md"), page(), Mesures::lire("pixels"));
+    let somme = |scenes: &[&str], colonne| -> f64 {
+        pixels.nombres("scene", scenes, &[colonne]).into_iter().sum()
+    };
+    let [tous, atelier]: [&[&str]; 2] = [&[""], &["atelier"]];
+    let rayons = en_milliers(somme(atelier, "rays"));
+    let resume = table(&page, "summary, AVX-512");
+    let cellules: u32 = resume[0].last().unwrap().rsplit(' ').next().unwrap().parse().unwrap();
+    // Ten kinds of rays in each scene.
+    let scenes = cellules / 10;
+    for (texte, phrase) in [
+        (&entree, format!("the {rayons} camera rays of the picture on one thread")),
+        (&entree, format!("means over {scenes} scenes")),
+        (
+            &page,
+            format!(
+                "the {rayons} camera rays of the picture in [README](../README.md), with {} objects",
+                somme(atelier, "objects")
+            ),
+        ),
+        (
+            &page,
+            format!(
+                "[{} of the {} camera rays](../benches/mesures/pixels.csv) of five pictures are not certain, while of {} \
+                 rays aimed at outlines a third are not",
+                somme(tous, "uncertain"),
+                en_milliers(somme(tous, "rays")),
+                en_milliers(somme(tous, "outline_rays"))
+            ),
+        ),
+        (&page, format!("has {scenes} scenes, of fifteen families")),
+        (&page, format!("which makes {cellules} cells in either scalar")),
+    ] {
+        assert!(mots(texte).contains(&phrase), "a page has not: {phrase}");
+    }
+    let tiers = somme(tous, "outline_uncertain") / somme(tous, "outline_rays");
+    assert!((0.28..0.38).contains(&tiers), "{tiers}");
+}
+
 #[test]
 fn les_rapports_des_ordres_sont_ceux_du_fichier() {
     let page = page();
