@@ -6,7 +6,7 @@
 use std::f64::consts::FRAC_PI_2;
 
 use commun::conversion::{mots, voisin};
-use commun::fabrique::{avec_arbre, boite_droite, sphere, v};
+use commun::fabrique::{avec_arbre, boite_droite, mur, sphere, v};
 use commun::facons::{UN_ARBRE, comparer, comparer_dans, noeuds};
 use commun::hasard::{Hasard, Tirage, pour_chaque};
 use commun::regimes::{deux_puissance, direction, entre, gerbe, signe};
@@ -577,16 +577,20 @@ fn un_bloc_demande_le_premier_de_la_liste<R: Bits>() {
     assert!(du_premier > 200, "{du_premier}");
 }
 
-/// Forty boxes whose tops lie in one plane, and rays that start under it by less than their δ, and go down. They touch
-/// all boxes at once, at distance 0. Even when all places are full, an object earlier in the list takes one.
+/// Forty boxes whose tops lie in one plane, twenty half-spaces under it, before them in the list or behind, and rays that
+/// start under that plane by less than their δ, and go down. They touch all objects at once, at distance 0. A block that
+/// has met a half-space there still asks the others and the boxes, and even when all places are full, an object earlier in
+/// the list takes one.
 fn de_ce_qui_est_touche_d_emblee_le_premier_de_la_liste_est_le_premier<R: Bits>() {
     let flou = R::depuis_f64(2_f64.powi(-12));
     let faire = |alea: &mut Hasard| {
-        let objets = alea.liste(40, |alea, _| {
+        let boites = alea.liste(40, |alea, _| {
             let [x, y] = [(); 2].map(|()| entre(alea, -1.0, 1.0));
             let [large, haut] = [entre(alea, 3.0, 6.0), deux_puissance(alea, -2.0, 2.0)];
             boite_droite::<R>(v(x, y, -0.5 * haut), v(large, large, haut))
         });
+        let (sols, devant) = ([mur(Vecteur::NUL, Vecteur::Z); 20], alea.tour.is_multiple_of(2));
+        let objets = if devant { [&sols, &boites[..]] } else { [&boites[..], &sols] }.concat();
         let rayons = alea.liste(16, |alea, _| {
             let source = v(entre(alea, -0.4, 0.4), entre(alea, -0.4, 0.4), 0.0);
             let source = source - Vecteur::Z * (flou * R::depuis_f64(alea.f64()));
