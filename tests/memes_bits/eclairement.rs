@@ -99,12 +99,19 @@ fn une_image_est_eclairee_comme_rayon_par_rayon<R: Bits>() {
 en_f32_et_f64!(une_image_est_eclairee_comme_rayon_par_rayon);
 
 /// Hits at the extremes, alone and in lists of other objects, lit by lamps anywhere: at the start of the shadow ray, beside
-/// it, far beyond the limits of a scene, and suns that graze.
+/// it, far beyond the limits of a scene, and suns that graze. Some rays know their source only to a part of its distance
+/// from O, and so do their hits and the shadow rays from there.
 fn aux_extremes_aussi<R: Bits>() {
     let mut eclairees = 0;
     for regime in regimes::<R>() {
         let faire = |alea: &mut Hasard| {
-            let cas = alea.liste(20, |alea, _| (regime.cas)(alea));
+            let cas = alea.liste(20, |alea, _| {
+                let Cas { objet, rayon } = (regime.cas)(alea);
+                let loin = rayon.source().longueur();
+                let flou = loin * R::depuis_f64(deux_puissance(alea, -40.0, -2.0));
+                let flou = if alea.u8(0..3) == 0 { flou } else { R::ZERO };
+                Cas { objet, rayon: rayon.avec_flou(flou).unwrap_or(rayon) }
+            });
             let lumieres = alea.liste(6, |alea, _| {
                 let Cas { objet, rayon } = *alea.choix(&cas);
                 let touche = objet.intersection(&rayon);
