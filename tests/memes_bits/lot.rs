@@ -221,7 +221,7 @@ fn la_sonde_ne_perd_aucune_touche<R: Bits>() {
 en_f32_et_f64!(la_sonde_ne_perd_aucune_touche);
 
 /// A cube flush on a slab, and rays into it and past it from one hit of the slab at the foot of the cube, where
-/// rounding decides whether the hit is in the cube. Some of them have no δ.
+/// rounding decides whether the hit is in the cube. Some of them are inside and touch nothing at once.
 fn du_pied<R: Reel>(alea: &mut Hasard) -> (Vec<ObjetRay<R>>, Vec<Rayon<R>>) {
     let tour = Rotation::new(arrondi(direction(alea) * 3.0)).unwrap();
     let [x, y, z] = tour.axes().map(|axe| axe.vers_f64());
@@ -231,10 +231,13 @@ fn du_pied<R: Reel>(alea: &mut Hasard) -> (Vec<ObjetRay<R>>, Vec<Rayon<R>>) {
     let vers = arrondi::<R>(x - y * alea.f64() + z * alea.f64());
     let rayon = Rayon::new(arrondi(pied - vers.vers_f64()), vers).unwrap();
     let touche = premiere_intersection(&[dalle], &rayon).unwrap();
-    let suites = alea.liste(64, |alea, _| {
+    // Half of the time the rays of one group alone touch at once, and the block must see that, whichever group it is.
+    let seul = alea.usize(0..8);
+    let suites = alea.liste(64, |alea, i| {
         let vers = arrondi(y + x * (0.3 * signe(alea)) + direction(alea) * 0.1);
         let suite = touche.secondaire(vers).unwrap();
-        if alea.u8(0..8) == 0 { suite.dedans() } else { suite }
+        let dedans = alea.u8(0..8) == 0 || (seul < 4 && i / 16 != seul);
+        if dedans { suite.dedans() } else { suite }
     });
     // Where nearly all centres coincide, boxes tell nothing apart, and every walk asks the whole list.
     let sous = (1..UN_ARBRE).map(|i| sphere(arrondi(pied - y * (4.0 * i as f64)), R::UN));
