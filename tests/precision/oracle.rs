@@ -46,3 +46,51 @@ fn un_oracle_accorde_ce_que_disent_les_pages() {
         assert!((permis / dehors - 1.0).abs() < 0.05, "{permis}, not {dehors}: {objet:?}");
     }
 }
+
+/// How wide the bands are by which an oracle excuses a wrong decision, and what it grants of a distance and of a normal,
+/// here and there computed by hand. A wider band, or a larger grant, would excuse every test that asks the oracle.
+#[test]
+fn la_bande_d_un_oracle_est_celle_des_pages() {
+    let (o, un, u) = (Vecteur::<f32>::NUL, Vecteur::new(1.0, 1.0, 1.0), f64::from(f32::U));
+    let (sol, cube, boule) = (mur(o, Vecteur::Z), boite_droite(o, un + un), sphere(o, 1.0));
+    let proche = |x: f64, y: f64| (x / y - 1.0).abs() < 0.01;
+    let peu = 100.0 * f32::U;
+    // Past the cube and past the ball by 100u, and 100u steep to the floor: how many bands that is.
+    let (racine, diagonale) = (17_f64.sqrt(), 3_f64.sqrt());
+    for (objet, source, vers, bandes) in [
+        (cube, [1.0 + peu, 0.0, 4.0], [0.0, 0.0, -1.0], 7.1 * (racine + diagonale) + 3.1 * 5.0),
+        (boule, [1.0 + peu, 0.0, 4.0], [0.0, 0.0, -1.0], 4.0 * (racine + 1.0)),
+        (sol, [0.0, 0.0, 4.0], [1.0, 0.0, -peu], 3.1),
+    ] {
+        let verite = verite(&objet, &Rayon::new(source.into(), vers.into()).unwrap());
+        let facteur = verite.facteur();
+        assert!(proche(facteur, 100.0 / bandes), "{facteur}: {objet:?}");
+        assert_eq!(verite.dans_la_marge, facteur <= 1.0);
+    }
+    // Straight down, from 4 away: K, κt and the sine of the angle by which a normal may be off.
+    for (objet, a, k, kappa_t) in [
+        (sol, 0.0, 4.1, 4.0 + 4.0),
+        (cube, 1.0, 5.3, 4.0 + diagonale + 3.0),
+        (boule, 1.0, 5.6, 4.0 + 1.0 + 3.0),
+    ] {
+        let rayon = Rayon::new(Vecteur::Z * 4.0, -Vecteur::Z).unwrap();
+        let entree = verite(&objet, &rayon).entree.unwrap();
+        assert!(entree.k == k && proche(entree.kappa_t, kappa_t), "{objet:?}");
+        assert!(entree.ecart(4.0_f32 - a) == 0.0 && proche(entree.ecart(4.5_f32 - a), 0.5));
+        let penche = |x: f32| entree.ecart_de_normale(Vecteur::new(x, 0.0, 1.0));
+        assert!(penche(0.0) == 0.0 && proche(penche(0.75), 0.6), "{objet:?}");
+        assert_eq!(entree.ecart_de_normale(-Vecteur::<f32>::Z), 1.0);
+    }
+    // Aslant a flat face takes 3.1u of the cosine, and a sphere is lost if its radius is less than 64u|f|.
+    let rase = Rayon::new(Vecteur::Z * 4.0, Vecteur::new(1.0, 0.0, -peu)).unwrap();
+    let cosinus = verite(&sol, &rase).entree.unwrap().cosinus / u;
+    assert!(proche(cosinus, 100.0 - 3.1), "{cosinus}");
+    for (r, k, permis) in [(66.0, 5.6, 4.1 * (u + 1.0 / 66.0)), (62.0, 6.2, f64::INFINITY)] {
+        let rayon = Rayon::new(Vecteur::Z, -Vecteur::Z).unwrap();
+        let entree = verite(&sphere(o, r * f32::U), &rayon).entree.unwrap();
+        let direction = entree.direction_permise::<f32>(0.0);
+        assert!(entree.k == k && (direction == permis || proche(direction, permis)), "{direction}");
+        let de_plus = entree.direction_permise::<f32>(u) - direction;
+        assert!(direction == f64::INFINITY || proche(de_plus, 1.0 / f64::from(r)), "{de_plus}");
+    }
+}
