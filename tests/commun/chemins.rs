@@ -4,7 +4,7 @@
 use lancer_rayon::pour_les_tests::{FLOU_RELATIF, PAS_D_EMBLEE, PAS_D_EMBLEE_POINT};
 use lancer_rayon::{Intersection, Monde, Rayon, Reel, Vecteur};
 
-use crate::conversion::{Bits, mots};
+use crate::conversion::{Bits, Mots, mots};
 use crate::mesure::poids;
 use crate::passages::{
     coordonnees, est_a_fleur, exiger_le_retour, exiger_un_passage, exiger_une_suite, flou_du_point,
@@ -88,7 +88,9 @@ impl<R: Bits> Marcheur<'_, R> {
             let neuf =
                 Rayon::new(rayon.source(), rayon.direction()).and_then(|r| r.jusqu_a(rayon.fin()));
             let neuve = self.monde.premiere_intersection(&neuf.unwrap());
-            assert_eq!(mots(&entree), mots(&neuve), "{rayon:?} of {:?}", self.monde.objets());
+            // The hits differ in the δ that they keep.
+            let vu = |touche| Mots { flou: None, ..mots(touche) };
+            assert_eq!(vu(&entree), vu(&neuve), "{rayon:?} of {:?}", self.monde.objets());
         }
         let entree = entree.ok().map(|touche| (touche.indice(), touche));
         // As in the recipe for glass, whatever comes first counts: a thing within, or the way out.

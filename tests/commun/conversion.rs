@@ -37,16 +37,20 @@ impl Bits for f64 {
 pub struct Mots {
     /// Distance, normal, margin, point and texture. A miss has bits that would be NaNs, and no hit has those.
     pub valeurs: [u64; 9],
+    /// The δ of a ray from the hit, which alone tells the δ that the hit keeps; `None` if no ray may start there.
+    pub flou: Option<u64>,
     /// The index of the object.
     pub objet: Option<usize>,
 }
 
 pub fn mots<R: Bits>(touche: &Reponse<R>) -> Mots {
-    let Ok(t) = touche else { return Mots { valeurs: [u64::MAX; 9], objet: None } };
+    let Ok(t) = touche else { return Mots { valeurs: [u64::MAX; 9], flou: None, objet: None } };
     let (n, p, texture) = (t.normale(), t.point(), t.texture().0.into());
     let [d, x, y, z, marge] = [t.distance(), n.x, n.y, n.z, t.marge()].map(R::bits);
     let [px, py, pz] = [p.x, p.y, p.z].map(R::bits);
-    Mots { valeurs: [d, x, y, z, marge, px, py, pz, texture], objet: Some(t.indice()) }
+    let valeurs = [d, x, y, z, marge, px, py, pz, texture];
+    let flou = t.secondaire(n).ok().map(|suite| suite.flou().bits());
+    Mots { valeurs, flou, objet: Some(t.indice()) }
 }
 
 /// The number `de` units in the last place away.
