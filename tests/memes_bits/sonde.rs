@@ -10,7 +10,8 @@ use fastrand::Rng;
 use lancer_rayon::pour_les_tests::{Reglage, sonder};
 use lancer_rayon::{Monde, ObjetRay, Rayon};
 
-/// Rays from about one place, which is near, amid the objects or far away.
+/// Rays from about one place, which is near, amid the objects or far away. Half of the time each group of sixteen starts
+/// another way back on its lines: all must be before the boxes where entries count from.
 fn rayons<R: Bits>(alea: &mut Hasard) -> Vec<Rayon<R>> {
     let loin = if alea.bool() { 5.0 } else { deux_puissance(alea, 0.0, 40.0) };
     let ou = direction(alea) * loin;
@@ -18,7 +19,12 @@ fn rayons<R: Bits>(alea: &mut Hasard) -> Vec<Rayon<R>> {
     let ecarts = [-30.0, -40.0].map(|bas| deux_puissance(alea, bas, 3.0));
     let mut rayons = gerbe(alea, (ou, vers.unitaire().unwrap()), ecarts);
     rayons.truncate(*alea.choix(&[1, 12, 16, 40, 64]));
-    rayons
+    let loin = if alea.bool() { 0.0 } else { deux_puissance(alea, 0.0, 12.0) };
+    let reculs = [(); 4].map(|()| loin * alea.f64());
+    let recule = |(i, rayon): (usize, &Rayon<R>)| {
+        Rayon::new(rayon.point(-R::depuis_f64(reculs[i / 16])), rayon.direction()).unwrap()
+    };
+    rayons.iter().enumerate().map(recule).collect()
 }
 
 fn la_sonde_de_plusieurs_rayons_entre_ou_l_un_d_eux_entre<R: Bits>() {
