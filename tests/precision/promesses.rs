@@ -6,7 +6,7 @@
 use commun::fabrique::{boite, boite_droite, sphere, v};
 use commun::hasard::{Hasard, Tirage, pour_chaque};
 use commun::mesure::{absolu, au_bord, quantiles};
-use commun::oracle::{Passage, hauteur, verite_du};
+use commun::oracle::{Passage, hauteur, verite, verite_du};
 use commun::promesses::{Essai, Part, Promesse, RIEN, marge_infinie, toutes};
 use commun::regimes::{
     Cas, Extreme, Genre, Regime, deux_puissance, direction, regimes, signe, vers_la_sortie,
@@ -87,6 +87,49 @@ fn chaque_promesse_tient<R: Reel>() {
 }
 
 en_f32_et_f64!(chaque_promesse_tient);
+
+/// Each regime is as hard as its name says: among easy cases no promise would be seen to break. How many of its cases lie
+/// within a thousand bands of the decision or within one of two faces, how many objects are far away beside their size,
+/// and how many are as large or as small as a scene can hold, or seen from as far.
+fn chaque_regime_est_aussi_dur_qu_il_le_dit<R: Reel>() {
+    const CAS: u32 = 1_000;
+    let limite = R::LIMITE.vers_f64() / 16.0;
+    for regime in regimes::<R>() {
+        let [mut serres, mut lointains, mut extremes] = [0; 3];
+        let faire = |alea: &mut Hasard| (regime.cas)(alea);
+        pour_chaque(CAS, faire, |Cas { objet, rayon }| {
+            let verite = verite(&objet, &rayon);
+            let nommees = match (&objet, &verite.entree) {
+                (ObjetRay::Boite(boite), Some(entree)) => {
+                    let faces = boite.normales().into_iter().flat_map(|n| [n, -n]);
+                    faces.filter(|n| entree.ecart_de_normale(*n) == 0.0).count()
+                }
+                _ => 0,
+            };
+            serres += u32::from(nommees > 1 || verite.facteur() < 1e3);
+            let s = rayon.source().vers_f64();
+            let etendue = objet.etendue().map(|e| [e.bas, e.haut].map(Vecteur::vers_f64));
+            let [bas, haut] = etendue.unwrap_or([Vecteur::NUL; 2]);
+            let (taille, loin) = ((haut - bas).longueur(), (s - bas).longueur() + bas.longueur());
+            lointains += u32::from(taille > 0.0 && loin > 1e3 * taille);
+            let au_bout = |x: f64| x > limite || (x > 0.0 && x < 1.0 / limite);
+            extremes += u32::from(au_bout(taille) || au_bout(loin));
+        });
+        let parts = [serres, lointains, extremes].map(|n| f64::from(n) / f64::from(CAS));
+        println!("{}: {parts:?}", regime.nom);
+        let [serres, lointains, extremes] = parts;
+        let assez_dur = match regime.extreme {
+            // A box may be small in all three dimensions.
+            Extreme::Aucun => serres < 0.05 && lointains < 0.35,
+            Extreme::Loin => lointains > 0.35,
+            Extreme::Parallele | Extreme::Decision => serres > 0.1,
+            Extreme::Bornes => extremes > 0.3,
+        };
+        assert!(assez_dur, "{}: {parts:?}", regime.nom);
+    }
+}
+
+en_f32_et_f64!(chaque_regime_est_aussi_dur_qu_il_le_dit);
 
 /// What holds for the numbers of an `f32` scene in `f64`, which are unit only to the rounding of `f32`: all except what
 /// rests on the length of the normal of a flat face. `docs/preuves/modele.md` promises less.
