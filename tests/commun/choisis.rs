@@ -122,7 +122,7 @@ impl<R: Bits, C: Choix + Copy> Choisis<'_, R, C> {
         let voulues: Vec<_> = avant.iter().map(|(_, mots)| *mots).collect();
         self.premiere(rayon, avant, self.monde.premiere_intersection(rayon));
         assert_eq!(self.monde.est_occulte(rayon), !avant.is_empty(), "{}", contexte());
-        let mut touches = vec![Err(NoIntersection); places];
+        let mut touches = vec![absurde(); places];
         let nombre = self.monde.dans_l_ordre(rayon, &mut touches);
         let obtenues: Vec<_> = touches[..nombre].iter().map(mots).collect();
         assert_eq!(obtenues, voulues[..voulues.len().min(touches.len())], "{}", contexte());
