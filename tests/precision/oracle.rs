@@ -1,8 +1,9 @@
 //! The oracle itself: where a quotient of any fixed number of bits would decide wrongly, and how much it grants.
 
 use commun::fabrique::{boite_droite, mur, sphere};
-use commun::mesure::lieu_permis;
+use commun::mesure::{au_bord, lieu_permis};
 use commun::oracle::verite;
+use commun::passages::est_a_fleur;
 use commun::promesses::profondeur_a;
 use lancer_rayon::{Nombre, Rayon, Vecteur};
 
@@ -92,5 +93,31 @@ fn la_bande_d_un_oracle_est_celle_des_pages() {
         assert!(entree.k == k && (direction == permis || proche(direction, permis)), "{direction}");
         let de_plus = entree.direction_permise::<f32>(u) - direction;
         assert!(direction == f64::INFINITY || proche(de_plus, 1.0 / f64::from(r)), "{de_plus}");
+    }
+}
+
+/// How far above the plane of a second face a ray may start that was sent in beside an edge, computed by hand; and how
+/// deep a ray may start in an object that its δ still lets it touch.
+#[test]
+fn un_oracle_excuse_ce_que_disent_les_pages() {
+    let (o, un, u) = (Vecteur::<f32>::NUL, Vecteur::new(1.0, 1.0, 1.0), f32::U);
+    let (sol, cube) = (mur(o, Vecteur::Z), boite_droite(o, un + un));
+    let dessus = Rayon::new(Vecteur::new(1.0 - 64.0 * u, 0.0, 4.0), -Vecteur::Z).unwrap();
+    let touche = cube.intersection(&dessus).unwrap();
+    // 4.1u|f|, 12.1ut and twice 1.1u|P|; the margin is nearly 0 here.
+    let permis = 4.1 * 17_f32.sqrt() + 12.1 * 3.0 + 2.0 * 1.1 * 2_f32.sqrt();
+    for (haut, excuse) in [(0.9 * permis, true), (1.1 * permis, false), (-4.0 * permis, false)] {
+        let depart = Vecteur::new(1.0 + haut * u, 0.0, 1.0 - 64.0 * u);
+        let de_cote = Rayon::new(Vecteur::new(2.0, 0.0, 0.5), -Vecteur::X).unwrap();
+        let encore = cube.intersection(&de_cote).unwrap();
+        assert_eq!(au_bord(&cube, &dessus, &touche, depart, &encore), excuse, "{haut}u");
+        assert!(!au_bord(&cube, &dessus, &touche, depart, &touche), "the same face");
+    }
+    for (profond, a_fleur) in [(0.99, true), (1.01, false)] {
+        let rayon = Rayon::new(-Vecteur::Z * profond, -Vecteur::Z).unwrap();
+        assert!(!est_a_fleur(&sol, &rayon));
+        let rayon = rayon.avec_flou(1.0).unwrap();
+        assert_eq!(est_a_fleur(&sol, &rayon), a_fleur, "{profond}");
+        assert!(!est_a_fleur(&sol, &rayon.dedans()));
     }
 }
