@@ -11,7 +11,7 @@ use commun::facons::{UN_ARBRE, comparer, comparer_dans, noeuds};
 use commun::hasard::{Hasard, Tirage, pour_chaque};
 use commun::regimes::{deux_puissance, direction, entre, gerbe, signe};
 use commun::{Bits, arrondi, en_f32_et_f64, scenes};
-use lancer_rayon::pour_les_tests::{Reglage, groupes_au_bout};
+use lancer_rayon::pour_les_tests::{JEU_F32, JEU_LARGEUR, Reglage, groupes_au_bout};
 use lancer_rayon::{
     BoiteGeo, Face, LongueursDifferentes, Monde, NoIntersection, Nombre, ObjetRay,
     PlacesInsuffisantes, PlanGeo, Rayon, Reel, Rotation, SphereGeo, Texture, Vecteur, places,
@@ -295,6 +295,26 @@ fn arbre<R: Reel>(objets: &[ObjetRay<R>], places: &mut [f32]) -> Vec<[[u32; 16];
     let (colonnes, _) = places[debut..].as_chunks::<16>();
     let (noeuds, _) = colonnes.as_chunks::<7>();
     noeuds[..combien].iter().map(|noeud| noeud.map(|colonne| colonne.map(f32::to_bits))).collect()
+}
+
+/// Eight balls of radius 1 about O and one at 5 on either side, whose tree has its middle in O and a scale of 1/16. The
+/// boxes about O have the slack that T2 grants half-extents of 3 in all. No hit that is known lies so far beyond its box that
+/// an answer would show the slack.
+fn une_boite_a_le_jeu_de_la_preuve<R: Bits>() {
+    let boule = |x| sphere::<R>(v(x, 0.0, 0.0), R::UN);
+    let objets = [[boule(0.0); 8].as_slice(), &[-5.0, 5.0].map(boule)].concat();
+    let feuilles = arbre(&objets, &mut [0.0; 1_000]);
+    let attendu = 3.0 / 16.0 * (JEU_LARGEUR + JEU_F32);
+    let fiche = |enfant: usize| {
+        [0, 1, 2, 3, 4, 5].map(|i| f64::from(f32::from_bits(feuilles[0][i][enfant])))
+    };
+    let du_milieu = (0..10).map(fiche).filter(|bords| (bords[0] + bords[3]).abs() < 0.1);
+    let bords = du_milieu.collect::<Vec<_>>().concat();
+    assert_eq!(bords.len(), 8 * 6);
+    for bord in bords {
+        let jeu = (bord.abs() - 1.0 / 16.0) / f64::from(f32::U);
+        assert!((jeu - attendu).abs() < 1.0, "{jeu} is not {attendu}");
+    }
 }
 
 /// The index of each record in the first leaves of a tree.
@@ -932,6 +952,7 @@ en_f32_et_f64!(une_poutre_en_morceaux_est_touchee_d_emblee);
 en_f32_et_f64!(un_sol_est_touche_d_emblee_en_bloc);
 en_f32_et_f64!(de_ce_qui_est_touche_d_emblee_le_premier_de_la_liste_est_le_premier);
 en_f32_et_f64!(un_bloc_demande_le_premier_de_la_liste);
+en_f32_et_f64!(une_boite_a_le_jeu_de_la_preuve);
 en_f32_et_f64!(une_touche_au_bord_de_sa_boite_n_est_pas_perdue);
 en_f32_et_f64!(le_long_d_une_arete_une_ombre_est_celle_de_la_liste);
 en_f32_et_f64!(de_toute_distance_un_arbre_repond_comme_la_liste);
