@@ -1099,9 +1099,52 @@ fn une_lentille_de_deux_boules_a_son_foyer() {
     assert!(faces(bord - 1e-3) == 2 && faces(bord + 1e-3) == 0);
 }
 
-/// A walk that is kept for many rays goes as a new one, also from a surface after a face far away.
+/// A walk that is kept for many rays goes as a new one, whatever it last met, and where it last stopped.
+fn une_marche_gardee_va_comme_une_neuve<R: Reel>() {
+    let mut surfaces = 0;
+    let faire = |alea: &mut Hasard| {
+        let scene = scene::<R>(alea);
+        let chemins = alea.liste(20, |alea, _| {
+            let pas =
+                alea.liste(8, |alea, _| if alea.bool() { entre(alea, 0.0, 2.0) } else { 9.0 });
+            // Half of them know their source less well, and may touch what is there at once.
+            let flou = *alea.choix(&[0.0, 0.5]) * scene.ecart;
+            let depart = depart(alea, &scene).avec_flou(R::depuis_f64(flou)).unwrap();
+            (depart, pas, direction(alea))
+        });
+        (scene, chemins)
+    };
+    pour_chaque(cas(2_000), faire, |(scene, chemins)| {
+        let neuve = || Marche::new(Monde::de_liste(&scene.objets), &scene.matieres);
+        let mut gardee = neuve();
+        for (rayon, pas, tour) in chemins {
+            let mut aller = |marche: &mut Marche<'_, R>| {
+                let mut vus = vec![];
+                marche.partir(rayon);
+                for &pas in &pas {
+                    let surface = marche.avancer(R::depuis_f64(pas)).unwrap();
+                    match &surface {
+                        Some(surface) => {
+                            surfaces += 1;
+                            let _ = marche.passer(surface).unwrap();
+                        }
+                        None => marche.tourner(arrondi(tour)).unwrap(),
+                    }
+                    vus.push((surface, marche.rayon(), marche.milieu()));
+                }
+                vus
+            };
+            assert_eq!(aller(&mut gardee), aller(&mut neuve()));
+        }
+    });
+    assert!(surfaces > 10_000, "{surfaces}");
+}
+
+en_f32_et_f64!(une_marche_gardee_va_comme_une_neuve);
+
+/// The error of a face far away says nothing of the next start, at a surface.
 #[test]
-fn une_marche_gardee_va_comme_une_neuve() {
+fn d_une_face_lointaine_rien_ne_reste() {
     let (boule, loin) = (sphere(Vecteur::NUL, 2.0_f32), mur(Vecteur::X * -2e6, Vecteur::X));
     let (objets, matieres) = ([boule, loin], [pleine(0, 1.5)]);
     let neuve = || Marche::new(Monde::de_liste(&objets), &matieres);
