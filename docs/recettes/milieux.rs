@@ -14,7 +14,7 @@ const TOURS: u32 = 32;
 /// of each other.
 const FACES_CACHEES: u32 = 100_000;
 
-/// Objects that lie up to this many δ behind a face are looked at.
+/// Objects that lie up to this many δ behind a face are looked at, and a way out this far back is here.
 const A_FLEUR: f64 = 256.0;
 
 /// A face is known to its margins, to δ and to this many u of the lengths involved.
@@ -92,9 +92,9 @@ pub struct Marche<'a, R = f64, C = Tous> {
     ici: Vec<usize>,
     /// How far this place goes: the error of the face that was found last.
     erreur: R,
-    /// Which way is through the face at which light waits, and through the one at this place that sent it back last.
+    /// Which way is through the face at which light waits, and through those at this place that sent it back.
     face: Option<Vecteur<R>>,
-    renvoi: Option<Vecteur<R>>,
+    renvois: Vec<Vecteur<R>>,
     /// How many rays there were since δ was 0.
     tours: u32,
     /// Where the ray of a chord enters an object, or leaves it.
@@ -119,7 +119,7 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
             ici,
             erreur,
             face: None,
-            renvoi: None,
+            renvois: vec![],
             tours: 0,
             bords,
             traverses,
@@ -149,7 +149,8 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
         self.ici.clear();
         // What the last face of another ray was off by says nothing of this start.
         (self.rayon, self.tours, self.erreur) = (rayon.dehors(), 0, R::ZERO);
-        (self.face, self.renvoi) = (None, None);
+        self.face = None;
+        self.renvois.clear();
     }
 
     /// The world that it goes through.
@@ -229,7 +230,7 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
         let Self { dans, apres, ici, .. } = self;
         ici.retain(|i| !apres.contains(i));
         ici.extend(apres.drain(..).filter(|i| !dans.contains(i)));
-        self.renvoi = self.face.or(self.renvoi);
+        self.renvois.extend(self.face);
         self.suivre(rayon);
     }
 
@@ -254,7 +255,7 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
         if distance <= self.erreur {
             return;
         }
-        self.renvoi = None;
+        self.renvois.clear();
         if !self.ici.is_empty() {
             let (objets, la) = (self.monde.objets(), self.rayon.point(distance));
             self.ici.retain(|&i| objets[i].contient(la));
@@ -262,8 +263,8 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
     }
 
     /// Goes through the surface that was found last, by Snell's law, or is mirrored there where no light passes or an
-    /// opaque thing stands; whether it passes. Light that total reflection would send back to a face which has just sent
-    /// it here, both at one place, is in a film that is there by rounding alone, and goes straight on.
+    /// opaque thing stands; whether it passes. Light that total reflection would send back to a face which has sent it
+    /// here, both at one place, is in a film that is there by rounding alone, and goes straight on.
     ///
     /// # Errors
     /// If the indices of two media differ more than a hundredfold or are not above 0, or if an object is lost in
@@ -284,8 +285,8 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
             Err(refus) if refus.champ == "refraction" => {
                 let retour = touche.reflechi(d)?;
                 let revient =
-                    |vers: Vecteur<R>| vers.produit_scalaire(retour.direction()) > R::ZERO;
-                if !self.renvoi.is_some_and(revient) {
+                    |vers: &Vecteur<R>| vers.produit_scalaire(retour.direction()) > R::ZERO;
+                if !self.renvois.iter().any(revient) {
                     self.rester(retour);
                     return Ok(false);
                 }
@@ -297,18 +298,27 @@ impl<'a, R: Reel, C: Choix + Copy> Marche<'a, R, C> {
     }
 
     /// Starts anew with δ = 0 at this distance, if light is there in what it should be in and in no wall; whether it
-    /// does. At a bounce, or where a step ends on a wall, the place might lie in a seam.
+    /// does. At a bounce, or where a step ends on a wall, the place might lie in a seam. Where light goes along the face of
+    /// a medium that holds the place by less than half of δ, that depth is its δ.
     fn recommencer(&mut self, distance: R) -> Result<bool, ErreurGeo> {
-        let (point, dans) = (self.rayon.point(distance), &self.dans);
-        let (mut combien, mut connus) = (0, true);
-        self.monde.contenants(point, |i| {
-            combien += 1;
-            connus &= dans.contains(&i);
+        let Self { monde, matieres, dans, rayon, .. } = self;
+        let objets = monde.objets();
+        let suite = Rayon::new(rayon.point(distance), rayon.direction())?;
+        let place = fois_u(norme(suite.source().into()), ERREUR);
+        let (mut connus, mut au_bord, mut flou) = (0, true, R::ZERO);
+        monde.contenants(suite.source(), |i| {
+            if dans.contains(&i) {
+                connus += 1;
+                return;
+            }
+            let dehors = place + arrondi(&objets[i]) + profondeur(&objets[i], suite.source());
+            au_bord &= !opaque(matieres, i) && dehors + dehors <= rayon.flou();
+            flou = if dehors > flou { dehors } else { flou };
         });
-        if !connus || combien != dans.len() {
+        if !au_bord || connus != dans.len() {
             return Ok(false);
         }
-        (self.rayon, self.tours) = (Rayon::new(point, self.rayon.direction())?, 0);
+        (self.rayon, self.tours) = (suite.avec_flou(flou)?, 0);
         self.ici.clear();
         Ok(true)
     }
@@ -522,8 +532,9 @@ fn sortie_ici<R: Reel>(objet: &ObjetRay<R>, rayon: &Rayon<R>) -> Option<Intersec
         touche.filter(|touche| touche.normale().produit_scalaire(d) > R::ZERO)
     };
     let touche = retour(-d)?;
-    // Light that grazes would have to go far back.
-    retour(-touche.normale()).or(Some(touche))
+    // Light that grazes would have to go far back, and that would be another place.
+    let pres = touche.distance() <= rayon.flou() * R::depuis_f64(A_FLEUR);
+    retour(-touche.normale()).or(pres.then_some(touche))
 }
 
 /// Where a ray that starts within this error of an object goes deeper into it, or comes to it later.
@@ -535,6 +546,24 @@ fn va_dans<R: Reel>(objet: &ObjetRay<R>, rayon: &Rayon<R>, erreur: R) -> Option<
     };
     let va = de > erreur || a == R::INFINI || profond(objet.sortie(rayon).ok()?) > erreur;
     va.then_some(de)
+}
+
+/// How far the surface of an object is from this place in it, as seen along its normals.
+fn profondeur<R: Reel>(objet: &ObjetRay<R>, place: Vecteur<R>) -> R {
+    let vers = |vers: Vecteur<R>| {
+        let sortie = Rayon::new(place, vers).ok().and_then(|rayon| objet.sortie(&rayon).ok());
+        sortie.map_or(R::INFINI, |sortie| sortie.distance())
+    };
+    let plus_pres = |a, b| if a < b { a } else { b };
+    match objet {
+        ObjetRay::Sphere(boule) => vers(place - boule.centre()),
+        ObjetRay::Plan(plan) => vers(plan.normale()),
+        ObjetRay::Boite(boite) => boite
+            .normales()
+            .into_iter()
+            .flat_map(|n| [vers(n), vers(-n)])
+            .fold(R::INFINI, plus_pres),
+    }
 }
 
 /// How far rounding may have set the face of an object beside where it was meant to be.

@@ -505,6 +505,36 @@ fn aucun_solide_a_fleur_ne_garde_un_rayon<R: Reel>() {
 
 en_f32_et_f64!(aucun_solide_a_fleur_ne_garde_un_rayon);
 
+/// A ray that comes to the foot of a box at a slope of some u, along the mirror on which the box stands, stays in the seam
+/// until its δ is about as large as the box, and no longer.
+fn rasant_un_rayon_reste_dans_un_joint<R: Reel>() {
+    let (mut pris, mut en_suite) = (0, 0);
+    let faire = |alea: &mut Hasard| {
+        let tour = Rotation::<R>::new(arrondi(direction(alea) * 3.0)).unwrap();
+        let milieu = direction(alea) * *alea.choix(&[0.0, 1.0, 10.0]);
+        let pente = 8.0 * u::<R>() * alea.f64();
+        (tour, milieu, pente, pente * entre(alea, 1.5, 2.5))
+    };
+    pour_chaque(cas(5_000), faire, |(tour, milieu, pente, haut)| {
+        let place = |x, y, z| arrondi::<R>(milieu) + tour.appliquer(v(x, y, z));
+        let sol = mur(place(0.0, 0.0, 0.0), tour.axes()[1]);
+        let objets = [sol, boite(place(1.0, 0.5, 0.0), v(1.0, 1.0, 2.0), tour)];
+        let vers = tour.appliquer(v(1.0, -pente, 0.1));
+        let (mut rayon, mut ici) = (Rayon::new(place(-1.0, haut, 0.0), vers).unwrap(), 0);
+        while let Ok(touche) = premiere_intersection(&objets, &rayon) {
+            ici = if touche.distance() == R::ZERO { ici + 1 } else { 0 };
+            assert!(ici < 1_500, "{rayon:?} stays");
+            pris += u32::from(ici == 146);
+            en_suite = en_suite.max(ici);
+            rayon = touche.reflechi(rayon.direction()).unwrap();
+        }
+    });
+    println!("{pris} were caught, with at most {en_suite} hits at once in a row");
+    assert!(pris > 20);
+}
+
+en_f32_et_f64!(rasant_un_rayon_reste_dans_un_joint);
+
 /// Paths of every kind among flush solids: each ray knows of its start what the pages say, and lies no deeper in any
 /// solid.
 fn un_chemin_sait_ou_il_est<R: Bits>() {

@@ -677,8 +677,10 @@ fn aucune_pellicule_ne_prend_la_lumiere<R: Reel>() {
         let matieres = [(); 4].map(|()| pleine(u32::from(alea.u8(0..3)), indice(alea)));
         let naissances = alea.liste(40, |alea, _| {
             let mut p = [(); 3].map(|()| entre(alea, -5.0, 5.0));
-            let axe = alea.usize(0..3);
-            p[axe] = *alea.choix(&[-5.0, -5.0 + hauts[0], 5.0, 0.0]);
+            // On a face, an edge or a corner.
+            for _ in 0..alea.usize(1..5) {
+                p[alea.usize(0..3)] = *alea.choix(&[-5.0, -5.0 + hauts[0], 5.0, 0.0]);
+            }
             // To the next surface, or this far, and then where light is scattered to.
             let chemin = alea.liste(100, |alea, _| {
                 let pas = *alea.choix(&[f64::INFINITY, 0.0, 1e-9, 0.1, 2.0]);
@@ -898,6 +900,26 @@ fn dans_une_arete_rentrante_la_lumiere_passe<R: Reel>() {
 }
 
 en_f32_et_f64!(dans_une_arete_rentrante_la_lumiere_passe);
+
+/// Glass that fills a room, and light in an edge of the room, out of the glass by rounding and by less than its δ, which
+/// goes nearly along the edge. Wherever it is told to come out, it is told so there, and not where it would have come in.
+#[test]
+fn dans_un_coin_la_lumiere_sort_ou_elle_est() {
+    let verre = boite(v(0.5, 0.5, 0.5), v(1.0, 1.0, 1.0), Rotation::IDENTITE);
+    let mut objets: Vec<ObjetRay> = vec![verre];
+    objets.extend(
+        murs(v(0.5, 0.5, 0.5), Rotation::IDENTITE, 1.0, None).into_iter().map(ObjetRay::from),
+    );
+    let matieres = [pleine(0, 1.5)];
+    let mut marche = Marche::new(Monde::de_liste(&objets), &matieres);
+    for pente in [1e-2, 1e-6, 1e-9, 1e-10, 2.5e-11] {
+        let rayon = Rayon::new(v(-1e-11, 1.0 + 1e-12, 0.5), v(-pente, 0.1, 1.0)).unwrap();
+        marche.reprendre(rayon.avec_flou(1e-9).unwrap(), [0]);
+        let surface = marche.avancer(f64::INFINITY).unwrap().unwrap();
+        let la = surface.touche.point();
+        assert!(surface.distance == 0.0 && (la - rayon.source()).longueur() < 1e-7, "{surface:?}");
+    }
+}
 
 /// Steps below 0 and those that are no numbers are refused, wherever light is, and it stays there.
 fn un_pas_sans_longueur_est_refuse<R: Reel>() {

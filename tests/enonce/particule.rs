@@ -133,6 +133,39 @@ fn une_particule_reste_ou_le_depliage_la_met<R: Reel>() {
 
 en_f32_et_f64!(une_particule_reste_ou_le_depliage_la_met);
 
+/// A particle that runs to and fro in the plane in which two media meet, or one medium ends. By rounding it is in what it
+/// is not said to be in, or the reverse, wherever it starts anew. Its δ stays that of some tens of rays all the same.
+fn le_long_d_une_face_le_flou_ne_croit_pas<R: Reel>() {
+    let mut plus_grand = 0.0_f64;
+    let faire = |alea: &mut Hasard| {
+        let tour = Rotation::<R>::new(arrondi(direction(alea) * 3.0)).unwrap();
+        let (milieu, face) = (direction(alea) * *alea.choix(&[0.0, 3.0]), entre(alea, -3.0, 3.0));
+        (tour, milieu, face, alea.bool(), alea.liste(2_000, |alea, _| 10.0 * alea.f64()))
+    };
+    pour_chaque(cas(20), faire, |(tour, milieu, face, deux, pas)| {
+        let place = |x: f64, y: f64, z: f64| arrondi(milieu) + tour.appliquer(v(x, y, z));
+        let mut objets: Vec<ObjetRay<R>> =
+            murs(arrondi(milieu), tour, 10.0, None).into_iter().map(ObjetRay::from).collect();
+        let bas = (face - 5.0, face + 5.0);
+        objets.push(boite(place(0.0, bas.0 / 2.0, 0.0), v(10.0, bas.1, 10.0), tour));
+        objets.push(boite(place(0.0, bas.1 / 2.0, 0.0), v(10.0, -bas.0, 10.0), tour));
+        let claire = |priorite| Matiere::Pleine { priorite, indice: 1.0 };
+        let matieres = [[Matiere::Opaque; 6].as_slice(), &[claire(0), claire(1)]].concat();
+        objets.truncate(if deux { 8 } else { 7 });
+        let mut marche = Marche::new(Monde::de_liste(&objets), &matieres[..objets.len()]);
+        marche.partir(Rayon::new(place(1.0, face, 2.0), tour.axes()[0]).unwrap());
+        for pas in pas {
+            assert!(avancer(&mut marche, R::depuis_f64(pas)).unwrap());
+            let flou = marche.rayon().flou().vers_f64() / (u::<R>() * (10.0 + milieu.longueur()));
+            plus_grand = plus_grand.max(flou);
+            assert!(flou <= 2_000.0, "{flou} u of the lengths in {:?}", marche.rayon());
+        }
+    });
+    println!("{plus_grand}");
+}
+
+en_f32_et_f64!(le_long_d_une_face_le_flou_ne_croit_pas);
+
 /// The mean way through a convex body that is lit evenly from all around is 4V/S, whether the body scatters much,
 /// little or not at all (Blanco and Fournier 2003).
 fn le_chemin_moyen_dans_une_brume_est_de_quatre_v_sur_s<R: Reel>() {

@@ -64,7 +64,7 @@ const PHRASES: &[(&str, &str)] = &[
         "FLOU_DISTANCE FLOU_POINT FLOU_RELATIF 1/PAS_D_EMBLEE PAS_D_EMBLEE_POINT 2.22",
     ),
     ("In a room of", "10 11 0.03 0.045 10 110"),
-    ("A chain need not end", "145 16"),
+    ("A chain need not end", "1008 358 10"),
 ];
 
 /// The same of lemma 22.
