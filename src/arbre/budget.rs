@@ -134,11 +134,9 @@ impl Budget {
         self.suffit
     }
 
-    /// Whether that is so of rays that were weighed too long ago, and not of any rays.
-    pub(crate) fn suffisait_a_la_liste(&self) -> bool {
-        !self.est_a_jour()
-            && self.suffit_a_la_liste()
-            && !self.suffirait_a_la_liste(Releve::INCONNU.seul)
+    /// Whether that is so of the rays that were weighed, and not of any rays.
+    pub(crate) fn suffit_par_une_pesee(&self) -> bool {
+        self.suffit_a_la_liste() && !self.suffirait_a_la_liste(Releve::INCONNU.seul)
     }
 
     /// Whether it would if a ray spent this alone.

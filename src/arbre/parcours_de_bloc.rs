@@ -205,9 +205,9 @@ impl<R: Nombre> Arbre<'_, R> {
         if bloc.un_suffit && loin == R::ZERO {
             return Issue::AuBout;
         }
-        if budget.suffisait_a_la_liste() {
+        if budget.suffit_par_une_pesee() {
             // Else nothing would ever stop the blocks of a call whose first rays were dear.
-            self.peser(simd, liste, budget, bloc.un_suffit, rayons);
+            self.peser_au_besoin(simd, liste, budget, bloc, rayons);
         }
         let (mut depense, mut permis, mut peses) = (0.0, budget.permis(rayons.len()), false);
         let par_objet = bloc.demandes.len() as Prix * budget.objet_proche;

@@ -146,13 +146,14 @@ fn le_long_d_une_face_le_flou_ne_croit_pas<R: Reel>() {
         let place = |x: f64, y: f64, z: f64| arrondi(milieu) + tour.appliquer(v(x, y, z));
         let mut objets: Vec<ObjetRay<R>> =
             murs(arrondi(milieu), tour, 10.0, None).into_iter().map(ObjetRay::from).collect();
-        let bas = (face - 5.0, face + 5.0);
-        objets.push(boite(place(0.0, bas.0 / 2.0, 0.0), v(10.0, bas.1, 10.0), tour));
-        objets.push(boite(place(0.0, bas.1 / 2.0, 0.0), v(10.0, -bas.0, 10.0), tour));
-        let claire = |priorite| Matiere::Pleine { priorite, indice: 1.0 };
-        let matieres = [[Matiere::Opaque; 6].as_slice(), &[claire(0), claire(1)]].concat();
-        objets.truncate(if deux { 8 } else { 7 });
-        let mut marche = Marche::new(Monde::de_liste(&objets), &matieres[..objets.len()]);
+        let mut matieres = vec![Matiere::Opaque; 6];
+        let couches = [[-5.0, face], [face, 5.0]];
+        for ([bas, haut], priorite) in couches.into_iter().take(1 + usize::from(deux)).zip(0..) {
+            let centre = place(0.0, (bas + haut) / 2.0, 0.0);
+            objets.push(boite(centre, v(10.0, haut - bas, 10.0), tour));
+            matieres.push(Matiere::Pleine { priorite, indice: 1.0 });
+        }
+        let mut marche = Marche::new(Monde::de_liste(&objets), &matieres);
         marche.partir(Rayon::new(place(1.0, face, 2.0), tour.axes()[0]).unwrap());
         for pas in pas {
             assert!(avancer(&mut marche, R::depuis_f64(pas)).unwrap());
